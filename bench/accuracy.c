@@ -1,16 +1,18 @@
-/* bench/accuracy.c - do responses keep the accuracy that was asked for, and at what cost? Each scene is
- * followed with modes chosen for 1 % and for 0.05 %, and compared with the full-order model (the strain
- * energy itself, by harmonic balance): the distance of folds and peaks is what hawser_accuracy_distance
- * says.
+/* bench/accuracy.c - do responses meet the required accuracy, and at what cost? Each scene is
+ * followed with modes chosen for 1 % and for 0.05 %, and compared with the full-order model (exact
+ * strain energy, harmonic balance). The distance of folds and peaks is that of
+ * hawser_accuracy_distance.
  *
- *     bench/accuracy [-f FUNCTIONS | -j MODES] [-t TOLERANCE] [-a ACCURACY,ACCURACY...] [-m MOST]
- *                    [-l LOAD] [-s NAME] [SCENE from to]...
+ *   bench/accuracy [-f FUNCTIONS | -j MODES] [-t TOLERANCE] [-a ACCURACY,ACCURACY...] [-m MOST]
+ *                  [-l LOAD] [-s NAME] [SCENE from to]...
  *
- * -j: a condensed model of the lowest MODES modes is the judge instead. -t: tolerance of the judge's
- * orbits. -m: condensed models of MOST modes at most, and no full order after them. -l: LOAD times the
- * load. -s: only the scene NAME of the table. `order` is what the last condensed model's motions say of
- * what no mode makes up for. from and to are multiples of the first frequency; without scenes, those of
- * the table below, from notebooks-data/scenes.
+ * -f: functions per component of the full-order model. -j: the reference is a condensed model of
+ * the lowest MODES modes instead. -t: tolerance of the reference's orbits. -m: condensed models of
+ * at most MOST modes, and no full order after them. -l: the load is multiplied by LOAD. -s: only
+ * the scene NAME of the table. `order` is the part of the estimated error that no further modes
+ * reduce. from and to are multiples of the first frequency; without scenes, those of the table
+ * below are used, from notebooks-data/scenes.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -27,18 +29,19 @@ static const struct {
 	const char *name;
 	double from, to;
 } scenes[] = {
-	{"b-table-4.4-line-1", 0.8, 1.3}, /* nearly linear: a peak alone */
-	{"b-table-4.4-line-2", 0.8, 1.3}, /* bends over, a mode near 2 Omega shares the energy */
+	{"b-table-4.4-line-1", 0.8, 1.3}, /* nearly linear: one peak without folds */
+	{"b-table-4.4-line-2", 0.8, 1.3}, /* the peak bends, and a mode near 2 Omega exchanges energy
+	                                   * with it */
 	{"b-table-4.5", 0.8, 1.3},        /* softens */
 	{"b-table-4.3-line-1", 0.8, 1.2}, /* small motions */
-	{"b-table-5.4-at-rest", 0.8, 1.3},        /* one-to-one, in and out of plane */
+	{"b-table-5.4-at-rest", 0.8, 1.3},        /* one-to-one resonance, in and out of the plane */
 	{"b-table-5.4-at-rest", 1.8, 2.2},        /* its second resonance */
 	{"guide-rope", 0.8, 1.3},         /* light and taut */
-	{"level-two-to-one", 0.8, 1.3},   /* both ends level, two-to-one */
+	{"level-two-to-one", 0.8, 1.3},   /* level ends, two-to-one resonance */
 	{"guide-rope", 1.8, 2.2},         /* its second resonance */
-	{"inclined", 1.8, 2.2},           /* on a slope of 31 degrees, two modes within 0.5 % */
-	/* beyond the ten: large motions; and a small peak that hangs on a resonance and on the load along
-	 * the cable */
+	{"inclined", 1.8, 2.2},           /* a slope of 31 degrees, two modes within 0.5 % */
+	/* further scenes: large motions; and a small peak that depends on a resonance and on the load
+	 * along the cable */
 	{"bridge-stay", 0.8, 1.3},
 	{"b-table-4.6-out-of-plane", 0.8, 1.2},
 	{"b-table-4.2", 1.9, 2.1},
@@ -46,7 +49,7 @@ static const struct {
 
 static struct hawser_report report;
 static double judge_tolerance;
-static int modes_most;         /* kept; 0: as many as needed */
+static int modes_most;         /* number of modes kept; 0: automatic */
 static double load_part = 1.0;
 
 static int fail(const char *name)
@@ -56,7 +59,8 @@ static int fail(const char *name)
 	return 1;
 }
 
-/* The model that knows: the lowest `modes` condensed, or where that is 0 the full order. */
+/* The reference: a condensed model of the lowest `modes` modes or, if that is 0, the full-order
+ * model. */
 struct judge {
 	int functions, modes;
 };
@@ -138,9 +142,9 @@ static double order_of(const struct hawser_accuracy *accuracy)
 	return NAN;
 }
 
-/* Processor time of the first accuracy, *base, is what ratios are to. A promise is broken where the
- * distance is above the accuracy and the program says that it reached it; where the distance is more
- * than estimated, a ! is behind it. */
+/* Ratios of processor times refer to that of the first accuracy, *base. A requirement is broken if
+ * the distance exceeds the accuracy although the program reports that it was reached. A "!" follows
+ * a distance above the estimate. */
 static int ask(struct span *span, double asked, double *base)
 {
 	struct hawser_accuracy accuracy;
@@ -198,7 +202,7 @@ static int one(const char *path, const char *name, double from, double to,
 	return broken;
 }
 
-/* Numbers with commas between. */
+/* Numbers separated by commas. */
 static int numbers(double *list, int most, const char *text)
 {
 	int count = 0;

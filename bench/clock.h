@@ -14,7 +14,7 @@ static inline double clock_secs(void)
 	return (double)now.tv_sec + 1e-9*(double)now.tv_nsec;
 }
 
-/* Processor time of this process, s: what a busy machine does not lengthen. */
+/* Processor time of this process, s, which is not affected by other work of the machine. */
 static inline double cpu_secs(void)
 {
 	struct timespec now;

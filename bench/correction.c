@@ -1,16 +1,17 @@
-/* bench/correction.c - the modes in the plane that answer at twice the response's frequency: kept, or
- * put into the cubic coefficient? Largest amplitude (scaled) of the first mode across, and its folds
- * over its frequency, for
+/* bench/correction.c - in-plane modes that respond at twice the frequency of the response: keep
+ * them, or correct the cubic coefficient? Prints the largest amplitude (scaled) of the first
+ * out-of-plane mode, and its folds over its frequency, for
  *
- *   static      every other mode follows statically
- *   at w1       the cubic coefficient corrected by their dynamic answer at 2 w1
+ *   static      every other mode condensed statically
+ *   at w1       the cubic coefficient corrected by their dynamic response at 2 w1
  *   at Omega    the same at twice a frequency of the response, OMEGA w1
- *   kept        the modes listed, the others static
+ *   kept        the listed modes kept, the others static
  *
- *     bench/correction SCENE OMEGA
+ *   bench/correction SCENE OMEGA
  *
- * The correction is -(2/3) sum beta_s^2 (1/(w_s^2 - 4 W^2) - 1/w_s^2), beta_s = T_11s/2: the part of
- * the first harmonic.
+ * The correction is -(2/3) sum beta_s^2 (1/(w_s^2 - 4 W^2) - 1/w_s^2), beta_s = T_11s/2: its part
+ * in the first harmonic.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -22,7 +23,7 @@
 
 static struct hawser_report report;
 
-/* T = D^3V3[Phi_1, Phi_1, Phi_s]; the first mode is across, so a = b = 0 in it. */
+/* T = D^3V3[Phi_1, Phi_1, Phi_s]; the first mode is out of plane, so that a = b = 0. */
 static double third(const struct hawser_modes *modes, int s)
 {
 	size_t points = (size_t)modes->grid.points;
@@ -62,7 +63,7 @@ static int follow(const char *name, const struct hawser_rom *rom, double w)
 	return 0;
 }
 
-/* The first `count` of an order of importance. */
+/* The first `count` modes in an order of importance. */
 static int keep(const struct hawser_modes *modes, const struct hawser_scene *scene, int count)
 {
 	int all[] = {0, 1, 3, 5, 9, 13, 17}, chosen[7], n = 0;

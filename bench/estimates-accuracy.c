@@ -1,9 +1,10 @@
-/* bench/estimates-accuracy.c - responses to a requested accuracy (model.modes: auto), and with a given
- * number of modes: the estimated error (estimates.h), against full-order models
+/* bench/estimates-accuracy.c - responses with a required accuracy (model.modes: auto) and with a
+ * given number of modes: the estimated error (estimates.h) against full-order models
  * (estimates-reference.c).
  *
- * Spans are taut to deeply sagging, with ranges about one of the lowest modes, whose peak may lie near
- * an end of the range, and amplitudes at resonance up to a tenth of the sag.
+ * Spans are taut to deeply sagging. The ranges contain one of the lowest modes, whose peak may lie
+ * near an end of the range; amplitudes at resonance are up to a tenth of the sag.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -14,7 +15,8 @@
 
 enum { MODES = 6, POINTS = 1000 };
 static const double asked = 0.01;
-static const double known_to = 4.0; /* times the range's end, as hawser frf has it (cli/known.c) */
+static const double known_to = 4.0; /* factor on the upper end of the range, as in hawser frf
+                                     * (cli/known.c) */
 
 static int draw_span(struct hawser_statics *st, struct chance *chance)
 {
@@ -29,7 +31,7 @@ static int draw_span(struct hawser_statics *st, struct chance *chance)
 	                            NULL) != HAWSER_OK;
 }
 
-/* A load that makes an amplitude of `part` of the sag at the resonance: f/(D w), in the scaled
+/* A load with which the amplitude at the resonance is `part` of the sag: f/(D w) in the scaled
  * equations. */
 static void draw_load(struct hawser_scene *scene, struct chance *chance,
                       const struct hawser_statics *st, double omega)
@@ -51,7 +53,7 @@ static void draw_load(struct hawser_scene *scene, struct chance *chance,
 	scene->model.inertia = HAWSER_INERTIA_AUTO;
 }
 
-/* Functions a component of the model that the response is of; 0: a condensed one. */
+/* Functions per component of the model of the response; 0: a condensed model. */
 static int functions_of(const struct hawser_accuracy *accuracy)
 {
 	return accuracy->tries > 0 ? accuracy->attempt[accuracy->tries - 1].functions : 0;
@@ -111,7 +113,7 @@ static int trace_lowest(struct hawser_frf *frf, struct hawser_rom *rom, struct h
 	       hawser_frf_trace(frf, rom, &options, NULL) || frf->end == HAWSER_END_MAX_POINTS;
 }
 
-/* Loads along the cable's own axes, over a part of it, and damping by the air too. */
+/* Loads along the axes of the cable, on a part of it, and also damping by air. */
 static void vary_load(struct hawser_scene *scene, struct chance *chance,
                       const struct hawser_modes *modes)
 {

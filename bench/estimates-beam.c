@@ -1,5 +1,5 @@
-/* bench/estimates-beam.c - hawser beam: the error of its discretisation (estimates.h), against twice as
- * many functions of the default one; what is tried is any of them.
+/* bench/estimates-beam.c - hawser beam: the error of any discretisation (estimates.h), against
+ * twice as many functions of the default one.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 

@@ -1,5 +1,5 @@
-/* bench/estimates-campbell.c - modes of a travelling cable, as hawser campbell and modes have them,
- * against shooting in extended precision (estimates.h).
+/* bench/estimates-campbell.c - modes of a travelling cable by hawser campbell and modes, against
+ * shooting in extended precision (estimates.h).
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -7,7 +7,7 @@
 #include "tests/gyroscopic-shooting.h"
 
 enum { STEPS = 70, TRIED = 2 };
-/* The root next to a frequency that is so uncertain may be another mode's. */
+/* Relative error above which the root next to a frequency may belong to another mode. */
 static const double crudest = 0.02;
 
 int estimate_campbell(struct tally *tally, struct chance *chance)

@@ -1,9 +1,11 @@
 /* bench/estimates-catenary.c - hawser statics against the elastic catenary in quadruple precision
  * (estimates.h).
  *
- * Unknowns m, ln a and ln H as in src/statics/catenary.h; the two closures and the given quantity are
- * solved by Newton's method with derivatives by differences, from the answer: a dozen digits a step.
- * exp and its like by series, after halving; nothing here but + - * / and these.
+ * Unknowns are m, ln a and ln H as in src/statics/catenary.h. The two closures and the equation of
+ * the given quantity are solved by Newton's method with difference quotients, starting from the
+ * result to be tested; a step gains a dozen digits. exp and related functions are computed by
+ * series after halving of the argument, with + - * / only.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -70,7 +72,8 @@ static void quantities(quad *q, const struct span_quad *span, quad m, quad a, qu
 	q[1] = H*cl;
 	q[2] = H*cu;
 	q[3] = 2*unit*quad_cosh(m)*quad_sinh(a);
-	/* the integral of 1 + eps sqrt(1 + u^2) over u = sinh: cosh + eps cosh^2 over the angle */
+	/* the integral of 1 + eps sqrt(1 + u^2) over u = sinh(angle) is that of cosh + eps cosh^2 over
+	 * the angle */
 	q[4] = q[3] + unit*eps*(a + quad_cosh(2*m)*quad_sinh(2*a)/2);
 	x = c - low + eps*(sc - sl);
 	y = cc - cl + eps*(sc*sc - sl*sl)/2;
@@ -78,7 +81,7 @@ static void quantities(quad *q, const struct span_quad *span, quad m, quad a, qu
 	(void)su;
 }
 
-/* What has to vanish, [3]. */
+/* Residuals [3]. */
 static void defects(quad *f, const struct span_quad *span, int given, quad value, quad m, quad la,
                     quad lH)
 {
@@ -106,7 +109,7 @@ static quad quad_log(double x)
 	return y;
 }
 
-/* The exact quantities of *st's problem; 0 where Newton's method has not settled. */
+/* The exact quantities of the problem of *st; returns 0 if Newton's method does not converge. */
 static int solve(double *exact, const struct hawser_statics *st, double value)
 {
 	int falls = st->span.h < 0.0, settled = 0;
@@ -115,7 +118,7 @@ static int solve(double *exact, const struct hawser_statics *st, double value)
 	double p = asinh(st->V0/st->H), r = asinh(st->V1/st->H);
 	struct span_quad span = {st->span.EA, (quad)st->span.rho*st->span.g, st->span.d,
 	                         fabs(st->span.h)};
-	/* for taut cables r - p cancels: a from the length */
+	/* for taut cables r - p cancels: a follows from the length */
 	quad m = fabs(p + r)/2, a = quad_asinh((quad)st->length0*span.w/(2*st->H)/quad_cosh(m));
 	quad z[3] = {m, quad_log((double)a), quad_log(st->H)}, q[QUANTITIES];
 

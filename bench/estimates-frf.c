@@ -1,7 +1,9 @@
-/* bench/estimates-frf.c - points, events and landmarks of hawser frf (estimates.h).
+/* bench/estimates-frf.c - points, events, folds and peaks of hawser frf (estimates.h).
  *
- * A point's error is its distance from the true branch, so the true orbit is the nearest one: by
- * shooting to 1e-13, in the plane across the branch's tangent.
+ * The error of a point is its distance from the true branch. The true orbit is therefore the
+ * nearest one: by shooting with a tolerance of 1e-13, in the plane normal to the tangent of the
+ * branch.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -13,9 +15,10 @@
 #include "response/method.h"
 
 enum { POINTS = 160, TRIED = 4 };
-/* Of the corrector. The mesh is finer, for its estimate may be below its error. */
+/* Of the corrector. The mesh is finer, since its estimate may be below its error. */
 static const double exact = 1e-13;
-/* Fastest frequency over Omega from which on scenes are left to harmonic balance, for their time. */
+/* Ratio of the fastest frequency to Omega above which scenes are computed by harmonic balance only,
+ * to save time. */
 static const double stiff = 20.0;
 
 static double fastest(const struct hawser_rom *rom)
@@ -59,7 +62,7 @@ static void nearest_clear(struct nearest *at)
 	*at = (struct nearest){0};
 }
 
-/* The orbit of the branch next to x [2n], omega; 0 where it is not found. */
+/* The orbit of the branch next to x [2n], omega; returns 0 if it is not found. */
 static int nearest_to(struct nearest *at, const struct hawser_rom *rom, const double *x,
                       double omega, const struct hawser_frf_options *from, double finest)
 {
@@ -81,7 +84,7 @@ static int nearest_to(struct nearest *at, const struct hawser_rom *rom, const do
 	at->row = at->y + size;
 	at->x = at->row + size;
 	at->coordinate = at->x + m;
-	/* a mesh fine enough for this state to be a periodic one's, and the tangent */
+	/* a mesh fine enough for the periodic orbit at this state, and the tangent */
 	for (int tries = 0; again && tries < 60; tries++) {
 		if (at->orbit->ops->from_state(at->orbit, at->y, x, omega, NULL))
 			goto done;
@@ -97,7 +100,7 @@ static int nearest_to(struct nearest *at, const struct hawser_rom *rom, const do
 		goto done;
 	hawser__orbit_tangent(at->orbit, at->row);
 	nodes = (size - 1)/m;
-	/* across it by the state over X and Omega over W, whatever the size of a component is */
+	/* normal to the tangent in the norm of the state over X and Omega over W */
 	for (int i = 0; i < size - 1; i++)
 		at->row[i] /= nodes*at->orbit->X*at->orbit->X*at->orbit->weight[i];
 	for (again = 1; again && !failed;) {
@@ -191,8 +194,8 @@ int estimate_frf(struct tally *tally, struct chance *chance)
 
 /* --- events --- */
 
-/* The event of that kind nearest to *event when the branch is followed again from the point before it,
- * by shooting to 1e-12; NAN where there is none. */
+/* The event of the same kind nearest to *event if the branch is followed again from the point
+ * before it, by shooting with a tolerance of 1e-12; NAN if there is none. */
 static double located(const struct hawser_rom *rom, const struct hawser_frf *frf,
                       const struct hawser_frf_event *event, struct hawser_frf_options options)
 {
@@ -231,7 +234,7 @@ int estimate_events(struct tally *tally, struct chance *chance)
 		const struct hawser_frf_event *event = &frf.event[e];
 		double right = event->suspected ? NAN : located(&rom, &frf, event, options);
 
-		if (!isnan(right)) /* not met again: too near the next one to tell which it is */
+		if (!isnan(right)) /* not found again: too near the next one to identify it */
 			tally_note(tally, fabs(event->omega/right - 1.0), event->error,
 			           "%s by %s to %.1g at Omega %.9g, n %d, %s, residual %.1g",
 			           hawser_event_name(event->kind), frf.method, options.tolerance,

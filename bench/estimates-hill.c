@@ -1,9 +1,10 @@
 /* bench/estimates-hill.c - multipliers of hawser hill, and boundaries of hawser map (estimates.h).
  *
- * Of one coordinate, x'' + c x' + (k + p cos t + q cos 2t) x = 0 with t = Omega time, the monodromy
- * matrix is integrated by extrapolation in extended precision; with its trace and its determinant,
- * which is exp(-c T), its multipliers are closed forms. Of more coordinates the truth is eight times as
- * many steps: their error falls with the 16th power.
+ * For one coordinate, x'' + c x' + (k + p cos t + q cos 2t) x = 0 with t = Omega time, the
+ * monodromy matrix is integrated by extrapolation in extended precision. Its trace and its
+ * determinant, which is exp(-c T), give the multipliers in closed form. For more coordinates the
+ * reference has eight times as many steps; their error decreases with the 16th power of the number.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -83,7 +84,7 @@ static void midpoint(real *out, const struct hawser_rom *rom, const real *y, rea
 		out[i] = 0.5L*(now[i] + old[i] + h*rate[i]);
 }
 
-/* Logarithms of the two moduli, the larger first, over a period. */
+/* Logarithms of the two moduli over a period, the larger first. */
 static void closed_form(double *log_modulus, const struct hawser_rom *rom, real omega)
 {
 	real y[4] = {1.0L, 0.0L, 0.0L, 1.0L}, turn = 2.0L*acosl(-1.0L), table[COLUMNS][4];
@@ -163,9 +164,10 @@ static int grows(const struct hawser_rom *rom, double omega)
 	return log_modulus[0] > 0.0;
 }
 
-/* Of a boundary along Omega at its load factor: the bracket's ends are not alike. Bisected to 1e-13,
- * the distance from what the map says. The ends of the bracket are among the places that are looked
- * at: from one to the next outside of it a narrow tongue, with both its sides, could be missed. */
+/* A boundary along Omega at its load factor, where the ends of the bracket differ in stability. It
+ * is bisected to 1e-13 and compared with the map. The ends of the bracket are among the samples:
+ * between the next samples outside the bracket a narrow tongue with both its sides could be
+ * missed. */
 static double off(const struct hawser_rom *rom, const struct hawser_map_boundary *at)
 {
 	struct hawser_rom scaled = *rom;
@@ -212,7 +214,7 @@ int estimate_map(struct tally *tally, struct chance *chance)
 	options.points[0] = 25;
 	options.points[1] = 9;
 	options.threads = 1;
-	/* growth counts beyond 1e-8 in the logarithm: a bracket much narrower is about that */
+	/* growth counts beyond 1e-8 in the logarithm: a much narrower bracket encloses this limit */
 	options.tolerance = chance_log(chance, 1e-6, 1e-3);
 	if (hawser_map_cable_open(&field, &source, NULL)) {
 		hawser_rom_clear(&rom);

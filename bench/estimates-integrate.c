@@ -9,7 +9,7 @@
 #include "bench/estimates.h"
 
 enum { COLUMNS = 8, ROOM = 64 };
-/* Radians of the fastest coordinate: of a macro step, and of a run at most. */
+/* In radians of the fastest coordinate: a macro step, and the longest run. */
 static const double macro = 0.4, longest = 1500.0;
 
 typedef long double real;
@@ -116,7 +116,7 @@ int estimate_integrate(struct tally *tally, struct chance *chance)
 	refused = refused || !error || m > ROOM ||
 	          hawser_integrate_error(error, &run, &rom, &options, NULL);
 	for (int i = 0; !refused && i < m; i++)
-		y[i] = run.state[i]; /* rest is not 0 for coordinates that are no modes */
+		y[i] = run.state[i]; /* rest is not 0 for coordinates that are not modes */
 	for (int row = 0; !refused && row < run.rows; row++) {
 		double sum = 0.0;
 

@@ -1,6 +1,6 @@
-/* bench/estimates-landmarks.c - folds and peaks of a response as hawser compare has them: uncertainties
- * of Omega and size (estimates.h), against the same branch by shooting to 1e-12 in shorter steps, with
- * every peak gone over again.
+/* bench/estimates-landmarks.c - folds and peaks of a response by hawser compare: uncertainties of
+ * Omega and size (estimates.h), against the same branch by shooting with a tolerance of 1e-12 in
+ * shorter steps, with every peak refined again.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -11,7 +11,7 @@
 
 enum { POINTS = 800, MOST = 2 };
 static const double wanted = 2e-6; /* of peaks, as in src/study/run.c */
-static const double sharp = 1e-13; /* of the true ones: as sharp as may be */
+static const double sharp = 1e-13; /* tolerance of the reference's peaks: as small as possible */
 
 static int landmarks_of(struct hawser_study_curve *curve, const struct hawser_rom *rom,
                         const struct hawser_frf_options *options, double known)
@@ -33,7 +33,7 @@ static void note(struct tally *tally, const struct hawser_study_curve *curve,
 {
 	const char *kind = own->kind == HAWSER_LANDMARK_FOLD ? "fold" : "peak";
 
-	/* what is no better known cannot judge */
+	/* references with a larger uncertainty are not used */
 	if (right->omega_error < 0.3*own->omega_error)
 		tally_note(tally, fabs(own->omega/right->omega - 1.0), own->omega_error,
 		           "%s by %s, n %d, of probe %d.%d: Omega %.9g (%.1g)", kind, curve->frf.method,
@@ -53,7 +53,7 @@ int estimate_landmarks(struct tally *tally, struct chance *chance)
 	int *partner = NULL, strong = chance_unit(chance) < 0.5, refused;
 	double first;
 
-	/* a cable, for oscillators have no probes; a small one, for its time */
+	/* a cable, since oscillators have no probes; a small one, to save time */
 	while (estimate_model(&rom, chance, strong) || rom.shapes.points == 0 || rom.n > MOST)
 		hawser_rom_clear(&rom);
 	first = sqrt(rom.K[0]);

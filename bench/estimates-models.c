@@ -1,9 +1,9 @@
-/* bench/estimates-models.c - reduced models by chance (estimates.h): of a cable with one to five modes,
- * or one to three oscillators coupled by a random potential.
+/* bench/estimates-models.c - random reduced models (estimates.h): of a cable with one to five
+ * modes, or of one to three oscillators coupled by a random potential.
  *
- * Loads are such that the amplitudes at resonance stiffen or soften the model by a part that is drawn
- * from 1e-4 to 0.3; where they are to be strong, from 0.05 to 0.5 with little damping, so that
- * there are folds.
+ * The loads are chosen so that the amplitudes at resonance change the stiffness by a random part,
+ * from 1e-4 to 0.3; for strong loads from 0.05 to 0.5 with little damping, so that there are folds.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -14,7 +14,7 @@
 
 enum { MOST = 3, DIRECTIONS = 3 };
 
-/* |C| of coordinate j alone, and of what Q does in its place. */
+/* |C| of coordinate j alone, with the equivalent effect of Q. */
 static double hardening(const struct hawser_rom *rom, int j)
 {
 	double sum = 0.0;
@@ -28,7 +28,7 @@ static double hardening(const struct hawser_rom *rom, int j)
 	return sum;
 }
 
-/* Damping ratios and load, where `f` has the load's shape. */
+/* Damping ratios and load; `f` has the load's shape. */
 static int excite(struct hawser_rom *rom, struct chance *chance, int strong)
 {
 	double ratio = chance_log(chance, 3e-3, strong ? 0.03 : 0.1);

@@ -8,7 +8,7 @@
 #include "tests/modes-shooting.h"
 
 enum { STEPS = 26, TRIED = 2 };
-/* The root next to a frequency that is so uncertain may be another mode's. */
+/* Relative error above which the root next to a frequency may belong to another mode. */
 static const double crudest = 0.02;
 
 static int statics_of(struct hawser_statics *st, struct chance *chance)
@@ -30,7 +30,8 @@ int estimate_modes(struct tally *tally, struct chance *chance)
 	while (hawser_modes_method(methods))
 		methods++;
 	row = chance_int(chance, 0, methods - 1);
-	if (how > 0.6) { /* by default three scenes of five; then with a given basis or another method */
+	if (how > 0.6) { /* the default in three scenes of five; otherwise a given basis or another
+	                  * method */
 		options.basis = chance_int(chance, 12, 40);
 		options.method = how > 0.85 ? hawser_modes_method(row)->name : NULL;
 	}

@@ -1,15 +1,16 @@
 /* bench/estimates-reference.c - the true error of a response (estimates.h): its distance from the
- * response of a full-order model whose basis is large enough.
+ * response of a full-order model with a sufficiently large basis.
  *
  *   d     distance of the response from that of the reference
- *   move  distance of the reference from the one before, which has FINER functions a component less
+ *   move  distance of the reference from the previous one, with FINER functions per component less
  *
- * No fixed number of functions is enough. Where a harmonic of a lightly damped response meets a high
- * mode, a small error of that mode's frequency is a large one of the amplitude: about the sixth mode of
- * a sagging span 12 functions are off by up to 12 %, 16 by 1 %, and 20 by 0.2 %, which is more than the
- * error of a condensed model of 25 exact modes. So functions are added until it does not matter how
- * far the reference itself is off: until `move` is at most a tenth of d, or until d and `move` together
- * are below half the stated error.
+ * No fixed number of functions is sufficient. If a harmonic of a lightly damped response meets a
+ * high mode, a small error of the frequency of this mode causes a large error of the amplitude:
+ * near the sixth mode of a sagging span 12 functions have an error of up to 12 %, 16 of 1 %, and 20
+ * of 0.2 %, which is more than the error of a condensed model of 25 exact modes. Functions are
+ * therefore added until the error of the reference does not matter: until `move` is at most a tenth
+ * of d, or until the sum of d and `move` is below half the stated error.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -18,8 +19,8 @@
 
 enum { FUNCTIONS = 12, FINER = 4, FUNCTIONS_MOST = 33, POINTS = 2500 };
 static const double settled = 0.1; /* part of d */
-static const double clear = 0.5;   /* part of the stated error */
-static const double known = 1e-3;  /* peaks of the responses, relative */
+static const double clear = 0.5;   /* relative to the stated error */
+static const double known = 1e-3;  /* tolerance of the peaks of the responses, relative */
 
 static int trace(struct hawser_frf *frf, struct hawser_rom *rom,
                  const struct estimate_response *response, int functions)
@@ -36,7 +37,7 @@ static int trace(struct hawser_frf *frf, struct hawser_rom *rom,
 	       hawser_frf_trace(frf, rom, &options, NULL) || frf->end == HAWSER_END_MAX_POINTS;
 }
 
-/* What of a response is compared. */
+/* The part of a response that is compared. */
 static int find(struct hawser__marks *marks, const struct hawser_frf *frf,
                 const struct hawser_rom *rom)
 {
@@ -45,7 +46,7 @@ static int find(struct hawser__marks *marks, const struct hawser_frf *frf,
 	return hawser__marks_find(marks, frf, rom, &options, known, NULL) != HAWSER_OK;
 }
 
-/* The same of a full-order response; 1: there is none. */
+/* The same for a full-order response; returns 1 if there is none. */
 static int find_full(struct hawser__marks *marks, const struct estimate_response *response,
                      int functions)
 {
@@ -58,7 +59,7 @@ static int find_full(struct hawser__marks *marks, const struct estimate_response
 	return failed;
 }
 
-/* 1: nothing more need be known. */
+/* 1: the verdict does not depend on the reference any more. */
 static int enough(const struct estimate_truth *truth, double stated)
 {
 	return truth->move <= settled*truth->distance ||
@@ -75,7 +76,7 @@ int estimate_truth(struct estimate_truth *truth, const struct estimate_response 
 	*truth = (struct estimate_truth){.distance = NAN, .move = NAN};
 	for (int functions = fewest; !failed && functions <= FUNCTIONS_MOST; functions += FINER) {
 		fine = (struct hawser__marks){.count = 0};
-		/* too small a basis for the motion may have no response */
+		/* with a basis too small for the motion there may be no response */
 		if (find_full(&fine, response, functions))
 			continue;
 		truth->functions = functions;

@@ -1,4 +1,5 @@
-/* bench/estimates-table.c - what each command states, and the route to what is true (estimates.h).
+/* bench/estimates-table.c - the stated errors of each command, and the functions that compute the
+ * true ones (estimates.h).
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 

@@ -1,4 +1,5 @@
-/* bench/estimates-tally.c - draws, and the tally of true over stated errors (estimates.h).
+/* bench/estimates-tally.c - random numbers, and statistics of the ratio of true to stated error
+ * (estimates.h).
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -8,7 +9,7 @@
 
 #include "bench/estimates.h"
 
-/* splitmix64: any state is a good one. */
+/* splitmix64: any state is a good seed. */
 static uint64_t next(struct chance *chance)
 {
 	uint64_t z = chance->state += UINT64_C(0x9e3779b97f4a7c15);
@@ -67,7 +68,7 @@ void tally_note(struct tally *tally, double true_error, double stated, const cha
 {
 	double ratio = true_error == 0.0 ? 0.0 : true_error/(stated/tally->divide);
 
-	if (isnan(ratio)) /* nothing is known, or nothing was stated: as bad as can be */
+	if (isnan(ratio)) /* nothing is known, or no error was stated: the largest ratio */
 		ratio = INFINITY;
 	tally->failed |= append(&tally->all, ratio);
 	tally->number_exceeded += ratio > 1.0;

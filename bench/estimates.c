@@ -1,12 +1,15 @@
-/* bench/estimates.c - do stated errors hold? For each command random scenes over wide ranges: the error
- * it states is compared with the true one, from a much more accurate route (estimates.h).
+/* bench/estimates.c - do stated errors hold? For each command, random scenes over wide ranges: the
+ * error that the command states is compared with the true one, from a much more accurate method
+ * (estimates.h).
  *
- *     bench/estimates [COMMAND|all [COUNT [SEED [SHOW [FIRST]]]]]
+ *   bench/estimates [COMMAND|all [COUNT [SEED [SHOW [FIRST]]]]]
  *
- * COUNT scenes (1000), drawn from SEED (1); with SHOW numbers whose true error is beyond SHOW times the
- * stated one are listed; FIRST (0) is the number of the first scene. Status 1 where a command
- * breaks its word: more than 1 of 1000 scenes with an error beyond the stated one, or one by more
- * than 10 times. SPDX-License-Identifier: GPL-3.0-or-later */
+ * COUNT scenes (1000) are drawn from SEED (1). With SHOW, numbers whose true error exceeds SHOW
+ * times the stated one are listed. FIRST (0) is the number of the first scene. Status 1 if for a
+ * command more than 1 of 1000 scenes have an error beyond the stated one, or one has an error
+ * beyond 10 times the stated one.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <stdlib.h>

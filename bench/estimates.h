@@ -1,10 +1,11 @@
-/* bench/estimates.h - errors that are stated against true ones: random scenes, the tally of their
- * ratios, and a command's way to draw a scene, to get the answer with its stated error, and to get the
- * true one by a much more accurate route.
+/* bench/estimates.h - stated errors against true ones: random scenes, statistics of the ratios, and
+ * for each command a function that draws a scene, computes the result with its stated error, and
+ * computes the true result by a much more accurate method.
  *
  *   ratio   true error over stated error of one number
  *
- * A scene depends on (seed, command, index) alone, so that a single one can be looked at again.
+ * A scene depends on (seed, command, index) only, so that it can be repeated alone.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_BENCH_ESTIMATES_H
 #define HAWSER_BENCH_ESTIMATES_H
@@ -26,7 +27,7 @@ double chance_between(struct chance *chance, double low, double high);
 double chance_log(struct chance *chance, double low, double high); /* uniform in the logarithm */
 int chance_int(struct chance *chance, int low, int high); /* both included */
 
-/* --- the tally --- */
+/* --- statistics --- */
 
 struct ratios {
 	double *ratio; /* [count] */
@@ -35,27 +36,28 @@ struct ratios {
 
 struct tally {
 	struct ratios all;    /* of numbers */
-	struct ratios worst;  /* of scenes: the largest of each */
+	struct ratios worst;  /* largest ratio of each scene */
 	int scenes, refused;
-	int exceeded, far_exceeded; /* scenes with a ratio above 1, above 10 */
+	int exceeded, far_exceeded; /* number of scenes with a ratio above 1, above 10 */
 	int number_exceeded;
 	double here;          /* largest ratio of the present scene; negative: none yet */
-	double divide;        /* stated errors are divided by it: 1, or what a test of the test takes */
-	double show;          /* numbers with a ratio beyond are printed; 0: none */
+	double divide;        /* divisor of the stated errors: 1, or another number to test the test */
+	double show;          /* numbers with a larger ratio are printed; 0: none */
 	int scene;
 	int failed;           /* memory */
 };
 
-/* One number of the present scene: its true and its stated error, with what it is for the listing. */
+/* One number of the present scene: its true and its stated error, and a description for the list. */
 void tally_note(struct tally *tally, double true_error, double stated, const char *format, ...)
 	__attribute__((format(printf, 4, 5)));
-void tally_scene(struct tally *tally, int refused); /* the present scene is done */
+void tally_scene(struct tally *tally, int refused); /* end of the present scene */
 double tally_quantile(struct ratios *ratios, double part); /* sorts */
 void tally_clear(struct tally *tally);
 
 /* --- commands --- */
 
-/* Draws a scene and notes its numbers; 1: refused, with no answer to compare. */
+/* Draw a scene and note its numbers. Returns 1 if the command refused it, so that there is nothing
+ * to compare. */
 struct estimate {
 	const char *name, *stated, *truth;
 	int (*scene)(struct tally *tally, struct chance *chance);
@@ -83,7 +85,7 @@ int estimate_map(struct tally *tally, struct chance *chance);
 int estimate_beam(struct tally *tally, struct chance *chance);
 int estimate_beam_value(struct tally *tally, struct chance *chance);
 
-/* A response, and what it is of. */
+/* A response, and its model. */
 struct estimate_response {
 	const struct hawser_frf *frf;
 	const struct hawser_rom *rom;
@@ -93,19 +95,20 @@ struct estimate_response {
 };
 /* Its true error. */
 struct estimate_truth {
-	double distance; /* from the response of the largest full-order model that was traced */
-	double move;     /* distance of that one from the full-order response before */
-	int functions;   /* a component, of that model */
+	double distance; /* from the response of the largest full-order model */
+	double move;     /* distance of this one from the previous full-order response */
+	int functions;   /* functions per component of that model */
 };
-/* From the first number of functions beyond `more` on, as many as the verdict about the stated error
- * asks for (estimates-reference.c). 1: no two full-order responses can be had. */
+/* Refine from the first number of functions above `more`, until the verdict about the stated error
+ * does not change (estimates-reference.c). Returns 1 if two full-order responses cannot be
+ * computed. */
 int estimate_truth(struct estimate_truth *truth, const struct estimate_response *response, int more,
                    double stated);
 
-/* A span whose H is drawn: *H. */
+/* A span with random horizontal tension *H. */
 struct hawser_span estimate_span(struct chance *chance, double *H);
-/* A reduced model: of a drawn cable, or of coupled oscillators; strong: one that folds. 1: there is
- * none. */
+/* A reduced model of a random cable, or of coupled oscillators; strong: with folds. Returns 1 on
+ * failure. */
 int estimate_model(struct hawser_rom *rom, struct chance *chance, int strong);
 
 #endif

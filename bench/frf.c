@@ -1,8 +1,8 @@
-/* bench/frf.c - what a tolerance costs: the chairlift response (B Table 4.2, five modes, 0.6 to 3.3
- * times the first frequency) at falling tolerances, the error of its events beside the time.
+/* bench/frf.c - cost of a tolerance: the chairlift response (B Table 4.2, five modes, 0.6 to 3.3
+ * times the first frequency) at decreasing tolerances, with the error of its events and the time.
  *
- * Verifies first: every tolerance must find the events of the tightest one, in the same order. Errors
- * are relative, in Omega, against the run at 1e-12.
+ * Verifies first: for every tolerance the events must be those of the smallest one, in the same
+ * order. Errors are relative, in Omega, against the run at 1e-12.
  *
  *   frf SCENE
  *

@@ -1,10 +1,10 @@
 /* bench/integrate.c - work and precision of the integration methods, and energy over 1000 periods.
  *
- * Every figure is checked before it is timed: a run whose error exceeds ten thousand times rtol (the
- * worst of the methods, BDF, gathers 4000) ends the bench with status 1. The error is the largest in
- * any coordinate at any output, relative to the largest coordinate, against gauss at 3e-14.
+ * Every result is checked before it is timed: a run whose error exceeds ten thousand times rtol
+ * ends the bench with status 1 (the largest, that of BDF, is 4000). The error is the largest in any
+ * coordinate at any output, relative to the largest coordinate, against gauss at 3e-14.
  *
- * The machine's other work only lengthens a run, so the time is the shortest of REPEATS.
+ * Other work of the machine only lengthens a run; the time is therefore the shortest of REPEATS.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tests/integrate-models.h"
@@ -79,7 +79,8 @@ int main(void)
 	};
 	int good = 1;
 
-	/* A mode a hundred times above the motion; damping as much as stiffness; both, at 1 %. */
+	/* A mode with a frequency a hundred times that of the motion; damping as large as stiffness;
+	 * both, with 1 %. */
 	cases[1].rom.K[24] += 9e4;
 	cases[3].rom.K[24] += 9e4;
 	for (int j = 0; j < 25; j += 6) {

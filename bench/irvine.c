@@ -1,6 +1,7 @@
-/* bench/irvine.c - Irvine diagrams of B Table 4.1: ten branches at 400 tensions, level and
- * inclined, and what they cost. Verifies before it times: status 1 where a level branch changes
- * its symmetry, an inclined one crosses, or a diagram takes more than a second of the processor.
+/* bench/irvine.c - Irvine diagrams of B Table 4.1 and their cost: ten branches at 400 tensions,
+ * level and inclined. Verifies before it times: status 1 if a branch of a level span changes its
+ * symmetry, a branch of an inclined span crosses another, or a diagram takes more than a second of
+ * processor time.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -13,7 +14,8 @@
 enum { REPEAT = 3 };
 static const double most_secs = 1.0;
 
-/* Branches whose symmetry is not constant; where P comes to dominate, its word is the other one. */
+/* Number of branches whose symmetry changes; where P becomes dominant the label is the opposite
+ * one. */
 static int changed(const struct hawser_irvine *irvine)
 {
 	int count = 0;

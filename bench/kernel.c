@@ -1,13 +1,12 @@
-/* bench/kernel.c - evaluations a second of a reduced model's restoring force and of its tangent,
- * against a naive dense loop over all n^3 and n^4 entries (nested as Horner would, so that needless
- * products don't slow it). Verifies before it times.
+/* bench/kernel.c - evaluations per second of a reduced model's restoring force and of its tangent,
+ * against a naive dense loop over all n^3 and n^4 entries (nested as in Horner's scheme, to avoid
+ * needless products). Verifies before it times.
  *
- * The models are derivatives of a random potential
- *     V = sum_{a<=b<=c} q_abc u_a u_b u_c + sum_{a<=b<=c<=d} c_abcd u_a u_b u_c u_d.
- * In the case "parity-sparse" the even coordinates stand for out-of-plane modes, which enter every
- * monomial in even number, as on a resting span; other monomials are zero. The naive loop is fed by
- * the third and fourth derivatives of V, not by the library's list of monomials, so that a
- * mistake in one does not hide in the other.
+ * The models are derivatives of a random potential V = sum_{a<=b<=c} q_abc u_a u_b u_c +
+ * sum_{a<=b<=c<=d} c_abcd u_a u_b u_c u_d. In the case "parity-sparse" the even coordinates
+ * represent out-of-plane modes, which enter every monomial an even number of times, as for a span
+ * at rest; other monomials are zero. The naive loop uses the third and fourth derivatives of V, not
+ * the library's list of monomials, so that an error in one does not cancel in the other.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -24,10 +23,10 @@
 
 enum { states = 64 };                  /* different u, so that no loop can be hoisted */
 static const double time_limit_secs = 0.25; /* of each timing */
-static const double error_allowed = 1e-13;  /* relative to the sum of the terms' moduli */
+static const double error_allowed = 1e-13;  /* relative to the sum of the moduli of the terms */
 
-/* The naive side: full arrays. Q and C are the second and third derivatives' coefficients of the
- * force: r_j = K_jk u_k + Q_jkl u_k u_l + C_jklm u_k u_l u_m, symmetric in every index. */
+/* The naive model: full arrays. Q and C are coefficients of the force from the second and third
+ * derivatives: r_j = K_jk u_k + Q_jkl u_k u_l + C_jklm u_k u_l u_m, symmetric in all indices. */
 struct dense {
 	int n;
 	double *K, *Q, *C;
@@ -43,7 +42,7 @@ static double uniform(void) /* in (-1, 1) */
 	return (double)(int64_t)seed/9223372036854775808.0;
 }
 
-/* Number of different orders of `count` sorted indices. */
+/* Number of distinct permutations of `count` sorted indices. */
 static int orders(const int *index, int count)
 {
 	int total = 1, run = 1;
@@ -55,7 +54,7 @@ static int orders(const int *index, int count)
 	return total;
 }
 
-/* May a monomial of these coordinates stand in the potential? */
+/* 1 if the potential may contain a monomial of these coordinates. */
 static int allowed(const int *index, int count, int parity)
 {
 	int even = 0;
@@ -76,8 +75,8 @@ static void insert(int *sorted, const int *index, int count)
 	}
 }
 
-/* Fill a symmetric array of `rank` indices: a random value for every sorted index, the same for
- * every order of it. */
+/* Fill a symmetric array of `rank` indices: a random value for every sorted index, the same for all
+ * its permutations. */
 static void fill_symmetric(double *array, int n, int rank, int parity)
 {
 	int index[4] = {0}, sorted[4];
@@ -162,7 +161,7 @@ static void list_cubics(struct hawser_rom *rom, const struct dense *dense)
 	}
 }
 
-/* The library's side of the same model. */
+/* The same model in the library's form. */
 static enum hawser_status rom_new(struct hawser_rom *rom, const struct dense *dense,
                                   struct hawser_report *report)
 {
@@ -228,7 +227,8 @@ static void naive_tangent(const struct dense *dense, double *restoring, double *
 	}
 }
 
-/* Largest difference of the two sides over all states, relative to the sum of the terms' moduli. */
+/* Largest difference between the two models over all states, relative to the sum of the moduli of
+ * the terms. */
 static double disagreement(const struct hawser_rom *rom, const struct dense *dense,
                            const struct dense *moduli, const double *u, double *work)
 {
@@ -253,8 +253,8 @@ static double disagreement(const struct hawser_rom *rom, const struct dense *den
 	return worst;
 }
 
-/* Largest difference between tangents at all states in one call and one by one, relative to the
- * largest entry. */
+/* Largest difference between tangents computed in one call and one by one, relative to the largest
+ * entry. */
 static double block_disagreement(const struct hawser_rom *rom, const double *u, double *all,
                                  double *work)
 {
@@ -274,7 +274,7 @@ static double block_disagreement(const struct hawser_rom *rom, const double *u, 
 	return worst/largest;
 }
 
-/* What is timed: one call each, on either side. */
+/* The functions that are timed: one call for each model. */
 struct sides {
 	const struct hawser_rom *rom;
 	const struct dense *dense;
@@ -305,8 +305,8 @@ static void block_tangents(const struct sides *s, const double *u)
 
 static volatile double sink; /* keeps the results alive */
 
-/* States a second, `at_once` of them a call: the best of five timings, each long enough for the
- * clock. */
+/* States per second, with `at_once` of them per call: the best of five timings, each long enough
+ * for the clock. */
 static double rate(void (*call)(const struct sides *, const double *), const struct sides *sides,
                    const double *u, int at_once)
 {
@@ -329,8 +329,7 @@ static double rate(void (*call)(const struct sides *, const double *), const str
 	return best;
 }
 
-/* Entries of the kernel: multiplications and additions that a tangent takes, without those of the
- * products u_l u_m. */
+/* Number of multiplications and additions of a tangent, without those of the products u_l u_m. */
 static double entries(const struct hawser_rom *rom)
 {
 	const struct hawser__panels *panels = rom->kernel->panels;
@@ -341,7 +340,7 @@ static double entries(const struct hawser_rom *rom)
 	return sum;
 }
 
-/* All states in one call, as harmonic balance and the period map ask for them. */
+/* All states in one call, as in harmonic balance and the period map. */
 static double show_block(const struct hawser_rom *rom, const double *u, double single)
 {
 	int n = rom->n;
@@ -367,7 +366,7 @@ static void show(const char *what, double ours, double theirs)
 	       ours/theirs);
 }
 
-/* The same arrays with every entry's modulus. */
+/* The same arrays with the moduli of the entries. */
 static int dense_moduli(struct dense *moduli, const struct dense *dense)
 {
 	size_t n = (size_t)dense->n;
@@ -383,7 +382,7 @@ static int dense_moduli(struct dense *moduli, const struct dense *dense)
 	return 1;
 }
 
-/* Verify, then time, one model. Returns 0 where the two sides disagree. */
+/* Verify and time one model. Returns 0 if the two models disagree. */
 static int run(int n, int parity)
 {
 	struct dense dense = {0}, moduli = {0};

@@ -1,9 +1,9 @@
-/* bench/map.c - what a map of Floquet multipliers costs: 200 x 200 points of a model of six
- * coordinates, all of them coupled, adaptively and point by point.
+/* bench/map.c - cost of a map of Floquet multipliers: 200 x 200 points of a model of six coupled
+ * coordinates, adaptively and point by point.
  *
  * Verified: at points spread over the map the largest multiplier agrees with that of a transition
- * matrix from hawser_integrate; the adaptive map has the same number of instabilities as the other at
- * all but a hundredth of the nodes; one thread and all give the same bits.
+ * matrix by hawser_integrate; the adaptive map has the same number of instabilities as the full one
+ * at 99 % of the points; one thread and all threads give the same bits.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

@@ -1,10 +1,11 @@
-/* bench/modes-methods.c - what the methods for modes cost at equal accuracy, 1e-6 in the first ten
- * frequencies, on the source's example cables (B Table 4.1); and the same from a dense unsymmetric
- * eigenvalue solve of the source's finite-difference matrix (4.55), as one would write it first.
+/* bench/modes-methods.c - cost of the methods for modes at equal accuracy, 1e-6 in the first ten
+ * frequencies, on the source's example cables (B Table 4.1). For comparison: a dense unsymmetric
+ * eigenvalue solution of the source's finite-difference matrix (4.55), as a straightforward program
+ * would use.
  *
- * Errors are against the spectral method at its default, itself checked in bench/modes. Status 1 where
- * the default is not 100 times as fast as a dense solve that is still less exact than wanted: that is
- * the lower bound of the factor at equal accuracy, and no extrapolation.
+ * Errors are against the spectral method with its default tolerance, which bench/modes checks.
+ * Status 1 if the default is not 100 times as fast as a dense solution that is still less accurate
+ * than required: this gives a lower bound of the factor at equal accuracy, without extrapolation.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -36,7 +37,7 @@ static double worst_error(const double *omega, const struct hawser_modes *right)
 	return worst;
 }
 
-/* Error and best time of a method with this basis over a tenth of a second. */
+/* Error of a method with this basis, and its best time over a tenth of a second. */
 static double run(double *secs, const struct hawser_modes *right, const char *method, int basis)
 {
 	struct hawser_modes_options options = {.n = MODES, .basis = basis, .method = method};
@@ -88,8 +89,8 @@ static void fill(double *A, const struct hawser_statics *st, int N)
 	}
 }
 
-/* Frequencies of the dense matrix by dgeev: their error. Nothing but the matrix and its eigenvalues is
- * timed. */
+/* Frequencies of the dense matrix by dgeev and their error. Only the assembly and the eigenvalues
+ * are timed. */
 static double dense(double *secs, const struct hawser_modes *right, int N)
 {
 	int n = 3*(N - 1), found = 0;
@@ -115,7 +116,8 @@ static double dense(double *secs, const struct hawser_modes *right, int N)
 	return error;
 }
 
-/* The least cost of a method for the accuracy wanted: growing bases. Its time, or NAN. */
+/* The smallest cost of a method with the required accuracy, over increasing bases. Returns its
+ * time, or NAN. */
 static double cheapest(const struct hawser_modes *right, const char *method, int first, double growth,
                        int most)
 {
@@ -132,7 +134,7 @@ static double cheapest(const struct hawser_modes *right, const char *method, int
 	return NAN;
 }
 
-/* One cable. Nonzero where the default fails what the top of the file says. */
+/* One cable. Returns nonzero if the default does not meet the condition above. */
 static int compare(int which, double slope, double ratio)
 {
 	struct hawser_modes_options options = {.n = MODES};
@@ -168,8 +170,8 @@ static int compare(int which, double slope, double ratio)
 	return bad | !(factor >= factor_wanted && error > wanted);
 }
 
-/* Of the first two in-plane closed forms: error of omega, distance of the unit shape from the true one,
- * and the root of its Rayleigh quotient over the true frequency. delta = 0.3. */
+/* For the first two in-plane closed forms: error of omega, distance of the normalised shape from
+ * the true one, and the root of its Rayleigh quotient over the true frequency. delta = 0.3. */
 static void shapes(double slope, double epsilon)
 {
 	struct hawser_statics st = scaled_span(epsilon, 0.3, slope);

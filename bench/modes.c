@@ -1,6 +1,6 @@
-/* bench/modes.c - accuracy of the first ten natural frequencies against cost, and what the choice of
- * unknowns is worth. True errors are against shooting in quadruple precision. Verifies before it
- * times: status 1 where the default misses its tolerance or states less than its error.
+/* bench/modes.c - accuracy of the first ten natural frequencies against cost, and the effect of the
+ * choice of unknowns. True errors are against shooting in quadruple precision. Verifies before it
+ * times: status 1 if the default misses its tolerance or states less than its error.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -14,7 +14,7 @@
 
 enum { MODES = 10, DEGREE = 40, NODES = 80, UNKNOWNS = 2*(DEGREE - 1) };
 
-/* Best time of a solve, over a tenth of a second. */
+/* Best time of a solution, over a tenth of a second. */
 static double time_secs(const struct hawser_statics *st, const struct hawser_modes_options *options)
 {
 	double best = HUGE_VAL, start = clock_secs();
@@ -31,7 +31,7 @@ static double time_secs(const struct hawser_statics *st, const struct hawser_mod
 	return best;
 }
 
-/* One line of the table; nonzero where the default failed its promise. */
+/* One line of the table; returns nonzero if the default missed its tolerance or its estimate. */
 static int line(const struct hawser_statics *st, int basis)
 {
 	struct hawser_modes_options options = {.n = MODES, .basis = basis};
@@ -72,7 +72,7 @@ static int table(const char *name, double epsilon, double delta, double hs)
 	return bad | line(&st, 0);
 }
 
-/* --- the usual way: displacements P, Q as unknowns, K and M formed --- */
+/* --- the usual formulation: displacements P, Q as unknowns, K and M assembled --- */
 
 /* Integrals N_j of Legendre polynomials, zero at both ends, and their derivatives: [DEGREE-1]. */
 static void bubbles(double *N, double *slope, double x)
@@ -110,7 +110,7 @@ static void displacement_matrices(double *K, double *M, const struct hawser_stat
 	}
 }
 
-/* Worst error of the in-plane frequencies among `right`; inverse: M x = mu K x instead. */
+/* Largest error of the in-plane frequencies of `right`; inverse: M x = mu K x instead. */
 static double displacement_error(const struct hawser_modes *right, const struct hawser_grid *grid,
                                  int inverse)
 {

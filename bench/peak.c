@@ -1,15 +1,15 @@
-/* bench/peak.c - what a point of a response costs against what the processor can do.
+/* bench/peak.c - cost of a point of a response compared with the peak performance of the processor.
  *
  *   peak [SCENE]
  *
- * The peak is measured, on one core: multiply-adds that depend on nothing but registers, with vectors
- * of 256 and of 512 bits, and a dgemm of order 1000. Then, for models of a span of growing size (the
- * scene's, condensed), the response from 0.6 to 3.3 times the first frequency at the default
- * tolerance: time and counted additions and multiplications a point; and a period map with its
- * derivatives alone.
+ * The peak is measured on one core: independent multiply-adds in registers, with vectors of 256 and
+ * of 512 bits, and a dgemm of order 1000. Then, for condensed models of the scene of increasing
+ * size, the response from 0.6 to 3.3 times the first frequency at the default tolerance: time and
+ * counted additions and multiplications per point; and a period map with its derivatives alone.
  *
- * Flops are counted as the method needs them (hawser_orbit_cost): zeros that fill up vectors, the
- * multipliers, the condition estimate and the amplitudes are not in them, but are in the time.
+ * Operations are counted as the method requires them (hawser_orbit_cost). Padding of vectors with
+ * zeros, the multipliers, the condition estimate and the amplitudes are not counted, but are
+ * included in the time.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -31,7 +31,7 @@ static const double time_limit_secs = 0.1;
 
 static volatile double sink; /* keeps the results alive */
 
-/* `count` times 12 multiply-adds of vectors that do not wait for each other, and stay in registers. */
+/* `count` times 12 independent multiply-adds of vectors in registers. */
 #define MULTIPLY_ADDS(name, type) \
 	static double name(long count) \
 	{ \

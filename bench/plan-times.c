@@ -1,15 +1,17 @@
-/* bench/plan-times.c - times that hawser plan states against processor times of the runs, on random
+/* bench/plan-times.c - times stated by hawser plan against processor times of the runs, on random
  * scenes: taut, sagging and inclined cables, at rest or travelling, ranges about the first or the
  * second frequency or wide ones, amplitudes at resonance from 0.3 to 50 % of the sag.
  *
- * Each run is a process of its own that is ended after LIMIT s of processor time; then the plan has to
- * say more than half of LIMIT, or a bound. The ratio is real over planned time. A time that is stated
- * as a bound is right where the run takes half of it or more; how many are bounds is told.
+ * Each run is a process that is ended after LIMIT s of processor time; the plan must then state
+ * more than half of LIMIT, or a bound. The ratio is real over planned time. A time that is stated
+ * as a lower bound is right if the run takes half of it or more; the number of such bounds is
+ * printed.
  *
- *     bench/plan-times [COUNT [SEED [FIRST [LIMIT]]]]
+ *   bench/plan-times [COUNT [SEED [FIRST [LIMIT]]]]
  *
- * COUNT scenes (40) from SEED (1), the first with number FIRST (0), LIMIT 60; 0: no runs, plans alone.
- * Status 1 where fewer than nine of ten ratios are within a factor of 2, or one is beyond 5.
+ * COUNT scenes (40) from SEED (1), the first with number FIRST (0), LIMIT 60; 0: no runs, plans
+ * alone. Status 1 if fewer than nine of ten ratios are within a factor of 2, or one is beyond 5.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -166,10 +168,10 @@ static int run_apart(struct outcome *outcome, const struct job *job,
 	return !got;
 }
 
-/* --- the tally --- */
+/* --- statistics --- */
 
-/* Real over planned time; of a run that was ended 1 where the plan says more than half of the limit,
- * and 1 of a bound that holds. */
+/* Real over planned time. For a run that was ended: 1 if the plan states more than half of the
+ * limit. For a bound that holds: 1. */
 static double ratio_of(const struct outcome *at, int over, const struct hawser_plan_row *row)
 {
 	double ratio = at->seconds/row->seconds;
@@ -186,7 +188,7 @@ static void show(const struct job *job, const struct hawser_plan_row *row, const
 	       *row->foreseen ? "; " : "", row->foreseen);
 }
 
-/* 1: the word is broken. */
+/* 1: the conditions above are not met. */
 static int report_ratios(const char *name, struct ratios *ratios, int bounds)
 {
 	int within = 0;

@@ -1,9 +1,9 @@
-/* bench/plan.c - what a plan estimates against what happens: points, time and error of the fidelities
- * of scenes, over 0.6 to 3.3 times the first frequency.
+/* bench/plan.c - estimates of a plan against results: points, time and error of the fidelities of
+ * scenes, over 0.6 to 3.3 times the first frequency.
  *
- * Verifies first: sizes must be those planned. Errors are those of the frequencies of each component's
- * largest peak against the last fidelity of the list; times are the processor's. Ends with status 1
- * where the time of a condensed model is off by more than a factor of 3.
+ * Verifies first: the sizes must be those planned. Errors are those of the frequencies of each
+ * component's largest peak against the last fidelity of the list; times are processor times. Status
+ * 1 if the estimated time of a condensed model is wrong by more than a factor of 3.
  *
  *   plan SCENE...
  *
@@ -56,7 +56,7 @@ static enum hawser_status prepare(struct job *job, const char *path, struct haws
 	return status;
 }
 
-/* One fidelity; returns 1 where the plan was wrong. */
+/* One fidelity; returns 1 if the plan was wrong. */
 static int measure(const struct job *job, const struct hawser_plan_row *row)
 {
 	struct hawser_study_curve curve = {.n = 0};

@@ -1,7 +1,9 @@
-/* bench/shapes.c - where a method's shapes fail: largest error of the first three modes of each plane
- * against the spectral method, for the cables of B Table 4.1, over slope and tension. B (4.1.5)
- * remarks that its analytic shapes fail for inclined, nearly inextensible cables: by how much?
- * A table for gnuplot: a block a cable and slope. Arguments: METHOD [POINTS].
+/* bench/shapes.c - the parameters for which a method's shapes fail: largest error of the first
+ * three modes of each plane against the spectral method, for the cables of B Table 4.1, over slope
+ * and tension. B (4.1.5) remarks that its analytic shapes fail for inclined, nearly inextensible
+ * cables; this bench gives the errors. Output is a table for gnuplot, one block for each cable and
+ * slope. Arguments: METHOD [POINTS].
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdio.h>

@@ -1,8 +1,10 @@
-/* bench/statics.c - solves a second of the elastic catenary, from each given quantity, and the errors
- * beside them. First everything is verified: N random spans (argument 1, default 1e6) as in
- * tests/statics-draw.h, solved from H and back from each of the five; a failure, a given missed by
- * more than 1e-12, or an end missed by more than 1e-12 of the chord (in long double) ends the program
- * with status 1. Then the same solves are timed in blocks, nothing else inside the clock.
+/* bench/statics.c - solutions per second of the elastic catenary from each given quantity, with
+ * their errors. First everything is verified: N random spans (argument 1, default 1e6) as in
+ * tests/statics-draw.h, solved from H and back from each of the five quantities. A failure, a given
+ * quantity missed by more than 1e-12, or an end missed by more than 1e-12 of the chord (in long
+ * double) ends the program with status 1. Then the same solutions are timed in blocks, without
+ * other work.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 

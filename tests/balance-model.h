@@ -1,5 +1,5 @@
-/* tests/balance-model.h - a model that has everything, and an orbit that does not solve it: for tests
- * of harmonic balance.
+/* tests/balance-model.h - a model with every kind of term, and an orbit that does not satisfy it:
+ * for tests of harmonic balance.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_TESTS_BALANCE_MODEL_H
 #define HAWSER_TESTS_BALANCE_MODEL_H
@@ -26,7 +26,7 @@ static inline void add_harmonic(struct hawser_rom *rom, struct hawser_harmonic h
 	rom->harmonic[rom->harmonics++] = harmonic;
 }
 
-/* Everything a model can have: no symmetry, gyroscopic damping, loads and parameters of several
+/* A model with all terms: no symmetry, gyroscopic damping, loads and parametric terms of several
  * harmonics, phases and powers of Omega. */
 static inline int make_general(struct hawser_rom *rom)
 {
@@ -56,7 +56,7 @@ static inline int make_general(struct hawser_rom *rom)
 	return hawser_rom_compile(rom, NULL) != HAWSER_OK;
 }
 
-/* All pairs up to `order` active. */
+/* Activate all pairs up to `order`. */
 static inline int activate(struct hawser__balance *balance, int order)
 {
 	memset(balance->active, 0, ((size_t)balance->top + 1)*balance->base.n);
@@ -64,7 +64,7 @@ static inline int activate(struct hawser__balance *balance, int order)
 	return hawser__balance_arrange(balance, NULL) != HAWSER_OK;
 }
 
-/* Coefficients of falling size up to harmonic `order`, and Omega. */
+/* Coefficients that decrease up to harmonic `order`, and Omega. */
 static inline double *some_orbit(const struct hawser__balance *balance, int order, double omega)
 {
 	double *y = calloc((size_t)balance->base.size, sizeof *y);

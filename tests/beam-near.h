@@ -1,4 +1,4 @@
-/* tests/beam-near.h - a number near another, with a name that is formatted.
+/* tests/beam-near.h - compare two numbers, with a formatted name.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_TESTS_BEAM_NEAR_H
 #define HAWSER_TESTS_BEAM_NEAR_H

@@ -1,10 +1,12 @@
-/* tests/beam-shooting.h - static speeds of a travelling beam by another route: with l = 0 the equation
+/* tests/beam-shooting.h - static speeds of a travelling beam by another route. With l = 0 the
+ * equation
  *
  *   (theta - r^2 v^2) y'''' - ((T - v^2) y')' + c v y' = 0
  *
- * integrates once to (theta - r^2 v^2) y''' = (T - v^2) y' - c v y + C, which is shot from x = 0
- * with the two
- * free constants there; the determinant of what is left at x = 1 vanishes at a static speed.
+ * integrates once to (theta - r^2 v^2) y''' = (T - v^2) y' - c v y + C. It is integrated from x = 0
+ * with the two free constants there. At a static speed the determinant of the end conditions at x =
+ * 1 vanishes.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_TESTS_BEAM_SHOOTING_H
 #define HAWSER_TESTS_BEAM_SHOOTING_H

@@ -1,4 +1,4 @@
-/* tests/folds-duffing.h - the oscillator whose folds are known best.
+/* tests/folds-duffing.h - the Duffing oscillator for tests of folds.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_TESTS_FOLDS_DUFFING_H
 #define HAWSER_TESTS_FOLDS_DUFFING_H

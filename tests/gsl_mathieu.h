@@ -1,6 +1,5 @@
-/* tests/gsl_mathieu.h - characteristic values of Mathieu's equation by GSL, which shares no code with
- * hawser's.
- *
+/* tests/gsl_mathieu.h - characteristic values of Mathieu's equation by GSL, which shares no code
+ * with this program.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TESTS_GSL_MATHIEU_H
 #define TESTS_GSL_MATHIEU_H

@@ -1,12 +1,11 @@
 /* tests/gyroscopic-shooting.h - frequencies of a travelling cable by another route: the linear
- * equations of motion integrated from end A for a complex omega, by Gragg-Bulirsch-Stoer
- * extrapolation in extended precision; an eigenvalue is where the far end's displacement, a
- * determinant, vanishes.
+ * equations of motion are integrated from end A for a complex omega, by Gragg-Bulirsch-Stoer
+ * extrapolation in extended precision. At an eigenvalue the determinant of the displacements at the
+ * far end vanishes.
  *
  *   X' = a e + b n, a = epsilon F.e, b = (g/T) F.n;   F' = -omega^2 X + 2 i nu omega X'
  *
- * Nothing here knows that omega is real.
- *
+ * This route does not assume that omega is real.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_TESTS_GYROSCOPIC_SHOOTING_H

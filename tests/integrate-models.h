@@ -41,7 +41,7 @@ static inline void model_cubic(struct hawser_rom *rom, int j, int k, int l, int 
 	rom->C[rom->cubics++] = (struct hawser_cubic){j, k, l, m, value};
 }
 
-/* One harmonic with a load f [n]. */
+/* One harmonic with the load f [n]. */
 static inline void model_force(struct hawser_rom *rom, enum hawser_phase phase, int omega_power,
                                const double *f)
 {
@@ -66,7 +66,7 @@ static inline void model_compile(struct hawser_rom *rom)
 	}
 }
 
-/* u'' + d u' + k u + c u^3 = f cos(Omega t); f 0 for none. */
+/* u'' + d u' + k u + c u^3 = f cos(Omega t); f = 0: no load. */
 static inline struct hawser_rom model_oscillator(double d, double k, double c, double f)
 {
 	struct hawser_rom rom = model_new(1);
@@ -123,7 +123,7 @@ static inline struct hawser_rom model_pair(void)
 	return rom;
 }
 
-/* Uniform in (-1, 1), the same everywhere. */
+/* Uniform in (-1, 1), the same numbers on every machine. */
 static inline double model_random(uint64_t *seed)
 {
 	*seed = *seed*6364136223846793005u + 1442695040888963407u;
@@ -152,7 +152,7 @@ static inline struct hawser_rom model_potential(void)
 	return rom;
 }
 
-/* Run to the end or bail out: for the tests that look at the result only. */
+/* Integrate to the end, or fail the test: for tests that need only the result. */
 static inline struct hawser_trajectory model_run(const struct hawser_rom *rom, const char *method,
                                                  double omega, double until, double every,
                                                  double rtol, const double *initial)

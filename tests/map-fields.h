@@ -1,4 +1,4 @@
-/* tests/map-fields.h - fields that are known in closed form, and the memory that a map may ask for.
+/* tests/map-fields.h - fields with closed forms, and a limit on the memory of a map.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_TESTS_MAP_FIELDS_H
 #define HAWSER_TESTS_MAP_FIELDS_H
@@ -23,8 +23,8 @@ static inline void field_close(void *worker)
 	(void)worker;
 }
 
-/* A circle of radius 0.61 about (0.13, -0.07): one instability inside. To the right of x = 0.8 there is
- * nothing. */
+/* A circle of radius 0.61 about (0.13, -0.07), with one instability inside. To the right of x = 0.8
+ * there is no value. */
 static inline enum hawser_status circle_point(void *worker, struct hawser_map_sample *sample,
                                               double *marks, double x, double y,
                                               struct hawser_report *report)
@@ -48,8 +48,8 @@ static inline struct hawser_map_field circle(void)
 		.close = field_close, .point = circle_point};
 }
 
-/* A wedge |x - 0.311| < 0.002 y^2, which is nowhere as wide as a cell of the tests; a line through it
- * tells where to look. */
+/* A wedge |x - 0.311| < 0.002 y^2, which is nowhere as wide as a cell of the tests; a line through
+ * it is given as a place to search. */
 static inline enum hawser_status wedge_point(void *worker, struct hawser_map_sample *sample,
                                              double *marks, double x, double y,
                                              struct hawser_report *report)
@@ -91,7 +91,7 @@ static inline struct hawser_map_options square(int nx, int ny)
 	return options;
 }
 
-/* Everything that two maps tell is the same, to the last bit; `restored` aside. */
+/* All results of two maps are equal to the last bit, except `restored`. */
 static inline int same_maps(const struct hawser_map *a, const struct hawser_map *b)
 {
 	size_t nodes = (size_t)a->nx*(size_t)a->ny;

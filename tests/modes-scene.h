@@ -21,8 +21,8 @@ static inline int tighten(struct hawser_statics *st, double ratio)
 	return 0;
 }
 
-/* Cable `which` (1..3) of B Table 4.1 with slope h/d and a horizontal tension of ratio*EA. Zero where
- * the scene is not to be had. */
+/* Cable `which` (1..3) of B Table 4.1 with slope h/d and a horizontal tension of ratio*EA. Zero if
+ * the scene cannot be read. */
 static inline int table_4_1(struct hawser_statics *st, int which, double slope, double ratio)
 {
 	const char *root = getenv("SRCDIR");

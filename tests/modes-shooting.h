@@ -1,8 +1,8 @@
 /* tests/modes-shooting.h - natural frequencies by another route, to 1e-20: the linear equations of
- * motion integrated in quadruple precision from end A by Gragg-Bulirsch-Stoer extrapolation; the
- * frequency is where the far end's displacement, a determinant, vanishes.
+ * motion are integrated in quadruple precision from end A by Gragg-Bulirsch-Stoer extrapolation. At
+ * a natural frequency the determinant of the displacements at the far end vanishes.
  *
- *   X' = a e - b*..., that is gradient = a e + b n, a = epsilon F.e, b = (g/T) F.n; F' = -omega^2 X
+ *   X' = a e + b n, a = epsilon F.e, b = (g/T) F.n;   F' = -omega^2 X
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_TESTS_MODES_SHOOTING_H
@@ -132,9 +132,9 @@ static inline quad shoot_determinant(const struct hawser_statics *st, enum hawse
 	return plane == HAWSER_OUT_OF_PLANE ? y[5] : y[0]*y[5] - y[1]*y[4];
 }
 
-/* The frequency next to `omega`, by the secant rule. Its error is the product of the two errors before
- * it times f''/(2 f'); with a product of 1e-24 and a factor below 1e8 it is below 1e-16, relative.
- * *error: that of `omega`, relative. */
+/* The frequency next to `omega`, by the secant rule. Its error is the product of the two previous
+ * errors times f''/(2 f'). With a product of 1e-24 and a factor below 1e8 it is below 1e-16,
+ * relative. error: that of `omega`, relative. */
 static inline double shoot_frequency(const struct hawser_statics *st, enum hawser_plane plane,
                                      double omega, int steps, double *error)
 {

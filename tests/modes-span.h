@@ -1,8 +1,11 @@
-/* tests/modes-span.h - spans for the tests of the modes, straight from the scaled parameters.
+/* tests/modes-span.h - spans for the tests of the modes, directly from the scaled parameters.
  *
  * With u(0) = sinh(c - w), u(l) = sinh(c + w), the closure of the elastic catenary is
+ *
  *   2w/delta + epsilon*l = 1,  sinh(c)*(2 sinh(w)/delta + epsilon*l*cosh(w)) = hs,
- *   l = 2 cosh(c) sinh(w)/delta: no cancellation; both are monotone.
+ *   l = 2 cosh(c) sinh(w)/delta
+ *
+ * without cancellation; both equations are monotone.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_TESTS_MODES_SPAN_H

@@ -1,4 +1,5 @@
-/* tests/modes-third.h - what two modes do to a third, by another route than the library's.
+/* tests/modes-third.h - the quadratic coupling of two modes to a third, by a route independent of
+ * the library.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_TESTS_MODES_THIRD_H
 #define HAWSER_TESTS_MODES_THIRD_H

@@ -55,8 +55,8 @@ static inline double value_of(const struct hawser_statics *st, enum hawser_given
 	return values[given];
 }
 
-/* Which branch a solved span lies on for T0 or T1 as the given: the side of the minimum, from the
- * tension a little further on. */
+/* The branch of a solved span for given T0 or T1: the side of the minimum, from the tension at a
+ * slightly larger H. */
 static inline enum hawser_branch branch_of(const struct hawser_statics *st, enum hawser_given given)
 {
 	struct hawser_statics next;
@@ -68,8 +68,8 @@ static inline enum hawser_branch branch_of(const struct hawser_statics *st, enum
 	                                                    : HAWSER_BRANCH_SLACK;
 }
 
-/* By how much B (2.87) misses end B with the stored eta and length0, over the chord, computed in
- * long double. */
+/* Distance of end B from the point of B (2.87) for the stored eta and length0, relative to the
+ * chord, in long double. */
 static inline double draw_closure(const struct hawser_statics *st)
 {
 	long double d = st->span.d, h = st->span.h, H = st->H, S = st->length0;

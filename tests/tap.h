@@ -1,4 +1,4 @@
-/* tests/tap.h - the smallest Test Anything Protocol producer: one line a check, values on failure.
+/* tests/tap.h - output in the Test Anything Protocol: one line per check, with values on failure.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_TESTS_TAP_H
 #define HAWSER_TESTS_TAP_H
@@ -25,7 +25,7 @@ static inline int ok(int condition, const char *format, ...)
 	return condition;
 }
 
-/* |got - want| <= tolerance*|want|, showing all three when it is not so. */
+/* |got - want| <= tolerance*|want|; prints all three on failure. */
 static inline int close_to(double got, double want, double tolerance, const char *what)
 {
 	double error = want != 0.0 ? fabs(got - want)/fabs(want) : fabs(got);
@@ -34,7 +34,7 @@ static inline int close_to(double got, double want, double tolerance, const char
 	          got, want, error, tolerance);
 }
 
-/* Last line of main: the plan. The exit status is for runs by hand. */
+/* Last line of main: the plan. Returns the exit status. */
 static inline int done_testing(void)
 {
 	printf("1..%d\n", tap_count);

@@ -24,7 +24,7 @@ struct chain {
 	double from, to, time;       /* m/s, m/s, s: braking begins at t = 0 */
 };
 
-/* Least tension, least tension less rho v^2, largest tension (N), and the times of these (s). */
+/* Smallest tension, smallest tension less rho v^2, largest tension (N), and their times (s). */
 struct chain_extremes {
 	double least, spare, most, least_at, spare_at, most_at;
 };
@@ -70,8 +70,8 @@ static void chain_stiffness(const struct chain *c, double k[4], const double *q,
 		        (i%3 == 0)*c->rho*c->from*c->from)/h;
 }
 
-/* One step of Newton's method to the steady state, by elimination from joint to joint; its largest
- * part. */
+/* One step of Newton's method towards the steady state, by elimination from joint to joint; returns
+ * its largest component. */
 static double chain_newton(const struct chain *c, double *q, double *a, const double *w, double *U,
                            double *x)
 {
@@ -129,7 +129,7 @@ static void chain_watch(const struct chain *c, struct chain_extremes *found, con
 	}
 }
 
-/* One step of the classical method of fourth order; work holds 10 states' halves. */
+/* One step of the classical fourth-order Runge-Kutta method; work has room for 10 half states. */
 static void chain_step(const struct chain *c, double *q, double *w, double *work, double t, double h,
                        int braking)
 {
@@ -156,8 +156,8 @@ static void chain_step(const struct chain *c, double *q, double *w, double *work
 		}
 }
 
-/* From the steady state at `from` on until `until`; q [n + 1][2] holds a shape near that. Returns 0
- * where Newton's method does not settle. */
+/* Integrate from the steady state at `from` to `until`; q [n + 1][2] is an approximate shape.
+ * Returns 0 if Newton's method does not converge. */
 static int chain_run(struct chain_extremes *found, const struct chain *c, double *q, double until)
 {
 	size_t N = 2*((size_t)c->n + 1);

@@ -1,4 +1,4 @@
-/* tests/velocity.h - the velocity of a cable's points against differences of their displacement.
+/* tests/velocity.h - the velocity of points of a cable against differences of their displacement.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_TESTS_VELOCITY_H
 #define HAWSER_TESTS_VELOCITY_H

@@ -1,23 +1,22 @@
 /* tests/fuzz/alloc.c - makes a chosen allocation of a program fail; for LD_PRELOAD.
  *
- * HAWSER_ALLOC_FAIL=N: from main on, the N-th of all calls of malloc, calloc, realloc, aligned_alloc
- * and posix_memalign, wherever they come from, answers that there is no memory.
- * HAWSER_ALLOC_LIST=FILE: nothing fails; when the program ends, the file gets the number of calls,
- * then the number of the first call from each place, ascending. A place is the addresses of the
- * callers: the same line reached in another way is another place. The addresses differ from run to
- * run, the list does not.
+ * HAWSER_ALLOC_FAIL=N: of all calls of malloc, calloc, realloc, aligned_alloc and posix_memalign
+ * after main begins, from any library, the N-th one fails. HAWSER_ALLOC_LIST=FILE: no call fails;
+ * when the program ends, FILE gets the number of calls, then the number of the first call from each
+ * place, ascending. A place is given by the addresses of the callers; a line that is reached by
+ * another path is another place. The addresses differ between runs, the list does not.
  *
- * Calls from OpenBLAS's kernels for small matrix products are counted and neither listed nor refused:
- * they write to what malloc returned without a look at it. OpenBLAS 0.3.21, kernels SkylakeX and
- * Cooperlake, where the malloc in frame 0 was refused:
+ * Calls from OpenBLAS's kernels for small matrix products are counted, but are not listed and do
+ * not fail, because these kernels use the result of malloc without a check. OpenBLAS 0.3.21,
+ * kernels SkylakeX and Cooperlake, where the malloc in frame 0 failed:
  *
  *   SIGSEGV at vmovupd %ymm5,(%r8,%rcx,8), the first store to the buffer
  *   #0 dgemm_small_kernel_b0_nn_SKYLAKEX () from libopenblas.so.0
  *   #1 cblas_dgemm () from libopenblas.so.0
  *   #2 hawser__compliance_solve (...)        (or any other caller of cblas_dgemm)
  *
- * Compiled by itself and without sanitizers. Under gcc's AddressSanitizer, whose malloc stands behind
- * this one, ASAN_OPTIONS must have verify_asan_link_order=0.
+ * Compiled separately and without sanitizers. Under gcc's AddressSanitizer, whose malloc is called
+ * by this one, ASAN_OPTIONS must have verify_asan_link_order=0.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #define _GNU_SOURCE
@@ -43,12 +42,12 @@ static int (*real_main)(int, char **, char **);
 static atomic_long calls;
 static long chosen;
 static int running;
-static __thread int busy; /* within this library's own calls, which are not counted */
+static __thread int busy; /* nonzero within this library's own calls, which are not counted */
 static atomic_flag remembering = ATOMIC_FLAG_INIT;
 static uint64_t place[PLACES];
 static long first[PLACES];
 
-/* dlsym allocates a little before it can say where calloc is. */
+/* dlsym allocates a little before it returns the address of calloc. */
 static char early[1 << 16];
 static size_t early_used;
 
@@ -103,7 +102,7 @@ static void remember(long call)
 	atomic_flag_clear(&remembering);
 }
 
-/* Whether the allocation was asked for by one of OpenBLAS's kernels for small products, such as
+/* 1 if the caller is one of OpenBLAS's kernels for small products, such as
  * dgemm_small_kernel_nn_SKYLAKEX. */
 static int by_small_kernel(const void *caller)
 {
@@ -112,7 +111,7 @@ static int by_small_kernel(const void *caller)
 	return dladdr(caller, &info) && info.dli_sname && strstr(info.dli_sname, "gemm_small_kernel");
 }
 
-/* Whether this call is to fail. */
+/* 1 if this call must fail. */
 static int refuse(const void *caller)
 {
 	long call;
@@ -174,7 +173,7 @@ void free(void *at)
 		return;
 	if (!real_free && !busy)
 		find();
-	if (real_free) /* dlsym itself frees: what it does on the way here stays */
+	if (real_free) /* dlsym itself frees memory: until real_free is known, nothing is released */
 		real_free(at);
 }
 
@@ -210,14 +209,14 @@ static int counted_main(int argc, char **argv, char **environment)
 	chosen = fail ? atol(fail) : 0;
 	if (getenv("HAWSER_ALLOC_LIST")) {
 		chosen = -1;
-		(void)backtrace(at, DEPTH); /* it loads a library the first time */
+		(void)backtrace(at, DEPTH); /* the first call loads a library */
 		atexit(list);
 	}
 	running = 1;
 	return real_main(argc, argv, environment);
 }
 
-/* The loader and the libraries' own beginnings are no affair of ours: counting begins at main. */
+/* The start-up of the loader and of the libraries is not counted: counting begins at main. */
 int __libc_start_main(int (*main)(int, char **, char **), int argc, char **argv,
                       void (*init)(void), void (*fini)(void), void (*rtld_fini)(void), void *end)
 {

@@ -1,11 +1,16 @@
-/* tests/fuzz/fuzz-checkpoint.c - any bytes as the checkpoint of a map: an error that names the file, or
- * a map, after which the file is a checkpoint from which the same map comes at once.
+/* tests/fuzz/fuzz-checkpoint.c - any bytes as the checkpoint of a map. The result must be an error
+ * that names the file, or a map after which the file is a checkpoint from which the same map
+ * follows without computation.
  *
- * The first byte says what is done to the rest, for no mutation would find a sum that is right:
- *   bit 0   each line gets the sum that is its own
- *   bit 1   the head that is this map's own stands in front
- *   bit 2   the map with lines and marks, not the one without
- * Without bit 0 a checkpoint that is taken cannot be forged, so the map must be the one without it.
+ * The first byte selects changes of the other bytes, since a mutation would hardly ever produce a
+ * correct checksum:
+ *
+ *   bit 0   each line gets its correct checksum
+ *   bit 1   the correct first line of this map is put in front
+ *   bit 2   the map with lines and marks, else the one without
+ *
+ * Without bit 0 an accepted checkpoint cannot be forged, so that the map must be the one without a
+ * checkpoint.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #define _GNU_SOURCE
@@ -23,7 +28,7 @@ enum { SEALED = 1, HEADED = 2, MARKED = 4, KINDS = 2 };
 /* A file in memory, and its name. */
 static int file;
 static char path[64];
-/* Of the two maps: the first line of a checkpoint, and the map without one. */
+/* For both maps: the first line of a checkpoint, and the map computed without one. */
 static char head[KINDS][256];
 static struct hawser_map plain[KINDS];
 
@@ -63,7 +68,7 @@ static void begin(void)
 	}
 }
 
-/* Fowler, Noll and Vo's hash, variant 1a, folded. */
+/* Hash of Fowler, Noll and Vo, variant 1a, folded. */
 static uint32_t sum_of(const char *text, size_t length)
 {
 	uint64_t sum = UINT64_C(14695981039346656037);
@@ -73,7 +78,7 @@ static uint32_t sum_of(const char *text, size_t length)
 	return (uint32_t)(sum ^ sum >> 32);
 }
 
-/* Every line that ends gets its sum; *size is the new one. */
+/* Replace the checksum of every complete line; *size is the new size. */
 static char *seal(const char *text, size_t *size)
 {
 	char *sealed = malloc(10*(*size + 1)), *to = sealed;

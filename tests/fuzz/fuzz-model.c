@@ -1,12 +1,12 @@
-/* tests/fuzz/fuzz-model.c - any bytes as a reduced-model file: an error that names file and place, or a
- * model that can be evaluated and that survives being written.
+/* tests/fuzz/fuzz-model.c - any bytes as a reduced-model file. The result must be an error with
+ * file and place, or a model that can be evaluated, written and read again.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include "rom/read.h"
 #include "tests/fuzz/fuzz.h"
 
-/* Values may overflow; memory must not. */
+/* Values may overflow; memory accesses must be valid. */
 static void evaluate(const struct hawser_rom *rom)
 {
 	size_t n = (size_t)rom->n;

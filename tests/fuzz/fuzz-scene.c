@@ -1,5 +1,6 @@
-/* tests/fuzz/fuzz-scene.c - any bytes as a scene: a scene error with its place, or a sound scene
- * that survives being written, and whose static shape is an answer or a refusal.
+/* tests/fuzz/fuzz-scene.c - any bytes as a scene. The result must be a scene error with its place,
+ * or a valid scene that can be written and read again, and whose statics has a solution or a reason
+ * why not.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 

@@ -1,5 +1,5 @@
-/* tests/fuzz/fuzz-set.c - any lines as --set, one after another, on a sound scene; each key is
- * also asked for, and each value read as a frequency, as options are.
+/* tests/fuzz/fuzz-set.c - any lines as --set, one after another, for a valid scene. Each key is
+ * also read, and each value also parsed as a frequency.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -11,7 +11,7 @@ static const char base[] =
 	"cable: {EA: 4e8, rho: 6}\nspan: {d: 250, h: 10}\ntension: {T0: 8e4}\n"
 	"damping: {alpha: 0.08}\nload: {frame: local, per_length: [0.8, 0.8, 0.8]}\n";
 
-/* What the library is asked with the parts of an option. */
+/* Calls of the library with the parts of an option. */
 static void ask(const struct hawser_scene *scene, char *set)
 {
 	struct hawser_report report = {.message = ""};

@@ -1,6 +1,6 @@
-/* tests/fuzz/fuzz-state.c - any bytes as the file of --initial and --start, of a model with one to
- * eight coordinates (the first byte says how many): an error that names the file, or a state of finite
- * numbers that survives being written in each form that is read.
+/* tests/fuzz/fuzz-state.c - any bytes as the file of --initial and --start, for a model with one to
+ * eight coordinates (selected by the first byte). The result must be an error that names the file,
+ * or a state of finite numbers that can be written and read again in each format.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -9,7 +9,7 @@
 
 enum { MOST = 8 };
 
-/* The model's units: powers of two, so that nothing is rounded on the way. */
+/* Units of the model: powers of two, so that the conversion does not round. */
 static const double length = 2.0, omega = 0.5;
 
 double cli_per_length(const struct cli_model *model)
@@ -24,7 +24,7 @@ double cli_per_omega(const struct cli_model *model)
 	return omega;
 }
 
-/* The file is standard input: no name is as quick. */
+/* The file is standard input, which is faster than a file by name. */
 static enum hawser_status open_text(double **state, const char *text, size_t size, int n,
                                     struct hawser_report *report)
 {

@@ -1,4 +1,4 @@
-/* tests/fuzz/fuzz.h - what the fuzz targets share. Include "config.h" before anything else.
+/* tests/fuzz/fuzz.h - code common to the fuzz targets. Include "config.h" before anything else.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_TESTS_FUZZ_H
 #define HAWSER_TESTS_FUZZ_H
@@ -13,7 +13,7 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
-/* A promise that this input breaks: say which, and stop as at a sanitizer's report. */
+/* A condition that every input must meet: otherwise print it and abort, as a sanitizer does. */
 static inline void demand(int kept, const char *promise, const char *message)
 {
 	if (kept)
@@ -22,7 +22,7 @@ static inline void demand(int kept, const char *promise, const char *message)
 	abort();
 }
 
-/* What a scene that was read is, whatever was written. */
+/* Properties of every valid scene. */
 static inline int is_sound(const struct hawser_scene *scene)
 {
 	return scene->cable.EA > 0.0 && scene->cable.rho > 0.0 && scene->span.d > 0.0 &&
@@ -33,7 +33,7 @@ static inline int is_sound(const struct hawser_scene *scene)
 	       scene->model.tolerance > 0.0 && scene->name;
 }
 
-/* A message for a user says something, and is text on one line. */
+/* A message for a user is a nonempty text on one line. */
 static inline int is_message(const char *message)
 {
 	size_t length = strlen(message);
@@ -67,7 +67,7 @@ static inline enum hawser_status read_scene(struct hawser_scene *scene, const ch
 	return status;
 }
 
-/* A scene that was read is sound; written and read again it is the same text. */
+/* A scene that was read is valid; written and read again it gives the same text. */
 static inline void check_scene(const struct hawser_scene *scene)
 {
 	struct hawser_report report = {.message = ""};

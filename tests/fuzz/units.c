@@ -1,6 +1,7 @@
-/* tests/fuzz/units.c - udunits2's database is read once and kept: reading it for every scene with
- * a unit would be all that the fuzz targets do. Linked with --wrap=ut_read_xml and
- * --wrap=ut_free_system. SPDX-License-Identifier: GPL-3.0-or-later */
+/* tests/fuzz/units.c - udunits2's database is read once and kept, because reading it for every
+ * scene with a unit would take most of the time of the fuzz targets. Linked with --wrap=ut_read_xml
+ * and --wrap=ut_free_system.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <udunits2.h>

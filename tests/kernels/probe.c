@@ -1,7 +1,7 @@
-/* Print which BLAS a program gets: the name of OpenBLAS's kernel (or "none" with another BLAS), then
- * the files from which dgemm, its C interface and dgeev come. Products, a factorisation and eigenvalues
- * are computed first, so that a kernel that the processor cannot run ends the program by SIGILL.
- *
+/* Print the BLAS that a program uses: the name of OpenBLAS's kernel (or "none" with another BLAS),
+ * then the files that contain dgemm, its C interface and dgeev. Products, a factorisation and
+ * eigenvalues are computed first, so that a kernel that the processor cannot run ends the program
+ * by SIGILL.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -30,7 +30,7 @@ static const char *file_of(const char *symbol)
 	return at && dladdr(at, &info) && info.dli_fname ? info.dli_fname : "none";
 }
 
-/* The largest |entry| of C minus the product of A and B by plain loops. */
+/* Largest |entry| of C minus the product of A and B, computed by plain loops. */
 static double worst_product(void)
 {
 	double worst = 0.0;

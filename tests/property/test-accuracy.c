@@ -1,5 +1,6 @@
-/* A response to an accuracy: kept against the full-order model, with fewer modes where less is asked,
- * at full order where modes will not do; the reasons of modes; and the errors.
+/* Responses to a required accuracy: the accuracy is met with respect to the full-order model, fewer
+ * modes are kept if the requirement is lower, the full order is used if modes do not suffice, and
+ * the reasons for the modes and the error estimates are right.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -45,7 +46,7 @@ static struct hawser_accuracy_options asking(double accuracy)
 	return options;
 }
 
-/* The strain energy itself, on n functions a component. */
+/* The full-order model with n functions per component. */
 static int judge(struct hawser_frf *frf, struct hawser_rom *rom, int n)
 {
 	struct hawser_frf_options options = {.method = NULL};
@@ -59,7 +60,7 @@ static int judge(struct hawser_frf *frf, struct hawser_rom *rom, int n)
 	       !hawser_frf_trace(frf, rom, &options, &report);
 }
 
-/* Whether the larger accuracy takes the full order is told by `full`. */
+/* `full`: whether the higher accuracy requires the full order. */
 static void check_kept(const char *name, const double *asked, int n, int full)
 {
 	struct hawser_frf frf = {.n = 0};
@@ -95,8 +96,8 @@ static void check_kept(const char *name, const double *asked, int n, int full)
 	hawser_scene_clear(&scene);
 }
 
-/* A small peak that hangs on a two-to-one resonance, with a load along the cable: it drives
- * modes that no model keeps, and what they do is worth 5 % of the peak. */
+/* A small peak that depends on a two-to-one resonance, with a load along the cable. The load drives
+ * modes that no model keeps; they change the peak by 5 %. */
 static void check_along(void)
 {
 	struct hawser_frf frf = {.n = 0};
@@ -137,9 +138,10 @@ static void check_along(void)
 	hawser_scene_clear(&scene);
 }
 
-/* With enough modes, a condensed model is off by what no mode makes up for: the estimate of it, to
- * first order, against the full order. On the stay it is the damping of what follows, a part of the
- * critical one and so large for longitudinal modes; beside the one-to-one resonance it is inertia. */
+/* A condensed model has an error that more modes do not reduce. Compare its first-order estimate
+ * with the full-order model. For the stay the cause is the damping of condensed modes, which is
+ * proportional to critical damping and therefore large for longitudinal modes; near the one-to-one
+ * resonance it is inertia. */
 static void check_lacks(const char *name, double asked, int n)
 {
 	struct hawser_frf frf = {.n = 0};
@@ -170,8 +172,8 @@ static void check_lacks(const char *name, double asked, int n)
 	hawser_scene_clear(&scene);
 }
 
-/* Few modes of a deep sag carry a motion that keeps the length: nothing of 1/epsilon may be taken for
- * an error of theirs. The full order there takes its time. */
+/* Few modes of a deep sag carry a motion that preserves the length: terms of 1/epsilon must not be
+ * counted as their error. The full-order response takes long here. */
 static void check_deep_sag(void)
 {
 	struct hawser_accuracy accuracy = {.tries = 0};
@@ -203,7 +205,7 @@ static void check_deep_sag(void)
 	hawser_scene_clear(&scene);
 }
 
-/* However the period is sampled, and the more so the larger the motion. */
+/* The result must not depend on the sampling of the period; the effect grows with the motion. */
 static void check_sampling(void)
 {
 	static const int rows[] = {24, 33, 97, 12};
@@ -239,8 +241,8 @@ static void check_sampling(void)
 	hawser_scene_clear(&scene);
 }
 
-/* A mode across that a load in the plane may make unstable is kept, and told to be kept for that also
- * in motions that leave it at rest; and what is round-off is no reason. */
+/* A mode out of the plane that an in-plane load may make unstable is kept for this reason, also for
+ * motions that leave it at rest. Round-off must not be a reason. */
 static void check_reasons(void)
 {
 	struct hawser_choice choice;
@@ -324,7 +326,7 @@ int main(void)
 	static const double fine[] = {0.01, 0.0005}, coarse[] = {0.01, 0.001};
 
 	check_kept("b-table-4.4-line-1", fine, 10, 0);
-	if (getenv("HAWSER_LONG")) { /* nine tenths of this test's time: full order, 30 modes */
+	if (getenv("HAWSER_LONG")) { /* nine tenths of the time of this test: full order, 30 modes */
 		check_kept("b-table-5.4-at-rest", coarse, 10, 1);
 		check_along();
 		check_lacks("bridge-stay", 0.01, 10);

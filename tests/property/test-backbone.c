@@ -1,5 +1,6 @@
-/* Backbones: Duffing's against its elliptic integral, the energy, the invariants of a free motion,
- * ends and refusals. SPDX-License-Identifier: GPL-3.0-or-later */
+/* Backbones: Duffing's equation against its elliptic integral, the energy, the invariants of a free
+ * motion, ends and failures.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <stdlib.h>
 
 #include <gsl/gsl_sf_ellint.h>
@@ -79,8 +80,8 @@ static int coupled(struct hawser_rom *rom, double h)
 	return hawser_rom_compile(rom, NULL) != HAWSER_OK;
 }
 
-/* Growth counts where it exceeds the error of the multipliers, which the tolerance decides: two
- * multipliers are 1, and move by the root of an error. */
+/* Growth counts if it exceeds the error of the multipliers, which depends on the tolerance: two
+ * multipliers are 1, and their error is the square root of that of the matrix. */
 static void stability(double h, double tolerance, int unstable)
 {
 	struct hawser_backbone_options options = {.mode = 0};

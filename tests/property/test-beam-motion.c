@@ -1,4 +1,5 @@
-/* Free motion of travelling beams: against the matrix exponential, energies against their rates.
+/* Free motion of travelling beams: comparison with the matrix exponential; energies compared with
+ * their rates.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -49,7 +50,7 @@ static void exponential(double *E, const double *A, double t)
 	memcpy(E, sum, sizeof sum);
 }
 
-/* Deflection at mid-span by the exponential, from the same first row. */
+/* Deflection at mid-span by the matrix exponential, from the first row. */
 static void against_exponential(const char *name, struct hawser_beam beam)
 {
 	static double A[M*M], E[M*M], B[24*24], s[24];
@@ -110,7 +111,7 @@ static void against_exponential(const char *name, struct hawser_beam beam)
 	hawser_beam_motion_clear(&motion);
 }
 
-/* Simpson's rule on the rates gives the energies back. */
+/* The integral of the rates by Simpson's rule is the change of the energies. */
 static void rates(const char *name, struct hawser_beam beam)
 {
 	const struct hawser_beam_motion_options options = {.until = 0.5, .every = 0.5/8000, .modes = N,
@@ -137,12 +138,12 @@ static void rates(const char *name, struct hawser_beam beam)
 	hawser_beam_motion_clear(&m);
 }
 
-/* A shape that the ends allow at every order, an eigenvector: what the fields at the ends feed in,
- * the weight
- * and the drag make up dE/dt, the better the more functions. */
+/* For a shape that satisfies the end conditions at every order (an eigenvector), the power of the
+ * field at the ends, of the weight and of the drag is dE/dt. The difference decreases with the
+ * number of functions. */
 static double balance(struct hawser_beam beam, int size)
 {
-	enum { POINTS = 40001 }; /* straight lines between them: third derivatives see those */
+	enum { POINTS = 40001 }; /* linear interpolation between the rows: third derivatives show it */
 	static double deflection[POINTS], rate[POINTS];
 	struct hawser_beam_eigenvalue value;
 	struct hawser_beam_integrals is;

@@ -1,5 +1,5 @@
 /* Travelling beams by two routes: closed forms, shooting, three discretisations and their orders of
- * convergence, symmetries, boundaries against safe speeds one by one.
+ * convergence, symmetries, boundaries against safe speeds at single parameters.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -132,7 +132,7 @@ static void shooting(void)
 	}
 }
 
-/* Errors of the upright beam's safe speed, at two sizes each: their order. */
+/* Errors of the upright beam's safe speed at two sizes each, from which the order follows. */
 static void orders(void)
 {
 	const struct hawser_beam beam = {.theta = 1.0, .tension = 1.0, .weight = 10.0};
@@ -212,7 +212,8 @@ static void boundary(double drag)
 	hawser_beam_integrals_clear(&is);
 }
 
-/* Undamped, travel up is travel down; with the flux of rotary momentum it is not, and both grow. */
+/* Without drag, travel up and travel down are equivalent. With the flux of rotary momentum they are
+ * not, and both have growing modes. */
 static void directions(void)
 {
 	struct hawser_beam beam = {.theta = 1.0, .tension = 1.0, .weight = 10.0, .rotary = 0.0025,
@@ -235,7 +236,7 @@ static void directions(void)
 	   up.v_crit);
 }
 
-/* Growing modes at a speed. */
+/* Number of growing modes at a speed. */
 static int growing(struct hawser_beam beam, const struct hawser_beam_integrals *is, double speed)
 {
 	struct hawser_beam_eigenvalue value[8];
@@ -249,8 +250,8 @@ static int growing(struct hawser_beam beam, const struct hawser_beam_integrals *
 	return count;
 }
 
-/* A change of stability is known to 1e-13, and takes a tenth of the eigenvalue problems of bisection,
- * which are 43: beyond the ends of the range, and where the first frequency vanishes too. */
+/* A change of stability is located to 1e-13 with a tenth of the eigenvalue problems that bisection
+ * needs (43), also near the ends of the range and where the first frequency vanishes too. */
 static void located(void)
 {
 	static const double range[][2] = {{20.2, 20.3}, {20.9, 21.0}, {21.2, 21.35}};

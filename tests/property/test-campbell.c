@@ -1,6 +1,6 @@
-/* tests/property/test-campbell.c - sweeps of the speed: resting modes at one end, the limits that
- * theory has, branches that keep their identity through veerings, the end of the steady state,
- * refusals.
+/* tests/property/test-campbell.c - sweeps of the speed: modes at rest at one end, the limits known
+ * from theory, branches that keep their identity through veerings, the end of the steady state,
+ * failures.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -11,7 +11,7 @@
 
 #include "tests/tap.h"
 
-/* B Table 5.3, travelling with its tension held. */
+/* B Table 5.3, travelling with constant tension. */
 static struct hawser_scene table_5_3(void)
 {
 	struct hawser_scene scene = {0};
@@ -43,7 +43,7 @@ static double im(const struct hawser_campbell *campbell, int i, int b)
 	return campbell->im[i*campbell->branches + b];
 }
 
-/* The first station at that speed or above. */
+/* The first station at that speed or at a higher one. */
 static int station_at(const struct hawser_campbell *campbell, double speed)
 {
 	int i = 0;
@@ -77,8 +77,8 @@ static void rest(void)
 	hawser_campbell_clear(&campbell);
 }
 
-/* A string: hardly any weight, all tension. The classical n pi sqrt(H/rho)/d (1 - v^2/c^2), whose
- * first goes to 0 where v reaches the speed c of its waves. */
+/* A string with hardly any weight. The classical result is n pi sqrt(H/rho)/d (1 - v^2/c^2); the
+ * first frequency vanishes when v reaches the wave speed c. */
 static void taut(void)
 {
 	struct hawser_scene scene = table_5_3();
@@ -106,7 +106,7 @@ static void taut(void)
 	hawser_campbell_clear(&campbell);
 }
 
-/* Near enough to taut that the branches end at 0 with the steady state. */
+/* So nearly taut that the branches reach 0 at the end of the steady state. */
 static void end_of_string(void)
 {
 	struct hawser_scene scene = table_5_3();
@@ -120,7 +120,7 @@ static void end_of_string(void)
 	ok(campbell.criticals == 1 && campbell.critical[0].kind == HAWSER_CRITICAL_NO_STEADY_STATE
 	   && campbell.critical[0].speed == campbell.limit, "the steady state ends at %.12g m/s",
 	   campbell.limit);
-	/* (1 - m) T0 - rho v^2 = 0, and what hardly any weight takes */
+	/* (1 - m) T0 - rho v^2 = 0, less the effect of the small weight */
 	close_to(campbell.limit, sqrt(85e3/5.0/(1.0 + 85e3/100e6)), 1e-5, "where the tension is used up");
 	ok(im(&campbell, campbell.stations - 1, 0) < 2e-3*im(&campbell, 0, 0),
 	   "and the first frequency is down to %.1e of itself",
@@ -137,8 +137,8 @@ static const struct hawser_campbell_crossover *first_of(const struct hawser_camp
 	return NULL;
 }
 
-/* The fictitious cable of B Table 4.1, whose first longitudinal wave the transverse ones fall through
- * as the speed grows. */
+/* The fictitious cable of B Table 4.1: transverse branches cross its first longitudinal branch as
+ * the speed increases. */
 static struct hawser_scene veering_scene(double h)
 {
 	struct hawser_scene scene = table_5_3();
@@ -150,7 +150,7 @@ static struct hawser_scene veering_scene(double h)
 	return scene;
 }
 
-/* Relative gap of the sorted neighbours k, k + 1 in the plane, solved for by itself. */
+/* Relative gap of the neighbouring in-plane frequencies k, k + 1, from a separate solution. */
 static double gap_at(const struct hawser_scene *scene, double speed, int k)
 {
 	const struct hawser_span span = {scene->cable.EA, scene->cable.rho, scene->g, scene->span.d,
@@ -199,7 +199,7 @@ static void check_meeting(const struct hawser_scene *scene, const struct hawser_
 	   "the branches keep their order, and their shapes change hands");
 }
 
-/* 7 stations and 61 (241 with HAWSER_LONG) have to tell the same of a gap that is 5e-4 of the
+/* Sweeps of 7 and of 61 stations (241 with HAWSER_LONG) must agree on a gap that is 5e-4 of the
  * frequency and a tenth of a coarse step wide. */
 static void veering(double h)
 {
@@ -259,8 +259,8 @@ static void end_state(void)
 	hawser_campbell_clear(&campbell);
 }
 
-/* Speeds asked for so near to the limit that one of them is where the approach ends: no station
- * twice. */
+/* Requested speeds so close to the limit that one of them is also a station of the approach: no
+ * station may occur twice. */
 static void last_steps(void)
 {
 	const struct hawser_scene scene = table_5_3();

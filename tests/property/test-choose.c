@@ -1,6 +1,6 @@
-/* Models of a subset of the modes against the model of all of them; the effective cubic coefficients of
- * single modes, static and dynamic, against ones that were computed apart; and what is chosen for spans
- * of which the answer is known.
+/* Models of a subset of the modes against the model of all modes; effective cubic coefficients of
+ * single modes, static and dynamic, against independently computed ones; choices for spans with a
+ * known answer.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -34,7 +34,7 @@ static double cubic_of(const struct hawser_rom *rom, int j, int k, int l, int m)
 	return 0.0;
 }
 
-/* The subset's C is that of all, less what the modes left out give back. */
+/* The subset's C is that of all modes, less the effect of the omitted modes. */
 static double off(const struct hawser_rom *sub, const struct hawser_rom *all,
                   const struct hawser_modes *modes, const int *kept, int count)
 {
@@ -119,10 +119,10 @@ static void check_subsets(void)
 
 /* --- effective cubic coefficients --- */
 
-/* Of the first out-of-plane mode, over the raw one: every mode condensed, and with their dynamic
- * answer at twice its frequency. beta = T_11s/2 drives mode s; -(4/3) beta^2
- * (1/w_s^2 + 1/(2 (w_s^2 - 4 w^2))) against the static -2 beta^2/w_s^2.
- * Computed apart, in other arithmetic. */
+/* Ratio of the effective to the raw coefficient of the first out-of-plane mode: all other modes
+ * condensed statically, and with their dynamic response at twice its frequency. beta = T_11s/2
+ * drives mode s; -(4/3) beta^2 (1/w_s^2 + 1/(2 (w_s^2 - 4 w^2))) replaces the static -2
+ * beta^2/w_s^2. The numbers were computed independently. */
 static void check_ratio(const char *name, const struct hawser_span *span, enum hawser_given given,
                         double value, double wanted_static, double wanted_dynamic)
 {
@@ -198,7 +198,7 @@ static int count(const struct hawser_choice *choice, enum hawser_plane plane)
 	return sum;
 }
 
-/* Index of the first mode in the plane with that symmetry. */
+/* Index of the first in-plane mode with that symmetry. */
 static int in_plane(const struct hawser_modes *modes, enum hawser_symmetry symmetry)
 {
 	int j = 0;
@@ -208,8 +208,8 @@ static int in_plane(const struct hawser_modes *modes, enum hawser_symmetry symme
 	return j;
 }
 
-/* A level span loaded in its plane: antisymmetric modes and those across stand still, until the
- * motion is large enough to make one of the latter unstable: the first one in the plane has twice
+/* A level span with an in-plane load: antisymmetric and out-of-plane modes remain at rest until the
+ * motion is large enough to make an out-of-plane mode unstable; the first in-plane mode has twice
  * its frequency. */
 static void check_level(void)
 {
@@ -224,7 +224,7 @@ static void check_level(void)
 
 	if (!solve(&st, &modes, &span, HAWSER_GIVEN_H, 6.2e4, 14))
 		return;
-	w = modes.mode[0].omega; /* across; 1.98 times that in the plane */
+	w = modes.mode[0].omega; /* out-of-plane frequency; the in-plane one is 1.98 times as high */
 	if (!ok(!hawser_choose(&choice, &modes, &weak, 1.7*w, 2.3*w, 0.01, &report), "a weak load"))
 		return;
 	ok(choice.planar && count(&choice, HAWSER_OUT_OF_PLANE) == 0, "is answered in the plane");

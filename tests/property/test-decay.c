@@ -1,5 +1,6 @@
 /* Damping from measurements: exact data give exact ratios; with noise the confidence interval
- * holds the truth as often as it says. SPDX-License-Identifier: GPL-3.0-or-later */
+ * contains the true ratio with the stated probability.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <stdint.h>
@@ -13,7 +14,7 @@ enum { COUNT = 400, RUNS = 2000 };
 
 static const double truth = 0.02385, omega = 7.3;
 
-/* xorshift and Box-Muller, the same everywhere. */
+/* xorshift and Box-Muller: the same numbers on every machine. */
 static uint64_t state = 88172645463325252u;
 static double uniform(void)
 {
@@ -54,7 +55,8 @@ static void exact(double ratio)
 	   decay.log_decrement, ratio);
 }
 
-/* Of RUNS intervals at 90 % some 1800 hold the truth, with a standard deviation of 13.4. */
+/* Of RUNS intervals with a confidence of 90 % about 1800 contain the true ratio, with a standard
+ * deviation of 13.4. */
 static void coverage(double noise)
 {
 	double t[COUNT], x[COUNT];
@@ -95,7 +97,7 @@ static void half_power(double ratio, int points)
 	         "the peak at omega sqrt(1 - 2 xi^2) (F.14)");
 }
 
-/* Ratio 0.02, the peak between two samples, the half-power points beside one. */
+/* Ratio 0.02, with the peak between two samples and the half-power points near one. */
 static void known_table(void)
 {
 	double w[17], a[17];
@@ -112,7 +114,7 @@ static void known_table(void)
 	ok(half.ratio_error < 1e-10, "its error: %.1e", half.ratio_error);
 }
 
-/* Noiseless tables of exact oscillators, many with steps beyond the width of the peak. */
+/* Tables of exact oscillators without noise, many with steps wider than the peak. */
 static void random_tables(void)
 {
 	int found = 0, within = 0;
@@ -142,7 +144,8 @@ static void random_tables(void)
 	ok(worst < 1e-8, "which is round-off");
 }
 
-/* Noise of 0.5 % of the peak, a second mode: the stated error holds, or the table is refused. */
+/* With noise of 0.5 % of the peak and a second mode: the stated error holds, or the table is
+ * refused. */
 static void impure_tables(void)
 {
 	int held[2] = {0}, stated[2] = {0};
@@ -173,7 +176,7 @@ static void impure_tables(void)
 		   k ? "a second mode" : "noise", held[k], stated[k]);
 }
 
-/* A peak that bends, before it folds: omega^2 = 1 + bend a^2 -+ 2 xi sqrt(1/a^2 - 1), xi = 0.02. */
+/* A peak that bends without a fold: omega^2 = 1 + bend a^2 -+ 2 xi sqrt(1/a^2 - 1), xi = 0.02. */
 static void bent_tables(int points)
 {
 	int refused = 0, held = 0;
@@ -192,7 +195,7 @@ static void bent_tables(int points)
 			refused++;
 			continue;
 		}
-		/* a ratio is relative to the frequency, which the bend raises */
+		/* the ratio is relative to the frequency, which the bend increases */
 		held += fabs(0.5*tan(2.0*asin(half.ratio))*half.peak*half.peak - 0.02) <=
 		        half.ratio_error + 1e-12;
 	}

@@ -1,8 +1,10 @@
-/* Stated errors against true ones, on random scenes of a fixed seed: bench/estimates in small.
- * None may be exceeded; and each command states an error that, were it a hundredth of it (of two
- * commands a thousandth), would be: one that is always far too large says nothing. With
- * HAWSER_LONG ten times as many scenes, of which one in 300 may be exceeded, none by more than ten
- * times. And scenes that were, once.
+/* Stated errors against true ones on random scenes of a fixed seed: a small version of
+ * bench/estimates. No true error may exceed the stated one. For each command at least one true
+ * error must exceed a hundredth of the stated one (for two commands a thousandth), since an
+ * estimate that is always far too large is useless. With HAWSER_LONG there are ten times as many
+ * scenes; in one of 300 the true error may exceed the stated one, but by at most a factor of ten.
+ * Also scenes for which an estimate was once too small.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -15,11 +17,11 @@
 static const struct {
 	const char *name;
 	int scenes;
-	double least; /* part of the stated error that is too small for it */
+	double least; /* fraction of the stated errors that must be exceeded */
 } tried[] = {
 	{"statics", 300, 0.01}, {"modes", 20, 0.01}, {"campbell", 20, 0.01}, {"irvine", 6, 0.01},
 	{"frf", 6, 0.01}, {"integrate", 5, 0.01}, {"hill", 60, 0.01}, {"map", 2, 0.01},
-	/* what few scenes show of estimates that are most careful */
+	/* the same for few scenes and the most cautious estimates */
 	{"beam", 3, 1e-3}, {"events", 6, 1e-3},
 };
 

@@ -1,5 +1,6 @@
-/* Errors that are stated for events: not exceeded, and no more than a hundred times the true ones.
- * The truth is a closed form, the linear problem, or the same event at a tolerance 1e6 times smaller.
+/* Stated errors of events: they must not be exceeded, and be at most a hundred times the true ones.
+ * The true value is a closed form, the linear problem, or the same event with a tolerance 1e6 times
+ * smaller.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -10,8 +11,9 @@
 
 #include "tests/tap.h"
 
-#define MOST 100.0      /* stated over true, where the true error is more than round-off */
-#define ROUND_OFF 3e-12 /* relative: true errors below are not told from those of the truth itself */
+#define MOST 100.0      /* largest ratio of stated to true error, for true errors above round-off */
+#define ROUND_OFF 3e-12 /* relative: smaller true errors cannot be distinguished from errors of the
+                         * reference */
 
 static const char *const both[] = {"shooting", "balance"};
 
@@ -36,7 +38,7 @@ static void *copy(const void *from, size_t size)
 
 /* --- rest of two coupled Mathieu oscillators --- */
 
-/* Product of (1 - mu)/(1 + |mu|) over the multipliers of rest. */
+/* Product of (1 - mu)/(1 + |mu|) over the multipliers at rest. */
 static double at_rest(const struct hawser_rom *rom, struct hawser_linear *linear, double omega)
 {
 	double log_modulus[4], argument[4], f = 1.0;
@@ -138,8 +140,8 @@ static void compare(const struct hawser_rom *rom, struct hawser_frf_options opti
 	hawser_frf_clear(&exact);
 }
 
-/* A linear oscillator makes the orbit; two others at rest, whose coupling varies in time, meet in a
- * combination resonance: two torus points. */
+/* A linear oscillator determines the orbit. Two others at rest, whose coupling varies in time, have
+ * a combination resonance: two torus points. */
 static void check_combination(void)
 {
 	const double D[] = {0.1, 0.0, 0.0, 0.0, 0.02, 0.0, 0.0, 0.0, 0.03};

@@ -1,9 +1,11 @@
-/* The stated error of a response with a given number of modes, where two modes meet 1:2: B Table 4.4,
- * line 2, over 0.8 to 1.6 w1. The second out-of-plane peak lies between two folds 0.1 % of Omega
- * apart: a small effect of the modes left out on the kept ones moves it far.
+/* The stated error of a response with a given number of modes, near a 1:2 resonance of two modes: B
+ * Table 4.4, line 2, over 0.8 to 1.6 w1. The second out-of-plane peak lies between two folds that
+ * are 0.1 % of Omega apart, so that a small effect of the omitted modes on the kept ones displaces
+ * it far.
  *
- * True errors: hawser_accuracy_distance from the full-order model of 12 functions a component, of which
- * folds and peaks agree with 14 functions to 2e-4.
+ * True errors: hawser_accuracy_distance from the full-order model with 12 functions per component,
+ * whose folds and peaks agree with those of 14 functions to 2e-4.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 

@@ -25,7 +25,7 @@
 
 static unsigned long seed = 20385;
 
-/* Between lo and hi, by the minimal standard generator of Park and Miller. */
+/* A random number between lo and hi, by the minimal standard generator of Park and Miller. */
 static double between(double lo, double hi)
 {
 	seed = seed*48271ul%2147483647ul;
@@ -54,7 +54,7 @@ static int rotating(struct hawser_rom *rom, double d, double c, double F)
 	return hawser_rom_compile(rom, NULL) != HAWSER_OK;
 }
 
-/* The smaller of the loads of the folds at Omega; infinite where there are none. */
+/* The smaller load of the two folds at Omega; infinite if there are none. */
 static double fold_load(double d, double c, double omega)
 {
 	double k = 1.0 - omega*omega, s = k*k - 3.0*d*d*omega*omega, least = INFINITY;
@@ -69,13 +69,14 @@ static double fold_load(double d, double c, double omega)
 	return least;
 }
 
-/* Where both folds meet. */
+/* The cusp, where both folds coincide. */
 static double cusp_omega(double d, double c)
 {
 	return 0.5*(sqrt(3.0*d*d + 4.0) + (c > 0.0 ? 1.0 : -1.0)*sqrt(3.0)*d);
 }
 
-/* The least load within [lo, hi]: at an end, or at the cusp; the grid would tell of any other. */
+/* The least load within [lo, hi]: at an end of the range, or at the cusp. A grid confirms that
+ * there is no other minimum. */
 static double least_load(double d, double c, double lo, double hi, int *cusp)
 {
 	double least = fmin(fold_load(d, c, lo), fold_load(d, c, hi)), at = cusp_omega(d, c);
@@ -105,7 +106,7 @@ static enum hawser_status trace(struct hawser_folds *folds, const struct hawser_
 	return hawser_folds_trace(folds, rom, &options, report);
 }
 
-/* A range that lies about the cusp, or cuts the branch beside it. */
+/* A range that contains the cusp, or ends on the branch near it. */
 static void check_rotating(int i)
 {
 	double d = between(0.01, 0.06), c = (i%2 ? -1.0 : 1.0)*between(0.05, 0.5);
@@ -135,8 +136,8 @@ static void check_rotating(int i)
 	hawser_rom_clear(&rom);
 }
 
-/* At loads so large that the resonance has been bent out of the range, its response has no fold there
- * and the multipliers of the linear model; the least load is far below. */
+/* At loads so large that the resonance lies beyond the range, the response within the range has no
+ * fold and the multipliers of the linear model. The least load is far below. */
 static void check_large(void)
 {
 	double d = 0.03067, c = 0.4615, lo = 0.94072, hi = 1.08747;
@@ -153,7 +154,7 @@ static void check_large(void)
 	hawser_rom_clear(&rom);
 }
 
-/* The model whose response from 0.8 leaves the range on its upper branch. */
+/* A model whose response from 0.8 leaves the range on its upper branch. */
 static void check_duffing(void)
 {
 	static const double range[][2] = {{0.8, 1.3}, {1.3, 0.8}, {0.8, 3.0}};
@@ -210,7 +211,8 @@ static int random_model(struct hawser_rom *rom, double *w2)
 	return hawser_rom_compile(rom, NULL) != HAWSER_OK;
 }
 
-/* Folds of the responses at this load factor from both ends; -1 where one cannot be traced. */
+/* Folds of the responses at this load factor from both ends of the range; -1 if one cannot be
+ * traced. */
 static int folds_at(struct hawser_rom *rom, double factor, const double *range)
 {
 	struct hawser_frf_options options = {.method = NULL};
@@ -237,7 +239,7 @@ static int folds_at(struct hawser_rom *rom, double factor, const double *range)
 	return folds;
 }
 
-/* Both directions say the same, and responses at a load below agree with it. */
+/* Both directions give the same least load, and responses at a lower load have no folds. */
 static void check_random(int i)
 {
 	struct hawser_report report[2] = {{.message = ""}, {.message = ""}};

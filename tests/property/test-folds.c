@@ -1,5 +1,5 @@
-/* Fold curves by other routes: the folds of the response, models with another load, settled motion on
- * an isola, the ranges the other way round.
+/* Fold curves by other routes: the folds of the response, models with another load, settled motion
+ * on an isola, the range in the opposite direction.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -28,12 +28,13 @@ static int trace(struct hawser_folds *folds, const struct hawser_rom *rom, doubl
 	options.from = from;
 	options.to = to;
 	options.load_from = 0.05;
-	options.method = "shooting"; /* the curves are by harmonic balance: two routes */
+	options.method = "shooting"; /* the curves are computed by harmonic balance, the folds by
+	                              * another method */
 	status = hawser_folds_trace(folds, rom, &options, &report);
 	return ok(!status, "traced %s", report.message);
 }
 
-/* Relative distance of Omega to the nearest passage of the nominal load. */
+/* Relative distance of Omega from the nearest crossing of the nominal load. */
 static double passage(const struct hawser_folds *folds, double omega)
 {
 	double best = INFINITY;
@@ -53,8 +54,8 @@ static int count(const struct hawser_folds *folds, enum hawser_folds_kind kind)
 	return found;
 }
 
-/* Every fold of the response lies on a curve, and every passage is a fold of the response or of a
- * detached curve, as hawser_frf_trace locates them. */
+/* Every fold of the response lies on a curve, and every crossing of the nominal load is a fold of
+ * the response or of a detached curve, as located by hawser_frf_trace. */
 static void check_nominal(const char *name, double from, double to)
 {
 	struct hawser_folds folds;
@@ -139,7 +140,7 @@ static void check_jumps(void)
 	hawser_rom_clear(&rom);
 }
 
-/* A stable motion on the isola stays there, and is not the main one. */
+/* A stable motion on the isola remains there, and differs from the main one. */
 static void check_isola(void)
 {
 	struct hawser_folds folds;
@@ -154,7 +155,7 @@ static void check_isola(void)
 		int stable = -1;
 		double omega, end = 0.0, lower = INFINITY;
 
-		/* where a disturbance decays fastest: the first multiplier is the largest */
+		/* the point where a disturbance decays fastest: its largest multiplier is smallest */
 		for (int i = 0; i < isola->points; i++)
 			if (isola->point[i].unstable == 0 && (stable < 0 ||
 			    isola->multiplier[8*(size_t)i] < isola->multiplier[8*(size_t)stable]))
@@ -183,7 +184,7 @@ done:
 	hawser_rom_clear(&rom);
 }
 
-/* From the far end of the frequencies: the same special points. (At twice the load the response that
+/* From the other end of the range: the same special points. (At twice the load the response that
  * begins at Omega 3 is another one, with a fold of a curve that lies above the nominal load.) */
 static void check_reverse(void)
 {

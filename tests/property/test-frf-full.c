@@ -1,6 +1,7 @@
-/* The full-order response against time: at five points of stable branches, harmonic balance's orbit of
- * B Table 4.4 line 2 with the exact strain energy is where its own time integration comes back to,
- * and as large. The two share the model's force and nothing else.
+/* The full-order response against time integration: at five points of stable branches, the orbit by
+ * harmonic balance of B Table 4.4 line 2 with the exact strain energy must return to its initial
+ * state after a period of time integration, with the same amplitude. The two methods share only the
+ * force of the model.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -12,7 +13,7 @@
 #include "tests/tap.h"
 
 #define SCENE "notebooks-data/scenes/b-table-4.4-line-2.yaml"
-#define TIMES 256 /* outputs of a period */
+#define TIMES 256 /* output times per period */
 
 static int functions(void)
 {
@@ -37,8 +38,8 @@ static int build(struct hawser_rom *rom)
 	return fine;
 }
 
-/* Largest mid-span displacement |y| of a period, from equidistant samples and the parabola through the
- * largest three. */
+/* Largest mid-span displacement |y| in a period, from equidistant samples and the parabola through
+ * the three largest. */
 static double largest(const struct hawser_trajectory *run, const struct hawser_rom *rom, int mid)
 {
 	double y[TIMES + 1], best = 0.0;

@@ -1,5 +1,5 @@
 /* The response by other routes: closed form of a linear model, settled integration, undamped
- * motion, symmetry of a Duffing curve, a closed curve, and every way to fail. Once with every method.
+ * motion, symmetry of a Duffing curve, a closed curve, and every failure. All with every method.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -94,7 +94,7 @@ static void check_linear(void)
 	hawser_rom_clear(&rom);
 }
 
-/* A point of a Duffing curve, and the motion that settles from rest. */
+/* A point of a Duffing curve, and the motion to which integration from rest settles. */
 static void check_settled(void)
 {
 	struct hawser_rom rom;
@@ -203,7 +203,7 @@ static void check_zeros(void)
 	hawser_rom_clear(&rom);
 }
 
-/* The sweep up jumps down, the sweep down jumps up, and away from both they lie on the curve. */
+/* The upward sweep jumps down, the downward sweep jumps up, and elsewhere both lie on the curve. */
 static void check_sweep(void)
 {
 	struct hawser_rom rom;
@@ -239,8 +239,8 @@ static void check_sweep(void)
 	hawser_rom_clear(&rom);
 }
 
-/* u'' + d u' + u + u^3 = f cos 3 Omega t has subharmonic orbits of period 2 pi/Omega on a closed curve
- * apart from the main branch. Its lowest point is a fold, and so is its highest. */
+/* u'' + d u' + u + u^3 = f cos 3 Omega t has subharmonic orbits of period 2 pi/Omega on a closed
+ * curve separate from the main branch. Its lowest and its highest point are folds. */
 static void check_closed(void)
 {
 	struct hawser_rom rom;
@@ -299,7 +299,7 @@ static void check_ends_and_errors(void)
 	if (hawser__rom_init(&rom, 1, NULL))
 		return;
 	rom.K[0] = 1.0;
-	options.from = 0.55; /* not 0.5, where a free motion of the undamped model fits the period */
+	options.from = 0.55; /* not 0.5, where a free motion of the undamped model has this period */
 	options.to = 2.0;
 	ok(!hawser_rom_compile(&rom, NULL), "undamped oscillator");
 	set_load(&rom, 1, (double[]){0.0});
@@ -339,7 +339,8 @@ static void check_ends_and_errors(void)
 	bad = options;
 	bad.segments = -1;
 	ok(hawser_frf_trace(&frf, &rom, &bad, &report) == HAWSER_ERR_ARGUMENT, "%s", report.message);
-	/* no damping and no nonlinearity: the curve runs away at the resonance it must cross */
+	/* no damping and no nonlinearity: the amplitude grows without bound at the resonance in the
+	 * range */
 	options.progress.function = NULL;
 	options.max_points = 100000;
 	ok(hawser_frf_trace(&frf, &rom, &options, &report) == HAWSER_ERR_CONVERGENCE &&
@@ -351,8 +352,7 @@ static void check_ends_and_errors(void)
 }
 
 /* B Table 4.5 with six raw modes: a pair of multipliers leaves the unit circle through -1 and
- * comes back within 0.1 % of Omega, twice. Where the stations lie must not decide whether that is
- * seen. */
+ * returns within 0.1 % of Omega, twice. The result must not depend on the positions of the points. */
 static void check_narrow_doublings(void)
 {
 	static const double step[] = {0.02, 0.005, 0.002};

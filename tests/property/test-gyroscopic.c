@@ -1,7 +1,6 @@
-/* Modes of a travelling cable: closed form of the taut one, integration of the equations with a
- * complex frequency, rest, reversal, orthogonality, resolutions, the neighbourhood of the limit
- * speed.
- *
+/* Modes of a travelling cable: closed form of the taut cable, integration of the equations with a
+ * complex frequency, the cable at rest, reversal of the travel, orthogonality, resolutions, speeds
+ * near the limit.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -16,7 +15,7 @@
 
 /* --- a taut flat cable: omega_n = n pi sqrt(T g/rho)/d (1 - rho g v^2/T), g the stretch --- */
 
-/* Integral of conj(closed form)*mode, both of norm 1: 1 in modulus where they are alike. */
+/* Integral of conj(closed form)*mode, both of norm 1: its modulus is 1 if they are equal. */
 static double likeness(const struct hawser_modes *modes, int k, int n, double phase)
 {
 	const struct hawser_grid *grid = &modes->grid;
@@ -122,7 +121,8 @@ static void test_rest(const char *method)
 	       "%s at 1e-8 m/s", method)) {
 		for (int k = 0; k < 12; k++)
 			worst = fmax(worst, fabs(slow.mode[k].omega/turning.mode[k].omega - 1.0));
-		/* the two analytic rows order a plane's modes alike, but two planes may change places */
+		/* both analytic methods order the modes of a plane in the same way, but the two planes may
+		 * be interleaved differently */
 		ok(worst < 1e-12 || strcmp(method, "spectral") != 0, "%s: as at rest: %.1e", method, worst);
 		hawser_modes_clear(&slow);
 	}
@@ -159,7 +159,7 @@ static void test_reversal(void)
 	hawser_modes_clear(&back);
 }
 
-/* Energy product of modes j and k: strain energy and omega_j omega_k times the mass, complex. */
+/* Energy product of modes j and k: strain energy plus omega_j omega_k times the mass, complex. */
 static double complex energy(const struct hawser_modes *m, int j, int k)
 {
 	const struct hawser_grid *grid = &m->grid;
@@ -210,7 +210,7 @@ static void test_orthogonality(double speed)
 	hawser_modes_clear(&modes);
 }
 
-/* --- all resolutions, and what the other rows state --- */
+/* --- all resolutions, and the errors of the other methods --- */
 
 static void test_resolutions(struct hawser_span span, double tension, double speed,
                              const char *what)
@@ -240,8 +240,8 @@ static void test_resolutions(struct hawser_span span, double tension, double spe
 	hawser_modes_clear(&exact);
 }
 
-/* Row `method` at two resolutions (0: its own) against the converged one; a bound says that a
- * frequency of that plane is so near. */
+/* Method `method` at two resolutions (0: its own) against the converged method. A bound states that
+ * a frequency of the plane lies within this distance. */
 static void test_bound(const char *method, double speed, int basis, double at_most)
 {
 	struct hawser_modes exact, modes;
@@ -318,7 +318,7 @@ static void test_limit(double share)
 
 int main(void)
 {
-	/* B Table 5.1's fictitious cable, on the span of Table 5.3, soft: EA 1 MN, rho 3 kg/m */
+	/* the fictitious cable of B Table 5.1, on the span of Table 5.3, soft: EA 1 MN, rho 3 kg/m */
 	const struct hawser_span soft = {1e6, 3.0, 9.81, 100.0, 33.0}, deep = {40e6, 6.0, 9.81, 100.0,
 	                                                                       33.0};
 	struct hawser_statics st;

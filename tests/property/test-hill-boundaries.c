@@ -1,7 +1,7 @@
-/* Boundaries of stability by determinants of Hill matrices, against the multipliers: at each point
- * one is +1 or -1, or a complex pair is on the unit circle; and a trace that has the multipliers
- * alone finds the same curves. Damped, gyroscopic with varying damping, and undamped models; and a
- * stiff beam of ten modes whose fast ones no step has to follow.
+/* Boundaries of stability by determinants of Hill matrices, compared with multipliers: at each
+ * point one multiplier is +1 or -1, or a complex pair is on the unit circle; and boundaries traced
+ * by multipliers alone are the same curves. Damped models, gyroscopic ones with varying damping,
+ * undamped ones, and a stiff beam of ten modes, whose fast coordinates no step must resolve.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -26,8 +26,8 @@ static double between(double low, double high)
 	return low + (high - low)*(double)(chance >> 11)/9007199254740992.0;
 }
 
-/* A beam: frequencies j^2, an axial load that varies in time and grows along it; with a speed, the
- * gyroscopic matrix of its mean and of its fluctuation. */
+/* A beam: frequencies j^2, and an axial load that varies in time and increases along the beam. With
+ * a speed, also the gyroscopic matrices of its mean and of its fluctuation. */
 static int beam(struct hawser_rom *rom, int n, enum kind kind)
 {
 	double growth = between(0.3, 1.2), ratio = kind == UNDAMPED ? 0.0 : between(0.003, 0.01);
@@ -62,7 +62,7 @@ static int beam(struct hawser_rom *rom, int n, enum kind kind)
 	return hawser_rom_compile(rom, NULL) != HAWSER_OK;
 }
 
-/* Least distance between two multipliers off the real axis, of which one is i. */
+/* Smallest distance between multiplier i and another one, off the real axis. */
 static double nearest_other(const double *log_modulus, const double *argument, int i)
 {
 	double best = INFINITY;
@@ -73,8 +73,8 @@ static double nearest_other(const double *log_modulus, const double *argument, i
 	return best;
 }
 
-/* How far the multipliers at a point are from a boundary of this kind: from +1 or -1; at a torus point
- * from the unit circle or, without damping, where all are on it, from each other. */
+/* Distance of the multipliers at a point from a boundary of this kind: from +1 or -1; for a torus
+ * point from the unit circle or, without damping, where all are on it, from each other. */
 static double distance(const struct hawser_hill_field *field, int kind, const double at[2],
                        int undamped)
 {
@@ -94,7 +94,8 @@ static double distance(const struct hawser_hill_field *field, int kind, const do
 	return best;
 }
 
-/* Part of the rectangle from a point to the nearest piece of a boundary of its kind. */
+/* Distance, relative to the rectangle, of a point from the nearest piece of a boundary of its
+ * kind. */
 static double apart(const struct hawser_hill_chart *chart, int kind, const double at[2],
                     const struct hawser_hill_options *options)
 {
@@ -136,7 +137,7 @@ static void look(struct seen *seen, const struct hawser_hill_chart *chart,
 		}
 }
 
-/* Points of `of` that no boundary of `chart` comes near. */
+/* Number of points of `of` that are not near a boundary of `chart`. */
 static int missed(const struct hawser_hill_chart *chart, const struct hawser_hill_chart *of,
                   const struct hawser_hill_field *field, int undamped,
                   const struct hawser_hill_options *options)
@@ -148,16 +149,16 @@ static int missed(const struct hawser_hill_chart *chart, const struct hawser_hil
 			const double *at = of->boundary[b].at + 2*i;
 			int kind = (int)of->boundary[b].kind;
 
-			/* by multipliers alone, where the product of two real ones is 1 counts, too */
+			/* by multipliers alone, a product of 1 of two real multipliers also counts */
 			if (kind == HAWSER_HILL_TORUS && !(distance(field, kind, at, undamped) < 1e-3))
 				continue;
-			/* a curve ends shortly before the tip of a tongue */
+			/* a curve ends just before the tip of a tongue */
 			lost += apart(chart, kind, at, options) > 1e-2;
 		}
 	return lost;
 }
 
-/* A beam, the field of its stability and its boundaries. */
+/* A beam, the field of its stability, and its boundaries. */
 struct chart {
 	struct hawser_rom rom;
 	struct hawser_map_source source;
@@ -166,7 +167,7 @@ struct chart {
 	struct hawser_hill_chart own, plain; /* by determinants; by multipliers alone */
 };
 
-/* 1 where it fails. */
+/* Returns 1 if it fails. */
 static int open_chart(struct chart *chart, enum kind kind, int n, double from, double to, int lines,
                       int samples, double step)
 {
@@ -192,7 +193,7 @@ static void close_chart(struct chart *chart)
 
 static void compare(enum kind kind, int n)
 {
-	/* multipliers that meet at +-1, or on the circle, move with the root of a distance */
+	/* multipliers that coincide at +-1 or on the circle move with the square root of a distance */
 	double limit = kind == UNDAMPED ? 1e-4 : 1e-6;
 	struct hawser_hill_field plain;
 	struct seen seen = {.worst = 0.0};
@@ -215,8 +216,8 @@ static void compare(enum kind kind, int n)
 	close_chart(&chart);
 }
 
-/* Ten modes, frequencies from 1 to 100: what was taken from the multipliers of condensed
- * coordinates took a minute and more. All coordinates take part in a determinant. */
+/* Ten modes, frequencies from 1 to 100: boundaries by multipliers of condensed coordinates took a
+ * minute and more. All coordinates enter a determinant. */
 static void stiff(enum kind kind)
 {
 	struct seen seen = {.worst = 0.0};
@@ -226,7 +227,7 @@ static void stiff(enum kind kind)
 	ok(!failed && chart.own.boundaries > 0 && chart.own.evaluations < 3000, "%s, ten modes: %d "
 	   "boundaries, %ld evaluations", names[kind], chart.own.boundaries, chart.own.evaluations);
 	look(&seen, &chart.own, &chart.field, 0, kind == GYROSCOPIC ? 20 : 4);
-	/* the beam's multipliers are those of a condensed model: stated 1e-5 */
+	/* the beam's multipliers are those of a condensed model with a stated error of 1e-5 */
 	ok(seen.points > 1 && seen.worst < 1e-4, "at %d points the multipliers say the same within %.1e",
 	   seen.points, seen.worst);
 	close_chart(&chart);
@@ -236,7 +237,7 @@ int main(void)
 {
 	compare(DAMPED, 3);
 	compare(GYROSCOPIC, 3);
-	if (getenv("HAWSER_LONG")) /* narrow tongues of high orders, which take many steps */
+	if (getenv("HAWSER_LONG")) /* narrow tongues of high orders, which need many steps */
 		compare(UNDAMPED, 2);
 	stiff(DAMPED);
 	stiff(GYROSCOPIC);

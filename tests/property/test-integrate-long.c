@@ -1,5 +1,5 @@
-/* Long and exact: the Duffing oscillator against Jacobi's elliptic functions, energy over a thousand
- * periods, energy loss against the damping's work, time reversal, restart.
+/* Accuracy over long runs: the Duffing oscillator against Jacobi's elliptic functions, energy over
+ * a thousand periods, energy loss against the work of the damping, time reversal, restart.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -45,7 +45,7 @@ static double drift(const struct hawser_rom *rom, const char *method, double unt
 	return worst;
 }
 
-/* The requirement is 1e-10; what is measured is 1e-13 to 2e-12. */
+/* The required bound is 1e-10; measured are 1e-13 to 2e-12. */
 static void check_energy(void)
 {
 	const double swing[2] = {1.3, 0.0}, both[4] = {0.31, -0.17, 0.05, 0.22};
@@ -98,8 +98,8 @@ static double distance(const double *a, const double *b, int count)
 	return worst/size;
 }
 
-/* Forward, velocities turned, forward again: back where it began. On a regular motion: a chaotic one
- * would multiply any error by millions. */
+/* Forward, with reversed velocities, forward again: the initial state. The motion is regular; a
+ * chaotic one would amplify errors by millions. */
 static void check_reversal(void)
 {
 	const double initial[4] = {0.31, -0.17, 0.05, 0.22};
@@ -125,7 +125,7 @@ static void check_reversal(void)
 	hawser_rom_clear(&rom);
 }
 
-/* Ten periods of the forcing, or five and five more from the saved state. */
+/* Ten periods of the forcing at once, or five and five more from the saved state. */
 static void check_restart(void)
 {
 	const double omega = 3.2, period = 2.0*M_PI/omega;

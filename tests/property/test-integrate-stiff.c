@@ -1,5 +1,6 @@
-/* A coordinate much faster than the motion: followed at steps of the motion where it hardly vibrates,
- * resolved where it does; coordinates that are no modes begin in their steady state.
+/* A coordinate much faster than the motion: it is integrated with the steps of the motion if it
+ * hardly vibrates, and resolved if it does. Coordinates that are not modes begin in their steady
+ * state.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -70,7 +71,7 @@ static void check_followed(void)
 	hawser_rom_clear(&rom);
 }
 
-/* What vibrates by more than the tolerance is in the answer, whatever it costs. */
+/* Vibrations above the tolerance must be resolved, whatever the cost. */
 static void check_resolved(void)
 {
 	const double plucked[6] = {0.2, -0.1, 1e-3, 0.0, 0.3, 0.0};
@@ -80,7 +81,7 @@ static void check_resolved(void)
 	struct hawser_trajectory run = model_run(&rom, NULL, OMEGA, 20.0, 0.173, 1e-9, plucked);
 	struct hawser_trajectory stiff = model_run(&rom, "radau", OMEGA, 20.0, 0.173, 1e-9, plucked);
 
-	/* 1400 periods of the fast coordinate, 1e-10 of error each */
+	/* 1400 periods of the fast coordinate, with an error of 1e-10 each */
 	ok(distance(&run, &exact) < 1e-6 && distance(&gauss, &exact) < 1e-6,
 	   "a plucked fast coordinate at 1e-9: error %.1e with auto, %.1e with gauss",
 	   distance(&run, &exact), distance(&gauss, &exact));
@@ -94,7 +95,7 @@ static void check_resolved(void)
 	hawser_rom_clear(&rom);
 }
 
-/* The same motion decided in the same way, whatever rows are asked for. */
+/* The choice of the method does not depend on the output times. */
 static void check_rows(void)
 {
 	struct hawser_rom rom = follower(0.03, 0.3);
@@ -111,7 +112,8 @@ static void check_rows(void)
 	hawser_rom_clear(&rom);
 }
 
-/* Two coupled coordinates that are no modes, alone: rest is their steady state, and stays it. */
+/* Two coupled coordinates that are not modes, without others: rest is their steady state and
+ * remains so. */
 static void check_rest(void)
 {
 	const double load[3] = {0.0, 21.0, -34.0}, d = 2.3;

@@ -1,5 +1,4 @@
-/* Errors follow the tolerance; the methods agree with one another; where output is asked for does not
- * change a run.
+/* The errors follow the tolerance, the methods agree, and the output times do not change a run.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tests/integrate-models.h"
 
@@ -18,8 +17,8 @@ static double distance(const struct hawser_trajectory *a, const struct hawser_tr
 	return a->rows == b->rows ? worst/size : HUGE_VAL;
 }
 
-/* Error at rtol 1e-4, 1e-6, ... 1e-12 against a run at 3e-14: falls with the tolerance all the way
- * down, by at least a factor 10 for 100, and stays within a stated multiple of it. */
+/* The error at rtol 1e-4, 1e-6, ... 1e-12 against a run at 3e-14 decreases by at least a factor of
+ * 10 for each factor of 100, and is at most a stated multiple of the tolerance. */
 static void check_convergence(const struct hawser_rom *rom, const char *method, double multiple)
 {
 	struct hawser_trajectory exact = model_run(rom, "gauss", OMEGA, UNTIL, EVERY, 3e-14, NULL);
@@ -39,7 +38,8 @@ static void check_convergence(const struct hawser_rom *rom, const char *method, 
 	hawser_trajectory_clear(&exact);
 }
 
-/* With s = 8 nodes the error inside a step is of order h^9: 10^6 in rtol is 10^(6/9) = 4.6 in steps. */
+/* With 8 nodes the error inside a step is of order h^9: a factor of 10^6 in rtol is a factor of
+ * 10^(6/9) = 4.6 in the number of steps. */
 static void check_order(void)
 {
 	const double initial[10] = {0.002, 0.001, 0.0015, -0.001, 0.0005};
@@ -67,8 +67,8 @@ static void check_agreement(const struct hawser_rom *rom)
 		hawser_trajectory_clear(&run[m]);
 }
 
-/* Steps are the integrator's own: common rows are the same bit by bit, and the rows between them are
- * as good as a run that is ten times tighter says. */
+/* The integrator chooses its steps without regard to the output times: common rows agree to the
+ * last bit, and the rows between are as accurate, by a run with a ten times smaller tolerance. */
 static void check_output(const struct hawser_rom *rom)
 {
 	for (int m = 0; m < METHODS; m++) {

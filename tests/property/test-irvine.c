@@ -1,5 +1,6 @@
-/* tests/property/test-irvine.c - sweeps: crossings and veerings where theory has them, branches that
- * keep their identity, and the same branches from either end and with any step.
+/* tests/property/test-irvine.c - sweeps of the tension: crossings and veerings where theory
+ * predicts them, branches that keep their identity, and the same branches from either end and with
+ * any step.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -9,7 +10,7 @@
 
 #include "tests/tap.h"
 
-/* B Table 4.1, level. */
+/* B Table 4.1, with level ends. */
 static const struct hawser_span table41[] = {
 	{235e6, 12.94, 9.81, 100.0, 0.0},
 	{40e6, 6.0, 9.81, 100.0, 0.0},
@@ -35,7 +36,7 @@ static const struct hawser_irvine_crossover *first_of(const struct hawser_irvine
 	return NULL;
 }
 
-/* A level span about lambda = 2 pi, where delta is as given. */
+/* A level span near lambda = 2 pi, for the given delta. */
 static struct hawser_span about_crossover(double delta, double slope, double *H)
 {
 	struct hawser_span span = {.rho = 2.385, .g = 9.81, .d = 73.1};
@@ -72,7 +73,7 @@ static void level_crossover(void)
 	close_to(off[2]/off[1], 4.0, 0.01, "its distance from 2 pi is of order delta^2");
 }
 
-/* Modes at a tension, by themselves: relative gap of the first two in the plane. */
+/* Modes at one tension, solved separately: relative gap of the first two in-plane frequencies. */
 static double gap_at(const struct hawser_span *span, double H)
 {
 	struct hawser_modes_options options = {.n = 8};
@@ -91,7 +92,8 @@ static double gap_at(const struct hawser_span *span, double H)
 	return 2.0*(omega[1] - omega[0])/(omega[1] + omega[0]);
 }
 
-/* On a slope the two veer: the gap grows with it, in proportion as long as it is small. */
+/* If the span is inclined, the two branches veer. The gap is proportional to the slope while it is
+ * small. */
 static void slopes(void)
 {
 	const double slope[] = {1e-4, 1e-3, 0.01, 0.1, 1.0/3.0, 1.0, 2.0};
@@ -131,8 +133,8 @@ static double omega(const struct hawser_irvine *irvine, int i, int b)
 	return irvine->omega[i*irvine->branches + b];
 }
 
-/* Does branch b of one sweep run with branch c of the other, which runs the other way? Stations that
- * were inserted differ. */
+/* 1 if branch b of one sweep is branch c of the other, which has the opposite direction. Inserted
+ * stations may differ. */
 static int same_branch(const struct hawser_irvine *down, int b, const struct hawser_irvine *up, int c)
 {
 	int j = up->stations - 1;
@@ -150,7 +152,7 @@ static int same_branch(const struct hawser_irvine *down, int b, const struct haw
 	return 1;
 }
 
-/* Each branch of the sweep down is one of the sweep up. */
+/* Each branch of the downward sweep is a branch of the upward one. */
 static void retrace(const struct hawser_irvine *down, const struct hawser_irvine *up)
 {
 	for (int b = 0; b < down->branches; b++) {
@@ -164,7 +166,7 @@ static void retrace(const struct hawser_irvine *down, const struct hawser_irvine
 	}
 }
 
-/* Level: symmetry is a constant of each branch, whatever it crosses. */
+/* Level span: each branch keeps its symmetry through all crossings. */
 static void constant_symmetry(const struct hawser_irvine *irvine)
 {
 	int mixed = 0, changed = 0;
@@ -174,7 +176,7 @@ static void constant_symmetry(const struct hawser_irvine *irvine)
 			enum hawser_symmetry here = irvine->symmetry[i*irvine->branches + b];
 			enum hawser_family family = irvine->family[i*irvine->branches + b];
 
-			/* of the dominant component, so that where P takes over the word turns */
+			/* symmetry of the dominant component; its label changes where P becomes dominant */
 			if (family != irvine->family[b])
 				here = here == HAWSER_SYMMETRIC ? HAWSER_ANTISYMMETRIC
 				       : here == HAWSER_ANTISYMMETRIC ? HAWSER_SYMMETRIC : here;
@@ -185,7 +187,7 @@ static void constant_symmetry(const struct hawser_irvine *irvine)
 	   mixed, changed);
 }
 
-/* Neighbours with a crossing between them are swapped, others are not. */
+/* Neighbours with a crossing between two stations exchange their places, others do not. */
 static void order(const struct hawser_irvine *irvine)
 {
 	int crossings = 0, disorder = 0, low = 0;
@@ -245,7 +247,7 @@ static void one_case(struct hawser_span span, double slope)
 	hawser_irvine_clear(&down);
 }
 
-/* One family of equilibria, whatever it is swept by. */
+/* The family of equilibria does not depend on the swept quantity. */
 static void quantities(void)
 {
 	struct hawser_span span = table41[1];

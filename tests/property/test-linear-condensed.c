@@ -1,6 +1,6 @@
-/* Multipliers of stiff models about rest: with the fast coordinates following statically against all of
- * them followed. Beams whose frequencies go with the square of the mode, under an axial load that
- * varies in time and along the beam.
+/* Multipliers of stiff models about rest: with the fast coordinates condensed statically, and with
+ * all coordinates integrated. The models are beams whose frequencies grow with the square of the
+ * mode number, under an axial load that varies in time and along the beam.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -38,7 +38,7 @@ static int beam(struct hawser_rom *rom, int n, double ratio, double stiffness)
 
 		rom->K[i*n + i] = w*w;
 		rom->D[i*n + i] = 2.0*ratio*w + stiffness*w*w;
-		/* of a load that grows along the beam; odd distances alone couple */
+		/* for a load that increases along the beam; only modes at odd distances are coupled */
 		for (int j = 0; j < n; j++) {
 			double b = j + 1, far = (a - b)*(a - b), sum = (a + b)*(a + b);
 
@@ -103,8 +103,8 @@ static void compare(void)
 	   "most", worst, most);
 }
 
-/* Damping proportional to the stiffness makes the fast modes creep: they follow too. That many steps as
- * their rates ask for are not to be had. */
+/* Damping proportional to the stiffness makes the fast modes overdamped: they are condensed too.
+ * Steps that resolve their decay rates would be too many. */
 static void creeping(void)
 {
 	struct hawser_rom rom = {.n = 0};

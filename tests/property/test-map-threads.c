@@ -1,4 +1,4 @@
-/* A map does not depend on the number of threads, nor on having been interrupted: to the last bit.
+/* A map does not depend on the number of threads, nor on interruptions, to the last bit.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -69,7 +69,7 @@ static void threads(const struct hawser_map *one)
 	}
 }
 
-/* Structures that vary along one axis, and along both. */
+/* Functions that vary along one axis, and along both. */
 static void scenes(void)
 {
 	static const char text[] = "cable: {EA: 100 MN, rho: 5 kg/m}\nspan: {d: 80, h: 5}\n"
@@ -151,7 +151,7 @@ static void interrupted(const struct hawser_map *whole)
 	hawser_map_clear(&map);
 }
 
-/* A file that was cut at any place goes on from its last whole line. */
+/* From a file that was cut at any byte the map continues after the last complete line. */
 static void cut(const struct hawser_map *whole, long size)
 {
 	struct hawser_map_options options = range(1);
@@ -199,7 +199,7 @@ static int look_at_lock(void *data, const struct hawser_progress_state *state)
 	return 0;
 }
 
-/* A checkpoint that begins like the one in the file, with a line of our own that has its sum. */
+/* A checkpoint with the correct first line, and a forged line with a correct checksum. */
 static void forge(const char *line, const struct hawser_map_options *options)
 {
 	uint64_t sum = UINT64_C(14695981039346656037);

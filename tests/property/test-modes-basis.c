@@ -1,5 +1,5 @@
-/* Everything a basis carries: orthonormal shapes and diagonal energy down to the uppermost mode, the
- * lowest frequencies those of the converged method from above, and estimates that keep their word.
+/* All modes of a basis: orthonormal shapes and diagonal energy up to the highest mode, the lowest
+ * frequencies close to and above those of the converged method, and error estimates that hold.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -29,7 +29,7 @@ static void products(double *mass, double *stiffness, const struct hawser_modes 
 	*stiffness = s/modes->statics.epsilon/modes->mode[j].omega/modes->mode[k].omega;
 }
 
-/* How far end B is from fixed: the integral of the gradients, relative to that of their size. */
+/* Displacement of end B: the integral of the gradients, relative to the integral of their moduli. */
 static double end_of(const struct hawser_modes *modes, int k)
 {
 	size_t points = (size_t)modes->grid.points;
@@ -74,8 +74,8 @@ static void check_span(double epsilon, double delta, double hs, int functions, c
 	ok(modes.n == 3*modes.basis && modes.basis <= functions &&
 	   modes.basis > functions - modes.grid.elements,
 	   "%s: %d modes of %d functions", name, modes.n, functions);
-	/* stretching moves the end sqrt(epsilon) as far as turning does: 2e-10 of `size` is what one
-	 * round-off of a turning strain is in the stretching modes, and must not be left */
+	/* stretch moves the end sqrt(epsilon) times as far as rotation: a round-off error of a
+	 * rotational strain in the stretching modes is 2e-10 of `size`, and must be removed */
 	ok(ascending && end < 1e-14,
 	   "%s: ascending, fixed at the ends (%.1e)", name, end);
 	ok(mass < 1e-13, "%s: orthonormal, %.1e", name, mass);

@@ -1,6 +1,6 @@
-/* tests/property/test-modes-chain.c - the same frequencies from a chain of masses and springs: no
- * local frame, no linearised strain, only the second derivative of the springs' energy about the
- * catenary in global axes. Second order in the spacing; Richardson's extrapolation takes it on.
+/* tests/property/test-modes-chain.c - the frequencies of a chain of masses and springs: without
+ * local frame and linearised strain, from the second derivative of the springs' energy about the
+ * catenary in global axes. Second order in the spacing; Richardson extrapolation.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -35,7 +35,7 @@ static void spring(double H[3][3], const double *p, const double *q, double h, d
 		}
 }
 
-/* Lowest frequencies of n springs of unstretched length l/n, equal masses between them. */
+/* Lowest frequencies of n springs of unstretched length l/n with equal masses between them. */
 static int chain(double *omega, const struct hawser_statics *st, int n)
 {
 	int size = 3*(n - 1), failed;

@@ -1,5 +1,5 @@
-/* Comparing modes with a reference: signs, groups, exchanged and missing modes, known distances, and
- * the order of the errors of a coarse basis.
+/* Comparison of modes with a reference: signs, groups, exchanged and missing modes, known
+ * distances, and the order of the errors of a coarse basis.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -11,7 +11,7 @@
 enum { N = 8, MORE = 12 };
 static struct hawser_modes reference, modes;
 static struct hawser_modes_error error[MORE];
-static int first, second; /* in-plane modes of `modes`, neighbours */
+static int first, second; /* index of the first of two neighbouring in-plane modes of `modes` */
 
 static int solve(struct hawser_modes *out, const struct hawser_statics *st, int n, int basis)
 {
@@ -46,7 +46,7 @@ static int compared(void)
 	return !status;
 }
 
-/* Both modes turned by an angle in the space they span. */
+/* Rotate both modes by an angle in the space that they span. */
 static void turn(double angle)
 {
 	for (int p = 0; p < modes.grid.points; p++)
@@ -125,7 +125,7 @@ static void exchanged(void)
 	exchange();
 }
 
-/* Without its first in-plane mode, the others of that plane are wrong, and only they. */
+/* Without its first in-plane mode, all other in-plane modes are wrong, and no others. */
 static void missing(void)
 {
 	struct hawser_modes less = modes;
@@ -181,7 +181,7 @@ static void refusals(void)
 	modes.mode[0].omega = kept;
 }
 
-/* Galerkin's method: a frequency's error is of the size of the square of its shape's. */
+/* Galerkin's method: the error of a frequency is of the order of the square of that of its shape. */
 static void coarse(const struct hawser_statics *st)
 {
 	static const int basis[] = {9, 11};

@@ -9,7 +9,7 @@
 
 enum { SCENES = 100, MODES = 10, TRIED = 2, STEPS = 26 };
 
-/* A small generator, the same on every machine: Numerical Recipes' quick 32-bit one. */
+/* A small generator, the same on every machine: the 32-bit one of Numerical Recipes. */
 static unsigned state = 2385u;
 
 static double uniform(double from, double to)

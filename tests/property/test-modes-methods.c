@@ -1,5 +1,6 @@
-/* tests/property/test-modes-methods.c - what each method promises on the source's example cables (B
- * Table 4.1), level and at a slope of 1/3, over the tensions of its figures.
+/* tests/property/test-modes-methods.c - the stated properties of each method on the source's
+ * example cables (B Table 4.1), level and at a slope of 1/3, over the tensions of the source's
+ * figures.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -32,7 +33,8 @@ static const struct hawser_mode *of_plane(const struct hawser_modes *m, enum haw
 	return NULL;
 }
 
-/* Largest relative difference of the modes of m from those of `right` in the same plane and place. */
+/* Largest relative difference between the modes of m and those of `right` with the same plane and
+ * place. */
 static double worst_error(const struct hawser_modes *m, const struct hawser_modes *right)
 {
 	int next[2] = {0};
@@ -47,7 +49,7 @@ static double worst_error(const struct hawser_modes *m, const struct hawser_mode
 	return worst;
 }
 
-/* lambda/pi from 0.1 to 10 on every case: H from EA down, by steps of 10 %. */
+/* lambda/pi from 0.1 to 10 for every case: H from EA downwards, in steps of 10 %. */
 static void spectral_functions(void)
 {
 	for (int c = 1; c <= CASES; c++)
@@ -86,7 +88,7 @@ static void spectral_functions(void)
 		}
 }
 
-/* The taut span whose lambda (B 4.60) over pi is as given: lambda falls as H grows. */
+/* The taut span with the given lambda/pi (B 4.60); lambda decreases with H. */
 static int at_lambda(struct hawser_statics *st, int c, double slope, double lambda)
 {
 	double low = 1e-7, high = 2.0;
@@ -109,7 +111,7 @@ static int at_lambda(struct hawser_statics *st, int c, double slope, double lamb
 static const double lambdas[] = {0.3, 1.4, 2.385, 6.1};
 enum { LAMBDAS = sizeof lambdas/sizeof lambdas[0] };
 
-/* Halving the interval twice divides the largest error by four, each time. */
+/* Two successive halvings of the interval divide the largest error by four each. */
 static void second_order(const char *method, const struct hawser_statics *st, const char *where)
 {
 	struct hawser_modes right, m;
@@ -133,7 +135,7 @@ static void second_order(const char *method, const struct hawser_statics *st, co
 	hawser_modes_clear(&right);
 }
 
-/* Some exact frequency of its plane is as near to each closed form as that states. */
+/* An exact frequency of its plane lies within the stated error of each closed form. */
 static void closed_forms(const struct hawser_statics *st, const char *where)
 {
 	struct hawser_modes right, m;
@@ -177,7 +179,7 @@ static void each_case(void)
 			}
 }
 
-/* First symmetric less first antisymmetric frequency in the plane, of a level span. */
+/* First symmetric minus first antisymmetric in-plane frequency of a level span. */
 static double ahead(const char *method, double lambda, double delta)
 {
 	struct hawser_statics st = scaled_span(delta*delta/(lambda*lambda), delta, 0.0);
@@ -193,7 +195,7 @@ static double ahead(const char *method, double lambda, double delta)
 	return omega[0] - omega[1];
 }
 
-/* They cross at lambda = 2 pi, for delta -> 0; what the limit leaves out is of order delta^2. */
+/* The crossing is at lambda = 2 pi for delta -> 0, up to terms of order delta^2. */
 static void crossover(const char *method)
 {
 	const double delta = 1e-3;
@@ -212,8 +214,9 @@ static void crossover(const char *method)
 	close_to(0.5*(low + high)/M_PI, 2.0, 1e-5, "crossover over pi");
 }
 
-/* Few points on a taut cable: finite differences raise the frequencies in the plane by several percent
- * there, and state by how much; those out of the plane, which have no such error, are known well. */
+/* With few points on a taut cable, finite differences increase the in-plane frequencies by several
+ * percent, and the error estimates show this. Out-of-plane frequencies do not have this error and
+ * are accurate. */
 static void few_points(double epsilon, double delta, int points)
 {
 	struct hawser_statics st = scaled_span(epsilon, delta, 0.04);

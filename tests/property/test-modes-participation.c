@@ -1,5 +1,5 @@
-/* tests/property/test-modes-participation.c - shares of the kinetic energy, participation factors and
- * modal effective masses: closed forms on a straight string, and all modes together carry everything.
+/* tests/property/test-modes-participation.c - shares of the kinetic energy, participation factors
+ * and modal effective masses: closed forms for a straight string, and sums over all modes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -32,7 +32,7 @@ static void straight(const char *method, double tolerance)
 		double want = k%2 ? 8.0/(k*M_PI*k*M_PI) : 0.0;
 
 		close_to(mode->effective_mass[axis], want, tolerance, "effective mass");
-		/* the sign is such that the first half-wave is positive; y points to -n or n alike */
+		/* the sign makes the first half-wave positive; y may point to n or to -n */
 		close_to(fabs(mode->participation[axis]), sqrt(want*st.l), sqrt(tolerance)*1e-2,
 		         "participation factor");
 	}
@@ -65,7 +65,8 @@ static void shares(const char *method, const struct hawser_statics *st)
 	hawser_modes_clear(&m);
 }
 
-/* What is missing from 1 along an axis goes down as 1/n: twice the modes, half of it. */
+/* The difference of the sum along an axis from 1 decreases as 1/n: with twice the modes it is half
+ * as large. */
 static void sums(double epsilon, double delta, double hs)
 {
 	struct hawser_statics st = scaled_span(epsilon, delta, hs);

@@ -1,5 +1,5 @@
-/* tests/property/test-modes.c - the battery that every method of the table must pass: orthogonality,
- * Rayleigh quotients, equilibrium of the mode, mirror symmetry, convergence, and refusals.
+/* tests/property/test-modes.c - tests that every method of the table must pass: orthogonality,
+ * Rayleigh quotients, equilibrium of the mode, mirror symmetry, convergence, and failures.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -72,7 +72,8 @@ static void orthogonality(const struct hawser_modes *m, double slack)
 	ok(rayleigh < 1e-10 + slack, "Rayleigh quotient is omega^2, to %.1e", rayleigh);
 }
 
-/* Force (tension increment along e, turned tension along n and z) in global axes, and displacement. */
+/* Force (tension increment along e, rotated static tension along n and z) in global axes, and
+ * displacement. */
 static void global(double *force, double *displacement, const struct hawser_modes *m, int k, double s)
 {
 	const struct hawser_statics *st = &m->statics;
@@ -88,8 +89,8 @@ static void global(double *force, double *displacement, const struct hawser_mode
 	force[2] = turn*y[2];
 }
 
-/* Step for differences: a small part of a wave, of the profile's own scale T/delta, and clear of the
- * ends; 0 where there is no room. */
+/* Step for differences: a small part of a wave and of the profile's scale T/delta, not too close to
+ * the ends; 0 if there is no room. */
 static double step_at(const struct hawser_statics *st, int k, double s)
 {
 	double h = 3e-3*fmin(st->l/(k + 4), hypot(1.0, st->eta + st->delta*s)/st->delta);
@@ -103,8 +104,8 @@ static double difference(double value[][3], int c, double h)
 	return (8.0*(value[2][c] - value[1][c]) - (value[3][c] - value[0][c]))/(12.0*h);
 }
 
-/* F' = -omega^2 X: the only place where a/epsilon, the dynamic tension, is seen by itself. Points are
- * equal in asinh(u), as the field is smooth there. */
+/* F' = -omega^2 X: the only check of a/epsilon, the dynamic tension, alone. Points are equidistant
+ * in asinh(u), since the field is smooth there. */
 static void equilibrium(const struct hawser_modes *m, double slack)
 {
 	const struct hawser_statics *st = &m->statics;
@@ -173,8 +174,8 @@ static void ends(const struct hawser_modes *m, double slack)
 	ok(worst < 1e-9 + slack, "shapes vanish at both ends, to %.1e", worst);
 }
 
-/* The reduced model integrates products of four slopes on the grid. Against the same product of
- * interpolated slopes by two-point Gauss on 400 and 800 cells an element, extrapolated. */
+/* The reduced model integrates products of four slopes on the grid. Compare them with the product
+ * of interpolated slopes by two-point Gauss on 400 and 800 cells per element, extrapolated. */
 static double quartic_fine(const struct hawser_modes *m, int i, int j, int cells)
 {
 	double sum = 0.0;
@@ -254,8 +255,8 @@ static void mirror(const struct hawser_modes *m, const struct hawser_modes_optio
 	hawser_modes_clear(&image);
 }
 
-/* Every frequency is as near to an exact one of its plane as it states: the one in its place for a
- * method that converges, any for the closed forms, whose bound promises no more. */
+/* Every frequency is within its stated error of an exact one of its plane: of the one with the same
+ * number for methods that converge, of any for the closed forms, whose bound states no more. */
 static void honest(const struct hawser_modes *m, int in_place)
 {
 	struct hawser_modes_options options = {.n = m->n + 10};
@@ -283,7 +284,7 @@ static void honest(const struct hawser_modes *m, int in_place)
 	hawser_modes_clear(&exact);
 }
 
-/* Everything that holds of a converged result, up to its error. */
+/* Properties of a converged result, up to its error. */
 static void converged(const struct hawser_modes *m, double slack)
 {
 	ok(slack <= 1e-10, "estimated error %.1e meets the default tolerance", slack);
@@ -322,9 +323,9 @@ static void battery(const struct hawser_modes_method *method, const double *p)
 	else
 		honest(&m, isfinite(method->tolerance));
 	if (isinf(method->tolerance) || slack < 1.0) {
-		/* Closed forms keep these whatever their error; a chain's slopes are its own
-		 * strains, which differ from its shapes' by the error of a shape where it turns
-		 * most, and not by that of a frequency. */
+		/* Closed forms have these properties whatever their error. The slopes of a chain are its
+		 * strains, which differ from the derivatives of its shapes by the error of a shape, not by
+		 * that of a frequency. */
 		int own = strcmp(method->name, "chain") == 0;
 
 		compatibility(&m, isinf(method->tolerance) ? 0.0 : own ? 100.0*slack : slack);
@@ -381,8 +382,8 @@ static void refusals(const char *method)
 	refuse("infinite weight", HAWSER_ERR_ARGUMENT, &st, o);
 }
 
-/* Exponential convergence of the spectral method: each four functions more divide the error of ten
- * frequencies by 20 at least, until round-off. */
+/* Exponential convergence of the spectral method: four more functions divide the error of ten
+ * frequencies by at least 20, until round-off. */
 static void spectral_convergence(void)
 {
 	struct hawser_statics st = scaled_span(1e-9, 0.8, 0.3);

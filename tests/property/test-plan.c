@@ -1,6 +1,6 @@
-/* What a plan says of the time of a response: the number of points of the curve is foretold from its
- * beginning and a coarse trace, the estimates have the order of the times, and what fails is told.
- * Times themselves are compared by bench/plan-times.
+/* The estimate of the time of a response by a plan: the number of points is predicted from the
+ * beginning of the curve and a coarse trace, the estimates have the order of the times, and
+ * failures are reported. bench/plan-times compares the times.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -57,7 +57,8 @@ static int never(const void *context, double from, double to)
 	return !always(context, from, to);
 }
 
-/* The curve of N modes: its first points and a coarse trace, against the curve itself. */
+/* The curve of N modes: the estimate from its first points and a coarse trace, against the curve
+ * itself. */
 static void check_points(const char *name, int n, double from, double to)
 {
 	struct hawser__allowance plenty = {.left = 1e9, .rows = 1}, none = {.rows = 1};
@@ -120,7 +121,7 @@ static int make(struct hawser_plan *plan, const char *list, double from, double 
 	                            &report), "a plan %s", report.message);
 }
 
-/* Sizes ten times apart: whatever the machine does meanwhile, the order is right. */
+/* Sizes that differ by a factor of ten: the order of the estimates is right on a busy machine too. */
 static void check_order(void)
 {
 	struct hawser_plan plan = {.rows = 0};
@@ -143,14 +144,14 @@ static void check_order(void)
 	hawser_scene_clear(&scene);
 }
 
-/* What a run meets at once is told by the plan. */
+/* A failure at the beginning of a run is reported by the plan. */
 static void check_foreseen(void)
 {
 	struct hawser_plan plan = {.rows = 0};
 
 	if (!open_scene("b-table-4.4-line-2"))
 		return;
-	/* the lowest mode moves out of the plane, in which the load is */
+	/* the lowest mode moves out of the plane of the load */
 	scene.load.frame = HAWSER_FRAME_GLOBAL;
 	scene.load.per_length[2] = 0.0;
 	if (make(&plan, "raw 1, raw 2", 0.9, 1.1)) {
@@ -162,7 +163,7 @@ static void check_foreseen(void)
 	hawser_scene_clear(&scene);
 }
 
-/* Many folds and unstable orbits beyond what a short look reaches: no estimate is stated. */
+/* Many folds and unstable orbits beyond the part that is computed: no estimate is given. */
 static void check_bound(void)
 {
 	struct hawser_plan_options little = {.seconds = 0.01, .extra = HAWSER_NONE};
@@ -185,7 +186,7 @@ static void check_bound(void)
 	hawser_scene_clear(&scene);
 }
 
-/* Searches that go on to more models than two, or to full-order ones, are recognised. */
+/* Searches that need more than two models, or the full order, are recognised. */
 static void check_course(void)
 {
 	struct hawser_accuracy_options options = {.most = 0};

@@ -1,5 +1,6 @@
-/* Primary resonance in closed form, its backbone, and subharmonic resonance: against the equations
- * that they solve, and against orbits by shooting. SPDX-License-Identifier: GPL-3.0-or-later */
+/* Primary resonance in closed form, its backbone, and subharmonic resonance: the solutions satisfy
+ * the equations and agree with orbits by shooting.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <stdlib.h>
 
 #include <hawser/backbone.h>
@@ -41,7 +42,7 @@ static int make(struct hawser_rom *rom, int n, const double *k, double d, double
 	return ok(good, "a model of %d coordinates: %s", n, good ? "" : report.message);
 }
 
-/* What hawser_rom_compile has made; the rest is ours. */
+/* Free the result of hawser_rom_compile; the other arrays belong to the test. */
 static void unmake(struct hawser_rom *rom)
 {
 	struct hawser_rom kernel = {.kernel = rom->kernel};
@@ -50,8 +51,8 @@ static void unmake(struct hawser_rom *rom)
 	rom->kernel = NULL;
 }
 
-/* Every point obeys a^2 [delta^2 + (sigma - Gamma a^2)^2] = F^2; folds are where stability
- * changes; and the mean and second harmonic of u'' + u + q u^2 are -q a^2/2 and q a^2/6 (B 4.105,
+/* Every point satisfies a^2 [delta^2 + (sigma - Gamma a^2)^2] = F^2; stability changes at the
+ * folds; the mean and the second harmonic of u'' + u + q u^2 are -q a^2/2 and q a^2/6 (B 4.105,
  * with A = a/2). */
 static void closed_form(double q, double gamma3)
 {
@@ -89,7 +90,7 @@ static void closed_form(double q, double gamma3)
 	unmake(&rom);
 }
 
-/* With a probe that moves as the coordinate does: drift and second harmonic. */
+/* With a probe that has the displacement of the coordinate: drift and second harmonic. */
 static void parts(void)
 {
 	const double one = 1.0;
@@ -121,7 +122,8 @@ static void parts(void)
 	unmake(&rom);
 }
 
-/* The parabola leaves the backbone with the fourth power of the amplitude: a row of two models. */
+/* The distance of the parabola from the backbone is of fourth order in the amplitude: a series of
+ * models. */
 static void backbone(double q, double gamma3)
 {
 	const double k[] = {1.0, 6.3};
@@ -151,7 +153,7 @@ static void backbone(double q, double gamma3)
 		        size))
 			break;
 		last = run.points - 1;
-		/* max |u| holds drift and second harmonic; the energy is a^2/2 + O(a^4) */
+		/* max |u| includes drift and second harmonic; the energy is a^2/2 + O(a^4) */
 		gap[i] = fabs(run.point[last].omega - 1.0 - 2.0*gamma*run.point[last].energy);
 		hawser_primary_curve_clear(&curve);
 		hawser_backbone_clear(&run);
@@ -160,13 +162,14 @@ static void backbone(double q, double gamma3)
 	unmake(&rom);
 }
 
-/* Equilibria of subharmonic resonance: a state of the model's by shooting is near, and the nearer
- * the smaller all is. b = 3: Duffing under a hard load; b = 2: with a quadratic term. */
+/* Equilibria of subharmonic resonance: a periodic state by shooting lies nearby, and the distance
+ * decreases with the small parameter. b = 3: Duffing under a hard load; b = 2: with a quadratic
+ * term. */
 static double subharmonic(int b, double e)
 {
 	const double one = 1.0;
 	struct hawser_quad Q[] = {{0, 0, 0, b == 2 ? 0.2*e : 0.0}};
-	/* so that amplitudes stay */
+	/* so that the amplitudes do not change */
 	struct hawser_cubic C[] = {{0, 0, 0, 0, b == 2 ? 0.1*e : 0.1*e*e}};
 	struct hawser_resonance resonance = {.count = 1, .mode = {0}, .order = {1}, .omega0 = 1.0};
 	struct hawser_frf_options options = {.method = NULL};
@@ -175,7 +178,7 @@ static double subharmonic(int b, double e)
 	struct hawser_frf frf = {.n = 0};
 	struct hawser_report report = {.message = ""};
 	double x[2], omega, state[2], gap = NAN;
-	/* detuning as large as the terms: e (b = 2) or e^2 */
+	/* detuning of the order of the terms: e (b = 2) or e^2 */
 	double shift = b == 2 ? 0.1*e : 0.5*e*e;
 
 	if (!make(&rom, 1, &one, b == 2 ? 0.02*e : 0.005*e*e, b == 2 ? 1.5 : 8.0, Q, b == 2, C, 1))

@@ -1,6 +1,5 @@
-/* Eigenvalues of M q'' + (C + G) q' + K q = 0: against closed forms, against one another's routes,
- * at and beyond divergence and flutter, with damping; accuracy of low eigenvalues of a stiff
- * problem.
+/* Eigenvalues of M q'' + (C + G) q' + K q = 0: closed forms, two routes of the library, problems at
+ * and beyond divergence and flutter, damping; accuracy of low eigenvalues of a stiff problem.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -18,8 +17,8 @@ struct matrices {
 	double M[N*N], C[N*N], G[N*N], K[N*N];
 };
 
-/* Travelling string with bending mu2, in sines of [0, 1]; M times a well-mixed change of
- * coordinates that leaves the eigenvalues as they are. */
+/* Travelling string with bending mu2, in sines on [0, 1], in well-conditioned other coordinates,
+ * which leave the eigenvalues unchanged. */
 static void string_of(struct matrices *m, double nu, double mu2, double c)
 {
 	memset(m, 0, sizeof *m);
@@ -77,7 +76,7 @@ static int solve(struct spectrum *s, const struct matrices *m, int gyroscopic, i
 	return 0;
 }
 
-/* Largest |P x| over the terms' size, of all vectors, with the matrices as given. */
+/* Largest |P x| relative to the size of its terms, over all vectors, with the original matrices. */
 static double misfit(const struct spectrum *s, const struct matrices *m)
 {
 	double worst = 0.0;
@@ -106,7 +105,8 @@ static double misfit(const struct spectrum *s, const struct matrices *m)
 	return worst;
 }
 
-/* Worst distance, relative, of an eigenvalue of `a` from the nearest of `b`, over what is stated. */
+/* Largest relative distance of an eigenvalue of `a` from the nearest of `b`, over the stated
+ * error. */
 static double apart(const struct spectrum *a, const struct spectrum *b, int count)
 {
 	double worst = 0.0;
@@ -123,7 +123,7 @@ static double apart(const struct spectrum *a, const struct spectrum *b, int coun
 	return worst;
 }
 
-/* An eigenvalue off the imaginary axis has its mirror image. */
+/* The mirror image of an eigenvalue off the imaginary axis is an eigenvalue too. */
 static int on_axes(const struct spectrum *s)
 {
 	int held = 1;
@@ -140,7 +140,8 @@ static int on_axes(const struct spectrum *s)
 	return held;
 }
 
-/* The route that keeps to the axis against the general one, and mixed coordinates against plain. */
+/* The gyroscopic route against the general one, and transformed coordinates against the original
+ * ones. */
 static void test_routes(double nu, double mu2, int growing)
 {
 	static struct spectrum own, general, mixed;
@@ -209,8 +210,8 @@ static void test_damped(void)
 	ok(worst < 1e-13, "each to full relative accuracy: %.1e", worst);
 }
 
-/* q1'' + 2 g q2' - q1 = 0 and q2'' - 2 g q1' - q2 = 0: K negative, made to turn by the gyroscopic force
- * from g = 1 on: lambda = i (g +- sqrt(g^2 - 1)). */
+/* q1'' + 2 g q2' - q1 = 0 and q2'' - 2 g q1' - q2 = 0: K is negative and is stabilised by the
+ * gyroscopic force from g = 1 on: lambda = i (g +- sqrt(g^2 - 1)). */
 static void test_gyroscopic_stability(void)
 {
 	const double M[4] = {1.0, 0.0, 0.0, 1.0}, K[4] = {-1.0, 0.0, 0.0, -1.0};
@@ -265,7 +266,7 @@ int main(void)
 	test_routes(0.613, 0.0, 0);
 	test_routes(0.97, 0.013, 0);
 	test_routes(1.13, 0.013, 1);
-	test_routes(1.24, 0.013, 0); /* two negative stiffnesses, held by G */
+	test_routes(1.24, 0.013, 0); /* two negative stiffnesses, stabilised by G */
 	test_routes(1.35, 0.013, 1);
 	test_routes(3.3, 0.013, 2);
 	test_damped();

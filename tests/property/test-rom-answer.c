@@ -1,5 +1,5 @@
-/* What the forces of a model do to the modes that it does not keep: displacement and tension
- * against the sum over many modes, and in a file.
+/* The response of condensed modes to the forces of a model: displacement and tension against the
+ * sum over many modes, also for a model file.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -10,7 +10,7 @@
 #include "tests/tap.h"
 #include "tests/velocity.h"
 
-enum { KEPT = 5, FUNCTIONS = 33 }; /* of a basis, a component */
+enum { KEPT = 5, FUNCTIONS = 33 }; /* functions per component of the basis */
 
 static struct hawser_scene scene_of(double h, double T0, double EA, enum hawser_frame frame,
                                     const double load[3], double from, double to)
@@ -29,8 +29,8 @@ static struct hawser_scene scene_of(double h, double T0, double EA, enum hawser_
 	return scene;
 }
 
-/* The answers f_s/(omega_s^2 - W^2) of the modes from KEPT on, at shape point p: global
- * displacement. */
+/* Global displacement at shape point p by the modes from KEPT on, each with the response
+ * f_s/(omega_s^2 - W^2). */
 static void sum_modes(double xyz[3], const struct hawser_rom *all, int p, double W, double wave)
 {
 	double ex = all->shapes.tangent[2*p], ey = all->shapes.tangent[2*p + 1], local[3] = {0.0};
@@ -44,7 +44,7 @@ static void sum_modes(double xyz[3], const struct hawser_rom *all, int p, double
 	xyz[2] = local[2];
 }
 
-/* Largest distance at frequency W, over the largest component of the answer. */
+/* Largest distance at frequency W, relative to the largest component of the response. */
 static double distance(const struct hawser_rom *rom, const struct hawser_rom *all, double W)
 {
 	const double rest[KEPT] = {0.0};
@@ -85,8 +85,8 @@ static void check_file(const struct hawser_rom *rom)
 	remove(name);
 }
 
-/* Where the load ends inside the cable a basis of 12, 24 and 33 functions leaves 7.7e-2, 2.7e-2 and
- * 1.0e-2, as 1/N^2: that is the sum's error. */
+/* If the load ends inside the cable, bases of 12, 24 and 33 functions have errors of 7.7e-2, 2.7e-2
+ * and 1.0e-2, proportional to 1/N^2: the truncation error of the sum. */
 static void check(double h, double T0, double EA, enum hawser_frame frame, const double load[3],
                   double from, double to)
 {

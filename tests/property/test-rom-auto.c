@@ -1,6 +1,6 @@
-/* The AUTO-07p export: its Fortran, compiled, gives the library's right-hand side and derivatives and
- * starts on an orbit of the model; every error of hawser_rom_export_auto. What AUTO makes of it is
- * tests/reference/rom-auto.sh's.
+/* The AUTO-07p export: its compiled Fortran has the library's right-hand side and derivatives and
+ * starts on an orbit of the model; every error of hawser_rom_export_auto.
+ * tests/reference/rom-auto.sh runs AUTO itself.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -22,7 +22,8 @@ static double uniform(void)
 	return 2.0*rand()/RAND_MAX - 1.0;
 }
 
-/* Every kind of term: full D and K, Q, C, cosines and sines, powers of Omega, parametric terms. */
+/* A model with every kind of term: full D and K, Q, C, cosines and sines, powers of Omega,
+ * parametric terms. */
 static int random_model(struct hawser_rom *rom)
 {
 	if (hawser__rom_init(rom, N, NULL))
@@ -94,7 +95,7 @@ static void check_orbit(const struct hawser_rom *rom, const struct hawser__cycle
 	   worst/largest);
 }
 
-/* A first orbit far from the linear response, and a case without any. */
+/* A first orbit far from the linear response, and a model without a periodic orbit. */
 static void check_growth(void)
 {
 	struct hawser_rom rom;

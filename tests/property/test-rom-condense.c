@@ -1,6 +1,6 @@
-/* Condensation by other routes: subtracting, mode by mode, what the modes that are not kept would do;
- * the second-order displacement as a sum over those modes; the ratios that were computed apart; round
- * trip through the model file.
+/* Condensation by other routes: subtraction, mode by mode, of the effect of the modes that are not
+ * kept; the second-order displacement as a sum over those modes; independently computed ratios;
+ * round trip through the model file.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -34,7 +34,8 @@ static double cubic_of(const struct hawser_rom *rom, const struct hawser_cubic *
 	return 0.0;
 }
 
-/* What the modes KEPT..upto give back of the entry: over the three pairings of its four indices. */
+/* Effect of the modes KEPT..upto on the entry: the sum over the three pairings of its four
+ * indices. */
 static double given_back(const double *T, const struct hawser_modes *modes, int upto,
                          const struct hawser_cubic *c)
 {
@@ -61,7 +62,8 @@ static double *all_thirds(const struct hawser_modes *modes)
 	return T;
 }
 
-/* Largest difference of condensed C from raw C less the sum over modes, over the largest entry. */
+/* Largest difference between condensed C and raw C minus the sum over modes, relative to the
+ * largest entry. */
 static double rest(const struct hawser_rom *condensed, const struct hawser_rom *raw, const double *T,
                    const struct hawser_modes *many, int upto)
 {
@@ -132,9 +134,9 @@ static void check_span(double epsilon, double delta, double hs, double tolerance
 	hawser_modes_clear(&many);
 }
 
-/* What a load does to a pair of kept modes through the modes beyond, cos(Omega t) K_jk, by another
- * route: K_jk = sum over them of f_s T_jks/omega_s^2. Those along
- * the cable, which a load along it drives, are among them. */
+/* Effect of a load on a pair of kept modes through the condensed modes, cos(Omega t) K_jk, by
+ * another route: K_jk is the sum over the condensed modes of f_s T_jks/omega_s^2. These include the
+ * longitudinal modes, which a load along the cable drives. */
 static void check_load(double hs, enum hawser_frame frame, const double extent[2],
                        const double *force, double tolerance)
 {
@@ -188,8 +190,9 @@ static void check_loads(void)
 	check_load(0.0, HAWSER_FRAME_LOCAL, part, oblique, 1e-4);
 }
 
-/* Condensed over raw cubic coefficient of the first out-of-plane mode, B Tables 4.5, 4.2 and 4.4 (line
- * 2); computed apart, in high precision. Far out: nearly inextensible. */
+/* Ratio of the condensed to the raw cubic coefficient of the first out-of-plane mode, B Tables 4.5,
+ * 4.2 and 4.4 (line 2); computed independently in high precision. Then a nearly inextensible
+ * cable. */
 static void check_ratio(double EA, double rho, double d, double h, enum hawser_given given,
                         double value, double want)
 {

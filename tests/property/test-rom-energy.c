@@ -1,6 +1,7 @@
-/* The tensors against the exact strain energy, by a second route: the energy and its gradient along
- * u = t r are analytic in t, so their Taylor coefficients are integrals over a circle in the complex
- * plane, without truncation error (the radius stays inside the nearest zero of |q'|).
+/* The tensors against the exact strain energy, by a second route: along u = t r the energy and its
+ * gradient are analytic in t. Their Taylor coefficients are integrals over a circle in the complex
+ * plane, without truncation error (the radius is smaller than the distance to the nearest zero of
+ * |q'|).
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -20,7 +21,7 @@ static double uniform(void)
 	return 2.0*rand()/RAND_MAX - 1.0;
 }
 
-/* What the energy is integrated over: shapes and static stretch at quadrature points. */
+/* Integrand of the energy: shapes and static stretch at quadrature points. */
 struct cable {
 	int n, points;
 	double epsilon;
@@ -28,7 +29,7 @@ struct cable {
 	double *slope;           /* [n][points][3] */
 };
 
-/* Each element cut into `cuts`, with the grid's own rule in each. */
+/* Each element is divided into `cuts` parts, with the grid's own rule in each. */
 static struct cable sample(const struct hawser_modes *modes, int cuts)
 {
 	const struct hawser_grid *grid = &modes->grid;
@@ -60,7 +61,7 @@ static void cable_free(struct cable *cable)
 	free(cable->slope);
 }
 
-/* Exact energy, and gradient by every coordinate, at u = t r. */
+/* Exact energy, and its gradient with respect to every coordinate, at u = t r. */
 static long double complex exact(const struct cable *cable, long double complex *gradient,
                                  long double complex t, const double *r)
 {
@@ -75,7 +76,7 @@ static long double complex exact(const struct cable *cable, long double complex 
 		for (int j = 0; j < cable->n; j++)
 			for (int i = 0; i < 3; i++)
 				d[i] += t*r[j]*cable->slope[(j*cable->points + p)*3 + i];
-		/* |q'|^2 - 1 without subtracting, for strains of 1e-10 */
+		/* |q'|^2 - 1 without cancellation, for strains of 1e-10 */
 		more = rest*(2.0L + rest) + d[0]*(2.0L*(1.0L + rest) + d[0]) + d[1]*d[1] + d[2]*d[2];
 		d[0] += 1.0L + rest;
 		norm = csqrtl(d[0]*d[0] + d[1]*d[1] + d[2]*d[2]);
@@ -90,8 +91,9 @@ static long double complex exact(const struct cable *cable, long double complex 
 	return energy;
 }
 
-/* The circle's radius: a third of the way to the nearest zero of |q'| along r at most, and where the
- * orders weigh about the same, so that round-off in the largest does not drown the others. */
+/* Radius of the circle: at most a third of the distance to the nearest zero of |q'| along r. It
+ * makes the orders about equal, so that the round-off of the largest one does not exceed the
+ * others. */
 static long double radius_for(const struct cable *cable, const double *r)
 {
 	long double largest = 0.0L;
@@ -132,7 +134,7 @@ static void taylor(const struct cable *cable, double *energy, double (*gradient)
 	}
 }
 
-/* The same from the model's lists: order 2 is K, 3 is Q, 4 is C. */
+/* The same from the lists of the model: order 2 is K, 3 is Q, 4 is C. */
 static void listed(const struct hawser_rom *rom, double *energy, double (*gradient)[MAX],
                    const double *r)
 {
@@ -161,7 +163,7 @@ static double largest_of(const double *v, int n)
 	return largest;
 }
 
-/* A few directions: error of each order relative to that order's largest value. */
+/* Several directions: error of each order relative to its largest value. */
 static void compare(const struct hawser_rom *rom, const struct cable *cable, double tolerance,
                     const char *what)
 {
@@ -171,13 +173,14 @@ static void compare(const struct hawser_rom *rom, const struct cable *cable, dou
 		double r[MAX], e[5], w[5], g[5][MAX], v[5][MAX];
 
 		for (int j = 0; j < rom->n; j++)
-			r[j] = uniform()/rom->K[j*rom->n + j]; /* no mode drowns the others */
+			r[j] = uniform()/rom->K[j*rom->n + j]; /* directions in which no mode dominates */
 		taylor(cable, e, g, r, radius_for(cable, r));
 		listed(rom, w, v, r);
 		for (int order = 2; order < 5; order++) {
 			double scale = largest_of(g[order - 1], rom->n);
 
-			if (largest_of(v[order - 1], rom->n) == 0.0) /* one mode has no Q: nothing moves */
+			if (largest_of(v[order - 1], rom->n) == 0.0) /* one mode has no Q, so that nothing
+			                                              * changes */
 				scale = largest_of(g[1], rom->n)/powl(radius_for(cable, r), order - 2);
 			error[0][order] = fmax(error[0][order], fabs(e[order] - w[order])/
 			                       fmax(fabs(e[order]), scale*largest_of(r, rom->n)));
@@ -268,7 +271,8 @@ static void check_span(const char *name, double epsilon, double delta, double hs
 
 /* --- a taut cable without weight: sines, and everything in closed form --- */
 
-/* Modes 0, 1 out of plane (n = 1, 2), 2 along the cable (k = 2), 3 across in the plane (n = 1). */
+/* Modes 0, 1 out of plane (n = 1, 2), 2 along the cable (k = 2), 3 transverse in the plane (n =
+ * 1). */
 static void string_modes(struct hawser_modes *modes, double epsilon)
 {
 	double l = 1.0/(1.0 + epsilon), edge[2] = {0.0, l}, root = sqrt(2.0/l);
@@ -344,9 +348,9 @@ static void check_string(void)
 	hawser_modes_clear(&modes);
 }
 
-/* With the longitudinal mode that it drives condensed statically, an out-of-plane mode has the cubic
- * coefficient of a string whose tension is uniform (Kirchhoff, Carrier), pi^4/(2 eps l^5): two thirds
- * of the entry of C. */
+/* With the longitudinal mode that it drives condensed statically, an out-of-plane mode has the
+ * cubic coefficient of a string with uniform tension (Kirchhoff, Carrier), pi^4/(2 eps l^5): two
+ * thirds of the entry of C. */
 static void check_carrier(void)
 {
 	const double epsilon = 1e-8;

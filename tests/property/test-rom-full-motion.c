@@ -1,5 +1,5 @@
-/* The full-order model in motion: energy is conserved without damping and load, and the free motion
- * converges as functions are added.
+/* Motion of the full-order model: without damping and load the energy is conserved, and the free
+ * motion converges with the number of functions.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -9,8 +9,9 @@
 
 #include "tests/tap.h"
 
-/* Velocities in the three lowest modes, which grows the tension smoothly, for two periods of the
- * first: displacement xyz [3] at mid-span, m, and the largest relative change of energy. */
+/* Initial velocities in the three lowest modes, so that the tension increases smoothly, for two
+ * periods of the first mode. Results: displacement xyz [3] at mid-span, m, and the largest relative
+ * change of the energy. */
 static int swing(double *xyz, double *drift, const struct hawser_statics *st, int functions,
                  const char *method)
 {

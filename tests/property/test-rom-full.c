@@ -1,7 +1,9 @@
-/* The full-order model by other routes: its force is the gradient of its energy and its tangent the
- * derivative of its force (as integrals along lines, to round-off); to fourth order it is the expanded
- * model; under a constant load it comes to rest on the elastic catenary of the resultant weight, in
- * whatever plane that is, which the guaranteed statics knows in closed form.
+/* The full-order model by other routes. Its force is the gradient of its energy and its tangent the
+ * derivative of its force (by integrals along lines, to round-off). To fourth order it equals the
+ * expanded model. Under a constant load its equilibrium is the elastic catenary of the resultant of
+ * weight and load, in the plane of the resultant and the chord, for which the statics has a closed
+ * form.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -21,7 +23,7 @@ static double uniform(void)
 	return 2.0*rand()/RAND_MAX - 1.0;
 }
 
-/* Slopes of order `size`. */
+/* Random slopes of order `size`. */
 static void draw(double *u, const struct hawser_rom *rom, double size)
 {
 	for (int j = 0; j < rom->n; j++)
@@ -37,7 +39,7 @@ static double norm(const double *v, int n)
 	return sqrt(sum);
 }
 
-/* Nodes and weights of Gauss's rule on [-1, 1], by bisection between Chebyshev-like brackets. */
+/* Nodes and weights of Gauss's rule on [-1, 1], by bisection between approximate zeros. */
 static void gauss(double *x, double *w)
 {
 	for (int i = 0; i < NODES; i++) {
@@ -60,7 +62,8 @@ static void gauss(double *x, double *w)
 	}
 }
 
-/* Along u + t w, t in [-1, 1]: energy and force at the ends against integrals of force and tangent. */
+/* Along u + t w, t in [-1, 1]: differences of energy and force between the ends against integrals
+ * of force and tangent. */
 static void check_line(const struct hawser_rom *rom, const double *u, double size, const char *name)
 {
 	int n = rom->n;
@@ -132,7 +135,7 @@ static void check_rest(const struct hawser_rom *rom, const struct hawser_statics
 	free(T);
 }
 
-/* Many states at once, some of them in the plane, against one by one. */
+/* Many states in one call, some of them in the plane, against single calls. */
 static void check_batch(const struct hawser_rom *rom, const char *name)
 {
 	enum { COUNT = 37 };
@@ -173,8 +176,8 @@ static void check_batch(const struct hawser_rom *rom, const char *name)
 	free(work);
 }
 
-/* Compression, as far as a cable that is turned round: a longitudinal mode alone, so large that the
- * strain at a probe is -part of what would take all tension out of it. */
+/* Compression up to a reversed cable: a longitudinal mode alone, with an amplitude at which the
+ * compressive strain at a probe is `part` times the strain that cancels the static tension. */
 static void check_compression(const struct hawser_rom *rom, double part, const char *name)
 {
 	const struct hawser_rom_shapes *shapes = &rom->shapes;
@@ -193,7 +196,7 @@ static void check_compression(const struct hawser_rom *rom, double part, const c
 	check_line(rom, u, 1e-3, name);
 }
 
-/* The expanded model on the same modes: the difference is of fifth degree in the energy. */
+/* The expanded model on the same modes: the difference of the energies is of fifth degree. */
 static void check_order(const struct hawser_statics *st, const char *name)
 {
 	struct hawser_modes modes;
@@ -241,7 +244,7 @@ static void check_model(double epsilon, double delta, double hs, int functions, 
 	draw(u, &rom, size);
 	check_line(&rom, u, size, name);
 	check_batch(&rom, name);
-	/* the same coordinates, with the energy by a dense rule: its strain holds at every point */
+	/* the same coordinates, with the energy integrated by a dense rule */
 	check_compression(&dense, 2.0, "half as much compression as there was tension");
 	check_compression(&dense, 1.3/(rom.shapes.stretch[0] - 1.0), "turned round");
 	hawser_rom_clear(&rom);
@@ -249,7 +252,7 @@ static void check_model(double epsilon, double delta, double hs, int functions, 
 	hawser_modes_clear(&modes);
 }
 
-/* --- the static answer to a constant load --- */
+/* --- static response to a constant load --- */
 
 /* Coordinates u at which the restoring force is `part` of f. */
 static int settle(double *u, const struct hawser_rom *rom, const double *f, double part)
@@ -272,8 +275,8 @@ static int settle(double *u, const struct hawser_rom *rom, const double *f, doub
 	return size < 1e-10;
 }
 
-/* The catenary under weight and load (N/m, along x, y, z): its displacement [3] and tension at
- * unstretched length S, from the resting one. In the plane of the chord and the resultant. */
+/* The catenary under weight and load (N/m, along x, y, z): displacement [3] from the unloaded one,
+ * and tension, at unstretched length S. It lies in the plane of the chord and the resultant. */
 static double catenary(double xyz[3], const struct hawser_statics *st, const double load[3], double S)
 {
 	double F[3] = {load[0], load[1] - st->span.rho*st->span.g, load[2]}, size = norm(F, 3);
@@ -301,7 +304,8 @@ static double catenary(double xyz[3], const struct hawser_statics *st, const dou
 	return at.T;
 }
 
-/* Errors of displacement, relative to its largest, and of tension, of `functions` functions. */
+/* Errors of the displacement, relative to its largest value, and of the tension, with `functions`
+ * functions. */
 static double static_error(double *tension, const struct hawser_statics *st,
                            const struct hawser_scene *scene, int functions)
 {

@@ -1,5 +1,6 @@
-/* The inertia of what follows, by other routes: sums over the modes of a whole basis; the condensed
- * model without it, whose statics must not change; a scene that has no need of it.
+/* The inertia of condensed modes by other routes: sums over the modes of a whole basis; the
+ * condensed model without this inertia, which must have the same statics; a scene that does not
+ * need it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -15,7 +16,7 @@
 
 #define KEPT 5
 
-/* The span of deep-sag.yaml: sag a fifth of the distance, hardly any stretch. */
+/* The span of deep-sag.yaml: sag of a fifth of the distance between the ends, hardly any stretch. */
 static const double deep[3] = {6.435e-5, 1.5244, 0.025};
 
 static struct hawser_scene scene_of(double load, double alpha)
@@ -28,7 +29,7 @@ static struct hawser_scene scene_of(double load, double alpha)
 	};
 }
 
-/* The load at which the first mode's resonance is to have the scaled amplitude `wanted`. */
+/* The load at which the resonance of the first mode has the scaled amplitude `wanted`. */
 static double load_for(const struct hawser_modes *modes, double alpha, double wanted)
 {
 	struct hawser_scene scene = scene_of(1.0, alpha);
@@ -50,7 +51,7 @@ static double quad_of(const struct hawser_rom *rom, int j, int k, int l)
 	return 0.0;
 }
 
-/* C_jjjj, with what shapes give back statically. */
+/* C_jjjj including the static effect of the shapes. */
 static double cubic_of(const struct hawser_rom *rom, int j)
 {
 	double sum = 0.0;
@@ -63,7 +64,7 @@ static double cubic_of(const struct hawser_rom *rom, int j)
 	return sum;
 }
 
-/* |w_jj/2|^2, what the shapes move with mode j. */
+/* |w_jj/2|^2, the displacement by the shapes for mode j. */
 static double moved(const struct hawser_rom *rom, int j)
 {
 	double sum = 0.0;
@@ -73,7 +74,7 @@ static double moved(const struct hawser_rom *rom, int j)
 	return sum;
 }
 
-/* The same of every mode of a basis beyond the 32 lowest. */
+/* The same for every mode of a basis above the 32 lowest. */
 static double moved_by_all(const struct hawser_statics *st, int j)
 {
 	struct hawser_modes all;
@@ -118,7 +119,7 @@ static void check_file(const struct hawser_rom *rom)
 	unlink(path);
 }
 
-/* To second order, and not of EA's size: the length is kept. */
+/* To second order, and not proportional to EA: the length is preserved. */
 static void check_tension(const struct hawser_rom *rom)
 {
 	double u[16] = {0.0}, part[2], at_rest = hawser_rom_tension(rom, 1, u);
@@ -169,7 +170,7 @@ static void check_deep(void)
 	hawser_modes_clear(&modes);
 }
 
-/* A taut span: what follows hardly moves, and the model is as it was. */
+/* A taut span: the condensed modes hardly move, and the model does not change. */
 static void check_taut(void)
 {
 	struct hawser_statics st = span_of(2e-4, 0.1, 0.0);

@@ -65,8 +65,8 @@ static double complex response(const struct hawser_rom *all, int h, int s, doubl
 	       (harmonic->phase == HAWSER_SIN ? -I : 1.0)/(K - W*W + I*W*D);
 }
 
-/* xyz [3] += phasor of the displacement at shape point p by harmonic h, of all modes but those that
- * left_out [all->n] marks; NULL: of all. */
+/* xyz [3] += phasor of the displacement at shape point p by harmonic h, of all modes except those
+ * marked in left_out [all->n] (NULL: none). */
 static void add_modes(double complex xyz[3], const struct hawser_rom *all, int h, int p,
                       const int *left_out, double omega)
 {
@@ -84,8 +84,8 @@ static void add_modes(double complex xyz[3], const struct hawser_rom *all, int h
 
 /* --- the response to a requested accuracy, component by component --- */
 
-/* Largest difference of a probe's amplitude, over that of the same component, at one frequency; parts
- * below `faint` of the largest component are compared with that. */
+/* Largest difference of a probe's amplitude at one frequency, relative to that of the same
+ * component; components below `faint` of the largest one are compared with the largest one. */
 static double difference(const double *probe, const struct hawser_rom *all, double omega, double faint)
 {
 	double want[9], most = 0.0, worst = 0.0;
@@ -104,9 +104,9 @@ static double difference(const double *probe, const struct hawser_rom *all, doub
 	return worst;
 }
 
-/* A load that is small enough for a linear motion. A choice of modes keeps those of the largest
- * displacements: here not the first mode across, which is below the range. The series alone has z at
- * mid-span 6 to 14 times too large. */
+/* A load small enough for a linear motion. A choice of modes keeps those with the largest
+ * displacements: here not the first out-of-plane mode, which is below the range. The static series
+ * alone gives z at mid-span 6 to 14 times too large. */
 static void check_scene(void)
 {
 	struct hawser_scene scene = scene_of(30e6, 3.0, 100.0, 0.0, 1.84, 0.005,
@@ -141,8 +141,8 @@ static void check_scene(void)
 
 /* --- models in linear motion --- */
 
-/* Amplitudes of the probes [9] of a model in linear motion under its first harmonic: what has
- * the frequency of the force, from PHASES phases of a period. */
+/* Amplitudes of the probes [9] of a model in linear motion under its first harmonic: the components
+ * at the forcing frequency, from PHASES phases of a period. */
 static void linear_motion(double *probe, const struct hawser_rom *rom, double omega)
 {
 	double complex sum[9] = {0.0};
@@ -179,8 +179,8 @@ static double worst_over(const struct hawser_rom *rom, const struct hawser_rom *
 	return worst;
 }
 
-/* The model of a choice for a range about one of the six lowest modes, and that of the n lowest modes
- * for the same range, however far above these it is. */
+/* For a range about one of the six lowest modes: the model of a choice, and that of the n lowest
+ * modes, also if the range is far above them. */
 static void check_span(int number)
 {
 	double d = 50.0*draw(1.0, 4.0), rho = draw(0.5, 5.0);
@@ -222,7 +222,7 @@ static void check_span(int number)
 	hawser_rom_clear(&lowest);
 }
 
-/* --- every harmonic, of a cable whose speed varies as well --- */
+/* --- every harmonic, for a cable with a fluctuating speed --- */
 
 enum { KEPT = 4, KNOWN = 30 };
 static const int kept[KEPT] = {1, 4, 5, 11};
@@ -249,8 +249,8 @@ static void check_file(const struct hawser_rom *rom, double omega)
 	remove(name);
 }
 
-/* Displacement and tension with the kept modes at rest, against sums over all others of a basis: modes
- * beyond the known ones lack less than the part (W/omega_s)^4 of their static response. */
+/* Displacement and tension with the kept modes at rest, against sums over all other modes of a
+ * basis: for modes above the known ones the relative error of the response is (W/omega_s)^4. */
 static void check_sums(const struct hawser_rom *rom, const struct hawser_rom *all, double omega)
 {
 	const double rest[KEPT] = {0.0};

@@ -1,9 +1,11 @@
 /* The model of a travelling cable by a second route: the equation of motion in actual coordinates,
- * with the speed at the moment put in, projected on the same shapes. It knows nothing of the apparent
- * cable, of harmonics or ramps:
+ * with the momentary speed, projected on the same shapes. This route does not use the apparent
+ * cable, harmonics or ramps:
  *
- *   rho int Phi_j.(q.. + 2 v q.' + v. q') dS - rho v^2 int Phi_j'.q' dS + int T q'/|q'|.Phi_j' dS
- *     + rho g int Phi_j.y dS + alpha int Phi_j.q. dS = int Phi_j.f dS,   T = EA (|q'| - 1)
+ *   rho int Phi_j.(q.. + 2 v q.' + v. q') dS - rho v^2 int Phi_j'.q' dS
+ *     + int T q'/|q'|.Phi_j' dS + rho g int Phi_j.y dS + alpha int Phi_j.q. dS
+ *     = int Phi_j.f dS,   T = EA (|q'| - 1)
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -52,7 +54,7 @@ static int solve(struct hawser_statics *st, struct hawser_modes *modes,
 
 /* --- the second route --- */
 
-/* A local field (e, n, z) in global axes. */
+/* A field in local axes (e, n, z), in global axes. */
 static void turn(double out[3], const struct hawser_frame_point *at, const double *local)
 {
 	out[0] = local[0]*at->ex - local[1]*at->ey;
@@ -65,7 +67,8 @@ static double dot(const double *a, const double *b)
 	return a[0]*b[0] + a[1]*b[1] + a[2]*b[2];
 }
 
-/* Accelerations q..[n] in 1/s^2 times the unit of coordinates, at speed v and its rate dv (SI). */
+/* Accelerations q..[n] in 1/s^2 times the unit of coordinates, at the speed v and its rate dv
+ * (SI). */
 static void direct(double *acceleration, const struct hawser_modes *modes,
                    const struct hawser_scene *scene, const double *u, const double *rate, double v,
                    double dv, double phase)
@@ -119,13 +122,14 @@ static double uniform(void)
 	return 2.0*rand()/RAND_MAX - 1.0;
 }
 
-/* At random states and times; `size` of the coordinates. Returns the largest difference, relative. */
+/* At random states and times, with coordinates of the order `size`. Returns the largest relative
+ * difference. */
 static double difference(const struct hawser_rom *rom, const struct hawser_modes *modes,
                          const struct hawser_scene *scene, double size)
 {
 	double worst = 0.0, largest = 0.0, per = 1.0/(rom->time*rom->time);
 
-	srand(1); /* the same states at every size */
+	srand(1); /* the same random states for every size */
 	for (int trial = 0; trial < 20; trial++) {
 		double u[N], v[N], got[N], want[N], t = 3.7*fabs(uniform()), Omega = 1.7;
 		double speed = scene->travel.speed + scene->travel.fluctuation*sin(Omega*t);
@@ -266,8 +270,8 @@ static void check_rest(void)
 
 /* --- tension --- */
 
-/* At rest in the model the probes have the actual tension of the steady state; displaced, EA times
- * the actual strain. */
+/* In the equilibrium of the model the probes have the actual tension of the steady state;
+ * displaced, EA times the actual strain. */
 static void check_tension(void)
 {
 	struct hawser_scene scene = scene_of(11.0, 40.0, 0.0, HAWSER_HOLD_LENGTH);
@@ -322,8 +326,9 @@ static double third(const struct hawser_rom *rom, int j, int k, int s)
 	return 0.0;
 }
 
-/* What condensation adds to the harmonics' K of the three lowest modes, against every mode of a basis:
- * a mode s that follows the force f_s statically adds sum T_jks f_s/omega_s^2 to the stiffness. */
+/* Change of the harmonics' K of the three lowest modes by condensation, against a sum over all
+ * modes of a basis: a mode s that follows the force f_s statically adds T_jks f_s/omega_s^2 to the
+ * stiffness. */
 static void check_condensed(double h)
 {
 	struct hawser_scene scene = scene_of(h, 21.3, 1.7, HAWSER_HOLD_TENSION);

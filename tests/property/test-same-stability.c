@@ -1,8 +1,8 @@
-/* The same question of stability has the same answer from map, hill and hill --Omega, and from
- * the frequency response, of a scene and of the model that it exports: random scenes at rest and
- * travelling, loaded along and across, with every way to leave modes out. And the two scenes
- * whose answers were known from a full-order program. SPDX-License-Identifier: GPL-3.0-or-later
- * */
+/* The stability of the same motion must be the same by map, hill, hill --Omega and the frequency
+ * response, for a scene and for its exported model: random scenes at rest and travelling, with
+ * loads in and out of the plane, and every treatment of omitted modes. Then two scenes whose
+ * results are known from a full-order program.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <stdlib.h>
@@ -34,7 +34,7 @@ static const char *const damping_key[] = {"damping.ratio", "damping.alpha", "dam
 
 struct drawn_scene {
 	struct hawser_scene scene;
-	const char *keys[4]; /* for a second axis that stays at the scene's own value */
+	const char *keys[4]; /* as a second axis that keeps the scene's value */
 };
 
 static int draw(struct drawn_scene *to, char *text, size_t size)
@@ -163,7 +163,7 @@ static int by_response(struct answer *answer, const struct hawser_rom *rom, doub
 	return good;
 }
 
-/* Multipliers that meet, or are near the circle, are counted as the error has it. */
+/* Multipliers that coincide, or are near the circle, are counted within their error. */
 static int alike(const struct answer *a, const struct answer *b, double error)
 {
 	double near = 1e-9 + 10.0*error;
@@ -185,8 +185,7 @@ static int exported(struct hawser_rom *back, const struct hawser_rom *rom)
 	return good;
 }
 
-/* One frequency: all the ways. Returns how many multipliers are outside, or -1 where they differ.
- * */
+/* One frequency by all routes. Returns the number of multipliers outside, or -1 if they differ. */
 static int compare(const struct drawn_scene *drawn_scene, const struct hawser_rom *rom,
                    const struct hawser_rom *back, double omega, int responds)
 {
@@ -290,8 +289,7 @@ static void known(const char *text, const char *key, double omega, double want, 
 	hawser_scene_clear(&scene);
 }
 
-/* The load drives nothing that is kept, so the response is rest, and the multipliers are the
- * same. */
+/* The load drives no kept mode: the response is rest, and the multipliers are the same. */
 static void about_a_response(void)
 {
 	static const char text[] = "cable: {EA: 1 MN, rho: 2}\nspan: {d: 50, h: 0}\ntension: {sag: 0.7}\n"
@@ -326,8 +324,8 @@ static void about_a_response(void)
 	hawser_scene_clear(&scene);
 }
 
-/* What the full-order model is at rest nothing excites: no multipliers rather than those of
- * something else. */
+/* For the full-order model multipliers about rest are refused, since at rest nothing excites it
+ * parametrically. */
 static void refused(void)
 {
 	static const char text[] = "cable: {EA: 1 MN, rho: 2}\nspan: {d: 50, h: 0}\ntension: {sag: 0.7}\n"
@@ -355,8 +353,8 @@ static void refused(void)
 
 int main(void)
 {
-	/* full order, exact energy, about the response: 1.01965; the model leaves out the load's
-	 * square */
+	/* full order with the exact energy, about the response: 1.01965; the model neglects terms
+	 * quadratic in the load */
 	known("cable: {EA: 400 MN, rho: 6 kg/m}\nspan: {d: 250 m, h: 10 m}\ntension: {T0: 80 kN}\n"
 	      "damping: {ratio: 0.01 %}\nload: {frame: local, per_length: [40 N/m, 0, 0]}\n"
 	      "model: {modes: 5}\n", "damping.ratio", 4.345, 1.02066, 1e-5);

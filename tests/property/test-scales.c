@@ -1,5 +1,5 @@
-/* Multiple scales: coefficients against closed forms, derivatives, and the order at which its
- * folds, tori and branches near the model's own as load and damping become small.
+/* Multiple scales: coefficients against closed forms, derivatives, and the order at which folds,
+ * torus points and branches approach those of the model as load and damping decrease.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <stdlib.h>
 
@@ -39,9 +39,9 @@ static int make(struct hawser_rom *rom, int n, const double *stiffness, double d
 	return hawser_rom_compile(rom, &report) != HAWSER_OK;
 }
 
-/* The coefficient of A^2 conj(A): 3 C - (10/3) Q^2/omega^2 of the mode itself (B 4.106), and from
- * another mode s, that beta u^2 drives and 2 beta u u_s returns, -beta^2 [4/w_s^2 + 2/(w_s^2 -
- * 4)]. */
+/* The coefficient of A^2 conj(A): 3 C - (10/3) Q^2/omega^2 by the mode itself (B 4.106), and by
+ * another mode s, which beta u^2 drives and which acts back by 2 beta u u_s, -beta^2 [4/w_s^2 +
+ * 2/(w_s^2 - 4)]. */
 static void coefficients(void)
 {
 	const double stiffness[] = {1.0, 7.0};
@@ -112,7 +112,7 @@ enum { EVENTS = 4 };
 
 struct family {
 	const char *name;
-	/* powers of epsilon by which they fall; the range narrows with the first */
+	/* powers of epsilon of load and damping; the range narrows with the first */
 	double damping, load;
 	double from, to;
 	int event, kind;
@@ -181,7 +181,7 @@ static void orders(void)
 	                                     {1, 0, 0, 1, 0.3}};
 	const struct family hardening = {"hardening", 2.0, 3.0, 0.8, 1.8, 1, HAWSER_FOLD, 4.0, 0.125};
 	const struct family softening = {"softening", 2.0, 3.0, 0.8, 1.2, 0, HAWSER_FOLD, 4.0, 0.125};
-	/* effective coefficient 0.11 - (10/9) 0.3^2: a tenth of either part */
+	/* effective coefficient 0.11 - (10/9) 0.3^2 = 0.01, a tenth of either term */
 	const struct family neutral = {"nearly neutral", 2.0, 3.0, 0.8, 1.2, 1, HAWSER_FOLD, 4.0, 0.0625};
 	const struct hawser_cubic nearly[] = {{0, 0, 0, 0, 0.11}};
 	const struct family same = {"1:1", 2.0, 3.0, 0.8, 2.0, 0, HAWSER_BRANCH_POINT, 4.0, 0.25};

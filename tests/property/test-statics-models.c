@@ -1,5 +1,5 @@
-/* Static models beside the elastic catenary: orders of their errors, the same parabola from every
- * given quantity, its profile, and what is refused.
+/* Approximate static models against the elastic catenary: orders of their errors, the same parabola
+ * from every given quantity, its profile, and failures.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <stdlib.h>
 
@@ -27,8 +27,8 @@ static struct hawser_statics weighed(int model, double delta, double slope)
 	return solved(model, span, HAWSER_GIVEN_H, 100.0/delta, HAWSER_BRANCH_TAUT);
 }
 
-/* Series of the level span: sag is less by delta^2/48, T by delta^4/96, length by delta^4/480, and
- * the curve by delta^3/384 at mid-span. */
+/* Series for a level span: the relative differences are delta^2/48 for the sag (smaller),
+ * delta^4/96 for T, delta^4/480 for the length, and delta^3/384 for the position at mid-span. */
 static void orders(void)
 {
 	static const double delta[] = {0.2385, 0.11925};
@@ -49,7 +49,8 @@ static void orders(void)
 	close_to(error[1].position, 100.0*pow(delta[1], 3.0)/384.0, 1e-3, "the curve's error");
 }
 
-/* Weight by length of the span instead of the cable: an inclined parabola sags less by cos(theta). */
+/* With the weight per length of the span instead of the cable, the sag of an inclined parabola is
+ * smaller by the factor cos(theta). */
 static void inclined(void)
 {
 	struct hawser_statics exact = weighed(CATENARY, 1e-4, 0.75), st = weighed(PARABOLA, 1e-4, 0.75);
@@ -59,7 +60,7 @@ static void inclined(void)
 	close_to(error.sag, 0.8 - 1.0, 1e-6, "a taut parabola at 3/4: sag times cos(theta)");
 }
 
-/* The catenary without stretch is the limit EA -> infinity, at first order in epsilon. */
+/* The inextensible catenary is the limit EA -> infinity, with an error of first order in epsilon. */
 static void stretch(void)
 {
 	struct hawser_span span = {1e9, 6.0, 9.81, 250.0, 60.0};
@@ -82,7 +83,8 @@ static void stretch(void)
 	   none.position);
 }
 
-/* The same parabola from any of its quantities; a lower end's tension belongs to two of them. */
+/* The same parabola from each of its quantities; a tension at the lower end belongs to two
+ * parabolas. */
 static void roundtrips(void)
 {
 	double worst = 0.0, slack = 0.0, order = 0.0;
@@ -97,7 +99,7 @@ static void roundtrips(void)
 		enum hawser_given up = span.h > 0.0 ? HAWSER_GIVEN_T1 : HAWSER_GIVEN_T0;
 		double Tlow = span.h > 0.0 ? st.T0 : st.T1, Tup = span.h > 0.0 ? st.T1 : st.T0;
 		int taut = H > slope*W/c2;
-		/* T is flat about its minimum, and an upper end's about H = 0 */
+		/* dT/dH is 0 at the minimum of T; at an upper end it is 0 at H = 0 */
 		double flat = fabs(H - slope*W/c2)*c2*H/(Tlow*Tlow);
 		double flat_up = (H*c2 + slope*W)*H/(Tup*Tup);
 
@@ -112,7 +114,7 @@ static void roundtrips(void)
 			      : (void)(slack = fmax(slack, fabs(back.H/H - 1.0)*flat)));
 			pairs += !taut;
 		}
-		if (st.l > 1.0001*hypot(1.0, slope)) { /* else rounding the length moves H */
+		if (st.l > 1.0001*hypot(1.0, slope)) { /* otherwise the round-off of the length changes H */
 			back = solved(PARABOLA, span, HAWSER_GIVEN_LENGTH0, st.length0, 0);
 			order = fmax(order, fabs(back.H/H - 1.0));
 		}
@@ -122,7 +124,7 @@ static void roundtrips(void)
 	ok(order < 1e-11, "from lengths: %.1e", order);
 }
 
-/* Ends, slope, tension, and the length of the curve by summing it up. */
+/* Ends, slope, tension, and the length of the curve as a sum of chords. */
 static void profile(double delta, double slope)
 {
 	enum { pieces = 4000 };
@@ -146,7 +148,7 @@ static void profile(double delta, double slope)
 	ok(off < 1e-14*(1.0 + slope + delta) && steep < 1e-14*(1.0 + slope + delta) && tight < 1e-15,
 	   "delta %g, slope %g: on the parabola %.1e, slope %.1e, tension %.1e", delta, slope, off,
 	   steep, tight);
-	/* a piece's chord is shorter than its arc by a 24th of the square of the angle it turns */
+	/* a chord is shorter than its arc by the square of the angle over 24 */
 	ok(along < 0.1*(delta*st.l/pieces)*(delta*st.l/pieces) + 1e-11,
 	   "points stand at equal arclengths: %.1e", along);
 	ok(st.closure < 1e-11, "closes: %.1e m", st.closure);
@@ -176,7 +178,7 @@ static void refusals(void)
 	refused(PARABOLA, span, HAWSER_GIVEN_T0, 8830.0, HAWSER_BRANCH_SLACK, none, "no slack");
 	refused(PARABOLA, span, HAWSER_GIVEN_T1, 9000.0, HAWSER_BRANCH_SLACK, none, "lower end only");
 	refused(PARABOLA, span, HAWSER_GIVEN_H, 1e-320, 0, none, "range of double");
-	span.EA = -3.0; /* it isn't used, and wrong all the same */
+	span.EA = -3.0; /* not used, and invalid */
 	refused(PARABOLA, span, HAWSER_GIVEN_H, 1e4, 0, wrong, "EA is -3 N");
 	refused(INEXTENSIBLE, span, HAWSER_GIVEN_H, 1e4, 0, wrong, "EA is -3 N");
 	span.EA = 1e8;

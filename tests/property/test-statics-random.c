@@ -1,6 +1,6 @@
-/* Statics on random spans: every given leads back, the mirror image, change of units, monotonicity
- * of what the searches take for monotone, the field equations along the profile, and the order at
- * which the inextensible limit is reached.
+/* Statics on random spans: every given quantity leads back to the same state; mirror image; change
+ * of units; monotonicity that the searches rely on; field equations along the profile; order of
+ * convergence to the inextensible limit.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <stdlib.h>
 
@@ -58,7 +58,7 @@ static void round_trips(void)
 	}
 }
 
-/* Turned round, and in other units. */
+/* The mirror image, and other units. */
 static void symmetries(void)
 {
 	double mirror = 0.0, units = 0.0;
@@ -87,7 +87,7 @@ static void symmetries(void)
 	ok(units == 0.0, "other units change nothing");
 }
 
-/* One span over 14 decades of H: length0 and sag fall, T0 and T1 turn once. */
+/* One span over 14 decades of H: length0 and sag decrease, T0 and T1 have one minimum. */
 static void shape_of_the_problem(void)
 {
 	int rises = 0, turns = 0, spans = 0;
@@ -121,8 +121,8 @@ static void shape_of_the_problem(void)
 	ok(turns == 0, "T0 and T1 never fall again once they rise");
 }
 
-/* By Gauss quadrature of dx = e*(1 + strain)*dS over frame points, from A to each of 8 places; and
- * the largest distance from the chord found by walking. */
+/* Positions by Gauss quadrature of dx = e*(1 + strain)*dS from end A to each of 8 points, and the
+ * largest distance from the chord by a search. */
 static void field_equations(void)
 {
 	static const double node[] = {-0.9061798459386640, -0.5384693101056831, 0.0,
@@ -161,8 +161,8 @@ static void field_equations(void)
 	ok(sag_error < 1e-4, "the sag is the largest distance from the chord: %.1e", sag_error);
 }
 
-/* H(length0) of an elastic cable approaches that of the inextensible one with order 1 in 1/EA; the
- * sag approaches the parabola's with order 2 in delta. */
+/* H(length0) of an elastic cable converges to that of the inextensible one with order 1 in 1/EA;
+ * the sag converges to that of the parabola with order 2 in delta. */
 static void orders(void)
 {
 	struct hawser_span span = {INFINITY, 2.385, 9.81, 173.0, 41.0}, level = span;

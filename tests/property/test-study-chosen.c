@@ -1,5 +1,5 @@
-/* A model of the N modes that matter most, against the full-order one, and beside the N lowest ones;
- * what a choice of N keeps; what a plan makes of it.
+/* A model of the N most important modes against the full-order model, and against the N lowest
+ * modes; the modes that a choice of N keeps; its estimate by a plan.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -51,7 +51,7 @@ static int run(struct hawser_study_curve *curve, const char *name, double from, 
 	          curve->frf.points, curve->landmarks, report.message);
 }
 
-/* Largest error of a fidelity's folds and peaks in Omega, and of its peaks in size. */
+/* Largest errors of a fidelity: in Omega of folds and peaks, and in size of peaks. */
 static int errors(double *omega, double *size, const char *name,
                   const struct hawser_study_curve *reference, double from, double to)
 {
@@ -72,7 +72,7 @@ static int errors(double *omega, double *size, const char *name,
 	return done;
 }
 
-/* Six functions a component are within 5e-5 in Omega and 3e-3 in size of twelve ones. */
+/* Six functions per component agree with twelve to 5e-5 in Omega and 3e-3 in size. */
 static void check_against_lowest(void)
 {
 	struct hawser_study_curve reference = {.n = 0};
@@ -92,7 +92,8 @@ static void check_against_lowest(void)
 	close_scene();
 }
 
-/* The first of the order and no others; a smaller number is a part of a larger one. */
+/* A choice of N has the first N modes of the order of importance; a smaller choice is a subset of a
+ * larger one. */
 static void check_first(void)
 {
 	struct hawser_report report = {.message = ""};
@@ -120,7 +121,8 @@ static void check_first(void)
 	close_scene();
 }
 
-/* A load in the plane moves nothing across: fewer modes than asked for, and the model is of those. */
+/* A load in the plane moves no out-of-plane mode: fewer modes than requested, and the model has
+ * these only. */
 static void check_unexcited(void)
 {
 	static const char *const set[] = {"load.per_length=[0, 0.01, 0]"};
@@ -142,7 +144,7 @@ static void check_unexcited(void)
 		   across);
 		hawser_choice_clear(&choice);
 	}
-	/* the first response may find more that is excited, faintly */
+	/* the first response may show that further modes are weakly excited */
 	if (run(&curve, "chosen 24", 0.3, 0.5))
 		ok(curve.n >= count && curve.n <= 12, "a model of %d coordinates", curve.n);
 	hawser_study_clear(&curve);

@@ -1,5 +1,5 @@
-/* Multiple scales against the traced response: what the closed forms leave out falls with the order
- * that it should, for a cubic spring and for a mode whose nonlinearity comes back from another one.
+/* Multiple scales against the traced response: the error of the closed forms decreases with the
+ * predicted order, for a cubic spring and for a mode whose nonlinearity is caused by another mode.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -38,7 +38,7 @@ static struct hawser_rom model(double e, double gamma, double beta, double b)
 	return rom;
 }
 
-/* Relative to the bend, which is of order e^2: what is left out is of order e^4 in Omega. */
+/* Relative to the bend, which is of order e^2: the neglected terms in Omega are of order e^4. */
 static double worst_fold(double e, double gamma, double beta, double b, double *bend)
 {
 	struct hawser_rom rom = model(e, gamma, beta, b);
@@ -86,7 +86,7 @@ static void check_order(const char *what, double gamma, double beta, double b)
 	ok(order > 3.7 && order < 4.3, "%s: folds of order %.2f in the amplitude", what, order);
 }
 
-/* The closed forms obey the equation that they solve. */
+/* The closed forms satisfy the equation that defines them. */
 static void check_closed(double cubic, double f)
 {
 	struct hawser__resonance resonance = {.omega = 2.385, .c = 0.031, .f = f, .cubic = cubic};
@@ -110,7 +110,7 @@ static void check_closed(double cubic, double f)
 
 int main(void)
 {
-	/* 2 Gamma F^2/delta^3 = 16/(3 sqrt 3): just folded, just not */
+	/* 2 Gamma F^2/delta^3 = 16/(3 sqrt 3): slightly above there are folds, slightly below none */
 	double delta = 0.0155, w = 2.385, Gamma = 0.375*0.9/w;
 	double f = 2.0*w*sqrt(16.0/(3.0*sqrt(3.0))*pow(delta, 3)/(2.0*Gamma));
 	struct hawser__resonance just = {.omega = w, .c = 2.0*delta, .cubic = 0.9};
@@ -123,7 +123,7 @@ int main(void)
 	check_closed(-0.9, 0.1);
 	check_closed(0.9, 30.0);
 	check_closed(0.0, 0.1);
-	/* a mode that follows is the limit of one that answers dynamically */
+	/* a condensed mode is the limit of a mode with dynamic response */
 	close_to(hawser__returned(0.7, 1e4, 1.3), hawser__returned_static(0.7, 1e4), 1e-7,
 	         "a stiff mode follows statically");
 	check_order("cubic", 0.8, 0.0, 0.0);

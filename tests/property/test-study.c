@@ -1,5 +1,5 @@
-/* Fidelities and plans of scenes: what rows build against what was planned; a response against itself;
- * peaks that were sharpened against short steps all along; estimated errors against measured ones.
+/* Fidelities and plans of scenes: planned sizes against the models built; a response against
+ * itself; refined peaks against responses with short steps; estimated errors against measured ones.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -35,7 +35,7 @@ static int open_scene(const char *name)
 
 /* --- sizes --- */
 
-/* Times are not what is tested here. */
+/* Times are not tested here. */
 static const struct hawser_plan_options brief = {.seconds = 0.05, .extra = HAWSER_NONE};
 
 static void check_size(const struct hawser_plan_row *row)
@@ -95,7 +95,8 @@ static int run(struct hawser_study_curve *curve, const char *name, double from, 
 	          report.message);
 }
 
-/* The same response in short steps: the same landmarks, to what they are said to be known. */
+/* The same response in short steps has the same folds and peaks, within their stated
+ * uncertainties. */
 static void check_sharp(void)
 {
 	struct hawser_study_curve curve = {.n = 0}, fine = {.n = 0};
@@ -121,7 +122,7 @@ static void check_sharp(void)
 			beyond = fmax(beyond, fabs(own->size/other->size - 1.0)/
 			                      (own->size_error + other->size_error));
 		}
-		/* most of it is that of the orbits, which state 1e-6 themselves */
+		/* most of the uncertainty is that of the orbits, with a tolerance of 1e-6 */
 		ok(worst < 3e-6 && stated < 3e-5, "peaks agree to %.1e, stated %.1e", worst, stated);
 		ok(beyond < 1.0, "and each to what is stated of it: %.2g", beyond);
 		ok(fabs(error.fold.omega) < 1e-8, "folds agree to %.1e", error.fold.omega);
@@ -133,7 +134,8 @@ static void check_sharp(void)
 	hawser_study_clear(&curve);
 }
 
-/* A response is no distance from itself; and has nothing in common with one of another range. */
+/* The distance of a response from itself is 0; a response over another range has no common folds
+ * and peaks. */
 static void check_itself(void)
 {
 	struct hawser_study_curve curve = {.n = 0}, other = {.n = 0};
@@ -163,8 +165,8 @@ static const struct hawser_plan_row *row_of(const struct hawser_plan *plan, cons
 	return NULL;
 }
 
-/* The estimate of a raw model's error is to be of the size of the measured one, and the order of the
- * fidelities by the estimates that of the measured errors. */
+/* The estimated error of a raw model has the size of the measured one, and the order of the
+ * fidelities by estimated errors is that by measured ones. */
 static void check_estimates(const char *name, double from, double to, int rows, double factor)
 {
 	static const char *const list[] = {"raw 5", "condensed 5", "raw 9", "condensed 9"};
@@ -194,7 +196,7 @@ static void check_estimates(const char *name, double from, double to, int rows, 
 		printf("# %s %s: estimated %.2e, measured %.2e; %.0f points estimated, %d; %.2g s, %.2g\n",
 		       name, list[i], row->omega_error, measured[i], row->points, curve.frf.points,
 		       row->seconds, curve.build_seconds + curve.respond_seconds);
-		/* a raw model may have folds of its own in any number */
+		/* a raw model may have any number of additional folds */
 		if (!strncmp(list[i], "condensed", 9))
 			ok(row->points < 3.0*curve.frf.points && row->points > curve.frf.points/3.0,
 			   "points within a factor of 3");
@@ -268,7 +270,7 @@ int main(void)
 		hawser_scene_clear(&scene);
 	}
 	check_estimates("b-table-4.4-line-2", 0.7, 1.25, getenv("HAWSER_LONG") ? 4 : 2, 4.0);
-	/* its raw 9 has hundreds of folds of its own */
+	/* its raw 9 has hundreds of additional folds */
 	check_estimates("b-table-5.4-at-rest", 0.9, 1.25, 2, 4.0);
 	return done_testing();
 }

@@ -1,5 +1,5 @@
-/* Motions of travelling cables: energy, braking down to the cable at rest, parametric resonance against
- * Mathieu's functions, the response to nothing but the speed.
+/* Motions of travelling cables: energy, braking to rest, parametric resonance against Mathieu's
+ * functions, the response to a change of speed alone.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -61,8 +61,8 @@ static void check_energy(void)
 
 /* --- braking --- */
 
-/* Probes of the model at u against the profile of the cable at rest with the same unstretched length;
- * the largest distance, m. */
+/* Probes of the model at u against the profile of the cable at rest with the same unstretched
+ * length: largest distance, m. */
 static double off_rest(const struct hawser_rom *rom, const struct hawser_statics *st,
                        const struct hawser_scene *scene, const double *u)
 {
@@ -135,8 +135,8 @@ static void check_braking(void)
 	hawser_rom_clear(&quartic);
 }
 
-/* After braking an undamped cable keeps its energy, from the end of braking on to the last digit: no
- * step has the jump of the rate within. */
+/* After braking, an undamped cable conserves its energy from the end of braking on to the last
+ * digit: no step extends across the jump of the rate. */
 static void check_after(double braking)
 {
 	struct hawser_scene scene = scene_of(11.0, 25.0, 0.0, HAWSER_HOLD_LENGTH);
@@ -191,7 +191,7 @@ static double trace(const struct hawser_rom *rom, double Omega)
 	return sum;
 }
 
-/* Where the trace passes -2 between two frequencies. */
+/* The Omega at which the trace passes -2, between two frequencies. */
 static double edge(const struct hawser_rom *rom, double stable, double unstable)
 {
 	for (int i = 0; i < 34; i++) {
@@ -227,7 +227,7 @@ static void check_mathieu(double V)
 	int first = 0;
 	double M, w, low, high;
 
-	scene.model.condense = HAWSER_CONDENSE_NONE; /* M is the mode's own */
+	scene.model.condense = HAWSER_CONDENSE_NONE; /* M is the matrix element of the mode itself */
 	if (!ok(!hawser_statics_scene(&st, &scene, NULL) &&
 	        !hawser_modes_solve(&modes, &st, &options, NULL), "a cable that goes to and fro"))
 		return;

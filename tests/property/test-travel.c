@@ -1,6 +1,6 @@
-/* The steady state of a travelling cable against routes of its own: the source's closed forms, direct
- * integration of the balance that no apparent cable enters, both holds, and the end where the taut and
- * the slack state meet.
+/* The steady state of a travelling cable by independent routes: the source's closed forms, direct
+ * integration of the balance without an apparent cable, both kinds of hold, and the fold at which
+ * the taut and the slack state coincide.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <float.h>
 #include <string.h>
@@ -63,16 +63,15 @@ static void check_closed_form(const struct hawser_statics *st, const char *what)
 	}
 	ok(worst < 1e-12, "%s: the profile is that of B 5.19 and 5.20, off by %.1e of the length", what,
 	   worst);
-	/* |x'| - 1 has 1e-4 of 1, so that four digits are gone */
+	/* |x'| - 1 is 1e-4 times its terms, so that four digits are lost */
 	ok(tension < 1e-11, "%s: the tension is EA (|x'| - 1), off by %.1e", what, tension);
 	closed_form(&x, &y, &stretch, &actual, st->motion.speed, actual.length0);
 	ok(hypot(x - actual.span.d, y - actual.span.h) < 1e-12*actual.length,
 	   "%s: B 5.21 is met", what);
 }
 
-/* (T e - rho v^2 |x'| e)' = (0, rho g): the vector R is linear in S, and x' is along it, with
- * |R| = EA (|x'| - 1) - rho v^2 |x'|. Simpson's rule in S from end A, with nothing but the actual
- * quantities. */
+/* (T e - rho v^2 |x'| e)' = (0, rho g): the vector R is linear in S, and x' is parallel to it, with
+ * |R| = EA (|x'| - 1) - rho v^2 |x'|. Simpson's rule in S from end A, with actual quantities only. */
 static void integrate(double end[2], const struct hawser_statics *actual, double speed)
 {
 	const struct hawser_span *span = &actual->span;
@@ -101,7 +100,7 @@ static void check_integrated(const struct hawser_statics *st, const char *what)
 	ok(off < 1e-10, "%s: the balance integrated from end A comes to end B, off by %.1e", what, off);
 }
 
-/* Spans with the end B above, level with and below end A; every given; both holds. */
+/* Spans with end B above, level with and below end A; every given quantity; both kinds of hold. */
 static void check_givens(void)
 {
 	static const char *const names[] = {"", "H", "T0", "T1", "length0", "sag"};
@@ -137,7 +136,7 @@ static void check_givens(void)
 	}
 }
 
-/* To the last bit the cable at rest, and at a tiny speed beside it. */
+/* At speed 0 it is the cable at rest to the last bit; at a very small speed it is close to it. */
 static void check_slow(void)
 {
 	struct hawser_statics rest, st;
@@ -146,7 +145,8 @@ static void check_slow(void)
 		for (int given = HAWSER_GIVEN_H; given <= HAWSER_GIVEN_SAG; given++) {
 			double value = given <= HAWSER_GIVEN_T1 ? 85e3
 			               : given == HAWSER_GIVEN_SAG ? 0.7218 : 100.0536;
-			/* round-off of a length is strain, and that over H/EA is the tension's */
+			/* the relative round-off of a length is that of the strain, and divided by H/EA that of
+			 * the tension */
 			double tolerance = 4.0*DBL_EPSILON*table_5_3.EA/85e3;
 			int same, near;
 
@@ -173,8 +173,8 @@ static void check_slow(void)
 		}
 }
 
-/* What is left of the way to the limit decides how far the taut and the slack state are apart: they
- * meet in a fold, so the difference goes with its square root. */
+/* Near the limit the taut and the slack state differ by the square root of the distance to the
+ * limit, because they coincide in a fold. */
 static void check_fold(const struct hawser_span *span, enum hawser_given given, double value)
 {
 	static const double left[] = {1e-3, 1e-6, 1e-8, 1e-12};
@@ -210,7 +210,7 @@ static void check_fold(const struct hawser_span *span, enum hawser_given given, 
 	   "1 + 1e-9 of it is refused, and the message has the limit: %s", report.message);
 }
 
-/* The end is where T0 has its least value over the states: no other route than a search by sections. */
+/* At the limit T0 has its minimum over the states, which is found by golden section. */
 static void check_limit(void)
 {
 	double limit, p, low = log(1.0), high = log(1e6);
@@ -240,7 +240,8 @@ static void check_limit(void)
 	         "there the least apparent tension leaves just the T0 held");
 }
 
-/* rho v^2 more tension all along, and nothing else: what is so often said of the elastic one too. */
+/* The tension increases by rho v^2 everywhere, without other changes: true of inextensible cables,
+ * but often stated for elastic ones. */
 static void check_inextensible(void)
 {
 	struct hawser_span span = {INFINITY, 5.0, 9.81, 100.0, 5.0};
@@ -280,7 +281,7 @@ static void check_motion(void)
 	ok(!hawser_statics_limit(&limit, &table_5_3, HAWSER_GIVEN_T0, 85e3, HAWSER_BRANCH_TAUT,
 	                         HAWSER_HOLD_LENGTH, &report)
 	   && fabs(limit/sqrt(100e6/5.0) - 1.0) < 1e-15, "length held: up to sqrt(EA/rho)");
-	/* far above sqrt(H/rho), the cable a tunnel that it pushes through */
+	/* far above sqrt(H/rho) the tension is mostly rho v^2 */
 	ok(travel(&both, &table_5_3, HAWSER_GIVEN_H, 85e3, HAWSER_BRANCH_TAUT, 300.0,
 	          HAWSER_HOLD_TENSION) && both.H > 0.0, "H held: steep at %.4g m/s", 300.0);
 	close_to(hawser_statics_actual(&both).H, 85e3, 1e-13, "and H is held");

@@ -1,6 +1,6 @@
-/* Undamped and nearly undamped models: multipliers on the unit circle, which round-off puts on either
- * side. Counts and events must be those of the model. Harmonic balance and shooting share neither
- * orbits nor multipliers, so each is the other's second route; the boundaries of a combination
+/* Undamped and nearly undamped models: multipliers on the unit circle, which round-off puts on
+ * either side. Counts and events must be those of the model. Harmonic balance and shooting share
+ * neither orbits nor multipliers, so that each confirms the other; the boundaries of a combination
  * resonance have a closed form. The expectations hold under every kernel of OpenBLAS.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -65,8 +65,8 @@ static void add_quartic_energy(struct hawser_rom *rom, int a, int b, double c)
 	rom->C[rom->cubics++] = (struct hawser_cubic){b, a, a, b, 2.0*c};
 }
 
-/* Trace, with the checks that hold for every undamped model: half of the multipliers are outside at
- * most, since each has its inverse, and every change of the count has its event. */
+/* Trace, with the checks that hold for every undamped model: at most half of the multipliers are
+ * outside, since the inverse of each is a multiplier, and every change of the count has its event. */
 static int trace(struct hawser_frf *frf, struct hawser_rom *rom, const char *name, const char *method,
                  double from, double to)
 {
@@ -80,7 +80,7 @@ static int trace(struct hawser_frf *frf, struct hawser_rom *rom, const char *nam
 	options.to = to;
 	options.max_points = 1500;
 	status = hawser_frf_trace(frf, rom, &options, &report);
-	/* without damping an orbit may grow until it is not determined any more: it is then refused */
+	/* without damping an orbit may grow until it is ill-conditioned, and is then refused */
 	ok(!status || status == HAWSER_ERR_CONVERGENCE, "%s, %s: %d points, %d events %s", name, method,
 	   frf->points, frf->events, report.message);
 	for (int e = 0; e < frf->events; e++) {
@@ -98,9 +98,9 @@ static int trace(struct hawser_frf *frf, struct hawser_rom *rom, const char *nam
 	return !status;
 }
 
-/* Whether event e and the next one are torus points or period doublings so near to each other that the
- * growth between them is less than the error of the multipliers of one method, which then does not have
- * them. */
+/* 1 if event e and the next one are torus points or period doublings so close to each other that
+ * the growth between them is less than the error of the multipliers of one method, which then does
+ * not detect them. */
 static int narrow(const struct hawser_frf *frf, int e)
 {
 	const struct hawser_frf_event *event = &frf->event[e];
@@ -111,8 +111,8 @@ static int narrow(const struct hawser_frf *frf, int e)
 	       fabs(event[1].omega/event[0].omega - 1.0) < 1e-4;
 }
 
-/* Both methods: the same events, as far as both get. Returns their number, and in `omega` the first
- * ones. */
+/* Both methods find the same events, in the range that both cover. Returns their number, and in
+ * `omega` the first ones. */
 static int check_model(struct hawser_rom *rom, const char *name, double from, double to, double *omega,
                        int room)
 {
@@ -198,8 +198,9 @@ static void check_combination(double damping, const char *name)
 	hawser_rom_clear(&rom);
 }
 
-/* Beside a third of its first frequency the curve follows free motions that have no end: it is ended
- * soon, as it climbs or as an orbit is not determined any more, and the message gives the reason. */
+/* Near a third of its first frequency the curve follows free motions without end. It is ended
+ * early, because it climbs or because an orbit is ill-conditioned, and the message gives the
+ * reason. */
 static void check_climb(const struct hawser_rom *rom)
 {
 	struct hawser_frf_options options = {.method = "balance"};
@@ -216,7 +217,7 @@ static void check_climb(const struct hawser_rom *rom)
 	hawser_frf_clear(&frf);
 }
 
-/* A cable without damping, between its resonances, and beside a superharmonic one. */
+/* A cable without damping: between its resonances, and near a superharmonic one. */
 static void check_cable(void)
 {
 	static const char text[] = "cable: {EA: 400 MN, rho: 6 kg/m}\nspan: {d: 250 m, h: 10 m}\n"

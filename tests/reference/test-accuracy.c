@@ -1,7 +1,7 @@
-/* Responses to a requested accuracy against numbers of a program that shares no code with this one:
+/* Responses to a required accuracy against numbers of a program that shares no code with this one:
  * Ritz's method on Legendre polynomials in Cartesian displacements, exact strain energy, harmonic
- * balance. Deep sags, whose condensed models are hard to confirm, a peak near the end of a range,
- * and a basis that is too small.
+ * balance. Deep sags, whose condensed models are difficult to confirm, a peak near the end of a
+ * range, and a basis that is too small.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -34,8 +34,8 @@ static const char deeper[] =
 	"damping: {ratio: 1 %}\n"
 	"load: {frame: global, per_length: [0, 0.1, 0.12]}\n"
 	"model: {modes: auto, accuracy: 1 %}\n";
-/* Found by bench/estimates accuracy: a resonance across the plane just beyond the range, at the end of
- * which z reaches 0.6 of the largest y, while nothing kept at first moves across. */
+/* Found by bench/estimates accuracy: an out-of-plane resonance just beyond the range. At the end of
+ * the range z reaches 0.6 of the largest y, although no mode kept at first moves out of the plane. */
 static const char beyond[] =
 	"cable: {EA: 172599598.66, rho: 0.51587161835441031}\n"
 	"span: {d: 273.72895179093689, h: 0}\n"
@@ -74,7 +74,7 @@ static void clear(void)
 	hawser_scene_clear(&scene);
 }
 
-/* The largest z at mid-span, and the least tension. */
+/* The largest z at mid-span, and the smallest tension. */
 static void check_peak(const char *name, const char *text, const char *set, const double range[2],
                        double omega, double size, double tension)
 {

@@ -14,7 +14,7 @@ static int open(struct hawser_beam_integrals *is, int row, int size)
 	          "%s of %d", hawser_beam_method(row)->name, size);
 }
 
-/* Dehadrai 2018, chapter 9, each computed again with 30 sines of our own. */
+/* Dehadrai 2018, chapter 9; each value is also computed here with 30 sines. */
 static void dehadrai(void)
 {
 	static const struct {
@@ -52,8 +52,8 @@ static void dehadrai(void)
 	hawser_beam_integrals_clear(&is);
 }
 
-/* mu = 20, undamped: divergent from sqrt(400 + pi^2) to sqrt(400 + 4 pi^2), stable above, until two
- * frequencies meet. By two discretisations. */
+/* mu = 20, undamped: divergent from sqrt(400 + pi^2) to sqrt(400 + 4 pi^2), then stable until two
+ * frequencies coincide. By two discretisations. */
 static void second_stable_region(void)
 {
 	static const double expected[] = {20.2452365855, 20.9637405442, 21.2787890698};

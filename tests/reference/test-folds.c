@@ -49,11 +49,11 @@ static void expect(const struct hawser_folds *folds, enum hawser_folds_kind kind
 	        minimum > 0 ? "a minimum" : minimum < 0 ? "a maximum" : "a passage"))
 		return;
 	close_to(event->load, load, 1e-9, name);
-	/* at an extremum AUTO's Omega is no better than the root of its tolerance */
+	/* at an extremum the error of AUTO's Omega is the square root of its tolerance */
 	close_to(event->omega, omega, 1e-6, "its Omega");
 }
 
-/* Where the curves end at a load. */
+/* Ends of the curves at the limits of the load. */
 static void expect_end(const struct hawser_folds *folds, double load, double omega)
 {
 	double best = INFINITY, at = 0.0;

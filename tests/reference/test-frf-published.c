@@ -1,5 +1,5 @@
-/* Responses of published models: reads frf-cases.txt, traces each curve both ways with every
- * method, compares events.
+/* Responses of published models: reads frf-cases.txt, traces each curve in both directions with
+ * every method, and compares events.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -33,8 +33,8 @@ static const struct hawser_frf_event *nearest(const struct hawser_frf *frf, cons
 	return best;
 }
 
-/* Back from the last orbit, which need not be the one that the linear response leads to there: the same
- * events the other way round, and the first orbit at the end. */
+/* Back from the last orbit, which may differ from the one that continues the linear response there:
+ * the same events in reverse order, and the first orbit at the end. */
 static void check_retrace(const struct curve *curve, const struct hawser_frf_options *options)
 {
 	struct hawser_frf_options back = *options;
@@ -61,7 +61,7 @@ static void check_retrace(const struct curve *curve, const struct hawser_frf_opt
 	hawser_frf_clear(&frf);
 }
 
-/* The whole way from a scene file to its model. */
+/* From a scene file to its model. */
 static enum hawser_status from_scene(struct hawser_rom *rom, const char *path,
                                      struct hawser_report *report)
 {
@@ -83,7 +83,8 @@ static enum hawser_status from_scene(struct hawser_rom *rom, const char *path,
 	return status;
 }
 
-/* A model file's range is in its own units, a scene's in multiples of the first frequency. */
+/* The range of a model file is in its own units, that of a scene in multiples of the first
+ * frequency. */
 static void trace(struct curve *curve, const char *folder, const char *name, int is_scene,
                   double from, double to)
 {

@@ -186,7 +186,7 @@ static void characteristic(void)
 }
 
 /* With damping the first tongue begins at epsilon = 2c (1 + O(c^2)): x = exp(-c t) y, and y may
- * grow as exp(c t). And no boundary of multiplier +-1 lies outside those without damping. */
+ * grow as exp(c t). No boundary with a multiplier +-1 lies outside those without damping. */
 static void damped(void)
 {
 	struct hawser_hill_chart chart;
@@ -215,7 +215,7 @@ static struct hawser_hill_options window(double delta, double half, double low, 
 	return options;
 }
 
-/* Distance of the boundary from GSL's characteristic value of its name, relative. */
+/* Relative distance of the boundary from GSL's characteristic value of the same name. */
 static double off_named(const struct hawser_hill_boundary *boundary)
 {
 	double worst = 0.0, a = NAN, b = NAN;
@@ -232,8 +232,8 @@ static double off_named(const struct hawser_hill_boundary *boundary)
 	return worst;
 }
 
-/* Tongues narrower than any line of search resolves: both boundaries of tongue r about epsilon, and of
- * no other than those whose values lie in the window. */
+/* Tongues narrower than the sampling of any search line: both boundaries of tongue r near epsilon,
+ * and only boundaries of tongues whose values lie in the window. */
 static void narrow(int r, double epsilon)
 {
 	struct hawser_report report = {.message = ""};
@@ -299,8 +299,8 @@ static void windows(void)
 	   "values, %d missing", points, worst, missing);
 }
 
-/* Largest logarithm of a multiplier, by the monodromy matrix; *product of |1 - mu|/(1 + |mu|), which is
- * as precise as the matrix where two multipliers are nearly the same. */
+/* Largest logarithm of a multiplier, by the monodromy matrix. *product of |1 - mu|/(1 + |mu|) is as
+ * accurate as the matrix even if two multipliers nearly coincide. */
 static double growth(double *product, const struct hawser_hill_field *field, double delta,
                      double epsilon)
 {
@@ -313,8 +313,8 @@ static double growth(double *product, const struct hawser_hill_field *field, dou
 	return fmax(log_modulus[0], log_modulus[1]);
 }
 
-/* With damping: by the monodromy matrix growth begins at the boundaries; and tongues said to be
- * closed have none where they would be. */
+/* With damping: by the monodromy matrix growth begins at the boundaries, and tongues that are
+ * reported as closed have no growth. */
 static void damped_tongues(void)
 {
 	double worst = 0.0, product;
@@ -359,8 +359,8 @@ static void damped_tongues(void)
 	ok(worst < 1e-10, "a multiplier 1 or -1 there by the monodromy matrix: %.1e", worst);
 }
 
-/* The error of an expansion to second order falls with epsilon^3, or ^4 where there is no cubic
- * term. */
+/* The error of an expansion to second order is proportional to epsilon^3, or to epsilon^4 if there
+ * is no cubic term. */
 static void expansions(void)
 {
 	for (int r = 0; r <= 4; r++)
@@ -387,7 +387,8 @@ static void expansions(void)
 		}
 }
 
-/* Values against GSL's, and the distance of points beside them. GSL's own error is about 1e-13 here. */
+/* Values against GSL's, and the distances of points near them. GSL's own error is about 1e-13
+ * here. */
 static void characteristic_values(void)
 {
 	double worst[2] = {0.0, 0.0};

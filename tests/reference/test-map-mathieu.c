@@ -81,8 +81,8 @@ static void undamped(int r, double from, double to)
 
 /* --- damped --- */
 
-/* Trace and nothing else: sum of the diagonal of the monodromy matrix of w'' + (p + f cos Omega t)
- * w = 0 by Taylor series. cos and sin of the phase have series of their own. */
+/* The trace alone: sum of the diagonal of the monodromy matrix of w'' + (p + f cos Omega t) w = 0
+ * by Taylor series. cos and sin of the phase have their own series. */
 enum { ORDER = 30, STEPS = 64 };
 static void taylor_step(double w[2], double p, double f, double omega, double t, double h)
 {
@@ -170,7 +170,8 @@ static void damped(double c)
 			expansion = fmax(expansion, fabs(fabs(at->x*at->x/4.0 - 1.0 + 2.0*c*c) -
 			                                 sqrt(0.25*f*f - 4.0*c*c))/(f*f));
 	}
-	/* a multiplier counts as unstable from a logarithm of 1e-8 on: so much inside the boundary */
+	/* a multiplier counts as unstable if its logarithm exceeds 1e-8: this displaces the boundary
+	 * inwards */
 	ok(compared > 40 && worst < 5e-8, "damping %g: %d points within %.1e of a Taylor series", c,
 	   compared, worst);
 	ok(expansion < 0.2, "damping %g: the first approximation is off by %.3f f^2", c, expansion);

@@ -91,10 +91,10 @@ static void irvine(const char *method)
 	}
 }
 
-/* A cable hung so slack that its halves are hanging chains of length l/2: where they meet, the
- * symmetric out-of-plane motion leaves them free. omega = j_0n/2 * sqrt(g/L): 1.20241, 2.76004,
- * 4.32686 times sqrt(g/L), from the zeros of the Bessel function J_0. g is delta in our scaling; the
- * distance from the limit falls as exp(-delta), 7.6e-8 here for the third. */
+/* A cable so slack that its halves are hanging chains of length l/2; in symmetric out-of-plane
+ * motion they are free where they join. omega = j_0n/2 * sqrt(g/L): 1.20241, 2.76004, 4.32686 times
+ * sqrt(g/L), from the zeros of the Bessel function J_0. g is delta in scaled units; the distance
+ * from the limit decreases as exp(-delta) and is 7.6e-8 here for the third. */
 static void hanging_chain(void)
 {
 	const double zero[] = {2.404825557695773, 5.520078110286311, 8.653727912911013};

@@ -1,4 +1,4 @@
-/* Statics against published spans and against limits that can be written down.
+/* Statics against published spans and against limits with closed forms.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tests/statics-draw.h"
 #include "tests/tap.h"
@@ -13,8 +13,8 @@ static struct hawser_statics solve(struct hawser_span span, enum hawser_given gi
 	return st;
 }
 
-/* Catenaries of mooring programs' test suites: x, z, unstretched length, EA, weight per length; the
- * tension components at the ends in the digits that they are published with. */
+/* Catenaries from the test suites of mooring programs: x, z, unstretched length, EA, weight per
+ * length; the tension components at the ends to the published digits. */
 static void mooring(void)
 {
 	struct hawser_span deep = {7.51e12, 200.0, 1.0, 400.0, 200.0};
@@ -65,7 +65,7 @@ static void parabola(void)
 	}
 }
 
-/* EA = 1e14 N against EA infinite, from a length: the difference is epsilon's. */
+/* EA = 1e14 N against infinite EA, for a given length: the difference is of order epsilon. */
 static void inextensible(void)
 {
 	struct hawser_span stiff = {1e14, 3.0, 9.81, 100.0, 33.0}, rigid = stiff;
@@ -82,7 +82,7 @@ static void inextensible(void)
 	close_to(b.T1 - b.T0, 3.0*9.81*33.0, 1e-12, "T1 - T0 = w*h on an inextensible cable");
 }
 
-/* A cord next to weightless: T = EA*(chord/L - 1), and Irvine's parameter with Le = L. */
+/* A nearly weightless cord: T = EA*(chord/L - 1), and Irvine's parameter with Le = L. */
 static void light_cord(void)
 {
 	struct hawser_span cord = {1e4, 1e-9, 9.81, 30.0, 40.0};

@@ -38,7 +38,7 @@ static double relative(double got, double want, double scale)
 	return fabs(got - want)/fabs(scale);
 }
 
-/* Everything from H against the table. */
+/* All results for given H against the table. */
 static int compare(const struct row *row, struct hawser_statics *st)
 {
 	if (hawser_statics_solve(st, &row->span, HAWSER_GIVEN_H, row->H, HAWSER_BRANCH_TAUT, NULL))
@@ -48,7 +48,7 @@ static int compare(const struct row *row, struct hawser_statics *st)
 	                           st->irvine_source};
 
 	for (int i = 0; i < NAMES; i++) {
-		double scale = i == 2 ? row->want[0] : row->want[i]; /* V0 can be next to zero */
+		double scale = i == 2 ? row->want[0] : row->want[i]; /* V0 may be nearly zero */
 		double e = relative(got[i], row->want[i], scale);
 
 		worst[i] = e <= worst[i] ? worst[i] : e;
@@ -56,7 +56,7 @@ static int compare(const struct row *row, struct hawser_statics *st)
 	return 1;
 }
 
-/* H from the printed value of a given quantity, allowing for that value's own rounding. */
+/* H for the printed value of a given quantity, with a tolerance for the rounding of that value. */
 static int invert(const struct row *row, const struct hawser_statics *st, enum hawser_given given)
 {
 	const double table[] = {0.0, row->H, row->want[0], row->want[1], row->want[3], row->want[5]};
@@ -64,7 +64,7 @@ static int invert(const struct row *row, const struct hawser_statics *st, enum h
 	struct hawser_statics next, back;
 
 	if (given == HAWSER_GIVEN_LENGTH0 && value <= hypot(row->span.d, row->span.h) &&
-	    isinf(row->span.EA)) /* its printed length0 is that of the chord */
+	    isinf(row->span.EA)) /* its printed length0 equals the chord */
 		return hawser_statics_solve(&back, &row->span, given, value, HAWSER_BRANCH_TAUT, NULL) ==
 		       HAWSER_ERR_NO_SOLUTION;
 	if (hawser_statics_solve(&next, &row->span, HAWSER_GIVEN_H, row->H*(1.0 + step),
@@ -102,7 +102,7 @@ int main(void)
 	fclose(file);
 	ok(rows == 200, "%d rows", rows);
 	ok(failed == 0, "every span solved from every given: %d failed", failed);
-	/* irvine counts how far the end of a steep cable is from being perpendicular to the chord */
+	/* irvine (row 6) is ill-conditioned if a steep end is nearly perpendicular to the chord */
 	for (int i = 0; i < NAMES; i++)
 		ok(worst[i] < (i == 6 ? 1e-12 : 2e-14),
 		   "%s from H against 60 digits: worst relative error %.1e", names[i], worst[i]);

@@ -1,5 +1,5 @@
-/* tests/unit/test-axis.c - titles of axes: each numeric key of the scene has words of its own, so
- * that no picture shows a raw key.
+/* tests/unit/test-axis.c - titles of axes: each numeric key of the scene has its own title, so that
+ * no picture shows the name of a key.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -8,7 +8,7 @@
 #include "cli/cli.h"
 #include "tests/tap.h"
 
-/* What maps and boundaries take for an axis (hawser-map(1)): keys with one number, and these. */
+/* Axes of maps and boundaries (hawser-map(1)): keys with one number, and these. */
 static const char *const others[] = {"Omega", "factor.load", "factor.damping"};
 
 static void has_words(const char *key)

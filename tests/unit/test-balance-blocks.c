@@ -10,7 +10,8 @@
 #include "tests/balance-model.h"
 #include "tests/tap.h"
 
-/* A fast coordinate beside make_general's: of the stiffness `fast`, coupled by quadratic terms. */
+/* A fast coordinate of stiffness `fast` in addition to those of make_general, coupled by quadratic
+ * terms. */
 static int make_stiff(struct hawser_rom *rom, double fast)
 {
 	if (make_general(rom))
@@ -22,7 +23,7 @@ static int make_stiff(struct hawser_rom *rom, double fast)
 	return hawser_rom_compile(rom, NULL) != HAWSER_OK;
 }
 
-/* Solutions by blocks and GMRES, and products without a matrix, are those of the matrix. */
+/* Solutions by blocks with GMRES, and products without a matrix, agree with those of the matrix. */
 static void check_blocks(double fast, const char *what)
 {
 	struct hawser_rom rom;
@@ -37,7 +38,7 @@ static void check_blocks(double fast, const char *what)
 	y = some_orbit(&by[0], 5, 1.17);
 	last = by[0].base.size - 1;
 	for (int i = 1; i < last; i += 2)
-		y[i] *= 4.1/fast; /* it follows the other coordinate */
+		y[i] *= 4.1/fast; /* it follows the other coordinate statically */
 	row = calloc((size_t)last + 1, sizeof *row);
 	x = calloc((size_t)last + 1, sizeof *x);
 	for (int i = 0; i <= last; i++)

@@ -1,5 +1,5 @@
-/* Harmonic balance: the Jacobian against differences, freedom from aliasing, spectral convergence, what
- * the active set leaves out, multipliers and orbits against shooting, an orbit at rest.
+/* Harmonic balance: the Jacobian against differences, absence of aliasing, spectral convergence,
+ * the truncation by the active set, multipliers and orbits against shooting, an orbit at rest.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -92,7 +92,7 @@ static void check_jacobian(void)
 	hawser_rom_clear(&rom);
 }
 
-/* More samples, for pairs that hold 0, change nothing: the products are exact. */
+/* More samples change nothing, also for pairs that are 0: the products are exact. */
 static void check_aliasing(void)
 {
 	struct hawser_rom rom;
@@ -122,7 +122,7 @@ static void check_aliasing(void)
 
 /* --- orbits --- */
 
-/* Newton at Omega from y; 1 when it fails. */
+/* Newton's method at Omega from y; returns 1 if it fails. */
 static int correct(struct hawser__balance *balance, double *y, double omega)
 {
 	struct hawser__correction correction;
@@ -137,7 +137,7 @@ static int correct(struct hawser__balance *balance, double *y, double omega)
 	return failed;
 }
 
-/* The whole way from the linear response; 1 when it fails. */
+/* Newton's method and refinement from the linear response; returns 1 on failure. */
 static int solve(struct hawser__balance *balance, double *y, double omega, double tolerance)
 {
 	struct hawser__correction correction;
@@ -146,7 +146,8 @@ static int solve(struct hawser__balance *balance, double *y, double omega, doubl
 	       HAWSER_OK;
 }
 
-/* The error of a truncated series falls by a factor for every harmonic, and the estimate with it. */
+/* The error of a truncated series decreases by a factor for every harmonic, and so does the
+ * estimate. */
 static void check_convergence(void)
 {
 	struct hawser_rom rom;
@@ -179,7 +180,7 @@ static void check_convergence(void)
 	hawser_rom_clear(&rom);
 }
 
-/* A symmetric Duffing orbit has odd harmonics only, and a coordinate that nothing drives has none. */
+/* A symmetric Duffing orbit has odd harmonics only, and a coordinate without excitation has none. */
 static void check_active(void)
 {
 	struct hawser_rom rom;
@@ -218,8 +219,8 @@ static void check_active(void)
 	hawser_rom_clear(&rom);
 }
 
-/* From the linear response, far from the orbit, Newton's method alone: one harmonic converges and leads
- * on to seventeen, seventeen at once fail. */
+/* From the linear response, which is far from the orbit: with one harmonic Newton's method
+ * converges, and the result leads on to seventeen harmonics; with seventeen at once it fails. */
 static void check_start(void)
 {
 	struct hawser_rom rom;
@@ -260,7 +261,7 @@ static void check_failures(void)
 	ok(correct(&balance, y, 0.9), "not a number: no orbit");
 	y[hawser__cos(1, 1, 0)] = 1e200;
 	ok(correct(&balance, y, 0.9), "infinite defects: no orbit");
-	/* an amplitude that falls slowly, as that of a motion with corners does */
+	/* an amplitude that decreases slowly with the harmonic, as for a motion with corners */
 	activate(&balance, balance.top);
 	memset(y, 0, (size_t)balance.base.size*sizeof *y);
 	for (int h = 1; h <= balance.top; h += 2)
@@ -361,8 +362,8 @@ static void rest_multipliers(double *log_modulus, double *argument, const struct
 	hawser__flow_clear(&flow);
 }
 
-/* Mathieu's equation: the orbit is at rest, no pair is active, and it loses its stability through +1,
- * which is in no Jacobian of active pairs. */
+/* Mathieu's equation: the orbit is at rest and no pair is active. It loses its stability through
+ * +1, which no Jacobian of active pairs shows. */
 static void check_rest(void)
 {
 	struct hawser_rom rom;

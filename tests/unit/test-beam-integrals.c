@@ -1,5 +1,5 @@
-/* The integrals of every discretisation against numerical quadrature of its own functions, the ends'
- * conditions, and what the matrices of a beam are by their nature.
+/* The integrals of every discretisation against numerical quadrature of its functions, the end
+ * conditions, and symmetries of the matrices of a beam.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <stdlib.h>
 

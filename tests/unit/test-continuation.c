@@ -1,6 +1,6 @@
-/* The continuation's loop, on plane curves F(x, y) = 0 whose shape is known: each is followed both
- * ways with the settings of every kind, must stay on the curve, pass its folds, reach its end, and have
- * its length. Failures, interruptions and refinements are provoked.
+/* The continuation loop on plane curves F(x, y) = 0 of known shape. Each is followed in both
+ * directions with the settings of every kind of curve; it must stay on the curve, pass its folds,
+ * reach its end, and have its length. Failures, interruptions and refinements are provoked.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -20,8 +20,9 @@ typedef double curve_function(double gradient[2], const double u[2]);
 struct plane_curve {
 	const char *name;
 	curve_function *F;
-	void (*at)(double u[2], double s); /* its points, s from 0 to 1; both ends the same: closed */
-	int folds; /* places where x turns back */
+	void (*at)(double u[2], double s); /* points of the curve, s from 0 to 1; closed if both ends
+	                                    * are equal */
+	int folds; /* number of points at which x turns back */
 };
 
 struct owner {
@@ -30,7 +31,7 @@ struct owner {
 	double longest, worst, arc;
 	int points, folds, limit;
 	int stop_after;  /* steps; 0: never */
-	int fail_below;  /* the corrector fails beyond x = 0.5, until it has been refined */
+	int fail_below;  /* the corrector fails beyond x = 0.5 until the discretisation is refined */
 	int refined, no_finer;
 };
 
@@ -41,7 +42,7 @@ static double circle(double g[2], const double u[2])
 	return u[0]*u[0] + u[1]*u[1] - 1.0;
 }
 
-/* Two folds, as a response with a jump has. */
+/* Two folds, as in a response with a jump. */
 static double cubic(double g[2], const double u[2])
 {
 	g[0] = 1.0;
@@ -118,7 +119,7 @@ static int predict(void *context, double ds)
 	return 0;
 }
 
-/* Newton's method in the line normal to row; 1 where it fails. */
+/* Newton's method in the line normal to row; returns 1 if it fails. */
 static int newton(curve_function *F, double u[2], const double row[2],
                   struct hawser__correction *correction)
 {
@@ -295,7 +296,8 @@ static void check_battery(void)
 			}
 }
 
-/* The finer the longest step, the nearer the sum of arcs: its error falls with the fourth power. */
+/* The sum of the steps approaches the arclength as the longest step decreases: its error is of
+ * fourth order. */
 static void check_arcs(void)
 {
 	double error[2];

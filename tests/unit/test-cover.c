@@ -1,6 +1,6 @@
-/* The branches that cover a range: a Duffing oscillator within its range of two stable motions, and two
- * uncoupled oscillators, a softening and a hardening one, of whose response both ends of the range
- * reach a part only. The second route is the slow sweep in both directions, and each branch
+/* The branches that cover a range: a Duffing oscillator within its range of two stable motions, and
+ * two uncoupled oscillators, a softening and a hardening one, whose response from either end covers
+ * only a part of the range. The second route is the slow sweep in both directions, and each branch
  * of one oscillator alone.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -60,7 +60,8 @@ static int folds(const struct hawser_frf *frf)
 	return count;
 }
 
-/* Least distance over the range of a sweep's amplitudes from a branch's, by linear interpolation. */
+/* Smallest distance, over the range, of the amplitudes of a sweep from those of a branch, by linear
+ * interpolation. */
 static double from_sweep(const struct hawser_sweep *sweep, const struct hawser_frf *frf, int n, int j)
 {
 	double worst = 0.0;
@@ -81,7 +82,7 @@ static double from_sweep(const struct hawser_sweep *sweep, const struct hawser_f
 	return worst;
 }
 
-/* Begun at the upper end, on the lower branch, the curve returns; the upper branch begins at the other
+/* From the upper end, on the lower branch, the curve returns; the upper branch begins at the other
  * end. */
 static void test_returned(void)
 {
@@ -114,8 +115,8 @@ static void test_returned(void)
 	hawser_rom_clear(&rom);
 }
 
-/* Both ends lie in a range of two stable motions, so that both curves return: what lies between them is
- * found from its middle. */
+/* Both ends lie in a range of two stable motions, so that both curves return: the branch between
+ * them is found from the middle. */
 static void test_between(void)
 {
 	struct hawser_frf_options options = {.from = 0.85, .to = 4.2};

@@ -1,9 +1,10 @@
-/* The reference of bench/estimates for responses (bench/estimates-reference.c): it is refined until the
- * verdict about a stated error no longer depends on it.
+/* The reference of bench/estimates for responses (bench/estimates-reference.c): it is refined until
+ * the verdict about a stated error no longer depends on it.
  *
- * With HAWSER_LONG: about the sixth mode of a sagging span the full-order model of 12 functions is
- * farther off than a condensed model of exact modes; and the scenes of bench/estimates accuracy whose
- * statement was held to be too small because of that.
+ * With HAWSER_LONG: near the sixth mode of a sagging span the full-order model of 12 functions has
+ * a larger error than a condensed model of exact modes; and the scenes of bench/estimates accuracy
+ * whose stated error was considered too small for this reason.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -51,7 +52,7 @@ static void clear(void)
 	hawser_scene_clear(&scene);
 }
 
-/* Of n modes, within `part` of mode j's frequency. Returns whether there is one. */
+/* n modes, within `part` of the frequency of mode j. Returns 1 if there is a response. */
 static int respond(const char *text, int n, int j, double part)
 {
 	struct hawser_frf_options options = {.method = "balance", .tolerance = 1e-7,

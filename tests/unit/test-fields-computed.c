@@ -22,7 +22,7 @@ static void name_of(char *text, size_t size, const void *context, int k)
 	snprintf(text, size, "%d", k + 1);
 }
 
-/* What functions compute of a row. */
+/* Values that functions compute from a row. */
 struct made {
 	int rows, first, second;
 	struct part part[2];

@@ -1,5 +1,5 @@
-/* tests/unit/test-fields-read.c - a row written as JSON and read back by the same fields has the same
- * values; of lists the last row; where there is no room, nothing.
+/* tests/unit/test-fields-read.c - a row written as JSON and read back by the same fields has the
+ * same values. Of lists the last row is read; members without room are skipped.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -138,7 +138,7 @@ static void test_no_room(const struct hawser__json *json)
 	   "what has no room is left out, the rest is read");
 }
 
-/* A file may hold anything. */
+/* A file may have any contents. */
 static void test_other(void)
 {
 	json_t *root = json_pack("{s:s, s:s, s:[f,f], s:s, s:i, s:{s:f}, s:[i], s:i, s:[]}",

@@ -1,5 +1,6 @@
-/* tests/unit/test-fields.c - tables of fields: the same rows as a table and as JSON, to the letter;
- * units of a model and without one; unknown values; lists stored and made on output.
+/* tests/unit/test-fields.c - tables of fields: the same rows as a table and as JSON, compared as
+ * text; units of a model, and a model without units; unknown values; stored lists and lists
+ * computed during output.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -203,7 +204,7 @@ static size_t three(const void *parent)
 	return 3;
 }
 
-/* The second row is none. */
+/* There is no second row. */
 static const void *made(void *to, const void *parent, size_t index)
 {
 	const double *width = parent;

@@ -1,5 +1,6 @@
-/* Floquet multipliers of products: against known spectra, where a formed product fails, and in
- * order. SPDX-License-Identifier: GPL-3.0-or-later */
+/* Floquet multipliers of products: known spectra, products whose formation would fail, and the
+ * order of the result.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <stdlib.h>
@@ -33,8 +34,8 @@ static double determinant3(const double *a)
 	       a[2]*(a[3]*a[7] - a[4]*a[6]);
 }
 
-/* Trace and determinant of the formed product, for random 3 by 3 factors: the characteristic
- * polynomial of the answer must be the product's. */
+/* Trace and determinant of the formed product, for random 3 by 3 factors: the result must have the
+ * characteristic polynomial of the product. */
 static void check_random(int segments)
 {
 	enum { m = 3 };
@@ -106,9 +107,9 @@ static void check_stress(void)
 	hawser_rom_clear(&rom);
 }
 
-/* Two complex pairs, exp(g) and exp(-g) a factor with the turns 0.7 and 1.9, in coordinates that a
- * reflection mixes. Of 16 factors and more another routine of SLICOT, MB03WD, makes two real ones of
- * the smaller pair, and its logarithms are wrong in the second digit. */
+/* Two complex pairs, exp(g) and exp(-g) per factor with the angles 0.7 and 1.9, in coordinates
+ * mixed by a reflection. For 16 factors and more another routine of SLICOT, MB03WD, returns two
+ * real multipliers for the smaller pair, and its logarithms are wrong in the second digit. */
 static void check_mixed_pairs(int segments, double g)
 {
 	const double v[4] = {1.0, 2.0, 1.0, 2.0}, turn[2] = {0.7, 1.9};

@@ -1,5 +1,5 @@
-/* The flow on its mesh: order of convergence, exactness of the derivatives, honesty of the error
- * estimate, a closed form.
+/* The flow on its mesh: order of convergence, exactness of the derivatives, reliability of the
+ * error estimate, a closed form.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -9,7 +9,7 @@
 #include "rom/model.h"
 #include "tests/tap.h"
 
-/* A damped 2:1 pair with a cubic term and a load: everything the flow can meet but parameters. */
+/* A damped 2:1 pair with a cubic term and a load: all terms of a model except parametric ones. */
 static int make_pair(struct hawser_rom *rom)
 {
 	if (hawser__rom_init(rom, 2, NULL))
@@ -74,7 +74,7 @@ static void check_order(struct hawser__flow *flow)
 
 static void check_derivatives(struct hawser__flow *flow)
 {
-	/* coarse: exact for what is computed */
+	/* a coarse mesh: the derivatives are exact for the discrete flow */
 	struct hawser__stretch stretch = {0.3, 2*M_PI/9, 9, 1, 0.0};
 	double A[16], b[4], x[4], plus[4], minus[4], worst = 0.0, omega = 1.17;
 	const double h = 1e-4;
@@ -129,11 +129,11 @@ static void check_closed_form(void)
 	hawser_rom_clear(&rom);
 }
 
-/* --- against the formula as its authors wrote it, in plain loops --- */
+/* --- against the formula of the original paper, in plain loops --- */
 
 enum { N = 3, M = 2*N, COUNT = 6, STEPS = 7 };
 
-/* What a model may have, as bits. */
+/* Terms of a model, as bits. */
 enum { DAMPED = 1, BY_MODE = 2, GYROSCOPIC = 4, STIFF = 8, VARYING_K = 16, VARYING_D = 32 };
 
 static int make_model(struct hawser_rom *rom, int what)
@@ -231,8 +231,8 @@ static double textbook_step(const struct hawser_rom *rom, double *x, double (*X)
 	return 0.125*h*five/sqrt(five + 0.01*three);
 }
 
-/* Six stretches at once (a full set of lanes, and one with room left): state, derivatives, samples,
- * error. */
+/* Six stretches at once (a full set of lanes, and a partly filled one): state, derivatives,
+ * samples, error. */
 static void check_textbook(int what, const char *name)
 {
 	struct hawser_rom rom;

@@ -47,7 +47,7 @@ static int make(struct hawser_rom *rom)
 	return hawser_rom_compile(rom, NULL) != HAWSER_OK;
 }
 
-/* g where unknown i has been moved by h; the borders stay. */
+/* g with unknown i displaced by h; the borders do not change. */
 static double moved(struct hawser__fold *fold, const double *z, int i, double h)
 {
 	double *other = copy(z, (size_t)fold->size), residual, g;
@@ -58,12 +58,12 @@ static double moved(struct hawser__fold *fold, const double *z, int i, double h)
 	return g;
 }
 
-/* The exact derivative by an unknown that is `unit` in the scaled system. */
+/* The exact derivative with respect to an unknown of size `unit` in the scaled system. */
 static double quotient(struct hawser__fold *fold, const double *z, int i, double unit)
 {
 	double h = 1e-3*unit;
 
-	/* fourth order: what is left is round-off, some 1e-12 over the step */
+	/* fourth order: the remaining error is round-off, some 1e-12 over the step */
 	return (8.0*(moved(fold, z, i, h) - moved(fold, z, i, -h)) -
 	        (moved(fold, z, i, 2.0*h) - moved(fold, z, i, -2.0*h)))/(12.0*h)*unit;
 }
@@ -88,7 +88,7 @@ static void check_gradient(struct hawser__fold *fold, const double *z)
 	free(scale);
 }
 
-/* dF/dload against the defects at two loads, in which it is linear. */
+/* dF/dload against the defects at two loads; they are linear in the load. */
 static void check_load(struct hawser__fold *fold, const double *z)
 {
 	int P = fold->balance.unknowns, last = fold->size - 1;
@@ -109,7 +109,7 @@ static void check_load(struct hawser__fold *fold, const double *z)
 	free(other);
 }
 
-/* The null vectors are those of the Jacobian: the direction of the curve keeps F to second order. */
+/* The null vectors are those of the Jacobian: F does not change to second order along the curve. */
 static void check_tangent(struct hawser__fold_walk *walk)
 {
 	struct hawser__fold *fold = walk->fold;
@@ -155,7 +155,7 @@ static int begin(struct hawser__fold_walk *walk, const struct hawser_rom *rom)
 	return found;
 }
 
-/* From states so far away on both sides that Newton's method alone has no business there. */
+/* From states so far away on both sides that Newton's method alone does not converge. */
 static void check_between(struct hawser__fold_walk *walk, const struct hawser_rom *rom)
 {
 	struct hawser_frf_options options = {.method = NULL};
@@ -180,7 +180,7 @@ static void check_between(struct hawser__fold_walk *walk, const struct hawser_ro
 		                               frf.state + 4*(size_t)(a + 1),
 		                               frf.point[a + 1].omega, 1.0, &failed) && failed,
 		   "none where there is none");
-		/* the orbit of the fold, as harmonic balance has it, is where it was */
+		/* the same orbit of the fold as by harmonic balance */
 		ok(!hawser__walk_begin_orbit(walk, z, 1.0, &failed) && !failed, "from the orbit");
 		close_to(walk->start.z[size - 2], z[size - 2], 1e-12, "the same fold");
 		break;

@@ -1,6 +1,6 @@
-/* Events that crowd: several in one step of the curve. Each model has a driven linear oscillator, which
- * makes the orbit, and oscillators at rest whose stiffness the frequency modulates. They are not
- * coupled, so the events of the whole are the events that each has alone.
+/* Several events in one step of the curve. Each model has a driven linear oscillator, which
+ * determines the orbit, and oscillators at rest whose stiffness varies with the forcing. They are
+ * not coupled, so that the events of the model are those of each oscillator alone.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -59,7 +59,7 @@ static int by_size(const void *a, const void *b)
 	return (x > y) - (x < y);
 }
 
-/* Whether the events and the counts at the points tell the same story. */
+/* 1 if the events agree with the counts at the points. */
 static void check_counts(const struct hawser_frf *frf, const char *name)
 {
 	int unexplained = 0, contradictions = 0;
@@ -123,8 +123,8 @@ static void check_union(const char *name, const double *w, int count, double dam
 	hawser_rom_clear(&rom);
 }
 
-/* Two oscillators whose coupling has the depth times cos(Omega t): a torus point where Omega comes near
- * w1 + w2, and one where it leaves. */
+/* Two oscillators whose coupling is depth times cos(Omega t): a torus point where Omega enters the
+ * resonance at w1 + w2, and one where it leaves it. */
 static void coupled(struct hawser_rom *rom, const double *w, double damping, double depth)
 {
 	parametric(rom, w, 2, damping, 0.0);
@@ -132,8 +132,7 @@ static void coupled(struct hawser_rom *rom, const double *w, double damping, dou
 	ok(!hawser_rom_compile(rom, NULL), "compiled anew");
 }
 
-/* The range in which the motion is unstable is shorter than a step: the events are those that short
- * steps find, which land in it. */
+/* The unstable range is shorter than a step: the events must be those found with short steps. */
 static void check_collision(const double *w, double damping, double depth, double from, double to)
 {
 	struct hawser_frf_options options = options_of(from, to), fine = options;
@@ -161,8 +160,8 @@ static void check_collision(const double *w, double damping, double depth, doubl
 	hawser_rom_clear(&rom);
 }
 
-/* A short span whose response nearly touches a closed curve: a long step jumps there and would go
- * round for ever. The events with long steps are those with short ones. */
+/* A short span whose response nearly touches a closed curve: a long step would jump to it and
+ * follow it without end. The events with long steps must be those with short steps. */
 static void check_jump(void)
 {
 	static const char text[] =

@@ -1,6 +1,6 @@
-/* Branches that end at rest: two oscillators with cubic terms, whose stiffness and coupling vary in
- * time. The motion begins where rest has a multiplier 1. That place is known by a second route, the
- * branch points of the branch of rest itself.
+/* Branches that end at rest: two oscillators with cubic terms whose stiffness and coupling vary in
+ * time. The motion begins where rest has a multiplier 1. By a second route, this point is a branch
+ * point of the branch of rest.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -14,17 +14,17 @@
 struct example {
 	const char *name;
 	int k;          /* harmonic of the variation */
-	double depth;   /* of the first oscillator's stiffness */
+	double depth;   /* variation of the first oscillator's stiffness */
 	int quads;
 	double at;      /* Omega of the first orbit */
 	double start[4];
-	int folds;      /* of the branch from `at` down to rest */
+	int folds;      /* the branch from `at` to rest */
 };
 
 static const struct example example[] = {
-	/* opposite motions are alike: the square of the amplitude goes to zero */
+	/* opposite motions are equivalent: the square of the amplitude goes to zero linearly */
 	{"half the frequency", 2, 0.15, 0, 1.0, {0.0759527, -0.0009796, -0.5745639, -0.018012}, 0},
-	/* the quadratic terms tell them apart: the amplitude itself does */
+	/* quadratic terms distinguish them: the amplitude goes to zero linearly */
 	{"quadratic terms", 1, 0.6, 2, 0.98, {0.7819985, 0.0579254, 0.1256801, 0.016918}, 1},
 };
 
@@ -57,7 +57,7 @@ static void make(struct hawser_rom *rom, const struct example *e)
 	ok(!hawser_rom_compile(rom, NULL), "compiled");
 }
 
-/* Relative distance of an event from the nearest branch point of rest, over both errors. */
+/* Relative distance of an event from the nearest branch point of rest, in units of both errors. */
 static double from_rest(const struct hawser_frf_event *event, const struct hawser_rom *rom,
                         const struct hawser_frf_options *options)
 {
@@ -72,7 +72,7 @@ static double from_rest(const struct hawser_frf_event *event, const struct hawse
 		if (frf.event[i].kind == HAWSER_BRANCH_POINT)
 			least = fmin(least, fabs(frf.event[i].omega/event->omega - 1.0)/
 			                    (frf.event[i].error + event->error));
-	/* the multipliers of rest are right to 1e-12 */
+	/* the error of the multipliers of rest is 1e-12 */
 	for (int i = 0; strcmp(options->method, "balance") == 0 && i < frf.events; i++)
 		ok(frf.event[i].error < 1e-9, "the error that it states: %.1e", frf.event[i].error);
 	hawser_frf_clear(&frf);

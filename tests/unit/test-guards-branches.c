@@ -1,5 +1,5 @@
-/* What the library refuses of its callers and the program never asks, of curves that are followed:
- * boundaries of beams, branches of frequencies, maps. Status and words.
+/* Errors of library functions that the program never causes, for curves: boundaries of beams,
+ * branches of frequencies, maps. Statuses and messages.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -25,7 +25,7 @@ static const enum hawser_status no_convergence = HAWSER_ERR_CONVERGENCE;
 
 /* --- boundaries of beams --- */
 
-/* With a tension; of none at a parameter below 0, and no bending there either. */
+/* A family with a tension; below parameter 0 the tension and the bending rigidity are zero. */
 static enum hawser_status at_tension(struct hawser_beam *beam, void *context, double parameter,
                                      struct hawser_report *why)
 {
@@ -135,7 +135,7 @@ static void branches(void)
 	hawser__branches_clear(&all);
 }
 
-/* --- points of maps that have no value, and why --- */
+/* --- points of maps without a value, and the reasons --- */
 
 static void told(struct hawser_map_source *source, double x, double y, enum hawser_map_code code,
                  const char *message)

@@ -1,5 +1,5 @@
-/* What the response and the reduced models refuse of their callers and the program never asks, or could
- * only be made to ask by an odd model: status and words.
+/* Errors of the response and of reduced models that the program does not cause, or only for unusual
+ * models: statuses and messages.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -71,7 +71,7 @@ static void backbones(void)
 	struct hawser_rom soft = bare(1, D, K), fast = bare(2, D, K2), falling = bare(2, D, K3);
 	struct hawser_backbone_options options = {.mode = 0};
 
-	/* of u'' + u - u^3 the motions end where the saddle at 1 holds them for ever */
+	/* of u'' + u - u^3 the motions end at the saddle at 1, where the period is infinite */
 	soft.cubics = 1;
 	soft.C = &C;
 	options.size = 10.0;
@@ -120,10 +120,10 @@ static void eigenvalues(void)
 	hawser_linear_free(linear);
 }
 
-/* --- coordinates too fast to matter, which are not --- */
+/* --- stiff coordinates that must not be condensed --- */
 
-/* Largest logarithm of the multipliers of x'' + 0.05 x' + K x = 0 with K = [1; a b; b a] over a period
- * of Omega = 1, strictly and as along a branch. */
+/* Largest logarithm of the multipliers of x'' + 0.05 x' + K x = 0 with K = [1; a b; b a] over a
+ * period of Omega = 1, with the normal or the finer steps. */
 static double fastest_growth(double a, double b, int finer)
 {
 	double T[9] = {2.0, 0, 0, 0, 2.0*a, 2.0*b, 0, 2.0*b, 2.0*a}, K[9] = {0.0};
@@ -140,7 +140,7 @@ static double fastest_growth(double a, double b, int finer)
 	return log_modulus[0];
 }
 
-/* Two stiff coordinates, coupled so that moving against each other they have the stiffness a - b. */
+/* Two stiff coordinates with a coupling for which their relative motion has the stiffness a - b. */
 static void coupled(void)
 {
 	for (int finer = 0; finer < 2; finer++) {
@@ -182,7 +182,7 @@ static void resonances(void)
 		        "a subharmonic motion of 2 modes has no closed form");
 	hawser_modulation_clear(&modulation);
 	release(&rom);
-	/* superharmonic: the load's square drives the mode, as no subharmonic resonance does */
+	/* superharmonic: the square of the load drives the mode, unlike in a subharmonic resonance */
 	rom.n = 1;
 	rom.quads = 1;
 	rom.Q = &Q;

@@ -1,4 +1,4 @@
-/* What the library refuses of its callers and the program never asks: status and words.
+/* Errors of library functions that the program never causes: statuses and messages.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 

@@ -8,7 +8,7 @@
 #include "tests/gyroscopic-span.h"
 #include "tests/tap.h"
 
-/* The waves add up to the shape, and are those of a string where there is no weight. */
+/* The waves add up to the shape; for a cable without weight they are those of a string. */
 static void test_waves(void)
 {
 	const struct hawser_span span = {1e6, 2.385, 1e-8, 71.3, 0.0};
@@ -73,8 +73,7 @@ static void test_no_tension(void)
 	   "a mode without dynamic tension at one speed: %.1e, %.1e, %.1e", before, at, after);
 }
 
-/* Which modes a cable has depends on its speed; a selection of complex ones is what it was made
- * of. */
+/* The kind of modes depends on the speed; a selection of complex modes has the same shapes. */
 static void test_steady(void)
 {
 	const int kept[2] = {1, 4};
@@ -108,7 +107,7 @@ static void test_steady(void)
 	hawser_modes_clear(&modes);
 }
 
-/* Comparing: with itself in another phase, with a finer one, and what is refused. */
+/* Comparison with the same modes at another phase, with a finer solution, and failures. */
 static void test_compare(void)
 {
 	struct hawser_modes fine, coarse, other;
@@ -124,7 +123,8 @@ static void test_compare(void)
 	        solve(&coarse, &st, 6, 13, NULL) && solve(&other, &longer, 6, 0,
 	                                                  NULL), "three results"))
 		return;
-	for (int i = 0; i < 6*6*coarse.grid.points; i++) /* by i: a quarter of a period later */
+	for (int i = 0; i < 6*6*coarse.grid.points; i++) /* multiplied by i: a quarter of a period
+	                                                  * later */
 		if (i/(3*coarse.grid.points)%2 == 0) {
 			double re = coarse.shape[i];
 

@@ -1,8 +1,8 @@
-/* Determinants of Hill matrices against the characteristic polynomial of the monodromy matrix:
- * they are the same function of the multiplier but for a positive factor, so that at +1 and -1
- * their signs agree and at a Floquet exponent the determinant vanishes. Random models: any damping
- * and gyroscopic matrix, stiffness and damping that vary with several harmonics, one coordinate or
- * many. SPDX-License-Identifier: GPL-3.0-or-later */
+/* Determinants of Hill matrices against the characteristic polynomial of the monodromy matrix. Both
+ * are the same function of the multiplier up to a positive factor: their signs at +1 and -1 agree,
+ * and the determinant vanishes at a Floquet exponent. Random models: any damping and gyroscopic
+ * matrix, stiffness and damping that vary with several harmonics, one coordinate or many.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <complex.h>
@@ -65,7 +65,7 @@ static int model(struct hawser_rom *rom, int n, int kind)
 	return 0;
 }
 
-/* Product of (mu_i - by): its sign, or 0 where a multiplier is too near. */
+/* Sign of the product of (mu_i - by), or 0 if a multiplier is too near. */
 static int sign_of(const double *log_modulus, const double *argument, int m, double by)
 {
 	double complex product = 1.0;
@@ -116,7 +116,7 @@ static void compare(struct found *found, struct hawser__hill_matrix *matrix,
 		found->wrong += !(sign*value[0] > 0.0);
 		found->real = fmax(found->real, fabs(value[1])/size);
 	}
-	/* at an exponent over what it is a thousandth of Omega beside it */
+	/* value at an exponent over the value at a distance of a thousandth of Omega */
 	for (int i = 0; i < m; i++) {
 		double re = log_modulus[i]/period, im = argument[i]/period, apart = INFINITY, size, away;
 

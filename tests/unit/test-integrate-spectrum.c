@@ -1,4 +1,4 @@
-/* Amplitude spectra: tones on and between bins, the mean, and a second route to every number.
+/* Amplitude spectra: tones on bins and between bins, the mean, and a second route to every number.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tests/integrate-models.h"
 
@@ -62,7 +62,7 @@ static void check_tones(void)
 	tone(ROWS, 1e-6, 55.0, 1.7);
 	transform(ROWS, 1.0);
 	close_to(amplitude[40], 1.0, 1e-13, "two tones: the strong one");
-	/* round-off of the strong one: 1e-14 of it */
+	/* round-off of the strong tone: 1e-14 of it */
 	close_to(amplitude[55], 1e-6, 1e-8, "and one a million times weaker");
 }
 
@@ -85,7 +85,7 @@ static void check_mean(void)
 	ok(largest_outside(1, 0) < 1e-15, "a constant has no spectrum: %.1e", largest_outside(1, 0));
 }
 
-/* Against the sum as it is written, for an even and an odd length, the Nyquist bin included. */
+/* Against the sum of the definition, for an even and an odd length, including the Nyquist bin. */
 static void check_sum(int rows)
 {
 	double worst = 0.0, mean = 0.0, sum = 0.0;
@@ -115,7 +115,7 @@ static void check_sum(int rows)
 	ok(bins == rows/2 + 1 && worst < 1e-14, "%d samples: the plain sum within %.1e", rows, worst);
 }
 
-/* Windows of whole periods, by the amplitude that a sine shows in them. */
+/* Windows of whole periods, by the amplitude of a sine in them. */
 static void check_window(void)
 {
 	struct hawser_spectrum_window w = hawser_spectrum_window(101, 5.0);
@@ -124,7 +124,7 @@ static void check_window(void)
 	   "101 samples, 5 to a period: %d", w.rows);
 	w = hawser_spectrum_window(101, 10.0/3.0);
 	ok(w.rows == 100 && w.off == 0.0, "3 periods of 10 samples: %d", w.rows);
-	w = hawser_spectrum_window(99, 100.0/7.0); /* 57 of them make 3.99 periods */
+	w = hawser_spectrum_window(99, 100.0/7.0); /* 57 intervals are 3.99 periods */
 	ok(w.rows == 57 && fabs(w.off + 0.01) < 1e-12, "7 periods of 100 do not fit: %d", w.rows);
 	for (int k = 0; k < 4; k++) {
 		double period = (const double[]){5.0, 7.5, 2.0*M_PI, 23.85}[k];
@@ -157,7 +157,7 @@ static void check_refusals(void)
 	   HAWSER_ERR_NAN && strstr(report.message, "sample 5"), "NaN: %s", report.message);
 }
 
-/* What a run of a Duffing oscillator shows: odd harmonics only. */
+/* The spectrum of a run of a Duffing oscillator: odd harmonics only. */
 static void check_run(void)
 {
 	const double initial[2] = {1.0, 0.0};

@@ -1,4 +1,4 @@
-/* hawser_integrate: closed forms, the arguments it refuses, the ways it ends early.
+/* hawser_integrate: closed forms, invalid arguments, early ends.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tests/integrate-models.h"
 
@@ -51,7 +51,7 @@ static void check_free(void)
 
 	for (int m = 0; m < METHODS; m++)
 		for (int i = 0; i < 3; i++) {
-			/* BDF's local errors add up over the hundreds of steps of every swing */
+			/* BDF's local errors accumulate over the hundreds of steps of each oscillation */
 			double error = free_error(damping[i], k, all_methods[m], 1e-11);
 			double want = m == 0 ? 1e-11 : m == 1 ? 1e-9 : 1e-8;
 
@@ -166,7 +166,8 @@ static void check_interruption(void)
 	hawser_rom_clear(&rom);
 }
 
-/* u'' = 2 u^3 with u' = u^2 at the start is u = 1/(1/u0 - t): gone at t = 2 from u0 = 1/2. */
+/* u'' = 2 u^3 with u' = u^2 at the start has the solution u = 1/(1/u0 - t), which is infinite at t
+ * = 2 for u0 = 1/2. */
 static void check_escape(void)
 {
 	const double initial[2] = {0.5, 0.25};
@@ -191,7 +192,7 @@ static void check_escape(void)
 	hawser_rom_clear(&rom);
 }
 
-/* The interval need not divide the run, nor the part that a continued run has left. */
+/* Neither the run nor the rest of a continued run needs to be a multiple of the interval. */
 static void check_end(void)
 {
 	struct hawser_rom rom = model_oscillator(0.1, 1.0, 0.2, 0.3);
@@ -236,7 +237,7 @@ static void check_table(void)
 	hawser_rom_clear(&heavy);
 }
 
-/* The tightest tolerance there is, awkward end times, and models at which a step could go astray. */
+/* The smallest tolerance, unusual end times, and models for which a step could fail. */
 static void check_edges(void)
 {
 	const double initial[2] = {0.7, -1.3};

@@ -1,4 +1,4 @@
-/* Linear questions: growth rates and multipliers in closed form, no memory of what came before, and
+/* Linear stability: growth rates and multipliers in closed form, independence of earlier calls, and
  * each failure; keys of a scene set by number.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

@@ -1,4 +1,4 @@
-/* The cells of a map: what is visited, what is interpolated, where boundaries are found.
+/* The cells of a map: computed points, interpolated points, and the location of boundaries.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -10,7 +10,7 @@ static const struct hawser_map_point *at(const struct hawser_map *map, int i, in
 	return &map->point[(long)j*map->nx + i];
 }
 
-/* Every node as the field itself has it; values that were interpolated within `error`. */
+/* Every point has the value of the field, interpolated ones within `error`. */
 static void check_nodes(const struct hawser_map *map, const struct hawser_map_field *field,
                         double error, const char *what)
 {
@@ -55,7 +55,7 @@ static void circles(int nx, int ny, int coarse)
 		int gone = b->code[0] != b->code[1];
 		double off = gone ? b->x - 0.8 : hypot(b->x - 0.13, b->y + 0.07) - 0.61;
 
-		/* a crossing that touches the circle is as badly placed as the circle is flat there */
+		/* where a line touches the circle, the position of the crossing is ill-conditioned */
 		if (gone || fabs(b->along == 0 ? b->x - 0.13 : b->y + 0.07) > 0.05)
 			worst = fmax(worst, fabs(off));
 		wide = fmax(wide, b->width);
@@ -89,7 +89,7 @@ static void thrift(void)
 	hawser_map_clear(&map);
 }
 
-/* Met by one coarse cell only at its edge, a boundary is followed through its neighbours. */
+/* If a boundary crosses a coarse cell only near its edge, it is followed through the neighbours. */
 static enum hawser_status thread_point(void *worker, struct hawser_map_sample *sample, double *marks,
                                        double x, double y, struct hawser_report *report)
 {
@@ -110,7 +110,8 @@ static void winding(void)
 	struct hawser_map map;
 	enum hawser_status status;
 
-	options.coarse = 16; /* cells of 0.25: the band of 0.08 hides between corners here and there */
+	options.coarse = 16; /* cells of 0.25: the band of width 0.08 lies between corners in some
+	                      * places */
 	status = hawser_map_trace(&map, &field, &options, NULL);
 	ok(!status, "a winding band is traced");
 	if (!status)
@@ -145,8 +146,8 @@ static void narrow(void)
 	hawser_map_clear(&map);
 }
 
-/* Growth that is counted beyond 1e-3 and is known to error[1], of which error[0] is round-off, from
- * point to point another: 0 on x = 0.137 + 0.3 y, where it turns down; its rate varies. */
+/* Growth counts beyond 1e-3, and has the error error[1], of which error[0] is round-off that varies
+ * between points. The growth crosses 0 on x = 0.137 + 0.3 y, with a varying slope. */
 static enum hawser_status slow_point(void *worker, struct hawser_map_sample *sample, double *marks,
                                      double x, double y, struct hawser_report *report)
 {
@@ -162,7 +163,7 @@ static enum hawser_status slow_point(void *worker, struct hawser_map_sample *sam
 	return HAWSER_OK;
 }
 
-/* Boundary points off the line of no growth, over what their brackets say. */
+/* Distances of boundary points from the line of no growth, in units of the brackets. */
 static void slow_boundaries(double tolerance, double *error, double widest, const char *what)
 {
 	struct hawser_map_field field = {.name = "slow", .identity = "slow", .marks = 2, .margins = 1,
@@ -195,7 +196,7 @@ static void doubtful(void)
 	double exact[2] = {0.0, 0.0}, known[2] = {0.0, 1e-5}, rough[2] = {1e-4, 1.1e-4};
 
 	for (double tolerance = 1e-2; tolerance > 1e-12; tolerance *= 1e-3) {
-		/* as wide as the growth that does not count is on the flatter axis, or as asked for */
+		/* the width of the growth that does not count, along the flatter axis, or the tolerance */
 		slow_boundaries(tolerance, exact, 2.1*tolerance + 6e-3, "growth not counted");
 		slow_boundaries(tolerance, known, 2.1*tolerance + 7e-3, "with a known error");
 		slow_boundaries(tolerance, rough, 2.1*tolerance + 0.02, "with round-off");

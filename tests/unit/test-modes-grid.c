@@ -14,7 +14,7 @@ static double integral(const struct hawser_grid *grid, double power)
 	return sum;
 }
 
-/* Order n is exact to degree 2n-1, and not beyond. */
+/* Order n is exact to degree 2n-1, and not for 2n. */
 static void exactness(void)
 {
 	const double edge[] = {0.0, 2.385};

@@ -1,5 +1,5 @@
-/* Multipliers of a linear equation with periodic coefficients: fast coordinates condensed or followed,
- * an overdamped coordinate, a damping matrix that oscillates.
+/* Multipliers of a linear equation with periodic coefficients: fast coordinates condensed or
+ * integrated, an overdamped coordinate, an oscillating damping matrix.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -9,7 +9,8 @@
 #include "rom/model.h"
 #include "tests/tap.h"
 
-/* Two coordinates and a third that is stiff, by steps that follow all of them, and condensed. */
+/* Two coordinates and a stiff third one: with steps that resolve all of them, and with the third
+ * one condensed. */
 static void check_condensed(void)
 {
 	double log_modulus[2][6], argument[2][6], omega = 2.17, T[5*9] = {0.0};

@@ -1,5 +1,5 @@
-/* tests/unit/test-output.c - tables, JSON and files, apart from the program: text to the letter, what
- * is not finite refused by name, and no failure that leaves a file.
+/* tests/unit/test-output.c - tables, JSON and files: exact text, failure with the name of a value
+ * that is not finite, and no file left after a failure.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -23,7 +23,7 @@ static const char *in_folder(const char *name)
 	return path;
 }
 
-/* Content of a file, "" where there is none; static. */
+/* Content of a file, "" if there is none; static. */
 static const char *content(const char *name)
 {
 	static char text[4096];
@@ -105,7 +105,7 @@ static void test_json(void)
 	hawser__json_clear(NULL);
 }
 
-/* Row i of a table: i and i/4; odd rows are left out; from row `bad` on 1/0. */
+/* Row i of a table: i and i/4; odd rows are omitted; from row `bad` on 1/0. */
 static void some_row(struct hawser__table *row, const void *context, size_t index)
 {
 	const size_t *bad = context;
@@ -142,7 +142,7 @@ static void test_rows(void)
 	hawser__table_clear(&table);
 }
 
-/* Part 0: numbers, odd ones left out; part 1: objects, of which number `*context` is not finite. */
+/* Part 0: numbers, odd ones omitted; part 1: objects, of which number `*context` is not finite. */
 static void some_element(struct hawser__json *json, json_t *list, const void *context, int part,
                          size_t index)
 {
@@ -183,7 +183,7 @@ static void test_lists(void)
 	   strstr(report.message, "x is nan"), "what is not finite is named: %s", report.message);
 	ok(access(in_folder("lists"), F_OK) != 0, "before there is a file");
 	hawser__json_clear(&json);
-	/* more lists than there are places for: then they are kept */
+	/* more lists than slots for streams: the others are stored */
 	bad = SIZE_MAX;
 	hawser__json_begin(&json);
 	for (int i = 0; i < HAWSER__JSON_LISTS + 1; i++)
@@ -262,7 +262,7 @@ static void test_picture(void)
 	unsetenv("HAWSER_GNUPLOT");
 }
 
-/* Numbers of points that nearly coincide: none on another, those without room left out. */
+/* Labels of points that nearly coincide: no label overlaps another; those without room are omitted. */
 static void test_labels(void)
 {
 	struct hawser__picture picture = {.width = 17.0, .height = 9.8};

@@ -1,4 +1,5 @@
-/* What looks like a slip in a scene is told, with the key; what is unusual but real is not.
+/* Values of a scene that are probably mistakes cause a warning with the key; unusual but real
+ * values do not.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -96,7 +97,7 @@ static void real(void)
 		"cable: {EA: 12 MN, rho: 1.2}\nspan: {d: 50, h: 3}\ntension: {sag: 15}\n"
 		"damping: {ratio: 0.01}\nload: {frame: global, per_length: [0, 0.1, 0.12]}\n",
 		/* a violin string, a lift's hanging cable, a tape machine, a suspension bridge, a slack
-		 * line whose tension is just too small */
+		 * line with a tension just below the least one */
 		"cable: {EA: 30 kN, rho: 0.6 g/m}\nspan: {d: 0.33, h: 0}\ntension: {H: 55}\n"
 		"damping: {ratio: 0.002}\n",
 		"cable: {EA: 1 MN, rho: 1.1}\nspan: {d: 0.6, h: 20}\ntension: {sag: 40}\n"
@@ -119,7 +120,7 @@ static void real(void)
 		fine(scene[i], "");
 }
 
-/* Two slips at once have no single cure: both are told. */
+/* Two mistakes at once cannot be corrected by one factor: both are reported. */
 static void both(void)
 {
 	struct hawser_doubt doubt[HAWSER_DOUBTS];

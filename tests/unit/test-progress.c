@@ -1,4 +1,4 @@
-/* Progress: what a state says in one line, what is left out as unknown, and how the line is cut.
+/* Progress: the line of text for a state, omission of unknown members, and truncation of the line.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 

@@ -1,5 +1,5 @@
-/* Damping, load, labels, probes of a projected model; every error of hawser_rom_build; the figures of
- * B Table 4.6 that can be reproduced.
+/* Damping, load, labels and probes of a projected model; every error of hawser_rom_build; the
+ * values of B Table 4.6 that can be reproduced.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -57,7 +57,7 @@ static void check_damping(const struct hawser_modes *modes)
 
 /* --- load --- */
 
-/* Composite Simpson rule over the loaded part, load turned into x, y, z: another way round. */
+/* Composite Simpson rule over the loaded part, with the load in x, y, z: a second route. */
 static double by_simpson(const struct hawser_modes *modes, const struct hawser_scene *scene, int j)
 {
 	enum { cuts = 20000 };
@@ -81,7 +81,7 @@ static double by_simpson(const struct hawser_modes *modes, const struct hawser_s
 	return sum*(to - from)/cuts/3.0*modes->statics.span.d/modes->statics.H;
 }
 
-/* Where the others stand still, or the load does no work on a kept mode, it varies no stiffness. */
+/* If the other modes are at rest, or the load does no work on a kept mode, no stiffness varies. */
 static void check_still(const struct hawser_modes *modes, const struct hawser_scene *loaded)
 {
 	struct hawser_scene scene = *loaded;
@@ -196,9 +196,9 @@ static void check_labels(const struct hawser_modes *modes)
 	hawser_rom_clear(&rom);
 }
 
-/* B Tables 4.5 and 4.6. Printed C: 0.0011 out of plane, 0.01749 in plane, in another time unit: their
- * ratio is what the units leave. Printed damping 0.0216 is twice what B (2.77) gives, and its time
- * unit makes the first frequency 1.0044. */
+/* B Tables 4.5 and 4.6. Printed C: 0.0011 out of plane, 0.01749 in plane, in another time unit, so
+ * that only their ratio can be compared. The printed damping 0.0216 is twice that of B (2.77), and
+ * its time unit makes the first frequency 1.0044. */
 static void check_table(void)
 {
 	const struct hawser_span of = {.EA = 4e8, .rho = 5.0, .g = 9.81, .d = 300.0, .h = 10.0};

@@ -1,5 +1,5 @@
-/* The reduced-model file: bit-exact round trip, defaults, every message of the strict reader, writing
- * whole or not at all.
+/* The reduced-model file: bit-exact round trip, defaults, every message of the strict reader,
+ * complete files or none.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 

@@ -1,5 +1,5 @@
-/* The full-order model as a model: load, damping, units and probes are those of the expanded model on
- * the same modes, one plane alone is its own model, and what can't be is refused with its status.
+/* The full-order model: load, damping, units and probes are those of the expanded model on the same
+ * modes; one plane alone is a model of its own; unsupported operations fail with their status.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -21,7 +21,7 @@ static struct hawser_scene chairlift(void)
 	};
 }
 
-/* The same numbers where both models have them. */
+/* Numbers that both models have are equal. */
 static int alike(const struct hawser_rom *a, const struct hawser_rom *b)
 {
 	size_t n = (size_t)a->n, fields = n*(size_t)a->shapes.points*3*sizeof(double);
@@ -61,7 +61,7 @@ static void check_alike(void)
 	hawser_modes_clear(&modes);
 }
 
-/* Forces of the model of one plane against those of the whole one where the others are at rest. */
+/* Forces of the model of one plane against those of the whole model with the other plane at rest. */
 static void check_plane(int in, int out, const char *name)
 {
 	struct hawser_scene scene = chairlift();

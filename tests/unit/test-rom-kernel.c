@@ -52,7 +52,7 @@ static int random_model(struct hawser_rom *rom, int n, int potential)
 	return 1;
 }
 
-/* The definition, in the order in which the entries were given. */
+/* The definition, in the order of the given entries. */
 static void by_definition(const struct hawser_rom *rom, double *f, const double *u)
 {
 	int n = rom->n;
@@ -77,7 +77,8 @@ static double distance(const double *a, const double *b, int count)
 	return worst;
 }
 
-/* Many states in one call, whatever their number, and four side by side: the same as one by one. */
+/* Many states in one call, for any number of states, and four side by side, give the same as single
+ * calls. */
 static void check_block(const struct hawser_rom *rom)
 {
 	enum { most = 19 };
@@ -167,7 +168,7 @@ static void check_model(int n, int potential)
 	hawser_rom_clear(&rom);
 }
 
-/* Acceleration's derivatives with every kind of harmonic present. */
+/* Derivatives of the acceleration with every kind of harmonic. */
 static void check_forced(void)
 {
 	enum { n = 3 };

@@ -1,5 +1,5 @@
-/* Scenes that are wrong: every way to fail, with the whole message. What stands before the first
- * colons is where: file, line and column, or the override.
+/* Invalid scenes: every failure, with the whole message. The text before the first colons is the
+ * place: file, line and column, or the override.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -431,7 +431,7 @@ static void refused(const char *text, const char *set, const char *message)
 	ok(read_text(&scene, text, set, NULL) == HAWSER_ERR_SCENE, "without a report too");
 }
 
-/* The 1 MiB of brackets, of aliases of aliases, or of one line: refused, and at once. */
+/* 1 MiB of brackets, of nested aliases, or of a single line: refused without delay. */
 static void hostile(void)
 {
 	enum { N = 1000000 };

@@ -1,4 +1,4 @@
-/* The scenes of the sources' tables: every number of the tables, in SI, as the files give it.
+/* The scenes of the sources' tables: every number of the tables, in SI, is that of the scene files.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -7,8 +7,8 @@
 #include <hawser/scene.h>
 #include "tests/tap.h"
 
-/* Bertrand (2022), Tables 4.1 to 4.6 and 5.1 to 5.4. NAN: the table says nothing, so the scene may
- * choose. */
+/* Bertrand (2022), Tables 4.1 to 4.6 and 5.1 to 5.4. NAN: not given in the table, so that the scene
+ * may have any value. */
 static const struct {
 	const char *file;
 	double EA, rho, d, h;
@@ -49,7 +49,7 @@ static int is(double got, double want)
 	return isnan(want) ? isfinite(got) : fabs(got - want) <= 4e-16*fabs(want);
 }
 
-/* Every component of the load is nothing or what the table gives, and one at least is. */
+/* Every component of the load is zero or that of the table, and at least one is not zero. */
 static int load_is(const struct hawser_scene *scene, double want)
 {
 	int some = 0;

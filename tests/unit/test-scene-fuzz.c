@@ -1,5 +1,5 @@
-/* Damaged scenes: every prefix, every single byte replaced, removed or doubled, gives a scene or
- * a scene error with a place, never anything else; and a scene that is read is a sound one.
+/* Damaged scenes: every prefix, and every single byte replaced, removed or doubled, gives a valid
+ * scene or a scene error with a place.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -8,7 +8,7 @@
 #include "tests/tap.h"
 #include "tests/unit/scene-text.h"
 
-/* short, because each reading of a scene with a unit reads udunits2's database */
+/* short, because each scene with a unit reads udunits2's database */
 static const char with_units[] =
 	"cable: {EA: 4 N, rho: 6}\nspan: {d: 2, h: 0}\ntension: {H: 8}\n";
 
@@ -29,7 +29,7 @@ static int sound(const struct hawser_scene *scene)
 
 static int read_count, good_count;
 
-/* 0 where a reading of these bytes behaves. */
+/* 0 if the result for these bytes is correct. */
 static int misbehaves(const char *text, size_t length)
 {
 	struct hawser_scene scene;

@@ -1,5 +1,5 @@
-/* Random scenes: overriding every key of one with those of another gives the other, and so does
- * writing and reading it. Both by routes that share only the reading of a value.
+/* Random scenes: overriding every key of one scene with the values of another gives the other one;
+ * writing and reading a scene gives the same scene. The routes share only the parsing of values.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -10,7 +10,7 @@
 
 enum { PAIRS = 25, SCENES = 150 };
 
-/* A scene as the user would list it. */
+/* A scene as a list of keys and values. */
 struct listing {
 	int n;
 	char path[PAIRS][40], value[PAIRS][80];
@@ -24,7 +24,7 @@ static unsigned draw(unsigned below)
 	return (unsigned)(seed >> 33)%below;
 }
 
-/* A positive number of any size, now and then with an exponent. */
+/* A positive number of any size, sometimes with an exponent. */
 static const char *number(char *text, size_t size)
 {
 	snprintf(text, size, draw(2) ? "%u.%03u" : "%u.%03ue%d", 1 + draw(999), draw(1000),
@@ -83,7 +83,7 @@ static void random_list(struct listing *list)
 	add(list, "model.energy", draw(2) ? "exact" : "quartic");
 }
 
-/* The list as a file: one mapping a section, in flow style. */
+/* The list as a file: one mapping per section, in flow style. */
 static void as_file(char *text, size_t size, const struct listing *list)
 {
 	size_t used = 0;
@@ -115,7 +115,7 @@ static void as_file(char *text, size_t size, const struct listing *list)
 	}
 }
 
-/* Everything but the name, byte by byte: both are zeroed before they are filled. */
+/* Everything except the name, byte by byte: both are zeroed before they are filled. */
 static int same(struct hawser_scene *a, struct hawser_scene *b)
 {
 	struct hawser_scene x = *a, y = *b;

@@ -25,7 +25,7 @@ static int least(int a, int b)
 	return a < b ? a : b;
 }
 
-/* The definition, from the front, without a table. */
+/* The recursive definition, from the front, without a table. */
 static int slow(const char *a, const char *b)
 {
 	int best;

@@ -1,5 +1,5 @@
-/* Numbers with units: conversions against hand-written factors, what is refused and how, and no
- * trace left in udunits2 or by other threads.
+/* Numbers with units: conversions against hand-written factors, failures and their messages, and
+ * independence of udunits2's state and of other threads.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -69,7 +69,7 @@ static void refusals(void)
 		{"3 rad/s", "1/s", "\"3 rad/s\" has a wrong unit \"rad/s\", not convertible to 1/s: give "
 		                   "a number in 1/s, or with a unit that converts to 1/s"},
 	};
-	/* each of these some reader of numbers or of units would take for something */
+	/* texts that some parser of numbers or units would accept */
 	static const char *const nonsense[] = {
 		"0x10 m", "nan m", "nan(7)", "infinity", "inf", "1_000 m", "1,5 m", "1 000 m", "3 m 5",
 		"3 5 m", "m", "- 3 m", "--3 m", "+-3", "5 m @ 3", "5 m since 2", "5 lg(re 1 m)", "5 m2/m/1 7",

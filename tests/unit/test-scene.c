@@ -1,4 +1,4 @@
-/* Scenes that are right: values, units, defaults, overrides, questions by key, and writing back.
+/* Valid scenes: values, units, defaults, overrides, access by key, and writing.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -17,7 +17,7 @@ static const char chairlift[] =
 
 static const char bare[] = "cable: {EA: 1e8, rho: 3}\nspan: {d: 100, h: 0}\ntension: {H: 5e4}\n";
 
-/* Same values, whatever the names and whatever was written or defaulted. */
+/* Equal values, whatever the names and whether written or default. */
 static int same(const struct hawser_scene *a, const struct hawser_scene *b)
 {
 	return !memcmp(&a->cable, &b->cable, sizeof a->cable) &&
@@ -114,7 +114,7 @@ static void spellings(void)
 	hawser_scene_clear(&want);
 }
 
-/* An override gives what editing the file gives; the edited scene is the right-hand text. */
+/* An override gives the same as a change of the file; the edited scene is the text on the right. */
 static void overrides(void)
 {
 	static const struct {
@@ -255,7 +255,7 @@ static void round_trip(const char *text, const char *set)
 	free(written);
 }
 
-/* An infinite value is one of cable.EA's, and was once made an integer on the way. */
+/* Regression: an infinite cable.EA was converted to an integer. */
 static void infinite(void)
 {
 	struct hawser_report report = {.message = ""};

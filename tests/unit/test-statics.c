@@ -1,5 +1,5 @@
-/* Statics, one contract after the other: what is refused and in which words, the minimum of the end
- * tension, the ends of the profile, the frame, the scene wrapper.
+/* Statics: invalid arguments and their messages, the minimum of the end tension, the ends of the
+ * profile, the frame, the function for scenes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <float.h>
 #include <stdlib.h>
@@ -69,7 +69,7 @@ static void refuse_branch(void)
 	   "an unknown branch: %s", report.message);
 }
 
-/* The message states the least tension and its H; both branches meet there. */
+/* The message states the least tension and its H; both branches coincide there. */
 static void minimum(struct hawser_span span, enum hawser_given given)
 {
 	struct hawser_statics st, taut, slack;

@@ -1,4 +1,4 @@
-/* Statuses: every one has a name of its own and an exit status; reports keep what they are told.
+/* Statuses: each has its own name and an exit status; reports keep the given values.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/report.h"
 #include "tests/tap.h"

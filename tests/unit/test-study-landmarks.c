@@ -1,4 +1,4 @@
-/* Landmarks of synthetic curves whose peaks are known, and their matching.
+/* Folds and peaks of synthetic curves with known peaks, and their matching.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -12,7 +12,8 @@ enum { most_points = 4000 };
 static struct hawser_frf_point point[most_points];
 static double probe[most_points][3];
 
-/* A branch that bends: two resonances of y, at arc 2.385 and 6.1, a faint one of x, none of z. */
+/* A branch that bends: two resonances of y, at arclength 2.385 and 6.1, a weak one of x, none of
+ * z. */
 static double y_at(double s)
 {
 	return 1.3/(1.0 + 4.0*pow(s - 2.385, 2)) + 0.71/(1.0 + 9.0*pow(s - 6.1, 2));
@@ -23,7 +24,7 @@ static double omega_at(double s)
 	return 1.0 + 0.1*s + 0.05*sin(1.7*s);
 }
 
-/* Points of uneven spacing, `mean` apart on the average. */
+/* Points of uneven spacing, with the mean `mean`. */
 static struct hawser_frf curve(double mean)
 {
 	struct hawser_frf frf = {.n = 1, .probes = 1, .point = point, .probe = &probe[0][0]};
@@ -40,7 +41,7 @@ static struct hawser_frf curve(double mean)
 	return frf;
 }
 
-/* The maxima of y_at itself, each drawn a little towards the other. */
+/* The maxima of y_at, each displaced slightly towards the other. */
 static double true_top(double near)
 {
 	double low = near - 0.1, high = near + 0.1;
@@ -86,7 +87,7 @@ static double worst_of(double mean, double *stated)
 	return worst;
 }
 
-/* Five points of a smooth function: the place of its maximum to the fourth order. */
+/* Five points of a smooth function: the position of its maximum to fourth order. */
 static void check_order(void)
 {
 	double stated[3], coarse = worst_of(0.16, &stated[0]), fine = worst_of(0.04, &stated[1]);
@@ -120,7 +121,7 @@ static void check_choice(void)
 	ok(found && count == 1,
 	   "only one falls to a twentieth on either side (%d)", count);
 	free(list);
-	/* a ripple of one part in a hundred makes no peaks */
+	/* a ripple of one percent must not cause peaks */
 	for (int i = 0; i < frf.points; i++)
 		probe[i][1] *= 1.0 + 0.004*(i % 2);
 	found = !hawser_landmarks(&list, &count, &frf, NULL, NULL);
@@ -129,7 +130,7 @@ static void check_choice(void)
 	free(list);
 }
 
-/* A fold between points 2 and 3, of known size there. */
+/* A fold of known size between points 2 and 3. */
 static void check_fold(void)
 {
 	struct hawser_frf_event event = {.kind = HAWSER_FOLD, .omega = 1.2, .arc = 2.4, .after = 2};
@@ -208,7 +209,7 @@ static void check_matching(void)
 	check_match("nothing", NULL, 0, four, 4, NULL);
 }
 
-/* An order that differs cannot be aligned: one of the two crossing pairs is left out. */
+/* Peaks in a different order cannot be aligned: one of the two crossing pairs is omitted. */
 static void check_crossing(void)
 {
 	const struct hawser_landmark a[] = {peak(1, 1.0, 1.0), peak(1, 1.05, 1.3)};

@@ -1,5 +1,5 @@
-/* The tension of a cable that is braked, with its axial waves, against a chain of rods integrated
- * in time. SPDX-License-Identifier: GPL-3.0-or-later */
+/* The tension of a braked cable including axial waves, against a chain of rods integrated in time.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <stdlib.h>
@@ -10,7 +10,7 @@
 
 static struct hawser_report report = {.message = ""};
 
-/* What the library says, times in s; omega: the frequency of a load, scaled. */
+/* Results of the library, times in s; omega: the frequency of a load, scaled. */
 static int predict_at(struct hawser_surge *surge, struct hawser_statics *st,
                       const struct hawser_scene *scene, int n, double until, double omega)
 {
@@ -77,8 +77,8 @@ static struct hawser_scene guy(double braking)
 	return scene;
 }
 
-/* The chain itself converges: a rod at an end has the tension of its middle, of first order in its
- * length. */
+/* Convergence of the chain: a rod at an end has the tension at its middle, an error of first order
+ * in its length. */
 static double check_chain(const struct hawser_scene *scene, const struct hawser_statics *st)
 {
 	static const int rods[3] = {50, 100, 200};
@@ -134,8 +134,8 @@ static void check_modes(void)
 		close_to(got.least, 4080.8, 0.005, "least tension with a small load out of the plane");
 }
 
-/* In 0.7 s the first wave takes the tension below rho v^2, from where on the motion is not well
- * posed. */
+/* When braked in 0.7 s, the first wave reduces the tension below rho v^2; from then on the motion
+ * is ill-posed. */
 static void check_quick(void)
 {
 	struct hawser_scene scene = guy(0.7);
@@ -154,7 +154,7 @@ static void check_quick(void)
 	ok(fabs(got.spare_at - want.spare_at) < 0.02, "from about then on");
 }
 
-/* --- by lot --- */
+/* --- random cables --- */
 
 static unsigned long long state = 88172645463325252ULL;
 
@@ -190,7 +190,7 @@ static struct hawser_scene draw(void)
 	return scene;
 }
 
-/* One with a steady state: the tension of some is too small for their speed. */
+/* A cable with a steady state; some have too little tension for their speed. */
 static struct hawser_scene draw_steady(void)
 {
 	struct hawser_scene scene;
@@ -224,7 +224,7 @@ static void check_random(int count)
 		/* of first order in the length of a rod, see check_chain */
 		want.least = 2.0*want.least - half.least;
 		want.most = 2.0*want.most - half.most;
-		/* beyond that the two are not to be compared */
+		/* above this the two cannot be compared */
 		if (want.spare < 0.0 || got.spare < 0.0) {
 			warned++;
 			both += (want.spare < 0.0 || want.spare < got.error) == (got.spare < 0.0) ||
