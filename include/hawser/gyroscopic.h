@@ -38,9 +38,8 @@ enum hawser_status hawser_complex_modes_solve(struct hawser_modes *modes,
 void hawser_complex_modes_waves(const struct hawser_modes *modes, double *downstream,
                                 double *upstream, int k, double s);
 
-/* The modes of the cable in the state of the statics, and row `index` of the table of methods for
- * them: complex modes (hawser_complex_modes_solve, hawser_complex_modes_method) if it travels, else
- * real ones (hawser_modes_solve, hawser_modes_method). */
+/* If the cable of the statics travels, these functions are hawser_complex_modes_solve and
+ * hawser_complex_modes_method; otherwise they are hawser_modes_solve and hawser_modes_method. */
 enum hawser_status hawser_steady_modes_solve(struct hawser_modes *modes,
                                              const struct hawser_statics *statics,
                                              const struct hawser_modes_options *options,

@@ -29,7 +29,7 @@ struct hawser_integrate_options {
 	                    * 1e-13. 1e-15 <= rtol < 1 */
 	const char *method; /* name of a method; NULL or "auto": gauss or radau, chosen during the run;
 	                     * radau if a coordinate is damped faster than the fastest one swings */
-	const double *initial; /* [2n] u then u' at `begin`; NULL: rest. At rest coordinates that are no
+	const double *initial; /* [2n] u then u' at `begin`; NULL: rest. At rest coordinates that are not
 	                        * modes (hawser_rom_inertia) are in steady state under the load, as
 	                        * the other modes that are not kept */
 	long max_steps;    /* largest number of integrator steps in the whole run; 0: 100 million */
