@@ -43,7 +43,8 @@ void hawser__blocks_release(struct hawser__blocks *blocks)
 /* A coordinate is fast if its frequency exceeds FAST times that of the highest harmonic. */
 static int fast(const struct hawser__balance *balance, int j)
 {
-	double top = balance->blocks.whole ? INFINITY : FAST*fmax(balance->order, 1.0)*balance->derived_at;
+	double top = balance->blocks.whole ? INFINITY
+	                                   : FAST*fmax(balance->order, 1.0)*balance->derived_at;
 
 	return balance->stiffness[j] > top*top;
 }
@@ -78,40 +79,23 @@ double hawser__blocks_cost(const struct hawser__balance *balance)
 	return count_steps(balance)*(2.0/3.0*wide*wide*wide + 2.0*wide*wide*(2.0*w + 1.0));
 }
 
-static void fill_tables(struct hawser__blocks *blocks)
-{
-	int columns = 2*blocks->width + 1;
-
-	for (int i = 0; i < (S + 1)*blocks->steps; i++) {
-		int step = i < S*blocks->steps ? i/S : i - S*blocks->steps;
-		double node = i < S*blocks->steps ? blocks->radau.node[i%S] : 0.0;
-		double tau = 2.0*M_PI*(step + node)/blocks->steps;
-		double *row = blocks->table + (size_t)i*columns; /* `start` follows the table in memory */
-
-		row[0] = 1.0;
-		for (int k = 1; k <= blocks->width; k++) {
-			row[2*k - 1] = cos(k*tau);
-			row[2*k] = sin(k*tau);
-		}
-	}
-}
-
 /* Reserve `count` values at *next, which is advanced; if `memory` is NULL they are only counted. */
-static double *take(size_t *next, double *memory, size_t count)
+static float *take(size_t *next, float *memory, size_t count)
 {
-	double *here = memory ? memory + *next : NULL;
+	float *here = memory ? memory + *next : NULL;
 
 	*next += count;
 	return here;
 }
 
 /* Assign the arrays in `memory`, or NULL; returns the number of values. */
-static size_t share_out(struct hawser__blocks *blocks, double *memory, size_t n)
+static size_t share_out(struct hawser__blocks *blocks, float *memory, size_t n)
 {
 	size_t K = (size_t)blocks->steps, w = (size_t)blocks->w, f = (size_t)blocks->f, wide = S*w;
 	size_t m = 2*w + 1, columns = 2*(size_t)blocks->order + 1, width = 2*(size_t)blocks->width + 1;
 	size_t next = 0;
 
+	blocks->T = take(&next, memory, (2*(size_t)blocks->spread + 1)*n*n);
 	blocks->table = take(&next, memory, S*K*width);
 	blocks->start = take(&next, memory, K*width); /* must follow the table in memory */
 	blocks->stiff = take(&next, memory, S*n*n);
@@ -148,62 +132,37 @@ int hawser__blocks_arrange(struct hawser__blocks *blocks, const struct hawser__b
 		return 1;
 	blocks->order = balance->order;
 	blocks->width = balance->width;
+	blocks->spread = balance->spread;
 	blocks->steps = count_steps(balance);
 	blocks->w = list_members(blocks->member, balance, 0);
 	blocks->f = list_members(blocks->member + blocks->w, balance, 1);
 	pivots = (size_t)blocks->steps*S*blocks->w + 2*(size_t)blocks->w + 1;
-	blocks->memory = malloc(share_out(blocks, NULL, n)*sizeof(double));
+	blocks->memory = malloc(share_out(blocks, NULL, n)*sizeof *blocks->memory);
 	blocks->pivot = malloc((pivots + blocks->f)*sizeof(int));
 	if (!blocks->memory || !blocks->pivot)
 		return 1;
 	share_out(blocks, blocks->memory, n);
 	blocks->last = blocks->pivot + (size_t)blocks->steps*S*blocks->w;
-	fill_tables(blocks);
+	hawser__blocks_tabulate(blocks);
 	return 0;
 }
 
 /* --- a step --- */
 
-/* K and D at the nodes of a step. */
-static void evaluate(struct hawser__blocks *blocks, const struct hawser__balance *balance, int step)
-{
-	const struct hawser_rom *rom = balance->base.rom;
-	int n2 = rom->n*rom->n, columns = 2*blocks->width + 1;
-	double *table = blocks->table + (size_t)step*S*columns;
-
-	for (int i = 0; i < S; i++)
-		table[i*columns] = 0.5; /* T's constant is twice the mean */
-	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, S, n2, 2*balance->spread + 1, 1.0, table,
-	            columns, balance->T, n2, 0.0, blocks->stiff, n2);
-	for (int i = 0; i < S; i++) {
-		table[i*columns] = 1.0;
-		memcpy(blocks->damp + (size_t)i*n2, rom->D, (size_t)n2*sizeof(double));
-		for (int p = 0; p < rom->harmonics; p++) {
-			const struct hawser_harmonic *harmonic = &rom->harmonic[p];
-			int at = 2*harmonic->k - (harmonic->phase == HAWSER_COS);
-
-			if (harmonic->D && harmonic->k <= blocks->width)
-				cblas_daxpy(n2, pow(blocks->omega, harmonic->omega_power)*
-				                table[i*columns + at], harmonic->D, 1,
-				            blocks->damp + (size_t)i*n2, 1);
-		}
-	}
-}
-
 /* M and -[K/scale | c h K + D | b] of a step. */
-static void fill_step(struct hawser__blocks *blocks, double *M, double *right, int n, int step)
+static void fill_step(struct hawser__blocks *blocks, float *M, float *right, int n, int step)
 {
 	int w = blocks->w, wide = S*w;
 	double h = blocks->h;
-	const double *column = blocks->column + (size_t)step*wide;
+	const float *column = blocks->column + (size_t)step*wide;
 
 	for (int i = 0; i < S; i++)
 		for (int q = 0; q < w; q++)
 			for (int p = 0; p < w; p++) {
 				size_t e = ((size_t)i*n + blocks->member[p])*n + blocks->member[q];
 				double k = blocks->slow[((size_t)i*w + p)*w + q], d = blocks->damp[e];
-				double *at = M + (size_t)q*wide + (size_t)i*w + p;
-				double *rhs = right + (size_t)q*wide + (size_t)i*w + p;
+				float *at = M + (size_t)q*wide + (size_t)i*w + p;
+				float *rhs = right + (size_t)q*wide + (size_t)i*w + p;
 
 				for (int j = 0; j < S; j++)
 					at[(size_t)j*w*wide] = h*h*blocks->radau.twice[i][j]*k +
@@ -218,7 +177,7 @@ static void fill_step(struct hawser__blocks *blocks, double *M, double *right, i
 
 /* end [2w] += contribution of the accelerations a [8][w] at the nodes of a step to the state at its
  * end. */
-static void add_end(const struct hawser__blocks *blocks, double *end, int stride, const double *a)
+static void add_end(const struct hawser__blocks *blocks, float *end, int stride, const float *a)
 {
 	int w = blocks->w;
 	double h = blocks->h;
@@ -238,15 +197,15 @@ static void add_end(const struct hawser__blocks *blocks, double *end, int stride
 static int factor_step(struct hawser__blocks *blocks, const struct hawser__balance *balance, int step)
 {
 	int w = blocks->w, m = 2*w + 1, wide = S*w;
-	double *M = blocks->lu + (size_t)step*wide*wide, *X = blocks->X + (size_t)step*wide*m;
-	double *A = blocks->A + (size_t)step*2*w*m;
+	float *M = blocks->lu + (size_t)step*wide*wide, *X = blocks->X + (size_t)step*wide*m;
+	float *A = blocks->A + (size_t)step*2*w*m;
 
-	evaluate(blocks, balance, step);
+	hawser__blocks_evaluate(blocks, balance, step);
 	if (hawser__blocks_condense(blocks, blocks->slow, blocks->stiff, balance->base.n, step))
 		return 1;
 	hawser__blocks_load_slow(blocks, blocks->column, blocks->fast_column, step, 1);
 	fill_step(blocks, M, X, balance->base.n, step);
-	if (LAPACKE_dgesv_work(LAPACK_COL_MAJOR, wide, m, M, wide, blocks->pivot + (size_t)step*wide, X,
+	if (LAPACKE_sgesv_work(LAPACK_COL_MAJOR, wide, m, M, wide, blocks->pivot + (size_t)step*wide, X,
 	                       wide))
 		return 1;
 	memset(A, 0, 2*(size_t)w*m*sizeof *A);
@@ -263,7 +222,7 @@ static int factor_step(struct hawser__blocks *blocks, const struct hawser__balan
 /* --- the period --- */
 
 /* Values at the nodes, [8K][w], of a series y [2 top + 1][n] at w coordinates. */
-static void synthesise(struct hawser__blocks *blocks, double *values, const double *y, int n,
+static void synthesise(struct hawser__blocks *blocks, float *values, const double *y, int n,
                        const int *member, int w)
 {
 	int columns = 2*blocks->order + 1;
@@ -273,7 +232,7 @@ static void synthesise(struct hawser__blocks *blocks, double *values, const doub
 	for (int c = 0; c < columns; c++)
 		for (int p = 0; p < w; p++)
 			blocks->series[c*w + p] = y[(size_t)c*n + member[p]];
-	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, S*blocks->steps, w, columns, 1.0,
+	cblas_sgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, S*blocks->steps, w, columns, 1.0,
 	            blocks->table, 2*blocks->width + 1, blocks->series, w, 0.0, values, w);
 }
 
@@ -285,7 +244,7 @@ static void set_plane(struct hawser__blocks *blocks, const struct hawser__balanc
 	int n = balance->base.n, w = blocks->w, K = blocks->steps, columns = 2*blocks->width + 1;
 
 	for (int k = 0; k < K; k++) {
-		const double *wave = blocks->start + (size_t)k*columns;
+		const float *wave = blocks->start + (size_t)k*columns;
 
 		for (int p = 0; p < w; p++) {
 			int j = blocks->member[p];
@@ -309,7 +268,7 @@ static int close_period(struct hawser__blocks *blocks, const struct hawser__bala
                         const double *row)
 {
 	int w = blocks->w, two = 2*w, m = two + 1, last = balance->base.size - 1;
-	double *now = blocks->prefix, *next = now + (size_t)two*m, *C = blocks->closing;
+	float *now = blocks->prefix, *next = now + (size_t)two*m, *C = blocks->closing;
 
 	memset(now, 0, (size_t)two*m*sizeof *now);
 	memset(C, 0, (size_t)m*m*sizeof *C);
@@ -317,21 +276,21 @@ static int close_period(struct hawser__blocks *blocks, const struct hawser__bala
 		now[(size_t)p*m + p] = 1.0;
 	C[(size_t)two*m + two] = row[last]*balance->base.weight[last];
 	for (int k = 0; k < blocks->steps; k++) {
-		const double *A = blocks->A + (size_t)k*two*m;
-		double *swap = now;
+		const float *A = blocks->A + (size_t)k*two*m;
+		float *swap = now;
 
-		cblas_dgemv(CblasRowMajor, CblasTrans, two, m, 1.0, now, m, blocks->plane + (size_t)k*two,
+		cblas_sgemv(CblasRowMajor, CblasTrans, two, m, 1.0, now, m, blocks->plane + (size_t)k*two,
 		            1, 1.0, C + (size_t)two*m, 1);
-		cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, two, m, two, 1.0, A, m, now, m,
+		cblas_sgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, two, m, two, 1.0, A, m, now, m,
 		            0.0, next, m);
-		cblas_daxpy(two, 1.0, A + two, m, next + two, m);
+		cblas_saxpy(two, 1.0, A + two, m, next + two, m);
 		now = next;
 		next = swap;
 	}
 	for (int p = 0; p < two; p++)
 		for (int q = 0; q < m; q++)
 			C[(size_t)p*m + q] = (p == q ? 1.0 : 0.0) - now[(size_t)p*m + q];
-	return LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, m, m, C, m, blocks->last) != 0;
+	return LAPACKE_sgetrf_work(LAPACK_COL_MAJOR, m, m, C, m, blocks->last) != 0;
 }
 
 /* Whether the set of fast coordinates has changed since the arrays were allocated. */
@@ -351,6 +310,8 @@ int hawser__blocks_factor(struct hawser__blocks *blocks, const struct hawser__ba
 
 	if (changed(blocks, balance) && hawser__blocks_arrange(blocks, balance))
 		return 1;
+	for (size_t e = 0; e < (2*(size_t)blocks->spread + 1)*n*n; e++)
+		blocks->T[e] = (float)balance->T[e];
 	blocks->omega = balance->derived_at;
 	blocks->h = 2.0*M_PI/blocks->omega/blocks->steps;
 	for (int p = 0; p < blocks->w; p++)
@@ -374,19 +335,20 @@ int hawser__blocks_factor(struct hawser__blocks *blocks, const struct hawser__ba
 /* Particular solution, starting from rest: `forcing` is overwritten by the accelerations at the
  * nodes of the steps. end [2w]: its state at the end of the period. Returns its contribution to the
  * border. */
-static double particular(struct hawser__blocks *blocks, double *end)
+static double particular(struct hawser__blocks *blocks, float *end)
 {
 	int w = blocks->w, two = 2*w, m = two + 1, wide = S*w;
-	double *next = blocks->state + m, sum = 0.0;
+	float *next = blocks->state + m;
+	double sum = 0.0;
 
 	memset(end, 0, (size_t)two*sizeof *end);
 	for (int k = 0; k < blocks->steps; k++) {
-		double *a = blocks->forcing + (size_t)k*wide;
+		float *a = blocks->forcing + (size_t)k*wide;
 
-		LAPACKE_dgetrs_work(LAPACK_COL_MAJOR, 'N', wide, 1, blocks->lu + (size_t)k*wide*wide, wide,
+		LAPACKE_sgetrs_work(LAPACK_COL_MAJOR, 'N', wide, 1, blocks->lu + (size_t)k*wide*wide, wide,
 		                    blocks->pivot + (size_t)k*wide, a, wide);
-		sum += cblas_ddot(two, blocks->plane + (size_t)k*two, 1, end, 1);
-		cblas_dgemv(CblasRowMajor, CblasNoTrans, two, two, 1.0, blocks->A + (size_t)k*two*m, m, end,
+		sum += cblas_sdot(two, blocks->plane + (size_t)k*two, 1, end, 1);
+		cblas_sgemv(CblasRowMajor, CblasNoTrans, two, two, 1.0, blocks->A + (size_t)k*two*m, m, end,
 		            1, 0.0, next, 1);
 		add_end(blocks, next, 1, a);
 		memcpy(end, next, (size_t)two*sizeof *end);
@@ -396,18 +358,19 @@ static double particular(struct hawser__blocks *blocks, double *end)
 
 /* The solution that begins with the state [2w + 1], whose last element is dOmega: `forcing` is
  * overwritten by its accelerations at the nodes, and `displacement` by its displacements. */
-static void general(struct hawser__blocks *blocks, double *state)
+static void general(struct hawser__blocks *blocks, float *state)
 {
 	int w = blocks->w, two = 2*w, m = two + 1, wide = S*w;
-	double *next = blocks->state + 2*m, h = blocks->h;
+	float *next = blocks->state + 2*m;
+	double h = blocks->h;
 
 	for (int k = 0; k < blocks->steps; k++) {
-		double *a = blocks->forcing + (size_t)k*wide;
-		double *u = blocks->displacement + (size_t)k*wide;
+		float *a = blocks->forcing + (size_t)k*wide;
+		float *u = blocks->displacement + (size_t)k*wide;
 
 		memset(next, 0, (size_t)two*sizeof *next);
 		add_end(blocks, next, 1, a);
-		cblas_dgemv(CblasColMajor, CblasNoTrans, wide, m, 1.0, blocks->X + (size_t)k*wide*m, wide,
+		cblas_sgemv(CblasColMajor, CblasNoTrans, wide, m, 1.0, blocks->X + (size_t)k*wide*m, wide,
 		            state, 1, 1.0, a, 1);
 		for (int i = 0; i < S; i++)
 			for (int p = 0; p < w; p++) {
@@ -418,7 +381,7 @@ static void general(struct hawser__blocks *blocks, double *state)
 				u[i*w + p] = state[p]/blocks->scale[p] +
 				             h*(blocks->radau.node[i]*state[w + p] + h*twice);
 			}
-		cblas_dgemv(CblasRowMajor, CblasNoTrans, two, m, 1.0, blocks->A + (size_t)k*two*m, m, state,
+		cblas_sgemv(CblasRowMajor, CblasNoTrans, two, m, 1.0, blocks->A + (size_t)k*two*m, m, state,
 		            1, 1.0, next, 1);
 		memcpy(state, next, (size_t)two*sizeof *state);
 	}
@@ -426,7 +389,7 @@ static void general(struct hawser__blocks *blocks, double *state)
 
 /* y [2 order + 1][n] at w coordinates: Fourier coefficients of values at the nodes [8K][w], which
  * are overwritten. Those of accelerations are divided by (i h Omega)^2. */
-static void analyse(struct hawser__blocks *blocks, double *y, int n, double *values, const int *member,
+static void analyse(struct hawser__blocks *blocks, double *y, int n, float *values, const int *member,
                     int w, int accelerations)
 {
 	int columns = 2*blocks->order + 1, nodes = S*blocks->steps;
@@ -434,8 +397,8 @@ static void analyse(struct hawser__blocks *blocks, double *y, int n, double *val
 	if (w == 0)
 		return;
 	for (int i = 0; i < nodes; i++)
-		cblas_dscal(w, blocks->weight[i%S]/blocks->steps, values + (size_t)i*w, 1);
-	cblas_dgemm(CblasRowMajor, CblasTrans, CblasNoTrans, columns, w, nodes, 1.0, blocks->table,
+		cblas_sscal(w, blocks->weight[i%S]/blocks->steps, values + (size_t)i*w, 1);
+	cblas_sgemm(CblasRowMajor, CblasTrans, CblasNoTrans, columns, w, nodes, 1.0, blocks->table,
 	            2*blocks->width + 1, values, w, 0.0, blocks->series, w);
 	for (int c = accelerations; c < columns; c++) {
 		double turn = (c + 1)/2*blocks->omega;
@@ -465,7 +428,8 @@ void hawser__blocks_apply(struct hawser__blocks *blocks, const struct hawser__ba
 {
 	int n = balance->base.n, P = balance->unknowns, w = blocks->w, f = blocks->f, m = 2*w + 1;
 	const int *quick = blocks->member + w;
-	double *state = blocks->state, *y = balance->direction, last = x[P], share, domega;
+	float *state = blocks->state;
+	double *y = balance->direction, last = x[P], share, domega;
 
 	memset(y, 0, (2*(size_t)balance->order + 1)*n*sizeof *y);
 	for (int i = 0; i < P; i++)
@@ -475,7 +439,7 @@ void hawser__blocks_apply(struct hawser__blocks *blocks, const struct hawser__ba
 	hawser__blocks_load_slow(blocks, blocks->forcing, blocks->fast, 0, blocks->steps);
 	share = particular(blocks, state);
 	state[m - 1] = last - share;
-	LAPACKE_dgetrs_work(LAPACK_COL_MAJOR, 'T', m, 1, blocks->closing, m, blocks->last, state, m);
+	LAPACKE_sgetrs_work(LAPACK_COL_MAJOR, 'T', m, 1, blocks->closing, m, blocks->last, state, m);
 	domega = state[m - 1];
 	general(blocks, state);
 	hawser__blocks_follow(blocks, blocks->fast, blocks->displacement, blocks->fast_column, domega);

@@ -21,6 +21,9 @@
  * L-stable: free vibrations of coordinates that are too fast for the steps decay. Gauss nodes would
  * keep them undamped, with wrong frequencies, and they would resonate.
  *
+ * All arrays are floats: steps that are right to 4e-4 need no more digits, and the factors of many
+ * steps exceed the cache.
+ *
  * Reference: Hairer and Wanner, Solving Ordinary Differential Equations II, IV.5.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -34,38 +37,39 @@ struct hawser__balance;
 struct hawser__blocks {
 	struct hawser__collocation radau;
 	double weight[HAWSER__NODES]; /* weights of the quadrature over a step */
-	int steps, w, f, order, width; /* width: harmonics of the table */
+	int steps, w, f, order, width, spread; /* harmonics of the table, and of T */
 	int *member;          /* [w + f] coordinates, the slow ones first */
 	int whole;            /* 1: no coordinate is treated as fast */
 	double inertia;       /* largest |K_ff^-1 K_fs|^2: mass of the fast coordinates relative to that
 	                       * of the slow ones */
 	double h;             /* duration of a step */
 	double omega;
-	double *table;        /* [K][8][2 width + 1] 1, cos, sin, ... at the nodes */
-	double *start;        /* [K][2 width + 1] the same at the starts of the steps */
-	double *stiff, *damp; /* [8][n][n] at the nodes of a step */
-	double *slow;         /* [8][w][w] the condensed stiffness at the nodes of a step */
-	double *scale;        /* [w] frequency that displacements are multiplied by in a state */
-	double *series;       /* [2 order + 1][w + f] scratch: coefficients */
-	double *forcing;      /* [K][8][w] right sides, then accelerations at the nodes */
-	double *displacement; /* [K][8][w] scratch */
-	double *column;       /* [K][8][w] derivative of the defects by Omega at the nodes */
-	double *fast;         /* [K][8][f] right sides, then displacements at the nodes */
-	double *fast_column;  /* [K][8][f] as column */
-	double *fast_room;    /* [2 f w + f] scratch */
-	double *plane;        /* [K][2w] coefficients in the border of the state at the beginning of a
+	float *T;             /* [2 spread + 1][n][n] the tangent's Fourier coefficients */
+	float *table;        /* [K][8][2 width + 1] 1, cos, sin, ... at the nodes */
+	float *start;        /* [K][2 width + 1] the same at the starts of the steps */
+	float *stiff, *damp; /* [8][n][n] at the nodes of a step */
+	float *slow;         /* [8][w][w] the condensed stiffness at the nodes of a step */
+	float *scale;        /* [w] frequency that displacements are multiplied by in a state */
+	float *series;       /* [2 order + 1][w + f] scratch: coefficients */
+	float *forcing;      /* [K][8][w] right sides, then accelerations at the nodes */
+	float *displacement; /* [K][8][w] scratch */
+	float *column;       /* [K][8][w] derivative of the defects by Omega at the nodes */
+	float *fast;         /* [K][8][f] right sides, then displacements at the nodes */
+	float *fast_column;  /* [K][8][f] as column */
+	float *fast_room;    /* [2 f w + f] scratch */
+	float *plane;        /* [K][2w] coefficients in the border of the state at the beginning of a
 	                       * step */
-	double *A;            /* [K][2w][2w + 1] */
-	double *prefix;       /* [2w][2w + 1] product of A, and [2w][2w + 1] scratch */
-	double *closing;      /* [2w + 1][2w + 1] factors */
-	double *state;        /* [3][2w + 1] scratch */
-	double *lu;           /* [K][8w][8w] */
-	double *X;            /* [K][2w + 1][8w] by columns */
-	double *inverse;      /* [8K][f][f] of K_ff */
-	double *follow;       /* [8K][f][w] K_ff^-1 K_fs */
-	double *weigh;        /* [8K][w][f] K_sf K_ff^-1 */
+	float *A;            /* [K][2w][2w + 1] */
+	float *prefix;       /* [2w][2w + 1] product of A, and [2w][2w + 1] scratch */
+	float *closing;      /* [2w + 1][2w + 1] factors */
+	float *state;        /* [3][2w + 1] scratch */
+	float *lu;           /* [K][8w][8w] */
+	float *X;            /* [K][2w + 1][8w] by columns */
+	float *inverse;      /* [8K][f][f] of K_ff */
+	float *follow;       /* [8K][f][w] K_ff^-1 K_fs */
+	float *weigh;        /* [8K][w][f] K_sf K_ff^-1 */
 	int *pivot, *last;    /* [K][8w]; [2w + 1 + f] */
-	double *memory;       /* of them all */
+	float *memory;        /* of them all */
 };
 
 void hawser__blocks_init(struct hawser__blocks *blocks);
@@ -89,21 +93,29 @@ double hawser__blocks_cost(const struct hawser__balance *balance);
 double hawser__blocks_ratio(const struct hawser__blocks *blocks,
                             const struct hawser__balance *balance);
 
+/* --- balance_nodes.c --- */
+
+/* Set the tables of cosines and sines at the nodes. */
+void hawser__blocks_tabulate(struct hawser__blocks *blocks);
+/* Set stiff and damp at the nodes of a step. */
+void hawser__blocks_evaluate(struct hawser__blocks *blocks, const struct hawser__balance *balance,
+                             int step);
+
 /* --- balance_fast.c --- */
 
 /* slow [8][w][w]: the condensed stiffness from K [8][n][n] at the nodes of a step. Also stores the
  * matrices for the calls below. Returns 1 if the stiffness of the fast coordinates is singular. */
-int hawser__blocks_condense(struct hawser__blocks *blocks, double *slow, const double *K, int n,
+int hawser__blocks_condense(struct hawser__blocks *blocks, float *slow, const float *K, int n,
                             int step);
 
 /* Subtract from slow [8K][w] the effect of the right sides of the fast coordinates [8K][f], at the
  * nodes of `steps` steps from `first`. */
-void hawser__blocks_load_slow(struct hawser__blocks *blocks, double *slow, const double *fast,
+void hawser__blocks_load_slow(struct hawser__blocks *blocks, float *slow, const float *fast,
                               int first, int steps);
 
 /* Replace the right sides fast [8K][f] by displacements, for displacements `slow` [8K][w] of the
  * slow coordinates; `column` [8K][f] is the derivative by Omega. */
-void hawser__blocks_follow(struct hawser__blocks *blocks, double *fast, const double *slow,
-                           const double *column, double domega);
+void hawser__blocks_follow(struct hawser__blocks *blocks, float *fast, const float *slow,
+                           const float *column, double domega);
 
 #endif

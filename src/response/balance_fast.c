@@ -24,7 +24,7 @@
 #define S HAWSER__NODES
 
 /* block [rows][columns] of a matrix [n][n] at the coordinates listed. */
-static void gather(double *block, const double *matrix, int n, const int *row, int rows,
+static void gather(float *block, const float *matrix, int n, const int *row, int rows,
                    const int *column, int columns)
 {
 	for (int i = 0; i < rows; i++)
@@ -34,35 +34,35 @@ static void gather(double *block, const double *matrix, int n, const int *row, i
 
 /* At one node: K [n][n]; slow [w][w] receives the condensed stiffness. Returns 1 if K_ff is
  * singular. */
-static int condense_node(struct hawser__blocks *blocks, double *slow, const double *K, int n, int node)
+static int condense_node(struct hawser__blocks *blocks, float *slow, const float *K, int n, int node)
 {
 	int w = blocks->w, f = blocks->f, *pivot = blocks->last;
 	const int *s = blocks->member, *q = blocks->member + w;
-	double *ff = blocks->inverse + (size_t)node*f*f, *G = blocks->follow + (size_t)node*f*w;
-	double *H = blocks->weigh + (size_t)node*w*f, *fs = blocks->fast_room, *sf = fs + (size_t)f*w;
+	float *ff = blocks->inverse + (size_t)node*f*f, *G = blocks->follow + (size_t)node*f*w;
+	float *H = blocks->weigh + (size_t)node*w*f, *fs = blocks->fast_room, *sf = fs + (size_t)f*w;
 
 	gather(slow, K, n, s, w, s, w);
 	gather(ff, K, n, q, f, q, f);
 	gather(fs, K, n, q, f, s, w);
 	gather(sf, K, n, s, w, q, f);
 	/* by columns this inverts the transpose, which is the transpose of the inverse */
-	if (LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, f, f, ff, f, pivot) ||
-	    LAPACKE_dgetri_work(LAPACK_COL_MAJOR, f, ff, f, pivot, G, f*w))
+	if (LAPACKE_sgetrf_work(LAPACK_COL_MAJOR, f, f, ff, f, pivot) ||
+	    LAPACKE_sgetri_work(LAPACK_COL_MAJOR, f, ff, f, pivot, G, f*w))
 		return 1;
-	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, f, w, f, 1.0, ff, f, fs, w, 0.0, G, w);
-	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, w, f, f, 1.0, sf, f, ff, f, 0.0, H, f);
-	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, w, w, f, -1.0, sf, f, G, w, 1.0, slow, w);
-	blocks->inertia = fmax(blocks->inertia, pow(cblas_dnrm2(f*w, G, 1), 2));
+	cblas_sgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, f, w, f, 1.0, ff, f, fs, w, 0.0, G, w);
+	cblas_sgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, w, f, f, 1.0, sf, f, ff, f, 0.0, H, f);
+	cblas_sgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, w, w, f, -1.0, sf, f, G, w, 1.0, slow, w);
+	blocks->inertia = fmax(blocks->inertia, pow((double)cblas_snrm2(f*w, G, 1), 2));
 	return 0;
 }
 
-int hawser__blocks_condense(struct hawser__blocks *blocks, double *slow, const double *K, int n,
+int hawser__blocks_condense(struct hawser__blocks *blocks, float *slow, const float *K, int n,
                             int step)
 {
 	int w = blocks->w;
 
 	for (int i = 0; i < S; i++) {
-		const double *at = K + (size_t)i*n*n;
+		const float *at = K + (size_t)i*n*n;
 
 		if (blocks->f == 0)
 			gather(slow + (size_t)i*w*w, at, n, blocks->member, w, blocks->member, w);
@@ -72,35 +72,35 @@ int hawser__blocks_condense(struct hawser__blocks *blocks, double *slow, const d
 	return 0;
 }
 
-void hawser__blocks_load_slow(struct hawser__blocks *blocks, double *slow, const double *fast,
+void hawser__blocks_load_slow(struct hawser__blocks *blocks, float *slow, const float *fast,
                               int first, int steps)
 {
 	int w = blocks->w, f = blocks->f;
 
 	for (int node = S*first; f > 0 && node < S*(first + steps); node++)
 		for (int p = 0; p < w; p++) {
-			const double *H = blocks->weigh + ((size_t)node*w + p)*f;
+			const float *H = blocks->weigh + ((size_t)node*w + p)*f;
 
 			for (int q = 0; q < f; q++)
 				slow[(size_t)node*w + p] -= H[q]*fast[(size_t)node*f + q];
 		}
 }
 
-void hawser__blocks_follow(struct hawser__blocks *blocks, double *fast, const double *slow,
-                           const double *column, double domega)
+void hawser__blocks_follow(struct hawser__blocks *blocks, float *fast, const float *slow,
+                           const float *column, double domega)
 {
 	int w = blocks->w, f = blocks->f;
-	double *load = blocks->fast_room;
+	float *load = blocks->fast_room;
 
 	for (int node = 0; f > 0 && node < S*blocks->steps; node++) {
-		double *x = fast + (size_t)node*f;
+		float *x = fast + (size_t)node*f;
 
 		for (int q = 0; q < f; q++)
-			load[q] = x[q] - column[(size_t)node*f + q]*domega;
+			load[q] = x[q] - column[(size_t)node*f + q]*(float)domega;
 		for (int q = 0; q < f; q++) {
-			const double *inverse = blocks->inverse + ((size_t)node*f + q)*f;
-			const double *G = blocks->follow + ((size_t)node*f + q)*w;
-			double sum = 0.0;
+			const float *inverse = blocks->inverse + ((size_t)node*f + q)*f;
+			const float *G = blocks->follow + ((size_t)node*f + q)*w;
+			float sum = 0.0F;
 
 			for (int r = 0; r < f; r++)
 				sum += inverse[r]*load[r];

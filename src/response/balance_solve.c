@@ -377,7 +377,9 @@ void hawser__balance_solve(struct hawser__orbit *orbit, double *dy, int homogene
 	double *x = balance->rhs;
 
 	set_right(balance, x, homogeneous, last);
-	hawser__balance_invert(balance, x, homogeneous ? TANGENT_RESIDUAL : NEWTON_RESIDUAL);
+	hawser__balance_invert(balance, x, homogeneous         ? TANGENT_RESIDUAL
+	                                   : orbit->goal > 0.0 ? orbit->goal
+	                                                       : NEWTON_RESIDUAL);
 	/* a prediction from points with other active pairs may have values in inactive ones */
 	for (int i = 0; i < end; i++)
 		dy[i] = homogeneous ? 0.0 : balance->at[i] - balance->given[i];

@@ -51,6 +51,8 @@ struct hawser__orbit {
 	double det_sign, det_log; /* of the bordered Jacobian of the last factorisation */
 	double reach;         /* distance of the orbit from the previous one in the metric; 0: not
 	                       * examined */
+	double goal;          /* largest relative residual of the next solutions, where the method solves by
+	                       * iteration; 0: what a step of the corrector needs */
 	double rate;          /* factor by which a step with a guessed Jacobian reduces the defects */
 	double *step, *spare; /* [size] workspace of the corrector and of the metric */
 	struct hawser_orbit_cost cost;

@@ -34,6 +34,8 @@
  * orbits may have defects below the tolerance. An orbit is therefore accepted only if one more step
  * would move it by at most this fraction of its distance from the previous orbit; chosen. */
 #define OFF_BRANCH 0.02
+/* Relative residual of this step, of which one digit is used. */
+#define LENGTH_RESIDUAL 0.03
 
 enum hawser_status hawser__orbit_init(struct hawser__orbit *orbit, const struct hawser_rom *rom,
                                       int size, struct hawser_report *report)
@@ -196,7 +198,9 @@ static int settle(struct hawser__orbit *orbit, double *y, struct hawser__correct
 	for (double before = INFINITY;;) {
 		double length;
 
+		orbit->goal = LENGTH_RESIDUAL;
 		orbit->ops->solve(orbit, dy, 0, 0.0);
+		orbit->goal = 0.0;
 		orbit->cost.solves++;
 		length = sqrt(hawser__orbit_dot(orbit, dy, dy));
 		if (length <= near || length > 0.5*before)
