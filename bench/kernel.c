@@ -19,6 +19,7 @@
 
 #include <hawser/rom.h>
 #include "bench/clock.h"
+#include "bench/kernel.h"
 #include "rom/kernel.h"
 
 enum { states = 64 };                  /* different u, so that no loop can be hoisted */
@@ -428,7 +429,7 @@ int main(void)
 
 	puts("kernel: restoring force, and restoring force with tangent, of a reduced model");
 	good = run(3, 1) & run(5, 1) & run(8, 1) & run(12, 1) & run(16, 1) & run(20, 1) &
-	       run(10, 0) & run(20, 0);
+	       run(10, 0) & run(20, 0) & bench_cables();
 	if (!good)
 		fprintf(stderr, "kernel: the two sides disagree by more than %g\n", error_allowed);
 	return good ? 0 : 1;

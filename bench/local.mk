@@ -32,7 +32,7 @@ BENCHES += %D%/map
 %C%_map_SOURCES = %D%/map.c
 %C%_map_LDADD = $(UPTO_STUDY)
 
-%C%_kernel_SOURCES = %D%/kernel.c
+%C%_kernel_SOURCES = %D%/kernel.c %D%/kernel.h %D%/kernel-cable.c
 %C%_kernel_LDADD = $(UPTO_ROM)
 %C%_integrate_SOURCES = %D%/integrate.c
 %C%_integrate_LDADD = $(UPTO_RESPONSE)

@@ -264,6 +264,11 @@ int hawser_rom_loaded(const struct hawser_rom *rom);
 double hawser_rom_energy(const struct hawser_rom *rom, const double *u, const double *v);
 double hawser_rom_asymmetry(const struct hawser_rom *rom);
 
+/* One line about what forces are evaluated from: the tensors, the strains of the modes at points of the
+ * cable ("functions"; the same energy, in less time if there are many modes), or each of them where it
+ * is estimated to be faster. text: of `size` bytes, 240 are enough. */
+void hawser_rom_forces_text(const struct hawser_rom *rom, char *text, size_t size);
+
 /* Displacement xyz [3] of shape point p in global axes (scaled; times length in m), from the
  * coordinates u [n] only. */
 void hawser_rom_displacement(const struct hawser_rom *rom, double *xyz, int p, const double *u);

@@ -128,6 +128,7 @@ static void comments(struct hawser__table *table, const void *of)
 {
 	const struct cli_model *model = ((const struct result *)of)->model;
 	const struct hawser_rom *rom = &model->rom;
+	char forces[240];
 
 	cli_choice_comments(table, model);
 	if (rom->exact)
@@ -139,6 +140,8 @@ static void comments(struct hawser__table *table, const void *of)
 		hawser__table_comment(table, "%d coordinates, %d quadratic and %d cubic entries, "
 		                             "%d harmonics; scaled", rom->n, rom->quads, rom->cubics,
 		                      rom->harmonics);
+	hawser_rom_forces_text(rom, forces, sizeof forces);
+	hawser__table_comment(table, "forces are evaluated %s", forces);
 	if (rom->scaled)
 		hawser__table_comment(table, "units: length %.12g m, time %.12g s, force %.12g N",
 		                      rom->length, rom->time, rom->force);

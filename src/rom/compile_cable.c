@@ -1,18 +1,25 @@
 /* rom/compile_cable.c - the kernel of a cable's model: tensors, functions, or both.
  *
- * Each task (effort.h) is done in the form whose estimated time is shorter. If functions are faster in
- * all tasks, the tensors are not compiled; they remain lists, for files, exports and what is computed
- * of single entries.
+ * Each task (effort.h) is done from tensors unless functions are estimated to be faster. If functions
+ * are faster in all tasks, the tensors are not compiled; they remain lists, for files, exports and what
+ * is computed of single entries.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <stdarg.h>
+#include <stdio.h>
 #include <string.h>
 
+#include "rom/exact.h"
 #include "rom/kernel.h"
 #include "rom/quartic.h"
 
-/* Which tasks are faster by function; returns whether all are. */
+/* Largest estimated time of functions, relative to that of tensors, with which they are taken: the
+ * estimates may be wrong by as much (bench/kernel). */
+#define WORTH 0.8
+
+/* Which tasks are done by function; returns whether all are. */
 static int choose(int by_function[HAWSER__TASKS], const struct hawser__size *size)
 {
 	struct hawser__effort effort;
@@ -20,7 +27,7 @@ static int choose(int by_function[HAWSER__TASKS], const struct hawser__size *siz
 
 	hawser__effort(&effort, size);
 	for (int task = 0; task < HAWSER__TASKS; task++) {
-		by_function[task] = effort.functions[task] < effort.tensors[task];
+		by_function[task] = effort.functions[task] < WORTH*effort.tensors[task];
 		all = all && by_function[task];
 	}
 	return all;
@@ -52,4 +59,71 @@ enum hawser_status hawser__rom_compile_cable(struct hawser_rom *rom,
 	rom->kernel->size = size;
 	memcpy(rom->kernel->by_function, by_function, sizeof by_function);
 	return HAWSER_OK;
+}
+
+/* --- as text --- */
+
+struct line {
+	char *text;
+	size_t size, length;
+};
+
+static void say(struct line *line, const char *format, ...) HAWSER_PRINTF(2, 3);
+
+static void say(struct line *line, const char *format, ...)
+{
+	va_list args;
+	int more;
+
+	va_start(args, format);
+	more = vsnprintf(line->text + line->length, line->size - line->length, format, args);
+	va_end(args);
+	if (more > 0)
+		line->length += (size_t)more;
+	if (line->length >= line->size)
+		line->length = line->size - 1;
+}
+
+/* The tasks that are done by function, or not; with how much faster functions are. */
+static void list(struct line *line, const struct hawser_rom_kernel *kernel, int by_function)
+{
+	static const char *const name[HAWSER__TASKS] = {
+		"one force", "one tangent", "many forces", "many tangents",
+	};
+	struct hawser__effort effort;
+	int count = 0;
+
+	hawser__effort(&effort, &kernel->size);
+	for (int task = 0; task < HAWSER__TASKS; task++) {
+		if (kernel->by_function[task] != by_function)
+			continue;
+		say(line, "%s%s", count++ ? ", " : "", name[task]);
+		if (by_function)
+			say(line, " %.2g times", effort.tensors[task]/effort.functions[task]);
+	}
+}
+
+void hawser_rom_forces_text(const struct hawser_rom *rom, char *text, size_t size)
+{
+	const struct hawser_rom_kernel *kernel = rom->kernel;
+	struct line line = {text, size, 0};
+	int functions = 0;
+
+	if (rom->exact) {
+		say(&line, "from strains at %d points of the cable, without expansion", rom->exact->points);
+		return;
+	}
+	for (int task = 0; task < HAWSER__TASKS; task++)
+		functions += kernel->by_function[task];
+	if (!kernel->quartic || functions == 0) {
+		say(&line, "from tensors%s", kernel->quartic ? ", which is faster with so few modes" : "");
+		return;
+	}
+	say(&line, "from strains at %d points of the cable where that is faster (", kernel->size.points);
+	list(&line, kernel, 1);
+	say(&line, ")%s", functions < HAWSER__TASKS ? ", else from tensors (" : "");
+	if (functions == HAWSER__TASKS)
+		return;
+	list(&line, kernel, 0);
+	say(&line, ")");
 }

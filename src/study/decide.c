@@ -7,6 +7,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "core/report.h"
 #include "study/survey.h"
@@ -157,5 +158,8 @@ enum hawser_status hawser__decide(struct hawser_plan *plan, const struct hawser_
 	decide_rest(plan, scene, &survey->inertia);
 	decide_load(plan, scene);
 	decide_always(plan, scene);
+	if (*survey->forces)
+		decide(plan, "forces from strains", strncmp(survey->forces, "from strains", 12) == 0, "%s",
+		    survey->forces);
 	return HAWSER_OK;
 }

@@ -87,8 +87,9 @@ static enum hawser_status choose(struct hawser_plan *plan, const struct hawser_s
 	return status;
 }
 
-/* The effect of the inertia of condensed modes on the scene's own model. */
-static enum hawser_status weigh_inertia(struct hawser_survey *survey, const struct hawser_plan *plan,
+/* The effect of the inertia of condensed modes on the scene's own model, and how its forces are
+ * evaluated. */
+static enum hawser_status weigh_own(struct hawser_survey *survey, const struct hawser_plan *plan,
                                         struct hawser_report *report)
 {
 	int *kept = malloc((size_t)plan->modes.n*sizeof *kept), count = 0;
@@ -105,6 +106,8 @@ static enum hawser_status weigh_inertia(struct hawser_survey *survey, const stru
 	                   : HAWSER_OK;
 	if (!status && count > 0)
 		status = hawser_rom_build(&rom, &subset, survey->scene, report);
+	if (!status && count > 0)
+		hawser_rom_forces_text(&rom, survey->forces, sizeof survey->forces);
 	survey->inertia = rom.inertia;
 	hawser_rom_clear(&rom);
 	hawser_modes_clear(&subset);
@@ -184,7 +187,7 @@ enum hawser_status hawser_plan_make(struct hawser_plan *plan, const struct hawse
 	if (!status)
 		status = choose(plan, scene, report);
 	if (!status)
-		status = weigh_inertia(&survey, plan, report);
+		status = weigh_own(&survey, plan, report);
 	if (!status)
 		status = hawser__decide(plan, &survey, report);
 	if (!status && hawser__scene_driven(scene))

@@ -14,6 +14,7 @@ struct hawser_survey {
 	struct hawser_rom raw;          /* with all modes of the plan */
 	struct hawser_rom condensed;
 	struct hawser_rom_inertia inertia; /* of the condensed modes of the scene's own model */
+	char forces[240];               /* what its forces are evaluated from; "" without modes */
 	struct hawser__allowance *allowance; /* time for runs; the only member that rows change */
 };
 

@@ -19,6 +19,7 @@ assert by["model.tolerance"] == "default" and by["--tolerance"] == "default"
 assert "tension.H" not in by, "the scene has no such key"
 assert [f["name"] for f in plan["fidelities"]] == ["raw 3", "raw 4", "full 6"]
 assert plan["fidelities"][2]["unknowns"] == 18
+assert [d["why"] for d in plan["decisions"] if d["subject"] == "forces from strains"][0].startswith("from ")
 assert all(d["why"] for d in plan["decisions"]) and any(not d["modelled"] for d in plan["decisions"])
 assert plan["resonances"][0]["mode"] == 1 and plan["resonances"][0]["folds"] == 2
 lines = [l for l in open("plan.tsv") if not l.startswith("#")]

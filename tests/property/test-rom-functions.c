@@ -242,17 +242,22 @@ static void check_choice(void)
 	struct hawser_rom rom = {.n = 0};
 	double u[45], f[45], g[45], T[45*45], S[45*45];
 	const int *by = NULL;
+	char text[240];
 
 	if (ok(!model_of(&rom, &few, NULL), "three modes")) {
 		by = rom.kernel->by_function;
 		ok(!by[HAWSER__FORCE] && !by[HAWSER__TANGENT] && !by[HAWSER__FORCES] &&
 		   !by[HAWSER__TANGENTS], "are evaluated by tensors");
+		hawser_rom_forces_text(&rom, text, sizeof text);
+		ok(strncmp(text, "from tensors", 12) == 0, "the text: %s", text);
 	}
 	hawser_rom_clear(&rom);
 	if (ok(!model_of(&rom, &many, NULL), "45 modes")) {
 		by = rom.kernel->by_function;
 		ok(by[HAWSER__FORCE] && by[HAWSER__TANGENT] && by[HAWSER__FORCES] &&
 		   by[HAWSER__TANGENTS] && rom.kernel->rows == 0, "are evaluated by functions");
+		hawser_rom_forces_text(&rom, text, sizeof text);
+		ok(strncmp(text, "from strains", 12) == 0 && !strstr(text, "else"), "the text: %s", text);
 		for (int j = 0; j < 45; j++)
 			u[j] = uniform(-2e-3, 2e-3);
 		hawser_rom_tangent(&rom, f, T, u);
