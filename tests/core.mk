@@ -4,6 +4,11 @@ TESTS += tests/unit/test-status
 tests_unit_test_status_SOURCES = tests/unit/test-status.c
 tests_unit_test_status_LDADD = $(UPTO_CORE)
 
+check_PROGRAMS += tests/unit/test-digits
+TESTS += tests/unit/test-digits
+tests_unit_test_digits_SOURCES = tests/unit/test-digits.c
+tests_unit_test_digits_LDADD = $(UPTO_CORE) -lm
+
 check_PROGRAMS += tests/unit/test-progress
 TESTS += tests/unit/test-progress
 tests_unit_test_progress_SOURCES = tests/unit/test-progress.c

@@ -9,6 +9,11 @@ TESTS += tests/property/test-rom-energy
 tests_property_test_rom_energy_SOURCES = tests/property/test-rom-energy.c
 tests_property_test_rom_energy_LDADD = $(UPTO_ROM)
 
+check_PROGRAMS += tests/unit/test-rom-memory
+TESTS += tests/unit/test-rom-memory
+tests_unit_test_rom_memory_SOURCES = tests/unit/test-rom-memory.c
+tests_unit_test_rom_memory_LDADD =
+
 check_PROGRAMS += tests/unit/test-rom-build
 TESTS += tests/unit/test-rom-build
 tests_unit_test_rom_build_SOURCES = tests/unit/test-rom-build.c

@@ -147,6 +147,13 @@ enum hawser_status hawser_rom_build(struct hawser_rom *rom, const struct hawser_
                                     const struct hawser_scene *scene,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* The same for a model that is only written: its forces cannot be evaluated before hawser_rom_compile,
+ * which takes most of the memory and time of a model of many modes. The same statuses. */
+enum hawser_status hawser_rom_build_entries(struct hawser_rom *rom,
+                                            const struct hawser_modes *modes,
+                                            const struct hawser_scene *scene,
+                                            struct hawser_report *report) HAWSER_MUST_CHECK;
+
 /* The same without Q, C and second-order shapes, which is much cheaper, for linear questions
  * (linear.h). If the scene condenses modes, the parametric terms of the harmonics include the
  * response of these modes to the load and to the changes of speed. */

@@ -151,6 +151,9 @@ struct cli_model {
  * cli_choice_build or cli_choice_trace, since its modes depend on the range of frequencies. */
 enum hawser_status cli_model_load(struct cli_model *model, const struct cli_common *common, int n,
                                   struct hawser_report *report) HAWSER_MUST_CHECK;
+/* The same for a model that is only written as a file (hawser_rom_build_entries). */
+enum hawser_status cli_model_entries(struct cli_model *model, const struct cli_common *common, int n,
+                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 /* The same for a reduced-model file. A scene is read, but nothing is computed from it. */
 enum hawser_status cli_model_or_scene(struct cli_model *model, const struct cli_common *common,
                                       int n, struct hawser_report *report) HAWSER_MUST_CHECK;

@@ -145,7 +145,7 @@ static void comments(struct hawser__table *table, const void *of)
 	if (rom->scaled)
 		hawser__table_comment(table, "units: length %.12g m, time %.12g s, force %.12g N",
 		                      rom->length, rom->time, rom->force);
-	if (!rom->exact)
+	if (!rom->exact && rom->kernel)
 		hawser__table_comment(table, "asymmetry of the derivatives of the energy: %.2e (relative)",
 		                      hawser_rom_asymmetry(rom));
 }
@@ -249,6 +249,18 @@ static enum hawser_status export(const struct settings *settings, const struct c
 	return status;
 }
 
+/* The forces of a model of which only the file is wanted are not needed: without a table or comments,
+ * which tell the asymmetry, and without an export, which contains a computed orbit. */
+static enum hawser_status load(struct cli_model *model, const struct settings *settings,
+                               struct hawser_report *report)
+{
+	const struct cli_common *common = &settings->common;
+
+	return common->json && common->quiet && !common->tsv && !settings->export[0]
+	       ? cli_model_entries(model, common, settings->n, report)
+	       : cli_model_load(model, common, settings->n, report);
+}
+
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	struct settings *settings = context;
@@ -257,7 +269,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	enum hawser_status status = check(settings, report);
 
 	if (!status)
-		status = cli_model_load(&model, &settings->common, settings->n, report);
+		status = load(&model, settings, report);
 	if (!status && model.automatic)
 		status = choose(&model, settings, report);
 	if (!status && settings->export[0])

@@ -191,17 +191,20 @@ static enum hawser_status from_basis(struct cli_model *model, int n, struct haws
 	return status ? status : cli_basis_check(model, 0.0, report);
 }
 
+/* How much of a model is made from a scene. */
+enum extent { NOTHING, ENTRIES, WHOLE };
+
 static enum hawser_status from_scene(struct cli_model *model, FILE *stream,
-                                     const struct cli_common *common, int n, int alone,
+                                     const struct cli_common *common, int n, enum extent extent,
                                      struct hawser_report *report)
 {
 	enum hawser_status status = load_scene(&model->scene, stream, common, n, report);
 	struct hawser_modes_options options;
 
-	if (!status && !alone)
+	if (!status && extent != NOTHING)
 		status = refuse_beam(&model->scene, common, report);
 	model->has_scene = !status;
-	if (alone)
+	if (extent == NOTHING)
 		return status;
 	if (!status)
 		status = hawser_statics_scene(&model->statics, &model->scene, report);
@@ -213,7 +216,10 @@ static enum hawser_status from_scene(struct cli_model *model, FILE *stream,
 	if (!status)
 		status = hawser_modes_solve(&model->modes, &model->statics, &options, report);
 	if (!status)
-		status = hawser_rom_build(&model->rom, &model->modes, &model->scene, report);
+		status = extent == WHOLE
+		         ? hawser_rom_build(&model->rom, &model->modes, &model->scene, report)
+		         : hawser_rom_build_entries(&model->rom, &model->modes, &model->scene,
+		                                    report);
 	if (!status)
 		status = cli_known(model, model->modes.mode[model->modes.n - 1].omega, report);
 	return status;
@@ -266,9 +272,8 @@ static enum hawser_status from_file(struct cli_model *model, FILE *copy,
 	            : hawser_rom_open(&model->rom, common->input, report);
 }
 
-/* `alone`: a scene is read, but nothing is computed from it. */
 static enum hawser_status load(struct cli_model *model, const struct cli_common *common, int n,
-                               int alone, struct hawser_report *report)
+                               enum extent extent, struct hawser_report *report)
 {
 	FILE *stream;
 	int copied;
@@ -283,7 +288,7 @@ static enum hawser_status load(struct cli_model *model, const struct cli_common 
 		status = from_file(model, copied ? stream : NULL, common, n, report);
 	} else {
 		rewind(stream);
-		status = from_scene(model, stream, common, n, alone, report);
+		status = from_scene(model, stream, common, n, extent, report);
 	}
 	fclose(stream);
 	if (!status && !model->automatic && model->rom.n > 0) {
@@ -299,13 +304,19 @@ static enum hawser_status load(struct cli_model *model, const struct cli_common 
 enum hawser_status cli_model_load(struct cli_model *model, const struct cli_common *common, int n,
                                   struct hawser_report *report)
 {
-	return load(model, common, n, 0, report);
+	return load(model, common, n, WHOLE, report);
+}
+
+enum hawser_status cli_model_entries(struct cli_model *model, const struct cli_common *common, int n,
+                                     struct hawser_report *report)
+{
+	return load(model, common, n, ENTRIES, report);
 }
 
 enum hawser_status cli_model_or_scene(struct cli_model *model, const struct cli_common *common,
                                       int n, struct hawser_report *report)
 {
-	return load(model, common, n, 1, report);
+	return load(model, common, n, NOTHING, report);
 }
 
 void cli_model_clear(struct cli_model *model)

@@ -21,6 +21,7 @@
 #include "modes/grid.h"
 #include "rom/answer.h"
 #include "rom/build.h"
+#include "rom/entries.h"
 #include "rom/inertia.h"
 #include "rom/model.h"
 #include "rom/kernel.h"
@@ -405,8 +406,10 @@ static enum hawser_status condense(struct hawser__condensed *condensed, struct h
 	return status ? status : hawser__condense(condensed, with, modes->n, report);
 }
 
-enum hawser_status hawser_rom_build(struct hawser_rom *rom, const struct hawser_modes *kept,
-                                    const struct hawser_scene *scene, struct hawser_report *report)
+/* `compile`: prepare the forces as well. */
+static enum hawser_status build(struct hawser_rom *rom, const struct hawser_modes *kept,
+                                const struct hawser_scene *scene, int compile,
+                                struct hawser_report *report)
 {
 	struct hawser__condensed others = {0}, *condensed = NULL;
 	enum hawser_status status = hawser__rom_begin(rom, kept, scene, report);
@@ -431,10 +434,26 @@ enum hawser_status hawser_rom_build(struct hawser_rom *rom, const struct hawser_
 	if (!status && condensed)
 		status = hawser__rom_answers(rom, modes, modes->n, scene, report);
 	if (!status)
-		status = hawser__rom_compile_cable(rom, modes, condensed, report);
+		status = compile ? hawser__rom_compile_cable(rom, modes, condensed, report)
+		                 : hawser__entries_check(rom, report);
+	if (!status && !compile)
+		status = hawser__entries_merge(rom, report);
 	hawser__condensed_clear(&others);
 	hawser_modes_clear(&with);
 	if (status)
 		hawser_rom_clear(rom);
 	return status;
+}
+
+enum hawser_status hawser_rom_build_entries(struct hawser_rom *rom, const struct hawser_modes *kept,
+                                            const struct hawser_scene *scene,
+                                            struct hawser_report *report)
+{
+	return build(rom, kept, scene, 0, report);
+}
+
+enum hawser_status hawser_rom_build(struct hawser_rom *rom, const struct hawser_modes *kept,
+                                    const struct hawser_scene *scene, struct hawser_report *report)
+{
+	return build(rom, kept, scene, 1, report);
 }

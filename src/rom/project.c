@@ -27,6 +27,7 @@
 #include <stdlib.h>
 
 #include "core/report.h"
+#include "rom/kernel.h"
 #include "rom/project.h"
 
 /* The integrands at the points of the grid, one contiguous row for each mode or pair of modes. */
@@ -191,21 +192,52 @@ void hawser__rom_stiffness(double *stiffness, const struct hawser_modes *modes)
 
 /* --- from derivatives to monomials of equations --- */
 
+/* Where the next entry of each equation belongs. Multi-indices are generated in ascending order, and
+ * an index removed from all of them leaves the others in ascending order: the entries of an equation
+ * are generated in the order that hawser__entries_merge wants, and needn't be sorted. */
+struct places {
+	int at[HAWSER_ROM_MAX];
+};
+
+/* Equations of a sorted multi-index, each once. */
+static void count_equations(struct places *places, const int *index, int count)
+{
+	for (int e = 0; e < count; e++)
+		places->at[index[e]] += e == 0 || index[e] != index[e - 1];
+}
+
+/* From numbers of entries to the places of the first ones; returns the number of all. */
+static int places_begin(struct places *places, int n)
+{
+	int total = 0;
+
+	for (int j = 0; j < n; j++) {
+		int count = places->at[j];
+
+		places->at[j] = total;
+		total += count;
+	}
+	return total;
+}
+
 /* V = sum T_ijk u_i u_j u_k/6 gives equation e the term T_ekl u_k u_l/2: whole coefficient of the
  * monomial T for k < l and T/2 for k = l. */
-static void put_third(struct hawser_rom *rom, double value, const int index[3])
+static void put_third(struct hawser_rom *rom, struct places *places, double value,
+                      const int index[3])
 {
 	for (int e = 0; e < 3; e++) {
 		int k = index[e == 0], l = index[e == 2 ? 1 : 2];
 
 		if (e > 0 && index[e] == index[e - 1])
 			continue;
-		rom->Q[rom->quads++] = (struct hawser_quad){index[e], k, l, k == l ? value/2.0 : value};
+		rom->Q[places->at[index[e]]++] =
+			(struct hawser_quad){index[e], k, l, k == l ? value/2.0 : value};
 	}
 }
 
 /* The same for U_eklm u_k u_l u_m/6, of which 6, 3 or 1 are one monomial. */
-static void put_fourth(struct hawser_rom *rom, double value, const int index[4])
+static void put_fourth(struct hawser_rom *rom, struct places *places, double value,
+                       const int index[4])
 {
 	for (int e = 0; e < 4; e++) {
 		int rest[3], r = 0;
@@ -217,8 +249,8 @@ static void put_fourth(struct hawser_rom *rom, double value, const int index[4])
 			if (i != e)
 				rest[r++] = index[i];
 		share = rest[0] == rest[2] ? 6.0 : rest[0] == rest[1] || rest[1] == rest[2] ? 2.0 : 1.0;
-		rom->C[rom->cubics++] = (struct hawser_cubic){index[e], rest[0], rest[1], rest[2],
-		                                              value/share};
+		rom->C[places->at[index[e]]++] = (struct hawser_cubic){
+			index[e], rest[0], rest[1], rest[2], value/share};
 	}
 }
 
@@ -242,8 +274,15 @@ static enum hawser_status not_finite(struct hawser_report *report, const char *n
 	                    name, value, index[0] + 1, index[1] + 1, index[2] + 1);
 }
 
-static enum hawser_status all_thirds(struct hawser_rom *rom, const struct table *t,
-                                     struct hawser_report *report)
+/* A shape counts as second order: two of them are beyond the fourth order. */
+static int third_exists(const struct table *t, const int index[3])
+{
+	return index[1] < t->moving && !vanishes(t, index, 3);
+}
+
+/* All third derivatives; with rom->Q NULL, their entries are counted. */
+static enum hawser_status all_thirds(struct hawser_rom *rom, struct places *places,
+                                     const struct table *t, struct hawser_report *report)
 {
 	for (int i = 0; i < t->n; i++)
 		for (int j = i; j < t->n; j++)
@@ -251,19 +290,23 @@ static enum hawser_status all_thirds(struct hawser_rom *rom, const struct table 
 				const int index[3] = {i, j, k};
 				double value;
 
-				/* a shape counts as second order: this term is beyond the fourth order */
-				if (j >= t->moving || vanishes(t, index, 3))
+				if (!third_exists(t, index))
 					continue;
+				if (!rom->Q) {
+					count_equations(places, index, 3);
+					continue;
+				}
 				value = third(t, i, j, k);
 				if (!isfinite(value))
 					return not_finite(report, "Q", value, index);
-				put_third(rom, value, index);
+				put_third(rom, places, value, index);
 			}
 	return HAWSER_OK;
 }
 
-/* All fourth derivatives whose first indices are i, j. */
-static enum hawser_status fourths_of(struct hawser_rom *rom, const struct table *t, int i, int j,
+/* All fourth derivatives whose first indices are i, j; with rom->C NULL, their entries are counted. */
+static enum hawser_status fourths_of(struct hawser_rom *rom, struct places *places,
+                                     const struct table *t, int i, int j,
                                      struct hawser_report *report)
 {
 	for (int k = j; k < t->moving; k++)
@@ -273,39 +316,63 @@ static enum hawser_status fourths_of(struct hawser_rom *rom, const struct table 
 
 			if (vanishes(t, index, 4))
 				continue;
+			if (!rom->C) {
+				count_equations(places, index, 4);
+				continue;
+			}
 			value = fourth(t, i, j, k, l);
 			if (!isfinite(value))
 				return not_finite(report, "C", value, index);
-			put_fourth(rom, value, index);
+			put_fourth(rom, places, value, index);
 		}
 	return HAWSER_OK;
+}
+
+static enum hawser_status all_fourths(struct hawser_rom *rom, struct places *places,
+                                      const struct table *t, struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+
+	for (int i = 0; !status && i < t->moving; i++)
+		for (int j = i; !status && j < t->moving; j++)
+			status = fourths_of(rom, places, t, i, j, report);
+	return status;
+}
+
+static enum hawser_status fill_tensors(struct hawser_rom *rom, const struct table *t,
+                                       struct hawser_report *report)
+{
+	struct places quads = {{0}}, cubics = {{0}};
+	enum hawser_status status = all_thirds(rom, &quads, t, report);
+
+	if (!status)
+		status = all_fourths(rom, &cubics, t, report);
+	if (status)
+		return status;
+	rom->quads = places_begin(&quads, t->n);
+	rom->cubics = places_begin(&cubics, t->n);
+	rom->Q = malloc(((size_t)rom->quads + 1)*sizeof *rom->Q);
+	rom->C = malloc(((size_t)rom->cubics + 1)*sizeof *rom->C);
+	if (!rom->Q || !rom->C)
+		return hawser__no_memory(report, "rom");
+	status = all_thirds(rom, &quads, t, report);
+	return status ? status : all_fourths(rom, &cubics, t, report);
 }
 
 enum hawser_status hawser__rom_tensors(struct hawser_rom *rom, const struct hawser_modes *modes,
                                        const struct hawser__condensed *condensed,
                                        struct hawser_report *report)
 {
-	enum hawser_status status = HAWSER_OK;
-	size_t n = (size_t)modes->n;
+	enum hawser_status status;
 	struct table t;
 
 	if (!table_make(&t, modes)) {
 		status = hawser__no_memory(report, "rom");
-		goto done;
+	} else {
+		t.gram = condensed ? condensed->gram : NULL;
+		t.moving = condensed ? condensed->n : t.n;
+		status = fill_tensors(rom, &t, report);
 	}
-	t.gram = condensed ? condensed->gram : NULL;
-	t.moving = condensed ? condensed->n : t.n;
-	rom->Q = malloc(n*(n + 1)*(n + 2)/2*sizeof *rom->Q);
-	rom->C = malloc(n*(n + 1)*(n + 2)*(n + 3)/6*sizeof *rom->C);
-	if (!rom->Q || !rom->C) {
-		status = hawser__no_memory(report, "rom");
-		goto done;
-	}
-	status = all_thirds(rom, &t, report);
-	for (int i = 0; !status && i < t.moving; i++)
-		for (int j = i; !status && j < t.moving; j++)
-			status = fourths_of(rom, &t, i, j, report);
-done:
 	table_clear(&t);
 	return status;
 }

@@ -107,6 +107,52 @@ static void check_messages(void)
 	              "\"slope\": [[[1, 2, 3]], [[1, 2, 3]]], \"EA\": -1}"), "shapes.EA is -1");
 }
 
+/* --- layout --- */
+
+/* Every character of a file, and of its members in another JSON file. */
+static void check_layout(void)
+{
+	static const char model[] = MODEL(", \"Q\": [[0, 0, 1, -0.1]], \"harmonics\": [{\"k\": 1, "
+		"\"f\": [1e-7, 2]}, {\"k\": 2, \"K\": [[1, 2], [3, 4]]}], "
+		"\"scale\": {\"length\": 250, \"time\": 1e22, \"force\": 0.3}");
+	static const char file[] = "{\n  \"hawser_rom\": 1,\n  \"n\": 2,\n"
+		"  \"D\": [\n    [0.0, 0.0],\n    [0.0, 0.0]\n  ],\n"
+		"  \"K\": [\n    [1.0, 0.0],\n    [0.0, 4.0]\n  ],\n"
+		"  \"Q\": [\n    [0, 0, 1, -0.10000000000000001]\n  ],\n  \"C\": [],\n"
+		"  \"harmonics\": [\n    {\"k\": 1, \"phase\": \"cos\", \"omega_power\": 0, "
+		"\"f\": [9.9999999999999995e-8, 2.0]},\n    {\n      \"k\": 2,\n"
+		"      \"phase\": \"cos\",\n      \"omega_power\": 0,\n      \"K\": [\n"
+		"        [1.0, 2.0],\n        [3.0, 4.0]\n      ]\n    }\n  ],\n"
+		"  \"scale\": {\"length\": 250.0, \"time\": 1e22, \"force\": 0.29999999999999999}\n}\n";
+	static const char members[] = "\"hawser_rom\": 1,\n \"n\": 2,\n"
+		" \"D\": [\n  [0.0, 0.0],\n  [0.0, 0.0]\n ],\n"
+		" \"K\": [\n  [1.0, 0.0],\n  [0.0, 4.0]\n ],\n"
+		" \"Q\": [\n  [0, 0, 1, -0.10000000000000001]\n ],\n \"C\": [],\n"
+		" \"harmonics\": [\n  {\"k\": 1, \"phase\": \"cos\", \"omega_power\": 0, "
+		"\"f\": [9.9999999999999995e-8, 2.0]},\n  {\"k\": 2, \"phase\": \"cos\", "
+		"\"omega_power\": 0, \"K\": [[1.0, 2.0], [3.0, 4.0]]}\n ],\n"
+		" \"scale\": {\"length\": 250.0, \"time\": 1e22, \"force\": 0.29999999999999999}";
+	struct hawser_rom rom;
+	char *text = NULL;
+	FILE *stream;
+	size_t size;
+
+	put(model);
+	if (!ok(!hawser_rom_open(&rom, path, NULL), "a small model is read"))
+		return;
+	ok(!hawser_rom_text(&rom, &text, NULL) && !strcmp(text, file), "the layout of a file");
+	free(text);
+	text = NULL;
+	stream = open_memstream(&text, &size);
+	ok(stream && !hawser_rom_write_members(&rom, stream, NULL) && !fclose(stream) &&
+	   !strcmp(text, members), "the layout of the members in another file");
+	free(text);
+	rom.K[1] = NAN;
+	ok(hawser_rom_write_members(&rom, NULL, NULL) == HAWSER_ERR_NAN,
+	   "members with a number that is not finite are refused before anything is written");
+	hawser_rom_clear(&rom);
+}
+
 /* --- round trip --- */
 
 static double odd(void)
@@ -291,6 +337,7 @@ int main(int count, char **word)
 	ok(mkdtemp(folder) != NULL, "folder for %s", word[0]);
 	snprintf(path, sizeof path, "%s/model.json", folder);
 	check_messages();
+	check_layout();
 	check_round_trip();
 	check_least();
 	check_files();
