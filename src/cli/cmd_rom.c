@@ -150,24 +150,23 @@ static void comments(struct hawser__table *table, const void *of)
 		                      hawser_rom_asymmetry(rom));
 }
 
+static int write_model(FILE *stream, const void *rom)
+{
+	return hawser_rom_write_members(rom, stream, NULL) != HAWSER_OK;
+}
+
 /* The reduced-model file, with the members common to all results. */
 static void fill_json(struct hawser__json *json, const void *of)
 {
 	const struct result *result = of;
 	struct cli_head shown = head(of);
-	char *text;
-	json_t *parts;
 
 	cli_echo_json(json, shown.common, shown.command, shown.scene);
 	if (!json->status)
-		json->status = hawser_rom_text(&result->model->rom, &text, &json->report);
+		json->status = hawser_rom_write_members(&result->model->rom, NULL, &json->report);
 	if (json->status)
 		return;
-	parts = json_loads(text, 0, NULL);
-	if (!parts || json_object_update(json->root, parts))
-		json->status = hawser__no_memory(&json->report, "rom");
-	json_decref(parts);
-	free(text);
+	hawser__json_members(json, write_model, &result->model->rom);
 	hawser__fields_json(json, json->root, cli_choice_field, result->model, &shown.view);
 	cli_stats_json(json, shown.common);
 }

@@ -1,5 +1,7 @@
 noinst_LTLIBRARIES += %D%/libcore.la
 %C%_libcore_la_SOURCES = \
+	%D%/digits.c \
+	%D%/digits.h \
 	%D%/file.c \
 	%D%/file.h \
 	%D%/hot.h \

@@ -126,6 +126,15 @@ void hawser__json_list(struct hawser__json *json, json_t *into, const char *key,
 	json->lists++;
 }
 
+void hawser__json_members(struct hawser__json *json,
+                          int (*write)(FILE *stream, const void *context), const void *context)
+{
+	/* jansson keeps the order of members; the key is not written */
+	json_t *place = hawser__json_object(json, json->root, "");
+
+	json->members = (struct hawser__json_members){place, write, context};
+}
+
 /* State of the output. The functions below return nonzero if jansson ran out of memory; the text
  * written so far is then not valid JSON. */
 struct printer {
@@ -194,10 +203,16 @@ static int print_object(const struct printer *printer, const json_t *value, int 
 	json_t *member;
 
 	json_object_foreach((json_t *)value, key, member) {
-		json_t *name = json_string(key);
+		const struct hawser__json_members *members = &printer->json->members;
+		json_t *name;
 
 		lead(printer->stream, first, '{', broken, level);
 		first = 0;
+		if (member == members->place) {
+			bad |= members->write(printer->stream, members->context);
+			continue;
+		}
+		name = json_string(key);
 		bad |= !name || json_dumpf(name, printer->stream, JSON_ENCODE_ANY);
 		fputs(": ", printer->stream);
 		bad |= print(printer, member, level + 1);

@@ -79,6 +79,11 @@ struct hawser__json {
 	struct hawser_report report;
 	struct hawser__json_list list[HAWSER__JSON_LISTS]; /* [lists] */
 	int lists;
+	struct hawser__json_members {
+		const json_t *place; /* a member of root in their place, or NULL */
+		int (*write)(FILE *stream, const void *context);
+		const void *context;
+	} members;
 	void *owned[HAWSER__JSON_LISTS]; /* [owns] freed by _clear */
 	int owns;
 };
@@ -101,6 +106,11 @@ void hawser__json_list(struct hawser__json *json, json_t *into, const char *key,
                        void (*fill)(struct hawser__json *json, json_t *list, const void *context,
                                     int part, size_t index),
                        const void *context, int part);
+/* Members of the root that `write` prints on output, at this place between the others: their text, each
+ * but the first on a line after ",\n ". It returns nonzero if memory ran out; the context must remain
+ * valid until then. At most one such call for a result. */
+void hawser__json_members(struct hawser__json *json,
+                          int (*write)(FILE *stream, const void *context), const void *context);
 enum hawser_status hawser__json_write(const struct hawser__json *json, const char *path,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__json_clear(struct hawser__json *json);

@@ -64,4 +64,6 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/travel.h \
 	%D%/weigh.c \
 	%D%/weigh.h \
-	%D%/write.c
+	%D%/write.c \
+	%D%/writer.c \
+	%D%/writer.h
