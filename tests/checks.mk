@@ -55,7 +55,7 @@ check-sanitizers-sample:
 # valgrind finds possibly lost.
 RUN_VALGRIND = $(SHELL) $(abs_top_builddir)/libtool --mode=execute $(VALGRIND) -q --leak-check=full --show-leak-kinds=definite \
 	--errors-for-leak-kinds=definite --error-exitcode=9
-VALGRIND_TESTS = $(filter-out %-fuzz,$(filter tests/unit/%,$(check_PROGRAMS:$(EXEEXT)=)))
+VALGRIND_TESTS = $(filter-out %-fuzz %-memory,$(filter tests/unit/%,$(check_PROGRAMS:$(EXEEXT)=)))
 check-valgrind:
 	@test '$(VALGRIND)' != no || { echo 'valgrind is not installed'; exit 1; }
 	$(MAKE) check TESTS='$(VALGRIND_TESTS)' TEST_SUITE_LOG=test-valgrind.log \

@@ -216,9 +216,10 @@ enum hawser_status hawser_rom_save(const struct hawser_rom *rom, const char *pat
                                    struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* The members of the JSON object in such a file, without its braces, for the outermost object of
- * another JSON file: each on a line after the first, as are the entries of their lists. With stream NULL
- * the model is only checked, so that a caller can refuse it before writing anything. Nothing of the
- * model is copied. HAWSER_ERR_NAN if a number is not finite, HAWSER_ERR_ARGUMENT for a model with the
+ * another JSON file: each on a line after the first, as are the entries of their lists. With
+ * stream NULL the model is only checked, so that a caller can refuse it before writing anything.
+ * Nothing of the model is copied. HAWSER_ERR_NAN if a number is not finite, HAWSER_ERR_ARGUMENT for
+ * a model with the
  * exact strain energy; errors of the stream are left to the caller (ferror). */
 enum hawser_status hawser_rom_write_members(const struct hawser_rom *rom, FILE *stream,
                                             struct hawser_report *report) HAWSER_MUST_CHECK;

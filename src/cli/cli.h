@@ -1,7 +1,5 @@
 /* cli/cli.h - the program: a table of commands, each with a table of options. A command parses its
- * options, calls the library and prints. Only conversions between a model's scale and SI are computed
- * here.
- *
+ * options, calls the library, converts between a model's scale and SI, and prints.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_CLI_CLI_H
 #define HAWSER_CLI_CLI_H
@@ -147,11 +145,10 @@ struct cli_model {
 		int number;
 	} basis;
 };
-/* n > 0 overrides the scene's number of modes. With modes: auto the model is made later, by
- * cli_choice_build or cli_choice_trace, since its modes depend on the range of frequencies. */
+/* n > 0 overrides the scene's modes. With modes: auto the model is made later, for the range of
+ * frequencies, by cli_choice_build or _trace. _entries: only written (hawser_rom_build_entries). */
 enum hawser_status cli_model_load(struct cli_model *model, const struct cli_common *common, int n,
                                   struct hawser_report *report) HAWSER_MUST_CHECK;
-/* The same for a model that is only written as a file (hawser_rom_build_entries). */
 enum hawser_status cli_model_entries(struct cli_model *model, const struct cli_common *common, int n,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
 /* The same for a reduced-model file. A scene is read, but nothing is computed from it. */

@@ -22,8 +22,8 @@ struct hawser__powers {
 void hawser__powers_make(struct hawser__powers *powers);
 
 /* text [HAWSER__DIGITS_SIZE]: the finite `value` as JSON with 17 significant digits, correctly rounded,
- * which strtod reads back to the same bits; trailing zeros are omitted. Always with "." or "e", in every
- * locale. Returns the length. */
+ * which strtod reads back to the same bits; trailing zeros are omitted. Always with "." or "e", in
+ * every locale. Returns the length. */
 size_t hawser__digits(char *text, double value, const struct hawser__powers *powers);
 
 #endif

@@ -32,12 +32,13 @@ static void new_line(struct hawser__writer *to)
 /* What stands before a member: nothing after a key. */
 static void separate(struct hawser__writer *to)
 {
-	struct hawser__container *in = &to->container[to->depth - 1];
+	struct hawser__container *in;
 
 	if (to->keyed || to->depth == 0) {
 		to->keyed = 0;
 		return;
 	}
+	in = &to->container[to->depth - 1];
 	if (in->count > 0)
 		fputs(in->broken ? "," : ", ", to->stream);
 	/* the caller has written the line end before the first member of all */

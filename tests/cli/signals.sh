@@ -77,7 +77,7 @@ ends() {
 scenes=$top/notebooks-data/scenes
 
 ends SIGINT 0.3 out.json frf "$chairlift" --step 1e-6 --max-points 100000000 --json out.json
-ends SIGTERM 0.3 '' rom "$chairlift" --modes 60 --json out.json
+ends SIGTERM 0.1 out.json rom "$chairlift" --modes 60 --json out.json
 ends SIGHUP 0.2 '' damping -
 
 # The numbers of a result are written though its picture is not.

@@ -20,7 +20,8 @@ int main(void)
 	 * it was 135 MB. The file has 9.6 MB. */
 	const long most_kb = 40000;
 	struct rusage used;
-	int status = system("\"${HAWSER:-./hawser}\" rom \"${SRCDIR:-.}/notebooks-data/scenes/chairlift.yaml\" "
+	int status = system("\"${HAWSER:-./hawser}\" rom "
+	                    "\"${SRCDIR:-.}/notebooks-data/scenes/chairlift.yaml\" "
 	                    "-n 40 --json /dev/null -q");
 
 	getrusage(RUSAGE_CHILDREN, &used);
