@@ -1,5 +1,5 @@
 /* continuation/false_position.h - the zero of a function between two places at which its signs differ:
- * false position with the Anderson-Bjorck weight, and a bisection every sixth time, for false position
+ * false position with the Anderson-Bjorck weight, and a bisection every eighth time, for false position
  * may converge slowly where the function is strongly curved.
  *
  * Source: N. Anderson and A. Bjorck, BIT 13 (1973) 253.
@@ -10,25 +10,27 @@
 
 struct hawser__bracketed {
 	double a, b, fa, fb; /* a < b; f(a) and f(b) have different signs; weighted */
+	int moved;           /* the end that moved last: -1 a, 1 b, 0 none */
 };
 
 /* Where to try next, strictly inside; `i` counts the tries from 0. */
 static inline double hawser__false_position(const struct hawser__bracketed *in, int i)
 {
 	double middle = 0.5*(in->a + in->b);
-	double s = i%6 == 5 ? middle : in->b - in->fb*(in->b - in->a)/(in->fb - in->fa);
+	double s = i%8 == 7 ? middle : in->b - in->fb*(in->b - in->a)/(in->fb - in->fa);
 
 	return s > in->a && s < in->b ? s : middle;
 }
 
-/* Take in the value f at s. */
+/* Take in the value f at s. The value of an end that stays twice is reduced, so that the next try is
+ * nearer to it. */
 static inline void hawser__false_position_take(struct hawser__bracketed *in, double s, double f)
 {
-	int left = (f < 0.0) == (in->fa < 0.0);
-	double weight = 1.0 - f/(left ? in->fa : in->fb);
+	int end = (f < 0.0) == (in->fa < 0.0) ? -1 : 1;
+	double weight = in->moved != end ? 1.0 : 1.0 - f/(end < 0 ? in->fa : in->fb);
 
 	weight = weight > 0.0 ? weight : 0.5;
-	if (left) {
+	if (end < 0) {
 		in->a = s;
 		in->fa = f;
 		in->fb *= weight;
@@ -37,6 +39,7 @@ static inline void hawser__false_position_take(struct hawser__bracketed *in, dou
 		in->fb = f;
 		in->fa *= weight;
 	}
+	in->moved = end;
 }
 
 #endif

@@ -15,6 +15,7 @@
 #include "core/report.h"
 #include "response/bracket.h"
 #include "response/flow.h"
+#include "response/locate.h"
 
 /* If |f| of the nearest trial is below this, a failure of the corrector is attributed to a branch
  * point; chosen. */
@@ -37,6 +38,21 @@ static int needs_sure(const struct hawser__station *a, const struct hawser__stat
 	       (kind == HAWSER_PERIOD_DOUBLING && a->test[kind].sign*b->test[kind].sign > 0.0);
 }
 
+/* Rank by modulus of the multiplier that crosses the unit circle between a and b, if the number of
+ * those outside changes as by one event; otherwise -1. The modulus of a given rank is a continuous
+ * function of the place on the branch, while the test function, a product over all multipliers,
+ * may vary much faster. */
+static int crossing(const struct hawser__bracket *bracket)
+{
+	int before = hawser__station_circle(bracket->a, bracket->sure).unstable;
+	int after = hawser__station_circle(bracket->b, bracket->sure).unstable;
+
+	if (bracket->kind == HAWSER_FOLD ||
+	    abs(after - before) != hawser__event_width(bracket->kind))
+		return -1;
+	return before < after ? before : after;
+}
+
 enum hawser_status hawser__bracket_init(struct hawser__bracket *bracket, struct hawser__orbit *orbit,
                                         struct hawser__station *scratch,
                                         const struct hawser__station *a,
@@ -49,6 +65,7 @@ enum hawser_status hawser__bracket_init(struct hawser__bracket *bracket, struct 
 	*bracket = (struct hawser__bracket){.orbit = orbit, .at = scratch, .a = a, .b = b, .kind = kind,
 		.in = {.b = 1.0}};
 	bracket->sure = sure && needs_sure(a, b, kind);
+	bracket->watched = crossing(bracket);
 	bracket->scale = fmax(test_of(bracket, a)->log, test_of(bracket, b)->log);
 	bracket->multipliers = malloc(2*m*HAWSER__MOST_TRIALS*sizeof(double));
 	if (!bracket->multipliers)
@@ -149,7 +166,16 @@ static double next_place(const struct hawser__bracket *bracket, int i)
 {
 	const struct hawser__bracketed *in = &bracket->in;
 
-	return bracket->sure ? 0.5*(in->a + in->b) : hawser__false_position(in, i);
+	return bracket->sure && bracket->watched < 0 ? 0.5*(in->a + in->b)
+	                                             : hawser__false_position(in, i);
+}
+
+/* The value at a station whose test function is f, for false position: where a multiplier is
+ * watched, its logarithm, with the sign of f. */
+static double watched(const struct hawser__bracket *bracket, const struct hawser__station *station,
+                      double f)
+{
+	return bracket->watched < 0 ? f : copysign(fabs(station->log_modulus[bracket->watched]), f);
 }
 
 /* The next trial after the corrector failed at s: beside it, towards the farther end of the
@@ -190,20 +216,22 @@ static enum hawser_status pass_failure(struct hawser__bracket *bracket, int *don
 		return status;
 	*share = failed ? fmin(4.0**share, 0.5) : 0.25**share;
 	if (!failed)
-		hawser__false_position_take(&bracket->in, bracket->trial[bracket->trials - 1].s, f);
+		hawser__false_position_take(&bracket->in, bracket->trial[bracket->trials - 1].s,
+		                            watched(bracket, bracket->at, f));
 	return HAWSER_OK;
 }
 
 enum hawser_status hawser__bracket_zero(struct hawser__bracket *bracket, double *s, double *f,
                                         double tolerance, struct hawser_report *report)
 {
-	double share = ASIDE, omega;
+	double share = ASIDE, omega, value, small;
 	int last = bracket->orbit->size - 1, failed, done;
 
-	bracket->in.fa = hawser__bracket_value(bracket, bracket->a);
-	bracket->in.fb = hawser__bracket_value(bracket, bracket->b);
+	*f = hawser__bracket_value(bracket, bracket->a);
+	bracket->in.fa = watched(bracket, bracket->a, *f);
+	bracket->in.fb = watched(bracket, bracket->b, hawser__bracket_value(bracket, bracket->b));
 	bracket->before = INFINITY;
-	*f = bracket->in.fa;
+	small = bracket->watched < 0 ? 1e-4 : 1e-4*fmax(fabs(bracket->in.fa), fabs(bracket->in.fb));
 	for (int i = 0; i < HAWSER__MOST_TRIALS - HAWSER__MOST_FAILURES; i++) {
 		enum hawser_status status;
 
@@ -220,11 +248,12 @@ enum hawser_status hawser__bracket_zero(struct hawser__bracket *bracket, double 
 		}
 		omega = bracket->at->y[last];
 		bracket->uncertain = 0.0;
+		value = watched(bracket, bracket->at, *f);
 		if (*f == 0.0 || bracket->in.b - bracket->in.a < 1e-14 ||
-		    (fabs(omega - bracket->before) <= 0.1*tolerance*omega && fabs(*f) < 1e-4))
+		    (fabs(omega - bracket->before) <= 0.1*tolerance*omega && fabs(value) < small))
 			return HAWSER_OK;
 		bracket->before = omega;
-		hawser__false_position_take(&bracket->in, *s, *f);
+		hawser__false_position_take(&bracket->in, *s, value);
 	}
 	return HAWSER_OK;
 }

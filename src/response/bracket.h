@@ -11,8 +11,8 @@
 #include "response/station.h"
 
 #define HAWSER__MOST_FAILURES 12 /* failures of the corrector in one search; chosen */
-/* False position with a bisection every sixth time needs 10 to 20 trials; with 60 the bracket is
- * halved ten times at least. */
+/* False position with a bisection every eighth time needs 4 to 12 trials; with 60 the bracket is
+ * halved seven times at least. */
 #define HAWSER__MOST_TRIALS (60 + HAWSER__MOST_FAILURES)
 
 struct hawser__trial {
@@ -28,6 +28,7 @@ struct hawser__bracket {
 	const struct hawser__station *a, *b;
 	enum hawser_event_kind kind;
 	int sure;              /* 1: by the sure test function (station.h) */
+	int watched;           /* rank of the multiplier whose modulus locates the event; -1: none */
 	double tolerance;      /* of the corrector */
 	double scale;          /* logarithm by which test values are scaled */
 	struct hawser__bracketed in;

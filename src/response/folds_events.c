@@ -61,7 +61,7 @@ static enum hawser_status locate(struct hawser__fold_walk *walk, int k, double *
                                  int *failed)
 {
 	struct hawser__fold_station *lo = &walk->lo, *hi = &walk->hi;
-	struct hawser__bracketed in = {lo->arc, hi->arc, lo->test[k], hi->test[k]};
+	struct hawser__bracketed in = {lo->arc, hi->arc, lo->test[k], hi->test[k], 0};
 	double goal = walk->options->event_tolerance, first = fmax(fabs(in.fa), fabs(in.fb));
 
 	for (int i = 0; i < MOST_ITERATIONS; i++) {

@@ -59,7 +59,7 @@ static double error_of(const struct hawser__trace *trace, const double T[2], dou
 enum hawser_status hawser__trace_slacken(struct hawser__trace *trace, double from, double to,
                                          struct hawser_frf_event *event)
 {
-	struct hawser__bracketed in = {0.0, 1.0, from, to};
+	struct hawser__bracketed in = {0.0, 1.0, from, to, 0};
 	double goal = trace->options.event_tolerance, length = trace->next.arc - trace->here.arc;
 	double T[2] = {to, to}, s = 1.0;
 	enum hawser_status status;

@@ -186,7 +186,7 @@ static int bracketed(struct hawser__hill *hill, struct hawser__track *track, dou
 		if (!(low < 0.0 && high > 0.0))
 			continue;
 		*s = hawser__hill_root(hill, track, from, along,
-		                       (struct hawser__bracketed){-w, w, low, high});
+		                       (struct hawser__bracketed){-w, w, low, high, 0});
 		track->rise = 0.0;
 		return isfinite(*s) && track->noise <= UNSURE*0.5*(high - low)/w && !hill->status;
 	}
