@@ -22,6 +22,7 @@ CLI_TESTS = \
 	%D%/cli/scales.sh \
 	%D%/cli/signals.sh \
 	%D%/cli/slack.sh \
+	%D%/cli/stiff.sh \
 	%D%/cli/study.sh \
 	%D%/cli/travel.sh \
 	%D%/cli/usage.sh

@@ -69,6 +69,8 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/linear_margin.h \
 	%D%/load.c \
 	%D%/load.h \
+	%D%/differentiate.c \
+	%D%/differentiate.h \
 	%D%/event_error.c \
 	%D%/event_error.h \
 	%D%/locate.c \

@@ -27,6 +27,7 @@ enum hawser_status hawser__monodromy_init(struct hawser__monodromy *monodromy, i
 	monodromy->n = n;
 	monodromy->steps = 8;
 	monodromy->follow = HAWSER__FOLLOW;
+	monodromy->expected = HAWSER__EXPECTED;
 	hawser__collocation_make(&monodromy->gauss);
 	hawser__collocation_indirect(&monodromy->gauss);
 	monodromy->part = calloc(2*(size_t)n, sizeof(int));
@@ -68,6 +69,7 @@ void hawser__monodromy_release(struct hawser__monodromy *monodromy)
 	free(monodromy->slow);
 	free(monodromy->frequency);
 	free(monodromy->room);
+	hawser__differentiate_release(&monodromy->rates);
 	memset(monodromy, 0, sizeof *monodromy);
 }
 
@@ -252,6 +254,11 @@ static enum hawser_status solve_finely(struct hawser__monodromy *monodromy, doub
 	for (;;) {
 		if ((status = solve_all(monodromy, log_modulus, argument, system, report)))
 			return status;
+		/* the phases of some of the kept coordinates do matter */
+		if (stiff && monodromy->loss > HAWSER__NEGLECTED && monodromy->steps < monodromy->most) {
+			monodromy->steps = (int)fmin(monodromy->most, ceil(1.25*monodromy->steps));
+			continue;
+		}
 		steps = stiff || monodromy->rough ? monodromy->steps : hawser__monodromy_better(monodromy);
 		if (stiff || monodromy->error <= HAWSER__MONODROMY_GOAL || steps <= monodromy->steps)
 			break;
@@ -262,6 +269,8 @@ static enum hawser_status solve_finely(struct hawser__monodromy *monodromy, doub
 		monodromy->loss = fmax(monodromy->loss, monodromy->error);
 		monodromy->spread = fmax(monodromy->spread, monodromy->loss);
 	}
+	if (stiff && !monodromy->sharper)
+		monodromy->phases = monodromy->steps;
 	if (monodromy->sharper) {
 		monodromy->steps = before;
 		return HAWSER_OK;
@@ -327,9 +336,8 @@ enum hawser_status hawser__monodromy_multipliers(struct hawser__monodromy *monod
 	if (status)
 		return status;
 	monodromy->kept = kept;
-	monodromy->neglected = kept == n ? 0.0 : HAWSER__NEGLECTED;
-	if (kept < n && monodromy->haste) /* half as much for a frequency, accumulated over a period */
-		monodromy->neglected = M_PI*monodromy->fastest/omega*monodromy->left_out;
+	if (kept == n)
+		monodromy->neglected = 0.0;
 	monodromy->spread = fmax(monodromy->spread, monodromy->neglected);
 	/* the condensed coordinates respond statically, and their free motion decays */
 	for (int f = 0; f < n - kept; f++) {

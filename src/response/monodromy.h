@@ -33,6 +33,7 @@
 #include <hawser/orbit.h>
 
 #include "response/collocation.h"
+#include "response/differentiate.h"
 
 /* Variational equations with periodic coefficients, as Fourier series ordered by harmonics:
  * constant (twice its value), cos 1, sin 1, ... */
@@ -45,12 +46,13 @@ struct hawser__variational {
 
 /* A model is stiff if it has coordinates faster than this multiple of Omega. */
 #define HAWSER__FOLLOW 20.0
-/* Largest relative change of the slow stiffness by a condensed coordinate: a bound; measured 1e-6. */
+/* Largest relative error of the slow stiffness by the condensation; chosen. */
 #define HAWSER__NEGLECTED 1e-4
 #define HAWSER__HASTE 1e-6    /* the same for models whose coordinates could all be integrated, but
                                * at a high cost */
 #define HAWSER__ROUGHER 1e-3  /* the same for a search, which samples at larger intervals than this
                                * shifts a boundary */
+#define HAWSER__EXPECTED 4    /* initial value of hawser__monodromy.expected; chosen */
 #define HAWSER__SHARPER 1e-10 /* the same for multipliers that serve for comparison */
 
 struct hawser__monodromy {
@@ -73,10 +75,12 @@ struct hawser__monodromy {
 	int rough;              /* 1: multipliers for a search, with errors of 1e-3. Those of the kept
 	                         * coordinates come first */
 	int kept;               /* number of coordinates that were not condensed */
-	double left_out;        /* neglected effect of the condensed coordinates, relative to the slow
-	                         * stiffness */
+	double left_out;        /* error of the slow stiffness by the condensation, relative */
 	double stretch;         /* logarithm of the largest norm of a factor */
+	int phases;             /* number of steps that the phases of the kept coordinates of a stiff
+	                         * model needed last; 0: no more than planned */
 	double fastest;         /* largest relevant frequency of a stiff model, or infinite */
+	double top;             /* frequency of the fastest kept coordinate of a stiff model */
 	struct hawser__collocation gauss;
 	int *part, *member;     /* [n] component of a coordinate; coordinates by components */
 	int parts;
@@ -96,10 +100,13 @@ struct hawser__monodromy {
 	/* monodromy_condense.c */
 	double follow;          /* frequency, relative to Omega, up to which no coordinate is condensed */
 	int *slow, *fast;       /* [n] coordinates that are kept, and those that are condensed */
+	int expected;           /* number of iterations of the condensation that are expected to
+	                         * converge */
 	double *frequency;      /* [n] of the mean stiffness */
 	double *reach;          /* [n] workspace */
 	double *room;           /* workspace of the condensation */
 	size_t room_size;
+	struct hawser__differentiate rates;
 };
 
 /* Largest number of factors of the product: their memory grows with n^2. */
@@ -217,9 +224,12 @@ enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodrom
 /* Sets system->order without negligible harmonics of K, and monodromy->fastest. */
 void hawser__fast_find_range(struct hawser__monodromy *monodromy,
                              struct hawser__variational *system);
-/* Neglected effect of coordinate j on the stiffness of the slow ones, relative. */
-double hawser__fast_neglects(const struct hawser__monodromy *monodromy,
-                             const struct hawser__variational *system, int j);
+/* Sets monodromy->slow and fast: coordinates are fast if `expected` iterations of the condensation
+ * make the relative error of the slow stiffness less than `limit`. Returns the largest frequency of
+ * the `kept` slow coordinates. */
+double hawser__fast_split(struct hawser__monodromy *monodromy,
+                          const struct hawser__variational *system, double limit,
+                          int expected, int *kept);
 /* Whether K is symmetric at all phases. */
 int hawser__fast_symmetric(const struct hawser__variational *system);
 /* Whether all combinations of the nf fast coordinates are fast. */

@@ -2,36 +2,41 @@
  * to matter.
  *
  *    s, f    slow and fast coordinates
- *    w       frequencies of the mean stiffness
- *    G       K_ff^-1 K_fs: the static response of the fast coordinates is -G x_s
+ *    y       (x_s, x_s')
  *
  * A full-order model has longitudinal and high transverse coordinates with frequencies up to 1e4
- * times Omega. They respond quasi-statically to the slow ones, and their own fast motion does not
- * take part in an instability: an instability is due to a harmonic k of K and two coordinates with
+ * times Omega. They follow the slow ones, and their own fast motion does not take part in an
+ * instability: an instability is due to a harmonic k of K and two coordinates with
  * w_i + w_j = k Omega, and requires that |K_k|/(2 sqrt(w_i w_j)) exceeds the damping. The highest
- * such k gives the frequency W = (k + 1) Omega up to which coordinates matter. A coordinate far
- * above W is fast if its neglected part, (G w/w_f)^2 relative to the stiffness, is small enough.
+ * such k gives the frequency W = (k + 1) Omega up to which coordinates matter.
  *
- * With x_f = -G x_s in the equations, inertia included:
+ * The motions in which the fast coordinates only follow are those of the slow manifold
  *
- *      (1 + G'G) x'' + (2 G'dG + D_ss - D_sf G - G'D_fs + G'D_ff G) x'
- *         + (K_ss - K_sf G + G'ddG + (G'D_ff - D_sf) dG) x = 0
+ *      x_f = F y,    x_s'' = -N y,    N = [K_ss D_ss] + K_sf F + D_sf F_1
  *
- * (G' the transpose, dG and ddG derivatives in time). The condensed equations have the conservation
- * properties of the whole. G is computed at equidistant phases and differentiated as a Fourier
- * series.
+ * with x_f' = F_1 y and x_f'' = F_2 y:
  *
- * For a search K need not be symmetric, and D may vary: G' is then K_sf K_ff^-1.
+ *      F_1 = F' + F Y,    F_2 = F_1' + F_1 Y,    y' = Y y,    Y = [0 1; -N]
  *
- * A coordinate is classified as fast by its own stiffness. Since coupling changes the frequencies
- * of the fast coordinates, all their combinations are examined: if one of them is slow or has no
- * positive stiffness, no coordinate is condensed.
+ * and the equations of the fast coordinates determine F:
  *
- * The multipliers of a model with fast coordinates are therefore approximate, while its orbits are
- * not, and folds follow from the tangent of the branch. If all frequencies are below `follow` times
- * Omega, no coordinate is condensed.
+ *      K_ff F = -[K_fs D_fs] - D_ff F_1 - F_2
  *
- * Reference: Guyan, AIAA J. 3 (1965), for constant K.
+ * F is computed by iteration of this equation, from the static response F = [-K_ff^-1 K_fs, 0]. Each
+ * iteration reduces the error by the factor (w_s/w_f)^2, w_s the frequency of the fastest slow
+ * coordinate and w_f that of the slowest fast one. The change of N in the last iteration is the
+ * estimated error. The equations are exact for multipliers of motions in the manifold: K need not
+ * be symmetric, and D may vary. F is computed at equidistant phases and differentiated by Fourier
+ * transforms.
+ *
+ * Since coupling changes the frequencies of the fast coordinates, all their combinations are
+ * examined: if one of them is slow or has no positive stiffness, or if the iteration does not
+ * converge, no coordinate is condensed.
+ *
+ * If all frequencies are below `follow` times Omega, no coordinate is condensed.
+ *
+ * Reference: Chang, SIAM J. Math. Anal. 3 (1972), for the decoupling of fast and slow motions of
+ * linear equations with variable coefficients.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -47,24 +52,28 @@
 
 #define SINGULAR 1e-8      /* ratio of a pivot of K_ff to the mean below which it counts as 0: far
                             * above round-off */
+#define ITERATIONS 12      /* largest number; chosen */
+#define SETTLED 1e-9       /* relative change of N at which the iteration ends; chosen, far below the
+                            * errors that are admitted */
+#define MORE 6             /* harmonics of N beyond twice those of K; chosen */
 #define ASIDE 1.0          /* harmonics beyond the highest resonance that a hasty computation
                             * includes; chosen */
 
-/* --- the equations of the slow coordinates --- */
-
+/* The coordinates of all matrices are ordered: the slow ones first. */
 struct work {
 	int n, ns, nf, rows, order; /* order of the result */
-	double *basis;              /* [rows][columns], columns the larger of both orders' */
-	int columns;
-	double *K;                  /* [rows][n][n] */
-	double *G, *dG, *ddG;       /* [rows][nf][ns] */
-	double *left;               /* [rows][nf][ns] K_ff'^-1 K_sf', which is G where K is symmetric */
-	double *damp;               /* [n][n] D at the present phase */
-	int *pivot;                 /* NULL where K is symmetric and D constant */
-	double *spectral;           /* [rows][rows] d/dtau */
-	double *ff, *part;          /* [nf][nf]; [nf][ns] */
-	double *M, *C, *B;          /* [ns][ns]; [rows][ns][ns] damping and stiffness */
-	double *D, *T;              /* [2 order + 1][ns][ns] the result */
+	int symmetric;              /* 1: K is, and D is constant */
+	int *pivot;                 /* [n] */
+	double *basis;              /* [rows][2 order + 1] */
+	double *sorted;             /* [2 order + 1][n][n] coefficients of K or D */
+	double *K, *D;              /* [rows][n][n]; D: [1][n][n] if it is constant */
+	size_t next_D;              /* n^2, or 0 if D is constant */
+	double *F, *F1, *rate;      /* [rows][nf][2 ns]; rate: time derivative of one of them */
+	double *N, *before;         /* [rows][ns][2 ns] of this and the last iteration */
+	double *inverse;            /* [rows][nf][nf] of K_ff */
+	double *part;               /* [nf][2 ns] */
+	double *series;             /* [2 order + 1][ns][2 ns] of N */
+	double *result[2];          /* [2 order + 1][ns][ns] K and D of the slow coordinates */
 };
 
 static enum hawser_status make_room(struct work *work, struct hawser__monodromy *monodromy,
@@ -72,65 +81,78 @@ static enum hawser_status make_room(struct work *work, struct hawser__monodromy 
 {
 	size_t n = (size_t)work->n, ns = (size_t)work->ns, nf = (size_t)work->nf;
 	size_t rows = (size_t)work->rows, wide = 2*(size_t)work->order + 1;
-	size_t need = rows*(size_t)work->columns + rows*n*n + n*n + 4*rows*nf*ns + rows*rows + nf*nf +
-	              nf*ns + ns*ns + 2*rows*ns*ns + 2*wide*ns*ns;
-	double *next;
+	struct {
+		double **at;
+		size_t size;
+	} part[] = {
+		{&work->basis, rows*wide},      {&work->sorted, wide*n*n},
+		{&work->K, rows*n*n},           {&work->D, (work->next_D ? rows : 1)*n*n},
+		{&work->F, 2*rows*nf*ns},       {&work->F1, 2*rows*nf*ns},
+		{&work->rate, 2*rows*nf*ns},    {&work->N, 2*rows*ns*ns},
+		{&work->before, 2*rows*ns*ns},  {&work->inverse, rows*nf*nf},
+		{&work->part, 2*nf*ns + nf},    {&work->series, 2*wide*ns*ns},
+		{&work->result[0], wide*ns*ns}, {&work->result[1], wide*ns*ns},
+	};
+	size_t need = 0, count = sizeof part/sizeof part[0];
 
+	for (size_t p = 0; p < count; p++)
+		need += part[p].size;
 	if (need > monodromy->room_size) {
 		free(monodromy->room);
 		monodromy->room = malloc(2*need*sizeof(double));
 		monodromy->room_size = monodromy->room ? 2*need : 0;
 	}
-	if (!monodromy->room)
+	if (!monodromy->room ||
+	    hawser__differentiate_prepare(&monodromy->rates, work->rows, 2*work->nf*work->ns))
 		return hawser__no_memory(report, "orbit");
-	work->basis = next = monodromy->room;
-	work->K = next += rows*(size_t)work->columns;
-	work->G = next += rows*n*n;
-	work->dG = next += rows*nf*ns;
-	work->ddG = next += rows*nf*ns;
-	work->left = work->pivot ? next += rows*nf*ns : work->G;
-	work->damp = next += rows*nf*ns;
-	work->spectral = next += n*n;
-	work->ff = next += rows*rows;
-	work->part = next += nf*nf;
-	work->M = next += nf*ns;
-	work->C = next += ns*ns;
-	work->B = next += rows*ns*ns;
-	work->D = next += rows*ns*ns;
-	work->T = next + wide*ns*ns;
+	for (size_t p = 0, begin = 0; p < count; begin += part[p++].size)
+		*part[p].at = monodromy->room + begin;
 	return HAWSER_OK;
 }
 
-static void make_tables(struct work *work)
+static void make_basis(struct work *work)
 {
-	int rows = work->rows;
+	int rows = work->rows, columns = 2*work->order + 1;
 
 	for (int i = 0; i < rows; i++) {
-		double *row = work->basis + (size_t)i*work->columns;
+		double *row = work->basis + (size_t)i*columns;
 
 		row[0] = 0.5;
-		for (int c = 1; c < work->columns; c++) {
+		for (int c = 1; c < columns; c++) {
 			double angle = 2.0*M_PI*(double)((long)i*((c + 1)/2)%rows)/rows;
 
 			row[c] = c%2 ? cos(angle) : sin(angle);
 		}
-		/* derivative of the trigonometric interpolant through an odd number of phases */
-		for (int j = 0; j < rows; j++)
-			work->spectral[(size_t)i*rows + j] =
-				i == j ? 0.0 : ((i + j)%2 ? -0.5 : 0.5)/sin(M_PI*(i - j)/rows);
 	}
 }
 
-/* Whether the pivots of K_ff at one phase, in its factor U, are safely positive. The mean of K_ff
- * is positive (separate()), so that if K_ff is not positive at one phase, it is singular at
- * another. A pivot that is 0 but for round-off must not count as positive with any BLAS kernel: the
- * limit is far above the round-off of the largest entry. */
-static int positive(const struct work *work, const struct hawser__monodromy *monodromy)
+/* A series of n by n matrices at `rows` phases, with sorted coordinates. */
+static void sample(const struct work *work, double *value, int rows, const double *series, int order,
+                   const int *slow, const int *fast)
 {
-	int nf = work->nf;
+	int n = work->n, ns = work->ns;
 
+	for (int r = 0; r <= 2*order; r++)
+		for (int i = 0; i < n; i++)
+			for (int j = 0; j < n; j++) {
+				int p = i < ns ? slow[i] : fast[i - ns];
+				int q = j < ns ? slow[j] : fast[j - ns];
+
+				work->sorted[((size_t)r*n + i)*n + j] =
+					series[((size_t)r*n + p)*n + q];
+			}
+	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, rows, n*n, 2*order + 1, 1.0,
+	            work->basis, 2*work->order + 1, work->sorted, n*n, 0.0, value, n*n);
+}
+
+/* Whether the pivots of K_ff at one phase, in its factor U, are safely positive. The mean of K_ff
+ * is positive (hawser__fast_separate), so that if K_ff is not positive at one phase, it is singular
+ * at another. A pivot that is 0 but for round-off must not count as positive with any BLAS kernel:
+ * the limit is far above the round-off of the largest entry. */
+static int positive(const double *factor, const struct hawser__monodromy *monodromy, int nf)
+{
 	for (int f = 0; f < nf; f++) {
-		double mean = monodromy->frequency[monodromy->fast[f]], pivot = work->ff[f*nf + f];
+		double mean = monodromy->frequency[monodromy->fast[f]], pivot = factor[f*nf + f];
 
 		if (!(pivot*pivot > SINGULAR*mean*mean))
 			return 0;
@@ -138,221 +160,196 @@ static int positive(const struct work *work, const struct hawser__monodromy *mon
 	return 1;
 }
 
-/* G and `left` at one phase for a K that is not symmetric; returns 1 if K_ff is singular. */
-static int follow_both(struct work *work, const struct hawser__monodromy *monodromy, int row)
-{
-	const double *K = work->K + (size_t)row*work->n*work->n;
-	size_t at = (size_t)row*work->nf*work->ns;
-	int n = work->n, nf = work->nf, ns = work->ns;
-
-	for (int f = 0; f < nf; f++)
-		for (int e = 0; e < nf; e++) /* by columns */
-			work->ff[e*nf + f] = K[(size_t)monodromy->fast[f]*n + monodromy->fast[e]];
-	if (LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, nf, nf, work->ff, nf, work->pivot))
-		return 1;
-	for (int side = 0; side < 2; side++) {
-		double *to = side ? work->left + at : work->G + at;
-
-		for (int f = 0; f < nf; f++)
-			for (int s = 0; s < ns; s++) {
-				int i = monodromy->fast[f], j = monodromy->slow[s];
-
-				work->part[s*nf + f] = side ? K[(size_t)j*n + i] : K[(size_t)i*n + j];
-			}
-		if (LAPACKE_dgetrs_work(LAPACK_COL_MAJOR, side ? 'T' : 'N', nf, ns, work->ff, nf,
-		                        work->pivot, work->part, nf))
-			return 1;
-		for (int f = 0; f < nf; f++)
-			for (int s = 0; s < ns; s++)
-				to[f*ns + s] = work->part[s*nf + f];
-	}
-	return 0;
-}
-
-/* G at one phase; returns 1 if K_ff is not positive. */
-static int follow(struct work *work, const struct hawser__monodromy *monodromy, int row)
-{
-	const double *K = work->K + (size_t)row*work->n*work->n;
-	double *G = work->G + (size_t)row*work->nf*work->ns;
-	int n = work->n, nf = work->nf, ns = work->ns, info;
-
-	for (int f = 0; f < nf; f++) {
-		const double *from = K + (size_t)monodromy->fast[f]*n;
-
-		for (int e = 0; e < nf; e++)
-			work->ff[f*nf + e] = from[monodromy->fast[e]];
-		for (int s = 0; s < ns; s++) /* by columns */
-			work->part[s*nf + f] = from[monodromy->slow[s]];
-	}
-	info = LAPACKE_dposv_work(LAPACK_COL_MAJOR, 'U', nf, ns, work->ff, nf, work->part, nf);
-	if (info || !positive(work, monodromy))
-		return 1;
-	for (int f = 0; f < nf; f++)
-		for (int s = 0; s < ns; s++)
-			G[f*ns + s] = work->part[s*nf + f];
-	return 0;
-}
-
-/* D at one phase. */
-static void damping_of(struct work *work, const struct hawser__variational *system, int row)
-{
-	int n2 = work->n*work->n;
-
-	if (system->order_d > 0 || row == 0)
-		cblas_dgemv(CblasRowMajor, CblasTrans, 2*system->order_d + 1, n2, 1.0, system->D, n2,
-		            work->basis + (size_t)row*work->columns, 1, 0.0, work->damp, 1);
-}
-
-static double damping_at(const struct work *work, int i, int j)
-{
-	return work->damp[(size_t)i*work->n + j];
-}
-
-/* out [ns][ns] += factor G' x, x [nf][ns]. */
-static void add_transposed(double *out, double factor, const double *G, const double *x,
-                           const struct work *work)
-{
-	cblas_dgemm(CblasRowMajor, CblasTrans, CblasNoTrans, work->ns, work->ns, work->nf, factor, G,
-	            work->ns, x, work->ns, 1.0, out, work->ns);
-}
-
-/* part [nf][ns] = D_ff x - D_fs where `slow`: the damping of the fast coordinates that acts through
- * G'. */
-static void damp_fast(struct work *work, const struct hawser__monodromy *monodromy,
-                      const double *x, int slow)
-{
-	for (int f = 0; f < work->nf; f++)
-		for (int s = 0; s < work->ns; s++) {
-			double sum = slow ? -damping_at(work, monodromy->fast[f], monodromy->slow[s])
-			                  : 0.0;
-
-			for (int e = 0; e < work->nf; e++) {
-				double d = damping_at(work, monodromy->fast[f], monodromy->fast[e]);
-
-				if (d != 0.0)
-					sum += d*x[e*work->ns + s];
-			}
-			work->part[f*work->ns + s] = sum;
-		}
-}
-
-/* out [ns][ns] -= D_sf x. */
-static void damp_slow(double *out, const struct work *work, const struct hawser__monodromy *monodromy,
-                      const double *x)
-{
-	for (int s = 0; s < work->ns; s++)
-		for (int f = 0; f < work->nf; f++) {
-			double d = damping_at(work, monodromy->slow[s], monodromy->fast[f]);
-
-			if (d != 0.0)
-				cblas_daxpy(work->ns, -d, x + (size_t)f*work->ns, 1,
-				            out + (size_t)s*work->ns, 1);
-		}
-}
-
-/* The equations at one phase, solved for x''; returns 1 if 1 + G'G is singular. */
-static void transpose(double *square, int n)
-{
-	for (int i = 0; i < n; i++)
-		for (int j = 0; j < i; j++) {
-			double keep = square[i*n + j];
-
-			square[i*n + j] = square[j*n + i];
-			square[j*n + i] = keep;
-		}
-}
-
-/* C and B multiplied by the inverse of an M that is not symmetric; returns 1 if it is singular. */
-static int solve_inertia(struct work *work, double *C, double *B)
-{
-	int ns = work->ns;
-
-	transpose(work->M, ns);
-	transpose(C, ns);
-	transpose(B, ns);
-	if (LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, ns, ns, work->M, ns, work->pivot) ||
-	    LAPACKE_dgetrs_work(LAPACK_COL_MAJOR, 'N', ns, ns, work->M, ns, work->pivot, C, ns) ||
-	    LAPACKE_dgetrs_work(LAPACK_COL_MAJOR, 'N', ns, ns, work->M, ns, work->pivot, B, ns))
-		return 1;
-	transpose(C, ns);
-	transpose(B, ns);
-	return 0;
-}
-
-static int reduce(struct work *work, const struct hawser__monodromy *monodromy,
-                  const struct hawser__variational *system, int row)
+/* The inverse of K_ff at one phase; returns 1 if K_ff is singular, or symmetric and not positive. */
+static int invert(const struct work *work, const struct hawser__monodromy *monodromy, int row)
 {
 	int n = work->n, ns = work->ns, nf = work->nf;
-	size_t at = (size_t)row*nf*ns, square = (size_t)ns*ns;
-	const double *K = work->K + (size_t)row*n*n;
-	const double *G = work->G + at, *dG = work->dG + at, *ddG = work->ddG + at;
-	const double *left = work->left + at;
-	double *C = work->C + row*square, *B = work->B + row*square;
+	const double *K_ff = work->K + (size_t)row*n*n + (size_t)ns*n + ns;
+	double *inverse = work->inverse + (size_t)row*nf*nf;
 
-	damping_of(work, system, row);
-	memset(work->M, 0, square*sizeof(double));
-	for (int s = 0; s < ns; s++) {
-		work->M[s*ns + s] = 1.0;
-		for (int t = 0; t < ns; t++) {
-			B[s*ns + t] = K[(size_t)monodromy->slow[s]*n + monodromy->slow[t]];
-			C[s*ns + t] = damping_at(work, monodromy->slow[s], monodromy->slow[t]);
-		}
-	}
-	add_transposed(work->M, 1.0, left, G, work);
-	add_transposed(C, 2.0, left, dG, work);
-	damp_slow(C, work, monodromy, G);
-	damp_fast(work, monodromy, G, 1);
-	add_transposed(C, 1.0, left, work->part, work);
-	add_transposed(B, 1.0, left, ddG, work);
-	damp_slow(B, work, monodromy, dG);
-	damp_fast(work, monodromy, dG, 0);
-	add_transposed(B, 1.0, left, work->part, work);
-	/* left' K_fs = K_sf K_ff^-1 K_fs */
 	for (int f = 0; f < nf; f++)
-		for (int s = 0; s < ns; s++)
-			work->part[f*ns + s] = K[(size_t)monodromy->fast[f]*n + monodromy->slow[s]];
-	add_transposed(B, -1.0, left, work->part, work);
-	if (work->pivot)
-		return solve_inertia(work, C, B);
-	/* M is symmetric: its upper triangle by columns is its lower one by rows, which LAPACKE would
-	 * copy */
-	return ns > 0 && (LAPACKE_dpotrf_work(LAPACK_COL_MAJOR, 'U', ns, work->M, ns) ||
-	       (cblas_dtrsm(CblasRowMajor, CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit, ns, ns,
-	                    1.0, work->M, ns, C, ns),
-	        cblas_dtrsm(CblasRowMajor, CblasLeft, CblasLower, CblasTrans, CblasNonUnit, ns, ns,
-	                    1.0, work->M, ns, C, ns),
-	        cblas_dtrsm(CblasRowMajor, CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit, ns, ns,
-	                    1.0, work->M, ns, B, ns),
-	        cblas_dtrsm(CblasRowMajor, CblasLeft, CblasLower, CblasTrans, CblasNonUnit, ns, ns,
-	                    1.0, work->M, ns, B, ns), 0));
+		memcpy(inverse + (size_t)f*nf, K_ff + (size_t)f*n, nf*sizeof(double));
+	if (!work->symmetric) /* the transpose of the inverse is the inverse of the transpose */
+		return LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, nf, nf, inverse, nf, work->pivot) ||
+		       LAPACKE_dgetri_work(LAPACK_COL_MAJOR, nf, inverse, nf, work->pivot, work->part,
+		                           nf);
+	if (LAPACKE_dpotrf_work(LAPACK_COL_MAJOR, 'U', nf, inverse, nf) ||
+	    !positive(inverse, monodromy, nf) ||
+	    LAPACKE_dpotri_work(LAPACK_COL_MAJOR, 'U', nf, inverse, nf))
+		return 1;
+	for (int f = 0; f < nf; f++)
+		for (int e = 0; e < f; e++)
+			inverse[e*nf + f] = inverse[f*nf + e];
+	return 0;
 }
 
-static int condense(struct work *work, const struct hawser__monodromy *monodromy,
-                    const struct hawser__variational *system)
+/* out [rows][columns] += factor a b; a has n columns a row, those of b and out are 2 ns apart. */
+static void add_product(const struct work *work, double *out, double factor, const double *a, int rows,
+                        int inner, const double *b)
 {
-	int n2 = work->n*work->n, rows = work->rows, block = work->nf*work->ns;
-	int square = work->ns*work->ns;
+	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, rows, 2*work->ns, inner, factor, a,
+	            work->n, b, 2*work->ns, 1.0, out, 2*work->ns);
+}
 
-	make_tables(work);
-	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, rows, n2, 2*system->order + 1, 1.0,
-	            work->basis, work->columns, system->K, n2, 0.0, work->K, n2);
-	for (int i = 0; i < rows; i++)
-		if (work->pivot ? follow_both(work, monodromy, i) : follow(work, monodromy, i))
-			return 1;
-	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, rows, block, rows, system->omega,
-	            work->spectral, rows, work->G, block, 0.0, work->dG, block);
-	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, rows, block, rows, system->omega,
-	            work->spectral, rows, work->dG, block, 0.0, work->ddG, block);
-	for (int i = 0; i < rows; i++) {
-		if (reduce(work, monodromy, system, i))
-			return 1;
-		work->basis[(size_t)i*work->columns] = 1.0; /* the constant is obtained twice */
+/* N at one phase; returns its change relative to the squared frequency `top` (columns of x_s) and to
+ * top (columns of x_s'). */
+static double reduce(const struct work *work, int row, double top)
+{
+	int n = work->n, ns = work->ns, nf = work->nf;
+	const double *K = work->K + (size_t)row*n*n, *D = work->D + row*work->next_D;
+	double *N = work->N + 2*(size_t)row*ns*ns, *before = work->before + 2*(size_t)row*ns*ns;
+	double change = 0.0;
+
+	memcpy(before, N, 2*(size_t)ns*ns*sizeof(double));
+	for (int s = 0; s < ns; s++) {
+		memcpy(N + 2*(size_t)s*ns, K + (size_t)s*n, ns*sizeof(double));
+		memcpy(N + 2*(size_t)s*ns + ns, D + (size_t)s*n, ns*sizeof(double));
 	}
-	cblas_dgemm(CblasRowMajor, CblasTrans, CblasNoTrans, 2*work->order + 1, square, rows,
-	            2.0/rows, work->basis, work->columns, work->C, square, 0.0, work->D, square);
-	cblas_dgemm(CblasRowMajor, CblasTrans, CblasNoTrans, 2*work->order + 1, square, rows,
-	            2.0/rows, work->basis, work->columns, work->B, square, 0.0, work->T, square);
+	add_product(work, N, 1.0, K + ns, ns, nf, work->F + 2*(size_t)row*nf*ns);
+	add_product(work, N, 1.0, D + ns, ns, nf, work->F1 + 2*(size_t)row*nf*ns);
+	for (int e = 0; e < 2*ns*ns; e++)
+		change = fmax(change, fabs(N[e] - before[e])/(e%(2*ns) < ns ? top*top : top));
+	return change;
+}
+
+/* out [nf][2 ns] = rate + F Y, the derivative of F y in time at one phase. */
+static void derive(const struct work *work, double *out, const double *F, int row)
+{
+	int ns = work->ns, nf = work->nf;
+	size_t at = 2*(size_t)row*nf*ns;
+
+	if (out != work->rate + at)
+		memcpy(out, work->rate + at, 2*(size_t)nf*ns*sizeof(double));
+	for (int f = 0; f < nf; f++)
+		cblas_daxpy(ns, 1.0, F + 2*(size_t)f*ns, 1, out + (2*(size_t)f + 1)*ns, 1);
+	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, nf, 2*ns, ns, -1.0, F + ns, 2*ns,
+	            work->N + 2*(size_t)row*ns*ns, 2*ns, 1.0, out, 2*ns);
+}
+
+/* F at one phase from F_2 [nf][2 ns], which is overwritten, and F_1. */
+static void follow(const struct work *work, double *F2, int row)
+{
+	int n = work->n, ns = work->ns, nf = work->nf;
+	const double *K = work->K + (size_t)row*n*n + (size_t)ns*n;
+	const double *D = work->D + row*work->next_D + (size_t)ns*n;
+	size_t at = 2*(size_t)row*nf*ns;
+
+	for (int f = 0; f < nf; f++) {
+		cblas_daxpy(ns, 1.0, K + (size_t)f*n, 1, F2 + 2*(size_t)f*ns, 1);
+		cblas_daxpy(ns, 1.0, D + (size_t)f*n, 1, F2 + (2*(size_t)f + 1)*ns, 1);
+	}
+	add_product(work, F2, 1.0, D + ns, nf, nf, work->F1 + at);
+	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, nf, 2*ns, nf, -1.0,
+	            work->inverse + (size_t)row*nf*nf, nf, F2, 2*ns, 0.0, work->F + at, 2*ns);
+}
+
+/* The largest change of N over all phases. */
+static double reduce_all(const struct work *work, double top)
+{
+	double change = 0.0;
+
+	for (int i = 0; i < work->rows; i++)
+		change = fmax(change, reduce(work, i, top));
+	return change;
+}
+
+/* Iterates F from the static response, until N changes by less than `goal` or no longer less.
+ * Returns the last change of N. */
+static double settle(const struct work *work, const struct hawser__monodromy *monodromy,
+                     double omega, double goal)
+{
+	size_t block = 2*(size_t)work->nf*work->ns;
+	double change, last = INFINITY, top = monodromy->top;
+
+	memset(work->N, 0, 2*(size_t)work->rows*work->ns*work->ns*sizeof(double));
+	memset(work->F1, 0, work->rows*block*sizeof(double));
+	for (int i = 0; i < work->rows; i++) {
+		memset(work->part, 0, block*sizeof(double));
+		follow(work, work->part, i);
+		for (int f = 0; f < work->nf; f++) /* the static response has no part of x_s' */
+			memset(work->F + i*block + (2*(size_t)f + 1)*work->ns, 0,
+			       work->ns*sizeof(double));
+	}
+	reduce_all(work, top);
+	for (int k = 0; k < ITERATIONS; k++) {
+		hawser__differentiate(&monodromy->rates, work->rate, work->F, omega);
+		for (int i = 0; i < work->rows; i++)
+			derive(work, work->F1 + i*block, work->F + i*block, i);
+		hawser__differentiate(&monodromy->rates, work->rate, work->F1, omega);
+		for (int i = 0; i < work->rows; i++) {
+			derive(work, work->rate + i*block, work->F1 + i*block, i);
+			follow(work, work->rate + i*block, i);
+		}
+		change = reduce_all(work, top);
+		if (change < goal || !(change < last))
+			return change;
+		last = change;
+	}
+	return last;
+}
+
+/* The series of K and D of the slow coordinates from N. Returns the size of the last harmonic,
+ * relative as in reduce(). */
+static double transform(const struct work *work, double top)
+{
+	int ns = work->ns, columns = 2*work->order + 1;
+	double last = 0.0;
+
+	for (int i = 0; i < work->rows; i++)
+		work->basis[(size_t)i*columns] = 1.0; /* the constant is obtained twice */
+	cblas_dgemm(CblasRowMajor, CblasTrans, CblasNoTrans, columns, 2*ns*ns, work->rows,
+	            2.0/work->rows, work->basis, columns, work->N, 2*ns*ns, 0.0, work->series,
+	            2*ns*ns);
+	for (size_t r = 0; r < (size_t)columns*ns; r++)
+		for (int side = 0; side < 2; side++)
+			memcpy(work->result[side] + r*ns, work->series + (2*r + side)*ns,
+			       ns*sizeof(double));
+	for (size_t e = (size_t)(columns - 2)*ns*ns; e < (size_t)columns*ns*ns; e++)
+		last = fmax(last, fmax(fabs(work->result[0][e])/(top*top),
+		                       fabs(work->result[1][e])/top));
+	return last;
+}
+
+/* Prepares the iteration; returns 1 if K_ff is singular or not positive at a phase. */
+static int prepare(struct work *work, const struct hawser__monodromy *monodromy,
+                   const struct hawser__variational *system)
+{
+	make_basis(work);
+	sample(work, work->K, work->rows, system->K, system->order, monodromy->slow, monodromy->fast);
+	sample(work, work->D, work->next_D ? work->rows : 1, system->D, system->order_d,
+	       monodromy->slow, monodromy->fast);
+	for (int i = 0; i < work->rows; i++)
+		if (invert(work, monodromy, i))
+			return 1;
 	return 0;
+}
+
+/* Condenses the coordinates that `limit` and the expected number of iterations allow. Sets
+ * monodromy->left_out, infinite if nothing can be condensed; *work has the result. */
+static enum hawser_status try_condense(struct work *work, struct hawser__monodromy *monodromy,
+                                       const struct hawser__variational *system, double limit,
+                                       int expected, struct hawser_report *report)
+{
+	enum hawser_status status;
+
+	monodromy->left_out = INFINITY;
+	monodromy->top = hawser__fast_split(monodromy, system, limit, expected, &work->ns);
+	work->nf = work->n - work->ns;
+	if (work->nf == 0 || work->ns == 0 || !hawser__fast_separate(monodromy, system, work->nf))
+		return HAWSER_OK;
+	if ((status = make_room(work, monodromy, report)))
+		return status;
+	if (prepare(work, monodromy, system)) {
+		if (monodromy->finer)
+			return HAWSER_OK;
+		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "floquet",
+		                    "the stiffness of the fast coordinates is singular at some phase of "
+		                    "the motion at Omega %g: keep fewer modes", system->omega);
+	}
+	monodromy->left_out = settle(work, monodromy, system->omega,
+	                             monodromy->sharper ? 0.1*HAWSER__SHARPER : SETTLED);
+	monodromy->left_out += transform(work, monodromy->top);
+	return HAWSER_OK;
 }
 
 enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodromy,
@@ -360,14 +357,15 @@ enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodrom
                                               struct hawser_report *report)
 {
 	int n = system->n;
-	double top = 0.0, slowest = INFINITY, part;
-	double limit = monodromy->sharper ? HAWSER__SHARPER : monodromy->rough ? HAWSER__ROUGHER
+	double top = 0.0, slowest = INFINITY;
+	double limit = monodromy->rough ? HAWSER__ROUGHER
 	               : monodromy->haste ? HAWSER__HASTE : HAWSER__NEGLECTED;
-	struct work work = {.n = n};
+	double most = monodromy->sharper ? HAWSER__SHARPER : limit;
+	struct work work = {.n = n, .pivot = monodromy->pivot};
 	enum hawser_status status;
 
 	*kept = n;
-	monodromy->left_out = 0.0;
+	monodromy->left_out = monodromy->neglected = 0.0;
 	monodromy->fastest = INFINITY;
 	for (int j = 0; j < n; j++) {
 		double w2 = 0.5*system->K[(size_t)j*(n + 1)];
@@ -384,35 +382,25 @@ enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodrom
 	if (monodromy->haste) /* a strict computation includes the inertia of slow motions beyond their
 	                       * resonance */
 		monodromy->fastest += ASIDE*system->omega;
-	if (system->order_d > 0 || !hawser__fast_symmetric(system)) {
-		if (!monodromy->rough)
-			return HAWSER_OK;
-		work.pivot = monodromy->pivot;
-	}
-	for (int j = 0; j < n; j++)
-		if ((part = hawser__fast_neglects(monodromy, system, j)) < limit) {
-			monodromy->fast[work.nf++] = j;
-			monodromy->left_out += part;
-		} else {
-			monodromy->slow[work.ns++] = j;
-		}
-	if (work.nf == 0 || work.ns == 0 || !hawser__fast_separate(monodromy, system, work.nf))
-		return HAWSER_OK;
+	work.symmetric = system->order_d == 0 && hawser__fast_symmetric(system);
+	work.next_D = system->order_d > 0 ? (size_t)n*n : 0;
 	work.order = system->order > system->order_d ? system->order : system->order_d;
-	work.order *= monodromy->haste && !monodromy->rough ? 6 : 2;
-	work.columns = 2*work.order + 1; /* G has infinitely many harmonics */
-	work.rows = 2*work.order + 1; /* an odd number */
-	if ((status = make_room(&work, monodromy, report)))
-		return status;
-	if (condense(&work, monodromy, system)) {
-		if (monodromy->finer)
-			return HAWSER_OK;
-		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "floquet",
-		                    "the stiffness of the fast coordinates is singular at some phase of "
-		                    "the motion at Omega %g: keep fewer modes", system->omega);
+	/* N has infinitely many harmonics */
+	work.order = MORE + work.order*(monodromy->haste && !monodromy->rough ? 6 : 2);
+	work.rows = hawser__differentiate_rows(2*work.order + 1);
+	for (int expected = monodromy->expected;; expected--) {
+		status = try_condense(&work, monodromy, system, limit, expected, report);
+		if (!monodromy->sharper) /* the next orbit is similar */
+			monodromy->expected = expected;
+		if (status || monodromy->left_out <= most || expected == 0)
+			break;
 	}
+	if (status || monodromy->left_out > most)
+		return status;
+	monodromy->neglected = M_PI*monodromy->top/system->omega*monodromy->left_out;
 	*kept = work.ns;
 	*system = (struct hawser__variational){.n = work.ns, .order = work.order,
-		.order_d = work.order, .K = work.T, .D = work.D, .omega = system->omega};
+		.order_d = work.order, .K = work.result[0], .D = work.result[1],
+		.omega = system->omega};
 	return HAWSER_OK;
 }

@@ -63,7 +63,7 @@ void hawser__fast_find_range(struct hawser__monodromy *monodromy, struct hawser_
  * response acts back on the slow coordinate as an inertia, (coefficient/w)^2 of its own, which is
  * neglected. */
 static double velocity_coupling(const struct hawser__monodromy *monodromy,
-                                const struct hawser__variational *system, int j)
+                                const struct hawser__variational *system, int j, double top)
 {
 	int n = system->n;
 	double most = 0.0;
@@ -71,22 +71,24 @@ static double velocity_coupling(const struct hawser__monodromy *monodromy,
 	for (int i = 0; i < n; i++) {
 		double sum = 0.0;
 
-		for (int r = 0; r <= 2*system->order_d && monodromy->frequency[i] <= monodromy->fastest; r++)
+		for (int r = 0; r <= 2*system->order_d && monodromy->frequency[i] <= top; r++)
 			sum += (r ? 1.0 : 0.5)*fabs(system->D[((size_t)r*n + j)*n + i]);
 		most = fmax(most, i == j ? 0.0 : sum);
 	}
 	return most;
 }
 
-/* Neglected effect of the fast coordinate j on the stiffness of the slow ones, relative; infinite
- * if it is too slow to be condensed. Its response to slow motions exp(s t) is -G/(1 + (s d +
- * s^2)/w^2) x_s. The first order in s is part of the equations; the neglected part is of second
- * order: (G (d + W)/w)^2. */
-double hawser__fast_neglects(const struct hawser__monodromy *monodromy,
-                       const struct hawser__variational *system, int j)
+/* Expected error of the slow stiffness, relative, if coordinate j is condensed; infinite if it is too
+ * slow for that. Harmonic k of its stiffness makes it respond to slow motions exp(s t) with
+ * frequency s + i k Omega = z, as -G/(1 + (z d + z^2)/w^2) x_s: a series in (z d + z^2)/w^2, which an
+ * iteration of the condensation extends by one term. */
+static double neglects(const struct hawser__monodromy *monodromy,
+                       const struct hawser__variational *system, int j, double top,
+                       int expected)
 {
 	int n = system->n;
-	double w = monodromy->frequency[j], W = monodromy->fastest, G = 0.0, d = 0.0, coupled = 0.0;
+	double w = monodromy->frequency[j], W = monodromy->fastest, G = 0.0, d = 0.0, rest = 0.0;
+	double coupled = monodromy->haste ? velocity_coupling(monodromy, system, j, top)/w : 0.0;
 
 	for (int i = 0; i < n; i++)
 		d += 0.5*fabs(system->D[(size_t)j*n + i]);
@@ -95,16 +97,37 @@ double hawser__fast_neglects(const struct hawser__monodromy *monodromy,
 		return INFINITY;
 	for (int r = 0; r <= 2*system->order; r++) {
 		const double *row = system->K + (size_t)r*n*n + (size_t)j*n;
-		double top = 0.0;
+		double most = 0.0, z = (top + (r + 1)/2*system->omega + d)/w;
 
 		for (int i = 0; i < n; i++)
-			if (monodromy->frequency[i] <= W)
-				top = fmax(top, fabs(row[i]));
-		G += top/(w*w);
+			if (monodromy->frequency[i] <= top)
+				most = fmax(most, fabs(row[i]));
+		G += most/(w*w);
+		rest += most/(w*w)*pow(fmin(z*z, 1.0), 1 + expected);
 	}
-	if (monodromy->haste)
-		coupled = velocity_coupling(monodromy, system, j)/w;
-	return G*(W + d)/w*G*(W + d)/w + coupled*coupled;
+	return G*rest + coupled*coupled*pow(fmin((top + d)/w, 1.0), 2*expected);
+}
+
+double hawser__fast_split(struct hawser__monodromy *monodromy,
+                          const struct hawser__variational *system, double limit,
+                          int expected, int *kept)
+{
+	int n = system->n, fast = 0, before = -1;
+	double top = monodromy->fastest;
+
+	while (*kept = 0, fast != before) { /* each coordinate that is kept may keep others */
+		before = fast;
+		fast = 0;
+		for (int j = 0; j < n; j++)
+			if (neglects(monodromy, system, j, top, expected) < limit)
+				monodromy->fast[fast++] = j;
+			else
+				monodromy->slow[(*kept)++] = j;
+		for (int s = 0; s < *kept; s++)
+			top = fmax(top, monodromy->frequency[monodromy->slow[s]]);
+	}
+	*kept = n - fast;
+	return top;
 }
 
 int hawser__fast_symmetric(const struct hawser__variational *system)

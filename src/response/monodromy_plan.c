@@ -108,7 +108,10 @@ enum hawser_status hawser__monodromy_plan(struct hawser__monodromy *monodromy,
 
 	if (stiff)
 		monodromy->steps = (int)fmin(monodromy->most, ceil(2.0*M_PI/STIFF_TURN*
-			fmax(STIFF_LEAST, hawser__monodromy_pace(monodromy, system)/system->omega)));
+			fmax(STIFF_LEAST, fmax(hawser__monodromy_pace(monodromy, system),
+			                       monodromy->top)/system->omega)));
+	if (stiff && monodromy->phases > monodromy->steps)
+		monodromy->steps = monodromy->phases - monodromy->phases/16;
 	if (monodromy->sharper) /* the phases of the fast coordinates of a stiff model need more steps */
 		monodromy->steps += stiff ? 3*monodromy->steps : monodromy->steps/3 + 1;
 	return monodromy->finer ? strict(monodromy, system, stiff, report) : HAWSER_OK;
