@@ -14,7 +14,8 @@
 #include "bench/estimates.h"
 
 enum { MODES = 6, POINTS = 1000 };
-static const double asked = 0.01;
+/* Range of the requested accuracies, as users choose them. */
+static const double finest = 0.003, coarsest = 0.03;
 static const double known_to = 4.0; /* factor on the upper end of the range, as in hawser frf
                                      * (cli/known.c) */
 
@@ -29,6 +30,14 @@ static int draw_span(struct hawser_statics *st, struct chance *chance)
 	span.EA = rho*span.g*d/(8.0*sag)/chance_log(chance, 1e-6, 3e-3);
 	return hawser_statics_solve(st, &span, HAWSER_GIVEN_SAG, sag*d, HAWSER_BRANCH_TAUT,
 	                            NULL) != HAWSER_OK;
+}
+
+/* The accuracy of a scene has a generator of its own, so that the other draws do not depend on it. */
+static double draw_accuracy(const struct chance *chance)
+{
+	struct chance own = chance_at(chance->state, 0, 0);
+
+	return chance_log(&own, finest, coarsest);
 }
 
 /* A load with which the amplitude at the resonance is `part` of the sag: f/(D w) in the scaled
@@ -47,16 +56,16 @@ static void draw_load(struct hawser_scene *scene, struct chance *chance,
 		scene->load.per_length[i] = size*chance_between(chance, 0.2, 1.0);
 	scene->damping.kind = HAWSER_DAMPING_RATIO;
 	scene->damping.ratio = ratio;
-	scene->model.accuracy = asked;
 	scene->model.modes = HAWSER_MODES_AUTO;
 	scene->model.condense = HAWSER_CONDENSE_STATIC;
 	scene->model.inertia = HAWSER_INERTIA_AUTO;
 }
 
-/* Functions per component of the model of the response; 0: a condensed model. */
-static int functions_of(const struct hawser_accuracy *accuracy)
+/* The last model, that of the response; functions = 0: a condensed model. */
+static struct hawser_accuracy_try last(const struct hawser_accuracy *accuracy)
 {
-	return accuracy->tries > 0 ? accuracy->attempt[accuracy->tries - 1].functions : 0;
+	return accuracy->tries > 0 ? accuracy->attempt[accuracy->tries - 1]
+	                           : (struct hawser_accuracy_try){.functions = 0};
 }
 
 int estimate_accuracy(struct tally *tally, struct chance *chance)
@@ -69,7 +78,7 @@ int estimate_accuracy(struct tally *tally, struct chance *chance)
 	struct estimate_truth truth;
 	struct hawser_statics st;
 	struct hawser_scene scene;
-	double omega;
+	double omega, asked = draw_accuracy(chance);
 	int refused;
 
 	if (draw_span(&st, chance) || hawser_modes_solve(&modes, &st, &lowest, NULL)) {
@@ -78,19 +87,22 @@ int estimate_accuracy(struct tally *tally, struct chance *chance)
 	}
 	omega = modes.mode[chance_int(chance, 0, MODES - 1)].omega;
 	draw_load(&scene, chance, &st, omega);
+	scene.model.accuracy = asked;
 	options.frf.from = omega*(1.0 - chance_log(chance, 5e-3, 0.2));
 	options.frf.to = omega*(1.0 + chance_log(chance, 5e-3, 0.2));
 	options.frf.samples = HAWSER_NONE;
 	response = (struct estimate_response){.frf = &accuracy.frf, .rom = &accuracy.rom, .statics = &st,
 		.scene = &scene, .from = options.frf.from, .to = options.frf.to};
 	refused = hawser_accuracy_trace(&accuracy, &st, &scene, &options, NULL) || !accuracy.reached ||
-	          estimate_truth(&truth, &response, functions_of(&accuracy), accuracy.estimated);
+	          estimate_truth(&truth, &response, last(&accuracy).functions, accuracy.estimated);
 	if (!refused)
 		tally_note(tally, truth.distance, accuracy.estimated,
-		           "%d coordinates%s, sag %.3g, slope %.2g, epsilon %.2g, Omega %.4g to %.4g; the "
-		           "reference has %d functions and moved by %.1e", accuracy.rom.n,
+		           "asked %.2g, %d coordinates%s, sag %.3g, slope %.2g, epsilon %.2g, Omega %.4g "
+		           "to %.4g, left out %.2g, truncated %.2g, moved %.2g; the reference has %d "
+		           "functions and moved by %.1e", asked, accuracy.rom.n,
 		           accuracy.full ? ", full order" : "", st.sag/st.span.d, st.hs, st.epsilon,
-		           options.frf.from, options.frf.to, truth.functions, truth.move);
+		           options.frf.from, options.frf.to, last(&accuracy).rest, last(&accuracy).truncation,
+		           last(&accuracy).moved, truth.functions, truth.move);
 	hawser_accuracy_clear(&accuracy);
 	hawser_modes_clear(&modes);
 	return refused;

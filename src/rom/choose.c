@@ -380,7 +380,7 @@ enum hawser_status hawser_choice_weigh(struct hawser_choice *choice, const doubl
 
 enum hawser_status hawser__choice_weigh(struct hawser_choice *choice, const double *coordinate,
                                         int rows, double omega, int whole, unsigned counted,
-                                        unsigned peaks, const struct hawser_rom *model,
+                                        unsigned peaks, const struct hawser__orbit_of *orbit,
                                         struct hawser_report *report)
 {
 	double *u = calloc((size_t)(rows > 0 ? rows : 1)*(size_t)choice->n, sizeof *u);
@@ -397,7 +397,7 @@ enum hawser_status hawser__choice_weigh(struct hawser_choice *choice, const doub
 		for (int j = 0; j < choice->n; j++)
 			if (choice->mode[j].kept)
 				u[(size_t)t*choice->n + j] = *coordinate++;
-	status = hawser__weigh(choice, u, rows, omega, 0.0, whole, counted, peaks, model, report);
+	status = hawser__weigh(choice, u, rows, omega, 0.0, whole, counted, peaks, orbit, report);
 	free(u);
 	return status;
 }

@@ -7,16 +7,21 @@
  *   y     coordinates of the full-order model: the kept modes have their values u, all others (the
  *         relaxed ones) those that minimise the exact strain energy
  *   W     dy/du of the relaxed coordinates
- *   T     tangent stiffness of the kept modes with the others relaxed
- *   q     coordinates of the model's inertia shapes, q_s = -p_s(u)/omega_s^2
- *   G     force on the kept modes that the model omits, the sum of three parts:
- *         energy   restoring force at y minus that of the condensed model at u, which is
- *                  d/du [V(u, 0) - sum p_s^2/(2 omega_s^2)] with V the energy to fourth order
- *         inertia  W'Omega^2 y'' of the relaxed coordinates that are not candidates, minus
- *                  dq/du' Omega^2 q''
- *         damping  W'Omega D y' of the same coordinates
- *     omitted[2] has a fourth part, the inertia and damping of the relaxed coordinates that are
- *     candidates: their harmonic h is omega_s^2/(omega_s^2 - h^2 Omega^2 + i h Omega D) times y's.
+ *   a     accelerations in the model of the response, at its own orbit; a_full: in the full-order
+ *         model at y, with y' and y'' by differentiation over the period
+ *   r     a_full - Omega^2 y'' of a relaxed coordinate: the force that moves it from y
+ *   G     force on the kept modes that the model omits, a - a_full - W'r
+ *
+ * a - a_full contains the order of the energy, the inertia shapes of the model, and the modes of the
+ * model that `exact` does not resolve and that are therefore relaxed here. W'r is the force on the kept
+ * modes by the load, the inertia and the damping of the relaxed coordinates, to first order in r. Of
+ * the effect of the load the model has the terms that are linear in the motion; W has all orders, and
+ * in a deep sag the next order may be as large as the error of the energy. For omitted[0] only the load
+ * on the candidates counts, since weigh.c measures the effect of their inertia; for omitted[2] all of
+ * r, with the resonance of the coordinate: harmonic h times
+ * omega_s^2/(omega_s^2 - h^2 Omega^2 + i h Omega D). omitted[1] is the effect of the energy alone:
+ * restoring force at y minus that of the condensed model at u, which is
+ * d/du [V(u, 0) - sum p_s^2/(2 omega_s^2)] with V the energy to fourth order.
  *
  * Why the others are relaxed: a motion that keeps the length of the cable to second order stretches it
  * in higher orders, and its energy grows with 1/epsilon. The exact energy at (u, v) would be that of a
@@ -25,12 +30,17 @@
  * The effect of G on the response is the shortest displacement, in relative Omega and relative motion,
  * from the orbit to the displaced response curve: the least-norm solution of
  *
- *     Omega^2 du'' + Omega D du' + T du + (2 Omega^2 u'' + Omega D u') dOmega/Omega = -G
+ *     Omega^2 dx'' - Omega (da/dv) dx' - (da/dx) dx
+ *         + (2 Omega^2 x'' - Omega (da/dv) x' - Omega da/dOmega) dOmega/Omega = -G
  *
- * by Galerkin's method, HAWSER__OMITTED_WAVES harmonics. Along a response curve Omega is stationary at
- * a fold and the amplitude at its peak, so for these landmarks the solution is the whole error to
- * first order, however sharp the resonance. Displacements change by du and by the difference of y
- * and (u, v).
+ * by Galerkin's method, HAWSER__OMITTED_WAVES harmonics, with x the coordinates of the model of the
+ * response, its inertia shapes included, and v = Omega x'. The equation must be that of the model: the
+ * orbit then solves it exactly, and a neighbouring point of the curve is a solution without G. With
+ * the tangent stiffness alone, without the inertia of the shapes, the resonance of the equation is
+ * displaced, and the effect at a peak is too small by up to a half where the displacement is as large
+ * as the width of the resonance. Along a response curve Omega is stationary at a fold and the amplitude
+ * at its peak, so for these landmarks the solution is the whole error to first order, however sharp the
+ * resonance. Displacements change by dx and by the difference of y and (u, v).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -61,6 +71,7 @@ static void clear(struct hawser__omitted *w)
 {
 	free(w->freed);
 	free(w->mode);
+	free(w->place);
 	free(w->beyond);
 	free(w->u);
 	free(w->y);
@@ -69,16 +80,15 @@ static void clear(struct hawser__omitted *w)
 	free(w->T);
 	free(w->step);
 	free(w->matrix);
-	free(w->mixed);
 	free(w->plus);
 	free(w->minus);
 	free(w->J);
 	free(w->J_minus);
-	free(w->stiff);
 	free(w->led);
 	free(w->motion);
+	free(w->force);
+	free(w->pull);
 	free(w->rate);
-	free(w->bend);
 	free(w->G);
 	free(w->kept);
 	free(w->off);
@@ -98,6 +108,7 @@ static int make(struct hawser__omitted *w)
 
 	w->freed = calloc(N, sizeof *w->freed);
 	w->mode = calloc(n, sizeof *w->mode);
+	w->place = calloc(n, sizeof *w->place);
 	w->beyond = calloc(N, 1);
 	w->u = array(n, 1);
 	w->y = array(N, 1);
@@ -106,25 +117,24 @@ static int make(struct hawser__omitted *w)
 	w->T = array(N, N);
 	w->step = array(N, 1);
 	w->matrix = array(N, N);
-	w->mixed = array(N, n);
 	w->plus = array(n, 1);
 	w->minus = array(n, 1);
 	w->J = array(n, n);
 	w->J_minus = array(n, n);
-	w->stiff = array(rows, n*n);
 	w->led = array(rows, N*n);
 	w->motion = array(rows, N);
-	w->rate = array(rows, N);
-	w->bend = array(rows, N);
+	w->force = array(rows, N);
+	w->pull = array(rows, N);
+	w->rate = array(rows, 1);
 	w->G = array(rows, n);
 	w->kept = array(rows, n);
 	w->off = array(rows, (size_t)w->places);
 	w->spin = array(rows, 2);
 	w->wave = array(rows, 2*HAWSER__OMITTED_WAVES + 1);
 	w->turn = array(rows, 2);
-	return w->freed && w->mode && w->beyond && w->u && w->y && w->trial && w->R && w->T &&
-	       w->step && w->matrix && w->mixed && w->plus && w->minus && w->J && w->J_minus &&
-	       w->stiff && w->led && w->motion && w->rate && w->bend && w->G && w->kept && w->off &&
+	return w->freed && w->mode && w->place && w->beyond && w->u && w->y && w->trial && w->R && w->T &&
+	       w->step && w->matrix && w->plus && w->minus && w->J && w->J_minus &&
+	       w->led && w->motion && w->force && w->pull && w->rate && w->G && w->kept && w->off &&
 	       w->spin && w->wave && w->turn;
 }
 
@@ -197,11 +207,22 @@ static double sign_of(const struct hawser__omitted *w, int k)
 	return w->choice->twin[w->mode[k]] > 0 ? 1.0 : -1.0;
 }
 
+double hawser__omitted_twin(const struct hawser__omitted *w, int k, const double *x)
+{
+	return sign_of(w, k)*x[index_of(w, k)];
+}
+
 static void divide(struct hawser__omitted *w)
 {
-	for (int j = 0; j < w->n; j++)
-		if (kept(w, j))
+	int coordinate = 0; /* of the orbit's model */
+
+	for (int j = 0; j < w->n; j++) {
+		if (kept(w, j)) {
+			w->place[w->held] = coordinate;
 			w->mode[w->held++] = j;
+		}
+		coordinate += w->choice->mode[j].kept || w->orbit.model == w->all;
+	}
 	for (int i = 0; i < w->N; i++) {
 		int held = 0, looked_at = 0;
 
@@ -302,8 +323,8 @@ static int relax(struct hawser__omitted *w, const double *rest)
 	return 0;
 }
 
-/* T and W at the minimum, from the last w->T and its factorisation. */
-static void lead(struct hawser__omitted *w, double *stiff, double *led)
+/* W at the minimum, from the last w->T and its factorisation. */
+static void lead(struct hawser__omitted *w, double *led)
 {
 	int m = w->frees, held = w->held;
 
@@ -313,12 +334,6 @@ static void lead(struct hawser__omitted *w, double *stiff, double *led)
 	/* the factor is by columns: by rows, it is the transposed one */
 	cblas_dtrsm(CblasRowMajor, CblasLeft, CblasUpper, CblasTrans, CblasNonUnit, m, held, 1.0,
 	            w->matrix, m, led, held);
-	for (int j = 0; j < held; j++)
-		for (int k = 0; k < held; k++)
-			stiff[j*held + k] = sign_of(w, j)*sign_of(w, k)*
-			                    w->T[index_of(w, j)*w->N + index_of(w, k)];
-	cblas_dgemm(CblasRowMajor, CblasTrans, CblasNoTrans, held, held, m, -1.0, led, held, led, held,
-	            1.0, stiff, held);
 	cblas_dtrsm(CblasRowMajor, CblasLeft, CblasUpper, CblasNoTrans, CblasNonUnit, m, held, -1.0,
 	            w->matrix, m, led, held);
 }
@@ -366,7 +381,7 @@ static int one_phase(struct hawser__omitted *w, int t, const double *rest)
 	place(w);
 	if (!relax(w, rest))
 		return 0;
-	lead(w, w->stiff + (size_t)t*held*held, w->led + (size_t)t*w->frees*held);
+	lead(w, w->led + (size_t)t*w->frees*held);
 	memcpy(w->motion + (size_t)t*w->N, w->y, (size_t)w->N*sizeof *w->y);
 	hawser__omitted_condensed(w);
 	for (int k = 0; k < held; k++)
@@ -380,11 +395,12 @@ static int one_phase(struct hawser__omitted *w, int t, const double *rest)
 }
 
 enum hawser_status hawser__order(double omitted[HAWSER__OMITTED], const struct hawser_choice *choice,
-                                 const struct hawser_rom *model, const double *u, int rows,
+                                 const struct hawser__orbit_of *orbit, const double *u, int rows,
                                  double omega, unsigned peaks, struct hawser_report *report)
 {
 	struct hawser__omitted w = {.choice = choice, .exact = &choice->exact, .all = &choice->all,
-		.model = model, .n = choice->n, .N = choice->exact.n, .stride = 1, .omega = omega,
+		.n = choice->n, .N = choice->exact.n, .stride = 1, .omega = omega,
+		.orbit = orbit ? *orbit : (struct hawser__orbit_of){&choice->all, u},
 		.places = 3*choice->all.shapes.points};
 	double *rest = array((size_t)choice->exact.n, 1);
 	enum hawser_status status = HAWSER_OK;

@@ -1,5 +1,5 @@
-/* rom/order_effect.c - inertia and damping of relaxed coordinates, and the effect of the omitted force
- * on the response. Symbols as in order.c.
+/* rom/order_effect.c - the force that a condensed model omits, and its effect on the response. Symbols
+ * as in order.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -16,7 +16,7 @@
 
 #define FAINT 0.4 /* smallest displacement, relative to the largest, that counts; chosen */
 
-/* --- inertia and damping of the relaxed coordinates --- */
+/* --- the omitted force --- */
 
 static double complex turn(const struct hawser__omitted *w, int h, int t)
 {
@@ -49,110 +49,67 @@ static double turned(const struct hawser__omitted *w, const double *x, int strid
 	return sum;
 }
 
-static void add_followers(struct hawser__omitted *w)
+/* w->force and w->pull. */
+static void set_forces(struct hawser__omitted *w)
 {
-	int N = w->N, held = w->held;
+	int N = w->N;
+	double *bend = w->R, *zero = w->step;
 
-	for (int i = 0; i < w->frees; i++) {
-		int s = w->freed[i];
+	memset(zero, 0, (size_t)N*sizeof *zero);
+	for (int t = 0; t < w->rows; t++) {
+		const double *y = w->motion + (size_t)t*N;
+		double *force = w->force + (size_t)t*N, *pull = w->pull + (size_t)t*N;
+		double tau = 2.0*M_PI*t/w->rows;
 
-		for (int t = 0; w->beyond[i] && t < w->rows; t++) {
-			double force = w->omega*w->omega*turned(w, w->motion + s, N, t, 1) +
-			               w->omega*w->exact->D[s*N + s]*turned(w, w->motion + s, N, t, 0);
-
-			cblas_daxpy(held, force, w->led + ((size_t)t*w->frees + i)*held, 1,
-			            w->G + (size_t)t*held, 1);
+		for (int i = 0; i < N; i++) {
+			w->trial[i] = w->omega*turned(w, w->motion + i, N, t, 0);
+			bend[i] = w->omega*w->omega*turned(w, w->motion + i, N, t, 1);
 		}
+		hawser_rom_acceleration(w->exact, pull, y, zero, tau, w->omega);
+		hawser_rom_acceleration(w->exact, force, y, w->trial, tau, w->omega);
+		for (int i = 0; i < w->frees; i++)
+			force[w->freed[i]] -= bend[w->freed[i]];
 	}
 }
 
-/* Add to w->G the force of the inertia and damping of the relaxed coordinate number i, with its own
- * resonance. */
-static void add_dynamic(struct hawser__omitted *w, int i)
+/* w->rate: r of coordinate s, with its resonance. */
+static void resonate(struct hawser__omitted *w, int s)
 {
-	int s = w->freed[i], rows = w->rows, N = w->N;
+	int rows = w->rows, N = w->N;
 	double K = w->exact->K[(size_t)s*N + s], D = w->exact->D[(size_t)s*N + s];
 
 	memset(w->rate, 0, (size_t)rows*sizeof *w->rate);
-	for (int h = 1; h <= (rows - 1)/2; h++) {
+	for (int h = 0; h <= (rows - 1)/2; h++) {
 		double W = h*w->omega;
-		double complex own = -W*W + I*W*D, y = 0.0;
+		double complex force = 0.0;
 
 		for (int t = 0; t < rows; t++)
-			y += w->motion[(size_t)t*N + s]*conj(turn(w, h, t));
-		y *= 2.0/rows*own*K/(K + own);
+			force += w->force[(size_t)t*N + s]*conj(turn(w, h, t));
+		force *= (h ? 2.0 : 1.0)/rows*K/(K - W*W + I*W*D);
 		for (int t = 0; t < rows; t++)
-			w->rate[t] += creal(y*turn(w, h, t));
+			w->rate[t] += creal(force*turn(w, h, t));
 	}
-	for (int t = 0; t < rows; t++)
-		cblas_daxpy(w->held, w->rate[t], w->led + ((size_t)t*w->frees + i)*w->held, 1,
-		            w->G + (size_t)t*w->held, 1);
 }
 
-/* The same for all that are candidates. */
-static void add_looked_at(struct hawser__omitted *w)
+/* w->G, with the inertia and damping of all relaxed coordinates, or of those that are not candidates.
+ * a[rows][model->n]: accelerations of the model. */
+static void set_omitted(struct hawser__omitted *w, const double *a, int all_of_them)
 {
-	for (int i = 0; i < w->frees; i++)
-		if (!w->beyond[i])
-			add_dynamic(w, i);
-}
+	int held = w->held, N = w->N, n = w->orbit.model->n;
 
-/* The part that the model's inertia shapes represent, for coordinate x of the model: w->rate gets q,
- * w->bend gets dq/du [rows][held]. at[i]: index of the kept mode that is coordinate i, or -1. */
-static void subtract_shape(struct hawser__omitted *w, int x, const int *at)
-{
-	const struct hawser_rom *model = w->model;
-	int modes = model->n - model->inertia.shapes, held = w->held;
-	double K = model->K[x*(model->n + 1)], D = model->D[x*(model->n + 1)];
-
-	memset(w->rate, 0, (size_t)w->rows*sizeof *w->rate);
-	memset(w->bend, 0, (size_t)w->rows*held*sizeof *w->bend);
-	for (int i = 0; i < model->quads; i++) {
-		const struct hawser_quad *Q = &model->Q[i];
-		int a, b;
-
-		if (Q->j != x || Q->l >= modes || at[Q->k] < 0 || at[Q->l] < 0)
-			continue;
-		a = at[Q->k];
-		b = at[Q->l];
-		for (int t = 0; t < w->rows; t++) {
-			const double *u = w->kept + (size_t)t*held;
-
-			w->rate[t] -= Q->value/K*u[a]*u[b];
-			w->bend[(size_t)t*held + a] -= Q->value/K*u[b];
-			w->bend[(size_t)t*held + b] -= Q->value/K*u[a];
-		}
-	}
 	for (int t = 0; t < w->rows; t++)
-		cblas_daxpy(held, -w->omega*w->omega*turned(w, w->rate, 1, t, 1) -
-		                  w->omega*D*turned(w, w->rate, 1, t, 0),
-		            w->bend + (size_t)t*held, 1, w->G + (size_t)t*held, 1);
-}
+		for (int k = 0; k < held; k++)
+			w->G[(size_t)t*held + k] = a[(size_t)t*n + w->place[k]] -
+			                           hawser__omitted_twin(w, k, w->force + (size_t)t*N);
+	for (int i = 0; i < w->frees; i++) {
+		int s = w->freed[i], moves = all_of_them || w->beyond[i];
 
-static enum hawser_status subtract_shapes(struct hawser__omitted *w, struct hawser_report *report)
-{
-	const struct hawser_rom *model = w->model;
-	int *at, place = 0;
-
-	if (!model || model->inertia.shapes == 0)
-		return HAWSER_OK;
-	at = malloc((size_t)model->n*sizeof *at);
-	if (!at)
-		return hawser__no_memory(report, "choose");
-	for (int i = 0; i < model->n; i++)
-		at[i] = -1;
-	for (int j = 0; j < w->n; j++) {
-		if (!w->choice->mode[j].kept)
-			continue;
-		for (int k = 0; k < w->held; k++)
-			if (w->mode[k] == j)
-				at[place] = k;
-		place++;
+		if (moves)
+			resonate(w, s);
+		for (int t = 0; t < w->rows; t++)
+			cblas_daxpy(held, -(moves ? w->rate[t] : w->pull[(size_t)t*N + s]),
+			            w->led + ((size_t)t*w->frees + i)*held, 1, w->G + (size_t)t*held, 1);
 	}
-	for (int x = model->n - model->inertia.shapes; x < model->n; x++)
-		subtract_shape(w, x, at);
-	free(at);
-	return HAWSER_OK;
 }
 
 /* --- the displaced response --- */
@@ -173,54 +130,136 @@ static void set_waves(struct hawser__omitted *w)
 		}
 }
 
-/* c[held][functions], `stride` doubles from one to the next, of x[rows][held]. */
-static void analyse(const struct hawser__omitted *w, double *c, const double *x, int stride)
+/* d/dtau of the same. */
+static double slope(const struct hawser__omitted *w, int p, int t)
+{
+	int harmonic = (p + 1)/2;
+
+	return p == 0 ? 0.0 : p%2 ? -harmonic*wave(w, p + 1, t) : harmonic*wave(w, p - 1, t);
+}
+
+/* c[functions], `stride` doubles from one to the next, of x, `step` doubles from row to row. */
+static void analyse(const struct hawser__omitted *w, double *c, int stride, const double *x, int step)
+{
+	for (int p = 0; p < w->functions; p++) {
+		double sum = 0.0;
+
+		for (int t = 0; t < w->rows; t++)
+			sum += x[(size_t)t*step]*wave(w, p, t);
+		c[stride*p] = sum/w->rows;
+	}
+}
+
+/* Side `i` of x[unknowns][HAWSER__OMITTED]: the harmonics of -G. */
+static void set_side(const struct hawser__omitted *w, double *x, int i)
 {
 	for (int k = 0; k < w->held; k++)
-		for (int p = 0; p < w->functions; p++) {
-			double sum = 0.0;
-
-			for (int t = 0; t < w->rows; t++)
-				sum += x[(size_t)t*w->held + k]*wave(w, p, t);
-			c[stride*(k*w->functions + p)] = sum/w->rows;
-		}
+		analyse(w, x + i + HAWSER__OMITTED*(size_t)w->place[k]*w->functions, HAWSER__OMITTED,
+		        w->G + k, w->held);
+	for (int e = 0; e < w->held*w->functions; e++)
+		x[i + HAWSER__OMITTED*((size_t)w->place[e/w->functions]*w->functions + e%w->functions)] *= -1.0;
 }
 
-/* A[unknowns][unknowns + 1]: effect of the harmonics of du, in units of `size`, and of
- * dOmega/Omega. product[functions][functions][rows] is workspace. c: the harmonics of u. */
-static void assemble(const struct hawser__omitted *w, double *A, double *product, const double *c,
+/* The equations of motion at row t, linearised. */
+struct linear {
+	double *u, *v, *bend;         /* [n] of the model, v = Omega u', bend = u'' */
+	double *a, *by_u, *by_v, *by_omega; /* [n], [n][n], [n][n], [n] */
+	double *store;
+};
+
+static int linear_make(struct linear *at, size_t n)
+{
+	double *p = at->store = malloc((5*n + 2*n*n)*sizeof *p);
+
+	if (!p)
+		return 0;
+	at->u = p;
+	at->v = p + n;
+	at->bend = p + 2*n;
+	at->a = p + 3*n;
+	at->by_omega = p + 4*n;
+	at->by_u = p + 5*n;
+	at->by_v = at->by_u + n*n;
+	return 1;
+}
+
+static void linearise(struct linear *at, const struct hawser__omitted *w, int t)
+{
+	int n = w->orbit.model->n, step = w->stride*n;
+
+	for (int j = 0; j < n; j++) {
+		at->u[j] = w->orbit.state[(size_t)t*step + j];
+		at->v[j] = w->omega*turned(w, w->orbit.state + j, step, t, 0);
+		at->bend[j] = turned(w, w->orbit.state + j, step, t, 1);
+	}
+	hawser_rom_acceleration_jacobian(w->orbit.model, at->a, at->by_u, at->by_v, at->by_omega, at->u,
+	                                 at->v, 2.0*M_PI*t/w->rows, w->omega);
+}
+
+/* Add what row t is of A[unknowns][unknowns + 1]: effect of the harmonics of dx, in units of `size`,
+ * and of dOmega/Omega, on the harmonics of the equations. */
+static void assemble(const struct hawser__omitted *w, double *A, const struct linear *at, int t,
                      double size)
 {
-	int held = w->held, f = w->functions, width = held*f + 1;
-	const double *D = w->all->D;
+	int n = w->orbit.model->n, f = w->functions;
+	size_t width = (size_t)n*f + 1;
+	double W = w->omega, waves[2*HAWSER__OMITTED_WAVES + 1], slopes[2*HAWSER__OMITTED_WAVES + 1];
 
-	for (int e = 0; e < f*f; e++)
-		for (int t = 0; t < w->rows; t++)
-			product[e*w->rows + t] = size*wave(w, e/f, t)*wave(w, e%f, t)/w->rows;
-	for (int j = 0; j < held; j++)
-		for (int k = 0; k < held; k++)
+	for (int p = 0; p < f; p++) {
+		waves[p] = wave(w, p, t)/w->rows;
+		slopes[p] = W*slope(w, p, t)/w->rows;
+	}
+	for (int j = 0; j < n; j++) {
+		double sum = 2.0*W*W*at->bend[j] - W*at->by_omega[j];
+
+		for (int k = 0; k < n; k++) {
+			double by_u = size*at->by_u[j*n + k], by_v = size*at->by_v[j*n + k];
+
+			sum -= at->by_v[j*n + k]*at->v[k];
+			if (by_u == 0.0 && by_v == 0.0)
+				continue;
 			for (int e = 0; e < f*f; e++)
-				A[(size_t)(j*f + e/f)*width + k*f + e%f] =
-					cblas_ddot(w->rows, product + (size_t)e*w->rows, 1,
-					           w->stiff + (size_t)j*held + k, held*held);
-	for (int j = 0; j < held; j++)
-		for (int p = 0; p < f; p++) {
-			int harmonic = (p + 1)/2, other = p%2 ? p + 1 : p - 1; /* the index of its time
-			                                                        * derivative */
-			double *row = A + (size_t)(j*f + p)*width, W = harmonic*w->omega;
-
-			row[j*f + p] -= size*W*W;
-			row[width - 1] = -2.0*W*W*c[j*f + p];
-			for (int k = 0; p > 0 && k < held; k++) {
-				double d = (p%2 ? W : -W)*D[w->mode[j]*w->n + w->mode[k]];
-
-				row[k*f + other] += size*d;
-				row[width - 1] += d*c[k*f + other];
-			}
+				A[((size_t)j*f + e/f)*width + k*f + e%f] -=
+					wave(w, e/f, t)*(by_u*waves[e%f] + by_v*slopes[e%f]);
 		}
+		for (int p = 0; p < f; p++)
+			A[((size_t)j*f + p)*width + width - 1] += waves[p]*sum;
+	}
 }
 
-/* Largest relative change of an amplitude that counts, for harmonics x[] of du, HAWSER__OMITTED
+/* The whole of A, and the accelerations of the model, a[rows][n]. 0: no memory. */
+static int set_matrix(const struct hawser__omitted *w, double *A, double *a, double size)
+{
+	int n = w->orbit.model->n, f = w->functions;
+	size_t unknowns = (size_t)n*f, width = unknowns + 1;
+	struct linear at;
+
+	if (!linear_make(&at, (size_t)n))
+		return 0;
+	memset(A, 0, unknowns*width*sizeof *A);
+	for (int t = 0; t < w->rows; t++) {
+		linearise(&at, w, t);
+		assemble(w, A, &at, t, size);
+		memcpy(a + (size_t)t*n, at.a, (size_t)n*sizeof *a);
+	}
+	for (size_t i = 0; i < unknowns; i++)
+		A[i*width + i] -= size*pow(w->omega*(double)((i%f + 1)/2), 2);
+	free(at.store);
+	return 1;
+}
+
+/* Root mean square of the motion. */
+static double size_of(const struct hawser__omitted *w)
+{
+	int n = w->orbit.model->n;
+	double sum = 0.0;
+
+	for (int t = 0; t < w->rows; t++)
+		sum += pow(cblas_dnrm2(n, w->orbit.state + (size_t)t*w->stride*n, 1), 2)/w->rows;
+	return sqrt(sum);
+}
+
+/* Largest relative change of an amplitude that counts, for harmonics x[] of dx, HAWSER__OMITTED
  * apart. */
 static double amplitudes(struct hawser__omitted *w, const double *x, unsigned peaks)
 {
@@ -233,7 +272,7 @@ static double amplitudes(struct hawser__omitted *w, const double *x, unsigned pe
 				double u = w->kept[(size_t)t*w->held + k];
 
 				for (int p = 0; moved && p < w->functions; p++)
-					u += x[HAWSER__OMITTED*(k*w->functions + p)]*wave(w, p, t);
+					u += x[HAWSER__OMITTED*(w->place[k]*w->functions + p)]*wave(w, p, t);
 				w->u[w->mode[k]] = u;
 			}
 			hawser__omitted_condensed(w);
@@ -256,34 +295,27 @@ enum hawser_status hawser__omitted_effect(double omitted[HAWSER__OMITTED], struc
                                        unsigned peaks, struct hawser_report *report)
 {
 	const int waves = HAWSER__OMITTED_WAVES, sides = HAWSER__OMITTED;
-	int most = w->rows > 2*waves ? waves : (w->rows - 1)/2, f = 2*most + 1, unknowns = w->held*f;
+	int most = w->rows > 2*waves ? waves : (w->rows - 1)/2, f = 2*most + 1;
+	int unknowns = w->orbit.model->n*f, info;
 	size_t width = (size_t)unknowns + 1;
-	double *A = malloc((size_t)unknowns*width*sizeof *A), *c = malloc(width*sizeof *c);
-	double *x = calloc((size_t)sides*width, sizeof *x);
-	double *product = malloc((size_t)f*f*w->rows*sizeof *product);
+	double *A = malloc((size_t)unknowns*width*sizeof *A);
+	double *a = malloc((size_t)w->rows*w->orbit.model->n*sizeof *a);
+	double *x = calloc((size_t)sides*width, sizeof *x), size = size_of(w);
 	enum hawser_status status = HAWSER_OK;
-	double size;
-	int info;
 
-	if (!A || !c || !x || !product) {
-		status = hawser__no_memory(report, "choose");
-		goto done;
-	}
 	w->functions = f;
 	set_spin(w);
 	set_waves(w);
-	analyse(w, c, w->kept, 1);
-	analyse(w, x + 1, w->G, sides);
-	add_followers(w);
-	status = subtract_shapes(w, report);
-	if (status)
+	if (!A || !a || !x || !set_matrix(w, A, a, size)) {
+		status = hawser__no_memory(report, "choose");
 		goto done;
-	analyse(w, x, w->G, sides);
-	add_looked_at(w);
-	analyse(w, x + 2, w->G, sides);
-	size = cblas_dnrm2(unknowns, c, 1);
-	assemble(w, A, product, c, size);
-	cblas_dscal(sides*unknowns, -1.0, x, 1);
+	}
+	set_side(w, x, 1);
+	set_forces(w);
+	set_omitted(w, a, 0);
+	set_side(w, x, 0);
+	set_omitted(w, a, 1);
+	set_side(w, x, 2);
 	info = LAPACKE_dgels(LAPACK_ROW_MAJOR, 'N', unknowns, unknowns + 1, sides, A, unknowns + 1, x,
 	                     sides);
 	if (hawser__lapack_starved(info))
@@ -295,8 +327,7 @@ enum hawser_status hawser__omitted_effect(double omitted[HAWSER__OMITTED], struc
 		omitted[i] = fmax(fabs(x[sides*unknowns + i]), amplitudes(w, x + i, peaks));
 done:
 	free(A);
-	free(c);
+	free(a);
 	free(x);
-	free(product);
 	return status;
 }

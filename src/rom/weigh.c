@@ -391,7 +391,7 @@ static void weigh_pairs(struct work *work)
 
 enum hawser_status hawser__weigh(struct hawser_choice *choice, const double *coordinate, int rows,
                                  double omega, double spacing, int whole, unsigned counted,
-                                 unsigned peaks, const struct hawser_rom *model,
+                                 unsigned peaks, const struct hawser__orbit_of *orbit,
                                  struct hawser_report *report)
 {
 	double size, omitted[HAWSER__OMITTED] = {0.0};
@@ -423,7 +423,7 @@ enum hawser_status hawser__weigh(struct hawser_choice *choice, const double *coo
 		weigh_mode(&work, s);
 	weigh_pairs(&work);
 	if (whole && choice->exact.n > 0) {
-		status = hawser__order(omitted, choice, model, work.u, rows, omega, peaks, report);
+		status = hawser__order(omitted, choice, orbit, work.u, rows, omega, peaks, report);
 		choice->truncation = fmax(choice->truncation, omitted[0]);
 		choice->energy = fmax(choice->energy, omitted[1]);
 		choice->followed = fmax(choice->followed, omitted[2]);

@@ -28,24 +28,29 @@ enum hawser_status hawser__weigh_orbit(struct hawser_choice *choice, const struc
                                        unsigned counted, unsigned peaks,
                                        struct hawser_report *report)
 {
-	double omega = frf->point[i].omega, period = 2.0*M_PI/omega, *u;
+	double omega = frf->point[i].omega, period = 2.0*M_PI/omega, *u, *state;
 	struct hawser_integrate_options options = {
 		.omega = omega, .until = period, .every = period/rows, .rtol = 1e-7, .atol = 1e-12,
 		.initial = frf->state + (size_t)i*2*(size_t)frf->n,
 	};
-	size_t kept = (size_t)(rom->n - rom->inertia.shapes);
+	size_t n = (size_t)rom->n, kept = (size_t)(rom->n - rom->inertia.shapes);
+	struct hawser__orbit_of orbit = {.model = rom};
 	struct hawser_trajectory run;
 	enum hawser_status status = hawser_integrate(&run, rom, &options, report);
 
 	u = malloc((size_t)rows*kept*sizeof *u);
-	if (!status && !u)
+	state = malloc((size_t)rows*n*sizeof *state);
+	if (!status && (!u || !state))
 		status = hawser__no_memory(report, "study");
-	for (int t = 0; !status && t < rows; t++)
-		memcpy(u + (size_t)t*kept, run.state + (size_t)t*2*(size_t)rom->n,
-		       kept*sizeof *u);
+	for (size_t t = 0; !status && t < rows; t++) {
+		memcpy(u + t*kept, run.state + t*2*n, kept*sizeof *u);
+		memcpy(state + t*n, run.state + t*2*n, n*sizeof *state);
+	}
+	orbit.state = state;
 	if (!status)
-		status = hawser__choice_weigh(choice, u, rows, omega, whole, counted, peaks,
-		                              rom, report);
+		status = hawser__choice_weigh(choice, u, rows, omega, whole, counted, peaks, &orbit,
+		                              report);
+	free(state);
 	free(u);
 	hawser_trajectory_clear(&run);
 	return status;

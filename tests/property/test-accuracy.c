@@ -139,10 +139,12 @@ static void check_along(void)
 }
 
 /* A condensed model has an error that more modes do not reduce. Compare its first-order estimate
- * with the full-order model. For the stay the cause is the damping of condensed modes, which is
- * proportional to critical damping and therefore large for longitudinal modes; near the one-to-one
- * resonance it is inertia. */
-static void check_lacks(const char *name, double asked, int n)
+ * with the full-order model of n functions. For the stay the cause is the damping of condensed modes,
+ * which is proportional to critical damping and therefore large for longitudinal modes; near the
+ * one-to-one resonance it is inertia. In Table 4.5 and in the deep sag the inertia of condensed modes
+ * displaces the resonance by about its width, and in the deep sag the load moves condensed modes.
+ * `part`: the largest part that the order of the energy may have. */
+static void check_lacks(const char *name, double asked, int n, double part)
 {
 	struct hawser_frf frf = {.n = 0};
 	struct hawser_rom rom = {.n = 0};
@@ -163,8 +165,8 @@ static void check_lacks(const char *name, double asked, int n)
 		ok(!status && fabs(last->truncation/distance - 1.0) < 0.25,
 		   "%s: %d modes are off by %.2e, said to be %.2e", name, last->modes, distance,
 		   last->truncation);
-		ok(last->energy > 0.0 && last->energy < 0.6*last->truncation,
-		   "%.2e of it the energy's order", last->energy);
+		ok(last->energy > 0.0 && last->energy < part*last->truncation,
+		   "%.2e of it due to the order of the energy", last->energy);
 		hawser_accuracy_clear(&accuracy);
 	}
 	hawser_frf_clear(&frf);
@@ -329,9 +331,19 @@ int main(void)
 	if (getenv("HAWSER_LONG")) { /* nine tenths of the time of this test: full order, 30 modes */
 		check_kept("b-table-5.4-at-rest", coarse, 10, 1);
 		check_along();
-		check_lacks("bridge-stay", 0.01, 10);
+		check_lacks("bridge-stay", 0.01, 10, 0.6);
+		low = 0.98;
+		high = 1.03;
+		check_lacks("deep-sag-light", 0.001, 10, 1.0);
+		low = 0.8;
+		high = 1.3;
 	}
-	check_lacks("b-table-5.4-at-rest", 0.002, 10);
+	check_lacks("b-table-5.4-at-rest", 0.002, 10, 0.6);
+	low = 0.92;
+	high = 1.0;
+	check_lacks("b-table-4.5", 0.001, 8, 4.0); /* inertia has the other sign */
+	low = 0.8;
+	high = 1.3;
 	check_deep_sag();
 	check_sampling();
 	check_reasons();
