@@ -41,7 +41,7 @@ struct hawser_map_sample {
 };
 
 /* If a model has many coordinates and some of them are fast, the multipliers are computed from the
- * coordinates that can take part in an instability; the others are condensed statically. */
+ * coordinates that can take part in an instability; the others follow them (slow manifold). */
 struct hawser_map_condensed {
 	long points;      /* number of points with condensed coordinates */
 	int kept;         /* smallest number of coordinates that were not condensed */

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <stdint.h>
 #include <stdlib.h>
 
 #include "response/monodromy.h"
@@ -62,6 +63,72 @@ static void check_condensed(void)
 	hawser_rom_clear(&rom);
 }
 
+static uint64_t chance = 2611;
+
+static double between(double low, double high)
+{
+	chance = chance*6364136223846793005u + 1442695040888963407u;
+	return low + (high - low)*(double)(chance >> 11)/9007199254740992.0;
+}
+
+enum { N = 5, HARMONICS = 3 };
+
+/* Three slow coordinates and two that are 15 to 60 times faster, with couplings between slow and fast
+ * ones that vary in time and reach the static response 0.5. */
+static void random_system(double *T)
+{
+	const double w[N] = {between(0.5, 1.0), between(1.2, 2.0), between(2.2, 3.0), between(45.0, 80.0),
+		between(100.0, 180.0)};
+
+	for (int r = 0; r <= 2*HARMONICS; r++)
+		for (int i = 0; i < N; i++)
+			for (int j = 0; j <= i; j++) {
+				double size = i < 3 ? 0.3 : j < 3 ? 0.1*w[i]*w[i] : 0.03*w[j]*w[j];
+
+				T[(r*N + i)*N + j] = T[(r*N + j)*N + i] = between(-size, size)/
+					(r + 1);
+			}
+	for (int i = 0; i < N; i++)
+		T[i*N + i] = 2.0*w[i]*w[i];
+}
+
+/* Multipliers of the slow coordinates agree with those of all coordinates to the stated error. */
+static void check_slow_manifold(void)
+{
+	enum { SYSTEMS = 20 };
+	double log_modulus[2][2*N], argument[2][2*N], T[(2*HARMONICS + 1)*N*N], worst = 0.0;
+	struct hawser__monodromy monodromy[2];
+	struct hawser_rom rom;
+	int condensed = 0, wrong = 0;
+
+	if (hawser__rom_init(&rom, N, NULL) || hawser__monodromy_init(&monodromy[0], N, NULL) ||
+	    hawser__monodromy_init(&monodromy[1], N, NULL))
+		return;
+	for (int j = 0; j < N; j++)
+		rom.D[j*(N + 1)] = 0.02;
+	monodromy[0].follow = INFINITY;
+	for (int k = 0; k < SYSTEMS; k++) {
+		random_system(T);
+		for (int side = 0; side < 2; side++)
+			if (hawser__monodromy_multipliers(&monodromy[side], log_modulus[side],
+			                                  argument[side], &rom, T, HARMONICS, 1.0, NULL))
+				wrong++;
+		condensed += monodromy[1].kept == 3;
+		for (int j = 0; j < 6 && monodromy[1].kept == 3; j++) {
+			double least = INFINITY;
+
+			for (int i = 0; i < 2*N; i++)
+				least = fmin(least, fabs(log_modulus[0][i] - log_modulus[1][j]));
+			worst = fmax(worst, least/(monodromy[1].spread + 1e-8));
+		}
+	}
+	ok(wrong == 0 && condensed > SYSTEMS/2, "%d of %d condensed", condensed, SYSTEMS);
+	ok(worst < 1.0, "largest ratio of true and stated error: %g", worst);
+	hawser__monodromy_release(&monodromy[0]);
+	hawser__monodromy_release(&monodromy[1]);
+	hawser_rom_clear(&rom);
+}
+
 /* u'' + (24 + 10 sin t) u' + 10 cos t u = 0 has the exponents 0 and -24: u' + (24 + 10 sin t) u is
  * constant. */
 static void check_overdamped(void)
@@ -90,6 +157,7 @@ static void check_overdamped(void)
 int main(void)
 {
 	check_condensed();
+	check_slow_manifold();
 	check_overdamped();
 	return done_testing();
 }
