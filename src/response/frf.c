@@ -101,14 +101,13 @@ static double heading(const struct hawser_frf_options *options)
 static enum hawser_status begin(struct hawser__trace *trace)
 {
 	struct hawser__orbit *orbit = trace->orbit;
-	int last = orbit->size - 1, failed;
+	int failed;
 	enum hawser_status status;
 
 	if ((status = first_orbit(trace)))
 		return status;
-	memset(trace->direction, 0, (size_t)orbit->size*sizeof(double));
-	trace->direction[last] = orbit->W*heading(&trace->options);
-	if ((status = hawser__trace_correct(trace, &trace->here, trace->direction, &failed)))
+	status = hawser__trace_settle(trace, &trace->here, heading(&trace->options), NULL, &failed);
+	if (status)
 		return status;
 	if (failed)
 		return hawser__fail_at(trace->report, HAWSER_ERR_CONVERGENCE, "frf",
@@ -116,9 +115,7 @@ static enum hawser_status begin(struct hawser__trace *trace)
 		                       trace->here.correction.residual,
 		                       "the first orbit, at Omega %.9g%s, was lost when its mesh was "
 		                       "refined", HAWSER_SHOWN(trace->rom, trace->options.begin));
-	if ((status = hawser__station_finish(&trace->here, orbit, trace->direction,
-	                                     trace->report)) ||
-	    (status = hawser__trace_determined(trace, &trace->here)))
+	if ((status = hawser__trace_determined(trace, &trace->here)))
 		return status;
 	memcpy(trace->start_y, trace->here.y, (size_t)orbit->size*sizeof(double));
 	trace->known = 1;

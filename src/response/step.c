@@ -20,6 +20,8 @@
 #define COARSE_STEP 1e-5       /* if a step of this length fails, the discretisation is considered
                                 * too coarse; chosen */
 #define REFINED_STEP 100.0     /* factor on that step with a finer discretisation; chosen */
+#define MOST_ENRICHED 4        /* finer discretisations of one orbit, each of which has to reduce */
+#define ENRICHED_ERROR 0.5     /* its error by this factor; both chosen */
 #define WORST_ERROR 0.05       /* largest estimated relative error of an accepted orbit; chosen */
 
 int hawser__trace_interrupted(void *owner, int tries)
@@ -94,12 +96,17 @@ double hawser__trace_longest(void *owner)
 	return share*LARGEST_STEP > turn ? turn/share : LARGEST_STEP;
 }
 
+int hawser__trace_is_determined(const struct hawser__station *station)
+{
+	return station->error <= WORST_ERROR;
+}
+
 /* Without damping a linear resonance has no finite orbit. The damping of the integrator would then
  * limit the amplitude, and the peak would be wrong. */
 enum hawser_status hawser__trace_determined(const struct hawser__trace *trace,
                                             const struct hawser__station *station)
 {
-	return station->error <= WORST_ERROR ? HAWSER_OK :
+	return hawser__trace_is_determined(station) ? HAWSER_OK :
 	       hawser__fail_at(trace->report, HAWSER_ERR_CONVERGENCE, "frf",
 	                       station->correction.iterations, station->error,
 	                       "at Omega %.12g%s the orbit is determined to no better than %.1g of its "
@@ -107,6 +114,40 @@ enum hawser_status hawser__trace_determined(const struct hawser__trace *trace,
 	                       "resonance without damping",
 	                       HAWSER_SHOWN(trace->rom, hawser__trace_omega(trace, station)),
 	                       station->error, trace->options.tolerance);
+}
+
+/* The neglected terms, though small, may make an orbit indeterminate: the estimate by one sweep after
+ * the other grows without bound where high harmonics of stiff coordinates are neglected. */
+int hawser__trace_enrich(struct hawser__trace *trace, const struct hawser__station *station)
+{
+	if (trace->enriched >= MOST_ENRICHED ||
+	    (trace->enriched > 0 && !(station->error < ENRICHED_ERROR*trace->undetermined)) ||
+	    trace->orbit->ops->enrich(trace->orbit, NULL))
+		return 0;
+	trace->enriched++;
+	trace->undetermined = station->error;
+	return 1;
+}
+
+enum hawser_status hawser__trace_settle(struct hawser__trace *trace,
+                                        struct hawser__station *station, double side,
+                                        const double *along, int *failed)
+{
+	struct hawser__orbit *orbit = trace->orbit;
+	int last = orbit->size - 1;
+	enum hawser_status status;
+
+	trace->enriched = 0;
+	do {
+		memset(trace->direction, 0, (size_t)orbit->size*sizeof(double));
+		trace->direction[last] = side*orbit->W;
+		status = hawser__trace_correct(trace, station, trace->direction, failed);
+		if (!status && !*failed)
+			status = hawser__station_finish(station, orbit, along ? along : trace->direction,
+			                                trace->report);
+	} while (!status && !*failed && !hawser__trace_is_determined(station) &&
+	         hawser__trace_enrich(trace, station));
+	return status;
 }
 
 enum hawser_status hawser__trace_refine(void *owner, double ds, double *factor)
@@ -150,8 +191,7 @@ enum hawser_status hawser__trace_judge(void *owner, double ds, double angle,
 	status = hawser__trace_determined(trace, &trace->next);
 	if (!status)
 		return HAWSER_OK;
-	/* or the neglected terms, though small, make the orbit indeterminate */
-	if (trace->enriched++ || trace->orbit->ops->enrich(trace->orbit, NULL))
+	if (!hawser__trace_enrich(trace, &trace->next))
 		return status;
 	*verdict = HAWSER__REPEAT;
 	return HAWSER_OK;
@@ -169,9 +209,7 @@ enum hawser_status hawser__trace_cut(struct hawser__trace *trace, double bound)
 	                                   &metric);
 	enum hawser_status status;
 
-	memset(trace->direction, 0, (size_t)orbit->size*sizeof(double));
-	trace->direction[last] = side*orbit->W;
-	if ((status = hawser__trace_correct(trace, &trace->scratch, trace->direction, &failed)))
+	if ((status = hawser__trace_settle(trace, &trace->scratch, side, trace->here.t, &failed)))
 		return status;
 	if (failed)
 		return hawser__fail_at(trace->report, HAWSER_ERR_CONVERGENCE, "frf",
@@ -181,6 +219,5 @@ enum hawser_status hawser__trace_cut(struct hawser__trace *trace, double bound)
 		                       HAWSER_SHOWN(trace->rom, bound));
 	trace->scratch.arc = trace->here.arc + share*(trace->next.arc - trace->here.arc);
 	hawser__station_swap(&trace->scratch, &trace->next);
-	status = hawser__station_finish(&trace->next, orbit, trace->here.t, trace->report);
-	return status ? status : hawser__trace_determined(trace, &trace->next);
+	return hawser__trace_determined(trace, &trace->next);
 }

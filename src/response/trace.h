@@ -46,7 +46,8 @@ struct hawser__trace {
 	struct hawser__curve curve;
 	double lo, hi;
 	double began;           /* s, hawser__wall_seconds */
-	int enriched;           /* 1: a finer discretisation was already used in this step */
+	int enriched;           /* number of finer discretisations already used in this step */
+	double undetermined;    /* error of the orbit before the last of them */
 	struct hawser__shrinking shrinking;
 	int slack;              /* 1: the curve ends at next, where the cable goes slack */
 	int known; /* number of stations before `here`, and `here` itself */
@@ -74,9 +75,20 @@ enum hawser_status hawser__trace_correct(struct hawser__trace *trace,
                                          struct hawser__station *station, const double *row,
                                          int *failed);
 
-/* step.c: HAWSER_ERR_CONVERGENCE if the error of a corrected orbit exceeds 5 % of its size. */
+/* step.c: whether the error of a corrected orbit is at most 5 % of its size; _determined:
+ * HAWSER_ERR_CONVERGENCE if not. */
+int hawser__trace_is_determined(const struct hawser__station *station);
 enum hawser_status hawser__trace_determined(const struct hawser__trace *trace,
                                             const struct hawser__station *station);
+/* step.c: a finer discretisation for an orbit that is not determined. Returns 0 where it is not to be
+ * had, or where the last one did not help. */
+int hawser__trace_enrich(struct hawser__trace *trace, const struct hawser__station *station);
+/* step.c: correct a station at its Omega (side: sign of the row's entry for Omega) and compute its
+ * tangent in the direction `along` (NULL: that of the row), with finer discretisations while it is
+ * not determined. *failed becomes 1 if the corrector fails. */
+enum hawser_status hawser__trace_settle(struct hawser__trace *trace,
+                                        struct hawser__station *station, double side,
+                                        const double *along, int *failed);
 
 /* judge.c: whether next is certainly on the same branch as here, and the events between are
  * separated; angle is that between the two tangents. */
