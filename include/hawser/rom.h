@@ -284,7 +284,8 @@ double hawser_rom_asymmetry(const struct hawser_rom *rom);
 
 /* One line about what forces are evaluated from: the tensors, the strains of the modes at points of the
  * cable ("functions"; the same energy, in less time if there are many modes), or each of them where it
- * is estimated to be faster. text: of `size` bytes, 240 are enough. */
+ * is estimated to be faster. text: of `size` bytes, 240 are enough; "" for a model of
+ * _build_entries. */
 void hawser_rom_forces_text(const struct hawser_rom *rom, char *text, size_t size);
 
 /* Displacement xyz [3] of shape point p in global axes (scaled; times length in m), from the

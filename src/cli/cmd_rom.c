@@ -141,7 +141,8 @@ static void comments(struct hawser__table *table, const void *of)
 		                             "%d harmonics; scaled", rom->n, rom->quads, rom->cubics,
 		                      rom->harmonics);
 	hawser_rom_forces_text(rom, forces, sizeof forces);
-	hawser__table_comment(table, "forces are evaluated %s", forces);
+	if (*forces)
+		hawser__table_comment(table, "forces are evaluated %s", forces);
 	if (rom->scaled)
 		hawser__table_comment(table, "units: length %.12g m, time %.12g s, force %.12g N",
 		                      rom->length, rom->time, rom->force);

@@ -109,10 +109,13 @@ void hawser_rom_forces_text(const struct hawser_rom *rom, char *text, size_t siz
 	struct line line = {text, size, 0};
 	int functions = 0;
 
+	*text = '\0';
 	if (rom->exact) {
 		say(&line, "from strains at %d points of the cable, without expansion", rom->exact->points);
 		return;
 	}
+	if (!kernel)
+		return;
 	for (int task = 0; task < HAWSER__TASKS; task++)
 		functions += kernel->by_function[task];
 	if (!kernel->quartic || functions == 0) {
