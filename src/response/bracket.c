@@ -20,6 +20,9 @@
 /* If |f| of the nearest trial is below this, a failure of the corrector is attributed to a branch
  * point; chosen. */
 #define NEARBY 0.02
+#define CROSSED 0.01 /* smallest ratio of the logarithms of a modulus on both sides of the unit circle by
+                      * which an event is located; chosen */
+#define CLEAR 1e-7 /* smallest size of these logarithms: above the errors of multipliers */
 #define ASIDE 0.02 /* distance of the next trial from a failure of the corrector, relative to the
                     * bracket; chosen */
 
@@ -41,16 +44,22 @@ static int needs_sure(const struct hawser__station *a, const struct hawser__stat
 /* Rank by modulus of the multiplier that crosses the unit circle between a and b, if the number of
  * those outside changes as by one event; otherwise -1. The modulus of a given rank is a continuous
  * function of the place on the branch, while the test function, a product over all multipliers,
- * may vary much faster. */
+ * may vary much faster. Without damping, the modulus is 1 on one side of the event, and only the test
+ * function changes its sign. */
 static int crossing(const struct hawser__bracket *bracket)
 {
 	int before = hawser__station_circle(bracket->a, bracket->sure).unstable;
 	int after = hawser__station_circle(bracket->b, bracket->sure).unstable;
+	int rank = before < after ? before : after;
+	double a, b;
 
 	if (bracket->kind == HAWSER_FOLD ||
 	    abs(after - before) != hawser__event_width(bracket->kind))
 		return -1;
-	return before < after ? before : after;
+	a = bracket->a->log_modulus[rank];
+	b = bracket->b->log_modulus[rank];
+	return a*b < 0.0 && fmin(fabs(a), fabs(b)) > fmax(CLEAR, CROSSED*fmax(fabs(a), fabs(b)))
+	       ? rank : -1;
 }
 
 enum hawser_status hawser__bracket_init(struct hawser__bracket *bracket, struct hawser__orbit *orbit,
