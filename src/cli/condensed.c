@@ -8,7 +8,7 @@ void cli_condensed_comment(struct hawser__table *table, const struct hawser_map_
 {
 	if (condensed->points > 0)
 		hawser__table_comment(table, "multipliers at %ld points are those of %d or more "
-		                      "coordinates, with the fast ones condensed statically: estimated "
+		                      "coordinates, with the fast ones eliminated: estimated "
 		                      "error of their logarithms up to %.1e", condensed->points,
 		                      condensed->kept, condensed->neglected);
 }

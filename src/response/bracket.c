@@ -20,8 +20,8 @@
 /* If |f| of the nearest trial is below this, a failure of the corrector is attributed to a branch
  * point; chosen. */
 #define NEARBY 0.02
-#define CROSSED 0.01 /* smallest ratio of the logarithms of a modulus on both sides of the unit circle by
-                      * which an event is located; chosen */
+#define CROSSED 0.01 /* smallest ratio of the logarithms of a modulus at both ends by which an event is
+                      * located; chosen */
 #define CLEAR 1e-7 /* smallest size of these logarithms: above the errors of multipliers */
 #define ASIDE 0.02 /* distance of the next trial from a failure of the corrector, relative to the
                     * bracket; chosen */

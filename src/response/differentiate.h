@@ -20,6 +20,6 @@ void hawser__differentiate_release(struct hawser__differentiate *rates);
 
 /* derivative [rows][width], by the phase in rad, times `scale`, of value [rows][width]. */
 void hawser__differentiate(const struct hawser__differentiate *rates, double *derivative,
-                             double *value, double scale);
+                           double *value, double scale);
 
 #endif

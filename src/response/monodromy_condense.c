@@ -30,8 +30,8 @@
  * transforms.
  *
  * Since coupling changes the frequencies of the fast coordinates, all their combinations are
- * examined: if one of them is slow or has no positive stiffness, or if the iteration does not
- * converge, no coordinate is condensed.
+ * examined: if one of them is slow or has no positive stiffness, no coordinate is condensed. If the
+ * iteration does not converge, more coordinates are kept.
  *
  * If all frequencies are below `follow` times Omega, no coordinate is condensed.
  *

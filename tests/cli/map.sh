@@ -201,7 +201,7 @@ END
 			--quantity multiplier --points 5x3 --threads $threads --tsv stiff.tsv --json stiff-$threads.json
 	done
 	try "the error of the condensation is stated" grep -q \
-		'^# multipliers at [0-9]* points are those of 3 or more coordinates, with the fast ones condensed statically' stiff.tsv
+		'^# multipliers at [0-9]* points are those of 3 or more coordinates, with the fast ones eliminated' stiff.tsv
 	python "the same in JSON, whatever the threads" <<'END'
 import json
 one, three = (json.load(open("stiff-%d.json" % k))["condensed"] for k in (1, 3))
