@@ -425,7 +425,7 @@ struct cli_frf_result {
 };
 /* --- fixed.c: the error of the model, `stated`, `fixed` and `unknown` of the result --- */
 
-/* Does nothing with modes: auto. Status: HAWSER_ERR_MEMORY. */
+/* Does nothing for the first branch with modes: auto. Status: HAWSER_ERR_MEMORY. */
 enum hawser_status cli_fixed_estimate(struct cli_frf_result *result,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 void cli_fixed_comments(struct hawser__table *table, const struct cli_frf_result *result);

@@ -302,6 +302,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	status = trace(&frf, &peak, &cover, &model, settings, &result, report);
 	if (!status)
 		status = cli_fixed_estimate(&result, report);
+	for (int k = 0; k < result.others && !status; k++)
+		status = cli_fixed_estimate(&cover.other[k], report);
 	if (!status && !cli_interrupted())
 		status = sweeps(list, &result.sweeps, settings, &result, report);
 	if (!status && settings->backbone && !cli_interrupted()) {

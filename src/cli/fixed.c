@@ -21,10 +21,12 @@ enum hawser_status cli_fixed_estimate(struct cli_frf_result *result, struct haws
 	struct hawser_report why = {.message = ""};
 	enum hawser_status status;
 
-	if (model->automatic)
+	if (result->frf->branch > 1 ? !model->has_scene : model->automatic)
 		return HAWSER_OK;
 	result->stated = 1;
-	result->fixed.estimated = NAN;
+	result->fixed = (struct hawser_accuracy_fixed){.estimated = NAN};
+	if (model->automatic)
+		return not_known(result, "the accuracy of model.modes: auto is that of the first branch");
 	if (!model->has_scene)
 		return not_known(result, "a model file does not say what it leaves out of its scene: give "
 		                         "the scene");
@@ -48,21 +50,26 @@ enum hawser_status cli_fixed_estimate(struct cli_frf_result *result, struct haws
 void cli_fixed_comments(struct hawser__table *table, const struct cli_frf_result *result)
 {
 	const struct hawser_accuracy_fixed *fixed = &result->fixed;
+	char branch[24] = "";
 
 	if (!result->stated)
 		return;
+	if (result->frf->branch > 1)
+		snprintf(branch, sizeof branch, "branch %d: ", result->frf->branch);
 	if (!isfinite(fixed->estimated)) {
-		hawser__table_comment(table, "error of the model: not estimated: %s", result->unknown);
+		hawser__table_comment(table, "%serror of the model: not estimated: %s", branch,
+		                      result->unknown);
 		return;
 	}
-	hawser__table_comment(table, "error of the model: %s%.2g of folds and peaks, to first order "
+	hawser__table_comment(table, "%serror of the model: %s%.2g of folds and peaks, to first order "
 	                      "(modes left out: %.1e, of %d looked at; their effect on the kept: %.1e; "
 	                      "others: %.1e; beyond modes: %.1e)",
-	                      fixed->estimated < 1.0 ? "" : "more than ", fixed->estimated, fixed->rest,
-	                      fixed->looked_at, fixed->followed, fixed->beyond, fixed->truncation);
+	                      branch, fixed->estimated < 1.0 ? "" : "more than ", fixed->estimated,
+	                      fixed->rest, fixed->looked_at, fixed->followed, fixed->beyond,
+	                      fixed->truncation);
 	if (fixed->at_risk > 0)
-		hawser__table_comment(table, "the motion can make mode w%d unstable, which the model "
-		                      "leaves out", fixed->at_risk);
+		hawser__table_comment(table, "%sthe motion can make mode w%d unstable, which the model "
+		                      "leaves out", branch, fixed->at_risk);
 }
 
 static int is_stated(const void *row, const void *parent)

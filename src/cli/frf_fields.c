@@ -210,6 +210,7 @@ static int has_direction(const void *row, const void *parent)
 #define THROUGH(member, fields) {"", NULL, "", HAWSER__THROUGH(struct cli_frf_result, member, fields)}
 /* A further branch is a result with its own curve. */
 static const struct hawser__field branch_field[] = {
+	{"", NULL, "", HAWSER__OBJECT_OF(cli_fixed_field)},
 	THROUGH(frf, curve_field),
 	{"peaks", NULL, "see PEAKS", HAWSER__OBJECTS_OF(cli_frf_peak_list), .when = PEAKS},
 	THROUGH(frf, end_field),

@@ -183,6 +183,7 @@ static void comment_branch(struct hawser__table *table, const struct cli_frf_res
 	                      frf->point[frf->points - 1].omega*per_omega,
 	                      cli_unit(result->model, " rad/s"), frf->points,
 	                      hawser_frf_end_name(frf->end), sentence(frf->end));
+	cli_fixed_comments(table, result);
 	for (int k = 0; k < frf->events; k++)
 		comment_event(table, result, k);
 	cli_frf_peak_comments(table, result);

@@ -49,6 +49,7 @@ for method in "shooting", "balance":
 	a = json.load(open(method + ".json"))
 	assert len(a["branches"]) == 2 and all(one["end"] == "slack" for one in a["branches"])
 	assert all(p["tension"]["min"] > -1e-6*p["tension"]["max"] for one in a["branches"] for p in one["points"])
+	assert all(0 < one["model_error"]["estimated"] <= 1 for one in [a] + a["branches"])
 	rows = [line.rstrip("\n").split("\t") for line in open(method + ".tsv") if line[0] != "#"]
 	k = rows[0].index("branch")
 	count = {str(i + 1): 0 for i in range(1 + len(a["branches"]))}
