@@ -75,7 +75,10 @@ enum hawser_status hawser__bracket_init(struct hawser__bracket *bracket, struct 
 		.in = {.b = 1.0}};
 	bracket->sure = sure && needs_sure(a, b, kind);
 	bracket->watched = crossing(bracket);
-	bracket->scale = fmax(test_of(bracket, a)->log, test_of(bracket, b)->log);
+	bracket->scale = bracket->watched < 0
+	                 ? fmax(test_of(bracket, a)->log, test_of(bracket, b)->log)
+	                 : fmax(fabs(a->log_modulus[bracket->watched]),
+	                        fabs(b->log_modulus[bracket->watched]));
 	bracket->multipliers = malloc(2*m*HAWSER__MOST_TRIALS*sizeof(double));
 	if (!bracket->multipliers)
 		return hawser__no_memory(report, "frf");
@@ -97,6 +100,8 @@ double hawser__bracket_value(const struct hawser__bracket *bracket,
 {
 	const struct hawser__test *test = test_of(bracket, station);
 
+	if (bracket->watched >= 0)
+		return test->sign*fabs(station->log_modulus[bracket->watched])/bracket->scale;
 	return test->sign*exp(fmin(test->log - bracket->scale, 700.0));
 }
 
@@ -179,14 +184,6 @@ static double next_place(const struct hawser__bracket *bracket, int i)
 	                                             : hawser__false_position(in, i);
 }
 
-/* The value at a station whose test function is f, for false position: where a multiplier is
- * watched, its logarithm, with the sign of f. */
-static double watched(const struct hawser__bracket *bracket, const struct hawser__station *station,
-                      double f)
-{
-	return bracket->watched < 0 ? f : copysign(fabs(station->log_modulus[bracket->watched]), f);
-}
-
 /* The next trial after the corrector failed at s: beside it, towards the farther end of the
  * bracket. */
 static double place_aside(const struct hawser__bracket *bracket, double s, double share)
@@ -225,22 +222,20 @@ static enum hawser_status pass_failure(struct hawser__bracket *bracket, int *don
 		return status;
 	*share = failed ? fmin(4.0**share, 0.5) : 0.25**share;
 	if (!failed)
-		hawser__false_position_take(&bracket->in, bracket->trial[bracket->trials - 1].s,
-		                            watched(bracket, bracket->at, f));
+		hawser__false_position_take(&bracket->in, bracket->trial[bracket->trials - 1].s, f);
 	return HAWSER_OK;
 }
 
 enum hawser_status hawser__bracket_zero(struct hawser__bracket *bracket, double *s, double *f,
                                         double tolerance, struct hawser_report *report)
 {
-	double share = ASIDE, omega, value, small;
+	double share = ASIDE, omega;
 	int last = bracket->orbit->size - 1, failed, done;
 
-	*f = hawser__bracket_value(bracket, bracket->a);
-	bracket->in.fa = watched(bracket, bracket->a, *f);
-	bracket->in.fb = watched(bracket, bracket->b, hawser__bracket_value(bracket, bracket->b));
+	bracket->in.fa = hawser__bracket_value(bracket, bracket->a);
+	bracket->in.fb = hawser__bracket_value(bracket, bracket->b);
 	bracket->before = INFINITY;
-	small = bracket->watched < 0 ? 1e-4 : 1e-4*fmax(fabs(bracket->in.fa), fabs(bracket->in.fb));
+	*f = bracket->in.fa;
 	for (int i = 0; i < HAWSER__MOST_TRIALS - HAWSER__MOST_FAILURES; i++) {
 		enum hawser_status status;
 
@@ -257,12 +252,11 @@ enum hawser_status hawser__bracket_zero(struct hawser__bracket *bracket, double 
 		}
 		omega = bracket->at->y[last];
 		bracket->uncertain = 0.0;
-		value = watched(bracket, bracket->at, *f);
 		if (*f == 0.0 || bracket->in.b - bracket->in.a < 1e-14 ||
-		    (fabs(omega - bracket->before) <= 0.1*tolerance*omega && fabs(value) < small))
+		    (fabs(omega - bracket->before) <= 0.1*tolerance*omega && fabs(*f) < 1e-4))
 			return HAWSER_OK;
 		bracket->before = omega;
-		hawser__false_position_take(&bracket->in, *s, value);
+		hawser__false_position_take(&bracket->in, *s, *f);
 	}
 	return HAWSER_OK;
 }

@@ -1,7 +1,7 @@
 /* response/bracket.h - the zero of a test function between two stations of a branch.
  *
  *   s    0 to 1 along the cubic through both stations
- *   f    test function over its larger end value
+ *   f    test function, or logarithm of the watched modulus, over its larger end value
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_RESPONSE_BRACKET_H
@@ -30,7 +30,8 @@ struct hawser__bracket {
 	int sure;              /* 1: by the sure test function (station.h) */
 	int watched;           /* rank of the multiplier whose modulus locates the event; -1: none */
 	double tolerance;      /* of the corrector */
-	double scale;          /* logarithm by which test values are scaled */
+	double scale;          /* logarithm by which test values are scaled, or the larger logarithm of
+	                        * the watched modulus */
 	struct hawser__bracketed in;
 	double before;         /* Omega of the last trial */
 	double uncertain;      /* relative uncertainty of Omega if the result is interpolated */
@@ -49,7 +50,8 @@ enum hawser_status hawser__bracket_init(struct hawser__bracket *bracket, struct 
                                         struct hawser_report *report);
 void hawser__bracket_clear(struct hawser__bracket *bracket);
 
-/* The scaled test function of a station. */
+/* The scaled test function of a station; where a multiplier is watched, the logarithm of its modulus
+ * with the sign of the test function. */
 double hawser__bracket_value(const struct hawser__bracket *bracket,
                              const struct hawser__station *station);
 
