@@ -255,7 +255,8 @@ static enum hawser_status solve_finely(struct hawser__monodromy *monodromy, doub
 		if ((status = solve_all(monodromy, log_modulus, argument, system, report)))
 			return status;
 		/* the phases of some of the kept coordinates do matter */
-		if (stiff && monodromy->loss > HAWSER__NEGLECTED && monodromy->steps < monodromy->most) {
+		if (stiff && monodromy->resolved && monodromy->loss > HAWSER__NEGLECTED &&
+		    monodromy->steps < monodromy->most) {
 			monodromy->steps = (int)fmin(monodromy->most, ceil(1.25*monodromy->steps));
 			continue;
 		}
@@ -270,7 +271,7 @@ static enum hawser_status solve_finely(struct hawser__monodromy *monodromy, doub
 		monodromy->spread = fmax(monodromy->spread, monodromy->loss);
 	}
 	if (stiff && !monodromy->sharper)
-		monodromy->phases = monodromy->steps;
+		monodromy->phases = monodromy->resolved ? monodromy->steps : 0;
 	if (monodromy->sharper) {
 		monodromy->steps = before;
 		return HAWSER_OK;

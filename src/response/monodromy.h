@@ -79,6 +79,7 @@ struct hawser__monodromy {
 	double stretch;         /* logarithm of the largest norm of a factor */
 	int phases;             /* number of steps that the phases of the kept coordinates of a stiff
 	                         * model needed last; 0: no more than planned */
+	int resolved;           /* 1: the steps of a stiff model resolve all kept coordinates */
 	double fastest;         /* largest relevant frequency of a stiff model, or infinite */
 	double top;             /* frequency of the fastest kept coordinate of a stiff model */
 	struct hawser__collocation gauss;

@@ -88,7 +88,7 @@ static double neglects(const struct hawser__monodromy *monodromy,
 {
 	int n = system->n;
 	double w = monodromy->frequency[j], W = monodromy->fastest, G = 0.0, d = 0.0, rest = 0.0;
-	double coupled = monodromy->haste ? velocity_coupling(monodromy, system, j, top)/w : 0.0;
+	double coupled = velocity_coupling(monodromy, system, j, top)/w;
 
 	for (int i = 0; i < n; i++)
 		d += 0.5*fabs(system->D[(size_t)j*n + i]);

@@ -21,6 +21,8 @@
  * step, with which the error of their logarithms is about 1e-6; the errors of the phases of the
  * others do not matter. */
 #define STIFF_TURN 4.8
+#define RESOLVABLE 1e9       /* number of operations up to which the phases of all kept coordinates are
+                              * resolved; chosen */
 #define STIFF_LEAST 12.0     /* least frequency, relative to Omega, that is resolved; chosen */
 
 /* Number of steps with which the error becomes a third of the goal; the error falls with h^16. */
@@ -100,6 +102,20 @@ static enum hawser_status strict(struct hawser__monodromy *monodromy,
 	return HAWSER_OK;
 }
 
+/* Steps that resolve the relevant frequencies, and those of all kept coordinates unless this is too
+ * expensive, as where nothing could be condensed. */
+static void plan_stiff(struct hawser__monodromy *monodromy, const struct hawser__variational *system)
+{
+	double turns = fmax(STIFF_LEAST, hawser__monodromy_pace(monodromy, system)/system->omega);
+	double all = 2.0*M_PI/STIFF_TURN*fmax(turns, monodromy->top/system->omega);
+
+	monodromy->resolved = all*cost_of(system->n) < RESOLVABLE;
+	monodromy->steps = (int)fmin(monodromy->most,
+	                             ceil(monodromy->resolved ? all : 2.0*M_PI/STIFF_TURN*turns));
+	if (monodromy->resolved && monodromy->phases > monodromy->steps)
+		monodromy->steps = monodromy->phases - monodromy->phases/16;
+}
+
 enum hawser_status hawser__monodromy_plan(struct hawser__monodromy *monodromy,
                                           const struct hawser__variational *system,
                                           struct hawser_report *report)
@@ -107,11 +123,7 @@ enum hawser_status hawser__monodromy_plan(struct hawser__monodromy *monodromy,
 	int stiff = monodromy->fastest < INFINITY && !monodromy->haste;
 
 	if (stiff)
-		monodromy->steps = (int)fmin(monodromy->most, ceil(2.0*M_PI/STIFF_TURN*
-			fmax(STIFF_LEAST, fmax(hawser__monodromy_pace(monodromy, system),
-			                       monodromy->top)/system->omega)));
-	if (stiff && monodromy->phases > monodromy->steps)
-		monodromy->steps = monodromy->phases - monodromy->phases/16;
+		plan_stiff(monodromy, system);
 	if (monodromy->sharper) /* the phases of the fast coordinates of a stiff model need more steps */
 		monodromy->steps += stiff ? 3*monodromy->steps : monodromy->steps/3 + 1;
 	return monodromy->finer ? strict(monodromy, system, stiff, report) : HAWSER_OK;
