@@ -261,17 +261,15 @@ static void mark_condensed(struct hawser__balance *balance)
 {
 	const struct hawser__monodromy *monodromy = &balance->monodromy;
 	struct hawser__orbit *orbit = &balance->base;
-	double omega = balance->at[orbit->size - 1], period = 2.0*M_PI/omega;
 
 	memset(orbit->condensed, 0, (size_t)orbit->m);
 	for (int f = 0; f < orbit->n - monodromy->kept; f++) {
-		int j = monodromy->fast[f];
-		double half = 0.5*orbit->rom->D[(size_t)j*((size_t)orbit->n + 1)];
-		double w = monodromy->frequency[j];
-		double turn = half > w ? 0.0 : fabs(remainder(sqrt(w*w - half*half)*period, 2.0*M_PI));
+		double log_modulus[2], turn;
 
-		for (int i = 0; i < orbit->m && half <= w; i++)
-			if (fabs(orbit->log_modulus[i] + half*period) <= SAME &&
+		hawser__monodromy_free_motion(log_modulus, &turn, monodromy, orbit->rom, f,
+		                              balance->at[orbit->size - 1]);
+		for (int i = 0; i < orbit->m && log_modulus[0] == log_modulus[1]; i++)
+			if (fabs(orbit->log_modulus[i] - log_modulus[0]) <= SAME &&
 			    fabs(fabs(orbit->argument[i]) - turn) <= SAME)
 				orbit->condensed[i] = 1;
 	}

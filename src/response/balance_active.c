@@ -21,6 +21,7 @@
 #include "core/report.h"
 #include "response/balance.h"
 #include "response/flow.h"
+#include "response/planner.h"
 #include "response/shooting.h"
 #include "rom/kernel.h"
 
@@ -61,20 +62,6 @@ void hawser__balance_seed(struct hawser__balance *balance)
 			for (int e = 0; e < n*n; e++)
 				if (on[e%n] && (rom->K[e] != 0.0 || rom->D[e] != 0.0))
 					on[e/n] = 1;
-	}
-}
-
-/* Next number without prime factors above 5, for fast transforms of the samples. */
-static int round_up(int rows)
-{
-	for (;; rows++) {
-		int rest = rows;
-
-		for (int prime = 2; prime <= 5; prime++)
-			while (rest%prime == 0)
-				rest /= prime;
-		if (rest == 1)
-			return rows;
 	}
 }
 
@@ -193,7 +180,7 @@ enum hawser_status hawser__balance_arrange(struct hawser__balance *balance,
 	balance->reach = balance->order + 2*k;
 	balance->spread = k > 2*balance->order ? k : 2*balance->order;
 	balance->width = balance->reach > balance->spread ? balance->reach : balance->spread;
-	balance->base.rows = round_up(3*balance->order + balance->reach + 1);
+	balance->base.rows = hawser__planner_rows(3*balance->order + balance->reach + 1);
 	balance->base.resolution = 2*balance->order + 1;
 	balance->blockwise = blocks_pay(balance, unknowns);
 	if (make_room(balance, unknowns))

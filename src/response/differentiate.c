@@ -1,4 +1,4 @@
-/* response/differentiate.c - see periodic.h.
+/* response/differentiate.c - see differentiate.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -9,19 +9,6 @@
 
 #include "response/differentiate.h"
 #include "response/planner.h"
-
-int hawser__differentiate_rows(int least)
-{
-	for (int rows = least > 1 ? least : 1;; rows++) {
-		int rest = rows;
-
-		for (int prime = 2; prime <= 5; prime++)
-			while (rest%prime == 0)
-				rest /= prime;
-		if (rest == 1)
-			return rows;
-	}
-}
 
 void hawser__differentiate_release(struct hawser__differentiate *rates)
 {

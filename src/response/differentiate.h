@@ -10,9 +10,6 @@ struct hawser__differentiate {
 	void *coefficient;   /* [rows/2 + 1][width] complex */
 };
 
-/* Smallest number of phases, at least `least`, of which transforms are fast. */
-int hawser__differentiate_rows(int least);
-
 /* Makes the plans for `width` functions at `rows` phases, unless they are made; *rates is zero
  * before the first call. 1: no memory. */
 int hawser__differentiate_prepare(struct hawser__differentiate *rates, int rows, int width);

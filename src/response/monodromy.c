@@ -316,6 +316,19 @@ enum hawser_status hawser__monodromy_damping(struct hawser__monodromy *monodromy
 	return HAWSER_OK;
 }
 
+void hawser__monodromy_free_motion(double *log_modulus, double *argument,
+                                   const struct hawser__monodromy *monodromy,
+                                   const struct hawser_rom *rom, int f, double omega)
+{
+	int j = monodromy->fast[f];
+	double half = 0.5*rom->D[(size_t)j*((size_t)rom->n + 1)], w = monodromy->frequency[j];
+	double slower = half > w ? sqrt(half*half - w*w) : 0.0, period = 2.0*M_PI/omega;
+
+	log_modulus[0] = (slower - half)*period;
+	log_modulus[1] = -(slower + half)*period;
+	*argument = half > w ? 0.0 : fabs(remainder(sqrt(w*w - half*half)*period, 2.0*M_PI));
+}
+
 enum hawser_status hawser__monodromy_multipliers(struct hawser__monodromy *monodromy,
                                                  double *log_modulus, double *argument,
                                                  const struct hawser_rom *rom, const double *T,
@@ -323,7 +336,6 @@ enum hawser_status hawser__monodromy_multipliers(struct hawser__monodromy *monod
                                                  struct hawser_report *report)
 {
 	struct hawser__variational system = {.n = rom->n, .order = order, .K = T, .omega = omega};
-	double period = 2.0*M_PI/omega;
 	int n = rom->n, kept;
 	enum hawser_status status = hawser__monodromy_damping(monodromy, &system, rom, report);
 
@@ -342,13 +354,9 @@ enum hawser_status hawser__monodromy_multipliers(struct hawser__monodromy *monod
 	monodromy->spread = fmax(monodromy->spread, monodromy->neglected);
 	/* the condensed coordinates respond statically, and their free motion decays */
 	for (int f = 0; f < n - kept; f++) {
-		int j = monodromy->fast[f], at = 2*(kept + f);
-		double half = 0.5*rom->D[(size_t)j*(n + 1)], w = monodromy->frequency[j];
-		double slower = half > w ? sqrt(half*half - w*w) : 0.0;
+		int at = 2*(kept + f);
 
-		log_modulus[at] = (slower - half)*period;
-		log_modulus[at + 1] = -(slower + half)*period;
-		argument[at] = half > w ? 0.0 : fabs(remainder(sqrt(w*w - half*half)*period, 2.0*M_PI));
+		hawser__monodromy_free_motion(log_modulus + at, argument + at, monodromy, rom, f, omega);
 		argument[at + 1] = -argument[at];
 	}
 	hawser__floquet_sort(log_modulus, argument, monodromy->rough ? 2*kept : 2*n);

@@ -49,6 +49,7 @@
 
 #include "core/report.h"
 #include "response/monodromy.h"
+#include "response/planner.h"
 
 #define SINGULAR 1e-8      /* ratio of a pivot of K_ff to the mean below which it counts as 0: far
                             * above round-off */
@@ -387,7 +388,7 @@ enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodrom
 	work.order = system->order > system->order_d ? system->order : system->order_d;
 	/* N has infinitely many harmonics */
 	work.order = MORE + work.order*(monodromy->haste && !monodromy->rough ? 6 : 2);
-	work.rows = hawser__differentiate_rows(2*work.order + 1);
+	work.rows = hawser__planner_rows(2*work.order + 1);
 	for (int expected = monodromy->expected;; expected--) {
 		status = try_condense(&work, monodromy, system, limit, expected, report);
 		if (!monodromy->sharper) /* the next orbit is similar */

@@ -17,9 +17,9 @@
 #define HASTY_FOLLOW 4.0     /* least frequency, relative to Omega, of coordinates that it
                               * condenses; chosen */
 #define MOST_STEPS 400 /* per period; a strict computation may take more; chosen */
-/* In a stiff model, not every coordinate is resolved. The relevant ones turn by this angle per
- * step, with which the error of their logarithms is about 1e-6; the errors of the phases of the
- * others do not matter. */
+/* In a stiff model the fastest kept coordinate turns by this angle per step, with which the error of
+ * the logarithms is about 1e-6. If that takes too many operations, only the relevant coordinates do,
+ * and the error of the product (hawser__monodromy.loss) includes the unresolved ones. */
 #define STIFF_TURN 4.8
 #define RESOLVABLE 1e9       /* number of operations up to which the phases of all kept coordinates are
                               * resolved; chosen */

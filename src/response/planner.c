@@ -17,3 +17,16 @@ void hawser__planner_unlock(void)
 {
 	pthread_mutex_unlock(&planner);
 }
+
+int hawser__planner_rows(int least)
+{
+	for (int rows = least > 1 ? least : 1;; rows++) {
+		int rest = rows;
+
+		for (int prime = 2; prime <= 5; prime++)
+			while (rest%prime == 0)
+				rest /= prime;
+		if (rest == 1)
+			return rows;
+	}
+}
