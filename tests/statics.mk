@@ -3,7 +3,7 @@ noinst_HEADERS += tests/statics-draw.h tests/extremes/sweep.h tests/extremes/sta
 EXTRA_DIST += tests/reference/statics-spans.tsv tests/reference/make-statics-spans.py
 
 STATICS_TESTS = tests/unit/test-statics tests/unit/test-plausible tests/property/test-statics-models \
-	tests/property/test-statics-random tests/property/test-travel \
+	tests/property/test-statics-random tests/property/test-statics-loaded tests/property/test-travel \
 	tests/reference/test-statics-spans tests/reference/test-statics-cases \
 	tests/extremes/test-statics-corners tests/extremes/test-statics-sweep
 check_PROGRAMS += $(STATICS_TESTS)
@@ -26,3 +26,5 @@ tests_property_test_travel_SOURCES = tests/property/test-travel.c
 tests_property_test_travel_LDADD = $(UPTO_STATICS)
 tests_extremes_test_statics_sweep_SOURCES = tests/extremes/test-statics-sweep.c
 tests_extremes_test_statics_sweep_LDADD = $(UPTO_STATICS)
+tests_property_test_statics_loaded_SOURCES = tests/property/test-statics-loaded.c
+tests_property_test_statics_loaded_LDADD = $(UPTO_STATICS)

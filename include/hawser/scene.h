@@ -68,6 +68,20 @@ enum hawser_beam_gravity { HAWSER_GRAVITY_ALONG = 0, HAWSER_GRAVITY_ACROSS, HAWS
 
 enum hawser_frame { HAWSER_FRAME_LOCAL = 0, HAWSER_FRAME_GLOBAL };
 
+/* An attachment: a point mass on the cable, with springs and dampers from the same point to ground.
+ * Springs and dampers act along the fixed axes x, y, z. Springs are unstressed in the static
+ * equilibrium, which they therefore don't change; nor do dampers. */
+enum { HAWSER_ATTACH_MAX = 32, HAWSER_NAME_SIZE = 32 };
+struct hawser_attachment {
+	double at;        /* position on the cable: fraction of the unstretched length from end A if
+	                   * `by_length` is 0, else unstretched length in m */
+	int by_length;
+	double mass;      /* kg */
+	double spring[3]; /* N/m along x, y, z */
+	double damper[3]; /* N s/m along x, y, z */
+	char name[HAWSER_NAME_SIZE]; /* "" if it has none */
+};
+
 /* Value of model.modes if the program chooses the modes (choose.h). */
 enum { HAWSER_MODES_AUTO = 0 };
 
@@ -135,6 +149,8 @@ struct hawser_scene {
 		double inclination; /* rad */
 		int ends, moment;   /* enum hawser_beam_ends, hawser_beam_moment (beam.h) */
 	} beam;
+	int attachments;
+	struct hawser_attachment attach[HAWSER_ATTACH_MAX]; /* [attachments] in the order of the scene */
 	char *name; /* file name, "<stdin>" for standard input; owned */
 	unsigned long long written; /* bit i is set if the user gave the key of row i of the table */
 };
@@ -144,7 +160,8 @@ struct hawser_scene {
 struct hawser_scene_key {
 	const char *path;    /* "cable.EA" */
 	const char *unit;    /* udunits2 spelling of the SI unit; "1": pure number, "": word */
-	const char *type;    /* "number", "integer", "numbers[3]", "numbers[2]", "word" */
+	const char *type;    /* "number", "integer", "numbers[3]", "numbers[2]", "word", "place" (a
+	                      * fraction or a length), "name" */
 	const char *words;   /* of a word: "taut|slack"; of an integer: the word that is accepted in
 	                      * place of a number and stored as 0, such as "auto"; else NULL */
 	const char *range;   /* as text: "> 0", "finite", "within [0, 1], increasing", "" */
@@ -157,7 +174,9 @@ const struct hawser_scene_key *hawser_scene_key(int index);
 
 /* Read a scene from `stream` (called `name` in messages) and apply `nset` overrides in order. An
  * override has the syntax of --set: "cable.EA=100 MN", "load.per_length=[1, 2, 3]", or a whole
- * section, "load={frame: local, per_length: [1, 2, 3]}". If two keys exclude each other (tension.H
+ * section, "load={frame: local, per_length: [1, 2, 3]}". A key of an attachment is named by the number of
+ * the attachment, from 0, or by its name: "attach.0.mass=20 kg", "attach.carrier.mass=20 kg". If two
+ * keys exclude each other (tension.H
  * and tension.T0, the kinds of damping), the override replaces the one given before. *scene is
  * overwritten; release it with hawser_scene_clear. On failure it is all zero. Returns
  * HAWSER_ERR_SCENE, HAWSER_ERR_IO (the stream, or the unit database), HAWSER_ERR_MEMORY, and
@@ -172,7 +191,8 @@ enum hawser_status hawser_scene_open(struct hawser_scene *scene, const char *pat
                                      const char *const *set, size_t nset,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* Value of a key in SI, by its path: "cable.EA", "model.modes", "load.per_length[2]". A key that
+/* Value of a key in SI, by its path: "cable.EA", "model.modes", "load.per_length[2]",
+ * "attach.0.mass" (or with the name of the attachment). A key that
  * the user did not give has its default. Returns HAWSER_ERR_ARGUMENT if there is no such key, if
  * its value is a word, or if it does not apply to the scene (tension.H if T0 is given, load.extent
  * without a load). */

@@ -37,6 +37,15 @@ struct hawser_motion {
 	double tension1;  /* N, actual tension at S = L */
 };
 
+/* An attachment on the solved cable; the list is sorted by S. */
+struct hawser_attached {
+	int index;        /* in the scene's list */
+	double S, s;      /* m and scaled: unstretched arclength from end A */
+	double mass, m;   /* kg, and scaled: mass/(rho*d) */
+	double spring[3]; /* N/m along x, y, z */
+	double damper[3]; /* N s/m */
+};
+
 /* A static solution. Of a travelling cable, span.rho, H, T0, T1, V0, V1, length0, delta, epsilon
  * and lengths S are those of the apparent cable (struct hawser_motion); d, h, shape, sag and
  * `length` are the same for both. */
@@ -59,6 +68,11 @@ struct hawser_statics {
 	 * an exact given quantity and an exact span; 0 for models other than the elastic catenary */
 	double error;
 	int iterations;
+	/* Attachments. Masses make u(s) jump: u(s) = eta + delta*(s + the sum of m_i with s_i <= s). The
+	 * two parameters of Irvine and `plausible` are then those of a cable on which the masses are
+	 * spread evenly. */
+	int attachments;
+	struct hawser_attached attached[HAWSER_ATTACH_MAX];
 };
 
 /* A point of the profile. */
@@ -80,6 +94,18 @@ enum hawser_status hawser_statics_solve(struct hawser_statics *statics,
                                         const struct hawser_span *span, enum hawser_given given,
                                         double value, enum hawser_branch branch,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* The same with `count` attachments attach[count], at most HAWSER_ATTACH_MAX, in any order. Several
+ * lengths may have the given H or sag if the cable is steep on both sides of a heavy mass; one of
+ * them is found. HAWSER_ERR_ARGUMENT also for attachments outside the cable or at the same point. */
+enum hawser_status hawser_statics_loaded(struct hawser_statics *statics,
+                                         const struct hawser_span *span, enum hawser_given given,
+                                         double value, enum hawser_branch branch,
+                                         const struct hawser_attachment *attach, int count,
+                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* Mass of the cable and its attachments over rho*d. */
+double hawser_statics_mass(const struct hawser_statics *statics);
 
 /* The static solution of a scene; of a travelling cable its steady state. */
 enum hawser_status hawser_statics_scene(struct hawser_statics *statics,
@@ -118,7 +144,8 @@ struct hawser_statics hawser_statics_actual(const struct hawser_statics *statics
 /* Profile and tension at S (m, 0..length0). */
 struct hawser_profile_point hawser_statics_at(const struct hawser_statics *statics, double S);
 
-/* Scaled geometry of the profile at the scaled arclength s = S/d in [0, l]. */
+/* Scaled geometry of the profile at the scaled arclength s = S/d in [0, l]; at a point mass the limit
+ * from the side of end B. */
 struct hawser_frame_point {
 	double u;         /* eta + delta*s, the slope dy/dx */
 	double ex, ey;    /* unit tangent e; n = (-ey, ex) */

@@ -129,6 +129,10 @@ static enum hawser_status trace(struct cli_irvine_result *result,
 	double speed[CLI_IRVINE_SPEEDS] = {0.0};
 	int k;
 
+	if (!status && scene->attachments > 0)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "irvine",
+		                      "the sweep of the tension is for a cable without attachments: set "
+		                      "attach=[], or call hawser modes for single tensions");
 	if (!status)
 		status = speeds_of(speed, result, settings->speeds, report);
 	if (!status)

@@ -32,6 +32,12 @@ static const struct cli_option options[] = {
 	CLI_NO_OPTION,
 };
 
+/* An attachment in the result. */
+struct mark {
+	const char *name;
+	double S, x, y, mass, before, after, slope_before, slope_after;
+};
+
 struct result {
 	const struct settings *settings;
 	struct hawser_scene scene;
@@ -41,6 +47,8 @@ struct result {
 	double limit;                  /* m/s, if the cable travels */
 	struct hawser_profile_point *profile; /* [points] */
 	int points;
+	struct mark mark[HAWSER_ATTACH_MAX]; /* [marks] */
+	int marks;
 	struct cli_curves curves;
 	struct cli_speeds speeds;
 };
@@ -132,7 +140,26 @@ static void columns_json(struct hawser__json *json, json_t *into, const void *ro
 		hawser__json_text(json, columns, NULL, profile_field[k].key);
 }
 
-enum { TRAVELS = 1, MODELS = 2, COMPATIBILITY = 4, SPEEDS = 8 };
+static const char *mark_name(const void *of)
+{
+	return ((const struct mark *)of)->name;
+}
+
+#define OF(member) HAWSER__AT(struct mark, member)
+static const struct hawser__field mark_field[] = {
+	{"name", NULL, "its name, or empty", HAWSER__TEXT_BY(mark_name)},
+	{"S", NULL, "unstretched arclength from end A", OF(S), .unit = HAWSER__METRE},
+	{"x", NULL, "distance from end A", OF(x), .unit = HAWSER__METRE},
+	{"y", NULL, "height above end A", OF(y), .unit = HAWSER__METRE},
+	{"mass", NULL, "point mass, kg", OF(mass)},
+	{"T_before", NULL, "tension on the side of end A", OF(before), .unit = HAWSER__NEWTON},
+	{"T_after", NULL, "tension on the side of end B", OF(after), .unit = HAWSER__NEWTON},
+	{"slope_before", NULL, "dy/dx on the side of end A", OF(slope_before)},
+	{"slope_after", NULL, "dy/dx on the side of end B", OF(slope_after)},
+	HAWSER__END,
+};
+#undef OF
+enum { ATTACHED = 16, TRAVELS = 1, MODELS = 2, COMPATIBILITY = 4, SPEEDS = 8 };
 
 static const struct hawser__field point_field[] = {
 	{"profile", NULL, "points: lists of the columns",
@@ -150,6 +177,8 @@ static const struct hawser__field result_field[] = {
 	{"", NULL, "", HAWSER__THROUGH(struct result, model, name_field)},
 	PART(actual, quantity_field)},
 	{"travel", NULL, "of a cable that travels", HAWSER__OBJECT_OF(travel_field), .when = TRAVELS},
+	{"attachments", NULL, "of the scene, by S",
+	 HAWSER__STORED_WITHIN(struct result, mark, marks, mark_field), .when = ATTACHED},
 	{"profile_columns", NULL, "S, x, y, T: m, m, m, N", HAWSER__CALLS(columns_json)},
 	{"", NULL, "", HAWSER__ARRAYS_OF(point_list)},
 	PART(curves, cli_models_member), .when = MODELS},
@@ -177,7 +206,7 @@ static struct cli_head head(const void *of)
 		&settings->common, "statics", result->model == hawser_statics_model(0)
 		? "elastic catenary, bracketed monotone solve" : result->model->summary, &result->scene,
 		cli_si_view((result->scene.travel.present ? TRAVELS : 0u) |
-		            (settings->models ? MODELS : 0u) | (settings->speeds ? SPEEDS : 0u) |
+		            (result->marks ? ATTACHED : 0u) | (settings->models ? MODELS : 0u) | (settings->speeds ? SPEEDS : 0u) |
 		            (settings->compatibility ? COMPATIBILITY : 0u)), NULL, NULL};
 }
 
@@ -189,6 +218,14 @@ static void comments(struct hawser__table *table, const void *of)
 	hawser__fields_comments(table, quantity_field, &result->actual, &view);
 	if (result->scene.travel.present)
 		travel_comments(table, result);
+	for (int i = 0; i < result->marks; i++) {
+		const struct mark *mark = &result->mark[i];
+
+		hawser__table_comment(table, "attachment %s%sat S = %.10g m: mass %.10g kg, x = %.10g m, "
+		                      "y = %.10g m, T = %.10g and %.10g N on either side", mark->name,
+		                      *mark->name ? " " : "", mark->S, mark->mass, mark->x, mark->y,
+		                      mark->before, mark->after);
+	}
 }
 
 static void rows(struct hawser__table *table, const void *of)
@@ -309,10 +346,28 @@ static struct hawser_profile_point point(const struct result *result, double S)
 	                                    : result->model->at(&result->statics, S);
 }
 
+/* The attachments: on either side of a mass the tension differs. */
+static void fill_marks(struct result *result)
+{
+	const struct hawser_statics *st = &result->statics;
+
+	result->marks = st->attachments;
+	for (int i = 0; i < st->attachments; i++) {
+		const struct hawser_attached *a = &st->attached[i];
+		struct hawser_profile_point after = hawser_statics_at(st, a->S);
+		struct mark *mark = &result->mark[i];
+		double u = after.slope - st->delta*a->m;
+
+		*mark = (struct mark){result->scene.attach[a->index].name, after.S, after.x, after.y,
+		                      a->mass, st->H*hypot(1.0, u), after.T, u, after.slope};
+	}
+}
+
 static enum hawser_status solve(struct result *result, struct hawser_report *report)
 {
 	const struct hawser_scene *scene = &result->scene;
-	int points = result->settings->points, i;
+	const struct settings *settings = result->settings;
+	int points = settings->points, i;
 	enum hawser_status status = choose_model(result, report);
 	struct hawser_span span;
 
@@ -324,9 +379,15 @@ static enum hawser_status solve(struct result *result, struct hawser_report *rep
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
 		                    "--model %s knows no travelling cable: take catenary, or a scene "
 		                    "without travel", result->model->name);
+	if (scene->attachments > 0 && (result->model != hawser_statics_model(0) ||
+	                               settings->models || settings->compatibility))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
+		                    "%s compares cables without attachments: leave it out, or set "
+		                    "attach=[]", settings->models ? "--models"
+		                    : settings->compatibility ? "--compatibility" : "--model");
 	span = (struct hawser_span){scene->cable.EA, scene->cable.rho, scene->g, scene->span.d,
 	                            scene->span.h};
-	status = scene->travel.present
+	status = scene->travel.present || scene->attachments > 0
 	             ? hawser_statics_scene(&result->statics, scene, report)
 	             : result->model->solve(&result->statics, &span, scene->tension.given,
 	                                    scene->tension.value, scene->tension.branch, report);
@@ -341,6 +402,7 @@ static enum hawser_status solve(struct result *result, struct hawser_report *rep
 	result->profile = calloc((size_t)points, sizeof *result->profile);
 	if (!result->profile)
 		return hawser__no_memory(report, "statics");
+	fill_marks(result);
 	for (i = 0; i < points; i++)
 		result->profile[i] = point(result, result->actual.length0*i/(points - 1));
 	return HAWSER_OK;

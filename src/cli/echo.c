@@ -89,6 +89,33 @@ static void echo_key(struct hawser__json *json, json_t *echo, const struct hawse
 	}
 }
 
+static void triple(struct hawser__json *json, json_t *into, const char *name, const double *value)
+{
+	json_t *list = hawser__json_array(json, into, name);
+
+	for (int c = 0; c < 3; c++)
+		hawser__json_number(json, list, NULL, value[c]);
+}
+
+/* The attachments as the scene has them; `at` is a fraction or, with the unit, a length. */
+static void echo_attachments(struct hawser__json *json, json_t *echo,
+                             const struct hawser_scene *scene)
+{
+	json_t *list = hawser__json_array(json, echo, "attach");
+
+	for (int i = 0; i < scene->attachments; i++) {
+		const struct hawser_attachment *a = &scene->attach[i];
+		json_t *item = hawser__json_object(json, list, NULL);
+
+		hawser__json_number(json, item, a->by_length ? "at_m" : "at", a->at);
+		hawser__json_number(json, item, "mass", a->mass);
+		triple(json, item, "spring", a->spring);
+		triple(json, item, "damper", a->damper);
+		if (*a->name)
+			hawser__json_text(json, item, "name", a->name);
+	}
+}
+
 void cli_echo_json(struct hawser__json *json, const struct cli_common *common,
                    const char *command, const struct hawser_scene *scene)
 {
@@ -104,7 +131,10 @@ void cli_echo_json(struct hawser__json *json, const struct cli_common *common,
 	if (!scene)
 		return;
 	for (int i = 0; !json->status && (key = hawser_scene_key(i)); i++)
-		echo_key(json, echo, scene, key);
+		if (strncmp(key->path, "attach.", 7) != 0)
+			echo_key(json, echo, scene, key);
+	if (scene->attachments)
+		echo_attachments(json, echo, scene);
 }
 
 json_t *cli_stats_json(struct hawser__json *json, const struct cli_common *common)

@@ -77,6 +77,10 @@ enum hawser_status hawser__modes_check_statics(const struct hawser_statics *st,
 	             {"l = L/d", st->l}, {"eta", st->eta}, {"H", st->H}, {"d", st->span.d},
 	             {"rho", st->span.rho}};
 
+	if (st->attachments > 0)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+		                    "the modes of a cable with attachments are not available yet: hawser "
+		                    "statics has its static shape; remove attach for the rest");
 	if (isinf(st->span.EA) || st->epsilon == 0.0)
 		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "modes",
 		                    "an inextensible cable (EA infinite) has infinite longitudinal "

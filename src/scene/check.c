@@ -219,5 +219,7 @@ enum hawser_status hawser__check(struct hawser__reader *reader)
 		status = branch(reader);
 	if (status == HAWSER_OK)
 		status = braking(reader);
+	if (status == HAWSER_OK)
+		status = hawser__items_check(reader);
 	return status;
 }

@@ -9,6 +9,7 @@
 #include "config.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -66,6 +67,17 @@
 	    "amplitude of the harmonic load per unstretched length along the three axes") \
 	ROW("load.extent", "1", PAIR, NULL, INCREASING, "[0, 1]", load.extent, FREE, 0, \
 	    "loaded part, as fractions of the unstretched length from end A") \
+	ROW("attach.at", "1", PLACE, NULL, INSIDE, NULL, attach[0].at, FREE, 0, \
+	    "position on the cable from end A: a fraction of the unstretched length, such as 40 %, or an " \
+	    "unstretched length, such as 12 m") \
+	ROW("attach.mass", "kg", NUMBER, NULL, NOT_NEGATIVE, "0", attach[0].mass, FREE, 0, \
+	    "point mass; its weight is part of the static equilibrium") \
+	ROW("attach.spring", "N/m", TRIPLE, NULL, NOT_NEGATIVE, "[0, 0, 0]", attach[0].spring, FREE, 0, \
+	    "springs to ground along x, y, z, unstressed in the static equilibrium") \
+	ROW("attach.damper", "N.s/m", TRIPLE, NULL, NOT_NEGATIVE, "[0, 0, 0]", attach[0].damper, FREE, 0, \
+	    "viscous dampers to ground along x, y, z") \
+	ROW("attach.name", "", NAME, NULL, NAMES, "", attach[0].name, FREE, 0, \
+	    "name for messages, pictures and --set attach.NAME.KEY") \
 	ROW("model.modes", "1", INTEGER, "auto", MODES, "5", model.modes, FREE, 0, \
 	    "number of modes kept, the lowest of both planes together; auto chooses the modes that the " \
 	    "accuracy requires") \
@@ -133,6 +145,8 @@
 #define TEXT_PAIR "numbers[2]"
 #define TEXT_TRIPLE "numbers[3]"
 #define TEXT_WORD "word"
+#define TEXT_PLACE "place"
+#define TEXT_NAME "name"
 
 #define RANGE_ANY "finite"
 #define RANGE_POSITIVE "> 0"
@@ -143,6 +157,8 @@
 #define RANGE_INCREASING "within [0, 1], increasing"
 #define RANGE_MODES "within [1, 1000]"
 #define RANGE_BASIS "within [0, 100000]"
+#define RANGE_INSIDE "between 0 and 1, or a length > 0"
+#define RANGE_NAMES "letters, digits, _ and -, not a number"
 #define RANGE_WORDS ""
 
 #define PUBLIC(path, unit, type, words, range, fallback, field, group, member, doc) \
@@ -245,7 +261,9 @@ int hawser__in_range(int index, double value)
 	case HAWSER__INCREASING: return value >= 0.0 && value <= 1.0;
 	case HAWSER__MODES: return value >= 1.0 && value <= 1000.0;
 	case HAWSER__BASIS: return value >= 0.0 && value <= 100000.0;
+	case HAWSER__INSIDE: return value > 0.0 && isfinite(value);
 	case HAWSER__ANY:
+	case HAWSER__NAMES:
 	case HAWSER__WORDS: break;
 	}
 	return isfinite(value);
@@ -287,6 +305,8 @@ int hawser__applies(const struct hawser_scene *scene, int index)
 		       (row->group != HAWSER__WEIGHT || scene->beam.form == HAWSER_BEAM_EI);
 	if (hawser__child_of(keys[index].path, "beam"))
 		return of_beam(scene, hawser__leaf(keys[index].path));
+	if (hawser__is_item(index)) /* items.c has the items */
+		return 0;
 	if (scene->beam.form)
 		return !strcmp(keys[index].path, "g");
 	if (hawser__child_of(keys[index].path, "load"))
@@ -301,9 +321,21 @@ int hawser__applies(const struct hawser_scene *scene, int index)
 	return 1;
 }
 
-double hawser__stored(const struct hawser_scene *scene, int index, int element)
+int hawser__is_item(int index)
 {
-	const char *at = (const char *)scene + rows[index].offset;
+	return hawser__child_of(keys[index].path, "attach");
+}
+
+void *hawser__field(const struct hawser_scene *scene, int index, int item)
+{
+	size_t size = hawser__is_item(index) ? sizeof *scene->attach : 0;
+
+	return (char *)(uintptr_t)scene + rows[index].offset + (size_t)item*size;
+}
+
+double hawser__stored(const struct hawser_scene *scene, int index, int element, int item)
+{
+	const char *at = hawser__field(scene, index, item);
 	double number;
 	int whole;
 
@@ -318,7 +350,7 @@ double hawser__stored(const struct hawser_scene *scene, int index, int element)
 int hawser__is_word(const struct hawser_scene *scene, int index)
 {
 	if (rows[index].type == HAWSER__INTEGER && keys[index].words)
-		return hawser__stored(scene, index, 0) == 0.0;
+		return hawser__stored(scene, index, 0, 0) == 0.0;
 	return rows[index].type == HAWSER__WORD;
 }
 

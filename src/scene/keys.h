@@ -11,7 +11,9 @@ enum hawser__type {
 	HAWSER__INTEGER,
 	HAWSER__PAIR,
 	HAWSER__TRIPLE,
-	HAWSER__WORD
+	HAWSER__WORD,
+	HAWSER__PLACE, /* of an attachment: a fraction or a length; a double, then an int: 1 if a length */
+	HAWSER__NAME   /* char[HAWSER_NAME_SIZE] */
 };
 
 enum hawser__range {
@@ -24,6 +26,8 @@ enum hawser__range {
 	HAWSER__INCREASING, /* a pair in [0, 1], the second larger than the first */
 	HAWSER__MODES,
 	HAWSER__BASIS,
+	HAWSER__INSIDE, /* (0, 1), or a length > 0 */
+	HAWSER__NAMES,
 	HAWSER__WORDS /* one of the words, no range */
 };
 
@@ -56,8 +60,20 @@ const struct hawser__row *hawser__rows(void); /* parallel to hawser_scene_key() 
 const struct hawser__section *hawser__sections(size_t *count);
 const struct hawser__choice *hawser__choice(enum hawser__group group);
 
+/* Keys "attach.NAME" belong to each item of the list `attach`. Their offset is that in the first
+ * item. items.c reads, finds and writes items. */
+int hawser__is_item(int index);
+
+/* The place in a scene of the value of row `index`; of a key of attachments, in attachment `item`. */
+void *hawser__field(const struct hawser_scene *scene, int index, int item);
+
 int hawser__key_find(const char *path);     /* index, or -1 */
 int hawser__section_find(const char *path); /* index, or -1 */
+
+/* items.c: the index of the key of "attach.0.mass" or "attach.NAME.mass", and in *item the number of
+ * that attachment, -1 if the scene has no such attachment. Returns -1 if `path` has not this form or
+ * there is no such key. */
+int hawser__item_key(int *item, const struct hawser_scene *scene, const char *path);
 
 /* Number of elements of a list, 0 for a scalar. */
 int hawser__type_count(enum hawser__type type);
@@ -73,8 +89,9 @@ void hawser__choose(struct hawser_scene *scene, enum hawser__group group, int me
  * ...). */
 int hawser__applies(const struct hawser_scene *scene, int index);
 
-/* A number of the scene; `element` is the index in a list and is ignored for a scalar. */
-double hawser__stored(const struct hawser_scene *scene, int index, int element);
+/* A number of the scene; `element` is the index in a list and is ignored for a scalar. `item` is
+ * the number of the attachment, for its keys. */
+double hawser__stored(const struct hawser_scene *scene, int index, int element, int item);
 
 /* 1 if the value of key `index` is a word: "taut", or "auto" in place of a number. */
 int hawser__is_word(const struct hawser_scene *scene, int index);

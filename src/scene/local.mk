@@ -2,6 +2,7 @@ noinst_LTLIBRARIES += %D%/libscene.la
 %C%_libscene_la_SOURCES = \
 	%D%/check.c \
 	%D%/events.c \
+	%D%/items.c \
 	%D%/keys.c \
 	%D%/keys.h \
 	%D%/parse.c \

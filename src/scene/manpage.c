@@ -69,7 +69,8 @@ static void key(const struct hawser_scene_key *row)
 		const char *type, *reads;
 	} kinds[] = {{"number", "Number"}, {"integer", "Whole number"},
 	             {"numbers[2]", "List of two numbers"}, {"numbers[3]", "List of three numbers"},
-	             {"word", "Word"}};
+	             {"word", "Word"}, {"place", "Fraction of the length, or length in m"},
+	             {"name", "Name"}};
 
 	fputs(".TP\n.B ", stdout);
 	text(row->path);
@@ -82,7 +83,7 @@ static void key(const struct hawser_scene_key *row)
 	if (row->words) {
 		fputs(strcmp(row->type, "word") != 0 ? " or " : ", one of ", stdout);
 		text(row->words);
-	} else if (strcmp(row->unit, "1") != 0) {
+	} else if (strcmp(row->unit, "1") != 0 && *row->unit) {
 		fputs(" in ", stdout);
 		text(row->unit);
 	}
@@ -90,8 +91,10 @@ static void key(const struct hawser_scene_key *row)
 		fputs(", ", stdout);
 		text(row->range);
 	}
-	fputs(row->fallback ? "; default " : "", stdout);
-	text(row->fallback ? row->fallback : "");
+	if (row->fallback && *row->fallback) {
+		fputs("; default ", stdout);
+		text(row->fallback);
+	}
 	fputs(".\n", stdout);
 }
 
@@ -114,6 +117,23 @@ static void table(void)
 			if (hawser__child_of(hawser_scene_key(i)->path, section[s].path))
 				key(hawser_scene_key(i));
 	}
+	fputs(".SS attach (optional)\n"
+	      "A list of point masses on the cable, each with springs and dampers from the same\n"
+	      "point to ground:\n"
+	      ".PP\n.RS\n.nf\n"
+	      "attach:\n"
+	      "  \\- {at: 25 %, mass: 20 kg, name: carrier}\n"
+	      "  \\- {at: 12 m, mass: 3 kg, damper: [0, 3 kN.s/m, 0]}\n"
+	      ".fi\n.RE\n.PP\n", stdout);
+	printf("At most %d attachments are possible.\n"
+	       ".B \"\\-\\-set attach.0.mass=25kg\"\n"
+	       "sets a key of the first one,\n"
+	       ".B \"\\-\\-set attach.carrier.mass=25kg\"\n"
+	       "of the one with this name,\n"
+	       "and \\-\\-set \\(aqattach=[{...}]\\(aq replaces the list.\n", HAWSER_ATTACH_MAX);
+	for (int i = 0; hawser_scene_key(i); i++)
+		if (hawser__is_item(i))
+			key(hawser_scene_key(i));
 }
 
 static const char before[] =

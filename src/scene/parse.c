@@ -10,8 +10,6 @@
 #include "scene/reader.h"
 #include "scene/suggest.h"
 
-static enum hawser_status mapping(struct hawser__reader *reader, const char *section);
-
 static const char *path_of(int index)
 {
 	return hawser_scene_key(index)->path;
@@ -31,7 +29,7 @@ static void forget(struct hawser__reader *reader, int index)
 {
 	const struct hawser__row *row = &hawser__rows()[index];
 
-	memset((char *)reader->scene + row->offset, 0, size_of(row));
+	memset((char *)reader->scene + row->offset, 0, size_of(row)); /* never of an item */
 	reader->key[index] = (struct hawser__place){0};
 	reader->scene->written &= ~(1ULL << index);
 }
@@ -116,8 +114,8 @@ static enum hawser_status claim_section(struct hawser__reader *reader, int index
 	return HAWSER_OK;
 }
 
-static enum hawser_status unknown(struct hawser__reader *reader,
-                                  const struct hawser__place *place, const char *path)
+enum hawser_status hawser__parse_unknown(struct hawser__reader *reader,
+                                         const struct hawser__place *place, const char *path)
 {
 	char hint[256], shown[HAWSER__SHOWN];
 
@@ -128,15 +126,17 @@ static enum hawser_status unknown(struct hawser__reader *reader,
 
 /* Read the value of `path`, whose name is at `place`: the value of a key or the mapping of a
  * section. */
-static enum hawser_status value(struct hawser__reader *reader, const char *path,
-                                const struct hawser__place *place)
+enum hawser_status hawser__parse_value(struct hawser__reader *reader, const char *path,
+                                       const struct hawser__place *place)
 {
 	int key = hawser__key_find(path), section = hawser__section_find(path);
 	yaml_event_t event;
 	enum hawser_status status;
 
+	if (!strcmp(path, "attach"))
+		return hawser__items_read(reader, place);
 	if (key < 0 && section < 0)
-		return unknown(reader, place, path);
+		return hawser__parse_unknown(reader, place, path);
 	status = key >= 0 ? claim(reader, key, place) : claim_section(reader, section, place);
 	if (status != HAWSER_OK)
 		return status;
@@ -146,7 +146,7 @@ static enum hawser_status value(struct hawser__reader *reader, const char *path,
 	if (key >= 0) {
 		status = hawser__value_read(reader, &event, key);
 	} else if (event.type == YAML_MAPPING_START_EVENT) {
-		status = mapping(reader, path);
+		status = hawser__parse_mapping(reader, path);
 	} else {
 		char hint[256];
 		struct hawser__place here = hawser__event_place(reader, &event);
@@ -166,7 +166,7 @@ static enum hawser_status dotted(struct hawser__reader *reader,
                                  const struct hawser__place *place, const char *path)
 {
 	if (hawser__key_find(path) < 0)
-		return unknown(reader, place, path);
+		return hawser__parse_unknown(reader, place, path);
 	return hawser__reader_fail(reader, place, "unknown key %s: in a file write %s under %.*s",
 	                           path, hawser__leaf(path), (int)hawser__parent_length(path),
 	                           path);
@@ -194,10 +194,10 @@ static enum hawser_status pair(struct hawser__reader *reader, int *end, const ch
 	if (*end || status != HAWSER_OK)
 		return status;
 	snprintf(path, sizeof path, "%s%s%s", section, *section ? "." : "", name);
-	return strchr(name, '.') ? dotted(reader, &place, path) : value(reader, path, &place);
+	return strchr(name, '.') ? dotted(reader, &place, path) : hawser__parse_value(reader, path, &place);
 }
 
-static enum hawser_status mapping(struct hawser__reader *reader, const char *section)
+enum hawser_status hawser__parse_mapping(struct hawser__reader *reader, const char *section)
 {
 	enum hawser_status status = HAWSER_OK;
 	int end = 0;
@@ -238,7 +238,7 @@ static enum hawser_status top(struct hawser__reader *reader)
 		return status;
 	reader->root = hawser__event_place(reader, &event);
 	if (event.type == YAML_MAPPING_START_EVENT)
-		status = mapping(reader, "");
+		status = hawser__parse_mapping(reader, "");
 	else if (event.type == YAML_SCALAR_EVENT && event.data.scalar.length == 0)
 		status = empty(reader, &reader->root);
 	else
@@ -312,8 +312,9 @@ static enum hawser_status assign(struct hawser__reader *reader, const char *path
 	int any = 0;
 	enum hawser_status status;
 
-	if (hawser__key_find(path) < 0 && hawser__section_find(path) < 0)
-		return unknown(reader, &place, path);
+	if (hawser__key_find(path) < 0 && hawser__section_find(path) < 0 &&
+	    strncmp(path, "attach", 6) != 0)
+		return hawser__parse_unknown(reader, &place, path);
 	memset(&yaml, 0, sizeof yaml);
 	status = start(reader, &any, &yaml, text, strlen(text));
 	if (status == HAWSER_OK && !any)
@@ -321,7 +322,8 @@ static enum hawser_status assign(struct hawser__reader *reader, const char *path
 		                             "%s has no value: write %s=VALUE", path,
 		                             path);
 	if (status == HAWSER_OK)
-		status = value(reader, path, &place);
+		status = strncmp(path, "attach.", 7) == 0 ? hawser__items_set(reader, path, &place)
+		                                          : hawser__parse_value(reader, path, &place);
 	if (status == HAWSER_OK)
 		status = finish(reader);
 	yaml_parser_delete(&yaml);
@@ -359,7 +361,7 @@ enum hawser_status hawser__parse_defaults(struct hawser__reader *reader)
 	enum hawser_status status = HAWSER_OK;
 
 	for (int i = 0; status == HAWSER_OK && (key = hawser_scene_key(i)); i++) {
-		if (!key->fallback || (written & 1ULL << i))
+		if (!key->fallback || hawser__is_item(i) || (written & 1ULL << i))
 			continue;
 		reader->set = key->fallback;
 		reader->pass++;

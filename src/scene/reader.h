@@ -29,10 +29,11 @@ struct hawser__reader {
 	const char *name; /* of the file */
 	const char *set;  /* of the current pass, NULL for the file */
 	int pass;
+	int item, items; /* the attachment being read; a count of all that were read, in all passes */
 	yaml_parser_t *yaml;
 	struct hawser__units units;
 	struct hawser__place key[HAWSER__KEYS_MAX], section[HAWSER__SECTIONS_MAX];
-	struct hawser__place root;
+	struct hawser__place root, attach; /* of the list `attach` */
 };
 
 /* Fail with HAWSER_ERR_SCENE; the message begins with the place. */
@@ -62,6 +63,22 @@ enum hawser_status hawser__parse_override(struct hawser__reader *reader, const c
 	HAWSER_MUST_CHECK;
 /* Set every key that is not given to its default. */
 enum hawser_status hawser__parse_defaults(struct hawser__reader *reader) HAWSER_MUST_CHECK;
+
+/* parse.c: the value of `path`, whose name is at `place`; a mapping of `section` up to its end. */
+enum hawser_status hawser__parse_value(struct hawser__reader *reader, const char *path,
+                                       const struct hawser__place *place) HAWSER_MUST_CHECK;
+enum hawser_status hawser__parse_mapping(struct hawser__reader *reader, const char *section)
+	HAWSER_MUST_CHECK;
+enum hawser_status hawser__parse_unknown(struct hawser__reader *reader,
+                                         const struct hawser__place *place, const char *path);
+
+/* items.c: read the list `attach`, whose name is at `place`; an override "attach.0.mass", whose text
+ * is the current document; check all attachments. */
+enum hawser_status hawser__items_read(struct hawser__reader *reader,
+                                      const struct hawser__place *place) HAWSER_MUST_CHECK;
+enum hawser_status hawser__items_set(struct hawser__reader *reader, const char *path,
+                                     const struct hawser__place *place) HAWSER_MUST_CHECK;
+enum hawser_status hawser__items_check(struct hawser__reader *reader) HAWSER_MUST_CHECK;
 
 /* check.c: check the whole scene: missing keys, keys that require others. */
 enum hawser_status hawser__check(struct hawser__reader *reader) HAWSER_MUST_CHECK;

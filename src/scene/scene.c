@@ -103,13 +103,14 @@ enum hawser_status hawser_scene_open(struct hawser_scene *scene, const char *pat
 }
 
 /* Split "load.extent[1]" into the index of its key and the element 1; without brackets *element is
- * -1. */
-static int locate(const char *path, int *element)
+ * -1. *item is the number of the attachment, -1 if it does not exist; 0 for other keys. */
+static int locate(const struct hawser_scene *scene, const char *path, int *element, int *item)
 {
 	char name[HAWSER__TEXT];
 	size_t length = strcspn(path, "[");
 
 	*element = -1;
+	*item = 0;
 	if (length >= sizeof name)
 		return -1;
 	memcpy(name, path, length);
@@ -119,6 +120,8 @@ static int locate(const char *path, int *element)
 			return -1;
 		*element = path[length + 1] - '0';
 	}
+	if (strncmp(name, "attach.", 7) == 0)
+		return hawser__item_key(item, scene, name);
 	return hawser__key_find(name);
 }
 
@@ -131,7 +134,7 @@ static enum hawser_status absent(const char *path, struct hawser_report *report)
 enum hawser_status hawser_scene_get(const struct hawser_scene *scene, double *value,
                                     const char *path, struct hawser_report *report)
 {
-	int element, index = locate(path, &element);
+	int element, item, index = locate(scene, path, &element, &item);
 	char hint[256];
 	int count;
 
@@ -140,7 +143,7 @@ enum hawser_status hawser_scene_get(const struct hawser_scene *scene, double *va
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hawser_scene_get",
 		                    "there is no key %.60s: %s", path, hint);
 	}
-	if (hawser__is_word(scene, index))
+	if (hawser__is_word(scene, index) || hawser__rows()[index].type == HAWSER__NAME)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hawser_scene_get",
 		                    "%s is a word, not a number", path);
 	count = hawser__type_count(hawser__rows()[index].type);
@@ -149,9 +152,9 @@ enum hawser_status hawser_scene_get(const struct hawser_scene *scene, double *va
 		                    "%s: %s has %d value%s, counted from 0", path,
 		                    hawser_scene_key(index)->path, count ? count : 1,
 		                    count ? "s" : "");
-	if (!hawser__applies(scene, index))
+	if (hawser__is_item(index) ? item < 0 : !hawser__applies(scene, index))
 		return absent(path, report);
-	*value = hawser__stored(scene, index, element);
+	*value = hawser__stored(scene, index, element, item);
 	return HAWSER_OK;
 }
 
@@ -173,7 +176,7 @@ enum hawser_status hawser_scene_set(struct hawser_scene *scene, const char *path
 {
 	double before, pair[2];
 	enum hawser_status status = hawser_scene_get(scene, &before, path, report);
-	int element, index = locate(path, &element), whole;
+	int element, item, index = locate(scene, path, &element, &item), whole;
 	const struct hawser__row *row;
 	char *at;
 
@@ -181,9 +184,10 @@ enum hawser_status hawser_scene_set(struct hawser_scene *scene, const char *path
 		return status;
 	row = &hawser__rows()[index];
 	if (!hawser__in_range(index, value) ||
+	    (row->type == HAWSER__PLACE && value >= 1.0 && !scene->attach[item].by_length) ||
 	    (row->type == HAWSER__INTEGER && value != nearbyint(value)))
 		return out_of_range(path, value, index, report);
-	at = (char *)scene + row->offset;
+	at = hawser__field(scene, index, item);
 	memcpy(pair, at, row->range == HAWSER__INCREASING ? sizeof pair : 0);
 	if (row->range == HAWSER__INCREASING) {
 		pair[element] = value;

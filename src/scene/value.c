@@ -24,7 +24,7 @@ static const struct hawser_scene_key *key_of(const struct item *item)
 
 static void *field(struct hawser__reader *reader, const struct item *item)
 {
-	return (char *)reader->scene + hawser__rows()[item->index].offset;
+	return hawser__field(reader->scene, item->index, reader->item);
 }
 
 /* "a number in N", "a list of 3 numbers in N/m", "one of taut|slack" */
@@ -37,6 +37,10 @@ static const char *wanted(char *text, size_t size, const struct item *item)
 
 	if (row->type == HAWSER__WORD)
 		snprintf(text, size, "one of %s", key->words);
+	else if (row->type == HAWSER__PLACE)
+		snprintf(text, size, "a fraction of the length such as 40 %%, or a length such as 12 m");
+	else if (row->type == HAWSER__NAME)
+		snprintf(text, size, "a name");
 	else if (row->type == HAWSER__INTEGER)
 		snprintf(text, size, "a whole number%s%s", key->words ? " or " : "",
 		         key->words ? key->words : "");
@@ -119,6 +123,56 @@ static enum hawser_status word(struct hawser__reader *reader, const struct item 
 	                           item->called, hawser__shown(shown, text), key_of(item)->words);
 }
 
+/* A fraction of the length if the text has no unit or a pure number's, else a length. */
+static enum hawser_status place(struct hawser__reader *reader, const struct item *item,
+                                const char *text)
+{
+	struct hawser_attachment *a = &reader->scene->attach[reader->item];
+	enum hawser__number answer;
+	char shown[HAWSER__SHOWN], want[96];
+	double value = 0.0;
+
+	answer = hawser__units_read(&reader->units, &value, text, "1");
+	a->by_length = answer == HAWSER__NUMBER_DIMENSION;
+	if (a->by_length)
+		answer = hawser__units_read(&reader->units, &value, text, "m");
+	if (answer == HAWSER__NUMBER_DATABASE)
+		return number(reader, &value, item, text);
+	hawser__shown(shown, text);
+	if (answer != HAWSER__NUMBER_OK)
+		return hawser__reader_fail(reader, &item->place, "%s: \"%s\" is no position: give %s",
+		                           item->called, shown, wanted(want, sizeof want, item));
+	if (!hawser__in_range(item->index, value) || (!a->by_length && value >= 1.0))
+		return hawser__reader_fail(reader, &item->place,
+		                           "%s: \"%s\" is not between the ends: give %s", item->called,
+		                           shown, wanted(want, sizeof want, item));
+	a->at = value;
+	return HAWSER_OK;
+}
+
+static enum hawser_status name(struct hawser__reader *reader, const struct item *item,
+                               const char *text)
+{
+	char shown[HAWSER__SHOWN];
+	size_t length = strlen(text);
+	int digits = 1;
+
+	for (size_t i = 0; i < length; i++) {
+		unsigned char c = (unsigned char)text[i];
+
+		if (!isalnum(c) && c != '_' && c != '-')
+			length = HAWSER_NAME_SIZE;
+		digits = digits && isdigit(c);
+	}
+	if (length >= HAWSER_NAME_SIZE || digits)
+		return hawser__reader_fail(reader, &item->place,
+		                           "%s: \"%s\" is no name: at most %d letters, digits, _ and -, "
+		                           "and not only digits", item->called,
+		                           hawser__shown(shown, text), HAWSER_NAME_SIZE - 1);
+	memcpy(field(reader, item), text, length + 1);
+	return HAWSER_OK;
+}
+
 static enum hawser_status scalar(struct hawser__reader *reader, const struct item *item,
                                  const yaml_event_t *event)
 {
@@ -134,6 +188,8 @@ static enum hawser_status scalar(struct hawser__reader *reader, const struct ite
 	switch (hawser__rows()[item->index].type) {
 	case HAWSER__WORD: return word(reader, item, text);
 	case HAWSER__INTEGER: return integer(reader, item, text);
+	case HAWSER__PLACE: return place(reader, item, text);
+	case HAWSER__NAME: return name(reader, item, text);
 	default: break;
 	}
 	status = number(reader, &value, item, text);

@@ -28,7 +28,8 @@ static void number(FILE *stream, double value)
 	fputs(text, stream);
 }
 
-static void value(FILE *stream, const struct hawser_scene *scene, int index, const char *words)
+static void value(FILE *stream, const struct hawser_scene *scene, int index, int item,
+                  const char *words)
 {
 	const struct hawser__row *row = &hawser__rows()[index];
 	int count = hawser__type_count(row->type), choice;
@@ -43,7 +44,7 @@ static void value(FILE *stream, const struct hawser_scene *scene, int index, con
 	fputs(count ? "[" : "", stream);
 	for (int i = 0; i < (count ? count : 1); i++) {
 		fputs(i ? ", " : "", stream);
-		number(stream, hawser__stored(scene, index, i));
+		number(stream, hawser__stored(scene, index, i, item));
 	}
 	fputs(count ? "]" : "", stream);
 }
@@ -84,12 +85,44 @@ static void whole(FILE *stream, const struct hawser_scene *scene)
 		sections(stream, key->path, before);
 		fprintf(stream, "%*s%s: ", 2*depth_of(key->path, strlen(key->path)), "",
 		        hawser__leaf(key->path));
-		value(stream, scene, i, key->words);
+		value(stream, scene, i, 0, key->words);
 		if (*key->unit && strcmp(key->unit, "1") != 0)
 			fprintf(stream, "  # %s", key->unit);
 		fputc('\n', stream);
 		before = key->path;
 	}
+}
+
+/* The keys of attachment `item`, as a mapping in a list. */
+static void attachment(FILE *stream, const struct hawser_scene *scene, int item)
+{
+	const struct hawser_attachment *a = &scene->attach[item];
+	const struct hawser_scene_key *key;
+	const char *separator = "  - {";
+
+	for (int i = 0; (key = hawser_scene_key(i)); i++) {
+		enum hawser__type type = hawser__rows()[i].type;
+
+		if (!hawser__is_item(i) || (type == HAWSER__NAME && !*a->name))
+			continue;
+		fprintf(stream, "%s%s: ", separator, hawser__leaf(key->path));
+		separator = ", ";
+		if (type == HAWSER__NAME)
+			fputs(a->name, stream);
+		else
+			value(stream, scene, i, item, NULL);
+		if (type == HAWSER__PLACE && a->by_length)
+			fputs(" m", stream);
+	}
+	fputs("}\n", stream);
+}
+
+static void attachments(FILE *stream, const struct hawser_scene *scene)
+{
+	if (scene->attachments)
+		fputs("attach:\n", stream);
+	for (int item = 0; item < scene->attachments; item++)
+		attachment(stream, scene, item);
 }
 
 enum hawser_status hawser_scene_write(const struct hawser_scene *scene, FILE *stream,
@@ -103,6 +136,7 @@ enum hawser_status hawser_scene_write(const struct hawser_scene *scene, FILE *st
 	own = uselocale(c); /* with a decimal point */
 	errno = 0;
 	whole(stream, scene);
+	attachments(stream, scene);
 	uselocale(own);
 	freelocale(c);
 	if (fflush(stream) || ferror(stream))

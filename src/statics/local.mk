@@ -10,6 +10,9 @@ noinst_LTLIBRARIES += %D%/libstatics.la
 	%D%/tension.c \
 	%D%/travel.c \
 	%D%/limit.c \
+	%D%/loaded.c \
+	%D%/loaded.h \
+	%D%/loaded_solve.c \
 	%D%/sag.c \
 	%D%/length.c \
 	%D%/solve.c \

@@ -21,12 +21,66 @@ static void advance(const struct hawser_statics *st, double *x, double *y, doubl
 	*y = s*both*(0.5*st->epsilon + 1.0/(hypot(1.0, u) + hypot(1.0, v)));
 }
 
+/* Sum of the point masses up to s, or beyond s. */
+static double masses(const struct hawser_statics *st, double s, int beyond)
+{
+	double sum = 0.0;
+
+	for (int i = 0; i < st->attachments; i++)
+		if (beyond == (st->attached[i].s > s))
+			sum += st->attached[i].m;
+	return sum;
+}
+
+double hawser_statics_mass(const struct hawser_statics *st)
+{
+	return st->l + masses(st, st->l, 0);
+}
+
 /* Slope at the scaled arclength s, from the nearer end. */
 static double slope_at(const struct hawser_statics *st, double s)
 {
+	if (st->attachments > 0)
+		return s <= 0.5*st->l ? st->eta + st->delta*(s + masses(st, s, 0))
+		                      : st->V1/st->H - st->delta*(st->l - s + masses(st, s, 1));
 	if (s <= 0.5*st->l)
 		return st->eta + st->delta*s;
 	return st->V1/st->H - st->delta*(st->l - s);
+}
+
+/* Scaled distances from end A to s or, if `back`, from s to end B, piece by piece. */
+static void pieces(const struct hawser_statics *st, double *x, double *y, double s, int back)
+{
+	double from = back ? s : 0.0, to = back ? st->l : s, u = back ? slope_at(st, s) : st->eta;
+
+	*x = *y = 0.0;
+	for (int i = 0; i <= st->attachments; i++) {
+		const struct hawser_attached *next = &st->attached[i];
+		int last = i == st->attachments || next->s > to;
+		double dx, dy, end = last ? to : next->s, v;
+
+		if (!last && end <= from && back)
+			continue; /* its jump is part of slope_at */
+		v = u + st->delta*(end - from);
+		advance(st, &dx, &dy, u, v, end - from);
+		*x += dx;
+		*y += dy;
+		if (last)
+			return;
+		u = v + st->delta*next->m;
+		from = end;
+	}
+}
+
+static struct hawser_profile_point point_between(const struct hawser_statics *st, double S)
+{
+	double d = st->span.d, s = S/d, x, y, u = slope_at(st, s);
+	int back = s > 0.5*st->l;
+
+	pieces(st, &x, &y, s, back);
+	return (struct hawser_profile_point){.S = S, .x = back ? d - d*x : d*x,
+	                                     .y = back ? st->span.h - d*y : d*y, .slope = u,
+	                                     .T = st->H*hypot(1.0, u)};
 }
 
 struct hawser_profile_point hawser_statics_at(const struct hawser_statics *st, double S)
@@ -34,6 +88,8 @@ struct hawser_profile_point hawser_statics_at(const struct hawser_statics *st, d
 	struct hawser_profile_point point;
 	double d = st->span.d, s = S/d, x, y, u = slope_at(st, s);
 
+	if (st->attachments > 0)
+		return point_between(st, S);
 	if (s <= 0.5*st->l) {
 		advance(st, &x, &y, st->eta, u, s);
 		point.x = d*x;
@@ -66,6 +122,9 @@ double hawser__statics_closure(const struct hawser_statics *st)
 {
 	double x, y;
 
-	advance(st, &x, &y, st->eta, st->eta + st->delta*st->l, st->l);
+	if (st->attachments > 0)
+		pieces(st, &x, &y, st->l, 0);
+	else
+		advance(st, &x, &y, st->eta, st->eta + st->delta*st->l, st->l);
 	return st->span.d*hypot(x - 1.0, y - st->hs);
 }

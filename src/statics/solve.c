@@ -140,6 +140,7 @@ static void fill(struct hawser_statics *st, const struct hawser__catenary *cat,
 	double lower = cat->m - cat->a, upper = cat->m + cat->a, unused, low, up, u0, u1;
 	int falls = st->span.h < 0.0;
 
+	st->attachments = 0;
 	slopes(cat, &low, &up);
 	u0 = falls ? -up : low;
 	u1 = falls ? -low : up;
@@ -235,11 +236,14 @@ enum hawser_status hawser_statics_scene(struct hawser_statics *st, const struct 
 {
 	struct hawser_span span = {scene->cable.EA, scene->cable.rho, scene->g, scene->span.d,
 	                           scene->span.h};
-
 	struct hawser_motion motion = {.speed = scene->travel.speed,
 	                               .fluctuation = scene->travel.fluctuation,
 	                               .hold = scene->travel.hold};
 
+	if (scene->attachments > 0) /* such a cable does not travel */
+		return hawser_statics_loaded(st, &span, scene->tension.given, scene->tension.value,
+		                             scene->tension.branch, scene->attach, scene->attachments,
+		                             report);
 	return hawser_statics_travel(st, &span, scene->tension.given, scene->tension.value,
 	                             scene->tension.branch, &motion, report);
 }

@@ -1,0 +1,396 @@
+/* statics/loaded_solve.c - the equilibrium of a cable with point masses for one given quantity.
+ *
+ * With the complementary energy Phi(H, V0; L) = integral of T + T^2/(2 EA), x = dPhi/dH and
+ * y = dPhi/dV0. Phi is strictly convex, so that at a given length
+ *
+ *   y increases with V0, and with V0(H) such that y = h, x increases with H:
+ *
+ * the equilibrium is unique, and found by one search inside another. For a given H the inner search
+ * is the same, and the outer one is for the length; x passes d since it is 0 for L = 0 and unbounded.
+ * For a tension or the sag, a third search is for H, with derivatives along the equilibria from
+ * [xV xL; yV yL] (V', L') = -(xH, yH). As without masses, a tension is searched on the given side of
+ * its minimum (tension.c). All are Newton's method in a bracket, and begin with the cable on which
+ * the masses are spread evenly.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "statics/catenary.h"
+#include "statics/loaded.h"
+#include "statics/models.h"
+#include "statics/profile.h"
+#include "statics/search.h"
+
+static const char where[] = "statics";
+enum { ITERATIONS = 200 };
+
+static void end_of(struct hawser__reach *r, const struct hawser__loaded *cable)
+{
+	hawser__loaded_reach(r, cable, cable->L, 1.0);
+}
+
+/* V0 such that y = h, at the H and L of *cable; *r is then the end. Newton's method in an interval
+ * which is extended until it has the root. */
+static void lift(struct hawser__loaded *cable, struct hawser__reach *r)
+{
+	double lo = -INFINITY, hi = INFINITY, step = INFINITY, wide = cable->H + cable->w*cable->L;
+	const double round_off = 1e-12*wide; /* a step below this that does not decrease is round-off */
+
+	for (int i = 0; i < ITERATIONS; i++) {
+		double y, newton, V = cable->V0;
+
+		end_of(r, cable);
+		cable->iterations++;
+		y = r->y - cable->h;
+		if (y == 0.0 || !isfinite(y) || hi - lo <= 0.0)
+			return;
+		if (y > 0.0)
+			hi = V;
+		else
+			lo = V;
+		newton = -y/r->yV;
+		if (fabs(newton) <= DBL_EPSILON*(fabs(V) + DBL_EPSILON*cable->H) ||
+		    (fabs(newton) >= step && fabs(newton) < round_off))
+			return;
+		if (isinf(lo) || isinf(hi)) {
+			newton = fmax(-wide, fmin(wide, newton));
+			wide *= 4.0;
+		} else if (!(V + newton > lo && V + newton < hi) ||
+		           (fabs(newton) > 0.5*step && fabs(newton) >= round_off)) {
+			newton = 0.5*(lo + hi) - V;
+			if (newton == 0.0)
+				return;
+		}
+		step = fabs(newton);
+		cable->V0 = V + newton;
+	}
+}
+
+/* Search for x = d with y = h: over H at the given length, or over L at the given H. */
+static enum hawser__outcome close_span(struct hawser__loaded *cable, struct hawser__reach *r,
+                                       int over_H)
+{
+	double *unknown = over_H ? &cable->H : &cable->L;
+	struct hawser__search search = {.x = *unknown, .hi = INFINITY, .step = INFINITY};
+	double miss, slope, newton;
+
+	do {
+		*unknown = search.x;
+		lift(cable, r);
+		miss = r->x - cable->d;
+		slope = search.x*(over_H ? r->xH - r->xV*r->yH/r->yV : r->xL - r->xV*r->yL/r->yV);
+		if (!isfinite(miss))
+			return HAWSER__RANGE;
+		if (miss == 0.0)
+			break;
+		newton = slope > 0.0 ? -miss/slope : 0.0;
+	} while (hawser__search_next(&search, miss > 0.0, newton));
+	return fabs(r->x - cable->d) <= 1e-9*(cable->d + r->length) &&
+	       fabs(r->y - cable->h) <= 1e-9*(cable->d + r->length) ? HAWSER__FOUND : HAWSER__RANGE;
+}
+
+/* Derivatives of V0 and L by H along the equilibria. */
+static void along(double *V_H, double *L_H, const struct hawser__reach *r)
+{
+	double det = r->xV*r->yL - r->xL*r->yV;
+
+	*V_H = (r->xL*r->yH - r->yL*r->xH)/det;
+	*L_H = (r->yV*r->xH - r->xV*r->yH)/det;
+}
+
+/* The given quantity at the equilibrium, and its logarithmic derivative by H. */
+static double quantity(const struct hawser__loaded *cable, const struct hawser__reach *r,
+                       enum hawser_given given, double *derivative)
+{
+	double V_H, L_H, V = cable->V0, value;
+
+	along(&V_H, &L_H, r);
+	if (given == HAWSER_GIVEN_SAG) {
+		value = hawser__loaded_sag(cable, V_H, L_H, derivative);
+		*derivative *= cable->H/value;
+		return value;
+	}
+	if (given == HAWSER_GIVEN_T1) {
+		V += cable->w*cable->L + cable->weight;
+		V_H += cable->w*L_H;
+	}
+	value = hypot(cable->H, V);
+	*derivative = cable->H*(cable->H + V*V_H)/(value*value);
+	return value;
+}
+
+/* Move to the least tension, where its derivative changes its sign. */
+static enum hawser__outcome least(struct hawser__loaded *cable, enum hawser_given given)
+{
+	struct hawser__search search = {.x = cable->H, .hi = INFINITY, .step = INFINITY};
+	struct hawser__reach r;
+	double slope;
+
+	do {
+		cable->H = search.x;
+		if (close_span(cable, &r, 0))
+			return HAWSER__RANGE;
+		quantity(cable, &r, given, &slope);
+	} while (hawser__search_next(&search, slope > 0.0, 0.0));
+	return HAWSER__NONE;
+}
+
+/* Search over H for a tension or the sag. */
+static enum hawser__outcome over_H(struct hawser__loaded *cable, struct hawser__reach *r,
+                                   enum hawser_given given, double wanted,
+                                   enum hawser_branch branch)
+{
+	int sag = given == HAWSER_GIVEN_SAG, taut = branch == HAWSER_BRANCH_TAUT, below;
+	struct hawser__search search = {.x = cable->H, .hi = sag ? INFINITY : wanted*(1.0 + 1e-15),
+	                                .step = INFINITY};
+	double F, slope, newton, tolerance;
+
+	if (!(search.x < search.hi))
+		search.x = 0.5*search.hi;
+	do {
+		cable->H = search.x;
+		if (close_span(cable, r, 0))
+			return HAWSER__RANGE;
+		F = log(quantity(cable, r, given, &slope)/wanted);
+		tolerance = 4.0*DBL_EPSILON*(2.0 + fmin(fabs(slope), 1e3));
+		if (fabs(F) <= tolerance)
+			return HAWSER__FOUND;
+		if (sag)
+			below = F < 0.0;
+		else
+			below = taut ? F > 0.0 && slope > 0.0 : F <= 0.0 || slope > 0.0;
+		newton = (slope < 0.0) == (sag || !taut) ? -F/slope : 0.0;
+	} while (hawser__search_next(&search, below, newton));
+	if (fabs(F) <= fmin(256.0*tolerance, 1e-11))
+		return HAWSER__FOUND;
+	return sag || F < 0.0 ? HAWSER__RANGE : least(cable, given);
+}
+
+/* --- from and to the public structures --- */
+
+/* Ascending S at the length L. */
+static void sort(struct hawser__loaded *cable, int *order)
+{
+	double unused;
+
+	for (int i = 1; i < cable->count; i++)
+		for (int j = i; j > 0 && hawser__load_place(cable, j - 1, &unused) >
+		                         hawser__load_place(cable, j, &unused); j--) {
+			struct hawser__load_point load = cable->load[j];
+			int at = order[j];
+
+			cable->load[j] = cable->load[j - 1];
+			cable->load[j - 1] = load;
+			order[j] = order[j - 1];
+			order[j - 1] = at;
+		}
+}
+
+/* The loads, and the span with their weight spread over the length of the chord. */
+static void begin(struct hawser__loaded *cable, int *order, const struct hawser_span *span,
+                  const struct hawser_attachment *attach, int count, double length)
+{
+	*cable = (struct hawser__loaded){.EA = span->EA, .w = span->rho*span->g, .d = span->d,
+	                                 .h = span->h, .count = count, .L = length};
+	for (int i = 0; i < count; i++) {
+		cable->load[i] = (struct hawser__load_point){attach[i].at, attach[i].by_length,
+		                                             attach[i].mass*span->g};
+		cable->weight += cable->load[i].W;
+		order[i] = i;
+	}
+	sort(cable, order);
+}
+
+/* Masses at lengths may change places with masses at fractions while the length is searched: the
+ * search is repeated with the order of its result until the order stays. */
+static int sorted(const struct hawser__loaded *cable)
+{
+	double unused;
+
+	for (int i = 1; i < cable->count; i++)
+		if (hawser__load_place(cable, i - 1, &unused) > hawser__load_place(cable, i, &unused))
+			return 0;
+	return 1;
+}
+
+static enum hawser__outcome search(struct hawser__loaded *cable, int *order, struct hawser__reach *r,
+                                   enum hawser_given given, double value, enum hawser_branch branch)
+{
+	enum hawser__outcome outcome = HAWSER__RANGE;
+
+	for (int i = 0; i <= HAWSER_ATTACH_MAX; i++) {
+		if (given == HAWSER_GIVEN_LENGTH0 || given == HAWSER_GIVEN_H)
+			outcome = close_span(cable, r, given == HAWSER_GIVEN_LENGTH0);
+		else
+			outcome = over_H(cable, r, given, value, branch);
+		if (outcome || sorted(cable))
+			break;
+		sort(cable, order);
+	}
+	return outcome;
+}
+
+static enum hawser_status place(struct hawser_statics *st, const struct hawser__loaded *cable,
+                                const int *order, const struct hawser_attachment *attach,
+                                struct hawser_report *report)
+{
+	st->attachments = cable->count;
+	for (int i = 0; i < cable->count; i++) {
+		const struct hawser_attachment *a = &attach[order[i]];
+		double unused, S = hawser__load_place(cable, i, &unused);
+		struct hawser_attached *to = &st->attached[i];
+
+		if (!(S > 0.0 && S < st->length0))
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
+			                    "attach[%d] is %g m from end A, but the cable is only %.10g m long: "
+			                    "change its position", order[i], a->at, st->length0);
+		if (i > 0 && !(S - to[-1].S > 1e-9*st->length0))
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
+			                    "attach[%d] and attach[%d] are at the same point, %.10g m from end "
+			                    "A: make one of them", order[i - 1], order[i], S);
+		*to = (struct hawser_attached){order[i], S, S/st->span.d, a->mass,
+		                               a->mass/(st->span.rho*st->span.d), {0}, {0}};
+		memcpy(to->spring, a->spring, sizeof to->spring);
+		memcpy(to->damper, a->damper, sizeof to->damper);
+	}
+	return HAWSER_OK;
+}
+
+/* Round-off of x and y is a few units relative to the length; what it does to H at a given length,
+ * or to the length at a given H, follows from the derivatives. */
+static double round_off(const struct hawser__loaded *cable, const struct hawser__reach *r,
+                        enum hawser_given given)
+{
+	double slope = 1.0, V_H, L_H, error = 4.0*DBL_EPSILON*(1 + cable->count);
+
+	along(&V_H, &L_H, r);
+	if (given == HAWSER_GIVEN_LENGTH0)
+		return error*(1.0 + fabs(cable->L/(cable->H*L_H)));
+	if (given != HAWSER_GIVEN_H)
+		quantity(cable, r, given, &slope);
+	return error*(1.0 + 1.0/fmax(fabs(slope), DBL_EPSILON));
+}
+
+static enum hawser_status fill(struct hawser_statics *st, const struct hawser__loaded *cable,
+                               const struct hawser__reach *r, enum hawser_given given,
+                               enum hawser_branch branch, struct hawser_report *report)
+{
+	double d = cable->d, H = cable->H, unused;
+	struct hawser_statics spread;
+	struct hawser_span span = st->span;
+	enum hawser_status status;
+
+	span.rho += cable->weight/span.g/cable->L;
+	status = hawser_statics_solve(&spread, &span, HAWSER_GIVEN_H, H, HAWSER_BRANCH_TAUT, report);
+	if (status)
+		return status;
+	st->given = given;
+	st->branch = given == HAWSER_GIVEN_T0 || given == HAWSER_GIVEN_T1 ? branch : HAWSER_BRANCH_TAUT;
+	st->H = H;
+	st->V0 = cable->V0;
+	st->V1 = cable->V0 + cable->w*cable->L + cable->weight;
+	st->T0 = hypot(H, st->V0);
+	st->T1 = hypot(H, st->V1);
+	st->eta = st->V0/H;
+	st->epsilon = H/cable->EA;
+	st->delta = cable->w*d/H;
+	st->length0 = cable->L;
+	st->l = cable->L/d;
+	st->hs = cable->h/d;
+	st->length = r->length;
+	st->sag = hawser__loaded_sag(cable, 0.0, 0.0, &unused);
+	st->irvine = spread.irvine;
+	st->irvine_source = spread.irvine_source;
+	st->motion.tension = st->T0;
+	st->motion.tension1 = st->T1;
+	st->error = round_off(cable, r, given);
+	st->iterations = cable->iterations;
+	return HAWSER_OK;
+}
+
+static enum hawser_status failed(const struct hawser__loaded *cable, enum hawser__outcome outcome,
+                                 enum hawser_given given, double value, struct hawser_report *report)
+{
+	double V1 = cable->V0 + cable->w*cable->L + cable->weight;
+
+	if (outcome == HAWSER__NONE)
+		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, where,
+		                    "the tension %s = %.10g N is below the least one with which this span "
+		                    "and its attachments can hang, %.10g N (at H = %.10g N, length0 = %.10g "
+		                    "m): give at least that", given == HAWSER_GIVEN_T0 ? "T0" : "T1", value,
+		                    hypot(cable->H, given == HAWSER_GIVEN_T0 ? cable->V0 : V1), cable->H,
+		                    cable->L);
+	return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, where,
+	                    "no equilibrium of this span with its attachments was found within the range "
+	                    "of double-precision numbers: check masses, tension and EA");
+}
+
+/* The masses spread over the span: the initial values. An inextensible cable shorter than the chord
+ * fails here. */
+static enum hawser_status spread(struct hawser__loaded *cable, const struct hawser_span *span,
+                                 enum hawser_given given, double value, enum hawser_branch branch,
+                                 struct hawser_report *report)
+{
+	double chord = hypot(span->d, span->h);
+	double length = given == HAWSER_GIVEN_LENGTH0 ? value : chord;
+	struct hawser_span heavy = *span;
+	struct hawser_statics st;
+	enum hawser_status status;
+
+	heavy.rho += cable->weight/span->g/length;
+	status = hawser_statics_solve(&st, &heavy, given, value, branch, report);
+	if (status == HAWSER_ERR_NO_SOLUTION && (given == HAWSER_GIVEN_T0 || given == HAWSER_GIVEN_T1))
+		status = hawser_statics_solve(&st, &heavy, HAWSER_GIVEN_H, value, branch, report);
+	if (status)
+		return status;
+	cable->H = st.H;
+	cable->V0 = st.V0;
+	cable->L = given == HAWSER_GIVEN_LENGTH0 ? value : st.length0;
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser_statics_loaded(struct hawser_statics *st, const struct hawser_span *span,
+                                         enum hawser_given given, double value,
+                                         enum hawser_branch branch,
+                                         const struct hawser_attachment *attach, int count,
+                                         struct hawser_report *report)
+{
+	enum hawser_status status = hawser__statics_check(span, given, value, branch, report);
+	int order[HAWSER_ATTACH_MAX];
+	enum hawser__outcome outcome;
+	struct hawser__loaded cable;
+	struct hawser__reach reach;
+
+	if (!status && (count < 0 || count > HAWSER_ATTACH_MAX))
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
+		                      "%d attachments: give 0 to %d", count, HAWSER_ATTACH_MAX);
+	if (status)
+		return status;
+	begin(&cable, order, span, attach, count, hypot(span->d, span->h));
+	if (cable.weight == 0.0) {
+		status = hawser_statics_solve(st, span, given, value, branch, report);
+		cable.L = st->length0;
+		if (!status)
+			sort(&cable, order);
+		return status ? status : place(st, &cable, order, attach, report);
+	}
+	status = spread(&cable, span, given, value, branch, report);
+	if (status)
+		return status;
+	sort(&cable, order);
+	outcome = search(&cable, order, &reach, given, value, branch);
+	if (outcome)
+		return failed(&cable, outcome, given, value, report);
+	*st = (struct hawser_statics){.span = *span};
+	status = fill(st, &cable, &reach, given, branch, report);
+	if (!status)
+		status = place(st, &cable, order, attach, report);
+	if (!status)
+		st->closure = hawser__statics_closure(st);
+	return status;
+}

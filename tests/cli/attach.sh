@@ -1,0 +1,76 @@
+#!/bin/sh
+# Attachments: the scene's list, overrides of it, statics, and what refuses them.
+# SPDX-License-Identifier: GPL-3.0-or-later
+. "$SRCDIR/tests/cli/lib.sh"
+scene=$top/notebooks-data/scenes/ropeway-carriers.yaml
+
+# --- the scene
+sed 's/^# .*//' "$scene" >s.yaml
+refuses 1 "--set attach=3: attach must be a list of mappings, such as [{at: 40 %, mass: 20 kg}]" \
+	statics s.yaml --set attach=3
+refuses 1 "--set attach=[4]: attach[0] must be a mapping, such as {at: 40 %, mass: 20 kg}" \
+	statics s.yaml --set 'attach=[4]'
+refuses 1 "--set attach=[{mass: 3}]: attach[0] has no position: give at, such as at: 40 % or at: 12 m" \
+	statics s.yaml --set 'attach=[{mass: 3}]'
+refuses_like 1 'attach.at: "40" is not between the ends: give a fraction' \
+	statics s.yaml --set 'attach=[{at: 40, mass: 3}]'
+refuses_like 1 'attach.at: "1 kg" is no position: give a fraction' \
+	statics s.yaml --set 'attach=[{at: 1 kg, mass: 3}]'
+refuses_like 1 "attach\\[0\\] has no effect: give it a mass, a spring or a damper" \
+	statics s.yaml --set 'attach=[{at: 0.4}]'
+refuses_like 1 "duplicate key attach.at, already given" statics s.yaml --set 'attach=[{at: 0.4, at: 0.5}]'
+refuses_like 1 "attach.name: \"12\" is no name" statics s.yaml --set 'attach=[{at: 0.4, mass: 1, name: 12}]'
+refuses_like 1 "attach\\[0\\] and attach\\[1\\] have the same name a" \
+	statics s.yaml --set 'attach=[{at: 0.4, mass: 1, name: a}, {at: 0.5, mass: 1, name: a}]'
+refuses_like 1 "attach\\[0\\] and attach\\[1\\] are at the same point" \
+	statics s.yaml --set 'attach=[{at: 0.4, mass: 1}, {at: 0.4, mass: 1}]'
+refuses_like 1 "attach contradicts travel" statics s.yaml --set 'travel={speed: 1, hold: length}'
+refuses_like 1 "unknown key attach.carrier-1.mas: write attach.NUMBER.KEY" \
+	statics s.yaml --set attach.carrier-1.mas=2
+refuses_like 1 "attach.7.mass: the scene has 4 attachments, and none has this number" \
+	statics s.yaml --set attach.7.mass=3
+many=$(awk 'BEGIN {for (i = 1; i < 34; i++) printf("%s{at: %g, mass: 1}", (i > 1 ? ", " : ""), i/40)}')
+refuses_like 1 "attach has more than 32 items" statics s.yaml --set "attach=[$many]"
+
+# --- statics
+works "four carriers" statics "$scene" --points 11 --json four.json --tsv four.tsv
+works "one is empty" statics "$scene" --points 11 --set attach.carrier-2.mass=0 \
+	--set 'attach.1.damper=[0, 1 kN.s/m, 0]' --json empty.json
+works "at lengths" statics "$scene" --points 11 --json metres.json \
+	--set tension.length0=242.77340036766697 --set 'attach.0.at=33.988276051473377 m'
+python "jumps of the vertical force are the weights" <<'END'
+import json
+r = json.load(open("four.json"))
+marks = r["attachments"]
+assert [m["name"] for m in marks] == ["carrier-%d" % i for i in (1, 2, 3, 4)]
+V = r["V0"]
+S = 0.0
+for m in marks:
+    V += 8.2*9.81*(m["S"] - S)
+    S = m["S"]
+    assert abs(r["H"]*m["slope_before"] - V) < 1e-8*V
+    V += 9.81*820
+    assert abs(r["H"]*m["slope_after"] - V) < 1e-8*V
+    assert abs(m["T_after"] - (r["H"]**2 + V**2)**0.5) < 1e-8*V
+assert abs(V + 8.2*9.81*(r["length0"] - S) - r["V1"]) < 1e-8*V
+assert abs(r["T0"] - 210000) < 1e-6 and r["closure"] < 1e-11
+assert "# attachment carrier-3 at S = 150.5195" in open("four.tsv").read()
+echo = r["scene"]["attach"]
+assert echo[1]["at"] == 0.38 and echo[1]["mass"] == 820 and echo[1]["name"] == "carrier-2"
+empty = json.load(open("empty.json"))
+assert len(empty["attachments"]) == 4 and abs(empty["attachments"][1]["T_after"]/empty["attachments"][1]["T_before"] - 1) < 1e-14
+metres = json.load(open("metres.json"))
+assert abs(metres["T0"]/r["T0"] - 1) < 1e-10 and abs(metres["sag"]/r["sag"] - 1) < 1e-10
+END
+if command -v gnuplot >/dev/null; then
+	works "the profile with carriers" statics "$scene" --plot carriers.svg -q
+	try "it says what it shows" grep -q attachments carriers.svg
+else
+	skip "gnuplot is not installed"
+fi
+
+# --- what compares or sweeps cables without attachments
+refuses_like 1 "models compares cables without attachments" statics "$scene" --models
+refuses_like 1 "compares cables without attachments" statics "$scene" --model parabola
+refuses_like 1 "the sweep of the tension is for a cable without attachments" irvine "$scene"
+done_testing
