@@ -206,7 +206,8 @@ static struct cli_head head(const void *of)
 		&settings->common, "statics", result->model == hawser_statics_model(0)
 		? "elastic catenary, bracketed monotone solve" : result->model->summary, &result->scene,
 		cli_si_view((result->scene.travel.present ? TRAVELS : 0u) |
-		            (result->marks ? ATTACHED : 0u) | (settings->models ? MODELS : 0u) | (settings->speeds ? SPEEDS : 0u) |
+		            (result->marks ? ATTACHED : 0u) |
+		            (settings->models ? MODELS : 0u) | (settings->speeds ? SPEEDS : 0u) |
 		            (settings->compatibility ? COMPATIBILITY : 0u)), NULL, NULL};
 }
 

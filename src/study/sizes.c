@@ -46,6 +46,8 @@ static const struct row {
 	ROW(hawser_accuracy_options),
 	ROW(hawser_accuracy_try),
 	ROW(hawser_answer),
+	ROW(hawser_attached),
+	ROW(hawser_attachment),
 	ROW(hawser_auto_options),
 	ROW(hawser_backbone),
 	ROW(hawser_backbone_options),

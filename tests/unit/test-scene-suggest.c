@@ -167,7 +167,8 @@ static void sentences(void)
 		{"tension.TO", "did you mean tension.T0?"},
 		{"damping.rayliegh", "did you mean damping.rayleigh?"},
 		{"EA", "did you mean EA under cable?"},
-		{"cable.EA.x", "a scene takes g, cable, span, tension, travel, damping, load, attach, model, beam"},
+		{"cable.EA.x", "a scene takes g, cable, span, tension, travel, damping, load, attach, "
+		               "model, beam"},
 		{"cable.alpha", "did you mean alpha under damping?"},
 		{"cable.g", "did you mean g at the top level?"},
 		{"damping.stiffness", "did you mean stiffness under damping.rayleigh?"},
