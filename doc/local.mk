@@ -10,6 +10,7 @@ dist_doc_DATA += \
 	%D%/theory-folds.md \
 	%D%/theory-gyroscopic.md \
 	%D%/theory-hill.md \
+	%D%/theory-identify.md \
 	%D%/theory-integrate.md \
 	%D%/theory-irvine.md \
 	%D%/theory-map.md \

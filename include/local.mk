@@ -10,6 +10,7 @@ pkginclude_HEADERS = \
 	%D%/hawser/gyroscopic.h \
 	%D%/hawser/hawser.h \
 	%D%/hawser/hill.h \
+	%D%/hawser/identify.h \
 	%D%/hawser/integrate.h \
 	%D%/hawser/irvine.h \
 	%D%/hawser/linear.h \

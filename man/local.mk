@@ -11,6 +11,7 @@ command_pages = \
 	%D%/hawser-folds.1 \
 	%D%/hawser-frf.1 \
 	%D%/hawser-hill.1 \
+	%D%/hawser-identify.1 \
 	%D%/hawser-integrate.1 \
 	%D%/hawser-irvine.1 \
 	%D%/hawser-map.1 \

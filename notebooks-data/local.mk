@@ -43,4 +43,5 @@ dist_scenes_DATA = \
 	%D%/scenes/inclined.yaml \
 	%D%/scenes/level-two-to-one.yaml \
 	%D%/scenes/rope.yaml \
+	%D%/scenes/stay-frequencies.tsv \
 	%D%/scenes/second-stable-region.yaml

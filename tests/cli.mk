@@ -9,6 +9,7 @@ CLI_TESTS = \
 	%D%/cli/folds.sh \
 	%D%/cli/full.sh \
 	%D%/cli/help-vs-man.sh \
+	%D%/cli/identify.sh \
 	%D%/cli/interrupt.sh \
 	%D%/cli/irvine.sh \
 	%D%/cli/long.sh \

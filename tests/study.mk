@@ -78,3 +78,7 @@ check_PROGRAMS += tests/property/test-same-stability
 TESTS += tests/property/test-same-stability
 tests_property_test_same_stability_SOURCES = tests/property/test-same-stability.c
 tests_property_test_same_stability_LDADD = $(UPTO_STUDY)
+check_PROGRAMS += tests/property/test-identify
+TESTS += tests/property/test-identify
+tests_property_test_identify_SOURCES = tests/property/test-identify.c
+tests_property_test_identify_LDADD = $(UPTO_STUDY)

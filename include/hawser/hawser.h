@@ -30,6 +30,7 @@
 #include <hawser/accuracy.h>
 #include <hawser/map.h>
 #include <hawser/hill.h>
+#include <hawser/identify.h>
 #include <hawser/decay.h>
 #include <hawser/sizes.h>
 

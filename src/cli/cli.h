@@ -71,6 +71,7 @@ enum { CLI_SETS = 64 }; /* --set options in one call */
 /* Settings of every command; the first member of each command's own. */
 struct cli_common {
 	const char *input; /* scene or model; "-" is standard input */
+	const char *second; /* the second argument of a command whose `input` has two words; or NULL */
 	const char *json, *tsv, *plot; /* files to write, or NULL */
 	const char *set[CLI_SETS];
 	int sets;
@@ -106,6 +107,7 @@ struct cli_command {
 	X(mms) \
 	X(hill) \
 	X(damping) \
+	X(identify) \
 	X(beam) \
 	X(map) \
 	X(compare) \

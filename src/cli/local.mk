@@ -22,6 +22,7 @@ hawser_SOURCES = \
 	%D%/cmd_folds.c \
 	%D%/cmd_frf.c \
 	%D%/cmd_hill.c \
+	%D%/cmd_identify.c \
 	%D%/cmd_integrate.c \
 	%D%/cmd_irvine.c \
 	%D%/cmd_map.c \
@@ -80,6 +81,8 @@ hawser_SOURCES = \
 	%D%/progress.c \
 	%D%/progress.h \
 	%D%/quantity.c \
+	%D%/measured.c \
+	%D%/measured.h \
 	%D%/series.c \
 	%D%/series.h \
 	%D%/signals.c \

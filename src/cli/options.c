@@ -224,6 +224,10 @@ static enum hawser_status positional(struct reader *reader, const char *text,
 {
 	struct cli_common *common = (struct cli_common *)reader->settings;
 
+	if (common->input && !common->second && strchr(reader->command->input, ' ')) {
+		common->second = text;
+		return HAWSER_OK;
+	}
 	if (common->input)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "options",
 		                    "%s takes one %s, but %s and %s are given", reader->command->name,

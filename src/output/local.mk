@@ -27,6 +27,7 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/plot_frf.h \
 	%D%/plot_frf_detail.c \
 	%D%/plot_hill.c \
+	%D%/plot_identify.c \
 	%D%/plot_integrate.c \
 	%D%/plot_irvine.c \
 	%D%/plot_map.c \

@@ -457,6 +457,16 @@ struct hawser__hill_picture {
 enum hawser_status hawser__plot_hill(const char *path, const struct hawser__hill_picture *hill,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* A measured frequency (Hz) with relative differences of the computed one, in the scene as given
+ * (NAN: not known) and in the fitted one, and the standard deviation (relative; NAN: not known). */
+struct hawser__identified {
+	double frequency, before, after, deviation;
+	int plane; /* 1: out of plane */
+};
+enum hawser_status hawser__plot_identify(const char *path, const struct hawser__identified *row,
+                                         int rows,
+                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+
 /* Energy and frequency at [points][2], with the titles of their axes. */
 enum hawser_status hawser__plot_energy(const char *path, const double *at, int points,
                                        const char *x_title, const char *y_title,

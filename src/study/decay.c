@@ -22,6 +22,7 @@
 #include <hawser/decay.h>
 
 #include "core/report.h"
+#include "study/least_squares.h"
 
 #define CLEAR 0.2 /* smallest extreme that is used, relative to the largest deflection; chosen:
                    * smaller ones are near the noise */
@@ -93,35 +94,42 @@ static int extremes(double p[P], const double *t, const double *x, int count, do
 	return n;
 }
 
-/* Jacobian [P][count] and residuals left [count] at p; returns the sum of squares. */
-static double residuals(double *J, double *left, const double p[P], const double *t,
-                        const double *x,
-                        int count)
+/* The samples that are fitted. */
+struct samples {
+	const double *t, *x;
+	int count;
+};
+
+/* Residuals left [count] and their derivatives J [P][count] at p, each unless it is NULL. */
+static enum hawser_status residuals(void *context, double *left, double *J, const double p[P])
 {
-	double sum = 0.0;
+	const struct samples *of = context;
 
-	for (int i = 0; i < count; i++) {
-		double tau = t[i] - t[0], e = exp(-p[S]*tau), c = e*cos(p[W]*tau), s = e*sin(p[W]*tau);
+	for (int i = 0; i < of->count; i++) {
+		double tau = of->t[i] - of->t[0], e = exp(-p[S]*tau);
+		double c = e*cos(p[W]*tau), s = e*sin(p[W]*tau);
 
-		left[i] = x[i] - p[C] - p[A]*c - p[B]*s;
-		sum += left[i]*left[i];
-		J[A*count + i] = c;
-		J[B*count + i] = s;
-		J[C*count + i] = 1.0;
-		J[S*count + i] = -tau*(p[A]*c + p[B]*s);
-		J[W*count + i] = tau*(p[B]*c - p[A]*s);
+		if (left)
+			left[i] = p[C] + p[A]*c + p[B]*s - of->x[i];
+		if (!J)
+			continue;
+		J[A*of->count + i] = c;
+		J[B*of->count + i] = s;
+		J[C*of->count + i] = 1.0;
+		J[S*of->count + i] = -tau*(p[A]*c + p[B]*s);
+		J[W*of->count + i] = tau*(p[B]*c - p[A]*s);
 	}
-	return sum;
+	return HAWSER_OK;
 }
 
-/* normal [P][P] = J'J, right [P] = J'left. */
+/* normal [P][P] = J'J, right [P] = -J'left. */
 static void normal_equations(double *normal, double *right, const double *J, const double *left,
                              int count)
 {
 	for (int a = 0; a < P; a++) {
 		right[a] = 0.0;
 		for (int i = 0; i < count; i++)
-			right[a] += J[a*count + i]*left[i];
+			right[a] -= J[a*count + i]*left[i];
 		for (int b = 0; b < P; b++) {
 			normal[a*P + b] = 0.0;
 			for (int i = 0; i < count; i++)
@@ -131,50 +139,17 @@ static void normal_equations(double *normal, double *right, const double *J, con
 }
 
 /* A, B and the offset for given s and w: a linear least-squares problem. */
-static void linear_start(double p[P], double *J, double *left, const double *t, const double *x,
-                         int count)
+static void linear_start(double p[P], double *J, double *left, struct samples *of)
 {
 	enum { LINEAR = C + 1 };
 	double normal[P*P], right[P];
 
-	residuals(J, left, p, t, x, count);
-	normal_equations(normal, right, J, left, count);
+	(void)residuals(of, left, J, p);
+	normal_equations(normal, right, J, left, of->count);
 	/* the leading block; if it is singular, the initial values stay */
 	if (!LAPACKE_dposv(LAPACK_COL_MAJOR, 'U', LINEAR, 1, normal, P, right, P))
 		for (int a = 0; a < LINEAR; a++)
 			p[a] += right[a];
-}
-
-/* One step that decreases the sum of squares; returns 0 if none does. */
-static int step(double p[P], double *sum, double *damp, double *J, double *left, const double *t,
-                const double *x, int count)
-{
-	double normal[P*P], right[P];
-
-	normal_equations(normal, right, J, left, count);
-	for (; *damp < 1e12; *damp *= 8.0) {
-		double matrix[P*P], move[P], trial[P], now;
-
-		memcpy(matrix, normal, sizeof matrix);
-		memcpy(move, right, sizeof move);
-		for (int a = 0; a < P; a++)
-			matrix[a*P + a] *= 1.0 + *damp;
-		if (LAPACKE_dposv(LAPACK_COL_MAJOR, 'U', P, 1, matrix, P, move, P))
-			continue;
-		for (int a = 0; a < P; a++)
-			trial[a] = p[a] + move[a];
-		now = residuals(J, left, trial, t, x, count);
-		if (now <= *sum) {
-			double fall = *sum - now;
-
-			memcpy(p, trial, sizeof trial);
-			*sum = now;
-			*damp = fmax(*damp/20.0, 1e-14);
-			return fall > 1e-13**sum + DBL_MIN;
-		}
-	}
-	*sum = residuals(J, left, p, t, x, count);
-	return 0;
 }
 
 static enum hawser_status intervals(struct hawser_decay *decay, const double p[P], const double *J,
@@ -214,7 +189,10 @@ enum hawser_status hawser_decay_fit(struct hawser_decay *decay, const double *t,
                                     int count, double confidence, struct hawser_report *report)
 {
 	enum hawser_status status = check(t, x, count, confidence, report);
-	double p[P] = {0.0}, mean = 0.0, most = 0.0, sum, damp = 1e-3, *J = NULL;
+	struct samples samples = {t, x, count};
+	struct hawser__least_squares problem = {P, count, residuals, &samples, 0.0, ITERATIONS};
+	double p[P] = {0.0}, mean = 0.0, most = 0.0, sum, *J = NULL;
+	int steps;
 
 	*decay = (struct hawser_decay){.extremes = 0};
 	if (status)
@@ -233,12 +211,14 @@ enum hawser_status hawser_decay_fit(struct hawser_decay *decay, const double *t,
 	if (!J)
 		return hawser__no_memory(report, where);
 	p[C] = mean;
-	linear_start(p, J, J + (size_t)P*count, t, x, count);
-	sum = residuals(J, J + (size_t)P*count, p, t, x, count);
-	for (int i = 0; i < ITERATIONS; i++)
-		if (!step(p, &sum, &damp, J, J + (size_t)P*count, t, x, count))
-			break;
-	status = intervals(decay, p, J, J + (size_t)P*count, sum, count, confidence, most, report);
+	linear_start(p, J, J + (size_t)P*count, &samples);
+	status = hawser__least_squares(p, &sum, &steps, &problem);
+	if (status)
+		status = hawser__no_memory(report, where);
+	(void)residuals(&samples, J + (size_t)P*count, J, p);
+	if (!status)
+		status = intervals(decay, p, J, J + (size_t)P*count, sum, count, confidence, most,
+		                   report);
 	free(J);
 	return status;
 }

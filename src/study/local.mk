@@ -11,8 +11,15 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/decide.c \
 	%D%/estimate.c \
 	%D%/fidelity.c \
+	%D%/identify.c \
+	%D%/identify.h \
+	%D%/identify_match.c \
+	%D%/identify_modes.c \
+	%D%/identify_result.c \
 	%D%/landmark.c \
 	%D%/landmark.h \
+	%D%/least_squares.c \
+	%D%/least_squares.h \
 	%D%/match.c \
 	%D%/motions.c \
 	%D%/motions.h \

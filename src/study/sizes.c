@@ -17,6 +17,7 @@
 #include <hawser/frf.h>
 #include <hawser/gyroscopic.h>
 #include <hawser/hill.h>
+#include <hawser/identify.h>
 #include <hawser/integrate.h>
 #include <hawser/irvine.h>
 #include <hawser/linear.h>
@@ -104,6 +105,10 @@ static const struct row {
 	ROW(hawser_hill_field),
 	ROW(hawser_hill_options),
 	ROW(hawser_hill_tongue),
+	ROW(hawser_identified),
+	ROW(hawser_identified_key),
+	ROW(hawser_identified_mode),
+	ROW(hawser_identify_options),
 	ROW(hawser_integrate_method),
 	ROW(hawser_integrate_options),
 	ROW(hawser_irvine),
@@ -123,6 +128,7 @@ static const struct row {
 	ROW(hawser_map_sample),
 	ROW(hawser_map_source),
 	ROW(hawser_match_options),
+	ROW(hawser_measured),
 	ROW(hawser_mode),
 	ROW(hawser_modes),
 	ROW(hawser_modes_error),
