@@ -20,6 +20,7 @@ CLI_TESTS = \
 	%D%/cli/refusals.sh \
 	%D%/cli/results.sh \
 	%D%/cli/same-bytes.sh \
+	%D%/cli/beside.sh \
 	%D%/cli/scales.sh \
 	%D%/cli/signals.sh \
 	%D%/cli/slack.sh \

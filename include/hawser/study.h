@@ -189,6 +189,8 @@ struct hawser_study_error {
 	double floor;   /* largest estimated relative error of the landmarks of both curves; smaller
 	                 * differences are not significant */
 	int *partner;   /* [curve->landmarks] index of the reference's landmark, or -1 */
+	double distance; /* of the two responses, as by hawser_accuracy_distance (accuracy.h): parts that
+	                  * only one response has count too; NAN if one is a closed form */
 };
 enum hawser_status hawser_study_compare(struct hawser_study_error *error,
                                         const struct hawser_study_curve *curve,

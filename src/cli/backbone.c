@@ -64,9 +64,9 @@ int cli_backbone_overlays(struct cli_overlay *overlay, const struct cli_backbone
 	int own = backbone->run.points;
 
 	overlay[0] = (struct cli_overlay){"backbone", own, backbone->omega, backbone->run.probe,
-	                                  backbone->run.coordinate};
+	                                  backbone->run.coordinate, 0};
 	overlay[1] = (struct cli_overlay){"by multiple scales", parabola->points, backbone->omega + own,
-	                                  parabola->probe, parabola->coordinate};
+	                                  parabola->probe, parabola->coordinate, 0};
 	return parabola->points > 0 ? 2 : 1;
 }
 

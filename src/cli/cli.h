@@ -398,6 +398,7 @@ struct cli_overlay {
 	const char *label;
 	int points;
 	const double *omega, *probe, *coordinate;
+	int beside; /* see struct hawser__response_overlay */
 };
 enum { CLI_OVERLAYS = 4 };
 struct cli_frf_result {

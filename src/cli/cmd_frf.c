@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "cli/backbone.h"
+#include "cli/frf_beside.h"
 #include "cli/frf_cover.h"
 #include "cli/progress.h"
 #include "cli/view.h"
@@ -17,7 +18,7 @@
 
 struct settings {
 	struct cli_common common;
-	const char *from, *to, *at, *sweep, *start, *resume, *scale, *method, *slack;
+	const char *from, *to, *at, *sweep, *start, *resume, *scale, *method, *slack, *beside;
 	double tolerance, step;
 	int n, points, segments, sweep_points, multipliers, partial, backbone, energy;
 };
@@ -43,6 +44,7 @@ static const struct cli_option options[] = {
 	{"backbone", 0, "J", "add the backbone of mode J: its free undamped motions",
 	 CLI_INTEGER(backbone)},
 	{"energy", 0, "", "draw the backbone's frequency over its energy instead", CLI_FLAG(energy)},
+	CLI_TEXT_OPTION(beside, "FILE", "draw the response of this JSON result too, pale and behind"),
 	{"multipliers", 0, "", "write the Floquet multipliers to JSON too", CLI_FLAG(multipliers)},
 	CLI_TEXT_OPTION(slack, "WHAT",
 	                "where the cable goes slack: end the curve or follow the model's on (end)"),
@@ -80,6 +82,10 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 	if (!status && settings->energy && !settings->backbone)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
 		                      "--energy draws a backbone: name its mode with --backbone");
+	if (!status && settings->beside && (!settings->common.plot || settings->energy))
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
+		                      "--beside %s: a second response is drawn in the picture of a response: "
+		                      "give --plot, without --energy", settings->beside);
 	if (!status && settings->resume && (settings->start || settings->at))
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
 		                      "--continue %s says where to start, and so does --%s: give one of them",
@@ -88,6 +94,8 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 		status = cli_state_check("start", settings->start, &settings->common, report);
 	if (!status)
 		status = cli_state_check("continue", settings->resume, &settings->common, report);
+	if (!status)
+		status = cli_state_check("beside", settings->beside, &settings->common, report);
 	return status ? status : cli_outputs_check(&settings->common, report);
 }
 
@@ -282,10 +290,11 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	struct hawser_report second = {0};
 	struct cli_sweep list[2] = {{0}};
 	struct cli_backbone free_motions = {.omega = NULL};
-	struct cli_overlay overlay[2];
+	struct cli_beside beside = {.root = NULL};
+	struct cli_overlay overlay[CLI_OVERLAYS];
 	struct cli_frf_result result = {.common = &settings->common, .model = &model, .frf = &frf,
 	                                .sweep = list, .multipliers = settings->multipliers,
-	                                .scale = settings->scale};
+	                                .scale = settings->scale, .overlay = overlay};
 	enum hawser_status status = check(settings, report), written = HAWSER_OK;
 
 	if (!status)
@@ -297,6 +306,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		status = cli_basis_check(&model, fmax(result.from, result.to), report);
 	if (!status)
 		status = cli_known(&model, fmax(result.from, result.to), report);
+	if (!status && settings->beside)
+		status = cli_beside_open(&beside, settings->beside, &model, report);
 	if (status)
 		goto done;
 	status = trace(&frf, &peak, &cover, &model, settings, &result, report);
@@ -309,10 +320,16 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!status && settings->backbone && !cli_interrupted()) {
 		status = backbone(&free_motions, settings, &result, report);
 		result.backbone = &free_motions;
-		result.overlay = overlay;
 		result.overlays = status ? 0 : cli_backbone_overlays(overlay, &free_motions);
 	}
-	if (!status || (settings->partial && frf.points > 0))
+	if (beside.root && frf.points > 0 && (!status || settings->partial)) {
+		int more = 0;
+
+		written = cli_beside_overlays(overlay + result.overlays, &more, &beside, &result,
+		                              status ? &second : report);
+		result.overlays += more;
+	}
+	if (!written && (!status || (settings->partial && frf.points > 0)))
 		written = write_result(&result, settings->energy, status ? &second : report);
 	if (status && written)
 		cli_report_also(report, &second);
@@ -322,6 +339,7 @@ done:
 	hawser_sweep_clear(&list[0].run);
 	hawser_sweep_clear(&list[1].run);
 	cli_backbone_clear(&free_motions);
+	cli_beside_clear(&beside);
 	hawser_frf_clear(&frf);
 	free(peak);
 	cli_cover_clear(&cover);

@@ -351,7 +351,7 @@ static enum hawser_status draw(const char *path, const void *context, struct haw
 	double *omega = malloc(((size_t)result->scales.points + 1)*sizeof *omega);
 	struct cli_overlay overlay = {"multiple scales", result->scales.points, omega,
 	                              result->scales.probe,
-	                              result->scales.coordinate};
+	                              result->scales.coordinate, 0};
 	const struct cli_frf_result drawn = {.common = result->common, .model = result->model,
 		.frf = &result->frf, .overlay = &overlay, .overlays = 1, .from = result->from,
 		.to = result->to, .scale = "linear"};

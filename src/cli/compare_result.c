@@ -185,6 +185,9 @@ static const struct hawser__field fidelity_field[] = {
 	{"landmark_uncertainty", "landmark_uncertainty", "estimated error of a compared "
 	 "frequency, relative; smaller differences mean nothing",
 	 OF(error.floor), .place = 3},
+	{"distance", "distance", "of the whole response from the reference, relative; parts that only "
+	 "one of them has count too",
+	 MAYBE(error.distance), .place = 2},
 	{"folds.matched", "folds_matched", "pairs that match", OF(error.fold.matched), .place = 2},
 	{"folds.missing", "folds_missing", "of the reference, without a partner here",
 	 OF(error.fold.missing), .place = 2},

@@ -247,7 +247,8 @@ static void copy_overlays(struct picture *picture, const struct cli_frf_result *
 		int stride = probed ? 3*result->frf->probes : result->frf->n;
 
 		picture->overlay[s] = (struct hawser__response_overlay){from->label, from->points, out,
-		                                                        out + from->points};
+		                                                        out + from->points,
+		                                                        from->beside};
 		for (int i = 0; i < from->points; i++)
 			*out++ = from->omega[i]*cli_per_omega(result->model);
 		for (int k = 0; k < picture->response.curves; k++)

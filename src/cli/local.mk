@@ -42,6 +42,8 @@ hawser_SOURCES = \
 	%D%/fixed.c \
 	%D%/folds_draw.c \
 	%D%/folds_result.c \
+	%D%/frf_beside.c \
+	%D%/frf_beside.h \
 	%D%/frf_cover.c \
 	%D%/frf_cover.h \
 	%D%/frf_draw.c \

@@ -330,12 +330,15 @@ struct hawser__response_sweep {
 	const double *omega;     /* [points] */
 	const double *amplitude; /* [curves][points] */
 };
-/* Another curve over it, dotted: an approximation, or a backbone. */
+/* Another curve: an approximation or a backbone, dotted and over the curves; or the stable or the
+ * unstable parts of another response, pale and behind them. Where an amplitude is NAN the line has a
+ * gap. */
 struct hawser__response_overlay {
-	const char *label;
+	const char *label; /* "": it is not in the legend */
 	int points;
 	const double *omega;     /* [points] */
 	const double *amplitude; /* [curves][points] */
+	int beside; /* 0: over the curves; 1: stable parts of another response; 2: unstable ones */
 };
 struct hawser__response {
 	int points, curves, panels, events, peaks, naturals, sweeps, logarithmic, overlays;

@@ -139,15 +139,36 @@ static const char *const overlay_dash[] = {"lw 1.2 dt (2,4)", "lw 1 dt (9,3,2,3)
                                            "lw 1 dt (5,2,1,2,1,2)"};
 static const char *const dark_colour[] = {"#003A66", "#7A2E00"};
 
+/* Another response: the colour of its curve, paler. */
+static const char *const pale_colour[] = {"#A6CBE3", "#F0C3A2"};
+
+/* "lc rgb '#003A66' lw 1.2 dt (2,4)" */
+static void overlay_style(char *style, size_t size, const struct hawser__response *response, int s,
+                          int c)
+{
+	int beside = response->overlay[s].beside;
+
+	if (beside)
+		snprintf(style, size, "lc rgb '%s' lw 1.1 %s", pale_colour[c % 2],
+		         beside == 2 ? unstable_dash : "dt solid");
+	else
+		snprintf(style, size, "lc rgb '%s' %s", dark_colour[c % 2], overlay_dash[s%4]);
+}
+
 static void overlays(FILE *script, const struct hawser__response *response, int c)
 {
 	for (int s = 0; s < response->overlays; s++) {
 		const struct hawser__response_overlay *overlay = &response->overlay[s];
 
 		fprintf(script, "$overlay%d_%d << END\n", c, s);
-		for (int i = 0; i < overlay->points; i++)
-			fprintf(script, "%.12g %.9g\n", overlay->omega[i],
-			        overlay->amplitude[c*overlay->points + i]);
+		for (int i = 0; i < overlay->points; i++) {
+			double amplitude = overlay->amplitude[c*overlay->points + i];
+
+			if (isfinite(amplitude))
+				fprintf(script, "%.12g %.9g\n", overlay->omega[i], amplitude);
+			else
+				fputc('\n', script);
+		}
 		fputs("NaN NaN\nEND\n", script);
 	}
 }
@@ -234,6 +255,19 @@ static void natural_labels(FILE *script, const struct hawser__response *response
 	}
 }
 
+/* Largest amplitude of another response in the range of Omega; 0 for other overlays. */
+static double largest_beside(const struct hawser__response *response,
+                             const struct hawser__response_overlay *overlay, int c)
+{
+	double low = fmin(response->from, response->to), high = fmax(response->from, response->to);
+	double most = 0.0;
+
+	for (int i = 0; overlay->beside && i < overlay->points; i++)
+		if (overlay->omega[i] >= low && overlay->omega[i] <= high)
+			most = fmax(most, overlay->amplitude[c*overlay->points + i]); /* fmax ignores a NAN */
+	return most;
+}
+
 /* Range of the axis over all curves of a panel; a linear axis begins at zero. */
 static void range(struct hawser__picture *picture, const struct hawser__response *response,
                   int panel)
@@ -249,6 +283,9 @@ static void range(struct hawser__picture *picture, const struct hawser__response
 			most = fmax(most, a);
 			least = a > 0.0 ? fmin(least, a) : least;
 		}
+	for (c = 0; c < response->curves; c++)
+		for (int s = 0; response->curve[c].panel == panel && s < response->overlays; s++)
+			most = fmax(most, largest_beside(response, &response->overlay[s], c));
 	if (response->logarithmic && least < most) {
 		least = fmax(0.8*least, 1e-12*most);
 		fprintf(script, "set yrange [%.4g:%.4g]\n", least, 1.5*most);
@@ -264,8 +301,17 @@ static void range(struct hawser__picture *picture, const struct hawser__response
 void hawser__frf_curves(FILE *script, const struct hawser__response *response, int panel)
 {
 	const char *comma = "plot ";
+	char style[96];
 	int c, kind, s;
 
+	for (c = 0; c < response->curves; c++)
+		for (s = 0; response->curve[c].panel == panel && s < response->overlays; s++) {
+			if (!response->overlay[s].beside)
+				continue;
+			overlay_style(style, sizeof style, response, s, c);
+			fprintf(script, "%s$overlay%d_%d with lines %s", comma, c, s, style);
+			comma = ", ";
+		}
 	for (c = 0; c < response->curves; c++) {
 		if (response->curve[c].panel != panel)
 			continue;
@@ -273,9 +319,11 @@ void hawser__frf_curves(FILE *script, const struct hawser__response *response, i
 		        unstable_dash);
 		fprintf(script, ", $stable%d with lines lt %d", c, c % 2 + 1);
 		comma = ", ";
-		for (s = 0; s < response->overlays; s++)
-			fprintf(script, ", $overlay%d_%d with lines lc rgb '%s' %s", c, s,
-			        dark_colour[c % 2], overlay_dash[s%4]);
+		for (s = 0; s < response->overlays; s++) {
+			overlay_style(style, sizeof style, response, s, c);
+			if (!response->overlay[s].beside)
+				fprintf(script, ", $overlay%d_%d with lines %s", c, s, style);
+		}
 		for (s = 0; s < response->sweeps; s++)
 			fprintf(script, ", $sweep%d_%d with points pt %d %s lc rgb '%s'", c, s,
 			        sweep_type[s], sweep_size, dark_colour[c % 2]);
@@ -290,19 +338,21 @@ void hawser__frf_curves(FILE *script, const struct hawser__response *response, i
 	fputc('\n', script);
 }
 
-/* An overlay is drawn over each curve of the panel, in a darker colour: each is an entry. */
+/* An overlay is drawn for each curve of the panel, in a colour of its own: each is an entry. */
 static void overlay_entries(struct hawser__legend *entries, const struct hawser__response *response)
 {
-	char title[120];
+	char title[120], style[96];
 
 	for (int c = 0; c < response->curves && response->curve[c].panel == 0; c++)
 		for (int s = 0; s < response->overlays; s++) {
 			const char *curve = response->curve[c].label;
 
+			if (!*response->overlay[s].label)
+				continue;
+			overlay_style(style, sizeof style, response, s, c);
 			snprintf(title, sizeof title, "%s%s%s", response->overlay[s].label,
 			         *curve ? ", " : "", curve);
-			hawser__legend_add(entries, title, "with lines lc rgb '%s' %s", dark_colour[c % 2],
-			                   overlay_dash[s%4]);
+			hawser__legend_add(entries, title, "with lines %s", style);
 		}
 }
 

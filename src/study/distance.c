@@ -11,6 +11,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "core/report.h"
 #include "hawser/accuracy.h"
@@ -68,6 +69,27 @@ enum hawser_status hawser__marks_find(struct hawser__marks *marks, const struct 
 
 		status = hawser__study_sharpen(&curve, rom, options, &how, report);
 	}
+	if (status)
+		hawser__marks_clear(marks);
+	return status;
+}
+
+enum hawser_status hawser__marks_of(struct hawser__marks *marks,
+                                    const struct hawser_study_curve *curve,
+                                    struct hawser_report *report)
+{
+	enum hawser_status status;
+
+	*marks = (struct hawser__marks){0};
+	status = hawser__curve_copy(&marks->curve, &curve->frf, report);
+	/* as they were before they were located: which ones count is decided there; then the located
+	 * ones, which are the same in number and order */
+	if (!status)
+		status = hawser_landmarks(&marks->item, &marks->count, &curve->frf, NULL, report);
+	if (!status)
+		status = mark_strong(marks, &curve->frf, report);
+	if (!status && marks->count == curve->landmarks && curve->landmarks > 0)
+		memcpy(marks->item, curve->landmark, (size_t)marks->count*sizeof *marks->item);
 	if (status)
 		hawser__marks_clear(marks);
 	return status;

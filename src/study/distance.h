@@ -22,6 +22,10 @@ enum hawser_status hawser__marks_find(struct hawser__marks *marks, const struct 
                                       const struct hawser_rom *rom,
                                       const struct hawser_frf_options *options, double wanted,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Find them in a response of which hawser_study_run has located the peaks already. */
+enum hawser_status hawser__marks_of(struct hawser__marks *marks,
+                                    const struct hawser_study_curve *curve,
+                                    struct hawser_report *report) HAWSER_MUST_CHECK;
 /* The largest relative error of Omega or amplitude of the peaks that count. */
 double hawser__marks_located(const struct hawser__marks *marks);
 void hawser__marks_clear(struct hawser__marks *marks);

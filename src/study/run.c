@@ -10,6 +10,7 @@
 
 #include "core/report.h"
 #include "hawser/accuracy.h"
+#include "study/distance.h"
 #include "study/landmark.h"
 #include "study/respond.h"
 
@@ -247,6 +248,26 @@ static void add_up(struct hawser_study_error *error, struct hawser_study_kind_er
 		kind_error->missing += is_counted(reference, i, kind, largest);
 }
 
+static enum hawser_status distance_of(double *distance, const struct hawser_study_curve *curve,
+                                      const struct hawser_study_curve *reference,
+                                      struct hawser_report *report)
+{
+	struct hawser__marks own = {0}, other = {0};
+	enum hawser_status status;
+
+	*distance = NAN;
+	if (curve->frf.points == 0 || reference->frf.points == 0)
+		return HAWSER_OK;
+	status = hawser__marks_of(&own, curve, report);
+	if (!status)
+		status = hawser__marks_of(&other, reference, report);
+	if (!status)
+		status = hawser__marks_distance(distance, &own, &other, report);
+	hawser__marks_clear(&own);
+	hawser__marks_clear(&other);
+	return status;
+}
+
 enum hawser_status hawser_study_compare(struct hawser_study_error *error,
                                         const struct hawser_study_curve *curve,
                                         const struct hawser_study_curve *reference,
@@ -261,6 +282,8 @@ enum hawser_status hawser_study_compare(struct hawser_study_error *error,
 		return hawser__no_memory(report, "study");
 	status = hawser_landmarks_match(error->partner, curve->landmark, curve->landmarks,
 	                                reference->landmark, reference->landmarks, options, report);
+	if (!status)
+		status = distance_of(&error->distance, curve, reference, report);
 	if (status) {
 		hawser_study_error_clear(error);
 		return status;

@@ -126,12 +126,46 @@ static void check_sharp(void)
 		ok(worst < 3e-6 && stated < 3e-5, "peaks agree to %.1e, stated %.1e", worst, stated);
 		ok(beyond < 1.0, "and each to what is stated of it: %.2g", beyond);
 		ok(fabs(error.fold.omega) < 1e-8, "folds agree to %.1e", error.fold.omega);
+		ok(error.distance < 1e-3 && error.distance >= worst, "distance of the curves %.1e",
+		   error.distance);
 		ok(curve.tension > statics.T0 && fabs(error.tension) < 0.01, "tension %g N, %.1e off",
 		   curve.tension, error.tension);
 	}
 	hawser_study_error_clear(&error);
 	hawser_study_clear(&fine);
 	hawser_study_clear(&curve);
+}
+
+/* A copy with all frequencies multiplied by `factor` is as far away as the folds are: |factor - 1|. */
+static void check_distance(struct hawser_study_curve *curve)
+{
+	const double factor = 1.0037;
+	struct hawser_study_curve shifted = *curve;
+	struct hawser_study_error error = {.partner = NULL};
+	size_t points = (size_t)curve->frf.points, marks = (size_t)curve->landmarks;
+
+	shifted.frf.point = malloc((points + 1)*sizeof *shifted.frf.point);
+	shifted.frf.event = malloc(((size_t)curve->frf.events + 1)*sizeof *shifted.frf.event);
+	shifted.landmark = malloc((marks + 1)*sizeof *shifted.landmark);
+	if (ok(shifted.frf.point && shifted.frf.event && shifted.landmark, "memory")) {
+		memcpy(shifted.frf.point, curve->frf.point, points*sizeof *shifted.frf.point);
+		memcpy(shifted.frf.event, curve->frf.event,
+		       (size_t)curve->frf.events*sizeof *shifted.frf.event);
+		memcpy(shifted.landmark, curve->landmark, marks*sizeof *shifted.landmark);
+		for (size_t i = 0; i < points; i++)
+			shifted.frf.point[i].omega *= factor;
+		for (int i = 0; i < curve->frf.events; i++)
+			shifted.frf.event[i].omega *= factor;
+		for (size_t i = 0; i < marks; i++)
+			shifted.landmark[i].omega *= factor;
+		if (ok(!hawser_study_compare(&error, &shifted, curve, NULL, NULL), "compared"))
+			ok(error.fold.matched > 0 && fabs(error.distance - (factor - 1.0)) < 1e-12,
+			   "shifted by 0.37 %%: distance %.6g", error.distance);
+	}
+	hawser_study_error_clear(&error);
+	free(shifted.frf.point);
+	free(shifted.frf.event);
+	free(shifted.landmark);
 }
 
 /* The distance of a response from itself is 0; a response over another range has no common folds
@@ -144,8 +178,9 @@ static void check_itself(void)
 	if (run(&curve, "raw 3", 0.8, 1.25, 0.02) && run(&other, "raw 3", 2.5, 2.8, 0.02)) {
 		ok(!hawser_study_compare(&error, &curve, &curve, NULL, NULL) &&
 		   error.fold.omega == 0.0 && error.peak.size == 0.0 && error.peak.extra == 0 &&
-		   error.fold.missing == 0 && error.tension == 0.0, "itself");
+		   error.fold.missing == 0 && error.tension == 0.0 && error.distance == 0.0, "itself");
 		hawser_study_error_clear(&error);
+		check_distance(&curve);
 		ok(!hawser_study_compare(&error, &other, &curve, NULL, NULL) &&
 		   error.fold.matched + error.peak.matched == 0 && isnan(error.fold.omega) &&
 		   error.fold.missing > 0, "nothing in common: %d folds missing", error.fold.missing);
