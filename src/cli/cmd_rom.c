@@ -106,7 +106,8 @@ static const void *entry_row(void *to, const void *parent, size_t i)
 	return entry->value != 0.0 || strchr("QC", *entry->tensor) ? to : NULL;
 }
 static const struct hawser__list entry_list = {
-	.field = entry_field, .size = sizeof(struct entry), .count = entries, .row = entry_row};
+	.field = entry_field, .size = HAWSER__MADE_SIZE(struct entry), .count = entries,
+	.row = entry_row};
 
 const struct cli_listing cli_rom_listing[] = {
 	{"Columns of the table:", entry_field, 0},

@@ -272,8 +272,9 @@ static const void *common_row(void *row, const void *parent, size_t index)
 	return isnan(((const struct mark *)row)->distance) ? NULL : row;
 }
 static const struct hawser__list
-	mark_list = {.field = mark_field, .size = sizeof(struct mark), .count = marks, .row = mark_row},
-	common_list = {.field = mark_field, .size = sizeof(struct mark), .count = marks,
+	mark_list = {.field = mark_field, .size = HAWSER__MADE_SIZE(struct mark), .count = marks,
+	.row = mark_row},
+	common_list = {.field = mark_field, .size = HAWSER__MADE_SIZE(struct mark), .count = marks,
 	               .row = common_row};
 
 static const struct hawser__field result_field[] = {

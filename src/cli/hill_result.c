@@ -399,7 +399,7 @@ static const struct hawser__field forced_field[] = {
 };
 #undef OF
 static const struct hawser__list forced_list = {
-	.field = forced_field, .size = sizeof(struct forced), .count = forced_points,
+	.field = forced_field, .size = HAWSER__MADE_SIZE(struct forced), .count = forced_points,
 	.row = forced_row};
 #define OF(member) HAWSER__AT(struct cli_hill_result, member)
 static const struct hawser__field response_field[] = {

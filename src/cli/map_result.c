@@ -152,7 +152,8 @@ static size_t points(const void *parent)
 	return (size_t)map->nx*(size_t)map->ny;
 }
 static const struct hawser__list point_list = {
-	.field = point_field, .size = sizeof(struct point), .count = points, .row = point_row};
+	.field = point_field, .size = HAWSER__MADE_SIZE(struct point), .count = points,
+	.row = point_row};
 
 static const char *along_name(int along)
 {

@@ -102,7 +102,7 @@ static const struct hawser__field resonant_field[] = {
 };
 #undef OF
 static const struct hawser__list resonant_list = {
-	.field = resonant_field, .size = sizeof(struct resonant), .count = resonant_modes,
+	.field = resonant_field, .size = HAWSER__MADE_SIZE(struct resonant), .count = resonant_modes,
 	.row = resonant_row};
 
 struct monomial {
@@ -149,7 +149,8 @@ static const struct hawser__field factor_field[] = {
 	HAWSER__END,
 };
 static const struct hawser__list factor_list = {
-	.field = factor_field, .size = sizeof(struct factor), .count = factors, .row = factor_row};
+	.field = factor_field, .size = HAWSER__MADE_SIZE(struct factor), .count = factors,
+	.row = factor_row};
 #define OF(member) HAWSER__AT(struct monomial, member)
 static const struct hawser__field monomial_field[] = {
 	{"mode", NULL, "whose equation has it", OF(mode), .flags = HAWSER__FROM_1},

@@ -130,22 +130,21 @@ void cli_speeds_clear(struct cli_speeds *speeds)
 /* A steady state. */
 struct row {
 	const char *hold, *state;
-	double speed, apparent, nu;
-	struct hawser_statics actual;
+	double speed, T0, T1, H, sag, length0, length, apparent, nu;
 };
 #define OF(member) HAWSER__AT(struct row, member)
 const struct hawser__field cli_speed_field[] = {
 	{"hold", "hold", "tension or length", OF(hold)},
 	{"state", "state", "taut or slack", OF(state), .flags = HAWSER__OMIT},
 	{"speed", "speed", "travel speed", OF(speed), .unit = HAWSER__METRE_S, .axis = "Speed"},
-	{"T0", "T0", "tension at end A", OF(actual.T0), .unit = HAWSER__NEWTON,
+	{"T0", "T0", "tension at end A", OF(T0), .unit = HAWSER__NEWTON,
 	 .axis = "Tension {/:Italic T}_0"},
-	{"T1", "T1", "tension at end B", OF(actual.T1), .unit = HAWSER__NEWTON},
-	{"H", "H", "horizontal tension", OF(actual.H), .unit = HAWSER__NEWTON},
-	{"sag", "sag", "largest vertical distance from the chord", OF(actual.sag),
+	{"T1", "T1", "tension at end B", OF(T1), .unit = HAWSER__NEWTON},
+	{"H", "H", "horizontal tension", OF(H), .unit = HAWSER__NEWTON},
+	{"sag", "sag", "largest vertical distance from the chord", OF(sag),
 	 .unit = HAWSER__METRE, .axis = "Sag"},
-	{"length0", "length0", "unstretched length", OF(actual.length0), .unit = HAWSER__METRE},
-	{"length", "length", "stretched length", OF(actual.length), .unit = HAWSER__METRE},
+	{"length0", "length0", "unstretched length", OF(length0), .unit = HAWSER__METRE},
+	{"length", "length", "stretched length", OF(length), .unit = HAWSER__METRE},
 	{"apparent_H", "apparent_H", "H of the apparent cable", OF(apparent), .unit = HAWSER__NEWTON},
 	{"nu", "nu", "speed over that of transverse waves", OF(nu)},
 	HAWSER__END,
@@ -166,17 +165,21 @@ static const void *state_row(void *to, const void *parent, size_t i)
 {
 	const struct cli_speeds_curve *curve = ((const struct cli_speeds *)parent)->curve;
 	const struct hawser_statics *state;
+	struct hawser_statics actual;
 
 	for (; i >= (size_t)curve->points; curve++)
 		i -= (size_t)curve->points;
 	state = &curve->state[i];
+	actual = hawser_statics_actual(state);
 	*(struct row *)to = (struct row){
-		.hold = curve->hold, .state = curve->name, .speed = state->motion.speed,
-		.apparent = state->H, .nu = state->motion.nu, .actual = hawser_statics_actual(state)};
+		.hold = curve->hold, .state = curve->name, .speed = state->motion.speed, .T0 = actual.T0,
+		.T1 = actual.T1, .H = actual.H, .sag = actual.sag, .length0 = actual.length0,
+		.length = actual.length, .apparent = state->H, .nu = state->motion.nu};
 	return to;
 }
 static const struct hawser__list state_list = {
-	.field = cli_speed_field, .size = sizeof(struct row), .count = states, .row = state_row};
+	.field = cli_speed_field, .size = HAWSER__MADE_SIZE(struct row), .count = states,
+	.row = state_row};
 const struct hawser__field cli_speeds_member[] = {
 	{"speeds", NULL, "with --speeds: steady states", HAWSER__OBJECTS_OF(state_list)},
 	HAWSER__END,

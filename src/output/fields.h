@@ -127,10 +127,13 @@ struct hawser__list {
 	size_t inner_at;
 	int matrix, part, column;
 };
+/* Size of a row that a function makes; rows that are too large do not compile. */
+#define HAWSER__MADE_SIZE(type) \
+	(sizeof(type) + 0*sizeof(char[sizeof(type) <= HAWSER__ROW_SIZE ? 1 : -1]))
 /* Rows that `maker` fills; their number is the parent's int `number`. */
 #define HAWSER__MADE_ROWS(type, of, parent, number, maker) \
 	{.field = (of), .count_at = offsetof(parent, number), .row = (maker), \
-	 .size = sizeof(type) + 0*sizeof(char[sizeof(type) <= HAWSER__ROW_SIZE ? 1 : -1])}
+	 .size = HAWSER__MADE_SIZE(type)}
 #define HAWSER__MATRIX_ROWS(type, outer, inner, of) \
 	{.field = (of), .count_at = offsetof(type, outer), .inner_at = offsetof(type, inner), .matrix = 1}
 #define HAWSER__MATRIX_PART(type, inner, of) \
