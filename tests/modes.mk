@@ -74,3 +74,8 @@ check_PROGRAMS += tests/extremes/test-traces-sweep
 TESTS += tests/extremes/test-traces-sweep
 tests_extremes_test_traces_sweep_SOURCES = tests/extremes/test-traces-sweep.c
 tests_extremes_test_traces_sweep_LDADD = $(UPTO_MODES)
+
+check_PROGRAMS += tests/property/test-modes-attached
+TESTS += tests/property/test-modes-attached
+tests_property_test_modes_attached_SOURCES = tests/property/test-modes-attached.c
+tests_property_test_modes_attached_LDADD = $(UPTO_MODES)

@@ -28,6 +28,7 @@
 
 #include "core/report.h"
 #include "modes/cable.h"
+#include "modes/compliance_springs.h"
 #include "modes/label.h"
 #include "modes/methods.h"
 #include "modes/spectral.h"
@@ -39,20 +40,21 @@ enum { MOST = 400 };
 struct part {
 	int count, D, degree;
 	double *omega;        /* [count] */
-	double *strain;       /* [count][D][points] */
-	double *displacement; /* [count][D][points] */
+	double *strain;       /* [count][strains] */
+	double *displacement; /* [count][displacements] */
 };
 
 /* Matrices are column-major. */
 struct work {
-	int n, rows;    /* functions, D*points */
+	int n, rows;    /* functions and springs; displacements */
+	int held;       /* D + springs: constraints */
 	double *G;      /* [n] columns of `rows` */
-	double *C;      /* [D] columns of n, then its QR */
-	double *ends;   /* [D] columns of n: C before its factorisation */
-	double *x;      /* [n - D] columns of n; V, then Z V */
+	double *C;      /* [held] columns of n, then its QR */
+	double *ends;   /* [held] columns of n: C before its factorisation */
+	double *x;      /* [n - held] columns of n; V, then Z V */
 	double *S;      /* [n] */
 	double *scratch; /* [points] and [n] */
-	double tau[HAWSER__MAX_D];
+	double tau[HAWSER__FORCES];
 };
 
 static double *array(size_t a, size_t b)
@@ -77,21 +79,23 @@ static void work_clear(struct work *w)
 	free(w->scratch);
 }
 
-static int work_init(struct work *w, struct part *part, const struct hawser__cable *cable)
+static int work_init(struct work *w, struct part *part, const struct hawser__cable *cable,
+                     const struct hawser__plane *plane)
 {
-	size_t D = (size_t)part->D, n = D*(size_t)part->degree*(size_t)cable->grid.elements;
-	size_t rows = D*(size_t)cable->grid.points;
+	size_t D = (size_t)part->D, held = D + (size_t)plane->springs;
+	size_t n = D*(size_t)part->degree*(size_t)cable->grid.elements + (size_t)plane->springs;
+	size_t rows = hawser__displacements(plane, &cable->grid);
 
-	*w = (struct work){.n = (int)n, .rows = (int)rows};
-	part->count = (int)(n - D);
+	*w = (struct work){.n = (int)n, .rows = (int)rows, .held = (int)held};
+	part->count = (int)(n - held);
 	w->G = array(n, rows);
-	w->C = array(n, D);
-	w->ends = array(n, D);
+	w->C = array(n, held);
+	w->ends = array(n, held);
 	w->x = array(n, n);
 	w->S = array(n, 1);
 	w->scratch = array((size_t)cable->grid.points + n, 1);
 	part->omega = array(n, 1);
-	part->strain = array(n, rows);
+	part->strain = array(n, hawser__strains(plane, &cable->grid));
 	part->displacement = array(n, rows);
 	return w->G && w->C && w->ends && w->x && w->S && w->scratch && part->omega && part->strain &&
 	       part->displacement;
@@ -104,11 +108,11 @@ static void assemble(struct work *w, const struct part *part, const struct hawse
 	const struct hawser_grid *grid = &cable->grid;
 	double *unit = w->scratch + grid->points, *strain = part->strain, end[HAWSER__MAX_D];
 
-	for (int f = 0; f < w->n; f++) {
+	for (int f = 0; f < w->n - plane->springs; f++) {
 		double *G = w->G + (size_t)f*(size_t)w->rows;
 
 		unit[f] = 1.0;
-		hawser__compliance_strain(strain, unit, part->D, grid, &cable->reference,
+		hawser__compliance_strain(strain, unit, plane, grid, &cable->reference,
 		                          part->degree);
 		unit[f] = 0.0;
 		hawser__compliance_displace(G, end, w->scratch, strain, plane, grid,
@@ -118,7 +122,10 @@ static void assemble(struct work *w, const struct part *part, const struct hawse
 			for (int i = 0; i < grid->points; i++)
 				G[c*grid->points + i] *= sqrt(grid->weight[i]);
 		}
+		for (int i = 0; i < part->D*plane->lumps; i++)
+			G[part->D*grid->points + i] *= sqrt(plane->lump[i%plane->lumps].mass);
 	}
+	hawser__spring_constraints(w->C + part->D*w->n, w->C, w->n, part->D*part->degree, plane, grid);
 }
 
 /* Correct the columns of x so that end B does not move. In the highest modes the entries for
@@ -147,7 +154,7 @@ static int hold_end(struct work *w, int D, int count)
 /* Compute U (in the last columns of G), S, and x = Z V. Returns LAPACKE's info. */
 static int decompose(struct work *w, const struct part *part)
 {
-	int n = w->n, D = part->D, count = part->count, info;
+	int n = w->n, D = w->held, count = part->count, info;
 	double stat[6] = {0.0};
 
 	memcpy(w->ends, w->C, (size_t)n*(size_t)D*sizeof *w->ends);
@@ -167,22 +174,29 @@ static int decompose(struct work *w, const struct part *part)
 	return info ? info : hold_end(w, D, count);
 }
 
-static void unfold(struct part *part, const struct work *w, const struct hawser__cable *cable)
+static void unfold(struct part *part, const struct work *w, const struct hawser__cable *cable,
+                   const struct hawser__plane *plane)
 {
 	const struct hawser_grid *grid = &cable->grid;
-	size_t rows = (size_t)w->rows;
+	size_t rows = (size_t)w->rows, strains = hawser__strains(plane, grid);
+	size_t values = (size_t)part->D*(size_t)grid->points;
 
 	for (int k = 0; k < part->count; k++) {
-		const double *U = w->G + ((size_t)part->D + (size_t)k)*rows;
-		double *strain = part->strain + (size_t)k*rows;
+		const double *U = w->G + ((size_t)w->held + (size_t)k)*rows;
+		double *strain = part->strain + (size_t)k*strains;
+		double *displacement = part->displacement + (size_t)k*rows;
 
 		part->omega[k] = 1.0/w->S[k];
-		hawser__compliance_strain(strain, w->x + (size_t)k*(size_t)w->n, part->D, grid,
+		hawser__compliance_strain(strain, w->x + (size_t)k*(size_t)w->n, plane, grid,
 		                          &cable->reference, part->degree);
-		cblas_dscal(w->rows, part->omega[k], strain, 1);
-		for (size_t i = 0; i < rows; i++)
-			part->displacement[(size_t)k*rows + i] =
-				U[i]/sqrt(grid->weight[i%(size_t)grid->points]);
+		cblas_dscal((int)strains, part->omega[k], strain, 1);
+		for (size_t i = 0; i < values; i++)
+			displacement[i] = U[i]/sqrt(grid->weight[i%(size_t)grid->points]);
+		for (size_t i = values; i < rows; i++) { /* not used without a mass */
+			double mass = plane->lump[(i - values)%(size_t)plane->lumps].mass;
+
+			displacement[i] = mass > 0.0 ? U[i]/sqrt(mass) : 0.0;
+		}
 	}
 }
 
@@ -193,7 +207,7 @@ static enum hawser_status solve(struct part *part, const struct hawser__cable *c
 	int info;
 	struct work w;
 
-	if (!work_init(&w, part, cable)) {
+	if (!work_init(&w, part, cable, &cable->plane[plane])) {
 		status = hawser__no_memory(report, "modes");
 		goto done;
 	}
@@ -207,7 +221,7 @@ static enum hawser_status solve(struct part *part, const struct hawser__cable *c
 			               part->count/part->D);
 		goto done;
 	}
-	unfold(part, &w, cable);
+	unfold(part, &w, cable, &cable->plane[plane]);
 done:
 	work_clear(&w);
 	return status;
@@ -220,14 +234,15 @@ static double error_of(const struct part *part, const struct hawser__cable *cabl
                        double *copy, double *work)
 {
 	const struct hawser_grid *grid = &cable->grid;
-	size_t rows = (size_t)part->D*(size_t)grid->points;
+	const struct hawser__plane *problem = &cable->plane[plane];
+	size_t rows = hawser__displacements(problem, grid);
 	double *strain = copy + rows, omega = part->omega[k], better;
 
 	cblas_dcopy((int)rows, part->displacement + (size_t)k*rows, 1, copy, 1);
-	hawser__compliance_apply(copy, strain, omega, &cable->plane[plane], grid, &cable->reference,
+	hawser__compliance_apply(copy, strain, omega, problem, grid, &cable->reference,
 	                         work);
-	better = sqrt(hawser__compliance_product(strain, strain, part->D, grid)/
-	              hawser__compliance_product(copy, copy, part->D, grid));
+	better = sqrt(hawser__energy_product(strain, strain, problem, grid)/
+	              hawser__mass_product(copy, copy, problem, grid));
 	return hawser__spectral_estimate(fabs(better/omega - 1.0), grid->elements);
 }
 
@@ -237,7 +252,9 @@ static enum hawser_status finish(struct hawser_modes *modes, struct hawser__cabl
 {
 	size_t points = (size_t)cable->grid.points;
 	int next[HAWSER__PLANES] = {0}, n = part[0].count + part[1].count;
-	double *work = array(points, 4*HAWSER__MAX_D + 2);
+	/* displacements and strains, and the work space of a step */
+	size_t copies = 2*HAWSER__MAX_D*points + (HAWSER__MAX_D + 2)*HAWSER_ATTACH_MAX;
+	double *work = array(copies + (HAWSER__MAX_D + 1)*points, 1);
 	enum hawser_status status = work ? hawser__modes_allocate(modes, n, (int)points, report)
 	                                 : hawser__no_memory(report, "modes");
 
@@ -245,15 +262,16 @@ static enum hawser_status finish(struct hawser_modes *modes, struct hawser__cabl
 		int q = next[1] == part[1].count ||
 		        (next[0] < part[0].count && part[0].omega[next[0]] <= part[1].omega[next[1]])
 		        ? 0 : 1;
-		size_t first = (size_t)next[q]*(size_t)part[q].D*points;
+		const struct hawser__plane *plane = &cable->plane[q];
+		size_t strain = (size_t)next[q]*hawser__strains(plane, &cable->grid);
+		size_t displacement = (size_t)next[q]*hawser__displacements(plane, &cable->grid);
 
 		modes->mode[k].plane = (enum hawser_plane)q;
 		modes->mode[k].omega = part[q].omega[next[q]];
-		modes->mode[k].residual = error_of(&part[q], cable, q, next[q], work,
-		                                   work + 2*HAWSER__MAX_D*points);
+		modes->mode[k].residual = error_of(&part[q], cable, q, next[q], work, work + copies);
 		hawser__cable_fields(modes->shape + (size_t)k*3*points,
 		                     modes->slope + (size_t)k*3*points, cable, q,
-		                     part[q].strain + first, part[q].displacement + first);
+		                     part[q].strain + strain, part[q].displacement + displacement);
 		next[q]++;
 	}
 	free(work);

@@ -22,10 +22,37 @@
 static const double theta_span = 2.5; /* largest element, in theta */
 enum { LEAST_DEGREE = 3 };
 
+/* u just before attachment i, or at end B for i = attachments; and just after i - 1. The loads up to a
+ * point are summed in the same way everywhere, so that u is the same to the last bit. */
+static void ends_of(double *first, double *last, const struct hawser_statics *st, int i)
+{
+	double load = 0.0;
+
+	for (int k = 0; k < i; k++)
+		load += st->attached[k].m;
+	*first = st->eta + st->delta*((i > 0 ? st->attached[i - 1].s : 0.0) + load);
+	*last = st->eta + st->delta*((i < st->attachments ? st->attached[i].s : st->l) + load);
+}
+
+/* Elements of the piece of cable before attachment i. */
+static int elements_of(const struct hawser_statics *st, int i)
+{
+	double first, last;
+
+	ends_of(&first, &last, st, i);
+	return (int)fmax(1.0, ceil((asinh(last) - asinh(first))/theta_span));
+}
+
 int hawser__cable_elements(const struct hawser_statics *st)
 {
 	double range = asinh(st->eta + st->delta*st->l) - asinh(st->eta);
+	int sum = 0;
 
+	if (st->attachments > 0) {
+		for (int i = 0; i <= st->attachments; i++)
+			sum += elements_of(st, i);
+		return sum;
+	}
 	return range <= theta_span ? 1 : (int)ceil(range/theta_span);
 }
 
@@ -34,7 +61,7 @@ int hawser__cable_coarse(const struct hawser__cable *cable)
 	int elements = cable->grid.elements;
 	double range = asinh(cable->edges[elements]) - asinh(cable->edges[0]);
 
-	return range > 2.0*theta_span*elements;
+	return cable->plane->lumps == 0 && range > 2.0*theta_span*elements;
 }
 
 /* Slopes u[elements+1], positions of the edges, and lengths of the elements. Near the lowest point
@@ -55,20 +82,91 @@ static void place_edges(double *u, double *edge, double *length, int elements,
 		length[e] = elements == 1 ? st->l : (u[e + 1] - u[e])/st->delta;
 }
 
+/* The loads up to the middle of the length: u there is eta + delta*(l/2 + them). */
+static double load_to_middle(const struct hawser_statics *st)
+{
+	double load = 0.0;
+
+	for (int i = 0; i < st->attachments; i++)
+		if (st->attached[i].s < 0.5*st->l)
+			load += st->attached[i].m;
+	return load;
+}
+
+/* The same with attachments: u[elements] at the beginning of each element, and bent[elements], the
+ * difference of that from u at mid-length, without cancellation. Sets the edges of the lumps. */
+static void place_pieces(struct hawser__cable *t, double *u, double *bent, double *edge,
+                         double *length, const struct hawser_statics *st)
+{
+	double load = 0.0, middle = 0.5*st->l + load_to_middle(st);
+
+	for (int i = 0, e = 0; i <= st->attachments; i++) {
+		int count = elements_of(st, i);
+		double first, last, from = i > 0 ? st->attached[i - 1].s : 0.0;
+		double to = i < st->attachments ? st->attached[i].s : st->l;
+
+		ends_of(&first, &last, st, i);
+		for (int k = 0; k < count; k++, e++) {
+			double low = asinh(first), high = asinh(last);
+
+			u[e] = k == 0 ? first : sinh(low + (high - low)*k/count);
+			edge[e] = k == 0 ? from : from + (u[e] - first)/st->delta;
+			bent[e] = st->delta*(edge[e] + load - middle);
+			if (k > 0)
+				length[e - 1] = (u[e] - u[e - 1])/st->delta;
+		}
+		length[e - 1] = count == 1 ? to - from : (last - u[e - 1])/st->delta;
+		edge[e] = to;
+		u[e] = last;
+		if (i == st->attachments)
+			break;
+		load += st->attached[i].m;
+		t->lump[i] = (struct hawser__lump){e, st->attached[i].m};
+	}
+}
+
+/* Springs along x, y and z: the axes of the displacements in the plane are tangent and normal at
+ * mid-length. */
+static void place_springs(struct hawser__cable *t, const struct hawser_statics *st)
+{
+	double um = st->eta + st->delta*(0.5*st->l + load_to_middle(st)), cm = sqrt(1.0 + um*um);
+	const double axis[3][HAWSER__MAX_D] = {{1.0/cm, -um/cm}, {um/cm, 1.0/cm}, {1.0, 0.0}};
+	int count[HAWSER__PLANES] = {0};
+
+	for (int i = 0; i < st->attachments; i++)
+		for (int a = 0; a < 3; a++) {
+			int plane = a == 2 ? HAWSER_OUT_OF_PLANE : HAWSER_IN_PLANE;
+			double root = sqrt(st->attached[i].spring[a]*st->span.d/st->H);
+
+			if (root > 0.0)
+				t->spring[plane][count[plane]++] = (struct hawser__spring){
+					i, {root*axis[a][0], root*axis[a][1]}};
+		}
+	for (int q = 0; q < HAWSER__PLANES; q++) {
+		t->plane[q].lumps = st->attachments;
+		t->plane[q].lump = t->lump;
+		t->plane[q].springs = count[q];
+		t->plane[q].spring = t->spring[q];
+	}
+}
+
 /* The angle of the tangent is measured from that at mid-length, where u - um = delta*(s - l/2) has
  * no cancellation, so that the small angles of a nearly straight cable are accurate for any
  * slope. */
 static void fill_fields(double *field, const struct hawser_grid *grid, const double *edge_slope,
-                        const struct hawser_statics *st)
+                        const double *edge_bent, const struct hawser_statics *st)
 {
-	double um = st->eta + 0.5*st->delta*st->l, cm = sqrt(1.0 + um*um);
+	double um = st->eta + st->delta*(0.5*st->l + load_to_middle(st)), cm = sqrt(1.0 + um*um);
 	int points = grid->points;
 
 	for (int i = 0; i < points; i++) {
 		int e = i/grid->order;
 		double x = grid->node[i%grid->order], T, u, bent;
 
-		if (grid->elements == 1) {
+		if (st->attachments > 0) {
+			bent = edge_bent[e] + st->delta*(grid->s[i] - grid->edge[e]);
+			u = um + bent;
+		} else if (grid->elements == 1) {
 			bent = 0.5*st->delta*st->l*x;
 			u = um + bent;
 		} else {
@@ -95,8 +193,8 @@ static void fill_directions(struct hawser__cable *t, double sa)
 		d[3*points + i] = sb[i]*cosine[i];
 		d[4*points + i] = sb[i];
 	}
-	t->plane[HAWSER_IN_PLANE] = (struct hawser__plane){2, d};
-	t->plane[HAWSER_OUT_OF_PLANE] = (struct hawser__plane){1, d + 4*points};
+	t->plane[HAWSER_IN_PLANE] = (struct hawser__plane){.D = 2, .direction = d};
+	t->plane[HAWSER_OUT_OF_PLANE] = (struct hawser__plane){.D = 1, .direction = d + 4*points};
 }
 
 void hawser__cable_fields(double *shape, double *slope, const struct hawser__cable *cable, int plane,
@@ -128,10 +226,25 @@ int hawser__cable_degree(int elements, int n)
 	return 17 + (int)ceil(waves/elements) + elements/4;
 }
 
+int hawser__cable_degree_attached(const struct hawser_statics *st, int n)
+{
+	double longest = 0.0, waves;
+
+	for (int i = 0; i <= st->attachments; i++)
+		longest = fmax(longest, (i < st->attachments ? st->attached[i].s : st->l) -
+		                                (i > 0 ? st->attached[i - 1].s : 0.0));
+	waves = 0.5*M_PI*(0.5*n + 1.0)*longest/st->l;
+	return (int)ceil(waves + 2.0*cbrt(waves)) + 9;
+}
+
 int hawser__cable_split(int *elements, const struct hawser_statics *statics, int basis)
 {
 	int wanted = hawser__cable_elements(statics), room = (basis + 1)/LEAST_DEGREE;
 
+	if (statics->attachments > 0 && room < wanted) { /* kinks are at edges of elements */
+		*elements = wanted;
+		return LEAST_DEGREE;
+	}
 	*elements = wanted < room ? wanted : room > 1 ? room : 1;
 	return (basis + 1)/ *elements;
 }
@@ -154,10 +267,14 @@ enum hawser_status hawser__cable_init(struct hawser__cable *cable,
 	enum hawser_status status;
 
 	*cable = (struct hawser__cable){.sa = sqrt(statics->epsilon)};
-	cable->edges = malloc(3*edges*sizeof *cable->edges);
+	cable->edges = malloc(4*edges*sizeof *cable->edges);
 	if (!cable->edges)
 		return hawser__no_memory(report, "modes");
-	place_edges(cable->edges, cable->edges + edges, cable->edges + 2*edges, elements, statics);
+	if (statics->attachments > 0)
+		place_pieces(cable, cable->edges, cable->edges + 3*edges, cable->edges + edges,
+		             cable->edges + 2*edges, statics);
+	else
+		place_edges(cable->edges, cable->edges + edges, cable->edges + 2*edges, elements, statics);
 	status = hawser__grid_init(&cable->grid, elements, 2*p, cable->edges + edges,
 	                           cable->edges + 2*edges, report);
 	if (!status)
@@ -169,7 +286,9 @@ enum hawser_status hawser__cable_init(struct hawser__cable *cable,
 	cable->direction = malloc(5*points*sizeof *cable->direction);
 	if (!cable->field || !cable->direction)
 		return hawser__no_memory(report, "modes");
-	fill_fields(cable->field, &cable->grid, cable->edges, statics);
+	fill_fields(cable->field, &cable->grid, cable->edges, cable->edges + 3*edges, statics);
 	fill_directions(cable, cable->sa);
+	if (statics->attachments > 0)
+		place_springs(cable, statics);
 	return HAWSER_OK;
 }

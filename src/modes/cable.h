@@ -10,19 +10,26 @@ enum { HAWSER__PLANES = 2, HAWSER__FIELDS = 3 };
 struct hawser__cable {
 	struct hawser_grid grid;
 	struct hawser__reference reference;
-	double *edges;     /* [3][elements+1] slopes and positions of the edges, lengths */
+	double *edges;     /* [4][elements+1] slopes and positions of the edges, lengths; with
+	                    * attachments, slopes at the beginnings of the elements, and these minus the
+	                    * slope at mid-length */
 	double *field;     /* [3][points]: cos psi, sin psi, sb (spectral.c) */
 	double *direction; /* [4 + 1][points] of the in-plane and the out-of-plane problem */
 	double sa;         /* sqrt(epsilon) */
+	struct hawser__lump lump[HAWSER_ATTACH_MAX]; /* the attachments */
+	struct hawser__spring spring[HAWSER__PLANES][HAWSER__MAX_SPRINGS];
 	struct hawser__plane plane[HAWSER__PLANES]; /* by enum hawser_plane */
 };
 
 /* Number of elements of equal length in theta, at most 2.5 each, for the branch points of the
- * profile. */
+ * profile; with attachments, between neighbours. */
 int hawser__cable_elements(const struct hawser_statics *statics);
 
 /* Polynomials per element that resolve the wave of the highest of n modes and the branch points. */
 int hawser__cable_degree(int elements, int n);
+
+/* The same for a cable with attachments, whose elements have different lengths. */
+int hawser__cable_degree_attached(const struct hawser_statics *statics, int n);
 
 /* Distribute a given basis: sets *elements and returns the polynomials per element. */
 int hawser__cable_split(int *elements, const struct hawser_statics *statics, int basis);

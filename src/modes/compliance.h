@@ -8,20 +8,51 @@
 /* One plane of motion: D strains, D displacements, and the displacement gradient that a unit of
  * each strain gives, direction[strain][displacement][points]. The strain energy is the integral of
  * the squared strains over 2: the directions carry the stiffness. */
-enum { HAWSER__MAX_D = 2 };
+enum { HAWSER__MAX_D = 2, HAWSER__MAX_SPRINGS = HAWSER__MAX_D*HAWSER_ATTACH_MAX };
+
+/* A point mass, scaled, at an edge between two elements; the mass may be 0. */
+struct hawser__lump {
+	int edge;
+	double mass;
+};
+
+/* A spring to ground from a lump. Its strain is g.X with the displacement X of the lump, so that its
+ * energy, too, is half of the square of its strain: g is the direction times sqrt(stiffness). */
+struct hawser__spring {
+	int lump;
+	double g[HAWSER__MAX_D];
+};
+
 struct hawser__plane {
 	int D;
 	const double *direction;
+	int lumps, springs;
+	const struct hawser__lump *lump;     /* [lumps] ascending edge */
+	const struct hawser__spring *spring; /* [springs] ascending lump */
 };
+
+/* Strains are [D][points], followed by those of the springs; displacements are [D][points], followed
+ * by those of the lumps, [D][lumps]. The sizes of both: */
+static inline size_t hawser__strains(const struct hawser__plane *plane,
+                                     const struct hawser_grid *grid)
+{
+	return (size_t)plane->D*(size_t)grid->points + (size_t)plane->springs;
+}
+
+static inline size_t hawser__displacements(const struct hawser__plane *plane,
+                                           const struct hawser_grid *grid)
+{
+	return (size_t)plane->D*((size_t)grid->points + (size_t)plane->lumps);
+}
 
 /* The result: `count` pairs by ascending omega; fields of the refined pairs. */
 struct hawser__pairs {
 	int count, degree;
 	double *omega;        /* [count] */
 	double *moved;        /* [count] relative change of omega in the refinement */
-	double *x;            /* [count][D*degree*elements] coefficients, descending omega */
-	double *strain;       /* [refined][D][points] */
-	double *displacement; /* [refined][D][points] */
+	double *x;            /* [count][D*degree*elements + springs] coefficients, descending omega */
+	double *strain;       /* [refined][strains] */
+	double *displacement; /* [refined][displacements] */
 };
 
 /* The lowest `count` pairs with `degree` Legendre polynomials per strain and element. count is
@@ -44,25 +75,37 @@ enum hawser_status hawser__compliance_refine(struct hawser__pairs *pairs,
                                              const struct hawser__reference *reference, int count,
                                              struct hawser_report *report);
 
-/* Replace displacement[D][points] by omega^2 times the exact compliance applied to it: the
- * displacement under its own inertial force. strain[D][points] is the strain of the result. work[D
+/* Replace displacement[displacements] by omega^2 times the exact compliance applied to it: the
+ * displacement under its own inertial force. strain[strains] is the strain of the result. work[D
  * + 1][points]. */
 void hawser__compliance_apply(double *displacement, double *strain, double omega,
                               const struct hawser__plane *plane, const struct hawser_grid *grid,
                               const struct hawser__reference *reference, double *work);
 
-/* Strains [D][points] from the coefficients x[D*degree*elements]; the coefficient of strain k,
- * polynomial j and element e has the index (e*D + k)*degree + j. */
-void hawser__compliance_strain(double *strain, const double *x, int D,
+/* Strains from the coefficients x[D*degree*elements + springs]; the coefficient of strain k,
+ * polynomial j and element e has the index (e*D + k)*degree + j, those of springs follow. */
+void hawser__compliance_strain(double *strain, const double *x, const struct hawser__plane *plane,
                                const struct hawser_grid *grid,
                                const struct hawser__reference *reference, int degree);
 
-/* Displacements [D][points] of strain[D][points], integrated from end A, and the displacement
- * end[D] of end B. gradient [points] is work space. */
+/* Displacements of strains, integrated from end A, and the displacement end[D] of end B. gradient
+ * [points] is work space. */
 void hawser__compliance_displace(double *displacement, double *end, double *gradient,
                                  const double *strain, const struct hawser__plane *plane,
                                  const struct hawser_grid *grid,
                                  const struct hawser__reference *reference);
+
+/* Inner products of displacements, with the masses, and of strains, with the springs. */
+double hawser__mass_product(const double *a, const double *b, const struct hawser__plane *plane,
+                            const struct hawser_grid *grid);
+double hawser__energy_product(const double *a, const double *b, const struct hawser__plane *plane,
+                              const struct hawser_grid *grid);
+
+/* constraint[springs] columns of `rows`: for the coefficients x of the strains, the strain of each
+ * spring by the displacement of its lump minus its own one, which is 0. C: D columns of `rows`, the
+ * displacement of end B by each function, of which there are `block` in each element. */
+void hawser__spring_constraints(double *constraint, const double *C, int rows, int block,
+                                const struct hawser__plane *plane, const struct hawser_grid *grid);
 
 /* Integral of a[D][points] times b[D][points]. */
 double hawser__compliance_product(const double *a, const double *b, int D,

@@ -1,7 +1,8 @@
 /* modes/label.c - norm, sign, family, symmetry and participation of real modes
  * (doc/theory-modes.md, "Labels"), and the numbering of all modes.
  *
- *   share_f  integral of component f squared, over that of Phi.Phi: share of the kinetic energy
+ *   share_f  integral of component f squared, over that of Phi.Phi: share of the kinetic energy;
+ *            point masses are part of both integrals
  *   sigma    integral of f(s) f(l-s) over that of f(s)^2, f the component with the largest share:
  *            1 - 2*(share of the antisymmetric part), so 1 symmetric and -1 antisymmetric
  *   Gamma_i  integral of Phi.e_i in global axes; Gamma_i^2/l is the modal effective mass over
@@ -70,8 +71,33 @@ enum hawser_status hawser__modes_allocate(struct hawser_modes *modes, int n, int
 	return hawser__no_memory(report, "modes");
 }
 
+void hawser__modes_attached(double u[3], const struct hawser_modes *modes, int k, int i)
+{
+	double s = modes->statics.attached[i].s, local[3];
+	struct hawser_frame_point at = hawser_statics_frame(&modes->statics, s);
+
+	hawser_modes_at(modes, local, NULL, k, s);
+	u[0] = local[0]*at.ex - local[1]*at.ey;
+	u[1] = local[0]*at.ey + local[1]*at.ex;
+	u[2] = local[2];
+}
+
+/* Share of the point masses in the norm of mode k, added to those of the components. */
+static void add_masses(double share[3], const struct hawser_modes *modes, int k)
+{
+	const struct hawser_statics *st = &modes->statics;
+
+	for (int i = 0; i < st->attachments; i++) {
+		double local[3];
+
+		hawser_modes_at(modes, local, NULL, k, st->attached[i].s);
+		for (int c = 0; c < 3; c++)
+			share[c] += st->attached[i].m*local[c]*local[c];
+	}
+}
+
 /* Gamma: generalised force of a unit acceleration of both supports along x, y or z. */
-static void participate(struct hawser_mode *mode, const struct hawser_modes *modes,
+static void participate(struct hawser_mode *mode, const struct hawser_modes *modes, int k,
                         const double *shape)
 {
 	const struct hawser_grid *grid = &modes->grid;
@@ -79,14 +105,23 @@ static void participate(struct hawser_mode *mode, const struct hawser_modes *mod
 	double *Gamma = mode->participation;
 
 	for (int i = 0; i < grid->points; i++, shape += 3) {
-		double u = st->eta + st->delta*grid->s[i], T = hypot(1.0, u), w = grid->weight[i];
+		double u = st->attachments > 0 ? hawser_statics_frame(st, grid->s[i]).u
+		                               : st->eta + st->delta*grid->s[i];
+		double T = hypot(1.0, u), w = grid->weight[i];
 
 		Gamma[0] += w*(shape[0] - u*shape[1])/T;
 		Gamma[1] += w*(u*shape[0] + shape[1])/T;
 		Gamma[2] += w*shape[2];
 	}
+	for (int i = 0; i < st->attachments; i++) {
+		double u[3];
+
+		hawser__modes_attached(u, modes, k, i);
+		for (int c = 0; c < 3; c++)
+			Gamma[c] += st->attached[i].m*u[c];
+	}
 	for (int c = 0; c < 3; c++)
-		mode->effective_mass[c] = Gamma[c]*Gamma[c]/st->l;
+		mode->effective_mass[c] = Gamma[c]*Gamma[c]/hawser_statics_mass(st);
 }
 
 double hawser__mode_label(struct hawser_modes *modes, int k)
@@ -95,23 +130,25 @@ double hawser__mode_label(struct hawser_modes *modes, int k)
 	struct hawser_mode *mode = modes->mode + k;
 	double *shape = modes->shape + (size_t)k*3*(size_t)grid->points;
 	double *slope = modes->slope + (size_t)k*3*(size_t)grid->points;
-	double share[3] = {0.0}, all, scale, sigma;
+	double share[3] = {0.0}, all, scale, sigma, own;
 	int f = 0;
 
 	for (int i = 0; i < grid->points; i++)
 		for (int c = 0; c < 3; c++)
 			share[c] += grid->weight[i]*shape[3*i + c]*shape[3*i + c];
-	all = share[0] + share[1] + share[2];
 	for (int c = 1; c < 3; c++)
 		if (share[c] > share[f])
 			f = c;
+	own = share[f];
+	add_masses(share, modes, k);
+	all = share[0] + share[1] + share[2];
 	mode->axial_share = share[0]/all;
 	mode->normal_share = share[1]/all;
 	mode->out_of_plane_share = share[2]/all;
 	mode->condition = 1.0;
 	mode->downstream = 0.5;
 	mode->family = f == 0 ? HAWSER_LONGITUDINAL : HAWSER_TRANSVERSE;
-	sigma = mirror_product(grid, shape, f)/share[f];
+	sigma = mirror_product(grid, shape, f)/own;
 	mode->symmetry = sigma >= symmetric_from ? HAWSER_SYMMETRIC
 	                 : sigma <= -symmetric_from ? HAWSER_ANTISYMMETRIC : HAWSER_MIXED;
 	scale = sign_of(grid, shape, f)/sqrt(all);
@@ -119,7 +156,7 @@ double hawser__mode_label(struct hawser_modes *modes, int k)
 		shape[i] *= scale;
 		slope[i] *= scale;
 	}
-	participate(mode, modes, shape);
+	participate(mode, modes, k, shape);
 	return sqrt(all);
 }
 

@@ -29,4 +29,7 @@ double hawser__mode_label(struct hawser_modes *modes, int k);
  * grid must be set. Status: _NAN. */
 enum hawser_status hawser__modes_label(struct hawser_modes *modes, struct hawser_report *report);
 
+/* Displacement of attachment i in mode k along x, y, z. */
+void hawser__modes_attached(double u[3], const struct hawser_modes *modes, int k, int i);
+
 #endif

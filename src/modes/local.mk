@@ -11,6 +11,9 @@ noinst_LTLIBRARIES += %D%/libmodes.la
 	%D%/complex_mode.c \
 	%D%/complex_mode.h \
 	%D%/compliance.c \
+	%D%/compliance_refine.c \
+	%D%/compliance_springs.c \
+	%D%/compliance_springs.h \
 	%D%/convection.c \
 	%D%/compliance.h \
 	%D%/fdm.c \

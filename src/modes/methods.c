@@ -77,10 +77,6 @@ enum hawser_status hawser__modes_check_statics(const struct hawser_statics *st,
 	             {"l = L/d", st->l}, {"eta", st->eta}, {"H", st->H}, {"d", st->span.d},
 	             {"rho", st->span.rho}};
 
-	if (st->attachments > 0)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
-		                    "the modes of a cable with attachments are not available yet: hawser "
-		                    "statics has its static shape; remove attach for the rest");
 	if (isinf(st->span.EA) || st->epsilon == 0.0)
 		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "modes",
 		                    "an inextensible cable (EA infinite) has infinite longitudinal "
@@ -167,6 +163,10 @@ static enum hawser_status solve(struct hawser_modes *modes, const struct hawser_
 		                      "solve the statics first", statics->motion.nu);
 	if (status)
 		return status;
+	if (statics->attachments > 0 && method->solve != hawser__spectral_solve)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+		                    "the method %s is for a cable without attachments: take spectral",
+		                    method->name);
 	if (settled.tolerance == 0.0)
 		settled.tolerance = method->tolerance;
 	modes->statics = *statics;

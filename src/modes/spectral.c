@@ -148,11 +148,13 @@ static void fill_mode(struct hawser_modes *modes, const struct attempt *t, int k
 	size_t points = (size_t)t->cable.grid.points;
 	const struct place *at = &t->place[k];
 	const struct hawser__pairs *pairs = &t->pairs[at->plane];
-	size_t first = (size_t)at->pair*(size_t)t->cable.plane[at->plane].D*points;
+	const struct hawser__plane *plane = &t->cable.plane[at->plane];
 
 	hawser__cable_fields(modes->shape + (size_t)k*3*points, modes->slope + (size_t)k*3*points,
-	                     &t->cable, at->plane, pairs->strain + first,
-	                     pairs->displacement + first);
+	                     &t->cable, at->plane,
+	                     pairs->strain + (size_t)at->pair*hawser__strains(plane, &t->cable.grid),
+	                     pairs->displacement +
+	                             (size_t)at->pair*hawser__displacements(plane, &t->cable.grid));
 }
 
 /* The accepted attempt becomes the result; it keeps the grid. */
@@ -236,7 +238,8 @@ static enum hawser_status solve_adaptive(struct attempt *t, const struct hawser_
                                          struct hawser_report *report)
 {
 	int elements = hawser__cable_elements(st), tries = 0;
-	int p = hawser__cable_degree(elements, options->n);
+	int p = st->attachments > 0 ? hawser__cable_degree_attached(st, options->n)
+	                            : hawser__cable_degree(elements, options->n);
 	int most = UNKNOWNS_MAX/(2*elements);
 	double worst = HUGE_VAL, before, target;
 

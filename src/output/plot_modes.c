@@ -9,6 +9,8 @@
 #include "output/panels.h"
 #include "output/style.h"
 
+#define MARK "pt 7 ps 0.5 lc rgb 'black'" /* of attachments */
+
 enum { most_panels = HAWSER__PANELS, samples = 161 };
 static const double enlarged = 0.08; /* of the chord: largest displacement drawn */
 
@@ -119,30 +121,46 @@ enum hawser_status hawser__plot_modes(const char *path, const struct hawser_mode
 
 /* --- the displaced span --- */
 
-/* Columns 1 to 6: x and height of the span at rest and displaced in both directions, m. */
+/* Columns 1 to 6: x and height of the point s at rest and displaced in both directions, m. */
+static void displaced_point(FILE *script, const struct hawser_modes *modes, int k, double s,
+                            double scale)
+{
+	const struct hawser_statics *st = &modes->statics;
+	struct hawser_profile_point rest = hawser_statics_at(st, s*st->span.d);
+	struct hawser_frame_point frame = hawser_statics_frame(st, s);
+	int out = modes->mode[k].plane == HAWSER_OUT_OF_PLANE;
+	double dx, dy, shape[3];
+
+	hawser_modes_at(modes, shape, NULL, k, s);
+	dx = out ? 0.0 : scale*(shape[0]*frame.ex - shape[1]*frame.ey);
+	dy = out ? scale*shape[2] : scale*(shape[0]*frame.ey + shape[1]*frame.ex);
+	if (out)
+		rest.y = 0.0;
+	fprintf(script, "%.9g %.9g %.9g %.9g %.9g %.9g\n", rest.x, rest.y, rest.x + dx, rest.y + dy,
+	        rest.x - dx, rest.y - dy);
+}
+
+/* The span, with its kinks, and the attachments. */
 static void displaced_data(FILE *script, const struct hawser_modes *modes, int k)
 {
 	const struct hawser_statics *st = &modes->statics;
-	double chord = hypot(st->span.d, st->span.h), shape[3], most = 0.0, scale;
-	int out = modes->mode[k].plane == HAWSER_OUT_OF_PLANE, i, c;
+	double chord = hypot(st->span.d, st->span.h), most = 0.0, scale;
+	int i, c, next = 0;
 
 	for (c = 0; c < 3; c++)
 		most = fmax(most, largest_of(modes, k, c));
 	scale = enlarged*chord/most;
 	fprintf(script, "$mode%d << END\n", k);
 	for (i = 0; i < samples; i++) {
-		double s = st->l*i/(samples - 1), dx, dy;
-		struct hawser_profile_point rest = hawser_statics_at(st, s*st->span.d);
-		struct hawser_frame_point frame = hawser_statics_frame(st, s);
+		double s = st->l*i/(samples - 1);
 
-		hawser_modes_at(modes, shape, NULL, k, s);
-		dx = out ? 0.0 : scale*(shape[0]*frame.ex - shape[1]*frame.ey);
-		dy = out ? scale*shape[2] : scale*(shape[0]*frame.ey + shape[1]*frame.ex);
-		if (out)
-			rest.y = 0.0;
-		fprintf(script, "%.9g %.9g %.9g %.9g %.9g %.9g\n", rest.x, rest.y, rest.x + dx,
-		        rest.y + dy, rest.x - dx, rest.y - dy);
+		for (; next < st->attachments && st->attached[next].s < s; next++)
+			displaced_point(script, modes, k, st->attached[next].s, scale);
+		displaced_point(script, modes, k, s, scale);
 	}
+	fprintf(script, "END\n$attached%d << END\n", k);
+	for (i = 0; i < st->attachments; i++)
+		displaced_point(script, modes, k, st->attached[i].s, scale);
 	fputs("END\n", script);
 }
 
@@ -164,7 +182,7 @@ static void heights(double *low, double *high, const struct hawser_modes *modes)
 	*high += margin;
 }
 
-static void displaced_legend(struct hawser__picture *picture)
+static void displaced_legend(struct hawser__picture *picture, int attachments)
 {
 	struct hawser__legend entries = {0};
 
@@ -172,6 +190,8 @@ static void displaced_legend(struct hawser__picture *picture)
 	hawser__legend_add(&entries, "in the plane", "with lines lt 1");
 	hawser__legend_add(&entries, "from above, {/:Italic z}", "with lines lt 3");
 	hawser__legend_add(&entries, "half a period later", "with lines lt 7 lw 0.7 dt (3,3)");
+	if (attachments > 0)
+		hawser__legend_add(&entries, "attachments", "with points " MARK);
 	hawser__legend_draw(picture, &entries);
 }
 
@@ -204,9 +224,12 @@ enum hawser_status hawser__plot_displaced(const char *path, const struct hawser_
 		title(script, modes, k);
 		fprintf(script, "plot $mode%d using 1:2 with lines lt 7 lw 0.8 dt (8,6), "
 		                "$mode%d using 3:4 with lines lt %d, "
-		                "$mode%d using 5:6 with lines lt %d lw 0.7 dt (3,3)\n", k, k, out ? 3 : 1, k,
+		                "$mode%d using 5:6 with lines lt %d lw 0.7 dt (3,3)", k, k, out ? 3 : 1, k,
 		        out ? 3 : 1);
+		if (modes->statics.attachments > 0)
+			fprintf(script, ", $attached%d using 3:4 with points " MARK, k);
+		fputc('\n', script);
 	}
-	displaced_legend(&picture);
+	displaced_legend(&picture, modes->statics.attachments);
 	return hawser__picture_finish(&picture, report);
 }

@@ -313,6 +313,10 @@ enum hawser_status hawser__rom_begin(struct hawser_rom *rom, const struct hawser
 	status = hawser__rom_real(modes, report);
 	if (status)
 		return status;
+	if (modes->statics.attachments > 0)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+		                    "the reduced model of a cable with attachments is not available yet: "
+		                    "hawser statics and hawser modes have it; remove attach for the rest");
 	if (!(modes->statics.epsilon > 0.0))
 		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "rom",
 		                    "an inextensible cable (EA = %g N) has no strain energy: "

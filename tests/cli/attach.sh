@@ -69,6 +69,17 @@ else
 	skip "gnuplot is not installed"
 fi
 
+# --- modes
+works "modes with carriers" modes "$scene" -n 6 --json modes.json
+python "the carriers are heavy" <<'END'
+import json
+mode = json.load(open("modes.json"))["modes"]
+# light cable between heavy masses: nearly 4 degrees of freedom in each plane
+assert abs(mode[0]["omega"] - 1.25058) < 1e-4 and mode[0]["plane"] == "out-of-plane"
+assert all(m["residual"] < 1e-12 for m in mode)
+END
+refuses_like 1 "the method fdm is for a cable without attachments" modes "$scene" --method fdm
+
 # --- what compares or sweeps cables without attachments
 refuses_like 1 "models compares cables without attachments" statics "$scene" --models
 refuses_like 1 "compares cables without attachments" statics "$scene" --model parabola
