@@ -6,6 +6,7 @@ INTEGRATE_TESTS = \
 	tests/unit/test-surge \
 	tests/property/test-integrate-long \
 	tests/property/test-integrate-stiff \
+	tests/property/test-integrate-swept \
 	tests/property/test-integrate-tolerance \
 	tests/extremes/test-integrate-late \
 	tests/extremes/test-integrate-memory
@@ -32,3 +33,5 @@ check_PROGRAMS += tests/property/test-rom-full-motion
 TESTS += tests/property/test-rom-full-motion
 tests_property_test_rom_full_motion_SOURCES = tests/property/test-rom-full-motion.c
 tests_property_test_rom_full_motion_LDADD = $(UPTO_RESPONSE)
+tests_property_test_integrate_swept_SOURCES = tests/property/test-integrate-swept.c
+tests_property_test_integrate_swept_LDADD = $(UPTO_RESPONSE)

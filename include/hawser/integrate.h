@@ -21,8 +21,12 @@ const struct hawser_integrate_method *hawser_integrate_method(int index);
 
 struct hawser_integrate_options {
 	double omega;      /* scaled forcing frequency; > 0 if the model has harmonics */
+	double omega_to;   /* a slow sweep: the frequency changes linearly from omega at `begin` to this
+	                    * value at `until`; 0: it is constant. Forces that contain a power of the
+	                    * frequency have that of the instant */
 	double begin;      /* scaled time of the first row, >= 0. The phase of the forcing at time t is
-	                    * omega*t, and a ramp begins at t = 0 */
+	                    * omega*t and the integral of the change of the frequency, and a ramp
+	                    * begins at t = 0 */
 	double until;      /* scaled end time, > begin */
 	double every;      /* scaled output interval, > 0 and <= until - begin */
 	double rtol, atol; /* local tolerances of u and u', relative and absolute (scaled); 0: 1e-10 and
@@ -58,6 +62,10 @@ enum hawser_status hawser_integrate(struct hawser_trajectory *trajectory,
                                     const struct hawser_rom *rom,
                                     const struct hawser_integrate_options *options,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* Phase and frequency of the forcing at time t of a run with these options. */
+struct hawser_rom_moment hawser_integrate_moment(const struct hawser_integrate_options *options,
+                                                 double t);
 
 /* error [trajectory->rows]: estimated error of the state of each row, relative to the largest state of
  * the run. The estimate is the difference from a second run with smaller tolerances; it never

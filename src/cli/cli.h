@@ -241,6 +241,7 @@ struct cli_last {
 	double *state;  /* [2n] u then u' */
 	double t;       /* of a run */
 	double omega;   /* forcing frequency, there */
+	int swept;      /* 1: a run with --Omega-to */
 	int direction;  /* of a response, in Omega: 1, -1; 0: not given in the result */
 	enum hawser_frf_end end; /* of a response */
 };

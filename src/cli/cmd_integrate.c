@@ -13,7 +13,7 @@
 
 struct settings {
 	struct cli_common common;
-	const char *omega, *until, *every, *initial, *resume, *method;
+	const char *omega, *omega_to, *until, *every, *initial, *resume, *method;
 	double rtol, atol;
 	int n, spectrum, partial, error;
 };
@@ -23,6 +23,8 @@ static const struct settings defaults = {
 
 static const struct cli_option options[] = {
 	{"Omega", 0, "FREQUENCY", "forcing frequency; required if there is a load", CLI_TEXT(omega)},
+	{"Omega-to", 0, "FREQUENCY", "slow sweep: the frequency changes linearly to this one",
+	 CLI_TEXT(omega_to)},
 	{"until", 0, "TIME", "end of the run (100T)", CLI_TEXT(until)},
 	{"every", 0, "TIME", "interval between output rows (0.01T)", CLI_TEXT(every)},
 	{"initial", 0, "FILE", "state to start from (rest)", CLI_TEXT(initial)},
@@ -46,6 +48,24 @@ static const char *const notes[] = {
 /* More rows would not fit in memory as a table. */
 static const double most_rows = 2e7;
 
+/* The end of a sweep, and what does not go with it. */
+static enum hawser_status sweep(struct hawser_integrate_options *choice,
+                                const struct settings *settings, const struct cli_model *model,
+                                struct hawser_report *report)
+{
+	const char *not_with = settings->resume ? "--continue: the phase of the forcing is not known"
+	                       : settings->spectrum ? "--spectrum, which needs a constant frequency"
+	                       : NULL;
+
+	if (model->has_scene && model->scene.travel.present &&
+	    (model->scene.travel.fluctuation > 0.0 || model->scene.travel.braking > 0.0))
+		not_with = "a travel speed that changes";
+	if (not_with)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
+		                    "--Omega-to %s does not go with %s", settings->omega_to, not_with);
+	return cli_frequency(&choice->omega_to, settings->omega_to, "Omega-to", model, report);
+}
+
 static enum hawser_status times(struct hawser_integrate_options *choice, double *period,
                                 const struct settings *settings, const struct cli_model *model,
                                 struct hawser_report *report)
@@ -54,6 +74,10 @@ static enum hawser_status times(struct hawser_integrate_options *choice, double 
 
 	if (settings->omega)
 		status = cli_frequency(&choice->omega, settings->omega, "Omega", model, report);
+	else if (settings->omega_to)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
+		                      "--Omega-to %s ends a sweep: give its beginning with --Omega",
+		                      settings->omega_to);
 	else if (model->rom.harmonics > 0 || model->automatic)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
 		                      "the model is forced: give its frequency with --Omega, such as "
@@ -62,6 +86,8 @@ static enum hawser_status times(struct hawser_integrate_options *choice, double 
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
 		                      "the model has no natural frequency to set the unit of --until and "
 		                      "--every: give --Omega");
+	if (!status && settings->omega_to)
+		status = sweep(choice, settings, model, report);
 	if (status)
 		return status;
 	*period = 2.0*M_PI/(settings->omega ? choice->omega : model->natural[0]);
@@ -98,6 +124,17 @@ static enum hawser_status look_again(struct cli_integrate_result *result,
 /* With modes: auto modes are chosen for this range of frequencies, over that of the forcing. */
 static const double around[2] = {0.8, 1.25};
 
+/* Ends of the range of the forcing. */
+static double lowest(const struct hawser_integrate_options *choice)
+{
+	return choice->omega_to > 0.0 ? fmin(choice->omega, choice->omega_to) : choice->omega;
+}
+
+static double highest(const struct hawser_integrate_options *choice)
+{
+	return fmax(choice->omega, choice->omega_to);
+}
+
 /* The initial state, if the user gives one; last->state owns it. */
 static enum hawser_status choose_start(struct hawser_integrate_options *choice,
                                        struct cli_last *last, const struct settings *settings,
@@ -114,6 +151,10 @@ static enum hawser_status choose_start(struct hawser_integrate_options *choice,
 	if (status || !settings->resume)
 		return status;
 	choice->begin = last->t;
+	if (last->swept)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
+		                    "--continue %s: that run is a sweep, and its phase of the forcing is not "
+		                    "known; --initial starts from its last state anew", settings->resume);
 	if (fabs(choice->omega - last->omega) > 1e-9*last->omega)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
 		                    "--continue %s: that run has Omega = %.12g, and this one would have %.12g; "
@@ -132,9 +173,10 @@ static enum hawser_status solve(struct hawser_trajectory *run, struct cli_integr
 	enum hawser_status status = times(&choice, &result->period, settings, model, report);
 
 	if (!status && model->automatic)
-		status = cli_choice_build(model, around[0]*choice.omega, around[1]*choice.omega, report);
+		status = cli_choice_build(model, around[0]*lowest(&choice), around[1]*highest(&choice),
+		                          report);
 	if (!status)
-		status = cli_known(model, choice.omega, report);
+		status = cli_known(model, highest(&choice), report);
 	if (!status)
 		status = choose_start(&choice, &last, settings, model, report);
 	if (status) {
@@ -146,6 +188,7 @@ static enum hawser_status solve(struct hawser_trajectory *run, struct cli_integr
 	choice.method = settings->method;
 	choice.progress = (struct hawser_progress){cli_watch, &watch};
 	result->omega = choice.omega;
+	result->forcing = choice;
 	result->every = choice.every;
 	status = hawser_integrate(run, &model->rom, &choice, report);
 	if (!status && settings->error && !run->interrupted)

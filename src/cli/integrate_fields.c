@@ -6,7 +6,8 @@
 
 #include "cli/integrate_result.h"
 
-enum { PROBED = 1, TENSIONS = 2, ERROR = 4, SPECTRUM = 8, KNOWN = 16, SURGES = 32, UNKNOWN = 64 };
+enum { PROBED = 1, TENSIONS = 2, ERROR = 4, SPECTRUM = 8, KNOWN = 16, SURGES = 32, UNKNOWN = 64,
+       SWEPT = 128 };
 
 static double signal_at(const void *context, const void *parent, size_t row, int k)
 {
@@ -77,6 +78,26 @@ static int rates_too(const void *context)
 	return 2*signals(context);
 }
 
+static double omega_at(const void *context, const void *parent, size_t row, int k)
+{
+	const struct cli_integrate_result *result = parent;
+
+	(void)context, (void)k;
+	return hawser_integrate_moment(&result->forcing, result->run.time[row]).omega;
+}
+
+static int one(const void *context)
+{
+	(void)context;
+	return 1;
+}
+
+static void omega_name(char *text, size_t size, const void *context, int k)
+{
+	(void)context, (void)k;
+	snprintf(text, size, "Omega");
+}
+
 static int states(const void *context)
 {
 	return 2*((const struct cli_integrate_result *)context)->model->rom.n;
@@ -113,6 +134,7 @@ static const struct hawser__vector
 	                 .number = signal_at, .rate = HAWSER__M_S},
 	tension_vector = {.shown = "PROBE", .count = probes, .name = probe_name, .number = tension_at},
 	state_vector = {.shown = "u_J", .count = states, .name = state_name, .rate = HAWSER__M_S},
+	omega_vector = {.shown = "Omega", .count = one, .name = omega_name, .number = omega_at},
 	probed_vector = {.count = probed, .name = probed_name, .number = probed_at, .unit = probed_unit,
 	                 .object = 1},
 	amplitude_vector = {.shown = "x_PROBE", .count = signals, .name = signal_name,
@@ -123,6 +145,8 @@ static const struct hawser__vector
 	.unit = HAWSER__M
 static const struct hawser__field history_field[] = {
 	{"times", "t", "time", OF(time), .unit = HAWSER__S, .axis = "Time {/:Italic t}"},
+	{NULL, "", "forcing frequency, with --Omega-to", HAWSER__VECTOR_OF(omega_vector),
+	 .unit = HAWSER__RAD_S, .when = SWEPT},
 	{"states", NULL, "a list a time: coordinates, then velocities", STATES},
 	{NULL, "", "displacement at a probe; vx_PROBE_m_s: its velocity",
 	 HAWSER__VECTOR_OF(signal_vector), .unit = HAWSER__M, .when = PROBED},
@@ -176,6 +200,8 @@ static const struct hawser__field integrate_field[] = {
 	{"model_error.reason", NULL, "why", HAWSER__TEXT_BY(cli_integrate_unknown), .when = UNKNOWN},
 	{"method", NULL, "integrator", OF(run.method)},
 	{"Omega", NULL, "forcing frequency; 0: none", OF(omega), .unit = HAWSER__RAD_S},
+	{"Omega_to", NULL, "with --Omega-to: that at the end", OF(forcing.omega_to),
+	 .unit = HAWSER__RAD_S, .when = SWEPT},
 	{"end", NULL, "complete, interrupted or failed", HAWSER__TEXT_BY(cli_integrate_end)},
 	{"", NULL, "", HAWSER__ARRAYS_OF(history_list), .flags = HAWSER__STREAM},
 	{"probes", NULL, "by name", HAWSER__ARRAYS_OF(probes_list), .flags = HAWSER__STREAM},
@@ -216,7 +242,8 @@ static struct cli_head head(const void *of)
 		(result->probed ? PROBED : 0u) | (result->tensions ? TENSIONS : 0u) |
 		(result->error ? ERROR : 0u) | (result->spectrum ? SPECTRUM : 0u) |
 		(isfinite(result->least) ? KNOWN : 0u) | (result->surges ? SURGES : 0u) |
-		(cli_integrate_unknown(result) ? UNKNOWN : 0u));
+		(cli_integrate_unknown(result) ? UNKNOWN : 0u) |
+		(result->forcing.omega_to > 0.0 ? SWEPT : 0u));
 
 	head.view.context = result;
 	return head;

@@ -39,9 +39,7 @@ static const double *state_at(const struct cli_integrate_result *result, size_t 
 
 static struct hawser_rom_moment moment_at(const struct cli_integrate_result *result, size_t row)
 {
-	double t = result->run.time[row];
-
-	return (struct hawser_rom_moment){.tau = result->omega*t, .omega = result->omega, .time = t};
+	return hawser_integrate_moment(&result->forcing, result->run.time[row]);
 }
 
 double cli_integrate_signal(const struct cli_integrate_result *result, int k, size_t row, int rate)
@@ -245,6 +243,10 @@ void cli_integrate_comments(struct hawser__table *table, const void *of)
 		                      cli_integrate_unknown(result));
 	if (result->omega > 0.0)
 		hawser__table_comment(table, "Omega = %.12g%s", result->omega*per_omega,
+		                      cli_unit(result->model, " rad/s"));
+	if (result->forcing.omega_to > 0.0)
+		hawser__table_comment(table, "Omega changes linearly to %.12g%s",
+		                      result->forcing.omega_to*per_omega,
 		                      cli_unit(result->model, " rad/s"));
 	hawser__table_comment(table, "period T = %.12g%s, output every %.12g%s",
 	                      result->period/per_omega, cli_unit(result->model, " s"),

@@ -10,6 +10,7 @@ struct cli_integrate_result {
 	const struct cli_model *model;
 	struct hawser_trajectory run;
 	double omega, every; /* scaled */
+	struct hawser_integrate_options forcing; /* omega, omega_to, begin and until of the run */
 	double *error;       /* [rows] of hawser_integrate_error, or NULL */
 	double period;       /* scaled, of the forcing or the first natural frequency */
 	int signals, probed; /* probed: displacement components at probes; else coordinates */

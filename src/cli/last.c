@@ -36,6 +36,7 @@ static void read_run(struct cli_last *last, struct cli_model *then, const json_t
 	view.context = &past;
 	hawser__fields_read(&past, cli_integrate_showing.fields, root, &view);
 	last->omega = past.omega;
+	last->swept = past.forcing.omega_to > 0.0;
 }
 
 /* --- the same model? --- */

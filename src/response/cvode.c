@@ -49,7 +49,10 @@ struct cvode {
 /* Phase of the forcing at CVODE's time t. */
 static double phase_at(const struct cvode *cvode, double t)
 {
-	return cvode->phase + hawser__stepper_phase(&cvode->base, t, 0.0);
+	const struct hawser__stepper *base = &cvode->base;
+
+	return cvode->phase + hawser__stepper_turned(base->omega, t, 0.0) +
+	       base->rate*t*(base->begin - base->since + 0.5*t);
 }
 
 static int right_hand_side(sunrealtype t, N_Vector y, N_Vector slope, void *user)
@@ -69,7 +72,7 @@ static int jacobian(sunrealtype t, N_Vector y, N_Vector slope, SUNMatrix matrix,
                     N_Vector scratch1, N_Vector scratch2, N_Vector scratch3)
 {
 	struct cvode *cvode = user;
-	double omega = cvode->base.omega;
+	double omega = hawser__stepper_omega(&cvode->base, cvode->base.begin + t);
 	int n = cvode->base.rom->n;
 	const double *u = NV_DATA_S(y);
 

@@ -153,9 +153,10 @@ static int fill_slopes(struct gauss *gauss, double h)
 		const double *y = gauss->stage + i*2*n;
 
 		double since = gauss->table.node[i]*h;
+		double omega = hawser__stepper_omega(&gauss->base, gauss->end + 0.5*since); /* the mean */
 
 		if (hawser__stepper_acceleration(&gauss->base, gauss->slope + i*n, gauss->end + since,
-		                                 gauss->phase + gauss->base.omega*since, y, y + n))
+		                                 gauss->phase + omega*since, y, y + n))
 			return -1;
 	}
 	return 0;

@@ -94,6 +94,24 @@ static double slack(double t, double every)
 	return fmin(1e-12*t, 1e-3*every);
 }
 
+/* --- the forcing --- */
+
+/* Change of the frequency per time. */
+static double rate_of(const struct hawser_integrate_options *options)
+{
+	return options->omega_to > 0.0
+	       ? (options->omega_to - options->omega)/(options->until - options->begin) : 0.0;
+}
+
+struct hawser_rom_moment hawser_integrate_moment(const struct hawser_integrate_options *options,
+                                                 double t)
+{
+	double rate = rate_of(options), since = t - options->begin;
+
+	return (struct hawser_rom_moment){.tau = options->omega*t + 0.5*rate*since*since,
+	                                  .omega = options->omega + rate*since, .time = t};
+}
+
 /* --- arguments --- */
 
 static enum hawser_status check_times(const struct hawser_integrate_options *options,
@@ -110,6 +128,10 @@ static enum hawser_status check_times(const struct hawser_integrate_options *opt
 		                    "the run begins at t = %g%s: that must not be negative, and before "
 		                    "its end (until), %g%s", HAWSER_SHOWN_TIME(rom, options->begin),
 		                    HAWSER_SHOWN_TIME(rom, options->until));
+	if (!(options->omega_to >= 0.0) || !isfinite(options->omega_to))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, WHERE,
+		                    "the forcing frequency (Omega) ends at %g: it must be positive and "
+		                    "finite", options->omega_to);
 	if (!(options->every > 0.0) || options->every > options->until)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, WHERE,
 		                    "the output interval (every) is %g%s: it must be positive and no "
@@ -328,7 +350,8 @@ enum hawser_status hawser_integrate(struct hawser_trajectory *trajectory,
 {
 	const struct hawser__method *method = choose(options->method, rom);
 	struct course course = {.method = method, .problem = {
-		.rom = rom, .omega = options->omega, .until = options->until,
+		.rom = rom, .omega = options->omega, .rate = rate_of(options),
+		.since = options->begin, .until = options->until,
 		.rtol = or_default(options->rtol, HAWSER_DEFAULT_RTOL),
 		.atol = or_default(options->atol, HAWSER_DEFAULT_ATOL),
 		.max_steps = options->max_steps ? options->max_steps : HAWSER_DEFAULT_MAX_STEPS,

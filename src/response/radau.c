@@ -182,7 +182,8 @@ static int factorise(struct radau *radau, double h)
 		double phase = hawser__stepper_phase(base, t, radau->end_low);
 
 		hawser_rom_acceleration_jacobian(base->rom, radau->right, radau->by_u, radau->by_v,
-		                                 radau->by_omega, u, u + n, phase, base->omega);
+		                                 radau->by_omega, u, u + n, phase,
+		                                 hawser__stepper_omega(base, t));
 		if (base->rom->ramp)
 			hawser__rom_ramp(base->rom, radau->right, radau->by_u, radau->by_v, u, u + n, t,
 			                 base->over);

@@ -15,18 +15,29 @@
 #include "response/stepper.h"
 #include "rom/ramp.h"
 
+double hawser__stepper_omega(const struct hawser__stepper *stepper, double t)
+{
+	return stepper->omega + stepper->rate*(t - stepper->since);
+}
+
 /* The plain product has an error of half a unit in its last place, which after a million periods is
  * 1e-9: as noise between evaluations, that is too much for a small tolerance. A fused
  * multiplication recovers the rounding error, and 2 pi has a second part. */
-double hawser__stepper_phase(const struct hawser__stepper *stepper, double t, double low)
+double hawser__stepper_turned(double omega, double t, double low)
 {
 	const double turn = 6.283185307179586, rest = 2.4492935982947064e-16;
-	double product = stepper->omega*t, part = fmod(product, turn);
+	double product = omega*t, part = fmod(product, turn);
 
 	if (!isfinite(part))
 		return product;
-	return part + (fma(stepper->omega, t, -product) + stepper->omega*low -
-	               (product - part)/turn*rest);
+	return part + (fma(omega, t, -product) + omega*low - (product - part)/turn*rest);
+}
+
+double hawser__stepper_phase(const struct hawser__stepper *stepper, double t, double low)
+{
+	double swept = t - stepper->since + low;
+
+	return hawser__stepper_turned(stepper->omega, t, low) + 0.5*stepper->rate*swept*swept;
 }
 
 int hawser__stepper_acceleration(struct hawser__stepper *stepper, double *acceleration, double t,
@@ -34,7 +45,7 @@ int hawser__stepper_acceleration(struct hawser__stepper *stepper, double *accele
 {
 	const struct hawser_rom *rom = stepper->rom;
 
-	hawser_rom_acceleration(rom, acceleration, u, v, phase, stepper->omega);
+	hawser_rom_acceleration(rom, acceleration, u, v, phase, hawser__stepper_omega(stepper, t));
 	if (rom->ramp)
 		hawser__rom_ramp(rom, acceleration, NULL, NULL, u, v, t, stepper->over);
 	stepper->evaluations++;
@@ -67,7 +78,7 @@ double hawser__stepper_first(const struct hawser__stepper *stepper)
 		}
 		rate = fmax(rate, sqrt(stiffness) + damping);
 	}
-	rate = fmax(rate, highest*stepper->omega);
+	rate = fmax(rate, highest*fmax(stepper->omega, hawser__stepper_omega(stepper, stepper->until)));
 	return rate > 0.0 ? fmin(0.5/rate, stepper->until - stepper->begin)
 	                  : (stepper->until - stepper->begin)/16.0;
 }

@@ -22,7 +22,9 @@
 /* The problem, and the cost of its solution so far. */
 struct hawser__stepper {
 	const struct hawser_rom *rom;
-	double omega;      /* forcing frequency; 0: none */
+	double omega;      /* forcing frequency at `since`; 0: none */
+	double rate;       /* its change per time */
+	double since;      /* time at which the run begins */
 	double rtol, atol;
 	double begin;      /* time at which the integration starts */
 	double until;      /* time beyond which nothing is evaluated */
@@ -59,7 +61,11 @@ extern const struct hawser__method hawser__gauss, hawser__radau, hawser__adams, 
 /* The method of a model for which none is named. */
 const struct hawser__method *hawser__integrate_default(const struct hawser_rom *rom);
 
-/* Omega times t + low, modulo 2 pi, with the accuracy of round-off for any t. */
+/* The forcing frequency at time t. */
+double hawser__stepper_omega(const struct hawser__stepper *stepper, double t);
+/* omega (t + low) modulo 2 pi, with the accuracy of round-off for any t. */
+double hawser__stepper_turned(double omega, double t, double low);
+/* Phase of the forcing at t + low: this, and what the change of the frequency adds. */
 double hawser__stepper_phase(const struct hawser__stepper *stepper, double t, double low);
 
 /* Length of the first step: `first`, or short compared with the period of the forcing and with all

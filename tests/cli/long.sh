@@ -209,4 +209,21 @@ END
 else
 	skip "python3 is not installed"
 fi
+works "a slow sweep" integrate "$chairlift" --Omega 0.8w1 --Omega-to 0.9w1 --until 20T --every 0.5T --json swept.json \
+	--tsv swept.tsv -q
+python "its frequency" <<'END'
+import json
+r = json.load(open("swept.json"))
+rows = [l.split("\t") for l in open("swept.tsv") if l[0] != "#"]
+k = rows[0].index("Omega_rad_s")
+assert float(rows[1][k]) == r["Omega"] and abs(float(rows[-1][k])/r["Omega_to"] - 1) < 1e-12
+assert abs(r["Omega_to"]/r["Omega"] - 9/8) < 1e-9
+END
+refuses 1 "--continue swept.json: that run is a sweep, and its phase of the forcing is not known; --initial starts from its last state anew" \
+	integrate "$chairlift" --Omega 0.8w1 --until 40T --continue swept.json
+refuses 1 "--Omega-to 0.9w1 ends a sweep: give its beginning with --Omega" integrate "$chairlift" --Omega-to 0.9w1
+refuses 1 "--Omega-to 0.9w1 does not go with --spectrum, which needs a constant frequency" \
+	integrate "$chairlift" --Omega 0.8w1 --Omega-to 0.9w1 --spectrum
+refuses 1 "--Omega-to 9 does not go with a travel speed that changes" \
+	integrate "$top/notebooks-data/scenes/b-table-5.4.yaml" --Omega 5 --Omega-to 9
 done_testing
