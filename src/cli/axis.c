@@ -81,13 +81,27 @@ static const char *shown_unit(const char *unit)
 	return unit;
 }
 
+/* Whether the row is that of the key: "attach.2.mass" and "attach.NAME.mass" are attach.mass. */
+static int is_of(const struct hawser_scene_key *row, const char *key, size_t length)
+{
+	size_t section = strcspn(key, "."), leaf = length;
+
+	while (leaf > 0 && key[leaf - 1] != '.')
+		leaf--;
+	if (leaf > section + 1) /* three parts */
+		return strncmp(row->path, key, section + 1) == 0 &&
+		       strlen(row->path + section + 1) == length - leaf &&
+		       strncmp(row->path + section + 1, key + leaf, length - leaf) == 0;
+	return strlen(row->path) == length && strncmp(row->path, key, length) == 0;
+}
+
 const char *cli_key_unit(const char *key)
 {
 	const struct hawser_scene_key *row;
 	size_t length = strcspn(key, "[");
 
 	for (int k = 0; (row = hawser_scene_key(k)); k++)
-		if (strlen(row->path) == length && strncmp(row->path, key, length) == 0)
+		if (is_of(row, key, length))
 			return row->unit;
 	return "1";
 }

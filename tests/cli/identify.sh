@@ -55,6 +55,15 @@ sed 's/0.001, -/0.00001, -/' planes.csv >sure.csv
 run identify span.yaml sure.csv --free tension.T0 -q
 try "deviations that explain nothing" grep -q "larger than the deviations explain" "$scratch/err"
 
+carriers=$top/notebooks-data/scenes/ropeway-carriers.yaml
+works "modes with a lighter carrier" modes "$carriers" -n 8 --set attach.carrier-2.mass="700 kg" --tsv carriers.tsv -q
+works "the mass of a carrier" identify "$carriers" carriers.tsv --free attach.carrier-2.mass --json mass.json -q
+python "is found, in kg" <<'END'
+import json
+mass = json.load(open("mass.json"))["parameters"][0]
+assert abs(mass["value"] - 700) < 1e-4 and mass["start"] == 820 and mass["unit"] == "kg"
+END
+
 refuses 1 "identify needs --free KEY,...: the parameters to be fitted, such as --free tension.T0" identify span.yaml modes.tsv
 refuses 1 "identify needs a SCENE and a table of FREQUENCIES (hawser identify --help)" identify span.yaml --free g
 refuses_like 1 "one or none|takes one SCENE FREQUENCIES" identify span.yaml modes.tsv third --free g
