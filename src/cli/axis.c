@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "cli/cli.h"
+#include "cli/axis.h"
 
 /* Quantity and symbol ("": none) in gnuplot's markup. */
 static const struct {

@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include "cli/axis.h"
 #include "cli/beam_result.h"
 #include "core/report.h"
 

@@ -474,28 +474,4 @@ extern const struct cli_showing cli_map_showing;
 void cli_map_boundary(struct hawser__table *table, const struct cli_map_result *result);
 enum hawser_status cli_map_draw(const char *path, const void *result, struct hawser_report *report);
 
-/* An axis of a plane of parameters: KEY=FROM:TO in SI (Omega: rad/s or the model's own unit), from
- * < to. `key` is in `copy`, which the caller frees. */
-struct cli_map_axis {
-	char *copy;
-	const char *key, *unit;
-	double from, to;
-};
-enum hawser_status cli_map_axis(struct cli_map_axis *axis, const char *option, const char *text,
-                                struct cli_model *model, struct hawser_report *report);
-/* In rad/s, or the model's own unit. */
-enum hawser_status cli_map_frequency(double *omega, const char *text, const char *option,
-                                     struct cli_model *model, struct hawser_report *report);
-
-/* An axis that shows a key of the scene, Omega or a factor up to `largest`, in units of `unit`. */
-struct hawser__axis cli_axis(const char *key, const char *unit, double largest);
-/* "ρ = 10", in gnuplot's markup: value and unit of a key of the scene. */
-void cli_axis_value(char *text, size_t size, const char *key, double value);
-/* Unit of a key of the scene; "1" for a pure number and for other names. "load.per_length[2]" is an
- * element of a key. */
-const char *cli_key_unit(const char *key);
-/* Words and symbol ("": none) of the key, in gnuplot's markup. Returns 0, with the key itself, if
- * the table has no row for it. */
-int cli_axis_quantity(const char **quantity, const char **symbol, const char *key);
-
 #endif

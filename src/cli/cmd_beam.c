@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/axis.h"
 #include "cli/beam_result.h"
 #include "cli/view.h"
 #include "core/report.h"

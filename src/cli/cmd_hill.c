@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/axis.h"
 #include "cli/hill_result.h"
 #include "cli/progress.h"
 #include "cli/view.h"

@@ -9,6 +9,7 @@
 
 #include <hawser/identify.h>
 
+#include "cli/axis.h"
 #include "cli/measured.h"
 #include "cli/view.h"
 #include "core/report.h"

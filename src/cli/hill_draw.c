@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "cli/axis.h"
 #include "cli/hill_result.h"
 #include "core/report.h"
 

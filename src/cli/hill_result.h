@@ -3,6 +3,7 @@
 #ifndef HAWSER_CLI_HILL_RESULT_H
 #define HAWSER_CLI_HILL_RESULT_H
 
+#include "cli/axis.h"
 #include "cli/cli.h"
 
 enum { CLI_HILL_ORDERS = 12 };

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/axis.h"
 #include "cli/irvine_result.h"
 #include "core/report.h"
 

@@ -1,6 +1,7 @@
 bin_PROGRAMS += hawser
 hawser_SOURCES = \
 	%D%/axis.c \
+	%D%/axis.h \
 	%D%/beam_boundary.c \
 	%D%/beam_draw.c \
 	%D%/beam_fields.c \

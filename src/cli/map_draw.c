@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/cli.h"
+#include "cli/axis.h"
 #include "core/report.h"
 
 enum { MOST_PIXELS = 500 }; /* along an axis */
