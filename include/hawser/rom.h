@@ -1,7 +1,8 @@
 /* hawser/rom.h - the reduced-order model: modal equations with quadratic and cubic terms.
  *
  *   u_j'' + D_jk u_k' + K_jk u_k + sum Q_jkl u_k u_l + sum C_jklm u_k u_l u_m
- *     = sum over harmonics of Omega^omega_power * cos|sin(k Omega t) * (f_j - D_jk u_k' - K_jk u_k)
+ *     = sum over harmonics of Omega^omega_power * cos|sin(k Omega t)
+ *       * (f_j - D_jk u_k' - K_jk u_k - sum Q_jkl u_k u_l)
  *
  * Everything here is scaled (statics.h) unless the name or comment says SI. Tensors are kept as
  * lists of unique nonzero entries in lexicographic order, k <= l (<= m): a listed value is the
@@ -32,11 +33,14 @@ struct hawser_cubic {
 enum hawser_phase { HAWSER_COS = 0, HAWSER_SIN };
 
 struct hawser_harmonic {
-	int k; /* >= 1 */
+	int k; /* >= 0; 0, of phase HAWSER_COS and without D: the term is constant */
 	enum hawser_phase phase;
-	int omega_power; /* 0, 1 or 2 */
+	int omega_power; /* 0, 1 or 2; 0 if there is a Q */
+	int load_power;  /* power of the load factor (folds.h, map.h) that multiplies the term; 0: 1 */
 	double *f;       /* [n], or NULL for none */
 	double *D, *K;   /* [n][n] row-major, or NULL */
+	int quads;
+	struct hawser_quad *Q; /* [quads], or NULL */
 	/* The displacement and the strain that the force causes in the modes that are not kept, at the
 	 * shape points and along the line, or NULL: answer[0] + (k Omega)^2 answer[1], the static
 	 * response and the first correction for inertia. They change probes and tension only, not the

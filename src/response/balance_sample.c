@@ -16,6 +16,7 @@
 
 #include "response/balance.h"
 #include "rom/kernel.h"
+#include "rom/vary.h"
 
 /* Add s * q [n] * cos or sin(h tau) to out [harmonics][n], up to harmonic `reach`, for h of either
  * sign. */
@@ -160,9 +161,12 @@ static void transform_tangents(struct hawser__balance *balance, double omega)
 	for (int p = 0; p < rom->harmonics; p++) {
 		const struct hawser_harmonic *harmonic = &rom->harmonic[p];
 		struct waves T = {balance->T, balance->spread, n2};
+		/* the constant of T is twice the mean */
+		double factor = harmonic->k ? 1.0 : 2.0;
 
 		if (harmonic->K)
-			add_product(&T, harmonic, pow(omega, harmonic->omega_power), harmonic->K, 0);
+			add_product(&T, harmonic, factor*pow(omega, harmonic->omega_power),
+			            harmonic->K, 0);
 	}
 }
 
@@ -189,6 +193,8 @@ static void evaluate(struct hawser__balance *balance, int derive)
 	            balance->basis, columns, balance->at, n, 0.0, balance->base.samples, n);
 	hawser__rom_tangents(rom, balance->force, derive ? balance->tangent : NULL,
 	                     balance->base.samples, rows, balance->work);
+	hawser__rom_vary_all(rom, balance->force, derive ? balance->tangent : NULL,
+	                     balance->base.samples, rows);
 	cblas_dgemm(CblasRowMajor, CblasTrans, CblasNoTrans, 2*balance->reach + 1, n, rows, 2.0/rows,
 	            balance->basis, columns, balance->force, n, 0.0, balance->defect, n);
 	cblas_dscal(n, 0.5, balance->defect, 1);

@@ -10,6 +10,7 @@
 #include "core/report.h"
 #include "response/flow.h"
 #include "rom/kernel.h"
+#include "rom/vary.h"
 
 /* Largest d H for which the damping of a coordinate is part of the formula. */
 #define LARGEST_DAMPING 1.0
@@ -241,6 +242,16 @@ HAWSER_PART void set_slope(struct hawser__flow *flow, int s)
 		add_harmonic(flow, f, *lanes(flow->wave, k), k);
 }
 
+/* The terms of vary.h, added to the restoring force and to its derivative. */
+HAWSER_PART void set_varying(struct hawser__flow *flow, double *by_u)
+{
+	for (int k = 0; k < flow->rom->harmonics; k++)
+		for (int lane = 0; flow->rom->harmonic[k].quads > 0 && lane < LANES; lane++)
+			hawser__rom_vary_by(&flow->rom->harmonic[k], flow->wave[k*LANES + lane],
+			                    flow->force + lane, by_u ? by_u + lane : NULL,
+			                    flow->stage_u + lane, flow->n, LANES);
+}
+
 /* Contribution of the harmonics to the derivatives of f. */
 HAWSER_PART void set_derivatives(struct hawser__flow *flow, int s, double omega)
 {
@@ -322,11 +333,12 @@ static double step(struct hawser__flow *flow, int derive, int live, double omega
 	double error;
 
 	for (int s = 0; s < STAGES; s++) {
+		double *by_u = derive ? flow->by_u + (size_t)s*n*n*LANES : NULL;
+
 		set_stage(flow, s, derive);
-		hawser__rom_lanes(flow->rom, flow->force,
-		                  derive ? flow->by_u + (size_t)s*n*n*LANES : NULL, flow->stage_u,
-		                  live, flow->work);
+		hawser__rom_lanes(flow->rom, flow->force, by_u, flow->stage_u, live, flow->work);
 		set_waves(flow, s, omega);
+		set_varying(flow, by_u);
 		set_slope(flow, s);
 		if (derive)
 			set_derivatives(flow, s, omega);

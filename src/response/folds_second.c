@@ -19,6 +19,7 @@
 
 #include "response/folds.h"
 #include "rom/kernel.h"
+#include "rom/vary.h"
 
 #define DIFFERENCE 1e-2 /* increment relative to the largest coordinate of the orbit; chosen for
                          * models with the exact energy */
@@ -90,13 +91,13 @@ static int parametric(const struct hawser_rom *rom)
 	int found = 0;
 
 	for (int p = 0; p < rom->harmonics; p++)
-		found |= rom->harmonic[p].K || rom->harmonic[p].D;
+		found |= rom->harmonic[p].K || rom->harmonic[p].D || rom->harmonic[p].quads > 0;
 	return found;
 }
 
 /* q [R][n] += (by_stiffness K x + by_damping D x') of the parametric terms, x in time_u and x' in
  * time_v. The factors are functions of Omega: K s and D s Omega with s = Omega^power cos|sin, or
- * their derivatives. */
+ * their derivatives. With rom the full model, of all terms the derivatives by the load factor. */
 static void parametric_terms(const struct hawser__fold *fold, double *q, const double *x,
                              const double *dx, int derivative, const struct hawser_rom *rom)
 {
@@ -106,7 +107,9 @@ static void parametric_terms(const struct hawser__fold *fold, double *q, const d
 	for (int p = 0; p < rom->harmonics; p++) {
 		const struct hawser_harmonic *harmonic = &rom->harmonic[p];
 		int power = harmonic->omega_power;
-		double s = pow(omega, power), stiff = derivative ? power*s/omega : s;
+		double rate = rom == fold->load.full
+		              ? hawser__load_rate(harmonic, fold->load.factor) : 1.0;
+		double s = rate*pow(omega, power), stiff = derivative ? power*s/omega : s;
 		double damp = derivative ? (power + 1)*s : s*omega;
 
 		for (int r = 0; r < rows; r++) {
@@ -117,6 +120,29 @@ static void parametric_terms(const struct hawser__fold *fold, double *q, const d
 				multiply(q + at, harmonic->K, x + at, stiff*wave, n);
 			if (harmonic->D)
 				multiply(q + at, harmonic->D, dx + at, damp*wave, n);
+		}
+	}
+}
+
+/* q [R][n] += the derivative by the load factor of Q u u or, if x [R][n] is not NULL, of its
+ * variation by x; u the orbit. */
+static void varying_terms(const struct hawser__fold *fold, double *q, const double *x)
+{
+	const struct hawser_rom *full = fold->load.full;
+	int n = full->n, rows = fold->balance.base.rows;
+
+	for (int p = 0; p < full->harmonics; p++) {
+		const struct hawser_harmonic *harmonic = &full->harmonic[p];
+		double rate = hawser__load_rate(harmonic, fold->load.factor);
+
+		for (int i = 0; i < harmonic->quads*rows; i++) {
+			const struct hawser_quad *e = &harmonic->Q[i%harmonic->quads];
+			int r = i/harmonic->quads;
+			const double *u = fold->balance.base.samples + (size_t)r*n;
+			const double *v = x ? x + (size_t)r*n : NULL;
+
+			q[r*n + e->j] += rate*wave_at(harmonic, r, rows)*e->value*
+			                 (x ? u[e->k]*v[e->l] + v[e->k]*u[e->l] : u[e->k]*u[e->l]);
 		}
 	}
 }
@@ -134,6 +160,8 @@ static void by_orbit(struct hawser__fold *fold)
 		cblas_daxpy(count, sign*h, fold->time_v, 1, fold->time_u, 1);
 		hawser__rom_tangents(rom, fold->force, sign > 0 ? fold->plus : fold->minus,
 		                     fold->time_u, rows, fold->work);
+		hawser__rom_vary_all(rom, fold->force, sign > 0 ? fold->plus : fold->minus,
+		                     fold->time_u, rows);
 	}
 	cblas_daxpy(count*n, -1.0, fold->minus, 1, fold->plus, 1);
 	for (int r = 0; r < rows; r++)
@@ -170,6 +198,7 @@ static void by_parameters(struct hawser__fold *fold)
 		return;
 	memset(q, 0, (size_t)count*sizeof *q);
 	parametric_terms(fold, q, v, dv, 0, fold->load.full);
+	varying_terms(fold, q, v);
 	fold->g_load = -fold->L*cblas_ddot(count, fold->time_w, 1, q, 1);
 }
 
@@ -202,10 +231,12 @@ void hawser__fold_by_load(struct hawser__fold *fold, double *by_load)
 		derive(balance, fold->wave_v);
 		to_time(balance, fold->time_v, fold->wave_v);
 		parametric_terms(fold, fold->time_q, balance->base.samples, fold->time_v, 0, full);
+		varying_terms(fold, fold->time_q, NULL);
 	}
 	for (int p = 0; p < full->harmonics; p++) {
 		const struct hawser_harmonic *harmonic = &full->harmonic[p];
-		double s = pow(omega, harmonic->omega_power);
+		double s = pow(omega, harmonic->omega_power)*
+		           hawser__load_rate(harmonic, fold->load.factor);
 
 		for (int r = 0; harmonic->f && r < rows; r++)
 			cblas_daxpy(n, -s*wave_at(harmonic, r, rows), harmonic->f, 1,

@@ -324,7 +324,7 @@ static int driven(const struct hawser_rom *rom)
 
 		for (int j = 0; harmonic->f && j < rom->n; j++)
 			found |= harmonic->f[j] != 0.0;
-		found |= harmonic->D || harmonic->K;
+		found |= harmonic->D || harmonic->K || harmonic->quads > 0;
 	}
 	return found;
 }

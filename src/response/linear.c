@@ -260,8 +260,10 @@ static enum hawser_status collect(struct hawser_linear *l, int *order, const str
 		l->series[e] = 2.0*rom->K[e];
 	for (int h = 0; h < rom->harmonics; h++) {
 		const struct hawser_harmonic *harmonic = &rom->harmonic[h];
-		size_t row = 2*(size_t)harmonic->k - (harmonic->phase == HAWSER_COS);
-		double factor = pow(omega, harmonic->omega_power);
+		int sine = harmonic->phase == HAWSER_SIN;
+		size_t row = harmonic->k ? 2*(size_t)harmonic->k - 1 + (size_t)sine : 0;
+		/* twice the mean, as of K */
+		double factor = pow(omega, harmonic->omega_power)*(harmonic->k ? 1.0 : 2.0);
 
 		for (size_t e = 0; harmonic->K && e < n2; e++)
 			l->series[row*n2 + e] += factor*harmonic->K[e];

@@ -7,7 +7,6 @@
 #include "core/report.h"
 #include "response/load.h"
 #include "rom/kernel.h"
-#include "rom/kernel.h"
 
 /* Memory for an array of the harmonic, at *memory, or NULL if the harmonic has none. */
 static double *take(double **memory, const double *full, size_t count)
@@ -23,8 +22,9 @@ static double *take(double **memory, const double *full, size_t count)
 enum hawser_status hawser__load_open(struct hawser__load *load, const struct hawser_rom *rom,
                                      struct hawser_report *report)
 {
-	size_t n = (size_t)rom->n, room = 0, probes = HAWSER__ANSWER(rom),
+	size_t n = (size_t)rom->n, room = 0, quads = 0, probes = HAWSER__ANSWER(rom),
 	       line = HAWSER__ANSWER_LINE(rom);
+	struct hawser_quad *quad;
 	double *at;
 
 	*load = (struct hawser__load){.full = rom, .rom = *rom, .factor = 1.0};
@@ -32,9 +32,12 @@ enum hawser_status hawser__load_open(struct hawser__load *load, const struct haw
 		room += (rom->harmonic[h].f ? n : 0) + (rom->harmonic[h].D ? n*n : 0) +
 		        (rom->harmonic[h].K ? n*n : 0) + (rom->harmonic[h].answer ? probes : 0) +
 		        (rom->harmonic[h].answer_line ? line : 0);
+	for (int h = 0; h < rom->harmonics; h++)
+		quads += (size_t)rom->harmonic[h].quads;
 	load->rom.harmonic = malloc(((size_t)rom->harmonics + 1)*sizeof *load->rom.harmonic);
 	load->memory = at = malloc((room + 1)*sizeof *load->memory);
-	if (!load->rom.harmonic || !load->memory)
+	load->quad = quad = malloc((quads + 1)*sizeof *load->quad);
+	if (!load->rom.harmonic || !load->memory || !load->quad)
 		return hawser__no_memory(report, "load");
 	for (int h = 0; h < rom->harmonics; h++) {
 		struct hawser_harmonic *harmonic = &load->rom.harmonic[h];
@@ -43,6 +46,9 @@ enum hawser_status hawser__load_open(struct hawser__load *load, const struct haw
 		harmonic->f = take(&at, harmonic->f, n);
 		harmonic->D = take(&at, harmonic->D, n*n);
 		harmonic->K = take(&at, harmonic->K, n*n);
+		harmonic->Q = harmonic->quads > 0 ? quad : NULL;
+		for (int i = 0; i < harmonic->quads; i++)
+			*quad++ = rom->harmonic[h].Q[i];
 		harmonic->answer = take(&at, harmonic->answer, probes);
 		harmonic->answer_line = take(&at, harmonic->answer_line, line);
 	}
@@ -56,6 +62,24 @@ static void scale(double *to, const double *from, size_t count, double factor)
 		to[i] = factor*from[i];
 }
 
+double hawser__load_share(const struct hawser_harmonic *harmonic, double factor)
+{
+	double share = factor;
+
+	for (int p = 1; p < harmonic->load_power; p++)
+		share *= factor;
+	return share;
+}
+
+double hawser__load_rate(const struct hawser_harmonic *harmonic, double factor)
+{
+	double rate = harmonic->load_power > 1 ? harmonic->load_power : 1.0;
+
+	for (int p = 1; p < harmonic->load_power; p++)
+		rate *= factor;
+	return rate;
+}
+
 void hawser__load_set(struct hawser__load *load, double factor)
 {
 	size_t n = (size_t)load->full->n;
@@ -65,12 +89,16 @@ void hawser__load_set(struct hawser__load *load, double factor)
 		const struct hawser_harmonic *full = &load->full->harmonic[h];
 		struct hawser_harmonic *mine = &load->rom.harmonic[h];
 
+		double share = hawser__load_share(full, factor);
+
 		/* NOLINTNEXTLINE(clang-analyzer-core.CallAndMessage): both models have as many harmonics */
-		scale(mine->f, full->f, n, factor);
-		scale(mine->D, full->D, n*n, factor);
-		scale(mine->K, full->K, n*n, factor);
-		scale(mine->answer, full->answer, HAWSER__ANSWER(load->full), factor);
-		scale(mine->answer_line, full->answer_line, HAWSER__ANSWER_LINE(load->full), factor);
+		scale(mine->f, full->f, n, share);
+		scale(mine->D, full->D, n*n, share);
+		scale(mine->K, full->K, n*n, share);
+		for (int i = 0; i < full->quads; i++)
+			mine->Q[i].value = share*full->Q[i].value;
+		scale(mine->answer, full->answer, HAWSER__ANSWER(load->full), share);
+		scale(mine->answer_line, full->answer_line, HAWSER__ANSWER_LINE(load->full), share);
 	}
 }
 
@@ -78,5 +106,6 @@ void hawser__load_clear(struct hawser__load *load)
 {
 	free(load->rom.harmonic);
 	free(load->memory);
+	free(load->quad);
 	*load = (struct hawser__load){0};
 }

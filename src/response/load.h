@@ -10,12 +10,18 @@ struct hawser__load {
 	const struct hawser_rom *full;
 	struct hawser_rom rom;
 	double *memory;
+	struct hawser_quad *quad; /* the Q of the harmonics */
 	double factor;
 };
 
 enum hawser_status hawser__load_open(struct hawser__load *load, const struct hawser_rom *rom,
                                      struct hawser_report *report);
 void hawser__load_set(struct hawser__load *load, double factor);
+
+/* The factor of a harmonic at a load factor, and its derivative by the load factor. */
+double hawser__load_share(const struct hawser_harmonic *harmonic, double factor);
+double hawser__load_rate(const struct hawser_harmonic *harmonic, double factor);
+
 void hawser__load_clear(struct hawser__load *load);
 
 #endif

@@ -7,7 +7,8 @@
  *                   harmonic h = h_v + h_w. If this is the harmonic of a mode of R, the force is
  *                   secular: a monomial of the equation of the mode. Every other mode has the
  *                   response -q/(omega_s^2 - h^2 Omega_0^2)
- *    parametric     K u + D u' of a harmonic with each carrier is a force of second order likewise
+ *    parametric     K u + D u' of a harmonic with each carrier is a force of second order likewise;
+ *                   its Q u u with each pair of carriers is one of third order
  *    third order    at the harmonic p_r, on mode r: 2 Q(c_v, response), C of three carriers, and the
  *                   parametric force of a response
  *
@@ -163,14 +164,20 @@ static enum hawser_status carriers(struct hawser_modulation *m, struct hawser_re
 /* --- forces --- */
 
 /* q [n] += weight*Q(a, b), symmetric in a and b. */
-static void quadratic(double complex *q, const struct hawser_rom *rom, const double complex *a,
-                      const double complex *b, double weight)
+static void quadratic_of(double complex *q, const struct hawser_quad *Q, int quads,
+                         const double complex *a, const double complex *b, double complex weight)
 {
-	for (int i = 0; i < rom->quads; i++) {
-		const struct hawser_quad *e = &rom->Q[i];
+	for (int i = 0; i < quads; i++) {
+		const struct hawser_quad *e = &Q[i];
 
 		q[e->j] += weight*e->value*0.5*(a[e->k]*b[e->l] + a[e->l]*b[e->k]);
 	}
+}
+
+static void quadratic(double complex *q, const struct hawser_rom *rom, const double complex *a,
+                      const double complex *b, double weight)
+{
+	quadratic_of(q, rom->Q, rom->quads, a, b, weight);
 }
 
 /* The terms of C, on mode s, for the product of three carriers: each distinct order of them once. */
@@ -377,6 +384,30 @@ static enum hawser_status of_three(struct hawser_modulation *m, struct hawser__c
 	return status;
 }
 
+/* The terms of the harmonics' Q, for every two carriers. */
+static enum hawser_status of_varying(struct hawser_modulation *m, struct hawser__collection *room,
+                                     double complex *q, int v, int w, struct hawser_report *report)
+{
+	const struct hawser_rom *rom = m->rom;
+	const struct hawser_carrier *a = &m->carrier[v], *b = &m->carrier[w];
+	const int factor[3] = {a->variable, b->variable, -1};
+	enum hawser_status status = HAWSER_OK;
+
+	for (int i = 0; !status && i < 2*rom->harmonics; i++) {
+		const struct hawser_harmonic *harmonic = &rom->harmonic[i/2];
+		int sign = i%2 ? -1 : 1;
+		double complex half = harmonic->phase == HAWSER_COS ? 0.5 : -0.5*I*sign;
+
+		if (harmonic->quads == 0)
+			continue;
+		memset(q, 0, (size_t)rom->n*sizeof *q);
+		quadratic_of(q, harmonic->Q, harmonic->quads, hawser__complex(a->c),
+		             hawser__complex(b->c), v == w ? half : 2.0*half);
+		status = collect(m, room, q, a->h + b->h + sign*harmonic->k, factor, report);
+	}
+	return status;
+}
+
 enum hawser_status hawser_modulation_derive(struct hawser_modulation *m,
                                             const struct hawser_rom *rom,
                                             const struct hawser_resonance *resonance,
@@ -399,6 +430,9 @@ enum hawser_status hawser_modulation_derive(struct hawser_modulation *m,
 		status = second_order(m, &room, q, report);
 	for (int i = 0; !status && i < m->answers; i++)
 		status = of_answer(m, &room, q, &m->answer[i], report);
+	for (int w = 0; !status && w < m->carriers; w++)
+		for (int v = 0; !status && v <= w; v++)
+			status = of_varying(m, &room, q, v, w, report);
 	for (int x = 0; !status && x < m->carriers; x++)
 		for (int w = 0; !status && w <= x; w++)
 			for (int v = 0; !status && v <= w; v++)

@@ -116,6 +116,23 @@ static void put_harmonics(FILE *out, const struct hawser_rom *rom, const char *n
 	}
 }
 
+/* Q of the harmonics. */
+static void put_varying(FILE *out, const struct hawser_rom *rom)
+{
+	int count = 0;
+
+	for (int h = 0; h < rom->harmonics; h++)
+		count += rom->harmonic[h].quads;
+	declare(out, "EQ", count, 4);
+	count = 0;
+	for (int h = 0; h < rom->harmonics; h++)
+		for (int i = 0; i < rom->harmonic[h].quads; i++) {
+			const struct hawser_quad *q = &rom->harmonic[h].Q[i];
+
+			put_entry(out, "EQ", ++count, (int[]){q->j, q->k, q->l, h}, 4, q->value);
+		}
+}
+
 static void put_matrix(FILE *out, const char *name, const double *value, int n)
 {
 	const int first[2] = {0, 0};
@@ -158,6 +175,7 @@ static void put_model(FILE *out, const struct hawser_rom *rom)
 	put_harmonics(out, rom, "EF", 'f');
 	put_harmonics(out, rom, "ED", 'D');
 	put_harmonics(out, rom, "EK", 'K');
+	put_varying(out, rom);
 }
 
 static void put_start(FILE *out, const struct hawser__cycle *cycle, double omega)

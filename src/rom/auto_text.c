@@ -1,7 +1,7 @@
 /* rom/auto_text.c - the Fortran code that evaluates the DATA of an exported model.
  *
  *    W(h)    Omega^power cos|sin(k Omega t) of harmonic h; WS, WC its derivatives by U(2n+1), U(2n+2)
- *    G(:,h)  f - D v - K u of harmonic h
+ *    G(:,h)  f - D v - K u - Q u u of harmonic h
  *
  * With z = cos + i sin, d(z^k) = k z^(k-1) dz gives WS and WC.
  *
@@ -13,7 +13,8 @@
 const char hawser__auto_head[] =
 	"!   U(1..N) u   U(N+1..2N) du/dt   U(2N+1) sin(Omega t)   U(2N+2) cos(Omega t)\n"
 	"!   PAR(1) Omega   PAR(11) period; all scaled\n"
-	"! Lists: D, K, Q, C are the model's; EF, ED, EK the harmonics' f, D, K (last index: harmonic).\n"
+	"! Lists: D, K, Q, C are the model's; EF, ED, EK, EQ the harmonics' f, D, K, Q\n"
+	"! (last index: harmonic).\n"
 	"! HK, HS, HP: multiple of Omega, sine or not, power of Omega.\n"
 	"SUBROUTINE FUNC(NDIM,U,ICP,PAR,IJAC,F,DFDU,DFDP)\n"
 	"  IMPLICIT NONE\n"
@@ -36,12 +37,12 @@ const char hawser__auto_func[] =
 	"    P = PAR(1)**HP(H)\n"
 	"    IF (HS(H) == 1) THEN\n"
 	"      W(H) = P*SI(L)\n"
-	"      WS(H) = P*L*CO(L-1)\n"
-	"      WC(H) = P*L*SI(L-1)\n"
+	"      WS(H) = P*L*CO(MAX(L-1,0))\n"
+	"      WC(H) = P*L*SI(MAX(L-1,0))\n"
 	"    ELSE\n"
 	"      W(H) = P*CO(L)\n"
-	"      WS(H) = -P*L*SI(L-1)\n"
-	"      WC(H) = P*L*CO(L-1)\n"
+	"      WS(H) = -P*L*SI(MAX(L-1,0))\n"
+	"      WC(H) = P*L*CO(MAX(L-1,0))\n"
 	"    END IF\n"
 	"    WP(H) = HP(H)*W(H)/PAR(1)\n"
 	"  END DO\n"
@@ -54,6 +55,11 @@ const char hawser__auto_func[] =
 	"  END DO\n"
 	"  DO I = 1, NEK\n"
 	"    G(EKI(1,I),EKI(3,I)) = G(EKI(1,I),EKI(3,I)) - EK(I)*U(EKI(2,I))\n"
+	"  END DO\n"
+	"  DO I = 1, NEQ\n"
+	"    J = EQI(1,I)\n"
+	"    H = EQI(4,I)\n"
+	"    G(J,H) = G(J,H) - EQ(I)*U(EQI(2,I))*U(EQI(3,I))\n"
 	"  END DO\n"
 	"  F(1:N) = U(N+1:2*N)\n"
 	"  F(N+1:2*N) = 0\n"
@@ -112,6 +118,15 @@ const char hawser__auto_func[] =
 	"    L = EKI(2,I)\n"
 	"    DFDU(J,L) = DFDU(J,L) - W(EKI(3,I))*EK(I)\n"
 	"  END DO\n"
+	"  DO I = 1, NEQ\n"
+	"    J = N + EQI(1,I)\n"
+	"    L = EQI(2,I)\n"
+	"    M = EQI(3,I)\n"
+	"    R = W(EQI(4,I))*EQ(I)\n"
+	"    DFDU(J,L) = DFDU(J,L) - R*U(M)\n"
+	"    DFDU(J,M) = DFDU(J,M) - R*U(L)\n"
+	"  END DO\n"
+	"  R = 1 - U(2*N+1)**2 - U(2*N+2)**2\n"
 	"  DO H = 1, NH\n"
 	"    DFDU(N+1:2*N,2*N+1) = DFDU(N+1:2*N,2*N+1) + WS(H)*G(:,H)\n"
 	"    DFDU(N+1:2*N,2*N+2) = DFDU(N+1:2*N,2*N+2) + WC(H)*G(:,H)\n"

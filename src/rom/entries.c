@@ -127,19 +127,29 @@ static enum hawser_status check_finite(const double *value, int count, int colum
 	return HAWSER_OK;
 }
 
-static enum hawser_status check_tensors(const struct hawser_rom *rom, struct hawser_report *report)
+/* `of`: "", or the harmonic to which the entries belong. */
+static enum hawser_status check_quads(const struct hawser_quad *Q, int count, int n, const char *of,
+                                      struct hawser_report *report)
 {
-	int n = rom->n;
-
-	for (int i = 0; i < rom->quads; i++) {
-		const struct hawser_quad *q = &rom->Q[i];
+	for (int i = 0; i < count; i++) {
+		const struct hawser_quad *q = &Q[i];
 
 		if (outside(q->j, n) || outside(q->k, n) || outside(q->l, n) || !isfinite(q->value))
 			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
-			                    "Q: entry %d is [%d, %d, %d, %g]; indices must be 0 to %d "
-			                    "and the value finite", i, q->j, q->k, q->l, q->value,
-			                    n - 1);
+			                    "%sQ: entry %d is [%d, %d, %d, %g]; indices must be 0 "
+			                    "to %d and the value finite", of, i, q->j, q->k, q->l,
+			                    q->value, n - 1);
 	}
+	return HAWSER_OK;
+}
+
+static enum hawser_status check_tensors(const struct hawser_rom *rom, struct hawser_report *report)
+{
+	int n = rom->n;
+	enum hawser_status status = check_quads(rom->Q, rom->quads, n, "", report);
+
+	if (status)
+		return status;
 	for (int i = 0; i < rom->cubics; i++) {
 		const struct hawser_cubic *c = &rom->C[i];
 
@@ -192,6 +202,30 @@ enum hawser_status hawser__numbers_check(const struct hawser_rom *rom, enum haws
 	return status;
 }
 
+static enum hawser_status check_harmonic(const struct hawser_harmonic *harmonic, int h, int n,
+                                         struct hawser_report *report)
+{
+	char of[32];
+
+	if (harmonic->k < 0 || harmonic->k > HIGHEST_HARMONIC || harmonic->omega_power < 0 ||
+	    harmonic->omega_power > 2 || harmonic->load_power < 0 || harmonic->load_power > 9)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+		                    "harmonic %d: k is %d, omega_power %d and load_power %d; k must "
+		                    "be 0 to %d, omega_power 0, 1 or 2 and load_power 0 to 9", h,
+		                    harmonic->k, harmonic->omega_power, harmonic->load_power,
+		                    HIGHEST_HARMONIC);
+	if (harmonic->k == 0 && (harmonic->phase != HAWSER_COS || harmonic->D))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+		                    "harmonic %d: a constant term (k = 0) has the phase cos and no D; "
+		                    "constant damping belongs to the D of the model", h);
+	if (harmonic->quads > 0 && harmonic->omega_power != 0)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+		                    "harmonic %d: a Q with omega_power %d; it must be 0", h,
+		                    harmonic->omega_power);
+	snprintf(of, sizeof of, "harmonics[%d], ", h);
+	return check_quads(harmonic->Q, harmonic->quads, n, of, report);
+}
+
 enum hawser_status hawser__entries_check(const struct hawser_rom *rom, struct hawser_report *report)
 {
 	enum hawser_status status;
@@ -203,16 +237,10 @@ enum hawser_status hawser__entries_check(const struct hawser_rom *rom, struct ha
 	if ((status = hawser__numbers_check(rom, HAWSER_ERR_ARGUMENT, report)) ||
 	    (status = check_tensors(rom, report)))
 		return status;
-	for (int h = 0; h < rom->harmonics; h++) {
-		const struct hawser_harmonic *harmonic = &rom->harmonic[h];
-
-		if (harmonic->k < 1 || harmonic->k > HIGHEST_HARMONIC || harmonic->omega_power < 0 ||
-		    harmonic->omega_power > 2)
-			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
-			                    "harmonic %d: k is %d and omega_power %d; k must be 1 to %d "
-			                    "and omega_power 0, 1 or 2", h, harmonic->k,
-			                    harmonic->omega_power, HIGHEST_HARMONIC);
-	}
+	for (int h = 0; !status && h < rom->harmonics; h++)
+		status = check_harmonic(&rom->harmonic[h], h, rom->n, report);
+	if (status)
+		return status;
 	if (rom->ramp && (!(rom->ramp->time > 0.0) || !isfinite(rom->ramp->time)))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
 		                    "the ramp takes the time %g: it must be positive and finite",
@@ -220,18 +248,33 @@ enum hawser_status hawser__entries_check(const struct hawser_rom *rom, struct ha
 	return HAWSER_OK;
 }
 
-enum hawser_status hawser__entries_merge(struct hawser_rom *rom, struct hawser_report *report)
+static enum hawser_status check_sums(const struct hawser_quad *Q, int count,
+                                     struct hawser_report *report)
 {
-	rom->quads = merge_quads(rom->Q, rom->quads);
-	rom->cubics = merge_cubics(rom->C, rom->cubics);
-	for (int i = 0; i < rom->quads; i++) {
-		const struct hawser_quad *q = &rom->Q[i];
+	for (int i = 0; i < count; i++) {
+		const struct hawser_quad *q = &Q[i];
 
 		if (!isfinite(q->value))
 			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
 			                    "Q: the entries [%d, %d, %d] add up to %g; their sum must "
 			                    "be finite", q->j, q->k, q->l, q->value);
 	}
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser__entries_merge(struct hawser_rom *rom, struct hawser_report *report)
+{
+	enum hawser_status status;
+
+	rom->quads = merge_quads(rom->Q, rom->quads);
+	rom->cubics = merge_cubics(rom->C, rom->cubics);
+	for (int h = 0; h < rom->harmonics; h++)
+		rom->harmonic[h].quads = merge_quads(rom->harmonic[h].Q, rom->harmonic[h].quads);
+	if ((status = check_sums(rom->Q, rom->quads, report)))
+		return status;
+	for (int h = 0; h < rom->harmonics; h++)
+		if ((status = check_sums(rom->harmonic[h].Q, rom->harmonic[h].quads, report)))
+			return status;
 	for (int i = 0; i < rom->cubics; i++) {
 		const struct hawser_cubic *c = &rom->C[i];
 

@@ -1,7 +1,8 @@
 /* rom/forced.c - acceleration of the forced model and its exact derivatives.
  *
  * tau = Omega t is the phase. A harmonic adds s(tau) * (f - D v - K u) with
- * s = Omega^omega_power * cos|sin(k tau). A ramp adds the same with s, s^2 and ds/dt of a time.
+ * s = Omega^omega_power * cos|sin(k tau); its Q is added to the restoring force (vary.h). A ramp
+ * adds the same with s, s^2 and ds/dt of a time.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -10,6 +11,7 @@
 
 #include "rom/kernel.h"
 #include "rom/ramp.h"
+#include "rom/vary.h"
 
 static double factor(const struct hawser_harmonic *harmonic, double tau, double omega)
 {
@@ -68,6 +70,7 @@ void hawser_rom_acceleration(const struct hawser_rom *rom, double *acceleration,
                              const double *v, double tau, double omega)
 {
 	hawser_rom_restoring(rom, acceleration, u);
+	hawser__rom_vary_at(rom, acceleration, NULL, u, tau);
 	finish(rom, acceleration, u, v, tau, omega);
 }
 
@@ -79,6 +82,7 @@ void hawser_rom_acceleration_jacobian(const struct hawser_rom *rom, double *acce
 	int n = rom->n;
 
 	hawser_rom_tangent(rom, acceleration, by_u, u);
+	hawser__rom_vary_at(rom, acceleration, by_u, u, tau);
 	finish(rom, acceleration, u, v, tau, omega);
 	for (int i = 0; i < n*n; i++) {
 		by_u[i] = -by_u[i];

@@ -62,6 +62,8 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/shapes.c \
 	%D%/travel.c \
 	%D%/travel.h \
+	%D%/vary.c \
+	%D%/vary.h \
 	%D%/weigh.c \
 	%D%/weigh.h \
 	%D%/write.c \

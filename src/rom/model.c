@@ -115,6 +115,7 @@ void hawser_rom_clear(struct hawser_rom *rom)
 		free(rom->harmonic[h].f);
 		free(rom->harmonic[h].D);
 		free(rom->harmonic[h].K);
+		free(rom->harmonic[h].Q);
 		free(rom->harmonic[h].answer);
 		free(rom->harmonic[h].answer_line);
 	}

@@ -210,34 +210,50 @@ static enum hawser_status read_entry(const struct hawser__reader *reader, int *i
 	return hawser__read_number(reader, value, json_array_get(entry, (size_t)count), place);
 }
 
-static enum hawser_status read_tensor(const struct hawser__reader *reader, struct hawser_rom *rom,
-                                      const json_t *list, int cubic)
+static enum hawser_status read_quads(const struct hawser__reader *reader, struct hawser_quad **Q,
+                                     int *quads, int n, const json_t *list, const char *name)
 {
 	enum hawser_status status = HAWSER_OK;
 	size_t count = json_array_size(list);
-	const char *name = cubic ? "C" : "Q";
 
 	if (!json_is_array(list))
 		return unwanted(reader, name, list, "a list of entries");
-	if (cubic)
-		rom->C = malloc((count + 1)*sizeof *rom->C);
-	else
-		rom->Q = malloc((count + 1)*sizeof *rom->Q);
-	if (cubic ? !rom->C : !rom->Q)
+	*Q = malloc((count + 1)*sizeof **Q);
+	if (!*Q)
+		return hawser__no_memory(reader->report, "rom");
+	for (size_t i = 0; !status && i < count; i++) {
+		int index[3] = {0};
+		double value = 0.0;
+		char where[48];
+
+		snprintf(where, sizeof where, "%s[%zu]", name, i);
+		status = read_entry(reader, index, &value, 3, n, json_array_get(list, i), where);
+		(*Q)[(*quads)++] = (struct hawser_quad){index[0], index[1], index[2], value};
+	}
+	return status;
+}
+
+static enum hawser_status read_cubics(const struct hawser__reader *reader, struct hawser_rom *rom,
+                                      const json_t *list)
+{
+	enum hawser_status status = HAWSER_OK;
+	size_t count = json_array_size(list);
+
+	if (!json_is_array(list))
+		return unwanted(reader, "C", list, "a list of entries");
+	rom->C = malloc((count + 1)*sizeof *rom->C);
+	if (!rom->C)
 		return hawser__no_memory(reader->report, "rom");
 	for (size_t i = 0; !status && i < count; i++) {
 		int index[4] = {0};
 		double value = 0.0;
 		char where[32];
 
-		snprintf(where, sizeof where, "%s[%zu]", name, i);
-		status = read_entry(reader, index, &value, cubic ? 4 : 3, rom->n,
-		                    json_array_get(list, i), where);
-		if (cubic)
-			rom->C[rom->cubics++] = (struct hawser_cubic){index[0], index[1], index[2],
-			                                              index[3], value};
-		else
-			rom->Q[rom->quads++] = (struct hawser_quad){index[0], index[1], index[2], value};
+		snprintf(where, sizeof where, "C[%zu]", i);
+		status = read_entry(reader, index, &value, 4, rom->n, json_array_get(list, i),
+		                    where);
+		rom->C[rom->cubics++] = (struct hawser_cubic){index[0], index[1], index[2],
+		                                              index[3], value};
 	}
 	return status;
 }
@@ -282,8 +298,10 @@ static enum hawser_status read_harmonic(const struct hawser__reader *reader,
                                         struct hawser_harmonic *h, int n, json_t *object,
                                         const char *where)
 {
-	static const char *const keys[] = {"k", "phase", "omega_power", "f", "D", "K", "answer",
-	                                   "known", NULL};
+	static const char *const keys[] = {"k", "phase", "omega_power", "load_power", "f", "D", "K",
+	                                   "Q", "answer", "known", NULL};
+	const json_t *load = json_object_get(object, "load_power");
+	const json_t *Q = json_object_get(object, "Q");
 	const json_t *f = json_object_get(object, "f"), *D = json_object_get(object, "D");
 	const json_t *K = json_object_get(object, "K"), *power = json_object_get(object, "omega_power");
 	enum hawser_status status = hawser__read_keys(reader, object, keys, where);
@@ -291,15 +309,24 @@ static enum hawser_status read_harmonic(const struct hawser__reader *reader,
 
 	snprintf(place, sizeof place, "%s.k", where);
 	if (!status)
-		status = read_integer(reader, &h->k, json_object_get(object, "k"), 1, 0, place);
+		status = read_integer(reader, &h->k, json_object_get(object, "k"), 0, -1, place);
 	if (!status)
 		status = read_phase(reader, &h->phase, json_object_get(object, "phase"), where);
 	snprintf(place, sizeof place, "%s.omega_power", where);
 	if (!status && power)
 		status = read_integer(reader, &h->omega_power, power, 0, 2, place);
-	if (!status && !f && !D && !K)
-		return hawser__wrong(reader, "%s has none of f, D and K: give what it drives", where);
-	return status ? status : read_term(reader, &h->f, &h->D, &h->K, n, object, where);
+	snprintf(place, sizeof place, "%s.load_power", where);
+	if (!status && load)
+		status = read_integer(reader, &h->load_power, load, 1, 9, place);
+	if (!status && !f && !D && !K && !Q)
+		return hawser__wrong(reader, "%s has none of f, D, K and Q: give what it drives",
+		                     where);
+	if (!status)
+		status = read_term(reader, &h->f, &h->D, &h->K, n, object, where);
+	snprintf(place, sizeof place, "%s.Q", where);
+	if (!status && Q)
+		status = read_quads(reader, &h->Q, &h->quads, n, Q, place);
+	return status;
 }
 
 static enum hawser_status read_harmonics(const struct hawser__reader *reader,
@@ -401,9 +428,9 @@ static enum hawser_status read_model(const struct hawser__reader *reader, struct
 	if (!status && D)
 		status = read_matrix(reader, &rom->D, rom->n, D, "D");
 	if (!status && Q)
-		status = read_tensor(reader, rom, Q, 0);
+		status = read_quads(reader, &rom->Q, &rom->quads, rom->n, Q, "Q");
 	if (!status && C)
-		status = read_tensor(reader, rom, C, 1);
+		status = read_cubics(reader, rom, C);
 	if (!status && list)
 		status = read_harmonics(reader, rom, list);
 	if (!status && ramp)

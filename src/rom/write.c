@@ -59,12 +59,12 @@ static void words(struct hawser__writer *to, const char *key, char *const *word,
 	hawser__write_end(to);
 }
 
-static void quads(struct hawser__writer *to, const struct hawser_rom *rom)
+static void quads(struct hawser__writer *to, const struct hawser_quad *Q, int count)
 {
 	hawser__write_key(to, "Q");
-	hawser__write_begin(to, '[', rom->quads > 0);
-	for (int i = 0; i < rom->quads; i++) {
-		const struct hawser_quad *q = &rom->Q[i];
+	hawser__write_begin(to, '[', count > 0);
+	for (int i = 0; i < count; i++) {
+		const struct hawser_quad *q = &Q[i];
 
 		hawser__write_entry(to, (int[]){q->j, q->k, q->l}, 3, q->value);
 	}
@@ -96,12 +96,16 @@ static void term(struct hawser__writer *to, const double *f, const double *D, co
 static void harmonic(struct hawser__writer *to, const struct hawser_harmonic *h, int n, int points,
                      int known)
 {
-	hawser__write_begin(to, '{', h->D || h->K || h->answer);
+	hawser__write_begin(to, '{', h->D || h->K || h->quads > 0 || h->answer);
 	integer(to, "k", h->k);
 	hawser__write_key(to, "phase");
 	hawser__write_word(to, h->phase == HAWSER_COS ? "cos" : "sin");
 	integer(to, "omega_power", h->omega_power);
+	if (h->load_power > 1)
+		integer(to, "load_power", h->load_power);
 	term(to, h->f, h->D, h->K, n);
+	if (h->quads > 0)
+		quads(to, h->Q, h->quads);
 	if (h->answer)
 		block(to, "answer", h->answer, (size_t[]){2, (size_t)points, 4});
 	if (h->known)
@@ -193,7 +197,7 @@ static void members(struct hawser__writer *to, const struct hawser_rom *rom)
 	integer(to, "n", rom->n);
 	matrix(to, "D", rom->D, rom->n, rom->n);
 	matrix(to, "K", rom->K, rom->n, rom->n);
-	quads(to, rom);
+	quads(to, rom->Q, rom->quads);
 	cubics(to, rom);
 	harmonics(to, rom);
 	if (rom->ramp)

@@ -9,6 +9,7 @@
 
 #include "core/report.h"
 #include "response/linear_margin.h"
+#include "response/load.h"
 #include "rom/build.h"
 #include "study/map.h"
 #include "study/map_cable.h"
@@ -18,6 +19,7 @@ struct worker {
 	struct hawser__map_room room;
 	struct hawser_rom scaled; /* copy of a model with factors; its arrays follow */
 	double *numbers;
+	struct hawser_quad *quad;
 	struct hawser_harmonic *harmonic;
 	struct hawser_rom damped; /* copy of a model with another D */
 	double *D;
@@ -76,6 +78,7 @@ void hawser__map_worker_close(void *context)
 	release_point(worker);
 	hawser__map_room_clear(&worker->room);
 	free(worker->numbers);
+	free(worker->quad);
 	free(worker->harmonic);
 	free(worker->D);
 	free(worker);
@@ -107,12 +110,19 @@ static enum hawser_status scale(struct worker *worker, const struct hawser_rom *
                                 double damping, struct hawser_report *report)
 {
 	size_t n = (size_t)rom->n, h = (size_t)rom->harmonics;
-	double *numbers = realloc(worker->numbers, (n*n + h*(n + 2*n*n))*sizeof *numbers), *next;
+	double *numbers = realloc(worker->numbers, (n*n + h*(n + 2*n*n))*sizeof *numbers);
+	double *next, share;
+	struct hawser_quad *quad;
+	size_t quads = 0;
 	struct hawser_harmonic *harmonic = realloc(worker->harmonic, (h + 1)*sizeof *harmonic);
 
+	for (size_t i = 0; i < h; i++)
+		quads += (size_t)rom->harmonic[i].quads;
+	quad = realloc(worker->quad, (quads + 1)*sizeof *quad);
 	worker->numbers = numbers ? numbers : worker->numbers;
 	worker->harmonic = harmonic ? harmonic : worker->harmonic;
-	if (!numbers || !harmonic)
+	worker->quad = quad ? quad : worker->quad;
+	if (!numbers || !harmonic || !quad)
 		return hawser__no_memory(report, "map");
 	worker->scaled = *rom;
 	worker->scaled.D = numbers;
@@ -126,9 +136,15 @@ static enum hawser_status scale(struct worker *worker, const struct hawser_rom *
 	next = numbers + n*n;
 	for (size_t i = 0; i < h; i++) {
 		harmonic[i] = rom->harmonic[i];
-		harmonic[i].f = copy_scaled(&next, rom->harmonic[i].f, n, load);
-		harmonic[i].D = copy_scaled(&next, rom->harmonic[i].D, n*n, load);
-		harmonic[i].K = copy_scaled(&next, rom->harmonic[i].K, n*n, load);
+		share = hawser__load_share(&rom->harmonic[i], load);
+		harmonic[i].f = copy_scaled(&next, rom->harmonic[i].f, n, share);
+		harmonic[i].D = copy_scaled(&next, rom->harmonic[i].D, n*n, share);
+		harmonic[i].K = copy_scaled(&next, rom->harmonic[i].K, n*n, share);
+		harmonic[i].Q = quad;
+		for (int e = 0; e < rom->harmonic[i].quads; e++, quad++) {
+			*quad = rom->harmonic[i].Q[e];
+			quad->value *= share;
+		}
 	}
 	return HAWSER_OK;
 }

@@ -23,17 +23,17 @@ static double uniform(void)
 }
 
 /* A model with every kind of term: full D and K, Q, C, cosines and sines, powers of Omega,
- * parametric terms. */
+ * parametric terms, quadratic ones that vary, constant ones. */
 static int random_model(struct hawser_rom *rom)
 {
 	if (hawser__rom_init(rom, N, NULL))
 		return 0;
 	rom->Q = calloc(12, sizeof *rom->Q);
 	rom->C = calloc(20, sizeof *rom->C);
-	rom->harmonic = calloc(3, sizeof *rom->harmonic);
+	rom->harmonic = calloc(4, sizeof *rom->harmonic);
 	rom->quads = 12;
 	rom->cubics = 20;
-	rom->harmonics = 3;
+	rom->harmonics = 4;
 	for (int i = 0; i < N*N; i++) {
 		rom->K[i] = i%(N + 1) ? 0.2*uniform() : 2.0 + i;
 		rom->D[i] = i%(N + 1) ? 0.1*uniform() : 0.3;
@@ -55,6 +55,20 @@ static int random_model(struct hawser_rom *rom)
 			if (rom->harmonic[h].K)
 				rom->harmonic[h].K[i] = 0.1*uniform();
 		}
+	}
+	for (int h = 2; h < 4; h++) {
+		rom->harmonic[h].Q = calloc(7, sizeof(struct hawser_quad));
+		rom->harmonic[h].quads = 7;
+		for (int i = 0; i < 7; i++)
+			rom->harmonic[h].Q[i] = (struct hawser_quad){rand()%N, rand()%N, rand()%N,
+			                                             0.3*uniform()};
+	}
+	/* constant terms */
+	rom->harmonic[3].f = calloc(N, sizeof(double));
+	rom->harmonic[3].K = calloc(N*N, sizeof(double));
+	for (int i = 0; i < N*N; i++) {
+		rom->harmonic[3].f[i%N] = 0.05*uniform();
+		rom->harmonic[3].K[i] = 0.1*uniform();
 	}
 	return ok(!hawser_rom_compile(rom, NULL), "a model with every kind of term");
 }

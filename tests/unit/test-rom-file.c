@@ -75,10 +75,21 @@ static void check_messages(void)
 	refused(MODEL(", \"C\": [[0, 0, 0, 0, null]]"), "C[0]: the value is null");
 	refused(MODEL(", \"harmonics\": {}"), "harmonics is an object");
 	refused(MODEL(", \"harmonics\": [1]"), "harmonics[0] is 1|object");
-	refused(MODEL(", \"harmonics\": [{\"f\": [1, 0]}]"), "harmonics[0].k is missing|1 or more");
-	refused(MODEL(", \"harmonics\": [{\"k\": 0, \"f\": [1, 0]}]"), "harmonics[0].k is 0");
+	refused(MODEL(", \"harmonics\": [{\"f\": [1, 0]}]"), "harmonics[0].k is missing|0 or more");
+	refused(MODEL(", \"harmonics\": [{\"k\": -1, \"f\": [1, 0]}]"), "harmonics[0].k is -1");
+	refused(MODEL(", \"harmonics\": [{\"k\": 0, \"f\": [1, 0], \"phase\": \"sin\"}]"),
+	        "harmonic 0|a constant term (k = 0) has the phase cos and no D");
+	refused(MODEL(", \"harmonics\": [{\"k\": 0, \"D\": [[1, 0], [0, 1]]}]"), "and no D");
+	refused(MODEL(", \"harmonics\": [{\"k\": 1, \"Q\": [[0, 0, 2, 1]]}]"),
+	        "harmonics[0].Q[0]: index l is 2");
+	refused(MODEL(", \"harmonics\": [{\"k\": 1, \"Q\": [[0, 0, 1, 1]], \"omega_power\": 1}]"),
+	        "harmonic 0: a Q with omega_power 1; it must be 0");
+	refused(MODEL(", \"harmonics\": [{\"k\": 1, \"f\": [1, 0], \"load_power\": 0}]"),
+	        "harmonics[0].load_power is 0|from 1 to 9");
+	refused(MODEL(", \"harmonics\": [{\"k\": 1, \"Q\": [[0, 0, 1, 1e308], [0, 1, 0, 1e308]]}]"),
+	        "add up to inf");
 	refused(MODEL(", \"harmonics\": [{\"k\": 1, \"f\": [1]}]"), "harmonics[0].f|list of 2");
-	refused(MODEL(", \"harmonics\": [{\"k\": 1}]"), "harmonics[0] has none of f, D and K");
+	refused(MODEL(", \"harmonics\": [{\"k\": 1}]"), "harmonics[0] has none of f, D, K and Q");
 	refused(MODEL(", \"harmonics\": [{\"k\": 1, \"f\": [1, 0], \"phase\": \"tan\"}]"),
 	        "harmonics[0].phase is \"tan\"|\"cos\" or \"sin\"");
 	refused(MODEL(", \"harmonics\": [{\"k\": 1, \"f\": [1, 0], \"omega_power\": 3}]"),
@@ -86,7 +97,7 @@ static void check_messages(void)
 	refused(MODEL(", \"harmonics\": [{\"k\": 1, \"F\": [1, 0]}]"), "unknown key \"F\"|mean f?");
 	refused(MODEL(", \"harmonics\": [{\"k\": 1, \"D\": [1, 0]}]"), "harmonics[0].D[0] is 1");
 	refused(MODEL(", \"harmonics\": [{\"k\": 1, \"K\": [1]}]"), "harmonics[0].K is a list of 1");
-	refused(MODEL(", \"harmonics\": [{\"k\": 2000, \"f\": [1, 0]}]"), "k is 2000|1 to 1000");
+	refused(MODEL(", \"harmonics\": [{\"k\": 2000, \"f\": [1, 0]}]"), "k is 2000|0 to 1000");
 	refused(MODEL(", \"Q\": [[0, 0, 1, 1e308], [0, 1, 0, 1e308]]"), "Q: the entries [0, 0, 1] add up");
 	refused(MODEL(", \"C\": [[0, 0, 0, 1, 1e308], [0, 1, 0, 0, 1e308]]"),
 	        "C: the entries [0, 0, 0, 1] add up to inf");
@@ -189,7 +200,7 @@ static int fill(struct hawser_rom *rom, int n)
 {
 	*rom = (struct hawser_rom){.n = n, .D = many((size_t)n*n), .K = many((size_t)n*n),
 		.Q = calloc(40, sizeof *rom->Q), .C = calloc(60, sizeof *rom->C), .quads = 40,
-		.cubics = 60, .harmonic = calloc(2, sizeof *rom->harmonic), .harmonics = 2,
+		.cubics = 60, .harmonic = calloc(3, sizeof *rom->harmonic), .harmonics = 3,
 		.label = calloc((size_t)n, sizeof *rom->label), .length = 250.0/7.0,
 		.time = 1.0/3.0, .force = 8e4/11.0, .scaled = 1};
 	for (int i = 0; i < 40; i++)
@@ -199,6 +210,10 @@ static int fill(struct hawser_rom *rom, int n)
 	rom->harmonic[0] = (struct hawser_harmonic){.k = 1, .f = many((size_t)n)};
 	rom->harmonic[1] = (struct hawser_harmonic){.k = 3, .phase = HAWSER_SIN, .omega_power = 2,
 		.D = many((size_t)n*n), .K = many((size_t)n*n)};
+	rom->harmonic[2] = (struct hawser_harmonic){.k = 0, .load_power = 2, .quads = 5,
+		.Q = calloc(5, sizeof *rom->Q)};
+	for (int i = 0; i < 5; i++)
+		rom->harmonic[2].Q[i] = (struct hawser_quad){rand()%n, rand()%n, rand()%n, odd()};
 	rom->K[0] = 5e-324;
 	rom->D[0] = -0.0;
 	for (int j = 0; j < n; j++)
@@ -210,6 +225,16 @@ static int fill(struct hawser_rom *rom, int n)
 static int same(const double *a, const double *b, size_t count)
 {
 	return a && b ? !memcmp(a, b, count*sizeof *a) : a == b;
+}
+
+static int same_quads(const struct hawser_quad *a, const struct hawser_quad *b, int count)
+{
+	int same = 1;
+
+	for (int i = 0; i < count; i++)
+		same = same && a[i].j == b[i].j && a[i].k == b[i].k && a[i].l == b[i].l &&
+		       a[i].value == b[i].value;
+	return same;
 }
 
 static void check_round_trip(void)
@@ -232,12 +257,13 @@ static void check_round_trip(void)
 		q = q && b.C[i].j == a.C[i].j && b.C[i].k == a.C[i].k && b.C[i].l == a.C[i].l &&
 		    b.C[i].m == a.C[i].m && b.C[i].value == a.C[i].value;
 	ok(q && a.cubics == b.cubics, "C");
-	for (int h = 0; h < 2; h++) {
+	for (int h = 0; h < 3; h++) {
 		const struct hawser_harmonic *x = &a.harmonic[h], *y = &b.harmonic[h];
 
 		ok(x->k == y->k && x->phase == y->phase && x->omega_power == y->omega_power &&
-		   same(x->f, y->f, 4) && same(x->D, y->D, 16) && same(x->K, y->K, 16),
-		   "harmonic %d", h);
+		   same(x->f, y->f, 4) && same(x->D, y->D, 16) && same(x->K, y->K, 16) &&
+		   x->load_power == y->load_power && x->quads == y->quads &&
+		   same_quads(x->Q, y->Q, x->quads), "harmonic %d", h);
 	}
 	ok(b.scaled && a.length == b.length && a.time == b.time && a.force == b.force, "scale");
 	ok(!strcmp(b.label[0], a.label[0]) && !strcmp(b.label[3], a.label[3]), "labels");

@@ -238,6 +238,7 @@ static void check_errors(void)
 	rom.K[1] = 0.0;
 	rom.harmonic = calloc(1, sizeof *rom.harmonic);
 	rom.harmonics = 1;
+	rom.harmonic[0].k = -1;
 	ok(hawser_rom_compile(&rom, &report) == HAWSER_ERR_ARGUMENT, "%s", report.message);
 	hawser_rom_clear(&rom);
 	hawser_rom_clear(NULL);

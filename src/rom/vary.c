@@ -1,0 +1,59 @@
+/* rom/vary.c - terms of the restoring force that vary with the phase and are not linear: the Q of
+ * harmonics. See vary.h.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+
+#include "rom/vary.h"
+
+int hawser__rom_varies(const struct hawser_rom *rom)
+{
+	for (int h = 0; h < rom->harmonics; h++)
+		if (rom->harmonic[h].quads > 0)
+			return 1;
+	return 0;
+}
+
+void hawser__rom_vary_by(const struct hawser_harmonic *harmonic, double wave, double *restoring,
+                         double *tangent, const double *u, int n, int stride)
+{
+	for (int i = 0; i < harmonic->quads; i++) {
+		const struct hawser_quad *q = &harmonic->Q[i];
+		double value = wave*q->value, x = u[q->k*stride], y = u[q->l*stride];
+
+		restoring[q->j*stride] += value*x*y;
+		if (!tangent)
+			continue;
+		tangent[(q->j*n + q->k)*stride] += value*y;
+		tangent[(q->j*n + q->l)*stride] += value*x;
+	}
+}
+
+void hawser__rom_vary_at(const struct hawser_rom *rom, double *restoring, double *tangent,
+                         const double *u, double tau)
+{
+	for (int h = 0; h < rom->harmonics; h++) {
+		const struct hawser_harmonic *harmonic = &rom->harmonic[h];
+
+		if (harmonic->quads > 0)
+			hawser__rom_vary_by(harmonic, harmonic->phase == HAWSER_COS
+			                    ? cos(harmonic->k*tau) : sin(harmonic->k*tau), restoring,
+			                    tangent, u, rom->n, 1);
+	}
+}
+
+void hawser__rom_vary_all(const struct hawser_rom *rom, double *restoring, double *tangent,
+                          const double *u, int count)
+{
+	size_t n = (size_t)rom->n;
+
+	if (!hawser__rom_varies(rom))
+		return;
+	for (int i = 0; i < count; i++) {
+		size_t at = (size_t)i*n;
+
+		hawser__rom_vary_at(rom, restoring + at, tangent ? tangent + at*n : NULL, u + at,
+		                    2.0*M_PI*i/count);
+	}
+}
