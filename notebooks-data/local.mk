@@ -24,6 +24,7 @@ dist_scenes_DATA = \
 	%D%/scenes/b-table-5.6.yaml \
 	%D%/scenes/bridge-stay.yaml \
 	%D%/scenes/chairlift.yaml \
+	%D%/scenes/conductor.yaml \
 	%D%/scenes/decay.tsv \
 	%D%/scenes/d-figure-9.1.yaml \
 	%D%/scenes/d-figure-9.10.yaml \

@@ -26,6 +26,7 @@ CLI_TESTS = \
 	%D%/cli/slack.sh \
 	%D%/cli/stiff.sh \
 	%D%/cli/study.sh \
+	%D%/cli/static-load.sh \
 	%D%/cli/attach.sh \
 	%D%/cli/travel.sh \
 	%D%/cli/usage.sh

@@ -72,3 +72,8 @@ check_PROGRAMS += tests/property/test-rom-travel
 TESTS += tests/property/test-rom-travel
 tests_property_test_rom_travel_SOURCES = tests/property/test-rom-travel.c
 tests_property_test_rom_travel_LDADD = $(UPTO_ROM)
+
+check_PROGRAMS += tests/property/test-rom-swung
+TESTS += tests/property/test-rom-swung
+tests_property_test_rom_swung_SOURCES = tests/property/test-rom-swung.c
+tests_property_test_rom_swung_LDADD = $(UPTO_ROM)

@@ -3,7 +3,8 @@ noinst_HEADERS += tests/statics-draw.h tests/extremes/sweep.h tests/extremes/sta
 EXTRA_DIST += tests/reference/statics-spans.tsv tests/reference/make-statics-spans.py
 
 STATICS_TESTS = tests/unit/test-statics tests/unit/test-plausible tests/property/test-statics-models \
-	tests/property/test-statics-random tests/property/test-statics-loaded tests/property/test-travel \
+	tests/property/test-statics-random tests/property/test-statics-loaded \
+	tests/property/test-travel tests/property/test-static-load \
 	tests/reference/test-statics-spans tests/reference/test-statics-cases \
 	tests/extremes/test-statics-corners tests/extremes/test-statics-sweep
 check_PROGRAMS += $(STATICS_TESTS)
@@ -28,3 +29,5 @@ tests_extremes_test_statics_sweep_SOURCES = tests/extremes/test-statics-sweep.c
 tests_extremes_test_statics_sweep_LDADD = $(UPTO_STATICS)
 tests_property_test_statics_loaded_SOURCES = tests/property/test-statics-loaded.c
 tests_property_test_statics_loaded_LDADD = $(UPTO_STATICS)
+tests_property_test_static_load_SOURCES = tests/property/test-static-load.c
+tests_property_test_static_load_LDADD = $(UPTO_STATICS)

@@ -89,6 +89,8 @@ struct hawser_rom_shapes {
 	double *second_shape; /* [n(n+1)/2][points][3] P, Q, B */
 	double *second_slope; /* [n(n+1)/2][points][3] a, b, c */
 	double EA;       /* N */
+	int turned;      /* of struct hawser_statics; 0: the axes of the cable are x, y, z */
+	double axes[3][3];
 };
 
 /* Points along the whole cable, at which only the tension is evaluated; members as in struct

@@ -33,6 +33,10 @@ enum hawser_hold { HAWSER_HOLD_TENSION = 0, HAWSER_HOLD_LENGTH };
 
 enum hawser_branch { HAWSER_BRANCH_TAUT = 0, HAWSER_BRANCH_SLACK };
 
+/* The state to which the given tension belongs: the reference state, in which no static load acts
+ * and the temperature has not changed, or the loaded one. Both have the same length of cable. */
+enum hawser_state { HAWSER_STATE_REFERENCE = 0, HAWSER_STATE_LOADED };
+
 /* Treatment of the modes that are not kept: static condensation (their coordinates are functions of
  * the kept ones), or truncation (their coordinates are 0). */
 enum hawser_condensation { HAWSER_CONDENSE_STATIC = 0, HAWSER_CONDENSE_NONE };
@@ -99,6 +103,7 @@ struct hawser_scene {
 		enum hawser_given given;
 		double value; /* N or m, depending on `given` */
 		enum hawser_branch branch;
+		enum hawser_state state; /* not read without static load and change of temperature */
 	} tension;
 	struct {
 		int present;
@@ -122,6 +127,18 @@ struct hawser_scene {
 		double per_length[3];    /* N per metre of unstretched length, times cos(Omega t) */
 		double extent[2];        /* loaded part, as fractions of the unstretched length */
 	} load;
+	struct {
+		int present;
+		int frame;            /* 0: global, the only one */
+		double per_length[3]; /* constant, along x, y, z; N per metre of unstretched length */
+		double mass;          /* of what adheres to the cable (ice), kg per metre of unstretched
+		                       * length: its weight is added to per_length, its inertia to rho */
+	} static_load;            /* the section load.static */
+	struct {
+		int present;
+		double change;    /* K, from the reference state */
+		double expansion; /* 1/K, relative change of the unstretched length */
+	} temperature;
 	struct {
 		int modes;        /* number of modes kept in the reduced model, or HAWSER_MODES_AUTO */
 		double accuracy;  /* required relative error of folds and peaks; used with MODES_AUTO

@@ -4,6 +4,8 @@
  * positive. Scaled by length d, force H, time d*sqrt(rho/H): epsilon = H/EA, delta = rho*g*d/H,
  * l = L/d, hs = h/d, eta = vertical over horizontal force at S = 0, u(S) = eta + delta*S.
  *
+ * Under a static load the cable hangs in another plane; x and y are then axes of this plane.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_STATICS_H
 #define HAWSER_STATICS_H
@@ -56,7 +58,8 @@ struct hawser_statics {
 	enum hawser_branch branch; /* slack only if T0 or T1 was given and slack was requested */
 	double H, T0, T1, V0, V1; /* N; V is the vertical component of the tension along +S */
 	double length0, length;   /* m, unstretched and stretched */
-	double sag;               /* m, largest vertical distance from the chord */
+	double sag;               /* m, largest distance from the chord along y: the vertical one, but
+	                           * for a static load */
 	double eta, epsilon, delta, l, hs; /* scaled, see above */
 	/* Irvine's lambda, INFINITY for an inextensible cable: `irvine` by the classical definition (0
 	 * if a steep cable has a tangent perpendicular to its chord), `irvine_source` by B (4.60), as
@@ -73,9 +76,17 @@ struct hawser_statics {
 	 * spread evenly. */
 	int attachments;
 	struct hawser_attached attached[HAWSER_ATTACH_MAX];
+	/* 1 if the cable hangs in another plane, or upwards, under a static load. All quantities above
+	 * are then those in its own plane, whose axes x', y' (against the static force) and z' have the
+	 * components axes[0], axes[1] and axes[2] along x, y and z. If `turned` is 0, the axes are x, y
+	 * and z, and `axes` is not set. */
+	int turned;
+	double axes[3][3];
+	double swing; /* rad, angle about the chord from the vertical plane to that of the cable,
+	               * positive towards z; only if `turned` */
 };
 
-/* A point of the profile. */
+/* A point of the profile, in the plane of the cable. */
 struct hawser_profile_point {
 	double S;        /* m, unstretched arclength */
 	double x, y;     /* m */
@@ -107,7 +118,46 @@ enum hawser_status hawser_statics_loaded(struct hawser_statics *statics,
 /* Mass of the cable and its attachments over rho*d. */
 double hawser_statics_mass(const struct hawser_statics *statics);
 
-/* The static solution of a scene; of a travelling cable its steady state. */
+/* The span of a scene with its static load and its change of temperature, as a span under its weight
+ * in the plane in which it hangs (doc/theory-statics.md), and what gives its tension at rest. Without
+ * both it is the span of the scene with the given tension. */
+struct hawser_equivalent {
+	struct hawser_span span; /* rho with the mass of what adheres; g: static force per length over
+	                          * rho; d, h: distance of the ends across and against this force */
+	enum hawser_given given; /* if the tension belongs to the reference state: LENGTH0, or, of a
+	                          * travelling cable, H or T1 if the scene gives this one */
+	double value;            /* N or m */
+	enum hawser_branch branch;
+	int turned;              /* these three as in struct hawser_statics, but axes is always set */
+	double axes[3][3];
+	double swing;
+};
+
+/* Statuses of hawser_statics_solve; HAWSER_ERR_NO_SOLUTION too if the load balances the weight,
+ * HAWSER_ERR_ARGUMENT if both together act along the chord, if the temperature leaves no length, or if
+ * the scene has attachments that a force per length beside the weight does not allow. */
+enum hawser_status hawser_statics_equivalent(struct hawser_equivalent *equal,
+                                             const struct hawser_scene *scene,
+                                             struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* The reference state of a scene, at rest: without static load and change of temperature. The same
+ * statuses. */
+enum hawser_status hawser_statics_reference(struct hawser_statics *statics,
+                                            const struct hawser_scene *scene,
+                                            struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* Set turned, axes and swing of a solution for equal->span. */
+void hawser_statics_turn(struct hawser_statics *statics, const struct hawser_equivalent *equal);
+
+/* Convert a vector [3] in the axes of the cable's plane to one along x, y, z, and back. The two
+ * arguments may be the same array. */
+void hawser_statics_to_global(const struct hawser_statics *statics, double global[3],
+                              const double v[3]);
+void hawser_statics_from_global(const struct hawser_statics *statics, double v[3],
+                                const double global[3]);
+
+/* The static solution of a scene; of a travelling cable its steady state. Static load and change of
+ * temperature are included. */
 enum hawser_status hawser_statics_scene(struct hawser_statics *statics,
                                         const struct hawser_scene *scene,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;

@@ -123,8 +123,7 @@ static enum hawser_status trace(struct cli_irvine_result *result,
 {
 	enum hawser_status status = cli_scene_load(&result->scene, result->common, 0, report);
 	const struct hawser_scene *scene = &result->scene;
-	const struct hawser_span span = {scene->cable.EA, scene->cable.rho, scene->g, scene->span.d,
-	                                 scene->span.h};
+	struct hawser_equivalent equal = {.turned = 0};
 	struct hawser_modes_options modes;
 	double speed[CLI_IRVINE_SPEEDS] = {0.0};
 	int k;
@@ -133,6 +132,8 @@ static enum hawser_status trace(struct cli_irvine_result *result,
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "irvine",
 		                      "the sweep of the tension is for a cable without attachments: set "
 		                      "attach=[], or call hawser modes for single tensions");
+	if (!status)
+		status = hawser_statics_equivalent(&equal, scene, report);
 	if (!status)
 		status = speeds_of(speed, result, settings->speeds, report);
 	if (!status)
@@ -145,7 +146,7 @@ static enum hawser_status trace(struct cli_irvine_result *result,
 	for (k = 0; k < result->sweeps && !status; k++) {
 		choice->speed = speed[k];
 		choice->fluctuation = scene->travel.fluctuation;
-		status = hawser_irvine_trace(&result->sweep[k].irvine, &span, choice, report);
+		status = hawser_irvine_trace(&result->sweep[k].irvine, &equal.span, choice, report);
 	}
 	return status;
 }

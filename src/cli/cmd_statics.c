@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/view.h"
+#include "cli/statics_loaded.h"
 #include "core/report.h"
 
 struct settings {
@@ -32,12 +32,6 @@ static const struct cli_option options[] = {
 	CLI_NO_OPTION,
 };
 
-/* An attachment in the result. */
-struct mark {
-	const char *name;
-	double S, x, y, mass, before, after, slope_before, slope_after;
-};
-
 struct result {
 	const struct settings *settings;
 	struct hawser_scene scene;
@@ -45,9 +39,10 @@ struct result {
 	struct hawser_statics statics; /* travelling: with the apparent quantities */
 	struct hawser_statics actual;  /* the actual ones */
 	double limit;                  /* m/s, if the cable travels */
-	struct hawser_profile_point *profile; /* [points] */
+	struct cli_loaded loaded;
+	struct hawser__place *profile; /* [points] */
 	int points;
-	struct mark mark[HAWSER_ATTACH_MAX]; /* [marks] */
+	struct cli_mark mark[HAWSER_ATTACH_MAX]; /* [marks] */
 	int marks;
 	struct cli_curves curves;
 	struct cli_speeds speeds;
@@ -56,14 +51,15 @@ struct result {
 #define OF(member) HAWSER__AT(struct hawser_statics, member)
 /* Quantities in JSON and in the comments. */
 static const struct hawser__field quantity_field[] = {
-	{"H", NULL, "horizontal tension", OF(H), .unit = HAWSER__NEWTON},
+	{"H", NULL, "tension across the static force (horizontal)", OF(H), .unit = HAWSER__NEWTON},
 	{"T0", NULL, "tension at end A", OF(T0), .unit = HAWSER__NEWTON},
 	{"T1", NULL, "tension at end B", OF(T1), .unit = HAWSER__NEWTON},
-	{"V0", NULL, "vertical component at end A", OF(V0), .unit = HAWSER__NEWTON},
-	{"V1", NULL, "vertical component at end B", OF(V1), .unit = HAWSER__NEWTON},
+	{"V0", NULL, "component against the static force at end A", OF(V0), .unit = HAWSER__NEWTON},
+	{"V1", NULL, "the same at end B", OF(V1), .unit = HAWSER__NEWTON},
 	{"length0", NULL, "unstretched length", OF(length0), .unit = HAWSER__METRE},
 	{"length", NULL, "stretched length", OF(length), .unit = HAWSER__METRE},
-	{"sag", NULL, "largest vertical distance from the chord", OF(sag), .unit = HAWSER__METRE},
+	{"sag", NULL, "largest distance from the chord along the static force", OF(sag),
+	 .unit = HAWSER__METRE},
 	{"eta", NULL, "V0/H", OF(eta)},
 	{"epsilon", NULL, "H/EA", OF(epsilon)},
 	{"delta", NULL, "rho g d/H", OF(delta)},
@@ -78,7 +74,10 @@ static const struct hawser__field quantity_field[] = {
 };
 #undef OF
 
-#define OF(member) HAWSER__AT(struct hawser_profile_point, member)
+enum { TRAVELS = 1, MODELS = 2, COMPATIBILITY = 4, SPEEDS = 8, ATTACHED = 16, LOADED = 32,
+       TURNED = 64 };
+
+#define OF(member) HAWSER__AT(struct hawser__place, member)
 static const struct hawser__field profile_field[] = {
 	{"S", "S", "unstretched arclength from end A", OF(S), .unit = HAWSER__METRE},
 	{"x", "x", "distance from end A", OF(x), .unit = HAWSER__METRE,
@@ -86,7 +85,9 @@ static const struct hawser__field profile_field[] = {
 	{"y", "y", "height above end A", OF(y), .unit = HAWSER__METRE,
 	 .axis = "Height {/:Italic y}"},
 	{"T", "T", "tension", OF(T), .unit = HAWSER__NEWTON, .axis = "Tension {/:Italic T}"},
-	{NULL, "slope", "dy/dx", OF(slope)},
+	{NULL, "slope", "dy/dx", OF(slope), .flags = HAWSER__INFINITE | HAWSER__NULL},
+	{NULL, "z", "distance from the vertical plane through the ends", OF(z), .unit = HAWSER__METRE,
+	 .axis = "Distance {/:Italic z}", .when = TURNED},
 	HAWSER__END,
 };
 #undef OF
@@ -140,30 +141,11 @@ static void columns_json(struct hawser__json *json, json_t *into, const void *ro
 		hawser__json_text(json, columns, NULL, profile_field[k].key);
 }
 
-static const char *mark_name(const void *of)
-{
-	return ((const struct mark *)of)->name;
-}
-
-#define OF(member) HAWSER__AT(struct mark, member)
-static const struct hawser__field mark_field[] = {
-	{"name", NULL, "its name, or empty", HAWSER__TEXT_BY(mark_name)},
-	{"S", NULL, "unstretched arclength from end A", OF(S), .unit = HAWSER__METRE},
-	{"x", NULL, "distance from end A", OF(x), .unit = HAWSER__METRE},
-	{"y", NULL, "height above end A", OF(y), .unit = HAWSER__METRE},
-	{"mass", NULL, "point mass, kg", OF(mass)},
-	{"T_before", NULL, "tension on the side of end A", OF(before), .unit = HAWSER__NEWTON},
-	{"T_after", NULL, "tension on the side of end B", OF(after), .unit = HAWSER__NEWTON},
-	{"slope_before", NULL, "dy/dx on the side of end A", OF(slope_before)},
-	{"slope_after", NULL, "dy/dx on the side of end B", OF(slope_after)},
-	HAWSER__END,
-};
-#undef OF
-enum { ATTACHED = 16, TRAVELS = 1, MODELS = 2, COMPATIBILITY = 4, SPEEDS = 8 };
-
 static const struct hawser__field point_field[] = {
 	{"profile", NULL, "points: lists of the columns",
-	 HAWSER__PAIR_AT(struct hawser_profile_point, S, T)},
+	 HAWSER__PAIR_AT(struct hawser__place, S, T)},
+	{"profile_z", NULL, "z of these points, under a static load", HAWSER__AT(struct hawser__place, z),
+	 .unit = HAWSER__METRE, .when = TURNED},
 	HAWSER__END,
 };
 static const struct hawser__list point_list =
@@ -178,7 +160,9 @@ static const struct hawser__field result_field[] = {
 	PART(actual, quantity_field)},
 	{"travel", NULL, "of a cable that travels", HAWSER__OBJECT_OF(travel_field), .when = TRAVELS},
 	{"attachments", NULL, "of the scene, by S",
-	 HAWSER__STORED_WITHIN(struct result, mark, marks, mark_field), .when = ATTACHED},
+	 HAWSER__STORED_WITHIN(struct result, mark, marks, cli_mark_field), .when = ATTACHED},
+	{"loaded", NULL, "with a static load or a change of temperature",
+	 HAWSER__PART_OF(struct result, loaded, cli_loaded_field), .when = LOADED},
 	{"profile_columns", NULL, "S, x, y, T: m, m, m, N", HAWSER__CALLS(columns_json)},
 	{"", NULL, "", HAWSER__ARRAYS_OF(point_list)},
 	PART(curves, cli_models_member), .when = MODELS},
@@ -207,6 +191,8 @@ static struct cli_head head(const void *of)
 		? "elastic catenary, bracketed monotone solve" : result->model->summary, &result->scene,
 		cli_si_view((result->scene.travel.present ? TRAVELS : 0u) |
 		            (result->marks ? ATTACHED : 0u) |
+		            (result->loaded.present ? LOADED : 0u) |
+		            (result->statics.turned ? TURNED : 0u) |
 		            (settings->models ? MODELS : 0u) | (settings->speeds ? SPEEDS : 0u) |
 		            (settings->compatibility ? COMPATIBILITY : 0u)), NULL, NULL};
 }
@@ -219,21 +205,16 @@ static void comments(struct hawser__table *table, const void *of)
 	hawser__fields_comments(table, quantity_field, &result->actual, &view);
 	if (result->scene.travel.present)
 		travel_comments(table, result);
-	for (int i = 0; i < result->marks; i++) {
-		const struct mark *mark = &result->mark[i];
-
-		hawser__table_comment(table, "attachment %s%sat S = %.10g m: mass %.10g kg, x = %.10g m, "
-		                      "y = %.10g m, T = %.10g and %.10g N on either side", mark->name,
-		                      *mark->name ? " " : "", mark->S, mark->mass, mark->x, mark->y,
-		                      mark->before, mark->after);
-	}
+	cli_marks_comments(table, result->mark, result->marks);
+	if (result->loaded.present)
+		cli_loaded_comments(table, &result->loaded);
 }
 
 static void rows(struct hawser__table *table, const void *of)
 {
 	const struct result *result = of;
 	const struct settings *settings = result->settings;
-	struct hawser__view view = cli_si_view(0);
+	struct hawser__view view = cli_si_view(result->statics.turned ? TURNED : 0u);
 
 	if (settings->speeds)
 		cli_speeds_rows(table, &result->speeds);
@@ -248,11 +229,16 @@ static void rows(struct hawser__table *table, const void *of)
 static enum hawser_status draw(const char *path, const void *context, struct hawser_report *report)
 {
 	const struct result *result = context;
-	const struct hawser__view view = cli_si_view(0);
+	const struct hawser__view view = cli_si_view(result->statics.turned ? TURNED : 0u);
 	const struct hawser__axis axis[] = {
 		hawser__fields_axis(profile_field, "x", &view, 0.0),
 		hawser__fields_axis(profile_field, "y", &view, 0.0),
-		hawser__fields_axis(profile_field, "T", &view, fmax(result->actual.T0, result->actual.T1))};
+		hawser__fields_axis(profile_field, "T", &view, fmax(result->actual.T0, result->actual.T1)),
+		hawser__fields_axis(profile_field, "z", &view, 0.0)};
+	struct hawser__place kink[2*HAWSER_ATTACH_MAX];
+	const struct hawser__span_picture picture = {
+		&result->scene, result->profile, kink, result->settings->points, result->marks,
+		result->statics.turned};
 
 	if (result->settings->models)
 		return cli_models_draw(path, &result->curves, report);
@@ -260,8 +246,11 @@ static enum hawser_status draw(const char *path, const void *context, struct haw
 		return cli_compatibility_draw(path, &result->curves, report);
 	if (result->settings->speeds)
 		return cli_speeds_draw(path, &result->speeds, report);
-	return hawser__plot_statics(path, &result->actual, result->profile, result->settings->points,
-	                            axis, report);
+	for (int i = 0; i < result->marks; i++) {
+		kink[2*i] = result->mark[i].before;
+		kink[2*i + 1] = result->mark[i].after;
+	}
+	return hawser__plot_statics(path, &picture, axis, report);
 }
 
 static enum hawser_status choose_model(struct result *result, struct hawser_report *report)
@@ -327,13 +316,13 @@ static enum hawser_status fill_curves(struct result *result, struct hawser_repor
 	                                settings->points, from, to, report);
 }
 
-static enum hawser_status limit_of(struct result *result, const struct hawser_span *span,
+static enum hawser_status limit_of(struct result *result, const struct hawser_equivalent *equal,
                                    struct hawser_report *report)
 {
 	const struct hawser_scene *scene = &result->scene;
 	double V = scene->travel.fluctuation;
-	enum hawser_status status = hawser_statics_limit(&result->limit, span, scene->tension.given,
-	                                                 scene->tension.value, scene->tension.branch,
+	enum hawser_status status = hawser_statics_limit(&result->limit, &equal->span, equal->given,
+	                                                 equal->value, equal->branch,
 	                                                 scene->travel.hold, report);
 
 	if (!status && V > 0.0)
@@ -341,27 +330,33 @@ static enum hawser_status limit_of(struct result *result, const struct hawser_sp
 	return status;
 }
 
-static struct hawser_profile_point point(const struct result *result, double S)
-{
-	return result->scene.travel.present ? hawser_statics_actual_at(&result->statics, S)
-	                                    : result->model->at(&result->statics, S);
-}
-
-/* The attachments: on either side of a mass the tension differs. */
-static void fill_marks(struct result *result)
+static struct hawser__place point(const struct result *result, double S)
 {
 	const struct hawser_statics *st = &result->statics;
+	struct hawser_profile_point in = result->scene.travel.present ? hawser_statics_actual_at(st, S)
+	                                                              : result->model->at(st, S);
 
-	result->marks = st->attachments;
-	for (int i = 0; i < st->attachments; i++) {
-		const struct hawser_attached *a = &st->attached[i];
-		struct hawser_profile_point after = hawser_statics_at(st, a->S);
-		struct mark *mark = &result->mark[i];
-		double u = after.slope - st->delta*a->m;
+	return cli_place(st, &in);
+}
 
-		*mark = (struct mark){result->scene.attach[a->index].name, after.S, after.x, after.y,
-		                      a->mass, st->H*hypot(1.0, u), after.T, u, after.slope};
-	}
+static enum hawser_status solve_state(struct result *result, struct hawser_report *report)
+{
+	const struct hawser_scene *scene = &result->scene;
+	struct hawser_equivalent equal;
+	enum hawser_status status = hawser_statics_equivalent(&equal, scene, report);
+
+	if (status)
+		return status;
+	status = scene->travel.present || scene->attachments > 0
+	             ? hawser_statics_scene(&result->statics, scene, report)
+	             : result->model->solve(&result->statics, &equal.span, equal.given, equal.value,
+	                                    equal.branch, report);
+	if (!status && scene->travel.present)
+		status = limit_of(result, &equal, report);
+	if (status)
+		return status;
+	hawser_statics_turn(&result->statics, &equal);
+	return cli_loaded_fill(&result->loaded, &result->statics, scene, report);
 }
 
 static enum hawser_status solve(struct result *result, struct hawser_report *report)
@@ -370,7 +365,6 @@ static enum hawser_status solve(struct result *result, struct hawser_report *rep
 	const struct settings *settings = result->settings;
 	int points = settings->points, i;
 	enum hawser_status status = choose_model(result, report);
-	struct hawser_span span;
 
 	if (!status)
 		status = cli_scene_load(&result->scene, &result->settings->common, 0, report);
@@ -386,14 +380,7 @@ static enum hawser_status solve(struct result *result, struct hawser_report *rep
 		                    "%s compares cables without attachments: leave it out, or set "
 		                    "attach=[]", settings->models ? "--models"
 		                    : settings->compatibility ? "--compatibility" : "--model");
-	span = (struct hawser_span){scene->cable.EA, scene->cable.rho, scene->g, scene->span.d,
-	                            scene->span.h};
-	status = scene->travel.present || scene->attachments > 0
-	             ? hawser_statics_scene(&result->statics, scene, report)
-	             : result->model->solve(&result->statics, &span, scene->tension.given,
-	                                    scene->tension.value, scene->tension.branch, report);
-	if (!status && scene->travel.present)
-		status = limit_of(result, &span, report);
+	status = solve_state(result, report);
 	if (!status)
 		status = fill_curves(result, report);
 	if (status)
@@ -403,7 +390,7 @@ static enum hawser_status solve(struct result *result, struct hawser_report *rep
 	result->profile = calloc((size_t)points, sizeof *result->profile);
 	if (!result->profile)
 		return hawser__no_memory(report, "statics");
-	fill_marks(result);
+	result->marks = cli_marks_fill(result->mark, &result->statics, scene);
 	for (i = 0; i < points; i++)
 		result->profile[i] = point(result, result->actual.length0*i/(points - 1));
 	return HAWSER_OK;

@@ -32,6 +32,9 @@ hawser_SOURCES = \
 	%D%/cmd_plan.c \
 	%D%/cmd_rom.c \
 	%D%/cmd_statics.c \
+	%D%/statics_loaded.h \
+	%D%/statics_loaded.c \
+	%D%/statics_marks.c \
 	%D%/compare_mms.c \
 	%D%/compare_modes.c \
 	%D%/condensed.c \

@@ -100,6 +100,10 @@ static void comments(struct hawser__table *table, const void *of)
 		hawser__table_comment(table,
 		                      "travels at %.10g m/s; tension at S = 0 %.10g N, apparent one %.10g N",
 		                      motion->speed, motion->tension, modes->statics.T0);
+	if (modes->statics.turned)
+		hawser__table_comment(table, "in-plane means the plane of the cable, which its static load "
+		                      "turns by %.6g rad about the chord; x, y, z are those of the scene",
+		                      modes->statics.swing);
 	if (result->points > 0)
 		shape_comments(table, modes);
 }

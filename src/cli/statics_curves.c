@@ -50,11 +50,12 @@ enum hawser_status cli_curves_fill(struct cli_curves *curves, const struct hawse
                                    int models, int points, double from, double to,
                                    struct hawser_report *report)
 {
-	const struct hawser_span span = {scene->cable.EA, scene->cable.rho, scene->g, scene->span.d,
-	                                 scene->span.h};
-	enum hawser_status status = range(&from, &to, &span, report);
+	struct hawser_equivalent equal;
+	enum hawser_status status = hawser_statics_equivalent(&equal, scene, report);
 	int rows = 0, k;
 
+	if (!status)
+		status = range(&from, &to, &equal.span, report);
 	if (status)
 		return status;
 	while (rows < models && hawser_statics_model(rows))
@@ -69,13 +70,13 @@ enum hawser_status cli_curves_fill(struct cli_curves *curves, const struct hawse
 		return hawser__no_memory(report, "statics");
 	for (k = 0; k < curves->models; k++)
 		curves->status[k] = hawser_statics_model(k)->solve(
-			&curves->here[k], &span, scene->tension.given, scene->tension.value,
-			scene->tension.branch, &curves->report[k]);
+			&curves->here[k], &equal.span, equal.given, equal.value, equal.branch,
+			&curves->report[k]);
 	if (curves->status[0]) { /* the solution of the catenary is that of the scene */
 		*report = curves->report[0];
 		return curves->status[0];
 	}
-	return sweep(curves, &span, from, to, report);
+	return sweep(curves, &equal.span, from, to, report);
 }
 
 void cli_curves_clear(struct cli_curves *curves)

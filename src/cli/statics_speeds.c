@@ -59,16 +59,18 @@ static enum hawser_status settle(struct cli_speeds *speeds, const struct hawser_
                                  struct hawser_report *report)
 {
 	struct hawser_statics rest;
-	enum hawser_status status;
+	struct hawser_equivalent equal;
+	enum hawser_status status = hawser_statics_equivalent(&equal, scene, report);
 	double V = scene->travel.fluctuation;
 
-	speeds->span = (struct hawser_span){scene->cable.EA, scene->cable.rho, scene->g, scene->span.d,
-	                                    scene->span.h};
-	speeds->given = scene->tension.given;
-	speeds->value = scene->tension.value;
+	if (status)
+		return status;
+	speeds->span = equal.span;
+	speeds->given = equal.given;
+	speeds->value = equal.value;
 	speeds->fluctuation = V;
 	status = hawser_statics_solve(&rest, &speeds->span, speeds->given, speeds->value,
-	                              scene->tension.branch, report);
+	                              equal.branch, report);
 	if (status)
 		return status;
 	if (speeds->given != HAWSER_GIVEN_H && speeds->given != HAWSER_GIVEN_T1) {
@@ -77,7 +79,7 @@ static enum hawser_status settle(struct cli_speeds *speeds, const struct hawser_
 	}
 	speeds->folds = speeds->given != HAWSER_GIVEN_H;
 	status = hawser_statics_limit(&speeds->limit, &speeds->span, speeds->given, speeds->value,
-	                              scene->tension.branch, HAWSER_HOLD_TENSION, report);
+	                              equal.branch, HAWSER_HOLD_TENSION, report);
 	if (status)
 		return status;
 	speeds->limit = sqrt(fmax(speeds->limit*speeds->limit - 0.5*V*V, 0.0));

@@ -21,16 +21,10 @@ static const double nearest = 1e-9;
 /* A station closer to the limit than this multiple of that distance is taken as the last one. */
 static const double apart = 1.25;
 
-static struct hawser_span span_of(const struct hawser_scene *scene)
-{
-	return (struct hawser_span){scene->cable.EA, scene->cable.rho, scene->g, scene->span.d,
-	                            scene->span.h};
-}
-
 enum hawser_status hawser_campbell_range(double *to, double *limit, const struct hawser_scene *scene,
                                          struct hawser_report *report)
 {
-	const struct hawser_span span = span_of(scene);
+	struct hawser_equivalent equal = {.turned = 0};
 	double V = scene->travel.fluctuation;
 	struct hawser_statics rest;
 	enum hawser_status status;
@@ -39,16 +33,18 @@ enum hawser_status hawser_campbell_range(double *to, double *limit, const struct
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
 		                    "the scene has no travel, which states what is held as the speed "
 		                    "changes: add travel: {speed: 1 m/s, hold: tension} (or hold: length)");
-	status = hawser_statics_limit(limit, &span, scene->tension.given, scene->tension.value,
-	                              scene->tension.branch, scene->travel.hold, report);
+	status = hawser_statics_equivalent(&equal, scene, report);
 	if (!status)
-		status = hawser_statics_solve(&rest, &span, scene->tension.given, scene->tension.value,
-		                              scene->tension.branch, report);
+		status = hawser_statics_limit(limit, &equal.span, equal.given, equal.value,
+		                              equal.branch, scene->travel.hold, report);
+	if (!status)
+		status = hawser_statics_solve(&rest, &equal.span, equal.given, equal.value,
+		                              equal.branch, report);
 	if (status)
 		return status;
 	*limit = sqrt(fmax(*limit**limit - 0.5*V*V, 0.0));
-	*to = scene->travel.hold == HAWSER_HOLD_TENSION && scene->tension.given != HAWSER_GIVEN_H
-		? *limit : fmin(*limit, 2.0*sqrt(rest.T0/span.rho));
+	*to = scene->travel.hold == HAWSER_HOLD_TENSION && equal.given != HAWSER_GIVEN_H
+		? *limit : fmin(*limit, 2.0*sqrt(rest.T0/equal.span.rho));
 	return HAWSER_OK;
 }
 

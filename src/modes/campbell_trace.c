@@ -47,15 +47,23 @@ void hawser_campbell_clear(struct hawser_campbell *campbell)
 	*campbell = (struct hawser_campbell){0};
 }
 
+/* What a sweep is of. */
+struct source {
+	const struct hawser_scene *scene;
+	struct hawser_equivalent equal;
+};
+
 static enum hawser_status statics_at(struct hawser_statics *st, const struct hawser__branches *all,
                                 double x, struct hawser_report *report)
 {
-	const struct hawser_scene *scene = all->context;
-	const struct hawser_motion motion = {.speed = x, .fluctuation = scene->travel.fluctuation,
-	                                     .hold = scene->travel.hold};
+	const struct source *source = all->context;
+	const struct hawser_equivalent *equal = &source->equal;
+	const struct hawser_motion motion = {.speed = x,
+	                                     .fluctuation = source->scene->travel.fluctuation,
+	                                     .hold = source->scene->travel.hold};
 
-	return hawser_statics_travel(st, &all->span, scene->tension.given, scene->tension.value,
-	                             scene->tension.branch, &motion, report);
+	return hawser_statics_travel(st, &equal->span, equal->given, equal->value, equal->branch,
+	                             &motion, report);
 }
 
 static void describe(char *text, size_t size, const struct hawser_statics *st)
@@ -182,17 +190,19 @@ enum hawser_status hawser_campbell_trace(struct hawser_campbell *campbell,
                                          struct hawser_report *report)
 {
 	struct hawser_campbell_options o = *options;
-	struct hawser__branches all = {
-		.sweep = &sweep, .context = scene,
-		.span = {scene->cable.EA, scene->cable.rho, scene->g, scene->span.d, scene->span.h}};
+	struct source source = {.scene = scene};
+	struct hawser__branches all = {.sweep = &sweep, .context = &source};
 	double *x = NULL;
 	int count, asked;
 	enum hawser_status status;
 
 	*campbell = (struct hawser_campbell){0};
 	status = hawser__campbell_settle(&o, &campbell->limit, scene, report);
+	if (!status)
+		status = hawser_statics_equivalent(&source.equal, scene, report);
 	if (status)
 		return status;
+	all.span = source.equal.span;
 	all.options = (struct hawser__branch_options){o.n, o.method, o.basis, o.tolerance,
 	                                              o.correlation, o.crossing,
 	                                              least_step*campbell->limit};

@@ -120,6 +120,7 @@ static void participate(struct hawser_mode *mode, const struct hawser_modes *mod
 		for (int c = 0; c < 3; c++)
 			Gamma[c] += st->attached[i].m*u[c];
 	}
+	hawser_statics_to_global(st, Gamma, Gamma);
 	for (int c = 0; c < 3; c++)
 		mode->effective_mass[c] = Gamma[c]*Gamma[c]/hawser_statics_mass(st);
 }

@@ -164,9 +164,19 @@ struct hawser__axis {
 	double per;
 };
 
-/* axis[3]: x, height, tension. */
-enum hawser_status hawser__plot_statics(const char *path, const struct hawser_statics *statics,
-                                        const struct hawser_profile_point *profile, int points,
+/* A point of a profile in global axes; slope is dy/dx. */
+struct hawser__place {
+	double S, x, y, T, slope, z;
+};
+struct hawser__span_picture {
+	const struct hawser_scene *scene;
+	const struct hawser__place *profile; /* [points] */
+	const struct hawser__place *kink;    /* [kinks][2], both sides of each attachment, by S */
+	int points, kinks;
+	int turned; /* 1: the cable hangs in another plane, and a panel shows it from above */
+};
+/* axis[4]: x, height, tension, z. */
+enum hawser_status hawser__plot_statics(const char *path, const struct hawser__span_picture *of,
                                         const struct hawser__axis *axis,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 

@@ -1,67 +1,95 @@
-/* output/plot_statics.c - the span: profile and chord above, tension along the cable below.
+/* output/plot_statics.c - the span: profile and chord above, tension along the cable below; between
+ * them the view from above, if the cable hangs in another plane than the vertical one.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
-
-#include <math.h>
 
 #include "output/output.h"
 #include "output/style.h"
 
 #define MARK "pt 7 ps 0.7 lc rgb 'black'"
 
+static void line(FILE *script, const struct hawser__place *at, double unit)
+{
+	fprintf(script, "%.9g %.9g %.12g %.9g\n", at->x, at->y, at->T/unit, at->z);
+}
+
 /* The profile with both sides of each mass, at which the tension jumps, and the attachments. */
-static void data(FILE *script, const struct hawser_statics *statics,
-                 const struct hawser_profile_point *profile, int points, double unit)
+static void data(FILE *script, const struct hawser__span_picture *of, double unit)
 {
 	int i, next = 0;
 
 	fputs("$profile << END\n", script);
-	for (i = 0; i < points; i++) {
-		for (; next < statics->attachments && statics->attached[next].S <= profile[i].S; next++) {
-			struct hawser_profile_point at = hawser_statics_at(statics, statics->attached[next].S);
-			double before = at.slope - statics->delta*statics->attached[next].m;
-
-			fprintf(script, "%.9g %.9g %.12g\n%.9g %.9g %.12g\n", at.x, at.y,
-			        statics->H*hypot(1.0, before)/unit, at.x, at.y, at.T/unit);
-		}
-		fprintf(script, "%.9g %.9g %.12g\n", profile[i].x, profile[i].y, profile[i].T/unit);
+	for (i = 0; i < of->points; i++) {
+		for (; next < 2*of->kinks && of->kink[next].S <= of->profile[i].S; next++)
+			line(script, &of->kink[next], unit);
+		line(script, &of->profile[i], unit);
 	}
 	fputs("END\n$attached << END\n", script);
-	for (i = 0; i < statics->attachments; i++) {
-		struct hawser_profile_point at = hawser_statics_at(statics, statics->attached[i].S);
-
-		fprintf(script, "%.9g %.9g\n", at.x, at.y);
-	}
-	fprintf(script, "END\n$chord << END\n0 0\n%.9g %.9g\nEND\n", statics->span.d,
-	        statics->span.h);
+	for (i = 0; i < of->kinks; i++)
+		line(script, &of->kink[2*i], unit);
+	fprintf(script, "END\n$chord << END\n0 0 0 0\n%.9g %.9g 0 0\nEND\n", of->scene->span.d,
+	        of->scene->span.h);
 }
 
-enum hawser_status hawser__plot_statics(const char *path, const struct hawser_statics *statics,
-                                        const struct hawser_profile_point *profile, int points,
+/* A cable that hangs in another plane may be beside its ends in x too. */
+static void range(FILE *script, const struct hawser__span_picture *of)
+{
+	double low = 0.0, high = of->scene->span.d;
+
+	for (int i = 0; i < of->points; i++) {
+		low = of->profile[i].x < low ? of->profile[i].x : low;
+		high = of->profile[i].x > high ? of->profile[i].x : high;
+	}
+	fprintf(script, "set xrange [%.9g:%.9g]\nset format x ''\n", low, high);
+}
+
+/* Panel `index` from the top, of `count`. */
+static void panel(struct hawser__picture *picture, int index, int count, const char *title)
+{
+	const double high = 0.97, low = count == 2 ? 0.21 : 0.16, gap = count == 2 ? 0.06 : 0.04;
+	double step = (high - low + gap)/count, top = high - index*step;
+
+	hawser__picture_panel(picture, 0.13, 0.97, top - step + gap, top);
+	hawser__picture_ylabel(picture, "%s", title);
+}
+
+/* Chord, cable and attachments in this column of the data. */
+static void view(FILE *script, const struct hawser__span_picture *of, int column)
+{
+	fprintf(script, "plot $chord using 1:%d with lines lt 7 lw 0.8 dt (8,6), "
+	        "$profile using 1:%d with lines lt 1", column, column);
+	if (of->kinks > 0)
+		fprintf(script, ", $attached using 1:%d with points " MARK, column);
+	fputs("\n", script);
+}
+
+enum hawser_status hawser__plot_statics(const char *path, const struct hawser__span_picture *of,
                                         const struct hawser__axis *axis,
                                         struct hawser_report *report)
 {
 	struct hawser__legend entries = {0};
 	struct hawser__picture picture;
-	enum hawser_status status = hawser__picture_begin(&picture, path, 16.0, 12.4, report);
+	int panels = of->turned ? 3 : 2;
+	enum hawser_status status = hawser__picture_begin(&picture, path, 16.0,
+	                                                  of->turned ? 16.4 : 12.4, report);
 	FILE *script = picture.script;
 
 	if (status)
 		return status;
-	data(script, statics, profile, points, axis[2].per);
-	fprintf(script, "set xrange [0:%.9g]\nset format x ''\n", statics->span.d);
-	hawser__picture_panel(&picture, 0.13, 0.97, 0.62, 0.97);
-	hawser__picture_ylabel(&picture, "%s", axis[1].title);
-	fprintf(script, "plot $chord using 1:2 with lines lt 7 lw 0.8 dt (8,6), "
-	        "$profile using 1:2 with lines lt 1%s\n"
-	        "set format x '%%g'\nset xlabel '%s'\n",
-	        statics->attachments ? ", $attached using 1:2 with points " MARK : "", axis[0].title);
-	hawser__picture_panel(&picture, 0.13, 0.97, 0.21, 0.56);
-	hawser__picture_ylabel(&picture, "%s", axis[2].title);
+	data(script, of, axis[2].per);
+	range(script, of);
+	panel(&picture, 0, panels, axis[1].title);
+	view(script, of, 2);
+	if (of->turned) {
+		panel(&picture, 1, panels, axis[3].title);
+		view(script, of, 4);
+	}
+	fprintf(script, "set format x '%%g'\nset xlabel '%s'\n", axis[0].title);
+	panel(&picture, panels - 1, panels, axis[2].title);
 	fputs("plot $profile using 1:3 with lines lt 2\n", script);
 	hawser__legend_add(&entries, "chord", "with lines lt 7 lw 0.8 dt (8,6)");
 	hawser__legend_add(&entries, "cable", "with lines lt 1");
-	if (statics->attachments)
+	if (of->kinks > 0)
 		hawser__legend_add(&entries, "attachments", "with points " MARK);
 	hawser__legend_draw(&picture, &entries);
 	return hawser__picture_finish(&picture, report);

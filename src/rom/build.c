@@ -79,9 +79,12 @@ void hawser__load_at(double local[3], const struct hawser_scene *scene,
 	memcpy(local, f, 3*sizeof *f);
 	if (scene->load.frame == HAWSER_FRAME_GLOBAL) {
 		struct hawser_frame_point at = hawser_statics_frame(&modes->statics, s);
+		double in[3];
 
-		local[0] = f[0]*at.ex + f[1]*at.ey;
-		local[1] = f[1]*at.ex - f[0]*at.ey;
+		hawser_statics_from_global(&modes->statics, in, f);
+		local[0] = in[0]*at.ex + in[1]*at.ey;
+		local[1] = in[1]*at.ex - in[0]*at.ey;
+		local[2] = in[2];
 	}
 }
 
@@ -268,6 +271,8 @@ static enum hawser_status set_shapes(struct hawser_rom *rom, const struct hawser
 	if (status)
 		return status;
 	rom->shapes.EA = modes->statics.span.EA;
+	rom->shapes.turned = modes->statics.turned;
+	memcpy(rom->shapes.axes, modes->statics.axes, sizeof rom->shapes.axes);
 	for (int p = 0; p < PROBES; p++) {
 		rom->shapes.name[p] = strdup(probes[p].name);
 		if (!rom->shapes.name[p])

@@ -9,6 +9,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "rom/model.h"
 #include "rom/weigh.h"
 
 static int points_of(const struct hawser_rom *all)
@@ -20,7 +21,6 @@ static int points_of(const struct hawser_rom *all)
 static void slopes(double *xyz, const struct hawser_rom *all, int p, int s, const double *u)
 {
 	const struct hawser_rom_shapes *shapes = &all->shapes;
-	const double *tangent = shapes->tangent + 2*p;
 	double local[3];
 
 	memcpy(local, shapes->shape + ((size_t)s*shapes->points + p)*3, sizeof local);
@@ -32,9 +32,7 @@ static void slopes(double *xyz, const struct hawser_rom *all, int p, int s, cons
 		for (int i = 0; i < 3; i++)
 			local[i] += pair[i]*u[j];
 	}
-	xyz[0] = tangent[0]*local[0] - tangent[1]*local[1];
-	xyz[1] = tangent[1]*local[0] + tangent[0]*local[1];
-	xyz[2] = local[2];
+	hawser__shapes_global(xyz, shapes, p, local);
 }
 
 void hawser__largest_displacements(double *most, const struct hawser_rom *all, const double *u,

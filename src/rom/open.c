@@ -4,6 +4,7 @@
 #include "config.h"
 
 #include <errno.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -73,11 +74,33 @@ static enum hawser_status read_mach2(const struct hawser__reader *reader, struct
 	return status;
 }
 
+/* The axes of the cable's plane: three orthogonal unit vectors. */
+static enum hawser_status read_axes(const struct hawser__reader *reader,
+                                    struct hawser_rom_shapes *shapes, const json_t *object)
+{
+	static const size_t shape[2] = {3, 3};
+	static const double round_off = 1e-9;
+	enum hawser_status status = hawser__read_array(reader, shapes->axes[0],
+	                                               json_object_get(object, "axes"), shape, 2,
+	                                               "shapes.axes");
+
+	shapes->turned = 1;
+	for (int i = 0; !status && i < 9; i++) {
+		const double *a = shapes->axes[i/3], *b = shapes->axes[i%3];
+		double product = a[0]*b[0] + a[1]*b[1] + a[2]*b[2];
+
+		if (!(fabs(product - (i/3 == i%3 ? 1.0 : 0.0)) <= round_off))
+			return hawser__wrong(reader, "shapes.axes: three orthogonal vectors of length 1 are "
+			                     "wanted, the product of %d and %d is %g", i/3 + 1, i%3 + 1, product);
+	}
+	return status;
+}
+
 static enum hawser_status read_shapes(const struct hawser__reader *reader, struct hawser_rom *rom,
                                       json_t *object)
 {
-	static const char *const keys[] = {"names", "s", "tangent", "stretch", "shape", "slope", "EA",
-	                                   "mach2", "second_shape", "second_slope", NULL};
+	static const char *const keys[] = {"names", "s", "tangent", "axes", "stretch", "shape", "slope",
+	                                   "EA", "mach2", "second_shape", "second_slope", NULL};
 	const json_t *names = json_object_get(object, "names");
 	const size_t points = json_array_size(names), n = (size_t)rom->n;
 	const struct hawser_rom_shapes *to = &rom->shapes;
@@ -108,6 +131,8 @@ static enum hawser_status read_shapes(const struct hawser__reader *reader, struc
 		                            part[i].shape, part[i].rank, part[i].where);
 	if (!status)
 		status = hawser__read_positive(reader, &rom->shapes.EA, object, "EA", "shapes");
+	if (!status && json_object_get(object, "axes"))
+		status = read_axes(reader, &rom->shapes, object);
 	if (!status && json_object_get(object, "mach2"))
 		status = read_mach2(reader, rom, object);
 	if (!status && (json_object_get(object, "second_shape") ||

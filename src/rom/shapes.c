@@ -3,6 +3,9 @@
  *    P, Q, B   mode shape along e, n, z        a, b, c   its derivative in that frame
  *    e = (ex, ey, 0), n = (-ey, ex, 0)         g         static stretch |x'|
  *
+ * Under a static load x and y are the axes of the plane in which the cable hangs, and displacements
+ * are turned to the global axes.
+ *
  * If modes are condensed, the displacement is known to second order, and so is the strain: |q'| - g
  * = a + (b^2 + c^2)/(2g) with the second-order part of a. In a nearly inextensible cable the two
  * large terms cancel. The exact |q'| of such a displacement has terms of third order that nothing
@@ -18,6 +21,7 @@
 #include "modes/grid.h"
 #include "rom/exact.h"
 #include "rom/kernel.h"
+#include "rom/model.h"
 
 static void add(double out[3], const double *field, size_t row, int points, int p, double factor)
 {
@@ -51,13 +55,15 @@ static void combine_second(double out[3], const double *second, int n, int point
 			    j == k ? 0.5*u[j]*u[k] : u[j]*u[k]);
 }
 
-static void turn(double *xyz, const struct hawser_rom *rom, int p, const double local[3])
+void hawser__shapes_global(double *xyz, const struct hawser_rom_shapes *shapes, int p,
+                           const double local[3])
 {
-	double ex = rom->shapes.tangent[2*p], ey = rom->shapes.tangent[2*p + 1];
+	double ex = shapes->tangent[2*p], ey = shapes->tangent[2*p + 1];
+	double in[3] = {local[0]*ex - local[1]*ey, local[0]*ey + local[1]*ex, local[2]};
 
-	xyz[0] = local[0]*ex - local[1]*ey;
-	xyz[1] = local[0]*ey + local[1]*ex;
-	xyz[2] = local[2];
+	for (int i = 0; i < 3; i++)
+		xyz[i] = !shapes->turned ? in[i]
+		         : shapes->axes[0][i]*in[0] + shapes->axes[1][i]*in[1] + shapes->axes[2][i]*in[2];
 }
 
 void hawser_rom_displacement_at(const struct hawser_rom *rom, double *xyz, int p, const double *u,
@@ -70,7 +76,7 @@ void hawser_rom_displacement_at(const struct hawser_rom *rom, double *xyz, int p
 	combine_second(local, rom->shapes.second_shape, modes_of(rom), points, p, u);
 	if (moment)
 		hawser__rom_answer_shape(rom, local, p, moment, 0);
-	turn(xyz, rom, p, local);
+	hawser__shapes_global(xyz, &rom->shapes, p, local);
 }
 
 void hawser_rom_displacement(const struct hawser_rom *rom, double *xyz, int p, const double *u)
@@ -91,7 +97,7 @@ void hawser_rom_velocity_at(const struct hawser_rom *rom, double *xyz, int p, co
 			add(local, second, (size_t)k*(k + 1)/2 + j, points, p,
 			    j == k ? u[j]*v[j] : u[j]*v[k] + v[j]*u[k]);
 	hawser__rom_answer_shape(rom, local, p, moment, 1);
-	turn(xyz, rom, p, local);
+	hawser__shapes_global(xyz, &rom->shapes, p, local);
 }
 
 /* g is the static stretch at point p, and `extra` a strain that is not in u. For a travelling

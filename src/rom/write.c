@@ -160,6 +160,8 @@ static void shapes(struct hawser__writer *to, const struct hawser_rom *rom)
 	words(to, "names", s->name, s->points);
 	vector(to, "s", s->s, s->points);
 	matrix(to, "tangent", s->tangent, s->points, 2);
+	if (s->turned)
+		matrix(to, "axes", s->axes[0], 3, 3);
 	vector(to, "stretch", s->stretch, s->points);
 	block(to, "shape", s->shape, shape);
 	block(to, "slope", s->slope, shape);

@@ -20,16 +20,20 @@ static int within(const char *path, const char *section)
 	return !strncmp(path, section, length) && path[length] == '.';
 }
 
-/* 1 if a section is given, by its name or by an override of one of its keys. */
+/* 1 if a section is given, by its name or by an override of one of its keys. The section load with
+ * nothing but load.static is not: the scene then has no varying load. */
 static int present(const struct hawser__reader *reader, int section)
 {
 	size_t count;
 	const char *path = hawser__sections(&count)[section].path;
+	int load = !strcmp(path, "load");
 
-	if (reader->section[section].pass)
+	if (reader->section[section].pass &&
+	    !(load && reader->section[hawser__section_find("load.static")].pass))
 		return 1;
 	for (int i = 0; hawser_scene_key(i); i++)
-		if (written(reader, i) && within(hawser_scene_key(i)->path, path))
+		if (written(reader, i) && (load ? hawser__child_of(hawser_scene_key(i)->path, path)
+		                                : within(hawser_scene_key(i)->path, path)))
 			return 1;
 	return 0;
 }
@@ -211,6 +215,8 @@ enum hawser_status hawser__check(struct hawser__reader *reader)
 
 	reader->scene->travel.present = present(reader, hawser__section_find("travel"));
 	reader->scene->load.present = present(reader, hawser__section_find("load"));
+	reader->scene->static_load.present = present(reader, hawser__section_find("load.static"));
+	reader->scene->temperature.present = present(reader, hawser__section_find("temperature"));
 	if (status == HAWSER_OK)
 		status = chosen(reader, HAWSER__DAMPING);
 	if (status == HAWSER_OK)

@@ -39,6 +39,9 @@
 	    HAWSER_GIVEN_SAG, "largest vertical distance of the cable from its chord") \
 	ROW("tension.branch", "", WORD, "taut|slack", WORDS, "taut", tension.branch, FREE, 0, \
 	    "taut or slack equilibrium with the given T0 or T1; only with one of these") \
+	ROW("tension.state", "", WORD, "reference|loaded", WORDS, "reference", tension.state, FREE, 0, \
+	    "state to which the given quantity belongs: reference, without load.static and change of " \
+	    "temperature; or loaded, with them; see STATIC LOADS AND TEMPERATURE") \
 	ROW("travel.speed", "m/s", NUMBER, NULL, ANY, NULL, travel.speed, FREE, 0, \
 	    "speed of the cable from end A to end B: unstretched length per time that passes a support") \
 	ROW("travel.hold", "", WORD, "tension|length", WORDS, NULL, travel.hold, FREE, 0, \
@@ -67,6 +70,18 @@
 	    "amplitude of the harmonic load per unstretched length along the three axes") \
 	ROW("load.extent", "1", PAIR, NULL, INCREASING, "[0, 1]", load.extent, FREE, 0, \
 	    "loaded part, as fractions of the unstretched length from end A") \
+	ROW("load.static.frame", "", WORD, "global", WORDS, "global", static_load.frame, FREE, 0, \
+	    "axes of the static load: x, y, z") \
+	ROW("load.static.per_length", "N/m", TRIPLE, NULL, ANY, "[0, 0, 0]", static_load.per_length, FREE, \
+	    0, "constant force per unstretched length along x, y, z, in addition to the weight, such as " \
+	    "a steady wind") \
+	ROW("load.static.mass", "kg/m", NUMBER, NULL, NOT_NEGATIVE, "0", static_load.mass, FREE, 0, \
+	    "mass per unstretched length of what adheres to the cable, such as ice: its weight acts " \
+	    "downwards, and its inertia is added to that of the cable") \
+	ROW("temperature.change", "K", NUMBER, NULL, ANY, NULL, temperature.change, FREE, 0, \
+	    "temperature minus that of the reference state") \
+	ROW("temperature.expansion", "1/K", NUMBER, NULL, ANY, NULL, temperature.expansion, FREE, 0, \
+	    "relative change of the unstretched length per change of temperature") \
 	ROW("attach.at", "1", PLACE, NULL, INSIDE, NULL, attach[0].at, FREE, 0, \
 	    "position on the cable from end A: a fraction of the unstretched length, such as 40 %, or an " \
 	    "unstretched length, such as 12 m") \
@@ -174,6 +189,7 @@ enum { KEYS = sizeof keys/sizeof *keys };
 _Static_assert(KEYS <= 64, "struct hawser_scene keeps one bit a key in 64");
 _Static_assert(sizeof(enum hawser_hold) == sizeof(int), "a word is stored as an int");
 _Static_assert(sizeof(enum hawser_branch) == sizeof(int), "a word is stored as an int");
+_Static_assert(sizeof(enum hawser_state) == sizeof(int), "a word is stored as an int");
 _Static_assert(sizeof(enum hawser_condensation) == sizeof(int), "a word is stored as an int");
 _Static_assert(sizeof(enum hawser_inertia) == sizeof(int), "a word is stored as an int");
 _Static_assert(sizeof(enum hawser_beam_gravity) == sizeof(int), "a word is stored as an int");
@@ -188,6 +204,10 @@ static const struct hawser__section sections[] = {
 	{"damping", 0, "At most one kind of damping; without this section there is none."},
 	{"damping.rayleigh", 0, "Damping proportional to mass and stiffness; both factors are required."},
 	{"load", 0, "A distributed load that varies as the cosine of the forcing phase."},
+	{"load.static", 0,
+	        "A uniform load that is constant in time. A section load with nothing else is no varying "
+	            "load."},
+	{"temperature", 0, "A uniform change of the temperature of the cable; both keys are required."},
 	{"model", 0, "The reduced model. All keys have defaults."},
 	{"beam", 0,
 	        "A beam or string that travels along itself between two supports, for hawser-beam(1); it "
@@ -311,6 +331,12 @@ int hawser__applies(const struct hawser_scene *scene, int index)
 		return !strcmp(keys[index].path, "g");
 	if (hawser__child_of(keys[index].path, "load"))
 		return scene->load.present;
+	if (hawser__child_of(keys[index].path, "load.static"))
+		return scene->static_load.present;
+	if (hawser__child_of(keys[index].path, "temperature"))
+		return scene->temperature.present;
+	if (!strcmp(keys[index].path, "tension.state"))
+		return scene->static_load.present || scene->temperature.present;
 	if (!strcmp(keys[index].path, "travel.final"))
 		return scene->travel.present && scene->travel.braking > 0.0;
 	if (hawser__child_of(keys[index].path, "travel"))

@@ -188,6 +188,49 @@ static const char before[] =
 	"x runs along the span from end A to end B, y upwards, z out of their plane.\n"
 	"Arclength is unstretched and measured from A; tension is positive.\n";
 
+static const char loaded[] =
+	".SH STATIC LOADS AND TEMPERATURE\n"
+	"load.static adds a constant force per unstretched length to the weight:\n"
+	"per_length along x, y, z, such as a steady wind, and the weight of the mass that adheres to the\n"
+	"cable, such as ice.\n"
+	"The cable then hangs in the plane of its chord and the sum of these forces.\n"
+	"In this plane it is a catenary as under its weight alone, which is computed exactly.\n"
+	"In\\-plane and out\\-of\\-plane refer to the plane of the cable, and so do tangent, normal and\n"
+	"binormal (load.frame: local), the horizontal tension H (the component across the static force),\n"
+	"V0, V1, eta and the sag (the largest distance from the chord along the static force).\n"
+	"The axes x, y, z of loads in load.frame: global, of profiles and of displacements such as y_mid\n"
+	"remain those of the ends and the vertical.\n"
+	"The mass counts as inertia in all motions; the force per_length does not.\n"
+	"Wind is a dead force: it does not depend on the motion of the cable.\n"
+	".PP\n"
+	"temperature changes the unstretched length by the factor 1 + expansion * change.\n"
+	".PP\n"
+	"With either section, a scene has two states of the same cable: the reference state, at rest,\n"
+	"without static load and change of temperature, and the loaded state, with both.\n"
+	"The quantity under tension is that of the reference state, unless tension.state is loaded:\n"
+	"give reference for a cable that is strung with a known tension and loaded afterwards, and loaded\n"
+	"where the tension under the load is known.\n"
+	"The unstretched length of the other state follows.\n"
+	"All results are of the loaded state;\n"
+	".BR hawser\\-statics (1)\n"
+	"states the reference state too.\n"
+	"If the cable travels, travel.hold refers to the loaded state at rest.\n"
+	"Sweeps over the tension\n"
+	".RB ( hawser\\-irvine (1))\n"
+	"vary the tension of the loaded state.\n"
+	".PP\n"
+	"A conductor strung with 28 kN, 20 K colder, with ice and wind:\n"
+	".PP\n"
+	".RS\n"
+	".nf\n"
+	"cable: {EA: 25 MN, rho: 1.6 kg/m}\n"
+	"span: {d: 400 m, h: 12 m}\n"
+	"tension: {H: 28 kN}\n"
+	"temperature: {change: \\-20 K, expansion: 1.9e\\-5 /K}\n"
+	"load: {static: {per_length: [0, 0, 12 N/m], mass: 0.9 kg/m}}\n"
+	".fi\n"
+	".RE\n";
+
 static const char after[] =
 	".SH SEE ALSO\n"
 	".BR hawser (1),\n"
@@ -235,6 +278,7 @@ int main(void)
 	       PACKAGE_VERSION);
 	fputs(before, stdout);
 	table();
+	fputs(loaded, stdout);
 	example();
 	plausible();
 	fputs(after, stdout);

@@ -231,17 +231,18 @@ static const char *skip(const char *text)
 
 enum { LONGEST = 127 };
 
-/* Copy text without trailing blanks; returns 0 if it is too long for a unit. */
+/* Copy text without trailing blanks, "/K" as "1/K"; returns 0 if it is too long for a unit. */
 static int trim(char own[LONGEST + 1], const char *text)
 {
-	size_t length = strlen(text);
+	size_t length = strlen(text), one = *text == '/';
 
 	while (length && isspace((unsigned char)text[length - 1]))
 		length--;
-	if (length > LONGEST)
+	if (one + length > LONGEST)
 		return 0;
-	memcpy(own, text, length);
-	own[length] = '\0';
+	own[0] = '1';
+	memcpy(own + one, text, length);
+	own[one + length] = '\0';
 	return 1;
 }
 
@@ -300,12 +301,27 @@ static void advice(char *text, size_t size, const char *unit)
 		         unit);
 }
 
+/* The mass per length that has the weight `text` per length under standard gravity, kg/m; NAN if
+ * `text` is no force per length, or if no mass per length is asked for. */
+static double mass_of_weight(const char *text, const char *unit)
+{
+	static const double standard_gravity = 9.80665; /* m/s^2, exact by definition */
+	struct hawser__units units = {NULL};
+	enum hawser__number answer = HAWSER__NUMBER_UNKNOWN;
+	double weight;
+
+	if (!strcmp(unit, "kg/m"))
+		answer = hawser__units_read(&units, &weight, text, "N/m");
+	hawser__units_clear(&units);
+	return answer == HAWSER__NUMBER_OK ? weight/standard_gravity : NAN;
+}
+
 void hawser__units_explain(char *sentence, size_t size, enum hawser__number failure,
                            const char *text, const char *unit)
 {
 	char how[128], shown[HAWSER__SHOWN];
 	const char *rest = text;
-	double ignored;
+	double ignored, mass;
 
 	if (failure != HAWSER__NUMBER_SYNTAX)
 		(void)number(&ignored, &rest, skip(text));
@@ -322,6 +338,14 @@ void hawser__units_explain(char *sentence, size_t size, enum hawser__number fail
 		snprintf(sentence, size, "has an unknown unit \"%s\": %s", shown, how);
 		break;
 	case HAWSER__NUMBER_DIMENSION:
+		mass = mass_of_weight(text, unit);
+		if (isfinite(mass)) {
+			snprintf(sentence, size,
+			         "is a weight per length (\"%s\"), a force; a mass per length is wanted: under "
+			         "standard gravity it belongs to \"%.8g kg/m\", or \"%.8g lb/ft\"", shown, mass,
+			         mass*0.3048/0.45359237);
+			break;
+		}
 		snprintf(sentence, size,
 		         "has a wrong unit \"%s\", not convertible to %s: %s", shown,
 		         strcmp(unit, "1") ? unit : "a pure number", how);

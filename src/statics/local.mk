@@ -9,6 +9,7 @@ noinst_LTLIBRARIES += %D%/libstatics.la
 	%D%/catenary.c \
 	%D%/tension.c \
 	%D%/travel.c \
+	%D%/equivalent.c \
 	%D%/limit.c \
 	%D%/loaded.c \
 	%D%/loaded.h \

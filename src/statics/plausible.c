@@ -47,9 +47,12 @@ static int of_span(double value[HAWSER__RULES], const struct hawser_scene *scene
 	                                 scene->span.h};
 	double L = hypot(span.d, span.h), T;
 	struct hawser_statics at_rest;
-	enum hawser_status status = hawser_statics_solve(&at_rest, &span, scene->tension.given,
-	                                                 scene->tension.value, scene->tension.branch,
-	                                                 NULL);
+	struct hawser_equivalent equal;
+	enum hawser_status status = hawser_statics_equivalent(&equal, scene, NULL);
+
+	if (!status)
+		status = hawser_statics_solve(&at_rest, &equal.span, equal.given, equal.value,
+		                              equal.branch, NULL);
 
 	value[HAWSER__RULE_LENGTH] = L;
 	value[HAWSER__RULE_GRAVITY] = span.g;

@@ -219,6 +219,7 @@ enum hawser_status hawser_statics_solve(struct hawser_statics *st, const struct 
 	st->span = *span;
 	st->given = given;
 	st->branch = tension ? branch : HAWSER_BRANCH_TAUT;
+	st->turned = 0;
 	fill(st, &cat, &chord);
 	st->error = hawser__statics_precision(&cat, &chord, given, end);
 	if (!representable(st))
@@ -234,16 +235,21 @@ enum hawser_status hawser_statics_solve(struct hawser_statics *st, const struct 
 enum hawser_status hawser_statics_scene(struct hawser_statics *st, const struct hawser_scene *scene,
                                         struct hawser_report *report)
 {
-	struct hawser_span span = {scene->cable.EA, scene->cable.rho, scene->g, scene->span.d,
-	                           scene->span.h};
 	struct hawser_motion motion = {.speed = scene->travel.speed,
 	                               .fluctuation = scene->travel.fluctuation,
 	                               .hold = scene->travel.hold};
+	struct hawser_equivalent equal;
+	enum hawser_status status = hawser_statics_equivalent(&equal, scene, report);
 
+	if (status)
+		return status;
 	if (scene->attachments > 0) /* such a cable does not travel */
-		return hawser_statics_loaded(st, &span, scene->tension.given, scene->tension.value,
-		                             scene->tension.branch, scene->attach, scene->attachments,
-		                             report);
-	return hawser_statics_travel(st, &span, scene->tension.given, scene->tension.value,
-	                             scene->tension.branch, &motion, report);
+		status = hawser_statics_loaded(st, &equal.span, equal.given, equal.value, equal.branch,
+		                               scene->attach, scene->attachments, report);
+	else
+		status = hawser_statics_travel(st, &equal.span, equal.given, equal.value, equal.branch,
+		                               &motion, report);
+	if (!status)
+		hawser_statics_turn(st, &equal);
+	return status;
 }

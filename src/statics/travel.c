@@ -103,15 +103,14 @@ static double apparent_tension(const struct travel *travel, double T)
 	return (1.0 - travel->m)*T - travel->thrust;
 }
 
-/* T0 of the cable at rest, and the branch, taut or slack, to which the cable at rest belongs. */
-static enum hawser_status held_tension(enum hawser_branch *branch, const struct hawser_statics *rest,
-                                       struct hawser_report *report)
+enum hawser_status hawser__branch_of(enum hawser_branch *branch, const struct hawser_statics *rest,
+                                     enum hawser_given given, struct hawser_report *report)
 {
 	struct hawser__catenary least;
 	struct hawser__chord chord;
 
 	hawser__chord_of(&chord, &rest->span);
-	if (!(hawser__least_tension(&least, &chord, hawser__end_of(&rest->span, HAWSER_GIVEN_T0)) > 0.0))
+	if (!(hawser__least_tension(&least, &chord, hawser__end_of(&rest->span, given)) > 0.0))
 		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, where,
 		                    "the least tension of this span exceeds the range of "
 		                    "double-precision numbers");
@@ -135,7 +134,7 @@ static enum hawser_status steady(struct hawser_statics *st, const struct travel 
 	if (given != HAWSER_GIVEN_T0 && given != HAWSER_GIVEN_T1) {
 		given = HAWSER_GIVEN_T0;
 		value = rest->T0;
-		status = held_tension(&branch, rest, report);
+		status = hawser__branch_of(&branch, rest, given, report);
 	}
 	A = apparent_tension(travel, value);
 	if (!status && !(A > 0.0))

@@ -14,6 +14,11 @@ static inline double hawser__thrust(const struct hawser_statics *st)
 	return st->span.rho/(1.0 - motion->mach2)*square;
 }
 
+/* The branch, taut or slack, to which a cable at rest belongs if T0 or T1 is given. */
+enum hawser_status hawser__branch_of(enum hawser_branch *branch, const struct hawser_statics *rest,
+                                     enum hawser_given given, struct hawser_report *report)
+	HAWSER_MUST_CHECK;
+
 /* Steady state at motion->speed and ->fluctuation with the apparent horizontal tension H (N). */
 enum hawser_status hawser__travel_at(struct hawser_statics *statics, const struct hawser_span *span,
                                      const struct hawser_motion *motion, double H,

@@ -14,6 +14,7 @@
 #include <stdlib.h>
 
 #include "core/report.h"
+#include "rom/model.h"
 #include "study/respond.h"
 #include "study/scales.h"
 
@@ -28,9 +29,9 @@ static double shape_along(const struct hawser_rom *rom, int j, int probe, int ax
 {
 	const struct hawser_rom_shapes *shapes = &rom->shapes;
 	const double *phi = shapes->shape + ((size_t)j*shapes->points + probe)*3;
-	double ex = shapes->tangent[2*probe], ey = shapes->tangent[2*probe + 1];
-	double xyz[3] = {phi[0]*ex - phi[1]*ey, phi[0]*ey + phi[1]*ex, phi[2]};
+	double xyz[3];
 
+	hawser__shapes_global(xyz, shapes, probe, phi);
 	return fabs(xyz[axis]);
 }
 

@@ -122,6 +122,22 @@ static void decide_load(struct hawser_plan *plan, const struct hawser_scene *sce
 	    "and its bifurcations; not for multiple scales");
 }
 
+static void decide_static_load(struct hawser_plan *plan, const struct hawser_scene *scene)
+{
+	const struct hawser_statics *st = &plan->modes.statics;
+	int still = scene->tension.state == HAWSER_STATE_LOADED;
+
+	if (scene->static_load.present)
+		decide(plan, "static load", 1, "%.4g N/m with the weight, %.4g kg/m in motion; the plane of "
+		    "the cable, to which \"in the plane\" refers, swings by %.3g rad",
+		    hawser_statics_actual(st).span.rho*st->span.g,
+		    scene->cable.rho + scene->static_load.mass, st->turned ? st->swing : 0.0);
+	if (scene->static_load.present || scene->temperature.present)
+		decide(plan, "given tension", 1, "that of the %s state (tension.state), with the length of "
+		    "cable of %s state%s", still ? "loaded" : "reference", still ? "this" : "that",
+		    scene->temperature.present ? ", changed by the temperature" : "");
+}
+
 static void decide_always(struct hawser_plan *plan, const struct hawser_scene *scene)
 {
 	const struct hawser_motion *motion = &plan->modes.statics.motion;
@@ -157,6 +173,7 @@ enum hawser_status hawser__decide(struct hawser_plan *plan, const struct hawser_
 	decide_planes(plan);
 	decide_rest(plan, scene, &survey->inertia);
 	decide_load(plan, scene);
+	decide_static_load(plan, scene);
 	decide_always(plan, scene);
 	if (*survey->forces)
 		decide(plan, "forces from strains", strncmp(survey->forces, "from strains", 12) == 0, "%s",

@@ -66,7 +66,7 @@ static enum hawser_status reach_of(enum hawser__reach *reach,
 		                    "and factor.damping", key);
 	else if (strncmp(key, "damping.", 8) == 0)
 		*reach = HAWSER__REACH_RATES;
-	else if (strncmp(key, "load.", 5) == 0)
+	else if (strncmp(key, "load.", 5) == 0 && strncmp(key, "load.static.", 12) != 0)
 		*reach = HAWSER__REACH_MODEL;
 	else
 		*reach = HAWSER__REACH_STRUCTURE;

@@ -81,6 +81,7 @@ static const struct row {
 	ROW(hawser_cubic),
 	ROW(hawser_decay),
 	ROW(hawser_doubt),
+	ROW(hawser_equivalent),
 	ROW(hawser_fidelity),
 	ROW(hawser_fidelity_choice),
 	ROW(hawser_folds),

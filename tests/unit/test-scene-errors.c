@@ -50,7 +50,7 @@ static const struct {
 	 "s.yaml:1:20: a scene has no anchors: remove &l"},
 	{"<<: {EA: 4e8}\n", NULL,
 	 "s.yaml:1:1: unknown key <<: a scene takes g, cable, span, tension, travel, "
-	 "damping, load, attach, model, beam"},
+	 "damping, load, temperature, attach, model, beam"},
 	/* documents */
 	{"", NULL,
 	 "s.yaml: the scene is empty: it needs at least cable, span and tension (see "
@@ -86,7 +86,7 @@ static const struct {
 	 "s.yaml:4:1: unknown key cable.Eb: did you mean cable.EA?"},
 	{WHOLE "railway: {speed: 5 m/s}\n", NULL,
 	 "s.yaml:4:1: unknown key railway: a scene takes g, cable, span, tension, travel, "
-	 "damping, load, attach, model, beam"},
+	 "damping, load, temperature, attach, model, beam"},
 	{WHOLE "travel: {speed: 5 m/s, hold: length, final: 2}\n", NULL,
 	 "s.yaml:4:38: travel.final is the speed after braking: give the time that braking takes with "
 	 "travel.braking, or remove travel.final"},
@@ -95,7 +95,7 @@ static const struct {
 	 "changes once and for all"},
 	{WHOLE "\"\": 3\n", NULL,
 	 "s.yaml:4:1: unknown key \"\": a scene takes g, cable, span, tension, travel, "
-	 "damping, load, attach, model, beam"},
+	 "damping, load, temperature, attach, model, beam"},
 	{WHOLE "? [a, b]\n: 3\n", NULL,
 	 "s.yaml:4:3: a key must be a word, not a list"},
 	{WHOLE "? {a: b}\n: 3\n", NULL,
@@ -108,7 +108,7 @@ static const struct {
 	 "s.yaml:1:1: this key is 300 characters long; 255 is the most"},
 	{LONG ": 3\n", NULL,
 	 "s.yaml:1:1: unknown key xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx...: a scene takes g, "
-	 "cable, span, tension, travel, damping, load, attach, model, beam"},
+	 "cable, span, tension, travel, damping, load, temperature, attach, model, beam"},
 	{WHOLE "\"a\\0b\": 3\n", NULL,
 	 "s.yaml:4:1: this key holds a NUL character: remove it"},
 	/* missing */
@@ -359,12 +359,30 @@ static const struct {
 	 "--set : write KEY=VALUE, such as cable.EA=400 MN"},
 	{WHOLE, "=",
 	 "--set =: unknown key \"\": a scene takes g, cable, span, tension, travel, "
-	 "damping, load, attach, model, beam"},
+	 "damping, load, temperature, attach, model, beam"},
 	{WHOLE, "=3",
 	 "--set =3: unknown key \"\": a scene takes g, cable, span, tension, travel, "
-	 "damping, load, attach, model, beam"},
+	 "damping, load, temperature, attach, model, beam"},
 	{WHOLE, "cable.Ea=4e8",
 	 "--set cable.Ea=4e8: unknown key cable.Ea: did you mean cable.EA?"},
+	{WHOLE, "cable.rho=16 N/m",
+	 "--set cable.rho=16 N/m: cable.rho: \"16 N/m\" is a weight per length (\"N/m\"), a force; a mass "
+	 "per length is wanted: under standard gravity it belongs to \"1.6315459 kg/m\", or "
+	 "\"1.0963483 lb/ft\""},
+	{WHOLE, "cable.rho=0.01 kip/ft",
+	 "--set cable.rho=0.01 kip/ft: cable.rho: \"0.01 kip/ft\" is a weight per length (\"kip/ft\"), a "
+	 "force; a mass per length is wanted: under standard gravity it belongs to \"14.881639 kg/m\", or "
+	 "\"10 lb/ft\""},
+	{WHOLE, "load.static.frame=local",
+	 "--set load.static.frame=local: load.static.frame: \"local\" is not one of global"},
+	{WHOLE, "load.static.mass=-1",
+	 "--set load.static.mass=-1: load.static.mass: \"-1\" is out of range: it must be >= 0, in kg/m"},
+	{WHOLE, "temperature.change=-20",
+	 "--set temperature.change=-20: temperature.expansion is missing and has no default: give a number "
+	 "in 1/K (relative change of the unstretched length per change of temperature)"},
+	{WHOLE, "temperature.change=-20 degC",
+	 "--set temperature.change=-20 degC: temperature.change: \"-20 degC\" has a wrong unit \"degC\", "
+	 "not convertible to K: give a number in K, or with a unit that converts to K"},
 	{WHOLE, "cable.EA=",
 	 "--set cable.EA=: cable.EA has no value: write cable.EA=VALUE"},
 	{WHOLE, "cable.EA=-1",

@@ -322,6 +322,44 @@ static void files(void)
 	fclose(in);
 }
 
+/* load.static beside the varying load, alone, and by override; temperature. */
+static void static_loads(void)
+{
+	static const char text[] = "cable: {EA: 25 MN, rho: 1.6}\nspan: {d: 400, h: 12}\n"
+	                           "tension: {H: 28 kN}\n";
+	static const char both[] = "cable: {EA: 25 MN, rho: 1.6}\nspan: {d: 400, h: 12}\n"
+	                           "tension: {H: 28 kN, state: loaded}\n"
+	                           "temperature: {change: -20 K, expansion: 1.9e-5 /K}\n"
+	                           "load: {static: {mass: 0.9}, frame: local, per_length: [0, 1, 0]}\n";
+	struct hawser_report report = {.message = ""};
+	struct hawser_scene scene;
+	double value;
+
+	if (!ok(!read_text(&scene, text, "load={static: {per_length: [0, 0, 12]}}", &report),
+	        "static load by override %s", report.message))
+		return;
+	ok(!scene.load.present && scene.static_load.present && !scene.temperature.present,
+	   "a static load is no varying load");
+	ok(scene.static_load.per_length[2] == 12.0 && scene.static_load.mass == 0.0 &&
+	   scene.tension.state == HAWSER_STATE_REFERENCE, "its values and defaults");
+	ok(hawser_scene_get(&scene, &value, "load.extent[0]", NULL) == HAWSER_ERR_ARGUMENT &&
+	   !hawser_scene_get(&scene, &value, "load.static.per_length[2]", NULL) && value == 12.0,
+	   "keys of the static load apply, those of the varying one do not");
+	hawser_scene_clear(&scene);
+	if (!ok(!read_text(&scene, text, NULL, &report), "neither %s", report.message))
+		return;
+	ok(!scene.static_load.present &&
+	   hawser_scene_get(&scene, &value, "load.static.mass", NULL) == HAWSER_ERR_ARGUMENT,
+	   "no static load");
+	hawser_scene_clear(&scene);
+	if (!ok(!read_text(&scene, both, NULL, &report), "both %s", report.message))
+		return;
+	ok(scene.load.present && scene.static_load.present && scene.temperature.present &&
+	   scene.tension.state == HAWSER_STATE_LOADED, "both loads, temperature and state");
+	close_to(scene.temperature.expansion, 1.9e-5, 1e-15, "a unit that begins with a slash");
+	hawser_scene_clear(&scene);
+}
+
 static void table_of_keys(void)
 {
 	int count = 0;
@@ -330,12 +368,13 @@ static void table_of_keys(void)
 		for (int j = 0; j < count; j++)
 			if (!strcmp(hawser_scene_key(count)->path, hawser_scene_key(j)->path))
 				ok(0, "%s stands twice in the table", hawser_scene_key(j)->path);
-	ok(count == 52 && !hawser_scene_key(-1) && !hawser_scene_key(count + 1), "%d keys", count);
+	ok(count == 58 && !hawser_scene_key(-1) && !hawser_scene_key(count + 1), "%d keys", count);
 }
 
 int main(void)
 {
 	table_of_keys();
+	static_loads();
 	values();
 	defaults();
 	spellings();

@@ -1,0 +1,94 @@
+/* cli/statics_loaded.c - what hawser statics shows of a span with a static load or a change of
+ * temperature, besides the quantities of every span.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+
+#include "cli/statics_loaded.h"
+
+static const char *state_word(const void *of)
+{
+	const struct cli_loaded *loaded = of;
+
+	return loaded->state == HAWSER_STATE_LOADED ? "loaded" : "reference";
+}
+
+#define OF(member) HAWSER__AT(struct hawser_statics, member)
+static const struct hawser__field reference_field[] = {
+	{"H", NULL, "horizontal tension", OF(H), .unit = HAWSER__NEWTON},
+	{"T0", NULL, "tension at end A", OF(T0), .unit = HAWSER__NEWTON},
+	{"T1", NULL, "tension at end B", OF(T1), .unit = HAWSER__NEWTON},
+	{"length0", NULL, "unstretched length", OF(length0), .unit = HAWSER__METRE},
+	{"sag", NULL, "largest vertical distance from the chord", OF(sag), .unit = HAWSER__METRE},
+	HAWSER__END,
+};
+#undef OF
+
+#define OF(member) HAWSER__AT(struct cli_loaded, member)
+const struct hawser__field cli_loaded_field[] = {
+	{"swing_angle", NULL, "from the vertical plane to that of the cable, about the chord", OF(swing),
+	 .unit = HAWSER__RADIAN},
+	{"sag_vertical", NULL, "largest vertical distance from the chord", OF(sag_vertical),
+	 .unit = HAWSER__METRE},
+	{"blowout", NULL, "largest distance from the vertical plane through the ends", OF(blowout),
+	 .unit = HAWSER__METRE},
+	{"force", NULL, "weight and static load per unstretched length, N/m", OF(force)},
+	{"pull_A", NULL, "force of the cable on support A along x, y, z", OF(pull[0]),
+	 .unit = HAWSER__NEWTON},
+	{"pull_B", NULL, "the same on support B", OF(pull[1]), .unit = HAWSER__NEWTON},
+	{"tension_given", NULL, "state to which the given tension belongs", HAWSER__TEXT_BY(state_word)},
+	{"reference", NULL, "without static load and change of temperature, at rest",
+	 HAWSER__PART_OF(struct cli_loaded, reference, reference_field)},
+	HAWSER__END,
+};
+#undef OF
+
+void cli_loaded_comments(struct hawser__table *table, const struct cli_loaded *loaded)
+{
+	const struct hawser__view view = cli_si_view(0);
+	const struct hawser_statics *rest = &loaded->reference;
+
+	hawser__fields_comments(table, cli_loaded_field, loaded, &view);
+	for (int k = 0; k < 2; k++)
+		hawser__table_comment(table, "pull_%c = %.10g, %.10g, %.10g N, of the cable on its support, "
+		                      "along x, y, z", "AB"[k], loaded->pull[k][0], loaded->pull[k][1],
+		                      loaded->pull[k][2]);
+	hawser__table_comment(table, "the given tension is that of the %s state (tension.state)",
+	                      state_word(loaded));
+	hawser__table_comment(table, "reference state, without static load and change of temperature: "
+	                      "H = %.10g N, T0 = %.10g N, T1 = %.10g N, sag = %.10g m, "
+	                      "length0 = %.12g m", rest->H, rest->T0, rest->T1, rest->sag,
+	                      rest->length0);
+}
+
+/* Force of the cable on a support: along the cable from end A, against it at end B. */
+static void pull_of(double pull[3], const struct hawser_statics *st, double H, double V, double sign)
+{
+	const double in[3] = {sign*H, sign*V, 0.0};
+
+	hawser_statics_to_global(st, pull, in);
+}
+
+enum hawser_status cli_loaded_fill(struct cli_loaded *loaded, const struct hawser_statics *st,
+                                   const struct hawser_scene *scene, struct hawser_report *report)
+{
+	static const double along[3] = {0.0, 1.0, 0.0};
+	const struct hawser_statics actual = hawser_statics_actual(st);
+	double up[3];
+
+	loaded->present = scene->static_load.present || scene->temperature.present;
+	if (!loaded->present)
+		return HAWSER_OK;
+	loaded->state = scene->tension.state;
+	hawser_statics_to_global(st, up, along);
+	/* each point of the cable is at most `sag` from its point of the chord, against `up` */
+	loaded->sag_vertical = st->sag*fabs(up[1] - up[0]*scene->span.h/scene->span.d);
+	loaded->blowout = st->sag*fabs(up[2]);
+	loaded->swing = st->turned ? st->swing : 0.0;
+	for (int i = 0; i < 3; i++)
+		loaded->force[i] = 0.0 - actual.span.rho*actual.span.g*up[i];
+	pull_of(loaded->pull[0], st, actual.H, actual.V0, 1.0);
+	pull_of(loaded->pull[1], st, st->H*(actual.T1/st->T1), actual.V1, -1.0);
+	return hawser_statics_reference(&loaded->reference, scene, report);
+}

@@ -1,0 +1,40 @@
+/* cli/statics_loaded.h - what hawser statics shows of a loaded span, and the points of its profile.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_CLI_STATICS_LOADED_H
+#define HAWSER_CLI_STATICS_LOADED_H
+
+#include "cli/view.h"
+
+struct cli_loaded {
+	int present; /* 0: the scene has neither static load nor change of temperature */
+	enum hawser_state state;
+	struct hawser_statics reference;
+	double swing, sag_vertical, blowout; /* rad, m, m */
+	double force[3];                     /* N/m, along x, y, z */
+	double pull[2][3];                   /* N, on supports A and B, along x, y, z */
+};
+extern const struct hawser__field cli_loaded_field[];
+void cli_loaded_comments(struct hawser__table *table, const struct cli_loaded *loaded);
+
+/* From the state of the scene, at rest or travelling (with the apparent quantities). */
+enum hawser_status cli_loaded_fill(struct cli_loaded *loaded, const struct hawser_statics *statics,
+                                   const struct hawser_scene *scene, struct hawser_report *report)
+	HAWSER_MUST_CHECK;
+
+/* A point of the profile along the axes of the scene. */
+struct hawser__place cli_place(const struct hawser_statics *st,
+                               const struct hawser_profile_point *in);
+
+/* An attachment: at a mass the tension has two values. */
+struct cli_mark {
+	const char *name;
+	double mass;
+	struct hawser__place before, after;
+};
+extern const struct hawser__field cli_mark_field[];
+/* Fills mark[attachments] and returns their number. */
+int cli_marks_fill(struct cli_mark *mark, const struct hawser_statics *st,
+                   const struct hawser_scene *scene);
+void cli_marks_comments(struct hawser__table *table, const struct cli_mark *mark, int marks);
+
+#endif

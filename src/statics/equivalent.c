@@ -1,0 +1,245 @@
+/* statics/equal.c - static load, change of temperature, and the plane in which the cable hangs.
+ *
+ *   rho, m   mass of the cable and of what adheres to it, per unstretched length
+ *   p        static load, N per unstretched length; w = (rho + m) g (0,-1,0) + p, the whole force
+ *   c        the chord (d, h, 0)
+ *   up       -w/|w|, the axis y' of the cable's plane; z' = c x up/|c x up|, x' = up x z'
+ *   L        unstretched length in the reference state, L (1 + a dT) in the loaded one
+ *
+ * w is the same at each point of the cable, so that the equation (T e)' = -w has the solutions of a
+ * cable under its weight, with -w/|w| in place of the vertical: a catenary in the plane of c and w, for
+ * which |w|/(rho + m) takes the place of g, c.x' that of d and c.up that of h. In that plane the
+ * equations of motion are those of such a cable too, as w does no other work. This is exact. c.x' is
+ * computed as |c x up|: where the chord is nearly parallel to w, c - (c.up) up would cancel.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "statics/catenary.h"
+#include "statics/travel.h"
+
+static const char where[] = "statics";
+/* Round-off of the sum of two forces that cancel, and of the direction of a chord; relative. */
+static const double nothing = 1e-12, parallel = 1e-9;
+
+static const struct hawser_span *bare(struct hawser_span *span, const struct hawser_scene *scene)
+{
+	*span = (struct hawser_span){scene->cable.EA, scene->cable.rho, scene->g, scene->span.d,
+	                             scene->span.h};
+	return span;
+}
+
+static double norm(const double v[3])
+{
+	return hypot(hypot(v[0], v[1]), v[2]);
+}
+
+/* Angle about the chord from the vertical plane to that of the cable, positive towards z. */
+static double swing_of(const double normal[3], const struct hawser_span *span)
+{
+	double c = hypot(span->d, span->h);
+
+	return atan2((normal[1]*span->d - normal[0]*span->h)/c, normal[2]);
+}
+
+/* The span in the plane of the chord and w, and the axes of this plane. */
+static enum hawser_status turn(struct hawser_equivalent *equal, const double w[3],
+                               struct hawser_report *report)
+{
+	double *across = equal->axes[0], *up = equal->axes[1], *normal = equal->axes[2];
+	const struct hawser_span level = equal->span;
+	double force = norm(w), d;
+
+	for (int i = 0; i < 3; i++)
+		up[i] = -w[i]/force;
+	normal[0] = level.h*up[2];
+	normal[1] = -level.d*up[2];
+	normal[2] = level.d*up[1] - level.h*up[0];
+	d = norm(normal);
+	if (!(d > parallel*hypot(level.d, level.h)))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
+		                    "weight and load.static together, (%g, %g, %g) N/m, act along the chord "
+		                    "of the span: such a cable hangs like a vertical one, which H does not "
+		                    "describe; change the load or the span", w[0], w[1], w[2]);
+	for (int i = 0; i < 3; i++)
+		normal[i] /= d;
+	across[0] = up[1]*normal[2] - up[2]*normal[1];
+	across[1] = up[2]*normal[0] - up[0]*normal[2];
+	across[2] = up[0]*normal[1] - up[1]*normal[0];
+	equal->turned = 1;
+	equal->swing = swing_of(normal, &level);
+	equal->span.d = d;
+	equal->span.h = level.d*up[0] + level.h*up[1];
+	return HAWSER_OK;
+}
+
+/* Point masses keep their weight where the force per length has another direction or size; springs and
+ * dampers along the axes of the scene couple the motions in and out of a plane that is turned. */
+static enum hawser_status refuse_attached(const struct hawser_scene *scene,
+                                          struct hawser_report *report)
+{
+	const double *p = scene->static_load.per_length;
+	int aside = p[0] != 0.0 || p[2] != 0.0;
+
+	for (int i = 0; i < scene->attachments && norm(p) > 0.0; i++)
+		if (aside || scene->attach[i].mass > 0.0)
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
+			                    "attach[%d] contradicts load.static.per_length: %s, which is not "
+			                    "available; remove one of them (ice is load.static.mass)", i,
+			                    scene->attach[i].mass > 0.0
+			                    ? "a cable with point masses under such a load does not hang in one "
+			                      "plane" : "springs and dampers couple the planes of a turned cable");
+	return HAWSER_OK;
+}
+
+/* The loaded span, without what gives its tension. */
+static enum hawser_status apply(struct hawser_equivalent *equal, const struct hawser_scene *scene,
+                                struct hawser_report *report)
+{
+	const double *p = scene->static_load.per_length;
+	double rho = scene->cable.rho + scene->static_load.mass, weight = rho*scene->g;
+	double w[3] = {p[0], p[1] - weight, p[2]}, force = norm(w);
+
+	enum hawser_status status = refuse_attached(scene, report);
+
+	equal->span.rho = rho;
+	if (status)
+		return status;
+	if (!(isfinite(force) && force > nothing*(weight + norm(p))))
+		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, where,
+		                    "load.static and the weight of %g N/m leave a force of %g N/m on the "
+		                    "cable: without any force its shape is not determined; change the load",
+		                    weight, force);
+	equal->span.g = force/rho;
+	if (p[0] == 0.0 && p[2] == 0.0 && w[1] < 0.0)
+		return HAWSER_OK;
+	return turn(equal, w, report);
+}
+
+static enum hawser_status stretch_of(double *stretch, const struct hawser_scene *scene,
+                                     struct hawser_report *report)
+{
+	*stretch = 1.0;
+	if (!scene->temperature.present)
+		return HAWSER_OK;
+	*stretch += scene->temperature.expansion*scene->temperature.change;
+	if (*stretch > 0.0 && isfinite(*stretch))
+		return HAWSER_OK;
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
+	                    "temperature.change = %g K with temperature.expansion = %g /K makes the "
+	                    "unstretched length %g times as long: this is no change of temperature",
+	                    scene->temperature.change, scene->temperature.expansion, *stretch);
+}
+
+static int changed(const struct hawser_scene *scene)
+{
+	return scene->static_load.present || scene->temperature.present;
+}
+
+/* The span at rest with the attachments of the scene, which belong to both states. */
+static enum hawser_status at_rest(struct hawser_statics *st, const struct hawser_span *span,
+                                  enum hawser_given given, double value, enum hawser_branch branch,
+                                  const struct hawser_scene *scene, struct hawser_report *report)
+{
+	return scene->attachments > 0
+	       ? hawser_statics_loaded(st, span, given, value, branch, scene->attach, scene->attachments,
+	                               report)
+	       : hawser_statics_solve(st, span, given, value, branch, report);
+}
+
+/* A travelling cable may hold H or T1: the loaded state has the given quantity of the scene. */
+static enum hawser_status given_again(struct hawser_equivalent *equal, const struct hawser_scene *scene,
+                                      struct hawser_report *report)
+{
+	enum hawser_given given = scene->tension.given;
+	struct hawser_statics rest;
+	enum hawser_status status;
+
+	if (!scene->travel.present || (given != HAWSER_GIVEN_H && given != HAWSER_GIVEN_T1))
+		return HAWSER_OK;
+	status = hawser_statics_solve(&rest, &equal->span, equal->given, equal->value, equal->branch,
+	                              report);
+	if (!status && given == HAWSER_GIVEN_T1)
+		status = hawser__branch_of(&equal->branch, &rest, given, report);
+	equal->given = given;
+	equal->value = given == HAWSER_GIVEN_H ? rest.H : rest.T1;
+	return status;
+}
+
+enum hawser_status hawser_statics_equivalent(struct hawser_equivalent *equal,
+                                             const struct hawser_scene *scene,
+                                             struct hawser_report *report)
+{
+	struct hawser_span span;
+	struct hawser_statics reference;
+	double stretch;
+	enum hawser_status status = stretch_of(&stretch, scene, report);
+
+	*equal = (struct hawser_equivalent){.axes = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+	                                    .given = scene->tension.given,
+	                                    .value = scene->tension.value,
+	                                    .branch = scene->tension.branch};
+	equal->span = *bare(&span, scene);
+	if (!status && scene->static_load.present)
+		status = apply(equal, scene, report);
+	if (status || scene->tension.state == HAWSER_STATE_LOADED || !changed(scene))
+		return status;
+	status = at_rest(&reference, &span, equal->given, equal->value, equal->branch, scene, report);
+	if (status)
+		return status;
+	equal->given = HAWSER_GIVEN_LENGTH0;
+	equal->value = stretch*reference.length0;
+	equal->branch = HAWSER_BRANCH_TAUT;
+	return given_again(equal, scene, report);
+}
+
+enum hawser_status hawser_statics_reference(struct hawser_statics *st,
+                                            const struct hawser_scene *scene,
+                                            struct hawser_report *report)
+{
+	struct hawser_equivalent equal;
+	struct hawser_span span;
+	double stretch;
+	enum hawser_status status = stretch_of(&stretch, scene, report);
+
+	if (status)
+		return status;
+	bare(&span, scene);
+	if (scene->tension.state == HAWSER_STATE_REFERENCE || !changed(scene))
+		return at_rest(st, &span, scene->tension.given, scene->tension.value,
+		               scene->tension.branch, scene, report);
+	status = hawser_statics_equivalent(&equal, scene, report);
+	if (!status)
+		status = at_rest(st, &equal.span, equal.given, equal.value, equal.branch, scene, report);
+	return status ? status : at_rest(st, &span, HAWSER_GIVEN_LENGTH0, st->length0/stretch,
+	                                 HAWSER_BRANCH_TAUT, scene, report);
+}
+
+void hawser_statics_turn(struct hawser_statics *st, const struct hawser_equivalent *equal)
+{
+	memcpy(st->axes, equal->axes, sizeof st->axes);
+	st->turned = equal->turned;
+	st->swing = equal->swing;
+}
+
+void hawser_statics_to_global(const struct hawser_statics *st, double global[3], const double v[3])
+{
+	const double in[3] = {v[0], v[1], v[2]};
+
+	for (int i = 0; i < 3; i++)
+		global[i] = !st->turned ? in[i] : st->axes[0][i]*in[0] + st->axes[1][i]*in[1] +
+		                                  st->axes[2][i]*in[2];
+}
+
+void hawser_statics_from_global(const struct hawser_statics *st, double v[3], const double global[3])
+{
+	const double in[3] = {global[0], global[1], global[2]};
+
+	for (int i = 0; i < 3; i++)
+		v[i] = !st->turned ? in[i] : st->axes[i][0]*in[0] + st->axes[i][1]*in[1] +
+		                             st->axes[i][2]*in[2];
+}

@@ -1,0 +1,101 @@
+#!/bin/sh
+# A span with ice, wind and a change of temperature, through the commands: the plane of the cable swings,
+# loads and displacements are along the axes of the scene.
+# SPDX-License-Identifier: GPL-3.0-or-later
+. "$SRCDIR/tests/cli/lib.sh"
+scene=$top/notebooks-data/scenes/conductor.yaml
+
+works "statics" statics "$scene" --points 41 --json iced.json --tsv iced.tsv
+works "the loaded state from its own tension" statics "$scene" --points 3 --json back.json \
+	--set "tension={T0: 45565.8271111 N, state: loaded}"
+python "both states, the supports in balance with the static force, the profile in space" <<'END'
+import csv, json
+from math import hypot
+r, b = json.load(open("iced.json")), json.load(open("back.json"))
+l = r["loaded"]
+assert l["tension_given"] == "reference" and l["reference"]["H"] == 28000
+assert abs(r["length0"] / (l["reference"]["length0"] * (1 - 20 * 1.9e-5)) - 1) < 1e-14
+assert abs(b["loaded"]["reference"]["H"] / 28000 - 1) < 1e-9 and b["loaded"]["tension_given"] == "loaded"
+assert l["force"][0] == 0 and abs(l["force"][1] + 2.5 * 9.81) < 1e-12 and abs(l["force"][2] - 12) < 1e-12
+for k in range(3):
+    assert abs(l["pull_A"][k] + l["pull_B"][k] - l["force"][k] * r["length0"]) < 1e-7
+z = r["profile_z"]
+rows = list(csv.DictReader((line for line in open("iced.tsv") if line[0] != "#"), delimiter="\t"))
+assert [float(row["z_m"]) for row in rows] == z and z[0] == 0 and abs(z[-1]) < 1e-9
+assert max(z) <= l["blowout"] < 1.001 * max(z)
+chord = [12 / 400 * p[1] - p[2] for p in r["profile"]]
+assert max(chord) <= l["sag_vertical"] < 1.001 * max(chord) and l["sag_vertical"] < r["sag"]
+assert abs(hypot(l["sag_vertical"], l["blowout"]) / r["sag"] - 1) < 1e-3
+END
+works "without load the profile has no z" statics "$top/notebooks-data/scenes/chairlift.yaml" --points 3 --tsv plain.tsv
+python "" <<'END'
+text = open("plain.tsv").read()
+assert "z_m" not in text and "swing" not in text
+END
+works "modes" modes "$scene" -n 4
+[ -z "${HAWSER_LONG:-}" ] || works "plan" plan "$scene"
+works "frf of the swung span" frf "$scene" --set model.modes=3 --from 0.95w1 --to 1.05w1 --json swung.json
+python "the same span in the vertical plane, under the turned load" <<'END'
+import json
+from math import atan2, cos, sin
+r = json.load(open("iced.json"))
+l = r["loaded"]
+force = sum(f * f for f in l["force"])**0.5
+up = [-f / force for f in l["force"]]
+h = 12 * up[1]
+n = [12 * up[2], -400 * up[2], 400 * up[1]]
+d = sum(x * x for x in n)**0.5
+z = [x / d for x in n]
+x = [up[1] * z[2] - up[2] * z[1], up[2] * z[0] - up[0] * z[2], up[0] * z[1] - up[1] * z[0]]
+load = [0, 0, 0.5]
+turned = [sum(a * b for a, b in zip(load, axis)) for axis in (x, up, z)]
+json.dump([x, up, z], open("axes.json", "w"))
+open("upright.yaml", "w").write(f"""
+g: {force / 2.5!r}
+cable: {{EA: 25 MN, rho: 2.5}}
+span: {{d: {d!r}, h: {h!r}}}
+tension: {{length0: {r['length0']!r}}}
+damping: {{ratio: 0.005}}
+load: {{frame: global, per_length: {turned!r}}}
+model: {{modes: 3}}
+""")
+END
+works "frf of that span" frf upright.yaml --from 0.95w1 --to 1.05w1 --json upright.json
+python "equal folds and peaks of the coordinates" <<'END'
+import json
+a, b = json.load(open("swung.json")), json.load(open("upright.json"))
+for u, v in zip(a["natural_frequencies"], b["natural_frequencies"]):
+    assert abs(u / v - 1) < 1e-9
+ea, eb = ([e for e in r["events"]] for r in (a, b))
+assert len(ea) == len(eb) and len(a["points"]) == len(b["points"])
+for p, q in zip(ea, eb):
+    assert p["kind"] == q["kind"] and abs(p["Omega"] / q["Omega"] - 1) < 1e-7
+top = lambda r: max(max(p["coordinates"]) for p in r["points"])
+assert abs(top(a) / top(b) - 1) < 1e-6
+END
+works "a map over the wind" map "$scene" --x Omega=0.9w1:1.1w1 --y "load.static.per_length[2]=0:20" --points 4x3 \
+	--quantity growth
+works "a Campbell diagram of a swung rope" campbell "$scene" -n 3 --points 5 \
+	--set "travel={speed: 1, hold: tension}"
+works "travelling" statics "$scene" --points 3 --set "travel={speed: 5, hold: tension}"
+works "speeds" statics "$scene" --points 5 --speeds --set "travel={speed: 5, hold: tension}"
+works "other models" statics "$scene" --points 5 --models --set tension.state=loaded
+works "irvine" irvine "$scene" -n 2 --points 5
+works "point masses on an iced and heated cable" statics "$top/notebooks-data/scenes/ropeway-carriers.yaml" \
+	--points 3 --set load.static.mass=1 --set "temperature={change: 20, expansion: 1.2e-5}" --json carriers.json
+python "" <<'END'
+import json
+r = json.load(open("carriers.json"))
+l = r["loaded"]
+assert abs(r["length0"] / (l["reference"]["length0"] * (1 + 20 * 1.2e-5)) - 1) < 1e-13
+masses = 9.81 * sum(a["mass"] for a in r["attachments"])
+assert abs(l["pull_A"][1] + l["pull_B"][1] - l["force"][1] * r["length0"] + masses) < 1e-5 * masses
+END
+refuses_like 1 'does not hang in one plane' statics "$top/notebooks-data/scenes/ropeway-carriers.yaml" \
+	--set "load.static={per_length: [0, 0, 3]}"
+refuses_like 2 'without any force' statics "$scene" --set "load.static={per_length: [0, 15.696, 0], mass: 0}"
+refuses_like 1 'act along the chord' statics "$scene" --set "load.static={per_length: [400, 27.696, 0], mass: 0}"
+refuses_like 1 'no change of temperature' statics "$scene" --set temperature.change=-1e6
+refuses_like 1 'temperature.expansion is missing' statics "$top/notebooks-data/scenes/chairlift.yaml" \
+	--set temperature.change=3
+done_testing
