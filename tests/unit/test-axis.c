@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-#include "cli/cli.h"
+#include "cli/axis.h"
 #include "tests/tap.h"
 
 /* Axes of maps and boundaries (hawser-map(1)): keys with one number, and these. */
