@@ -4,6 +4,7 @@ INTEGRATE_TESTS = \
 	tests/unit/test-integrate \
 	tests/unit/test-integrate-spectrum \
 	tests/unit/test-surge \
+	tests/property/test-history \
 	tests/property/test-integrate-long \
 	tests/property/test-integrate-stiff \
 	tests/property/test-integrate-swept \
@@ -35,3 +36,5 @@ tests_property_test_rom_full_motion_SOURCES = tests/property/test-rom-full-motio
 tests_property_test_rom_full_motion_LDADD = $(UPTO_RESPONSE)
 tests_property_test_integrate_swept_SOURCES = tests/property/test-integrate-swept.c
 tests_property_test_integrate_swept_LDADD = $(UPTO_RESPONSE)
+tests_property_test_history_SOURCES = tests/property/test-history.c
+tests_property_test_history_LDADD = $(UPTO_RESPONSE)

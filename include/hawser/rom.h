@@ -103,6 +103,16 @@ struct hawser_rom_line {
 	double *second_slope; /* [n(n+1)/2][points][3], or NULL */
 };
 
+/* Forces with a given history (hawser integrate --load): at the time t the sum over the terms of
+ * value(t) (f - D u' - K u). value(t) is the cubic spline through the values of the term. */
+struct hawser_rom_history {
+	int terms, rows;
+	struct hawser_ramp_term *term; /* [terms] forces of the value 1 */
+	double *time;  /* [rows] scaled, ascending */
+	double *value; /* [terms][rows] */
+	double *bend;  /* [terms][rows] second derivatives of the splines */
+};
+
 /* Condensed modes whose frequency and shape are known. The series in `answer` of a harmonic is
  * valid for modes far above the frequency W = k Omega of the force. For mode s it omits the force
  * times H_s = 1/(omega_s^2 - W^2 + i W D_s) - 1/omega_s^2 - W^2/omega_s^4. This is added to
@@ -135,6 +145,7 @@ struct hawser_rom {
 	int harmonics;
 	struct hawser_harmonic *harmonic; /* [harmonics] */
 	struct hawser_ramp *ramp;  /* NULL if nothing changes once */
+	struct hawser_rom_history *history; /* NULL if there is none; for integration only */
 	char **label;              /* [n], or NULL */
 	double length, time, force; /* units in SI: m, s, N; 1, 1, 1 if `scaled` is 0 */
 	int scaled;                /* 1: the units above are known */
@@ -257,6 +268,15 @@ enum hawser_status hawser_rom_export_auto(const struct hawser_rom *rom, const ch
 enum hawser_status hawser_rom_compile(struct hawser_rom *rom, struct hawser_report *report)
 	HAWSER_MUST_CHECK;
 
+/* Give the model forces with a history, in place of an earlier one. unit [terms] are models of the
+ * same modes, each of which has a load of value 1 as its only harmonic; what is needed of them is
+ * copied. value [terms][rows] are the loads at the scaled times time [rows], which ascend.
+ * HAWSER_ERR_ARGUMENT, HAWSER_ERR_NAN, HAWSER_ERR_MEMORY. */
+enum hawser_status hawser_rom_history_set(struct hawser_rom *rom,
+                                          const struct hawser_rom *const *unit, int terms,
+                                          const double *time, const double *value, int rows,
+                                          struct hawser_report *report) HAWSER_MUST_CHECK;
+
 void hawser_rom_clear(struct hawser_rom *rom);
 
 /* --- the hot loops: no allocation, no checks. Throughout, the coordinates u and their velocities v,
@@ -311,7 +331,8 @@ int hawser_rom_tensions(const struct hawser_rom *rom, double *least, double *mos
 /* An instant of a forced motion, from which the response of the modes that are not kept follows. */
 struct hawser_rom_moment {
 	double tau, omega; /* phase of the harmonics, and scaled frequency */
-	double time;       /* scaled; a ramp begins at 0. Not read if the model has no ramp */
+	double time;       /* scaled; a ramp begins at 0. Not read if the model has neither a ramp nor a
+	                    * history */
 };
 
 /* The same as the three functions above, including the response of the modes that are not kept to

@@ -7,13 +7,14 @@
 #include <string.h>
 
 #include "cli/integrate_result.h"
+#include "cli/load_history.h"
 #include "cli/progress.h"
 #include "cli/view.h"
 #include "core/report.h"
 
 struct settings {
 	struct cli_common common;
-	const char *omega, *omega_to, *until, *every, *initial, *resume, *method;
+	const char *load, *omega, *omega_to, *until, *every, *initial, *resume, *method;
 	double rtol, atol;
 	int n, spectrum, partial, error;
 };
@@ -25,6 +26,7 @@ static const struct cli_option options[] = {
 	{"Omega", 0, "FREQUENCY", "forcing frequency; required if there is a load", CLI_TEXT(omega)},
 	{"Omega-to", 0, "FREQUENCY", "slow sweep: the frequency changes linearly to this one",
 	 CLI_TEXT(omega_to)},
+	CLI_TEXT_OPTION(load, "FILE", "table of the load over time, in place of the harmonic load"),
 	{"until", 0, "TIME", "end of the run (100T)", CLI_TEXT(until)},
 	{"every", 0, "TIME", "interval between output rows (0.01T)", CLI_TEXT(every)},
 	{"initial", 0, "FILE", "state to start from (rest)", CLI_TEXT(initial)},
@@ -225,6 +227,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!status)
 		status = cli_state_check("initial", settings->initial, &settings->common, report);
 	if (!status)
+		status = cli_state_check("load", settings->load, &settings->common, report);
+	if (!status)
 		status = cli_state_check("continue", settings->resume, &settings->common, report);
 	if (!status && settings->initial && settings->resume)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
@@ -232,6 +236,12 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		                      "them", settings->resume);
 	if (!status)
 		status = cli_model_load(&model, &settings->common, settings->n, report);
+	if (!status && settings->load)
+		status = settings->omega
+		         ? hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
+		                        "--load %s replaces the harmonic load: leave out --Omega",
+		                        settings->load)
+		         : cli_load_history(&model, settings->load, report);
 	if (!status)
 		status = solve(&result.run, &result, &model, settings, report);
 	if (!status)

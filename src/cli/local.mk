@@ -68,6 +68,8 @@ hawser_SOURCES = \
 	%D%/irvine_result.h \
 	%D%/last.c \
 	%D%/known.c \
+	%D%/load_history.c \
+	%D%/load_history.h \
 	%D%/main.c \
 	%D%/map_draw.c \
 	%D%/map_result.c \

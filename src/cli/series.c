@@ -28,6 +28,9 @@ struct table {
 	int rows, room, columns;
 	int x, y;                      /* index from 0; y is -1 if the largest displacement is
 	                                * requested */
+	const char *const *wanted;     /* [wanteds] names of all columns that the table may have, the
+	                                * first of which it must have; or NULL: x and y are chosen */
+	int wanteds;
 };
 
 /* --- which columns --- */
@@ -86,6 +89,40 @@ static enum hawser_status choose(struct table *table, const char *x, const char 
 			last = k;
 	table->columns = 1 + (last > table->x ? last : table->x);
 	return status;
+}
+
+/* Index in table->wanted of the name of column k, or -1. */
+static int wanted(const struct table *table, int k)
+{
+	for (int w = 0; w < table->wanteds; w++)
+		if (strcmp(table->name[k], table->wanted[w]) == 0)
+			return w;
+	return -1;
+}
+
+static enum hawser_status all_columns(struct table *table, struct hawser_report *report)
+{
+	char list[256] = "";
+	int first = 0;
+
+	for (int w = 0; w < table->wanteds; w++)
+		snprintf(list + strlen(list), sizeof list - strlen(list), "%s%s", w ? ", " : "",
+		         table->wanted[w]);
+	for (int k = 0; k < table->names; k++) {
+		int w = wanted(table, k);
+
+		first |= w == 0;
+		if (w < 0)
+			return hawser__fail(report, HAWSER_ERR_SCENE, "series",
+			                    "%s: unknown column %s: the columns can be %s", table->path,
+			                    table->name[k], list);
+	}
+	if (!first || table->names < 2)
+		return hawser__fail(report, HAWSER_ERR_SCENE, "series",
+		                    "%s needs a line of names above the numbers, with %s and one or more of "
+		                    "the others: %s", table->path, table->wanted[0], list);
+	table->columns = table->names;
+	return HAWSER_OK;
 }
 
 /* The displacement with the largest value; metres before coordinates. */
@@ -170,7 +207,7 @@ static enum hawser_status read_lines(struct table *table, FILE *stream, const ch
 			continue;
 		}
 		if (table->rows == 0)
-			status = choose(table, x, y, report);
+			status = table->wanted ? all_columns(table, report) : choose(table, x, y, report);
 		if (!status)
 			status = read_row(table, line, number, report);
 	}
@@ -214,22 +251,61 @@ static enum hawser_status take(struct cli_series *series, struct table *table,
 	return HAWSER_OK;
 }
 
+static enum hawser_status read_table(struct table *table, const char *x, const char *y,
+                                     struct hawser_report *report)
+{
+	int standard = strcmp(table->path, "-") == 0;
+	FILE *stream = standard ? stdin : fopen(table->path, "r");
+	enum hawser_status status;
+
+	if (!stream)
+		return hawser__fail(report, hawser__unreadable(errno), "series", "cannot read %s: %s",
+		                    table->path, strerror(errno));
+	status = read_lines(table, stream, x, y, report);
+	if (!standard)
+		fclose(stream);
+	return status;
+}
+
 enum hawser_status cli_series_read(struct cli_series *series, const char *path, const char *x,
                                    const char *y, struct hawser_report *report)
 {
 	struct table table = {.path = path};
-	int standard = strcmp(path, "-") == 0;
-	FILE *stream = standard ? stdin : fopen(path, "r");
-	enum hawser_status status;
+	enum hawser_status status = read_table(&table, x, y, report);
 
-	if (!stream)
-		return hawser__fail(report, hawser__unreadable(errno), "series", "cannot read %s: %s", path,
-		                    strerror(errno));
-	status = read_lines(&table, stream, x, y, report);
-	if (!standard)
-		fclose(stream);
 	if (!status)
 		status = take(series, &table, report);
+	free(table.cell);
+	free(table.name);
+	return status;
+}
+
+enum hawser_status cli_columns_read(double **column, int *rows, const char *path,
+                                    const char *const *name, int names,
+                                    struct hawser_report *report)
+{
+	struct table table = {.path = path, .wanted = name, .wanteds = names};
+	enum hawser_status status = read_table(&table, NULL, NULL, report);
+
+	memset(column, 0, (size_t)names*sizeof *column);
+	*rows = table.rows;
+	if (!status && table.rows < 2)
+		status = hawser__fail(report, HAWSER_ERR_SCENE, "series", "%s: give two rows or more", path);
+	for (int k = 0; k < table.columns && !status; k++) {
+		double *to = malloc((size_t)table.rows*sizeof *to);
+		int w = wanted(&table, k);
+
+		free(column[w]);
+		column[w] = to;
+		if (!to)
+			status = hawser__no_memory(report, "series");
+		for (int i = 0; i < table.rows && to; i++)
+			to[i] = table.cell[(size_t)i*(size_t)table.columns + (size_t)k];
+	}
+	for (int w = 0; w < names && status; w++) {
+		free(column[w]);
+		column[w] = NULL;
+	}
 	free(table.cell);
 	free(table.name);
 	return status;

@@ -23,4 +23,11 @@ enum hawser_status cli_series_read(struct cli_series *series, const char *path, 
                                    const char *y, struct hawser_report *report) HAWSER_MUST_CHECK;
 void cli_series_clear(struct cli_series *series);
 
+/* The columns of a table by their names, name [names]: column[k] [*rows], or NULL if the table does not
+ * have it; free them. The first one and another one are required, and further columns refused
+ * (HAWSER_ERR_SCENE). Other statuses as above. */
+enum hawser_status cli_columns_read(double **column, int *rows, const char *path,
+                                    const char *const *name, int names,
+                                    struct hawser_report *report) HAWSER_MUST_CHECK;
+
 #endif

@@ -32,6 +32,7 @@
 
 #include "core/report.h"
 #include "response/stepper.h"
+#include "rom/history.h"
 #include "rom/ramp.h"
 
 struct cvode {
@@ -83,6 +84,9 @@ static int jacobian(sunrealtype t, N_Vector y, N_Vector slope, SUNMatrix matrix,
 	if (cvode->base.rom->ramp)
 		hawser__rom_ramp(cvode->base.rom, cvode->acceleration, cvode->by_u, cvode->by_v, u, u + n,
 		                 cvode->base.begin + t, cvode->base.over);
+	if (cvode->base.rom->history)
+		hawser__rom_history(cvode->base.rom, cvode->acceleration, cvode->by_u, cvode->by_v, u, u + n,
+		                    cvode->base.begin + t);
 	for (int k = 0; k < n; k++) {
 		double *left = SM_COLUMN_D(matrix, k), *right = SM_COLUMN_D(matrix, n + k);
 
@@ -195,6 +199,8 @@ static int set_up(struct cvode *cvode, int family, const double *y0)
 	       !CVodeSetLinearSolver(cvode->memory, cvode->solver, cvode->matrix) &&
 	       !CVodeSetJacFn(cvode->memory, jacobian) &&
 	       !CVodeSetMinStep(cvode->memory, DBL_EPSILON*duration(&cvode->base)) &&
+	       (!(cvode->base.longest > 0.0) ||
+	        !CVodeSetMaxStep(cvode->memory, cvode->base.longest)) &&
 	       !CVodeSetStopTime(cvode->memory, duration(&cvode->base));
 }
 

@@ -333,10 +333,11 @@ static void watch(struct gauss *gauss, double h)
 static double attempt(const struct gauss *gauss)
 {
 	double left = left_over(gauss);
+	double next = hawser__stepper_limited(&gauss->base, gauss->next);
 
-	if (gauss->next >= left)
+	if (next >= left)
 		return left;
-	return gauss->next > left/2.0 ? left/2.0 : gauss->next;
+	return next > left/2.0 ? left/2.0 : next;
 }
 
 static enum hawser_status take_step(struct hawser__stepper *base, struct hawser_report *report)

@@ -20,10 +20,14 @@
 #include "core/report.h"
 #include "response/rest.h"
 #include "response/stepper.h"
+#include "rom/history.h"
 #include "rom/ramp.h"
 
 #define WHERE "integrate"
 #define MIN_RTOL 1e-15          /* four and a half units of round-off */
+/* Longest step, in intervals of a history, so that it cannot jump over what the table has: the steps of
+ * all methods see the forces at several times. */
+#define PER_STEP 2.0
 #define MAX_BYTES 8589934592.0  /* of a trajectory: 8 GiB */
 
 static const struct hawser__method *const methods[] = {&hawser__gauss, &hawser__radau,
@@ -128,6 +132,14 @@ static enum hawser_status check_times(const struct hawser_integrate_options *opt
 		                    "the run begins at t = %g%s: that must not be negative, and before "
 		                    "its end (until), %g%s", HAWSER_SHOWN_TIME(rom, options->begin),
 		                    HAWSER_SHOWN_TIME(rom, options->until));
+	if (rom->history && (options->begin < rom->history->time[0] ||
+	                     options->until > rom->history->time[rom->history->rows - 1]))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, WHERE,
+		                    "the run is from t = %.6g to %.6g%s, and the history of the load from "
+		                    "%.6g to %.6g%s: end the run before it, or extend the history",
+		                    options->begin*rom->time, HAWSER_SHOWN_TIME(rom, options->until),
+		                    rom->history->time[0]*rom->time,
+		                    HAWSER_SHOWN_TIME(rom, rom->history->time[rom->history->rows - 1]));
 	if (!(options->omega_to >= 0.0) || !isfinite(options->omega_to))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, WHERE,
 		                    "the forcing frequency (Omega) ends at %g: it must be positive and "
@@ -356,6 +368,7 @@ enum hawser_status hawser_integrate(struct hawser_trajectory *trajectory,
 		.atol = or_default(options->atol, HAWSER_DEFAULT_ATOL),
 		.max_steps = options->max_steps ? options->max_steps : HAWSER_DEFAULT_MAX_STEPS,
 		.bad_coordinate = -1,
+		.longest = rom->history ? PER_STEP*hawser__history_spacing(rom->history) : 0.0,
 	}};
 	struct hawser__stepper *problem = &course.problem;
 	enum hawser_status status;

@@ -36,6 +36,7 @@
 #include "core/report.h"
 #include "response/collocation.h"
 #include "response/weights.h"
+#include "rom/history.h"
 #include "rom/ramp.h"
 
 #define S HAWSER__NODES
@@ -187,6 +188,8 @@ static int factorise(struct radau *radau, double h)
 		if (base->rom->ramp)
 			hawser__rom_ramp(base->rom, radau->right, radau->by_u, radau->by_v, u, u + n, t,
 			                 base->over);
+		if (base->rom->history)
+			hawser__rom_history(base->rom, radau->right, radau->by_u, radau->by_v, u, u + n, t);
 		fill_rows(radau, i, h);
 	}
 	base->jacobians += S;
@@ -349,10 +352,11 @@ static double factor(double error)
 static double attempt(const struct radau *radau)
 {
 	double left = left_over(radau);
+	double next = hawser__stepper_limited(&radau->base, radau->next);
 
-	if (radau->next >= left)
+	if (next >= left)
 		return left;
-	return radau->next > left/2.0 ? left/2.0 : radau->next;
+	return next > left/2.0 ? left/2.0 : next;
 }
 
 static enum hawser_status take_step(struct hawser__stepper *base, struct hawser_report *report)

@@ -13,6 +13,7 @@
 
 #include "core/report.h"
 #include "response/stepper.h"
+#include "rom/history.h"
 #include "rom/ramp.h"
 
 double hawser__stepper_omega(const struct hawser__stepper *stepper, double t)
@@ -48,6 +49,8 @@ int hawser__stepper_acceleration(struct hawser__stepper *stepper, double *accele
 	hawser_rom_acceleration(rom, acceleration, u, v, phase, hawser__stepper_omega(stepper, t));
 	if (rom->ramp)
 		hawser__rom_ramp(rom, acceleration, NULL, NULL, u, v, t, stepper->over);
+	if (rom->history)
+		hawser__rom_history(rom, acceleration, NULL, NULL, u, v, t);
 	stepper->evaluations++;
 	for (int j = 0; j < rom->n; j++) {
 		if (isfinite(acceleration[j]))

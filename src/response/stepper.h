@@ -30,6 +30,7 @@ struct hawser__stepper {
 	double until;      /* time beyond which nothing is evaluated */
 	int over;          /* 1: the ramp of the model has ended */
 	double first;      /* length of the first step; 0: chosen by the method */
+	double longest;    /* length of the longest step; 0: any */
 	const char *used;  /* of auto: name of the method of most of the run */
 	int watched;       /* 1: gauss sets `longer` */
 	double reached;    /* of methods with `step`: time reached */
@@ -67,6 +68,12 @@ double hawser__stepper_omega(const struct hawser__stepper *stepper, double t);
 double hawser__stepper_turned(double omega, double t, double low);
 /* Phase of the forcing at t + low: this, and what the change of the frequency adds. */
 double hawser__stepper_phase(const struct hawser__stepper *stepper, double t, double low);
+
+/* The step h, or the longest one. */
+static inline double hawser__stepper_limited(const struct hawser__stepper *stepper, double h)
+{
+	return stepper->longest > 0.0 && h > stepper->longest ? stepper->longest : h;
+}
 
 /* Length of the first step: `first`, or short compared with the period of the forcing and with all
  * rates in the row sums of the Jacobian, so that the controller can increase it. */

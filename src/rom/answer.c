@@ -7,6 +7,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "rom/history.h"
 #include "rom/kernel.h"
 #include "rom/known.h"
 
@@ -94,6 +95,10 @@ static void at_point(const struct hawser_rom *rom, double *out, int p, int first
 			add_known(out, rom, &rom->harmonic[h], rom->known.shape + at, 4*points, count,
 			          moment, rate);
 	}
+	for (int i = 0; rom->history && i < rom->history->terms; i++)
+		if (rom->history->term[i].answer)
+			add_ramp(out, rom->history->term[i].answer + at, count,
+			         hawser__history_value(rom->history, i, moment->time, rate));
 	if (rom->ramp)
 		slope_factors(s, rom->ramp, moment->time, rate);
 	for (int i = 0; rom->ramp && i < HAWSER_RAMP_TERMS; i++)
@@ -135,6 +140,13 @@ static int on_line(const struct hawser_rom *rom, double *extra, int first, int c
 			          moment, 0);
 		any = 1;
 	}
+	for (int i = 0; rom->history && i < rom->history->terms; i++) {
+		if (!rom->history->term[i].answer_line)
+			continue;
+		add_ramp(extra, rom->history->term[i].answer_line + at, count,
+		         hawser__history_value(rom->history, i, moment->time, 0));
+		any = 1;
+	}
 	if (rom->ramp)
 		slope_factors(s, rom->ramp, moment->time, 0);
 	for (int i = 0; rom->ramp && i < HAWSER_RAMP_TERMS; i++) {
@@ -170,6 +182,8 @@ int hawser__rom_answer_strains(const struct hawser_rom *rom, double *extra,
 		any |= rom->harmonic[h].answer != NULL;
 	for (int i = 0; rom->ramp && i < HAWSER_RAMP_TERMS; i++)
 		any |= rom->ramp->term[i].answer != NULL;
+	for (int i = 0; rom->history && i < rom->history->terms; i++)
+		any |= rom->history->term[i].answer != NULL;
 	for (int p = 0; any && p < rom->shapes.points; p++)
 		extra[p] = hawser__rom_answer_slope(rom, p, moment);
 	return any;

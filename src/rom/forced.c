@@ -9,6 +9,7 @@
 
 #include <math.h>
 
+#include "rom/history.h"
 #include "rom/kernel.h"
 #include "rom/ramp.h"
 #include "rom/vary.h"
@@ -105,6 +106,16 @@ void hawser_rom_acceleration_jacobian(const struct hawser_rom *rom, double *acce
 	}
 }
 
+void hawser__rom_term(const struct hawser_ramp_term *term, double s, double *acceleration,
+                      double *by_u, double *by_v, const double *u, const double *v, int n)
+{
+	add_term(acceleration, term, s, u, v, n);
+	for (int i = 0; by_u && term->K && i < n*n; i++)
+		by_u[i] -= s*term->K[i];
+	for (int i = 0; by_v && term->D && i < n*n; i++)
+		by_v[i] -= s*term->D[i];
+}
+
 void hawser__ramp_factors(double s[HAWSER_RAMP_TERMS], const struct hawser_ramp *ramp, double t,
                           int over)
 {
@@ -118,19 +129,11 @@ void hawser__ramp_factors(double s[HAWSER_RAMP_TERMS], const struct hawser_ramp 
 void hawser__rom_ramp(const struct hawser_rom *rom, double *acceleration, double *by_u, double *by_v,
                       const double *u, const double *v, double t, int over)
 {
-	int n2 = rom->n*rom->n;
 	double s[HAWSER_RAMP_TERMS];
 
 	hawser__ramp_factors(s, rom->ramp, t, over);
-	for (int p = 0; p < HAWSER_RAMP_TERMS; p++) {
-		const struct hawser_ramp_term *term = &rom->ramp->term[p];
-
-		add_term(acceleration, term, s[p], u, v, rom->n);
-		for (int i = 0; by_u && term->K && i < n2; i++)
-			by_u[i] -= s[p]*term->K[i];
-		for (int i = 0; by_v && term->D && i < n2; i++)
-			by_v[i] -= s[p]*term->D[i];
-	}
+	for (int p = 0; p < HAWSER_RAMP_TERMS; p++)
+		hawser__rom_term(&rom->ramp->term[p], s[p], acceleration, by_u, by_v, u, v, rom->n);
 }
 
 double hawser__rom_ramp_energy(const struct hawser_rom *rom, const double *u, double t)

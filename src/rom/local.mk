@@ -34,6 +34,8 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/full.c \
 	%D%/full_error.c \
 	%D%/gradient.c \
+	%D%/history.c \
+	%D%/history.h \
 	%D%/inertia.c \
 	%D%/inertia.h \
 	%D%/kernel.c \

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "rom/history.h"
 #include "rom/exact.h"
 #include "rom/kernel.h"
 #include "rom/known.h"
@@ -120,14 +121,10 @@ void hawser_rom_clear(struct hawser_rom *rom)
 		free(rom->harmonic[h].answer_line);
 	}
 	free(rom->harmonic);
-	for (int i = 0; rom->ramp && i < HAWSER_RAMP_TERMS; i++) {
-		free(rom->ramp->term[i].f);
-		free(rom->ramp->term[i].D);
-		free(rom->ramp->term[i].K);
-		free(rom->ramp->term[i].answer);
-		free(rom->ramp->term[i].answer_line);
-	}
+	for (int i = 0; rom->ramp && i < HAWSER_RAMP_TERMS; i++)
+		hawser__rom_term_clear(&rom->ramp->term[i]);
 	free(rom->ramp);
+	hawser__rom_history_clear(rom);
 	free(rom->D);
 	free(rom->K);
 	free(rom->Q);

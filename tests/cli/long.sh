@@ -226,4 +226,39 @@ refuses 1 "--Omega-to 0.9w1 does not go with --spectrum, which needs a constant 
 	integrate "$chairlift" --Omega 0.8w1 --Omega-to 0.9w1 --spectrum
 refuses 1 "--Omega-to 9 does not go with a travel speed that changes" \
 	integrate "$top/notebooks-data/scenes/b-table-5.4.yaml" --Omega 5 --Omega-to 9
+python "a harmonic load as a table" <<'END'
+import math
+Omega = 1.3
+with open("load.tsv", "w") as f:
+    f.write("t_s\te_N_m\tn_N_m\tz_N_m\n")
+    for i in range(1001):
+        p = 0.8*math.cos(Omega*0.02*i)
+        f.write("%r\t%r\t%r\t%r\n" % (0.02*i, p, p, p))
+END
+raw="integrate $chairlift --set model.condense=none --every 0.5 --until 20"
+works "a harmonic load" $raw --Omega 1.3 --json harmonic.json -q
+works "and the same by a table" $raw --load load.tsv --json table.json -q
+python "have the same motion" <<'END'
+import json
+a, b = (json.load(open(n + ".json")) for n in ("harmonic", "table"))
+size = max(max(map(abs, s)) for s in a["states"])
+assert len(a["states"]) == len(b["states"]) == 41 and b["Omega"] == 0
+assert all(abs(x - y) < 1e-6*size for s, t in zip(a["states"], b["states"]) for x, y in zip(s, t))
+END
+works "at full order too" integrate "$chairlift" --set model.energy=exact --set model.basis=4 --load load.tsv --until 5 \
+	--every 1 -q
+refuses 1 "--load load.tsv replaces the harmonic load: leave out --Omega" $raw --Omega 1.3 --load load.tsv
+refuses_like 1 "the history of the load from 0 to 20 s: end the run before it" $raw --until 21 --load load.tsv
+refuses_like 1 "does not go with modes: auto" $raw --set model.modes=auto --load load.tsv
+refuses_like 1 "does not go with a reduced-model file" integrate ../two.json --load load.tsv
+refuses_like 1 "does not go with a travel speed that changes" \
+	integrate "$top/notebooks-data/scenes/b-table-5.4.yaml" --load load.tsv
+printf 't_s x_N_m\n0 1\n1 2\n' >bad.tsv
+refuses 1 "bad.tsv: unknown column x_N_m: the columns can be t_s, e_N_m, n_N_m, z_N_m" $raw --load bad.tsv
+printf 't_s\n0\n1\n' >bad.tsv
+refuses_like 1 "bad.tsv needs a line of names above the numbers, with t_s and one or more" $raw --load bad.tsv
+printf 't_s z_N_m\n0 1\n' >bad.tsv
+refuses 1 "bad.tsv: give two rows or more" $raw --load bad.tsv
+printf 't_s z_N_m\n0 1\n0 2\n' >bad.tsv
+refuses_like 1 "the history has the time 0 in row 2: times must ascend" $raw --load bad.tsv
 done_testing
