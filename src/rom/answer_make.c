@@ -3,7 +3,8 @@
  *    f     a force of the model, distributed along the cable: the load, or the force of a changing
  *          travel speed (travel.c)
  *    z_0   static displacement of the condensed modes by f (follow.h)
- *    z_1   their static displacement by z_0 as a force (the mass per length is 1)
+ *    z_1   their static displacement by z_0 as a force (the mass per length is 1; point masses add
+ *          forces at their points)
  *
  * At the frequency W of the force the response of a condensed mode s is f_s/(omega_s^2 - W^2), so
  * that the response of all of them is z_0 + W^2 z_1 + O((W/omega_s)^4): stiffness, and first-order
@@ -151,6 +152,22 @@ static void note(struct work *work, int order)
 		                &work->grid, work->stations.z, 3, 1, line->s[p]);
 }
 
+/* Add to the running integral of a displacement, which is in work->global, the point masses times
+ * it. */
+static void add_masses(struct work *work, double *along)
+{
+	const struct hawser_statics *st = &work->stations.modes->statics;
+
+	for (int i = 0; i < st->attachments; i++) {
+		double u;
+
+		hawser__grid_at(&u, &work->grid, work->global, 1, 1, st->attached[i].s);
+		for (int p = 0; p < work->stations.count; p++)
+			if (work->stations.s[p] > st->attached[i].s)
+				along[p] += st->attached[i].m*u;
+	}
+}
+
 /* The responses to the force p of the stations. Since a displacement vanishes at both ends, the
  * work of the force z_0 on it is that of minus the running integral of z_0 on its derivative. */
 static void solve(struct work *work)
@@ -168,6 +185,7 @@ static void solve(struct work *work)
 			memcpy(work->global, work->along + axis*count, (size_t)count*sizeof(double));
 			hawser__grid_running(work->along + axis*count, &work->grid, &work->reference,
 			                     work->global);
+			add_masses(work, work->along + axis*count);
 		}
 		for (int i = 0; i < count; i++) {
 			struct hawser_frame_point at = hawser_statics_frame(st, work->stations.s[i]);

@@ -21,6 +21,7 @@
 #include "modes/grid.h"
 #include "rom/answer.h"
 #include "rom/build.h"
+#include "rom/dampers.h"
 #include "rom/entries.h"
 #include "rom/inertia.h"
 #include "rom/model.h"
@@ -47,7 +48,7 @@ static void set_stiffness(struct hawser_rom *rom, const struct hawser_modes *mod
 void hawser__rom_damping(struct hawser_rom *rom, const struct hawser_modes *modes,
                          const struct hawser_scene *scene)
 {
-	const double t = modes->time_unit;
+	const double t = modes->time_unit, rho = modes->statics.span.rho;
 
 	for (int j = 0; j < rom->n; j++) {
 		double omega = modes->mode[j].omega, *d = &rom->D[j*rom->n + j];
@@ -56,8 +57,7 @@ void hawser__rom_damping(struct hawser_rom *rom, const struct hawser_modes *mode
 		case HAWSER_DAMPING_NONE:
 			break;
 		case HAWSER_DAMPING_ALPHA: /* d/sqrt(rho H) = t/rho, with the actual mass */
-			*d = scene->damping.alpha*t/modes->statics.span.rho
-			     *(1.0 - modes->statics.motion.mach2);
+			*d = scene->damping.alpha*t/rho*(1.0 - modes->statics.motion.mach2);
 			break;
 		case HAWSER_DAMPING_RAYLEIGH:
 			*d = scene->damping.mass*t + scene->damping.stiffness/t*omega*omega;
@@ -67,6 +67,9 @@ void hawser__rom_damping(struct hawser_rom *rom, const struct hawser_modes *mode
 			break;
 		}
 	}
+	if (modes->statics.attachments > 0)
+		hawser__dampers_add(rom->D, modes, scene->damping.kind == HAWSER_DAMPING_ALPHA
+		                                   ? scene->damping.alpha*t/rho : 0.0);
 }
 
 /* --- load --- */
@@ -195,7 +198,7 @@ enum hawser_status hawser__rom_vary(struct hawser_rom *rom, const struct hawser_
 
 /* "in-plane 2 (antisymmetric)", "in-plane 9 (longitudinal, symmetric)", "out-of-plane 1": numbered
  * within their plane. */
-static char *label_of(const struct hawser_modes *modes, int j)
+static char *label_of(const struct hawser_rom *rom, const struct hawser_modes *modes, int j)
 {
 	const struct hawser_mode *mode = &modes->mode[j];
 	const char *symmetry = mode->symmetry == HAWSER_MIXED ? NULL
@@ -205,7 +208,9 @@ static char *label_of(const struct hawser_modes *modes, int j)
 	char text[96], note[48] = "";
 
 	if (mode->number == 0) {
-		snprintf(text, sizeof text, "second-order shape, %s", hawser_plane_name(mode->plane));
+		snprintf(text, sizeof text, "%s shape, %s",
+		         j < modes->n - rom->inertia.shapes ? "damper" : "second-order",
+		         hawser_plane_name(mode->plane));
 		return strdup(text);
 	}
 	if (in_plane && (along || symmetry))
@@ -222,7 +227,7 @@ static enum hawser_status set_labels(struct hawser_rom *rom, const struct hawser
 	if (!rom->label)
 		return hawser__no_memory(report, "rom");
 	for (int j = 0; j < rom->n; j++)
-		if (!(rom->label[j] = label_of(modes, j)))
+		if (!(rom->label[j] = label_of(rom, modes, j)))
 			return hawser__no_memory(report, "rom");
 	return HAWSER_OK;
 }
@@ -318,10 +323,6 @@ enum hawser_status hawser__rom_begin(struct hawser_rom *rom, const struct hawser
 	status = hawser__rom_real(modes, report);
 	if (status)
 		return status;
-	if (modes->statics.attachments > 0)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
-		                    "the reduced model of a cable with attachments is not available yet: "
-		                    "hawser statics and hawser modes have it; remove attach for the rest");
 	if (!(modes->statics.epsilon > 0.0))
 		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "rom",
 		                    "an inextensible cable (EA = %g N) has no strain energy: "
@@ -416,9 +417,9 @@ static enum hawser_status condense(struct hawser__condensed *condensed, struct h
 }
 
 /* `compile`: prepare the forces as well. */
-static enum hawser_status build(struct hawser_rom *rom, const struct hawser_modes *kept,
-                                const struct hawser_scene *scene, int compile,
-                                struct hawser_report *report)
+static enum hawser_status build_with(struct hawser_rom *rom, const struct hawser_modes *kept,
+                                     const struct hawser_scene *scene, int compile,
+                                     struct hawser_report *report)
 {
 	struct hawser__condensed others = {0}, *condensed = NULL;
 	enum hawser_status status = hawser__rom_begin(rom, kept, scene, report);
@@ -451,6 +452,20 @@ static enum hawser_status build(struct hawser_rom *rom, const struct hawser_mode
 	hawser_modes_clear(&with);
 	if (status)
 		hawser_rom_clear(rom);
+	return status;
+}
+
+static enum hawser_status build(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                const struct hawser_scene *scene, int compile,
+                                struct hawser_report *report)
+{
+	struct hawser_modes with;
+	enum hawser_status status = hawser__rom_attached(&with, modes, scene, report);
+
+	memset(rom, 0, sizeof *rom);
+	if (!status)
+		status = build_with(rom, with.n > 0 ? &with : modes, scene, compile, report);
+	hawser_modes_clear(&with);
 	return status;
 }
 

@@ -15,7 +15,13 @@ enum hawser_status hawser__rom_begin(struct hawser_rom *rom, const struct hawser
                                      const struct hawser_scene *scene,
                                      struct hawser_report *report);
 
-/* The scene's damping, on the diagonal of D. */
+/* For a model of `modes`: the modes with the static shapes of dampers (dampers.h); with->n = 0 if none
+ * are needed. HAWSER_ERR_ARGUMENT for attachments that a reduced model cannot have. */
+enum hawser_status hawser__rom_attached(struct hawser_modes *with, const struct hawser_modes *modes,
+                                        const struct hawser_scene *scene,
+                                        struct hawser_report *report);
+
+/* The scene's damping, added to D: on the diagonal but for attachments. */
 void hawser__rom_damping(struct hawser_rom *rom, const struct hawser_modes *modes,
                          const struct hawser_scene *scene);
 

@@ -20,6 +20,7 @@
 
 #include "core/report.h"
 #include "rom/build.h"
+#include "rom/dampers.h"
 #include "rom/drive.h"
 #include "rom/weigh.h"
 
@@ -168,6 +169,10 @@ static enum hawser_status check(const struct hawser_modes *modes, const struct h
 
 	if (status)
 		return status;
+	if (hawser__has_dampers(&modes->statics))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "choose",
+		                    "modes are not weighed with dampers of attachments, whose shapes are "
+		                    "coordinates too: compare with more modes (model.modes)");
 	if (!(from > 0.0) || !(to > 0.0) || !isfinite(from) || !isfinite(to) || from == to)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "choose",
 		                    "frequency range from %.9g to %.9g rad/s: both ends must be "

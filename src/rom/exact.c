@@ -222,6 +222,19 @@ static void force(const struct hawser_rom_exact *exact, double *restoring, const
 		restoring[exact->index[i]] = f[i];
 }
 
+void hawser__exact_springs(const struct hawser_rom_exact *exact, double *restoring, double *tangent,
+                           const double *u)
+{
+	int n = exact->n;
+
+	for (int j = 0; exact->springs && j < n; j++)
+		for (int k = 0; k < n; k++) {
+			restoring[j] += exact->springs[j*n + k]*u[k];
+			if (tangent)
+				tangent[j*n + k] += exact->springs[j*n + k];
+		}
+}
+
 void hawser__exact_tangent(const struct hawser_rom_exact *exact, double *restoring, double *tangent,
                            const double *u)
 {
@@ -229,6 +242,7 @@ void hawser__exact_tangent(const struct hawser_rom_exact *exact, double *restori
 
 	if (!tangent) {
 		force(exact, restoring, u, NULL);
+		hawser__exact_springs(exact, restoring, NULL, u);
 		return;
 	}
 	memset(t.ii, 0, (size_t)exact->in*exact->in*sizeof *t.ii);
@@ -236,6 +250,7 @@ void hawser__exact_tangent(const struct hawser_rom_exact *exact, double *restori
 	memset(t.oo, 0, (size_t)exact->out*exact->out*sizeof *t.oo);
 	force(exact, restoring, u, &t);
 	scatter(tangent, exact, &t);
+	hawser__exact_springs(exact, restoring, tangent, u);
 }
 
 void hawser__exact_strain(const struct hawser_rom_exact *exact, double *strain, const double *u)
@@ -276,5 +291,8 @@ double hawser__exact_potential(const struct hawser_rom_exact *exact, const doubl
 			sum += exact->weight[first + p]*(0.5*e*e + strain*t);
 		}
 	}
+	for (int j = 0; exact->springs && j < exact->n; j++)
+		for (int k = 0; k < exact->n; k++)
+			sum += 0.5*exact->springs[j*exact->n + k]*u[j]*u[k];
 	return sum;
 }

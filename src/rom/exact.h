@@ -23,6 +23,7 @@ struct hawser_rom_exact {
 	double *pairs_in;  /* [points][3][in(in+1)/2] a a, a b + b a, b b */
 	double *pairs_out; /* [points][out(out+1)/2] c c */
 	double *mixed;     /* [points][2][in][out] a c, b c */
+	double *springs;   /* [n][n] in the order of the model: stiffness of attachments, or NULL */
 };
 
 /* Stress and stiffness at a point, without the part that balances the weight. */
@@ -43,6 +44,10 @@ void hawser__exact_tangent(const struct hawser_rom_exact *exact, double *restori
 size_t hawser__exact_work(const struct hawser_rom_exact *exact, int count);
 void hawser__exact_tangents(const struct hawser_rom_exact *exact, double *restoring, double *tangent,
                             const double *u, int count, double *work);
+
+/* Add the force [n] and, unless NULL, the tangent [n][n] of springs. */
+void hawser__exact_springs(const struct hawser_rom_exact *exact, double *restoring, double *tangent,
+                           const double *u);
 
 /* Potential at u [n], 0 at rest. */
 double hawser__exact_potential(const struct hawser_rom_exact *exact, const double *u);

@@ -157,5 +157,8 @@ void hawser__exact_tangents(const struct hawser_rom_exact *exact, double *restor
 		lay_out(&b, exact, (size_t)size, work);
 		batch(&b, exact, restoring + (size_t)first*n,
 		      tangent ? tangent + (size_t)first*n*n : NULL, u + (size_t)first*n, size);
+		for (size_t i = (size_t)first; exact->springs && i < (size_t)(first + size); i++)
+			hawser__exact_springs(exact, restoring + i*n, tangent ? tangent + i*n*n : NULL,
+			                      u + i*n);
 	}
 }

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 
 #include "modes/grid.h"
+#include "rom/dampers.h"
 #include "rom/exact.h"
 
 void hawser__exact_free(struct hawser_rom_exact *exact)
@@ -22,6 +23,7 @@ void hawser__exact_free(struct hawser_rom_exact *exact)
 	free(exact->pairs_in);
 	free(exact->pairs_out);
 	free(exact->mixed);
+	free(exact->springs);
 	free(exact);
 }
 
@@ -163,6 +165,16 @@ static int fill(struct hawser_rom_exact *exact, const struct hawser_modes *modes
 	return failed;
 }
 
+static int add_springs(struct hawser_rom_exact *exact, const struct hawser_modes *modes)
+{
+	if (!hawser__has_springs(&modes->statics))
+		return 0;
+	exact->springs = array(exact->n, exact->n);
+	if (exact->springs)
+		hawser__springs_add(exact->springs, modes);
+	return !exact->springs;
+}
+
 struct hawser_rom_exact *hawser__exact_new(const struct hawser_modes *modes, int order)
 {
 	struct hawser_rom_exact *exact = allocate(modes, order);
@@ -173,7 +185,7 @@ struct hawser_rom_exact *hawser__exact_new(const struct hawser_modes *modes, int
 	next_z = exact->in;
 	for (int j = 0; j < modes->n; j++)
 		exact->index[modes->mode[j].plane == HAWSER_IN_PLANE ? next++ : next_z++] = j;
-	if (!fill(exact, modes))
+	if (!fill(exact, modes) && !add_springs(exact, modes))
 		return exact;
 	hawser__exact_free(exact);
 	return NULL;

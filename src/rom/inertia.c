@@ -49,7 +49,8 @@
 struct work {
 	const struct hawser_modes *modes;
 	const struct hawser__condensed *condensed;
-	int width;        /* 3*points */
+	int width;        /* 3*(points + attachments): behind the fields at the points, the displacements
+	                   * of the attachments along x, y, z */
 	int count;        /* number of relevant pairs */
 	int *pair;        /* [count] */
 	double *factor;   /* [count] weight of the pair */
@@ -119,6 +120,10 @@ static void set_roots(struct work *work)
 			work->stiff[3*p + c] = sqrt(weight*k);
 		}
 		work->stiff[3*p] = sqrt(weight/modes->statics.epsilon);
+	}
+	for (int p = 3*modes->grid.points; p < work->width; p++) {
+		work->root[p] = sqrt(modes->statics.attached[p/3 - modes->grid.points].m);
+		work->stiff[p] = 0.0;
 	}
 }
 
@@ -193,6 +198,10 @@ static void displacement(double *shape, const struct hawser_modes *modes,
 		shape[3*p + 1] = y*at.ex - x*at.ey;
 		shape[3*p + 2] = along[2*points + p];
 	}
+	for (int i = 0; i < modes->statics.attachments; i++)
+		for (int axis = 0; axis < 3; axis++)
+			hawser__grid_at(shape + 3*(points + i) + axis, &modes->grid, along + axis*points, 1, 1,
+			                modes->statics.attached[i].s);
 }
 
 static enum hawser_status take_pairs(struct work *work, struct hawser_report *report)
@@ -205,8 +214,9 @@ static enum hawser_status take_pairs(struct work *work, struct hawser_report *re
 	for (int x = 0; !status && x < work->count; x++) {
 		double *strain = work->strain + (size_t)x*width, *shape = work->rest + (size_t)x*width;
 
-		memcpy(strain, work->condensed->strain + (size_t)work->pair[x]*width,
-		       width*sizeof *strain);
+		memset(strain, 0, width*sizeof *strain);
+		memcpy(strain, work->condensed->strain + (size_t)work->pair[x]*3*(size_t)grid->points,
+		       3*(size_t)grid->points*sizeof *strain);
 		displacement(shape, work->modes, &reference, strain, work->scratch);
 		cblas_dscal(work->width, work->factor[x], strain, 1);
 		cblas_dscal(work->width, work->factor[x], shape, 1);
@@ -258,7 +268,7 @@ static enum hawser_status remove_lowest(struct work *work, struct hawser_report 
 {
 	const struct hawser_modes_options options = {.n = HAWSER__LOWEST};
 	size_t width = (size_t)work->width;
-	double *field = malloc(2*width*sizeof *field);
+	double *field = calloc(2*width, sizeof *field);
 	enum hawser_status status;
 	struct hawser_modes lowest;
 
@@ -274,6 +284,8 @@ static enum hawser_status remove_lowest(struct work *work, struct hawser_report 
 		for (int p = 0; p < work->modes->grid.points; p++)
 			hawser_modes_at(&lowest, field + 3*p, field + width + 3*p, s,
 			                work->modes->grid.s[p]);
+		for (int i = 0; i < lowest.statics.attachments; i++)
+			hawser__modes_attached(field + 3*(work->modes->grid.points + i), &lowest, s, i);
 		remove_mode(work, field, field + width);
 	}
 	hawser_modes_clear(&lowest);
@@ -428,7 +440,7 @@ static enum hawser_status find_shapes(struct hawser_rom_inertia *inertia, struct
 /* Append behind the others, ascending. */
 static void place_shapes(struct hawser_modes *with, const struct work *work, int shapes)
 {
-	size_t width = (size_t)work->width;
+	size_t width = (size_t)work->width, row = 3*(size_t)work->modes->grid.points;
 	int n = work->modes->n;
 
 	for (int i = 0; i < shapes; i++) {
@@ -436,10 +448,10 @@ static void place_shapes(struct hawser_modes *with, const struct work *work, int
 
 		for (int j = 0; j < shapes; j++)
 			k += work->omega[j] < work->omega[i];
-		memcpy(with->shape + (size_t)k*width, work->rest + (size_t)(work->rows + i)*width,
-		       width*sizeof *with->shape);
-		memcpy(with->slope + (size_t)k*width, work->strain + (size_t)(work->rows + i)*width,
-		       width*sizeof *with->slope);
+		memcpy(with->shape + (size_t)k*row, work->rest + (size_t)(work->rows + i)*width,
+		       row*sizeof *with->shape);
+		memcpy(with->slope + (size_t)k*row, work->strain + (size_t)(work->rows + i)*width,
+		       row*sizeof *with->slope);
 		with->mode[k].omega = work->omega[i];
 		with->mode[k].place = k + 1;
 		(void)hawser__mode_label(with, k);
@@ -455,7 +467,8 @@ enum hawser_status hawser__inertia_extend(struct hawser_modes *with,
                                           const double *load, const double *damping,
                                           double allowed, struct hawser_report *report)
 {
-	struct work work = {.modes = modes, .condensed = condensed, .width = 3*modes->grid.points};
+	struct work work = {.modes = modes, .condensed = condensed,
+	                    .width = 3*(modes->grid.points + modes->statics.attachments)};
 	enum hawser_status status = HAWSER_OK;
 
 	*with = (struct hawser_modes){.n = 0};

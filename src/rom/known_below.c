@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "rom/dampers.h"
 #include "rom/kernel.h"
 #include "rom/known.h"
 
@@ -57,7 +58,8 @@ enum hawser_status hawser_rom_know_below(struct hawser_rom *rom, const struct ha
 	struct hawser_modes all;
 	enum hawser_status status;
 
-	if (!hawser__rom_answers_load(rom))
+	/* static shapes of dampers contain a part of every mode that is not kept */
+	if (!hawser__rom_answers_load(rom) || hawser__has_dampers(&modes->statics))
 		return HAWSER_OK;
 	status = lowest(&all, modes, top, report);
 	if (status == HAWSER_ERR_CONVERGENCE) {

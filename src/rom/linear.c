@@ -22,9 +22,8 @@ void hawser__rom_held(double *K, const struct hawser_rom *rom, const double *f, 
 	}
 }
 
-enum hawser_status hawser_rom_build_linear(struct hawser_rom *rom, const struct hawser_modes *modes,
-                                           const struct hawser_scene *scene,
-                                           struct hawser_report *report)
+static enum hawser_status build(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                const struct hawser_scene *scene, struct hawser_report *report)
 {
 	enum hawser_status status = hawser__rom_begin(rom, modes, scene, report);
 
@@ -37,5 +36,19 @@ enum hawser_status hawser_rom_build_linear(struct hawser_rom *rom, const struct 
 		status = hawser_rom_compile(rom, report);
 	if (status)
 		hawser_rom_clear(rom);
+	return status;
+}
+
+enum hawser_status hawser_rom_build_linear(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                           const struct hawser_scene *scene,
+                                           struct hawser_report *report)
+{
+	struct hawser_modes with;
+	enum hawser_status status = hawser__rom_attached(&with, modes, scene, report);
+
+	*rom = (struct hawser_rom){.n = 0};
+	if (!status)
+		status = build(rom, with.n > 0 ? &with : modes, scene, report);
+	hawser_modes_clear(&with);
 	return status;
 }

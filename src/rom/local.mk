@@ -15,6 +15,8 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/condense.c \
 	%D%/condense.h \
 	%D%/condense_load.c \
+	%D%/dampers.c \
+	%D%/dampers.h \
 	%D%/drive.c \
 	%D%/drive.h \
 	%D%/effort.c \

@@ -69,7 +69,7 @@ static void table_clear(struct table *t)
 
 int hawser__rom_mirror(int *parity, const struct hawser_modes *modes)
 {
-	int level = modes->statics.hs == 0.0;
+	int level = modes->statics.hs == 0.0 && modes->statics.attachments == 0;
 
 	for (int j = 0; j < modes->n; j++)
 		level = level && modes->mode[j].symmetry != HAWSER_MIXED;

@@ -65,7 +65,8 @@ static enum hawser_status reach_of(enum hawser__reach *reach,
 		                    "%.60s: the parameters of a reduced-model file are Omega, factor.load "
 		                    "and factor.damping", key);
 	else if (strncmp(key, "damping.", 8) == 0)
-		*reach = HAWSER__REACH_RATES;
+		/* with attachments the damping is not diagonal, and dampers add coordinates */
+		*reach = source->scene->attachments > 0 ? HAWSER__REACH_STRUCTURE : HAWSER__REACH_RATES;
 	else if (strncmp(key, "load.", 5) == 0 && strncmp(key, "load.static.", 12) != 0)
 		*reach = HAWSER__REACH_MODEL;
 	else

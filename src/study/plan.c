@@ -9,6 +9,7 @@
 
 #include "core/report.h"
 #include "core/settle.h"
+#include "rom/dampers.h"
 #include "rom/drive.h"
 #include "study/survey.h"
 
@@ -179,6 +180,11 @@ enum hawser_status hawser_plan_make(struct hawser_plan *plan, const struct hawse
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "plan",
 		                    "the range of Omega from %g to %g is none: give two frequencies "
 		                    "greater than zero", from, to);
+	if (hawser__has_dampers(statics) || hawser__has_springs(statics))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "plan",
+		                    "springs and dampers of attachments are not part of the estimates of "
+		                    "cost and error yet: call frf with several numbers of modes and compare "
+		                    "the results");
 	plan->from = from;
 	plan->to = to;
 	status = look(plan, statics, scene, choice, count, report);

@@ -80,6 +80,45 @@ assert all(m["residual"] < 1e-12 for m in mode)
 END
 refuses_like 1 "the method fdm is for a cable without attachments" modes "$scene" --method fdm
 
+# --- reduced models, responses, maps
+works "a model with carriers" rom "$scene" --json model.json -q
+works "a model with dampers" rom "$scene" --set 'attach.0.damper=[0, 8 kN.s/m, 8 kN.s/m]' --json damped.json -q
+python "a shape for each damper, coupled by D" <<'END'
+import json
+r, d = json.load(open("model.json")), json.load(open("damped.json"))
+shapes = [l for l in d["labels"] if l.startswith("damper shape")]
+assert len(shapes) == 2 and not [l for l in r["labels"] if "damper" in l]
+assert all(r["D"][j][k] == 0 for j in range(r["n"]) for k in range(r["n"]) if j != k)
+at = d["labels"].index(shapes[0])
+assert any(abs(d["D"][at][k]) > 0.1 for k in range(d["n"]) if k != at)
+END
+works "two modes" frf "$scene" -n 2 --from 0.5 --to 0.6 --set 'load.per_length=[0, 0, 1e-3]' --json two.json -q
+works "twelve modes" frf "$scene" -n 12 --from 0.5 --to 0.6 --set 'load.per_length=[0, 0, 1e-3]' --json twelve.json -q
+works "two modes in the plane" frf "$scene" -n 3 --from 0.5 --to 0.6 --set 'load.per_length=[0, 1e-3, 0]' --json in2.json -q
+works "twelve modes in the plane" frf "$scene" -n 14 --from 0.5 --to 0.6 --set 'load.per_length=[0, 1e-3, 0]' --json in12.json -q
+python "the inertia of the masses is part of the response of the others" <<'END'
+import json
+for a, b, keys in (("two", "twelve", ("z_mid", "z_quarter")), ("in2", "in12", ("y_mid", "y_quarter"))):
+    a, b = (json.load(open(n + ".json"))["points"] for n in (a, b))
+    for p, q in ((a[0], b[0]), (a[-1], b[-1])):
+        assert abs(p["Omega"] - q["Omega"]) < 1e-9
+        for key in keys:
+            assert abs(p["amplitude"][key]/q["amplitude"][key] - 1) < 3e-4, (key, p["amplitude"][key], q["amplitude"][key])
+END
+works "a map of the place and the size of a damper" map "$scene" --quantity growth --points 4x3 \
+	--set 'attach=[{at: 5 %, damper: [0, 30 kN.s/m, 1 kN.s/m], name: d}]' --x attach.d.at=0.02:0.1 \
+	--y 'attach.d.damper[2]=1e4:3e4' -n 2 --json map.json
+python "dampers damp" <<'END'
+import json
+value = json.load(open("map.json"))["points"]["value"]
+# without the damper 0.005*2.27 = 0.0114; the further from the end, the more
+assert all(v < -0.025 for v in value) and value[3] < value[2] < value[1] < value[0], value
+END
+refuses_like 1 "springs of attachments are not condensed yet" rom "$scene" --set 'attach.0.spring=[0, 1e4, 0]'
+works "not condensed" rom "$scene" --set 'attach.0.spring=[0, 1e4, 0]' --set model.condense=none --json s.json -q
+works "plan with masses" plan "$scene" --json plan.json -q
+refuses_like 1 "not part of the estimates" plan "$scene" --set 'attach.0.damper=[0, 1e3, 0]'
+
 # --- what compares or sweeps cables without attachments
 refuses_like 1 "models compares cables without attachments" statics "$scene" --models
 refuses_like 1 "compares cables without attachments" statics "$scene" --model parabola

@@ -1,0 +1,267 @@
+/* Reduced models of a cable with attachments: a damper near the end of a stay by its characteristic
+ * equation, forces and condensation against models that share no code with them.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <complex.h>
+#include <lapacke.h>
+#include <stdlib.h>
+
+#include <hawser/rom.h>
+
+#include "tests/tap.h"
+
+static struct hawser_report report;
+
+/* --- a damper on a taut string: with g = lambda l/k and eta the damper relative to the impedance of
+ * the string, sinh g + eta sinh(a g) sinh((1 - a) g) = 0 --- */
+
+static double complex root_of(double complex g, double a, double eta)
+{
+	for (int i = 0; i < 60; i++) {
+		double complex low = csinh(a*g), high = csinh((1.0 - a)*g);
+		double complex f = csinh(g) + eta*low*high;
+		double complex slope = ccosh(g) + eta*(a*ccosh(a*g)*high + (1.0 - a)*low*ccosh((1.0 - a)*g));
+
+		g -= f/slope;
+	}
+	return g;
+}
+
+/* The eigenvalue of u'' + D u' + K u = 0 that is next to `near`. */
+static double complex eigenvalue(const struct hawser_rom *rom, double complex near)
+{
+	int n = rom->n, N = 2*n;
+	double *A = calloc((size_t)N*(size_t)N, sizeof *A), *w = calloc(2*(size_t)N, sizeof *w);
+	double complex best = INFINITY;
+
+	for (int j = 0; j < n; j++) {
+		A[j*N + n + j] = 1.0;
+		for (int k = 0; k < n; k++) {
+			A[(n + j)*N + k] = -rom->K[j*n + k];
+			A[(n + j)*N + n + k] = -rom->D[j*n + k];
+		}
+	}
+	if (!LAPACKE_dgeev(LAPACK_ROW_MAJOR, 'N', 'N', N, A, N, w, w + N, NULL, 1, NULL, 1))
+		for (int i = 0; i < N; i++)
+			if (cabs(w[i] + I*w[N + i] - near) < cabs(best - near))
+				best = w[i] + I*w[N + i];
+	free(A);
+	free(w);
+	return best;
+}
+
+static int solve(struct hawser_modes *modes, const struct hawser_span *span, double H,
+                 const struct hawser_attachment *attach, int count, int n)
+{
+	const struct hawser_modes_options options = {.n = n};
+	struct hawser_statics st;
+
+	if (!hawser_statics_loaded(&st, span, HAWSER_GIVEN_H, H, HAWSER_BRANCH_TAUT, attach, count,
+	                           &report) &&
+	    !hawser_modes_solve(modes, &st, &options, &report))
+		return 1;
+	return ok(0, "solved: %s", report.message);
+}
+
+/* Damping ratio of out-of-plane mode `number` of a stay, and its error relative to the largest one
+ * possible; *frequency: the error of the eigenvalue. */
+static double stay(double *error, double *frequency, double a, double eta, int number, int n)
+{
+	const struct hawser_span span = {1e11, 1.0, 9.81, 1.0, 0.0};
+	const double H = 1e6, l = 1.0/(1.0 + H/span.EA), k = sqrt(l);
+	struct hawser_attachment damper = {.at = a, .damper = {0, 0, eta*sqrt(span.rho*H)*k}};
+	const struct hawser_scene scene = {.model = {.modes = n}};
+	double complex exact, g = I*M_PI*number, found;
+	struct hawser_modes modes;
+	struct hawser_rom rom;
+
+	*error = *frequency = INFINITY;
+	if (!solve(&modes, &span, H, &damper, 1, n))
+		return 0.0;
+	for (int i = 1; i <= 20; i++) /* from the undamped string */
+		g = root_of(g, a, eta*i/20.0);
+	exact = g*k/l;
+	if (!hawser_rom_build(&rom, &modes, &scene, &report)) {
+		found = eigenvalue(&rom, exact);
+		*error = fabs(creal(found)/cabs(found) - creal(exact)/cabs(exact))/(0.5*a);
+		*frequency = cabs(found - exact)/cabs(exact);
+		hawser_rom_clear(&rom);
+	} else {
+		ok(0, "a stay: %s", report.message);
+	}
+	hawser_modes_clear(&modes);
+	return -creal(exact)/cabs(exact);
+}
+
+/* The optimal damper of a stay has the modal damping a/2 (a: distance from the end over the length),
+ * at eta = 1/(pi a number): Pacheco, Fujino, Sulekh, J. Struct. Eng. 119 (1993) 1961; Krenk, J. Appl.
+ * Mech. 67 (2000) 772. */
+static void dampers(void)
+{
+	for (int number = 1; number <= 2; number++)
+		for (int i = 0; i < 3; i++) {
+			double a = 0.01*(1 + 2*i), worst = 0.0, off = 0.0, most = 0.0, error, frequency;
+
+			for (double size = 0.25; size < 5.0; size *= 1.3) {
+				most = fmax(most, stay(&error, &frequency, a, size/(M_PI*a*number), number, 12));
+				worst = fmax(worst, error);
+				off = fmax(off, frequency);
+			}
+			ok(fabs(most/(0.5*a) - 1.0) < 3.0*a*number, "damper at %g, mode %d: largest damping ratio "
+			   "%.5g, a/2 = %.5g", a, number, most, 0.5*a);
+			ok(worst < 1e-3 && off < 3e-5, "12 modes and a shape: damping within %.1e of the largest, "
+			   "eigenvalue within %.1e", worst, off);
+		}
+}
+
+/* The error falls with the number of modes. */
+static void converges(void)
+{
+	double before = 1.0, error, frequency;
+
+	for (int n = 4; n <= 32; n *= 2) {
+		stay(&error, &frequency, 0.05, 6.0, 1, n);
+		ok(frequency < before/3.0, "%d modes of both planes: %.1e", n, frequency);
+		before = frequency;
+	}
+}
+
+/* --- forces --- */
+
+static const struct hawser_span inclined = {4e7, 6.0, 9.81, 250.0, -61.7};
+static const struct hawser_attachment carriers[] = {
+	{.at = 0.13, .mass = 300.0, .spring = {1e3, 2e4, 500.0}},
+	{.at = 0.62, .mass = 1000.0}};
+
+/* Restoring forces of the expansion and of the exact energy differ by the fourth order. */
+static void expansion(void)
+{
+	const struct hawser_scene scene = {.model = {.modes = 6, .condense = HAWSER_CONDENSE_NONE}};
+	struct hawser_modes modes;
+	struct hawser_rom quartic, exact;
+	double difference[2] = {0.0}, u[6], v[6] = {0.0}, f[6], g[6];
+
+	if (!solve(&modes, &inclined, 4e4, carriers, 2, 6))
+		return;
+	if (!ok(!hawser_rom_build(&quartic, &modes, &scene, &report) &&
+	        !hawser_rom_build_exact(&exact, &modes, &scene, &report), "built: %s", report.message))
+		return;
+	for (int i = 0; i < 2; i++) {
+		for (int j = 0; j < 6; j++)
+			u[j] = 2e-5*(i + 1)*(1.0 - 0.3*j);
+		hawser_rom_restoring(&quartic, f, u);
+		hawser_rom_restoring(&exact, g, u);
+		for (int j = 0; j < 6; j++)
+			difference[i] = fmax(difference[i], fabs(f[j] - g[j]));
+	}
+	ok(fabs(log2(difference[1]/difference[0]) - 4.0) < 0.1, "with springs, expanded and exact forces "
+	   "differ in order %.3f", log2(difference[1]/difference[0]));
+	close_to(hawser_rom_energy(&exact, u, v), hawser_rom_energy(&quartic, u, v), 1e-3, "energies");
+	hawser_rom_clear(&quartic);
+	hawser_rom_clear(&exact);
+	hawser_modes_clear(&modes);
+}
+
+static double cubic_of(const struct hawser_rom *rom)
+{
+	for (int i = 0; i < rom->cubics; i++)
+		if (rom->C[i].j == 0 && rom->C[i].k == 0 && rom->C[i].l == 0 && rom->C[i].m == 0)
+			return rom->C[i].value;
+	return 0.0;
+}
+
+/* The cubic term of one mode with the others condensed: by the closed form, and by elimination of the
+ * other modes of a basis, C - sum of Q_0^0s Q_s^00 over their stiffness. */
+static void condensation(void)
+{
+	const struct hawser_scene raw = {.model = {.modes = 1, .condense = HAWSER_CONDENSE_NONE}};
+	const struct hawser_scene condensed = {.model = {.modes = 1}};
+	struct hawser_attachment masses[2] = {carriers[0], carriers[1]};
+	struct hawser_modes modes, all;
+	struct hawser_rom one, many;
+	double C;
+
+	memset(masses[0].spring, 0, sizeof masses[0].spring);
+	if (!solve(&modes, &inclined, 4e4, masses, 2, 1))
+		return;
+	if (!ok(!hawser_modes_basis(&all, &modes.statics, 30, 30, &report) &&
+	        !hawser_rom_build(&one, &modes, &condensed, &report) &&
+	        !hawser_rom_build(&many, &all, &raw, &report), "built: %s", report.message))
+		return;
+	C = cubic_of(&many);
+	for (int i = 0; i < many.quads; i++)
+		if (many.Q[i].j > 0 && many.Q[i].k == 0 && many.Q[i].l == 0)
+			C -= 2.0*many.Q[i].value*many.Q[i].value/many.K[many.Q[i].j*(many.n + 1)];
+	close_to(cubic_of(&one), C, 1e-7, "the condensed cubic term of mode 1");
+	hawser_rom_clear(&one);
+	hawser_rom_clear(&many);
+	hawser_modes_clear(&all);
+	hawser_modes_clear(&modes);
+}
+
+/* alpha acts on the cable and not on the point masses: v D v is alpha times the integral of the square
+ * of the velocity. */
+static void viscous(void)
+{
+	const double alpha = 0.3;
+	const struct hawser_scene scene = {.damping = {.kind = HAWSER_DAMPING_ALPHA, .alpha = alpha},
+	                                   .model = {.modes = 3}};
+	struct hawser_attachment mass = carriers[1];
+	struct hawser_modes modes;
+	struct hawser_rom rom;
+	double worst = 0.0;
+
+	if (!solve(&modes, &inclined, 4e4, &mass, 1, 3))
+		return;
+	if (!ok(!hawser_rom_build_linear(&rom, &modes, &scene, &report), "built: %s", report.message))
+		return;
+	for (int j = 0; j < 3; j++)
+		for (int k = 0; k < 3; k++) {
+			double sum = 0.0;
+
+			for (int p = 0; p < modes.grid.points; p++)
+				for (int c = 0; c < 3; c++)
+					sum += modes.grid.weight[p]*modes.shape[3*(j*modes.grid.points + p) + c]*
+					       modes.shape[3*(k*modes.grid.points + p) + c];
+			worst = fmax(worst, fabs(rom.D[3*j + k] - sum*alpha*modes.time_unit/inclined.rho));
+		}
+	ok(worst < 1e-13, "alpha acts on the cable only: %.1e", worst);
+	hawser_rom_clear(&rom);
+	hawser_modes_clear(&modes);
+}
+
+static void refusals(void)
+{
+	struct hawser_scene scene = {.model = {.modes = 3}};
+	struct hawser_attachment attach[2] = {carriers[0], carriers[1]};
+	struct hawser_modes modes;
+	struct hawser_rom rom;
+
+	attach[1].damper[1] = 100.0;
+	if (!solve(&modes, &inclined, 4e4, attach, 2, 3))
+		return;
+	ok(hawser_rom_build(&rom, &modes, &scene, &report) == HAWSER_ERR_ARGUMENT &&
+	   strstr(report.message, "condense=none"), "%s", report.message);
+	scene.model.condense = HAWSER_CONDENSE_NONE;
+	ok(hawser_rom_build(&rom, &modes, &scene, &report) == HAWSER_ERR_ARGUMENT &&
+	   strstr(report.message, "both springs and dampers"), "%s", report.message);
+	hawser_modes_clear(&modes);
+	if (!solve(&modes, &inclined, 4e4, attach + 1, 1, 3))
+		return;
+	scene.model.modes = HAWSER_MODES_AUTO;
+	ok(hawser_rom_build(&rom, &modes, &scene, &report) == HAWSER_ERR_ARGUMENT &&
+	   strstr(report.message, "number of modes"), "%s", report.message);
+	hawser_modes_clear(&modes);
+}
+
+int main(void)
+{
+	dampers();
+	converges();
+	expansion();
+	condensation();
+	viscous();
+	refusals();
+	return done_testing();
+}
