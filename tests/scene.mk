@@ -19,3 +19,8 @@ tests_unit_test_scene_suggest_SOURCES = tests/unit/test-scene-suggest.c
 tests_unit_test_scene_suggest_LDADD = $(UPTO_SCENE)
 tests_unit_test_scene_units_SOURCES = tests/unit/test-scene-units.c
 tests_unit_test_scene_units_LDADD = $(UPTO_SCENE)
+
+check_PROGRAMS += tests/unit/test-scene-cases
+TESTS += tests/unit/test-scene-cases
+tests_unit_test_scene_cases_SOURCES = tests/unit/test-scene-cases.c
+tests_unit_test_scene_cases_LDADD = $(UPTO_SCENE)

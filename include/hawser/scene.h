@@ -86,6 +86,17 @@ struct hawser_attachment {
 	char name[HAWSER_NAME_SIZE]; /* "" if it has none */
 };
 
+/* A load case: the static load and the change of temperature in place of those of the scene. */
+enum { HAWSER_CASES_MAX = 32 };
+struct hawser_case {
+	char name[HAWSER_NAME_SIZE];
+	int loaded, heated;   /* 0: no static load; no change of temperature */
+	double per_length[3]; /* N/m, along x, y, z */
+	double mass;          /* kg/m */
+	double change;        /* K */
+	double expansion;     /* 1/K, that of the scene if the case gives none */
+};
+
 /* Value of model.modes if the program chooses the modes (choose.h). */
 enum { HAWSER_MODES_AUTO = 0 };
 
@@ -168,6 +179,8 @@ struct hawser_scene {
 	} beam;
 	int attachments;
 	struct hawser_attachment attach[HAWSER_ATTACH_MAX]; /* [attachments] in the order of the scene */
+	int cases;
+	struct hawser_case load_case[HAWSER_CASES_MAX]; /* [cases] */
 	char *name; /* file name, "<stdin>" for standard input; owned */
 	unsigned long long written; /* bit i is set if the user gave the key of row i of the table */
 };
@@ -207,6 +220,11 @@ enum hawser_status hawser_scene_read(struct hawser_scene *scene, FILE *stream, c
 enum hawser_status hawser_scene_open(struct hawser_scene *scene, const char *path,
                                      const char *const *set, size_t nset,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* *to: a copy of the scene with the static load and the temperature of load case `index`, from 0 to
+ * scene->cases - 1. It must not be cleared. Its tension is that of the scene: see
+ * hawser_statics_case. */
+void hawser_scene_case(struct hawser_scene *to, const struct hawser_scene *scene, int index);
 
 /* Value of a key in SI, by its path: "cable.EA", "model.modes", "load.per_length[2]",
  * "attach.0.mass" (or with the name of the attachment). A key that

@@ -146,6 +146,11 @@ enum hawser_status hawser_statics_reference(struct hawser_statics *statics,
                                             const struct hawser_scene *scene,
                                             struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* *to: a copy of the scene in load case `index`, with the length of cable of the scene's reference
+ * state. It must not be cleared. Statuses of hawser_statics_reference. */
+enum hawser_status hawser_statics_case(struct hawser_scene *to, const struct hawser_scene *scene,
+                                       int index, struct hawser_report *report) HAWSER_MUST_CHECK;
+
 /* Set turned, axes and swing of a solution for equal->span. */
 void hawser_statics_turn(struct hawser_statics *statics, const struct hawser_equivalent *equal);
 

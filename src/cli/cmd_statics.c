@@ -12,7 +12,7 @@
 struct settings {
 	struct cli_common common;
 	const char *model, *from, *to;
-	int points, models, compatibility, speeds;
+	int points, models, compatibility, speeds, cases;
 };
 static const struct settings defaults = {.points = 201};
 
@@ -24,6 +24,7 @@ static const struct cli_option options[] = {
 	 CLI_FLAG(compatibility)},
 	{"speeds", 0, "", "table of the steady state over the travel speed, for both holds",
 	 CLI_FLAG(speeds)},
+	{"cases", 0, "", "table of the load cases of the scene", CLI_FLAG(cases)},
 	{"from", 0, "VALUE", "curves: lowest horizontal tension (delta = 4), or speed (0)",
 	 CLI_TEXT(from)},
 	{"to", 0, "VALUE", "curves: highest tension (epsilon = 0.02), or speed (past the limit)",
@@ -46,6 +47,7 @@ struct result {
 	int marks;
 	struct cli_curves curves;
 	struct cli_speeds speeds;
+	struct cli_cases cases;
 };
 
 #define OF(member) HAWSER__AT(struct hawser_statics, member)
@@ -75,7 +77,7 @@ static const struct hawser__field quantity_field[] = {
 #undef OF
 
 enum { TRAVELS = 1, MODELS = 2, COMPATIBILITY = 4, SPEEDS = 8, ATTACHED = 16, LOADED = 32,
-       TURNED = 64 };
+       TURNED = 64, CASES = 128 };
 
 #define OF(member) HAWSER__AT(struct hawser__place, member)
 static const struct hawser__field profile_field[] = {
@@ -167,6 +169,7 @@ static const struct hawser__field result_field[] = {
 	{"", NULL, "", HAWSER__ARRAYS_OF(point_list)},
 	PART(curves, cli_models_member), .when = MODELS},
 	PART(speeds, cli_speeds_member), .when = SPEEDS},
+	PART(cases, cli_cases_member), .when = CASES},
 	PART(curves, cli_compatibility_member), .when = COMPATIBILITY},
 	HAWSER__END,
 };
@@ -177,6 +180,7 @@ const struct cli_listing cli_statics_listing[] = {
 	{"Columns with --models:", cli_model_field, 0},
 	{"Columns with --compatibility:", cli_compatibility_field, 0},
 	{"Columns with --speeds:", cli_speed_field, 0},
+	{"Columns with --cases:", cli_case_field, 0},
 	{"Keys of JSON:", result_field, 1},
 	{NULL, NULL, 0},
 };
@@ -193,7 +197,8 @@ static struct cli_head head(const void *of)
 		            (result->marks ? ATTACHED : 0u) |
 		            (result->loaded.present ? LOADED : 0u) |
 		            (result->statics.turned ? TURNED : 0u) |
-		            (settings->models ? MODELS : 0u) | (settings->speeds ? SPEEDS : 0u) |
+		            (settings->models ? MODELS : 0u) | (settings->cases ? CASES : 0u) |
+		            (settings->speeds ? SPEEDS : 0u) |
 		            (settings->compatibility ? COMPATIBILITY : 0u)), NULL, NULL};
 }
 
@@ -216,7 +221,9 @@ static void rows(struct hawser__table *table, const void *of)
 	const struct settings *settings = result->settings;
 	struct hawser__view view = cli_si_view(result->statics.turned ? TURNED : 0u);
 
-	if (settings->speeds)
+	if (settings->cases)
+		cli_cases_rows(table, &result->cases);
+	else if (settings->speeds)
 		cli_speeds_rows(table, &result->speeds);
 	else if (settings->models)
 		cli_models_rows(table, &result->curves);
@@ -297,6 +304,8 @@ static enum hawser_status fill_curves(struct result *result, struct hawser_repor
 	double from = 0.0, to = 0.0;
 	enum hawser_status status;
 
+	if (settings->cases)
+		return cli_cases_fill(&result->cases, &result->scene, report);
 	if (settings->speeds)
 		return fill_speeds(result, report);
 	if (!settings->models && !settings->compatibility)
@@ -408,6 +417,13 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
 		                    "--points %d: at most %d points%s are possible", settings->points,
 		                    most, curves ? " of curves" : "");
+	if (settings->cases && (settings->models || settings->compatibility || settings->speeds ||
+	                        settings->model || settings->common.plot))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
+		                    "--cases is a table of its own, without a picture: leave --%s out",
+		                    settings->common.plot ? "plot" : settings->models ? "models"
+		                    : settings->speeds ? "speeds" : settings->model ? "model"
+		                                                                    : "compatibility");
 	return cli_outputs_check(&settings->common, report);
 }
 
@@ -427,6 +443,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	free(result.profile);
 	cli_curves_clear(&result.curves);
 	cli_speeds_clear(&result.speeds);
+	free(result.cases.row);
 	hawser_scene_clear(&result.scene);
 	return status;
 }

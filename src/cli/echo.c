@@ -116,6 +116,31 @@ static void echo_attachments(struct hawser__json *json, json_t *echo,
 	}
 }
 
+static void echo_cases(struct hawser__json *json, json_t *echo, const struct hawser_scene *scene)
+{
+	json_t *list = hawser__json_array(json, echo, "cases");
+
+	for (int i = 0; i < scene->cases; i++) {
+		const struct hawser_case *c = &scene->load_case[i];
+		json_t *item = hawser__json_object(json, list, NULL);
+
+		hawser__json_text(json, item, "name", c->name);
+		if (c->loaded) {
+			json_t *load = hawser__json_object(json, item, "load");
+			json_t *still = hawser__json_object(json, load, "static");
+
+			triple(json, still, "per_length", c->per_length);
+			hawser__json_number(json, still, "mass", c->mass);
+		}
+		if (c->heated) {
+			json_t *temperature = hawser__json_object(json, item, "temperature");
+
+			hawser__json_number(json, temperature, "change", c->change);
+			hawser__json_number(json, temperature, "expansion", c->expansion);
+		}
+	}
+}
+
 void cli_echo_json(struct hawser__json *json, const struct cli_common *common,
                    const char *command, const struct hawser_scene *scene)
 {
@@ -135,6 +160,8 @@ void cli_echo_json(struct hawser__json *json, const struct cli_common *common,
 			echo_key(json, echo, scene, key);
 	if (scene->attachments)
 		echo_attachments(json, echo, scene);
+	if (scene->cases)
+		echo_cases(json, echo, scene);
 }
 
 json_t *cli_stats_json(struct hawser__json *json, const struct cli_common *common)

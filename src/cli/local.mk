@@ -33,6 +33,7 @@ hawser_SOURCES = \
 	%D%/cmd_rom.c \
 	%D%/cmd_statics.c \
 	%D%/statics_loaded.h \
+	%D%/statics_cases.c \
 	%D%/statics_loaded.c \
 	%D%/statics_marks.c \
 	%D%/compare_mms.c \

@@ -78,8 +78,6 @@ enum hawser_status cli_loaded_fill(struct cli_loaded *loaded, const struct hawse
 	double up[3];
 
 	loaded->present = scene->static_load.present || scene->temperature.present;
-	if (!loaded->present)
-		return HAWSER_OK;
 	loaded->state = scene->tension.state;
 	hawser_statics_to_global(st, up, along);
 	/* each point of the cable is at most `sag` from its point of the chord, against `up` */
@@ -90,5 +88,5 @@ enum hawser_status cli_loaded_fill(struct cli_loaded *loaded, const struct hawse
 		loaded->force[i] = 0.0 - actual.span.rho*actual.span.g*up[i];
 	pull_of(loaded->pull[0], st, actual.H, actual.V0, 1.0);
 	pull_of(loaded->pull[1], st, st->H*(actual.T1/st->T1), actual.V1, -1.0);
-	return hawser_statics_reference(&loaded->reference, scene, report);
+	return loaded->present ? hawser_statics_reference(&loaded->reference, scene, report) : HAWSER_OK;
 }

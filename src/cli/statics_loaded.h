@@ -37,4 +37,22 @@ int cli_marks_fill(struct cli_mark *mark, const struct hawser_statics *st,
                    const struct hawser_scene *scene);
 void cli_marks_comments(struct hawser__table *table, const struct cli_mark *mark, int marks);
 
+/* A row of --cases: the reference state, and each case. */
+struct cli_case {
+	const char *name, *why;
+	int status; /* 0, or why it has no solution */
+	struct hawser_report report;
+	double H, T0, T1, sag, length0, length;
+	struct cli_loaded loaded;
+};
+struct cli_cases {
+	struct cli_case *row; /* [rows], the caller frees it */
+	int rows;
+};
+extern const struct hawser__field cli_case_field[], cli_cases_member[];
+/* HAWSER_ERR_ARGUMENT if the scene has no cases; the status of the first one if none has a solution. */
+enum hawser_status cli_cases_fill(struct cli_cases *cases, const struct hawser_scene *scene,
+                                  struct hawser_report *report) HAWSER_MUST_CHECK;
+void cli_cases_rows(struct hawser__table *table, const struct cli_cases *cases);
+
 #endif

@@ -1,5 +1,6 @@
 noinst_LTLIBRARIES += %D%/libscene.la
 %C%_libscene_la_SOURCES = \
+	%D%/cases.c \
 	%D%/check.c \
 	%D%/events.c \
 	%D%/items.c \

@@ -134,6 +134,21 @@ static void table(void)
 	for (int i = 0; hawser_scene_key(i); i++)
 		if (hawser__is_item(i))
 			key(hawser_scene_key(i));
+	fputs(".SS cases (optional)\n"
+	      "A list of load cases for the tension table of\n"
+	      ".BR \"hawser statics \\-\\-cases\" ;\n"
+	      "no other command reads it:\n"
+	      ".PP\n.RS\n.nf\n"
+	      "cases:\n"
+	      "  \\- {name: hot, temperature: {change: 50 K, expansion: 1.9e\\-5 /K}}\n"
+	      "  \\- {name: ice, load: {static: {mass: 0.9 kg/m}},\n"
+	      "     temperature: {change: \\-20 K, expansion: 1.9e\\-5 /K}}\n"
+	      ".fi\n.RE\n.PP\n", stdout);
+	printf("A case takes the place of load.static and of the change of temperature of the\n"
+	       "scene: what it does not give is no static load, or no change.\n"
+	       "temperature.expansion is that of the scene\n"
+	       "if the case has none. All cases have the length of cable of the scene's reference state.\n"
+	       "At most %d cases are possible.\n", HAWSER_CASES_MAX);
 }
 
 static const char before[] =

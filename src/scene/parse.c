@@ -135,6 +135,8 @@ enum hawser_status hawser__parse_value(struct hawser__reader *reader, const char
 
 	if (!strcmp(path, "attach"))
 		return hawser__items_read(reader, place);
+	if (!strcmp(path, "cases"))
+		return hawser__cases_read(reader, place);
 	if (key < 0 && section < 0)
 		return hawser__parse_unknown(reader, place, path);
 	status = key >= 0 ? claim(reader, key, place) : claim_section(reader, section, place);
@@ -313,7 +315,7 @@ static enum hawser_status assign(struct hawser__reader *reader, const char *path
 	enum hawser_status status;
 
 	if (hawser__key_find(path) < 0 && hawser__section_find(path) < 0 &&
-	    strncmp(path, "attach", 6) != 0)
+	    strncmp(path, "attach", 6) != 0 && strcmp(path, "cases") != 0)
 		return hawser__parse_unknown(reader, &place, path);
 	memset(&yaml, 0, sizeof yaml);
 	status = start(reader, &any, &yaml, text, strlen(text));

@@ -33,7 +33,7 @@ struct hawser__reader {
 	yaml_parser_t *yaml;
 	struct hawser__units units;
 	struct hawser__place key[HAWSER__KEYS_MAX], section[HAWSER__SECTIONS_MAX];
-	struct hawser__place root, attach; /* of the list `attach` */
+	struct hawser__place root, attach, cases; /* of the lists `attach`, `cases` */
 };
 
 /* Fail with HAWSER_ERR_SCENE; the message begins with the place. */
@@ -82,5 +82,10 @@ enum hawser_status hawser__items_check(struct hawser__reader *reader) HAWSER_MUS
 
 /* check.c: check the whole scene: missing keys, keys that require others. */
 enum hawser_status hawser__check(struct hawser__reader *reader) HAWSER_MUST_CHECK;
+
+/* cases.c: read the list `cases`, whose name is at `place`; check it. */
+enum hawser_status hawser__cases_read(struct hawser__reader *reader,
+                                      const struct hawser__place *place) HAWSER_MUST_CHECK;
+enum hawser_status hawser__cases_check(struct hawser__reader *reader) HAWSER_MUST_CHECK;
 
 #endif

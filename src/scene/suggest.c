@@ -107,6 +107,8 @@ void hawser__list(char *hint, size_t size, const char *section)
 		separator = ", ";
 		last = child;
 	}
+	if (!*section && used < size) /* a list whose items are not rows of the table */
+		snprintf(hint + used, size - used, ", cases");
 }
 
 void hawser__suggest(char *hint, size_t size, const char *path)

@@ -125,6 +125,34 @@ static void attachments(FILE *stream, const struct hawser_scene *scene)
 		attachment(stream, scene, item);
 }
 
+static void cases(FILE *stream, const struct hawser_scene *scene)
+{
+	if (scene->cases)
+		fputs("cases:\n", stream);
+	for (int i = 0; i < scene->cases; i++) {
+		const struct hawser_case *c = &scene->load_case[i];
+
+		fprintf(stream, "  - {name: %s", c->name);
+		for (int k = 0; c->loaded && k < 3; k++) {
+			fputs(k ? ", " : ", load: {static: {per_length: [", stream);
+			number(stream, c->per_length[k]);
+		}
+		if (c->loaded) {
+			fputs("], mass: ", stream);
+			number(stream, c->mass);
+			fputs("}}", stream);
+		}
+		if (c->heated) {
+			fputs(", temperature: {change: ", stream);
+			number(stream, c->change);
+			fputs(", expansion: ", stream);
+			number(stream, c->expansion);
+			fputs("}", stream);
+		}
+		fputs("}\n", stream);
+	}
+}
+
 enum hawser_status hawser_scene_write(const struct hawser_scene *scene, FILE *stream,
                                       struct hawser_report *report)
 {
@@ -137,6 +165,7 @@ enum hawser_status hawser_scene_write(const struct hawser_scene *scene, FILE *st
 	errno = 0;
 	whole(stream, scene);
 	attachments(stream, scene);
+	cases(stream, scene);
 	uselocale(own);
 	freelocale(c);
 	if (fflush(stream) || ferror(stream))

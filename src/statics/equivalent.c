@@ -219,6 +219,23 @@ enum hawser_status hawser_statics_reference(struct hawser_statics *st,
 	                                 HAWSER_BRANCH_TAUT, scene, report);
 }
 
+enum hawser_status hawser_statics_case(struct hawser_scene *to, const struct hawser_scene *scene,
+                                       int index, struct hawser_report *report)
+{
+	struct hawser_statics reference;
+	enum hawser_status status = HAWSER_OK;
+
+	hawser_scene_case(to, scene, index);
+	to->tension.state = HAWSER_STATE_REFERENCE;
+	if (scene->tension.state == HAWSER_STATE_REFERENCE || !changed(scene))
+		return HAWSER_OK;
+	status = hawser_statics_reference(&reference, scene, report);
+	to->tension.given = HAWSER_GIVEN_LENGTH0;
+	to->tension.value = reference.length0;
+	to->tension.branch = HAWSER_BRANCH_TAUT;
+	return status;
+}
+
 void hawser_statics_turn(struct hawser_statics *st, const struct hawser_equivalent *equal)
 {
 	memcpy(st->axes, equal->axes, sizeof st->axes);

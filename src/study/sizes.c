@@ -75,6 +75,7 @@ static const struct row {
 	ROW(hawser_campbell_resonance),
 	ROW(hawser_campbell_station),
 	ROW(hawser_carrier),
+	ROW(hawser_case),
 	ROW(hawser_choice),
 	ROW(hawser_choice_mode),
 	ROW(hawser_critical),

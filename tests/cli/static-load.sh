@@ -32,6 +32,33 @@ python "" <<'END'
 text = open("plain.tsv").read()
 assert "z_m" not in text and "swing" not in text
 END
+works "load cases" statics "$scene" --points 3 --cases --json cases.json --tsv cases.tsv
+works "the same from the loaded state" statics "$scene" --points 3 --cases --json loaded.json \
+	--set "tension={T0: 45565.8271111401 N, state: loaded}"
+works "a case without solution" statics "$scene" --points 3 --cases --json failed.json --tsv failed.tsv \
+	--set "cases=[{name: lifted, load: {static: {per_length: [0, 15.696, 0]}}}, {name: bare}]"
+python "each case is the scene with its load and temperature" <<'END'
+import csv, json
+r, b, f = (json.load(open(n + ".json")) for n in ("cases", "loaded", "failed"))
+rows = {c["name"]: c for c in r["cases"]}
+assert list(rows) == ["reference", "everyday wind", "hot", "ice", "ice and wind"]
+iced = json.load(open("iced.json"))
+for k in "H", "T0", "T1", "sag", "length0", "length":
+    assert rows["ice and wind"][k] == iced[k], k
+assert rows["reference"]["H"] == 28000 and rows["hot"]["H"] < 28000 < rows["ice"]["H"]
+assert rows["reference"]["sag_vertical"] == rows["reference"]["sag"]
+for c, d in zip(r["cases"], b["cases"]):
+    assert abs(c["H"] / d["H"] - 1) < 1e-9
+table = list(csv.DictReader((line for line in open("cases.tsv") if line[0] != "#"), delimiter="\t"))
+assert [(t["case"], float(t["T1_N"])) for t in table] == [(c["name"], c["T1"]) for c in r["cases"]]
+bad, bare = f["cases"][1], f["cases"][2]
+assert not bad["solved"] and "without any force" in bad["why"] and bare["solved"] and bare["H"] == 28000
+text = open("failed.tsv").read()
+assert "# case lifted: no solution: load.static and the weight" in text and "\nlifted\t\t\t" in text
+assert r["scene"]["cases"][2]["load"]["static"]["mass"] == 1.6
+END
+refuses_like 1 'add, for example, cases' statics "$top/notebooks-data/scenes/chairlift.yaml" --cases
+refuses_like 1 'leave --plot out' statics "$scene" --cases --plot cases.svg
 works "modes" modes "$scene" -n 4
 [ -z "${HAWSER_LONG:-}" ] || works "plan" plan "$scene"
 works "frf of the swung span" frf "$scene" --set model.modes=3 --from 0.95w1 --to 1.05w1 --json swung.json

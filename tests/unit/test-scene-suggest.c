@@ -168,7 +168,7 @@ static void sentences(void)
 		{"damping.rayliegh", "did you mean damping.rayleigh?"},
 		{"EA", "did you mean EA under cable?"},
 		{"cable.EA.x", "a scene takes g, cable, span, tension, travel, damping, load, temperature, "
-		               "attach, model, beam"},
+		               "attach, model, beam, cases"},
 		{"cable.alpha", "did you mean alpha under damping?"},
 		{"cable.g", "did you mean g at the top level?"},
 		{"damping.stiffness", "did you mean stiffness under damping.rayleigh?"},
@@ -176,7 +176,7 @@ static void sentences(void)
 		{"damping.viscous", "damping takes alpha, rayleigh, ratio"},
 		{"damping.rayleigh.q", "damping.rayleigh takes mass, stiffness"},
 		{"x", "a scene takes g, cable, span, tension, travel, damping, load, temperature, attach, "
-		      "model, beam"},
+		      "model, beam, cases"},
 	};
 	char hint[256];
 
