@@ -178,7 +178,7 @@ json_t *cli_stats_json(struct hawser__json *json, const struct cli_common *commo
 double cli_speeding_tension(const struct cli_model *model, double omega)
 {
 	const struct hawser_scene *scene = &model->scene;
-	double rho = scene->cable.rho, EA = scene->cable.EA, length, rate;
+	double rho = scene->cable.rho + scene->static_load.mass, EA = scene->cable.EA, length, rate;
 
 	if (!model->has_scene || !scene->travel.present || model->rom.exact || !model->rom.scaled ||
 	    scene->model.condense == HAWSER_CONDENSE_STATIC)

@@ -348,7 +348,8 @@ static enum hawser_status look(struct hawser_surge *result, struct surge *surge,
 {
 	const struct hawser_rom *rom = surge->rom;
 	const struct hawser_rom_moment moment = {.tau = surge->omega*t, .omega = surge->omega, .time = t};
-	double least, most, v = speed_at(surge, scene, t), taken = scene->cable.rho*v*v;
+	double rho = scene->cable.rho + scene->static_load.mass;
+	double least, most, v = speed_at(surge, scene, t), taken = rho*v*v;
 	enum hawser_status status = tension_at(surge, t, report);
 
 	if (status)

@@ -24,7 +24,8 @@
 static double damping_ratio(const struct hawser_scene *scene, double w1)
 {
 	switch (scene->damping.kind) {
-	case HAWSER_DAMPING_ALPHA: return scene->damping.alpha/(2.0*scene->cable.rho*w1);
+	case HAWSER_DAMPING_ALPHA:
+		return scene->damping.alpha/(2.0*(scene->cable.rho + scene->static_load.mass)*w1);
 	case HAWSER_DAMPING_RAYLEIGH:
 		return 0.5*(scene->damping.mass/w1 + scene->damping.stiffness*w1);
 	case HAWSER_DAMPING_RATIO: return scene->damping.ratio;
