@@ -183,6 +183,10 @@ END
 } | gnuplot >"$target/convergence.svg"
 echo "$target/convergence.svg"
 
+# Error over processor time, from the table that bench/trade.py measures in half an hour. The picture of README.md.
+python3 "$SRCDIR/bench/trade.py" draw "$SRCDIR/notebooks-data/trade.tsv" "$target/trade.svg"
+echo "$target/trade.svg"
+
 # A travelling cable: both holds over the speed, B Table 5.3; the Campbell diagram of B Figure 5.5; the Irvine
 # diagrams at six speeds of B Figure 5.4.
 scenes=$SRCDIR/notebooks-data/scenes

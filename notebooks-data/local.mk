@@ -1,5 +1,7 @@
 # Scenes of the tables of the sources, named after them, and some of our own; installed for users to
 # start from.
+# Table of bench/trade.py, which doc/trade.svg shows.
+EXTRA_DIST += %D%/trade.tsv
 scenesdir = $(pkgdatadir)/scenes
 dist_scenes_DATA = \
 	%D%/scenes/b-table-4.1-case-1.yaml \

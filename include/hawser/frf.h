@@ -32,7 +32,8 @@ enum hawser_frf_end {
 	HAWSER_END_INTERRUPTED, /* progress.function asked for it */
 	HAWSER_END_FAILED,      /* the status is not HAWSER_OK; the report says why and where */
 	HAWSER_END_AT_REST,     /* the motion vanishes at the branch point that is the last event */
-	HAWSER_END_SLACK        /* the cable goes slack at the last event, or is slack at the first orbit */
+	HAWSER_END_SLACK,       /* the cable goes slack at the last event, or is slack at the first orbit */
+	HAWSER_END_UNSTABLE     /* the last point has more unstable multipliers than `most_unstable` */
 };
 const char *hawser_frf_end_name(enum hawser_frf_end end);
 
@@ -128,6 +129,8 @@ struct hawser_frf_options {
 	int skip_events;       /* 1: do not locate events */
 	int end_at_slack;      /* 1: end the branch where the least tension becomes zero: a cable bears no
 	                        * compression, so the model's motion beyond is not the cable's */
+	int most_unstable;     /* end the branch at the first point with more unstable multipliers: such
+	                        * motions are not observed, and many cost much; 0: no limit */
 	int samples;           /* number of points to compute again by another method; 0: 5; or
 	                        * HAWSER_NONE */
 	const struct hawser_resonance *resonance; /* multiple scales: which modes are resonant; NULL:

@@ -20,7 +20,7 @@ struct settings {
 	struct cli_common common;
 	const char *from, *to, *at, *sweep, *start, *resume, *scale, *method, *slack, *beside;
 	double tolerance, step;
-	int n, points, segments, sweep_points, multipliers, partial, backbone, energy;
+	int n, points, segments, unstable, sweep_points, multipliers, partial, backbone, energy;
 };
 static const struct settings defaults = {
 	.from = "0.6w1", .to = "3.3w1", .scale = "auto", .slack = "end",
@@ -48,6 +48,8 @@ static const struct cli_option options[] = {
 	{"multipliers", 0, "", "write the Floquet multipliers to JSON too", CLI_FLAG(multipliers)},
 	CLI_TEXT_OPTION(slack, "WHAT",
 	                "where the cable goes slack: end the curve or follow the model's on (end)"),
+	{"unstable", 0, "N", "end a branch where more than N multipliers are unstable (no limit)",
+	 CLI_INTEGER(unstable)},
 	CLI_TEXT_OPTION(scale, "WHICH",
 	                "amplitude axes of the picture: auto, linear or log (auto)"),
 	{"partial", 0, "", "write what was computed also if the run fails", CLI_FLAG(partial)},
@@ -175,6 +177,7 @@ static enum hawser_status trace(struct hawser_frf *frf, struct hawser_landmark *
 	choice.to = result->to;
 	choice.segments = settings->segments;
 	choice.end_at_slack = strcmp(settings->slack, "end") == 0;
+	choice.most_unstable = settings->unstable;
 	if (settings->step > 0.0 || !automatic)
 		choice.step_max = settings->step > 0.0 ? settings->step : CLI_STEP;
 	if (settings->tolerance > 0.0)

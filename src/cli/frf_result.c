@@ -29,6 +29,7 @@ static const char *sentence(enum hawser_frf_end end)
 	case HAWSER_END_AT_REST: return "the motion shrinks to rest";
 	case HAWSER_END_SLACK: return "the cable goes slack; beyond, the model's motion is not the "
 		                      "cable's (--slack follow shows it)";
+	case HAWSER_END_UNSTABLE: return "more multipliers are unstable than --unstable allows";
 	case HAWSER_END_FAILED: return "the corrector failed; the curve is incomplete";
 	}
 	return "";

@@ -245,6 +245,11 @@ static enum hawser_status prepare(void *owner, int *ended)
 		frf->end = HAWSER_END_SLACK;
 		return HAWSER_OK;
 	}
+	if (trace->options.most_unstable > 0 &&
+	    frf->point[frf->points - 1].unstable > trace->options.most_unstable) {
+		frf->end = HAWSER_END_UNSTABLE;
+		return HAWSER_OK;
+	}
 	if (frf->points >= trace->options.max_points) {
 		frf->end = HAWSER_END_MAX_POINTS;
 		return HAWSER_OK;
