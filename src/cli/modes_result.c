@@ -88,6 +88,16 @@ static void shape_comments(struct hawser__table *table, const struct hawser_mode
 	}
 }
 
+static int dampers(const struct hawser_statics *st)
+{
+	int any = 0;
+
+	for (int i = 0; i < st->attachments; i++)
+		for (int c = 0; c < 3; c++)
+			any |= st->attached[i].damper[c] > 0.0;
+	return any;
+}
+
 static void comments(struct hawser__table *table, const void *of)
 {
 	const struct cli_modes_result *result = of;
@@ -104,6 +114,9 @@ static void comments(struct hawser__table *table, const void *of)
 		hawser__table_comment(table, "in-plane means the plane of the cable, which its static load "
 		                      "turns by %.6g rad about the chord; x, y, z are those of the scene",
 		                      modes->statics.swing);
+	if (dampers(&modes->statics))
+		hawser__table_comment(table, "the modes are undamped: dampers of attachments are part of "
+		                      "reduced models (hawser rom)");
 	if (result->points > 0)
 		shape_comments(table, modes);
 }
