@@ -23,6 +23,10 @@
 #define CROSSED 0.01 /* smallest ratio of the logarithms of a modulus at both ends by which an event is
                       * located; chosen */
 #define CLEAR 1e-7 /* smallest size of these logarithms: above the errors of multipliers */
+#define SMALL 1e-4 /* largest |f| at a zero; chosen */
+#define SECANT 10.0 /* safety factor on a change of Omega that is estimated by a secant; chosen */
+#define SEPARABLE 1e-4 /* arclength: a search in a longer bracket ends where it shows further events,
+                        * and the bracket is halved (account.c) */
 #define ASIDE 0.02 /* distance of the next trial from a failure of the corrector, relative to the
                     * bracket; chosen */
 
@@ -226,6 +230,28 @@ static enum hawser_status pass_failure(struct hawser__bracket *bracket, int *don
 	return HAWSER_OK;
 }
 
+/* Whether the number of multipliers outside the unit circle at the last trial is that of neither end:
+ * then there are further events in the bracket, and the watched modulus need not be that of the
+ * multiplier that crosses the circle where the test function changes its sign. */
+static int has_more(const struct hawser__bracket *bracket)
+{
+	int count = hawser__station_circle(bracket->at, bracket->sure).unstable;
+
+	return bracket->watched >= 0 && bracket->b->arc - bracket->a->arc > SEPARABLE &&
+	       count != hawser__station_circle(bracket->a, bracket->sure).unstable &&
+	       count != hawser__station_circle(bracket->b, bracket->sure).unstable;
+}
+
+/* Whether Omega of the last trial is within `near` of that at the zero, by the secant through the
+ * last two trials; it would be the next trial's change of Omega. */
+static int reached(const struct hawser__bracket *bracket, double near)
+{
+	const struct hawser__trial *last = &bracket->trial[bracket->trials - 1], *other = last - 1;
+
+	return bracket->trials > 1 && fabs(last->f) < SMALL && fabs(last->f) < fabs(other->f) &&
+	       SECANT*fabs((last->omega - other->omega)*last->f) <= near*fabs(last->f - other->f);
+}
+
 enum hawser_status hawser__bracket_zero(struct hawser__bracket *bracket, double *s, double *f,
                                         double tolerance, struct hawser_report *report)
 {
@@ -252,8 +278,10 @@ enum hawser_status hawser__bracket_zero(struct hawser__bracket *bracket, double 
 		}
 		omega = bracket->at->y[last];
 		bracket->uncertain = 0.0;
-		if (*f == 0.0 || bracket->in.b - bracket->in.a < 1e-14 ||
-		    (fabs(omega - bracket->before) <= 0.1*tolerance*omega && fabs(*f) < 1e-4))
+		bracket->several = has_more(bracket);
+		if (*f == 0.0 || bracket->several || bracket->in.b - bracket->in.a < 1e-14 ||
+		    (fabs(omega - bracket->before) <= 0.1*tolerance*omega && fabs(*f) < SMALL) ||
+		    reached(bracket, 0.1*tolerance*omega))
 			return HAWSER_OK;
 		bracket->before = omega;
 		hawser__false_position_take(&bracket->in, *s, *f);

@@ -35,6 +35,7 @@ struct hawser__bracket {
 	struct hawser__bracketed in;
 	double before;         /* Omega of the last trial */
 	double uncertain;      /* relative uncertainty of Omega if the result is interpolated */
+	int several;           /* 1: the search ended, since the bracket has more events than one */
 	int failures, trials;
 	struct hawser__trial trial[HAWSER__MOST_TRIALS]; /* [trials] */
 	double *multipliers;   /* memory of the multipliers of the trials */
@@ -56,7 +57,8 @@ double hawser__bracket_value(const struct hawser__bracket *bracket,
                              const struct hawser__station *station);
 
 /* Find *s and *f of the zero with the relative tolerance `tolerance` in Omega; bracket->at becomes
- * its orbit. |*f| is not small at a pole or a discontinuity. HAWSER_ERR_CONVERGENCE if the
+ * its orbit. |*f| is not small at a pole or a discontinuity. The search also ends, without a zero,
+ * where bracket->several is set. HAWSER_ERR_CONVERGENCE if the
  * corrector fails on both sides. */
 enum hawser_status hawser__bracket_zero(struct hawser__bracket *bracket, double *s, double *f,
                                         double tolerance, struct hawser_report *report);

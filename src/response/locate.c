@@ -36,7 +36,7 @@ enum hawser_status hawser__locate(struct hawser_frf_event *event, int *found,
 	if (!status) {
 		/* a sure test function is discontinuous where a multiplier leaves its error bound, and has
 		 * no poles */
-		*found = (bracket.sure || fabs(f) < ZERO) &&
+		*found = !bracket.several && (bracket.sure || fabs(f) < ZERO) &&
 		         (kind != HAWSER_TORUS || hawser__station_torus(a, b, scratch, bracket.sure));
 		*event = (struct hawser_frf_event){.kind = kind, .omega = scratch->y[last],
 			.arc = a->arc + s*(b->arc - a->arc), .residual = fabs(f)};

@@ -130,11 +130,43 @@ static int widest(const struct hawser__monodromy *monodromy, int n)
 
 /* --- a period --- */
 
+static void set_angle(double *pair, double angle)
+{
+	pair[0] = cos(angle);
+	pair[1] = sin(angle);
+}
+
+/* The cosines and sines at a node are those at the start of its step, which are roots of unity, turned
+ * by its place in the step. Both are computed once, behind the table. */
+static void fill_table(double *table, const struct hawser__collocation *gauss, int steps, int order)
+{
+	int columns = 2*order + 1;
+	double *root = table + (size_t)S*steps*columns, *turn = root + 2*(size_t)steps;
+
+	for (int s = 0; s < steps; s++)
+		set_angle(root + 2*(size_t)s, 2.0*M_PI*s/steps);
+	for (int i = 0; i < S; i++)
+		for (int k = 1; k <= order; k++)
+			set_angle(turn + 2*((size_t)i*(order + 1) + k), 2.0*M_PI*k*gauss->node[i]/steps);
+	for (int node = 0; node < S*steps; node++) {
+		const double *by = turn + 2*(size_t)(node%S)*(order + 1);
+		double *row = table + (size_t)node*columns;
+
+		row[0] = 0.5;
+		for (int k = 1; k <= order; k++) {
+			const double *at = root + 2*((long)(node/S)*k%steps);
+
+			row[2*k - 1] = at[0]*by[2*k] - at[1]*by[2*k + 1];
+			row[2*k] = at[1]*by[2*k] + at[0]*by[2*k + 1];
+		}
+	}
+}
+
 static enum hawser_status make_table(struct hawser__monodromy *monodromy, int order,
                                      struct hawser_report *report)
 {
-	int columns = 2*order + 1, nodes = S*monodromy->steps;
-	size_t room = (size_t)nodes*columns;
+	int columns = 2*order + 1, steps = monodromy->steps;
+	size_t room = (size_t)S*steps*columns + 2*((size_t)steps + S*((size_t)order + 1));
 
 	if (monodromy->table_steps == monodromy->steps && monodromy->order == order)
 		return HAWSER_OK;
@@ -146,18 +178,8 @@ static enum hawser_status make_table(struct hawser__monodromy *monodromy, int or
 		monodromy->table = larger;
 		monodromy->table_room = 2*room;
 	}
-	for (int i = 0; i < nodes; i++) {
-		/* NOLINTNEXTLINE(bugprone-integer-division): the whole part is meant */
-		double tau = (i/S + monodromy->gauss.node[i%S])*2.0*M_PI/monodromy->steps;
-		double *row = monodromy->table + (size_t)i*columns;
-
-		row[0] = 0.5;
-		for (int k = 1; k <= order; k++) {
-			row[2*k - 1] = cos(k*tau);
-			row[2*k] = sin(k*tau);
-		}
-	}
-	monodromy->table_steps = monodromy->steps;
+	fill_table(monodromy->table, &monodromy->gauss, steps, order);
+	monodromy->table_steps = steps;
 	monodromy->order = order;
 	return HAWSER_OK;
 }

@@ -56,6 +56,7 @@
 #define ITERATIONS 12      /* largest number; chosen */
 #define SETTLED 1e-9       /* relative change of N at which the iteration ends; chosen, far below the
                             * errors that are admitted */
+#define SLIGHT 0.1         /* part of these errors by harmonics of N that are left out; chosen */
 #define MORE 6             /* harmonics of N beyond twice those of K; chosen */
 #define ASIDE 1.0          /* harmonics beyond the highest resonance that a hasty computation
                             * includes; chosen */
@@ -75,6 +76,7 @@ struct work {
 	double *part;               /* [nf][2 ns] */
 	double *series;             /* [2 order + 1][ns][2 ns] of N */
 	double *result[2];          /* [2 order + 1][ns][ns] K and D of the slow coordinates */
+	double last;                /* size of the last harmonic of N, relative as in reduce() */
 };
 
 static enum hawser_status make_room(struct work *work, struct hawser__monodromy *monodromy,
@@ -289,6 +291,30 @@ static double settle(const struct work *work, const struct hawser__monodromy *mo
 	return last;
 }
 
+/* The number of harmonics of a series of ns by ns matrices without the last ones, whose sizes,
+ * relative to `scale`, add up to at most `negligible`. Their sum is added to *left_out. */
+static int count_harmonics(const double *series, const struct work *work, double scale,
+                           double negligible, double *left_out)
+{
+	size_t block = (size_t)work->ns*work->ns;
+	double sum = 0.0;
+
+	for (int k = work->order; k > 0; k--) {
+		const double *last = series + (2*(size_t)k - 1)*block;
+		double part = 0.0;
+
+		for (size_t e = 0; e < 2*block; e++)
+			part = fmax(part, fabs(last[e]));
+		if (sum + part/scale > negligible) {
+			*left_out += sum;
+			return k;
+		}
+		sum += part/scale;
+	}
+	*left_out += sum;
+	return 0;
+}
+
 /* The series of K and D of the slow coordinates from N. Returns the size of the last harmonic,
  * relative as in reduce(). */
 static double transform(const struct work *work, double top)
@@ -334,6 +360,7 @@ static enum hawser_status try_condense(struct work *work, struct hawser__monodro
 	enum hawser_status status;
 
 	monodromy->left_out = INFINITY;
+	work->last = 0.0;
 	monodromy->top = hawser__fast_split(monodromy, system, limit, expected, &work->ns);
 	work->nf = work->n - work->ns;
 	if (work->nf == 0 || work->ns == 0 || !hawser__fast_separate(monodromy, system, work->nf))
@@ -349,8 +376,29 @@ static enum hawser_status try_condense(struct work *work, struct hawser__monodro
 	}
 	monodromy->left_out = settle(work, monodromy, system->omega,
 	                             monodromy->sharper ? 0.1*HAWSER__SHARPER : SETTLED);
-	monodromy->left_out += transform(work, monodromy->top);
+	work->last = transform(work, monodromy->top);
+	monodromy->left_out += work->last;
 	return HAWSER_OK;
+}
+
+/* N has infinitely many harmonics. Along a branch few of them beyond those of K are included first; if
+ * the last of these is not negligible, as many as for comparison. */
+static enum hawser_status try_orders(struct work *work, struct hawser__monodromy *monodromy,
+                                     const struct hawser__variational *system, double limit,
+                                     int expected, struct hawser_report *report)
+{
+	int order = system->order > system->order_d ? system->order : system->order_d;
+	int most = MORE + order*(monodromy->haste && !monodromy->rough ? 6 : 2);
+	enum hawser_status status;
+
+	work->order = monodromy->finer || monodromy->sharper ? most : MORE + order + order/4;
+	do {
+		work->rows = hawser__planner_rows(2*work->order + 1);
+		status = try_condense(work, monodromy, system, limit, expected, report);
+		if (status || work->order == most || !(work->last > SETTLED))
+			return status;
+		work->order = most;
+	} while (1);
 }
 
 enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodromy,
@@ -385,12 +433,8 @@ enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodrom
 		monodromy->fastest += ASIDE*system->omega;
 	work.symmetric = system->order_d == 0 && hawser__fast_symmetric(system);
 	work.next_D = system->order_d > 0 ? (size_t)n*n : 0;
-	work.order = system->order > system->order_d ? system->order : system->order_d;
-	/* N has infinitely many harmonics */
-	work.order = MORE + work.order*(monodromy->haste && !monodromy->rough ? 6 : 2);
-	work.rows = hawser__planner_rows(2*work.order + 1);
 	for (int expected = monodromy->expected;; expected--) {
-		status = try_condense(&work, monodromy, system, limit, expected, report);
+		status = try_orders(&work, monodromy, system, limit, expected, report);
 		if (!monodromy->sharper) /* the next orbit is similar */
 			monodromy->expected = expected;
 		if (status || monodromy->left_out <= most || expected == 0)
@@ -398,10 +442,14 @@ enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodrom
 	}
 	if (status || monodromy->left_out > most)
 		return status;
+	*system = (struct hawser__variational){.n = work.ns, .K = work.result[0], .D = work.result[1],
+		.omega = system->omega};
+	most = monodromy->sharper ? SLIGHT*HAWSER__SHARPER : SLIGHT*SETTLED;
+	system->order = count_harmonics(system->K, &work, monodromy->top*monodromy->top, most,
+	                                &monodromy->left_out);
+	system->order_d = count_harmonics(system->D, &work, monodromy->top, most,
+	                                  &monodromy->left_out);
 	monodromy->neglected = M_PI*monodromy->top/system->omega*monodromy->left_out;
 	*kept = work.ns;
-	*system = (struct hawser__variational){.n = work.ns, .order = work.order,
-		.order_d = work.order, .K = work.result[0], .D = work.result[1],
-		.omega = system->omega};
 	return HAWSER_OK;
 }

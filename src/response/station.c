@@ -202,15 +202,13 @@ void hawser__station_turn(struct hawser__station *station, struct hawser__orbit 
 	station->sure[HAWSER_FOLD] = station->test[HAWSER_FOLD];
 }
 
-enum hawser_status hawser__station_finish(struct hawser__station *station,
-                                          struct hawser__orbit *orbit, const double *side,
-                                          struct hawser_report *report)
+enum hawser_status hawser__station_judge(struct hawser__station *station,
+                                         struct hawser__orbit *orbit, struct hawser_report *report)
 {
 	int m = orbit->m;
-	enum hawser_status status;
+	enum hawser_status status = orbit->ops->multipliers(orbit, report);
 
-	hawser__station_turn(station, orbit, side);
-	if ((status = orbit->ops->multipliers(orbit, report)))
+	if (status)
 		return status;
 	memcpy(station->log_modulus, orbit->log_modulus, (size_t)m*sizeof(double));
 	memcpy(station->argument, orbit->argument, (size_t)m*sizeof(double));
@@ -230,6 +228,14 @@ enum hawser_status hawser__station_finish(struct hawser__station *station,
 	station->round_off = orbit->round_off;
 	set_tests(station, orbit);
 	return HAWSER_OK;
+}
+
+enum hawser_status hawser__station_finish(struct hawser__station *station,
+                                          struct hawser__orbit *orbit, const double *side,
+                                          struct hawser_report *report)
+{
+	hawser__station_turn(station, orbit, side);
+	return hawser__station_judge(station, orbit, report);
 }
 
 int hawser__station_torus(const struct hawser__station *a, const struct hawser__station *b,

@@ -68,8 +68,11 @@ void hawser__station_swap(struct hawser__station *a, struct hawser__station *b);
 void hawser__station_turn(struct hawser__station *station, struct hawser__orbit *orbit,
                           const double *side);
 
-/* After a successful correction of station->y: compute the tangent with a positive component along
- * `side` [size], multipliers, test functions, stability, certificate. */
+/* After that: multipliers, test functions, stability, certificate. */
+enum hawser_status hawser__station_judge(struct hawser__station *station,
+                                         struct hawser__orbit *orbit, struct hawser_report *report);
+
+/* Both. */
 enum hawser_status hawser__station_finish(struct hawser__station *station,
                                           struct hawser__orbit *orbit, const double *side,
                                           struct hawser_report *report);

@@ -162,16 +162,23 @@ enum hawser_status hawser__trace_refine(void *owner, double ds, double *factor)
 	return trace->orbit->ops->enrich(trace->orbit, trace->report);
 }
 
+/* Whether a step is refused whatever its multipliers are. */
+static int refused(const struct hawser__trace *trace, double angle, double ds)
+{
+	return ds > TRUSTED_STEP && !hawser__trace_trusted(trace, angle);
+}
+
 enum hawser_status hawser__trace_finish(void *owner, double ds, double *angle)
 {
 	struct hawser__trace *trace = owner;
 	const struct hawser__metric metric = hawser__orbit_metric(trace->orbit);
-	enum hawser_status status = hawser__station_finish(&trace->next, trace->orbit, trace->here.t,
-	                                                   trace->report);
 
+	hawser__station_turn(&trace->next, trace->orbit, trace->here.t);
 	*angle = hawser__metric_angle(&metric, trace->here.t, trace->next.t);
 	trace->next.arc = trace->here.arc + ds;
-	return status;
+	if (refused(trace, *angle, ds)) /* multipliers would take most of the time of the step */
+		return HAWSER_OK;
+	return hawser__station_judge(&trace->next, trace->orbit, trace->report);
 }
 
 enum hawser_status hawser__trace_judge(void *owner, double ds, double angle,
@@ -181,8 +188,7 @@ enum hawser_status hawser__trace_judge(void *owner, double ds, double angle,
 	enum hawser_status status;
 
 	*verdict = HAWSER__SHORTEN;
-	if ((!hawser__trace_trusted(trace, angle) && ds > TRUSTED_STEP) ||
-	    (ds > SORTING_STEP && hawser__trace_hides(trace)))
+	if (refused(trace, angle, ds) || (ds > SORTING_STEP && hawser__trace_hides(trace)))
 		return HAWSER_OK;
 	*verdict = HAWSER__KEEP;
 	if (hawser__account_crossings(&trace->here, &trace->next, &(int){0},
