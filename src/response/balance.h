@@ -119,8 +119,8 @@ void hawser__balance_assemble(struct hawser__balance *balance);
  * are the last ones. */
 int hawser__balance_top(struct hawser__balance *balance, double *matrix, int from);
 
-/* balance_sample.c: out [P + 1] = M x. */
-void hawser__balance_product(struct hawser__balance *balance, double *out, const double *x);
+/* balance_sample.c: out [P + 1] = M x, where x is 0 below the harmonic `from`. */
+void hawser__balance_product(struct hawser__balance *balance, double *out, const double *x, int from);
 
 /* balance_sample.c: only the defects at balance->at, which has harmonics up to `order` <= reach. */
 void hawser__balance_defects(struct hawser__balance *balance, int order);

@@ -208,6 +208,7 @@ static int factor_step(struct hawser__blocks *blocks, const struct hawser__balan
 	if (LAPACKE_sgesv_work(LAPACK_COL_MAJOR, wide, m, M, wide, blocks->pivot + (size_t)step*wide, X,
 	                       wide))
 		return 1;
+	hawser__blocks_invert_diagonal(M, wide);
 	memset(A, 0, 2*(size_t)w*m*sizeof *A);
 	for (int q = 0; q < m; q++)
 		add_end(blocks, A + q, m, X + (size_t)q*wide);
@@ -310,7 +311,8 @@ int hawser__blocks_factor(struct hawser__blocks *blocks, const struct hawser__ba
 
 	if (changed(blocks, balance) && hawser__blocks_arrange(blocks, balance))
 		return 1;
-	for (size_t e = 0; e < (2*(size_t)blocks->spread + 1)*n*n; e++)
+	blocks->harmonics = hawser__blocks_harmonics(balance);
+	for (size_t e = 0; e < (2*(size_t)blocks->harmonics + 1)*n*n; e++)
 		blocks->T[e] = (float)balance->T[e];
 	blocks->omega = balance->derived_at;
 	blocks->h = 2.0*M_PI/blocks->omega/blocks->steps;
@@ -345,8 +347,8 @@ static double particular(struct hawser__blocks *blocks, float *end)
 	for (int k = 0; k < blocks->steps; k++) {
 		float *a = blocks->forcing + (size_t)k*wide;
 
-		LAPACKE_sgetrs_work(LAPACK_COL_MAJOR, 'N', wide, 1, blocks->lu + (size_t)k*wide*wide, wide,
-		                    blocks->pivot + (size_t)k*wide, a, wide);
+		hawser__blocks_substitute(a, blocks->lu + (size_t)k*wide*wide,
+		                          blocks->pivot + (size_t)k*wide, wide);
 		sum += cblas_sdot(two, blocks->plane + (size_t)k*two, 1, end, 1);
 		cblas_sgemv(CblasRowMajor, CblasNoTrans, two, two, 1.0, blocks->A + (size_t)k*two*m, m, end,
 		            1, 0.0, next, 1);

@@ -44,6 +44,7 @@ struct hawser__blocks {
 	                       * of the slow ones */
 	double h;             /* duration of a step */
 	double omega;
+	int harmonics;        /* of T that are included */
 	float *T;             /* [2 spread + 1][n][n] the tangent's Fourier coefficients */
 	float *table;        /* [K][8][2 width + 1] 1, cos, sin, ... at the nodes */
 	float *start;        /* [K][2 width + 1] the same at the starts of the steps */
@@ -93,10 +94,20 @@ double hawser__blocks_cost(const struct hawser__balance *balance);
 double hawser__blocks_ratio(const struct hawser__blocks *blocks,
                             const struct hawser__balance *balance);
 
+/* --- balance_substitute.c --- */
+
+/* Replace the diagonal of the factors lu [count][count] of LAPACK by its reciprocals. */
+void hawser__blocks_invert_diagonal(float *lu, int count);
+/* x [count] = the solution of the equations with these factors lu [count][count], by columns, and the
+ * row interchanges pivot [count], for the right side x. `count` must be a multiple of 8. */
+void hawser__blocks_substitute(float *x, const float *lu, const int *pivot, int count);
+
 /* --- balance_nodes.c --- */
 
 /* Set the tables of cosines and sines at the nodes. */
 void hawser__blocks_tabulate(struct hawser__blocks *blocks);
+/* Number of harmonics of T that the preconditioner includes. */
+int hawser__blocks_harmonics(const struct hawser__balance *balance);
 /* Set stiff and damp at the nodes of a step. */
 void hawser__blocks_evaluate(struct hawser__blocks *blocks, const struct hawser__balance *balance,
                              int step);

@@ -8,6 +8,7 @@
 #include "response/balance.h"
 
 #define S HAWSER__NODES
+#define SLIGHT 1e-5 /* chosen, far below the errors of the steps (balance_blocks.c) */
 
 void hawser__blocks_tabulate(struct hawser__blocks *blocks)
 {
@@ -27,6 +28,32 @@ void hawser__blocks_tabulate(struct hawser__blocks *blocks)
 	}
 }
 
+/* Harmonics of the tangent whose sizes, relative to the stiffnesses of their coordinates, add up to
+ * more than SLIGHT: the others matter less to the preconditioner than the errors of its steps. */
+int hawser__blocks_harmonics(const struct hawser__balance *balance)
+{
+	int n = balance->base.n;
+	double least = balance->derived_at*balance->derived_at, sum = 0.0;
+
+	for (int k = balance->spread; k > 0; k--) {
+		double part = 0.0;
+
+		for (int i = 0; i < n; i++)
+			for (int j = 0; j < n; j++) {
+				double c = balance->T[hawser__cos(n*n, k, i*n + j)];
+				double s = balance->T[hawser__sin(n*n, k, i*n + j)];
+				double scale = fmax(fabs(balance->stiffness[i]), least)*
+				               fmax(fabs(balance->stiffness[j]), least);
+
+				part = fmax(part, (c*c + s*s)/scale);
+			}
+		sum += sqrt(part);
+		if (sum > SLIGHT)
+			return k;
+	}
+	return 0;
+}
+
 void hawser__blocks_evaluate(struct hawser__blocks *blocks, const struct hawser__balance *balance,
                              int step)
 {
@@ -36,7 +63,7 @@ void hawser__blocks_evaluate(struct hawser__blocks *blocks, const struct hawser_
 
 	for (int i = 0; i < S; i++)
 		table[i*columns] = 0.5; /* T's constant is twice the mean */
-	cblas_sgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, S, n2, 2*balance->spread + 1, 1.0, table,
+	cblas_sgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, S, n2, 2*blocks->harmonics + 1, 1.0, table,
 	            columns, blocks->T, n2, 0.0, blocks->stiff, n2);
 	for (int i = 0; i < S; i++) {
 		float *damp = blocks->damp + (size_t)i*n2;

@@ -232,17 +232,19 @@ static void swap(double **a, double **b)
 	*b = keep;
 }
 
-/* image = J direction for the coefficients balance->direction [2 order + 1][n] at fixed Omega: the
- * sampled tangents times the sampled direction, and the linear terms. */
-static void differentiate(struct hawser__balance *balance)
+/* image = J direction for the coefficients balance->direction [2 order + 1][n], which are 0 below the
+ * harmonic `from`, at fixed Omega: the sampled tangents times the sampled direction, and the linear
+ * terms. */
+static void differentiate(struct hawser__balance *balance, int from)
 {
 	int n = balance->base.n, rows = balance->base.rows, columns = 2*balance->width + 1;
-	int wide = 2*balance->order + 1;
+	int first = from ? 2*from - 1 : 0, wide = 2*balance->order + 1 - first;
 	double omega = balance->derived_at;
 	double *moved = balance->moved, *force = balance->moved + (size_t)rows*n;
 
-	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, rows, n, wide, 1.0, balance->basis,
-	            columns, balance->direction, n, 0.0, moved, n);
+	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, rows, n, wide, 1.0,
+	            balance->basis + first, columns, balance->direction + (size_t)first*n, n, 0.0, moved,
+	            n);
 	for (int r = 0; r < rows; r++)
 		cblas_dgemv(CblasRowMajor, CblasNoTrans, n, n, 1.0,
 		            balance->tangent + (size_t)r*n*n, n, moved + (size_t)r*n, 1, 0.0,
@@ -257,7 +259,7 @@ static void differentiate(struct hawser__balance *balance)
 	swap(&balance->defect, &balance->image);
 }
 
-void hawser__balance_product(struct hawser__balance *balance, double *out, const double *x)
+void hawser__balance_product(struct hawser__balance *balance, double *out, const double *x, int from)
 {
 	int P = balance->unknowns, last = balance->base.size - 1;
 	const double *border = balance->border;
@@ -266,7 +268,7 @@ void hawser__balance_product(struct hawser__balance *balance, double *out, const
 	memset(balance->direction, 0, (size_t)last*sizeof *x);
 	for (int i = 0; i < P; i++)
 		balance->direction[balance->slot[i]] = x[i]*balance->col_scale[i];
-	differentiate(balance);
+	differentiate(balance, from);
 	for (int i = 0; i < P; i++) {
 		int at = balance->slot[i];
 

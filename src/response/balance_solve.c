@@ -31,6 +31,7 @@
 #define KRYLOV HAWSER__KRYLOV
 #define NEWTON_RESIDUAL 1e-5 /* relative: far below the contraction required of the corrector */
 #define TANGENT_RESIDUAL 1e-11 /* relative; at a fold the Omega component of the tangent is 0 */
+#define TRIED 6 /* iterations after which a solution with old factors may be given up; chosen */
 #define INVERSE_ITERATIONS 3 /* for the norm of the inverse, of which two digits are used */
 /* A factorisation takes the time of P/FACTOR_COST iterations (measured for P from 100 to 600: the
  * factorisation is limited by the processor, an iteration by the memory). */
@@ -173,7 +174,7 @@ static void multiply(struct hawser__balance *balance, double *out, const double 
 	int count = balance->unknowns + 1;
 
 	if (balance->blockwise)
-		hawser__balance_product(balance, out, x);
+		hawser__balance_product(balance, out, x, 0);
 	else
 		cblas_dgemv(CblasRowMajor, CblasNoTrans, count, count, 1.0, balance->matrix, count, x, 1,
 		            0.0, out, 1);
@@ -192,7 +193,7 @@ static void precondition_by_blocks(struct hawser__balance *balance, double *x)
 	memcpy(first + at, x + at, (size_t)top*sizeof *first);
 	LAPACKE_dgetrs_work(LAPACK_COL_MAJOR, 'T', top, 1, balance->top_block, top, balance->top_pivot,
 	                    first + at, top);
-	hawser__balance_product(balance, image, first);
+	hawser__balance_product(balance, image, first, balance->top_from);
 	cblas_daxpy(count, -1.0, image, 1, x, 1);
 	part = x[count - 1];
 	hawser__blocks_apply(&balance->blocks, balance, x);
@@ -302,6 +303,13 @@ static void extend(struct hawser__balance *balance, struct hessenberg *H, int k)
 		cblas_dscal(count, 1.0/H->r[k][k + 1], v, 1);
 }
 
+/* Whether old factors would need more than KRYLOV iterations, at the mean rate of the first k, which
+ * have reduced the residual to `part`. */
+static int hopeless(const struct hawser__balance *balance, int k, double part, double goal)
+{
+	return !balance->fresh && k >= TRIED && k*log(goal) < KRYLOV*log(part);
+}
+
 /* x = M^-1 x to the relative residual `goal`. Returns 1 after too many iterations; x is then
  * invalid. */
 static int gmres(struct hawser__balance *balance, double *x, double goal)
@@ -315,7 +323,7 @@ static int gmres(struct hawser__balance *balance, double *x, double goal)
 	memcpy(balance->krylov, x, (size_t)count*sizeof *x);
 	cblas_dscal(count, 1.0/length, balance->krylov, 1);
 	H.g[0] = length;
-	while (k < KRYLOV && fabs(H.g[k]) > goal*length) {
+	while (k < KRYLOV && fabs(H.g[k]) > goal*length && !hopeless(balance, k, fabs(H.g[k])/length, goal)) {
 		extend(balance, &H, k);
 		rotate(&H, k++);
 	}

@@ -21,6 +21,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/balance_jacobian.c \
 	%D%/balance_sample.c \
 	%D%/balance_solve.c \
+	%D%/balance_substitute.c \
 	%D%/beam_model.c \
 	%D%/beam_motion.c \
 	%D%/certify.c \

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <lapacke.h>
 #include <stdlib.h>
 
 #include "response/balance.h"
@@ -21,6 +22,45 @@ static int make_stiff(struct hawser_rom *rom, double fast)
 	rom->Q[rom->quads++] = (struct hawser_quad){0, 1, 1, 0.01*fast};
 	rom->K[3] = fast;
 	return hawser_rom_compile(rom, NULL) != HAWSER_OK;
+}
+
+/* The product for a vector x that is 0 below the separate harmonics, which may omit the others. */
+static void check_last_harmonics(struct hawser__balance *by, double *a, double *b, double *x)
+{
+	int count = by->unknowns + 1;
+	double off = 0.0;
+
+	for (int i = 0; i < count - 1 - by->top_count; i++)
+		x[i] = 0.0;
+	hawser__balance_product(by, a, x, 0);
+	hawser__balance_product(by, b, x, by->top_from);
+	for (int i = 0; i < count; i++)
+		off = fmax(off, fabs(a[i] - b[i]));
+	ok(by->top_from > 1 && off < 1e-12, "product for the last harmonics: %.1e", off);
+}
+
+/* The solution of equations of order 8 and 24 from their factors has small residuals. */
+static void check_substitution(int count)
+{
+	float A[24*24], lu[24*24], x[24];
+	int pivot[24];
+	double off = 0.0;
+
+	for (int i = 0; i < count*count; i++)
+		lu[i] = A[i] = (float)sin(2.385*i*i);
+	for (int i = 0; i < count; i++)
+		x[i] = (float)cos(1.7*i);
+	ok(!LAPACKE_sgetrf_work(LAPACK_COL_MAJOR, count, count, lu, count, pivot), "factors");
+	hawser__blocks_invert_diagonal(lu, count);
+	hawser__blocks_substitute(x, lu, pivot, count);
+	for (int i = 0; i < count; i++) {
+		double sum = -cos(1.7*i);
+
+		for (int j = 0; j < count; j++)
+			sum += (double)A[j*count + i]*x[j];
+		off = fmax(off, fabs(sum));
+	}
+	ok(off < 1e-5, "order %d: residual %.1e", count, off);
 }
 
 /* Solutions by blocks with GMRES, and products without a matrix, agree with those of the matrix. */
@@ -56,7 +96,7 @@ static void check_blocks(double fast, const char *what)
 	count = by[0].unknowns + 1;
 	for (int i = 0; i < count; i++)
 		x[i] = cos(1.7*i)*exp(-0.05*i);
-	hawser__balance_product(&by[0], image[0], x);
+	hawser__balance_product(&by[0], image[0], x, 0);
 	for (int i = 0; i < count; i++) {
 		for (int c = 0; c < count; c++)
 			image[1][i] += by[1].matrix[(size_t)i*count + c]*x[c];
@@ -64,6 +104,7 @@ static void check_blocks(double fast, const char *what)
 		top = fmax(top, fabs(image[1][i]));
 	}
 	ok(off < 1e-12*top, "%s: product without a matrix: %.1e of %.1e", what, off, top);
+	check_last_harmonics(&by[0], image[0], image[1], x);
 	for (int homogeneous = 0; homogeneous < 2; homogeneous++) {
 		int before = by[0].iterations;
 
@@ -92,6 +133,8 @@ static void check_blocks(double fast, const char *what)
 
 int main(void)
 {
+	check_substitution(8);
+	check_substitution(24);
 	check_blocks(4.1, "slow coordinates");
 	check_blocks(4e3, "a coordinate above the harmonics");
 	check_blocks(4e6, "a coordinate far above the harmonics");
