@@ -323,7 +323,8 @@ static int gmres(struct hawser__balance *balance, double *x, double goal)
 	memcpy(balance->krylov, x, (size_t)count*sizeof *x);
 	cblas_dscal(count, 1.0/length, balance->krylov, 1);
 	H.g[0] = length;
-	while (k < KRYLOV && fabs(H.g[k]) > goal*length && !hopeless(balance, k, fabs(H.g[k])/length, goal)) {
+	while (k < KRYLOV && fabs(H.g[k]) > goal*length &&
+	       !hopeless(balance, k, fabs(H.g[k])/length, goal)) {
 		extend(balance, &H, k);
 		rotate(&H, k++);
 	}

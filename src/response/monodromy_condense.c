@@ -392,13 +392,15 @@ static enum hawser_status try_orders(struct work *work, struct hawser__monodromy
 	enum hawser_status status;
 
 	work->order = monodromy->finer || monodromy->sharper ? most : MORE + order + order/4;
-	do {
+	if (work->order > most)
+		work->order = most;
+	for (;;) {
 		work->rows = hawser__planner_rows(2*work->order + 1);
 		status = try_condense(work, monodromy, system, limit, expected, report);
-		if (status || work->order == most || !(work->last > SETTLED))
+		if (status || work->order >= most || !(work->last > SETTLED))
 			return status;
 		work->order = most;
-	} while (1);
+	}
 }
 
 enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodromy,
