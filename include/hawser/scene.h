@@ -126,6 +126,12 @@ struct hawser_scene {
 		double final;       /* m/s */
 	} travel;
 	struct {
+		int present;
+		double motion[3]; /* m, along x, y, z, times cos(harmonic*Omega*t + phase) */
+		double phase;     /* rad */
+		int harmonic;     /* multiple of Omega, 1 to 20 */
+	} support[2];             /* end A, end B */
+	struct {
 		enum hawser_damping_kind kind;
 		double alpha;     /* kg/(m s) */
 		double mass;      /* 1/s */

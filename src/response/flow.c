@@ -115,6 +115,7 @@ static void prepare(struct hawser__flow *flow, double h, double omega)
 	const struct hawser_rom *rom = flow->rom;
 	int n = flow->n, eliminated = damping_eliminated(flow, h, omega);
 
+	flow->h = h;
 	flow->coupled = flow->damping_varies;
 	for (int i = 0; i < n*n; i++) {
 		flow->coupling[i] = eliminated && i%(n + 1) == 0 ? 0.0 : rom->D[i];
@@ -134,10 +135,11 @@ static void prepare(struct hawser__flow *flow, double h, double omega)
 /* Phase of the harmonics at the start of a step. */
 static void set_phases(struct hawser__flow *flow, double tau, double apart, int live)
 {
+	for (int lane = 0; lane < LANES; lane++)
+		flow->at[lane] = tau + (lane < live ? lane : live - 1)*apart;
 	for (int k = 0; k < flow->rom->harmonics; k++)
 		for (int lane = 0; lane < LANES; lane++) {
-			double angle = flow->rom->harmonic[k].k*
-			               (tau + (lane < live ? lane : live - 1)*apart);
+			double angle = flow->rom->harmonic[k].k*flow->at[lane];
 
 			flow->phase[2*k*LANES + lane] = cos(angle);
 			flow->phase[(2*k + 1)*LANES + lane] = sin(angle);
@@ -243,8 +245,12 @@ HAWSER_PART void set_slope(struct hawser__flow *flow, int s)
 }
 
 /* The terms of vary.h, added to the restoring force and to its derivative. */
-HAWSER_PART void set_varying(struct hawser__flow *flow, double *by_u)
+HAWSER_PART void set_varying(struct hawser__flow *flow, int s, double *by_u)
 {
+	for (int lane = 0; flow->rom->exact && hawser__rom_varies(flow->rom) && lane < LANES; lane++)
+		hawser__rom_vary_lane(flow->rom, flow->force + lane, by_u ? by_u + lane : NULL,
+		                      flow->stage_u + lane, flow->at[lane] + hawser__dop853.c[s]*flow->h,
+		                      LANES);
 	for (int k = 0; k < flow->rom->harmonics; k++)
 		for (int lane = 0; flow->rom->harmonic[k].quads > 0 && lane < LANES; lane++)
 			hawser__rom_vary_by(&flow->rom->harmonic[k], flow->wave[k*LANES + lane],
@@ -338,7 +344,7 @@ static double step(struct hawser__flow *flow, int derive, int live, double omega
 		set_stage(flow, s, derive);
 		hawser__rom_lanes(flow->rom, flow->force, by_u, flow->stage_u, live, flow->work);
 		set_waves(flow, s, omega);
-		set_varying(flow, by_u);
+		set_varying(flow, s, by_u);
 		set_slope(flow, s);
 		if (derive)
 			set_derivatives(flow, s, omega);

@@ -42,6 +42,7 @@ struct hawser__flow {
 	double *turn;           /* [harmonics][stages][2] cos, sin of k c_s h */
 	/* lanes; all [..][HAWSER_LANES] */
 	double *phase;          /* [harmonics][2] cos, sin of k tau at the step's start */
+	double at[4], h;        /* phase at the step's start, by lane (HAWSER_LANES); length of the step */
 	double *wave;           /* [harmonics] value of a harmonic at the stage */
 	double *u, *v;          /* [n] at the step's start */
 	double *stage_u, *stage_v; /* [n] */

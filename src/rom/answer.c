@@ -7,6 +7,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "rom/exact.h"
 #include "rom/history.h"
 #include "rom/kernel.h"
 #include "rom/known.h"
@@ -174,8 +175,10 @@ int hawser__rom_answer_strains(const struct hawser_rom *rom, double *extra,
 {
 	int any = 0;
 
-	if (rom->exact)
-		return 0;
+	if (rom->exact) {
+		hawser__exact_supports(rom->exact, extra, moment->tau);
+		return rom->exact->supports > 0;
+	}
 	if (rom->line.points > 0)
 		return on_line(rom, extra, 0, rom->line.points, moment);
 	for (int h = 0; h < rom->harmonics; h++)

@@ -28,8 +28,10 @@
 #include "core/report.h"
 #include "modes/grid.h"
 #include "rom/answer.h"
+#include "rom/build.h"
 #include "rom/follow.h"
 #include "rom/kernel.h"
+#include "rom/support.h"
 #include "rom/travel.h"
 
 enum { ORDERS = 2 }; /* z_0 and z_1 */
@@ -168,12 +170,33 @@ static void add_masses(struct work *work, double *along)
 	}
 }
 
-/* The responses to the force p of the stations. Since a displacement vanishes at both ends, the
- * work of the force z_0 on it is that of minus the running integral of z_0 on its derivative. */
-static void solve(struct work *work)
+/* p of the force per length in `along`. Since a displacement vanishes at both ends, its work on it is
+ * that of minus its running integral on the derivative. `masses`: point masses count as well. */
+static void pull_of(struct work *work, int masses)
 {
 	const struct hawser_statics *st = &work->stations.modes->statics;
 	int count = work->stations.count;
+
+	for (int axis = 0; axis < 3; axis++) {
+		memcpy(work->global, work->along + axis*count, (size_t)count*sizeof(double));
+		hawser__grid_running(work->along + axis*count, &work->grid, &work->reference,
+		                     work->global);
+		if (masses)
+			add_masses(work, work->along + axis*count);
+	}
+	for (int i = 0; i < count; i++) {
+		struct hawser_frame_point at = hawser_statics_frame(st, work->stations.s[i]);
+		double global[3];
+
+		for (int axis = 0; axis < 3; axis++)
+			global[axis] = -work->along[axis*count + i];
+		to_local(work->stations.p + 3*(size_t)i, global, &at);
+	}
+}
+
+/* The responses to the force p of the stations: the displacement z_0 is the force that causes z_1. */
+static void solve(struct work *work)
+{
 
 	for (int order = 0; order < ORDERS; order++) {
 		hawser__follow(&work->stations);
@@ -181,20 +204,7 @@ static void solve(struct work *work)
 		note(work, order);
 		if (order + 1 == ORDERS)
 			break;
-		for (int axis = 0; axis < 3; axis++) {
-			memcpy(work->global, work->along + axis*count, (size_t)count*sizeof(double));
-			hawser__grid_running(work->along + axis*count, &work->grid, &work->reference,
-			                     work->global);
-			add_masses(work, work->along + axis*count);
-		}
-		for (int i = 0; i < count; i++) {
-			struct hawser_frame_point at = hawser_statics_frame(st, work->stations.s[i]);
-			double global[3];
-
-			for (int axis = 0; axis < 3; axis++)
-				global[axis] = -work->along[axis*count + i];
-			to_local(work->stations.p + 3*(size_t)i, global, &at);
-		}
+		pull_of(work, 1);
 	}
 }
 
@@ -294,5 +304,45 @@ enum hawser_status hawser__rom_answers(struct hawser_rom *rom, const struct haws
 
 	if (!status && (rom->ramp || modes->statics.motion.swing > 0.0))
 		status = answer_speed(rom, modes, moving, scene, report);
+	return status;
+}
+
+enum hawser_status hawser__rom_answer_field(struct hawser_rom *rom, int harmonic,
+                                            const struct hawser_modes *modes, int moving,
+                                            const double *field, struct hawser_report *report)
+{
+	const double ends[2] = {0.0, modes->statics.l};
+	size_t n2 = (size_t)rom->n*(size_t)rom->n;
+	struct hawser_harmonic *h = &rom->harmonic[harmonic];
+	struct work work = {.rom = rom};
+	enum hawser_status status = work_make(&work, modes, modes->n, ends, report);
+	double *T = malloc(n2*sizeof *T);
+
+	if (!status && !T)
+		status = hawser__no_memory(report, "rom");
+	if (!status) {
+		memcpy(work.along, field, 3*(size_t)work.stations.count*sizeof *field);
+		pull_of(&work, 0);
+		solve(&work);
+		status = add_harmonic(h, 1.0, &work) ? HAWSER_OK : hawser__no_memory(report, "rom");
+	}
+	if (!status) {
+		hawser__stations_clear(&work.stations);
+		status = hawser__stations_make(&work.stations, modes, moving, ends[0], ends[1], report);
+	}
+	if (!status) {
+		memcpy(work.along, field, 3*(size_t)work.stations.count*sizeof *field);
+		pull_of(&work, 0);
+		hawser__follow(&work.stations);
+		if (hawser__follow_stiffness(T, &work.stations)) {
+			/* second-order shapes respond to the force as coordinates: their part of z counts
+			 * twice otherwise */
+			hawser__rom_held(T, rom, h->f, -1.0);
+			h->K = T;
+			T = NULL;
+		}
+	}
+	work_clear(&work);
+	free(T);
 	return status;
 }

@@ -27,6 +27,7 @@
 #include "rom/model.h"
 #include "rom/kernel.h"
 #include "rom/project.h"
+#include "rom/support.h"
 #include "rom/travel.h"
 
 /* Probes, as fractions of the unstretched length. */
@@ -443,6 +444,10 @@ static enum hawser_status build_with(struct hawser_rom *rom, const struct hawser
 		status = hawser__rom_vary(rom, modes, kept->n, scene, report);
 	if (!status && condensed)
 		status = hawser__rom_answers(rom, modes, modes->n, scene, report);
+	if (!status && hawser__support_moves(scene))
+		status = hawser__support_forces(rom, modes, kept->n, condensed != NULL, scene, report);
+	if (!status && hawser__support_moves(scene))
+		status = hawser__support_energy(rom, modes, kept->n, condensed != NULL, scene, report);
 	if (!status)
 		status = compile ? hawser__rom_compile_cable(rom, modes, condensed, report)
 		                 : hawser__entries_check(rom, report);

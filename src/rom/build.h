@@ -40,6 +40,12 @@ enum hawser_status hawser__rom_vary(struct hawser_rom *rom, const struct hawser_
  * force f [n] displaces them statically by f_s/K_ss. Does nothing if the model has no shapes. */
 void hawser__rom_held(double *K, const struct hawser_rom *rom, const double *f, double factor);
 
+/* hawser_rom_build_linear without the terms of the energy by moving supports, which are the last
+ * harmonics of a model. linear.c. */
+enum hawser_status hawser__rom_build_forces(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                            const struct hawser_scene *scene,
+                                            struct hawser_report *report);
+
 /* Load, labels and probes. */
 enum hawser_status hawser__rom_finish(struct hawser_rom *rom, const struct hawser_modes *modes,
                                       const struct hawser_scene *scene,

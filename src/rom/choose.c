@@ -22,6 +22,7 @@
 #include "rom/build.h"
 #include "rom/dampers.h"
 #include "rom/drive.h"
+#include "rom/support.h"
 #include "rom/weigh.h"
 
 #define ROWS 32 /* phases of a period at which a motion is evaluated: resolves 16 harmonics */
@@ -446,9 +447,14 @@ enum hawser_status hawser_choose(struct hawser_choice *choice, const struct haws
                                  const struct hawser_scene *scene, double from, double to,
                                  double accuracy, struct hawser_report *report)
 {
-	enum hawser_status status = hawser__choice_begin(choice, modes, scene, from, to, accuracy, 1,
-	                                                 report);
+	enum hawser_status status;
 
+	*choice = (struct hawser_choice){.n = 0};
+	if (hawser__support_moves(scene))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+		                    "the choice of modes does not know the motion of supports: give their "
+		                    "number (model.modes), and increase it until the result does not change");
+	status = hawser__choice_begin(choice, modes, scene, from, to, accuracy, 1, report);
 	if (status)
 		return status;
 	for (int j = 0; j < choice->n; j++)

@@ -200,8 +200,23 @@ static void scatter(double *tangent, const struct hawser_rom_exact *exact, const
 			tangent[index[j]*n + z[k]] = tangent[z[k]*n + index[j]] = t->io[j*out + k];
 }
 
+/* Add the strains of the displaced supports. */
+static void displace(double *ab, double *c, const struct hawser_rom_exact *exact, const double *s,
+                     int first, int count)
+{
+	for (int i = 0; s && i < exact->supports; i++)
+		for (int p = 0; p < count; p++) {
+			const double *x = exact->support +
+			                  3*((size_t)i*(size_t)exact->points + (size_t)(first + p));
+
+			ab[2*p] += s[i]*x[0];
+			ab[2*p + 1] += s[i]*x[1];
+			c[p] += s[i]*x[2];
+		}
+}
+
 static void force(const struct hawser_rom_exact *exact, double *restoring, const double *u,
-                  struct blocks *t)
+                  const double *s, struct blocks *t)
 {
 	double v[HAWSER_ROM_MAX], f[HAWSER_ROM_MAX] = {0.0};
 	struct chunk w;
@@ -211,6 +226,7 @@ static void force(const struct hawser_rom_exact *exact, double *restoring, const
 		int left = exact->points - first, count = left < CHUNK ? left : CHUNK;
 
 		strains(w.ab, w.c, exact, v, first, count);
+		displace(w.ab, w.c, exact, s, first, count);
 		weigh(&w, exact, first, count);
 		add_force(f, exact, w.ab, w.c, first, count);
 		if (t && exact->in)
@@ -238,22 +254,29 @@ void hawser__exact_springs(const struct hawser_rom_exact *exact, double *restori
 void hawser__exact_tangent(const struct hawser_rom_exact *exact, double *restoring, double *tangent,
                            const double *u)
 {
+	hawser__exact_moved(exact, restoring, tangent, u, NULL);
+}
+
+void hawser__exact_moved(const struct hawser_rom_exact *exact, double *restoring, double *tangent,
+                         const double *u, const double *s)
+{
 	struct blocks t;
 
 	if (!tangent) {
-		force(exact, restoring, u, NULL);
+		force(exact, restoring, u, s, NULL);
 		hawser__exact_springs(exact, restoring, NULL, u);
 		return;
 	}
 	memset(t.ii, 0, (size_t)exact->in*exact->in*sizeof *t.ii);
 	memset(t.io, 0, (size_t)exact->in*exact->out*sizeof *t.io);
 	memset(t.oo, 0, (size_t)exact->out*exact->out*sizeof *t.oo);
-	force(exact, restoring, u, &t);
+	force(exact, restoring, u, s, &t);
 	scatter(tangent, exact, &t);
 	hawser__exact_springs(exact, restoring, tangent, u);
 }
 
-void hawser__exact_strain(const struct hawser_rom_exact *exact, double *strain, const double *u)
+void hawser__exact_strain(const struct hawser_rom_exact *exact, double *strain, const double *u,
+                          const double *s)
 {
 	double v[HAWSER_ROM_MAX], ab[2*CHUNK], c[CHUNK];
 
@@ -262,6 +285,7 @@ void hawser__exact_strain(const struct hawser_rom_exact *exact, double *strain, 
 		int left = exact->points - first, count = left < CHUNK ? left : CHUNK;
 
 		strains(ab, c, exact, v, first, count);
+		displace(ab, c, exact, s, first, count);
 		for (int p = 0; p < count; p++) {
 			double along = 1.0 + exact->strain[first + p] + ab[2*p];
 			double sigma = ab[2*p + 1]*ab[2*p + 1] + c[p]*c[p];

@@ -24,6 +24,9 @@ struct hawser_rom_exact {
 	double *pairs_out; /* [points][out(out+1)/2] c c */
 	double *mixed;     /* [points][2][in][out] a c, b c */
 	double *springs;   /* [n][n] in the order of the model: stiffness of attachments, or NULL */
+	int supports;      /* motions of the supports (support.h) */
+	double *support;   /* [supports][points][3] a, b, c of the quasi-static displacement */
+	struct hawser__signal *signal; /* [supports] its factor */
 };
 
 /* Stress and stiffness at a point, without the part that balances the weight. */
@@ -40,6 +43,21 @@ void hawser__exact_free(struct hawser_rom_exact *exact);
 /* Restoring force [n] and, unless NULL, tangent [n][n] at u [n]. */
 void hawser__exact_tangent(const struct hawser_rom_exact *exact, double *restoring, double *tangent,
                            const double *u);
+/* The same with the supports displaced by the factors s [supports]; NULL for none. */
+void hawser__exact_moved(const struct hawser_rom_exact *exact, double *restoring, double *tangent,
+                         const double *u, const double *s);
+
+/* Give the model the motion of the scene's supports. support_exact.c. */
+enum hawser_status hawser__exact_support(struct hawser_rom_exact *exact,
+                                         const struct hawser_modes *modes,
+                                         const struct hawser_scene *scene,
+                                         struct hawser_report *report);
+/* s [supports] at the phase tau. */
+void hawser__exact_supports(const struct hawser_rom_exact *exact, double *s, double tau);
+/* Add to restoring [n] and, unless NULL, to tangent [n][n] what the supports change at the phase tau. */
+void hawser__exact_vary(const struct hawser_rom_exact *exact, double *restoring, double *tangent,
+                        const double *u, double tau);
+
 /* hawser__rom_tangents (kernel.h) for it: exact_block.c. */
 size_t hawser__exact_work(const struct hawser_rom_exact *exact, int count);
 void hawser__exact_tangents(const struct hawser_rom_exact *exact, double *restoring, double *tangent,
@@ -52,8 +70,10 @@ void hawser__exact_springs(const struct hawser_rom_exact *exact, double *restori
 /* Potential at u [n], 0 at rest. */
 double hawser__exact_potential(const struct hawser_rom_exact *exact, const double *u);
 
-/* strain[points] = |q'| - 1 at the quadrature points, at u [n]. */
-void hawser__exact_strain(const struct hawser_rom_exact *exact, double *strain, const double *u);
+/* strain[points] = |q'| - 1 at the quadrature points, at u [n], with the supports displaced by s
+ * [supports] or, with NULL, not at all. */
+void hawser__exact_strain(const struct hawser_rom_exact *exact, double *strain, const double *u,
+                          const double *s);
 
 /* At point p, for local strains (a, b, c), without the factor of the quadrature weight. */
 struct hawser__stress hawser__exact_stress(const struct hawser_rom_exact *exact, int p, double a,

@@ -9,6 +9,7 @@
 #include "modes/grid.h"
 #include "rom/dampers.h"
 #include "rom/exact.h"
+#include "rom/support.h"
 
 void hawser__exact_free(struct hawser_rom_exact *exact)
 {
@@ -24,6 +25,8 @@ void hawser__exact_free(struct hawser_rom_exact *exact)
 	free(exact->pairs_out);
 	free(exact->mixed);
 	free(exact->springs);
+	free(exact->support);
+	free(exact->signal);
 	free(exact);
 }
 

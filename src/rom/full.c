@@ -14,6 +14,7 @@
 #include "rom/build.h"
 #include "rom/exact.h"
 #include "rom/kernel.h"
+#include "rom/support.h"
 
 /* Coordinates per function: two displacements in the plane, one out of it. With the default, orbits
  * near the first resonance have a relative error of 1e-6, also with a deep sag
@@ -48,6 +49,10 @@ static enum hawser_status build(struct hawser_rom *rom, const struct hawser_mode
 		                      "the slopes of the modes are not finite: solve the modes first");
 	if (!status)
 		status = hawser__rom_finish(rom, modes, scene, report);
+	if (!status && hawser__support_moves(scene))
+		status = hawser__support_forces(rom, modes, modes->n, 0, scene, report);
+	if (!status && hawser__support_moves(scene))
+		status = hawser__exact_support(rom->exact, modes, scene, report);
 	if (!status)
 		status = hawser_rom_compile(rom, report);
 	if (status)

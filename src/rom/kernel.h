@@ -117,8 +117,8 @@ int hawser__rom_tension_places(const struct hawser_rom *rom);
 void hawser__rom_tensions_all(const struct hawser_rom *rom, double *all, const double *u,
                               const double *extra);
 
-/* extra [places] at an instant: the strain a of the modes that are not kept. Returns 0, and writes
- * nothing, if the model has none. answer.c. */
+/* extra [places] at an instant: the strain a of the modes that are not kept; of a model with the exact
+ * energy, the displacements of its supports (exact.h). Returns 0 if the model has none. answer.c. */
 int hawser__rom_answer_strains(const struct hawser_rom *rom, double *extra,
                                const struct hawser_rom_moment *moment);
 

@@ -79,10 +79,11 @@ int hawser__rom_answers_load(const struct hawser_rom *rom)
 
 static int alike(const struct hawser_rom *rom, const struct hawser_rom *all)
 {
-	if (rom->harmonics != all->harmonics || rom->shapes.points != all->shapes.points ||
+	/* further terms of `rom` have no response of condensed modes */
+	if (rom->harmonics < all->harmonics || rom->shapes.points != all->shapes.points ||
 	    rom->line.points != all->line.points || all->inertia.shapes > 0)
 		return 0;
-	for (int h = 0; h < rom->harmonics; h++) {
+	for (int h = 0; h < all->harmonics; h++) {
 		const struct hawser_harmonic *a = &rom->harmonic[h], *b = &all->harmonic[h];
 
 		if (a->k != b->k || a->phase != b->phase || a->omega_power != b->omega_power)
@@ -142,7 +143,7 @@ static void copy_mode(struct hawser_rom *rom, int x, const struct hawser_rom *al
 static enum hawser_status copy_forces(struct hawser_rom *rom, const struct hawser_rom *all,
                                       const int *index, struct hawser_report *report)
 {
-	for (int h = 0; h < rom->harmonics; h++) {
+	for (int h = 0; h < all->harmonics; h++) {
 		const double *f = all->harmonic[h].f;
 
 		if (!f || !rom->harmonic[h].answer || rom->known.modes == 0)

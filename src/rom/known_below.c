@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "rom/build.h"
 #include "rom/dampers.h"
 #include "rom/kernel.h"
 #include "rom/known.h"
@@ -69,7 +70,7 @@ enum hawser_status hawser_rom_know_below(struct hawser_rom *rom, const struct ha
 		return HAWSER_OK;
 	}
 	if (!status)
-		status = hawser_rom_build_linear(&linear, &all, scene, report);
+		status = hawser__rom_build_forces(&linear, &all, scene, report);
 	if (!status) {
 		count = find_kept(kept, &all, modes);
 		status = hawser_rom_know(rom, &linear, kept, count, report);

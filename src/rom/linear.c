@@ -8,6 +8,7 @@
 #include "config.h"
 
 #include "rom/build.h"
+#include "rom/support.h"
 
 void hawser__rom_held(double *K, const struct hawser_rom *rom, const double *f, double factor)
 {
@@ -22,16 +23,23 @@ void hawser__rom_held(double *K, const struct hawser_rom *rom, const double *f, 
 	}
 }
 
+/* `energy`: with the stiffness that the motion of supports adds. */
 static enum hawser_status build(struct hawser_rom *rom, const struct hawser_modes *modes,
-                                const struct hawser_scene *scene, struct hawser_report *report)
+                                const struct hawser_scene *scene, int energy,
+                                struct hawser_report *report)
 {
+	int condensed = scene && scene->model.condense == HAWSER_CONDENSE_STATIC;
 	enum hawser_status status = hawser__rom_begin(rom, modes, scene, report);
 
 	if (status)
 		return status;
 	status = hawser__rom_finish(rom, modes, scene, report);
-	if (!status && scene && scene->model.condense == HAWSER_CONDENSE_STATIC)
+	if (!status && condensed)
 		status = hawser__rom_vary(rom, modes, modes->n, scene, report);
+	if (!status && hawser__support_moves(scene))
+		status = hawser__support_forces(rom, modes, modes->n, condensed, scene, report);
+	if (!status && energy && hawser__support_moves(scene))
+		status = hawser__support_energy(rom, modes, modes->n, condensed, scene, report);
 	if (!status)
 		status = hawser_rom_compile(rom, report);
 	if (status)
@@ -39,16 +47,30 @@ static enum hawser_status build(struct hawser_rom *rom, const struct hawser_mode
 	return status;
 }
 
-enum hawser_status hawser_rom_build_linear(struct hawser_rom *rom, const struct hawser_modes *modes,
-                                           const struct hawser_scene *scene,
-                                           struct hawser_report *report)
+static enum hawser_status build_with(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                     const struct hawser_scene *scene, int energy,
+                                     struct hawser_report *report)
 {
 	struct hawser_modes with;
 	enum hawser_status status = hawser__rom_attached(&with, modes, scene, report);
 
 	*rom = (struct hawser_rom){.n = 0};
 	if (!status)
-		status = build(rom, with.n > 0 ? &with : modes, scene, report);
+		status = build(rom, with.n > 0 ? &with : modes, scene, energy, report);
 	hawser_modes_clear(&with);
 	return status;
+}
+
+enum hawser_status hawser_rom_build_linear(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                           const struct hawser_scene *scene,
+                                           struct hawser_report *report)
+{
+	return build_with(rom, modes, scene, 1, report);
+}
+
+enum hawser_status hawser__rom_build_forces(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                            const struct hawser_scene *scene,
+                                            struct hawser_report *report)
+{
+	return build_with(rom, modes, scene, 0, report);
 }

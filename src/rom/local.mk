@@ -64,6 +64,11 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/read.h \
 	%D%/read_known.c \
 	%D%/shapes.c \
+	%D%/support.c \
+	%D%/support.h \
+	%D%/support_energy.c \
+	%D%/support_exact.c \
+	%D%/support_shape.c \
 	%D%/travel.c \
 	%D%/travel.h \
 	%D%/vary.c \

@@ -140,12 +140,14 @@ static int collocated(const struct hawser_rom *rom)
 	return rom->exact && rom->exact->collocated ? rom->exact->points : 0;
 }
 
-/* tension[points] at the quadrature points of a full-order model. */
-static void exact_tensions(double *tension, const struct hawser_rom *rom, const double *u)
+/* tension[points] at the quadrature points of a full-order model; s: displacements of the supports, or
+ * NULL. */
+static void exact_tensions(double *tension, const struct hawser_rom *rom, const double *u,
+                           const double *s)
 {
 	double m = rom->shapes.mach2;
 
-	hawser__exact_strain(rom->exact, tension, u);
+	hawser__exact_strain(rom->exact, tension, u, s);
 	for (int p = 0; p < rom->exact->points; p++)
 		tension[p] = rom->shapes.EA*(tension[p] + m)/(1.0 - m);
 }
@@ -154,13 +156,13 @@ double hawser_rom_tension_at(const struct hawser_rom *rom, int p, const double *
                              const struct hawser_rom_moment *moment)
 {
 	const struct hawser_rom_shapes *shapes = &rom->shapes;
-	double all[HAWSER_ROM_MAX], here;
+	double all[HAWSER_ROM_MAX], here, s[3];
 
 	if (!collocated(rom))
 		return tension(rom, shapes->stretch[p], shapes->slope, shapes->second_slope,
 		               shapes->points, p, u,
 		               moment ? hawser__rom_answer_slope(rom, p, moment) : 0.0);
-	exact_tensions(all, rom, u);
+	exact_tensions(all, rom, u, moment && hawser__rom_answer_strains(rom, s, moment) ? s : NULL);
 	hawser__grid_at(&here, &rom->exact->grid, all, 1, 1, shapes->s[p]);
 	return here;
 }
@@ -180,9 +182,9 @@ int hawser__rom_tension_places(const struct hawser_rom *rom)
 }
 
 /* At the quadrature points of a full-order model and, for other models, at the points of the line. */
-static void exact_all(double *all, const struct hawser_rom *rom, const double *u)
+static void exact_all(double *all, const struct hawser_rom *rom, const double *u, const double *s)
 {
-	exact_tensions(all, rom, u);
+	exact_tensions(all, rom, u, s);
 	for (int p = 0; p < rom->line.points; p++)
 		hawser__grid_at(all + rom->exact->points + p, &rom->exact->grid, all, 1, 1,
 		                rom->line.s[p]);
@@ -194,7 +196,7 @@ void hawser__rom_tensions_all(const struct hawser_rom *rom, double *all, const d
 	int places = hawser__rom_tension_places(rom);
 
 	if (places > 0 && collocated(rom)) {
-		exact_all(all, rom, u);
+		exact_all(all, rom, u, extra);
 		return;
 	}
 	for (int p = 0; p < places; p++)
@@ -205,14 +207,14 @@ int hawser_rom_tensions_at(const struct hawser_rom *rom, double *least, double *
                            const double *u, const struct hawser_rom_moment *moment)
 {
 	int places = hawser__rom_tension_places(rom);
-	double all[2*HAWSER_ROM_MAX], here, extra;
+	double all[2*HAWSER_ROM_MAX], here, extra, s[3];
 
 	if (places == 0)
 		return 0;
 	*least = HUGE_VAL;
 	*most = -HUGE_VAL;
 	if (collocated(rom))
-		exact_all(all, rom, u);
+		exact_all(all, rom, u, moment && hawser__rom_answer_strains(rom, s, moment) ? s : NULL);
 	for (int p = 0; p < places; p++) {
 		extra = moment && !rom->exact ? hawser__rom_answer_strain(rom, p, moment) : 0.0;
 		here = collocated(rom) ? all[p] : tension_of(rom, p, u, extra);

@@ -1,14 +1,18 @@
 /* rom/vary.c - terms of the restoring force that vary with the phase and are not linear: the Q of
- * harmonics. See vary.h.
+ * harmonics, and the moving supports of a model with the exact energy. See vary.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <math.h>
 
+#include "rom/exact.h"
+#include "rom/kernel.h"
 #include "rom/vary.h"
 
 int hawser__rom_varies(const struct hawser_rom *rom)
 {
+	if (rom->exact)
+		return rom->exact->supports > 0;
 	for (int h = 0; h < rom->harmonics; h++)
 		if (rom->harmonic[h].quads > 0)
 			return 1;
@@ -33,6 +37,8 @@ void hawser__rom_vary_by(const struct hawser_harmonic *harmonic, double wave, do
 void hawser__rom_vary_at(const struct hawser_rom *rom, double *restoring, double *tangent,
                          const double *u, double tau)
 {
+	if (rom->exact && rom->exact->supports > 0)
+		hawser__exact_vary(rom->exact, restoring, tangent, u, tau);
 	for (int h = 0; h < rom->harmonics; h++) {
 		const struct hawser_harmonic *harmonic = &rom->harmonic[h];
 
@@ -41,6 +47,24 @@ void hawser__rom_vary_at(const struct hawser_rom *rom, double *restoring, double
 			                    ? cos(harmonic->k*tau) : sin(harmonic->k*tau), restoring,
 			                    tangent, u, rom->n, 1);
 	}
+}
+
+void hawser__rom_vary_lane(const struct hawser_rom *rom, double *restoring, double *tangent,
+                           const double *u, double tau, int stride)
+{
+	double own_u[HAWSER_ROM_MAX] = {0.0}, force[HAWSER_ROM_MAX] = {0.0};
+	double T[HAWSER_ROM_MAX*HAWSER_ROM_MAX];
+	int n = rom->n;
+
+	for (int j = 0; j < n; j++)
+		own_u[j] = u[j*stride];
+	for (int i = 0; tangent && i < n*n; i++)
+		T[i] = 0.0;
+	hawser__rom_vary_at(rom, force, tangent ? T : NULL, own_u, tau);
+	for (int j = 0; j < n; j++)
+		restoring[j*stride] += force[j];
+	for (int i = 0; tangent && i < n*n; i++)
+		tangent[i*stride] += T[i];
 }
 
 void hawser__rom_vary_all(const struct hawser_rom *rom, double *restoring, double *tangent,

@@ -20,6 +20,10 @@ void hawser__rom_vary_by(const struct hawser_harmonic *harmonic, double wave, do
 void hawser__rom_vary_at(const struct hawser_rom *rom, double *restoring, double *tangent,
                          const double *u, double tau);
 
+/* The same for arrays whose entries are `stride` doubles apart. */
+void hawser__rom_vary_lane(const struct hawser_rom *rom, double *restoring, double *tangent,
+                           const double *u, double tau, int stride);
+
 /* The same for `count` states u [count][n] at equal distances over a period, the first at tau = 0:
  * restoring [count][n], and tangent [count][n][n] or NULL. */
 void hawser__rom_vary_all(const struct hawser_rom *rom, double *restoring, double *tangent,

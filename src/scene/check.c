@@ -200,6 +200,20 @@ static enum hawser_status braking(struct hawser__reader *reader)
 	return HAWSER_OK;
 }
 
+/* Fail if the ends of a cable move for which this is not modelled. */
+static enum hawser_status supports(struct hawser__reader *reader)
+{
+	const struct hawser_scene *scene = reader->scene;
+	int section = hawser__section_find("support");
+	const char *other = scene->travel.present ? "travel" : scene->attachments > 0 ? "attach"
+	                    : scene->static_load.present ? "load.static" : NULL;
+
+	if (!other || !present(reader, section))
+		return HAWSER_OK;
+	return hawser__reader_fail(reader, near(reader, section), "support contradicts %s: moving "
+	                           "supports of such a cable are not modelled, remove one of them", other);
+}
+
 enum hawser_status hawser__check(struct hawser__reader *reader)
 {
 	enum hawser_status status = beam(reader);
@@ -214,6 +228,8 @@ enum hawser_status hawser__check(struct hawser__reader *reader)
 		status = chosen(reader, HAWSER__TENSION);
 
 	reader->scene->travel.present = present(reader, hawser__section_find("travel"));
+	reader->scene->support[0].present = present(reader, hawser__section_find("support.A"));
+	reader->scene->support[1].present = present(reader, hawser__section_find("support.B"));
 	reader->scene->load.present = present(reader, hawser__section_find("load"));
 	reader->scene->static_load.present = present(reader, hawser__section_find("load.static"));
 	reader->scene->temperature.present = present(reader, hawser__section_find("temperature"));
@@ -225,6 +241,8 @@ enum hawser_status hawser__check(struct hawser__reader *reader)
 		status = branch(reader);
 	if (status == HAWSER_OK)
 		status = braking(reader);
+	if (status == HAWSER_OK)
+		status = supports(reader);
 	if (status == HAWSER_OK)
 		status = hawser__items_check(reader);
 	if (status == HAWSER_OK)

@@ -55,6 +55,18 @@
 	    "length between the ends; for hawser integrate; 0: constant speed") \
 	ROW("travel.final", "m/s", NUMBER, NULL, ANY, "0", travel.final, FREE, 0, \
 	    "speed after braking") \
+	ROW("support.A.motion", "m", TRIPLE, NULL, ANY, NULL, support[0].motion, FREE, 0, \
+	    "amplitudes of the displacement of end A along x, y and z: motion*cos(harmonic*Omega*t + phase)") \
+	ROW("support.A.phase", "rad", NUMBER, NULL, ANY, "0", support[0].phase, FREE, 0, \
+	    "phase of the displacement of end A; the load has phase 0") \
+	ROW("support.A.harmonic", "1", INTEGER, NULL, MULTIPLE, "1", support[0].harmonic, FREE, 0, \
+	    "frequency of the displacement of end A, as a multiple of the forcing frequency Omega") \
+	ROW("support.B.motion", "m", TRIPLE, NULL, ANY, NULL, support[1].motion, FREE, 0, \
+	    "amplitudes of the displacement of end B along x, y and z") \
+	ROW("support.B.phase", "rad", NUMBER, NULL, ANY, "0", support[1].phase, FREE, 0, \
+	    "phase of the displacement of end B") \
+	ROW("support.B.harmonic", "1", INTEGER, NULL, MULTIPLE, "1", support[1].harmonic, FREE, 0, \
+	    "frequency of the displacement of end B, as a multiple of the forcing frequency Omega") \
 	ROW("damping.alpha", "kg/m/s", NUMBER, NULL, NOT_NEGATIVE, NULL, damping.alpha, DAMPING, \
 	    HAWSER_DAMPING_ALPHA, "viscous force per unstretched length and velocity") \
 	ROW("damping.rayleigh.mass", "1/s", NUMBER, NULL, NOT_NEGATIVE, NULL, damping.mass, \
@@ -171,6 +183,7 @@
 #define RANGE_OPEN_UNIT "between 0 and 1"
 #define RANGE_INCREASING "within [0, 1], increasing"
 #define RANGE_MODES "within [1, 1000]"
+#define RANGE_MULTIPLE "within [1, 20]"
 #define RANGE_BASIS "within [0, 100000]"
 #define RANGE_INSIDE "between 0 and 1, or a length > 0"
 #define RANGE_NAMES "letters, digits, _ and -, not a number"
@@ -201,6 +214,9 @@ static const struct hawser__section sections[] = {
 	{"tension", 1,
 	        "The quantity that determines the tension at rest: one of H, T0, T1, length0 and sag."},
 	{"travel", 0, "The cable moves along itself, in at one end and out at the other."},
+	{"support", 0, "Prescribed harmonic motion of the ends; an end that is not given is at rest."},
+	{"support.A", 0, "Motion of end A."},
+	{"support.B", 0, "Motion of end B."},
 	{"damping", 0, "At most one kind of damping; without this section there is none."},
 	{"damping.rayleigh", 0, "Damping proportional to mass and stiffness; both factors are required."},
 	{"load", 0, "A distributed load that varies as the cosine of the forcing phase."},
@@ -280,6 +296,7 @@ int hawser__in_range(int index, double value)
 	case HAWSER__OPEN_UNIT: return value > 0.0 && value < 1.0;
 	case HAWSER__INCREASING: return value >= 0.0 && value <= 1.0;
 	case HAWSER__MODES: return value >= 1.0 && value <= 1000.0;
+	case HAWSER__MULTIPLE: return value >= 1.0 && value <= 20.0;
 	case HAWSER__BASIS: return value >= 0.0 && value <= 100000.0;
 	case HAWSER__INSIDE: return value > 0.0 && isfinite(value);
 	case HAWSER__ANY:
@@ -337,6 +354,10 @@ int hawser__applies(const struct hawser_scene *scene, int index)
 		return scene->temperature.present;
 	if (!strcmp(keys[index].path, "tension.state"))
 		return scene->static_load.present || scene->temperature.present;
+	if (hawser__child_of(keys[index].path, "support.A"))
+		return scene->support[0].present;
+	if (hawser__child_of(keys[index].path, "support.B"))
+		return scene->support[1].present;
 	if (!strcmp(keys[index].path, "travel.final"))
 		return scene->travel.present && scene->travel.braking > 0.0;
 	if (hawser__child_of(keys[index].path, "travel"))

@@ -25,6 +25,7 @@ enum hawser__range {
 	HAWSER__OPEN_UNIT,  /* (0, 1) */
 	HAWSER__INCREASING, /* a pair in [0, 1], the second larger than the first */
 	HAWSER__MODES,
+	HAWSER__MULTIPLE,
 	HAWSER__BASIS,
 	HAWSER__INSIDE, /* (0, 1), or a length > 0 */
 	HAWSER__NAMES,

@@ -67,7 +67,8 @@ static enum hawser_status reach_of(enum hawser__reach *reach,
 	else if (strncmp(key, "damping.", 8) == 0)
 		/* with attachments the damping is not diagonal, and dampers add coordinates */
 		*reach = source->scene->attachments > 0 ? HAWSER__REACH_STRUCTURE : HAWSER__REACH_RATES;
-	else if (strncmp(key, "load.", 5) == 0 && strncmp(key, "load.static.", 12) != 0)
+	else if ((strncmp(key, "load.", 5) == 0 && strncmp(key, "load.static.", 12) != 0) ||
+	         strncmp(key, "support.", 8) == 0)
 		*reach = HAWSER__REACH_MODEL;
 	else
 		*reach = HAWSER__REACH_STRUCTURE;

@@ -11,7 +11,7 @@ enum hawser__reach {
 	HAWSER__REACH_LOAD,
 	HAWSER__REACH_DAMPING,
 	HAWSER__REACH_RATES, /* the damping of the scene: D only */
-	HAWSER__REACH_MODEL, /* the load of the scene */
+	HAWSER__REACH_MODEL, /* the load of the scene, the motion of its supports */
 	HAWSER__REACH_STRUCTURE
 };
 

@@ -1,0 +1,345 @@
+/* rom/support_energy.c - terms of the strain energy that contain the motion of the supports.
+ *
+ *    s_x    displacement of end B relative to end A along axis x, a periodic function of the phase
+ *    psi_x  the quasi-static displacement that belongs to it; only its strains count here
+ *    u      coordinates of the model
+ *
+ * The energy is a function of s and u, and the psi_x are coordinates of it like the modes, with given
+ * values. Third and fourth derivatives by all of them come from project.c, with the response of the
+ * condensed modes to their products. In the equation of u_j, the terms of degree 3 give f (s s) and K
+ * (s u), those of degree 4 give f (s s s), K (s s u) and Q (s u u). Those of degree 2 vanish, since
+ * psi_x is orthogonal in the stiffness to everything that vanishes at the ends. Products of the signals
+ * are sums of harmonics, the constant one among them.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "rom/condense.h"
+#include "rom/kernel.h"
+#include "rom/project.h"
+#include "rom/support.h"
+
+enum { TOP = 3*HAWSER__SUPPORT_TOP, PAIRS = 6, TRIPLES = 10 };
+
+/* What multiplies a product of signals. */
+struct share {
+	double *f, *K; /* [n], [n][n]; NULL if there is none */
+	int quads;
+	struct hawser_quad *Q;
+};
+
+struct work {
+	int n, m, moving;
+	int axis[HAWSER__AXES];              /* [m] */
+	struct hawser__signal signal[HAWSER__AXES]; /* [m] */
+	struct hawser_modes wide;            /* the first `moving` modes, psi [m], the other modes */
+	struct hawser__condensed condensed;
+	struct hawser_rom big;               /* tensors of `wide` */
+	struct share one[HAWSER__AXES], two[PAIRS], three[TRIPLES];
+};
+
+static void share_clear(struct share *share)
+{
+	free(share->f);
+	free(share->K);
+	free(share->Q);
+}
+
+static void work_clear(struct work *work)
+{
+	for (int i = 0; i < HAWSER__AXES; i++)
+		share_clear(&work->one[i]);
+	for (int i = 0; i < PAIRS; i++)
+		share_clear(&work->two[i]);
+	for (int i = 0; i < TRIPLES; i++)
+		share_clear(&work->three[i]);
+	hawser__condensed_clear(&work->condensed);
+	free(work->big.Q);
+	free(work->big.C);
+	free(work->wide.mode);
+	free(work->wide.slope);
+}
+
+/* --- the tensors --- */
+
+static void add_psi(struct work *work, int i, const struct hawser__support_shapes *shapes)
+{
+	struct hawser_modes *wide = &work->wide;
+	size_t each = 3*(size_t)wide->grid.points, at = (size_t)(work->moving + i);
+	int axis = work->axis[i];
+
+	memcpy(wide->slope + at*each, shapes->strain + (size_t)axis*each, each*sizeof(double));
+	/* infinite: nothing of a response is removed along psi. About mid-span, opposite displacements of
+	 * the ends are symmetric along x and antisymmetric along y and z */
+	wide->mode[at] = (struct hawser_mode){.omega = INFINITY,
+		.plane = axis == 2 ? HAWSER_OUT_OF_PLANE : HAWSER_IN_PLANE,
+		.symmetry = axis == 0 ? HAWSER_SYMMETRIC : HAWSER_ANTISYMMETRIC};
+}
+
+static enum hawser_status widen(struct work *work, const struct hawser_modes *modes,
+                                const struct hawser__support_shapes *shapes,
+                                struct hawser_report *report)
+{
+	struct hawser_modes *wide = &work->wide;
+	size_t each = 3*(size_t)modes->grid.points, n = (size_t)work->n, m = (size_t)work->m;
+	size_t moving = (size_t)work->moving;
+
+	if (work->n + work->m > HAWSER_ROM_MAX)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+		                    "%d modes of a cable whose supports move along %d axes: at most %d "
+		                    "together are possible, keep fewer modes (model.modes)", work->n,
+		                    work->m, HAWSER_ROM_MAX);
+	*wide = *modes;
+	wide->n = work->n + work->m;
+	wide->shape = NULL;
+	wide->mode = malloc((n + m)*sizeof *wide->mode);
+	wide->slope = malloc((n + m)*each*sizeof *wide->slope);
+	if (!wide->mode || !wide->slope)
+		return hawser__no_memory(report, "rom");
+	memcpy(wide->mode, modes->mode, moving*sizeof *wide->mode);
+	memcpy(wide->mode + moving + m, modes->mode + moving, (n - moving)*sizeof *wide->mode);
+	memcpy(wide->slope, modes->slope, moving*each*sizeof(double));
+	memcpy(wide->slope + (moving + m)*each, modes->slope + moving*each,
+	       (n - moving)*each*sizeof(double));
+	for (int i = 0; i < work->m; i++)
+		add_psi(work, i, shapes);
+	return HAWSER_OK;
+}
+
+/* --- products of psi --- */
+
+/* Index of the product of two (i <= j) or three axes. */
+static int pair_of(int i, int j)
+{
+	return j*(j + 1)/2 + i;
+}
+
+static int triple_of(int i, int j, int k)
+{
+	return k*(k + 1)*(k + 2)/6 + pair_of(i, j);
+}
+
+/* Coordinate of the model of index `at` of `wide`; -1 - i for psi number i. */
+static int coordinate(const struct work *work, int at)
+{
+	if (at < work->moving)
+		return at;
+	return at < work->moving + work->m ? work->moving - at - 1 : at - work->m;
+}
+
+static double *room(double **array, size_t count)
+{
+	if (!*array)
+		*array = calloc(count, sizeof **array);
+	return *array;
+}
+
+/* A monomial value*product of equation e, `count` factors index[] of `wide` in ascending order. Returns
+ * 0 when out of memory. */
+static int sort_in(struct work *work, int e, const int *index, int count, double value)
+{
+	int equation = coordinate(work, e), psi[3], psis = 0, u[3], us = 0, n = work->n;
+	struct share *share;
+
+	for (int i = 0; i < count; i++) {
+		int at = coordinate(work, index[i]);
+
+		if (at < 0)
+			psi[psis++] = -1 - at;
+		else
+			u[us++] = at;
+	}
+	if (equation < 0 || psis == 0)
+		return 1;
+	share = psis == 1 ? &work->one[psi[0]] : psis == 2 ? &work->two[pair_of(psi[0], psi[1])]
+	        : &work->three[triple_of(psi[0], psi[1], psi[2])];
+	if (us == 2) {
+		struct hawser_quad *Q = realloc(share->Q, ((size_t)share->quads + 1)*sizeof *Q);
+
+		if (!Q)
+			return 0;
+		share->Q = Q;
+		Q[share->quads++] = (struct hawser_quad){equation, u[0], u[1], value};
+		return 1;
+	}
+	if (!room(us ? &share->K : &share->f, us ? (size_t)n*(size_t)n : (size_t)n))
+		return 0;
+	if (us)
+		share->K[equation*n + u[0]] += value;
+	else
+		share->f[equation] -= value; /* on the right side */
+	return 1;
+}
+
+static int sort_all(struct work *work)
+{
+	int good = 1;
+
+	for (int i = 0; good && i < work->big.quads; i++) {
+		const struct hawser_quad *q = &work->big.Q[i];
+
+		good = sort_in(work, q->j, (int[]){q->k, q->l}, 2, q->value);
+	}
+	for (int i = 0; good && i < work->big.cubics; i++) {
+		const struct hawser_cubic *c = &work->big.C[i];
+
+		good = sort_in(work, c->j, (int[]){c->k, c->l, c->m}, 3, c->value);
+	}
+	return good;
+}
+
+/* --- products of signals --- */
+
+static void multiply(struct hawser__signal *out, const struct hawser__signal *a,
+                     const struct hawser__signal *b)
+{
+	struct hawser__signal sum = {{0.0}, {0.0}};
+
+	for (int k = 0; k <= TOP; k++)
+		for (int l = 0; l <= TOP - k; l++) {
+			int d = abs(k - l), sign = k > l ? 1 : -1;
+
+			sum.c[k + l] += 0.5*(a->c[k]*b->c[l] - a->s[k]*b->s[l]);
+			sum.c[d] += 0.5*(a->c[k]*b->c[l] + a->s[k]*b->s[l]);
+			sum.s[k + l] += 0.5*(a->c[k]*b->s[l] + a->s[k]*b->c[l]);
+			sum.s[d] += 0.5*sign*(a->s[k]*b->c[l] - a->c[k]*b->s[l]);
+		}
+	sum.s[0] = 0.0;
+	*out = sum;
+}
+
+/* The harmonic of the model from `first` on with these properties, appended if there is none. */
+static struct hawser_harmonic *find(struct hawser_rom *rom, int first, int k, enum hawser_phase phase,
+                                    int power)
+{
+	struct hawser_harmonic *h;
+
+	for (int i = first; i < rom->harmonics; i++)
+		if (rom->harmonic[i].k == k && rom->harmonic[i].phase == phase &&
+		    rom->harmonic[i].load_power == power)
+			return &rom->harmonic[i];
+	h = realloc(rom->harmonic, ((size_t)rom->harmonics + 1)*sizeof *h);
+	if (!h)
+		return NULL;
+	rom->harmonic = h;
+	h += rom->harmonics++;
+	*h = (struct hawser_harmonic){.k = k, .phase = phase, .load_power = power};
+	return h;
+}
+
+/* Add factor * share to a harmonic. Returns 0 when out of memory. */
+static int put(struct hawser_harmonic *h, const struct share *share, double factor, size_t n)
+{
+	if (!h)
+		return 0;
+	if (share->f && !room(&h->f, n))
+		return 0;
+	if (share->K && !room(&h->K, n*n))
+		return 0;
+	for (size_t i = 0; share->f && i < n; i++)
+		h->f[i] += factor*share->f[i];
+	for (size_t i = 0; share->K && i < n*n; i++)
+		h->K[i] += factor*share->K[i];
+	if (share->quads > 0) {
+		size_t count = (size_t)h->quads + (size_t)share->quads;
+		struct hawser_quad *Q = realloc(h->Q, count*sizeof *Q);
+
+		if (!Q)
+			return 0;
+		h->Q = Q;
+		for (int i = 0; i < share->quads; i++) {
+			Q[h->quads] = share->Q[i];
+			Q[h->quads++].value *= factor;
+		}
+	}
+	return 1;
+}
+
+static int spread(struct hawser_rom *rom, int first, const struct share *share,
+                  const struct hawser__signal *signal, int power)
+{
+	size_t n = (size_t)rom->n;
+	double largest = 0.0;
+
+	if (!share->f && !share->K && !share->quads)
+		return 1;
+	for (int k = 0; k <= TOP; k++)
+		largest = fmax(largest, fmax(fabs(signal->c[k]), fabs(signal->s[k])));
+	for (int k = 0; k <= TOP; k++) {
+		/* what cancels but for round-off is left out */
+		if (fabs(signal->c[k]) > 1e-15*largest &&
+		    !put(find(rom, first, k, HAWSER_COS, power), share, signal->c[k], n))
+			return 0;
+		if (fabs(signal->s[k]) > 1e-15*largest &&
+		    !put(find(rom, first, k, HAWSER_SIN, power), share, signal->s[k], n))
+			return 0;
+	}
+	return 1;
+}
+
+static int spread_all(struct hawser_rom *rom, const struct work *work)
+{
+	int first = rom->harmonics, good = 1;
+
+	for (int k = 0; good && k < work->m; k++) {
+		good = spread(rom, first, &work->one[k], &work->signal[k], 1);
+		for (int j = 0; good && j <= k; j++) {
+			struct hawser__signal two, three;
+
+			multiply(&two, &work->signal[j], &work->signal[k]);
+			good = spread(rom, first, &work->two[pair_of(j, k)], &two, 2);
+			for (int i = 0; good && i <= j; i++) {
+				multiply(&three, &two, &work->signal[i]);
+				good = spread(rom, first, &work->three[triple_of(i, j, k)], &three, 3);
+			}
+		}
+	}
+	return good;
+}
+
+/* The axes along which the ends move relative to each other. */
+static void list_axes(struct work *work, const struct hawser_scene *scene, double length)
+{
+	for (int axis = 0; axis < HAWSER__AXES; axis++) {
+		struct hawser__signal *signal = &work->signal[work->m];
+		int any = 0;
+
+		hawser__support_signal(signal, scene, 2, axis, length);
+		for (int k = 0; k <= HAWSER__SUPPORT_TOP; k++)
+			any |= signal->c[k] != 0.0 || signal->s[k] != 0.0;
+		if (any)
+			work->axis[work->m++] = axis;
+	}
+}
+
+enum hawser_status hawser__support_energy(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                          int moving, int condensed,
+                                          const struct hawser_scene *scene,
+                                          struct hawser_report *report)
+{
+	struct work work = {.n = rom->n, .moving = moving};
+	struct hawser__support_shapes shapes;
+	enum hawser_status status;
+
+	list_axes(&work, scene, rom->length);
+	if (work.m == 0)
+		return HAWSER_OK;
+	status = hawser__support_shapes_make(&shapes, modes, report);
+	if (!status)
+		status = widen(&work, modes, &shapes, report);
+	if (!status && condensed)
+		status = hawser__condense(&work.condensed, &work.wide, moving + work.m, report);
+	if (!status)
+		status = hawser__rom_tensors(&work.big, &work.wide, condensed ? &work.condensed : NULL,
+		                             report);
+	if (!status && (!sort_all(&work) || !spread_all(rom, &work)))
+		status = hawser__no_memory(report, "rom");
+	hawser__support_shapes_clear(&shapes);
+	work_clear(&work);
+	return status;
+}
