@@ -25,6 +25,7 @@ dist_scenes_DATA = \
 	%D%/scenes/b-table-5.5.yaml \
 	%D%/scenes/b-table-5.6.yaml \
 	%D%/scenes/bridge-stay.yaml \
+	%D%/scenes/stay-anchorage.yaml \
 	%D%/scenes/chairlift.yaml \
 	%D%/scenes/conductor.yaml \
 	%D%/scenes/decay.tsv \

@@ -29,6 +29,16 @@ static const struct {
 	{"travel.fluctuation", "Amplitude of speed fluctuation", "{/:Italic V}"},
 	{"travel.braking", "Braking time", ""},
 	{"travel.final", "Speed after braking", ""},
+	{"support.A.motion[0]", "Motion of end A along x", ""},
+	{"support.A.motion[1]", "Motion of end A along y", ""},
+	{"support.A.motion[2]", "Motion of end A along z", ""},
+	{"support.A.phase", "Phase of end A", ""},
+	{"support.A.harmonic", "Harmonic of end A", ""},
+	{"support.B.motion[0]", "Motion of end B along x", ""},
+	{"support.B.motion[1]", "Motion of end B along y", ""},
+	{"support.B.motion[2]", "Motion of end B along z", ""},
+	{"support.B.phase", "Phase of end B", ""},
+	{"support.B.harmonic", "Harmonic of end B", ""},
 	{"damping.alpha", "Viscous damping", "{/:Italic α}"},
 	{"damping.rayleigh.mass", "Rayleigh damping, mass factor", ""},
 	{"damping.rayleigh.stiffness", "Rayleigh damping, stiffness factor", ""},
@@ -90,13 +100,15 @@ static int is_of(const struct hawser_scene_key *row, const char *key, size_t len
 {
 	size_t section = strcspn(key, "."), leaf = length;
 
+	if (strlen(row->path) == length && strncmp(row->path, key, length) == 0)
+		return 1;
 	while (leaf > 0 && key[leaf - 1] != '.')
 		leaf--;
 	if (leaf > section + 1) /* three parts */
 		return strncmp(row->path, key, section + 1) == 0 &&
 		       strlen(row->path + section + 1) == length - leaf &&
 		       strncmp(row->path + section + 1, key + leaf, length - leaf) == 0;
-	return strlen(row->path) == length && strncmp(row->path, key, length) == 0;
+	return 0;
 }
 
 const char *cli_key_unit(const char *key)

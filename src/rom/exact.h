@@ -54,7 +54,7 @@ enum hawser_status hawser__exact_support(struct hawser_rom_exact *exact,
                                          struct hawser_report *report);
 /* s [supports] at the phase tau. */
 void hawser__exact_supports(const struct hawser_rom_exact *exact, double *s, double tau);
-/* Add to restoring [n] and, unless NULL, to tangent [n][n] what the supports change at the phase tau. */
+/* Add to restoring [n] and, unless NULL, to tangent [n][n] what the supports change at tau. */
 void hawser__exact_vary(const struct hawser_rom_exact *exact, double *restoring, double *tangent,
                         const double *u, double tau);
 

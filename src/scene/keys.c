@@ -56,7 +56,8 @@
 	ROW("travel.final", "m/s", NUMBER, NULL, ANY, "0", travel.final, FREE, 0, \
 	    "speed after braking") \
 	ROW("support.A.motion", "m", TRIPLE, NULL, ANY, NULL, support[0].motion, FREE, 0, \
-	    "amplitudes of the displacement of end A along x, y and z: motion*cos(harmonic*Omega*t + phase)") \
+	    "amplitudes of the displacement of end A along x, y and z: motion*cos(harmonic*Omega*t + " \
+	    "phase)") \
 	ROW("support.A.phase", "rad", NUMBER, NULL, ANY, "0", support[0].phase, FREE, 0, \
 	    "phase of the displacement of end A; the load has phase 0") \
 	ROW("support.A.harmonic", "1", INTEGER, NULL, MULTIPLE, "1", support[0].harmonic, FREE, 0, \

@@ -118,6 +118,11 @@ static void decide_load(struct hawser_plan *plan, const struct hawser_scene *sce
 		decide(plan, "harmonics of the load", 1, "one: cos(Omega t), along %s, on the part from "
 		    "%g to %g of the cable", axes[scene->load.frame == HAWSER_FRAME_GLOBAL],
 		    scene->load.extent[0], scene->load.extent[1]);
+	if (hawser__support_moves(scene))
+		decide(plan, "motion of the supports", 1, "forces and stiffness at the multiples of Omega "
+		    "of the motion, its sums and differences up to the third degree, constant ones too; "
+		    "exact to the order of the energy. Left out: second-order displacement of the "
+		    "condensed modes by the motion, in displacements and tension; mode choice (auto)");
 	decide(plan, "Floquet multipliers", 1, "at every point of a traced response, for its stability "
 	    "and its bifurcations; not for multiple scales");
 }

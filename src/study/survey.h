@@ -6,6 +6,8 @@
 
 #include <hawser/plan.h>
 
+#include "rom/support.h"
+
 #include "study/trial.h"
 
 struct hawser_survey {
@@ -21,7 +23,8 @@ struct hawser_survey {
 /* Whether the scene has a periodic response: a periodic excitation acts on the cable. */
 static inline int hawser__scene_driven(const struct hawser_scene *scene)
 {
-	return (scene->load.present || scene->travel.fluctuation > 0.0) && !(scene->travel.braking > 0.0);
+	return (scene->load.present || scene->travel.fluctuation > 0.0 ||
+	        hawser__support_moves(scene)) && !(scene->travel.braking > 0.0);
 }
 
 /* Size of a model of the modes at index [n]: number of coordinates, and of tensor entries that are

@@ -262,4 +262,17 @@ refuses_like 1 'a model whose speed changes once and for all .* has no periodic 
 works 'a model of a travelling cable' rom "$scenes/b-table-5.3.yaml" -n 2 --json - -q
 sed 's/"mach2": *[0-9.e-]*/"mach2": 1.5/' "$scratch/out" >fast.json
 refuses_like 1 'shapes.mach2 is 1.5; a number from 0 to below 1 is wanted' frf fast.json --from 1w1 --to 2w1
+
+# --- moving supports
+anchorage=$scenes/stay-anchorage.yaml
+refuses_like 1 'support contradicts travel' rom "$travelling" --set 'support.B.motion=[0, 1 mm, 0]'
+refuses_like 1 'support contradicts load.static' statics "$anchorage" \
+	--set 'load.static={frame: global, per_length: [0, -1, 2]}'
+refuses_like 1 'support contradicts attach' statics "$anchorage" --set 'attach=[{at: 40 %, mass: 20}]'
+refuses_like 1 'does not know the motion of supports' \
+	frf "$anchorage" --from 0.9w1 --to 1.1w1 --set model.modes=auto
+refuses_like 1 'support.B.harmonic = 0|it must be' rom "$anchorage" --set support.B.harmonic=0
+refuses_like 1 'support.A.motion is missing' rom "$anchorage" --set support.A.phase=0
+works 'moving supports are planned for' plan "$anchorage" --from 0.9w1 --to 0.91w1
+try 'the plan says what the motion adds' grep -q 'motion of the supports' "$scratch/out"
 done_testing

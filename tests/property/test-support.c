@@ -130,6 +130,36 @@ static void check_tongue(void)
 	hawser_scene_clear(&scene);
 }
 
+/* The period doubling of the response at the edge of that tongue, with damping: Omega = 2 w (1 +
+ * sqrt(e^2 - 16 zeta^2)/4) to first order. */
+static void check_doubling(void)
+{
+	struct hawser_scene scene;
+	struct hawser_modes modes;
+	struct hawser_rom rom;
+	struct hawser_frf frf;
+	struct hawser_frf_options options = {.samples = HAWSER_NONE, .step_max = 0.1};
+	const double A = 4e-3, T = 1e6, EA = 4e8, e = EA*A/(100.0/(1.0 + T/EA))/T, zeta = 5e-4;
+	double w;
+
+	if (!read(&scene, TAUT "support: {B: {motion: [4 mm, 0.1 mm, 0.1 mm]}}\n"
+	          "damping: {ratio: 0.0005}\n") || !solve(&modes, &scene, 1) ||
+	    !ok(!hawser_rom_build(&rom, &modes, &scene, NULL), "model"))
+		return;
+	w = sqrt(rom.K[0]);
+	options.from = 2.02*w;
+	options.to = 2.002*w;
+	if (!ok(!hawser_frf_trace(&frf, &rom, &options, NULL) && frf.events == 1 &&
+	        frf.event[0].kind == HAWSER_PERIOD_DOUBLING, "one period doubling"))
+		return;
+	close_to(frf.event[0].omega/(2.0*w) - 1.0, 0.25*sqrt(e*e - 16.0*zeta*zeta), 2e-2,
+	         "its distance from twice the frequency");
+	hawser_frf_clear(&frf);
+	hawser_rom_clear(&rom);
+	hawser_modes_clear(&modes);
+	hawser_scene_clear(&scene);
+}
+
 /* Steady response of a string to the motion A cos(Omega t) of one end across it, damped by air:
  * w(x) = A sin(kappa x)/sin(kappa L), kappa = sqrt(rho Omega^2 - i alpha Omega)/sqrt(T). */
 static void check_across(void)
@@ -296,6 +326,7 @@ int main(void)
 {
 	check_orders();
 	check_tongue();
+	check_doubling();
 	check_across();
 	check_end_stiffness();
 	check_rigid();
