@@ -83,7 +83,7 @@ model '{"hawser_rom": 1, "n": 2, "K": [[1, 0], [0, 4]], "Q": [[0, 1, 2, 5]], '"$
 model '{"hawser_rom": 1, "n": 2, "K": [[1, 0], [0, 4]], "C": [[0, 1, 1, 5]], '"$rest"'}' \
 	'model\.json.*C'
 model '{"hawser_rom": 1, "n": 2, "K": [[1, 0], [0, "4"]], '"$rest"'}' 'model\.json.*K'
-model '{"hawser_rom": 1, "n": 2, "K": [[1, 0], [0, 4]], "harmonics": [{"k": 0, "f": [1, 0]}]}' \
+model '{"hawser_rom": 1, "n": 2, "K": [[1, 0], [0, 4]], "harmonics": [{"k": -1, "f": [1, 0]}]}' \
 	'model\.json.*k'
 model '{"hawser_rom": 7, "n": 2, "K": [[1, 0], [0, 4]], '"$rest"'}' 'model\.json.*hawser_rom'
 model '{"hawser_rom": 1, "n": 2, ' 'model\.json:'
