@@ -100,6 +100,9 @@ struct hawser_case {
 /* Value of model.modes if the program chooses the modes (choose.h). */
 enum { HAWSER_MODES_AUTO = 0 };
 
+/* Room for the table of keys (hawser_scene_key). */
+enum { HAWSER_SCENE_KEYS = 128 };
+
 struct hawser_scene {
 	struct {
 		double EA;  /* N; INFINITY for an inextensible cable */
@@ -188,7 +191,8 @@ struct hawser_scene {
 	int cases;
 	struct hawser_case load_case[HAWSER_CASES_MAX]; /* [cases] */
 	char *name; /* file name, "<stdin>" for standard input; owned */
-	unsigned long long written; /* bit i is set if the user gave the key of row i of the table */
+	unsigned char written[HAWSER_SCENE_KEYS]; /* [i] is 1 if the user gave the key of row i of the
+	                                           * table */
 };
 
 /* One row of the table of keys. The table alone defines a key's name, unit, range, default and

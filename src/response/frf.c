@@ -345,7 +345,7 @@ static enum hawser_status check(const struct hawser_rom *rom,
 		                    "travel.braking=0");
 	if (rom->harmonics == 0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
-		                    "the model has no forcing: give the scene a load or a "
+		                    "the model has no forcing: give the scene a load, a moving support or a "
 		                    "travel.fluctuation, or the model file a harmonic");
 	if (!driven(rom))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",

@@ -75,7 +75,7 @@ static enum hawser_status keep(struct hawser__reader *reader, struct hawser_case
 		return hawser__reader_fail(reader, place, "cases[%d] has no name: give it one, such as "
 		                           "name: ice", number);
 	for (int i = 0; hawser_scene_key(i); i++)
-		if ((scene->written >> i & 1) && hawser__child_of(hawser_scene_key(i)->path, "load"))
+		if (scene->written[i] && hawser__child_of(hawser_scene_key(i)->path, "load"))
 			return hawser__reader_fail(reader, &reader->key[i], "cases[%d] (%s): a case has a static "
 			                           "load only, load: {static: {...}}; the varying one is that "
 			                           "of the scene", number, to->name);

@@ -10,7 +10,7 @@
 
 static int written(const struct hawser__reader *reader, int index)
 {
-	return (int)(reader->scene->written >> index & 1);
+	return reader->scene->written[index];
 }
 
 static int within(const char *path, const char *section)

@@ -200,7 +200,7 @@ static const struct hawser_scene_key keys[] = {TABLE(PUBLIC)};
 static const struct hawser__row rows[] = {TABLE(INTERNAL)};
 
 enum { KEYS = sizeof keys/sizeof *keys };
-_Static_assert(KEYS <= 64, "struct hawser_scene keeps one bit a key in 64");
+_Static_assert((int)KEYS <= (int)HAWSER_SCENE_KEYS, "struct hawser_scene has room for so many keys");
 _Static_assert(sizeof(enum hawser_hold) == sizeof(int), "a word is stored as an int");
 _Static_assert(sizeof(enum hawser_branch) == sizeof(int), "a word is stored as an int");
 _Static_assert(sizeof(enum hawser_state) == sizeof(int), "a word is stored as an int");

@@ -31,7 +31,7 @@ static void forget(struct hawser__reader *reader, int index)
 
 	memset((char *)reader->scene + row->offset, 0, size_of(row)); /* never of an item */
 	reader->key[index] = (struct hawser__place){0};
-	reader->scene->written &= ~(1ULL << index);
+	reader->scene->written[index] = 0;
 }
 
 /* An override of one member of a group removes the others. tension.branch applies to T0 and T1 only
@@ -98,7 +98,7 @@ static enum hawser_status claim(struct hawser__reader *reader, int index,
 		hawser__choose(reader->scene, row->group, row->member);
 	}
 	*mine = *place;
-	reader->scene->written |= 1ULL << index;
+	reader->scene->written[index] = 1;
 	return HAWSER_OK;
 }
 
@@ -359,16 +359,17 @@ enum hawser_status hawser__parse_override(struct hawser__reader *reader, const c
 enum hawser_status hawser__parse_defaults(struct hawser__reader *reader)
 {
 	const struct hawser_scene_key *key;
-	unsigned long long written = reader->scene->written;
+	unsigned char written[HAWSER_SCENE_KEYS];
 	enum hawser_status status = HAWSER_OK;
 
+	memcpy(written, reader->scene->written, sizeof written);
 	for (int i = 0; status == HAWSER_OK && (key = hawser_scene_key(i)); i++) {
-		if (!key->fallback || hawser__is_item(i) || (written & 1ULL << i))
+		if (!key->fallback || hawser__is_item(i) || written[i])
 			continue;
 		reader->set = key->fallback;
 		reader->pass++;
 		status = assign(reader, key->path, key->fallback);
 	}
-	reader->scene->written = written;
+	memcpy(reader->scene->written, written, sizeof written);
 	return status;
 }

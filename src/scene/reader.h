@@ -14,7 +14,7 @@
 #include "scene/keys.h"
 #include "scene/units.h"
 
-enum { HAWSER__KEYS_MAX = 64, HAWSER__SECTIONS_MAX = 16, HAWSER__TEXT = 256 };
+enum { HAWSER__SECTIONS_MAX = 16, HAWSER__TEXT = 256 };
 
 /* A place in the file or in an override. */
 struct hawser__place {
@@ -32,7 +32,7 @@ struct hawser__reader {
 	int item, items; /* the attachment being read; a count of all that were read, in all passes */
 	yaml_parser_t *yaml;
 	struct hawser__units units;
-	struct hawser__place key[HAWSER__KEYS_MAX], section[HAWSER__SECTIONS_MAX];
+	struct hawser__place key[HAWSER_SCENE_KEYS], section[HAWSER__SECTIONS_MAX];
 	struct hawser__place root, attach, cases; /* of the lists `attach`, `cases` */
 };
 

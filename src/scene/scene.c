@@ -202,7 +202,7 @@ enum hawser_status hawser_scene_set(struct hawser_scene *scene, const char *path
 	}
 	/* a negative index was refused above */
 	/* NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult) */
-	scene->written |= 1ull << index;
+	scene->written[index] = 1;
 	return HAWSER_OK;
 }
 
@@ -225,7 +225,7 @@ int hawser_scene_written(const struct hawser_scene *scene, const char *path)
 {
 	int index = hawser__key_find(path);
 
-	return index >= 0 && (scene->written >> index & 1);
+	return index >= 0 && scene->written[index];
 }
 
 void hawser_scene_clear(struct hawser_scene *scene)
