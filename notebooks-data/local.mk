@@ -47,5 +47,6 @@ dist_scenes_DATA = \
 	%D%/scenes/inclined.yaml \
 	%D%/scenes/level-two-to-one.yaml \
 	%D%/scenes/rope.yaml \
+	%D%/scenes/ropeway-carriers.yaml \
 	%D%/scenes/stay-frequencies.tsv \
 	%D%/scenes/second-stable-region.yaml

@@ -111,7 +111,7 @@ enum hawser_status hawser__plot_compare(const char *path, const struct hawser__c
 	enum { most_methods = 32 };
 	static const char *const y_title[] = {"Largest relative error of a frequency (–)",
 	                                      "Largest error of a shape (–)"};
-	static const double left[] = {0.13, 0.64}, right[] = {0.52, 0.985};
+	static const double left[] = {0.13, 0.64}, right[] = {0.52, 0.97};
 	int first[most_methods + 1], methods;
 	struct hawser__labels labels;
 	struct hawser__picture picture;

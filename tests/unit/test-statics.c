@@ -129,7 +129,7 @@ static void wrap_scene(void)
 {
 	struct hawser_scene scene = {
 		.cable = {400e6, 6.0}, .span = {250.0, 10.0}, .g = 9.81,
-		.tension = {HAWSER_GIVEN_T1, 2e4, HAWSER_BRANCH_SLACK},
+		.tension = {.given = HAWSER_GIVEN_T1, .value = 2e4, .branch = HAWSER_BRANCH_SLACK},
 	};
 	struct hawser_statics a, b;
 
