@@ -133,7 +133,6 @@ enum hawser_status hawser__cases_read(struct hawser__reader *reader,
 {
 	yaml_event_t event;
 	enum hawser_status status;
-	int end = 0;
 
 	if (reader->cases.pass == reader->pass)
 		return hawser__reader_fail(reader, place, "duplicate key cases: keep one list");
@@ -146,16 +145,7 @@ enum hawser_status hawser__cases_read(struct hawser__reader *reader,
 		status = hawser__reader_fail(reader, place, "cases must be a list of mappings, such as "
 		                             "[{name: ice, load: {static: {mass: 0.9 kg/m}}}]");
 	yaml_event_delete(&event);
-	while (status == HAWSER_OK && !end) {
-		status = hawser__event_next(reader, &event);
-		if (status != HAWSER_OK)
-			break;
-		end = event.type == YAML_SEQUENCE_END_EVENT;
-		if (!end)
-			status = item(reader, &event);
-		yaml_event_delete(&event);
-	}
-	return status;
+	return status ? status : hawser__list_read(reader, item);
 }
 
 enum hawser_status hawser__cases_check(struct hawser__reader *reader)

@@ -56,11 +56,12 @@ static enum hawser_status item(struct hawser__reader *reader, const yaml_event_t
 	return HAWSER_OK;
 }
 
-static enum hawser_status items(struct hawser__reader *reader)
+enum hawser_status hawser__list_read(struct hawser__reader *reader,
+                                     enum hawser_status (*read)(struct hawser__reader *,
+                                                                const yaml_event_t *))
 {
 	enum hawser_status status = HAWSER_OK;
 
-	reader->scene->attachments = 0;
 	for (int end = 0; !end && status == HAWSER_OK;) {
 		yaml_event_t event;
 
@@ -69,7 +70,7 @@ static enum hawser_status items(struct hawser__reader *reader)
 			break;
 		end = event.type == YAML_SEQUENCE_END_EVENT;
 		if (!end)
-			status = item(reader, &event);
+			status = read(reader, &event);
 		yaml_event_delete(&event);
 	}
 	return status;
@@ -89,8 +90,9 @@ enum hawser_status hawser__items_read(struct hawser__reader *reader,
 	if (status != HAWSER_OK)
 		return status;
 	here = hawser__event_place(reader, &event);
+	reader->scene->attachments = 0;
 	if (event.type == YAML_SEQUENCE_START_EVENT)
-		status = items(reader);
+		status = hawser__list_read(reader, item);
 	else
 		status = hawser__reader_fail(reader, &here, "attach must be a list of mappings, such as "
 		                             "[{at: 40 %%, mass: 20 kg}]");

@@ -72,6 +72,12 @@ enum hawser_status hawser__parse_mapping(struct hawser__reader *reader, const ch
 enum hawser_status hawser__parse_unknown(struct hawser__reader *reader,
                                          const struct hawser__place *place, const char *path);
 
+/* items.c: read the items of a list up to its end, each by `read` from its first event. */
+enum hawser_status hawser__list_read(struct hawser__reader *reader,
+                                     enum hawser_status (*read)(struct hawser__reader *,
+                                                                const yaml_event_t *))
+	HAWSER_MUST_CHECK;
+
 /* items.c: read the list `attach`, whose name is at `place`; an override "attach.0.mass", whose text
  * is the current document; check all attachments. */
 enum hawser_status hawser__items_read(struct hawser__reader *reader,

@@ -20,7 +20,7 @@
 
 #define LEAST_STEP 1e-9 /* of x; its derivatives have 8 digits, intervals are never that small */
 
-enum { STEPS = 60, AGAIN = 5, SCALES = 14, MORE_MODES = 4, MOST_MODES = 100 };
+enum { STEPS = 60, AGAIN = 5, SCALES = 14, ATTEMPTS = 2*(2*SCALES + 1), MORE_MODES = 4, MOST_MODES = 100 };
 static const char where[] = "identify";
 
 void hawser_identify_settle(struct hawser_identify_options *options)
@@ -206,7 +206,7 @@ static enum hawser_status settle(struct hawser__outcome *outcome, struct hawser_
 
 /* Assignments with which a fit began or ended. */
 struct tried {
-	struct hawser__mate *mate; /* [2 SCALES + 1][count] */
+	struct hawser__mate *mate; /* [ATTEMPTS][count] */
 	int count;
 };
 
@@ -245,24 +245,48 @@ static enum hawser_status attempt(struct hawser__outcome *outcome, int *is_new, 
 	return status;
 }
 
+/* *octaves: log2 of the lowest measured frequency over the lowest computed one at the start. */
+static enum hawser_status offset(double *octaves, struct hawser__fit *fit,
+                                 struct hawser_report *report)
+{
+	static const double none[HAWSER_IDENTIFY_KEYS];
+	double lowest = INFINITY;
+	struct hawser_modes modes;
+	enum hawser_status status = hawser__fit_modes(&modes, fit, none, report);
+
+	for (int i = 0; i < fit->count; i++)
+		lowest = fmin(lowest, fit->measured[i].omega);
+	if (!status)
+		*octaves = log2(lowest*modes.time_unit/modes.mode[0].omega);
+	hawser_modes_clear(&modes);
+	return status;
+}
+
 /* The best fit over all scales; its modes are then assigned. *margin: see the header. */
 static enum hawser_status search(struct hawser__outcome *best, double *margin, struct hawser__fit *fit,
                                  struct hawser_report *report)
 {
 	size_t size = (size_t)fit->count*sizeof *fit->mate;
-	struct tried tried[2] = {{calloc(2*SCALES + 1, size), 0}, {calloc(2*SCALES + 1, size), 0}};
+	struct tried tried[2] = {{calloc(ATTEMPTS, size), 0}, {calloc(ATTEMPTS, size), 0}};
 	struct hawser__mate *kept = calloc(1, size);
 	struct hawser_report last = {0};
 	enum hawser_status status = tried[0].mate && tried[1].mate && kept
 	                            ? HAWSER_OK : hawser__no_memory(&last, where);
-	double second = INFINITY;
+	double second = INFINITY, octaves = 0.0;
+	int attempts = 2*SCALES + 1;
 
 	best->cost = INFINITY;
-	for (int s = -SCALES; s <= SCALES && status != HAWSER_ERR_MEMORY; s++) {
+	if (!status)
+		status = offset(&octaves, fit, &last);
+	if (fabs(octaves) > 1.0) /* a start that is far off: the same about the lowest frequency */
+		attempts = ATTEMPTS;
+	for (int a = 0; a < attempts && status != HAWSER_ERR_MEMORY; a++) {
+		double scale = exp2((double)(a%(2*SCALES + 1) - SCALES)/SCALES +
+		                    (a > 2*SCALES ? octaves : 0.0));
 		struct hawser__outcome outcome = {.chi2 = 0.0};
 		int is_new;
 
-		status = attempt(&outcome, &is_new, tried, fit, exp2((double)s/SCALES), &last);
+		status = attempt(&outcome, &is_new, tried, fit, scale, &last);
 		if (!is_new)
 			continue;
 		second = fmin(second, fmax(outcome.cost, best->cost));
