@@ -20,7 +20,8 @@
 
 #define LEAST_STEP 1e-9 /* of x; its derivatives have 8 digits, intervals are never that small */
 
-enum { STEPS = 60, AGAIN = 5, SCALES = 14, ATTEMPTS = 2*(2*SCALES + 1), MORE_MODES = 4, MOST_MODES = 100 };
+enum { STEPS = 60, AGAIN = 5, MORE_MODES = 4, MOST_MODES = 100 };
+enum { SCALES = 14, ATTEMPTS = 2*(2*SCALES + 1) }; /* scales of an octave, and all in both ranges */
 static const char where[] = "identify";
 
 void hawser_identify_settle(struct hawser_identify_options *options)
