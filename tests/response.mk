@@ -84,3 +84,8 @@ check_PROGRAMS += tests/unit/test-guards-response
 TESTS += tests/unit/test-guards-response
 tests_unit_test_guards_response_SOURCES = tests/unit/test-guards-response.c
 tests_unit_test_guards_response_LDADD = $(UPTO_RESPONSE)
+
+check_PROGRAMS += tests/property/test-combined
+TESTS += tests/property/test-combined
+tests_property_test_combined_SOURCES = tests/property/test-combined.c tests/lumped-chain.h
+tests_property_test_combined_LDADD = $(UPTO_RESPONSE)
