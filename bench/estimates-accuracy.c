@@ -68,44 +68,52 @@ static struct hawser_accuracy_try last(const struct hawser_accuracy *accuracy)
 	                           : (struct hawser_accuracy_try){.functions = 0};
 }
 
-int estimate_accuracy(struct tally *tally, struct chance *chance)
+int estimate_reached(struct tally *tally, const struct hawser_statics *st,
+                     const struct hawser_scene *scene, double from, double to, const char *what)
 {
 	struct hawser_accuracy_options options = {.most = 0};
-	struct hawser_modes_options lowest = {.n = MODES};
 	struct hawser_accuracy accuracy = {.tries = 0};
-	struct hawser_modes modes = {.n = 0};
-	struct estimate_response response;
 	struct estimate_truth truth;
+	struct estimate_response response = {.frf = &accuracy.frf, .rom = &accuracy.rom,
+		.statics = st, .scene = scene, .from = from, .to = to};
+	int refused;
+
+	options.frf.from = from;
+	options.frf.to = to;
+	options.frf.samples = HAWSER_NONE;
+	refused = hawser_accuracy_trace(&accuracy, st, scene, &options, NULL) || !accuracy.reached ||
+	          estimate_truth(&truth, &response, last(&accuracy).functions, accuracy.estimated);
+	if (!refused)
+		tally_note(tally, truth.distance, accuracy.estimated,
+		           "asked %.2g, %d coordinates%s%s, sag %.3g, slope %.2g, epsilon %.2g, Omega %.4g "
+		           "to %.4g, left out %.2g, truncated %.2g, moved %.2g; the reference has %d "
+		           "functions and moved by %.1e", scene->model.accuracy, accuracy.rom.n,
+		           accuracy.full ? ", full order" : "", what, st->sag/st->span.d, st->hs,
+		           st->epsilon, from, to, last(&accuracy).rest, last(&accuracy).truncation,
+		           last(&accuracy).moved, truth.functions, truth.move);
+	hawser_accuracy_clear(&accuracy);
+	return refused;
+}
+
+int estimate_accuracy(struct tally *tally, struct chance *chance)
+{
+	struct hawser_modes_options lowest = {.n = MODES};
+	struct hawser_modes modes = {.n = 0};
 	struct hawser_statics st;
 	struct hawser_scene scene;
-	double omega, asked = draw_accuracy(chance);
-	int refused;
+	double omega, from, to, asked = draw_accuracy(chance);
 
 	if (draw_span(&st, chance) || hawser_modes_solve(&modes, &st, &lowest, NULL)) {
 		hawser_modes_clear(&modes);
 		return 1;
 	}
 	omega = modes.mode[chance_int(chance, 0, MODES - 1)].omega;
+	hawser_modes_clear(&modes);
 	draw_load(&scene, chance, &st, omega);
 	scene.model.accuracy = asked;
-	options.frf.from = omega*(1.0 - chance_log(chance, 5e-3, 0.2));
-	options.frf.to = omega*(1.0 + chance_log(chance, 5e-3, 0.2));
-	options.frf.samples = HAWSER_NONE;
-	response = (struct estimate_response){.frf = &accuracy.frf, .rom = &accuracy.rom, .statics = &st,
-		.scene = &scene, .from = options.frf.from, .to = options.frf.to};
-	refused = hawser_accuracy_trace(&accuracy, &st, &scene, &options, NULL) || !accuracy.reached ||
-	          estimate_truth(&truth, &response, last(&accuracy).functions, accuracy.estimated);
-	if (!refused)
-		tally_note(tally, truth.distance, accuracy.estimated,
-		           "asked %.2g, %d coordinates%s, sag %.3g, slope %.2g, epsilon %.2g, Omega %.4g "
-		           "to %.4g, left out %.2g, truncated %.2g, moved %.2g; the reference has %d "
-		           "functions and moved by %.1e", asked, accuracy.rom.n,
-		           accuracy.full ? ", full order" : "", st.sag/st.span.d, st.hs, st.epsilon,
-		           options.frf.from, options.frf.to, last(&accuracy).rest, last(&accuracy).truncation,
-		           last(&accuracy).moved, truth.functions, truth.move);
-	hawser_accuracy_clear(&accuracy);
-	hawser_modes_clear(&modes);
-	return refused;
+	from = omega*(1.0 - chance_log(chance, 5e-3, 0.2));
+	to = omega*(1.0 + chance_log(chance, 5e-3, 0.2));
+	return estimate_reached(tally, &st, &scene, from, to, "");
 }
 
 /* The response of the lowest n modes. */
@@ -143,20 +151,49 @@ static void vary_load(struct hawser_scene *scene, struct chance *chance,
 	}
 }
 
+int estimate_kept(struct tally *tally, const struct hawser_statics *st,
+                  const struct hawser_scene *scene, int n, double from, double to, const char *what)
+{
+	struct hawser_frf_options range = {.from = from, .to = to};
+	struct hawser_accuracy_fixed fixed = {.estimated = NAN};
+	struct hawser_modes kept = {.n = 0};
+	struct hawser_frf frf = {.n = 0};
+	struct hawser_rom rom = {.n = 0};
+	struct estimate_response response = {.frf = &frf, .rom = &rom, .statics = st, .scene = scene,
+		.from = from, .to = to};
+	struct estimate_truth truth;
+	double traced, told;
+	int refused;
+
+	traced = cpu_secs();
+	refused = trace_lowest(&frf, &rom, &kept, st, scene, n, &range);
+	traced = cpu_secs() - traced;
+	told = cpu_secs();
+	refused = refused || hawser_accuracy_fixed(&fixed, &rom, &frf, n, st, scene, from, to, NULL);
+	told = cpu_secs() - told;
+	refused = refused || estimate_truth(&truth, &response, 0, fixed.estimated);
+	if (!refused)
+		tally_note(tally, truth.distance, fixed.estimated,
+		           "%d modes%s, sag %.3g, slope %.2g, epsilon %.2g, Omega %.4g to %.4g, left out "
+		           "%.2g, beyond them %.2g, beyond modes %.2g, followed %.2g, located %.2g; %.0f %% "
+		           "of the run's time; the reference has %d functions and moved by %.1e", n, what,
+		           st->sag/st->span.d, st->hs, st->epsilon, from, to, fixed.rest, fixed.beyond,
+		           fixed.truncation, fixed.followed, fixed.located, 100.0*told/traced,
+		           truth.functions, truth.move);
+	hawser_modes_clear(&kept);
+	hawser_frf_clear(&frf);
+	hawser_rom_clear(&rom);
+	return refused;
+}
+
 int estimate_fixed(struct tally *tally, struct chance *chance)
 {
 	struct hawser_modes_options lowest = {.n = MODES};
-	struct hawser_frf_options range = {.method = NULL};
-	struct hawser_accuracy_fixed fixed = {.estimated = NAN};
-	struct hawser_modes modes = {.n = 0}, kept = {.n = 0};
-	struct hawser_frf frf = {.n = 0};
-	struct hawser_rom rom = {.n = 0};
-	struct estimate_response response;
-	struct estimate_truth truth;
+	struct hawser_modes modes = {.n = 0};
 	struct hawser_statics st;
 	struct hawser_scene scene;
-	double omega, traced, told;
-	int refused, which = chance_int(chance, 0, 2), n = which + 1 + chance_int(chance, 1, 12);
+	double omega, from, to;
+	int which = chance_int(chance, 0, 2), n = which + 1 + chance_int(chance, 1, 12);
 
 	if (draw_span(&st, chance) || hawser_modes_solve(&modes, &st, &lowest, NULL)) {
 		hawser_modes_clear(&modes);
@@ -165,29 +202,8 @@ int estimate_fixed(struct tally *tally, struct chance *chance)
 	omega = modes.mode[which].omega;
 	draw_load(&scene, chance, &st, omega);
 	vary_load(&scene, chance, &modes);
-	range.from = omega*(1.0 - chance_log(chance, 5e-3, 0.2));
-	range.to = omega*(1.0 + chance_log(chance, 5e-3, 0.2));
-	traced = cpu_secs();
-	refused = trace_lowest(&frf, &rom, &kept, &st, &scene, n, &range);
-	traced = cpu_secs() - traced;
-	told = cpu_secs();
-	refused = refused ||
-	          hawser_accuracy_fixed(&fixed, &rom, &frf, n, &st, &scene, range.from, range.to, NULL);
-	told = cpu_secs() - told;
-	response = (struct estimate_response){.frf = &frf, .rom = &rom, .statics = &st, .scene = &scene,
-		.from = range.from, .to = range.to};
-	refused = refused || estimate_truth(&truth, &response, 0, fixed.estimated);
-	if (!refused)
-		tally_note(tally, truth.distance, fixed.estimated,
-		           "%d modes, sag %.3g, slope %.2g, epsilon %.2g, Omega %.4g to %.4g, left out %.2g, "
-		           "beyond them %.2g, beyond modes %.2g, followed %.2g, located %.2g; %.0f %% of the "
-		           "run's time; the reference has %d functions and moved by %.1e", n,
-		           st.sag/st.span.d, st.hs, st.epsilon, range.from, range.to,
-		           fixed.rest, fixed.beyond, fixed.truncation, fixed.followed, fixed.located,
-		           100.0*told/traced, truth.functions, truth.move);
 	hawser_modes_clear(&modes);
-	hawser_modes_clear(&kept);
-	hawser_frf_clear(&frf);
-	hawser_rom_clear(&rom);
-	return refused;
+	from = omega*(1.0 - chance_log(chance, 5e-3, 0.2));
+	to = omega*(1.0 + chance_log(chance, 5e-3, 0.2));
+	return estimate_kept(tally, &st, &scene, n, from, to, "");
 }

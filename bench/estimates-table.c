@@ -17,6 +17,8 @@ const struct estimate estimates[] = {
 	{"landmarks", "uncertainty", "shooting to 1e-12, shorter steps", estimate_landmarks},
 	{"accuracy", "estimated error", "full-order models, until they agree", estimate_accuracy},
 	{"fixed", "error of the model", "full-order models, until they agree", estimate_fixed},
+	{"spans", "both of these, with attachments, static loads, moving ends",
+	 "full-order models, until they agree", estimate_spans},
 	{"integrate", "error", "extrapolation in extended precision", estimate_integrate},
 	{"hill", "error", "monodromy matrix in extended precision; eight times the steps",
 	 estimate_hill},

@@ -78,6 +78,7 @@ int estimate_events(struct tally *tally, struct chance *chance);
 int estimate_landmarks(struct tally *tally, struct chance *chance);
 int estimate_accuracy(struct tally *tally, struct chance *chance);
 int estimate_fixed(struct tally *tally, struct chance *chance);
+int estimate_spans(struct tally *tally, struct chance *chance);
 int estimate_integrate(struct tally *tally, struct chance *chance);
 int estimate_folds(struct tally *tally, struct chance *chance);
 int estimate_hill(struct tally *tally, struct chance *chance);
@@ -104,6 +105,13 @@ struct estimate_truth {
  * computed. */
 int estimate_truth(struct estimate_truth *truth, const struct estimate_response *response, int more,
                    double stated);
+
+/* The numbers of the response of one scene: with model.accuracy, and with n modes; what: ", with ..."
+ * for the list. Both return 1 if there is nothing to compare. */
+int estimate_reached(struct tally *tally, const struct hawser_statics *st,
+                     const struct hawser_scene *scene, double from, double to, const char *what);
+int estimate_kept(struct tally *tally, const struct hawser_statics *st,
+                  const struct hawser_scene *scene, int n, double from, double to, const char *what);
 
 /* A span with random horizontal tension *H. */
 struct hawser_span estimate_span(struct chance *chance, double *H);
