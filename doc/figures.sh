@@ -201,6 +201,9 @@ echo "$target/irvine-speeds.svg"
 # Travelling cables: response, braking, jumps.
 sh "$SRCDIR/doc/figures-travel.sh" "$target/travel"
 
+# Spans with attachments and moving ends.
+sh "$SRCDIR/doc/figures-spans.sh" "$target/spans"
+
 # Travelling beams: all figures of D chapter 9.
 sh "$SRCDIR/doc/figures-beam.sh" "$target/beam"
 

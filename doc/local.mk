@@ -17,6 +17,7 @@ dist_doc_DATA += \
 	%D%/theory-response.md \
 	%D%/theory-scales.md \
 	%D%/theory-statics.md \
+	%D%/spans.md \
 	%D%/theory-study.md \
 	%D%/theory-modes.md \
 	%D%/theory-rom.md \
@@ -24,8 +25,8 @@ dist_doc_DATA += \
 	%D%/theory-travel.md \
 	%D%/theory.md
 # Figures of the notes: `make figures` draws them into the build folder's figures/, from benches.
-EXTRA_DIST += %D%/campbell.svg %D%/convergence.svg %D%/figures-beam.sh %D%/figures-travel.sh %D%/figures-validity.sh %D%/figures.sh \
-	%D%/trade.svg %D%/travel-holds.svg %D%/validity.svg
+EXTRA_DIST += %D%/campbell.svg %D%/carriers.svg %D%/convergence.svg %D%/figures-beam.sh %D%/figures-spans.sh %D%/figures-travel.sh %D%/figures-validity.sh %D%/figures.sh \
+	%D%/stay-map.svg %D%/trade.svg %D%/travel-holds.svg %D%/validity.svg
 .PHONY: figures
 figures: bench/shapes hawser
 	SRCDIR=$(top_srcdir) $(SHELL) $(srcdir)/doc/figures.sh figures

@@ -1,0 +1,17 @@
+#!/bin/sh
+# Pictures of spans with what people have on them; figures.sh calls it. The ones that README.md shows are
+# copies: stay-map.svg, carriers.svg.
+# Needs gnuplot. Writes into the folder given as argument.
+# SPDX-License-Identifier: GPL-3.0-or-later
+set -eu
+target=${1:?give the folder for the figures}
+hawser=${BUILD:-.}/hawser
+scenes=${SRCDIR:?names the source directory}/notebooks-data/scenes
+mkdir -p "$target"
+export OPENBLAS_NUM_THREADS=1
+
+# Parametric resonance of a stay whose upper anchorage moves along the chord.
+"$hawser" map "$scenes/stay-anchorage.yaml" --x Omega=1.8w1:2.2w1 --y "support.B.motion[0]=0:60 mm" \
+	--depth 7 --quantity multiplier -q --plot "$target/stay-map.svg"
+# Mode shapes of a ropeway span with four carriers.
+"$hawser" modes "$scenes/ropeway-carriers.yaml" -n 4 --plot "$target/carriers.svg" >"$target/carriers.txt"
