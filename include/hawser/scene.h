@@ -49,11 +49,13 @@ enum hawser_inertia { HAWSER_INERTIA_AUTO = 0, HAWSER_INERTIA_NONE };
  * all functions of the basis as coordinates. */
 enum hawser_energy { HAWSER_ENERGY_QUARTIC = 0, HAWSER_ENERGY_EXACT };
 
+enum { HAWSER_RATIOS = 32 }; /* most values of damping.ratio */
+
 enum hawser_damping_kind {
 	HAWSER_DAMPING_NONE = 0,
 	HAWSER_DAMPING_ALPHA,    /* alpha, kg/(m s) */
 	HAWSER_DAMPING_RAYLEIGH, /* mass (1/s) * M + stiffness (s) * K */
-	HAWSER_DAMPING_RATIO     /* the same fraction of critical damping in every mode */
+	HAWSER_DAMPING_RATIO     /* a fraction of critical damping in each mode */
 };
 
 /* The parameters by which a scene describes a beam, which replaces cable, span and tension. */
@@ -139,7 +141,10 @@ struct hawser_scene {
 		double alpha;     /* kg/(m s) */
 		double mass;      /* 1/s */
 		double stiffness; /* s */
-		double ratio;     /* fraction of critical damping */
+		double ratio;     /* fraction of critical damping, of mode 1 */
+		double ratio_next[HAWSER_RATIOS - 1]; /* of the modes 2, 3, ... of a list, by their
+		                                       * place; its last value holds for all above */
+		int ratios;       /* length of the list; 0: no list, `ratio` holds for all modes */
 	} damping;
 	struct {
 		int present;
@@ -200,8 +205,8 @@ struct hawser_scene {
 struct hawser_scene_key {
 	const char *path;    /* "cable.EA" */
 	const char *unit;    /* udunits2 spelling of the SI unit; "1": pure number, "": word */
-	const char *type;    /* "number", "integer", "numbers[3]", "numbers[2]", "word", "place" (a
-	                      * fraction or a length), "name" */
+	const char *type;    /* "number", "integer", "numbers[3]", "numbers[2]", "series" (a number
+	                      * or a list), "word", "place" (a fraction or a length), "name" */
 	const char *words;   /* of a word: "taut|slack"; of an integer: the word that is accepted in
 	                      * place of a number and stored as 0, such as "auto"; else NULL */
 	const char *range;   /* as text: "> 0", "finite", "within [0, 1], increasing", "" */

@@ -73,7 +73,9 @@ static void echo_key(struct hawser__json *json, json_t *echo, const struct hawse
 	const char *name;
 	double value;
 
-	if (strncmp(key->type, "numbers", 7) == 0) {
+	if (strncmp(key->type, "numbers", 7) == 0 ||
+	    (strcmp(key->type, "series") == 0 &&
+	     hawser_scene_get(scene, &value, key->path, NULL) != HAWSER_OK)) {
 		echo_list(json, echo, scene, key->path);
 	} else if (key->words && hawser_scene_word(scene, word, key->path, NULL) == HAWSER_OK) {
 		section = walk(json, echo, &name, key->path);

@@ -36,11 +36,12 @@ static int list_text(char *text, size_t size, const struct hawser_scene *scene, 
 		snprintf(element, sizeof element, "%s[%d]", path, i);
 		if (hawser_scene_get(scene, &value, element, NULL))
 			break;
-		length += (size_t)snprintf(text + length, size - length, "%s%.10g", i ? ", " : "[",
-		                           value);
+		if (length + 32 < size)
+			length += (size_t)snprintf(text + length, size - length, "%s%.10g",
+			                           i ? ", " : "[", value);
 	}
 	if (i > 0)
-		snprintf(text + length, size - length, "]");
+		snprintf(text + length, size - length, length + 32 < size ? "]" : ", ...]");
 	return i > 0;
 }
 
@@ -51,7 +52,8 @@ static int key_text(char *text, size_t size, const struct hawser_scene *scene,
 	char word[HAWSER_WORD_SIZE];
 	double value;
 
-	if (strncmp(key->type, "numbers", 7) == 0)
+	if (strncmp(key->type, "numbers", 7) == 0 ||
+	    (strcmp(key->type, "series") == 0 && scene->damping.ratios > 0))
 		return list_text(text, size, scene, key->path);
 	if (hawser_scene_get(scene, &value, key->path, NULL) == HAWSER_OK) {
 		snprintf(text, size, "%.10g", value);

@@ -2,7 +2,7 @@
  *
  *   f_j = d/H * integral over the loaded part of Phi_j . f ds,   f in N/m, s scaled arclength
  *   alpha -> alpha*d/sqrt(rho*H);  rayleigh (mass, stiffness) -> mass*t + stiffness/t*K, t the time
- *   unit d*sqrt(rho/H);  ratio zeta -> 2*zeta*omega_j
+ *   unit d*sqrt(rho/H);  ratio zeta -> 2*zeta*omega_j, zeta that of mode j in a list
  *
  * Of a travelling cable H, rho and S are the apparent ones, but load and alpha are per actual length:
  * with m of struct hawser_motion, f -> (1 - m) f and alpha -> alpha*t/(actual rho).
@@ -46,6 +46,16 @@ static void set_stiffness(struct hawser_rom *rom, const struct hawser_modes *mod
 		rom->K[j*rom->n + j] = modes->mode[j].omega*modes->mode[j].omega;
 }
 
+/* A shape that is no mode (number 0) is of the higher ones. */
+static double ratio_of(const struct hawser_scene *scene, const struct hawser_mode *mode)
+{
+	int last = scene->damping.ratios, place = mode->number ? mode->place : last;
+
+	if (last < 2 || place < 2)
+		return scene->damping.ratio;
+	return scene->damping.ratio_next[(place < last ? place : last) - 2];
+}
+
 void hawser__rom_damping(struct hawser_rom *rom, const struct hawser_modes *modes,
                          const struct hawser_scene *scene)
 {
@@ -64,7 +74,7 @@ void hawser__rom_damping(struct hawser_rom *rom, const struct hawser_modes *mode
 			*d = scene->damping.mass*t + scene->damping.stiffness/t*omega*omega;
 			break;
 		case HAWSER_DAMPING_RATIO:
-			*d = 2.0*scene->damping.ratio*omega;
+			*d = 2.0*ratio_of(scene, &modes->mode[j])*omega;
 			break;
 		}
 	}

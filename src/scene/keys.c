@@ -75,8 +75,10 @@
 	ROW("damping.rayleigh.stiffness", "s", NUMBER, NULL, NOT_NEGATIVE, NULL, \
 	    damping.stiffness, DAMPING, HAWSER_DAMPING_RAYLEIGH, \
 	    "factor of the stiffness matrix") \
-	ROW("damping.ratio", "1", NUMBER, NULL, NOT_NEGATIVE, NULL, damping.ratio, DAMPING, \
-	    HAWSER_DAMPING_RATIO, "the same fraction of critical damping in every mode") \
+	ROW("damping.ratio", "1", SERIES, NULL, NOT_NEGATIVE, NULL, damping.ratio, DAMPING, \
+	    HAWSER_DAMPING_RATIO, "fraction of critical damping: one number for every mode, or a list " \
+	    "for the modes 1, 2, ... of hawser modes; the last value of the list holds for all higher " \
+	    "modes") \
 	ROW("load.frame", "", WORD, "local|global", WORDS, NULL, load.frame, FREE, 0, \
 	    "axes of the load: local is tangent, normal, binormal (e, n, z), global is x, y, z") \
 	ROW("load.per_length", "N/m", TRIPLE, NULL, ANY, NULL, load.per_length, FREE, 0, \
@@ -172,6 +174,7 @@
 #define TEXT_INTEGER "integer"
 #define TEXT_PAIR "numbers[2]"
 #define TEXT_TRIPLE "numbers[3]"
+#define TEXT_SERIES "series"
 #define TEXT_WORD "word"
 #define TEXT_PLACE "place"
 #define TEXT_NAME "name"
@@ -218,7 +221,11 @@ static const struct hawser__section sections[] = {
 	{"support", 0, "Prescribed harmonic motion of the ends; an end that is not given is at rest."},
 	{"support.A", 0, "Motion of end A."},
 	{"support.B", 0, "Motion of end B."},
-	{"damping", 0, "At most one kind of damping; without this section there is none."},
+	{"damping", 0,
+	        "At most one kind of damping; without this section there is none. The dampers of "
+	            "attachments add to it. Ratios are of the modes, without these dampers, also where "
+	            "the model has only some of the modes or has the full energy; of a travelling cable "
+	            "they are those of the apparent cable. Condensed modes respond without damping."},
 	{"damping.rayleigh", 0, "Damping proportional to mass and stiffness; both factors are required."},
 	{"load", 0, "A distributed load that varies as the cosine of the forcing phase."},
 	{"load.static", 0,
@@ -284,6 +291,12 @@ int hawser__section_find(const char *path)
 int hawser__type_count(enum hawser__type type)
 {
 	return type == HAWSER__PAIR ? 2 : type == HAWSER__TRIPLE ? 3 : 0;
+}
+
+int hawser__count(const struct hawser_scene *scene, int index)
+{
+	return rows[index].type == HAWSER__SERIES ? scene->damping.ratios
+	                                          : hawser__type_count(rows[index].type);
 }
 
 int hawser__in_range(int index, double value)

@@ -11,6 +11,7 @@ enum hawser__type {
 	HAWSER__INTEGER,
 	HAWSER__PAIR,
 	HAWSER__TRIPLE,
+	HAWSER__SERIES, /* one number, or a list: damping.ratio and what follows it in the scene */
 	HAWSER__WORD,
 	HAWSER__PLACE, /* of an attachment: a fraction or a length; a double, then an int: 1 if a length */
 	HAWSER__NAME   /* char[HAWSER_NAME_SIZE] */
@@ -78,6 +79,9 @@ int hawser__item_key(int *item, const struct hawser_scene *scene, const char *pa
 
 /* Number of elements of a list, 0 for a scalar. */
 int hawser__type_count(enum hawser__type type);
+
+/* The same of a key in this scene, also of a number or list. */
+int hawser__count(const struct hawser_scene *scene, int index);
 
 /* 1 if a finite or infinite value is within the range of row `index`. */
 int hawser__in_range(int index, double value);

@@ -69,6 +69,7 @@ static void key(const struct hawser_scene_key *row)
 		const char *type, *reads;
 	} kinds[] = {{"number", "Number"}, {"integer", "Whole number"},
 	             {"numbers[2]", "List of two numbers"}, {"numbers[3]", "List of three numbers"},
+	             {"series", "Number, or list of numbers"},
 	             {"word", "Word"}, {"place", "Fraction of the length, or length in m"},
 	             {"name", "Name"}};
 

@@ -22,6 +22,8 @@ static size_t size_of(const struct hawser__row *row)
 
 	if (row->type == HAWSER__WORD || row->type == HAWSER__INTEGER)
 		return sizeof(int);
+	if (row->type == HAWSER__SERIES)
+		return HAWSER_RATIOS*sizeof(double) + sizeof(int);
 	return (size_t)(count ? count : 1)*sizeof(double);
 }
 

@@ -116,9 +116,12 @@ static int locate(const struct hawser_scene *scene, const char *path, int *eleme
 	memcpy(name, path, length);
 	name[length] = '\0';
 	if (path[length] == '[') {
-		if (!isdigit((unsigned char)path[length + 1]) || strcmp(path + length + 2, "]") != 0)
+		char *end;
+		long value = strtol(path + length + 1, &end, 10);
+
+		if (!isdigit((unsigned char)path[length + 1]) || strcmp(end, "]") != 0 || value > 99)
 			return -1;
-		*element = path[length + 1] - '0';
+		*element = (int)value;
 	}
 	if (strncmp(name, "attach.", 7) == 0)
 		return hawser__item_key(item, scene, name);
@@ -146,7 +149,7 @@ enum hawser_status hawser_scene_get(const struct hawser_scene *scene, double *va
 	if (hawser__is_word(scene, index) || hawser__rows()[index].type == HAWSER__NAME)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hawser_scene_get",
 		                    "%s is a word, not a number", path);
-	count = hawser__type_count(hawser__rows()[index].type);
+	count = hawser__count(scene, index);
 	if (count ? element < 0 || element >= count : element >= 0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hawser_scene_get",
 		                    "%s: %s has %d value%s, counted from 0", path,

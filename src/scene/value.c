@@ -44,6 +44,8 @@ static const char *wanted(char *text, size_t size, const struct item *item)
 	else if (row->type == HAWSER__INTEGER)
 		snprintf(text, size, "a whole number%s%s", key->words ? " or " : "",
 		         key->words ? key->words : "");
+	else if (row->type == HAWSER__SERIES)
+		snprintf(text, size, "a number, or a list of 1 to %d numbers%s%s", HAWSER_RATIOS, in, unit);
 	else if (count)
 		snprintf(text, size, "a list of %d numbers%s%s", count, in, unit);
 	else
@@ -193,6 +195,10 @@ static enum hawser_status scalar(struct hawser__reader *reader, const struct ite
 	default: break;
 	}
 	status = number(reader, &value, item, text);
+	if (status == HAWSER_OK && hawser__rows()[item->index].type == HAWSER__SERIES) {
+		memset(reader->scene->damping.ratio_next, 0, sizeof reader->scene->damping.ratio_next);
+		reader->scene->damping.ratios = 0;
+	}
 	if (status == HAWSER_OK)
 		memcpy(field(reader, item), &value, sizeof value);
 	return status;
@@ -213,6 +219,14 @@ static enum hawser_status wrong_kind(struct hawser__reader *reader, const struct
 	                           kind(event), wanted(want, sizeof want, item));
 }
 
+/* Most elements of a list. */
+static int room(const struct item *list)
+{
+	enum hawser__type type = hawser__rows()[list->index].type;
+
+	return type == HAWSER__SERIES ? HAWSER_RATIOS : hawser__type_count(type);
+}
+
 /* Read the i-th element of a list into value[i]; *end is 1 at the end of the list. */
 static enum hawser_status element(struct hawser__reader *reader, double *value, int *end,
                                   const struct item *list, int i)
@@ -229,7 +243,7 @@ static enum hawser_status element(struct hawser__reader *reader, double *value, 
 	*end = event.type == YAML_SEQUENCE_END_EVENT;
 	if (*end)
 		goto done;
-	if (i == hawser__type_count(hawser__rows()[list->index].type))
+	if (i == room(list))
 		status = hawser__reader_fail(reader, &item.place,
 		                             "%s has more than %d values: give %s",
 		                             list->called, i, wanted(want, sizeof want, list));
@@ -248,8 +262,8 @@ done:
 static enum hawser_status list(struct hawser__reader *reader, const struct item *item)
 {
 	const struct hawser__row *row = &hawser__rows()[item->index];
-	int count = hawser__type_count(row->type), n = 0, end = 0;
-	double value[4] = {0.0};
+	int series = row->type == HAWSER__SERIES, count = series ? 1 : room(item), n = 0, end = 0;
+	double value[HAWSER_RATIOS + 1] = {0.0};
 	char want[96];
 	enum hawser_status status;
 
@@ -269,7 +283,9 @@ static enum hawser_status list(struct hawser__reader *reader, const struct item 
 		                           "%s: [%g, %g] does not increase: give "
 		                                                 "the end nearer to A first",
 		                           item->called, value[0], value[1]);
-	memcpy(field(reader, item), value, (size_t)count*sizeof *value);
+	memcpy(field(reader, item), value, (size_t)(series ? HAWSER_RATIOS : n)*sizeof *value);
+	if (series)
+		reader->scene->damping.ratios = n;
 	return HAWSER_OK;
 }
 
@@ -277,10 +293,10 @@ enum hawser_status hawser__value_read(struct hawser__reader *reader, yaml_event_
                                       int index)
 {
 	struct item item = {.index = index, .place = hawser__event_place(reader, event)};
-	int is_list = hawser__type_count(hawser__rows()[index].type) > 0;
+	int is_list = room(&item) > 0, series = hawser__rows()[index].type == HAWSER__SERIES;
 
 	snprintf(item.called, sizeof item.called, "%s", key_of(&item)->path);
-	if (event->type == YAML_SCALAR_EVENT && (!is_list || event->data.scalar.length == 0))
+	if (event->type == YAML_SCALAR_EVENT && (!is_list || series || event->data.scalar.length == 0))
 		return scalar(reader, &item, event);
 	if (event->type == YAML_SEQUENCE_START_EVENT && is_list)
 		return list(reader, &item);

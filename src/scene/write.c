@@ -32,7 +32,7 @@ static void value(FILE *stream, const struct hawser_scene *scene, int index, int
                   const char *words)
 {
 	const struct hawser__row *row = &hawser__rows()[index];
-	int count = hawser__type_count(row->type), choice;
+	int count = hawser__count(scene, index), choice;
 	char word[HAWSER_WORD_SIZE];
 
 	if (hawser__is_word(scene, index)) {

@@ -55,6 +55,39 @@ static void check_damping(const struct hawser_modes *modes)
 	hawser_rom_clear(&rom);
 }
 
+/* A list of measured ratios holds by the number of a mode among all modes, also where a model has
+ * only some of them, and its last value for all above. */
+static void check_ratios(const struct hawser_modes *modes)
+{
+	static const double given[] = {0.013, 0.0049, 0.0207};
+	struct hawser_scene scene = {.damping = {.kind = HAWSER_DAMPING_RATIO, .ratio = given[0],
+	                                         .ratio_next = {given[1], given[2]}, .ratios = 3}};
+	const int some[] = {0, 2, 4};
+	struct hawser_modes part = {0};
+	struct hawser_rom rom;
+	double worst = 0.0;
+
+	if (!ok(!hawser_rom_build(&rom, modes, &scene, NULL), "a list of ratios"))
+		return;
+	for (int j = 0; j < rom.n; j++)
+		worst = fmax(worst, fabs(rom.D[j*(rom.n + 1)]/
+		                         (2.0*modes->mode[j].omega*given[j < 3 ? j : 2]) - 1.0));
+	ok(worst < 1e-15, "each mode has its own, the higher ones the last: %.1e", worst);
+	hawser_rom_clear(&rom);
+	if (ok(!hawser_modes_select(&part, modes, some, 3, NULL) &&
+	       !hawser_rom_build(&rom, &part, &scene, NULL), "the modes 1, 3 and 5"))
+		ok(fabs(rom.D[4]/(2.0*part.mode[1].omega*given[2]) - 1.0) < 1e-15 &&
+		   fabs(rom.D[8]/(2.0*part.mode[2].omega*given[2]) - 1.0) < 1e-15,
+		   "a mode keeps its ratio in a smaller model");
+	hawser_rom_clear(&rom);
+	hawser_modes_clear(&part);
+	scene.damping.ratios = 1;
+	if (ok(!hawser_rom_build(&rom, modes, &scene, NULL), "a list of one"))
+		ok(fabs(rom.D[(rom.n + 1)*2]/(2.0*modes->mode[2].omega*given[0]) - 1.0) < 1e-15,
+		   "is the number for all");
+	hawser_rom_clear(&rom);
+}
+
 /* --- load --- */
 
 /* Composite Simpson rule over the loaded part, with the load in x, y, z: a second route. */
@@ -264,6 +297,7 @@ int main(void)
 
 	if (solve(&statics, &modes, &span, HAWSER_GIVEN_T0, 8e4, 9)) {
 		check_damping(&modes);
+		check_ratios(&modes);
 		check_load(&modes);
 		check_probes(&statics, &modes);
 		check_labels(&modes);

@@ -414,6 +414,11 @@ static const struct {
 	 "--set load.frame=local: load.per_length is missing and has no default: give a list "
 	 "of numbers in N/m (amplitude of the harmonic load per unstretched length along the "
 	 "three axes)"},
+	{WHOLE, "damping.ratio=[]",
+	 "--set damping.ratio=[]: damping.ratio has 0 values: give a number, or a list of 1 to 32 "
+	 "numbers"},
+	{WHOLE, "damping.ratio=[1 %, -1 %]",
+	 "--set damping.ratio=[1 %, -1 %]: damping.ratio[1]: \"-1 %\" is out of range: it must be >= 0"},
 	{WHOLE, "load.per_length=[1, 2",
 	 "--set load.per_length=[1, 2: YAML syntax: did not find expected ',' or ']' while "
 	 "parsing a flow sequence (line 1)"},

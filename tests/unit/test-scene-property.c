@@ -61,7 +61,11 @@ static void random_list(struct listing *list)
 		add(list, "tension.branch", draw(2) ? "slack" : "taut");
 	if (kind == 0)
 		add_number(list, "damping.alpha");
-	if (kind == 1)
+	snprintf(text, sizeof text, "[%s, %s, %s]", number(a, sizeof a), number(b, sizeof b),
+	         number(c, sizeof c));
+	if (kind == 1 && draw(2))
+		add(list, "damping.ratio", text);
+	else if (kind == 1)
 		add_number(list, "damping.ratio");
 	if (kind == 2) {
 		add_number(list, "damping.rayleigh.mass");

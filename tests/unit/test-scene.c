@@ -26,7 +26,10 @@ static int same(const struct hawser_scene *a, const struct hawser_scene *b)
 	       a->tension.branch == b->tension.branch && a->damping.kind == b->damping.kind &&
 	       a->damping.alpha == b->damping.alpha && a->damping.mass == b->damping.mass &&
 	       a->damping.stiffness == b->damping.stiffness &&
-	       a->damping.ratio == b->damping.ratio && a->load.present == b->load.present &&
+	       a->damping.ratio == b->damping.ratio && a->damping.ratios == b->damping.ratios &&
+	       !memcmp(a->damping.ratio_next, b->damping.ratio_next,
+	               sizeof a->damping.ratio_next) &&
+	       a->load.present == b->load.present &&
 	       a->load.frame == b->load.frame &&
 	       !memcmp(a->load.per_length, b->load.per_length, sizeof a->load.per_length) &&
 	       !memcmp(a->load.extent, b->load.extent, sizeof a->load.extent) &&
@@ -389,6 +392,7 @@ int main(void)
 	round_trip(chairlift, "span.h=0.1");
 	round_trip(chairlift, "damping={rayleigh: {mass: 0.123456789012345678, stiffness: 1e-300}}");
 	round_trip(chairlift, "damping.ratio=0.02");
+	round_trip(chairlift, "damping.ratio=[0.5 %, 0.013, 2e-3]");
 	round_trip(chairlift, "model={modes: auto, accuracy: 0.123456789012345678 %}");
 	round_trip(chairlift, "tension={T1: 1234.5678901234567, branch: slack}");
 	round_trip(chairlift, "tension.length0=251.30000000000001");
