@@ -484,6 +484,18 @@ static enum hawser_status build(struct hawser_rom *rom, const struct hawser_mode
 	return status;
 }
 
+enum hawser_status hawser__rom_of_modes(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                        const struct hawser_scene *scene,
+                                        struct hawser_report *report)
+{
+	struct hawser_modes with;
+	enum hawser_status status = hawser__rom_attached(&with, modes, scene, report);
+
+	hawser_modes_clear(&with);
+	memset(rom, 0, sizeof *rom);
+	return status ? status : build_with(rom, modes, scene, 1, report);
+}
+
 enum hawser_status hawser_rom_build_entries(struct hawser_rom *rom, const struct hawser_modes *kept,
                                             const struct hawser_scene *scene,
                                             struct hawser_report *report)

@@ -15,11 +15,17 @@ enum hawser_status hawser__rom_begin(struct hawser_rom *rom, const struct hawser
                                      const struct hawser_scene *scene,
                                      struct hawser_report *report);
 
-/* For a model of `modes`: the modes with the static shapes of dampers (dampers.h); with->n = 0 if none
- * are needed. HAWSER_ERR_ARGUMENT for attachments that a reduced model cannot have. */
+/* For a model of `modes`: the modes with the static shapes of dampers (dampers.h); with->n = 0 if
+ * none are needed. HAWSER_ERR_ARGUMENT for attachments that a reduced model cannot have. */
 enum hawser_status hawser__rom_attached(struct hawser_modes *with, const struct hawser_modes *modes,
                                         const struct hawser_scene *scene,
                                         struct hawser_report *report);
+
+/* hawser_rom_build whose coordinates are `modes` and no others, for estimates: dampers act on them
+ * without the shapes of their kinks. It refuses the same scenes. */
+enum hawser_status hawser__rom_of_modes(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                        const struct hawser_scene *scene,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* The scene's damping, added to D: on the diagonal but for attachments. */
 void hawser__rom_damping(struct hawser_rom *rom, const struct hawser_modes *modes,
@@ -42,7 +48,8 @@ void hawser__rom_held(double *K, const struct hawser_rom *rom, const double *f, 
 
 /* hawser_rom_build_linear without the terms of the energy by moving supports, which are the last
  * harmonics of a model. linear.c. */
-enum hawser_status hawser__rom_build_forces(struct hawser_rom *rom, const struct hawser_modes *modes,
+enum hawser_status hawser__rom_build_forces(struct hawser_rom *rom,
+                                            const struct hawser_modes *modes,
                                             const struct hawser_scene *scene,
                                             struct hawser_report *report);
 

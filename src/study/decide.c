@@ -10,9 +10,10 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "rom/dampers.h"
 #include "study/survey.h"
 
-enum { most_decisions = 16 };
+enum { most_decisions = 32 };
 
 static void decide(struct hawser_plan *plan, const char *subject, int modelled, const char *format, ...)
 	HAWSER_PRINTF(4, 5);
@@ -143,6 +144,46 @@ static void decide_static_load(struct hawser_plan *plan, const struct hawser_sce
 		    scene->temperature.present ? ", changed by the temperature" : "");
 }
 
+/* Of each kind the number of attachments that have it. */
+static void decide_attachments(struct hawser_plan *plan)
+{
+	const struct hawser_statics *st = &plan->modes.statics;
+	int masses = 0, springs = 0, dampers = 0;
+	double mass = 0.0;
+
+	for (int i = 0; i < st->attachments; i++) {
+		const struct hawser_attached *at = &st->attached[i];
+
+		masses += at->mass > 0.0;
+		mass += at->mass;
+		springs += fmax(at->spring[0], fmax(at->spring[1], at->spring[2])) > 0.0;
+		dampers += fmax(at->damper[0], fmax(at->damper[1], at->damper[2])) > 0.0;
+	}
+	if (masses > 0)
+		decide(plan, "point masses", 1, "%d, together %.3g of the mass of the cable: the profile and "
+		    "the modes have kinks there, and no coordinates are added", masses,
+		    mass/(st->span.rho*st->length0));
+	if (springs > 0)
+		decide(plan, "springs to ground", 1, "at %d points, in the modes: no coordinates are added",
+		    springs);
+	if (dampers > 0)
+		decide(plan, "dampers to ground", 1, "at %d points: the static shape of each force of a damper "
+		    "is a coordinate besides the modes (not in the errors below), and the damping couples "
+		    "the modes; modes cannot be chosen (auto)", dampers);
+}
+
+static void decide_damping(struct hawser_plan *plan, const struct hawser_scene *scene)
+{
+	int dampers = hawser__has_dampers(&plan->modes.statics);
+
+	if (scene->damping.kind != HAWSER_DAMPING_NONE)
+		decide(plan, "damping", 1, dampers ? "as the scene says, and that of the dampers"
+		                                   : "as the scene says, diagonal in the modes");
+	else
+		decide(plan, "damping", dampers, dampers ? "of the dampers alone"
+		                                         : "the scene has none: resonances have no height");
+}
+
 static void decide_always(struct hawser_plan *plan, const struct hawser_scene *scene)
 {
 	const struct hawser_motion *motion = &plan->modes.statics.motion;
@@ -153,9 +194,7 @@ static void decide_always(struct hawser_plan *plan, const struct hawser_scene *s
 	    ? "from the exact strain energy to the fourth order, for response and integration; "
 	      "statics and modes do without"
 	    : "no response is asked for; hawser rom builds them");
-	decide(plan, "damping", scene->damping.kind != HAWSER_DAMPING_NONE,
-	    scene->damping.kind == HAWSER_DAMPING_NONE ? "the scene has none: resonances have no height"
-	    : "as the scene says, diagonal in the modes");
+	decide_damping(plan, scene);
 	if (motion->nu != 0.0)
 		decide(plan, "gyroscopic terms", 1, "the cable travels at %g m/s, %.3g of the speed of its "
 		    "transverse waves (scaled): they couple all modes of a plane; of modes that are not "
@@ -179,6 +218,7 @@ enum hawser_status hawser__decide(struct hawser_plan *plan, const struct hawser_
 	decide_rest(plan, scene, &survey->inertia);
 	decide_load(plan, scene);
 	decide_static_load(plan, scene);
+	decide_attachments(plan);
 	decide_always(plan, scene);
 	if (*survey->forces)
 		decide(plan, "forces from strains", strncmp(survey->forces, "from strains", 12) == 0, "%s",

@@ -34,6 +34,7 @@
 #include <stdlib.h>
 
 #include "core/report.h"
+#include "rom/dampers.h"
 #include "study/scales.h"
 #include "study/survey.h"
 
@@ -253,6 +254,8 @@ void hawser__estimate_chosen(struct hawser_plan_row *row, const struct hawser_su
 		hawser_choice_clear(&choice);
 		hawser__estimate_chosen_cost(row, survey);
 	}
+	if (!row->n && hawser__has_dampers(&plan->modes.statics))
+		snprintf(row->why, sizeof row->why, "not available: modes are not chosen with dampers");
 	free(index);
 }
 
@@ -272,7 +275,12 @@ void hawser__estimate_auto(struct hawser_plan_row *row, const struct hawser_surv
 		hawser_choice_clear(&choice);
 		hawser__estimate_auto_cost(row, survey);
 	}
-	snprintf(row->why, sizeof row->why, "what is asked for; modes as the first look has them");
+	if (!row->n && hawser__has_dampers(&plan->modes.statics)) {
+		row->omega_error = NAN;
+		snprintf(row->why, sizeof row->why, "not available: modes are not chosen with dampers");
+	} else {
+		snprintf(row->why, sizeof row->why, "what is asked for; modes as the first look has them");
+	}
 	free(index);
 }
 

@@ -9,7 +9,7 @@
 
 #include "core/report.h"
 #include "core/settle.h"
-#include "rom/dampers.h"
+#include "rom/build.h"
 #include "rom/drive.h"
 #include "study/survey.h"
 
@@ -116,6 +116,7 @@ static enum hawser_status weigh_own(struct hawser_survey *survey, const struct h
 	return status;
 }
 
+/* The coordinates of both models are the modes, so that dampers act on these alone. */
 static enum hawser_status build(struct hawser_survey *survey, struct hawser_plan *plan,
                                 struct hawser_report *report)
 {
@@ -123,12 +124,12 @@ static enum hawser_status build(struct hawser_survey *survey, struct hawser_plan
 	enum hawser_status status;
 
 	scene.model.condense = HAWSER_CONDENSE_NONE;
-	status = hawser_rom_build(&survey->raw, &plan->modes, &scene, report);
+	status = hawser__rom_of_modes(&survey->raw, &plan->modes, &scene, report);
 	if (status)
 		return status;
 	scene.model.condense = HAWSER_CONDENSE_STATIC;
 	scene.model.inertia = HAWSER_INERTIA_NONE; /* the coordinates of this model are modes only */
-	status = hawser_rom_build(&survey->condensed, &plan->modes, &scene, report);
+	status = hawser__rom_of_modes(&survey->condensed, &plan->modes, &scene, report);
 	if (status)
 		return status;
 	plan->load = calloc((size_t)plan->modes.n, sizeof *plan->load);
@@ -180,11 +181,6 @@ enum hawser_status hawser_plan_make(struct hawser_plan *plan, const struct hawse
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "plan",
 		                    "the range of Omega from %g to %g is none: give two frequencies "
 		                    "greater than zero", from, to);
-	if (hawser__has_dampers(statics) || hawser__has_springs(statics))
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "plan",
-		                    "springs and dampers of attachments are not part of the estimates of "
-		                    "cost and error yet: call frf with several numbers of modes and compare "
-		                    "the results");
 	plan->from = from;
 	plan->to = to;
 	status = look(plan, statics, scene, choice, count, report);

@@ -116,8 +116,16 @@ assert all(v < -0.025 for v in value) and value[3] < value[2] < value[1] < value
 END
 refuses_like 1 "springs of attachments are not condensed yet" rom "$scene" --set 'attach.0.spring=[0, 1e4, 0]'
 works "not condensed" rom "$scene" --set 'attach.0.spring=[0, 1e4, 0]' --set model.condense=none --json s.json -q
+works "plan with a damper" plan "$scene" --limit 0.1 --set 'attach.0.damper=[0, 1e3, 1e3]' --json damper.json -q
+python "and what a damper adds" <<'END'
+import json
+plan = json.load(open("damper.json"))
+why = {d["subject"]: d["why"] for d in plan["decisions"]}
+assert why["dampers to ground"].startswith("at 1 points"), why
+assert any("not chosen with dampers" in f["why"] for f in plan["fidelities"]), plan["fidelities"]
+END
 works "plan with masses" plan "$scene" --limit 0.5 --json plan.json -q
-refuses_like 1 "not part of the estimates" plan "$scene" --set 'attach.0.damper=[0, 1e3, 0]'
+refuses_like 1 "springs of attachments are not condensed yet" plan "$scene" --set 'attach.0.spring=[0, 1e3, 0]'
 
 # --- what compares or sweeps cables without attachments
 refuses_like 1 "models compares cables without attachments" statics "$scene" --models
