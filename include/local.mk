@@ -3,6 +3,7 @@ pkginclude_HEADERS = \
 	%D%/hawser/beam_motion.h \
 	%D%/hawser/backbone.h \
 	%D%/hawser/campbell.h \
+	%D%/hawser/damped.h \
 	%D%/hawser/decay.h \
 	%D%/hawser/folds.h \
 	%D%/hawser/cover.h \

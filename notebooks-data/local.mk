@@ -26,6 +26,7 @@ dist_scenes_DATA = \
 	%D%/scenes/b-table-5.6.yaml \
 	%D%/scenes/bridge-stay.yaml \
 	%D%/scenes/stay-anchorage.yaml \
+	%D%/scenes/stay-damper.yaml \
 	%D%/scenes/chairlift.yaml \
 	%D%/scenes/conductor.yaml \
 	%D%/scenes/decay.tsv \

@@ -79,3 +79,8 @@ check_PROGRAMS += tests/property/test-modes-attached
 TESTS += tests/property/test-modes-attached
 tests_property_test_modes_attached_SOURCES = tests/property/test-modes-attached.c
 tests_property_test_modes_attached_LDADD = $(UPTO_MODES)
+
+check_PROGRAMS += tests/property/test-modes-damped
+TESTS += tests/property/test-modes-damped
+tests_property_test_modes_damped_SOURCES = tests/property/test-modes-damped.c
+tests_property_test_modes_damped_LDADD = $(UPTO_MODES)

@@ -10,6 +10,7 @@
 #include <hawser/plausible.h>
 #include <hawser/modes.h>
 #include <hawser/gyroscopic.h>
+#include <hawser/damped.h>
 #include <hawser/irvine.h>
 #include <hawser/beam.h>
 #include <hawser/beam_motion.h>

@@ -47,6 +47,13 @@ static const struct {
 	{"temperature.change", "Change of temperature", ""},
 	{"temperature.expansion", "Thermal expansion", ""},
 	{"attach.mass", "Attached mass", ""},
+	{"attach.at", "Place of the attachment", ""},
+	{"attach.spring[0]", "Spring along x", ""},
+	{"attach.spring[1]", "Spring along y", ""},
+	{"attach.spring[2]", "Spring along z", ""},
+	{"attach.damper[0]", "Damper along x", ""},
+	{"attach.damper[1]", "Damper along y", ""},
+	{"attach.damper[2]", "Damper along z", ""},
 	{"model.modes", "Number of modes", ""},
 	{"model.accuracy", "Accuracy asked for", ""},
 	{"model.basis", "Functions a component", ""},
@@ -72,12 +79,23 @@ static const struct {
 	int prefixed; /* may be kilo or mega */
 } units[] = {
 	{"N", "N", 1}, {"N.m^2", "N m²", 1}, {"m/s^2", "m/s²", 0}, {"kg/m/s", "kg/(m s)", 0},
+	{"N.s/m", "N s/m", 1}, {"N/m", "N/m", 1},
 };
+
+/* Whether the key is that of the row; "attach.2.mass" and "attach.NAME.mass" are attach.mass. */
+static int is_row(const char *row, const char *key)
+{
+	const char *leaf = strrchr(key, '.');
+
+	return strcmp(row, key) == 0 ||
+	       (leaf && strncmp(row, "attach.", 7) == 0 && strncmp(key, "attach.", 7) == 0 &&
+	        strcmp(row + 6, leaf) == 0);
+}
 
 int cli_axis_quantity(const char **quantity, const char **symbol, const char *key)
 {
 	for (size_t i = 0; i < sizeof rows/sizeof *rows; i++)
-		if (strcmp(rows[i].key, key) == 0) {
+		if (is_row(rows[i].key, key)) {
 			*quantity = rows[i].quantity;
 			*symbol = rows[i].symbol;
 			return 1;

@@ -5,13 +5,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/modes_damped.h"
 #include "cli/modes_result.h"
 #include "core/report.h"
 
 struct settings {
 	struct cli_common common;
-	const char *method, *view;
-	int n, basis, points, shapes, list;
+	const char *method, *view, *over;
+	int n, basis, points, shapes, list, damped, log;
 };
 static const struct settings defaults = {.view = "components", .points = 201};
 
@@ -24,6 +25,9 @@ static const struct cli_option options[] = {
 	{"points", 0, "N", "number of points of a shape (201)", CLI_COUNT(points)},
 	{"view", 0, "NAME", "contents of the picture: components, profile or waves (components)",
 	 CLI_TEXT(view)},
+	{"damped", 0, "", "damped modes: dampers and damping of the scene", CLI_FLAG(damped)},
+	{"over", 0, "KEY=FROM:TO:N", "damped modes at N values of a key of the scene", CLI_TEXT(over)},
+	{"log", 0, "", "these values at equal ratios", CLI_FLAG(log)},
 	{"list-methods", 0, "", "list the methods and exit", CLI_FLAG(list)},
 	CLI_NO_OPTION,
 };
@@ -65,6 +69,29 @@ static enum hawser_status solve(struct cli_modes_result *result, const struct se
 	return status ? status : cli_modes_sample(result, report);
 }
 
+/* --damped and --over. */
+static enum hawser_status run_damped(const struct settings *settings, struct hawser_report *report)
+{
+	struct cli_damped_result result = {.common = &settings->common, .logarithmic = settings->log};
+	enum hawser_status status = HAWSER_OK;
+
+	if (settings->shapes || settings->basis > 0 || settings->method)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+		                      "--shapes, --basis and --method are for undamped modes: leave out %s",
+		                      settings->over ? "--over" : "--damped");
+	if (!status)
+		status = cli_outputs_check(&settings->common, report);
+	if (!status)
+		status = cli_scene_load(&result.scene, &settings->common, settings->n, report);
+	if (!status)
+		status = cli_damped_solve(&result, settings->over, cli_modes_options(&result.scene).n,
+		                          report);
+	if (!status)
+		status = cli_show(&settings->common, &cli_damped_showing, &result, report);
+	cli_damped_free(&result);
+	return status;
+}
+
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	static const char *const views[] = {"components", "profile", "waves"};
@@ -81,6 +108,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!settings->common.input)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
 		                    "modes needs a SCENE (hawser modes --help)");
+	if (settings->damped || settings->over || settings->log)
+		return run_damped(settings, report);
 	status = cli_choose(&view, "modes", "view", settings->view, views, 3, report);
 	if (!status)
 		status = cli_outputs_check(&settings->common, report);

@@ -79,6 +79,8 @@ hawser_SOURCES = \
 	%D%/mms_result.c \
 	%D%/mms_result.h \
 	%D%/model.c \
+	%D%/modes_damped.c \
+	%D%/modes_damped.h \
 	%D%/modes_result.c \
 	%D%/modes_result.h \
 	%D%/natural.c \

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/modes_damped.h"
 #include "cli/modes_result.h"
 #include "core/report.h"
 
@@ -115,8 +116,8 @@ static void comments(struct hawser__table *table, const void *of)
 		                      "turns by %.6g rad about the chord; x, y, z are those of the scene",
 		                      modes->statics.swing);
 	if (dampers(&modes->statics))
-		hawser__table_comment(table, "the modes are undamped: dampers of attachments are part of "
-		                      "reduced models (hawser rom)");
+		hawser__table_comment(table, "the modes are undamped: --damped lists the damping by dampers "
+		                      "of attachments");
 	if (result->points > 0)
 		shape_comments(table, modes);
 }
@@ -280,7 +281,9 @@ static const struct hawser__field result_field[] = {
 const struct cli_listing cli_modes_listing[] = {
 	{"Columns of the table:", mode_field, 0},
 	{"Columns with --shapes:", point_field, 0},
+	{"Columns with --damped or --over:", cli_damped_field, 0},
 	{"Keys of JSON:", result_field, 1},
+	{"Keys of JSON with --damped or --over:", cli_damped_member, 1},
 	{NULL, NULL, 0},
 };
 

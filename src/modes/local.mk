@@ -15,6 +15,9 @@ noinst_LTLIBRARIES += %D%/libmodes.la
 	%D%/compliance_springs.c \
 	%D%/compliance_springs.h \
 	%D%/convection.c \
+	%D%/damped.c \
+	%D%/damped.h \
+	%D%/damped_trace.c \
 	%D%/compliance.h \
 	%D%/fdm.c \
 	%D%/fdm.h \

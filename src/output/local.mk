@@ -21,6 +21,8 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/plot_compare.c \
 	%D%/plot_complex_modes.c \
 	%D%/plot_curves.c \
+	%D%/plot_damped.c \
+	%D%/plot_damped.h \
 	%D%/plot_energy.c \
 	%D%/plot_folds.c \
 	%D%/plot_frf.c \

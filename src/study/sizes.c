@@ -11,6 +11,7 @@
 #include <hawser/beam_motion.h>
 #include <hawser/campbell.h>
 #include <hawser/choose.h>
+#include <hawser/damped.h>
 #include <hawser/decay.h>
 #include <hawser/folds.h>
 #include <hawser/cover.h>
@@ -80,6 +81,11 @@ static const struct row {
 	ROW(hawser_choice_mode),
 	ROW(hawser_critical),
 	ROW(hawser_cubic),
+	ROW(hawser_damped),
+	ROW(hawser_damped_mode),
+	ROW(hawser_damped_options),
+	ROW(hawser_damped_sweep),
+	ROW(hawser_damped_sweep_options),
 	ROW(hawser_decay),
 	ROW(hawser_doubt),
 	ROW(hawser_equivalent),

@@ -9,7 +9,7 @@ table='
 BEGIN {
 	n = split("core continuation scene statics modes beam rom response study output cli", stage, " ")
 	for (i = 1; i <= n; i++) rank[stage[i]] = i
-	of["status"] = of["progress"] = "core"; of["scene"] = of["plausible"] = "scene"; of["statics"] = "statics"; of["modes"] = of["gyroscopic"] = of["irvine"] = of["campbell"] = "modes"
+	of["status"] = of["progress"] = "core"; of["scene"] = of["plausible"] = "scene"; of["statics"] = "statics"; of["modes"] = of["gyroscopic"] = of["irvine"] = of["campbell"] = of["damped"] = "modes"
 	of["beam"] = "beam"
 	of["rom"] = of["choose"] = "rom"; of["integrate"] = of["orbit"] = of["frf"] = of["cover"] = of["backbone"] = of["scales"] = of["folds"] = of["linear"] = of["beam_motion"] = "response"; of["hawser"] = "output"
 	of["study"] = of["plan"] = of["accuracy"] = of["map"] = of["primary"] = of["hill"] = of["decay"] = of["identify"] = of["sizes"] = "study"

@@ -80,6 +80,52 @@ assert all(m["residual"] < 1e-12 for m in mode)
 END
 refuses_like 1 "the method fdm is for a cable without attachments" modes "$scene" --method fdm
 
+# --- damped modes
+stay=$top/notebooks-data/scenes/stay-damper.yaml
+works "damped modes" modes "$stay" --damped -n 6 --json damped-modes.json --tsv damped-modes.tsv -q
+works "over the size" modes "$stay" -n 4 --over 'attach.damper.damper[2]=3 kN.s/m:300 kN.s/m:21' --log \
+	--json size.json --tsv size.tsv -q
+works "over the place" modes "$stay" -n 4 --over attach.0.at=0.01:0.05:3 --json place.json -q
+works "with uniform damping" modes "$stay" --damped -n 4 --set damping.ratio=0.004 --json ratio.json -q
+python "the largest damping is about half of the distance from the end" <<'END'
+import json
+r = json.load(open("damped-modes.json"))
+assert len(r["damped"]) == 6 and "over" not in r
+out = [m for m in r["damped"] if m["plane"] == "out-of-plane"]
+assert all(m["damping_ratio"] > 0.005 for m in out) and all(abs(m["damping_ratio"]) < 1e-12 for m in r["damped"] if m not in out)
+assert all(abs(m["damping_ratio"] + m["re"]/abs(complex(m["re"], m["omega"]))) < 1e-12 for m in out)
+assert "creeps without oscillation" in open("damped-modes.tsv").read()
+size = json.load(open("size.json"))
+assert size["over"] == "attach.damper.damper[2]" and len(size["damped"]) == 84
+first = [(m["damping_ratio"], m["value"]) for m in size["damped"] if m["plane"] == "out-of-plane" and m["number"] == 1]
+assert len(first) == 21 and abs(max(first)[0]/0.02 - 1) < 0.08, max(first)
+assert abs(first[1][1]/first[0][1] - 100**0.05) < 1e-9
+assert "damped modes over attach.damper.damper[2], 21 values (N.s/m)" in open("size.tsv").read()
+place = [m["damping_ratio"] for m in json.load(open("place.json"))["damped"] if m["plane"] == "out-of-plane" and m["number"] == 1]
+assert len(place) == 3 and place[0] < 0.006
+plain = [m["damping_ratio"] for m in json.load(open("ratio.json"))["damped"] if m["plane"] == "in-plane"]
+assert all(abs(p - 0.004) < 1e-12 for p in plain)
+END
+works "places in metres" modes "$stay" -n 2 --set 'attach.damper.at=5 m' --over attach.damper.at=3:6:2 --tsv metres.tsv -q
+try "they say so" grep -q "2 values (m)" metres.tsv
+if command -v gnuplot >/dev/null; then
+	works "the damping over the size" modes "$stay" -n 4 --over 'attach.damper.damper[2]=3e3:3e5:9' --log --plot size.svg -q
+	try "it says what it shows" grep -q "Damper along z" size.svg
+	refuses_like 1 "give --over KEY=FROM:TO:POINTS" modes "$stay" --damped --plot no.svg
+	works "nothing is damped" modes "$stay" -n 2 --set 'attach.0.damper=[0, 0, 1e-9]' --over attach.0.at=0.1:0.2:2 --plot none.svg -q
+else
+	skip "gnuplot is not installed"
+fi
+refuses_like 1 "write KEY=FROM:TO:POINTS" modes "$stay" --over attach.0.at=0.1:0.2
+refuses_like 1 "write KEY=FROM:TO:POINTS" modes "$stay" --over attach.0.at=0.1:0.2:1
+refuses_like 1 "log is for the points of --over" modes "$stay" --log
+refuses_like 1 "are for undamped modes" modes "$stay" --damped --shapes
+refuses_like 1 "has 3 values" modes "$stay" --over attach.0.damper=1e3:2e3:3
+refuses_like 1 "a logarithmic sweep" modes "$stay" --over attach.0.mass=0:2:3 --log
+refuses_like 1 "two different finite numbers" modes "$stay" --over attach.0.mass=2:2:3
+refuses_like 1 "those of a cable at rest" modes "$top/notebooks-data/scenes/rope.yaml" --damped
+refuses_like 2 "inextensible" modes "$stay" --damped --set cable.EA=.inf
+
 # --- reduced models, responses, maps
 works "a model with carriers" rom "$scene" --json model.json -q
 works "a model with dampers" rom "$scene" --set 'attach.0.damper=[0, 8 kN.s/m, 8 kN.s/m]' --json damped.json -q

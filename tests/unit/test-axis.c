@@ -55,6 +55,8 @@ int main(void)
 	title_is("span.h", "m", 2.385, "Height of end B {/:Italic h} (m)", 1.0);
 	title_is("damping.ratio", "1", 0.02, "Damping ratio (–)", 1.0);
 	title_is("Omega", "", 3.0, "Forcing frequency {/:Italic Ω}", 1.0);
+	title_is("attach.2.mass", "kg", 3.0, "Attached mass (kg)", 1.0);
+	title_is("attach.stockbridge.damper[1]", "N.s/m", 3e3, "Damper along y (kN s/m)", 1e3);
 	title_is("no.such", "1", 3.0, "no.such (–)", 1.0);
 	value_is("beam.rho", 10.0, "{/:Italic ρ} = 10");
 	value_is("beam.tension_end", 2385.0, "Tension at the end = 2385 N");
