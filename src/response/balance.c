@@ -351,14 +351,18 @@ static enum hawser_status open_method(struct hawser__orbit **orbit, const struct
 /* The steps of shooting follow the fastest coordinate. The steps of the multipliers of harmonic
  * balance follow it only up to a limit (monodromy.h). Below that limit shooting takes a quarter to
  * three quarters of the time of harmonic balance (1 to 20 coordinates), above it five times as long
- * and more (24 to 60). */
+ * and more (24 to 60). So it is with a coordinate that decays as fast (the shape of the force of a
+ * damper on a stay: 12 s against 2.5 s). */
 static int suits(const struct hawser_rom *rom, const struct hawser_frf_options *options)
 {
 	double limit = HAWSER__FOLLOW*fmin(options->from, options->to), top = 0.0;
 
-	for (int j = 0; j < rom->n; j++)
-		top = fmax(top, rom->K[(size_t)j*(rom->n + 1)]);
-	return top > limit*limit;
+	for (int j = 0; j < rom->n; j++) {
+		size_t own = (size_t)j*((size_t)rom->n + 1);
+
+		top = fmax(top, fmax(sqrt(rom->K[own]), rom->D[own]));
+	}
+	return top > limit;
 }
 
 const struct hawser__orbit_method hawser__balance_method = {
