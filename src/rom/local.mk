@@ -17,6 +17,7 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/condense_load.c \
 	%D%/dampers.c \
 	%D%/dampers.h \
+	%D%/damping.c \
 	%D%/drive.c \
 	%D%/drive.h \
 	%D%/effort.c \

@@ -1,0 +1,43 @@
+/* rom/damping.c - the damping of a scene as the matrix D of a model.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include "rom/build.h"
+#include "rom/dampers.h"
+
+/* A shape that is no mode (number 0) is of the higher ones. */
+static double ratio_of(const struct hawser_scene *scene, const struct hawser_mode *mode)
+{
+	int last = scene->damping.ratios, place = mode->number ? mode->place : last;
+
+	if (last < 2 || place < 2)
+		return scene->damping.ratio;
+	return scene->damping.ratio_next[(place < last ? place : last) - 2];
+}
+
+void hawser__rom_damping(struct hawser_rom *rom, const struct hawser_modes *modes,
+                         const struct hawser_scene *scene)
+{
+	const double t = modes->time_unit, rho = modes->statics.span.rho;
+
+	for (int j = 0; j < rom->n; j++) {
+		double omega = modes->mode[j].omega, *d = &rom->D[j*rom->n + j];
+
+		switch (scene->damping.kind) {
+		case HAWSER_DAMPING_NONE:
+			break;
+		case HAWSER_DAMPING_ALPHA: /* d/sqrt(rho H) = t/rho, with the actual mass */
+			*d = scene->damping.alpha*t/rho*(1.0 - modes->statics.motion.mach2);
+			break;
+		case HAWSER_DAMPING_RAYLEIGH:
+			*d = scene->damping.mass*t + scene->damping.stiffness/t*omega*omega;
+			break;
+		case HAWSER_DAMPING_RATIO:
+			*d = 2.0*ratio_of(scene, &modes->mode[j])*omega;
+			break;
+		}
+	}
+	if (modes->statics.attachments > 0)
+		hawser__dampers_add(rom->D, modes, scene->damping.kind == HAWSER_DAMPING_ALPHA
+		                                   ? scene->damping.alpha*t/rho : 0.0);
+}
