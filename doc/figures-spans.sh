@@ -1,6 +1,6 @@
 #!/bin/sh
-# Pictures of spans with what people have on them; figures.sh calls it. The ones that README.md shows are
-# copies: stay-map.svg, carriers.svg.
+# Pictures of spans with what people have on them; figures.sh calls it. The ones that spans.md shows are
+# copies: stay-map.svg, carriers.svg, damper-size.svg, damper-place.svg.
 # Needs gnuplot. Writes into the folder given as argument.
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -eu
@@ -15,3 +15,8 @@ export OPENBLAS_NUM_THREADS=1
 	--depth 7 --quantity multiplier -q --plot "$target/stay-map.svg"
 # Mode shapes of a ropeway span with four carriers.
 "$hawser" modes "$scenes/ropeway-carriers.yaml" -n 4 --plot "$target/carriers.svg" >"$target/carriers.txt"
+# Damping of the first modes of a stay over the size and the place of its damper.
+"$hawser" modes "$scenes/stay-damper.yaml" --over "attach.0.damper[2]=5 kN s/m:2000 kN s/m:60" --log -n 8 -q \
+	--plot "$target/damper-size.svg" >"$target/damper-size.txt"
+"$hawser" modes "$scenes/stay-damper.yaml" --over attach.0.at=0.005:0.1:40 -n 8 -q \
+	--plot "$target/damper-place.svg" >"$target/damper-place.txt"
