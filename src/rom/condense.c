@@ -15,7 +15,8 @@
  * and lambda solves a 2 by 2 system (in-plane) and a scalar equation (out of plane); it is the
  * change of the end force. This is exact up to quadrature, however stiff the cable is, while
  * Galerkin's method would need a converged basis. Finally the part along the kept modes is removed:
- * since K w = -D^3V3, w has the coordinate -T_jks/omega_s^2 along Phi_s.
+ * since K w = -D^3V3, w has the coordinate -T_jks/omega_s^2 along Phi_s. With springs of attachments
+ * the force varies along the cable: ties.c.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -27,12 +28,16 @@
 
 #include "core/report.h"
 #include "modes/grid.h"
+#include "modes/label.h"
 #include "rom/condense.h"
+#include "rom/ties.h"
 
 struct work {
 	const struct hawser_modes *modes;
 	struct hawser__place *place; /* [points] */
 	struct hawser__ties ties;
+	struct hawser__springs *springs; /* or NULL (ties.c) */
+	double *stretch;                 /* [pairs][springs] displacements of w_jk at the springs */
 };
 
 struct hawser__place hawser__place_at(const struct hawser_modes *modes, double s, double weight)
@@ -77,7 +82,16 @@ static void prepare(struct work *work)
 	for (int p = 0; p < grid->points; p++) {
 		work->place[p] = hawser__place_at(work->modes, grid->s[p], grid->weight[p]);
 		hawser__ties_add(&work->ties, &work->place[p]);
+		if (work->springs)
+			hawser__springs_add_place(work->springs, &work->place[p], grid->s[p]);
 	}
+	if (work->springs)
+		hawser__springs_factor(work->springs);
+}
+
+static int springs_of(const struct work *work)
+{
+	return work->springs ? work->springs->size - 3 : 0;
 }
 
 /* eps*alpha, eps*beta, eps*gamma at a point, for slopes x and y of two modes. */
@@ -88,8 +102,39 @@ static void force(double f[3], const struct hawser__place *at, const double *x, 
 	f[2] = (x[0]*y[2] + y[0]*x[2])/at->g2;
 }
 
+/* The same as the end of answer() with springs: strains from the forces of the pair in `strain`. */
+static void answer_springs(const struct work *work, double *strain, double *stretch)
+{
+	const struct hawser_grid *grid = &work->modes->grid;
+	struct hawser__springs *springs = work->springs;
+
+	memset(springs->z, 0, sizeof springs->z);
+	for (int p = 0; p < grid->points; p++) {
+		const struct hawser__place *at = &work->place[p];
+		double *f = strain + 3*p;
+
+		f[0] = -f[0];
+		f[1] = -f[1]/(at->eps*at->k);
+		f[2] = -f[2]/(at->eps*at->k);
+		hawser__springs_load(springs, at, grid->s[p], f);
+	}
+	hawser__springs_solve(springs);
+	for (int p = 0; p < grid->points; p++) {
+		const struct hawser__place *at = &work->place[p];
+		double *f = strain + 3*p, pull[3];
+
+		hawser__springs_force(pull, springs, at, grid->s[p]);
+		f[0] -= at->eps*pull[0];
+		f[1] -= pull[1]/at->k;
+		f[2] -= pull[2]/at->k;
+	}
+	for (int m = 0; m < springs_of(work); m++)
+		stretch[m] = hawser__springs_stretch(springs, m);
+}
+
 /* Strains [points][3] of the response to the pair, and third[n] = T_jks for every kept mode s. */
-static void answer(const struct work *work, double *strain, double *third, int j, int k)
+static void answer(const struct work *work, double *strain, double *stretch, double *third, int j,
+                   int k)
 {
 	const struct hawser_modes *modes = work->modes;
 	int points = modes->grid.points;
@@ -112,6 +157,10 @@ static void answer(const struct work *work, double *strain, double *third, int j
 		r[1] -= at->weight*(f[0]*at->ey + across*at->ex);
 		r[2] -= at->weight*f[2]/(at->eps*at->k);
 	}
+	if (work->springs) {
+		answer_springs(work, strain, stretch);
+		return;
+	}
 	hawser__ties_solve(lambda, &work->ties, r);
 	for (int p = 0; p < points; p++) {
 		const struct hawser__place *at = &work->place[p];
@@ -124,37 +173,50 @@ static void answer(const struct work *work, double *strain, double *third, int j
 }
 
 /* Remove the part along the kept modes. */
-static void remove_kept(const struct hawser_modes *modes, double *strain, const double *third)
+static void remove_kept(const struct work *work, double *strain, double *stretch, const double *third)
 {
+	const struct hawser_modes *modes = work->modes;
 	int count = 3*modes->grid.points;
 
 	for (int s = 0; s < modes->n; s++) {
 		double part = third[s]/(modes->mode[s].omega*modes->mode[s].omega);
 
 		cblas_daxpy(count, part, modes->slope + (size_t)s*count, 1, strain, 1);
+		for (int m = 0; m < springs_of(work); m++) {
+			double u[3];
+
+			hawser__modes_attached(u, modes, s, work->springs->spring[m].attachment);
+			stretch[m] += part*u[work->springs->spring[m].axis];
+		}
 	}
 }
 
-/* Strains times the square roots of weight and stiffness; their products form gram. */
+/* Strains, and displacements at the springs, times the square roots of weight and stiffness; their
+ * products form gram. */
 static enum hawser_status set_gram(struct hawser__condensed *condensed, const struct work *work,
                                    struct hawser_report *report)
 {
-	int pairs = condensed->pairs, width = 3*condensed->points;
+	int pairs = condensed->pairs, springs = springs_of(work), width = 3*condensed->points + springs;
 	double *scaled = malloc((size_t)pairs*width*sizeof *scaled);
 
 	if (!scaled)
 		return hawser__no_memory(report, "rom");
-	for (int x = 0; x < pairs; x++)
-		for (int p = 0; p < condensed->points; p++) {
+	for (int x = 0; x < pairs; x++) {
+		double *to = scaled + (size_t)x*width;
+
+		for (int p = 0; p < condensed->points; p++, to += 3) {
 			const struct hawser__place *at = &work->place[p];
-			size_t row = ((size_t)x*condensed->points + p)*3;
+			const double *strain = condensed->strain + ((size_t)x*condensed->points + p)*3;
 
 			/* filled for each point */
 			/* NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult) */
-			scaled[row] = sqrt(at->weight/at->eps)*condensed->strain[row];
-			scaled[row + 1] = sqrt(at->weight*at->k)*condensed->strain[row + 1];
-			scaled[row + 2] = sqrt(at->weight*at->k)*condensed->strain[row + 2];
+			to[0] = sqrt(at->weight/at->eps)*strain[0];
+			to[1] = sqrt(at->weight*at->k)*strain[1];
+			to[2] = sqrt(at->weight*at->k)*strain[2];
 		}
+		for (int m = 0; m < springs; m++)
+			to[m] = sqrt(work->springs->spring[m].k)*work->stretch[(size_t)x*springs + m];
+	}
 	cblas_dsyrk(CblasRowMajor, CblasLower, CblasNoTrans, pairs, width, 1.0, scaled, width, 0.0,
 	            condensed->gram, pairs);
 	for (int x = 0; x < pairs; x++)
@@ -171,26 +233,33 @@ enum hawser_status hawser__condense(struct hawser__condensed *condensed,
 	int n = moving, pairs = n*(n + 1)/2, points = modes->grid.points;
 	struct work work = {.modes = modes};
 	double *third = malloc((size_t)modes->n*sizeof *third);
-	enum hawser_status status = HAWSER_OK;
+	enum hawser_status status = hawser__springs_make(&work.springs, modes, report);
 
 	*condensed = (struct hawser__condensed){.n = n, .points = points, .pairs = pairs};
 	condensed->strain = malloc((size_t)pairs*points*3*sizeof *condensed->strain);
 	condensed->gram = malloc((size_t)pairs*pairs*sizeof *condensed->gram);
 	work.place = malloc((size_t)points*sizeof *work.place);
-	if (!condensed->strain || !condensed->gram || !work.place || !third) {
+	work.stretch = malloc(((size_t)pairs*(size_t)springs_of(&work) + 1)*sizeof *work.stretch);
+	if (status)
+		goto done;
+	if (!condensed->strain || !condensed->gram || !work.place || !work.stretch || !third) {
 		status = hawser__no_memory(report, "rom");
 		goto done;
 	}
 	prepare(&work);
 	for (int k = 0; k < n; k++)
 		for (int j = 0; j <= k; j++) {
-			double *strain = condensed->strain + (size_t)(k*(k + 1)/2 + j)*points*3;
+			size_t pair = (size_t)(k*(k + 1)/2 + j);
+			double *strain = condensed->strain + pair*points*3;
+			double *stretch = work.stretch + pair*(size_t)springs_of(&work);
 
-			answer(&work, strain, third, j, k);
-			remove_kept(modes, strain, third);
+			answer(&work, strain, stretch, third, j, k);
+			remove_kept(&work, strain, stretch, third);
 		}
 	status = set_gram(condensed, &work, report);
 done:
+	free(work.springs);
+	free(work.stretch);
 	free(work.place);
 	free(third);
 	if (status)

@@ -200,8 +200,11 @@ static void matrices(const struct work *work, double *mass, double *stiff)
 			}
 			x = work->kink + 3*HAWSER_ATTACH_MAX*a;
 			y = work->kink + 3*HAWSER_ATTACH_MAX*b;
-			for (int i = 0; i < st->attachments; i++, x += 3, y += 3)
+			for (int i = 0; i < st->attachments; i++, x += 3, y += 3) {
 				M += st->attached[i].m*(x[0]*y[0] + x[1]*y[1] + x[2]*y[2]);
+				for (int c = 0; c < 3; c++)
+					K += stiffness(st, i, c, 0.0)*x[c]*y[c];
+			}
 			mass[a*work->count + b] = M;
 			stiff[a*work->count + b] = K;
 		}
@@ -309,14 +312,6 @@ enum hawser_status hawser__rom_attached(struct hawser_modes *with, const struct 
 	*with = (struct hawser_modes){.n = 0};
 	if (status || !scene || st->attachments == 0 || !(st->epsilon > 0.0))
 		return status;
-	if (hawser__has_springs(st) && scene->model.condense == HAWSER_CONDENSE_STATIC)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
-		                    "springs of attachments are not condensed yet: set "
-		                    "model.condense=none, or model.energy=exact");
-	if (hawser__has_springs(st) && hawser__has_dampers(st))
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
-		                    "a reduced model with both springs and dampers of attachments is not "
-		                    "available yet: set model.energy=exact");
 	if (scene->model.modes == HAWSER_MODES_AUTO && hawser__has_dampers(st))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
 		                    "model.modes: auto does not know dampers of attachments: give a number "

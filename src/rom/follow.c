@@ -21,6 +21,7 @@
 #include "core/report.h"
 #include "modes/grid.h"
 #include "rom/follow.h"
+#include "rom/ties.h"
 
 /* Largest entry, relative to the sum of the magnitudes of its terms, that counts as zero by
  * symmetry. */
@@ -80,6 +81,18 @@ static void set_slopes(struct hawser__stations *to)
 	}
 }
 
+static enum hawser_status set_springs(struct hawser__stations *stations, struct hawser_report *report)
+{
+	enum hawser_status status = hawser__springs_make(&stations->springs, stations->modes, report);
+
+	if (status || !stations->springs)
+		return status;
+	for (int i = 0; i < stations->count; i++)
+		hawser__springs_add_place(stations->springs, &stations->place[i], stations->s[i]);
+	hawser__springs_factor(stations->springs);
+	return HAWSER_OK;
+}
+
 enum hawser_status hawser__stations_make(struct hawser__stations *stations,
                                          const struct hawser_modes *modes, int moving,
                                          double from, double to, struct hawser_report *report)
@@ -98,7 +111,7 @@ enum hawser_status hawser__stations_make(struct hawser__stations *stations,
 	for (int e = 0; e < modes->grid.elements; e++)
 		add_element(stations, e, from, to);
 	set_slopes(stations);
-	return HAWSER_OK;
+	return set_springs(stations, report);
 }
 
 void hawser__stations_clear(struct hawser__stations *stations)
@@ -108,6 +121,7 @@ void hawser__stations_clear(struct hawser__stations *stations)
 	free(stations->slope);
 	free(stations->p);
 	free(stations->z);
+	free(stations->springs);
 	*stations = (struct hawser__stations){.count = 0};
 }
 
@@ -126,12 +140,38 @@ static double work_on(const struct hawser__stations *stations, const double *str
 	return sum;
 }
 
-void hawser__follow(struct hawser__stations *stations)
+/* Strains of the response with springs, before the part along the kept modes is removed. */
+static void follow_springs(struct hawser__stations *stations)
 {
-	const struct hawser_modes *modes = stations->modes;
+	struct hawser__springs *springs = stations->springs;
+
+	memset(springs->z, 0, sizeof springs->z);
+	for (int i = 0; i < stations->count; i++) {
+		const struct hawser__place *at = &stations->place[i];
+		const double *p = stations->p + 3*i;
+		double *z = stations->z + 3*i;
+
+		z[0] = at->eps*p[0];
+		z[1] = p[1]/at->k;
+		z[2] = p[2]/at->k;
+		hawser__springs_load(springs, at, stations->s[i], z);
+	}
+	hawser__springs_solve(springs);
+	for (int i = 0; i < stations->count; i++) {
+		const struct hawser__place *at = &stations->place[i];
+		double *z = stations->z + 3*i, pull[3];
+
+		hawser__springs_force(pull, springs, at, stations->s[i]);
+		z[0] -= at->eps*pull[0];
+		z[1] -= pull[1]/at->k;
+		z[2] -= pull[2]/at->k;
+	}
+}
+
+static void follow_cable(struct hawser__stations *stations)
+{
 	struct hawser__ties ties = {{0.0}, 0.0};
 	double r[3] = {0.0}, lambda[3];
-	int width = 3*stations->count;
 
 	for (int i = 0; i < stations->count; i++) {
 		const struct hawser__place *at = &stations->place[i];
@@ -152,6 +192,17 @@ void hawser__follow(struct hawser__stations *stations)
 		z[1] = (p[1] + lambda[0]*at->ey - lambda[1]*at->ex)/at->k;
 		z[2] = (p[2] - lambda[2])/at->k;
 	}
+}
+
+void hawser__follow(struct hawser__stations *stations)
+{
+	const struct hawser_modes *modes = stations->modes;
+	int width = 3*stations->count;
+
+	if (stations->springs)
+		follow_springs(stations);
+	else
+		follow_cable(stations);
 	for (int s = 0; s < stations->moving; s++) {
 		const double *slope = stations->slope + (size_t)s*(size_t)width;
 		double omega = modes->mode[s].omega;

@@ -27,6 +27,7 @@ struct hawser__stations {
 	double *slope;               /* [moving][count][3] a, b, c */
 	double *p;                   /* [count][3] for the caller to fill, in the local frame */
 	double *z;                   /* [count][3] strains of the displacement */
+	struct hawser__springs *springs; /* of the attachments (ties.h), or NULL */
 };
 
 /* The nodes of the grid of the modes. Elements that contain `from` or `to` are divided there, for a

@@ -122,8 +122,9 @@ static void set_roots(struct work *work)
 		work->stiff[3*p] = sqrt(weight/modes->statics.epsilon);
 	}
 	for (int p = 3*modes->grid.points; p < work->width; p++) {
-		work->root[p] = sqrt(modes->statics.attached[p/3 - modes->grid.points].m);
-		work->stiff[p] = 0.0;
+		const struct hawser_attached *at = &modes->statics.attached[p/3 - modes->grid.points];
+		work->root[p] = sqrt(at->m);
+		work->stiff[p] = sqrt(at->spring[p%3]*modes->statics.span.d/modes->statics.H);
 	}
 }
 
@@ -321,13 +322,13 @@ static void shorten(struct work *work, double least)
 
 /* --- shapes --- */
 
-/* gram [count][count] = products of rows, times root squared. */
+/* gram [count][count] = products of rows, times root squared. Springs act on displacements. */
 static void products(double *gram, const struct work *work, const double *rows, const double *root)
 {
-	size_t width = (size_t)work->width;
+	size_t width = (size_t)work->width, own = 3*(size_t)work->modes->grid.points;
 
 	for (size_t i = 0; i < (size_t)work->count*width; i++)
-		work->scaled[i] = root[i%width]*rows[i];
+		work->scaled[i] = root[i%width]*(i%width < own ? rows : work->rest)[i];
 	cblas_dsyrk(CblasRowMajor, CblasLower, CblasNoTrans, work->count, work->width, 1.0,
 	            work->scaled, work->width, 0.0, gram, work->count);
 }

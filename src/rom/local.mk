@@ -69,6 +69,8 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/support.h \
 	%D%/support_energy.c \
 	%D%/support_exact.c \
+	%D%/ties.c \
+	%D%/ties.h \
 	%D%/support_shape.c \
 	%D%/travel.c \
 	%D%/travel.h \

@@ -15,6 +15,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "rom/dampers.h"
 #include "rom/kernel.h"
 #include "rom/project.h"
 #include "rom/quartic.h"
@@ -396,7 +397,9 @@ enum hawser_status hawser__quartic_new(struct hawser__quartic **made, const stru
 	struct hawser__quartic *q;
 
 	*made = NULL;
-	if (modes->grid.points > HAWSER__QUARTIC_POINTS)
+	/* with springs the force of the condensed modes varies along the cable (ties.c) */
+	if (modes->grid.points > HAWSER__QUARTIC_POINTS ||
+	    (condensed && hawser__has_springs(&modes->statics)))
 		return HAWSER_OK;
 	q = allocate(modes, condensed);
 	if (!q || fill(q, rom, modes)) {

@@ -138,6 +138,13 @@ assert all(r["D"][j][k] == 0 for j in range(r["n"]) for k in range(r["n"]) if j 
 at = d["labels"].index(shapes[0])
 assert any(abs(d["D"][at][k]) > 0.1 for k in range(d["n"]) if k != at)
 END
+works "a response with a damper" frf "$stay" -n 4 --from 0.9w1 --to 0.95w1 --set 'load={frame: global, per_length: [0, 0, 1e-3]}' \
+	--json natural.json -q
+python "its natural frequencies are those of the modes" <<'END'
+import json
+r = json.load(open("natural.json"))["natural_frequencies"]
+assert len(r) == 4 and abs(r[3]/r[0] - 2) < 0.05, r
+END
 works "two modes" frf "$scene" -n 2 --from 0.5 --to 0.6 --set 'load.per_length=[0, 0, 1e-3]' --json two.json -q
 works "twelve modes" frf "$scene" -n 12 --from 0.5 --to 0.6 --set 'load.per_length=[0, 0, 1e-3]' --json twelve.json -q
 works "two modes in the plane" frf "$scene" -n 3 --from 0.5 --to 0.6 --set 'load.per_length=[0, 1e-3, 0]' --json in2.json -q
@@ -160,7 +167,19 @@ value = json.load(open("map.json"))["points"]["value"]
 # without the damper 0.005*2.27 = 0.0114; the further from the end, the more
 assert all(v < -0.025 for v in value) and value[3] < value[2] < value[1] < value[0], value
 END
-refuses_like 1 "springs of attachments are not condensed yet" rom "$scene" --set 'attach.0.spring=[0, 1e4, 0]'
+spring='attach.0.spring=[0, 3e4, 1e4]'
+works "springs and dampers, condensed" frf "$scene" -n 10 --set "$spring" --set 'attach.1.damper=[0, 2e3, 500]' \
+	--from 1.80 --to 1.81 --set 'load.per_length=[0, 2, 2]' --json springs.json -q
+works "the full-order model" frf "$scene" --set "$spring" --set 'attach.1.damper=[0, 2e3, 500]' \
+	--from 1.80 --to 1.81 --set 'load.per_length=[0, 2, 2]' --set model.energy=exact --json springs-full.json -q
+python "agree" <<'END'
+import json
+a, b = (json.load(open(n))["points"] for n in ("springs.json", "springs-full.json"))
+for p, q in ((a[0], b[0]), (a[-1], b[-1])):
+    assert abs(p["Omega"] - q["Omega"]) < 1e-9
+    for key in ("y_mid", "z_mid"):
+        assert abs(p["amplitude"][key]/q["amplitude"][key] - 1) < 1e-3, (key, p["amplitude"][key], q["amplitude"][key])
+END
 works "not condensed" rom "$scene" --set 'attach.0.spring=[0, 1e4, 0]' --set model.condense=none --json s.json -q
 works "plan with a damper" plan "$scene" --limit 0.1 --set 'attach.0.damper=[0, 1e3, 1e3]' --json damper.json -q
 python "and what a damper adds" <<'END'
@@ -171,7 +190,7 @@ assert why["dampers to ground"].startswith("at 1 points"), why
 assert any("not chosen with dampers" in f["why"] for f in plan["fidelities"]), plan["fidelities"]
 END
 works "plan with masses" plan "$scene" --limit 0.5 --json plan.json -q
-refuses_like 1 "springs of attachments are not condensed yet" plan "$scene" --set 'attach.0.spring=[0, 1e3, 0]'
+works "plan with springs" plan "$scene" --set 'attach.0.spring=[0, 1e3, 0]' --limit 0.5 --json plan-springs.json -q
 
 # --- what compares or sweeps cables without attachments
 refuses_like 1 "models compares cables without attachments" statics "$scene" --models

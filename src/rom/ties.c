@@ -1,0 +1,158 @@
+/* rom/ties.c - springs of attachments in the static response of the condensed modes.
+ *
+ *   F(s)      force in the cable that answers a load: lambda + the sum of z_m h_m over springs beyond s
+ *   phi_a     unit forces of which F is made: along, across the chord and along z; h_m up to spring m
+ *   x0        strains without F; C the compliance of a point: eps along e, 1/k along n and z
+ *   r_a       integral of x0.phi_a
+ *   X_m       displacement of spring m along its axis: the integral of the strains times phi_m
+ *
+ * The displacement minimises the energy of the cable and of the springs with both ends fixed. Its
+ * strains are x0 - C F, and z_m = k_m X_m, so that
+ *
+ *   A z = r,   A_ab = integral of phi_a C phi_b, plus 1/k_m on the diagonal for springs,
+ *
+ * symmetric and positive definite: the closed form of condense.c with a row a spring. A spring of any
+ * stiffness is a small number here, so that a support is the limit without loss.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <lapacke.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "rom/dampers.h"
+#include "rom/ties.h"
+
+enum { ENDS = 3 };
+
+enum hawser_status hawser__springs_make(struct hawser__springs **made, const struct hawser_modes *modes,
+                                        struct hawser_report *report)
+{
+	const struct hawser_statics *st = &modes->statics;
+	double chord = hypot(1.0, st->hs), cosine = 1.0/chord, sine = st->hs/chord;
+	struct hawser__springs *to;
+
+	*made = NULL;
+	if (!hawser__has_springs(st))
+		return HAWSER_OK;
+	to = calloc(1, sizeof *to);
+	if (!to)
+		return hawser__no_memory(report, "rom");
+	to->size = ENDS;
+	for (int i = 0; i < st->attachments; i++)
+		for (int c = 0; c < 3; c++) {
+			struct hawser__tie_spring *spring = &to->spring[to->size - ENDS];
+
+			if (!(st->attached[i].spring[c] > 0.0))
+				continue;
+			*spring = (struct hawser__tie_spring){
+				.s = st->attached[i].s, .attachment = i, .axis = c,
+				.k = st->attached[i].spring[c]*st->span.d/st->H};
+			spring->h[0] = c == 0 ? cosine : c == 1 ? sine : 0.0;
+			spring->h[1] = c == 0 ? -sine : c == 1 ? cosine : 0.0;
+			spring->h[2] = c == 2 ? 1.0 : 0.0;
+			to->size++;
+		}
+	*made = to;
+	return HAWSER_OK;
+}
+
+/* phi_a at s, in axes along and across the chord and along z. */
+static void phi(double f[3], const struct hawser__springs *springs, int a, double s)
+{
+	const struct hawser__tie_spring *spring;
+
+	memset(f, 0, 3*sizeof *f);
+	if (a < ENDS) {
+		f[a] = 1.0;
+		return;
+	}
+	spring = &springs->spring[a - ENDS];
+	if (s < spring->s)
+		memcpy(f, spring->h, sizeof spring->h);
+}
+
+/* Components along e, n, z at the place. */
+static void to_local(double f[3], const struct hawser__place *at)
+{
+	double along = f[0], across = f[1];
+
+	f[0] = along*at->ex + across*at->ey;
+	f[1] = across*at->ex - along*at->ey;
+}
+
+void hawser__springs_add_place(struct hawser__springs *springs, const struct hawser__place *at,
+                               double s)
+{
+	int n = springs->size;
+
+	for (int a = 0; a < n; a++) {
+		double f[3];
+
+		phi(f, springs, a, s);
+		if (f[0] == 0.0 && f[1] == 0.0 && f[2] == 0.0)
+			continue;
+		to_local(f, at);
+		f[0] *= at->weight*at->eps;
+		f[1] *= at->weight/at->k;
+		f[2] *= at->weight/at->k;
+		for (int b = 0; b <= a; b++) {
+			double g[3];
+
+			phi(g, springs, b, s);
+			to_local(g, at);
+			springs->A[a*HAWSER__TIES + b] += f[0]*g[0] + f[1]*g[1] + f[2]*g[2];
+		}
+	}
+}
+
+void hawser__springs_factor(struct hawser__springs *springs)
+{
+	for (int a = ENDS; a < springs->size; a++)
+		springs->A[a*HAWSER__TIES + a] += 1.0/springs->spring[a - ENDS].k;
+	/* rows of the lower triangle are columns of the upper one */
+	springs->failed = LAPACKE_dpotrf(LAPACK_COL_MAJOR, 'U', springs->size, springs->A,
+	                                 HAWSER__TIES) != 0;
+}
+
+void hawser__springs_load(struct hawser__springs *springs, const struct hawser__place *at, double s,
+                          const double x[3])
+{
+	for (int a = 0; a < springs->size; a++) {
+		double f[3];
+
+		phi(f, springs, a, s);
+		to_local(f, at);
+		springs->z[a] += at->weight*(f[0]*x[0] + f[1]*x[1] + f[2]*x[2]);
+	}
+}
+
+void hawser__springs_solve(struct hawser__springs *springs)
+{
+	if (springs->failed || LAPACKE_dpotrs(LAPACK_COL_MAJOR, 'U', springs->size, 1, springs->A,
+	                                      HAWSER__TIES, springs->z, springs->size) != 0)
+		for (int a = 0; a < springs->size; a++)
+			springs->z[a] = NAN; /* reported as the entries of the model */
+}
+
+void hawser__springs_force(double f[3], const struct hawser__springs *springs,
+                           const struct hawser__place *at, double s)
+{
+	memset(f, 0, 3*sizeof *f);
+	for (int a = 0; a < springs->size; a++) {
+		double g[3];
+
+		phi(g, springs, a, s);
+		for (int c = 0; c < 3; c++)
+			f[c] += springs->z[a]*g[c];
+	}
+	to_local(f, at);
+}
+
+double hawser__springs_stretch(const struct hawser__springs *springs, int m)
+{
+	return springs->z[ENDS + m]/springs->spring[m].k;
+}
