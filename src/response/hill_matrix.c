@@ -113,6 +113,8 @@ int hawser__hill_harmonics(const struct hawser__variational *system, const doubl
 /* A complex matrix by rows of `width` doubles, real and imaginary parts separately. */
 struct square {
 	double *re, *im;
+	double *scale; /* [harmonics - least + 1][n], set_scales */
+	int least;
 	int width; /* HAWSER_PADDED */
 };
 
@@ -202,39 +204,69 @@ static void eliminate(double *re, double *im, struct product *value, int width, 
 	}
 }
 
-/* Add block (m, l), divided by the scales, at (row, column). */
+/* What rows and columns of the harmonics from square->least on are divided by, inverted. */
+static void set_scales(double *scale, const struct hawser__variational *system, double imaginary,
+                       int first, int last)
+{
+	double least = system->omega*system->omega;
+
+	for (int m = first; m <= last; m++, scale += system->n) {
+		double km = imaginary + m*system->omega;
+
+		for (int i = 0; i < system->n; i++) {
+			double own = fabs(system->K[(size_t)i*(system->n + 1)]);
+
+			scale[i] = 1.0/sqrt((0.5*own > least ? 0.5*own : least) + km*km);
+		}
+	}
+}
+
+/* Entries of block (m, l) of the row that K and D begin with, without those of the diagonal. */
+HAWSER_PART void fill_row(double *re, double *im, const struct hawser__variational *system,
+                     const double lambda[2], int k, double side, double kl, size_t row)
+{
+	int n = system->n;
+	size_t n2 = (size_t)n*n, cosine = k ? 2*(size_t)k - 1 : 0, sine = 2*(size_t)k;
+	const double *a = system->K + cosine*n2 + row, *b = system->K + sine*n2 + row;
+
+	for (int j = 0; j < n; j++) {
+		re[j] = k <= system->order ? 0.5*a[j] : 0.0;
+		im[j] = k && k <= system->order ? side*b[j] : 0.0;
+	}
+	if (k > system->order_d)
+		return;
+	a = system->D + cosine*n2 + row;
+	b = system->D + sine*n2 + row;
+	for (int j = 0; j < n; j++) {
+		double dr = 0.5*a[j], di = k ? side*b[j] : 0.0;
+
+		re[j] += lambda[0]*dr - kl*di;
+		im[j] += lambda[0]*di + kl*dr;
+	}
+}
+
+/* Put block (m, l), divided by the scales, at (row, column). */
+HAWSER_HOT
 static void fill(const struct square *to, const struct hawser__variational *system,
                  const double lambda[2], int m, int l, int row, int column)
 {
-	int n = system->n, d = m - l, k = d < 0 ? -d : d;
-	size_t n2 = (size_t)n*n, cosine = k ? 2*(size_t)k - 1 : 0, sine = 2*(size_t)k;
-	double km = lambda[1] + m*system->omega, kl = lambda[1] + l*system->omega;
-	double side = d < 0 ? 0.5 : -0.5, least = system->omega*system->omega;
+	int n = system->n, d = m - l;
+	double kl = lambda[1] + l*system->omega;
+	const double *left = to->scale + (size_t)(m - to->least)*n;
+	const double *right = to->scale + (size_t)(l - to->least)*n;
 
 	for (int i = 0; i < n; i++) {
-		double ki = fmax(0.5*fabs(system->K[(size_t)i*(n + 1)]), least) + km*km;
+		double *re = to->re + (size_t)(row + i)*to->width + column;
+		double *im = to->im + (size_t)(row + i)*to->width + column;
 
+		fill_row(re, im, system, lambda, abs(d), d < 0 ? 0.5 : -0.5, kl, (size_t)i*n);
+		if (d == 0) {
+			re[i] += lambda[0]*lambda[0] - kl*kl;
+			im[i] += 2.0*lambda[0]*kl;
+		}
 		for (int j = 0; j < n; j++) {
-			size_t e = (size_t)i*n + j, at = (size_t)(row + i)*to->width + (size_t)(column + j);
-			double kj = fmax(0.5*fabs(system->K[(size_t)j*(n + 1)]), least) + kl*kl;
-			double re = 0.0, im = 0.0, dr, di, scale = 1.0/sqrt(ki*kj);
-
-			if (k <= system->order) {
-				re = 0.5*system->K[cosine*n2 + e];
-				im = k ? side*system->K[sine*n2 + e] : 0.0;
-			}
-			if (k <= system->order_d) {
-				dr = 0.5*system->D[cosine*n2 + e];
-				di = k ? side*system->D[sine*n2 + e] : 0.0;
-				re += lambda[0]*dr - kl*di;
-				im += lambda[0]*di + kl*dr;
-			}
-			if (d == 0 && i == j) {
-				re += lambda[0]*lambda[0] - kl*kl;
-				im += 2.0*lambda[0]*kl;
-			}
-			to->re[at] = scale*re;
-			to->im[at] = scale*im;
+			re[j] *= left[i]*right[j];
+			im[j] *= left[i]*right[j];
 		}
 	}
 }
@@ -316,14 +348,14 @@ static void add_tail(const struct square *centre, const struct square *from, int
 
 static enum hawser_status make_room(struct square *work, struct square *centre,
                                     struct hawser__hill_matrix *matrix, int w, int order,
-                                    struct hawser_report *report)
+                                    int scales, struct hawser_report *report)
 {
 	size_t one, all;
 
 	work->width = HAWSER_PADDED(2*w);
 	centre->width = HAWSER_PADDED(order);
 	one = 2*(size_t)w*(size_t)work->width;
-	all = 2*(one + (size_t)order*(size_t)centre->width);
+	all = 2*(one + (size_t)order*(size_t)centre->width) + (size_t)scales;
 	if (all > matrix->room) {
 		free(matrix->memory);
 		matrix->memory = malloc(all*sizeof(double));
@@ -335,6 +367,7 @@ static enum hawser_status make_room(struct square *work, struct square *centre,
 	work->im = work->re + one;
 	centre->re = work->im + one;
 	centre->im = centre->re + (size_t)order*(size_t)centre->width;
+	work->scale = centre->scale = centre->im + (size_t)order*(size_t)centre->width;
 	return HAWSER_OK;
 }
 
@@ -355,13 +388,16 @@ enum hawser_status hawser__hill_determinant(double value[3], int *exponent,
 	int first = -c - half, order = (c - first + 1)*n;
 	int real = lambda[0] == 0.0 && (half || lambda[1] == 0.0);
 	struct square work, centre;
-	enum hawser_status status = make_room(&work, &centre, matrix, w, order, report);
+	enum hawser_status status = make_room(&work, &centre, matrix, w, order,
+	                                      (harmonics - first + 1)*n, report);
 	struct product above = {1.0, 0.0, 0}, below = {1.0, 0.0, 0};
 	const double conjugate[2] = {lambda[0], -lambda[1]};
 	double least = INFINITY; /* smallest pivot of the centre */
 
 	if (status)
 		return status;
+	work.least = centre.least = first;
+	set_scales(work.scale, system, lambda[1], first, harmonics);
 	clear(&centre, order);
 	for (int m = first; m <= c; m++)
 		for (int l = first; l <= c; l++)
@@ -369,10 +405,12 @@ enum hawser_status hawser__hill_determinant(double value[3], int *exponent,
 				fill(&centre, system, lambda, m, l, (m - first)*n, (l - first)*n);
 	tail(&work, &above, system, lambda, harmonics);
 	add_tail(&centre, &work, order - w, n, p, 0);
-	if (real)
+	if (real) {
 		below = above;
-	else
+	} else {
+		set_scales(work.scale, system, conjugate[1], first, harmonics);
 		tail(&work, &below, system, conjugate, harmonics);
+	}
 	add_tail(&centre, &work, 0, n, p, 1);
 	multiply(&above, below.re, -below.im);
 	above.exponent += below.exponent;

@@ -207,7 +207,8 @@ static int correct(struct hawser__hill *hill, struct hawser__track *track, doubl
 		along[1 - cheap] = 0.0;
 	}
 	track->harmonics = 0;
-	if (!secant(hill, track, &s, at, along, reach) &&
+	if (!hawser__hill_newton(hill, track, &s, at, along, reach) &&
+	    !secant(hill, track, &s, at, along, reach) &&
 	    !bracketed(hill, track, &s, at, along, reach))
 		return 0;
 	at[0] += s*along[0];
@@ -266,7 +267,7 @@ static int finish(struct hawser__hill *hill, struct hawser_hill_boundary *bounda
 		at[k] = from[k] + reach*way[k];
 	at[side] = way[side] > 0.0 ? 1.0 : 0.0;
 	out[side] = way[side] > 0.0 ? 1.0 : -1.0;
-	track->rise = 0.0; /* slope along the edge, not across the boundary */
+	track->rise = track->ahead = 0.0; /* slope along the edge, not across the boundary */
 	if (!correct(hill, track, at, out, 0.5*reach) || !crosses(hill, track, at, 1 - side))
 		return 0;
 	if (inside(at))
@@ -294,6 +295,7 @@ void hawser__hill_follow(struct hawser__hill *hill, struct hawser_hill_boundary 
 			continue;
 		}
 		keep = *track;
+		track->ahead = step*track->turn;
 		if (!correct(hill, track, next, way, 0.5*step) ||
 		    !hawser__hill_real(hill, track, next, way, BESIDE*step)) {
 			*track = keep;
@@ -303,6 +305,7 @@ void hawser__hill_follow(struct hawser__hill *hill, struct hawser_hill_boundary 
 		chord[0] = next[0] - from[0];
 		chord[1] = next[1] - from[1];
 		length = hypot(chord[0], chord[1]);
+		track->turn = (track->lambda[1] - keep.lambda[1])/length;
 		turned = acos(fmin(1.0, (chord[0]*way[0] + chord[1]*way[1])/length));
 		if (turned > TURN) {
 			*track = keep;

@@ -54,6 +54,9 @@ struct hawser__track {
 	int harmonics;    /* number of harmonics for this root; 0: to be determined */
 	double noise;     /* round-off of the last value; 0: not known */
 	double rise;      /* slope of the function to the left of the boundary; 0: not known */
+	double drift;     /* of lambda[1], to the left of the boundary */
+	double turn;      /* of lambda[1], along the boundary */
+	double ahead;     /* expected change of lambda[1] in the next step */
 };
 
 /* --- hill_test.c: test functions of the worker's multipliers --- */
@@ -75,6 +78,11 @@ enum hawser_status hawser__hill_multipliers(struct hawser__hill *hill,
 /* The test function of a track; NAN if it is not defined there or hill->status is set. */
 double hawser__hill_value(struct hawser__hill *hill, struct hawser__track *track,
                           const double at[2]);
+/* The root *s on from + s*along, within `reach`, of a track with HAWSER__BY_GROWTH at which the
+ * function increases, together with the imaginary part of the exponent. Returns 0 if none is found:
+ * the track is then as before. */
+int hawser__hill_newton(struct hawser__hill *hill, struct hawser__track *track, double *s,
+                        const double from[2], const double along[2], double reach);
 /* Choose the test function of the boundary near `at`; the strict multipliers if no determinant can
  * be used. Returns 0 if there is no boundary, since the product of two real multipliers is 1; or if
  * hill->status is set. */

@@ -4,7 +4,8 @@
  *    plus     F(0)                 real
  *    minus    F(i Omega/2)         real
  *    growth   real part of the exponent lambda, F(lambda) = 0, by secants in the complex plane from the
- *             exponent of the previous point
+ *             exponent of the previous point; along a boundary Re lambda = 0 and F = 0 are solved
+ *             together (hawser__hill_newton)
  *
  * A determinant takes a tenth of the time of the multipliers, does not require condensation, and is
  * as accurate as its coefficients. The multipliers are used if the field has no models, if a
@@ -28,6 +29,8 @@
 #define FARTHEST 0.1   /* longest correction of an exponent, relative to Omega: a longer one may
                         * lead to another exponent; chosen */
 #define FAR_SCALE 900  /* largest exponent of 2, with a margin to the range of double (1023) */
+#define ROUND_OFF 1e-10 /* corrections below this, relative to the rectangle and to Omega, that do not
+                         * become smaller are round-off */
 enum { CORRECTIONS = 12 };
 
 static void to_caller(double out[2], const struct hawser__hill *hill, const double at[2])
@@ -162,6 +165,94 @@ static double of_matrix(struct hawser__hill *hill, struct hawser__track *track, 
 		        : creal(determinant(&equation, 0.0));
 	*lost = equation.lost;
 	return worker->status ? NAN : value;
+}
+
+/* --- growth 0: a point of the boundary --- */
+
+/* F at from + s*along and the exponent i nu. */
+static double complex beside(struct hawser__hill *hill, struct hawser__track *track,
+                             const double from[2], const double along[2], double s, double nu)
+{
+	const double at[2] = {from[0] + s*along[0], from[1] + s*along[1]};
+	struct hawser__hill_worker *worker = hill->worker;
+	struct hill_equation equation = {.worker = worker, .track = track};
+	const struct hawser_rom *rom;
+	double complex f = NAN;
+	double omega;
+
+	worker->status = model_of(&rom, &omega, hill, worker, at);
+	if (!worker->status)
+		worker->status = hawser__linear_series(worker->linear, &equation.system, rom, omega,
+		                                       &worker->report);
+	if (!worker->status)
+		f = determinant(&equation, I*nu);
+	if (worker->status) {
+		hill->status = worker->status;
+		*hill->report = worker->report;
+	}
+	return f;
+}
+
+/* Broyden's method for F(s, nu) = 0, from the derivatives at the previous point. With F_s and F_nu
+ * seen as vectors of two components the unknowns are s and nu, both of the size of the rectangle or
+ * of Omega. A step and the one before tell what is left: the method converges superlinearly, so that
+ * the next step is smaller by more than their ratio. */
+static int newton(struct hawser__hill *hill, struct hawser__track *track, double *s,
+                  const double from[2], const double along[2], double reach)
+{
+	double complex slope = track->slope[0] + I*track->slope[1];
+	double complex f_s = -slope*(track->rise + I*track->drift), f_nu = I*slope, f, lift;
+	double nu = track->lambda[1] + track->ahead, last = INFINITY, at = 0.0, ds = 0.0, dnu = 0.0;
+	int exponent = track->exponent;
+
+	for (int i = 0; i < CORRECTIONS; i++) {
+		double det, size;
+
+		f = beside(hill, track, from, along, at, nu);
+		if (hill->status || track->exponent != exponent)
+			return 0;
+		if (i > 0) { /* J += F d'/(d'd) of the last step d */
+			f_s += f*ds/(last*last);
+			f_nu += f*dnu/(last*last);
+		}
+		det = cimag(conj(f_s)*f_nu);
+		ds = -cimag(conj(f)*f_nu)/det;
+		dnu = -cimag(conj(f_s)*f)/det;
+		size = hypot(ds, dnu);
+		at += ds;
+		nu += dnu;
+		if (!(fabs(at) <= reach && fabs(dnu) < FARTHEST))
+			return 0;
+		if (size*(i > 0 ? fmin(1.0, size/last) : 1.0) <= hill->options->tolerance ||
+		    (size < ROUND_OFF && size >= 0.5*last)) {
+			slope = f_nu/I;
+			lift = -f_s/slope;
+			track->slope[0] = creal(slope);
+			track->slope[1] = cimag(slope);
+			track->rise = creal(lift);
+			track->drift = cimag(lift);
+			track->lambda[0] = 0.0;
+			track->lambda[1] = nu;
+			*s = at;
+			return track->rise > 0.0;
+		}
+		last = size;
+	}
+	return 0;
+}
+
+int hawser__hill_newton(struct hawser__hill *hill, struct hawser__track *track, double *s,
+                        const double from[2], const double along[2], double reach)
+{
+	struct hawser__track keep = *track;
+
+	if (track->by != HAWSER__BY_GROWTH || !(track->rise > 0.0) || !track->known ||
+	    (track->slope[0] == 0.0 && track->slope[1] == 0.0))
+		return 0;
+	if (newton(hill, track, s, from, along, reach))
+		return 1;
+	*track = keep;
+	return 0;
 }
 
 double hawser__hill_value(struct hawser__hill *hill, struct hawser__track *track, const double at[2])
