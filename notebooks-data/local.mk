@@ -27,6 +27,7 @@ dist_scenes_DATA = \
 	%D%/scenes/bridge-stay.yaml \
 	%D%/scenes/stay-anchorage.yaml \
 	%D%/scenes/stay-damper.yaml \
+	%D%/scenes/stay-mast.yaml \
 	%D%/scenes/chairlift.yaml \
 	%D%/scenes/conductor.yaml \
 	%D%/scenes/decay.tsv \

@@ -84,3 +84,7 @@ check_PROGRAMS += tests/property/test-modes-damped
 TESTS += tests/property/test-modes-damped
 tests_property_test_modes_damped_SOURCES = tests/property/test-modes-damped.c
 tests_property_test_modes_damped_LDADD = $(UPTO_MODES)
+check_PROGRAMS += tests/property/test-modes-elastic
+TESTS += tests/property/test-modes-elastic
+tests_property_test_modes_elastic_SOURCES = tests/property/test-modes-elastic.c
+tests_property_test_modes_elastic_LDADD = $(UPTO_MODES)

@@ -82,3 +82,8 @@ check_PROGRAMS += tests/property/test-rom-attached
 TESTS += tests/property/test-rom-attached
 tests_property_test_rom_attached_SOURCES = tests/property/test-rom-attached.c
 tests_property_test_rom_attached_LDADD = $(UPTO_ROM)
+
+check_PROGRAMS += tests/property/test-rom-elastic
+TESTS += tests/property/test-rom-elastic
+tests_property_test_rom_elastic_SOURCES = tests/property/test-rom-elastic.c
+tests_property_test_rom_elastic_LDADD = $(UPTO_ROM)

@@ -132,6 +132,8 @@ struct hawser_scene {
 	} travel;
 	struct {
 		int present;
+		double stiffness[3]; /* N/m, along x, y, z; INFINITY: rigid */
+		double mass;      /* kg, of an elastic support */
 		double motion[3]; /* m, along x, y, z, times cos(harmonic*Omega*t + phase) */
 		double phase;     /* rad */
 		int harmonic;     /* multiple of Omega, 1 to 20 */

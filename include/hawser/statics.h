@@ -48,6 +48,13 @@ struct hawser_attached {
 	double damper[3]; /* N s/m */
 };
 
+/* An elastic support: springs along x, y and z between the end of the cable and a fixed foundation,
+ * whose preload balances the static force of the cable, and a mass that moves with the end. */
+struct hawser_held {
+	double stiffness[3]; /* N/m, INFINITY: rigid */
+	double mass, m;      /* kg, and scaled: mass/(rho*d) */
+};
+
 /* A static solution. Of a travelling cable, span.rho, H, T0, T1, V0, V1, length0, delta, epsilon
  * and lengths S are those of the apparent cable (struct hawser_motion); d, h, shape, sag and
  * `length` are the same for both. */
@@ -76,6 +83,9 @@ struct hawser_statics {
 	 * spread evenly. */
 	int attachments;
 	struct hawser_attached attached[HAWSER_ATTACH_MAX];
+	/* 1 if an end is on springs, set by hawser_statics_hold; if 0, `held` is not set */
+	int elastic;
+	struct hawser_held held[2]; /* ends A and B */
 	/* 1 if the cable hangs in another plane, or upwards, under a static load. All quantities above
 	 * are then those in its own plane, whose axes x', y' (against the static force) and z' have the
 	 * components axes[0], axes[1] and axes[2] along x, y and z. If `turned` is 0, the axes are x, y
@@ -114,6 +124,16 @@ enum hawser_status hawser_statics_loaded(struct hawser_statics *statics,
                                          double value, enum hawser_branch branch,
                                          const struct hawser_attachment *attach, int count,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* held[2]: ends A and B of a scene. Returns 1 if one of them is on springs. */
+int hawser_statics_held(struct hawser_held *held, const struct hawser_scene *scene);
+
+/* Put the ends of a solved span on springs, or make them rigid again: held[2] for ends A and B, of
+ * which the members stiffness and mass are read. The static solution remains as it is.
+ * HAWSER_ERR_ARGUMENT if a stiffness is not positive, or a mass negative or infinite, or not zero at
+ * an end that is rigid in all directions; or if the cable travels or is turned. */
+enum hawser_status hawser_statics_hold(struct hawser_statics *statics, const struct hawser_held *held,
+                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* Mass of the cable and its attachments over rho*d. */
 double hawser_statics_mass(const struct hawser_statics *statics);

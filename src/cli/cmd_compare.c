@@ -323,6 +323,15 @@ static void announce(const struct cli_compare_result *result)
 	                  result->limit, limit_of(result, result->reference));
 }
 
+static int moves(const struct hawser_scene *scene)
+{
+	int any = 0;
+
+	for (int i = 0; i < 6; i++)
+		any |= scene->support[i/3].present && scene->support[i/3].motion[i%3] != 0.0;
+	return any;
+}
+
 static enum hawser_status range(struct cli_compare_result *result, const struct settings *settings,
                                 struct hawser_report *report)
 {
@@ -332,8 +341,7 @@ static enum hawser_status range(struct cli_compare_result *result, const struct 
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "compare",
 		                    "%s is a reduced-model file: fidelities are models of a scene, give "
 		                    "that", settings->common.input);
-	if (!model->scene.load.present && !model->scene.support[0].present &&
-	    !model->scene.support[1].present && !(model->scene.travel.fluctuation > 0.0))
+	if (!model->scene.load.present && !moves(&model->scene) && !(model->scene.travel.fluctuation > 0.0))
 		return hawser__fail(report, HAWSER_ERR_SCENE, "compare",
 		                    "%s: there is no load, so there is no response to compare: add a "
 		                    "section load", settings->common.input);

@@ -126,6 +126,7 @@ static enum hawser_status trace(struct cli_irvine_result *result,
 	struct hawser_equivalent equal = {.turned = 0};
 	struct hawser_modes_options modes;
 	double speed[CLI_IRVINE_SPEEDS] = {0.0};
+	struct hawser_held held[2];
 	int k;
 
 	if (!status && scene->attachments > 0)
@@ -143,11 +144,13 @@ static enum hawser_status trace(struct cli_irvine_result *result,
 	modes = cli_modes_options(scene);
 	choice->basis = modes.basis;
 	choice->tolerance = modes.tolerance;
+	choice->held = hawser_statics_held(held, scene) ? held : NULL;
 	for (k = 0; k < result->sweeps && !status; k++) {
 		choice->speed = speed[k];
 		choice->fluctuation = scene->travel.fluctuation;
 		status = hawser_irvine_trace(&result->sweep[k].irvine, &equal.span, choice, report);
 	}
+	choice->held = NULL; /* of this function */
 	return status;
 }
 

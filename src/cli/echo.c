@@ -60,7 +60,10 @@ static void echo_list(struct hawser__json *json, json_t *echo, const struct haws
 
 			list = hawser__json_array(json, section, name);
 		}
-		hawser__json_number(json, list, NULL, value);
+		if (isinf(value))
+			hawser__json_text(json, list, NULL, ".inf");
+		else
+			hawser__json_number(json, list, NULL, value);
 	}
 }
 

@@ -83,7 +83,8 @@ static int work_init(struct work *w, struct part *part, const struct hawser__cab
                      const struct hawser__plane *plane)
 {
 	size_t D = (size_t)part->D, held = D + (size_t)plane->springs;
-	size_t n = D*(size_t)part->degree*(size_t)cable->grid.elements + (size_t)plane->springs;
+	size_t n = D*(size_t)part->degree*(size_t)cable->grid.elements + (size_t)plane->springs +
+	           (size_t)plane->joints;
 	size_t rows = hawser__displacements(plane, &cable->grid);
 
 	*w = (struct work){.n = (int)n, .rows = (int)rows, .held = (int)held};
@@ -107,8 +108,10 @@ static void assemble(struct work *w, const struct part *part, const struct hawse
 {
 	const struct hawser_grid *grid = &cable->grid;
 	double *unit = w->scratch + grid->points, *strain = part->strain, end[HAWSER__MAX_D];
+	int functions = w->n - plane->springs - plane->joints;
 
-	for (int f = 0; f < w->n - plane->springs; f++) {
+	for (int i = 0; i < w->n - plane->springs; i++) { /* the strains of springs displace nothing */
+		int f = i < functions ? i : i + plane->springs;
 		double *G = w->G + (size_t)f*(size_t)w->rows;
 
 		unit[f] = 1.0;
@@ -119,11 +122,11 @@ static void assemble(struct work *w, const struct part *part, const struct hawse
 		                            &cable->reference);
 		for (int c = 0; c < part->D; c++) {
 			w->C[c*w->n + f] = end[c];
-			for (int i = 0; i < grid->points; i++)
-				G[c*grid->points + i] *= sqrt(grid->weight[i]);
+			for (int p = 0; p < grid->points; p++)
+				G[c*grid->points + p] *= sqrt(grid->weight[p]);
 		}
-		for (int i = 0; i < part->D*plane->lumps; i++)
-			G[part->D*grid->points + i] *= sqrt(plane->lump[i%plane->lumps].mass);
+		for (int k = 0; k < part->D*plane->lumps; k++)
+			G[part->D*grid->points + k] *= sqrt(plane->lump[k%plane->lumps].mass);
 	}
 	hawser__spring_constraints(w->C + part->D*w->n, w->C, w->n, part->D*part->degree, plane, grid);
 }
@@ -253,7 +256,8 @@ static enum hawser_status finish(struct hawser_modes *modes, struct hawser__cabl
 	size_t points = (size_t)cable->grid.points;
 	int next[HAWSER__PLANES] = {0}, n = part[0].count + part[1].count;
 	/* displacements and strains, and the work space of a step */
-	size_t copies = 2*HAWSER__MAX_D*points + (HAWSER__MAX_D + 2)*HAWSER_ATTACH_MAX;
+	size_t copies = 2*HAWSER__MAX_D*points + HAWSER__MAX_D*HAWSER__MAX_LUMPS +
+	                HAWSER__MAX_SPRINGS + HAWSER__MAX_JOINTS;
 	double *work = array(copies + (HAWSER__MAX_D + 1)*points, 1);
 	enum hawser_status status = work ? hawser__modes_allocate(modes, n, (int)points, report)
 	                                 : hawser__no_memory(report, "modes");

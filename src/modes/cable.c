@@ -61,7 +61,7 @@ int hawser__cable_coarse(const struct hawser__cable *cable)
 	int elements = cable->grid.elements;
 	double range = asinh(cable->edges[elements]) - asinh(cable->edges[0]);
 
-	return cable->plane->lumps == 0 && range > 2.0*theta_span*elements;
+	return !cable->pieces && range > 2.0*theta_span*elements;
 }
 
 /* Slopes u[elements+1], positions of the edges, and lengths of the elements. Near the lowest point
@@ -121,7 +121,31 @@ static void place_pieces(struct hawser__cable *t, double *u, double *bent, doubl
 		if (i == st->attachments)
 			break;
 		load += st->attached[i].m;
-		t->lump[i] = (struct hawser__lump){e, st->attached[i].m};
+		t->lump[i + st->elastic] = (struct hawser__lump){e, st->attached[i].m};
+	}
+}
+
+/* The springs of elastic supports: a direction of stiffness k is displaced by 1/sqrt(k) where the
+ * energy of the spring is 1/2. */
+static void place_joints(struct hawser__cable *t, const double axis[3][HAWSER__MAX_D],
+                         const struct hawser_statics *st)
+{
+	int count[HAWSER__PLANES] = {0};
+
+	for (int end = 0; end < 2; end++)
+		for (int a = 0; a < 3; a++) {
+			int plane = a == 2 ? HAWSER_OUT_OF_PLANE : HAWSER_IN_PLANE;
+			double root = sqrt(st->H/(st->held[end].stiffness[a]*st->span.d));
+
+			if (root > 0.0)
+				t->joint[plane][count[plane]++] = (struct hawser__joint){
+					end, {root*axis[a][0], root*axis[a][1]}};
+		}
+	t->lump[0] = (struct hawser__lump){0, st->held[0].m};
+	t->lump[st->attachments + 1] = (struct hawser__lump){t->grid.elements, st->held[1].m};
+	for (int q = 0; q < HAWSER__PLANES; q++) {
+		t->plane[q].joints = count[q];
+		t->plane[q].joint = t->joint[q];
 	}
 }
 
@@ -140,10 +164,12 @@ static void place_springs(struct hawser__cable *t, const struct hawser_statics *
 
 			if (root > 0.0)
 				t->spring[plane][count[plane]++] = (struct hawser__spring){
-					i, {root*axis[a][0], root*axis[a][1]}};
+					i + st->elastic, {root*axis[a][0], root*axis[a][1]}};
 		}
+	if (st->elastic)
+		place_joints(t, axis, st);
 	for (int q = 0; q < HAWSER__PLANES; q++) {
-		t->plane[q].lumps = st->attachments;
+		t->plane[q].lumps = st->attachments + 2*st->elastic;
 		t->plane[q].lump = t->lump;
 		t->plane[q].springs = count[q];
 		t->plane[q].spring = t->spring[q];
@@ -288,7 +314,8 @@ enum hawser_status hawser__cable_init(struct hawser__cable *cable,
 		return hawser__no_memory(report, "modes");
 	fill_fields(cable->field, &cable->grid, cable->edges, cable->edges + 3*edges, statics);
 	fill_directions(cable, cable->sa);
-	if (statics->attachments > 0)
+	cable->pieces = statics->attachments > 0;
+	if (statics->attachments > 0 || statics->elastic)
 		place_springs(cable, statics);
 	return HAWSER_OK;
 }

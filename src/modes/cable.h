@@ -16,8 +16,10 @@ struct hawser__cable {
 	double *field;     /* [3][points]: cos psi, sin psi, sb (spectral.c) */
 	double *direction; /* [4 + 1][points] of the in-plane and the out-of-plane problem */
 	double sa;         /* sqrt(epsilon) */
-	struct hawser__lump lump[HAWSER_ATTACH_MAX]; /* the attachments */
+	int pieces;        /* 1: elements between attachments, else over the whole length */
+	struct hawser__lump lump[HAWSER__MAX_LUMPS]; /* the attachments, between elastic supports */
 	struct hawser__spring spring[HAWSER__PLANES][HAWSER__MAX_SPRINGS];
+	struct hawser__joint joint[HAWSER__PLANES][HAWSER__MAX_JOINTS];
 	struct hawser__plane plane[HAWSER__PLANES]; /* by enum hawser_plane */
 };
 

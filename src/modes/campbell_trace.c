@@ -193,6 +193,7 @@ enum hawser_status hawser_campbell_trace(struct hawser_campbell *campbell,
 	struct source source = {.scene = scene};
 	struct hawser__branches all = {.sweep = &sweep, .context = &source};
 	double *x = NULL;
+	struct hawser_held held[2];
 	int count, asked;
 	enum hawser_status status;
 
@@ -200,6 +201,10 @@ enum hawser_status hawser_campbell_trace(struct hawser_campbell *campbell,
 	status = hawser__campbell_settle(&o, &campbell->limit, scene, report);
 	if (!status)
 		status = hawser_statics_equivalent(&source.equal, scene, report);
+	if (!status && hawser_statics_held(held, scene))
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
+		                      "the supports are elastic: travelling cables are modelled between rigid "
+		                      "supports, leave support.A.stiffness and support.B.stiffness out");
 	if (status)
 		return status;
 	all.span = source.equal.span;

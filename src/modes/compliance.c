@@ -4,7 +4,8 @@
  *   d_kc   direction: gradient of displacement c per unit of strain k (includes 1/sqrt(stiffness))
  *   X_c    displacements: X_c(s) = integral from 0 to s of sum_k d_kc * strain_k
  *   C x    = X(l): 0, since the end is fixed. D rows. A spring to ground adds an unknown, its strain,
- *            and a row that makes it that of its lump
+ *            and a row that makes it that of its lump. The spring of an elastic support is a strain
+ *            at an end: it displaces the whole cable (at A), or only what C measures (at B)
  *   M      = integral of X.X: the kinetic energy, in terms of strains
  *   mu     = 1/omega^2
  *
@@ -32,7 +33,7 @@
 
 /* Matrices are column-major, as in LAPACK; n unknowns, `block` of them per element, and the springs. */
 struct work {
-	int n, block;
+	int n, block, joint; /* joint: index of the first joint */
 	double *M;      /* [n][n] */
 	double *C;      /* [D + springs] columns of n: constraints, first the end displacement of each
 	                 * function; then their QR */
@@ -69,9 +70,10 @@ static int work_init(struct work *w, const struct hawser__plane *plane, int degr
                      int elements, int count)
 {
 	size_t block = (size_t)degree*(size_t)plane->D, springs = (size_t)plane->springs;
-	size_t n = block*(size_t)elements + springs, m = (size_t)order;
+	size_t m = (size_t)order, first = block*(size_t)elements + springs;
+	size_t n = first + (size_t)plane->joints;
 
-	*w = (struct work){.n = (int)n, .block = (int)block};
+	*w = (struct work){.n = (int)n, .block = (int)block, .joint = (int)first};
 	w->M = array(n, n);
 	w->C = array(n, HAWSER__MAX_D + springs);
 	w->tau = array(HAWSER__MAX_D + springs, 1);
@@ -172,6 +174,33 @@ static void couple(struct work *w, const struct hawser__plane *plane, const stru
 	}
 }
 
+/* The joints' part of C and of the lower triangle of M: those of end A displace the whole cable. */
+static void join(struct work *w, const struct hawser__plane *plane, const struct hawser_grid *grid)
+{
+	int n = w->n, D = plane->D;
+	double all = mass_beyond(plane, grid, -1);
+
+	for (int j = 0, row = w->joint; j < plane->joints; j++, row++) {
+		const struct hawser__joint *joint = &plane->joint[j];
+
+		for (int c = 0; c < D; c++)
+			w->C[c*n + row] = joint->d[c];
+		if (joint->end)
+			continue;
+		for (int f = 0; f < w->block*grid->elements; f++) {
+			double rest = mass_beyond(plane, grid, f/w->block);
+
+			for (int c = 0; c < D; c++)
+				w->M[(size_t)f*(size_t)n + (size_t)row] +=
+					joint->d[c]*(w->C[c*n + f]*rest + w->moment[c*n + f]);
+		}
+		for (int i = 0; i <= j; i++)
+			for (int c = 0; c < D && !plane->joint[i].end; c++)
+				w->M[(size_t)(w->joint + i)*(size_t)n + (size_t)row] +=
+					joint->d[c]*plane->joint[i].d[c]*all;
+	}
+}
+
 /* Eigenpairs of M on the null space of the D constraints C: with C = QR, the trailing block of Q'MQ.
  * LAPACKE's info. */
 static int eigen(struct work *w, int D, int count)
@@ -226,22 +255,32 @@ void hawser__compliance_strain(double *strain, const double *x, const struct haw
 				            sqrt((j + 0.5)/reference->half[e]),
 				            reference->legendre + j*m, 1,
 				            strain + k*grid->points + e*m, 1);
-	for (int j = 0; j < plane->springs; j++)
+	for (int j = 0; j < plane->springs + plane->joints; j++)
 		strain[D*grid->points + j] = x[D*degree*grid->elements + j];
 }
 
-/* Displacement of the lumps: the integral of the gradient up to their edges. */
+/* Displacement of the lumps: that of end A, `base`, and the integral of the gradient up to their
+ * edges. */
 static void at_lumps(double *lump, const struct hawser__plane *plane, const struct hawser_grid *grid,
-                     const double *gradient)
+                     const double *gradient, double base)
 {
-	double base = 0.0;
-
-	for (int e = 0, i = 0; i < plane->lumps; e++) {
-		base += cblas_ddot(grid->order, grid->weight + e*grid->order, 1,
-		                   gradient + e*grid->order, 1);
-		if (plane->lump[i].edge == e + 1)
-			lump[i++] = base;
+	for (int e = 0, i = 0; i < plane->lumps; i++) {
+		for (; e < plane->lump[i].edge; e++)
+			base += cblas_ddot(grid->order, grid->weight + e*grid->order, 1,
+			                   gradient + e*grid->order, 1);
+		lump[i] = base;
 	}
+}
+
+/* Displacement c of end A by its joints, or what those of end B add. */
+static double by_joints(const double *strain, const struct hawser__plane *plane, int end, int c)
+{
+	double sum = 0.0;
+
+	for (int j = 0; j < plane->joints; j++)
+		if (plane->joint[j].end == end)
+			sum += plane->joint[j].d[c]*strain[j];
+	return sum;
 }
 
 void hawser__compliance_displace(double *displacement, double *end, double *gradient,
@@ -250,8 +289,11 @@ void hawser__compliance_displace(double *displacement, double *end, double *grad
                                  const struct hawser__reference *reference)
 {
 	int D = plane->D, points = grid->points;
+	const double *joint = strain + D*points + plane->springs;
 
 	for (int c = 0; c < D; c++) {
+		double start = by_joints(joint, plane, 0, c);
+
 		memset(gradient, 0, (size_t)points*sizeof *gradient);
 		for (int k = 0; k < D; k++) {
 			const double *d = plane->direction + (k*D + c)*points;
@@ -260,7 +302,10 @@ void hawser__compliance_displace(double *displacement, double *end, double *grad
 				gradient[i] += d[i]*strain[k*points + i];
 		}
 		end[c] = hawser__grid_running(displacement + c*points, grid, reference, gradient);
-		at_lumps(displacement + D*points + c*plane->lumps, plane, grid, gradient);
+		for (int i = 0; plane->joints > 0 && i < points; i++)
+			displacement[c*points + i] += start;
+		end[c] += start + by_joints(joint, plane, 1, c);
+		at_lumps(displacement + D*points + c*plane->lumps, plane, grid, gradient, start);
 	}
 }
 
@@ -303,7 +348,7 @@ enum hawser_status hawser__compliance_solve(struct hawser__pairs *pairs,
                                             const struct hawser__reference *reference, int degree,
                                             int count, struct hawser_report *report)
 {
-	int carried = (degree*grid->elements - 1)*plane->D, info;
+	int carried = (degree*grid->elements - 1)*plane->D + plane->joints, info;
 	enum hawser_status status = HAWSER_OK;
 	struct work w;
 
@@ -319,6 +364,7 @@ enum hawser_status hawser__compliance_solve(struct hawser__pairs *pairs,
 	for (int e = 0; e < grid->elements; e++)
 		element(&w, plane, grid, reference, degree, e);
 	couple(&w, plane, grid);
+	join(&w, plane, grid);
 	hawser__spring_constraints(w.C + plane->D*w.n, w.C, w.n, w.block, plane, grid);
 	info = eigen(&w, plane->D + plane->springs, count);
 	if (info) {

@@ -8,9 +8,10 @@
 /* One plane of motion: D strains, D displacements, and the displacement gradient that a unit of
  * each strain gives, direction[strain][displacement][points]. The strain energy is the integral of
  * the squared strains over 2: the directions carry the stiffness. */
-enum { HAWSER__MAX_D = 2, HAWSER__MAX_SPRINGS = HAWSER__MAX_D*HAWSER_ATTACH_MAX };
+enum { HAWSER__MAX_D = 2, HAWSER__MAX_SPRINGS = HAWSER__MAX_D*HAWSER_ATTACH_MAX,
+       HAWSER__MAX_JOINTS = 2*HAWSER__MAX_D, HAWSER__MAX_LUMPS = HAWSER_ATTACH_MAX + 2 };
 
-/* A point mass, scaled, at an edge between two elements; the mass may be 0. */
+/* A point mass, scaled, at an edge of elements, the first and the last included; it may be 0. */
 struct hawser__lump {
 	int edge;
 	double mass;
@@ -23,20 +24,29 @@ struct hawser__spring {
 	double g[HAWSER__MAX_D];
 };
 
+/* The spring of an elastic support, between the fixed foundation and end A, or end B and its
+ * foundation: a strain at that point, whose unit displaces all that is beyond it by d, the direction
+ * over sqrt(stiffness). A rigid direction is d = 0, or none. */
+struct hawser__joint {
+	int end; /* 0: A, 1: B */
+	double d[HAWSER__MAX_D];
+};
+
 struct hawser__plane {
 	int D;
 	const double *direction;
-	int lumps, springs;
+	int lumps, springs, joints;
 	const struct hawser__lump *lump;     /* [lumps] ascending edge */
 	const struct hawser__spring *spring; /* [springs] ascending lump */
+	const struct hawser__joint *joint;   /* [joints]; with them the first and the last lump are ends */
 };
 
-/* Strains are [D][points], followed by those of the springs; displacements are [D][points], followed
- * by those of the lumps, [D][lumps]. The sizes of both: */
+/* Strains are [D][points], followed by those of the springs and of the joints; displacements are
+ * [D][points], followed by those of the lumps, [D][lumps]. The sizes of both: */
 static inline size_t hawser__strains(const struct hawser__plane *plane,
                                      const struct hawser_grid *grid)
 {
-	return (size_t)plane->D*(size_t)grid->points + (size_t)plane->springs;
+	return (size_t)plane->D*(size_t)grid->points + (size_t)plane->springs + (size_t)plane->joints;
 }
 
 static inline size_t hawser__displacements(const struct hawser__plane *plane,
@@ -50,14 +60,14 @@ struct hawser__pairs {
 	int count, degree;
 	double *omega;        /* [count] */
 	double *moved;        /* [count] relative change of omega in the refinement */
-	double *x;            /* [count][D*degree*elements + springs] coefficients, descending omega */
+	double *x;            /* [count][D*degree*elements + springs + joints] by descending omega */
 	double *strain;       /* [refined][strains] */
 	double *displacement; /* [refined][displacements] */
 };
 
 /* The lowest `count` pairs with `degree` Legendre polynomials per strain and element. count is
- * reduced to the size of the basis, (degree*elements - 1)*D, if it is larger. Statuses: _MEMORY,
- * _NAN, _CONVERGENCE. */
+ * reduced to the size of the basis, (degree*elements - 1)*D + joints, if it is larger. Statuses:
+ * _MEMORY, _NAN, _CONVERGENCE. */
 enum hawser_status hawser__compliance_solve(struct hawser__pairs *pairs,
                                             const struct hawser__plane *plane,
                                             const struct hawser_grid *grid,
@@ -82,14 +92,14 @@ void hawser__compliance_apply(double *displacement, double *strain, double omega
                               const struct hawser__plane *plane, const struct hawser_grid *grid,
                               const struct hawser__reference *reference, double *work);
 
-/* Strains from the coefficients x[D*degree*elements + springs]; the coefficient of strain k,
- * polynomial j and element e has the index (e*D + k)*degree + j, those of springs follow. */
+/* Strains from the coefficients x[D*degree*elements + springs + joints]; the coefficient of strain k,
+ * polynomial j and element e has the index (e*D + k)*degree + j, those of springs and joints follow. */
 void hawser__compliance_strain(double *strain, const double *x, const struct hawser__plane *plane,
                                const struct hawser_grid *grid,
                                const struct hawser__reference *reference, int degree);
 
-/* Displacements of strains, integrated from end A, and the displacement end[D] of end B. gradient
- * [points] is work space. */
+/* Displacements of strains, integrated from end A, and the displacement end[D] of end B, or of its
+ * foundation. gradient [points] is work space. */
 void hawser__compliance_displace(double *displacement, double *end, double *gradient,
                                  const double *strain, const struct hawser__plane *plane,
                                  const struct hawser_grid *grid,
@@ -103,7 +113,7 @@ double hawser__energy_product(const double *a, const double *b, const struct haw
 
 /* constraint[springs] columns of `rows`: for the coefficients x of the strains, the strain of each
  * spring by the displacement of its lump minus its own one, which is 0. C: D columns of `rows`, the
- * displacement of end B by each function, of which there are `block` in each element. */
+ * displacement of end B by each function, of which there are `block` in each element, and by joints. */
 void hawser__spring_constraints(double *constraint, const double *C, int rows, int block,
                                 const struct hawser__plane *plane, const struct hawser_grid *grid);
 

@@ -2,6 +2,7 @@
  *
  *   F          force along the cable: F0 - omega^2 times the integral of X up to s and the point
  *              masses times X before s, plus the forces of springs before s
+ *   end[2]     the same at the springs of elastic supports: before end A, and beyond end B
  *
  * This is the iterated Galerkin method (I. H. Sloan, Math. Comp. 30 (1976) 758): one step with the
  * exact operator removes most of the error of a shape. A second step is cheap.
@@ -65,16 +66,32 @@ static void strains_of(double *strain, const double *force, int increase,
 		}
 }
 
-/* The force of the fixed ends and of springs, which is added to `force`. */
-static void balance_springs(double *force, double *strain, const struct hawser__plane *plane,
-                            const struct hawser_grid *grid)
+/* The strains of the joints, or what is added to them. */
+static void joints_of(double *strain, double end[2][HAWSER__MAX_D], int increase,
+                      const struct hawser__plane *plane, const struct hawser_grid *grid)
+{
+	double *joint = strain + plane->D*grid->points + plane->springs;
+
+	for (int j = 0; j < plane->joints; j++) {
+		double sum = increase ? joint[j] : 0.0;
+
+		for (int c = 0; c < plane->D; c++)
+			sum += plane->joint[j].d[c]*end[plane->joint[j].end][c];
+		joint[j] = sum;
+	}
+}
+
+/* The force of the foundations and of springs, which is added to `force` and `end`. */
+static void balance_springs(double *force, double end[2][HAWSER__MAX_D], double *strain,
+                            const struct hawser__plane *plane, const struct hawser_grid *grid)
 {
 	double b[HAWSER__FORCES], z[HAWSER__FORCES];
 
-	hawser__spring_work(b, force, plane, grid);
+	hawser__spring_work(b, force, end, plane, grid);
 	hawser__spring_solve(z, b, plane, grid);
-	hawser__spring_force(force, z, -1.0, plane, grid);
+	hawser__spring_force(force, end, z, -1.0, plane, grid);
 	strains_of(strain, force, 0, plane, grid);
+	joints_of(strain, end, 0, plane, grid);
 	for (int j = 0; j < plane->springs; j++)
 		strain[plane->D*grid->points + j] = -z[plane->D + j];
 }
@@ -133,7 +150,7 @@ static void hold_springs(double *strain, const double *displacement, const doubl
                          double *work)
 {
 	int D = plane->D, points = grid->points;
-	double r[HAWSER__FORCES], z[HAWSER__FORCES];
+	double r[HAWSER__FORCES], z[HAWSER__FORCES], joint[2][HAWSER__MAX_D] = {{0.0}};
 
 	for (int c = 0; c < D; c++)
 		r[c] = end[c];
@@ -148,8 +165,9 @@ static void hold_springs(double *strain, const double *displacement, const doubl
 	hawser__spring_solve(z, r, plane, grid);
 	for (int i = 0; i < D*points; i++)
 		work[i] = 0.0;
-	hawser__spring_force(work, z, -1.0, plane, grid);
+	hawser__spring_force(work, joint, z, -1.0, plane, grid);
 	strains_of(strain, work, 1, plane, grid);
+	joints_of(strain, joint, 1, plane, grid);
 	for (int j = 0; j < plane->springs; j++)
 		strain[D*points + j] -= z[D + j];
 }
@@ -184,7 +202,7 @@ double hawser__energy_product(const double *a, const double *b, const struct haw
 {
 	double sum = hawser__compliance_product(a, b, plane->D, grid);
 
-	for (int j = 0; j < plane->springs; j++)
+	for (int j = 0; j < plane->springs + plane->joints; j++)
 		sum += a[plane->D*grid->points + j]*b[plane->D*grid->points + j];
 	return sum;
 }
@@ -207,8 +225,8 @@ static void purge(struct hawser__pairs *pairs, const struct hawser__plane *plane
 	}
 }
 
-/* Add the inertial forces of the point masses to force [D][points]. */
-static void add_lumps(double *force, const double *displacement, double omega,
+/* Add the inertial forces of the point masses to force [D][points] and to that beyond end B. */
+static void add_lumps(double *force, double *beyond, const double *displacement, double omega,
                       const struct hawser__plane *plane, const struct hawser_grid *grid)
 {
 	for (int c = 0; c < plane->D; c++)
@@ -218,6 +236,7 @@ static void add_lumps(double *force, const double *displacement, double omega,
 
 			for (int p = lump->edge*grid->order; p < grid->points; p++)
 				force[c*grid->points + p] -= omega*omega*lump->mass*X;
+			beyond[c] -= omega*omega*lump->mass*X;
 		}
 }
 
@@ -227,21 +246,24 @@ void hawser__compliance_apply(double *displacement, double *strain, double omega
 {
 	int D = plane->D, points = grid->points;
 	double end[HAWSER__MAX_D]; /* 0 up to round-off */
+	double joint[2][HAWSER__MAX_D] = {{0.0}};
+	int sprung = plane->springs + plane->joints > 0;
 	double *gradient = work + D*points;
 
 	for (int c = 0; c < D; c++) {
 		double *force = work + c*points;
 
-		hawser__grid_running(force, grid, reference, displacement + c*points);
+		joint[1][c] = -omega*omega*hawser__grid_running(force, grid, reference,
+		                                                displacement + c*points);
 		cblas_dscal(points, -omega*omega, force, 1);
 	}
-	add_lumps(work, displacement, omega, plane, grid);
-	if (plane->springs > 0)
-		balance_springs(work, strain, plane, grid);
+	add_lumps(work, joint[1], displacement, omega, plane, grid);
+	if (sprung)
+		balance_springs(work, joint, strain, plane, grid);
 	else
 		balance(work, strain, plane, grid);
 	hawser__compliance_displace(displacement, end, gradient, strain, plane, grid, reference);
-	if (plane->springs > 0)
+	if (sprung)
 		hold_springs(strain, displacement, end, plane, grid, work);
 	else
 		hold_end(strain, end, plane, grid);
@@ -270,7 +292,7 @@ static void unfold(struct hawser__pairs *pairs, const struct hawser__plane *plan
                    const struct hawser_grid *grid, const struct hawser__reference *reference,
                    int k, double *work)
 {
-	int n = plane->D*pairs->degree*grid->elements + plane->springs;
+	int n = plane->D*pairs->degree*grid->elements + plane->springs + plane->joints;
 	size_t values = hawser__displacements(plane, grid), column = (size_t)(pairs->count - 1 - k);
 	double *strain = pairs->strain + (size_t)k*hawser__strains(plane, grid), end[HAWSER__MAX_D];
 

@@ -6,6 +6,9 @@
  *   <F, G>   integral of (d' F) . (d' G), d the directions: strain of one force times that of another
  *   A        <phi_a, phi_b>, plus the identity for springs: symmetric, positive definite
  *
+ * The joints of elastic supports are points of the integral <F, G>: at end A before all lumps, at end
+ * B beyond them.
+ *
  * The end does not move if <phi_c, F> = 0. Then X(lump) is minus the integral of d d'F beyond the
  * lump, so that the strain of spring j is s_j = -<phi_j, F>. Both are A z = -<phi, F_inertia>.
  *
@@ -31,6 +34,10 @@ void hawser__spring_constraints(double *constraint, const double *C, int rows, i
 			for (int c = 0; c < plane->D; c++)
 				constraint[f] += spring->g[c]*C[c*rows + f];
 		constraint[functions + j] = -1.0;
+		for (int i = 0; i < plane->joints; i++)
+			for (int c = 0; c < plane->D && !plane->joint[i].end; c++)
+				constraint[functions + plane->springs + i] +=
+					spring->g[c]*plane->joint[i].d[c];
 	}
 }
 
@@ -43,6 +50,16 @@ static double phi(const struct hawser__plane *plane, int a, int c, int lumps_bef
 		return a == c ? 1.0 : 0.0;
 	spring = &plane->spring[a - plane->D];
 	return spring->lump < lumps_before ? spring->g[c] : 0.0;
+}
+
+/* Strain of a joint by phi_a. */
+static double at_joint(const struct hawser__plane *plane, int a, const struct hawser__joint *joint)
+{
+	double sum = 0.0;
+
+	for (int c = 0; c < plane->D; c++)
+		sum += joint->d[c]*phi(plane, a, c, joint->end ? plane->lumps : 0);
+	return sum;
 }
 
 /* Integral of d d' over the elements from `from` to `to`. */
@@ -89,6 +106,11 @@ static void assemble(double *A, int size, const struct hawser__plane *plane,
 						A[a*size + b] += phi(plane, a, c, piece)*W[c][q]*
 						                 phi(plane, b, q, piece);
 	}
+	for (int j = 0; j < plane->joints; j++)
+		for (int a = 0; a < size; a++)
+			for (int b = 0; b <= a; b++)
+				A[a*size + b] += at_joint(plane, a, &plane->joint[j])*
+				                 at_joint(plane, b, &plane->joint[j]);
 	for (int a = D; a < size; a++)
 		A[a*size + a] += 1.0;
 }
@@ -107,8 +129,8 @@ void hawser__spring_solve(double *z, const double *b, const struct hawser__plane
 			z[a] = NAN; /* reported as the shape of the mode */
 }
 
-void hawser__spring_work(double *b, const double *force, const struct hawser__plane *plane,
-                         const struct hawser_grid *grid)
+void hawser__spring_work(double *b, const double *force, double end[2][HAWSER__MAX_D],
+                         const struct hawser__plane *plane, const struct hawser_grid *grid)
 {
 	int D = plane->D, points = grid->points, size = D + plane->springs;
 
@@ -132,9 +154,18 @@ void hawser__spring_work(double *b, const double *force, const struct hawser__pl
 			for (int c = 0; c < D; c++)
 				b[a] += phi(plane, a, c, piece)*moved[c];
 	}
+	for (int j = 0; j < plane->joints; j++) {
+		const struct hawser__joint *joint = &plane->joint[j];
+		double strain = 0.0;
+
+		for (int c = 0; c < D; c++)
+			strain += joint->d[c]*end[joint->end][c];
+		for (int a = 0; a < size; a++)
+			b[a] += at_joint(plane, a, joint)*strain;
+	}
 }
 
-void hawser__spring_force(double *force, const double *z, double factor,
+void hawser__spring_force(double *force, double end[2][HAWSER__MAX_D], const double *z, double factor,
                           const struct hawser__plane *plane, const struct hawser_grid *grid)
 {
 	int D = plane->D, points = grid->points;
@@ -150,6 +181,10 @@ void hawser__spring_force(double *force, const double *z, double factor,
 				sum += phi(plane, a, c, piece)*z[a];
 			for (int i = from*grid->order; i < to*grid->order; i++)
 				force[c*points + i] += factor*sum;
+			if (piece == 0)
+				end[0][c] += factor*sum;
+			if (piece == plane->lumps)
+				end[1][c] += factor*sum;
 		}
 	}
 }

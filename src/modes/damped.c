@@ -99,10 +99,10 @@ static double own_damping(double *alpha, const struct hawser_scene *scene,
 	return 0.0;
 }
 
-/* Displacement of each mode at each attachment, at [modes][attachments][3]. */
+/* Displacement of each mode at each point of label.h, [modes][points][3]. */
 static double *displacements(const struct hawser_modes *modes)
 {
-	int count = modes->statics.attachments;
+	int count = hawser__points(&modes->statics);
 	double *u = malloc(((size_t)modes->n*(size_t)count*3 + 1)*sizeof *u);
 
 	for (int k = 0; u && k < modes->n; k++)
@@ -121,7 +121,7 @@ static int joins(const struct hawser_modes *modes, const struct hawser_statics *
 			for (int k = 0; k < modes->n; k++) {
 				double *of = &most[modes->mode[k].plane == HAWSER_OUT_OF_PLANE];
 
-				*of = fmax(*of, fabs(u[3*(k*st->attachments + i) + c]));
+				*of = fmax(*of, fabs(u[3*(k*hawser__points(st) + i) + c]));
 			}
 			if (st->attached[i].damper[c] > 0.0 && most[0] > 0.0 && most[1] > 0.0)
 				return 1;
@@ -131,7 +131,7 @@ static int joins(const struct hawser_modes *modes, const struct hawser_statics *
 
 static int block_make(struct block *t, const struct hawser_modes *modes, int plane)
 {
-	size_t attachments = (size_t)modes->statics.attachments, N;
+	size_t points = (size_t)hawser__points(&modes->statics), N;
 
 	*t = (struct block){.n = 0};
 	t->mode = malloc((size_t)modes->n*sizeof *t->mode);
@@ -139,8 +139,8 @@ static int block_make(struct block *t, const struct hawser_modes *modes, int pla
 		if (plane < 0 || (int)modes->mode[k].plane == plane)
 			t->mode[t->n++] = k;
 	N = 2*(size_t)t->n;
-	t->b = malloc((3*attachments*N + 1)*sizeof *t->b);
-	t->weight = malloc((6*attachments + 1)*sizeof *t->weight);
+	t->b = malloc((3*points*N + 1)*sizeof *t->b);
+	t->weight = malloc((6*points + 1)*sizeof *t->weight);
 	t->A = calloc(N*N + 1, sizeof *t->A);
 	t->V = calloc(N*N + 1, sizeof *t->V);
 	t->re = calloc(N + 1, sizeof *t->re);
@@ -152,16 +152,18 @@ static int block_make(struct block *t, const struct hawser_modes *modes, int pla
 static void point_damping(struct block *t, const struct hawser_modes *modes,
                           const struct hawser_statics *st, const double *u, double alpha)
 {
-	for (int i = 0; i < st->attachments; i++)
+	int points = hawser__points(st);
+
+	for (int i = 0; i < points; i++)
 		for (int c = 0; c < 3; c++) {
+			double damper = i < st->attachments ? st->attached[i].damper[c] : 0.0;
 			double *b = t->b + (size_t)t->vectors*(size_t)t->n;
-			double weight = st->attached[i].damper[c]/sqrt(st->span.rho*st->H) -
-			                alpha*st->attached[i].m;
+			double weight = damper/sqrt(st->span.rho*st->H) - alpha*hawser__point(st, i).m;
 
 			if (weight == 0.0)
 				continue;
 			for (int k = 0; k < t->n; k++)
-				b[k] = u[3*(t->mode[k]*st->attachments + i) + c]/modes->mode[t->mode[k]].omega;
+				b[k] = u[3*(t->mode[k]*points + i) + c]/modes->mode[t->mode[k]].omega;
 			t->weight[t->vectors++] = weight;
 		}
 }

@@ -23,9 +23,11 @@ static const double least_step = 1e-9;
 static enum hawser_status statics_at(struct hawser_statics *st, const struct hawser__branches *all,
                                 double x, struct hawser_report *report)
 {
-	const struct hawser_motion motion = hawser__irvine_motion(all->context);
+	const struct hawser_irvine_options *o = all->context;
+	const struct hawser_motion motion = hawser__irvine_motion(o);
+	enum hawser_status status = hawser__travel_at(st, &all->span, &motion, exp(x), report);
 
-	return hawser__travel_at(st, &all->span, &motion, exp(x), report);
+	return status || !o->held ? status : hawser_statics_hold(st, o->held, report);
 }
 
 static void describe(char *text, size_t size, const struct hawser_statics *st)

@@ -71,9 +71,32 @@ enum hawser_status hawser__modes_allocate(struct hawser_modes *modes, int n, int
 	return hawser__no_memory(report, "modes");
 }
 
+int hawser__points(const struct hawser_statics *st)
+{
+	return st->attachments + 2*st->elastic;
+}
+
+struct hawser__point hawser__point(const struct hawser_statics *st, int i)
+{
+	if (i < st->attachments)
+		return (struct hawser__point){st->attached[i].s, st->attached[i].m};
+	i -= st->attachments;
+	return (struct hawser__point){i > 0 ? st->l : 0.0, st->held[i].m};
+}
+
+/* Mass along an axis: the masses of elastic supports do not move in rigid directions. */
+static double mass_along(const struct hawser_statics *st, int axis)
+{
+	double mass = hawser_statics_mass(st);
+
+	for (int end = 0; end < 2 && st->elastic; end++)
+		mass += isfinite(st->held[end].stiffness[axis]) ? st->held[end].m : 0.0;
+	return mass;
+}
+
 void hawser__modes_attached(double u[3], const struct hawser_modes *modes, int k, int i)
 {
-	double s = modes->statics.attached[i].s, local[3];
+	double s = hawser__point(&modes->statics, i).s, local[3];
 	struct hawser_frame_point at = hawser_statics_frame(&modes->statics, s);
 
 	hawser_modes_at(modes, local, NULL, k, s);
@@ -87,12 +110,13 @@ static void add_masses(double share[3], const struct hawser_modes *modes, int k)
 {
 	const struct hawser_statics *st = &modes->statics;
 
-	for (int i = 0; i < st->attachments; i++) {
+	for (int i = 0; i < hawser__points(st); i++) {
+		struct hawser__point point = hawser__point(st, i);
 		double local[3];
 
-		hawser_modes_at(modes, local, NULL, k, st->attached[i].s);
+		hawser_modes_at(modes, local, NULL, k, point.s);
 		for (int c = 0; c < 3; c++)
-			share[c] += st->attached[i].m*local[c]*local[c];
+			share[c] += point.m*local[c]*local[c];
 	}
 }
 
@@ -113,16 +137,16 @@ static void participate(struct hawser_mode *mode, const struct hawser_modes *mod
 		Gamma[1] += w*(u*shape[0] + shape[1])/T;
 		Gamma[2] += w*shape[2];
 	}
-	for (int i = 0; i < st->attachments; i++) {
-		double u[3];
+	for (int i = 0; i < hawser__points(st); i++) {
+		double u[3], m = hawser__point(st, i).m;
 
 		hawser__modes_attached(u, modes, k, i);
 		for (int c = 0; c < 3; c++)
-			Gamma[c] += st->attached[i].m*u[c];
+			Gamma[c] += m*u[c];
 	}
 	hawser_statics_to_global(st, Gamma, Gamma);
 	for (int c = 0; c < 3; c++)
-		mode->effective_mass[c] = Gamma[c]*Gamma[c]/hawser_statics_mass(st);
+		mode->effective_mass[c] = Gamma[c]*Gamma[c]/mass_along(st, c);
 }
 
 double hawser__mode_label(struct hawser_modes *modes, int k)

@@ -29,7 +29,14 @@ double hawser__mode_label(struct hawser_modes *modes, int k);
  * grid must be set. Status: _NAN. */
 enum hawser_status hawser__modes_label(struct hawser_modes *modes, struct hawser_report *report);
 
-/* Displacement of attachment i in mode k along x, y, z. */
+/* The points that may have a mass: the attachments, then both ends if one is on springs. */
+struct hawser__point {
+	double s, m; /* scaled */
+};
+int hawser__points(const struct hawser_statics *statics);
+struct hawser__point hawser__point(const struct hawser_statics *statics, int i);
+
+/* Displacement of point i in mode k along x, y, z. */
 void hawser__modes_attached(double u[3], const struct hawser_modes *modes, int k, int i);
 
 #endif

@@ -167,6 +167,10 @@ static enum hawser_status solve(struct hawser_modes *modes, const struct hawser_
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
 		                    "the method %s is for a cable without attachments: take spectral",
 		                    method->name);
+	if (statics->elastic && method->solve != hawser__spectral_solve)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+		                    "the method %s is for rigid supports: take spectral, or leave "
+		                    "support.A.stiffness and support.B.stiffness out", method->name);
 	if (settled.tolerance == 0.0)
 		settled.tolerance = method->tolerance;
 	modes->statics = *statics;

@@ -170,6 +170,10 @@ static enum hawser_status check(const struct hawser_modes *modes, const struct h
 
 	if (status)
 		return status;
+	if (modes->statics.elastic)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "choose",
+		                    "modes are not weighed with elastic supports: compare with more modes "
+		                    "(model.modes)");
 	if (hawser__has_dampers(&modes->statics))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "choose",
 		                    "modes are not weighed with dampers of attachments, whose shapes are "

@@ -53,8 +53,8 @@ int hawser__has_springs(const struct hawser_statics *st)
 	return any;
 }
 
-/* to [n][n] += for every attachment the sum over axes of factor[axis] times the displacements of two
- * modes. */
+/* to [n][n] += for every point of label.h the sum over axes of factor[axis] times the displacements
+ * of two modes. */
 static void add_points(double *to, const struct hawser_modes *modes,
                        double (*factor)(const struct hawser_statics *st, int i, int axis,
                                         double value), double value)
@@ -62,7 +62,7 @@ static void add_points(double *to, const struct hawser_modes *modes,
 	const struct hawser_statics *st = &modes->statics;
 	int n = modes->n;
 
-	for (int i = 0; i < st->attachments; i++)
+	for (int i = 0; i < hawser__points(st); i++)
 		for (int j = 0; j < n; j++) {
 			double u[3], v[3];
 
@@ -77,13 +77,18 @@ static void add_points(double *to, const struct hawser_modes *modes,
 
 static double damping(const struct hawser_statics *st, int i, int axis, double alpha)
 {
-	return st->attached[i].damper[axis]/sqrt(st->span.rho*st->H) - alpha*st->attached[i].m;
+	double drag = alpha*hawser__point(st, i).m; /* D has it, but still air acts on the cable only */
+
+	return i < st->attachments ? st->attached[i].damper[axis]/sqrt(st->span.rho*st->H) - drag : -drag;
 }
 
 static double stiffness(const struct hawser_statics *st, int i, int axis, double unused)
 {
+	double k = i < st->attachments ? st->attached[i].spring[axis]
+	                               : st->held[i - st->attachments].stiffness[axis];
+
 	(void)unused;
-	return st->attached[i].spring[axis]*st->span.d/st->H;
+	return isfinite(k) ? k*st->span.d/st->H : 0.0;
 }
 
 void hawser__dampers_add(double *D, const struct hawser_modes *modes, double alpha)
@@ -302,6 +307,22 @@ enum hawser_status hawser__dampers_extend(struct hawser_modes *with,
 	return status;
 }
 
+static enum hawser_status rigid_only(const struct hawser_scene *scene, struct hawser_report *report)
+{
+	if (scene->model.condense == HAWSER_CONDENSE_STATIC)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+		                    "elastic supports are not condensed yet: set model.condense=none, or "
+		                    "model.energy=exact");
+	if (scene->attachments > 0)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+		                    "a reduced model with both elastic supports and attachments is not "
+		                    "available yet: set model.energy=exact");
+	if (scene->model.modes == HAWSER_MODES_AUTO)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+		                    "model.modes: auto does not know elastic supports: give a number of modes");
+	return HAWSER_OK;
+}
+
 enum hawser_status hawser__rom_attached(struct hawser_modes *with, const struct hawser_modes *modes,
                                         const struct hawser_scene *scene,
                                         struct hawser_report *report)
@@ -310,6 +331,8 @@ enum hawser_status hawser__rom_attached(struct hawser_modes *with, const struct 
 	enum hawser_status status = hawser__rom_real(modes, report);
 
 	*with = (struct hawser_modes){.n = 0};
+	if (!status && st->elastic && scene)
+		status = rigid_only(scene, report);
 	if (status || !scene || st->attachments == 0 || !(st->epsilon > 0.0))
 		return status;
 	if (scene->model.modes == HAWSER_MODES_AUTO && hawser__has_dampers(st))

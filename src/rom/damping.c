@@ -37,7 +37,7 @@ void hawser__rom_damping(struct hawser_rom *rom, const struct hawser_modes *mode
 			break;
 		}
 	}
-	if (modes->statics.attachments > 0)
+	if (modes->statics.attachments > 0 || modes->statics.elastic)
 		hawser__dampers_add(rom->D, modes, scene->damping.kind == HAWSER_DAMPING_ALPHA
 		                                   ? scene->damping.alpha*t/rho : 0.0);
 }

@@ -170,7 +170,7 @@ static int fill(struct hawser_rom_exact *exact, const struct hawser_modes *modes
 
 static int add_springs(struct hawser_rom_exact *exact, const struct hawser_modes *modes)
 {
-	if (!hawser__has_springs(&modes->statics))
+	if (!hawser__has_springs(&modes->statics) && !modes->statics.elastic)
 		return 0;
 	exact->springs = array(exact->n, exact->n);
 	if (exact->springs)

@@ -200,18 +200,55 @@ static enum hawser_status braking(struct hawser__reader *reader)
 	return HAWSER_OK;
 }
 
-/* Fail if the ends of a cable move for which this is not modelled. */
+static int gives(const struct hawser__reader *reader, const char *section, const char *leaf)
+{
+	char path[64];
+
+	snprintf(path, sizeof path, "%s.%s", section, leaf);
+	return written(reader, hawser__key_find(path));
+}
+
+/* An end that is given has springs, or a motion, to which phase and harmonic belong. *moving and
+ * *elastic are set if it has. */
+static enum hawser_status end_given(struct hawser__reader *reader, const char *name, int *moving,
+                                    int *elastic)
+{
+	int section = hawser__section_find(name), moves = gives(reader, name, "motion");
+	int sprung = gives(reader, name, "stiffness");
+	char path[64];
+
+	*moving |= moves;
+	*elastic |= sprung;
+	if (!present(reader, section) || moves || (sprung && !gives(reader, name, "phase") &&
+	                                           !gives(reader, name, "harmonic")))
+		return HAWSER_OK;
+	snprintf(path, sizeof path, "%s.%s", name, gives(reader, name, "mass") ? "stiffness" : "motion");
+	return missing(reader, section, hawser_scene_key(hawser__key_find(path)));
+}
+
+/* Fail if the ends of a cable move, or are on springs, for which this is not modelled. */
 static enum hawser_status supports(struct hawser__reader *reader)
 {
 	const struct hawser_scene *scene = reader->scene;
-	int section = hawser__section_find("support");
-	const char *other = scene->travel.present ? "travel" : scene->attachments > 0 ? "attach"
-	                    : scene->static_load.present ? "load.static" : NULL;
+	int section = hawser__section_find("support"), moving = 0, elastic = 0;
+	enum hawser_status status = end_given(reader, "support.A", &moving, &elastic);
+	const char *other;
 
-	if (!other || !present(reader, section))
-		return HAWSER_OK;
-	return hawser__reader_fail(reader, near(reader, section), "support contradicts %s: moving "
-	                           "supports of such a cable are not modelled, remove one of them", other);
+	if (!status)
+		status = end_given(reader, "support.B", &moving, &elastic);
+	if (status || !(moving || elastic))
+		return status;
+	other = scene->travel.present ? "travel" : !moving ? NULL : scene->attachments > 0 ? "attach"
+	        : scene->static_load.present ? "load.static" : NULL;
+	if (other)
+		return hawser__reader_fail(reader, near(reader, section), "support contradicts %s: moving "
+		                           "or elastic supports of such a cable are not modelled, remove one "
+		                           "of them", other);
+	if (moving && elastic)
+		return hawser__reader_fail(reader, near(reader, section), "support has both motion and "
+		                           "stiffness: the motion of elastic supports is not modelled, remove "
+		                           "one of them");
+	return HAWSER_OK;
 }
 
 enum hawser_status hawser__check(struct hawser__reader *reader)

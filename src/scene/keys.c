@@ -55,14 +55,25 @@
 	    "length between the ends; for hawser integrate; 0: constant speed") \
 	ROW("travel.final", "m/s", NUMBER, NULL, ANY, "0", travel.final, FREE, 0, \
 	    "speed after braking") \
-	ROW("support.A.motion", "m", TRIPLE, NULL, ANY, NULL, support[0].motion, FREE, 0, \
+	ROW("support.A.stiffness", "N/m", TRIPLE, NULL, POSITIVE_OR_INF, "[.inf, .inf, .inf]", \
+	    support[0].stiffness, FREE, 0, \
+	    "stiffness of the springs along x, y and z on which end A is held; .inf: rigid in this " \
+	    "direction; see ELASTIC SUPPORTS") \
+	ROW("support.A.mass", "kg", NUMBER, NULL, NOT_NEGATIVE, "0", support[0].mass, FREE, 0, \
+	    "mass that moves with end A on its springs") \
+	ROW("support.A.motion", "m", TRIPLE, NULL, ANY, "[0, 0, 0]", support[0].motion, FREE, 0, \
 	    "amplitudes of the displacement of end A along x, y and z: motion*cos(harmonic*Omega*t + " \
 	    "phase)") \
 	ROW("support.A.phase", "rad", NUMBER, NULL, ANY, "0", support[0].phase, FREE, 0, \
 	    "phase of the displacement of end A; the load has phase 0") \
 	ROW("support.A.harmonic", "1", INTEGER, NULL, MULTIPLE, "1", support[0].harmonic, FREE, 0, \
 	    "frequency of the displacement of end A, as a multiple of the forcing frequency Omega") \
-	ROW("support.B.motion", "m", TRIPLE, NULL, ANY, NULL, support[1].motion, FREE, 0, \
+	ROW("support.B.stiffness", "N/m", TRIPLE, NULL, POSITIVE_OR_INF, "[.inf, .inf, .inf]", \
+	    support[1].stiffness, FREE, 0, \
+	    "stiffness of the springs along x, y and z on which end B is held") \
+	ROW("support.B.mass", "kg", NUMBER, NULL, NOT_NEGATIVE, "0", support[1].mass, FREE, 0, \
+	    "mass that moves with end B on its springs") \
+	ROW("support.B.motion", "m", TRIPLE, NULL, ANY, "[0, 0, 0]", support[1].motion, FREE, 0, \
 	    "amplitudes of the displacement of end B along x, y and z") \
 	ROW("support.B.phase", "rad", NUMBER, NULL, ANY, "0", support[1].phase, FREE, 0, \
 	    "phase of the displacement of end B") \
@@ -218,9 +229,11 @@ static const struct hawser__section sections[] = {
 	{"tension", 1,
 	        "The quantity that determines the tension at rest: one of H, T0, T1, length0 and sag."},
 	{"travel", 0, "The cable moves along itself, in at one end and out at the other."},
-	{"support", 0, "Prescribed harmonic motion of the ends; an end that is not given is at rest."},
-	{"support.A", 0, "Motion of end A."},
-	{"support.B", 0, "Motion of end B."},
+	{"support", 0,
+	        "Springs on which the ends are held, and their prescribed harmonic motion; an end that is "
+	            "not given is rigid and at rest."},
+	{"support.A", 0, "End A."},
+	{"support.B", 0, "End B."},
 	{"damping", 0,
 	        "At most one kind of damping; without this section there is none. The dampers of "
 	            "attachments add to it. Ratios are of the modes, without these dampers, also where "

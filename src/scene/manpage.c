@@ -204,6 +204,35 @@ static const char before[] =
 	"x runs along the span from end A to end B, y upwards, z out of their plane.\n"
 	"Arclength is unstretched and measured from A; tension is positive.\n";
 
+static const char elastic[] =
+	".SH ELASTIC SUPPORTS\n"
+	"support.A.stiffness and support.B.stiffness put an end of the cable on springs along x, y and z,\n"
+	"between the end and a fixed foundation: a tower, a beam, a yielding anchorage.\n"
+	"A direction with .inf is rigid. A mass that moves with the end is support.A.mass or\n"
+	"support.B.mass; it needs a stiffness.\n"
+	"The static shape is the one that the other keys give, with its ends at the given positions:\n"
+	"the springs are in equilibrium there, and their preload balances the static force of the cable\n"
+	"and the weight of the mass. Changes of temperature and ice change the force of the preload,\n"
+	"not the position of the ends.\n"
+	"Springs are linear along fixed axes for any displacement.\n"
+	"damping.alpha is the drag of still air on the cable, not on the mass of a support.\n"
+	".PP\n"
+	"Statics, modes, Irvine\\(aqs diagram, full\\-order models (model.energy: exact) and reduced\n"
+	"models with model.condense: none know elastic supports.\n"
+	"They cannot be combined with travel, with motion of the supports, and with a static load\n"
+	"per_length that turns the cable out of its plane.\n"
+	".PP\n"
+	"A stay whose upper end is held by a mast of 2 t that yields:\n"
+	".PP\n"
+	".RS\n"
+	".nf\n"
+	"cable: {EA: 450 MN, rho: 18 kg/m}\n"
+	"span: {d: 85 m, h: 85 m}\n"
+	"tension: {T0: 2.5 MN}\n"
+	"support: {B: {stiffness: [3 MN/m, .inf, 0.9 MN/m], mass: 2000 kg}}\n"
+	".fi\n"
+	".RE\n";
+
 static const char loaded[] =
 	".SH STATIC LOADS AND TEMPERATURE\n"
 	"load.static adds a constant force per unstretched length to the weight:\n"
@@ -294,6 +323,7 @@ int main(void)
 	       PACKAGE_VERSION);
 	fputs(before, stdout);
 	table();
+	fputs(elastic, stdout);
 	fputs(loaded, stdout);
 	example();
 	plausible();

@@ -51,6 +51,16 @@ static void sibling(struct search *search, const char *candidate, const char *se
 		      hawser__edit_distance(search->name, hawser__leaf(candidate)));
 }
 
+static const char *below(const char *path, const char *section);
+
+/* In the sections of `section`. */
+static void nested(struct search *search, const char *candidate, const char *section)
+{
+	if (*section && below(candidate, section))
+		offer(search, candidate,
+		      hawser__edit_distance(search->name, hawser__leaf(candidate)));
+}
+
 static void anywhere(struct search *search, const char *candidate, const char *section)
 {
 	(void)section;
@@ -72,6 +82,8 @@ const char *hawser__nearest(const char *path)
 	parent(section, sizeof section, path);
 	search.distance = limit;
 	each(&search, section, sibling);
+	if (!search.best)
+		each(&search, section, nested);
 	if (!search.best)
 		each(&search, section, anywhere);
 	return search.best;

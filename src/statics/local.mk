@@ -10,6 +10,7 @@ noinst_LTLIBRARIES += %D%/libstatics.la
 	%D%/tension.c \
 	%D%/travel.c \
 	%D%/equivalent.c \
+	%D%/held.c \
 	%D%/limit.c \
 	%D%/loaded.c \
 	%D%/loaded.h \

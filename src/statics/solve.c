@@ -141,6 +141,7 @@ static void fill(struct hawser_statics *st, const struct hawser__catenary *cat,
 	int falls = st->span.h < 0.0;
 
 	st->attachments = 0;
+	st->elastic = 0;
 	slopes(cat, &low, &up);
 	u0 = falls ? -up : low;
 	u1 = falls ? -low : up;
@@ -239,6 +240,7 @@ enum hawser_status hawser_statics_scene(struct hawser_statics *st, const struct 
 	                               .fluctuation = scene->travel.fluctuation,
 	                               .hold = scene->travel.hold};
 	struct hawser_equivalent equal;
+	struct hawser_held held[2];
 	enum hawser_status status = hawser_statics_equivalent(&equal, scene, report);
 
 	if (status)
@@ -249,7 +251,9 @@ enum hawser_status hawser_statics_scene(struct hawser_statics *st, const struct 
 	else
 		status = hawser_statics_travel(st, &equal.span, equal.given, equal.value, equal.branch,
 		                               &motion, report);
-	if (!status)
-		hawser_statics_turn(st, &equal);
-	return status;
+	if (status)
+		return status;
+	hawser_statics_turn(st, &equal);
+	(void)hawser_statics_held(held, scene);
+	return hawser_statics_hold(st, held, report);
 }

@@ -52,6 +52,7 @@ static enum hawser_status reach_of(enum hawser__reach *reach,
                                    struct hawser_report *report)
 {
 	const char *key = source->key[k];
+	struct hawser_held held[2];
 	double unused;
 
 	if (strcmp(key, "Omega") == 0)
@@ -65,10 +66,11 @@ static enum hawser_status reach_of(enum hawser__reach *reach,
 		                    "%.60s: the parameters of a reduced-model file are Omega, factor.load "
 		                    "and factor.damping", key);
 	else if (strncmp(key, "damping.", 8) == 0)
-		/* with attachments the damping is not diagonal, and dampers add coordinates */
-		*reach = source->scene->attachments > 0 ? HAWSER__REACH_STRUCTURE : HAWSER__REACH_RATES;
+		/* with point masses the damping is not diagonal, and dampers add coordinates */
+		*reach = source->scene->attachments > 0 || hawser_statics_held(held, source->scene)
+		         ? HAWSER__REACH_STRUCTURE : HAWSER__REACH_RATES;
 	else if ((strncmp(key, "load.", 5) == 0 && strncmp(key, "load.static.", 12) != 0) ||
-	         strncmp(key, "support.", 8) == 0)
+	         (strncmp(key, "support.", 8) == 0 && !strstr(key, ".stiffness") && !strstr(key, ".mass")))
 		*reach = HAWSER__REACH_MODEL;
 	else
 		*reach = HAWSER__REACH_STRUCTURE;

@@ -108,6 +108,7 @@ static const struct row {
 	ROW(hawser_grid),
 	ROW(hawser_half_power),
 	ROW(hawser_harmonic),
+	ROW(hawser_held),
 	ROW(hawser_hill_boundary),
 	ROW(hawser_hill_chart),
 	ROW(hawser_hill_field),

@@ -275,4 +275,22 @@ refuses_like 1 'support.B.harmonic = 0|it must be' rom "$anchorage" --set suppor
 refuses_like 1 'support.A.motion is missing' rom "$anchorage" --set support.A.phase=0
 works 'moving supports are planned for' plan "$anchorage" --from 0.9w1 --to 0.91w1
 try 'the plan says what the motion adds' grep -q 'motion of the supports' "$scratch/out"
+
+# --- elastic supports
+mast=$scenes/stay-mast.yaml
+refuses_like 1 'support contradicts travel' modes "$travelling" --set 'support.B.stiffness=[1e6, .inf, .inf]'
+refuses_like 1 'both motion and' modes "$mast" --set 'support.A.motion=[0, 1 mm, 0]'
+refuses_like 1 'support.A.stiffness is missing' modes "$mast" --set support.A.mass=3
+refuses_like 1 'support.B.stiffness.*must be > 0 or .inf' modes "$mast" \
+	--set 'support.B.stiffness=[0, 1e6, .inf]'
+refuses_like 1 'at an end that is rigid' modes "$mast" --set 'support.B.stiffness=[.inf, .inf, .inf]'
+refuses_like 1 'contradict load.static' modes "$mast" --set 'load.static.per_length=[0, 0, 9]'
+refuses_like 1 'support contradicts travel' campbell "$mast" --from 1 --to 9 \
+	--set 'travel={speed: 1 m/s, hold: tension}'
+refuses_like 1 'goes with model.condense: static' \
+	frf "$mast" --from 0.9w1 --to 1.1w1 --set model.modes=auto
+refuses_like 1 'not condensed yet' rom "$mast" --set model.condense=static
+works 'a response with an elastic support' frf "$mast" --from 0.98w1 --to 1.02w1 --json - -q
+try 'the scene of a result has its stiffness' grep -q '"stiffness": \[3000000.0, ".inf", 900000.0\]' \
+	"$scratch/out"
 done_testing
