@@ -154,6 +154,7 @@ struct hawser_rom {
 	struct hawser_rom_known known;
 	struct hawser_rom_inertia inertia;
 	struct hawser_rom_kernel *kernel; /* compiled form for the hot loops; made by _compile */
+	struct hawser_rom_drag *drag;     /* quadratic drag, only for integration and shooting; or NULL */
 	struct hawser_rom_exact *exact;   /* strain energy without expansion, in place of K, Q and C in
 	                                   * the hot loops; NULL except in models of _build_exact and
 	                                   * _build_full */

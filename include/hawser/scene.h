@@ -143,6 +143,7 @@ struct hawser_scene {
 		double alpha;     /* kg/(m s) */
 		double mass;      /* 1/s */
 		double stiffness; /* s */
+		double drag;      /* kg/m^2: force per length -drag |v| v, besides the kind; 0: none */
 		double ratio;     /* fraction of critical damping, of mode 1 */
 		double ratio_next[HAWSER_RATIOS - 1]; /* of the modes 2, 3, ... of a list, by their
 		                                       * place; its last value holds for all above */

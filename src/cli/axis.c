@@ -51,6 +51,7 @@ static const struct {
 	{"damping.rayleigh.mass", "Rayleigh damping, mass factor", ""},
 	{"damping.rayleigh.stiffness", "Rayleigh damping, stiffness factor", ""},
 	{"damping.ratio", "Damping ratio", ""},
+	{"damping.drag", "Quadratic drag", "{/:Italic c}"},
 	{"load.static.mass", "Mass of ice per length", ""},
 	{"temperature.change", "Change of temperature", ""},
 	{"temperature.expansion", "Thermal expansion", ""},

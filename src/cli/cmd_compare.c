@@ -345,6 +345,10 @@ static enum hawser_status range(struct cli_compare_result *result, const struct 
 		return hawser__fail(report, HAWSER_ERR_SCENE, "compare",
 		                    "%s: there is no load, so there is no response to compare: add a "
 		                    "section load", settings->common.input);
+	if (model->scene.damping.drag > 0.0)
+		return hawser__fail(report, HAWSER_ERR_SCENE, "compare",
+		                    "%s: damping.drag is quadratic, and the fidelities compared have linear "
+		                    "damping: set damping.drag=0", settings->common.input);
 	return cli_range(&result->from, &result->to, settings->from, settings->to, "compare", model,
 	                 report);
 }

@@ -77,7 +77,7 @@ enum hawser_status hawser__flow_init(struct hawser__flow *flow, const struct haw
 	flow->n = rom->n;
 	flow->m = 2*rom->n;
 	flow->w = HAWSER_PADDED(flow->m + 1);
-	flow->damping_varies = damping_varies(rom);
+	flow->damping_varies = damping_varies(rom) || rom->drag;
 	flow->memory = calloc(share(flow, NULL), sizeof *flow->memory);
 	flow->damping_of = calloc((size_t)rom->n, sizeof *flow->damping_of);
 	if (flow->memory && flow->damping_of) {
@@ -348,6 +348,8 @@ static double step(struct hawser__flow *flow, int derive, int live, double omega
 		set_slope(flow, s);
 		if (derive)
 			set_derivatives(flow, s, omega);
+		if (flow->rom->drag)
+			hawser__flow_drag(flow, s, derive, live, omega);
 	}
 	error = step_error(flow, live);
 	finish_step(flow, derive);

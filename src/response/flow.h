@@ -59,6 +59,8 @@ struct hawser__flow {
 	double *F;              /* [stages][n][w] derivative of f */
 	double *stage_U, *stage_V; /* [n][w] */
 	double *memory;         /* memory of all arrays above */
+	double drained;         /* sum over the stretches, since it was set to 0, of the integral over time
+	                         * of the trace of the derivative of drag by v */
 	long stages;            /* number of stages computed so far */
 	double flops;           /* additions and multiplications in them, without unused lanes */
 };
@@ -84,6 +86,9 @@ double hawser__flow_map(struct hawser__flow *flow, double *x, double *samples,
 /* The same with A [count][m][m] = d x(end) / d x(start) and b [count][m] = d x(end) / d Omega. */
 double hawser__flow_derive(struct hawser__flow *flow, double *x, double *A, double *b,
                            double *samples, const struct hawser__stretch *stretch, double omega);
+
+/* flow_drag.c: add the drag of the model at stage s to f and, with `derive`, to by_v. */
+void hawser__flow_drag(struct hawser__flow *flow, int s, int derive, int live, double omega);
 
 /* variation.c: U and V of a lane over the step whose stages are in `flow`. */
 void hawser__flow_vary(struct hawser__flow *flow, int lane);

@@ -468,6 +468,8 @@ enum hawser_status hawser__frf_trace(struct hawser_frf *frf, const struct hawser
 	int jumped = 0;
 
 	*frf = (struct hawser_frf){.n = rom->n, .probes = rom->shapes.points};
+	if (rom->drag)
+		hawser__settle(&settled.tolerance, HAWSER__DRAG_TOLERANCE);
 	hawser_frf_settle(&settled);
 	if ((status = check(rom, &settled, report)))
 		return status;

@@ -39,6 +39,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/floquet.c \
 	%D%/floquet.h \
 	%D%/flow.c \
+	%D%/flow_drag.c \
 	%D%/flow.h \
 	%D%/folds.c \
 	%D%/folds.h \

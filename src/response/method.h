@@ -23,6 +23,10 @@
 
 struct hawser__orbit_ops;
 
+/* Default tolerance of a model with quadratic drag, which has no second derivative where the velocity
+ * changes its sign: the error of an orbit decreases with the cube of the steps, no faster. */
+#define HAWSER__DRAG_TOLERANCE 1e-6
+
 /* The metric is the same for all methods, so that steps have the same length in each: its width in
  * Omega, as a fraction of Omega (a resonance with 2.5 % damping), and the least size of a
  * component, as a fraction of the size of the orbit. */
@@ -36,6 +40,7 @@ struct hawser__orbit {
 	int size;             /* unknowns, Omega the last */
 	double X, W;          /* metric: size of the orbit (its state), natural width in Omega */
 	double *weight;       /* [size] metric */
+	double drained;       /* over the period, integral of the trace of D that varies (drag) */
 	double mesh;          /* estimated error of the discretisation of the last orbit, absolute */
 	double *samples;      /* [rows][n] u at equidistant phases from 0, of the last defects */
 	int rows;

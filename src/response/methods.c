@@ -7,6 +7,7 @@
 
 #include "core/report.h"
 #include "response/method.h"
+#include "rom/drag.h"
 
 static const struct hawser__orbit_method *const rows[] = {&hawser__balance_method,
 	&hawser__scales_method, &hawser__shooting_method};
@@ -26,6 +27,10 @@ enum hawser_status hawser__orbit_method(const struct hawser__orbit_method **meth
 
 	if (name && strcmp(name, "auto") == 0)
 		name = NULL;
+	if (rom->drag && name && strcmp(name, "shooting") != 0)
+		return hawser__drag_refuse(rom, "this method for orbits", report);
+	if (rom->drag)
+		name = "shooting";
 
 	for (int i = 0; i < ROWS; i++)
 		if (name ? strcmp(rows[i]->about.name, name) == 0

@@ -24,6 +24,7 @@
 
 #include "core/report.h"
 #include "response/modulation.h"
+#include "rom/drag.h"
 
 static const char where[] = "multiple scales";
 
@@ -47,6 +48,8 @@ static enum hawser_status check(const struct hawser_rom *rom,
 {
 	double largest = 0.0, off = 0.0;
 
+	if (rom->drag)
+		return hawser__drag_refuse(rom, "the method of multiple scales", report);
 	if (rom->exact)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
 		                    "the exact strain energy has no quadratic and cubic terms to derive "

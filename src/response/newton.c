@@ -78,7 +78,7 @@ double hawser__orbit_liouville(const struct hawser__orbit *orbit, double omega)
 		trace += rom->D[j*rom->n + j];
 	for (int i = 0; i < orbit->m; i++)
 		sum += orbit->log_modulus[i];
-	return fabs(sum + trace*2.0*M_PI/omega);
+	return fabs(sum + trace*2.0*M_PI/omega + orbit->drained);
 }
 
 /* One step of the corrector from the current defects; returns its length in the metric. */

@@ -175,8 +175,10 @@ static double defects(struct hawser__orbit *orbit, const double *y, int derive)
 	memcpy(end, y, (size_t)S*m*sizeof *end);
 	if (derive) {
 		shooting->omega = omega;
+		shooting->flow.drained = 0.0;
 		orbit->mesh = hawser__flow_derive(&shooting->flow, end, shooting->A, shooting->b,
 		                                  orbit->samples, &stretch, omega);
+		orbit->drained = shooting->flow.drained;
 	} else {
 		orbit->mesh = hawser__flow_map(&shooting->flow, end, orbit->samples, &stretch, omega);
 	}

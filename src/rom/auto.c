@@ -29,6 +29,7 @@
 #include "core/settle.h"
 #include "rom/auto_text.h"
 #include "rom/cycle.h"
+#include "rom/drag.h"
 
 /* A double in Fortran, or in Python with mark 'e', whatever the locale's decimal point is. */
 static const char *number_in(char out[32], double value, char mark)
@@ -379,6 +380,8 @@ void hawser_auto_settle(struct hawser_auto_options *options)
 static enum hawser_status check(const struct hawser_rom *rom, const char *base,
                                 const struct hawser_auto_options *o, struct hawser_report *report)
 {
+	if (rom->drag)
+		return hawser__drag_refuse(rom, "an export to AUTO", report);
 	if (rom->exact)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
 		                    "a model with the exact strain energy can't be exported: its "

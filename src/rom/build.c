@@ -21,6 +21,7 @@
 #include "modes/grid.h"
 #include "rom/answer.h"
 #include "rom/build.h"
+#include "rom/drag.h"
 #include "rom/entries.h"
 #include "rom/inertia.h"
 #include "rom/model.h"
@@ -314,11 +315,12 @@ enum hawser_status hawser__rom_begin(struct hawser_rom *rom, const struct hawser
 }
 
 enum hawser_status hawser__rom_finish(struct hawser_rom *rom, const struct hawser_modes *modes,
-                                      const struct hawser_scene *scene,
-                                      struct hawser_report *report)
+                                      const struct hawser_scene *scene, struct hawser_report *report)
 {
 	enum hawser_status status = scene ? set_load(rom, modes, scene, report) : HAWSER_OK;
 
+	if (!status)
+		status = hawser__drag_make(rom, modes, scene, report);
 	if (!status)
 		status = hawser__rom_travel(rom, modes, scene, report);
 	if (!status)

@@ -21,6 +21,7 @@
 #include "core/report.h"
 #include "rom/build.h"
 #include "rom/dampers.h"
+#include "rom/drag.h"
 #include "rom/drive.h"
 #include "rom/support.h"
 #include "rom/weigh.h"
@@ -458,6 +459,8 @@ enum hawser_status hawser_choose(struct hawser_choice *choice, const struct haws
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
 		                    "the choice of modes does not know the motion of supports: give their "
 		                    "number (model.modes), and increase it until the result does not change");
+	if (scene->damping.drag > 0.0)
+		return hawser__drag_refuse(NULL, "the choice of modes (model.modes: auto)", report);
 	status = hawser__choice_begin(choice, modes, scene, from, to, accuracy, 1, report);
 	if (status)
 		return status;

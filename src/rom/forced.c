@@ -9,6 +9,7 @@
 
 #include <math.h>
 
+#include "rom/drag.h"
 #include "rom/history.h"
 #include "rom/kernel.h"
 #include "rom/ramp.h"
@@ -52,8 +53,8 @@ static void add_harmonic(double *acceleration, const struct hawser_harmonic *har
 	add_term(acceleration, &term, s, u, v, n);
 }
 
-/* acceleration holds the restoring force on entry. */
-static void finish(const struct hawser_rom *rom, double *acceleration, const double *u,
+/* acceleration holds the restoring force on entry. by_v [n][n]: NULL, or += the derivative of drag. */
+static void finish(const struct hawser_rom *rom, double *acceleration, double *by_v, const double *u,
                    const double *v, double tau, double omega)
 {
 	const struct hawser_rom_kernel *kernel = rom->kernel;
@@ -65,6 +66,10 @@ static void finish(const struct hawser_rom *rom, double *acceleration, const dou
 	for (int h = 0; h < rom->harmonics; h++)
 		add_harmonic(acceleration, &rom->harmonic[h], factor(&rom->harmonic[h], tau, omega), u,
 		             v, rom->n);
+	if (rom->drag)
+		hawser__drag_add(rom->drag, acceleration, v, 1);
+	if (rom->drag && by_v)
+		hawser__drag_slope(rom->drag, -1.0, by_v, v, 1);
 }
 
 void hawser_rom_acceleration(const struct hawser_rom *rom, double *acceleration, const double *u,
@@ -72,7 +77,7 @@ void hawser_rom_acceleration(const struct hawser_rom *rom, double *acceleration,
 {
 	hawser_rom_restoring(rom, acceleration, u);
 	hawser__rom_vary_at(rom, acceleration, NULL, u, tau);
-	finish(rom, acceleration, u, v, tau, omega);
+	finish(rom, acceleration, NULL, u, v, tau, omega);
 }
 
 void hawser_rom_acceleration_jacobian(const struct hawser_rom *rom, double *acceleration,
@@ -84,15 +89,15 @@ void hawser_rom_acceleration_jacobian(const struct hawser_rom *rom, double *acce
 
 	hawser_rom_tangent(rom, acceleration, by_u, u);
 	hawser__rom_vary_at(rom, acceleration, by_u, u, tau);
-	finish(rom, acceleration, u, v, tau, omega);
 	for (int i = 0; i < n*n; i++) {
 		by_u[i] = -by_u[i];
 		by_v[i] = 0.0;
 	}
+	finish(rom, acceleration, by_v, u, v, tau, omega);
 	for (int j = 0; j < n; j++)
 		by_omega[j] = 0.0;
 	for (int i = 0; i < kernel->d_entries; i++)
-		by_v[kernel->d_j[i]*n + kernel->d_k[i]] = -kernel->d_val[i];
+		by_v[kernel->d_j[i]*n + kernel->d_k[i]] -= kernel->d_val[i];
 	for (int h = 0; h < rom->harmonics; h++) {
 		const struct hawser_harmonic *harmonic = &rom->harmonic[h];
 		double s = factor(harmonic, tau, omega);

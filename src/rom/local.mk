@@ -18,6 +18,8 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/dampers.c \
 	%D%/dampers.h \
 	%D%/damping.c \
+	%D%/drag.c \
+	%D%/drag.h \
 	%D%/drive.c \
 	%D%/drive.h \
 	%D%/effort.c \

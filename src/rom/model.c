@@ -7,6 +7,7 @@
 
 #include "core/report.h"
 #include "rom/history.h"
+#include "rom/drag.h"
 #include "rom/exact.h"
 #include "rom/kernel.h"
 #include "rom/known.h"
@@ -134,5 +135,6 @@ void hawser_rom_clear(struct hawser_rom *rom)
 	clear_line(&rom->line);
 	hawser__kernel_free(rom->kernel);
 	hawser__exact_free(rom->exact);
+	hawser__drag_free(rom->drag);
 	memset(rom, 0, sizeof *rom);
 }

@@ -12,6 +12,7 @@
 
 #include "core/file.h"
 #include "core/report.h"
+#include "rom/drag.h"
 #include "rom/read.h"
 #include "rom/writer.h"
 
@@ -224,6 +225,8 @@ static enum hawser_status check(const struct hawser_rom *rom, struct hawser_repo
 {
 	struct hawser__writer to;
 
+	if (rom->drag)
+		return hawser__drag_refuse(rom, "a reduced-model file", report);
 	if (rom->exact)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
 		                    "a model with the exact strain energy can't be written as a "

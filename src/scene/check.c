@@ -87,6 +87,8 @@ static enum hawser_status chosen(struct hawser__reader *reader, enum hawser__gro
 
 	if (group == HAWSER__WEIGHT)
 		needed = reader->scene->beam.form == HAWSER_BEAM_EI;
+	if (group == HAWSER__DAMPING && written(reader, hawser__key_find("damping.drag")))
+		needed = 0;
 
 	if (!needed || hawser__chosen(reader->scene, group))
 		return HAWSER_OK;

@@ -90,6 +90,10 @@
 	    HAWSER_DAMPING_RATIO, "fraction of critical damping: one number for every mode, or a list " \
 	    "for the modes 1, 2, ... of hawser modes; the last value of the list holds for all higher " \
 	    "modes") \
+	ROW("damping.drag", "kg/m^2", NUMBER, NULL, NOT_NEGATIVE, "0", damping.drag, FREE, 0, \
+	    "quadratic drag of air at rest, besides the damping above: force per unstretched length over " \
+	    "the square of the velocity normal to the cable, which is density times drag coefficient " \
+	    "times diameter over 2; for hawser integrate and hawser frf") \
 	ROW("load.frame", "", WORD, "local|global", WORDS, NULL, load.frame, FREE, 0, \
 	    "axes of the load: local is tangent, normal, binormal (e, n, z), global is x, y, z") \
 	ROW("load.per_length", "N/m", TRIPLE, NULL, ANY, NULL, load.per_length, FREE, 0, \
@@ -385,6 +389,8 @@ int hawser__applies(const struct hawser_scene *scene, int index)
 		return scene->support[0].present;
 	if (hawser__child_of(keys[index].path, "support.B"))
 		return scene->support[1].present;
+	if (!strcmp(keys[index].path, "damping.drag"))
+		return scene->damping.drag > 0.0;
 	if (!strcmp(keys[index].path, "travel.final"))
 		return scene->travel.present && scene->travel.braking > 0.0;
 	if (hawser__child_of(keys[index].path, "travel"))

@@ -8,6 +8,7 @@
 
 #include "core/report.h"
 #include "core/share.h"
+#include "rom/drag.h"
 #include "study/map_cable.h"
 
 enum { MOST_KEPT = 1024 }; /* largest number of stored structures; chosen to limit memory */
@@ -43,6 +44,8 @@ enum hawser_status hawser__map_cable_model(struct hawser_rom *rom,
 {
 	enum hawser_status status;
 
+	if (cable->quantity->about.nonlinear && scene->damping.drag > 0.0)
+		return hawser__drag_refuse(NULL, "a map of responses", report);
 	if (!cable->quantity->about.nonlinear)
 		return hawser_rom_build_linear(rom, modes, scene, report);
 	if (scene->model.energy == HAWSER_ENERGY_EXACT)

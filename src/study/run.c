@@ -10,6 +10,7 @@
 
 #include "core/report.h"
 #include "hawser/accuracy.h"
+#include "rom/drag.h"
 #include "study/distance.h"
 #include "study/landmark.h"
 #include "study/respond.h"
@@ -154,6 +155,8 @@ enum hawser_status hawser_study_run(struct hawser_study_curve *curve,
 	options = &settled;
 	again = settled;
 	memset(curve, 0, sizeof *curve);
+	if (scene->damping.drag > 0.0)
+		return hawser__drag_refuse(NULL, "a comparison of responses", report);
 	curve->choice = *choice;
 	curve->tension = curve->least_tension = curve->estimated = NAN;
 	status = choice->fidelity->build

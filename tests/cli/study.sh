@@ -57,6 +57,8 @@ assert any(d["subject"] == "forced response" and not d["modelled"] for d in plan
 END
 refuses 1 "unloaded.yaml: there is no load, so there is no response to compare: add a section load" \
 	compare unloaded.yaml
+refuses 1 "$chairlift: damping.drag is quadratic, and the fidelities compared have linear damping: set damping.drag=0" \
+	compare "$chairlift" --from 1.2 --to 1.7 --set damping.drag=0.1
 
 range="--from 0.85w1 --to 1.2w1"
 # shellcheck disable=SC2086 # words

@@ -1,0 +1,37 @@
+/* response/flow_drag.c - quadratic drag at a stage of the flow. Since the volume of states contracts by
+ * the trace of its derivative, that trace is summed with the weights of the formula.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include "response/flow.h"
+#include "response/tableau.h"
+#include "rom/drag.h"
+#include "rom/kernel.h"
+
+static double trace_of(const double *matrix, int n)
+{
+	double trace = 0.0;
+
+	for (int j = 0; j < n; j++)
+		trace += matrix[(size_t)j*(n + 1)*HAWSER_LANES];
+	return trace;
+}
+
+void hawser__flow_drag(struct hawser__flow *flow, int s, int derive, int live, double omega)
+{
+	const struct hawser_rom_drag *drag = flow->rom->drag;
+	int n = flow->n;
+	double *f = flow->f + (size_t)s*n*HAWSER_LANES, *by_v = flow->by_v + (size_t)s*n*n*HAWSER_LANES;
+
+	for (int lane = 0; lane < HAWSER_LANES; lane++) {
+		double before = derive ? trace_of(by_v + lane, n) : 0.0;
+
+		hawser__drag_add(drag, f + lane, flow->stage_v + lane, HAWSER_LANES);
+		if (!derive)
+			continue;
+		hawser__drag_slope(drag, 1.0, by_v + lane, flow->stage_v + lane, HAWSER_LANES);
+		if (lane < live)
+			flow->drained += hawser__dop853.b[s]*flow->h/omega*
+			                 (trace_of(by_v + lane, n) - before);
+	}
+}
