@@ -242,11 +242,18 @@ static enum hawser_status draw(const char *path, const void *context, struct haw
 		hawser__fields_axis(profile_field, "y", &view, 0.0),
 		hawser__fields_axis(profile_field, "T", &view, fmax(result->actual.T0, result->actual.T1)),
 		hawser__fields_axis(profile_field, "z", &view, 0.0)};
+	double most = 0.0;
+
+	for (int i = 0; i < result->cases.rows; i++)
+		most = fmax(most, fmax(result->cases.row[i].T0, result->cases.row[i].T1));
+	const struct hawser__axis highest = hawser__fields_axis(profile_field, "T", &view, most);
 	struct hawser__place kink[2*HAWSER_ATTACH_MAX];
 	const struct hawser__span_picture picture = {
 		&result->scene, result->profile, kink, result->settings->points, result->marks,
 		result->statics.turned};
 
+	if (result->settings->cases)
+		return cli_cases_draw(path, &result->cases, &highest, report);
 	if (result->settings->models)
 		return cli_models_draw(path, &result->curves, report);
 	if (result->settings->compatibility)
@@ -418,12 +425,11 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 		                    "--points %d: at most %d points%s are possible", settings->points,
 		                    most, curves ? " of curves" : "");
 	if (settings->cases && (settings->models || settings->compatibility || settings->speeds ||
-	                        settings->model || settings->common.plot))
+	                        settings->model))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
-		                    "--cases is a table of its own, without a picture: leave --%s out",
-		                    settings->common.plot ? "plot" : settings->models ? "models"
-		                    : settings->speeds ? "speeds" : settings->model ? "model"
-		                                                                    : "compatibility");
+		                    "--cases is a table of its own: leave --%s out",
+		                    settings->models ? "models" : settings->speeds ? "speeds"
+		                    : settings->model ? "model" : "compatibility");
 	return cli_outputs_check(&settings->common, report);
 }
 

@@ -7,6 +7,7 @@
 
 #include "cli/statics_loaded.h"
 #include "core/report.h"
+#include "output/plot_cases.h"
 
 #define OF(member) HAWSER__AT(struct cli_case, member)
 #define ON(member) HAWSER__AT(struct cli_case, loaded.member)
@@ -130,3 +131,27 @@ const struct hawser__field cli_cases_member[] = {
 	 .inner = cli_case_field},
 	HAWSER__END,
 };
+
+enum hawser_status cli_cases_draw(const char *path, const struct cli_cases *cases,
+                                  const struct hawser__axis *axis, struct hawser_report *report)
+{
+	double *value = malloc((size_t)cases->rows*HAWSER__CASE_VALUES*sizeof *value);
+	const char **name = malloc((size_t)cases->rows*sizeof *name);
+	const struct hawser__cases_picture picture = {.cases = cases->rows, .name = name,
+		.value = value, .per = axis->per};
+	enum hawser_status status = value && name ? HAWSER_OK : hawser__no_memory(report, "statics");
+
+	for (int i = 0; !status && i < cases->rows; i++) {
+		const struct cli_case *row = &cases->row[i];
+		const double of[] = {fmax(row->T0, row->T1), row->H, row->sag, row->loaded.blowout};
+
+		name[i] = row->name;
+		for (int k = 0; k < HAWSER__CASE_VALUES; k++)
+			value[HAWSER__CASE_VALUES*i + k] = row->status ? NAN : of[k];
+	}
+	if (!status)
+		status = hawser__plot_cases(path, &picture, axis->title, report);
+	free(value);
+	free(name);
+	return status;
+}

@@ -53,6 +53,10 @@ extern const struct hawser__field cli_case_field[], cli_cases_member[];
 /* HAWSER_ERR_ARGUMENT if the scene has no cases; the status of the first one if none has a solution. */
 enum hawser_status cli_cases_fill(struct cli_cases *cases, const struct hawser_scene *scene,
                                   struct hawser_report *report) HAWSER_MUST_CHECK;
+/* axis: of tensions. */
+enum hawser_status cli_cases_draw(const char *path, const struct cli_cases *cases,
+                                  const struct hawser__axis *axis, struct hawser_report *report)
+	HAWSER_MUST_CHECK;
 void cli_cases_rows(struct hawser__table *table, const struct cli_cases *cases);
 
 #endif

@@ -18,6 +18,8 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/plot_beam_lines.c \
 	%D%/plot_beam_motion.c \
 	%D%/plot_campbell.c \
+	%D%/plot_cases.c \
+	%D%/plot_cases.h \
 	%D%/plot_compare.c \
 	%D%/plot_complex_modes.c \
 	%D%/plot_curves.c \

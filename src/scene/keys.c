@@ -108,8 +108,8 @@
 	ROW("load.static.mass", "kg/m", NUMBER, NULL, NOT_NEGATIVE, "0", static_load.mass, FREE, 0, \
 	    "mass per unstretched length of what adheres to the cable, such as ice: its weight acts " \
 	    "downwards, and its inertia is added to that of the cable") \
-	ROW("temperature.change", "K", NUMBER, NULL, ANY, NULL, temperature.change, FREE, 0, \
-	    "temperature minus that of the reference state") \
+	ROW("temperature.change", "K", NUMBER, NULL, CHANGE, NULL, temperature.change, FREE, 0, \
+	    "temperature minus that of the reference state: a difference, not a temperature in kelvin") \
 	ROW("temperature.expansion", "1/K", NUMBER, NULL, ANY, NULL, temperature.expansion, FREE, 0, \
 	    "relative change of the unstretched length per change of temperature") \
 	ROW("attach.at", "1", PLACE, NULL, INSIDE, NULL, attach[0].at, FREE, 0, \
@@ -205,6 +205,7 @@
 #define RANGE_MULTIPLE "within [1, 20]"
 #define RANGE_BASIS "within [0, 100000]"
 #define RANGE_INSIDE "between 0 and 1, or a length > 0"
+#define RANGE_CHANGE "within [-300, 300]"
 #define RANGE_NAMES "letters, digits, _ and -, not a number"
 #define RANGE_WORDS ""
 
@@ -328,6 +329,7 @@ int hawser__in_range(int index, double value)
 	case HAWSER__INCREASING: return value >= 0.0 && value <= 1.0;
 	case HAWSER__MODES: return value >= 1.0 && value <= 1000.0;
 	case HAWSER__MULTIPLE: return value >= 1.0 && value <= 20.0;
+	case HAWSER__CHANGE: return fabs(value) <= 300.0; /* K: beyond, expansion is not linear */
 	case HAWSER__BASIS: return value >= 0.0 && value <= 100000.0;
 	case HAWSER__INSIDE: return value > 0.0 && isfinite(value);
 	case HAWSER__ANY:

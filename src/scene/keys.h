@@ -29,6 +29,7 @@ enum hawser__range {
 	HAWSER__MULTIPLE,
 	HAWSER__BASIS,
 	HAWSER__INSIDE, /* (0, 1), or a length > 0 */
+	HAWSER__CHANGE, /* of temperature */
 	HAWSER__NAMES,
 	HAWSER__WORDS /* one of the words, no range */
 };

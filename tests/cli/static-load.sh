@@ -58,7 +58,10 @@ assert "# case lifted: no solution: load.static and the weight" in text and "\nl
 assert r["scene"]["cases"][2]["load"]["static"]["mass"] == 1.6
 END
 refuses_like 1 'add, for example, cases' statics "$top/notebooks-data/scenes/chairlift.yaml" --cases
-refuses_like 1 'leave --plot out' statics "$scene" --cases --plot cases.svg
+works "a picture of load cases" statics "$scene" --cases --plot cases.svg -q
+python "" <<'END'
+assert "ice and wind" in open("cases.svg").read().replace("</text>", "")
+END
 works "modes" modes "$scene" -n 4
 [ -z "${HAWSER_LONG:-}" ] || works "plan" plan "$scene"
 works "frf of the swung span" frf "$scene" --set model.modes=3 --from 0.95w1 --to 1.05w1 --json swung.json
@@ -122,7 +125,8 @@ refuses_like 1 'does not hang in one plane' statics "$top/notebooks-data/scenes/
 	--set "load.static={per_length: [0, 0, 3]}"
 refuses_like 2 'without any force' statics "$scene" --set "load.static={per_length: [0, 15.696, 0], mass: 0}"
 refuses_like 1 'act along the chord' statics "$scene" --set "load.static={per_length: [400, 27.696, 0], mass: 0}"
-refuses_like 1 'no change of temperature' statics "$scene" --set temperature.change=-1e6
+refuses_like 1 'no change of temperature' statics "$scene" --set "temperature={change: -300, expansion: 0.01}"
+refuses_like 1 "must be within \[-300, 300\]" statics "$scene" --set temperature.change=-1e6
 refuses_like 1 'temperature.expansion is missing' statics "$top/notebooks-data/scenes/chairlift.yaml" \
 	--set temperature.change=3
 done_testing

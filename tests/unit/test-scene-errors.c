@@ -414,6 +414,12 @@ static const struct {
 	 "--set load.frame=local: load.per_length is missing and has no default: give a list "
 	 "of numbers in N/m (amplitude of the harmonic load per unstretched length along the "
 	 "three axes)"},
+	{WHOLE, "temperature={change: 301, expansion: 1.2e-5}",
+	 "--set temperature={change: 301, expansion: ...: temperature.change: \"301\" is out of range: "
+	 "it must be within [-300, 300], in K"},
+	{WHOLE, "cases=[{name: hot, temperature: {change: -400, expansion: 1.2e-5}}]",
+	 "--set cases=[{name: hot, temperature: {chan...: temperature.change: "
+	 "\"-400\" is out of range: it must be within [-300, 300], in K"},
 	{WHOLE, "damping.ratio=[]",
 	 "--set damping.ratio=[]: damping.ratio has 0 values: give a number, or a list of 1 to 32 "
 	 "numbers"},
