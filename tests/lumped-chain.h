@@ -32,6 +32,8 @@ struct lumped {
 	double alpha;                      /* 1/s: damping force per mass and velocity */
 	double attached[LUMPED_MOST + 1];  /* kg */
 	double damper[LUMPED_MOST + 1][3]; /* N s/m */
+	double spring[LUMPED_MOST + 1][3]; /* N/m, relaxed at the positions `relaxed` [n + 1][3] */
+	const double *relaxed;             /* NULL: without the springs */
 	double load[3];                    /* N/m times cos(omega t) */
 	double motion[2][3], phase[2];     /* m times cos(omega t + phase), ends A and B */
 	double omega;                      /* rad/s */
@@ -173,6 +175,12 @@ static void lumped_forces(double *r, double *K, const struct lumped *c, const do
 					lumped_add(K, size, 3*p + i/3, 3*q + i%3, p == q ? k : -k);
 			}
 		}
+	}
+	for (int v = 0; c->relaxed && v < size; v++) {
+		double k = c->spring[v/3 + 1][v%3];
+
+		r[v] -= k*(x[3 + v] - c->relaxed[3 + v]);
+		lumped_add(K, size, v, v, k);
 	}
 	if (c->EI > 0.0)
 		for (int e = c->clamped ? -1 : 0; e < c->n - (c->clamped ? 0 : 1); e++)

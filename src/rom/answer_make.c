@@ -171,8 +171,9 @@ static void add_masses(struct work *work, double *along)
 }
 
 /* p of the force per length in `along`. Since a displacement vanishes at both ends, its work on it is
- * that of minus its running integral on the derivative. `masses`: point masses count as well. */
-static void pull_of(struct work *work, int masses)
+ * that of minus its running integral on the derivative. `masses`: point masses count as well; `point`
+ * [attachments][3]: further forces at the attachments, or NULL. */
+static void pull_of(struct work *work, int masses, const double *point)
 {
 	const struct hawser_statics *st = &work->stations.modes->statics;
 	int count = work->stations.count;
@@ -183,6 +184,10 @@ static void pull_of(struct work *work, int masses)
 		                     work->global);
 		if (masses)
 			add_masses(work, work->along + axis*count);
+		for (int i = 0; point && i < st->attachments; i++)
+			for (int p = 0; p < count; p++)
+				if (work->stations.s[p] > st->attached[i].s)
+					work->along[axis*count + p] += point[3*i + axis];
 	}
 	for (int i = 0; i < count; i++) {
 		struct hawser_frame_point at = hawser_statics_frame(st, work->stations.s[i]);
@@ -204,7 +209,7 @@ static void solve(struct work *work)
 		note(work, order);
 		if (order + 1 == ORDERS)
 			break;
-		pull_of(work, 1);
+		pull_of(work, 1, NULL);
 	}
 }
 
@@ -309,7 +314,8 @@ enum hawser_status hawser__rom_answers(struct hawser_rom *rom, const struct haws
 
 enum hawser_status hawser__rom_answer_field(struct hawser_rom *rom, int harmonic,
                                             const struct hawser_modes *modes, int moving,
-                                            const double *field, struct hawser_report *report)
+                                            const double *field, const double *point,
+                                            struct hawser_report *report)
 {
 	const double ends[2] = {0.0, modes->statics.l};
 	size_t n2 = (size_t)rom->n*(size_t)rom->n;
@@ -322,7 +328,7 @@ enum hawser_status hawser__rom_answer_field(struct hawser_rom *rom, int harmonic
 		status = hawser__no_memory(report, "rom");
 	if (!status) {
 		memcpy(work.along, field, 3*(size_t)work.stations.count*sizeof *field);
-		pull_of(&work, 0);
+		pull_of(&work, 0, point);
 		solve(&work);
 		status = add_harmonic(h, 1.0, &work) ? HAWSER_OK : hawser__no_memory(report, "rom");
 	}
@@ -332,7 +338,7 @@ enum hawser_status hawser__rom_answer_field(struct hawser_rom *rom, int harmonic
 	}
 	if (!status) {
 		memcpy(work.along, field, 3*(size_t)work.stations.count*sizeof *field);
-		pull_of(&work, 0);
+		pull_of(&work, 0, point);
 		hawser__follow(&work.stations);
 		if (hawser__follow_stiffness(T, &work.stations)) {
 			/* second-order shapes respond to the force as coordinates: their part of z counts

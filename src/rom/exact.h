@@ -26,6 +26,7 @@ struct hawser_rom_exact {
 	double *springs;   /* [n][n] in the order of the model: stiffness of attachments, or NULL */
 	int supports;      /* motions of the supports (support.h) */
 	double *support;   /* [supports][points][3] a, b, c of the quasi-static displacement */
+	double *pull;      /* [supports][n] its force at the coordinates by springs; NULL: no springs */
 	struct hawser__signal *signal; /* [supports] its factor */
 };
 

@@ -26,6 +26,7 @@ void hawser__exact_free(struct hawser_rom_exact *exact)
 	free(exact->mixed);
 	free(exact->springs);
 	free(exact->support);
+	free(exact->pull);
 	free(exact->signal);
 	free(exact);
 }

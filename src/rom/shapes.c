@@ -22,6 +22,7 @@
 #include "rom/exact.h"
 #include "rom/kernel.h"
 #include "rom/model.h"
+#include "rom/support.h"
 
 static void add(double out[3], const double *field, size_t row, int points, int p, double factor)
 {
@@ -156,7 +157,7 @@ double hawser_rom_tension_at(const struct hawser_rom *rom, int p, const double *
                              const struct hawser_rom_moment *moment)
 {
 	const struct hawser_rom_shapes *shapes = &rom->shapes;
-	double all[HAWSER_ROM_MAX], here, s[3];
+	double all[HAWSER_ROM_MAX], here, s[HAWSER__SUPPORT_MOST];
 
 	if (!collocated(rom))
 		return tension(rom, shapes->stretch[p], shapes->slope, shapes->second_slope,
@@ -207,7 +208,7 @@ int hawser_rom_tensions_at(const struct hawser_rom *rom, double *least, double *
                            const double *u, const struct hawser_rom_moment *moment)
 {
 	int places = hawser__rom_tension_places(rom);
-	double all[2*HAWSER_ROM_MAX], here, extra, s[3];
+	double all[2*HAWSER_ROM_MAX], here, extra, s[HAWSER__SUPPORT_MOST];
 
 	if (places == 0)
 		return 0;

@@ -2,17 +2,20 @@
  *
  *    s_E,x(tau)   displacement of end E along axis x, motion*cos(harmonic*tau + phase)
  *    psi_x        quasi-static displacement by a unit displacement of end B along x (support_shape.c);
- *                 by that of end A it is the unit vector minus psi_x
+ *                 by that of end A it is the unit vector minus psi_x, but for springs
  *    r            sum over ends and axes of s times that displacement
  *    u            displacement relative to r, expanded in the modes: it vanishes at the ends
  *
- * The total displacement is r + u. r is in equilibrium without a load, so that the linear elastic
- * forces of r on u vanish. Its inertia and its damping by still air are loads on u:
+ * The axes are those of the plane in which the cable hangs. The total displacement is r + u. r is in
+ * equilibrium with the springs of attachments and without a load, so that the linear elastic forces of
+ * r on u vanish. Its inertia and its damping by still air are loads on u,
  *
  *    - r'' - alpha r'       (scaled; the mass per length is 1)
  *
- * and the condensed modes respond to them as to any other load (answer_make.c, follow.h). Damping that
- * is proportional to the stiffness has no force in r, and a ratio of critical damping refers to u.
+ * and so are, at attachments, -m r'' and the forces -c r' of dampers. The condensed modes respond to
+ * them as to any other load (answer_make.c, follow.h), but for the dampers' forces: their responses to
+ * these are coordinates of the model (dampers.c). Damping that is proportional to the stiffness has no
+ * force in r, and a ratio of critical damping refers to u.
  * The terms of higher degree of the strain energy are in support_energy.c (doc/theory-rom.md, "Moving
  * supports").
  *
@@ -25,6 +28,7 @@
 
 #include "core/report.h"
 #include "modes/grid.h"
+#include "modes/label.h"
 #include "rom/support.h"
 
 int hawser__support_moves(const struct hawser_scene *scene)
@@ -37,66 +41,97 @@ int hawser__support_moves(const struct hawser_scene *scene)
 }
 
 void hawser__support_signal(struct hawser__signal *signal, const struct hawser_scene *scene, int end,
-                            int axis, double length)
+                            int axis, const struct hawser_statics *statics)
 {
 	memset(signal, 0, sizeof *signal);
 	for (int e = 0; e < 2; e++) {
-		double size = scene->support[e].motion[axis]/length, phase = scene->support[e].phase;
+		double phase = scene->support[e].phase, size, in[3];
 		int k = scene->support[e].harmonic;
 
-		if (!scene->support[e].present || size == 0.0 || (end != 2 && end != e))
+		if (!scene->support[e].present || (end != 2 && end != e))
 			continue;
-		if (end == 2 && e == 0)
-			size = -size;
+		hawser_statics_from_global(statics, in, scene->support[e].motion);
+		size = in[axis]/statics->span.d*(end == 2 && e == 0 ? -1.0 : 1.0);
+		if (size == 0.0)
+			continue;
 		signal->c[k] += size*cos(phase);
 		/* exactly zero in phase and in opposite phase */
 		signal->s[k] -= phase == 0.0 || fabs(phase) == M_PI ? 0.0 : size*sin(phase);
 	}
 }
 
-/* --- the field --- */
-
-/* field [3][points] of r for the amplitudes amplitude[end][axis]. */
-static void set_field(double *field, const struct hawser__support_shapes *shapes,
-                      const double amplitude[2][HAWSER__AXES])
+int hawser__support_factor(struct hawser__signal *signal, const struct hawser_scene *scene, int number,
+                           const struct hawser_statics *statics)
 {
-	size_t points = (size_t)shapes->points;
+	int any = 0;
 
-	for (size_t axis = 0; axis < 3; axis++)
-		for (size_t p = 0; p < points; p++)
-			field[axis*points + p] = amplitude[0][axis];
-	for (size_t x = 0; x < HAWSER__AXES; x++)
-		for (size_t i = 0; i < 3*points; i++)
-			field[i] += (amplitude[1][x] - amplitude[0][x])*shapes->shape[x*3*points + i];
+	hawser__support_signal(signal, scene, number < HAWSER__AXES ? 2 : 0, number%HAWSER__AXES, statics);
+	for (int k = 0; k <= HAWSER__SUPPORT_TOP; k++)
+		any |= signal->c[k] != 0.0 || signal->s[k] != 0.0;
+	return any;
 }
 
-/* Integral of the field times mode j. */
-static double work_on(const double *field, const struct hawser_modes *modes, int j)
+/* --- the field --- */
+
+/* r of one harmonic. */
+struct field {
+	const struct hawser__support_shapes *shapes;
+	double factor[HAWSER__SUPPORT_MOST];  /* of the shapes */
+	double rigid[HAWSER__AXES];           /* translation with end A */
+	double *r;                            /* [3][points] */
+	double at[HAWSER_ATTACH_MAX][3];      /* at the attachments */
+	double *force;                        /* [3][points] of its inertia or damping, */
+	double point[HAWSER_ATTACH_MAX][3];   /* and at the attachments */
+};
+
+static void set_field(struct field *field, int attachments)
+{
+	const struct hawser__support_shapes *shapes = field->shapes;
+	size_t points = (size_t)shapes->points, marks = (size_t)attachments;
+
+	for (size_t i = 0; i < 3*points; i++)
+		field->r[i] = field->rigid[i/points];
+	for (size_t m = 0; m < 3*marks; m++)
+		field->at[m/3][m%3] = field->rigid[m%3];
+	for (size_t x = 0; x < (size_t)shapes->count; x++) {
+		for (size_t i = 0; i < 3*points; i++)
+			field->r[i] += field->factor[x]*shapes->shape[x*3*points + i];
+		for (size_t m = 0; m < 3*marks; m++)
+			field->at[m/3][m%3] += field->factor[x]*shapes->at[3*marks*x + m];
+	}
+}
+
+/* Work of the forces on mode j. */
+static double work_on(const struct field *field, const struct hawser_modes *modes, int j)
 {
 	const struct hawser_grid *grid = &modes->grid;
 	int points = grid->points;
-	const double *shape = modes->shape + (size_t)j*(size_t)points*3;
-	double sum = 0.0;
+	const double *shape = modes->shape + (size_t)j*(size_t)points*3, *force = field->force;
+	double sum = 0.0, u[3];
 
 	for (int p = 0; p < points; p++) {
 		struct hawser_frame_point at = hawser_statics_frame(&modes->statics, grid->s[p]);
 		const double *q = shape + 3*p;
-		double x = field[p], y = field[points + p];
+		double x = force[p], y = force[points + p];
 
 		sum += grid->weight[p]*(q[0]*(x*at.ex + y*at.ey) + q[1]*(y*at.ex - x*at.ey) +
-		                        q[2]*field[2*points + p]);
+		                        q[2]*force[2*points + p]);
+	}
+	for (int i = 0; i < modes->statics.attachments; i++) {
+		hawser__modes_attached(u, modes, j, i);
+		for (int c = 0; c < 3; c++)
+			sum += field->point[i][c]*u[c];
 	}
 	return sum;
 }
 
 /* Displacement at the shape points, and strain a there and on the line: `answer` of the harmonic. */
 static enum hawser_status show(struct hawser_harmonic *h, const struct hawser_rom *rom,
-                               const struct hawser_modes *modes, const double *field,
-                               const struct hawser__support_shapes *shapes,
-                               const double amplitude[2][HAWSER__AXES],
+                               const struct hawser_modes *modes, const struct field *field,
                                struct hawser_report *report)
 {
 	const struct hawser_grid *grid = &modes->grid;
+	const struct hawser__support_shapes *shapes = field->shapes;
 	int points = rom->shapes.points, line = rom->line.points;
 
 	h->answer = calloc(2*4*(size_t)points + 1, sizeof *h->answer);
@@ -108,37 +143,52 @@ static enum hawser_status show(struct hawser_harmonic *h, const struct hawser_ro
 		double *out = h->answer + 4*p, global[3];
 
 		for (int axis = 0; axis < 3; axis++)
-			hawser__grid_at(&global[axis], grid, field + axis*grid->points, 1, 1,
+			hawser__grid_at(&global[axis], grid, field->r + axis*grid->points, 1, 1,
 			                rom->shapes.s[p]);
 		out[0] = global[0]*at.ex + global[1]*at.ey;
 		out[1] = global[1]*at.ex - global[0]*at.ey;
 		out[2] = global[2];
 	}
-	for (int x = 0; x < HAWSER__AXES; x++)
+	for (int x = 0; x < shapes->count; x++)
 		for (int p = 0; p < points + line; p++) {
-			double strain, share = amplitude[1][x] - amplitude[0][x];
+			double strain;
 
 			hawser__grid_at(&strain, grid, shapes->strain + (size_t)x*3*(size_t)grid->points,
 			                3, 1, p < points ? rom->shapes.s[p] : rom->line.s[p - points]);
 			*(p < points ? &h->answer[4*p + 3] : &h->answer_line[p - points]) +=
-				share*strain;
+				field->factor[x]*strain;
 		}
 	return HAWSER_OK;
 }
 
-/* Viscous force per velocity of all points, scaled. */
-static double viscous(const struct hawser_scene *scene, const struct hawser_modes *modes)
+/* Forces of unit inertia (rate = 0) or damping (1) of r, times `factor`; those of dampers of
+ * attachments only with `dampers`. Returns whether there are any. */
+static int set_force(struct field *field, const struct hawser_scene *scene,
+                     const struct hawser_modes *modes, int rate, double factor, int dampers)
 {
-	switch (scene->damping.kind) {
-	case HAWSER_DAMPING_ALPHA:
-		return scene->damping.alpha*modes->time_unit/modes->statics.span.rho;
-	case HAWSER_DAMPING_RAYLEIGH:
-		return scene->damping.mass*modes->time_unit;
-	case HAWSER_DAMPING_NONE:
-	case HAWSER_DAMPING_RATIO:
-		break;
+	const struct hawser_statics *st = &modes->statics;
+	double t = modes->time_unit, on_cable = 1.0, on_mass = 1.0;
+	size_t points = (size_t)modes->grid.points;
+	int any;
+
+	if (rate) {
+		on_mass = scene->damping.kind == HAWSER_DAMPING_RAYLEIGH ? scene->damping.mass*t : 0.0;
+		on_cable = scene->damping.kind == HAWSER_DAMPING_ALPHA
+		           ? scene->damping.alpha*t/st->span.rho : on_mass;
 	}
-	return 0.0;
+	any = on_cable != 0.0;
+	for (size_t i = 0; i < 3*points; i++)
+		field->force[i] = factor*on_cable*field->r[i];
+	for (int i = 0; i < st->attachments; i++)
+		for (int c = 0; c < 3; c++) {
+			double each = on_mass*st->attached[i].m;
+
+			if (rate && dampers)
+				each += st->attached[i].damper[c]/sqrt(st->span.rho*st->H);
+			field->point[i][c] = factor*each*field->at[i][c];
+			any |= each != 0.0;
+		}
+	return any;
 }
 
 /* Another harmonic of the model, with a zero f. */
@@ -160,38 +210,51 @@ static struct hawser_harmonic *append(struct hawser_rom *rom, int k, enum hawser
 /* r = field*wave(k tau): its displacement, inertia and damping. */
 static enum hawser_status add(struct hawser_rom *rom, const struct hawser_modes *modes, int moving,
                               int condensed, const struct hawser_scene *scene, int k,
-                              enum hawser_phase phase,
-                              const struct hawser__support_shapes *shapes, double *field,
-                              const double amplitude[2][HAWSER__AXES],
+                              enum hawser_phase phase, struct field *field,
                               struct hawser_report *report)
 {
-	double air = viscous(scene, modes)*k*(phase == HAWSER_COS ? 1.0 : -1.0);
-	struct hawser_harmonic *h = append(rom, k, phase, 0), *inertia = h;
-	size_t count = 3*(size_t)modes->grid.points;
+	struct hawser_harmonic *h = append(rom, k, phase, 0);
 	enum hawser_status status = h ? HAWSER_OK : hawser__no_memory(report, "rom");
 
-	set_field(field, shapes, amplitude);
+	set_field(field, modes->statics.attachments);
 	if (!status)
-		status = show(h, rom, modes, field, shapes, amplitude, report);
-	for (int i = 0; !status && i < (air != 0.0 ? 2 : 1); i++) {
+		status = show(h, rom, modes, field, report);
+	for (int rate = 0; !status && rate < 2; rate++) {
 		/* cos'' = -k^2 Omega^2 cos; cos' = -k Omega sin, sin' = k Omega cos */
-		double factor = i == 0 ? (double)k*k : air;
+		double factor = !rate ? (double)k*k : phase == HAWSER_COS ? k : -k;
 
-		inertia = append(rom, k, i == 0 ? phase : phase == HAWSER_COS ? HAWSER_SIN : HAWSER_COS,
-		                 i == 0 ? 2 : 1);
-		if (!inertia)
+		if (!set_force(field, scene, modes, rate, factor, 1))
+			continue;
+		h = append(rom, k, !rate ? phase : phase == HAWSER_COS ? HAWSER_SIN : HAWSER_COS,
+		           rate ? 1 : 2);
+		if (!h)
 			return hawser__no_memory(report, "rom");
 		for (int j = 0; j < rom->n; j++)
-			inertia->f[j] = factor*work_on(field, modes, j);
-		if (!condensed)
-			continue;
-		for (size_t p = 0; p < count; p++)
-			field[p] *= factor;
-		status = hawser__rom_answer_field(rom, rom->harmonics - 1, modes, moving, field, report);
-		for (size_t p = 0; p < count; p++)
-			field[p] /= factor;
+			h->f[j] = work_on(field, modes, j);
+		if (condensed && set_force(field, scene, modes, rate, factor, 0))
+			status = hawser__rom_answer_field(rom, rom->harmonics - 1, modes, moving,
+			                                  field->force, field->point[0], report);
 	}
 	return status;
+}
+
+/* The amplitudes of harmonic k; returns whether one is not 0. */
+static int set_amplitudes(struct field *field, const struct hawser_scene *scene, int k, int sine,
+                          const struct hawser_statics *statics)
+{
+	struct hawser__signal signal;
+	int any = 0;
+
+	for (int i = 0; i < HAWSER__SUPPORT_MOST + HAWSER__AXES; i++) {
+		double *to = i < HAWSER__SUPPORT_MOST ? &field->factor[i]
+		             : &field->rigid[i - HAWSER__SUPPORT_MOST];
+
+		(void)hawser__support_factor(&signal, scene, i < HAWSER__SUPPORT_MOST ? i : i - HAWSER__AXES,
+		                             statics);
+		*to = sine ? signal.s[k] : signal.c[k];
+		any |= *to != 0.0;
+	}
+	return any;
 }
 
 enum hawser_status hawser__support_forces(struct hawser_rom *rom, const struct hawser_modes *modes,
@@ -199,32 +262,20 @@ enum hawser_status hawser__support_forces(struct hawser_rom *rom, const struct h
                                           const struct hawser_scene *scene,
                                           struct hawser_report *report)
 {
+	size_t count = 3*(size_t)modes->grid.points;
 	struct hawser__support_shapes shapes;
-	double *field = malloc(3*(size_t)modes->grid.points*sizeof *field);
+	struct field field = {.shapes = &shapes, .r = malloc(2*count*sizeof(double))};
 	enum hawser_status status = hawser__support_shapes_make(&shapes, modes, report);
 
-	if (!status && !field)
+	field.force = field.r + count;
+	if (!status && !field.r)
 		status = hawser__no_memory(report, "rom");
 	for (int k = 1; !status && k <= HAWSER__SUPPORT_TOP; k++)
-		for (int sine = 0; !status && sine < 2; sine++) {
-			double amplitude[2][HAWSER__AXES];
-			int any = 0;
-
-			for (int i = 0; i < 2*HAWSER__AXES; i++) {
-				struct hawser__signal signal;
-				double *to = &amplitude[i/HAWSER__AXES][i%HAWSER__AXES];
-
-				hawser__support_signal(&signal, scene, i/HAWSER__AXES, i%HAWSER__AXES,
-				                       rom->length);
-				*to = sine ? signal.s[k] : signal.c[k];
-				any |= *to != 0.0;
-			}
-			if (any)
+		for (int sine = 0; !status && sine < 2; sine++)
+			if (set_amplitudes(&field, scene, k, sine, &modes->statics))
 				status = add(rom, modes, moving, condensed, scene, k,
-				             sine ? HAWSER_SIN : HAWSER_COS, &shapes, field, amplitude,
-				             report);
-		}
+				             sine ? HAWSER_SIN : HAWSER_COS, &field, report);
 	hawser__support_shapes_clear(&shapes);
-	free(field);
+	free(field.r);
 	return status;
 }

@@ -5,14 +5,22 @@
 
 #include <hawser/rom.h>
 
-enum { HAWSER__AXES = 3, HAWSER__SUPPORT_TOP = 20 /* highest harmonic of a motion */ };
+enum {
+	HAWSER__AXES = 3,
+	HAWSER__SUPPORT_MOST = 2*HAWSER__AXES,
+	HAWSER__SUPPORT_TOP = 20 /* highest harmonic of a motion */
+};
 
-/* Quasi-static displacements of the cable by unit displacements of end B along x, y and z, with end A
- * fixed, on the grid of the modes. Those of end A are a translation minus these. */
+/* Quasi-static displacements of the cable along the axes of its plane, on the grid of the modes. 0 to
+ * 2: by a unit displacement of end B along x, y and z, with end A fixed. Of a cable with springs also 3
+ * to 5: what the springs add to a unit translation of both ends. A displacement of end A is that
+ * translation minus the displacement of end B. */
 struct hawser__support_shapes {
+	int count;      /* HAWSER__AXES, or with springs HAWSER__SUPPORT_MOST */
 	int points;
-	double *strain; /* [HAWSER__AXES][points][3] a, b, c */
-	double *shape;  /* [HAWSER__AXES][3][points] displacement along x, y, z */
+	double *strain; /* [count][points][3] a, b, c */
+	double *shape;  /* [count][3][points] displacement along x, y, z */
+	double *at;     /* [count][attachments][3] the same at the attachments */
 };
 enum hawser_status hawser__support_shapes_make(struct hawser__support_shapes *shapes,
                                                const struct hawser_modes *modes,
@@ -24,9 +32,13 @@ struct hawser__signal {
 	double c[3*HAWSER__SUPPORT_TOP + 1], s[3*HAWSER__SUPPORT_TOP + 1];
 };
 
-/* Displacement of `end` (0: A, 1: B), or with end 2 of B relative to A, along `axis`, scaled. */
+/* Displacement of `end` (0: A, 1: B), or with end 2 of B relative to A, along `axis` of the plane of
+ * the cable, scaled. */
 void hawser__support_signal(struct hawser__signal *signal, const struct hawser_scene *scene, int end,
-                            int axis, double length);
+                            int axis, const struct hawser_statics *statics);
+/* The factor of shape `number` (struct hawser__support_shapes); returns whether it is not 0. */
+int hawser__support_factor(struct hawser__signal *signal, const struct hawser_scene *scene, int number,
+                           const struct hawser_statics *statics);
 int hawser__support_moves(const struct hawser_scene *scene);
 
 /* Add the inertia and damping of the quasi-static displacement to the harmonics of the model, with the
@@ -44,10 +56,11 @@ enum hawser_status hawser__support_energy(struct hawser_rom *rom, const struct h
                                           struct hawser_report *report);
 
 /* answer_make.c: the response of the condensed modes to the force field [3][points], along x, y, z at
- * the points of the modes' grid, is added to `harmonic` of the model: displacement, strain and the
- * stiffness of the first `moving` modes. */
+ * the points of the modes' grid, and `point` [attachments][3] at the attachments, is added to
+ * `harmonic` of the model: displacement, strain and the stiffness of the first `moving` modes. */
 enum hawser_status hawser__rom_answer_field(struct hawser_rom *rom, int harmonic,
                                             const struct hawser_modes *modes, int moving,
-                                            const double *field, struct hawser_report *report);
+                                            const double *field, const double *point,
+                                            struct hawser_report *report);
 
 #endif

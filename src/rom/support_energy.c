@@ -1,14 +1,17 @@
 /* rom/support_energy.c - terms of the strain energy that contain the motion of the supports.
  *
- *    s_x    displacement of end B relative to end A along axis x, a periodic function of the phase
- *    psi_x  the quasi-static displacement that belongs to it; only its strains count here
+ *    s_x    displacement of end B relative to end A along axis x, a periodic function of the phase; of
+ *           a cable with springs, also that of end A
+ *    psi_x  the quasi-static displacement that belongs to it (support_shape.c); only its strains count
+ *           here
  *    u      coordinates of the model
  *
  * The energy is a function of s and u, and the psi_x are coordinates of it like the modes, with given
  * values. Third and fourth derivatives by all of them come from project.c, with the response of the
  * condensed modes to their products. In the equation of u_j, the terms of degree 3 give f (s s) and K
  * (s u), those of degree 4 give f (s s s), K (s s u) and Q (s u u). Those of degree 2 vanish, since
- * psi_x is orthogonal in the stiffness to everything that vanishes at the ends. Products of the signals
+ * psi_x is orthogonal in the stiffness to everything that vanishes at the ends (with springs: together
+ * with theirs, which have no terms of higher degree). Products of the signals
  * are sums of harmonics, the constant one among them.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -24,7 +27,12 @@
 #include "rom/project.h"
 #include "rom/support.h"
 
-enum { TOP = 3*HAWSER__SUPPORT_TOP, PAIRS = 6, TRIPLES = 10 };
+enum {
+	TOP = 3*HAWSER__SUPPORT_TOP,
+	MOST = HAWSER__SUPPORT_MOST,
+	PAIRS = MOST*(MOST + 1)/2,
+	TRIPLES = MOST*(MOST + 1)*(MOST + 2)/6
+};
 
 /* What multiplies a product of signals. */
 struct share {
@@ -35,12 +43,12 @@ struct share {
 
 struct work {
 	int n, m, moving;
-	int axis[HAWSER__AXES];              /* [m] */
-	struct hawser__signal signal[HAWSER__AXES]; /* [m] */
+	int number[MOST];                    /* [m] of the shapes (support.h) */
+	struct hawser__signal signal[MOST];  /* [m] */
 	struct hawser_modes wide;            /* the first `moving` modes, psi [m], the other modes */
 	struct hawser__condensed condensed;
 	struct hawser_rom big;               /* tensors of `wide` */
-	struct share one[HAWSER__AXES], two[PAIRS], three[TRIPLES];
+	struct share one[MOST], two[PAIRS], three[TRIPLES];
 };
 
 static void share_clear(struct share *share)
@@ -52,7 +60,7 @@ static void share_clear(struct share *share)
 
 static void work_clear(struct work *work)
 {
-	for (int i = 0; i < HAWSER__AXES; i++)
+	for (int i = 0; i < MOST; i++)
 		share_clear(&work->one[i]);
 	for (int i = 0; i < PAIRS; i++)
 		share_clear(&work->two[i]);
@@ -71,9 +79,10 @@ static void add_psi(struct work *work, int i, const struct hawser__support_shape
 {
 	struct hawser_modes *wide = &work->wide;
 	size_t each = 3*(size_t)wide->grid.points, at = (size_t)(work->moving + i);
-	int axis = work->axis[i];
+	int axis = work->number[i]%HAWSER__AXES;
 
-	memcpy(wide->slope + at*each, shapes->strain + (size_t)axis*each, each*sizeof(double));
+	memcpy(wide->slope + at*each, shapes->strain + (size_t)work->number[i]*each,
+	       each*sizeof(double));
 	/* infinite: nothing of a response is removed along psi. About mid-span, opposite displacements of
 	 * the ends are symmetric along x and antisymmetric along y and z */
 	wide->mode[at] = (struct hawser_mode){.omega = INFINITY,
@@ -91,7 +100,7 @@ static enum hawser_status widen(struct work *work, const struct hawser_modes *mo
 
 	if (work->n + work->m > HAWSER_ROM_MAX)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
-		                    "%d modes of a cable whose supports move along %d axes: at most %d "
+		                    "%d modes of a cable whose supports move in %d ways: at most %d "
 		                    "together are possible, keep fewer modes (model.modes)", work->n,
 		                    work->m, HAWSER_ROM_MAX);
 	*wide = *modes;
@@ -302,19 +311,14 @@ static int spread_all(struct hawser_rom *rom, const struct work *work)
 	return good;
 }
 
-/* The axes along which the ends move relative to each other. */
-static void list_axes(struct work *work, const struct hawser_scene *scene, double length)
+/* The shapes that move. */
+static void list_shapes(struct work *work, const struct hawser_scene *scene,
+                        const struct hawser__support_shapes *shapes,
+                        const struct hawser_statics *statics)
 {
-	for (int axis = 0; axis < HAWSER__AXES; axis++) {
-		struct hawser__signal *signal = &work->signal[work->m];
-		int any = 0;
-
-		hawser__support_signal(signal, scene, 2, axis, length);
-		for (int k = 0; k <= HAWSER__SUPPORT_TOP; k++)
-			any |= signal->c[k] != 0.0 || signal->s[k] != 0.0;
-		if (any)
-			work->axis[work->m++] = axis;
-	}
+	for (int i = 0; i < shapes->count; i++)
+		if (hawser__support_factor(&work->signal[work->m], scene, i, statics))
+			work->number[work->m++] = i;
 }
 
 enum hawser_status hawser__support_energy(struct hawser_rom *rom, const struct hawser_modes *modes,
@@ -324,14 +328,16 @@ enum hawser_status hawser__support_energy(struct hawser_rom *rom, const struct h
 {
 	struct work work = {.n = rom->n, .moving = moving};
 	struct hawser__support_shapes shapes;
-	enum hawser_status status;
+	enum hawser_status status = hawser__support_shapes_make(&shapes, modes, report);
 
-	list_axes(&work, scene, rom->length);
-	if (work.m == 0)
+	if (status)
+		return status;
+	list_shapes(&work, scene, &shapes, &modes->statics);
+	if (work.m == 0) {
+		hawser__support_shapes_clear(&shapes);
 		return HAWSER_OK;
-	status = hawser__support_shapes_make(&shapes, modes, report);
-	if (!status)
-		status = widen(&work, modes, &shapes, report);
+	}
+	status = widen(&work, modes, &shapes, report);
 	if (!status && condensed)
 		status = hawser__condense(&work.condensed, &work.wide, moving + work.m, report);
 	if (!status)

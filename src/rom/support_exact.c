@@ -1,6 +1,7 @@
 /* rom/support_exact.c - moving supports of a model with the exact energy: the strains of the
  * quasi-static displacement (support_shape.c) at the quadrature points are added to those of the
- * coordinates, so that the energy is exact in both.
+ * coordinates, so that the energy is exact in both. The springs of attachments pull at the coordinates
+ * with that displacement, too.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -10,9 +11,28 @@
 
 #include "core/report.h"
 #include "modes/grid.h"
+#include "modes/label.h"
 #include "rom/exact.h"
 #include "rom/kernel.h"
 #include "rom/support.h"
+
+/* Force [n] of the springs at the coordinates by shape `number`. */
+static void pull(double *force, const struct hawser_modes *modes,
+                 const struct hawser__support_shapes *shapes, int number)
+{
+	const struct hawser_statics *st = &modes->statics;
+	double u[3];
+
+	for (int i = 0; i < st->attachments; i++)
+		for (int j = 0; j < modes->n; j++) {
+			const double *at = shapes->at + 3*((size_t)number*(size_t)st->attachments + (size_t)i);
+
+			hawser__modes_attached(u, modes, j, i);
+			for (int c = 0; c < 3; c++)
+				force[j] += st->attached[i].spring[c]*st->span.d/st->H*u[c]*
+				            (at[c] + (number == HAWSER__AXES + c));
+		}
+}
 
 enum hawser_status hawser__exact_support(struct hawser_rom_exact *exact,
                                          const struct hawser_modes *modes,
@@ -20,25 +40,27 @@ enum hawser_status hawser__exact_support(struct hawser_rom_exact *exact,
                                          struct hawser_report *report)
 {
 	size_t points = (size_t)exact->points, each = 3*(size_t)modes->grid.points;
+	size_t n = (size_t)exact->n;
 	struct hawser__support_shapes shapes;
 	enum hawser_status status = hawser__support_shapes_make(&shapes, modes, report);
 
-	exact->support = calloc(HAWSER__AXES*3*points + 1, sizeof *exact->support);
-	exact->signal = calloc(HAWSER__AXES, sizeof *exact->signal);
-	if (!status && (!exact->support || !exact->signal))
+	exact->support = calloc(HAWSER__SUPPORT_MOST*3*points + 1, sizeof *exact->support);
+	exact->signal = calloc(HAWSER__SUPPORT_MOST, sizeof *exact->signal);
+	if (exact->springs)
+		exact->pull = calloc(HAWSER__SUPPORT_MOST*n, sizeof *exact->pull);
+	if (!status && (!exact->support || !exact->signal || (exact->springs && !exact->pull)))
 		status = hawser__no_memory(report, "rom");
-	for (int axis = 0; !status && axis < HAWSER__AXES; axis++) {
-		struct hawser__signal *signal = &exact->signal[exact->supports];
+	for (int i = 0; !status && i < shapes.count; i++) {
 		double *strain = exact->support + 3*points*(size_t)exact->supports;
-		int any = 0;
 
-		hawser__support_signal(signal, scene, 2, axis, modes->statics.span.d);
-		for (int k = 0; k <= HAWSER__SUPPORT_TOP; k++)
-			any |= signal->c[k] != 0.0 || signal->s[k] != 0.0;
-		for (size_t p = 0; any && p < points; p++)
-			hawser__grid_at(strain + 3*p, &modes->grid, shapes.strain + (size_t)axis*each, 3,
-			                3, exact->grid.s[p]);
-		exact->supports += any;
+		if (!hawser__support_factor(&exact->signal[exact->supports], scene, i, &modes->statics))
+			continue;
+		for (size_t p = 0; p < points; p++)
+			hawser__grid_at(strain + 3*p, &modes->grid, shapes.strain + (size_t)i*each, 3, 3,
+			                exact->grid.s[p]);
+		if (exact->pull)
+			pull(exact->pull + (size_t)exact->supports*n, modes, &shapes, i);
+		exact->supports++;
 	}
 	hawser__support_shapes_clear(&shapes);
 	return status;
@@ -56,7 +78,7 @@ void hawser__exact_supports(const struct hawser_rom_exact *exact, double *s, dou
 void hawser__exact_vary(const struct hawser_rom_exact *exact, double *restoring, double *tangent,
                         const double *u, double tau)
 {
-	double s[HAWSER__AXES] = {0.0}, force[HAWSER_ROM_MAX], T[HAWSER_ROM_MAX*HAWSER_ROM_MAX];
+	double s[HAWSER__SUPPORT_MOST] = {0.0}, force[HAWSER_ROM_MAX], T[HAWSER_ROM_MAX*HAWSER_ROM_MAX];
 	int n = exact->n;
 
 	hawser__exact_supports(exact, s, tau);
@@ -69,4 +91,7 @@ void hawser__exact_vary(const struct hawser_rom_exact *exact, double *restoring,
 		for (int i = 0; tangent && i < n*n; i++)
 			tangent[i] += sign*T[i];
 	}
+	for (int i = 0; exact->pull && i < exact->supports; i++)
+		for (int j = 0; j < n; j++)
+			restoring[j] += s[i]*exact->pull[i*n + j];
 }

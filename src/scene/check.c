@@ -231,21 +231,17 @@ static enum hawser_status end_given(struct hawser__reader *reader, const char *n
 /* Fail if the ends of a cable move, or are on springs, for which this is not modelled. */
 static enum hawser_status supports(struct hawser__reader *reader)
 {
-	const struct hawser_scene *scene = reader->scene;
 	int section = hawser__section_find("support"), moving = 0, elastic = 0;
 	enum hawser_status status = end_given(reader, "support.A", &moving, &elastic);
-	const char *other;
 
 	if (!status)
 		status = end_given(reader, "support.B", &moving, &elastic);
 	if (status || !(moving || elastic))
 		return status;
-	other = scene->travel.present ? "travel" : !moving ? NULL : scene->attachments > 0 ? "attach"
-	        : scene->static_load.present ? "load.static" : NULL;
-	if (other)
-		return hawser__reader_fail(reader, near(reader, section), "support contradicts %s: moving "
-		                           "or elastic supports of such a cable are not modelled, remove one "
-		                           "of them", other);
+	if (reader->scene->travel.present)
+		return hawser__reader_fail(reader, near(reader, section), "support contradicts travel: moving "
+		                           "or elastic supports of a travelling cable are not modelled, remove "
+		                           "one of them");
 	if (moving && elastic)
 		return hawser__reader_fail(reader, near(reader, section), "support has both motion and "
 		                           "stiffness: the motion of elastic supports is not modelled, remove "

@@ -282,25 +282,30 @@ int hawser__map_worker_prepared(void *context, double x, double y)
 	       : hawser__structure_find(worker->cable, at[varies]) != NULL;
 }
 
+/* The model may have further coordinates behind its modes (dampers of attachments), at some points
+ * only: the lines are those of the first cable->n frequencies. */
 static enum hawser_status measure(struct worker *worker, struct hawser_map_sample *sample,
                                   double *marks, const struct hawser_rom *rom, double omega,
                                   struct hawser_report *report)
 {
 	const struct hawser__map_cable *cable = worker->cable;
 	enum hawser_status status = hawser__map_room_fit(&worker->room, rom->n, report);
+	double *frequency;
 
-	if (!status)
-		status = cable->quantity->measure(&worker->room, sample,
-		                                  marks && cable->n > 0 ? marks + HAWSER__MARGINS : NULL,
-		                                  rom, omega*rom->time, report);
+	if (status)
+		return status;
+	frequency = marks && cable->n > 0 ? worker->room.frequency : NULL;
+	status = cable->quantity->measure(&worker->room, sample, frequency, rom, omega*rom->time, report);
 	if (!status)
 		hawser__map_condensed_note(&worker->condensed, &worker->room);
 	if (status || !marks)
 		return status;
 	if (!cable->quantity->about.nonlinear)
 		hawser__linear_margin(worker->room.linear, marks);
-	if (cable->n > 0)
-		marks[HAWSER__MARGINS + rom->n] = omega*rom->time;
+	for (int j = 0; frequency && j < cable->n && j < rom->n; j++)
+		marks[HAWSER__MARGINS + j] = frequency[j];
+	if (frequency)
+		marks[HAWSER__MARGINS + cable->n] = omega*rom->time;
 	return status;
 }
 

@@ -180,6 +180,11 @@ for p, q in ((a[0], b[0]), (a[-1], b[-1])):
     for key in ("y_mid", "z_mid"):
         assert abs(p["amplitude"][key]/q["amplitude"][key] - 1) < 1e-3, (key, p["amplitude"][key], q["amplitude"][key])
 END
+# the coordinates of dampers have no lines of parametric resonance
+works "a map over Omega with a damper" map "$scene" --quantity multiplier --points 4x3 -n 3 \
+	--set 'attach.0.damper=[0, 8 kN.s/m, 8 kN.s/m]' --x Omega=1:4 --y factor.load=1:20 --json lines.json -q
+works "where the damper vanishes" map "$scene" --quantity growth --points 3x2 -n 3 --x Omega=1:4 \
+	--set 'attach.0.damper=[0, 8 kN.s/m, 0]' --y 'attach.0.damper[1]=0:9e3' -q
 works "not condensed" rom "$scene" --set 'attach.0.spring=[0, 1e4, 0]' --set model.condense=none --json s.json -q
 works "plan with a damper" plan "$scene" --limit 0.1 --set 'attach.0.damper=[0, 1e3, 1e3]' --json damper.json -q
 python "and what a damper adds" <<'END'

@@ -266,9 +266,6 @@ refuses_like 1 'shapes.mach2 is 1.5; a number from 0 to below 1 is wanted' frf f
 # --- moving supports
 anchorage=$scenes/stay-anchorage.yaml
 refuses_like 1 'support contradicts travel' rom "$travelling" --set 'support.B.motion=[0, 1 mm, 0]'
-refuses_like 1 'support contradicts load.static' statics "$anchorage" \
-	--set 'load.static={frame: global, per_length: [0, -1, 2]}'
-refuses_like 1 'support contradicts attach' statics "$anchorage" --set 'attach=[{at: 40 %, mass: 20}]'
 refuses_like 1 'does not know the motion of supports' \
 	frf "$anchorage" --from 0.9w1 --to 1.1w1 --set model.modes=auto
 refuses_like 1 'support.B.harmonic = 0|it must be' rom "$anchorage" --set support.B.harmonic=0
