@@ -71,6 +71,7 @@ static void work_clear(struct work *work)
 	free(work->big.C);
 	free(work->wide.mode);
 	free(work->wide.slope);
+	free(work->wide.shape);
 }
 
 /* --- the tensors --- */
@@ -105,16 +106,20 @@ static enum hawser_status widen(struct work *work, const struct hawser_modes *mo
 		                    work->m, HAWSER_ROM_MAX);
 	*wide = *modes;
 	wide->n = work->n + work->m;
-	wide->shape = NULL;
 	wide->mode = malloc((n + m)*sizeof *wide->mode);
 	wide->slope = malloc((n + m)*each*sizeof *wide->slope);
-	if (!wide->mode || !wide->slope)
+	wide->shape = calloc((n + m)*each, sizeof *wide->shape); /* 0 for psi: not a part of a response */
+	if (!wide->mode || !wide->slope || !wide->shape)
 		return hawser__no_memory(report, "rom");
 	memcpy(wide->mode, modes->mode, moving*sizeof *wide->mode);
 	memcpy(wide->mode + moving + m, modes->mode + moving, (n - moving)*sizeof *wide->mode);
-	memcpy(wide->slope, modes->slope, moving*each*sizeof(double));
-	memcpy(wide->slope + (moving + m)*each, modes->slope + moving*each,
-	       (n - moving)*each*sizeof(double));
+	for (int k = 0; k < 2; k++) {
+		double *to = k ? wide->shape : wide->slope;
+		const double *from = k ? modes->shape : modes->slope;
+
+		memcpy(to, from, moving*each*sizeof *to);
+		memcpy(to + (moving + m)*each, from + moving*each, (n - moving)*each*sizeof *to);
+	}
 	for (int i = 0; i < work->m; i++)
 		add_psi(work, i, shapes);
 	return HAWSER_OK;
