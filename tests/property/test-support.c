@@ -362,7 +362,8 @@ static void check_full(void)
 
 		if (!read(&scene, text[i]) || !solve(&modes, &scene, 10) ||
 		    !ok(!hawser_rom_build(&rom, &modes, &scene, NULL) &&
-		        !hawser_rom_build_full(&full, &modes.statics, &scene, i == 2 ? 16 : 10, NULL), "models"))
+		        !hawser_rom_build_full(&full, &modes.statics, &scene,
+		                               i == 2 ? 16 : 10, NULL), "models"))
 			return;
 		options.from = 0.62*sqrt(rom.K[0]);
 		options.to = 0.6*sqrt(rom.K[0]);
