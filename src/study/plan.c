@@ -10,6 +10,7 @@
 #include "core/report.h"
 #include "core/settle.h"
 #include "rom/build.h"
+#include "rom/drag.h"
 #include "rom/drive.h"
 #include "study/survey.h"
 
@@ -170,6 +171,8 @@ enum hawser_status hawser_plan_make(struct hawser_plan *plan, const struct hawse
 	enum hawser_status status;
 
 	memset(plan, 0, sizeof *plan);
+	if (scene->damping.drag > 0.0)
+		return hawser__drag_refuse(NULL, "a plan", report);
 	if (options)
 		own = *options;
 	hawser_plan_settle(&own);
