@@ -28,6 +28,7 @@ dist_scenes_DATA = \
 	%D%/scenes/stay-anchorage.yaml \
 	%D%/scenes/stay-damper.yaml \
 	%D%/scenes/stay-mast.yaml \
+	%D%/scenes/stay-clamped.yaml \
 	%D%/scenes/chairlift.yaml \
 	%D%/scenes/conductor.yaml \
 	%D%/scenes/decay.tsv \

@@ -88,3 +88,8 @@ check_PROGRAMS += tests/property/test-modes-elastic
 TESTS += tests/property/test-modes-elastic
 tests_property_test_modes_elastic_SOURCES = tests/property/test-modes-elastic.c
 tests_property_test_modes_elastic_LDADD = $(UPTO_MODES)
+
+check_PROGRAMS += tests/property/test-modes-bending
+TESTS += tests/property/test-modes-bending
+tests_property_test_modes_bending_SOURCES = tests/property/test-modes-bending.c
+tests_property_test_modes_bending_LDADD = $(UPTO_MODES)

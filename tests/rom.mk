@@ -87,3 +87,8 @@ check_PROGRAMS += tests/property/test-rom-elastic
 TESTS += tests/property/test-rom-elastic
 tests_property_test_rom_elastic_SOURCES = tests/property/test-rom-elastic.c
 tests_property_test_rom_elastic_LDADD = $(UPTO_ROM)
+
+check_PROGRAMS += tests/property/test-rom-bending
+TESTS += tests/property/test-rom-bending
+tests_property_test_rom_bending_SOURCES = tests/property/test-rom-bending.c
+tests_property_test_rom_bending_LDADD = $(UPTO_ROM)

@@ -55,6 +55,10 @@ struct hawser_mode {
 	 * waves running downstream: 1/2 at rest. It decreases with the speed, since the waves running
 	 * upstream are slower and steeper. */
 	double downstream;
+	/* [2] bending moment EI phi' at ends A and B, phi the rotation of the tangent, in N m per m of the
+	 * largest displacement of the mode; 0 at pinned ends and without bending stiffness */
+	double moment[2];
+	double moment_error; /* estimated error of both, relative to the larger one */
 	/* [3] integrals of Phi.x, Phi.y, Phi.z over [0,l], along the global axes, scaled; 0 if the mode
 	 * is complex */
 	double participation[3];

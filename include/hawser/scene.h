@@ -109,7 +109,9 @@ struct hawser_scene {
 	struct {
 		double EA;  /* N; INFINITY for an inextensible cable */
 		double rho; /* kg per metre of unstretched length */
+		double EI;  /* N m^2; 0: none */
 	} cable;
+	double ends[2]; /* N m per radian at ends A and B: 0 pinned, INFINITY clamped; only with EI */
 	struct {
 		double d; /* horizontal distance of the ends, m, > 0 */
 		double h; /* height of end B above end A, m */
@@ -211,7 +213,8 @@ struct hawser_scene_key {
 	const char *type;    /* "number", "integer", "numbers[3]", "numbers[2]", "series" (a number
 	                      * or a list), "word", "place" (a fraction or a length), "name" */
 	const char *words;   /* of a word: "taut|slack"; of an integer: the word that is accepted in
-	                      * place of a number and stored as 0, such as "auto"; else NULL */
+	                      * place of a number and stored as 0, such as "auto"; of a number: the words
+	                      * for 0 and infinity, "pinned|clamped"; else NULL */
 	const char *range;   /* as text: "> 0", "finite", "within [0, 1], increasing", "" */
 	const char *fallback; /* default as text; NULL: required if its section is present */
 	const char *doc;     /* one line */

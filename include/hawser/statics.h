@@ -55,6 +55,12 @@ struct hawser_held {
 	double mass, m;      /* kg, and scaled: mass/(rho*d) */
 };
 
+/* Bending stiffness, which acts against changes of the static shape (doc/theory-bending.md). */
+struct hawser_bending {
+	double EI;          /* N m^2; 0: none */
+	double rotation[2]; /* N m: stiffness against rotation at ends A and B; INFINITY: clamped */
+};
+
 /* A static solution. Of a travelling cable, span.rho, H, T0, T1, V0, V1, length0, delta, epsilon
  * and lengths S are those of the apparent cable (struct hawser_motion); d, h, shape, sag and
  * `length` are the same for both. */
@@ -86,6 +92,7 @@ struct hawser_statics {
 	/* 1 if an end is on springs, set by hawser_statics_hold; if 0, `held` is not set */
 	int elastic;
 	struct hawser_held held[2]; /* ends A and B */
+	struct hawser_bending bending; /* from the scene, by hawser_statics_scene; else 0 */
 	/* 1 if the cable hangs in another plane, or upwards, under a static load. All quantities above
 	 * are then those in its own plane, whose axes x', y' (against the static force) and z' have the
 	 * components axes[0], axes[1] and axes[2] along x, y and z. If `turned` is 0, the axes are x, y

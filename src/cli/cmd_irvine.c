@@ -133,6 +133,11 @@ static enum hawser_status trace(struct cli_irvine_result *result,
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "irvine",
 		                      "the sweep of the tension is for a cable without attachments: set "
 		                      "attach=[], or call hawser modes for single tensions");
+	if (!status && scene->cable.EI > 0.0)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "irvine",
+		                      "the sweep of the tension is for a cable without bending stiffness: "
+		                      "set cable.EI=0 and leave ends out, or call hawser modes for single "
+		                      "tensions");
 	if (!status)
 		status = hawser_statics_equivalent(&equal, scene, report);
 	if (!status)

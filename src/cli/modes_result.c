@@ -3,6 +3,7 @@
 #include "config.h"
 
 #include <stdlib.h>
+#include <math.h>
 #include <string.h>
 
 #include "cli/modes_damped.h"
@@ -99,6 +100,15 @@ static int dampers(const struct hawser_statics *st)
 	return any;
 }
 
+/* L sqrt(T/EI), with the stretched length and the tension at mid-length. */
+static double xi_of(const void *of)
+{
+	const struct hawser_modes *modes = of;
+	double S = 0.5*modes->statics.length0, T = hawser_statics_at(&modes->statics, S).T;
+
+	return modes->statics.length*sqrt(T/modes->statics.bending.EI);
+}
+
 static void comments(struct hawser__table *table, const void *of)
 {
 	const struct cli_modes_result *result = of;
@@ -115,6 +125,10 @@ static void comments(struct hawser__table *table, const void *of)
 		hawser__table_comment(table, "in-plane means the plane of the cable, which its static load "
 		                      "turns by %.6g rad about the chord; x, y, z are those of the scene",
 		                      modes->statics.swing);
+	if (modes->statics.bending.EI > 0.0)
+		hawser__table_comment(table, "xi = L sqrt(T/EI) is %.10g with the tension at mid-length; "
+		                      "moments at the ends in N.m per m of the largest displacement",
+		                      xi_of(modes));
 	if (dampers(&modes->statics))
 		hawser__table_comment(table, "the modes are undamped: --damped lists the damping by dampers "
 		                      "of attachments");
@@ -124,7 +138,7 @@ static void comments(struct hawser__table *table, const void *of)
 
 /* --- fields --- */
 
-enum { REST = 1, TRAVELS = 2, SHAPES = 4 };
+enum { REST = 1, TRAVELS = 2, SHAPES = 4, BENDS = 8 };
 
 HAWSER__LABELS(plane_name, hawser_plane_name, enum hawser_plane)
 HAWSER__LABELS(family_name, hawser_family_name, enum hawser_family)
@@ -157,6 +171,11 @@ static const struct hawser__field mode_field[] = {
 	{"effective_mass", "effective_mass_",
 	 "at rest: modal effective mass over the mass of the cable", OF(effective_mass),
 	 .vector = &cli_axes, .when = REST},
+	{"moment_A", "moment_A_Nm_per_m", "with cable.EI: bending moment at end A (N.m) over the largest "
+	 "displacement (m)", OF(moment[0]), .when = BENDS},
+	{"moment_B", "moment_B_Nm_per_m", "with cable.EI: at end B", OF(moment[1]), .when = BENDS},
+	{"moment_error", "moment_error", "with cable.EI: error estimate of the moments, relative to the "
+	 "larger one", OF(moment_error), .when = BENDS},
 	{"downstream", "downstream",
 	 "if it travels: share of downstream waves in the kinetic energy", OF(downstream),
 	 .when = TRAVELS},
@@ -268,6 +287,8 @@ static const struct hawser__field modes_field[] = {
 	 .unit = HAWSER__NEWTON, .when = TRAVELS},
 	{"travel.mach2", NULL, "square of speed over that of axial waves", OF(statics.motion.mach2),
 	 .when = TRAVELS},
+	{"xi", NULL, "with cable.EI: L sqrt(T/EI), with the tension at mid-length", HAWSER__BY(xi_of),
+	 .when = BENDS},
 	{"modes", NULL, "by frequency, both planes together", HAWSER__OBJECTS_OF(mode_list)},
 	HAWSER__END,
 };
@@ -295,6 +316,7 @@ static struct cli_head head(const void *of)
 		result->common, "modes", result->modes.method, &result->scene,
 		{.scale = hawser__si, .context = result,
 		 .options = (result->modes.gyroscopic ? TRAVELS : REST) |
+		            (result->modes.statics.bending.EI > 0.0 ? BENDS : 0u) |
 		            (result->points > 0 ? SHAPES : 0u)}, NULL, NULL};
 }
 

@@ -304,6 +304,10 @@ enum hawser_status hawser_modes_basis(struct hawser_modes *modes,
 		                    "a basis of %d functions a component in the plane and %d out of "
 		                    "it: give 0 to %d, not both 0", in_plane, out_of_plane,
 		                    MOST);
+	if (statics->bending.EI > 0.0)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+		                    "the full basis has no bending stiffness: take model.energy: quartic, or "
+		                    "leave cable.EI out");
 	degree = hawser__cable_split(&elements, statics, most);
 	status = hawser__cable_init(&cable, statics, elements, degree, report);
 	for (int q = 0; q < HAWSER__PLANES && !status; q++) {

@@ -3,6 +3,8 @@ noinst_LTLIBRARIES += %D%/libmodes.la
 	%D%/analytic.c \
 	%D%/analytic.h \
 	%D%/basis.c \
+	%D%/bending.c \
+	%D%/bending.h \
 	%D%/cable.c \
 	%D%/cable.h \
 	%D%/chain.c \
@@ -21,6 +23,9 @@ noinst_LTLIBRARIES += %D%/libmodes.la
 	%D%/compliance.h \
 	%D%/fdm.c \
 	%D%/fdm.h \
+	%D%/flexure.c \
+	%D%/flexure.h \
+	%D%/flexure_solve.c \
 	%D%/grid.c \
 	%D%/grid.h \
 	%D%/gyroscopic.c \

@@ -12,6 +12,7 @@
 
 #include "core/report.h"
 #include "modes/analytic.h"
+#include "modes/bending.h"
 #include "modes/chain.h"
 #include "modes/fdm.h"
 #include "modes/grid.h"
@@ -171,10 +172,15 @@ static enum hawser_status solve(struct hawser_modes *modes, const struct hawser_
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
 		                    "the method %s is for rigid supports: take spectral, or leave "
 		                    "support.A.stiffness and support.B.stiffness out", method->name);
+	if (statics->bending.EI > 0.0 && (gyroscopic || method->solve != hawser__spectral_solve))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+		                    "the method %s is for a cable without bending stiffness: take "
+		                    "spectral for a cable at rest, or leave cable.EI out", method->name);
 	if (settled.tolerance == 0.0)
 		settled.tolerance = method->tolerance;
 	modes->statics = *statics;
-	status = method->solve(modes, statics, &settled, report);
+	status = (statics->bending.EI > 0.0 ? hawser__flexure_solve
+	                                    : method->solve)(modes, statics, &settled, report);
 	modes->method = method->name;
 	modes->time_unit = statics->span.d*sqrt(statics->span.rho/statics->H);
 	if (!status && !settled.any_error)

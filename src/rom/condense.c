@@ -226,15 +226,32 @@ static enum hawser_status set_gram(struct hawser__condensed *condensed, const st
 	return HAWSER_OK;
 }
 
+enum hawser_status hawser__condense_bends(const struct hawser_modes *modes,
+                                          struct hawser_report *report)
+{
+	if (!(modes->statics.bending.EI > 0.0))
+		return HAWSER_OK;
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+	                    "the modes that are not kept are not condensed with cable.EI: set "
+	                    "model.condense: none, and model.modes so large that longitudinal modes are "
+	                    "among them");
+}
+
 enum hawser_status hawser__condense(struct hawser__condensed *condensed,
                                     const struct hawser_modes *modes, int moving,
                                     struct hawser_report *report)
 {
 	int n = moving, pairs = n*(n + 1)/2, points = modes->grid.points;
 	struct work work = {.modes = modes};
+	enum hawser_status status = hawser__condense_bends(modes, report);
 	double *third = malloc((size_t)modes->n*sizeof *third);
-	enum hawser_status status = hawser__springs_make(&work.springs, modes, report);
 
+	if (status) {
+		*condensed = (struct hawser__condensed){.n = 0};
+		free(third);
+		return status;
+	}
+	status = hawser__springs_make(&work.springs, modes, report);
 	*condensed = (struct hawser__condensed){.n = n, .points = points, .pairs = pairs};
 	condensed->strain = malloc((size_t)pairs*points*3*sizeof *condensed->strain);
 	condensed->gram = malloc((size_t)pairs*pairs*sizeof *condensed->gram);

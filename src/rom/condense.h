@@ -1,4 +1,5 @@
-/* rom/condense.h - static condensation: displacement of all modes that are not kept under the quadratic
+/* rom/condense.h - static condensation: displacement of all modes that are not kept under the
+ * quadratic
  * forces of the kept ones.
  *
  * With the kept modes at u = sum_j u_j Phi_j, the static displacement of the others is
@@ -31,7 +32,13 @@ enum hawser_status hawser__condensed_at(const struct hawser__condensed *condense
                                         double *slope, int stride, double s,
                                         struct hawser_report *report);
 
-/* T [n][n] of follow.h, n = modes->n, for the scene's load, in the units of scene and of s, and whether
+/* Fail if the cable has bending stiffness: the closed forms of the response of strains don't have
+ * it. */
+enum hawser_status hawser__condense_bends(const struct hawser_modes *modes,
+                                          struct hawser_report *report);
+
+/* T [n][n] of follow.h, n = modes->n, for the scene's load, in the units of scene and of s, and
+ * whether
  * any entry is not zero. condense_load.c. */
 enum hawser_status hawser__follow_load(double *T, int *any, const struct hawser_modes *modes,
                                        int moving, const struct hawser_scene *scene,

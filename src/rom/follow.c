@@ -101,6 +101,8 @@ enum hawser_status hawser__stations_make(struct hawser__stations *stations,
 	size_t most = (size_t)modes->grid.points + 4*(size_t)modes->grid.order;
 
 	*stations = (struct hawser__stations){.modes = modes, .moving = moving};
+	if (hawser__condense_bends(modes, report))
+		return HAWSER_ERR_ARGUMENT;
 	stations->s = malloc(most*sizeof *stations->s);
 	stations->place = malloc(most*sizeof *stations->place);
 	stations->slope = malloc((3*most*(size_t)moving + 1)*sizeof *stations->slope);

@@ -249,6 +249,28 @@ static enum hawser_status supports(struct hawser__reader *reader)
 	return HAWSER_OK;
 }
 
+/* Fail if the cable has bending stiffness where this is not modelled, or held ends without it. */
+static enum hawser_status bending(struct hawser__reader *reader)
+{
+	const struct hawser_scene *scene = reader->scene;
+	const struct hawser__place *at = &reader->key[hawser__key_find("cable.EI")];
+	int ends = hawser__section_find("ends");
+	const char *other = scene->travel.present ? "travel"
+	                    : scene->support[0].present || scene->support[1].present ? "support"
+	                    : scene->model.energy == HAWSER_ENERGY_EXACT ? "model.energy: exact" : NULL;
+
+	if (!(scene->cable.EI > 0.0))
+		return present(reader, ends)
+		       ? hawser__reader_fail(reader, near(reader, ends), "ends contradicts cable.EI = 0: a "
+		                             "cable without bending stiffness turns freely at its ends; give "
+		                             "cable.EI, or remove ends")
+		       : HAWSER_OK;
+	if (!other)
+		return HAWSER_OK;
+	return hawser__reader_fail(reader, at, "cable.EI contradicts %s: bending stiffness of such a "
+	                           "cable is not modelled, remove one of them", other);
+}
+
 enum hawser_status hawser__check(struct hawser__reader *reader)
 {
 	enum hawser_status status = beam(reader);
@@ -278,6 +300,8 @@ enum hawser_status hawser__check(struct hawser__reader *reader)
 		status = braking(reader);
 	if (status == HAWSER_OK)
 		status = supports(reader);
+	if (status == HAWSER_OK)
+		status = bending(reader);
 	if (status == HAWSER_OK)
 		status = hawser__items_check(reader);
 	if (status == HAWSER_OK)

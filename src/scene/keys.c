@@ -23,6 +23,12 @@
 	    "axial stiffness; .inf makes it inextensible, for statics only") \
 	ROW("cable.rho", "kg/m", NUMBER, NULL, POSITIVE, NULL, cable.rho, FREE, 0, \
 	    "mass per unstretched length") \
+	ROW("cable.EI", "N.m^2", NUMBER, NULL, NOT_NEGATIVE, "0", cable.EI, FREE, 0, \
+	    "bending stiffness, against changes of the static shape; see BENDING") \
+	ROW("ends.A", "N.m", NUMBER, "pinned|clamped", NOT_NEGATIVE_OR_INF, "0", ends[0], FREE, 0, \
+	    "end A with cable.EI: pinned, clamped, or a rotational stiffness in N.m per radian") \
+	ROW("ends.B", "N.m", NUMBER, "pinned|clamped", NOT_NEGATIVE_OR_INF, "0", ends[1], FREE, 0, \
+	    "the same for end B") \
 	ROW("span.d", "m", NUMBER, NULL, POSITIVE, NULL, span.d, FREE, 0, \
 	    "horizontal distance between the ends") \
 	ROW("span.h", "m", NUMBER, NULL, ANY, NULL, span.h, FREE, 0, \
@@ -198,6 +204,7 @@
 #define RANGE_POSITIVE "> 0"
 #define RANGE_POSITIVE_OR_INF "> 0 or .inf"
 #define RANGE_NOT_NEGATIVE ">= 0"
+#define RANGE_NOT_NEGATIVE_OR_INF ">= 0 or .inf"
 #define RANGE_RIGHT_ANGLE "within [-pi/2, pi/2]"
 #define RANGE_OPEN_UNIT "between 0 and 1"
 #define RANGE_INCREASING "within [0, 1], increasing"
@@ -230,6 +237,7 @@ _Static_assert(sizeof(enum hawser_energy) == sizeof(int), "a word is stored as a
 
 static const struct hawser__section sections[] = {
 	{"cable", 1, "The cable, uniform along its unstretched length."},
+	{"ends", 0, "How the ends of a cable with cable.EI are held against rotation, in both planes."},
 	{"span", 1, "The positions of the ends: A at the origin, B at (d, h)."},
 	{"tension", 1,
 	        "The quantity that determines the tension at rest: one of H, T0, T1, length0 and sag."},
@@ -322,6 +330,7 @@ int hawser__in_range(int index, double value)
 	switch (rows[index].range) {
 	case HAWSER__POSITIVE_OR_INF: return value > 0.0;
 	case HAWSER__POSITIVE: return value > 0.0 && isfinite(value);
+	case HAWSER__NOT_NEGATIVE_OR_INF: return value >= 0.0;
 	case HAWSER__NOT_NEGATIVE: return value >= 0.0 && isfinite(value);
 	case HAWSER__RIGHT_ANGLE: return fabs(value) <= 1.5707963267948968; /* pi/2 rounded,
 	                                                                     * inclusive */
@@ -393,6 +402,8 @@ int hawser__applies(const struct hawser_scene *scene, int index)
 		return scene->support[1].present;
 	if (!strcmp(keys[index].path, "damping.drag"))
 		return scene->damping.drag > 0.0;
+	if (hawser__child_of(keys[index].path, "ends"))
+		return scene->cable.EI > 0.0;
 	if (!strcmp(keys[index].path, "travel.final"))
 		return scene->travel.present && scene->travel.braking > 0.0;
 	if (hawser__child_of(keys[index].path, "travel"))

@@ -7,7 +7,7 @@
 #include <hawser/scene.h>
 
 enum hawser__type {
-	HAWSER__NUMBER,
+	HAWSER__NUMBER, /* with words: the first one is 0, the second one infinity */
 	HAWSER__INTEGER,
 	HAWSER__PAIR,
 	HAWSER__TRIPLE,
@@ -22,6 +22,7 @@ enum hawser__range {
 	HAWSER__POSITIVE,
 	HAWSER__POSITIVE_OR_INF,
 	HAWSER__NOT_NEGATIVE,
+	HAWSER__NOT_NEGATIVE_OR_INF,
 	HAWSER__RIGHT_ANGLE, /* [-pi/2, pi/2] */
 	HAWSER__OPEN_UNIT,  /* (0, 1) */
 	HAWSER__INCREASING, /* a pair in [0, 1], the second larger than the first */

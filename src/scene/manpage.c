@@ -316,6 +316,27 @@ static void plausible(void)
 	}
 }
 
+static const char bending[] =
+	".SH BENDING\n"
+	"cable.EI gives the cable a bending stiffness.\n"
+	"It acts against changes of the curvature from the static shape, which remains the catenary:\n"
+	"the cable is taken to be free of bending moments there, as after creep of the strands,\n"
+	"and clamps to be aligned with its tangents.\n"
+	"ends says how each end is held against rotation, in the plane of the cable and out of it:\n"
+	"pinned, clamped, or by a rotational stiffness (moment per radian).\n"
+	".BR hawser\\-modes (1)\n"
+	"then has the frequencies of the full problem, with the boundary layers of the width sqrt(EI/T)\n"
+	"at the ends, and the bending moments there. Reduced models need model.condense: none.\n"
+	"Not with travel, support, model.energy: exact and model.modes: auto.\n"
+	"See doc/theory\\-bending.md.\n"
+	".PP\n"
+	".RS\n"
+	".nf\n"
+	"cable: {EA: 1560 MN, rho: 65 kg/m, EI: 1.2 MN.m^2}\n"
+	"ends: {A: clamped, B: 8 MN.m}\n"
+	".fi\n"
+	".RE\n";
+
 int main(void)
 {
 	printf(".\\\" Written by src/scene/manpage.c from the table of keys: change that.\n"
@@ -325,6 +346,7 @@ int main(void)
 	table();
 	fputs(elastic, stdout);
 	fputs(loaded, stdout);
+	fputs(bending, stdout);
 	example();
 	plausible();
 	fputs(after, stdout);

@@ -4,6 +4,7 @@
 #include "config.h"
 
 #include <ctype.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -48,6 +49,8 @@ static const char *wanted(char *text, size_t size, const struct item *item)
 		snprintf(text, size, "a number, or a list of 1 to %d numbers%s%s", HAWSER_RATIOS, in, unit);
 	else if (count)
 		snprintf(text, size, "a list of %d numbers%s%s", count, in, unit);
+	else if (key->words)
+		snprintf(text, size, "one of %s, or a number%s%s", key->words, in, unit);
 	else
 		snprintf(text, size, "a number%s%s", in, unit);
 	return text;
@@ -125,6 +128,17 @@ static enum hawser_status word(struct hawser__reader *reader, const struct item 
 	                           item->called, hawser__shown(shown, text), key_of(item)->words);
 }
 
+/* 1 if the text is one of the words that stand for 0 and infinity. */
+static int limit(double *value, const struct item *item, const char *text)
+{
+	const char *words = key_of(item)->words;
+	size_t first = words ? strcspn(words, "|") : 0, length = strlen(text);
+	int zero = words && length == first && !strncmp(text, words, first);
+
+	*value = zero ? 0.0 : INFINITY;
+	return zero || (words && !strcmp(text, words + first + 1));
+}
+
 /* A fraction of the length if the text has no unit or a pure number's, else a length. */
 static enum hawser_status place(struct hawser__reader *reader, const struct item *item,
                                 const char *text)
@@ -194,7 +208,8 @@ static enum hawser_status scalar(struct hawser__reader *reader, const struct ite
 	case HAWSER__NAME: return name(reader, item, text);
 	default: break;
 	}
-	status = number(reader, &value, item, text);
+	if (!limit(&value, item, text))
+		status = number(reader, &value, item, text);
 	if (status == HAWSER_OK && hawser__rows()[item->index].type == HAWSER__SERIES) {
 		memset(reader->scene->damping.ratio_next, 0, sizeof reader->scene->damping.ratio_next);
 		reader->scene->damping.ratios = 0;

@@ -221,6 +221,7 @@ enum hawser_status hawser_statics_solve(struct hawser_statics *st, const struct 
 	st->given = given;
 	st->branch = tension ? branch : HAWSER_BRANCH_TAUT;
 	st->turned = 0;
+	st->bending = (struct hawser_bending){0};
 	fill(st, &cat, &chord);
 	st->error = hawser__statics_precision(&cat, &chord, given, end);
 	if (!representable(st))
@@ -254,6 +255,8 @@ enum hawser_status hawser_statics_scene(struct hawser_statics *st, const struct 
 	if (status)
 		return status;
 	hawser_statics_turn(st, &equal);
+	if (scene->cable.EI > 0.0)
+		st->bending = (struct hawser_bending){scene->cable.EI, {scene->ends[0], scene->ends[1]}};
 	(void)hawser_statics_held(held, scene);
 	return hawser_statics_hold(st, held, report);
 }

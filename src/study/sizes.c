@@ -49,6 +49,7 @@ static const struct row {
 	ROW(hawser_accuracy_try),
 	ROW(hawser_answer),
 	ROW(hawser_attached),
+	ROW(hawser_bending),
 	ROW(hawser_attachment),
 	ROW(hawser_auto_options),
 	ROW(hawser_backbone),

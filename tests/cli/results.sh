@@ -93,7 +93,7 @@ for name in ["statics", "modes", "rom", "integrate", "frf"]:
     if name == "integrate":
         assert result["model_error"]["estimated"] is None and "frf" in result["model_error"]["reason"]
     scene = result["scene"]
-    assert scene["cable"] == {"EA": 4e8, "rho": 6.0} and scene["span"] == {"d": 250.0, "h": 10.0}
+    assert scene["cable"] == {"EA": 4e8, "rho": 6.0, "EI": 0.0} and scene["span"] == {"d": 250.0, "h": 10.0}
     assert scene["tension"]["T0"] == 8e4 and scene["damping"] == {"alpha": 0.08}
     assert scene["load"]["per_length"] == [0.8] * 3 and scene["load"]["extent"] == [0.0, 1.0]
     assert scene["g"] == 9.81 and scene["model"]["modes"] == 5

@@ -49,7 +49,7 @@ static const struct {
 	{"load: {per_length: &l [1, 2, 3]}\n", NULL,
 	 "s.yaml:1:20: a scene has no anchors: remove &l"},
 	{"<<: {EA: 4e8}\n", NULL,
-	 "s.yaml:1:1: unknown key <<: a scene takes g, cable, span, tension, travel, "
+	 "s.yaml:1:1: unknown key <<: a scene takes g, cable, ends, span, tension, travel, "
 	 "support, damping, load, temperature, attach, model, beam, cases"},
 	/* documents */
 	{"", NULL,
@@ -85,7 +85,7 @@ static const struct {
 	{WHOLE "cable.Eb: 3\n", NULL,
 	 "s.yaml:4:1: unknown key cable.Eb: did you mean cable.EA?"},
 	{WHOLE "railway: {speed: 5 m/s}\n", NULL,
-	 "s.yaml:4:1: unknown key railway: a scene takes g, cable, span, tension, travel, "
+	 "s.yaml:4:1: unknown key railway: a scene takes g, cable, ends, span, tension, travel, "
 	 "support, damping, load, temperature, attach, model, beam, cases"},
 	{WHOLE "travel: {speed: 5 m/s, hold: length, final: 2}\n", NULL,
 	 "s.yaml:4:38: travel.final is the speed after braking: give the time that braking takes with "
@@ -94,7 +94,7 @@ static const struct {
 	 "s.yaml:4:54: travel.braking contradicts travel.fluctuation: a speed either repeats itself or "
 	 "changes once and for all"},
 	{WHOLE "\"\": 3\n", NULL,
-	 "s.yaml:4:1: unknown key \"\": a scene takes g, cable, span, tension, travel, "
+	 "s.yaml:4:1: unknown key \"\": a scene takes g, cable, ends, span, tension, travel, "
 	 "support, damping, load, temperature, attach, model, beam, cases"},
 	{WHOLE "? [a, b]\n: 3\n", NULL,
 	 "s.yaml:4:3: a key must be a word, not a list"},
@@ -108,7 +108,7 @@ static const struct {
 	 "s.yaml:1:1: this key is 300 characters long; 255 is the most"},
 	{LONG ": 3\n", NULL,
 	 "s.yaml:1:1: unknown key xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx...: a scene takes g, "
-	 "cable, span, tension, travel, support, damping, load, temperature, attach, model, beam, "
+	 "cable, ends, span, tension, travel, support, damping, load, temperature, attach, model, beam, "
 	 "cases"},
 	{WHOLE "\"a\\0b\": 3\n", NULL,
 	 "s.yaml:4:1: this key holds a NUL character: remove it"},
@@ -182,11 +182,11 @@ static const struct {
 	 "only: remove tension.branch, or give T0 or T1"},
 	/* kinds of value */
 	{"cable: 3\n", NULL,
-	 "s.yaml:1:8: cable is a single value, but must be a mapping: cable takes EA, rho"},
+	 "s.yaml:1:8: cable is a single value, but must be a mapping: cable takes EA, rho, EI"},
 	{"cable: [3]\n", NULL,
-	 "s.yaml:1:8: cable is a list, but must be a mapping: cable takes EA, rho"},
+	 "s.yaml:1:8: cable is a list, but must be a mapping: cable takes EA, rho, EI"},
 	{"cable:\n", NULL,
-	 "s.yaml:1:7: cable is a single value, but must be a mapping: cable takes EA, rho"},
+	 "s.yaml:1:7: cable is a single value, but must be a mapping: cable takes EA, rho, EI"},
 	{"cable: {EA: {N: 3}}\n", NULL,
 	 "s.yaml:1:13: cable.EA is a mapping, but must be a number in N"},
 	{"cable: {EA: [3]}\n", NULL,
@@ -267,7 +267,7 @@ static const struct {
 	 "s.yaml:1:13: cable.EA: \"foo\" is not a number: give a number in N, or with a unit "
 	 "that converts to N"},
 	{"cable: {EA: 4,5 MN}\n", NULL,
-	 "s.yaml:1:15: unknown key cable.5 MN: cable takes EA, rho"},
+	 "s.yaml:1:15: unknown key cable.5 MN: cable takes EA, rho, EI"},
 	{"cable: {EA: .nan}\n", NULL,
 	 "s.yaml:1:13: cable.EA: \".nan\" is not a number (NaN): give a number in N, or with "
 	 "a unit that converts to N"},
@@ -359,10 +359,10 @@ static const struct {
 	{WHOLE, "",
 	 "--set : write KEY=VALUE, such as cable.EA=400 MN"},
 	{WHOLE, "=",
-	 "--set =: unknown key \"\": a scene takes g, cable, span, tension, travel, "
+	 "--set =: unknown key \"\": a scene takes g, cable, ends, span, tension, travel, "
 	 "support, damping, load, temperature, attach, model, beam, cases"},
 	{WHOLE, "=3",
-	 "--set =3: unknown key \"\": a scene takes g, cable, span, tension, travel, "
+	 "--set =3: unknown key \"\": a scene takes g, cable, ends, span, tension, travel, "
 	 "support, damping, load, temperature, attach, model, beam, cases"},
 	{WHOLE, "cable.Ea=4e8",
 	 "--set cable.Ea=4e8: unknown key cable.Ea: did you mean cable.EA?"},
@@ -394,7 +394,7 @@ static const struct {
 	{WHOLE, "cable.EA=[1]",
 	 "--set cable.EA=[1]: cable.EA is a list, but must be a number in N"},
 	{WHOLE, "cable=3",
-	 "--set cable=3: cable is a single value, but must be a mapping: cable takes EA, rho"},
+	 "--set cable=3: cable is a single value, but must be a mapping: cable takes EA, rho, EI"},
 	{WHOLE, "tension={H: 3, T0: 4}",
 	 "--set tension={H: 3, T0: 4}: tension.T0 contradicts tension.H in the same "
 	 "override: give exactly one of H, T0, T1, length0, sag"},

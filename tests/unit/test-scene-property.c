@@ -45,7 +45,8 @@ static void add_number(struct listing *list, const char *path)
 	add(list, path, number(text, sizeof text));
 }
 
-static void random_list(struct listing *list)
+/* `bends`: with bending stiffness, so that lists of the same scene agree about it. */
+static void random_list(struct listing *list, unsigned bends)
 {
 	static const char *const tension[] = {"tension.H", "tension.T0", "tension.T1",
 	                                      "tension.length0", "tension.sag"};
@@ -54,8 +55,16 @@ static void random_list(struct listing *list)
 	char text[80], a[24], b[24], c[24];
 
 	list->n = 0;
-	for (size_t i = 0; i < sizeof always/sizeof *always; i++)
+	for (size_t i = 0; i < sizeof always/sizeof *always; i++) {
+		if (i == 3 && bends) {
+			add_number(list, "cable.EI");
+			add(list, "ends.A", draw(2) ? "clamped" : "pinned");
+			add_number(list, "ends.B");
+		} else if (i == 3) {
+			add(list, "cable.EI", "0");
+		}
 		add_number(list, always[i]);
+	}
 	add_number(list, tension[choice]);
 	if (choice == 1 || choice == 2)
 		add(list, "tension.branch", draw(2) ? "slack" : "taut");
@@ -84,7 +93,7 @@ static void random_list(struct listing *list)
 	add(list, "model.tolerance", "1.5e-9");
 	add(list, "model.condense", draw(2) ? "none" : "static");
 	add(list, "model.inertia", draw(2) ? "none" : "auto");
-	add(list, "model.energy", draw(2) ? "exact" : "quartic");
+	add(list, "model.energy", !bends && draw(2) ? "exact" : "quartic");
 }
 
 /* The list as a file: one mapping per section, in flow style. */
@@ -135,10 +144,11 @@ static int set_is_edit(void)
 	const char *set[PAIRS];
 	struct hawser_scene edited, overridden;
 	struct hawser_report report = {.message = ""};
+	unsigned bends = draw(2);
 	int equal;
 
-	random_list(&one);
-	random_list(&other);
+	random_list(&one, bends);
+	random_list(&other, bends);
 	as_file(text_one, sizeof text_one, &one);
 	as_file(text_other, sizeof text_other, &other);
 	for (int i = 0; i < other.n; i++) {
@@ -170,7 +180,7 @@ static int survives_writing(void)
 	FILE *stream = open_memstream(&written, &length);
 	int equal;
 
-	random_list(&list);
+	random_list(&list, draw(2));
 	as_file(text, sizeof text, &list);
 	if (read_text(&scene, text, NULL, &report) != HAWSER_OK ||
 	    hawser_scene_write(&scene, stream, &report) != HAWSER_OK)

@@ -1,0 +1,22 @@
+/* modes/bending.h - rotations, changes of curvature and end moments of modes with bending stiffness.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_MODES_BENDING_H
+#define HAWSER_MODES_BENDING_H
+
+#include "modes/grid.h"
+
+/* Modes of a cable with bending.EI > 0. */
+enum hawser_status hawser__flexure_solve(struct hawser_modes *modes, const struct hawser_statics *st,
+                                         const struct hawser_modes_options *options,
+                                         struct hawser_report *report);
+
+/* Derivative by s of the rotations of the tangent in the plane and out of it, curvature[points][2], for
+ * strains [points][3]; of ends (NULL: not wanted) its values at ends A and B, [2][2]. */
+enum hawser_status hawser__curvature(double *curvature, double *ends, const struct hawser_statics *st,
+                                     const struct hawser_grid *grid, const double *strain,
+                                     struct hawser_report *report);
+
+/* Fill moment[] of all modes. */
+enum hawser_status hawser__modes_moments(struct hawser_modes *modes, struct hawser_report *report);
+
+#endif

@@ -1,0 +1,23 @@
+#!/bin/sh
+# Bending stiffness and held ends: keys, modes, the reduced model, and what refuses them.
+# SPDX-License-Identifier: GPL-3.0-or-later
+. "$SRCDIR/tests/cli/lib.sh"
+scene=$top/notebooks-data/scenes/stay-clamped.yaml
+
+works "modes" modes "$scene" --json m.json
+try "xi and end moments in the result" grep -q '"moment_A": 33636' m.json
+try "xi in the result" grep -q '"xi": 330.129' m.json
+works "words" modes "$scene" --set ends.A=pinned --set ends.B=clamped
+works "a stiffness per radian" rom "$scene" 
+refuses_like 1 "ends contradicts cable.EI = 0" modes "$scene" --set cable.EI=0
+refuses_like 1 "cable.EI contradicts travel" modes "$scene" --set 'travel={speed: 1, hold: length}'
+refuses_like 1 "cable.EI contradicts support" modes "$scene" --set 'support={A: {motion: [1 cm, 0, 0]}}'
+refuses_like 1 "cable.EI contradicts model.energy: exact" modes "$scene" --set model.energy=exact
+refuses_like 1 "the method fdm is for a cable without bending stiffness" modes "$scene" --method fdm
+refuses_like 1 "model.basis = 30 with cable.EI" modes "$scene" --basis 30
+refuses_like 1 "sweep of the tension is for a cable without bending stiffness" irvine "$scene"
+refuses_like 1 "are not condensed with cable.EI" rom "$scene" --set model.condense=static
+refuses_like 1 "modes are not weighed with cable.EI" frf "$scene" --set model.modes=auto --set model.condense=static
+refuses_like 1 "900 modes asked, which need" modes "$scene" -n 900
+
+done_testing
