@@ -27,6 +27,7 @@
 
 #include "core/report.h"
 #include "modes/grid.h"
+#include "modes/label.h"
 #include "rom/answer.h"
 #include "rom/build.h"
 #include "rom/follow.h"
@@ -117,9 +118,12 @@ static void integrate(struct work *work, const double *field)
 		work->global[count + i] = f[0]*at.ey + f[1]*at.ex;
 		work->global[2*count + i] = f[2];
 	}
-	for (int axis = 0; axis < 3; axis++)
+	for (int axis = 0; axis < 3; axis++) {
 		hawser__grid_running(work->along + axis*count, &work->grid, &work->reference,
 		                     work->global + axis*count);
+		for (int i = 0; st->elastic && i < count; i++)
+			work->along[axis*count + i] += work->stations.start[axis];
+	}
 }
 
 /* local [3] of `along` at s, where the static tangent is `at`. */
@@ -156,23 +160,25 @@ static void note(struct work *work, int order)
 
 /* Add to the running integral of a displacement, which is in work->global, the point masses times
  * it. */
-static void add_masses(struct work *work, double *along)
+static void add_masses(struct work *work, double *along, double *beyond)
 {
 	const struct hawser_statics *st = &work->stations.modes->statics;
 
-	for (int i = 0; i < st->attachments; i++) {
+	for (int i = 0; i < hawser__points(st); i++) {
+		struct hawser__point point = hawser__point(st, i);
 		double u;
 
-		hawser__grid_at(&u, &work->grid, work->global, 1, 1, st->attached[i].s);
+		hawser__grid_at(&u, &work->grid, work->global, 1, 1, point.s);
 		for (int p = 0; p < work->stations.count; p++)
-			if (work->stations.s[p] > st->attached[i].s)
-				along[p] += st->attached[i].m*u;
+			if (work->stations.s[p] > point.s)
+				along[p] += point.m*u;
+		*beyond += point.m*u;
 	}
 }
 
-/* p of the force per length in `along`. Since a displacement vanishes at both ends, its work on it is
- * that of minus its running integral on the derivative. `masses`: point masses count as well; `point`
- * [attachments][3]: further forces at the attachments, or NULL. */
+/* p of the force per length in `along`. Its work on a displacement is that of minus its running
+ * integral on the derivative, and of the whole force on the displacement of end B. `masses`: point
+ * masses count as well; `point` [attachments][3]: further forces at the attachments, or NULL. */
 static void pull_of(struct work *work, int masses, const double *point)
 {
 	const struct hawser_statics *st = &work->stations.modes->statics;
@@ -180,14 +186,16 @@ static void pull_of(struct work *work, int masses, const double *point)
 
 	for (int axis = 0; axis < 3; axis++) {
 		memcpy(work->global, work->along + axis*count, (size_t)count*sizeof(double));
-		hawser__grid_running(work->along + axis*count, &work->grid, &work->reference,
-		                     work->global);
+		work->stations.beyond[axis] = hawser__grid_running(work->along + axis*count, &work->grid,
+		                                                   &work->reference, work->global);
 		if (masses)
-			add_masses(work, work->along + axis*count);
-		for (int i = 0; point && i < st->attachments; i++)
+			add_masses(work, work->along + axis*count, &work->stations.beyond[axis]);
+		for (int i = 0; point && i < st->attachments; i++) {
+			work->stations.beyond[axis] += point[3*i + axis];
 			for (int p = 0; p < count; p++)
 				if (work->stations.s[p] > st->attached[i].s)
 					work->along[axis*count + p] += point[3*i + axis];
+		}
 	}
 	for (int i = 0; i < count; i++) {
 		struct hawser_frame_point at = hawser_statics_frame(st, work->stations.s[i]);

@@ -91,7 +91,7 @@ static void prepare(struct work *work)
 
 static int springs_of(const struct work *work)
 {
-	return work->springs ? work->springs->size - 3 : 0;
+	return work->springs ? work->springs->size - 3 + work->springs->joints : 0;
 }
 
 /* eps*alpha, eps*beta, eps*gamma at a point, for slopes x and y of two modes. */
@@ -254,12 +254,14 @@ enum hawser_status hawser__condense(struct hawser__condensed *condensed,
 	status = hawser__springs_make(&work.springs, modes, report);
 	*condensed = (struct hawser__condensed){.n = n, .points = points, .pairs = pairs};
 	condensed->strain = malloc((size_t)pairs*points*3*sizeof *condensed->strain);
+	condensed->start = calloc((size_t)pairs, 3*sizeof *condensed->start);
 	condensed->gram = malloc((size_t)pairs*pairs*sizeof *condensed->gram);
 	work.place = malloc((size_t)points*sizeof *work.place);
 	work.stretch = malloc(((size_t)pairs*(size_t)springs_of(&work) + 1)*sizeof *work.stretch);
 	if (status)
 		goto done;
-	if (!condensed->strain || !condensed->gram || !work.place || !work.stretch || !third) {
+	if (!condensed->strain || !condensed->start || !condensed->gram ||
+	    !work.place || !work.stretch || !third) {
 		status = hawser__no_memory(report, "rom");
 		goto done;
 	}
@@ -272,6 +274,8 @@ enum hawser_status hawser__condense(struct hawser__condensed *condensed,
 
 			answer(&work, strain, stretch, third, j, k);
 			remove_kept(&work, strain, stretch, third);
+			if (work.springs)
+				hawser__springs_start(condensed->start + 3*pair, work.springs, stretch);
 		}
 	status = set_gram(condensed, &work, report);
 done:
@@ -287,6 +291,7 @@ done:
 void hawser__condensed_clear(struct hawser__condensed *condensed)
 {
 	free(condensed->strain);
+	free(condensed->start);
 	free(condensed->gram);
 	*condensed = (struct hawser__condensed){0};
 }
@@ -331,6 +336,7 @@ enum hawser_status hawser__condensed_at(const struct hawser__condensed *condense
 			hawser__grid_running(along + axis*points, grid, &reference,
 			                     global + axis*points);
 			hawser__grid_at(&u[axis], grid, along + axis*points, 1, 1, s);
+			u[axis] += condensed->start[3*x + axis];
 		}
 		shape[x*stride] = u[0]*at.ex + u[1]*at.ey;
 		shape[x*stride + 1] = u[1]*at.ex - u[0]*at.ey;

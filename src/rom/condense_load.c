@@ -103,6 +103,8 @@ enum hawser_status hawser__load_pull(struct hawser__stations *stations,
 	status = sums.along ? sum_up(&sums, scene, report) : hawser__no_memory(report, "rom");
 	for (int i = 0; !status && i < stations->count; i++)
 		pull_at(stations->p + 3*i, &sums, stations->s[i]);
+	for (int axis = 0; !status && axis < 3; axis++)
+		stations->beyond[axis] = sums.end[axis] - sums.start[axis];
 	free(sums.along);
 	return status;
 }

@@ -309,10 +309,6 @@ enum hawser_status hawser__dampers_extend(struct hawser_modes *with,
 
 static enum hawser_status rigid_only(const struct hawser_scene *scene, struct hawser_report *report)
 {
-	if (scene->model.condense == HAWSER_CONDENSE_STATIC)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
-		                    "elastic supports are not condensed yet: set model.condense=none, or "
-		                    "model.energy=exact");
 	if (scene->attachments > 0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
 		                    "a reduced model with both elastic supports and attachments is not "

@@ -20,6 +20,7 @@
 
 #include "core/report.h"
 #include "modes/grid.h"
+#include "modes/label.h"
 #include "rom/follow.h"
 #include "rom/ties.h"
 
@@ -146,6 +147,7 @@ static double work_on(const struct hawser__stations *stations, const double *str
 static void follow_springs(struct hawser__stations *stations)
 {
 	struct hawser__springs *springs = stations->springs;
+	double stretch[sizeof springs->spring/sizeof *springs->spring];
 
 	memset(springs->z, 0, sizeof springs->z);
 	for (int i = 0; i < stations->count; i++) {
@@ -158,6 +160,7 @@ static void follow_springs(struct hawser__stations *stations)
 		z[2] = p[2]/at->k;
 		hawser__springs_load(springs, at, stations->s[i], z);
 	}
+	memcpy(springs->beyond, stations->beyond, sizeof springs->beyond);
 	hawser__springs_solve(springs);
 	for (int i = 0; i < stations->count; i++) {
 		const struct hawser__place *at = &stations->place[i];
@@ -168,6 +171,9 @@ static void follow_springs(struct hawser__stations *stations)
 		z[1] -= pull[1]/at->k;
 		z[2] -= pull[2]/at->k;
 	}
+	for (int m = springs->size - 3; m < springs->size - 3 + springs->joints; m++)
+		stretch[m] = hawser__springs_stretch(springs, m);
+	hawser__springs_start(stations->start, springs, stretch);
 }
 
 static void follow_cable(struct hawser__stations *stations)
@@ -207,9 +213,15 @@ void hawser__follow(struct hawser__stations *stations)
 		follow_cable(stations);
 	for (int s = 0; s < stations->moving; s++) {
 		const double *slope = stations->slope + (size_t)s*(size_t)width;
-		double omega = modes->mode[s].omega;
+		double omega = modes->mode[s].omega, part = work_on(stations, slope), u[3];
 
-		cblas_daxpy(width, -work_on(stations, slope)/(omega*omega), slope, 1, stations->z, 1);
+		if (modes->statics.elastic) {
+			hawser__modes_attached(u, modes, s, modes->statics.attachments + 1);
+			part += cblas_ddot(3, stations->beyond, 1, u, 1);
+			hawser__modes_attached(u, modes, s, modes->statics.attachments);
+			cblas_daxpy(3, -part/(omega*omega), u, 1, stations->start, 1);
+		}
+		cblas_daxpy(width, -part/(omega*omega), slope, 1, stations->z, 1);
 	}
 }
 

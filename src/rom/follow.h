@@ -27,6 +27,8 @@ struct hawser__stations {
 	double *slope;               /* [moving][count][3] a, b, c */
 	double *p;                   /* [count][3] for the caller to fill, in the local frame */
 	double *z;                   /* [count][3] strains of the displacement */
+	double beyond[3];            /* of p: the whole load along x, y, z, for elastic supports */
+	double start[3];             /* of z: displacement of end A along x, y, z */
 	struct hawser__springs *springs; /* of the attachments (ties.h), or NULL */
 };
 

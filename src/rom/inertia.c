@@ -37,28 +37,22 @@
 #include "modes/label.h"
 #include "rom/inertia.h"
 
-#define SLOPE 0.15   /* largest expected slope of a motion (root of the mean square): larger ones
-                      * exceed the expansion; chosen */
+#define SLOPE 0.15   /* largest expected slope of a motion (r.m.s.), within the expansion; chosen */
 #define MOST 8       /* largest number of shapes; chosen */
 #define PAIRS 48     /* largest number of pairs that are examined; chosen to limit the cost */
-#define TRIFLE 0.01  /* pairs with a smaller effect, relative to the allowed error, are ignored;
-                      * chosen */
-#define DEPENDENT 1e-10 /* relative mass below which a combination of pairs is linearly dependent:
-                         * far above round-off */
+#define TRIFLE 0.01  /* ignored effect of a pair, relative to the allowed error; chosen */
+#define DEPENDENT 1e-10 /* relative mass of linearly dependent pairs: far above round-off */
 
 struct work {
 	const struct hawser_modes *modes;
 	const struct hawser__condensed *condensed;
-	int width;        /* 3*(points + attachments): behind the fields at the points, the displacements
-	                   * of the attachments along x, y, z */
+	int width;        /* 3*(points of the grid and of label.h, whose displacements are along x, y, z) */
 	int count;        /* number of relevant pairs */
 	int *pair;        /* [count] */
 	double *factor;   /* [count] weight of the pair */
 	int rows;         /* initial number of pairs: shapes are stored behind them */
-	double *rest;     /* [rows + MOST][width] P, Q, B of the condensed motion, times its weight;
-	                   * shapes */
-	double *strain;   /* [rows + MOST][width] a, b, c, likewise */
-	double *root;     /* [width] square roots of the grid's weights */
+	double *rest;     /* [rows + MOST][width] P, Q, B of the condensed motion, weighted; shapes */
+	double *strain, *root; /* [rows + MOST][width] a, b, c, likewise; [width] roots of the weights */
 	double *stiff;    /* [width] and of weight times stiffness against a, b, c */
 	double *scratch;  /* [2*width] */
 	double *square;   /* [rows] remaining mean square of a pair: its (d/a)^2 */
@@ -122,9 +116,11 @@ static void set_roots(struct work *work)
 		work->stiff[3*p] = sqrt(weight/modes->statics.epsilon);
 	}
 	for (int p = 3*modes->grid.points; p < work->width; p++) {
-		const struct hawser_attached *at = &modes->statics.attached[p/3 - modes->grid.points];
-		work->root[p] = sqrt(at->m);
-		work->stiff[p] = sqrt(at->spring[p%3]*modes->statics.span.d/modes->statics.H);
+		int i = p/3 - modes->grid.points, end = i - modes->statics.attachments;
+		const double *k = end < 0 ? modes->statics.attached[i].spring
+		                          : modes->statics.held[end].stiffness;
+		work->root[p] = sqrt(hawser__point(&modes->statics, i).m);
+		work->stiff[p] = sqrt(isfinite(k[p%3]) ? k[p%3]*modes->statics.span.d/modes->statics.H : 0.0);
 	}
 }
 
@@ -175,7 +171,7 @@ static void choose_pairs(struct work *work, const double *load, const double *da
 /* Displacement [points][3] that belongs to the strains; it vanishes at both ends. */
 static void displacement(double *shape, const struct hawser_modes *modes,
                          const struct hawser__reference *reference, const double *strain,
-                         double *scratch)
+                         const double *start, double *scratch)
 {
 	int points = modes->grid.points;
 	double *global = scratch, *along = scratch + 3*points;
@@ -189,8 +185,9 @@ static void displacement(double *shape, const struct hawser_modes *modes,
 		global[2*points + p] = f[2];
 	}
 	for (int axis = 0; axis < 3; axis++)
-		(void)hawser__grid_running(along + axis*points, &modes->grid, reference,
-		                           global + axis*points);
+		(void)hawser__grid_running(along + axis*points, &modes->grid, reference, global + axis*points);
+	for (int i = 0; i < 3*points; i++)
+		along[i] += start[i/points];
 	for (int p = 0; p < points; p++) {
 		struct hawser_frame_point at = hawser_statics_frame(&modes->statics, modes->grid.s[p]);
 		double x = along[p], y = along[points + p];
@@ -199,10 +196,10 @@ static void displacement(double *shape, const struct hawser_modes *modes,
 		shape[3*p + 1] = y*at.ex - x*at.ey;
 		shape[3*p + 2] = along[2*points + p];
 	}
-	for (int i = 0; i < modes->statics.attachments; i++)
+	for (int i = 0; i < hawser__points(&modes->statics); i++)
 		for (int axis = 0; axis < 3; axis++)
 			hawser__grid_at(shape + 3*(points + i) + axis, &modes->grid, along + axis*points, 1, 1,
-			                modes->statics.attached[i].s);
+			                hawser__point(&modes->statics, i).s);
 }
 
 static enum hawser_status take_pairs(struct work *work, struct hawser_report *report)
@@ -215,10 +212,12 @@ static enum hawser_status take_pairs(struct work *work, struct hawser_report *re
 	for (int x = 0; !status && x < work->count; x++) {
 		double *strain = work->strain + (size_t)x*width, *shape = work->rest + (size_t)x*width;
 
-		memset(strain, 0, width*sizeof *strain);
 		memcpy(strain, work->condensed->strain + (size_t)work->pair[x]*3*(size_t)grid->points,
 		       3*(size_t)grid->points*sizeof *strain);
-		displacement(shape, work->modes, &reference, strain, work->scratch);
+		displacement(shape, work->modes, &reference, strain,
+		             work->condensed->start + 3*(size_t)work->pair[x], work->scratch);
+		for (size_t p = 3*(size_t)grid->points; p < width; p++)
+			strain[p] = shape[p];
 		cblas_dscal(work->width, work->factor[x], strain, 1);
 		cblas_dscal(work->width, work->factor[x], shape, 1);
 	}
@@ -285,8 +284,10 @@ static enum hawser_status remove_lowest(struct work *work, struct hawser_report 
 		for (int p = 0; p < work->modes->grid.points; p++)
 			hawser_modes_at(&lowest, field + 3*p, field + width + 3*p, s,
 			                work->modes->grid.s[p]);
-		for (int i = 0; i < lowest.statics.attachments; i++)
+		for (int i = 0; i < hawser__points(&lowest.statics); i++)
 			hawser__modes_attached(field + 3*(work->modes->grid.points + i), &lowest, s, i);
+		for (size_t p = 3*(size_t)work->modes->grid.points; p < width; p++)
+			field[width + p] = field[p];
 		remove_mode(work, field, field + width);
 	}
 	hawser_modes_clear(&lowest);
@@ -469,7 +470,7 @@ enum hawser_status hawser__inertia_extend(struct hawser_modes *with,
                                           double allowed, struct hawser_report *report)
 {
 	struct work work = {.modes = modes, .condensed = condensed,
-	                    .width = 3*(modes->grid.points + modes->statics.attachments)};
+	                    .width = 3*(modes->grid.points + hawser__points(&modes->statics))};
 	enum hawser_status status = HAWSER_OK;
 
 	*with = (struct hawser_modes){.n = 0};

@@ -399,7 +399,7 @@ enum hawser_status hawser__quartic_new(struct hawser__quartic **made, const stru
 	*made = NULL;
 	/* with springs the force of the condensed modes varies along the cable (ties.c) */
 	if (modes->grid.points > HAWSER__QUARTIC_POINTS ||
-	    (condensed && hawser__has_springs(&modes->statics)))
+	    (condensed && (hawser__has_springs(&modes->statics) || modes->statics.elastic)))
 		return HAWSER_OK;
 	q = allocate(modes, condensed);
 	if (!q || fill(q, rom, modes)) {

@@ -11,6 +11,9 @@
  *
  *   A z = r,   A_ab = integral of phi_a C phi_b, plus 1/k_m on the diagonal for springs,
  *
+ * (elastic supports have a strain at each end: phi_a(0) phi_b(0)/k of end A and phi_a(l) phi_b(l)/k
+ * of end B are further parts of A, and the whole load, P, moves end B by P/k without F:
+ * r_a -= phi_a(l) P/k,)
  * symmetric and positive definite: the closed form of condense.c with a row a spring. A spring of any
  * stiffness is a small number here, so that a support is the limit without loss.
  *
@@ -23,20 +26,33 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "modes/label.h"
 #include "rom/dampers.h"
 #include "rom/ties.h"
 
 enum { ENDS = 3 };
 
+/* Spring of stiffness k, N/m, from point i along axis c. */
+static void set_spring(struct hawser__tie_spring *spring, const struct hawser_statics *st, int i, int c,
+                       double k)
+{
+	double chord = hypot(1.0, st->hs), cosine = 1.0/chord, sine = st->hs/chord;
+
+	*spring = (struct hawser__tie_spring){.s = hawser__point(st, i).s, .attachment = i, .axis = c,
+	                                      .k = k*st->span.d/st->H};
+	spring->h[0] = c == 0 ? cosine : c == 1 ? sine : 0.0;
+	spring->h[1] = c == 0 ? -sine : c == 1 ? cosine : 0.0;
+	spring->h[2] = c == 2 ? 1.0 : 0.0;
+}
+
 enum hawser_status hawser__springs_make(struct hawser__springs **made, const struct hawser_modes *modes,
                                         struct hawser_report *report)
 {
 	const struct hawser_statics *st = &modes->statics;
-	double chord = hypot(1.0, st->hs), cosine = 1.0/chord, sine = st->hs/chord;
 	struct hawser__springs *to;
 
 	*made = NULL;
-	if (!hawser__has_springs(st))
+	if (!hawser__has_springs(st) && !st->elastic)
 		return HAWSER_OK;
 	to = calloc(1, sizeof *to);
 	if (!to)
@@ -48,14 +64,14 @@ enum hawser_status hawser__springs_make(struct hawser__springs **made, const str
 
 			if (!(st->attached[i].spring[c] > 0.0))
 				continue;
-			*spring = (struct hawser__tie_spring){
-				.s = st->attached[i].s, .attachment = i, .axis = c,
-				.k = st->attached[i].spring[c]*st->span.d/st->H};
-			spring->h[0] = c == 0 ? cosine : c == 1 ? sine : 0.0;
-			spring->h[1] = c == 0 ? -sine : c == 1 ? cosine : 0.0;
-			spring->h[2] = c == 2 ? 1.0 : 0.0;
+			set_spring(spring, st, i, c, st->attached[i].spring[c]);
 			to->size++;
 		}
+	to->ends = st->attachments;
+	for (int i = 0; st->elastic && i < 6; i++)
+		if (isfinite(st->held[i/3].stiffness[i%3]))
+			set_spring(&to->spring[to->size - ENDS + to->joints++], st, to->ends + i/3, i%3,
+			           st->held[i/3].stiffness[i%3]);
 	*made = to;
 	return HAWSER_OK;
 }
@@ -109,8 +125,24 @@ void hawser__springs_add_place(struct hawser__springs *springs, const struct haw
 	}
 }
 
+/* phi_a at joint j along its axis. */
+static double at_joint(const struct hawser__springs *springs, int a, int j)
+{
+	const struct hawser__tie_spring *joint = &springs->spring[springs->size - ENDS + j];
+	double f[3];
+
+	phi(f, springs, a, joint->s);
+	return f[0]*joint->h[0] + f[1]*joint->h[1] + f[2]*joint->h[2];
+}
+
 void hawser__springs_factor(struct hawser__springs *springs)
 {
+	for (int j = 0; j < springs->joints; j++)
+		for (int a = 0; a < springs->size; a++)
+			for (int b = 0; b <= a; b++)
+				springs->A[a*HAWSER__TIES + b] +=
+					at_joint(springs, a, j)*at_joint(springs, b, j)/
+					springs->spring[springs->size - ENDS + j].k;
 	for (int a = ENDS; a < springs->size; a++)
 		springs->A[a*HAWSER__TIES + a] += 1.0/springs->spring[a - ENDS].k;
 	/* rows of the lower triangle are columns of the upper one */
@@ -132,6 +164,12 @@ void hawser__springs_load(struct hawser__springs *springs, const struct hawser__
 
 void hawser__springs_solve(struct hawser__springs *springs)
 {
+	for (int j = 0; j < springs->joints; j++) {
+		const struct hawser__tie_spring *joint = &springs->spring[springs->size - ENDS + j];
+
+		for (int a = 0; a < springs->size && joint->attachment > springs->ends; a++)
+			springs->z[a] -= at_joint(springs, a, j)*springs->beyond[joint->axis]/joint->k;
+	}
 	if (springs->failed || LAPACKE_dpotrs(LAPACK_COL_MAJOR, 'U', springs->size, 1, springs->A,
 	                                      HAWSER__TIES, springs->z, springs->size) != 0)
 		for (int a = 0; a < springs->size; a++)
@@ -154,5 +192,21 @@ void hawser__springs_force(double f[3], const struct hawser__springs *springs,
 
 double hawser__springs_stretch(const struct hawser__springs *springs, int m)
 {
-	return springs->z[ENDS + m]/springs->spring[m].k;
+	const struct hawser__tie_spring *joint = &springs->spring[m];
+	double pull = 0.0;
+
+	if (m < springs->size - ENDS)
+		return springs->z[ENDS + m]/joint->k;
+	for (int a = 0; a < springs->size; a++)
+		pull += springs->z[a]*at_joint(springs, a, m - (springs->size - ENDS));
+	return joint->attachment > springs->ends ? (springs->beyond[joint->axis] + pull)/joint->k
+	                                         : -pull/joint->k;
+}
+
+void hawser__springs_start(double u[3], const struct hawser__springs *springs, const double *stretch)
+{
+	memset(u, 0, 3*sizeof *u);
+	for (int m = springs->size - ENDS; m < springs->size - ENDS + springs->joints; m++)
+		if (springs->spring[m].attachment == springs->ends)
+			u[springs->spring[m].axis] = stretch[m];
 }

@@ -284,9 +284,9 @@ refuses_like 1 'at an end that is rigid' modes "$mast" --set 'support.B.stiffnes
 refuses_like 1 'contradict load.static' modes "$mast" --set 'load.static.per_length=[0, 0, 9]'
 refuses_like 1 'support contradicts travel' campbell "$mast" --from 1 --to 9 \
 	--set 'travel={speed: 1 m/s, hold: tension}'
-refuses_like 1 'goes with model.condense: static' \
-	frf "$mast" --from 0.9w1 --to 1.1w1 --set model.modes=auto
-refuses_like 1 'not condensed yet' rom "$mast" --set model.condense=static
+refuses_like 1 'not weighed|does not know elastic' \
+	frf "$mast" --from 0.9w1 --to 1.1w1 --set model.modes=auto --set model.condense=static
+works 'elastic supports, condensed' rom "$mast" --set model.condense=static --json - -q
 works 'a response with an elastic support' frf "$mast" --from 0.98w1 --to 1.02w1 --json - -q
 try 'the scene of a result has its stiffness' grep -q '"stiffness": \[3000000.0, ".inf", 900000.0\]' \
 	"$scratch/out"
