@@ -26,6 +26,7 @@ dist_scenes_DATA = \
 	%D%/scenes/b-table-5.6.yaml \
 	%D%/scenes/bridge-stay.yaml \
 	%D%/scenes/stay-anchorage.yaml \
+	%D%/scenes/stay-absorber.yaml \
 	%D%/scenes/stay-damper.yaml \
 	%D%/scenes/stay-mast.yaml \
 	%D%/scenes/stay-clamped.yaml \

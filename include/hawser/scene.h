@@ -85,6 +85,12 @@ struct hawser_attachment {
 	double mass;      /* kg */
 	double spring[3]; /* N/m along x, y, z */
 	double damper[3]; /* N s/m along x, y, z */
+	/* An absorber: a mass that moves along a fixed direction relative to the point, on a spring and a
+	 * damper between both. Across this direction it moves with the point. */
+	double absorber_mass;         /* kg; 0: none */
+	double absorber_stiffness;    /* N/m, > 0 with a mass */
+	double absorber_damping;      /* N s/m */
+	double absorber_direction[3]; /* along x, y, z; of any length but 0 */
 	char name[HAWSER_NAME_SIZE]; /* "" if it has none */
 };
 

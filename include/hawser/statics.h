@@ -46,6 +46,11 @@ struct hawser_attached {
 	double mass, m;   /* kg, and scaled: mass/(rho*d) */
 	double spring[3]; /* N/m along x, y, z */
 	double damper[3]; /* N s/m */
+	/* Of the absorber, whose mass is part of `mass` and `m`: */
+	double absorber;           /* its share of m, scaled; 0: none */
+	double absorber_stiffness; /* N/m */
+	double absorber_damping;   /* N s/m */
+	double absorber_axis[3];   /* unit vector along x, y, z */
 };
 
 /* An elastic support: springs along x, y and z between the end of the cable and a fixed foundation,

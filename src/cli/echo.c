@@ -116,6 +116,12 @@ static void echo_attachments(struct hawser__json *json, json_t *echo,
 		hawser__json_number(json, item, "mass", a->mass);
 		triple(json, item, "spring", a->spring);
 		triple(json, item, "damper", a->damper);
+		if (a->absorber_mass > 0.0) {
+			hawser__json_number(json, item, "absorber_mass", a->absorber_mass);
+			hawser__json_number(json, item, "absorber_stiffness", a->absorber_stiffness);
+			hawser__json_number(json, item, "absorber_damping", a->absorber_damping);
+			triple(json, item, "absorber_direction", a->absorber_direction);
+		}
 		if (*a->name)
 			hawser__json_text(json, item, "name", a->name);
 	}

@@ -299,6 +299,8 @@ enum hawser_status hawser_modes_basis(struct hawser_modes *modes,
 	*modes = (struct hawser_modes){0};
 	if (status)
 		return status;
+	if (hawser__has_absorbers(statics))
+		return hawser__no_absorbers(report);
 	if (in_plane < 0 || out_of_plane < 0 || most < 1 || most > MOST)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
 		                    "a basis of %d functions a component in the plane and %d out of "

@@ -5,6 +5,11 @@
  *   D         diag(d) + sum of w_i b_i b_i': d the damping of the scene, b_i = h.Phi at a damper
  *   sigma     1/lambda; y = omega q
  *   sigma^2 y + sigma (D/omega omega') y + y/omega^2 = 0
+ *   S         sqrt(m_a) times the stroke of an absorber, its displacement along a relative to the
+ *             point: a further coordinate with mass 1, stiffness k_a/m_a and damping c_a/m_a. Its
+ *             velocity is X' + s' a, and its mass is part of that of the point, so that
+ *             M = [1 C; C' 1] with C = sqrt(m_a) a.Phi. M = R R' by Cholesky, and R/omega takes the
+ *             place of 1/omega
  *
  * In this form, the standard problem of a matrix with blocks, the wanted eigenvalues are those of
  * largest modulus, and the stiff longitudinal modes are small numbers. With lambda in place of sigma
@@ -47,6 +52,10 @@ struct list {
 struct block {
 	int n;
 	int *mode;      /* [n] indices of modes */
+	int absorbers;      /* rows behind those of the modes */
+	int own[HAWSER_ATTACH_MAX]; /* [absorbers] their attachments */
+	double tuned[HAWSER_ATTACH_MAX]; /* [absorbers] sqrt(k_a/m_a), scaled */
+	double R[HAWSER_ATTACH_MAX*HAWSER_ATTACH_MAX]; /* [absorbers][absorbers] of 1 - C'C, column-major */
 	int vectors;
 	double *b;      /* [vectors][n] over omega */
 	double *weight; /* [vectors] */
@@ -126,10 +135,31 @@ static int joins(const struct hawser_modes *modes, const struct hawser_statics *
 			if (st->attached[i].damper[c] > 0.0 && most[0] > 0.0 && most[1] > 0.0)
 				return 1;
 		}
+	for (int i = 0; i < st->attachments; i++) {
+		const double *axis = st->attached[i].absorber_axis;
+
+		if (st->attached[i].absorber > 0.0 && axis[2] != 0.0 && (axis[0] != 0.0 || axis[1] != 0.0))
+			return 1;
+	}
 	return 0;
 }
 
-static int block_make(struct block *t, const struct hawser_modes *modes, int plane)
+/* The absorbers that act in this plane, or all. */
+static void take_absorbers(struct block *t, const struct hawser_statics *st, int plane)
+{
+	for (int i = 0; i < st->attachments; i++) {
+		const struct hawser_attached *at = &st->attached[i];
+		int out = at->absorber_axis[2] != 0.0;
+
+		if (!(at->absorber > 0.0) || (plane >= 0 && out != (plane == HAWSER_OUT_OF_PLANE)))
+			continue;
+		t->tuned[t->absorbers] = sqrt(at->absorber_stiffness*st->span.d/(st->H*at->absorber));
+		t->own[t->absorbers++] = i;
+	}
+}
+
+static int block_make(struct block *t, const struct hawser_modes *modes,
+                      const struct hawser_statics *st, int plane)
 {
 	size_t points = (size_t)hawser__points(&modes->statics), N;
 
@@ -138,7 +168,8 @@ static int block_make(struct block *t, const struct hawser_modes *modes, int pla
 	for (int k = 0; t->mode && k < modes->n; k++)
 		if (plane < 0 || (int)modes->mode[k].plane == plane)
 			t->mode[t->n++] = k;
-	N = 2*(size_t)t->n;
+	take_absorbers(t, st, plane);
+	N = 2*(size_t)(t->n + t->absorbers);
 	t->b = malloc((3*points*N + 1)*sizeof *t->b);
 	t->weight = malloc((6*points + 1)*sizeof *t->weight);
 	t->A = calloc(N*N + 1, sizeof *t->A);
@@ -148,9 +179,11 @@ static int block_make(struct block *t, const struct hawser_modes *modes, int pla
 	return t->mode && t->b && t->weight && t->A && t->V && t->re && t->im;
 }
 
-/* The vectors of dampers, and those of masses, on which `alpha` does not act. */
+/* The vectors of dampers, and those of masses, on which `alpha` does not act; Rayleigh's factor `mass`
+ * does not act on absorbers. */
 static void point_damping(struct block *t, const struct hawser_modes *modes,
-                          const struct hawser_statics *st, const double *u, double alpha)
+                          const struct hawser_statics *st, const double *u, double alpha,
+                          double mass)
 {
 	int points = hawser__points(st);
 
@@ -158,7 +191,8 @@ static void point_damping(struct block *t, const struct hawser_modes *modes,
 		for (int c = 0; c < 3; c++) {
 			double damper = i < st->attachments ? st->attached[i].damper[c] : 0.0;
 			double *b = t->b + (size_t)t->vectors*(size_t)t->n;
-			double weight = damper/sqrt(st->span.rho*st->H) - alpha*hawser__point(st, i).m;
+			double held = i < st->attachments ? mass*st->attached[i].absorber : 0.0;
+			double weight = damper/sqrt(st->span.rho*st->H) - alpha*hawser__point(st, i).m - held;
 
 			if (weight == 0.0)
 				continue;
@@ -168,25 +202,74 @@ static void point_damping(struct block *t, const struct hawser_modes *modes,
 		}
 }
 
-/* sigma (y, w) = A (y, w), with sigma w = y/omega. */
-static void assemble(struct block *t, const struct hawser_modes *modes, const struct hawser_statics *st,
+/* C of absorber i and mode k of the block. */
+static double coupling(const struct block *t, const struct hawser_statics *st, const double *u, int i,
+                       int k)
+{
+	const struct hawser_attached *at = &st->attached[t->own[i]];
+	const double *v = u + 3*(t->mode[k]*hawser__points(st) + t->own[i]), *axis = at->absorber_axis;
+
+	return sqrt(at->absorber)*(axis[0]*v[0] + axis[1]*v[1] + axis[2]*v[2]);
+}
+
+/* The rows of absorbers. Returns LAPACK's info. */
+static int add_absorbers(struct block *t, const struct hawser_statics *st, const double *u)
+{
+	int a = t->absorbers, m = t->n + a, info;
+	size_t N = 2*(size_t)m;
+
+	for (int i = 0; i < a; i++) {
+		const struct hawser_attached *at = &st->attached[t->own[i]];
+		size_t row = (size_t)(t->n + i);
+		double damping = at->absorber_damping/sqrt(st->span.rho*st->H)/at->absorber;
+
+		t->A[row*N + row] = -damping/(t->tuned[i]*t->tuned[i]);
+		for (int j = 0; j <= i; j++) {
+			double sum = i == j;
+
+			for (int k = 0; k < t->n; k++)
+				sum -= coupling(t, st, u, i, k)*coupling(t, st, u, j, k);
+			t->R[j*a + i] = sum;
+		}
+		for (int k = 0; k < t->n; k++) {
+			double part = coupling(t, st, u, i, k)/t->tuned[i];
+
+			t->A[(size_t)(m + k)*N + row] = -part;
+			t->A[row*N + (size_t)(m + k)] = part;
+		}
+	}
+	info = a > 0 ? LAPACKE_dpotrf(LAPACK_COL_MAJOR, 'L', a, t->R, a) : 0;
+	for (int i = 0; i < a && !info; i++)
+		for (int j = 0; j <= i; j++) {
+			size_t row = (size_t)(t->n + i), column = (size_t)(m + t->n + j);
+
+			t->A[column*N + row] = -t->R[j*a + i]/t->tuned[i];
+			t->A[row*N + column] = t->R[j*a + i]/t->tuned[i];
+		}
+	return info;
+}
+
+/* sigma (y, w) = A (y, w), with sigma w = L'y, L = R/omega. Returns LAPACK's info. */
+static int assemble(struct block *t, const struct hawser_modes *modes, const struct hawser_statics *st,
                      const struct hawser_scene *scene, const double *u)
 {
-	size_t n = (size_t)t->n, N = 2*n;
-	double alpha = 0.0;
+	size_t n = (size_t)t->n, m = n + (size_t)t->absorbers, N = 2*m;
+	double alpha = 0.0, mass = scene && scene->damping.kind == HAWSER_DAMPING_RAYLEIGH
+	                           ? scene->damping.mass*modes->time_unit : 0.0;
 
 	for (size_t k = 0; k < n; k++) {
 		double omega = modes->mode[t->mode[k]].omega;
 
 		t->A[k*N + k] = -own_damping(&alpha, scene, modes, t->mode[k])/(omega*omega);
-		t->A[(n + k)*N + k] = -1.0/omega;
-		t->A[k*N + n + k] = 1.0/omega;
+		t->A[(m + k)*N + k] = -1.0/omega;
+		t->A[k*N + m + k] = 1.0/omega;
 	}
-	point_damping(t, modes, st, u, alpha);
+	point_damping(t, modes, st, u, alpha, mass);
 	for (int v = 0; v < t->vectors; v++)
 		for (size_t j = 0; j < n; j++)
 			for (size_t k = 0; k < n; k++)
 				t->A[k*N + j] -= t->weight[v]*t->b[(size_t)v*n + j]*t->b[(size_t)v*n + k];
+	return add_absorbers(t, st, u);
 }
 
 /* --- eigenvalues of a basis --- */
@@ -211,7 +294,7 @@ static void list_clear(struct list *list)
  * j and j + 1. */
 static double share_out(const struct block *t, const struct hawser_modes *modes, int j)
 {
-	size_t N = 2*(size_t)t->n;
+	size_t N = 2*(size_t)(t->n + t->absorbers);
 	const double *re = t->V + (size_t)j*N, *im = re + N;
 	double sum[2] = {0.0};
 
@@ -228,7 +311,7 @@ static double share_out(const struct block *t, const struct hawser_modes *modes,
 static void collect(struct list *list, const struct block *t,
                     const struct hawser_modes *modes, double floor)
 {
-	for (int j = 0; j < 2*t->n; j++) {
+	for (int j = 0; j < 2*(t->n + t->absorbers); j++) {
 		double re = t->re[j], im = t->im[j], square = re*re + im*im;
 		struct value *to = &list->value[list->count];
 
@@ -254,15 +337,16 @@ static enum hawser_status solve_block(struct list *list, const struct hawser_mod
 	struct block t;
 	int info, N;
 
-	if (!block_make(&t, modes, plane)) {
+	if (!block_make(&t, modes, st, plane)) {
 		block_clear(&t);
 		return hawser__no_memory(report, "modes");
 	}
-	assemble(&t, modes, st, scene, u);
-	N = 2*t.n;
+	info = assemble(&t, modes, st, scene, u);
+	N = 2*(t.n + t.absorbers);
 	for (size_t i = 0; i < (size_t)N*(size_t)N; i++)
 		norm += t.A[i]*t.A[i];
-	info = LAPACKE_dgeev(LAPACK_COL_MAJOR, 'N', 'V', N, t.A, N, t.re, t.im, NULL, 1, t.V, N);
+	if (!info)
+		info = LAPACKE_dgeev(LAPACK_COL_MAJOR, 'N', 'V', N, t.A, N, t.re, t.im, NULL, 1, t.V, N);
 	if (hawser__lapack_starved(info))
 		status = hawser__no_memory(report, "modes");
 	else if (info)
@@ -284,7 +368,7 @@ static enum hawser_status values_of(struct list *list, const struct hawser_modes
 	double *u = displacements(modes);
 
 	*list = (struct list){.count = 0};
-	list->value = malloc((2*(size_t)modes->n + 1)*sizeof *list->value);
+	list->value = malloc(2*((size_t)modes->n + HAWSER_ATTACH_MAX + 1)*sizeof *list->value);
 	if (!u || !list->value)
 		status = hawser__no_memory(report, "modes");
 	else if (joins(modes, st, u))
@@ -313,9 +397,12 @@ enum hawser_status hawser__damped_pair(struct hawser__damped_pair *pair,
                                        struct hawser_report *report)
 {
 	int elements = hawser__cable_elements(st), degree, next, functions;
+	struct hawser_statics held = *st; /* absorbers are masses of the basis */
 	enum hawser_status status;
 
 	*pair = (struct hawser__damped_pair){.functions = 0};
+	for (int i = 0; i < held.attachments; i++)
+		held.attached[i].absorber = 0.0;
 	degree = st->attachments > 0 ? hawser__cable_degree_attached(st, n + 2)
 	                             : hawser__cable_degree(elements, n + 2);
 	for (int i = 0; i < tries; i++)
@@ -327,9 +414,9 @@ enum hawser_status hawser__damped_pair(struct hawser__damped_pair *pair,
 		                    "%d damped modes asked, which need some %d functions a component where "
 		                    "%d are the most: ask for fewer modes", n, functions, MOST);
 	pair->functions = functions;
-	status = hawser_modes_basis(&pair->coarse, st, degree*elements - 1, degree*elements - 1, report);
+	status = hawser_modes_basis(&pair->coarse, &held, degree*elements - 1, degree*elements - 1, report);
 	if (!status)
-		status = hawser_modes_basis(&pair->fine, st, functions, functions, report);
+		status = hawser_modes_basis(&pair->fine, &held, functions, functions, report);
 	if (status)
 		hawser__damped_pair_clear(pair);
 	return status;
@@ -363,10 +450,10 @@ static enum hawser_status lowest(struct hawser_damped *damped, double *worst,
 		first++;
 	for (int i = first; i < fine->count && damped->n < n; i++) {
 		const struct value *from = &fine->value[i];
-		double modulus = hypot(from->re, from->im);
+		double modulus = hypot(from->re, from->im), re = fmin(from->re, 0.0); /* but for round-off */
 
 		damped->mode[damped->n++] = (struct hawser_damped_mode){
-			.omega = from->im, .re = from->re, .ratio = -from->re/modulus,
+			.omega = from->im, .re = re, .ratio = -re/modulus,
 			.residual = from->residual + nearest(coarse, from),
 			.plane = from->out ? HAWSER_OUT_OF_PLANE : HAWSER_IN_PLANE,
 			.number = ++number[from->out]};

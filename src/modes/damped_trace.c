@@ -233,7 +233,9 @@ enum hawser_status hawser_damped_trace(struct hawser_damped_sweep *sweep,
 
 	*sweep = (struct hawser_damped_sweep){.points = 0};
 	hawser_damped_settle(&settled.modes);
-	work.same = strncmp(options->key, "attach.", 7) == 0 && strstr(options->key, ".damper[");
+	work.same = strncmp(options->key, "attach.", 7) == 0 &&
+	            (strstr(options->key, ".damper[") || strstr(options->key, ".absorber_stiffness") ||
+	             strstr(options->key, ".absorber_damping"));
 	if (!status)
 		status = trace(&work, threads, report);
 	if (status)

@@ -97,6 +97,23 @@ enum hawser_status hawser__modes_check_statics(const struct hawser_statics *st,
 	return HAWSER_OK;
 }
 
+int hawser__has_absorbers(const struct hawser_statics *st)
+{
+	int any = 0;
+
+	for (int i = 0; i < st->attachments; i++)
+		any |= st->attached[i].absorber > 0.0;
+	return any;
+}
+
+enum hawser_status hawser__no_absorbers(struct hawser_report *report)
+{
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+	                    "absorbers of attachments are part of damped modes only (hawser modes "
+	                    "--damped), not of models yet: leave them out, or give their mass as mass, "
+	                    "which holds it to the cable");
+}
+
 static enum hawser_status check_options(const struct hawser_modes_options *options,
                                         struct hawser_report *report)
 {
@@ -176,6 +193,8 @@ static enum hawser_status solve(struct hawser_modes *modes, const struct hawser_
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
 		                    "the method %s is for a cable without bending stiffness: take "
 		                    "spectral for a cable at rest, or leave cable.EI out", method->name);
+	if (hawser__has_absorbers(statics))
+		return hawser__no_absorbers(report);
 	if (settled.tolerance == 0.0)
 		settled.tolerance = method->tolerance;
 	modes->statics = *statics;

@@ -44,7 +44,7 @@ static enum hawser_status item(struct hawser__reader *reader, const yaml_event_t
 	if (number == HAWSER_ATTACH_MAX)
 		return hawser__reader_fail(reader, &place, "attach has more than %d items: give fewer",
 		                           HAWSER_ATTACH_MAX);
-	reader->scene->attach[number] = (struct hawser_attachment){0};
+	reader->scene->attach[number] = (struct hawser_attachment){.absorber_direction = {0.0, 1.0, 0.0}};
 	reader->key[at] = (struct hawser__place){0};
 	status = within(reader, number, NULL, NULL);
 	if (status != HAWSER_OK)
@@ -132,7 +132,8 @@ enum hawser_status hawser__items_set(struct hawser__reader *reader, const char *
 
 	if (key < 0)
 		return hawser__reader_fail(reader, place, "unknown key %s: write attach.NUMBER.KEY, from 0, "
-		                           "or attach.NAME.KEY, with at, mass, spring, damper or name",
+		                           "or attach.NAME.KEY, with at, mass, spring, damper, absorber_... "
+		                           "or name",
 		                           hawser__shown(shown, path));
 	if (number < 0)
 		return hawser__reader_fail(reader, place, "%s: the scene has %d attachment%s, and none has "
@@ -145,7 +146,7 @@ enum hawser_status hawser__items_set(struct hawser__reader *reader, const char *
 /* 1 if an attachment has no effect. */
 static int idle(const struct hawser_attachment *a)
 {
-	double sum = a->mass;
+	double sum = a->mass + a->absorber_mass;
 
 	for (int c = 0; c < 3; c++)
 		sum += a->spring[c] + a->damper[c];
@@ -167,9 +168,14 @@ enum hawser_status hawser__items_check(struct hawser__reader *reader)
 		                           "are at rest, and the cable would move past them; remove one of "
 		                           "them");
 	for (int i = 0; i < scene->attachments; i++) {
+		if ((a[i].absorber_mass > 0.0) != (a[i].absorber_stiffness > 0.0) ||
+		    (a[i].absorber_damping > 0.0 && !(a[i].absorber_mass > 0.0)))
+			return hawser__reader_fail(reader, &reader->attach, "attach[%d] has an incomplete "
+			                           "absorber: give both absorber_mass and absorber_stiffness, "
+			                           "or none", i);
 		if (idle(&a[i]))
 			return hawser__reader_fail(reader, &reader->attach, "attach[%d] has no effect: give it a "
-			                           "mass, a spring or a damper", i);
+			                           "mass, a spring, a damper or an absorber", i);
 		for (int j = 0; j < i; j++)
 			if (*a[i].name && !strcmp(a[i].name, a[j].name))
 				return hawser__reader_fail(reader, &reader->attach, "attach[%d] and attach[%d] "

@@ -127,6 +127,16 @@
 	    "springs to ground along x, y, z, unstressed in the static equilibrium") \
 	ROW("attach.damper", "N.s/m", TRIPLE, NULL, NOT_NEGATIVE, "[0, 0, 0]", attach[0].damper, FREE, 0, \
 	    "viscous dampers to ground along x, y, z") \
+	ROW("attach.absorber_mass", "kg", NUMBER, NULL, NOT_NEGATIVE, "0", attach[0].absorber_mass, \
+	    FREE, 0, "mass of an absorber, which moves along a direction relative to the point, on a " \
+	    "spring and a damper between both; its weight is part of the static equilibrium") \
+	ROW("attach.absorber_stiffness", "N/m", NUMBER, NULL, NOT_NEGATIVE, "0", \
+	    attach[0].absorber_stiffness, FREE, 0, "spring between the absorber's mass and the point") \
+	ROW("attach.absorber_damping", "N.s/m", NUMBER, NULL, NOT_NEGATIVE, "0", \
+	    attach[0].absorber_damping, FREE, 0, "damper between the absorber's mass and the point") \
+	ROW("attach.absorber_direction", "1", TRIPLE, NULL, ANY, "[0, 1, 0]", \
+	    attach[0].absorber_direction, FREE, 0, "direction in which the absorber's mass moves " \
+	    "relative to the point, along x, y, z; its length does not matter") \
 	ROW("attach.name", "", NAME, NULL, NAMES, "", attach[0].name, FREE, 0, \
 	    "name for messages, pictures and --set attach.NAME.KEY") \
 	ROW("model.modes", "1", INTEGER, "auto", MODES, "5", model.modes, FREE, 0, \

@@ -120,11 +120,12 @@ static void table(void)
 	}
 	fputs(".SS attach (optional)\n"
 	      "A list of point masses on the cable, each with springs and dampers from the same\n"
-	      "point to ground:\n"
+	      "point to ground, and with an absorber, a mass on a spring of its own:\n"
 	      ".PP\n.RS\n.nf\n"
 	      "attach:\n"
 	      "  \\- {at: 25 %, mass: 20 kg, name: carrier}\n"
 	      "  \\- {at: 12 m, mass: 3 kg, damper: [0, 3 kN.s/m, 0]}\n"
+	      "  \\- {at: 50 %, absorber_mass: 8 kg, absorber_stiffness: 2 kN/m, name: tmd}\n"
 	      ".fi\n.RE\n.PP\n", stdout);
 	printf("At most %d attachments are possible.\n"
 	       ".B \"\\-\\-set attach.0.mass=25kg\"\n"

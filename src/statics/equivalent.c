@@ -77,6 +77,11 @@ static enum hawser_status turn(struct hawser_equivalent *equal, const double w[3
 	return HAWSER_OK;
 }
 
+static int heavy(const struct hawser_attachment *a)
+{
+	return a->mass > 0.0 || a->absorber_mass > 0.0;
+}
+
 /* Point masses keep their weight where the force per length has another direction or size; springs and
  * dampers along the axes of the scene couple the motions in and out of a plane that is turned. */
 static enum hawser_status refuse_attached(const struct hawser_scene *scene,
@@ -86,11 +91,11 @@ static enum hawser_status refuse_attached(const struct hawser_scene *scene,
 	int aside = p[0] != 0.0 || p[2] != 0.0;
 
 	for (int i = 0; i < scene->attachments && norm(p) > 0.0; i++)
-		if (aside || scene->attach[i].mass > 0.0)
+		if (aside || heavy(&scene->attach[i]))
 			return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
 			                    "attach[%d] contradicts load.static.per_length: %s, which is not "
 			                    "available; remove one of them (ice is load.static.mass)", i,
-			                    scene->attach[i].mass > 0.0
+			                    heavy(&scene->attach[i])
 			                    ? "a cable with point masses under such a load does not hang in one "
 			                      "plane" : "springs and dampers couple the planes of a turned cable");
 	return HAWSER_OK;

@@ -199,7 +199,8 @@ static void begin(struct hawser__loaded *cable, int *order, const struct hawser_
 	                                 .h = span->h, .count = count, .L = length};
 	for (int i = 0; i < count; i++) {
 		cable->load[i] = (struct hawser__load_point){attach[i].at, attach[i].by_length,
-		                                             attach[i].mass*span->g};
+		                                             (attach[i].mass + attach[i].absorber_mass)*
+		                                             span->g};
 		cable->weight += cable->load[i].W;
 		order[i] = i;
 	}
@@ -235,6 +236,23 @@ static enum hawser__outcome search(struct hawser__loaded *cable, int *order, str
 	return outcome;
 }
 
+/* Returns 0 if its direction has no length. */
+static int absorber(struct hawser_attached *to, const struct hawser_attachment *a,
+                    const struct hawser_statics *st)
+{
+	const double *way = a->absorber_direction;
+	double length = sqrt(way[0]*way[0] + way[1]*way[1] + way[2]*way[2]);
+
+	if (!(a->absorber_mass > 0.0))
+		return 1;
+	to->absorber = a->absorber_mass/(st->span.rho*st->span.d);
+	to->absorber_stiffness = a->absorber_stiffness;
+	to->absorber_damping = a->absorber_damping;
+	for (int c = 0; c < 3; c++)
+		to->absorber_axis[c] = way[c]/length;
+	return length > 0.0;
+}
+
 static enum hawser_status place(struct hawser_statics *st, const struct hawser__loaded *cable,
                                 const int *order, const struct hawser_attachment *attach,
                                 struct hawser_report *report)
@@ -253,10 +271,15 @@ static enum hawser_status place(struct hawser_statics *st, const struct hawser__
 			return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
 			                    "attach[%d] and attach[%d] are at the same point, %.10g m from end "
 			                    "A: make one of them", order[i - 1], order[i], S);
-		*to = (struct hawser_attached){order[i], S, S/st->span.d, a->mass,
-		                               a->mass/(st->span.rho*st->span.d), {0}, {0}};
+		*to = (struct hawser_attached){.index = order[i], .S = S, .s = S/st->span.d,
+		                               .mass = a->mass + a->absorber_mass};
+		to->m = to->mass/(st->span.rho*st->span.d);
 		memcpy(to->spring, a->spring, sizeof to->spring);
 		memcpy(to->damper, a->damper, sizeof to->damper);
+		if (!absorber(to, a, st))
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
+			                    "attach[%d] has an absorber without direction: give "
+			                    "absorber_direction, such as [0, 1, 0]", order[i]);
 	}
 	return HAWSER_OK;
 }

@@ -16,7 +16,7 @@ refuses_like 1 'attach.at: "40" is not between the ends: give a fraction' \
 	statics s.yaml --set 'attach=[{at: 40, mass: 3}]'
 refuses_like 1 'attach.at: "1 kg" is no position: give a fraction' \
 	statics s.yaml --set 'attach=[{at: 1 kg, mass: 3}]'
-refuses_like 1 "attach\\[0\\] has no effect: give it a mass, a spring or a damper" \
+refuses_like 1 "attach\\[0\\] has no effect: give it a mass, a spring, a damper or an absorber" \
 	statics s.yaml --set 'attach=[{at: 0.4}]'
 refuses_like 1 "duplicate key attach.at, already given" statics s.yaml --set 'attach=[{at: 0.4, at: 0.5}]'
 refuses_like 1 "attach.name: \"12\" is no name" statics s.yaml --set 'attach=[{at: 0.4, mass: 1, name: 12}]'
@@ -116,6 +116,28 @@ if command -v gnuplot >/dev/null; then
 else
 	skip "gnuplot is not installed"
 fi
+tmd='attach=[{at: 50 %, absorber_mass: 60 kg, absorber_stiffness: 2.3 kN/m, absorber_damping: 25 N.s/m, name: tmd}]'
+works "an absorber" modes "$stay" --set "$tmd" --damped -n 4 --json tmd.json -q
+works "and its weight" statics "$stay" --set "$tmd" --json tmd-statics.json -q
+works "over its stiffness" modes "$stay" --set "$tmd" -n 4 --over attach.tmd.absorber_stiffness=2e3:3e3:5 --json over.json -q
+python "absorbers" <<'END'
+import json
+r = json.load(open("tmd.json"))
+a = r["scene"]["attach"][0]
+assert a["absorber_mass"] == 60 and a["absorber_direction"] == [0, 1, 0]
+first = [m for m in r["damped"] if m["plane"] == "in-plane"][:2]
+assert len(first) == 2 and all(m["damping_ratio"] > 0.005 for m in first), first
+assert [m["damping_ratio"] for m in r["damped"] if m["plane"] == "out-of-plane"][0] == 0
+assert json.load(open("tmd-statics.json"))["attachments"][0]["mass"] == 60
+assert len(json.load(open("over.json"))["damped"]) == 20
+END
+for command in modes rom frf irvine; do
+	refuses_like 1 "attachments" $command "$stay" --set "$tmd"
+done
+refuses_like 1 "absorbers of attachments are part of damped modes only" rom "$stay" --set "$tmd"
+refuses_like 1 "absorbers of attachments are part of damped modes only" rom "$stay" --set "$tmd" --set model.energy=exact
+refuses_like 1 "has an incomplete absorber: give both" statics "$stay" --set 'attach=[{at: 50 %, absorber_mass: 60 kg}]'
+refuses_like 1 "absorber without direction" statics "$stay" --set "$tmd" --set 'attach.tmd.absorber_direction=[0, 0, 0]'
 refuses_like 1 "write KEY=FROM:TO:POINTS" modes "$stay" --over attach.0.at=0.1:0.2
 refuses_like 1 "write KEY=FROM:TO:POINTS" modes "$stay" --over attach.0.at=0.1:0.2:1
 refuses_like 1 "log is for the points of --over" modes "$stay" --log

@@ -78,6 +78,79 @@ static void string(double a, double eta, double m, double S)
 	hawser_damped_clear(&damped);
 }
 
+/* An absorber of mass m, tuned to S/m, with the damper c: seen from the point it is the impedance
+ * m g (S + c g)/(m g^2 + c g + S). Every out-of-plane mode found is a root, and their number is that
+ * of the string's modes and one. */
+static void absorber(double a, double m, double S, double c)
+{
+	const double eps = tension/light.EA, l = 1.0/(1.0 + eps), k = sqrt(l);
+	struct hawser_attachment at = {.at = a, .absorber_mass = m*light.rho*l,
+	                               .absorber_stiffness = S*k*k/l*tension,
+	                               .absorber_damping = c*k*sqrt(light.rho*tension),
+	                               .absorber_direction = {0, 0, -2.0}};
+	double worst = 0.0, stated = 0.0, least = INFINITY;
+	struct hawser_damped damped;
+	struct hawser_statics st;
+	int seen = 0, below;
+
+	if (!solve(&damped, &st, &light, HAWSER_GIVEN_H, tension, &at, 1, NULL, 12))
+		return;
+	for (int i = 0; i < damped.n; i++) {
+		const struct hawser_damped_mode *mode = &damped.mode[i];
+		double complex g = (mode->re + I*mode->omega)*l/k, low, high, Z, f, slope;
+
+		if (mode->plane == HAWSER_IN_PLANE)
+			continue;
+		low = csinh(a*g);
+		high = csinh((1.0 - a)*g);
+		Z = m*g*(S + c*g)/(m*g*g + c*g + S);
+		f = csinh(g) + Z*low*high;
+		slope = ccosh(g) + Z*(a*ccosh(a*g)*high + (1.0 - a)*low*ccosh((1.0 - a)*g)) +
+		        low*high*m*((S + 2.0*c*g)*(m*g*g + c*g + S) - g*(S + c*g)*(2.0*m*g + c))/
+		                ((m*g*g + c*g + S)*(m*g*g + c*g + S));
+		worst = fmax(worst, cabs(f/slope)/cabs(g));
+		stated = fmax(stated, mode->residual);
+		least = fmin(least, mode->ratio);
+		seen++;
+	}
+	below = (int)(damped.mode[damped.n - 1].omega*l/k/M_PI);
+	ok(worst < 1e-10 && worst < 10.0*stated && seen >= below, "an absorber of mass %g at %g: %.1e, "
+	   "stated %.1e; %d modes up to %.3g pi", m, a, worst, stated, seen,
+	   damped.mode[damped.n - 1].omega*l/k/M_PI);
+	ok((c > 0.0) == (least > 1e-5), "least damping ratio %.3g", least);
+	hawser_damped_clear(&damped);
+}
+
+/* A small absorber in the middle of a string, tuned to the first mode as in Den Hartog's rule,
+ * 1/(1 + mu) of its frequency with mu the mass over the modal one, l/2: with the damping ratio
+ * sqrt(mu/(1 + mu)) both modes have the same frequency and half of this damping ratio (S. Krenk,
+ * J. Appl. Mech. 72 (2005) 936). A smaller damper splits the frequencies, and both have half of its
+ * ratio. */
+static void tuned(double mu)
+{
+	const double eps = tension/light.EA, l = 1.0/(1.0 + eps), k = sqrt(l), m = 0.5*mu;
+	const double w = M_PI/(1.0 + mu), zeta = 0.6*sqrt(mu/(1.0 + mu));
+	struct hawser_attachment at = {.at = 0.5, .absorber_mass = m*light.rho*l,
+	                               .absorber_stiffness = m*w*w*k*k/l*tension,
+	                               .absorber_damping = 2.0*zeta*w*m*k*sqrt(light.rho*tension),
+	                               .absorber_direction = {0, 0, 1.0}};
+	double ratio[2] = {0.0};
+	struct hawser_damped damped;
+	struct hawser_statics st;
+	int seen = 0;
+
+	if (!solve(&damped, &st, &light, HAWSER_GIVEN_H, tension, &at, 1, NULL, 5))
+		return;
+	for (int i = 0; i < damped.n && seen < 2; i++)
+		if (damped.mode[i].plane == HAWSER_OUT_OF_PLANE)
+			ratio[seen++] = damped.mode[i].ratio;
+	/* Krenk: half of the absorber's ratio, to the order of mu */
+	ok(seen == 2 && fabs(ratio[0] - 0.5*zeta) < mu && fabs(ratio[1] - 0.5*zeta) < mu &&
+	   fabs(ratio[0] - ratio[1]) < mu, "tuned, mass ratio %g: damping ratios %.5g and %.5g, half of "
+	   "the absorber's %.5g", mu, ratio[0], ratio[1], 0.5*zeta);
+	hawser_damped_clear(&damped);
+}
+
 /* Largest damping ratio of out-of-plane mode `number` over the size of the damper, by a sweep of the
  * scene's key: a/2 at eta = 1/(pi a number) (Pacheco, Fujino, Sulekh, J. Struct. Eng. 119 (1993) 1961;
  * Krenk). The next order is a^2. */
@@ -298,6 +371,19 @@ static void refusals(void)
 		return;
 	ok(hawser_damped_solve(&damped, &st, NULL, &one, &report) == HAWSER_ERR_ARGUMENT &&
 	   strstr(report.message, "at least one"), "%s", report.message);
+	one.n = 3;
+	scene.attach[0].absorber_mass = scene.attach[0].absorber_stiffness = 1.0;
+	ok(hawser_statics_scene(&st, &scene, &report) == HAWSER_ERR_ARGUMENT &&
+	   strstr(report.message, "without direction"), "%s", report.message);
+	scene.attach[0].absorber_direction[1] = 1.0;
+	if (ok(!hawser_statics_scene(&st, &scene, &report), "statics with an absorber")) {
+		struct hawser_modes_options undamped = {.n = 3};
+		struct hawser_modes modes;
+
+		ok(hawser_modes_solve(&modes, &st, &undamped, &report) == HAWSER_ERR_ARGUMENT &&
+		   hawser_modes_basis(&modes, &st, 9, 9, &report) == HAWSER_ERR_ARGUMENT &&
+		   strstr(report.message, "part of damped modes only"), "%s", report.message);
+	}
 	one.n = 2000;
 	ok(hawser_damped_solve(&damped, &st, NULL, &one, &report) == HAWSER_ERR_ARGUMENT &&
 	   strstr(report.message, "are the most"), "%s", report.message);
@@ -312,6 +398,11 @@ int main(void)
 	string(0.37, 2.385, 0.0, 0.0);
 	string(0.05, 1e4, 0.0, 0.0);
 	string(0.12, 3.1, 0.4, 7.3);
+	absorber(0.47, 0.02, 0.02*9.0, 0.004);
+	absorber(0.31, 0.4, 5.0, 0.0);
+	absorber(0.08, 0.05, 0.05*40.0, 0.31);
+	tuned(0.01);
+	tuned(0.002);
 	optimum(0.01);
 	optimum(0.05);
 	uniform();
