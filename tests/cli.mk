@@ -28,6 +28,7 @@ CLI_TESTS = \
 	%D%/cli/study.sh \
 	%D%/cli/static-load.sh \
 	%D%/cli/attach.sh \
+	%D%/cli/loads.sh \
 	%D%/cli/travel.sh \
 	%D%/cli/unstable.sh \
 	%D%/cli/usage.sh
