@@ -29,6 +29,7 @@ CLI_TESTS = \
 	%D%/cli/static-load.sh \
 	%D%/cli/attach.sh \
 	%D%/cli/bending.sh \
+	%D%/cli/loads.sh \
 	%D%/cli/travel.sh \
 	%D%/cli/unstable.sh \
 	%D%/cli/usage.sh

@@ -2,7 +2,7 @@
 RESPONSE_TESTS = tests/unit/test-floquet tests/unit/test-flow tests/unit/test-balance tests/unit/test-balance-blocks \
 	tests/unit/test-frf-events \
 	tests/unit/test-frf-vanish tests/unit/test-cover tests/unit/test-collide \
-	tests/unit/test-monodromy tests/unit/test-varying tests/property/test-support tests/property/test-frf tests/property/test-event-errors \
+	tests/unit/test-monodromy tests/unit/test-varying tests/property/test-support tests/property/test-loads tests/property/test-frf tests/property/test-event-errors \
 	tests/property/test-linear-condensed tests/unit/test-hill-matrix \
 	tests/reference/test-frf-published tests/extremes/test-frf-extremes \
 	tests/unit/test-folds tests/property/test-folds tests/property/test-folds-least tests/reference/test-folds \
@@ -18,6 +18,8 @@ tests_unit_test_flow_SOURCES = tests/unit/test-flow.c
 tests_unit_test_flow_LDADD = $(UPTO_RESPONSE)
 tests_unit_test_monodromy_SOURCES = tests/unit/test-monodromy.c
 tests_unit_test_monodromy_LDADD = $(UPTO_RESPONSE)
+tests_property_test_loads_SOURCES = tests/property/test-loads.c
+tests_property_test_loads_LDADD = $(UPTO_RESPONSE)
 tests_property_test_support_SOURCES = tests/property/test-support.c
 tests_property_test_support_LDADD = $(UPTO_RESPONSE)
 tests_unit_test_varying_SOURCES = tests/unit/test-varying.c

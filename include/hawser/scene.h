@@ -94,6 +94,30 @@ struct hawser_attachment {
 	char name[HAWSER_NAME_SIZE]; /* "" if it has none */
 };
 
+/* A piece of the varying load: a force per unstretched length on a part of the cable, which may be a
+ * wave that runs along it; or a force at a point. It is multiplied by
+ *
+ *     cos(harmonic*Omega*t + phase - 2*pi*S/wave)
+ *
+ * with the unstretched length S from end A; without the last term if wave is 0. Pieces add to each
+ * other and to the load of the section load. */
+enum { HAWSER_LOADS_MAX = 32 };
+struct hawser_load_piece {
+	enum hawser_frame frame; /* of per_length or force */
+	double per_length[3];    /* N per metre of unstretched length; all 0: a force at a point */
+	double from;             /* loaded part: fractions of the unstretched length from end A if */
+	int from_length;         /* `from_length`, `to_length` are 0, else unstretched lengths in m */
+	double to;
+	int to_length;
+	double wave;             /* m of unstretched length; > 0: runs to end B, < 0: to end A */
+	double force[3];         /* N */
+	double at;               /* its point, like `from` */
+	int at_length;
+	int harmonic;            /* multiple of Omega, 1 to 20 */
+	double phase;            /* rad */
+	char name[HAWSER_NAME_SIZE]; /* "" if it has none */
+};
+
 /* A load case: the static load and the change of temperature in place of those of the scene. */
 enum { HAWSER_CASES_MAX = 32 };
 struct hawser_case {
@@ -204,6 +228,8 @@ struct hawser_scene {
 	} beam;
 	int attachments;
 	struct hawser_attachment attach[HAWSER_ATTACH_MAX]; /* [attachments] in the order of the scene */
+	int loads;
+	struct hawser_load_piece piece[HAWSER_LOADS_MAX]; /* [loads], the list `loads` */
 	int cases;
 	struct hawser_case load_case[HAWSER_CASES_MAX]; /* [cases] */
 	char *name; /* file name, "<stdin>" for standard input; owned */
@@ -231,8 +257,8 @@ const struct hawser_scene_key *hawser_scene_key(int index);
 
 /* Read a scene from `stream` (called `name` in messages) and apply `nset` overrides in order. An
  * override has the syntax of --set: "cable.EA=100 MN", "load.per_length=[1, 2, 3]", or a whole
- * section, "load={frame: local, per_length: [1, 2, 3]}". A key of an attachment is named by the
- * number of the attachment, from 0, or by its name: "attach.0.mass=20 kg",
+ * section, "load={frame: local, per_length: [1, 2, 3]}". A key of an item of the lists attach and
+ * loads is named by the number of the item, from 0, or by its name: "attach.0.mass=20 kg",
  * "attach.carrier.mass=20 kg". If two keys exclude each other (tension.H
  * and tension.T0, the kinds of damping), the override replaces the one given before. *scene is
  * overwritten; release it with hawser_scene_clear. On failure it is all zero. Returns

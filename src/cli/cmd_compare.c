@@ -341,7 +341,8 @@ static enum hawser_status range(struct cli_compare_result *result, const struct 
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "compare",
 		                    "%s is a reduced-model file: fidelities are models of a scene, give "
 		                    "that", settings->common.input);
-	if (!model->scene.load.present && !moves(&model->scene) && !(model->scene.travel.fluctuation > 0.0))
+	if (!model->scene.load.present && model->scene.loads == 0 && !moves(&model->scene) &&
+	    !(model->scene.travel.fluctuation > 0.0))
 		return hawser__fail(report, HAWSER_ERR_SCENE, "compare",
 		                    "%s: there is no load, so there is no response to compare: add a "
 		                    "section load", settings->common.input);

@@ -127,6 +127,32 @@ static void echo_attachments(struct hawser__json *json, json_t *echo,
 	}
 }
 
+static void echo_loads(struct hawser__json *json, json_t *echo, const struct hawser_scene *scene)
+{
+	json_t *list = hawser__json_array(json, echo, "loads");
+
+	for (int i = 0; i < scene->loads; i++) {
+		const struct hawser_load_piece *a = &scene->piece[i];
+		json_t *item = hawser__json_object(json, list, NULL);
+
+		if (a->force[0] != 0.0 || a->force[1] != 0.0 || a->force[2] != 0.0) {
+			triple(json, item, "force", a->force);
+			hawser__json_number(json, item, a->at_length ? "at_m" : "at", a->at);
+		} else {
+			triple(json, item, "per_length", a->per_length);
+			hawser__json_number(json, item, a->from_length ? "from_m" : "from", a->from);
+			hawser__json_number(json, item, a->to_length ? "to_m" : "to", a->to);
+			hawser__json_number(json, item, "wave", a->wave);
+		}
+		hawser__json_text(json, item, "frame",
+		                  a->frame == HAWSER_FRAME_GLOBAL ? "global" : "local");
+		hawser__json_number(json, item, "harmonic", a->harmonic);
+		hawser__json_number(json, item, "phase", a->phase);
+		if (*a->name)
+			hawser__json_text(json, item, "name", a->name);
+	}
+}
+
 static void echo_cases(struct hawser__json *json, json_t *echo, const struct hawser_scene *scene)
 {
 	json_t *list = hawser__json_array(json, echo, "cases");
@@ -167,10 +193,12 @@ void cli_echo_json(struct hawser__json *json, const struct cli_common *common,
 	if (!scene)
 		return;
 	for (int i = 0; !json->status && (key = hawser_scene_key(i)); i++)
-		if (strncmp(key->path, "attach.", 7) != 0)
+		if (strncmp(key->path, "attach.", 7) != 0 && strncmp(key->path, "loads.", 6) != 0)
 			echo_key(json, echo, scene, key);
 	if (scene->attachments)
 		echo_attachments(json, echo, scene);
+	if (scene->loads)
+		echo_loads(json, echo, scene);
 	if (scene->cases)
 		echo_cases(json, echo, scene);
 }

@@ -16,7 +16,7 @@ static void load_text(char *text, size_t size, const struct cli_folds_result *re
 	const double *f = scene->load.per_length;
 
 	text[0] = '\0';
-	if (result->model->has_scene && scene->load.present)
+	if (result->model->has_scene && scene->load.present && scene->loads == 0)
 		snprintf(text, size, " (%.6g, %.6g, %.6g N/m)", factor*f[0], factor*f[1], factor*f[2]);
 }
 

@@ -21,6 +21,7 @@ static enum hawser_status build(struct hawser_rom *rom, const struct cli_model *
 	/* shapes for the inertia of condensed modes are chosen by a harmonic load, which there is not */
 	scene.model.inertia = HAWSER_INERTIA_NONE;
 	scene.load.present = load != NULL;
+	scene.loads = 0;
 	if (load)
 		memcpy(scene.load.per_length, load, sizeof scene.load.per_length);
 	if (!model->scene.load.present) {

@@ -17,7 +17,7 @@
  * would add spurious tension.
  *
  * The displacement z_0 results from its strains by integration along the cable, in global axes, on
- * the grid of the modes; elements are divided where the load begins and ends.
+ * the grid of the modes; elements are divided where a load begins and ends, and at forces at points.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -57,43 +57,20 @@ static void work_clear(struct work *work)
 	free(work->line);
 }
 
-/* The elements of the modes' grid, cut at both ends. */
-static enum hawser_status cut_grid(struct work *work, const double ends[2],
-                                   struct hawser_report *report)
-{
-	const struct hawser_grid *grid = &work->stations.modes->grid;
-	double *edge = malloc(((size_t)grid->elements + 3)*sizeof *edge);
-	int elements = 0;
-	enum hawser_status status;
-
-	if (!edge)
-		return hawser__no_memory(report, "rom");
-	edge[0] = grid->edge[0];
-	for (int e = 0; e < grid->elements; e++) {
-		for (int i = 0; i < 2; i++)
-			if (ends[i] > edge[elements] && ends[i] < grid->edge[e + 1])
-				edge[++elements] = ends[i];
-		edge[++elements] = grid->edge[e + 1];
-	}
-	status = hawser__grid_init(&work->grid, elements, grid->order, edge, NULL, report);
-	free(edge);
-	return status ? status : hawser__reference_init(&work->reference, &work->grid, grid->order - 1,
-	                                                report);
-}
-
+/* The stations, divided at cut [cuts], and a grid of them. */
 static enum hawser_status work_make(struct work *work, const struct hawser_modes *modes, int moving,
-                                    const double ends[2], struct hawser_report *report)
+                                    const double *cut, int cuts, struct hawser_report *report)
 {
-	enum hawser_status status = hawser__stations_make(&work->stations, modes, moving, ends[0],
-	                                                  ends[1], report);
+	enum hawser_status status = hawser__stations_make(&work->stations, modes, moving, cut, cuts,
+	                                                  report);
 	size_t count = (size_t)work->stations.count;
 
 	if (!status)
-		status = cut_grid(work, ends, report);
-	if (!status && work->grid.points != work->stations.count)
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
-		                      "the load's ends %g and %g cut the cable in another way than its "
-		                      "elements", ends[0], ends[1]);
+		status = hawser__grid_init(&work->grid, work->stations.parts, modes->grid.order,
+		                           work->stations.edge, NULL, report);
+	if (!status)
+		status = hawser__reference_init(&work->reference, &work->grid, work->grid.order - 1,
+		                                report);
 	if (status)
 		return status;
 	work->global = malloc(3*count*sizeof *work->global);
@@ -248,20 +225,20 @@ static enum hawser_status answer_load(struct hawser_rom *rom, const struct hawse
                                       int moving, const struct hawser_scene *scene,
                                       struct hawser_report *report)
 {
-	double scale = rom->length/rom->force*(1.0 - modes->statics.motion.mach2), ends[2];
+	struct hawser__loads loads;
 	struct work work = {.rom = rom};
-	enum hawser_status status;
+	enum hawser_status status = hawser__loads_make(&loads, &modes->statics, scene, report);
 
-	hawser__load_ends(ends, modes, scene);
-	status = work_make(&work, modes, moving, ends, report);
 	if (!status)
-		status = hawser__load_pull(&work.stations, scene, report);
-	if (!status) {
+		status = work_make(&work, modes, moving, loads.cut, loads.cuts, report);
+	for (int h = 0; !status && h < loads.harmonics; h++) {
+		hawser__load_pull(&work.stations, &loads, h);
 		solve(&work);
-		status = add_harmonic(&rom->harmonic[0], scale, &work) ? HAWSER_OK
+		status = add_harmonic(&rom->harmonic[h], 1.0, &work) ? HAWSER_OK
 		         : hawser__no_memory(report, "rom");
 	}
 	work_clear(&work);
+	hawser__loads_clear(&loads);
 	return status;
 }
 
@@ -294,9 +271,8 @@ static enum hawser_status answer_speed(struct hawser_rom *rom, const struct haws
                                        int moving, const struct hawser_scene *scene,
                                        struct hawser_report *report)
 {
-	const double ends[2] = {0.0, modes->statics.l};
 	struct work work = {.rom = rom};
-	enum hawser_status status = work_make(&work, modes, moving, ends, report);
+	enum hawser_status status = work_make(&work, modes, moving, NULL, 0, report);
 
 	for (int squared = 0; !status && squared < 2; squared++) {
 		hawser__speed_pull(&work.stations, squared);
@@ -312,7 +288,7 @@ enum hawser_status hawser__rom_answers(struct hawser_rom *rom, const struct haws
                                        int moving, const struct hawser_scene *scene,
                                        struct hawser_report *report)
 {
-	enum hawser_status status = scene->load.present ? answer_load(rom, modes, moving, scene, report)
+	enum hawser_status status = hawser__loaded(scene) ? answer_load(rom, modes, moving, scene, report)
 	                            : HAWSER_OK;
 
 	if (!status && (rom->ramp || modes->statics.motion.swing > 0.0))
@@ -325,11 +301,10 @@ enum hawser_status hawser__rom_answer_field(struct hawser_rom *rom, int harmonic
                                             const double *field, const double *point,
                                             struct hawser_report *report)
 {
-	const double ends[2] = {0.0, modes->statics.l};
 	size_t n2 = (size_t)rom->n*(size_t)rom->n;
 	struct hawser_harmonic *h = &rom->harmonic[harmonic];
 	struct work work = {.rom = rom};
-	enum hawser_status status = work_make(&work, modes, modes->n, ends, report);
+	enum hawser_status status = work_make(&work, modes, modes->n, NULL, 0, report);
 	double *T = malloc(n2*sizeof *T);
 
 	if (!status && !T)
@@ -342,7 +317,7 @@ enum hawser_status hawser__rom_answer_field(struct hawser_rom *rom, int harmonic
 	}
 	if (!status) {
 		hawser__stations_clear(&work.stations);
-		status = hawser__stations_make(&work.stations, modes, moving, ends[0], ends[1], report);
+		status = hawser__stations_make(&work.stations, modes, moving, NULL, 0, report);
 	}
 	if (!status) {
 		memcpy(work.along, field, 3*(size_t)work.stations.count*sizeof *field);

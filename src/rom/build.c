@@ -26,6 +26,7 @@
 #include "rom/inertia.h"
 #include "rom/model.h"
 #include "rom/kernel.h"
+#include "rom/load.h"
 #include "rom/project.h"
 #include "rom/support.h"
 #include "rom/travel.h"
@@ -48,87 +49,31 @@ static void set_stiffness(struct hawser_rom *rom, const struct hawser_modes *mod
 
 /* --- load --- */
 
-void hawser__load_at(double local[3], const struct hawser_scene *scene,
-                     const struct hawser_modes *modes, double s)
-{
-	const double *f = scene->load.per_length;
-
-	memcpy(local, f, 3*sizeof *f);
-	if (scene->load.frame == HAWSER_FRAME_GLOBAL) {
-		struct hawser_frame_point at = hawser_statics_frame(&modes->statics, s);
-		double in[3];
-
-		hawser_statics_from_global(&modes->statics, in, f);
-		local[0] = in[0]*at.ex + in[1]*at.ey;
-		local[1] = in[1]*at.ex - in[0]*at.ey;
-		local[2] = in[2];
-	}
-}
-
-static double work_at(const struct hawser_scene *scene, const struct hawser_modes *modes, int j,
-                      double s)
-{
-	double phi[3], f[3];
-
-	hawser_modes_at(modes, phi, NULL, j, s);
-	hawser__load_at(f, scene, modes, s);
-	return phi[0]*f[0] + phi[1]*f[1] + phi[2]*f[2];
-}
-
-/* Integral of Phi_j . f over [from, to] inside element e, by the rule of the element, scaled. */
-static double panel(const struct hawser_scene *scene, const struct hawser_modes *modes, int j, int e,
-                    double from, double to)
-{
-	const struct hawser_grid *grid = &modes->grid;
-	double shrink = (to - from)/(grid->edge[e + 1] - grid->edge[e]), sum = 0.0;
-
-	for (int i = 0; i < grid->order; i++) {
-		double s = from + 0.5*(to - from)*(1.0 + grid->node[i]);
-
-		sum += shrink*grid->weight[e*grid->order + i]*work_at(scene, modes, j, s);
-	}
-	return sum;
-}
-
-static double work(const struct hawser_scene *scene, const struct hawser_modes *modes, int j)
-{
-	const struct hawser_grid *grid = &modes->grid;
-	double l = grid->edge[grid->elements], sum = 0.0;
-
-	for (int e = 0; e < grid->elements; e++) {
-		double from = fmax(grid->edge[e], scene->load.extent[0]*l);
-		double to = fmin(grid->edge[e + 1], scene->load.extent[1]*l);
-
-		if (from < to)
-			sum += panel(scene, modes, j, e, from, to);
-	}
-	return sum;
-}
-
 static enum hawser_status set_load(struct hawser_rom *rom, const struct hawser_modes *modes,
-                                   const struct hawser_scene *scene, struct hawser_report *report)
+                                   const struct hawser__loads *loads, struct hawser_report *report)
 {
-	double scale = rom->length/rom->force*(1.0 - modes->statics.motion.mach2);
-
-	if (!scene->load.present)
+	if (loads->harmonics == 0)
 		return HAWSER_OK;
-	rom->harmonic = calloc(1, sizeof *rom->harmonic);
+	rom->harmonic = calloc((size_t)loads->harmonics, sizeof *rom->harmonic);
 	if (!rom->harmonic)
 		return hawser__no_memory(report, "rom");
-	rom->harmonics = 1;
-	rom->harmonic->k = 1;
-	rom->harmonic->phase = HAWSER_COS;
-	rom->harmonic->f = malloc((size_t)rom->n*sizeof *rom->harmonic->f);
-	if (!rom->harmonic->f)
-		return hawser__no_memory(report, "rom");
-	for (int j = 0; j < rom->n; j++) {
-		double f = scale*work(scene, modes, j);
+	for (int i = 0; i < loads->harmonics; i++) {
+		struct hawser_harmonic *h = &rom->harmonic[rom->harmonics++];
 
-		if (!isfinite(f))
-			return hawser__fail(report, HAWSER_ERR_NAN, "rom",
-			                    "the load on mode %d is %g: its shape or the load is not "
-			                    "finite", j + 1, f);
-		rom->harmonic->f[j] = f;
+		h->k = loads->k[i];
+		h->phase = loads->wave[i];
+		h->f = malloc((size_t)rom->n*sizeof *h->f);
+		if (!h->f)
+			return hawser__no_memory(report, "rom");
+		for (int j = 0; j < rom->n; j++) {
+			double f = hawser__loads_work(loads, i, modes, j);
+
+			if (!isfinite(f))
+				return hawser__fail(report, HAWSER_ERR_NAN, "rom",
+				                    "the load on mode %d is %g: its shape or the load is not "
+				                    "finite", j + 1, f);
+			h->f[j] = f;
+		}
 	}
 	return HAWSER_OK;
 }
@@ -139,30 +84,32 @@ static enum hawser_status set_varying(struct hawser_rom *rom, const struct hawse
                                       int moving, const struct hawser_scene *scene,
                                       struct hawser_report *report)
 {
-	double *K = malloc((size_t)rom->n*(size_t)rom->n*sizeof *K);
-	double scale = rom->length/rom->force*(1.0 - modes->statics.motion.mach2);
-	enum hawser_status status = K ? HAWSER_OK : hawser__no_memory(report, "rom");
-	int any = 0;
+	struct hawser__loads loads;
+	enum hawser_status status = hawser__loads_make(&loads, &modes->statics, scene, report);
 
-	if (!status)
-		status = hawser__follow_load(K, &any, modes, moving, scene, report);
-	if (status || !any) {
-		free(K);
-		return status;
+	for (int h = 0; !status && h < loads.harmonics; h++) {
+		double *K = malloc((size_t)rom->n*(size_t)rom->n*sizeof *K);
+		int any = 0;
+
+		status = K ? hawser__follow_load(K, &any, modes, moving, &loads, h, report)
+		         : hawser__no_memory(report, "rom");
+		if (status || !any) {
+			free(K);
+			continue;
+		}
+		/* second-order shapes respond to the load as coordinates */
+		hawser__rom_held(K, rom, rom->harmonic[h].f, -1.0);
+		rom->harmonic[h].K = K;
 	}
-	for (int i = 0; i < rom->n*rom->n; i++)
-		K[i] *= scale;
-	/* second-order shapes respond to the load as coordinates */
-	hawser__rom_held(K, rom, rom->harmonic->f, -1.0);
-	rom->harmonic->K = K;
-	return HAWSER_OK;
+	hawser__loads_clear(&loads);
+	return status;
 }
 
 enum hawser_status hawser__rom_vary(struct hawser_rom *rom, const struct hawser_modes *modes,
                                     int moving, const struct hawser_scene *scene,
                                     struct hawser_report *report)
 {
-	enum hawser_status status = scene->load.present
+	enum hawser_status status = hawser__loaded(scene)
 	                            ? set_varying(rom, modes, moving, scene, report) : HAWSER_OK;
 
 	return status ? status : hawser__rom_travel_condensed(rom, modes, moving, scene, report);
@@ -317,8 +264,12 @@ enum hawser_status hawser__rom_begin(struct hawser_rom *rom, const struct hawser
 enum hawser_status hawser__rom_finish(struct hawser_rom *rom, const struct hawser_modes *modes,
                                       const struct hawser_scene *scene, struct hawser_report *report)
 {
-	enum hawser_status status = scene ? set_load(rom, modes, scene, report) : HAWSER_OK;
+	struct hawser__loads loads;
+	enum hawser_status status = hawser__loads_make(&loads, &modes->statics, scene, report);
 
+	if (!status)
+		status = set_load(rom, modes, &loads, report);
+	hawser__loads_clear(&loads);
 	if (!status)
 		status = hawser__drag_make(rom, modes, scene, report);
 	if (!status)
@@ -350,11 +301,14 @@ static enum hawser_status add_shapes(struct hawser_modes *with, struct hawser_ro
                                      struct hawser_report *report)
 {
 	size_t n = (size_t)modes->n;
+	struct hawser__loads loads;
 	double *load = malloc(n*sizeof *load), *damping = malloc(n*sizeof *damping);
-	enum hawser_status status = load && damping ? HAWSER_OK : hawser__no_memory(report, "rom");
+	enum hawser_status status = hawser__loads_make(&loads, &modes->statics, scene, report);
 
+	if (!status && (!load || !damping))
+		status = hawser__no_memory(report, "rom");
 	for (int j = 0; !status && j < modes->n; j++) {
-		load[j] = rom->length/rom->force*work(scene, modes, j);
+		load[j] = hawser__loads_most(&loads, modes, j);
 		damping[j] = rom->D[(size_t)j*(n + 1)];
 		if (!isfinite(load[j]))
 			load[j] = 0.0; /* reported when the load is set */
@@ -362,6 +316,7 @@ static enum hawser_status add_shapes(struct hawser_modes *with, struct hawser_ro
 	if (!status)
 		status = hawser__inertia_extend(with, &rom->inertia, modes, condensed, load, damping,
 		                                allowed(scene), report);
+	hawser__loads_clear(&loads);
 	free(load);
 	free(damping);
 	return status;
@@ -377,7 +332,7 @@ static enum hawser_status condense(struct hawser__condensed *condensed, struct h
 	struct hawser_rom_inertia inertia;
 
 	/* with gyroscopic forces, the response also depends on velocities */
-	if (status || !scene->load.present || scene->travel.present ||
+	if (status || !hawser__loaded(scene) || scene->travel.present ||
 	    scene->model.inertia == HAWSER_INERTIA_NONE)
 		return status;
 	status = add_shapes(with, rom, modes, condensed, scene, report);

@@ -31,10 +31,6 @@ enum hawser_status hawser__rom_of_modes(struct hawser_rom *rom, const struct haw
 void hawser__rom_damping(struct hawser_rom *rom, const struct hawser_modes *modes,
                          const struct hawser_scene *scene);
 
-/* The load of the scene per length in the local frame, N/m, at scaled arclength s. */
-void hawser__load_at(double local[3], const struct hawser_scene *scene,
-                     const struct hawser_modes *modes, double s);
-
 /* Variation of the stiffness of the first `moving` modes by the static response of the others to
  * the load and to the changes of the speed: added to the harmonics and the ramp of a model, which
  * must exist. */

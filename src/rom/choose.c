@@ -23,6 +23,7 @@
 #include "rom/dampers.h"
 #include "rom/drag.h"
 #include "rom/drive.h"
+#include "rom/load.h"
 #include "rom/support.h"
 #include "rom/weigh.h"
 
@@ -192,7 +193,13 @@ static enum hawser_status check(const struct hawser_modes *modes, const struct h
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "choose",
 		                    "accuracy %g: it is a part, between 0 and 1 (0.01 is 1 %%)",
 		                    accuracy);
-	if (!scene->load.present && !(modes->statics.motion.swing > 0.0))
+	for (int i = 0; i < scene->loads; i++)
+		if (scene->piece[i].harmonic != 1)
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "choose",
+			                    "loads.%d.harmonic is %d: modes are weighed with loads of the "
+			                    "frequency Omega only; give model.modes as a number", i,
+			                    scene->piece[i].harmonic);
+	if (!hawser__loaded(scene) && !(modes->statics.motion.swing > 0.0))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "choose",
 		                    "the scene has no load: which modes matter, a load and a range of "
 		                    "frequencies decide; give a load, or model.modes as a number");

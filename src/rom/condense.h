@@ -11,6 +11,7 @@
 #define HAWSER_ROM_CONDENSE_H
 
 #include <hawser/rom.h>
+#include "rom/load.h"
 
 /* Pair (j, k), j <= k, has the index k(k+1)/2 + j. */
 struct hawser__condensed {
@@ -38,11 +39,10 @@ enum hawser_status hawser__condensed_at(const struct hawser__condensed *condense
 enum hawser_status hawser__condense_bends(const struct hawser_modes *modes,
                                           struct hawser_report *report);
 
-/* T [n][n] of follow.h, n = modes->n, for the scene's load, in the units of scene and of s, and
- * whether
- * any entry is not zero. condense_load.c. */
+/* T [n][n] of follow.h, n = modes->n, for harmonic h of the loads, scaled, and whether any entry is not
+ * zero. condense_load.c. */
 enum hawser_status hawser__follow_load(double *T, int *any, const struct hawser_modes *modes,
-                                       int moving, const struct hawser_scene *scene,
+                                       int moving, const struct hawser__loads *loads, int h,
                                        struct hawser_report *report);
 
 /* --- the condition that both ends are fixed --- */

@@ -9,119 +9,97 @@
  * of the load on the condensed modes are neglected.
  *
  * Since a displacement vanishes at both ends, the work of f on it is that of -P on its derivative.
+ * P jumps at a force at a point.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <stdlib.h>
+#include <string.h>
 
-#include "core/report.h"
 #include "modes/grid.h"
 #include "rom/build.h"
 #include "rom/follow.h"
 
-/* The running sum, in global axes. */
-struct sums {
-	const struct hawser_modes *modes;
-	double *along;           /* [3][points] from end A, as if the whole cable were loaded */
-	double from, to;         /* loaded part */
-	double start[3], end[3]; /* `along` at its ends */
-};
-
-static enum hawser_status sum_up(struct sums *sums, const struct hawser_scene *scene,
-                                 struct hawser_report *report)
+/* global [3] += the force of harmonic h per length at s, in the axes of the cable's plane, times
+ * factor. */
+static void add_force(double global[3], const struct hawser__piece *piece,
+                      const struct hawser__loads *loads, int h, const struct hawser_statics *st,
+                      double s, double factor)
 {
-	const struct hawser_grid *grid = &sums->modes->grid;
-	struct hawser__reference reference;
-	int points = grid->points;
-	double *global = malloc(3*(size_t)points*sizeof *global), local[3];
-	enum hawser_status status;
+	struct hawser_frame_point at = hawser_statics_frame(st, s);
+	double local[3];
 
-	if (!global)
-		return hawser__no_memory(report, "rom");
-	status = hawser__reference_init(&reference, grid, grid->order - 1, report);
-	for (int p = 0; !status && p < points; p++) {
-		struct hawser_frame_point at = hawser_statics_frame(&sums->modes->statics, grid->s[p]);
-
-		hawser__load_at(local, scene, sums->modes, grid->s[p]);
-		global[p] = local[0]*at.ex - local[1]*at.ey;
-		global[points + p] = local[0]*at.ey + local[1]*at.ex;
-		global[2*points + p] = local[2];
-	}
-	for (int axis = 0; !status && axis < 3; axis++) {
-		double *along = sums->along + axis*points;
-
-		hawser__grid_running(along, grid, &reference, global + axis*points);
-		hawser__grid_at(&sums->start[axis], grid, along, 1, 1, sums->from);
-		hawser__grid_at(&sums->end[axis], grid, along, 1, 1, sums->to);
-	}
-	if (!status)
-		hawser__reference_clear(&reference);
-	free(global);
-	return status;
+	hawser__piece_at(local, piece, loads, h, st, s);
+	global[0] += factor*(local[0]*at.ex - local[1]*at.ey);
+	global[1] += factor*(local[0]*at.ey + local[1]*at.ex);
+	global[2] += factor*local[2];
 }
 
-/* -P at s, in the local frame. */
-static void pull_at(double local[3], const struct sums *sums, double s)
+/* sum [3] += the integral of the piece's force over [from, to], by a Gauss rule. */
+static void add_run(double sum[3], const struct hawser__piece *piece,
+                    const struct hawser__loads *loads, int h, const struct hawser__stations *stations,
+                    double from, double to)
 {
-	const struct hawser_grid *grid = &sums->modes->grid;
-	struct hawser_frame_point at = hawser_statics_frame(&sums->modes->statics, s);
-	double global[3];
+	const struct hawser_grid *grid = &stations->modes->grid;
+	double half = 0.5*(grid->edge[1] - grid->edge[0]);
 
-	for (int axis = 0; axis < 3; axis++) {
-		double sum = sums->end[axis];
+	for (int i = 0; i < grid->order; i++)
+		add_force(sum, piece, loads, h, &stations->modes->statics,
+		          from + 0.5*(to - from)*(1.0 + grid->node[i]),
+		          0.5*(to - from)*grid->weight[i]/half);
+}
 
-		if (s < sums->to)
-			hawser__grid_at(&sum, grid, sums->along + axis*grid->points, 1, 1, s);
-		global[axis] = s > sums->from ? sums->start[axis] - sum : 0.0;
+/* Subtract the running integral of one piece from p. */
+static void pull_one(struct hawser__stations *stations, const struct hawser__piece *piece,
+                     const struct hawser__loads *loads, int h)
+{
+	const struct hawser_statics *st = &stations->modes->statics;
+	int order = stations->modes->grid.order;
+	double sum[3] = {0.0};
+
+	for (int e = 0; e < stations->parts; e++) {
+		double from = stations->edge[e], to = stations->edge[e + 1];
+		int inside = from >= piece->from && to <= piece->to;
+
+		if (piece->from == piece->to && from == piece->from)
+			add_force(sum, piece, loads, h, st, from, 1.0);
+		for (int i = e*order; i < (e + 1)*order; i++) {
+			struct hawser_frame_point at = hawser_statics_frame(st, stations->s[i]);
+			double P[3] = {sum[0], sum[1], sum[2]}, *p = stations->p + 3*(size_t)i;
+
+			if (inside)
+				add_run(P, piece, loads, h, stations, from, stations->s[i]);
+			p[0] -= loads->scale*(P[0]*at.ex + P[1]*at.ey);
+			p[1] -= loads->scale*(P[1]*at.ex - P[0]*at.ey);
+			p[2] -= loads->scale*P[2];
+		}
+		if (inside)
+			add_run(sum, piece, loads, h, stations, from, to);
 	}
-	local[0] = global[0]*at.ex + global[1]*at.ey;
-	local[1] = global[1]*at.ex - global[0]*at.ey;
-	local[2] = global[2];
+	for (int axis = 0; axis < 3; axis++)
+		stations->beyond[axis] += loads->scale*sum[axis];
 }
 
-void hawser__load_ends(double ends[2], const struct hawser_modes *modes,
-                       const struct hawser_scene *scene)
+void hawser__load_pull(struct hawser__stations *stations, const struct hawser__loads *loads, int h)
 {
-	for (int i = 0; i < 2; i++)
-		ends[i] = scene->load.extent[i]*modes->statics.l;
-}
-
-enum hawser_status hawser__load_pull(struct hawser__stations *stations,
-                                     const struct hawser_scene *scene,
-                                     struct hawser_report *report)
-{
-	const struct hawser_modes *modes = stations->modes;
-	size_t points = (size_t)modes->grid.points;
-	struct sums sums = {.modes = modes, .along = malloc(3*points*sizeof(double))};
-	double ends[2];
-	enum hawser_status status;
-
-	hawser__load_ends(ends, modes, scene);
-	sums.from = ends[0];
-	sums.to = ends[1];
-	status = sums.along ? sum_up(&sums, scene, report) : hawser__no_memory(report, "rom");
-	for (int i = 0; !status && i < stations->count; i++)
-		pull_at(stations->p + 3*i, &sums, stations->s[i]);
-	for (int axis = 0; !status && axis < 3; axis++)
-		stations->beyond[axis] = sums.end[axis] - sums.start[axis];
-	free(sums.along);
-	return status;
+	memset(stations->p, 0, 3*(size_t)stations->count*sizeof *stations->p);
+	memset(stations->beyond, 0, sizeof stations->beyond);
+	for (int i = 0; i < loads->count; i++)
+		if (loads->piece[i].harmonic[loads->wave[h] == HAWSER_SIN] == h)
+			pull_one(stations, &loads->piece[i], loads, h);
 }
 
 enum hawser_status hawser__follow_load(double *T, int *any, const struct hawser_modes *modes,
-                                       int moving, const struct hawser_scene *scene,
+                                       int moving, const struct hawser__loads *loads, int h,
                                        struct hawser_report *report)
 {
 	struct hawser__stations stations;
-	double ends[2];
-	enum hawser_status status;
+	enum hawser_status status = hawser__stations_make(&stations, modes, moving, loads->cut,
+	                                                  loads->cuts, report);
 
-	hawser__load_ends(ends, modes, scene);
-	status = hawser__stations_make(&stations, modes, moving, ends[0], ends[1], report);
-	if (!status)
-		status = hawser__load_pull(&stations, scene, report);
 	if (!status) {
+		hawser__load_pull(&stations, loads, h);
 		hawser__follow(&stations);
 		*any = hawser__follow_stiffness(T, &stations);
 	}

@@ -288,7 +288,7 @@ enum hawser_status hawser__dampers_extend(struct hawser_modes *with,
 		return HAWSER_OK;
 	status = work_make(&work) ? HAWSER_OK : hawser__no_memory(report, "rom");
 	if (!status)
-		status = hawser__stations_make(&work.stations, modes, modes->n, 0.0, st->l, report);
+		status = hawser__stations_make(&work.stations, modes, modes->n, NULL, 0, report);
 	if (!status)
 		status = hawser__reference_init(&work.reference, &modes->grid, modes->grid.order - 1,
 		                                report);

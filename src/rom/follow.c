@@ -36,28 +36,23 @@ static void add_node(struct hawser__stations *to, double s, double weight)
 	to->place[to->count++] = hawser__place_at(to->modes, s, weight);
 }
 
-/* Quadrature nodes of element e, on each of the parts into which it is divided. */
-static void add_element(struct hawser__stations *stations, int e, double from, double to)
+/* Nodes of a part of element e. */
+static void add_part(struct hawser__stations *stations, int e, double from, double to)
 {
 	const struct hawser_grid *grid = &stations->modes->grid;
-	const double *edge = grid->edge + e;
-	double cut[4] = {edge[0], fmin(fmax(from, edge[0]), edge[1]),
-		fmin(fmax(to, edge[0]), edge[1]), edge[1]};
+	double shrink = (to - from)/(grid->edge[e + 1] - grid->edge[e]);
+	int whole = from == grid->edge[e] && to == grid->edge[e + 1];
 
-	for (int i = 0; i < 3; i++) {
-		double shrink = (cut[i + 1] - cut[i])/(edge[1] - edge[0]);
-		int whole = cut[i] == edge[0] && cut[i + 1] == edge[1];
+	for (int k = 0; k < grid->order; k++) {
+		int p = e*grid->order + k;
 
-		for (int k = 0; k < grid->order && cut[i] < cut[i + 1]; k++) {
-			int p = e*grid->order + k;
-
-			if (whole)
-				add_node(stations, grid->s[p], grid->weight[p]);
-			else
-				add_node(stations, cut[i] + 0.5*(cut[i + 1] - cut[i])*
-				         (1.0 + grid->node[k]), shrink*grid->weight[p]);
-		}
+		if (whole)
+			add_node(stations, grid->s[p], grid->weight[p]);
+		else
+			add_node(stations, from + 0.5*(to - from)*(1.0 + grid->node[k]),
+			         shrink*grid->weight[p]);
 	}
+	stations->edge[++stations->parts] = to;
 }
 
 static void set_slopes(struct hawser__stations *to)
@@ -96,29 +91,42 @@ static enum hawser_status set_springs(struct hawser__stations *stations, struct 
 
 enum hawser_status hawser__stations_make(struct hawser__stations *stations,
                                          const struct hawser_modes *modes, int moving,
-                                         double from, double to, struct hawser_report *report)
+                                         const double *cut, int cuts, struct hawser_report *report)
 {
-	/* each of the two ends divides one element, so that there are at most two more parts */
-	size_t most = (size_t)modes->grid.points + 4*(size_t)modes->grid.order;
+	const struct hawser_grid *grid = &modes->grid;
+	size_t parts = (size_t)grid->elements + (size_t)cuts, most = parts*(size_t)grid->order;
+	int next = 0;
 
 	*stations = (struct hawser__stations){.modes = modes, .moving = moving};
 	if (hawser__condense_bends(modes, report))
 		return HAWSER_ERR_ARGUMENT;
+	stations->edge = malloc((parts + 1)*sizeof *stations->edge);
 	stations->s = malloc(most*sizeof *stations->s);
 	stations->place = malloc(most*sizeof *stations->place);
 	stations->slope = malloc((3*most*(size_t)moving + 1)*sizeof *stations->slope);
 	stations->p = malloc(3*most*sizeof *stations->p);
 	stations->z = malloc(3*most*sizeof *stations->z);
-	if (!stations->s || !stations->place || !stations->slope || !stations->p || !stations->z)
+	if (!stations->edge || !stations->s || !stations->place || !stations->slope || !stations->p ||
+	    !stations->z)
 		return hawser__no_memory(report, "rom");
-	for (int e = 0; e < modes->grid.elements; e++)
-		add_element(stations, e, from, to);
+	stations->edge[0] = grid->edge[0];
+	for (int e = 0; e < grid->elements; e++) {
+		double from = grid->edge[e];
+
+		for (; next < cuts && cut[next] < grid->edge[e + 1]; next++)
+			if (cut[next] > from) {
+				add_part(stations, e, from, cut[next]);
+				from = cut[next];
+			}
+		add_part(stations, e, from, grid->edge[e + 1]);
+	}
 	set_slopes(stations);
 	return set_springs(stations, report);
 }
 
 void hawser__stations_clear(struct hawser__stations *stations)
 {
+	free(stations->edge);
 	free(stations->s);
 	free(stations->place);
 	free(stations->slope);

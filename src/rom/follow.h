@@ -21,7 +21,8 @@ struct hawser__stations {
 	const struct hawser_modes *modes;
 	int moving;                  /* number of kept modes, the first ones; shapes of inertia.h follow
 	                              * them */
-	int count;
+	int count, parts;            /* nodes, and parts into which they are grouped */
+	double *edge;                /* [parts + 1] of the parts, of grid.order nodes each */
 	double *s;                   /* [count] scaled arclength */
 	struct hawser__place *place; /* [count] */
 	double *slope;               /* [moving][count][3] a, b, c */
@@ -32,20 +33,16 @@ struct hawser__stations {
 	struct hawser__springs *springs; /* of the attachments (ties.h), or NULL */
 };
 
-/* The nodes of the grid of the modes. Elements that contain `from` or `to` are divided there, for a
- * p that is not smooth at these points. Clear *stations, on failure too. */
+/* The nodes of the grid of the modes. Elements that contain a point of cut [cuts], ascending, are
+ * divided there, for a p that is not smooth at these points. Clear *stations, on failure too. */
 enum hawser_status hawser__stations_make(struct hawser__stations *stations,
                                          const struct hawser_modes *modes, int moving,
-                                         double from, double to, struct hawser_report *report);
+                                         const double *cut, int cuts, struct hawser_report *report);
 void hawser__stations_clear(struct hawser__stations *stations);
 
-/* p of the load of the scene, N/m; the stations must be divided at both of `ends`, the scaled
- * arclengths between which it acts. condense_load.c. */
-void hawser__load_ends(double ends[2], const struct hawser_modes *modes,
-                       const struct hawser_scene *scene);
-enum hawser_status hawser__load_pull(struct hawser__stations *stations,
-                                     const struct hawser_scene *scene,
-                                     struct hawser_report *report);
+/* p of harmonic h of the loads, scaled; the stations must be divided at their cuts.
+ * condense_load.c. */
+void hawser__load_pull(struct hawser__stations *stations, const struct hawser__loads *loads, int h);
 
 /* p of a change of the travel speed, scaled: the force whose work on a displacement v is the
  * integral of v . x' (squared = 0) or of v' . x' (1), x the static shape. travel.c. */

@@ -49,6 +49,8 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/known.h \
 	%D%/known_below.c \
 	%D%/linear.c \
+	%D%/load.c \
+	%D%/load.h \
 	%D%/model.c \
 	%D%/model.h \
 	%D%/open.c \

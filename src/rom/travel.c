@@ -210,8 +210,8 @@ static enum hawser_status follow(double *g, double *d, const struct hawser_modes
                                  struct hawser_report *report)
 {
 	struct hawser__stations stations;
-	enum hawser_status status = hawser__stations_make(&stations, modes, moving, 0.0,
-	                                                   modes->statics.l, report);
+	enum hawser_status status = hawser__stations_make(&stations, modes, moving, NULL, 0,
+	                                                  report);
 
 	for (int squared = 0; !status && squared < 2; squared++) {
 		hawser__speed_pull(&stations, squared);

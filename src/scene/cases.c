@@ -92,76 +92,39 @@ static enum hawser_status keep(struct hawser__reader *reader, struct hawser_case
 	return HAWSER_OK;
 }
 
-static enum hawser_status item(struct hawser__reader *reader, const yaml_event_t *event)
+enum hawser_status hawser__case_read(struct hawser__reader *reader, int number)
 {
-	struct hawser_scene *scene = reader->scene, *one;
-	struct hawser__place place = hawser__event_place(reader, event);
+	struct hawser_scene *scene = reader->scene, *one = calloc(1, sizeof *one);
 	struct hawser__reader inner = *reader;
-	struct hawser_case *to = &scene->load_case[scene->cases];
+	struct hawser_case *to = &scene->load_case[number];
 	enum hawser_status status = HAWSER_OK;
-	int number = scene->cases, end = 0;
+	int end = 0;
 
-	if (event->type != YAML_MAPPING_START_EVENT)
-		return hawser__reader_fail(reader, &place, "cases[%d] must be a mapping, such as {name: ice, "
-		                           "load: {static: {mass: 0.9 kg/m}}}", number);
-	if (number == HAWSER_CASES_MAX)
-		return hawser__reader_fail(reader, &place, "cases has more than %d items: give fewer",
-		                           HAWSER_CASES_MAX);
-	one = calloc(1, sizeof *one);
 	if (!one)
 		return hawser__no_memory(reader->report, "scene");
 	inner.scene = one;
 	memset(inner.key, 0, sizeof inner.key);
 	memset(inner.section, 0, sizeof inner.section);
-	*to = (struct hawser_case){.name = ""};
 	while (status == HAWSER_OK && !end)
 		status = pair(&inner, &end, to, number);
 	if (status == HAWSER_OK)
-		status = keep(&inner, to, number, &place);
-	for (int i = 0; i < number && status == HAWSER_OK; i++)
-		if (!strcmp(scene->load_case[i].name, to->name))
-			status = hawser__reader_fail(reader, &place, "cases[%d] and cases[%d] have the same "
-			                             "name %s: give different ones", i, number, to->name);
+		status = keep(&inner, to, number, &reader->list[HAWSER__CASES]);
 	reader->units = inner.units;
-	scene->cases += status == HAWSER_OK;
 	free(one);
 	return status;
-}
-
-enum hawser_status hawser__cases_read(struct hawser__reader *reader,
-                                      const struct hawser__place *place)
-{
-	yaml_event_t event;
-	enum hawser_status status;
-
-	if (reader->cases.pass == reader->pass)
-		return hawser__reader_fail(reader, place, "duplicate key cases: keep one list");
-	reader->cases = *place;
-	reader->scene->cases = 0;
-	status = hawser__event_next(reader, &event);
-	if (status != HAWSER_OK)
-		return status;
-	if (event.type != YAML_SEQUENCE_START_EVENT)
-		status = hawser__reader_fail(reader, place, "cases must be a list of mappings, such as "
-		                             "[{name: ice, load: {static: {mass: 0.9 kg/m}}}]");
-	yaml_event_delete(&event);
-	return status ? status : hawser__list_read(reader, item);
 }
 
 enum hawser_status hawser__cases_check(struct hawser__reader *reader)
 {
 	struct hawser_scene *scene = reader->scene;
 
-	if (scene->cases > 0 && scene->beam.form)
-		return hawser__reader_fail(reader, &reader->cases, "cases contradicts beam: load cases are "
-		                           "of a cable, remove one of them");
 	for (int i = 0; i < scene->cases; i++) {
 		struct hawser_case *c = &scene->load_case[i];
 
 		if (!c->heated || !isnan(c->expansion))
 			continue;
 		if (!scene->temperature.present)
-			return hawser__reader_fail(reader, &reader->cases, "cases[%d] (%s) has no "
+			return hawser__reader_fail(reader, &reader->list[HAWSER__CASES], "cases[%d] (%s) has no "
 			                           "temperature.expansion, and neither has the scene: give it "
 			                           "in 1/K in one of them", i, c->name);
 		c->expansion = scene->temperature.expansion;

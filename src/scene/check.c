@@ -304,7 +304,5 @@ enum hawser_status hawser__check(struct hawser__reader *reader)
 		status = bending(reader);
 	if (status == HAWSER_OK)
 		status = hawser__items_check(reader);
-	if (status == HAWSER_OK)
-		status = hawser__cases_check(reader);
 	return status;
 }

@@ -1,5 +1,5 @@
-/* scene/items.c - the list of attachments: its items have the keys "attach.NAME" of the table, and
- * are read, checked and named one by one.
+/* scene/items.c - the lists of a scene: their items have keys "attach.KEY" of the table, and are read,
+ * checked and named one by one.
  *
  * Each item is a pass of its own (reader.h), with a negative number, so that a key may occur once in
  * each item.
@@ -14,51 +14,53 @@
 
 #include "scene/reader.h"
 
-static const char list[] = "attach";
-
-/* Read the value of `path` in attachment `item` or, if it is NULL, all keys of the attachment. */
-static enum hawser_status within(struct hawser__reader *reader, int item, const char *path,
-                                 const struct hawser__place *place)
+/* Read the value of `path` in an item of a list or, if it is NULL, all keys of the item. */
+static enum hawser_status within(struct hawser__reader *reader, const struct hawser__list *list,
+                                 int item, const char *path, const struct hawser__place *place)
 {
 	int pass = reader->pass;
 	enum hawser_status status;
 
 	reader->item = item;
 	reader->pass = -(++reader->items);
-	status = path ? hawser__parse_value(reader, path, place) : hawser__parse_mapping(reader, list);
+	status = path ? hawser__parse_value(reader, path, place)
+	              : hawser__parse_mapping(reader, list->name);
 	reader->pass = pass;
 	reader->item = 0;
 	return status;
 }
 
 /* Read the item that begins with `event`. */
-static enum hawser_status item(struct hawser__reader *reader, const yaml_event_t *event)
+static enum hawser_status item(struct hawser__reader *reader, const struct hawser__list *list,
+                               const yaml_event_t *event)
 {
 	struct hawser__place place = hawser__event_place(reader, event);
-	int at = hawser__key_find("attach.at"), number = reader->scene->attachments;
+	int *count = hawser__list_count(list, reader->scene), number = *count;
+	int needed = list->required ? hawser__key_find(list->required) : -1;
+	char *fresh = (char *)reader->scene + list->first + (size_t)number*list->size;
 	enum hawser_status status;
 
 	if (event->type != YAML_MAPPING_START_EVENT)
-		return hawser__reader_fail(reader, &place, "attach[%d] must be a mapping, such as "
-		                           "{at: 40 %%, mass: 20 kg}", number);
-	if (number == HAWSER_ATTACH_MAX)
-		return hawser__reader_fail(reader, &place, "attach has more than %d items: give fewer",
-		                           HAWSER_ATTACH_MAX);
-	reader->scene->attach[number] = (struct hawser_attachment){.absorber_direction = {0.0, 1.0, 0.0}};
-	reader->key[at] = (struct hawser__place){0};
-	status = within(reader, number, NULL, NULL);
+		return hawser__reader_fail(reader, &place, "%s[%d] must be a mapping, such as %s",
+		                           list->name, number, list->example);
+	if (number == list->most)
+		return hawser__reader_fail(reader, &place, "%s has more than %d items: give fewer",
+		                           list->name, list->most);
+	memset(fresh, 0, list->size);
+	if (list->fresh)
+		memcpy(fresh, list->fresh, list->size);
+	if (needed >= 0)
+		reader->key[needed] = (struct hawser__place){0};
+	status = list->read ? list->read(reader, number) : within(reader, list, number, NULL, NULL);
 	if (status != HAWSER_OK)
 		return status;
-	reader->scene->attachments++;
-	if (reader->key[at].pass == 0)
-		return hawser__reader_fail(reader, &place, "attach[%d] has no position: give at, such as "
-		                           "at: 40 %% or at: 12 m", number);
+	++*count;
+	if (needed >= 0 && reader->key[needed].pass == 0)
+		return hawser__reader_fail(reader, &place, "%s[%d] %s", list->name, number, list->missing);
 	return HAWSER_OK;
 }
 
-enum hawser_status hawser__list_read(struct hawser__reader *reader,
-                                     enum hawser_status (*read)(struct hawser__reader *,
-                                                                const yaml_event_t *))
+static enum hawser_status items(struct hawser__reader *reader, const struct hawser__list *list)
 {
 	enum hawser_status status = HAWSER_OK;
 
@@ -70,120 +72,116 @@ enum hawser_status hawser__list_read(struct hawser__reader *reader,
 			break;
 		end = event.type == YAML_SEQUENCE_END_EVENT;
 		if (!end)
-			status = read(reader, &event);
+			status = item(reader, list, &event);
 		yaml_event_delete(&event);
 	}
 	return status;
 }
 
-enum hawser_status hawser__items_read(struct hawser__reader *reader,
+enum hawser_status hawser__items_read(struct hawser__reader *reader, int index,
                                       const struct hawser__place *place)
 {
+	const struct hawser__list *list = hawser__list_row(index);
 	struct hawser__place here;
 	yaml_event_t event;
 	enum hawser_status status;
 
-	if (reader->attach.pass == reader->pass)
-		return hawser__reader_fail(reader, place, "duplicate key attach: keep one list");
-	reader->attach = *place;
+	if (reader->list[index].pass == reader->pass)
+		return hawser__reader_fail(reader, place, "duplicate key %s: keep one list", list->name);
+	reader->list[index] = *place;
 	status = hawser__event_next(reader, &event);
 	if (status != HAWSER_OK)
 		return status;
 	here = hawser__event_place(reader, &event);
-	reader->scene->attachments = 0;
+	*hawser__list_count(list, reader->scene) = 0;
 	if (event.type == YAML_SEQUENCE_START_EVENT)
-		status = hawser__list_read(reader, item);
+		status = items(reader, list);
 	else
-		status = hawser__reader_fail(reader, &here, "attach must be a list of mappings, such as "
-		                             "[{at: 40 %%, mass: 20 kg}]");
+		status = hawser__reader_fail(reader, &here, "%s must be a list of mappings, such as [%s]",
+		                             list->name, list->example);
 	yaml_event_delete(&event);
 	return status;
 }
 
 int hawser__item_key(int *number, const struct hawser_scene *scene, const char *path)
 {
-	const char *name = path + sizeof list, *dot = strchr(name, '.');
+	const struct hawser__list *list = hawser__list_row(hawser__list_find(path));
+	const char *name = path + strcspn(path, "."), *dot = *name ? strchr(++name, '.') : NULL;
 	size_t length = dot ? (size_t)(dot - name) : 0;
+	int count = list ? *hawser__list_count(list, scene) : 0;
 	char key[2*HAWSER_NAME_SIZE];
 
 	*number = -1;
-	if (!length)
+	if (!length || !list->keys)
 		return -1;
 	if (isdigit((unsigned char)*name)) {
 		char *end;
 		long value = strtol(name, &end, 10);
 
-		if (end == dot && value < scene->attachments)
+		if (end == dot && value < count)
 			*number = (int)value;
 	}
-	for (int i = 0; i < scene->attachments && *number < 0; i++)
-		if (strlen(scene->attach[i].name) == length &&
-		    strncmp(scene->attach[i].name, name, length) == 0)
+	for (int i = 0; i < count && *number < 0; i++) {
+		const char *own = hawser__item_name(list, scene, i);
+
+		if (strlen(own) == length && strncmp(own, name, length) == 0)
 			*number = i;
-	snprintf(key, sizeof key, "%s.%s", list, dot + 1);
+	}
+	snprintf(key, sizeof key, "%s.%s", list->name, dot + 1);
 	return strchr(dot + 1, '.') ? -1 : hawser__key_find(key);
 }
 
-enum hawser_status hawser__items_set(struct hawser__reader *reader, const char *path,
+enum hawser_status hawser__items_set(struct hawser__reader *reader, int index, const char *path,
                                      const struct hawser__place *place)
 {
+	const struct hawser__list *list = hawser__list_row(index);
 	int number, key = hawser__item_key(&number, reader->scene, path);
+	int count = *hawser__list_count(list, reader->scene);
 	char shown[HAWSER__SHOWN];
 
 	if (key < 0)
-		return hawser__reader_fail(reader, place, "unknown key %s: write attach.NUMBER.KEY, from 0, "
-		                           "or attach.NAME.KEY, with at, mass, spring, damper, absorber_... "
-		                           "or name",
-		                           hawser__shown(shown, path));
+		return hawser__reader_fail(reader, place, "unknown key %s: write %s.NUMBER.KEY, from 0, "
+		                           "or %s.NAME.KEY, with %s", hawser__shown(shown, path),
+		                           list->name, list->name, list->keys);
 	if (number < 0)
-		return hawser__reader_fail(reader, place, "%s: the scene has %d attachment%s, and none has "
-		                           "this number or name", hawser__shown(shown, path),
-		                           reader->scene->attachments,
-		                           reader->scene->attachments == 1 ? "" : "s");
-	return within(reader, number, hawser_scene_key(key)->path, place);
+		return hawser__reader_fail(reader, place, "%s: the scene has %d %s%s, and none has "
+		                           "this number or name", hawser__shown(shown, path), count,
+		                           list->one, count == 1 ? "" : "s");
+	return within(reader, list, number, hawser_scene_key(key)->path, place);
 }
 
-/* 1 if an attachment has no effect. */
-static int idle(const struct hawser_attachment *a)
+/* Rules of every list. */
+static enum hawser_status common(struct hawser__reader *reader, int index)
 {
-	double sum = a->mass + a->absorber_mass;
+	const struct hawser__list *list = hawser__list_row(index);
+	const struct hawser__place *here = &reader->list[index];
 
-	for (int c = 0; c < 3; c++)
-		sum += a->spring[c] + a->damper[c];
-	return sum == 0.0;
+	if (reader->scene->beam.form)
+		return hawser__reader_fail(reader, here, "%s contradicts beam: a scene is of a cable or of a "
+		                           "beam, remove one of them", list->name);
+	for (int i = 0; i < *hawser__list_count(list, reader->scene); i++)
+		for (int j = 0; j < i; j++) {
+			const char *name = hawser__item_name(list, reader->scene, i);
+
+			if (*name && !strcmp(name, hawser__item_name(list, reader->scene, j)))
+				return hawser__reader_fail(reader, here, "%s[%d] and %s[%d] have the same "
+				                           "name %s: give different ones%s", list->name, j,
+				                           list->name, i, name, list->keys ? ", or none" : "");
+		}
+	return HAWSER_OK;
 }
 
 enum hawser_status hawser__items_check(struct hawser__reader *reader)
 {
-	const struct hawser_scene *scene = reader->scene;
-	const struct hawser_attachment *a = scene->attach;
+	const struct hawser__list *list;
+	enum hawser_status status = HAWSER_OK;
 
-	if (!scene->attachments)
-		return HAWSER_OK;
-	if (scene->beam.form)
-		return hawser__reader_fail(reader, &reader->attach, "attach contradicts beam: a scene is of "
-		                           "a cable or of a beam, remove one of them");
-	if (scene->travel.present)
-		return hawser__reader_fail(reader, &reader->attach, "attach contradicts travel: attachments "
-		                           "are at rest, and the cable would move past them; remove one of "
-		                           "them");
-	for (int i = 0; i < scene->attachments; i++) {
-		if ((a[i].absorber_mass > 0.0) != (a[i].absorber_stiffness > 0.0) ||
-		    (a[i].absorber_damping > 0.0 && !(a[i].absorber_mass > 0.0)))
-			return hawser__reader_fail(reader, &reader->attach, "attach[%d] has an incomplete "
-			                           "absorber: give both absorber_mass and absorber_stiffness, "
-			                           "or none", i);
-		if (idle(&a[i]))
-			return hawser__reader_fail(reader, &reader->attach, "attach[%d] has no effect: give it a "
-			                           "mass, a spring, a damper or an absorber", i);
-		for (int j = 0; j < i; j++)
-			if (*a[i].name && !strcmp(a[i].name, a[j].name))
-				return hawser__reader_fail(reader, &reader->attach, "attach[%d] and attach[%d] "
-				                           "have the same name %s: give different ones, or "
-				                           "none", j, i, a[i].name);
-			else if (a[i].by_length == a[j].by_length && a[i].at == a[j].at)
-				return hawser__reader_fail(reader, &reader->attach, "attach[%d] and attach[%d] "
-				                           "are at the same point: make one of them", j, i);
+	for (int l = 0; !status && (list = hawser__list_row(l)); l++) {
+		if (!*hawser__list_count(list, reader->scene))
+			continue;
+		status = common(reader, l);
+		if (!status)
+			status = list->check(reader);
 	}
-	return HAWSER_OK;
+	return status;
 }

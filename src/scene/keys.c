@@ -139,6 +139,29 @@
 	    "relative to the point, along x, y, z; its length does not matter") \
 	ROW("attach.name", "", NAME, NULL, NAMES, "", attach[0].name, FREE, 0, \
 	    "name for messages, pictures and --set attach.NAME.KEY") \
+	ROW("loads.per_length", "N/m", TRIPLE, NULL, ANY, "[0, 0, 0]", piece[0].per_length, FREE, 0, \
+	    "amplitude of a force per unstretched length along the three axes") \
+	ROW("loads.from", "1", PLACE, NULL, WITHIN, "0", piece[0].from, FREE, 0, \
+	    "begin of the part on which per_length acts, from end A: a fraction of the unstretched " \
+	    "length, such as 20 %, or an unstretched length, such as 12 m") \
+	ROW("loads.to", "1", PLACE, NULL, WITHIN, "1", piece[0].to, FREE, 0, \
+	    "end of this part") \
+	ROW("loads.wave", "m", NUMBER, NULL, ANY, "0", piece[0].wave, FREE, 0, \
+	    "wavelength, in unstretched length, of a per_length that runs along the cable: towards end " \
+	    "B, or towards end A if it is negative; 0: the whole part in phase") \
+	ROW("loads.force", "N", TRIPLE, NULL, ANY, "[0, 0, 0]", piece[0].force, FREE, 0, \
+	    "amplitude of a force at a point along the three axes, in place of per_length") \
+	ROW("loads.at", "1", PLACE, NULL, INSIDE, "", piece[0].at, FREE, 0, \
+	    "point of the force: a fraction of the unstretched length or an unstretched length") \
+	ROW("loads.frame", "", WORD, "local|global", WORDS, "global", piece[0].frame, FREE, 0, \
+	    "axes of per_length and force: local is tangent, normal, binormal (e, n, z), global is x, y, " \
+	    "z") \
+	ROW("loads.harmonic", "1", INTEGER, NULL, MULTIPLE, "1", piece[0].harmonic, FREE, 0, \
+	    "frequency of the piece, as a multiple of the forcing frequency Omega") \
+	ROW("loads.phase", "rad", NUMBER, NULL, ANY, "0", piece[0].phase, FREE, 0, \
+	    "phase of the piece; the section load has phase 0") \
+	ROW("loads.name", "", NAME, NULL, NAMES, "", piece[0].name, FREE, 0, \
+	    "name for messages and --set loads.NAME.KEY") \
 	ROW("model.modes", "1", INTEGER, "auto", MODES, "5", model.modes, FREE, 0, \
 	    "number of modes kept, the lowest of both planes together; auto chooses the modes that the " \
 	    "accuracy requires") \
@@ -221,6 +244,7 @@
 #define RANGE_MODES "within [1, 1000]"
 #define RANGE_MULTIPLE "within [1, 20]"
 #define RANGE_BASIS "within [0, 100000]"
+#define RANGE_WITHIN "within [0, 1], or a length >= 0"
 #define RANGE_INSIDE "between 0 and 1, or a length > 0"
 #define RANGE_CHANGE "within [-300, 300]"
 #define RANGE_NAMES "letters, digits, _ and -, not a number"
@@ -243,6 +267,7 @@ _Static_assert(sizeof(enum hawser_state) == sizeof(int), "a word is stored as an
 _Static_assert(sizeof(enum hawser_condensation) == sizeof(int), "a word is stored as an int");
 _Static_assert(sizeof(enum hawser_inertia) == sizeof(int), "a word is stored as an int");
 _Static_assert(sizeof(enum hawser_beam_gravity) == sizeof(int), "a word is stored as an int");
+_Static_assert(sizeof(enum hawser_frame) == sizeof(int), "a word is stored as an int");
 _Static_assert(sizeof(enum hawser_energy) == sizeof(int), "a word is stored as an int");
 
 static const struct hawser__section sections[] = {
@@ -350,6 +375,7 @@ int hawser__in_range(int index, double value)
 	case HAWSER__MULTIPLE: return value >= 1.0 && value <= 20.0;
 	case HAWSER__CHANGE: return fabs(value) <= 300.0; /* K: beyond, expansion is not linear */
 	case HAWSER__BASIS: return value >= 0.0 && value <= 100000.0;
+	case HAWSER__WITHIN: return value >= 0.0 && isfinite(value);
 	case HAWSER__INSIDE: return value > 0.0 && isfinite(value);
 	case HAWSER__ANY:
 	case HAWSER__NAMES:
@@ -394,7 +420,7 @@ int hawser__applies(const struct hawser_scene *scene, int index)
 		       (row->group != HAWSER__WEIGHT || scene->beam.form == HAWSER_BEAM_EI);
 	if (hawser__child_of(keys[index].path, "beam"))
 		return of_beam(scene, hawser__leaf(keys[index].path));
-	if (hawser__is_item(index)) /* items.c has the items */
+	if (hawser__list_of(index)) /* items.c has the items */
 		return 0;
 	if (scene->beam.form)
 		return !strcmp(keys[index].path, "g");
@@ -424,16 +450,17 @@ int hawser__applies(const struct hawser_scene *scene, int index)
 	return 1;
 }
 
-int hawser__is_item(int index)
+int hawser__place_in(int index, double value, int by_length)
 {
-	return hawser__child_of(keys[index].path, "attach");
+	return hawser__in_range(index, value) &&
+	       (by_length || (rows[index].range == HAWSER__INSIDE ? value < 1.0 : value <= 1.0));
 }
 
 void *hawser__field(const struct hawser_scene *scene, int index, int item)
 {
-	size_t size = hawser__is_item(index) ? sizeof *scene->attach : 0;
+	const struct hawser__list *list = hawser__list_of(index);
 
-	return (char *)(uintptr_t)scene + rows[index].offset + (size_t)item*size;
+	return (char *)(uintptr_t)scene + rows[index].offset + (list ? (size_t)item*list->size : 0);
 }
 
 double hawser__stored(const struct hawser_scene *scene, int index, int element, int item)

@@ -13,7 +13,7 @@ enum hawser__type {
 	HAWSER__TRIPLE,
 	HAWSER__SERIES, /* one number, or a list: damping.ratio and what follows it in the scene */
 	HAWSER__WORD,
-	HAWSER__PLACE, /* of an attachment: a fraction or a length; a double, then an int: 1 if a length */
+	HAWSER__PLACE, /* on the cable: a fraction or a length; a double, then an int: 1 if a length */
 	HAWSER__NAME   /* char[HAWSER_NAME_SIZE] */
 };
 
@@ -29,6 +29,7 @@ enum hawser__range {
 	HAWSER__MODES,
 	HAWSER__MULTIPLE,
 	HAWSER__BASIS,
+	HAWSER__WITHIN, /* [0, 1], or a length >= 0 */
 	HAWSER__INSIDE, /* (0, 1), or a length > 0 */
 	HAWSER__CHANGE, /* of temperature */
 	HAWSER__NAMES,
@@ -64,19 +65,49 @@ const struct hawser__row *hawser__rows(void); /* parallel to hawser_scene_key() 
 const struct hawser__section *hawser__sections(size_t *count);
 const struct hawser__choice *hawser__choice(enum hawser__group group);
 
-/* Keys "attach.NAME" belong to each item of the list `attach`. Their offset is that in the first
- * item. items.c reads, finds and writes items. */
-int hawser__is_item(int index);
+struct hawser__reader;
 
-/* The place in a scene of the value of row `index`; of a key of attachments, in attachment `item`. */
+/* A list of the scene, whose items are mappings: a row of the table in lists.c. Keys "attach.KEY" of
+ * the table of keys belong to each item of the list `attach`; their offset is that in the first item,
+ * and a name is the last member of an item. items.c reads and finds items. */
+struct hawser__list {
+	const char *name;        /* "attach" */
+	const char *one;         /* of an item: "attachment" */
+	const char *keys;        /* "at, mass, spring, damper or name"; NULL if the items have no keys in
+	                          * the table: then there is `read` */
+	const char *example;     /* of an item */
+	const char *required;    /* path of the key that each item must have, or NULL, and */
+	const char *missing;     /* the message where it has not */
+	int most;
+	size_t count, first, size; /* offset of the number of items and of the first, size of an item */
+	size_t called;           /* offset of the name in an item */
+	const void *fresh;       /* an item with its defaults; NULL: all zero */
+	enum hawser_status (*read)(struct hawser__reader *reader, int number);
+	enum hawser_status (*check)(struct hawser__reader *reader); /* of all items of a scene */
+};
+enum { HAWSER__ATTACH, HAWSER__LOADS, HAWSER__CASES, HAWSER__LISTS };
+const struct hawser__list *hawser__list_row(int index);  /* NULL beyond the last */
+const struct hawser__list *hawser__list_of(int key); /* the list of the key of this row, or NULL */
+
+/* Index of the list "attach" or of the key "attach..." of its items, or -1. */
+int hawser__list_find(const char *path);
+int *hawser__list_count(const struct hawser__list *list, const struct hawser_scene *scene);
+/* The name of an item. */
+const char *hawser__item_name(const struct hawser__list *list, const struct hawser_scene *scene,
+                              int item);
+
+/* The place in a scene of the value of row `index`; of a key of a list, in item `item`. */
 void *hawser__field(const struct hawser_scene *scene, int index, int item);
+
+/* 1 if a place on the cable is within the range of row `index`. */
+int hawser__place_in(int index, double value, int by_length);
 
 int hawser__key_find(const char *path);     /* index, or -1 */
 int hawser__section_find(const char *path); /* index, or -1 */
 
 /* items.c: the index of the key of "attach.0.mass" or "attach.NAME.mass", and in *item the number of
- * that attachment, -1 if the scene has no such attachment. Returns -1 if `path` has not this form or
- * there is no such key. */
+ * that item, -1 if the scene has no such item. Returns -1 if `path` has not this form or there is no
+ * such key. */
 int hawser__item_key(int *item, const struct hawser_scene *scene, const char *path);
 
 /* Number of elements of a list, 0 for a scalar. */
@@ -97,7 +128,7 @@ void hawser__choose(struct hawser_scene *scene, enum hawser__group group, int me
 int hawser__applies(const struct hawser_scene *scene, int index);
 
 /* A number of the scene; `element` is the index in a list and is ignored for a scalar. `item` is
- * the number of the attachment, for its keys. */
+ * the number of the item, for keys of lists. */
 double hawser__stored(const struct hawser_scene *scene, int index, int element, int item);
 
 /* 1 if the value of key `index` is a word: "taut", or "auto" in place of a number. */

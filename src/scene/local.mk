@@ -6,6 +6,7 @@ noinst_LTLIBRARIES += %D%/libscene.la
 	%D%/items.c \
 	%D%/keys.c \
 	%D%/keys.h \
+	%D%/lists.c \
 	%D%/parse.c \
 	%D%/plausible.c \
 	%D%/plausible.h \

@@ -99,6 +99,13 @@ static void key(const struct hawser_scene_key *row)
 	fputs(".\n", stdout);
 }
 
+static void keys_of(int list)
+{
+	for (int i = 0; hawser_scene_key(i); i++)
+		if (hawser__list_of(i) == hawser__list_row(list))
+			key(hawser_scene_key(i));
+}
+
 static void table(void)
 {
 	size_t sections;
@@ -133,9 +140,26 @@ static void table(void)
 	       ".B \"\\-\\-set attach.carrier.mass=25kg\"\n"
 	       "of the one with this name,\n"
 	       "and \\-\\-set \\(aqattach=[{...}]\\(aq replaces the list.\n", HAWSER_ATTACH_MAX);
-	for (int i = 0; hawser_scene_key(i); i++)
-		if (hawser__is_item(i))
-			key(hawser_scene_key(i));
+	keys_of(HAWSER__ATTACH);
+	fputs(".SS loads (optional)\n"
+	      "A list of varying loads, which add to each other and to the section load: each is a\n"
+	      "force per unstretched length on a part of the cable, which may be a wave that runs along\n"
+	      "it, or a force at a point. Its time function is\n"
+	      ".PP\n.RS\n.nf\n"
+	      "cos(harmonic Omega t + phase \\- 2 pi S/wave)\n"
+	      ".fi\n.RE\n.PP\n"
+	      "with the unstretched length S from end A, without the last term if there is no wave:\n"
+	      ".PP\n.RS\n.nf\n"
+	      "loads:\n"
+	      "  \\- {per_length: [0, 1 N/m, 0], from: 20 %, to: 40 %, harmonic: 2, phase: 90 degree}\n"
+	      "  \\- {force: [0, 0, 2 kN], at: 30 %, name: hand}\n"
+	      "  \\- {per_length: [0, 0.5 N/m, 0], wave: 40 m}\n"
+	      ".fi\n.RE\n.PP\n", stdout);
+	printf("A wave runs with the speed Omega*harmonic*wave/(2 pi).\n"
+	       "Waves shorter than 1/200 of the cable are refused.\n"
+	       "At most %d loads are possible; their keys are set as those of attachments,\n"
+	       ".BR \"\\-\\-set loads.0.phase=1\" .\n", HAWSER_LOADS_MAX);
+	keys_of(HAWSER__LOADS);
 	fputs(".SS cases (optional)\n"
 	      "A list of load cases for the tension table of\n"
 	      ".BR \"hawser statics \\-\\-cases\" ;\n"

@@ -132,13 +132,12 @@ enum hawser_status hawser__parse_value(struct hawser__reader *reader, const char
                                        const struct hawser__place *place)
 {
 	int key = hawser__key_find(path), section = hawser__section_find(path);
+	int list = hawser__list_find(path);
 	yaml_event_t event;
 	enum hawser_status status;
 
-	if (!strcmp(path, "attach"))
-		return hawser__items_read(reader, place);
-	if (!strcmp(path, "cases"))
-		return hawser__cases_read(reader, place);
+	if (list >= 0 && !strchr(path, '.'))
+		return hawser__items_read(reader, list, place);
 	if (key < 0 && section < 0)
 		return hawser__parse_unknown(reader, place, path);
 	status = key >= 0 ? claim(reader, key, place) : claim_section(reader, section, place);
@@ -313,11 +312,12 @@ static enum hawser_status assign(struct hawser__reader *reader, const char *path
 {
 	const struct hawser__place place = {.pass = reader->pass, .set = reader->set, .line = 1};
 	yaml_parser_t yaml;
-	int any = 0;
+	int any = 0, list = hawser__list_find(path);
+	int item = list >= 0 && hawser__list_row(list)->keys && strchr(path, '.');
 	enum hawser_status status;
 
-	if (hawser__key_find(path) < 0 && hawser__section_find(path) < 0 &&
-	    strncmp(path, "attach", 6) != 0 && strcmp(path, "cases") != 0)
+	if (hawser__key_find(path) < 0 && hawser__section_find(path) < 0 && !item &&
+	    (list < 0 || strchr(path, '.')))
 		return hawser__parse_unknown(reader, &place, path);
 	memset(&yaml, 0, sizeof yaml);
 	status = start(reader, &any, &yaml, text, strlen(text));
@@ -326,8 +326,8 @@ static enum hawser_status assign(struct hawser__reader *reader, const char *path
 		                             "%s has no value: write %s=VALUE", path,
 		                             path);
 	if (status == HAWSER_OK)
-		status = strncmp(path, "attach.", 7) == 0 ? hawser__items_set(reader, path, &place)
-		                                          : hawser__parse_value(reader, path, &place);
+		status = item ? hawser__items_set(reader, list, path, &place)
+		              : hawser__parse_value(reader, path, &place);
 	if (status == HAWSER_OK)
 		status = finish(reader);
 	yaml_parser_delete(&yaml);
@@ -366,7 +366,7 @@ enum hawser_status hawser__parse_defaults(struct hawser__reader *reader)
 
 	memcpy(written, reader->scene->written, sizeof written);
 	for (int i = 0; status == HAWSER_OK && (key = hawser_scene_key(i)); i++) {
-		if (!key->fallback || hawser__is_item(i) || written[i])
+		if (!key->fallback || hawser__list_of(i) || written[i])
 			continue;
 		reader->set = key->fallback;
 		reader->pass++;

@@ -29,11 +29,11 @@ struct hawser__reader {
 	const char *name; /* of the file */
 	const char *set;  /* of the current pass, NULL for the file */
 	int pass;
-	int item, items; /* the attachment being read; a count of all that were read, in all passes */
+	int item, items; /* the item being read; a count of all that were read, in all passes */
 	yaml_parser_t *yaml;
 	struct hawser__units units;
 	struct hawser__place key[HAWSER_SCENE_KEYS], section[HAWSER__SECTIONS_MAX];
-	struct hawser__place root, attach, cases; /* of the lists `attach`, `cases` */
+	struct hawser__place root, list[HAWSER__LISTS];
 };
 
 /* Fail with HAWSER_ERR_SCENE; the message begins with the place. */
@@ -72,26 +72,21 @@ enum hawser_status hawser__parse_mapping(struct hawser__reader *reader, const ch
 enum hawser_status hawser__parse_unknown(struct hawser__reader *reader,
                                          const struct hawser__place *place, const char *path);
 
-/* items.c: read the items of a list up to its end, each by `read` from its first event. */
-enum hawser_status hawser__list_read(struct hawser__reader *reader,
-                                     enum hawser_status (*read)(struct hawser__reader *,
-                                                                const yaml_event_t *))
-	HAWSER_MUST_CHECK;
-
-/* items.c: read the list `attach`, whose name is at `place`; an override "attach.0.mass", whose text
- * is the current document; check all attachments. */
-enum hawser_status hawser__items_read(struct hawser__reader *reader,
+/* items.c: read a list, whose name is at `place`; an override "attach.0.mass", whose text is the
+ * current document; check the items of all lists. */
+enum hawser_status hawser__items_read(struct hawser__reader *reader, int list,
                                       const struct hawser__place *place) HAWSER_MUST_CHECK;
-enum hawser_status hawser__items_set(struct hawser__reader *reader, const char *path,
+enum hawser_status hawser__items_set(struct hawser__reader *reader, int list, const char *path,
                                      const struct hawser__place *place) HAWSER_MUST_CHECK;
 enum hawser_status hawser__items_check(struct hawser__reader *reader) HAWSER_MUST_CHECK;
 
+/* Rules of single lists: lists.c; cases.c, which also reads an item after its begin. */
+enum hawser_status hawser__attach_check(struct hawser__reader *reader) HAWSER_MUST_CHECK;
+enum hawser_status hawser__loads_check(struct hawser__reader *reader) HAWSER_MUST_CHECK;
+enum hawser_status hawser__cases_check(struct hawser__reader *reader) HAWSER_MUST_CHECK;
+enum hawser_status hawser__case_read(struct hawser__reader *reader, int number) HAWSER_MUST_CHECK;
+
 /* check.c: check the whole scene: missing keys, keys that require others. */
 enum hawser_status hawser__check(struct hawser__reader *reader) HAWSER_MUST_CHECK;
-
-/* cases.c: read the list `cases`, whose name is at `place`; check it. */
-enum hawser_status hawser__cases_read(struct hawser__reader *reader,
-                                      const struct hawser__place *place) HAWSER_MUST_CHECK;
-enum hawser_status hawser__cases_check(struct hawser__reader *reader) HAWSER_MUST_CHECK;
 
 #endif

@@ -103,7 +103,7 @@ enum hawser_status hawser_scene_open(struct hawser_scene *scene, const char *pat
 }
 
 /* Split "load.extent[1]" into the index of its key and the element 1; without brackets *element is
- * -1. *item is the number of the attachment, -1 if it does not exist; 0 for other keys. */
+ * -1. *item is the number of the item of a list, -1 if it does not exist; 0 for other keys. */
 static int locate(const struct hawser_scene *scene, const char *path, int *element, int *item)
 {
 	char name[HAWSER__TEXT];
@@ -123,9 +123,8 @@ static int locate(const struct hawser_scene *scene, const char *path, int *eleme
 			return -1;
 		*element = (int)value;
 	}
-	if (strncmp(name, "attach.", 7) == 0)
-		return hawser__item_key(item, scene, name);
-	return hawser__key_find(name);
+	return hawser__list_find(name) >= 0 ? hawser__item_key(item, scene, name)
+	                                    : hawser__key_find(name);
 }
 
 static enum hawser_status absent(const char *path, struct hawser_report *report)
@@ -155,7 +154,7 @@ enum hawser_status hawser_scene_get(const struct hawser_scene *scene, double *va
 		                    "%s: %s has %d value%s, counted from 0", path,
 		                    hawser_scene_key(index)->path, count ? count : 1,
 		                    count ? "s" : "");
-	if (hawser__is_item(index) ? item < 0 : !hawser__applies(scene, index))
+	if (hawser__list_of(index) ? item < 0 : !hawser__applies(scene, index))
 		return absent(path, report);
 	*value = hawser__stored(scene, index, element, item);
 	return HAWSER_OK;
@@ -186,11 +185,12 @@ enum hawser_status hawser_scene_set(struct hawser_scene *scene, const char *path
 	if (status)
 		return status;
 	row = &hawser__rows()[index];
+	at = hawser__field(scene, index, item);
+	memcpy(&whole, at + (row->type == HAWSER__PLACE ? sizeof(double) : 0), sizeof whole);
 	if (!hawser__in_range(index, value) ||
-	    (row->type == HAWSER__PLACE && value >= 1.0 && !scene->attach[item].by_length) ||
+	    (row->type == HAWSER__PLACE && !hawser__place_in(index, value, whole)) ||
 	    (row->type == HAWSER__INTEGER && value != nearbyint(value)))
 		return out_of_range(path, value, index, report);
-	at = hawser__field(scene, index, item);
 	memcpy(pair, at, row->range == HAWSER__INCREASING ? sizeof pair : 0);
 	if (row->range == HAWSER__INCREASING) {
 		pair[element] = value;

@@ -143,14 +143,15 @@ static int limit(double *value, const struct item *item, const char *text)
 static enum hawser_status place(struct hawser__reader *reader, const struct item *item,
                                 const char *text)
 {
-	struct hawser_attachment *a = &reader->scene->attach[reader->item];
+	char *to = field(reader, item);
 	enum hawser__number answer;
+	int by_length;
 	char shown[HAWSER__SHOWN], want[96];
 	double value = 0.0;
 
 	answer = hawser__units_read(&reader->units, &value, text, "1");
-	a->by_length = answer == HAWSER__NUMBER_DIMENSION;
-	if (a->by_length)
+	by_length = answer == HAWSER__NUMBER_DIMENSION;
+	if (by_length)
 		answer = hawser__units_read(&reader->units, &value, text, "m");
 	if (answer == HAWSER__NUMBER_DATABASE)
 		return number(reader, &value, item, text);
@@ -158,11 +159,12 @@ static enum hawser_status place(struct hawser__reader *reader, const struct item
 	if (answer != HAWSER__NUMBER_OK)
 		return hawser__reader_fail(reader, &item->place, "%s: \"%s\" is no position: give %s",
 		                           item->called, shown, wanted(want, sizeof want, item));
-	if (!hawser__in_range(item->index, value) || (!a->by_length && value >= 1.0))
+	if (!hawser__place_in(item->index, value, by_length))
 		return hawser__reader_fail(reader, &item->place,
 		                           "%s: \"%s\" is not between the ends: give %s", item->called,
 		                           shown, wanted(want, sizeof want, item));
-	a->at = value;
+	memcpy(to, &value, sizeof value);
+	memcpy(to + sizeof value, &by_length, sizeof by_length);
 	return HAWSER_OK;
 }
 

@@ -31,12 +31,11 @@ static void number(FILE *stream, double value)
 static void value(FILE *stream, const struct hawser_scene *scene, int index, int item,
                   const char *words)
 {
-	const struct hawser__row *row = &hawser__rows()[index];
 	int count = hawser__count(scene, index), choice;
 	char word[HAWSER_WORD_SIZE];
 
 	if (hawser__is_word(scene, index)) {
-		memcpy(&choice, (const char *)scene + row->offset, sizeof choice);
+		memcpy(&choice, hawser__field(scene, index, item), sizeof choice);
 		hawser__word(word, sizeof word, words, choice);
 		fputs(word, stream);
 		return;
@@ -93,36 +92,65 @@ static void whole(FILE *stream, const struct hawser_scene *scene)
 	}
 }
 
-/* The keys of attachment `item`, as a mapping in a list. */
-static void attachment(FILE *stream, const struct hawser_scene *scene, int item)
+/* Of the keys of a load, those of a force are not written beside those of a force per length. */
+static int told(const struct hawser_scene *scene, const struct hawser__list *list, int index,
+                int item)
 {
-	const struct hawser_attachment *a = &scene->attach[item];
+	static const char *const lengthwise[] = {"per_length", "from", "to", "wave"};
+	const char *leaf = hawser__leaf(hawser_scene_key(index)->path);
+	const double *force = scene->piece[item].force;
+	int point = force[0] != 0.0 || force[1] != 0.0 || force[2] != 0.0;
+
+	if (hawser__rows()[index].type == HAWSER__NAME)
+		return *hawser__item_name(list, scene, item) != '\0';
+	if (list != hawser__list_row(HAWSER__LOADS))
+		return 1;
+	for (size_t i = 0; i < sizeof lengthwise/sizeof *lengthwise; i++)
+		if (!strcmp(leaf, lengthwise[i]))
+			return !point;
+	return point || (strcmp(leaf, "force") != 0 && strcmp(leaf, "at") != 0);
+}
+
+/* The keys of an item, as a mapping in a list. */
+static void one(FILE *stream, const struct hawser_scene *scene, const struct hawser__list *list,
+                int item)
+{
 	const struct hawser_scene_key *key;
 	const char *separator = "  - {";
+	int by_length;
 
 	for (int i = 0; (key = hawser_scene_key(i)); i++) {
 		enum hawser__type type = hawser__rows()[i].type;
 
-		if (!hawser__is_item(i) || (type == HAWSER__NAME && !*a->name))
+		if (hawser__list_of(i) != list || !told(scene, list, i, item))
 			continue;
 		fprintf(stream, "%s%s: ", separator, hawser__leaf(key->path));
 		separator = ", ";
 		if (type == HAWSER__NAME)
-			fputs(a->name, stream);
+			fputs(hawser__item_name(list, scene, item), stream);
 		else
-			value(stream, scene, i, item, NULL);
-		if (type == HAWSER__PLACE && a->by_length)
-			fputs(" m", stream);
+			value(stream, scene, i, item, key->words);
+		if (type != HAWSER__PLACE)
+			continue;
+		memcpy(&by_length, (const char *)hawser__field(scene, i, item) + sizeof(double),
+		       sizeof by_length);
+		fputs(by_length ? " m" : "", stream);
 	}
 	fputs("}\n", stream);
 }
 
-static void attachments(FILE *stream, const struct hawser_scene *scene)
+static void items(FILE *stream, const struct hawser_scene *scene)
 {
-	if (scene->attachments)
-		fputs("attach:\n", stream);
-	for (int item = 0; item < scene->attachments; item++)
-		attachment(stream, scene, item);
+	const struct hawser__list *list;
+
+	for (int l = 0; (list = hawser__list_row(l)); l++) {
+		int count = list->keys ? *hawser__list_count(list, scene) : 0;
+
+		if (count)
+			fprintf(stream, "%s:\n", list->name);
+		for (int item = 0; item < count; item++)
+			one(stream, scene, list, item);
+	}
 }
 
 static void cases(FILE *stream, const struct hawser_scene *scene)
@@ -164,7 +192,7 @@ enum hawser_status hawser_scene_write(const struct hawser_scene *scene, FILE *st
 	own = uselocale(c); /* with a decimal point */
 	errno = 0;
 	whole(stream, scene);
-	attachments(stream, scene);
+	items(stream, scene);
 	cases(stream, scene);
 	uselocale(own);
 	freelocale(c);

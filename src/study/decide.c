@@ -11,6 +11,7 @@
 
 #include "core/report.h"
 #include "rom/dampers.h"
+#include "rom/load.h"
 #include "study/survey.h"
 
 enum { most_decisions = 32 };
@@ -91,12 +92,31 @@ static void decide_rest(struct hawser_plan *plan, const struct hawser_scene *sce
 	else
 		decide(plan, "modes that are not kept", 0, "they are at rest (model.condense: none), which "
 		    "makes the cable too stiff: see the errors of the raw fidelities");
-	if (scene->model.condense == HAWSER_CONDENSE_STATIC && scene->load.present &&
+	if (scene->model.condense == HAWSER_CONDENSE_STATIC && hawser__loaded(scene) &&
 	    !scene->travel.present && scene->model.inertia == HAWSER_INERTIA_AUTO)
 		decide_inertia(plan, inertia);
 	decide(plan, "longitudinal modes as coordinates", beyond > 0, "%d of the %d lowest modes move "
 	    "mostly along the cable%s", beyond, plan->modes.n, beyond > 0 ? "" : ": such modes are far "
 	    "above the range and respond statically");
+}
+
+static void decide_loads(struct hawser_plan *plan, const struct hawser_scene *scene)
+{
+	int points = 0, waves = 0, top = 1;
+
+	for (int i = 0; i < scene->loads; i++) {
+		const struct hawser_load_piece *piece = &scene->piece[i];
+
+		points += piece->force[0] != 0.0 || piece->force[1] != 0.0 || piece->force[2] != 0.0;
+		waves += piece->wave != 0.0;
+		top = piece->harmonic > top ? piece->harmonic : top;
+	}
+	decide(plan, "list of loads", 1, "%d: %d along the cable, %d of these a wave; %d at a point; "
+	    "multiples of Omega up to %d. Modes that are not kept %s", scene->loads,
+	    scene->loads - points, waves, points, top,
+	    scene->model.condense == HAWSER_CONDENSE_STATIC
+	    ? "answer statically, with the kinks at points" : "do not answer: the model lacks the kinks "
+	      "at points");
 }
 
 static void decide_load(struct hawser_plan *plan, const struct hawser_scene *scene)
@@ -119,6 +139,8 @@ static void decide_load(struct hawser_plan *plan, const struct hawser_scene *sce
 		decide(plan, "harmonics of the load", 1, "one: cos(Omega t), along %s, on the part from "
 		    "%g to %g of the cable", axes[scene->load.frame == HAWSER_FRAME_GLOBAL],
 		    scene->load.extent[0], scene->load.extent[1]);
+	if (scene->loads > 0)
+		decide_loads(plan, scene);
 	if (hawser__support_moves(scene))
 		decide(plan, "motion of the supports", 1, "forces and stiffness at the multiples of Omega "
 		    "of the motion, its sums and differences up to the third degree, constant ones too; "

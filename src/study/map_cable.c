@@ -70,6 +70,7 @@ static enum hawser_status reach_of(enum hawser__reach *reach,
 		*reach = source->scene->attachments > 0 || hawser_statics_held(held, source->scene)
 		         ? HAWSER__REACH_STRUCTURE : HAWSER__REACH_RATES;
 	else if ((strncmp(key, "load.", 5) == 0 && strncmp(key, "load.static.", 12) != 0) ||
+	         strncmp(key, "loads.", 6) == 0 ||
 	         (strncmp(key, "support.", 8) == 0 && !strstr(key, ".stiffness") && !strstr(key, ".mass")))
 		*reach = HAWSER__REACH_MODEL;
 	else

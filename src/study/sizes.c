@@ -128,6 +128,7 @@ static const struct row {
 	ROW(hawser_irvine_station),
 	ROW(hawser_landmark),
 	ROW(hawser_landmark_options),
+	ROW(hawser_load_piece),
 	ROW(hawser_map),
 	ROW(hawser_map_boundary),
 	ROW(hawser_map_condensed),

@@ -23,7 +23,7 @@ struct hawser_survey {
 /* Whether the scene has a periodic response: a periodic excitation acts on the cable. */
 static inline int hawser__scene_driven(const struct hawser_scene *scene)
 {
-	return (scene->load.present || scene->travel.fluctuation > 0.0 ||
+	return (scene->load.present || scene->loads > 0 || scene->travel.fluctuation > 0.0 ||
 	        hawser__support_moves(scene)) && !(scene->travel.braking > 0.0);
 }
 
