@@ -168,16 +168,16 @@ static void sentences(void)
 		{"damping.rayliegh", "did you mean damping.rayleigh?"},
 		{"EA", "did you mean EA under cable?"},
 		{"cable.EA.x", "a scene takes g, cable, ends, span, tension, travel, support, damping, load, "
-		               "temperature, attach, model, beam, cases"},
+		               "temperature, attach, loads, model, beam, cases"},
 		{"cable.alpha", "did you mean alpha under damping?"},
 		{"cable.g", "did you mean g at the top level?"},
 		{"damping.stiffness", "did you mean stiffness under damping.rayleigh?"},
 		{"cable.youngs_modulus", "cable takes EA, rho, EI"},
-		{"damping.viscous", "damping takes alpha, rayleigh, ratio"},
+		{"damping.viscous", "damping takes alpha, rayleigh, ratio, drag"},
 		{"damping.rayleigh.q", "damping.rayleigh takes mass, stiffness"},
 		{"x", "a scene takes g, cable, ends, span, tension, travel, "
 		      "support, damping, load, temperature, "
-		      "attach, model, beam, cases"},
+		      "attach, loads, model, beam, cases"},
 	};
 	char hint[256];
 
