@@ -218,28 +218,41 @@ static int lumped_statics(double *x, const struct lumped *c)
 	return 0;
 }
 
+/* c->straight: the static shape without bending stiffness, which takes the place of the start in x. */
+static int lumped_straighten(struct lumped *c, double *x)
+{
+	double EI = c->EI;
+	int done;
+
+	c->EI = 0.0;
+	done = lumped_statics(x, c);
+	c->EI = EI;
+	for (int e = 0; e < c->n; e++)
+		lumped_rod(c->straight[e], x, e);
+	return done;
+}
+
 /* omega[count]: natural frequencies about the static shape x, rad/s. */
 static int lumped_frequencies(double *omega, int count, const struct lumped *c, const double *x)
 {
 	static double K[3*LUMPED_MOST*LUMPED_ROWS], r[3*LUMPED_MOST], w[3*LUMPED_MOST];
-	int size = 3*(c->n - 1), done = 0;
-	double *A = calloc((size_t)(LUMPED_BAND + 1)*(size_t)size, sizeof *A), none;
-	lapack_int found, *fail = calloc((size_t)size, sizeof *fail);
+	static double A[3*LUMPED_MOST*(LUMPED_BAND + 1)];
+	static lapack_int fail[3*LUMPED_MOST];
+	int size = 3*(c->n - 1), done;
+	double none;
+	lapack_int found;
 
+	memset(A, 0, sizeof A);
 	lumped_forces(r, K, c, x);
-	for (int j = 0; A && j < size; j++)
+	for (int j = 0; j < size; j++)
 		for (int i = j; i <= j + LUMPED_BAND && i < size; i++)
 			A[(size_t)j*(LUMPED_BAND + 1) + (size_t)(i - j)] =
 				K[(size_t)j*LUMPED_ROWS + (size_t)(2*LUMPED_BAND + i - j)]/
 				sqrt(lumped_mass(c, 1 + i/3)*lumped_mass(c, 1 + j/3));
-	if (A && fail)
-		done = !LAPACKE_dsbevx(LAPACK_COL_MAJOR, 'N', 'I', 'L', size, LUMPED_BAND, A, LUMPED_BAND +
-		                       1,
-		                       &none, 1, 0.0, 0.0, 1, count, 0.0, &found, w, &none, 1, fail);
+	done = !LAPACKE_dsbevx(LAPACK_COL_MAJOR, 'N', 'I', 'L', size, LUMPED_BAND, A, LUMPED_BAND + 1,
+	                       &none, 1, 0.0, 0.0, 1, count, 0.0, &found, w, &none, 1, fail);
 	for (int k = 0; k < count; k++)
 		omega[k] = sqrt(w[k]);
-	free(A);
-	free(fail);
 	return done;
 }
 

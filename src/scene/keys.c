@@ -490,24 +490,3 @@ void hawser__word(char *word, size_t size, const char *words, int choice)
 		words += strcspn(words, "|") + 1;
 	snprintf(word, size, "%.*s", (int)strcspn(words, "|"), words);
 }
-
-const char *hawser__leaf(const char *path)
-{
-	const char *dot = strrchr(path, '.');
-
-	return dot ? dot + 1 : path;
-}
-
-size_t hawser__parent_length(const char *path)
-{
-	const char *dot = strrchr(path, '.');
-
-	return dot ? (size_t)(dot - path) : 0;
-}
-
-int hawser__child_of(const char *path, const char *section)
-{
-	size_t length = hawser__parent_length(path);
-
-	return length == strlen(section) && !strncmp(path, section, length);
-}

@@ -8,6 +8,7 @@ noinst_LTLIBRARIES += %D%/libscene.la
 	%D%/keys.h \
 	%D%/lists.c \
 	%D%/parse.c \
+	%D%/paths.c \
 	%D%/plausible.c \
 	%D%/plausible.h \
 	%D%/reader.h \

@@ -50,7 +50,7 @@ static const struct {
 	 "s.yaml:1:20: a scene has no anchors: remove &l"},
 	{"<<: {EA: 4e8}\n", NULL,
 	 "s.yaml:1:1: unknown key <<: a scene takes g, cable, ends, span, tension, travel, "
-	 "support, damping, load, temperature, attach, model, beam, cases"},
+	 "support, damping, load, temperature, attach, loads, model, beam, cases"},
 	/* documents */
 	{"", NULL,
 	 "s.yaml: the scene is empty: it needs at least cable, span and tension (see "
@@ -86,7 +86,7 @@ static const struct {
 	 "s.yaml:4:1: unknown key cable.Eb: did you mean cable.EA?"},
 	{WHOLE "railway: {speed: 5 m/s}\n", NULL,
 	 "s.yaml:4:1: unknown key railway: a scene takes g, cable, ends, span, tension, travel, "
-	 "support, damping, load, temperature, attach, model, beam, cases"},
+	 "support, damping, load, temperature, attach, loads, model, beam, cases"},
 	{WHOLE "travel: {speed: 5 m/s, hold: length, final: 2}\n", NULL,
 	 "s.yaml:4:38: travel.final is the speed after braking: give the time that braking takes with "
 	 "travel.braking, or remove travel.final"},
@@ -95,7 +95,7 @@ static const struct {
 	 "changes once and for all"},
 	{WHOLE "\"\": 3\n", NULL,
 	 "s.yaml:4:1: unknown key \"\": a scene takes g, cable, ends, span, tension, travel, "
-	 "support, damping, load, temperature, attach, model, beam, cases"},
+	 "support, damping, load, temperature, attach, loads, model, beam, cases"},
 	{WHOLE "? [a, b]\n: 3\n", NULL,
 	 "s.yaml:4:3: a key must be a word, not a list"},
 	{WHOLE "? {a: b}\n: 3\n", NULL,
@@ -108,8 +108,8 @@ static const struct {
 	 "s.yaml:1:1: this key is 300 characters long; 255 is the most"},
 	{LONG ": 3\n", NULL,
 	 "s.yaml:1:1: unknown key xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx...: a scene takes g, "
-	 "cable, ends, span, tension, travel, support, damping, load, temperature, attach, model, beam, "
-	 "cases"},
+	 "cable, ends, span, tension, travel, support, damping, load, temperature, attach, loads, model, "
+	 "beam, cases"},
 	{WHOLE "\"a\\0b\": 3\n", NULL,
 	 "s.yaml:4:1: this key holds a NUL character: remove it"},
 	/* missing */
@@ -360,10 +360,10 @@ static const struct {
 	 "--set : write KEY=VALUE, such as cable.EA=400 MN"},
 	{WHOLE, "=",
 	 "--set =: unknown key \"\": a scene takes g, cable, ends, span, tension, travel, "
-	 "support, damping, load, temperature, attach, model, beam, cases"},
+	 "support, damping, load, temperature, attach, loads, model, beam, cases"},
 	{WHOLE, "=3",
 	 "--set =3: unknown key \"\": a scene takes g, cable, ends, span, tension, travel, "
-	 "support, damping, load, temperature, attach, model, beam, cases"},
+	 "support, damping, load, temperature, attach, loads, model, beam, cases"},
 	{WHOLE, "cable.Ea=4e8",
 	 "--set cable.Ea=4e8: unknown key cable.Ea: did you mean cable.EA?"},
 	{WHOLE, "cable.rho=16 N/m",
