@@ -77,6 +77,8 @@ struct hawser_irvine_options {
 	double from, to;         /* N or m; 0 for either: see hawser_irvine_range */
 	double speed, fluctuation; /* m/s, as in struct hawser_motion, constant over the sweep; the
 	                            * swept quantity is then that of the steady state */
+	const struct hawser_attachment *attach; /* [attachments] of a cable at rest, in any order */
+	int attachments;
 	const struct hawser_held *held; /* [2] ends A and B; NULL: rigid */
 	int points;     /* stations before refinement, >= 2; 0: 200. Equidistant in the logarithm of the
 	                 * value, or of H if length0 is swept. For T0, T1: taut solutions */

@@ -129,10 +129,6 @@ static enum hawser_status trace(struct cli_irvine_result *result,
 	struct hawser_held held[2];
 	int k;
 
-	if (!status && scene->attachments > 0)
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "irvine",
-		                      "the sweep of the tension is for a cable without attachments: set "
-		                      "attach=[], or call hawser modes for single tensions");
 	if (!status && scene->cable.EI > 0.0)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "irvine",
 		                      "the sweep of the tension is for a cable without bending stiffness: "
@@ -149,6 +145,8 @@ static enum hawser_status trace(struct cli_irvine_result *result,
 	modes = cli_modes_options(scene);
 	choice->basis = modes.basis;
 	choice->tolerance = modes.tolerance;
+	choice->attach = scene->attach;
+	choice->attachments = scene->attachments;
 	choice->held = hawser_statics_held(held, scene) ? held : NULL;
 	for (k = 0; k < result->sweeps && !status; k++) {
 		choice->speed = speed[k];

@@ -22,7 +22,10 @@ int cli_irvine_has_analytic(const struct hawser_irvine *irvine)
 {
 	const struct hawser_modes_method *(*row)(int index) =
 		moves(irvine) ? hawser_complex_modes_method : hawser_modes_method;
+	const struct hawser_statics *st = irvine->stations > 0 ? &irvine->station[0].statics : NULL;
 
+	if (st && (st->attachments > 0 || st->elastic)) /* which the closed forms do not have */
+		return 0;
 	for (int i = 0; row(i); i++)
 		if (strcmp(row(i)->name, analytic) == 0)
 			return 1;

@@ -42,14 +42,31 @@ double hawser_irvine_value(const struct hawser_statics *st, enum hawser_given sw
 /* The swept quantity of a cable at a constant speed. */
 struct sweep {
 	const struct hawser_span *span;
-	struct hawser_motion motion;
+	const struct hawser_irvine_options *options;
 	enum hawser_given given;
 };
+
+static struct hawser_motion motion_of(const struct hawser_irvine_options *options)
+{
+	return (struct hawser_motion){.speed = options->speed, .fluctuation = options->fluctuation};
+}
+
+enum hawser_status hawser__irvine_at(struct hawser_statics *st, const struct hawser_span *span,
+                                     const struct hawser_irvine_options *options, double H,
+                                     struct hawser_report *report)
+{
+	const struct hawser_motion motion = motion_of(options);
+
+	if (options->attachments > 0)
+		return hawser_statics_loaded(st, span, HAWSER_GIVEN_H, H, HAWSER_BRANCH_TAUT,
+		                             options->attach, options->attachments, report);
+	return hawser__travel_at(st, span, &motion, H, report);
+}
 
 static enum hawser_status at_tension(struct hawser_statics *st, const struct sweep *sweep, double x,
                                      struct hawser_report *report)
 {
-	return hawser__travel_at(st, sweep->span, &sweep->motion, exp(x), report);
+	return hawser__irvine_at(st, sweep->span, sweep->options, exp(x), report);
 }
 
 /* Solve irvine_source = lambda for *x in [low, high]; without a solution *x is the nearer end. */
@@ -121,16 +138,11 @@ static enum hawser_status find_range(double *taut, double *slack, const struct s
 	return status;
 }
 
-struct hawser_motion hawser__irvine_motion(const struct hawser_irvine_options *options)
-{
-	return (struct hawser_motion){.speed = options->speed, .fluctuation = options->fluctuation};
-}
-
 enum hawser_status hawser__irvine_range(double *from, double *to, const struct hawser_span *span,
-                                        const struct hawser_motion *motion,
+                                        const struct hawser_irvine_options *options,
                                         enum hawser_given given, struct hawser_report *report)
 {
-	const struct sweep sweep = {span, *motion,
+	const struct sweep sweep = {span, options,
 	                            given == HAWSER_GIVEN_NONE ? HAWSER_GIVEN_H : given};
 	struct hawser_statics st;
 	double taut = NAN, slack = NAN;
@@ -155,7 +167,7 @@ enum hawser_status hawser__irvine_range(double *from, double *to, const struct h
 enum hawser_status hawser_irvine_range(double *from, double *to, const struct hawser_span *span,
                                        enum hawser_given sweep, struct hawser_report *report)
 {
-	const struct hawser_motion rest = {0};
+	const struct hawser_irvine_options rest = {.attachments = 0};
 
 	return hawser__irvine_range(from, to, span, &rest, sweep, report);
 }
@@ -164,11 +176,15 @@ static enum hawser_status tension_of(double *x, const struct hawser_span *span,
                                      const struct hawser_irvine_options *options, double value,
                                      struct hawser_report *report)
 {
-	const struct hawser_motion motion = hawser__irvine_motion(options);
+	const struct hawser_motion motion = motion_of(options);
 	struct hawser_statics st;
-	enum hawser_status status = hawser__travel_with(&st, span, &motion, options->sweep, value,
-	                                                report);
+	enum hawser_status status;
 
+	if (options->attachments > 0)
+		status = hawser_statics_loaded(&st, span, options->sweep, value, HAWSER_BRANCH_TAUT,
+		                               options->attach, options->attachments, report);
+	else
+		status = hawser__travel_with(&st, span, &motion, options->sweep, value, report);
 	if (!status)
 		*x = log(st.H);
 	return status;

@@ -10,12 +10,15 @@ enum hawser_status hawser__irvine_place(double *x, int points, const struct haws
                                         const struct hawser_irvine_options *options,
                                         struct hawser_report *report);
 
-/* The motion that the options describe. */
-struct hawser_motion hawser__irvine_motion(const struct hawser_irvine_options *options);
+/* The static solution with the apparent horizontal tension H (N), with attachments and motion as in the
+ * options. */
+enum hawser_status hawser__irvine_at(struct hawser_statics *st, const struct hawser_span *span,
+                                     const struct hawser_irvine_options *options, double H,
+                                     struct hawser_report *report);
 
-/* hawser_irvine_range for a travelling cable. */
+/* hawser_irvine_range, with attachments and motion as in the options. */
 enum hawser_status hawser__irvine_range(double *from, double *to, const struct hawser_span *span,
-                                        const struct hawser_motion *motion,
+                                        const struct hawser_irvine_options *options,
                                         enum hawser_given given, struct hawser_report *report);
 
 #endif

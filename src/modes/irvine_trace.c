@@ -24,8 +24,7 @@ static enum hawser_status statics_at(struct hawser_statics *st, const struct haw
                                 double x, struct hawser_report *report)
 {
 	const struct hawser_irvine_options *o = all->context;
-	const struct hawser_motion motion = hawser__irvine_motion(o);
-	enum hawser_status status = hawser__travel_at(st, &all->span, &motion, exp(x), report);
+	enum hawser_status status = hawser__irvine_at(st, &all->span, o, exp(x), report);
 
 	return status || !o->held ? status : hawser_statics_hold(st, o->held, report);
 }
@@ -70,6 +69,10 @@ static enum hawser_status check(const struct hawser_irvine_options *o, struct ha
 {
 	const char *name = hawser_given_name(o->sweep);
 
+	if (o->attachments > 0 && (o->speed != 0.0 || o->fluctuation != 0.0))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "irvine",
+		                    "attachments are at rest, and a cable at %g m/s would move past them: "
+		                    "sweep one without the other", o->speed);
 	if (o->n < 1 || o->n > BRANCHES_MOST)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "irvine",
 		                    "%d branches asked: ask for 1 to %d", o->n, BRANCHES_MOST);
@@ -103,9 +106,7 @@ static enum hawser_status settle(struct hawser_irvine_options *o, const struct h
 	o->correlation = o->correlation == 0.0 ? default_correlation : o->correlation;
 	o->crossing = o->crossing == 0.0 ? default_crossing : o->crossing;
 	if (o->from == 0.0 || o->to == 0.0) {
-		const struct hawser_motion motion = hawser__irvine_motion(o);
-		enum hawser_status status = hawser__irvine_range(&from, &to, span, &motion, o->sweep,
-		                                                 report);
+		enum hawser_status status = hawser__irvine_range(&from, &to, span, o, o->sweep, report);
 
 		if (status)
 			return status;

@@ -222,5 +222,14 @@ works "plan with springs" plan "$scene" --set 'attach.0.spring=[0, 1e3, 0]' --li
 # --- what compares or sweeps cables without attachments
 refuses_like 1 "models compares cables without attachments" statics "$scene" --models
 refuses_like 1 "compares cables without attachments" statics "$scene" --model parabola
-refuses_like 1 "the sweep of the tension is for a cable without attachments" irvine "$scene"
+works "Irvine's diagram with carriers" irvine "$scene" -n 6 --points 5 --from 150kN --to 180kN --sweep T0 --json irvine.json -q
+works "modes at its end" modes "$scene" -n 6 --set "tension={T0: 180 kN}" --json at.json -q
+python "the sweep ends with these frequencies" <<'END'
+import json
+sweep, modes = json.load(open("irvine.json")), json.load(open("at.json"))
+got = sorted(b["omega"][-1] for b in sweep["branches"])[:4]
+want = [m["omega"] for m in modes["modes"]][:4]
+assert all(abs(a/b - 1) < 1e-9 for a, b in zip(got, want)), (got, want)
+END
+refuses_like 1 "attachments are at rest, and a cable" irvine "$scene" -n 2 --points 3 --speeds "0, 3"
 done_testing
