@@ -278,6 +278,9 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	settings->common.delivered = settings->export[0] != NULL;
 	if (!status)
 		status = cli_show(&settings->common, &showing, &result, report);
+	if (!status && model.has_scene && model.scene.damping.drag > 0.0)
+		cli_warn("damping.drag is no part of these entries: hawser integrate and hawser frf compute "
+		         "its force from the scene");
 	cli_model_clear(&model);
 	return status;
 }

@@ -59,6 +59,8 @@ refuses 1 "unloaded.yaml: there is no load, so there is no response to compare: 
 	compare unloaded.yaml
 refuses 1 "$chairlift: damping.drag is quadratic, and the fidelities compared have linear damping: set damping.drag=0" \
 	compare "$chairlift" --from 1.2 --to 1.7 --set damping.drag=0.1
+run rom "$chairlift" --set damping.drag=0.1 -q
+try "rom warns of drag" grep -q "warning: damping.drag is no part of these entries" "$scratch/err"
 
 range="--from 0.85w1 --to 1.2w1"
 # shellcheck disable=SC2086 # words
