@@ -120,7 +120,7 @@ static int oscillators(struct hawser_rom *rom, struct chance *chance, int strong
 
 static int cable(struct hawser_rom *rom, struct chance *chance, int strong)
 {
-	struct hawser_scene scene = {.g = 9.81, .cable = {1.0, 1.0}, .span = {100.0, 0.0}};
+	struct hawser_scene scene = {.g = 9.81, .cable = {.EA = 1.0, .rho = 1.0}, .span = {100.0, 0.0}};
 	struct hawser_modes_options options = {.n = chance_int(chance, 1, 5)};
 	double delta = chance_log(chance, 1e-3, 2.0), H = 9.81*100.0/delta;
 	struct hawser_span span = {H/chance_log(chance, 1e-5, 1e-2), 1.0, 9.81, 100.0,

@@ -23,7 +23,7 @@ enum { N = 6, POINTS = 200 };
 
 static double K[N*N], D[N*N], K1[N*N], K2[N*N];
 static struct hawser_harmonic harmonic[2] = {
-	{1, HAWSER_COS, 0, NULL, NULL, K1}, {2, HAWSER_SIN, 0, NULL, NULL, K2}};
+	{.k = 1, .phase = HAWSER_COS, .K = K1}, {.k = 2, .phase = HAWSER_SIN, .K = K2}};
 
 /* Frequencies of a span with sag, 1 % of damping, a gyroscopic part, and two full harmonics. */
 static void fill(struct hawser_rom *rom)

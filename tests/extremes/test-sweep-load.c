@@ -44,7 +44,7 @@ static int told_slack, was_slack; /* number of orbits with negative tension: rep
 static enum hawser_status model(struct hawser_rom *rom, double *rest, const struct cable *cable,
                                 double load, struct hawser_report *report)
 {
-	struct hawser_scene scene = {.cable = {0.0, 1.0}, .span = {100.0, 20.0}, .g = 9.81};
+	struct hawser_scene scene = {.cable = {.EA = 0.0, .rho = 1.0}, .span = {100.0, 20.0}, .g = 9.81};
 	struct hawser_modes_options options = {.n = cable->modes};
 	struct hawser_modes modes = {.n = 0};
 	struct hawser_statics st;

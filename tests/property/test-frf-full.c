@@ -94,7 +94,7 @@ static void compare(const struct hawser_frf *frf, const struct hawser_rom *rom, 
 
 static struct hawser_scene deep(void)
 {
-	struct hawser_scene scene = {.cable = {12e6, 1.2}, .span = {50.0, 3.0}, .g = 9.81};
+	struct hawser_scene scene = {.cable = {.EA = 12e6, .rho = 1.2}, .span = {50.0, 3.0}, .g = 9.81};
 
 	scene.tension.given = HAWSER_GIVEN_SAG;
 	scene.tension.value = 15.0;

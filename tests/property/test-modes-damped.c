@@ -157,7 +157,8 @@ static void tuned(double mu)
 static void optimum(double a)
 {
 	const double z = sqrt(light.rho*tension);
-	struct hawser_scene scene = {.cable = {light.EA, light.rho}, .span = {light.d, 0.0}, .g = light.g,
+	struct hawser_scene scene = {.cable = {.EA = light.EA, .rho = light.rho},
+	                             .span = {light.d, 0.0}, .g = light.g,
 	                             .tension = {HAWSER_GIVEN_H, tension, HAWSER_BRANCH_TAUT,
 	                                         (enum hawser_state)0}, .attachments = 1,
 	                             .attach = {{.at = a, .damper = {0, 0, z}}}};
@@ -341,7 +342,8 @@ static void overdamped(void)
 
 static void refusals(void)
 {
-	struct hawser_scene scene = {.cable = {light.EA, light.rho}, .span = {light.d, 0.0}, .g = light.g,
+	struct hawser_scene scene = {.cable = {.EA = light.EA, .rho = light.rho},
+	                             .span = {light.d, 0.0}, .g = light.g,
 	                             .tension = {HAWSER_GIVEN_H, tension, HAWSER_BRANCH_TAUT,
 	                                         (enum hawser_state)0}, .attachments = 2,
 	                             .attach = {{.at = 0.1, .damper = {0, 0, 1.0}},

@@ -309,7 +309,8 @@ static void refused(void)
 /* A program that sweeps the speed of a cable on springs. */
 static void not_travelling(void)
 {
-	static struct hawser_scene scene = {.cable = {2e6, 6.0}, .span = {100.0, 45.0}, .g = 9.81,
+	static struct hawser_scene scene = {.cable = {.EA = 2e6, .rho = 6.0}, .span = {100.0, 45.0},
+	                                    .g = 9.81,
 		.tension = {HAWSER_GIVEN_T0, 6500.0, HAWSER_BRANCH_TAUT, HAWSER_STATE_REFERENCE},
 		.travel = {.present = 1, .speed = 1.0, .hold = HAWSER_HOLD_TENSION}};
 	struct hawser_campbell_options options = {.from = 0.0, .to = 5.0};

@@ -15,7 +15,7 @@ enum { KEPT = 5, FUNCTIONS = 33 }; /* functions per component of the basis */
 static struct hawser_scene scene_of(double h, double T0, double EA, enum hawser_frame frame,
                                     const double load[3], double from, double to)
 {
-	struct hawser_scene scene = {.cable = {EA, 2.385}, .span = {97.3, h}, .g = 9.81};
+	struct hawser_scene scene = {.cable = {.EA = EA, .rho = 2.385}, .span = {97.3, h}, .g = 9.81};
 
 	scene.tension.given = HAWSER_GIVEN_T0;
 	scene.tension.value = T0;

@@ -25,7 +25,7 @@ static double draw(double from, double to)
 static struct hawser_scene scene_of(double EA, double rho, double d, double h, double sag,
                                     double ratio, const double load[3])
 {
-	struct hawser_scene scene = {.cable = {EA, rho}, .span = {d, h}, .g = 9.81};
+	struct hawser_scene scene = {.cable = {.EA = EA, .rho = rho}, .span = {d, h}, .g = 9.81};
 
 	scene.tension.given = HAWSER_GIVEN_SAG;
 	scene.tension.value = sag;

@@ -15,7 +15,8 @@
 
 static struct hawser_scene scene_of(void)
 {
-	struct hawser_scene scene = {.cable = {3.1e6, 1.571}, .span = {211.3, 23.7}, .g = 9.81};
+	struct hawser_scene scene = {.cable = {.EA = 3.1e6, .rho = 1.571}, .span = {211.3, 23.7},
+	                             .g = 9.81};
 
 	scene.tension.given = HAWSER_GIVEN_T0;
 	scene.tension.value = 9.7e3;

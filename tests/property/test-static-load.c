@@ -12,7 +12,7 @@
 
 static struct hawser_scene scene_of(double h)
 {
-	struct hawser_scene scene = {.cable = {2.17e7, 1.571}, .span = {387.3, h}, .g = 9.81};
+	struct hawser_scene scene = {.cable = {.EA = 2.17e7, .rho = 1.571}, .span = {387.3, h}, .g = 9.81};
 
 	scene.tension.given = HAWSER_GIVEN_H;
 	scene.tension.value = 2.385e4;

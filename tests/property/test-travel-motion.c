@@ -13,7 +13,7 @@
 static struct hawser_scene scene_of(double h, double speed, double fluctuation,
                                     enum hawser_hold hold)
 {
-	struct hawser_scene scene = {.cable = {4e6, 2.385}, .span = {97.3, h}, .g = 9.81};
+	struct hawser_scene scene = {.cable = {.EA = 4e6, .rho = 2.385}, .span = {97.3, h}, .g = 9.81};
 
 	scene.tension.given = HAWSER_GIVEN_T0;
 	scene.tension.value = 9.1e3;

@@ -128,7 +128,7 @@ static void profile(struct hawser_span span)
 static void wrap_scene(void)
 {
 	struct hawser_scene scene = {
-		.cable = {400e6, 6.0}, .span = {250.0, 10.0}, .g = 9.81,
+		.cable = {.EA = 400e6, .rho = 6.0}, .span = {250.0, 10.0}, .g = 9.81,
 		.tension = {.given = HAWSER_GIVEN_T1, .value = 2e4, .branch = HAWSER_BRANCH_SLACK},
 	};
 	struct hawser_statics a, b;

@@ -65,7 +65,7 @@ static int truth(struct chain_extremes *found, const struct hawser_scene *scene,
 
 static struct hawser_scene guy(double braking)
 {
-	struct hawser_scene scene = {.cable = {14e6, 3.1}, .span = {90.0, 25.0}, .g = 9.81};
+	struct hawser_scene scene = {.cable = {.EA = 14e6, .rho = 3.1}, .span = {90.0, 25.0}, .g = 9.81};
 
 	scene.tension.given = HAWSER_GIVEN_T0;
 	scene.tension.value = 6e3;
