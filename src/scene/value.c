@@ -71,6 +71,10 @@ static enum hawser_status number(struct hawser__reader *reader, double *value,
 	hawser__shown(shown, text);
 	if (answer != HAWSER__NUMBER_OK) {
 		hawser__units_explain(sentence, sizeof sentence, answer, text, key->unit);
+		if (key->words && isalpha((unsigned char)*text))
+			return hawser__reader_fail(reader, &item->place,
+			                           "%s: \"%s\" is none of the words %s, and %s",
+			                           item->called, shown, key->words, sentence);
 		return hawser__reader_fail(reader, &item->place,
 		                           "%s: \"%s\" %s", item->called, shown,
 		                           sentence);
