@@ -389,35 +389,6 @@ enum hawser_status hawser__flexure_expand(double *y, const struct hawser__flexur
 	return HAWSER_OK;
 }
 
-enum hawser_status hawser__flexure_respond(double *y, const struct hawser__flexure *t,
-                                           const double *density, double *work,
-                                           struct hawser_report *report)
-{
-	int m = t->grid->order, p = t->degree, block = (p + 2)*m, n = t->functions;
-	int across = t->D == 2 ? 1 : 2;
-	const double *w = t->grid->weight;
-
-	memset(work, 0, (size_t)n*sizeof *work);
-	for (int e = 0; e < t->elements; e++) {
-		const double *f = density + 3*e*m;
-
-		for (int j = 0; t->D == 2 && j < p; j++)
-			for (int i = 0; i < m; i++)
-				work[e*p + j] -= w[e*m + i]*t->a[e*m + i]*t->table[j*m + i]*f[3*i];
-		for (int j = 1; j < p + 2; j++) {
-			int at = rotation(t, e, j);
-
-			for (int i = 0; at >= 0 && i < m; i++)
-				work[at] -= w[e*m + i]*t->b[e*m + i]*t->table[block + j*m + i]*
-				            f[3*i + across];
-		}
-	}
-	cblas_dtrsv(CblasColMajor, CblasUpper, CblasTrans, CblasNonUnit, n, t->K, n, work, 1);
-	if (LAPACKE_dormqr(LAPACK_COL_MAJOR, 'L', 'T', n, 1, t->D, t->C, n, t->tau, work, n) != 0)
-		return hawser__no_memory(report, "modes");
-	return hawser__flexure_expand(y, t, work + t->D, report);
-}
-
 enum hawser_status hawser__flexure_roots(double **root, const struct hawser__flexure *t,
                                          const struct hawser_statics *st,
                                          struct hawser_report *report)

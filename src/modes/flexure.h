@@ -44,12 +44,6 @@ void hawser__flexure_strain(double *strain, const struct hawser__flexure *t, con
 enum hawser_status hawser__flexure_expand(double *y, const struct hawser__flexure *t, const double *z,
                                           struct hawser_report *report);
 
-/* The static response to forces on the strains: y minimises the energy plus the integral of
- * density[points][3] times the strains. work[functions]. */
-enum hawser_status hawser__flexure_respond(double *y, const struct hawser__flexure *t,
-                                           const double *density, double *work,
-                                           struct hawser_report *report);
-
 /* Displacements in fixed axes (tangent and normal at mid-length; z) of all coordinates, times the
  * square roots of weights and masses: *root [rows][free], to be freed. The product of its transpose
  * with itself is the mass. */

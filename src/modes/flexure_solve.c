@@ -31,10 +31,10 @@ static const double part_most = 0.25;  /* and its largest part of the piece of c
 static const double thick = 3.0;       /* in layers: a shorter one is not needed */
 static const double theta_span = 2.5;  /* longest element in asinh(u), as in cable.c */
 static const double phase = 8.0;       /* longest element over the half wave, times pi/2 */
-/* Round-off of an eigenvalue of a matrix, relative to the largest one: measured. */
+/* Round-off of an eigenvalue of a matrix, relative to the largest one; chosen, above the errors that
+ * tests/property/test-modes-bending finds. */
 static const double matrix_round_off = 2e-15;
-static const double moment_round_off = 1e-11; /* of a moment: it takes differences of shapes;
-	measured */
+static const double moment_round_off = 1e-11; /* of a moment, a difference of shapes; chosen so too */
 enum { FIRST = 22, MORE = 6, MOST = 52, FUNCTIONS_MAX = 3000 };
 
 /* --- edges --- */

@@ -234,7 +234,7 @@ enum hawser_status hawser__condense_bends(const struct hawser_modes *modes,
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
 	                    "the modes that are not kept are not condensed with cable.EI: set "
 	                    "model.condense: none, and model.modes so large that longitudinal modes are "
-	                    "among them");
+	                    "among them, and leave dampers of attachments out, which need the same");
 }
 
 enum hawser_status hawser__condense(struct hawser__condensed *condensed,

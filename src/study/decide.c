@@ -186,12 +186,12 @@ static void decide_attachments(struct hawser_plan *plan)
 		    "the modes have kinks there, and no coordinates are added", masses,
 		    mass/(st->span.rho*st->length0));
 	if (springs > 0)
-		decide(plan, "springs to ground", 1, "at %d points, in the modes: no coordinates are added",
-		    springs);
+		decide(plan, "springs to ground", 1, "at %d point%s, in the modes: no coordinates are added",
+		    springs, springs == 1 ? "" : "s");
 	if (dampers > 0)
-		decide(plan, "dampers to ground", 1, "at %d points: the static shape of each force of a damper "
-		    "is a coordinate besides the modes (not in the errors below), and the damping couples "
-		    "the modes; modes cannot be chosen (auto)", dampers);
+		decide(plan, "dampers to ground", 1, "at %d point%s: the static shape of each force of a "
+		    "damper is a coordinate besides the modes (not in the errors below), and the damping "
+		    "couples the modes; modes cannot be chosen (auto)", dampers, dampers == 1 ? "" : "s");
 }
 
 static void decide_damping(struct hawser_plan *plan, const struct hawser_scene *scene)

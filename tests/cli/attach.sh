@@ -213,7 +213,7 @@ python "and what a damper adds" <<'END'
 import json
 plan = json.load(open("damper.json"))
 why = {d["subject"]: d["why"] for d in plan["decisions"]}
-assert why["dampers to ground"].startswith("at 1 points"), why
+assert why["dampers to ground"].startswith("at 1 point:"), why
 assert any("not chosen with dampers" in f["why"] for f in plan["fidelities"]), plan["fidelities"]
 END
 works "plan with masses" plan "$scene" --limit 0.5 --json plan.json -q
