@@ -82,3 +82,7 @@ check_PROGRAMS += tests/property/test-identify
 TESTS += tests/property/test-identify
 tests_property_test_identify_SOURCES = tests/property/test-identify.c
 tests_property_test_identify_LDADD = $(UPTO_STUDY)
+check_PROGRAMS += tests/property/test-identify-bending
+TESTS += tests/property/test-identify-bending
+tests_property_test_identify_bending_SOURCES = tests/property/test-identify-bending.c
+tests_property_test_identify_bending_LDADD = $(UPTO_STUDY)

@@ -80,6 +80,7 @@ struct hawser_irvine_options {
 	const struct hawser_attachment *attach; /* [attachments] of a cable at rest, in any order */
 	int attachments;
 	const struct hawser_held *held; /* [2] ends A and B; NULL: rigid */
+	struct hawser_bending bending;  /* 0: none; of a cable at rest without held ends */
 	int points;     /* stations before refinement, >= 2; 0: 200. Equidistant in the logarithm of the
 	                 * value, or of H if length0 is swept. For T0, T1: taut solutions */
 	int n;          /* number of branches: the lowest at `from`, both planes together; 0: 10 */

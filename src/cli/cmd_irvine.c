@@ -129,11 +129,6 @@ static enum hawser_status trace(struct cli_irvine_result *result,
 	struct hawser_held held[2];
 	int k;
 
-	if (!status && scene->cable.EI > 0.0)
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "irvine",
-		                      "the sweep of the tension is for a cable without bending stiffness: "
-		                      "set cable.EI=0 and leave ends out, or call hawser modes for single "
-		                      "tensions");
 	if (!status)
 		status = hawser_statics_equivalent(&equal, scene, report);
 	if (!status)
@@ -148,6 +143,8 @@ static enum hawser_status trace(struct cli_irvine_result *result,
 	choice->attach = scene->attach;
 	choice->attachments = scene->attachments;
 	choice->held = hawser_statics_held(held, scene) ? held : NULL;
+	if (scene->cable.EI > 0.0)
+		choice->bending = (struct hawser_bending){scene->cable.EI, {scene->ends[0], scene->ends[1]}};
 	for (k = 0; k < result->sweeps && !status; k++) {
 		choice->speed = speed[k];
 		choice->fluctuation = scene->travel.fluctuation;

@@ -26,6 +26,7 @@ static enum hawser_status statics_at(struct hawser_statics *st, const struct haw
 	const struct hawser_irvine_options *o = all->context;
 	enum hawser_status status = hawser__irvine_at(st, &all->span, o, exp(x), report);
 
+	st->bending = o->bending;
 	return status || !o->held ? status : hawser_statics_hold(st, o->held, report);
 }
 

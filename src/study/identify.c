@@ -97,7 +97,8 @@ static enum hawser_status begin(struct hawser__fit *fit, struct hawser_report *r
 			if (strcmp(fit->key[k], fit->key[before]) == 0)
 				return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
 				                    "%.60s is free twice", fit->key[k]);
-		fit->logarithmic[k] = positive(fit->key[k]);
+		/* a start of cable.EI is positive, and steps by its logarithm keep it so */
+		fit->logarithmic[k] = positive(fit->key[k]) || strcmp(fit->key[k], "cable.EI") == 0;
 	}
 	fit->weight = malloc((size_t)fit->count*sizeof *fit->weight);
 	fit->mate = calloc((size_t)fit->count, sizeof *fit->mate);

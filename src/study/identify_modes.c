@@ -41,8 +41,10 @@ enum hawser_status hawser__fit_scene(struct hawser_scene *scene, const struct ha
 enum hawser_status hawser__fit_modes(struct hawser_modes *modes, struct hawser__fit *fit,
                                      const double *x, struct hawser_report *report)
 {
-	struct hawser_modes_options options = {.n = fit->modes, .basis = fit->basis,
-	                                       .tolerance = fit->basis ? 0.0 : TOLERANCE};
+	/* with cable.EI there is no choice of a basis: its elements follow the boundary layers */
+	int basis = fit->scene->cable.EI > 0.0 ? 0 : fit->basis;
+	struct hawser_modes_options options = {.n = fit->modes, .basis = basis,
+	                                       .tolerance = basis ? 0.0 : TOLERANCE};
 	struct hawser_statics statics;
 	struct hawser_scene scene;
 	enum hawser_status status = hawser__fit_scene(&scene, fit, x, report);

@@ -16,7 +16,7 @@ refuses_like 1 "cable.EI contradicts support" modes "$scene" --set 'support={A: 
 refuses_like 1 "cable.EI contradicts model.energy: exact" modes "$scene" --set model.energy=exact
 refuses_like 1 "the method fdm is for a cable without bending stiffness" modes "$scene" --method fdm
 refuses_like 1 "model.basis = 30 with cable.EI" modes "$scene" --basis 30
-refuses_like 1 "sweep of the tension is for a cable without bending stiffness" irvine "$scene"
+works "a sweep of the tension" irvine "$scene" --points 3 -n 3 --json i.json
 refuses_like 1 "are not condensed with cable.EI" rom "$scene" --set model.condense=static
 refuses_like 1 "modes are not weighed with cable.EI" frf "$scene" --set model.modes=auto --set model.condense=static
 refuses_like 1 "900 modes asked, which need" modes "$scene" -n 900

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <hawser/irvine.h>
 #include <hawser/modes.h>
 #include <lapacke.h>
 #include <stdlib.h>
@@ -120,6 +121,38 @@ static void check_straight(double xi, double rotation)
 		}
 	}
 	hawser_modes_clear(&modes);
+}
+
+/* A sweep of the tension of a straight clamped cable, xi about 40 to 80. */
+static void check_sweep(void)
+{
+	const struct hawser_span span = {.EA = 2.385e9, .rho = 61.7, .g = 1e-9, .d = 137.0, .h = 0.0};
+	struct hawser_irvine_options options = {.sweep = HAWSER_GIVEN_H, .from = 8e5, .to = 2e5,
+	                                        .points = 5, .n = 6,
+	                                        .bending = {2.3e6, {INFINITY, INFINITY}}};
+	struct hawser_irvine irvine;
+	struct hawser_report report = {.message = ""};
+	double worst = 0.0;
+
+	if (!ok(!hawser_irvine_trace(&irvine, &span, &options, &report), "sweep of the tension %s",
+	        report.message))
+		return;
+	for (int i = 0; i < irvine.stations; i++) {
+		const struct hawser_statics *st = &irvine.station[i].statics;
+		double g = 1.0 + st->epsilon, B = 2.3e6/(st->H*span.d*span.d)/(g*g);
+		struct beam beam = {.g = g, .B = B, .l = st->l};
+
+		for (int b = 0; b < irvine.branches; b++) {
+			int n = irvine.branch[b].number;
+			double q = root(&beam, clamped, n*M_PI/beam.l, (n + 0.5)*M_PI/beam.l);
+			double got = irvine.omega[(size_t)i*(size_t)irvine.branches + (size_t)b]*
+			             span.d*sqrt(span.rho/st->H);
+
+			worst = fmax(worst, fabs(got/(sqrt(B)*q*other(&beam, q)) - 1.0));
+		}
+	}
+	ok(irvine.stations >= 5 && worst < 1e-12, "%d stations, error %.1e", irvine.stations, worst);
+	hawser_irvine_clear(&irvine);
 }
 
 /* --- finite elements --- */
@@ -316,6 +349,7 @@ int main(void)
 	check_stay(61.7, 605.0, 4e6, 2.385e6, INFINITY, INFINITY);
 	check_stay(-43.0, 2605.0, 9e5, 3.1e7, INFINITY, 0.0);
 	check_stay(0.0, 1605.0, 9e5, 3.1e6, 4e6, INFINITY);
+	check_sweep();
 	check_refusals();
 	return done_testing();
 }
