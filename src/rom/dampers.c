@@ -11,7 +11,8 @@
  * the damping of the lower modes converges as 1/n^3 (mode acceleration; for a damper on a taut string
  * J. A. Main, N. P. Jones, J. Eng. Mech. 128 (2002) 1062, S. Krenk, J. Appl. Mech. 67 (2000) 772).
  *
- * The work of the force on a displacement v that vanishes at end B is that of -h_i on v' beyond s_i.
+ * The work of the force on a displacement v is that of -h_i on v' beyond s_i, and of h_i on v at
+ * end B, which moves if it is on springs.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -28,7 +29,7 @@
 #include "rom/dampers.h"
 #include "rom/follow.h"
 
-enum { MOST = 3*HAWSER_ATTACH_MAX };
+enum { MOST = 3*HAWSER_ATTACH_MAX, MARKS = HAWSER_ATTACH_MAX + 2 };
 /* Squared frequencies above this multiple of the lowest one belong to shapes that are linear
  * combinations of the others up to round-off. */
 static const double dependent = 1e12;
@@ -109,7 +110,8 @@ struct work {
 	struct hawser__reference reference;
 	int count, points;
 	double *shape, *slope;  /* [count][points][3] in the local frame */
-	double *kink;           /* [count][attachments][3] displacements along x, y, z */
+	double *kink;           /* [count][MARKS][3] along x, y, z at the points of label.h */
+	double *start;          /* [count][3] the same of end A */
 	double *along;          /* [2][3][points] */
 };
 
@@ -119,9 +121,10 @@ static int work_make(struct work *work)
 
 	work->shape = malloc(3*count*points*sizeof *work->shape);
 	work->slope = malloc(3*count*points*sizeof *work->slope);
-	work->kink = malloc(3*count*HAWSER_ATTACH_MAX*sizeof *work->kink);
+	work->kink = malloc(3*count*MARKS*sizeof *work->kink);
+	work->start = calloc(count, 3*sizeof *work->start);
 	work->along = malloc(6*points*sizeof *work->along);
-	return work->shape && work->slope && work->kink && work->along;
+	return work->shape && work->slope && work->kink && work->start && work->along;
 }
 
 static void work_clear(struct work *work)
@@ -131,11 +134,12 @@ static void work_clear(struct work *work)
 	free(work->shape);
 	free(work->slope);
 	free(work->kink);
+	free(work->start);
 	free(work->along);
 }
 
-/* Strains of the response to a unit force along axis at attachment i. */
-static void respond(struct work *work, double *slope, int i, int axis)
+/* Strains and displacement of end A of the response to a unit force along axis at attachment i. */
+static void respond(struct work *work, double *slope, double *start, int i, int axis)
 {
 	const struct hawser_statics *st = &work->modes->statics;
 
@@ -148,12 +152,17 @@ static void respond(struct work *work, double *slope, int i, int axis)
 		to[1] = axis == 0 ? -h*at.ey : axis == 1 ? h*at.ex : 0.0;
 		to[2] = axis == 2 ? h : 0.0;
 	}
+	memset(work->stations.beyond, 0, sizeof work->stations.beyond);
+	work->stations.beyond[axis] = 1.0;
 	hawser__follow(&work->stations);
+	if (st->elastic)
+		memcpy(start, work->stations.start, 3*sizeof *start);
 	memcpy(slope, work->stations.z, 3*(size_t)work->points*sizeof *slope);
 }
 
-/* Displacement of strains, at the points and at the attachments. */
-static void integrate(struct work *work, double *shape, double *kink, const double *slope)
+/* Displacement of strains and of end A, at the points of the grid and those of label.h. */
+static void integrate(struct work *work, double *shape, double *kink, const double *slope,
+                      const double start[3])
 {
 	const struct hawser_modes *modes = work->modes;
 	const struct hawser_statics *st = &modes->statics;
@@ -171,9 +180,11 @@ static void integrate(struct work *work, double *shape, double *kink, const doub
 	for (int c = 0; c < 3; c++) {
 		(void)hawser__grid_running(along + c*points, &modes->grid, &work->reference,
 		                           global + c*points);
-		for (int i = 0; i < st->attachments; i++)
+		for (int p = 0; p < points; p++)
+			along[c*points + p] += start[c];
+		for (int i = 0; i < hawser__points(st); i++)
 			hawser__grid_at(kink + 3*i + c, &modes->grid, along + c*points, 1, 1,
-			                st->attached[i].s);
+			                hawser__point(st, i).s);
 	}
 	for (int p = 0; p < points; p++) {
 		struct hawser_frame_point at = hawser_statics_frame(st, modes->grid.s[p]);
@@ -203,10 +214,10 @@ static void matrices(const struct work *work, double *mass, double *stiff)
 				M += at->weight*(x[0]*y[0] + x[1]*y[1] + x[2]*y[2]);
 				K += at->weight*(v[0]*w[0]/at->eps + at->k*(v[1]*w[1] + v[2]*w[2]));
 			}
-			x = work->kink + 3*HAWSER_ATTACH_MAX*a;
-			y = work->kink + 3*HAWSER_ATTACH_MAX*b;
-			for (int i = 0; i < st->attachments; i++, x += 3, y += 3) {
-				M += st->attached[i].m*(x[0]*y[0] + x[1]*y[1] + x[2]*y[2]);
+			x = work->kink + 3*MARKS*a;
+			y = work->kink + 3*MARKS*b;
+			for (int i = 0; i < hawser__points(st); i++, x += 3, y += 3) {
+				M += hawser__point(st, i).m*(x[0]*y[0] + x[1]*y[1] + x[2]*y[2]);
 				for (int c = 0; c < 3; c++)
 					K += stiffness(st, i, c, 0.0)*x[c]*y[c];
 			}
@@ -294,10 +305,10 @@ enum hawser_status hawser__dampers_extend(struct hawser_modes *with,
 		                                report);
 	for (int a = 0; !status && a < work.count; a++) {
 		size_t row = (size_t)a*3*(size_t)work.points;
+		double *start = work.start + 3*(size_t)a;
 
-		respond(&work, work.slope + row, at[a], axis[a]);
-		integrate(&work, work.shape + row, work.kink + (size_t)a*3*HAWSER_ATTACH_MAX,
-		          work.slope + row);
+		respond(&work, work.slope + row, start, at[a], axis[a]);
+		integrate(&work, work.shape + row, work.kink + (size_t)a*3*MARKS, work.slope + row, start);
 	}
 	if (!status)
 		status = vibrate(with, &work, report);
@@ -309,10 +320,6 @@ enum hawser_status hawser__dampers_extend(struct hawser_modes *with,
 
 static enum hawser_status rigid_only(const struct hawser_scene *scene, struct hawser_report *report)
 {
-	if (scene->attachments > 0)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
-		                    "a reduced model with both elastic supports and attachments is not "
-		                    "available yet: set model.energy=exact");
 	if (scene->model.modes == HAWSER_MODES_AUTO)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
 		                    "model.modes: auto does not know elastic supports: give a number of modes");

@@ -13,12 +13,36 @@
 #include "tests/tap.h"
 
 static struct hawser_report report;
+static const struct hawser_held *held; /* [2]; NULL: rigid ends */
 
 /* --- a damper on a taut string: with g = lambda l/k and eta the damper relative to the impedance of
  * the string, sinh g + eta sinh(a g) sinh((1 - a) g) = 0 --- */
 
-static double complex root_of(double complex g, double a, double eta)
+/* The same on elastic ends, whose stiffness with inertia is K = kappa + m g^2/l over H/d: with
+ * u = g cosh(g x) + K_A sinh(g x) from end A, v likewise from end B, u'/u + v'/v + eta g = 0. */
+static double complex on_springs(double complex g, double a, double eta, double l)
 {
+	double complex u[2], slope[2];
+
+	for (int end = 0; end < 2; end++) {
+		double x = end ? 1.0 - a : a;
+		double complex K = held[end].stiffness[2] + held[end].m*g*g/l;
+
+		u[end] = g*ccosh(g*x) + K*csinh(g*x);
+		slope[end] = g*(g*csinh(g*x) + K*ccosh(g*x));
+	}
+	return slope[0]*u[1] + u[0]*slope[1] + eta*g*u[0]*u[1];
+}
+
+static double complex root_of(double complex g, double a, double eta, double l)
+{
+	for (int i = 0; held && i < 60; i++) {
+		double complex h = 1e-6*g, f = on_springs(g, a, eta, l);
+
+		g -= f/((on_springs(g + h, a, eta, l) - on_springs(g - h, a, eta, l))/(2.0*h));
+	}
+	if (held)
+		return g;
 	for (int i = 0; i < 60; i++) {
 		double complex low = csinh(a*g), high = csinh((1.0 - a)*g);
 		double complex f = csinh(g) + eta*low*high;
@@ -60,6 +84,7 @@ static int solve(struct hawser_modes *modes, const struct hawser_span *span, dou
 
 	if (!hawser_statics_loaded(&st, span, HAWSER_GIVEN_H, H, HAWSER_BRANCH_TAUT, attach, count,
 	                           &report) &&
+	    (!held || !hawser_statics_hold(&st, held, &report)) &&
 	    !hawser_modes_solve(modes, &st, &options, &report))
 		return 1;
 	return ok(0, "solved: %s", report.message);
@@ -71,6 +96,7 @@ static double stay(double *error, double *frequency, double a, double eta, int n
 {
 	const struct hawser_span span = {1e11, 1.0, 9.81, 1.0, 0.0};
 	const double H = 1e6, l = 1.0/(1.0 + H/span.EA), k = sqrt(l);
+	static struct hawser_held actual[2], scaled[2];
 	struct hawser_attachment damper = {.at = a, .damper = {0, 0, eta*sqrt(span.rho*H)*k}};
 	const struct hawser_scene scene = {.model = {.modes = n}};
 	double complex exact, g = I*M_PI*number, found;
@@ -78,12 +104,23 @@ static double stay(double *error, double *frequency, double a, double eta, int n
 	struct hawser_rom rom;
 
 	*error = *frequency = INFINITY;
+	for (int end = 0; held && end < 2; end++) {
+		scaled[end] = actual[end] = held[end];
+		for (int c = 0; c < 3; c++)
+			actual[end].stiffness[c] *= H/span.d;
+		actual[end].mass = held[end].m*span.rho*span.d;
+	}
+	held = held ? actual : NULL;
 	if (!solve(&modes, &span, H, &damper, 1, n))
 		return 0.0;
+	held = held ? scaled : NULL;
+	for (int i = 0, out = 0; held && i < modes.n && out < number; i++)
+		if (modes.mode[i].plane == HAWSER_OUT_OF_PLANE && ++out == number)
+			g = I*modes.mode[i].omega*k;
 	for (int i = 1; i <= 20; i++) /* from the undamped string */
-		g = root_of(g, a, eta*i/20.0);
+		g = root_of(g, a, eta*i/20.0, l);
 	exact = g*k/l;
-	if (!hawser_rom_build(&rom, &modes, &scene, &report)) {
+	if (!hawser_rom_build_linear(&rom, &modes, &scene, &report)) {
 		found = eigenvalue(&rom, exact);
 		*error = fabs(creal(found)/cabs(found) - creal(exact)/cabs(exact))/(0.5*a);
 		*frequency = cabs(found - exact)/cabs(exact);
@@ -128,12 +165,34 @@ static void converges(void)
 	}
 }
 
+/* A damper of a stay on springs, whose ends have masses. */
+static void dampers_on_springs(void)
+{
+	static const struct hawser_held ends[2] = {{{40.0, 30.0, 9.7}, 0.0, 0.031},
+	                                           {{25.0, 70.0, 31.4}, 0.0, 0.0}};
+	double worst = 0.0, off = 0.0, error, frequency;
+
+	for (int number = 1; number <= 2; number++)
+		for (int i = 0; i < 4; i++) {
+			held = ends;
+			(void)stay(&error, &frequency, 0.02 + 0.03*i, (0.31 + 0.4*i)/(0.02 + 0.03*i)/number,
+			           number, 24);
+			worst = fmax(worst, error);
+			off = fmax(off, frequency);
+		}
+	held = NULL;
+	ok(worst < 2e-4 && off < 5e-6, "on springs, 24 modes: damping within %.1e of a/2, eigenvalue "
+	   "within %.1e", worst, off);
+}
+
 /* --- forces --- */
 
 static const struct hawser_span inclined = {4e7, 6.0, 9.81, 250.0, -61.7};
 static const struct hawser_attachment carriers[] = {
 	{.at = 0.13, .mass = 300.0, .spring = {1e3, 2e4, 500.0}},
 	{.at = 0.62, .mass = 1000.0}};
+static const struct hawser_held ends[2] = {{{7e3, 2e4, 900.0}, 150.0, 0.0},
+                                           {{INFINITY, 3.1e4, 5e3}, 0.0, 0.0}};
 
 /* Restoring forces of the expansion and of the exact energy differ by the fourth order. */
 static void expansion(void)
@@ -293,5 +352,12 @@ int main(void)
 	springs_and_dampers();
 	viscous();
 	refusals();
+	dampers_on_springs();
+	held = ends;
+	expansion();
+	condensation(0.0);
+	condensation(1.0);
+	condensation(1e7);
+	springs_and_dampers();
 	return done_testing();
 }

@@ -228,10 +228,6 @@ static void refused(struct hawser_scene *scene)
 	ok(hawser_rom_build_linear(&rom, &modes, scene, &report) == HAWSER_ERR_ARGUMENT &&
 	           strstr(report.message, "does not know elastic"), "%s", report.message);
 	scene->model.modes = 5;
-	scene->attachments = 1;
-	ok(hawser_rom_build(&rom, &modes, scene, &report) == HAWSER_ERR_ARGUMENT &&
-	           strstr(report.message, "both elastic supports and attachments"), "%s", report.message);
-	scene->attachments = 0;
 	hawser_modes_clear(&modes);
 }
 
