@@ -79,6 +79,9 @@ struct hawser_modes {
 	struct hawser_grid grid;
 	double *shape;              /* [n][parts][points][3] P, Q, B */
 	double *slope;              /* [n][parts][points][3] a, b, c */
+	double *stroke;             /* [n][attachments] of the absorbers along their directions, relative to
+	                             * the cable, in the order of statics.attached; 0 where there is none.
+	                             * NULL if there is no absorber at all. They are part of the norm */
 };
 
 /* Settings of all methods. */

@@ -94,9 +94,11 @@ static int dampers(const struct hawser_statics *st)
 {
 	int any = 0;
 
-	for (int i = 0; i < st->attachments; i++)
+	for (int i = 0; i < st->attachments; i++) {
+		any |= st->attached[i].absorber_damping > 0.0;
 		for (int c = 0; c < 3; c++)
 			any |= st->attached[i].damper[c] > 0.0;
+	}
 	return any;
 }
 
@@ -138,7 +140,51 @@ static void comments(struct hawser__table *table, const void *of)
 
 /* --- fields --- */
 
-enum { REST = 1, TRAVELS = 2, SHAPES = 4, BENDS = 8 };
+enum { REST = 1, TRAVELS = 2, SHAPES = 4, BENDS = 8, ABSORBS = 16 };
+
+/* The attachment of absorber k. */
+static int absorber_at(const struct hawser_modes *modes, int k)
+{
+	const struct hawser_statics *st = &modes->statics;
+	int i = 0;
+
+	while (i < st->attachments && (!(st->attached[i].absorber > 0.0) || k-- > 0))
+		i++;
+	return i;
+}
+
+static int absorbers(const void *context)
+{
+	const struct hawser_statics *st = &((const struct cli_modes_result *)context)->modes.statics;
+	int count = 0;
+
+	for (int i = 0; i < st->attachments; i++)
+		count += st->attached[i].absorber > 0.0;
+	return count;
+}
+
+/* Absorbers without a name have the number of their attachment in the scene, from 1. */
+static void absorber_name(char *text, size_t size, const void *context, int k)
+{
+	const struct cli_modes_result *result = context;
+	int index = result->modes.statics.attached[absorber_at(&result->modes, k)].index;
+	const char *name = result->scene.attach[index].name;
+
+	if (*name)
+		snprintf(text, size, "%s", name);
+	else
+		snprintf(text, size, "%d", index + 1);
+}
+
+static double stroke_of(const void *context, const void *parent, size_t mode, int k)
+{
+	const struct hawser_modes *modes = parent;
+
+	(void)context;
+	return modes->stroke[(int)mode*modes->statics.attachments + absorber_at(modes, k)];
+}
+static const struct hawser__vector absorber_vector = {
+	.shown = "ABSORBER", .count = absorbers, .name = absorber_name, .number = stroke_of, .object = 1};
 
 HAWSER__LABELS(plane_name, hawser_plane_name, enum hawser_plane)
 HAWSER__LABELS(family_name, hawser_family_name, enum hawser_family)
@@ -171,6 +217,8 @@ static const struct hawser__field mode_field[] = {
 	{"effective_mass", "effective_mass_",
 	 "at rest: modal effective mass over the mass of the cable", OF(effective_mass),
 	 .vector = &cli_axes, .when = REST},
+	{"stroke", "stroke_", "with absorbers: displacement of each relative to the cable, along its "
+	 "direction, in the scale of the shape", HAWSER__VECTOR_OF(absorber_vector), .when = ABSORBS},
 	{"moment_A", "moment_A_Nm_per_m", "with cable.EI: bending moment at end A (N.m) over the largest "
 	 "displacement (m)", OF(moment[0]), .when = BENDS},
 	{"moment_B", "moment_B_Nm_per_m", "with cable.EI: at end B", OF(moment[1]), .when = BENDS},
@@ -317,6 +365,7 @@ static struct cli_head head(const void *of)
 		{.scale = hawser__si, .context = result,
 		 .options = (result->modes.gyroscopic ? TRAVELS : REST) |
 		            (result->modes.statics.bending.EI > 0.0 ? BENDS : 0u) |
+		            (result->modes.stroke ? ABSORBS : 0u) |
 		            (result->points > 0 ? SHAPES : 0u)}, NULL, NULL};
 }
 

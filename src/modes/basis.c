@@ -84,7 +84,7 @@ static int work_init(struct work *w, struct part *part, const struct hawser__cab
 {
 	size_t D = (size_t)part->D, held = D + (size_t)plane->springs;
 	size_t n = D*(size_t)part->degree*(size_t)cable->grid.elements + (size_t)plane->springs +
-	           (size_t)plane->joints;
+	           (size_t)plane->joints + (size_t)plane->absorbers;
 	size_t rows = hawser__displacements(plane, &cable->grid);
 
 	*w = (struct work){.n = (int)n, .rows = (int)rows, .held = (int)held};
@@ -108,7 +108,7 @@ static void assemble(struct work *w, const struct part *part, const struct hawse
 {
 	const struct hawser_grid *grid = &cable->grid;
 	double *unit = w->scratch + grid->points, *strain = part->strain, end[HAWSER__MAX_D];
-	int functions = w->n - plane->springs - plane->joints;
+	int functions = w->n - plane->springs - plane->joints - plane->absorbers, lump;
 
 	for (int i = 0; i < w->n - plane->springs; i++) { /* the strains of springs displace nothing */
 		int f = i < functions ? i : i + plane->springs;
@@ -125,8 +125,8 @@ static void assemble(struct work *w, const struct part *part, const struct hawse
 			for (int p = 0; p < grid->points; p++)
 				G[c*grid->points + p] *= sqrt(grid->weight[p]);
 		}
-		for (int k = 0; k < part->D*plane->lumps; k++)
-			G[part->D*grid->points + k] *= sqrt(plane->lump[k%plane->lumps].mass);
+		for (int k = 0; k < part->D*(plane->lumps + plane->absorbers); k++)
+			G[part->D*grid->points + k] *= sqrt(hawser__row_mass(&lump, plane, k));
 	}
 	hawser__spring_constraints(w->C + part->D*w->n, w->C, w->n, part->D*part->degree, plane, grid);
 }
@@ -196,7 +196,8 @@ static void unfold(struct part *part, const struct work *w, const struct hawser_
 		for (size_t i = 0; i < values; i++)
 			displacement[i] = U[i]/sqrt(grid->weight[i%(size_t)grid->points]);
 		for (size_t i = values; i < rows; i++) { /* not used without a mass */
-			double mass = plane->lump[(i - values)%(size_t)plane->lumps].mass;
+			int lump;
+			double mass = hawser__row_mass(&lump, plane, (int)(i - values));
 
 			displacement[i] = mass > 0.0 ? U[i]/sqrt(mass) : 0.0;
 		}
@@ -257,7 +258,8 @@ static enum hawser_status finish(struct hawser_modes *modes, struct hawser__cabl
 	int next[HAWSER__PLANES] = {0}, n = part[0].count + part[1].count;
 	/* displacements and strains, and the work space of a step */
 	size_t copies = 2*HAWSER__MAX_D*points + HAWSER__MAX_D*HAWSER__MAX_LUMPS +
-	                HAWSER__MAX_SPRINGS + HAWSER__MAX_JOINTS;
+	                HAWSER__MAX_SPRINGS + HAWSER__MAX_JOINTS +
+	                (HAWSER__MAX_D + 1)*HAWSER__MAX_ABSORBERS;
 	double *work = array(copies + (HAWSER__MAX_D + 1)*points, 1);
 	enum hawser_status status = work ? hawser__modes_allocate(modes, n, (int)points, report)
 	                                 : hawser__no_memory(report, "modes");
@@ -276,6 +278,9 @@ static enum hawser_status finish(struct hawser_modes *modes, struct hawser__cabl
 		hawser__cable_fields(modes->shape + (size_t)k*3*points,
 		                     modes->slope + (size_t)k*3*points, cable, q,
 		                     part[q].strain + strain, part[q].displacement + displacement);
+		if (modes->stroke)
+			hawser__cable_strokes(modes->stroke + k*modes->statics.attachments, cable, q,
+			                      part[q].strain + strain);
 		next[q]++;
 	}
 	free(work);
@@ -299,8 +304,9 @@ enum hawser_status hawser_modes_basis(struct hawser_modes *modes,
 	*modes = (struct hawser_modes){0};
 	if (status)
 		return status;
-	if (hawser__has_absorbers(statics))
-		return hawser__no_absorbers(report);
+	status = hawser__check_absorbers(statics, report);
+	if (status)
+		return status;
 	if (in_plane < 0 || out_of_plane < 0 || most < 1 || most > MOST)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
 		                    "a basis of %d functions a component in the plane and %d out of "

@@ -121,6 +121,22 @@ static enum hawser_status keep_part(double *out, struct hawser__branches *all,
 	                                    report);
 }
 
+/* The masses of absorbers, which tell apart two modes in which the cable moves alike: their
+ * displacements along their directions, over the same length, times sqrt(mass). */
+static void keep_absorbers(double *out, const struct hawser_modes *modes, int k)
+{
+	const struct hawser_statics *st = &modes->statics;
+
+	for (int i = 0; i < st->attachments; i++) {
+		const double *a = st->attached[i].absorber_axis;
+		double u[3];
+
+		hawser__modes_attached(u, modes, k, i);
+		out[i] = sqrt(st->attached[i].absorber/st->l)*
+		         (a[0]*u[0] + a[1]*u[1] + hawser__stroke(modes, k, i));
+	}
+}
+
 /* To unit norm: shape [parts][values]. */
 static void normalise(double *shape, int parts, int values)
 {
@@ -136,7 +152,8 @@ static enum hawser_status keep_shapes(struct hawser__sample *sample, struct haws
                                       struct hawser_report *report)
 {
 	int parts = modes->gyroscopic ? 2 : 1;
-	int values = (modes->gyroscopic ? ENERGY_FIELDS : PLANE_FIELDS)*all->nodes.points;
+	int fields = (modes->gyroscopic ? ENERGY_FIELDS : PLANE_FIELDS)*all->nodes.points;
+	int values = fields + (modes->stroke ? modes->statics.attachments : 0);
 	double *work = malloc(ENERGY_FIELDS*(size_t)modes->grid.points*sizeof *work), *shape;
 	enum hawser_status status = HAWSER_OK;
 
@@ -149,6 +166,8 @@ static enum hawser_status keep_shapes(struct hawser__sample *sample, struct haws
 			continue;
 		for (int part = 0; part < parts && !status; part++)
 			status = keep_part(shape + part*values, all, modes, k, part, work, report);
+		if (modes->stroke)
+			keep_absorbers(shape + fields, modes, k);
 		normalise(shape, parts, values);
 		shape += parts*values;
 	}

@@ -121,7 +121,8 @@ static void place_pieces(struct hawser__cable *t, double *u, double *bent, doubl
 		if (i == st->attachments)
 			break;
 		load += st->attached[i].m;
-		t->lump[i + st->elastic] = (struct hawser__lump){e, st->attached[i].m};
+		for (int q = 0; q < HAWSER__PLANES; q++)
+			t->lump[q][i + st->elastic] = (struct hawser__lump){e, st->attached[i].m};
 	}
 }
 
@@ -141,12 +142,35 @@ static void place_joints(struct hawser__cable *t, const double axis[3][HAWSER__M
 				t->joint[plane][count[plane]++] = (struct hawser__joint){
 					end, {root*axis[a][0], root*axis[a][1]}};
 		}
-	t->lump[0] = (struct hawser__lump){0, st->held[0].m};
-	t->lump[st->attachments + 1] = (struct hawser__lump){t->grid.elements, st->held[1].m};
 	for (int q = 0; q < HAWSER__PLANES; q++) {
+		t->lump[q][0] = (struct hawser__lump){0, st->held[0].m};
+		t->lump[q][st->attachments + 1] = (struct hawser__lump){t->grid.elements, st->held[1].m};
 		t->plane[q].joints = count[q];
 		t->plane[q].joint = t->joint[q];
 	}
+}
+
+/* Absorbers, whose mass is taken from that of their lump. Each moves in one plane (methods.c). */
+static void place_absorbers(struct hawser__cable *t, const double axis[3][HAWSER__MAX_D],
+                            const struct hawser_statics *st)
+{
+	for (int i = 0; i < st->attachments; i++) {
+		const struct hawser_attached *at = &st->attached[i];
+		const double *a = at->absorber_axis;
+		int q = a[2] != 0.0 ? HAWSER_OUT_OF_PLANE : HAWSER_IN_PLANE;
+		struct hawser__absorber *to = &t->absorber[q][t->plane[q].absorbers];
+
+		if (!(at->absorber > 0.0))
+			continue;
+		*to = (struct hawser__absorber){.lump = i + st->elastic, .mass = at->absorber,
+		                                .root = sqrt(st->H/(at->absorber_stiffness*st->span.d))};
+		for (int c = 0; c < t->plane[q].D; c++)
+			to->a[c] = q == HAWSER_IN_PLANE ? a[0]*axis[0][c] + a[1]*axis[1][c] : a[2];
+		t->lump[q][to->lump].mass = at->m - at->absorber;
+		t->plane[q].absorbers++;
+	}
+	for (int q = 0; q < HAWSER__PLANES; q++)
+		t->plane[q].absorber = t->absorber[q];
 }
 
 /* Springs along x, y and z: the axes of the displacements in the plane are tangent and normal at
@@ -168,9 +192,10 @@ static void place_springs(struct hawser__cable *t, const struct hawser_statics *
 		}
 	if (st->elastic)
 		place_joints(t, axis, st);
+	place_absorbers(t, axis, st);
 	for (int q = 0; q < HAWSER__PLANES; q++) {
 		t->plane[q].lumps = st->attachments + 2*st->elastic;
-		t->plane[q].lump = t->lump;
+		t->plane[q].lump = t->lump[q];
 		t->plane[q].springs = count[q];
 		t->plane[q].spring = t->spring[q];
 	}
@@ -243,6 +268,17 @@ void hawser__cable_fields(double *shape, double *slope, const struct hawser__cab
 	}
 }
 
+void hawser__cable_strokes(double *stroke, const struct hawser__cable *cable, int q,
+                           const double *strain)
+{
+	const struct hawser__plane *plane = &cable->plane[q];
+	int first = plane->D*cable->grid.points + plane->springs + plane->joints;
+
+	for (int i = 0; i < plane->absorbers; i++)
+		stroke[plane->absorber[i].lump - cable->elastic] =
+			plane->absorber[i].root*strain[first + i];
+}
+
 int hawser__cable_degree(int elements, int n)
 {
 	double waves = 0.5*M_PI*(0.5*n + 1.0);
@@ -292,7 +328,7 @@ enum hawser_status hawser__cable_init(struct hawser__cable *cable,
 	size_t edges = (size_t)elements + 1, points;
 	enum hawser_status status;
 
-	*cable = (struct hawser__cable){.sa = sqrt(statics->epsilon)};
+	*cable = (struct hawser__cable){.sa = sqrt(statics->epsilon), .elastic = statics->elastic};
 	cable->edges = malloc(4*edges*sizeof *cable->edges);
 	if (!cable->edges)
 		return hawser__no_memory(report, "modes");

@@ -16,10 +16,13 @@ struct hawser__cable {
 	double *field;     /* [3][points]: cos psi, sin psi, sb (spectral.c) */
 	double *direction; /* [4 + 1][points] of the in-plane and the out-of-plane problem */
 	double sa;         /* sqrt(epsilon) */
+	int elastic;       /* 1: the first and the last lump are elastic supports */
 	int pieces;        /* 1: elements between attachments, else over the whole length */
-	struct hawser__lump lump[HAWSER__MAX_LUMPS]; /* the attachments, between elastic supports */
+	/* the attachments, between elastic supports, without absorbers that move in the plane */
+	struct hawser__lump lump[HAWSER__PLANES][HAWSER__MAX_LUMPS];
 	struct hawser__spring spring[HAWSER__PLANES][HAWSER__MAX_SPRINGS];
 	struct hawser__joint joint[HAWSER__PLANES][HAWSER__MAX_JOINTS];
+	struct hawser__absorber absorber[HAWSER__PLANES][HAWSER__MAX_ABSORBERS];
 	struct hawser__plane plane[HAWSER__PLANES]; /* by enum hawser_plane */
 };
 
@@ -50,6 +53,10 @@ int hawser__cable_coarse(const struct hawser__cable *cable);
  * zero on entry, from strain and displacement [D][points] of the problem of one plane. */
 void hawser__cable_fields(double *shape, double *slope, const struct hawser__cable *cable, int plane,
                           const double *strain, const double *displacement);
+
+/* stroke [attachments], zero on entry: of the absorbers of one plane, from strain as above. */
+void hawser__cable_strokes(double *stroke, const struct hawser__cable *cable, int plane,
+                           const double *strain);
 
 void hawser__cable_clear(struct hawser__cable *cable);
 

@@ -5,7 +5,8 @@
  *   X_c    displacements: X_c(s) = integral from 0 to s of sum_k d_kc * strain_k
  *   C x    = X(l): 0, since the end is fixed. D rows. A spring to ground adds an unknown, its strain,
  *            and a row that makes it that of its lump. The spring of an elastic support is a strain
- *            at an end: it displaces the whole cable (at A), or only what C measures (at B)
+ *            at an end: it displaces the whole cable (at A), or only what C measures (at B). That of
+ *            an absorber is the strain of its own spring and displaces its mass only
  *   M      = integral of X.X: the kinetic energy, in terms of strains
  *   mu     = 1/omega^2
  *
@@ -71,7 +72,7 @@ static int work_init(struct work *w, const struct hawser__plane *plane, int degr
 {
 	size_t block = (size_t)degree*(size_t)plane->D, springs = (size_t)plane->springs;
 	size_t m = (size_t)order, first = block*(size_t)elements + springs;
-	size_t n = first + (size_t)plane->joints;
+	size_t n = first + (size_t)plane->joints + (size_t)plane->absorbers;
 
 	*w = (struct work){.n = (int)n, .block = (int)block, .joint = (int)first};
 	w->M = array(n, n);
@@ -150,6 +151,9 @@ static double mass_beyond(const struct hawser__plane *plane, const struct hawser
 	for (int i = 0; i < plane->lumps; i++)
 		if (plane->lump[i].edge > e)
 			mass += plane->lump[i].mass;
+	for (int i = 0; i < plane->absorbers; i++)
+		if (plane->lump[plane->absorber[i].lump].edge > e)
+			mass += plane->absorber[i].mass;
 	return mass;
 }
 
@@ -198,6 +202,29 @@ static void join(struct work *w, const struct hawser__plane *plane, const struct
 			for (int c = 0; c < D && !plane->joint[i].end; c++)
 				w->M[(size_t)(w->joint + i)*(size_t)n + (size_t)row] +=
 					joint->d[c]*plane->joint[i].d[c]*all;
+	}
+}
+
+/* The absorbers' part of the lower triangle of M. */
+static void hang(struct work *w, const struct hawser__plane *plane)
+{
+	int n = w->n, D = plane->D;
+
+	for (int i = 0, row = w->joint + plane->joints; i < plane->absorbers; i++, row++) {
+		const struct hawser__absorber *absorber = &plane->absorber[i];
+		double scale = absorber->mass*absorber->root;
+
+		for (int c = 0; c < D; c++) {
+			double part = scale*absorber->a[c];
+
+			for (int f = 0; f < w->block*plane->lump[absorber->lump].edge; f++)
+				w->M[(size_t)f*(size_t)n + (size_t)row] += part*w->C[c*n + f];
+			for (int j = 0; j < plane->joints; j++)
+				if (!plane->joint[j].end)
+					w->M[(size_t)(w->joint + j)*(size_t)n + (size_t)row] +=
+						part*plane->joint[j].d[c];
+		}
+		w->M[(size_t)row*(size_t)(n + 1)] += scale*absorber->root;
 	}
 }
 
@@ -255,7 +282,7 @@ void hawser__compliance_strain(double *strain, const double *x, const struct haw
 				            sqrt((j + 0.5)/reference->half[e]),
 				            reference->legendre + j*m, 1,
 				            strain + k*grid->points + e*m, 1);
-	for (int j = 0; j < plane->springs + plane->joints; j++)
+	for (int j = 0; j < plane->springs + plane->joints + plane->absorbers; j++)
 		strain[D*grid->points + j] = x[D*degree*grid->elements + j];
 }
 
@@ -269,6 +296,18 @@ static void at_lumps(double *lump, const struct hawser__plane *plane, const stru
 			base += cblas_ddot(grid->order, grid->weight + e*grid->order, 1,
 			                   gradient + e*grid->order, 1);
 		lump[i] = base;
+	}
+}
+
+/* Component c of the displacement of the absorbers' masses. rows: behind those of the cable. */
+static void at_absorbers(double *rows, const struct hawser__plane *plane, const double *strain, int c)
+{
+	double *mass = rows + plane->D*plane->lumps + c*plane->absorbers;
+
+	for (int i = 0; i < plane->absorbers; i++) {
+		const struct hawser__absorber *absorber = &plane->absorber[i];
+
+		mass[i] = rows[c*plane->lumps + absorber->lump] + absorber->root*absorber->a[c]*strain[i];
 	}
 }
 
@@ -306,6 +345,7 @@ void hawser__compliance_displace(double *displacement, double *end, double *grad
 			displacement[c*points + i] += start;
 		end[c] += start + by_joints(joint, plane, 1, c);
 		at_lumps(displacement + D*points + c*plane->lumps, plane, grid, gradient, start);
+		at_absorbers(displacement + D*points, plane, joint + plane->joints, c);
 	}
 }
 
@@ -348,7 +388,7 @@ enum hawser_status hawser__compliance_solve(struct hawser__pairs *pairs,
                                             const struct hawser__reference *reference, int degree,
                                             int count, struct hawser_report *report)
 {
-	int carried = (degree*grid->elements - 1)*plane->D + plane->joints, info;
+	int carried = (degree*grid->elements - 1)*plane->D + plane->joints + plane->absorbers, info;
 	enum hawser_status status = HAWSER_OK;
 	struct work w;
 
@@ -365,6 +405,7 @@ enum hawser_status hawser__compliance_solve(struct hawser__pairs *pairs,
 		element(&w, plane, grid, reference, degree, e);
 	couple(&w, plane, grid);
 	join(&w, plane, grid);
+	hang(&w, plane);
 	hawser__spring_constraints(w.C + plane->D*w.n, w.C, w.n, w.block, plane, grid);
 	info = eigen(&w, plane->D + plane->springs, count);
 	if (info) {

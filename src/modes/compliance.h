@@ -9,7 +9,8 @@
  * each strain gives, direction[strain][displacement][points]. The strain energy is the integral of
  * the squared strains over 2: the directions carry the stiffness. */
 enum { HAWSER__MAX_D = 2, HAWSER__MAX_SPRINGS = HAWSER__MAX_D*HAWSER_ATTACH_MAX,
-       HAWSER__MAX_JOINTS = 2*HAWSER__MAX_D, HAWSER__MAX_LUMPS = HAWSER_ATTACH_MAX + 2 };
+       HAWSER__MAX_JOINTS = 2*HAWSER__MAX_D, HAWSER__MAX_LUMPS = HAWSER_ATTACH_MAX + 2,
+       HAWSER__MAX_ABSORBERS = HAWSER_ATTACH_MAX };
 
 /* A point mass, scaled, at an edge of elements, the first and the last included; it may be 0. */
 struct hawser__lump {
@@ -32,27 +33,52 @@ struct hawser__joint {
 	double d[HAWSER__MAX_D];
 };
 
+/* A mass that moves along the unit vector a relative to its lump, on a spring of stiffness 1/root^2,
+ * whose strain is a further unknown: a unit of it is the stroke `root`. Across a it moves with the
+ * lump. */
+struct hawser__absorber {
+	int lump;
+	double mass, root, a[HAWSER__MAX_D];
+};
+
 struct hawser__plane {
 	int D;
 	const double *direction;
-	int lumps, springs, joints;
+	int lumps, springs, joints, absorbers;
 	const struct hawser__lump *lump;     /* [lumps] ascending edge */
 	const struct hawser__spring *spring; /* [springs] ascending lump */
 	const struct hawser__joint *joint;   /* [joints]; with them the first and the last lump are ends */
+	const struct hawser__absorber *absorber; /* [absorbers] ascending lump */
 };
 
-/* Strains are [D][points], followed by those of the springs and of the joints; displacements are
- * [D][points], followed by those of the lumps, [D][lumps]. The sizes of both: */
+/* Strains are [D][points], followed by those of the springs, of the joints and of the absorbers;
+ * displacements are [D][points], followed by those of the lumps, [D][lumps], and of the masses of the
+ * absorbers, [D][absorbers]. The sizes of both: */
 static inline size_t hawser__strains(const struct hawser__plane *plane,
                                      const struct hawser_grid *grid)
 {
-	return (size_t)plane->D*(size_t)grid->points + (size_t)plane->springs + (size_t)plane->joints;
+	return (size_t)plane->D*(size_t)grid->points + (size_t)plane->springs + (size_t)plane->joints +
+	       (size_t)plane->absorbers;
 }
 
 static inline size_t hawser__displacements(const struct hawser__plane *plane,
                                            const struct hawser_grid *grid)
 {
-	return (size_t)plane->D*((size_t)grid->points + (size_t)plane->lumps);
+	return (size_t)plane->D*((size_t)grid->points + (size_t)plane->lumps + (size_t)plane->absorbers);
+}
+
+/* Row i of the displacements behind those of the cable: its mass, and the lump where it acts. */
+static inline double hawser__row_mass(int *lump, const struct hawser__plane *plane, int i)
+{
+	const struct hawser__absorber *absorber;
+
+	if (i < plane->D*plane->lumps) {
+		*lump = i%plane->lumps;
+		return plane->lump[*lump].mass;
+	}
+	absorber = &plane->absorber[(i - plane->D*plane->lumps)%plane->absorbers];
+	*lump = absorber->lump;
+	return absorber->mass;
 }
 
 /* The result: `count` pairs by ascending omega; fields of the refined pairs. */
@@ -60,14 +86,15 @@ struct hawser__pairs {
 	int count, degree;
 	double *omega;        /* [count] */
 	double *moved;        /* [count] relative change of omega in the refinement */
-	double *x;            /* [count][D*degree*elements + springs + joints] by descending omega */
+	double *x;            /* [count][D*degree*elements + springs + joints + absorbers] by descending
+	                       * omega */
 	double *strain;       /* [refined][strains] */
 	double *displacement; /* [refined][displacements] */
 };
 
 /* The lowest `count` pairs with `degree` Legendre polynomials per strain and element. count is
- * reduced to the size of the basis, (degree*elements - 1)*D + joints, if it is larger. Statuses:
- * _MEMORY, _NAN, _CONVERGENCE. */
+ * reduced to the size of the basis, (degree*elements - 1)*D + joints + absorbers, if it is larger.
+ * Statuses: _MEMORY, _NAN, _CONVERGENCE. */
 enum hawser_status hawser__compliance_solve(struct hawser__pairs *pairs,
                                             const struct hawser__plane *plane,
                                             const struct hawser_grid *grid,
@@ -92,8 +119,9 @@ void hawser__compliance_apply(double *displacement, double *strain, double omega
                               const struct hawser__plane *plane, const struct hawser_grid *grid,
                               const struct hawser__reference *reference, double *work);
 
-/* Strains from the coefficients x[D*degree*elements + springs + joints]; the coefficient of strain k,
- * polynomial j and element e has the index (e*D + k)*degree + j, those of springs and joints follow. */
+/* Strains from the coefficients x[D*degree*elements + springs + joints + absorbers]; the coefficient of
+ * strain k, polynomial j and element e has the index (e*D + k)*degree + j, those of springs, joints and
+ * absorbers follow. */
 void hawser__compliance_strain(double *strain, const double *x, const struct hawser__plane *plane,
                                const struct hawser_grid *grid,
                                const struct hawser__reference *reference, int degree);

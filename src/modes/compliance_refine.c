@@ -188,12 +188,11 @@ double hawser__mass_product(const double *a, const double *b, const struct hawse
 {
 	double sum = hawser__compliance_product(a, b, plane->D, grid);
 
-	for (int c = 0; c < plane->D; c++)
-		for (int i = 0; i < plane->lumps; i++) {
-			int at = plane->D*grid->points + c*plane->lumps + i;
+	for (int i = 0; i < plane->D*(plane->lumps + plane->absorbers); i++) {
+		int at = plane->D*grid->points + i, lump;
 
-			sum += plane->lump[i].mass*a[at]*b[at];
-		}
+		sum += hawser__row_mass(&lump, plane, i)*a[at]*b[at];
+	}
 	return sum;
 }
 
@@ -202,7 +201,7 @@ double hawser__energy_product(const double *a, const double *b, const struct haw
 {
 	double sum = hawser__compliance_product(a, b, plane->D, grid);
 
-	for (int j = 0; j < plane->springs + plane->joints; j++)
+	for (int j = 0; j < plane->springs + plane->joints + plane->absorbers; j++)
 		sum += a[plane->D*grid->points + j]*b[plane->D*grid->points + j];
 	return sum;
 }
@@ -229,15 +228,34 @@ static void purge(struct hawser__pairs *pairs, const struct hawser__plane *plane
 static void add_lumps(double *force, double *beyond, const double *displacement, double omega,
                       const struct hawser__plane *plane, const struct hawser_grid *grid)
 {
-	for (int c = 0; c < plane->D; c++)
-		for (int i = 0; i < plane->lumps; i++) {
-			const struct hawser__lump *lump = &plane->lump[i];
-			double X = displacement[plane->D*grid->points + c*plane->lumps + i];
+	const double *X = displacement + plane->D*grid->points;
 
-			for (int p = lump->edge*grid->order; p < grid->points; p++)
-				force[c*grid->points + p] -= omega*omega*lump->mass*X;
-			beyond[c] -= omega*omega*lump->mass*X;
-		}
+	for (int i = 0; i < plane->D*(plane->lumps + plane->absorbers); i++) {
+		int lump, own = plane->D*plane->lumps;
+		double inertia = omega*omega*hawser__row_mass(&lump, plane, i)*X[i];
+		int c = i < own ? i/plane->lumps : (i - own)/plane->absorbers;
+
+		for (int p = plane->lump[lump].edge*grid->order; p < grid->points; p++)
+			force[c*grid->points + p] -= inertia;
+		beyond[c] -= inertia;
+	}
+}
+
+/* The strains of the absorbers' springs under the inertia of their masses. */
+static void absorbers_of(double *strain, const double *displacement, double omega,
+                         const struct hawser__plane *plane, const struct hawser_grid *grid)
+{
+	const double *X = displacement + plane->D*(grid->points + plane->lumps);
+
+	strain += plane->D*grid->points + plane->springs + plane->joints;
+	for (int i = 0; i < plane->absorbers; i++) {
+		const struct hawser__absorber *absorber = &plane->absorber[i];
+
+		strain[i] = 0.0;
+		for (int c = 0; c < plane->D; c++)
+			strain[i] += omega*omega*absorber->mass*absorber->root*absorber->a[c]*
+			             X[c*plane->absorbers + i];
+	}
 }
 
 void hawser__compliance_apply(double *displacement, double *strain, double omega,
@@ -262,6 +280,7 @@ void hawser__compliance_apply(double *displacement, double *strain, double omega
 		balance_springs(work, joint, strain, plane, grid);
 	else
 		balance(work, strain, plane, grid);
+	absorbers_of(strain, displacement, omega, plane, grid);
 	hawser__compliance_displace(displacement, end, gradient, strain, plane, grid, reference);
 	if (sprung)
 		hold_springs(strain, displacement, end, plane, grid, work);
@@ -292,7 +311,7 @@ static void unfold(struct hawser__pairs *pairs, const struct hawser__plane *plan
                    const struct hawser_grid *grid, const struct hawser__reference *reference,
                    int k, double *work)
 {
-	int n = plane->D*pairs->degree*grid->elements + plane->springs + plane->joints;
+	int n = plane->D*pairs->degree*grid->elements + plane->springs + plane->joints + plane->absorbers;
 	size_t values = hawser__displacements(plane, grid), column = (size_t)(pairs->count - 1 - k);
 	double *strain = pairs->strain + (size_t)k*hawser__strains(plane, grid), end[HAWSER__MAX_D];
 

@@ -18,6 +18,7 @@
 #include "modes/grid.h"
 #include "modes/gyroscopic.h"
 #include "modes/label.h"
+#include "modes/methods.h"
 
 /* Least sigma of a symmetric mode: 99 % of the energy of its dominant component is symmetric. */
 static const double symmetric_from = 0.98;
@@ -66,9 +67,34 @@ enum hawser_status hawser__modes_allocate(struct hawser_modes *modes, int n, int
 	modes->mode = calloc((size_t)n, sizeof *modes->mode);
 	modes->shape = calloc(values, 3*parts*sizeof *modes->shape);
 	modes->slope = calloc(values, 3*parts*sizeof *modes->slope);
+	if (hawser__has_absorbers(&modes->statics) && !modes->gyroscopic) {
+		modes->stroke = calloc((size_t)n*(size_t)modes->statics.attachments,
+		                       sizeof *modes->stroke);
+		if (!modes->stroke)
+			return hawser__no_memory(report, "modes");
+	}
 	if (modes->mode && modes->shape && modes->slope)
 		return HAWSER_OK;
 	return hawser__no_memory(report, "modes");
+}
+
+double hawser__point_absorber(const struct hawser_statics *st, int i)
+{
+	return i < st->attachments ? st->attached[i].absorber : 0.0;
+}
+
+double hawser__point_bare(const struct hawser_statics *st, int i)
+{
+	return hawser__point(st, i).m - hawser__point_absorber(st, i);
+}
+
+void hawser__modes_absorber(double w[3], const struct hawser_modes *modes, int k, int i,
+                            const double u[3])
+{
+	double stroke = hawser__stroke(modes, k, i);
+
+	for (int c = 0; c < 3; c++)
+		w[c] = u[c] + (stroke != 0.0 ? stroke*modes->statics.attached[i].absorber_axis[c] : 0.0);
 }
 
 int hawser__points(const struct hawser_statics *st)
@@ -112,11 +138,22 @@ static void add_masses(double share[3], const struct hawser_modes *modes, int k)
 
 	for (int i = 0; i < hawser__points(st); i++) {
 		struct hawser__point point = hawser__point(st, i);
-		double local[3];
+		double local[3], bare = hawser__point_bare(st, i), own = hawser__point_absorber(st, i);
+		double stroke = hawser__stroke(modes, k, i);
+		struct hawser_frame_point at = hawser_statics_frame(st, point.s);
 
 		hawser_modes_at(modes, local, NULL, k, point.s);
 		for (int c = 0; c < 3; c++)
-			share[c] += point.m*local[c]*local[c];
+			share[c] += bare*local[c]*local[c];
+		if (own > 0.0) {
+			const double *a = st->attached[i].absorber_axis;
+
+			local[0] += stroke*(a[0]*at.ex + a[1]*at.ey);
+			local[1] += stroke*(a[1]*at.ex - a[0]*at.ey);
+			local[2] += stroke*a[2];
+			for (int c = 0; c < 3; c++)
+				share[c] += own*local[c]*local[c];
+		}
 	}
 }
 
@@ -138,11 +175,12 @@ static void participate(struct hawser_mode *mode, const struct hawser_modes *mod
 		Gamma[2] += w*shape[2];
 	}
 	for (int i = 0; i < hawser__points(st); i++) {
-		double u[3], m = hawser__point(st, i).m;
+		double u[3], w[3], m = hawser__point_bare(st, i), own = hawser__point_absorber(st, i);
 
 		hawser__modes_attached(u, modes, k, i);
+		hawser__modes_absorber(w, modes, k, i, u);
 		for (int c = 0; c < 3; c++)
-			Gamma[c] += m*u[c];
+			Gamma[c] += m*u[c] + own*w[c];
 	}
 	hawser_statics_to_global(st, Gamma, Gamma);
 	for (int c = 0; c < 3; c++)
@@ -181,6 +219,9 @@ double hawser__mode_label(struct hawser_modes *modes, int k)
 		shape[i] *= scale;
 		slope[i] *= scale;
 	}
+	for (int i = 0; modes->stroke && i < modes->statics.attachments; i++)
+		if (modes->stroke[k*modes->statics.attachments + i] != 0.0)
+			modes->stroke[k*modes->statics.attachments + i] *= scale;
 	participate(mode, modes, k, shape);
 	return sqrt(all);
 }

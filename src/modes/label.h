@@ -13,7 +13,8 @@ static inline size_t hawser__modes_row(const struct hawser_modes *modes)
 	return 3*(size_t)modes->grid.points*(modes->gyroscopic ? 2 : 1);
 }
 
-/* Allocate n modes on a grid of `points` nodes; modes->gyroscopic is set. Status: _MEMORY. */
+/* Allocate n modes on a grid of `points` nodes; modes->gyroscopic and ->statics are set. Status:
+ * _MEMORY. */
 enum hawser_status hawser__modes_allocate(struct hawser_modes *modes, int n, int points,
                                           struct hawser_report *report);
 
@@ -38,5 +39,19 @@ struct hawser__point hawser__point(const struct hawser_statics *statics, int i);
 
 /* Displacement of point i in mode k along x, y, z. */
 void hawser__modes_attached(double u[3], const struct hawser_modes *modes, int k, int i);
+
+/* The part of its mass that moves with the point, and the displacement of that of the absorber at it,
+ * if there is one: mass `absorber`, u plus the stroke in mode k. */
+double hawser__point_bare(const struct hawser_statics *statics, int i);
+double hawser__point_absorber(const struct hawser_statics *statics, int i);
+void hawser__modes_absorber(double w[3], const struct hawser_modes *modes, int k, int i,
+                            const double u[3]);
+
+/* Stroke of the absorber at attachment i in mode k; 0 if there is none. */
+static inline double hawser__stroke(const struct hawser_modes *modes, int k, int i)
+{
+	return modes->stroke && i < modes->statics.attachments
+	       ? modes->stroke[k*modes->statics.attachments + i] : 0.0;
+}
 
 #endif

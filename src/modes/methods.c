@@ -106,12 +106,25 @@ int hawser__has_absorbers(const struct hawser_statics *st)
 	return any;
 }
 
-enum hawser_status hawser__no_absorbers(struct hawser_report *report)
+enum hawser_status hawser__check_absorbers(const struct hawser_statics *st,
+                                           struct hawser_report *report)
 {
-	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
-	                    "absorbers of attachments are part of damped modes only (hawser modes "
-	                    "--damped), not of models yet: leave them out, or give their mass as mass, "
-	                    "which holds it to the cable");
+	for (int i = 0; i < st->attachments; i++) {
+		const double *a = st->attached[i].absorber_axis;
+
+		if (st->attached[i].absorber > 0.0 && a[2] != 0.0 && (a[0] != 0.0 || a[1] != 0.0))
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+			                    "attach[%d].absorber_direction is oblique to the plane of the "
+			                    "cable, which only hawser modes --damped allows: give "
+			                    "a direction in the plane (z = 0) or along z",
+			                    st->attached[i].index);
+	}
+	if (st->bending.EI > 0.0 && hawser__has_absorbers(st))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+		                    "absorbers of attachments are for a cable without bending stiffness: "
+		                    "leave cable.EI out, or give their mass as mass, which holds it to the "
+		                    "cable");
+	return HAWSER_OK;
 }
 
 static enum hawser_status check_options(const struct hawser_modes_options *options,
@@ -193,8 +206,9 @@ static enum hawser_status solve(struct hawser_modes *modes, const struct hawser_
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
 		                    "the method %s is for a cable without bending stiffness: take "
 		                    "spectral for a cable at rest, or leave cable.EI out", method->name);
-	if (hawser__has_absorbers(statics))
-		return hawser__no_absorbers(report);
+	status = hawser__check_absorbers(statics, report);
+	if (status)
+		return status;
 	if (settled.tolerance == 0.0)
 		settled.tolerance = method->tolerance;
 	modes->statics = *statics;
@@ -252,6 +266,7 @@ void hawser_modes_clear(struct hawser_modes *modes)
 	free(modes->mode);
 	free(modes->shape);
 	free(modes->slope);
+	free(modes->stroke);
 	*modes = (struct hawser_modes){0};
 }
 

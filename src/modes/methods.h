@@ -10,8 +10,10 @@
 enum hawser_status hawser__modes_check_statics(const struct hawser_statics *statics,
                                                struct hawser_report *report);
 
-/* 1 if an attachment has an absorber; and the refusal of what does not know absorbers. */
+/* 1 if an attachment has an absorber; and the refusal of absorbers that undamped modes do not have.
+ * Status: _ARGUMENT. */
 int hawser__has_absorbers(const struct hawser_statics *statics);
-enum hawser_status hawser__no_absorbers(struct hawser_report *report);
+enum hawser_status hawser__check_absorbers(const struct hawser_statics *statics,
+                                           struct hawser_report *report);
 
 #endif

@@ -62,6 +62,9 @@ enum hawser_status hawser__modes_extend(struct hawser_modes *with, const struct 
 	memcpy(with->mode, modes->mode, (size_t)modes->n*sizeof *modes->mode);
 	memcpy(with->shape, modes->shape, values*sizeof *modes->shape);
 	memcpy(with->slope, modes->slope, values*sizeof *modes->slope);
+	if (modes->stroke)
+		memcpy(with->stroke, modes->stroke,
+		       (size_t)modes->n*(size_t)modes->statics.attachments*sizeof *modes->stroke);
 	return HAWSER_OK;
 }
 
@@ -85,6 +88,10 @@ enum hawser_status hawser_modes_select(struct hawser_modes *subset,
 		subset->mode[i] = modes->mode[kept[i]];
 		memcpy(subset->shape + to, modes->shape + from, row*sizeof *modes->shape);
 		memcpy(subset->slope + to, modes->slope + from, row*sizeof *modes->slope);
+		if (modes->stroke)
+			memcpy(subset->stroke + i*modes->statics.attachments,
+			       modes->stroke + kept[i]*modes->statics.attachments,
+			       (size_t)modes->statics.attachments*sizeof *modes->stroke);
 	}
 	if (status)
 		hawser_modes_clear(subset);

@@ -166,8 +166,14 @@ static enum hawser_status finish(struct hawser_modes *modes, struct attempt *t, 
 	if (status)
 		return status;
 	for (int k = 0; k < n; k++) {
+		int q = t->place[k].plane;
+
 		fill_mode(modes, t, k);
-		modes->mode[k].plane = (enum hawser_plane)t->place[k].plane;
+		if (modes->stroke)
+			hawser__cable_strokes(modes->stroke + k*modes->statics.attachments, &t->cable, q,
+			                      t->pairs[q].strain + (size_t)t->place[k].pair*
+			                      hawser__strains(&t->cable.plane[q], &t->cable.grid));
+		modes->mode[k].plane = (enum hawser_plane)q;
 		modes->mode[k].omega = omega_of(t, t->place[k]);
 		modes->mode[k].residual = estimate(t, t->place[k]);
 	}

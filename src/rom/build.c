@@ -19,6 +19,7 @@
 
 #include "core/report.h"
 #include "modes/grid.h"
+#include "modes/methods.h"
 #include "rom/answer.h"
 #include "rom/build.h"
 #include "rom/drag.h"
@@ -244,6 +245,11 @@ enum hawser_status hawser__rom_begin(struct hawser_rom *rom, const struct hawser
 	status = hawser__rom_real(modes, report);
 	if (status)
 		return status;
+	if (hawser__has_absorbers(&modes->statics))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+		                    "absorbers of attachments are part of modes only, not of models yet: "
+		                    "leave them out, or give their mass as mass, which holds it to the "
+		                    "cable");
 	if (!(modes->statics.epsilon > 0.0))
 		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "rom",
 		                    "an inextensible cable (EA = %g N) has no strain energy: "

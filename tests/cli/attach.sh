@@ -131,11 +131,21 @@ assert [m["damping_ratio"] for m in r["damped"] if m["plane"] == "out-of-plane"]
 assert json.load(open("tmd-statics.json"))["attachments"][0]["mass"] == 60
 assert len(json.load(open("over.json"))["damped"]) == 20
 END
-for command in modes rom frf irvine; do
-	refuses_like 1 "attachments" $command "$stay" --set "$tmd"
-done
-refuses_like 1 "absorbers of attachments are part of damped modes only" rom "$stay" --set "$tmd"
-refuses_like 1 "absorbers of attachments are part of damped modes only" rom "$stay" --set "$tmd" --set model.energy=exact
+works "undamped modes with it" modes "$stay" --set "$tmd" -n 4 --json strokes.json -q
+works "without a name" modes "$stay" --set "${tmd%, name: tmd*}}]" -n 4 --tsv strokes.tsv -q
+works "in a sweep of the tension" irvine "$stay" --set "$tmd" -n 3 --points 20 --json irvine.json -q
+python "strokes" <<'END'
+import json
+m = json.load(open("strokes.json"))["modes"]
+for x in m:
+    assert ("in-plane" == x["plane"]) == (abs(x["stroke"]["tmd"]) > 1e-5), x
+assert m[0]["stroke"]["tmd"]*m[2]["stroke"]["tmd"] < 0 or m[0]["stroke"]["tmd"]*m[1]["stroke"]["tmd"] < 0
+assert [line for line in open("strokes.tsv") if line.startswith("index")][0].rstrip().endswith("stroke_1")
+END
+refuses_like 1 "absorber_direction is oblique" modes "$stay" --set "$tmd" --set 'attach.tmd.absorber_direction=[0, 1, 1]'
+works "which damped modes have" modes "$stay" --damped -n 2 --set "$tmd" --set 'attach.tmd.absorber_direction=[0, 1, 1]' -q
+refuses_like 1 "absorbers of attachments are part of modes only" rom "$stay" --set "$tmd"
+refuses_like 1 "absorbers of attachments are part of modes only" rom "$stay" --set "$tmd" --set model.energy=exact
 refuses_like 1 "has an incomplete absorber: give both" statics "$stay" --set 'attach=[{at: 50 %, absorber_mass: 60 kg}]'
 refuses_like 1 "absorber without direction" statics "$stay" --set "$tmd" --set 'attach.tmd.absorber_direction=[0, 0, 0]'
 refuses_like 1 "write KEY=FROM:TO:POINTS" modes "$stay" --over attach.0.at=0.1:0.2
