@@ -27,6 +27,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "modes/bending.h"
 #include "modes/cable.h"
 #include "modes/compliance_springs.h"
 #include "modes/label.h"
@@ -297,6 +298,7 @@ enum hawser_status hawser_modes_basis(struct hawser_modes *modes,
 {
 	const int functions[HAWSER__PLANES] = {in_plane, out_of_plane};
 	int most = in_plane > out_of_plane ? in_plane : out_of_plane, elements, degree;
+	int bent[HAWSER__PLANES]; /* degrees with bending stiffness */
 	struct hawser__cable cable = {0};
 	struct part part[HAWSER__PLANES] = {{.D = 2}, {.D = 1}};
 	enum hawser_status status = hawser__modes_check_statics(statics, report);
@@ -312,10 +314,10 @@ enum hawser_status hawser_modes_basis(struct hawser_modes *modes,
 		                    "a basis of %d functions a component in the plane and %d out of "
 		                    "it: give 0 to %d, not both 0", in_plane, out_of_plane,
 		                    MOST);
-	if (statics->bending.EI > 0.0)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
-		                    "the full basis has no bending stiffness: take model.energy: quartic, or "
-		                    "leave cable.EI out");
+	if (statics->bending.EI > 0.0) {
+		status = hawser__flexure_functions(bent, statics, functions, report);
+		return status ? status : hawser__flexure_basis(modes, statics, bent, 1.0, report);
+	}
 	degree = hawser__cable_split(&elements, statics, most);
 	status = hawser__cable_init(&cable, statics, elements, degree, report);
 	for (int q = 0; q < HAWSER__PLANES && !status; q++) {

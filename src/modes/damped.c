@@ -401,6 +401,8 @@ enum hawser_status hawser__damped_pair(struct hawser__damped_pair *pair,
 	enum hawser_status status;
 
 	*pair = (struct hawser__damped_pair){.functions = 0};
+	if (st->bending.EI > 0.0)
+		return hawser__damped_bending(pair, st, n, tries, report);
 	for (int i = 0; i < held.attachments; i++)
 		held.attached[i].absorber = 0.0;
 	degree = st->attachments > 0 ? hawser__cable_degree_attached(st, n + 2)

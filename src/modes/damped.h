@@ -14,6 +14,10 @@ struct hawser__damped_pair {
 enum hawser_status hawser__damped_pair(struct hawser__damped_pair *pair,
                                        const struct hawser_statics *st, int n, int tries,
                                        struct hawser_report *report);
+/* The same with bending stiffness, whose elements follow the boundary layers; flexure_basis.c. */
+enum hawser_status hawser__damped_bending(struct hawser__damped_pair *pair,
+                                          const struct hawser_statics *st, int n, int tries,
+                                          struct hawser_report *report);
 void hawser__damped_pair_clear(struct hawser__damped_pair *pair);
 
 /* The n modes of lowest damped frequency from two bases; *worst: the largest estimated error. The

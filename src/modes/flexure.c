@@ -285,6 +285,7 @@ void hawser__flexure_clear(struct hawser__flexure *t)
 	free(t->K);
 	free(t->C);
 	free(t->tau);
+	free(t->end);
 	free(t->table);
 	free(t->x);
 	free(t->a);
@@ -306,6 +307,7 @@ static int allocate(struct hawser__flexure *t, const struct hawser_statics *st)
 	n = (size_t)t->functions;
 	t->K = calloc(n*n, sizeof *t->K);
 	t->C = calloc(n*(size_t)t->D, sizeof *t->C);
+	t->end = calloc(n*(size_t)t->D, sizeof *t->end);
 	t->tau = calloc((size_t)t->D, sizeof *t->tau);
 	t->table = calloc(3*((size_t)t->degree + 2)*order, sizeof *t->table);
 	t->x = calloc(n*(size_t)t->rows, sizeof *t->x);
@@ -313,7 +315,7 @@ static int allocate(struct hawser__flexure *t, const struct hawser_statics *st)
 	t->b = malloc(points*sizeof *t->b);
 	t->k = malloc(points*sizeof *t->k);
 	t->half = malloc((size_t)t->elements*sizeof *t->half);
-	return t->K && t->C && t->tau && t->table && t->x && t->a && t->b && t->k && t->half;
+	return t->K && t->C && t->end && t->tau && t->table && t->x && t->a && t->b && t->k && t->half;
 }
 
 /* K = R'R; with the displacement of end B, R^-T C = Q [r; 0], the coordinates are the last ones of
@@ -326,6 +328,7 @@ static enum hawser_status factor(struct hawser__flexure *t, struct hawser_report
 		return hawser__fail(report, HAWSER_ERR_NAN, "modes",
 		                    "the stiffness of the cable with cable.EI came out as not positive: "
 		                    "check EA, EI, rho, d and the tension of the span");
+	memcpy(t->end, t->C, (size_t)n*(size_t)t->D*sizeof *t->end);
 	cblas_dtrsm(CblasColMajor, CblasLeft, CblasUpper, CblasTrans, CblasNonUnit, n, t->D, 1.0, t->K, n,
 	            t->C, n);
 	return LAPACKE_dgeqrf(LAPACK_COL_MAJOR, n, t->D, t->C, n, t->tau) == 0
@@ -376,17 +379,62 @@ void hawser__flexure_strain(double *strain, const struct hawser__flexure *t, con
 	}
 }
 
-enum hawser_status hawser__flexure_expand(double *y, const struct hawser__flexure *t, const double *z,
-                                          struct hawser_report *report)
+/* y of all coordinates: first those of the displacement of end B. */
+static enum hawser_status turn_back(double *y, const struct hawser__flexure *t,
+                                    struct hawser_report *report)
 {
 	int n = t->functions;
 
-	memset(y, 0, (size_t)t->D*sizeof *y);
-	memcpy(y + t->D, z, (size_t)t->free*sizeof *y);
 	if (LAPACKE_dormqr(LAPACK_COL_MAJOR, 'L', 'N', n, 1, t->D, t->C, n, t->tau, y, n) != 0)
 		return hawser__no_memory(report, "modes");
 	cblas_dtrsv(CblasColMajor, CblasUpper, CblasNoTrans, CblasNonUnit, n, t->K, n, y, 1);
 	return HAWSER_OK;
+}
+
+enum hawser_status hawser__flexure_expand(double *y, const struct hawser__flexure *t, const double *z,
+                                          struct hawser_report *report)
+{
+	memset(y, 0, (size_t)t->D*sizeof *y);
+	memcpy(y + t->D, z, (size_t)t->free*sizeof *y);
+	return turn_back(y, t, report);
+}
+
+/* The displacement of end B is r'w, with w the first D coordinates and r the triangle in C. */
+enum hawser_status hawser__flexure_hold(double *y, const struct hawser__flexure *t,
+                                        struct hawser_report *report)
+{
+	int n = t->functions;
+	double *part = calloc((size_t)n, sizeof *part);
+	enum hawser_status status;
+
+	if (!part)
+		return hawser__no_memory(report, "modes");
+	cblas_dgemv(CblasColMajor, CblasTrans, n, t->D, -1.0, t->end, n, y, 1, 0.0, part, 1);
+	cblas_dtrsv(CblasColMajor, CblasUpper, CblasTrans, CblasNonUnit, t->D, t->C, n, part, 1);
+	status = turn_back(part, t, report);
+	if (!status)
+		cblas_daxpy(n, 1.0, part, 1, y, 1);
+	free(part);
+	return status;
+}
+
+double hawser__flexure_tail(const struct hawser__flexure *t, const double *y)
+{
+	int p = t->degree, m = t->grid->order, block = (p + 2)*m;
+	const double *phi = t->table + block, *bend = phi + block;
+	double sum = 0.0;
+
+	for (int e = 0; e < t->elements; e++)
+		for (int j = p - 2; j < p; j++) {
+			double h = t->half[e], turn = y[rotation(t, e, j)];
+
+			if (t->D == 2)
+				sum += h*y[e*p + j]*y[e*p + j];
+			sum += turn*turn*(product(phi + j*m, phi + j*m, t->k + e*m, m) +
+			                  t->beta/(h*h)*product(bend + j*m, bend + j*m,
+			                                        t->grid->weight + e*m, m));
+		}
+	return sum;
 }
 
 enum hawser_status hawser__flexure_roots(double **root, const struct hawser__flexure *t,

@@ -19,6 +19,7 @@ struct hawser__flexure {
 	int elements, degree;
 	double *K;      /* [functions][functions] upper factor of the stiffness */
 	double *C, *tau; /* [functions][D] Householder vectors of the displacement of end B */
+	double *end;     /* [functions][D] the displacement of end B */
 	double *table;  /* [3][degree + 2][order] functions of an element, by x: stretch, rotation and its
 	                 * derivative; the last two rows of a rotation are those of its edges */
 	double *x;      /* [rows][functions], rows contiguous: displacements of the functions */
@@ -43,6 +44,14 @@ void hawser__flexure_strain(double *strain, const struct hawser__flexure *t, con
 /* From coordinates z[free] to coefficients y[functions]. */
 enum hawser_status hawser__flexure_expand(double *y, const struct hawser__flexure *t, const double *z,
                                           struct hawser_report *report);
+
+/* Correct y[functions] so that end B is at rest but for round-off relative to its terms: where y is of
+ * the highest modes, the reflections leave more. */
+enum hawser_status hawser__flexure_hold(double *y, const struct hawser__flexure *t,
+                                        struct hawser_report *report);
+
+/* Twice the energy of y in the two highest functions of each element. */
+double hawser__flexure_tail(const struct hawser__flexure *t, const double *y);
 
 /* Displacements in fixed axes (tangent and normal at mid-length; z) of all coordinates, times the
  * square roots of weights and masses: *root [rows][free], to be freed. The product of its transpose

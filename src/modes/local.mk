@@ -25,6 +25,7 @@ noinst_LTLIBRARIES += %D%/libmodes.la
 	%D%/fdm.h \
 	%D%/flexure.c \
 	%D%/flexure.h \
+	%D%/flexure_basis.c \
 	%D%/flexure_solve.c \
 	%D%/grid.c \
 	%D%/grid.h \

@@ -37,8 +37,14 @@ static enum hawser_status build(struct hawser_rom *rom, const struct hawser_mode
                                 const struct hawser_scene *scene, int order,
                                 struct hawser_report *report)
 {
-	enum hawser_status status = hawser__rom_begin(rom, modes, scene, report);
+	enum hawser_status status;
 
+	*rom = (struct hawser_rom){0};
+	if (modes->statics.bending.EI > 0.0)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+		                    "the full-order model has no bending stiffness: take model.energy: "
+		                    "quartic, or leave cable.EI out");
+	status = hawser__rom_begin(rom, modes, scene, report);
 	if (status)
 		return status;
 	rom->exact = hawser__exact_new(modes, order);

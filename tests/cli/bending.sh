@@ -20,5 +20,8 @@ works "a sweep of the tension" irvine "$scene" --points 3 -n 3 --json i.json
 refuses_like 1 "are not condensed with cable.EI" rom "$scene" --set model.condense=static
 refuses_like 1 "modes are not weighed with cable.EI" frf "$scene" --set model.modes=auto --set model.condense=static
 refuses_like 1 "900 modes asked, which need" modes "$scene" -n 900
-
+works "a damper beside a clamp" modes "$top/notebooks-data/scenes/stay-damper.yaml" --damped -n 2 \
+	--set 'cable.EI=1.2 MN m2' --set ends.A=clamped
+refuses_like 1 "with cable.EI: at most" modes "$scene" --damped -n 300
+refuses_like 1 "the full-order model has no bending stiffness" compare "$scene" --fidelities "condensed 3, full 12"
 done_testing
