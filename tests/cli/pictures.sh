@@ -142,11 +142,11 @@ works "compare.svg" compare modes "$chairlift" -n 3 --to 30 --plot compare.svg -
 shows compare "Time (ms); numbers: resolution" "Largest relative error of a frequency" spectral \
 	"its own choice"
 sound compare
-works "fidelities" compare "$top/notebooks-data/scenes/b-table-4.5.yaml" --from 0.8w1 --to 1.6w1 \
-	--fidelities "raw 3, condensed 3, condensed 4, condensed 5" --plot fidelities.svg -q
+works "fidelities" compare "$top/notebooks-data/scenes/b-table-4.5.yaml" --from 0.8w1 --to 1.2w1 \
+	--fidelities "raw 3, condensed 2, condensed 3, condensed 5" --plot fidelities.svg -q
 shows fidelities "reference: condensed 5" "Frequency error of folds, peaks (–)" "raw (none found)"
 sound fidelities
-works "multiple scales" compare mms "$top/notebooks-data/scenes/b-table-4.5.yaml" -n 3 \
+works "multiple scales" compare mms "$top/notebooks-data/scenes/b-table-4.5.yaml" -n 2 --levels 2 \
 	--set model.condense=static --plot scales.svg -q
 shows scales "multiple scales, quarter-span" "multiple scales, mid-span"
 sound scales

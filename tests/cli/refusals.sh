@@ -270,7 +270,7 @@ refuses_like 1 'does not know the motion of supports' \
 	frf "$anchorage" --from 0.9w1 --to 1.1w1 --set model.modes=auto
 refuses_like 1 'support.B.harmonic = 0|it must be' rom "$anchorage" --set support.B.harmonic=0
 refuses_like 1 'support.A.motion is missing' rom "$anchorage" --set support.A.phase=0
-works 'moving supports are planned for' plan "$anchorage" --from 0.9w1 --to 0.91w1
+works 'moving supports are planned for' plan "$anchorage" --from 0.9w1 --to 0.91w1 --fidelities "raw 3"
 try 'the plan says what the motion adds' grep -q 'motion of the supports' "$scratch/out"
 
 # --- elastic supports

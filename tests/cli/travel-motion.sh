@@ -18,7 +18,7 @@ works "of which a file tells all" integrate ramp.json --until 30 --every 0.5 --j
 refuses_like 1 'changes once and for all' frf "$brake"
 refuses_like 1 'changes once and for all' frf ramp.json
 refuses_like 1 'travel.braking contradicts' frf "$speed" --set travel.braking=3
-works "a plan" plan "$speed" --set model.condense=static --limit 0.5 --json plan.json
+works "a plan" plan "$speed" --set model.condense=static --fidelities "raw 3" --json plan.json
 # an abrupt stop, 600 m/s^2: the cable goes slack, here and at full order
 stop='--set travel.speed=60 --set travel.braking=0.1 --until 0.5'
 run integrate "$brake" $stop --json stop.json

@@ -92,13 +92,13 @@ static void without_noise(void)
 /* Starts far off, nothing known of the modes: each must find them. */
 static void matched(void)
 {
-	static const char *const key[] = {"tension.T0"}, *const start_at[] = {"1.9 MN", "3.2 MN",
-		"5.3 MN", "7.4 MN", "0.35 MN", "60 MN"};
+	static const char *const key[] = {"tension.T0"}, *const start_at[] = {"0.35 MN", "60 MN",
+		"3.2 MN", "1.9 MN", "5.3 MN", "7.4 MN"};
 	struct hawser_identify_options options = {.key = key, .keys = 1};
 	struct hawser_scene truth;
 
 	open_scene(&truth, NULL, NULL);
-	for (int s = 0; s < 6; s++) {
+	for (int s = 0; s < (getenv("HAWSER_LONG") ? 6 : 3); s++) {
 		struct hawser_measured measured[MOST];
 		struct hawser_identified found;
 		struct hawser_scene start;

@@ -217,7 +217,7 @@ static void check_estimates(const char *name, double from, double to, int rows, 
 	                             !hawser_plan_make(&plan, &statics, &scene, choice, count, from*w1,
 	                             to*w1, &brief, &report), "a plan %s", report.message))
 		return;
-	if (!run(&reference, "condensed 12", from, to, 0.01))
+	if (!run(&reference, "condensed 11", from, to, 0.01))
 		goto done;
 	for (int i = 0; i < rows; i++) {
 		struct hawser_study_curve curve = {.n = 0};
