@@ -4,6 +4,7 @@ EXTRA_DIST += tests/reference/statics-spans.tsv tests/reference/make-statics-spa
 
 STATICS_TESTS = tests/unit/test-statics tests/unit/test-plausible tests/property/test-statics-models \
 	tests/property/test-statics-random tests/property/test-statics-loaded \
+	tests/property/test-statics-space \
 	tests/property/test-travel tests/property/test-static-load \
 	tests/reference/test-statics-spans tests/reference/test-statics-cases \
 	tests/extremes/test-statics-corners tests/extremes/test-statics-sweep
@@ -31,3 +32,5 @@ tests_property_test_statics_loaded_SOURCES = tests/property/test-statics-loaded.
 tests_property_test_statics_loaded_LDADD = $(UPTO_STATICS)
 tests_property_test_static_load_SOURCES = tests/property/test-static-load.c
 tests_property_test_static_load_LDADD = $(UPTO_STATICS)
+tests_property_test_statics_space_SOURCES = tests/property/test-statics-space.c
+tests_property_test_statics_space_LDADD = $(UPTO_STATICS)

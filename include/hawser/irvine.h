@@ -79,6 +79,7 @@ struct hawser_irvine_options {
 	                            * swept quantity is then that of the steady state */
 	const struct hawser_attachment *attach; /* [attachments] of a cable at rest, in any order */
 	int attachments;
+	double gravity; /* m/s^2, of their masses, along the force per length; 0: g of the span */
 	const struct hawser_held *held; /* [2] ends A and B; NULL: rigid */
 	struct hawser_bending bending;  /* 0: none; of a cable at rest without held ends */
 	int points;     /* stations before refinement, >= 2; 0: 200. Equidistant in the logarithm of the

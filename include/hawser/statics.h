@@ -44,6 +44,8 @@ struct hawser_attached {
 	int index;        /* in the scene's list */
 	double S, s;      /* m and scaled: unstretched arclength from end A */
 	double mass, m;   /* kg, and scaled: mass/(rho*d) */
+	double jump[3];   /* change of the force in the cable, along the axes of its plane, over w*d with
+	                   * the static force w per length: (0, m, 0) where only weight acts */
 	double spring[3]; /* N/m along x, y, z */
 	double damper[3]; /* N s/m */
 	/* Of the absorber, whose mass is part of `mass` and `m`: */
@@ -106,6 +108,14 @@ struct hawser_statics {
 	double axes[3][3];
 	double swing; /* rad, angle about the chord from the vertical plane to that of the cable,
 	               * positive towards z; only if `turned` */
+	/* 1 if forces at attachments turn the cable out of one plane: each piece between them is a curve
+	 * in a plane of its own, parallel to the static force per length (y'). The axes are still those
+	 * of the plane of the chord and this force; H, eta and the scaled quantities are those of the
+	 * first piece, H the component of its force across y', azimuth[2] the direction of this component
+	 * along x' and z'. The swing is that of the plane of the chord and of all static forces together,
+	 * of which Irvine's two parameters are, too. If 0, azimuth is not set. */
+	int space;
+	double azimuth[2];
 };
 
 /* A point of the profile, in the plane of the cable. */
@@ -113,7 +123,9 @@ struct hawser_profile_point {
 	double S;        /* m, unstretched arclength */
 	double x, y;     /* m */
 	double T;        /* N */
-	double slope;    /* dy/dx = u(S) */
+	double slope;    /* dy/dx = u(S); in space the slope within the plane of its piece */
+	double z;        /* m; 0 but in space */
+	double tangent[3]; /* unit tangent, only in space */
 };
 
 /* Solve the span for one given quantity `value` (N or m). The problem is a monotone scalar equation
@@ -136,6 +148,17 @@ enum hawser_status hawser_statics_loaded(struct hawser_statics *statics,
                                          double value, enum hawser_branch branch,
                                          const struct hawser_attachment *attach, int count,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* The same where the acceleration gravity[3] acts on the masses of the attachments, along the axes
+ * (x', y', z') of the plane of the chord and the force per length, and need not be (0, -g, 0) with g
+ * of the span. Unless it is along -y', the cable hangs in space (struct hawser_statics); then
+ * HAWSER_ERR_ARGUMENT also for a given H or sag. `turned` and `axes` are left to the caller. */
+enum hawser_status hawser_statics_weighted(struct hawser_statics *statics,
+                                           const struct hawser_span *span, enum hawser_given given,
+                                           double value, enum hawser_branch branch,
+                                           const struct hawser_attachment *attach, int count,
+                                           const double gravity[3], struct hawser_report *report)
+	HAWSER_MUST_CHECK;
 
 /* held[2]: ends A and B of a scene. Returns 1 if one of them is on springs. */
 int hawser_statics_held(struct hawser_held *held, const struct hawser_scene *scene);
@@ -163,6 +186,7 @@ struct hawser_equivalent {
 	int turned;              /* these three as in struct hawser_statics, but axes is always set */
 	double axes[3][3];
 	double swing;
+	double gravity[3];       /* m/s^2, acceleration of the masses of attachments, along the axes */
 };
 
 /* Statuses of hawser_statics_solve; HAWSER_ERR_NO_SOLUTION too if the load balances the weight,
@@ -231,13 +255,24 @@ struct hawser_statics hawser_statics_actual(const struct hawser_statics *statics
 /* Profile and tension at S (m, 0..length0). */
 struct hawser_profile_point hawser_statics_at(const struct hawser_statics *statics, double S);
 
+/* The same at attachment i, on the side of end A. */
+struct hawser_profile_point hawser_statics_before(const struct hawser_statics *statics, int i);
+
+/* *most: the largest n . x over the profile x of a cable in space, n[3] along its axes. */
+void hawser_statics_farthest(double *most, const struct hawser_statics *statics, const double n[3]);
+
 /* Scaled geometry of the profile at the scaled arclength s = S/d in [0, l]; at a point mass the limit
  * from the side of end B. */
 struct hawser_frame_point {
 	double u;         /* eta + delta*s, the slope dy/dx */
 	double ex, ey;    /* unit tangent e; n = (-ey, ex) */
 	double curvature; /* kappa with respect to the unstretched arclength: e' = kappa*n */
-	double strain;    /* epsilon*sqrt(1+u^2); the static stretch |x'| is 1 + strain */
+	double strain;    /* epsilon*sqrt(1+u^2), in space epsilon*tension; the static stretch |x'| is
+	                   * 1 + strain */
+	double tension;   /* T/H */
+	/* e, n and the normal of the plane along the axes of the cable; in one plane (ex, ey, 0),
+	 * (-ey, ex, 0) and (0, 0, 1) */
+	double axis[3][3];
 };
 struct hawser_frame_point hawser_statics_frame(const struct hawser_statics *statics, double s);
 

@@ -117,6 +117,21 @@ static enum hawser_status speeds_of(double *speed, struct cli_irvine_result *res
 	return status;
 }
 
+/* A cable that masses and wind together turn out of one plane has no single H to sweep. */
+static enum hawser_status refuse_space(const struct hawser_scene *scene,
+                                       const struct hawser_equivalent *equal,
+                                       struct hawser_report *report)
+{
+	for (int i = 0; i < scene->attachments && equal->turned; i++)
+		if (scene->attach[i].mass > 0.0)
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "irvine",
+			                    "attach[%d].mass with load.static.per_length: such a cable hangs in "
+			                    "space and its horizontal tension is not the same everywhere, so "
+			                    "that there is no sweep of it; set load.static.per_length=[0,0,0], or "
+			                    "call hawser modes for single tensions", i);
+	return HAWSER_OK;
+}
+
 static enum hawser_status trace(struct cli_irvine_result *result,
                                 struct hawser_irvine_options *choice,
                                 const struct settings *settings, struct hawser_report *report)
@@ -132,6 +147,8 @@ static enum hawser_status trace(struct cli_irvine_result *result,
 	if (!status)
 		status = hawser_statics_equivalent(&equal, scene, report);
 	if (!status)
+		status = refuse_space(scene, &equal, report);
+	if (!status)
 		status = speeds_of(speed, result, settings->speeds, report);
 	if (!status)
 		status = cli_choose_method("irvine", settings->method, result->moving, report);
@@ -142,6 +159,7 @@ static enum hawser_status trace(struct cli_irvine_result *result,
 	choice->tolerance = modes.tolerance;
 	choice->attach = scene->attach;
 	choice->attachments = scene->attachments;
+	choice->gravity = -equal.gravity[1];
 	choice->held = hawser_statics_held(held, scene) ? held : NULL;
 	if (scene->cable.EI > 0.0)
 		choice->bending = (struct hawser_bending){scene->cable.EI, {scene->ends[0], scene->ends[1]}};

@@ -70,6 +70,36 @@ static void pull_of(double pull[3], const struct hawser_statics *st, double H, d
 	hawser_statics_to_global(st, pull, in);
 }
 
+/* The largest of n.x and -n.x over the profile, n along x, y, z. */
+static double farthest(const struct hawser_statics *st, double x, double y, double z)
+{
+	double n[3] = {x, y, z}, most[2];
+
+	hawser_statics_from_global(st, n, n);
+	hawser_statics_farthest(&most[0], st, n);
+	for (int c = 0; c < 3; c++)
+		n[c] = 0.0 - n[c];
+	hawser_statics_farthest(&most[1], st, n);
+	return fmax(most[0], most[1]);
+}
+
+/* The same quantities of a cable in space, which is at rest. */
+static void fill_space(struct cli_loaded *loaded, const struct hawser_statics *st,
+                       const struct hawser_scene *scene)
+{
+	const double ends[2] = {0.0, st->length0};
+
+	loaded->sag_vertical = farthest(st, scene->span.h/scene->span.d, -1.0, 0.0);
+	loaded->blowout = farthest(st, 0.0, 0.0, 1.0);
+	for (int end = 0; end < 2; end++) {
+		struct hawser_profile_point at = hawser_statics_at(st, ends[end]);
+
+		for (int c = 0; c < 3; c++)
+			loaded->pull[end][c] = (end ? -at.T : at.T)*at.tangent[c];
+		hawser_statics_to_global(st, loaded->pull[end], loaded->pull[end]);
+	}
+}
+
 enum hawser_status cli_loaded_fill(struct cli_loaded *loaded, const struct hawser_statics *st,
                                    const struct hawser_scene *scene, struct hawser_report *report)
 {
@@ -86,7 +116,11 @@ enum hawser_status cli_loaded_fill(struct cli_loaded *loaded, const struct hawse
 	loaded->swing = st->turned ? st->swing : 0.0;
 	for (int i = 0; i < 3; i++)
 		loaded->force[i] = 0.0 - actual.span.rho*actual.span.g*up[i];
-	pull_of(loaded->pull[0], st, actual.H, actual.V0, 1.0);
-	pull_of(loaded->pull[1], st, st->H*(actual.T1/st->T1), actual.V1, -1.0);
+	if (st->space) {
+		fill_space(loaded, st, scene);
+	} else {
+		pull_of(loaded->pull[0], st, actual.H, actual.V0, 1.0);
+		pull_of(loaded->pull[1], st, st->H*(actual.T1/st->T1), actual.V1, -1.0);
+	}
 	return loaded->present ? hawser_statics_reference(&loaded->reference, scene, report) : HAWSER_OK;
 }

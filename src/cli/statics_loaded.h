@@ -28,7 +28,7 @@ struct hawser__place cli_place(const struct hawser_statics *st,
 /* An attachment: at a mass the tension has two values. */
 struct cli_mark {
 	const char *name;
-	double mass;
+	double mass, kink; /* kg; rad, angle between the tangents on both sides */
 	struct hawser__place before, after;
 };
 extern const struct hawser__field cli_mark_field[];

@@ -9,11 +9,11 @@
 
 struct hawser__place cli_place(const struct hawser_statics *st, const struct hawser_profile_point *in)
 {
-	const double at[3] = {in->x, in->y, 0.0}, along[3] = {1.0, in->slope, 0.0};
+	const double at[3] = {in->x, in->y, in->z}, along[3] = {1.0, in->slope, 0.0};
 	double place[3], tangent[3];
 
 	hawser_statics_to_global(st, place, at);
-	hawser_statics_to_global(st, tangent, along);
+	hawser_statics_to_global(st, tangent, st->space ? in->tangent : along);
 	return (struct hawser__place){in->S, place[0], place[1], in->T, tangent[1]/tangent[0], place[2]};
 }
 
@@ -35,22 +35,38 @@ const struct hawser__field cli_mark_field[] = {
 	{"T_after", NULL, "tension on the side of end B", OF(after.T), .unit = HAWSER__NEWTON},
 	{"slope_before", NULL, "dy/dx on the side of end A", OF(before.slope)},
 	{"slope_after", NULL, "dy/dx on the side of end B", OF(after.slope)},
+	{"kink", NULL, "angle between the tangents on both sides", OF(kink), .unit = HAWSER__RADIAN},
 	HAWSER__END,
 };
 #undef OF
+
+static double kink_of(const struct hawser_statics *st, const struct hawser_profile_point *a,
+                      const struct hawser_profile_point *b)
+{
+	double cross[3], dot = 0.0;
+
+	if (!st->space)
+		return fabs(atan(b->slope) - atan(a->slope));
+	for (int c = 0; c < 3; c++) {
+		cross[c] = a->tangent[(c + 1)%3]*b->tangent[(c + 2)%3] -
+		           a->tangent[(c + 2)%3]*b->tangent[(c + 1)%3];
+		dot += a->tangent[c]*b->tangent[c];
+	}
+	return atan2(hypot(hypot(cross[0], cross[1]), cross[2]), dot);
+}
 
 int cli_marks_fill(struct cli_mark *mark, const struct hawser_statics *st,
                    const struct hawser_scene *scene)
 {
 	for (int i = 0; i < st->attachments; i++) {
 		const struct hawser_attached *a = &st->attached[i];
-		struct hawser_profile_point at = hawser_statics_at(st, a->S);
+		struct hawser_profile_point after = hawser_statics_at(st, a->S);
+		struct hawser_profile_point before = hawser_statics_before(st, i);
 
 		mark[i] = (struct cli_mark){.name = scene->attach[a->index].name, .mass = a->mass,
-		                            .after = cli_place(st, &at)};
-		at.slope -= st->delta*a->m;
-		at.T = st->H*hypot(1.0, at.slope);
-		mark[i].before = cli_place(st, &at);
+		                            .kink = kink_of(st, &before, &after),
+		                            .after = cli_place(st, &after),
+		                            .before = cli_place(st, &before)};
 	}
 	return st->attachments;
 }

@@ -29,7 +29,7 @@ static void ends_of(double *first, double *last, const struct hawser_statics *st
 	double load = 0.0;
 
 	for (int k = 0; k < i; k++)
-		load += st->attached[k].m;
+		load += st->attached[k].jump[1];
 	*first = st->eta + st->delta*((i > 0 ? st->attached[i - 1].s : 0.0) + load);
 	*last = st->eta + st->delta*((i < st->attachments ? st->attached[i].s : st->l) + load);
 }
@@ -89,7 +89,7 @@ static double load_to_middle(const struct hawser_statics *st)
 
 	for (int i = 0; i < st->attachments; i++)
 		if (st->attached[i].s < 0.5*st->l)
-			load += st->attached[i].m;
+			load += st->attached[i].jump[1];
 	return load;
 }
 
@@ -120,7 +120,7 @@ static void place_pieces(struct hawser__cable *t, double *u, double *bent, doubl
 		u[e] = last;
 		if (i == st->attachments)
 			break;
-		load += st->attached[i].m;
+		load += st->attached[i].jump[1];
 		for (int q = 0; q < HAWSER__PLANES; q++)
 			t->lump[q][i + st->elastic] = (struct hawser__lump){e, st->attached[i].m};
 	}

@@ -51,6 +51,17 @@ static struct hawser_motion motion_of(const struct hawser_irvine_options *option
 	return (struct hawser_motion){.speed = options->speed, .fluctuation = options->fluctuation};
 }
 
+static enum hawser_status attached(struct hawser_statics *st, const struct hawser_span *span,
+                                   const struct hawser_irvine_options *options,
+                                   enum hawser_given given, double value,
+                                   struct hawser_report *report)
+{
+	const double gravity[3] = {0.0, options->gravity > 0.0 ? -options->gravity : -span->g, 0.0};
+
+	return hawser_statics_weighted(st, span, given, value, HAWSER_BRANCH_TAUT, options->attach,
+	                               options->attachments, gravity, report);
+}
+
 enum hawser_status hawser__irvine_at(struct hawser_statics *st, const struct hawser_span *span,
                                      const struct hawser_irvine_options *options, double H,
                                      struct hawser_report *report)
@@ -58,8 +69,7 @@ enum hawser_status hawser__irvine_at(struct hawser_statics *st, const struct haw
 	const struct hawser_motion motion = motion_of(options);
 
 	if (options->attachments > 0)
-		return hawser_statics_loaded(st, span, HAWSER_GIVEN_H, H, HAWSER_BRANCH_TAUT,
-		                             options->attach, options->attachments, report);
+		return attached(st, span, options, HAWSER_GIVEN_H, H, report);
 	return hawser__travel_at(st, span, &motion, H, report);
 }
 
@@ -181,8 +191,7 @@ static enum hawser_status tension_of(double *x, const struct hawser_span *span,
 	enum hawser_status status;
 
 	if (options->attachments > 0)
-		status = hawser_statics_loaded(&st, span, options->sweep, value, HAWSER_BRANCH_TAUT,
-		                               options->attach, options->attachments, report);
+		status = attached(&st, span, options, options->sweep, value, report);
 	else
 		status = hawser__travel_with(&st, span, &motion, options->sweep, value, report);
 	if (!status)

@@ -20,6 +20,7 @@
 
 #include "core/report.h"
 #include "statics/catenary.h"
+#include "statics/loaded.h"
 #include "statics/travel.h"
 
 static const char where[] = "statics";
@@ -77,27 +78,23 @@ static enum hawser_status turn(struct hawser_equivalent *equal, const double w[3
 	return HAWSER_OK;
 }
 
-static int heavy(const struct hawser_attachment *a)
-{
-	return a->mass > 0.0 || a->absorber_mass > 0.0;
-}
-
-/* Point masses keep their weight where the force per length has another direction or size; springs and
- * dampers along the axes of the scene couple the motions in and out of a plane that is turned. */
+/* Springs and dampers along the axes of the scene couple the motions in and out of a plane that is
+ * turned. */
 static enum hawser_status refuse_attached(const struct hawser_scene *scene,
                                           struct hawser_report *report)
 {
 	const double *p = scene->static_load.per_length;
 	int aside = p[0] != 0.0 || p[2] != 0.0;
 
-	for (int i = 0; i < scene->attachments && norm(p) > 0.0; i++)
-		if (aside || heavy(&scene->attach[i]))
+	for (int i = 0; i < scene->attachments && aside; i++) {
+		const struct hawser_attachment *a = &scene->attach[i];
+
+		if (norm(a->spring) > 0.0 || norm(a->damper) > 0.0 || a->absorber_mass > 0.0)
 			return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
-			                    "attach[%d] contradicts load.static.per_length: %s, which is not "
-			                    "available; remove one of them (ice is load.static.mass)", i,
-			                    heavy(&scene->attach[i])
-			                    ? "a cable with point masses under such a load does not hang in one "
-			                      "plane" : "springs and dampers couple the planes of a turned cable");
+			                    "attach[%d] contradicts load.static.per_length: springs, dampers and "
+			                    "absorbers couple the planes of a turned cable, which is not "
+			                    "available; remove one of them, or give a mass only", i);
+	}
 	return HAWSER_OK;
 }
 
@@ -122,7 +119,10 @@ static enum hawser_status apply(struct hawser_equivalent *equal, const struct ha
 	equal->span.g = force/rho;
 	if (p[0] == 0.0 && p[2] == 0.0 && w[1] < 0.0)
 		return HAWSER_OK;
-	return turn(equal, w, report);
+	status = turn(equal, w, report);
+	for (int i = 0; i < 3; i++)
+		equal->gravity[i] = -scene->g*equal->axes[i][1];
+	return status;
 }
 
 static enum hawser_status stretch_of(double *stretch, const struct hawser_scene *scene,
@@ -148,11 +148,12 @@ static int changed(const struct hawser_scene *scene)
 /* The span at rest with the attachments of the scene, which belong to both states. */
 static enum hawser_status at_rest(struct hawser_statics *st, const struct hawser_span *span,
                                   enum hawser_given given, double value, enum hawser_branch branch,
-                                  const struct hawser_scene *scene, struct hawser_report *report)
+                                  const struct hawser_scene *scene, const double gravity[3],
+                                  struct hawser_report *report)
 {
 	return scene->attachments > 0
-	       ? hawser_statics_loaded(st, span, given, value, branch, scene->attach, scene->attachments,
-	                               report)
+	       ? hawser_statics_weighted(st, span, given, value, branch, scene->attach,
+	                                 scene->attachments, gravity, report)
 	       : hawser_statics_solve(st, span, given, value, branch, report);
 }
 
@@ -179,6 +180,7 @@ enum hawser_status hawser_statics_equivalent(struct hawser_equivalent *equal,
                                              const struct hawser_scene *scene,
                                              struct hawser_report *report)
 {
+	const double down[3] = {0.0, -scene->g, 0.0};
 	struct hawser_span span;
 	struct hawser_statics reference;
 	double stretch;
@@ -187,13 +189,15 @@ enum hawser_status hawser_statics_equivalent(struct hawser_equivalent *equal,
 	*equal = (struct hawser_equivalent){.axes = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
 	                                    .given = scene->tension.given,
 	                                    .value = scene->tension.value,
-	                                    .branch = scene->tension.branch};
+	                                    .branch = scene->tension.branch,
+	                                    .gravity = {0.0, -scene->g, 0.0}};
 	equal->span = *bare(&span, scene);
 	if (!status && scene->static_load.present)
 		status = apply(equal, scene, report);
 	if (status || scene->tension.state == HAWSER_STATE_LOADED || !changed(scene))
 		return status;
-	status = at_rest(&reference, &span, equal->given, equal->value, equal->branch, scene, report);
+	status = at_rest(&reference, &span, equal->given, equal->value, equal->branch, scene, down,
+	                 report);
 	if (status)
 		return status;
 	equal->given = HAWSER_GIVEN_LENGTH0;
@@ -206,6 +210,7 @@ enum hawser_status hawser_statics_reference(struct hawser_statics *st,
                                             const struct hawser_scene *scene,
                                             struct hawser_report *report)
 {
+	const double down[3] = {0.0, -scene->g, 0.0};
 	struct hawser_equivalent equal;
 	struct hawser_span span;
 	double stretch;
@@ -216,12 +221,13 @@ enum hawser_status hawser_statics_reference(struct hawser_statics *st,
 	bare(&span, scene);
 	if (scene->tension.state == HAWSER_STATE_REFERENCE || !changed(scene))
 		return at_rest(st, &span, scene->tension.given, scene->tension.value,
-		               scene->tension.branch, scene, report);
+		               scene->tension.branch, scene, down, report);
 	status = hawser_statics_equivalent(&equal, scene, report);
 	if (!status)
-		status = at_rest(st, &equal.span, equal.given, equal.value, equal.branch, scene, report);
+		status = at_rest(st, &equal.span, equal.given, equal.value, equal.branch, scene, equal.gravity,
+		                 report);
 	return status ? status : at_rest(st, &span, HAWSER_GIVEN_LENGTH0, st->length0/stretch,
-	                                 HAWSER_BRANCH_TAUT, scene, report);
+	                                 HAWSER_BRANCH_TAUT, scene, down, report);
 }
 
 enum hawser_status hawser_statics_case(struct hawser_scene *to, const struct hawser_scene *scene,
@@ -241,11 +247,30 @@ enum hawser_status hawser_statics_case(struct hawser_scene *to, const struct haw
 	return status;
 }
 
+/* The swing of the plane of the chord and of all forces together. */
+static void swing_of_all(struct hawser_statics *st)
+{
+	double total[3], chord[3] = {st->span.d, st->span.h, 0.0};
+	struct hawser_span level = st->span;
+
+	hawser__space_total(total, st);
+	hawser_statics_to_global(st, total, total);
+	hawser_statics_to_global(st, chord, chord);
+	level.d = chord[0];
+	level.h = chord[1];
+	const double normal[3] = {-chord[1]*total[2], chord[0]*total[2],
+	                          chord[1]*total[0] - chord[0]*total[1]};
+
+	st->swing = swing_of(normal, &level);
+}
+
 void hawser_statics_turn(struct hawser_statics *st, const struct hawser_equivalent *equal)
 {
 	memcpy(st->axes, equal->axes, sizeof st->axes);
 	st->turned = equal->turned;
 	st->swing = equal->swing;
+	if (st->space)
+		swing_of_all(st);
 }
 
 void hawser_statics_to_global(const struct hawser_statics *st, double global[3], const double v[3])

@@ -13,7 +13,8 @@
 struct hawser__load_point {
 	double at; /* fraction of the length, or length in m if `fixed` */
 	int fixed;
-	double W;  /* N */
+	double W;  /* N, downwards */
+	double force[3]; /* N, along x, y, z: (0, -W, 0) in one plane */
 };
 
 struct hawser__loaded {
@@ -32,6 +33,32 @@ struct hawser__reach {
 	double xH, xV, xL, yH, yV, yL; /* xV = yH */
 	double length;                 /* stretched */
 };
+
+/* The span of which *cable is made, and what is given. */
+struct hawser__load_case {
+	const struct hawser_span *span;
+	enum hawser_given given;
+	double value;
+	enum hawser_branch branch;
+	const struct hawser_attachment *attach;
+};
+
+/* Ascending S at the length L; order[count] are the indices in the list of the scene. */
+void hawser__loaded_sort(struct hawser__loaded *cable, int *order);
+
+/* The attachments of the solved cable. HAWSER_ERR_ARGUMENT if one is outside, or two are at a point. */
+enum hawser_status hawser__loaded_place(struct hawser_statics *st, const struct hawser__loaded *cable,
+                                        const int *order, const struct hawser_attachment *attach,
+                                        struct hawser_report *report);
+
+/* The equilibrium in space (space.c) of a cable whose loads are not along y. Sets all of *st but the
+ * attachments, and L and the order of *cable. */
+enum hawser_status hawser__space_solve(struct hawser_statics *st, struct hawser__loaded *cable,
+                                       int *order, const struct hawser__load_case *of,
+                                       struct hawser_report *report);
+
+/* The forces of the attachments of a solved cable and its weight, together, along its axes. */
+void hawser__space_total(double total[3], const struct hawser_statics *st);
 
 /* S of load i, at most L, and its derivative by L. */
 double hawser__load_place(const struct hawser__loaded *cable, int i, double *by_L);

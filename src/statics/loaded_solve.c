@@ -173,8 +173,7 @@ static enum hawser__outcome over_H(struct hawser__loaded *cable, struct hawser__
 
 /* --- from and to the public structures --- */
 
-/* Ascending S at the length L. */
-static void sort(struct hawser__loaded *cable, int *order)
+void hawser__loaded_sort(struct hawser__loaded *cable, int *order)
 {
 	double unused;
 
@@ -193,18 +192,22 @@ static void sort(struct hawser__loaded *cable, int *order)
 
 /* The loads, and the span with their weight spread over the length of the chord. */
 static void begin(struct hawser__loaded *cable, int *order, const struct hawser_span *span,
-                  const struct hawser_attachment *attach, int count, double length)
+                  const struct hawser_attachment *attach, int count, const double gravity[3],
+                  double length)
 {
 	*cable = (struct hawser__loaded){.EA = span->EA, .w = span->rho*span->g, .d = span->d,
 	                                 .h = span->h, .count = count, .L = length};
 	for (int i = 0; i < count; i++) {
-		cable->load[i] = (struct hawser__load_point){attach[i].at, attach[i].by_length,
-		                                             (attach[i].mass + attach[i].absorber_mass)*
-		                                             span->g};
-		cable->weight += cable->load[i].W;
+		struct hawser__load_point *load = &cable->load[i];
+
+		*load = (struct hawser__load_point){.at = attach[i].at, .fixed = attach[i].by_length};
+		for (int c = 0; c < 3; c++)
+			load->force[c] = (attach[i].mass + attach[i].absorber_mass)*gravity[c];
+		load->W = 0.0 - load->force[1];
+		cable->weight += load->W;
 		order[i] = i;
 	}
-	sort(cable, order);
+	hawser__loaded_sort(cable, order);
 }
 
 /* Masses at lengths may change places with masses at fractions while the length is searched: the
@@ -231,7 +234,7 @@ static enum hawser__outcome search(struct hawser__loaded *cable, int *order, str
 			outcome = over_H(cable, r, given, value, branch);
 		if (outcome || sorted(cable))
 			break;
-		sort(cable, order);
+		hawser__loaded_sort(cable, order);
 	}
 	return outcome;
 }
@@ -253,9 +256,9 @@ static int absorber(struct hawser_attached *to, const struct hawser_attachment *
 	return length > 0.0;
 }
 
-static enum hawser_status place(struct hawser_statics *st, const struct hawser__loaded *cable,
-                                const int *order, const struct hawser_attachment *attach,
-                                struct hawser_report *report)
+enum hawser_status hawser__loaded_place(struct hawser_statics *st, const struct hawser__loaded *cable,
+                                        const int *order, const struct hawser_attachment *attach,
+                                        struct hawser_report *report)
 {
 	st->attachments = cable->count;
 	for (int i = 0; i < cable->count; i++) {
@@ -274,6 +277,8 @@ static enum hawser_status place(struct hawser_statics *st, const struct hawser__
 		*to = (struct hawser_attached){.index = order[i], .S = S, .s = S/st->span.d,
 		                               .mass = a->mass + a->absorber_mass};
 		to->m = to->mass/(st->span.rho*st->span.d);
+		for (int c = 0; c < 3 && to->mass > 0.0; c++)
+			to->jump[c] = 0.0 - to->m*(cable->load[i].force[c]/(to->mass*st->span.g));
 		memcpy(to->spring, a->spring, sizeof to->spring);
 		memcpy(to->damper, a->damper, sizeof to->damper);
 		if (!absorber(to, a, st))
@@ -377,43 +382,79 @@ static enum hawser_status spread(struct hawser__loaded *cable, const struct haws
 	return HAWSER_OK;
 }
 
-enum hawser_status hawser_statics_loaded(struct hawser_statics *st, const struct hawser_span *span,
-                                         enum hawser_given given, double value,
-                                         enum hawser_branch branch,
-                                         const struct hawser_attachment *attach, int count,
-                                         struct hawser_report *report)
+/* Loads that act downwards in the plane: the searches above. */
+static enum hawser_status solve_plane(struct hawser_statics *st, struct hawser__loaded *cable,
+                                      int *order, const struct hawser__load_case *of,
+                                      struct hawser_report *report)
 {
-	enum hawser_status status = hawser__statics_check(span, given, value, branch, report);
-	int order[HAWSER_ATTACH_MAX];
-	enum hawser__outcome outcome;
-	struct hawser__loaded cable;
 	struct hawser__reach reach;
+	enum hawser__outcome outcome;
+	enum hawser_status status = spread(cable, of->span, of->given, of->value, of->branch, report);
+
+	if (status)
+		return status;
+	hawser__loaded_sort(cable, order);
+	outcome = search(cable, order, &reach, of->given, of->value, of->branch);
+	if (outcome)
+		return failed(cable, outcome, of->given, of->value, report);
+	*st = (struct hawser_statics){.span = *of->span};
+	return fill(st, cable, &reach, of->given, of->branch, report);
+}
+
+static int without_loads(const struct hawser__loaded *cable)
+{
+	int none = 1;
+
+	for (int i = 0; i < cable->count; i++)
+		for (int c = 0; c < 3; c++)
+			none &= cable->load[i].force[c] == 0.0;
+	return none;
+}
+
+enum hawser_status hawser_statics_weighted(struct hawser_statics *st, const struct hawser_span *span,
+                                           enum hawser_given given, double value,
+                                           enum hawser_branch branch,
+                                           const struct hawser_attachment *attach, int count,
+                                           const double gravity[3], struct hawser_report *report)
+{
+	const struct hawser__load_case of = {span, given, value, branch, attach};
+	enum hawser_status status = hawser__statics_check(span, given, value, branch, report);
+	int order[HAWSER_ATTACH_MAX], plane = gravity[0] == 0.0 && gravity[2] == 0.0 && gravity[1] < 0.0;
+	struct hawser__loaded cable;
 
 	if (!status && (count < 0 || count > HAWSER_ATTACH_MAX))
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
 		                      "%d attachments: give 0 to %d", count, HAWSER_ATTACH_MAX);
 	if (status)
 		return status;
-	begin(&cable, order, span, attach, count, hypot(span->d, span->h));
-	if (cable.weight == 0.0) {
+	begin(&cable, order, span, attach, count, gravity, hypot(span->d, span->h));
+	if (without_loads(&cable)) {
 		status = hawser_statics_solve(st, span, given, value, branch, report);
 		cable.L = st->length0;
 		if (!status)
-			sort(&cable, order);
-		return status ? status : place(st, &cable, order, attach, report);
+			hawser__loaded_sort(&cable, order);
+		return status ? status : hawser__loaded_place(st, &cable, order, attach, report);
 	}
-	status = spread(&cable, span, given, value, branch, report);
-	if (status)
-		return status;
-	sort(&cable, order);
-	outcome = search(&cable, order, &reach, given, value, branch);
-	if (outcome)
-		return failed(&cable, outcome, given, value, report);
-	*st = (struct hawser_statics){.span = *span};
-	status = fill(st, &cable, &reach, given, branch, report);
+	status = (plane ? solve_plane : hawser__space_solve)(st, &cable, order, &of, report);
 	if (!status)
-		status = place(st, &cable, order, attach, report);
+		status = hawser__loaded_place(st, &cable, order, attach, report);
+	if (!status && st->space) {
+		const double n[3] = {span->h/span->d, -1.0, 0.0};
+
+		hawser_statics_farthest(&st->sag, st, n);
+	}
 	if (!status)
 		st->closure = hawser__statics_closure(st);
 	return status;
+}
+
+enum hawser_status hawser_statics_loaded(struct hawser_statics *st, const struct hawser_span *span,
+                                         enum hawser_given given, double value,
+                                         enum hawser_branch branch,
+                                         const struct hawser_attachment *attach, int count,
+                                         struct hawser_report *report)
+{
+	const double gravity[3] = {0.0, -span->g, 0.0};
+
+	return hawser_statics_weighted(st, span, given, value, branch, attach, count, gravity, report);
 }

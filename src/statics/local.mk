@@ -23,4 +23,6 @@ noinst_LTLIBRARIES += %D%/libstatics.la
 	%D%/parabola.c \
 	%D%/plausible.c \
 	%D%/precision.c \
-	%D%/profile.c
+	%D%/profile.c \
+	%D%/profile_space.c \
+	%D%/space.c

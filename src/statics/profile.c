@@ -21,28 +21,32 @@ static void advance(const struct hawser_statics *st, double *x, double *y, doubl
 	*y = s*both*(0.5*st->epsilon + 1.0/(hypot(1.0, u) + hypot(1.0, v)));
 }
 
-/* Sum of the point masses up to s, or beyond s. */
-static double masses(const struct hawser_statics *st, double s, int beyond)
+/* Sum of the jumps of the force by attachments up to s, or beyond s. */
+static double jumps(const struct hawser_statics *st, double s, int beyond)
 {
 	double sum = 0.0;
 
 	for (int i = 0; i < st->attachments; i++)
 		if (beyond == (st->attached[i].s > s))
-			sum += st->attached[i].m;
+			sum += st->attached[i].jump[1];
 	return sum;
 }
 
 double hawser_statics_mass(const struct hawser_statics *st)
 {
-	return st->l + masses(st, st->l, 0);
+	double sum = 0.0;
+
+	for (int i = 0; i < st->attachments; i++)
+		sum += st->attached[i].m;
+	return st->l + sum;
 }
 
 /* Slope at the scaled arclength s, from the nearer end. */
 static double slope_at(const struct hawser_statics *st, double s)
 {
 	if (st->attachments > 0)
-		return s <= 0.5*st->l ? st->eta + st->delta*(s + masses(st, s, 0))
-		                      : st->V1/st->H - st->delta*(st->l - s + masses(st, s, 1));
+		return s <= 0.5*st->l ? st->eta + st->delta*(s + jumps(st, s, 0))
+		                      : st->V1/st->H - st->delta*(st->l - s + jumps(st, s, 1));
 	if (s <= 0.5*st->l)
 		return st->eta + st->delta*s;
 	return st->V1/st->H - st->delta*(st->l - s);
@@ -67,7 +71,7 @@ static void pieces(const struct hawser_statics *st, double *x, double *y, double
 		*y += dy;
 		if (last)
 			return;
-		u = v + st->delta*next->m;
+		u = v + st->delta*next->jump[1];
 		from = end;
 	}
 }
@@ -85,9 +89,12 @@ static struct hawser_profile_point point_between(const struct hawser_statics *st
 
 struct hawser_profile_point hawser_statics_at(const struct hawser_statics *st, double S)
 {
-	struct hawser_profile_point point;
-	double d = st->span.d, s = S/d, x, y, u = slope_at(st, s);
+	struct hawser_profile_point point = {.z = 0.0};
+	double d = st->span.d, s = S/d, x, y, u;
 
+	if (st->space)
+		return hawser__space_at(st, S);
+	u = slope_at(st, s);
 	if (st->attachments > 0)
 		return point_between(st, S);
 	if (s <= 0.5*st->l) {
@@ -105,12 +112,33 @@ struct hawser_profile_point hawser_statics_at(const struct hawser_statics *st, d
 	return point;
 }
 
+struct hawser_profile_point hawser_statics_before(const struct hawser_statics *st, int i)
+{
+	struct hawser_profile_point at;
+
+	if (st->space)
+		return hawser__space_before(st, i);
+	at = hawser_statics_at(st, st->attached[i].S);
+	at.slope -= st->delta*st->attached[i].jump[1];
+	at.T = st->H*hypot(1.0, at.slope);
+	return at;
+}
+
 struct hawser_frame_point hawser_statics_frame(const struct hawser_statics *st, double s)
 {
 	struct hawser_frame_point frame;
-	double u = slope_at(st, s), root = hypot(1.0, u);
+	double u, root;
 
+	if (st->space) {
+		hawser__space_frame(&frame, st, s);
+		return frame;
+	}
+	u = slope_at(st, s);
+	root = hypot(1.0, u);
+	frame = (struct hawser_frame_point){.axis = {{1.0/root, u/root, 0.0}, {-u/root, 1.0/root, 0.0},
+	                                             {0.0, 0.0, 1.0}}};
 	frame.u = u;
+	frame.tension = root;
 	frame.ex = 1.0/root;
 	frame.ey = u/root;
 	frame.curvature = st->delta/root/root;
@@ -122,6 +150,8 @@ double hawser__statics_closure(const struct hawser_statics *st)
 {
 	double x, y;
 
+	if (st->space)
+		return hawser__space_closure(st);
 	if (st->attachments > 0)
 		pieces(st, &x, &y, st->l, 0);
 	else

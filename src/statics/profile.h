@@ -9,4 +9,10 @@
  * *st. */
 double hawser__statics_closure(const struct hawser_statics *st);
 
+/* Of a cable in space (profile_space.c). */
+double hawser__space_closure(const struct hawser_statics *st);
+struct hawser_profile_point hawser__space_at(const struct hawser_statics *st, double S);
+struct hawser_profile_point hawser__space_before(const struct hawser_statics *st, int i);
+void hawser__space_frame(struct hawser_frame_point *at, const struct hawser_statics *st, double s);
+
 #endif

@@ -221,6 +221,7 @@ enum hawser_status hawser_statics_solve(struct hawser_statics *st, const struct 
 	st->given = given;
 	st->branch = tension ? branch : HAWSER_BRANCH_TAUT;
 	st->turned = 0;
+	st->space = 0;
 	st->bending = (struct hawser_bending){0};
 	fill(st, &cat, &chord);
 	st->error = hawser__statics_precision(&cat, &chord, given, end);
@@ -247,8 +248,8 @@ enum hawser_status hawser_statics_scene(struct hawser_statics *st, const struct 
 	if (status)
 		return status;
 	if (scene->attachments > 0) /* such a cable does not travel */
-		status = hawser_statics_loaded(st, &equal.span, equal.given, equal.value, equal.branch,
-		                               scene->attach, scene->attachments, report);
+		status = hawser_statics_weighted(st, &equal.span, equal.given, equal.value, equal.branch,
+		                                 scene->attach, scene->attachments, equal.gravity, report);
 	else
 		status = hawser_statics_travel(st, &equal.span, equal.given, equal.value, equal.branch,
 		                               &motion, report);

@@ -121,7 +121,20 @@ assert abs(r["length0"] / (l["reference"]["length0"] * (1 + 20 * 1.2e-5)) - 1) <
 masses = 9.81 * sum(a["mass"] for a in r["attachments"])
 assert abs(l["pull_A"][1] + l["pull_B"][1] - l["force"][1] * r["length0"] + masses) < 1e-5 * masses
 END
-refuses_like 1 'does not hang in one plane' statics "$top/notebooks-data/scenes/ropeway-carriers.yaml" \
+works "point masses in a wind" statics "$top/notebooks-data/scenes/ropeway-carriers.yaml" \
+	--points 3 --set "load.static={per_length: [0, 0, 3]}" --json wind.json
+python "" <<'END'
+import json, math
+r = json.load(open("wind.json"))
+l = r["loaded"]
+masses = 9.81 * sum(a["mass"] for a in r["attachments"])
+for c, weight in (0, 0), (1, masses), (2, 0):
+    assert abs(l["pull_A"][c] + l["pull_B"][c] - l["force"][c] * r["length0"] + weight) < 1e-5 * masses
+for a in r["attachments"]:  # the kink, by the law of cosines of both tensions and the weight
+    T, U, W = a["T_before"], a["T_after"], 9.81 * a["mass"]
+    assert abs(math.acos((T * T + U * U - W * W) / (2 * T * U)) - a["kink"]) < 1e-6, a
+END
+refuses_like 1 'not the same everywhere' irvine "$top/notebooks-data/scenes/ropeway-carriers.yaml" \
 	--set "load.static={per_length: [0, 0, 3]}"
 refuses_like 2 'without any force' statics "$scene" --set "load.static={per_length: [0, 15.696, 0], mass: 0}"
 refuses_like 1 'act along the chord' statics "$scene" --set "load.static={per_length: [400, 27.696, 0], mass: 0}"

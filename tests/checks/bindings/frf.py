@@ -35,7 +35,7 @@ class Modes(c.Structure):
     _fields_ = [("statics", opaque("hawser_statics")), ("method", c.c_char_p), ("gyroscopic", c.c_int),
                 ("n", c.c_int), ("basis", c.c_int), ("time_unit", c.c_double),
                 ("mode", c.POINTER(opaque("hawser_mode"))), ("grid", opaque("hawser_grid")),
-                ("shape", c.c_void_p), ("slope", c.c_void_p)]
+                ("shape", c.c_void_p), ("slope", c.c_void_p), ("stroke", c.c_void_p)]
 
 
 class State(c.Structure):
