@@ -1,6 +1,6 @@
 /* tests/lumped-chain.h - a cable in space as a chain of straight elastic rods with masses at the
- * joints, bending stiffness between the rods, masses and dampers at joints, and ends that move. It
- * shares nothing with the library.
+ * joints, bending stiffness between the rods, masses and dampers at joints, and ends that move or
+ * are on springs. It shares nothing with the library.
  *
  *   x      positions of the joints [n + 1][3], m; the rods have the unstretched length h = L0/n
  *   t      unit vector along a rod; `straight` are those of the shape without bending moments
@@ -38,12 +38,30 @@ struct lumped {
 	double motion[2][3], phase[2];     /* m times cos(omega t + phase), ends A and B */
 	double omega;                      /* rad/s */
 	int clamped;
+	/* 1: the first and the last rod are springs, and the joints 0 and n their foundations
+	 * (lumped_hold) */
+	int held;
+	double stiffness[2][3], held_mass[2]; /* N/m, kg: of ends A and B */
+	double preload[2][3];                 /* N, on the ends of the cable at rest */
 	double straight[LUMPED_MOST][3];
 };
 
+/* Unstretched length of a rod, and of the cable at a joint. */
+static double lumped_part(const struct lumped *c)
+{
+	return c->L0/(c->n - 2*c->held);
+}
+
+static double lumped_share(const struct lumped *c, int joint)
+{
+	return lumped_part(c)*(joint <= c->held || joint >= c->n - c->held ? 0.5 : 1.0);
+}
+
 static double lumped_mass(const struct lumped *c, int joint)
 {
-	return c->rho*c->L0/c->n*(joint%c->n == 0 ? 0.5 : 1.0) + c->attached[joint];
+	return c->rho*lumped_share(c, joint) + c->attached[joint] +
+	       (c->held && joint == 1 ? c->held_mass[0] : 0.0) +
+	       (c->held && joint == c->n - 1 ? c->held_mass[1] : 0.0);
 }
 
 static double lumped_rod(double t[3], const double *x, int e)
@@ -64,7 +82,7 @@ static double lumped_tension(const struct lumped *c, const double *x, int e)
 {
 	double t[3];
 
-	return c->EA*(lumped_rod(t, x, e)*c->n/c->L0 - 1.0);
+	return c->EA*(lumped_rod(t, x, e)/lumped_part(c) - 1.0);
 }
 
 /* K [.] in the band storage of dgbsv (column-major), of the joints 1 to n - 1. */
@@ -145,18 +163,37 @@ static void lumped_bend(double *r, double *K, const struct lumped *c, const doub
 		}
 }
 
+/* The springs of the ends. */
+static void lumped_springs(double *r, double *K, const struct lumped *c, const double *x)
+{
+	int size = 3*(c->n - 1);
+
+	for (int end = 0; end < 2; end++) {
+		int at = end ? c->n - 1 : 1, foot = end ? c->n : 0;
+
+		for (int i = 0; i < 3; i++) {
+			int v = 3*(at - 1) + i;
+			double k = c->stiffness[end][i];
+
+			r[v] += c->preload[end][i] - k*(x[3*at + i] - x[3*foot + i]);
+			lumped_add(K, size, v, v, k);
+		}
+	}
+}
+
 /* r: forces of the rods and of the static load on the joints between the ends; K: their stiffness.
  * */
 static void lumped_forces(double *r, double *K, const struct lumped *c, const double *x)
 {
 	int size = 3*(c->n - 1);
-	double h = c->L0/c->n;
+	double h = lumped_part(c);
 
 	if (K)
 		memset(K, 0, (size_t)size*LUMPED_ROWS*sizeof *K);
 	for (int v = 0; v < size; v++)
-		r[v] = c->weight[v%3]*h - (v%3 == 1 ? c->attached[v/3 + 1]*c->gravity : 0.0);
-	for (int e = 0; e < c->n; e++) {
+		r[v] = c->weight[v%3]*lumped_share(c, v/3 + 1) -
+		       (v%3 == 1 ? c->attached[v/3 + 1]*c->gravity : 0.0);
+	for (int e = c->held; e < c->n - c->held; e++) {
 		double t[3], l = lumped_rod(t, x, e), T = c->EA*(l/h - 1.0);
 
 		for (int i = 0; i < 3; i++) {
@@ -182,6 +219,8 @@ static void lumped_forces(double *r, double *K, const struct lumped *c, const do
 		r[v] -= k*(x[3 + v] - c->relaxed[3 + v]);
 		lumped_add(K, size, v, v, k);
 	}
+	if (c->held)
+		lumped_springs(r, K, c, x);
 	if (c->EI > 0.0)
 		for (int e = c->clamped ? -1 : 0; e < c->n - (c->clamped ? 0 : 1); e++)
 			lumped_bend(r, K, c, x, e);
@@ -230,6 +269,30 @@ static int lumped_straighten(struct lumped *c, double *x)
 	for (int e = 0; e < c->n; e++)
 		lumped_rod(c->straight[e], x, e);
 	return done;
+}
+
+/* Put the ends of the chain on springs (and masses), whose preload balances the forces of the shape x,
+ * at which the springs of joints are relaxed: x and c->relaxed are numbered anew, from 1 on. */
+static void lumped_hold(struct lumped *c, double *x)
+{
+	static double r[3*LUMPED_MOST];
+	int n = c->n;
+
+	memmove(x + 3, x, 3*((size_t)n + 1)*sizeof *x);
+	memcpy(x + 3*n + 6, x + 3*n + 3, 3*sizeof *x);
+	memmove(c->attached + 1, c->attached, ((size_t)n + 1)*sizeof *c->attached);
+	memmove(c->damper + 1, c->damper, ((size_t)n + 1)*sizeof *c->damper);
+	memmove(c->spring + 1, c->spring, ((size_t)n + 1)*sizeof *c->spring);
+	c->attached[0] = 0.0;
+	c->n = n + 2;
+	c->held = 1;
+	c->relaxed = NULL;
+	memset(c->preload, 0, sizeof c->preload);
+	lumped_forces(r, NULL, c, x);
+	for (int i = 0; i < 3; i++) {
+		c->preload[0][i] = -r[i];
+		c->preload[1][i] = -r[3*n + i];
+	}
 }
 
 /* omega[count]: natural frequencies about the static shape x, rad/s. */
@@ -290,11 +353,9 @@ static void lumped_rate(double *r, double *K, const struct lumped *c, const doub
                         const double *v,
                         double t)
 {
-	double h = c->L0/c->n;
-
 	lumped_forces(r, K, c, x);
 	for (int i = 0; i < 3*(c->n - 1); i++)
-		r[i] += c->load[i%3]*h*cos(c->omega*t) -
+		r[i] += c->load[i%3]*lumped_share(c, 1 + i/3)*cos(c->omega*t) -
 		        (c->alpha*lumped_mass(c, 1 + i/3) + c->damper[1 + i/3][i%3])*v[3 + i];
 }
 

@@ -155,7 +155,7 @@ static void add_masses(struct work *work, double *along, double *beyond)
 
 /* p of the force per length in `along`. Its work on a displacement is that of minus its running
  * integral on the derivative, and of the whole force on the displacement of end B. `masses`: point
- * masses count as well; `point` [attachments][3]: further forces at the attachments, or NULL. */
+ * masses count as well; `point` [hawser__points][3]: further forces at these points, or NULL. */
 static void pull_of(struct work *work, int masses, const double *point)
 {
 	const struct hawser_statics *st = &work->stations.modes->statics;
@@ -167,10 +167,10 @@ static void pull_of(struct work *work, int masses, const double *point)
 		                                                   &work->reference, work->global);
 		if (masses)
 			add_masses(work, work->along + axis*count, &work->stations.beyond[axis]);
-		for (int i = 0; point && i < st->attachments; i++) {
+		for (int i = 0; point && i < hawser__points(st); i++) {
 			work->stations.beyond[axis] += point[3*i + axis];
 			for (int p = 0; p < count; p++)
-				if (work->stations.s[p] > st->attached[i].s)
+				if (work->stations.s[p] > hawser__point(st, i).s)
 					work->along[axis*count + p] += point[3*i + axis];
 		}
 	}

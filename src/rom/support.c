@@ -1,21 +1,22 @@
 /* rom/support.c - inertia and damping of the quasi-static displacement of moving supports.
  *
- *    s_E,x(tau)   displacement of end E along axis x, motion*cos(harmonic*tau + phase)
+ *    s_E,x(tau)   displacement of end E, or of the foundation of its springs, along axis x:
+ *                 motion*cos(harmonic*tau + phase)
  *    psi_x        quasi-static displacement by a unit displacement of end B along x (support_shape.c);
  *                 by that of end A it is the unit vector minus psi_x, but for springs
  *    r            sum over ends and axes of s times that displacement
- *    u            displacement relative to r, expanded in the modes: it vanishes at the ends
+ *    u            displacement relative to r, expanded in the modes: it vanishes at rigid ends
  *
  * The axes are those of the plane in which the cable hangs. The total displacement is r + u. r is in
- * equilibrium with the springs of attachments and without a load, so that the linear elastic forces of
- * r on u vanish. Its inertia and its damping by still air are loads on u,
+ * equilibrium with all springs and without a load, so that the linear elastic forces of r on u vanish.
+ * Its inertia and its damping by still air are loads on u,
  *
  *    - r'' - alpha r'       (scaled; the mass per length is 1)
  *
- * and so are, at attachments, -m r'' and the forces -c r' of dampers. The condensed modes respond to
- * them as to any other load (answer_make.c, follow.h), but for the dampers' forces: their responses to
- * these are coordinates of the model (dampers.c). Damping that is proportional to the stiffness has no
- * force in r, and a ratio of critical damping refers to u.
+ * and so are, at attachments and at ends with a mass, -m r'' and the forces -c r' of dampers. The
+ * condensed modes respond to them as to any other load (answer_make.c, follow.h), but for the dampers'
+ * forces: their responses to these are coordinates of the model (dampers.c). Damping that is
+ * proportional to the stiffness has no force in r, and a ratio of critical damping refers to u.
  * The terms of higher degree of the strain energy are in support_energy.c (doc/theory-rom.md, "Moving
  * supports").
  *
@@ -73,21 +74,23 @@ int hawser__support_factor(struct hawser__signal *signal, const struct hawser_sc
 
 /* --- the field --- */
 
+enum { MARKS = HAWSER_ATTACH_MAX + 2 };
+
 /* r of one harmonic. */
 struct field {
 	const struct hawser__support_shapes *shapes;
 	double factor[HAWSER__SUPPORT_MOST];  /* of the shapes */
 	double rigid[HAWSER__AXES];           /* translation with end A */
 	double *r;                            /* [3][points] */
-	double at[HAWSER_ATTACH_MAX][3];      /* at the attachments */
+	double at[MARKS][3];                  /* at the points of label.h */
 	double *force;                        /* [3][points] of its inertia or damping, */
-	double point[HAWSER_ATTACH_MAX][3];   /* and at the attachments */
+	double point[MARKS][3];               /* and at these points */
 };
 
-static void set_field(struct field *field, int attachments)
+static void set_field(struct field *field, int count)
 {
 	const struct hawser__support_shapes *shapes = field->shapes;
-	size_t points = (size_t)shapes->points, marks = (size_t)attachments;
+	size_t points = (size_t)shapes->points, marks = (size_t)count;
 
 	for (size_t i = 0; i < 3*points; i++)
 		field->r[i] = field->rigid[i/points];
@@ -117,7 +120,7 @@ static double work_on(const struct field *field, const struct hawser_modes *mode
 		sum += grid->weight[p]*(q[0]*(x*at.ex + y*at.ey) + q[1]*(y*at.ex - x*at.ey) +
 		                        q[2]*force[2*points + p]);
 	}
-	for (int i = 0; i < modes->statics.attachments; i++) {
+	for (int i = 0; i < hawser__points(&modes->statics); i++) {
 		hawser__modes_attached(u, modes, j, i);
 		for (int c = 0; c < 3; c++)
 			sum += field->point[i][c]*u[c];
@@ -179,11 +182,11 @@ static int set_force(struct field *field, const struct hawser_scene *scene,
 	any = on_cable != 0.0;
 	for (size_t i = 0; i < 3*points; i++)
 		field->force[i] = factor*on_cable*field->r[i];
-	for (int i = 0; i < st->attachments; i++)
+	for (int i = 0; i < hawser__points(st); i++)
 		for (int c = 0; c < 3; c++) {
-			double each = on_mass*st->attached[i].m;
+			double each = on_mass*hawser__point(st, i).m;
 
-			if (rate && dampers)
+			if (rate && dampers && i < st->attachments)
 				each += st->attached[i].damper[c]/sqrt(st->span.rho*st->H);
 			field->point[i][c] = factor*each*field->at[i][c];
 			any |= each != 0.0;
@@ -216,7 +219,7 @@ static enum hawser_status add(struct hawser_rom *rom, const struct hawser_modes 
 	struct hawser_harmonic *h = append(rom, k, phase, 0);
 	enum hawser_status status = h ? HAWSER_OK : hawser__no_memory(report, "rom");
 
-	set_field(field, modes->statics.attachments);
+	set_field(field, hawser__points(&modes->statics));
 	if (!status)
 		status = show(h, rom, modes, field, report);
 	for (int rate = 0; !status && rate < 2; rate++) {

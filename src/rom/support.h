@@ -12,7 +12,8 @@ enum {
 };
 
 /* Quasi-static displacements of the cable along the axes of its plane, on the grid of the modes. 0 to
- * 2: by a unit displacement of end B along x, y and z, with end A fixed. Of a cable with springs also 3
+ * 2: by a unit displacement of end B (or of the foundation of its springs) along x, y and z, with end A
+ * fixed. Of a cable with springs also 3
  * to 5: what the springs add to a unit translation of both ends. A displacement of end A is that
  * translation minus the displacement of end B. */
 struct hawser__support_shapes {
@@ -20,7 +21,7 @@ struct hawser__support_shapes {
 	int points;
 	double *strain; /* [count][points][3] a, b, c */
 	double *shape;  /* [count][3][points] displacement along x, y, z */
-	double *at;     /* [count][attachments][3] the same at the attachments */
+	double *at;     /* [count][hawser__points][3] the same at the points of modes/label.h */
 };
 enum hawser_status hawser__support_shapes_make(struct hawser__support_shapes *shapes,
                                                const struct hawser_modes *modes,
@@ -56,7 +57,7 @@ enum hawser_status hawser__support_energy(struct hawser_rom *rom, const struct h
                                           struct hawser_report *report);
 
 /* answer_make.c: the response of the condensed modes to the force field [3][points], along x, y, z at
- * the points of the modes' grid, and `point` [attachments][3] at the attachments, is added to
+ * the points of the modes' grid, and `point` [hawser__points][3] at those of label.h, is added to
  * `harmonic` of the model: displacement, strain and the stiffness of the first `moving` modes. */
 enum hawser_status hawser__rom_answer_field(struct hawser_rom *rom, int harmonic,
                                             const struct hawser_modes *modes, int moving,

@@ -1,7 +1,7 @@
 /* rom/support_exact.c - moving supports of a model with the exact energy: the strains of the
  * quasi-static displacement (support_shape.c) at the quadrature points are added to those of the
  * coordinates, so that the energy is exact in both. The springs of attachments pull at the coordinates
- * with that displacement, too.
+ * with that displacement, too, and those of elastic supports with that relative to their foundations.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -23,14 +23,20 @@ static void pull(double *force, const struct hawser_modes *modes,
 	const struct hawser_statics *st = &modes->statics;
 	double u[3];
 
-	for (int i = 0; i < st->attachments; i++)
+	for (int i = 0; i < hawser__points(st); i++)
 		for (int j = 0; j < modes->n; j++) {
-			const double *at = shapes->at + 3*((size_t)number*(size_t)st->attachments + (size_t)i);
+			const double *at = shapes->at + 3*((size_t)number*(size_t)hawser__points(st) + (size_t)i);
+			int end = i - st->attachments;
+			const double *k = end < 0 ? st->attached[i].spring : st->held[end].stiffness;
 
 			hawser__modes_attached(u, modes, j, i);
-			for (int c = 0; c < 3; c++)
-				force[j] += st->attached[i].spring[c]*st->span.d/st->H*u[c]*
-				            (at[c] + (number == HAWSER__AXES + c));
+			for (int c = 0; c < 3; c++) {
+				/* the translation of both ends moves attachments; end B moves its foundation */
+				double foot = end < 0 ? -(number == HAWSER__AXES + c) : end == 1 && number == c;
+
+				if (isfinite(k[c]))
+					force[j] += k[c]*st->span.d/st->H*u[c]*(at[c] - foot);
+			}
 		}
 }
 

@@ -1,6 +1,6 @@
 /* rom/support_shape.c - quasi-static displacements by displacements of the ends.
  *
- *   Delta        displacement of end B; end A is fixed
+ *   Delta        displacement of end B, or of its foundation if it is on springs; A is fixed
  *   N            change of the force in the cable, constant between springs of attachments
  *   a, b, c      derivative of the displacement along e, n, z
  *   C            compliance of a part of the cable between springs (struct hawser__ties)
@@ -10,7 +10,9 @@
  * strains is the displacement, Delta at end B, and N changes by K_i q_i at the springs: a linear system
  * for N in all parts. This is the linearised elastic catenary; without springs C^-1 is the stiffness of
  * the cable at its end, in the direction of the chord of a shallow one (EA/L)/(1 + lambda^2/12) with
- * the Irvine parameter lambda^2. A translation of both ends changes N by K_i (q_i + 1).
+ * the Irvine parameter lambda^2. A translation of both ends changes N by K_i (q_i + 1). The springs of
+ * an elastic support are a compliance in series with the part of the cable at that end, which moves
+ * towards the other one by N/k relative to its foundation.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -23,6 +25,7 @@
 
 #include "core/report.h"
 #include "modes/grid.h"
+#include "modes/label.h"
 #include "rom/condense.h"
 #include "rom/support.h"
 
@@ -45,6 +48,30 @@ static int part_of(const struct parts *parts, const struct hawser_statics *st, d
 	return part;
 }
 
+/* Compliance of the spring of end `end` along `axis`, 0 if it is rigid; h: the axis along and across
+ * the chord. */
+static double joint(double h[2], const struct parts *parts, const struct hawser_statics *st, int end,
+                    int axis)
+{
+	h[0] = axis == 0 ? parts->c : axis == 1 ? parts->s : 0.0;
+	h[1] = axis == 0 ? -parts->s : axis == 1 ? parts->c : 0.0;
+	return st->elastic ? st->H/(st->held[end].stiffness[axis]*st->span.d) : 0.0;
+}
+
+static void add_joints(struct parts *parts, const struct hawser_statics *st)
+{
+	for (int end = 0; end < 2; end++)
+		for (int axis = 0; axis < 3; axis++) {
+			struct hawser__ties *ties = &parts->ties[end ? parts->count - 1 : 0];
+			double h[2], give = joint(h, parts, st, end, axis);
+
+			ties->m[0] += give*h[0]*h[0];
+			ties->m[1] += give*h[0]*h[1];
+			ties->m[2] += give*h[1]*h[1];
+			ties->mz += axis == 2 ? give : 0.0;
+		}
+}
+
 static void divide(struct parts *parts, const struct hawser_modes *modes)
 {
 	const struct hawser_statics *st = &modes->statics;
@@ -62,6 +89,7 @@ static void divide(struct parts *parts, const struct hawser_modes *modes)
 
 		hawser__ties_add(&parts->ties[part_of(parts, st, modes->grid.s[p])], &at);
 	}
+	add_joints(parts, st);
 }
 
 /* C [dims][dims] of a part, and K of the springs behind it, in the plane or across it. */
@@ -158,13 +186,26 @@ static void set_strain(double *strain, const struct hawser_modes *modes, const s
 	}
 }
 
-/* shape [3][points] = the integral of the strains from end A, in global axes; `work` is [points]. */
+/* Displacement of end A along axis by the forces. */
+static double start(const struct parts *parts, const struct hawser_statics *st, int axis)
+{
+	double h[2], give = joint(h, parts, st, 0, axis);
+
+	return give*(axis == 2 ? parts->N[2][0] : h[0]*parts->N[0][0] + h[1]*parts->N[1][0]);
+}
+
+/* shape [3][points] = the integral of the strains from end A, in global axes, with the displacement of
+ * that end; `work` is [points]. */
 static void integrate(double *shape, const double *strain, const struct hawser_modes *modes,
-                      const struct hawser__reference *reference, double *work)
+                      const struct hawser__reference *reference, const struct parts *parts,
+                      double *work)
 {
 	const struct hawser_grid *grid = &modes->grid;
 
 	for (int axis = 0; axis < 3; axis++) {
+		double *along = shape + (size_t)axis*(size_t)grid->points;
+		double from = start(parts, &modes->statics, axis);
+
 		for (int p = 0; p < grid->points; p++) {
 			struct hawser_frame_point at = hawser_statics_frame(&modes->statics, grid->s[p]);
 			const double *x = strain + 3*p;
@@ -172,7 +213,9 @@ static void integrate(double *shape, const double *strain, const struct hawser_m
 			work[p] = axis == 0 ? x[0]*at.ex - x[1]*at.ey
 			          : axis == 1 ? x[0]*at.ey + x[1]*at.ex : x[2];
 		}
-		hawser__grid_running(shape + (size_t)axis*(size_t)grid->points, grid, reference, work);
+		hawser__grid_running(along, grid, reference, work);
+		for (int p = 0; p < grid->points; p++)
+			along[p] += from;
 	}
 }
 
@@ -182,7 +225,7 @@ enum hawser_status hawser__support_shapes_make(struct hawser__support_shapes *sh
 {
 	const struct hawser_grid *grid = &modes->grid;
 	const struct hawser_statics *st = &modes->statics;
-	size_t points = (size_t)grid->points, each = 3*points, marks = (size_t)st->attachments;
+	size_t points = (size_t)grid->points, each = 3*points, marks = (size_t)hawser__points(st);
 	struct parts parts;
 	struct hawser__reference reference = {0};
 	double *work = malloc(points*sizeof *work);
@@ -203,10 +246,10 @@ enum hawser_status hawser__support_shapes_make(struct hawser__support_shapes *sh
 		if (status)
 			break;
 		set_strain(strain, modes, &parts);
-		integrate(shape, strain, modes, &reference, work);
+		integrate(shape, strain, modes, &reference, &parts, work);
 		for (size_t m = 0; m < 3*marks; m++)
 			hawser__grid_at(shapes->at + (size_t)i*3*marks + m, grid, shape + m%3*points, 1, 1,
-			                st->attached[m/3].s);
+			                hawser__point(st, (int)(m/3)).s);
 	}
 	hawser__reference_clear(&reference);
 	free(work);

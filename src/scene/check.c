@@ -242,10 +242,6 @@ static enum hawser_status supports(struct hawser__reader *reader)
 		return hawser__reader_fail(reader, near(reader, section), "support contradicts travel: moving "
 		                           "or elastic supports of a travelling cable are not modelled, remove "
 		                           "one of them");
-	if (moving && elastic)
-		return hawser__reader_fail(reader, near(reader, section), "support has both motion and "
-		                           "stiffness: the motion of elastic supports is not modelled, remove "
-		                           "one of them");
 	return HAWSER_OK;
 }
 

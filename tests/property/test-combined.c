@@ -29,6 +29,16 @@ struct combined {
 	double shape, frequency, displacement, tension; /* limits: m over m, then relative */
 };
 
+#define SPRINGS "cable: {EA: 60 MN, rho: 8.2 kg/m}\nspan: {d: 240 m, h: 38 m}\n" \
+	"tension: {T0: 120 kN, state: reference}\n" \
+	"temperature: {change: -12 K, expansion: 1.2e-5}\n" \
+	"attach: [{at: 31.25 %, mass: 300 kg, damper: [0, 60 N s/m, 100 N s/m]},\n" \
+	"  {at: 62.5 %, spring: [1 kN/m, 2 kN/m, 1 kN/m]}]\n" \
+	"damping: {rayleigh: {mass: 0.05, stiffness: 0}}\n" \
+	"load: {frame: global, per_length: [0, 3 N/m, 2 N/m], static: {mass: 1.1}}\n" \
+	"support: {A: {stiffness: [4 MN/m, 9 MN/m, 2 MN/m], mass: 700, motion: [2 mm, 8 mm, 5 mm]},\n" \
+	"  B: {stiffness: [0.7 MN/m, 5 MN/m, 0.2 MN/m], motion: [5 mm, 0, 12 mm]}}\n"
+
 static const struct combined table[] = {
 	{.what = "a span of a ropeway with four carriers",
 	 .scene = "cable: {EA: 60 MN, rho: 8.2 kg/m}\nspan: {d: 240 m, h: 38 m}\ntension: {T0: 210 kN}\n"
@@ -64,6 +74,12 @@ static const struct combined table[] = {
 	          "support: {A: {motion: [4 mm, 6 mm, 3 mm]}, B: {motion: [2 mm, 0, 5 mm]}}\n",
 	 .omega = 0.93, .rods = 64, .steps = 400, .modes = 16, .full = 20,
 	 .shape = 2e-7, .frequency = 1e-6, .displacement = 3e-4, .tension = 2e-3},
+	{.what = "an iced span with a mass and a damper between springs whose foundations move",
+	 .scene = SPRINGS, .omega = 0.93, .rods = 64, .steps = 400, .modes = 24,
+	 .shape = 2e-7, .frequency = 1e-6, .displacement = 3e-4, .tension = 2e-3},
+	{.what = "the same by the full-order model",
+	 .scene = SPRINGS, .omega = 0.93, .rods = 64, .steps = 400, .modes = 16, .full = 20,
+	 .shape = 2e-7, .frequency = 1e-6, .displacement = 3e-4, .tension = 2e-3},
 };
 
 /* The static load and the ends of the scene, and its attachments at the joints. */
@@ -87,8 +103,11 @@ static void describe(struct lumped *c, const struct hawser_scene *scene,
 		for (int e = 0; e < 2; e++)
 			c->motion[e][i] = scene->support[e].motion[i];
 	}
-	for (int e = 0; e < 2; e++)
+	for (int e = 0; e < 2; e++) {
 		c->phase[e] = scene->support[e].phase;
+		memcpy(c->stiffness[e], scene->support[e].stiffness, sizeof c->stiffness[e]);
+		c->held_mass[e] = scene->support[e].mass;
+	}
 	c->alpha = scene->damping.mass;
 	c->EI = scene->cable.EI;
 	c->clamped = scene->ends[0] > 0.0;
@@ -123,10 +142,10 @@ struct seen {
 static void see(const double *x, void *data)
 {
 	struct seen *seen = data;
-	int n = seen->c->n;
+	int held = seen->c->held, n = seen->c->n - 2*held;
 
 	for (int p = 0; p < POINTS; p++) {
-		int joint = (p + 1)*n/4;
+		int joint = held + (p + 1)*n/4;
 
 		for (int i = 0; i < 3; i++)
 			seen->value[seen->rows][4*p + i] = x[3*joint + i] - seen->rest[3*joint + i];
@@ -163,12 +182,14 @@ static int chain(double *shape, double *omega, struct seen *seen, const struct c
 	memset(x, 0, 3*sizeof *x);
 	if (!lumped_straighten(&c, x))
 		return 0;
+	for (int p = 0; p < POINTS; p++)
+		memcpy(at[p], x + 3*((p + 1)*n/4), 3*sizeof *x);
+	if (st->elastic)
+		lumped_hold(&c, x);
 	memcpy(rest, x, sizeof rest);
 	c.relaxed = rest;
 	if (!lumped_frequencies(omega, FREQUENCIES, &c, x))
 		return 0;
-	for (int p = 0; p < POINTS; p++)
-		memcpy(at[p], x + 3*((p + 1)*n/4), 3*sizeof *x);
 	if (!row->steps)
 		return 1;
 	c.omega = Omega;

@@ -398,6 +398,10 @@ int main(void)
 	             "  {at: 81 %, mass: 90, spring: [0, 1 kN/m, 0]}]\n");
 	check_orders(INCLINED MOVING "load: {static: {per_length: [3, -2, 40]}}\n"
 	             "temperature: {change: 30 K, expansion: 1.2e-5}\n");
+	check_orders(INCLINED "support: {A: {motion: [0.2, -0.1, 0.15], phase: 0.6, harmonic: 2,\n"
+	             "  stiffness: [90 kN/m, .inf, 7 kN/m]}, B: {motion: [0.1, 0.3, -0.2], phase: -1.2,\n"
+	             "  stiffness: [30 kN/m, 60 kN/m, 4 kN/m], mass: 70 kg}}\n"
+	             "attach: [{at: 30 %, mass: 40, spring: [2 kN/m, 9 kN/m, 5 kN/m]}]\n");
 	check_tongue();
 	check_doubling();
 	for (size_t i = 0; i < sizeof across/sizeof *across; i++)
