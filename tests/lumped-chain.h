@@ -78,7 +78,7 @@ static double lumped_rod(double t[3], const double *x, int e)
 	return l;
 }
 
-static double lumped_tension(const struct lumped *c, const double *x, int e)
+static inline double lumped_tension(const struct lumped *c, const double *x, int e)
 {
 	double t[3];
 
@@ -328,7 +328,7 @@ static void lumped_ends(double *x, const struct lumped *c, double t)
 }
 
 /* v: velocity of the joints that follow the ends quasi-statically at the time t, about x. */
-static int lumped_follow(double *v, const struct lumped *c, const double *x, double t)
+static inline int lumped_follow(double *v, const struct lumped *c, const double *x, double t)
 {
 	static double K[3*LUMPED_MOST*LUMPED_ROWS], r[3*LUMPED_MOST], there[3*LUMPED_MOST];
 	static double moved[3*LUMPED_MOST + 3];
@@ -361,7 +361,7 @@ static void lumped_rate(double *r, double *K, const struct lumped *c, const doub
 
 /* Motion from x and v at the time `from`, `steps` steps to `until`; seen(x, data) after every
  * `every`-th. Average acceleration with Newton's method. */
-static int lumped_run(const struct lumped *c, double *x, double *v, double from, double until,
+static inline int lumped_run(const struct lumped *c, double *x, double *v, double from, double until,
                       int steps,
                       int every, void (*seen)(const double *x, void *data), void *data)
 {

@@ -101,3 +101,7 @@ check_PROGRAMS += tests/property/test-modes-bending
 TESTS += tests/property/test-modes-bending
 tests_property_test_modes_bending_SOURCES = tests/property/test-modes-bending.c
 tests_property_test_modes_bending_LDADD = $(UPTO_MODES)
+check_PROGRAMS += tests/property/test-modes-space
+TESTS += tests/property/test-modes-space
+tests_property_test_modes_space_SOURCES = tests/property/test-modes-space.c tests/lumped-chain.h
+tests_property_test_modes_space_LDADD = $(UPTO_MODES) $(LAPACKE_LIBS)

@@ -123,7 +123,11 @@ static void comments(struct hawser__table *table, const void *of)
 		hawser__table_comment(table,
 		                      "travels at %.10g m/s; tension at S = 0 %.10g N, apparent one %.10g N",
 		                      motion->speed, motion->tension, modes->statics.T0);
-	if (modes->statics.turned)
+	if (modes->statics.space)
+		hawser__table_comment(table, "the cable hangs in space: in-plane and out-of-plane name the "
+		                      "larger share, in or across the plane of each part between masses; x, "
+		                      "y, z are those of the scene");
+	else if (modes->statics.turned)
 		hawser__table_comment(table, "in-plane means the plane of the cable, which its static load "
 		                      "turns by %.6g rad about the chord; x, y, z are those of the scene",
 		                      modes->statics.swing);

@@ -296,11 +296,12 @@ enum hawser_status hawser_modes_basis(struct hawser_modes *modes,
                                       const struct hawser_statics *statics, int in_plane,
                                       int out_of_plane, struct hawser_report *report)
 {
-	const int functions[HAWSER__PLANES] = {in_plane, out_of_plane};
 	int most = in_plane > out_of_plane ? in_plane : out_of_plane, elements, degree;
+	const int functions[HAWSER__PLANES] = {statics->space ? most : in_plane,
+	                                       statics->space ? 0 : out_of_plane};
 	int bent[HAWSER__PLANES]; /* degrees with bending stiffness */
 	struct hawser__cable cable = {0};
-	struct part part[HAWSER__PLANES] = {{.D = 2}, {.D = 1}};
+	struct part part[HAWSER__PLANES] = {{.D = statics->space ? 3 : 2}, {.D = 1}};
 	enum hawser_status status = hawser__modes_check_statics(statics, report);
 
 	*modes = (struct hawser_modes){0};

@@ -23,15 +23,18 @@ static const double theta_span = 2.5; /* largest element, in theta */
 enum { LEAST_DEGREE = 3 };
 
 /* u just before attachment i, or at end B for i = attachments; and just after i - 1. The loads up to a
- * point are summed in the same way everywhere, so that u is the same to the last bit. */
-static void ends_of(double *first, double *last, const struct hawser_statics *st, int i)
+ * point are summed in the same way everywhere, so that u is the same to the last bit. Returns u'. */
+static double ends_of(double *first, double *last, const struct hawser_statics *st, int i)
 {
 	double load = 0.0;
 
+	if (st->space)
+		return hawser__space_slopes(first, last, st, i);
 	for (int k = 0; k < i; k++)
 		load += st->attached[k].jump[1];
 	*first = st->eta + st->delta*((i > 0 ? st->attached[i - 1].s : 0.0) + load);
 	*last = st->eta + st->delta*((i < st->attachments ? st->attached[i].s : st->l) + load);
+	return st->delta;
 }
 
 /* Elements of the piece of cable before attachment i. */
@@ -39,7 +42,7 @@ static int elements_of(const struct hawser_statics *st, int i)
 {
 	double first, last;
 
-	ends_of(&first, &last, st, i);
+	(void)ends_of(&first, &last, st, i);
 	return (int)fmax(1.0, ceil((asinh(last) - asinh(first))/theta_span));
 }
 
@@ -102,20 +105,20 @@ static void place_pieces(struct hawser__cable *t, double *u, double *bent, doubl
 
 	for (int i = 0, e = 0; i <= st->attachments; i++) {
 		int count = elements_of(st, i);
-		double first, last, from = i > 0 ? st->attached[i - 1].s : 0.0;
+		double first, last, rate, from = i > 0 ? st->attached[i - 1].s : 0.0;
 		double to = i < st->attachments ? st->attached[i].s : st->l;
 
-		ends_of(&first, &last, st, i);
+		rate = ends_of(&first, &last, st, i);
 		for (int k = 0; k < count; k++, e++) {
 			double low = asinh(first), high = asinh(last);
 
 			u[e] = k == 0 ? first : sinh(low + (high - low)*k/count);
-			edge[e] = k == 0 ? from : from + (u[e] - first)/st->delta;
+			edge[e] = k == 0 ? from : from + (u[e] - first)/rate;
 			bent[e] = st->delta*(edge[e] + load - middle);
 			if (k > 0)
-				length[e - 1] = (u[e] - u[e - 1])/st->delta;
+				length[e - 1] = (u[e] - u[e - 1])/rate;
 		}
-		length[e - 1] = count == 1 ? to - from : (last - u[e - 1])/st->delta;
+		length[e - 1] = count == 1 ? to - from : (last - u[e - 1])/rate;
 		edge[e] = to;
 		u[e] = last;
 		if (i == st->attachments)
@@ -135,12 +138,12 @@ static void place_joints(struct hawser__cable *t, const double axis[3][HAWSER__M
 
 	for (int end = 0; end < 2; end++)
 		for (int a = 0; a < 3; a++) {
-			int plane = a == 2 ? HAWSER_OUT_OF_PLANE : HAWSER_IN_PLANE;
+			int plane = a == 2 && !st->space ? HAWSER_OUT_OF_PLANE : HAWSER_IN_PLANE;
 			double root = sqrt(st->H/(st->held[end].stiffness[a]*st->span.d));
 
 			if (root > 0.0)
 				t->joint[plane][count[plane]++] = (struct hawser__joint){
-					end, {root*axis[a][0], root*axis[a][1]}};
+					end, {root*axis[a][0], root*axis[a][1], root*axis[a][2]}};
 		}
 	for (int q = 0; q < HAWSER__PLANES; q++) {
 		t->lump[q][0] = (struct hawser__lump){0, st->held[0].m};
@@ -157,7 +160,7 @@ static void place_absorbers(struct hawser__cable *t, const double axis[3][HAWSER
 	for (int i = 0; i < st->attachments; i++) {
 		const struct hawser_attached *at = &st->attached[i];
 		const double *a = at->absorber_axis;
-		int q = a[2] != 0.0 ? HAWSER_OUT_OF_PLANE : HAWSER_IN_PLANE;
+		int q = a[2] != 0.0 && !st->space ? HAWSER_OUT_OF_PLANE : HAWSER_IN_PLANE;
 		struct hawser__absorber *to = &t->absorber[q][t->plane[q].absorbers];
 
 		if (!(at->absorber > 0.0))
@@ -165,7 +168,8 @@ static void place_absorbers(struct hawser__cable *t, const double axis[3][HAWSER
 		*to = (struct hawser__absorber){.lump = i + st->elastic, .mass = at->absorber,
 		                                .root = sqrt(st->H/(at->absorber_stiffness*st->span.d))};
 		for (int c = 0; c < t->plane[q].D; c++)
-			to->a[c] = q == HAWSER_IN_PLANE ? a[0]*axis[0][c] + a[1]*axis[1][c] : a[2];
+			to->a[c] = q == HAWSER_IN_PLANE ? a[0]*axis[0][c] + a[1]*axis[1][c] + a[2]*axis[2][c]
+			                                : a[2];
 		t->lump[q][to->lump].mass = at->m - at->absorber;
 		t->plane[q].absorbers++;
 	}
@@ -178,17 +182,19 @@ static void place_absorbers(struct hawser__cable *t, const double axis[3][HAWSER
 static void place_springs(struct hawser__cable *t, const struct hawser_statics *st)
 {
 	double um = st->eta + st->delta*(0.5*st->l + load_to_middle(st)), cm = sqrt(1.0 + um*um);
-	const double axis[3][HAWSER__MAX_D] = {{1.0/cm, -um/cm}, {um/cm, 1.0/cm}, {1.0, 0.0}};
+	double axis[3][HAWSER__MAX_D] = {{1.0/cm, -um/cm}, {um/cm, 1.0/cm}, {1.0, 0.0}};
 	int count[HAWSER__PLANES] = {0};
 
+	if (st->space)
+		hawser__space_axes(axis, st);
 	for (int i = 0; i < st->attachments; i++)
 		for (int a = 0; a < 3; a++) {
-			int plane = a == 2 ? HAWSER_OUT_OF_PLANE : HAWSER_IN_PLANE;
+			int plane = a == 2 && !st->space ? HAWSER_OUT_OF_PLANE : HAWSER_IN_PLANE;
 			double root = sqrt(st->attached[i].spring[a]*st->span.d/st->H);
 
 			if (root > 0.0)
 				t->spring[plane][count[plane]++] = (struct hawser__spring){
-					i + st->elastic, {root*axis[a][0], root*axis[a][1]}};
+					i + st->elastic, {root*axis[a][0], root*axis[a][1], root*axis[a][2]}};
 		}
 	if (st->elastic)
 		place_joints(t, axis, st);
@@ -255,6 +261,10 @@ void hawser__cable_fields(double *shape, double *slope, const struct hawser__cab
 	const double *cosine = cable->field, *sine = cosine + points, *sb = sine + points;
 	const double *x = displacement, *y = displacement + points;
 
+	if (cable->space) {
+		hawser__space_shape(shape, slope, cable, strain, displacement);
+		return;
+	}
 	for (int i = 0; i < points; i++, shape += 3, slope += 3) {
 		if (plane == HAWSER_OUT_OF_PLANE) {
 			shape[2] = x[i];
@@ -328,7 +338,8 @@ enum hawser_status hawser__cable_init(struct hawser__cable *cable,
 	size_t edges = (size_t)elements + 1, points;
 	enum hawser_status status;
 
-	*cable = (struct hawser__cable){.sa = sqrt(statics->epsilon), .elastic = statics->elastic};
+	*cable = (struct hawser__cable){.sa = sqrt(statics->epsilon), .elastic = statics->elastic,
+	                                .space = statics->space};
 	cable->edges = malloc(4*edges*sizeof *cable->edges);
 	if (!cable->edges)
 		return hawser__no_memory(report, "modes");
@@ -344,12 +355,16 @@ enum hawser_status hawser__cable_init(struct hawser__cable *cable,
 	if (status)
 		return status;
 	points = (size_t)cable->grid.points;
-	cable->field = malloc(HAWSER__FIELDS*points*sizeof *cable->field);
-	cable->direction = malloc(5*points*sizeof *cable->direction);
+	cable->field = malloc((statics->space ? 10 : HAWSER__FIELDS)*points*sizeof *cable->field);
+	cable->direction = malloc((statics->space ? 9 : 5)*points*sizeof *cable->direction);
 	if (!cable->field || !cable->direction)
 		return hawser__no_memory(report, "modes");
-	fill_fields(cable->field, &cable->grid, cable->edges, cable->edges + 3*edges, statics);
-	fill_directions(cable, cable->sa);
+	if (statics->space) {
+		hawser__space_fields(cable, statics);
+	} else {
+		fill_fields(cable->field, &cable->grid, cable->edges, cable->edges + 3*edges, statics);
+		fill_directions(cable, cable->sa);
+	}
 	cable->pieces = statics->attachments > 0;
 	if (statics->attachments > 0 || statics->elastic)
 		place_springs(cable, statics);

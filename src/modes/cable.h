@@ -13,9 +13,10 @@ struct hawser__cable {
 	double *edges;     /* [4][elements+1] slopes and positions of the edges, lengths; with
 	                    * attachments, slopes at the beginnings of the elements, and these minus the
 	                    * slope at mid-length */
-	double *field;     /* [3][points]: cos psi, sin psi, sb (spectral.c) */
-	double *direction; /* [4 + 1][points] of the in-plane and the out-of-plane problem */
+	double *field;     /* [3][points]: cos psi, sin psi, sb (spectral.c); in space [9 + 1]: R, sb */
+	double *direction; /* [4 + 1][points] of the in-plane and the out-of-plane problem; in space [9] */
 	double sa;         /* sqrt(epsilon) */
+	int space;         /* 1: one problem of three components, in the place of that in the plane */
 	int elastic;       /* 1: the first and the last lump are elastic supports */
 	int pieces;        /* 1: elements between attachments, else over the whole length */
 	/* the attachments, between elastic supports, without absorbers that move in the plane */
@@ -57,6 +58,15 @@ void hawser__cable_fields(double *shape, double *slope, const struct hawser__cab
 /* stroke [attachments], zero on entry: of the absorbers of one plane, from strain as above. */
 void hawser__cable_strokes(double *stroke, const struct hawser__cable *cable, int plane,
                            const double *strain);
+
+/* Of a cable in space (cable_space.c): slopes at both ends of the piece before attachment i, returns
+ * what the slope increases per length; fields and directions on the grid; x, y and z along the axes of
+ * the displacements; and the fields of a mode. */
+double hawser__space_slopes(double *first, double *last, const struct hawser_statics *st, int i);
+void hawser__space_fields(struct hawser__cable *cable, const struct hawser_statics *st);
+void hawser__space_axes(double axis[3][HAWSER__MAX_D], const struct hawser_statics *st);
+void hawser__space_shape(double *shape, double *slope, const struct hawser__cable *cable,
+                         const double *strain, const double *displacement);
 
 void hawser__cable_clear(struct hawser__cable *cable);
 

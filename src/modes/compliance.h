@@ -8,7 +8,7 @@
 /* One plane of motion: D strains, D displacements, and the displacement gradient that a unit of
  * each strain gives, direction[strain][displacement][points]. The strain energy is the integral of
  * the squared strains over 2: the directions carry the stiffness. */
-enum { HAWSER__MAX_D = 2, HAWSER__MAX_SPRINGS = HAWSER__MAX_D*HAWSER_ATTACH_MAX,
+enum { HAWSER__MAX_D = 3, HAWSER__MAX_SPRINGS = HAWSER__MAX_D*HAWSER_ATTACH_MAX,
        HAWSER__MAX_JOINTS = 2*HAWSER__MAX_D, HAWSER__MAX_LUMPS = HAWSER_ATTACH_MAX + 2,
        HAWSER__MAX_ABSORBERS = HAWSER_ATTACH_MAX };
 

@@ -129,6 +129,8 @@ void hawser__modes_attached(double u[3], const struct hawser_modes *modes, int k
 	u[0] = local[0]*at.ex - local[1]*at.ey;
 	u[1] = local[0]*at.ey + local[1]*at.ex;
 	u[2] = local[2];
+	for (int c = 0; c < 3 && modes->statics.space; c++)
+		u[c] = local[0]*at.axis[0][c] + local[1]*at.axis[1][c] + local[2]*at.axis[2][c];
 }
 
 /* Share of the point masses in the norm of mode k, added to those of the components. */
@@ -148,9 +150,11 @@ static void add_masses(double share[3], const struct hawser_modes *modes, int k)
 		if (own > 0.0) {
 			const double *a = st->attached[i].absorber_axis;
 
-			local[0] += stroke*(a[0]*at.ex + a[1]*at.ey);
-			local[1] += stroke*(a[1]*at.ex - a[0]*at.ey);
-			local[2] += stroke*a[2];
+			double b[3];
+
+			hawser_statics_from_global(st, b, a);
+			for (int c = 0; c < 3; c++)
+				local[c] += stroke*(at.axis[c][0]*b[0] + at.axis[c][1]*b[1] + at.axis[c][2]*b[2]);
 			for (int c = 0; c < 3; c++)
 				share[c] += own*local[c]*local[c];
 		}
@@ -165,7 +169,14 @@ static void participate(struct hawser_mode *mode, const struct hawser_modes *mod
 	const struct hawser_statics *st = &modes->statics;
 	double *Gamma = mode->participation;
 
-	for (int i = 0; i < grid->points; i++, shape += 3) {
+	for (int i = 0; st->space && i < grid->points; i++) {
+		struct hawser_frame_point at = hawser_statics_frame(st, grid->s[i]);
+
+		for (int f = 0; f < 3; f++)
+			for (int c = 0; c < 3; c++)
+				Gamma[c] += grid->weight[i]*shape[3*i + f]*at.axis[f][c];
+	}
+	for (int i = 0; !st->space && i < grid->points; i++, shape += 3) {
 		double u = st->attachments > 0 ? hawser_statics_frame(st, grid->s[i]).u
 		                               : st->eta + st->delta*grid->s[i];
 		double T = hypot(1.0, u), w = grid->weight[i];
@@ -208,6 +219,8 @@ double hawser__mode_label(struct hawser_modes *modes, int k)
 	mode->axial_share = share[0]/all;
 	mode->normal_share = share[1]/all;
 	mode->out_of_plane_share = share[2]/all;
+	if (modes->statics.space) /* by the larger share: the planes couple */
+		mode->plane = mode->out_of_plane_share > 0.5 ? HAWSER_OUT_OF_PLANE : HAWSER_IN_PLANE;
 	mode->condition = 1.0;
 	mode->downstream = 0.5;
 	mode->family = f == 0 ? HAWSER_LONGITUDINAL : HAWSER_TRANSVERSE;

@@ -6,6 +6,7 @@ noinst_LTLIBRARIES += %D%/libmodes.la
 	%D%/bending.c \
 	%D%/bending.h \
 	%D%/cable.c \
+	%D%/cable_space.c \
 	%D%/cable.h \
 	%D%/chain.c \
 	%D%/chain.h \

@@ -78,11 +78,11 @@ enum hawser_status hawser__modes_check_statics(const struct hawser_statics *st,
 	             {"l = L/d", st->l}, {"eta", st->eta}, {"H", st->H}, {"d", st->span.d},
 	             {"rho", st->span.rho}};
 
-	if (st->space)
+	if (st->space && st->bending.EI > 0.0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
-		                    "attach.mass with load.static.per_length: the modes of a cable that masses "
-		                    "and wind together turn out of one plane are not available; set "
-		                    "load.static.per_length=[0,0,0], or leave the masses out");
+		                    "cable.EI with masses in a wind: bending stiffness of a cable that hangs "
+		                    "in space is not modelled; set cable.EI=0, or "
+		                    "load.static.per_length=[0,0,0]");
 	if (isinf(st->span.EA) || st->epsilon == 0.0)
 		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "modes",
 		                    "an inextensible cable (EA infinite) has infinite longitudinal "

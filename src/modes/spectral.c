@@ -134,7 +134,7 @@ static enum hawser_status attempt_solve(double *worst, struct attempt *t,
 	t->place = malloc((size_t)n*sizeof *t->place);
 	if (!t->place)
 		return hawser__no_memory(report, "modes");
-	for (int q = 0; q < HAWSER__PLANES && !status; q++)
+	for (int q = 0; q < HAWSER__PLANES && t->cable.plane[q].D > 0 && !status; q++)
 		status = hawser__compliance_solve(&t->pairs[q], &t->cable.plane[q], &t->cable.grid,
 		                                  &t->cable.reference, p, n, report);
 	if (status)

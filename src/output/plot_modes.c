@@ -134,8 +134,14 @@ static void displaced_point(FILE *script, const struct hawser_modes *modes, int 
 	hawser_modes_at(modes, shape, NULL, k, s);
 	dx = out ? 0.0 : scale*(shape[0]*frame.ex - shape[1]*frame.ey);
 	dy = out ? scale*shape[2] : scale*(shape[0]*frame.ey + shape[1]*frame.ex);
+	if (st->space)
+		dx = dy = 0.0;
+	for (int c = 0; c < 3 && st->space; c++) {
+		dx += out ? 0.0 : scale*shape[c]*frame.axis[c][0];
+		dy += scale*shape[c]*frame.axis[c][out ? 2 : 1];
+	}
 	if (out)
-		rest.y = 0.0;
+		rest.y = rest.z; /* 0 but in space */
 	fprintf(script, "%.9g %.9g %.9g %.9g %.9g %.9g\n", rest.x, rest.y, rest.x + dx, rest.y + dy,
 	        rest.x - dx, rest.y - dy);
 }

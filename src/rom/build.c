@@ -250,6 +250,11 @@ enum hawser_status hawser__rom_begin(struct hawser_rom *rom, const struct hawser
 		                    "absorbers of attachments are part of modes only, not of models yet: "
 		                    "leave them out, or give their mass as mass, which holds it to the "
 		                    "cable");
+	if (modes->statics.space)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+		                    "attach.mass with load.static.per_length: such a cable hangs in space, of "
+		                    "which there are modes but no model yet; set "
+		                    "load.static.per_length=[0,0,0], or leave the masses out");
 	if (!(modes->statics.epsilon > 0.0))
 		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "rom",
 		                    "an inextensible cable (EA = %g N) has no strain energy: "

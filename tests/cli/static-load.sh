@@ -134,6 +134,12 @@ for a in r["attachments"]:  # the kink, by the law of cosines of both tensions a
     T, U, W = a["T_before"], a["T_after"], 9.81 * a["mass"]
     assert abs(math.acos((T * T + U * U - W * W) / (2 * T * U)) - a["kink"]) < 1e-6, a
 END
+works "modes in space" modes "$top/notebooks-data/scenes/ropeway-carriers.yaml" -n 3 \
+	--set "load.static={per_length: [0, 0, 3]}" --view profile --plot modes.svg
+refuses_like 1 'damped modes of a cable' modes "$top/notebooks-data/scenes/ropeway-carriers.yaml" -n 3 --damped \
+	--set "load.static={per_length: [0, 0, 3]}"
+refuses_like 1 'no model yet' frf "$top/notebooks-data/scenes/ropeway-carriers.yaml" \
+	--set "load.static={per_length: [0, 0, 3]}"
 refuses_like 1 'not the same everywhere' irvine "$top/notebooks-data/scenes/ropeway-carriers.yaml" \
 	--set "load.static={per_length: [0, 0, 3]}"
 refuses_like 2 'without any force' statics "$scene" --set "load.static={per_length: [0, 15.696, 0], mass: 0}"

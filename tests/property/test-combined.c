@@ -66,6 +66,15 @@ static const struct combined table[] = {
 	          "damping: {rayleigh: {mass: 0.1, stiffness: 0}}\n",
 	 .omega = 0.93, .rods = 64, .steps = 400, .modes = 24,
 	 .shape = 2e-7, .frequency = 1e-6, .displacement = 3e-4, .tension = 2e-3},
+	{.what = "a conductor with ice, wind and two spacers",
+	 .scene = "cable: {EA: 21.7 MN, rho: 1.57 kg/m}\nspan: {d: 400 m, h: 22 m}\n"
+	          "tension: {H: 24 kN, state: reference}\n"
+	          "attach: [{at: 31.25 %, mass: 48}, {at: 68.75 %, mass: 63}]\n"
+	          "load: {static: {per_length: [0, 0, 12 N/m], mass: 0.8 kg/m}, frame: global,\n"
+	          "  per_length: [0, 1 N/m, 2 N/m]}\n"
+	          "damping: {rayleigh: {mass: 0.1, stiffness: 0}}\n",
+	 .omega = 0.93, .rods = 64, .steps = 0, .modes = 24,
+	 .shape = 2e-7, .frequency = 1e-6, .displacement = 3e-4, .tension = 2e-3},
 	{.what = "a stay with a spring and a damper, whose anchorage moves",
 	 .scene = "cable: {EA: 480 MN, rho: 52 kg/m}\nspan: {d: 110 m, h: 60 m}\ntension: {T0: 2.1 MN}\n"
 	          "attach: [{at: 12.5 %, damper: [0, 60 N s/m, 100 N s/m]},\n"
@@ -126,7 +135,7 @@ static void describe(struct lumped *c, const struct hawser_scene *scene,
 static void place(double x[3], const struct hawser_statics *st, double part)
 {
 	struct hawser_profile_point at = hawser_statics_at(st, part*st->length0);
-	const double in[3] = {at.x, at.y, 0.0};
+	const double in[3] = {at.x, at.y, at.z};
 
 	hawser_statics_to_global(st, x, in);
 }
