@@ -78,6 +78,10 @@ TESTS += tests/property/test-rom-swung
 tests_property_test_rom_swung_SOURCES = tests/property/test-rom-swung.c
 tests_property_test_rom_swung_LDADD = $(UPTO_ROM)
 
+check_PROGRAMS += tests/property/test-rom-absorber
+TESTS += tests/property/test-rom-absorber
+tests_property_test_rom_absorber_SOURCES = tests/property/test-rom-absorber.c
+tests_property_test_rom_absorber_LDADD = $(UPTO_ROM)
 check_PROGRAMS += tests/property/test-rom-attached
 TESTS += tests/property/test-rom-attached
 tests_property_test_rom_attached_SOURCES = tests/property/test-rom-attached.c

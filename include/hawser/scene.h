@@ -90,6 +90,7 @@ struct hawser_attachment {
 	double absorber_mass;         /* kg; 0: none */
 	double absorber_stiffness;    /* N/m, > 0 with a mass */
 	double absorber_damping;      /* N s/m */
+	double absorber_cubic;        /* N/m^3: force of the spring by the cube of the stroke from rest */
 	double absorber_direction[3]; /* along x, y, z; of any length but 0 */
 	char name[HAWSER_NAME_SIZE]; /* "" if it has none */
 };

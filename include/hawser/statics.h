@@ -52,6 +52,7 @@ struct hawser_attached {
 	double absorber;           /* its share of m, scaled; 0: none */
 	double absorber_stiffness; /* N/m */
 	double absorber_damping;   /* N s/m */
+	double absorber_cubic;     /* N/m^3 */
 	double absorber_axis[3];   /* unit vector along x, y, z */
 };
 

@@ -62,6 +62,7 @@ static const struct {
 	{"attach.absorber_mass", "Mass of the absorber", ""},
 	{"attach.absorber_stiffness", "Stiffness of the absorber", ""},
 	{"attach.absorber_damping", "Damper of the absorber", ""},
+	{"attach.absorber_cubic", "Cubic spring of the absorber", ""},
 	{"attach.at", "Place of the attachment", ""},
 	{"attach.spring[0]", "Spring along x", ""},
 	{"attach.spring[1]", "Spring along y", ""},

@@ -120,6 +120,7 @@ static void echo_attachments(struct hawser__json *json, json_t *echo,
 			hawser__json_number(json, item, "absorber_mass", a->absorber_mass);
 			hawser__json_number(json, item, "absorber_stiffness", a->absorber_stiffness);
 			hawser__json_number(json, item, "absorber_damping", a->absorber_damping);
+			hawser__json_number(json, item, "absorber_cubic", a->absorber_cubic);
 			triple(json, item, "absorber_direction", a->absorber_direction);
 		}
 		if (*a->name)

@@ -119,14 +119,18 @@ static void note(struct work *work, int order)
 	int count = work->stations.count;
 
 	for (int p = 0; p < shapes->points; p++) {
-		struct hawser_frame_point at =
-			hawser_statics_frame(&work->stations.modes->statics, shapes->s[p]);
+		const struct hawser_statics *st = &work->stations.modes->statics;
+		struct hawser_frame_point at = hawser_statics_frame(st, shapes->s[p]);
 		double *out = work->shape + 4*((size_t)order*(size_t)shapes->points + (size_t)p);
+		int own = hawser__rom_stroke_point(st, p);
 		double global[3];
 
 		for (int axis = 0; axis < 3; axis++)
-			hawser__grid_at(&global[axis], &work->grid, work->along + axis*count, 1, 1,
-			                shapes->s[p]);
+			if (own >= 0)
+				global[axis] = work->stations.stroke[own]*st->attached[own].absorber_axis[axis];
+			else
+				hawser__grid_at(&global[axis], &work->grid, work->along + axis*count, 1, 1,
+				                shapes->s[p]);
 		to_local(out, global, &at);
 		hawser__grid_at(out + 3, &work->grid, work->stations.z, 3, 1, shapes->s[p]);
 	}
@@ -135,38 +139,49 @@ static void note(struct work *work, int order)
 		                &work->grid, work->stations.z, 3, 1, line->s[p]);
 }
 
-/* Add to the running integral of a displacement, which is in work->global, the point masses times
- * it. */
-static void add_masses(struct work *work, double *along, double *beyond)
+/* Add to the running integral of component `axis` of a displacement, which is in work->global, the
+ * point masses times it, and to the forces on strokes those of absorbers. */
+static void add_masses(struct work *work, double *along, double *beyond, int axis)
 {
 	const struct hawser_statics *st = &work->stations.modes->statics;
 
 	for (int i = 0; i < hawser__points(st); i++) {
 		struct hawser__point point = hawser__point(st, i);
-		double u;
+		double u, force, own = hawser__point_absorber(st, i);
 
 		hawser__grid_at(&u, &work->grid, work->global, 1, 1, point.s);
+		force = point.m*u;
+		if (own > 0.0) {
+			double a = st->attached[i].absorber_axis[axis], moved = a*work->stations.stroke[i];
+
+			force += own*moved;
+			work->stations.load[i] += own*a*(u + moved);
+		}
 		for (int p = 0; p < work->stations.count; p++)
 			if (work->stations.s[p] > point.s)
-				along[p] += point.m*u;
-		*beyond += point.m*u;
+				along[p] += force;
+		*beyond += force;
 	}
 }
 
 /* p of the force per length in `along`. Its work on a displacement is that of minus its running
  * integral on the derivative, and of the whole force on the displacement of end B. `masses`: point
- * masses count as well; `point` [hawser__points][3]: further forces at these points, or NULL. */
-static void pull_of(struct work *work, int masses, const double *point)
+ * masses count as well; `point` [hawser__points][3]: further forces at these points, `stroke`
+ * [attachments]: on the strokes of absorbers, or NULL. */
+static void pull_of(struct work *work, int masses, const double *point, const double *stroke)
 {
 	const struct hawser_statics *st = &work->stations.modes->statics;
 	int count = work->stations.count;
+
+	for (int i = 0; i < st->attachments; i++)
+		work->stations.load[i] = stroke ? stroke[i] : 0.0;
 
 	for (int axis = 0; axis < 3; axis++) {
 		memcpy(work->global, work->along + axis*count, (size_t)count*sizeof(double));
 		work->stations.beyond[axis] = hawser__grid_running(work->along + axis*count, &work->grid,
 		                                                   &work->reference, work->global);
 		if (masses)
-			add_masses(work, work->along + axis*count, &work->stations.beyond[axis]);
+			add_masses(work, work->along + axis*count, &work->stations.beyond[axis], axis);
 		for (int i = 0; point && i < hawser__points(st); i++) {
 			work->stations.beyond[axis] += point[3*i + axis];
 			for (int p = 0; p < count; p++)
@@ -194,7 +209,7 @@ static void solve(struct work *work)
 		note(work, order);
 		if (order + 1 == ORDERS)
 			break;
-		pull_of(work, 1, NULL);
+		pull_of(work, 1, NULL, NULL);
 	}
 }
 
@@ -232,6 +247,7 @@ static enum hawser_status answer_load(struct hawser_rom *rom, const struct hawse
 	if (!status)
 		status = work_make(&work, modes, moving, loads.cut, loads.cuts, report);
 	for (int h = 0; !status && h < loads.harmonics; h++) {
+		memset(work.stations.load, 0, sizeof work.stations.load);
 		hawser__load_pull(&work.stations, &loads, h);
 		solve(&work);
 		status = add_harmonic(&rom->harmonic[h], 1.0, &work) ? HAWSER_OK
@@ -299,7 +315,7 @@ enum hawser_status hawser__rom_answers(struct hawser_rom *rom, const struct haws
 enum hawser_status hawser__rom_answer_field(struct hawser_rom *rom, int harmonic,
                                             const struct hawser_modes *modes, int moving,
                                             const double *field, const double *point,
-                                            struct hawser_report *report)
+                                            const double *stroke, struct hawser_report *report)
 {
 	size_t n2 = (size_t)rom->n*(size_t)rom->n;
 	struct hawser_harmonic *h = &rom->harmonic[harmonic];
@@ -311,7 +327,7 @@ enum hawser_status hawser__rom_answer_field(struct hawser_rom *rom, int harmonic
 		status = hawser__no_memory(report, "rom");
 	if (!status) {
 		memcpy(work.along, field, 3*(size_t)work.stations.count*sizeof *field);
-		pull_of(&work, 0, point);
+		pull_of(&work, 0, point, stroke);
 		solve(&work);
 		status = add_harmonic(h, 1.0, &work) ? HAWSER_OK : hawser__no_memory(report, "rom");
 	}
@@ -321,7 +337,7 @@ enum hawser_status hawser__rom_answer_field(struct hawser_rom *rom, int harmonic
 	}
 	if (!status) {
 		memcpy(work.along, field, 3*(size_t)work.stations.count*sizeof *field);
-		pull_of(&work, 0, point);
+		pull_of(&work, 0, point, stroke);
 		hawser__follow(&work.stations);
 		if (hawser__follow_stiffness(T, &work.stations)) {
 			/* second-order shapes respond to the force as coordinates: their part of z counts

@@ -19,7 +19,7 @@
 
 #include "core/report.h"
 #include "modes/grid.h"
-#include "modes/methods.h"
+#include "modes/label.h"
 #include "rom/answer.h"
 #include "rom/build.h"
 #include "rom/drag.h"
@@ -154,9 +154,58 @@ static enum hawser_status set_labels(struct hawser_rom *rom, const struct hawser
 	return HAWSER_OK;
 }
 
+int hawser__rom_stroke_point(const struct hawser_statics *st, int p)
+{
+	int left = p - PROBES;
+
+	for (int i = 0; left >= 0 && i < st->attachments; i++)
+		if (st->attached[i].absorber > 0.0 && left-- == 0)
+			return i;
+	return -1;
+}
+
+/* PROBES, and a point for the stroke of every absorber. */
+static int points_of(const struct hawser_statics *st)
+{
+	int points = PROBES;
+
+	for (int i = 0; i < st->attachments; i++)
+		points += st->attached[i].absorber > 0.0;
+	return points;
+}
+
+/* "mid"; "stroke_tmd" or, without a name, "stroke_2" of attachment 2 of the scene. */
+static char *name_of(const struct hawser_modes *modes, const struct hawser_scene *scene, int p)
+{
+	int own = hawser__rom_stroke_point(&modes->statics, p), index;
+	char text[HAWSER_NAME_SIZE + 24];
+
+	if (own < 0)
+		return strdup(probes[p].name);
+	index = modes->statics.attached[own].index;
+	if (scene && index < scene->attachments && *scene->attach[index].name)
+		snprintf(text, sizeof text, "stroke_%s", scene->attach[index].name);
+	else
+		snprintf(text, sizeof text, "stroke_%d", index + 1);
+	return strdup(text);
+}
+
+/* A stroke along the direction of its absorber, as P, Q, B. */
+static void set_stroke(double shape[3], const struct hawser_modes *modes, int i, double stroke)
+{
+	struct hawser_frame_point at = hawser_statics_frame(&modes->statics,
+	                                                    modes->statics.attached[i].s);
+	const double *a = modes->statics.attached[i].absorber_axis;
+
+	shape[0] = stroke*(a[0]*at.ex + a[1]*at.ey);
+	shape[1] = stroke*(a[1]*at.ex - a[0]*at.ey);
+	shape[2] = stroke*a[2];
+}
+
 static void set_probe(struct hawser_rom_shapes *shapes, const struct hawser_modes *modes, int p)
 {
-	double s = probes[p].part*modes->statics.l;
+	int own = hawser__rom_stroke_point(&modes->statics, p);
+	double s = own < 0 ? probes[p].part*modes->statics.l : modes->statics.attached[own].s;
 	struct hawser_frame_point at = hawser_statics_frame(&modes->statics, s);
 
 	shapes->s[p] = s;
@@ -164,9 +213,11 @@ static void set_probe(struct hawser_rom_shapes *shapes, const struct hawser_mode
 	shapes->tangent[2*p + 1] = at.ey;
 	shapes->stretch[p] = 1.0 + at.strain;
 	for (int j = 0; j < modes->n; j++) {
-		size_t place = ((size_t)j*PROBES + p)*3;
+		size_t place = ((size_t)j*(size_t)shapes->points + (size_t)p)*3;
 
 		hawser_modes_at(modes, shapes->shape + place, shapes->slope + place, j, s);
+		if (own >= 0)
+			set_stroke(shapes->shape + place, modes, own, hawser__stroke(modes, j, own));
 	}
 }
 
@@ -178,10 +229,16 @@ static enum hawser_status set_second(struct hawser_rom *rom, const struct hawser
 	struct hawser_rom_shapes *shapes = &rom->shapes;
 	enum hawser_status status = hawser__rom_init_second(rom, report);
 
-	for (int p = 0; !status && p < PROBES; p++)
+	for (int p = 0; !status && p < shapes->points; p++) {
+		int own = hawser__rom_stroke_point(&modes->statics, p);
+
 		status = hawser__condensed_at(condensed, modes, shapes->second_shape + 3*p,
-		                              shapes->second_slope + 3*p, 3*PROBES, shapes->s[p],
-		                              report);
+		                              shapes->second_slope + 3*p, 3*shapes->points,
+		                              shapes->s[p], report);
+		for (int x = 0; !status && own >= 0 && x < condensed->pairs; x++)
+			set_stroke(shapes->second_shape + 3*(x*shapes->points + p), modes, own,
+			           condensed->stroke[x*modes->statics.attachments + own]);
+	}
 	for (int p = 0; !status && p < LINE; p++)
 		for (int x = 0; x < condensed->pairs; x++)
 			hawser__grid_at(rom->line.second_slope + ((size_t)x*LINE + p)*3, &modes->grid,
@@ -191,17 +248,17 @@ static enum hawser_status set_second(struct hawser_rom *rom, const struct hawser
 }
 
 static enum hawser_status set_shapes(struct hawser_rom *rom, const struct hawser_modes *modes,
-                                     struct hawser_report *report)
+                                     const struct hawser_scene *scene, struct hawser_report *report)
 {
-	enum hawser_status status = hawser__rom_init_shapes(rom, PROBES, report);
+	enum hawser_status status = hawser__rom_init_shapes(rom, points_of(&modes->statics), report);
 
 	if (status)
 		return status;
 	rom->shapes.EA = modes->statics.span.EA;
 	rom->shapes.turned = modes->statics.turned;
 	memcpy(rom->shapes.axes, modes->statics.axes, sizeof rom->shapes.axes);
-	for (int p = 0; p < PROBES; p++) {
-		rom->shapes.name[p] = strdup(probes[p].name);
+	for (int p = 0; p < rom->shapes.points; p++) {
+		rom->shapes.name[p] = name_of(modes, scene, p);
 		if (!rom->shapes.name[p])
 			return hawser__no_memory(report, "rom");
 		set_probe(&rom->shapes, modes, p);
@@ -245,11 +302,6 @@ enum hawser_status hawser__rom_begin(struct hawser_rom *rom, const struct hawser
 	status = hawser__rom_real(modes, report);
 	if (status)
 		return status;
-	if (hawser__has_absorbers(&modes->statics))
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
-		                    "absorbers of attachments are part of modes only, not of models yet: "
-		                    "leave them out, or give their mass as mass, which holds it to the "
-		                    "cable");
 	if (modes->statics.space)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
 		                    "attach.mass with load.static.per_length: such a cable hangs in space, of "
@@ -267,9 +319,7 @@ enum hawser_status hawser__rom_begin(struct hawser_rom *rom, const struct hawser
 	rom->force = modes->statics.H;
 	rom->scaled = 1;
 	set_stiffness(rom, modes);
-	if (scene)
-		hawser__rom_damping(rom, modes, scene);
-	return HAWSER_OK;
+	return scene ? hawser__rom_damping(rom, modes, scene, report) : HAWSER_OK;
 }
 
 enum hawser_status hawser__rom_finish(struct hawser_rom *rom, const struct hawser_modes *modes,
@@ -288,7 +338,7 @@ enum hawser_status hawser__rom_finish(struct hawser_rom *rom, const struct hawse
 	if (!status)
 		status = set_labels(rom, modes, report);
 	if (!status)
-		status = set_shapes(rom, modes, report);
+		status = set_shapes(rom, modes, scene, report);
 	return status ? status : set_line(rom, modes, report);
 }
 

@@ -27,9 +27,11 @@ enum hawser_status hawser__rom_of_modes(struct hawser_rom *rom, const struct haw
                                         const struct hawser_scene *scene,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* The scene's damping, added to D: on the diagonal but for attachments. */
-void hawser__rom_damping(struct hawser_rom *rom, const struct hawser_modes *modes,
-                         const struct hawser_scene *scene);
+/* The scene's damping, added to D: on the diagonal but for attachments. Statuses of hawser_modes_solve,
+ * which damping ratios with absorbers call. */
+enum hawser_status hawser__rom_damping(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                       const struct hawser_scene *scene,
+                                       struct hawser_report *report);
 
 /* Variation of the stiffness of the first `moving` modes by the static response of the others to
  * the load and to the changes of the speed: added to the harmonics and the ramp of a model, which
@@ -48,6 +50,10 @@ enum hawser_status hawser__rom_build_forces(struct hawser_rom *rom,
                                             const struct hawser_modes *modes,
                                             const struct hawser_scene *scene,
                                             struct hawser_report *report);
+
+/* The attachment whose stroke shape point p of a model of these statics is, or -1: those of absorbers
+ * follow the points of the cable. */
+int hawser__rom_stroke_point(const struct hawser_statics *statics, int p);
 
 /* Load, labels and probes. */
 enum hawser_status hawser__rom_finish(struct hawser_rom *rom, const struct hawser_modes *modes,

@@ -16,7 +16,8 @@
  * change of the end force. This is exact up to quadrature, however stiff the cable is, while
  * Galerkin's method would need a converged basis. Finally the part along the kept modes is removed:
  * since K w = -D^3V3, w has the coordinate -T_jks/omega_s^2 along Phi_s. With springs of attachments
- * the force varies along the cable: ties.c.
+ * the force varies along the cable: ties.c. An absorber carries no static force, so that w has a stroke
+ * only in the part along the kept modes.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -29,6 +30,7 @@
 #include "core/report.h"
 #include "modes/grid.h"
 #include "modes/label.h"
+#include "rom/absorbers.h"
 #include "rom/condense.h"
 #include "rom/ties.h"
 
@@ -172,8 +174,9 @@ static void answer(const struct work *work, double *strain, double *stretch, dou
 	}
 }
 
-/* Remove the part along the kept modes. */
-static void remove_kept(const struct work *work, double *strain, double *stretch, const double *third)
+/* Remove the part along the kept modes. stroke: NULL without absorbers. */
+static void remove_kept(const struct work *work, double *strain, double *stretch, double *stroke,
+                        const double *third)
 {
 	const struct hawser_modes *modes = work->modes;
 	int count = 3*modes->grid.points;
@@ -182,6 +185,8 @@ static void remove_kept(const struct work *work, double *strain, double *stretch
 		double part = third[s]/(modes->mode[s].omega*modes->mode[s].omega);
 
 		cblas_daxpy(count, part, modes->slope + (size_t)s*count, 1, strain, 1);
+		for (int i = 0; stroke && i < modes->statics.attachments; i++)
+			stroke[i] += part*hawser__stroke(modes, s, i);
 		for (int m = 0; m < springs_of(work); m++) {
 			double u[3];
 
@@ -191,12 +196,15 @@ static void remove_kept(const struct work *work, double *strain, double *stretch
 	}
 }
 
-/* Strains, and displacements at the springs, times the square roots of weight and stiffness; their
- * products form gram. */
+/* Strains, displacements at the springs and strokes, times the square roots of weight and stiffness;
+ * their products form gram. */
 static enum hawser_status set_gram(struct hawser__condensed *condensed, const struct work *work,
                                    struct hawser_report *report)
 {
-	int pairs = condensed->pairs, springs = springs_of(work), width = 3*condensed->points + springs;
+	const struct hawser_statics *st = &work->modes->statics;
+	int pairs = condensed->pairs, springs = springs_of(work);
+	int absorbers = condensed->stroke ? st->attachments : 0;
+	int width = 3*condensed->points + springs + absorbers;
 	double *scaled = malloc((size_t)pairs*width*sizeof *scaled);
 
 	if (!scaled)
@@ -216,6 +224,9 @@ static enum hawser_status set_gram(struct hawser__condensed *condensed, const st
 		}
 		for (int m = 0; m < springs; m++)
 			to[m] = sqrt(work->springs->spring[m].k)*work->stretch[(size_t)x*springs + m];
+		for (int i = 0; i < absorbers; i++)
+			to[springs + i] = sqrt(hawser__absorber_stiffness(st, i))*
+			                  condensed->stroke[(size_t)x*absorbers + i];
 	}
 	cblas_dsyrk(CblasRowMajor, CblasLower, CblasNoTrans, pairs, width, 1.0, scaled, width, 0.0,
 	            condensed->gram, pairs);
@@ -256,11 +267,15 @@ enum hawser_status hawser__condense(struct hawser__condensed *condensed,
 	condensed->strain = malloc((size_t)pairs*points*3*sizeof *condensed->strain);
 	condensed->start = calloc((size_t)pairs, 3*sizeof *condensed->start);
 	condensed->gram = malloc((size_t)pairs*pairs*sizeof *condensed->gram);
+	if (modes->stroke)
+		condensed->stroke = calloc((size_t)pairs*(size_t)modes->statics.attachments,
+		                           sizeof *condensed->stroke);
 	work.place = malloc((size_t)points*sizeof *work.place);
 	work.stretch = malloc(((size_t)pairs*(size_t)springs_of(&work) + 1)*sizeof *work.stretch);
 	if (status)
 		goto done;
 	if (!condensed->strain || !condensed->start || !condensed->gram ||
+	    (modes->stroke && !condensed->stroke) ||
 	    !work.place || !work.stretch || !third) {
 		status = hawser__no_memory(report, "rom");
 		goto done;
@@ -273,7 +288,8 @@ enum hawser_status hawser__condense(struct hawser__condensed *condensed,
 			double *stretch = work.stretch + pair*(size_t)springs_of(&work);
 
 			answer(&work, strain, stretch, third, j, k);
-			remove_kept(&work, strain, stretch, third);
+			remove_kept(&work, strain, stretch, condensed->stroke ? condensed->stroke +
+			            pair*(size_t)modes->statics.attachments : NULL, third);
 			if (work.springs)
 				hawser__springs_start(condensed->start + 3*pair, work.springs, stretch);
 		}
@@ -293,6 +309,7 @@ void hawser__condensed_clear(struct hawser__condensed *condensed)
 	free(condensed->strain);
 	free(condensed->start);
 	free(condensed->gram);
+	free(condensed->stroke);
 	*condensed = (struct hawser__condensed){0};
 }
 

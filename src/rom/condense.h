@@ -18,6 +18,7 @@ struct hawser__condensed {
 	int n, points, pairs; /* n: the first n coordinates form the pairs */
 	double *strain; /* [pairs][points][3] a, b, c of w_jk */
 	double *start;  /* [pairs][3] of end A along x, y, z: 0 unless it is elastic */
+	double *stroke; /* [pairs][attachments] of absorbers, or NULL */
 	double *gram;   /* [pairs][pairs] second derivatives of V2 along w_x and w_y */
 };
 

@@ -11,6 +11,10 @@
  * the damping of the lower modes converges as 1/n^3 (mode acceleration; for a damper on a taut string
  * J. A. Main, N. P. Jones, J. Eng. Mech. 128 (2002) 1062, S. Krenk, J. Appl. Mech. 67 (2000) 772).
  *
+ * The damper of an absorber and its cubic spring pull at the stroke s: their unit force has the static
+ * response s = 1/k without any displacement of the cable, of which the part of the kept modes is
+ * removed, too.
+ *
  * The work of the force on a displacement v is that of -h_i on v' beyond s_i, and of h_i on v at
  * end B, which moves if it is on springs.
  *
@@ -25,11 +29,12 @@
 #include "core/report.h"
 #include "modes/grid.h"
 #include "modes/label.h"
+#include "rom/absorbers.h"
 #include "rom/build.h"
 #include "rom/dampers.h"
 #include "rom/follow.h"
 
-enum { MOST = 3*HAWSER_ATTACH_MAX, MARKS = HAWSER_ATTACH_MAX + 2 };
+enum { MOST = 4*HAWSER_ATTACH_MAX, STROKE = 3, MARKS = HAWSER_ATTACH_MAX + 2 };
 /* Squared frequencies above this multiple of the lowest one belong to shapes that are linear
  * combinations of the others up to round-off. */
 static const double dependent = 1e12;
@@ -78,7 +83,7 @@ static void add_points(double *to, const struct hawser_modes *modes,
 
 static double damping(const struct hawser_statics *st, int i, int axis, double alpha)
 {
-	double drag = alpha*hawser__point(st, i).m; /* D has it, but still air acts on the cable only */
+	double drag = alpha*hawser__point_bare(st, i); /* D has it, but still air acts on the cable only */
 
 	return i < st->attachments ? st->attached[i].damper[axis]/sqrt(st->span.rho*st->H) - drag : -drag;
 }
@@ -112,6 +117,7 @@ struct work {
 	double *shape, *slope;  /* [count][points][3] in the local frame */
 	double *kink;           /* [count][MARKS][3] along x, y, z at the points of label.h */
 	double *start;          /* [count][3] the same of end A */
+	double *stroke;         /* [count][HAWSER_ATTACH_MAX] of absorbers */
 	double *along;          /* [2][3][points] */
 };
 
@@ -123,8 +129,9 @@ static int work_make(struct work *work)
 	work->slope = malloc(3*count*points*sizeof *work->slope);
 	work->kink = malloc(3*count*MARKS*sizeof *work->kink);
 	work->start = calloc(count, 3*sizeof *work->start);
+	work->stroke = calloc(count, HAWSER_ATTACH_MAX*sizeof *work->stroke);
 	work->along = malloc(6*points*sizeof *work->along);
-	return work->shape && work->slope && work->kink && work->start && work->along;
+	return work->shape && work->slope && work->kink && work->start && work->stroke && work->along;
 }
 
 static void work_clear(struct work *work)
@@ -135,10 +142,12 @@ static void work_clear(struct work *work)
 	free(work->slope);
 	free(work->kink);
 	free(work->start);
+	free(work->stroke);
 	free(work->along);
 }
 
-/* Strains and displacement of end A of the response to a unit force along axis at attachment i. */
+/* Strains and displacement of end A of the response to a unit force along axis at attachment i, or,
+ * with the axis STROKE, on the stroke of its absorber. */
 static void respond(struct work *work, double *slope, double *start, int i, int axis)
 {
 	const struct hawser_statics *st = &work->modes->statics;
@@ -153,7 +162,8 @@ static void respond(struct work *work, double *slope, double *start, int i, int 
 		to[2] = axis == 2 ? h : 0.0;
 	}
 	memset(work->stations.beyond, 0, sizeof work->stations.beyond);
-	work->stations.beyond[axis] = 1.0;
+	memset(work->stations.load, 0, sizeof work->stations.load);
+	*(axis == STROKE ? &work->stations.load[i] : &work->stations.beyond[axis]) = 1.0;
 	hawser__follow(&work->stations);
 	if (st->elastic)
 		memcpy(start, work->stations.start, 3*sizeof *start);
@@ -196,6 +206,18 @@ static void integrate(struct work *work, double *shape, double *kink, const doub
 	}
 }
 
+/* Mass and stiffness of the absorber at attachment i, of two displacements there and their strokes. */
+static void add_absorber(double *M, double *K, const struct hawser_statics *st, int i,
+                         const double x[3], const double y[3], const double *stroke,
+                         const double *other)
+{
+	const double *a = st->attached[i].absorber_axis;
+
+	for (int c = 0; c < 3; c++)
+		*M += st->attached[i].absorber*(x[c] + stroke[i]*a[c])*(y[c] + other[i]*a[c]);
+	*K += hawser__absorber_stiffness(st, i)*stroke[i]*other[i];
+}
+
 /* Mass and stiffness of the responses, [count][count]. */
 static void matrices(const struct work *work, double *mass, double *stiff)
 {
@@ -217,9 +239,12 @@ static void matrices(const struct work *work, double *mass, double *stiff)
 			x = work->kink + 3*MARKS*a;
 			y = work->kink + 3*MARKS*b;
 			for (int i = 0; i < hawser__points(st); i++, x += 3, y += 3) {
-				M += hawser__point(st, i).m*(x[0]*y[0] + x[1]*y[1] + x[2]*y[2]);
+				M += hawser__point_bare(st, i)*(x[0]*y[0] + x[1]*y[1] + x[2]*y[2]);
 				for (int c = 0; c < 3; c++)
 					K += stiffness(st, i, c, 0.0)*x[c]*y[c];
+				if (i < st->attachments && st->attached[i].absorber > 0.0)
+					add_absorber(&M, &K, st, i, x, y, work->stroke + HAWSER_ATTACH_MAX*a,
+					             work->stroke + HAWSER_ATTACH_MAX*b);
 			}
 			mass[a*work->count + b] = M;
 			stiff[a*work->count + b] = K;
@@ -239,6 +264,10 @@ static enum hawser_status append(struct hawser_modes *with, const struct work *w
 		int column = work->count - 1 - k; /* descending mu: ascending omega */
 		struct hawser_mode *mode = &with->mode[n + k];
 
+		for (int a = 0; a < work->count && with->stroke; a++)
+			for (int i = 0; i < with->statics.attachments; i++)
+				with->stroke[(n + k)*with->statics.attachments + i] +=
+					vector[a*work->count + column]*work->stroke[a*HAWSER_ATTACH_MAX + i];
 		for (int a = 0; a < work->count; a++)
 			for (size_t i = 0; i < row; i++) {
 				double part = vector[a*work->count + column];
@@ -290,8 +319,8 @@ enum hawser_status hawser__dampers_extend(struct hawser_modes *with,
 
 	*with = (struct hawser_modes){.n = 0};
 	for (int i = 0; i < st->attachments; i++)
-		for (int c = 0; c < 3; c++)
-			if (st->attached[i].damper[c] > 0.0) {
+		for (int c = 0; c <= STROKE; c++)
+			if (c == STROKE ? hawser__absorber_forced(st, i) : st->attached[i].damper[c] > 0.0) {
 				at[work.count] = i;
 				axis[work.count++] = c;
 			}
@@ -308,6 +337,7 @@ enum hawser_status hawser__dampers_extend(struct hawser_modes *with,
 		double *start = work.start + 3*(size_t)a;
 
 		respond(&work, work.slope + row, start, at[a], axis[a]);
+		memcpy(work.stroke + a*HAWSER_ATTACH_MAX, work.stations.stroke, sizeof work.stations.stroke);
 		integrate(&work, work.shape + row, work.kink + (size_t)a*3*MARKS, work.slope + row, start);
 	}
 	if (!status)
@@ -341,6 +371,10 @@ enum hawser_status hawser__rom_attached(struct hawser_modes *with, const struct 
 	if (scene->model.modes == HAWSER_MODES_AUTO && hawser__has_dampers(st))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
 		                    "model.modes: auto does not know dampers of attachments: give a number "
+		                    "of modes");
+	if (scene->model.modes == HAWSER_MODES_AUTO && modes->stroke)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+		                    "model.modes: auto does not know absorbers of attachments: give a number "
 		                    "of modes");
 	return hawser__dampers_extend(with, modes, report);
 }

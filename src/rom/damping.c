@@ -2,11 +2,12 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include "rom/absorbers.h"
 #include "rom/build.h"
 #include "rom/dampers.h"
+#include "rom/damping.h"
 
-/* A shape that is no mode (number 0) is of the higher ones. */
-static double ratio_of(const struct hawser_scene *scene, const struct hawser_mode *mode)
+double hawser__damping_ratio(const struct hawser_scene *scene, const struct hawser_mode *mode)
 {
 	int last = scene->damping.ratios, place = mode->number ? mode->place : last;
 
@@ -15,12 +16,18 @@ static double ratio_of(const struct hawser_scene *scene, const struct hawser_mod
 	return scene->damping.ratio_next[(place < last ? place : last) - 2];
 }
 
-void hawser__rom_damping(struct hawser_rom *rom, const struct hawser_modes *modes,
-                         const struct hawser_scene *scene)
+enum hawser_status hawser__rom_damping(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                       const struct hawser_scene *scene,
+                                       struct hawser_report *report)
 {
 	const double t = modes->time_unit, rho = modes->statics.span.rho;
+	int ratio = scene->damping.kind == HAWSER_DAMPING_RATIO && modes->stroke;
+	int rayleigh = scene->damping.kind == HAWSER_DAMPING_RAYLEIGH;
+	double alpha = scene->damping.kind == HAWSER_DAMPING_ALPHA ? scene->damping.alpha*t/rho : 0.0;
+	enum hawser_status status = ratio ? hawser__absorbers_ratio(rom->D, modes, scene, report)
+	                                  : HAWSER_OK;
 
-	for (int j = 0; j < rom->n; j++) {
+	for (int j = 0; !ratio && j < rom->n; j++) {
 		double omega = modes->mode[j].omega, *d = &rom->D[j*rom->n + j];
 
 		switch (scene->damping.kind) {
@@ -33,11 +40,14 @@ void hawser__rom_damping(struct hawser_rom *rom, const struct hawser_modes *mode
 			*d = scene->damping.mass*t + scene->damping.stiffness/t*omega*omega;
 			break;
 		case HAWSER_DAMPING_RATIO:
-			*d = 2.0*ratio_of(scene, &modes->mode[j])*omega;
+			*d = 2.0*hawser__damping_ratio(scene, &modes->mode[j])*omega;
 			break;
 		}
 	}
 	if (modes->statics.attachments > 0 || modes->statics.elastic)
-		hawser__dampers_add(rom->D, modes, scene->damping.kind == HAWSER_DAMPING_ALPHA
-		                                   ? scene->damping.alpha*t/rho : 0.0);
+		hawser__dampers_add(rom->D, modes, alpha);
+	if (modes->stroke)
+		hawser__absorbers_damp(rom->D, modes, rayleigh ? scene->damping.mass*t : alpha,
+		                       rayleigh ? scene->damping.stiffness/t : 0.0);
+	return status;
 }

@@ -34,6 +34,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "rom/absorbers.h"
 #include "rom/exact.h"
 #include "rom/kernel.h"
 
@@ -249,6 +250,7 @@ void hawser__exact_springs(const struct hawser_rom_exact *exact, double *restori
 			if (tangent)
 				tangent[j*n + k] += exact->springs[j*n + k];
 		}
+	hawser__cubics_add(restoring, tangent, u, n, exact->cubic, exact->stroke, exact->cubics);
 }
 
 void hawser__exact_tangent(const struct hawser_rom_exact *exact, double *restoring, double *tangent,
@@ -318,5 +320,5 @@ double hawser__exact_potential(const struct hawser_rom_exact *exact, const doubl
 	for (int j = 0; exact->springs && j < exact->n; j++)
 		for (int k = 0; k < exact->n; k++)
 			sum += 0.5*exact->springs[j*exact->n + k]*u[j]*u[k];
-	return sum;
+	return sum + hawser__cubics_energy(u, exact->n, exact->cubic, exact->stroke, exact->cubics);
 }

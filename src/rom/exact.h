@@ -24,6 +24,9 @@ struct hawser_rom_exact {
 	double *pairs_out; /* [points][out(out+1)/2] c c */
 	double *mixed;     /* [points][2][in][out] a c, b c */
 	double *springs;   /* [n][n] in the order of the model: stiffness of attachments, or NULL */
+	int cubics;        /* absorbers with a cubic spring; only with springs */
+	double *cubic;     /* [cubics] k3 */
+	double *stroke;    /* [cubics][n] */
 	int supports;      /* motions of the supports (support.h) */
 	double *support;   /* [supports][points][3] a, b, c of the quasi-static displacement */
 	double *pull;      /* [supports][n] its force at the coordinates by springs; NULL: no springs */

@@ -7,6 +7,8 @@
 #include <stdlib.h>
 
 #include "modes/grid.h"
+#include "modes/label.h"
+#include "rom/absorbers.h"
 #include "rom/dampers.h"
 #include "rom/exact.h"
 #include "rom/support.h"
@@ -25,6 +27,8 @@ void hawser__exact_free(struct hawser_rom_exact *exact)
 	free(exact->pairs_out);
 	free(exact->mixed);
 	free(exact->springs);
+	free(exact->cubic);
+	free(exact->stroke);
 	free(exact->support);
 	free(exact->pull);
 	free(exact->signal);
@@ -169,14 +173,36 @@ static int fill(struct hawser_rom_exact *exact, const struct hawser_modes *modes
 	return failed;
 }
 
+static int add_cubics(struct hawser_rom_exact *exact, const struct hawser_modes *modes)
+{
+	const struct hawser_statics *st = &modes->statics;
+	size_t n = (size_t)exact->n;
+
+	if (!hawser__has_cubic(st))
+		return 0;
+	exact->cubic = array(st->attachments, 1);
+	exact->stroke = array(st->attachments, exact->n);
+	for (int i = 0; exact->cubic && exact->stroke && i < st->attachments; i++) {
+		if (!(hawser__absorber_cubic(st, i) > 0.0))
+			continue;
+		exact->cubic[exact->cubics] = hawser__absorber_cubic(st, i);
+		for (size_t j = 0; j < n; j++)
+			exact->stroke[(size_t)exact->cubics*n + j] = hawser__stroke(modes, (int)j, i);
+		exact->cubics++;
+	}
+	return !exact->cubic || !exact->stroke;
+}
+
 static int add_springs(struct hawser_rom_exact *exact, const struct hawser_modes *modes)
 {
-	if (!hawser__has_springs(&modes->statics) && !modes->statics.elastic)
+	if (!hawser__has_springs(&modes->statics) && !modes->statics.elastic && !modes->stroke)
 		return 0;
 	exact->springs = array(exact->n, exact->n);
 	if (exact->springs)
 		hawser__springs_add(exact->springs, modes);
-	return !exact->springs;
+	if (exact->springs && modes->stroke)
+		hawser__absorbers_stiffen(exact->springs, modes);
+	return !exact->springs || add_cubics(exact, modes);
 }
 
 struct hawser_rom_exact *hawser__exact_new(const struct hawser_modes *modes, int order)

@@ -21,6 +21,7 @@
 #include "core/report.h"
 #include "modes/grid.h"
 #include "modes/label.h"
+#include "rom/absorbers.h"
 #include "rom/follow.h"
 #include "rom/ties.h"
 
@@ -219,6 +220,10 @@ void hawser__follow(struct hawser__stations *stations)
 		follow_springs(stations);
 	else
 		follow_cable(stations);
+	/* a spring to a free mass carries no static force of the cable, only that on the stroke itself */
+	for (int i = 0; modes->stroke && i < modes->statics.attachments; i++)
+		stations->stroke[i] = stations->load[i] != 0.0
+			? stations->load[i]/hawser__absorber_stiffness(&modes->statics, i) : 0.0;
 	for (int s = 0; s < stations->moving; s++) {
 		const double *slope = stations->slope + (size_t)s*(size_t)width;
 		double omega = modes->mode[s].omega, part = work_on(stations, slope), u[3];
@@ -229,6 +234,10 @@ void hawser__follow(struct hawser__stations *stations)
 			hawser__modes_attached(u, modes, s, modes->statics.attachments);
 			cblas_daxpy(3, -part/(omega*omega), u, 1, stations->start, 1);
 		}
+		for (int i = 0; modes->stroke && i < modes->statics.attachments; i++)
+			part += stations->load[i]*hawser__stroke(modes, s, i);
+		for (int i = 0; modes->stroke && i < modes->statics.attachments; i++)
+			stations->stroke[i] -= part/(omega*omega)*hawser__stroke(modes, s, i);
 		cblas_daxpy(width, -part/(omega*omega), slope, 1, stations->z, 1);
 	}
 }

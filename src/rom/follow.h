@@ -30,6 +30,8 @@ struct hawser__stations {
 	double *z;                   /* [count][3] strains of the displacement */
 	double beyond[3];            /* of p: the whole load along x, y, z, for elastic supports */
 	double start[3];             /* of z: displacement of end A along x, y, z */
+	double load[HAWSER_ATTACH_MAX];   /* of p: forces on the strokes of absorbers; 0 on entry */
+	double stroke[HAWSER_ATTACH_MAX]; /* of z */
 	struct hawser__springs *springs; /* of the attachments (ties.h), or NULL */
 };
 

@@ -36,6 +36,7 @@
 #include "modes/grid.h"
 #include "modes/label.h"
 #include "rom/inertia.h"
+#include "rom/inertia_field.h"
 
 #define SLOPE 0.15   /* largest expected slope of a motion (r.m.s.), within the expansion; chosen */
 #define MOST 8       /* largest number of shapes; chosen */
@@ -46,7 +47,7 @@
 struct work {
 	const struct hawser_modes *modes;
 	const struct hawser__condensed *condensed;
-	int width;        /* 3*(points of the grid and of label.h, whose displacements are along x, y, z) */
+	int width;        /* of the rows of inertia_field.h */
 	int count;        /* number of relevant pairs */
 	int *pair;        /* [count] */
 	double *factor;   /* [count] weight of the pair */
@@ -101,29 +102,6 @@ static int work_make(struct work *work)
 	       work->value && work->combination;
 }
 
-static void set_roots(struct work *work)
-{
-	const struct hawser_modes *modes = work->modes;
-
-	for (int p = 0; p < modes->grid.points; p++) {
-		struct hawser_frame_point at = hawser_statics_frame(&modes->statics, modes->grid.s[p]);
-		double weight = modes->grid.weight[p], k = sqrt(1.0 + at.u*at.u)/(1.0 + at.strain);
-
-		for (int c = 0; c < 3; c++) {
-			work->root[3*p + c] = sqrt(weight);
-			work->stiff[3*p + c] = sqrt(weight*k);
-		}
-		work->stiff[3*p] = sqrt(weight/modes->statics.epsilon);
-	}
-	for (int p = 3*modes->grid.points; p < work->width; p++) {
-		int i = p/3 - modes->grid.points, end = i - modes->statics.attachments;
-		const double *k = end < 0 ? modes->statics.attached[i].spring
-		                          : modes->statics.held[end].stiffness;
-		work->root[p] = sqrt(hawser__point(&modes->statics, i).m);
-		work->stiff[p] = sqrt(isfinite(k[p%3]) ? k[p%3]*modes->statics.span.d/modes->statics.H : 0.0);
-	}
-}
-
 /* --- amplitudes --- */
 
 /* Mean square of the slopes of mode j. */
@@ -168,40 +146,6 @@ static void choose_pairs(struct work *work, const double *load, const double *da
 
 /* --- condensed motion --- */
 
-/* Displacement [points][3] that belongs to the strains; it vanishes at both ends. */
-static void displacement(double *shape, const struct hawser_modes *modes,
-                         const struct hawser__reference *reference, const double *strain,
-                         const double *start, double *scratch)
-{
-	int points = modes->grid.points;
-	double *global = scratch, *along = scratch + 3*points;
-
-	for (int p = 0; p < points; p++) {
-		struct hawser_frame_point at = hawser_statics_frame(&modes->statics, modes->grid.s[p]);
-		const double *f = strain + 3*p;
-
-		global[p] = f[0]*at.ex - f[1]*at.ey;
-		global[points + p] = f[0]*at.ey + f[1]*at.ex;
-		global[2*points + p] = f[2];
-	}
-	for (int axis = 0; axis < 3; axis++)
-		(void)hawser__grid_running(along + axis*points, &modes->grid, reference, global + axis*points);
-	for (int i = 0; i < 3*points; i++)
-		along[i] += start[i/points];
-	for (int p = 0; p < points; p++) {
-		struct hawser_frame_point at = hawser_statics_frame(&modes->statics, modes->grid.s[p]);
-		double x = along[p], y = along[points + p];
-
-		shape[3*p] = x*at.ex + y*at.ey;
-		shape[3*p + 1] = y*at.ex - x*at.ey;
-		shape[3*p + 2] = along[2*points + p];
-	}
-	for (int i = 0; i < hawser__points(&modes->statics); i++)
-		for (int axis = 0; axis < 3; axis++)
-			hawser__grid_at(shape + 3*(points + i) + axis, &modes->grid, along + axis*points, 1, 1,
-			                hawser__point(&modes->statics, i).s);
-}
-
 static enum hawser_status take_pairs(struct work *work, struct hawser_report *report)
 {
 	const struct hawser_grid *grid = &work->modes->grid;
@@ -214,8 +158,8 @@ static enum hawser_status take_pairs(struct work *work, struct hawser_report *re
 
 		memcpy(strain, work->condensed->strain + (size_t)work->pair[x]*3*(size_t)grid->points,
 		       3*(size_t)grid->points*sizeof *strain);
-		displacement(shape, work->modes, &reference, strain,
-		             work->condensed->start + 3*(size_t)work->pair[x], work->scratch);
+		hawser__inertia_displacement(shape, work->modes, &reference, strain,
+		                             work->condensed, work->pair[x], work->scratch);
 		for (size_t p = 3*(size_t)grid->points; p < width; p++)
 			strain[p] = shape[p];
 		cblas_dscal(work->width, work->factor[x], strain, 1);
@@ -286,6 +230,8 @@ static enum hawser_status remove_lowest(struct work *work, struct hawser_report 
 			                work->modes->grid.s[p]);
 		for (int i = 0; i < hawser__points(&lowest.statics); i++)
 			hawser__modes_attached(field + 3*(work->modes->grid.points + i), &lowest, s, i);
+		hawser__inertia_absorbers(field, work->modes, lowest.stroke
+		                          ? lowest.stroke + s*lowest.statics.attachments : NULL);
 		for (size_t p = 3*(size_t)work->modes->grid.points; p < width; p++)
 			field[width + p] = field[p];
 		remove_mode(work, field, field + width);
@@ -454,6 +400,9 @@ static void place_shapes(struct hawser_modes *with, const struct work *work, int
 		       row*sizeof *with->shape);
 		memcpy(with->slope + (size_t)k*row, work->strain + (size_t)(work->rows + i)*width,
 		       row*sizeof *with->slope);
+		for (int a = 0; with->stroke && a < with->statics.attachments; a++)
+			with->stroke[k*with->statics.attachments + a] =
+				work->rest[(size_t)(work->rows + i)*width + hawser__inertia_stroke(with, a)];
 		with->mode[k].omega = work->omega[i];
 		with->mode[k].place = k + 1;
 		(void)hawser__mode_label(with, k);
@@ -470,7 +419,7 @@ enum hawser_status hawser__inertia_extend(struct hawser_modes *with,
                                           double allowed, struct hawser_report *report)
 {
 	struct work work = {.modes = modes, .condensed = condensed,
-	                    .width = 3*(modes->grid.points + hawser__points(&modes->statics))};
+	                    .width = hawser__inertia_width(modes)};
 	enum hawser_status status = HAWSER_OK;
 
 	*with = (struct hawser_modes){.n = 0};
@@ -479,7 +428,7 @@ enum hawser_status hawser__inertia_extend(struct hawser_modes *with,
 		status = hawser__no_memory(report, "rom");
 		goto done;
 	}
-	set_roots(&work);
+	hawser__inertia_roots(work.root, work.stiff, modes);
 	choose_pairs(&work, load, damping);
 	status = take_pairs(&work, report);
 	if (status || !counts(&work, allowed))

@@ -15,9 +15,12 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/condense.c \
 	%D%/condense.h \
 	%D%/condense_load.c \
+	%D%/absorbers.c \
+	%D%/absorbers.h \
 	%D%/dampers.c \
 	%D%/dampers.h \
 	%D%/damping.c \
+	%D%/damping.h \
 	%D%/drag.c \
 	%D%/drag.h \
 	%D%/drive.c \
@@ -43,6 +46,8 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/history.h \
 	%D%/inertia.c \
 	%D%/inertia.h \
+	%D%/inertia_field.c \
+	%D%/inertia_field.h \
 	%D%/kernel.c \
 	%D%/kernel.h \
 	%D%/known.c \

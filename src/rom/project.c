@@ -27,6 +27,7 @@
 #include <stdlib.h>
 
 #include "core/report.h"
+#include "rom/absorbers.h"
 #include "rom/kernel.h"
 #include "rom/project.h"
 
@@ -42,6 +43,7 @@ struct table {
 	int *out;      /* [n] 1 for an out-of-plane mode */
 	int *anti;     /* [n] 1 for a mode that is antisymmetric about mid-span, if this symmetry
 	                * exists */
+	const struct hawser_modes *modes;
 	const double *gram; /* [pairs][pairs] of the condensed modes (condense.h), or NULL */
 };
 
@@ -118,7 +120,7 @@ static int table_make(struct table *t, const struct hawser_modes *modes)
 {
 	size_t n = (size_t)modes->n, points = (size_t)modes->grid.points;
 
-	*t = (struct table){.n = modes->n, .points = modes->grid.points};
+	*t = (struct table){.n = modes->n, .points = modes->grid.points, .modes = modes};
 	t->a = malloc(n*points*sizeof *t->a);
 	t->sigma = malloc(n*(n + 1)/2*points*sizeof *t->sigma);
 	t->aa = malloc(n*(n + 1)/2*points*sizeof *t->aa);
@@ -162,11 +164,12 @@ static double pairing(const struct table *t, size_t x, size_t y)
 	return t->gram ? sum - t->gram[x*pairs + y] : sum;
 }
 
-/* Fourth derivative of the integral of V4; i <= j <= k <= l. */
+/* Fourth derivative of the integral of V4, and of the cubic springs of absorbers; i <= j <= k <= l. */
 static double fourth(const struct table *t, int i, int j, int k, int l)
 {
 	return pairing(t, number(i, j), number(k, l)) + pairing(t, number(i, k), number(j, l)) +
-	       pairing(t, number(i, l), number(j, k));
+	       pairing(t, number(i, l), number(j, k)) +
+	       hawser__absorbers_fourth(t->modes, (int[]){i, j, k, l});
 }
 
 void hawser__rom_stiffness(double *stiffness, const struct hawser_modes *modes)

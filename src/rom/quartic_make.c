@@ -15,6 +15,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "rom/absorbers.h"
 #include "rom/dampers.h"
 #include "rom/kernel.h"
 #include "rom/project.h"
@@ -397,9 +398,12 @@ enum hawser_status hawser__quartic_new(struct hawser__quartic **made, const stru
 	struct hawser__quartic *q;
 
 	*made = NULL;
-	/* with springs the force of the condensed modes varies along the cable (ties.c) */
+	/* with springs the force of the condensed modes varies along the cable (ties.c); their strokes of
+	 * absorbers, and cubic springs, are in the tensors only */
 	if (modes->grid.points > HAWSER__QUARTIC_POINTS ||
-	    (condensed && (hawser__has_springs(&modes->statics) || modes->statics.elastic)))
+	    hawser__has_cubic(&modes->statics) ||
+	    (condensed && (hawser__has_springs(&modes->statics) || modes->statics.elastic ||
+	                   modes->stroke)))
 		return HAWSER_OK;
 	q = allocate(modes, condensed);
 	if (!q || fill(q, rom, modes)) {

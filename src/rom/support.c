@@ -30,6 +30,7 @@
 #include "core/report.h"
 #include "modes/grid.h"
 #include "modes/label.h"
+#include "rom/build.h"
 #include "rom/support.h"
 
 int hawser__support_moves(const struct hawser_scene *scene)
@@ -84,7 +85,8 @@ struct field {
 	double *r;                            /* [3][points] */
 	double at[MARKS][3];                  /* at the points of label.h */
 	double *force;                        /* [3][points] of its inertia or damping, */
-	double point[MARKS][3];               /* and at these points */
+	double point[MARKS][3];               /* and at these points, */
+	double stroke[HAWSER_ATTACH_MAX];     /* and on the strokes of absorbers, of which r has none */
 };
 
 static void set_field(struct field *field, int count)
@@ -124,6 +126,8 @@ static double work_on(const struct field *field, const struct hawser_modes *mode
 		hawser__modes_attached(u, modes, j, i);
 		for (int c = 0; c < 3; c++)
 			sum += field->point[i][c]*u[c];
+		if (i < modes->statics.attachments)
+			sum += field->stroke[i]*hawser__stroke(modes, j, i);
 	}
 	return sum;
 }
@@ -145,6 +149,8 @@ static enum hawser_status show(struct hawser_harmonic *h, const struct hawser_ro
 		struct hawser_frame_point at = hawser_statics_frame(&modes->statics, rom->shapes.s[p]);
 		double *out = h->answer + 4*p, global[3];
 
+		if (hawser__rom_stroke_point(&modes->statics, p) >= 0)
+			continue;
 		for (int axis = 0; axis < 3; axis++)
 			hawser__grid_at(&global[axis], grid, field->r + axis*grid->points, 1, 1,
 			                rom->shapes.s[p]);
@@ -182,9 +188,16 @@ static int set_force(struct field *field, const struct hawser_scene *scene,
 	any = on_cable != 0.0;
 	for (size_t i = 0; i < 3*points; i++)
 		field->force[i] = factor*on_cable*field->r[i];
+	for (int i = 0; i < st->attachments; i++) {
+		const double *a = st->attached[i].absorber_axis, *r = field->at[i];
+
+		/* the damping of the scene does not act on absorbers */
+		field->stroke[i] = rate ? 0.0 : factor*st->attached[i].absorber*
+		                                (a[0]*r[0] + a[1]*r[1] + a[2]*r[2]);
+	}
 	for (int i = 0; i < hawser__points(st); i++)
 		for (int c = 0; c < 3; c++) {
-			double each = on_mass*hawser__point(st, i).m;
+			double each = on_mass*(rate ? hawser__point_bare(st, i) : hawser__point(st, i).m);
 
 			if (rate && dampers && i < st->attachments)
 				each += st->attached[i].damper[c]/sqrt(st->span.rho*st->H);
@@ -236,7 +249,8 @@ static enum hawser_status add(struct hawser_rom *rom, const struct hawser_modes 
 			h->f[j] = work_on(field, modes, j);
 		if (condensed && set_force(field, scene, modes, rate, factor, 0))
 			status = hawser__rom_answer_field(rom, rom->harmonics - 1, modes, moving,
-			                                  field->force, field->point[0], report);
+			                                  field->force, field->point[0], field->stroke,
+			                                  report);
 	}
 	return status;
 }

@@ -57,11 +57,13 @@ enum hawser_status hawser__support_energy(struct hawser_rom *rom, const struct h
                                           struct hawser_report *report);
 
 /* answer_make.c: the response of the condensed modes to the force field [3][points], along x, y, z at
- * the points of the modes' grid, and `point` [hawser__points][3] at those of label.h, is added to
- * `harmonic` of the model: displacement, strain and the stiffness of the first `moving` modes. */
+ * the points of the modes' grid, `point` [hawser__points][3] at those of label.h and `stroke`
+ * [attachments] on the strokes of absorbers, is added to `harmonic` of the model: displacement, strain
+ * and the stiffness of the first `moving` modes. */
 enum hawser_status hawser__rom_answer_field(struct hawser_rom *rom, int harmonic,
                                             const struct hawser_modes *modes, int moving,
                                             const double *field, const double *point,
+                                            const double *stroke,
                                             struct hawser_report *report);
 
 #endif

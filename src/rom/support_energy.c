@@ -72,6 +72,7 @@ static void work_clear(struct work *work)
 	free(work->wide.mode);
 	free(work->wide.slope);
 	free(work->wide.shape);
+	free(work->wide.stroke);
 }
 
 /* --- the tensors --- */
@@ -109,7 +110,10 @@ static enum hawser_status widen(struct work *work, const struct hawser_modes *mo
 	wide->mode = malloc((n + m)*sizeof *wide->mode);
 	wide->slope = malloc((n + m)*each*sizeof *wide->slope);
 	wide->shape = calloc((n + m)*each, sizeof *wide->shape); /* 0 for psi: not a part of a response */
-	if (!wide->mode || !wide->slope || !wide->shape)
+	wide->stroke = NULL;
+	if (modes->stroke)
+		wide->stroke = calloc(n + m, (size_t)modes->statics.attachments*sizeof *wide->stroke);
+	if (!wide->mode || !wide->slope || !wide->shape || (modes->stroke && !wide->stroke))
 		return hawser__no_memory(report, "rom");
 	memcpy(wide->mode, modes->mode, moving*sizeof *wide->mode);
 	memcpy(wide->mode + moving + m, modes->mode + moving, (n - moving)*sizeof *wide->mode);
@@ -119,6 +123,13 @@ static enum hawser_status widen(struct work *work, const struct hawser_modes *mo
 
 		memcpy(to, from, moving*each*sizeof *to);
 		memcpy(to + (moving + m)*each, from + moving*each, (n - moving)*each*sizeof *to);
+	}
+	if (wide->stroke) {
+		size_t marks = (size_t)modes->statics.attachments;
+
+		memcpy(wide->stroke, modes->stroke, moving*marks*sizeof *wide->stroke);
+		memcpy(wide->stroke + (moving + m)*marks, modes->stroke + moving*marks,
+		       (n - moving)*marks*sizeof *wide->stroke);
 	}
 	for (int i = 0; i < work->m; i++)
 		add_psi(work, i, shapes);

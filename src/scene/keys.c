@@ -134,6 +134,9 @@
 	    attach[0].absorber_stiffness, FREE, 0, "spring between the absorber's mass and the point") \
 	ROW("attach.absorber_damping", "N.s/m", NUMBER, NULL, NOT_NEGATIVE, "0", \
 	    attach[0].absorber_damping, FREE, 0, "damper between the absorber's mass and the point") \
+	ROW("attach.absorber_cubic", "N/m^3", NUMBER, NULL, NOT_NEGATIVE, "0", attach[0].absorber_cubic, \
+	    FREE, 0, "cubic spring between both, parallel to the linear one: its force is this times the " \
+	    "cube of the displacement from the position at rest (a nonlinear energy sink)") \
 	ROW("attach.absorber_direction", "1", TRIPLE, NULL, ANY, "[0, 1, 0]", \
 	    attach[0].absorber_direction, FREE, 0, "direction in which the absorber's mass moves " \
 	    "relative to the point, along x, y, z; its length does not matter") \

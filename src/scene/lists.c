@@ -94,7 +94,7 @@ enum hawser_status hawser__attach_check(struct hawser__reader *reader)
 		                           "them");
 	for (int i = 0; i < scene->attachments; i++) {
 		if ((a[i].absorber_mass > 0.0) != (a[i].absorber_stiffness > 0.0) ||
-		    (a[i].absorber_damping > 0.0 && !(a[i].absorber_mass > 0.0)))
+		    ((a[i].absorber_damping > 0.0 || a[i].absorber_cubic > 0.0) && !(a[i].absorber_mass > 0.0)))
 			return hawser__reader_fail(reader, here, "attach[%d] has an incomplete absorber: give "
 			                           "both absorber_mass and absorber_stiffness, or none", i);
 		if (idle(&a[i]))

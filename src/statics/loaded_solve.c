@@ -251,6 +251,7 @@ static int absorber(struct hawser_attached *to, const struct hawser_attachment *
 	to->absorber = a->absorber_mass/(st->span.rho*st->span.d);
 	to->absorber_stiffness = a->absorber_stiffness;
 	to->absorber_damping = a->absorber_damping;
+	to->absorber_cubic = a->absorber_cubic;
 	for (int c = 0; c < 3; c++)
 		to->absorber_axis[c] = way[c]/length;
 	return length > 0.0;

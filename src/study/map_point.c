@@ -183,7 +183,7 @@ static enum hawser_status damp(struct worker *worker, const struct hawser__struc
 	worker->damped.D = D;
 	status = hawser__map_cable_axes(&scene, worker->cable, at, HAWSER__REACH_RATES, report);
 	if (!status)
-		hawser__rom_damping(&worker->damped, &structure->modes, &scene);
+		status = hawser__rom_damping(&worker->damped, &structure->modes, &scene, report);
 	return status;
 }
 

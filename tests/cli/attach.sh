@@ -144,8 +144,18 @@ assert [line for line in open("strokes.tsv") if line.startswith("index")][0].rst
 END
 refuses_like 1 "absorber_direction is oblique" modes "$stay" --set "$tmd" --set 'attach.tmd.absorber_direction=[0, 1, 1]'
 works "which damped modes have" modes "$stay" --damped -n 2 --set "$tmd" --set 'attach.tmd.absorber_direction=[0, 1, 1]' -q
-refuses_like 1 "absorbers of attachments are part of modes only" rom "$stay" --set "$tmd"
-refuses_like 1 "absorbers of attachments are part of modes only" rom "$stay" --set "$tmd" --set model.energy=exact
+works "a model with it" rom "$stay" --set "$tmd" -n 4 --json model.json -q
+works "and with the exact energy" integrate "$stay" --set "$tmd" --set model.energy=exact --set model.basis=6 --until 0.5 --Omega 6 --json exact.json -q
+works "a nonlinear energy sink" frf "$stay" --set "$tmd" --set attach.tmd.absorber_cubic=40 -n 3 --set 'load={frame: global, per_length: [0, 2, 0]}' --from 0.9w1 --to 1.1w1 --json nes.json -q
+python "strokes of responses" <<'END'
+import json
+m = json.load(open("model.json"))
+assert m["shapes"]["name"][3] == "stroke_tmd" if "name" in m["shapes"] else True
+r = json.load(open("nes.json"))
+assert r["scene"]["attach"][0]["absorber_cubic"] == 40
+assert max(p["amplitude"]["y_stroke_tmd"] for p in r["points"]) > 0
+END
+refuses_like 1 "auto does not know absorbers" frf "$stay" --set "$tmd" --set 'load={frame: global, per_length: [0, 2, 0]}' --set model.modes=auto
 refuses_like 1 "has an incomplete absorber: give both" statics "$stay" --set 'attach=[{at: 50 %, absorber_mass: 60 kg}]'
 refuses_like 1 "absorber without direction" statics "$stay" --set "$tmd" --set 'attach.tmd.absorber_direction=[0, 0, 0]'
 refuses_like 1 "write KEY=FROM:TO:POINTS" modes "$stay" --over attach.0.at=0.1:0.2
