@@ -32,6 +32,7 @@ dist_scenes_DATA = \
 	%D%/scenes/stay-clamped.yaml \
 	%D%/scenes/chairlift.yaml \
 	%D%/scenes/conductor.yaml \
+	%D%/scenes/conductor-spacers.yaml \
 	%D%/scenes/decay.tsv \
 	%D%/scenes/d-figure-9.1.yaml \
 	%D%/scenes/d-figure-9.10.yaml \

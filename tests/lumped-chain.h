@@ -273,7 +273,7 @@ static int lumped_straighten(struct lumped *c, double *x)
 
 /* Put the ends of the chain on springs (and masses), whose preload balances the forces of the shape x,
  * at which the springs of joints are relaxed: x and c->relaxed are numbered anew, from 1 on. */
-static void lumped_hold(struct lumped *c, double *x)
+static inline void lumped_hold(struct lumped *c, double *x)
 {
 	static double r[3*LUMPED_MOST];
 	int n = c->n;

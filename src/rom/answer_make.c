@@ -34,6 +34,7 @@
 #include "rom/kernel.h"
 #include "rom/support.h"
 #include "rom/travel.h"
+#include "statics/frame.h"
 
 enum { ORDERS = 2 }; /* z_0 and z_1 */
 
@@ -89,11 +90,11 @@ static void integrate(struct work *work, const double *field)
 
 	for (int i = 0; i < count; i++) {
 		struct hawser_frame_point at = hawser_statics_frame(st, work->stations.s[i]);
-		const double *f = field + 3*(size_t)i;
+		double v[3];
 
-		work->global[i] = f[0]*at.ex - f[1]*at.ey;
-		work->global[count + i] = f[0]*at.ey + f[1]*at.ex;
-		work->global[2*count + i] = f[2];
+		hawser__frame_out(v, &at, field + 3*(size_t)i);
+		for (int axis = 0; axis < 3; axis++)
+			work->global[axis*count + i] = v[axis];
 	}
 	for (int axis = 0; axis < 3; axis++) {
 		hawser__grid_running(work->along + axis*count, &work->grid, &work->reference,
@@ -101,14 +102,6 @@ static void integrate(struct work *work, const double *field)
 		for (int i = 0; st->elastic && i < count; i++)
 			work->along[axis*count + i] += work->stations.start[axis];
 	}
-}
-
-/* local [3] of `along` at s, where the static tangent is `at`. */
-static void to_local(double local[3], const double global[3], const struct hawser_frame_point *at)
-{
-	local[0] = global[0]*at->ex + global[1]*at->ey;
-	local[1] = global[1]*at->ex - global[0]*at->ey;
-	local[2] = global[2];
 }
 
 /* Displacement and strain of z at the shape points, strain on the line; along is the displacement. */
@@ -131,7 +124,10 @@ static void note(struct work *work, int order)
 			else
 				hawser__grid_at(&global[axis], &work->grid, work->along + axis*count, 1, 1,
 				                shapes->s[p]);
-		to_local(out, global, &at);
+		if (st->space)
+			memcpy(out, global, sizeof global); /* as in set_probe of build.c */
+		else
+			hawser__frame_in(out, &at, global);
 		hawser__grid_at(out + 3, &work->grid, work->stations.z, 3, 1, shapes->s[p]);
 	}
 	for (int p = 0; p < line->points; p++)
@@ -195,7 +191,7 @@ static void pull_of(struct work *work, int masses, const double *point, const do
 
 		for (int axis = 0; axis < 3; axis++)
 			global[axis] = -work->along[axis*count + i];
-		to_local(work->stations.p + 3*(size_t)i, global, &at);
+		hawser__frame_in(work->stations.p + 3*(size_t)i, &at, global);
 	}
 }
 

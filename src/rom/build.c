@@ -31,6 +31,7 @@
 #include "rom/project.h"
 #include "rom/support.h"
 #include "rom/travel.h"
+#include "statics/frame.h"
 
 /* Probes, as fractions of the unstretched length. */
 static const struct {
@@ -209,8 +210,9 @@ static void set_probe(struct hawser_rom_shapes *shapes, const struct hawser_mode
 	struct hawser_frame_point at = hawser_statics_frame(&modes->statics, s);
 
 	shapes->s[p] = s;
-	shapes->tangent[2*p] = at.ex;
-	shapes->tangent[2*p + 1] = at.ey;
+	/* in space displacements are along the axes of the cable */
+	shapes->tangent[2*p] = modes->statics.space ? 1.0 : at.ex;
+	shapes->tangent[2*p + 1] = modes->statics.space ? 0.0 : at.ey;
 	shapes->stretch[p] = 1.0 + at.strain;
 	for (int j = 0; j < modes->n; j++) {
 		size_t place = ((size_t)j*(size_t)shapes->points + (size_t)p)*3;
@@ -218,6 +220,13 @@ static void set_probe(struct hawser_rom_shapes *shapes, const struct hawser_mode
 		hawser_modes_at(modes, shapes->shape + place, shapes->slope + place, j, s);
 		if (own >= 0)
 			set_stroke(shapes->shape + place, modes, own, hawser__stroke(modes, j, own));
+	}
+	for (int j = 0; modes->statics.space && j < modes->n; j++) {
+		double *shape = shapes->shape + ((size_t)j*(size_t)shapes->points + (size_t)p)*3;
+		double local[3];
+
+		memcpy(local, shape, sizeof local);
+		hawser__frame_out(shape, &at, local);
 	}
 }
 
@@ -302,11 +311,11 @@ enum hawser_status hawser__rom_begin(struct hawser_rom *rom, const struct hawser
 	status = hawser__rom_real(modes, report);
 	if (status)
 		return status;
-	if (modes->statics.space)
+	if (modes->statics.space && hawser__support_moves(scene))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
-		                    "attach.mass with load.static.per_length: such a cable hangs in space, of "
-		                    "which there are modes but no model yet; set "
-		                    "load.static.per_length=[0,0,0], or leave the masses out");
+		                    "support.A.motion and support.B.motion of a cable that masses in a wind "
+		                    "turn out of one plane are not modelled: leave them out, or set "
+		                    "load.static.per_length=[0,0,0]");
 	if (!(modes->statics.epsilon > 0.0))
 		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "rom",
 		                    "an inextensible cable (EA = %g N) has no strain energy: "

@@ -38,10 +38,12 @@ enum hawser_status hawser__rom_compile_cable(struct hawser_rom *rom,
                                              const struct hawser__condensed *condensed,
                                              struct hawser_report *report)
 {
-	struct hawser__quartic *quartic;
+	struct hawser__quartic *quartic = NULL;
 	int by_function[HAWSER__TASKS] = {0}, bare = 0;
 	struct hawser__size size = {0};
-	enum hawser_status status = hawser__quartic_new(&quartic, rom, modes, condensed, report);
+	/* its tables are those of two planes, which a cable in space does not have */
+	enum hawser_status status = modes->statics.space
+		? HAWSER_OK : hawser__quartic_new(&quartic, rom, modes, condensed, report);
 
 	if (status)
 		return status;

@@ -33,6 +33,7 @@
 #include "rom/absorbers.h"
 #include "rom/condense.h"
 #include "rom/ties.h"
+#include "statics/frame.h"
 
 struct work {
 	const struct hawser_modes *modes;
@@ -48,6 +49,8 @@ struct hawser__place hawser__place_at(const struct hawser_modes *modes, double s
 	double chord = hypot(1.0, modes->statics.hs), c = 1.0/chord, sine = modes->statics.hs/chord;
 	double g = 1.0 + at.strain;
 
+	if (modes->statics.space)
+		return hawser__space_place(modes, &at, weight);
 	return (struct hawser__place){
 		.weight = weight,
 		.eps = modes->statics.epsilon,
@@ -62,6 +65,10 @@ struct hawser__place hawser__place_at(const struct hawser_modes *modes, double s
 
 void hawser__ties_add(struct hawser__ties *ties, const struct hawser__place *at)
 {
+	if (at->space) {
+		hawser__space_ties_add(ties, at);
+		return;
+	}
 	ties->m[0] += at->weight*(at->eps*at->ex*at->ex + at->ey*at->ey/at->k);
 	ties->m[1] += at->weight*(at->eps - 1.0/at->k)*at->ex*at->ey;
 	ties->m[2] += at->weight*(at->eps*at->ey*at->ey + at->ex*at->ex/at->k);
@@ -72,6 +79,10 @@ void hawser__ties_solve(double lambda[3], const struct hawser__ties *ties, const
 {
 	double det = ties->m[0]*ties->m[2] - ties->m[1]*ties->m[1];
 
+	if (ties->space) {
+		hawser__space_ties_solve(lambda, ties, r);
+		return;
+	}
 	lambda[0] = (ties->m[2]*r[0] - ties->m[1]*r[1])/det;
 	lambda[1] = (ties->m[0]*r[1] - ties->m[1]*r[0])/det;
 	lambda[2] = r[2]/ties->mz;
@@ -155,6 +166,12 @@ static void answer(const struct work *work, double *strain, double *stretch, dou
 			third[s] += at->weight/at->eps*(f[0]*z[0] + f[1]*z[1] + f[2]*z[2]);
 		}
 		across = f[1]/(at->eps*at->k);
+		if (at->space) {
+			const double free[3] = {f[0], across, f[2]/(at->eps*at->k)};
+
+			hawser__space_reach(r, at, free, -at->weight);
+			continue;
+		}
 		r[0] -= at->weight*(f[0]*at->ex - across*at->ey);
 		r[1] -= at->weight*(f[0]*at->ey + across*at->ex);
 		r[2] -= at->weight*f[2]/(at->eps*at->k);
@@ -168,6 +185,12 @@ static void answer(const struct work *work, double *strain, double *stretch, dou
 		const struct hawser__place *at = &work->place[p];
 		double *f = strain + 3*p;
 
+		if (at->space) {
+			for (int c = 0; c < 3; c++)
+				f[c] = c == 0 ? -f[0] - at->eps*hawser__space_along(at, lambda, 0)
+				              : -(f[c]/at->eps + hawser__space_along(at, lambda, c))/at->k;
+			continue;
+		}
 		f[0] = -f[0] - at->eps*(lambda[0]*at->ex + lambda[1]*at->ey);
 		f[1] = -(f[1]/at->eps - lambda[0]*at->ey + lambda[1]*at->ex)/at->k;
 		f[2] = -(f[2]/at->eps + lambda[2])/at->k;
@@ -320,11 +343,11 @@ static void global_slopes(double *global, const struct hawser_modes *modes, cons
 
 	for (int p = 0; p < points; p++) {
 		struct hawser_frame_point at = hawser_statics_frame(&modes->statics, modes->grid.s[p]);
-		const double *f = strain + 3*p;
+		double v[3];
 
-		global[p] = f[0]*at.ex - f[1]*at.ey;
-		global[points + p] = f[0]*at.ey + f[1]*at.ex;
-		global[2*points + p] = f[2];
+		hawser__frame_out(v, &at, strain + 3*p);
+		for (int axis = 0; axis < 3; axis++)
+			global[axis*points + p] = v[axis];
 	}
 }
 
@@ -355,9 +378,10 @@ enum hawser_status hawser__condensed_at(const struct hawser__condensed *condense
 			hawser__grid_at(&u[axis], grid, along + axis*points, 1, 1, s);
 			u[axis] += condensed->start[3*x + axis];
 		}
-		shape[x*stride] = u[0]*at.ex + u[1]*at.ey;
-		shape[x*stride + 1] = u[1]*at.ex - u[0]*at.ey;
-		shape[x*stride + 2] = u[2];
+		if (modes->statics.space)
+			memcpy(shape + x*stride, u, sizeof u); /* as in set_probe of build.c */
+		else
+			hawser__frame_in(shape + x*stride, &at, u);
 		hawser__grid_at(slope + x*stride, grid, strain, 3, 3, s);
 	}
 	if (!status)

@@ -52,6 +52,8 @@ enum hawser_status hawser__follow_load(double *T, int *any, const struct hawser_
 struct hawser__place {
 	double weight, eps, k, g2; /* eps = H/EA; k geometric stiffness; g2 = |x'|^2 */
 	double ex, ey;             /* tangent, in axes along and across the chord */
+	int space;                 /* 1: `axis` takes the place of ex and ey (condense_space.c) */
+	double axis[3][3];         /* e, n and the normal of the piece, in these axes and z' */
 };
 struct hawser__place hawser__place_at(const struct hawser_modes *modes, double s, double weight);
 
@@ -59,8 +61,20 @@ struct hawser__place hawser__place_at(const struct hawser_modes *modes, double s
 struct hawser__ties {
 	double m[3]; /* in the plane: along-along, along-across, across-across the chord */
 	double mz;
+	int space;
+	double M[3][3]; /* in space, in the place of m and mz */
 };
 void hawser__ties_add(struct hawser__ties *ties, const struct hawser__place *at);
 void hawser__ties_solve(double lambda[3], const struct hawser__ties *ties, const double r[3]);
+
+/* Of a cable in space (condense_space.c). r [3] += factor times the vector with the local components
+ * q [3]; component k of lambda in the local frame. */
+struct hawser__place hawser__space_place(const struct hawser_modes *modes,
+                                         const struct hawser_frame_point *at, double weight);
+void hawser__space_ties_add(struct hawser__ties *ties, const struct hawser__place *at);
+void hawser__space_ties_solve(double lambda[3], const struct hawser__ties *ties, const double r[3]);
+void hawser__space_reach(double r[3], const struct hawser__place *at, const double q[3],
+                         double factor);
+double hawser__space_along(const struct hawser__place *at, const double lambda[3], int k);
 
 #endif

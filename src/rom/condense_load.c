@@ -20,6 +20,7 @@
 #include "modes/grid.h"
 #include "rom/build.h"
 #include "rom/follow.h"
+#include "statics/frame.h"
 
 /* global [3] += the force of harmonic h per length at s, in the axes of the cable's plane, times
  * factor. */
@@ -28,12 +29,12 @@ static void add_force(double global[3], const struct hawser__piece *piece,
                       double s, double factor)
 {
 	struct hawser_frame_point at = hawser_statics_frame(st, s);
-	double local[3];
+	double local[3], f[3];
 
 	hawser__piece_at(local, piece, loads, h, st, s);
-	global[0] += factor*(local[0]*at.ex - local[1]*at.ey);
-	global[1] += factor*(local[0]*at.ey + local[1]*at.ex);
-	global[2] += factor*local[2];
+	hawser__frame_out(f, &at, local);
+	for (int c = 0; c < 3; c++)
+		global[c] += factor*f[c];
 }
 
 /* sum [3] += the integral of the piece's force over [from, to], by a Gauss rule. */
@@ -66,13 +67,13 @@ static void pull_one(struct hawser__stations *stations, const struct hawser__pie
 			add_force(sum, piece, loads, h, st, from, 1.0);
 		for (int i = e*order; i < (e + 1)*order; i++) {
 			struct hawser_frame_point at = hawser_statics_frame(st, stations->s[i]);
-			double P[3] = {sum[0], sum[1], sum[2]}, *p = stations->p + 3*(size_t)i;
+			double P[3] = {sum[0], sum[1], sum[2]}, *p = stations->p + 3*(size_t)i, local[3];
 
 			if (inside)
 				add_run(P, piece, loads, h, stations, from, stations->s[i]);
-			p[0] -= loads->scale*(P[0]*at.ex + P[1]*at.ey);
-			p[1] -= loads->scale*(P[1]*at.ex - P[0]*at.ey);
-			p[2] -= loads->scale*P[2];
+			hawser__frame_in(local, &at, P);
+			for (int c = 0; c < 3; c++)
+				p[c] -= loads->scale*local[c];
 		}
 		if (inside)
 			add_run(sum, piece, loads, h, stations, from, to);

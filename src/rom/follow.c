@@ -187,7 +187,7 @@ static void follow_springs(struct hawser__stations *stations)
 
 static void follow_cable(struct hawser__stations *stations)
 {
-	struct hawser__ties ties = {{0.0}, 0.0};
+	struct hawser__ties ties = {.mz = 0.0};
 	double r[3] = {0.0}, lambda[3];
 
 	for (int i = 0; i < stations->count; i++) {
@@ -195,6 +195,12 @@ static void follow_cable(struct hawser__stations *stations)
 		const double *p = stations->p + 3*i;
 
 		hawser__ties_add(&ties, at);
+		if (at->space) {
+			const double free[3] = {at->eps*p[0], p[1]/at->k, p[2]/at->k};
+
+			hawser__space_reach(r, at, free, at->weight);
+			continue;
+		}
 		r[0] += at->weight*(at->eps*p[0]*at->ex - p[1]/at->k*at->ey);
 		r[1] += at->weight*(at->eps*p[0]*at->ey + p[1]/at->k*at->ex);
 		r[2] += at->weight*p[2]/at->k;
@@ -205,6 +211,11 @@ static void follow_cable(struct hawser__stations *stations)
 		const double *p = stations->p + 3*i;
 		double *z = stations->z + 3*i;
 
+		if (at->space) {
+			for (int c = 0; c < 3; c++)
+				z[c] = (p[c] - hawser__space_along(at, lambda, c))*(c == 0 ? at->eps : 1.0/at->k);
+			continue;
+		}
 		z[0] = at->eps*(p[0] - lambda[0]*at->ex - lambda[1]*at->ey);
 		z[1] = (p[1] + lambda[0]*at->ey - lambda[1]*at->ex)/at->k;
 		z[2] = (p[2] - lambda[2])/at->k;

@@ -8,6 +8,7 @@
 #include "modes/label.h"
 #include "rom/absorbers.h"
 #include "rom/inertia_field.h"
+#include "statics/frame.h"
 
 enum { EACH = 4 }; /* numbers of an absorber */
 
@@ -32,7 +33,8 @@ void hawser__inertia_roots(double *root, double *stiff, const struct hawser_mode
 
 	for (int p = 0; p < modes->grid.points; p++) {
 		struct hawser_frame_point at = hawser_statics_frame(st, modes->grid.s[p]);
-		double weight = modes->grid.weight[p], k = sqrt(1.0 + at.u*at.u)/(1.0 + at.strain);
+		double T = st->space ? at.tension : sqrt(1.0 + at.u*at.u);
+		double weight = modes->grid.weight[p], k = T/(1.0 + at.strain);
 
 		for (int c = 0; c < 3; c++) {
 			root[3*p + c] = sqrt(weight);
@@ -81,11 +83,11 @@ void hawser__inertia_displacement(double *shape, const struct hawser_modes *mode
 
 	for (int p = 0; p < points; p++) {
 		struct hawser_frame_point at = hawser_statics_frame(&modes->statics, modes->grid.s[p]);
-		const double *f = strain + 3*p;
+		double v[3];
 
-		global[p] = f[0]*at.ex - f[1]*at.ey;
-		global[points + p] = f[0]*at.ey + f[1]*at.ex;
-		global[2*points + p] = f[2];
+		hawser__frame_out(v, &at, strain + 3*p);
+		for (int axis = 0; axis < 3; axis++)
+			global[axis*points + p] = v[axis];
 	}
 	for (int axis = 0; axis < 3; axis++)
 		(void)hawser__grid_running(along + axis*points, &modes->grid, reference, global + axis*points);
@@ -93,11 +95,9 @@ void hawser__inertia_displacement(double *shape, const struct hawser_modes *mode
 		along[i] += start[i/points];
 	for (int p = 0; p < points; p++) {
 		struct hawser_frame_point at = hawser_statics_frame(&modes->statics, modes->grid.s[p]);
-		double x = along[p], y = along[points + p];
+		const double v[3] = {along[p], along[points + p], along[2*points + p]};
 
-		shape[3*p] = x*at.ex + y*at.ey;
-		shape[3*p + 1] = y*at.ex - x*at.ey;
-		shape[3*p + 2] = along[2*points + p];
+		hawser__frame_in(shape + 3*p, &at, v);
 	}
 	for (int i = 0; i < hawser__points(&modes->statics); i++)
 		for (int axis = 0; axis < 3; axis++)

@@ -25,6 +25,7 @@
 
 #include "core/report.h"
 #include "rom/load.h"
+#include "statics/frame.h"
 
 #define STEP 0.5        /* rad */
 #define SHORTEST 200.0  /* wavelengths in the cable */
@@ -192,9 +193,7 @@ void hawser__piece_at(double local[3], const struct hawser__piece *piece,
 		double in[3];
 
 		hawser_statics_from_global(st, in, f);
-		local[0] = in[0]*at.ex + in[1]*at.ey;
-		local[1] = in[1]*at.ex - in[0]*at.ey;
-		local[2] = in[2];
+		hawser__frame_in(local, &at, in);
 	}
 }
 

@@ -13,6 +13,7 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/compile.c \
 	%D%/compile_cable.c \
 	%D%/condense.c \
+	%D%/condense_space.c \
 	%D%/condense.h \
 	%D%/condense_load.c \
 	%D%/absorbers.c \

@@ -112,7 +112,7 @@ static void table_fill(struct table *t, const struct hawser_modes *modes)
 				t->sigma[pair(t, j, k) + p] = x[1]*y[1] + x[2]*y[2];
 			}
 	for (int j = 0; j < t->n; j++)
-		t->out[j] = modes->mode[j].plane == HAWSER_OUT_OF_PLANE;
+		t->out[j] = !modes->statics.space && modes->mode[j].plane == HAWSER_OUT_OF_PLANE;
 	hawser__rom_mirror(t->anti, modes);
 }
 

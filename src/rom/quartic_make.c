@@ -374,7 +374,7 @@ static int fill(struct hawser__quartic *q, const struct hawser_rom *rom,
                 const struct hawser_modes *modes)
 {
 	struct hawser__place *place = malloc((size_t)q->points*sizeof *place);
-	struct hawser__ties ties = {{0.0}, 0.0};
+	struct hawser__ties ties = {.mz = 0.0};
 	int failed = !place || set_order(q, modes);
 
 	for (int p = 0; !failed && p < q->points; p++) {

@@ -1,6 +1,7 @@
 noinst_LTLIBRARIES += %D%/libstatics.la
 %C%_libstatics_la_SOURCES = \
 	%D%/catenary.h \
+	%D%/frame.h \
 	%D%/models.h \
 	%D%/precision.h \
 	%D%/profile.h \

@@ -106,7 +106,8 @@ static void find_partner(struct hawser_plan_resonance *resonance, const struct h
 
 			if (s == j || fabs(modes->mode[s].omega - order*resonance->omega) > order*width ||
 			    (order == 2 && beta == 0.0) ||
-			    (order == 3 && modes->mode[s].plane != modes->mode[j].plane))
+			    (order == 3 && !modes->statics.space &&
+			     modes->mode[s].plane != modes->mode[j].plane))
 				continue;
 			resonance->partner = s;
 			resonance->order = order;

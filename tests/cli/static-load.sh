@@ -138,8 +138,12 @@ works "modes in space" modes "$top/notebooks-data/scenes/ropeway-carriers.yaml" 
 	--set "load.static={per_length: [0, 0, 3]}" --view profile --plot modes.svg
 refuses_like 1 'damped modes of a cable' modes "$top/notebooks-data/scenes/ropeway-carriers.yaml" -n 3 --damped \
 	--set "load.static={per_length: [0, 0, 3]}"
-refuses_like 1 'no model yet' frf "$top/notebooks-data/scenes/ropeway-carriers.yaml" \
-	--set "load.static={per_length: [0, 0, 3]}"
+spacers=$top/notebooks-data/scenes/conductor-spacers.yaml
+works "a model in space" rom "$spacers" --json rom.json
+works "it moves" integrate "$spacers" --until 40 --Omega 1.0 --quiet
+refuses_like 1 'no full-order model' rom "$spacers" --set model.energy=exact
+refuses_like 1 'support.A.motion and support.B.motion of a cable' rom "$spacers" \
+	--set "support={B: {motion: [0, 0.01, 0]}}"
 refuses_like 1 'not the same everywhere' irvine "$top/notebooks-data/scenes/ropeway-carriers.yaml" \
 	--set "load.static={per_length: [0, 0, 3]}"
 refuses_like 2 'without any force' statics "$scene" --set "load.static={per_length: [0, 15.696, 0], mass: 0}"
