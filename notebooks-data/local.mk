@@ -27,6 +27,7 @@ dist_scenes_DATA = \
 	%D%/scenes/bridge-stay.yaml \
 	%D%/scenes/stay-anchorage.yaml \
 	%D%/scenes/stay-absorber.yaml \
+	%D%/scenes/stay-sink.yaml \
 	%D%/scenes/stay-damper.yaml \
 	%D%/scenes/stay-mast.yaml \
 	%D%/scenes/stay-clamped.yaml \

@@ -114,6 +114,12 @@ int hawser__has_absorbers(const struct hawser_statics *st)
 enum hawser_status hawser__check_absorbers(const struct hawser_statics *st,
                                            struct hawser_report *report)
 {
+	if (st->space && hawser__has_absorbers(st))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+		                    "attach.absorber_mass with load.static.per_length: absorbers of a "
+		                    "cable that hangs in space are not modelled; set "
+		                    "load.static.per_length=[0,0,0], or give their mass as mass, which "
+		                    "holds it to the cable");
 	for (int i = 0; i < st->attachments; i++) {
 		const double *a = st->attached[i].absorber_axis;
 

@@ -180,6 +180,10 @@ static enum hawser_status check(const struct hawser_modes *modes, const struct h
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "choose",
 		                    "modes are not weighed with cable.EI: give model.modes as a number, and "
 		                    "compare with more");
+	if (modes->stroke)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "choose",
+		                    "modes are not weighed with absorbers of attachments: compare with more "
+		                    "modes (model.modes)");
 	if (hawser__has_dampers(&modes->statics))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "choose",
 		                    "modes are not weighed with dampers of attachments, whose shapes are "

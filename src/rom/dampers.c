@@ -368,13 +368,13 @@ enum hawser_status hawser__rom_attached(struct hawser_modes *with, const struct 
 		status = rigid_only(scene, report);
 	if (status || !scene || st->attachments == 0 || !(st->epsilon > 0.0))
 		return status;
-	if (scene->model.modes == HAWSER_MODES_AUTO && hawser__has_dampers(st))
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
-		                    "model.modes: auto does not know dampers of attachments: give a number "
-		                    "of modes");
 	if (scene->model.modes == HAWSER_MODES_AUTO && modes->stroke)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
 		                    "model.modes: auto does not know absorbers of attachments: give a number "
+		                    "of modes");
+	if (scene->model.modes == HAWSER_MODES_AUTO && hawser__has_dampers(st))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+		                    "model.modes: auto does not know dampers of attachments: give a number "
 		                    "of modes");
 	return hawser__dampers_extend(with, modes, report);
 }

@@ -140,6 +140,11 @@ static void table(void)
 	       ".B \"\\-\\-set attach.carrier.mass=25kg\"\n"
 	       "of the one with this name,\n"
 	       "and \\-\\-set \\(aqattach=[{...}]\\(aq replaces the list.\n", HAWSER_ATTACH_MAX);
+	fputs("Modes list the stroke of each absorber; responses have a point\n"
+	      ".B stroke_NAME\n"
+	      "with its displacement relative to the cable. The damping of the scene does not act\n"
+	      "on absorbers.\n",
+	      stdout);
 	keys_of(HAWSER__ATTACH);
 	fputs(".SS loads (optional)\n"
 	      "A list of varying loads, which add to each other and to the section load: each is a\n"

@@ -155,7 +155,23 @@ r = json.load(open("nes.json"))
 assert r["scene"]["attach"][0]["absorber_cubic"] == 40
 assert max(p["amplitude"]["y_stroke_tmd"] for p in r["points"]) > 0
 END
-refuses_like 1 "auto does not know absorbers" frf "$stay" --set "$tmd" --set 'load={frame: global, per_length: [0, 2, 0]}' --set model.modes=auto
+works "its response" frf "$SRCDIR/notebooks-data/scenes/stay-sink.yaml" --from 5.9rad/s --to 6.6rad/s --json sink.json -q
+works "and without the cubic spring" frf "$SRCDIR/notebooks-data/scenes/stay-sink.yaml" --set attach.sink.absorber_cubic=0 --from 5.9rad/s --to 6.6rad/s --json soft.json -q
+python "the amplitudes of sink and cable are in the relation of harmonic balance" <<'END'
+import json
+def points(name):
+    return [(p["Omega"], p["amplitude"]["z_mid"], p["amplitude"]["z_stroke_sink"]) for p in json.load(open(name))["points"]]
+m, k, k3, c = 60, 46, 80e3, 40
+# m W^2 X = (k - m W^2 + 3/4 k3 S^2 + i W c) S up to the third harmonic, of which the linear one has none
+for name, cubic, tolerance in (("sink.json", k3, 0.012), ("soft.json", 0, 1e-4)):
+    worst = max(abs(m*w*w*x/abs((k - m*w*w + 0.75*cubic*s*s + 1j*w*c)*s) - 1) for w, x, s in points(name))
+    assert worst < tolerance, (name, worst)
+r = json.load(open("sink.json"))
+assert {"fold", "torus"} <= {e["kind"] for e in r["events"]}, r["events"]
+top = [max(x for _, x, _ in points(name)) for name in ("sink.json", "soft.json")]
+assert 0.5 < top[0]/top[1] < 0.6, top
+END
+refuses_like 1 "modes are not weighed with absorbers" frf "$stay" --set "$tmd" --set 'load={frame: global, per_length: [0, 2, 0]}' --set model.modes=auto
 refuses_like 1 "has an incomplete absorber: give both" statics "$stay" --set 'attach=[{at: 50 %, absorber_mass: 60 kg}]'
 refuses_like 1 "absorber without direction" statics "$stay" --set "$tmd" --set 'attach.tmd.absorber_direction=[0, 0, 0]'
 refuses_like 1 "write KEY=FROM:TO:POINTS" modes "$stay" --over attach.0.at=0.1:0.2

@@ -323,6 +323,10 @@ static void refusals(void)
 	   strstr(report.message, "absorber_direction is oblique"), "oblique: %s", report.message);
 	ok(hawser_modes_basis(&modes, &st, 8, 8, &report) == HAWSER_ERR_ARGUMENT &&
 	   strstr(report.message, "absorber_direction is oblique"), "the same of a basis");
+	st.space = 1;
+	ok(hawser_modes_solve(&modes, &st, &options, &report) == HAWSER_ERR_ARGUMENT &&
+	   strstr(report.message, "hangs in space"), "%s", report.message);
+	st.space = 0;
 	st.attached[0].absorber_axis[2] = 0.0;
 	st.bending.EI = 1e3;
 	ok(hawser_modes_solve(&modes, &st, &options, &report) == HAWSER_ERR_ARGUMENT &&

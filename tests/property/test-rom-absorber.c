@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <hawser/choose.h>
 #include <hawser/damped.h>
 #include <hawser/rom.h>
 
@@ -237,6 +238,7 @@ static void refusals(void)
 	struct hawser_scene scene = {.model = {.modes = HAWSER_MODES_AUTO}};
 	struct hawser_attachment at = several[2];
 	struct hawser_modes modes;
+	struct hawser_choice choice;
 	struct hawser_rom rom;
 
 	at.damper[1] = 0.0;
@@ -244,6 +246,11 @@ static void refusals(void)
 		return;
 	ok(hawser_rom_build(&rom, &modes, &scene, &report) == HAWSER_ERR_ARGUMENT &&
 	   strstr(report.message, "auto does not know absorbers"), "%s", report.message);
+	scene.model.modes = 4;
+	scene.load.present = 1;
+	scene.load.per_length[1] = 1.0;
+	ok(hawser_choose(&choice, &modes, &scene, 0.5, 1.5, 0.01, &report) == HAWSER_ERR_ARGUMENT &&
+	   strstr(report.message, "not weighed with absorbers"), "%s", report.message);
 	hawser_modes_clear(&modes);
 }
 
