@@ -96,3 +96,7 @@ check_PROGRAMS += tests/property/test-rom-bending
 TESTS += tests/property/test-rom-bending
 tests_property_test_rom_bending_SOURCES = tests/property/test-rom-bending.c
 tests_property_test_rom_bending_LDADD = $(UPTO_ROM)
+check_PROGRAMS += tests/property/test-rom-space
+TESTS += tests/property/test-rom-space
+tests_property_test_rom_space_SOURCES = tests/property/test-rom-space.c
+tests_property_test_rom_space_LDADD = $(UPTO_ROM)

@@ -93,6 +93,9 @@ void hawser__balance_limit(struct hawser__balance *balance, double lowest)
 
 	for (int j = rom->exact ? rom->exact->in : rom->n; j < rom->n; j++)
 		top = fmax(top, rom->K[(size_t)rom->exact->index[j]*(rom->n + 1)]);
+	/* in space two thirds of the modes are waves across */
+	if (rom->exact && rom->exact->in + rom->exact->out > rom->n)
+		top = rom->K[(size_t)(2*rom->n/3)*((size_t)rom->n + 1)];
 	most = fmax(fmax(LEAST_RESOLVED, 2*highest(rom)), ceil(sqrt(top)/lowest));
 	balance->limited = top > 0.0 && most < balance->top;
 	if (balance->limited)

@@ -81,7 +81,7 @@ static void strains(double *ab, double *c, const struct hawser_rom_exact *exact,
 		            exact->slope + (size_t)first*2*in, in, v, 1, 0.0, ab, 1);
 	if (out)
 		cblas_dgemv(CblasRowMajor, CblasNoTrans, count, out, 1.0,
-		            exact->slope_z + (size_t)first*out, out, v + in, 1, 0.0, c, 1);
+		            exact->slope_z + (size_t)first*out, out, v + exact->other, 1, 0.0, c, 1);
 }
 
 /* Add the forces of the stresses ab [count][2] and c [count] on the coordinates. */
@@ -95,7 +95,7 @@ static void add_force(double *f, const struct hawser_rom_exact *exact, const dou
 		            exact->slope + (size_t)first*2*in, in, ab, 1, 1.0, f, 1);
 	if (out)
 		cblas_dgemv(CblasRowMajor, CblasTrans, count, out, 1.0,
-		            exact->slope_z + (size_t)first*out, out, c, 1, 1.0, f + in, 1);
+		            exact->slope_z + (size_t)first*out, out, c, 1, 1.0, f + exact->other, 1);
 }
 
 /* Workspace for one chunk of points. */
@@ -108,7 +108,7 @@ struct chunk {
 /* Tangents of the planes and between them: [in][in], [in][out], [out][out], in the exact order. */
 struct blocks {
 	double ii[HAWSER_ROM_MAX*HAWSER_ROM_MAX];
-	double io[HAWSER_ROM_MAX*HAWSER_ROM_MAX/4];
+	double io[HAWSER_ROM_MAX*HAWSER_ROM_MAX]; /* a quarter of it but in space */
 	double oo[HAWSER_ROM_MAX*HAWSER_ROM_MAX];
 };
 
@@ -190,6 +190,12 @@ static void scatter(double *tangent, const struct hawser_rom_exact *exact, const
 	int n = exact->n, in = exact->in, out = exact->out;
 	const int *index = exact->index, *z = index + in;
 
+	for (int j = 0; in + out > n && j < n; j++)
+		for (int k = 0; k < n; k++)
+			tangent[index[j]*n + index[k]] = 0.5*(t->ii[j*n + k] + t->ii[k*n + j] + t->oo[j*n + k] +
+			                                      t->oo[k*n + j]) + t->io[j*n + k] + t->io[k*n + j];
+	if (in + out > n)
+		return;
 	for (int j = 0; j < in; j++)
 		for (int k = 0; k < in; k++)
 			tangent[index[j]*n + index[k]] = 0.5*(t->ii[j*in + k] + t->ii[k*in + j]);

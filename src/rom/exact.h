@@ -8,9 +8,10 @@
 #include <hawser/rom.h>
 
 /* The coordinates are separated by plane: `in` of them determine a and b, the other `out` determine
- * c. */
+ * c. In space all n of them do both: in = out = n, and `other` is 0. */
 struct hawser_rom_exact {
 	int n, in, out, points;
+	int other;       /* where the coordinates of c begin in the order of `index` */
 	int collocated;  /* 1: number of points = number of polynomials of the strains (exact.c) */
 	struct hawser_grid grid; /* the quadrature points */
 	int *index;      /* [n] index in the model of the in-plane coordinates, then of the others */

@@ -103,6 +103,13 @@ static void unpack(double *tangent, const struct hawser_rom_exact *exact, const 
 	const double *ii = b->tii + (size_t)i*pairs(in), *oo = b->too + (size_t)i*pairs(out);
 	const double *io = b->tio + (size_t)i*in*out;
 
+	if (in + out > n) { /* in space */
+		for (int k = 0; k < n; k++)
+			for (int j = 0; j <= k; j++)
+				tangent[index[j]*n + index[k]] = tangent[index[k]*n + index[j]] = *ii++ + *oo++ +
+					(out_of_plane ? io[j*n + k] + io[k*n + j] : 0.0);
+		return;
+	}
 	for (int k = 0; k < in; k++)
 		for (int j = 0; j <= k; j++)
 			tangent[index[j]*n + index[k]] = tangent[index[k]*n + index[j]] = *ii++;
@@ -124,6 +131,8 @@ static void batch(struct batch *b, const struct hawser_rom_exact *exact, double 
 		for (int j = 0; j < n; j++)
 			*(j < in ? b->in + i*in + j : b->out + i*out + j - in) =
 				u[i*n + exact->index[j]];
+	if (in + out > n) /* in space */
+		memcpy(b->out, b->in, (size_t)count*(size_t)n*sizeof *b->out);
 	if (!in)
 		memset(b->ab, 0, (size_t)count*2*points*sizeof *b->ab);
 	product(b->ab, b->in, exact->slope, count, 2*points, in, 1);
@@ -133,8 +142,9 @@ static void batch(struct batch *b, const struct hawser_rom_exact *exact, double 
 	product(b->out, b->c, exact->slope_z, count, out, points, 0);
 	for (int i = 0; i < count; i++)
 		for (int j = 0; j < n; j++)
-			restoring[i*n + exact->index[j]] = j < in ? b->in[i*in + j]
-			                                          : b->out[i*out + j - in];
+			restoring[i*n + exact->index[j]] = (j < in ? b->in[i*in + j] : 0.0) +
+			                                   (j < exact->other ? 0.0
+			                                    : b->out[i*out + j - exact->other]);
 	if (!tangent)
 		return;
 	product(b->tii, b->ii, exact->pairs_in, count, (int)pairs(in), 3*points, 0);

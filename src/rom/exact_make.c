@@ -69,9 +69,12 @@ static struct hawser_rom_exact *allocate(const struct hawser_modes *modes, int o
 	for (int j = 0; j < modes->n; j++)
 		in += modes->mode[j].plane == HAWSER_IN_PLANE;
 	out = modes->n - in;
+	if (modes->statics.space)
+		in = out = modes->n;
 	exact->n = modes->n;
 	exact->in = in;
 	exact->out = out;
+	exact->other = modes->statics.space ? 0 : in;
 	exact->points = points;
 	exact->collocated = order < modes->grid.order;
 	exact->index = calloc((size_t)modes->n, sizeof *exact->index);
@@ -143,9 +146,9 @@ static void set_slopes(struct hawser_rom_exact *exact, const struct hawser_modes
 		if (i < in) {
 			exact->slope[(size_t)p*2*in + i] = at[0];
 			exact->slope[((size_t)p*2 + 1)*in + i] = at[1]/rule_root[p];
-		} else {
-			exact->slope_z[(size_t)p*out + i - in] = at[2]/rule_root[p];
 		}
+		if (i >= exact->other)
+			exact->slope_z[(size_t)p*out + i - exact->other] = at[2]/rule_root[p];
 	}
 }
 
@@ -212,9 +215,10 @@ struct hawser_rom_exact *hawser__exact_new(const struct hawser_modes *modes, int
 
 	if (!exact)
 		return NULL;
-	next_z = exact->in;
+	next_z = exact->other;
 	for (int j = 0; j < modes->n; j++)
-		exact->index[modes->mode[j].plane == HAWSER_IN_PLANE ? next++ : next_z++] = j;
+		exact->index[modes->statics.space || modes->mode[j].plane == HAWSER_IN_PLANE ? next++
+		                                                                             : next_z++] = j;
 	if (!fill(exact, modes) && !add_springs(exact, modes))
 		return exact;
 	hawser__exact_free(exact);

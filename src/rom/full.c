@@ -44,11 +44,6 @@ static enum hawser_status build(struct hawser_rom *rom, const struct hawser_mode
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
 		                    "the full-order model has no bending stiffness: take model.energy: "
 		                    "quartic, or leave cable.EI out");
-	if (modes->statics.space)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
-		                    "there is no full-order model of a cable that masses in a wind turn out of "
-		                    "one plane: take model.energy: quartic and a number of modes, or set "
-		                    "load.static.per_length=[0,0,0]");
 	status = hawser__rom_begin(rom, modes, scene, report);
 	if (status)
 		return status;

@@ -75,6 +75,15 @@ static const struct combined table[] = {
 	          "damping: {rayleigh: {mass: 0.1, stiffness: 0}}\n",
 	 .omega = 0.93, .rods = 64, .steps = 400, .modes = 24,
 	 .shape = 2e-7, .frequency = 1e-6, .displacement = 1e-4, .tension = 3e-3},
+	{.what = "the same conductor at full order",
+	 .scene = "cable: {EA: 21.7 MN, rho: 1.57 kg/m}\nspan: {d: 400 m, h: 22 m}\n"
+	          "tension: {H: 24 kN, state: reference}\n"
+	          "attach: [{at: 31.25 %, mass: 48}, {at: 68.75 %, mass: 63}]\n"
+	          "load: {static: {per_length: [0, 0, 12 N/m], mass: 0.8 kg/m}, frame: global,\n"
+	          "  per_length: [0, 1 N/m, 2 N/m]}\n"
+	          "damping: {rayleigh: {mass: 0.1, stiffness: 0}}\n",
+	 .omega = 0.93, .rods = 64, .steps = 400, .modes = 24, .full = 24,
+	 .shape = 2e-7, .frequency = 1e-6, .displacement = 1e-4, .tension = 2e-3},
 	{.what = "a stay with a spring and a damper, whose anchorage moves",
 	 .scene = "cable: {EA: 480 MN, rho: 52 kg/m}\nspan: {d: 110 m, h: 60 m}\ntension: {T0: 2.1 MN}\n"
 	          "attach: [{at: 12.5 %, damper: [0, 60 N s/m, 100 N s/m]},\n"
