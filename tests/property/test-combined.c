@@ -73,7 +73,7 @@ static const struct combined table[] = {
 	          "load: {static: {per_length: [0, 0, 12 N/m], mass: 0.8 kg/m}, frame: global,\n"
 	          "  per_length: [0, 0.5 N/m, 1 N/m]}\n"
 	          "damping: {rayleigh: {mass: 0.1, stiffness: 0}}\n",
-	 .omega = 0.93, .rods = 64, .steps = 400, .modes = 24,
+	 .omega = 0.93, .rods = 48, .steps = 320, .modes = 24,
 	 .shape = 2e-7, .frequency = 1e-6, .displacement = 1e-4, .tension = 3e-3},
 	{.what = "the same conductor at full order",
 	 .scene = "cable: {EA: 21.7 MN, rho: 1.57 kg/m}\nspan: {d: 400 m, h: 22 m}\n"
