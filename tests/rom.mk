@@ -100,3 +100,7 @@ check_PROGRAMS += tests/property/test-rom-space
 TESTS += tests/property/test-rom-space
 tests_property_test_rom_space_SOURCES = tests/property/test-rom-space.c
 tests_property_test_rom_space_LDADD = $(UPTO_ROM)
+check_PROGRAMS += tests/property/test-condense-bending
+TESTS += tests/property/test-condense-bending
+tests_property_test_condense_bending_SOURCES = tests/property/test-condense-bending.c
+tests_property_test_condense_bending_LDADD = $(UPTO_ROM)

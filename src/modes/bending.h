@@ -5,6 +5,9 @@
 
 #include "modes/grid.h"
 
+/* Width of the boundary layer at s, sqrt(EI/T), scaled. */
+double hawser__layer_at(const struct hawser_statics *st, double s);
+
 /* Modes of a cable with bending.EI > 0. */
 enum hawser_status hawser__flexure_solve(struct hawser_modes *modes, const struct hawser_statics *st,
                                          const struct hawser_modes_options *options,

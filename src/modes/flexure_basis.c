@@ -22,6 +22,7 @@
 #include "modes/damped.h"
 #include "modes/flexure.h"
 #include "modes/label.h"
+#include "modes/methods.h"
 #include "modes/spectral.h"
 
 enum { FUNCTIONS_MAX = 800 }; /* of both components: the decomposition takes some seconds */
@@ -209,7 +210,10 @@ enum hawser_status hawser__damped_bending(struct hawser__damped_pair *pair,
 
 	for (int i = 0; i < held.attachments; i++)
 		held.attached[i].absorber = 0.0;
-	status = hawser__flexure_basis(&pair->fine, &held, (int[]){fine, fine}, 0.5*n + 1.0, report);
+	status = hawser__modes_check_statics(&held, report);
+	if (!status)
+		status = hawser__flexure_basis(&pair->fine, &held, (int[]){fine, fine}, 0.5*n + 1.0,
+		                               report);
 	if (!status)
 		status = hawser__flexure_basis(&pair->coarse, &held, (int[]){coarse, coarse}, 0.5*n + 1.0,
 		                               report);

@@ -39,7 +39,7 @@ enum { FIRST = 22, MORE = 6, MOST = 52, FUNCTIONS_MAX = 3000 };
 
 /* --- edges --- */
 
-static double layer_at(const struct hawser_statics *st, double s)
+double hawser__layer_at(const struct hawser_statics *st, double s)
 {
 	struct hawser_frame_point at = hawser_statics_frame(st, s);
 
@@ -55,7 +55,7 @@ static int piece(double *edge, int count, const struct hawser_statics *st, doubl
 	double length = to - from, shift = 1e-12*length;
 	double low = asinh(hawser_statics_frame(st, from).u);
 	double high = asinh(hawser_statics_frame(st, to - shift).u), start = from, stop = to;
-	double first = layer_at(st, from), last = layer_at(st, to);
+	double first = hawser__layer_at(st, from), last = hawser__layer_at(st, to);
 	int n = (int)fmax(1.0, fmax(ceil((high - low)/theta_span),
 	                            ceil(0.5*M_PI*waves*length/st->l/phase)));
 

@@ -31,6 +31,7 @@
 #include "modes/grid.h"
 #include "modes/label.h"
 #include "rom/absorbers.h"
+#include "rom/bend.h"
 #include "rom/condense.h"
 #include "rom/ties.h"
 #include "statics/frame.h"
@@ -39,6 +40,7 @@ struct work {
 	const struct hawser_modes *modes;
 	struct hawser__place *place; /* [points] */
 	struct hawser__ties ties;
+	struct hawser__bend *bend;       /* or NULL (bend.c) */
 	struct hawser__springs *springs; /* or NULL (ties.c) */
 	double *stretch;                 /* [pairs][springs] displacements of w_jk at the springs */
 };
@@ -88,18 +90,20 @@ void hawser__ties_solve(double lambda[3], const struct hawser__ties *ties, const
 	lambda[2] = r[2]/ties->mz;
 }
 
-static void prepare(struct work *work)
+static enum hawser_status prepare(struct work *work, struct hawser_report *report)
 {
 	const struct hawser_grid *grid = &work->modes->grid;
+	enum hawser_status status;
 
 	for (int p = 0; p < grid->points; p++) {
 		work->place[p] = hawser__place_at(work->modes, grid->s[p], grid->weight[p]);
 		hawser__ties_add(&work->ties, &work->place[p]);
-		if (work->springs)
-			hawser__springs_add_place(work->springs, &work->place[p], grid->s[p]);
 	}
-	if (work->springs)
-		hawser__springs_factor(work->springs);
+	status = hawser__bend_make(&work->bend, &work->modes->statics, grid->edge, grid->elements,
+	                           grid->order, work->place, report);
+	return status || !work->springs ? status
+	       : hawser__springs_assemble(work->springs, work->bend, work->place, grid->s, grid->points,
+	                                  report);
 }
 
 static int springs_of(const struct work *work)
@@ -122,25 +126,14 @@ static void answer_springs(const struct work *work, double *strain, double *stre
 	struct hawser__springs *springs = work->springs;
 
 	memset(springs->z, 0, sizeof springs->z);
-	for (int p = 0; p < grid->points; p++) {
-		const struct hawser__place *at = &work->place[p];
-		double *f = strain + 3*p;
-
-		f[0] = -f[0];
-		f[1] = -f[1]/(at->eps*at->k);
-		f[2] = -f[2]/(at->eps*at->k);
-		hawser__springs_load(springs, at, grid->s[p], f);
-	}
+	for (int p = 0; p < grid->points; p++)
+		for (int c = 0; c < 3; c++)
+			strain[3*p + c] /= -work->place[p].eps;
+	hawser__comply(work->bend, strain, work->place, grid->points);
+	for (int p = 0; p < grid->points; p++)
+		hawser__springs_load(springs, &work->place[p], grid->s[p], strain + 3*p);
 	hawser__springs_solve(springs);
-	for (int p = 0; p < grid->points; p++) {
-		const struct hawser__place *at = &work->place[p];
-		double *f = strain + 3*p, pull[3];
-
-		hawser__springs_force(pull, springs, at, grid->s[p]);
-		f[0] -= at->eps*pull[0];
-		f[1] -= pull[1]/at->k;
-		f[2] -= pull[2]/at->k;
-	}
+	hawser__springs_release(strain, springs, work->bend, work->place, grid->s, grid->points);
 	for (int m = 0; m < springs_of(work); m++)
 		stretch[m] = hawser__springs_stretch(springs, m);
 }
@@ -225,9 +218,9 @@ static enum hawser_status set_gram(struct hawser__condensed *condensed, const st
                                    struct hawser_report *report)
 {
 	const struct hawser_statics *st = &work->modes->statics;
-	int pairs = condensed->pairs, springs = springs_of(work);
+	int pairs = condensed->pairs, springs = springs_of(work), points = condensed->points;
 	int absorbers = condensed->stroke ? st->attachments : 0;
-	int width = 3*condensed->points + springs + absorbers;
+	int width = 3*points + springs + absorbers + hawser__bend_width(work->bend);
 	double *scaled = malloc((size_t)pairs*width*sizeof *scaled);
 
 	if (!scaled)
@@ -250,6 +243,9 @@ static enum hawser_status set_gram(struct hawser__condensed *condensed, const st
 		for (int i = 0; i < absorbers; i++)
 			to[springs + i] = sqrt(hawser__absorber_stiffness(st, i))*
 			                  condensed->stroke[(size_t)x*absorbers + i];
+		if (work->bend)
+			hawser__bend_rows(to + springs + absorbers, work->bend,
+			                  condensed->strain + (size_t)x*points*3);
 	}
 	cblas_dsyrk(CblasRowMajor, CblasLower, CblasNoTrans, pairs, width, 1.0, scaled, width, 0.0,
 	            condensed->gram, pairs);
@@ -260,32 +256,15 @@ static enum hawser_status set_gram(struct hawser__condensed *condensed, const st
 	return HAWSER_OK;
 }
 
-enum hawser_status hawser__condense_bends(const struct hawser_modes *modes,
-                                          struct hawser_report *report)
-{
-	if (!(modes->statics.bending.EI > 0.0))
-		return HAWSER_OK;
-	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
-	                    "the modes that are not kept are not condensed with cable.EI: set "
-	                    "model.condense: none, and model.modes so large that longitudinal modes are "
-	                    "among them, and leave dampers of attachments out, which need the same");
-}
-
 enum hawser_status hawser__condense(struct hawser__condensed *condensed,
                                     const struct hawser_modes *modes, int moving,
                                     struct hawser_report *report)
 {
 	int n = moving, pairs = n*(n + 1)/2, points = modes->grid.points;
 	struct work work = {.modes = modes};
-	enum hawser_status status = hawser__condense_bends(modes, report);
+	enum hawser_status status = hawser__springs_make(&work.springs, modes, report);
 	double *third = malloc((size_t)modes->n*sizeof *third);
 
-	if (status) {
-		*condensed = (struct hawser__condensed){.n = 0};
-		free(third);
-		return status;
-	}
-	status = hawser__springs_make(&work.springs, modes, report);
 	*condensed = (struct hawser__condensed){.n = n, .points = points, .pairs = pairs};
 	condensed->strain = malloc((size_t)pairs*points*3*sizeof *condensed->strain);
 	condensed->start = calloc((size_t)pairs, 3*sizeof *condensed->start);
@@ -303,8 +282,8 @@ enum hawser_status hawser__condense(struct hawser__condensed *condensed,
 		status = hawser__no_memory(report, "rom");
 		goto done;
 	}
-	prepare(&work);
-	for (int k = 0; k < n; k++)
+	status = prepare(&work, report);
+	for (int k = 0; k < n && !status; k++)
 		for (int j = 0; j <= k; j++) {
 			size_t pair = (size_t)(k*(k + 1)/2 + j);
 			double *strain = condensed->strain + pair*points*3;
@@ -316,9 +295,11 @@ enum hawser_status hawser__condense(struct hawser__condensed *condensed,
 			if (work.springs)
 				hawser__springs_start(condensed->start + 3*pair, work.springs, stretch);
 		}
-	status = set_gram(condensed, &work, report);
+	if (!status)
+		status = set_gram(condensed, &work, report);
 done:
-	free(work.springs);
+	hawser__springs_free(work.springs);
+	hawser__bend_free(work.bend);
 	free(work.stretch);
 	free(work.place);
 	free(third);

@@ -35,11 +35,6 @@ enum hawser_status hawser__condensed_at(const struct hawser__condensed *condense
                                         double *slope, int stride, double s,
                                         struct hawser_report *report);
 
-/* Fail if the cable has bending stiffness: the closed forms of the response of strains don't have
- * it. */
-enum hawser_status hawser__condense_bends(const struct hawser_modes *modes,
-                                          struct hawser_report *report);
-
 /* T [n][n] of follow.h, n = modes->n, for harmonic h of the loads, scaled, and whether any entry is not
  * zero. condense_load.c. */
 enum hawser_status hawser__follow_load(double *T, int *any, const struct hawser_modes *modes,

@@ -30,6 +30,7 @@
 #include "modes/grid.h"
 #include "modes/label.h"
 #include "rom/absorbers.h"
+#include "rom/bend.h"
 #include "rom/build.h"
 #include "rom/dampers.h"
 #include "rom/follow.h"
@@ -119,6 +120,7 @@ struct work {
 	double *start;          /* [count][3] the same of end A */
 	double *stroke;         /* [count][HAWSER_ATTACH_MAX] of absorbers */
 	double *along;          /* [2][3][points] */
+	double *bent;           /* [count] rows of bend.h */
 };
 
 static int work_make(struct work *work)
@@ -144,6 +146,7 @@ static void work_clear(struct work *work)
 	free(work->start);
 	free(work->stroke);
 	free(work->along);
+	free(work->bent);
 }
 
 /* Strains and displacement of end A of the response to a unit force along axis at attachment i, or,
@@ -222,8 +225,11 @@ static void add_absorber(double *M, double *K, const struct hawser_statics *st, 
 static void matrices(const struct work *work, double *mass, double *stiff)
 {
 	const struct hawser_statics *st = &work->modes->statics;
-	size_t row = 3*(size_t)work->points;
+	const struct hawser__bend *bend = work->stations.bend;
+	size_t row = 3*(size_t)work->points, wide = (size_t)hawser__bend_width(bend);
 
+	for (int a = 0; a < work->count && bend; a++)
+		hawser__bend_rows(work->bent + (size_t)a*wide, bend, work->slope + (size_t)a*row);
 	for (int a = 0; a < work->count; a++)
 		for (int b = 0; b < work->count; b++) {
 			const double *x = work->shape + a*row, *y = work->shape + b*row;
@@ -246,6 +252,8 @@ static void matrices(const struct work *work, double *mass, double *stiff)
 					add_absorber(&M, &K, st, i, x, y, work->stroke + HAWSER_ATTACH_MAX*a,
 					             work->stroke + HAWSER_ATTACH_MAX*b);
 			}
+			for (size_t i = 0; i < wide; i++)
+				K += work->bent[(size_t)a*wide + i]*work->bent[(size_t)b*wide + i];
 			mass[a*work->count + b] = M;
 			stiff[a*work->count + b] = K;
 		}
@@ -332,6 +340,11 @@ enum hawser_status hawser__dampers_extend(struct hawser_modes *with,
 	if (!status)
 		status = hawser__reference_init(&work.reference, &modes->grid, modes->grid.order - 1,
 		                                report);
+	if (!status && work.stations.bend) {
+		work.bent = malloc((size_t)work.count*(size_t)hawser__bend_width(work.stations.bend)*
+		                   sizeof *work.bent);
+		status = work.bent ? HAWSER_OK : hawser__no_memory(report, "rom");
+	}
 	for (int a = 0; !status && a < work.count; a++) {
 		size_t row = (size_t)a*3*(size_t)work.points;
 		double *start = work.start + 3*(size_t)a;

@@ -19,6 +19,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "modes/bending.h"
 #include "modes/grid.h"
 #include "modes/label.h"
 #include "rom/absorbers.h"
@@ -82,25 +83,49 @@ static enum hawser_status set_springs(struct hawser__stations *stations, struct 
 {
 	enum hawser_status status = hawser__springs_make(&stations->springs, stations->modes, report);
 
-	if (status || !stations->springs)
-		return status;
-	for (int i = 0; i < stations->count; i++)
-		hawser__springs_add_place(stations->springs, &stations->place[i], stations->s[i]);
-	hawser__springs_factor(stations->springs);
-	return HAWSER_OK;
+	if (!status)
+		status = hawser__bend_make(&stations->bend, &stations->modes->statics, stations->edge,
+		                           stations->parts, stations->modes->grid.order, stations->place,
+		                           report);
+	return status || !stations->springs ? status
+	       : hawser__springs_assemble(stations->springs, stations->bend, stations->place,
+	                                  stations->s, stations->count, report);
 }
 
-enum hawser_status hawser__stations_make(struct hawser__stations *stations,
-                                         const struct hawser_modes *modes, int moving,
-                                         const double *cut, int cuts, struct hawser_report *report)
+/* Add to all [*count] what divides the cable beside a cut, where a force that jumps there makes a
+ * boundary layer, unless an edge is near. */
+static void divide_layers(double *all, int *count, const struct hawser_modes *modes, double cut)
+{
+	const struct hawser_grid *grid = &modes->grid;
+	double wide = hawser__layer_at(&modes->statics, cut)*0.4*grid->order;
+
+	for (int side = -1; side <= 1; side++) {
+		double at = cut + side*wide;
+		int good = at > 0.0 && at < modes->statics.l;
+
+		for (int e = 0; e <= grid->elements && side != 0; e++)
+			good &= fabs(grid->edge[e] - at) > 0.1*wide;
+		if (good || side == 0)
+			all[(*count)++] = at;
+	}
+}
+
+static int ascending(const void *a, const void *b)
+{
+	double x = *(const double *)a, y = *(const double *)b;
+
+	return (x > y) - (x < y);
+}
+
+static enum hawser_status make(struct hawser__stations *stations, const struct hawser_modes *modes,
+                               int moving, const double *cut, int cuts,
+                               struct hawser_report *report)
 {
 	const struct hawser_grid *grid = &modes->grid;
 	size_t parts = (size_t)grid->elements + (size_t)cuts, most = parts*(size_t)grid->order;
 	int next = 0;
 
 	*stations = (struct hawser__stations){.modes = modes, .moving = moving};
-	if (hawser__condense_bends(modes, report))
-		return HAWSER_ERR_ARGUMENT;
 	stations->edge = malloc((parts + 1)*sizeof *stations->edge);
 	stations->s = malloc(most*sizeof *stations->s);
 	stations->place = malloc(most*sizeof *stations->place);
@@ -125,6 +150,28 @@ enum hawser_status hawser__stations_make(struct hawser__stations *stations,
 	return set_springs(stations, report);
 }
 
+enum hawser_status hawser__stations_make(struct hawser__stations *stations,
+                                         const struct hawser_modes *modes, int moving,
+                                         const double *cut, int cuts, struct hawser_report *report)
+{
+	double *all;
+	int count = 0;
+	enum hawser_status status;
+
+	if (!(modes->statics.bending.EI > 0.0) || cuts == 0)
+		return make(stations, modes, moving, cut, cuts, report);
+	*stations = (struct hawser__stations){.modes = modes};
+	all = malloc(3*(size_t)cuts*sizeof *all);
+	if (!all)
+		return hawser__no_memory(report, "rom");
+	for (int i = 0; i < cuts; i++)
+		divide_layers(all, &count, modes, cut[i]);
+	qsort(all, (size_t)count, sizeof *all, ascending);
+	status = make(stations, modes, moving, all, count, report);
+	free(all);
+	return status;
+}
+
 void hawser__stations_clear(struct hawser__stations *stations)
 {
 	free(stations->edge);
@@ -133,7 +180,8 @@ void hawser__stations_clear(struct hawser__stations *stations)
 	free(stations->slope);
 	free(stations->p);
 	free(stations->z);
-	free(stations->springs);
+	hawser__springs_free(stations->springs);
+	hawser__bend_free(stations->bend);
 	*stations = (struct hawser__stations){.count = 0};
 }
 
@@ -159,27 +207,14 @@ static void follow_springs(struct hawser__stations *stations)
 	double stretch[sizeof springs->spring/sizeof *springs->spring];
 
 	memset(springs->z, 0, sizeof springs->z);
-	for (int i = 0; i < stations->count; i++) {
-		const struct hawser__place *at = &stations->place[i];
-		const double *p = stations->p + 3*i;
-		double *z = stations->z + 3*i;
-
-		z[0] = at->eps*p[0];
-		z[1] = p[1]/at->k;
-		z[2] = p[2]/at->k;
-		hawser__springs_load(springs, at, stations->s[i], z);
-	}
+	memcpy(stations->z, stations->p, 3*(size_t)stations->count*sizeof *stations->z);
+	hawser__comply(stations->bend, stations->z, stations->place, stations->count);
+	for (int i = 0; i < stations->count; i++)
+		hawser__springs_load(springs, &stations->place[i], stations->s[i], stations->z + 3*i);
 	memcpy(springs->beyond, stations->beyond, sizeof springs->beyond);
 	hawser__springs_solve(springs);
-	for (int i = 0; i < stations->count; i++) {
-		const struct hawser__place *at = &stations->place[i];
-		double *z = stations->z + 3*i, pull[3];
-
-		hawser__springs_force(pull, springs, at, stations->s[i]);
-		z[0] -= at->eps*pull[0];
-		z[1] -= pull[1]/at->k;
-		z[2] -= pull[2]/at->k;
-	}
+	hawser__springs_release(stations->z, springs, stations->bend, stations->place, stations->s,
+	                        stations->count);
 	for (int m = springs->size - 3; m < springs->size - 3 + springs->joints; m++)
 		stretch[m] = hawser__springs_stretch(springs, m);
 	hawser__springs_start(stations->start, springs, stretch);

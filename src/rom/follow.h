@@ -33,10 +33,12 @@ struct hawser__stations {
 	double load[HAWSER_ATTACH_MAX];   /* of p: forces on the strokes of absorbers; 0 on entry */
 	double stroke[HAWSER_ATTACH_MAX]; /* of z */
 	struct hawser__springs *springs; /* of the attachments (ties.h), or NULL */
+	struct hawser__bend *bend;       /* bending stiffness (bend.h), or NULL */
 };
 
 /* The nodes of the grid of the modes. Elements that contain a point of cut [cuts], ascending, are
- * divided there, for a p that is not smooth at these points. Clear *stations, on failure too. */
+ * divided there, for a p that is not smooth at these points; with bending stiffness also beside them,
+ * where it makes layers. Clear *stations, on failure too. */
 enum hawser_status hawser__stations_make(struct hawser__stations *stations,
                                          const struct hawser_modes *modes, int moving,
                                          const double *cut, int cuts, struct hawser_report *report);

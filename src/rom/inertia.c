@@ -35,10 +35,10 @@
 #include "core/report.h"
 #include "modes/grid.h"
 #include "modes/label.h"
+#include "rom/bend.h"
 #include "rom/inertia.h"
 #include "rom/inertia_field.h"
 
-#define SLOPE 0.15   /* largest expected slope of a motion (r.m.s.), within the expansion; chosen */
 #define MOST 8       /* largest number of shapes; chosen */
 #define PAIRS 48     /* largest number of pairs that are examined; chosen to limit the cost */
 #define TRIFLE 0.01  /* ignored effect of a pair, relative to the allowed error; chosen */
@@ -61,6 +61,8 @@ struct work {
 	double *gram;     /* [4][PAIRS][PAIRS] */
 	double *value;    /* [PAIRS] omega^2 of vibrations, 0 if used */
 	double *combination; /* [count][own] */
+	struct hawser__bend *bend; /* or NULL */
+	double *bent;        /* [PAIRS] rows of bend.h */
 	double omega[MOST];
 };
 
@@ -78,6 +80,8 @@ static void work_clear(struct work *work)
 	free(work->gram);
 	free(work->value);
 	free(work->combination);
+	hawser__bend_free(work->bend);
+	free(work->bent);
 }
 
 static int work_make(struct work *work)
@@ -104,38 +108,14 @@ static int work_make(struct work *work)
 
 /* --- amplitudes --- */
 
-/* Mean square of the slopes of mode j. */
-static double turning(const struct hawser_modes *modes, int j)
-{
-	const double *slope = modes->slope + (size_t)j*3*(size_t)modes->grid.points;
-	double sum = 0.0;
-
-	for (int p = 0; p < modes->grid.points; p++)
-		sum += modes->grid.weight[p]*(slope[3*p + 1]*slope[3*p + 1] +
-		                              slope[3*p + 2]*slope[3*p + 2]);
-	return sum/modes->statics.l;
-}
-
-/* The amplitude of the linear resonance, limited to that up to which the fourth-order energy is
- * valid. */
-static double amplitude(const struct hawser_modes *modes, int j, double load, double damping)
-{
-	double most = SLOPE/sqrt(turning(modes, j)), resonance = fabs(load);
-
-	if (!(resonance > 0.0))
-		return 0.0;
-	resonance /= damping*modes->mode[j].omega;
-	return resonance < most ? resonance : most;
-}
-
 static void choose_pairs(struct work *work, const double *load, const double *damping)
 {
 	const struct hawser_modes *modes = work->modes;
 
 	for (int k = 0; k < modes->n; k++)
 		for (int j = 0; j <= k; j++) {
-			double a = amplitude(modes, j, load[j], damping[j]);
-			double b = amplitude(modes, k, load[k], damping[k]);
+			double a = hawser__inertia_amplitude(modes, j, load[j], damping[j]);
+			double b = hawser__inertia_amplitude(modes, k, load[k], damping[k]);
 
 			if (!(a*b > 0.0))
 				continue;
@@ -292,6 +272,7 @@ static int vibrations(struct work *work)
 
 	products(mass, work, work->rest, work->root);
 	products(K, work, work->strain, work->stiff);
+	hawser__bend_gram(K, work->bend, work->bent, work->strain, work->width, count);
 	info = LAPACKE_dsyevd(LAPACK_ROW_MAJOR, 'V', 'L', count, mass, count, work->value);
 	if (info)
 		return hawser__lapack_starved(info) ? -1 : 0;
@@ -430,7 +411,13 @@ enum hawser_status hawser__inertia_extend(struct hawser_modes *with,
 	}
 	hawser__inertia_roots(work.root, work.stiff, modes);
 	choose_pairs(&work, load, damping);
-	status = take_pairs(&work, report);
+	status = hawser__bend_of(&work.bend, modes, report);
+	if (!status && work.bend) {
+		work.bent = malloc(PAIRS*(size_t)hawser__bend_width(work.bend)*sizeof *work.bent);
+		status = work.bent ? HAWSER_OK : hawser__no_memory(report, "rom");
+	}
+	if (!status)
+		status = take_pairs(&work, report);
 	if (status || !counts(&work, allowed))
 		goto done;
 	status = remove_lowest(&work, report);

@@ -23,4 +23,9 @@ enum hawser_status hawser__inertia_extend(struct hawser_modes *with,
                                           const double *load, const double *damping,
                                           double allowed, struct hawser_report *report);
 
+/* Amplitude of mode j (the resonance, limited to the validity of the energy), for the modal load and
+ * damping. inertia_amplitude.c. */
+double hawser__inertia_amplitude(const struct hawser_modes *modes, int j, double load,
+                                 double damping);
+
 #endif

@@ -12,6 +12,8 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/choose.c \
 	%D%/compile.c \
 	%D%/compile_cable.c \
+	%D%/bend.c \
+	%D%/bend.h \
 	%D%/condense.c \
 	%D%/condense_space.c \
 	%D%/condense.h \
@@ -46,6 +48,7 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/history.c \
 	%D%/history.h \
 	%D%/inertia.c \
+	%D%/inertia_amplitude.c \
 	%D%/inertia.h \
 	%D%/inertia_field.c \
 	%D%/inertia_field.h \

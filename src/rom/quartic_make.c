@@ -399,11 +399,12 @@ enum hawser_status hawser__quartic_new(struct hawser__quartic **made, const stru
 
 	*made = NULL;
 	/* with springs the force of the condensed modes varies along the cable (ties.c); their strokes of
-	 * absorbers, and cubic springs, are in the tensors only */
+	 * absorbers, and cubic springs, are in the tensors only; with bending stiffness their answer is not
+	 * that of points (bend.c) */
 	if (modes->grid.points > HAWSER__QUARTIC_POINTS ||
 	    hawser__has_cubic(&modes->statics) ||
 	    (condensed && (hawser__has_springs(&modes->statics) || modes->statics.elastic ||
-	                   modes->stroke)))
+	                   modes->stroke || modes->statics.bending.EI > 0.0)))
 		return HAWSER_OK;
 	q = allocate(modes, condensed);
 	if (!q || fill(q, rom, modes)) {

@@ -6,6 +6,9 @@
  *   C            compliance of a part of the cable between springs (struct hawser__ties)
  *   K_i, q_i     stiffness of the springs at a point, its displacement
  *
+ * With bending stiffness the compliance is not that of points, and the system is that of ties.c, whose
+ * force answers a displacement of the ends in place of a load. A clamp moves without turning.
+ *
  * Without a load on the cable a = eps N.e, b = N.n/k, c = N_z/k as in condense.c. The integral of these
  * strains is the displacement, Delta at end B, and N changes by K_i q_i at the springs: a linear system
  * for N in all parts. This is the linearised elastic catenary; without springs C^-1 is the stiffness of
@@ -26,8 +29,10 @@
 #include "core/report.h"
 #include "modes/grid.h"
 #include "modes/label.h"
+#include "rom/bend.h"
 #include "rom/condense.h"
 #include "rom/support.h"
+#include "rom/ties.h"
 
 /* Parts between the points with springs, in axes along and across the chord, in which the matrix of a
  * straight cable is graded. */
@@ -186,6 +191,52 @@ static void set_strain(double *strain, const struct hawser_modes *modes, const s
 	}
 }
 
+/* Displacement of end B along axis, or (common) of both ends, in axes along and across the chord. */
+static void unit_of(double unit[3], const struct parts *parts, int axis)
+{
+	unit[0] = axis == 0 ? parts->c : axis == 1 ? parts->s : 0.0;
+	unit[1] = axis == 0 ? -parts->s : axis == 1 ? parts->c : 0.0;
+	unit[2] = axis == 2;
+}
+
+/* strain [count][points][3] of all shapes with bending stiffness. */
+static enum hawser_status bent_strains(struct hawser__support_shapes *shapes,
+                                       const struct hawser_modes *modes, const struct parts *parts,
+                                       struct hawser_report *report)
+{
+	const struct hawser_grid *grid = &modes->grid;
+	size_t each = 3*(size_t)grid->points;
+	struct hawser__bend *bend = NULL;
+	struct hawser__springs *springs = NULL;
+	struct hawser__place *place = malloc((size_t)grid->points*sizeof *place);
+	enum hawser_status status = place ? hawser__springs_make(&springs, modes, report)
+	                                  : hawser__no_memory(report, "rom");
+
+	for (int p = 0; place && p < grid->points; p++)
+		place[p] = hawser__place_at(modes, grid->s[p], grid->weight[p]);
+	if (!status)
+		status = hawser__bend_of(&bend, modes, report);
+	if (!status)
+		status = hawser__springs_assemble(springs, bend, place, grid->s, grid->points, report);
+	for (int i = 0; !status && i < shapes->count; i++) {
+		double unit[3];
+
+		unit_of(unit, parts, i%HAWSER__AXES);
+		memset(springs->z, 0, sizeof springs->z);
+		for (int a = 0; a < springs->size; a++)
+			springs->z[a] = i < HAWSER__AXES ? (a < 3 ? -unit[a] : 0.0)
+			                : a < 3 ? 0.0 : cblas_ddot(3, springs->spring[a - 3].h, 1, unit, 1);
+		hawser__springs_solve(springs);
+		memset(shapes->strain + (size_t)i*each, 0, each*sizeof *shapes->strain);
+		hawser__springs_release(shapes->strain + (size_t)i*each, springs, bend, place, grid->s,
+		                        grid->points);
+	}
+	free(place);
+	hawser__springs_free(springs);
+	hawser__bend_free(bend);
+	return status;
+}
+
 /* Displacement of end A along axis by the forces. */
 static double start(const struct parts *parts, const struct hawser_statics *st, int axis)
 {
@@ -239,13 +290,17 @@ enum hawser_status hawser__support_shapes_make(struct hawser__support_shapes *sh
 	shapes->at = malloc(((size_t)shapes->count*3*marks + 1)*sizeof *shapes->at);
 	if (!work || !shapes->strain || !shapes->shape || !shapes->at)
 		status = hawser__no_memory(report, "rom");
+	if (!status && st->bending.EI > 0.0)
+		status = bent_strains(shapes, modes, &parts, report);
 	for (int i = 0; !status && i < shapes->count; i++) {
 		double *strain = shapes->strain + (size_t)i*each, *shape = shapes->shape + (size_t)i*each;
 
-		status = forces(&parts, i%HAWSER__AXES, i >= HAWSER__AXES, st, report);
+		if (!(st->bending.EI > 0.0)) {
+			status = forces(&parts, i%HAWSER__AXES, i >= HAWSER__AXES, st, report);
+			set_strain(strain, modes, &parts);
+		}
 		if (status)
 			break;
-		set_strain(strain, modes, &parts);
 		integrate(shape, strain, modes, &reference, &parts, work);
 		for (size_t m = 0; m < 3*marks; m++)
 			hawser__grid_at(shapes->at + (size_t)i*3*marks + m, grid, shape + m%3*points, 1, 1,

@@ -14,6 +14,7 @@
  * (elastic supports have a strain at each end: phi_a(0) phi_b(0)/k of end A and phi_a(l) phi_b(l)/k
  * of end B are further parts of A, and the whole load, P, moves end B by P/k without F:
  * r_a -= phi_a(l) P/k,)
+ * With bending stiffness C is not pointwise (bend.c), and nothing else changes. A is
  * symmetric and positive definite: the closed form of condense.c with a row a spring. A spring of any
  * stiffness is a small number here, so that a support is the limit without loss.
  *
@@ -45,6 +46,13 @@ static void set_spring(struct hawser__tie_spring *spring, const struct hawser_st
 	spring->h[2] = c == 2 ? 1.0 : 0.0;
 }
 
+void hawser__springs_free(struct hawser__springs *springs)
+{
+	if (springs)
+		free(springs->field);
+	free(springs);
+}
+
 enum hawser_status hawser__springs_make(struct hawser__springs **made, const struct hawser_modes *modes,
                                         struct hawser_report *report)
 {
@@ -52,7 +60,7 @@ enum hawser_status hawser__springs_make(struct hawser__springs **made, const str
 	struct hawser__springs *to;
 
 	*made = NULL;
-	if (!hawser__has_springs(st) && !st->elastic)
+	if (!hawser__has_springs(st) && !st->elastic && !(st->bending.EI > 0.0))
 		return HAWSER_OK;
 	to = calloc(1, sizeof *to);
 	if (!to)
@@ -100,28 +108,27 @@ static void to_local(double f[3], const struct hawser__place *at)
 	f[1] = across*at->ex - along*at->ey;
 }
 
-void hawser__springs_add_place(struct hawser__springs *springs, const struct hawser__place *at,
-                               double s)
+/* A of the cable: fields that answer phi_a, against phi_b. */
+static void add_cable(struct hawser__springs *springs, const struct hawser__bend *bend,
+                      const struct hawser__place *place, const double *s, int count)
 {
-	int n = springs->size;
+	double *x = springs->field;
 
-	for (int a = 0; a < n; a++) {
-		double f[3];
-
-		phi(f, springs, a, s);
-		if (f[0] == 0.0 && f[1] == 0.0 && f[2] == 0.0)
-			continue;
-		to_local(f, at);
-		f[0] *= at->weight*at->eps;
-		f[1] *= at->weight/at->k;
-		f[2] *= at->weight/at->k;
-		for (int b = 0; b <= a; b++) {
-			double g[3];
-
-			phi(g, springs, b, s);
-			to_local(g, at);
-			springs->A[a*HAWSER__TIES + b] += f[0]*g[0] + f[1]*g[1] + f[2]*g[2];
+	for (int a = 0; a < springs->size; a++) {
+		for (int i = 0; i < count; i++) {
+			phi(x + 3*i, springs, a, s[i]);
+			to_local(x + 3*i, &place[i]);
 		}
+		hawser__comply(bend, x, place, count);
+		for (int i = 0; i < count; i++)
+			for (int b = 0; b <= a; b++) {
+				double g[3];
+
+				phi(g, springs, b, s[i]);
+				to_local(g, &place[i]);
+				springs->A[a*HAWSER__TIES + b] +=
+					place[i].weight*(x[3*i]*g[0] + x[3*i + 1]*g[1] + x[3*i + 2]*g[2]);
+			}
 	}
 }
 
@@ -135,8 +142,15 @@ static double at_joint(const struct hawser__springs *springs, int a, int j)
 	return f[0]*joint->h[0] + f[1]*joint->h[1] + f[2]*joint->h[2];
 }
 
-void hawser__springs_factor(struct hawser__springs *springs)
+enum hawser_status hawser__springs_assemble(struct hawser__springs *springs,
+                                            const struct hawser__bend *bend,
+                                            const struct hawser__place *place, const double *s,
+                                            int count, struct hawser_report *report)
 {
+	springs->field = malloc(3*(size_t)count*sizeof *springs->field);
+	if (!springs->field)
+		return hawser__no_memory(report, "rom");
+	add_cable(springs, bend, place, s, count);
 	for (int j = 0; j < springs->joints; j++)
 		for (int a = 0; a < springs->size; a++)
 			for (int b = 0; b <= a; b++)
@@ -148,6 +162,7 @@ void hawser__springs_factor(struct hawser__springs *springs)
 	/* rows of the lower triangle are columns of the upper one */
 	springs->failed = LAPACKE_dpotrf(LAPACK_COL_MAJOR, 'U', springs->size, springs->A,
 	                                 HAWSER__TIES) != 0;
+	return HAWSER_OK;
 }
 
 void hawser__springs_load(struct hawser__springs *springs, const struct hawser__place *at, double s,
@@ -176,18 +191,26 @@ void hawser__springs_solve(struct hawser__springs *springs)
 			springs->z[a] = NAN; /* reported as the entries of the model */
 }
 
-void hawser__springs_force(double f[3], const struct hawser__springs *springs,
-                           const struct hawser__place *at, double s)
+void hawser__springs_release(double *x, struct hawser__springs *springs,
+                             const struct hawser__bend *bend, const struct hawser__place *place,
+                             const double *s, int count)
 {
-	memset(f, 0, 3*sizeof *f);
-	for (int a = 0; a < springs->size; a++) {
-		double g[3];
+	double *F = springs->field;
 
-		phi(g, springs, a, s);
-		for (int c = 0; c < 3; c++)
-			f[c] += springs->z[a]*g[c];
+	memset(F, 0, 3*(size_t)count*sizeof *F);
+	for (int i = 0; i < count; i++) {
+		for (int a = 0; a < springs->size; a++) {
+			double g[3];
+
+			phi(g, springs, a, s[i]);
+			for (int c = 0; c < 3; c++)
+				F[3*i + c] += springs->z[a]*g[c];
+		}
+		to_local(F + 3*i, &place[i]);
 	}
-	to_local(f, at);
+	hawser__comply(bend, F, place, count);
+	for (int i = 0; i < 3*count; i++)
+		x[i] -= F[i];
 }
 
 double hawser__springs_stretch(const struct hawser__springs *springs, int m)

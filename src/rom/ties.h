@@ -1,14 +1,15 @@
 /* rom/ties.h - springs of attachments and of elastic supports in the static response of the condensed
  * modes: see ties.c.
  *
- * Call hawser__springs_make, _add_place for every quadrature node, _factor. For every load: zero z,
- * _load at every node, _solve; then _force at every node gives F, to be subtracted from the strains
- * times the compliance.
+ * Call hawser__springs_make, _assemble. For every load: zero z, _load at every node, _solve; then
+ * _release subtracts from the strains what the force F answers.
+ * A cable with bending stiffness is treated in this way without springs too.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_ROM_TIES_H
 #define HAWSER_ROM_TIES_H
 
+#include "rom/bend.h"
 #include "rom/condense.h"
 
 enum { HAWSER__TIES = 3 + 3*HAWSER_ATTACH_MAX };
@@ -22,23 +23,28 @@ struct hawser__springs {
 	int joints;        /* springs of elastic supports, behind the others in `spring` */
 	int ends;          /* number of the point of end A: the number of attachments */
 	int failed;        /* 1: A is not positive definite */
+	double *field;     /* [count][3] work space of hawser__springs_release */
 	struct hawser__tie_spring spring[3*HAWSER_ATTACH_MAX + 6];
 	double A[HAWSER__TIES*HAWSER__TIES], z[HAWSER__TIES];
 	double beyond[3];  /* all of the load along x, y, z, whose integral from end A the strains have */
 };
-/* *made is NULL if there are no springs; else free it. */
+/* *made is NULL if there are no springs and no bending stiffness; else hawser__springs_free it. */
+void hawser__springs_free(struct hawser__springs *springs);
 enum hawser_status hawser__springs_make(struct hawser__springs **made, const struct hawser_modes *modes,
                                         struct hawser_report *report);
-void hawser__springs_add_place(struct hawser__springs *springs, const struct hawser__place *at,
-                               double s);
-void hawser__springs_factor(struct hawser__springs *springs);
+/* The matrix, from `count` nodes at s, factored. bend: of the same nodes, or NULL. Status: _MEMORY. */
+enum hawser_status hawser__springs_assemble(struct hawser__springs *springs,
+                                            const struct hawser__bend *bend,
+                                            const struct hawser__place *place, const double *s,
+                                            int count, struct hawser_report *report);
 /* Add strains x[3] without F to z, the right-hand side. */
 void hawser__springs_load(struct hawser__springs *springs, const struct hawser__place *at, double s,
                           const double x[3]);
 void hawser__springs_solve(struct hawser__springs *springs);
-/* F along e, n and z. */
-void hawser__springs_force(double f[3], const struct hawser__springs *springs,
-                           const struct hawser__place *at, double s);
+/* Subtract from strains x [count][3] those of F. */
+void hawser__springs_release(double *x, struct hawser__springs *springs,
+                             const struct hawser__bend *bend, const struct hawser__place *place,
+                             const double *s, int count);
 /* Displacement of spring m along its axis, joints included. */
 double hawser__springs_stretch(const struct hawser__springs *springs, int m);
 /* Displacement of end A along x, y, z, of all stretches: those of its joints. */

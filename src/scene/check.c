@@ -252,7 +252,8 @@ static enum hawser_status bending(struct hawser__reader *reader)
 	const struct hawser__place *at = &reader->key[hawser__key_find("cable.EI")];
 	int ends = hawser__section_find("ends");
 	const char *other = scene->travel.present ? "travel"
-	                    : scene->support[0].present || scene->support[1].present ? "support"
+	                    : gives(reader, "support.A", "stiffness") ? "support.A.stiffness"
+	                    : gives(reader, "support.B", "stiffness") ? "support.B.stiffness"
 	                    : scene->model.energy == HAWSER_ENERGY_EXACT ? "model.energy: exact" : NULL;
 
 	if (!(scene->cable.EI > 0.0))

@@ -224,8 +224,10 @@ static void decide_always(struct hawser_plan *plan, const struct hawser_scene *s
 	else
 		decide(plan, "gyroscopic terms", 0, "the cable %s", motion->swing > 0.0
 		    ? "has no mean speed: only those of its fluctuation" : "is at rest: it does not travel");
-	decide(plan, "bending, torsion, slackness", 0, "perfectly flexible; a negative tension is "
-	    "compression");
+	decide(plan, "bending, torsion, slackness", scene->cable.EI > 0.0, scene->cable.EI > 0.0
+	    ? "cable.EI, quadratic in the displacement, in modes and condensed motion; no torsion, and a "
+	      "negative tension is compression"
+	    : "perfectly flexible; a negative tension is compression");
 }
 
 enum hawser_status hawser__decide(struct hawser_plan *plan, const struct hawser_survey *survey,

@@ -12,12 +12,14 @@ works "a stiffness per radian" rom "$scene"
 refuses_like 1 'ends.A: "clampd" is none of the words pinned.clamped, and is not a number' modes "$scene" --set ends.A=clampd
 refuses_like 1 "ends contradicts cable.EI = 0" modes "$scene" --set cable.EI=0
 refuses_like 1 "cable.EI contradicts travel" modes "$scene" --set 'travel={speed: 1, hold: length}'
-refuses_like 1 "cable.EI contradicts support" modes "$scene" --set 'support={A: {motion: [1 cm, 0, 0]}}'
+refuses_like 1 "cable.EI contradicts support.A.stiffness" modes "$scene" \
+	--set 'support={A: {stiffness: [1 MN/m, 1 MN/m, 1 MN/m]}}'
+works "a moving end" rom "$scene" --set 'support={A: {motion: [1 cm, 0, 0]}}'
 refuses_like 1 "cable.EI contradicts model.energy: exact" modes "$scene" --set model.energy=exact
 refuses_like 1 "the method fdm is for a cable without bending stiffness" modes "$scene" --method fdm
 refuses_like 1 "model.basis = 30 with cable.EI" modes "$scene" --basis 30
 works "a sweep of the tension" irvine "$scene" --points 3 -n 3 --json i.json
-refuses_like 1 "are not condensed with cable.EI" rom "$scene" --set model.condense=static
+works "condensed modes" rom "$scene" --set model.condense=static
 refuses_like 1 "modes are not weighed with cable.EI" frf "$scene" --set model.modes=auto --set model.condense=static
 refuses_like 1 "900 modes asked, which need" modes "$scene" -n 900
 works "a damper beside a clamp" modes "$top/notebooks-data/scenes/stay-damper.yaml" --damped -n 2 \
