@@ -30,6 +30,10 @@ tests_extremes_test_integrate_late_LDADD = $(UPTO_RESPONSE)
 tests_extremes_test_integrate_memory_SOURCES = tests/extremes/test-integrate-memory.c
 tests_extremes_test_integrate_memory_LDADD = $(UPTO_RESPONSE)
 
+check_PROGRAMS += tests/property/test-absorber-motion
+TESTS += tests/property/test-absorber-motion
+tests_property_test_absorber_motion_SOURCES = tests/property/test-absorber-motion.c
+tests_property_test_absorber_motion_LDADD = $(UPTO_RESPONSE)
 check_PROGRAMS += tests/property/test-rom-full-motion
 TESTS += tests/property/test-rom-full-motion
 tests_property_test_rom_full_motion_SOURCES = tests/property/test-rom-full-motion.c
