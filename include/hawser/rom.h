@@ -146,6 +146,7 @@ struct hawser_rom {
 	struct hawser_harmonic *harmonic; /* [harmonics] */
 	struct hawser_ramp *ramp;  /* NULL if nothing changes once */
 	struct hawser_rom_history *history; /* NULL if there is none; for integration only */
+	struct hawser_rom_ends *ends; /* displacement and strain by given motions of the ends; or NULL */
 	char **label;              /* [n], or NULL */
 	double length, time, force; /* units in SI: m, s, N; 1, 1, 1 if `scaled` is 0 */
 	int scaled;                /* 1: the units above are known */
@@ -337,8 +338,9 @@ struct hawser_rom_moment {
 };
 
 /* The same as the three functions above, including the response of the modes that are not kept to
- * the forces at that instant (`answer` of struct hawser_harmonic and hawser_ramp_term). The results
- * are identical if the model has no `answer`. xyz is [3], u [n]; *least and *most are in N. */
+ * the forces at that instant (`answer` of struct hawser_harmonic and hawser_ramp_term) and, to second
+ * order, the motion of the ends. The results are identical if the model has neither. xyz is [3], u [n];
+ * *least and *most are in N. */
 void hawser_rom_displacement_at(const struct hawser_rom *rom, double *xyz, int p, const double *u,
                                 const struct hawser_rom_moment *moment);
 double hawser_rom_tension_at(const struct hawser_rom *rom, int p, const double *u,

@@ -50,25 +50,10 @@ int cli_known_lacks(char *text, size_t size, const struct cli_model *model, doub
 	return 1;
 }
 
-static int ends_move(const struct hawser_scene *scene)
-{
-	int any = 0;
-
-	for (int e = 0; e < 2; e++)
-		for (int x = 0; x < 3; x++)
-			any |= scene->support[e].motion[x] != 0.0;
-	return any;
-}
-
 void cli_known_warn(const struct cli_model *model, double omega)
 {
 	char text[CLI_WARNING_SIZE];
 
 	if (cli_known_lacks(text, sizeof text, model, omega))
 		cli_warn(text);
-	if (model->has_scene && !model->rom.exact && ends_move(&model->scene) &&
-	    model->scene.model.condense == HAWSER_CONDENSE_STATIC)
-		cli_warn("the tension of a condensed model has the motion of the ends to first order only, and "
-		         "is off by up to a fifth of its change where they move by centimetres; displacements "
-		         "are affected less. For tensions set model.energy=exact and compare");
 }

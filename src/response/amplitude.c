@@ -38,7 +38,7 @@ struct hawser__amplitude {
 	int capacity;      /* number of rows for which the arrays are large enough */
 	double *signal, *fine;
 	double *xyz;       /* [capacity][3] displacement of one probe */
-	double *tension;   /* [capacity + 1][places]; NULL until it is needed */
+	double *tension;   /* [capacity][places], and `extra` of a row; NULL until it is needed */
 	fftw_complex *coarse_c, *fine_c;
 	struct plans plans[PLANS], *now;
 	int kept;
@@ -301,15 +301,15 @@ int hawser__amplitude_tension(struct hawser__amplitude *amplitude, double extrem
 {
 	const struct hawser_rom *rom = amplitude->rom;
 	int places = hawser__rom_tension_places(rom);
-	double *extra; /* [places] */
+	double *extra; /* [HAWSER__EXTRA(places)] */
 
 	if (places == 0)
 		return -1;
 	if (prepare(amplitude, rows))
 		return 1;
 	if (!amplitude->tension)
-		amplitude->tension = malloc(((size_t)amplitude->capacity + 1)*(size_t)places*
-		                            sizeof *amplitude->tension);
+		amplitude->tension = malloc(((size_t)amplitude->capacity*(size_t)places +
+		                             HAWSER__EXTRA(places))*sizeof *amplitude->tension);
 	if (!amplitude->tension)
 		return 1;
 	extra = amplitude->tension + (size_t)amplitude->capacity*(size_t)places;

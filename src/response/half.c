@@ -165,6 +165,7 @@ enum hawser_status hawser__half_init(struct hawser__half *half, const struct haw
 	half->model.D = half->no_damping;
 	half->model.harmonics = 0;
 	half->model.harmonic = NULL;
+	half->model.ends = NULL;
 	status = hawser__flow_init(&half->flow, &half->model, report);
 	if (!status)
 		status = hawser__orbit_init(&half->base, &half->model, (int)size, report);

@@ -6,6 +6,7 @@
 
 #include "core/report.h"
 #include "response/load.h"
+#include "rom/ends.h"
 #include "rom/kernel.h"
 
 /* Memory for an array of the harmonic, at *memory, or NULL if the harmonic has none. */
@@ -37,8 +38,12 @@ enum hawser_status hawser__load_open(struct hawser__load *load, const struct haw
 	load->rom.harmonic = malloc(((size_t)rom->harmonics + 1)*sizeof *load->rom.harmonic);
 	load->memory = at = malloc((room + 1)*sizeof *load->memory);
 	load->quad = quad = malloc((quads + 1)*sizeof *load->quad);
-	if (!load->rom.harmonic || !load->memory || !load->quad)
+	if (rom->ends)
+		load->rom.ends = load->ends = malloc(sizeof *load->ends);
+	if (!load->rom.harmonic || !load->memory || !load->quad || (rom->ends && !load->ends))
 		return hawser__no_memory(report, "load");
+	if (rom->ends)
+		*load->ends = *rom->ends;
 	for (int h = 0; h < rom->harmonics; h++) {
 		struct hawser_harmonic *harmonic = &load->rom.harmonic[h];
 
@@ -85,6 +90,8 @@ void hawser__load_set(struct hawser__load *load, double factor)
 	size_t n = (size_t)load->full->n;
 
 	load->factor = factor;
+	if (load->ends)
+		load->ends->factor = factor*load->full->ends->factor;
 	for (int h = 0; h < load->full->harmonics; h++) {
 		const struct hawser_harmonic *full = &load->full->harmonic[h];
 		struct hawser_harmonic *mine = &load->rom.harmonic[h];
@@ -107,5 +114,6 @@ void hawser__load_clear(struct hawser__load *load)
 	free(load->rom.harmonic);
 	free(load->memory);
 	free(load->quad);
+	free(load->ends);
 	*load = (struct hawser__load){0};
 }

@@ -5,12 +5,14 @@
 
 #include <hawser/rom.h>
 
-/* `rom` is the model to use: it shares all members with the original except the harmonics. */
+/* `rom` is the model to use: it shares all members with the original except the harmonics and,
+ * in part, the motion of the ends. */
 struct hawser__load {
 	const struct hawser_rom *full;
 	struct hawser_rom rom;
 	double *memory;
 	struct hawser_quad *quad; /* the Q of the harmonics */
+	struct hawser_rom_ends *ends; /* with the factor, or NULL */
 	double factor;
 };
 

@@ -17,7 +17,7 @@
 #include "core/report.h"
 #include "response/flow.h"
 #include "response/modulation.h"
-#include "rom/kernel.h"
+#include "rom/ends.h"
 #include "rom/kernel.h"
 
 static const char where[] = "multiple scales";
@@ -27,6 +27,8 @@ enum hawser_status hawser_subharmonic_base(struct hawser_rom *rom, int b, struct
 	if (b < 1)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
 		                    "a motion of %d periods of the load: give 1 or more", b);
+	if (rom->ends)
+		rom->ends->base *= b;
 	for (int i = 0; i < rom->harmonics; i++) {
 		struct hawser_harmonic *harmonic = &rom->harmonic[i];
 		double factor = pow(b, harmonic->omega_power);

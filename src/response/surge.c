@@ -83,7 +83,7 @@ struct surge {
 	double omega;
 	struct hawser__lone_modes lone; /* of `all`, from those of `finer` on */
 	struct hawser__surge_run run, less; /* of `finer` and `planar` */
-	double *extra;                  /* [places] */
+	double *extra;                  /* [HAWSER__EXTRA(places)] */
 	double *tension, *rest, *minus; /* [places] at present, of the steady state, of `planar` */
 	double change;                  /* N, largest change of the tension so far */
 	double *u;                      /* [n] */
@@ -304,7 +304,7 @@ static enum hawser_status surge_make(struct surge *surge, const struct hawser_tr
 	}
 	if (status)
 		return status;
-	surge->extra = malloc(places*sizeof *surge->extra);
+	surge->extra = malloc(HAWSER__EXTRA(places)*sizeof *surge->extra);
 	surge->tension = malloc(places*sizeof *surge->tension);
 	surge->minus = malloc(places*sizeof *surge->minus);
 	surge->rest = malloc(places*sizeof *surge->rest);

@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "rom/exact.h"
+#include "rom/ends.h"
 #include "rom/history.h"
 #include "rom/kernel.h"
 #include "rom/known.h"
@@ -173,14 +173,15 @@ double hawser__rom_answer_strain(const struct hawser_rom *rom, int place,
 int hawser__rom_answer_strains(const struct hawser_rom *rom, double *extra,
                                const struct hawser_rom_moment *moment)
 {
-	int any = 0;
+	int any = rom->ends != NULL, places = hawser__rom_tension_places(rom);
 
-	if (rom->exact) {
-		hawser__exact_supports(rom->exact, extra, moment->tau);
-		return rom->exact->supports > 0;
-	}
+	if (rom->ends)
+		hawser__ends_at(rom->ends, extra + places, moment->tau);
+	memset(extra, 0, (size_t)places*sizeof *extra);
+	if (rom->exact)
+		return any;
 	if (rom->line.points > 0)
-		return on_line(rom, extra, 0, rom->line.points, moment);
+		return on_line(rom, extra, 0, rom->line.points, moment) || any;
 	for (int h = 0; h < rom->harmonics; h++)
 		any |= rom->harmonic[h].answer != NULL;
 	for (int i = 0; rom->ramp && i < HAWSER_RAMP_TERMS; i++)

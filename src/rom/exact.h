@@ -28,10 +28,9 @@ struct hawser_rom_exact {
 	int cubics;        /* absorbers with a cubic spring; only with springs */
 	double *cubic;     /* [cubics] k3 */
 	double *stroke;    /* [cubics][n] */
-	int supports;      /* motions of the supports (support.h) */
+	int supports;      /* shapes of moving supports, as in `ends` of the model (ends.h) */
 	double *support;   /* [supports][points][3] a, b, c of the quasi-static displacement */
 	double *pull;      /* [supports][n] its force at the coordinates by springs; NULL: no springs */
-	struct hawser__signal *signal; /* [supports] its factor */
 };
 
 /* Stress and stiffness at a point, without the part that balances the weight. */
@@ -57,11 +56,10 @@ enum hawser_status hawser__exact_support(struct hawser_rom_exact *exact,
                                          const struct hawser_modes *modes,
                                          const struct hawser_scene *scene,
                                          struct hawser_report *report);
-/* s [supports] at the phase tau. */
-void hawser__exact_supports(const struct hawser_rom_exact *exact, double *s, double tau);
-/* Add to restoring [n] and, unless NULL, to tangent [n][n] what the supports change at tau. */
+/* Add to restoring [n] and, unless NULL, to tangent [n][n] what the supports change, which are displaced
+ * by the factors s [supports]. */
 void hawser__exact_vary(const struct hawser_rom_exact *exact, double *restoring, double *tangent,
-                        const double *u, double tau);
+                        const double *u, const double *s);
 
 /* hawser__rom_tangents (kernel.h) for it: exact_block.c. */
 size_t hawser__exact_work(const struct hawser_rom_exact *exact, int count);

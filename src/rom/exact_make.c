@@ -31,7 +31,6 @@ void hawser__exact_free(struct hawser_rom_exact *exact)
 	free(exact->stroke);
 	free(exact->support);
 	free(exact->pull);
-	free(exact->signal);
 	free(exact);
 }
 

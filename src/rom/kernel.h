@@ -111,14 +111,15 @@ struct hawser__panels *hawser__gradient_new(const struct hawser_rom_kernel *kern
 void hawser__panels_free(struct hawser__panels *panels);
 
 /* _places: number of points of the cable at which the tension is evaluated, 0 if the model has
- * none. The tensions there, all [places], N (SI), with a further strain `extra` [places] (NULL:
- * none). shapes.c. */
+ * none. The tensions there, all [places], N (SI), with `extra` [HAWSER__EXTRA(places)] (NULL: none):
+ * further strains [places], and, of a model whose ends move, their factors (ends.h). shapes.c. */
+#define HAWSER__EXTRA(places) ((size_t)(places) + 6) /* HAWSER__SUPPORT_MOST, support.h */
 int hawser__rom_tension_places(const struct hawser_rom *rom);
 void hawser__rom_tensions_all(const struct hawser_rom *rom, double *all, const double *u,
                               const double *extra);
 
-/* extra [places] at an instant: the strain a of the modes that are not kept; of a model with the exact
- * energy, the displacements of its supports (exact.h). Returns 0 if the model has none. answer.c. */
+/* extra at an instant: the strain a of the modes that are not kept, which is 0 in models with the exact
+ * energy, and the factors of the ends. Returns 0 if the model has neither. answer.c. */
 int hawser__rom_answer_strains(const struct hawser_rom *rom, double *extra,
                                const struct hawser_rom_moment *moment);
 

@@ -30,6 +30,8 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/drive.h \
 	%D%/effort.c \
 	%D%/effort.h \
+	%D%/ends.c \
+	%D%/ends.h \
 	%D%/entries.c \
 	%D%/entries.h \
 	%D%/cycle.c \
@@ -76,6 +78,7 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/ramp.h \
 	%D%/read.c \
 	%D%/read.h \
+	%D%/read_ends.c \
 	%D%/read_known.c \
 	%D%/shapes.c \
 	%D%/support.c \

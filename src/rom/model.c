@@ -8,6 +8,7 @@
 #include "core/report.h"
 #include "rom/history.h"
 #include "rom/drag.h"
+#include "rom/ends.h"
 #include "rom/exact.h"
 #include "rom/kernel.h"
 #include "rom/known.h"
@@ -126,6 +127,7 @@ void hawser_rom_clear(struct hawser_rom *rom)
 		hawser__rom_term_clear(&rom->ramp->term[i]);
 	free(rom->ramp);
 	hawser__rom_history_clear(rom);
+	hawser__ends_free(rom->ends);
 	free(rom->D);
 	free(rom->K);
 	free(rom->Q);

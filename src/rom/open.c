@@ -201,6 +201,8 @@ enum hawser_status hawser__read_extras(const struct hawser__reader *reader, stru
 		status = read_shapes(reader, rom, shapes);
 	if (!status)
 		status = read_answers(reader, rom, root);
+	if (!status && json_object_get(root, "ends"))
+		status = hawser__read_ends(reader, rom, json_object_get(root, "ends"));
 	return status ? status : hawser__read_known(reader, rom, root);
 }
 

@@ -44,6 +44,10 @@ extern const char *const hawser__ramp_names[HAWSER_RAMP_TERMS];
 enum hawser_status hawser__read_known(const struct hawser__reader *reader, struct hawser_rom *rom,
                                       const json_t *root);
 
+/* Motions of the ends (ends.h), after the shape points have been read. read_ends.c. */
+enum hawser_status hawser__read_ends(const struct hawser__reader *reader, struct hawser_rom *rom,
+                                     json_t *object);
+
 /* labels, scale, shapes, answers and known modes. */
 enum hawser_status hawser__read_extras(const struct hawser__reader *reader, struct hawser_rom *rom,
                                        const json_t *root);

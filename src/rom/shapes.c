@@ -11,6 +11,8 @@
  * large terms cancel. The exact |q'| of such a displacement has terms of third order that nothing
  * cancels; times EA they would be kilonewtons of spurious tension.
  *
+ * Given motions of the ends (ends.h) are coordinates of both like those of the model.
+ *
  * The strain of a full-order model is that at its quadrature points, interpolated: see exact.c.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -19,10 +21,10 @@
 #include <math.h>
 
 #include "modes/grid.h"
+#include "rom/ends.h"
 #include "rom/exact.h"
 #include "rom/kernel.h"
 #include "rom/model.h"
-#include "rom/support.h"
 
 static void add(double out[3], const double *field, size_t row, int points, int p, double factor)
 {
@@ -56,6 +58,16 @@ static void combine_second(double out[3], const double *second, int n, int point
 			    j == k ? 0.5*u[j]*u[k] : u[j]*u[k]);
 }
 
+/* The factors s of the ends at an instant, or NULL if they do not move. */
+static const double *factors(const struct hawser_rom *rom, double s[HAWSER__SUPPORT_MOST],
+                             const struct hawser_rom_moment *moment)
+{
+	if (!rom->ends || !moment)
+		return NULL;
+	hawser__ends_at(rom->ends, s, moment->tau);
+	return s;
+}
+
 void hawser__shapes_global(double *xyz, const struct hawser_rom_shapes *shapes, int p,
                            const double local[3])
 {
@@ -70,13 +82,16 @@ void hawser__shapes_global(double *xyz, const struct hawser_rom_shapes *shapes, 
 void hawser_rom_displacement_at(const struct hawser_rom *rom, double *xyz, int p, const double *u,
                                 const struct hawser_rom_moment *moment)
 {
-	double local[3] = {0.0};
+	double local[3] = {0.0}, factor[HAWSER__SUPPORT_MOST];
+	const double *s = factors(rom, factor, moment);
 	int points = rom->shapes.points;
 
 	combine(local, rom->shapes.shape, 0, rom->n, points, p, u);
 	combine_second(local, rom->shapes.second_shape, modes_of(rom), points, p, u);
 	if (moment)
 		hawser__rom_answer_shape(rom, local, p, moment, 0);
+	if (s && rom->ends->second_shape)
+		hawser__ends_second(rom->ends, local, rom->ends->second_shape, points, p, u, s);
 	hawser__shapes_global(xyz, &rom->shapes, p, local);
 }
 
@@ -90,7 +105,8 @@ void hawser_rom_velocity_at(const struct hawser_rom *rom, double *xyz, int p, co
 {
 	const double *second = rom->shapes.second_shape;
 	int points = rom->shapes.points, modes = modes_of(rom);
-	double local[3] = {0.0};
+	double local[3] = {0.0}, factor[HAWSER__SUPPORT_MOST], rate[HAWSER__SUPPORT_MOST];
+	const double *s = factors(rom, factor, moment);
 
 	combine(local, rom->shapes.shape, 0, rom->n, points, p, v);
 	for (int k = 0; second && k < modes; k++)
@@ -98,41 +114,57 @@ void hawser_rom_velocity_at(const struct hawser_rom *rom, double *xyz, int p, co
 			add(local, second, (size_t)k*(k + 1)/2 + j, points, p,
 			    j == k ? u[j]*v[j] : u[j]*v[k] + v[j]*u[k]);
 	hawser__rom_answer_shape(rom, local, p, moment, 1);
+	if (s && rom->ends->second_shape) {
+		hawser__ends_rate(rom->ends, rate, moment->tau, moment->omega);
+		hawser__ends_second_rate(rom->ends, local, rom->ends->second_shape, points, p, u, s, v, rate);
+	}
 	hawser__shapes_global(xyz, &rom->shapes, p, local);
 }
 
-/* g is the static stretch at point p, and `extra` a strain that is not in u. For a travelling
- * cable, stretch and strains are per length of the apparent one, which is 1/(1 - m) of the actual
- * length: EA (|q'|/(1 - m) - 1). */
-static double tension(const struct hawser_rom *rom, double g, const double *slope,
-                      const double *second, int points, int p, const double *u,
-                      double extra)
+/* The arrays of the shape points or of the line. */
+struct table {
+	int points;
+	const double *stretch, *slope, *second, *ends, *ends_second;
+};
+
+static struct table table_of(const struct hawser_rom *rom, int line)
 {
-	double d[3] = {0.0}, second_order[3] = {0.0}, more;
-	int modes = modes_of(rom);
+	const struct hawser_rom_ends *ends = rom->ends;
+	const struct hawser_rom_shapes *s = &rom->shapes;
+	const struct hawser_rom_line *l = &rom->line;
+
+	if (line)
+		return (struct table){.points = l->points, .stretch = l->stretch, .slope = l->slope,
+			.second = l->second_slope, .ends = ends ? ends->line : NULL,
+			.ends_second = ends ? ends->second_line : NULL};
+	return (struct table){.points = s->points, .stretch = s->stretch, .slope = s->slope,
+		.second = s->second_slope, .ends = ends ? ends->slope : NULL,
+		.ends_second = ends ? ends->second_slope : NULL};
+}
+
+/* At point p; `extra` is a strain that is not in u, s are the factors of the ends or NULL. For a
+ * travelling cable, stretch and strains are per length of the apparent one, which is 1/(1 - m) of the
+ * actual length: EA (|q'|/(1 - m) - 1). */
+static double tension(const struct hawser_rom *rom, const struct table *at, int p, const double *u,
+                      double extra, const double *s)
+{
+	double d[3] = {0.0}, second[3] = {0.0}, more, g = at->stretch[p];
+	int modes = modes_of(rom), points = at->points;
 	double m = rom->shapes.mach2;
 
-	combine(d, slope, 0, modes, points, p, u);
-	if (second) {
-		combine(second_order, slope, modes, rom->n, points, p, u);
-		combine_second(second_order, second, modes, points, p, u);
-		more = (d[1]*d[1] + d[2]*d[2])/(2.0*g) + second_order[0];
+	combine(d, at->slope, 0, modes, points, p, u);
+	if (s)
+		combine(d, at->ends, 0, rom->ends->count, points, p, s);
+	if (at->second) {
+		combine(second, at->slope, modes, rom->n, points, p, u);
+		combine_second(second, at->second, modes, points, p, u);
+		if (s && at->ends_second)
+			hawser__ends_second(rom->ends, second, at->ends_second, points, p, u, s);
+		more = (d[1]*d[1] + d[2]*d[2])/(2.0*g) + second[0];
 		return rom->shapes.EA*((g - 1.0) + d[0] + more + extra + m)/(1.0 - m);
 	}
 	more = d[0]*(2.0*g + d[0]) + d[1]*d[1] + d[2]*d[2]; /* |q'|^2 - g^2, without cancellation */
 	return rom->shapes.EA*((g - 1.0) + more/(g + sqrt(g*g + more)) + extra + m)/(1.0 - m);
-}
-
-/* At point p of those at which the tension is evaluated, for a model that is not of full order. */
-static double tension_of(const struct hawser_rom *rom, int p, const double *u, double extra)
-{
-	const struct hawser_rom_line *line = &rom->line;
-	const struct hawser_rom_shapes *shapes = &rom->shapes;
-
-	return line->points ? tension(rom, line->stretch[p], line->slope, line->second_slope,
-	                              line->points, p, u, extra)
-	       : tension(rom, shapes->stretch[p], shapes->slope, shapes->second_slope,
-	                 shapes->points, p, u, extra);
 }
 
 /* Number of quadrature points of a full-order model, at most HAWSER_ROM_MAX; 0 for other models. */
@@ -156,15 +188,15 @@ static void exact_tensions(double *tension, const struct hawser_rom *rom, const 
 double hawser_rom_tension_at(const struct hawser_rom *rom, int p, const double *u,
                              const struct hawser_rom_moment *moment)
 {
-	const struct hawser_rom_shapes *shapes = &rom->shapes;
-	double all[HAWSER_ROM_MAX], here, s[HAWSER__SUPPORT_MOST];
+	struct table table = table_of(rom, 0);
+	double all[HAWSER_ROM_MAX], here, s[HAWSER__SUPPORT_MOST], extra;
 
-	if (!collocated(rom))
-		return tension(rom, shapes->stretch[p], shapes->slope, shapes->second_slope,
-		               shapes->points, p, u,
-		               moment ? hawser__rom_answer_slope(rom, p, moment) : 0.0);
-	exact_tensions(all, rom, u, moment && hawser__rom_answer_strains(rom, s, moment) ? s : NULL);
-	hawser__grid_at(&here, &rom->exact->grid, all, 1, 1, shapes->s[p]);
+	if (!collocated(rom)) {
+		extra = moment && !rom->exact ? hawser__rom_answer_slope(rom, p, moment) : 0.0;
+		return tension(rom, &table, p, u, extra, factors(rom, s, moment));
+	}
+	exact_tensions(all, rom, u, factors(rom, s, moment));
+	hawser__grid_at(&here, &rom->exact->grid, all, 1, 1, rom->shapes.s[p]);
 	return here;
 }
 
@@ -195,30 +227,34 @@ void hawser__rom_tensions_all(const struct hawser_rom *rom, double *all, const d
                               const double *extra)
 {
 	int places = hawser__rom_tension_places(rom);
+	struct table table = table_of(rom, rom->line.points > 0);
+	const double *s = extra && rom->ends ? extra + places : NULL;
 
 	if (places > 0 && collocated(rom)) {
-		exact_all(all, rom, u, extra);
+		exact_all(all, rom, u, s);
 		return;
 	}
 	for (int p = 0; p < places; p++)
-		all[p] = tension_of(rom, p, u, extra ? extra[p] : 0.0);
+		all[p] = tension(rom, &table, p, u, extra ? extra[p] : 0.0, s);
 }
 
 int hawser_rom_tensions_at(const struct hawser_rom *rom, double *least, double *most,
                            const double *u, const struct hawser_rom_moment *moment)
 {
 	int places = hawser__rom_tension_places(rom);
-	double all[2*HAWSER_ROM_MAX], here, extra, s[HAWSER__SUPPORT_MOST];
+	double all[2*HAWSER_ROM_MAX], here, extra, factor[HAWSER__SUPPORT_MOST];
+	const double *s = factors(rom, factor, moment);
+	struct table table = table_of(rom, rom->line.points > 0);
 
 	if (places == 0)
 		return 0;
 	*least = HUGE_VAL;
 	*most = -HUGE_VAL;
 	if (collocated(rom))
-		exact_all(all, rom, u, moment && hawser__rom_answer_strains(rom, s, moment) ? s : NULL);
+		exact_all(all, rom, u, s);
 	for (int p = 0; p < places; p++) {
 		extra = moment && !rom->exact ? hawser__rom_answer_strain(rom, p, moment) : 0.0;
-		here = collocated(rom) ? all[p] : tension_of(rom, p, u, extra);
+		here = collocated(rom) ? all[p] : tension(rom, &table, p, u, extra, s);
 		*least = fmin(*least, here);
 		*most = fmax(*most, here);
 	}

@@ -31,6 +31,7 @@
 #include "modes/grid.h"
 #include "modes/label.h"
 #include "rom/build.h"
+#include "rom/ends.h"
 #include "rom/support.h"
 
 int hawser__support_moves(const struct hawser_scene *scene)
@@ -132,18 +133,16 @@ static double work_on(const struct field *field, const struct hawser_modes *mode
 	return sum;
 }
 
-/* Displacement at the shape points, and strain a there and on the line: `answer` of the harmonic. */
+/* Displacement at the shape points: `answer` of the harmonic. The strains are in ends.c. */
 static enum hawser_status show(struct hawser_harmonic *h, const struct hawser_rom *rom,
                                const struct hawser_modes *modes, const struct field *field,
                                struct hawser_report *report)
 {
 	const struct hawser_grid *grid = &modes->grid;
-	const struct hawser__support_shapes *shapes = field->shapes;
-	int points = rom->shapes.points, line = rom->line.points;
+	int points = rom->shapes.points;
 
 	h->answer = calloc(2*4*(size_t)points + 1, sizeof *h->answer);
-	h->answer_line = calloc(2*(size_t)line + 1, sizeof *h->answer_line);
-	if (!h->answer || !h->answer_line)
+	if (!h->answer)
 		return hawser__no_memory(report, "rom");
 	for (int p = 0; p < points; p++) {
 		struct hawser_frame_point at = hawser_statics_frame(&modes->statics, rom->shapes.s[p]);
@@ -158,15 +157,6 @@ static enum hawser_status show(struct hawser_harmonic *h, const struct hawser_ro
 		out[1] = global[1]*at.ex - global[0]*at.ey;
 		out[2] = global[2];
 	}
-	for (int x = 0; x < shapes->count; x++)
-		for (int p = 0; p < points + line; p++) {
-			double strain;
-
-			hawser__grid_at(&strain, grid, shapes->strain + (size_t)x*3*(size_t)grid->points,
-			                3, 1, p < points ? rom->shapes.s[p] : rom->line.s[p - points]);
-			*(p < points ? &h->answer[4*p + 3] : &h->answer_line[p - points]) +=
-				field->factor[x]*strain;
-		}
 	return HAWSER_OK;
 }
 
@@ -287,6 +277,8 @@ enum hawser_status hawser__support_forces(struct hawser_rom *rom, const struct h
 	field.force = field.r + count;
 	if (!status && !field.r)
 		status = hawser__no_memory(report, "rom");
+	if (!status)
+		status = hawser__ends_set(rom, modes, &shapes, scene, report);
 	for (int k = 1; !status && k <= HAWSER__SUPPORT_TOP; k++)
 		for (int sine = 0; !status && sine < 2; sine++)
 			if (set_amplitudes(&field, scene, k, sine, &modes->statics))

@@ -43,14 +43,15 @@ int hawser__support_factor(struct hawser__signal *signal, const struct hawser_sc
 int hawser__support_moves(const struct hawser_scene *scene);
 
 /* Add the inertia and damping of the quasi-static displacement to the harmonics of the model, with the
- * displacement and strain at its shape points and line; and, of the first `moving` modes, the response
- * of the condensed modes, if `condensed` is not 0. */
+ * displacement and strain at its shape points and line (ends.h); and, of the first `moving` modes, the
+ * response of the condensed modes, if `condensed` is not 0. */
 enum hawser_status hawser__support_forces(struct hawser_rom *rom, const struct hawser_modes *modes,
                                           int moving, int condensed,
                                           const struct hawser_scene *scene,
                                           struct hawser_report *report);
 
-/* Add the terms of the strain energy. After the forces. */
+/* Add the terms of the strain energy, and the second-order displacement and strain by condensed modes.
+ * After the forces. */
 enum hawser_status hawser__support_energy(struct hawser_rom *rom, const struct hawser_modes *modes,
                                           int moving, int condensed,
                                           const struct hawser_scene *scene,

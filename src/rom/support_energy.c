@@ -23,6 +23,7 @@
 
 #include "core/report.h"
 #include "rom/condense.h"
+#include "rom/ends.h"
 #include "rom/kernel.h"
 #include "rom/project.h"
 #include "rom/support.h"
@@ -359,6 +360,8 @@ enum hawser_status hawser__support_energy(struct hawser_rom *rom, const struct h
 	if (!status)
 		status = hawser__rom_tensors(&work.big, &work.wide, condensed ? &work.condensed : NULL,
 		                             report);
+	if (!status && condensed && rom->shapes.second_slope)
+		status = hawser__ends_condensed(rom, &work.wide, &work.condensed, report);
 	if (!status && (!sort_all(&work) || !spread_all(rom, &work)))
 		status = hawser__no_memory(report, "rom");
 	hawser__support_shapes_clear(&shapes);

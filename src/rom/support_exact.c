@@ -48,18 +48,18 @@ enum hawser_status hawser__exact_support(struct hawser_rom_exact *exact,
 	size_t points = (size_t)exact->points, each = 3*(size_t)modes->grid.points;
 	size_t n = (size_t)exact->n;
 	struct hawser__support_shapes shapes;
+	struct hawser__signal signal;
 	enum hawser_status status = hawser__support_shapes_make(&shapes, modes, report);
 
 	exact->support = calloc(HAWSER__SUPPORT_MOST*3*points + 1, sizeof *exact->support);
-	exact->signal = calloc(HAWSER__SUPPORT_MOST, sizeof *exact->signal);
 	if (exact->springs)
 		exact->pull = calloc(HAWSER__SUPPORT_MOST*n, sizeof *exact->pull);
-	if (!status && (!exact->support || !exact->signal || (exact->springs && !exact->pull)))
+	if (!status && (!exact->support || (exact->springs && !exact->pull)))
 		status = hawser__no_memory(report, "rom");
 	for (int i = 0; !status && i < shapes.count; i++) {
 		double *strain = exact->support + 3*points*(size_t)exact->supports;
 
-		if (!hawser__support_factor(&exact->signal[exact->supports], scene, i, &modes->statics))
+		if (!hawser__support_factor(&signal, scene, i, &modes->statics))
 			continue;
 		for (size_t p = 0; p < points; p++)
 			hawser__grid_at(strain + 3*p, &modes->grid, shapes.strain + (size_t)i*each, 3, 3,
@@ -72,22 +72,12 @@ enum hawser_status hawser__exact_support(struct hawser_rom_exact *exact,
 	return status;
 }
 
-void hawser__exact_supports(const struct hawser_rom_exact *exact, double *s, double tau)
-{
-	for (int i = 0; i < exact->supports; i++) {
-		s[i] = 0.0;
-		for (int k = 0; k <= HAWSER__SUPPORT_TOP; k++)
-			s[i] += exact->signal[i].c[k]*cos(k*tau) + exact->signal[i].s[k]*sin(k*tau);
-	}
-}
-
 void hawser__exact_vary(const struct hawser_rom_exact *exact, double *restoring, double *tangent,
-                        const double *u, double tau)
+                        const double *u, const double *s)
 {
-	double s[HAWSER__SUPPORT_MOST] = {0.0}, force[HAWSER_ROM_MAX], T[HAWSER_ROM_MAX*HAWSER_ROM_MAX];
+	double force[HAWSER_ROM_MAX], T[HAWSER_ROM_MAX*HAWSER_ROM_MAX];
 	int n = exact->n;
 
-	hawser__exact_supports(exact, s, tau);
 	for (int moved = 0; moved < 2; moved++) {
 		double sign = moved ? 1.0 : -1.0;
 

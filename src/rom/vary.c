@@ -5,6 +5,7 @@
 
 #include <math.h>
 
+#include "rom/ends.h"
 #include "rom/exact.h"
 #include "rom/kernel.h"
 #include "rom/vary.h"
@@ -37,8 +38,12 @@ void hawser__rom_vary_by(const struct hawser_harmonic *harmonic, double wave, do
 void hawser__rom_vary_at(const struct hawser_rom *rom, double *restoring, double *tangent,
                          const double *u, double tau)
 {
-	if (rom->exact && rom->exact->supports > 0)
-		hawser__exact_vary(rom->exact, restoring, tangent, u, tau);
+	double s[HAWSER__SUPPORT_MOST];
+
+	if (rom->exact && rom->exact->supports > 0) {
+		hawser__ends_at(rom->ends, s, tau);
+		hawser__exact_vary(rom->exact, restoring, tangent, u, s);
+	}
 	for (int h = 0; h < rom->harmonics; h++) {
 		const struct hawser_harmonic *harmonic = &rom->harmonic[h];
 

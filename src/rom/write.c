@@ -13,6 +13,7 @@
 #include "core/file.h"
 #include "core/report.h"
 #include "rom/drag.h"
+#include "rom/ends.h"
 #include "rom/read.h"
 #include "rom/writer.h"
 
@@ -194,6 +195,30 @@ static void known(struct hawser__writer *to, const struct hawser_rom *rom)
 	hawser__write_end(to);
 }
 
+static void ends(struct hawser__writer *to, const struct hawser_rom *rom)
+{
+	const struct hawser_rom_ends *e = rom->ends;
+	const size_t points = (size_t)rom->shapes.points;
+
+	hawser__write_key(to, "ends");
+	hawser__write_begin(to, '{', 1);
+	hawser__write_key(to, "k");
+	hawser__write_begin(to, '[', 0);
+	for (int t = 0; t < e->terms; t++)
+		hawser__write_integer(to, e->k[t]*e->base);
+	hawser__write_end(to);
+	matrix(to, "cos", e->cosine, e->terms, e->count);
+	matrix(to, "sin", e->sine, e->terms, e->count);
+	block(to, "slope", e->slope, (size_t[]){(size_t)e->count, points, 3});
+	if (e->second_shape) {
+		const size_t second[3] = {hawser__ends_pairs(e), points, 3};
+
+		block(to, "second_shape", e->second_shape, second);
+		block(to, "second_slope", e->second_slope, second);
+	}
+	hawser__write_end(to);
+}
+
 static void members(struct hawser__writer *to, const struct hawser_rom *rom)
 {
 	integer(to, "hawser_rom", 1);
@@ -215,6 +240,8 @@ static void members(struct hawser__writer *to, const struct hawser_rom *rom)
 		shapes(to, rom);
 	if (rom->known.reach > 0.0)
 		known(to, rom);
+	if (rom->ends && rom->shapes.points > 0)
+		ends(to, rom);
 }
 
 /* --- the file --- */
