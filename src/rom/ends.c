@@ -8,8 +8,9 @@
  * they are in displacement and strain: the strains a, b, c of s_i psi_i join those of the modes before
  * squares are taken, and s_i u_j w_ij and s_i s_j w_ij (half of it for i = j) join the response of the
  * condensed modes to products of the coordinates. Either alone is far off: in a nearly inextensible
- * cable (b^2 + c^2)/2 of the ends' motion and of its products with the modes cancels with the strain a of
- * the w_ij to the order of H/EA. The displacement of psi_i itself is in `answer` of harmonics (support.c).
+ * cable (b^2 + c^2)/2 of the ends' motion and of its products with the modes cancels with the
+ * strain a of the w_ij to the order of H/EA. The displacement of psi_i itself is in `answer` of
+ * harmonics (support.c).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

@@ -50,8 +50,8 @@ enum hawser_status hawser__ends_condensed(struct hawser_rom *rom, const struct h
 void hawser__ends_at(const struct hawser_rom_ends *ends, double *s, double tau);
 void hawser__ends_rate(const struct hawser_rom_ends *ends, double *rate, double tau, double omega);
 
-/* out[3] += sum of the second-order fields at one point for coordinates u and factors s. field is one of
- * the arrays second_*, at point p of `points`. */
+/* out[3] += sum of the second-order fields at one point for coordinates u and factors s. field is
+ * one of the arrays second_*, at point p of `points`. */
 void hawser__ends_second(const struct hawser_rom_ends *ends, double out[3], const double *field,
                          int points, int p, const double *u, const double *s);
 /* The same of its time derivative, of the velocities v and the rates of s. */

@@ -56,8 +56,8 @@ enum hawser_status hawser__exact_support(struct hawser_rom_exact *exact,
                                          const struct hawser_modes *modes,
                                          const struct hawser_scene *scene,
                                          struct hawser_report *report);
-/* Add to restoring [n] and, unless NULL, to tangent [n][n] what the supports change, which are displaced
- * by the factors s [supports]. */
+/* Add to restoring [n] and, unless NULL, to tangent [n][n] what the supports change, which are
+ * displaced by the factors s [supports]. */
 void hawser__exact_vary(const struct hawser_rom_exact *exact, double *restoring, double *tangent,
                         const double *u, const double *s);
 

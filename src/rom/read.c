@@ -415,8 +415,8 @@ static enum hawser_status read_model(const struct hawser__reader *reader, struct
                                      json_t *root)
 {
 	static const char *const keys[] = {"hawser_rom", "n", "D", "K", "Q", "C", "harmonics", "ramp",
-		"labels", "second_order_shapes", "scale", "shapes", "known", "ends", "command", "version", "scene",
-		"stats", "accuracy", NULL};
+		"labels", "second_order_shapes", "scale", "shapes", "known", "ends", "command", "version",
+		"scene", "stats", "accuracy", NULL};
 	const json_t *D = json_object_get(root, "D"), *Q = json_object_get(root, "Q");
 	const json_t *C = json_object_get(root, "C"), *list = json_object_get(root, "harmonics");
 	const json_t *shapes = json_object_get(root, "second_order_shapes");

@@ -270,6 +270,27 @@ refuses_like 1 'does not know the motion of supports' \
 	frf "$anchorage" --from 0.9w1 --to 1.1w1 --set model.modes=auto
 refuses_like 1 'support.B.harmonic = 0|it must be' rom "$anchorage" --set support.B.harmonic=0
 refuses_like 1 'support.A.motion is missing' rom "$anchorage" --set support.A.phase=0
+works 'a model with a moving end' rom "$anchorage" -n 2 --json ends.json -q
+python 'and four that are wrong' <<'END'
+import json
+for name in ("k", "few", "slope", "shapes"):
+    r = json.load(open("ends.json"))
+    if name == "k":
+        r["ends"]["k"][0] = 0.5
+    elif name == "few":
+        r["ends"]["k"] = []
+    elif name == "slope":
+        r["ends"]["slope"] = []
+    else:
+        del r["shapes"]
+        for h in r["harmonics"]:
+            h.pop("answer", None)
+    json.dump(r, open(name + ".json", "w"))
+END
+refuses_like 1 'ends.k\[0\] is 0.5; an integer from 0 to' frf k.json --from 1w1 --to 2w1
+refuses_like 1 'ends.k: a list of 1 to' frf few.json --from 1w1 --to 2w1
+refuses_like 1 'ends.slope: a list of 1 to' frf slope.json --from 1w1 --to 2w1
+refuses_like 1 'ends: there are no shapes' frf shapes.json --from 1w1 --to 2w1
 works 'moving supports are planned for' plan "$anchorage" --from 0.9w1 --to 0.91w1 --fidelities "raw 3"
 try 'the plan says what the motion adds' grep -q 'motion of the supports' "$scratch/out"
 

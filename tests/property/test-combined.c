@@ -3,8 +3,8 @@
  * rest.
  *
  * The chain is of second order in the length of its rods and in the time step; its results with n
- * and 2 n rods are extrapolated. In the conductors with moving ends the tension of the chain is known to
- * 3e-3 of its change only, which is small beside the tension; the full-order model is as far from it.
+ * and 2 n rods are extrapolated. In the conductors with moving ends the tension of the chain is known
+ * to 3e-3 of its change only, which is small beside the tension; the limit there is 4e-3.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
