@@ -1,6 +1,6 @@
 #!/bin/sh
 # Pictures of spans with what people have on them; figures.sh calls it. The ones that spans.md shows are
-# copies: stay-map.svg, carriers.svg, damper-size.svg, damper-place.svg.
+# copies: stay-map.svg, carriers.svg, damper-size.svg, damper-place.svg, absorber.svg, spacers.svg.
 # Needs gnuplot. Writes into the folder given as argument.
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -eu
@@ -20,3 +20,8 @@ export OPENBLAS_NUM_THREADS=1
 	--plot "$target/damper-size.svg" >"$target/damper-size.txt"
 "$hawser" modes "$scenes/stay-damper.yaml" --over attach.0.at=0.005:0.1:40 -n 8 -q \
 	--plot "$target/damper-place.svg" >"$target/damper-place.txt"
+# Damping of a stay's first modes over the stiffness of an absorber.
+"$hawser" modes "$scenes/stay-absorber.yaml" --over attach.0.absorber_stiffness=1e3:4e3:41 -n 4 -q \
+	--plot "$target/absorber.svg" >"$target/absorber.txt"
+# An iced conductor with two spacers in wind.
+"$hawser" statics "$scenes/conductor-spacers.yaml" -q --plot "$target/spacers.svg"
