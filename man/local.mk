@@ -31,6 +31,7 @@ shared_text = \
 	%D%/shared/help \
 	%D%/shared/modes \
 	%D%/shared/reproducible \
+	%D%/shared/units \
 	%D%/shared/scene \
 	%D%/shared/scene-or-model \
 	%D%/shared/set \

@@ -324,6 +324,11 @@ enum hawser_status hawser_scene_write(const struct hawser_scene *scene, FILE *st
 enum hawser_status hawser_unit_parse(double *value, const char *text, const char *unit,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* Write a unit in the base units of SI, "kg.m.s-2" for "N". On failure the text is empty, and the
+ * statuses are those of hawser_unit_parse. */
+enum hawser_status hawser_unit_base(char *text, size_t size, const char *unit,
+                                    struct hawser_report *report) HAWSER_MUST_CHECK;
+
 /* Free what the scene owns and set it to zero. NULL is legal. */
 void hawser_scene_clear(struct hawser_scene *scene);
 

@@ -4,6 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include "cli/axis.h"
 #include "cli/beam_result.h"
 #include "cli/view.h"
 
@@ -36,9 +37,20 @@ static void parameter(char *text, size_t size, const void *context)
 {
 	snprintf(text, size, "%s", ((const struct cli_beam_result *)context)->boundary);
 }
+static const char *varied_unit(const void *context)
+{
+	const struct cli_beam_result *result = context;
+
+	return result->vary ? cli_key_unit(result->vary) : "";
+}
+
+static const char *parameter_unit(const void *context)
+{
+	return cli_key_unit(((const struct cli_beam_result *)context)->boundary);
+}
 #define VARIED_FIELD \
 	{NULL, "KEY", "value of the varied key", HAWSER__IN(struct cli_beam_variant, value), \
-	 .named = varied}
+	 .named = varied, .si = varied_unit}
 
 /* --- eigenvalues --- */
 
@@ -169,7 +181,8 @@ struct point {
 static const struct hawser__field point_field[] = {
 	VARIED_FIELD,
 	{NULL, "boundary", "v_crit or v_bif", OF(what)},
-	{"parameter", "KEY", "value of the key of the boundary", OF(at.parameter), .named = parameter},
+	{"parameter", "KEY", "value of the key of the boundary", OF(at.parameter), .named = parameter,
+	 .si = parameter_unit},
 	{"speed", "speed", "speed", OF(speed), .unit = HAWSER__METRE_S, .when = DIMENSIONAL},
 	{"speed", "speed", "speed, scaled", OF(speed), .when = PLAIN},
 	{"im_scaled", "im_scaled", "imaginary part of the critical eigenvalue, scaled", OF(at.im)},

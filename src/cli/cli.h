@@ -73,6 +73,7 @@ struct cli_common {
 	const char *input; /* scene or model; "-" is standard input */
 	const char *second; /* the second argument of a command whose `input` has two words; or NULL */
 	const char *json, *tsv, *plot; /* files to write, or NULL */
+	const char *units; /* list of units for tables, or NULL: SI */
 	const char *set[CLI_SETS];
 	int sets;
 	int quiet, help;

@@ -69,15 +69,22 @@ static double extremes(const void *row)
 	return ((const struct hawser_decay *)row)->extremes;
 }
 
+static const char *rad_s(const void *context)
+{
+	(void)context;
+	return "rad/s";
+}
+
 #define BOTH(name) name, name
 #define OF(member) HAWSER__AT(struct hawser_decay, member)
 static const struct hawser__field decay_field[] = {
 	{BOTH("ratio"), "damping ratio", OF(ratio)},
 	{BOTH("ratio_low"), "lower end of its confidence interval", HAWSER__BY(ratio_low)},
 	{BOTH("ratio_high"), "upper end", HAWSER__BY(ratio_high)},
-	{BOTH("omega_rad_s"), "damped frequency (rad/s)", OF(omega)},
-	{BOTH("omega_low"), "lower end of its confidence interval", HAWSER__BY(omega_low)},
-	{BOTH("omega_high"), "upper end", HAWSER__BY(omega_high)},
+	{BOTH("omega_rad_s"), "damped frequency (rad/s)", OF(omega), .si = rad_s},
+	{BOTH("omega_low"), "lower end of its confidence interval", HAWSER__BY(omega_low),
+	 .si = rad_s},
+	{BOTH("omega_high"), "upper end", HAWSER__BY(omega_high), .si = rad_s},
 	{BOTH("log_decrement_ratio"), "damping ratio from the logarithmic decrement",
 	 OF(log_decrement)},
 	{BOTH("amplitude"), "initial amplitude of the fit, in the unit of the series", OF(amplitude)},
@@ -90,13 +97,14 @@ static const struct hawser__field decay_field[] = {
 #define OF(member) HAWSER__AT(struct hawser_half_power, member)
 static const struct hawser__field half_field[] = {
 	{BOTH("ratio"), "damping ratio", OF(ratio)},
-	{BOTH("peak_rad_s"), "frequency of the peak (rad/s)", OF(peak)},
-	{BOTH("low_rad_s"), "lower half-power frequency (rad/s)", OF(low)},
-	{BOTH("high_rad_s"), "upper half-power frequency (rad/s)", OF(high)},
+	{BOTH("peak_rad_s"), "frequency of the peak (rad/s)", OF(peak), .si = rad_s},
+	{BOTH("low_rad_s"), "lower half-power frequency (rad/s)", OF(low), .si = rad_s},
+	{BOTH("high_rad_s"), "upper half-power frequency (rad/s)", OF(high), .si = rad_s},
 	{BOTH("ratio_low"), "lower end of the interval of ratio", HAWSER__BY(half_low)},
 	{BOTH("ratio_high"), "upper end", HAWSER__BY(half_high)},
-	{BOTH("peak_low"), "lower end of the interval of the peak's frequency", HAWSER__BY(peak_low)},
-	{BOTH("peak_high"), "upper end", HAWSER__BY(peak_high)},
+	{BOTH("peak_low"), "lower end of the interval of the peak's frequency", HAWSER__BY(peak_low),
+	 .si = rad_s},
+	{BOTH("peak_high"), "upper end", HAWSER__BY(peak_high), .si = rad_s},
 	HAWSER__END,
 };
 #undef OF

@@ -159,12 +159,13 @@ static void key_comment(struct hawser__table *table, const struct result *result
 	unit = *space ? unit : "";
 	if (isnan(key->low))
 		hawser__table_comment(table, "%s = %.9g%s%s (no interval: as many parameters as "
-		                      "frequencies; start %.9g)", key->key, key->value, space, unit,
-		                      key->start);
+		                      "frequencies; start %.9g%s%s)", key->key, key->value, space, unit,
+		                      key->start, space, unit);
 	else
-		hawser__table_comment(table, "%s = %.9g%s%s (%g %%: %.9g to %.9g; start %.9g)", key->key,
-		                      key->value, space, unit, 100.0*result->settings->confidence,
-		                      key->low, key->high, key->start);
+		hawser__table_comment(table, "%s = %.9g%s%s (%g %%: %.9g to %.9g%s%s; start %.9g%s%s)",
+		                      key->key, key->value, space, unit,
+		                      100.0*result->settings->confidence, key->low, key->high, space, unit,
+		                      key->start, space, unit);
 }
 
 static void comments(struct hawser__table *table, const void *of)

@@ -342,7 +342,8 @@ static void comments(struct hawser__table *table, const void *of)
 	hawser__table_comment(table, "damping times e^%d, load times e^%d; a is the largest |u_%d|",
 	                      result->powers[0], result->powers[1], result->mode + 1);
 	if (result->model->rom.scaled)
-		hawser__table_comment(table, "Omega in rad/s, a in m");
+		hawser__table_comment(table, "Omega in %s, a in %s", hawser__shown_unit("rad/s").name,
+		                      hawser__shown_unit("m").name);
 	errors(table, result);
 }
 

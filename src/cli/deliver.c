@@ -226,6 +226,7 @@ static void show_table(struct hawser__table *table, const struct cli_showing *sh
 
 	if (showing->table) {
 		showing->table(table, result);
+		hawser__units_comments(table);
 		return;
 	}
 	head = showing->head(result);
@@ -237,6 +238,7 @@ static void show_table(struct hawser__table *table, const struct cli_showing *sh
 		hawser__fields_table(table, showing->rows, head.rows ? head.rows : result, &head.view);
 	if (showing->more)
 		showing->more(table, result);
+	hawser__units_comments(table);
 }
 
 static void show_json(struct hawser__json *json, const struct cli_showing *showing,

@@ -15,11 +15,11 @@ void cli_echo_table(struct hawser__table *table, const struct cli_common *common
 	int i;
 
 	hawser__table_comment(table, "hawser %s %s", hawser_version(), command);
-	hawser__table_comment(table, "%s: %s", scene ? "scene" : "model",
-	                      scene && scene->name ? scene->name : common->input);
+	hawser__table_remark(table, "%s: %s", scene ? "scene" : "model",
+	                     scene && scene->name ? scene->name : common->input);
 	for (i = 0; i < common->sets; i++)
-		hawser__table_comment(table, "set: %s", common->set[i]);
-	hawser__table_comment(table, "method: %s", method);
+		hawser__table_remark(table, "set: %s", common->set[i]);
+	hawser__table_remark(table, "method: %s", method);
 	if (scene)
 		hawser__table_comment(table, "g = %.10g m/s^2", scene->g);
 }

@@ -93,6 +93,16 @@ static void axis_name(char *text, size_t size, const struct cli_map_axis *axis)
 	snprintf(text, size, "%s%s%s", axis->key, *of ? "_" : "", of);
 }
 
+static const char *x_unit(const void *context)
+{
+	return ((const struct cli_hill_result *)context)->axis[0].unit;
+}
+
+static const char *y_unit(const void *context)
+{
+	return ((const struct cli_hill_result *)context)->axis[1].unit;
+}
+
 static void x_name(char *text, size_t size, const void *context)
 {
 	axis_name(text, size, &((const struct cli_hill_result *)context)->axis[0]);
@@ -127,8 +137,10 @@ static const void *point_row(void *to, const void *parent, size_t i)
 static const struct hawser__field point_field[] = {
 	{NULL, "boundary", "number of the boundary", HAWSER__AT(struct point, of.number)},
 	{NULL, "kind", "of the boundary, see there", HAWSER__LABEL_AT(struct point, kind, kind_name)},
-	{NULL, "KEY", "first parameter", HAWSER__AT(struct point, x), .named = x_name},
-	{NULL, "KEY", "second parameter", HAWSER__AT(struct point, y), .named = y_name},
+	{NULL, "KEY", "first parameter", HAWSER__AT(struct point, x), .named = x_name,
+	 .si = x_unit},
+	{NULL, "KEY", "second parameter", HAWSER__AT(struct point, y), .named = y_name,
+	 .si = y_unit},
 	{NULL, "off_characteristic", "distance from the characteristic value of Mathieu's equation "
 	 "without damping", HAWSER__AT(struct point, off), .when = CHARACTERISTIC},
 	HAWSER__END,

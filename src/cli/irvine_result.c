@@ -152,8 +152,25 @@ static void branch_name(char *text, size_t size, const void *context, int k)
 {
 	const struct cli_irvine_result *result = context;
 
-	snprintf(text, size, "%d%s", k + 1, suffix[result->unit]);
+	snprintf(text, size, "%d%s", k + 1,
+	         result->unit == CLI_NORMALISED ? suffix[result->unit] : "");
 }
+
+static enum hawser__unit branch_unit(const void *context, int k)
+{
+	static const enum hawser__unit unit[] = {
+		[CLI_NORMALISED] = HAWSER__NONE, [CLI_RAD_S] = HAWSER__RADIAN_S, [CLI_HZ] = HAWSER__HZ,
+		[CLI_PERIOD] = HAWSER__SECOND};
+
+	(void)k;
+	return unit[((const struct cli_irvine_result *)context)->unit];
+}
+
+static const char *value_unit(const void *context)
+{
+	return cli_irvine_si(((const struct cli_irvine_result *)context)->sweep[0].irvine.sweep);
+}
+
 static void value_name(char *text, size_t size, const void *context)
 {
 	const struct cli_irvine_result *result = context;
@@ -184,9 +201,10 @@ static double out_frequency(const void *context, const void *parent, size_t i, i
 	return frequency(context, parent, i, irvine->in_plane + k, irvine->branches);
 }
 static const struct hawser__vector
-	in_plane = {.shown = "J_UNIT", .count = most_in, .name = branch_name, .number = in_frequency},
+	in_plane = {.shown = "J_UNIT", .count = most_in, .name = branch_name, .number = in_frequency,
+	            .unit = branch_unit},
 	out_of_plane = {.shown = "J_UNIT", .count = most_out, .name = branch_name,
-	                .number = out_frequency};
+	                .number = out_frequency, .unit = branch_unit};
 
 HAWSER__NUMBERS_BY(tension, cli_irvine_tension)
 HAWSER__NUMBERS_BY(string, hawser_irvine_string)
@@ -195,7 +213,7 @@ static const struct hawser__field station_field[] = {
 	{NULL, "speed", "travel speed", HAWSER__IN(struct cli_irvine_sweep, irvine.speed),
 	 .unit = HAWSER__METRE_S, .when = MOVING},
 	{"value", "KEY", "swept quantity, N or m, such as H_N or sag_m", OF(value),
-	 .named = value_name},
+	 .named = value_name, .si = value_unit},
 	{"H", NULL, "horizontal tension", HAWSER__BY(tension), .unit = HAWSER__NEWTON},
 	{"irvine", "irvine", "lambda, Irvine's parameter, see hawser-statics(1)", OF(statics.irvine)},
 	{"irvine_source", "irvine_source", "lambda by the source's definition, which pictures show",

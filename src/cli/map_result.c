@@ -60,6 +60,21 @@ static void value_name(char *text, size_t size, const void *context)
 	column(text, size, result->quantity->name, cli_map_value_unit(result));
 }
 
+static const char *x_unit(const void *context)
+{
+	return ((const struct cli_map_result *)context)->unit[0];
+}
+
+static const char *y_unit(const void *context)
+{
+	return ((const struct cli_map_result *)context)->unit[1];
+}
+
+static const char *value_unit(const void *context)
+{
+	return cli_map_value_unit(context);
+}
+
 static void comments(struct hawser__table *table, const void *of)
 {
 	const struct cli_map_result *result = of;
@@ -115,10 +130,10 @@ struct point {
 };
 #define OF(member) HAWSER__AT(struct point, member)
 static const struct hawser__field point_field[] = {
-	{"x", "KEY", "first parameter", OF(x), .named = x_name},
-	{"y", "KEY", "second parameter", OF(y), .named = y_name},
+	{"x", "KEY", "first parameter", OF(x), .named = x_name, .si = x_unit},
+	{"y", "KEY", "second parameter", OF(y), .named = y_name, .si = y_unit},
 	{"value", "KEY", "the quantity; null: none", OF(value), .flags = HAWSER__NULL,
-	 .named = value_name},
+	 .named = value_name, .si = value_unit},
 	{"number", "number", "number of instabilities, see QUANTITIES", OF(number)},
 	{"status", "status", "ok, or why there is no value",
 	 HAWSER__LABEL_AT(struct point, code, code_name)},
@@ -172,8 +187,8 @@ static void sides_json(struct hawser__json *json, json_t *into, const void *row)
 #define OF(member) HAWSER__AT(struct hawser_map_boundary, member)
 #define LABEL(member, function) HAWSER__LABEL_AT(struct hawser_map_boundary, member, function)
 static const struct hawser__field boundary_field[] = {
-	{"x", "KEY", "first parameter", OF(x), .named = x_name},
-	{"y", "KEY", "second parameter", OF(y), .named = y_name},
+	{"x", "KEY", "first parameter", OF(x), .named = x_name, .si = x_unit},
+	{"y", "KEY", "second parameter", OF(y), .named = y_name, .si = y_unit},
 	{"along", "along", "direction of the bracket: x or y", LABEL(along, along_name)},
 	{"width", "width", "of the bracket", OF(width)},
 	{"number", NULL, "on both sides", OF(number)},
@@ -241,10 +256,6 @@ static const struct hawser__field counts_field[] = {
 	 HAWSER__AT(struct hawser_map_quantity, counts)},
 	HAWSER__END,
 };
-static const char *value_unit(const void *row)
-{
-	return cli_map_value_unit(row);
-}
 #define OF(member) HAWSER__AT(struct cli_map_result, member)
 #define AXIS(name, k) \
 	{name ".key", NULL, "parameter", OF(key[k])}, {name ".unit", NULL, "its unit", OF(unit[k])}, \

@@ -103,14 +103,43 @@ struct row {
 	const char *plane;
 };
 
+/* Unit of the values. The place of an attachment is in m where the scene gives it so. */
+static const char *unit_of(const struct cli_damped_result *result)
+{
+	const struct hawser_scene *scene = &result->scene;
+	size_t length = strlen(result->key);
+	double at = NAN;
+
+	if (strncmp(result->key, "attach.", 7) == 0 && strcmp(result->key + length - 3, ".at") == 0 &&
+	    !hawser_scene_get(scene, &at, result->key, NULL))
+		for (int i = 0; i < scene->attachments; i++)
+			if (scene->attach[i].at == at && scene->attach[i].by_length)
+				return "m";
+	return cli_key_unit(result->key);
+}
+
+static const char *per_s(const void *context)
+{
+	(void)context;
+	return "1/s";
+}
+
+static const char *key_unit(const void *context)
+{
+	const struct cli_damped_result *result = context;
+
+	return result ? unit_of(result) : "";
+}
+
 #define OF(member) HAWSER__AT(struct row, member)
 const struct hawser__field cli_damped_field[] = {
-	{"value", "value", "with --over: of the key, in SI", OF(value), .when = SWEPT},
+	{"value", "value", "with --over: of the key, in SI", OF(value), .when = SWEPT,
+	 .si = key_unit},
 	{"index", "index", "from 1, by damped frequency", OF(index)},
 	{"omega", "omega", "damped circular frequency: imaginary part of the eigenvalue", OF(omega),
 	 .unit = HAWSER__RADIAN_S},
 	{"frequency", "frequency", "damped frequency", OF(omega), .unit = HAWSER__HERTZ},
-	{"re", "re_per_s", "real part of the eigenvalue (1/s)", OF(re)},
+	{"re", "re_per_s", "real part of the eigenvalue (1/s)", OF(re), .si = per_s},
 	{"damping_ratio", "damping_ratio", "fraction of critical damping", OF(ratio),
 	 .axis = "Damping ratio {/:Italic ζ}"},
 	{"plane", "plane", "in-plane or out-of-plane", OF(plane)},
@@ -165,30 +194,17 @@ static struct cli_head head(const void *of)
 		{.scale = hawser__si, .context = result, .options = result->key ? SWEPT : SINGLE}, NULL, NULL};
 }
 
-/* Unit of the values. The place of an attachment is in m where the scene gives it so. */
-static const char *unit_of(const struct cli_damped_result *result)
-{
-	const struct hawser_scene *scene = &result->scene;
-	size_t length = strlen(result->key);
-	double at = NAN;
-
-	if (strncmp(result->key, "attach.", 7) == 0 && strcmp(result->key + length - 3, ".at") == 0 &&
-	    !hawser_scene_get(scene, &at, result->key, NULL))
-		for (int i = 0; i < scene->attachments; i++)
-			if (scene->attach[i].at == at && scene->attach[i].by_length)
-				return "m";
-	return cli_key_unit(result->key);
-}
-
 static void comments(struct hawser__table *table, const void *of)
 {
 	const struct cli_damped_result *result = of;
 	const struct hawser_damped *state = result->sweep.state;
 
 	if (result->key) {
+		const struct hawser__shown_unit shown = hawser__shown_unit(unit_of(result));
+
 		hawser__table_comment(table, "damped modes over %s, %d values (%s)", result->key,
 		                      result->sweep.points,
-		                      strcmp(unit_of(result), "1") ? unit_of(result) : "-");
+		                      strcmp(unit_of(result), "1") ? shown.name : "-");
 		return;
 	}
 	hawser__table_comment(table, "%d functions a component, time unit %.12g s", state->basis,

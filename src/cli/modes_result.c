@@ -196,12 +196,18 @@ HAWSER__LABELS(symmetry_name, hawser_symmetry_name, enum hawser_symmetry)
 
 #define OF(member) HAWSER__AT(struct hawser_mode, member)
 #define LABEL(member, function) HAWSER__LABEL_AT(struct hawser_mode, member, function)
+static const char *per_s(const void *context)
+{
+	(void)context;
+	return "1/s";
+}
+
 static const struct hawser__field mode_field[] = {
 	{"index", "index", "from 1, by frequency", .kind = HAWSER__INDEX},
 	{"omega", "omega", "circular frequency", OF(omega), .unit = HAWSER__RADIAN_S},
 	{"frequency", "frequency", "frequency", OF(omega), .unit = HAWSER__HERTZ},
 	{"re", "re_per_s", "if the cable travels: real part of the eigenvalue (1/s)", OF(re),
-	 .when = TRAVELS},
+	 .when = TRAVELS, .si = per_s},
 	{"im", NULL, "if it travels: imaginary part, the same as omega", OF(omega),
 	 .unit = HAWSER__RADIAN_S, .when = TRAVELS},
 	{"plane", "plane", "in-plane or out-of-plane", LABEL(plane, plane_name)},

@@ -26,6 +26,8 @@ const struct cli_option cli_common_options[] = {
 	 offsetof(struct cli_common, tsv)},
 	{"plot", 0, "FILE", "draw a picture: .svg, .png or .pdf", cli_store_text,
 	 offsetof(struct cli_common, plot)},
+	{"units", 0, "LIST", "units of the table, such as \"kN, ft, Hz\" (SI)", cli_store_text,
+	 offsetof(struct cli_common, units)},
 	{"set", 0, "KEY=VALUE", "override a key of the scene; may be repeated", store_set, 0},
 	{"quiet", 'q', "", "no progress and no summary", cli_store_flag,
 	 offsetof(struct cli_common, quiet)},

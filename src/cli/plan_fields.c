@@ -255,7 +255,7 @@ static void comments(struct hawser__table *table, const void *of)
 			hawser__table_comment(table, "%s%s: %s", plan->row[i].choice.name,
 			                      plan->row[i].status ? " fails" : "", plan->row[i].foreseen);
 	if (isfinite(plan->seconds))
-		hawser__table_comment(table, "plan's own processor time: %.2g s", plan->seconds);
+		hawser__table_remark(table, "plan's own processor time: %.2g s", plan->seconds);
 }
 
 const struct cli_showing cli_plan_showing = {

@@ -141,12 +141,15 @@ static int modes_shown(const struct hawser_plan *plan)
 static void print_modes(FILE *stream, const struct cli_plan_result *result)
 {
 	const struct hawser_plan *plan = &result->plan;
-	double unit = cli_per_omega(result->model);
+	const struct hawser__shown_unit omega = hawser__shown_unit("rad/s");
+	double unit = cli_per_omega(result->model)/omega.per;
 	int shown = modes_shown(plan);
+	char head[HAWSER__UNIT_SIZE + 8];
 
+	snprintf(head, sizeof head, "omega %s", omega.name);
 	fprintf(stream, "\nModes, %d of %d looked at; kept in the scene's model, or worth it for "
 	        "model.accuracy %g\n  %4s %12s  %-13s %-14s %-4s %-5s %-13s %s\n", shown, plan->modes.n,
-	        result->model->scene.model.accuracy, "mode", "omega rad/s", "plane", "symmetry", "kept",
+	        result->model->scene.model.accuracy, "mode", head, "plane", "symmetry", "kept",
 	        "worth", "as", "left out, it should cost");
 	for (int j = 0; j < shown; j++) {
 		const struct hawser_mode *mode = &plan->modes.mode[j];
@@ -166,11 +169,17 @@ static void print_modes(FILE *stream, const struct cli_plan_result *result)
 static void print_resonances(FILE *stream, const struct cli_plan_result *result)
 {
 	const struct hawser_plan *plan = &result->plan;
-	double unit = cli_per_omega(result->model);
+	const struct hawser__shown_unit omega = hawser__shown_unit("rad/s");
+	const struct hawser__shown_unit length = hawser__shown_unit("m");
+	double unit = cli_per_omega(result->model)/omega.per;
+	char head[3][HAWSER__UNIT_SIZE + 8];
 
+	snprintf(head[0], sizeof head[0], "omega %s", omega.name);
+	snprintf(head[1], sizeof head[1], "peak %s", omega.name);
+	snprintf(head[2], sizeof head[2], "motion %s", length.name);
 	fprintf(stream, "\nPrimary resonances in the range, each alone (estimates)\n"
-	        "  %4s %12s %12s %8s %6s %11s %11s  %s\n", "mode", "omega rad/s", "peak rad/s",
-	        "motion m", "folds", "cubic", "unlocked", "meets");
+	        "  %4s %12s %12s %8s %6s %11s %11s  %s\n", "mode", head[0], head[1],
+	        head[2], "folds", "cubic", "unlocked", "meets");
 	if (plan->undamped > 0)
 		fprintf(stream, "  %d of %d have no damping, so no peak\n", plan->undamped,
 		        plan->undamped + plan->resonances);
@@ -183,7 +192,7 @@ static void print_resonances(FILE *stream, const struct cli_plan_result *result)
 		if (at->partner >= 0)
 			snprintf(meets, sizeof meets, "mode %d (1:%d)", at->partner + 1, at->order);
 		fprintf(stream, "  %4d %12.6g %12.6g %8.3g %6d %11.4g %11.4g  %s\n", at->mode + 1,
-		        at->omega*unit, at->peak_omega*unit, at->motion*cli_per_length(result->model),
+		        at->omega*unit, at->peak_omega*unit, at->motion*cli_per_length(result->model)/length.per,
 		        at->folds, at->cubic, at->unlocked, meets);
 	}
 }

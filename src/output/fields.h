@@ -188,6 +188,8 @@ struct hawser__field {
 	int through;
 	void (*call)(struct hawser__json *json, json_t *into, const void *row);
 	const char *axis; /* title of the axis in pictures, without unit, in gnuplot's markup */
+	/* The SI unit of a column without .unit, of which the name need not tell it; "": none. */
+	const char *(*si)(const void *context);
 };
 #define HAWSER__END {.key = NULL, .doc = NULL}
 

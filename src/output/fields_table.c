@@ -33,6 +33,31 @@ static const char *suffix_of(const struct hawser__field *field, enum hawser__uni
 	return field->flags & HAWSER__BARE ? "" : hawser__unit_suffix(unit, scale);
 }
 
+/* The unit in which a column is shown; of a model without units there is none. */
+static struct hawser__shown_unit shown_in(const struct hawser__field *field, enum hawser__unit unit,
+                                          const struct hawser__view *view)
+{
+	if (unit == HAWSER__NONE)
+		return hawser__shown_unit(field->si ? field->si(view->context) : "");
+	return hawser__shown_unit(*hawser__unit_suffix(unit, &view->scale) ? hawser__unit_name(unit)
+	                                                                   : "");
+}
+
+static void column_name(struct hawser__table *table, const char *before, const char *name,
+                        const struct hawser__field *field, enum hawser__unit unit,
+                        const struct hawser__view *view)
+{
+	struct hawser__shown_unit shown = shown_in(field, unit, view);
+	char full[2*HAWSER__NAME_SIZE], end[HAWSER__UNIT_SIZE + 2];
+
+	hawser__unit_end(end, sizeof end, shown.name);
+	snprintf(full, sizeof full, "%s%s", before, name);
+	if (shown.changed && unit == HAWSER__NONE)
+		hawser__unit_cut(full, field->si(view->context));
+	hawser__table_column(table, "%s%s", full,
+	                     shown.changed ? end : suffix_of(field, unit, &view->scale));
+}
+
 static void column_names(struct hawser__table *table, const struct hawser__field *field,
                          const struct hawser__view *view)
 {
@@ -42,13 +67,11 @@ static void column_names(struct hawser__table *table, const struct hawser__field
 	if (field->named)
 		field->named(name, sizeof name, view->context);
 	if (!field->vector)
-		hawser__table_column(table, "%s%s", field->named ? name : field->column,
-		                     suffix_of(field, field->unit, &view->scale));
+		column_name(table, "", field->named ? name : field->column, field, field->unit, view);
 	for (int k = 0; k < count; k++) {
 		field->vector->name(name, sizeof name, view->context, k);
-		hawser__table_column(table, "%s%s%s", field->column, name,
-		                     suffix_of(field, hawser__vector_unit(field, count, k, view),
-		                               &view->scale));
+		column_name(table, field->column, name, field,
+		            hawser__vector_unit(field, count, k, view), view);
 	}
 }
 
@@ -85,6 +108,16 @@ static void cell(struct hawser__table *table, struct hawser__value value)
 	}
 }
 
+/* A cell in the unit of its column. */
+static void cell_in(struct hawser__table *table, struct hawser__value value,
+                    const struct hawser__field *field, enum hawser__unit unit,
+                    const struct hawser__view *view)
+{
+	if (value.is == HAWSER__IS_NUMBER)
+		value.number /= shown_in(field, unit, view).per;
+	cell(table, value);
+}
+
 static void vector_cells(struct hawser__table *table, const struct hawser__field *field,
                          const struct hawser__at *at, const struct hawser__view *view)
 {
@@ -94,7 +127,8 @@ static void vector_cells(struct hawser__table *table, const struct hawser__field
 	if (!values)
 		blank(table, count);
 	for (int k = 0; values && k < count; k++)
-		cell(table, hawser__vector_at(field, at, values, count, k, view));
+		cell_in(table, hawser__vector_at(field, at, values, count, k, view), field,
+		        hawser__vector_unit(field, count, k, view), view);
 }
 
 /* The field with the column name of `wanted`, or NULL. */
@@ -122,7 +156,7 @@ static void cells(struct hawser__table *table, const struct hawser__field *colum
 		else if (own->vector)
 			vector_cells(table, own, at, view);
 		else
-			cell(table, hawser__value_of(own, at, view));
+			cell_in(table, hawser__value_of(own, at, view), own, own->unit, view);
 	}
 }
 

@@ -41,4 +41,6 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/plot_statics.c \
 	%D%/style.c \
 	%D%/style.h \
-	%D%/table.c
+	%D%/table.c \
+	%D%/units.c \
+	%D%/units.h

@@ -15,6 +15,7 @@
 #include <hawser/hawser.h>
 
 #include "core/file.h"
+#include "output/units.h"
 
 /* --- table.c: tab-separated values --- */
 
@@ -36,7 +37,11 @@ struct hawser__table {
 	size_t cells, capacity;
 	int failed; /* 1: an allocation failed */
 };
+/* Numbers with an SI unit are shown in the units that the user has chosen (units.h). */
 void hawser__table_comment(struct hawser__table *table, const char *format, ...)
+	HAWSER_PRINTF(2, 3);
+/* The same as it stands: for the user's own words, and times of computation. */
+void hawser__table_remark(struct hawser__table *table, const char *format, ...)
 	HAWSER_PRINTF(2, 3);
 void hawser__table_column(struct hawser__table *table, const char *format, ...) HAWSER_PRINTF(2, 3);
 void hawser__table_number(struct hawser__table *table, double number);

@@ -55,13 +55,26 @@ static void append(struct hawser__table *table, char ***list, int *count, char *
 	grown[(*count)++] = text;
 }
 
-void hawser__table_comment(struct hawser__table *table, const char *format, ...)
+void hawser__table_remark(struct hawser__table *table, const char *format, ...)
 {
 	va_list args;
 
 	va_start(args, format);
 	append(table, &table->comment, &table->comments, tame(format_text(format, args), ' '));
 	va_end(args);
+}
+
+void hawser__table_comment(struct hawser__table *table, const char *format, ...)
+{
+	va_list args;
+	char *text;
+
+	va_start(args, format);
+	text = format_text(format, args);
+	va_end(args);
+	append(table, &table->comment, &table->comments,
+	       text ? tame(hawser__units_text(text), ' ') : NULL);
+	free(text);
 }
 
 void hawser__table_column(struct hawser__table *table, const char *format, ...)

@@ -379,6 +379,44 @@ enum hawser_status hawser_unit_parse(double *value, const char *text, const char
 	                    "hawser_unit_parse", "\"%s\" %s", hawser__shown(shown, text), sentence);
 }
 
+/* 1: formatted, 0: no such unit, -1: no database. */
+static int base_of(char *text, size_t size, struct hawser__units *units, const char *unit)
+{
+	char own[LONGEST + 1];
+	ut_unit *parsed = NULL;
+	int used = -1;
+
+	if (!load(units))
+		return -1;
+	if (trim(own, unit) && is_plain(own))
+		parsed = ut_parse(units->system, own, UT_UTF8);
+	if (parsed)
+		used = ut_format(parsed, text, size, UT_ASCII | UT_DEFINITION);
+	ut_free(parsed);
+	return used > 0 && (size_t)used < size;
+}
+
+enum hawser_status hawser_unit_base(char *text, size_t size, const char *unit,
+                                    struct hawser_report *report)
+{
+	struct hawser__units units = {NULL};
+	char shown[HAWSER__SHOWN];
+	struct entry entry;
+	int found;
+
+	enter(&entry);
+	found = base_of(text, size, &units, skip(unit));
+	leave(&entry);
+	hawser__units_clear(&units);
+	if (found > 0)
+		return HAWSER_OK;
+	if (size > 0)
+		*text = '\0';
+	return hawser__fail(report, found < 0 ? HAWSER_ERR_IO : HAWSER_ERR_ARGUMENT, "hawser_unit_base",
+	                    found < 0 ? "\"%s\" needs the unit database of udunits2, which can't be read"
+	                              : "\"%s\" is no unit", hawser__shown(shown, unit));
+}
+
 void hawser__units_clear(struct hawser__units *units)
 {
 	struct entry entry;
