@@ -15,6 +15,7 @@ CLI_TESTS = \
 	%D%/cli/long.sh \
 	%D%/cli/map.sh \
 	%D%/cli/peaks.sh \
+	%D%/cli/units.sh \
 	%D%/cli/pictures.sh \
 	%D%/cli/plausible.sh \
 	%D%/cli/refusals.sh \

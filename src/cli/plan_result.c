@@ -192,7 +192,8 @@ static void print_resonances(FILE *stream, const struct cli_plan_result *result)
 		if (at->partner >= 0)
 			snprintf(meets, sizeof meets, "mode %d (1:%d)", at->partner + 1, at->order);
 		fprintf(stream, "  %4d %12.6g %12.6g %8.3g %6d %11.4g %11.4g  %s\n", at->mode + 1,
-		        at->omega*unit, at->peak_omega*unit, at->motion*cli_per_length(result->model)/length.per,
+		        at->omega*unit, at->peak_omega*unit,
+		        at->motion*cli_per_length(result->model)/length.per,
 		        at->folds, at->cubic, at->unlocked, meets);
 	}
 }

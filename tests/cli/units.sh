@@ -1,5 +1,39 @@
 #!/bin/sh
 # --units: tables in other units than SI, JSON in SI, and what is refused.
 # SPDX-License-Identifier: GPL-3.0-or-later
-. "$(dirname "$0")/lib.sh"
+. "$SRCDIR/tests/cli/lib.sh"
 
+scene=$top/notebooks-data/scenes/chairlift.yaml
+
+# same COLUMN OTHER FACTOR SI-TABLE TABLE: the column times the factor is that of the SI table.
+same() {
+	awk -F '\t' -v a="$1" -v b="$2" -v factor="$3" '
+		/^#/ { next }
+		!(FILENAME in head) { head[FILENAME]; for (i = 1; i <= NF; i++) if ($i == (file ? b : a)) at[FILENAME] = i
+			file++; row = 0; next }
+		file == 1 { value[++row] = $at[FILENAME]; next }
+		{ row++; d = $at[FILENAME]*factor - value[row]; if (d < 0) d = -d; size = value[row] < 0 ? -value[row] : value[row]
+			if (d > 1e-14*size) { print row ": " $at[FILENAME]*factor " " value[row]; bad = 1 } rows++ }
+		END { exit bad || rows == 0 }' "$4" "$5"
+}
+
+works "statics in SI" statics "$scene" --tsv si.tsv --json si.json --reproducible
+works "statics in kN and ft" statics "$scene" --units "kN, ft" --tsv us.tsv --json us.json --reproducible
+try "JSON stays SI" cmp si.json us.json
+try "lengths" same x_m x_ft 0.3048 si.tsv us.tsv
+try "tensions" same T_N T_kN 1000 si.tsv us.tsv
+works "modes in SI" modes "$scene" --tsv modes.tsv
+works "modes in Hz" modes "$scene" --units Hz --tsv hz.tsv
+try "frequencies" same omega_rad_s omega_Hz 6.283185307179586 modes.tsv hz.tsv
+works "Irvine" irvine "$scene" --points 3 -n 2 --unit rad/s --tsv irvine.tsv
+works "Irvine in lbf and Hz" irvine "$scene" --points 3 -n 2 --unit rad/s --units "lbf, Hz" --tsv irvine-us.tsv
+try "the swept tension" same H_N H_lbf 4.4482216152605 irvine.tsv irvine-us.tsv
+try "a branch" same in_1_rad_s in_1_Hz 6.283185307179586 irvine.tsv irvine-us.tsv
+refuses 1 '--units: "kN" and "lbf" are both units of force; write one of them' \
+	modes "$scene" --units "kN, lbf"
+refuses_like 1 '"V" has the dimension of m2.kg.s-3.A-1, and no result has that' modes "$scene" --units V
+refuses_like 1 '"foo" is no unit' modes "$scene" --units foo
+refuses_like 1 'a unit is empty' modes "$scene" --units "kN,,"
+refuses_like 1 'a unit is too long' modes "$scene" --units aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa
+refuses_like 1 'pictures are in SI' modes "$scene" --units Hz --plot a.svg
+done_testing
