@@ -62,6 +62,16 @@ static void fill(struct cli_case *row, const struct hawser_scene *scene)
 	row->length = st.length;
 }
 
+static int on_springs(const struct hawser_scene *scene)
+{
+	int springs = 0;
+
+	for (int end = 0; end < 2; end++)
+		for (int axis = 0; axis < 3; axis++)
+			springs += isfinite(scene->support[end].stiffness[axis]);
+	return springs > 0;
+}
+
 enum hawser_status cli_cases_fill(struct cli_cases *cases, const struct hawser_scene *scene,
                                   struct hawser_report *report)
 {
@@ -72,6 +82,11 @@ enum hawser_status cli_cases_fill(struct cli_cases *cases, const struct hawser_s
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
 		                    "--cases is for a scene with load cases: add, for example, cases: "
 		                    "[{name: ice, load: {static: {mass: 0.9 kg/m}}}]");
+	if (on_springs(scene))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
+		                    "--cases contradicts the stiffness of supports: ends on springs give "
+		                    "way when the load changes, and statics keeps them in place; leave the "
+		                    "stiffness out: rigid ends overstate the change of the tension");
 	cases->row = calloc((size_t)scene->cases + 1, sizeof *cases->row);
 	if (!cases->row)
 		return hawser__no_memory(report, "statics");
