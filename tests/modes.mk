@@ -1,6 +1,6 @@
 # tests of the modes stage
 noinst_HEADERS += %D%/extremes/modes-count.h %D%/extremes/modes-quad.h
-noinst_HEADERS += %D%/modes-span.h %D%/modes-shooting.h %D%/modes-scene.h %D%/modes-third.h
+noinst_HEADERS += %D%/modes-span.h %D%/modes-shooting.h %D%/modes-scene.h %D%/modes-third.h %D%/rom-condensed.h %D%/rom-eigenvalue.h
 MODES_TESTS = \
 	tests/unit/test-modes-grid \
 	tests/property/test-modes \

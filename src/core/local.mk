@@ -11,6 +11,7 @@ noinst_LTLIBRARIES += %D%/libcore.la
 	%D%/settle.h \
 	%D%/share.c \
 	%D%/share.h \
+	%D%/solve3.h \
 	%D%/spelling.c \
 	%D%/spelling.h \
 	%D%/status.c

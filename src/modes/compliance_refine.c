@@ -15,38 +15,13 @@
 #include <stdlib.h>
 
 #include "core/report.h"
+#include "core/solve3.h"
 #include "modes/compliance_springs.h"
 
 static double *array(size_t a, size_t b)
 {
 	/* NOLINTNEXTLINE(clang-analyzer-optin.portability.UnixAPI): sizes are limited */
 	return calloc(a ? a : 1, (b ? b : 1)*sizeof(double));
-}
-
-/* x = A^-1 b of a symmetric positive definite A, by Cholesky. */
-static void solve_three(double x[3], double A[3][3], const double b[3])
-{
-	double L[3][3] = {{0.0}};
-
-	for (int j = 0; j < 3; j++)
-		for (int i = j; i < 3; i++) {
-			double sum = A[i][j];
-
-			for (int k = 0; k < j; k++)
-				sum -= L[i][k]*L[j][k];
-			L[i][j] = i == j ? sqrt(sum) : sum/L[j][j];
-		}
-	for (int i = 0; i < 3; i++) {
-		x[i] = b[i];
-		for (int k = 0; k < i; k++)
-			x[i] -= L[i][k]*x[k];
-		x[i] /= L[i][i];
-	}
-	for (int i = 2; i >= 0; i--) {
-		for (int k = i + 1; k < 3; k++)
-			x[i] -= L[k][i]*x[k];
-		x[i] /= L[i][i];
-	}
 }
 
 /* Solve [integral of d d'] F0 = b: F0 is the constant force whose strains displace end B by b. */
@@ -67,7 +42,7 @@ static void constant_force(double *F0, const double *b, const struct hawser__pla
 	if (D == 1) {
 		F0[0] = b[0]/A[0][0];
 	} else if (D == 3) {
-		solve_three(F0, A, b);
+		hawser__solve3(F0, A, b, 0.0);
 	} else {
 		double det = A[0][0]*A[1][1] - A[0][1]*A[1][0];
 

@@ -1,4 +1,4 @@
-/* statics/equal.c - static load, change of temperature, and the plane in which the cable hangs.
+/* statics/equivalent.c - static load, change of temperature, and the plane in which the cable hangs.
  *
  *   rho, m   mass of the cable and of what adheres to it, per unstretched length
  *   p        static load, N per unstretched length; w = (rho + m) g (0,-1,0) + p, the whole force

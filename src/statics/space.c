@@ -28,6 +28,7 @@
 #include <math.h>
 
 #include "core/report.h"
+#include "core/solve3.h"
 #include "statics/catenary.h"
 #include "statics/loaded.h"
 #include "statics/search.h"
@@ -103,31 +104,10 @@ static void reach_of(struct reach *to, const struct hawser__loaded *cable, const
 	}
 }
 
-/* x = K^-1 b by Cholesky; K is positive definite, but for a straight inextensible cable. Round-off of
- * a pivot is replaced by what it may be. */
-static void solve(double x[3], const double K[3][3], const double b[3])
+/* x = K^-1 b. K is positive definite, but for a straight inextensible cable. */
+static void solve(double x[3], double K[3][3], const double b[3])
 {
-	double L[3][3] = {{0.0}}, least = 4.0*DBL_EPSILON*DBL_EPSILON*(K[0][0] + K[1][1] + K[2][2]);
-
-	for (int j = 0; j < 3; j++)
-		for (int i = j; i < 3; i++) {
-			double sum = K[i][j];
-
-			for (int k = 0; k < j; k++)
-				sum -= L[i][k]*L[j][k];
-			L[i][j] = i == j ? sqrt(fmax(sum, least)) : sum/L[j][j];
-		}
-	for (int i = 0; i < 3; i++) {
-		x[i] = b[i];
-		for (int k = 0; k < i; k++)
-			x[i] -= L[i][k]*x[k];
-		x[i] /= L[i][i];
-	}
-	for (int i = 2; i >= 0; i--) {
-		for (int k = i + 1; k < 3; k++)
-			x[i] -= L[k][i]*x[k];
-		x[i] /= L[i][i];
-	}
+	hawser__solve3(x, K, b, 4.0*DBL_EPSILON*DBL_EPSILON*(K[0][0] + K[1][1] + K[2][2]));
 }
 
 /* The span of a cable under all loads, spread over the length, in its plane; axis: x' and y' of it. */

@@ -13,6 +13,7 @@
 #include <hawser/damped.h>
 #include <hawser/rom.h>
 
+#include "tests/rom-eigenvalue.h"
 #include "tests/tap.h"
 
 static struct hawser_report report;
@@ -27,29 +28,6 @@ static const struct hawser_attachment several[3] = {
 	{.at = 0.62, .mass = 200.0, .damper = {0.0, 300.0, 0.0}, .absorber_mass = 50.0,
 	 .absorber_stiffness = 200.0, .absorber_direction = {0.0, 2.0, 0.0}},
 };
-
-/* The eigenvalue of u'' + D u' + K u = 0 that is next to `near`. */
-static double complex eigenvalue(const struct hawser_rom *rom, double complex near)
-{
-	int n = rom->n, N = 2*n;
-	double *A = calloc((size_t)N*(size_t)N, sizeof *A), *w = calloc(2*(size_t)N, sizeof *w);
-	double complex best = INFINITY;
-
-	for (int j = 0; j < n; j++) {
-		A[j*N + n + j] = 1.0;
-		for (int k = 0; k < n; k++) {
-			A[(n + j)*N + k] = -rom->K[j*n + k];
-			A[(n + j)*N + n + k] = -rom->D[j*n + k];
-		}
-	}
-	if (!LAPACKE_dgeev(LAPACK_ROW_MAJOR, 'N', 'N', N, A, N, w, w + N, NULL, 1, NULL, 1))
-		for (int i = 0; i < N; i++)
-			if (cabs(w[i] + I*w[N + i] - near) < cabs(best - near))
-				best = w[i] + I*w[N + i];
-	free(A);
-	free(w);
-	return best;
-}
 
 static int solve(struct hawser_modes *modes, const struct hawser_attachment *attach, int count, int n)
 {
