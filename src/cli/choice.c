@@ -159,6 +159,18 @@ void cli_choice_comments(struct hawser__table *table, const struct cli_model *mo
 			mode_comment(table, model, j, ++coordinate);
 }
 
+void cli_drag_comment(struct hawser__table *table, const struct cli_model *model, const char *how)
+{
+	if (!model->rom.drag)
+		return;
+	hawser__table_comment(table, "quadratic drag of air at rest, %g kg/m^2: %s",
+	                      model->scene.damping.drag, how);
+	if (model->rom.inertia.shapes == 0 && model->rom.inertia.shift > 0.0)
+		hawser__table_comment(table, "with drag alone the condensed modes have no inertia, by which "
+		                             "resonance frequencies are off by %.1e at most",
+		                      model->rom.inertia.shift);
+}
+
 /* --- fields --- */
 
 static int is_automatic(const void *row, const void *parent)

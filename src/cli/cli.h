@@ -196,6 +196,9 @@ enum hawser_status cli_choice_trace(struct hawser_frf *frf, struct cli_model *mo
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 /* The chosen modes and the reasons, as comments; for JSON see cli_choice_field (view.h). */
 void cli_choice_comments(struct hawser__table *table, const struct cli_model *model);
+
+/* A comment about the scene's quadratic drag, if it has any, and `how` it is computed. choice.c. */
+void cli_drag_comment(struct hawser__table *table, const struct cli_model *model, const char *how);
 /* natural.c: undamped natural frequencies, from the eigenvalues of K. */
 enum hawser_status cli_natural(double *omega, int *count, const struct hawser_rom *rom,
                                struct hawser_report *report) HAWSER_MUST_CHECK;

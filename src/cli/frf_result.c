@@ -204,6 +204,7 @@ void cli_frf_comments(struct hawser__table *table, const void *of)
 	                      result->to*per_omega, rad_s);
 	cli_choice_comments(table, model);
 	cli_basis_comment(table, model);
+	cli_drag_comment(table, model, "at every instant, by shooting; no describing function");
 	cli_fixed_comments(table, result);
 	if (result->scales)
 		cli_mms_equations(table, result->scales);

@@ -238,6 +238,7 @@ void cli_integrate_comments(struct hawser__table *table, const void *of)
 	char text[CLI_WARNING_SIZE];
 
 	cli_choice_comments(table, result->model);
+	cli_drag_comment(table, result->model, "at every instant");
 	if (cli_integrate_unknown(result))
 		hawser__table_comment(table, "error of the model: not estimated: %s",
 		                      cli_integrate_unknown(result));

@@ -353,16 +353,6 @@ enum hawser_status hawser__rom_finish(struct hawser_rom *rom, const struct hawse
 
 /* --- inertia of the condensed modes --- */
 
-/* Largest relative error of resonance frequencies by the neglected inertia of condensed modes: a
- * small part of the accuracy; chosen. */
-static double allowed(const struct hawser_scene *scene)
-{
-	const double usual = 2e-4, part = 0.02;
-
-	return scene->model.modes == HAWSER_MODES_AUTO && scene->model.accuracy > 0.0
-	       ? fmin(usual, part*scene->model.accuracy) : usual;
-}
-
 /* The modes followed by the second-order shapes; with->n = 0 if none are needed. */
 static enum hawser_status add_shapes(struct hawser_modes *with, struct hawser_rom *rom,
                                      const struct hawser_modes *modes,
@@ -382,10 +372,16 @@ static enum hawser_status add_shapes(struct hawser_modes *with, struct hawser_ro
 		damping[j] = rom->D[(size_t)j*(n + 1)];
 		if (!isfinite(load[j]))
 			load[j] = 0.0; /* reported when the load is set */
+		damping[j] = hawser__drag_equal(modes, scene, j, load[j], damping[j]);
 	}
 	if (!status)
 		status = hawser__inertia_extend(with, &rom->inertia, modes, condensed, load, damping,
-		                                allowed(scene), report);
+		                                hawser__inertia_allowed(scene), report);
+	if (!status && hawser__drag_alone(scene)) { /* shapes move along the cable: no drag */
+		hawser_modes_clear(with);
+		rom->inertia = (struct hawser_rom_inertia){.shift = rom->inertia.shift,
+		                                           .left = rom->inertia.shift};
+	}
 	hawser__loads_clear(&loads);
 	free(load);
 	free(damping);

@@ -9,6 +9,11 @@
  *   F_j = -c' integral of |v| (v . Phi_j) ds,   c' = c d/rho   (scaled)
  *   dF_j/du_k' = -c' integral of [ |v| Phi_j . Phi_k + (v . Phi_j) (v . Phi_k)/|v| ] ds
  *
+ * In a cos(omega tau) of mode j alone it does the work of the linear damping
+ * d = 8/(3 pi) c'' omega a, c'' = c' integral of |Phi_j|^3 ds (the describing function). At
+ * resonance under the load f, with the linear damping d0 besides, (d0 + d) omega a = |f|, whose
+ * positive root is the amplitude a.
+ *
  * The integral is a sum over the Gauss points of the modes. |v| v has a continuous first derivative but
  * no second one where v changes its sign, so that the sum is not exact: its relative error is some 5e-4
  * if six modes move at random, and 1e-14 if the velocity has one sign (tests/property/test-drag). The
@@ -24,6 +29,23 @@
 #include "rom/drag.h"
 #include "rom/support.h"
 
+/* A steady wind w adds c w^2 to the load, and to first order opposes motion by 2 c w v along itself and
+ * c w v across: not the drag of air at rest. The vertical part of the load is taken for a weight. */
+static enum hawser_status wind(const struct hawser_scene *scene, struct hawser_report *report)
+{
+	const double *p = scene->static_load.per_length, c = scene->damping.drag;
+	double q = scene->static_load.present ? hypot(p[0], p[2]) : 0.0;
+
+	if (q == 0.0)
+		return HAWSER_OK;
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+	                    "damping.drag = %g kg/m^2 is for air at rest, and the horizontal part of "
+	                    "load.static.per_length, %g N/m, is a wind, whose damping is linear: give "
+	                    "damping.alpha in place of damping.drag, from %.3g kg/m/s (across a wind of "
+	                    "this force and drag) to %.3g kg/m/s (along it)", c, q, sqrt(c*q),
+	                    2.0*sqrt(c*q));
+}
+
 static enum hawser_status check(const struct hawser_scene *scene, struct hawser_report *report)
 {
 	if (scene->travel.present)
@@ -35,7 +57,42 @@ static enum hawser_status check(const struct hawser_scene *scene, struct hawser_
 		                    "damping.drag = %g kg/m^2 is for a cable with supports at rest: remove "
 		                    "the motion of the supports, or give damping.alpha instead",
 		                    scene->damping.drag);
-	return HAWSER_OK;
+	return wind(scene, report);
+}
+
+int hawser__drag_alone(const struct hawser_scene *scene)
+{
+	if (!(scene->damping.drag > 0.0))
+		return 0;
+	switch (scene->damping.kind) {
+	case HAWSER_DAMPING_ALPHA:
+		return scene->damping.alpha == 0.0;
+	case HAWSER_DAMPING_RAYLEIGH:
+		return scene->damping.mass == 0.0 && scene->damping.stiffness == 0.0;
+	case HAWSER_DAMPING_RATIO:
+		return (scene->damping.ratios > 1 ? scene->damping.ratio_next[scene->damping.ratios - 2]
+		                                  : scene->damping.ratio) == 0.0;
+	default:
+		return 1;
+	}
+}
+
+double hawser__drag_equal(const struct hawser_modes *modes, const struct hawser_scene *scene, int j,
+                          double load, double damping)
+{
+	const struct hawser_grid *grid = &modes->grid;
+	double cubed = 0.0, q;
+
+	if (!(scene->damping.drag > 0.0) || load == 0.0)
+		return damping;
+	for (int i = 0; i < grid->points; i++) {
+		double at[3];
+
+		hawser_modes_at(modes, at, NULL, j, grid->s[i]);
+		cubed += grid->weight[i]*pow(hypot(at[1], at[2]), 3.0);
+	}
+	q = 8.0/(3.0*M_PI)*scene->damping.drag*modes->statics.span.d/modes->statics.span.rho*cubed;
+	return 0.5*(damping + sqrt(damping*damping + 4.0*q*fabs(load)));
 }
 
 enum hawser_status hawser__drag_make(struct hawser_rom *rom, const struct hawser_modes *modes,

@@ -28,4 +28,8 @@ enum hawser_status hawser__inertia_extend(struct hawser_modes *with,
 double hawser__inertia_amplitude(const struct hawser_modes *modes, int j, double load,
                                  double damping);
 
+/* Largest relative error of resonance frequencies by the neglected inertia of condensed modes: a
+ * small part of the accuracy; chosen. inertia_amplitude.c. */
+double hawser__inertia_allowed(const struct hawser_scene *scene);
+
 #endif

@@ -32,3 +32,11 @@ double hawser__inertia_amplitude(const struct hawser_modes *modes, int j, double
 	resonance /= damping*modes->mode[j].omega;
 	return resonance < most ? resonance : most;
 }
+
+double hawser__inertia_allowed(const struct hawser_scene *scene)
+{
+	const double usual = 2e-4, part = 0.02;
+
+	return scene->model.modes == HAWSER_MODES_AUTO && scene->model.accuracy > 0.0
+	       ? fmin(usual, part*scene->model.accuracy) : usual;
+}

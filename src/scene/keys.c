@@ -99,7 +99,7 @@
 	ROW("damping.drag", "kg/m^2", NUMBER, NULL, NOT_NEGATIVE, "0", damping.drag, FREE, 0, \
 	    "quadratic drag of air at rest, besides the damping above: force per unstretched length over " \
 	    "the square of the velocity normal to the cable, which is density times drag coefficient " \
-	    "times diameter over 2; for hawser integrate and hawser frf") \
+	    "times diameter over 2; for hawser integrate and hawser frf, with no horizontal static load") \
 	ROW("load.frame", "", WORD, "local|global", WORDS, NULL, load.frame, FREE, 0, \
 	    "axes of the load: local is tangent, normal, binormal (e, n, z), global is x, y, z") \
 	ROW("load.per_length", "N/m", TRIPLE, NULL, ANY, NULL, load.per_length, FREE, 0, \

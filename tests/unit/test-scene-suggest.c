@@ -88,7 +88,7 @@ static int minimum(const char *path, int siblings)
 	const char *dot = strrchr(path, '.');
 	const char *name = dot ? dot + 1 : path, *other;
 	char section[64];
-	int best = 1000;
+	int best = 2*(int)strlen(name) + 2;
 
 	snprintf(section, sizeof section, "%.*s", dot ? (int)(dot - path) : 0, path);
 	for (size_t i = 0; (other = candidate(i)); i++) {
@@ -96,7 +96,10 @@ static int minimum(const char *path, int siblings)
 
 		if (siblings && !hawser__child_of(other, section))
 			continue;
-		best = least(best, slow(name, end ? end + 1 : other));
+		end = end ? end + 1 : other;
+		/* each letter more or less costs 2; the slow distance is exponential */
+		if (2*abs((int)strlen(name) - (int)strlen(end)) < best)
+			best = least(best, slow(name, end));
 		if (!siblings)
 			best = least(best, hawser__edit_distance(path, other));
 	}
