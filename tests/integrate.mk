@@ -42,3 +42,7 @@ tests_property_test_integrate_swept_SOURCES = tests/property/test-integrate-swep
 tests_property_test_integrate_swept_LDADD = $(UPTO_RESPONSE)
 tests_property_test_history_SOURCES = tests/property/test-history.c
 tests_property_test_history_LDADD = $(UPTO_RESPONSE)
+check_PROGRAMS += tests/property/test-absorber-response
+TESTS += tests/property/test-absorber-response
+tests_property_test_absorber_response_SOURCES = tests/property/test-absorber-response.c
+tests_property_test_absorber_response_LDADD = $(UPTO_RESPONSE)

@@ -1,6 +1,6 @@
 /* cli/frf_draw.c - the curves in the picture of a frequency response. With probes: z and y at
- * quarter and mid-span, one panel each, without panels in which nothing moves. Without probes: the
- * first coordinates.
+ * quarter and mid-span, one panel each, without panels in which nothing moves, and the largest stroke
+ * of an absorber in one of its own. Without probes: the first coordinates.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -94,6 +94,30 @@ static double largest(const double *rows, int count, int stride, int source)
 	return most;
 }
 
+/* The absorber with the largest stroke in a panel of its own, by the component that is largest. */
+static void choose_stroke(struct picture *picture, const struct cli_frf_result *result)
+{
+	const struct hawser_rom_shapes *shapes = &result->model->rom.shapes;
+	const struct hawser_frf *frf = result->frf;
+	int panel = picture->response.panels, stride = 3*frf->probes, source = -1;
+	double most = 0.0;
+	char name[label_size];
+
+	for (int k = 0; k < stride; k++)
+		if (strncmp(shapes->name[k/3], "stroke_", 7) == 0 &&
+		    largest(frf->probe, frf->points, stride, k) > most) {
+			most = largest(frf->probe, frf->points, stride, k);
+			source = k;
+		}
+	if (source < 0)
+		return;
+	add_curve(picture, shapes->name[source/3], panel, source);
+	plain(name, shapes->name[source/3]);
+	snprintf(picture->panel[panel], label_size, "Amplitude of {/:Italic %c}, %.30s%s",
+	         "xyz"[source % 3], name, cli_unit(result->model, " (m)"));
+	picture->response.panels++;
+}
+
 static void choose_probes(struct picture *picture, const struct cli_frf_result *result)
 {
 	const struct hawser_rom_shapes *shapes = &result->model->rom.shapes;
@@ -116,6 +140,7 @@ static void choose_probes(struct picture *picture, const struct cli_frf_result *
 			add_curve(picture, shapes->name[point[p]], panel, 3*point[p] + c);
 		picture->response.panels++;
 	}
+	choose_stroke(picture, result);
 }
 
 static void choose_coordinates(struct picture *picture, const struct cli_frf_result *result)

@@ -93,6 +93,11 @@ enum hawser_status hawser__attach_check(struct hawser__reader *reader)
 		                           "are at rest, and the cable would move past them; remove one of "
 		                           "them");
 	for (int i = 0; i < scene->attachments; i++) {
+		if (a[i].absorber_mass > 0.0 && a[i].absorber_cubic > 0.0 && a[i].absorber_stiffness == 0.0)
+			return hawser__reader_fail(reader, here, "attach[%d] has an absorber whose cubic spring "
+			                           "alone does not hold it at rest: give an absorber_stiffness "
+			                           "besides, small against absorber_cubic times the square of "
+			                           "the stroke", i);
 		if ((a[i].absorber_mass > 0.0) != (a[i].absorber_stiffness > 0.0) ||
 		    ((a[i].absorber_damping > 0.0 || a[i].absorber_cubic > 0.0) && !(a[i].absorber_mass > 0.0)))
 			return hawser__reader_fail(reader, here, "attach[%d] has an incomplete absorber: give "

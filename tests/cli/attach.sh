@@ -156,6 +156,12 @@ assert r["scene"]["attach"][0]["absorber_cubic"] == 40
 assert max(p["amplitude"]["y_stroke_tmd"] for p in r["points"]) > 0
 END
 works "its response" frf "$SRCDIR/notebooks-data/scenes/stay-sink.yaml" --from 5.9rad/s --to 6.6rad/s --json sink.json -q
+if command -v gnuplot >/dev/null; then
+	works "the picture" frf "$SRCDIR/notebooks-data/scenes/stay-sink.yaml" -n 2 --from 5.9rad/s --to 6rad/s --plot sink.svg -q
+	try "has the stroke" grep -q "stroke sink\|stroke-sink" sink.svg
+else
+	skip "gnuplot is not installed"
+fi
 works "and without the cubic spring" frf "$SRCDIR/notebooks-data/scenes/stay-sink.yaml" --set attach.sink.absorber_cubic=0 --from 5.9rad/s --to 6.6rad/s --json soft.json -q
 python "the amplitudes of sink and cable are in the relation of harmonic balance" <<'END'
 import json
@@ -172,6 +178,7 @@ top = [max(x for _, x, _ in points(name)) for name in ("sink.json", "soft.json")
 assert 0.5 < top[0]/top[1] < 0.6, top
 END
 refuses_like 1 "modes are not weighed with absorbers" frf "$stay" --set "$tmd" --set 'load={frame: global, per_length: [0, 2, 0]}' --set model.modes=auto
+refuses_like 1 "whose cubic spring alone does not hold it at rest" statics "$stay" --set 'attach=[{at: 50 %, absorber_mass: 60 kg, absorber_cubic: 3}]'
 refuses_like 1 "has an incomplete absorber: give both" statics "$stay" --set 'attach=[{at: 50 %, absorber_mass: 60 kg}]'
 refuses_like 1 "absorber without direction" statics "$stay" --set "$tmd" --set 'attach.tmd.absorber_direction=[0, 0, 0]'
 refuses_like 1 "write KEY=FROM:TO:POINTS" modes "$stay" --over attach.0.at=0.1:0.2

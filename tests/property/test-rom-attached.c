@@ -225,7 +225,7 @@ static void condensation(double springs)
 	masses[1].spring[0] = 700.0*springs;
 	if (!solve(&modes, &inclined, 4e4, masses, 2, 1))
 		return;
-	if (!ok(!hawser_modes_basis(&all, &modes.statics, 30, 30, &report) &&
+	if (!ok(!hawser_modes_basis(&all, &modes.statics, 20, 20, &report) &&
 	        !hawser_rom_build(&one, &modes, &condensed, &report) &&
 	        !hawser_rom_build(&many, &all, &raw, &report), "built: %s", report.message))
 		return;
