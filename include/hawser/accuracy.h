@@ -39,7 +39,8 @@ struct hawser_accuracy {
 	struct hawser_choice choice; /* which of them are kept; refers to `modes` */
 	int full;                    /* 1: the last model is the full-order model */
 	struct hawser_rom rom;       /* the last model */
-	struct hawser_frf frf;       /* its response, with tolerances chosen for the accuracy */
+	struct hawser_frf frf;       /* its response, */
+	struct hawser_frf_options traced; /* with these options; the tolerances suit the accuracy */
 	struct hawser_accuracy_try attempt[HAWSER_ACCURACY_TRIES];
 	int tries;
 	double seconds;              /* wall time of the whole search */

@@ -33,7 +33,9 @@ enum hawser_frf_end {
 	HAWSER_END_FAILED,      /* the status is not HAWSER_OK; the report says why and where */
 	HAWSER_END_AT_REST,     /* the motion vanishes at the branch point that is the last event */
 	HAWSER_END_SLACK,       /* the cable goes slack at the last event, or is slack at the first orbit */
-	HAWSER_END_UNSTABLE     /* the last point has more unstable multipliers than `most_unstable` */
+	HAWSER_END_UNSTABLE,    /* the last point has more unstable multipliers than `most_unstable` */
+	HAWSER_END_LOST         /* unstable motions, and the next one is not found within the limits of the
+	                         * method; `lost` says why */
 };
 const char *hawser_frf_end_name(enum hawser_frf_end end);
 
@@ -92,6 +94,7 @@ struct hawser_frf {
 	int events, event_capacity;
 	struct hawser_frf_event *event; /* [events] in order along the branch */
 	enum hawser_frf_end end;
+	char lost[sizeof ((struct hawser_report *)0)->message]; /* HAWSER_END_LOST: why; else "" */
 	const char *method;             /* the method used, a static string */
 	/* If the method is not shooting: number of points computed again by shooting (of stiff models,
 	 * by integration over a period); their largest difference relative to the state at phase 0; and
@@ -143,7 +146,9 @@ struct hawser_frf_options {
 void hawser_frf_settle(struct hawser_frf_options *options);
 
 /* Trace the branch. On HAWSER_ERR_CONVERGENCE with at least one point, *frf has the points traced
- * so far, and frf->end is HAWSER_END_FAILED. Release with hawser_frf_clear. Other statuses:
+ * so far, and frf->end is HAWSER_END_FAILED. Where the last of them are unstable, the status is
+ * HAWSER_OK and the end HAWSER_END_LOST; the branch might become stable again beyond, and
+ * hawser_cover_trace looks for motions there. Release with hawser_frf_clear. Other statuses:
  * HAWSER_ERR_ARGUMENT (range, model without forcing), HAWSER_ERR_NAN, HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_frf_trace(struct hawser_frf *frf, const struct hawser_rom *rom,
                                     const struct hawser_frf_options *options,

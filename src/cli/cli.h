@@ -322,7 +322,7 @@ void cli_warnings_json(struct hawser__json *json, const char *warning);
 void cli_warn(const char *warning);
 /* Warn of implausible quantities of the scene (plausible.h). */
 void cli_warn_doubts(const struct hawser_scene *scene);
-enum { CLI_WARNING_SIZE = 400 };
+enum { CLI_WARNING_SIZE = 1000 };
 
 /* --- signals.c --- */
 
@@ -444,6 +444,8 @@ int cli_frf_direction(const struct hawser_frf *frf);
  * [size] is then a message. The same for parts of the range without a branch. */
 int cli_frf_slack(char *text, size_t size, const struct cli_frf_result *result);
 int cli_frf_gaps(char *text, size_t size, const struct cli_frf_result *result);
+/* The same for the first branch that ends among unstable motions that could not be computed. */
+int cli_frf_lost(char *text, size_t size, const struct cli_frf_result *result);
 void cli_frf_peak_comments(struct hawser__table *table, const struct cli_frf_result *result);
 void cli_frf_comments(struct hawser__table *table, const void *result);
 extern const struct cli_showing cli_frf_showing;

@@ -14,6 +14,8 @@
 #include "core/report.h"
 
 #define LOCATED 0.01 /* tolerance of peaks, as a part of the accuracy that was asked for */
+#define OBSERVED 2 /* unstable multipliers with modes: auto; without a limit the error estimate does
+                    * not fall, since models differ most in motions that can't be observed; chosen */
 #define CLOSE 1e-3   /* relative tolerance of peaks otherwise; takes 5 % of the time of the chairlift */
 
 struct settings {
@@ -48,7 +50,8 @@ static const struct cli_option options[] = {
 	{"multipliers", 0, "", "write the Floquet multipliers to JSON too", CLI_FLAG(multipliers)},
 	CLI_TEXT_OPTION(slack, "WHAT",
 	                "where the cable goes slack: end the curve or follow the model's on (end)"),
-	{"unstable", 0, "N", "end a branch where more than N multipliers are unstable (no limit)",
+	{"unstable", 0, "N", "end a branch where more than N multipliers are unstable (no limit; "
+	 "with modes: auto 2)",
 	 CLI_INTEGER(unstable)},
 	CLI_TEXT_OPTION(scale, "WHICH",
 	                "amplitude axes of the picture: auto, linear or log (auto)"),
@@ -177,7 +180,7 @@ static enum hawser_status trace(struct hawser_frf *frf, struct hawser_landmark *
 	choice.to = result->to;
 	choice.segments = settings->segments;
 	choice.end_at_slack = strcmp(settings->slack, "end") == 0;
-	choice.most_unstable = settings->unstable;
+	choice.most_unstable = settings->unstable > 0 ? settings->unstable : automatic ? OBSERVED : 0;
 	if (settings->step > 0.0 || !automatic)
 		choice.step_max = settings->step > 0.0 ? settings->step : CLI_STEP;
 	if (settings->tolerance > 0.0)
@@ -186,9 +189,11 @@ static enum hawser_status trace(struct hawser_frf *frf, struct hawser_landmark *
 		choice.max_points = settings->points;
 	status = choose_start(&choice, &last, settings, model, report);
 	choice.progress = (struct hawser_progress){cli_watch, &watch};
-	if (!status && automatic)
+	if (!status && automatic) {
 		status = cli_choice_trace(frf, model, &choice, report);
-	else if (!status)
+		choice = model->accuracy.traced; /* for peaks and further branches */
+	}
+	if (!status && !automatic)
 		status = hawser_frf_trace(frf, &model->rom, &choice, report);
 	if (frf->points > 0) {
 		enum hawser_status located = locate_peaks(peak, result, &watch.progress, &choice,
@@ -277,6 +282,8 @@ static enum hawser_status write_result(struct cli_frf_result *result, int energy
 	if (!status)
 		cli_known_warn(result->model, fmax(result->from, result->to));
 	if (!status && cli_frf_slack(text, sizeof text, result))
+		cli_warn(text);
+	if (!status && cli_frf_lost(text, sizeof text, result))
 		cli_warn(text);
 	if (!status && cli_frf_gaps(text, sizeof text, result))
 		cli_warn(text);

@@ -199,6 +199,8 @@ static void warnings_json(struct hawser__json *json, json_t *into, const void *r
 	cli_warnings_json(json, cli_frf_slack(text, sizeof text, row) ? text : NULL);
 	if (cli_frf_gaps(text, sizeof text, row))
 		hawser__json_text(json, json_object_get(json->root, "warnings"), NULL, text);
+	if (cli_frf_lost(text, sizeof text, row))
+		hawser__json_text(json, json_object_get(json->root, "warnings"), NULL, text);
 }
 
 static int has_direction(const void *row, const void *parent)

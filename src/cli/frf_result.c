@@ -30,6 +30,7 @@ static const char *sentence(enum hawser_frf_end end)
 	case HAWSER_END_SLACK: return "the cable goes slack; beyond, the model's motion is not the "
 		                      "cable's (--slack follow shows it)";
 	case HAWSER_END_UNSTABLE: return "more multipliers are unstable than --unstable allows";
+	case HAWSER_END_LOST: return "unstable motions that could not be followed further";
 	case HAWSER_END_FAILED: return "the corrector failed; the curve is incomplete";
 	}
 	return "";
@@ -91,6 +92,21 @@ int cli_frf_gaps(char *text, size_t size, const struct cli_frf_result *result)
 		snprintf(text + used, size - (size_t)used, "%s: begin one there with --at, or look with "
 		         "--sweep both", cli_unit(result->model, " rad/s"));
 	return result->gaps > 0;
+}
+
+int cli_frf_lost(char *text, size_t size, const struct cli_frf_result *result)
+{
+	const struct hawser_frf *frf = result->frf;
+
+	for (int k = 0; frf->end != HAWSER_END_LOST && k < result->others; k++)
+		frf = result->other[k].frf;
+	if (frf->end != HAWSER_END_LOST)
+		return 0;
+	snprintf(text, size, "branch %d ends at Omega = %.9g%s among unstable motions, which can't be "
+	         "observed (%d unstable multipliers); the next could not be computed: %s", frf->branch,
+	         frf->point[frf->points - 1].omega*cli_per_omega(result->model),
+	         cli_unit(result->model, " rad/s"), frf->point[frf->points - 1].unstable, frf->lost);
+	return 1;
 }
 
 int cli_frf_slack(char *text, size_t size, const struct cli_frf_result *result)
@@ -179,11 +195,12 @@ static void comment_branch(struct hawser__table *table, const struct cli_frf_res
 	const struct hawser_frf *frf = result->frf;
 	double per_omega = cli_per_omega(result->model);
 
-	hawser__table_comment(table, "branch %d: from Omega = %.12g to %.12g%s, %d points, end: %s - %s",
-	                      frf->branch, frf->point[0].omega*per_omega,
+	hawser__table_comment(table, "branch %d: from Omega = %.12g to %.12g%s, %d points, "
+	                      "end: %s - %s%s%s", frf->branch, frf->point[0].omega*per_omega,
 	                      frf->point[frf->points - 1].omega*per_omega,
 	                      cli_unit(result->model, " rad/s"), frf->points,
-	                      hawser_frf_end_name(frf->end), sentence(frf->end));
+	                      hawser_frf_end_name(frf->end), sentence(frf->end), *frf->lost ? ": " : "",
+	                      frf->lost);
 	cli_fixed_comments(table, result);
 	for (int k = 0; k < frf->events; k++)
 		comment_event(table, result, k);
@@ -234,8 +251,8 @@ void cli_frf_comments(struct hawser__table *table, const void *of)
 	cli_speeding_comment(table, model, fmax(result->from, result->to));
 	if (cli_frf_slack(text, sizeof text, result))
 		hawser__table_comment(table, "warning: %s", text);
-	hawser__table_comment(table, "end: %s - %s", hawser_frf_end_name(frf->end),
-	                      sentence(frf->end));
+	hawser__table_comment(table, "end: %s - %s%s%s", hawser_frf_end_name(frf->end),
+	                      sentence(frf->end), *frf->lost ? ": " : "", frf->lost);
 	hawser__table_comment(table, "%d points", frf->points);
 	for (k = 0; k < result->others; k++)
 		comment_branch(table, &result->other[k]);

@@ -206,7 +206,7 @@ int hawser_cover_needed(const struct hawser_frf *first, const struct hawser_frf_
 	       (options->begin == 0.0 || options->begin == options->from) &&
 	       (first->end == HAWSER_END_RETURNED || first->end == HAWSER_END_SLACK ||
 	        first->end == HAWSER_END_AT_REST || first->end == HAWSER_END_CLOSED ||
-	        first->end == HAWSER_END_UNSTABLE);
+	        first->end == HAWSER_END_UNSTABLE || first->end == HAWSER_END_LOST);
 }
 
 enum hawser_status hawser_cover_trace(struct hawser_cover *cover, const struct hawser_frf *first,

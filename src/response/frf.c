@@ -14,7 +14,6 @@
 #include "response/shooting.h"
 #include "response/start.h"
 #include "response/trace.h"
-#include "rom/entries.h"
 
 #define FIRST_REFINEMENTS 3 /* refinements of the mesh at the first orbit; chosen */
 #define FIRST_STEP 0.05 /* relative to the orbit's size; short, since the first prediction has one
@@ -319,65 +318,6 @@ static enum hawser_status follow(struct hawser__trace *trace)
 	return status;
 }
 
-/* Whether any excitation of the model is not zero. */
-static int driven(const struct hawser_rom *rom)
-{
-	int found = 0;
-
-	for (int h = 0; h < rom->harmonics; h++) {
-		const struct hawser_harmonic *harmonic = &rom->harmonic[h];
-
-		for (int j = 0; harmonic->f && j < rom->n; j++)
-			found |= harmonic->f[j] != 0.0;
-		found |= harmonic->D || harmonic->K || harmonic->quads > 0;
-	}
-	return found;
-}
-
-static enum hawser_status check(const struct hawser_rom *rom,
-                                const struct hawser_frf_options *options,
-                                struct hawser_report *report)
-{
-	if (rom->ramp)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
-		                    "the speed of this cable changes once and for all (travel.braking), "
-		                    "so nothing repeats itself: integrate it in time, or set "
-		                    "travel.braking=0");
-	if (rom->harmonics == 0)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
-		                    "the model has no forcing: give the scene a load, a moving support or a "
-		                    "travel.fluctuation, or the model file a harmonic");
-	if (!driven(rom))
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
-		                    "the model has no forcing: the load does no work on any of the %d "
-		                    "modes kept; give it another direction or extent, or keep more "
-		                    "modes", rom->n);
-	if (!(options->from > 0.0) || !(options->to > 0.0) || options->from == options->to ||
-	    !isfinite(options->from) || !isfinite(options->to))
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
-		                    "frequency range from %.9g%s to %.9g%s: both ends must be "
-		                    "positive, finite and different",
-		                    HAWSER_SHOWN(rom, options->from), HAWSER_SHOWN(rom, options->to));
-	if (options->begin != 0.0 && !(options->begin >= fmin(options->from, options->to) &&
-	                               options->begin <= fmax(options->from, options->to)))
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
-		                    "start at %.9g%s, outside the range from %.9g%s to %.9g%s",
-		                    HAWSER_SHOWN(rom, options->begin),
-		                    HAWSER_SHOWN(rom, options->from), HAWSER_SHOWN(rom, options->to));
-	if (!(options->tolerance >= 1e-13 && options->tolerance <= 1e-2))
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
-		                    "tolerance %g: must be between 1e-13 and 1e-2",
-		                    options->tolerance);
-	if (options->segments < 0 || options->segments > HAWSER_MAX_SEGMENTS || options->max_points < 1 ||
-	    !(options->step_max > 0.0) || !(options->event_tolerance > 0.0))
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
-		                    "segments %d (0 to %d), max points %d (1 or more), largest step %g "
-		                    "and event tolerance %g (positive): one is out of range",
-		                    options->segments, HAWSER_MAX_SEGMENTS, options->max_points,
-		                    options->step_max, options->event_tolerance);
-	return hawser__numbers_check(rom, HAWSER_ERR_NAN, report);
-}
-
 static enum hawser_status open_trace(struct hawser__trace *trace, struct hawser_report *report)
 {
 	const struct hawser_rom *rom = trace->rom;
@@ -457,6 +397,18 @@ static enum hawser_status trace_once(int *jumped, struct hawser_frf *frf,
 	return status;
 }
 
+/* A branch whose last motions are unstable ends there, if the next one can't be computed. */
+static enum hawser_status end_lost(struct hawser_frf *frf, enum hawser_status status,
+                                   const struct hawser_report *report)
+{
+	if (status != HAWSER_ERR_CONVERGENCE || frf->points < 2 ||
+	    frf->point[frf->points - 1].unstable == 0)
+		return status;
+	frf->end = HAWSER_END_LOST;
+	memcpy(frf->lost, report->message, sizeof frf->lost);
+	return HAWSER_OK;
+}
+
 enum hawser_status hawser__frf_trace(struct hawser_frf *frf, const struct hawser_rom *rom,
                                      const struct hawser_frf_options *options,
                                      const struct hawser__trace_watch *watch,
@@ -471,7 +423,7 @@ enum hawser_status hawser__frf_trace(struct hawser_frf *frf, const struct hawser
 	if (rom->drag)
 		hawser__settle(&settled.tolerance, HAWSER__DRAG_TOLERANCE);
 	hawser_frf_settle(&settled);
-	if ((status = check(rom, &settled, report)))
+	if ((status = hawser__frf_check(rom, &settled, report)))
 		return status;
 	shorter = settled;
 	for (int jumps = 0; jumps == 0 || (jumped && jumps <= MOST_JUMPS); jumps++) {
@@ -479,6 +431,7 @@ enum hawser_status hawser__frf_trace(struct hawser_frf *frf, const struct hawser
 		status = trace_once(&jumped, frf, rom, &shorter, watch, &local);
 		shorter.step_max *= SHORTER;
 	}
+	status = end_lost(frf, status, &local);
 	for (int i = 0; i < frf->points; i++)
 		frf->undecided += frf->point[i].undecided > 0;
 	if (!status && frf->end != HAWSER_END_INTERRUPTED && settled.samples > 0 &&

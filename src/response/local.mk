@@ -61,6 +61,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/folds_walk.c \
 	%D%/folds_walk.h \
 	%D%/frf.c \
+	%D%/frf_check.c \
 	%D%/gauss.c \
 	%D%/hill_matrix.c \
 	%D%/hill_matrix.h \

@@ -21,7 +21,7 @@
  * the logarithms is about 1e-6. If that takes too many operations, only the relevant coordinates do,
  * and the error of the product (hawser__monodromy.loss) includes the unresolved ones. */
 #define STIFF_TURN 4.8
-#define RESOLVABLE 1e9       /* number of operations up to which the phases of all kept coordinates are
+#define RESOLVABLE 2e9       /* number of operations up to which the phases of all kept coordinates are
                               * resolved; chosen */
 #define STIFF_LEAST 12.0     /* least frequency, relative to Omega, that is resolved; chosen */
 

@@ -134,7 +134,8 @@ const char *hawser_event_name(enum hawser_event_kind kind)
 const char *hawser_frf_end_name(enum hawser_frf_end end)
 {
 	static const char *const name[] = {"end of the range", "returned", "curve closed",
-		"max-points", "interrupted", "failed", "at rest", "slack", "unstable"};
+		"max-points", "interrupted", "failed", "at rest", "slack", "unstable",
+		"lost"};
 
 	return (unsigned)end < sizeof name/sizeof *name ? name[end] : "unknown";
 }

@@ -129,6 +129,12 @@ void hawser__trace_mark(struct hawser__trace *trace);
 enum hawser_status hawser__trace_slacken(struct hawser__trace *trace, double from, double to,
                                          struct hawser_frf_event *event);
 
+/* frf_check.c: HAWSER_ERR_ARGUMENT: the range, another option, or a model without forcing;
+ * HAWSER_ERR_NAN. */
+enum hawser_status hawser__frf_check(const struct hawser_rom *rom,
+                                     const struct hawser_frf_options *options,
+                                     struct hawser_report *report);
+
 /* step.c: move next to the point at which the branch between here and next has Omega = bound. */
 enum hawser_status hawser__trace_cut(struct hawser__trace *trace, double bound);
 

@@ -233,7 +233,7 @@ enum hawser_status hawser__accuracy_attempt(struct hawser_accuracy *a, struct ha
                                             struct hawser_report *report)
 {
 	struct hawser_accuracy_try *this = &a->attempt[a->tries];
-	struct hawser_frf_options watched = *options;
+	struct hawser_frf_options watched = a->traced = *options;
 	double start = now();
 	enum hawser_status status = HAWSER_OK;
 

@@ -33,4 +33,22 @@ for lo, hi in sorted(covered):
     reach = max(reach, hi)
 assert reach >= high*(1 - 1e-9)
 END
+
+# The orbits of large amplitude grow by up to 1e9 over a period, too much for shooting in one segment.
+cat >escape.json <<'END'
+{"n": 1, "K": [[1]], "D": [[0.02]], "Q": [[0, 0, 0, -1.0]],
+ "harmonics": [{"k": 1, "phase": "cos", "f": [0.1]}]}
+END
+run frf escape.json --method shooting --segments 1 --from 1.5 --to 0.25 --tolerance 1e-3 --json lost.json -q
+try "unstable motions that can't be followed are no error" test "$status" -eq 0
+try "a warning" grep -q "branch 1 ends at Omega = .* among unstable motions, .*; the next could not be computed: " \
+	"$scratch/err"
+python "the end is lost, with the reason; another branch goes on" <<'END'
+import json
+lost = json.load(open("lost.json"))
+assert lost["end"] == "lost" and lost["points"][-1]["unstable"] == 1, lost["end"]
+assert any("could not be computed" in text for text in lost["warnings"]), lost["warnings"]
+branches = lost["branches"]
+assert min(p["Omega"] for p in branches[0]["points"]) < 0.3 < lost["points"][-1]["Omega"]
+END
 done_testing
