@@ -397,11 +397,13 @@ static enum hawser_status trace_once(int *jumped, struct hawser_frf *frf,
 	return status;
 }
 
-/* A branch whose last motions are unstable ends there, if the next one can't be computed. */
+/* With most_unstable, a branch whose last motions are unstable ends there if the next one can't be
+ * computed. */
 static enum hawser_status end_lost(struct hawser_frf *frf, enum hawser_status status,
+                                   const struct hawser_frf_options *options,
                                    const struct hawser_report *report)
 {
-	if (status != HAWSER_ERR_CONVERGENCE || frf->points < 2 ||
+	if (status != HAWSER_ERR_CONVERGENCE || !options->most_unstable || frf->points < 2 ||
 	    frf->point[frf->points - 1].unstable == 0)
 		return status;
 	frf->end = HAWSER_END_LOST;
@@ -431,7 +433,7 @@ enum hawser_status hawser__frf_trace(struct hawser_frf *frf, const struct hawser
 		status = trace_once(&jumped, frf, rom, &shorter, watch, &local);
 		shorter.step_max *= SHORTER;
 	}
-	status = end_lost(frf, status, &local);
+	status = end_lost(frf, status, &settled, &local);
 	for (int i = 0; i < frf->points; i++)
 		frf->undecided += frf->point[i].undecided > 0;
 	if (!status && frf->end != HAWSER_END_INTERRUPTED && settled.samples > 0 &&
