@@ -9,7 +9,8 @@ if ! command -v gnuplot >/dev/null; then
 	exit
 fi
 
-# draw NAME ARGUMENTS: PNG and PDF of two pictures only, and of all with HAWSER_LONG
+# draw NAME ARGUMENTS: PNG and PDF of two pictures only, the same picture twice of one a stage; of all with
+# HAWSER_LONG
 draw() {
 	name=$1
 	shift
@@ -25,6 +26,10 @@ draw() {
 			pdf) try "$name.pdf is PDF" test "$(head -c 4 "$name.pdf")" = %PDF ;;
 		esac
 	done
+	case $name in
+		statics|modes|waves|frf|integrate|folds) ;;
+		*) [ -n "${HAWSER_LONG-}" ] || return 0 ;;
+	esac
 	works "$name to standard output" "$@" --plot -
 	sed 's/^Produced by.*//' "$name.svg" >a
 	sed 's/^Produced by.*//' "$scratch/out" | try "is the same SVG" diff - a
@@ -142,11 +147,11 @@ works "compare.svg" compare modes "$chairlift" -n 3 --to 30 --plot compare.svg -
 shows compare "Time (ms); numbers: resolution" "Largest relative error of a frequency" spectral \
 	"its own choice"
 sound compare
-works "fidelities" compare "$top/notebooks-data/scenes/b-table-4.5.yaml" --from 0.8w1 --to 1.2w1 \
-	--fidelities "raw 3, condensed 2, condensed 3, condensed 5" --plot fidelities.svg -q
-shows fidelities "reference: condensed 5" "Frequency error of folds, peaks (–)" "raw (none found)"
+works "fidelities" compare "$top/notebooks-data/scenes/b-table-4.5.yaml" --from 0.9w1 --to 1.15w1 \
+	--fidelities "raw 3, condensed 2, condensed 3" --plot fidelities.svg -q
+shows fidelities "reference: condensed 3" "Frequency error of folds, peaks (–)" "raw (none found)"
 sound fidelities
-works "multiple scales" compare mms "$top/notebooks-data/scenes/b-table-4.5.yaml" -n 2 --levels 2 \
+works "multiple scales" compare mms "$top/notebooks-data/scenes/b-table-4.5.yaml" -n 2 --levels 2 --step 0.004 \
 	--set model.condense=static --plot scales.svg -q
 shows scales "multiple scales, quarter-span" "multiple scales, mid-span"
 sound scales
@@ -232,11 +237,11 @@ works "a plane in which nothing was found" hill --mathieu --x delta=5:6 --y epsi
 shows calm "no instability found"
 
 works "safe speeds" beam "$scenes/hoist-rope.yaml" --boundary beam.tension_end --from "5 kN" --to "40 kN" \
-	--points 9 --size 40 -n 3 --plot safe.svg -q
+	--points 4 --size 24 -n 3 --plot safe.svg -q
 shows safe "Tension at the end (kN)" 40 "stable up to here"
 try "no plain newtons" sh -c '! grep -q 40000 safe.svg'
 sound safe
-run beam "$scenes/d-figure-9.2.yaml" --vary beam.rho=0,10 --boundary beam.mu --from 5 --to 20 --points 2 \
+run beam "$scenes/d-figure-9.2.yaml" --vary beam.rho=0,10 --boundary beam.mu --from 5 --to 20 --points 2 --size 24 \
 	--plot weights.svg -q
 try "boundaries of two beams are drawn (status $status)" test "$status" -eq 0
 shows weights "ρ = 10, stable up to here" "Tension μ (–)" "Speed v (–)"
