@@ -34,6 +34,7 @@ dist_scenes_DATA = \
 	%D%/scenes/chairlift.yaml \
 	%D%/scenes/conductor.yaml \
 	%D%/scenes/conductor-spacers.yaml \
+	%D%/scenes/conductor-towers.yaml \
 	%D%/scenes/decay.tsv \
 	%D%/scenes/d-figure-9.1.yaml \
 	%D%/scenes/d-figure-9.10.yaml \

@@ -258,7 +258,7 @@ static int lumped_statics(double *x, const struct lumped *c)
 }
 
 /* c->straight: the static shape without bending stiffness, which takes the place of the start in x. */
-static int lumped_straighten(struct lumped *c, double *x)
+static inline int lumped_straighten(struct lumped *c, double *x)
 {
 	double EI = c->EI;
 	int done;
@@ -296,7 +296,7 @@ static inline void lumped_hold(struct lumped *c, double *x)
 }
 
 /* omega[count]: natural frequencies about the static shape x, rad/s. */
-static int lumped_frequencies(double *omega, int count, const struct lumped *c, const double *x)
+static inline int lumped_frequencies(double *omega, int count, const struct lumped *c, const double *x)
 {
 	static double K[3*LUMPED_MOST*LUMPED_ROWS], r[3*LUMPED_MOST], w[3*LUMPED_MOST];
 	static double A[3*LUMPED_MOST*(LUMPED_BAND + 1)];

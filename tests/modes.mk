@@ -105,3 +105,8 @@ check_PROGRAMS += tests/property/test-modes-space
 TESTS += tests/property/test-modes-space
 tests_property_test_modes_space_SOURCES = tests/property/test-modes-space.c tests/lumped-chain.h
 tests_property_test_modes_space_LDADD = $(UPTO_MODES) $(LAPACKE_LIBS)
+
+check_PROGRAMS += tests/property/test-statics-yield
+TESTS += tests/property/test-statics-yield
+tests_property_test_statics_yield_SOURCES = tests/property/test-statics-yield.c tests/lumped-chain.h
+tests_property_test_statics_yield_LDADD = $(UPTO_MODES) $(LAPACKE_LIBS)

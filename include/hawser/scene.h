@@ -167,6 +167,10 @@ struct hawser_scene {
 		int present;
 		double stiffness[3]; /* N/m, along x, y, z; INFINITY: rigid */
 		double mass;      /* kg, of an elastic support */
+		/* set by hawser_statics_case: 1 if `force` (N, along x, y, z) is the force of the cable in
+		 * the direction of +S at this end where the end is at its place */
+		int placed;
+		double force[3];
 		double motion[3]; /* m, along x, y, z, times cos(harmonic*Omega*t + phase) */
 		double phase;     /* rad */
 		int harmonic;     /* multiple of Omega, 1 to 20 */

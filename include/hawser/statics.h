@@ -57,7 +57,9 @@ struct hawser_attached {
 };
 
 /* An elastic support: springs along x, y and z between the end of the cable and a fixed foundation,
- * whose preload balances the static force of the cable, and a mass that moves with the end. */
+ * and a mass that moves with the end. The ends are at the places of the scene in the state whose
+ * tension is given, where the preload of the springs balances the cable; in the other state they have
+ * moved by the change of its force over the stiffness. */
 struct hawser_held {
 	double stiffness[3]; /* N/m, INFINITY: rigid */
 	double mass, m;      /* kg, and scaled: mass/(rho*d) */
@@ -117,6 +119,10 @@ struct hawser_statics {
 	 * of which Irvine's two parameters are, too. If 0, azimuth is not set. */
 	int space;
 	double azimuth[2];
+	/* of ends on springs that the static load or the change of temperature has moved, set by
+	 * hawser_statics_turn; else 0 */
+	double moved[2][3]; /* m, of ends A and B along x, y, z: the origin of the axes is where A is */
+	double imbalance;   /* N, largest component of spring force plus change of the cable's force */
 };
 
 /* A point of the profile, in the plane of the cable. */
@@ -167,7 +173,7 @@ int hawser_statics_held(struct hawser_held *held, const struct hawser_scene *sce
 /* Put the ends of a solved span on springs, or make them rigid again: held[2] for ends A and B, of
  * which the members stiffness and mass are read. The static solution remains as it is.
  * HAWSER_ERR_ARGUMENT if a stiffness is not positive, or a mass negative or infinite, or not zero at
- * an end that is rigid in all directions; or if the cable travels or is turned. */
+ * an end that is rigid in all directions; or if the cable travels. */
 enum hawser_status hawser_statics_hold(struct hawser_statics *statics, const struct hawser_held *held,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 
@@ -188,6 +194,13 @@ struct hawser_equivalent {
 	double axes[3][3];
 	double swing;
 	double gravity[3];       /* m/s^2, acceleration of the masses of attachments, along the axes */
+	/* 1 if the ends have moved on springs, so that d, h and the axes are those of where they are now */
+	int yields;
+	double moved[2][3];      /* m, displacements of ends A and B along x, y, z; 0 if `yields` is 0 */
+	/* of the springs, not set if `yields` is 0: stiffness, and force of the cable on each support (N,
+	 * along x, y, z) where the end is at its place */
+	struct hawser_held held[2];
+	double preload[2][3];
 };
 
 /* Statuses of hawser_statics_solve; HAWSER_ERR_NO_SOLUTION too if the load balances the weight,
@@ -208,7 +221,7 @@ enum hawser_status hawser_statics_reference(struct hawser_statics *statics,
 enum hawser_status hawser_statics_case(struct hawser_scene *to, const struct hawser_scene *scene,
                                        int index, struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* Set turned, axes and swing of a solution for equal->span. */
+/* Set turned, axes, swing, moved and imbalance of a solution for equal->span. */
 void hawser_statics_turn(struct hawser_statics *statics, const struct hawser_equivalent *equal);
 
 /* Convert a vector [3] in the axes of the cable's plane to one along x, y, z, and back. The two

@@ -361,6 +361,11 @@ static enum hawser_status solve_state(struct result *result, struct hawser_repor
 	struct hawser_equivalent equal;
 	enum hawser_status status = hawser_statics_equivalent(&equal, scene, report);
 
+	if (!status && equal.yields && result->model != hawser_statics_model(0))
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
+		                      "--model %s is for ends that stay where they are, and these have moved "
+		                      "on springs: leave it out, or leave support.A.stiffness and "
+		                      "support.B.stiffness out", result->model->name);
 	if (status)
 		return status;
 	status = scene->travel.present || scene->attachments > 0

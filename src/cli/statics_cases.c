@@ -38,6 +38,11 @@ const struct hawser__field cli_case_field[] = {
 	{"pull_A", NULL, "force of the cable on support A along x, y, z", ON(pull[0]),
 	 .unit = HAWSER__NEWTON},
 	{"pull_B", NULL, "the same on support B", ON(pull[1]), .unit = HAWSER__NEWTON},
+	{"moved_A", NULL, "displacement of end A on its springs along x, y, z", ON(moved[0]),
+	 .unit = HAWSER__METRE},
+	{"moved_B", NULL, "the same of end B", ON(moved[1]), .unit = HAWSER__METRE},
+	{"imbalance", NULL, "largest force by which springs and cable differ", ON(imbalance),
+	 .unit = HAWSER__NEWTON},
 	HAWSER__END,
 };
 #undef ON
@@ -62,16 +67,6 @@ static void fill(struct cli_case *row, const struct hawser_scene *scene)
 	row->length = st.length;
 }
 
-static int on_springs(const struct hawser_scene *scene)
-{
-	int springs = 0;
-
-	for (int end = 0; end < 2; end++)
-		for (int axis = 0; axis < 3; axis++)
-			springs += isfinite(scene->support[end].stiffness[axis]);
-	return springs > 0;
-}
-
 enum hawser_status cli_cases_fill(struct cli_cases *cases, const struct hawser_scene *scene,
                                   struct hawser_report *report)
 {
@@ -82,11 +77,6 @@ enum hawser_status cli_cases_fill(struct cli_cases *cases, const struct hawser_s
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
 		                    "--cases is for a scene with load cases: add, for example, cases: "
 		                    "[{name: ice, load: {static: {mass: 0.9 kg/m}}}]");
-	if (on_springs(scene))
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
-		                    "--cases contradicts the stiffness of supports: ends on springs give "
-		                    "way when the load changes, and statics keeps them in place; leave the "
-		                    "stiffness out: rigid ends overstate the change of the tension");
 	cases->row = calloc((size_t)scene->cases + 1, sizeof *cases->row);
 	if (!cases->row)
 		return hawser__no_memory(report, "statics");
@@ -122,6 +112,8 @@ void cli_cases_rows(struct hawser__table *table, const struct cli_cases *cases)
 		if (cases->row[i].status)
 			hawser__table_comment(table, "case %s: no solution: %s", cases->row[i].name,
 			                      cases->row[i].why);
+		else if (cases->row[i].loaded.elastic)
+			cli_moved_comment(table, cases->row[i].name, &cases->row[i].loaded);
 	hawser__fields_columns(table, cli_case_field, &view);
 	for (int i = 0; i < cases->rows; i++)
 		hawser__fields_row(table, cli_case_field,

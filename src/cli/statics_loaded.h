@@ -12,9 +12,13 @@ struct cli_loaded {
 	double swing, sag_vertical, blowout; /* rad, m, m */
 	double force[3];                     /* N/m, along x, y, z */
 	double pull[2][3];                   /* N, on supports A and B, along x, y, z */
+	int elastic;                         /* 1: the supports are */
+	double moved[2][3], imbalance;       /* m, N: of struct hawser_statics */
 };
 extern const struct hawser__field cli_loaded_field[];
 void cli_loaded_comments(struct hawser__table *table, const struct cli_loaded *loaded);
+/* Where the ends on springs are, in the state or case `name`. */
+void cli_moved_comment(struct hawser__table *table, const char *name, const struct cli_loaded *loaded);
 
 /* From the state of the scene, at rest or travelling (with the apparent quantities). */
 enum hawser_status cli_loaded_fill(struct cli_loaded *loaded, const struct hawser_statics *statics,

@@ -13,6 +13,8 @@ struct hawser__place cli_place(const struct hawser_statics *st, const struct haw
 	double place[3], tangent[3];
 
 	hawser_statics_to_global(st, place, at);
+	for (int c = 0; c < 3; c++)
+		place[c] += st->moved[0][c];
 	hawser_statics_to_global(st, tangent, st->space ? in->tangent : along);
 	return (struct hawser__place){in->S, place[0], place[1], in->T, tangent[1]/tangent[0], place[2]};
 }
@@ -28,7 +30,7 @@ const struct hawser__field cli_mark_field[] = {
 	{"S", NULL, "unstretched arclength from end A", OF(before.S), .unit = HAWSER__METRE},
 	{"x", NULL, "distance from end A", OF(before.x), .unit = HAWSER__METRE},
 	{"y", NULL, "height above end A", OF(before.y), .unit = HAWSER__METRE},
-	{"z", NULL, "distance from the vertical plane through the ends", OF(before.z),
+	{"z", NULL, "distance from the vertical plane through the places of the ends", OF(before.z),
 	 .unit = HAWSER__METRE},
 	{"mass", NULL, "point mass, kg", OF(mass)},
 	{"T_before", NULL, "tension on the side of end A", OF(before.T), .unit = HAWSER__NEWTON},

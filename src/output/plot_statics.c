@@ -27,8 +27,10 @@ static void data(FILE *script, const struct hawser__span_picture *of, double uni
 	fputs("END\n$attached << END\n", script);
 	for (i = 0; i < of->kinks; i++)
 		line(script, &of->kink[2*i], unit);
-	fprintf(script, "END\n$chord << END\n0 0 0 0\n%.9g %.9g 0 0\nEND\n", of->scene->span.d,
-	        of->scene->span.h);
+	fputs("END\n$chord << END\n", script); /* from where one end is to where the other is */
+	line(script, &of->profile[0], unit);
+	line(script, &of->profile[of->points - 1], unit);
+	fputs("END\n", script);
 }
 
 /* A cable that hangs in another plane may be beside its ends in x too. */

@@ -12,6 +12,9 @@
  * equations of motion are those of such a cable too, as w does no other work. This is exact. c.x' is
  * computed as |c x up|: where the chord is nearly parallel to w, c - (c.up) up would cancel.
  *
+ * The ends are at the places of the scene in the state whose tension is given. In the other state ends
+ * on springs have moved (yield.c), and c is the chord between where they are then.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -22,6 +25,7 @@
 #include "statics/catenary.h"
 #include "statics/loaded.h"
 #include "statics/travel.h"
+#include "statics/yield.h"
 
 static const char where[] = "statics";
 /* Round-off of the sum of two forces that cancel, and of the direction of a chord; relative. */
@@ -39,42 +43,46 @@ static double norm(const double v[3])
 	return hypot(hypot(v[0], v[1]), v[2]);
 }
 
-/* Angle about the chord from the vertical plane to that of the cable, positive towards z. */
-static double swing_of(const double normal[3], const struct hawser_span *span)
+static void cross(double v[3], const double a[3], const double b[3])
 {
-	double c = hypot(span->d, span->h);
+	for (int i = 0; i < 3; i++)
+		v[i] = a[(i + 1)%3]*b[(i + 2)%3] - a[(i + 2)%3]*b[(i + 1)%3];
+}
 
-	return atan2((normal[1]*span->d - normal[0]*span->h)/c, normal[2]);
+/* Angle about the chord from the vertical plane to that of the cable, positive towards z. */
+static double swing_of(const double normal[3], const double chord[3])
+{
+	double level = hypot(chord[0], chord[2]), along[3];
+	const double vertical[3] = {-chord[2]/level, 0.0, chord[0]/level};
+
+	cross(along, normal, vertical);
+	return atan2((along[0]*chord[0] + along[1]*chord[1] + along[2]*chord[2])/norm(chord),
+	             normal[0]*vertical[0] + normal[2]*vertical[2]);
 }
 
 /* The span in the plane of the chord and w, and the axes of this plane. */
 static enum hawser_status turn(struct hawser_equivalent *equal, const double w[3],
-                               struct hawser_report *report)
+                               const double chord[3], struct hawser_report *report)
 {
 	double *across = equal->axes[0], *up = equal->axes[1], *normal = equal->axes[2];
-	const struct hawser_span level = equal->span;
 	double force = norm(w), d;
 
 	for (int i = 0; i < 3; i++)
 		up[i] = -w[i]/force;
-	normal[0] = level.h*up[2];
-	normal[1] = -level.d*up[2];
-	normal[2] = level.d*up[1] - level.h*up[0];
+	cross(normal, chord, up);
 	d = norm(normal);
-	if (!(d > parallel*hypot(level.d, level.h)))
+	if (!(d > parallel*norm(chord)))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
 		                    "weight and load.static together, (%g, %g, %g) N/m, act along the chord "
 		                    "of the span: such a cable hangs like a vertical one, which H does not "
 		                    "describe; change the load or the span", w[0], w[1], w[2]);
 	for (int i = 0; i < 3; i++)
 		normal[i] /= d;
-	across[0] = up[1]*normal[2] - up[2]*normal[1];
-	across[1] = up[2]*normal[0] - up[0]*normal[2];
-	across[2] = up[0]*normal[1] - up[1]*normal[0];
+	cross(across, up, normal);
 	equal->turned = 1;
-	equal->swing = swing_of(normal, &level);
+	equal->swing = swing_of(normal, chord);
 	equal->span.d = d;
-	equal->span.h = level.d*up[0] + level.h*up[1];
+	equal->span.h = chord[0]*up[0] + chord[1]*up[1] + chord[2]*up[2];
 	return HAWSER_OK;
 }
 
@@ -98,28 +106,34 @@ static enum hawser_status refuse_attached(const struct hawser_scene *scene,
 	return HAWSER_OK;
 }
 
-/* The loaded span, without what gives its tension. */
+/* The span between ends with the given chord, with the static load of the scene, without what gives
+ * its tension. */
 static enum hawser_status apply(struct hawser_equivalent *equal, const struct hawser_scene *scene,
-                                struct hawser_report *report)
+                                const double chord[3], struct hawser_report *report)
 {
-	const double *p = scene->static_load.per_length;
-	double rho = scene->cable.rho + scene->static_load.mass, weight = rho*scene->g;
+	static const double none[3] = {0.0};
+	int loaded = scene->static_load.present;
+	const double *p = loaded ? scene->static_load.per_length : none;
+	double rho = scene->cable.rho + (loaded ? scene->static_load.mass : 0.0), weight = rho*scene->g;
 	double w[3] = {p[0], p[1] - weight, p[2]}, force = norm(w);
+	enum hawser_status status = loaded ? refuse_attached(scene, report) : HAWSER_OK;
 
-	enum hawser_status status = refuse_attached(scene, report);
-
+	bare(&equal->span, scene);
 	equal->span.rho = rho;
+	equal->span.d = chord[0];
+	equal->span.h = chord[1];
 	if (status)
 		return status;
-	if (!(isfinite(force) && force > nothing*(weight + norm(p))))
+	if (!(isfinite(force) && force > nothing*(weight + norm(p))) && loaded)
 		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, where,
 		                    "load.static and the weight of %g N/m leave a force of %g N/m on the "
 		                    "cable: without any force its shape is not determined; change the load",
 		                    weight, force);
-	equal->span.g = force/rho;
-	if (p[0] == 0.0 && p[2] == 0.0 && w[1] < 0.0)
+	if (loaded)
+		equal->span.g = force/rho;
+	if (p[0] == 0.0 && p[2] == 0.0 && w[1] < 0.0 && chord[2] == 0.0)
 		return HAWSER_OK;
-	status = turn(equal, w, report);
+	status = turn(equal, w, chord, report);
 	for (int i = 0; i < 3; i++)
 		equal->gravity[i] = -scene->g*equal->axes[i][1];
 	return status;
@@ -176,6 +190,42 @@ static enum hawser_status given_again(struct hawser_equivalent *equal, const str
 	return status;
 }
 
+/* The span between the places of the ends. */
+static enum hawser_status between_places(struct hawser_equivalent *equal,
+                                         const struct hawser_scene *scene,
+                                         struct hawser_report *report)
+{
+	const double chord[3] = {scene->span.d, scene->span.h, 0.0};
+
+	*equal = (struct hawser_equivalent){.axes = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+	                                    .given = scene->tension.given,
+	                                    .value = scene->tension.value,
+	                                    .branch = scene->tension.branch,
+	                                    .gravity = {0.0, -scene->g, 0.0}};
+	return apply(equal, scene, chord, report);
+}
+
+/* Let the ends move on their springs, from where they carry rest[2]. */
+static enum hawser_status give_way(struct hawser_equivalent *equal, const struct hawser_scene *scene,
+                                   double rest[2][3], struct hawser_report *report)
+{
+	double chord[3];
+	enum hawser_status status = hawser__yield(equal, chord, scene, rest, report);
+
+	return status ? status : apply(equal, scene, chord, report);
+}
+
+/* A length that is given, between ends that hawser_statics_case has placed. */
+static enum hawser_status placed(struct hawser_equivalent *equal, const struct hawser_scene *scene,
+                                 struct hawser_report *report)
+{
+	double rest[2][3];
+
+	for (int end = 0; end < 2; end++)
+		memcpy(rest[end], scene->support[end].force, sizeof rest[end]);
+	return give_way(equal, scene, rest, report);
+}
+
 enum hawser_status hawser_statics_equivalent(struct hawser_equivalent *equal,
                                              const struct hawser_scene *scene,
                                              struct hawser_report *report)
@@ -183,57 +233,78 @@ enum hawser_status hawser_statics_equivalent(struct hawser_equivalent *equal,
 	const double down[3] = {0.0, -scene->g, 0.0};
 	struct hawser_span span;
 	struct hawser_statics reference;
-	double stretch;
+	double stretch, rest[2][3];
 	enum hawser_status status = stretch_of(&stretch, scene, report);
+	int moved = scene->support[0].placed;
 
-	*equal = (struct hawser_equivalent){.axes = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
-	                                    .given = scene->tension.given,
-	                                    .value = scene->tension.value,
-	                                    .branch = scene->tension.branch,
-	                                    .gravity = {0.0, -scene->g, 0.0}};
-	equal->span = *bare(&span, scene);
-	if (!status && scene->static_load.present)
-		status = apply(equal, scene, report);
-	if (status || scene->tension.state == HAWSER_STATE_LOADED || !changed(scene))
+	if (!status)
+		status = between_places(equal, scene, report);
+	if (status || scene->tension.state == HAWSER_STATE_LOADED || !(changed(scene) || moved))
 		return status;
-	status = at_rest(&reference, &span, equal->given, equal->value, equal->branch, scene, down,
-	                 report);
+	if (moved) {
+		equal->value *= stretch;
+		return placed(equal, scene, report);
+	}
+	status = at_rest(&reference, bare(&span, scene), equal->given, equal->value, equal->branch, scene,
+	                 down, report);
 	if (status)
 		return status;
 	equal->given = HAWSER_GIVEN_LENGTH0;
 	equal->value = stretch*reference.length0;
 	equal->branch = HAWSER_BRANCH_TAUT;
-	return given_again(equal, scene, report);
+	if (!hawser__on_springs(scene))
+		return given_again(equal, scene, report);
+	hawser__end_forces(rest, &reference);
+	return give_way(equal, scene, rest, report);
+}
+
+/* *st: the span of *equal at rest. */
+static enum hawser_status solve(struct hawser_statics *st, const struct hawser_equivalent *equal,
+                                const struct hawser_scene *scene, struct hawser_report *report)
+{
+	enum hawser_status status = at_rest(st, &equal->span, equal->given, equal->value, equal->branch,
+	                                    scene, equal->gravity, report);
+
+	if (!status)
+		hawser_statics_turn(st, equal);
+	return status;
 }
 
 enum hawser_status hawser_statics_reference(struct hawser_statics *st,
                                             const struct hawser_scene *scene,
                                             struct hawser_report *report)
 {
-	const double down[3] = {0.0, -scene->g, 0.0};
-	struct hawser_equivalent equal;
-	struct hawser_span span;
-	double stretch;
+	struct hawser_equivalent equal, before;
+	struct hawser_scene bare_scene = *scene;
+	double stretch, rest[2][3];
+	int other = scene->tension.state == HAWSER_STATE_LOADED && changed(scene);
 	enum hawser_status status = stretch_of(&stretch, scene, report);
 
-	if (status)
-		return status;
-	bare(&span, scene);
-	if (scene->tension.state == HAWSER_STATE_REFERENCE || !changed(scene))
-		return at_rest(st, &span, scene->tension.given, scene->tension.value,
-		               scene->tension.branch, scene, down, report);
-	status = hawser_statics_equivalent(&equal, scene, report);
+	bare_scene.static_load.present = bare_scene.temperature.present = 0;
+	if (!status && other)
+		status = hawser_statics_equivalent(&equal, scene, report);
+	if (!status && other)
+		status = solve(st, &equal, scene, report);
 	if (!status)
-		status = at_rest(st, &equal.span, equal.given, equal.value, equal.branch, scene, equal.gravity,
-		                 report);
-	return status ? status : at_rest(st, &span, HAWSER_GIVEN_LENGTH0, st->length0/stretch,
-	                                 HAWSER_BRANCH_TAUT, scene, down, report);
+		status = between_places(&before, &bare_scene, report);
+	if (!status && other) {
+		before.given = HAWSER_GIVEN_LENGTH0;
+		before.value = st->length0/stretch;
+		before.branch = HAWSER_BRANCH_TAUT;
+		hawser__end_forces(rest, st);
+	}
+	if (!status && other && hawser__on_springs(scene))
+		status = give_way(&before, &bare_scene, rest, report);
+	if (!status && scene->support[0].placed)
+		status = placed(&before, &bare_scene, report);
+	return status ? status : solve(st, &before, &bare_scene, report);
 }
 
 enum hawser_status hawser_statics_case(struct hawser_scene *to, const struct hawser_scene *scene,
                                        int index, struct hawser_report *report)
 {
-	struct hawser_statics reference;
+	struct hawser_statics reference, given;
+	double rest[2][3];
 	enum hawser_status status = HAWSER_OK;
 
 	hawser_scene_case(to, scene, index);
@@ -244,24 +315,27 @@ enum hawser_status hawser_statics_case(struct hawser_scene *to, const struct haw
 	to->tension.given = HAWSER_GIVEN_LENGTH0;
 	to->tension.value = reference.length0;
 	to->tension.branch = HAWSER_BRANCH_TAUT;
+	if (status || !hawser__on_springs(scene))
+		return status;
+	status = hawser_statics_scene(&given, scene, report);
+	hawser__end_forces(rest, &given);
+	for (int end = 0; end < 2; end++) {
+		to->support[end].placed = 1;
+		memcpy(to->support[end].force, rest[end], sizeof rest[end]);
+	}
 	return status;
 }
 
 /* The swing of the plane of the chord and of all forces together. */
 static void swing_of_all(struct hawser_statics *st)
 {
-	double total[3], chord[3] = {st->span.d, st->span.h, 0.0};
-	struct hawser_span level = st->span;
+	double total[3], normal[3], chord[3] = {st->span.d, st->span.h, 0.0};
 
 	hawser__space_total(total, st);
 	hawser_statics_to_global(st, total, total);
 	hawser_statics_to_global(st, chord, chord);
-	level.d = chord[0];
-	level.h = chord[1];
-	const double normal[3] = {-chord[1]*total[2], chord[0]*total[2],
-	                          chord[1]*total[0] - chord[0]*total[1]};
-
-	st->swing = swing_of(normal, &level);
+	cross(normal, total, chord);
+	st->swing = swing_of(normal, chord);
 }
 
 void hawser_statics_turn(struct hawser_statics *st, const struct hawser_equivalent *equal)
@@ -271,6 +345,7 @@ void hawser_statics_turn(struct hawser_statics *st, const struct hawser_equivale
 	st->swing = equal->swing;
 	if (st->space)
 		swing_of_all(st);
+	hawser__yield_moved(st, equal);
 }
 
 void hawser_statics_to_global(const struct hawser_statics *st, double global[3], const double v[3])

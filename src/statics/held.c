@@ -1,5 +1,5 @@
-/* statics/held.c - elastic supports. The shape of the cable is not theirs: it is given with its ends
- * where they are in equilibrium, and the preload of the springs is the static force of the cable.
+/* statics/held.c - elastic supports of a solved span, whose ends are where they are in equilibrium
+ * (yield.c): the preload of the springs is the static force of the cable.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -52,8 +52,6 @@ int hawser_statics_held(struct hawser_held *held, const struct hawser_scene *sce
 enum hawser_status hawser_statics_hold(struct hawser_statics *st, const struct hawser_held *held,
                                        struct hawser_report *report)
 {
-	const char *contradicts = st->motion.nu != 0.0 ? "travel" : st->turned ? "load.static" : NULL;
-
 	st->elastic = 0;
 	for (int end = 0; end < 2; end++) {
 		enum hawser_status status = check(&held[end], "AB"[end], report);
@@ -65,10 +63,9 @@ enum hawser_status hawser_statics_hold(struct hawser_statics *st, const struct h
 		for (int axis = 0; axis < 3; axis++)
 			st->elastic |= isfinite(held[end].stiffness[axis]);
 	}
-	if (!st->elastic || !contradicts)
+	if (!st->elastic || st->motion.nu == 0.0)
 		return HAWSER_OK;
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
-	                    "support.A.stiffness and support.B.stiffness contradict %s: elastic supports "
-	                    "of a cable that %s are not modelled, remove one of them", contradicts,
-	                    st->turned ? "hangs in another plane" : "travels");
+	                    "support.A.stiffness and support.B.stiffness contradict travel: elastic "
+	                    "supports of a cable that travels are not modelled, remove one of them");
 }

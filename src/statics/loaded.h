@@ -17,12 +17,19 @@ struct hawser__load_point {
 	double force[3]; /* N, along x, y, z: (0, -W, 0) in one plane */
 };
 
+/* Ends on springs (yield.c), along the axes of the cable: with the force rest + F at end A, the chord
+ * is `chord` - C F. */
+struct hawser__soft {
+	double C[3][3], chord[3], rest[3];
+};
+
 struct hawser__loaded {
 	double EA, w, d, h; /* N, N/m, m, m */
 	int count;
 	struct hawser__load_point load[HAWSER_ATTACH_MAX]; /* [count], ascending S for the length that
 	                                                    * `sort` has seen */
 	double weight;   /* N, of all loads */
+	const struct hawser__soft *soft; /* NULL: both ends stay where they are */
 	double H, V0, L; /* the state */
 	int iterations;
 };
@@ -50,6 +57,16 @@ void hawser__loaded_sort(struct hawser__loaded *cable, int *order);
 enum hawser_status hawser__loaded_place(struct hawser_statics *st, const struct hawser__loaded *cable,
                                         const int *order, const struct hawser_attachment *attach,
                                         struct hawser_report *report);
+
+/* *cable without its length, and order[count], in the order of the length L. */
+void hawser__loaded_begin(struct hawser__loaded *cable, int *order, const struct hawser_span *span,
+                          const struct hawser_attachment *attach, int count, const double gravity[3],
+                          double L);
+
+/* F: force at end A of the equilibrium of *cable, whose length is given, along its axes; if it is soft,
+ * without soft->rest. */
+enum hawser_status hawser__space_force(double F[3], struct hawser__loaded *cable, int *order,
+                                       const struct hawser_span *span, struct hawser_report *report);
 
 /* The equilibrium in space (space.c) of a cable whose loads are not along y. Sets all of *st but the
  * attachments, and L and the order of *cable. */

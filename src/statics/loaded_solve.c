@@ -190,10 +190,9 @@ void hawser__loaded_sort(struct hawser__loaded *cable, int *order)
 		}
 }
 
-/* The loads, and the span with their weight spread over the length of the chord. */
-static void begin(struct hawser__loaded *cable, int *order, const struct hawser_span *span,
-                  const struct hawser_attachment *attach, int count, const double gravity[3],
-                  double length)
+void hawser__loaded_begin(struct hawser__loaded *cable, int *order, const struct hawser_span *span,
+                          const struct hawser_attachment *attach, int count, const double gravity[3],
+                          double length)
 {
 	*cable = (struct hawser__loaded){.EA = span->EA, .w = span->rho*span->g, .d = span->d,
 	                                 .h = span->h, .count = count, .L = length};
@@ -428,7 +427,8 @@ enum hawser_status hawser_statics_weighted(struct hawser_statics *st, const stru
 		                      "%d attachments: give 0 to %d", count, HAWSER_ATTACH_MAX);
 	if (status)
 		return status;
-	begin(&cable, order, span, attach, count, gravity, hypot(span->d, span->h));
+	hawser__loaded_begin(&cable, order, span, attach, count, gravity,
+	                     hypot(span->d, span->h));
 	if (without_loads(&cable)) {
 		status = hawser_statics_solve(st, span, given, value, branch, report);
 		cable.L = st->length0;

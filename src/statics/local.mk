@@ -26,4 +26,6 @@ noinst_LTLIBRARIES += %D%/libstatics.la
 	%D%/precision.c \
 	%D%/profile.c \
 	%D%/profile_space.c \
-	%D%/space.c
+	%D%/space.c \
+	%D%/yield.c \
+	%D%/yield.h

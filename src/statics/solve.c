@@ -6,6 +6,7 @@
 #include <float.h>
 #include <math.h>
 #include <stddef.h>
+#include <string.h>
 
 #include "core/report.h"
 #include "statics/catenary.h"
@@ -223,6 +224,8 @@ enum hawser_status hawser_statics_solve(struct hawser_statics *st, const struct 
 	st->turned = 0;
 	st->space = 0;
 	st->bending = (struct hawser_bending){0};
+	memset(st->moved, 0, sizeof st->moved);
+	st->imbalance = 0.0;
 	fill(st, &cat, &chord);
 	st->error = hawser__statics_precision(&cat, &chord, given, end);
 	if (!representable(st))

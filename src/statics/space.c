@@ -18,6 +18,9 @@
  * derivative along the step has decreased converges from any F. It begins with the force of the plane
  * catenary under all loads, spread evenly, with the moment of the loads where they are.
  *
+ * Of ends on springs (yield.c) the unknown is the change F of the force, C F is added to r, and C to K:
+ * Phi gains the energy of the springs and remains convex.
+ *
  * A tension at an end is searched over the length, on the given side of its least value, as in
  * loaded_solve.c.
  *
@@ -84,12 +87,26 @@ static void piece(struct reach *to, const struct hawser__loaded *cable, const do
 	to->K[1][1] += lift;
 }
 
+/* The springs, and the force at end A. */
+static void yield(struct reach *to, double f[3], const struct hawser__soft *soft, const double F[3])
+{
+	for (int i = 0; i < 3; i++) {
+		f[i] += soft->rest[i];
+		for (int k = 0; k < 3; k++) {
+			to->r[i] += soft->C[i][k]*F[k];
+			to->K[i][k] += soft->C[i][k];
+		}
+	}
+}
+
 /* From F to end B. */
 static void reach_of(struct reach *to, const struct hawser__loaded *cable, const double F[3])
 {
 	double f[3] = {F[0], F[1], F[2]}, from = 0.0, from_L = 0.0;
 
 	*to = (struct reach){.length = 0.0};
+	if (cable->soft)
+		yield(to, f, cable->soft, F);
 	for (int i = 0; i <= cable->count; i++) {
 		double S_L = 1.0, S = i < cable->count ? hawser__load_place(cable, i, &S_L) : cable->L;
 
@@ -104,10 +121,12 @@ static void reach_of(struct reach *to, const struct hawser__loaded *cable, const
 	}
 }
 
-/* x = K^-1 b. K is positive definite, but for a straight inextensible cable. */
-static void solve(double x[3], double K[3][3], const double b[3])
+/* x = K^-1 b. K is positive definite, but for a straight inextensible cable between rigid ends. */
+static void solve(double x[3], double K[3][3], const double b[3], const struct hawser__soft *soft)
 {
-	hawser__solve3(x, K, b, 4.0*DBL_EPSILON*DBL_EPSILON*(K[0][0] + K[1][1] + K[2][2]));
+	double trace = K[0][0] + K[1][1] + K[2][2];
+
+	hawser__solve3(x, K, b, soft ? DBL_MIN : 4.0*DBL_EPSILON*DBL_EPSILON*trace);
 }
 
 /* The span of a cable under all loads, spread over the length, in its plane; axis: x' and y' of it. */
@@ -175,10 +194,10 @@ static int improve(struct solved *at, const struct hawser__loaded *cable, const 
 
 	for (int c = 0; c < 3; c++)
 		gap[c] = chord[c] - at->at.r[c];
-	solve(step, at->at.K, gap);
+	solve(step, at->at.K, gap, cable->soft);
 	slope = dot(gap, step);
 	before = norm(gap);
-	moved = norm(step)/norm(at->F);
+	moved = norm(step)/fmax(norm(at->F), DBL_MIN);
 	for (int tries = 0; tries < 60; tries++) {
 		double left;
 
@@ -205,15 +224,18 @@ static int improve(struct solved *at, const struct hawser__loaded *cable, const 
 static enum hawser_status at_length(struct solved *at, struct hawser__loaded *cable, int *order,
                                     const struct hawser_span *span, struct hawser_report *report)
 {
-	const double chord[3] = {span->d, span->h, 0.0};
+	const struct hawser__soft *soft = cable->soft;
+	const double rigid[3] = {span->d, span->h, 0.0}, *chord = soft ? soft->chord : rigid;
 	double gap[3], unused;
 	enum hawser_status status;
 
 	hawser__loaded_sort(cable, order);
 	status = begin(at->F, &unused, cable, span, HAWSER_GIVEN_LENGTH0, cable->L, HAWSER_BRANCH_TAUT,
-	               report);
-	if (status)
+	               soft ? NULL : report);
+	if (status && !soft)
 		return status;
+	for (int c = 0; c < 3 && soft; c++) /* springs may let hang what does not reach rigid ends */
+		at->F[c] = status ? 0.0 : at->F[c] - soft->rest[c];
 	reach_of(&at->at, cable, at->F);
 	for (int i = 0; i < ITERATIONS; i++) {
 		cable->iterations++;
@@ -222,15 +244,26 @@ static enum hawser_status at_length(struct solved *at, struct hawser__loaded *ca
 	}
 	for (int c = 0; c < 3; c++)
 		gap[c] = at->at.r[c] - chord[c];
-	solve(at->F_L, at->at.K, at->at.r_L);
+	solve(at->F_L, at->at.K, at->at.r_L, soft);
 	for (int c = 0; c < 3; c++)
 		at->F_L[c] = -at->F_L[c];
-	if (norm(gap) <= 1e-9*(norm(chord) + at->at.length))
+	if (norm(gap) <= 1e-9*(norm(rigid) + at->at.length))
 		return HAWSER_OK;
 	return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, where,
 	                    "no equilibrium of this span with its attachments and its static load was "
 	                    "found within the range of double-precision numbers: check loads, masses, "
-	                    "tension and EA");
+	                    "tension, EA and the stiffness of supports");
+}
+
+enum hawser_status hawser__space_force(double F[3], struct hawser__loaded *cable, int *order,
+                                       const struct hawser_span *span, struct hawser_report *report)
+{
+	struct solved at;
+	enum hawser_status status = at_length(&at, cable, order, span, report);
+
+	for (int c = 0; c < 3; c++)
+		F[c] = at.F[c];
+	return status;
 }
 
 /* Tension at the given end, and its logarithmic derivative by L. */

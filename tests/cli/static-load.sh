@@ -57,6 +57,34 @@ text = open("failed.tsv").read()
 assert "# case lifted: no solution: load.static and the weight" in text and "\nlifted\t\t\t" in text
 assert r["scene"]["cases"][2]["load"]["static"]["mass"] == 1.6
 END
+towers=$top/notebooks-data/scenes/conductor-towers.yaml
+works "load cases of ends on springs" statics "$towers" --points 3 --cases --json towers.json --tsv towers.tsv
+works "the same between rigid ends" statics "$towers" --points 3 --cases --json rigid.json \
+	--set 'support.A.stiffness=[.inf, .inf, .inf]' --set 'support.B.stiffness=[.inf, .inf, .inf]'
+works "one of the cases" statics "$towers" --points 3 --json windy.json \
+	--set 'load.static={mass: 0.9 kg/m, per_length: [0, 0, 12 N/m]}'
+python "each case says where its ends are, and the tension changes less" <<'END'
+import json
+r, s, w = (json.load(open(n + ".json")) for n in ("towers", "rigid", "windy"))
+first = r["cases"][0]
+assert first["moved_A"] == first["moved_B"] == [0, 0, 0] and first["H"] == 28000
+k = {"A": [6e5, None, 4e5], "B": [6e4, 2e6, 4e4]}
+for c, d in zip(r["cases"][1:], s["cases"][1:]):
+    assert 28000 < c["H"] < d["H"] and c["imbalance"] < 1e-8 and d["moved_B"] == [0, 0, 0]
+    for e in "AB":
+        for a in range(3):
+            u, p = c["moved_" + e][a], c["pull_" + e][a] - first["pull_" + e][a]
+            assert (u == 0 if k[e][a] is None else abs(k[e][a] * u - p) < 1e-8), (c["name"], e, a)
+one = r["cases"][3]
+for key in "H", "T0", "sag":
+    assert one[key] == w[key], key
+l, end = w["loaded"], w["profile"][-1]
+assert l["moved_A"] == one["moved_A"] and l["moved_B"] == one["moved_B"]
+assert abs(end[1] - 400 - l["moved_B"][0]) < 1e-9 and abs(w["profile_z"][-1] - l["moved_B"][2]) < 1e-9
+assert w["profile"][0][1] == l["moved_A"][0]
+text = open("towers.tsv").read()
+assert "# ice: moved_B = -0." in text
+END
 refuses_like 1 'add, for example, cases' statics "$top/notebooks-data/scenes/chairlift.yaml" --cases
 works "a picture of load cases" statics "$scene" --cases --plot cases.svg -q
 python "" <<'END'

@@ -181,6 +181,8 @@ static void place(double x[3], const struct hawser_statics *st, double part)
 	const double in[3] = {at.x, at.y, at.z};
 
 	hawser_statics_to_global(st, x, in);
+	for (int i = 0; i < 3; i++)
+		x[i] += st->moved[0][i];
 }
 
 struct seen {
@@ -217,6 +219,35 @@ static double extrapolated(double coarse, double fine)
 	return (4.0*fine - coarse)/3.0;
 }
 
+/* The chain between springs under its static load, from the reference state, where its ends are at
+ * their places: x, whose foundations stay there. */
+static int give_way(struct lumped *c, double *x, const struct hawser_scene *scene,
+                    const struct hawser_statics *st, int n)
+{
+	struct hawser_report report = {.message = ""};
+	struct hawser_statics before;
+	double loaded[3], adhering = c->rho - scene->cable.rho;
+
+	if (hawser_statics_reference(&before, scene, &report))
+		return 0;
+	memcpy(loaded, c->weight, sizeof loaded);
+	c->L0 = before.length0;
+	c->rho = scene->cable.rho;
+	for (int i = 0; i < 3; i++)
+		c->weight[i] = i == 1 ? -c->rho*scene->g : 0.0;
+	for (int k = 1; k < n; k++)
+		place(x + 3*k, &before, (double)k/n);
+	if (!lumped_straighten(c, x))
+		return 0;
+	lumped_hold(c, x);
+	c->L0 = st->length0;
+	c->rho += adhering;
+	memcpy(c->weight, loaded, sizeof loaded);
+	for (int k = 0; k <= n; k++)
+		place(x + 3*k + 3, st, (double)k/n);
+	return lumped_statics(x, c);
+}
+
 /* One chain: its shape against the profile (m), frequencies (rad/s) and motion. */
 static int chain(double *shape, double *omega, struct seen *seen, const struct combined *row,
                  const struct hawser_scene *scene, const struct hawser_statics *st, double Omega,
@@ -232,12 +263,10 @@ static int chain(double *shape, double *omega, struct seen *seen, const struct c
 		place(x + 3*k, st, (double)k/n);
 	memcpy(x + 3*n, c.end, sizeof c.end);
 	memset(x, 0, 3*sizeof *x);
-	if (!lumped_straighten(&c, x))
+	if (!(st->elastic ? give_way(&c, x, scene, st, n) : lumped_straighten(&c, x)))
 		return 0;
 	for (int p = 0; p < POINTS; p++)
-		memcpy(at[p], x + 3*((p + 1)*n/4), 3*sizeof *x);
-	if (st->elastic)
-		lumped_hold(&c, x);
+		memcpy(at[p], x + 3*(c.held + (p + 1)*n/4), 3*sizeof *x);
 	memcpy(rest, x, sizeof rest);
 	c.relaxed = rest;
 	if (!lumped_frequencies(omega, FREQUENCIES, &c, x))
