@@ -174,20 +174,20 @@ static enum hawser_status check(const struct hawser_modes *modes, const struct h
 		return status;
 	if (modes->statics.elastic)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "choose",
-		                    "modes are not weighed with elastic supports: compare with more modes "
-		                    "(model.modes)");
+		                    "modes are not weighed with support.A.stiffness and support.B.stiffness: "
+		                    "give model.modes as a number, and compare with more");
 	if (modes->statics.bending.EI > 0.0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "choose",
 		                    "modes are not weighed with cable.EI: give model.modes as a number, and "
 		                    "compare with more");
 	if (modes->stroke)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "choose",
-		                    "modes are not weighed with absorbers of attachments: compare with more "
-		                    "modes (model.modes)");
+		                    "modes are not weighed with absorbers of attach: give model.modes as a "
+		                    "number, and compare with more");
 	if (hawser__has_dampers(&modes->statics))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "choose",
-		                    "modes are not weighed with dampers of attachments, whose shapes are "
-		                    "coordinates too: compare with more modes (model.modes)");
+		                    "modes are not weighed with dampers of attach, whose shapes are "
+		                    "coordinates too: give model.modes as a number, and compare with more");
 	if (!(from > 0.0) || !(to > 0.0) || !isfinite(from) || !isfinite(to) || from == to)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "choose",
 		                    "frequency range from %.9g to %.9g rad/s: both ends must be "

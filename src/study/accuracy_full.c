@@ -10,8 +10,9 @@
  * difference.
  *
  * The agreement of two bases that do not resolve the linear modes of the range means nothing. Such
- * a basis is skipped without a response. The first response is compared with that of the last
- * condensed model.
+ * a basis is skipped without a response. So is one with as many coordinates as the last: attachments
+ * divide the cable into elements, which share the functions out, so that 6 and 8 of them may give the
+ * same model. The first response is compared with that of the last condensed model.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -115,12 +116,13 @@ enum hawser_status hawser__accuracy_full(struct hawser_accuracy *a, struct hawse
 {
 	struct hawser_frf_options frf = settle(options, a->asked);
 	enum hawser_status status = HAWSER_OK;
+	int tried = 0; /* coordinates of the last model with a response */
 
 	for (int i = 0; !status && i < BASES && a->tries < HAWSER_ACCURACY_TRIES; i++) {
 		double moved;
 
 		status = build(a, scene, bases[i], report);
-		if (status || (!resolves(a) && i + 1 < BASES))
+		if (status || a->rom.n <= tried || (!resolves(a) && i + 1 < BASES))
 			continue;
 		/* the first response only serves for comparison and needs no points by a second method */
 		frf.samples = marks->curve.points > 0 ? options->frf.samples : HAWSER_NONE;
@@ -131,6 +133,7 @@ enum hawser_status hawser__accuracy_full(struct hawser_accuracy *a, struct hawse
 		}
 		if (status || hawser__accuracy_cut(a))
 			break;
+		tried = a->rom.n;
 		moved = a->attempt[a->tries - 1].moved;
 		if (isfinite(moved))
 			hawser__accuracy_claim(a, SAFETY_BASIS*moved, marks);
