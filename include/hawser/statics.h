@@ -171,7 +171,8 @@ enum hawser_status hawser_statics_weighted(struct hawser_statics *statics,
 int hawser_statics_held(struct hawser_held *held, const struct hawser_scene *scene);
 
 /* Put the ends of a solved span on springs, or make them rigid again: held[2] for ends A and B, of
- * which the members stiffness and mass are read. The static solution remains as it is.
+ * which the members stiffness and mass are read. The static solution remains as it is; one that is
+ * turned becomes one in space, since springs along x, y, z join its planes.
  * HAWSER_ERR_ARGUMENT if a stiffness is not positive, or a mass negative or infinite, or not zero at
  * an end that is rigid in all directions; or if the cable travels. */
 enum hawser_status hawser_statics_hold(struct hawser_statics *statics, const struct hawser_held *held,

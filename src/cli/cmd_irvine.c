@@ -117,11 +117,14 @@ static enum hawser_status speeds_of(double *speed, struct cli_irvine_result *res
 	return status;
 }
 
-/* A cable that masses and wind together turn out of one plane has no single H to sweep. */
+/* A cable that masses and wind together turn out of one plane has no single H to sweep; springs of
+ * supports along x, y, z are not those along the axes of a turned plane, in which the sweep is. */
 static enum hawser_status refuse_space(const struct hawser_scene *scene,
                                        const struct hawser_equivalent *equal,
                                        struct hawser_report *report)
 {
+	struct hawser_held held[2];
+
 	for (int i = 0; i < scene->attachments && equal->turned; i++)
 		if (scene->attach[i].mass > 0.0)
 			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "irvine",
@@ -129,6 +132,12 @@ static enum hawser_status refuse_space(const struct hawser_scene *scene,
 			                    "space and its horizontal tension is not the same everywhere, so "
 			                    "that there is no sweep of it; set load.static.per_length=[0,0,0], or "
 			                    "call hawser modes for single tensions", i);
+	if (equal->turned && hawser_statics_held(held, scene))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "irvine",
+		                    "support.A.stiffness and support.B.stiffness with load.static.per_length: "
+		                    "springs join the planes of a cable that the load turns, of which there is "
+		                    "no sweep; set load.static.per_length=[0,0,0], or call hawser modes for "
+		                    "single tensions");
 	return HAWSER_OK;
 }
 

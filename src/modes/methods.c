@@ -213,11 +213,6 @@ static enum hawser_status solve(struct hawser_modes *modes, const struct hawser_
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
 		                    "the method %s is for rigid supports: take spectral, or leave "
 		                    "support.A.stiffness and support.B.stiffness out", method->name);
-	if (statics->elastic && statics->turned)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
-		                    "support.A.stiffness and support.B.stiffness contradict load.static: "
-		                    "modes of a cable between elastic supports that hangs in another plane "
-		                    "are not modelled, remove one of them");
 	if (statics->bending.EI > 0.0 && (gyroscopic || method->solve != hawser__spectral_solve))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
 		                    "the method %s is for a cable without bending stiffness: take "

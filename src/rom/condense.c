@@ -207,7 +207,7 @@ static void remove_kept(const struct work *work, double *strain, double *stretch
 			double u[3];
 
 			hawser__modes_attached(u, modes, s, work->springs->spring[m].attachment);
-			stretch[m] += part*u[work->springs->spring[m].axis];
+			stretch[m] += part*cblas_ddot(3, u, 1, work->springs->spring[m].way, 1);
 		}
 	}
 }

@@ -74,8 +74,10 @@ static void add_points(double *to, const struct hawser_modes *modes,
 			double u[3], v[3];
 
 			hawser__modes_attached(u, modes, j, i);
+			hawser_statics_to_global(st, u, u);
 			for (int k = 0; k < n; k++) {
 				hawser__modes_attached(v, modes, k, i);
+				hawser_statics_to_global(st, v, v);
 				for (int c = 0; c < 3; c++)
 					to[j*n + k] += factor(st, i, c, value)*u[c]*v[c];
 			}

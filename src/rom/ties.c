@@ -33,17 +33,20 @@
 
 enum { ENDS = 3 };
 
-/* Spring of stiffness k, N/m, from point i along axis c. */
+/* Spring of stiffness k, N/m, from point i along axis c of the scene. */
 static void set_spring(struct hawser__tie_spring *spring, const struct hawser_statics *st, int i, int c,
                        double k)
 {
 	double chord = hypot(1.0, st->hs), cosine = 1.0/chord, sine = st->hs/chord;
 
-	*spring = (struct hawser__tie_spring){.s = hawser__point(st, i).s, .attachment = i, .axis = c,
+	const double axis[3] = {c == 0, c == 1, c == 2};
+
+	*spring = (struct hawser__tie_spring){.s = hawser__point(st, i).s, .attachment = i,
 	                                      .k = k*st->span.d/st->H};
-	spring->h[0] = c == 0 ? cosine : c == 1 ? sine : 0.0;
-	spring->h[1] = c == 0 ? -sine : c == 1 ? cosine : 0.0;
-	spring->h[2] = c == 2 ? 1.0 : 0.0;
+	hawser_statics_from_global(st, spring->way, axis);
+	spring->h[0] = cosine*spring->way[0] + sine*spring->way[1];
+	spring->h[1] = cosine*spring->way[1] - sine*spring->way[0];
+	spring->h[2] = spring->way[2];
 }
 
 void hawser__springs_free(struct hawser__springs *springs)
@@ -99,11 +102,20 @@ static void phi(double f[3], const struct hawser__springs *springs, int a, doubl
 		memcpy(f, spring->h, sizeof spring->h);
 }
 
-/* Components along e, n, z at the place. */
+static double dot(const double a[3], const double b[3])
+{
+	return a[0]*b[0] + a[1]*b[1] + a[2]*b[2];
+}
+
+/* Components along e, n, z at the place, in space along its three axes. */
 static void to_local(double f[3], const struct hawser__place *at)
 {
-	double along = f[0], across = f[1];
+	double along = f[0], across = f[1], z = f[2];
 
+	for (int c = 0; c < 3 && at->space; c++)
+		f[c] = along*at->axis[c][0] + across*at->axis[c][1] + z*at->axis[c][2];
+	if (at->space)
+		return;
 	f[0] = along*at->ex + across*at->ey;
 	f[1] = across*at->ex - along*at->ey;
 }
@@ -183,7 +195,7 @@ void hawser__springs_solve(struct hawser__springs *springs)
 		const struct hawser__tie_spring *joint = &springs->spring[springs->size - ENDS + j];
 
 		for (int a = 0; a < springs->size && joint->attachment > springs->ends; a++)
-			springs->z[a] -= at_joint(springs, a, j)*springs->beyond[joint->axis]/joint->k;
+			springs->z[a] -= at_joint(springs, a, j)*dot(springs->beyond, joint->way)/joint->k;
 	}
 	if (springs->failed || LAPACKE_dpotrs(LAPACK_COL_MAJOR, 'U', springs->size, 1, springs->A,
 	                                      HAWSER__TIES, springs->z, springs->size) != 0)
@@ -222,7 +234,7 @@ double hawser__springs_stretch(const struct hawser__springs *springs, int m)
 		return springs->z[ENDS + m]/joint->k;
 	for (int a = 0; a < springs->size; a++)
 		pull += springs->z[a]*at_joint(springs, a, m - (springs->size - ENDS));
-	return joint->attachment > springs->ends ? (springs->beyond[joint->axis] + pull)/joint->k
+	return joint->attachment > springs->ends ? (dot(springs->beyond, joint->way) + pull)/joint->k
 	                                         : -pull/joint->k;
 }
 
@@ -230,6 +242,6 @@ void hawser__springs_start(double u[3], const struct hawser__springs *springs, c
 {
 	memset(u, 0, 3*sizeof *u);
 	for (int m = springs->size - ENDS; m < springs->size - ENDS + springs->joints; m++)
-		if (springs->spring[m].attachment == springs->ends)
-			u[springs->spring[m].axis] = stretch[m];
+		for (int c = 0; c < 3 && springs->spring[m].attachment == springs->ends; c++)
+			u[c] += stretch[m]*springs->spring[m].way[c];
 }

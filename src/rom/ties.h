@@ -15,8 +15,9 @@
 enum { HAWSER__TIES = 3 + 3*HAWSER_ATTACH_MAX };
 
 struct hawser__tie_spring {
-	double s, k, h[3]; /* scaled place and stiffness; axis along, across the chord and along z */
-	int attachment, axis; /* number of the point (hawser__point), axis x, y or z */
+	double s, k, h[3]; /* scaled place and stiffness; direction along, across the chord and along z */
+	double way[3];     /* direction along the axes of the cable */
+	int attachment;    /* number of the point (hawser__point) */
 };
 struct hawser__springs {
 	int size;          /* 3 + number of springs of attachments */
@@ -26,7 +27,8 @@ struct hawser__springs {
 	double *field;     /* [count][3] work space of hawser__springs_release */
 	struct hawser__tie_spring spring[3*HAWSER_ATTACH_MAX + 6];
 	double A[HAWSER__TIES*HAWSER__TIES], z[HAWSER__TIES];
-	double beyond[3];  /* all of the load along x, y, z, whose integral from end A the strains have */
+	double beyond[3];  /* all of the load along the axes of the cable, of which the strains have the
+	                    * integral from end A */
 };
 /* *made is NULL if there are no springs and no bending stiffness; else hawser__springs_free it. */
 void hawser__springs_free(struct hawser__springs *springs);
@@ -47,7 +49,7 @@ void hawser__springs_release(double *x, struct hawser__springs *springs,
                              const double *s, int count);
 /* Displacement of spring m along its axis, joints included. */
 double hawser__springs_stretch(const struct hawser__springs *springs, int m);
-/* Displacement of end A along x, y, z, of all stretches: those of its joints. */
+/* Displacement of end A along the axes of the cable, of all stretches: those of its joints. */
 void hawser__springs_start(double u[3], const struct hawser__springs *springs, const double *stretch);
 
 #endif

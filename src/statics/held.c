@@ -63,6 +63,11 @@ enum hawser_status hawser_statics_hold(struct hawser_statics *st, const struct h
 		for (int axis = 0; axis < 3; axis++)
 			st->elastic |= isfinite(held[end].stiffness[axis]);
 	}
+	if (st->elastic && st->turned && !st->space) { /* springs along x, y, z couple its planes */
+		st->space = 1;
+		st->azimuth[0] = 1.0;
+		st->azimuth[1] = 0.0;
+	}
 	if (!st->elastic || st->motion.nu == 0.0)
 		return HAWSER_OK;
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,

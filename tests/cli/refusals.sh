@@ -302,7 +302,11 @@ refuses_like 1 'support.B.stiffness.*must be > 0 or .inf' modes "$mast" \
 	--set 'support.B.stiffness=[0, 1e6, .inf]'
 refuses_like 1 'for ends that stay where they are' statics "$mast" --model parabola --set 'load.static={mass: 1}'
 refuses_like 1 'at an end that is rigid' modes "$mast" --set 'support.B.stiffness=[.inf, .inf, .inf]'
-refuses_like 1 'contradict load.static' modes "$mast" --set 'load.static.per_length=[0, 0, 9]'
+refuses_like 1 'springs join the planes' irvine "$mast" --set 'load.static.per_length=[0, 0, 9]'
+refuses_like 1 'masses or springs' rom "$mast" --set 'load.static.per_length=[0, 0, 9]' \
+	--set 'support.A.motion=[0, 1 mm, 0]'
+works 'elastic supports in a wind' frf "$mast" --set 'load.static.per_length=[0, 0, 9]' \
+	--from 0.99w1 --to 1.01w1 --json - -q
 refuses_like 1 'support contradicts travel' campbell "$mast" --from 1 --to 9 \
 	--set 'travel={speed: 1 m/s, hold: tension}'
 refuses_like 1 'not weighed|does not know elastic' \

@@ -190,6 +190,32 @@ static void chains(void)
 	              "load: {static: {per_length: [0, 6, 55]}}\n", 1e-8);
 }
 
+/* Supports that are as stiff along every axis: a wind turns the cable between them, and changes its
+ * modes as a larger gravity does. */
+static void on_springs(void)
+{
+	static const char text[] = "cable: {EA: 21.7 MN, rho: 1.57 kg/m}\nspan: {d: 200 m, h: 0 m}\n"
+	                           "tension: {T0: 23 kN, state: loaded}\n"
+	                           "load: {static: {per_length: [0, 0, 12]}}\n"
+	                           "support: {A: {stiffness: [90 kN/m, 90 kN/m, 90 kN/m], mass: 70},\n"
+	                           "  B: {stiffness: [40 kN/m, 40 kN/m, 40 kN/m], mass: 110}}\n";
+	struct hawser_scene scene, heavy;
+	struct hawser_modes modes, plane;
+
+	if (!read_scene(&scene, text))
+		return;
+	heavy = scene;
+	heavy.static_load.present = 0;
+	heavy.g = hypot(scene.g, 12.0/scene.cable.rho);
+	if (of_scene(&modes, &scene) && of_scene(&plane, &heavy)) {
+		ok(modes.statics.space && !plane.statics.space, "in space, and in two planes");
+		ok(off(&modes, &plane) < 1e-12, "springs: frequencies to %.1e", off(&modes, &plane));
+		hawser_modes_clear(&plane);
+	}
+	hawser_modes_clear(&modes);
+	hawser_scene_clear(&scene);
+}
+
 /* --- limits and images --- */
 
 static void images(void)
@@ -300,6 +326,7 @@ int main(void)
 {
 	planes();
 	chains();
+	on_springs();
 	images();
 	limits();
 	basis();
