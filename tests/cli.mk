@@ -16,6 +16,7 @@ CLI_TESTS = \
 	%D%/cli/map.sh \
 	%D%/cli/pairs.sh \
 	%D%/cli/peaks.sh \
+	%D%/cli/units-plot.sh \
 	%D%/cli/units.sh \
 	%D%/cli/pictures.sh \
 	%D%/cli/plausible.sh \
@@ -62,4 +63,4 @@ tests_unit_test_fields_computed_LDADD = src/output/.libs/liboutput.a $(UPTO_RESP
 check_PROGRAMS += %D%/unit/test-axis
 TESTS += %D%/unit/test-axis
 tests_unit_test_axis_SOURCES = %D%/unit/test-axis.c src/cli/axis.c
-tests_unit_test_axis_LDADD = $(UPTO_SCENE)
+tests_unit_test_axis_LDADD = src/output/.libs/liboutput.a $(UPTO_SCENE) $(JANSSON_LIBS)

@@ -96,14 +96,6 @@ static const struct {
 	{"beam.speed", "Speed", ""},
 };
 
-static const struct {
-	const char *unit, *shown;
-	int prefixed; /* may be kilo or mega */
-} units[] = {
-	{"N", "N", 1}, {"N.m^2", "N m²", 1}, {"m/s^2", "m/s²", 0}, {"kg/m/s", "kg/(m s)", 0},
-	{"N.s/m", "N s/m", 1}, {"N/m", "N/m", 1},
-};
-
 /* Whether the key is that of the row; "attach.2.mass" and "attach.NAME.mass" are attach.mass. */
 static int is_row(const char *row, const char *key)
 {
@@ -125,14 +117,6 @@ int cli_axis_quantity(const char **quantity, const char **symbol, const char *ke
 	*quantity = key;
 	*symbol = "";
 	return 0;
-}
-
-static const char *shown_unit(const char *unit)
-{
-	for (size_t i = 0; i < sizeof units/sizeof *units; i++)
-		if (strcmp(units[i].unit, unit) == 0)
-			return units[i].shown;
-	return unit;
 }
 
 /* Whether the row is that of the key: "attach.2.mass" and "attach.NAME.mass" are attach.mass. */
@@ -165,32 +149,19 @@ const char *cli_key_unit(const char *key)
 void cli_axis_value(char *text, size_t size, const char *key, double value)
 {
 	const char *quantity, *symbol, *unit = cli_key_unit(key);
+	struct hawser__axis axis = hawser__axis_of("", strcmp(unit, "1") == 0 ? "" : unit, 0.0);
 
 	cli_axis_quantity(&quantity, &symbol, key);
-	if (!*unit || strcmp(unit, "1") == 0)
-		snprintf(text, size, "%s = %g", *symbol ? symbol : quantity, value);
-	else
-		snprintf(text, size, "%s = %g %s", *symbol ? symbol : quantity, value, shown_unit(unit));
+	snprintf(text, size, "%s = %g%s%s", *symbol ? symbol : quantity, value/axis.per,
+	         *axis.unit ? " " : "", axis.unit);
 }
 
 struct hawser__axis cli_axis(const char *key, const char *unit, double largest)
 {
-	const char *quantity, *symbol, *shown = shown_unit(unit), *prefix = "";
-	struct hawser__axis axis = {.per = 1.0};
+	const char *quantity, *symbol;
 	char label[80];
 
 	cli_axis_quantity(&quantity, &symbol, key);
 	snprintf(label, sizeof label, "%s%s%s", quantity, *symbol ? " " : "", symbol);
-	for (size_t i = 0; i < sizeof units/sizeof *units; i++)
-		if (strcmp(units[i].unit, unit) == 0 && units[i].prefixed && fabs(largest) >= 1e3) {
-			axis.per = fabs(largest) >= 1e6 ? 1e6 : 1e3;
-			prefix = fabs(largest) >= 1e6 ? "M" : "k";
-		}
-	if (!*unit || strcmp(unit, "1") == 0)
-		snprintf(axis.title, sizeof axis.title, "%s (–)", label);
-	else
-		snprintf(axis.title, sizeof axis.title, "%s (%s%s)", label, prefix, shown);
-	if (strcmp(key, "Omega") == 0 && !*unit)
-		snprintf(axis.title, sizeof axis.title, "%s", label);
-	return axis;
+	return hawser__axis_of(label, *unit || strcmp(key, "Omega") == 0 ? unit : "1", largest);
 }

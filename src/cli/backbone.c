@@ -109,8 +109,9 @@ enum hawser_status cli_backbone_draw(const char *path, const void *context,
 	if (!at)
 		return hawser__no_memory(report, "frf");
 	for (int i = 0; i < run->points; i++) {
-		at[2*i] = hawser__in_unit(run->point[i].energy, HAWSER__J, &scale);
-		at[2*i + 1] = hawser__in_unit(run->point[i].omega, HAWSER__RAD_S, &scale);
+		at[2*i] = hawser__in_unit(run->point[i].energy, HAWSER__J, &scale)/energy.per;
+		at[2*i + 1] = hawser__in_unit(run->point[i].omega, HAWSER__RAD_S, &scale)/
+		              frequency.per;
 	}
 	status = hawser__plot_energy(path, at, run->points, energy.title, frequency.title,
 	                             report);

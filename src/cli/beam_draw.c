@@ -29,7 +29,9 @@ static enum hawser_status draw_sweep(const char *path, const struct cli_beam_res
 
 		curve[i] = (struct hawser__beam_curve){.sweep = &v->sweep,
 			.v_crit = v->limits.v_crit, .v_bif = v->limits.v_bif,
-			.per_speed = cli_beam_per_speed(&v->beam), .per_rate = cli_beam_per_rate(&v->beam)};
+			.per_speed = cli_beam_per_speed(&v->beam)/picture.speed.per,
+			.per_re = cli_beam_per_rate(&v->beam)/picture.re.per,
+			.per_im = cli_beam_per_rate(&v->beam)/picture.im.per};
 		cli_beam_label(curve[i].label, sizeof curve[i].label, result, v, "");
 	}
 	return hawser__plot_beam_sweep(path, &picture, report);

@@ -164,8 +164,8 @@ enum hawser_status cli_beam_motion_draw(const char *path, const struct cli_beam_
 			break;
 		}
 		for (size_t k = 0; k < rows; k++) {
-			room[i][k] = v->motion.time[k]*time_of(&v->beam);
-			room[i][rows + k] = v->motion.y[k]*length_of(&v->beam);
+			room[i][k] = v->motion.time[k]*time_of(&v->beam)/picture.time.per;
+			room[i][rows + k] = v->motion.y[k]*length_of(&v->beam)/picture.y.per;
 		}
 		history[i] = (struct hawser__beam_history){.rows = (int)rows, .time = room[i],
 			.y = room[i] + rows, .rate = v->motion.material};

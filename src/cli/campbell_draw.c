@@ -12,16 +12,17 @@
 /* What the picture shows, in its units; [] as in struct hawser__campbell. */
 struct arrays {
 	double *speed, *re, *im, *mark_x, *mark_y;
+	double per_speed, per; /* the units of speed and eigenvalues */
 	int *veers;
 };
 
 /* Frequency at which a crossover is marked on the branch with that number: offset from the middle
  * of the gap by `part` of the gap. */
-static double mark_on(const struct cli_campbell_result *result,
+static double mark_on(const struct arrays *to, const struct cli_campbell_result *result,
                       const struct hawser_campbell_crossover *at, int number, double part)
 {
 	return number > result->campbell.in_plane
-		? NAN : cli_campbell_in_unit(result, at->omega + part*at->gap);
+		? NAN : cli_campbell_in_unit(result, at->omega + part*at->gap)/to->per;
 }
 
 static void fill(struct arrays *to, const struct cli_campbell_result *result)
@@ -30,17 +31,17 @@ static void fill(struct arrays *to, const struct cli_campbell_result *result)
 	int i;
 
 	for (i = 0; i < campbell->stations; i++)
-		to->speed[i] = campbell->station[i].speed;
+		to->speed[i] = campbell->station[i].speed/to->per_speed;
 	for (i = 0; i < campbell->stations*campbell->branches; i++) {
-		to->re[i] = cli_campbell_in_unit(result, campbell->re[i]);
-		to->im[i] = cli_campbell_in_unit(result, campbell->im[i]);
+		to->re[i] = cli_campbell_in_unit(result, campbell->re[i])/to->per;
+		to->im[i] = cli_campbell_in_unit(result, campbell->im[i])/to->per;
 	}
 	for (i = 0; i < campbell->crossovers; i++) {
 		const struct hawser_campbell_crossover *at = &campbell->crossover[i];
 
-		to->mark_x[i] = at->speed;
-		to->mark_y[2*i] = mark_on(result, at, at->below, -0.5);
-		to->mark_y[2*i + 1] = mark_on(result, at, at->above, 0.5);
+		to->mark_x[i] = at->speed/to->per_speed;
+		to->mark_y[2*i] = mark_on(to, result, at, at->below, -0.5);
+		to->mark_y[2*i + 1] = mark_on(to, result, at, at->above, 0.5);
 		to->veers[i] = at->kind == HAWSER_VEERING;
 	}
 }
@@ -81,9 +82,11 @@ enum hawser_status cli_campbell_draw(const char *path, const void *context,
 			.speed = to.speed, .re = to.re, .im = to.im, .mark_x = to.mark_x,
 			.mark_y = to.mark_y, .veers = to.veers,
 			.slope = cli_campbell_in_unit(result, result->harmonics
-				? 2.0*M_PI/result->spacing : 0.0),
-			.limit = campbell->criticals ? campbell->limit : NAN};
+				? 2.0*M_PI/result->spacing : 0.0)*speed.per/im.per,
+			.limit = campbell->criticals ? campbell->limit/speed.per : NAN};
 
+		to.per_speed = speed.per;
+		to.per = im.per;
 		fill(&to, result);
 		status = hawser__plot_campbell(path, &picture, report);
 	}

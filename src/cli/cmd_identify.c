@@ -189,6 +189,7 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 {
 	const struct hawser_identified *found = &((const struct result *)of)->found;
 	struct hawser__identified *row = malloc((size_t)found->count*sizeof *row);
+	const struct hawser__axis axis = hawser__axis_of("Measured frequency", "Hz", 0.0);
 	enum hawser_status status;
 
 	if (!row)
@@ -196,11 +197,11 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 	for (int i = 0; i < found->count; i++) {
 		const struct hawser_identified_mode *mode = &found->mode[i];
 
-		row[i] = (struct hawser__identified){mode->measured/(2.0*M_PI),
+		row[i] = (struct hawser__identified){mode->measured/(2.0*M_PI)/axis.per,
 			mode->before/mode->measured - 1.0, mode->difference, mode->deviation,
 			mode->plane == HAWSER_OUT_OF_PLANE};
 	}
-	status = hawser__plot_identify(path, row, found->count, report);
+	status = hawser__plot_identify(path, row, found->count, axis.title, report);
 	free(row);
 	return status;
 }

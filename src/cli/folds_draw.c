@@ -12,11 +12,12 @@
 #include "cli/view.h"
 #include "core/report.h"
 
-enum { label_size = 64 };
+enum { label_size = 160 };
 
 struct picture {
 	struct hawser__folds_picture folds;
-	struct hawser__axis x;
+	struct hawser__axis x, y;
+	double per_omega, per_length; /* shown units per unit of the model */
 	struct hawser__folds_line *line;   /* fold curves, then responses */
 	struct hawser__folds_mark *mark;
 	double *store;
@@ -33,10 +34,12 @@ static const double *rows(const struct hawser_frf *frf)
 static void choose(struct picture *picture, const struct cli_folds_result *result)
 {
 	const struct hawser_frf *frf = &result->folds->response;
-	const char *m = cli_unit(result->model, " (m)");
+	char m[HAWSER__MARKUP_SIZE + 4];
 	int k, i;
 	double most = -1.0;
 
+	snprintf(m, sizeof m, "%s%s%s", *picture->y.unit ? " (" : "", picture->y.unit,
+	         *picture->y.unit ? ")" : "");
 	picture->stride = frf->probes > 0 ? 3*frf->probes : frf->n;
 	for (k = 0; k < picture->stride; k++)
 		for (i = 0; i < frf->points; i++)
@@ -77,7 +80,7 @@ static int allocate(struct picture *picture, const struct hawser_folds *folds)
 static double *copy_curves(struct picture *picture, const struct cli_folds_result *result)
 {
 	const struct hawser_folds *folds = result->folds;
-	double per_omega = cli_per_omega(result->model), *out = picture->store;
+	double per_omega = picture->per_omega, *out = picture->store;
 	int c, i, e;
 
 	for (c = 0; c < folds->curves; c++) {
@@ -109,10 +112,10 @@ static void copy_responses(struct picture *picture, const struct cli_folds_resul
 		picture->line[folds->curves + 1 + k] = (struct hawser__folds_line){
 			.points = frf->points, .x = out, .y = out + frf->points, .unstable = unstable};
 		for (i = 0; i < frf->points; i++) {
-			out[i] = frf->point[i].omega*cli_per_omega(result->model);
+			out[i] = frf->point[i].omega*picture->per_omega;
 			out[frf->points + i] =
 				rows(frf)[(size_t)i*(size_t)picture->stride + (size_t)picture->source]*
-				cli_per_length(result->model);
+				picture->per_length;
 			unstable[i] = frf->point[i].unstable > 0;
 		}
 		out += 2*frf->points;
@@ -128,20 +131,23 @@ enum hawser_status cli_folds_draw(const char *path, const void *context,
 	struct picture picture = {.line = NULL};
 	enum hawser_status status;
 
+	picture.x = cli_frf_axis(result->model);
+	picture.y = cli_model_axis(result->model, "", "m");
+	picture.per_omega = cli_per_omega(result->model)/picture.x.per;
+	picture.per_length = cli_per_length(result->model)/picture.y.per;
 	choose(&picture, result);
 	if (!allocate(&picture, folds)) {
 		status = hawser__no_memory(report, "picture");
 		goto done;
 	}
 	copy_responses(&picture, result, copy_curves(&picture, result));
-	picture.x = cli_frf_axis(result->model);
 	picture.folds = (struct hawser__folds_picture){
 		.curves = folds->curves, .responses = folds->isolas + 1, .marks = folds->events,
 		.x_title = picture.x.title, .curve = picture.line,
 		.response = picture.line + folds->curves, .mark = picture.mark,
 		.label = picture.label,
-		.from = fmin(result->from, result->to)*cli_per_omega(result->model),
-		.to = fmax(result->from, result->to)*cli_per_omega(result->model),
+		.from = fmin(result->from, result->to)*picture.per_omega,
+		.to = fmax(result->from, result->to)*picture.per_omega,
 		.load_to = result->load_to,
 	};
 	status = hawser__plot_folds(path, &picture.folds, report);

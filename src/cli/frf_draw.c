@@ -13,7 +13,7 @@
 #include "cli/view.h"
 #include "core/report.h"
 
-enum { most_panels = 3, most_curves = 6, label_size = 64 };
+enum { most_panels = 3, most_curves = 6, label_size = 192 };
 
 /* A panel whose amplitudes are below this fraction of the largest amplitude shows round-off. */
 static const double visible = 1e-9;
@@ -22,7 +22,8 @@ static const double log_ratio = 100.0;
 
 struct picture {
 	struct hawser__response response;
-	struct hawser__axis x;
+	struct hawser__axis x, y;
+	double per_omega, per_length; /* shown units per unit of the model */
 	struct hawser__response_curve curve[most_curves];
 	struct hawser__response_sweep sweep[2];
 	struct hawser__response_overlay overlay[CLI_OVERLAYS];
@@ -94,6 +95,14 @@ static double largest(const double *rows, int count, int stride, int source)
 	return most;
 }
 
+static void name_panel(struct picture *picture, int panel, const char *what)
+{
+	const char *unit = picture->y.unit;
+
+	snprintf(picture->panel[panel], label_size, "Amplitude of %s%s%s%s", what,
+	         *unit ? " (" : "", unit, *unit ? ")" : "");
+}
+
 /* The absorber with the largest stroke in a panel of its own, by the component that is largest. */
 static void choose_stroke(struct picture *picture, const struct cli_frf_result *result)
 {
@@ -101,7 +110,7 @@ static void choose_stroke(struct picture *picture, const struct cli_frf_result *
 	const struct hawser_frf *frf = result->frf;
 	int panel = picture->response.panels, stride = 3*frf->probes, source = -1;
 	double most = 0.0;
-	char name[label_size];
+	char name[label_size], what[64];
 
 	for (int k = 0; k < stride; k++)
 		if (strncmp(shapes->name[k/3], "stroke_", 7) == 0 &&
@@ -113,10 +122,12 @@ static void choose_stroke(struct picture *picture, const struct cli_frf_result *
 		return;
 	add_curve(picture, shapes->name[source/3], panel, source);
 	plain(name, shapes->name[source/3]);
-	snprintf(picture->panel[panel], label_size, "Amplitude of {/:Italic %c}, %.30s%s",
-	         "xyz"[source % 3], name, cli_unit(result->model, " (m)"));
+	snprintf(what, sizeof what, "{/:Italic %c}, %.30s", "xyz"[source % 3], name);
+	name_panel(picture, panel, what);
 	picture->response.panels++;
 }
+
+static const char *const axis_name[] = {"{/:Italic x}", "{/:Italic y}", "{/:Italic z}"};
 
 static void choose_probes(struct picture *picture, const struct cli_frf_result *result)
 {
@@ -134,8 +145,7 @@ static void choose_probes(struct picture *picture, const struct cli_frf_result *
 
 		if (most[c] <= visible*most[3 - c])
 			continue;
-		snprintf(picture->panel[panel], label_size, "Amplitude of {/:Italic %c}%s", "xyz"[c],
-		         cli_unit(result->model, " (m)"));
+		name_panel(picture, panel, axis_name[c]);
 		for (p = 0; p < probes; p++)
 			add_curve(picture, shapes->name[point[p]], panel, 3*point[p] + c);
 		picture->response.panels++;
@@ -146,10 +156,11 @@ static void choose_probes(struct picture *picture, const struct cli_frf_result *
 static void choose_coordinates(struct picture *picture, const struct cli_frf_result *result)
 {
 	int n = result->model->rom.n, k;
+	char name[32];
 
 	for (k = 0; k < n && k < most_panels; k++) {
-		snprintf(picture->panel[k], label_size, "Amplitude of {/:Italic u}_{%d}%s", k + 1,
-		         cli_unit(result->model, " (m)"));
+		snprintf(name, sizeof name, "{/:Italic u}_{%d}", k + 1);
+		name_panel(picture, k, name);
 		add_curve(picture, "", k, k);
 	}
 	picture->response.panels = k;
@@ -182,10 +193,10 @@ static void copy_curves(struct picture *picture, const struct cli_frf_result *re
 	const struct hawser_frf *frf = result->frf;
 	const double *rows = frf->probes > 0 ? frf->probe : frf->coordinate;
 	int stride = frf->probes > 0 ? 3*frf->probes : frf->n, k, i;
-	double length = cli_per_length(result->model), *out = picture->store;
+	double length = picture->per_length, *out = picture->store;
 
 	for (i = 0; i < frf->points; i++) {
-		out[i] = frf->point[i].omega*cli_per_omega(result->model);
+		out[i] = frf->point[i].omega*picture->per_omega;
 		picture->unstable[i] = frf->point[i].unstable;
 	}
 	picture->response.omega = out;
@@ -209,21 +220,21 @@ static void copy_events(struct picture *picture, const struct cli_frf_result *re
 		double part = event->arc - frf->point[event->after].arc;
 
 		picture->event[k].kind = event->kind;
-		picture->event[k].omega = event->omega*cli_per_omega(result->model);
+		picture->event[k].omega = event->omega*picture->per_omega;
 		picture->event[k].after = event->after;
 		picture->event[k].fraction = whole > 0.0 ? fmin(fmax(part/whole, 0.0), 1.0) : 0.0;
 	}
 	for (k = 0; k < result->model->naturals; k++)
-		picture->natural[k] = result->model->natural[k]*cli_per_omega(result->model);
+		picture->natural[k] = result->model->natural[k]*picture->per_omega;
 	for (k = 0; k < 2*result->gaps; k++)
-		picture->gap[k] = result->gap[k]*cli_per_omega(result->model);
+		picture->gap[k] = result->gap[k]*picture->per_omega;
 }
 
 /* The located peaks of the curves shown. */
 static void copy_peaks(struct picture *picture, const struct cli_frf_result *result)
 {
 	struct hawser__response *response = &picture->response;
-	double length = cli_per_length(result->model);
+	double length = picture->per_length;
 
 	for (int i = 0; i < result->peaks; i++) {
 		const struct hawser_landmark *peak = &result->peak[i];
@@ -232,7 +243,7 @@ static void copy_peaks(struct picture *picture, const struct cli_frf_result *res
 		for (int k = 0; k < response->curves && peak->kind == HAWSER_LANDMARK_PEAK; k++)
 			if (picture->source[k] == source && (peak->probe >= 0) == picture->probed)
 				picture->peak[response->peaks++] = (struct hawser__response_peak){
-					k, peak->omega*cli_per_omega(result->model), length*peak->size};
+					k, peak->omega*picture->per_omega, length*peak->size};
 	}
 	response->peak = picture->peak;
 }
@@ -240,7 +251,7 @@ static void copy_peaks(struct picture *picture, const struct cli_frf_result *res
 /* Needs room for (curves + 1) rows of each sweep after the curves in `store`. */
 static void copy_sweeps(struct picture *picture, const struct cli_frf_result *result, double *out)
 {
-	double length = cli_per_length(result->model);
+	double length = picture->per_length;
 	int s, k, i;
 
 	for (s = 0; s < result->sweeps; s++) {
@@ -252,7 +263,7 @@ static void copy_sweeps(struct picture *picture, const struct cli_frf_result *re
 		picture->sweep[s].points = run->points;
 		picture->sweep[s].omega = out;
 		for (i = 0; i < run->points; i++)
-			*out++ = run->omega[i]*cli_per_omega(result->model);
+			*out++ = run->omega[i]*picture->per_omega;
 		picture->sweep[s].amplitude = out;
 		for (k = 0; k < picture->response.curves; k++)
 			for (i = 0; i < run->points; i++)
@@ -263,7 +274,7 @@ static void copy_sweeps(struct picture *picture, const struct cli_frf_result *re
 /* The same of the overlays. */
 static void copy_overlays(struct picture *picture, const struct cli_frf_result *result, double *out)
 {
-	double length = cli_per_length(result->model);
+	double length = picture->per_length;
 
 	for (int s = 0; s < result->overlays; s++) {
 		const struct cli_overlay *from = &result->overlay[s];
@@ -275,7 +286,7 @@ static void copy_overlays(struct picture *picture, const struct cli_frf_result *
 		                                                        out + from->points,
 		                                                        from->beside};
 		for (int i = 0; i < from->points; i++)
-			*out++ = from->omega[i]*cli_per_omega(result->model);
+			*out++ = from->omega[i]*picture->per_omega;
 		for (int k = 0; k < picture->response.curves; k++)
 			for (int i = 0; i < from->points; i++)
 				*out++ = length*rows[(size_t)i*(size_t)stride + (size_t)picture->source[k]];
@@ -326,7 +337,6 @@ static enum hawser_status fill(struct picture *picture, const struct cli_frf_res
 	response->events = result->frf->events;
 	response->naturals = result->model->naturals;
 	response->sweeps = result->sweeps;
-	picture->x = cli_frf_axis(result->model);
 	response->x_title = picture->x.title;
 	response->unstable = picture->unstable;
 	response->curve = picture->curve;
@@ -338,8 +348,8 @@ static enum hawser_status fill(struct picture *picture, const struct cli_frf_res
 	response->overlays = result->overlays;
 	response->overlay = picture->overlay;
 	response->panel_label = picture->panel_label;
-	response->from = result->from*cli_per_omega(result->model);
-	response->to = result->to*cli_per_omega(result->model);
+	response->from = result->from*picture->per_omega;
+	response->to = result->to*picture->per_omega;
 	return HAWSER_OK;
 }
 
@@ -351,6 +361,10 @@ static enum hawser_status draw(const char *path, const struct cli_frf_result *re
 	enum hawser_status status;
 	int k;
 
+	picture.x = cli_frf_axis(result->model);
+	picture.y = cli_model_axis(result->model, "", "m");
+	picture.per_omega = cli_per_omega(result->model)/picture.x.per;
+	picture.per_length = cli_per_length(result->model)/picture.y.per;
 	for (k = 0; k < most_panels; k++)
 		picture.panel_label[k] = picture.panel[k];
 	if (result->frf->probes > 0)

@@ -93,7 +93,7 @@ enum hawser_status cli_integrate_draw(const char *path, const void *context,
 	if (!time)
 		return hawser__no_memory(report, "picture");
 	for (i = 0; i < result->run.rows; i++)
-		time[i] = result->run.time[i]/cli_per_omega(result->model);
+		time[i] = result->run.time[i]/cli_per_omega(result->model)/axis.per;
 	for (i = 0; i < count; i++) {
 		label_of(label[i], result, chosen[i]);
 		signal[i].label = label[i];
@@ -108,8 +108,12 @@ enum hawser_status cli_integrate_draw(const char *path, const void *context,
 	history.time = time;
 	history.frequency = result->frequency;
 	history.forcing = result->omega*cli_per_omega(result->model)/(2.0*M_PI);
-	history.time_title = axis.title;
 	history.scaled = result->model->rom.scaled;
+	history.time_title = axis.title;
+	history.y = cli_model_axis(result->model, "", "m");
+	history.rate = cli_model_axis(result->model, "Velocity", "m/s");
+	history.amplitude = cli_model_axis(result->model, "Amplitude", "m");
+	history.spectrum = hawser__axis_of("Frequency", history.scaled ? "Hz" : "1/time", 0.0);
 	history.signal = signal;
 	status = hawser__plot_integrate(path, &history, report);
 	free(time);

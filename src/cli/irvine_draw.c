@@ -131,6 +131,19 @@ static struct hawser__axis abscissa(const struct cli_irvine_result *result)
 	return cli_axis(key, cli_irvine_si(sweep), largest);
 }
 
+/* Axis of the frequencies. */
+static struct hawser__axis ordinate(const struct cli_irvine_result *result)
+{
+	static const struct {
+		const char *quantity, *si;
+	} of[] = {
+		[CLI_NORMALISED] = {"Frequency {/:Italic ω} / {/:Italic ω}_{string}", ""},
+		[CLI_RAD_S] = {"Frequency {/:Italic ω}", "rad/s"}, [CLI_HZ] = {"Frequency", "Hz"},
+		[CLI_PERIOD] = {"Period", "s"}};
+
+	return hawser__axis_of(of[result->unit].quantity, of[result->unit].si, 0.0);
+}
+
 /* Frequency at which a crossover is marked on the branch with that number: offset from the middle
  * of the gap by `part` of the gap. */
 static double mark_on(const struct cli_irvine_result *result, const struct hawser_irvine *irvine,
@@ -144,10 +157,11 @@ static double mark_on(const struct cli_irvine_result *result, const struct hawse
 struct arrays {
 	double *x, *y, *overlay, *mark_x, *mark_y;
 	int *veers;
+	char note[HAWSER__MARKUP_SIZE + 40];
 };
 
 static void fill(struct arrays *to, const struct cli_irvine_result *result,
-                 const struct cli_irvine_sweep *sweep, double per)
+                 const struct cli_irvine_sweep *sweep, double per, double per_y)
 {
 	const struct hawser_irvine *irvine = &sweep->irvine;
 	int i, b;
@@ -159,17 +173,18 @@ static void fill(struct arrays *to, const struct cli_irvine_result *result,
 		                               : irvine->station[i].statics.irvine_source)/per;
 		for (b = 0; b < irvine->branches; b++)
 			to->y[i*irvine->branches + b] =
-				cli_irvine_in_unit(result, irvine->omega[i*irvine->branches + b], H);
+				cli_irvine_in_unit(result, irvine->omega[i*irvine->branches + b], H)/per_y;
 		for (b = 0; b < sweep->overlays; b++)
 			to->overlay[i*sweep->overlays + b] =
-				cli_irvine_in_unit(result, sweep->analytic[i*sweep->overlays + b], H);
+				cli_irvine_in_unit(result, sweep->analytic[i*sweep->overlays + b], H)/
+				per_y;
 	}
 	for (i = 0; i < irvine->crossovers; i++) {
 		const struct hawser_irvine_crossover *at = &irvine->crossover[i];
 
 		to->mark_x[i] = (result->over_value ? at->value : at->irvine_source)/per;
-		to->mark_y[2*i] = mark_on(result, irvine, at, at->below, -0.5);
-		to->mark_y[2*i + 1] = mark_on(result, irvine, at, at->above, 0.5);
+		to->mark_y[2*i] = mark_on(result, irvine, at, at->below, -0.5)/per_y;
+		to->mark_y[2*i + 1] = mark_on(result, irvine, at, at->above, 0.5)/per_y;
 		to->veers[i] = at->kind == HAWSER_VEERING;
 	}
 }
@@ -199,20 +214,17 @@ static enum hawser_status allocate(struct arrays *to, const struct cli_irvine_sw
 
 static struct hawser__diagram diagram_of(const struct arrays *from,
                                          const struct cli_irvine_result *result,
-                                         const struct cli_irvine_sweep *sweep, const char *x_title)
+                                         const struct cli_irvine_sweep *sweep,
+                                         const struct hawser__axis *x, const struct hawser__axis *y)
 {
-	static const char *const titles[] = {
-		[CLI_NORMALISED] = "Frequency {/:Italic ω} / {/:Italic ω}_{string}",
-		[CLI_RAD_S] = "Frequency {/:Italic ω} (rad/s)", [CLI_HZ] = "Frequency (Hz)",
-		[CLI_PERIOD] = "Period (s)"};
 	const struct hawser_irvine *irvine = &sweep->irvine;
 
 	return (struct hawser__diagram){
 		.stations = irvine->stations, .branches = irvine->branches,
 		.in_plane = irvine->in_plane, .overlays = sweep->overlays, .marks = irvine->crossovers,
-		.x_title = x_title, .y_title = titles[result->unit],
+		.x_title = x->title, .y_title = y->title,
 		.logarithmic = !result->over_value || irvine->sweep != HAWSER_GIVEN_LENGTH0,
-		.moving = result->moving, .speed = irvine->speed, .x = from->x, .y = from->y,
+		.note = from->note, .x = from->x, .y = from->y,
 		.overlay = from->overlay, .mark_x = from->mark_x, .mark_y = from->mark_y,
 		.veers = from->veers};
 }
@@ -224,15 +236,19 @@ enum hawser_status cli_irvine_draw(const char *path, const void *context,
 	struct hawser__diagram diagram[CLI_IRVINE_SPEEDS];
 	struct arrays arrays[CLI_IRVINE_SPEEDS] = {{0}};
 	enum hawser_status status = HAWSER_OK;
-	struct hawser__axis x = abscissa(result);
+	const struct hawser__axis x = abscissa(result), y = ordinate(result);
+	const struct hawser__axis speed = hawser__axis_of("", "m/s", 0.0);
 	int k;
 
 	for (k = 0; k < result->sweeps && !status; k++) {
 		status = allocate(&arrays[k], &result->sweep[k], report);
 		if (status)
 			break;
-		fill(&arrays[k], result, &result->sweep[k], x.per);
-		diagram[k] = diagram_of(&arrays[k], result, &result->sweep[k], x.title);
+		fill(&arrays[k], result, &result->sweep[k], x.per, y.per);
+		if (result->moving)
+			snprintf(arrays[k].note, sizeof arrays[k].note, "{/:Italic v} = %.6g %s",
+			         result->sweep[k].irvine.speed/speed.per, speed.unit);
+		diagram[k] = diagram_of(&arrays[k], result, &result->sweep[k], &x, &y);
 	}
 	if (!status)
 		status = hawser__plot_irvine(path, diagram, result->sweeps, report);

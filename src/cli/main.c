@@ -86,15 +86,6 @@ static enum hawser_status unknown_command(const char *name, struct hawser_report
 	                    best ? "; did you mean " : "", best ? best : "", best ? "?" : "");
 }
 
-static enum hawser_status choose_units(const struct cli_common *common,
-                                       struct hawser_report *report)
-{
-	if (common->units && common->plot)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "main",
-		                    "--units is for tables, pictures are in SI: leave out --units or --plot");
-	return hawser__units_choose(common->units, report);
-}
-
 static enum hawser_status execute(const struct cli_command *command, int argc, char **argv,
                                   struct hawser_report *report)
 {
@@ -113,7 +104,7 @@ static enum hawser_status execute(const struct cli_command *command, int argc, c
 		                      "%s needs a %s (hawser %s --help)", command->name, command->input,
 		                      command->name);
 	if (!status && !common->help)
-		status = choose_units(common, report);
+		status = hawser__units_choose(common->units, report);
 	if (!status && !common->help)
 		status = command->run(common, report);
 	free(common);

@@ -17,7 +17,7 @@ static int pixel(int k, int pixels, int points)
 }
 
 static void fill(struct hawser__map_picture *picture, double *x, double *y, double *value,
-                 const struct hawser_map *map)
+                 const struct hawser_map *map, double per)
 {
 	for (int i = 0; i < picture->nx; i++)
 		x[i] = map->x[0] + (map->x[map->nx - 1] - map->x[0])*i/(picture->nx - 1);
@@ -30,7 +30,7 @@ static void fill(struct hawser__map_picture *picture, double *x, double *y, doub
 			const struct hawser_map_sample *sample = &map->point[place].sample;
 			int good = sample->code == HAWSER_MAP_OK;
 
-			value[(long)j*picture->nx + i] = good ? sample->value : NAN;
+			value[(long)j*picture->nx + i] = good ? sample->value/per : NAN;
 			picture->holes |= !good;
 		}
 }
@@ -90,7 +90,7 @@ enum hawser_status cli_map_draw(const char *path, const void *context, struct ha
 	struct hawser__map_picture picture = {.nx = nx, .ny = ny, .segments = map->segments,
 		.segment = map->segment, .logarithmic = result->quantity->logarithmic,
 		.whole = strcmp(result->quantity->name, "unstable") == 0};
-	char over[200];
+	struct hawser__axis axis;
 	enum hawser_status status;
 
 	if (!x)
@@ -98,14 +98,13 @@ enum hawser_status cli_map_draw(const char *path, const void *context, struct ha
 	picture.x = x;
 	picture.y = x + nx;
 	picture.value = x + nx + ny;
-	fill(&picture, x, x + nx, x + nx + ny, map);
+	axis = hawser__axis_of(quantity_title(result->quantity), cli_map_value_unit(result), 0.0);
+	fill(&picture, x, x + nx, x + nx + ny, map, axis.per);
 	picture.x_axis = cli_axis(result->key[0], result->unit[0], map->x[map->nx - 1]);
 	picture.y_axis = cli_axis(result->key[1], result->unit[1], map->y[map->ny - 1]);
 	picture.line_title = line_title(map);
 	picture.border = border_of(result->quantity->name);
-	snprintf(over, sizeof over, "%s (%s)", quantity_title(result->quantity),
-	         strcmp(cli_map_value_unit(result), "1") == 0 ? "–" : cli_map_value_unit(result));
-	picture.title = over;
+	picture.title = axis.title;
 	status = hawser__plot_map(path, &picture, report);
 	free(x);
 	return status;

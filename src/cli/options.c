@@ -29,7 +29,7 @@ const struct cli_option cli_common_options[] = {
 	{"set", 0, "KEY=VALUE", "override a key of the scene; may be repeated", store_set, 0},
 	{"quiet", 'q', "", "no progress and no summary", cli_store_flag,
 	 offsetof(struct cli_common, quiet)},
-	{"units", 0, "LIST", "units of the table, such as \"kN, ft, Hz\" (SI)", cli_store_text,
+	{"units", 0, "LIST", "units of table and picture, such as \"kN, ft, Hz\" (SI)", cli_store_text,
 	 offsetof(struct cli_common, units)},
 	{"reproducible", 0, "", "no times in results: two runs give the same bytes", cli_store_flag,
 	 offsetof(struct cli_common, reproducible)},

@@ -116,14 +116,24 @@ int cli_plan_settings(struct cli_setting *setting, const struct cli_plan_result 
 
 /* --- text --- */
 
+/* A sentence with its numbers in the chosen units. */
+static void print_text(FILE *stream, const char *text)
+{
+	char *shown = hawser__units_text(text);
+
+	fputs(shown ? shown : text, stream);
+	free(shown);
+}
+
 static void print_decisions(FILE *stream, const struct cli_plan_result *result)
 {
 	fputs("\nModelled\n", stream);
 	for (int i = 0; i < result->plan.decisions; i++) {
 		const struct hawser_plan_decision *decision = &result->plan.decision[i];
 
-		fprintf(stream, "  %-4s %-34s %s\n", decision->modelled ? "yes" : "no",
-		        decision->subject, decision->why);
+		fprintf(stream, "  %-4s %-34s ", decision->modelled ? "yes" : "no", decision->subject);
+		print_text(stream, decision->why);
+		fputc('\n', stream);
 	}
 }
 
@@ -226,9 +236,11 @@ static const char *span(char text[32], double least, double most)
 static void print_foreseen(FILE *stream, const struct hawser_plan *plan)
 {
 	for (int i = 0; i < plan->rows; i++)
-		if (*plan->row[i].foreseen)
-			fprintf(stream, "  %s%s: %s\n", plan->row[i].choice.name,
-			        plan->row[i].status ? " fails" : "", plan->row[i].foreseen);
+		if (*plan->row[i].foreseen) {
+			fprintf(stream, "  %s%s: ", plan->row[i].choice.name, plan->row[i].status ? " fails" : "");
+			print_text(stream, plan->row[i].foreseen);
+			fputc('\n', stream);
+		}
 	if (isfinite(plan->seconds))
 		fprintf(stream, "  this plan itself took %.2g s of processor time\n", plan->seconds);
 }
@@ -255,6 +267,30 @@ static void print_rows(FILE *stream, const struct cli_plan_result *result)
 	print_foreseen(stream, plan);
 }
 
+/* The numbers of a setting, "80000" or "[0, 0.8]", in the chosen unit. */
+static void in_unit(char *text, size_t size, const struct cli_setting *setting)
+{
+	const struct hawser__shown_unit shown = hawser__shown_unit(setting->unit);
+	size_t used = 0;
+
+	*text = '\0';
+	for (const char *c = setting->value; *c && used + 1 < size;) {
+		char *end = NULL;
+		double number = shown.changed ? strtod(c, &end) : 0.0;
+
+		if (end && end > c && isfinite(number)) {
+			used += (size_t)snprintf(text + used, size - used, "%s%.10g", *c == ' ' ? " " : "",
+			                         number/shown.per);
+			c = end;
+		} else {
+			text[used++] = *c++;
+			text[used] = '\0';
+		}
+	}
+	if (*setting->unit && used < size)
+		snprintf(text + used, size - used, " %s", shown.name);
+}
+
 static void print_settings(FILE *stream, const struct cli_plan_result *result)
 {
 	struct cli_setting setting[CLI_SETTINGS];
@@ -262,10 +298,9 @@ static void print_settings(FILE *stream, const struct cli_plan_result *result)
 
 	fputs("\nSettings in use\n", stream);
 	for (int i = 0; i < count; i++) {
-		char value[128];
+		char value[192];
 
-		snprintf(value, sizeof value, "%s%s%s", setting[i].value, *setting[i].unit ? " " : "",
-		         setting[i].unit);
+		in_unit(value, sizeof value, &setting[i]);
 		fprintf(stream, "  %-26s %-24s %-8s %s\n", setting[i].name, value,
 		        setting[i].written ? "yours" : "default", setting[i].doc);
 	}
@@ -273,11 +308,12 @@ static void print_settings(FILE *stream, const struct cli_plan_result *result)
 
 void cli_plan_print(FILE *stream, const struct cli_plan_result *result)
 {
-	double unit = cli_per_omega(result->model);
+	const struct hawser__shown_unit omega = hawser__shown_unit("rad/s");
+	double unit = cli_per_omega(result->model)/omega.per;
 
-	fprintf(stream, "hawser %s plan: %s\nresponse over Omega from %.6g to %.6g rad/s\n",
+	fprintf(stream, "hawser %s plan: %s\nresponse over Omega from %.6g to %.6g %s\n",
 	        hawser_version(), result->model->scene.name, result->plan.from*unit,
-	        result->plan.to*unit);
+	        result->plan.to*unit, omega.name);
 	print_decisions(stream, result);
 	print_modes(stream, result);
 	print_resonances(stream, result);

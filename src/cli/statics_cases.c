@@ -145,7 +145,8 @@ enum hawser_status cli_cases_draw(const char *path, const struct cli_cases *case
 	double *value = malloc((size_t)cases->rows*HAWSER__CASE_VALUES*sizeof *value);
 	const char **name = malloc((size_t)cases->rows*sizeof *name);
 	const struct hawser__cases_picture picture = {.cases = cases->rows, .name = name,
-		.value = value, .per = axis->per};
+		.value = value, .tension = *axis,
+		.length = hawser__axis_of("Sag, blowout", "m", 0.0)};
 	enum hawser_status status = value && name ? HAWSER_OK : hawser__no_memory(report, "statics");
 
 	for (int i = 0; !status && i < cases->rows; i++) {
@@ -157,7 +158,7 @@ enum hawser_status cli_cases_draw(const char *path, const struct cli_cases *case
 			value[HAWSER__CASE_VALUES*i + k] = row->status ? NAN : of[k];
 	}
 	if (!status)
-		status = hawser__plot_cases(path, &picture, axis->title, report);
+		status = hawser__plot_cases(path, &picture, report);
 	free(value);
 	free(name);
 	return status;

@@ -37,6 +37,11 @@ const char *cli_unit(const struct cli_model *model, const char *name)
 	return model && model->rom.scaled ? name : "";
 }
 
+struct hawser__axis cli_model_axis(const struct cli_model *model, const char *quantity, const char *si)
+{
+	return hawser__axis_of(quantity, cli_unit(model, si), 0.0);
+}
+
 static int probes(const void *context)
 {
 	const struct cli_model *model = context;

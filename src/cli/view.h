@@ -15,6 +15,9 @@ struct hawser__view cli_si_view(unsigned options);
 /* The name of a unit; "" without a model or if the model has no units. */
 const char *cli_unit(const struct cli_model *model, const char *name);
 
+/* The axis of a quantity of this model, see hawser__axis_of; without a unit if the model has none. */
+struct hawser__axis cli_model_axis(const struct cli_model *model, const char *quantity, const char *si);
+
 /* The first comments and members of a result, and how its fields are shown. */
 struct cli_head {
 	const struct cli_common *common;

@@ -292,8 +292,7 @@ void hawser__fields_comments(struct hawser__table *table, const struct hawser__f
                              const void *row, const struct hawser__view *view);
 
 /* The axis for values up to `largest` of the first field with this column or key that the result
- * has and that has a title. Tensions have the prefix k or M from 1000 on. Pure numbers have the
- * unit "–". */
+ * has and that has a title, see hawser__axis_of. Pure numbers have the unit "–". */
 struct hawser__axis hawser__fields_axis(const struct hawser__field *field, const char *name,
                                         const struct hawser__view *view, double largest);
 

@@ -230,34 +230,24 @@ static int is_named(const char *name, const char *wanted)
 	return name && strcmp(name, wanted) == 0;
 }
 
-/* The unit as shown at an axis; "" if the model has no units. */
-static const char *unit_shown(enum hawser__unit unit, const struct hawser__scale *scale)
+/* The SI unit for an axis; "" if the model has no units, "1" for a pure number. */
+static const char *unit_of(const struct hawser__field *field, const struct hawser__view *view)
 {
-	int known = *hawser__unit_suffix(unit, scale) != '\0';
-
-	return known ? hawser__unit_name(unit) : unit == HAWSER__NONE || scale->pure ? "–" : "";
+	if (*hawser__unit_suffix(field->unit, &view->scale))
+		return hawser__unit_name(field->unit);
+	return field->unit == HAWSER__NONE || view->scale.pure ? "1" : "";
 }
 
 struct hawser__axis hawser__fields_axis(const struct hawser__field *field, const char *name,
                                         const struct hawser__view *view, double largest)
 {
-	struct hawser__axis axis = {.per = 1.0};
-	int prefixed;
-
 	while (!hawser__is_end(field) &&
 	       !(field->axis && (is_named(field->column, name) || is_named(field->key, name)) &&
 	         hawser__is_shown(field, view)))
 		field++;
 	if (hawser__is_end(field))
-		return axis;
-	prefixed = field->unit == HAWSER__NEWTON && fabs(largest) >= 1e3;
-	if (prefixed)
-		axis.per = fabs(largest) >= 1e6 ? 1e6 : 1e3;
-	snprintf(axis.unit, sizeof axis.unit, "%s%s", !prefixed ? "" : axis.per == 1e6 ? "M" : "k",
-	         unit_shown(field->unit, &view->scale));
-	snprintf(axis.title, sizeof axis.title, "%s%s%s%s", field->axis, *axis.unit ? " (" : "",
-	         axis.unit, *axis.unit ? ")" : "");
-	return axis;
+		return (struct hawser__axis){.per = 1.0};
+	return hawser__axis_of(field->axis, unit_of(field, view), largest);
 }
 
 /* --- the list of fields --- */

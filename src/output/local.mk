@@ -1,5 +1,7 @@
 noinst_LTLIBRARIES += %D%/liboutput.la
 %C%_liboutput_la_SOURCES = \
+	%D%/axis.c \
+	%D%/axis.h \
 	%D%/fields.c \
 	%D%/fields.h \
 	%D%/fields_json.c \

@@ -15,7 +15,7 @@
 #include <hawser/hawser.h>
 
 #include "core/file.h"
-#include "output/units.h"
+#include "output/axis.h"
 
 /* --- table.c: tab-separated values --- */
 
@@ -159,15 +159,8 @@ void hawser__picture_tics(struct hawser__picture *picture, char axis, double low
 void hawser__picture_log_tics(struct hawser__picture *picture, const char *axis, double low,
                               double high);
 
-/* --- plot_*.c: one picture per command; all arrays in SI --- */
-
-/* The title of an axis ends with the unit, "Tension T (kN)", in gnuplot's markup. Values are divided
- * by `per` to be shown in that unit. */
-enum { HAWSER__AXIS_SIZE = 96 };
-struct hawser__axis {
-	char title[HAWSER__AXIS_SIZE], unit[16];
-	double per;
-};
+/* --- plot_*.c: one picture per command; arrays in SI, to be divided by `per` of their axis, but where
+ * the comment says in the units of the titles --- */
 
 /* A point of a profile in global axes; slope is dy/dx. */
 struct hawser__place {
@@ -227,8 +220,7 @@ enum hawser_status hawser__plot_modes(const char *path, const struct hawser_mode
 struct hawser__diagram {
 	int stations, branches, in_plane, overlays, marks;
 	int logarithmic;             /* 1: logarithmic abscissa */
-	int moving;                  /* 1: the title of the panel states the speed */
-	double speed;                /* m/s */
+	const char *note;            /* in the panel, such as its speed; or "" */
 	const char *x_title, *y_title;
 	const double *x;             /* [stations] */
 	const double *y;             /* [stations][branches] those in the plane first */
@@ -242,17 +234,17 @@ enum { HAWSER__DIAGRAMS = 12 };
 enum hawser_status hawser__plot_irvine(const char *path, const struct hawser__diagram *diagram,
                                        int count, struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* Eigenvalues over the speed, in the unit of the titles, one column per plane. */
+/* Eigenvalues over the speed, in the units of the titles, one column per plane. */
 struct hawser__campbell {
 	int stations, branches, in_plane, marks, harmonics;
 	const char *speed_title, *re_title, *im_title;
-	const double *speed;     /* [stations] m/s */
+	const double *speed;     /* [stations] */
 	const double *re, *im;   /* [stations][branches] those in the plane first */
-	const double *mark_x;    /* [marks] m/s, where two branches in the plane are closest */
+	const double *mark_x;    /* [marks] where two branches in the plane are closest */
 	const double *mark_y;    /* [marks][2] on both of them; NAN on one that is not shown */
 	const int *veers;        /* [marks] 1: a veering, 0: a crossing */
 	double slope;            /* slope of the line of the first harmonic, per m/s */
-	double limit;            /* m/s, end of the steady state; NAN if it is not shown */
+	double limit;            /* end of the steady state; NAN if it is not shown */
 };
 enum hawser_status hawser__plot_campbell(const char *path, const struct hawser__campbell *diagram,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
@@ -312,17 +304,18 @@ struct hawser__signal {
 struct hawser__history {
 	int rows, bins, signals;
 	int settled_from;    /* first row of the settled part, which the phase plane shows */
-	const double *time;  /* [rows] */
+	const double *time;  /* [rows] in the unit of the title */
 	const double *frequency; /* [bins] */
 	double forcing;      /* frequency of the forcing in the unit of `frequency`, 0 for none */
 	const char *time_title;
-	int scaled;          /* 1: units are s, m, Hz; 0: those of the model */
+	struct hawser__axis y, rate, amplitude, spectrum; /* displacement, velocity, and of the spectra */
+	int scaled;          /* 1: displacements may be in mm or µm; in SI */
 	const struct hawser__signal *signal; /* [signals], at most three */
 };
 enum hawser_status hawser__plot_integrate(const char *path, const struct hawser__history *history,
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* A frequency response, in SI where the model has units. */
+/* A frequency response, in the units of the titles. */
 /* A located peak of a curve. */
 struct hawser__response_peak {
 	int curve;
@@ -375,7 +368,8 @@ struct hawser__response {
 enum hawser_status hawser__plot_frf(const char *path, const struct hawser__response *response,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* Fold curves (Omega, load factor), and responses at the model's own load (Omega, amplitude). */
+/* Fold curves (Omega, load factor), and responses at the model's own load (Omega, amplitude), in the
+ * units of the titles. */
 struct hawser__folds_line {
 	int points;
 	const double *x, *y; /* [points] */
@@ -402,7 +396,7 @@ enum hawser_status hawser__plot_folds(const char *path, const struct hawser__fol
 struct hawser__beam_curve {
 	const struct hawser_beam_sweep *sweep;
 	double v_crit, v_bif;       /* scaled, NAN for none */
-	double per_speed, per_rate; /* shown units per scaled one */
+	double per_speed, per_re, per_im; /* shown units per scaled one */
 	char label[64];
 };
 struct hawser__beam_picture {
@@ -416,7 +410,7 @@ enum hawser_status hawser__plot_beam_sweep(const char *path, const struct hawser
 /* Boundaries over a parameter. */
 struct hawser__beam_line {
 	int points, colour, dashed;
-	const double *x, *y; /* [points] y NAN: a gap */
+	const double *x, *y; /* [points] y NAN: a gap; both in SI, or scaled */
 	char label[120];
 };
 struct hawser__beam_lines {
@@ -475,17 +469,18 @@ struct hawser__hill_picture {
 enum hawser_status hawser__plot_hill(const char *path, const struct hawser__hill_picture *hill,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* A measured frequency (Hz) with relative differences of the computed one, in the scene as given
- * (NAN: not known) and in the fitted one, and the standard deviation (relative; NAN: not known). */
+/* A measured frequency, in the unit of the axis, with relative differences of the computed one, in the
+ * scene as given (NAN: not known) and in the fitted one, and the standard deviation (relative; NAN: not
+ * known). */
 struct hawser__identified {
 	double frequency, before, after, deviation;
 	int plane; /* 1: out of plane */
 };
 enum hawser_status hawser__plot_identify(const char *path, const struct hawser__identified *row,
-                                         int rows,
+                                         int rows, const char *x_title,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* Energy and frequency at [points][2], with the titles of their axes. */
+/* Energy and frequency at [points][2], in the units of the titles of their axes. */
 enum hawser_status hawser__plot_energy(const char *path, const double *at, int points,
                                        const char *x_title, const char *y_title,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;

@@ -52,3 +52,11 @@ void hawser__panels_open(struct hawser__picture *picture, const struct hawser__p
 		hawser__picture_ylabel(picture, "%s", ylabel);
 	}
 }
+
+void hawser__panels_frequency(FILE *script, int k, double omega, const char *what)
+{
+	const struct hawser__axis axis = hawser__axis_of("", "Hz", 0.0);
+
+	fprintf(script, "set title '%d:  %.4g %s,  %s' offset 0,-0.6\n", k + 1, omega/(2.0*M_PI)/axis.per,
+	        axis.unit, what);
+}

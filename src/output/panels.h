@@ -4,6 +4,8 @@
 #ifndef HAWSER_OUTPUT_PANELS_H
 #define HAWSER_OUTPUT_PANELS_H
 
+#include <stdio.h>
+
 struct hawser__picture;
 
 enum { HAWSER__PANELS = 12 }; /* at most */
@@ -16,6 +18,9 @@ struct hawser__panels {
 struct hawser__panels hawser__panels_arrange(int modes);
 void hawser__panels_open(struct hawser__picture *picture, const struct hawser__panels *at, int k,
                          const char *xlabel, const char *ylabel);
+
+/* Title of the panel of mode k with this frequency (rad/s). */
+void hawser__panels_frequency(FILE *script, int k, double omega, const char *what);
 
 /* Factor, 1, 2 or 5 times a power of ten, that magnifies a component too small to be visible. */
 double hawser__panels_magnify(double mine, double other);

@@ -21,9 +21,9 @@ static void data(FILE *script, const struct hawser__beam_picture *picture)
 			for (int b = 0; b < sweep->branches; b++) {
 				int cell = k*sweep->branches + b;
 
-				fprintf(script, " %.9g %.9g %.9g", sweep->im[cell]*curve->per_rate,
-				        sweep->re[2*cell]*curve->per_rate,
-				        sweep->re[2*cell + 1]*curve->per_rate);
+				fprintf(script, " %.9g %.9g %.9g", sweep->im[cell]*curve->per_im,
+				        sweep->re[2*cell]*curve->per_re,
+				        sweep->re[2*cell + 1]*curve->per_re);
 			}
 			fputc('\n', script);
 		}
@@ -40,7 +40,8 @@ static void range(double *low, double *high, const struct hawser__beam_picture *
 		int cells = curve->sweep->stations*curve->sweep->branches;
 
 		for (int k = 0; k < (real ? 2*cells : cells); k++) {
-			double value = (real ? curve->sweep->re[k] : curve->sweep->im[k])*curve->per_rate;
+			double value = real ? curve->sweep->re[k]*curve->per_re
+			                    : curve->sweep->im[k]*curve->per_im;
 
 			*low = fmin(*low, value);
 			*high = fmax(*high, value);

@@ -18,7 +18,8 @@ static void data(FILE *script, const struct hawser__beam_lines *picture)
 			if (isnan(line->y[k]))
 				fputc('\n', script);
 			else
-				fprintf(script, "%.12g %.12g\n", line->x[k]/picture->x.per, line->y[k]);
+				fprintf(script, "%.12g %.12g\n", line->x[k]/picture->x.per,
+				        line->y[k]/picture->speed.per);
 		fputs("END\n", script);
 	}
 }
@@ -56,7 +57,7 @@ enum hawser_status hawser__plot_beam_lines(const char *path, const struct hawser
 		for (int k = 0; k < picture->line[i].points; k++) {
 			low = fmin(low, picture->line[i].x[k]/picture->x.per);
 			high = fmax(high, picture->line[i].x[k]/picture->x.per);
-			top = fmax(top, picture->line[i].y[k]);
+			top = fmax(top, picture->line[i].y[k]/picture->speed.per);
 		}
 	data(script, picture);
 	hawser__picture_panel(&out, 0.13, 0.95, 0.28, 0.97);

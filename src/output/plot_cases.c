@@ -23,7 +23,8 @@ static void data(FILE *script, const struct hawser__cases_picture *of)
 	for (int i = 0; i < of->cases; i++) {
 		fprintf(script, "%d", i);
 		for (int k = 0; k < HAWSER__CASE_VALUES; k++)
-			fprintf(script, " %.9g", of->value[HAWSER__CASE_VALUES*i + k]/(k < 2 ? of->per : 1.0));
+			fprintf(script, " %.9g", of->value[HAWSER__CASE_VALUES*i + k]/
+			        (k < 2 ? of->tension.per : of->length.per));
 		fputc('\n', script);
 	}
 	fprintf(script, "END\nset xrange [-0.6:%.9g]\nset yrange [0:*]\n", of->cases - 0.4);
@@ -54,7 +55,7 @@ static void pair(FILE *script, int from)
 }
 
 enum hawser_status hawser__plot_cases(const char *path, const struct hawser__cases_picture *of,
-                                      const char *tension, struct hawser_report *report)
+                                      struct hawser_report *report)
 {
 	struct hawser__legend entries = {0};
 	struct hawser__picture picture;
@@ -66,11 +67,11 @@ enum hawser_status hawser__plot_cases(const char *path, const struct hawser__cas
 	data(script, of);
 	tics(script, of, 0);
 	hawser__picture_panel(&picture, 0.13, 0.97, 0.68, 0.97);
-	hawser__picture_ylabel(&picture, "%s", tension);
+	hawser__picture_ylabel(&picture, "%s", of->tension.title);
 	pair(script, 0);
 	tics(script, of, 1);
 	hawser__picture_panel(&picture, 0.13, 0.97, 0.34, 0.63);
-	hawser__picture_ylabel(&picture, "Sag, blowout (m)");
+	hawser__picture_ylabel(&picture, "%s", of->length.title);
 	pair(script, 2);
 	for (int k = 0; k < HAWSER__CASE_VALUES; k++)
 		hawser__legend_add(&entries, shown[k].title, "with points %s", shown[k].style);

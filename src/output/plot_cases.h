@@ -3,7 +3,7 @@
 #ifndef HAWSER_OUTPUT_PLOT_CASES_H
 #define HAWSER_OUTPUT_PLOT_CASES_H
 
-#include <hawser/status.h>
+#include "output/axis.h"
 
 enum { HAWSER__CASE_VALUES = 4 };
 
@@ -12,11 +12,10 @@ struct hawser__cases_picture {
 	const char *const *name; /* [cases] */
 	const double *value;     /* [cases][HAWSER__CASE_VALUES] largest tension and H (N), sag and
 	                          * blowout (m); not a number: not drawn */
-	double per;              /* N, unit of the axis of tensions */
+	struct hawser__axis tension, length;
 };
 
-/* `tension`: title of the axis of tensions. */
 enum hawser_status hawser__plot_cases(const char *path, const struct hawser__cases_picture *of,
-                                      const char *tension, struct hawser_report *report);
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
 
 #endif

@@ -35,10 +35,10 @@ static int leading(const struct hawser_mode *mode)
 	return mode->axial_share > mode->normal_share ? 0 : 1;
 }
 
-/* m, actual unstretched arclength. */
-static double abscissa(const struct hawser_modes *modes, double s)
+/* Actual unstretched arclength. */
+static double abscissa(const struct hawser_modes *modes, const struct hawser__axis *S, double s)
 {
-	return s*modes->statics.span.d*(1.0 - modes->statics.motion.mach2);
+	return s*modes->statics.span.d*(1.0 - modes->statics.motion.mach2)/S->per;
 }
 
 static double extent(const struct hawser_modes *modes, int panels)
@@ -55,9 +55,8 @@ static void title(FILE *script, const struct hawser_modes *modes, int k)
 {
 	const struct hawser_mode *mode = &modes->mode[k];
 
-	fprintf(script, "set title '%d:  %.4g Hz,  %s' offset 0,-0.6\n", k + 1,
-	        mode->omega/modes->time_unit/(2.0*M_PI), leading(mode) == 0
-	        ? "longitudinal" : hawser_plane_name(mode->plane));
+	hawser__panels_frequency(script, k, mode->omega/modes->time_unit, leading(mode) == 0
+	                         ? "longitudinal" : hawser_plane_name(mode->plane));
 }
 
 static enum hawser_status begin(struct hawser__picture *picture, struct hawser__panels *at,
@@ -70,9 +69,9 @@ static enum hawser_status begin(struct hawser__picture *picture, struct hawser__
 
 /* Ranges of shapes over the arclength, common to all panels. */
 static void axes(struct hawser__picture *picture, const struct hawser__panels *at,
-                 const struct hawser_modes *modes)
+                 const struct hawser_modes *modes, const struct hawser__axis *S)
 {
-	double end = abscissa(modes, modes->statics.l), range = extent(modes, at->panels);
+	double end = abscissa(modes, S, modes->statics.l), range = extent(modes, at->panels);
 
 	fprintf(picture->script,
 	        "set xrange [0:%.9g]\nset yrange [%.4g:%.4g]\nset xzeroaxis lt 7 lw 0.4\n",
@@ -140,12 +139,12 @@ enum hawser_status hawser__plot_complex_modes(const char *path,
 			double s = modes->statics.l*i/(samples - 1), x[6];
 
 			hawser_modes_at(modes, x, NULL, k, s);
-			fprintf(script, "%.9g %.9g %.9g %.9g %.9g %.9g %.9g\n", abscissa(modes, s), x[0], x[1],
-			        x[2], x[3], x[4], x[5]);
+			fprintf(script, "%.9g %.9g %.9g %.9g %.9g %.9g %.9g\n", abscissa(modes, S, s), x[0],
+			        x[1], x[2], x[3], x[4], x[5]);
 		}
 		fputs("END\n", script);
 	}
-	axes(&picture, &at, modes);
+	axes(&picture, &at, modes, S);
 	for (int k = 0; k < at.panels; k++) {
 		hawser__panels_open(&picture, &at, k, S->title, "Shape (–)");
 		title(script, modes, k);
@@ -183,15 +182,15 @@ enum hawser_status hawser__plot_waves(const char *path, const struct hawser_mode
 
 			hawser_modes_at(modes, x, NULL, k, s);
 			hawser_complex_modes_waves(modes, with, against, k, s);
-			fprintf(script, "%.9g %.9g %.9g %.9g", abscissa(modes, s), hypot(x[c], x[3 + c]),
-			        with[c], against[c]);
+			fprintf(script, "%.9g %.9g %.9g %.9g", abscissa(modes, S, s),
+			        hypot(x[c], x[3 + c]), with[c], against[c]);
 			for (int m = 0; m < moments; m++)
 				fprintf(script, " %.9g", x[c]*cos(M_PI*m/moments) - x[3 + c]*sin(M_PI*m/moments));
 			fputs("\n", script);
 		}
 		fputs("END\n", script);
 	}
-	axes(&picture, &at, modes);
+	axes(&picture, &at, modes, S);
 	for (int k = 0; k < at.panels; k++) {
 		hawser__panels_open(&picture, &at, k, S->title,
 		                    "Leading component (–)");
@@ -213,8 +212,8 @@ enum hawser_status hawser__plot_waves(const char *path, const struct hawser_mode
 
 /* --- the span at instants of half a period --- */
 
-/* Columns: x and y (z out of plane) of the steady state, then of each instant, m. */
-static void passing_data(FILE *script, const struct hawser_modes *modes, int k)
+/* Columns: x and y (z out of plane) of the steady state, then of each instant. */
+static void passing_data(FILE *script, const struct hawser_modes *modes, int k, double per)
 {
 	const struct hawser_statics *st = &modes->statics;
 	double most = fmax(largest_of(modes, k, 0),
@@ -229,21 +228,21 @@ static void passing_data(FILE *script, const struct hawser_modes *modes, int k)
 		struct hawser_frame_point frame = hawser_statics_frame(st, s);
 
 		hawser_modes_at(modes, shape, NULL, k, s);
-		fprintf(script, "%.9g %.9g", rest.x, out ? 0.0 : rest.y);
+		fprintf(script, "%.9g %.9g", rest.x/per, out ? 0.0 : rest.y/per);
 		for (int m = 0; m < moments; m++) {
 			double c = scale*cos(M_PI*m/moments), n = scale*sin(M_PI*m/moments);
 			double P = c*shape[0] - n*shape[3], Q = c*shape[1] - n*shape[4];
 			double B = c*shape[2] - n*shape[5];
 
-			fprintf(script, " %.9g %.9g", rest.x + (out ? 0.0 : P*frame.ex - Q*frame.ey),
-			        out ? B : rest.y + P*frame.ey + Q*frame.ex);
+			fprintf(script, " %.9g %.9g", (rest.x + (out ? 0.0 : P*frame.ex - Q*frame.ey))/per,
+			        (out ? B : rest.y + P*frame.ey + Q*frame.ex)/per);
 		}
 		fputs("\n", script);
 	}
 	fputs("END\n", script);
 }
 
-static void heights(double *low, double *high, const struct hawser_statics *st)
+static void heights(double *low, double *high, const struct hawser_statics *st, double per)
 {
 	double margin = 1.15*enlarged*hypot(st->span.d, st->span.h);
 
@@ -254,8 +253,8 @@ static void heights(double *low, double *high, const struct hawser_statics *st)
 		*low = fmin(*low, y);
 		*high = fmax(*high, y);
 	}
-	*low -= margin;
-	*high += margin;
+	*low = (*low - margin)/per;
+	*high = (*high + margin)/per;
 }
 
 enum hawser_status hawser__plot_passing(const char *path, const struct hawser_modes *modes,
@@ -266,21 +265,22 @@ enum hawser_status hawser__plot_passing(const char *path, const struct hawser_mo
 	struct hawser__legend entries = {0};
 	struct hawser__panels at;
 	enum hawser_status status = begin(&picture, &at, path, modes, report);
+	const struct hawser__axis x = hawser__axis_of("Distance {/:Italic x}", "m", 0.0);
+	const struct hawser__axis y = hawser__axis_of("{/:Italic y} or {/:Italic z}", "m", 0.0);
 	FILE *script = picture.script;
 	double low, high;
 
 	if (status)
 		return status;
 	for (int k = 0; k < at.panels; k++)
-		passing_data(script, modes, k);
-	heights(&low, &high, &modes->statics);
-	fprintf(script, "set xrange [%.9g:%.9g]\nset yrange [%.9g:%.9g]\n", -0.03*span->d, 1.03*span->d,
-	        low, high);
-	hawser__picture_tics(&picture, 'x', 0.0, span->d, at.columns > 2 ? 4 : 6);
+		passing_data(script, modes, k, x.per);
+	heights(&low, &high, &modes->statics, y.per);
+	fprintf(script, "set xrange [%.9g:%.9g]\nset yrange [%.9g:%.9g]\n", -0.03*span->d/x.per,
+	        1.03*span->d/x.per, low, high);
+	hawser__picture_tics(&picture, 'x', 0.0, span->d/x.per, at.columns > 2 ? 4 : 6);
 	hawser__picture_tics(&picture, 'y', low, high, 5);
 	for (int k = 0; k < at.panels; k++) {
-		hawser__panels_open(&picture, &at, k, "Distance {/:Italic x} (m)",
-		                    "{/:Italic y} or {/:Italic z} (m)");
+		hawser__panels_open(&picture, &at, k, x.title, y.title);
 		title(script, modes, k);
 		fprintf(script, "plot $mode%d using 1:2 with lines lt 7 lw 0.8 dt (8,6)", k);
 		for (int m = moments - 1; m >= 0; m--)

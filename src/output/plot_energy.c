@@ -25,7 +25,8 @@ enum hawser_status hawser__plot_energy(const char *path, const double *at, int p
 			high = fmax(high, at[2*i + 1]);
 		}
 	fputs("NaN NaN\nEND\n", script);
-	hawser__picture_panel(&picture, 0.16, 0.95, 0.18, 0.95);
+	hawser__picture_panel(&picture, 0.175, 0.95, 0.18, 0.95);
+	picture.left = 0.145; /* tics of frequencies that hardly differ are long */
 	fputs("set logscale x\nset format x '10^{%T}'\nunset key\n", script);
 	if (high > low)
 		hawser__picture_tics(&picture, 'y', low, high, 7);

@@ -55,7 +55,8 @@ static void points(FILE *script, int after)
 }
 
 enum hawser_status hawser__plot_identify(const char *path, const struct hawser__identified *row,
-                                         int rows, struct hawser_report *report)
+                                         int rows, const char *x_title,
+                                         struct hawser_report *report)
 {
 	struct hawser__picture picture;
 	enum hawser_status status = hawser__picture_begin(&picture, path, 16.0, 12.8, report);
@@ -76,7 +77,7 @@ enum hawser_status hawser__plot_identify(const char *path, const struct hawser__
 	hawser__picture_panel(&picture, 0.14, 0.97, 0.63, 0.97);
 	hawser__picture_ylabel(&picture, "As given (%%)");
 	points(script, 0);
-	fputs("set format x '%g'\nset xlabel 'Measured frequency (Hz)'\n", script);
+	fprintf(script, "set format x '%%g'\nset xlabel '%s'\n", x_title);
 	range(&picture, row, rows, 1);
 	hawser__picture_panel(&picture, 0.14, 0.97, 0.235, 0.575);
 	hawser__picture_ylabel(&picture, "Fitted (%%)");

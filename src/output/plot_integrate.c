@@ -3,6 +3,7 @@
 #include "config.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "output/output.h"
 
@@ -10,25 +11,47 @@
  * it exceeds this fraction of the peak. Smaller values are leakage of the window, or round-off. */
 static const double decades = 7.0, part_of_peak = 1e-4;
 
-/* Units of the histories. Each signal has the largest one in which its tic labels are short. Spectra
- * are in m. */
-static const struct length_unit {
-	double least, per_m; /* m: the unit is for signals of at least this size */
-	const char *length, *rate;
-} length_units[] = {{0.02, 1.0, " (m)", " (m/s)"}, {2e-5, 1e3, " (mm)", " (mm/s)"},
-	{0.0, 1e6, " (µm)", " (µm/s)"}}, no_unit = {0.0, 1.0, "", ""};
+/* Prefixes of the histories in SI. Each signal has the largest one with which its tic labels are short.
+ * Spectra are in m, and what the user has chosen is shown as it is. */
+static const struct prefix {
+	double least, times; /* m: it is for signals of at least this size */
+	const char *prefix;
+} prefixes[] = {{0.02, 1.0, ""}, {2e-5, 1e3, "m"}, {0.0, 1e6, "µ"}};
 
-static const struct length_unit *unit_of(const struct hawser__history *history, int k)
+static const struct prefix *prefix_of(const struct hawser__history *history, int k)
 {
-	const struct length_unit *unit = length_units;
+	const struct prefix *prefix = prefixes;
 	double largest = 0.0;
 
-	if (!history->scaled)
-		return &no_unit;
+	if (!history->scaled || strcmp(history->y.unit, "m") != 0)
+		return prefix;
 	for (int i = 0; i < history->rows; i++)
 		largest = fmax(largest, fabs(history->signal[k].value[i]));
-	while (largest > 0.0 && largest < unit->least)
-		unit++;
+	while (largest > 0.0 && largest < prefix->least)
+		prefix++;
+	return prefix;
+}
+
+/* Shown values of signal k per value, and the end of its title: displacement and velocity. */
+struct unit {
+	double y, rate;
+	char y_end[HAWSER__MARKUP_SIZE + 8], rate_end[HAWSER__MARKUP_SIZE + 8];
+};
+
+static void ending(char *text, size_t size, const char *prefix, const char *unit)
+{
+	snprintf(text, size, "%s%s%s%s", *unit ? " (" : "", *unit ? prefix : "", unit, *unit ? ")" : "");
+}
+
+static struct unit unit_of(const struct hawser__history *history, int k)
+{
+	const struct prefix *prefix = prefix_of(history, k);
+	int plain = strcmp(history->rate.unit, "m/s") == 0; /* not chosen by itself */
+	struct unit unit = {.y = prefix->times/history->y.per,
+	                    .rate = (plain ? prefix->times : 1.0)/history->rate.per};
+
+	ending(unit.y_end, sizeof unit.y_end, prefix->prefix, history->y.unit);
+	ending(unit.rate_end, sizeof unit.rate_end, plain ? prefix->prefix : "", history->rate.unit);
 	return unit;
 }
 
@@ -38,15 +61,16 @@ static void data(FILE *script, const struct hawser__history *history)
 
 	for (k = 0; k < history->signals; k++) {
 		const struct hawser__signal *signal = &history->signal[k];
-		double per_m = unit_of(history, k)->per_m;
+		const struct unit unit = unit_of(history, k);
 
 		fprintf(script, "$history%d << END\n", k);
 		for (i = 0; i < history->rows; i++)
-			fprintf(script, "%.9g %.7g %.7g\n", history->time[i], per_m*signal->value[i],
-			        per_m*signal->rate[i]);
+			fprintf(script, "%.9g %.7g %.7g\n", history->time[i], unit.y*signal->value[i],
+			        unit.rate*signal->rate[i]);
 		fprintf(script, "END\n$spectrum%d << END\n", k);
 		for (i = 1; i < history->bins; i++)
-			fprintf(script, "%.9g %.7g\n", history->frequency[i], signal->amplitude[i]);
+			fprintf(script, "%.9g %.7g\n", history->frequency[i]/history->spectrum.per,
+			        signal->amplitude[i]/history->amplitude.per);
 		fputs("END\n", script);
 	}
 }
@@ -103,24 +127,24 @@ static void time_panel(struct hawser__picture *picture, const struct hawser__his
 		fprintf(script, "set xlabel '%s' offset 0,0.3\n", history->time_title);
 	else
 		fputs("unset xlabel\n", script);
-	hawser__picture_ylabel(picture, "%s%s", signal->label, unit_of(history, k)->length);
+	hawser__picture_ylabel(picture, "%s%s", signal->label, unit_of(history, k).y_end);
 	fprintf(script, "plot $history%d using 1:2 with lines lt %d lw 0.8\n", k, k + 1);
 }
 
 static void phase_panel(struct hawser__picture *picture, const struct hawser__history *history,
                         int k)
 {
-	const struct length_unit *unit = unit_of(history, k);
+	const struct unit unit = unit_of(history, k);
 	double low, high;
 
 	span(&low, &high, history, history->signal[k].value);
-	hawser__picture_tics(picture, 'x', unit->per_m*low, unit->per_m*high, 3);
+	hawser__picture_tics(picture, 'x', unit.y*low, unit.y*high, 3);
 	span(&low, &high, history, history->signal[k].rate);
-	hawser__picture_tics(picture, 'y', unit->per_m*low, unit->per_m*high, 5);
+	hawser__picture_tics(picture, 'y', unit.rate*low, unit.rate*high, 5);
 	fprintf(picture->script, "set autoscale x\nset format x '%%g'\nset xlabel '%s%s' "
 	                         "offset 0,0.3\n",
-	        history->signal[k].label, unit->length);
-	hawser__picture_ylabel(picture, "Velocity%s", unit->rate);
+	        history->signal[k].label, unit.y_end);
+	hawser__picture_ylabel(picture, "Velocity%s", unit.rate_end);
 	fprintf(picture->script, "plot $history%d every ::%d using 2:3 with lines lt %d lw 0.8\n", k,
 	        history->settled_from, k + 1);
 }
@@ -129,23 +153,25 @@ static void spectrum(struct hawser__picture *picture, const struct hawser__histo
 {
 	FILE *script = picture->script;
 	double largest = peak(history), highest = history->frequency[history->bins - 1];
-	double end = fmin(last_frequency(history, part_of_peak*largest), highest);
+	double end = fmin(last_frequency(history, part_of_peak*largest), highest)/history->spectrum.per;
+	double forcing = history->forcing/history->spectrum.per;
 	int k;
 
-	fprintf(script, "unset xzeroaxis\nset ytics autofreq\nset xlabel 'Frequency (%s)' offset 0,0.3\n",
-	        history->scaled ? "Hz" : "1/time");
-	hawser__picture_ylabel(picture, "Amplitude%s", history->scaled ? " (m)" : "");
+	fprintf(script, "unset xzeroaxis\nset ytics autofreq\nset xlabel '%s' offset 0,0.3\n",
+	        history->spectrum.title);
+	hawser__picture_ylabel(picture, "%s", history->amplitude.title);
+	largest /= history->amplitude.per;
 	fprintf(script, "set xrange [0:%.6g]\n", end);
 	if (largest > 0.0) {
 		fprintf(script, "set yrange [%.3g:%.3g]\n", largest*pow(10.0, -decades), 5.0*largest);
 		hawser__picture_log_tics(picture, "y", largest*pow(10.0, -decades), 5.0*largest);
 	}
 	hawser__picture_tics(picture, 'x', 0.0, end, 10);
-	if (history->forcing > 0.0)
+	if (forcing > 0.0)
 		fprintf(script, "set arrow 1 from first %.9g, graph 0 to first %.9g, graph 1 nohead lt 7 "
 		                "lw 0.5 dt (4,4)\nset label 1 'forcing' at first %.9g, graph 1 "
 		                "offset 0.3,-0.3 font ',8'\n",
-		        history->forcing, history->forcing, history->forcing);
+		        forcing, forcing, forcing);
 	fputs("set key at screen 0.55,0.012 center bottom horizontal samplen 3\nplot ", script);
 	for (k = 0; k < history->signals; k++)
 		fprintf(script, "%s$spectrum%d using 1:2 with lines lt %d lw 1 title '%s'",

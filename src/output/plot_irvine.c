@@ -138,9 +138,9 @@ static void axes(struct hawser__picture *picture, const struct layout *layout,
 	picture->left = left + 0.107*(1.0 - 16.0/layout->width);
 	if (column == 0)
 		hawser__picture_ylabel(picture, "%s", diagram->y_title);
-	if (diagram[panel].moving)
-		fprintf(picture->script, "set label 1 '{/:Italic v} = %.6g m/s' at graph 0.97,0.06 right "
-		                         "front\n", diagram[panel].speed);
+	if (*diagram[panel].note)
+		fprintf(picture->script, "set label 1 '%s' at graph 0.97,0.06 right front\n",
+		        diagram[panel].note);
 }
 
 /* Branches of the two planes often coincide: a thin line is drawn on a thick one. */

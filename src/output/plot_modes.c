@@ -26,7 +26,7 @@ static double largest_of(const struct hawser_modes *modes, int k, int c)
 	return largest;
 }
 
-static void data(FILE *script, const struct hawser_modes *modes, int k)
+static void data(FILE *script, const struct hawser_modes *modes, int k, double per)
 {
 	const struct hawser_statics *statics = &modes->statics;
 	double shape[3];
@@ -37,7 +37,8 @@ static void data(FILE *script, const struct hawser_modes *modes, int k)
 		double s = statics->l*i/(samples - 1);
 
 		hawser_modes_at(modes, shape, NULL, k, s);
-		fprintf(script, "%.9g %.9g %.9g %.9g\n", s*statics->span.d, shape[0], shape[1], shape[2]);
+		fprintf(script, "%.9g %.9g %.9g %.9g\n", s*statics->span.d/per, shape[0], shape[1],
+		        shape[2]);
 	}
 	fputs("END\n", script);
 }
@@ -58,9 +59,9 @@ static void title(FILE *script, const struct hawser_modes *modes, int k)
 {
 	const struct hawser_mode *mode = &modes->mode[k];
 
-	fprintf(script, "set title '%d:  %.4g Hz,  %s' offset 0,-0.6\n", k + 1,
-	        mode->omega/modes->time_unit/(2.0*M_PI), mode->family == HAWSER_LONGITUDINAL
-	        ? "longitudinal" : hawser_plane_name(mode->plane));
+	hawser__panels_frequency(script, k, mode->omega/modes->time_unit,
+	                         mode->family == HAWSER_LONGITUDINAL ? "longitudinal"
+	                                                             : hawser_plane_name(mode->plane));
 }
 
 static void components(FILE *script, const struct hawser_modes *modes, int k)
@@ -106,10 +107,10 @@ enum hawser_status hawser__plot_modes(const char *path, const struct hawser_mode
 		return status;
 	range = extent(modes, at.panels);
 	for (k = 0; k < at.panels; k++)
-		data(script, modes, k);
+		data(script, modes, k, S->per);
 	fprintf(script, "set xrange [0:%.9g]\nset yrange [%.4g:%.4g]\nset xzeroaxis lt 7 lw 0.4\n",
-	        modes->statics.length0, -range, range);
-	hawser__picture_tics(&picture, 'x', 0.0, modes->statics.length0, at.columns > 2 ? 4 : 6);
+	        modes->statics.length0/S->per, -range, range);
+	hawser__picture_tics(&picture, 'x', 0.0, modes->statics.length0/S->per, at.columns > 2 ? 4 : 6);
 	for (k = 0; k < at.panels; k++) {
 		hawser__panels_open(&picture, &at, k, S->title, "Shape (–)");
 		title(script, modes, k);
@@ -121,9 +122,9 @@ enum hawser_status hawser__plot_modes(const char *path, const struct hawser_mode
 
 /* --- the displaced span --- */
 
-/* Columns 1 to 6: x and height of the point s at rest and displaced in both directions, m. */
+/* Columns 1 to 6: x and height of the point s at rest and displaced in both directions. */
 static void displaced_point(FILE *script, const struct hawser_modes *modes, int k, double s,
-                            double scale)
+                            double scale, double per)
 {
 	const struct hawser_statics *st = &modes->statics;
 	struct hawser_profile_point rest = hawser_statics_at(st, s*st->span.d);
@@ -142,12 +143,12 @@ static void displaced_point(FILE *script, const struct hawser_modes *modes, int 
 	}
 	if (out)
 		rest.y = rest.z; /* 0 but in space */
-	fprintf(script, "%.9g %.9g %.9g %.9g %.9g %.9g\n", rest.x, rest.y, rest.x + dx, rest.y + dy,
-	        rest.x - dx, rest.y - dy);
+	fprintf(script, "%.9g %.9g %.9g %.9g %.9g %.9g\n", rest.x/per, rest.y/per, (rest.x + dx)/per,
+	        (rest.y + dy)/per, (rest.x - dx)/per, (rest.y - dy)/per);
 }
 
 /* The span, with its kinks, and the attachments. */
-static void displaced_data(FILE *script, const struct hawser_modes *modes, int k)
+static void displaced_data(FILE *script, const struct hawser_modes *modes, int k, double per)
 {
 	const struct hawser_statics *st = &modes->statics;
 	double chord = hypot(st->span.d, st->span.h), most = 0.0, scale;
@@ -161,17 +162,17 @@ static void displaced_data(FILE *script, const struct hawser_modes *modes, int k
 		double s = st->l*i/(samples - 1);
 
 		for (; next < st->attachments && st->attached[next].s < s; next++)
-			displaced_point(script, modes, k, st->attached[next].s, scale);
-		displaced_point(script, modes, k, s, scale);
+			displaced_point(script, modes, k, st->attached[next].s, scale, per);
+		displaced_point(script, modes, k, s, scale, per);
 	}
 	fprintf(script, "END\n$attached%d << END\n", k);
 	for (i = 0; i < st->attachments; i++)
-		displaced_point(script, modes, k, st->attached[i].s, scale);
+		displaced_point(script, modes, k, st->attached[i].s, scale, per);
 	fputs("END\n", script);
 }
 
 /* Lowest and highest point of all in-plane panels. */
-static void heights(double *low, double *high, const struct hawser_modes *modes)
+static void heights(double *low, double *high, const struct hawser_modes *modes, double per)
 {
 	const struct hawser_statics *st = &modes->statics;
 	double margin = 1.15*enlarged*hypot(st->span.d, st->span.h);
@@ -184,8 +185,8 @@ static void heights(double *low, double *high, const struct hawser_modes *modes)
 		*low = fmin(*low, y);
 		*high = fmax(*high, y);
 	}
-	*low -= margin;
-	*high += margin;
+	*low = (*low - margin)/per;
+	*high = (*high + margin)/per;
 }
 
 static void displaced_legend(struct hawser__picture *picture, int attachments)
@@ -208,6 +209,9 @@ enum hawser_status hawser__plot_displaced(const char *path, const struct hawser_
 	const struct hawser_span *span = &modes->statics.span;
 	struct hawser__picture picture;
 	enum hawser_status status = hawser__picture_begin(&picture, path, 17.0, at.height, report);
+	const struct hawser__axis x = hawser__axis_of("Distance {/:Italic x}", "m", 0.0);
+	const struct hawser__axis y = hawser__axis_of("{/:Italic y} or {/:Italic z}, shape enlarged", "m",
+	                                              0.0);
 	FILE *script = picture.script;
 	double low, high;
 	int k;
@@ -215,18 +219,17 @@ enum hawser_status hawser__plot_displaced(const char *path, const struct hawser_
 	if (status)
 		return status;
 	for (k = 0; k < at.panels; k++)
-		displaced_data(script, modes, k);
-	heights(&low, &high, modes);
+		displaced_data(script, modes, k, x.per);
+	heights(&low, &high, modes, y.per);
 	/* common range of all panels; z is drawn about 0 */
-	fprintf(script, "set xrange [%.9g:%.9g]\nset yrange [%.9g:%.9g]\n", -0.03*span->d,
-	        1.03*span->d, low, high);
-	hawser__picture_tics(&picture, 'x', 0.0, span->d, at.columns > 2 ? 4 : 6);
+	fprintf(script, "set xrange [%.9g:%.9g]\nset yrange [%.9g:%.9g]\n", -0.03*span->d/x.per,
+	        1.03*span->d/x.per, low, high);
+	hawser__picture_tics(&picture, 'x', 0.0, span->d/x.per, at.columns > 2 ? 4 : 6);
 	hawser__picture_tics(&picture, 'y', low, high, 5);
 	for (k = 0; k < at.panels; k++) {
 		int out = modes->mode[k].plane == HAWSER_OUT_OF_PLANE;
 
-		hawser__panels_open(&picture, &at, k, "Distance {/:Italic x} (m)",
-		           "{/:Italic y} or {/:Italic z}, shape enlarged (m)");
+		hawser__panels_open(&picture, &at, k, x.title, y.title);
 		title(script, modes, k);
 		fprintf(script, "plot $mode%d using 1:2 with lines lt 7 lw 0.8 dt (8,6), "
 		                "$mode%d using 3:4 with lines lt %d, "

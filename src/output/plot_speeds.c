@@ -13,8 +13,9 @@ static const char *const title[HAWSER__SPEEDS_CURVES] = {
 	"tension held: taut", "tension held: slack", "length held"};
 static const char limit_style[] = "lc rgb '#909090' lw 1.2 dt (3,3)";
 
-static void data(FILE *script, const struct hawser__speeds *speeds, double unit)
+static void data(FILE *script, const struct hawser__speeds *speeds)
 {
+	const struct hawser__axis *axis = speeds->axis;
 	int k, i;
 
 	for (k = 0; k < HAWSER__SPEEDS_CURVES; k++) {
@@ -22,12 +23,13 @@ static void data(FILE *script, const struct hawser__speeds *speeds, double unit)
 
 		fprintf(script, "$curve%d << END\n", k);
 		for (i = 0; i < speeds->curve[k].points; i++, row += 3)
-			fprintf(script, "%.9g %.9g %.9g\n", row[0], row[1], row[2]/unit);
+			fprintf(script, "%.9g %.9g %.9g\n", row[0]/axis[0].per, row[1]/axis[1].per,
+			        row[2]/axis[2].per);
 		fputs("END\n", script);
 	}
 	if (!isnan(speeds->limit))
 		fprintf(script, "set arrow 1 from %.12g,graph 0 to %.12g,graph 1 nohead %s\n",
-		        speeds->limit, speeds->limit, limit_style);
+		        speeds->limit/axis[0].per, speeds->limit/axis[0].per, limit_style);
 }
 
 static void curves(FILE *script, const struct hawser__speeds *speeds, int column)
@@ -67,6 +69,8 @@ static void range(double *low, double *high, const struct hawser__speeds *speeds
 			*low = fmin(*low, speeds->curve[k].rows[3*i + column]);
 			*high = fmax(*high, speeds->curve[k].rows[3*i + column]);
 		}
+	*low /= speeds->axis[column].per;
+	*high /= speeds->axis[column].per;
 }
 
 enum hawser_status hawser__plot_speeds(const char *path, const struct hawser__speeds *speeds,
@@ -75,11 +79,11 @@ enum hawser_status hawser__plot_speeds(const char *path, const struct hawser__sp
 	struct hawser__picture picture;
 	enum hawser_status status = hawser__picture_begin(&picture, path, 16.0, 12.8, report);
 	FILE *script = picture.script;
-	double low, high, unit = speeds->axis[2].per;
+	double low, high;
 
 	if (status)
 		return status;
-	data(script, speeds, unit);
+	data(script, speeds);
 	range(&low, &high, speeds, 0);
 	fprintf(script, "set xrange [%.9g:%.9g]\nset format x ''\nset logscale y\n", low, high);
 	hawser__picture_tics(&picture, 'x', low, high, 8);
@@ -90,8 +94,8 @@ enum hawser_status hawser__plot_speeds(const char *path, const struct hawser__sp
 	curves(script, speeds, 2);
 	range(&low, &high, speeds, 2);
 	fprintf(script, "unset logscale y\nset yrange [0:%.9g]\nset format x '%%g'\n"
-	        "set xlabel '%s'\n", 1.08*high/unit, speeds->axis[0].title);
-	hawser__picture_tics(&picture, 'y', 0.0, high/unit, 6);
+	        "set xlabel '%s'\n", 1.08*high, speeds->axis[0].title);
+	hawser__picture_tics(&picture, 'y', 0.0, high, 6);
 	hawser__picture_panel(&picture, 0.13, 0.97, 0.235, 0.575);
 	hawser__picture_ylabel(&picture, "%s", speeds->axis[2].title);
 	curves(script, speeds, 3);

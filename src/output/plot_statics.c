@@ -8,33 +8,34 @@
 
 #define MARK "pt 7 ps 0.7 lc rgb 'black'"
 
-static void line(FILE *script, const struct hawser__place *at, double unit)
+static void line(FILE *script, const struct hawser__place *at, const struct hawser__axis *axis)
 {
-	fprintf(script, "%.9g %.9g %.12g %.9g\n", at->x, at->y, at->T/unit, at->z);
+	fprintf(script, "%.9g %.9g %.12g %.9g\n", at->x/axis[0].per, at->y/axis[1].per, at->T/axis[2].per,
+	        at->z/axis[3].per);
 }
 
 /* The profile with both sides of each mass, at which the tension jumps, and the attachments. */
-static void data(FILE *script, const struct hawser__span_picture *of, double unit)
+static void data(FILE *script, const struct hawser__span_picture *of, const struct hawser__axis *axis)
 {
 	int i, next = 0;
 
 	fputs("$profile << END\n", script);
 	for (i = 0; i < of->points; i++) {
 		for (; next < 2*of->kinks && of->kink[next].S <= of->profile[i].S; next++)
-			line(script, &of->kink[next], unit);
-		line(script, &of->profile[i], unit);
+			line(script, &of->kink[next], axis);
+		line(script, &of->profile[i], axis);
 	}
 	fputs("END\n$attached << END\n", script);
 	for (i = 0; i < of->kinks; i++)
-		line(script, &of->kink[2*i], unit);
+		line(script, &of->kink[2*i], axis);
 	fputs("END\n$chord << END\n", script); /* from where one end is to where the other is */
-	line(script, &of->profile[0], unit);
-	line(script, &of->profile[of->points - 1], unit);
+	line(script, &of->profile[0], axis);
+	line(script, &of->profile[of->points - 1], axis);
 	fputs("END\n", script);
 }
 
 /* A cable that hangs in another plane may be beside its ends in x too. */
-static void range(FILE *script, const struct hawser__span_picture *of)
+static void range(FILE *script, const struct hawser__span_picture *of, double per)
 {
 	double low = 0.0, high = of->scene->span.d;
 
@@ -42,7 +43,7 @@ static void range(FILE *script, const struct hawser__span_picture *of)
 		low = of->profile[i].x < low ? of->profile[i].x : low;
 		high = of->profile[i].x > high ? of->profile[i].x : high;
 	}
-	fprintf(script, "set xrange [%.9g:%.9g]\nset format x ''\n", low, high);
+	fprintf(script, "set xrange [%.9g:%.9g]\nset format x ''\n", low/per, high/per);
 }
 
 /* Panel `index` from the top, of `count`. */
@@ -78,8 +79,8 @@ enum hawser_status hawser__plot_statics(const char *path, const struct hawser__s
 
 	if (status)
 		return status;
-	data(script, of, axis[2].per);
-	range(script, of);
+	data(script, of, axis);
+	range(script, of, axis[0].per);
 	panel(&picture, 0, panels, axis[1].title);
 	view(script, of, 2);
 	if (of->turned) {

@@ -1,4 +1,4 @@
-/* output/units.c - units chosen by the user for tables. See units.h.
+/* output/units.c - units chosen by the user for tables and pictures. See units.h.
  *
  * Comments are sentences whose numbers are followed by their unit, so that they are converted as
  * text, in one place, and no comment can be forgotten. A number is converted with the unit that
@@ -186,6 +186,7 @@ struct hawser__shown_unit hawser__shown_unit(const char *si)
 	snprintf(shown.name, sizeof shown.name, "%s", chosen.unit[d]);
 	shown.per = chosen.size[d]/(strcmp(si, "Hz") == 0 ? two_pi : 1.0);
 	shown.changed = strcmp(shown.name, si) != 0;
+	shown.chosen = 1;
 	if (!shown.changed)
 		shown.per = 1.0;
 	return shown;

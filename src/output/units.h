@@ -1,4 +1,4 @@
-/* output/units.h - the units in which tables show results (--units). JSON and pictures are in SI.
+/* output/units.h - the units in which tables and pictures show results (--units). JSON is in SI.
  *
  * What is shown in SI elsewhere asks here, by the text of its SI unit ("N", "rad/s", "m/s^2"), what
  * the user has chosen instead. A chosen length is also that of speeds, accelerations and 1/m, a
@@ -26,6 +26,7 @@ struct hawser__shown_unit {
 	double per;
 	char name[HAWSER__UNIT_SIZE];
 	int changed; /* 0: it is the SI unit itself, as it was written */
+	int chosen;  /* 1: the user has chosen this unit, perhaps the SI unit */
 };
 /* `si` may be any text; one that is no unit of results is not changed. */
 struct hawser__shown_unit hawser__shown_unit(const char *si);

@@ -1,5 +1,5 @@
 #!/bin/sh
-# --units: tables in other units than SI, JSON in SI, and what is refused.
+# --units: tables in other units than SI, JSON in SI, and what is refused. Pictures: units-plot.sh.
 # SPDX-License-Identifier: GPL-3.0-or-later
 . "$SRCDIR/tests/cli/lib.sh"
 
@@ -35,5 +35,9 @@ refuses_like 1 '"V" has the dimension of m2.kg.s-3.A-1, and no result has that' 
 refuses_like 1 '"foo" is no unit' modes "$scene" --units foo
 refuses_like 1 'a unit is empty' modes "$scene" --units "kN,,"
 refuses_like 1 'a unit is too long' modes "$scene" --units aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa
-refuses_like 1 'pictures are in SI' modes "$scene" --units Hz --plot a.svg
+works "a plan in ft, kip and Hz" plan "$chairlift" --limit 0.01 --fidelities "raw 1" --units "ft, kip, Hz"
+try "its range" grep -q '^response over Omega from 0.1383.* to 0.761.* Hz$' "$scratch/out"
+try "a setting" grep -q 'tension.T0  *17.9847[0-9]* kip' "$scratch/out"
+try "a list stays without its unit" grep -q 'load.per_length  *\[0.8, 0.8, 0.8\] N/m' "$scratch/out"
+try "nothing is in SI that is not" sh -c "! grep -E '[0-9] (m|N|rad/s) ' '$scratch/out'"
 done_testing

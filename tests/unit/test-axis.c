@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "cli/axis.h"
@@ -25,8 +26,8 @@ static void title_is(const char *key, const char *unit, double largest, const ch
 {
 	struct hawser__axis axis = cli_axis(key, unit, largest);
 
-	ok(!strcmp(axis.title, title) && axis.per == per, "%s (%s) up to %g: %s, %g", key, unit,
-	   largest, axis.title, axis.per);
+	ok(!strcmp(axis.title, title) && fabs(axis.per - per) <= 1e-14*per,
+	   "%s (%s) up to %g: %s, %g", key, unit, largest, axis.title, axis.per);
 }
 
 static void value_is(const char *key, double value, const char *shown)
@@ -61,5 +62,15 @@ int main(void)
 	value_is("beam.rho", 10.0, "{/:Italic ρ} = 10");
 	value_is("beam.tension_end", 2385.0, "Tension at the end = 2385 N");
 	value_is("beam.EI", 7.0, "{/:Italic EI} = 7 N m²");
+	ok(!hawser__units_choose("ft, lbf.ft^2, Hz, N", NULL), "units are chosen");
+	title_is("span.h", "m", 2.385, "Height of end B {/:Italic h} (ft)", 0.3048);
+	title_is("travel.speed", "m/s", 20.0, "Travel speed (ft/s)", 0.3048);
+	title_is("g", "m/s^2", 9.81, "Acceleration of gravity {/:Italic g} (ft/s²)", 0.3048);
+	title_is("cable.EI", "N.m^2", 1e6, "Bending stiffness {/:Italic EI} (lbf ft²)",
+	         4.4482216152605*0.3048*0.3048);
+	title_is("Omega", "rad/s", 3.0, "Forcing frequency (Hz)", 6.283185307179586476925);
+	title_is("tension.T0", "N", 80e3, "Tension at end A {/:Italic T}_0 (N)", 1.0); /* not kN */
+	title_is("damping.ratio", "1", 0.02, "Damping ratio (–)", 1.0);
+	value_is("beam.L", 3.048, "{/:Italic L} = 10 ft");
 	return done_testing();
 }
