@@ -11,6 +11,15 @@ EXTRA_DIST += %D%/timed.sh %D%/times.sh
 times:
 	@$(SHELL) $(srcdir)/%D%/times.sh
 
+# Automake takes tests/cli/units, without .sh, for a test that has passed if the log of tests/cli/units.sh
+# is there. A name that is none of a test fails instead.
+check-local:
+	@for test in $(TESTS); do \
+		test -f $$test || test -f $(srcdir)/$$test || { \
+			echo "TESTS: $$test is no test; write its path with its suffix, such as" \
+			     "tests/cli/units.sh" >&2; exit 1; }; \
+	done
+
 # Tests run side by side: the BLAS's threads must leave the processors to the others.
 AM_TESTS_ENVIRONMENT = \
 	HAWSER='$(abs_top_builddir)/hawser'; export HAWSER; \
