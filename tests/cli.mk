@@ -21,6 +21,7 @@ CLI_TESTS = \
 	%D%/cli/pictures.sh \
 	%D%/cli/plausible.sh \
 	%D%/cli/refusals.sh \
+	%D%/cli/ratios.sh \
 	%D%/cli/results.sh \
 	%D%/cli/same-bytes.sh \
 	%D%/cli/beside.sh \
