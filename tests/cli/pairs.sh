@@ -37,7 +37,7 @@ QUICK = {
     "frf": "frf S -n 2 --from 0.9w1 --to 0.91w1 --step 0.3 --tolerance 1e-5",
 }
 DEAR = {
-    "frf": "frf S --from 0.9w1 --to 1.1w1 --tolerance 1e-5", "folds": "folds S --from 0.95w1 --to 1.05w1 --limit 20",
+    "frf": "frf S --from 0.9w1 --to 1.1w1 --tolerance 1e-5", "folds": "folds S --from 0.95w1 --to 1.05w1",
     "map": "map S --x Omega=1.9w1:2.1w1 --y factor.load=0:1 --points 4x4", "mms": "mms S",
     "integrate": "integrate S --Omega 1.02w1 --until 5", "plan": "plan S --limit 0.5 --from 0.9w1 --to 1.1w1",
     "compare": 'compare S --from 0.9w1 --to 1.1w1 --fidelities "raw 4, condensed 4" --limit 5',
@@ -84,7 +84,7 @@ def fault(line):
         except ValueError as e:
             return str(e)
         return "a table has nan" if re.search(r"\bnan\b", run.stdout) else ""
-    if run.returncode not in (1, 2, 3) or not text.startswith("hawser: "):
+    if run.returncode not in (1, 2, 3) or not text.startswith("hawser: ") or "unknown option" in text:
         return "status %d: %s" % (run.returncode, text[-300:])
     return "" if NAMED.search(text) else "names neither file nor key: " + text[-300:]
 
