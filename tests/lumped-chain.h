@@ -31,6 +31,7 @@ struct lumped {
 	double gravity;                    /* m/s^2, of the masses at joints */
 	double alpha;                      /* 1/s: damping force per mass and velocity */
 	double attached[LUMPED_MOST + 1];  /* kg */
+	double dead[LUMPED_MOST + 1][3];   /* N, constant, on the joints */
 	double damper[LUMPED_MOST + 1][3]; /* N s/m */
 	double spring[LUMPED_MOST + 1][3]; /* N/m, relaxed at the positions `relaxed` [n + 1][3] */
 	const double *relaxed;             /* NULL: without the springs */
@@ -192,7 +193,7 @@ static void lumped_forces(double *r, double *K, const struct lumped *c, const do
 		memset(K, 0, (size_t)size*LUMPED_ROWS*sizeof *K);
 	for (int v = 0; v < size; v++)
 		r[v] = c->weight[v%3]*lumped_share(c, v/3 + 1) -
-		       (v%3 == 1 ? c->attached[v/3 + 1]*c->gravity : 0.0);
+		       (v%3 == 1 ? c->attached[v/3 + 1]*c->gravity : 0.0) + c->dead[v/3 + 1][v%3];
 	for (int e = c->held; e < c->n - c->held; e++) {
 		double t[3], l = lumped_rod(t, x, e), T = c->EA*(l/h - 1.0);
 

@@ -74,15 +74,17 @@ enum hawser_beam_gravity { HAWSER_GRAVITY_ALONG = 0, HAWSER_GRAVITY_ACROSS, HAWS
 
 enum hawser_frame { HAWSER_FRAME_LOCAL = 0, HAWSER_FRAME_GLOBAL };
 
-/* An attachment: a point mass on the cable, with springs and dampers from the same point to ground.
- * Springs and dampers act along the fixed axes x, y, z. Springs are unstressed in the static
- * equilibrium, which they therefore don't change; nor do dampers. */
+/* An attachment: a point mass on the cable, with springs and dampers from the same point to ground,
+ * and a dead force, which is constant and has no inertia. All act along the fixed axes x, y, z.
+ * Springs are unstressed in the static equilibrium, which they therefore don't change; nor do
+ * dampers. */
 enum { HAWSER_ATTACH_MAX = 32, HAWSER_NAME_SIZE = 32 };
 struct hawser_attachment {
 	double at;        /* position on the cable: fraction of the unstretched length from end A if
 	                   * `by_length` is 0, else unstretched length in m */
 	int by_length;
 	double mass;      /* kg */
+	double force[3];  /* N along x, y, z */
 	double spring[3]; /* N/m along x, y, z */
 	double damper[3]; /* N s/m along x, y, z */
 	/* An absorber: a mass that moves along a fixed direction relative to the point, on a spring and a

@@ -94,9 +94,9 @@ struct hawser_statics {
 	 * an exact given quantity and an exact span; 0 for models other than the elastic catenary */
 	double error;
 	int iterations;
-	/* Attachments. Masses make u(s) jump: u(s) = eta + delta*(s + the sum of m_i with s_i <= s). The
-	 * two parameters of Irvine and `plausible` are then those of a cable on which the masses are
-	 * spread evenly. */
+	/* Attachments. Their weights and forces make u(s) jump: u(s) = eta + delta*(s + the sum of jump[1]
+	 * with s_i <= s). The two parameters of Irvine and `plausible` are then those of a cable on which
+	 * the weights and forces are spread evenly. */
 	int attachments;
 	struct hawser_attached attached[HAWSER_ATTACH_MAX];
 	/* 1 if an end is on springs, set by hawser_statics_hold; if 0, `held` is not set */
@@ -158,8 +158,9 @@ enum hawser_status hawser_statics_loaded(struct hawser_statics *statics,
 
 /* The same where the acceleration gravity[3] acts on the masses of the attachments, along the axes
  * (x', y', z') of the plane of the chord and the force per length, and need not be (0, -g, 0) with g
- * of the span. Unless it is along -y', the cable hangs in space (struct hawser_statics); then
- * HAWSER_ERR_ARGUMENT also for a given H or sag. `turned` and `axes` are left to the caller. */
+ * of the span; the forces of the attachments are along these axes, too. Unless all act along -y', the
+ * cable hangs in space (struct hawser_statics); then HAWSER_ERR_ARGUMENT also for a given H or sag.
+ * `turned` and `axes` are left to the caller. */
 enum hawser_status hawser_statics_weighted(struct hawser_statics *statics,
                                            const struct hawser_span *span, enum hawser_given given,
                                            double value, enum hawser_branch branch,

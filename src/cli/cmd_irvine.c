@@ -117,7 +117,7 @@ static enum hawser_status speeds_of(double *speed, struct cli_irvine_result *res
 	return status;
 }
 
-/* A cable that masses and wind together turn out of one plane has no single H to sweep; springs of
+/* A cable that masses in a wind, or forces, turn out of one plane has no single H to sweep; springs of
  * supports along x, y, z are not those along the axes of a turned plane, in which the sweep is. */
 static enum hawser_status refuse_space(const struct hawser_scene *scene,
                                        const struct hawser_equivalent *equal,
@@ -125,13 +125,25 @@ static enum hawser_status refuse_space(const struct hawser_scene *scene,
 {
 	struct hawser_held held[2];
 
-	for (int i = 0; i < scene->attachments && equal->turned; i++)
-		if (scene->attach[i].mass > 0.0)
+	for (int i = 0; i < scene->attachments; i++) {
+		const struct hawser_attachment *a = &scene->attach[i];
+		const double *force = a->force;
+		int turned = equal->turned && (force[0] != 0.0 || force[1] != 0.0 || force[2] != 0.0);
+
+		if (turned || force[0] != 0.0 || force[2] != 0.0 || force[1] > a->mass*scene->g)
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "irvine",
+			                    "attach[%d].force: a cable that a force turns out of one plane, or "
+			                    "pulls along the span or upwards, has a horizontal tension that is "
+			                    "not the same everywhere, so that there is no sweep of it; call "
+			                    "hawser modes for single tensions (T0, T1 or length0), or give a "
+			                    "force downwards, without load.static.per_length", i);
+		if (equal->turned && a->mass > 0.0)
 			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "irvine",
 			                    "attach[%d].mass with load.static.per_length: such a cable hangs in "
 			                    "space and its horizontal tension is not the same everywhere, so "
 			                    "that there is no sweep of it; set load.static.per_length=[0,0,0], or "
 			                    "call hawser modes for single tensions", i);
+	}
 	if (equal->turned && hawser_statics_held(held, scene))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "irvine",
 		                    "support.A.stiffness and support.B.stiffness with load.static.per_length: "

@@ -185,6 +185,12 @@ const struct cli_listing cli_statics_listing[] = {
 	{NULL, NULL, 0},
 };
 
+/* 1 if the cable has displacements across the vertical plane of its ends. */
+static int aside(const struct hawser_statics *st)
+{
+	return st->turned || st->space;
+}
+
 static struct cli_head head(const void *of)
 {
 	const struct result *result = of;
@@ -196,7 +202,7 @@ static struct cli_head head(const void *of)
 		cli_si_view((result->scene.travel.present ? TRAVELS : 0u) |
 		            (result->marks ? ATTACHED : 0u) |
 		            (result->loaded.present ? LOADED : 0u) |
-		            (result->statics.turned ? TURNED : 0u) |
+		            (aside(&result->statics) ? TURNED : 0u) |
 		            (settings->models ? MODELS : 0u) | (settings->cases ? CASES : 0u) |
 		            (settings->speeds ? SPEEDS : 0u) |
 		            (settings->compatibility ? COMPATIBILITY : 0u)), NULL, NULL};
@@ -219,7 +225,7 @@ static void rows(struct hawser__table *table, const void *of)
 {
 	const struct result *result = of;
 	const struct settings *settings = result->settings;
-	struct hawser__view view = cli_si_view(result->statics.turned ? TURNED : 0u);
+	struct hawser__view view = cli_si_view(aside(&result->statics) ? TURNED : 0u);
 
 	if (settings->cases)
 		cli_cases_rows(table, &result->cases);
@@ -236,7 +242,7 @@ static void rows(struct hawser__table *table, const void *of)
 static enum hawser_status draw(const char *path, const void *context, struct hawser_report *report)
 {
 	const struct result *result = context;
-	const struct hawser__view view = cli_si_view(result->statics.turned ? TURNED : 0u);
+	const struct hawser__view view = cli_si_view(aside(&result->statics) ? TURNED : 0u);
 	const struct hawser__axis axis[] = {
 		hawser__fields_axis(profile_field, "x", &view, 0.0),
 		hawser__fields_axis(profile_field, "y", &view, 0.0),
@@ -250,7 +256,7 @@ static enum hawser_status draw(const char *path, const void *context, struct haw
 	struct hawser__place kink[2*HAWSER_ATTACH_MAX];
 	const struct hawser__span_picture picture = {
 		&result->scene, result->profile, kink, result->settings->points, result->marks,
-		result->statics.turned};
+		aside(&result->statics)};
 
 	if (result->settings->cases)
 		return cli_cases_draw(path, &result->cases, &highest, report);

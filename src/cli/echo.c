@@ -114,6 +114,8 @@ static void echo_attachments(struct hawser__json *json, json_t *echo,
 
 		hawser__json_number(json, item, a->by_length ? "at_m" : "at", a->at);
 		hawser__json_number(json, item, "mass", a->mass);
+		if (a->force[0] != 0.0 || a->force[1] != 0.0 || a->force[2] != 0.0)
+			triple(json, item, "force", a->force);
 		triple(json, item, "spring", a->spring);
 		triple(json, item, "damper", a->damper);
 		if (a->absorber_mass > 0.0) {

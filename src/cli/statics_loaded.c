@@ -155,7 +155,7 @@ enum hawser_status cli_loaded_fill(struct cli_loaded *loaded, const struct hawse
 	/* each point of the cable is at most `sag` from its point of the chord, against `up` */
 	loaded->sag_vertical = st->sag*fabs(dot(up, down));
 	loaded->blowout = st->sag*fabs(dot(up, aside));
-	loaded->swing = st->turned ? st->swing : 0.0;
+	loaded->swing = st->turned || st->space ? st->swing : 0.0;
 	for (int i = 0; i < 3; i++)
 		loaded->force[i] = 0.0 - actual.span.rho*actual.span.g*up[i];
 	if (st->space) {

@@ -403,9 +403,9 @@ enum hawser_status hawser__damped_pair(struct hawser__damped_pair *pair,
 	*pair = (struct hawser__damped_pair){.functions = 0};
 	if (st->space)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
-		                    "damped modes of a cable that masses or springs in a wind take out of "
-		                    "one plane are not available: leave --damped out, or set "
-		                    "load.static.per_length=[0,0,0]");
+		                    "damped modes of a cable that masses or springs in a wind, or "
+		                    "attach.force, take out of one plane are not available: leave --damped "
+		                    "out, or set load.static.per_length=[0,0,0] and forces downwards");
 	if (st->bending.EI > 0.0)
 		return hawser__damped_bending(pair, st, n, tries, report);
 	for (int i = 0; i < held.attachments; i++)

@@ -80,9 +80,9 @@ enum hawser_status hawser__modes_check_statics(const struct hawser_statics *st,
 
 	if (st->space && st->bending.EI > 0.0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
-		                    "cable.EI with masses in a wind: bending stiffness of a cable that hangs "
-		                    "in space is not modelled; set cable.EI=0, or "
-		                    "load.static.per_length=[0,0,0]");
+		                    "cable.EI with masses in a wind, or with attach.force: bending stiffness "
+		                    "of a cable that hangs in space is not modelled; set cable.EI=0, or "
+		                    "load.static.per_length=[0,0,0] and forces downwards");
 	if (isinf(st->span.EA) || st->epsilon == 0.0)
 		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "modes",
 		                    "an inextensible cable (EA infinite) has infinite longitudinal "

@@ -123,6 +123,8 @@
 	    "unstretched length, such as 12 m") \
 	ROW("attach.mass", "kg", NUMBER, NULL, NOT_NEGATIVE, "0", attach[0].mass, FREE, 0, \
 	    "point mass; its weight is part of the static equilibrium") \
+	ROW("attach.force", "N", TRIPLE, NULL, ANY, "[0, 0, 0]", attach[0].force, FREE, 0, \
+	    "dead force along x, y, z, part of the static equilibrium; it has no inertia") \
 	ROW("attach.spring", "N/m", TRIPLE, NULL, NOT_NEGATIVE, "[0, 0, 0]", attach[0].spring, FREE, 0, \
 	    "springs to ground along x, y, z, unstressed in the static equilibrium") \
 	ROW("attach.damper", "N.s/m", TRIPLE, NULL, NOT_NEGATIVE, "[0, 0, 0]", attach[0].damper, FREE, 0, \

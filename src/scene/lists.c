@@ -78,7 +78,7 @@ static int idle(const struct hawser_attachment *a)
 	double sum = a->mass + a->absorber_mass;
 
 	for (int c = 0; c < 3; c++)
-		sum += a->spring[c] + a->damper[c];
+		sum += a->spring[c] + a->damper[c] + fabs(a->force[c]);
 	return sum == 0.0;
 }
 
@@ -104,7 +104,7 @@ enum hawser_status hawser__attach_check(struct hawser__reader *reader)
 			                           "both absorber_mass and absorber_stiffness, or none", i);
 		if (idle(&a[i]))
 			return hawser__reader_fail(reader, here, "attach[%d] has no effect: give it a mass, a "
-			                           "spring, a damper or an absorber", i);
+			                           "force, a spring, a damper or an absorber", i);
 		for (int j = 0; j < i; j++)
 			if (a[i].by_length == a[j].by_length && a[i].at == a[j].at)
 				return hawser__reader_fail(reader, here, "attach[%d] and attach[%d] "

@@ -127,11 +127,12 @@ static void table(void)
 	}
 	fputs(".SS attach (optional)\n"
 	      "A list of point masses on the cable, each with springs and dampers from the same\n"
-	      "point to ground, and with an absorber, a mass on a spring of its own:\n"
+	      "point to ground, with a dead force, and with an absorber, a mass on a spring of its own:\n"
 	      ".PP\n.RS\n.nf\n"
 	      "attach:\n"
 	      "  \\- {at: 25 %, mass: 20 kg, name: carrier}\n"
 	      "  \\- {at: 12 m, mass: 3 kg, damper: [0, 3 kN.s/m, 0]}\n"
+	      "  \\- {at: 60 %, force: [0, \\-500 N, 200 N]}\n"
 	      "  \\- {at: 50 %, absorber_mass: 8 kg, absorber_stiffness: 2 kN/m, name: tmd}\n"
 	      ".fi\n.RE\n.PP\n", stdout);
 	printf("At most %d attachments are possible.\n"
@@ -140,7 +141,10 @@ static void table(void)
 	       ".B \"\\-\\-set attach.carrier.mass=25kg\"\n"
 	       "of the one with this name,\n"
 	       "and \\-\\-set \\(aqattach=[{...}]\\(aq replaces the list.\n", HAWSER_ATTACH_MAX);
-	fputs("Modes list the stroke of each absorber; responses have a point\n"
+	fputs("A force is constant, and belongs to the reference state and the loaded state as masses do.\n"
+	      "If it is not downwards, the cable hangs in space, as with masses in a wind: give T0, T1 or\n"
+	      "length0.\n"
+	      "Modes list the stroke of each absorber; responses have a point\n"
 	      ".B stroke_NAME\n"
 	      "with its displacement relative to the cable. The damping of the scene does not act\n"
 	      "on absorbers.\n",

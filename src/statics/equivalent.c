@@ -43,6 +43,11 @@ static double norm(const double v[3])
 	return hypot(hypot(v[0], v[1]), v[2]);
 }
 
+static double dot(const double a[3], const double b[3])
+{
+	return a[0]*b[0] + a[1]*b[1] + a[2]*b[2];
+}
+
 static void cross(double v[3], const double a[3], const double b[3])
 {
 	for (int i = 0; i < 3; i++)
@@ -87,21 +92,34 @@ static enum hawser_status turn(struct hawser_equivalent *equal, const double w[3
 }
 
 /* Springs and dampers along the axes of the scene couple the motions in and out of a plane that is
- * turned. */
+ * turned, or of a cable in space. */
 static enum hawser_status refuse_attached(const struct hawser_scene *scene,
                                           struct hawser_report *report)
 {
 	const double *p = scene->static_load.per_length;
-	int aside = p[0] != 0.0 || p[2] != 0.0;
+	int wind = scene->static_load.present && (p[0] != 0.0 || p[2] != 0.0), aside = 0;
 
-	for (int i = 0; i < scene->attachments && aside; i++) {
+	for (int i = 0; i < scene->attachments; i++) {
+		const struct hawser_attachment *a = &scene->attach[i];
+
+		if (norm(a->force) > 0.0 && hawser__on_springs(scene))
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
+			                    "attach[%d].force contradicts support.A.stiffness and "
+			                    "support.B.stiffness: forces at points of a cable between elastic "
+			                    "supports are not modelled, remove one of them", i);
+		aside |= a->force[0] != 0.0 || a->force[2] != 0.0 ||
+		         a->force[1] > (a->mass + a->absorber_mass)*scene->g;
+	}
+	for (int i = 0; i < scene->attachments && (wind || aside); i++) {
 		const struct hawser_attachment *a = &scene->attach[i];
 
 		if (norm(a->spring) > 0.0 || norm(a->damper) > 0.0 || a->absorber_mass > 0.0)
 			return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
-			                    "attach[%d] contradicts load.static.per_length: springs, dampers and "
-			                    "absorbers couple the planes of a turned cable, which is not "
-			                    "available; remove one of them, or give a mass only", i);
+			                    "attach[%d] contradicts %s: springs, dampers and absorbers couple "
+			                    "the planes of a turned cable, which is not available; remove one "
+			                    "of them, or give a mass or force only", i,
+			                    wind ? "load.static.per_length" : "attach.force, which turns the cable "
+			                                                      "out of one plane");
 	}
 	return HAWSER_OK;
 }
@@ -116,7 +134,7 @@ static enum hawser_status apply(struct hawser_equivalent *equal, const struct ha
 	const double *p = loaded ? scene->static_load.per_length : none;
 	double rho = scene->cable.rho + (loaded ? scene->static_load.mass : 0.0), weight = rho*scene->g;
 	double w[3] = {p[0], p[1] - weight, p[2]}, force = norm(w);
-	enum hawser_status status = loaded ? refuse_attached(scene, report) : HAWSER_OK;
+	enum hawser_status status = refuse_attached(scene, report);
 
 	bare(&equal->span, scene);
 	equal->span.rho = rho;
@@ -159,15 +177,32 @@ static int changed(const struct hawser_scene *scene)
 	return scene->static_load.present || scene->temperature.present;
 }
 
-/* The span at rest with the attachments of the scene, which belong to both states. */
+enum hawser_status hawser__statics_attached(struct hawser_statics *st,
+                                            const struct hawser_equivalent *equal,
+                                            const struct hawser_scene *scene,
+                                            struct hawser_report *report)
+{
+	struct hawser_attachment attach[HAWSER_ATTACH_MAX];
+
+	memcpy(attach, scene->attach, (size_t)scene->attachments*sizeof *attach);
+	for (int i = 0; i < scene->attachments && equal->turned; i++)
+		for (int c = 0; c < 3; c++)
+			attach[i].force[c] = dot(equal->axes[c], scene->attach[i].force);
+	return hawser_statics_weighted(st, &equal->span, equal->given, equal->value, equal->branch,
+	                               attach, scene->attachments, equal->gravity, report);
+}
+
+/* The span at rest without static load and change of temperature. Attachments with their forces
+ * belong to both states. */
 static enum hawser_status at_rest(struct hawser_statics *st, const struct hawser_span *span,
                                   enum hawser_given given, double value, enum hawser_branch branch,
-                                  const struct hawser_scene *scene, const double gravity[3],
-                                  struct hawser_report *report)
+                                  const struct hawser_scene *scene, struct hawser_report *report)
 {
+	const double down[3] = {0.0, -scene->g, 0.0};
+
 	return scene->attachments > 0
 	       ? hawser_statics_weighted(st, span, given, value, branch, scene->attach,
-	                                 scene->attachments, gravity, report)
+	                                 scene->attachments, down, report)
 	       : hawser_statics_solve(st, span, given, value, branch, report);
 }
 
@@ -230,7 +265,6 @@ enum hawser_status hawser_statics_equivalent(struct hawser_equivalent *equal,
                                              const struct hawser_scene *scene,
                                              struct hawser_report *report)
 {
-	const double down[3] = {0.0, -scene->g, 0.0};
 	struct hawser_span span;
 	struct hawser_statics reference;
 	double stretch, rest[2][3];
@@ -246,7 +280,7 @@ enum hawser_status hawser_statics_equivalent(struct hawser_equivalent *equal,
 		return placed(equal, scene, report);
 	}
 	status = at_rest(&reference, bare(&span, scene), equal->given, equal->value, equal->branch, scene,
-	                 down, report);
+	                 report);
 	if (status)
 		return status;
 	equal->given = HAWSER_GIVEN_LENGTH0;
@@ -262,8 +296,10 @@ enum hawser_status hawser_statics_equivalent(struct hawser_equivalent *equal,
 static enum hawser_status solve(struct hawser_statics *st, const struct hawser_equivalent *equal,
                                 const struct hawser_scene *scene, struct hawser_report *report)
 {
-	enum hawser_status status = at_rest(st, &equal->span, equal->given, equal->value, equal->branch,
-	                                    scene, equal->gravity, report);
+	enum hawser_status status =
+		scene->attachments > 0
+		? hawser__statics_attached(st, equal, scene, report)
+		: hawser_statics_solve(st, &equal->span, equal->given, equal->value, equal->branch, report);
 
 	if (!status)
 		hawser_statics_turn(st, equal);

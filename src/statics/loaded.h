@@ -74,6 +74,12 @@ enum hawser_status hawser__space_solve(struct hawser_statics *st, struct hawser_
                                        int *order, const struct hawser__load_case *of,
                                        struct hawser_report *report);
 
+/* The span of *equal at rest with the attachments of the scene, which may be none. */
+enum hawser_status hawser__statics_attached(struct hawser_statics *st,
+                                            const struct hawser_equivalent *equal,
+                                            const struct hawser_scene *scene,
+                                            struct hawser_report *report) HAWSER_MUST_CHECK;
+
 /* The forces of the attachments of a solved cable and its weight, together, along its axes. */
 void hawser__space_total(double total[3], const struct hawser_statics *st);
 

@@ -201,7 +201,8 @@ void hawser__loaded_begin(struct hawser__loaded *cable, int *order, const struct
 
 		*load = (struct hawser__load_point){.at = attach[i].at, .fixed = attach[i].by_length};
 		for (int c = 0; c < 3; c++)
-			load->force[c] = (attach[i].mass + attach[i].absorber_mass)*gravity[c];
+			load->force[c] = (attach[i].mass + attach[i].absorber_mass)*gravity[c] +
+			                 attach[i].force[c];
 		load->W = 0.0 - load->force[1];
 		cable->weight += load->W;
 		order[i] = i;
@@ -256,6 +257,20 @@ static int absorber(struct hawser_attached *to, const struct hawser_attachment *
 	return length > 0.0;
 }
 
+/* Of the weight alone the jump is m, to the last bit. */
+static void jump_of(struct hawser_attached *to, const double force[3], const double dead[3],
+                    const struct hawser_statics *st)
+{
+	double scale = st->span.rho*st->span.d*st->span.g;
+	int weight = dead[0] == 0.0 && dead[1] == 0.0 && dead[2] == 0.0;
+
+	for (int c = 0; c < 3; c++)
+		if (!weight)
+			to->jump[c] = 0.0 - force[c]/scale;
+		else if (to->mass > 0.0)
+			to->jump[c] = 0.0 - to->m*(force[c]/(to->mass*st->span.g));
+}
+
 enum hawser_status hawser__loaded_place(struct hawser_statics *st, const struct hawser__loaded *cable,
                                         const int *order, const struct hawser_attachment *attach,
                                         struct hawser_report *report)
@@ -277,8 +292,7 @@ enum hawser_status hawser__loaded_place(struct hawser_statics *st, const struct 
 		*to = (struct hawser_attached){.index = order[i], .S = S, .s = S/st->span.d,
 		                               .mass = a->mass + a->absorber_mass};
 		to->m = to->mass/(st->span.rho*st->span.d);
-		for (int c = 0; c < 3 && to->mass > 0.0; c++)
-			to->jump[c] = 0.0 - to->m*(cable->load[i].force[c]/(to->mass*st->span.g));
+		jump_of(to, cable->load[i].force, a->force, st);
 		memcpy(to->spring, a->spring, sizeof to->spring);
 		memcpy(to->damper, a->damper, sizeof to->damper);
 		if (!absorber(to, a, st))
@@ -401,6 +415,17 @@ static enum hawser_status solve_plane(struct hawser_statics *st, struct hawser__
 	return fill(st, cable, &reach, of->given, of->branch, report);
 }
 
+/* Of forces across y, or upwards, the searches over H say nothing. */
+static int in_plane(const struct hawser__loaded *cable, const double gravity[3])
+{
+	int plane = gravity[0] == 0.0 && gravity[2] == 0.0 && gravity[1] < 0.0;
+
+	for (int i = 0; i < cable->count; i++)
+		plane &= cable->load[i].force[0] == 0.0 && cable->load[i].force[2] == 0.0 &&
+		         cable->load[i].W >= 0.0;
+	return plane;
+}
+
 static int without_loads(const struct hawser__loaded *cable)
 {
 	int none = 1;
@@ -419,7 +444,7 @@ enum hawser_status hawser_statics_weighted(struct hawser_statics *st, const stru
 {
 	const struct hawser__load_case of = {span, given, value, branch, attach};
 	enum hawser_status status = hawser__statics_check(span, given, value, branch, report);
-	int order[HAWSER_ATTACH_MAX], plane = gravity[0] == 0.0 && gravity[2] == 0.0 && gravity[1] < 0.0;
+	int order[HAWSER_ATTACH_MAX];
 	struct hawser__loaded cable;
 
 	if (!status && (count < 0 || count > HAWSER_ATTACH_MAX))
@@ -436,7 +461,8 @@ enum hawser_status hawser_statics_weighted(struct hawser_statics *st, const stru
 			hawser__loaded_sort(&cable, order);
 		return status ? status : hawser__loaded_place(st, &cable, order, attach, report);
 	}
-	status = (plane ? solve_plane : hawser__space_solve)(st, &cable, order, &of, report);
+	status = (in_plane(&cable, gravity) ? solve_plane : hawser__space_solve)(st, &cable, order, &of,
+	                                                                         report);
 	if (!status)
 		status = hawser__loaded_place(st, &cable, order, attach, report);
 	if (!status && st->space) {

@@ -10,6 +10,7 @@
 
 #include "core/report.h"
 #include "statics/catenary.h"
+#include "statics/loaded.h"
 #include "statics/models.h"
 #include "statics/precision.h"
 #include "statics/profile.h"
@@ -251,8 +252,7 @@ enum hawser_status hawser_statics_scene(struct hawser_statics *st, const struct 
 	if (status)
 		return status;
 	if (scene->attachments > 0) /* such a cable does not travel */
-		status = hawser_statics_weighted(st, &equal.span, equal.given, equal.value, equal.branch,
-		                                 scene->attach, scene->attachments, equal.gravity, report);
+		status = hawser__statics_attached(st, &equal, scene, report);
 	else
 		status = hawser_statics_travel(st, &equal.span, equal.given, equal.value, equal.branch,
 		                               &motion, report);

@@ -393,9 +393,10 @@ enum hawser_status hawser__space_solve(struct hawser_statics *st, struct hawser_
 
 	if (of->given == HAWSER_GIVEN_H || of->given == HAWSER_GIVEN_SAG)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
-		                    "tension.state: loaded with the %s of a cable that attachments turn out "
-		                    "of one plane: it is not the same along such a cable, or not in one "
-		                    "plane; give T0, T1 or length0, or the tension of the reference state",
+		                    "tension: the %s is given of a cable that attachments turn out of one "
+		                    "plane, or pull along the span or upwards: it is not the same along "
+		                    "such a cable, or not in one plane; give T0, T1 or length0 or, if only "
+		                    "load.static turns it, the tension of the reference state",
 		                    of->given == HAWSER_GIVEN_H ? "horizontal tension H" : "sag");
 	if (of->given == HAWSER_GIVEN_LENGTH0) {
 		cable->L = of->value;

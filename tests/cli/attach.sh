@@ -16,7 +16,7 @@ refuses_like 1 'attach.at: "40" is not between the ends: give a fraction' \
 	statics s.yaml --set 'attach=[{at: 40, mass: 3}]'
 refuses_like 1 'attach.at: "1 kg" is no position: give a fraction' \
 	statics s.yaml --set 'attach=[{at: 1 kg, mass: 3}]'
-refuses_like 1 "attach\\[0\\] has no effect: give it a mass, a spring, a damper or an absorber" \
+refuses_like 1 "attach\\[0\\] has no effect: give it a mass, a force, a spring, a damper or an absorber" \
 	statics s.yaml --set 'attach=[{at: 0.4}]'
 refuses_like 1 "duplicate key attach.at, already given" statics s.yaml --set 'attach=[{at: 0.4, at: 0.5}]'
 refuses_like 1 "attach.name: \"12\" is no name" statics s.yaml --set 'attach=[{at: 0.4, mass: 1, name: 12}]'
@@ -274,5 +274,23 @@ got = sorted(b["omega"][-1] for b in sweep["branches"])[:4]
 want = [m["omega"] for m in modes["modes"]][:4]
 assert all(abs(a/b - 1) < 1e-9 for a, b in zip(got, want)), (got, want)
 END
+
+# --- dead forces
+force='attach=[{at: 30 %, mass: 20 kg}, {at: 60 %, force: [0, -500 N, 200 N], name: pull}]'
+t0='{T0: 110 kN}'
+works "a force from the side" statics "$scene" --set "$force" --set "tension=$t0" --json force.json -q
+works "downwards, of a given H" irvine "$scene" --set 'attach=[{at: 60 %, force: [0, -500 N, 0]}]' -n 2 --points 3 -q
+python "the echo has the force, and the weight is in the equilibrium" <<'END'
+import json
+r = json.load(open("force.json"))
+assert r["scene"]["attach"][1]["force"] == [0, -500, 200] and "force" not in r["scene"]["attach"][0]
+END
+works "a model" rom "$scene" --set "$force" --set "tension=$t0" -q
+refuses_like 1 "of a cable that attachments turn out of one plane, or pull" statics "$scene" --set "$force" --set 'tension={H: 100 kN}'
+refuses_like 1 "attach.1..force: a cable that a force turns out of one plane" irvine "$scene" --set "$force" --set "tension=$t0"
+refuses_like 1 "contradicts attach.force" modes "$scene" --set "$force" --set "tension=$t0" --set 'attach.pull.spring=[0, 1e3, 0]'
+refuses_like 1 "forces at points of a cable between elastic supports" modes "$scene" --set "$force" --set "tension=$t0" --set 'support={B: {stiffness: [1e6, 1e6, 1e6]}}'
+refuses_like 1 "or attach.force, take out of one plane" modes "$scene" --set "$force" --set "tension=$t0" --damped
+refuses_like 1 "motion of a cable that masses or springs in a wind, or attach.force" rom "$scene" --set "$force" --set "tension=$t0" --set 'support={B: {motion: [0, 1 cm, 0]}}'
 refuses_like 1 "attachments are at rest, and a cable" irvine "$scene" -n 2 --points 3 --speeds "0, 3"
 done_testing

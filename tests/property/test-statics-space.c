@@ -124,6 +124,8 @@ static double balance(const struct hawser_statics *st, const struct hawser_scene
 		worst = fmax(worst, fabs(hawser_statics_before(st, i).T/sqrt(F[0]*F[0] + F[1]*F[1] + F[2]*F[2])
 		                         - 1.0));
 		F[1] += scene->attach[st->attached[i].index].mass*scene->g;
+		for (int c = 0; c < 3; c++)
+			F[c] -= scene->attach[st->attached[i].index].force[c];
 		worst = fmax(worst, fabs(hawser_statics_at(st, to).T/sqrt(F[0]*F[0] + F[1]*F[1] + F[2]*F[2])
 		                         - 1.0));
 	}
@@ -150,9 +152,20 @@ static void random_spans(void)
 		chord = hypot(scene.span.d, scene.span.h);
 		load(&scene, draw(&seed, -1.0, 1.0)*size, draw(&seed, -1.0, 1.0)*size,
 		     draw(&seed, -1.0, 1.0)*size, draw(&seed, 0.0, 1.0));
-		for (int i = 0; i < count; i++)
-			attach(&scene, (i + draw(&seed, 0.1, 0.9))/count,
-			       pow(10.0, draw(&seed, -2.0, 1.5))*1.571*chord);
+		for (int i = 0; i < count; i++) {
+			double mass = pow(10.0, draw(&seed, -2.0, 1.5))*1.571*chord;
+
+			attach(&scene, (i + draw(&seed, 0.1, 0.9))/count, mass);
+			for (int c = 0; c < 3 && n%3; c++)
+				scene.attach[i].force[c] = draw(&seed, -20.0, 20.0)*mass;
+			if (n%3 == 2)
+				scene.attach[i].mass = 0.0;
+		}
+		scene.static_load.present = n%4 > 0;
+		if (n%4 == 0) {
+			load(&scene, 0.0, 0.0, 0.0, 0.0);
+			scene.attach[0].force[2] = 3.0*size;
+		}
 		scene.tension.given = HAWSER_GIVEN_LENGTH0;
 		scene.tension.value = chord*(0.985 + pow(10.0, draw(&seed, -2.5, 0.3)));
 		st = solved(&scene);
@@ -167,6 +180,31 @@ static void random_spans(void)
 }
 
 /* --- limits --- */
+
+/* A taut string with a force P from the side at a L0: at a L0 it gives way by P a (1 - a) L/T. */
+static void string(void)
+{
+	double before = 0.0;
+
+	for (int k = 0; k < 2; k++) {
+		struct hawser_scene scene = scene_of();
+		double a = 0.37, P = 25.0*pow(10.0, -k), x[3], off;
+		struct hawser_statics st;
+
+		scene.static_load.present = 0;
+		scene.span.h = 0.0;
+		scene.g = 1e-6;
+		scene.tension.given = HAWSER_GIVEN_T0;
+		attach(&scene, a, 0.0);
+		scene.attach[0].force[2] = P;
+		st = solved(&scene);
+		place(x, &st, a*st.length0);
+		off = x[2]/(P*a*(1.0 - a)*scene.span.d/scene.tension.value) - 1.0;
+		ok(st.space && fabs(off) < 1e-5*pow(100.0, -k) && (!k || fabs(before/off/100.0 - 1.0) < 0.2),
+		   "a force of %g N moves a string by %.6g m, %.1e from the closed form", P, x[2], off);
+		before = off;
+	}
+}
 
 /* With a wind that vanishes, the plane solution with the masses; the difference decreases with the
  * wind: along z with it, in the plane with its square. */
@@ -437,6 +475,7 @@ static void refused(void)
 int main(void)
 {
 	random_spans();
+	string();
 	no_wind();
 	in_the_plane();
 	no_masses();
