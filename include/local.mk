@@ -7,6 +7,7 @@ pkginclude_HEADERS = \
 	%D%/hawser/decay.h \
 	%D%/hawser/folds.h \
 	%D%/hawser/cover.h \
+	%D%/hawser/family.h \
 	%D%/hawser/frf.h \
 	%D%/hawser/gyroscopic.h \
 	%D%/hawser/hawser.h \
@@ -26,6 +27,7 @@ pkginclude_HEADERS = \
 	%D%/hawser/choose.h \
 	%D%/hawser/scales.h \
 	%D%/hawser/scene.h \
+	%D%/hawser/scene_family.h \
 	%D%/hawser/sizes.h \
 	%D%/hawser/statics.h \
 	%D%/hawser/status.h \

@@ -35,6 +35,7 @@ CLI_TESTS = \
 	%D%/cli/bending.sh \
 	%D%/cli/loads.sh \
 	%D%/cli/travel.sh \
+	%D%/cli/over.sh \
 	%D%/cli/unstable.sh \
 	%D%/cli/usage.sh
 TESTS += $(CLI_TESTS)

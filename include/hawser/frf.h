@@ -5,6 +5,7 @@
 #ifndef HAWSER_FRF_H
 #define HAWSER_FRF_H
 
+#include <hawser/family.h>
 #include <hawser/orbit.h>
 #include <hawser/progress.h>
 
@@ -41,12 +42,13 @@ const char *hawser_frf_end_name(enum hawser_frf_end end);
 
 struct hawser_frf_point {
 	double omega;     /* scaled */
+	double parameter; /* of options->family; omega without a family */
 	double arc;       /* arclength along the branch, in the metric of the continuation */
 	int unstable;     /* number of multipliers outside the unit circle; 0: stable */
 	int undecided;    /* number of multipliers that are nearer to the unit circle than their error,
 	                   * as those of an undamped model are. Whether they are unstable is not known,
 	                   * and `unstable` excludes them */
-	int direction;    /* 1: Omega increases along the branch at this point, -1: it decreases */
+	int direction;    /* 1: the parameter increases along the branch at this point, -1: it decreases */
 	double residual;  /* certificate: largest defect after the final correction, relative to |x|; of
 	                   * shooting, the largest defect of a segment */
 	double mesh;      /* certificate: estimated integration or truncation error of the orbit,
@@ -64,6 +66,8 @@ struct hawser_frf_event {
 	enum hawser_event_kind kind;
 	double omega;    /* scaled, located by bracketing; of an unexplained event the middle of the
 	                  * bracket */
+	double parameter; /* the same of options->family, to which `error` and `bracket` then refer; omega
+	                  * without a family */
 	double arc;
 	double residual; /* |test function| at the located point, relative to its values at the ends of
 	                  * the bracket */
@@ -80,6 +84,8 @@ struct hawser_frf_event {
 struct hawser_frf {
 	int n;                          /* coordinates */
 	int points, capacity;
+	double length, time;            /* units of the model that was given, in which all scaled members
+	                                 * are, those of a family too */
 	int undecided;                  /* number of points with undecided multipliers */
 	struct hawser_frf_point *point; /* [points] */
 	double *coordinate;             /* [points][n] max over the period of |u_j|, scaled */
@@ -118,6 +124,9 @@ struct hawser_resonance; /* scales.h */
 
 struct hawser_frf_options {
 	const char *method;    /* name of a method; NULL or "auto": the method that suits the model */
+	const struct hawser_rom_family *family; /* NULL: the parameter is Omega. Otherwise the branch is
+	                        * followed in the parameter of the family, which takes the place of
+	                        * Omega in the members below; by harmonic balance */
 	double from, to;       /* scaled Omega, from != to: the range, and the initial direction */
 	double begin;          /* scaled Omega of the first orbit, in the range; 0: from */
 	int direction;         /* initial direction: 1: Omega increases, -1: it decreases; 0: towards

@@ -6,6 +6,7 @@
 #include <hawser/status.h>
 #include <hawser/progress.h>
 #include <hawser/scene.h>
+#include <hawser/scene_family.h>
 #include <hawser/statics.h>
 #include <hawser/plausible.h>
 #include <hawser/modes.h>
@@ -21,6 +22,7 @@
 #include <hawser/orbit.h>
 #include <hawser/backbone.h>
 #include <hawser/cover.h>
+#include <hawser/family.h>
 #include <hawser/frf.h>
 #include <hawser/scales.h>
 #include <hawser/folds.h>

@@ -11,6 +11,7 @@ struct cli_map_axis {
 	char *copy;
 	const char *key, *unit;
 	double from, to;
+	int backwards; /* 1: the larger end was written first */
 };
 enum hawser_status cli_map_axis(struct cli_map_axis *axis, const char *option, const char *text,
                                 struct cli_model *model, struct hawser_report *report);

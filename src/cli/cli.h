@@ -421,6 +421,7 @@ struct cli_frf_result {
 	const struct cli_sweep *sweep; /* [sweeps] */
 	int sweeps;
 	double from, to; /* scaled */
+	const struct cli_over *over; /* frf --over: the parameter, or NULL */
 	int stated;      /* 1: the error of a model with a given number of modes, or why it is not known: */
 	struct hawser_accuracy_fixed fixed; /* estimated: NAN if it is not known */
 	char unknown[640]; /* a report's message */
@@ -431,6 +432,11 @@ struct cli_frf_result {
 	const double *gap; /* [gaps][2] scaled Omega: parts of the range in which no branch was found */
 	int others, gaps;
 };
+/* "Omega = 1.4 rad/s" of a point at `omega` (scaled), or "damping.alpha = 0.1 kg/m/s" with --over. */
+struct cli_place {
+	char text[120];
+};
+struct cli_place cli_frf_place(const struct cli_frf_result *result, double omega, double parameter);
 /* --- fixed.c: the error of the model, `stated`, `fixed` and `unknown` of the result --- */
 
 /* Does nothing for the first branch with modes: auto. Status: HAWSER_ERR_MEMORY. */

@@ -9,6 +9,7 @@
 #include "cli/backbone.h"
 #include "cli/frf_beside.h"
 #include "cli/frf_cover.h"
+#include "cli/frf_over.h"
 #include "cli/progress.h"
 #include "cli/view.h"
 #include "core/report.h"
@@ -21,6 +22,7 @@
 struct settings {
 	struct cli_common common;
 	const char *from, *to, *at, *sweep, *start, *resume, *scale, *method, *slack, *beside;
+	const char *over, *omega;
 	double tolerance, step;
 	int n, points, segments, unstable, sweep_points, multipliers, partial, backbone, energy;
 };
@@ -41,6 +43,9 @@ static const struct cli_option options[] = {
 	CLI_TEXT_OPTION(start, "FILE", "state to start from (the linear response)"),
 	CLI_TEXT_OPTION(at, "FREQUENCY", "frequency of the first orbit, inside the range"),
 	{"continue", 0, "FILE", "continue the curve whose JSON result this file is", CLI_TEXT(resume)},
+	{"over", 0, "KEY=FROM:TO", "follow the motion in a parameter instead, at the frequency --Omega",
+	 CLI_TEXT(over)},
+	{"Omega", 0, "FREQUENCY", "frequency of the load with --over", CLI_TEXT(omega)},
 	CLI_TEXT_OPTION(sweep, "WHICH", "add a slow sweep, integrated in time: up, down or both"),
 	{"sweep-points", 0, "N", "number of frequencies of a sweep (200)", CLI_COUNT(sweep_points)},
 	{"backbone", 0, "J", "add the backbone of mode J: its free undamped motions",
@@ -67,6 +72,23 @@ static const char *const notes[] = {
 	"column error estimates the distance that they cause; near a fold it can be larger.",
 	NULL,
 };
+
+/* --over has its own range, and follows one curve. */
+static enum hawser_status check_over(const struct settings *settings, struct hawser_report *report)
+{
+	const char *other = settings->from != defaults.from ? "from" : settings->to != defaults.to ? "to"
+	                    : settings->at ? "at" : settings->sweep ? "sweep"
+	                    : settings->resume ? "continue" : settings->backbone ? "backbone"
+	                    : settings->beside ? "beside" : NULL;
+
+	if (!settings->over)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
+		                    "--Omega %s is the frequency for --over KEY=FROM:TO, which is missing; a "
+		                    "range of frequencies is given by --from and --to", settings->omega);
+	return other ? hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
+	                            "--over %s follows one motion at one frequency: leave out --%s",
+	                            settings->over, other) : HAWSER_OK;
+}
 
 static enum hawser_status check(const struct settings *settings, struct hawser_report *report)
 {
@@ -95,6 +117,8 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
 		                      "--continue %s says where to start, and so does --%s: give one of them",
 		                      settings->resume, settings->start ? "start" : "at");
+	if (!status && (settings->over || settings->omega))
+		status = check_over(settings, report);
 	if (!status)
 		status = cli_state_check("start", settings->start, &settings->common, report);
 	if (!status)
@@ -176,8 +200,9 @@ static enum hawser_status trace(struct hawser_frf *frf, struct hawser_landmark *
 
 	if (settings->method && strcmp(settings->method, "auto") != 0)
 		choice.method = settings->method;
-	choice.from = result->from;
-	choice.to = result->to;
+	choice.from = result->over ? result->over->from : result->from;
+	choice.to = result->over ? result->over->to : result->to;
+	choice.family = result->over ? &result->over->family : NULL;
 	choice.segments = settings->segments;
 	choice.end_at_slack = strcmp(settings->slack, "end") == 0;
 	choice.most_unstable = settings->unstable > 0 ? settings->unstable : automatic ? OBSERVED : 0;
@@ -195,13 +220,13 @@ static enum hawser_status trace(struct hawser_frf *frf, struct hawser_landmark *
 	}
 	if (!status && !automatic)
 		status = hawser_frf_trace(frf, &model->rom, &choice, report);
-	if (frf->points > 0) {
+	if (frf->points > 0 && !result->over) {
 		enum hawser_status located = locate_peaks(peak, result, &watch.progress, &choice,
 		                                          status != HAWSER_OK, status ? &second : report);
 
 		status = status ? status : located;
 	}
-	if (!status && !cli_interrupted())
+	if (!status && !result->over && !cli_interrupted())
 		status = cli_cover_trace(cover, result, &choice, &watch.progress, locate_peaks, report);
 	cli_progress_end(&watch.progress);
 	cli_last_clear(&last);
@@ -290,6 +315,22 @@ static enum hawser_status write_result(struct cli_frf_result *result, int energy
 	return status;
 }
 
+/* The models of a scene over one of its keys have no coordinates for the inertia of condensed modes. */
+static enum hawser_status load(struct cli_model *model, const struct settings *settings,
+                               struct hawser_report *report)
+{
+	struct cli_common common = settings->common;
+	enum hawser_status status = cli_model_load(model, &common, settings->n, report);
+
+	if (status || !settings->over || !cli_over_needs_scene(settings->over) ||
+	    model->rom.inertia.shapes == 0 || common.sets == CLI_SETS)
+		return status;
+	common.set[common.sets++] = "model.inertia=none";
+	cli_model_clear(model);
+	*model = (struct cli_model){.has_scene = 0};
+	return cli_model_load(model, &common, settings->n, report);
+}
+
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	const struct settings *settings = context;
@@ -302,13 +343,18 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	struct cli_backbone free_motions = {.omega = NULL};
 	struct cli_beside beside = {.root = NULL};
 	struct cli_overlay overlay[CLI_OVERLAYS];
+	struct cli_over over = {.open = 0};
 	struct cli_frf_result result = {.common = &settings->common, .model = &model, .frf = &frf,
 	                                .sweep = list, .multipliers = settings->multipliers,
 	                                .scale = settings->scale, .overlay = overlay};
 	enum hawser_status status = check(settings, report), written = HAWSER_OK;
 
 	if (!status)
-		status = cli_model_load(&model, &settings->common, settings->n, report);
+		status = load(&model, settings, report);
+	if (!status && settings->over) {
+		status = cli_over_open(&over, settings->over, settings->omega, &model, report);
+		result.over = &over;
+	}
 	if (!status)
 		status = cli_range(&result.from, &result.to, settings->from, settings->to, "frf", &model,
 		                   report);
@@ -321,7 +367,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (status)
 		goto done;
 	status = trace(&frf, &peak, &cover, &model, settings, &result, report);
-	if (!status)
+	if (!status && !settings->over)
 		status = cli_fixed_estimate(&result, report);
 	for (int k = 0; k < result.others && !status; k++)
 		status = cli_fixed_estimate(&cover.other[k], report);
@@ -353,6 +399,7 @@ done:
 	hawser_frf_clear(&frf);
 	free(peak);
 	cli_cover_clear(&cover);
+	cli_over_clear(&over);
 	cli_model_clear(&model);
 	return status;
 }

@@ -167,10 +167,10 @@ static enum hawser_status end_of(double *value, const char *text, const char *op
 	return cli_quantity(value, text, cli_key_unit(key), CLI_ANY, "map", option, report);
 }
 
-static enum hawser_status axis(struct cli_map_result *result, int k, const char *part[3],
-                               struct cli_model *model, struct hawser_report *report)
+static enum hawser_status axis(struct cli_map_result *result, int k, const char *option,
+                               const char *part[3], struct cli_model *model,
+                               struct hawser_report *report)
 {
-	const char *option = k == 0 ? "x" : "y";
 	double *from = &result->options.from[k], *to = &result->options.to[k];
 	enum hawser_status status;
 
@@ -314,9 +314,9 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!status)
 		status = cli_model_or_scene(&model, &settings->common, settings->n, report);
 	if (!status)
-		status = axis(&result, 0, x, &model, report);
+		status = axis(&result, 0, "x", x, &model, report);
 	if (!status)
-		status = axis(&result, 1, y, &model, report);
+		status = axis(&result, 1, "y", y, &model, report);
 	if (!status && settings->omega)
 		status = frequency(&result.omega, settings->omega, "Omega", &model, report);
 	if (!status && model.has_scene && model.scene.travel.braking > 0.0)
@@ -334,7 +334,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	return status;
 }
 
-/* --- axes for hawser hill --- */
+/* --- axes for other commands --- */
 
 enum hawser_status cli_map_axis(struct cli_map_axis *to, const char *option, const char *text,
                                 struct cli_model *model, struct hawser_report *report)
@@ -345,11 +345,12 @@ enum hawser_status cli_map_axis(struct cli_map_axis *to, const char *option, con
 	enum hawser_status status = split(&to->copy, part, option, text, report);
 
 	if (!status)
-		status = axis(&result, k, part, model, report);
+		status = axis(&result, k, option, part, model, report);
 	to->key = result.key[k];
 	to->unit = result.unit[k];
 	to->from = fmin(result.options.from[k], result.options.to[k]);
 	to->to = fmax(result.options.from[k], result.options.to[k]);
+	to->backwards = result.options.from[k] > result.options.to[k];
 	return status;
 }
 

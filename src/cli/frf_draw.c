@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "cli/frf_cover.h"
+#include "cli/frf_over.h"
 #include "cli/view.h"
 #include "core/report.h"
 
@@ -196,7 +197,8 @@ static void copy_curves(struct picture *picture, const struct cli_frf_result *re
 	double length = picture->per_length, *out = picture->store;
 
 	for (i = 0; i < frf->points; i++) {
-		out[i] = frf->point[i].omega*picture->per_omega;
+		out[i] = result->over ? frf->point[i].parameter/picture->x.per
+		                      : frf->point[i].omega*picture->per_omega;
 		picture->unstable[i] = frf->point[i].unstable;
 	}
 	picture->response.omega = out;
@@ -220,7 +222,8 @@ static void copy_events(struct picture *picture, const struct cli_frf_result *re
 		double part = event->arc - frf->point[event->after].arc;
 
 		picture->event[k].kind = event->kind;
-		picture->event[k].omega = event->omega*picture->per_omega;
+		picture->event[k].omega = result->over ? event->parameter/picture->x.per
+		                                       : event->omega*picture->per_omega;
 		picture->event[k].after = event->after;
 		picture->event[k].fraction = whole > 0.0 ? fmin(fmax(part/whole, 0.0), 1.0) : 0.0;
 	}
@@ -335,7 +338,7 @@ static enum hawser_status fill(struct picture *picture, const struct cli_frf_res
 	free(work);
 	response->points = result->frf->points;
 	response->events = result->frf->events;
-	response->naturals = result->model->naturals;
+	response->naturals = result->over ? 0 : result->model->naturals;
 	response->sweeps = result->sweeps;
 	response->x_title = picture->x.title;
 	response->unstable = picture->unstable;
@@ -348,8 +351,9 @@ static enum hawser_status fill(struct picture *picture, const struct cli_frf_res
 	response->overlays = result->overlays;
 	response->overlay = picture->overlay;
 	response->panel_label = picture->panel_label;
-	response->from = result->from*picture->per_omega;
-	response->to = result->to*picture->per_omega;
+	response->from = result->over ? result->over->from/picture->x.per
+	                              : result->from*picture->per_omega;
+	response->to = result->over ? result->over->to/picture->x.per : result->to*picture->per_omega;
 	return HAWSER_OK;
 }
 
@@ -364,6 +368,9 @@ static enum hawser_status draw(const char *path, const struct cli_frf_result *re
 	picture.x = cli_frf_axis(result->model);
 	picture.y = cli_model_axis(result->model, "", "m");
 	picture.per_omega = cli_per_omega(result->model)/picture.x.per;
+	if (result->over)
+		picture.x = cli_axis(result->over->axis.key, result->over->axis.unit,
+		                     result->over->axis.to);
 	picture.per_length = cli_per_length(result->model)/picture.y.per;
 	for (k = 0; k < most_panels; k++)
 		picture.panel_label[k] = picture.panel[k];

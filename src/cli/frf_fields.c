@@ -6,12 +6,13 @@
 #include <string.h>
 
 #include "cli/backbone.h"
+#include "cli/frf_over.h"
 #include "cli/view.h"
 #include "cli/mms_result.h"
 
 /* Options of a result. */
 enum { TENSION = 1, MULTIPLIERS = 2, SWEEPS = 4, BACKBONE = 8, SAMPLE = 16, PEAKS = 32,
-	UNDECIDED = 64, BRANCHES = 128 };
+	UNDECIDED = 64, BRANCHES = 128, OVER = 256 };
 
 HAWSER__LABELS(event_name, hawser_event_name, enum hawser_event_kind)
 HAWSER__LABELS(end_name, hawser_frf_end_name, enum hawser_frf_end)
@@ -29,6 +30,7 @@ static const struct hawser__vector multiplier_vector = {
 #define TENSION_OF(which) HAWSER__ALONG(struct hawser_frf, tension), .stride = 2, .item = (which), \
 	.unit = HAWSER__NEWTON, .when = TENSION
 static const struct hawser__field point_field[] = {
+	{"parameter", "parameter", "value of the key of --over, in SI", OF(parameter), .when = OVER},
 	{"Omega", "Omega", "forcing frequency", OF(omega), .unit = HAWSER__RAD_S,
 	 .axis = "Forcing frequency {/:Italic Ω}"},
 	{"stable", "stable", "whether the motion is stable",
@@ -136,20 +138,36 @@ static const struct hawser__field backbone_field[] = {
 
 /* --- events, sample, cost --- */
 
+static int over_omega(const void *row, const void *parent)
+{
+	const struct hawser_frf_event *event = row;
+
+	(void)parent;
+	return event->parameter == event->omega;
+}
+
+static int over_parameter(const void *row, const void *parent)
+{
+	return !over_omega(row, parent);
+}
+
 #define OF(member) HAWSER__AT(struct hawser_frf_event, member)
 static const struct hawser__field event_field[] = {
 	{"kind", NULL, "fold, period-doubling, torus, branch-point or unexplained",
 	 HAWSER__LABEL_AT(struct hawser_frf_event, kind, event_name)},
 	{"Omega", NULL, "where it is", OF(omega), .unit = HAWSER__RAD_S},
+	{"parameter", NULL, "the same with --over", OF(parameter), .when = OVER},
 	{"residual", NULL, "of its test function, relative", OF(residual)},
-	{"error", NULL, "estimated relative error of Omega", OF(error)},
+	{"error", NULL, "estimated relative error of Omega, or of the parameter", OF(error)},
 	{"suspected", NULL, "whether the count of unstable multipliers does not confirm it",
 	 HAWSER__FLAG_AT(struct hawser_frf_event, suspected)},
 	{"located", NULL, "false where it is unexplained or its error exceeds 0.01",
 	 HAWSER__FLAG_AT(struct hawser_frf_event, located)},
 	{"after", NULL, "index of the point before it", OF(after)},
 	{"bracket", NULL, "Omega of the two orbits between which it lies", OF(bracket),
-	 .unit = HAWSER__RAD_S},
+	 .unit = HAWSER__RAD_S, .given = over_omega},
+	{"bracket", NULL, "the parameter of these orbits, with --over", OF(bracket),
+	 .given = over_parameter},
 	{"unstable_before", NULL, "unstable multipliers at the first of them", OF(unstable[0])},
 	{"unstable_after", NULL, "unstable multipliers at the second", OF(unstable[1])},
 	HAWSER__END,
@@ -209,6 +227,16 @@ static int has_direction(const void *row, const void *parent)
 	return ((const struct cli_frf_result *)row)->direction != 0;
 }
 
+#define OF(member) HAWSER__AT(struct cli_over, member)
+static const struct hawser__field over_field[] = {
+	{"key", NULL, "the parameter", OF(axis.key)},
+	{"unit", NULL, "its unit, or \"\"", OF(axis.unit)},
+	{"from", NULL, "where the curve begins", OF(from)},
+	{"to", NULL, "the other end of the range", OF(to)},
+	HAWSER__END,
+};
+#undef OF
+
 #define THROUGH(member, fields) {"", NULL, "", HAWSER__THROUGH(struct cli_frf_result, member, fields)}
 /* A further branch is a result with its own curve. */
 static const struct hawser__field branch_field[] = {
@@ -241,6 +269,7 @@ static const struct hawser__field stats_field[] = {
 static const struct hawser__field result_field[] = {
 	THROUGH(scales, cli_modulation_field),
 	THROUGH(model, cli_si_field),
+	{"over", NULL, "with --over", HAWSER__THROUGH(struct cli_frf_result, over, over_field)},
 	{"range", NULL, "of Omega", HAWSER__PAIR_AT(struct cli_frf_result, from, to),
 	 .unit = HAWSER__RAD_S},
 	THROUGH(model, cli_naturals_field),
@@ -280,7 +309,7 @@ static struct cli_head head(const void *of)
 		(result->sweeps > 0 ? SWEEPS : 0u) | (result->backbone ? BACKBONE : 0u) |
 		(frf->sampled > 0 ? SAMPLE : 0u) | (result->located ? PEAKS : 0u) |
 		(frf->undecided > 0 ? UNDECIDED : 0u) |
-		(result->others + result->gaps > 0 ? BRANCHES : 0u));
+		(result->others + result->gaps > 0 ? BRANCHES : 0u) | (result->over ? OVER : 0u));
 
 	head.rows = frf;
 	head.also = ", pseudo-arclength continuation";

@@ -7,13 +7,22 @@
 #include <string.h>
 
 #include "cli/backbone.h"
+#include "cli/frf_over.h"
 #include "cli/view.h"
 #include "cli/mms_result.h"
 #include "core/report.h"
 
-static double event_omega(const struct cli_frf_result *result, int k)
+struct cli_place cli_frf_place(const struct cli_frf_result *result, double omega, double parameter)
 {
-	return result->frf->event[k].omega*cli_per_omega(result->model);
+	struct cli_place place;
+
+	if (result->over)
+		snprintf(place.text, sizeof place.text, "%.60s = %.12g%s%.20s", result->over->axis.key,
+		         parameter, *result->over->axis.unit ? " " : "", result->over->axis.unit);
+	else
+		snprintf(place.text, sizeof place.text, "Omega = %.12g%s",
+		         omega*cli_per_omega(result->model), cli_unit(result->model, " rad/s"));
+	return place;
 }
 
 /* The reason why the curve ended, as text. */
@@ -51,6 +60,11 @@ static int ends_slack(const struct cli_frf_result *result)
 	return count;
 }
 
+static double place_of(const struct cli_frf_result *result, const struct hawser_frf_point *point)
+{
+	return result->over ? point->parameter : point->omega*cli_per_omega(result->model);
+}
+
 /* Append to text [size], of which `used` are used. */
 static int append(char *text, size_t size, int used, const struct cli_frf_result *result,
                   const char *before)
@@ -60,20 +74,24 @@ static int append(char *text, size_t size, int used, const struct cli_frf_result
 	if (frf->end != HAWSER_END_SLACK || used >= (int)size)
 		return used;
 	return used + snprintf(text + used, size - (size_t)used, "%s%.9g", before,
-	                       frf->point[frf->points - 1].omega*cli_per_omega(result->model));
+	                       place_of(result, &frf->point[frf->points - 1]));
 }
 
 static int slack_ends(char *text, size_t size, const struct cli_frf_result *result)
 {
-	int used = append(text, size, 0, result, "slack: the least tension falls to zero at Omega = ");
+	char first[120];
+	int used;
 
+	snprintf(first, sizeof first, "slack: the least tension falls to zero at %.60s = ",
+	         result->over ? result->over->axis.key : "Omega");
+	used = append(text, size, 0, result, first);
 	for (int k = 0; k < result->others; k++)
-		used = append(text, size, used, &result->other[k],
-		              used ? ", " : "slack: the least tension falls to zero at Omega = ");
+		used = append(text, size, used, &result->other[k], used ? ", " : first);
 	if (used < (int)size)
-		snprintf(text + used, size - (size_t)used, "%s, where the curve ends: a cable bears no "
+		snprintf(text + used, size - (size_t)used, "%s%s, where the curve ends: a cable bears no "
 		         "compression, and beyond the model's motion is not the cable's (--slack follow "
-		         "shows it)", cli_unit(result->model, " rad/s"));
+		         "shows it)", result->over ? " " : "",
+		         result->over ? result->over->axis.unit : cli_unit(result->model, " rad/s"));
 	return 1;
 }
 
@@ -137,11 +155,12 @@ int cli_frf_slack(char *text, size_t size, const struct cli_frf_result *result)
 		         cli_speeding_tension(result->model, frf->point[slower].omega));
 	if (count == 0)
 		return slower >= 0;
-	snprintf(text, size, "slack: the model's tension falls to %.4g N at Omega = %.9g%s, and below "
+	snprintf(text, size, "slack: the model's tension falls to %.4g N at %s = %.9g%s%s, and below "
 	         "zero at %d of %d points; a cable bears no compression, so the response there is not "
-	         "that of a cable", frf->tension[2*at],
-	         frf->point[at].omega*cli_per_omega(result->model),
-	         cli_unit(result->model, " rad/s"), count, frf->points);
+	         "that of a cable", frf->tension[2*at], result->over ? result->over->axis.key : "Omega",
+	         place_of(result, &frf->point[at]), result->over ? " " : "",
+	         result->over ? result->over->axis.unit : cli_unit(result->model, " rad/s"), count,
+	         frf->points);
 	return 1;
 }
 
@@ -172,20 +191,20 @@ static void comment_event(struct hawser__table *table, const struct cli_frf_resu
 	char of[24];
 	const struct hawser_frf_event *event = &result->frf->event[k];
 	double per_omega = cli_per_omega(result->model);
-	const char *rad_s = cli_unit(result->model, " rad/s");
 
 	if (event->kind == HAWSER_UNEXPLAINED)
-		hawser__table_comment(table, "%sevent: unexplained between Omega = %.12g and %.12g%s: the "
+		hawser__table_comment(table, "%sevent: unexplained between %s and %.12g: the "
 		                      "number of unstable multipliers changes from %d to %d, and no "
 		                      "located event explains it", branch_name(of, result),
-		                      event->bracket[0]*per_omega,
-		                      event->bracket[1]*per_omega, rad_s, event->unstable[0],
-		                      event->unstable[1]);
+		                      cli_frf_place(result, event->bracket[0], event->bracket[0]).text,
+		                      event->bracket[1]*(result->over ? 1.0 : per_omega),
+		                      event->unstable[0], event->unstable[1]);
 	else
-		hawser__table_comment(table, "%sevent%s: %s at Omega = %.12g%s%s (relative error %.1e)",
+		hawser__table_comment(table, "%sevent%s: %s at %s%s (relative error %.1e)",
 		                      branch_name(of, result),
 		                      event->located ? "" : " not located",
-		                      hawser_event_name(event->kind), event_omega(result, k), rad_s,
+		                      hawser_event_name(event->kind),
+		                      cli_frf_place(result, event->omega, event->parameter).text,
 		                      event->suspected ? " (suspected)" : "", event->error);
 }
 
@@ -217,8 +236,13 @@ void cli_frf_comments(struct hawser__table *table, const void *of)
 	const char *rad_s = cli_unit(result->model, " rad/s");
 	int k;
 
-	hawser__table_comment(table, "range: Omega from %.12g to %.12g%s", result->from*per_omega,
-	                      result->to*per_omega, rad_s);
+	if (result->over)
+		hawser__table_comment(table, "range: %s to %.12g, at Omega = %.12g%s",
+		                      cli_frf_place(result, 0.0, result->over->from).text,
+		                      result->over->to, result->over->omega, rad_s);
+	else
+		hawser__table_comment(table, "range: Omega from %.12g to %.12g%s",
+		                      result->from*per_omega, result->to*per_omega, rad_s);
 	cli_choice_comments(table, model);
 	cli_basis_comment(table, model);
 	cli_drag_comment(table, model, "at every instant, by shooting; no describing function");

@@ -53,6 +53,8 @@ hawser_SOURCES = \
 	%D%/frf_cover.h \
 	%D%/frf_draw.c \
 	%D%/frf_fields.c \
+	%D%/frf_over.c \
+	%D%/frf_over.h \
 	%D%/frf_peaks.c \
 	%D%/frf_result.c \
 	%D%/gauge.c \

@@ -54,6 +54,11 @@ struct hawser__amplitude *hawser__amplitude_new(const struct hawser_rom *rom)
 	return amplitude;
 }
 
+void hawser__amplitude_take(struct hawser__amplitude *amplitude, const struct hawser_rom *rom)
+{
+	amplitude->rom = rom;
+}
+
 static void drop_plans(struct hawser__amplitude *amplitude)
 {
 	hawser__planner_lock();

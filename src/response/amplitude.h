@@ -14,6 +14,8 @@ struct hawser__amplitude;
 
 /* Workspace for orbits of any length (grows as needed). NULL when out of memory. */
 struct hawser__amplitude *hawser__amplitude_new(const struct hawser_rom *rom);
+/* Another model with the same coordinates. */
+void hawser__amplitude_take(struct hawser__amplitude *amplitude, const struct hawser_rom *rom);
 void hawser__amplitude_free(struct hawser__amplitude *amplitude);
 
 /* coordinate [n] and probe [shape points][3]: largest modulus over the period, from u at `rows`

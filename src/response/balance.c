@@ -165,7 +165,7 @@ static void metric(struct hawser__orbit *orbit, const double *y)
 {
 	struct hawser__balance *balance = (struct hawser__balance *)orbit;
 	int n = orbit->n, last = orbit->size - 1;
-	double omega = y[last], sum = 0.0;
+	double omega = hawser__orbit_omega(orbit, y), sum = 0.0;
 
 	for (int j = 0; j < n; j++) {
 		double u = y[j]*y[j], v = 0.0;
@@ -192,7 +192,7 @@ static void metric(struct hawser__orbit *orbit, const double *y)
 			orbit->weight[hawser__cos(n, h, j)] = orbit->weight[hawser__sin(n, h, j)] =
 				0.5*(1.0/(u*u) + h*h*omega*omega/(v*v))/(2*n);
 	}
-	orbit->W = HAWSER_OMEGA_WIDTH*fabs(omega);
+	orbit->W = HAWSER_OMEGA_WIDTH*hawser__orbit_extent(orbit, y);
 	orbit->weight[last] = 1.0/(orbit->W*orbit->W);
 }
 
@@ -211,8 +211,10 @@ static double defects(struct hawser__orbit *orbit, const double *y, int derive)
 {
 	struct hawser__balance *balance = (struct hawser__balance *)orbit;
 	int n = orbit->n;
-	double omega = y[orbit->size - 1], solved = 0.0, missing = 0.0, beyond = 0.0;
+	double omega = hawser__orbit_omega(orbit, y), solved = 0.0, missing = 0.0, beyond = 0.0;
 
+	if (hawser__orbit_place(orbit, y[orbit->size - 1]))
+		return NAN;
 	hawser__balance_evaluate(balance, y, derive);
 	for (int h = 0; h <= balance->reach; h++)
 		for (int j = 0; j < n; j++) {
@@ -270,7 +272,7 @@ static void mark_condensed(struct hawser__balance *balance)
 		double log_modulus[2], turn;
 
 		hawser__monodromy_free_motion(log_modulus, &turn, monodromy, orbit->rom, f,
-		                              balance->at[orbit->size - 1]);
+		                              hawser__orbit_omega(orbit, balance->at));
 		for (int i = 0; i < orbit->m && log_modulus[0] == log_modulus[1]; i++)
 			if (fabs(orbit->log_modulus[i] - log_modulus[0]) <= SAME &&
 			    fabs(fabs(orbit->argument[i]) - turn) <= SAME)
@@ -284,7 +286,7 @@ static enum hawser_status multipliers(struct hawser__orbit *orbit, struct hawser
 	enum hawser_status status =
 		hawser__monodromy_multipliers(&balance->monodromy, orbit->log_modulus,
 	                                      orbit->argument, orbit->rom, balance->T,
-	                                      balance->spread, balance->at[orbit->size - 1],
+	                                      balance->spread, hawser__orbit_omega(orbit, balance->at),
 	                                      report);
 
 	orbit->multiplier_error = balance->monodromy.neglected;
@@ -312,7 +314,7 @@ static void state(const struct hawser__orbit *orbit, double *x, const double *y)
 {
 	const struct hawser__balance *balance = (const struct hawser__balance *)orbit;
 	int n = orbit->n;
-	double omega = y[orbit->size - 1];
+	double omega = hawser__orbit_omega(orbit, y);
 
 	for (int j = 0; j < n; j++) {
 		x[j] = y[j];

@@ -215,7 +215,8 @@ double hawser__balance_missing(const struct hawser__balance *balance, double *an
 static double amplitude(const struct hawser__balance *balance, int h, int j)
 {
 	int n = balance->base.n;
-	double omega = balance->at[balance->base.size - 1], c = balance->at[hawser__cos(n, h, j)];
+	double omega = hawser__orbit_omega(&balance->base, balance->at);
+	double c = balance->at[hawser__cos(n, h, j)];
 	double s = h ? balance->at[hawser__sin(n, h, j)] : 0.0;
 
 	return sqrt((c*c + s*s)*(h ? 0.5 : 1.0)*(1.0 + h*h*omega*omega));
@@ -358,7 +359,7 @@ enum hawser_status hawser__balance_sharpen(struct hawser__orbit *orbit, int on,
 	struct hawser__balance *balance = (struct hawser__balance *)orbit;
 	int n = orbit->n;
 	size_t pairs = ((size_t)balance->top + 1)*(size_t)n;
-	double omega = balance->at[orbit->size - 1], level;
+	double omega = hawser__orbit_omega(orbit, balance->at), level;
 
 	if (!on) {
 		balance->monodromy.sharper = 0;

@@ -35,7 +35,7 @@
 static double add_missing(struct hawser__balance *balance, int order)
 {
 	int n = balance->base.n;
-	double omega = balance->at[balance->base.size - 1], sum = 0.0;
+	double omega = hawser__orbit_omega(&balance->base, balance->at), sum = 0.0;
 
 	for (int h = 0; h <= balance->reach; h++)
 		for (int j = 0; j < n; j++) {
@@ -84,13 +84,13 @@ static double distance2(const struct hawser__balance *balance, const double *a, 
 {
 	const struct hawser__orbit *orbit = &balance->base;
 	int n = orbit->n, last = orbit->size - 1;
-	double sum = 0.0, turn = (a[last] - b[last])/orbit->W;
+	double sum = 0.0, turn = (a[last] - b[last])/orbit->W, omega = hawser__orbit_omega(orbit, a);
 
 	for (int i = 0; i < last; i++) {
 		int h = (i/n + 1)/2;
 		double part = a[i] - b[i];
 
-		sum += part*part*(h ? 0.5 : 1.0)*(1.0 + h*h*a[last]*a[last]);
+		sum += part*part*(h ? 0.5 : 1.0)*(1.0 + h*h*omega*omega);
 	}
 	return sum/(orbit->X*orbit->X) + turn*turn;
 }
@@ -120,6 +120,7 @@ static double sweep(struct hawser__balance *balance)
 	swap(&balance->defect, &balance->other_defect);
 	swap(&balance->base.samples, &balance->other_samples);
 	memcpy(balance->at, balance->orbit, size);
+	(void)hawser__orbit_place(&balance->base, balance->at[balance->base.size - 1]);
 	if (far[1] == 0.0)
 		return sqrt(rest);
 	return sqrt(rest) + sqrt(far[1])/fmax(1.0 - sqrt(far[1]/far[0]), SLOWEST);

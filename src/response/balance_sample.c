@@ -18,6 +18,11 @@
 #include "rom/kernel.h"
 #include "rom/vary.h"
 
+/* Distance of the two models whose difference is the derivative by a parameter, relative to its size:
+ * at 1e-3 the errors by third derivatives and by the models' own tolerance of about 1e-10 are both
+ * near 1e-7, and the derivative only serves to find the next orbit. */
+#define NUDGE 5e-4
+
 /* Add s * q [n] * cos or sin(h tau) to out [harmonics][n], up to harmonic `reach`, for h of either
  * sign. */
 struct waves {
@@ -187,7 +192,7 @@ static void evaluate(struct hawser__balance *balance, int derive)
 {
 	const struct hawser_rom *rom = balance->base.rom;
 	int n = rom->n, rows = balance->base.rows, columns = 2*balance->width + 1;
-	double omega = balance->at[balance->base.size - 1];
+	double omega = hawser__orbit_omega(&balance->base, balance->at);
 
 	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, rows, n, 2*balance->order + 1, 1.0,
 	            balance->basis, columns, balance->at, n, 0.0, balance->base.samples, n);
@@ -207,12 +212,61 @@ static void evaluate(struct hawser__balance *balance, int derive)
 		transform_tangents(balance, omega);
 }
 
+static void swap(double **a, double **b)
+{
+	double *keep = *a;
+
+	*a = *b;
+	*b = keep;
+}
+
+/* The defects at the parameter p, in *defect; returns 1, and they are those of the present model, if
+ * there is none at p. */
+static int evaluate_at(struct hawser__balance *balance, double **defect, double p)
+{
+	struct hawser__orbit *orbit = &balance->base;
+	int last = orbit->size - 1, failed;
+	double own = balance->at[last];
+
+	balance->at[last] = p;
+	failed = hawser__orbit_place(orbit, p);
+	if (failed) {
+		balance->at[last] = own;
+		(void)hawser__orbit_place(orbit, own);
+	}
+	swap(&balance->defect, defect);
+	evaluate(balance, 0);
+	swap(&balance->defect, defect);
+	balance->at[last] = own;
+	return failed;
+}
+
+/* by_omega becomes the derivative of the defects by the parameter of the family, from the models on
+ * both sides of the present one (one side where the other has none). */
+static void differentiate_family(struct hawser__balance *balance)
+{
+	struct hawser__orbit *orbit = &balance->base;
+	int count = (2*balance->reach + 1)*orbit->n;
+	double p = balance->at[orbit->size - 1], wide = NUDGE*hawser__orbit_extent(orbit, balance->at);
+	double span = 2.0*wide;
+
+	span -= evaluate_at(balance, &balance->image, p - wide) ? wide : 0.0;
+	span -= evaluate_at(balance, &balance->by_omega, p + wide) ? wide : 0.0;
+	(void)hawser__orbit_place(orbit, p);
+	for (int i = 0; i < count; i++)
+		balance->by_omega[i] = (balance->by_omega[i] - balance->image[i])/span;
+	for (int j = 0; j < orbit->n; j++)
+		balance->damping[j] = fabs(orbit->rom->D[j*(orbit->n + 1)]);
+}
+
 void hawser__balance_evaluate(struct hawser__balance *balance, const double *y, int derive)
 {
 	take(balance, y);
 	if (derive)
-		balance->derived_at = balance->at[balance->base.size - 1];
+		balance->derived_at = hawser__orbit_omega(&balance->base, balance->at);
 	evaluate(balance, derive);
+	if (derive && balance->base.family)
+		differentiate_family(balance);
 }
 
 void hawser__balance_defects(struct hawser__balance *balance, int order)
@@ -220,16 +274,9 @@ void hawser__balance_defects(struct hawser__balance *balance, int order)
 	int own = balance->order;
 
 	balance->order = order;
+	(void)hawser__orbit_place(&balance->base, balance->at[balance->base.size - 1]);
 	evaluate(balance, 0);
 	balance->order = own;
-}
-
-static void swap(double **a, double **b)
-{
-	double *keep = *a;
-
-	*a = *b;
-	*b = keep;
 }
 
 /* image = J direction for the coefficients balance->direction [2 order + 1][n], which are 0 below the

@@ -220,8 +220,8 @@ static enum hawser_status pass_failure(struct hawser__bracket *bracket, int *don
 		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "frf",
 		                       bracket->at->correction.iterations,
 		                       bracket->at->correction.residual,
-		                       "the corrector failed near Omega %.9g%s while locating an event",
-		                       HAWSER_SHOWN(bracket->orbit->rom, omega));
+		                       "the corrector failed near %s while locating an event",
+		                       hawser__orbit_where(bracket->orbit, omega).text);
 	if ((status = trial(&f, &failed, bracket, place_aside(bracket, s, *share), report)))
 		return status;
 	*share = failed ? fmin(4.0**share, 0.5) : 0.25**share;

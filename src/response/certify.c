@@ -72,19 +72,22 @@ static double distance(const double *a, const double *b, int m)
 	return sqrt(gap/fmax(size, 1e-300));
 }
 
-/* Point p by shooting, at its Omega. */
+/* Point p by shooting, at its Omega; both functions take its frequency and state in the units of its
+ * model. */
 static enum hawser_status shoot(struct hawser_frf *frf, const struct hawser_rom *rom, int p,
+                                double omega, const double *state,
                                 const struct hawser_frf_options *options,
                                 struct hawser_report *report)
 {
 	struct hawser_frf_options choice = *options;
 	struct hawser__correction correction;
 	struct hawser__orbit *orbit = NULL;
-	double *state = frf->state + (size_t)p*2*rom->n, *row = NULL, *y;
+	double *row = NULL, *y;
 	int again = 1, failed = 0;
 	enum hawser_status status;
 
-	choice.begin = frf->point[p].omega;
+	choice.begin = omega;
+	choice.family = NULL;
 	if ((status = hawser__shooting_method.open(&orbit, rom, &choice, report)))
 		return status;
 	row = calloc(2*(size_t)orbit->size, sizeof *row);
@@ -114,12 +117,13 @@ static enum hawser_status shoot(struct hawser_frf *frf, const struct hawser_rom 
 }
 
 /* Point p integrated over a period. */
-static enum hawser_status integrate(struct hawser_frf *frf, const struct hawser_rom *rom, int p,
+static enum hawser_status integrate(struct hawser_frf *frf, const struct hawser_rom *rom,
+                                    double omega, const double *state,
                                     const struct hawser_frf_options *options,
                                     struct hawser_report *report)
 {
-	double *state = frf->state + (size_t)p*2*rom->n, period = 2.0*M_PI/frf->point[p].omega;
-	struct hawser_integrate_options choice = {.omega = frf->point[p].omega, .until = period,
+	double period = 2.0*M_PI/omega;
+	struct hawser_integrate_options choice = {.omega = omega, .until = period,
 		.every = period, .rtol = fmax(1e-12, 1e-2*options->tolerance), .initial = state};
 	struct hawser_trajectory run;
 	enum hawser_status status = hawser_integrate(&run, rom, &choice, report);
@@ -132,21 +136,40 @@ static enum hawser_status integrate(struct hawser_frf *frf, const struct hawser_
 	return status;
 }
 
+/* Point p again, in the units of its model; state [2n] is workspace. */
+static enum hawser_status certify_point(struct hawser_frf *frf, const struct hawser_rom *rom, int p,
+                                        double *state, const struct hawser_frf_options *options,
+                                        struct hawser_report *report)
+{
+	const struct hawser_rom_family *family = options->family;
+	double omega, length, time;
+	enum hawser_status status;
+
+	if (family && (status = family->model(family->context, &rom, frf->point[p].parameter, report)))
+		return status;
+	length = frf->length/rom->length;
+	time = frf->time/rom->time;
+	omega = frf->point[p].omega/time;
+	for (int i = 0; i < 2*rom->n; i++)
+		state[i] = frf->state[(size_t)p*2*rom->n + i]*(i < rom->n ? length : length/time);
+	return fastest(rom) > STIFF*omega ? integrate(frf, rom, omega, state, options, report)
+	                                  : shoot(frf, rom, p, omega, state, options, report);
+}
+
 enum hawser_status hawser__certify(struct hawser_frf *frf, const struct hawser_rom *rom,
                                    const struct hawser_frf_options *options,
                                    struct hawser_report *report)
 {
 	int count = options->samples < frf->points ? options->samples : frf->points;
+	double *state = malloc(2*(size_t)rom->n*sizeof *state);
+	enum hawser_status status = state ? HAWSER_OK : hawser__no_memory(report, "frf");
 
-	for (int i = 0; i < count; i++) {
+	for (int i = 0; i < count && !status; i++) {
 		int p = (int)((2*(long)i + 1)*frf->points/(2*count));
-		int stiff = fastest(rom) > STIFF*frf->point[p].omega;
-		enum hawser_status status = stiff ? integrate(frf, rom, p, options, report)
-		                                  : shoot(frf, rom, p, options, report);
 
-		if (status)
-			return status;
-		frf->sampled++;
+		status = certify_point(frf, rom, p, state, options, report);
+		frf->sampled += !status;
 	}
-	return HAWSER_OK;
+	free(state);
+	return status;
 }

@@ -67,7 +67,7 @@ static int grows(const struct hawser__trace *trace, int j)
 /* Number of points to the end of the range that Omega approaches, at the rate of the window. */
 static double points_left(const struct hawser__trace *trace)
 {
-	double now = point(trace, 0)->omega, change = now - point(trace, WINDOW)->omega;
+	double now = point(trace, 0)->parameter, change = now - point(trace, WINDOW)->parameter;
 	double left = change > 0.0 ? trace->hi - now : now - trace->lo;
 
 	return left*WINDOW/fmax(fabs(change), 1e-300);
@@ -104,13 +104,15 @@ enum hawser_status hawser__trace_climbs(const struct hawser__trace *trace)
 	if (!grows(trace, j))
 		return HAWSER_OK;
 	return hawser__fail_at(trace->report, HAWSER_ERR_CONVERGENCE, "frf", frf->points, 0.0,
-	                       "the curve climbs without end near Omega %.9g%s: over the last %d points "
-	                       "coordinate %d grew by a factor %.3g and Omega changed by %.2g of "
+	                       "the curve climbs without end near %s: over the last %d points "
+	                       "coordinate %d grew by a factor %.3g and %s changed by %.2g of "
 	                       "itself, so that the end of the range is %.0f points away at this "
 	                       "rate; without damping a resonance has no peak: give the model damping, "
 	                       "or end the range before the resonance",
-	                       HAWSER_SHOWN(trace->rom, point(trace, 0)->omega), WINDOW, j + 1,
+	                       hawser__orbit_where(trace->orbit, point(trace, 0)->parameter).text,
+	                       WINDOW, j + 1,
 	                       amplitude(trace, 0, j)/amplitude(trace, WINDOW, j),
-	                       fabs(point(trace, 0)->omega/point(trace, WINDOW)->omega - 1.0),
+	                       trace->options.family ? "the parameter" : "Omega",
+	                       fabs(point(trace, 0)->parameter/point(trace, WINDOW)->parameter - 1.0),
 	                       points_left(trace));
 }

@@ -57,14 +57,14 @@ void hawser__trace_mark(struct hawser__trace *trace)
 
 enum hawser_status hawser__trace_jumped(struct hawser__trace *trace)
 {
-	double omega = hawser__trace_omega(trace, &trace->here);
+	double at = hawser__trace_parameter(trace, &trace->here);
 
 	trace->jumped = 1;
 	return hawser__fail_at(trace->report, HAWSER_ERR_CONVERGENCE, "frf",
 	                       trace->frf->points, trace->here.correction.residual,
-	                       "the curve came back to an orbit that is not its first one, at Omega "
-	                       "%.9g%s: a step has jumped to another branch; take shorter steps "
-	                       "(--step)", HAWSER_SHOWN(trace->rom, omega));
+	                       "the curve came back to an orbit that is not its first one, at %s: "
+	                       "a step has jumped to another branch; take shorter steps (--step)",
+	                       hawser__orbit_where(trace->orbit, at).text);
 }
 
 /* Let the last step end at the first point, so that the events up to it are located, but none
@@ -83,8 +83,8 @@ enum hawser_status hawser__trace_close(struct hawser__trace *trace, double share
 		return hawser__fail_at(trace->report, HAWSER_ERR_CONVERGENCE, "frf",
 		                       trace->next.correction.iterations,
 		                       trace->next.correction.residual,
-		                       "the corrector failed where the curve closes, at Omega "
-		                       "%.9g%s", HAWSER_SHOWN(trace->rom, trace->options.begin));
+		                       "the corrector failed where the curve closes, at %s",
+		                       hawser__orbit_where(trace->orbit, trace->options.begin).text);
 	return hawser__station_finish(&trace->next, trace->orbit, trace->here.t,
 	                              trace->report);
 }

@@ -49,6 +49,9 @@ static enum hawser_status record_events(struct hawser__trace *trace)
 		enum hawser_status status;
 
 		event->after = trace->frf->points - 2; /* next has already been stored */
+		event->parameter = event->omega;
+		if (trace->options.family)
+			event->omega = trace->options.family->omega*trace->rom->time;
 		event->located = event->kind != HAWSER_UNEXPLAINED && event->error <= WORST_LOCATED;
 		status = hawser__record_event(trace->frf, event, trace->report);
 		if (status)
@@ -61,13 +64,24 @@ static enum hawser_status record_events(struct hawser__trace *trace)
  * value: refine it and try again. */
 static enum hawser_status first_orbit(struct hawser__trace *trace)
 {
+	const struct hawser_rom_family *family = trace->options.family;
 	struct hawser__orbit *orbit = trace->orbit;
 	enum hawser_status status;
 
 	for (int refined = 0;; refined++) {
+		double omega = trace->options.begin;
+
+		orbit->family = NULL; /* at the parameter `begin`, with Omega as the last unknown */
+		if (family && (status = family->model(family->context, &orbit->rom, omega, trace->report)))
+			return status;
+		if (family)
+			omega = family->omega*orbit->rom->time;
 		status = hawser__start(trace->here.y, orbit, &trace->here.correction,
-		                       trace->options.start, trace->options.begin,
-		                       trace->options.tolerance, trace->report);
+		                       trace->options.start, omega, trace->options.tolerance,
+		                       trace->report);
+		orbit->family = family;
+		if (family)
+			trace->here.y[orbit->size - 1] = trace->options.begin;
 		if (status != HAWSER_ERR_CONVERGENCE || refined == FIRST_REFINEMENTS)
 			return status;
 		if ((status = orbit->ops->enrich(orbit, trace->report)))
@@ -112,8 +126,8 @@ static enum hawser_status begin(struct hawser__trace *trace)
 		return hawser__fail_at(trace->report, HAWSER_ERR_CONVERGENCE, "frf",
 		                       trace->here.correction.iterations,
 		                       trace->here.correction.residual,
-		                       "the first orbit, at Omega %.9g%s, was lost when its mesh was "
-		                       "refined", HAWSER_SHOWN(trace->rom, trace->options.begin));
+		                       "the first orbit, at %s, was lost when its mesh was refined",
+		                       hawser__orbit_where(orbit, trace->options.begin).text);
 	if ((status = hawser__trace_determined(trace, &trace->here)))
 		return status;
 	memcpy(trace->start_y, trace->here.y, (size_t)orbit->size*sizeof(double));
@@ -263,7 +277,7 @@ static enum hawser_status prepare(void *owner, int *ended)
 static enum hawser_status arrive(void *owner, enum hawser__arrival *arrival, double taken, double *ds)
 {
 	struct hawser__trace *trace = owner;
-	double omega = hawser__trace_omega(trace, &trace->next), share;
+	double omega = hawser__trace_parameter(trace, &trace->next), share;
 	int outside = omega >= trace->hi || omega <= trace->lo, round, again;
 	enum hawser_status status;
 
@@ -300,17 +314,18 @@ static const struct hawser__curve_ops branch_ops = {
 static enum hawser_status follow(struct hawser__trace *trace)
 {
 	const struct hawser__correction *last = &trace->curve.correction;
+	struct hawser__where here;
 	enum hawser__outcome outcome;
 	enum hawser_status status = hawser__curve_follow(&trace->curve, &outcome);
 
 	if (!status && outcome == HAWSER__INTERRUPTED)
 		trace->frf->end = HAWSER_END_INTERRUPTED;
+	here = hawser__orbit_where(trace->orbit, hawser__trace_parameter(trace, &trace->here));
 	if (!status && outcome == HAWSER__LOST)
 		status = hawser__fail_at(trace->report, HAWSER_ERR_CONVERGENCE, "frf", last->iterations,
 		                         last->residual,
-		                         "the corrector failed at the smallest step near Omega "
-		                         "%.9g%s (residual %.2g); %d points were traced%s",
-		                         HAWSER_SHOWN(trace->rom, hawser__trace_omega(trace, &trace->here)),
+		                         "the corrector failed at the smallest step near %s (residual %.2g); "
+		                         "%d points were traced%s", here.text,
 		                         last->residual, trace->frf->points,
 		                         hawser__trace_undamped(trace)
 		                         ? "; without damping a resonance has no peak: give the model "
@@ -318,16 +333,33 @@ static enum hawser_status follow(struct hawser__trace *trace)
 	return status;
 }
 
+/* The method, for orbits in the range; those of a family have one frequency. */
+static enum hawser_status open_orbit(struct hawser__trace *trace, struct hawser_report *report)
+{
+	struct hawser_frf_options options = trace->options;
+	const struct hawser__orbit_method *method = &hawser__balance_method;
+	enum hawser_status status = HAWSER_OK;
+
+	if (options.family)
+		options.from = options.to = options.begin = options.family->omega*trace->rom->time;
+	else
+		status = hawser__orbit_method(&method, trace->rom, &options, report);
+	if (status || (status = method->open(&trace->orbit, trace->rom, &options, report)))
+		return status;
+	trace->frf->method = method->about.name;
+	if (options.family)
+		trace->orbit->floor = HAWSER_OMEGA_WIDTH*(trace->hi - trace->lo);
+	return HAWSER_OK;
+}
+
 static enum hawser_status open_trace(struct hawser__trace *trace, struct hawser_report *report)
 {
 	const struct hawser_rom *rom = trace->rom;
-	const struct hawser__orbit_method *method;
 	const struct hawser__orbit *orbit;
-	enum hawser_status status = hawser__orbit_method(&method, rom, &trace->options, report);
+	enum hawser_status status = open_orbit(trace, report);
 
-	if (status || (status = method->open(&trace->orbit, rom, &trace->options, report)))
+	if (status)
 		return status;
-	trace->frf->method = method->about.name;
 	orbit = trace->orbit;
 	if ((status = hawser__station_init(&trace->before, orbit, report)) ||
 	    (status = hawser__station_init(&trace->prev, orbit, report)) ||
@@ -389,7 +421,8 @@ static enum hawser_status trace_once(int *jumped, struct hawser_frf *frf,
 	trace.began = hawser__wall_seconds();
 	if (trace.options.begin == 0.0)
 		trace.options.begin = options->from;
-	*frf = (struct hawser_frf){.n = rom->n, .probes = rom->shapes.points, .branch = 1};
+	*frf = (struct hawser_frf){.n = rom->n, .probes = rom->shapes.points, .branch = 1,
+		.length = rom->length, .time = rom->time};
 	if (!(status = open_trace(&trace, report)) && !(status = begin(&trace)))
 		status = follow(&trace);
 	*jumped = trace.jumped;

@@ -137,10 +137,13 @@ enum hawser_status hawser__trace_vanish(struct hawser__trace *trace, int *vanish
 {
 	struct hawser_frf *frf = trace->frf;
 	struct hawser_frf_event event;
-	enum hawser_status status = hawser__vanish(&trace->shrinking, vanished, &event, trace->rom,
-	                                           size_of(trace),
-	                                           hawser__trace_omega(trace, &trace->here),
-	                                           trace->report);
+	enum hawser_status status;
+
+	*vanished = 0;
+	if (trace->options.family)
+		return HAWSER_OK;
+	status = hawser__vanish(&trace->shrinking, vanished, &event, trace->rom, size_of(trace),
+	                        hawser__trace_parameter(trace, &trace->here), trace->report);
 
 	if (status || !*vanished)
 		return status;

@@ -38,6 +38,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/cvode.c \
 	%D%/floquet.c \
 	%D%/floquet.h \
+	%D%/factor.c \
 	%D%/flow.c \
 	%D%/flow_drag.c \
 	%D%/flow.h \

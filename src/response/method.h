@@ -16,6 +16,8 @@
 #ifndef HAWSER_RESPONSE_METHOD_H
 #define HAWSER_RESPONSE_METHOD_H
 
+#include <math.h>
+
 #include <hawser/frf.h>
 
 #include "continuation/curve.h"
@@ -36,6 +38,10 @@ struct hawser__orbit_ops;
 struct hawser__orbit {
 	const struct hawser__orbit_ops *ops;
 	const struct hawser_rom *rom;
+	const struct hawser_rom_family *family; /* NULL: Omega is the parameter; otherwise y ends with the
+	                       * parameter of the family, and rom is the model at the last defects */
+	double placed;        /* value of the parameter that `rom` has */
+	double floor;         /* least size of the parameter in the metric */
 	int n, m;             /* number of coordinates; of states, 2n */
 	int size;             /* unknowns, Omega the last */
 	double X, W;          /* metric: size of the orbit (its state), natural width in Omega */
@@ -124,6 +130,33 @@ struct hawser__orbit_ops {
 enum hawser_status hawser__orbit_init(struct hawser__orbit *orbit, const struct hawser_rom *rom,
                                       int size, struct hawser_report *report);
 void hawser__orbit_free(struct hawser__orbit *orbit);
+
+/* The scaled forcing frequency at the parameter p of the family; NaN if there is no model. */
+double hawser__orbit_frequency(const struct hawser__orbit *orbit, double p);
+
+/* The forcing frequency of an orbit y. */
+static inline double hawser__orbit_omega(const struct hawser__orbit *orbit, const double *y)
+{
+	double p = y[orbit->size - 1];
+
+	return orbit->family ? hawser__orbit_frequency(orbit, p) : p;
+}
+
+/* Make orbit->rom the model at the parameter p of the family, if there is one. Returns 1 if there is
+ * no such model. */
+int hawser__orbit_place(struct hawser__orbit *orbit, double p);
+
+/* The size of the parameter that y [size] ends with, for relative changes. */
+static inline double hawser__orbit_extent(const struct hawser__orbit *orbit, const double *y)
+{
+	return fmax(fabs(y[orbit->size - 1]), orbit->floor);
+}
+
+/* "Omega 1.2 rad/s" or "the parameter 0.3", for messages. */
+struct hawser__where {
+	char text[64];
+};
+struct hawser__where hawser__orbit_where(const struct hawser__orbit *orbit, double at);
 
 /* |sum log|mu| + integral of tr D| of the last multipliers, those of an orbit at omega: zero for
  * an exact monodromy matrix. */

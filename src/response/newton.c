@@ -9,10 +9,12 @@
 #include "config.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "core/report.h"
+#include "response/flow.h"
 #include "response/method.h"
 
 /* The corrector fails after this many steps, or at a larger contraction; chosen. The caller then
@@ -56,6 +58,35 @@ enum hawser_status hawser__orbit_init(struct hawser__orbit *orbit, const struct 
 	    !orbit->argument || !orbit->condensed)
 		return hawser__no_memory(report, "orbit");
 	return HAWSER_OK;
+}
+
+int hawser__orbit_place(struct hawser__orbit *orbit, double p)
+{
+	int failed = orbit->family && orbit->family->model(orbit->family->context, &orbit->rom, p, NULL);
+
+	orbit->placed = failed ? NAN : p;
+	return failed;
+}
+
+double hawser__orbit_frequency(const struct hawser__orbit *orbit, double p)
+{
+	const struct hawser_rom_family *family = orbit->family;
+	const struct hawser_rom *rom = orbit->rom;
+
+	if (p != orbit->placed && family->model(family->context, &rom, p, NULL))
+		return NAN;
+	return family->omega*rom->time;
+}
+
+struct hawser__where hawser__orbit_where(const struct hawser__orbit *orbit, double at)
+{
+	struct hawser__where where;
+
+	if (orbit->family)
+		snprintf(where.text, sizeof where.text, "the parameter %.9g", at);
+	else
+		snprintf(where.text, sizeof where.text, "Omega %.9g%s", HAWSER_SHOWN(orbit->rom, at));
+	return where;
 }
 
 void hawser__orbit_free(struct hawser__orbit *orbit)
@@ -173,7 +204,7 @@ static int iterate(struct hawser__orbit *orbit, double *y, struct hawser__correc
 			correction->first = length;
 		if (i == 2)
 			correction->contraction = contraction;
-		if (!isfinite(length) || y[orbit->size - 1] <= 0.0 ||
+		if (!isfinite(length) || hawser__orbit_omega(orbit, y) <= 0.0 ||
 		    (contraction > WORST_CONTRACTION && length > tolerance))
 			return 1;
 		/* The Jacobian of the chord steps is that of the prediction. The accepted point gets

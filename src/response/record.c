@@ -58,17 +58,20 @@ enum hawser_status hawser__record_point(struct hawser_frf *frf, struct hawser__a
 {
 	enum hawser_status status;
 	int p = frf->points, m = orbit->m;
-	double *multiplier, omega = station->y[orbit->size - 1];
+	double *multiplier, omega = hawser__orbit_omega(orbit, station->y);
+	double length = orbit->rom->length/frf->length, time = orbit->rom->time/frf->time;
 
 	if (p == frf->capacity && (status = grow(frf, report)))
 		return status;
+	hawser__amplitude_take(amplitude, orbit->rom);
 	if (hawser__amplitude_find(amplitude, frf->coordinate + (size_t)p*frf->n,
 	                           frf->probe + (size_t)p*3*frf->probes, orbit->samples,
 	                           orbit->rows, omega) ||
 	    (frf->tension && find_tension(frf, amplitude, orbit, omega)))
 		return hawser__no_memory(report, "frf");
 	frf->point[p] = (struct hawser_frf_point){
-		.omega = omega,
+		.omega = orbit->family ? orbit->family->omega*frf->time : omega,
+		.parameter = station->y[orbit->size - 1],
 		.arc = station->arc,
 		.unstable = station->circle.unstable,
 		.undecided = station->circle.undecided,
@@ -86,6 +89,12 @@ enum hawser_status hawser__record_point(struct hawser_frf *frf, struct hawser__a
 		multiplier[2*i + 1] = station->argument[i];
 	}
 	orbit->ops->state(orbit, frf->state + (size_t)p*m, station->y);
+	for (int i = 0; i < m; i++)
+		frf->state[(size_t)p*m + i] *= i < frf->n ? length : length/time;
+	for (int j = 0; j < frf->n; j++)
+		frf->coordinate[(size_t)p*frf->n + j] *= length;
+	for (int j = 0; j < 3*frf->probes; j++)
+		frf->probe[(size_t)p*3*frf->probes + j] *= length;
 	frf->points++;
 	frf->cost = orbit->cost;
 	return HAWSER_OK;

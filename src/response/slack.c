@@ -35,10 +35,12 @@ static enum hawser_status attempt(struct hawser__trace *trace, double s, double 
 	if (failed)
 		return hawser__fail_at(trace->report, HAWSER_ERR_CONVERGENCE, "frf",
 		                       at->correction.iterations, at->correction.residual,
-		                       "the corrector failed near Omega %.9g%s while locating an event",
-		                       HAWSER_SHOWN(trace->rom, hawser__trace_omega(trace, at)));
+		                       "the corrector failed near %s while locating an event",
+		                       hawser__orbit_where(orbit,
+		                                           hawser__trace_parameter(trace, at)).text);
+	hawser__amplitude_take(trace->amplitude, orbit->rom);
 	if (hawser__amplitude_tension(trace->amplitude, T, orbit->samples, orbit->rows,
-	                              hawser__trace_omega(trace, at)))
+	                              hawser__orbit_omega(orbit, at->y)))
 		return hawser__no_memory(trace->report, "frf");
 	return HAWSER_OK;
 }
@@ -48,11 +50,11 @@ static double error_of(const struct hawser__trace *trace, const double T[2], dou
                        double length)
 {
 	const struct hawser__station *at = &trace->next;
-	double off = 2.0*at->error*(T[1] - T[0])/slope, omega = hawser__trace_omega(trace, at);
+	double off = 2.0*at->error*(T[1] - T[0])/slope, omega = hawser__trace_parameter(trace, at);
 	double turn = fabs(at->t[trace->orbit->size - 1])*length;
 
-	turn = fmax(turn, fabs(hawser__trace_omega(trace, &trace->scratch) -
-	                       hawser__trace_omega(trace, &trace->here)));
+	turn = fmax(turn, fabs(hawser__trace_parameter(trace, &trace->scratch) -
+	                       hawser__trace_parameter(trace, &trace->here)));
 	return fmin(1.0, trace->options.event_tolerance + off*turn/omega);
 }
 
@@ -75,9 +77,9 @@ enum hawser_status hawser__trace_slacken(struct hawser__trace *trace, double fro
 	hawser__station_swap(&trace->scratch, &trace->next);
 	status = hawser__station_finish(&trace->next, trace->orbit, trace->here.t, trace->report);
 	*event = (struct hawser_frf_event){.kind = HAWSER_SLACK, .located = 1, .arc = trace->next.arc,
-		.omega = hawser__trace_omega(trace, &trace->next), .residual = fabs(T[0])/(from - to),
-		.bracket = {hawser__trace_omega(trace, &trace->here),
-		            hawser__trace_omega(trace, &trace->scratch)},
+		.omega = hawser__trace_parameter(trace, &trace->next), .residual = fabs(T[0])/(from - to),
+		.bracket = {hawser__trace_parameter(trace, &trace->here),
+		            hawser__trace_parameter(trace, &trace->scratch)},
 		.unstable = {trace->here.circle.unstable, trace->next.circle.unstable}};
 	event->error = error_of(trace, T, (from - T[0])/s, length);
 	return status;

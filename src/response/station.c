@@ -218,7 +218,7 @@ enum hawser_status hawser__station_judge(struct hawser__station *station,
 	station->outside = 0;
 	for (int i = 0; i < m; i++)
 		station->outside += station->log_modulus[i] > 0.0;
-	station->liouville = hawser__orbit_liouville(orbit, station->y[orbit->size - 1]);
+	station->liouville = hawser__orbit_liouville(orbit, hawser__orbit_omega(orbit, station->y));
 	station->product_error = orbit->product_error;
 	station->product_round_off = orbit->product_round_off;
 	station->multiplier_error = orbit->multiplier_error;

@@ -64,7 +64,7 @@ enum hawser_status hawser__trace_correct(struct hawser__trace *trace,
 		if (*failed)
 			return HAWSER_OK;
 		status = orbit->ops->refine(orbit, &again, tolerance,
-		                            hawser__trace_omega(trace, station), trace->report);
+		                            hawser__orbit_omega(orbit, station->y), trace->report);
 		if (status || !again)
 			return status;
 	}
@@ -87,8 +87,8 @@ double hawser__trace_longest(void *owner)
 {
 	const struct hawser__trace *trace = owner;
 	const struct hawser__orbit *orbit = trace->orbit;
-	double omega = hawser__trace_omega(trace, &trace->here);
-	double turn = fmin(LARGEST_TURN*omega, trace->options.step_max*(trace->hi - trace->lo));
+	double extent = hawser__orbit_extent(orbit, trace->here.y);
+	double turn = fmin(LARGEST_TURN*extent, trace->options.step_max*(trace->hi - trace->lo));
 	/* Omega changes by |t_Omega| ds; if the branch is steep, only the change of the orbit limits
 	 * the step */
 	double share = fabs(trace->here.t[orbit->size - 1]);
@@ -109,10 +109,11 @@ enum hawser_status hawser__trace_determined(const struct hawser__trace *trace,
 	return hawser__trace_is_determined(station) ? HAWSER_OK :
 	       hawser__fail_at(trace->report, HAWSER_ERR_CONVERGENCE, "frf",
 	                       station->correction.iterations, station->error,
-	                       "at Omega %.12g%s the orbit is determined to no better than %.1g of its "
+	                       "at %s the orbit is determined to no better than %.1g of its "
 	                       "size: tighten --tolerance (%.1g); if that does not help, it is a "
 	                       "resonance without damping",
-	                       HAWSER_SHOWN(trace->rom, hawser__trace_omega(trace, station)),
+	                       hawser__orbit_where(trace->orbit,
+	                                           hawser__trace_parameter(trace, station)).text,
 	                       station->error, trace->options.tolerance);
 }
 
@@ -221,8 +222,8 @@ enum hawser_status hawser__trace_cut(struct hawser__trace *trace, double bound)
 		return hawser__fail_at(trace->report, HAWSER_ERR_CONVERGENCE, "frf",
 		                       trace->scratch.correction.iterations,
 		                       trace->scratch.correction.residual,
-		                       "the corrector failed at the end of the range, Omega %.9g%s",
-		                       HAWSER_SHOWN(trace->rom, bound));
+		                       "the corrector failed at the end of the range, %s",
+		                       hawser__orbit_where(orbit, bound).text);
 	trace->scratch.arc = trace->here.arc + share*(trace->next.arc - trace->here.arc);
 	hawser__station_swap(&trace->scratch, &trace->next);
 	return hawser__trace_determined(trace, &trace->next);

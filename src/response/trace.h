@@ -54,7 +54,8 @@ struct hawser__trace {
 	struct hawser_report *report;
 };
 
-static inline double hawser__trace_omega(const struct hawser__trace *trace,
+/* Omega, or the parameter of the family. */
+static inline double hawser__trace_parameter(const struct hawser__trace *trace,
                                          const struct hawser__station *station)
 {
 	return station->y[trace->orbit->size - 1];

@@ -10,6 +10,7 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/cost_auto.c \
 	%D%/decide.c \
 	%D%/estimate.c \
+	%D%/family.c \
 	%D%/fidelity.c \
 	%D%/identify.c \
 	%D%/identify.h \

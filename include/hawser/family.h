@@ -1,0 +1,45 @@
+/* hawser/family.h - models that depend on a parameter, so that periodic motions can be followed in it.
+ *
+ * The models of a family have the same coordinates, in the same order and with the same signs. Their
+ * units may depend on the parameter, continuously. A motion is then nearly the same physical motion in
+ * two models of nearly the same parameter if its coordinates are nearly the same.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_FAMILY_H
+#define HAWSER_FAMILY_H
+
+#include <hawser/rom.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+struct hawser_rom_family {
+	double omega; /* > 0, frequency of the excitation, in rad/s if the models have units: a model has
+	               * the scaled frequency omega times its unit of time */
+	/* *rom becomes the model at the value p of the parameter. It stays as it is at least until the
+	 * function has been called for six other values. */
+	enum hawser_status (*model)(void *context, const struct hawser_rom **rom, double p,
+	                            struct hawser_report *report);
+	void *context;
+};
+
+/* The factors by which a model may be multiplied. */
+enum hawser_factor {
+	HAWSER_FACTOR_LOAD = 0, /* all harmonics, each to its load_power */
+	HAWSER_FACTOR_DAMPING   /* D */
+};
+const char *hawser_factor_name(enum hawser_factor factor); /* "load", "damping" */
+
+/* The family of the models that are `rom` but for one factor, which is the parameter; `rom` is used as
+ * long as the family is. Release with hawser_factor_close. HAWSER_ERR_MEMORY. */
+enum hawser_status hawser_factor_open(struct hawser_rom_family *family, const struct hawser_rom *rom,
+                                      enum hawser_factor factor, double omega,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser_factor_close(struct hawser_rom_family *family);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
