@@ -13,6 +13,7 @@ CLI_TESTS = \
 	%D%/cli/interrupt.sh \
 	%D%/cli/irvine.sh \
 	%D%/cli/long.sh \
+	%D%/cli/motion.sh \
 	%D%/cli/map.sh \
 	%D%/cli/pairs.sh \
 	%D%/cli/peaks.sh \

@@ -5,6 +5,7 @@ INTEGRATE_TESTS = \
 	tests/unit/test-integrate-spectrum \
 	tests/unit/test-surge \
 	tests/property/test-history \
+	tests/property/test-motion \
 	tests/property/test-integrate-long \
 	tests/property/test-integrate-stiff \
 	tests/property/test-integrate-swept \
@@ -46,3 +47,5 @@ check_PROGRAMS += tests/property/test-absorber-response
 TESTS += tests/property/test-absorber-response
 tests_property_test_absorber_response_SOURCES = tests/property/test-absorber-response.c
 tests_property_test_absorber_response_LDADD = $(UPTO_RESPONSE)
+tests_property_test_motion_SOURCES = tests/property/test-motion.c tests/lumped-chain.h
+tests_property_test_motion_LDADD = $(UPTO_RESPONSE)

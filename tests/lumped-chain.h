@@ -38,6 +38,7 @@ struct lumped {
 	double load[3];                    /* N/m times cos(omega t) */
 	double motion[2][3], phase[2];     /* m times cos(omega t + phase), ends A and B */
 	double omega;                      /* rad/s */
+	void (*path)(double moved[2][3], double t); /* in place of that motion, unless NULL; m */
 	int clamped;
 	/* 1: the first and the last rod are springs, and the joints 0 and n their foundations
 	 * (lumped_hold) */
@@ -322,9 +323,16 @@ static inline int lumped_frequencies(double *omega, int count, const struct lump
 
 static void lumped_ends(double *x, const struct lumped *c, double t)
 {
+	double moved[2][3];
+
+	for (int e = 0; e < 2; e++)
+		for (int i = 0; i < 3; i++)
+			moved[e][i] = c->motion[e][i]*cos(c->omega*t + c->phase[e]);
+	if (c->path)
+		c->path(moved, t);
 	for (int i = 0; i < 3; i++) {
-		x[i] = c->motion[0][i]*cos(c->omega*t + c->phase[0]);
-		x[3*c->n + i] = c->end[i] + c->motion[1][i]*cos(c->omega*t + c->phase[1]);
+		x[i] = moved[0][i];
+		x[3*c->n + i] = c->end[i] + moved[1][i];
 	}
 }
 

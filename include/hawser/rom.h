@@ -66,6 +66,8 @@ struct hawser_ramp_term {
 	/* As in struct hawser_harmonic, but the static response only; or NULL. */
 	double *answer;      /* [points][4] */
 	double *answer_line; /* [line points] */
+	int quads;           /* 0 but in a history */
+	struct hawser_quad *Q; /* [quads]: - Q u u beside - K u; or NULL */
 };
 
 struct hawser_ramp {
@@ -103,14 +105,34 @@ struct hawser_rom_line {
 	double *second_slope; /* [n(n+1)/2][points][3], or NULL */
 };
 
-/* Forces with a given history (hawser integrate --load): at the time t the sum over the terms of
- * value(t) (f - D u' - K u). value(t) is the cubic spline through the values of the term. */
-struct hawser_rom_history {
-	int terms, rows;
-	struct hawser_ramp_term *term; /* [terms] forces of the value 1 */
+/* Forces with a given history (hawser integrate --load, --motion): at the time t the sum over the terms
+ * of factor(t) (f - D u' - K u - Q u u). A factor is a signal, a derivative of one by the scaled time,
+ * or a product of signals; a signal is the cubic spline through given values. */
+struct hawser_history_factor {
+	int count;     /* of signals that are multiplied, 1 to 3 */
+	int signal[3];
+	int rate;      /* 0 to 2: derivative; 0 if several are multiplied */
+};
+
+struct hawser_history_signal {
+	int rows;      /* 0: not given yet, or not used */
 	double *time;  /* [rows] scaled, ascending */
-	double *value; /* [terms][rows] */
-	double *bend;  /* [terms][rows] second derivatives of the splines */
+	double *value; /* [rows] */
+	double *bend;  /* [rows] second derivatives of the spline */
+};
+
+enum { HAWSER_MOTION_SIGNALS = 6 }; /* displacements of end B relative to A, and of A */
+
+struct hawser_rom_history {
+	int terms;
+	struct hawser_ramp_term *term;        /* [terms] forces of the factor 1 */
+	struct hawser_history_factor *factor; /* [terms] */
+	int signals;
+	struct hawser_history_signal *signal; /* [signals] */
+	int moves;     /* 1: the first HAWSER_MOTION_SIGNALS signals are those of moving ends */
+	int motions;   /* of the terms, the first ones: by moving ends */
+	/* signal i = sum of weight[i][3*end + axis] times the displacement of the end along that axis */
+	double weight[HAWSER_MOTION_SIGNALS][6];
 };
 
 /* Condensed modes whose frequency and shape are known. The series in `answer` of a harmonic is
@@ -270,14 +292,34 @@ enum hawser_status hawser_rom_export_auto(const struct hawser_rom *rom, const ch
 enum hawser_status hawser_rom_compile(struct hawser_rom *rom, struct hawser_report *report)
 	HAWSER_MUST_CHECK;
 
-/* Give the model forces with a history, in place of an earlier one. unit [terms] are models of the
- * same modes, each of which has a load of value 1 as its only harmonic; what is needed of them is
- * copied. value [terms][rows] are the loads at the scaled times time [rows], which ascend.
+/* Give the model forces with a history, in place of earlier ones but for those of moving ends. unit
+ * [terms] are models of the same modes, each of which has a load of value 1 as its only harmonic; what
+ * is needed of them is copied. value [terms][rows] are the loads at the scaled times time [rows],
+ * which ascend.
  * HAWSER_ERR_ARGUMENT, HAWSER_ERR_NAN, HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_rom_history_set(struct hawser_rom *rom,
                                           const struct hawser_rom *const *unit, int terms,
                                           const double *time, const double *value, int rows,
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* Displacements of the ends (or of the foundations of their springs) over time. */
+struct hawser_rom_motion {
+	int rows;
+	const double *time;     /* [rows] scaled, ascending */
+	const double *value[6]; /* [rows] each: along x, y and z of end A, then of end B, in lengths of the
+	                         * model (rom.length); NULL: at rest */
+};
+
+/* The motion of a model that was built with `given` of scene.support (before that it cannot be
+ * integrated), in place of an earlier one. The displacements must be those that are given there.
+ * HAWSER_ERR_ARGUMENT, HAWSER_ERR_NAN, HAWSER_ERR_MEMORY. */
+enum hawser_status hawser_rom_motion_set(struct hawser_rom *rom,
+                                         const struct hawser_rom_motion *motion,
+                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* Scaled speed of the ends at a scaled time of their table, the faster one; 0 if it is below a
+ * hundredth of the largest one at its rows, or there is no table. */
+double hawser_rom_motion_speed(const struct hawser_rom *rom, double time);
 
 void hawser_rom_clear(struct hawser_rom *rom);
 

@@ -176,6 +176,8 @@ struct hawser_scene {
 		double motion[3]; /* m, along x, y, z, times cos(harmonic*Omega*t + phase) */
 		double phase;     /* rad */
 		int harmonic;     /* multiple of Omega, 1 to 20 */
+		int given[3];     /* not a key. 1: along x, y, z it moves as hawser_rom_motion_set says, and
+		                   * motion of both ends is 0 */
 	} support[2];             /* end A, end B */
 	struct {
 		enum hawser_damping_kind kind;

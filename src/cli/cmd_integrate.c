@@ -14,7 +14,7 @@
 
 struct settings {
 	struct cli_common common;
-	const char *load, *omega, *omega_to, *until, *every, *initial, *resume, *method;
+	const char *load, *motion, *omega, *omega_to, *until, *every, *initial, *resume, *method;
 	double rtol, atol;
 	int n, spectrum, partial, error;
 };
@@ -26,7 +26,8 @@ static const struct cli_option options[] = {
 	{"Omega", 0, "FREQUENCY", "forcing frequency; required if there is a load", CLI_TEXT(omega)},
 	{"Omega-to", 0, "FREQUENCY", "slow sweep: the frequency changes linearly to this one",
 	 CLI_TEXT(omega_to)},
-	CLI_TEXT_OPTION(load, "FILE", "table of the load over time, in place of the harmonic load"),
+	CLI_TEXT_OPTION(load, "FILE", "table of the load over time, in place of the section load"),
+	CLI_TEXT_OPTION(motion, "FILE", "table of the displacements of the ends over time"),
 	{"until", 0, "TIME", "end of the run (100T)", CLI_TEXT(until)},
 	{"every", 0, "TIME", "interval between output rows (0.01T)", CLI_TEXT(every)},
 	{"initial", 0, "FILE", "state to start from (rest)", CLI_TEXT(initial)},
@@ -189,6 +190,7 @@ static enum hawser_status solve(struct hawser_trajectory *run, struct cli_integr
 	choice.atol = settings->atol;
 	choice.method = settings->method;
 	choice.progress = (struct hawser_progress){cli_watch, &watch};
+	result->rest = !settings->initial && !settings->resume;
 	result->omega = choice.omega;
 	result->forcing = choice;
 	result->every = choice.every;
@@ -212,6 +214,8 @@ static enum hawser_status write_result(struct cli_integrate_result *result,
 		cli_known_warn(result->model, result->omega);
 	if (!status && cli_integrate_slack(text, sizeof text, result))
 		cli_warn(text);
+	if (!status && cli_integrate_moves(text, sizeof text, result))
+		cli_warn(text);
 	return status;
 }
 
@@ -229,6 +233,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!status)
 		status = cli_state_check("load", settings->load, &settings->common, report);
 	if (!status)
+		status = cli_state_check("motion", settings->motion, &settings->common, report);
+	if (!status)
 		status = cli_state_check("continue", settings->resume, &settings->common, report);
 	if (!status && settings->initial && settings->resume)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
@@ -236,12 +242,12 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		                      "them", settings->resume);
 	if (!status)
 		status = cli_model_load(&model, &settings->common, settings->n, report);
-	if (!status && settings->load)
-		status = settings->omega
-		         ? hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
-		                        "--load %s replaces the harmonic load: leave out --Omega",
-		                        settings->load)
-		         : cli_load_history(&model, settings->load, report);
+	if (!status && (settings->load || settings->motion))
+		status = cli_load_history(&model, settings->load, settings->motion, report);
+	if (!status && settings->load && settings->omega && model.rom.harmonics == 0)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
+		                      "--load %s replaces the harmonic load: leave out --Omega",
+		                      settings->load);
 	if (!status)
 		status = solve(&result.run, &result, &model, settings, report);
 	if (!status)

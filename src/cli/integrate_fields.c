@@ -188,7 +188,8 @@ static void warnings_json(struct hawser__json *json, json_t *into, const void *r
 	char text[CLI_WARNING_SIZE];
 
 	(void)into;
-	cli_warnings_json(json, cli_integrate_slack(text, sizeof text, row) ? text : NULL);
+	cli_warnings_json(json, cli_integrate_slack(text, sizeof text, row) ||
+	                        cli_integrate_moves(text, sizeof text, row) ? text : NULL);
 }
 
 #define OF(member) HAWSER__AT(struct cli_integrate_result, member)
@@ -211,7 +212,8 @@ static const struct hawser__field integrate_field[] = {
 	{"tension.max", NULL, "greatest", OF(most), .unit = HAWSER__NEWTON, .when = KNOWN},
 	{"", NULL, "", HAWSER__PART_OF(struct cli_integrate_result, surge, cli_surge_field),
 	 .when = SURGES},
-	{"warnings", NULL, "sentences about a slack cable", HAWSER__CALLS(warnings_json)},
+	{"warnings", NULL, "sentences about a slack cable, or ends that move at the start",
+	 HAWSER__CALLS(warnings_json)},
 	{"spectrum", NULL, "with --spectrum", HAWSER__ARRAYS_OF(spectrum_list),
 	 .when = SPECTRUM},
 	{"spectrum_periods", NULL, "periods of which the spectrum is", OF(window.periods),

@@ -12,6 +12,7 @@
 #include <string.h>
 
 #include "cli/integrate_result.h"
+#include "cli/load_history.h"
 #include "cli/view.h"
 #include "core/report.h"
 
@@ -145,6 +146,12 @@ int cli_integrate_slack(char *text, size_t size, const struct cli_integrate_resu
 	return 0;
 }
 
+int cli_integrate_moves(char *text, size_t size, const struct cli_integrate_result *result)
+{
+	return result->rest &&
+	       cli_motion_warning(text, size, result->model, result->forcing.begin);
+}
+
 enum hawser_status cli_integrate_fill(struct cli_integrate_result *result,
                                       struct hawser_report *report)
 {
@@ -263,6 +270,8 @@ void cli_integrate_comments(struct hawser__table *table, const void *of)
 		                      result->most);
 	cli_surge_comments(table, result);
 	if (cli_integrate_slack(text, sizeof text, result))
+		hawser__table_comment(table, "warning: %s", text);
+	if (cli_integrate_moves(text, sizeof text, result))
 		hawser__table_comment(table, "warning: %s", text);
 	hawser__table_comment(table, "end: %s", cli_integrate_end(result));
 	if (result->spectrum)

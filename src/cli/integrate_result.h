@@ -18,6 +18,7 @@ struct cli_integrate_result {
 	double *value, *rate; /* [signals][rows] m and m/s, for a picture or a spectrum only */
 	double least, most;  /* N, tension anywhere on the cable at the output times; NAN: not known */
 	int least_at;        /* row of the smallest tension */
+	int rest;            /* 1: from rest, not from a state that is given */
 	int surges;          /* 1: `surge` is known, as the travel speed of a scene changes */
 	struct hawser_surge surge; /* the tension with the axial waves of that change */
 	int spectrum;        /* 1: the table is the spectrum */
@@ -43,6 +44,8 @@ void cli_integrate_comments(struct hawser__table *table, const void *result);
 void cli_integrate_free(struct cli_integrate_result *result);
 /* As cli_frf_slack. */
 int cli_integrate_slack(char *text, size_t size, const struct cli_integrate_result *result);
+/* The same of ends that move when a run from rest begins. */
+int cli_integrate_moves(char *text, size_t size, const struct cli_integrate_result *result);
 /* surge.c: axial waves if the travel speed changes and the model is not of full order, comments and a
  * warning. */
 enum hawser_status cli_surge_look(struct cli_integrate_result *result,

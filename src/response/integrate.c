@@ -122,6 +122,7 @@ static enum hawser_status check_times(const struct hawser_integrate_options *opt
                                       const struct hawser_rom *rom, struct hawser_report *report)
 {
 	double span = options->until - options->begin, rows = span/options->every + 1.0;
+	enum hawser_status status;
 
 	if (!(options->until > 0.0) || !isfinite(options->until))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, WHERE,
@@ -132,14 +133,8 @@ static enum hawser_status check_times(const struct hawser_integrate_options *opt
 		                    "the run begins at t = %g%s: that must not be negative, and before "
 		                    "its end (until), %g%s", HAWSER_SHOWN_TIME(rom, options->begin),
 		                    HAWSER_SHOWN_TIME(rom, options->until));
-	if (rom->history && (options->begin < rom->history->time[0] ||
-	                     options->until > rom->history->time[rom->history->rows - 1]))
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, WHERE,
-		                    "the run is from t = %.6g to %.6g%s, and the history of the load from "
-		                    "%.6g to %.6g%s: end the run before it, or extend the history",
-		                    options->begin*rom->time, HAWSER_SHOWN_TIME(rom, options->until),
-		                    rom->history->time[0]*rom->time,
-		                    HAWSER_SHOWN_TIME(rom, rom->history->time[rom->history->rows - 1]));
+	if (rom->history && (status = hawser__history_covers(rom, options->begin, options->until, report)))
+		return status;
 	if (!(options->omega_to >= 0.0) || !isfinite(options->omega_to))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, WHERE,
 		                    "the forcing frequency (Omega) ends at %g: it must be positive and "

@@ -99,7 +99,7 @@ static void at_point(const struct hawser_rom *rom, double *out, int p, int first
 	for (int i = 0; rom->history && i < rom->history->terms; i++)
 		if (rom->history->term[i].answer)
 			add_ramp(out, rom->history->term[i].answer + at, count,
-			         hawser__history_value(rom->history, i, moment->time, rate));
+			         hawser__history_factor(rom->history, i, moment->time, rate));
 	if (rom->ramp)
 		slope_factors(s, rom->ramp, moment->time, rate);
 	for (int i = 0; rom->ramp && i < HAWSER_RAMP_TERMS; i++)
@@ -145,7 +145,7 @@ static int on_line(const struct hawser_rom *rom, double *extra, int first, int c
 		if (!rom->history->term[i].answer_line)
 			continue;
 		add_ramp(extra, rom->history->term[i].answer_line + at, count,
-		         hawser__history_value(rom->history, i, moment->time, 0));
+		         hawser__history_factor(rom->history, i, moment->time, 0));
 		any = 1;
 	}
 	if (rom->ramp)
@@ -176,7 +176,7 @@ int hawser__rom_answer_strains(const struct hawser_rom *rom, double *extra,
 	int any = rom->ends != NULL, places = hawser__rom_tension_places(rom);
 
 	if (rom->ends)
-		hawser__ends_at(rom->ends, extra + places, moment->tau);
+		hawser__ends_at(rom, extra + places, moment);
 	memset(extra, 0, (size_t)places*sizeof *extra);
 	if (rom->exact)
 		return any;

@@ -313,10 +313,10 @@ enum hawser_status hawser__rom_begin(struct hawser_rom *rom, const struct hawser
 		return status;
 	if (modes->statics.space && hawser__support_moves(scene))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
-		                    "support.A.motion and support.B.motion of a cable that masses or springs "
-		                    "in a wind, or attach.force, take out of one plane are not modelled: "
-		                    "leave them out, or set load.static.per_length=[0,0,0] and forces "
-		                    "downwards");
+		                    "moving ends (support.A.motion, support.B.motion, --motion) of a cable "
+		                    "that masses or springs in a wind, or attach.force, take out of one plane "
+		                    "are not modelled: leave them out, or set load.static.per_length=[0,0,0] "
+		                    "and forces downwards");
 	if (!(modes->statics.epsilon > 0.0))
 		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "rom",
 		                    "an inextensible cable (EA = %g N) has no strain energy: "

@@ -23,6 +23,7 @@
 #include "modes/grid.h"
 #include "rom/condense.h"
 #include "rom/ends.h"
+#include "rom/history.h"
 
 size_t hawser__ends_pairs(const struct hawser_rom_ends *ends)
 {
@@ -84,7 +85,8 @@ enum hawser_status hawser__ends_set(struct hawser_rom *rom, const struct hawser_
                                     const struct hawser_scene *scene, struct hawser_report *report)
 {
 	struct hawser__signal signal[HAWSER__SUPPORT_MOST];
-	int number[HAWSER__SUPPORT_MOST], k[HAWSER__SUPPORT_TOP + 1], count = 0, terms = 0;
+	int number[HAWSER__SUPPORT_MOST] = {0}, k[HAWSER__SUPPORT_TOP + 1], count = 0, terms = 0;
+	int given = hawser__support_given(scene);
 	int points = rom->shapes.points, line = rom->line.points;
 	size_t each = 3*(size_t)modes->grid.points;
 	enum hawser_status status;
@@ -92,7 +94,7 @@ enum hawser_status hawser__ends_set(struct hawser_rom *rom, const struct hawser_
 	for (int i = 0; i < shapes->count; i++)
 		if (hawser__support_factor(&signal[count], scene, i, &modes->statics))
 			number[count++] = i;
-	for (int h = 0; h <= HAWSER__SUPPORT_TOP; h++) {
+	for (int h = 0; h <= HAWSER__SUPPORT_TOP && !given; h++) {
 		int any = 0;
 
 		for (int i = 0; i < count; i++)
@@ -105,6 +107,8 @@ enum hawser_status hawser__ends_set(struct hawser_rom *rom, const struct hawser_
 	status = hawser__ends_make(rom, count, terms, 0, report);
 	if (status)
 		return status;
+	rom->ends->given = given;
+	memcpy(rom->ends->number, number, sizeof number);
 	for (int t = 0; t < terms; t++) {
 		rom->ends->k[t] = k[t];
 		for (int i = 0; i < count; i++) {
@@ -147,24 +151,39 @@ enum hawser_status hawser__ends_condensed(struct hawser_rom *rom, const struct h
 
 /* --- at an instant --- */
 
-void hawser__ends_at(const struct hawser_rom_ends *ends, double *s, double tau)
+static void given(const struct hawser_rom *rom, double *s, double t, int rate)
 {
+	for (int i = 0; i < rom->ends->count && rom->history; i++)
+		s[i] = hawser__history_value(rom->history, rom->ends->number[i], t, rate);
+}
+
+void hawser__ends_at(const struct hawser_rom *rom, double *s, const struct hawser_rom_moment *moment)
+{
+	const struct hawser_rom_ends *ends = rom->ends;
+
 	memset(s, 0, (size_t)ends->count*sizeof *s);
+	if (ends->given)
+		given(rom, s, moment->time, 0);
 	for (int t = 0; t < ends->terms; t++) {
 		double k = (double)ends->k[t]*ends->base;
-		double c = ends->factor*cos(k*tau), sine = ends->factor*sin(k*tau);
+		double c = ends->factor*cos(k*moment->tau), sine = ends->factor*sin(k*moment->tau);
 
 		for (int i = 0; i < ends->count; i++)
 			s[i] += c*ends->cosine[t*ends->count + i] + sine*ends->sine[t*ends->count + i];
 	}
 }
 
-void hawser__ends_rate(const struct hawser_rom_ends *ends, double *rate, double tau, double omega)
+void hawser__ends_rate(const struct hawser_rom *rom, double *rate,
+                       const struct hawser_rom_moment *moment)
 {
+	const struct hawser_rom_ends *ends = rom->ends;
+
 	memset(rate, 0, (size_t)ends->count*sizeof *rate);
+	if (ends->given)
+		given(rom, rate, moment->time, 1);
 	for (int t = 0; t < ends->terms; t++) {
-		double k = (double)ends->k[t]*ends->base, W = k*omega*ends->factor;
-		double c = W*cos(k*tau), sine = W*sin(k*tau);
+		double k = (double)ends->k[t]*ends->base, W = k*moment->omega*ends->factor;
+		double c = W*cos(k*moment->tau), sine = W*sin(k*moment->tau);
 
 		for (int i = 0; i < ends->count; i++)
 			rate[i] += c*ends->sine[t*ends->count + i] - sine*ends->cosine[t*ends->count + i];

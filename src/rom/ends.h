@@ -8,8 +8,10 @@
 #include "rom/support.h"
 
 struct hawser_rom_ends {
+	int given;            /* 1: the factors are the signals `number` of the model's history */
+	int number[HAWSER__SUPPORT_MOST]; /* [count] of the shapes (support.h) */
 	int count;            /* of quasi-static shapes (support.h) that move, 1 to HAWSER__SUPPORT_MOST */
-	int terms;            /* harmonics of their factors */
+	int terms;            /* harmonics of their factors, 0 if they are given */
 	int *k;               /* [terms] */
 	double *cosine;       /* [terms][count] */
 	double *sine;         /* [terms][count] */
@@ -46,9 +48,10 @@ enum hawser_status hawser__ends_condensed(struct hawser_rom *rom, const struct h
                                           const struct hawser__condensed *condensed,
                                           struct hawser_report *report);
 
-/* s [count]: the factors at phase tau, or their time derivatives at frequency omega. */
-void hawser__ends_at(const struct hawser_rom_ends *ends, double *s, double tau);
-void hawser__ends_rate(const struct hawser_rom_ends *ends, double *rate, double tau, double omega);
+/* s [count]: the factors at an instant, or their time derivatives. */
+void hawser__ends_at(const struct hawser_rom *rom, double *s, const struct hawser_rom_moment *moment);
+void hawser__ends_rate(const struct hawser_rom *rom, double *rate,
+                       const struct hawser_rom_moment *moment);
 
 /* out[3] += sum of the second-order fields at one point for coordinates u and factors s. field is
  * one of the arrays second_*, at point p of `points`. */

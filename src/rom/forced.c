@@ -42,6 +42,11 @@ static void add_term(double *acceleration, const struct hawser_ramp_term *term, 
 		subtract_product(acceleration, s, term->D, v, n);
 	if (term->K)
 		subtract_product(acceleration, s, term->K, u, n);
+	for (int i = 0; i < term->quads; i++) {
+		const struct hawser_quad *q = &term->Q[i];
+
+		acceleration[q->j] -= s*q->value*u[q->k]*u[q->l];
+	}
 }
 
 static void add_harmonic(double *acceleration, const struct hawser_harmonic *harmonic, double s,
@@ -119,6 +124,12 @@ void hawser__rom_term(const struct hawser_ramp_term *term, double s, double *acc
 		by_u[i] -= s*term->K[i];
 	for (int i = 0; by_v && term->D && i < n*n; i++)
 		by_v[i] -= s*term->D[i];
+	for (int i = 0; by_u && i < term->quads; i++) {
+		const struct hawser_quad *q = &term->Q[i];
+
+		by_u[q->j*n + q->k] -= s*q->value*u[q->l];
+		by_u[q->j*n + q->l] -= s*q->value*u[q->k];
+	}
 }
 
 void hawser__ramp_factors(double s[HAWSER_RAMP_TERMS], const struct hawser_ramp *ramp, double t,

@@ -49,6 +49,7 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/gradient.c \
 	%D%/history.c \
 	%D%/history.h \
+	%D%/history_motion.c \
 	%D%/inertia.c \
 	%D%/inertia_amplitude.c \
 	%D%/inertia.h \

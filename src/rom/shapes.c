@@ -64,7 +64,7 @@ static const double *factors(const struct hawser_rom *rom, double s[HAWSER__SUPP
 {
 	if (!rom->ends || !moment)
 		return NULL;
-	hawser__ends_at(rom->ends, s, moment->tau);
+	hawser__ends_at(rom, s, moment);
 	return s;
 }
 
@@ -115,7 +115,7 @@ void hawser_rom_velocity_at(const struct hawser_rom *rom, double *xyz, int p, co
 			    j == k ? u[j]*v[j] : u[j]*v[k] + v[j]*u[k]);
 	hawser__rom_answer_shape(rom, local, p, moment, 1);
 	if (s && rom->ends->second_shape) {
-		hawser__ends_rate(rom->ends, rate, moment->tau, moment->omega);
+		hawser__ends_rate(rom, rate, moment);
 		hawser__ends_second_rate(rom->ends, local, rom->ends->second_shape, points, p, u, s, v, rate);
 	}
 	hawser__shapes_global(xyz, &rom->shapes, p, local);

@@ -32,15 +32,36 @@
 #include "modes/label.h"
 #include "rom/build.h"
 #include "rom/ends.h"
+#include "rom/history.h"
 #include "rom/support.h"
 
 int hawser__support_moves(const struct hawser_scene *scene)
 {
 	for (int end = 0; end < 2; end++)
 		for (int axis = 0; scene && scene->support[end].present && axis < HAWSER__AXES; axis++)
-			if (scene->support[end].motion[axis] != 0.0)
+			if (scene->support[end].motion[axis] != 0.0 || scene->support[end].given[axis])
 				return 1;
 	return 0;
+}
+
+int hawser__support_given(const struct hawser_scene *scene)
+{
+	for (int end = 0; end < 2; end++)
+		for (int axis = 0; scene && scene->support[end].present && axis < HAWSER__AXES; axis++)
+			if (scene->support[end].given[axis])
+				return 1;
+	return 0;
+}
+
+double hawser__support_weight(int number, int end, int axis, const struct hawser_statics *statics)
+{
+	double unit[HAWSER__AXES] = {0.0}, in[HAWSER__AXES];
+
+	unit[axis] = 1.0;
+	hawser_statics_from_global(statics, in, unit);
+	if (number >= HAWSER__AXES)
+		return end == 0 ? in[number - HAWSER__AXES] : 0.0;
+	return end == 0 ? -in[number] : in[number];
 }
 
 void hawser__support_signal(struct hawser__signal *signal, const struct hawser_scene *scene, int end,
@@ -69,6 +90,10 @@ int hawser__support_factor(struct hawser__signal *signal, const struct hawser_sc
 	int any = 0;
 
 	hawser__support_signal(signal, scene, number < HAWSER__AXES ? 2 : 0, number%HAWSER__AXES, statics);
+	for (int i = 0; i < 2*HAWSER__AXES; i++)
+		any |= scene->support[i/HAWSER__AXES].present &&
+		       scene->support[i/HAWSER__AXES].given[i%HAWSER__AXES] &&
+		       hawser__support_weight(number, i/HAWSER__AXES, i%HAWSER__AXES, statics) != 0.0;
 	for (int k = 0; k <= HAWSER__SUPPORT_TOP; k++)
 		any |= signal->c[k] != 0.0 || signal->s[k] != 0.0;
 	return any;
@@ -213,10 +238,11 @@ static struct hawser_harmonic *append(struct hawser_rom *rom, int k, enum hawser
 	return h->f ? h : NULL;
 }
 
-/* r = field*wave(k tau): its displacement, inertia and damping. */
+/* r = field*wave(k tau), or (signal >= 0) times a signal of the history: its displacement, inertia and
+ * damping. */
 static enum hawser_status add(struct hawser_rom *rom, const struct hawser_modes *modes, int moving,
                               int condensed, const struct hawser_scene *scene, int k,
-                              enum hawser_phase phase, struct field *field,
+                              enum hawser_phase phase, int signal, struct field *field,
                               struct hawser_report *report)
 {
 	struct hawser_harmonic *h = append(rom, k, phase, 0);
@@ -225,9 +251,11 @@ static enum hawser_status add(struct hawser_rom *rom, const struct hawser_modes 
 	set_field(field, hawser__points(&modes->statics));
 	if (!status)
 		status = show(h, rom, modes, field, report);
+	if (!status && signal >= 0)
+		status = hawser__history_take(rom, &(struct hawser_history_factor){1, {signal}, 0}, report);
 	for (int rate = 0; !status && rate < 2; rate++) {
 		/* cos'' = -k^2 Omega^2 cos; cos' = -k Omega sin, sin' = k Omega cos */
-		double factor = !rate ? (double)k*k : phase == HAWSER_COS ? k : -k;
+		double factor = signal >= 0 ? -1.0 : !rate ? (double)k*k : phase == HAWSER_COS ? k : -k;
 
 		if (!set_force(field, scene, modes, rate, factor, 1))
 			continue;
@@ -241,6 +269,9 @@ static enum hawser_status add(struct hawser_rom *rom, const struct hawser_modes 
 			status = hawser__rom_answer_field(rom, rom->harmonics - 1, modes, moving,
 			                                  field->force, field->point[0], field->stroke,
 			                                  report);
+		if (!status && signal >= 0)
+			status = hawser__history_take(rom, &(struct hawser_history_factor){1, {signal},
+			                              rate ? 1 : 2}, report);
 	}
 	return status;
 }
@@ -264,6 +295,27 @@ static int set_amplitudes(struct field *field, const struct hawser_scene *scene,
 	return any;
 }
 
+/* The same of supports that move as a table says. */
+static enum hawser_status add_given(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                    int moving, int condensed, const struct hawser_scene *scene,
+                                    struct field *field, struct hawser_report *report)
+{
+	struct hawser__signal unused;
+	enum hawser_status status = hawser__history_begin(rom, scene, &modes->statics, report);
+
+	for (int i = 0; !status && i < HAWSER__SUPPORT_MOST; i++) {
+		if (!hawser__support_factor(&unused, scene, i, &modes->statics))
+			continue;
+		memset(field->factor, 0, sizeof field->factor);
+		memset(field->rigid, 0, sizeof field->rigid);
+		field->factor[i] = 1.0;
+		if (i >= HAWSER__AXES)
+			field->rigid[i - HAWSER__AXES] = 1.0;
+		status = add(rom, modes, moving, condensed, scene, 1, HAWSER_COS, i, field, report);
+	}
+	return status;
+}
+
 enum hawser_status hawser__support_forces(struct hawser_rom *rom, const struct hawser_modes *modes,
                                           int moving, int condensed,
                                           const struct hawser_scene *scene,
@@ -283,7 +335,9 @@ enum hawser_status hawser__support_forces(struct hawser_rom *rom, const struct h
 		for (int sine = 0; !status && sine < 2; sine++)
 			if (set_amplitudes(&field, scene, k, sine, &modes->statics))
 				status = add(rom, modes, moving, condensed, scene, k,
-				             sine ? HAWSER_SIN : HAWSER_COS, &field, report);
+				             sine ? HAWSER_SIN : HAWSER_COS, -1, &field, report);
+	if (!status && hawser__support_given(scene))
+		status = add_given(rom, modes, moving, condensed, scene, &field, report);
 	hawser__support_shapes_clear(&shapes);
 	free(field.r);
 	return status;

@@ -42,6 +42,13 @@ int hawser__support_factor(struct hawser__signal *signal, const struct hawser_sc
                            const struct hawser_statics *statics);
 int hawser__support_moves(const struct hawser_scene *scene);
 
+/* Whether the ends move as a table says (struct hawser_rom_history). Then hawser__support_factor says
+ * only whether the shape moves, and the signals of the history have the numbers of the shapes; all of
+ * them are there, and those of end A move the whole cable along, too. */
+int hawser__support_given(const struct hawser_scene *scene);
+/* Displacement `number` of a unit displacement of `end` along the axis of the scene. */
+double hawser__support_weight(int number, int end, int axis, const struct hawser_statics *statics);
+
 /* Add the inertia and damping of the quasi-static displacement to the harmonics of the model, with the
  * displacement and strain at its shape points and line (ends.h); and, of the first `moving` modes, the
  * response of the condensed modes, if `condensed` is not 0. */

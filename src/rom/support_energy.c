@@ -24,6 +24,7 @@
 #include "core/report.h"
 #include "rom/condense.h"
 #include "rom/ends.h"
+#include "rom/history.h"
 #include "rom/kernel.h"
 #include "rom/project.h"
 #include "rom/support.h"
@@ -308,6 +309,44 @@ static int spread(struct hawser_rom *rom, int first, const struct share *share,
 	return 1;
 }
 
+/* The share as a term of the history, with the product of `count` of the shapes. */
+static enum hawser_status give(struct hawser_rom *rom, const struct work *work, struct share *share,
+                               int count, const int shape[3], struct hawser_report *report)
+{
+	struct hawser_history_factor factor = {.count = count};
+	struct hawser_ramp_term *term;
+
+	if (!share->f && !share->K && !share->quads)
+		return HAWSER_OK;
+	for (int i = 0; i < count; i++)
+		factor.signal[i] = work->number[shape[i]];
+	term = hawser__history_term(rom, &factor);
+	if (!term)
+		return hawser__no_memory(report, "rom");
+	*term = (struct hawser_ramp_term){.f = share->f, .K = share->K, .quads = share->quads,
+		.Q = share->Q};
+	*share = (struct share){.quads = 0};
+	rom->history->motions = rom->history->terms;
+	return HAWSER_OK;
+}
+
+static enum hawser_status give_all(struct hawser_rom *rom, struct work *work,
+                                   struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+
+	for (int k = 0; !status && k < work->m; k++) {
+		status = give(rom, work, &work->one[k], 1, (int[3]){k}, report);
+		for (int j = 0; !status && j <= k; j++) {
+			status = give(rom, work, &work->two[pair_of(j, k)], 2, (int[3]){j, k}, report);
+			for (int i = 0; !status && i <= j; i++)
+				status = give(rom, work, &work->three[triple_of(i, j, k)], 3,
+				              (int[3]){i, j, k}, report);
+		}
+	}
+	return status;
+}
+
 static int spread_all(struct hawser_rom *rom, const struct work *work)
 {
 	int first = rom->harmonics, good = 1;
@@ -362,7 +401,11 @@ enum hawser_status hawser__support_energy(struct hawser_rom *rom, const struct h
 		                             report);
 	if (!status && condensed && rom->shapes.second_slope)
 		status = hawser__ends_condensed(rom, &work.wide, &work.condensed, report);
-	if (!status && (!sort_all(&work) || !spread_all(rom, &work)))
+	if (!status && !sort_all(&work))
+		status = hawser__no_memory(report, "rom");
+	if (!status && hawser__support_given(scene))
+		status = give_all(rom, &work, report);
+	else if (!status && !spread_all(rom, &work))
 		status = hawser__no_memory(report, "rom");
 	hawser__support_shapes_clear(&shapes);
 	work_clear(&work);

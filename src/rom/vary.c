@@ -13,7 +13,7 @@
 int hawser__rom_varies(const struct hawser_rom *rom)
 {
 	if (rom->exact)
-		return rom->exact->supports > 0;
+		return rom->exact->supports > 0 && !rom->ends->given;
 	for (int h = 0; h < rom->harmonics; h++)
 		if (rom->harmonic[h].quads > 0)
 			return 1;
@@ -40,8 +40,9 @@ void hawser__rom_vary_at(const struct hawser_rom *rom, double *restoring, double
 {
 	double s[HAWSER__SUPPORT_MOST];
 
-	if (rom->exact && rom->exact->supports > 0) {
-		hawser__ends_at(rom->ends, s, tau);
+	/* those of a history: hawser__rom_history */
+	if (rom->exact && rom->exact->supports > 0 && !rom->ends->given) {
+		hawser__ends_at(rom, s, &(struct hawser_rom_moment){.tau = tau});
 		hawser__exact_vary(rom->exact, restoring, tangent, u, s);
 	}
 	for (int h = 0; h < rom->harmonics; h++) {
