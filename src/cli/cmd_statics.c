@@ -191,6 +191,12 @@ static int aside(const struct hawser_statics *st)
 	return st->turned || st->space;
 }
 
+static const char *catenary(const struct hawser_statics *st)
+{
+	return st->space ? "elastic catenaries in space, Newton's method for the force at end A"
+	                 : "elastic catenary, bracketed monotone solve";
+}
+
 static struct cli_head head(const void *of)
 {
 	const struct result *result = of;
@@ -198,7 +204,7 @@ static struct cli_head head(const void *of)
 
 	return (struct cli_head){
 		&settings->common, "statics", result->model == hawser_statics_model(0)
-		? "elastic catenary, bracketed monotone solve" : result->model->summary, &result->scene,
+		? catenary(&result->statics) : result->model->summary, &result->scene,
 		cli_si_view((result->scene.travel.present ? TRAVELS : 0u) |
 		            (result->marks ? ATTACHED : 0u) |
 		            (result->loaded.present ? LOADED : 0u) |

@@ -33,10 +33,30 @@ static double damping_ratio(const struct hawser_scene *scene, double w1)
 	}
 }
 
+static double size_of(const double p[3])
+{
+	return sqrt(p[0]*p[0] + p[1]*p[1] + p[2]*p[2]);
+}
+
+/* The number in the list `loads` of the largest load per length; -1: that is the section load. */
+static int heaviest(const struct hawser_scene *scene)
+{
+	double most = scene->load.present ? size_of(scene->load.per_length) : 0.0;
+	int found = -1;
+
+	for (int i = 0; i < scene->loads; i++)
+		if (size_of(scene->piece[i].per_length) > most) {
+			most = size_of(scene->piece[i].per_length);
+			found = i;
+		}
+	return found;
+}
+
 static double load_per_tension(const struct hawser_scene *scene, double L, double T)
 {
-	const double *p = scene->load.per_length;
-	double q = scene->load.present ? sqrt(p[0]*p[0] + p[1]*p[1] + p[2]*p[2]) : 0.0;
+	int i = heaviest(scene);
+	double q = i >= 0 ? size_of(scene->piece[i].per_length)
+	                  : scene->load.present ? size_of(scene->load.per_length) : 0.0;
 
 	return q > 10.0*scene->cable.rho*scene->g ? q*L/T : 0.0;
 }
@@ -124,19 +144,31 @@ static int key_of(char key[KEY], const struct hawser_plausible_rule *rule, int k
 		member = tension[scene->tension.given];
 	else if (strcmp(key, "damping") == 0)
 		member = damping[scene->damping.kind];
+	else if (strcmp(key, "load.per_length") == 0 && heaviest(scene) >= 0)
+		snprintf(key, KEY, "loads.%d.per_length", heaviest(scene));
 	if (*member)
 		snprintf(key + strlen(key), KEY - strlen(key), ".%s", member);
 	return 1;
+}
+
+/* Whether the key is load.per_length or loads.N.per_length; then *load is the number N, or -1. */
+static int is_load(const char *key, int *load)
+{
+	*load = -1;
+	return strcmp(key, "load.per_length") == 0 || sscanf(key, "loads.%d.per_length", load) == 1;
 }
 
 /* The value of a key, or the largest element of a list; NAN if the scene does not have the key. */
 static double get(const struct hawser_scene *scene, const char *key)
 {
 	double value = NAN;
+	int load;
 
-	if (strcmp(key, "load.per_length") == 0)
-		return fmax(fabs(scene->load.per_length[0]),
-		            fmax(fabs(scene->load.per_length[1]), fabs(scene->load.per_length[2])));
+	if (is_load(key, &load)) {
+		const double *p = load >= 0 ? scene->piece[load].per_length : scene->load.per_length;
+
+		return fmax(fabs(p[0]), fmax(fabs(p[1]), fabs(p[2])));
+	}
 	return hawser_scene_get(scene, &value, key, NULL) ? NAN : value;
 }
 
@@ -144,11 +176,13 @@ static double get(const struct hawser_scene *scene, const char *key)
 static int scaled(struct hawser_scene *other, const struct hawser_scene *scene, const char *key,
                   double factor)
 {
+	int load;
+
 	*other = *scene;
-	if (strcmp(key, "load.per_length") != 0)
+	if (!is_load(key, &load))
 		return !hawser_scene_set(other, key, factor*get(scene, key), NULL);
 	for (int k = 0; k < 3; k++)
-		other->load.per_length[k] *= factor;
+		*(load >= 0 ? &other->piece[load].per_length[k] : &other->load.per_length[k]) *= factor;
 	return 1;
 }
 
@@ -199,7 +233,10 @@ static void show(char *text, size_t size, double value, const char *unit)
 static const char *unit_of(const char *key)
 {
 	const struct hawser_scene_key *row;
+	int load;
 
+	if (is_load(key, &load))
+		key = "load.per_length";
 	for (int i = 0; (row = hawser_scene_key(i)); i++)
 		if (strcmp(row->path, key) == 0)
 			return row->unit;

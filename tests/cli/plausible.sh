@@ -15,6 +15,12 @@ try "T0: 80: the warning stands before the error" test "$status" -eq 2 -a \
 hawser: the tension T0 at end A"
 run modes "$chairlift" --set tension.H=30 -q --json slip.json
 try "modes" grep -q 'tension.H = 30 N' "$scratch/err"
+sed 's/8e-1/8e5/' >loads.yaml <<END
+{cable: {EA: 400e6, rho: 6}, span: {d: 250, h: 10}, tension: {T0: 80e3}, loads: [{per_length: [0, 1, 0]},
+  {per_length: [0, 0, 8e-1], harmonic: 2}]}
+END
+run statics loads.yaml -q
+try "a load of a list" grep -q 'loads.1.per_length = 800000 N/m looks wrong: .* plausible with 0.8 N/m' "$scratch/err"
 run beam "$top/notebooks-data/scenes/d-figure-9.10.yaml" --set beam.v=1e6 -q
 try "a beam without dimensions has none" test -z "$(grep 'looks* wrong' "$scratch/err")"
 
