@@ -6,6 +6,7 @@ pkginclude_HEADERS = \
 	%D%/hawser/damped.h \
 	%D%/hawser/decay.h \
 	%D%/hawser/folds.h \
+	%D%/hawser/branches.h \
 	%D%/hawser/cover.h \
 	%D%/hawser/family.h \
 	%D%/hawser/frf.h \

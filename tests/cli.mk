@@ -36,6 +36,7 @@ CLI_TESTS = \
 	%D%/cli/bending.sh \
 	%D%/cli/loads.sh \
 	%D%/cli/travel.sh \
+	%D%/cli/branches.sh \
 	%D%/cli/over.sh \
 	%D%/cli/unstable.sh \
 	%D%/cli/usage.sh

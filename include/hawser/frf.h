@@ -96,6 +96,10 @@ struct hawser_frf {
 	double *multiplier;             /* [points][2n][2] log modulus, argument */
 	double *state;                  /* [points][2n] u then du/dt at tau = 0, scaled */
 	int probes;
+	int period;                     /* number of periods of the load in one of the motion: 1, or more
+	                                 * on a branch of branches.h */
+	int parent;                     /* the branch from an event of which this one begins; 0: none */
+	double born;                    /* scaled Omega of that event */
 	int branch;                     /* 1; hawser_cover_trace numbers further branches from 2 */
 	int events, event_capacity;
 	struct hawser_frf_event *event; /* [events] in order along the branch */
@@ -149,6 +153,9 @@ struct hawser_frf_options {
 	                        * hawser_resonance_find */
 	const double *start;   /* [2n] guess of the state at the first orbit, phase 0, u then du/dt;
 	                        * NULL: the linear response */
+	const double *along;   /* [2n] or NULL: the first orbit is then not one at `begin`, but one that is
+	                        * this far from `start` in this direction, at its own Omega; the curve is
+	                        * followed onwards from there */
 	struct hawser_progress progress; /* called after each point, with `frf` */
 };
 

@@ -25,6 +25,7 @@ struct settings {
 	const char *over, *omega;
 	double tolerance, step;
 	int n, points, segments, unstable, sweep_points, multipliers, partial, backbone, energy;
+	int branches;
 };
 static const struct settings defaults = {
 	.from = "0.6w1", .to = "3.3w1", .scale = "auto", .slack = "end",
@@ -43,6 +44,8 @@ static const struct cli_option options[] = {
 	CLI_TEXT_OPTION(start, "FILE", "state to start from (the linear response)"),
 	CLI_TEXT_OPTION(at, "FREQUENCY", "frequency of the first orbit, inside the range"),
 	{"continue", 0, "FILE", "continue the curve whose JSON result this file is", CLI_TEXT(resume)},
+	{"branches", 0, "DEPTH", "follow branches that begin at bifurcations too, and theirs, so deep",
+	 CLI_INTEGER(branches)},
 	{"over", 0, "KEY=FROM:TO", "follow the motion in a parameter instead, at the frequency --Omega",
 	 CLI_TEXT(over)},
 	{"Omega", 0, "FREQUENCY", "frequency of the load with --over", CLI_TEXT(omega)},
@@ -79,7 +82,7 @@ static enum hawser_status check_over(const struct settings *settings, struct haw
 	const char *other = settings->from != defaults.from ? "from" : settings->to != defaults.to ? "to"
 	                    : settings->at ? "at" : settings->sweep ? "sweep"
 	                    : settings->resume ? "continue" : settings->backbone ? "backbone"
-	                    : settings->beside ? "beside" : NULL;
+	                    : settings->beside ? "beside" : settings->branches ? "branches" : NULL;
 
 	if (!settings->over)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
@@ -228,6 +231,9 @@ static enum hawser_status trace(struct hawser_frf *frf, struct hawser_landmark *
 	}
 	if (!status && !result->over && !cli_interrupted())
 		status = cli_cover_trace(cover, result, &choice, &watch.progress, locate_peaks, report);
+	if (!status && settings->branches > 0 && !result->over && !cli_interrupted())
+		status = cli_cover_switch(cover, result, &choice, settings->branches, &watch.progress,
+		                          locate_peaks, report);
 	cli_progress_end(&watch.progress);
 	cli_last_clear(&last);
 	return status;

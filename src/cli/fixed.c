@@ -30,6 +30,8 @@ enum hawser_status cli_fixed_estimate(struct cli_frf_result *result, struct haws
 	if (!model->has_scene)
 		return not_known(result, "a model file does not say what it leaves out of its scene: give "
 		                         "the scene");
+	if (result->frf->period > 1)
+		return not_known(result, "that of motions of several periods is not");
 	if (cli_interrupted())
 		return not_known(result, "the response was interrupted");
 	if (cli_known_lacks(result->unknown, sizeof result->unknown, model,

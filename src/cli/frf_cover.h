@@ -4,6 +4,7 @@
 #ifndef HAWSER_CLI_FRF_COVER_H
 #define HAWSER_CLI_FRF_COVER_H
 
+#include <hawser/branches.h>
 #include <hawser/cover.h>
 
 #include "cli/cli.h"
@@ -19,7 +20,10 @@ typedef enum hawser_status cli_peaks_function(struct hawser_landmark **peak,
 /* Storage of the further branches of a result. All zero before use. */
 struct cli_cover {
 	struct hawser_cover of;
-	struct cli_frf_result *other; /* [of.branches] copies of the result, each with its own curve */
+	struct hawser_frf **born; /* [borns] branches that begin at bifurcations */
+	int borns;
+	struct cli_frf_result *other; /* [of.branches + borns] copies of the result, each with its own
+	                               * curve */
 };
 /* Follow further branches in the parts of the range without one. Sets `other`, `gap` and their
  * numbers of the result, which refer to *cover. Statuses of hawser_cover_trace. */
@@ -27,6 +31,12 @@ enum hawser_status cli_cover_trace(struct cli_cover *cover, struct cli_frf_resul
                                    const struct hawser_frf_options *options,
                                    struct cli_progress *progress, cli_peaks_function *peaks,
                                    struct hawser_report *report) HAWSER_MUST_CHECK;
+/* The same for branches that begin at period doublings and branch points of the branches so far, and,
+ * down to `depth`, of these. Those that are not found are no error. */
+enum hawser_status cli_cover_switch(struct cli_cover *cover, struct cli_frf_result *result,
+                                    const struct hawser_frf_options *options, int depth,
+                                    struct cli_progress *progress, cli_peaks_function *peaks,
+                                    struct hawser_report *report) HAWSER_MUST_CHECK;
 void cli_cover_clear(struct cli_cover *cover);
 
 /* Points, probes, coordinates, events and peaks of all branches, in succession. */

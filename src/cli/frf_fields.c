@@ -238,8 +238,25 @@ static const struct hawser__field over_field[] = {
 #undef OF
 
 #define THROUGH(member, fields) {"", NULL, "", HAWSER__THROUGH(struct cli_frf_result, member, fields)}
+/* A branch that begins at an event of another one. */
+static const struct hawser__field born_field[] = {
+	{"period", NULL, "periods of the load in one of the motion", HAWSER__AT(struct hawser_frf, period)},
+	{"parent", NULL, "number of the branch at an event of which this one begins",
+	 HAWSER__AT(struct hawser_frf, parent)},
+	{"born", NULL, "Omega of that event", HAWSER__AT(struct hawser_frf, born),
+	 .unit = HAWSER__RAD_S},
+	HAWSER__END,
+};
+
+static int is_born(const void *row, const void *parent)
+{
+	(void)parent;
+	return ((const struct cli_frf_result *)row)->frf->parent > 0;
+}
+
 /* A further branch is a result with its own curve. */
 static const struct hawser__field branch_field[] = {
+	{"", NULL, "", HAWSER__THROUGH(struct cli_frf_result, frf, born_field), .given = is_born},
 	{"", NULL, "", HAWSER__OBJECT_OF(cli_fixed_field)},
 	THROUGH(frf, curve_field),
 	{"peaks", NULL, "see PEAKS", HAWSER__OBJECTS_OF(cli_frf_peak_list), .when = PEAKS},

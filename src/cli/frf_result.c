@@ -220,6 +220,10 @@ static void comment_branch(struct hawser__table *table, const struct cli_frf_res
 	                      cli_unit(result->model, " rad/s"), frf->points,
 	                      hawser_frf_end_name(frf->end), sentence(frf->end), *frf->lost ? ": " : "",
 	                      frf->lost);
+	if (frf->parent > 0)
+		hawser__table_comment(table, "branch %d: of period %d, from branch %d at Omega = %.12g%s",
+		                      frf->branch, frf->period, frf->parent, frf->born*per_omega,
+		                      cli_unit(result->model, " rad/s"));
 	cli_fixed_comments(table, result);
 	for (int k = 0; k < frf->events; k++)
 		comment_event(table, result, k);

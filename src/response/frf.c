@@ -12,12 +12,8 @@
 #include "core/settle.h"
 #include "response/certify.h"
 #include "response/shooting.h"
-#include "response/start.h"
 #include "response/trace.h"
 
-#define FIRST_REFINEMENTS 3 /* refinements of the mesh at the first orbit; chosen */
-#define FIRST_STEP 0.05 /* relative to the orbit's size; short, since the first prediction has one
-                         * tangent only; chosen */
 /* Relative error of Omega above which an event does not count as located: a step is at most 0.01 of
  * Omega, so that such an error is no better than the step. */
 #define WORST_LOCATED 0.01
@@ -58,84 +54,6 @@ static enum hawser_status record_events(struct hawser__trace *trace)
 			return status;
 	}
 	return HAWSER_OK;
-}
-
-/* If the mesh is too coarse for the first orbit, Newton's method fails even for a good initial
- * value: refine it and try again. */
-static enum hawser_status first_orbit(struct hawser__trace *trace)
-{
-	const struct hawser_rom_family *family = trace->options.family;
-	struct hawser__orbit *orbit = trace->orbit;
-	enum hawser_status status;
-
-	for (int refined = 0;; refined++) {
-		double omega = trace->options.begin;
-
-		orbit->family = NULL; /* at the parameter `begin`, with Omega as the last unknown */
-		if (family && (status = family->model(family->context, &orbit->rom, omega, trace->report)))
-			return status;
-		if (family)
-			omega = family->omega*orbit->rom->time;
-		status = hawser__start(trace->here.y, orbit, &trace->here.correction,
-		                       trace->options.start, omega, trace->options.tolerance,
-		                       trace->report);
-		orbit->family = family;
-		if (family)
-			trace->here.y[orbit->size - 1] = trace->options.begin;
-		if (status != HAWSER_ERR_CONVERGENCE || refined == FIRST_REFINEMENTS)
-			return status;
-		if ((status = orbit->ops->enrich(orbit, trace->report)))
-			return status;
-	}
-}
-
-/* The point to which a closed curve returns: the point of the curve nearest to the first orbit.
- * Near a fold Omega determines an orbit badly, and any point nearby serves as well. */
-static enum hawser_status mark_start(struct hawser__trace *trace)
-{
-	int size = trace->orbit->size, failed;
-	enum hawser_status status;
-
-	memcpy(trace->next.y, trace->here.y, (size_t)size*sizeof(double));
-	status = hawser__trace_correct(trace, &trace->next, trace->here.t, &failed);
-	if (!status && !failed)
-		memcpy(trace->start_y, trace->next.y, (size_t)size*sizeof(double));
-	return status;
-}
-
-/* The initial direction of Omega. */
-static double heading(const struct hawser_frf_options *options)
-{
-	if (options->direction)
-		return options->direction < 0 ? -1.0 : 1.0;
-	return options->to > options->from ? 1.0 : -1.0;
-}
-
-static enum hawser_status begin(struct hawser__trace *trace)
-{
-	struct hawser__orbit *orbit = trace->orbit;
-	int failed;
-	enum hawser_status status;
-
-	if ((status = first_orbit(trace)))
-		return status;
-	status = hawser__trace_settle(trace, &trace->here, heading(&trace->options), NULL, &failed);
-	if (status)
-		return status;
-	if (failed)
-		return hawser__fail_at(trace->report, HAWSER_ERR_CONVERGENCE, "frf",
-		                       trace->here.correction.iterations,
-		                       trace->here.correction.residual,
-		                       "the first orbit, at %s, was lost when its mesh was refined",
-		                       hawser__orbit_where(orbit, trace->options.begin).text);
-	if ((status = hawser__trace_determined(trace, &trace->here)))
-		return status;
-	memcpy(trace->start_y, trace->here.y, (size_t)orbit->size*sizeof(double));
-	trace->known = 1;
-	trace->curve.ds = fmin(FIRST_STEP, hawser__trace_longest(trace));
-	status = hawser__record_point(trace->frf, trace->amplitude, &trace->here, orbit,
-	                              trace->report);
-	return status || trace->options.begin == trace->options.from ? status : mark_start(trace);
 }
 
 int hawser__trace_told_to_stop(const struct hawser__trace *trace)
@@ -421,9 +339,9 @@ static enum hawser_status trace_once(int *jumped, struct hawser_frf *frf,
 	trace.began = hawser__wall_seconds();
 	if (trace.options.begin == 0.0)
 		trace.options.begin = options->from;
-	*frf = (struct hawser_frf){.n = rom->n, .probes = rom->shapes.points, .branch = 1,
+	*frf = (struct hawser_frf){.n = rom->n, .probes = rom->shapes.points, .branch = 1, .period = 1,
 		.length = rom->length, .time = rom->time};
-	if (!(status = open_trace(&trace, report)) && !(status = begin(&trace)))
+	if (!(status = open_trace(&trace, report)) && !(status = hawser__trace_begin(&trace)))
 		status = follow(&trace);
 	*jumped = trace.jumped;
 	close_trace(&trace);

@@ -24,6 +24,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/balance_substitute.c \
 	%D%/beam_model.c \
 	%D%/beam_motion.c \
+	%D%/branches.c \
 	%D%/certify.c \
 	%D%/certify.h \
 	%D%/circle.c \
@@ -62,6 +63,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/folds_walk.c \
 	%D%/folds_walk.h \
 	%D%/frf.c \
+	%D%/frf_begin.c \
 	%D%/frf_check.c \
 	%D%/gauss.c \
 	%D%/hill_matrix.c \

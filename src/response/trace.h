@@ -130,6 +130,9 @@ void hawser__trace_mark(struct hawser__trace *trace);
 enum hawser_status hawser__trace_slacken(struct hawser__trace *trace, double from, double to,
                                          struct hawser_frf_event *event);
 
+/* frf_begin.c: the first orbit, which is recorded. */
+enum hawser_status hawser__trace_begin(struct hawser__trace *trace);
+
 /* frf_check.c: HAWSER_ERR_ARGUMENT: the range, another option, or a model without forcing;
  * HAWSER_ERR_NAN. */
 enum hawser_status hawser__frf_check(const struct hawser_rom *rom,

@@ -1,0 +1,123 @@
+/* response/frf_begin.c - the first orbit of a branch.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "response/start.h"
+#include "response/trace.h"
+
+#define FIRST_REFINEMENTS 3 /* refinements of the mesh at the first orbit; chosen */
+#define FIRST_STEP 0.05 /* relative to the orbit's size; short, since the first prediction has one
+                         * tangent only; chosen */
+
+/* If the mesh is too coarse for the first orbit, Newton's method fails even for a good initial
+ * value: refine it and try again. */
+static enum hawser_status first_orbit(struct hawser__trace *trace)
+{
+	const struct hawser_rom_family *family = trace->options.family;
+	struct hawser__orbit *orbit = trace->orbit;
+	enum hawser_status status;
+
+	for (int refined = 0;; refined++) {
+		double omega = trace->options.begin;
+
+		orbit->family = NULL; /* at the parameter `begin`, with Omega as the last unknown */
+		if (family && (status = family->model(family->context, &orbit->rom, omega, trace->report)))
+			return status;
+		if (family)
+			omega = family->omega*orbit->rom->time;
+		status = hawser__start(trace->here.y, orbit, &trace->here.correction,
+		                       trace->options.start, omega, trace->options.tolerance,
+		                       trace->report);
+		orbit->family = family;
+		if (family)
+			trace->here.y[orbit->size - 1] = trace->options.begin;
+		if (status != HAWSER_ERR_CONVERGENCE || refined == FIRST_REFINEMENTS)
+			return status;
+		if ((status = orbit->ops->enrich(orbit, trace->report)))
+			return status;
+	}
+}
+
+/* The point to which a closed curve returns: the point of the curve nearest to the first orbit.
+ * Near a fold Omega determines an orbit badly, and any point nearby serves as well. */
+static enum hawser_status mark_start(struct hawser__trace *trace)
+{
+	int size = trace->orbit->size, failed;
+	enum hawser_status status;
+
+	memcpy(trace->next.y, trace->here.y, (size_t)size*sizeof(double));
+	status = hawser__trace_correct(trace, &trace->next, trace->here.t, &failed);
+	if (!status && !failed)
+		memcpy(trace->start_y, trace->next.y, (size_t)size*sizeof(double));
+	return status;
+}
+
+/* The initial direction of Omega. */
+static double heading(const struct hawser_frf_options *options)
+{
+	if (options->direction)
+		return options->direction < 0 ? -1.0 : 1.0;
+	return options->to > options->from ? 1.0 : -1.0;
+}
+
+/* The orbit at the distance `along` from `start`: corrected in the plane through it that is normal to
+ * this direction. */
+static enum hawser_status first_along(struct hawser__trace *trace, int *failed)
+{
+	const struct hawser_frf_options *options = &trace->options;
+	struct hawser__orbit *orbit = trace->orbit;
+	double *x = trace->mark_y, *base = trace->next.y, *y = trace->here.y, length;
+	enum hawser_status status;
+
+	for (int i = 0; i < orbit->m; i++)
+		x[i] = options->start[i] + options->along[i];
+	if ((status = orbit->ops->from_state(orbit, base, options->start, options->begin, trace->report)) ||
+	    (status = orbit->ops->from_state(orbit, y, x, options->begin, trace->report)))
+		return status;
+	y[orbit->size - 1] = base[orbit->size - 1] = options->begin;
+	orbit->ops->metric(orbit, base);
+	for (int i = 0; i < orbit->size; i++)
+		trace->direction[i] = y[i] - base[i];
+	length = sqrt(hawser__orbit_dot(orbit, trace->direction, trace->direction));
+	for (int i = 0; i < orbit->size; i++)
+		trace->direction[i] /= length;
+	status = hawser__trace_correct(trace, &trace->here, trace->direction, failed);
+	return status || *failed ? status
+	       : hawser__station_finish(&trace->here, orbit, trace->direction, trace->report);
+}
+
+enum hawser_status hawser__trace_begin(struct hawser__trace *trace)
+{
+	struct hawser__orbit *orbit = trace->orbit;
+	int failed;
+	enum hawser_status status;
+
+	if (trace->options.along) {
+		status = first_along(trace, &failed);
+	} else {
+		if ((status = first_orbit(trace)))
+			return status;
+		status = hawser__trace_settle(trace, &trace->here, heading(&trace->options), NULL,
+		                              &failed);
+	}
+	if (status)
+		return status;
+	if (failed)
+		return hawser__fail_at(trace->report, HAWSER_ERR_CONVERGENCE, "frf",
+		                       trace->here.correction.iterations,
+		                       trace->here.correction.residual,
+		                       "the first orbit, at %s, was lost when its mesh was refined",
+		                       hawser__orbit_where(orbit, trace->options.begin).text);
+	if ((status = hawser__trace_determined(trace, &trace->here)))
+		return status;
+	memcpy(trace->start_y, trace->here.y, (size_t)orbit->size*sizeof(double));
+	trace->known = 1;
+	trace->curve.ds = fmin(FIRST_STEP, hawser__trace_longest(trace));
+	status = hawser__record_point(trace->frf, trace->amplitude, &trace->here, orbit,
+	                              trace->report);
+	return status || trace->options.begin == trace->options.from ? status : mark_start(trace);
+}

@@ -1,0 +1,139 @@
+/* Branches that begin at bifurcations: motions of two and four periods of a softening oscillator, and
+ * the whirling of two equal oscillators. Their orbits are checked by integration in time.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <hawser/branches.h>
+#include <hawser/integrate.h>
+
+#include "tests/tap.h"
+
+/* Distance of the state after `periods` periods of the load from the one at their start, relative. */
+static double closes(const struct hawser_rom *rom, const double *state, double omega, int periods)
+{
+	double until = periods*2.0*M_PI/omega, gap = 0.0, whole = 0.0;
+	struct hawser_integrate_options options = {.omega = omega, .until = until, .every = until,
+		.rtol = 1e-11, .initial = state};
+	struct hawser_trajectory run;
+
+	if (hawser_integrate(&run, rom, &options, NULL))
+		return NAN;
+	for (int i = 0; i < 2*rom->n; i++) {
+		double end = run.state[(size_t)(run.rows - 1)*2*rom->n + i];
+
+		gap += (end - state[i])*(end - state[i]);
+		whole += state[i]*state[i];
+	}
+	hawser_trajectory_clear(&run);
+	return sqrt(gap/whole);
+}
+
+/* u" + 0.4 u' + u - u^2 = 0.25 cos(tau): a cascade of period doublings. */
+static const char cascade[] = "{\"n\": 1, \"K\": [[1]], \"D\": [[0.4]], \"Q\": [[0, 0, 0, -1]],"
+	" \"harmonics\": [{\"k\": 1, \"phase\": \"cos\", \"f\": [0.25]}]}";
+/* A taut string's first modes in two planes, one of them loaded. */
+static const char string[] = "{\"n\": 2, \"K\": [[1, 0], [0, 1.02]], \"D\": [[0.02, 0], [0, 0.02]],"
+	" \"C\": [[0, 0, 0, 0, 0.5], [0, 0, 1, 1, 0.5], [1, 1, 1, 1, 0.5], [1, 0, 0, 1, 0.5]],"
+	" \"harmonics\": [{\"k\": 1, \"phase\": \"cos\", \"f\": [0.03, 0]}]}";
+
+static int read_model(struct hawser_rom *rom, const char *text)
+{
+	char name[] = "/tmp/hawser-branches-XXXXXX";
+	int file = mkstemp(name), fine = file >= 0 && write(file, text, strlen(text)) > 0;
+
+	fine = fine && !hawser_rom_open(rom, name, NULL);
+	close(file);
+	remove(name);
+	return ok(fine, "a model");
+}
+
+static int find(const struct hawser_frf *frf, enum hawser_event_kind kind)
+{
+	for (int e = 0; e < frf->events; e++)
+		if (frf->event[e].kind == kind)
+			return e;
+	return -1;
+}
+
+/* Motions of 2, 4 and 8 periods. The ratio of the distances of the period doublings tends to
+ * Feigenbaum's 4.669; the first ones are 5.55 and 4.83. */
+static void check_cascade(void)
+{
+	struct hawser_frf_options options = {.from = 1.6, .to = 0.7, .step_max = 0.01};
+	struct hawser_report report = {.message = ""};
+	struct hawser_rom rom;
+	struct hawser_frf frf, branch;
+	double at[4] = {0.0};
+
+	if (!read_model(&rom, cascade) || !ok(!hawser_frf_trace(&frf, &rom, &options, &report), "response"))
+		return;
+	for (int k = 0; k < 4; k++) {
+		int e = find(&frf, HAWSER_PERIOD_DOUBLING), near;
+
+		if (!ok(e >= 0, "a period doubling of period %d", frf.period))
+			break;
+		at[k] = frf.event[e].omega;
+		if (k == 3 || !ok(!hawser_branch_switch(&branch, &rom, &frf, e, &options, &report),
+		                  "the branch at Omega %.9g %s", at[k], report.message))
+			break;
+		near = branch.points > 2 ? 2 : 0; /* stable: integration does not leave it */
+		ok(branch.period == 2 << k && branch.point[near].unstable == 0 &&
+		   closes(&rom, branch.state + 2*near, branch.point[near].omega, branch.period) < 1e-7 &&
+		   closes(&rom, branch.state + 2*near, branch.point[near].omega, branch.period/2) > 1e-3,
+		   "a motion of %d periods of the load, not fewer", branch.period);
+		hawser_frf_clear(&frf);
+		frf = branch;
+	}
+	ok(fabs((at[0] - at[1])/(at[1] - at[2]) - 5.55) < 0.01 &&
+	   fabs((at[1] - at[2])/(at[2] - at[3]) - 4.669) < 0.2, "ratios %.4f, %.4f",
+	   (at[0] - at[1])/(at[1] - at[2]), (at[1] - at[2])/(at[2] - at[3]));
+	hawser_frf_clear(&frf);
+	hawser_rom_clear(&rom);
+}
+
+/* The motion in the loaded plane becomes unstable at a branch point, and one in both planes is born
+ * there. It ends where the other branch point of the plane motion is. */
+static void check_whirling(void)
+{
+	struct hawser_frf_options options = {.from = 0.9, .to = 1.4};
+	struct hawser_report report = {.message = ""};
+	struct hawser_rom rom;
+	struct hawser_frf frf, branch;
+	int e, near = 2;
+	double back = INFINITY, apart = INFINITY;
+
+	if (!read_model(&rom, string) || !ok(!hawser_frf_trace(&frf, &rom, &options, &report), "response"))
+		return;
+	e = find(&frf, HAWSER_BRANCH_POINT);
+	if (ok(e >= 0 && !hawser_branch_switch(&branch, &rom, &frf, e, &options, &report),
+	       "a branch at a branch point %s", report.message)) {
+		ok(branch.period == 1 && branch.points > 20 && branch.coordinate[2*near + 1] > 0.0 &&
+		   closes(&rom, branch.state + 4*near, branch.point[near].omega, 1) < 1e-8,
+		   "moves out of the loaded plane");
+		for (int k = 0; k < branch.events; k++)
+			for (int j = e + 1; j < frf.events; j++)
+				if (frf.event[j].kind == HAWSER_BRANCH_POINT)
+					back = fmin(back, fabs(branch.event[k].omega/frf.event[j].omega
+					                       - 1.0));
+		for (int p = 0; p < branch.points; p++)
+			apart = fmin(apart, branch.point[p].unstable);
+		ok(back < 1e-4 && apart == 0.0, "stable at first; back to the plane at its other branch "
+		   "point: %.1e", back);
+		hawser_frf_clear(&branch);
+	}
+	ok(hawser_branch_switch(&branch, &rom, &frf, find(&frf, HAWSER_FOLD), &options, &report) ==
+	   HAWSER_ERR_ARGUMENT, "a fold begins none: %s", report.message);
+	hawser_frf_clear(&frf);
+	hawser_rom_clear(&rom);
+}
+
+int main(void)
+{
+	check_cascade();
+	check_whirling();
+	return done_testing();
+}
