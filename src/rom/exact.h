@@ -24,13 +24,14 @@ struct hawser_rom_exact {
 	double *pairs_in;  /* [points][3][in(in+1)/2] a a, a b + b a, b b */
 	double *pairs_out; /* [points][out(out+1)/2] c c */
 	double *mixed;     /* [points][2][in][out] a c, b c */
-	double *springs;   /* [n][n] in the order of the model: stiffness of attachments, or NULL */
+	double *springs;   /* [n][n] in the order of the model: stiffness of attachments and by
+	                    * bending (exact_bend.c), or NULL */
 	int cubics;        /* absorbers with a cubic spring; only with springs */
 	double *cubic;     /* [cubics] k3 */
 	double *stroke;    /* [cubics][n] */
 	int supports;      /* shapes of moving supports, as in `ends` of the model (ends.h) */
 	double *support;   /* [supports][points][3] a, b, c of the quasi-static displacement */
-	double *pull;      /* [supports][n] its force at the coordinates by springs; NULL: no springs */
+	double *pull;      /* [supports][n] its force at the coordinates by `springs`, or NULL */
 };
 
 /* Stress and stiffness at a point, without the part that balances the weight. */
@@ -40,8 +41,9 @@ struct hawser__stress {
 };
 
 /* The energy of `modes` (n of them, in the order of the model), by a Gauss rule of `order` points
- * in each element of their grid. NULL: no memory. */
-struct hawser_rom_exact *hawser__exact_new(const struct hawser_modes *modes, int order);
+ * in each element of their grid. Statuses: _MEMORY, _NAN. */
+enum hawser_status hawser__exact_new(struct hawser_rom_exact **exact, const struct hawser_modes *modes,
+                                     int order, struct hawser_report *report);
 void hawser__exact_free(struct hawser_rom_exact *exact);
 
 /* Restoring force [n] and, unless NULL, tangent [n][n] at u [n]. */

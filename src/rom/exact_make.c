@@ -6,11 +6,13 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "core/report.h"
 #include "modes/grid.h"
 #include "modes/label.h"
 #include "rom/absorbers.h"
 #include "rom/dampers.h"
 #include "rom/exact.h"
+#include "rom/exact_bend.h"
 #include "rom/support.h"
 
 void hawser__exact_free(struct hawser_rom_exact *exact)
@@ -118,12 +120,13 @@ static void multiply(struct hawser_rom_exact *exact, int p)
 
 /* Square root of the stiffness against rotation: the energy of a rotation by b or c is strain/(1 +
  * strain)/eps times b^2/2. The slopes of the modes times this root are polynomials, for which
- * interpolation is exact, so that the tangent at rest remains K. */
+ * interpolation is exact, so that the tangent at rest remains K. With bending stiffness the rotations
+ * b/g and c/g are the polynomials. */
 static double stiffness(const struct hawser_modes *modes, double s)
 {
 	double strain = hawser_statics_frame(&modes->statics, s).strain;
 
-	return sqrt(strain/(1.0 + strain));
+	return modes->statics.bending.EI > 0.0 ? 1.0/(1.0 + strain) : sqrt(strain/(1.0 + strain));
 }
 
 /* Slopes of coordinate i, in the exact order, at the quadrature points. scaled: [points of the modes'
@@ -195,31 +198,41 @@ static int add_cubics(struct hawser_rom_exact *exact, const struct hawser_modes 
 	return !exact->cubic || !exact->stroke;
 }
 
-static int add_springs(struct hawser_rom_exact *exact, const struct hawser_modes *modes)
+static enum hawser_status add_springs(struct hawser_rom_exact *exact, const struct hawser_modes *modes,
+                                      struct hawser_report *report)
 {
-	if (!hawser__has_springs(&modes->statics) && !modes->statics.elastic && !modes->stroke)
-		return 0;
+	const struct hawser_statics *st = &modes->statics;
+
+	if (!hawser__has_springs(st) && !st->elastic && !modes->stroke && !(st->bending.EI > 0.0))
+		return HAWSER_OK;
 	exact->springs = array(exact->n, exact->n);
 	if (exact->springs)
 		hawser__springs_add(exact->springs, modes);
 	if (exact->springs && modes->stroke)
 		hawser__absorbers_stiffen(exact->springs, modes);
-	return !exact->springs || add_cubics(exact, modes);
+	if (!exact->springs || add_cubics(exact, modes))
+		return hawser__no_memory(report, "rom");
+	return hawser__exact_bend(exact->springs, exact, modes, report);
 }
 
-struct hawser_rom_exact *hawser__exact_new(const struct hawser_modes *modes, int order)
+enum hawser_status hawser__exact_new(struct hawser_rom_exact **made, const struct hawser_modes *modes,
+                                     int order, struct hawser_report *report)
 {
 	struct hawser_rom_exact *exact = allocate(modes, order);
+	enum hawser_status status;
 	int next = 0, next_z;
 
+	*made = exact;
 	if (!exact)
-		return NULL;
+		return hawser__no_memory(report, "rom");
 	next_z = exact->other;
 	for (int j = 0; j < modes->n; j++)
 		exact->index[modes->statics.space || modes->mode[j].plane == HAWSER_IN_PLANE ? next++
 		                                                                             : next_z++] = j;
-	if (!fill(exact, modes) && !add_springs(exact, modes))
-		return exact;
-	hawser__exact_free(exact);
-	return NULL;
+	status = fill(exact, modes) ? hawser__no_memory(report, "rom") : add_springs(exact, modes, report);
+	if (status) {
+		hawser__exact_free(exact);
+		*made = NULL;
+	}
+	return status;
 }

@@ -18,8 +18,9 @@
 
 /* Coordinates per function: two displacements in the plane, one out of it. With the default, orbits
  * near the first resonance have a relative error of 1e-6, also with a deep sag
- * (doc/theory-rom.md). */
-enum { COMPONENTS = 3, FUNCTIONS_DEFAULT = 16 };
+ * (doc/theory-rom.md). With bending stiffness three elements or more, which resolve the layers at held
+ * ends, share the functions. */
+enum { COMPONENTS = 3, FUNCTIONS_DEFAULT = 16, FUNCTIONS_BENT = 24 };
 
 static int all_finite(const struct hawser_rom_exact *exact)
 {
@@ -40,17 +41,11 @@ static enum hawser_status build(struct hawser_rom *rom, const struct hawser_mode
 	enum hawser_status status;
 
 	*rom = (struct hawser_rom){0};
-	if (modes->statics.bending.EI > 0.0)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
-		                    "the full-order model has no bending stiffness: take model.energy: "
-		                    "quartic, or leave cable.EI out");
 	status = hawser__rom_begin(rom, modes, scene, report);
 	if (status)
 		return status;
-	rom->exact = hawser__exact_new(modes, order);
-	if (!rom->exact)
-		status = hawser__no_memory(report, "rom");
-	else if (!all_finite(rom->exact))
+	status = hawser__exact_new(&rom->exact, modes, order, report);
+	if (!status && !all_finite(rom->exact))
 		status = hawser__fail(report, HAWSER_ERR_NAN, "rom",
 		                      "the slopes of the modes are not finite: solve the modes first");
 	if (!status)
@@ -73,12 +68,20 @@ enum hawser_status hawser_rom_build_exact(struct hawser_rom *rom, const struct h
 	return build(rom, modes, scene, modes->grid.order, report);
 }
 
+/* Of the strains in each element: hawser_modes_basis. */
+static int polynomials(const struct hawser_modes *modes)
+{
+	return (modes->basis + 1)/modes->grid.elements;
+}
+
 enum hawser_status hawser_rom_build_full(struct hawser_rom *rom,
                                          const struct hawser_statics *statics,
                                          const struct hawser_scene *scene, int functions,
                                          struct hawser_report *report)
 {
-	int each = functions ? functions : FUNCTIONS_DEFAULT, most = HAWSER_ROM_MAX/COMPONENTS;
+	int bent = statics->bending.EI > 0.0;
+	int each = functions ? functions : bent ? FUNCTIONS_BENT : FUNCTIONS_DEFAULT;
+	int most = HAWSER_ROM_MAX/COMPONENTS;
 	struct hawser_modes modes;
 	enum hawser_status status;
 
@@ -90,7 +93,7 @@ enum hawser_status hawser_rom_build_full(struct hawser_rom *rom,
 		                    HAWSER_ROM_MAX);
 	status = hawser_modes_basis(&modes, statics, each, each, report);
 	if (!status)
-		status = build(rom, &modes, scene, modes.grid.order/2, report);
+		status = build(rom, &modes, scene, polynomials(&modes), report);
 	hawser_modes_clear(&modes);
 	return status;
 }

@@ -38,6 +38,8 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/cycle.h \
 	%D%/displaced.c \
 	%D%/exact.c \
+	%D%/exact_bend.c \
+	%D%/exact_bend.h \
 	%D%/exact.h \
 	%D%/exact_block.c \
 	%D%/exact_make.c \

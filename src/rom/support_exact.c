@@ -13,6 +13,7 @@
 #include "modes/grid.h"
 #include "modes/label.h"
 #include "rom/exact.h"
+#include "rom/exact_bend.h"
 #include "rom/kernel.h"
 #include "rom/support.h"
 
@@ -64,8 +65,11 @@ enum hawser_status hawser__exact_support(struct hawser_rom_exact *exact,
 		for (size_t p = 0; p < points; p++)
 			hawser__grid_at(strain + 3*p, &modes->grid, shapes.strain + (size_t)i*each, 3, 3,
 			                exact->grid.s[p]);
-		if (exact->pull)
+		if (exact->pull) {
 			pull(exact->pull + (size_t)exact->supports*n, modes, &shapes, i);
+			status = hawser__exact_bend_pull(exact->pull + (size_t)exact->supports*n, exact, modes,
+			                                 shapes.strain + (size_t)i*each, strain, report);
+		}
 		exact->supports++;
 	}
 	hawser__support_shapes_clear(&shapes);

@@ -253,8 +253,7 @@ static enum hawser_status bending(struct hawser__reader *reader)
 	int ends = hawser__section_find("ends");
 	const char *other = scene->travel.present ? "travel"
 	                    : gives(reader, "support.A", "stiffness") ? "support.A.stiffness"
-	                    : gives(reader, "support.B", "stiffness") ? "support.B.stiffness"
-	                    : scene->model.energy == HAWSER_ENERGY_EXACT ? "model.energy: exact" : NULL;
+	                    : gives(reader, "support.B", "stiffness") ? "support.B.stiffness" : NULL;
 
 	if (!(scene->cable.EI > 0.0))
 		return present(reader, ends)

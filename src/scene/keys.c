@@ -175,7 +175,7 @@
 	    "of displacement components with at least half of the largest amplitude; see hawser-frf(1)") \
 	ROW("model.basis", "1", INTEGER, NULL, BASIS, "0", model.basis, FREE, 0, \
 	    "number of functions per component for the modes; 0: as many as the tolerance requires (16 " \
-	    "for the exact energy)") \
+	    "for the exact energy, 24 with cable.EI)") \
 	ROW("model.tolerance", "1", NUMBER, NULL, OPEN_UNIT, "1e-10", model.tolerance, FREE, 0, \
 	    "required relative error of the frequencies of the modes kept") \
 	ROW("model.condense", "", WORD, "static|none", WORDS, "static", model.condense, FREE, 0, \
