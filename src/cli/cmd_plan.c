@@ -49,6 +49,22 @@ static enum hawser_status choose(struct cli_plan_result *result, const struct se
 	                              CLI_PLAN_ROWS, report);
 }
 
+/* Primary resonances are those of loads of the frequency Omega. */
+static void warn_harmonics(const struct hawser_scene *scene)
+{
+	char text[CLI_WARNING_SIZE];
+
+	for (int i = 0; i < scene->loads; i++) {
+		if (scene->piece[i].harmonic == 1)
+			continue;
+		snprintf(text, sizeof text, "loads.%d.harmonic is %d: the plan foresees resonances of loads of "
+		         "the frequency Omega only, not where %d Omega meets a mode; hawser frf follows them",
+		         i, scene->piece[i].harmonic, scene->piece[i].harmonic);
+		cli_warn(text);
+		return;
+	}
+}
+
 static enum hawser_status make(struct cli_plan_result *result, const struct settings *settings,
                                struct hawser_report *report)
 {
@@ -69,6 +85,8 @@ static enum hawser_status make(struct cli_plan_result *result, const struct sett
 	if (!status)
 		status = hawser_plan_make(&result->plan, &model->statics, &model->scene, result->choice,
 		                          result->choices, from, to, &allowance, report);
+	if (!status)
+		warn_harmonics(&model->scene);
 	if (settings->common.reproducible)
 		cli_plan_forget_times(&result->plan);
 	return status;
