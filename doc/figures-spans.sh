@@ -1,6 +1,7 @@
 #!/bin/sh
 # Pictures of spans with what people have on them; figures.sh calls it. The ones that spans.md shows are
-# copies: stay-map.svg, carriers.svg, damper-size.svg, damper-place.svg, absorber.svg, spacers.svg.
+# copies: stay-map.svg, carriers.svg, damper-size.svg, damper-place.svg, absorber.svg, spacers.svg; that of
+# theory-response.md is over-tension.svg.
 # Needs gnuplot. Writes into the folder given as argument.
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -eu
@@ -25,3 +26,6 @@ export OPENBLAS_NUM_THREADS=1
 	--plot "$target/absorber.svg" >"$target/absorber.txt"
 # An iced conductor with two spacers in wind.
 "$hawser" statics "$scenes/conductor-spacers.yaml" -q --plot "$target/spacers.svg"
+# The response of the chairlift span at one frequency over its tension.
+"$hawser" frf "$scenes/b-table-4.2.yaml" -n 3 --set model.condense=static --over "tension.T0=100 kN:50 kN" \
+	--Omega "1.42 rad/s" --tolerance 1e-7 -q --plot "$target/over-tension.svg" >"$target/over-tension.txt"
