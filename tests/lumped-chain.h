@@ -285,7 +285,9 @@ static inline void lumped_hold(struct lumped *c, double *x)
 	memmove(c->attached + 1, c->attached, ((size_t)n + 1)*sizeof *c->attached);
 	memmove(c->damper + 1, c->damper, ((size_t)n + 1)*sizeof *c->damper);
 	memmove(c->spring + 1, c->spring, ((size_t)n + 1)*sizeof *c->spring);
+	memmove(c->dead + 1, c->dead, ((size_t)n + 1)*sizeof *c->dead);
 	c->attached[0] = 0.0;
+	memset(c->dead[0], 0, sizeof c->dead[0]);
 	c->n = n + 2;
 	c->held = 1;
 	c->relaxed = NULL;

@@ -102,11 +102,6 @@ static enum hawser_status refuse_attached(const struct hawser_scene *scene,
 	for (int i = 0; i < scene->attachments; i++) {
 		const struct hawser_attachment *a = &scene->attach[i];
 
-		if (norm(a->force) > 0.0 && hawser__on_springs(scene))
-			return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
-			                    "attach[%d].force contradicts support.A.stiffness and "
-			                    "support.B.stiffness: forces at points of a cable between elastic "
-			                    "supports are not modelled, remove one of them", i);
 		aside |= a->force[0] != 0.0 || a->force[2] != 0.0 ||
 		         a->force[1] > (a->mass + a->absorber_mass)*scene->g;
 	}
@@ -177,6 +172,15 @@ static int changed(const struct hawser_scene *scene)
 	return scene->static_load.present || scene->temperature.present;
 }
 
+void hawser__attached_along(struct hawser_attachment attach[HAWSER_ATTACH_MAX],
+                            const struct hawser_equivalent *equal, const struct hawser_scene *scene)
+{
+	memcpy(attach, scene->attach, (size_t)scene->attachments*sizeof *attach);
+	for (int i = 0; i < scene->attachments && equal->turned; i++)
+		for (int c = 0; c < 3; c++)
+			attach[i].force[c] = dot(equal->axes[c], scene->attach[i].force);
+}
+
 enum hawser_status hawser__statics_attached(struct hawser_statics *st,
                                             const struct hawser_equivalent *equal,
                                             const struct hawser_scene *scene,
@@ -184,10 +188,7 @@ enum hawser_status hawser__statics_attached(struct hawser_statics *st,
 {
 	struct hawser_attachment attach[HAWSER_ATTACH_MAX];
 
-	memcpy(attach, scene->attach, (size_t)scene->attachments*sizeof *attach);
-	for (int i = 0; i < scene->attachments && equal->turned; i++)
-		for (int c = 0; c < 3; c++)
-			attach[i].force[c] = dot(equal->axes[c], scene->attach[i].force);
+	hawser__attached_along(attach, equal, scene);
 	return hawser_statics_weighted(st, &equal->span, equal->given, equal->value, equal->branch,
 	                               attach, scene->attachments, equal->gravity, report);
 }

@@ -74,6 +74,10 @@ enum hawser_status hawser__space_solve(struct hawser_statics *st, struct hawser_
                                        int *order, const struct hawser__load_case *of,
                                        struct hawser_report *report);
 
+/* The attachments of the scene with their forces along the axes of the span of *equal. */
+void hawser__attached_along(struct hawser_attachment attach[HAWSER_ATTACH_MAX],
+                            const struct hawser_equivalent *equal, const struct hawser_scene *scene);
+
 /* The span of *equal at rest with the attachments of the scene, which may be none. */
 enum hawser_status hawser__statics_attached(struct hawser_statics *st,
                                             const struct hawser_equivalent *equal,

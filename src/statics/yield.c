@@ -130,13 +130,15 @@ enum hawser_status hawser__yield(struct hawser_equivalent *equal, double chord[3
                                  struct hawser_report *report)
 {
 	struct hawser__soft soft = {.chord = {equal->span.d, equal->span.h, 0.0}};
+	struct hawser_attachment attach[HAWSER_ATTACH_MAX];
 	int order[HAWSER_ATTACH_MAX];
 	struct hawser__loaded cable;
 	double F[3], t[3], turn[3], force[2][3];
 	enum hawser_status status;
 
 	equal->yields = hawser_statics_held(equal->held, scene);
-	hawser__loaded_begin(&cable, order, &equal->span, scene->attach, scene->attachments,
+	hawser__attached_along(attach, equal, scene);
+	hawser__loaded_begin(&cable, order, &equal->span, attach, scene->attachments,
 	                     equal->gravity, equal->value);
 	cable.soft = &soft;
 	add_compliance(&soft, equal);

@@ -289,7 +289,6 @@ works "a model" rom "$scene" --set "$force" --set "tension=$t0" -q
 refuses_like 1 "of a cable that attachments turn out of one plane, or pull" statics "$scene" --set "$force" --set 'tension={H: 100 kN}'
 refuses_like 1 "attach.1..force: a cable that a force turns out of one plane" irvine "$scene" --set "$force" --set "tension=$t0"
 refuses_like 1 "contradicts attach.force" modes "$scene" --set "$force" --set "tension=$t0" --set 'attach.pull.spring=[0, 1e3, 0]'
-refuses_like 1 "forces at points of a cable between elastic supports" modes "$scene" --set "$force" --set "tension=$t0" --set 'support={B: {stiffness: [1e6, 1e6, 1e6]}}'
 refuses_like 1 "or attach.force, take out of one plane" modes "$scene" --set "$force" --set "tension=$t0" --damped
 refuses_like 1 "motion. of a cable that masses or springs in a wind, or attach.force" rom "$scene" --set "$force" --set "tension=$t0" --set 'support={B: {motion: [0, 1 cm, 0]}}'
 refuses_like 1 "attachments are at rest, and a cable" irvine "$scene" -n 2 --points 3 --speeds "0, 3"

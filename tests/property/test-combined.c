@@ -137,6 +137,25 @@ static const struct combined table[] = {
 	          "damping: {rayleigh: {mass: 0.1, stiffness: 0}}\n",
 	 .omega = 0.93, .rods = 64, .steps = 400, .modes = 24, .full = 24,
 	 .shape = 2e-7, .frequency = 1e-6, .displacement = 1e-4, .tension = 2e-3},
+	{.what = "a conductor in the wind with a mass and forces between towers that give way",
+	 .scene = "cable: {EA: 21.7 MN, rho: 1.57 kg/m}\nspan: {d: 400 m, h: -40 m}\n"
+	          "tension: {T1: 26 kN, state: reference}\n"
+	          "attach: [{at: 31.25 %, mass: 48, force: [300 N, 200 N, -250 N]},\n"
+	          "  {at: 68.75 %, force: [-700 N, -400 N, 350 N]}]\n"
+	          "load: {static: {per_length: [0.5 N/m, 0, 9 N/m], mass: 0.4 kg/m}}\n"
+	          "support: {A: {stiffness: [300 kN/m, 2 MN/m, 90 kN/m], mass: 210},\n"
+	          "  B: {stiffness: [60 kN/m, 1.1 MN/m, 25 kN/m]}}\n",
+	 .rods = 64, .modes = 12, .shape = 2e-7, .frequency = 1e-6},
+	{.what = "a conductor with forces between towers at full order",
+	 .scene = "cable: {EA: 21.7 MN, rho: 1.57 kg/m}\nspan: {d: 400 m, h: 22 m}\n"
+	          "tension: {T0: 24 kN, state: reference}\n"
+	          "attach: [{at: 31.25 %, force: [0, -500 N, 200 N]}, {at: 62.5 %, mass: 60}]\n"
+	          "load: {static: {mass: 0.3}, frame: global, per_length: [0, 1 N/m, 2 N/m]}\n"
+	          "damping: {rayleigh: {mass: 0.1, stiffness: 0}}\n"
+	          "support: {A: {stiffness: [300 kN/m, 2 MN/m, 90 kN/m], mass: 210},\n"
+	          "  B: {stiffness: [60 kN/m, 1.1 MN/m, 25 kN/m]}}\n",
+	 .omega = 0.93, .rods = 48, .steps = 400, .modes = 16, .full = 20,
+	 .shape = 2e-7, .frequency = 1e-6, .displacement = 3e-4, .tension = 3e-3},
 	{.what = "a stay with a spring and a damper, whose anchorage moves",
 	 .scene = "cable: {EA: 480 MN, rho: 52 kg/m}\nspan: {d: 110 m, h: 60 m}\ntension: {T0: 2.1 MN}\n"
 	          "attach: [{at: 12.5 %, damper: [0, 60 N s/m, 100 N s/m]},\n"

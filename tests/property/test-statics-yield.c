@@ -131,16 +131,19 @@ static int chain(double got[8], const struct hawser_scene *scene, const struct h
 	c.end[0] = scene->span.d;
 	c.end[1] = scene->span.h;
 	c.weight[1] = -c.rho*c.gravity;
-	for (int i = 0; i < scene->attachments; i++)
-		c.attached[(int)lround(scene->attach[i].at*n)] = scene->attach[i].mass;
+	for (int i = 0; i < scene->attachments; i++) {
+		int joint = (int)lround(scene->attach[i].at*n);
+
+		c.attached[joint] = scene->attach[i].mass;
+		memcpy(c.dead[joint], scene->attach[i].force, sizeof c.dead[joint]);
+	}
 	for (int i = 0; i <= n; i++) {
 		struct hawser_profile_point at = hawser_statics_at(before, before->length0*i/n);
+		double in[3] = {at.x, at.y, at.z};
 
-		x[3*i] = at.x;
-		x[3*i + 1] = at.y;
-		x[3*i + 2] = 0.0;
+		hawser_statics_to_global(before, x + 3*i, in);
 	}
-	x[0] = x[1] = 0.0;
+	memset(x, 0, 3*sizeof *x);
 	memcpy(x + 3*n, c.end, sizeof c.end);
 	if (!lumped_statics(x, &c))
 		return 0;
@@ -192,6 +195,8 @@ static struct hawser_scene random_scene(int index)
 		scene.attachments = 2;
 		scene.attach[0] = (struct hawser_attachment){.at = 0.25, .mass = 0.1*weight/9.81};
 		scene.attach[1] = (struct hawser_attachment){.at = 0.625, .mass = 0.03*weight/9.81};
+		for (int c = 0; c < (index%4 > 2 ? 3 : 2); c++) /* in the plane, or in space */
+			scene.attach[1].force[c] = weight*uniform(-0.2, 0.2);
 	}
 	return scene;
 }
