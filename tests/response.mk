@@ -99,3 +99,8 @@ check_PROGRAMS += tests/property/test-combined
 TESTS += tests/property/test-combined
 tests_property_test_combined_SOURCES = tests/property/test-combined.c tests/lumped-chain.h
 tests_property_test_combined_LDADD = $(UPTO_RESPONSE)
+
+check_PROGRAMS += tests/property/test-own
+TESTS += tests/property/test-own
+tests_property_test_own_SOURCES = tests/property/test-own.c
+tests_property_test_own_LDADD = $(UPTO_RESPONSE)

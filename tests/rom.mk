@@ -104,3 +104,8 @@ check_PROGRAMS += tests/property/test-condense-bending
 TESTS += tests/property/test-condense-bending
 tests_property_test_condense_bending_SOURCES = tests/property/test-condense-bending.c
 tests_property_test_condense_bending_LDADD = $(UPTO_ROM)
+
+check_PROGRAMS += tests/unit/test-own-file
+TESTS += tests/unit/test-own-file
+tests_unit_test_own_file_SOURCES = tests/unit/test-own-file.c
+tests_unit_test_own_file_LDADD = $(UPTO_ROM)

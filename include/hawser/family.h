@@ -38,6 +38,14 @@ enum hawser_status hawser_factor_open(struct hawser_rom_family *family, const st
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_factor_close(struct hawser_rom_family *family);
 
+/* The family of the models of a file over its parameter `name`, which is used, as is the text of
+ * `source`, as long as the family is. Release with hawser_parameter_close. HAWSER_ERR_ARGUMENT (no such
+ * parameter), HAWSER_ERR_MEMORY. */
+enum hawser_status hawser_parameter_open(struct hawser_rom_family *family,
+                                         const struct hawser_rom_source *source, const char *name,
+                                         double omega, struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser_parameter_close(struct hawser_rom_family *family);
+
 #ifdef __cplusplus
 }
 #endif

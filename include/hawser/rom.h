@@ -1,8 +1,10 @@
 /* hawser/rom.h - the reduced-order model: modal equations with quadratic and cubic terms.
  *
- *   u_j'' + D_jk u_k' + K_jk u_k + sum Q_jkl u_k u_l + sum C_jklm u_k u_l u_m
+ *   u_j'' + D_jk u_k' + K_jk u_k + sum Q_jkl u_k u_l + sum C_jklm u_k u_l u_m + terms
  *     = sum over harmonics of Omega^omega_power * cos|sin(k Omega t)
- *       * (f_j - D_jk u_k' - K_jk u_k - sum Q_jkl u_k u_l)
+ *       * (f_j - D_jk u_k' - K_jk u_k - sum Q_jkl u_k u_l - terms)
+ *
+ * Terms are products of any coordinates and velocities. Models of cables have none.
  *
  * Everything here is scaled (statics.h) unless the name or comment says SI. Tensors are kept as
  * lists of unique nonzero entries in lexicographic order, k <= l (<= m): a listed value is the
@@ -30,6 +32,16 @@ struct hawser_cubic {
 	double value;
 };
 
+enum { HAWSER_TERM_FACTORS = 9 };
+/* value times the product of the coordinates factor[0 .. factors - rates - 1] and of the velocities of
+ * the coordinates factor[factors - rates .. factors - 1], in equation j. */
+struct hawser_term {
+	int j;
+	int factors, rates;              /* 1 to HAWSER_TERM_FACTORS; 0 to factors */
+	int factor[HAWSER_TERM_FACTORS]; /* indices of coordinates */
+	double value;
+};
+
 enum hawser_phase { HAWSER_COS = 0, HAWSER_SIN };
 
 struct hawser_harmonic {
@@ -41,6 +53,8 @@ struct hawser_harmonic {
 	double *D, *K;   /* [n][n] row-major, or NULL */
 	int quads;
 	struct hawser_quad *Q; /* [quads], or NULL */
+	int terms;
+	struct hawser_term *term; /* [terms], or NULL */
 	/* The displacement and the strain that the force causes in the modes that are not kept, at the
 	 * shape points and along the line, or NULL: answer[0] + (k Omega)^2 answer[1], the static
 	 * response and the first correction for inertia. They change probes and tension only, not the
@@ -164,6 +178,9 @@ struct hawser_rom {
 	int quads, cubics;
 	struct hawser_quad *Q;     /* [quads] */
 	struct hawser_cubic *C;    /* [cubics] */
+	int terms;
+	struct hawser_term *term;  /* [terms] or NULL. A model with terms, here or in harmonics, is only
+	                            * for integration and shooting; what else takes models refuses it */
 	int harmonics;
 	struct hawser_harmonic *harmonic; /* [harmonics] */
 	struct hawser_ramp *ramp;  /* NULL if nothing changes once */
@@ -178,6 +195,10 @@ struct hawser_rom {
 	struct hawser_rom_inertia inertia;
 	struct hawser_rom_kernel *kernel; /* compiled form for the hot loops; made by _compile */
 	struct hawser_rom_drag *drag;     /* quadratic drag, only for integration and shooting; or NULL */
+	double *mass;              /* [n][n] by whose inverse the equations of a file were multiplied, for the
+	                            * energy; NULL: the unit matrix */
+	struct hawser_rom *first;  /* of a file of equations u' = g(u, tau): the model u'' = g, from which
+	                            * initial velocities follow; NULL for others */
 	struct hawser_rom_exact *exact;   /* strain energy without expansion, in place of K, Q and C in
 	                                   * the hot loops; NULL except in models of _build_exact and
 	                                   * _build_full */
@@ -247,6 +268,33 @@ enum hawser_status hawser_rom_build_full(struct hawser_rom *rom,
  * does not describe the cable. */
 double hawser_rom_full_error(int *worst, const struct hawser_rom *full,
                              const struct hawser_modes *modes, double to);
+
+/* A number of a model file that has a name. */
+enum { HAWSER_PARAMETERS = 64 };
+struct hawser_parameter {
+	char name[32];
+	double value;
+	int set; /* 1: not the value of the file, from which others may follow */
+};
+
+/* The text of a model file, from which models with other values of its parameters are made. */
+struct hawser_rom_source {
+	char *text, *name; /* name: of the file, for messages */
+	size_t size;
+	int parameters;
+	struct hawser_parameter *parameter; /* [parameters] with the values that the next model has */
+};
+
+/* _open reads the text and its parameters ("-" is standard input); _set changes one of them, and *known
+ * is 0 if the file has none of this name; _model makes the model. Statuses as of hawser_rom_open. */
+enum hawser_status hawser_rom_source_open(struct hawser_rom_source *source, const char *path,
+                                          struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser_rom_source_set(struct hawser_rom_source *source, const char *name, double value,
+                           int *known);
+enum hawser_status hawser_rom_source_model(struct hawser_rom *rom,
+                                           const struct hawser_rom_source *source,
+                                           struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser_rom_source_clear(struct hawser_rom_source *source);
 
 /* Read and write the reduced-model file (JSON, hawser-rom(5)). "-" is a standard stream. Reading
  * checks shapes and indices: HAWSER_ERR_SCENE with file, key and entry, HAWSER_ERR_ARGUMENT if the

@@ -135,6 +135,7 @@ struct cli_model {
 	struct hawser_modes modes;
 	struct hawser_rom rom;
 	int has_scene;   /* otherwise the model came from a file */
+	struct hawser_rom_source source; /* its text, if it has parameters; else all zero */
 	int reproducible; /* 1: no times in the results */
 	int automatic;   /* 1: modes are to be chosen; until then rom contains its units only */
 	struct hawser_accuracy accuracy; /* the choice, if automatic; not to be moved in memory */

@@ -33,10 +33,14 @@ static enum hawser_status open_family(struct cli_over *over, struct cli_model *m
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
 		                    "--over %s: write factor.load, factor.damping or a key of the scene; "
 		                    "Omega is followed without --over", key);
-	if (!model->has_scene)
+	if (!model->has_scene && model->source.parameters == 0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
-		                    "--over %s: a reduced-model file has the parameters factor.load and "
-		                    "factor.damping only: give the scene", key);
+		                    "--over %s: this reduced-model file has the parameters factor.load and "
+		                    "factor.damping only: give the scene, or name parameters in the file", key);
+	if (!model->has_scene) {
+		over->file = 1;
+		return hawser_parameter_open(&over->family, &model->source, key, over->omega, report);
+	}
 	over->scene = 1;
 	return hawser_scene_family_open(&over->family, &model->scene, key, over->from, over->to,
 	                                over->from, over->omega, report);
@@ -71,6 +75,8 @@ void cli_over_clear(struct cli_over *over)
 {
 	if (over->open && over->scene)
 		hawser_scene_family_close(&over->family);
+	else if (over->open && over->file)
+		hawser_parameter_close(&over->family);
 	else if (over->open)
 		hawser_factor_close(&over->family);
 	free(over->axis.copy);

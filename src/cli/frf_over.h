@@ -11,7 +11,7 @@ struct cli_over {
 	struct cli_map_axis axis; /* in SI */
 	double from, to;          /* in the order of the curve */
 	double omega;             /* rad/s, or the model's own unit */
-	int scene, open;          /* 1: the family is that of a scene; 1: it is open */
+	int scene, file, open;    /* 1: the family is that of a scene; of a file; 1: it is open */
 	struct hawser_rom_family family;
 };
 

@@ -10,6 +10,7 @@
 #include "config.h"
 
 #include <errno.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -240,7 +241,7 @@ static void rename_input(struct hawser_report *report, const char *name)
 
 /* The library opens a model by its name, and "-" is a legal name: the copy replaces standard
  * input. */
-static enum hawser_status from_copy(struct hawser_rom *rom, FILE *copy, const char *name,
+static enum hawser_status from_copy(struct hawser_rom_source *source, FILE *copy, const char *name,
                                     struct hawser_report *report)
 {
 	int saved = dup(STDIN_FILENO);
@@ -249,9 +250,7 @@ static enum hawser_status from_copy(struct hawser_rom *rom, FILE *copy, const ch
 	if (dup2(fileno(copy), STDIN_FILENO) < 0 || fseek(stdin, 0, SEEK_SET) != 0)
 		status = refuse(report, name, errno);
 	else
-		status = hawser_rom_open(rom, "-", report);
-	if (status)
-		rename_input(report, name);
+		status = hawser_rom_source_open(source, "-", report);
 	if (saved >= 0) {
 		(void)dup2(saved, STDIN_FILENO);
 		close(saved);
@@ -260,16 +259,55 @@ static enum hawser_status from_copy(struct hawser_rom *rom, FILE *copy, const ch
 	return status;
 }
 
+/* The parameters of --set. */
+static enum hawser_status set_parameters(struct hawser_rom_source *source,
+                                         const struct cli_common *common, struct hawser_report *report)
+{
+	char name[32], names[160] = "none", *end;
+
+	for (int i = 0, used = 0; i < source->parameters && used < (int)sizeof names; i++)
+		used += snprintf(names + used, sizeof names - (size_t)used, "%s%s", i ? ", " : "",
+		                 source->parameter[i].name);
+	for (int i = 0; i < common->sets; i++) {
+		const char *equals = strchr(common->set[i], '=');
+		double value = strtod(equals + 1, &end);
+		int known = 0;
+
+		snprintf(name, sizeof name, "%.*s", (int)(equals - common->set[i]), common->set[i]);
+		if (end == equals + 1 || *end || !isfinite(value))
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "model",
+			                    "--set %s: write NAME=NUMBER for a parameter of a model file",
+			                    common->set[i]);
+		hawser_rom_source_set(source, name, value, &known);
+		if (!known)
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "model",
+			                    "--set %s: %s is a reduced-model file, whose parameters are: %s",
+			                    common->set[i], common->input, names);
+	}
+	return HAWSER_OK;
+}
+
 static enum hawser_status from_file(struct cli_model *model, FILE *copy,
                                     const struct cli_common *common, int n,
                                     struct hawser_report *report)
 {
-	if (common->sets > 0 || n > 0)
+	enum hawser_status status;
+
+	if (n > 0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "model",
-		                    "%s is a reduced-model file: %s applies to scenes only",
-		                    common->input, common->sets > 0 ? "--set" : "--modes");
-	return copy ? from_copy(&model->rom, copy, common->input, report)
-	            : hawser_rom_open(&model->rom, common->input, report);
+		                    "%s is a reduced-model file: --modes applies to scenes only",
+		                    common->input);
+	status = copy ? from_copy(&model->source, copy, common->input, report)
+	              : hawser_rom_source_open(&model->source, common->input, report);
+	if (!status)
+		status = set_parameters(&model->source, common, report);
+	if (!status)
+		status = hawser_rom_source_model(&model->rom, &model->source, report);
+	if (copy && status)
+		rename_input(report, common->input);
+	if (model->source.parameters == 0)
+		hawser_rom_source_clear(&model->source);
+	return status;
 }
 
 static enum hawser_status load(struct cli_model *model, const struct cli_common *common, int n,
@@ -325,6 +363,7 @@ void cli_model_clear(struct cli_model *model)
 		return;
 	hawser_accuracy_clear(&model->accuracy);
 	hawser_rom_clear(&model->rom);
+	hawser_rom_source_clear(&model->source);
 	hawser_modes_clear(&model->modes);
 	hawser_scene_clear(&model->scene);
 	free(model->natural);

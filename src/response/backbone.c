@@ -14,6 +14,7 @@
 #include "core/settle.h"
 #include "response/amplitude.h"
 #include "response/half.h"
+#include "rom/terms.h"
 
 static const char where[] = "backbone";
 
@@ -342,6 +343,10 @@ enum hawser_status hawser_backbone_trace(struct hawser_backbone *backbone, const
 
 	hawser_backbone_settle(&settled);
 	options = &settled;
+	if ((status = hawser__more_refuse(rom, "a backbone", report))) {
+		*backbone = (struct hawser_backbone){.points = 0};
+		return status;
+	}
 	walk.curve.owner = &walk;
 	walk.curve.ds = FIRST_STEP*settled.step_max;
 	*backbone = (struct hawser_backbone){.n = rom->n, .probes = rom->shapes.points,

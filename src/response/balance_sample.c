@@ -18,11 +18,6 @@
 #include "rom/kernel.h"
 #include "rom/vary.h"
 
-/* Distance of the two models whose difference is the derivative by a parameter, relative to its size:
- * at 1e-3 the errors by third derivatives and by the models' own tolerance of about 1e-10 are both
- * near 1e-7, and the derivative only serves to find the next orbit. */
-#define NUDGE 5e-4
-
 /* Add s * q [n] * cos or sin(h tau) to out [harmonics][n], up to harmonic `reach`, for h of either
  * sign. */
 struct waves {
@@ -247,8 +242,8 @@ static void differentiate_family(struct hawser__balance *balance)
 {
 	struct hawser__orbit *orbit = &balance->base;
 	int count = (2*balance->reach + 1)*orbit->n;
-	double p = balance->at[orbit->size - 1], wide = NUDGE*hawser__orbit_extent(orbit, balance->at);
-	double span = 2.0*wide;
+	double p = balance->at[orbit->size - 1];
+	double wide = HAWSER__NUDGE*hawser__orbit_extent(orbit, balance->at), span = 2.0*wide;
 
 	span -= evaluate_at(balance, &balance->image, p - wide) ? wide : 0.0;
 	span -= evaluate_at(balance, &balance->by_omega, p + wide) ? wide : 0.0;

@@ -10,6 +10,7 @@
 #include "core/report.h"
 #include "response/flow.h"
 #include "rom/kernel.h"
+#include "rom/terms.h"
 #include "rom/vary.h"
 
 /* Largest d H for which the damping of a coordinate is part of the formula. */
@@ -30,6 +31,7 @@ static void list_dampings(struct hawser__flow *flow)
 {
 	int n = flow->n;
 
+	flow->dampings = 0;
 	for (int j = 0; j < n; j++) {
 		double d = flow->rom->D[j*n + j];
 		int i = 0;
@@ -77,18 +79,28 @@ enum hawser_status hawser__flow_init(struct hawser__flow *flow, const struct haw
 	flow->n = rom->n;
 	flow->m = 2*rom->n;
 	flow->w = HAWSER_PADDED(flow->m + 1);
-	flow->damping_varies = damping_varies(rom) || rom->drag;
+	flow->harmonics = rom->harmonics;
 	flow->memory = calloc(share(flow, NULL), sizeof *flow->memory);
 	flow->damping_of = calloc((size_t)rom->n, sizeof *flow->damping_of);
 	if (flow->memory && flow->damping_of) {
 		share(flow, flow->memory);
-		list_dampings(flow);
-		flow->nystrom = malloc((size_t)flow->dampings*sizeof *flow->nystrom);
+		flow->nystrom = malloc((size_t)flow->n*sizeof *flow->nystrom);
 	}
-	if (flow->nystrom)
+	if (flow->nystrom && !hawser__flow_place(flow, rom))
 		return HAWSER_OK;
 	hawser__flow_clear(flow);
 	return hawser__no_memory(report, "orbit");
+}
+
+int hawser__flow_place(struct hawser__flow *flow, const struct hawser_rom *rom)
+{
+	if (rom->n != flow->n || rom->harmonics != flow->harmonics)
+		return 1;
+	flow->rom = rom;
+	flow->more = hawser__rom_more(rom);
+	flow->damping_varies = damping_varies(rom) || rom->drag || flow->more;
+	list_dampings(flow);
+	return 0;
 }
 
 void hawser__flow_clear(struct hawser__flow *flow)
@@ -350,6 +362,8 @@ static double step(struct hawser__flow *flow, int derive, int live, double omega
 			set_derivatives(flow, s, omega);
 		if (flow->rom->drag)
 			hawser__flow_drag(flow, s, derive, live, omega);
+		if (flow->more)
+			hawser__flow_more(flow, s, derive, live, omega);
 	}
 	error = step_error(flow, live);
 	finish_step(flow, derive);

@@ -34,6 +34,8 @@ struct hawser__flow {
 	int coupled;            /* 1: f depends on v by more than the damping of each coordinate by
 	                         * itself */
 	int damping_varies;     /* the model has harmonics with D */
+	int harmonics;          /* number for which there is room */
+	int more;               /* 1: the model has terms (rom/terms.h) */
 	int dampings;           /* number of different values on the diagonal of D */
 	int *damping_of;        /* [n] index of the value of each coordinate */
 	double *damping;        /* [dampings] */
@@ -67,6 +69,8 @@ struct hawser__flow {
 
 enum hawser_status hawser__flow_init(struct hawser__flow *flow, const struct hawser_rom *rom,
                                      struct hawser_report *report);
+/* Another model with as many coordinates and harmonics; 1 if it has not. */
+int hawser__flow_place(struct hawser__flow *flow, const struct hawser_rom *rom);
 void hawser__flow_clear(struct hawser__flow *flow);
 
 /* `count` stretches of phase, each of `steps` steps of length h. The first begins at tau, the next
@@ -87,8 +91,10 @@ double hawser__flow_map(struct hawser__flow *flow, double *x, double *samples,
 double hawser__flow_derive(struct hawser__flow *flow, double *x, double *A, double *b,
                            double *samples, const struct hawser__stretch *stretch, double omega);
 
-/* flow_drag.c: add the drag of the model at stage s to f and, with `derive`, to by_v. */
+/* flow_drag.c: add the drag of the model at stage s to f and, with `derive`, to by_v; the same with its
+ * terms (rom/terms.h). */
 void hawser__flow_drag(struct hawser__flow *flow, int s, int derive, int live, double omega);
+void hawser__flow_more(struct hawser__flow *flow, int s, int derive, int live, double omega);
 
 /* variation.c: U and V of a lane over the step whose stages are in `flow`. */
 void hawser__flow_vary(struct hawser__flow *flow, int lane);

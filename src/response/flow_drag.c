@@ -1,5 +1,6 @@
-/* response/flow_drag.c - quadratic drag at a stage of the flow. Since the volume of states contracts by
- * the trace of its derivative, that trace is summed with the weights of the formula.
+/* response/flow_drag.c - quadratic drag, and the terms of own models, at a stage of the flow. Since the
+ * volume of states contracts by the trace of their derivative, that trace is summed with the weights of
+ * the formula.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -7,6 +8,7 @@
 #include "response/tableau.h"
 #include "rom/drag.h"
 #include "rom/kernel.h"
+#include "rom/terms.h"
 
 static double trace_of(const double *matrix, int n)
 {
@@ -31,6 +33,26 @@ void hawser__flow_drag(struct hawser__flow *flow, int s, int derive, int live, d
 			continue;
 		hawser__drag_slope(drag, 1.0, by_v + lane, flow->stage_v + lane, HAWSER_LANES);
 		if (lane < live)
+			flow->drained += hawser__dop853.b[s]*flow->h/omega*
+			                 (trace_of(by_v + lane, n) - before);
+	}
+}
+
+void hawser__flow_more(struct hawser__flow *flow, int s, int derive, int live, double omega)
+{
+	const int n = flow->n, lanes = HAWSER_LANES;
+	double *f = flow->f + (size_t)s*n*lanes, *by_omega = flow->f_omega + (size_t)s*n*lanes;
+	double *by_u = flow->by_u + (size_t)s*n*n*lanes, *by_v = flow->by_v + (size_t)s*n*n*lanes;
+
+	for (int lane = 0; lane < lanes; lane++) {
+		double before = derive ? trace_of(by_v + lane, n) : 0.0;
+		const struct hawser__more to = {.force = f + lane, .by_u = derive ? by_u + lane : NULL,
+			.by_v = derive ? by_v + lane : NULL, .by_omega = derive ? by_omega + lane : NULL,
+			.sign = -1.0, .stride = lanes};
+
+		hawser__rom_more_add(flow->rom, &to, flow->stage_u + lane, flow->stage_v + lane,
+		                     flow->at[lane] + hawser__dop853.c[s]*flow->h, omega);
+		if (derive && lane < live)
 			flow->drained += hawser__dop853.b[s]*flow->h/omega*
 			                 (trace_of(by_v + lane, n) - before);
 	}

@@ -20,6 +20,7 @@
 #include "response/flow.h"
 #include "response/folds_search.h"
 #include "rom/drag.h"
+#include "rom/terms.h"
 #include "rom/entries.h"
 
 #define SAME_ORBIT 1e-5 /* relative distance below which two orbits are the same; chosen, above the
@@ -44,6 +45,8 @@ static enum hawser_status check(const struct hawser_rom *rom,
 {
 	if (rom->drag)
 		return hawser__drag_refuse(rom, "a search for folds", report);
+	if (hawser__rom_more(rom))
+		return hawser__more_refuse(rom, "a search for folds", report);
 	if (!(options->from > 0.0) || !(options->to > 0.0) || options->from == options->to ||
 	    !isfinite(options->from) || !isfinite(options->to))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "folds",

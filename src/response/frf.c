@@ -13,6 +13,7 @@
 #include "response/certify.h"
 #include "response/shooting.h"
 #include "response/trace.h"
+#include "rom/terms.h"
 
 /* Relative error of Omega above which an event does not count as located: a step is at most 0.01 of
  * Omega, so that such an error is no better than the step. */
@@ -260,7 +261,7 @@ static enum hawser_status open_orbit(struct hawser__trace *trace, struct hawser_
 
 	if (options.family)
 		options.from = options.to = options.begin = options.family->omega*trace->rom->time;
-	else
+	if (!options.family || trace->rom->drag || hawser__rom_more(trace->rom) || options.method)
 		status = hawser__orbit_method(&method, trace->rom, &options, report);
 	if (status || (status = method->open(&trace->orbit, trace->rom, &options, report)))
 		return status;

@@ -20,7 +20,8 @@ static int driven(const struct hawser_rom *rom)
 
 		for (int j = 0; harmonic->f && j < rom->n; j++)
 			found |= harmonic->f[j] != 0.0;
-		found |= harmonic->D || harmonic->K || harmonic->quads > 0;
+		found |= harmonic->D || harmonic->K || harmonic->quads > 0 ||
+		         harmonic->terms > 0;
 	}
 	return found;
 }
@@ -42,7 +43,7 @@ static enum hawser_status check_numbers(const struct hawser_frf_options *options
 	return HAWSER_OK;
 }
 
-/* A range of a parameter; drag needs shooting. */
+/* A range of a parameter. */
 static enum hawser_status check_family(const struct hawser_rom *rom,
                                        const struct hawser_frf_options *options,
                                        struct hawser_report *report)
@@ -55,11 +56,10 @@ static enum hawser_status check_family(const struct hawser_rom *rom,
 		                    "parameter from %.9g to %.9g at Omega %.9g%s: both ends must be finite "
 		                    "and different, and Omega positive", options->from, options->to,
 		                    HAWSER_SHOWN(rom, options->family->omega));
-	if (rom->drag || (method && strcmp(method, "auto") != 0 &&
-	                  strcmp(method, hawser__balance_method.about.name) != 0))
+	if (method && strcmp(method, hawser__scales_method.about.name) == 0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
-		                    "motions are followed in a parameter by harmonic balance, which has no "
-		                    "quadratic drag: leave out --method and damping.drag");
+		                    "motions are followed in a parameter by harmonic balance, or by "
+		                    "shooting: leave out --method");
 	if (options->begin != 0.0 && !(options->begin >= fmin(options->from, options->to) &&
 	                               options->begin <= fmax(options->from, options->to)))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",

@@ -384,6 +384,13 @@ enum hawser_status hawser_integrate(struct hawser_trajectory *trajectory,
 	else if (hawser__rest(trajectory->state, rom, hawser__stepper_phase(problem, problem->begin, 0.0),
 	                      problem->omega))
 		return hawser__no_memory(report, WHERE);
+	if (rom->first) { /* u' = g(u, tau): the velocities follow */
+		double *u = trajectory->state, *none = trajectory->state + 2*(size_t)rom->n;
+
+		memset(none, 0, (size_t)rom->n*sizeof *none);
+		hawser_rom_acceleration(rom->first, u + rom->n, u, none,
+		                        hawser__stepper_phase(problem, problem->begin, 0.0), problem->omega);
+	}
 	/* the second row is not yet filled and serves as scratch for the first acceleration */
 	if ((status = check_start(problem, trajectory->state + 2*(size_t)rom->n, trajectory->state,
 	                          report)) ||

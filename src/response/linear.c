@@ -24,6 +24,7 @@
 #include "response/monodromy.h"
 #include "rom/build.h"
 #include "rom/entries.h"
+#include "rom/terms.h"
 
 #define BLOCK 34      /* dgeev's workspace divided by the order: blocks of 32; also the samples of
                        * estimate() */
@@ -214,9 +215,11 @@ enum hawser_status hawser_linear_growth(struct hawser_linear *linear, double *gr
                                         double *frequency, const struct hawser_rom *rom,
                                         struct hawser_report *report)
 {
-	enum hawser_status status = eigenvalues(linear, rom, report);
+	enum hawser_status status = hawser__more_refuse(rom, "the stability of rest", report);
 	double largest = 0.0;
 
+	if (!status)
+		status = eigenvalues(linear, rom, report);
 	if (status)
 		return status;
 	*growth = -INFINITY;
@@ -370,6 +373,8 @@ enum hawser_status hawser_linear_multipliers(struct hawser_linear *linear, doubl
 	if (!status && !(omega > 0.0 && isfinite(omega)))
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "linear",
 		                      "multipliers at Omega %g: it must be positive and finite", omega);
+	if (!status)
+		status = hawser__more_refuse(rom, "the stability of rest", report);
 	if (!status && rom->exact && rom->harmonics > 0)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "linear",
 		                      "multipliers about rest of the full-order model (model.energy: exact) "

@@ -23,9 +23,10 @@ static double *take(double **memory, const double *full, size_t count)
 enum hawser_status hawser__load_open(struct hawser__load *load, const struct hawser_rom *rom,
                                      struct hawser_report *report)
 {
-	size_t n = (size_t)rom->n, room = 0, quads = 0, probes = HAWSER__ANSWER(rom),
+	size_t n = (size_t)rom->n, room = 0, quads = 0, terms = 0, probes = HAWSER__ANSWER(rom),
 	       line = HAWSER__ANSWER_LINE(rom);
 	struct hawser_quad *quad;
+	struct hawser_term *term;
 	double *at;
 
 	*load = (struct hawser__load){.full = rom, .rom = *rom, .factor = 1.0};
@@ -33,14 +34,18 @@ enum hawser_status hawser__load_open(struct hawser__load *load, const struct haw
 		room += (rom->harmonic[h].f ? n : 0) + (rom->harmonic[h].D ? n*n : 0) +
 		        (rom->harmonic[h].K ? n*n : 0) + (rom->harmonic[h].answer ? probes : 0) +
 		        (rom->harmonic[h].answer_line ? line : 0);
-	for (int h = 0; h < rom->harmonics; h++)
+	for (int h = 0; h < rom->harmonics; h++) {
 		quads += (size_t)rom->harmonic[h].quads;
+		terms += (size_t)rom->harmonic[h].terms;
+	}
 	load->rom.harmonic = malloc(((size_t)rom->harmonics + 1)*sizeof *load->rom.harmonic);
 	load->memory = at = malloc((room + 1)*sizeof *load->memory);
 	load->quad = quad = malloc((quads + 1)*sizeof *load->quad);
+	load->term = term = malloc((terms + 1)*sizeof *load->term);
 	if (rom->ends)
 		load->rom.ends = load->ends = malloc(sizeof *load->ends);
-	if (!load->rom.harmonic || !load->memory || !load->quad || (rom->ends && !load->ends))
+	if (!load->rom.harmonic || !load->memory || !load->quad || !load->term ||
+	    (rom->ends && !load->ends))
 		return hawser__no_memory(report, "load");
 	if (rom->ends)
 		*load->ends = *rom->ends;
@@ -54,6 +59,9 @@ enum hawser_status hawser__load_open(struct hawser__load *load, const struct haw
 		harmonic->Q = harmonic->quads > 0 ? quad : NULL;
 		for (int i = 0; i < harmonic->quads; i++)
 			*quad++ = rom->harmonic[h].Q[i];
+		harmonic->term = harmonic->terms > 0 ? term : NULL;
+		for (int i = 0; i < harmonic->terms; i++)
+			*term++ = rom->harmonic[h].term[i];
 		harmonic->answer = take(&at, harmonic->answer, probes);
 		harmonic->answer_line = take(&at, harmonic->answer_line, line);
 	}
@@ -104,6 +112,8 @@ void hawser__load_set(struct hawser__load *load, double factor)
 		scale(mine->K, full->K, n*n, share);
 		for (int i = 0; i < full->quads; i++)
 			mine->Q[i].value = share*full->Q[i].value;
+		for (int i = 0; i < full->terms; i++)
+			mine->term[i].value = share*full->term[i].value;
 		scale(mine->answer, full->answer, HAWSER__ANSWER(load->full), share);
 		scale(mine->answer_line, full->answer_line, HAWSER__ANSWER_LINE(load->full), share);
 	}
@@ -114,6 +124,7 @@ void hawser__load_clear(struct hawser__load *load)
 	free(load->rom.harmonic);
 	free(load->memory);
 	free(load->quad);
+	free(load->term);
 	free(load->ends);
 	*load = (struct hawser__load){0};
 }

@@ -12,6 +12,7 @@ struct hawser__load {
 	struct hawser_rom rom;
 	double *memory;
 	struct hawser_quad *quad; /* the Q of the harmonics */
+	struct hawser_term *term; /* their terms */
 	struct hawser_rom_ends *ends; /* with the factor, or NULL */
 	double factor;
 };

@@ -29,6 +29,11 @@ struct hawser__orbit_ops;
  * changes its sign: the error of an orbit decreases with the cube of the steps, no faster. */
 #define HAWSER__DRAG_TOLERANCE 1e-6
 
+/* Distance of the two models whose difference is the derivative by a parameter, relative to its size:
+ * at 1e-3 the errors by third derivatives and by the models' own tolerance of about 1e-10 are both
+ * near 1e-7, and the derivative only serves to find the next orbit. */
+#define HAWSER__NUDGE 5e-4
+
 /* The metric is the same for all methods, so that steps have the same length in each: its width in
  * Omega, as a fraction of Omega (a resonance with 2.5 % damping), and the least size of a
  * component, as a fraction of the size of the orbit. */

@@ -8,6 +8,7 @@
 #include "core/report.h"
 #include "response/method.h"
 #include "rom/drag.h"
+#include "rom/terms.h"
 
 static const struct hawser__orbit_method *const rows[] = {&hawser__balance_method,
 	&hawser__scales_method, &hawser__shooting_method};
@@ -29,7 +30,9 @@ enum hawser_status hawser__orbit_method(const struct hawser__orbit_method **meth
 		name = NULL;
 	if (rom->drag && name && strcmp(name, "shooting") != 0)
 		return hawser__drag_refuse(rom, "this method for orbits", report);
-	if (rom->drag)
+	if (hawser__rom_more(rom) && name && strcmp(name, "shooting") != 0)
+		return hawser__more_refuse(rom, "this method for orbits", report);
+	if (rom->drag || hawser__rom_more(rom))
 		name = "shooting";
 
 	for (int i = 0; i < ROWS; i++)

@@ -25,6 +25,7 @@
 #include "core/report.h"
 #include "response/modulation.h"
 #include "rom/drag.h"
+#include "rom/terms.h"
 
 static const char where[] = "multiple scales";
 
@@ -50,6 +51,8 @@ static enum hawser_status check(const struct hawser_rom *rom,
 
 	if (rom->drag)
 		return hawser__drag_refuse(rom, "the method of multiple scales", report);
+	if (hawser__rom_more(rom))
+		return hawser__more_refuse(rom, "the method of multiple scales", report);
 	if (rom->exact)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
 		                    "the exact strain energy has no quadratic and cubic terms to derive "

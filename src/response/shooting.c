@@ -133,7 +133,7 @@ static void metric(struct hawser__orbit *orbit, const double *y)
 	shooting->base.X = sum > 0.0 ? sqrt(sum/S) : 1.0;
 	for (int j = 0; j < m; j++)
 		shooting->scale[j] = fmax(shooting->scale[j], HAWSER_SCALE_FLOOR*shooting->base.X);
-	shooting->base.W = HAWSER_OMEGA_WIDTH*fabs(y[shooting->base.size - 1]);
+	shooting->base.W = HAWSER_OMEGA_WIDTH*hawser__orbit_extent(orbit, y);
 	for (int i = 0; i < S*m; i++)
 		orbit->weight[i] = 1.0/(shooting->scale[i%m]*shooting->scale[i%m]*S*m);
 	orbit->weight[S*m] = 1.0/(shooting->base.W*shooting->base.W);
@@ -162,16 +162,50 @@ static double halved_steps(struct hawser__shooting *shooting, const double *y, d
 	return sum;
 }
 
+/* The ends of the segments in the model at the parameter p, in end [S m]; returns 1, and they are those
+ * of the model at `own`, if there is none at p. */
+static int map_at(double *end, struct hawser__shooting *shooting, const double *y, double p, double own,
+                  const struct hawser__stretch *stretch)
+{
+	struct hawser__orbit *orbit = &shooting->base;
+	int failed = hawser__orbit_place(orbit, p) || hawser__flow_place(&shooting->flow, orbit->rom);
+
+	if (failed && !hawser__orbit_place(orbit, own))
+		(void)hawser__flow_place(&shooting->flow, orbit->rom);
+	memcpy(end, y, (size_t)shooting->segments*orbit->m*sizeof *end);
+	(void)hawser__flow_map(&shooting->flow, end, NULL, stretch,
+	                       hawser__orbit_frequency(orbit, orbit->placed));
+	return failed;
+}
+
+/* b becomes the derivative by the parameter of the family, from the models on both sides of the present
+ * one (one side where the other has none). */
+static void differentiate_family(struct hawser__shooting *shooting, const double *y,
+                                 const struct hawser__stretch *stretch)
+{
+	struct hawser__orbit *orbit = &shooting->base;
+	double p = y[orbit->size - 1], wide = HAWSER__NUDGE*hawser__orbit_extent(orbit, y), span = 2.0*wide;
+
+	span -= map_at(shooting->finer, shooting, y, p - wide, p, stretch) ? wide : 0.0;
+	span -= map_at(shooting->b, shooting, y, p + wide, p, stretch) ? wide : 0.0;
+	for (int i = 0; i < orbit->size - 1; i++)
+		shooting->b[i] = (shooting->b[i] - shooting->finer[i])/span;
+	if (!hawser__orbit_place(orbit, p))
+		(void)hawser__flow_place(&shooting->flow, orbit->rom);
+}
+
 static double defects(struct hawser__orbit *orbit, const double *y, int derive)
 {
 	struct hawser__shooting *shooting = (struct hawser__shooting *)orbit;
 	int m = shooting->base.m, S = shooting->segments;
-	double omega = y[shooting->base.size - 1], worst = 0.0;
+	double omega = hawser__orbit_omega(orbit, y), worst = 0.0;
 	double *end = shooting->defect;
 	struct hawser__stretch stretch = {.h = 2.0*M_PI/S/shooting->steps, .steps = shooting->steps,
 		.count = S, .apart = 2.0*M_PI/S};
 
-	shooting->flow.rom = orbit->rom;
+	if (hawser__orbit_place(orbit, y[orbit->size - 1]) ||
+	    hawser__flow_place(&shooting->flow, orbit->rom))
+		return NAN;
 	memcpy(end, y, (size_t)S*m*sizeof *end);
 	if (derive) {
 		shooting->omega = omega;
@@ -184,6 +218,8 @@ static double defects(struct hawser__orbit *orbit, const double *y, int derive)
 	}
 	if (derive && S*shooting->steps <= COARSE)
 		orbit->mesh = fmax(orbit->mesh, halved_steps(shooting, y, omega));
+	if (derive && orbit->family)
+		differentiate_family(shooting, y, &stretch);
 	for (int i = 0; i < S; i++) {
 		const double *next = y + ((i + 1)%S)*m;
 		double sum = 0.0;
@@ -313,7 +349,7 @@ static int harmless(const struct hawser__shooting *shooting)
 {
 	const struct hawser_rom *rom = shooting->base.rom;
 	int n = rom->n, m = 2*n, S = shooting->segments;
-	double worst = 0.0, damping = 0.0, omega = shooting->base.W/HAWSER_OMEGA_WIDTH;
+	double worst = 0.0, damping = 0.0, omega = shooting->omega;
 
 	for (int j = 0; j < n; j++)
 		damping = fmax(damping, rom->D[j*n + j]);
@@ -383,7 +419,7 @@ static enum hawser_status from_state(struct hawser__orbit *orbit, double *y, con
 	int m = orbit->m, S = shooting->segments;
 
 	(void)report;
-	shooting->flow.rom = orbit->rom;
+	(void)hawser__flow_place(&shooting->flow, orbit->rom);
 	memcpy(y, x, (size_t)m*sizeof *y);
 	for (int i = 0; i + 1 < S; i++) {
 		struct hawser__stretch stretch = {.tau = i*(2.0*M_PI/S), .steps = shooting->steps,

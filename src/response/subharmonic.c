@@ -40,6 +40,8 @@ enum hawser_status hawser_subharmonic_base(struct hawser_rom *rom, int b, struct
 			harmonic->D[e] *= factor;
 		for (int e = 0; harmonic->K && e < rom->n*rom->n; e++)
 			harmonic->K[e] *= factor;
+		for (int e = 0; e < harmonic->terms; e++)
+			harmonic->term[e].value *= factor;
 		for (size_t e = 0; harmonic->answer && e < HAWSER__ANSWER(rom); e++)
 			harmonic->answer[e] *= factor;
 		for (size_t e = 0; harmonic->answer_line && e < HAWSER__ANSWER_LINE(rom); e++)

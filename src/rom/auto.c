@@ -30,6 +30,7 @@
 #include "rom/auto_text.h"
 #include "rom/cycle.h"
 #include "rom/drag.h"
+#include "rom/terms.h"
 
 /* A double in Fortran, or in Python with mark 'e', whatever the locale's decimal point is. */
 static const char *number_in(char out[32], double value, char mark)
@@ -382,6 +383,8 @@ static enum hawser_status check(const struct hawser_rom *rom, const char *base,
 {
 	if (rom->drag)
 		return hawser__drag_refuse(rom, "an export to AUTO", report);
+	if (hawser__rom_more(rom))
+		return hawser__more_refuse(rom, "an export to AUTO", report);
 	if (rom->exact)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
 		                    "a model with the exact strain energy can't be exported: its "

@@ -10,6 +10,7 @@
 #include "core/report.h"
 #include "rom/entries.h"
 #include "rom/kernel.h"
+#include "rom/terms.h"
 
 #define HIGHEST_HARMONIC 1000 /* the mesh of an orbit must resolve it */
 
@@ -235,7 +236,7 @@ enum hawser_status hawser__entries_check(const struct hawser_rom *rom, struct ha
 		                    "a model of %d coordinates: it must have 1 to %d", rom->n,
 		                    HAWSER_ROM_MAX);
 	if ((status = hawser__numbers_check(rom, HAWSER_ERR_ARGUMENT, report)) ||
-	    (status = check_tensors(rom, report)))
+	    (status = check_tensors(rom, report)) || (status = hawser__terms_check(rom, report)))
 		return status;
 	for (int h = 0; !status && h < rom->harmonics; h++)
 		status = check_harmonic(&rom->harmonic[h], h, rom->n, report);

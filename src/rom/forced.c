@@ -13,6 +13,7 @@
 #include "rom/history.h"
 #include "rom/kernel.h"
 #include "rom/ramp.h"
+#include "rom/terms.h"
 #include "rom/vary.h"
 
 static double factor(const struct hawser_harmonic *harmonic, double tau, double omega)
@@ -83,6 +84,9 @@ void hawser_rom_acceleration(const struct hawser_rom *rom, double *acceleration,
 	hawser_rom_restoring(rom, acceleration, u);
 	hawser__rom_vary_at(rom, acceleration, NULL, u, tau);
 	finish(rom, acceleration, NULL, u, v, tau, omega);
+	if (hawser__rom_more(rom))
+		hawser__rom_more_add(rom, &(struct hawser__more){.force = acceleration, .stride = 1}, u, v,
+		                     tau, omega);
 }
 
 void hawser_rom_acceleration_jacobian(const struct hawser_rom *rom, double *acceleration,
@@ -114,6 +118,10 @@ void hawser_rom_acceleration_jacobian(const struct hawser_rom *rom, double *acce
 		if (harmonic->omega_power > 0)
 			add_harmonic(by_omega, harmonic, harmonic->omega_power*s/omega, u, v, n);
 	}
+	if (hawser__rom_more(rom))
+		hawser__rom_more_add(rom, &(struct hawser__more){.force = acceleration, .by_u = by_u,
+		                     .by_v = by_v, .by_omega = by_omega, .sign = 1.0, .stride = 1}, u, v,
+		                     tau, omega);
 }
 
 void hawser__rom_term(const struct hawser_ramp_term *term, double s, double *acceleration,

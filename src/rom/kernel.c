@@ -14,6 +14,7 @@
 #include "rom/exact.h"
 #include "rom/kernel.h"
 #include "rom/quartic.h"
+#include "rom/terms.h"
 
 /* The factors of the rows: u and the products of its components, in the kernel's order of columns.
  * The last block of a run may extend past the end, with zeros for values. */
@@ -141,7 +142,7 @@ double hawser_rom_energy(const struct hawser_rom *rom, const double *u, const do
 	double energy = 0.0;
 
 	for (int j = 0; j < rom->n; j++)
-		energy += 0.5*v[j]*v[j];
+		energy += 0.5*v[j]*hawser__rom_weighed(rom, v, j);
 	if (rom->exact)
 		return energy + hawser__exact_potential(rom->exact, u);
 	if (kernel->by_function[HAWSER__FORCE])
@@ -151,10 +152,13 @@ double hawser_rom_energy(const struct hawser_rom *rom, const double *u, const do
 		double a = gather(kernel, row->a, row->a_end, x.single);
 		double b = gather(kernel, row->b, row->b_end, x.pair);
 		double twice = kernel->symmetric && row->j != row->k ? 2.0 : 1.0;
+		double both = hawser__rom_weighed(rom, u, row->j)*u[row->k];
 
-		energy += twice*(row->constant/2.0 + a/3.0 + b/4.0)*u[row->j]*u[row->k];
+		if (rom->mass && twice > 1.0) /* the entry (k, j), which is not the same with a mass */
+			both = 0.5*(both + hawser__rom_weighed(rom, u, row->k)*u[row->j]);
+		energy += twice*(row->constant/2.0 + a/3.0 + b/4.0)*both;
 	}
-	return energy;
+	return energy + hawser__terms_potential(rom, u);
 }
 
 double hawser_rom_asymmetry(const struct hawser_rom *rom)

@@ -26,6 +26,12 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/damping.h \
 	%D%/drag.c \
 	%D%/drag.h \
+	%D%/formula.c \
+	%D%/formula.h \
+	%D%/parse.c \
+	%D%/read_own.c \
+	%D%/terms.c \
+	%D%/terms.h \
 	%D%/drive.c \
 	%D%/drive.h \
 	%D%/effort.c \

@@ -119,6 +119,7 @@ void hawser_rom_clear(struct hawser_rom *rom)
 		free(rom->harmonic[h].D);
 		free(rom->harmonic[h].K);
 		free(rom->harmonic[h].Q);
+		free(rom->harmonic[h].term);
 		free(rom->harmonic[h].answer);
 		free(rom->harmonic[h].answer_line);
 	}
@@ -131,6 +132,10 @@ void hawser_rom_clear(struct hawser_rom *rom)
 	free(rom->D);
 	free(rom->K);
 	free(rom->Q);
+	free(rom->term);
+	free(rom->mass);
+	hawser_rom_clear(rom->first);
+	free(rom->first);
 	free(rom->C);
 	free_words(rom->label, rom->n);
 	clear_shapes(&rom->shapes);

@@ -229,25 +229,75 @@ static int swallow(char **text, size_t *size, FILE *stream)
 	return ferror(stream) ? (errno ? errno : EIO) : 0;
 }
 
-enum hawser_status hawser_rom_open(struct hawser_rom *rom, const char *path,
-                                   struct hawser_report *report)
+enum hawser_status hawser_rom_source_open(struct hawser_rom_source *source, const char *path,
+                                          struct hawser_report *report)
 {
-	int standard = !strcmp(path, "-"), error;
+	struct hawser_parameter parameter[HAWSER_PARAMETERS];
+	int standard = !strcmp(path, "-"), error, count = 0;
 	const char *name = standard ? "<stdin>" : path;
 	FILE *stream = standard ? stdin : fopen(path, "rb");
-	enum hawser_status status;
-	char *text = NULL;
-	size_t size = 0;
+	enum hawser_status status = HAWSER_OK;
 
-	memset(rom, 0, sizeof *rom);
-	error = stream ? swallow(&text, &size, stream) : errno;
+	*source = (struct hawser_rom_source){.name = strdup(name)};
+	error = stream ? swallow(&source->text, &source->size, stream) : errno;
 	if (stream && !standard)
 		fclose(stream);
 	if (error)
 		status = hawser__fail(report, hawser__unreadable(error), "rom", "cannot read %s: %s", name,
 		                      strerror(error));
-	else
-		status = hawser__rom_parse(rom, text, size, name, report);
-	free(text);
+	else if (!source->name)
+		status = hawser__no_memory(report, "rom");
+	if (!status && memmem(source->text, source->size, "\"parameters\"", 12))
+		status = hawser__parse_parameters(parameter, &count, source->text, source->size, name, report);
+	if (!status && count > 0) {
+		source->parameter = malloc((size_t)count*sizeof *parameter);
+		source->parameters = count;
+		if (source->parameter)
+			memcpy(source->parameter, parameter, (size_t)count*sizeof *parameter);
+		else
+			status = hawser__no_memory(report, "rom");
+	}
+	if (status)
+		hawser_rom_source_clear(source);
+	return status;
+}
+
+void hawser_rom_source_set(struct hawser_rom_source *source, const char *name, double value, int *known)
+{
+	*known = 0;
+	for (int i = 0; i < source->parameters; i++)
+		if (!strcmp(source->parameter[i].name, name)) {
+			source->parameter[i].value = value;
+			source->parameter[i].set = *known = 1;
+		}
+}
+
+enum hawser_status hawser_rom_source_model(struct hawser_rom *rom, const struct hawser_rom_source *source,
+                                           struct hawser_report *report)
+{
+	return hawser__rom_parse(rom, source->text, source->size, source->name, source->parameter,
+	                         source->parameters, report);
+}
+
+void hawser_rom_source_clear(struct hawser_rom_source *source)
+{
+	if (!source)
+		return;
+	free(source->text);
+	free(source->name);
+	free(source->parameter);
+	*source = (struct hawser_rom_source){.text = NULL};
+}
+
+enum hawser_status hawser_rom_open(struct hawser_rom *rom, const char *path,
+                                   struct hawser_report *report)
+{
+	struct hawser_rom_source source;
+	enum hawser_status status = hawser_rom_source_open(&source, path, report);
+
+	memset(rom, 0, sizeof *rom);
+	if (!status)
+		status = hawser_rom_source_model(rom, &source, report);
+	hawser_rom_source_clear(&source);
 	return status;
 }

@@ -14,6 +14,7 @@
 
 #include "core/report.h"
 #include "core/spelling.h"
+#include "rom/formula.h"
 #include "rom/kernel.h"
 #include "rom/model.h"
 #include "rom/read.h"
@@ -56,15 +57,22 @@ static enum hawser_status unwanted(const struct hawser__reader *reader, const ch
 enum hawser_status hawser__read_number(const struct hawser__reader *reader, double *number,
                                        const json_t *value, const char *where)
 {
+	const char *formula = json_string_value(value);
+	char why[160];
+
+	if (formula && reader->parameters > 0) {
+		if (hawser__formula(number, formula, reader->parameter, reader->parameters, why, sizeof why))
+			return hawser__wrong(reader, "%s is \"%.80s\": %s", where, formula, why);
+		return HAWSER_OK;
+	}
 	*number = json_number_value(value);
 	if (!json_is_number(value) || !isfinite(*number))
 		return unwanted(reader, where, value, "a number");
 	return HAWSER_OK;
 }
 
-/* An integer from low to high; high < low: no upper bound. */
-static enum hawser_status read_integer(const struct hawser__reader *reader, int *number,
-                                       const json_t *value, int low, int high, const char *where)
+enum hawser_status hawser__read_integer(const struct hawser__reader *reader, int *number,
+                                        const json_t *value, int low, int high, const char *where)
 {
 	double x = json_number_value(value), top = high < low ? 1e9 : high;
 	char wanted[64];
@@ -201,7 +209,7 @@ static enum hawser_status read_entry(const struct hawser__reader *reader, int *i
 		enum hawser_status status;
 
 		snprintf(place, sizeof place, "%s: index %c", where, letters[i]);
-		status = read_integer(reader, &index[i], json_array_get(entry, (size_t)i), 0, n - 1,
+		status = hawser__read_integer(reader, &index[i], json_array_get(entry, (size_t)i), 0, n - 1,
 		                      place);
 		if (status)
 			return status;
@@ -233,27 +241,25 @@ static enum hawser_status read_quads(const struct hawser__reader *reader, struct
 	return status;
 }
 
-static enum hawser_status read_cubics(const struct hawser__reader *reader, struct hawser_rom *rom,
-                                      const json_t *list)
+static enum hawser_status read_cubics(const struct hawser__reader *reader, struct hawser_cubic **C,
+                                      int *cubics, int n, const json_t *list, const char *name)
 {
 	enum hawser_status status = HAWSER_OK;
 	size_t count = json_array_size(list);
 
 	if (!json_is_array(list))
-		return unwanted(reader, "C", list, "a list of entries");
-	rom->C = malloc((count + 1)*sizeof *rom->C);
-	if (!rom->C)
+		return unwanted(reader, name, list, "a list of entries");
+	*C = malloc((count + 1)*sizeof **C);
+	if (!*C)
 		return hawser__no_memory(reader->report, "rom");
 	for (size_t i = 0; !status && i < count; i++) {
 		int index[4] = {0};
 		double value = 0.0;
-		char where[32];
+		char where[48];
 
-		snprintf(where, sizeof where, "C[%zu]", i);
-		status = read_entry(reader, index, &value, 4, rom->n, json_array_get(list, i),
-		                    where);
-		rom->C[rom->cubics++] = (struct hawser_cubic){index[0], index[1], index[2],
-		                                              index[3], value};
+		snprintf(where, sizeof where, "%s[%zu]", name, i);
+		status = read_entry(reader, index, &value, 4, n, json_array_get(list, i), where);
+		(*C)[(*cubics)++] = (struct hawser_cubic){index[0], index[1], index[2], index[3], value};
 	}
 	return status;
 }
@@ -294,12 +300,35 @@ static enum hawser_status read_term(const struct hawser__reader *reader, double 
 	return status;
 }
 
+/* C and terms of a harmonic, and a Q with a power of Omega: they become terms. */
+static enum hawser_status read_harmonic_terms(const struct hawser__reader *reader,
+                                              struct hawser_harmonic *h, int n, json_t *object,
+                                              const char *where)
+{
+	const json_t *C = json_object_get(object, "C"), *terms = json_object_get(object, "terms");
+	enum hawser_status status = HAWSER_OK;
+	struct hawser_cubic *list = NULL;
+	char place[48];
+	int cubics = 0;
+
+	snprintf(place, sizeof place, "%s.C", where);
+	if (C)
+		status = read_cubics(reader, &list, &cubics, n, C, place);
+	if (!status && cubics > 0)
+		status = hawser__cubics_to_terms(h, list, cubics, reader->report);
+	free(list);
+	if (!status && h->quads > 0 && h->omega_power > 0)
+		status = hawser__quads_to_terms(h, reader->report);
+	snprintf(place, sizeof place, "%s.terms", where);
+	return status || !terms ? status : hawser__read_terms(reader, &h->term, &h->terms, n, terms, place);
+}
+
 static enum hawser_status read_harmonic(const struct hawser__reader *reader,
                                         struct hawser_harmonic *h, int n, json_t *object,
                                         const char *where)
 {
 	static const char *const keys[] = {"k", "phase", "omega_power", "load_power", "f", "D", "K",
-	                                   "Q", "answer", "known", NULL};
+	                                   "Q", "C", "terms", "answer", "known", NULL};
 	const json_t *load = json_object_get(object, "load_power");
 	const json_t *Q = json_object_get(object, "Q");
 	const json_t *f = json_object_get(object, "f"), *D = json_object_get(object, "D");
@@ -309,24 +338,25 @@ static enum hawser_status read_harmonic(const struct hawser__reader *reader,
 
 	snprintf(place, sizeof place, "%s.k", where);
 	if (!status)
-		status = read_integer(reader, &h->k, json_object_get(object, "k"), 0, -1, place);
+		status = hawser__read_integer(reader, &h->k, json_object_get(object, "k"), 0, -1, place);
 	if (!status)
 		status = read_phase(reader, &h->phase, json_object_get(object, "phase"), where);
 	snprintf(place, sizeof place, "%s.omega_power", where);
 	if (!status && power)
-		status = read_integer(reader, &h->omega_power, power, 0, 2, place);
+		status = hawser__read_integer(reader, &h->omega_power, power, 0, 2, place);
 	snprintf(place, sizeof place, "%s.load_power", where);
 	if (!status && load)
-		status = read_integer(reader, &h->load_power, load, 1, 9, place);
-	if (!status && !f && !D && !K && !Q)
-		return hawser__wrong(reader, "%s has none of f, D, K and Q: give what it drives",
+		status = hawser__read_integer(reader, &h->load_power, load, 1, 9, place);
+	if (!status && !f && !D && !K && !Q && !json_object_get(object, "C") &&
+	    !json_object_get(object, "terms"))
+		return hawser__wrong(reader, "%s has none of f, D, K, Q, C and terms: give what it drives",
 		                     where);
 	if (!status)
 		status = read_term(reader, &h->f, &h->D, &h->K, n, object, where);
 	snprintf(place, sizeof place, "%s.Q", where);
 	if (!status && Q)
 		status = read_quads(reader, &h->Q, &h->quads, n, Q, place);
-	return status;
+	return status ? status : read_harmonic_terms(reader, h, n, object, where);
 }
 
 static enum hawser_status read_harmonics(const struct hawser__reader *reader,
@@ -387,10 +417,10 @@ static enum hawser_status read_size(const struct hawser__reader *reader, struct 
 	enum hawser_status status;
 	int n = 0, one;
 
-	if (version && (status = read_integer(reader, &one, version, 1, 1,
+	if (version && (status = hawser__read_integer(reader, &one, version, 1, 1,
 	                                      "hawser_rom (the version of the format)")))
 		return status;
-	status = read_integer(reader, &n, json_object_get(root, "n"), 1, HAWSER_ROM_MAX, "n");
+	status = hawser__read_integer(reader, &n, json_object_get(root, "n"), 1, HAWSER_ROM_MAX, "n");
 	if (!status)
 		status = hawser__rom_init(rom, n, reader->report);
 	if (!status)
@@ -411,11 +441,11 @@ static enum hawser_status compile(const struct hawser__reader *reader, struct ha
 	return status;
 }
 
-static enum hawser_status read_model(const struct hawser__reader *reader, struct hawser_rom *rom,
-                                     json_t *root)
+enum hawser_status hawser__read_model(const struct hawser__reader *reader, struct hawser_rom *rom,
+                                      json_t *root)
 {
 	static const char *const keys[] = {"hawser_rom", "n", "D", "K", "Q", "C", "harmonics", "ramp",
-		"labels", "second_order_shapes", "scale", "shapes", "known", "ends", "command", "version",
+		"M", "terms", "first_order", "relaxation", "parameters", "labels", "second_order_shapes", "scale", "shapes", "known", "ends", "command", "version",
 		"scene", "stats", "accuracy", NULL};
 	const json_t *D = json_object_get(root, "D"), *Q = json_object_get(root, "Q");
 	const json_t *C = json_object_get(root, "C"), *list = json_object_get(root, "harmonics");
@@ -430,41 +460,17 @@ static enum hawser_status read_model(const struct hawser__reader *reader, struct
 	if (!status && Q)
 		status = read_quads(reader, &rom->Q, &rom->quads, rom->n, Q, "Q");
 	if (!status && C)
-		status = read_cubics(reader, rom, C);
+		status = read_cubics(reader, &rom->C, &rom->cubics, rom->n, C, "C");
 	if (!status && list)
 		status = read_harmonics(reader, rom, list);
 	if (!status && ramp)
 		status = read_ramp(reader, rom, ramp);
 	if (!status && shapes)
-		status = read_integer(reader, &rom->inertia.shapes, shapes, 0, rom->n - 1,
+		status = hawser__read_integer(reader, &rom->inertia.shapes, shapes, 0, rom->n - 1,
 		                      "second_order_shapes");
 	if (!status)
 		status = hawser__read_extras(reader, rom, root);
+	if (!status)
+		status = hawser__read_own(reader, rom, root);
 	return status ? status : compile(reader, rom);
-}
-
-enum hawser_status hawser__rom_parse(struct hawser_rom *rom, const char *text, size_t size,
-                                     const char *name, struct hawser_report *report)
-{
-	const struct hawser__reader reader = {name, report};
-	enum hawser_status status;
-	json_error_t error;
-	json_t *root;
-
-	memset(rom, 0, sizeof *rom);
-	root = json_loadb(text, size, JSON_REJECT_DUPLICATES, &error);
-	/* jansson reports a failed allocation as an error in the text; therefore the text is parsed
-	 * again: an error is the same the second time */
-	if (!root)
-		root = json_loadb(text, size, JSON_REJECT_DUPLICATES, &error);
-	if (!root && error.line < 1 && !*error.text)
-		return hawser__no_memory(report, "rom");
-	if (!root)
-		return hawser__wrong(&reader, "line %d, column %d: %s (JSON)", error.line,
-		                     error.column, error.text);
-	status = read_model(&reader, rom, root);
-	json_decref(root);
-	if (status)
-		hawser_rom_clear(rom);
-	return status;
 }

@@ -11,6 +11,10 @@
 struct hawser__reader {
 	const char *name; /* of the file, for messages */
 	struct hawser_report *report;
+	const json_t *root;
+	const struct hawser_parameter *parameter; /* [parameters] that texts in place of numbers may name */
+	int parameters;
+	int plain; /* 1: equations of first order stay as they are */
 };
 
 enum hawser_status hawser__wrong(const struct hawser__reader *reader, const char *format, ...)
@@ -19,6 +23,10 @@ enum hawser_status hawser__wrong(const struct hawser__reader *reader, const char
 /* A finite number. */
 enum hawser_status hawser__read_number(const struct hawser__reader *reader, double *number,
                                        const json_t *value, const char *where);
+
+/* An integer from low to high; high < low: no upper bound. */
+enum hawser_status hawser__read_integer(const struct hawser__reader *reader, int *number,
+                                        const json_t *value, int low, int high, const char *where);
 
 /* The positive number `key` of `object`, whose position is `where`. */
 enum hawser_status hawser__read_positive(const struct hawser__reader *reader, double *number,
@@ -52,8 +60,30 @@ enum hawser_status hawser__read_ends(const struct hawser__reader *reader, struct
 enum hawser_status hawser__read_extras(const struct hawser__reader *reader, struct hawser_rom *rom,
                                        const json_t *root);
 
-/* A whole model from text [size]. */
+/* A whole model from text [size], with these values [sets] of its parameters in place of those of the
+ * text. */
 enum hawser_status hawser__rom_parse(struct hawser_rom *rom, const char *text, size_t size,
-                                     const char *name, struct hawser_report *report);
+                                     const char *name, const struct hawser_parameter *set, int sets,
+                                     struct hawser_report *report);
+enum hawser_status hawser__read_model(const struct hawser__reader *reader, struct hawser_rom *rom,
+                                      json_t *root);
+
+/* The parameters of the text, into parameter [HAWSER_PARAMETERS], *count. */
+enum hawser_status hawser__parse_parameters(struct hawser_parameter *parameter, int *count,
+                                            const char *text, size_t size, const char *name,
+                                            struct hawser_report *report);
+
+/* read_own.c: parameters, before all else; what only own models have, last; lists of terms, and entries
+ * of a harmonic that become terms. */
+enum hawser_status hawser__read_parameters(struct hawser__reader *reader,
+                                           struct hawser_parameter *parameter, const json_t *root,
+                                           const struct hawser_parameter *set, int sets);
+enum hawser_status hawser__read_own(const struct hawser__reader *reader, struct hawser_rom *rom,
+                                    json_t *root);
+enum hawser_status hawser__read_terms(const struct hawser__reader *reader, struct hawser_term **term,
+                                      int *terms, int n, const json_t *list, const char *name);
+enum hawser_status hawser__quads_to_terms(struct hawser_harmonic *h, struct hawser_report *report);
+enum hawser_status hawser__cubics_to_terms(struct hawser_harmonic *h, const struct hawser_cubic *C,
+                                           int cubics, struct hawser_report *report);
 
 #endif

@@ -85,6 +85,30 @@ static void cubics(struct hawser__writer *to, const struct hawser_rom *rom)
 	hawser__write_end(to);
 }
 
+static void products(struct hawser__writer *to, const struct hawser_term *term, int count)
+{
+	if (count == 0)
+		return;
+	hawser__write_key(to, "terms");
+	hawser__write_begin(to, '[', 1);
+	for (int i = 0; i < count; i++) {
+		const struct hawser_term *t = &term[i];
+
+		hawser__write_begin(to, '[', 0);
+		hawser__write_integer(to, t->j);
+		for (int part = 0; part < 2; part++) {
+			hawser__write_begin(to, '[', 0);
+			for (int f = part ? t->factors - t->rates : 0;
+			     f < (part ? t->factors : t->factors - t->rates); f++)
+				hawser__write_integer(to, t->factor[f]);
+			hawser__write_end(to);
+		}
+		hawser__write_number(to, t->value);
+		hawser__write_end(to);
+	}
+	hawser__write_end(to);
+}
+
 static void term(struct hawser__writer *to, const double *f, const double *D, const double *K, int n)
 {
 	if (f)
@@ -98,7 +122,7 @@ static void term(struct hawser__writer *to, const double *f, const double *D, co
 static void harmonic(struct hawser__writer *to, const struct hawser_harmonic *h, int n, int points,
                      int known)
 {
-	hawser__write_begin(to, '{', h->D || h->K || h->quads > 0 || h->answer);
+	hawser__write_begin(to, '{', h->D || h->K || h->quads > 0 || h->terms > 0 || h->answer);
 	integer(to, "k", h->k);
 	hawser__write_key(to, "phase");
 	hawser__write_word(to, h->phase == HAWSER_COS ? "cos" : "sin");
@@ -108,6 +132,7 @@ static void harmonic(struct hawser__writer *to, const struct hawser_harmonic *h,
 	term(to, h->f, h->D, h->K, n);
 	if (h->quads > 0)
 		quads(to, h->Q, h->quads);
+	products(to, h->term, h->terms);
 	if (h->answer)
 		block(to, "answer", h->answer, (size_t[]){2, (size_t)points, 4});
 	if (h->known)
@@ -227,6 +252,7 @@ static void members(struct hawser__writer *to, const struct hawser_rom *rom)
 	matrix(to, "K", rom->K, rom->n, rom->n);
 	quads(to, rom->Q, rom->quads);
 	cubics(to, rom);
+	products(to, rom->term, rom->terms);
 	harmonics(to, rom);
 	if (rom->ramp)
 		ramp(to, rom->ramp, rom->n, rom->shapes.points);

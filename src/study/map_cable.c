@@ -19,6 +19,7 @@
 #include "core/report.h"
 #include "response/linear_margin.h"
 #include "rom/build.h"
+#include "rom/terms.h"
 #include "study/map.h"
 #include "study/map_cable.h"
 
@@ -200,6 +201,8 @@ enum hawser_status hawser_map_cable_open(struct hawser_map_field *field,
 		return hawser__no_memory(report, "map");
 	cable->source = *source;
 	status = check(cable, report);
+	if (!status && source->rom)
+		status = hawser__more_refuse(source->rom, "a map or the stability of rest", report);
 	if (!status) {
 		int x = cable->reach[0] == HAWSER__REACH_STRUCTURE;
 		int y = cable->reach[1] == HAWSER__REACH_STRUCTURE;

@@ -151,6 +151,7 @@ static const struct row {
 	ROW(hawser_monomial),
 	ROW(hawser_motion),
 	ROW(hawser_orbit_cost),
+	ROW(hawser_parameter),
 	ROW(hawser_plan),
 	ROW(hawser_plan_decision),
 	ROW(hawser_plan_mode),
@@ -177,6 +178,7 @@ static const struct row {
 	ROW(hawser_rom_moment),
 	ROW(hawser_rom_motion),
 	ROW(hawser_rom_shapes),
+	ROW(hawser_rom_source),
 	ROW(hawser_scene),
 	ROW(hawser_scene_key),
 	ROW(hawser_span),
@@ -190,6 +192,7 @@ static const struct row {
 	ROW(hawser_surge),
 	ROW(hawser_sweep),
 	ROW(hawser_sweep_options),
+	ROW(hawser_term),
 	ROW(hawser_trajectory),
 };
 

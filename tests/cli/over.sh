@@ -43,14 +43,15 @@ refuses 1 "--over factor.load=1:2 follows one motion at one frequency: leave out
 	frf "$pair" --over factor.load=1:2 --Omega 1 --from 0.5
 refuses 1 "--over factor.size: write factor.load, factor.damping or a key of the scene; Omega is followed without --over" \
 	frf "$pair" --over factor.size=1:2 --Omega 1
-refuses 1 "--over cable.EA: a reduced-model file has the parameters factor.load and factor.damping only: give the scene" \
+refuses 1 "--over cable.EA: this reduced-model file has the parameters factor.load and factor.damping only: give the scene, or \
+name parameters in the file" \
 	frf "$pair" --over cable.EA=1:2 --Omega 1
 refuses 1 "--over model.modes: settings of the model are no parameters of the cable: hawser compare compares models" \
 	frf "$chairlift" --over model.modes=2:5 --Omega 1
 refuses 1 "--over: model.modes: auto chooses for a range of frequencies: give a number of modes with -n" \
 	frf "$chairlift" --over tension.T0=1:2 --Omega 1 --set model.modes=auto
-refuses 1 "motions are followed in a parameter by harmonic balance, which has no quadratic drag: leave out --method and \
-damping.drag" frf "$pair" --over factor.load=1:2 --Omega 1 --method shooting
+refuses 1 "motions are followed in a parameter by harmonic balance, or by shooting: leave out --method" \
+	frf "$pair" --over factor.load=1:2 --Omega 1 --method multiple-scales
 refuses_like 1 "tension.T0 as a parameter needs a model of a given number of modes" \
 	frf "$chairlift" --over tension.T0=7e4:8e4 --Omega 1 --set model.energy=exact --set model.basis=3
 refuses_like 1 "there is no key tension.X" frf "$chairlift" --over tension.X=1:2 --Omega 1

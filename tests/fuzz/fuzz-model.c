@@ -39,7 +39,7 @@ static void write_again(const struct hawser_rom *rom)
 	char *first = NULL, *second = NULL;
 
 	demand(!hawser_rom_text(rom, &first, &report), "a model can be written", report.message);
-	demand(!hawser__rom_parse(&again, first, strlen(first), "m.json", &report),
+	demand(!hawser__rom_parse(&again, first, strlen(first), "m.json", NULL, 0, &report),
 	       "a model that was written can be read", report.message);
 	demand(!hawser_rom_text(&again, &second, &report), "and written again", report.message);
 	demand(!strcmp(first, second), "reading and writing change nothing", second);
@@ -52,7 +52,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
 	struct hawser_report report = {.message = ""};
 	struct hawser_rom rom;
-	enum hawser_status status = hawser__rom_parse(&rom, (const char *)data, size, "m.json",
+	enum hawser_status status = hawser__rom_parse(&rom, (const char *)data, size, "m.json", NULL, 0,
 	                                              &report);
 
 	if (status) {

@@ -82,14 +82,12 @@ static void check_messages(void)
 	refused(MODEL(", \"harmonics\": [{\"k\": 0, \"D\": [[1, 0], [0, 1]]}]"), "and no D");
 	refused(MODEL(", \"harmonics\": [{\"k\": 1, \"Q\": [[0, 0, 2, 1]]}]"),
 	        "harmonics[0].Q[0]: index l is 2");
-	refused(MODEL(", \"harmonics\": [{\"k\": 1, \"Q\": [[0, 0, 1, 1]], \"omega_power\": 1}]"),
-	        "harmonic 0: a Q with omega_power 1; it must be 0");
 	refused(MODEL(", \"harmonics\": [{\"k\": 1, \"f\": [1, 0], \"load_power\": 0}]"),
 	        "harmonics[0].load_power is 0|from 1 to 9");
 	refused(MODEL(", \"harmonics\": [{\"k\": 1, \"Q\": [[0, 0, 1, 1e308], [0, 1, 0, 1e308]]}]"),
 	        "add up to inf");
 	refused(MODEL(", \"harmonics\": [{\"k\": 1, \"f\": [1]}]"), "harmonics[0].f|list of 2");
-	refused(MODEL(", \"harmonics\": [{\"k\": 1}]"), "harmonics[0] has none of f, D, K and Q");
+	refused(MODEL(", \"harmonics\": [{\"k\": 1}]"), "harmonics[0] has none of f, D, K, Q, C and terms");
 	refused(MODEL(", \"harmonics\": [{\"k\": 1, \"f\": [1, 0], \"phase\": \"tan\"}]"),
 	        "harmonics[0].phase is \"tan\"|\"cos\" or \"sin\"");
 	refused(MODEL(", \"harmonics\": [{\"k\": 1, \"f\": [1, 0], \"omega_power\": 3}]"),

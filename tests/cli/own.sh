@@ -1,0 +1,51 @@
+#!/bin/sh
+# Own models from the command line: parameters with --set and --over, and what refuses them.
+# SPDX-License-Identifier: GPL-3.0-or-later
+. "$SRCDIR/tests/cli/lib.sh"
+
+cat >named.json <<'JSON'
+{"hawser_rom": 1, "n": 1, "parameters": {"eps": 0.1, "F": 0.18}, "K": [[1]], "D": [[0.05]],
+ "C": [[0, 0, 0, 0, "eps"]], "harmonics": [{"k": 1, "f": ["F"]}]}
+JSON
+sed 's/"C": \[\[0, 0, 0, 0, "eps"\]\]/"terms": [[0, [0, 0, 0], [], "eps"]]/' named.json >terms.json
+sed 's/"eps"\]/0.37]/; s/"parameters.*0.18}, //; s/"F"/0.18/' named.json >plain.json
+for model in named terms; do
+	works "$model over eps" frf $model.json --over eps=0.02:1 --Omega 1.2 --json $model-over.json -q
+	works "$model over F" frf $model.json --over F=0.05:0.5 --Omega 1.2 --json $model-F.json -q
+	works "$model with another eps" frf $model.json --set eps=0.37 --from 0.8 --to 2.2 --json $model-set.json -q
+done
+works "the same written out" frf plain.json --from 0.8 --to 2.2 --json plain-set.json -q
+works "the parameter at a fold" frf terms.json --over eps=0.02:1 --Omega 1.2 --tsv - -q
+grep 'event: fold' "$scratch/out" | sed 's/.*eps = \([^ ]*\).*/\1/; q' >fold
+works "and its response" frf named.json --set eps="$(cat fold)" --from 1 --to 2.5 --json there.json -q
+works "a model with numbers for its parameters" rom terms.json --set F=0.3 --json written.json -q
+python "agree" <<'PY'
+import json
+def events(name, key):
+    return [(e["kind"], e[key]) for e in json.load(open(name))["events"]]
+def same(a, b, tolerance):
+    assert len(a) == len(b) and len(a) == 2, (a, b)
+    for (k, x), (l, y) in zip(a, b):
+        assert k == l and abs(x/y - 1) < tolerance, (a, b)
+same(events("named-set.json", "Omega"), events("plain-set.json", "Omega"), 1e-9)
+same(events("terms-set.json", "Omega"), events("plain-set.json", "Omega"), 1e-8)
+same(events("named-over.json", "parameter"), events("terms-over.json", "parameter"), 1e-8)
+same(events("named-F.json", "parameter"), events("terms-F.json", "parameter"), 1e-8)
+assert min(abs(w/1.2 - 1) for k, w in events("there.json", "Omega")) < 1e-8
+assert json.load(open("written.json"))["harmonics"][0]["f"] == [0.3]
+PY
+
+refuses 1 "--set ep=1: named.json is a reduced-model file, whose parameters are: eps, F" frf named.json --set ep=1
+refuses 1 "--set eps=1 kg: write NAME=NUMBER for a parameter of a model file" frf named.json --set "eps=1 kg"
+refuses 1 "named.json has no parameter ep; its parameters are: eps, F" frf named.json --over ep=1:2 --Omega 1
+only="takes models with D, K, Q and C only; this one has terms besides, which hawser frf (by shooting) and hawser \
+integrate take"
+refuses 1 "a search for folds $only" folds terms.json --from 1 --to 2
+refuses 1 "the method of multiple scales $only" mms terms.json
+refuses 1 "a backbone $only" frf terms.json --backbone 1
+refuses 1 "this method for orbits $only" frf terms.json --method balance
+refuses 1 "an export to AUTO $only" rom terms.json --export auto x
+refuses 1 "a map or the stability of rest $only" hill terms.json --x Omega=1:2 --y factor.load=0.5:1
+refuses 1 "a map or the stability of rest $only" map terms.json --x Omega=1:2 --y factor.load=0.5:1
+refuses 1 "the stability of rest $only" hill terms.json --Omega 1.1
+done_testing
