@@ -195,8 +195,8 @@ struct hawser_rom {
 	struct hawser_rom_inertia inertia;
 	struct hawser_rom_kernel *kernel; /* compiled form for the hot loops; made by _compile */
 	struct hawser_rom_drag *drag;     /* quadratic drag, only for integration and shooting; or NULL */
-	double *mass;              /* [n][n] by whose inverse the equations of a file were multiplied, for the
-	                            * energy; NULL: the unit matrix */
+	double *mass;              /* [n][n] by whose inverse the equations of a file were multiplied, for
+	                            * the energy; NULL: the unit matrix */
 	struct hawser_rom *first;  /* of a file of equations u' = g(u, tau): the model u'' = g, from which
 	                            * initial velocities follow; NULL for others */
 	struct hawser_rom_exact *exact;   /* strain energy without expansion, in place of K, Q and C in

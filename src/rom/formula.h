@@ -7,8 +7,8 @@
 
 #include <hawser/rom.h>
 
-/* *value of a text such as "1 + 2*eps^2", with the values of parameter [count]. Returns 0, or 1 with the
- * reason in wrong [size]. */
+/* *value of a text such as "1 + 2*eps^2", with the values of parameter [count]. Returns 0, or 1 with
+ * the reason in wrong [size]. */
 int hawser__formula(double *value, const char *text, const struct hawser_parameter *parameter,
                     int count, char *wrong, size_t size);
 

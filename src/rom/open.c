@@ -272,7 +272,8 @@ void hawser_rom_source_set(struct hawser_rom_source *source, const char *name, d
 		}
 }
 
-enum hawser_status hawser_rom_source_model(struct hawser_rom *rom, const struct hawser_rom_source *source,
+enum hawser_status hawser_rom_source_model(struct hawser_rom *rom,
+                                           const struct hawser_rom_source *source,
                                            struct hawser_report *report)
 {
 	return hawser__rom_parse(rom, source->text, source->size, source->name, source->parameter,

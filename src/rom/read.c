@@ -445,7 +445,8 @@ enum hawser_status hawser__read_model(const struct hawser__reader *reader, struc
                                       json_t *root)
 {
 	static const char *const keys[] = {"hawser_rom", "n", "D", "K", "Q", "C", "harmonics", "ramp",
-		"M", "terms", "first_order", "relaxation", "parameters", "labels", "second_order_shapes", "scale", "shapes", "known", "ends", "command", "version",
+		"M", "terms", "first_order", "relaxation", "parameters", "labels",
+		"second_order_shapes", "scale", "shapes", "known", "ends", "command", "version",
 		"scene", "stats", "accuracy", NULL};
 	const json_t *D = json_object_get(root, "D"), *Q = json_object_get(root, "Q");
 	const json_t *C = json_object_get(root, "C"), *list = json_object_get(root, "harmonics");

@@ -26,7 +26,8 @@
 /* --- terms --- */
 
 /* [j, [k, ...], [l, ...], value] */
-static enum hawser_status read_term(const struct hawser__reader *reader, struct hawser_term *term, int n,
+static enum hawser_status read_term(const struct hawser__reader *reader, struct hawser_term *term,
+                                    int n,
                                     const json_t *entry, const char *where)
 {
 	enum hawser_status status;
@@ -244,7 +245,8 @@ static int differentiate(struct hawser_term **to, int *terms, const struct hawse
 }
 
 /* Q and C as terms, in a new list. */
-static struct hawser_term *as_terms(const struct hawser_quad *Q, int quads, const struct hawser_cubic *C,
+static struct hawser_term *as_terms(const struct hawser_quad *Q, int quads,
+                                    const struct hawser_cubic *C,
                                     int cubics, const struct hawser_term *term, int terms)
 {
 	struct hawser_term *all = malloc(((size_t)quads + (size_t)cubics + (size_t)terms + 1)*sizeof *all);
@@ -451,7 +453,8 @@ enum hawser_status hawser__read_parameters(struct hawser__reader *reader,
 		char where[64];
 
 		if (!hawser__formula_name(name))
-			return hawser__wrong(reader, "parameters: \"%.40s\" can't be a name: write a letter, then up "
+			return hawser__wrong(reader, "parameters: \"%.40s\" can't be a name: write a letter, "
+			                     "then up "
 			                     "to %d letters, digits and _, and no name of a function", name,
 			                     (int)sizeof now->name - 2);
 		if (reader->parameters == HAWSER_PARAMETERS)

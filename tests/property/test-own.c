@@ -1,7 +1,7 @@
 /* Own models by routes that share no code: forces of all terms against differences; a forced Rayleigh
  * oscillator against GSL's integrator; a mass matrix against modal coordinates that are computed here;
- * equations of first order against those of second; harmonics with Q and C against the same waves written
- * out; parameters against files with their values.
+ * equations of first order against those of second; harmonics with Q and C against the same waves
+ * written out; parameters against files with their values.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -100,7 +100,8 @@ static void integrate_gsl(double *y, double omega, double to)
 }
 
 #define RAYLEIGH "{\"n\": 1, \"K\": [[1]], \"D\": [[-0.2]], \"terms\": [[0, [], [0, 0, 0], 0.1], " \
-	"[0, [0, 0], [0], -0.05], [0, [0, 0, 0, 0, 0], [], 0.02]], \"harmonics\": [{\"k\": 1, \"f\": [0.5]}]}"
+	"[0, [0, 0], [0], -0.05], [0, [0, 0, 0, 0, 0], [], 0.02]], \"harmonics\": [{\"k\": 1, " \
+		"\"f\": [0.5]}]}"
 
 static void check_gsl(void)
 {
@@ -207,8 +208,10 @@ static void check_mass(void)
 		v[i][1] = y/size;
 	}
 	/* potential 0.2 x_1^4/4 + 0.5 (x_0 - x_1)^4/4, D = 0.03 K; x = sum of v_i q_i */
-	used = snprintf(text, sizeof text, "{\"n\": 2, \"K\": [[%.17g, 0], [0, %.17g]], \"D\": [[%.17g, 0], "
-	                "[0, %.17g]], \"harmonics\": [{\"k\": 1, \"f\": [%.17g, %.17g]}], \"C\": [", w[0], w[1],
+	used = snprintf(text, sizeof text, "{\"n\": 2, \"K\": [[%.17g, 0], [0, %.17g]], "
+	                "\"D\": [[%.17g, 0], "
+	                "[0, %.17g]], \"harmonics\": [{\"k\": 1, \"f\": [%.17g, %.17g]}], \"C\": [", w[0],
+		w[1],
 	                0.03*w[0], 0.03*w[1], v[0][0]*f[0] + v[0][1]*f[1], v[1][0]*f[0] + v[1][1]*f[1]);
 	for (int e = 0; e < 16; e++) {
 		int j = e/8, k = e/4%2, l = e/2%2, m = e%2;
@@ -219,7 +222,8 @@ static void check_mass(void)
 		                 e ? ", " : "", j, k, l, m, value);
 	}
 	snprintf(text + used, sizeof text - (size_t)used, "]}");
-#define PHYSICAL(damping, force) "{\"n\": 2, \"M\": [[2, 0.5], [0.5, 1]], \"K\": [[6, -1], [-1, 2]], " damping \
+#define PHYSICAL(damping, force) "{\"n\": 2, \"M\": [[2, 0.5], [0.5, 1]], \"K\": [[6, -1], [-1, " \
+	"2]], " damping \
 	"\"C\": [[0, 0, 0, 0, 0.5], [0, 0, 0, 1, -1.5], [0, 0, 1, 1, 1.5], [0, 1, 1, 1, -0.5], " \
 	"[1, 0, 0, 0, -0.5], [1, 0, 0, 1, 1.5], [1, 0, 1, 1, -1.5], [1, 1, 1, 1, 0.7]]" force "}"
 	same_events(PHYSICAL("\"D\": [[0.18, -0.03], [-0.03, 0.06]], ",
@@ -266,7 +270,8 @@ static void check_first(void)
 	   !hawser_integrate(&second, &rom[1], &options, &report), "integrated %s", report.message);
 	x = first.state + 4*(size_t)(first.rows - 1);
 	y = second.state + 2*(size_t)(second.rows - 1);
-	ok(fabs(x[0] - y[0]) + fabs(x[1] - y[1]) < 1e-9, "from a state whose velocities are not given: %.1e",
+	ok(fabs(x[0] - y[0]) + fabs(x[1] - y[1]) < 1e-9,
+	   "from a state whose velocities are not given: %.1e",
 	   fabs(x[0] - y[0]) + fabs(x[1] - y[1]));
 	for (int i = 0; i < 2; i++)
 		hawser_rom_clear(&rom[i]);
@@ -298,28 +303,35 @@ static void check_refusals(void)
 	   strstr(report.message, "terms: entry 0 of equation 0 has 3 factors"), "%s", report.message);
 	rom.term[0].factor[1] = 0;
 	ok(sole_quad(&rom) && hawser_rom_compile(&rom, &report) == HAWSER_ERR_ARGUMENT &&
-	   strstr(report.message, "harmonic 0: a Q with omega_power 1; it must be 0"), "%s", report.message);
+	   strstr(report.message, "harmonic 0: a Q with omega_power 1; it must be 0"), "%s",
+		report.message);
 	hawser_rom_clear(&rom);
 }
 
 int main(void)
 {
 	gsl_set_error_handler_off();
-	differentiated("{\"n\": 2, \"M\": [[2, 0.3], [0.1, 1]], \"K\": [[1, 0.2], [0.4, 3]], \"Q\": [[0, 0, 1, 1]],"
-	               " \"C\": [[1, 0, 1, 1, -2]], \"terms\": [[0, [], [0, 0, 1], 0.3], [1, [0, 1, 1], [1], 2], "
+	differentiated("{\"n\": 2, \"M\": [[2, 0.3], [0.1, 1]], \"K\": [[1, 0.2], [0.4, 3]], "
+	               "\"Q\": [[0, 0, 1, 1]],"
+	               " \"C\": [[1, 0, 1, 1, -2]], \"terms\": [[0, [], [0, 0, 1], 0.3], [1, [0, 1, "
+		"1], [1], 2], "
 	               "[1, [0, 0, 0, 0, 1], [], -1]], \"harmonics\": [{\"k\": 2, \"omega_power\": 2, "
 	               "\"phase\": \"sin\", \"Q\": [[0, 0, 1, 0.7]], \"C\": [[1, 0, 0, 1, 0.4]], "
 	               "\"terms\": [[0, [1], [0], 1]], \"D\": [[1, 2], [3, 4]]}]}", 3u);
-	differentiated("{\"n\": 3, \"first_order\": true, \"relaxation\": 2.5, \"K\": [[0, -1, 0.3], [1, 0.05, 0], "
+	differentiated("{\"n\": 3, \"first_order\": true, \"relaxation\": 2.5, \"K\": [[0, -1, 0.3], "
+	               "[1, 0.05, 0], "
 	               "[0, 0, 1]], \"Q\": [[2, 0, 1, 1], [1, 2, 2, 1]], \"C\": [[1, 0, 0, 1, 0.1]], "
-	               "\"terms\": [[2, [0, 0, 1, 1, 2], [], 0.1]], \"harmonics\": [{\"k\": 1, \"f\": [0, 0.18, 1], "
-	               "\"K\": [[0, 1, 0], [0, 0, 0], [2, 0, 1]], \"Q\": [[1, 0, 0, 0.02]], \"omega_power\": 1}, "
+	               "\"terms\": [[2, [0, 0, 1, 1, 2], [], 0.1]], \"harmonics\": [{\"k\": 1, "
+		"\"f\": [0, 0.18, 1], "
+	               "\"K\": [[0, 1, 0], [0, 0, 0], [2, 0, 1]], \"Q\": [[1, 0, 0, 0.02]], "
+		"\"omega_power\": 1}, "
 	               "{\"k\": 0, \"f\": [1, 2, 3]}]}", 7u);
 	check_refusals();
 	check_gsl();
 	check_mass();
 	check_first();
-	same_events(DUFFING("", "\"C\": [[0, 0, 0, 0, 0.1]]", "{\"k\": 1, \"f\": [0.18], \"C\": [[0, 0, 0, 0, "
+	same_events(DUFFING("", "\"C\": [[0, 0, 0, 0, 0.1]]", "{\"k\": 1, \"f\": [0.18], \"C\": [[0, "
+	                    "0, 0, 0, "
 	                    "0.02]]}"),
 	            DUFFING("", "\"terms\": [[0, [0, 0, 0], [], 0.1]]", "{\"k\": 1, \"f\": [0.18], "
 	                    "\"terms\": [[0, [0, 0, 0], [], 0.02]]}"), 0.8, 2.0, 2, "C and terms");

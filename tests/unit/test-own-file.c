@@ -62,23 +62,28 @@ int main(void)
 	refused(MODEL(", \"terms\": [[0, [0], [], \"x\"]]"), "terms[0]: the value is \"x\"");
 	refused(MODEL(", \"harmonics\": [{\"k\": 1, \"terms\": [[0, [0], [7], 1]]}]"),
 	        "harmonics[0].terms[0]: factor 2 is 7");
-	refused(MODEL(", \"harmonics\": [{\"k\": 1, \"C\": [[0, 0, 0, 1]]}]"), "harmonics[0].C[0] is a list of 4");
+	refused(MODEL(", \"harmonics\": [{\"k\": 1, \"C\": [[0, 0, 0, 1]]}]"),
+	        "harmonics[0].C[0] is a list of 4");
 	refused(MODEL(", \"M\": [[1, 1], [1, 1]]"), "M is singular|eliminate");
 	refused(MODEL(", \"M\": [[1, 0]]"), "M is a list of 1");
-	refused(MODEL(", \"M\": [[1, 0], [0, 2]], \"ramp\": {\"time\": 1}"), "M goes with models that have neither");
+	refused(MODEL(", \"M\": [[1, 0], [0, 2]], \"ramp\": {\"time\": 1}"),
+	        "M goes with models that have neither");
 	refused(MODEL(", \"first_order\": 1"), "first_order: true or false");
 	refused(MODEL(", \"relaxation\": 1"), "relaxation is for models of first_order");
 	refused(MODEL(", \"first_order\": true, \"relaxation\": 0"), "relaxation is 0|positive");
 	refused(MODEL(", \"first_order\": true, \"D\": [[0, 0], [0, 1]]"), "D in a model of first_order");
 	refused(MODEL(", \"first_order\": true, \"terms\": [[0, [], [0], 1]]"), "terms[0] has velocities");
-	refused(MODEL(", \"first_order\": true, \"ramp\": {\"time\": 1}"), "a ramp in a model of first_order");
+	refused(MODEL(", \"first_order\": true, \"ramp\": {\"time\": 1}"),
+	        "a ramp in a model of first_order");
 	refused(MODEL(", \"first_order\": true, \"harmonics\": [{\"k\": 1, \"D\": [[0, 0], [0, 1]]}]"),
 	        "harmonics[0] has a D, in a model of first_order");
-	refused(MODEL(", \"first_order\": true, \"harmonics\": [{\"k\": 1, \"f\": [1, 1], \"omega_power\": 2}]"),
+	refused(MODEL(", \"first_order\": true, \"harmonics\": [{\"k\": 1, \"f\": [1, 1], "
+	              "\"omega_power\": 2}]"),
 	        "harmonics[0] has omega_power 2, in");
 	refused(MODEL(", \"first_order\": true, \"harmonics\": [{\"k\": 0, \"Q\": [[1, 1, 1, 1]]}]"),
 	        "harmonics[0] of k 0 has more than an f");
-	refused(MODEL(", \"first_order\": true, \"harmonics\": [{\"k\": 1, \"terms\": [[1, [1], [1], 1]]}]"),
+	refused(MODEL(", \"first_order\": true, \"harmonics\": [{\"k\": 1, \"terms\": [[1, [1], [1], "
+	              "1]]}]"),
 	        "harmonics[0] has terms with velocities");
 	refused(MODEL(", \"parameters\": 1"), "parameters: an object");
 	refused(MODEL(", \"parameters\": {\"2a\": 1}"), "\"2a\" can't be a name");
