@@ -4,7 +4,9 @@
  * The mapped field is a function of (x, y). hawser_map_trace evaluates it on cells, from coarse to
  * fine: cells whose corners differ are split down to the requested resolution, and the boundary is
  * bracketed by bisection on their edges. Points inside cells whose corners agree are interpolated
- * and marked as such. A value depends on (x, y) only, so that results do not depend on the number of
+ * and marked as such. A map of responses is computed by rows instead: the curves of responses are
+ * followed along one parameter, for each value of the other, and every point is computed. A value
+ * depends on (x, y) only, so that results do not depend on the number of
  * threads or on interruptions, to the last bit.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -48,6 +50,8 @@ struct hawser_map_condensed {
 	double neglected; /* estimate of the largest error of the multipliers' logarithms by it */
 };
 
+struct hawser__map_row;
+
 /* A field to be mapped. The results of `point` depend on (x, y) only. */
 struct hawser_map_field {
 	const char *name;     /* of the quantity */
@@ -77,6 +81,12 @@ struct hawser_map_field {
 	                            double x, double y, struct hawser_report *report);
 	/* Function `line` of marks [marks]. */
 	double (*line)(const void *context, int line, const double *marks);
+	/* If not NULL, the map consists of rows along coordinate `along` (0: x, 1: y), each computed at
+	 * once, and `point` is not called: the responses at each point are those of curves that are
+	 * followed along the row. Statuses as of `point`. */
+	enum hawser_status (*row)(void *worker, struct hawser__map_row *row,
+	                          struct hawser_report *report);
+	int along;
 };
 
 struct hawser_map_options {
@@ -93,6 +103,7 @@ struct hawser_map_options {
 	struct hawser_progress progress; /* called every 0.1 to 0.5 s */
 	int strict; /* 1: end with HAWSER_ERR_CONVERGENCE at the first point that could not be computed
 	             * (hawser_map_uncomputed) instead of leaving it empty */
+	int only_stable; /* a map by rows: 1: only stable responses count */
 };
 void hawser_map_settle(struct hawser_map_options *options);
 
@@ -110,6 +121,10 @@ struct hawser_map_boundary {
 	int along;     /* the coordinate that varies: 0: x, 1: y */
 	int number[2]; /* at the smaller value of this coordinate, and at the larger one */
 	enum hawser_map_code code[2];
+	const char *event;  /* of a map by rows: "fold", "torus", ..., and the width is that of its
+	                     * location; "" where none was found between two points that differ, and
+	                     * NULL in other maps */
+	int branches[2];    /* of a map by rows: the numbers of responses on both sides */
 };
 
 struct hawser_map {
@@ -120,6 +135,16 @@ struct hawser_map {
 	struct hawser_map_boundary *boundary; /* [boundaries] */
 	double *segment;                /* [segments][4] x, y of both ends of the segments that form the
 	                                 * boundary lines */
+	/* Of a map by rows, otherwise NULL: [ny][nx] the smallest and the largest amplitude of the
+	 * responses that coexist at a point (with options->only_stable: of the stable ones), in the unit
+	 * of the quantity; their number, and the number of those that are stable. The value of a point is
+	 * the largest one, its number the smallest number of unstable multipliers among them. Where a
+	 * response is one that a cable bears, slack ones do not count. */
+	double *least, *most;           /* [ny][nx] */
+	int *branches, *stable;         /* [ny][nx] */
+	int incomplete;                 /* number of rows in which a curve could not be followed to its
+	                                 * end: responses may be missing */
+	char broken[320];               /* why, in the first of them */
 	long visited;                   /* number of points evaluated, including those on edges */
 	long restored;                  /* how many of these were read from the checkpoint */
 	int count[HAWSER_MAP_CODES];    /* number of evaluated points of each code */

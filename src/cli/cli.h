@@ -480,6 +480,7 @@ struct cli_map_result {
 	const char *key[2], *unit[2]; /* [2] */
 	double omega; /* 0: none */
 	int full;     /* 1: write rows of interpolated points too */
+	int along;    /* of a map by rows: the axis that is followed */
 };
 /* Unit of the mapped value; "1" for a beam without dimensions. */
 const char *cli_map_value_unit(const struct cli_map_result *result);

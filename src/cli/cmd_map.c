@@ -16,7 +16,7 @@ struct settings {
 	struct cli_common common;
 	const char *x, *y, *points, *quantity, *omega, *checkpoint, *boundary;
 	double jump, tolerance;
-	int n, depth, coarse, threads, full, partial;
+	int n, depth, coarse, threads, full, partial, stable;
 };
 static const struct settings defaults = {.quantity = "growth"};
 
@@ -40,6 +40,7 @@ static const struct cli_option options[] = {
 	{"checkpoint", 0, "FILE", "save points to this file, and continue from those in it",
 	 CLI_TEXT(checkpoint)},
 	{"boundary", 0, "FILE", "write the points of the boundaries as a table", CLI_TEXT(boundary)},
+	{"stable", 0, "", "amplitude: min, max and branches of stable responses only", CLI_FLAG(stable)},
 	{"full", 0, "", "write interpolated points to the table too", CLI_FLAG(full)},
 	{"partial", 0, "", "leave points empty that cannot be computed, and warn", CLI_FLAG(partial)},
 	CLI_NO_OPTION,
@@ -211,6 +212,7 @@ static void read_numbers(struct hawser_map_options *to, const struct settings *s
 	hawser_map_settle(to);
 	to->threads = settings->threads;
 	to->strict = !settings->partial;
+	to->only_stable = settings->stable;
 	to->checkpoint = settings->checkpoint;
 }
 
@@ -231,6 +233,11 @@ static void warn_uncomputed(const struct hawser_map *map)
 
 	for (int k = 0; k < HAWSER_MAP_CODES; k++)
 		count += hawser_map_uncomputed((enum hawser_map_code)k) ? map->count[k] : 0;
+	if (map->incomplete > 0) {
+		snprintf(text, sizeof text, "in %d rows responses may be missing, since a curve could not be "
+		         "followed to its end; the first: %.300s", map->incomplete, map->broken);
+		cli_warn(text);
+	}
 	if (count == 0)
 		return;
 	snprintf(text, sizeof text, "%d of %ld points could not be computed and are empty; the comments of "
@@ -238,7 +245,7 @@ static void warn_uncomputed(const struct hawser_map *map)
 	cli_warn(text);
 }
 
-static enum hawser_status trace(struct hawser_map *map, const struct cli_map_result *result,
+static enum hawser_status trace(struct hawser_map *map, struct cli_map_result *result,
                                 const struct cli_model *model, int n, struct hawser_report *report)
 {
 	const struct hawser_map_source source = {
@@ -257,6 +264,7 @@ static enum hawser_status trace(struct hawser_map *map, const struct cli_map_res
 	choice.progress = (struct hawser_progress){cli_watch, &watch};
 	if (status)
 		return status;
+	result->along = field.along;
 	status = hawser_map_trace(map, &field, &choice, report);
 	cli_progress_end(&watch.progress);
 	if (status == HAWSER_ERR_CONVERGENCE && choice.strict)
@@ -279,6 +287,18 @@ static enum hawser_status write_result(const struct cli_map_result *result, cons
 	return status ? status : cli_show(result->common, &cli_map_showing, result, report);
 }
 
+/* Rows are followed as they are, without cells. */
+static enum hawser_status check_rows(const struct settings *settings, struct hawser_report *report)
+{
+	const char *option = settings->coarse > 0 ? "coarse" : settings->jump > 0.0 ? "jump"
+	                     : settings->tolerance > 0.0 ? "tolerance" : NULL;
+
+	return !option ? HAWSER_OK
+	       : hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
+	                      "--%s: a map of amplitudes has no cells that are split: it follows curves "
+	                      "along one axis, for each of the --points of the other", option);
+}
+
 static enum hawser_status check(struct cli_map_result *result, const struct settings *settings,
                                 struct hawser_report *report)
 {
@@ -286,6 +306,12 @@ static enum hawser_status check(struct cli_map_result *result, const struct sett
 	                                  {"boundary", settings->boundary}};
 	enum hawser_status status = read_quantity(result, settings->quantity, report);
 
+	if (!status && result->quantity->nonlinear)
+		status = check_rows(settings, report);
+	else if (!status && settings->stable)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
+		                      "--stable: only the responses of the quantity amplitude are stable or "
+		                      "not: the number of instabilities is a column of every map");
 	if (!status)
 		status = read_points(result->options.points, settings, report);
 	if (!status)

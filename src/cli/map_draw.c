@@ -47,7 +47,7 @@ static const char *quantity_title(const struct hawser_map_quantity *quantity)
 {
 	static const char *const titles[][2] = {
 		{"growth", "Largest growth rate"}, {"multiplier", "Largest modulus of a multiplier"},
-		{"unstable", "Number of unstable multipliers"}, {"amplitude", "Peak amplitude"}};
+		{"unstable", "Number of unstable multipliers"}, {"amplitude", "Largest peak amplitude"}};
 
 	for (size_t k = 0; k < sizeof titles/sizeof *titles; k++)
 		if (strcmp(titles[k][0], quantity->name) == 0)
@@ -71,6 +71,8 @@ static const char *line_title(const struct hawser_map *map)
 		else
 			stability = 1;
 	}
+	if (map->branches && !code)
+		return "number of responses or their stability changes";
 	if (code)
 		return stability || number ? "stability changes, or edge of what has a value"
 		                           : "edge of what has a value";

@@ -60,6 +60,16 @@ static void value_name(char *text, size_t size, const void *context)
 	column(text, size, result->quantity->name, cli_map_value_unit(result));
 }
 
+static void least_name(char *text, size_t size, const void *context)
+{
+	column(text, size, "min", cli_map_value_unit(context));
+}
+
+static void most_name(char *text, size_t size, const void *context)
+{
+	column(text, size, "max", cli_map_value_unit(context));
+}
+
 static const char *x_unit(const void *context)
 {
 	return ((const struct cli_map_result *)context)->unit[0];
@@ -92,9 +102,18 @@ static void comments(struct hawser__table *table, const void *of)
 		hawser__table_comment(table, "Omega = %.12g%s", result->omega,
 		                      result->model->has_scene || result->model->rom.scaled ? " rad/s"
 		                                                                            : "");
-	hawser__table_comment(table, "computed: %ld points of a lattice of %ld, those on boundaries "
-	                             "included; first cells %d, tolerance %.3g", map->visited,
-	                      (long)map->nx*map->ny, options->coarse, options->tolerance);
+	if (map->branches)
+		hawser__table_comment(table, "computed: %ld points of a lattice of %ld, on curves that are "
+		                      "followed along %s; min, max and branches are of %s responses",
+		                      map->visited, (long)map->nx*map->ny, result->key[result->along],
+		                      options->only_stable ? "the stable" : "all");
+	else
+		hawser__table_comment(table, "computed: %ld points of a lattice of %ld, those on boundaries "
+		                      "included; first cells %d, tolerance %.3g", map->visited,
+		                      (long)map->nx*map->ny, options->coarse, options->tolerance);
+	if (map->incomplete > 0)
+		hawser__table_comment(table, "incomplete: %d rows, in which responses may be missing; the "
+		                      "first: %s", map->incomplete, map->broken);
 	hawser__table_comment(table, "boundaries: %d points", map->boundaries);
 	cli_condensed_comment(table, &map->condensed);
 	for (int k = 1; k < HAWSER_MAP_CODES; k++)
@@ -119,13 +138,13 @@ static int shown(const struct cli_map_result *result, const struct hawser_map_po
 	return point->computed || (result->full && point->sample.code != HAWSER_MAP_LEFT);
 }
 
-enum { OMEGA = 1, CONDENSED = 2, TIMES = 4 };
+enum { OMEGA = 1, CONDENSED = 2, TIMES = 4, ROWS = 8 };
 
 HAWSER__LABELS(code_name, hawser_map_code_name, enum hawser_map_code)
 
 struct point {
-	double x, y, value; /* value: NAN if there is none */
-	int number, computed;
+	double x, y, value, least, most; /* of values: NAN if there is none */
+	int number, computed, branches, stable;
 	enum hawser_map_code code;
 };
 #define OF(member) HAWSER__AT(struct point, member)
@@ -134,6 +153,13 @@ static const struct hawser__field point_field[] = {
 	{"y", "KEY", "second parameter", OF(y), .named = y_name, .si = y_unit},
 	{"value", "KEY", "the quantity; null: none", OF(value), .flags = HAWSER__NULL,
 	 .named = value_name, .si = value_unit},
+	{"min", "KEY", "amplitude: the smallest of the coexisting responses; null: none", OF(least),
+	 .flags = HAWSER__NULL, .named = least_name, .si = value_unit, .when = ROWS},
+	{"max", "KEY", "amplitude: the largest of them", OF(most), .flags = HAWSER__NULL,
+	 .named = most_name, .si = value_unit, .when = ROWS},
+	{"branches", "branches", "amplitude: number of coexisting responses", OF(branches),
+	 .when = ROWS},
+	{"stable", "stable", "amplitude: number of those that are stable", OF(stable), .when = ROWS},
 	{"number", "number", "number of instabilities, see QUANTITIES", OF(number)},
 	{"status", "status", "ok, or why there is no value",
 	 HAWSER__LABEL_AT(struct point, code, code_name)},
@@ -149,12 +175,15 @@ static const void *point_row(void *to, const void *parent, size_t index)
 	const struct cli_map_result *result = parent;
 	const struct hawser_map *map = result->map;
 	const struct hawser_map_point *point = &map->point[index];
+	int rows = map->branches && has_value(&point->sample);
 
 	if (!shown(result, point))
 		return NULL;
 	*(struct point *)to = (struct point){
 		.x = map->x[index % (size_t)map->nx], .y = map->y[index/(size_t)map->nx],
 		.value = has_value(&point->sample) ? point->sample.value : NAN,
+		.least = rows ? map->least[index] : NAN, .most = rows ? map->most[index] : NAN,
+		.branches = rows ? map->branches[index] : 0, .stable = map->branches ? map->stable[index] : 0,
 		.number = point->sample.number, .code = point->sample.code,
 		.computed = point->computed};
 	return to;
@@ -197,6 +226,13 @@ static const struct hawser__field boundary_field[] = {
 	{NULL, "status_before", "on that side", LABEL(code[0], code_name)},
 	{NULL, "number_after", "on the other side", OF(number[1])},
 	{NULL, "status_after", "on that side", LABEL(code[1], code_name)},
+	{"event", "event", "amplitude: what is there on a curve; empty: not located", OF(event),
+	 .when = ROWS},
+	{"branches", NULL, "amplitude: number of responses on both sides", OF(branches),
+	 .when = ROWS},
+	{NULL, "branches_before", "amplitude: number of responses on the side of the smaller coordinate",
+	 OF(branches[0]), .when = ROWS},
+	{NULL, "branches_after", "on the other side", OF(branches[1]), .when = ROWS},
 	HAWSER__END,
 };
 #undef LABEL
@@ -237,6 +273,10 @@ static const struct hawser__field map_field[] = {
 	 HAWSER__CALLS(counts_json)},
 	{"", NULL, "", HAWSER__PART_OF(struct hawser_map, condensed, cli_condensed_field),
 	 .when = CONDENSED},
+	{"incomplete.rows", NULL, "amplitude: number of rows in which responses may be missing",
+	 OF(incomplete), .when = ROWS},
+	{"incomplete.first", NULL, "why, in the first of them; empty: there is none", OF(broken),
+	 .when = ROWS},
 	{"interrupted", NULL, "whether the map is incomplete",
 	 HAWSER__FLAG_AT(struct hawser_map, interrupted)},
 	HAWSER__END,
@@ -296,6 +336,7 @@ static struct cli_head head(const void *of)
 		{.scale = hawser__si, .context = result,
 		 .options = (result->omega > 0.0 ? OMEGA : 0u) |
 		            (result->map->condensed.points > 0 ? CONDENSED : 0u) |
+		            (result->map->branches ? ROWS : 0u) |
 		            (result->common->reproducible ? 0u : TIMES)}, NULL, NULL};
 }
 

@@ -152,6 +152,9 @@ static enum hawser_status accept(struct hawser__trace *trace, int *again, double
 	slack.after = trace->frf->points - 2;
 	if (trace->slack && (status = hawser__record_event(trace->frf, &slack, trace->report)))
 		return status;
+	if (trace->watch && trace->watch->step &&
+	    (status = trace->watch->step(trace->watch->context, trace)))
+		return status;
 	trace->retries = 0;
 	hawser__station_swap(&trace->before, &trace->prev);
 	hawser__station_swap(&trace->prev, &trace->here);
@@ -294,12 +297,13 @@ static enum hawser_status open_trace(struct hawser__trace *trace, struct hawser_
 		trace->account.context = trace->watch->context;
 	}
 	trace->direction = calloc((size_t)orbit->size, sizeof(double));
+	trace->side = calloc((size_t)orbit->size, sizeof(double));
 	trace->start_y = calloc((size_t)orbit->size, sizeof(double));
 	trace->mark_y = calloc((size_t)orbit->size, sizeof(double));
 	trace->mark_t = calloc((size_t)orbit->size, sizeof(double));
 	trace->pairs = calloc(6*(size_t)orbit->n, sizeof *trace->pairs);
 	trace->amplitude = hawser__amplitude_new(rom);
-	if (!trace->pairs || !trace->direction || !trace->start_y || !trace->mark_y ||
+	if (!trace->pairs || !trace->direction || !trace->side || !trace->start_y || !trace->mark_y ||
 	    !trace->mark_t || !trace->amplitude)
 		return hawser__no_memory(report, "frf");
 	return HAWSER_OK;
@@ -317,6 +321,7 @@ static void close_trace(struct hawser__trace *trace)
 	hawser__account_clear(&trace->account);
 	hawser__amplitude_free(trace->amplitude);
 	free(trace->direction);
+	free(trace->side);
 	free(trace->pairs);
 	free(trace->start_y);
 	free(trace->mark_y);

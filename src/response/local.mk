@@ -118,6 +118,8 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/surge_lone.c \
 	%D%/surge_parts.h \
 	%D%/surge_run.c \
+	%D%/stops.c \
+	%D%/stops.h \
 	%D%/subharmonic.c \
 	%D%/start.c \
 	%D%/start.h \

@@ -18,12 +18,17 @@
 #include "response/station.h"
 #include "response/vanish.h"
 
+struct hawser__trace;
+
 /* A caller that receives the orbits of located events, y [size] in the unknowns of the method. An
- * event may be located again when its step is repeated. */
+ * event may be located again when its step is repeated. `step` is called after each accepted step, from
+ * trace->here to trace->next, whose events are in trace->account; it may use the scratch station. Each
+ * may be NULL. */
 struct hawser__trace_watch {
 	void (*event)(void *context, const struct hawser_frf_event *event,
 	              const struct hawser__orbit *orbit, const double *y);
 	void *context;
+	enum hawser_status (*step)(void *context, struct hawser__trace *trace);
 };
 
 struct hawser__trace {
@@ -37,7 +42,7 @@ struct hawser__trace {
 	struct hawser__account account; /* events of the step from here to next */
 	int retries;                    /* repetitions of this step because events did not explain the
 	                                 * count */
-	double *direction;      /* [size] */
+	double *direction, *side; /* [size] */
 	double complex *pairs;  /* [5 m/2] workspace of hawser__collide */
 	double *start_y;        /* [size] first point, to detect a closed curve */
 	double *mark_y, *mark_t; /* [size] a later point and its tangent, to detect a jump */

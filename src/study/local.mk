@@ -66,6 +66,13 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/map_probes.c \
 	%D%/map_quantity.c \
 	%D%/map_quantity.h \
+	%D%/map_row.c \
+	%D%/map_row_model.c \
+	%D%/map_rows.c \
+	%D%/map_rows.h \
+	%D%/map_rows_file.c \
+	%D%/map_rows_file.h \
+	%D%/map_rows_lines.c \
 	%D%/map_structure.c \
 	%D%/map_tree.c
 # boundaries of stability by continuation

@@ -10,6 +10,7 @@
 #include "core/report.h"
 #include "core/settle.h"
 #include "study/map.h"
+#include "study/map_rows.h"
 
 enum { MOST_POINTS = 20000 }; /* largest number of points along an axis; chosen */
 
@@ -209,6 +210,15 @@ enum hawser_status hawser_map_trace(struct hawser_map *map, const struct hawser_
 	status = check(options, report);
 	if (status)
 		return status;
+	if (field->row) {
+		map->nx = options->points[0];
+		map->ny = options->points[1];
+		map->x = axis_of(options->from[0], options->to[0], map->nx);
+		map->y = axis_of(options->from[1], options->to[1], map->ny);
+		map->point = calloc((size_t)map->nx*(size_t)map->ny, sizeof *map->point);
+		return map->x && map->y && map->point ? hawser__map_rows(map, field, options, report)
+		                                      : hawser__no_memory(report, "map");
+	}
 	status = open_mapper(&mapper, map, field, options, report);
 	if (!status)
 		status = hawser__map_grow(&mapper, report);
@@ -233,5 +243,7 @@ void hawser_map_clear(struct hawser_map *map)
 	free(map->point);
 	free(map->boundary);
 	free(map->segment);
+	free(map->least);
+	free(map->branches);
 	*map = (struct hawser_map){.nx = 0};
 }

@@ -22,6 +22,7 @@
 #include "rom/terms.h"
 #include "study/map.h"
 #include "study/map_cable.h"
+#include "study/map_rows.h"
 
 enum { HARMONICS = 2 }; /* frequencies are compared with this number of multiples of Omega at least:
                          * primary and principal parametric resonances */
@@ -231,6 +232,10 @@ enum hawser_status hawser_map_cable_open(struct hawser_map_field *field,
 	field->condensed = &cable->condensed;
 	set_marks(field, cable);
 	cable->marks = field->marks;
+	if (cable->quantity->about.nonlinear) {
+		field->row = hawser__map_worker_row;
+		field->along = hawser__map_row_along(cable);
+	}
 	return HAWSER_OK;
 }
 

@@ -89,6 +89,8 @@ const struct hawser__map_room *hawser__map_worker_room(void *worker, int finer);
 enum hawser_status hawser__map_worker_model(void *worker, const struct hawser_rom **rom,
                                             double *omega, int *steady, double x, double y,
                                             struct hawser_report *report);
+/* What the worker maps. */
+const struct hawser__map_cable *hawser__map_worker_cable(const void *worker);
 /* 1: the structure of a point is stored; 0: the point computes its own. */
 int hawser__map_worker_prepared(void *worker, double x, double y);
 /* After the model or the value of a point failed: 1 if its code reports this, 0 if the map must

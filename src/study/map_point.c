@@ -92,6 +92,11 @@ const struct hawser__map_room *hawser__map_worker_room(void *context, int finer)
 	return &worker->room;
 }
 
+const struct hawser__map_cable *hawser__map_worker_cable(const void *context)
+{
+	return ((const struct worker *)context)->cable;
+}
+
 static double *copy_scaled(double **next, const double *from, size_t count, double factor)
 {
 	double *to = *next;

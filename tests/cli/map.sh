@@ -40,6 +40,10 @@ refuses 1 'model.modes: auto chooses for one response, not for a map: give a num
 	map "$chairlift" --set model.modes=auto --x span.h=0:5 --y g=1:2
 refuses 1 'factor.damping is for linear quantities: for the amplitude give a key of the scene'"'s damping" \
 	map "$chairlift" --x Omega=1:2 --y factor.damping=0:2 --quantity amplitude
+refuses 1 '--coarse: a map of amplitudes has no cells that are split: it follows curves along one axis, for each of the --points of the other' \
+	map "$chairlift" --x Omega=1:2 --y factor.load=0.2:2 --quantity amplitude --coarse 4
+refuses 1 '--stable: only the responses of the quantity amplitude are stable or not: the number of instabilities is a column of every map' \
+	map "$chairlift" --x Omega=1:2 --y factor.load=0.2:2 --quantity multiplier --stable
 refuses 1 'span.h: the parameters of a reduced-model file are Omega, factor.load and factor.damping' \
 	map hill.json --x span.h=0:5 --y Omega=1:2
 refuses 1 '--json and --checkpoint both write to a' map hill.json $axes --json a --checkpoint a
@@ -132,7 +136,20 @@ try "and drawn grey" grep -q ">no value" grey.svg
 try "a line around them is not called one of stability" sh -c \
 	'grep -q "edge of what has a value" grey.svg && ! grep -q "of stability" grey.svg'
 works "amplitude over frequency and load" map "$chairlift" --x Omega=0.9w1:1.1w1 --y factor.load=0.1:1 \
-	--points 9x5 --quantity amplitude --tsv peak.tsv
+	--points 9x5 --quantity amplitude --tsv peak.tsv --boundary folds.tsv --json peak.json
+python "all responses of a point, and the folds between them" <<'END'
+import json
+rows = [l.rstrip("\n").split("\t") for l in open("peak.tsv") if not l.startswith("#")]
+assert rows[0][2:9] == ["amplitude_m", "min_m", "max_m", "branches", "stable", "number", "status"], rows[0]
+assert len(rows) == 46 and {r[5] for r in rows[1:]} == {"1", "3"}, {r[5] for r in rows[1:]}
+for r in rows[1:]:
+    assert r[2] == r[4] and (float(r[3]) < float(r[4])) == (r[5] == "3") and r[6] == str((int(r[5]) + 1)//2), r
+folds = [l.rstrip("\n").split("\t") for l in open("folds.tsv") if not l.startswith("#")]
+assert folds[0][8:] == ["event", "branches_before", "branches_after"] and len(folds) > 2, folds[0]
+assert all(float(f[3]) < 1e-5 for f in folds[1:] if f[8]) and any(f[8] == "fold" and f[9:] == ["1", "3"] for f in folds), folds
+r = json.load(open("peak.json"))
+assert r["incomplete"] == {"rows": 0, "first": ""} and r["boundaries"][0]["event"] == "fold", r["incomplete"]
+END
 works "modes of one solution" map "$chairlift" --x "Omega=0.2 Hz:0.5 Hz" --y damping.alpha=0:1 --points 9x9 \
 	--quantity unstable --tsv none.tsv
 
