@@ -9,6 +9,7 @@ pkginclude_HEADERS = \
 	%D%/hawser/branches.h \
 	%D%/hawser/cover.h \
 	%D%/hawser/family.h \
+	%D%/hawser/plugin.h \
 	%D%/hawser/frf.h \
 	%D%/hawser/gyroscopic.h \
 	%D%/hawser/hawser.h \

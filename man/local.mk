@@ -28,6 +28,7 @@ shared_text = \
 	%D%/shared/exit-partial \
 	%D%/shared/files \
 	%D%/shared/frequencies \
+	%D%/shared/library \
 	%D%/shared/help \
 	%D%/shared/modes \
 	%D%/shared/reproducible \

@@ -38,6 +38,7 @@ CLI_TESTS = \
 	%D%/cli/travel.sh \
 	%D%/cli/branches.sh \
 	%D%/cli/over.sh \
+	%D%/cli/library.sh \
 	%D%/cli/own.sh \
 	%D%/cli/unstable.sh \
 	%D%/cli/usage.sh

@@ -104,3 +104,8 @@ check_PROGRAMS += tests/property/test-own
 TESTS += tests/property/test-own
 tests_property_test_own_SOURCES = tests/property/test-own.c
 tests_property_test_own_LDADD = $(UPTO_RESPONSE)
+
+check_PROGRAMS += tests/property/test-plugin
+TESTS += tests/property/test-plugin
+tests_property_test_plugin_SOURCES = tests/property/test-plugin.c
+tests_property_test_plugin_LDADD = $(UPTO_RESPONSE)

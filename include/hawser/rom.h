@@ -17,6 +17,7 @@
 #include <stdio.h>
 
 #include <hawser/modes.h>
+#include <hawser/plugin.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -197,6 +198,8 @@ struct hawser_rom {
 	struct hawser_rom_drag *drag;     /* quadratic drag, only for integration and shooting; or NULL */
 	double *mass;              /* [n][n] by whose inverse the equations of a file were multiplied, for
 	                            * the energy; NULL: the unit matrix */
+	struct hawser_rom_plug *plug; /* forces by a function, besides; or NULL */
+	int base;                  /* the load's frequency is this multiple of Omega; 0: 1. Only for plug */
 	struct hawser_rom *first;  /* of a file of equations u' = g(u, tau): the model u'' = g, from which
 	                            * initial velocities follow; NULL for others */
 	struct hawser_rom_exact *exact;   /* strain energy without expansion, in place of K, Q and C in
@@ -277,10 +280,12 @@ struct hawser_parameter {
 	int set; /* 1: not the value of the file, from which others may follow */
 };
 
-/* The text of a model file, from which models with other values of its parameters are made. */
+/* The text of a model file, or a function (plugin.h), from which models with other values of its
+ * parameters are made. */
 struct hawser_rom_source {
 	char *text, *name; /* name: of the file, for messages */
 	size_t size;
+	const struct hawser_plugin *plugin; /* NULL: the text */
 	int parameters;
 	struct hawser_parameter *parameter; /* [parameters] with the values that the next model has */
 };
@@ -295,6 +300,13 @@ enum hawser_status hawser_rom_source_model(struct hawser_rom *rom,
                                            const struct hawser_rom_source *source,
                                            struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_rom_source_clear(struct hawser_rom_source *source);
+
+/* The same of a function, which must exist as long as the models. _model compares its derivatives with
+ * differences at random states: HAWSER_ERR_ARGUMENT names one that differs. Such models are for
+ * integration and for shooting, as those with terms; their energy is the kinetic one. */
+enum hawser_status hawser_rom_source_plugin(struct hawser_rom_source *source,
+                                            const struct hawser_plugin *plugin, const char *name,
+                                            struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* Read and write the reduced-model file (JSON, hawser-rom(5)). "-" is a standard stream. Reading
  * checks shapes and indices: HAWSER_ERR_SCENE with file, key and entry, HAWSER_ERR_ARGUMENT if the

@@ -32,6 +32,8 @@ enum hawser_status cli_store_text(void *field, const struct cli_option *option,
 enum hawser_status cli_store_two(void *field, const struct cli_option *option,
                                  const char *const *values, struct hawser_report *report);
 /* > 0 */
+enum hawser_status cli_store_library(void *field, const struct cli_option *option,
+                                     const char *const *values, struct hawser_report *report);
 enum hawser_status cli_store_positive(void *field, const struct cli_option *option,
                                       const char *const *values, struct hawser_report *report);
 /* Integers: any, and >= 2. */
@@ -55,6 +57,9 @@ enum hawser_status cli_store_count(void *field, const struct cli_option *option,
 	{#name, 0, arguments, doc, CLI_TEXT(name)}
 #define CLI_RANGE_OPTIONS(from_doc, to_doc) \
 	CLI_TEXT_OPTION(from, "FREQUENCY", from_doc), CLI_TEXT_OPTION(to, "FREQUENCY", to_doc)
+#define CLI_LIBRARY_OPTION \
+	{"model-library", 0, "FILE", "a function in C as the model, in place of SCENE", \
+	 CLI_STORED(cli_store_library, common)}
 #define CLI_MODES_OPTION \
 	{"modes", 'n', "N", "number of modes (the scene's model.modes)", CLI_INTEGER(n)}
 #define CLI_TOLERANCE_OPTION(doc) \
@@ -71,6 +76,7 @@ enum { CLI_SETS = 64 }; /* --set options in one call */
 /* Settings of every command; the first member of each command's own. */
 struct cli_common {
 	const char *input; /* scene or model; "-" is standard input */
+	const char *library; /* the same as input if that is a shared library (hawser/plugin.h); or NULL */
 	const char *second; /* the second argument of a command whose `input` has two words; or NULL */
 	const char *json, *tsv, *plot; /* files to write, or NULL */
 	const char *units; /* list of units for tables, or NULL: SI */
@@ -158,6 +164,9 @@ enum hawser_status cli_model_entries(struct cli_model *model, const struct cli_c
 /* The same for a reduced-model file. A scene is read, but nothing is computed from it. */
 enum hawser_status cli_model_or_scene(struct cli_model *model, const struct cli_common *common,
                                       int n, struct hawser_report *report) HAWSER_MUST_CHECK;
+/* library.c: the function in a shared library. */
+enum hawser_status cli_library_open(struct hawser_rom_source *source, const char *path,
+                                    struct hawser_report *report) HAWSER_MUST_CHECK;
 void cli_model_clear(struct cli_model *model);
 /* SI per scaled unit of length and of frequency; 1 if the model has no units. */
 double cli_per_length(const struct cli_model *model);

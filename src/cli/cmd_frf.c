@@ -36,6 +36,7 @@ static const struct cli_option options[] = {
 	CLI_RANGE_OPTIONS("frequency at which the curve starts (0.6w1)",
 	                  "other end of the range (3.3w1)"),
 	CLI_MODES_OPTION,
+	CLI_LIBRARY_OPTION,
 	CLI_TEXT_OPTION(method, "NAME", "shooting, balance, multiple-scales or auto (auto)"),
 	CLI_TOLERANCE_OPTION("residual and integration error, relative to the orbit (1e-9)"),
 	CLI_STEP_OPTION,

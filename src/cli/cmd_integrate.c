@@ -33,6 +33,7 @@ static const struct cli_option options[] = {
 	{"initial", 0, "FILE", "state to start from (rest)", CLI_TEXT(initial)},
 	{"continue", 0, "FILE", "continue the run whose JSON result this file is", CLI_TEXT(resume)},
 	{"modes", 'n', "N", "number of modes (the scene's model.modes)", CLI_INTEGER(n)},
+	CLI_LIBRARY_OPTION,
 	{"method", 0, "NAME", "integrator: gauss, radau, adams, bdf or auto (auto)", CLI_TEXT(method)},
 	{"rtol", 0, "NUMBER", "relative tolerance (1e-10)", CLI_POSITIVE(rtol)},
 	{"atol", 0, "NUMBER", "absolute tolerance, scaled (1e-13)", CLI_POSITIVE(atol)},

@@ -70,6 +70,7 @@ hawser_SOURCES = \
 	%D%/irvine_result.c \
 	%D%/irvine_result.h \
 	%D%/last.c \
+	%D%/library.c \
 	%D%/known.c \
 	%D%/load_history.c \
 	%D%/load_history.h \

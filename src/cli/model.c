@@ -281,8 +281,8 @@ static enum hawser_status set_parameters(struct hawser_rom_source *source,
 		hawser_rom_source_set(source, name, value, &known);
 		if (!known)
 			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "model",
-			                    "--set %s: %s is a reduced-model file, whose parameters are: %s",
-			                    common->set[i], common->input, names);
+			                    "--set %s: %s has these parameters: %s", common->set[i],
+			                    common->input, names);
 	}
 	return HAWSER_OK;
 }
@@ -310,16 +310,46 @@ static enum hawser_status from_file(struct cli_model *model, FILE *copy,
 	return status;
 }
 
+/* The model of a library. */
+static enum hawser_status from_library(struct cli_model *model, const struct cli_common *common, int n,
+                                       struct hawser_report *report)
+{
+	enum hawser_status status;
+
+	if (n > 0)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "model",
+		                    "%s is a library: --modes applies to scenes only", common->library);
+	status = cli_library_open(&model->source, common->library, report);
+	if (!status)
+		status = set_parameters(&model->source, common, report);
+	return status ? status : hawser_rom_source_model(&model->rom, &model->source, report);
+}
+
+static enum hawser_status naturals(struct cli_model *model, struct hawser_report *report)
+{
+	model->natural = calloc((size_t)model->rom.n, sizeof *model->natural);
+	return model->natural ? cli_natural(model->natural, &model->naturals, &model->rom, report)
+	                      : hawser__no_memory(report, "model");
+}
+
 static enum hawser_status load(struct cli_model *model, const struct cli_common *common, int n,
                                enum extent extent, struct hawser_report *report)
 {
 	FILE *stream;
 	int copied;
-	enum hawser_status status = open_input(&stream, &copied, common->input, report);
+	enum hawser_status status;
 
 	memset(model, 0, sizeof *model);
 	model->reproducible = common->reproducible;
-	if (status)
+	if (common->library) {
+		status = from_library(model, common, n, report);
+		if (!status)
+			status = naturals(model, report);
+		if (status)
+			cli_model_clear(model);
+		return status;
+	}
+	if ((status = open_input(&stream, &copied, common->input, report)))
 		return status;
 	if (is_model(stream)) {
 		rewind(stream);
@@ -329,11 +359,8 @@ static enum hawser_status load(struct cli_model *model, const struct cli_common 
 		status = from_scene(model, stream, common, n, extent, report);
 	}
 	fclose(stream);
-	if (!status && !model->automatic && model->rom.n > 0) {
-		model->natural = calloc((size_t)model->rom.n, sizeof *model->natural);
-		status = model->natural ? cli_natural(model->natural, &model->naturals, &model->rom, report)
-		                        : hawser__no_memory(report, "model");
-	}
+	if (!status && !model->automatic && model->rom.n > 0)
+		status = naturals(model, report);
 	if (status)
 		cli_model_clear(model);
 	return status;

@@ -8,6 +8,7 @@
 
 #include "core/report.h"
 #include "response/load.h"
+#include "rom/terms.h"
 
 #define MODELS 6 /* kept at the same time: those of the last calls */
 
@@ -70,6 +71,10 @@ enum hawser_status hawser_factor_open(struct hawser_rom_family *family, const st
 	size_t n = (size_t)rom->n;
 	enum hawser_status status = HAWSER_OK;
 
+	if (rom->plug) {
+		free(factor);
+		return hawser__more_refuse(rom, "a factor of load or damping", report);
+	}
 	*family = (struct hawser_rom_family){omega, model, factor};
 	if (!factor)
 		return hawser__no_memory(report, "frf");

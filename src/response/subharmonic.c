@@ -29,6 +29,7 @@ enum hawser_status hawser_subharmonic_base(struct hawser_rom *rom, int b, struct
 		                    "a motion of %d periods of the load: give 1 or more", b);
 	if (rom->ends)
 		rom->ends->base *= b;
+	rom->base = (rom->base > 1 ? rom->base : 1)*b;
 	for (int i = 0; i < rom->harmonics; i++) {
 		struct hawser_harmonic *harmonic = &rom->harmonic[i];
 		double factor = pow(b, harmonic->omega_power);

@@ -29,6 +29,8 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/formula.c \
 	%D%/formula.h \
 	%D%/parse.c \
+	%D%/plug.c \
+	%D%/plug.h \
 	%D%/read_own.c \
 	%D%/terms.c \
 	%D%/terms.h \

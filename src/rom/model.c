@@ -13,6 +13,7 @@
 #include "rom/kernel.h"
 #include "rom/known.h"
 #include "rom/model.h"
+#include "rom/plug.h"
 
 enum hawser_status hawser__rom_init(struct hawser_rom *rom, int n, struct hawser_report *report)
 {
@@ -134,6 +135,7 @@ void hawser_rom_clear(struct hawser_rom *rom)
 	free(rom->Q);
 	free(rom->term);
 	free(rom->mass);
+	hawser__plug_free(rom->plug);
 	hawser_rom_clear(rom->first);
 	free(rom->first);
 	free(rom->C);

@@ -11,6 +11,7 @@
 
 #include "core/report.h"
 #include "rom/model.h"
+#include "rom/plug.h"
 #include "rom/read.h"
 
 enum hawser_status hawser__read_positive(const struct hawser__reader *reader, double *number,
@@ -276,6 +277,8 @@ enum hawser_status hawser_rom_source_model(struct hawser_rom *rom,
                                            const struct hawser_rom_source *source,
                                            struct hawser_report *report)
 {
+	if (source->plugin)
+		return hawser__plug_make(rom, source, report);
 	return hawser__rom_parse(rom, source->text, source->size, source->name, source->parameter,
 	                         source->parameters, report);
 }

@@ -14,6 +14,7 @@
 #include <stdio.h>
 
 #include "core/report.h"
+#include "rom/plug.h"
 #include "rom/terms.h"
 
 int hawser__rom_more(const struct hawser_rom *rom)
@@ -21,7 +22,7 @@ int hawser__rom_more(const struct hawser_rom *rom)
 	for (int h = 0; h < rom->harmonics; h++)
 		if (rom->harmonic[h].terms > 0)
 			return 1;
-	return rom->terms > 0;
+	return rom->terms > 0 || rom->plug;
 }
 
 struct state {
@@ -68,6 +69,8 @@ void hawser__rom_more_add(const struct hawser_rom *rom, const struct hawser__mor
 {
 	const struct state x = {u, v, rom->n, to->stride};
 
+	if (rom->plug)
+		hawser__plug_add(rom, to, u, v, tau, omega);
 	for (int i = 0; i < rom->terms; i++)
 		add(to, &rom->term[i], &x, 1.0, 0.0);
 	for (int h = 0; h < rom->harmonics; h++) {
@@ -115,8 +118,9 @@ enum hawser_status hawser__more_refuse(const struct hawser_rom *rom, const char 
 	if (!hawser__rom_more(rom))
 		return HAWSER_OK;
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
-	                    "%s takes models with D, K, Q and C only; this one has terms besides, which "
-	                    "hawser frf (by shooting) and hawser integrate take", what);
+	                    "%s takes models with D, K, Q and C only; this one %s, which "
+	                    "hawser frf (by shooting) and hawser integrate take", what,
+	                    rom->plug ? "is a function" : "has terms besides");
 }
 
 static enum hawser_status check(const struct hawser_term *term, int count, int n, const char *of,

@@ -15,6 +15,7 @@
 #include "rom/drag.h"
 #include "rom/ends.h"
 #include "rom/read.h"
+#include "rom/terms.h"
 #include "rom/writer.h"
 
 /* --- parts of the model --- */
@@ -280,6 +281,8 @@ static enum hawser_status check(const struct hawser_rom *rom, struct hawser_repo
 
 	if (rom->drag)
 		return hawser__drag_refuse(rom, "a reduced-model file", report);
+	if (rom->plug)
+		return hawser__more_refuse(rom, "a reduced-model file", report);
 	if (rom->exact)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
 		                    "a model with the exact strain energy can't be written as a "

@@ -159,6 +159,7 @@ static const struct row {
 	ROW(hawser_plan_resonance),
 	ROW(hawser_plan_row),
 	ROW(hawser_plausible_rule),
+	ROW(hawser_plugin),
 	ROW(hawser_primary),
 	ROW(hawser_primary_curve),
 	ROW(hawser_profile_point),

@@ -35,7 +35,7 @@ assert min(abs(w/1.2 - 1) for k, w in events("there.json", "Omega")) < 1e-8
 assert json.load(open("written.json"))["harmonics"][0]["f"] == [0.3]
 PY
 
-refuses 1 "--set ep=1: named.json is a reduced-model file, whose parameters are: eps, F" frf named.json --set ep=1
+refuses 1 "--set ep=1: named.json has these parameters: eps, F" frf named.json --set ep=1
 refuses 1 "--set eps=1 kg: write NAME=NUMBER for a parameter of a model file" frf named.json --set "eps=1 kg"
 refuses 1 "named.json has no parameter ep; its parameters are: eps, F" frf named.json --over ep=1:2 --Omega 1
 only="takes models with D, K, Q and C only; this one has terms besides, which hawser frf (by shooting) and hawser \

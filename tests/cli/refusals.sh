@@ -15,7 +15,7 @@ refuses_like 1 'or write a multiple of a natural frequency' frf "$chairlift" --f
 refuses_like 1 'or write a number of periods' integrate "$chairlift" --Omega 1w1 --until '1 kg'
 refuses_like 1 'must be greater than zero and finite' frf "$duffing" --from 0 --to 2
 refuses_like 1 'must be greater than zero and finite' statics "$chairlift" --compatibility --from '-1 N'
-refuses_like 1 'whose parameters are: none' frf "$duffing" --from 1 --to 2 --set g=1
+refuses_like 1 'has these parameters: none' frf "$duffing" --from 1 --to 2 --set g=1
 refuses_like 1 'more than .* times --set' frf "$duffing" $(i=0; while [ $i -lt 70 ]; do
 	echo --set g=1; i=$((i + 1)); done)
 

@@ -156,7 +156,7 @@ refuses 1 "--from 1w1 and --to w1 are the same frequency" frf "$duffing" --from 
 refuses_like 1 "makes .* rows: choose a longer interval" \
 	integrate "$duffing" --Omega 1 --every 1e-20
 refuses 1 "$duffing is a reduced-model file: --modes applies to scenes only" frf "$duffing" -n 3
-refuses 1 "--set g=1: $duffing is a reduced-model file, whose parameters are: none" \
+refuses 1 "--set g=1: $duffing has these parameters: none" \
 	frf "$duffing" --set g=1
 
 # spellings that mean the same
