@@ -283,13 +283,14 @@ enum hawser_status hawser_rom_source_plugin(struct hawser_rom_source *source,
 	*source = (struct hawser_rom_source){.plugin = plugin};
 	if (!plugin || plugin->version != HAWSER_PLUGIN_VERSION)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
-		                    "%s is a library of version %d, and this program takes version %d: "
-		                    "compile it again", name, plugin ? plugin->version : 0, HAWSER_PLUGIN_VERSION);
+		                    "%s is a library of version %d, and this program takes version "
+		                    "%d: compile it again", name, plugin ? plugin->version : 0,
+		                    HAWSER_PLUGIN_VERSION);
 	if (plugin->n < 1 || plugin->n > MOST || plugin->parameters < 0 ||
 	    plugin->parameters > HAWSER_PARAMETERS || !plugin->acceleration)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
-		                    "%s has %d coordinates, %d parameters and %s function: 1 to %d, 0 to %d "
-		                    "and one are possible", name, plugin->n, plugin->parameters,
+		                    "%s has %d coordinates, %d parameters and %s function: 1 to %d, 0 "
+		                    "to %d and one are possible", name, plugin->n, plugin->parameters,
 		                    plugin->acceleration ? "a" : "no", MOST, HAWSER_PARAMETERS);
 	source->name = strdup(name);
 	source->parameter = calloc((size_t)plugin->parameters + 1, sizeof *source->parameter);
