@@ -118,7 +118,7 @@ check-kernels: all-am %D%/kernels/probe$(EXEEXT)
 # reference; the tests that have failed under some kernel, and cheap ones of each stage.
 KERNEL_SAMPLE = Prescott Sandybridge Haswell SkylakeX reference
 KERNEL_SAMPLE_TESTS = \
-	$(filter-out %/test-map %/test-map-mathieu %/rom-auto.sh,$(filter %D%/unit/% %D%/reference/%,$(KERNEL_TESTS))) \
+	$(filter-out %/test-map %/test-map-mathieu %/rom-auto.sh %/rom-export.sh,$(filter %D%/unit/% %D%/reference/%,$(KERNEL_TESTS))) \
 	$(filter %/test-choose %/test-folds %/test-frf %/test-gyroscopic %/test-modes-basis %/test-modes-chain \
 		%/test-modes-compare %/test-primary %/test-quadratic %/test-rom-auto %/test-rom-condense %/test-rom-inertia \
 		%/test-scales %/test-travel,\

@@ -82,3 +82,4 @@ EXTRA_DIST += %D%/only.mk
 check-programs: all-am $(check_PROGRAMS) $(check_DATA)
 # This test needs a program beside its own.
 %D%/reference/rom-auto.log: %D%/reference/rom-auto-export$(EXEEXT)
+%D%/reference/rom-export.log: %D%/reference/rom-export-values$(EXEEXT)

@@ -109,3 +109,9 @@ check_PROGRAMS += tests/unit/test-own-file
 TESTS += tests/unit/test-own-file
 tests_unit_test_own_file_SOURCES = tests/unit/test-own-file.c
 tests_unit_test_own_file_LDADD = $(UPTO_ROM)
+
+check_PROGRAMS += tests/reference/rom-export-values
+tests_reference_rom_export_values_SOURCES = tests/reference/rom-export-values.c
+tests_reference_rom_export_values_LDADD = $(UPTO_ROM)
+TESTS += tests/reference/rom-export.sh
+EXTRA_DIST += tests/reference/rom-export.sh

@@ -347,6 +347,19 @@ enum hawser_status hawser_rom_export_auto(const struct hawser_rom *rom, const ch
                                           const struct hawser_auto_options *options,
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* Programs for which equations are written: row `index`, from 0; NULL beyond the last. */
+struct hawser_export_format {
+	const char *name, *program, *suffix; /* "coco", "COCO", ".m" */
+};
+const struct hawser_export_format *hawser_export_format(int index);
+
+/* Export to another program than AUTO-07p: the file `stem` with the format's suffix has the right side
+ * and its exact derivatives, as functions of states and of Omega and a load factor. The last part of
+ * `stem` names a function. Terms are written too. HAWSER_ERR_ARGUMENT (format, name, model),
+ * HAWSER_ERR_IO, HAWSER_ERR_MEMORY. */
+enum hawser_status hawser_rom_export(const struct hawser_rom *rom, const char *format,
+                                     const char *stem, struct hawser_report *report) HAWSER_MUST_CHECK;
+
 /* To be called after filling a model by hand: merges, sorts and checks the entries, and makes the
  * kernel. The functions above that make or read a model call it. HAWSER_ERR_ARGUMENT names the
  * entry that is out of range. */

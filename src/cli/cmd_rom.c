@@ -21,7 +21,7 @@ static const struct settings defaults = {
 
 static const struct cli_option options[] = {
 	{"modes", 'n', "N", "number of modes kept (the scene's model.modes)", CLI_INTEGER(n)},
-	{"export", 0, "FORMAT STEM", "write equations for another program; FORMAT: auto",
+	{"export", 0, "FORMAT STEM", "write equations; FORMAT: auto, coco, matcont, bifurcationkit",
 	 CLI_TWO(export)},
 	{"from", 0, "FREQUENCY", "start of the range of the export, and of modes: auto (0.6w1)",
 	 CLI_TEXT(from)},
@@ -178,6 +178,15 @@ static const struct cli_showing showing = {
 
 /* --- options --- */
 
+/* Index of the format of --export; -1 if there is none of this name. */
+static int format_of(const struct settings *settings)
+{
+	for (int k = 0; hawser_export_format(k); k++)
+		if (strcmp(hawser_export_format(k)->name, settings->export[0]) == 0)
+			return k;
+	return -1;
+}
+
 /* Check the files that hawser_rom_export_auto writes like other outputs. */
 static enum hawser_status check_export(const struct settings *settings,
                                        struct hawser_report *report)
@@ -189,8 +198,12 @@ static enum hawser_status check_export(const struct settings *settings,
 	const struct cli_output more[] = {{"export", equations}, {"export", constants},
 	                                  {"export", script}};
 	enum hawser_status status;
+	int k = format_of(settings);
 
-	if (equations && constants && script) {
+	if (equations && constants && script && k > 0) {
+		snprintf(equations, size, "%s%s", stem, hawser_export_format(k)->suffix);
+		status = cli_outputs_check_with(&settings->common, more, 1, report);
+	} else if (equations && constants && script) {
 		snprintf(equations, size, "%s.f90", stem);
 		snprintf(constants, size, "%.*sc.%s", folder, stem, stem + folder);
 		snprintf(script, size, "%s.auto", stem);
@@ -206,9 +219,10 @@ static enum hawser_status check_export(const struct settings *settings,
 
 static enum hawser_status check(const struct settings *settings, struct hawser_report *report)
 {
-	if (settings->export[0] && strcmp(settings->export[0], "auto") != 0)
+	if (settings->export[0] && format_of(settings) < 0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
-		                    "--export %s: the formats are auto", settings->export[0]);
+		                    "--export %s: the formats are auto, coco, matcont and bifurcationkit",
+		                    settings->export[0]);
 	if (settings->common.plot)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
 		                    "rom has no picture; hawser modes --plot draws the shapes");
@@ -232,7 +246,15 @@ static enum hawser_status export(const struct settings *settings, const struct c
                                  struct hawser_report *report)
 {
 	struct hawser_auto_options choice = {.ntst = 0};
-	enum hawser_status status = cli_frequency(&choice.from, settings->from, "from", model, report);
+	enum hawser_status status;
+
+	if (format_of(settings) > 0) {
+		status = hawser_rom_export(&model->rom, settings->export[0], settings->export[1], report);
+		if (!status)
+			cli_written(settings->export[1]);
+		return status;
+	}
+	status = cli_frequency(&choice.from, settings->from, "from", model, report);
 
 	if (!status)
 		status = cli_frequency(&choice.to, settings->to, "to", model, report);
@@ -286,6 +308,6 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 }
 
 const struct cli_command cli_rom = {
-	"rom", "SCENE|MODEL", "Reduced-order model: a file, or equations for AUTO-07p", notes, options,
+	"rom", "SCENE|MODEL", "Reduced-order model: a file, or equations for other programs", notes, options,
 	&defaults, sizeof(struct settings), 1, run, cli_rom_listing,
 };

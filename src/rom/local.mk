@@ -28,6 +28,9 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/drag.h \
 	%D%/formula.c \
 	%D%/formula.h \
+	%D%/export.c \
+	%D%/export_text.c \
+	%D%/export_text.h \
 	%D%/parse.c \
 	%D%/plug.c \
 	%D%/plug.h \

@@ -92,6 +92,7 @@ static const struct row {
 	ROW(hawser_equivalent),
 	ROW(hawser_fidelity),
 	ROW(hawser_fidelity_choice),
+	ROW(hawser_export_format),
 	ROW(hawser_folds),
 	ROW(hawser_folds_curve),
 	ROW(hawser_folds_event),

@@ -48,4 +48,14 @@ refuses 1 "an export to AUTO $only" rom terms.json --export auto x
 refuses 1 "a map or the stability of rest $only" hill terms.json --x Omega=1:2 --y factor.load=0.5:1
 refuses 1 "a map or the stability of rest $only" map terms.json --x Omega=1:2 --y factor.load=0.5:1
 refuses 1 "the stability of rest $only" hill terms.json --Omega 1.1
+for format in coco matcont bifurcationkit; do
+	works "terms for $format" rom terms.json --export $format "to_$format" -q
+done
+refuses 1 "\"2x\" can't name a function: use a letter, then up to 59 letters, digits and _" \
+	rom terms.json --export coco 2x
+refuses 1 "only models with polynomial equations and periodic forces are exported: this one has the exact strain energy: \
+take model.energy: quartic" rom "$chairlift" --set model.energy=exact --set model.basis=3 --export coco x
+refuses 1 "only models with polynomial equations and periodic forces are exported: this one has a ramp \
+(travel.braking)" rom "$top/notebooks-data/scenes/b-table-4.2.yaml" -n 2 \
+	--set "travel={speed: 5 m/s, hold: tension, final: 4 m/s, braking: 10 s}" --export matcont x
 done_testing

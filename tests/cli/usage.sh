@@ -93,7 +93,7 @@ refuses 1 "--json needs FILE" statics "$chairlift" --json
 refuses 1 "--json: the FILE is empty" statics "$chairlift" --json ""
 refuses 1 "--quiet takes no argument" statics "$chairlift" --quiet=1
 refuses 1 "--export needs FORMAT STEM" rom "$chairlift" --export auto
-refuses 1 "--export matlab: the formats are auto" rom "$chairlift" --export matlab x
+refuses 1 "--export matlab: the formats are auto, coco, matcont and bifurcationkit" rom "$chairlift" --export matlab x
 refuses 1 "rom has no picture; hawser modes --plot draws the shapes" rom "$chairlift" --plot x.svg
 refuses 1 '--set cable.EA: write KEY=VALUE, such as cable.EA="100 MN"' \
 	statics "$chairlift" --set cable.EA
