@@ -308,6 +308,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 }
 
 const struct cli_command cli_rom = {
-	"rom", "SCENE|MODEL", "Reduced-order model: a file, or equations for other programs", notes, options,
+	"rom", "SCENE|MODEL", "Reduced-order model: a file, or equations for other programs", notes,
+	options,
 	&defaults, sizeof(struct settings), 1, run, cli_rom_listing,
 };
