@@ -10,6 +10,8 @@
 #include "response/flow.h"
 #include "rom/kernel.h"
 
+#define MANY 32  /* coordinates from which zeros are looked for, and */
+#define SPARSE 8 /* the part of the entries that may differ from 0 then; chosen */
 #define STRIP 4 /* vectors of a row that are processed together: as many as registers hold */
 
 /* U or V of a stage as a sum: base + factor * V + sum of c_l F_l. */
@@ -104,11 +106,62 @@ HAWSER_PART void multiply_strip(double *out, const double *matrix, const double 
 		multiply_block(out, matrix, X, n, w, j, i, add, 1, vecs);
 }
 
+/* out [4 vecs] = (add ? out : 0) - sum of value_k X_column_k; X begins at the same column. */
+HAWSER_PART void sparse_strip(double *out, const double *value, const int *column, int count,
+                              const double *X, int w, int add, const int vecs)
+{
+	hawser__vec acc[STRIP], zero = {0.0};
+
+	HAWSER_UNROLL
+	for (int v = 0; v < vecs; v++)
+		acc[v] = add ? *(hawser__vec *)(out + 4*v) : zero;
+	for (int k = 0; k < count; k++) {
+		const hawser__vec *x = (const hawser__vec *)(X + (size_t)column[k]*w);
+
+		HAWSER_UNROLL
+		for (int v = 0; v < vecs; v++)
+			acc[v] -= value[k]*x[v];
+	}
+	HAWSER_UNROLL
+	for (int v = 0; v < vecs; v++)
+		*(hawser__vec *)(out + 4*v) = acc[v];
+}
+
+/* The same as multiply without the zeros of the matrix, with the same round-off; returns 0, and nothing
+ * is done, if it has few. */
+HAWSER_PART int multiply_sparse(double *out, const double *matrix, const double *X, int n, int w,
+                                int add)
+{
+	double value[HAWSER_ROM_MOST];
+	int column[HAWSER_ROM_MOST], found = 0;
+
+	for (int i = 0; i < n*n; i++)
+		found += matrix[(size_t)i*HAWSER_LANES] != 0.0;
+	if (found > n*n/SPARSE)
+		return 0;
+	for (int j = 0; j < n; j++, out += w) {
+		int count = 0, i = 0;
+
+		for (int k = 0; k < n; k++)
+			if (matrix[((size_t)j*n + k)*HAWSER_LANES] != 0.0) {
+				value[count] = matrix[((size_t)j*n + k)*HAWSER_LANES];
+				column[count++] = k;
+			}
+		for (; i + 4*STRIP <= w; i += 4*STRIP)
+			sparse_strip(out + i, value, column, count, X + i, w, add, STRIP);
+		for (; i < w; i += 4)
+			sparse_strip(out + i, value, column, count, X + i, w, add, 1);
+	}
+	return 1;
+}
+
 /* out [n][w] = (add ? out : 0) - matrix X. */
 HAWSER_PART void multiply(double *out, const double *matrix, const double *X, int n, int w, int add)
 {
 	int i = 0;
 
+	if (n >= MANY && multiply_sparse(out, matrix, X, n, w, add))
+		return;
 	for (; i + 4*STRIP <= w; i += 4*STRIP)
 		multiply_strip(out, matrix, X, n, w, i, add, STRIP);
 	switch ((w - i)/4) {

@@ -231,10 +231,10 @@ enum hawser_status hawser__entries_check(const struct hawser_rom *rom, struct ha
 {
 	enum hawser_status status;
 
-	if (rom->n < 1 || rom->n > HAWSER_ROM_MAX)
+	if (rom->n < 1 || rom->n > HAWSER_ROM_MOST)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
 		                    "a model of %d coordinates: it must have 1 to %d", rom->n,
-		                    HAWSER_ROM_MAX);
+		                    HAWSER_ROM_MOST);
 	if ((status = hawser__numbers_check(rom, HAWSER_ERR_ARGUMENT, report)) ||
 	    (status = check_tensors(rom, report)) || (status = hawser__terms_check(rom, report)))
 		return status;

@@ -19,8 +19,8 @@
 /* The factors of the rows: u and the products of its components, in the kernel's order of columns.
  * The last block of a run may extend past the end, with zeros for values. */
 struct operands {
-	double single[HAWSER_ROM_MAX + HAWSER_BLOCK];
-	double pair[HAWSER_ROM_MAX_PAIRS + HAWSER_BLOCK];
+	double single[HAWSER_ROM_MOST + HAWSER_BLOCK];
+	double pair[HAWSER_ROM_MOST_PAIRS + HAWSER_BLOCK];
 };
 
 HAWSER_PART void prepare(struct operands *x, const struct hawser_rom_kernel *kernel,

@@ -26,9 +26,11 @@
 
 #include "rom/effort.h"
 
-/* Largest number of coordinates of a model: the hot loops store u_l u_m on the stack. */
+/* Largest number of coordinates of a model of a cable, and of one from a file: the hot loops store u_l
+ * u_m on the stack. */
 #define HAWSER_ROM_MAX 100
-#define HAWSER_ROM_MAX_PAIRS (HAWSER_ROM_MAX*(HAWSER_ROM_MAX + 1)/2)
+#define HAWSER_ROM_MOST 400
+#define HAWSER_ROM_MOST_PAIRS (HAWSER_ROM_MOST*(HAWSER_ROM_MOST + 1)/2)
 
 /* `blocks` vectors of four values from value[at], against the columns from `col`. */
 struct hawser__run {

@@ -162,7 +162,7 @@ enum hawser_status hawser_rom_know(struct hawser_rom *rom, const struct hawser_r
 {
 	/* second-order shapes are orthogonal to this number of the lowest modes only */
 	int most = rom->inertia.shapes > 0 && all->n > HAWSER__LOWEST ? HAWSER__LOWEST : all->n;
-	int index[HAWSER_ROM_MAX], modes;
+	int index[HAWSER_ROM_MOST], modes;
 	enum hawser_status status;
 
 	hawser__rom_known_clear(rom);

@@ -17,11 +17,16 @@
 
 enum hawser_status hawser__rom_init(struct hawser_rom *rom, int n, struct hawser_report *report)
 {
+	return hawser__rom_init_most(rom, n, HAWSER_ROM_MAX, report);
+}
+
+enum hawser_status hawser__rom_init_most(struct hawser_rom *rom, int n, int most,
+                                         struct hawser_report *report)
+{
 	memset(rom, 0, sizeof *rom);
-	if (n < 1 || n > HAWSER_ROM_MAX)
+	if (n < 1 || n > most)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
-		                    "a model of %d coordinates: it must have 1 to %d", n,
-		                    HAWSER_ROM_MAX);
+		                    "a model of %d coordinates: it must have 1 to %d", n, most);
 	rom->n = n;
 	rom->length = rom->time = rom->force = 1.0;
 	rom->D = calloc((size_t)n*n, sizeof *rom->D);

@@ -5,8 +5,11 @@
 
 #include <hawser/rom.h>
 
-/* Zero *rom, give it n coordinates, D and K all zero, and units of 1. */
+/* Zero *rom, give it n coordinates, D and K all zero, and units of 1. _most: a model of a file, which
+ * may have more coordinates than one of a cable (kernel.h). */
 enum hawser_status hawser__rom_init(struct hawser_rom *rom, int n, struct hawser_report *report);
+enum hawser_status hawser__rom_init_most(struct hawser_rom *rom, int n, int most,
+                                         struct hawser_report *report);
 
 /* Allocate `points` shape points: names all NULL, the arrays zero. */
 enum hawser_status hawser__rom_init_shapes(struct hawser_rom *rom, int points,

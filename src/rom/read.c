@@ -420,9 +420,9 @@ static enum hawser_status read_size(const struct hawser__reader *reader, struct 
 	if (version && (status = hawser__read_integer(reader, &one, version, 1, 1,
 	                                      "hawser_rom (the version of the format)")))
 		return status;
-	status = hawser__read_integer(reader, &n, json_object_get(root, "n"), 1, HAWSER_ROM_MAX, "n");
+	status = hawser__read_integer(reader, &n, json_object_get(root, "n"), 1, HAWSER_ROM_MOST, "n");
 	if (!status)
-		status = hawser__rom_init(rom, n, reader->report);
+		status = hawser__rom_init_most(rom, n, HAWSER_ROM_MOST, reader->report);
 	if (!status)
 		status = read_matrix(reader, &rom->K, n, json_object_get(root, "K"), "K");
 	return status;

@@ -308,6 +308,67 @@ static void check_refusals(void)
 	hawser_rom_clear(&rom);
 }
 
+/* A chain of n oscillators with cubic springs, driven at its end below its band. */
+static int open_chain(struct hawser_rom *rom, int n)
+{
+	size_t m = (size_t)n;
+
+	*rom = (struct hawser_rom){.n = n, .length = 1.0, .time = 1.0, .force = 1.0, .harmonics = 1,
+		.K = calloc(m*m, sizeof(double)), .D = calloc(m*m, sizeof(double)),
+		.C = calloc(9*m, sizeof *rom->C), .harmonic = calloc(1, sizeof *rom->harmonic)};
+	if (!rom->K || !rom->D || !rom->C || !rom->harmonic)
+		return 0;
+	rom->harmonic[0] = (struct hawser_harmonic){.k = 1, .f = calloc(m, sizeof(double))};
+	if (!rom->harmonic[0].f)
+		return 0;
+	rom->harmonic[0].f[0] = 0.05;
+	for (int i = 0; i < n; i++) {
+		rom->C[rom->cubics++] = (struct hawser_cubic){i, i, i, i, 0.3};
+		for (int j = i > 0 ? i - 1 : i; j <= i + 1 && j < n; j++)
+			rom->K[i*n + j] = j == i ? 2.0 - 0.5*(i == 0 || i == n - 1) : -0.5;
+		rom->D[i*n + i] = 0.03;
+		for (int j = i - 1; j <= i + 1; j += 2) { /* 0.2 (x_i - x_j)^3 */
+			if (j < 0 || j >= n)
+				continue;
+			rom->C[rom->cubics++] = (struct hawser_cubic){i, i, i, i, 0.2};
+			rom->C[rom->cubics++] = (struct hawser_cubic){i, i, i, j, -0.6};
+			rom->C[rom->cubics++] = (struct hawser_cubic){i, i, j, j, 0.6};
+			rom->C[rom->cubics++] = (struct hawser_cubic){i, j, j, j, -0.2};
+		}
+	}
+	return !hawser_rom_compile(rom, &report);
+}
+
+/* The motion does not reach the far end: a long chain is a short one. Of the long one the zeros of the
+ * derivative are used, and the multipliers agree with the damping. */
+static void check_chain(void)
+{
+	static const int size[] = {30, 101};
+	struct hawser_rom rom[2] = {{0}};
+	struct hawser_frf frf[2] = {{0}};
+	double worst = 0.0;
+
+	for (int i = 0; i < 2; i++) {
+		struct hawser_frf_options options = {.from = 0.9, .to = 0.95, .max_points = 1,
+			.skip_events = 1, .method = "shooting"};
+
+		ok(open_chain(&rom[i], size[i]), "a chain of %d", size[i]);
+		if (!ok(!hawser_frf_trace(&frf[i], &rom[i], &options, &report), "its motion %s",
+		        report.message))
+			goto done;
+	}
+	for (int j = 0; j < 10; j++)
+		worst = fmax(worst, fabs(frf[0].coordinate[j] - frf[1].coordinate[j]));
+	ok(worst < 1e-9 && frf[1].coordinate[0] > 0.1, "of any length, the same: %.1e of %g", worst,
+	   frf[1].coordinate[0]);
+	ok(frf[1].point[0].liouville < 1e-6, "multipliers and damping: %.1e", frf[1].point[0].liouville);
+done:
+	for (int i = 0; i < 2; i++) {
+		hawser_frf_clear(&frf[i]);
+		hawser_rom_clear(&rom[i]);
+	}
+}
+
 int main(void)
 {
 	gsl_set_error_handler_off();
@@ -329,6 +390,7 @@ int main(void)
 	check_refusals();
 	check_gsl();
 	check_mass();
+	check_chain();
 	check_first();
 	same_events(DUFFING("", "\"C\": [[0, 0, 0, 0, 0.1]]", "{\"k\": 1, \"f\": [0.18], \"C\": [[0, "
 	                    "0, 0, 0, "

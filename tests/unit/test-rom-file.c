@@ -52,9 +52,9 @@ static void check_messages(void)
 	refused("{\"n\": 1, \"n\": 1, \"K\": [[1]]}", "duplicate");
 	refused("{\"n\": 1, \"K\": [[1e999]]}", "JSON");
 	refused("{\"n\": 1, \"K\": [[NaN]]}", "JSON");
-	refused("{\"K\": [[1]]}", "n is missing|from 1 to 100");
+	refused("{\"K\": [[1]]}", "n is missing|from 1 to 400");
 	refused("{\"n\": 0, \"K\": []}", "n is 0");
-	refused("{\"n\": 101, \"K\": []}", "n is 101");
+	refused("{\"n\": 401, \"K\": []}", "n is 401");
 	refused("{\"n\": 1.5, \"K\": [[1]]}", "n is 1.5|integer");
 	refused("{\"n\": \"2\", \"K\": [[1]]}", "n is \"2\"|integer");
 	refused("{\"n\": 1}", "K is missing|1 list");
