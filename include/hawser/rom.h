@@ -199,6 +199,10 @@ struct hawser_rom {
 	double *mass;              /* [n][n] by whose inverse the equations of a file were multiplied, for
 	                            * the energy; NULL: the unit matrix */
 	struct hawser_rom_plug *plug; /* forces by a function, besides; or NULL */
+	int periods;               /* b: Omega in the equations above is a b-th part of the frequency that
+	                            * hawser_frf_trace, hawser_sweep_run and hawser_integrate are given,
+	                            * whose motions have b of its periods; 0: 1. What else has loads
+	                            * refuses it */
 	int base;                  /* the load's frequency is this multiple of Omega; 0: 1. Only for plug */
 	struct hawser_rom *first;  /* of a file of equations u' = g(u, tau): the model u'' = g, from which
 	                            * initial velocities follow; NULL for others */

@@ -24,6 +24,7 @@
 #include "response/flow.h"
 #include "response/load.h"
 #include "response/shooting.h"
+#include "response/trace.h"
 
 #define SHORT 0.01 /* of the step to a branch point that is left out; chosen */
 #define OFF 1e-4 /* least distance of the new orbit from the old branch, relative; chosen */
@@ -49,6 +50,7 @@ static enum hawser_status open_slower(struct slower *slower, const struct hawser
 	size_t modes = (size_t)rom->known.modes;
 	enum hawser_status status = hawser__load_open(&slower->load, rom, report);
 
+	slower->load.rom.periods = 0;
 	slower->known = malloc((modes*(size_t)rom->harmonics + 1)*sizeof *slower->known);
 	if (!status && !slower->known)
 		status = hawser__no_memory(report, "frf");
@@ -231,22 +233,6 @@ static enum hawser_status look(struct search *search, double *omega, double at)
 
 /* --- the branch --- */
 
-/* Frequencies of the load. */
-static void count_in_loads(struct hawser_frf *frf, int periods)
-{
-	for (int p = 0; p < frf->points; p++) {
-		frf->point[p].omega *= periods;
-		frf->point[p].parameter *= periods;
-	}
-	for (int e = 0; e < frf->events; e++) {
-		frf->event[e].omega *= periods;
-		frf->event[e].parameter *= periods;
-		frf->event[e].bracket[0] *= periods;
-		frf->event[e].bracket[1] *= periods;
-	}
-	frf->period = periods;
-}
-
 static enum hawser_status follow(struct hawser_frf *branch, const struct search *search, int periods,
                                  double omega, double at, const struct hawser_frf_options *as,
                                  struct hawser_report *report)
@@ -261,7 +247,7 @@ static enum hawser_status follow(struct hawser_frf *branch, const struct search 
 	options.start = search->x;
 	options.along = search->along;
 	status = hawser_frf_trace(branch, search->rom, &options, report);
-	count_in_loads(branch, periods);
+	hawser__frf_in_loads(branch, periods, 0);
 	return status;
 }
 
@@ -312,15 +298,16 @@ enum hawser_status hawser_branch_switch(struct hawser_frf *branch, const struct 
 	search.rom = &new.load.rom;
 	range.from /= P; /* in the frequency of the old branch */
 	range.to /= P;
-	status = open_slower(&old, rom, P, report);
+	status = open_slower(&old, rom, P/hawser__rom_periods(rom), report);
 	if (!status)
-		status = open_slower(&new, rom, P*b, report);
+		status = open_slower(&new, rom, P/hawser__rom_periods(rom)*b, report);
 	if (!status)
 		status = look(&search, &omega, at->omega/P);
 	if (!status && omega == 0.0)
 		status = hawser__fail(report, HAWSER_ERR_CONVERGENCE, "frf",
 		                      "no orbit of another branch was found beside the %s at Omega %.9g%s",
-		                      hawser_event_name(at->kind), HAWSER_SHOWN(rom, at->omega));
+		                      hawser_event_name(at->kind),
+		                      HAWSER_SHOWN(rom, at->omega/hawser__rom_periods(rom)));
 	if (!status)
 		status = follow(branch, &search, P*b, omega*P, at->omega, options, report);
 	branch->parent = from->branch;

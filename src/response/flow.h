@@ -24,9 +24,11 @@
 #include <hawser/rom.h>
 
 #include "response/nystrom.h"
+#include "rom/terms.h"
 
 /* Arguments for "%.9g%s" that print a frequency, in rad/s if the model has a unit of time. */
-#define HAWSER_SHOWN(rom, omega) (omega)/(rom)->time, (rom)->scaled ? " rad/s" : ""
+#define HAWSER_SHOWN(rom, omega) \
+	(omega)*hawser__rom_periods(rom)/(rom)->time, (rom)->scaled ? " rad/s" : ""
 
 struct hawser__flow {
 	const struct hawser_rom *rom;

@@ -47,6 +47,8 @@ static enum hawser_status check(const struct hawser_rom *rom,
 		return hawser__drag_refuse(rom, "a search for folds", report);
 	if (hawser__rom_more(rom))
 		return hawser__more_refuse(rom, "a search for folds", report);
+	if (rom->periods > 1)
+		return hawser__periods_refuse(rom, "a search for folds", report);
 	if (!(options->from > 0.0) || !(options->to > 0.0) || options->from == options->to ||
 	    !isfinite(options->from) || !isfinite(options->to))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "folds",

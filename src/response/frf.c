@@ -368,10 +368,11 @@ static enum hawser_status end_lost(struct hawser_frf *frf, enum hawser_status st
 	return HAWSER_OK;
 }
 
-enum hawser_status hawser__frf_trace(struct hawser_frf *frf, const struct hawser_rom *rom,
-                                     const struct hawser_frf_options *options,
-                                     const struct hawser__trace_watch *watch,
-                                     struct hawser_report *report)
+/* At the frequency of the model, which is that of the load but for `periods`. */
+static enum hawser_status trace_own(struct hawser_frf *frf, const struct hawser_rom *rom,
+                                    const struct hawser_frf_options *options,
+                                    const struct hawser__trace_watch *watch,
+                                    struct hawser_report *report)
 {
 	struct hawser_report local = {.status = HAWSER_OK}; /* also has failures that were overcome */
 	struct hawser_frf_options settled = *options, shorter;
@@ -400,6 +401,49 @@ enum hawser_status hawser__frf_trace(struct hawser_frf *frf, const struct hawser
 		frf->end = HAWSER_END_FAILED;
 	if (status && report)
 		*report = local;
+	return status;
+}
+
+void hawser__frf_in_loads(struct hawser_frf *frf, int periods, int family)
+{
+	double parameter = family ? 1.0 : periods;
+
+	for (int p = 0; p < frf->points; p++) {
+		frf->point[p].omega *= periods;
+		frf->point[p].parameter *= parameter;
+	}
+	for (int e = 0; e < frf->events; e++) {
+		frf->event[e].omega *= periods;
+		frf->event[e].parameter *= parameter;
+		frf->event[e].bracket[0] *= parameter;
+		frf->event[e].bracket[1] *= parameter;
+	}
+	frf->period = periods;
+}
+
+enum hawser_status hawser__frf_trace(struct hawser_frf *frf, const struct hawser_rom *rom,
+                                     const struct hawser_frf_options *options,
+                                     const struct hawser__trace_watch *watch,
+                                     struct hawser_report *report)
+{
+	struct hawser_frf_options slower = *options;
+	struct hawser_rom_family family;
+	int periods = hawser__rom_periods(rom);
+	enum hawser_status status;
+
+	if (periods == 1)
+		return trace_own(frf, rom, options, watch, report);
+	if (options->family) {
+		family = *options->family;
+		family.omega /= periods;
+		slower.family = &family;
+	} else {
+		slower.from /= periods;
+		slower.to /= periods;
+		slower.begin /= periods;
+	}
+	status = trace_own(frf, rom, &slower, watch, report);
+	hawser__frf_in_loads(frf, periods, options->family != NULL);
 	return status;
 }
 

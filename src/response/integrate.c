@@ -22,6 +22,7 @@
 #include "response/stepper.h"
 #include "rom/history.h"
 #include "rom/ramp.h"
+#include "rom/terms.h"
 
 #define WHERE "integrate"
 #define MIN_RTOL 1e-15          /* four and a half units of round-off */
@@ -357,7 +358,8 @@ enum hawser_status hawser_integrate(struct hawser_trajectory *trajectory,
 {
 	const struct hawser__method *method = choose(options->method, rom);
 	struct course course = {.method = method, .problem = {
-		.rom = rom, .omega = options->omega, .rate = rate_of(options),
+		.rom = rom, .omega = options->omega/hawser__rom_periods(rom),
+		.rate = rate_of(options)/hawser__rom_periods(rom),
 		.since = options->begin, .until = options->until,
 		.rtol = or_default(options->rtol, HAWSER_DEFAULT_RTOL),
 		.atol = or_default(options->atol, HAWSER_DEFAULT_ATOL),

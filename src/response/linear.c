@@ -375,6 +375,8 @@ enum hawser_status hawser_linear_multipliers(struct hawser_linear *linear, doubl
 		                      "multipliers at Omega %g: it must be positive and finite", omega);
 	if (!status)
 		status = hawser__more_refuse(rom, "the stability of rest", report);
+	if (!status)
+		status = hawser__periods_refuse(rom, "the stability of rest", report);
 	if (!status && rom->exact && rom->harmonics > 0)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "linear",
 		                      "multipliers about rest of the full-order model (model.energy: exact) "

@@ -53,6 +53,8 @@ static enum hawser_status check(const struct hawser_rom *rom,
 		return hawser__drag_refuse(rom, "the method of multiple scales", report);
 	if (hawser__rom_more(rom))
 		return hawser__more_refuse(rom, "the method of multiple scales", report);
+	if (rom->periods > 1)
+		return hawser__periods_refuse(rom, "the method of multiple scales", report);
 	if (rom->exact)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
 		                    "the exact strain energy has no quadratic and cubic terms to derive "

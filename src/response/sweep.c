@@ -150,7 +150,7 @@ static enum hawser_status visit(struct hawser_sweep *result, struct sweep *sweep
 			return status;
 	if ((status = measure(result, sweep, change <= options->settle, report)))
 		return status;
-	result->omega[result->points] = sweep->omega;
+	result->omega[result->points] = sweep->omega*hawser__rom_periods(sweep->rom);
 	result->residual[result->points++] = change;
 	return HAWSER_OK;
 }
@@ -204,7 +204,7 @@ static int told_to_stop(const struct sweep *sweep, const struct hawser_sweep_opt
 	state.expected = options->count;
 	state.fraction = (double)i/options->count;
 	if (i > 0) {
-		state.omega = sweep->omega/sweep->rom->time;
+		state.omega = sweep->omega*hawser__rom_periods(sweep->rom)/sweep->rom->time;
 		state.left = state.seconds*(options->count - i)/i;
 	}
 	return hawser__told_to_stop(&options->progress, &state);
@@ -216,6 +216,7 @@ enum hawser_status hawser_sweep_run(struct hawser_sweep *result, const struct ha
 {
 	struct hawser_sweep_options settled = *options;
 	struct sweep sweep = {.rom = rom, .began = hawser__wall_seconds()};
+	int periods = hawser__rom_periods(rom);
 	enum hawser_status status;
 
 	*result = (struct hawser_sweep){.n = rom->n, .probes = rom->shapes.points};
@@ -232,7 +233,7 @@ enum hawser_status hawser_sweep_run(struct hawser_sweep *result, const struct ha
 			result->interrupted = 1;
 			break;
 		}
-		sweep.omega = (1.0 - s)*options->from + s*options->to;
+		sweep.omega = ((1.0 - s)*options->from + s*options->to)/periods;
 		if ((status = visit(result, &sweep, options, report)))
 			break;
 	}

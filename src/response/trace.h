@@ -72,6 +72,10 @@ enum hawser_status hawser__frf_trace(struct hawser_frf *frf, const struct hawser
                                      const struct hawser__trace_watch *watch,
                                      struct hawser_report *report);
 
+/* frf.c: frequencies of the model become `periods` times as large, and motions are of so many periods.
+ * `family`: they belong to a family, whose parameters stay. */
+void hawser__frf_in_loads(struct hawser_frf *frf, int periods, int family);
+
 /* frf.c: whether the caller's progress function ends the trace. */
 int hawser__trace_told_to_stop(const struct hawser__trace *trace);
 

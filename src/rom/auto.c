@@ -385,6 +385,8 @@ static enum hawser_status check(const struct hawser_rom *rom, const char *base,
 		return hawser__drag_refuse(rom, "an export to AUTO", report);
 	if (hawser__rom_more(rom))
 		return hawser__more_refuse(rom, "an export to AUTO", report);
+	if (rom->periods > 1)
+		return hawser__periods_refuse(rom, "an export", report);
 	if (rom->exact)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
 		                    "a model with the exact strain energy can't be exported: its "

@@ -193,6 +193,8 @@ static enum hawser_status check(const struct hawser_rom *rom, const char *name,
 		return hawser__drag_refuse(rom, "an export", report);
 	if (rom->plug)
 		return hawser__more_refuse(rom, "an export", report);
+	if (rom->periods > 1)
+		return hawser__periods_refuse(rom, "an export", report);
 	if (rom->exact || rom->ramp)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
 		                    "only models with polynomial equations and periodic forces are "

@@ -414,7 +414,10 @@ enum hawser_status hawser__read_own(const struct hawser__reader *reader, struct 
 	enum hawser_status status = HAWSER_OK;
 	double r;
 
-	if (terms)
+	if (json_object_get(root, "periods"))
+		status = hawser__read_integer(reader, &rom->periods, json_object_get(root, "periods"), 1, 100,
+		                              "periods");
+	if (!status && terms)
 		status = hawser__read_terms(reader, &rom->term, &rom->terms, rom->n, terms, "terms");
 	if (!status && M)
 		status = read_mass(reader, rom, M);

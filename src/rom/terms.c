@@ -123,6 +123,22 @@ enum hawser_status hawser__more_refuse(const struct hawser_rom *rom, const char 
 	                    rom->plug ? "is a function" : "has terms besides");
 }
 
+int hawser__rom_periods(const struct hawser_rom *rom)
+{
+	return rom->periods > 1 ? rom->periods : 1;
+}
+
+enum hawser_status hawser__periods_refuse(const struct hawser_rom *rom, const char *what,
+                                          struct hawser_report *report)
+{
+	if (hawser__rom_periods(rom) == 1)
+		return HAWSER_OK;
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+	                    "%s takes models of one period, and this one has periods %d: write the "
+	                    "harmonics as multiples of Omega/%d, and give frequencies of that", what,
+	                    rom->periods, rom->periods);
+}
+
 static enum hawser_status check(const struct hawser_term *term, int count, int n, const char *of,
                                 struct hawser_report *report)
 {

@@ -32,6 +32,12 @@ double hawser__rom_weighed(const struct hawser_rom *rom, const double *w, int j)
 enum hawser_status hawser__more_refuse(const struct hawser_rom *rom, const char *what,
                                        struct hawser_report *report);
 
+/* The number of periods (rom.h), at least 1; and HAWSER_ERR_ARGUMENT if it is more, which `what` does
+ * not take. */
+int hawser__rom_periods(const struct hawser_rom *rom);
+enum hawser_status hawser__periods_refuse(const struct hawser_rom *rom, const char *what,
+                                          struct hawser_report *report);
+
 /* Indices and values of all terms: HAWSER_ERR_ARGUMENT. */
 enum hawser_status hawser__terms_check(const struct hawser_rom *rom, struct hawser_report *report);
 

@@ -254,6 +254,8 @@ static void members(struct hawser__writer *to, const struct hawser_rom *rom)
 	quads(to, rom->Q, rom->quads);
 	cubics(to, rom);
 	products(to, rom->term, rom->terms);
+	if (rom->periods > 1)
+		integer(to, "periods", rom->periods);
 	harmonics(to, rom);
 	if (rom->ramp)
 		ramp(to, rom->ramp, rom->n, rom->shapes.points);

@@ -204,6 +204,8 @@ enum hawser_status hawser_map_cable_open(struct hawser_map_field *field,
 	status = check(cable, report);
 	if (!status && source->rom)
 		status = hawser__more_refuse(source->rom, "a map or the stability of rest", report);
+	if (!status && source->rom)
+		status = hawser__periods_refuse(source->rom, "a map or the stability of rest", report);
 	if (!status) {
 		int x = cable->reach[0] == HAWSER__REACH_STRUCTURE;
 		int y = cable->reach[1] == HAWSER__REACH_STRUCTURE;

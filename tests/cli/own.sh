@@ -58,4 +58,24 @@ take model.energy: quartic" rom "$chairlift" --set model.energy=exact --set mode
 refuses 1 "only models with polynomial equations and periodic forces are exported: this one has a ramp \
 (travel.braking)" rom "$top/notebooks-data/scenes/b-table-4.2.yaml" -n 2 \
 	--set "travel={speed: 5 m/s, hold: tension, final: 4 m/s, braking: 10 s}" --export matcont x
+cat >half.json <<'JSON'
+{"hawser_rom": 1, "n": 1, "periods": 2, "K": [[1]], "D": [[0.05]], "C": [[0, 0, 0, 0, 0.1]],
+ "harmonics": [{"k": 2, "f": [0.18]}, {"k": 3, "f": [0.1]}]}
+JSON
+works "two periods" frf half.json --from 1 --to 1.1 --json half-response.json -q
+works "written" rom half.json --json half-again.json -q
+python "in the frequency of the user" <<'PY'
+import json
+result = json.load(open("half-response.json"))
+assert abs(result["points"][0]["Omega"] - 1) < 1e-12 and abs(result["points"][-1]["Omega"] - 1.1) < 1e-12
+assert json.load(open("half-again.json"))["periods"] == 2
+PY
+more="takes models of one period, and this one has periods 2: write the harmonics as multiples of Omega/2, and give \
+frequencies of that"
+refuses 1 "a search for folds $more" folds half.json --from 1 --to 2
+refuses 1 "the method of multiple scales $more" mms half.json --mode 1
+refuses 1 "an export $more" rom half.json --export auto x
+refuses 1 "an export $more" rom half.json --export coco x
+refuses 1 "a map or the stability of rest $more" map half.json --x Omega=1:2 --y factor.load=0.5:1
+refuses 1 "the stability of rest $more" hill half.json --Omega 1.1
 done_testing

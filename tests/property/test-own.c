@@ -369,6 +369,58 @@ done:
 	}
 }
 
+/* cos(Omega t) and cos(3/2 Omega t), against cos(2 W t) and cos(3 W t) with W = Omega/2. */
+static void check_periods(void)
+{
+	const char *half = DUFFING("\"periods\": 2, ", "\"C\": [[0, 0, 0, 0, 0.1]]",
+	                           "{\"k\": 2, \"f\": [0.18]}, {\"k\": 3, \"f\": [0.1]}");
+	const char *plain = DUFFING("", "\"C\": [[0, 0, 0, 0, 0.1]]",
+	                            "{\"k\": 2, \"f\": [0.18]}, {\"k\": 3, \"f\": [0.1]}");
+	double u[2] = {0.2, -0.1}, worst = 0.0, *x, *y;
+	struct hawser_trajectory run[2] = {{0}};
+	struct hawser_sweep sweep[2] = {{0}};
+	struct hawser_rom_family family;
+	struct hawser_frf over;
+	struct hawser_rom rom[2] = {{0}};
+	struct hawser_frf frf[2] = {{0}};
+
+	if (!respond(&frf[0], &rom[0], half, 0.9, 1.7) || !respond(&frf[1], &rom[1], plain, 0.45, 0.85))
+		return;
+	for (int e = 0; e < frf[0].events && e < frf[1].events; e++)
+		worst = fmax(worst, fabs(frf[0].event[e].omega/2.0/frf[1].event[e].omega - 1.0));
+	ok(frf[0].events == frf[1].events && frf[0].events >= 2 && worst < 1e-12 && frf[0].period == 2,
+	   "%d events at twice the frequency to %.1e, of %d periods", frf[0].events, worst, frf[0].period);
+	for (int i = 0; i < 2; i++) {
+		double omega = i ? 0.55 : 1.1;
+
+		ok(!hawser_integrate(&run[i], &rom[i], &(struct hawser_integrate_options){.omega = omega,
+		                     .until = 20.0, .every = 20.0, .rtol = 1e-11, .initial = u}, &report) &&
+		   !hawser_sweep_run(&sweep[i], &rom[i], &(struct hawser_sweep_options){.from = 0.8*omega,
+		                     .to = 0.9*omega, .count = 2}, &report), "integrated");
+	}
+	x = run[0].state + 2*(size_t)(run[0].rows - 1);
+	y = run[1].state + 2*(size_t)(run[1].rows - 1);
+	ok(fabs(x[0] - y[0]) + fabs(x[1] - y[1]) < 1e-12 &&
+	   fabs(sweep[0].coordinate[1] - sweep[1].coordinate[1]) < 1e-12 &&
+	   fabs(sweep[0].omega[1] - 2.0*sweep[1].omega[1]) < 1e-12, "the same motion in time, and swept");
+	ok(!hawser_factor_open(&family, &rom[0], HAWSER_FACTOR_LOAD, 1.2, &report) &&
+	   !hawser_frf_trace(&over, &rom[0], &(struct hawser_frf_options){.from = 0.2, .to = 1.0,
+	                     .family = &family}, &report), "over the load");
+	hawser_factor_close(&family);
+	hawser_frf_clear(&frf[1]);
+	ok(!hawser_frf_trace(&frf[1], &rom[1], &(struct hawser_frf_options){.from = 0.6, .to = 0.7,
+	                     .max_points = 1, .start = over.state + 2*((size_t)over.points - 1)}, &report),
+	   "there too");
+	close_to(over.coordinate[over.points - 1], frf[1].coordinate[0], 1e-7, "the amplitude at its end");
+	hawser_frf_clear(&over);
+	for (int i = 0; i < 2; i++) {
+		hawser_trajectory_clear(&run[i]);
+		hawser_sweep_clear(&sweep[i]);
+		hawser_frf_clear(&frf[i]);
+		hawser_rom_clear(&rom[i]);
+	}
+}
+
 int main(void)
 {
 	gsl_set_error_handler_off();
@@ -392,6 +444,7 @@ int main(void)
 	check_mass();
 	check_chain();
 	check_first();
+	check_periods();
 	same_events(DUFFING("", "\"C\": [[0, 0, 0, 0, 0.1]]", "{\"k\": 1, \"f\": [0.18], \"C\": [[0, "
 	                    "0, 0, 0, "
 	                    "0.02]]}"),
