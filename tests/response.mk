@@ -109,3 +109,8 @@ check_PROGRAMS += tests/property/test-plugin
 TESTS += tests/property/test-plugin
 tests_property_test_plugin_SOURCES = tests/property/test-plugin.c
 tests_property_test_plugin_LDADD = $(UPTO_RESPONSE)
+
+check_PROGRAMS += tests/reference/test-feigenbaum
+TESTS += tests/reference/test-feigenbaum
+tests_reference_test_feigenbaum_SOURCES = tests/reference/test-feigenbaum.c
+tests_reference_test_feigenbaum_LDADD = $(UPTO_RESPONSE)
