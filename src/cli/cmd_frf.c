@@ -362,7 +362,9 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		status = cli_over_open(&over, settings->over, settings->omega, &model, report);
 		result.over = &over;
 	}
-	if (!status)
+	if (!status && settings->over)
+		result.from = result.to = over.omega/cli_per_omega(&model);
+	else if (!status)
 		status = cli_range(&result.from, &result.to, settings->from, settings->to, "frf", &model,
 		                   report);
 	if (!status)

@@ -53,6 +53,10 @@ enum hawser_status cli_natural(double *omega, int *count, const struct hawser_ro
 	int info;
 
 	*count = 0;
+	if (rom->first) { /* K is not a stiffness */
+		free(work);
+		return HAWSER_OK;
+	}
 	if (!work)
 		return hawser__no_memory(report, "natural");
 	re = work + n*n;

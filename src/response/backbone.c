@@ -343,7 +343,11 @@ enum hawser_status hawser_backbone_trace(struct hawser_backbone *backbone, const
 
 	hawser_backbone_settle(&settled);
 	options = &settled;
-	if ((status = hawser__more_refuse(rom, "a backbone", report))) {
+	status = hawser__more_refuse(rom, "a backbone", report);
+	if (!status && rom->first)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "backbone",
+		                      "a model of first_order has no free undamped motions");
+	if (status) {
 		*backbone = (struct hawser_backbone){.points = 0};
 		return status;
 	}

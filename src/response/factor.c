@@ -75,6 +75,12 @@ enum hawser_status hawser_factor_open(struct hawser_rom_family *family, const st
 		free(factor);
 		return hawser__more_refuse(rom, "a factor of load or damping", report);
 	}
+	if (rom->first && which == HAWSER_FACTOR_DAMPING) {
+		free(factor);
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
+		                    "a model of first_order has no damping that factor.damping multiplies: "
+		                    "name a number of the file as a parameter");
+	}
 	*family = (struct hawser_rom_family){omega, model, factor};
 	if (!factor)
 		return hawser__no_memory(report, "frf");

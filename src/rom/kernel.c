@@ -143,7 +143,7 @@ double hawser_rom_energy(const struct hawser_rom *rom, const double *u, const do
 
 	for (int j = 0; j < rom->n; j++)
 		energy += 0.5*v[j]*hawser__rom_weighed(rom, v, j);
-	if (rom->plug)
+	if (rom->plug || rom->first)
 		return energy;
 	if (rom->exact)
 		return energy + hawser__exact_potential(rom->exact, u);

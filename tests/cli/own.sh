@@ -58,6 +58,31 @@ take model.energy: quartic" rom "$chairlift" --set model.energy=exact --set mode
 refuses 1 "only models with polynomial equations and periodic forces are exported: this one has a ramp \
 (travel.braking)" rom "$top/notebooks-data/scenes/b-table-4.2.yaml" -n 2 \
 	--set "travel={speed: 5 m/s, hold: tension, final: 4 m/s, braking: 10 s}" --export matcont x
+cat >first.json <<'JSON'
+{"hawser_rom": 1, "n": 2, "first_order": true, "parameters": {"A": 0.4, "B": 1.2, "a": 0.05},
+ "K": [["B + 1", 0], ["-B", 0]], "terms": [[0, [0, 0, 1], [], -1], [1, [0, 0, 1], [], 1]],
+ "harmonics": [{"k": 0, "f": ["A", 0]}, {"k": 1, "f": ["a", 0]}]}
+JSON
+echo '{"hawser_rom": 1, "n": 1, "first_order": true, "K": [[1]], "harmonics": [{"k": 1, "f": [1]}]}' >linear.json
+works "a Brusselator" integrate first.json --Omega 0.8 --until 100T --every 100T --json first-time.json -q
+works "its response" frf first.json --from 3 --to 0.5 --json first-response.json -q
+works "over B" frf first.json --Omega 3 --over B=1.1:1.3 --json first-over.json -q
+works "with half the load" frf first.json --set a=0.025 --Omega 3 --over B=1.1:1.3 --json first-half.json -q
+python "its Hopf bifurcation at B = 1 + A^2 is a torus point, which the load moves by its square" <<'PY'
+import json
+run = json.load(open("first-time.json"))
+assert max(abs(x) for x in run["states"][-1]) < 10
+moved = []
+for name in ("first-over.json", "first-half.json"):
+    torus = [e["parameter"] for e in json.load(open(name))["events"] if e["kind"] == "torus"]
+    assert len(torus) == 1, torus
+    moved.append(torus[0] - 1.16)
+assert 0 < moved[0] < 0.003 and abs(moved[0]/moved[1] - 4) < 0.02, moved
+PY
+refuses 1 "a model of first_order has no damping that factor.damping multiplies: name a number of the file as a parameter" \
+	frf first.json --over factor.damping=1:2 --Omega 1
+refuses 1 "--from 0.6w1: the model has no natural frequency; write a number" frf first.json
+refuses 1 "a model of first_order has no free undamped motions" frf linear.json --from 1 --to 2 --backbone 1
 cat >half.json <<'JSON'
 {"hawser_rom": 1, "n": 1, "periods": 2, "K": [[1]], "D": [[0.05]], "C": [[0, 0, 0, 0, 0.1]],
  "harmonics": [{"k": 2, "f": [0.18]}, {"k": 3, "f": [0.1]}]}
