@@ -22,6 +22,7 @@
 #include <hawser/integrate.h>
 #include <hawser/orbit.h>
 #include <hawser/backbone.h>
+#include <hawser/basin.h>
 #include <hawser/branches.h>
 #include <hawser/cover.h>
 #include <hawser/family.h>

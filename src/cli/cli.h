@@ -488,8 +488,8 @@ struct cli_map_result {
 	struct hawser_map_options options;
 	const char *key[2], *unit[2]; /* [2] */
 	double omega; /* 0: none */
-	int full;     /* 1: write rows of interpolated points too */
-	int along;    /* of a map by rows: the axis that is followed */
+	int full, along; /* 1: write rows of interpolated points too; by rows: the axis that is followed */
+	struct hawser_basins basins; /* or count 0 */
 };
 /* Unit of the mapped value; "1" for a beam without dimensions. */
 const char *cli_map_value_unit(const struct cli_map_result *result);

@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <ctype.h>
 #include <limits.h>
 #include <math.h>
 #include <stdlib.h>
@@ -26,7 +27,7 @@ static const struct cli_option options[] = {
 	{"points", 0, "NXxNY", "resolution (200x200)", CLI_TEXT(points)},
 	{"depth", 0, "N", "resolution of 2^N cells along each axis, instead of --points",
 	 CLI_INTEGER(depth)},
-	{"quantity", 0, "NAME", "what is mapped: growth, multiplier, unstable or amplitude (growth)",
+	{"quantity", 0, "NAME", "what is mapped: growth, multiplier, unstable, amplitude, basin (growth)",
 	 CLI_TEXT(quantity)},
 	{"Omega", 0, "FREQUENCY", "frequency of the forcing, if it is no axis", CLI_TEXT(omega)},
 	{"modes", 'n', "N", "number of modes (the scene's model.modes)", CLI_INTEGER(n)},
@@ -152,8 +153,20 @@ static enum hawser_status frequency(double *omega, const char *text, const char 
 	return status;
 }
 
+/* Unit of a component of the state; NULL: the key is no such component. */
+static const char *component_unit(const char *key, const struct cli_model *model)
+{
+	if ((*key != 'u' && *key != 'v') || !isdigit((unsigned char)key[1]))
+		return NULL;
+	return !model->has_scene && !model->rom.scaled ? "" : *key == 'u' ? "m" : "m/s";
+}
+
 static const char *unit_of(const char *key, const struct cli_model *model)
 {
+	const char *unit = component_unit(key, model);
+
+	if (unit)
+		return unit;
 	if (strcmp(key, "Omega") == 0)
 		return model->has_scene || model->rom.scaled ? "rad/s" : "";
 	return strcmp(cli_key_unit(key), "1") == 0 ? "" : cli_key_unit(key);
@@ -163,8 +176,12 @@ static enum hawser_status end_of(double *value, const char *text, const char *op
                                  const char *key, struct cli_model *model,
                                  struct hawser_report *report)
 {
+	const char *unit = component_unit(key, model);
+
 	if (strcmp(key, "Omega") == 0)
 		return frequency(value, text, option, model, report);
+	if (unit)
+		return cli_quantity(value, text, *unit ? unit : "1", CLI_ANY, "map", option, report);
 	return cli_quantity(value, text, cli_key_unit(key), CLI_ANY, "map", option, report);
 }
 
@@ -210,6 +227,9 @@ static void read_numbers(struct hawser_map_options *to, const struct settings *s
 	if (settings->tolerance > 0.0)
 		to->tolerance = settings->tolerance;
 	hawser_map_settle(to);
+	/* brackets that are narrower than cells would cost as much again as the points of a basin's map */
+	if (strcmp(settings->quantity, "basin") == 0 && !(settings->tolerance > 0.0))
+		to->tolerance = 1.0/(fmin(to->points[0], to->points[1]) - 1.0);
 	to->threads = settings->threads;
 	to->strict = !settings->partial;
 	to->only_stable = settings->stable;
@@ -258,8 +278,10 @@ static enum hawser_status trace(struct hawser_map *map, struct cli_map_result *r
 	struct hawser_map_options choice = result->options;
 	struct hawser_map_field field;
 	int beam = model->has_scene && model->scene.beam.form;
-	enum hawser_status status = beam ? hawser_map_beam_open(&field, &source, n, 0, report)
-	                                 : hawser_map_cable_open(&field, &source, report);
+	int basin = strcmp(result->quantity->name, "basin") == 0;
+	enum hawser_status status = basin ? hawser_map_basin_open(&field, &source, report)
+	                            : beam ? hawser_map_beam_open(&field, &source, n, 0, report)
+	                                   : hawser_map_cable_open(&field, &source, report);
 
 	choice.progress = (struct hawser_progress){cli_watch, &watch};
 	if (status)
@@ -269,7 +291,10 @@ static enum hawser_status trace(struct hawser_map *map, struct cli_map_result *r
 	cli_progress_end(&watch.progress);
 	if (status == HAWSER_ERR_CONVERGENCE && choice.strict)
 		append(report, "; --partial leaves such points empty, and a smaller range may have none");
-	beam ? hawser_map_beam_close(&field) : hawser_map_cable_close(&field);
+	if (!status && basin)
+		status = hawser_basins_count(&result->basins, &field, map, report);
+	basin ? hawser_map_basin_close(&field)
+	      : beam ? hawser_map_beam_close(&field) : hawser_map_cable_close(&field);
 	return status;
 }
 
@@ -306,7 +331,7 @@ static enum hawser_status check(struct cli_map_result *result, const struct sett
 	                                  {"boundary", settings->boundary}};
 	enum hawser_status status = read_quantity(result, settings->quantity, report);
 
-	if (!status && result->quantity->nonlinear)
+	if (!status && strcmp(result->quantity->name, "amplitude") == 0)
 		status = check_rows(settings, report);
 	else if (!status && settings->stable)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
@@ -354,6 +379,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!status)
 		warn_uncomputed(&map);
 	hawser_map_clear(&map);
+	hawser_basins_clear(&result.basins);
 	cli_model_clear(&model);
 	free(copy[0]);
 	free(copy[1]);

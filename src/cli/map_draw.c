@@ -47,7 +47,8 @@ static const char *quantity_title(const struct hawser_map_quantity *quantity)
 {
 	static const char *const titles[][2] = {
 		{"growth", "Largest growth rate"}, {"multiplier", "Largest modulus of a multiplier"},
-		{"unstable", "Number of unstable multipliers"}, {"amplitude", "Largest peak amplitude"}};
+		{"unstable", "Number of unstable multipliers"}, {"amplitude", "Largest peak amplitude"},
+		{"basin", "Response"}};
 
 	for (size_t k = 0; k < sizeof titles/sizeof *titles; k++)
 		if (strcmp(titles[k][0], quantity->name) == 0)
@@ -57,7 +58,7 @@ static const char *quantity_title(const struct hawser_map_quantity *quantity)
 
 /* What changes on the map's boundary lines: whether there is a value, stability, or the number of
  * instabilities where some remain on both sides. */
-static const char *line_title(const struct hawser_map *map)
+static const char *line_title(const struct hawser_map *map, int basins)
 {
 	int code = 0, stability = 0, number = 0;
 
@@ -71,6 +72,8 @@ static const char *line_title(const struct hawser_map *map)
 		else
 			stability = 1;
 	}
+	if (basins && !code)
+		return "boundary of basins";
 	if (map->branches && !code)
 		return "number of responses or their stability changes";
 	if (code)
@@ -82,6 +85,19 @@ static const char *line_title(const struct hawser_map *map)
 	return "boundary of stability";
 }
 
+/* The axis of a parameter, or of a component of the initial state. */
+static struct hawser__axis axis_of(const struct cli_map_result *result, int k, double largest)
+{
+	const char *key = result->key[k];
+	char label[60];
+
+	if (result->basins.count == 0)
+		return cli_axis(key, result->unit[k], largest);
+	snprintf(label, sizeof label, "Initial %s %c_{%.20s}",
+	         *key == 'u' ? "displacement" : "velocity", *key, key + 1);
+	return hawser__axis_of(label, *result->unit[k] ? result->unit[k] : "1", largest);
+}
+
 enum hawser_status cli_map_draw(const char *path, const void *context, struct hawser_report *report)
 {
 	const struct cli_map_result *result = context;
@@ -91,7 +107,8 @@ enum hawser_status cli_map_draw(const char *path, const void *context, struct ha
 	double *x = malloc(((size_t)nx + (size_t)ny + (size_t)nx*(size_t)ny)*sizeof *x);
 	struct hawser__map_picture picture = {.nx = nx, .ny = ny, .segments = map->segments,
 		.segment = map->segment, .logarithmic = result->quantity->logarithmic,
-		.whole = strcmp(result->quantity->name, "unstable") == 0};
+		.whole = strcmp(result->quantity->name, "unstable") == 0,
+		.basins = result->basins.count};
 	struct hawser__axis axis;
 	enum hawser_status status;
 
@@ -102,9 +119,9 @@ enum hawser_status cli_map_draw(const char *path, const void *context, struct ha
 	picture.value = x + nx + ny;
 	axis = hawser__axis_of(quantity_title(result->quantity), cli_map_value_unit(result), 0.0);
 	fill(&picture, x, x + nx, x + nx + ny, map, axis.per);
-	picture.x_axis = cli_axis(result->key[0], result->unit[0], map->x[map->nx - 1]);
-	picture.y_axis = cli_axis(result->key[1], result->unit[1], map->y[map->ny - 1]);
-	picture.line_title = line_title(map);
+	picture.x_axis = axis_of(result, 0, map->x[map->nx - 1]);
+	picture.y_axis = axis_of(result, 1, map->y[map->ny - 1]);
+	picture.line_title = line_title(map, picture.basins > 0);
 	picture.border = border_of(result->quantity->name);
 	picture.title = axis.title;
 	status = hawser__plot_map(path, &picture, report);

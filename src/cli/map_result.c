@@ -85,6 +85,20 @@ static const char *value_unit(const void *context)
 	return cli_map_value_unit(context);
 }
 
+static void basin_comment(struct hawser__table *table, const struct cli_map_result *result, int a)
+{
+	const struct hawser_basin *basin = &result->basins.basin[a];
+	const struct cli_model *model = result->model;
+
+	hawser__table_comment(table, "response %d: share %.4f +- %.4f, amplitude %.9g%s, %d period%s, "
+	                      "largest multiplier %.4g, neighbourhood of %.2g of its size%s%s", a + 1,
+	                      basin->share, basin->error, basin->amplitude,
+	                      model->has_scene || model->rom.scaled ? " m" : "", basin->period,
+	                      basin->period > 1 ? "s" : "", basin->multiplier, basin->radius,
+	                      basin->followed ? "" : ", found by motions only",
+	                      basin->tension < 0.0 ? "; the cable would be slack" : "");
+}
+
 static void comments(struct hawser__table *table, const void *of)
 {
 	const struct cli_map_result *result = of;
@@ -111,6 +125,16 @@ static void comments(struct hawser__table *table, const void *of)
 		hawser__table_comment(table, "computed: %ld points of a lattice of %ld, those on boundaries "
 		                      "included; first cells %d, tolerance %.3g", map->visited,
 		                      (long)map->nx*map->ny, options->coarse, options->tolerance);
+	for (int a = 0; a < result->basins.count; a++)
+		basin_comment(table, result, a);
+	if (result->basins.count > 0)
+		hawser__table_comment(table, "at none within %d periods of the load: share %.4f +- %.4f; "
+		                      "without bounds: %.4f +- %.4f; basin entropy %.4f, of boundary boxes "
+		                      "%.4f",
+		                      result->basins.periods, result->basins.other,
+		                      result->basins.other_error, result->basins.escaped,
+		                      result->basins.escaped_error, result->basins.entropy,
+		                      result->basins.boundary_entropy);
 	if (map->incomplete > 0)
 		hawser__table_comment(table, "incomplete: %d rows, in which responses may be missing; the "
 		                      "first: %s", map->incomplete, map->broken);
@@ -138,7 +162,7 @@ static int shown(const struct cli_map_result *result, const struct hawser_map_po
 	return point->computed || (result->full && point->sample.code != HAWSER_MAP_LEFT);
 }
 
-enum { OMEGA = 1, CONDENSED = 2, TIMES = 4, ROWS = 8 };
+enum { OMEGA = 1, CONDENSED = 2, TIMES = 4, ROWS = 8, BASINS = 16 };
 
 HAWSER__LABELS(code_name, hawser_map_code_name, enum hawser_map_code)
 
@@ -287,6 +311,39 @@ static const struct hawser__field visits_field[] = {
 	HAWSER__END,
 };
 #undef OF
+#define OF(member) HAWSER__AT(struct hawser_basin, member)
+static const struct hawser__field basin_field[] = {
+	{"period", NULL, "periods of the load in one of the response", OF(period)},
+	{"amplitude", NULL, "largest displacement of a probe along an axis, or of a coordinate",
+	 OF(amplitude)},
+	{"tension", NULL, "least tension over the period; null: the model has none", OF(tension),
+	 .flags = HAWSER__NULL},
+	{"multiplier", NULL, "largest modulus of its multipliers, over its period", OF(multiplier)},
+	{"radius", NULL, "of its neighbourhood, relative to its size", OF(radius)},
+	{"followed", NULL, "whether it is on a curve that was followed",
+	 HAWSER__FLAG_AT(struct hawser_basin, followed)},
+	{"share", NULL, "of the area of the map", OF(share)},
+	{"error", NULL, "of the share, at most", OF(error)},
+	HAWSER__END,
+};
+#undef OF
+static const struct hawser__list basin_list =
+	HAWSER__STORED_ROWS(struct hawser_basins, basin, count, basin_field);
+#define OF(member) HAWSER__AT(struct hawser_basins, member)
+static const struct hawser__field basins_field[] = {
+	{"basins", NULL, "basin: the responses, in the order of their numbers from 1",
+	 HAWSER__OBJECTS_OF(basin_list)},
+	{"other.share", NULL, "basin: share of motions that end at none of them", OF(other)},
+	{"other.error", NULL, "of this share", OF(other_error)},
+	{"escaped.share", NULL, "basin: share of motions without bounds", OF(escaped)},
+	{"escaped.error", NULL, "of this share", OF(escaped_error)},
+	{"entropy.all", NULL, "basin entropy of boxes of 5 x 5 points", OF(entropy)},
+	{"entropy.boundary", NULL, "of the boxes with several numbers; above log 2: a fractal boundary",
+	 OF(boundary_entropy)},
+	{"periods", NULL, "basin: most periods of the load of a motion", OF(periods)},
+	HAWSER__END,
+};
+#undef OF
 static const struct hawser__field quantity_field[] = {
 	{"quantity.name", NULL, "mapped quantity", HAWSER__AT(struct hawser_map_quantity, name)},
 	HAWSER__END,
@@ -310,6 +367,7 @@ static const struct hawser__field result_field[] = {
 	{"Omega", NULL, "frequency of the excitation, if it is no parameter", OF(omega),
 	 .unit = HAWSER__RADIAN_S, .when = OMEGA},
 	{"points", NULL, "lists by name", HAWSER__ARRAYS_OF(point_list), .flags = HAWSER__STREAM},
+	{"", NULL, "", HAWSER__PART_OF(struct cli_map_result, basins, basins_field), .when = BASINS},
 	{"", NULL, "", HAWSER__THROUGH(struct cli_map_result, map, map_field)},
 	HAWSER__END,
 };
@@ -337,6 +395,7 @@ static struct cli_head head(const void *of)
 		 .options = (result->omega > 0.0 ? OMEGA : 0u) |
 		            (result->map->condensed.points > 0 ? CONDENSED : 0u) |
 		            (result->map->branches ? ROWS : 0u) |
+		            (result->basins.count > 0 ? BASINS : 0u) |
 		            (result->common->reproducible ? 0u : TIMES)}, NULL, NULL};
 }
 

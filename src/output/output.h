@@ -448,6 +448,8 @@ struct hawser__map_picture {
 	int logarithmic, whole;   /* 1: logarithmic colours; 1: values are integers */
 	const char *line_title;   /* what changes on the boundary lines */
 	int holes;                /* 1: some values are NAN */
+	int basins;               /* > 0: values are numbers of so many responses, 0 (none) or -1 (no
+	                           * bounds), each with its colour */
 };
 enum hawser_status hawser__plot_map(const char *path, const struct hawser__map_picture *map,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;

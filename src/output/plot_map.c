@@ -123,6 +123,46 @@ static void whole_colours(FILE *script, const struct hawser__map_picture *map, d
 	        levels > 12 ? 5 : 1);
 }
 
+/* Colours of motions without bounds and of those that end at no response; then of responses, again from
+ * the first on after the last. */
+static const char *const basin_colour[] = {"#f0f0f0", "#4d4d4d", "#56b4e9", "#e69f00", "#009e73",
+                                           "#cc79a7", "#f0e442", "#0072b2", "#d55e00"};
+enum { BASIN_COLOURS = sizeof basin_colour/sizeof *basin_colour - 2 };
+
+static const char *colour_of_basin(int number)
+{
+	return basin_colour[number < 1 ? number + 1 : 2 + (number - 1)%BASIN_COLOURS];
+}
+
+static void basin_colours(FILE *script, const struct hawser__map_picture *map)
+{
+	fputs("set palette maxcolors 0 defined (", script);
+	for (int k = -1; k <= map->basins; k++)
+		fprintf(script, "%s%d '%s', %d '%s'", k >= 0 ? ", " : "", k, colour_of_basin(k), k + 1,
+		        colour_of_basin(k));
+	fprintf(script, ")\nset cbrange [-1.5:%g]\n", map->basins + 0.5);
+}
+
+/* An entry for each number that occurs, up to the room of the legend. */
+static void basin_legend(struct hawser__legend *entries, const struct hawser__map_picture *map)
+{
+	static const char box[] = "with boxes fillstyle solid noborder";
+	long count = (long)map->nx*map->ny;
+
+	for (int k = -1; k <= (map->basins < 12 ? map->basins : 12); k++) {
+		char title[40];
+		long p = 0;
+
+		while (p < count && map->value[p] != k)
+			p++;
+		if (p == count)
+			continue;
+		snprintf(title, sizeof title, k > 0 ? "response %d" : k ? "no bounds" : "no periodic response",
+		         k);
+		hawser__legend_add(entries, title, "%s lc rgb '%s'", box, colour_of_basin(k));
+	}
+}
+
 static void colour_bar(struct hawser__picture *picture, const struct hawser__map_picture *map)
 {
 	FILE *script = picture->script;
@@ -146,6 +186,11 @@ static void colour_bar(struct hawser__picture *picture, const struct hawser__map
 	if (logarithmic)
 		hawser__picture_log_tics(picture, "cb", low, high);
 	fprintf(script, "set cbrange [%.9g:%.9g]\n", low, high);
+	if (map->basins > 0) {
+		basin_colours(script, map);
+		fputs("unset colorbox\n", script);
+		return;
+	}
 	if (map->whole)
 		whole_colours(script, map, low + room, high - room);
 	else if (isnan(map->border))
@@ -167,6 +212,8 @@ static void legend(struct hawser__picture *picture, const struct hawser__map_pic
 	double low, high, border = map->border;
 
 	range_of(&low, &high, map);
+	if (map->basins > 0)
+		basin_legend(&entries, map);
 	if (low < border)
 		hawser__legend_add(&entries, "stable", "%s lc rgb '%s'", box, stable[2]);
 	if (high > border)

@@ -66,8 +66,14 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/map_probes.c \
 	%D%/map_quantity.c \
 	%D%/map_quantity.h \
+	%D%/basin.c \
+	%D%/basin.h \
+	%D%/basin_count.c \
+	%D%/basin_form.c \
+	%D%/map_basin.c \
 	%D%/map_row.c \
 	%D%/map_row_model.c \
+	%D%/map_row_result.c \
 	%D%/map_rows.c \
 	%D%/map_rows.h \
 	%D%/map_rows_file.c \

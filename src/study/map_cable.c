@@ -89,7 +89,7 @@ static enum hawser_status check(struct hawser__map_cable *cable, struct hawser_r
 	int excited = 0;
 
 	cable->quantity = hawser__map_quantity(name);
-	if (!cable->quantity)
+	if (!cable->quantity || !cable->quantity->measure)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
 		                    "there is no quantity \"%.40s\": write growth, multiplier, unstable "
 		                    "or amplitude", name);

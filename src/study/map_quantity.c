@@ -196,6 +196,8 @@ static const struct hawser__map_quantity rows[] = {
 	  "1", "the same", 0, 0, 0}, 0.5, unstable, 1},
 	{{"amplitude", "peak amplitude of the periodic response", "m",
 	  "multipliers of the response outside the unit circle", 1, 1, 1}, NAN, amplitude, 0},
+	{{"basin", "the response at which a motion from this initial state ends", "1",
+	  "the same: 0 is none that is periodic, -1 a motion without bounds", 1, 1, 0}, NAN, NULL, 0},
 };
 #define ROWS ((int)(sizeof rows/sizeof *rows))
 

@@ -48,22 +48,6 @@ struct rows_trace {
 	struct hawser_report failed; /* the first failure */
 };
 
-void hawser__map_note(char **text, const char *message)
-{
-	free(*text);
-	*text = message ? strdup(message) : NULL;
-}
-
-void hawser__map_row_clear(struct hawser__map_row *row)
-{
-	free(row->answer);
-	free(row->turn);
-	for (int k = 0; k < HAWSER_MAP_CODES; k++)
-		free(row->why[k]);
-	free(row->broken);
-	*row = (struct hawser__map_row){.at = NULL};
-}
-
 /* --- responses --- */
 
 static int same(const struct rows_trace *trace, const double *a, const double *b)
@@ -378,33 +362,6 @@ static struct hawser__map_answer answer_at(const struct rows_trace *trace, int p
 	return all[0];
 }
 
-void hawser__map_row_explain(struct hawser__map_row *row, const struct hawser__map_answer *answer,
-                             const char *message)
-{
-	enum hawser_map_code code = answer->sample.code;
-	char text[160];
-
-	if (code == HAWSER_MAP_OK || row->why[code])
-		return;
-	if (code == HAWSER_MAP_SLACK) {
-		snprintf(text, sizeof text, "the least tension in the response is %.4g N: a cable cannot "
-		         "carry that", answer->tension);
-		message = text;
-	} else if (code == HAWSER_MAP_NO_STATE) {
-		message = "no periodic response with the period of the load is stable";
-	}
-	hawser__map_note(&row->why[code], message ? message : "no curve of responses passes this value");
-}
-
-void hawser__map_row_fill(struct hawser__map_row *row, int from, int to, enum hawser_map_code code,
-                          const char *message)
-{
-	for (int i = from; i < to; i++)
-		row->answer[i] = (struct hawser__map_answer){.sample = {.code = code}, .tension = NAN};
-	if (to > from && !row->why[code])
-		hawser__map_note(&row->why[code], message);
-}
-
 /* --- a row --- */
 
 /* Values of the followed parameter that are positive, as those of Omega and of the load's factor must
@@ -429,6 +386,22 @@ static int refuse_low(struct rows_trace *trace, int positive)
 	return low;
 }
 
+static enum hawser_status keep_states(const struct rows_trace *trace, int place,
+                                      struct hawser_report *report)
+{
+	struct hawser__map_row *row = trace->row;
+	size_t m = (size_t)trace->m;
+
+	row->state = malloc(((size_t)trace->responses + 1)*m*sizeof *row->state);
+	if (!row->state)
+		return hawser__no_memory(report, "map");
+	for (int r = 0; r < trace->responses; r++)
+		if (trace->found[r].place == place)
+			memcpy(row->state + (size_t)row->kept++*m, trace->state + (size_t)r*m,
+			       m*sizeof *row->state);
+	return HAWSER_OK;
+}
+
 static enum hawser_status follow_row(struct rows_trace *trace, int positive,
                                      struct hawser_report *report)
 {
@@ -445,6 +418,8 @@ static enum hawser_status follow_row(struct rows_trace *trace, int positive,
 	trace->at += low;
 	trace->count = row->count - low;
 	status = trace->count > 0 ? follow_all(trace, report) : HAWSER_OK;
+	if (!status && row->keeps)
+		status = keep_states(trace, row->keep - low, report);
 	for (int i = 0; i < trace->count && !status; i++) {
 		int k = trace->backwards ? row->count - 1 - low - i : low + i;
 

@@ -35,6 +35,7 @@ struct hawser__map_row {
 	int count;
 	double fixed;       /* value of the other parameter */
 	int only_stable;    /* 1: only stable responses count */
+	int keeps, keep;    /* 1: the states of the responses at the place `keep` are kept */
 	const struct hawser_progress *progress; /* asked by the traces; may end them */
 	/* results */
 	struct hawser__map_answer *answer; /* [count] */
@@ -42,18 +43,21 @@ struct hawser__map_row {
 	int turns, turn_capacity;
 	int ready, interrupted;
 	int incomplete;     /* 1: a curve could not be followed to its end */
+	double *state;      /* [kept][2n] scaled, at phase 0, or NULL */
+	int kept;
 	char *why[HAWSER_MAP_CODES]; /* the reason of the first answer of this code, or NULL */
 	char *broken;       /* why the row is incomplete, or NULL */
 };
+/* map_row_result.c */
 void hawser__map_row_clear(struct hawser__map_row *row);
 /* Replace *text by a copy; without memory it becomes NULL. */
 void hawser__map_note(char **text, const char *message);
 
-/* map_row.c: after answers without a value got their code: the reason, of the first of each code;
- * `message` may be NULL. */
+/* map_row_result.c: after answers without a value got their code: the reason, of the first of each
+ * code; `message` may be NULL. */
 void hawser__map_row_explain(struct hawser__map_row *row, const struct hawser__map_answer *answer,
                              const char *message);
-/* map_row.c: these answers have no value, for this reason. */
+/* map_row_result.c: these answers have no value, for this reason. */
 void hawser__map_row_fill(struct hawser__map_row *row, int from, int to, enum hawser_map_code code,
                           const char *message);
 /* map_row.c: all responses of a model along Omega or, with a family, along its parameter, of which only

@@ -22,6 +22,7 @@
 #include <hawser/integrate.h>
 #include <hawser/irvine.h>
 #include <hawser/linear.h>
+#include <hawser/basin.h>
 #include <hawser/map.h>
 #include <hawser/modes.h>
 #include <hawser/orbit.h>
@@ -132,6 +133,8 @@ static const struct row {
 	ROW(hawser_landmark),
 	ROW(hawser_landmark_options),
 	ROW(hawser_load_piece),
+	ROW(hawser_basin),
+	ROW(hawser_basins),
 	ROW(hawser_map),
 	ROW(hawser_map_boundary),
 	ROW(hawser_map_condensed),

@@ -32,7 +32,7 @@ refuses 1 '--points and --depth both give the resolution: write one of them' \
 	map "$chairlift" --x span.h=0:5 --y g=1:2 --points 9x5 --depth 3
 refuses 1 '--depth 15: at most 14, which is 16385 points along an axis' \
 	map "$chairlift" --x span.h=0:5 --y g=1:2 --depth 15
-refuses 1 '--quantity speed: must be one of growth, multiplier, unstable, amplitude' \
+refuses 1 '--quantity speed: must be one of growth, multiplier, unstable, amplitude, basin' \
 	map "$chairlift" --x span.h=0:5 --y g=1:2 --quantity speed
 refuses 1 'the quantity multiplier needs a forcing frequency: give Omega, or make it an axis' \
 	map "$chairlift" --x span.h=0:5 --y g=1:2 --quantity multiplier
@@ -150,6 +150,29 @@ assert all(float(f[3]) < 1e-5 for f in folds[1:] if f[8]) and any(f[8] == "fold"
 r = json.load(open("peak.json"))
 assert r["incomplete"] == {"rows": 0, "first": ""} and r["boundaries"][0]["event"] == "fold", r["incomplete"]
 END
+# --- basins ---
+printf '%s' '{"hawser_rom": 1, "n": 1, "D": [[0.063]], "K": [[1]], "Q": [[0, 0, 0, 0.29]], "C": [[0, 0, 0, 0, 0.41]],
+ "harmonics": [{"k": 1, "f": [0.21]}]}' >duffing.json
+works "basins of two responses" map duffing.json --x u1=-2:2 --y v1=-2:2 --Omega 1.31 --quantity basin --points 17x17 \
+	--tsv basin.tsv --json basin.json --plot basin.svg
+python "shares and colours of basins" <<'END'
+import json
+r = json.load(open("basin.json"))
+assert [b["period"] for b in r["basins"]] == [1, 1] and r["other"]["share"] == r["escaped"]["share"] == 0, r["basins"]
+assert abs(sum(b["share"] for b in r["basins"]) - 1) < 1e-9 and all(0 < b["error"] < 0.5 for b in r["basins"])
+assert set(r["points"]["number"]) == {1, 2} and r["points"]["value"] == r["points"]["number"]
+lines = open("basin.tsv").read()
+assert "# response 2: share " in lines and "u1\tv1\tbasin\tnumber" in lines, lines[:600]
+svg = open("basin.svg").read()
+assert "response 1" in svg and "boundary of basins" in svg and "Initial velocity" in svg
+END
+refuses 1 'u2: the axes of basins are components of the initial state: u1 to u1 (displacements) and v1 to v1 (velocities)' \
+	map duffing.json --x u2=0:1 --y v1=0:1 --Omega 1.31 --quantity basin
+refuses 1 'both axes are v1' map duffing.json --x v1=0:1 --y v1=0:1 --Omega 1.31 --quantity basin
+refuses 1 'the quantity basin needs a forcing frequency: give Omega' map duffing.json --x u1=0:1 --y v1=0:1 --quantity basin
+sed 's/0.063/0/' duffing.json >undamped.json
+refuses_like 2 'basin: no stable periodic response was found' map undamped.json --x u1=0:1 --y v1=0:1 --Omega 1.31 \
+	--quantity basin
 works "modes of one solution" map "$chairlift" --x "Omega=0.2 Hz:0.5 Hz" --y damping.alpha=0:1 --points 9x9 \
 	--quantity unstable --tsv none.tsv
 
