@@ -37,6 +37,7 @@ CLI_TESTS = \
 	%D%/cli/loads.sh \
 	%D%/cli/travel.sh \
 	%D%/cli/branches.sh \
+	%D%/cli/label.sh \
 	%D%/cli/over.sh \
 	%D%/cli/library.sh \
 	%D%/cli/own.sh \

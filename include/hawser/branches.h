@@ -23,6 +23,12 @@ enum hawser_status hawser_branch_switch(struct hawser_frf *branch, const struct 
                                         const struct hawser_frf_options *options,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* Trace a branch of motions of `periods` periods of the load, with options->start the state of one of
+ * them. Statuses of hawser_frf_trace; HAWSER_ERR_ARGUMENT (a family, periods < 1). */
+enum hawser_status hawser_branch_trace(struct hawser_frf *branch, const struct hawser_rom *rom,
+                                       int periods, const struct hawser_frf_options *options,
+                                       struct hawser_report *report) HAWSER_MUST_CHECK;
+
 #ifdef __cplusplus
 }
 #endif

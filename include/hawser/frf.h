@@ -60,6 +60,7 @@ struct hawser_frf_point {
 	int iterations;   /* number of corrector iterations */
 	int steps;        /* Runge-Kutta steps per period; harmonic balance: number of coefficients per
 	                   * coordinate */
+	int label;        /* hawser_frf_label; 0: none */
 };
 
 struct hawser_frf_event {
@@ -79,6 +80,7 @@ struct hawser_frf_event {
 	double bracket[2]; /* scaled Omega of the two orbits that bracket the event, in the order of the
 	                    * curve */
 	int unstable[2]; /* multipliers outside the unit circle at these two orbits */
+	int label;       /* hawser_frf_label; 0: none */
 };
 
 struct hawser_frf {
@@ -103,6 +105,9 @@ struct hawser_frf {
 	int branch;                     /* 1; hawser_cover_trace numbers further branches from 2 */
 	int events, event_capacity;
 	struct hawser_frf_event *event; /* [events] in order along the branch */
+	double *event_state;            /* [events][2n] u then du/dt at tau = 0 of their orbits, scaled; NAN
+	                                 * for an unexplained event, which has none. At a branch point it
+	                                 * may be interpolated */
 	enum hawser_frf_end end;
 	char lost[sizeof ((struct hawser_report *)0)->message]; /* HAWSER_END_LOST: why; else "" */
 	const char *method;             /* the method used, a static string */
@@ -170,6 +175,10 @@ enum hawser_status hawser_frf_trace(struct hawser_frf *frf, const struct hawser_
                                     const struct hawser_frf_options *options,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_frf_clear(struct hawser_frf *frf);
+
+/* Number the events, the first and last point, and every `every`th one (0: 10) along the branch, from
+ * `first` on: their members `label`. Returns the number after the last one. */
+int hawser_frf_label(struct hawser_frf *frf, int first, int every);
 
 /* A sweep by time integration at `count` frequencies from `from` to `to`. Each integration starts
  * from the final state of the previous one and lasts until the motion is periodic, so that the

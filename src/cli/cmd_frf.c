@@ -10,6 +10,7 @@
 #include "cli/frf_beside.h"
 #include "cli/frf_cover.h"
 #include "cli/frf_over.h"
+#include "cli/label.h"
 #include "cli/progress.h"
 #include "cli/view.h"
 #include "core/report.h"
@@ -22,7 +23,7 @@
 struct settings {
 	struct cli_common common;
 	const char *from, *to, *at, *sweep, *start, *resume, *scale, *method, *slack, *beside;
-	const char *over, *omega;
+	const char *over, *omega, *label;
 	double tolerance, step;
 	int n, points, segments, unstable, sweep_points, multipliers, partial, backbone, energy;
 	int branches;
@@ -45,6 +46,7 @@ static const struct cli_option options[] = {
 	CLI_TEXT_OPTION(start, "FILE", "state to start from (the linear response)"),
 	CLI_TEXT_OPTION(at, "FREQUENCY", "frequency of the first orbit, inside the range"),
 	{"continue", 0, "FILE", "continue the curve whose JSON result this file is", CLI_TEXT(resume)},
+	{"from-label", 0, "FILE#LABEL", "begin at this label of a JSON result of frf", CLI_TEXT(label)},
 	{"branches", 0, "DEPTH", "follow branches that begin at bifurcations too, and theirs, so deep",
 	 CLI_INTEGER(branches)},
 	{"over", 0, "KEY=FROM:TO", "follow the motion in a parameter instead, at the frequency --Omega",
@@ -121,6 +123,11 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
 		                      "--continue %s says where to start, and so does --%s: give one of them",
 		                      settings->resume, settings->start ? "start" : "at");
+	if (!status && settings->label && (settings->start || settings->at || settings->resume))
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
+		                      "--from-label %s says where to start, and so does --%s: give one of them",
+		                      settings->label, settings->start ? "start" : settings->at ? "at"
+		                      : "continue");
 	if (!status && (settings->over || settings->omega))
 		status = check_over(settings, report);
 	if (!status)
@@ -190,8 +197,35 @@ static enum hawser_status locate_peaks(struct hawser_landmark **peak, struct cli
 	return status;
 }
 
+/* The curve, from the label if there is one. */
+static enum hawser_status trace_curve(struct hawser_frf *frf, struct hawser_frf_options *choice,
+                                      const struct cli_frf_result *result,
+                                      const struct settings *settings, const struct cli_label *label,
+                                      struct hawser_report *report)
+{
+	const struct hawser_rom *rom = &result->model->rom;
+	double *along = settings->label ? calloc(2*(size_t)rom->n, sizeof *along) : NULL;
+	enum hawser_status status = HAWSER_OK;
+
+	if (settings->label && !along)
+		return hawser__no_memory(report, "frf");
+	if (settings->label)
+		status = cli_label_begin(choice, along, label, result->over, result->model, settings->label,
+		                         report);
+	if (!status && label->period > 1)
+		status = hawser_branch_trace(frf, rom, label->period, choice, report);
+	else if (!status)
+		status = hawser_frf_trace(frf, rom, choice, report);
+	if (!status && settings->label)
+		status = cli_label_kept(label, frf, settings->label, report);
+	choice->along = NULL;
+	free(along);
+	return status;
+}
+
 static enum hawser_status trace(struct hawser_frf *frf, struct hawser_landmark **peak,
-                                struct cli_cover *cover, struct cli_model *model,
+                                struct cli_cover *cover, const struct cli_label *label,
+                                struct cli_model *model,
                                 const struct settings *settings,
                                 struct cli_frf_result *result, struct hawser_report *report)
 {
@@ -223,14 +257,14 @@ static enum hawser_status trace(struct hawser_frf *frf, struct hawser_landmark *
 		choice = model->accuracy.traced; /* for peaks and further branches */
 	}
 	if (!status && !automatic)
-		status = hawser_frf_trace(frf, &model->rom, &choice, report);
-	if (frf->points > 0 && !result->over) {
+		status = trace_curve(frf, &choice, result, settings, label, report);
+	if (frf->points > 0 && label->period == 1 && !result->over) {
 		enum hawser_status located = locate_peaks(peak, result, &watch.progress, &choice,
 		                                          status != HAWSER_OK, status ? &second : report);
 
 		status = status ? status : located;
 	}
-	if (!status && !result->over && !cli_interrupted())
+	if (!status && label->period == 1 && !result->over && !cli_interrupted())
 		status = cli_cover_trace(cover, result, &choice, &watch.progress, locate_peaks, report);
 	if (!status && settings->branches > 0 && !result->over && !cli_interrupted())
 		status = cli_cover_switch(cover, result, &choice, settings->branches, &watch.progress,
@@ -308,6 +342,7 @@ static enum hawser_status write_result(struct cli_frf_result *result, int energy
 	if (energy)
 		showing.draw = cli_backbone_draw;
 	result->direction = cli_frf_direction(result->frf);
+	cli_label_all(result);
 	status = cli_show(result->common, &showing, result, report);
 	if (!status)
 		cli_basis_warn(result->model);
@@ -338,6 +373,29 @@ static enum hawser_status load(struct cli_model *model, const struct settings *s
 	return cli_model_load(model, &common, settings->n, report);
 }
 
+/* With --over, the curve has the label's frequency, and its modes at the label are the label's. */
+static enum hawser_status open_label(struct cli_label *label, struct cli_over *over,
+                                     const struct settings *settings, const struct cli_model *model,
+                                     struct hawser_report *report)
+{
+	const char *text = settings->over;
+	char key[128] = "";
+	enum hawser_status status;
+
+	if (text)
+		snprintf(key, sizeof key, "%.*s", (int)strcspn(text, "="), text);
+	status = cli_label_open(label, "from-label", settings->label, text ? key : NULL, model,
+	                        &settings->common, report);
+	if (status || !text)
+		return status;
+	over->omega = label->omega*cli_per_omega(model);
+	if (strcmp(key, label->over) == 0)
+		over->at = label->anchor;
+	else if (model->has_scene && cli_over_needs_scene(key))
+		return hawser_scene_get(&model->scene, &over->at, key, report);
+	return HAWSER_OK;
+}
+
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	const struct settings *settings = context;
@@ -350,7 +408,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	struct cli_backbone free_motions = {.omega = NULL};
 	struct cli_beside beside = {.root = NULL};
 	struct cli_overlay overlay[CLI_OVERLAYS];
-	struct cli_over over = {.open = 0};
+	struct cli_over over = {.at = NAN};
+	struct cli_label label = {.period = 1};
 	struct cli_frf_result result = {.common = &settings->common, .model = &model, .frf = &frf,
 	                                .sweep = list, .multipliers = settings->multipliers,
 	                                .scale = settings->scale, .overlay = overlay};
@@ -358,6 +417,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 
 	if (!status)
 		status = load(&model, settings, report);
+	if (!status && settings->label)
+		status = open_label(&label, &over, settings, &model, report);
 	if (!status && settings->over) {
 		status = cli_over_open(&over, settings->over, settings->omega, &model, report);
 		result.over = &over;
@@ -375,7 +436,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		status = cli_beside_open(&beside, settings->beside, &model, report);
 	if (status)
 		goto done;
-	status = trace(&frf, &peak, &cover, &model, settings, &result, report);
+	status = trace(&frf, &peak, &cover, &label, &model, settings, &result, report);
 	if (!status && !settings->over)
 		status = cli_fixed_estimate(&result, report);
 	for (int k = 0; k < result.others && !status; k++)
@@ -409,6 +470,7 @@ done:
 	free(peak);
 	cli_cover_clear(&cover);
 	cli_over_clear(&over);
+	cli_label_clear(&label);
 	cli_model_clear(&model);
 	return status;
 }

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "cli/integrate_result.h"
+#include "cli/label.h"
 #include "cli/load_history.h"
 #include "cli/progress.h"
 #include "cli/view.h"
@@ -30,7 +31,8 @@ static const struct cli_option options[] = {
 	CLI_TEXT_OPTION(motion, "FILE", "table of the displacements of the ends over time"),
 	{"until", 0, "TIME", "end of the run (100T)", CLI_TEXT(until)},
 	{"every", 0, "TIME", "interval between output rows (0.01T)", CLI_TEXT(every)},
-	{"initial", 0, "FILE", "state to start from (rest)", CLI_TEXT(initial)},
+	{"initial", 0, "FILE",
+	 "state, or FILE#LABEL of a response, to start from (rest)", CLI_TEXT(initial)},
 	{"continue", 0, "FILE", "continue the run whose JSON result this file is", CLI_TEXT(resume)},
 	{"modes", 'n', "N", "number of modes (the scene's model.modes)", CLI_INTEGER(n)},
 	CLI_LIBRARY_OPTION,
@@ -72,21 +74,22 @@ static enum hawser_status sweep(struct hawser_integrate_options *choice,
 
 static enum hawser_status times(struct hawser_integrate_options *choice, double *period,
                                 const struct settings *settings, const struct cli_model *model,
-                                struct hawser_report *report)
+                                const struct cli_label *label, struct hawser_report *report)
 {
 	enum hawser_status status = HAWSER_OK;
 
+	choice->omega = label->omega;
 	if (settings->omega)
 		status = cli_frequency(&choice->omega, settings->omega, "Omega", model, report);
 	else if (settings->omega_to)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
 		                      "--Omega-to %s ends a sweep: give its beginning with --Omega",
 		                      settings->omega_to);
-	else if (model->rom.harmonics > 0 || model->automatic)
+	else if (!label->state && (model->rom.harmonics > 0 || model->automatic))
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
 		                      "the model is forced: give its frequency with --Omega, such as "
 		                      "--Omega 0.9w1");
-	else if (model->naturals == 0)
+	else if (!label->state && model->naturals == 0)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
 		                      "the model has no natural frequency to set the unit of --until and "
 		                      "--every: give --Omega");
@@ -94,7 +97,7 @@ static enum hawser_status times(struct hawser_integrate_options *choice, double 
 		status = sweep(choice, settings, model, report);
 	if (status)
 		return status;
-	*period = 2.0*M_PI/(settings->omega ? choice->omega : model->natural[0]);
+	*period = 2.0*M_PI/(settings->omega || label->state ? choice->omega : model->natural[0]);
 	status = cli_time(&choice->until, settings->until, "until", *period, model, report);
 	if (!status)
 		status = cli_time(&choice->every, settings->every, "every", *period, model, report);
@@ -142,16 +145,17 @@ static double highest(const struct hawser_integrate_options *choice)
 /* The initial state, if the user gives one; last->state owns it. */
 static enum hawser_status choose_start(struct hawser_integrate_options *choice,
                                        struct cli_last *last, const struct settings *settings,
-                                       const struct cli_model *model, struct hawser_report *report)
+                                       const struct cli_model *model, const struct cli_label *label,
+                                       struct hawser_report *report)
 {
 	enum hawser_status status = HAWSER_OK;
 
-	if (settings->initial)
+	if (settings->initial && !label->state)
 		status = cli_state_open(&last->state, settings->initial, model, report);
 	else if (settings->resume)
 		status = cli_last_open(last, settings->resume, "integrate", model,
 		                       &settings->common, report);
-	choice->initial = last->state;
+	choice->initial = label->state ? label->state : last->state;
 	if (status || !settings->resume)
 		return status;
 	choice->begin = last->t;
@@ -174,7 +178,15 @@ static enum hawser_status solve(struct hawser_trajectory *run, struct cli_integr
 	struct cli_watch watch = {{.quiet = settings->common.quiet}, "integrate"};
 	struct hawser_integrate_options choice = {0};
 	struct cli_last last = {.state = NULL};
-	enum hawser_status status = times(&choice, &result->period, settings, model, report);
+	struct cli_label label = {.state = NULL};
+	enum hawser_status status = HAWSER_OK;
+	char path[4096];
+
+	if (settings->initial && cli_label_split(path, sizeof path, settings->initial))
+		status = cli_label_open(&label, "initial", settings->initial, NULL, model, &settings->common,
+		                        report);
+	if (!status)
+		status = times(&choice, &result->period, settings, model, &label, report);
 
 	if (!status && model->automatic)
 		status = cli_choice_build(model, around[0]*lowest(&choice), around[1]*highest(&choice),
@@ -182,9 +194,10 @@ static enum hawser_status solve(struct hawser_trajectory *run, struct cli_integr
 	if (!status)
 		status = cli_known(model, highest(&choice), report);
 	if (!status)
-		status = choose_start(&choice, &last, settings, model, report);
+		status = choose_start(&choice, &last, settings, model, &label, report);
 	if (status) {
 		cli_last_clear(&last);
+		cli_label_clear(&label);
 		return status;
 	}
 	choice.rtol = settings->rtol;
@@ -200,6 +213,7 @@ static enum hawser_status solve(struct hawser_trajectory *run, struct cli_integr
 		status = look_again(result, run, &model->rom, &choice, report);
 	cli_progress_end(&watch.progress);
 	cli_last_clear(&last);
+	cli_label_clear(&label);
 	return status;
 }
 

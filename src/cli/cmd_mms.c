@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/label.h"
 #include "cli/mms_result.h"
 #include "cli/progress.h"
 #include "core/report.h"
@@ -232,6 +233,8 @@ static enum hawser_status equilibria(struct cli_mms_result *result, struct hawse
 	drawn.from = result->from;
 	drawn.to = result->to;
 	drawn.direction = cli_frf_direction(&frf);
+	if (!status)
+		cli_label_all(&drawn);
 	if (!status)
 		status = cli_show(result->common, &cli_frf_showing, &drawn, report);
 	result->modulation = NULL;

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "cli/backbone.h"
@@ -25,6 +26,12 @@ static const struct hawser__vector multiplier_vector = {
 	.count = multipliers, .pair = {"log_modulus", "argument"}};
 
 /* --- points of the curve --- */
+
+static int has_label(const void *row, const void *parent)
+{
+	(void)parent;
+	return ((const struct hawser_frf_point *)row)->label > 0;
+}
 
 #define OF(member) HAWSER__AT(struct hawser_frf_point, member)
 #define TENSION_OF(which) HAWSER__ALONG(struct hawser_frf, tension), .stride = 2, .item = (which), \
@@ -63,6 +70,8 @@ static const struct hawser__field point_field[] = {
 	{"iterations", NULL, "of the corrector", OF(iterations)},
 	{"steps", NULL, "Runge-Kutta steps a period, or coefficients a coordinate", OF(steps)},
 	CLI_STATE(HAWSER__VECTOR_ALONG, struct hawser_frf, state),
+	{"label", NULL, "number of this point, by which a run can begin here", OF(label),
+	 .given = has_label},
 	{"multipliers", NULL, "Floquet multipliers: logarithm of the modulus, argument",
 	 HAWSER__VECTOR_ALONG(struct hawser_frf, multiplier, multiplier_vector), .when = MULTIPLIERS},
 	HAWSER__END,
@@ -151,6 +160,14 @@ static int over_parameter(const void *row, const void *parent)
 	return !over_omega(row, parent);
 }
 
+static int has_state(const void *row, const void *parent)
+{
+	const struct hawser_frf *frf = parent;
+	size_t at = (size_t)((const struct hawser_frf_event *)row - frf->event);
+
+	return frf->event_state && isfinite(frf->event_state[2*(size_t)frf->n*at]);
+}
+
 #define OF(member) HAWSER__AT(struct hawser_frf_event, member)
 static const struct hawser__field event_field[] = {
 	{"kind", NULL, "fold, period-doubling, torus, branch-point or unexplained",
@@ -170,6 +187,10 @@ static const struct hawser__field event_field[] = {
 	 .given = over_parameter},
 	{"unstable_before", NULL, "unstable multipliers at the first of them", OF(unstable[0])},
 	{"unstable_after", NULL, "unstable multipliers at the second", OF(unstable[1])},
+	{"label", NULL, "number of this event, by which a run can begin here", OF(label)},
+	{"state", NULL, "u and u' of its motion at the start of a period, if it has one",
+	 HAWSER__VECTOR_ALONG(struct hawser_frf, event_state, cli_states), .unit = HAWSER__M,
+	 .given = has_state},
 	HAWSER__END,
 };
 #undef OF

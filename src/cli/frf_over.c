@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -42,8 +43,10 @@ static enum hawser_status open_family(struct cli_over *over, struct cli_model *m
 		return hawser_parameter_open(&over->family, &model->source, key, over->omega, report);
 	}
 	over->scene = 1;
-	return hawser_scene_family_open(&over->family, &model->scene, key, over->from, over->to,
-	                                over->from, over->omega, report);
+	return hawser_scene_family_open(&over->family, &model->scene, key,
+	                                fmin(fmin(over->from, over->to), over->at),
+	                                fmax(fmax(over->from, over->to), over->at),
+	                                isnan(over->at) ? over->from : over->at, over->omega, report);
 }
 
 enum hawser_status cli_over_open(struct cli_over *over, const char *text, const char *frequency,
@@ -51,7 +54,7 @@ enum hawser_status cli_over_open(struct cli_over *over, const char *text, const 
 {
 	enum hawser_status status;
 
-	if (!frequency)
+	if (!frequency && !(over->omega > 0.0))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
 		                    "--over %s follows the motion at one frequency: give it with --Omega",
 		                    text);
@@ -60,7 +63,7 @@ enum hawser_status cli_over_open(struct cli_over *over, const char *text, const 
 		                    "--over: model.modes: auto chooses for a range of frequencies: give a "
 		                    "number of modes with -n");
 	status = cli_map_axis(&over->axis, "over", text, model, report);
-	if (!status)
+	if (!status && frequency)
 		status = cli_map_frequency(&over->omega, frequency, "Omega", model, report);
 	if (status)
 		return status;

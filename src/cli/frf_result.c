@@ -195,17 +195,18 @@ static void comment_event(struct hawser__table *table, const struct cli_frf_resu
 	if (event->kind == HAWSER_UNEXPLAINED)
 		hawser__table_comment(table, "%sevent: unexplained between %s and %.12g: the "
 		                      "number of unstable multipliers changes from %d to %d, and no "
-		                      "located event explains it", branch_name(of, result),
+		                      "located event explains it, label %d", branch_name(of, result),
 		                      cli_frf_place(result, event->bracket[0], event->bracket[0]).text,
 		                      event->bracket[1]*(result->over ? 1.0 : per_omega),
-		                      event->unstable[0], event->unstable[1]);
+		                      event->unstable[0], event->unstable[1], event->label);
 	else
-		hawser__table_comment(table, "%sevent%s: %s at %s%s (relative error %.1e)",
+		hawser__table_comment(table, "%sevent%s: %s at %s%s (relative error %.1e), label %d",
 		                      branch_name(of, result),
 		                      event->located ? "" : " not located",
 		                      hawser_event_name(event->kind),
 		                      cli_frf_place(result, event->omega, event->parameter).text,
-		                      event->suspected ? " (suspected)" : "", event->error);
+		                      event->suspected ? " (suspected)" : "", event->error,
+		                      event->label);
 }
 
 /* A further branch. */

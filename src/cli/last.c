@@ -42,21 +42,29 @@ static void read_run(struct cli_last *last, struct cli_model *then, const json_t
 /* --- the same model? --- */
 
 /* The name of the first member that differs, such as "load.extent", or NULL. The name of a scene, which
- * is its path, is not compared. */
-static const char *difference(char *name, size_t size, json_t *a, json_t *b)
+ * is its path, is not compared, and neither is the member `but` (or NULL). */
+static const char *difference(char *name, size_t size, json_t *a, json_t *b, const char *but)
 {
 	char inner[64] = "";
+	size_t length;
 	const char *key;
 	json_t *value;
 
 	json_object_foreach(a, key, value) {
 		json_t *other = json_object_get(b, key);
 
-		if (strcmp(key, "name") == 0 || json_equal(value, other))
+		length = strlen(key);
+		if (strcmp(key, "name") == 0 || json_equal(value, other) || (but && strcmp(key, but) == 0))
 			continue;
-		if (json_is_object(value) && json_is_object(other) &&
-		    !difference(inner, sizeof inner, value, other))
-			difference(inner, sizeof inner, other, value);
+		if (json_is_object(value) && json_is_object(other)) {
+			const char *part = but && strncmp(but, key, length) == 0 && but[length] == '.'
+			                   ? but + length + 1 : NULL;
+
+			*inner = '\0';
+			if (!difference(inner, sizeof inner, value, other, part) &&
+			    !difference(inner, sizeof inner, other, value, part))
+				continue;
+		}
 		snprintf(name, size, "%s%s%s", key, *inner ? "." : "", inner);
 		return name;
 	}
@@ -72,10 +80,9 @@ static int frequencies_differ(const struct cli_model *model, const struct cli_mo
 	return 0;
 }
 
-/* The difference between the scene or model of the result and the present one, or NULL. */
-static const char *compare(char *name, size_t size, const json_t *root,
-                           const struct cli_model *model, const struct cli_model *then,
-                           const struct cli_common *common, enum hawser_status *status)
+const char *cli_last_difference(char *name, size_t size, const json_t *root, const char *but,
+                                const struct cli_model *model, const struct cli_model *then,
+                                const struct cli_common *common, enum hawser_status *status)
 {
 	json_t *before = json_object_get(root, "scene"), *now;
 	const char *found = NULL;
@@ -85,11 +92,11 @@ static const char *compare(char *name, size_t size, const json_t *root,
 	*status = echo.status;
 	now = json_object_get(echo.root, "scene");
 	if (!*status && model->has_scene && json_object_get(before, "span")) {
-		found = difference(name, size, now, before);
+		found = difference(name, size, now, before, but);
 		if (!found)
-			found = difference(name, size, before, now);
+			found = difference(name, size, before, now, but);
 	}
-	if (!*status && !found && frequencies_differ(model, then))
+	if (!*status && !found && !but && frequencies_differ(model, then))
 		found = "natural frequencies";
 	hawser__json_clear(&echo);
 	return found;
@@ -101,7 +108,8 @@ static enum hawser_status check(const json_t *root, const char *path, const char
 {
 	enum hawser_status status;
 	char name[128];
-	const char *found = compare(name, sizeof name, root, model, then, common, &status);
+	const char *found = cli_last_difference(name, sizeof name, root, NULL, model, then,
+	                                        common, &status);
 
 	if (status)
 		return hawser__no_memory(report, "continue");

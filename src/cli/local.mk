@@ -54,6 +54,8 @@ hawser_SOURCES = \
 	%D%/frf_draw.c \
 	%D%/frf_fields.c \
 	%D%/frf_over.c \
+	%D%/label.c \
+	%D%/label.h \
 	%D%/frf_over.h \
 	%D%/frf_peaks.c \
 	%D%/frf_result.c \

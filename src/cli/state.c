@@ -201,6 +201,11 @@ static int scale(double *state, const struct cli_model *model)
 	return good;
 }
 
+int cli_state_take(double *state, const json_t *list, const struct cli_model *model)
+{
+	return from_list(state, 2*model->rom.n, list) && scale(state, model);
+}
+
 enum hawser_status cli_state_open(double **state, const char *path, const struct cli_model *model,
                                   struct hawser_report *report)
 {

@@ -69,25 +69,38 @@ void hawser__account_clear(struct hawser__account *account)
 		hawser__station_clear(&account->station[i]);
 	hawser__station_clear(&account->scratch);
 	free(account->event);
+	free(account->state);
 	free(account->remainder);
 	memset(account, 0, sizeof *account);
 }
 
-static enum hawser_status add_event(struct hawser__account *account,
-                                    const struct hawser_frf_event *event,
+/* y: its orbit; NULL: none. */
+static enum hawser_status add_event(struct hawser__account *account, const struct hawser__orbit *orbit,
+                                    const struct hawser_frf_event *event, const double *y,
                                     struct hawser_report *report)
 {
+	size_t m = (size_t)orbit->m;
+
 	if (account->events == account->event_capacity) {
 		int capacity = account->event_capacity ? 2*account->event_capacity : 8;
 		struct hawser_frf_event *larger = realloc(account->event,
 		                                          (size_t)capacity*sizeof *larger);
+		double *state;
 
 		if (!larger)
 			return hawser__no_memory(report, "frf");
 		account->event = larger;
+		state = realloc(account->state, (size_t)capacity*m*sizeof *state);
+		if (!state)
+			return hawser__no_memory(report, "frf");
+		account->state = state;
 		account->event_capacity = capacity;
 	}
-	account->event[account->events++] = *event;
+	account->event[account->events] = *event;
+	account->event[account->events].after = y ? account->events : -1;
+	if (y)
+		orbit->ops->state(orbit, account->state + (size_t)account->events*m, y);
+	account->events++;
 	return HAWSER_OK;
 }
 
@@ -137,7 +150,7 @@ static enum hawser_status add_located(struct hawser__account *account, struct ha
 	event.bracket[1] = b->y[last];
 	event.unstable[0] = hawser__station_circle(a, account->sure).unstable;
 	event.unstable[1] = hawser__station_circle(b, account->sure).unstable;
-	if ((status = add_event(account, &event, report)))
+	if ((status = add_event(account, orbit, &event, account->scratch.y, report)))
 		return status;
 	if (account->watch)
 		account->watch(account->context, &event, orbit, account->scratch.y);
@@ -233,8 +246,8 @@ static int attainable(const struct hawser_frf_event *event, int events, int chan
 }
 
 /* Judge remainders [from, end) together. */
-static enum hawser_status judge(struct hawser__account *account, int from, int end,
-                                struct hawser_report *report)
+static enum hawser_status judge(struct hawser__account *account, const struct hawser__orbit *orbit,
+                                int from, int end, struct hawser_report *report)
 {
 	const struct hawser__remainder *a = &account->remainder[from];
 	const struct hawser__remainder *b = &account->remainder[end - 1];
@@ -251,11 +264,13 @@ static enum hawser_status judge(struct hawser__account *account, int from, int e
 	account->unresolved++;
 	for (int i = first; i < first + events; i++)
 		account->event[i].suspected = 1;
-	return can_change(before, after, 0) ? HAWSER_OK : add_event(account, &(struct hawser_frf_event){
+	if (can_change(before, after, 0))
+		return HAWSER_OK;
+	return add_event(account, orbit, &(struct hawser_frf_event){
 		.kind = HAWSER_UNEXPLAINED, .omega = middle, .arc = 0.5*(a->arc[0] + b->arc[1]),
 		.residual = 1.0, .error = 0.5*fabs(b->omega[1] - a->omega[0])/middle,
 		.bracket = {a->omega[0], b->omega[1]},
-		.unstable = {before->unstable, after->unstable}}, report);
+		.unstable = {before->unstable, after->unstable}}, NULL, report);
 }
 
 static int by_arc(const void *a, const void *b)
@@ -282,7 +297,7 @@ static enum hawser_status find_events(struct hawser__account *account, struct ha
 			if (account->remainder[end].arc[0] - account->remainder[end - 1].arc[1] >
 			    TOGETHER)
 				break;
-		status = judge(account, i, end, report);
+		status = judge(account, orbit, i, end, report);
 	}
 	return status;
 }

@@ -30,7 +30,9 @@ struct hawser__account {
 	              const struct hawser__orbit *orbit, const double *y);
 	void *context;
 	/* Results of the last step. */
-	struct hawser_frf_event *event; /* [events], in order along the branch, without `after` */
+	struct hawser_frf_event *event; /* [events], in order along the branch; `after` is the row of
+	                                 * `state`, -1: none */
+	double *state;  /* [events][m] of the events' orbits, in the units of their model */
 	int events, event_capacity;
 	int unresolved; /* remainders that were not explained */
 	int sure;       /* 1: the sure test functions and counts (station.h) were used in the last step */

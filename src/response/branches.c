@@ -317,3 +317,28 @@ enum hawser_status hawser_branch_switch(struct hawser_frf *branch, const struct 
 	free(memory);
 	return status;
 }
+
+enum hawser_status hawser_branch_trace(struct hawser_frf *branch, const struct hawser_rom *rom,
+                                       int periods, const struct hawser_frf_options *options,
+                                       struct hawser_report *report)
+{
+	struct hawser_frf_options slow = *options;
+	struct slower slower = {.known = NULL};
+	int own = hawser__rom_periods(rom);
+	enum hawser_status status;
+
+	*branch = (struct hawser_frf){.n = rom->n};
+	if (options->family || periods < 1 || periods % own)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
+		                    "a motion of %d periods of the load is followed over the frequency only",
+		                    periods);
+	slow.from /= periods;
+	slow.to /= periods;
+	slow.begin /= periods;
+	status = open_slower(&slower, rom, periods/own, report);
+	if (!status)
+		status = hawser_frf_trace(branch, &slower.load.rom, &slow, report);
+	hawser__frf_in_loads(branch, periods, 0);
+	close_slower(&slower);
+	return status;
+}

@@ -43,6 +43,8 @@ static enum hawser_status record_events(struct hawser__trace *trace)
 
 	for (int i = 0; i < account->events; i++) {
 		struct hawser_frf_event *event = &account->event[i];
+		const double *state = event->after < 0 ? NULL
+		                      : account->state + (size_t)event->after*(size_t)trace->orbit->m;
 		enum hawser_status status;
 
 		event->after = trace->frf->points - 2; /* next has already been stored */
@@ -50,7 +52,7 @@ static enum hawser_status record_events(struct hawser__trace *trace)
 		if (trace->options.family)
 			event->omega = trace->options.family->omega*trace->rom->time;
 		event->located = event->kind != HAWSER_UNEXPLAINED && event->error <= WORST_LOCATED;
-		status = hawser__record_event(trace->frf, event, trace->report);
+		status = hawser__record_event(trace->frf, event, state, trace->orbit->rom, trace->report);
 		if (status)
 			return status;
 	}
@@ -134,6 +136,16 @@ static enum hawser_status record_next(struct hawser__trace *trace, struct hawser
 	                                              trace->orbit, trace->report);
 }
 
+/* The event at the last point. */
+static enum hawser_status record_slack(struct hawser__trace *trace,
+                                       const struct hawser_frf_event *slack)
+{
+	struct hawser__orbit *orbit = trace->orbit;
+
+	orbit->ops->state(orbit, orbit->step, trace->next.y);
+	return hawser__record_event(trace->frf, slack, orbit->step, orbit->rom, trace->report);
+}
+
 /* Store the new station and its events, and make it the current one; or set *again. */
 static enum hawser_status accept(struct hawser__trace *trace, int *again, double *ds)
 {
@@ -150,7 +162,7 @@ static enum hawser_status accept(struct hawser__trace *trace, int *again, double
 	if ((status = record_events(trace)))
 		return status;
 	slack.after = trace->frf->points - 2;
-	if (trace->slack && (status = hawser__record_event(trace->frf, &slack, trace->report)))
+	if (trace->slack && (status = record_slack(trace, &slack)))
 		return status;
 	if (trace->watch && trace->watch->step &&
 	    (status = trace->watch->step(trace->watch->context, trace)))

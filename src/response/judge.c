@@ -152,5 +152,6 @@ enum hawser_status hawser__trace_vanish(struct hawser__trace *trace, int *vanish
 	event.after = frf->points - 1;
 	event.unstable[0] = event.unstable[1] = trace->here.circle.unstable;
 	return trace->options.skip_events ? HAWSER_OK
-	                                  : hawser__record_event(frf, &event, trace->report);
+	                                  : hawser__record_event(frf, &event, NULL, trace->rom,
+	                                                         trace->report);
 }

@@ -51,6 +51,15 @@ static int find_tension(struct hawser_frf *frf, struct hawser__amplitude *amplit
 	return failed > 0;
 }
 
+/* A state of a model, in the units of frf. */
+static void convert(double *state, const struct hawser_frf *frf, const struct hawser_rom *rom)
+{
+	double length = rom->length/frf->length, time = rom->time/frf->time;
+
+	for (int i = 0; i < 2*frf->n; i++)
+		state[i] *= i < frf->n ? length : length/time;
+}
+
 enum hawser_status hawser__record_point(struct hawser_frf *frf, struct hawser__amplitude *amplitude,
                                         const struct hawser__station *station,
                                         const struct hawser__orbit *orbit,
@@ -59,7 +68,7 @@ enum hawser_status hawser__record_point(struct hawser_frf *frf, struct hawser__a
 	enum hawser_status status;
 	int p = frf->points, m = orbit->m;
 	double *multiplier, omega = hawser__orbit_omega(orbit, station->y);
-	double length = orbit->rom->length/frf->length, time = orbit->rom->time/frf->time;
+	double length = orbit->rom->length/frf->length;
 
 	if (p == frf->capacity && (status = grow(frf, report)))
 		return status;
@@ -89,8 +98,7 @@ enum hawser_status hawser__record_point(struct hawser_frf *frf, struct hawser__a
 		multiplier[2*i + 1] = station->argument[i];
 	}
 	orbit->ops->state(orbit, frf->state + (size_t)p*m, station->y);
-	for (int i = 0; i < m; i++)
-		frf->state[(size_t)p*m + i] *= i < frf->n ? length : length/time;
+	convert(frf->state + (size_t)p*m, frf, orbit->rom);
 	for (int j = 0; j < frf->n; j++)
 		frf->coordinate[(size_t)p*frf->n + j] *= length;
 	for (int j = 0; j < 3*frf->probes; j++)
@@ -101,9 +109,11 @@ enum hawser_status hawser__record_point(struct hawser_frf *frf, struct hawser__a
 }
 
 enum hawser_status hawser__record_event(struct hawser_frf *frf,
-                                        const struct hawser_frf_event *event,
-                                        struct hawser_report *report)
+                                        const struct hawser_frf_event *event, const double *state,
+                                        const struct hawser_rom *rom, struct hawser_report *report)
 {
+	double *row;
+
 	if (frf->events == frf->event_capacity) {
 		int capacity = frf->event_capacity ? 2*frf->event_capacity : 32;
 		struct hawser_frf_event *larger = realloc(frf->event,
@@ -112,9 +122,15 @@ enum hawser_status hawser__record_event(struct hawser_frf *frf,
 		if (!larger)
 			return hawser__no_memory(report, "frf");
 		frf->event = larger;
+		if (resize(&frf->event_state, capacity, 2*frf->n))
+			return hawser__no_memory(report, "frf");
 		frf->event_capacity = capacity;
 	}
-	frf->event[frf->events++] = *event;
+	frf->event[frf->events] = *event;
+	row = frf->event_state + 2*(size_t)frf->n*(size_t)frf->events++;
+	for (int i = 0; i < 2*frf->n; i++)
+		row[i] = state ? state[i] : NAN;
+	convert(row, frf, rom);
 	return HAWSER_OK;
 }
 
@@ -129,6 +145,7 @@ void hawser_frf_clear(struct hawser_frf *frf)
 	free(frf->multiplier);
 	free(frf->state);
 	free(frf->event);
+	free(frf->event_state);
 	memset(frf, 0, sizeof *frf);
 }
 
@@ -147,4 +164,15 @@ const char *hawser_frf_end_name(enum hawser_frf_end end)
 		"lost"};
 
 	return (unsigned)end < sizeof name/sizeof *name ? name[end] : "unknown";
+}
+
+int hawser_frf_label(struct hawser_frf *frf, int first, int every)
+{
+	every = every > 0 ? every : 10;
+	for (int p = 0, e = 0; p < frf->points; p++) {
+		frf->point[p].label = p % every == 0 || p == frf->points - 1 ? first++ : 0;
+		for (; e < frf->events && frf->event[e].after <= p; e++)
+			frf->event[e].label = first++;
+	}
+	return first;
 }

@@ -12,8 +12,9 @@ enum hawser_status hawser__record_point(struct hawser_frf *frf, struct hawser__a
                                         const struct hawser__orbit *orbit,
                                         struct hawser_report *report);
 
+/* Append an event; state [2n]: of its orbit, in the units of rom; NULL: none. */
 enum hawser_status hawser__record_event(struct hawser_frf *frf,
-                                        const struct hawser_frf_event *event,
-                                        struct hawser_report *report);
+                                        const struct hawser_frf_event *event, const double *state,
+                                        const struct hawser_rom *rom, struct hawser_report *report);
 
 #endif

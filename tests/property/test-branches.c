@@ -127,6 +127,14 @@ static void check_whirling(void)
 	}
 	ok(hawser_branch_switch(&branch, &rom, &frf, find(&frf, HAWSER_FOLD), &options, &report) ==
 	   HAWSER_ERR_ARGUMENT, "a fold begins none: %s", report.message);
+	ok(hawser_branch_trace(&branch, &rom, 0, &options, &report) == HAWSER_ERR_ARGUMENT,
+	   "a motion of no period: %s", report.message);
+	hawser_frf_clear(&branch);
+	for (int k = 0, past = hawser_frf_label(&frf, 5, 7); k < frf.events; k++)
+		ok(frf.event[k].label > 5 && frf.event[k].label < past &&
+		   (frf.event[k].kind == HAWSER_BRANCH_POINT ||
+		    closes(&rom, frf.event_state + 4*k, frf.event[k].omega, 1) < 1e-7),
+		   "event %d has a label and its motion", k);
 	hawser_frf_clear(&frf);
 	hawser_rom_clear(&rom);
 }

@@ -1,0 +1,149 @@
+#!/bin/sh
+# hawser frf: labels of points and events, and runs that begin at one.
+# SPDX-License-Identifier: GPL-3.0-or-later
+. "$SRCDIR/tests/cli/lib.sh"
+
+cat >pair.json <<'END'
+{"n": 2, "K": [[1, 0], [0, 2.2]], "D": [[0.05, 0], [0, 0.06]],
+ "C": [[0, 0, 0, 0, 0.5], [0, 0, 1, 1, 0.3], [1, 1, 1, 1, 0.4], [1, 0, 0, 1, 0.3]],
+ "harmonics": [{"k": 1, "phase": "cos", "f": [0.12, 0.04]}]}
+END
+cat >cascade.json <<'END'
+{"n": 1, "K": [[1]], "D": [[0.4]], "Q": [[0, 0, 0, -1]], "harmonics": [{"k": 1, "phase": "cos", "f": [0.25]}]}
+END
+works "a curve" frf pair.json --from 0.5 --to 2 --json pair-frf.json --tsv pair.tsv -q
+works "branches" frf cascade.json --from 1.6 --to 0.7 --step 0.01 --branches 2 --json cascade-frf.json -q
+works "a cable" frf "$chairlift" -n 3 --set model.inertia=none --from 1.48 --to 1.41 --json cable-frf.json -q
+cat >lib.py <<'END'
+import json
+def load(name):
+    return json.load(open(name + ".json"))
+def labels(result):
+    return {row["label"]: row for branch in [result] + result.get("branches", [])
+            for row in branch["points"] + branch["events"] if "label" in row}
+def gap(a, b):
+    return max(abs(x - y) for x, y in zip(a["state"], b["state"]))/max(map(abs, b["state"]))
+END
+python "labels are numbered along the branches; all have states; the table names those of events" <<'END'
+import sys; sys.path.insert(0, ".")
+from lib import *
+for name in "pair-frf", "cascade-frf", "cable-frf":
+    result = load(name)
+    found = labels(result)
+    assert sorted(found) == list(range(1, len(found) + 1))
+    for branch in [result] + result.get("branches", []):
+        order = [(p["arc"], p["label"]) for p in branch["points"] if "label" in p]
+        order += [(branch["points"][e["after"]]["arc"] + 1e-9, e["label"]) for e in branch["events"]]
+        assert [label for arc, label in sorted(order)] == sorted(label for arc, label in order)
+        assert all("label" in branch["points"][i] for i in (0, 10, -1))
+    assert all("state" in row for row in found.values())
+events = load("pair-frf")["events"]
+lines = [line for line in open("pair.tsv") if line.startswith("# event: fold")]
+assert len(lines) == 2 and all(line.rstrip().endswith(f", label {e['label']}") for line, e in zip(lines, events))
+open("fold", "w").write(str(events[0]["label"]))
+END
+begin() { # begin NAME METHOD FROM TO RESULT#LABEL
+	works "$2 from $5 towards $4" frf "${5%-frf*}.json" --from "$3" --to "$4" --method "$2" --from-label "$5" --json "$1.json" -q
+}
+begin up shooting 0.5 2 pair-frf.json#8
+begin down balance 2 0.5 pair-frf.json#8
+begin grows shooting 0.5 2 "pair-frf.json#$(cat fold)"
+begin shrinks balance 2 0.5 "pair-frf.json#$(cat fold)"
+begin double shooting 1.6 0.7 cascade-frf.json#16
+python "curves that begin at labels are the first ones: same ends, same folds; and the first motion is the label's" <<'END'
+import sys; sys.path.insert(0, ".")
+from lib import *
+pair, cascade, fold = load("pair-frf"), load("cascade-frf"), int(open("fold").read())
+for name, whole, label, near in (("up", pair, 8, 1e-9), ("down", pair, 8, 1e-9), ("grows", pair, fold, 1e-3),
+                                 ("shrinks", pair, fold, 1e-3), ("double", cascade, 16, 1e-9)):
+    result = load(name)
+    assert gap(result["points"][0], labels(whole)[label]) < near, name
+    ends = [b["points"][i] for b in [whole] + whole.get("branches", []) for i in (0, -1)]
+    last = result["points"][-1]
+    assert min(gap(last, end) for end in ends if abs(end["Omega"] - last["Omega"]) < 1e-9) < 1e-8, name
+    for event in result["events"]:
+        assert min(abs(event["Omega"] - e["Omega"]) for e in labels(whole).values() if "kind" in e) < 1e-8, name
+assert len(load("up")["events"]) == 2 and len(load("down")["events"]) == 0
+assert load("grows")["points"][-1]["Omega"] != load("shrinks")["points"][-1]["Omega"]
+END
+
+works "a motion of two periods in time" integrate cascade.json --initial cascade-frf.json#16 --until 4T --every 1T \
+	--json time.json -q
+python "closes after these and has the label's frequency" <<'END'
+import sys; sys.path.insert(0, ".")
+from lib import *
+run, label = load("time"), labels(load("cascade-frf"))[16]
+close = [max(abs(a - b) for a, b in zip(run["states"][0], run["states"][k])) for k in (1, 2, 4)]
+assert close[0] > 0.1 and max(close[1:]) < 1e-9, close
+assert abs(run["Omega"] - label["Omega"]) < 1e-12
+END
+
+works "over the damping" frf "$chairlift" -n 3 --set model.inertia=none --over damping.alpha=0.08:0.1 \
+	--from-label cable-frf.json#3 --json damping.json -q
+works "over the tension, backwards" frf "$chairlift" -n 3 --set model.inertia=none --over "tension.T0=81 kN:79 kN" \
+	--step 0.1 --tolerance 1e-7 --from-label cable-frf.json#3 --json tension.json -q
+python "begin at the label's motion" <<'END'
+import sys; sys.path.insert(0, ".")
+from lib import *
+label = labels(load("cable-frf"))[3]
+for name, value in ("damping", 0.08), ("tension", 80e3):
+    first = load(name)["points"][0]
+    assert abs(first["parameter"]/value - 1) < 1e-12 and abs(first["Omega"]/label["Omega"] - 1) < 1e-12
+    assert gap(first, label) < 1e-6, (name, gap(first, label))
+    second = labels(load(name))[2]
+    open(name, "w").write(f"{'damping.alpha' if name == 'damping' else 'tension.T0'}={second['parameter']!r}")
+END
+for name in damping tension; do
+	works "and back to the frequency ($name)" frf "$chairlift" -n 3 --set model.inertia=none --set "$(cat $name)" --from 1.48 \
+		--to 1.41 --max-points 3 --from-label $name.json#2 --json back.json -q
+done
+works "over the same key again" frf "$chairlift" -n 3 --set model.inertia=none --over damping.alpha=0.1:0.05 \
+	--from-label damping.json#2 --max-points 3 -q
+
+python "results with defects" <<'END'
+import sys; sys.path.insert(0, ".")
+from lib import *
+result = load("pair-frf")
+rows = labels(result)
+del rows[2]["state"]
+rows[3]["Omega"] = "fast"
+rows[4]["state"] = [-x for x in rows[4]["state"]]
+rows[5]["tension"] = {"min": -2.0, "max": 3.0}
+rows[6]["kind"] = "branch-point"
+json.dump(result, open("defects.json", "w"))
+END
+refuses 1 "--from-label pair-frf.json: write FILE#LABEL, with a label of that result" frf pair.json --from-label pair-frf.json
+refuses 1 "--from-label pair-frf.json#x: write FILE#LABEL, with a label of that result" frf pair.json --from-label pair-frf.json#x
+refuses_like 1 "--from-label pair-frf.json#99: that result has the labels 1 to " frf pair.json --from-label pair-frf.json#99
+refuses 1 "--from-label pair.json#1: that is no result of hawser frf with labels, as --json writes it" \
+	frf pair.json --from-label pair.json#1
+refuses 1 "--from-label pair-frf.json#2 says where to start, and so does --at: give one of them" \
+	frf pair.json --from-label pair-frf.json#2 --at 1
+refuses_like 1 "its state is not one of this model" frf cascade.json --from-label pair-frf.json#2
+refuses 1 "--from-label pair-frf.json#2: that motion is at Omega = $(python3 - <<'END'
+import sys; sys.path.insert(0, ".")
+from lib import *
+print("%.9g" % labels(load("pair-frf"))[2]["Omega"])
+END
+), which is not in the range: give a range that has it" frf pair.json --from 1.9 --to 2 --from-label pair-frf.json#2
+refuses 1 "--from-label cable-frf.json#3: that is a result of another scene, with another value of damping.alpha" \
+	frf "$chairlift" -n 3 --set model.inertia=none --set damping.alpha=0.1 --from-label cable-frf.json#3
+refuses 1 "--initial cable-frf.json#3: that is a result of another scene, with another value of damping.alpha" \
+	integrate "$chairlift" -n 3 --set model.inertia=none --set damping.alpha=0.1 --initial cable-frf.json#3
+refuses_like 1 "add --set with this value, or follow it with --over damping.alpha" \
+	frf "$chairlift" -n 3 --set model.inertia=none --from-label damping.json#2
+refuses 1 "--from-label cable-frf.json#3: a state has as many coordinates as the model, and model.modes: auto makes several; \
+give a number of modes" frf "$chairlift" --set model.modes=auto --from-label cable-frf.json#3
+refuses_like 1 "this point has no motion: take a label beside it" frf pair.json --from-label defects.json#2
+refuses_like 1 "that result is damaged: this label has no frequency, period or parameter" \
+	frf pair.json --from-label defects.json#3
+refuses_like 1 "this model has no such motion; the nearest is off by 2 of its size" \
+	frf pair.json --from 0.5 --to 2 --max-points 2 --from-label defects.json#4
+refuses_like 1 "there the cable is slack: take a label before, or --slack follow" \
+	frf pair.json --from-label defects.json#5
+refuses_like 1 "at a branch point two curves cross" frf pair.json --from-label defects.json#6
+refuses_like 1 "at a fold the motion can't be followed in another parameter" \
+	frf pair.json --over factor.load=0.5:2 --from-label "pair-frf.json#$(cat fold)"
+refuses_like 1 "a motion of several periods of the load is followed over the frequency only" \
+	frf cascade.json --over factor.load=0.5:2 --from-label cascade-frf.json#16
+done_testing
