@@ -14,6 +14,7 @@ CLI_TESTS = \
 	%D%/cli/irvine.sh \
 	%D%/cli/long.sh \
 	%D%/cli/motion.sh \
+	%D%/cli/section.sh \
 	%D%/cli/map.sh \
 	%D%/cli/pairs.sh \
 	%D%/cli/peaks.sh \

@@ -49,3 +49,7 @@ tests_property_test_absorber_response_SOURCES = tests/property/test-absorber-res
 tests_property_test_absorber_response_LDADD = $(UPTO_RESPONSE)
 tests_property_test_motion_SOURCES = tests/property/test-motion.c tests/lumped-chain.h
 tests_property_test_motion_LDADD = $(UPTO_RESPONSE)
+check_PROGRAMS += tests/property/test-lyapunov
+TESTS += tests/property/test-lyapunov
+tests_property_test_lyapunov_SOURCES = tests/property/test-lyapunov.c
+tests_property_test_lyapunov_LDADD = $(UPTO_RESPONSE)

@@ -30,6 +30,7 @@
 #include <hawser/scales.h>
 #include <hawser/folds.h>
 #include <hawser/linear.h>
+#include <hawser/lyapunov.h>
 #include <hawser/study.h>
 #include <hawser/primary.h>
 #include <hawser/plan.h>

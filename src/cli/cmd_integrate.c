@@ -15,9 +15,9 @@
 
 struct settings {
 	struct cli_common common;
-	const char *load, *motion, *omega, *omega_to, *until, *every, *initial, *resume, *method;
+	const char *load, *motion, *omega, *omega_to, *until, *every, *after, *initial, *resume, *method;
 	double rtol, atol;
-	int n, spectrum, partial, error;
+	int n, spectrum, partial, error, lyapunov;
 };
 static const struct settings defaults = {
 	.until = "100T", .every = "0.01T", .rtol = 1e-10, .atol = 1e-13,
@@ -31,8 +31,14 @@ static const struct cli_option options[] = {
 	CLI_TEXT_OPTION(motion, "FILE", "table of the displacements of the ends over time"),
 	{"until", 0, "TIME", "end of the run (100T)", CLI_TEXT(until)},
 	{"every", 0, "TIME", "interval between output rows (0.01T)", CLI_TEXT(every)},
+<<<<<<< HEAD
 	{"initial", 0, "FILE",
 	 "state, or FILE#LABEL of a response, to start from (rest)", CLI_TEXT(initial)},
+=======
+	{"after", 0, "TIME", "the rows begin at this time, when the transient has decayed (0)",
+	 CLI_TEXT(after)},
+	{"initial", 0, "FILE", "state to start from (rest)", CLI_TEXT(initial)},
+>>>>>>> 90cfd438 (integrate --lyapunov: Lyapunov exponents with their errors; --after: rows after a transient, stroboscopic sections in points. Against Floquet exponents, linear models and Ueda's oscillator)
 	{"continue", 0, "FILE", "continue the run whose JSON result this file is", CLI_TEXT(resume)},
 	{"modes", 'n', "N", "number of modes (the scene's model.modes)", CLI_INTEGER(n)},
 	CLI_LIBRARY_OPTION,
@@ -41,6 +47,8 @@ static const struct cli_option options[] = {
 	{"atol", 0, "NUMBER", "absolute tolerance, scaled (1e-13)", CLI_POSITIVE(atol)},
 	{"spectrum", 0, "", "write the spectrum to the table, and to JSON", CLI_FLAG(spectrum)},
 	{"error", 0, "", "estimate the error by a second run with tighter tolerances", CLI_FLAG(error)},
+	{"lyapunov", 0, "", "Lyapunov exponents of the motion after --after, with their errors",
+	 CLI_FLAG(lyapunov)},
 	{"partial", 0, "", "write what was computed also if the run fails", CLI_FLAG(partial)},
 	CLI_NO_OPTION,
 };
@@ -178,6 +186,7 @@ static enum hawser_status solve(struct hawser_trajectory *run, struct cli_integr
 	struct cli_watch watch = {{.quiet = settings->common.quiet}, "integrate"};
 	struct hawser_integrate_options choice = {0};
 	struct cli_last last = {.state = NULL};
+<<<<<<< HEAD
 	struct cli_label label = {.state = NULL};
 	enum hawser_status status = HAWSER_OK;
 	char path[4096];
@@ -187,6 +196,10 @@ static enum hawser_status solve(struct hawser_trajectory *run, struct cli_integr
 		                        report);
 	if (!status)
 		status = times(&choice, &result->period, settings, model, &label, report);
+=======
+	double after = 0.0;
+	enum hawser_status status = times(&choice, &result->period, settings, model, report);
+>>>>>>> 90cfd438 (integrate --lyapunov: Lyapunov exponents with their errors; --after: rows after a transient, stroboscopic sections in points. Against Floquet exponents, linear models and Ueda's oscillator)
 
 	if (!status && model->automatic)
 		status = cli_choice_build(model, around[0]*lowest(&choice), around[1]*highest(&choice),
@@ -204,13 +217,20 @@ static enum hawser_status solve(struct hawser_trajectory *run, struct cli_integr
 	choice.atol = settings->atol;
 	choice.method = settings->method;
 	choice.progress = (struct hawser_progress){cli_watch, &watch};
-	result->rest = !settings->initial && !settings->resume;
+	result->rest = !settings->initial && !settings->resume && !settings->after;
 	result->omega = choice.omega;
-	result->forcing = choice;
 	result->every = choice.every;
-	status = hawser_integrate(run, &model->rom, &choice, report);
+	if (settings->after)
+		status = cli_time(&after, settings->after, "after", result->period, model, report);
+	if (!status && settings->after)
+		status = cli_integrate_settle(&last.state, &choice, after, &model->rom, report);
+	result->forcing = choice;
+	if (!status)
+		status = hawser_integrate(run, &model->rom, &choice, report);
 	if (!status && settings->error && !run->interrupted)
 		status = look_again(result, run, &model->rom, &choice, report);
+	if (!status && settings->lyapunov && !run->interrupted)
+		status = cli_integrate_exponents(result, !settings->after, &choice, report);
 	cli_progress_end(&watch.progress);
 	cli_last_clear(&last);
 	cli_label_clear(&label);

@@ -70,6 +70,8 @@ static int settled_from(const struct cli_integrate_result *result)
 	double shown = periods_shown*result->period/result->every;
 	int rows = result->run.rows;
 
+	if (cli_integrate_section(result)) /* all of a section after a transient */
+		return result->forcing.begin > 0.0 ? 0 : rows/2;
 	/* NOLINTNEXTLINE(bugprone-integer-division): the whole part is meant */
 	return shown < rows/2 ? rows - (int)shown - 1 : rows/2;
 }
@@ -108,6 +110,7 @@ enum hawser_status cli_integrate_draw(const char *path, const void *context,
 	history.time = time;
 	history.frequency = result->frequency;
 	history.forcing = result->omega*cli_per_omega(result->model)/(2.0*M_PI);
+	history.section = cli_integrate_section(result);
 	history.scaled = result->model->rom.scaled;
 	history.time_title = axis.title;
 	history.y = cli_model_axis(result->model, "", "m");

@@ -7,7 +7,7 @@
 #include "cli/integrate_result.h"
 
 enum { PROBED = 1, TENSIONS = 2, ERROR = 4, SPECTRUM = 8, KNOWN = 16, SURGES = 32, UNKNOWN = 64,
-       SWEPT = 128 };
+       SWEPT = 128, EXPONENTS = 256 };
 
 static double signal_at(const void *context, const void *parent, size_t row, int k)
 {
@@ -175,12 +175,20 @@ static const struct hawser__field spectrum_field[] = {
 	 HAWSER__VECTOR_OF(amplitude_vector), .unit = HAWSER__M_ALREADY},
 	HAWSER__END,
 };
+static const struct hawser__field exponent_field[] = {
+	{"exponent", NULL, "mean rates of growth of disturbances, from the largest", HAWSER__ALONG(struct cli_integrate_result, lyapunov.exponent),
+	 .unit = HAWSER__PER_S},
+	{"error", NULL, "their errors: scatter of the mean (95 %), and integration", HAWSER__ALONG(struct cli_integrate_result, lyapunov.error),
+	 .unit = HAWSER__PER_S},
+	HAWSER__END,
+};
 #undef OF
 #define ROWS(number, fields) \
 	{.field = (fields), .count_at = offsetof(struct cli_integrate_result, number)}
 static const struct hawser__list history_list = ROWS(run.rows, history_field),
                                  probes_list = ROWS(run.rows, probes_field),
                                  energy_list = ROWS(run.rows, energy_field),
+                                 exponent_list = ROWS(lyapunov.m, exponent_field),
                                  spectrum_list = ROWS(bins, spectrum_field);
 
 static void warnings_json(struct hawser__json *json, json_t *into, const void *row)
@@ -214,6 +222,10 @@ static const struct hawser__field integrate_field[] = {
 	 .when = SURGES},
 	{"warnings", NULL, "sentences about a slack cable, or ends that move at the start",
 	 HAWSER__CALLS(warnings_json)},
+	{"lyapunov", NULL, "Lyapunov exponents, with --lyapunov", HAWSER__ARRAYS_OF(exponent_list),
+	 .when = EXPONENTS},
+	{"lyapunov_periods", NULL, "number of periods of which they are averages", OF(lyapunov.averaged),
+	 .when = EXPONENTS},
 	{"spectrum", NULL, "with --spectrum", HAWSER__ARRAYS_OF(spectrum_list),
 	 .when = SPECTRUM},
 	{"spectrum_periods", NULL, "periods of which the spectrum is", OF(window.periods),
@@ -245,7 +257,8 @@ static struct cli_head head(const void *of)
 		(result->error ? ERROR : 0u) | (result->spectrum ? SPECTRUM : 0u) |
 		(isfinite(result->least) ? KNOWN : 0u) | (result->surges ? SURGES : 0u) |
 		(cli_integrate_unknown(result) ? UNKNOWN : 0u) |
-		(result->forcing.omega_to > 0.0 ? SWEPT : 0u));
+		(result->forcing.omega_to > 0.0 ? SWEPT : 0u) |
+		(result->lyapunov.averaged > 0 ? EXPONENTS : 0u));
 
 	head.view.context = result;
 	return head;

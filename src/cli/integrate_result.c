@@ -186,6 +186,7 @@ void cli_integrate_free(struct cli_integrate_result *result)
 	free(result->rate);
 	free(result->frequency);
 	free(result->amplitude);
+	hawser_lyapunov_clear(&result->lyapunov);
 	hawser_trajectory_clear(&result->run);
 }
 
@@ -262,6 +263,11 @@ void cli_integrate_comments(struct hawser__table *table, const void *of)
 	                      cli_unit(result->model, " s"));
 	hawser__table_comment(table, "%ld steps, %ld evaluations, %ld Jacobians", run->steps,
 	                      run->evaluations, run->jacobians);
+	if (result->lyapunov.averaged > 0)
+		hawser__table_comment(table, "largest Lyapunov exponent %.9g +- %.1e%s, from %ld periods",
+		                      result->lyapunov.exponent[0]*per_omega,
+		                      result->lyapunov.error[0]*per_omega,
+		                      cli_unit(result->model, " 1/s"), result->lyapunov.averaged);
 	if (result->error)
 		hawser__table_comment(table, "largest estimated error of a state, over the largest state: "
 		                             "%.1e", result->error[run->rows - 1]);

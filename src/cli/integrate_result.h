@@ -3,6 +3,8 @@
 #ifndef HAWSER_CLI_INTEGRATE_RESULT_H
 #define HAWSER_CLI_INTEGRATE_RESULT_H
 
+#include <hawser/lyapunov.h>
+
 #include "cli/view.h"
 
 struct cli_integrate_result {
@@ -11,6 +13,7 @@ struct cli_integrate_result {
 	struct hawser_trajectory run;
 	double omega, every; /* scaled */
 	struct hawser_integrate_options forcing; /* omega, omega_to, begin and until of the run */
+	struct hawser_lyapunov lyapunov; /* m 0: not computed */
 	double *error;       /* [rows] of hawser_integrate_error, or NULL */
 	double period;       /* scaled, of the forcing or the first natural frequency */
 	int signals, probed; /* probed: displacement components at probes; else coordinates */
@@ -40,6 +43,17 @@ double cli_integrate_tension(const struct cli_integrate_result *result, int p, s
 const char *cli_integrate_end(const void *result); /* "complete" */
 /* The reason why no error of the model is stated, or NULL. */
 const char *cli_integrate_unknown(const void *result);
+/* integrate_exponents.c: run from choice->begin to `after`; the state there replaces *state, and the rest of
+ * the run begins with it. */
+enum hawser_status cli_integrate_settle(double **state, struct hawser_integrate_options *choice,
+                                        double after, const struct hawser_rom *rom,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Lyapunov exponents of the rows of the run, or of its second half. */
+enum hawser_status cli_integrate_exponents(struct cli_integrate_result *result, int half,
+                                           const struct hawser_integrate_options *choice,
+                                           struct hawser_report *report) HAWSER_MUST_CHECK;
+/* 1 if the rows are a stroboscopic section: a whole number of periods apart. */
+int cli_integrate_section(const struct cli_integrate_result *result);
 void cli_integrate_comments(struct hawser__table *table, const void *result);
 void cli_integrate_free(struct cli_integrate_result *result);
 /* As cli_frf_slack. */

@@ -65,6 +65,7 @@ hawser_SOURCES = \
 	%D%/hill_result.h \
 	%D%/hill_sides.c \
 	%D%/integrate_draw.c \
+	%D%/integrate_exponents.c \
 	%D%/integrate_fields.c \
 	%D%/integrate_result.c \
 	%D%/integrate_result.h \

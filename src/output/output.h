@@ -303,6 +303,7 @@ struct hawser__signal {
 };
 struct hawser__history {
 	int rows, bins, signals;
+	int section;         /* 1: rows are whole periods apart, and drawn as points */
 	int settled_from;    /* first row of the settled part, which the phase plane shows */
 	const double *time;  /* [rows] in the unit of the title */
 	const double *frequency; /* [bins] */

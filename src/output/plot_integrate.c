@@ -113,12 +113,22 @@ static void span(double *low, double *high, const struct hawser__history *histor
 	}
 }
 
+/* Lines, or points of a section. */
+static void style(char *how, size_t size, const struct hawser__history *history, int k)
+{
+	if (history->section)
+		snprintf(how, size, "points lt %d pt 7 ps 0.15", k + 1);
+	else
+		snprintf(how, size, "lines lt %d lw 0.8", k + 1);
+}
+
 static void time_panel(struct hawser__picture *picture, const struct hawser__history *history,
                        int k)
 {
 	const struct hawser__signal *signal = &history->signal[k];
 	int last = k + 1 == history->signals;
 	FILE *script = picture->script;
+	char how[HAWSER__MARKUP_SIZE];
 
 	fputs("set xtics autofreq\nset ytics autofreq\n", script);
 	fprintf(script, "set xrange [%.9g:%.9g]\nset format x '%s'\n", history->time[0],
@@ -128,7 +138,8 @@ static void time_panel(struct hawser__picture *picture, const struct hawser__his
 	else
 		fputs("unset xlabel\n", script);
 	hawser__picture_ylabel(picture, "%s%s", signal->label, unit_of(history, k).y_end);
-	fprintf(script, "plot $history%d using 1:2 with lines lt %d lw 0.8\n", k, k + 1);
+	style(how, sizeof how, history, k);
+	fprintf(script, "plot $history%d using 1:2 with %s\n", k, how);
 }
 
 static void phase_panel(struct hawser__picture *picture, const struct hawser__history *history,
@@ -136,7 +147,9 @@ static void phase_panel(struct hawser__picture *picture, const struct hawser__hi
 {
 	const struct unit unit = unit_of(history, k);
 	double low, high;
+	char how[HAWSER__MARKUP_SIZE];
 
+	style(how, sizeof how, history, k);
 	span(&low, &high, history, history->signal[k].value);
 	hawser__picture_tics(picture, 'x', unit.y*low, unit.y*high, 3);
 	span(&low, &high, history, history->signal[k].rate);
@@ -145,8 +158,8 @@ static void phase_panel(struct hawser__picture *picture, const struct hawser__hi
 	                         "offset 0,0.3\n",
 	        history->signal[k].label, unit.y_end);
 	hawser__picture_ylabel(picture, "Velocity%s", unit.rate_end);
-	fprintf(picture->script, "plot $history%d every ::%d using 2:3 with lines lt %d lw 0.8\n", k,
-	        history->settled_from, k + 1);
+	fprintf(picture->script, "plot $history%d every ::%d using 2:3 with %s\n", k,
+	        history->settled_from, how);
 }
 
 static void spectrum(struct hawser__picture *picture, const struct hawser__history *history)

@@ -73,6 +73,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/integrate_error.c \
 	%D%/judge.c \
 	%D%/linear.c \
+	%D%/lyapunov.c \
 	%D%/linear_margin.h \
 	%D%/load.c \
 	%D%/load.h \
