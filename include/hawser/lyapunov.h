@@ -20,7 +20,8 @@ struct hawser_lyapunov_options {
 	const double *initial; /* [2n] u then u', on the motion: transients have decayed */
 	long periods;   /* HAWSER_LYAPUNOV_FEWEST or more. The first tenth lets the directions settle, the
 	                 * others are averaged */
-	double rtol;    /* largest estimated error of a period, relative to the largest state so far; 0: 1e-10 */
+	double rtol;    /* largest estimated error of a period, relative to the largest state so far;
+	                 * 0: 1e-10 */
 	struct hawser_progress progress; /* called after each period */
 };
 

@@ -1,5 +1,5 @@
-/* cli/integrate_exponents.c - the settled part of a run: the transient before it, Lyapunov exponents, and
- * whether its rows are a stroboscopic section.
+/* cli/integrate_exponents.c - the settled part of a run: the transient before it, Lyapunov exponents,
+ * and whether its rows are a stroboscopic section.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -25,8 +25,8 @@ enum hawser_status cli_integrate_settle(double **state, struct hawser_integrate_
 		                    "--after does not go with --Omega-to, a sweep, which has no settled part");
 	if (!(after > choice->begin) || !(after < choice->until))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
-		                    "--after is %.9g%s: it must be after the beginning of the run and before its "
-		                    "end, --until", after*rom->time, rom->scaled ? " s" : "");
+		                    "--after is %.9g%s: it must be after the beginning of the run and before "
+		                    "its end, --until", after*rom->time, rom->scaled ? " s" : "");
 	before.until = after;
 	before.every = after - choice->begin;
 	status = hawser_integrate(&run, rom, &before, report);

@@ -176,9 +176,11 @@ static const struct hawser__field spectrum_field[] = {
 	HAWSER__END,
 };
 static const struct hawser__field exponent_field[] = {
-	{"exponent", NULL, "mean rates of growth of disturbances, from the largest", HAWSER__ALONG(struct cli_integrate_result, lyapunov.exponent),
+	{"exponent", NULL, "mean rates of growth of disturbances, from the largest",
+	 HAWSER__ALONG(struct cli_integrate_result, lyapunov.exponent),
 	 .unit = HAWSER__PER_S},
-	{"error", NULL, "their errors: scatter of the mean (95 %), and integration", HAWSER__ALONG(struct cli_integrate_result, lyapunov.error),
+	{"error", NULL, "their errors: scatter of the mean (95 %), and integration",
+	 HAWSER__ALONG(struct cli_integrate_result, lyapunov.error),
 	 .unit = HAWSER__PER_S},
 	HAWSER__END,
 };

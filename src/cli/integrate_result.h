@@ -43,8 +43,8 @@ double cli_integrate_tension(const struct cli_integrate_result *result, int p, s
 const char *cli_integrate_end(const void *result); /* "complete" */
 /* The reason why no error of the model is stated, or NULL. */
 const char *cli_integrate_unknown(const void *result);
-/* integrate_exponents.c: run from choice->begin to `after`; the state there replaces *state, and the rest of
- * the run begins with it. */
+/* integrate_exponents.c: run from choice->begin to `after`; the state there replaces *state, and the
+ * rest of the run begins with it. */
 enum hawser_status cli_integrate_settle(double **state, struct hawser_integrate_options *choice,
                                         double after, const struct hawser_rom *rom,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;

@@ -5,13 +5,13 @@
  *    g      [period][m] logarithms of the growth of the directions over a period
  *
  * After each segment A Q is made orthonormal again, and the logarithms of the lengths are added up
- * (Benettin, Galgani, Giorgilli and Strelcyn, Meccanica 15 (1980) 9). A comes from the same steps as the
- * motion, so that it is the derivative of the computed flow.
+ * (Benettin, Galgani, Giorgilli and Strelcyn, Meccanica 15 (1980) 9). A comes from the same steps as
+ * the motion, so that it is the derivative of the computed flow.
  *
  * The average over time has the weights exp(-1/(s (1 - s))), 0 < s < 1 (Das, Saiki, Sander and Yorke,
- * Nonlinearity 30 (2017) 4111). On periodic and quasi-periodic motions its error falls faster than every
- * power of the time, where that of the plain mean falls with the time only: the directions of a complex
- * pair of multipliers turn. On chaotic motions it is a mean like any other; it costs a third of
+ * Nonlinearity 30 (2017) 4111). On periodic and quasi-periodic motions its error falls faster than
+ * every power of the time, where that of the plain mean falls with the time only: the directions of a
+ * complex pair of multipliers turn. On chaotic motions it is a mean like any other; it costs a third of
  * the samples.
  *
  * Error: eight blocks of time are averaged in the same way, and the scatter of their mean is that of
@@ -36,7 +36,7 @@
 #include "response/stepper.h"
 
 #define WHERE "lyapunov"
-#define BLOCKS 8
+#define BLOCKS 8 /* enough for a scatter, and as long as possible; chosen */
 #define STUDENT 2.365 /* 97.5 % quantile of seven degrees of freedom */
 #define MOST_STEPS 4000 /* per segment; chosen */
 
@@ -142,12 +142,12 @@ static enum hawser_status period(struct walk *walk, long index, int fixed,
 	for (size_t i = 0; i < m; i++)
 		if (!isfinite(walk->x[i]) || !isfinite(g[i]))
 			return hawser__fail(report, HAWSER_ERR_NAN, WHERE,
-			                    "the motion escapes in period %ld of the average: lower the load, or "
-			                    "start from another state", index + 1);
+			                    "the motion escapes in period %ld of the average: lower the load, "
+			                    "or start from another state", index + 1);
 	if (!fixed && !(error <= walk->rtol*walk->size) && walk->size > 0.0)
 		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, WHERE, (int)index, error/walk->size,
-		                       "a period needs more than %d steps for the tolerance %.1g (estimated error "
-		                       "%.2g): raise rtol", walk->steps*walk->segments, walk->rtol,
+		                       "a period needs more than %d steps for the tolerance %.1g (estimated "
+		                       "error %.2g): raise rtol", walk->steps*walk->segments, walk->rtol,
 		                       error/walk->size);
 	return HAWSER_OK;
 }
@@ -252,8 +252,8 @@ static enum hawser_status check(const struct hawser_rom *rom,
 		                    options->rtol);
 	if (options->periods < HAWSER_LYAPUNOV_FEWEST)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, WHERE,
-		                    "Lyapunov exponents are averages over %d periods or more, and there are "
-		                    "%ld: lengthen the run (--until)", HAWSER_LYAPUNOV_FEWEST,
+		                    "Lyapunov exponents are averages over %d periods or more, and there "
+		                    "are %ld: lengthen the run (--until)", HAWSER_LYAPUNOV_FEWEST,
 		                    options->periods);
 	return HAWSER_OK;
 }

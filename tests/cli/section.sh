@@ -18,7 +18,7 @@ damping: {alpha: 0.5 kg/m/s}
 model: {modes: 3, condense: none, inertia: none}
 EOF
 printf 't_s\tB_y_m\n' >still.tsv
-for t in 0 100 200 300 400 500 600 700 800 900; do printf '%s\t0\n' $t >>still.tsv; done
+for t in 0 100 200 300 400 500 600 700 800 900; do printf "%s\t0\n" $t >>still.tsv; done
 works "all rows" integrate duffing.json --Omega 1.1 --until 40T --every 1T
 works "rows after a transient" integrate duffing.json --Omega 1.1 --until 40T --every 1T --after 30T
 run integrate duffing.json --Omega 1.1 --until 40T --every 1T

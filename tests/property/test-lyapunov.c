@@ -1,6 +1,6 @@
 /* Lyapunov exponents: of linear models their damping and eigenvalues; of a periodic motion the Floquet
- * exponents by a Runge-Kutta formula of this test; Ueda's chaotic oscillator against the published value
- * (Sprott, Chaos and Time-Series Analysis, 2003, table of driven systems: 0.1034); a free pair of
+ * exponents by a Runge-Kutta formula of this test; Ueda's chaotic oscillator against the published
+ * value (Sprott, Chaos and Time-Series Analysis, 2003, table of driven systems: 0.1034); a free pair of
  * oscillators has a sum of 0; what is refused.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -81,8 +81,9 @@ static void periodic(double d, double c, double f, double w)
 	determinant = y[2]*y[5] - y[3]*y[4];
 	gap = sqrt(fmax(0.25*trace*trace - determinant, 0.0));
 	for (int k = 0; k < 2; k++)
-		want[k] = w/(2.0*M_PI)*(gap > 0.0 ? log(fabs(0.5*trace + (k ? -1.0 : 1.0)*copysign(gap, trace)))
-		                                  : 0.5*log(determinant));
+		want[k] = w/(2.0*M_PI)*
+		          (gap > 0.0 ? log(fabs(0.5*trace + (k ? -1.0 : 1.0)*copysign(gap, trace)))
+		                     : 0.5*log(determinant));
 	ok(!hawser_lyapunov_find(&found, &rom, &options, NULL), "periodic, Omega %g", w);
 	for (int k = 0; k < 2; k++)
 		ok(fabs(found.exponent[k] - want[k]) < 1e-7, "%.12g against Floquet's %.12g, stated %.1e",
@@ -120,7 +121,8 @@ static void free_pair(void)
 	for (int i = 0; i < found.m; i++)
 		sum += found.exponent[i];
 	ok(fabs(sum) < 1e-10 && fabs(found.exponent[0]) < 1e-3 &&
-	   fabs(found.exponent[0] + found.exponent[3]) < found.error[0] + found.error[3], "%.2e %.2e %.2e %.2e: pairs of opposite sign, regular",
+	   fabs(found.exponent[0] + found.exponent[3]) < found.error[0] + found.error[3],
+	   "%.2e %.2e %.2e %.2e: pairs of opposite sign, regular",
 	   found.exponent[0], found.exponent[1], found.exponent[2], found.exponent[3]);
 	hawser_lyapunov_clear(&found);
 	hawser_rom_clear(&rom);
