@@ -31,14 +31,10 @@ static const struct cli_option options[] = {
 	CLI_TEXT_OPTION(motion, "FILE", "table of the displacements of the ends over time"),
 	{"until", 0, "TIME", "end of the run (100T)", CLI_TEXT(until)},
 	{"every", 0, "TIME", "interval between output rows (0.01T)", CLI_TEXT(every)},
-<<<<<<< HEAD
-	{"initial", 0, "FILE",
-	 "state, or FILE#LABEL of a response, to start from (rest)", CLI_TEXT(initial)},
-=======
 	{"after", 0, "TIME", "the rows begin at this time, when the transient has decayed (0)",
 	 CLI_TEXT(after)},
-	{"initial", 0, "FILE", "state to start from (rest)", CLI_TEXT(initial)},
->>>>>>> 90cfd438 (integrate --lyapunov: Lyapunov exponents with their errors; --after: rows after a transient, stroboscopic sections in points. Against Floquet exponents, linear models and Ueda's oscillator)
+	{"initial", 0, "FILE",
+	 "state, or FILE#LABEL of a response, to start from (rest)", CLI_TEXT(initial)},
 	{"continue", 0, "FILE", "continue the run whose JSON result this file is", CLI_TEXT(resume)},
 	{"modes", 'n', "N", "number of modes (the scene's model.modes)", CLI_INTEGER(n)},
 	CLI_LIBRARY_OPTION,
@@ -186,7 +182,7 @@ static enum hawser_status solve(struct hawser_trajectory *run, struct cli_integr
 	struct cli_watch watch = {{.quiet = settings->common.quiet}, "integrate"};
 	struct hawser_integrate_options choice = {0};
 	struct cli_last last = {.state = NULL};
-<<<<<<< HEAD
+	double after = 0.0;
 	struct cli_label label = {.state = NULL};
 	enum hawser_status status = HAWSER_OK;
 	char path[4096];
@@ -196,10 +192,6 @@ static enum hawser_status solve(struct hawser_trajectory *run, struct cli_integr
 		                        report);
 	if (!status)
 		status = times(&choice, &result->period, settings, model, &label, report);
-=======
-	double after = 0.0;
-	enum hawser_status status = times(&choice, &result->period, settings, model, report);
->>>>>>> 90cfd438 (integrate --lyapunov: Lyapunov exponents with their errors; --after: rows after a transient, stroboscopic sections in points. Against Floquet exponents, linear models and Ueda's oscillator)
 
 	if (!status && model->automatic)
 		status = cli_choice_build(model, around[0]*lowest(&choice), around[1]*highest(&choice),

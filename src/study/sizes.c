@@ -22,11 +22,8 @@
 #include <hawser/integrate.h>
 #include <hawser/irvine.h>
 #include <hawser/linear.h>
-<<<<<<< HEAD
 #include <hawser/basin.h>
-=======
 #include <hawser/lyapunov.h>
->>>>>>> c42dfd1e (integrate --lyapunov: Lyapunov exponents with their errors; --after: rows after a transient, stroboscopic sections in points. Against Floquet exponents, linear models and Ueda's oscillator)
 #include <hawser/map.h>
 #include <hawser/modes.h>
 #include <hawser/orbit.h>
@@ -137,13 +134,10 @@ static const struct row {
 	ROW(hawser_landmark),
 	ROW(hawser_landmark_options),
 	ROW(hawser_load_piece),
-<<<<<<< HEAD
 	ROW(hawser_basin),
 	ROW(hawser_basins),
-=======
 	ROW(hawser_lyapunov),
 	ROW(hawser_lyapunov_options),
->>>>>>> c42dfd1e (integrate --lyapunov: Lyapunov exponents with their errors; --after: rows after a transient, stroboscopic sections in points. Against Floquet exponents, linear models and Ueda's oscillator)
 	ROW(hawser_map),
 	ROW(hawser_map_boundary),
 	ROW(hawser_map_condensed),

@@ -11,13 +11,8 @@ BEGIN {
 	for (i = 1; i <= n; i++) rank[stage[i]] = i
 	of["status"] = of["progress"] = "core"; of["scene"] = of["plausible"] = "scene"; of["statics"] = "statics"; of["modes"] = of["gyroscopic"] = of["irvine"] = of["campbell"] = of["damped"] = "modes"
 	of["beam"] = "beam"
-<<<<<<< HEAD
-	of["rom"] = of["plugin"] = of["choose"] = "rom"; of["integrate"] = of["orbit"] = of["family"] = of["frf"] = of["cover"] = of["branches"] = of["backbone"] = of["scales"] = of["folds"] = of["linear"] = of["beam_motion"] = "response"; of["hawser"] = "output"
-	of["study"] = of["scene_family"] = of["plan"] = of["accuracy"] = of["map"] = of["basin"] = of["primary"] = of["hill"] = of["decay"] = of["identify"] = of["sizes"] = "study"
-=======
 	of["rom"] = of["plugin"] = of["choose"] = "rom"; of["integrate"] = of["orbit"] = of["family"] = of["frf"] = of["cover"] = of["branches"] = of["backbone"] = of["scales"] = of["folds"] = of["linear"] = of["lyapunov"] = of["torus"] = of["beam_motion"] = "response"; of["hawser"] = "output"
-	of["study"] = of["scene_family"] = of["plan"] = of["accuracy"] = of["map"] = of["primary"] = of["hill"] = of["decay"] = of["identify"] = of["sizes"] = "study"
->>>>>>> 87ed79dd (Lyapunov exponents: rows of messages, shorter lines)
+	of["study"] = of["scene_family"] = of["plan"] = of["accuracy"] = of["map"] = of["basin"] = of["primary"] = of["hill"] = of["decay"] = of["identify"] = of["sizes"] = "study"
 }
 function included(line) {
 	if (match(line, /<hawser\/[a-z_]+\.h>/) || match(line, /"hawser\/[a-z_]+\.h"/)) {
