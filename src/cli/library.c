@@ -31,18 +31,22 @@ enum hawser_status cli_library_open(struct hawser_rom_source *source, const char
                                     struct hawser_report *report)
 {
 	char *whole = realpath(path, NULL); /* a name without a folder would be searched for elsewhere */
-	void *library = dlopen(whole ? whole : path, RTLD_NOW | RTLD_LOCAL), *symbol = NULL;
-	const struct hawser_plugin *(*plugin)(void);
+	void *library = dlopen(whole ? whole : path, RTLD_NOW | RTLD_LOCAL);
+	union {
+		void *symbol;
+		const struct hawser_plugin *(*plugin)(void);
+	} found;
 
 	free(whole);
 	if (!library)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "model", "--model-library %s: %s", path,
 		                    dlerror());
-	symbol = dlsym(library, "hawser_plugin");
-	if (!symbol)
+	found.symbol = dlsym(library, "hawser_plugin");
+	if (!found.symbol)
+		/* cppcheck-suppress resourceLeak ; loaded until the program ends */
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "model",
 		                    "--model-library %s does not define hawser_plugin(), which "
 		                    "hawser/plugin.h describes", path);
-	memcpy(&plugin, &symbol, sizeof plugin);
-	return hawser_rom_source_plugin(source, plugin(), path, report);
+	/* cppcheck-suppress resourceLeak ; loaded until the program ends */
+	return hawser_rom_source_plugin(source, found.plugin(), path, report);
 }

@@ -111,8 +111,10 @@ void hawser__load_set(struct hawser__load *load, double factor)
 		scale(mine->D, full->D, n*n, share);
 		scale(mine->K, full->K, n*n, share);
 		for (int i = 0; i < full->quads; i++)
+			/* NOLINTNEXTLINE(clang-analyzer-core.NullDereference): room for all was made */
 			mine->Q[i].value = share*full->Q[i].value;
 		for (int i = 0; i < full->terms; i++)
+			/* NOLINTNEXTLINE(clang-analyzer-core.NullDereference): room for all was made */
 			mine->term[i].value = share*full->term[i].value;
 		scale(mine->answer, full->answer, HAWSER__ANSWER(load->full), share);
 		scale(mine->answer_line, full->answer_line, HAWSER__ANSWER_LINE(load->full), share);

@@ -83,6 +83,7 @@ enum hawser_status hawser_parameter_open(struct hawser_rom_family *family,
 	own->source.parameter = malloc(((size_t)source->parameters + 1)*sizeof *own->source.parameter);
 	if (!own->source.parameter) {
 		hawser_parameter_close(family);
+		/* cppcheck-suppress memleak ; freed as the context of the family */
 		return hawser__no_memory(report, "frf");
 	}
 	for (int i = 0; i < source->parameters; i++)

@@ -248,7 +248,7 @@ enum hawser_status hawser_rom_source_open(struct hawser_rom_source *source, cons
 		                      strerror(error));
 	else if (!source->name)
 		status = hawser__no_memory(report, "rom");
-	if (!status && memmem(source->text, source->size, "\"parameters\"", 12))
+	if (!status && source->text && memmem(source->text, source->size, "\"parameters\"", 12))
 		status = hawser__parse_parameters(parameter, &count, source->text, source->size, name, report);
 	if (!status && count > 0) {
 		source->parameter = malloc((size_t)count*sizeof *parameter);

@@ -232,6 +232,7 @@ static int differentiate(struct hawser_term **to, int *terms, const struct hawse
 	struct hawser_term *at = extend(to, terms, (size_t)count*HAWSER_TERM_FACTORS);
 
 	for (int e = 0; at && e < count; e++)
+		/* NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): as_terms() fills all */
 		for (int i = 0; i < term[e].factors; i++) {
 			struct hawser_term t = term[e];
 
