@@ -243,6 +243,8 @@ static enum hawser_status check(const struct hawser_rom *rom,
 	if (why)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, WHERE,
 		                    "no Lyapunov exponents of this model: %s", why);
+	if (rom->periods > 1)
+		return hawser__periods_refuse(rom, "the search for Lyapunov exponents", report);
 	if (!(options->omega > 0.0) || !isfinite(options->omega))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, WHERE,
 		                    "the frequency (Omega) is %g: it must be positive", options->omega);

@@ -103,4 +103,6 @@ refuses 1 "an export $more" rom half.json --export auto x
 refuses 1 "an export $more" rom half.json --export coco x
 refuses 1 "a map or the stability of rest $more" map half.json --x Omega=1:2 --y factor.load=0.5:1
 refuses 1 "the stability of rest $more" hill half.json --Omega 1.1
+refuses 1 "the search for Lyapunov exponents $more" \
+	integrate half.json --Omega 1.1 --until 200T --every 1T --lyapunov
 done_testing
