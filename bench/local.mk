@@ -60,6 +60,12 @@ CLEANFILES += %D%/plan-times
 %C%_plan_times_SOURCES = %D%/plan-times.c %D%/estimates-tally.c
 %C%_plan_times_LDADD = $(UPTO_STUDY)
 
+# events of random models, traced both ways; a thousand take some minutes
+EXTRA_PROGRAMS += %D%/events
+CLEANFILES += %D%/events
+%C%_events_SOURCES = %D%/events.c
+%C%_events_LDADD = $(UPTO_RESPONSE)
+
 # whether stated errors hold, on random scenes; a thousand a command take minutes
 EXTRA_PROGRAMS += %D%/estimates
 CLEANFILES += %D%/estimates

@@ -225,6 +225,7 @@ enum hawser_status hawser__trace_cut(struct hawser__trace *trace, double bound)
 		                       "the corrector failed at the end of the range, %s",
 		                       hawser__orbit_where(orbit, bound).text);
 	trace->scratch.arc = trace->here.arc + share*(trace->next.arc - trace->here.arc);
+	trace->scratch.y[last] = bound; /* not one unit of round-off beyond, where no trace may begin */
 	hawser__station_swap(&trace->scratch, &trace->next);
 	return hawser__trace_determined(trace, &trace->next);
 }

@@ -98,6 +98,30 @@ static void every_cell(const struct hawser_map *map)
 	ok(worst < 2e-6, "and so are the smallest and the largest amplitude, to %.1e", worst);
 }
 
+/* From the last point of a response, at the end of the range, the same events are found from behind. */
+static void back_again(const struct hawser_frf *there, const struct hawser_rom *rom,
+                       struct hawser_frf_options options)
+{
+	const struct hawser_frf_point *last = &there->point[there->points - 1];
+	struct hawser_report report = {.status = HAWSER_OK};
+	struct hawser_frf back;
+	double worst = 0.0;
+
+	options.begin = last->omega;
+	options.direction = -last->direction;
+	options.start = there->state + 2*(size_t)(there->points - 1);
+	if (hawser_frf_trace(&back, rom, &options, &report)) {
+		ok(0, "a response is traced back: %s", report.message);
+		hawser_frf_clear(&back);
+		return;
+	}
+	for (int e = 0; e < there->events && back.events == there->events; e++)
+		worst = fmax(worst, fabs(back.event[back.events - 1 - e].omega - there->event[e].omega));
+	ok(back.events == there->events && worst < 1e-8 && last->omega == options.to,
+	   "traced back from its last point it has the same %d events, to %.1e", back.events, worst);
+	hawser_frf_clear(&back);
+}
+
 /* The folds of the row are those of the response that is traced at this load. */
 static void row_is_response(const struct hawser_map *map, struct hawser_rom *rom)
 {
@@ -125,6 +149,7 @@ static void row_is_response(const struct hawser_map *map, struct hawser_rom *rom
 		matched += map->boundary[b].y == map->y[j];
 	ok(folds == 2 && matched == frf.events && worst < 1e-8,
 	   "the boundaries of a row are the %d events of its response, to %.1e", frf.events, worst);
+	back_again(&frf, rom, options);
 	hawser_frf_clear(&frf);
 	rom->harmonic[0].f[0] = was;
 }
