@@ -19,6 +19,7 @@ pkginclude_HEADERS = \
 	%D%/hawser/integrate.h \
 	%D%/hawser/irvine.h \
 	%D%/hawser/linear.h \
+	%D%/hawser/locus.h \
 	%D%/hawser/lyapunov.h \
 	%D%/hawser/map.h \
 	%D%/hawser/modes.h \

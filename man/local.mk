@@ -9,6 +9,7 @@ command_pages = \
 	%D%/hawser-compare.1 \
 	%D%/hawser-damping.1 \
 	%D%/hawser-folds.1 \
+	%D%/hawser-locus.1 \
 	%D%/hawser-frf.1 \
 	%D%/hawser-hill.1 \
 	%D%/hawser-identify.1 \

@@ -7,6 +7,7 @@ CLI_TESTS = \
 	%D%/cli/disk.sh \
 	%D%/cli/files.sh \
 	%D%/cli/folds.sh \
+	%D%/cli/locus.sh \
 	%D%/cli/full.sh \
 	%D%/cli/help-vs-man.sh \
 	%D%/cli/identify.sh \

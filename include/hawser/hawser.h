@@ -30,6 +30,7 @@
 #include <hawser/scales.h>
 #include <hawser/folds.h>
 #include <hawser/linear.h>
+#include <hawser/locus.h>
 #include <hawser/lyapunov.h>
 #include <hawser/study.h>
 #include <hawser/primary.h>

@@ -110,7 +110,7 @@ struct cli_command {
 	X(rom) \
 	X(integrate) \
 	X(frf) \
-	X(folds) \
+	X(folds) X(locus) \
 	X(mms) \
 	X(hill) \
 	X(damping) \

@@ -25,6 +25,7 @@ hawser_SOURCES = \
 	%D%/cmd_hill.c \
 	%D%/cmd_identify.c \
 	%D%/cmd_integrate.c \
+	%D%/cmd_locus.c \
 	%D%/cmd_irvine.c \
 	%D%/cmd_map.c \
 	%D%/cmd_mms.c \
@@ -57,6 +58,9 @@ hawser_SOURCES = \
 	%D%/label.c \
 	%D%/label.h \
 	%D%/frf_over.h \
+	%D%/locus_draw.c \
+	%D%/locus_result.c \
+	%D%/locus_result.h \
 	%D%/frf_peaks.c \
 	%D%/frf_result.c \
 	%D%/gauge.c \

@@ -63,6 +63,16 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/folds_system.c \
 	%D%/folds_walk.c \
 	%D%/folds_walk.h \
+	%D%/locus.c \
+	%D%/locus.h \
+	%D%/locus_begin.c \
+	%D%/locus_events.c \
+	%D%/locus_hill.c \
+	%D%/locus_sample.c \
+	%D%/locus_second.c \
+	%D%/locus_system.c \
+	%D%/locus_walk.c \
+	%D%/locus_walk.h \
 	%D%/frf.c \
 	%D%/frf_begin.c \
 	%D%/frf_check.c \

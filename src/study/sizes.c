@@ -22,6 +22,7 @@
 #include <hawser/integrate.h>
 #include <hawser/irvine.h>
 #include <hawser/linear.h>
+#include <hawser/locus.h>
 #include <hawser/basin.h>
 #include <hawser/lyapunov.h>
 #include <hawser/map.h>
@@ -134,6 +135,11 @@ static const struct row {
 	ROW(hawser_landmark),
 	ROW(hawser_landmark_options),
 	ROW(hawser_load_piece),
+	ROW(hawser_locus),
+	ROW(hawser_locus_curve),
+	ROW(hawser_locus_event),
+	ROW(hawser_locus_options),
+	ROW(hawser_locus_point),
 	ROW(hawser_basin),
 	ROW(hawser_basins),
 	ROW(hawser_lyapunov),

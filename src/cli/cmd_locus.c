@@ -1,0 +1,142 @@
+/* cli/cmd_locus.c - hawser locus: bifurcations followed in frequency and another parameter.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/frf_over.h"
+#include "cli/locus_result.h"
+#include "cli/progress.h"
+#include "cli/view.h"
+#include "core/report.h"
+
+struct settings {
+	struct cli_common common;
+	const char *from, *to, *kind, *over, *at, *near;
+	double tolerance, step;
+	int n, points;
+};
+static const struct settings defaults = {.from = "0.6w1", .to = "3.3w1", .kind = "fold"};
+
+static const struct cli_option options[] = {
+	CLI_TEXT_OPTION(kind, "NAME", "fold, period-doubling, torus or branch-point (fold)"),
+	CLI_TEXT_OPTION(over, "KEY=FROM:TO", "the other parameter, and its range (factor.load=0.5:2)"),
+	CLI_TEXT_OPTION(at, "VALUE", "of the parameter where the curves begin (the model's own)"),
+	CLI_TEXT_OPTION(near, "FREQUENCY", "only the bifurcation next to it (all in the range)"),
+	CLI_RANGE_OPTIONS("end of the range at which the response begins (0.6w1)",
+	                  "the other end of the range (3.3w1)"),
+	CLI_MODES_OPTION,
+	CLI_TOLERANCE_OPTION("residual and truncation error, relative to the orbit (1e-9)"),
+	{"step", 0, "NUMBER", "longest step, as a part of both ranges (0.02)", CLI_POSITIVE(step)},
+	CLI_POINTS_OPTION("end a curve after this many points (2000)"),
+	CLI_NO_OPTION,
+};
+
+static const char *const notes[] = {
+	"Follows bifurcations of the frequency response in the forcing frequency and another parameter,",
+	"as factor.load, factor.damping or a key of the scene, and names their special points.",
+	"FREQUENCY: a number (rad/s), \"0.3 Hz\", or a multiple of a natural frequency, 0.6w1.",
+	NULL,
+};
+
+static enum hawser_status kind_of(enum hawser_event_kind *kind, const char *name,
+                                  struct hawser_report *report)
+{
+	for (int k = HAWSER_FOLD; k <= HAWSER_BRANCH_POINT; k++)
+		if (strcmp(name, hawser_event_name((enum hawser_event_kind)k)) == 0) {
+			*kind = (enum hawser_event_kind)k;
+			return HAWSER_OK;
+		}
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "locus",
+	                    "--kind %s: write fold, period-doubling, torus or branch-point", name);
+}
+
+/* The parameter where the curves begin: --at, else the model's own value, else the first end. */
+static enum hawser_status start_of(double *at, const struct cli_over *over, const char *text,
+                                   const struct cli_model *model, struct hawser_report *report)
+{
+	const char *key = over->axis.key;
+	double low = over->axis.from, high = over->axis.to, own = 1.0;
+	char *end;
+
+	if (text) {
+		*at = strtod(text, &end);
+		if (end == text || *end)
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "locus",
+			                    "--at %s: write a number, in SI units", text);
+		return HAWSER_OK;
+	}
+	if (cli_over_needs_scene(key) &&
+	    (!model->has_scene || hawser_scene_get(&model->scene, &own, key, NULL)))
+		own = NAN;
+	*at = own >= low && own <= high ? own : over->from;
+	return HAWSER_OK;
+}
+
+static enum hawser_status trace(struct hawser_locus *locus, const struct settings *settings,
+                                const struct cli_locus_result *result, const struct cli_over *over,
+                                struct cli_model *model, struct hawser_report *report)
+{
+	struct cli_watch watch = {.progress = {.quiet = settings->common.quiet}};
+	struct hawser_locus_options choice = {.from = result->from, .to = result->to,
+		.parameter_from = over->from, .parameter_to = over->to, .max_points = settings->points};
+	double near = 0.0;
+	enum hawser_status status = kind_of(&choice.kind, settings->kind, report);
+
+	if (!status)
+		status = start_of(&choice.at, over, settings->at, model, report);
+	if (!status && settings->near)
+		status = cli_map_frequency(&near, settings->near, "near", model, report);
+	if (status)
+		return status;
+	choice.near = near/cli_per_omega(model);
+	if (settings->tolerance > 0.0)
+		choice.tolerance = settings->tolerance;
+	if (settings->step > 0.0)
+		choice.step_max = settings->step;
+	choice.progress = (struct hawser_progress){cli_watch, &watch};
+	status = hawser_locus_trace(locus, &over->family, &choice, report);
+	cli_progress_end(&watch.progress);
+	return status;
+}
+
+static enum hawser_status run(void *context, struct hawser_report *report)
+{
+	const struct settings *settings = context;
+	struct hawser_locus locus = {0};
+	struct cli_model model = {0};
+	struct cli_over over = {.open = 0};
+	struct cli_locus_result result = {.common = &settings->common, .model = &model, .locus = &locus};
+	enum hawser_status status = cli_outputs_check(&settings->common, report);
+
+	if (!status)
+		status = cli_model_load(&model, &settings->common, settings->n, report);
+	if (!status)
+		status = cli_range(&result.from, &result.to, settings->from, settings->to, "locus", &model,
+		                   report);
+	if (!status)
+		status = cli_basis_check(&model, fmax(result.from, result.to), report);
+	if (!status)
+		status = cli_over_open(&over, settings->over ? settings->over : "factor.load=0.5:2",
+		                       "1", &model, report); /* the frequency is not read */
+	if (!status) {
+		result.key = over.axis.key;
+		result.unit = over.axis.unit;
+		result.parameter_from = over.from;
+		result.parameter_to = over.to;
+		status = trace(&locus, settings, &result, &over, &model, report);
+	}
+	if (!status)
+		status = cli_show(&settings->common, &cli_locus_showing, &result, report);
+	hawser_locus_clear(&locus);
+	cli_over_clear(&over);
+	cli_model_clear(&model);
+	return status;
+}
+
+const struct cli_command cli_locus = {
+	"locus", "SCENE|MODEL", "Bifurcations in frequency and another parameter", notes, options,
+	&defaults, sizeof(struct settings), 1, run, cli_locus_listing,
+};

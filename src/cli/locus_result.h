@@ -1,0 +1,19 @@
+/* cli/locus_result.h - loci of bifurcations as a table, JSON and a picture.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_CLI_LOCUS_RESULT_H
+#define HAWSER_CLI_LOCUS_RESULT_H
+
+#include "cli/cli.h"
+
+struct cli_locus_result {
+	const struct cli_common *common;
+	const struct cli_model *model;
+	const struct hawser_locus *locus;
+	const char *key, *unit; /* of the parameter */
+	double from, to;        /* scaled Omega */
+	double parameter_from, parameter_to;
+};
+extern const struct cli_showing cli_locus_showing;
+enum hawser_status cli_locus_draw(const char *path, const void *result, struct hawser_report *report);
+
+#endif

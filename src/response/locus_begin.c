@@ -1,0 +1,237 @@
+/* response/locus_begin.c - the first point of a locus, from an event of a response.
+ *
+ * The orbits before and after the event are known by their states. Fourier coefficients follow from an
+ * integration over a period, an orbit between them by Newton's method in the plane normal to their
+ * chord, the null vectors by inverse iteration from arbitrary borders, and the bifurcation by Newton's
+ * method at the parameter of the response.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <cblas.h>
+#include <lapacke.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "response/flow.h"
+#include "response/locus_walk.h"
+#include "response/shooting.h"
+
+#define ELSEWHERE 1e-3 /* distance in Omega at which the bifurcation found is another one, relative to
+                        * the range; chosen, far above the errors of events */
+#define SKEW 1e-6      /* relative size of what is absent by symmetry; chosen */
+enum { FIRST_ORDER = 12, ITERATIONS = 12, INVERSE = 4 };
+
+/* z = the orbit through the state x [2n] at Omega. */
+static enum hawser_status orbit_through(struct hawser__locus_walk *walk, double *z, const double *x,
+                                        double omega)
+{
+	struct hawser__locus *locus = walk->locus;
+	int n = locus->n, H = locus->order, rows = hawser__shooting_steps(locus->rom, omega, 1);
+	struct hawser__stretch period;
+	struct hawser__flow flow;
+	double *samples, *end;
+	enum hawser_status status;
+
+	rows = rows < 6*H ? 6*H : rows;
+	period = (struct hawser__stretch){.h = 2.0*M_PI/rows, .steps = rows, .count = 1};
+	samples = malloc((size_t)rows*n*sizeof *samples);
+	end = malloc(2*(size_t)n*sizeof *end);
+	status = hawser__flow_init(&flow, locus->rom, walk->report);
+	if (!status && (!samples || !end))
+		status = hawser__no_memory(walk->report, "locus");
+	if (!status) {
+		memcpy(end, x, 2*(size_t)n*sizeof *end);
+		hawser__flow_map(&flow, end, samples, &period, omega);
+		memset(z, 0, (size_t)walk->room*sizeof *z);
+		for (int r = 0; r < rows; r++)
+			for (int k = 0; k < 2*H + 1; k++) {
+				double tau = 2.0*M_PI*((double)((long)r*((k + 1)/2)%rows)/rows);
+				double s = (k ? 2.0 : 1.0)/rows*(k%2 || !k ? cos(tau) : sin(tau));
+
+				for (int j = 0; j < n; j++)
+					z[LOCUS_FIRST + k*n + j] += s*(samples[(size_t)r*n + j] -
+					                               (end[j] - x[j])*r/rows);
+			}
+		z[LOCUS_OMEGA] = omega;
+	}
+	hawser__flow_clear(&flow);
+	free(samples);
+	free(end);
+	return status;
+}
+
+/* Newton's method for F = 0 in the plane through z normal to `chord` [size], at fixed parameter. */
+static enum hawser_status settle(struct hawser__locus_walk *walk, double *z, const double *chord,
+                                 int *failed)
+{
+	struct hawser__locus *locus = walk->locus;
+	int P = locus->coefficients, row = P + 1;
+
+	*failed = 1;
+	for (int i = 0; i < ITERATIONS; i++) {
+		double residual, length, size;
+		enum hawser_status status;
+
+		hawser__locus_borders(locus);
+		status = hawser__locus_evaluate(locus, &residual, z);
+		if (status || !isfinite(residual))
+			return status;
+		for (int j = 0; j < P; j++) {
+			memcpy(locus->M + (size_t)j*row, locus->J + (size_t)j*P, (size_t)P*sizeof(double));
+			locus->M[(size_t)j*row + P] = chord[LOCUS_FIRST + j];
+			locus->M[(size_t)P*row + j] = locus->by[0][j];
+			locus->rhs[j] = -locus->F[j];
+		}
+		locus->M[(size_t)P*row + P] = chord[LOCUS_OMEGA];
+		locus->rhs[P] = 0.0;
+		if (LAPACKE_dgesv_work(LAPACK_COL_MAJOR, row, 1, locus->M, row, locus->pivot, locus->rhs, row))
+			return HAWSER_OK;
+		cblas_daxpy(P, 1.0, locus->rhs, 1, z + LOCUS_FIRST, 1);
+		z[LOCUS_OMEGA] += locus->rhs[P];
+		length = cblas_dnrm2(P, locus->rhs, 1);
+		size = cblas_dnrm2(P, z + LOCUS_FIRST, 1);
+		if (!isfinite(length) || length > 10.0*size)
+			return HAWSER_OK;
+		if (length <= 1e-8*size || size <= 1e-12) {
+			*failed = 0;
+			return HAWSER_OK;
+		}
+	}
+	return HAWSER_OK;
+}
+
+/* kappa of the pair of multipliers that is nearest to the unit circle. */
+static enum hawser_status angle_of(struct hawser__locus *locus, double *kappa, int *failed)
+{
+	enum hawser_status status = hawser__locus_multipliers(locus);
+	double best = INFINITY;
+
+	*failed = 1;
+	for (int i = 0; !status && i < 2*locus->n; i++) {
+		double angle = locus->argument[i];
+
+		if (angle > 0.0 && angle < M_PI && fabs(locus->log_modulus[i]) < best) {
+			best = fabs(locus->log_modulus[i]);
+			*kappa = angle/(2.0*M_PI);
+			*failed = 0;
+		}
+	}
+	return status;
+}
+
+/* Null vectors of the orbit start->z. */
+static enum hawser_status null_vectors(struct hawser__locus_walk *walk, int *failed)
+{
+	struct hawser__locus *locus = walk->locus;
+	double *z = walk->start.z, residual;
+	enum hawser_status status;
+
+	*failed = 1;
+	hawser__locus_borders(locus);
+	z[LOCUS_KAPPA] = locus->kind == HAWSER_PERIOD_DOUBLING ? 0.5 : 0.0;
+	if (locus->kind == HAWSER_TORUS) {
+		z[LOCUS_KAPPA] = 0.3;
+		status = hawser__locus_evaluate(locus, &residual, z);
+		if (status || !isfinite(residual))
+			return status;
+		if ((status = angle_of(locus, &z[LOCUS_KAPPA], failed)) || *failed)
+			return status;
+		*failed = 1;
+	}
+	for (int k = 0; k < INVERSE; k++) {
+		status = hawser__locus_evaluate(locus, &residual, z);
+		if (status || !isfinite(residual))
+			return status;
+		hawser__locus_update(locus);
+	}
+	*failed = 0;
+	return HAWSER_OK;
+}
+
+/* Bar the kinds of coefficients that v has. Returns 1 where the orbit has some of them too: v then does
+ * not break a symmetry. */
+static int bar(struct hawser__locus *locus, const double *z)
+{
+	int n = locus->n, overlap = 0;
+	double all = cblas_dnrm2(locus->coefficients, z + LOCUS_FIRST, 1);
+
+	for (int k = 0; k < locus->wide; k++)
+		if (cabs(locus->c[k]) > SKEW) /* of length 1 */
+			locus->barred[2*(k%n) + abs(locus->low + k/n)%2] = 1;
+	for (int i = 0; i < locus->coefficients; i++)
+		overlap |= hawser__locus_is_barred(locus, i) && fabs(z[LOCUS_FIRST + i]) > SKEW*all;
+	return overlap;
+}
+
+static enum hawser_status between(struct hawser__locus_walk *walk, const struct hawser_frf *frf,
+                                  const struct hawser_frf_event *event, int *failed)
+{
+	const struct hawser_frf_point *a = &frf->point[event->after], *b = a + 1;
+	const double *xa = frf->state + 2*(size_t)frf->n*event->after, *xb = xa + 2*(size_t)frf->n;
+	double *from = walk->here.z, *to = walk->next.z, *z = walk->start.z, *chord = walk->spare;
+	double part = (event->arc - a->arc)/(b->arc - a->arc), range = walk->locus->extent[0];
+	enum hawser_status status = orbit_through(walk, from, xa, a->omega);
+
+	*failed = 1;
+	if (status || (status = orbit_through(walk, to, xb, b->omega)))
+		return status;
+	part = part >= 0.0 && part <= 1.0 ? part : 0.5;
+	for (int k = 0; k < walk->room; k++) {
+		z[k] = from[k] + part*(to[k] - from[k]);
+		chord[k] = to[k] - from[k];
+	}
+	if (cblas_dnrm2(walk->locus->coefficients, z + LOCUS_FIRST, 1) <= 1e-12) {
+		memset(z, 0, (size_t)walk->room*sizeof *z);
+		z[LOCUS_OMEGA] = event->omega;
+	}
+	chord[LOCUS_OMEGA] /= range*range;
+	z[LOCUS_PARAMETER] = walk->options->at;
+	status = settle(walk, z, chord, failed);
+	if (cblas_dnrm2(walk->locus->coefficients, z + LOCUS_FIRST, 1) <= 1e-12)
+		memset(z + LOCUS_FIRST, 0, (size_t)walk->locus->coefficients*sizeof *z);
+	return status;
+}
+
+enum hawser_status hawser__locus_begin(struct hawser__locus_walk *walk, const struct hawser_frf *frf,
+                                       int event, int *failed)
+{
+	struct hawser__locus *locus = walk->locus;
+	const struct hawser_frf_event *from = &frf->event[event];
+	struct hawser__locus_station *start = &walk->start;
+	int order = FIRST_ORDER < locus->most ? FIRST_ORDER : locus->most;
+	enum hawser_status status;
+
+	*failed = 1;
+	for (int p = 0; p < locus->rom->harmonics; p++)
+		order = locus->rom->harmonic[p].k + 4 > order ? locus->rom->harmonic[p].k + 4 : order;
+	if (order > locus->most || from->after < 0 || from->after + 1 >= frf->points)
+		return HAWSER_OK;
+	walk->reference[0] = walk->reference[1] = 0.0;
+	memset(locus->barred, 0, 2*(size_t)locus->n);
+	if ((status = hawser__locus_arrange(locus, order)) ||
+	    (status = hawser__locus_place(locus, from->omega, walk->options->at)))
+		return status;
+	if ((status = between(walk, frf, from, failed)) || *failed)
+		return status;
+	if ((status = null_vectors(walk, failed)) || *failed)
+		return status;
+	*failed = 1;
+	if (locus->kind == HAWSER_BRANCH_POINT && bar(locus, start->z))
+		return HAWSER_OK;
+	memset(walk->spare, 0, (size_t)walk->room*sizeof(double));
+	walk->spare[LOCUS_PARAMETER] = 1.0;
+	if ((status = hawser__locus_correct(walk, start, walk->spare, failed)) || *failed)
+		return status;
+	*failed = fabs(start->z[LOCUS_OMEGA] - from->omega) > ELSEWHERE*locus->extent[0];
+	if (*failed)
+		return HAWSER_OK;
+	start->arc = 0.0;
+	hawser__locus_update(locus);
+	status = hawser__locus_evaluate(locus, &start->correction.residual, start->z);
+	memset(walk->spare, 0, (size_t)walk->room*sizeof(double));
+	walk->spare[LOCUS_PARAMETER] = locus->extent[1];
+	return status ? status : hawser__locus_finish(walk, start, walk->spare);
+}

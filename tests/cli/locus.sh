@@ -1,0 +1,74 @@
+#!/bin/sh
+# hawser locus: bifurcations in two parameters, against folds, and against responses by shooting of models
+# that have the other value of the parameter.
+# SPDX-License-Identifier: GPL-3.0-or-later
+. "$SRCDIR/tests/cli/lib.sh"
+
+duffing="$SRCDIR/notebooks-data/scenes/duffing.json"
+
+# model NAME LOAD DAMPING: the models with both multiplied
+model() {
+	case $1 in
+	cascade) echo '{"n": 1, "K": [[1]], "D": [[0.4*d]], "Q": [[0, 0, 0, -1]],
+	"harmonics": [{"k": 1, "phase": "cos", "f": [0.25*p]}]}' ;;
+	string) echo '{"n": 2, "K": [[1, 0], [0, 1.02]], "D": [[0.02*d, 0], [0, 0.02*d]],
+	"C": [[0, 0, 0, 0, 0.5], [0, 0, 1, 1, 0.5], [1, 1, 1, 1, 0.5], [1, 0, 0, 1, 0.5]],
+	"harmonics": [{"k": 1, "phase": "cos", "f": [0.03*p, 0]}]}' ;;
+	pair) echo '{"n": 2, "D": [[0.015*d, 0], [0, 0.03*d]], "K": [[1, 0], [0, 4]], "C": [[0, 0, 0, 0, 0.5]],
+	"Q": [[0, 0, 1, 2], [1, 0, 0, 1]], "harmonics": [{"k": 1, "f": [0.01*p, 0]}]}' ;;
+	mathieu) echo '{"n": 1, "D": [[0.05*d]], "K": [[1]], "C": [[0, 0, 0, 0, 0.5]],
+	"harmonics": [{"k": 1, "phase": "cos", "K": [[0.3*p]]}]}' ;;
+	esac | python3 -c "import re, sys
+print(re.sub(r'([0-9.]+)\*([pd])', lambda m: repr(float(m[1])*{'p': $2, 'd': $3}[m[2]]), sys.stdin.read()))"
+}
+for name in cascade string pair mathieu; do model $name 1 1 >$name.json; done
+model cascade 1.5 1 >cascade-other.json
+model string 1 0.6 >string-other.json
+model pair 1.3 1 >pair-other.json
+model mathieu 1.6 1 >mathieu-other.json
+
+works "folds" locus "$duffing" --from 0.8 --to 1.8 --over factor.load=0.05:2 --json fold.json --tsv fold.tsv -q
+works "the same by folds" folds "$duffing" --from 0.8 --to 1.8 --load-from 0.05 --json folds.json -q
+works "period doublings" locus cascade.json --kind period-doubling --from 1.6 --to 0.7 \
+	--over factor.load=0.9:1.5 --json cascade-locus.json -q
+works "whirling" locus string.json --kind branch-point --from 0.9 --to 1.4 \
+	--over factor.damping=0.6:2 --json string-locus.json --plot whirling.svg -q
+works "tori" locus pair.json --kind torus --from 0.9 --to 1.1 --over factor.load=0.5:1.3 --json pair-locus.json -q
+works "parametric excitation" locus mathieu.json --kind period-doubling --from 1.5 --to 2.5 \
+	--over factor.load=0.2:1.6 --json mathieu-locus.json -q
+works "the cascade, other load" frf cascade-other.json --from 1.6 --to 0.7 --method shooting --json cascade-frf.json -q
+works "the string, other damping" frf string-other.json --from 0.9 --to 2 --method shooting --json string-frf.json -q
+works "the pair, other load" frf pair-other.json --from 0.9 --to 1.1 --method shooting --json pair-frf.json -q
+works "Mathieu, other load" frf mathieu-other.json --from 1.5 --to 2.5 --method shooting --json mathieu-frf.json -q
+python "the cusp; ends of curves are events of the other models" <<'END'
+import json, math
+fold, folds = json.load(open("fold.json")), json.load(open("folds.json"))
+cusp, = [e for c in fold["curves"] for e in c["events"] if e["kind"] == "cusp"]
+other, = [e for c in folds["curves"] for e in c["events"] if e["kind"] == "cusp"]
+assert abs(cusp["Omega"]/other["Omega"] - 1) < 1e-8 and abs(cusp["parameter"]/other["load"] - 1) < 1e-8
+found = {"cascade": (1.5, 1), "string": (0.6, 2), "pair": (1.3, 2), "mathieu": (1.6, 2)}
+for name, (value, least) in found.items():
+    locus, frf = json.load(open(name + "-locus.json")), json.load(open(name + "-frf.json"))
+    assert locus["not_followed"] == 0, name
+    ends = [c["points"][k] for c in locus["curves"] for k in (0, -1) if c["points"][k]["parameter"] == value]
+    events = [e["Omega"] for e in frf["events"] if e["kind"] == locus["kind"]]
+    gaps = [min(abs(p["Omega"]/e - 1) for e in events) for p in ends]
+    assert len(ends) >= least and max(gaps) < 1e-8, (name, gaps, events)
+    for p in (p for c in locus["curves"] for p in c["points"]):
+        assert p["residual"] < 1e-9 and p["truncation"] < 1e-9
+string, mathieu, pair = (json.load(open(name + "-locus.json")) for name in ("string", "mathieu", "pair"))
+names = {e["kind"] for c in string["curves"] for e in c["events"]}
+assert {"degenerate-branch-point", "branch-fold"} <= names, names
+# the tongue's tip: to first order the excitation 0.3 p/2 balances the damping 0.05, at twice the frequency
+low = min((p for c in mathieu["curves"] for p in c["points"]), key=lambda p: p["parameter"])
+assert abs(low["parameter"] - 1/3) < 2e-3 and abs(low["Omega"] - 2) < 5e-3, low
+assert all(0 < p["angle"] < math.pi for c in pair["curves"] for p in c["points"])
+END
+try "special points in the table" grep -q "^# curve 1: cusp at Omega = 1.0441742290. rad/s\|^# curve 1: cusp at Omega = 1.0441742290" fold.tsv
+try "and in the picture" grep -q "degenerate-branch-point" whirling.svg
+
+refuses 1 "--kind hopf: write fold, period-doubling, torus or branch-point" locus cascade.json --kind hopf
+refuses 1 "--at big: write a number, in SI units" locus "$duffing" --from 0.8 --to 1.8 --at big
+refuses_like 1 "outside the range of the parameter" locus "$duffing" --from 0.8 --to 1.8 --at 3
+refuses_like 2 "has no torus in this range" locus "$duffing" --from 0.8 --to 1.8 --kind torus
+done_testing
