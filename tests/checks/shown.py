@@ -29,7 +29,7 @@ import subprocess
 import sys
 import tempfile
 
-LONG = (r"hawser (map|campbell|compare|folds|frf|hill|beam|integrate|mms)\b|hawser plan\b"
+LONG = (r"hawser (map|campbell|compare|folds|frf|locus|hill|beam|integrate|mms)\b|hawser plan\b"
         r"|hawser irvine [a-z.]* --|hawser statics .*--(speeds|models)")
 STARTED = 0.04       # s of processor time; reading and checking a scene takes 0.01
 LIMIT = 1800.0       # s of wall time, for a command that runs to its end
