@@ -53,3 +53,7 @@ check_PROGRAMS += tests/property/test-lyapunov
 TESTS += tests/property/test-lyapunov
 tests_property_test_lyapunov_SOURCES = tests/property/test-lyapunov.c
 tests_property_test_lyapunov_LDADD = $(UPTO_RESPONSE)
+check_PROGRAMS += tests/property/test-torus
+TESTS += tests/property/test-torus
+tests_property_test_torus_SOURCES = tests/property/test-torus.c
+tests_property_test_torus_LDADD = $(UPTO_RESPONSE)

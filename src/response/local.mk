@@ -140,6 +140,8 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/stepper.c \
 	%D%/stepper.h \
 	%D%/sweep.c \
+	%D%/torus.c \
+	%D%/torus.h \
 	%D%/tableau.c \
 	%D%/tableau.h \
 	%D%/trace.h \
