@@ -109,7 +109,7 @@ struct cli_command {
 	X(campbell) \
 	X(rom) \
 	X(integrate) \
-	X(frf) \
+	X(frf) X(orbit) \
 	X(folds) X(locus) \
 	X(mms) \
 	X(hill) \

@@ -202,6 +202,43 @@ static void warnings_json(struct hawser__json *json, json_t *into, const void *r
 	                        cli_integrate_moves(text, sizeof text, row) ? text : NULL);
 }
 
+static int coordinates(const void *context)
+{
+	return states(context)/2;
+}
+
+static int multipliers(const void *context)
+{
+	return 2*states(context);
+}
+static const struct hawser__vector
+	harmonic_vector = {.count = coordinates},
+	multiplier_vector = {.count = multipliers, .pair = {"log_modulus", "argument"}};
+
+static const struct hawser__field harmonic_field[] = {
+	{"k", NULL, "multiple of the frequency of the motion", HAWSER__ALONG(struct cli_orbit, k)},
+	{"amplitude", NULL, "of each coordinate",
+	 HAWSER__VECTOR_ALONG(struct cli_orbit, amplitude, harmonic_vector), .unit = HAWSER__M},
+	HAWSER__END,
+};
+static const struct hawser__list harmonic_list = {
+	.field = harmonic_field, .count_at = offsetof(struct cli_orbit, harmonics)};
+
+#define OF(member) HAWSER__AT(struct cli_orbit, member)
+static const struct hawser__field orbit_field[] = {
+	{"orbit.label", NULL, "hawser orbit: label of the motion", OF(label)},
+	{"orbit.kind", NULL, "of the event, if it is one", OF(kind), .flags = HAWSER__OMIT},
+	{"orbit.period", NULL, "periods of the load in one of the motion", OF(period)},
+	{"orbit.closure", NULL, "change of the state over a period of the motion, relative",
+	 OF(closure)},
+	{"orbit.harmonics", NULL, "its Fourier coefficients", HAWSER__OBJECTS_OF(harmonic_list)},
+	{"orbit.multipliers", NULL, "Floquet multipliers: logarithm of the modulus, argument",
+	 .kind = HAWSER__VECTOR, HAWSER__PLACE(struct cli_orbit, multiplier),
+	 .vector = &multiplier_vector},
+	HAWSER__END,
+};
+#undef OF
+
 #define OF(member) HAWSER__AT(struct cli_integrate_result, member)
 static const struct hawser__field integrate_field[] = {
 	{"", NULL, "", HAWSER__THROUGH(struct cli_integrate_result, model, cli_si_field)},
@@ -214,6 +251,7 @@ static const struct hawser__field integrate_field[] = {
 	{"Omega_to", NULL, "with --Omega-to: that at the end", OF(forcing.omega_to),
 	 .unit = HAWSER__RAD_S, .when = SWEPT},
 	{"end", NULL, "complete, interrupted or failed", HAWSER__TEXT_BY(cli_integrate_end)},
+	{"", NULL, "", HAWSER__THROUGH(struct cli_integrate_result, orbit, orbit_field)},
 	{"", NULL, "", HAWSER__ARRAYS_OF(history_list), .flags = HAWSER__STREAM},
 	{"probes", NULL, "by name", HAWSER__ARRAYS_OF(probes_list), .flags = HAWSER__STREAM},
 	{"", NULL, "", HAWSER__ARRAYS_OF(energy_list), .flags = HAWSER__STREAM},
@@ -254,7 +292,7 @@ static struct cli_head head(const void *of)
 {
 	const struct cli_integrate_result *result = of;
 	struct cli_head head = cli_model_head(
-		result->common, "integrate", result->run.method, result->model,
+		result->common, result->orbit ? "orbit" : "integrate", result->run.method, result->model,
 		(result->probed ? PROBED : 0u) | (result->tensions ? TENSIONS : 0u) |
 		(result->error ? ERROR : 0u) | (result->spectrum ? SPECTRUM : 0u) |
 		(isfinite(result->least) ? KNOWN : 0u) | (result->surges ? SURGES : 0u) |

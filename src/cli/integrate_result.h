@@ -7,7 +7,19 @@
 
 #include "cli/view.h"
 
+/* hawser orbit: the periodic motion that the run is. */
+struct cli_orbit {
+	int label, period;   /* periods of the load in one of the motion */
+	const char *kind;    /* of the event, or "" */
+	double closure;      /* change of the state over a period of the motion, relative */
+	int harmonics;
+	int *k;              /* [harmonics] multiples of the frequency of the motion, from 0 */
+	double *amplitude;   /* [harmonics][n] of each coordinate, scaled */
+	const double *multiplier; /* [2n][2] log modulus, argument; NULL: not known */
+};
+
 struct cli_integrate_result {
+	const struct cli_orbit *orbit; /* of hawser orbit, else NULL */
 	const struct cli_common *common;
 	const struct cli_model *model;
 	struct hawser_trajectory run;

@@ -28,6 +28,7 @@ hawser_SOURCES = \
 	%D%/cmd_locus.c \
 	%D%/cmd_irvine.c \
 	%D%/cmd_map.c \
+	%D%/cmd_orbit.c \
 	%D%/cmd_mms.c \
 	%D%/cmd_modes.c \
 	%D%/cmd_plan.c \

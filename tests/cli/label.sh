@@ -78,6 +78,36 @@ assert close[0] > 0.1 and max(close[1:]) < 1e-9, close
 assert abs(run["Omega"] - label["Omega"]) < 1e-12
 END
 
+works "the motion at a label" orbit cascade.json --from-label cascade-frf.json#16 --json orbit.json --tsv orbit.tsv \
+	--plot orbit.svg -q
+works "of a cable" orbit "$chairlift" -n 3 --set model.inertia=none --from-label cable-frf.json#3 --json cable.json -q
+python "closes; its Fourier coefficients give its state; multipliers have the product of the damping" <<'END'
+import sys; sys.path.insert(0, ".")
+from math import exp, pi
+from lib import *
+for name, source, label, decay in ("orbit", "cascade-frf", 16, 0.4), ("cable", "cable-frf", 3, None):
+    run, at = load(name), labels(load(source))[label]
+    orbit, n = run["orbit"], len(at["state"])//2
+    assert orbit["label"] == label and orbit["period"] == (2 if name == "orbit" else 1)
+    assert orbit["closure"] < 1e-8, orbit["closure"]
+    assert len(run["times"]) == 513
+    period = 2*pi*orbit["period"]/at["Omega"]
+    assert abs(run["times"][256]/period - 1) < 1e-12
+    for j in range(n):  # Parseval
+        u = [row[j] for row in run["states"][:256]]
+        amplitude = [h["amplitude"][j] for h in orbit["harmonics"]]
+        power = amplitude[0]**2 + sum(a*a for a in amplitude[1:])/2
+        assert abs(power/(sum(x*x for x in u)/256) - 1) < 1e-4, (power, j)
+    assert len(orbit["multipliers"]) == 2*n
+    if decay:
+        whole = sum(m["log_modulus"] for m in orbit["multipliers"])
+        assert abs(whole/(-decay*period) - 1) < 1e-8, whole
+lines = open("orbit.tsv").read()
+assert "# label 16: a motion of 2 periods of the load" in lines and "# multiplier 2: modulus " in lines
+END
+refuses 1 "which motion? give a label of a result of hawser frf by --from-label FILE#LABEL" orbit cascade.json
+refuses_like 1 "its state is not one of this model" orbit pair.json --from-label cascade-frf.json#2
+
 works "over the damping" frf "$chairlift" -n 3 --set model.inertia=none --over damping.alpha=0.08:0.1 \
 	--from-label cable-frf.json#3 --json damping.json -q
 works "over the tension, backwards" frf "$chairlift" -n 3 --set model.inertia=none --over "tension.T0=81 kN:79 kN" \
