@@ -130,7 +130,7 @@ static int locate(const struct hawser_scene *scene, const char *path, int *eleme
 static enum hawser_status absent(const char *path, struct hawser_report *report)
 {
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "scene",
-	                    "this scene does not give %.60s", path);
+	                    "this scene does not give %.60s: add it to the scene, or with --set", path);
 }
 
 enum hawser_status hawser_scene_get(const struct hawser_scene *scene, double *value,

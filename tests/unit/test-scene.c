@@ -8,6 +8,8 @@
 #include "tests/tap.h"
 #include "tests/unit/scene-text.h"
 
+#define ADD_IT ": add it to the scene, or with --set"
+
 static const char chairlift[] =
 	"cable:   {EA: 400 MN, rho: 6 kg/m}\n"
 	"span:    {d: 250 m, h: -10}\n"
@@ -218,15 +220,15 @@ static void questions(void)
 	ok(hawser_scene_word(&scene, word, "cable.EA", &report) == HAWSER_ERR_ARGUMENT,
 	   "no word for a number");
 	refuse_get(&scene, "cable.ea", "there is no key cable.ea: did you mean cable.EA?");
-	refuse_get(&scene, "tension.H", "this scene does not give tension.H");
-	refuse_get(&scene, "damping.ratio", "this scene does not give damping.ratio");
+	refuse_get(&scene, "tension.H", "this scene does not give tension.H" ADD_IT);
+	refuse_get(&scene, "damping.ratio", "this scene does not give damping.ratio" ADD_IT);
 	refuse_get(&scene, "load.frame", "load.frame is a word, not a number");
 	refuse_get(&scene, "load.extent", "load.extent: load.extent has 2 values, counted from 0");
 	refuse_get(&scene, "load.extent[2]", "load.extent[2]: load.extent has 2 values, counted from 0");
 	refuse_get(&scene, "cable.EA[0]", "cable.EA[0]: cable.EA has 1 value, counted from 0");
 	hawser_scene_clear(&scene);
 	scene = must_read(bare, NULL);
-	refuse_get(&scene, "load.extent[0]", "this scene does not give load.extent[0]");
+	refuse_get(&scene, "load.extent[0]", "this scene does not give load.extent[0]" ADD_IT);
 	ok(hawser_scene_word(&scene, word, "tension.branch", &report) == HAWSER_ERR_ARGUMENT,
 	   "no branch where H is given");
 	ok(hawser_scene_word(&scene, word, "model.modes", &report) == HAWSER_ERR_ARGUMENT,
