@@ -10,8 +10,8 @@
 #include "response/balance.h"
 #include "rom/exact.h"
 
-/* Limits: number of harmonics, and number of coefficients, which is the order of a dense matrix
- * that is factorised. */
+/* Limits: number of harmonics of the load, and number of coefficients, which is the order of a dense
+ * matrix that is factorised. */
 #define MOST_HARMONICS 120
 #define MOST_COEFFICIENTS 6000
 #define SAME 1e-12 /* round-off of a multiplier's logarithm and argument that is computed twice */
@@ -29,6 +29,16 @@ static int highest(const struct hawser_rom *rom)
 	return k;
 }
 
+int hawser__balance_lowest(const struct hawser_rom *rom)
+{
+	int k = rom->harmonics > 0 ? rom->harmonic[0].k : 1;
+
+	for (int p = 1; p < rom->harmonics; p++)
+		k = rom->harmonic[p].k < k ? rom->harmonic[p].k : k;
+	k = rom->base > k ? rom->base : k;
+	return k > 1 ? k : 1;
+}
+
 enum hawser_status hawser__balance_init(struct hawser__balance *balance,
                                         const struct hawser_rom *rom, struct hawser_report *report)
 {
@@ -39,7 +49,8 @@ enum hawser_status hawser__balance_init(struct hawser__balance *balance,
 	balance->base.ops = &ops;
 	hawser__blocks_init(&balance->blocks);
 	/* NOLINTNEXTLINE(bugprone-integer-division): integer division is meant */
-	balance->top = (int)fmin(MOST_HARMONICS, (MOST_COEFFICIENTS/rom->n - 1)/2);
+	balance->top = (int)fmin(MOST_HARMONICS*hawser__balance_lowest(rom),
+	                         (MOST_COEFFICIENTS/rom->n - 1)/2);
 	if (balance->top < 2*highest(rom))
 		balance->top = 2*highest(rom);
 	size = n*(2*(size_t)balance->top + 1) + 1;

@@ -101,6 +101,9 @@ static inline int hawser__sin(int n, int h, int j)
 
 enum hawser_status hawser__balance_init(struct hawser__balance *balance,
                                         const struct hawser_rom *rom, struct hawser_report *report);
+/* The lowest harmonic of the load, at least 1: a motion of several of its periods has as many harmonics
+ * for each of the load's. */
+int hawser__balance_lowest(const struct hawser_rom *rom);
 /* Limit top to the harmonics that a full-order model's basis resolves, for orbits at Omega >=
  * lowest. */
 void hawser__balance_limit(struct hawser__balance *balance, double lowest);

@@ -42,7 +42,8 @@
  * factor of ten in one or two harmonics. */
 #define TOP 4
 #define NOTHING 1e-15   /* missing amplitude of pairs that symmetry excludes, relative to the orbit */
-#define GUESS_ORDER 30  /* largest number of harmonics taken from a state */
+#define GUESS_ORDER 30  /* largest number of harmonics of the load taken from a state */
+#define FINER 4         /* shorter steps for states of several of the load's periods; chosen */
 #define GUESS_PART 1e-4 /* smallest harmonic taken from a state, relative to the orbit */
 
 /* --- layout --- */
@@ -389,7 +390,7 @@ static void analyse(struct hawser__balance *balance, double *y, const double *sa
 	int n = balance->base.n, order = (rows - 1)/2;
 	double whole = 0.0;
 
-	order = (int)fmin(fmin(order, balance->top), GUESS_ORDER);
+	order = (int)fmin(fmin(order, balance->top), GUESS_ORDER*hawser__balance_lowest(balance->base.rom));
 	memset(y, 0, (size_t)(balance->base.size - 1)*sizeof *y);
 	for (int i = 0; i < rows; i++)
 		for (int h = 0; h <= order; h++) {
@@ -418,13 +419,15 @@ enum hawser_status hawser__balance_from_state(struct hawser__orbit *orbit, doubl
                                               struct hawser_report *report)
 {
 	struct hawser__balance *balance = (struct hawser__balance *)orbit;
-	int n = orbit->n, rows = hawser__shooting_steps(orbit->rom, omega, 1);
+	int n = orbit->n, k = hawser__balance_lowest(orbit->rom);
+	/* many periods add up the errors of the steps of one */
+	int rows = hawser__shooting_steps(orbit->rom, omega, 1)*(k > 1 ? FINER : 1);
 	struct hawser__stretch period;
 	struct hawser__flow flow;
 	double *samples, *end;
 	enum hawser_status status;
 
-	rows = rows < 2*GUESS_ORDER ? 2*GUESS_ORDER : rows;
+	rows = (int)fmax(rows, 2.0*GUESS_ORDER*k);
 	period = (struct hawser__stretch){.h = 2.0*M_PI/rows, .steps = rows, .count = 1};
 	samples = malloc((size_t)rows*n*sizeof *samples);
 	end = malloc((size_t)orbit->m*sizeof *end);

@@ -28,9 +28,14 @@
 
 #define SHORT 0.01 /* of the step to a branch point that is left out; chosen */
 #define OFF 1e-4 /* least distance of the new orbit from the old branch, relative; chosen */
-/* Distances of the first orbit from the old branch, relative to the orbit; chosen. */
-static const double size[] = {0.01, 0.003, 0.03, 0.1, 0.3};
-enum { SIZE = sizeof size/sizeof *size };
+#define FINER 4 /* shorter steps than those that shooting begins with, which are coarse; chosen */
+/* Distances of the first orbit from the old branch, relative to the orbit; chosen. Small ones are
+ * first: in a cascade each branch is shorter and steeper than its parent, by Feigenbaum's numbers. */
+static const double size[] = {1e-3, 1e-4, 1e-5, 3e-3, 0.01, 0.03, 0.1, 0.3};
+enum { SIZE = sizeof size/sizeof *size, SMALL = 3 };
+/* At a small distance Omega changes by less than this part of the parent's way to the event: in a
+ * cascade the branch's own period doubling is at 0.2. Chosen. */
+#define NEAR 0.1
 
 /* A model whose base frequency is a fraction of that of the load. */
 struct slower {
@@ -97,7 +102,7 @@ static enum hawser_status eigenvector(double *v, double *A, int m, double target
 static enum hawser_status period_map(double *x, double *A, const struct hawser_rom *rom, double omega,
                                      struct hawser_report *report)
 {
-	int steps = hawser__shooting_steps(rom, omega, 1);
+	int steps = FINER*hawser__shooting_steps(rom, omega, 1);
 	struct hawser__stretch period = {.h = 2.0*M_PI/steps, .steps = steps, .count = 1};
 	double *by_omega = malloc(2*(size_t)rom->n*sizeof *by_omega);
 	struct hawser__flow flow;
@@ -120,6 +125,7 @@ struct search {
 	const struct hawser_rom *old, *rom; /* models of the old and of the new branch */
 	int b;                              /* periods of the old one in the new one */
 	const struct hawser_frf_options *options;
+	double reach;                       /* largest change of Omega to a near orbit; 0: any */
 	double start;                       /* frequency and */
 	const double *near;                 /* [m] state of the old branch before the event */
 	double *x, *v;                      /* [m] the old orbit and its direction */
@@ -195,7 +201,7 @@ static enum hawser_status attempt(struct search *search, int *found, double *ome
 		.from = 0.9*there/search->b, .to = 1.1*there/search->b, .begin = there/search->b,
 		.tolerance = search->options->tolerance, .start = search->x, .along = search->along,
 		.max_points = 1, .skip_events = 1, .samples = HAWSER_NONE};
-	int m = 2*search->rom->n;
+	int m = 2*search->rom->n, twice = search->b > 1;
 	enum hawser_status status;
 
 	for (int i = 0; i < m; i++)
@@ -205,9 +211,9 @@ static enum hawser_status attempt(struct search *search, int *found, double *ome
 		return status;
 	*omega *= search->b;
 	memcpy(search->other, search->state, (size_t)m*sizeof *search->other);
-	if (search->b > 1)
+	if (twice) /* the direction changes its sign: their distance is 2 e */
 		status = period_map(search->other, NULL, search->old, *omega, search->report);
-	*found = distance(search->b > 1 ? search->other : search->x, search->state, m) > OFF*fabs(e);
+	*found = distance(twice ? search->other : search->x, search->state, m) > (twice ? 0.5 : OFF)*e;
 	return status;
 }
 
@@ -224,7 +230,10 @@ static enum hawser_status look(struct search *search, double *omega, double at)
 	if ((status = old_orbit(search, &found, at)))
 		return status;
 	for (int k = 0, may = found; may && k < SIZE; k++) {
-		if ((status = attempt(search, &found, omega, at, size[k])) || found)
+		if ((status = attempt(search, &found, omega, at, size[k])))
+			return status;
+		/* another one may lie beyond events */
+		if (found && (k >= SMALL || search->reach == 0.0 || fabs(*omega - at) < search->reach))
 			return status;
 		*omega = 0.0;
 	}
@@ -287,6 +296,7 @@ enum hawser_status hawser_branch_switch(struct hawser_frf *branch, const struct 
 		return hawser__no_memory(report, "frf");
 	search.near = from->state + (size_t)at->after*(size_t)m;
 	search.start = from->point[at->after].omega/P;
+	search.reach = from->parent ? NEAR*fabs(at->omega - from->born)/P : 0.0;
 	search.A = memory;
 	search.x = memory + (size_t)m*(size_t)m;
 	search.v = search.x + m;

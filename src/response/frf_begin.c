@@ -64,9 +64,10 @@ static double heading(const struct hawser_frf_options *options)
 	return options->to > options->from ? 1.0 : -1.0;
 }
 
-/* The orbit at the distance `along` from `start`: corrected in the plane through it that is normal to
- * this direction. */
-static enum hawser_status first_along(struct hawser__trace *trace, int *failed)
+/* The initial value at the distance `along` from `start`, and the direction between them, on a
+ * discretisation `refined` times finer than their states alone suggest: what they leave out is small
+ * beside the orbit, but need not be so beside `along`. */
+static enum hawser_status aim(struct hawser__trace *trace, int refined)
 {
 	const struct hawser_frf_options *options = &trace->options;
 	struct hawser__orbit *orbit = trace->orbit;
@@ -75,8 +76,13 @@ static enum hawser_status first_along(struct hawser__trace *trace, int *failed)
 
 	for (int i = 0; i < orbit->m; i++)
 		x[i] = options->start[i] + options->along[i];
-	if ((status = orbit->ops->from_state(orbit, base, options->start, options->begin, trace->report)) ||
+	if ((status = orbit->ops->enrich(orbit, trace->report)) ||
+	    (status = orbit->ops->from_state(orbit, base, options->start, options->begin, trace->report)) ||
 	    (status = orbit->ops->from_state(orbit, y, x, options->begin, trace->report)))
+		return status;
+	for (int i = 0; i < refined && !status; i++)
+		status = orbit->ops->enrich(orbit, trace->report);
+	if (status)
 		return status;
 	y[orbit->size - 1] = base[orbit->size - 1] = options->begin;
 	orbit->ops->metric(orbit, base);
@@ -85,8 +91,24 @@ static enum hawser_status first_along(struct hawser__trace *trace, int *failed)
 	length = sqrt(hawser__orbit_dot(orbit, trace->direction, trace->direction));
 	for (int i = 0; i < orbit->size; i++)
 		trace->direction[i] /= length;
-	status = hawser__trace_correct(trace, &trace->here, trace->direction, failed);
-	return status || *failed ? status
+	return HAWSER_OK;
+}
+
+/* The orbit at the distance `along` from `start`: corrected in the plane through it that is normal to
+ * this direction. */
+static enum hawser_status first_along(struct hawser__trace *trace, int *failed)
+{
+	struct hawser__orbit *orbit = trace->orbit;
+	enum hawser_status status = HAWSER_OK;
+
+	*failed = 1;
+	for (int refined = 1; *failed && refined <= FIRST_REFINEMENTS; refined++) {
+		if (!(status = aim(trace, refined)))
+			status = hawser__trace_correct(trace, &trace->here, trace->direction, failed);
+		if (status)
+			return status;
+	}
+	return *failed ? status
 	       : hawser__station_finish(&trace->here, orbit, trace->direction, trace->report);
 }
 
@@ -106,6 +128,12 @@ enum hawser_status hawser__trace_begin(struct hawser__trace *trace)
 	}
 	if (status)
 		return status;
+	if (failed && trace->options.along)
+		return hawser__fail_at(trace->report, HAWSER_ERR_CONVERGENCE, "frf",
+		                       trace->here.correction.iterations,
+		                       trace->here.correction.residual,
+		                       "no orbit was found at the given distance from that at %s",
+		                       hawser__orbit_where(orbit, trace->options.begin).text);
 	if (failed)
 		return hawser__fail_at(trace->report, HAWSER_ERR_CONVERGENCE, "frf",
 		                       trace->here.correction.iterations,

@@ -15,14 +15,14 @@
                             * orbits; chosen */
 #define MAX_MESH 4000          /* largest number of steps per segment; chosen */
 
-static double fastest(const struct hawser_rom *rom)
+static double fastest(const struct hawser_rom *rom, double omega)
 {
 	double top = 0.0;
 
 	for (int j = 0; j < rom->n; j++)
 		top = fmax(top, rom->K[j*rom->n + j]);
 	for (int h = 0; h < rom->harmonics; h++)
-		top = fmax(top, pow(rom->harmonic[h].k, 2));
+		top = fmax(top, pow(rom->harmonic[h].k*omega, 2));
 	return sqrt(top);
 }
 
@@ -45,7 +45,7 @@ int hawser__shooting_segments(const struct hawser_rom *rom, double omega)
 
 int hawser__shooting_steps(const struct hawser_rom *rom, double omega, int segments)
 {
-	double rate = fmax(fastest(rom)/STEP_ANGLE, strongest(rom)/STEP_DECAY);
+	double rate = fmax(fastest(rom, omega)/STEP_ANGLE, strongest(rom)/STEP_DECAY);
 
 	return (int)fmin(MAX_MESH, fmax(3.0, ceil(2.0*M_PI*rate/omega/segments)));
 }

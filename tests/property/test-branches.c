@@ -59,38 +59,58 @@ static int find(const struct hawser_frf *frf, enum hawser_event_kind kind)
 	return -1;
 }
 
-/* Motions of 2, 4 and 8 periods. The ratio of the distances of the period doublings tends to
- * Feigenbaum's 4.669; the first ones are 5.55 and 4.83. */
-static void check_cascade(void)
+/* Motions of 2, 4, ... periods to the given depth. The ratio of the distances of the period doublings
+ * tends to Feigenbaum's 4.669; the first ones are 5.55, 4.83 and 4.69. */
+static void check_cascade(const char *method, int deep, double wanted)
 {
-	struct hawser_frf_options options = {.from = 1.6, .to = 0.7, .step_max = 0.01};
+	struct hawser_frf_options options = {.from = 1.6, .to = 0.7, .step_max = 0.01, .method = method,
+		.samples = HAWSER_NONE};
 	struct hawser_report report = {.message = ""};
 	struct hawser_rom rom;
 	struct hawser_frf frf, branch;
-	double at[4] = {0.0};
+	double at[9] = {0.0};
 
 	if (!read_model(&rom, cascade) || !ok(!hawser_frf_trace(&frf, &rom, &options, &report), "response"))
 		return;
-	for (int k = 0; k < 4; k++) {
+	for (int k = 0; k <= deep; k++) {
 		int e = find(&frf, HAWSER_PERIOD_DOUBLING), near;
 
-		if (!ok(e >= 0, "a period doubling of period %d", frf.period))
+		if (!ok(e >= 0, "%s: a period doubling of period %d", method, frf.period))
 			break;
 		at[k] = frf.event[e].omega;
-		if (k == 3 || !ok(!hawser_branch_switch(&branch, &rom, &frf, e, &options, &report),
-		                  "the branch at Omega %.9g %s", at[k], report.message))
+		if (k == deep || !ok(!hawser_branch_switch(&branch, &rom, &frf, e, &options, &report),
+		                     "the branch at Omega %.9g %s", at[k], report.message))
 			break;
-		near = branch.points > 2 ? 2 : 0; /* stable: integration does not leave it */
+		near = branch.points > 2 && branch.point[2].unstable == 0 ? 2 : 0;
+		/* stable: integration does not leave it */
 		ok(branch.period == 2 << k && branch.point[near].unstable == 0 &&
-		   closes(&rom, branch.state + 2*near, branch.point[near].omega, branch.period) < 1e-7 &&
-		   closes(&rom, branch.state + 2*near, branch.point[near].omega, branch.period/2) > 1e-3,
-		   "a motion of %d periods of the load, not fewer", branch.period);
+		   closes(&rom, branch.state + 2*near, branch.point[near].omega, branch.period) < 1e-6 &&
+		   closes(&rom, branch.state + 2*near, branch.point[near].omega, branch.period/2) > 1e-5,
+		   "a motion of %d periods of the load, not fewer: %.1e, %.1e", branch.period,
+		   closes(&rom, branch.state + 2*near, branch.point[near].omega, branch.period),
+		   closes(&rom, branch.state + 2*near, branch.point[near].omega, branch.period/2));
 		hawser_frf_clear(&frf);
 		frf = branch;
 	}
-	ok(fabs((at[0] - at[1])/(at[1] - at[2]) - 5.55) < 0.01 &&
-	   fabs((at[1] - at[2])/(at[2] - at[3]) - 4.669) < 0.2, "ratios %.4f, %.4f",
-	   (at[0] - at[1])/(at[1] - at[2]), (at[1] - at[2])/(at[2] - at[3]));
+	close_to((at[0] - at[1])/(at[1] - at[2]), 5.549, 3e-3, "first ratio");
+	close_to((at[deep - 2] - at[deep - 1])/(at[deep - 1] - at[deep]), 4.669201, wanted, "last ratio");
+	hawser_frf_clear(&frf);
+	hawser_rom_clear(&rom);
+}
+
+/* A distance at which there is no orbit. */
+static void check_beyond(void)
+{
+	double state[2] = {0.1, 0.0}, along[2] = {40.0, -90.0};
+	struct hawser_frf_options options = {.from = 1.6, .to = 0.7, .start = state, .along = along};
+	struct hawser_report report = {.message = ""};
+	struct hawser_rom rom;
+	struct hawser_frf frf;
+
+	if (!read_model(&rom, cascade))
+		return;
+	ok(hawser_frf_trace(&frf, &rom, &options, &report) == HAWSER_ERR_CONVERGENCE,
+	   "far away: %s", report.message);
 	hawser_frf_clear(&frf);
 	hawser_rom_clear(&rom);
 }
@@ -141,7 +161,11 @@ static void check_whirling(void)
 
 int main(void)
 {
-	check_cascade();
+	int more = getenv("HAWSER_LONG") ? 2 : 0;
+
+	check_cascade("shooting", 5 + more, more ? 1e-4 : 2e-3);
+	check_cascade("balance", 4 + more/2, more ? 2e-3 : 6e-3);
+	check_beyond();
 	check_whirling();
 	return done_testing();
 }
