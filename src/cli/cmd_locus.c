@@ -107,7 +107,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	const struct settings *settings = context;
 	struct hawser_locus locus = {0};
 	struct cli_model model = {0};
-	struct cli_over over = {.open = 0};
+	struct cli_over over = {.at = NAN};
 	struct cli_locus_result result = {.common = &settings->common, .model = &model, .locus = &locus};
 	enum hawser_status status = cli_outputs_check(&settings->common, report);
 
