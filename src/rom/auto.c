@@ -6,6 +6,7 @@
  * parts of (y + i x)^k.
  *
  *    U(1..n) u     U(n+1..2n) du/dt     U(2n+1) sin     U(2n+2) cos     PAR(1) Omega     PAR(11) period
+ *    PAR(2), PAR(3) factors of the load and of D, 1 for the model
  *
  * Entries are stored in DATA statements, and loops run over them: written out term by term, the
  * cubic terms of 20 modes would take the compiler minutes. Both Jacobians are exact. The first
@@ -155,11 +156,12 @@ static void put_model(FILE *out, const struct hawser_rom *rom)
 		highest = rom->harmonic[h].k > highest ? rom->harmonic[h].k : highest;
 	fprintf(out, "  INTEGER, PARAMETER :: N = %d, NH = %d, KH = %d\n", rom->n, rom->harmonics,
 	        highest);
-	fprintf(out, "  INTEGER, SAVE :: HK(%d), HS(%d), HP(%d)\n", many, many, many);
+	fprintf(out, "  INTEGER, SAVE :: HK(%d), HS(%d), HP(%d), HL(%d)\n", many, many, many, many);
 	for (int h = 0; h < rom->harmonics; h++)
-		fprintf(out, "  DATA HK(%d),HS(%d),HP(%d)/%d,%d,%d/\n", h + 1, h + 1, h + 1,
+		fprintf(out, "  DATA HK(%d),HS(%d),HP(%d),HL(%d)/%d,%d,%d,%d/\n", h + 1, h + 1, h + 1, h + 1,
 		        rom->harmonic[h].k, rom->harmonic[h].phase == HAWSER_SIN,
-		        rom->harmonic[h].omega_power);
+		        rom->harmonic[h].omega_power,
+		        rom->harmonic[h].load_power > 1 ? rom->harmonic[h].load_power : 1);
 	put_matrix(out, "D", rom->D, rom->n);
 	put_matrix(out, "K", rom->K, rom->n);
 	declare(out, "Q", rom->quads, 3);
@@ -277,7 +279,7 @@ static void put_constants(FILE *out, const struct hawser_rom *rom, const struct 
 	fprintf(out, "# Forced response of a reduced model, written by hawser %s.\n",
 	        hawser_version());
 	fprintf(out, "NDIM=%d, IPS=2, IRS=0, ILP=1, ISP=2, ISW=1\n", 2*rom->n + 2);
-	fprintf(out, "parnames={1:'Omega', 11:'period'}\n");
+	fprintf(out, "parnames={1:'Omega', 2:'load', 3:'damping', 11:'period'}\n");
 	fprintf(out, "ICP=[1,11]\n");
 	fprintf(out, "NTST=%d, NCOL=%d, IAD=3, JAC=1\n", o->ntst, o->ncol);
 	fprintf(out, "NMX=%d, NPR=%d, MXBF=0, IID=2, ITMX=20, ITNW=4, NWTN=3\n", o->nmx, o->nmx);
