@@ -171,8 +171,9 @@ static enum hawser_status between(struct hawser__locus_walk *walk, const struct 
 {
 	const struct hawser_frf_point *a = &frf->point[event->after], *b = a + 1;
 	const double *xa = frf->state + 2*(size_t)frf->n*event->after, *xb = xa + 2*(size_t)frf->n;
+	const double *x = frf->event_state + 2*(size_t)frf->n*(event - frf->event);
 	double *from = walk->here.z, *to = walk->next.z, *z = walk->start.z, *chord = walk->spare;
-	double part = (event->arc - a->arc)/(b->arc - a->arc), range = walk->locus->extent[0];
+	double part = (event->arc - a->arc)/(b->arc - a->arc), range = walk->locus->extent[0], size;
 	enum hawser_status status = orbit_through(walk, from, xa, a->omega);
 
 	*failed = 1;
@@ -188,6 +189,11 @@ static enum hawser_status between(struct hawser__locus_walk *walk, const struct 
 		z[LOCUS_OMEGA] = event->omega;
 	}
 	chord[LOCUS_OMEGA] /= range*range;
+	size = cblas_dnrm2(walk->locus->coefficients, z + LOCUS_FIRST, 1);
+	if (size > 0.0)
+		cblas_dscal(walk->locus->coefficients, 1.0/(size*size), chord + LOCUS_FIRST, 1);
+	if (isfinite(x[0]) && (status = orbit_through(walk, z, x, event->omega)))
+		return status;
 	z[LOCUS_PARAMETER] = walk->options->at;
 	status = settle(walk, z, chord, failed);
 	if (cblas_dnrm2(walk->locus->coefficients, z + LOCUS_FIRST, 1) <= 1e-12)
