@@ -1,13 +1,15 @@
 /* bench/events.c - events of random models, traced both ways: how many are unexplained, suspected or
  * not located, and how many are found from one side only.
  *
- *     bench/events [FIRST [COUNT]]      models FIRST .. FIRST + COUNT - 1 (1, 100)
+ *     bench/events [FIRST [COUNT [CLASS]]]      models FIRST .. FIRST + COUNT - 1 (1, 100)
  *
- * A model has 1 to 6 coordinates, quadratic and cubic terms of a potential, some damping, one
- * harmonic of load or two, and sometimes a parametric one. Its curve is traced over the lowest
- * resonance, and then back from its last point. An event is found again if one of the same kind
- * lies within three times the sum of both stated errors (at least 1e-7, relative); each serves
- * once. A line is written for each event that is not, and for each that is unexplained.
+ * A model of class 1 has 1 to 6 coordinates, quadratic and cubic terms of a potential, some damping,
+ * one harmonic of load or two, and sometimes a parametric one. One of class 2 has three coordinates,
+ * gyroscopic terms, stronger quadratic terms, and parametric terms in two harmonics. The curve is
+ * traced over the lowest resonance, and then back from its last point; a curve may have 4000 points.
+ * An event is found again if one of the same kind lies within three times the sum of both stated
+ * errors (at least 1e-7, relative); each serves once. A line is written for each event that is not,
+ * and for each that is unexplained.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -22,7 +24,7 @@
 
 #include "rom/model.h"
 
-enum { MOST_POINTS = 500, KINDS = HAWSER_SLACK + 1 };
+enum { MOST_POINTS = 4000, KINDS = HAWSER_SLACK + 1 };
 static const double times_error = 3.0, least_error = 1e-7;
 
 struct count {
@@ -48,10 +50,10 @@ static void cubic(struct hawser_rom *rom, int j, int a, int b, int c, double val
 }
 
 /* Terms of a random potential: of u_a u_b u_c, of u_a^2 u_b^2 and of u_a^4. */
-static void terms(struct hawser_rom *rom)
+static void terms(struct hawser_rom *rom, double least_square)
 {
 	int n = rom->n, count = 2*n;
-	double square = uniform(0.0, 0.6), cube = uniform(0.02, 0.5);
+	double square = least_square + uniform(0.0, 0.6), cube = uniform(0.02, 0.5);
 
 	rom->Q = calloc(3*(size_t)count, sizeof *rom->Q);
 	rom->C = calloc(2*(size_t)count + (size_t)n, sizeof *rom->C);
@@ -71,9 +73,31 @@ static void terms(struct hawser_rom *rom)
 		cubic(rom, j, j, j, j, 0.5*cube);
 }
 
-static int model(struct hawser_rom *rom)
+/* Gyroscopic terms, and symmetric parametric ones of both harmonics. */
+static void couple(struct hawser_rom *rom)
 {
-	int n = (int)uniform(1.0, 7.0);
+	int n = rom->n;
+
+	for (int i = 0; i < n; i++)
+		for (int j = 0; j < i; j++) {
+			double gyroscopic = uniform(-0.5, 0.5);
+
+			rom->D[i*n + j] += gyroscopic;
+			rom->D[j*n + i] -= gyroscopic;
+		}
+	for (int h = 0; h < rom->harmonics; h++) {
+		if (!rom->harmonic[h].K)
+			rom->harmonic[h].K = calloc((size_t)n*(size_t)n, sizeof(double));
+		for (int i = 0; i < n; i++)
+			for (int j = 0; j <= i; j++)
+				rom->harmonic[h].K[i*n + j] = rom->harmonic[h].K[j*n + i] =
+					uniform(-1.0, 1.0)*(i == j ? 0.3 : 0.15);
+	}
+}
+
+static int model(struct hawser_rom *rom, int coupled)
+{
+	int n = coupled ? 3 : (int)uniform(1.0, 7.0);
 	double w = 1.0, damping = exp(uniform(log(0.005), log(0.08)));
 
 	if (hawser__rom_init(rom, n, NULL))
@@ -83,8 +107,8 @@ static int model(struct hawser_rom *rom)
 		rom->D[j*(n + 1)] = 2.0*damping*w*uniform(0.5, 2.0);
 		w *= uniform(1.02, 2.2);
 	}
-	terms(rom);
-	rom->harmonics = 1 + (uniform(0.0, 1.0) < 0.4);
+	terms(rom, coupled ? 0.3 : 0.0);
+	rom->harmonics = 1 + (coupled || uniform(0.0, 1.0) < 0.4);
 	rom->harmonic = calloc(2, sizeof *rom->harmonic);
 	for (int h = 0; h < rom->harmonics; h++) {
 		rom->harmonic[h] = (struct hawser_harmonic){.k = h + 1, .phase = h ? HAWSER_SIN : HAWSER_COS};
@@ -97,6 +121,8 @@ static int model(struct hawser_rom *rom)
 				rom->harmonic[h].K[j*(n + 1)] = uniform(0.0, 0.3);
 		}
 	}
+	if (coupled)
+		couple(rom);
 	return hawser_rom_compile(rom, NULL) != HAWSER_OK;
 }
 
@@ -140,7 +166,7 @@ static int compare(int seed, const char *what, const struct hawser_rom *rom,
 	return lost;
 }
 
-static void one(struct count *count, int seed)
+static void one(struct count *count, int seed, int coupled)
 {
 	struct hawser_frf_options options = {.samples = HAWSER_NONE, .max_points = MOST_POINTS};
 	struct hawser_report report = {.status = HAWSER_OK};
@@ -151,7 +177,7 @@ static void one(struct count *count, int seed)
 
 	state = (uint64_t)seed*UINT64_C(0x9e3779b97f4a7c15);
 	uniform(0.0, 1.0);
-	if (model(&rom))
+	if (model(&rom, coupled))
 		return;
 	options.from = uniform(0.45, 0.85);
 	options.to = uniform(1.15, 2.6);
@@ -205,7 +231,7 @@ int main(int argc, char **argv)
 	struct count count = {0};
 
 	for (int seed = first; seed < first + models; seed++) {
-		one(&count, seed);
+		one(&count, seed, argc > 3 && atoi(argv[3]) == 2);
 		fflush(stdout);
 	}
 	printf("models %d, without a curve %d, that ended before the range %d, points %ld\n", count.models,

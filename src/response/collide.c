@@ -107,15 +107,15 @@ static double complex interpolate(double *error, const double complex *g, const 
 	return d[0] + (at - x[0])*(d[1] + (at - x[1])*d[2]);
 }
 
-/* Position of the extreme of the parabola through the real parts of g at the last three stations,
- * or of the nearer end of the last step. */
-static double turning_point(const double complex *g, const double *s)
+/* Position of the extreme of the parabola through the real parts of g at stations b and c, the ends of
+ * a step, and at a, or of the nearer end of the step. */
+static double turning_point(const double complex *g, const double *s, int a, int b, int c)
 {
-	double first = creal(g[2] - g[3])/(s[2] - s[3]);
-	double second = (creal(g[1] - g[2])/(s[1] - s[2]) - first)/(s[1] - s[3]);
-	double at = second != 0.0 ? 0.5*(s[2] + s[3] - first/second) : s[2];
+	double first = creal(g[b] - g[c])/(s[b] - s[c]);
+	double second = (creal(g[a] - g[b])/(s[a] - s[b]) - first)/(s[a] - s[c]);
+	double at = second != 0.0 ? 0.5*(s[b] + s[c] - first/second) : s[b];
 
-	return fmax(s[2], fmin(s[3], at));
+	return fmax(s[b], fmin(s[c], at));
 }
 
 /* Error of pair lambda of the station. */
@@ -134,10 +134,10 @@ struct couple {
 	double centre;
 };
 
-/* Whether two multipliers, which are inside the unit circle at both ends of the last step, may be
- * outside between them; lambda [4][count]. */
+/* Whether two multipliers, which are inside the unit circle at both ends of the step, may be outside
+ * between them; lambda [4][count]. */
 static int grows(const double complex *lambda, int count, struct couple couple, const double *s,
-                 const struct hawser__station *const station[4], int m)
+                 const struct hawser__station *const station[4], int step, int m)
 {
 	double complex D[4], S[4];
 	double bound = 0.0;
@@ -148,7 +148,7 @@ static int grows(const double complex *lambda, int count, struct couple couple, 
 
 		D[k] = (a - b)*(a - b);
 		S[k] = creal(a + b);
-		if (k > 1) {
+		if (k == step || k == step + 1) {
 			double of_a = bound_of(station[k], m, a), of_b = bound_of(station[k], m, own);
 
 			if (creal(a) > of_a || creal(b) > of_b)
@@ -157,7 +157,8 @@ static int grows(const double complex *lambda, int count, struct couple couple, 
 		}
 	}
 	for (int e = 0; e < SAMPLES; e++) {
-		double at = e > 0 ? s[2] + (s[3] - s[2])*e/SAMPLES : turning_point(D, s), off_D, off_S;
+		double at = e > 0 ? s[step] + (s[step + 1] - s[step])*e/SAMPLES
+		            : turning_point(D, s, step - 1, step, step + 1), off_D, off_S;
 		double complex sum = interpolate(&off_S, S, s, at);
 		double complex difference = interpolate(&off_D, D, s, at);
 
@@ -168,24 +169,26 @@ static int grows(const double complex *lambda, int count, struct couple couple, 
 	return 0;
 }
 
+/* lambda [2][count]: at both ends of the step. */
 static int near_by(const double complex *lambda, int count, int i, int j)
 {
-	return cabs(lambda[2*count + i] - lambda[2*count + j]) < CLOSE ||
-	       cabs(lambda[3*count + i] - lambda[3*count + j]) < CLOSE;
+	return cabs(lambda[i] - lambda[j]) < CLOSE || cabs(lambda[count + i] - lambda[count + j]) < CLOSE;
 }
 
 /* Whether the multipliers of pair i may have collided with each other and separated. */
 static int grows_alone(const double complex *lambda, int count, int i, const double *s,
-                       const struct hawser__station *const station[4], int m)
+                       const struct hawser__station *const station[4], int step, int m)
 {
-	double argument = cimag(lambda[3*count + i]);
+	double argument = cimag(lambda[(step + 1)*count + i]);
 	struct couple couple = {i, i, argument > M_PI_2 ? M_PI : 0.0};
 
-	return station[2]->circle.undecided > 0 && station[3]->circle.undecided > 0 &&
-	       fabs(argument - couple.centre) < 0.5*CLOSE && grows(lambda, count, couple, s, station, m);
+	return station[step]->circle.undecided > 0 && station[step + 1]->circle.undecided > 0 &&
+	       fabs(argument - couple.centre) < 0.5*CLOSE &&
+	       grows(lambda, count, couple, s, station, step, m);
 }
 
-int hawser__collide(const struct hawser__station *const station[4], int m, double complex *lambda)
+int hawser__collide(const struct hawser__station *const station[4], int step, int m,
+                    double complex *lambda)
 {
 	double complex *expected = lambda + 4*(m/2);
 	double s[4];
@@ -207,10 +210,10 @@ int hawser__collide(const struct hawser__station *const station[4], int m, doubl
 			count = 0;
 	}
 	for (int i = 0; i < count && !found; i++) {
-		found = grows_alone(lambda, count, i, s, station, m);
+		found = grows_alone(lambda, count, i, s, station, step, m);
 		for (int j = 0; j < i && !found; j++)
-			found = near_by(lambda, count, i, j) &&
-			        grows(lambda, count, (struct couple){i, j, 0.0}, s, station, m);
+			found = near_by(lambda + step*count, count, i, j) &&
+			        grows(lambda, count, (struct couple){i, j, 0.0}, s, station, step, m);
 	}
 	return found;
 }

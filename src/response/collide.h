@@ -9,8 +9,9 @@
 #include "response/station.h"
 
 /* Whether two complex pairs of the m multipliers, or one of undecided ones, may be outside the unit
- * circle somewhere between station[2] and station[3], the last of four successive stations, at
- * which they are inside. work is [3 m]. */
-int hawser__collide(const struct hawser__station *const station[4], int m, double complex *work);
+ * circle somewhere between station[step] and station[step + 1] of four successive stations, at which
+ * they are inside. work is [3 m]. */
+int hawser__collide(const struct hawser__station *const station[4], int step, int m,
+                    double complex *work);
 
 #endif

@@ -23,6 +23,7 @@
 #define SURE_STEP 1e-6 /* arclength; in a shorter step a gap is not resolved further; chosen */
 #define RETRY 0.83 /* factor on a step to avoid a point: no power of it is a simple fraction;
                     * chosen */
+#define BACK 0.5 /* factor on a step that is made again since it may hide events; chosen */
 #define MOST_JUMPS 3     /* traces that are started anew, each with SHORTER times the longest step;
                           * chosen */
 #define SHORTER 0.25 /* see there; chosen */
@@ -207,6 +208,23 @@ static enum hawser_status prepare(void *owner, int *ended)
 	return hawser__trace_vanish(trace, ended);
 }
 
+/* Take the step from prev to here back; the next one begins at prev and is half as long. */
+static void go_back(struct hawser__trace *trace, double *ds)
+{
+	struct hawser_frf *frf = trace->frf;
+
+	*ds = BACK*(trace->here.arc - trace->prev.arc);
+	frf->points--;
+	while (frf->events > 0 && frf->event[frf->events - 1].after >= frf->points - 1)
+		frf->events--;
+	if (trace->watch && trace->watch->back)
+		trace->watch->back(trace->watch->context);
+	trace->retries = 0;
+	hawser__station_swap(&trace->here, &trace->prev);
+	hawser__station_swap(&trace->prev, &trace->before);
+	trace->known = trace->known < 3 ? trace->known - 1 : 2; /* what was before `before` is lost */
+}
+
 /* Ends of the range, the start of a closed curve, then the events of the step. */
 static enum hawser_status arrive(void *owner, enum hawser__arrival *arrival, double taken, double *ds)
 {
@@ -216,6 +234,11 @@ static enum hawser_status arrive(void *owner, enum hawser__arrival *arrival, dou
 	enum hawser_status status;
 
 	(void)taken;
+	if (!trace->options.skip_events && hawser__trace_hid(trace)) {
+		go_back(trace, ds);
+		*arrival = HAWSER__AGAIN;
+		return HAWSER_OK;
+	}
 	if (outside && (status = hawser__trace_cut(trace, omega >= trace->hi ? trace->hi : trace->lo)))
 		return status;
 	if (!outside && hawser__trace_came_back(trace))

@@ -15,7 +15,6 @@
 #define LARGEST_STEP 0.4       /* largest relative change of the orbit in one step; chosen */
 #define LARGEST_TURN 0.01      /* largest relative change of Omega in a step: resonances are this
                                 * narrow; chosen */
-#define SORTING_STEP 1e-4      /* in a shorter step, events are not separated further; chosen */
 #define TRUSTED_STEP 1e-6      /* a step as short as this is accepted in any case; chosen */
 #define COARSE_STEP 1e-5       /* if a step of this length fails, the discretisation is considered
                                 * too coarse; chosen */
@@ -189,7 +188,7 @@ enum hawser_status hawser__trace_judge(void *owner, double ds, double angle,
 	enum hawser_status status;
 
 	*verdict = HAWSER__SHORTEN;
-	if (refused(trace, angle, ds) || (ds > SORTING_STEP && hawser__trace_hides(trace)))
+	if (refused(trace, angle, ds) || (ds > HAWSER__SORTING_STEP && hawser__trace_hides(trace)))
 		return HAWSER_OK;
 	*verdict = HAWSER__KEEP;
 	if (hawser__account_crossings(&trace->here, &trace->next, &(int){0},

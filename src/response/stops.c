@@ -192,6 +192,8 @@ enum hawser_status hawser__stops_step(void *context, struct hawser__trace *trace
 		if (!stops->spare)
 			return hawser__no_memory(trace->report, "frf");
 	}
+	stops->last[0] = stops->stops;
+	stops->last[1] = stops->missed;
 	for (int i = 0; i < account->events && !status; i++) {
 		const struct hawser_frf_event *event = &account->event[i];
 
@@ -209,6 +211,14 @@ enum hawser_status hawser__stops_step(void *context, struct hawser__trace *trace
 	if (!status && account->events > 0)
 		part.unstable = trace->next.circle.unstable;
 	return status ? status : pass(stops, trace, &part);
+}
+
+void hawser__stops_back(void *context)
+{
+	struct hawser__stops *stops = context;
+
+	stops->stops = stops->last[0];
+	stops->missed = stops->last[1];
 }
 
 void hawser__stops_clear(struct hawser__stops *stops)

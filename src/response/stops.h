@@ -23,6 +23,7 @@ struct hawser__stops {
 	struct hawser__stop *stop; /* [stops] in order along the curve */
 	double *state;             /* [stops][m] at phase 0, in the units of the trace's model */
 	int stops, capacity, m;
+	int last[2];               /* stops and missed before the last step */
 	int missed;                /* passages at which no orbit was found */
 	double *spare;             /* [n + 3 probes], workspace */
 };
@@ -31,6 +32,8 @@ struct hawser__stops {
  * structure, in which `at` and `count` are set. The stops of a trace that begins again, since it had
  * jumped, replace those before. */
 enum hawser_status hawser__stops_step(void *context, struct hawser__trace *trace);
+/* The member `back`: without those of the last step. */
+void hawser__stops_back(void *context);
 /* Frees the arrays, but for `at`. */
 void hawser__stops_clear(struct hawser__stops *stops);
 

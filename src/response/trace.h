@@ -18,17 +18,21 @@
 #include "response/station.h"
 #include "response/vanish.h"
 
+/* Arclength. In a shorter step, events are not separated further; chosen. */
+#define HAWSER__SORTING_STEP 1e-4
+
 struct hawser__trace;
 
 /* A caller that receives the orbits of located events, y [size] in the unknowns of the method. An
  * event may be located again when its step is repeated. `step` is called after each accepted step, from
- * trace->here to trace->next, whose events are in trace->account; it may use the scratch station. Each
- * may be NULL. */
+ * trace->here to trace->next, whose events are in trace->account; it may use the scratch station.
+ * `back` takes the last such step back, which is then made again, shorter. Each may be NULL. */
 struct hawser__trace_watch {
 	void (*event)(void *context, const struct hawser_frf_event *event,
 	              const struct hawser__orbit *orbit, const double *y);
 	void *context;
 	enum hawser_status (*step)(void *context, struct hawser__trace *trace);
+	void (*back)(void *context);
 };
 
 struct hawser__trace {
@@ -104,6 +108,8 @@ enum hawser_status hawser__trace_settle(struct hawser__trace *trace,
  * separated; angle is that between the two tangents. */
 int hawser__trace_trusted(const struct hawser__trace *trace, double angle);
 int hawser__trace_hides(const struct hawser__trace *trace);
+/* judge.c: whether the step from prev to here, seen from next, may hide events. */
+int hawser__trace_hid(const struct hawser__trace *trace);
 
 /* judge.c: whether the branch ends at rest; this event is then stored. */
 enum hawser_status hawser__trace_vanish(struct hawser__trace *trace, int *vanished);

@@ -190,7 +190,8 @@ static enum hawser_status follow(struct rows_trace *trace, double begin, int way
 {
 	struct hawser_frf_options options = options_of(trace, begin, way);
 	struct hawser__stops stops = {.at = trace->at, .count = trace->count};
-	const struct hawser__trace_watch watch = {.context = &stops, .step = hawser__stops_step};
+	const struct hawser__trace_watch watch = {.context = &stops, .step = hawser__stops_step,
+		.back = hawser__stops_back};
 	struct hawser_report local = {.status = HAWSER_OK};
 	struct hawser_frf frf;
 	enum hawser_status status;

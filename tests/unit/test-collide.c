@@ -28,7 +28,7 @@ static void set_pair(int k, int i, double log_modulus, double argument)
 	}
 }
 
-static int collide(void)
+static int collide(int step)
 {
 	const struct hawser__station *all[4];
 	double complex work[6*PAIRS];
@@ -41,7 +41,7 @@ static int collide(void)
 		station[k].arc = 0.385*k;
 		all[k] = &station[k];
 	}
-	return hawser__collide(all, 2*PAIRS, work);
+	return hawser__collide(all, step, 2*PAIRS, work);
 }
 
 /* One pair at rest and two that run past it, listed in the order of their arguments, as a station
@@ -59,7 +59,7 @@ static void check_passing(void)
 			set_pair(k, place, DECAY, at[i]);
 		}
 	}
-	ok(!collide(), "pairs that pass each other do not collide");
+	ok(!collide(2) && !collide(1), "pairs that pass each other do not collide");
 }
 
 /* Moduli and arguments of two pairs with the difference sqrt(D). */
@@ -72,12 +72,12 @@ static void set_two(int k, double D)
 	set_pair(k, 2, DECAY, 2.9);
 }
 
-/* D = a - b (s - s0)^2 is negative at the stations and positive between the last two. */
-static void check_collision(double top, int expected, const char *what)
+/* D = a - b (s - s0)^2 is negative at the stations and positive in the middle of the step. */
+static void check_collision(double top, int step, int expected, const char *what)
 {
 	for (int k = 0; k < 4; k++)
-		set_two(k, top - 0.0731*pow(k - 2.5, 2));
-	ok(collide() == expected, "%s", what);
+		set_two(k, top - 0.0731*pow(k - step - 0.5, 2));
+	ok(collide(step) == expected, "%s", what);
 }
 
 /* A pair runs through another at a rate that changes so much that the interpolation is not sure. */
@@ -91,15 +91,17 @@ static void check_condensed(int marked)
 		set_pair(k, 2, DECAY, 1.2385 + off[k]);
 		condensed[k][4] = condensed[k][5] = (unsigned char)marked;
 	}
-	ok(collide() == !marked, "a pair that runs irregularly through another is %s",
+	ok(collide(2) == !marked, "a pair that runs irregularly through another is %s",
 	   marked ? "left out where it is condensed" : "looked at");
 }
 
 int main(void)
 {
 	check_passing();
-	check_collision(0.0101, 1, "two pairs that collide and grow between two stations are found");
-	check_collision(0.0009, 0, "so slightly that they stay inside the circle, they are not");
+	check_collision(0.0101, 2, 1, "two pairs that collide and grow between two stations are found");
+	check_collision(0.0101, 1, 1, "from the stations on both sides too");
+	check_collision(0.0009, 2, 0, "so slightly that they stay inside the circle, they are not");
+	check_collision(0.0009, 1, 0, "and with stations on both sides");
 	check_condensed(0);
 	check_condensed(1);
 	return done_testing();
