@@ -70,8 +70,11 @@ struct hawser__locus {
 	double *J;                    /* [coefficients][coefficients] column-major */
 	double *J_factors;            /* the same, factorised */
 	double *M, *rhs;              /* the whole system, column-major */
+	double *balance;              /* [size] */
 	unsigned char *barred;        /* [n][2] coordinate; even, odd harmonics: stay zero */
-	int *pivot;
+	int *pivot, *pivot_M;
+	double closeness;             /* distance of the system that M has factorised; INFINITY: none */
+	double *R, *x;                /* [wide + 1][wide + 1], [wide + 1]: H of a real kind, real */
 	double complex *memory_c;
 	double complex *A;            /* [wide + 1][wide + 1] column-major */
 	double complex *b, *c;        /* [wide] borders, scaled */
@@ -80,6 +83,8 @@ struct hawser__locus {
 	double complex *exponential;  /* [rows][blocks] exp(i (m + kappa) tau) */
 	double complex *vt, *dv, *ddv, *wt, *q; /* [rows][n] at the samples; w with 1/rows */
 	double complex *g_y;          /* [coefficients] */
+	double complex *T_c, *D_c;    /* [width + 1][n][n] */
+	double complex *pair;         /* [2][n][n] */
 	double *scale;                /* [wide] */
 	double complex g, g_p[2], g_kappa;
 	double second;                /* w f''(v, v) */
@@ -113,10 +118,9 @@ enum hawser_status hawser__locus_place(struct hawser__locus *locus, double omega
 void hawser__locus_orbit(struct hawser__locus *locus, const double *z);
 void hawser__locus_fields(struct hawser__locus *locus, double *F, const double *z, int derive);
 
-/* locus_hill.c: H, or with `bordered` [H b; c^H 0], at kappa, in locus->A; its rows. */
+/* locus_hill.c: H for what follows, from the tangents and damping at the samples. */
 void hawser__locus_series(struct hawser__locus *locus);
-int hawser__locus_hill(struct hawser__locus *locus, double kappa, int bordered);
-/* The sign of its determinant (of a real kind) and the logarithm of the modulus. */
+/* The sign of its determinant at kappa 0 or 1/2, and the logarithm of its modulus. */
 double hawser__locus_determinant(struct hawser__locus *locus, double kappa, double *sign);
 /* J = F_y, with the rows of the unit matrix for what is barred. */
 void hawser__locus_jacobian(struct hawser__locus *locus);
@@ -136,6 +140,10 @@ enum hawser_status hawser__locus_evaluate(struct hawser__locus *locus, double *r
  * kernel. 1 where it is singular. */
 int hawser__locus_solve(struct hawser__locus *locus, double *dz, const double *z, const double *row,
                         int homogeneous, double last);
+/* A vector of the kernel with <row, t> > 0, from the last factors where they are close; `side` where
+ * the matrix is singular. */
+void hawser__locus_tangent(struct hawser__locus *locus, double *t, const double *z, const double *row,
+                           const double *side);
 /* Borders from v and w; arbitrary ones. */
 void hawser__locus_update(struct hawser__locus *locus);
 void hawser__locus_borders(struct hawser__locus *locus);

@@ -12,6 +12,7 @@
 #include "response/locus.h"
 #include "rom/kernel.h"
 
+#define CLOSE 1e-6 /* distance of a matrix whose kernel serves as the tangent, relative; chosen */
 enum { LARGEST = 1500, MOST_ORDER = 200 };
 #define AT_REST 1e-9 /* size of the orbit below which defects are relative to this; chosen */
 
@@ -93,7 +94,10 @@ static size_t lay_out(struct hawser__locus *to, double *memory)
 	to->J_factors = take(memory, &used, P*P);
 	to->M = take(memory, &used, size*size);
 	to->rhs = take(memory, &used, size);
+	to->balance = take(memory, &used, size);
 	to->scale = take(memory, &used, P + n);
+	to->x = take(memory, &used, P + n + 1);
+	to->R = take(memory, &used, (P + n + 1)*(P + n + 1));
 	return used;
 }
 
@@ -101,7 +105,7 @@ static size_t lay_out_c(struct hawser__locus *to, double complex *memory)
 {
 	size_t used = 0, n = (size_t)to->n, R = (size_t)to->rows, N = (size_t)to->coefficients + n + 1;
 
-	to->A = take_c(memory, &used, N*N);
+	to->A = take_c(memory, &used, to->kind == HAWSER_TORUS ? N*N : 0);
 	to->b = take_c(memory, &used, N);
 	to->c = take_c(memory, &used, N);
 	to->v = take_c(memory, &used, N);
@@ -114,6 +118,9 @@ static size_t lay_out_c(struct hawser__locus *to, double complex *memory)
 	to->wt = take_c(memory, &used, R*n);
 	to->q = take_c(memory, &used, R*n);
 	to->g_y = take_c(memory, &used, (size_t)to->coefficients);
+	to->T_c = take_c(memory, &used, ((size_t)to->width + 1)*n*n);
+	to->D_c = take_c(memory, &used, ((size_t)to->width + 1)*n*n);
+	to->pair = take_c(memory, &used, 2*n*n);
 	return used;
 }
 
@@ -136,11 +143,13 @@ enum hawser_status hawser__locus_arrange(struct hawser__locus *locus, int order)
 	free(locus->pivot);
 	locus->memory = calloc(lay_out(locus, NULL), sizeof(double));
 	locus->memory_c = calloc(lay_out_c(locus, NULL), sizeof(double complex));
-	locus->pivot = calloc((size_t)locus->size + (size_t)n, sizeof(int));
+	locus->pivot = calloc(2*((size_t)locus->size + (size_t)n), sizeof(int));
 	if (!locus->memory || !locus->memory_c || !locus->pivot)
 		return hawser__no_memory(locus->report, "locus");
 	lay_out(locus, locus->memory);
 	lay_out_c(locus, locus->memory_c);
+	locus->pivot_M = locus->pivot + locus->size + n;
+	locus->closeness = INFINITY;
 	for (int r = 0; r < locus->rows; r++) {
 		double *at = locus->basis + (size_t)r*(2*locus->width + 1);
 
@@ -177,6 +186,7 @@ static void symmetrise(const struct hawser__locus *locus, double complex *x)
 
 void hawser__locus_update(struct hawser__locus *locus)
 {
+	locus->closeness = INFINITY;
 	memcpy(locus->b, locus->w, (size_t)locus->wide*sizeof *locus->b);
 	memcpy(locus->c, locus->v, (size_t)locus->wide*sizeof *locus->c);
 	symmetrise(locus, locus->b);
@@ -257,18 +267,26 @@ enum hawser_status hawser__locus_evaluate(struct hawser__locus *locus, double *r
 	return HAWSER_OK;
 }
 
-/* Row `place` of the system's matrix, divided by its largest entry; *value likewise. */
-static void balance_row(struct hawser__locus *locus, int place, double *value)
+/* Divide every row of the system by its largest entry. */
+static void balance(struct hawser__locus *locus)
 {
 	int size = locus->size;
-	double most = 0.0;
+	double *most = locus->balance;
 
+	memset(most, 0, (size_t)size*sizeof *most);
 	for (int k = 0; k < size; k++)
-		most = fmax(most, fabs(locus->M[(size_t)k*size + place]));
-	for (int k = 0; most > 0.0 && k < size; k++)
-		locus->M[(size_t)k*size + place] /= most;
-	if (most > 0.0)
-		*value /= most;
+		for (int i = 0; i < size; i++) {
+			double x = fabs(locus->M[(size_t)k*size + i]);
+
+			most[i] = x > most[i] ? x : most[i];
+		}
+	for (int i = 0; i < size; i++)
+		most[i] = most[i] > 0.0 ? 1.0/most[i] : 1.0;
+	for (int k = 0; k < size; k++)
+		for (int i = 0; i < size; i++)
+			locus->M[(size_t)k*size + i] *= most[i];
+	for (int i = 0; i < size; i++)
+		locus->rhs[i] *= most[i];
 }
 
 static void fill_orbit(struct hawser__locus *locus, const double *z, double keep)
@@ -281,9 +299,10 @@ static void fill_orbit(struct hawser__locus *locus, const double *z, double keep
 		locus->M[i] = barred ? 0.0 : locus->by[0][i];
 		locus->M[(size_t)size + i] = barred ? 0.0 : locus->by[1][i];
 		locus->rhs[i] = -keep*(barred ? z[LOCUS_FIRST + i] : locus->F[i]);
-		for (int j = 0; j < P; j++)
-			locus->M[(size_t)(LOCUS_FIRST + j)*size + i] = locus->J[(size_t)j*P + i];
 	}
+	for (int j = 0; j < P; j++)
+		memcpy(locus->M + (size_t)(LOCUS_FIRST + j)*size, locus->J + (size_t)j*P,
+		       (size_t)P*sizeof(double));
 }
 
 /* A row of g: its real or imaginary part. */
@@ -318,15 +337,33 @@ int hawser__locus_solve(struct hawser__locus *locus, double *dz, const double *z
 	for (int k = 0; k < size; k++)
 		locus->M[(size_t)k*size + P + 2] = row[k];
 	locus->rhs[P + 2] = last;
-	for (int i = 0; i < size; i++)
-		balance_row(locus, i, &locus->rhs[i]);
-	if (LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, size, size, locus->M, size, locus->pivot) != 0)
+	balance(locus);
+	locus->closeness = INFINITY;
+	if (LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, size, size, locus->M, size, locus->pivot_M) != 0)
 		return 1;
 	locus->solves++;
-	LAPACKE_dgetrs_work(LAPACK_COL_MAJOR, 'N', size, 1, locus->M, size, locus->pivot, locus->rhs,
+	LAPACKE_dgetrs_work(LAPACK_COL_MAJOR, 'N', size, 1, locus->M, size, locus->pivot_M, locus->rhs,
 	                    size);
 	memcpy(dz, locus->rhs, (size_t)size*sizeof(double));
 	return 0;
+}
+
+void hawser__locus_tangent(struct hawser__locus *locus, double *t, const double *z, const double *row,
+                           const double *side)
+{
+	int size = locus->size;
+	double along = 0.0;
+
+	if (locus->closeness <= CLOSE) {
+		memset(t, 0, (size_t)size*sizeof *t);
+		t[locus->coefficients + 2] = 1.0; /* of the row of the plane */
+		LAPACKE_dgetrs_work(LAPACK_COL_MAJOR, 'N', size, 1, locus->M, size, locus->pivot_M, t, size);
+	} else if (hawser__locus_solve(locus, t, z, row, 1, 1.0))
+		memcpy(t, side, (size_t)size*sizeof *t);
+	for (int k = 0; k < size; k++)
+		along += row[k]*t[k];
+	if (along < 0.0)
+		cblas_dscal(size, -1.0, t, 1);
 }
 
 enum hawser_status hawser__locus_multipliers(struct hawser__locus *locus)

@@ -148,6 +148,7 @@ static enum hawser_status newton(struct hawser__locus_walk *walk,
 		for (int k = 0; k < locus->size; k++)
 			station->z[k] += walk->dz[k];
 		done = length <= 0.1*tolerance || (i > 0 && ratio*length <= 0.1*tolerance);
+		locus->closeness = length;
 		previous = length;
 	}
 	return HAWSER_OK;
@@ -219,8 +220,7 @@ enum hawser_status hawser__locus_finish(struct hawser__locus_walk *walk,
 
 	for (int k = 0; k < locus->size; k++)
 		walk->row[k] = walk->weight[k]*side[k];
-	if (hawser__locus_solve(locus, t, station->z, walk->row, 1, 1.0))
-		memcpy(t, side, (size_t)locus->size*sizeof *t);
+	hawser__locus_tangent(locus, t, station->z, walk->row, side);
 	length = hawser__metric_length(&metric, t);
 	for (int k = 0; k < locus->size; k++)
 		t[k] /= length;
