@@ -48,6 +48,7 @@ struct hawser__locus {
 	const struct hawser_rom *rom; /* at the present parameter */
 	double time;                  /* unit of time of the model at the start */
 	double extent[2];             /* lengths of the ranges of Omega and of the parameter */
+	double centre;                /* value of the parameter for the derivative by it */
 	double omega;                 /* scaled by the present model's unit of time */
 	double kappa;
 	int n, most;                  /* coordinates; largest number of harmonics */

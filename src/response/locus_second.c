@@ -22,6 +22,7 @@
 
 #define DIFFERENCE 1e-2 /* increment of the orbit, relative; chosen for models with the exact energy */
 #define NUDGE 1e-4      /* of the parameters, relative to their ranges; chosen */
+#define NEAR 8.0        /* a value of the parameter for which models are kept, in nudges; chosen */
 
 static double largest(const double *x, int count)
 {
@@ -132,16 +133,20 @@ static double complex by_kappa(const struct hawser__locus *locus)
 	return -I*locus->omega*sum;
 }
 
-/* by[k] and g_p[k], k Omega or the parameter. Where there is no model on one side, from the other. */
+/* by[k] and g_p[k], k Omega or the parameter. Where there is no model on one side, from the other. The
+ * models of other values of the parameter, which may have to be made from a scene, stay the same while
+ * the parameter is near. */
 static enum hawser_status by_parameter(struct hawser__locus *locus, int k, const double *z,
                                        double complex here)
 {
-	double span = 0.0, h = NUDGE*locus->extent[k], at[2] = {z[0], z[1]};
+	double h = NUDGE*locus->extent[k], at[2] = {z[0], z[1]}, place[2] = {z[k], z[k]};
 	double complex value[2] = {here, here};
 	enum hawser_status status;
 
+	if (k == LOCUS_PARAMETER && !(fabs(z[k] - locus->centre) <= NEAR*h))
+		locus->centre = z[k];
 	for (int side = 0; side < 2; side++) {
-		at[k] = z[k] + (side ? h : -h);
+		at[k] = (k == LOCUS_PARAMETER ? locus->centre : z[k]) + (side ? h : -h);
 		if (hawser__locus_place(locus, at[0], at[1])) {
 			memcpy(locus->other[side], locus->F,
 			       (2*(size_t)locus->width + 1)*locus->n*sizeof(double));
@@ -149,13 +154,13 @@ static enum hawser_status by_parameter(struct hawser__locus *locus, int k, const
 		}
 		hawser__locus_fields(locus, locus->other[side], z, 1);
 		value[side] = form(locus);
-		span += h;
+		place[side] = at[k];
 	}
 	if ((status = hawser__locus_place(locus, z[0], z[1])))
 		return status;
 	for (int i = 0; i < locus->coefficients; i++)
-		locus->by[k][i] = (locus->other[1][i] - locus->other[0][i])/span;
-	locus->g_p[k] = -(value[1] - value[0])/span;
+		locus->by[k][i] = (locus->other[1][i] - locus->other[0][i])/(place[1] - place[0]);
+	locus->g_p[k] = -(value[1] - value[0])/(place[1] - place[0]);
 	return HAWSER_OK;
 }
 

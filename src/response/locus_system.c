@@ -23,7 +23,7 @@ enum hawser_status hawser__locus_open(struct hawser__locus *locus, enum hawser_e
 	enum hawser_status status;
 
 	*locus = (struct hawser__locus){.kind = kind, .family = family, .report = report,
-		.kappa = kind == HAWSER_PERIOD_DOUBLING ? 0.5 : 0.0};
+		.centre = INFINITY, .kappa = kind == HAWSER_PERIOD_DOUBLING ? 0.5 : 0.0};
 	if ((status = family->model(family->context, &locus->rom, at, report)))
 		return status;
 	locus->n = locus->rom->n;

@@ -45,6 +45,7 @@ struct scene_family {
 		struct hawser_rom rom;
 	} kept[MODELS];
 	long now;
+	double *samples; /* [1 + modes][PLACES][3] shapes that are compared */
 };
 
 static enum hawser_status scene_at(struct hawser_scene *scene, const struct scene_family *family,
@@ -72,38 +73,45 @@ static enum hawser_status solve(struct hawser_modes *modes, const struct scene_f
 	return status;
 }
 
-static double overlap(const struct hawser_modes *a, int j, const struct hawser_modes *b, int k)
+/* out [PLACES][3] = mode j, of length 1. */
+static void sample(double *out, const struct hawser_modes *modes, int j)
 {
-	double sum = 0.0, own = 0.0, other = 0.0;
-	double length[2] = {a->grid.edge[a->grid.elements], b->grid.edge[b->grid.elements]};
+	double own = 0.0, length = modes->grid.edge[modes->grid.elements];
 
-	for (int i = 0; i < PLACES; i++) {
-		double x[3], y[3], s = (i + 0.5)/PLACES;
+	for (int i = 0; i < PLACES; i++)
+		hawser_modes_at(modes, out + 3*i, NULL, j, (i + 0.5)/PLACES*length);
+	for (int i = 0; i < 3*PLACES; i++)
+		own += out[i]*out[i];
+	for (int i = 0; i < 3*PLACES; i++)
+		out[i] /= sqrt(own);
+}
 
-		hawser_modes_at(a, x, NULL, j, s*length[0]);
-		hawser_modes_at(b, y, NULL, k, s*length[1]);
-		for (int c = 0; c < 3; c++) {
-			sum += x[c]*y[c];
-			own += x[c]*x[c];
-			other += y[c]*y[c];
-		}
-	}
-	return sum/sqrt(own*other);
+static double product(const double *a, const double *b)
+{
+	double sum = 0.0;
+
+	for (int i = 0; i < 3*PLACES; i++)
+		sum += a[i]*b[i];
+	return sum;
 }
 
 /* Which of the modes is each mode of the anchor; negative overlaps change the sign. *least is the
  * smallest overlap. */
-static void recognise(int *place, double *sign, double *least, const struct hawser_modes *anchor,
-                      const struct hawser_modes *modes)
+static void recognise(int *place, double *sign, double *least, const struct scene_family *family,
+                      const struct hawser_modes *anchor, const struct hawser_modes *modes)
 {
 	unsigned char taken[4*HAWSER_ROM_MAX + MORE] = {0};
+	double *own = family->samples, *other = own + 3*PLACES;
 
+	for (int k = 0; k < modes->n; k++)
+		sample(other + (size_t)3*PLACES*k, modes, k);
 	*least = 1.0;
 	for (int j = 0; j < anchor->n; j++) {
 		double best = -1.0;
 
+		sample(own, anchor, j);
 		for (int k = 0; k < modes->n; k++) {
-			double found = taken[k] ? -1.0 : overlap(anchor, j, modes, k);
+			double found = taken[k] ? 0.0 : product(own, other + (size_t)3*PLACES*k);
 
 			if (!taken[k] && fabs(found) > best) {
 				best = fabs(found);
@@ -223,7 +231,7 @@ static enum hawser_status recognised(struct hawser_modes *modes, int *sure,
 
 	if (status)
 		return status;
-	recognise(place, sign, &least, &anchor->modes, &all);
+	recognise(place, sign, &least, family, &anchor->modes, &all);
 	*sure = least >= SURE || fabs(p - anchor->p) <= LEAST*fabs(family->to - family->from);
 	status = arrange(modes, &all, place, sign, family->n, report);
 	hawser_modes_clear(&all);
@@ -293,8 +301,10 @@ void hawser_scene_family_close(struct hawser_rom_family *closed)
 		hawser_rom_clear(&family->kept[i].rom);
 	for (int i = 0; family && i < family->anchors; i++)
 		hawser_modes_clear(&family->anchor[i].modes);
-	if (family)
+	if (family) {
 		free(family->anchor);
+		free(family->samples);
+	}
 	free(family);
 	*closed = (struct hawser_rom_family){0.0, NULL, NULL};
 }
@@ -341,7 +351,10 @@ enum hawser_status hawser_scene_family_open(struct hawser_rom_family *opened,
 	opened->context = family;
 	*family = (struct scene_family){.scene = scene, .key = key, .from = from, .to = to,
 		.n = scene->model.modes};
-	if ((status = begin(family, at, report)))
+	family->samples = calloc((size_t)(2*family->n + MORE + 1)*3*PLACES, sizeof(double));
+	if (!family->samples)
+		status = hawser__no_memory(report, "frf");
+	if (status || (status = begin(family, at, report)))
 		hawser_scene_family_close(opened);
 	return status;
 }
