@@ -426,8 +426,7 @@ struct cli_frf_result {
 	const struct cli_model *model;
 	const struct hawser_frf *frf;
 	const struct hawser_landmark *peak; /* [peaks] */
-	int peaks;
-	int located; /* 1: peaks were searched for; the list may be empty */
+	int peaks, located; /* located: 1: peaks were searched for; the list may be empty */
 	const struct cli_sweep *sweep; /* [sweeps] */
 	int sweeps;
 	double from, to; /* scaled */
@@ -440,7 +439,8 @@ struct cli_frf_result {
 	const char *scale; /* "auto", "linear", "log" */
 	const struct cli_frf_result *other; /* [others] further branches (frf_cover.h) */
 	const double *gap; /* [gaps][2] scaled Omega: parts of the range in which no branch was found */
-	int others, gaps;
+	const struct cli_missed *missed; /* [misses] what was not followed (frf_cover.h) */
+	int others, gaps, misses;
 };
 /* "Omega = 1.4 rad/s" of a point at `omega` (scaled), or "damping.alpha = 0.1 kg/m/s" with --over. */
 struct cli_place {

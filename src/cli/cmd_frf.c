@@ -266,9 +266,9 @@ static enum hawser_status trace(struct hawser_frf *frf, struct hawser_landmark *
 	}
 	if (!status && label->period == 1 && !result->over && !cli_interrupted())
 		status = cli_cover_trace(cover, result, &choice, &watch.progress, locate_peaks, report);
-	if (!status && settings->branches > 0 && !result->over && !cli_interrupted())
-		status = cli_cover_switch(cover, result, &choice, settings->branches, &watch.progress,
-		                          locate_peaks, report);
+	if (!status && cli_cover_depth(result, settings->branches) > 0 && !cli_interrupted())
+		status = cli_cover_switch(cover, result, &choice, cli_cover_depth(result, settings->branches),
+		                          &watch.progress, locate_peaks, report);
 	cli_progress_end(&watch.progress);
 	cli_last_clear(&last);
 	return status;
@@ -354,6 +354,8 @@ static enum hawser_status write_result(struct cli_frf_result *result, int energy
 		cli_warn(text);
 	if (!status && cli_frf_gaps(text, sizeof text, result))
 		cli_warn(text);
+	for (int k = 0; k < result->misses && !status; k++)
+		cli_warn(result->missed[k].text);
 	return status;
 }
 

@@ -10,9 +10,6 @@
 #include "cli/frf_cover.h"
 #include "core/report.h"
 
-#define SAME 1e-4 /* relative distance of two events that are taken for one; chosen */
-enum { MOST_BORN = 24 };
-
 enum hawser_status cli_cover_trace(struct cli_cover *cover, struct cli_frf_result *result,
                                    const struct hawser_frf_options *options,
                                    struct cli_progress *progress, cli_peaks_function *peaks,
@@ -46,102 +43,6 @@ enum hawser_status cli_cover_trace(struct cli_cover *cover, struct cli_frf_resul
 	return status;
 }
 
-/* Whether a branch begins at this event, which none of the branches has led to yet. */
-static int begins(const struct cli_cover *cover, const struct hawser_frf *frf, int e)
-{
-	const struct hawser_frf_event *event = &frf->event[e];
-
-	if (!event->located || event->suspected ||
-	    (event->kind != HAWSER_PERIOD_DOUBLING && event->kind != HAWSER_BRANCH_POINT))
-		return 0;
-	for (int k = 0; k < cover->borns && event->kind == HAWSER_BRANCH_POINT; k++) {
-		const struct hawser_frf *born = cover->born[k];
-
-		if (fabs(born->born/event->omega - 1.0) < SAME)
-			return 0;
-		for (int i = 0; i < born->events && born != frf; i++)
-			if (fabs(born->event[i].omega/event->omega - 1.0) < SAME)
-				return 0;
-	}
-	/* a branch comes back to its own parent */
-	return !(frf->parent > 0 && event->kind == HAWSER_BRANCH_POINT);
-}
-
-/* Room for one more branch. Returns NULL when out of memory. */
-static struct hawser_frf *add_born(struct cli_cover *cover)
-{
-	size_t count = (size_t)cover->borns + 1, all = (size_t)cover->of.branches + count;
-	struct hawser_frf **born = realloc(cover->born, count*sizeof *born), *frf;
-	struct cli_frf_result *other = realloc(cover->other, all*sizeof *other);
-
-	if (born)
-		cover->born = born;
-	if (other)
-		cover->other = other;
-	if (!born || !other || !(frf = calloc(1, sizeof *frf)))
-		return NULL;
-	cover->other[all - 1] = (struct cli_frf_result){.frf = frf};
-	cover->born[cover->borns++] = frf;
-	return frf;
-}
-
-enum hawser_status cli_cover_switch(struct cli_cover *cover, struct cli_frf_result *result,
-                                    const struct hawser_frf_options *options, int depth,
-                                    struct cli_progress *progress, cli_peaks_function *peaks,
-                                    struct hawser_report *report)
-{
-	struct cli_watch watch = {*progress, "frf: branches"};
-	struct hawser_frf_options choice = *options;
-	int level[MOST_BORN + 1] = {0};
-	enum hawser_status status = HAWSER_OK;
-
-	choice.progress = (struct hawser_progress){cli_watch, &watch};
-	for (int k = 0; k <= result->others && !status; k++) {
-		int born = k - 1 - cover->of.branches;
-		const struct hawser_frf *from = k ? result->other[k - 1].frf : result->frf;
-
-		if (born >= 0 && level[born] >= depth)
-			continue;
-		for (int e = 0; e < from->events && cover->borns < MOST_BORN && !cli_interrupted(); e++) {
-			struct hawser_landmark *peak = NULL;
-			struct cli_frf_result *one;
-			struct hawser_frf *frf;
-
-			if (!begins(cover, from, e))
-				continue;
-			if (!(frf = add_born(cover)))
-				return hawser__no_memory(report, "frf");
-			result->other = cover->other;
-			one = &cover->other[result->others];
-			*one = *result;
-			one->frf = frf;
-			one->peak = NULL;
-			one->peaks = one->others = one->gaps = 0;
-			status = hawser_branch_switch(frf, &result->model->rom, from, e, &choice, report);
-			level[cover->borns - 1] = born < 0 ? 1 : level[born] + 1;
-			if (status == HAWSER_ERR_CONVERGENCE)
-				status = HAWSER_OK;
-			if (frf->points < 2) {
-				hawser_frf_clear(frf);
-				free(frf);
-				cover->borns--;
-				if (status)
-					return status;
-				continue;
-			}
-			frf->branch = ++result->others + 1;
-			if (!status && frf->period == 1)
-				status = peaks(&peak, one, progress, options, frf->end == HAWSER_END_FAILED,
-				               report);
-			one->peak = peak;
-			if (status)
-				return status;
-		}
-	}
-	*progress = watch.progress;
-	return status;
-}
-
 void cli_cover_clear(struct cli_cover *cover)
 {
 	for (int k = 0; k < cover->of.branches + cover->borns && cover->other; k++)
@@ -151,6 +52,7 @@ void cli_cover_clear(struct cli_cover *cover)
 		free(cover->born[k]);
 	}
 	free(cover->born);
+	free(cover->missed);
 	free(cover->other);
 	hawser_cover_clear(&cover->of);
 }

@@ -17,11 +17,18 @@ typedef enum hawser_status cli_peaks_function(struct hawser_landmark **peak,
                                               const struct hawser_frf_options *options, int cut,
                                               struct hawser_report *report);
 
+/* What was not followed, and why: a sentence. */
+struct cli_missed {
+	char text[960];
+};
+
 /* Storage of the further branches of a result. All zero before use. */
 struct cli_cover {
 	struct hawser_cover of;
 	struct hawser_frf **born; /* [borns] branches that begin at bifurcations */
 	int borns;
+	struct cli_missed *missed; /* [misses] */
+	int misses;
 	struct cli_frf_result *other; /* [of.branches + borns] copies of the result, each with its own
 	                               * curve */
 };
@@ -31,8 +38,12 @@ enum hawser_status cli_cover_trace(struct cli_cover *cover, struct cli_frf_resul
                                    const struct hawser_frf_options *options,
                                    struct cli_progress *progress, cli_peaks_function *peaks,
                                    struct hawser_report *report) HAWSER_MUST_CHECK;
+/* How deep branches at bifurcations are followed if the user asks for `wanted` (0: does not ask): a
+ * response that is rest, as under parametric excitation alone, is nothing without them. */
+int cli_cover_depth(const struct cli_frf_result *result, int wanted);
 /* The same for branches that begin at period doublings and branch points of the branches so far, and,
- * down to `depth`, of these. Those that are not found are no error. */
+ * down to `depth`, of these (frf_switch.c). Those that are not found are no error: sets `missed` and
+ * `misses` of the result too. */
 enum hawser_status cli_cover_switch(struct cli_cover *cover, struct cli_frf_result *result,
                                     const struct hawser_frf_options *options, int depth,
                                     struct cli_progress *progress, cli_peaks_function *peaks,

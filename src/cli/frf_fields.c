@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "cli/backbone.h"
+#include "cli/frf_cover.h"
 #include "cli/frf_over.h"
 #include "cli/view.h"
 #include "cli/mms_result.h"
@@ -232,6 +233,7 @@ static const struct hawser__field end_field[] = {
 
 static void warnings_json(struct hawser__json *json, json_t *into, const void *row)
 {
+	const struct cli_frf_result *result = row;
 	char text[CLI_WARNING_SIZE];
 
 	(void)into;
@@ -240,6 +242,8 @@ static void warnings_json(struct hawser__json *json, json_t *into, const void *r
 		hawser__json_text(json, json_object_get(json->root, "warnings"), NULL, text);
 	if (cli_frf_lost(text, sizeof text, row))
 		hawser__json_text(json, json_object_get(json->root, "warnings"), NULL, text);
+	for (int k = 0; k < result->misses; k++)
+		hawser__json_text(json, json_object_get(json->root, "warnings"), NULL, result->missed[k].text);
 }
 
 static int has_direction(const void *row, const void *parent)
@@ -320,7 +324,8 @@ static const struct hawser__field result_field[] = {
 	{"gaps", NULL, "parts of the range in which no branch was found",
 	 HAWSER__OBJECTS_OF(gap_list), .when = BRANCHES},
 	THROUGH(model, cli_basis_field),
-	{"warnings", NULL, "sentences about a slack cable, and gaps", HAWSER__CALLS(warnings_json)},
+	{"warnings", NULL, "sentences about a slack cable, gaps, and branches that were not found",
+	 HAWSER__CALLS(warnings_json)},
 	{"sweeps", NULL, "sweeps by settled time integration",
 	 HAWSER__STORED(struct cli_frf_result, sweep, sweeps, sweep_field), .when = SWEEPS},
 	{"backbone", NULL, "free motions of a mode",

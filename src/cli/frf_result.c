@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "cli/backbone.h"
+#include "cli/frf_cover.h"
 #include "cli/frf_over.h"
 #include "cli/view.h"
 #include "cli/mms_result.h"
@@ -287,6 +288,8 @@ void cli_frf_comments(struct hawser__table *table, const void *of)
 		comment_branch(table, &result->other[k]);
 	if (cli_frf_gaps(text, sizeof text, result))
 		hawser__table_comment(table, "warning: %s", text);
+	for (k = 0; k < result->misses; k++)
+		hawser__table_comment(table, "warning: %s", result->missed[k].text);
 	if (frf->undecided > 0)
 		hawser__table_comment(table, "%d of %d points have undecided multipliers: their moduli "
 		                      "differ from 1 by less than their error, as without damping. "

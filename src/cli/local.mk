@@ -53,6 +53,7 @@ hawser_SOURCES = \
 	%D%/frf_beside.h \
 	%D%/frf_cover.c \
 	%D%/frf_cover.h \
+	%D%/frf_switch.c \
 	%D%/frf_draw.c \
 	%D%/frf_fields.c \
 	%D%/frf_over.c \

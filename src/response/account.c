@@ -18,6 +18,9 @@
 #include "response/account.h"
 #include "response/locate.h"
 
+#define ONE_PLACE 0.02 /* distance, in parts of the bracket, within which a fold and a branch point are
+                        * taken for one; chosen */
+#define MOST_MEETING 3 /* halvings after which they are no longer; chosen */
 #define SMALLEST_PART 1e-7 /* arclength, which is a relative change of the orbit; chosen far above
                             * round-off */
 /* Arclength. An error of 1e-6 of a multiplier that changes by 0.01 per unit of arclength, which is
@@ -157,6 +160,92 @@ static enum hawser_status add_located(struct hawser__account *account, struct ha
 	return HAWSER_OK;
 }
 
+/* Whether the signs are those of a pitchfork's own branch, with as many unstable multipliers on both
+ * sides. */
+static int may_meet(const struct hawser__account *account, const struct hawser__station *a,
+                    const struct hawser__station *b)
+{
+	return hawser__station_crossed(a, b, HAWSER_FOLD, account->sure) &&
+	       hawser__station_crossed(a, b, HAWSER_BRANCH_POINT, account->sure) &&
+	       explained(a, b, 0, account->sure);
+}
+
+/* The station at the fraction s of the part, or one of its ends; NULL if the corrector fails. */
+static enum hawser_status beside(const struct hawser__station **station, struct hawser__station *own,
+                                 struct hawser__orbit *orbit, const struct hawser__station *a,
+                                 const struct hawser__station *b, double s, double tolerance,
+                                 struct hawser_report *report)
+{
+	enum hawser_status status;
+
+	*station = s <= 0.0 ? a : s >= 1.0 ? b : own;
+	if (*station != own)
+		return HAWSER_OK;
+	if (!own->memory && (status = hawser__station_init(own, orbit, report)))
+		return status;
+	own->arc = a->arc + s*(b->arc - a->arc);
+	if (hawser__station_inside(own, orbit, a, b, s, tolerance)) {
+		*station = NULL;
+		return HAWSER_OK;
+	}
+	return hawser__station_finish(own, orbit, a->t, report);
+}
+
+/* Whether Omega is known as well as an event's in all of the part, where tests may be round-off. */
+static int flat(const struct hawser__account *account, const struct hawser__station *a,
+                const struct hawser__station *b, int last)
+{
+	return fabs(b->y[last] - a->y[last]) <= account->event_tolerance*fabs(a->y[last]);
+}
+
+/* On a branch that begins at another one (a pitchfork), Omega turns where the two cross: a fold and a
+ * branch point at one place, which no halving separates, and beside which the multipliers are
+ * round-off. *done: they are, and this is added as a branch point, located as the fold. */
+static enum hawser_status meet(struct hawser__account *account, int *done, struct hawser__orbit *orbit,
+                               const struct hawser__station *a, const struct hawser__station *b,
+                               int depth, struct hawser_report *report)
+{
+	int events = account->events, gaps = account->gaps;
+	const struct hawser__station *left = NULL, *right = NULL;
+	void (*watch)(void *, const struct hawser_frf_event *, const struct hawser__orbit *,
+	              const double *) = account->watch;
+	enum hawser_status status;
+
+	*done = 0;
+	account->watch = NULL;
+	status = add_located(account, orbit, a, b, HAWSER_FOLD, report);
+	account->watch = watch;
+	if (!status && account->events > events) {
+		double s = (account->event[events].arc - a->arc)/(b->arc - a->arc);
+
+		status = beside(&left, &account->station[depth], orbit, a, b, s - ONE_PLACE,
+		                account->tolerance, report);
+		if (!status)
+			status = beside(&right, &account->station[depth + 1], orbit, a, b, s + ONE_PLACE,
+			                account->tolerance, report);
+		*done = !status && left && right && may_meet(account, left, right) &&
+		        explained(a, left, 0, account->sure) && explained(right, b, 0, account->sure);
+		account->event[events].kind = HAWSER_BRANCH_POINT;
+		if (*done && watch)
+			watch(account->context, &account->event[events], orbit, account->scratch.y);
+	}
+	account->events = events + *done;
+	account->gaps = gaps;
+	if (!status && !*done && flat(account, a, b, orbit->size - 1)) {
+		double from = a->y[orbit->size - 1], to = b->y[orbit->size - 1];
+		struct hawser_frf_event event = {.kind = HAWSER_BRANCH_POINT, .arc = 0.5*(a->arc + b->arc),
+			.omega = 0.5*(from + to), .bracket = {from, to},
+			.error = account->event_tolerance + a->mesh, .unstable = {a->circle.unstable,
+			b->circle.unstable}};
+
+		*done = 1;
+		status = add_event(account, orbit, &event, b->y, report);
+		if (!status && watch)
+			watch(account->context, &event, orbit, b->y);
+	}
+	return status;
+}
+
 /* Locate what can be located in a part that cannot be halved further. */
 static enum hawser_status leave(struct hawser__account *account, struct hawser__orbit *orbit,
                                 const struct hawser__station *a, const struct hawser__station *b,
@@ -200,7 +289,7 @@ static enum hawser_status resolve(struct hawser__account *account, struct hawser
                                   int depth, struct hawser_report *report)
 {
 	int width, count = hawser__account_crossings(a, b, &width, account->sure);
-	int events = account->events, failed;
+	int events = account->events, failed, met;
 	int gaps = account->gaps;
 	enum hawser_status status;
 
@@ -215,6 +304,11 @@ static enum hawser_status resolve(struct hawser__account *account, struct hawser
 			return HAWSER_OK;
 		if (account->gaps > gaps)
 			return add_remainder(account, a, b, account->events, orbit->size - 1, report);
+	}
+	if (count == 2 && depth < MOST_MEETING && may_meet(account, a, b)) {
+		status = meet(account, &met, orbit, a, b, depth, report);
+		if (status || met)
+			return status;
 	}
 	if (depth == HAWSER__DEEPEST || b->arc - a->arc < SMALLEST_PART)
 		return leave(account, orbit, a, b, report);

@@ -31,10 +31,11 @@ static int highest(const struct hawser_rom *rom)
 
 int hawser__balance_lowest(const struct hawser_rom *rom)
 {
-	int k = rom->harmonics > 0 ? rom->harmonic[0].k : 1;
+	int k = 0;
 
-	for (int p = 1; p < rom->harmonics; p++)
-		k = rom->harmonic[p].k < k ? rom->harmonic[p].k : k;
+	for (int p = 0; p < rom->harmonics; p++)
+		if (rom->harmonic[p].k > 0 && (k == 0 || rom->harmonic[p].k < k))
+			k = rom->harmonic[p].k;
 	k = rom->base > k ? rom->base : k;
 	return k > 1 ? k : 1;
 }

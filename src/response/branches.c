@@ -131,16 +131,17 @@ struct search {
 	double *x, *v;                      /* [m] the old orbit and its direction */
 	double *along, *state, *other;      /* [m] from the old orbit to the new one; this; workspace */
 	double *A;                          /* [m][m] */
-	struct hawser_report *report;
+	struct hawser_report *report, why;  /* why: of the last attempt that failed */
 };
 
 /* state [m] and frequency of the last orbit of a short trace. */
 static enum hawser_status last_of(double *state, double *omega, int *found,
                                   const struct hawser_rom *rom,
-                                  const struct hawser_frf_options *options)
+                                  const struct hawser_frf_options *options,
+                                  struct hawser_report *why)
 {
 	struct hawser_frf frf;
-	enum hawser_status status = hawser_frf_trace(&frf, rom, options, NULL);
+	enum hawser_status status = hawser_frf_trace(&frf, rom, options, why);
 
 	*found = frf.points > 0 && (options->max_points == 1 || frf.end == HAWSER_END_RANGE);
 	if (*found)
@@ -160,7 +161,7 @@ static enum hawser_status walk(struct search *search, int *found, double there)
 		.start = search->near, .skip_events = 1, .samples = HAWSER_NONE, .step_max = 0.3};
 	double unused;
 
-	return last_of(search->x, &unused, found, search->old, &options);
+	return last_of(search->x, &unused, found, search->old, &options, &search->why);
 }
 
 static double distance(const double *a, const double *b, int m)
@@ -178,6 +179,7 @@ static double distance(const double *a, const double *b, int m)
 static enum hawser_status old_orbit(struct search *search, int *found, double there)
 {
 	int m = 2*search->old->n;
+	double extent;
 	enum hawser_status status = walk(search, found, there);
 
 	if (status || !*found)
@@ -186,8 +188,9 @@ static enum hawser_status old_orbit(struct search *search, int *found, double th
 	status = period_map(search->other, search->A, search->old, there, search->report);
 	if (!status)
 		status = eigenvector(search->v, search->A, m, search->b == 2 ? -1.0 : 1.0, search->report);
-	if (!status)
-		cblas_dscal(m, cblas_dnrm2(m, search->x, 1)/fmax(cblas_dnrm2(m, search->v, 1), 1e-300),
+	extent = cblas_dnrm2(m, search->x, 1);
+	if (!status) /* rest has no size: that of the model's scale */
+		cblas_dscal(m, (extent > 0.0 ? extent : 1.0)/fmax(cblas_dnrm2(m, search->v, 1), 1e-300),
 		            search->v, 1);
 	return status;
 }
@@ -206,7 +209,7 @@ static enum hawser_status attempt(struct search *search, int *found, double *ome
 
 	for (int i = 0; i < m; i++)
 		search->along[i] = e*search->v[i];
-	status = last_of(search->state, omega, found, search->rom, &options);
+	status = last_of(search->state, omega, found, search->rom, &options, &search->why);
 	if (status || !*found)
 		return status;
 	*omega *= search->b;
@@ -315,9 +318,10 @@ enum hawser_status hawser_branch_switch(struct hawser_frf *branch, const struct 
 		status = look(&search, &omega, at->omega/P);
 	if (!status && omega == 0.0)
 		status = hawser__fail(report, HAWSER_ERR_CONVERGENCE, "frf",
-		                      "no orbit of another branch was found beside the %s at Omega %.9g%s",
-		                      hawser_event_name(at->kind),
-		                      HAWSER_SHOWN(rom, at->omega/hawser__rom_periods(rom)));
+		                      "no orbit of another branch was found beside the %s at Omega %.9g%s; the "
+		                      "last attempt: %s", hawser_event_name(at->kind),
+		                      HAWSER_SHOWN(rom, at->omega/hawser__rom_periods(rom)),
+		                      search.why.message[0] ? search.why.message : "it led to the old branch");
 	if (!status)
 		status = follow(branch, &search, P*b, omega*P, at->omega, options, report);
 	branch->parent = from->branch;

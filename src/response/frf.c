@@ -258,6 +258,10 @@ static enum hawser_status arrive(void *owner, enum hawser__arrival *arrival, dou
 	if (*arrival != HAWSER__GO_ON)
 		return HAWSER_OK;
 	hawser__trace_mark(trace);
+	/* the last orbit evaluated may be that of an event, as at a branch point, where the parts that make
+	 * the branch are zero: they must not be dropped */
+	if (trace->account.events > 0)
+		return HAWSER_OK;
 	return trace->orbit->ops->relax(trace->orbit, trace->options.tolerance, trace->report);
 }
 

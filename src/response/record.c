@@ -9,6 +9,9 @@
 #include "core/report.h"
 #include "response/record.h"
 
+#define ONE_ARC 0.01 /* largest arclength between a fold and a branch point that are one; chosen */
+#define ERRORS 3.0   /* and of their parameters, in errors; chosen */
+
 /* Resize one array to `rows` of `width` doubles; a failure keeps the old one. */
 static int resize(double **array, int rows, int width)
 {
@@ -108,12 +111,28 @@ enum hawser_status hawser__record_point(struct hawser_frf *frf, struct hawser__a
 	return HAWSER_OK;
 }
 
+/* Whether these are the fold and the branch point of a pitchfork's own branch, which are one: Omega
+ * turns where that branch crosses the other. Beside it the tests are round-off. */
+static int are_one(const struct hawser_frf_event *a, const struct hawser_frf_event *b)
+{
+	int kinds = (a->kind == HAWSER_FOLD && b->kind == HAWSER_BRANCH_POINT) ||
+	            (a->kind == HAWSER_BRANCH_POINT && b->kind == HAWSER_FOLD);
+
+	return kinds && a->located && b->located && fabs(a->arc - b->arc) <= ONE_ARC &&
+	       fabs(a->parameter - b->parameter) <= ERRORS*(a->error + b->error)*fabs(a->parameter);
+}
+
 enum hawser_status hawser__record_event(struct hawser_frf *frf,
                                         const struct hawser_frf_event *event, const double *state,
                                         const struct hawser_rom *rom, struct hawser_report *report)
 {
 	double *row;
 
+	if (frf->events > 0 && are_one(&frf->event[frf->events - 1], event)) {
+		if (event->kind == HAWSER_FOLD)
+			return HAWSER_OK;
+		frf->events--;
+	}
 	if (frf->events == frf->event_capacity) {
 		int capacity = frf->event_capacity ? 2*frf->event_capacity : 32;
 		struct hawser_frf_event *larger = realloc(frf->event,

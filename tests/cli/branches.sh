@@ -32,11 +32,37 @@ for result in string, balance:
     assert abs(whirl["born"] - result["events"][0]["Omega"]) < 1e-9
     assert max(p["Omega"] for p in whirl["points"]) > 1.18
 ends = [e["Omega"] for e in string["events"] if e["kind"] == "branch-point"]
-assert any(abs(e["Omega"] - ends[1]) < 1e-4 for e in string["branches"][0]["events"])
+for result in string, balance:
+    points = [e["Omega"] for e in result["branches"][0]["events"] if e["kind"] == "branch-point"]
+    assert len(points) == 2 and max(abs(a - b) for a, b in zip(points, ends[::-1])) < 1e-8, points
+    assert result["branches"][0]["end"] == "curve closed"
 assert abs(string["branches"][0]["born"] - balance["branches"][0]["born"]) < 1e-8
 rows = [line.rstrip("\n").split("\t") for line in open("c.tsv") if not line.startswith("#")]
 assert rows[0][-1] == "branch" and {r[-1] for r in rows[1:]} == {"1", "2", "3"}
 assert sum("of period 4, from branch 2 at Omega = " in line for line in open("c.tsv")) == 1
+END
+cat >mathieu.json <<'END'
+{"n": 1, "K": [[1]], "D": [[0.05]], "C": [[0, 0, 0, 0, 0.5]], "harmonics": [{"k": 1, "phase": "cos", "K": [[0.3]]}]}
+END
+works "parametric excitation" frf mathieu.json --from 1.5 --to 2.5 --json mathieu-frf.json -q
+run frf string.json --from 0.9 --to 1.4 --method multiple-scales --branches 1 --json scales.json --tsv scales.tsv -q
+try "a branch that is not found: a warning" grep -q "^hawser: warning: the branch beside the branch-point at Omega = \
+1.03160469 (branch 1) was not found: no orbit of another branch was found" "$scratch/err"
+run frf cascade.json --from 1.6 --to 0.7 --step 0.01 --branches 6 --tolerance 1e-3 --json lost.json --tsv lost.tsv -q
+try "a branch that is lost: a warning" grep -q "^hawser: warning: branch 2, from the period-doubling at Omega = " \
+	"$scratch/err"
+python "rest begins its branches by itself; what is missing is said in all results" <<'END'
+import json
+mathieu, scales, lost = (json.load(open(name + ".json")) for name in ("mathieu-frf", "scales", "lost"))
+assert max(p["coordinates"][0] for p in mathieu["points"]) == 0
+assert [(b["period"], b["parent"]) for b in mathieu["branches"]] == [(2, 1), (2, 1)]
+for b, e in zip(mathieu["branches"], mathieu["events"]):
+    assert b["born"] == e["Omega"] and e["kind"] == "period-doubling" and abs(b["points"][0]["Omega"]/b["born"] - 1) < 1e-4
+    assert max(p["coordinates"][0] for p in b["points"]) > 0.5
+assert [b["points"][5]["stable"] for b in mathieu["branches"]] == [True, False]
+for result, name, count, text in ((scales, "scales", 2, "was not found: no orbit"), (lost, "lost", 1, "is incomplete: at Omega")):
+    assert len(result["warnings"]) == count and all(text in w for w in result["warnings"]), result["warnings"]
+    assert sum(line.startswith("# warning: ") and text in line for line in open(name + ".tsv")) == count
 END
 refuses 1 "--over factor.load=1:2 follows one motion at one frequency: leave out --branches" \
 	frf cascade.json --over factor.load=1:2 --Omega 1 --branches 1

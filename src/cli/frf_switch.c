@@ -1,0 +1,219 @@
+/* cli/frf_switch.c - the branches that begin at bifurcations of a frequency response (--branches), and
+ * what is said of those that are not found.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/frf_cover.h"
+#include "cli/view.h"
+#include "core/report.h"
+
+#define SAME 1e-4 /* relative distance of two events that are taken for one; chosen */
+enum { MOST_BORN = 24 };
+
+/* --- what is missing --- */
+
+/* Returns 1 when out of memory. */
+static int miss(struct cli_cover *cover, const char *format, ...) HAWSER_PRINTF(2, 3);
+static int miss(struct cli_cover *cover, const char *format, ...)
+{
+	struct cli_missed *longer = realloc(cover->missed, ((size_t)cover->misses + 1)*sizeof *longer);
+	va_list values;
+
+	if (!longer)
+		return 1;
+	cover->missed = longer;
+	va_start(values, format);
+	vsnprintf(longer[cover->misses++].text, sizeof longer->text, format, values);
+	va_end(values);
+	return 0;
+}
+
+/* "period-doubling at Omega = 1.4 rad/s" */
+struct event_text {
+	char text[120];
+};
+static struct event_text name_of(const struct cli_frf_result *result,
+                                 const struct hawser_frf_event *event)
+{
+	struct event_text name;
+
+	snprintf(name.text, sizeof name.text, "%s at Omega = %.9g%s", hawser_event_name(event->kind),
+	         event->omega*cli_per_omega(result->model), cli_unit(result->model, " rad/s"));
+	return name;
+}
+
+/* --- which events --- */
+
+static int has_event(const struct hawser_frf *frf, double omega)
+{
+	for (int e = 0; e < frf->events; e++)
+		if (fabs(frf->event[e].omega/omega - 1.0) < SAME)
+			return 1;
+	return 0;
+}
+
+static const struct hawser_frf *branch_of(const struct cli_frf_result *result, int branch)
+{
+	for (int k = 0; k < result->others; k++)
+		if (result->other[k].frf->branch == branch)
+			return result->other[k].frf;
+	return result->frf;
+}
+
+/* Whether a branch begins at this event, which none of the branches has led to yet. */
+static int begins(const struct cli_cover *cover, const struct cli_frf_result *result,
+                  const struct hawser_frf *frf, int e)
+{
+	const struct hawser_frf_event *event = &frf->event[e];
+
+	if (event->kind == HAWSER_PERIOD_DOUBLING)
+		return 1;
+	if (event->kind != HAWSER_BRANCH_POINT)
+		return 0;
+	for (int k = 0; k < cover->borns; k++)
+		if (fabs(cover->born[k]->born/event->omega - 1.0) < SAME ||
+		    (cover->born[k] != frf && has_event(cover->born[k], event->omega)))
+			return 0;
+	/* a branch comes back to its own parent */
+	return frf->parent == 0 || !has_event(branch_of(result, frf->parent), event->omega);
+}
+
+/* --- follow them --- */
+
+/* Room for one more branch. Returns NULL when out of memory. */
+static struct hawser_frf *add_born(struct cli_cover *cover)
+{
+	size_t count = (size_t)cover->borns + 1, all = (size_t)cover->of.branches + count;
+	struct hawser_frf **born = realloc(cover->born, count*sizeof *born), *frf;
+	struct cli_frf_result *other = realloc(cover->other, all*sizeof *other);
+
+	if (born)
+		cover->born = born;
+	if (other)
+		cover->other = other;
+	if (!born || !other || !(frf = calloc(1, sizeof *frf)))
+		return NULL;
+	cover->other[all - 1] = (struct cli_frf_result){.frf = frf};
+	cover->born[cover->borns++] = frf;
+	return frf;
+}
+
+static void drop_born(struct cli_cover *cover)
+{
+	struct hawser_frf *frf = cover->born[--cover->borns];
+
+	hawser_frf_clear(frf);
+	free(frf);
+}
+
+/* The branch at event e of `from`, with its peaks. A branch that is not found is a miss. */
+static enum hawser_status follow(struct cli_cover *cover, struct cli_frf_result *result,
+                                 const struct hawser_frf *from, int e,
+                                 const struct hawser_frf_options *options,
+                                 struct cli_progress *progress, cli_peaks_function *peaks,
+                                 struct hawser_report *report)
+{
+	struct event_text at = name_of(result, &from->event[e]);
+	struct hawser_report why = {.message = ""};
+	struct hawser_landmark *peak = NULL;
+	struct hawser_frf *frf = add_born(cover);
+	struct cli_frf_result *one;
+	enum hawser_status status;
+
+	if (!frf)
+		return hawser__no_memory(report, "frf");
+	result->other = cover->other;
+	one = &cover->other[result->others];
+	*one = *result;
+	one->frf = frf;
+	one->peak = NULL;
+	one->peaks = one->others = one->gaps = one->misses = 0;
+	status = hawser_branch_switch(frf, &result->model->rom, from, e, options, &why);
+	if (status == HAWSER_ERR_MEMORY)
+		return hawser__no_memory(report, "frf");
+	if (frf->points < 2) {
+		drop_born(cover);
+		return miss(cover, "the branch beside the %s (branch %d) was not found: %s", at.text,
+		            from->branch, status ? why.message : "it ends at once")
+		       ? hawser__no_memory(report, "frf") : HAWSER_OK;
+	}
+	frf->branch = ++result->others + 1;
+	if (status && miss(cover, "branch %d, from the %s, is incomplete: %s", frf->branch, at.text,
+	                   why.message))
+		return hawser__no_memory(report, "frf");
+	status = frf->period > 1 ? HAWSER_OK
+	         : peaks(&peak, one, progress, options, status || frf->end == HAWSER_END_FAILED, report);
+	one->peak = peak;
+	return status;
+}
+
+static enum hawser_status doubt(struct cli_cover *cover, const struct cli_frf_result *result,
+                                const struct hawser_frf *from, const struct hawser_frf_event *event,
+                                struct hawser_report *report)
+{
+	return miss(cover, "the branch beside the %s (branch %d) was not looked for: the event is %s",
+	            name_of(result, event).text, from->branch,
+	            event->located ? "not confirmed by the multipliers" : "not located")
+	       ? hawser__no_memory(report, "frf") : HAWSER_OK;
+}
+
+int cli_cover_depth(const struct cli_frf_result *result, int wanted)
+{
+	const struct hawser_frf *frf = result->frf;
+	size_t count = (size_t)frf->points*(size_t)frf->n;
+
+	if (result->over || wanted > 0)
+		return result->over ? 0 : wanted;
+	for (size_t i = 0; i < count; i++)
+		if (frf->coordinate[i] != 0.0)
+			return 0;
+	return 1;
+}
+
+enum hawser_status cli_cover_switch(struct cli_cover *cover, struct cli_frf_result *result,
+                                    const struct hawser_frf_options *options, int depth,
+                                    struct cli_progress *progress, cli_peaks_function *peaks,
+                                    struct hawser_report *report)
+{
+	struct cli_watch watch = {*progress, "frf: branches"};
+	struct hawser_frf_options choice = *options;
+	int level[MOST_BORN + 1] = {0}, left = 0;
+	enum hawser_status status = HAWSER_OK;
+
+	choice.progress = (struct hawser_progress){cli_watch, &watch};
+	for (int k = 0; k <= result->others; k++) {
+		int born = k - 1 - cover->of.branches, before;
+		const struct hawser_frf *from = k ? result->other[k - 1].frf : result->frf;
+
+		if (born >= 0 && level[born] >= depth)
+			continue;
+		for (int e = 0; e < from->events && !status && !cli_interrupted(); e++) {
+			const struct hawser_frf_event *event = &from->event[e];
+
+			if (!begins(cover, result, from, e))
+				continue;
+			before = cover->borns;
+			if (!event->located || event->suspected)
+				status = doubt(cover, result, from, event, report);
+			else if (before == MOST_BORN)
+				left++;
+			else
+				status = follow(cover, result, from, e, &choice, progress, peaks, report);
+			if (cover->borns > before)
+				level[before] = born < 0 ? 1 : level[born] + 1;
+		}
+	}
+	if (!status && left > 0 && miss(cover, "branches: %d are followed, the most; those beside %d more "
+	                                "events were not looked for", MOST_BORN, left))
+		status = hawser__no_memory(report, "frf");
+	result->missed = cover->missed;
+	result->misses = cover->misses;
+	*progress = watch.progress;
+	return status;
+}
