@@ -27,6 +27,7 @@
 
 #define LEFT_OUT 0.25  /* error of the inactive pairs after activation, relative to the tolerance */
 #define CUT_BACK 0.1   /* the same after pairs are dropped */
+#define AHEAD 0.1      /* arclength over which a part that grows is kept; chosen */
 #define SHARPER 0.03   /* error of the finer discretisation relative to that of the coarser one */
 #define FINEST 1e-14   /* smallest amplitude of a pair above round-off, relative to the orbit */
 #define UNRESOLVED 0.01 /* largest part in harmonics that the basis does not resolve, relative to
@@ -223,6 +224,22 @@ static double amplitude(const struct hawser__balance *balance, int h, int j)
 	return sqrt((c*c + s*s)*(h ? 0.5 : 1.0)*(1.0 + h*h*omega*omega));
 }
 
+/* The same, at least of the change of this part a little further along the branch. Beside a branch
+ * point parts are small with the new motion, but without them it would begin elsewhere. */
+static double importance(const struct hawser__balance *balance, int h, int j)
+{
+	int n = balance->base.n;
+	const double *t = balance->base.tangent;
+	double omega = hawser__orbit_omega(&balance->base, balance->at), c, s;
+
+	if (!t)
+		return amplitude(balance, h, j);
+	c = t[hawser__cos(n, h, j)];
+	s = h ? t[hawser__sin(n, h, j)] : 0.0;
+	return fmax(amplitude(balance, h, j),
+	            AHEAD*sqrt((c*c + s*s)*(h ? 0.5 : 1.0)*(1.0 + h*h*omega*omega)));
+}
+
 /* The largest level for which the missing pairs below it add up to at most `part`. */
 static double adding_level(const struct hawser__balance *balance, double omega, double part)
 {
@@ -254,7 +271,7 @@ static double dropping_level(const struct hawser__balance *balance, double part)
 		double sum = pow(balance->open, 2);
 
 		for (int e = 0; e < pairs; e++) {
-			double d = balance->active[e] ? amplitude(balance, e/n, e%n) : 0.0;
+			double d = balance->active[e] ? importance(balance, e/n, e%n) : 0.0;
 
 			sum += d < level ? d*d : 0.0;
 		}
@@ -330,14 +347,14 @@ enum hawser_status hawser__balance_relax(struct hawser__orbit *orbit, double tol
 
 	/* in blocks only complete harmonics change the cost */
 	for (int e = 0; balance->blockwise && e < pairs; e++)
-		if (balance->active[e] && amplitude(balance, e/n, e%n) >= level)
+		if (balance->active[e] && importance(balance, e/n, e%n) >= level)
 			from = (e/n + 1)*n;
 	for (int e = from; e < pairs; e++)
-		dropped += balance->active[e] && amplitude(balance, e/n, e%n) < level;
+		dropped += balance->active[e] && importance(balance, e/n, e%n) < level;
 	if (20*dropped <= balance->unknowns)
 		return HAWSER_OK;
 	for (int e = from; e < pairs; e++)
-		if (balance->active[e] && amplitude(balance, e/n, e%n) < level)
+		if (balance->active[e] && importance(balance, e/n, e%n) < level)
 			balance->active[e] = 0;
 	return hawser__balance_arrange(balance, report);
 }

@@ -262,7 +262,10 @@ static enum hawser_status arrive(void *owner, enum hawser__arrival *arrival, dou
 	 * the branch are zero: they must not be dropped */
 	if (trace->account.events > 0)
 		return HAWSER_OK;
-	return trace->orbit->ops->relax(trace->orbit, trace->options.tolerance, trace->report);
+	trace->orbit->tangent = trace->here.t;
+	status = trace->orbit->ops->relax(trace->orbit, trace->options.tolerance, trace->report);
+	trace->orbit->tangent = NULL;
+	return status;
 }
 
 static const struct hawser__curve_ops branch_ops = {

@@ -65,6 +65,7 @@ struct hawser__orbit {
 	double product_error, product_round_off, multiplier_error;
 	double round_off;     /* part of the last `error` that is due to round-off */
 	double det_sign, det_log; /* of the bordered Jacobian of the last factorisation */
+	const double *tangent; /* [size] of the branch, for relax; or NULL */
 	double reach;         /* distance of the orbit from the previous one in the metric; 0: not
 	                       * examined */
 	double goal;          /* largest relative residual of the next solutions, where the method solves by

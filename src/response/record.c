@@ -9,7 +9,7 @@
 #include "core/report.h"
 #include "response/record.h"
 
-#define ONE_ARC 0.01 /* largest arclength between a fold and a branch point that are one; chosen */
+#define ONE_ARC 0.05 /* largest arclength between a fold and a branch point that are one; chosen */
 #define ERRORS 3.0   /* and of their parameters, in errors; chosen */
 
 /* Resize one array to `rows` of `width` doubles; a failure keeps the old one. */
@@ -111,14 +111,15 @@ enum hawser_status hawser__record_point(struct hawser_frf *frf, struct hawser__a
 	return HAWSER_OK;
 }
 
-/* Whether these are the fold and the branch point of a pitchfork's own branch, which are one: Omega
- * turns where that branch crosses the other. Beside it the tests are round-off. */
+/* Whether these are at one place. On a pitchfork's own branch Omega turns where that branch crosses the
+ * other: a fold and a branch point in one. Beside it the tests are round-off, which may change more. */
 static int are_one(const struct hawser_frf_event *a, const struct hawser_frf_event *b)
 {
-	int kinds = (a->kind == HAWSER_FOLD && b->kind == HAWSER_BRANCH_POINT) ||
-	            (a->kind == HAWSER_BRANCH_POINT && b->kind == HAWSER_FOLD);
+	int fold = a->kind == HAWSER_FOLD || b->kind == HAWSER_FOLD;
+	int point = a->kind == HAWSER_BRANCH_POINT || b->kind == HAWSER_BRANCH_POINT;
+	int same = a->kind == HAWSER_BRANCH_POINT && b->kind == HAWSER_BRANCH_POINT;
 
-	return kinds && a->located && b->located && fabs(a->arc - b->arc) <= ONE_ARC &&
+	return ((fold && point) || same) && a->located && b->located && fabs(a->arc - b->arc) <= ONE_ARC &&
 	       fabs(a->parameter - b->parameter) <= ERRORS*(a->error + b->error)*fabs(a->parameter);
 }
 
@@ -129,9 +130,11 @@ enum hawser_status hawser__record_event(struct hawser_frf *frf,
 	double *row;
 
 	if (frf->events > 0 && are_one(&frf->event[frf->events - 1], event)) {
-		if (event->kind == HAWSER_FOLD)
+		int twice = frf->event[frf->events - 1].kind == event->kind;
+
+		frf->events -= event->kind == HAWSER_BRANCH_POINT;
+		if (twice || event->kind == HAWSER_FOLD)
 			return HAWSER_OK;
-		frf->events--;
 	}
 	if (frf->events == frf->event_capacity) {
 		int capacity = frf->event_capacity ? 2*frf->event_capacity : 32;
