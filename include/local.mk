@@ -23,6 +23,7 @@ pkginclude_HEADERS = \
 	%D%/hawser/lyapunov.h \
 	%D%/hawser/map.h \
 	%D%/hawser/modes.h \
+	%D%/hawser/net.h \
 	%D%/hawser/orbit.h \
 	%D%/hawser/plan.h \
 	%D%/hawser/plausible.h \

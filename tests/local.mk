@@ -34,7 +34,8 @@ UPTO_SCENE = src/scene/.libs/libscene.a $(UPTO_CONTINUATION) $(YAML_LIBS) $(UDUN
 UPTO_STATICS = src/statics/.libs/libstatics.a $(UPTO_SCENE) $(GSL_LIBS)
 UPTO_MODES = src/modes/.libs/libmodes.a $(UPTO_STATICS) $(SLICOT_LIBS) $(LAPACKE_LIBS) $(BLAS_LIBS)
 UPTO_BEAM = src/beam/.libs/libbeam.a $(UPTO_MODES)
-UPTO_ROM = src/rom/.libs/librom.a $(UPTO_BEAM) $(JANSSON_LIBS)
+UPTO_NET = src/net/.libs/libnet.a $(UPTO_BEAM) $(CHOLMOD_LIBS)
+UPTO_ROM = src/rom/.libs/librom.a $(UPTO_NET) $(JANSSON_LIBS)
 UPTO_RESPONSE = src/response/.libs/libresponse.a $(UPTO_ROM) $(SUNDIALS_LIBS) $(FFTW_LIBS) $(SLICOT_LIBS)
 UPTO_STUDY = src/study/.libs/libstudy.a $(UPTO_RESPONSE)
 
@@ -49,6 +50,8 @@ src/statics/.libs/libstatics.a: src/statics/libstatics.la
 src/modes/.libs/libmodes.a: src/modes/libmodes.la
 	@:
 src/beam/.libs/libbeam.a: src/beam/libbeam.la
+	@:
+src/net/.libs/libnet.a: src/net/libnet.la
 	@:
 src/rom/.libs/librom.a: src/rom/librom.la
 	@:

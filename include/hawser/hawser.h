@@ -16,6 +16,7 @@
 #include <hawser/beam.h>
 #include <hawser/beam_motion.h>
 #include <hawser/campbell.h>
+#include <hawser/net.h>
 #include <hawser/plugin.h>
 #include <hawser/rom.h>
 #include <hawser/choose.h>

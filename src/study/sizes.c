@@ -27,6 +27,7 @@
 #include <hawser/lyapunov.h>
 #include <hawser/map.h>
 #include <hawser/modes.h>
+#include <hawser/net.h>
 #include <hawser/orbit.h>
 #include <hawser/plan.h>
 #include <hawser/plausible.h>
@@ -163,6 +164,11 @@ static const struct row {
 	ROW(hawser_modulation),
 	ROW(hawser_monomial),
 	ROW(hawser_motion),
+	ROW(hawser_net),
+	ROW(hawser_net_cable),
+	ROW(hawser_net_dynamics),
+	ROW(hawser_net_load),
+	ROW(hawser_net_node),
 	ROW(hawser_orbit_cost),
 	ROW(hawser_parameter),
 	ROW(hawser_plan),

@@ -1,0 +1,268 @@
+/* net/mesh.c - the mesh of a net: nodes, elements, weight and loads; see net/net.h.
+ *
+ * q        positions, [nodes][3]
+ * length0  unstretched length of an element
+ *
+ * Weight and loads of an element go half to each of its ends. The inner nodes start on the chord, which
+ * no method of statics needs.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "core/report.h"
+#include "net/net.h"
+
+/* Bytes that the statics of an element take, with the factors: measured on nets of Table 3.1. */
+enum { BYTES = 2500 };
+
+void hawser__mesh_clear(struct hawser__mesh *mesh)
+{
+	if (!mesh)
+		return;
+	free(mesh->first);
+	free(mesh->inner);
+	free(mesh->end);
+	free(mesh->cable);
+	free(mesh->length0);
+	free(mesh->EA);
+	free(mesh->rho);
+	free(mesh->q);
+	free(mesh->unknown);
+	free(mesh->mass);
+	free(mesh->force);
+	free(mesh->wave);
+	free(mesh->motion);
+	memset(mesh, 0, sizeof *mesh);
+}
+
+/* Number of elements and nodes; fails where the machine has not the memory for them. */
+static enum hawser_status count(struct hawser__mesh *mesh, const struct hawser_net *net,
+                                struct hawser_report *report)
+{
+	double elements = 0.0, need;
+	double have = (double)sysconf(_SC_PHYS_PAGES)*(double)sysconf(_SC_PAGESIZE);
+
+	for (int i = 0; i < net->cables; i++)
+		elements += net->cable[i].elements;
+	need = elements*BYTES;
+	if (elements > 1e8 || (have > 0.0 && need > have))
+		return hawser__fail(report, HAWSER_ERR_SCENE, "net",
+		                    "%s: %.0f elements need about %.1f GiB of memory, and this machine has "
+		                    "%.1f GiB: give `elements` smaller numbers", net->name, elements,
+		                    need/1073741824.0, have/1073741824.0);
+	mesh->cables = net->cables;
+	mesh->elements = (int)elements;
+	mesh->nodes = net->nodes + mesh->elements - net->cables;
+	return HAWSER_OK;
+}
+
+static size_t waves_of(const struct hawser_net *net, const struct hawser_net_load *load)
+{
+	return !load->harmonic ? 0 : load->cable < 0 ? 1 : (size_t)net->cable[load->cable].elements + 1;
+}
+
+static enum hawser_status allocate(struct hawser__mesh *mesh, const struct hawser_net *net,
+                                   struct hawser_report *report)
+{
+	size_t elements = (size_t)mesh->elements + 1, nodes = (size_t)mesh->nodes + 1, waves = 1;
+
+	for (int i = 0; i < net->loads; i++)
+		waves += waves_of(net, &net->load[i]);
+	mesh->first = calloc((size_t)mesh->cables + 1, sizeof *mesh->first);
+	mesh->inner = calloc((size_t)mesh->cables + 1, sizeof *mesh->inner);
+	mesh->end = calloc(elements, sizeof *mesh->end);
+	mesh->cable = calloc(elements, sizeof *mesh->cable);
+	mesh->length0 = calloc(elements, sizeof *mesh->length0);
+	mesh->EA = calloc(elements, sizeof *mesh->EA);
+	mesh->rho = calloc(elements, sizeof *mesh->rho);
+	mesh->q = calloc(nodes, sizeof *mesh->q);
+	mesh->unknown = calloc(nodes, sizeof *mesh->unknown);
+	mesh->mass = calloc(nodes, sizeof *mesh->mass);
+	mesh->force = calloc(nodes, sizeof *mesh->force);
+	mesh->wave = calloc(waves, sizeof *mesh->wave);
+	mesh->motion = calloc((size_t)net->motions + 1, sizeof *mesh->motion);
+	return mesh->first && mesh->inner && mesh->end && mesh->cable && mesh->length0 && mesh->EA &&
+	       mesh->rho && mesh->q && mesh->unknown && mesh->mass && mesh->force && mesh->wave &&
+	       mesh->motion ? HAWSER_OK : hawser__no_memory(report, "net");
+}
+
+/* Elements of one cable, and its inner nodes from number `node`. */
+static void chain(struct hawser__mesh *mesh, const struct hawser_net_cable *cable, int number, int node)
+{
+	int first = mesh->first[number], n = cable->elements;
+	const double *a = mesh->q[cable->from], *b = mesh->q[cable->to];
+
+	mesh->inner[number] = n > 1 ? node : -1;
+	for (int i = 0; i < n; i++) {
+		int e = first + i;
+
+		mesh->end[e][0] = i ? node + i - 1 : cable->from;
+		mesh->end[e][1] = i < n - 1 ? node + i : cable->to;
+		mesh->cable[e] = number;
+		mesh->EA[e] = cable->EA;
+		mesh->rho[e] = cable->rho;
+		mesh->length0[e] = cable->given == HAWSER_NET_LENGTH0 ? cable->value/n : 0.0;
+		for (int k = 0; i < n - 1 && k < 3; k++)
+			mesh->q[node + i][k] = a[k] + (b[k] - a[k])*(i + 1)/n;
+	}
+}
+
+static void number(struct hawser__mesh *mesh)
+{
+	int next = 0;
+
+	for (int i = 0; i < mesh->nodes; i++)
+		for (int k = 0; k < 3; k++)
+			mesh->unknown[i][k] = mesh->unknown[i][k] < 0 ? -1 : next++;
+	mesh->unknowns = next;
+}
+
+void hawser__mesh_hold(struct hawser__mesh *mesh, int node, const unsigned char held[3])
+{
+	for (int k = 0; k < 3; k++)
+		mesh->unknown[node][k] = held[k] ? -1 : 0;
+	number(mesh);
+}
+
+enum hawser_status hawser__mesh_build(struct hawser__mesh *mesh, const struct hawser_net *net,
+                                      struct hawser_report *report)
+{
+	enum hawser_status status;
+	int node = net->nodes;
+
+	memset(mesh, 0, sizeof *mesh);
+	status = count(mesh, net, report);
+	if (!status)
+		status = allocate(mesh, net, report);
+	if (status) {
+		hawser__mesh_clear(mesh);
+		return status;
+	}
+	mesh->g = net->g;
+	mesh->alpha = net->alpha;
+	mesh->axial = net->axial;
+	for (int i = 0; i < net->nodes; i++) {
+		memcpy(mesh->q[i], net->node[i].x, sizeof mesh->q[i]);
+		mesh->mass[i] = net->node[i].mass;
+		for (int k = 0; k < 3; k++)
+			mesh->unknown[i][k] = net->node[i].held[k] ? -1 : 0;
+	}
+	for (int i = 0; i < net->cables; i++) {
+		chain(mesh, &net->cable[i], i, node);
+		node += net->cable[i].elements - 1;
+		mesh->first[i + 1] = mesh->first[i] + net->cable[i].elements;
+	}
+	number(mesh);
+	hawser__mesh_load(mesh, net);
+	mesh->motions = net->motions;
+	for (int i = 0; i < net->motions; i++) {
+		const struct hawser_net_load *from = &net->motion[i];
+
+		mesh->motion[i] = (struct hawser__mesh_wave){
+			.node = from->node, .value = {from->value[0], from->value[1], from->value[2]},
+			.Omega = from->Omega, .phase = from->phase};
+	}
+	return HAWSER_OK;
+}
+
+/* Add a load to the constant forces or, if it is harmonic, to the waves. */
+static void load(struct hawser__mesh *mesh, const struct hawser_net_load *from)
+{
+	int first = from->cable < 0 ? 0 : mesh->first[from->cable];
+	int n = from->cable < 0 ? 0 : mesh->first[from->cable + 1] - first;
+
+	for (int i = 0; i <= n; i++) {
+		int at = n == 0 ? from->node : i < n ? mesh->end[first + i][0] : mesh->end[first + n - 1][1];
+		double half = n == 0 ? 1.0 : ((i < n ? mesh->length0[first + i] : 0.0) +
+		                             (i > 0 ? mesh->length0[first + i - 1] : 0.0))/2.0;
+		struct hawser__mesh_wave *wave = &mesh->wave[mesh->waves];
+
+		if (from->harmonic)
+			*wave = (struct hawser__mesh_wave){.node = at, .Omega = from->Omega,
+			                                   .phase = from->phase};
+		for (int k = 0; k < 3; k++)
+			*(from->harmonic ? &wave->value[k] : &mesh->force[at][k]) += half*from->value[k];
+		mesh->waves += from->harmonic;
+	}
+}
+
+void hawser__mesh_load(struct hawser__mesh *mesh, const struct hawser_net *net)
+{
+	mesh->waves = 0;
+	for (int i = 0; i < mesh->nodes; i++) {
+		mesh->force[i][0] = mesh->force[i][2] = 0.0;
+		mesh->force[i][1] = -mesh->mass[i]*mesh->g;
+	}
+	for (int e = 0; e < mesh->elements; e++)
+		for (int end = 0; end < 2; end++)
+			mesh->force[mesh->end[e][end]][1] -= mesh->rho[e]*mesh->length0[e]*mesh->g/2.0;
+	for (int i = 0; i < net->loads; i++)
+		load(mesh, &net->load[i]);
+}
+
+double hawser__mesh_direction(double e[3], const struct hawser__mesh *mesh, int element)
+{
+	const double *a = mesh->q[mesh->end[element][0]], *b = mesh->q[mesh->end[element][1]];
+	double l;
+
+	for (int k = 0; k < 3; k++)
+		e[k] = b[k] - a[k];
+	l = sqrt(e[0]*e[0] + e[1]*e[1] + e[2]*e[2]);
+	for (int k = 0; l > 0.0 && k < 3; k++)
+		e[k] /= l;
+	return l;
+}
+
+double hawser__mesh_energy(const struct hawser__mesh *mesh)
+{
+	double sum = 0.0, e[3];
+
+	for (int i = 0; i < mesh->elements; i++) {
+		double p = hawser__mesh_direction(e, mesh, i) - mesh->length0[i];
+
+		sum += p > 0.0 ? mesh->EA[i]/mesh->length0[i]*p*p/2.0 : 0.0;
+	}
+	for (int i = 0; i < mesh->nodes; i++)
+		for (int k = 0; k < 3; k++)
+			sum -= mesh->force[i][k]*mesh->q[i][k];
+	return sum;
+}
+
+void hawser__mesh_gradient(double (*residual)[3], double *T, const struct hawser__mesh *mesh)
+{
+	for (int i = 0; i < mesh->nodes; i++)
+		for (int k = 0; k < 3; k++)
+			residual[i][k] = -mesh->force[i][k];
+	for (int i = 0; i < mesh->elements; i++) {
+		double e[3], p = hawser__mesh_direction(e, mesh, i) - mesh->length0[i];
+		double tension = p > 0.0 ? mesh->EA[i]/mesh->length0[i]*p : 0.0;
+
+		for (int k = 0; k < 3; k++) {
+			residual[mesh->end[i][0]][k] -= tension*e[k];
+			residual[mesh->end[i][1]][k] += tension*e[k];
+		}
+		if (T)
+			T[i] = tension;
+	}
+}
+
+double hawser__mesh_floor(const struct hawser__mesh *mesh)
+{
+	double most = 0.0;
+
+	for (int i = 0; i < mesh->elements; i++) {
+		const double *a = mesh->q[mesh->end[i][0]], *b = mesh->q[mesh->end[i][1]];
+		double reach = mesh->length0[i];
+
+		for (int k = 0; k < 3; k++)
+			reach = fmax(reach, fmax(fabs(a[k]), fabs(b[k])));
+		most = fmax(most, mesh->EA[i]/mesh->length0[i]*reach*DBL_EPSILON);
+	}
+	return 2.0*most;
+}

@@ -1,0 +1,24 @@
+/* net/net.c - a net as the scene has it.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include <hawser/net.h>
+
+void hawser_net_clear(struct hawser_net *net)
+{
+	if (!net)
+		return;
+	for (int i = 0; i < net->nodes; i++)
+		free(net->node[i].table);
+	free(net->name);
+	free(net->node);
+	free(net->cable);
+	free(net->load);
+	free(net->motion);
+	free(net->dynamics.from);
+	free(net->dynamics.release);
+	memset(net, 0, sizeof *net);
+}

@@ -1,0 +1,104 @@
+/* net/net.h - the mesh of a net: every cable is a chain of straight elements between nodes.
+ *
+ * Energy, with d = q[end1] - q[end0], l = |d|, k = EA/length0 and p = max(l - length0, 0):
+ * Pi(q) = sum of k*p^2/2 - force.q over all nodes. It is convex in q for any graph, so that every
+ * equilibrium is a least one; the tensions T = k*p of the elements are unique.
+ *
+ * The first nodes of the mesh are those of the scene, in their order; then come the inner nodes of
+ * cable 0, from its end `from` to its end `to`, of cable 1, and so on. The elements of a cable are
+ * consecutive, in the same direction.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_NET_NET_H
+#define HAWSER_NET_NET_H
+
+#include <hawser/net.h>
+
+struct hawser__mesh {
+	int nodes, elements, cables, unknowns;
+	int *first;            /* [cables + 1] first element of each cable; the last entry is `elements` */
+	int *inner;            /* [cables] mesh node after the end `from`; -1 if the cable is one element */
+	int (*end)[2];         /* [elements] nodes of each element */
+	int *cable;            /* [elements] the cable it is of */
+	double *length0;       /* [elements] m */
+	double *EA;            /* [elements] N */
+	double *rho;           /* [elements] kg/m per unstretched length */
+	double (*q)[3];        /* [nodes] positions: of supports as given; of the others as last solved */
+	int (*unknown)[3];     /* [nodes] index of the unknown of each direction; -1 if it is held */
+	double *mass;          /* [nodes] point masses, kg, without the cables */
+	double (*force)[3];    /* [nodes] weight (of cables, half to each end, and point masses) and
+	                        * constant loads, N */
+	struct hawser__mesh_wave *wave; /* [waves] harmonic loads, at mesh nodes */
+	struct hawser__mesh_wave *motion; /* [motions] harmonic displacements of held directions */
+	int waves, motions;
+	double g, alpha, axial; /* as in struct hawser_net */
+};
+
+/* value*cos(Omega*t + phase) at a node: a force, N, or a displacement, m. */
+struct hawser__mesh_wave {
+	int node;
+	double value[3], Omega, phase;
+};
+
+/* The mesh of a net. Cables whose unstretched length is not given have length0 = 0 in their elements
+ * and no weight or load, until form finding has set it (hawser__mesh_load). */
+enum hawser_status hawser__mesh_build(struct hawser__mesh *mesh, const struct hawser_net *net,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Recompute force and the amplitudes of waves from the unstretched lengths of the elements. */
+void hawser__mesh_load(struct hawser__mesh *mesh, const struct hawser_net *net);
+/* Hold or release the directions of a node: counts the unknowns anew. */
+void hawser__mesh_hold(struct hawser__mesh *mesh, int node, const unsigned char held[3]);
+void hawser__mesh_clear(struct hawser__mesh *mesh);
+
+/* Pi(q) at mesh->q. */
+double hawser__mesh_energy(const struct hawser__mesh *mesh);
+/* residual [nodes][3] = gradient of Pi at mesh->q: also in held directions, where it is minus the force
+ * of the support on the net. T [elements] gets the tensions, if not NULL. */
+void hawser__mesh_gradient(double (*residual)[3], double *T, const struct hawser__mesh *mesh);
+/* Bound of the round-off of this gradient: EA*ulp(position)/length0, largest over the nodes, N. */
+double hawser__mesh_floor(const struct hawser__mesh *mesh);
+/* Length of an element, and unit vector along it (zero if the length is 0). */
+double hawser__mesh_direction(double e[3], const struct hawser__mesh *mesh, int element);
+
+/* Symmetric sparse matrices over the unknowns, sums of a 3x3 block for each element as
+ * [B, -B; -B, B], and their Cholesky factors (SuiteSparse CHOLMOD). The pattern is analysed once. */
+struct hawser__sparse;
+enum hawser_status hawser__sparse_open(struct hawser__sparse **sparse,
+                                       const struct hawser__mesh *mesh,
+                                       struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser__sparse_clear(struct hawser__sparse *sparse);
+void hawser__sparse_zero(struct hawser__sparse *sparse);
+/* Add a*I + b*e*e' for an element; add to the diagonal of an unknown. */
+void hawser__sparse_add(struct hawser__sparse *sparse, int element, double a, double b,
+                        const double e[3]);
+void hawser__sparse_diagonal(struct hawser__sparse *sparse, int unknown, double value);
+/* Factor; *definite is 0 if the matrix is not positive definite (then the factors are not usable). */
+enum hawser_status hawser__sparse_factor(struct hawser__sparse *sparse, int *definite,
+                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Solve for a right side [unknowns], in place. */
+enum hawser_status hawser__sparse_solve(double *x, struct hawser__sparse *sparse,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* What statics found. */
+struct hawser__equilibrium {
+	double energy;     /* J, Pi */
+	double gap;        /* J: Pi is at most this above its least value */
+	double residual;   /* N, largest component of the force that is not balanced */
+	double floor;      /* N, what round-off allows */
+	const char *method;
+	int iterations;
+};
+struct hawser__mesh_options {
+	const char *method; /* a row of hawser__mesh_method; NULL: "automatic" */
+	double tolerance;   /* of the residual over the weight and load; 0: 1e-10 */
+	int iterations;     /* most; 0: the method's own */
+	int keep_start;     /* begin at mesh->q instead of at the force-density start */
+};
+/* Solve for mesh->q, and the tensions T [elements]. Fails with HAWSER_ERR_NO_SOLUTION where parts have
+ * no support, and with HAWSER_ERR_CONVERGENCE. */
+enum hawser_status hawser__mesh_statics(struct hawser__mesh *mesh, double *T,
+                                        struct hawser__equilibrium *found,
+                                        const struct hawser__mesh_options *options,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

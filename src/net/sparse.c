@@ -1,0 +1,250 @@
+/* net/sparse.c - symmetric matrices over the unknowns of a mesh, and their Cholesky factors.
+ *
+ * CHOLMOD chooses its simplicial or supernodal code by the fill. The lower triangle is stored by
+ * columns; each element knows where its 21 entries are, so that a new matrix costs no search.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include <suitesparse/cholmod.h>
+
+#include "core/report.h"
+#include "net/net.h"
+
+enum { ENTRIES = 21, DIRECTIONS = 6 };
+
+struct hawser__sparse {
+	cholmod_common common;
+	cholmod_sparse *matrix;
+	cholmod_factor *factor;
+	cholmod_dense *right, *x, *y, *e; /* y, e: work space of the solver */
+	int (*at)[ENTRIES]; /* [elements] in the values of the matrix; -1: a held direction */
+	int *diagonal;      /* [unknowns] */
+	int unknowns;
+};
+
+void hawser__sparse_clear(struct hawser__sparse *sparse)
+{
+	if (!sparse)
+		return;
+	cholmod_free_factor(&sparse->factor, &sparse->common);
+	cholmod_free_sparse(&sparse->matrix, &sparse->common);
+	cholmod_free_dense(&sparse->right, &sparse->common);
+	cholmod_free_dense(&sparse->x, &sparse->common);
+	cholmod_free_dense(&sparse->y, &sparse->common);
+	cholmod_free_dense(&sparse->e, &sparse->common);
+	cholmod_finish(&sparse->common);
+	free(sparse->at);
+	free(sparse->diagonal);
+	free(sparse);
+}
+
+static enum hawser_status failed(struct hawser__sparse *sparse, struct hawser_report *report)
+{
+	if (sparse->common.status == CHOLMOD_OUT_OF_MEMORY || sparse->common.status == CHOLMOD_TOO_LARGE)
+		return hawser__no_memory(report, "net");
+	return hawser__fail(report, HAWSER_ERR_PROGRAM, "net", "CHOLMOD failed with status %d",
+	                    sparse->common.status);
+}
+
+/* The unknowns of the two ends of an element. */
+static void unknowns(int u[DIRECTIONS], const struct hawser__mesh *mesh, int element)
+{
+	for (int k = 0; k < DIRECTIONS; k++)
+		u[k] = mesh->unknown[mesh->end[element][k/3]][k%3];
+}
+
+/* Row and column of the entry-th of the lower triangle of 6x6. */
+static void pair(int *i, int *j, int entry)
+{
+	for (*i = 0; entry > *i; ++*i)
+		entry -= *i + 1;
+	*j = entry;
+}
+
+static int compare(const void *a, const void *b)
+{
+	const int *p = a, *q = b;
+
+	return p[0] != q[0] ? (p[0] > q[0]) - (p[0] < q[0]) : (p[1] > q[1]) - (p[1] < q[1]);
+}
+
+/* Where row i of column j is. */
+static int find(const cholmod_sparse *matrix, int i, int j)
+{
+	const int *p = matrix->p, *rows = matrix->i;
+	int low = p[j], high = p[j + 1] - 1;
+
+	while (low < high) {
+		int mid = low + (high - low)/2;
+
+		if (rows[mid] < i)
+			low = mid + 1;
+		else
+			high = mid;
+	}
+	return low;
+}
+
+/* List the entries (column, row) of all elements and of the diagonal: list [count][2]. */
+static size_t list_entries(int (*list)[2], const struct hawser__mesh *mesh)
+{
+	size_t count = 0;
+
+	for (int j = 0; j < mesh->unknowns; j++, count++)
+		list[count][0] = list[count][1] = j;
+	for (int e = 0; e < mesh->elements; e++) {
+		int u[DIRECTIONS];
+
+		unknowns(u, mesh, e);
+		for (int i = 0; i < DIRECTIONS; i++)
+			for (int j = 0; j < i; j++) {
+				if (u[i] < 0 || u[j] < 0)
+					continue;
+				list[count][0] = u[i] < u[j] ? u[i] : u[j];
+				list[count++][1] = u[i] < u[j] ? u[j] : u[i];
+			}
+	}
+	return count;
+}
+
+static void fill_pattern(cholmod_sparse *matrix, const int (*list)[2], size_t count)
+{
+	int *p = matrix->p, *rows = matrix->i, n = 0, column = -1;
+
+	for (size_t i = 0; i < count; i++) {
+		if (i && list[i][0] == list[i - 1][0] && list[i][1] == list[i - 1][1])
+			continue;
+		while (column < list[i][0])
+			p[++column] = n;
+		rows[n++] = list[i][1];
+	}
+	while (column < (int)matrix->ncol)
+		p[++column] = n;
+}
+
+static void locate(struct hawser__sparse *sparse, const struct hawser__mesh *mesh)
+{
+	for (int j = 0; j < mesh->unknowns; j++)
+		sparse->diagonal[j] = find(sparse->matrix, j, j);
+	for (int e = 0; e < mesh->elements; e++) {
+		int u[DIRECTIONS], i, j;
+
+		unknowns(u, mesh, e);
+		for (int entry = 0; entry < ENTRIES; entry++) {
+			pair(&i, &j, entry);
+			sparse->at[e][entry] = u[i] < 0 || u[j] < 0 ? -1
+				: u[i] < u[j] ? find(sparse->matrix, u[j], u[i])
+				              : find(sparse->matrix, u[i], u[j]);
+		}
+	}
+}
+
+static enum hawser_status pattern(struct hawser__sparse *sparse, const struct hawser__mesh *mesh,
+                                  struct hawser_report *report)
+{
+	size_t most = (size_t)mesh->unknowns + 15*(size_t)mesh->elements, count;
+	int (*list)[2] = malloc((most + 1)*sizeof *list);
+
+	sparse->at = malloc(((size_t)mesh->elements + 1)*sizeof *sparse->at);
+	sparse->diagonal = malloc(((size_t)mesh->unknowns + 1)*sizeof *sparse->diagonal);
+	if (!list || !sparse->at || !sparse->diagonal) {
+		free(list);
+		return hawser__no_memory(report, "net");
+	}
+	count = list_entries(list, mesh);
+	qsort(list, count, sizeof *list, compare);
+	sparse->matrix = cholmod_allocate_sparse((size_t)mesh->unknowns, (size_t)mesh->unknowns, count, 1,
+	                                         1, -1, CHOLMOD_REAL, &sparse->common);
+	if (sparse->matrix)
+		fill_pattern(sparse->matrix, (const int (*)[2])list, count);
+	free(list);
+	if (!sparse->matrix)
+		return failed(sparse, report);
+	locate(sparse, mesh);
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser__sparse_open(struct hawser__sparse **made, const struct hawser__mesh *mesh,
+                                       struct hawser_report *report)
+{
+	struct hawser__sparse *sparse = calloc(1, sizeof *sparse);
+	enum hawser_status status;
+
+	*made = NULL;
+	if (!sparse)
+		return hawser__no_memory(report, "net");
+	cholmod_start(&sparse->common);
+	sparse->common.print = 0; /* the library never prints */
+	sparse->common.nmethods = 1;
+	sparse->common.method[0].ordering = CHOLMOD_AMD;
+	sparse->unknowns = mesh->unknowns;
+	status = pattern(sparse, mesh, report);
+	if (!status) {
+		hawser__sparse_zero(sparse);
+		sparse->right = cholmod_zeros((size_t)mesh->unknowns, 1, CHOLMOD_REAL, &sparse->common);
+		sparse->factor = cholmod_analyze(sparse->matrix, &sparse->common);
+		if (!sparse->factor || !sparse->right)
+			status = failed(sparse, report);
+	}
+	if (status)
+		hawser__sparse_clear(sparse);
+	else
+		*made = sparse;
+	return status;
+}
+
+void hawser__sparse_zero(struct hawser__sparse *sparse)
+{
+	const int *p = sparse->matrix->p;
+
+	memset(sparse->matrix->x, 0, (size_t)p[sparse->unknowns]*sizeof(double));
+}
+
+void hawser__sparse_add(struct hawser__sparse *sparse, int element, double a, double b,
+                        const double e[3])
+{
+	const int *at = sparse->at[element];
+	double *x = sparse->matrix->x;
+
+	for (int i = 0, entry = 0; i < DIRECTIONS; i++)
+		for (int j = 0; j <= i; j++, entry++) {
+			double value = b*e[i%3]*e[j%3] + (i%3 == j%3 ? a : 0.0);
+
+			if (at[entry] >= 0)
+				x[at[entry]] += i/3 == j/3 ? value : -value;
+		}
+}
+
+void hawser__sparse_diagonal(struct hawser__sparse *sparse, int unknown, double value)
+{
+	((double *)sparse->matrix->x)[sparse->diagonal[unknown]] += value;
+}
+
+enum hawser_status hawser__sparse_factor(struct hawser__sparse *sparse, int *definite,
+                                         struct hawser_report *report)
+{
+	int done = cholmod_factorize(sparse->matrix, sparse->factor, &sparse->common);
+
+	*definite = done && sparse->common.status == CHOLMOD_OK;
+	if (*definite || sparse->common.status == CHOLMOD_NOT_POSDEF ||
+	    sparse->common.status == CHOLMOD_DSMALL)
+		return HAWSER_OK;
+	return failed(sparse, report);
+}
+
+enum hawser_status hawser__sparse_solve(double *x, struct hawser__sparse *sparse,
+                                        struct hawser_report *report)
+{
+	size_t size = (size_t)sparse->unknowns*sizeof *x;
+
+	memcpy(sparse->right->x, x, size);
+	if (!cholmod_solve2(CHOLMOD_A, sparse->factor, sparse->right, NULL, &sparse->x, NULL, &sparse->y,
+	                    &sparse->e, &sparse->common))
+		return failed(sparse, report);
+	memcpy(x, sparse->x->x, size);
+	return HAWSER_OK;
+}
