@@ -99,7 +99,7 @@ def change_constants(path, changes):
     with open(path) as stream:
         text = stream.read()
     for name, value in changes.items():
-        old = r"\b%s\s*=\s*(\{[^}]*\}|[^,\s]+)" % name
+        old = r"\b%s\s*=\s*(\{[^}]*\}|\[[^\]]*\]|[^,\s]+)" % name
         text, found = re.subn(old, "%s=%s" % (name, value), text)
         if not found:
             text += "%s=%s\n" % (name, value)

@@ -72,6 +72,7 @@ struct hawser__locus {
 	double *J_factors;            /* the same, factorised */
 	double *M, *rhs;              /* the whole system, column-major */
 	double *balance;              /* [size] */
+	int orientation;              /* sign of its determinant when it was solved last */
 	unsigned char *barred;        /* [n][2] coordinate; even, odd harmonics: stay zero */
 	int *pivot, *pivot_M;
 	double closeness;             /* distance of the system that M has factorised; INFINITY: none */

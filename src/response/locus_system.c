@@ -342,6 +342,9 @@ int hawser__locus_solve(struct hawser__locus *locus, double *dz, const double *z
 	if (LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, size, size, locus->M, size, locus->pivot_M) != 0)
 		return 1;
 	locus->solves++;
+	locus->orientation = 1;
+	for (int i = 0; i < size; i++)
+		locus->orientation *= (locus->M[(size_t)i*size + i] < 0.0) == (locus->pivot_M[i] != i + 1) ? 1 : -1;
 	LAPACKE_dgetrs_work(LAPACK_COL_MAJOR, 'N', size, 1, locus->M, size, locus->pivot_M, locus->rhs,
 	                    size);
 	memcpy(dz, locus->rhs, (size_t)size*sizeof(double));

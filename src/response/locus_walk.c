@@ -2,7 +2,9 @@
  *
  * The metric is that of the orbit relative to its size and of the parameters relative to their ranges.
  * A step is predicted on the polynomial through the last points and tangents, and corrected by Newton's
- * method with the derivatives of each iteration.
+ * method with the derivatives of each iteration. Where two curves nearly meet, a step may end on the
+ * other one. The determinant of the system with the tangent as its last row then has the other sign,
+ * and the step is repeated, shorter (Allgower and Georg, chapter 8).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -21,6 +23,8 @@
 #define WORST_ANGLE 0.5       /* rad, between successive tangents; chosen */
 #define WORST_DISTANCE 0.2    /* of the prediction from the curve, in steps; chosen */
 #define FIRST_STEP 0.005      /* chosen */
+#define SIMPLE 1e-4           /* steps at which another orientation is that of a curve through a branch
+                               * point of the equations, not of a neighbouring curve; chosen */
 #define LARGEST_STEP 0.2      /* chosen */
 #define MORE 1.2              /* factor of the number of harmonics where there are too few */
 
@@ -225,6 +229,7 @@ enum hawser_status hawser__locus_finish(struct hawser__locus_walk *walk,
 	for (int k = 0; k < locus->size; k++)
 		t[k] /= length;
 	station->order = locus->order;
+	station->orientation = locus->orientation;
 	memcpy(b, locus->b, bytes);
 	memcpy(c, locus->c, bytes);
 	hawser__locus_update(locus);
@@ -292,6 +297,23 @@ static enum hawser_status correct(void *owner, double ds, struct hawser__correct
 	return status;
 }
 
+/* Angle by which a null vector turns in a step. Borders have length 1, and the right phase. */
+static double turn(const struct hawser__locus_walk *walk, const double complex *from,
+                   const double complex *to)
+{
+	int shift = (walk->next.order - walk->here.order)*walk->locus->n;
+	double product = 0.0, one = 0.0, other = 0.0;
+
+	for (int k = 0; k < walk->locus->wide; k++) {
+		double complex before = k >= shift ? from[k - shift] : 0.0;
+
+		product += creal(conj(before)*to[k]);
+		one += creal(conj(before)*before);
+		other += creal(conj(to[k])*to[k]);
+	}
+	return acos(fmax(-1.0, fmin(1.0, product/sqrt(one*other))));
+}
+
 static enum hawser_status finish(void *owner, double ds, double *angle)
 {
 	struct hawser__locus_walk *walk = owner;
@@ -302,6 +324,9 @@ static enum hawser_status finish(void *owner, double ds, double *angle)
 	status = hawser__locus_finish(walk, &walk->next, walk->here.t);
 	metric = metric_at(walk, walk->next.z);
 	*angle = hawser__metric_angle(&metric, walk->here.t, walk->next.t);
+	if (!status)
+		*angle = fmax(*angle, fmax(turn(walk, walk->here.c, walk->next.c),
+		                           turn(walk, walk->here.b, walk->next.b)));
 	return status;
 }
 
@@ -309,7 +334,9 @@ static enum hawser_status judge(void *owner, double ds, double angle, enum hawse
 {
 	const struct hawser__locus_walk *walk = owner;
 
-	*verdict = angle > WORST_ANGLE || walk->next.correction.first > WORST_DISTANCE*ds
+	int elsewhere = walk->next.orientation != walk->here.orientation && ds > SIMPLE;
+
+	*verdict = elsewhere || angle > WORST_ANGLE || walk->next.correction.first > WORST_DISTANCE*ds
 	           ? HAWSER__SHORTEN : HAWSER__KEEP;
 	return HAWSER_OK;
 }

@@ -10,6 +10,7 @@ struct hawser__locus_station {
 	double *z, *t;               /* [room], zero beyond the size of the system */
 	double complex *b, *c;       /* [room] borders of the next point */
 	int order;
+	int orientation;             /* sign of the determinant with the tangent; constant along a curve */
 	double test[LOCUS_TESTS];    /* NAN: not a test of this kind */
 	int pairs;                   /* complex pairs outside the unit circle, besides the critical one */
 	double arc;
