@@ -19,6 +19,7 @@
 #include "response/locus_walk.h"
 
 #define MAX_ITERATIONS 10     /* of Newton's method; chosen */
+#define MOST_ITERATIONS 4      /* of a step that is kept; chosen: two or three are usual */
 #define WORST_CONTRACTION 0.7 /* of successive Newton corrections; chosen */
 #define WORST_ANGLE 0.5       /* rad, between successive tangents; chosen */
 #define WORST_DISTANCE 0.2    /* of the prediction from the curve, in steps; chosen */
@@ -334,10 +335,11 @@ static enum hawser_status judge(void *owner, double ds, double angle, enum hawse
 {
 	const struct hawser__locus_walk *walk = owner;
 
+	const struct hawser__correction *did = &walk->next.correction;
 	int elsewhere = walk->next.orientation != walk->here.orientation && ds > SIMPLE;
 
-	*verdict = elsewhere || angle > WORST_ANGLE || walk->next.correction.first > WORST_DISTANCE*ds
-	           ? HAWSER__SHORTEN : HAWSER__KEEP;
+	*verdict = elsewhere || angle > WORST_ANGLE || did->first > WORST_DISTANCE*ds ||
+	           did->iterations > MOST_ITERATIONS ? HAWSER__SHORTEN : HAWSER__KEEP;
 	return HAWSER_OK;
 }
 
