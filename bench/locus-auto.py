@@ -42,7 +42,7 @@ CASES = [
     ("chairlift, load 1.5", CHAIRLIFT, HEAVY, "period-doubling", "2.7", "3.1", "factor.damping", 0.97,
      1.03),
     ("x''+.4x'+x-x^2", CASCADE, [], "period-doubling", "1.6", "0.7", "factor.load", 0.8, 1.2),
-    ("x''+.4x'+x-x^2", CASCADE, [], "fold", "1.6", "0.7", "factor.damping", 0.8, 1.1),
+    ("x''+.4x'+x-x^2", CASCADE, [], "period-doubling", "1.6", "0.7", "factor.damping", 0.8, 1.1),
 ]
 
 

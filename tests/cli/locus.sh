@@ -73,6 +73,20 @@ low = min((p for c in mathieu["curves"] for p in c["points"]), key=lambda p: p["
 assert abs(low["parameter"] - 1/3) < 2e-3 and abs(low["Omega"] - 2) < 5e-3, low
 assert all(0 < p["angle"] < math.pi for c in pair["curves"] for p in c["points"])
 END
+# Two fold curves of the chairlift turn sharply where they nearly meet, beside two cusps.
+if [ -n "${HAWSER_LONG:-}" ]; then
+	for step in 0.01 0.02 0.05 0.1 0.2; do
+		works "folds of the chairlift, steps of $step" locus "$chairlift" --from 1.3 --to 4.7 \
+			--over factor.load=0.7:1.3 --step "$step" --json near.json -q
+		python "the same curves" <<-'END'
+		import json
+		found = json.load(open("near.json"))
+		cusps = sorted(e["Omega"] for c in found["curves"] for e in c["events"] if e["kind"] == "cusp")
+		assert found["not_followed"] == 0 and len(found["curves"]) == 10 and len(cusps) == 2, cusps
+		assert abs(cusps[0]/2.63381358 - 1) < 1e-7 and abs(cusps[1]/2.63983507 - 1) < 1e-7, cusps
+		END
+	done
+fi
 try "special points in the table" grep -q "^# curve 1: cusp at Omega = 1.0441742290. rad/s\|^# curve 1: cusp at Omega = 1.0441742290" fold.tsv
 try "and in the picture" grep -q "degenerate-branch-point" whirling.svg
 
