@@ -344,7 +344,8 @@ int hawser__locus_solve(struct hawser__locus *locus, double *dz, const double *z
 	locus->solves++;
 	locus->orientation = 1;
 	for (int i = 0; i < size; i++)
-		locus->orientation *= (locus->M[(size_t)i*size + i] < 0.0) == (locus->pivot_M[i] != i + 1) ? 1 : -1;
+		if ((locus->M[(size_t)i*size + i] < 0.0) != (locus->pivot_M[i] != i + 1))
+			locus->orientation = -locus->orientation;
 	LAPACKE_dgetrs_work(LAPACK_COL_MAJOR, 'N', size, 1, locus->M, size, locus->pivot_M, locus->rhs,
 	                    size);
 	memcpy(dz, locus->rhs, (size_t)size*sizeof(double));

@@ -183,37 +183,6 @@ enum hawser_status hawser__locus_correct(struct hawser__locus_walk *walk,
 	}
 }
 
-/* Amplitudes and the state at the phase 0, of the orbit that was evaluated last. The largest value lies
- * between samples: it is that of the parabola through the three largest. */
-static void describe(struct hawser__locus_walk *walk, struct hawser__locus_station *station)
-{
-	const struct hawser__locus *locus = walk->locus;
-	int n = locus->n, R = locus->rows;
-
-	hawser__locus_orbit(walk->locus, station->z);
-	for (int j = 0; j < n; j++) {
-		double most = 0.0;
-
-		for (int r = 0; r < R; r++) {
-			double a = fabs(locus->u[(size_t)r*n + j]);
-			double b = fabs(locus->u[(size_t)((r + 1)%R)*n + j]);
-			double c = fabs(locus->u[(size_t)((r + R - 1)%R)*n + j]), bend = 2.0*a - b - c;
-
-			if (a >= b && a >= c)
-				most = fmax(most, a + (bend > 0.0 ? 0.125*(b - c)*(b - c)/bend : 0.0));
-		}
-		station->coordinate[j] = most;
-		station->state[j] = locus->u[j];
-		station->state[n + j] = locus->omega*locus->du[j];
-	}
-	station->point = (struct hawser_locus_point){
-		.omega = station->z[LOCUS_OMEGA], .parameter = station->z[LOCUS_PARAMETER],
-		.angle = 2.0*M_PI*station->z[LOCUS_KAPPA], .arc = station->arc,
-		.residual = station->correction.residual, .mesh = locus->mesh,
-		.harmonics = locus->order, .iterations = station->correction.iterations,
-		.unstable = station->point.unstable};
-}
-
 enum hawser_status hawser__locus_finish(struct hawser__locus_walk *walk,
                                         struct hawser__locus_station *station, const double *side)
 {
@@ -239,7 +208,7 @@ enum hawser_status hawser__locus_finish(struct hawser__locus_walk *walk,
 	memcpy(station->c, locus->c, bytes);
 	memcpy(locus->b, b, bytes);
 	memcpy(locus->c, c, bytes);
-	describe(walk, station);
+	hawser__locus_describe(walk, station);
 	return hawser__locus_test(walk, station);
 }
 
@@ -298,23 +267,6 @@ static enum hawser_status correct(void *owner, double ds, struct hawser__correct
 	return status;
 }
 
-/* Angle by which a null vector turns in a step. Borders have length 1, and the right phase. */
-static double turn(const struct hawser__locus_walk *walk, const double complex *from,
-                   const double complex *to)
-{
-	int shift = (walk->next.order - walk->here.order)*walk->locus->n;
-	double product = 0.0, one = 0.0, other = 0.0;
-
-	for (int k = 0; k < walk->locus->wide; k++) {
-		double complex before = k >= shift ? from[k - shift] : 0.0;
-
-		product += creal(conj(before)*to[k]);
-		one += creal(conj(before)*before);
-		other += creal(conj(to[k])*to[k]);
-	}
-	return acos(fmax(-1.0, fmin(1.0, product/sqrt(one*other))));
-}
-
 static enum hawser_status finish(void *owner, double ds, double *angle)
 {
 	struct hawser__locus_walk *walk = owner;
@@ -326,8 +278,8 @@ static enum hawser_status finish(void *owner, double ds, double *angle)
 	metric = metric_at(walk, walk->next.z);
 	*angle = hawser__metric_angle(&metric, walk->here.t, walk->next.t);
 	if (!status)
-		*angle = fmax(*angle, fmax(turn(walk, walk->here.c, walk->next.c),
-		                           turn(walk, walk->here.b, walk->next.b)));
+		*angle = fmax(*angle, fmax(hawser__locus_turn(walk, walk->here.c, walk->next.c),
+		                           hawser__locus_turn(walk, walk->here.b, walk->next.b)));
 	return status;
 }
 

@@ -80,4 +80,11 @@ enum hawser_status hawser__locus_add_event(struct hawser__locus_list *list,
                                            const struct hawser_locus_event *event,
                                            struct hawser_report *report);
 
+/* Amplitudes and the state at the phase 0, of the orbit that was evaluated last. The largest value lies
+ * between samples: it is that of the parabola through the three largest. */
+void hawser__locus_describe(struct hawser__locus_walk *walk, struct hawser__locus_station *station);
+/* Angle by which a null vector turns in a step. Borders have length 1, and the right phase. */
+double hawser__locus_turn(const struct hawser__locus_walk *walk, const double complex *from,
+                          const double complex *to);
+
 #endif
