@@ -23,10 +23,10 @@
 struct settings {
 	struct cli_common common;
 	const char *from, *to, *at, *sweep, *start, *resume, *scale, *method, *slack, *beside;
-	const char *over, *omega, *label;
+	const char *over, *omega, *label, *switched;
 	double tolerance, step;
 	int n, points, segments, unstable, sweep_points, multipliers, partial, backbone, energy;
-	int branches;
+	int branches, period;
 };
 static const struct settings defaults = {
 	.from = "0.6w1", .to = "3.3w1", .scale = "auto", .slack = "end",
@@ -49,6 +49,9 @@ static const struct cli_option options[] = {
 	{"from-label", 0, "FILE#LABEL", "begin at this label of a JSON result of frf", CLI_TEXT(label)},
 	{"branches", 0, "DEPTH", "follow branches that begin at bifurcations too, and theirs, so deep",
 	 CLI_INTEGER(branches)},
+	{"switch", 0, "LABEL", "follow the branch at this label; FILE#LABEL: only that, of a JSON result",
+	 CLI_TEXT(switched)},
+	{"period", 0, "N", "motions of N periods of the load (1)", CLI_INTEGER(period)},
 	{"over", 0, "KEY=FROM:TO", "follow the motion in a parameter instead, at the frequency --Omega",
 	 CLI_TEXT(over)},
 	{"Omega", 0, "FREQUENCY", "frequency of the load with --over", CLI_TEXT(omega)},
@@ -85,7 +88,8 @@ static enum hawser_status check_over(const struct settings *settings, struct haw
 	const char *other = settings->from != defaults.from ? "from" : settings->to != defaults.to ? "to"
 	                    : settings->at ? "at" : settings->sweep ? "sweep"
 	                    : settings->resume ? "continue" : settings->backbone ? "backbone"
-	                    : settings->beside ? "beside" : settings->branches ? "branches" : NULL;
+	                    : settings->beside ? "beside" : settings->branches ? "branches"
+	                    : settings->switched ? "switch" : settings->period ? "period" : NULL;
 
 	if (!settings->over)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
@@ -128,6 +132,11 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 		                      "--from-label %s says where to start, and so does --%s: give one of them",
 		                      settings->label, settings->start ? "start" : settings->at ? "at"
 		                      : "continue");
+	if (!status && settings->switched)
+		status = cli_switch_check(settings->switched, settings->label ? "from-label"
+		                          : settings->start ? "start" : settings->at ? "at"
+		                          : settings->resume ? "continue" : settings->period ? "period" : NULL,
+		                          report);
 	if (!status && (settings->over || settings->omega))
 		status = check_over(settings, report);
 	if (!status)
@@ -212,7 +221,9 @@ static enum hawser_status trace_curve(struct hawser_frf *frf, struct hawser_frf_
 	if (settings->label)
 		status = cli_label_begin(choice, along, label, result->over, result->model, settings->label,
 		                         report);
-	if (!status && label->period > 1)
+	if (!status && cli_switch_elsewhere(settings->switched))
+		status = cli_switch_trace(frf, result->model, label, choice, settings->switched, report);
+	else if (!status && label->period > 1)
 		status = hawser_branch_trace(frf, rom, label->period, choice, report);
 	else if (!status)
 		status = hawser_frf_trace(frf, rom, choice, report);
@@ -258,16 +269,17 @@ static enum hawser_status trace(struct hawser_frf *frf, struct hawser_landmark *
 	}
 	if (!status && !automatic)
 		status = trace_curve(frf, &choice, result, settings, label, report);
-	if (frf->points > 0 && label->period == 1 && !result->over) {
+	if (frf->points > 0 && frf->period == 1 && !result->over) {
 		enum hawser_status located = locate_peaks(peak, result, &watch.progress, &choice,
 		                                          status != HAWSER_OK, status ? &second : report);
 
 		status = status ? status : located;
 	}
-	if (!status && label->period == 1 && !result->over && !cli_interrupted())
+	if (!status && frf->period == 1 && !result->over && !cli_switch_elsewhere(settings->switched) &&
+	    !cli_interrupted())
 		status = cli_cover_trace(cover, result, &choice, &watch.progress, locate_peaks, report);
-	if (!status && cli_cover_depth(result, settings->branches) > 0 && !cli_interrupted())
-		status = cli_cover_switch(cover, result, &choice, cli_cover_depth(result, settings->branches),
+	if (!status && !cli_interrupted())
+		status = cli_cover_switch(cover, result, &choice, settings->branches, settings->switched,
 		                          &watch.progress, locate_peaks, report);
 	cli_progress_end(&watch.progress);
 	cli_last_clear(&last);
@@ -386,8 +398,9 @@ static enum hawser_status open_label(struct cli_label *label, struct cli_over *o
 
 	if (text)
 		snprintf(key, sizeof key, "%.*s", (int)strcspn(text, "="), text);
-	status = cli_label_open(label, "from-label", settings->label, text ? key : NULL, model,
-	                        &settings->common, report);
+	status = cli_label_open(label, settings->label ? "from-label" : "switch",
+	                        settings->label ? settings->label : settings->switched, text ? key : NULL,
+	                        model, &settings->common, report);
 	if (status || !text)
 		return status;
 	over->omega = label->omega*cli_per_omega(model);
@@ -419,8 +432,10 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 
 	if (!status)
 		status = load(&model, settings, report);
-	if (!status && settings->label)
+	if (!status && (settings->label || cli_switch_elsewhere(settings->switched)))
 		status = open_label(&label, &over, settings, &model, report);
+	if (!status)
+		status = cli_switch_period(&label, settings->period, settings->label, &model, report);
 	if (!status && settings->over) {
 		status = cli_over_open(&over, settings->over, settings->omega, &model, report);
 		result.over = &over;

@@ -8,6 +8,7 @@
 #include <hawser/cover.h>
 
 #include "cli/cli.h"
+#include "cli/label.h"
 #include "cli/progress.h"
 
 /* Locate the peaks of a result's curve, [result->peaks]; the caller frees them. */
@@ -38,17 +39,31 @@ enum hawser_status cli_cover_trace(struct cli_cover *cover, struct cli_frf_resul
                                    const struct hawser_frf_options *options,
                                    struct cli_progress *progress, cli_peaks_function *peaks,
                                    struct hawser_report *report) HAWSER_MUST_CHECK;
-/* How deep branches at bifurcations are followed if the user asks for `wanted` (0: does not ask): a
- * response that is rest, as under parametric excitation alone, is nothing without them. */
-int cli_cover_depth(const struct cli_frf_result *result, int wanted);
 /* The same for branches that begin at period doublings and branch points of the branches so far, and,
- * down to `depth`, of these (frf_switch.c). Those that are not found are no error: sets `missed` and
- * `misses` of the result too. */
+ * down to `depth`, of these (frf_switch.c); 0: only what `switched` names, or, if the response is rest,
+ * as under parametric excitation alone, the first ones. switched: a label of the branches so far, or
+ * NULL. Those that are not found are no error: sets `missed` and `misses` of the result too.
+ * HAWSER_ERR_ARGUMENT: no branch begins at that label. */
 enum hawser_status cli_cover_switch(struct cli_cover *cover, struct cli_frf_result *result,
                                     const struct hawser_frf_options *options, int depth,
-                                    struct cli_progress *progress, cli_peaks_function *peaks,
+                                    const char *switched, struct cli_progress *progress,
+                                    cli_peaks_function *peaks,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 void cli_cover_clear(struct cli_cover *cover);
+
+/* --switch TEXT (or NULL): whether it is a label of another result, FILE#LABEL; its form, and `other`,
+ * an option that says where to start too, or NULL; and the branch that begins at a label of another. */
+int cli_switch_elsewhere(const char *text);
+enum hawser_status cli_switch_check(const char *text, const char *other,
+                                    struct hawser_report *report) HAWSER_MUST_CHECK;
+enum hawser_status cli_switch_trace(struct hawser_frf *frf, const struct cli_model *model,
+                                    const struct cli_label *label,
+                                    const struct hawser_frf_options *options, const char *text,
+                                    struct hawser_report *report) HAWSER_MUST_CHECK;
+/* --period N (0: not given): a multiple of that of the label TEXT (--from-label; or NULL). */
+enum hawser_status cli_switch_period(struct cli_label *label, int period, const char *text,
+                                     const struct cli_model *model,
+                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* Points, probes, coordinates, events and peaks of all branches, in succession. */
 struct cli_joined {

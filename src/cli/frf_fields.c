@@ -279,6 +279,18 @@ static int is_born(const void *row, const void *parent)
 	return ((const struct cli_frf_result *)row)->frf->parent > 0;
 }
 
+static const struct hawser__field period_field[] = {
+	{"period", NULL, "periods of the load in one of the motion, if more than 1",
+	 HAWSER__AT(struct hawser_frf, period)},
+	HAWSER__END,
+};
+
+static int is_slower(const void *row, const void *parent)
+{
+	(void)parent;
+	return ((const struct cli_frf_result *)row)->frf->period > 1;
+}
+
 /* A further branch is a result with its own curve. */
 static const struct hawser__field branch_field[] = {
 	{"", NULL, "", HAWSER__THROUGH(struct cli_frf_result, frf, born_field), .given = is_born},
@@ -314,6 +326,7 @@ static const struct hawser__field result_field[] = {
 	{"over", NULL, "with --over", HAWSER__THROUGH(struct cli_frf_result, over, over_field)},
 	{"range", NULL, "of Omega", HAWSER__PAIR_AT(struct cli_frf_result, from, to),
 	 .unit = HAWSER__RAD_S},
+	{"", NULL, "", HAWSER__THROUGH(struct cli_frf_result, frf, period_field), .given = is_slower},
 	THROUGH(model, cli_naturals_field),
 	THROUGH(model, cli_choice_field),
 	{"", NULL, "", HAWSER__OBJECT_OF(cli_fixed_field)},

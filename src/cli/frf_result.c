@@ -249,6 +249,8 @@ void cli_frf_comments(struct hawser__table *table, const void *of)
 	else
 		hawser__table_comment(table, "range: Omega from %.12g to %.12g%s",
 		                      result->from*per_omega, result->to*per_omega, rad_s);
+	if (frf->period > 1)
+		hawser__table_comment(table, "motions of %d periods of the load", frf->period);
 	cli_choice_comments(table, model);
 	cli_basis_comment(table, model);
 	cli_drag_comment(table, model, "at every instant, by shooting; no describing function");

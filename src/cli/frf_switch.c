@@ -163,31 +163,58 @@ static enum hawser_status doubt(struct cli_cover *cover, const struct cli_frf_re
 	       ? hawser__no_memory(report, "frf") : HAWSER_OK;
 }
 
-int cli_cover_depth(const struct cli_frf_result *result, int wanted)
+/* How deep branches are followed without an option: those of rest are all that there is. */
+static int own_depth(const struct cli_frf_result *result)
 {
 	const struct hawser_frf *frf = result->frf;
 	size_t count = (size_t)frf->points*(size_t)frf->n;
 
-	if (result->over || wanted > 0)
-		return result->over ? 0 : wanted;
 	for (size_t i = 0; i < count; i++)
 		if (frf->coordinate[i] != 0.0)
 			return 0;
-	return 1;
+	return count > 0;
+}
+
+/* The number of `switched`, a label of one of the branches so far, or 0. */
+static enum hawser_status find_label(int *label, const char *switched, struct cli_frf_result *result,
+                                     struct hawser_report *report)
+{
+	*label = 0;
+	if (!switched || cli_switch_elsewhere(switched))
+		return HAWSER_OK;
+	*label = atoi(switched);
+	cli_label_all(result);
+	for (int k = 0; k <= result->others; k++) {
+		const struct hawser_frf *frf = k ? result->other[k - 1].frf : result->frf;
+
+		for (int e = 0; e < frf->events; e++)
+			if (frf->event[e].label == *label && (frf->event[e].kind == HAWSER_PERIOD_DOUBLING ||
+			                                      frf->event[e].kind == HAWSER_BRANCH_POINT))
+				return HAWSER_OK;
+	}
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
+	                    "--switch %s: no branch begins there: give the label of a period doubling or a "
+	                    "branch point of this response, which its table's head lists", switched);
 }
 
 enum hawser_status cli_cover_switch(struct cli_cover *cover, struct cli_frf_result *result,
                                     const struct hawser_frf_options *options, int depth,
-                                    struct cli_progress *progress, cli_peaks_function *peaks,
-                                    struct hawser_report *report)
+                                    const char *switched, struct cli_progress *progress,
+                                    cli_peaks_function *peaks, struct hawser_report *report)
 {
 	struct cli_watch watch = {*progress, "frf: branches"};
 	struct hawser_frf_options choice = *options;
-	int level[MOST_BORN + 1] = {0}, left = 0;
-	enum hawser_status status = HAWSER_OK;
+	int level[MOST_BORN + 1] = {0}, left = 0, label;
+	enum hawser_status status;
 
+	if (result->over)
+		return HAWSER_OK;
+	if ((status = find_label(&label, switched, result, report)))
+		return status;
+	if (depth == 0)
+		depth = label ? 1 : own_depth(result);
 	choice.progress = (struct hawser_progress){cli_watch, &watch};
-	for (int k = 0; k <= result->others; k++) {
+	for (int k = 0; depth > 0 && k <= result->others; k++) {
 		int born = k - 1 - cover->of.branches, before;
 		const struct hawser_frf *from = k ? result->other[k - 1].frf : result->frf;
 
@@ -196,7 +223,7 @@ enum hawser_status cli_cover_switch(struct cli_cover *cover, struct cli_frf_resu
 		for (int e = 0; e < from->events && !status && !cli_interrupted(); e++) {
 			const struct hawser_frf_event *event = &from->event[e];
 
-			if (!begins(cover, result, from, e))
+			if (!begins(cover, result, from, e) || (label && born < 0 && event->label != label))
 				continue;
 			before = cover->borns;
 			if (!event->located || event->suspected)
@@ -215,5 +242,72 @@ enum hawser_status cli_cover_switch(struct cli_cover *cover, struct cli_frf_resu
 	result->missed = cover->missed;
 	result->misses = cover->misses;
 	*progress = watch.progress;
+	return status;
+}
+
+/* --- the branch at a label of another result --- */
+
+int cli_switch_elsewhere(const char *text)
+{
+	return text && strchr(text, '#');
+}
+
+enum hawser_status cli_switch_check(const char *text, const char *other, struct hawser_report *report)
+{
+	char *end;
+	long label = strtol(text, &end, 10);
+
+	if (!cli_switch_elsewhere(text) && (*end || label < 1 || label > 1000000000))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
+		                    "--switch %s: write a label of this response, or FILE#LABEL", text);
+	if (cli_switch_elsewhere(text) && other)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
+		                    "--switch %s says where to start, and so does --%s: give one of them", text,
+		                    other);
+	return HAWSER_OK;
+}
+
+enum hawser_status cli_switch_period(struct cli_label *label, int period, const char *text,
+                                     const struct cli_model *model, struct hawser_report *report)
+{
+	if (period > 1 && model->automatic)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
+		                    "--period %d: modes are chosen for motions of one period of the load: give "
+		                    "a number of modes", period);
+	if (period && text && period % label->period)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
+		                    "--period %d: the motion at --from-label %s has %d periods of the load: "
+		                    "give a multiple", period, text, label->period);
+	label->period = period ? period : label->period;
+	return HAWSER_OK;
+}
+
+/* The label is a branch of one point, which is the event. */
+enum hawser_status cli_switch_trace(struct hawser_frf *frf, const struct cli_model *model,
+                                    const struct cli_label *label,
+                                    const struct hawser_frf_options *options, const char *text,
+                                    struct hawser_report *report)
+{
+	struct hawser_frf_event event = {.omega = label->omega, .located = 1,
+		.kind = strcmp(label->kind, "period-doubling") == 0 ? HAWSER_PERIOD_DOUBLING
+		                                                    : HAWSER_BRANCH_POINT};
+	struct hawser_frf_point point = {.omega = label->omega};
+	const struct hawser_frf from = {.n = model->rom.n, .points = 1, .point = &point,
+		.state = label->state, .period = label->period, .branch = 1, .events = 1, .event = &event};
+	enum hawser_status status;
+
+	if (strcmp(label->kind, hawser_event_name(event.kind)) != 0 || *label->over)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
+		                    "--switch %s: no branch begins there: give the label of a period doubling "
+		                    "or a branch point of a response over the frequency", text);
+	if (!(label->omega >= fmin(options->from, options->to) &&
+	      label->omega <= fmax(options->from, options->to)))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
+		                    "--switch %s: that event is at Omega = %.9g%s, which is not in the range: "
+		                    "give a range that has it", text, label->omega*cli_per_omega(model),
+		                    cli_unit(model, " rad/s"));
+	status = hawser_branch_switch(frf, &model->rom, &from, 0, options, report);
+	frf->parent = 0;
+	frf->branch = 1;
 	return status;
 }

@@ -161,6 +161,11 @@ static enum hawser_status walk(struct search *search, int *found, double there)
 		.start = search->near, .skip_events = 1, .samples = HAWSER_NONE, .step_max = 0.3};
 	double unused;
 
+	*found = there == search->start;
+	if (*found) {
+		memcpy(search->x, search->near, 2*(size_t)search->old->n*sizeof *search->x);
+		return HAWSER_OK;
+	}
 	return last_of(search->x, &unused, found, search->old, &options, &search->why);
 }
 

@@ -41,6 +41,45 @@ rows = [line.rstrip("\n").split("\t") for line in open("c.tsv") if not line.star
 assert rows[0][-1] == "branch" and {r[-1] for r in rows[1:]} == {"1", "2", "3"}
 assert sum("of period 4, from branch 2 at Omega = " in line for line in open("c.tsv")) == 1
 END
+works "by harmonic balance from another label" frf cascade.json --from 1.6 --to 0.7 --step 0.01 --switch cascade-frf.json#15 \
+	--method balance --json elsewhere.json --tsv elsewhere.tsv -q
+works "one label" frf string.json --from 0.9 --to 1.4 --switch 20 --json one.json -q
+works "whirling from its label" frf string.json --from 0.9 --to 1.4 --switch plain.json#20 --json whirl.json -q
+works "two periods" frf cascade.json --from 1.6 --to 0.7 --step 0.01 --period 2 --json twice.json -q
+works "four, from a motion of two" frf cascade.json --from 1.6 --to 0.7 --step 0.01 --from-label cascade-frf.json#16 \
+	--period 4 --json four.json -q
+python "are the same branches" <<'END'
+import json
+load = lambda name: json.load(open(name + ".json"))
+cascade, elsewhere, one, whirl, twice, four, plain = map(load, ("cascade-frf", "elsewhere", "one", "whirl", "twice", "four",
+                                                                "plain"))
+kinds = {e["label"]: e["kind"] for b in [cascade] + cascade["branches"] for e in b["events"]}
+assert kinds[15] == "period-doubling", kinds
+assert elsewhere["period"] == 4 and "period" not in cascade and four["period"] == 4 and twice["period"] == 2
+assert abs(elsewhere["events"][0]["Omega"]/cascade["branches"][1]["events"][0]["Omega"] - 1) < 1e-9
+assert "# motions of 4 periods of the load\n" in open("elsewhere.tsv")
+assert [(e["kind"], round(e["Omega"], 8)) for e in twice["events"]] == [("branch-point", round(cascade["events"][0]["Omega"], 8))]
+second = plain["events"][2]
+assert second["label"] == 20 and len(one["branches"]) == 1 and one["branches"][0]["born"] == second["Omega"]
+for a, b in zip(one["branches"][0]["events"], whirl["events"]):
+    assert a["kind"] == b["kind"] and abs(a["Omega"]/b["Omega"] - 1) < 1e-8, (a, b)
+assert max(p["coordinates"][1] for p in whirl["points"]) > 0.5
+END
+refuses 1 "--switch 16: no branch begins there: give the label of a period doubling or a branch point of this response, \
+which its table's head lists" frf string.json --from 0.9 --to 1.4 --switch 16 -q
+refuses 1 "--switch plain.json#16: no branch begins there: give the label of a period doubling or a branch point of a \
+response over the frequency" frf string.json --from 0.9 --to 1.4 --switch plain.json#16
+refuses 1 "--switch plain.json#20: that event is at Omega = 1.18545252, which is not in the range: give a range that has it" \
+	frf string.json --from 0.9 --to 1.1 --switch plain.json#20
+refuses 1 "--switch x: write a label of this response, or FILE#LABEL" frf string.json --switch x
+refuses 1 "--switch plain.json#20 says where to start, and so does --at: give one of them" \
+	frf string.json --switch plain.json#20 --at 1
+refuses 1 "--period 3: the motion at --from-label cascade-frf.json#16 has 2 periods of the load: give a multiple" \
+	frf cascade.json --from 1.6 --to 0.7 --from-label cascade-frf.json#16 --period 3
+refuses 1 "--period 2: modes are chosen for motions of one period of the load: give a number of modes" \
+	frf "$chairlift" --set model.modes=auto --period 2
+refuses 1 "--over factor.load=1:2 follows one motion at one frequency: leave out --switch" \
+	frf cascade.json --over factor.load=1:2 --Omega 1 --switch 3
 cat >mathieu.json <<'END'
 {"n": 1, "K": [[1]], "D": [[0.05]], "C": [[0, 0, 0, 0, 0.5]], "harmonics": [{"k": 1, "phase": "cos", "K": [[0.3]]}]}
 END
