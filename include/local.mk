@@ -38,4 +38,5 @@ pkginclude_HEADERS = \
 	%D%/hawser/statics.h \
 	%D%/hawser/status.h \
 	%D%/hawser/study.h \
+	%D%/hawser/torus.h \
 	%D%/hawser/accuracy.h

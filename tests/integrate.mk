@@ -57,3 +57,8 @@ check_PROGRAMS += tests/property/test-torus
 TESTS += tests/property/test-torus
 tests_property_test_torus_SOURCES = tests/property/test-torus.c
 tests_property_test_torus_LDADD = $(UPTO_RESPONSE)
+
+check_PROGRAMS += tests/property/test-tori
+TESTS += tests/property/test-tori
+tests_property_test_tori_SOURCES = tests/property/test-tori.c
+tests_property_test_tori_LDADD = $(UPTO_RESPONSE)

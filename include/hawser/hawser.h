@@ -34,6 +34,7 @@
 #include <hawser/locus.h>
 #include <hawser/lyapunov.h>
 #include <hawser/study.h>
+#include <hawser/torus.h>
 #include <hawser/primary.h>
 #include <hawser/plan.h>
 #include <hawser/accuracy.h>

@@ -38,3 +38,11 @@ const struct hawser__step_settings hawser__boundary_steps = {
 	.smallest = 1e-4, .after_failure = 0.5, .after_refusal = 0.5, .slowest = 0.4, .fastest = 1.5,
 	.goal_angle = 0.1, .distance_order = 2
 };
+
+/* A circle costs hundreds of orbits, and near resonances the corrector fails whatever the step is: a
+ * shorter one than 1e-5 would only tell how narrow they are. Circles grow with the square root of Omega
+ * from torus points, where the tangent turns fast. */
+const struct hawser__step_settings hawser__torus_steps = {
+	.smallest = 1e-5, .after_failure = 0.4, .after_refusal = 0.5, .slowest = 0.4, .fastest = 1.8,
+	.goal_contraction = 0.05, .goal_angle = 0.2, .distance_order = 2
+};

@@ -142,6 +142,10 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/sweep.c \
 	%D%/torus.c \
 	%D%/torus.h \
+	%D%/torus_follow.c \
+	%D%/torus_growth.c \
+	%D%/torus_list.c \
+	%D%/torus_measure.c \
 	%D%/tableau.c \
 	%D%/tableau.h \
 	%D%/trace.h \

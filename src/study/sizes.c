@@ -39,6 +39,7 @@
 #include <hawser/statics.h>
 #include <hawser/status.h>
 #include <hawser/study.h>
+#include <hawser/torus.h>
 #include <hawser/sizes.h>
 
 #define ROW(name) {#name, sizeof(struct name)}
@@ -213,6 +214,9 @@ static const struct row {
 	ROW(hawser_sweep),
 	ROW(hawser_sweep_options),
 	ROW(hawser_term),
+	ROW(hawser_tori),
+	ROW(hawser_tori_options),
+	ROW(hawser_tori_point),
 	ROW(hawser_trajectory),
 };
 

@@ -278,7 +278,8 @@ static double length_of(const struct plane_curve *is)
 static void check_battery(void)
 {
 	static const struct hawser__step_settings *const settings[] = {
-		&hawser__frf_steps, &hawser__folds_steps, &hawser__backbone_steps, &hawser__boundary_steps
+		&hawser__frf_steps, &hawser__folds_steps, &hawser__backbone_steps, &hawser__boundary_steps,
+		&hawser__torus_steps
 	};
 
 	for (size_t c = 0; c < sizeof battery/sizeof *battery; c++)
