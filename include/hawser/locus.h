@@ -16,7 +16,8 @@ extern "C" {
 enum hawser_locus_special {
 	HAWSER_LOCUS_CUSP = 0,     /* two folds merge */
 	HAWSER_LOCUS_DEGENERATE,   /* the branch that is born turns from one side of the locus to the
-	                            * other: generalised period doubling, degenerate branch point */
+	                            * other: generalised period doubling, degenerate branch point, and of
+	                            * tori Chenciner's point */
 	HAWSER_LOCUS_ONE_ONE,      /* resonance 1:1: two multipliers are +1 */
 	HAWSER_LOCUS_ONE_TWO,      /* 1:2: two multipliers are -1 */
 	HAWSER_LOCUS_ONE_THREE,    /* 1:3: the torus' multipliers are cube roots of 1 */

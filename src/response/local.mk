@@ -71,7 +71,9 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/locus_sample.c \
 	%D%/locus_second.c \
 	%D%/locus_system.c \
-	%D%/locus_walk.c %D%/locus_station.c \
+	%D%/locus_station.c \
+	%D%/locus_torus.c \
+	%D%/locus_walk.c \
 	%D%/locus_walk.h \
 	%D%/frf.c \
 	%D%/frf_begin.c \

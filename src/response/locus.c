@@ -26,6 +26,8 @@ const char *hawser_locus_special_name(enum hawser_event_kind kind, enum hawser_l
 		return "unknown";
 	if (special == HAWSER_LOCUS_DEGENERATE && kind == HAWSER_BRANCH_POINT)
 		return "degenerate-branch-point";
+	if (special == HAWSER_LOCUS_DEGENERATE && kind == HAWSER_TORUS)
+		return "chenciner";
 	return plain[special] ? plain[special] : with[kind][special - HAWSER_LOCUS_WITH_FOLD];
 }
 

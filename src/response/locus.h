@@ -38,7 +38,8 @@ enum { LOCUS_OMEGA = 0, LOCUS_PARAMETER, LOCUS_KAPPA, LOCUS_FIRST };
 /* Scalars along a curve whose zeros are special points. */
 enum {
 	LOCUS_TEST_CUSP = 0, LOCUS_TEST_DEGENERATE, LOCUS_TEST_DOUBLE, LOCUS_TEST_FOLD,
-	LOCUS_TEST_DOUBLING, LOCUS_TEST_THIRD, LOCUS_TEST_QUARTER, LOCUS_TEST_PAIRS, LOCUS_TEST_START,
+	LOCUS_TEST_DOUBLING, LOCUS_TEST_UNITY, LOCUS_TEST_HALF, LOCUS_TEST_THIRD, LOCUS_TEST_QUARTER,
+	LOCUS_TEST_PAIRS, LOCUS_TEST_START,
 	LOCUS_TESTS
 };
 
@@ -62,7 +63,7 @@ struct hawser__locus {
 	double *force, *tangent;      /* [rows][n], [rows][n][n] */
 	double *damping;              /* [rows][n][n] */
 	double *plus, *minus;         /* [rows][n][n] */
-	double *shifted;              /* [rows][n] */
+	double *shifted, *square;     /* [rows][n] */
 	double *work;
 	double *T, *D;                /* [2 width + 1][n][n], the constant twice */
 	double *F;                    /* [2 width + 1][n] */
@@ -122,6 +123,8 @@ void hawser__locus_fields(struct hawser__locus *locus, double *F, const double *
 
 /* locus_hill.c: H for what follows, from the tangents and damping at the samples. */
 void hawser__locus_series(struct hawser__locus *locus);
+/* H of a torus at kappa, or with `bordered` [H b; c^H 0], in locus->A; scales. Returns its rows. */
+int hawser__locus_hill(struct hawser__locus *locus, double kappa, int bordered);
 /* The sign of its determinant at kappa 0 or 1/2, and the logarithm of its modulus. */
 double hawser__locus_determinant(struct hawser__locus *locus, double kappa, double *sign);
 /* J = F_y, with the rows of the unit matrix for what is barred. */
@@ -134,6 +137,13 @@ enum hawser_status hawser__locus_differentiate(struct hawser__locus *locus, cons
 /* The coefficient whose zero is a degenerate bifurcation, or NAN. Besides sign and logarithm of the
  * determinant of F_y; sign 0: not known. */
 double hawser__locus_normal_form(struct hawser__locus *locus, double *sign, double *size_log);
+/* plus and minus = tangents at u + h x and u - h x, x [rows][n]; returns h, 0 if x is 0. */
+double hawser__locus_both_sides(struct hawser__locus *locus, const double *x);
+/* The first 2 order + 1 harmonics of a real signal x [rows][n]. */
+void hawser__locus_transform(const struct hawser__locus *locus, double *out, const double *x);
+
+/* locus_torus.c: the first Lyapunov coefficient, with J_factors; NAN where it has a pole. */
+double hawser__locus_lyapunov(struct hawser__locus *locus);
 
 /* locus_system.c: everything at z. *residual is infinite where it cannot be computed. */
 enum hawser_status hawser__locus_evaluate(struct hawser__locus *locus, double *residual,

@@ -6,7 +6,7 @@
  *               1:2)
  *   fold        determinant of F_y
  *   doubling    determinant of Hill's matrix of motions of twice the period
- *   third, quarter  the angle of a torus less 2 pi/3, pi/2
+ *   unity, half, third, quarter  the angle of a torus less 0, pi, 2 pi/3, pi/2
  *   pairs       number of further complex pairs of multipliers outside the unit circle
  *
  * At the ends of the locus of a torus (1:1 and 1:2) the equations become singular, and the locus is an
@@ -26,6 +26,7 @@
 
 #define OUTSIDE 1e-7      /* logarithm of the modulus of a multiplier that counts as unstable */
 #define CROSSING 1e-5     /* the same of one that is on the unit circle where a count changes */
+#define SINGLE 1e-2       /* width of a bracket in which one pair crosses, relative to the step */
 #define POLE 1e-3         /* a test function that is larger, relative to the ends of its bracket, where
                            * its sign changes has a pole there and no zero */
 #define CLOSE 1e-11       /* width of a bracket, relative to the step */
@@ -37,6 +38,7 @@ static const enum hawser_locus_special special[LOCUS_TESTS] = {
 	[LOCUS_TEST_DOUBLE] = HAWSER_LOCUS_ONE_ONE, [LOCUS_TEST_FOLD] = HAWSER_LOCUS_WITH_FOLD,
 	[LOCUS_TEST_DOUBLING] = HAWSER_LOCUS_WITH_DOUBLING, [LOCUS_TEST_THIRD] = HAWSER_LOCUS_ONE_THREE,
 	[LOCUS_TEST_QUARTER] = HAWSER_LOCUS_ONE_FOUR, [LOCUS_TEST_PAIRS] = HAWSER_LOCUS_WITH_TORUS,
+	[LOCUS_TEST_UNITY] = HAWSER_LOCUS_ONE_ONE, [LOCUS_TEST_HALF] = HAWSER_LOCUS_ONE_TWO,
 	[LOCUS_TEST_START] = HAWSER_LOCUS_START
 };
 
@@ -72,7 +74,8 @@ static int is_complex(double argument)
 	return argument != 0.0 && fabs(argument) < M_PI;
 }
 
-/* Count what is outside; *nearest: the smallest |logarithm of the modulus| of a further pair. */
+/* Count what is outside; *nearest: the logarithm of the modulus of the further pair that is next to the
+ * unit circle. */
 static enum hawser_status count(struct hawser__locus *locus, int *unstable, int *pairs,
                                 double *nearest)
 {
@@ -90,10 +93,23 @@ static enum hawser_status count(struct hawser__locus *locus, int *unstable, int 
 			continue;
 		*unstable += out;
 		*pairs += out && two && locus->argument[i] > 0.0;
-		if (two)
-			*nearest = fmin(*nearest, fabs(locus->log_modulus[i]));
+		if (two && fabs(locus->log_modulus[i]) < fabs(*nearest))
+			*nearest = locus->log_modulus[i];
 	}
 	return status;
+}
+
+void hawser__locus_test_angle(const struct hawser__locus *locus,
+                              struct hawser__locus_station *station)
+{
+	double kappa = station->z[LOCUS_KAPPA];
+
+	if (locus->kind != HAWSER_TORUS)
+		return;
+	station->test[LOCUS_TEST_UNITY] = kappa;
+	station->test[LOCUS_TEST_HALF] = kappa - 0.5;
+	station->test[LOCUS_TEST_THIRD] = kappa - 1.0/3.0;
+	station->test[LOCUS_TEST_QUARTER] = kappa - 0.25;
 }
 
 enum hawser_status hawser__locus_test(struct hawser__locus_walk *walk,
@@ -118,10 +134,7 @@ enum hawser_status hawser__locus_test(struct hawser__locus_walk *walk,
 		test[LOCUS_TEST_CUSP] = locus->second;
 	if (kind != HAWSER_TORUS)
 		test[LOCUS_TEST_DOUBLE] = creal(rate);
-	if (kind == HAWSER_TORUS) {
-		test[LOCUS_TEST_THIRD] = station->z[LOCUS_KAPPA] - 1.0/3.0;
-		test[LOCUS_TEST_QUARTER] = station->z[LOCUS_KAPPA] - 0.25;
-	}
+	hawser__locus_test_angle(locus, station);
 	if (kind != HAWSER_FOLD) {
 		test[LOCUS_TEST_DEGENERATE] = hawser__locus_normal_form(locus, &sign, &size);
 		if (sign != 0.0)
@@ -178,10 +191,11 @@ static double apart(const struct hawser__locus *locus, const double *a, const do
 	return fmax(fabs(a[0] - b[0])/locus->extent[0], fabs(a[1] - b[1])/locus->extent[1]);
 }
 
-/* The value whose sign is looked at: of pairs, the count. */
-static double value_of(const struct hawser__locus_station *station, int test, int pairs)
+/* Between these ends one pair crosses the unit circle: the logarithm of its modulus changes its sign,
+ * and is looked at from here on instead of the number of pairs. */
+static int is_one_pair(const struct hawser__bracketed *in, const double ends[2])
 {
-	return test == LOCUS_TEST_PAIRS ? (station->pairs == pairs ? -1.0 : 1.0) : station->test[test];
+	return in->b - in->a < SINGLE && (ends[0] < 0.0) != (ends[1] < 0.0);
 }
 
 /* Locate the zero of a test; *found 0: there is none. */
@@ -189,32 +203,42 @@ static enum hawser_status locate(struct hawser__locus_walk *walk, int test, int 
                                  struct hawser_locus_event *event)
 {
 	struct hawser__bracketed in = {.a = 0.0, .b = 1.0};
-	double most, value = INFINITY, last[2] = {walk->here.z[0], walk->here.z[1]}, gap = INFINITY;
-	int pairs = walk->here.pairs;
+	double value = INFINITY, last[2] = {walk->here.z[0], walk->here.z[1]}, gap = INFINITY, most;
+	double ends[2] = {walk->here.test[test], walk->next.test[test]};
+	int pairs = walk->here.pairs, counted = test == LOCUS_TEST_PAIRS;
 
-	in.fa = value_of(&walk->here, test, pairs);
-	in.fb = value_of(&walk->next, test, pairs);
+	in.fa = counted ? -1.0 : ends[0];
+	in.fb = counted ? 1.0 : ends[1];
 	most = fmax(fabs(in.fa), fabs(in.fb));
 	*found = 0;
 	for (int i = 0; i < MOST && in.b - in.a > CLOSE; i++) {
-		double s = test == LOCUS_TEST_PAIRS ? 0.5*(in.a + in.b) : hawser__false_position(&in, i);
+		double s = counted ? 0.5*(in.a + in.b) : hawser__false_position(&in, i);
 		int failed;
 		enum hawser_status status = at(walk, s, &failed);
 
 		if (status || failed)
 			return status;
-		value = value_of(&walk->scratch, test, pairs);
+		value = walk->scratch.test[test];
 		if (!isfinite(value))
 			return HAWSER_OK;
 		gap = apart(walk->locus, walk->scratch.z, last);
 		memcpy(last, walk->scratch.z, sizeof last);
+		if (counted) {
+			int beyond = walk->scratch.pairs != pairs;
+
+			ends[beyond] = value;
+			hawser__false_position_take(&in, s, beyond ? 1.0 : -1.0);
+			if ((counted = !is_one_pair(&in, ends)))
+				continue;
+			in = (struct hawser__bracketed){.a = in.a, .b = in.b, .fa = ends[0], .fb = ends[1]};
+			most = fmax(fabs(in.fa), fabs(in.fb));
+			continue;
+		}
 		if (fabs(value) <= 1e-12*most)
 			break;
 		hawser__false_position_take(&in, s, value);
-		if (test == LOCUS_TEST_PAIRS && in.b - in.a < 1e-8)
-			break;
 	}
-	*found = test == LOCUS_TEST_PAIRS ? walk->scratch.test[test] < CROSSING : fabs(value) <= POLE*most;
+	*found = test == LOCUS_TEST_PAIRS ? fabs(value) < CROSSING : fabs(value) <= POLE*most;
 	*event = (struct hawser_locus_event){
 		.kind = special[test], .omega = walk->scratch.z[LOCUS_OMEGA],
 		.parameter = walk->scratch.z[LOCUS_PARAMETER],

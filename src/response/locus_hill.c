@@ -170,37 +170,39 @@ static int scaled_real(struct hawser__locus *locus, double kappa, int bordered)
 	return row;
 }
 
-static void set_scale(struct hawser__locus *locus)
+static void set_scale(struct hawser__locus *locus, double kappa)
 {
 	int n = locus->n;
 	double least = locus->omega*locus->omega;
 
 	for (int k = 0; k < locus->wide; k++) {
 		double own = 0.5*fabs(locus->T[(size_t)(k%n)*(n + 1)]);
-		double q = (locus->low + k/n + locus->kappa)*locus->omega;
+		double q = (locus->low + k/n + kappa)*locus->omega;
 
 		locus->scale[k] = 1.0/sqrt(fmax(own, least) + q*q);
 	}
 }
 
-/* [H b; c^H 0] of a torus in locus->A. */
-static void fill_complex(struct hawser__locus *locus)
+int hawser__locus_hill(struct hawser__locus *locus, double kappa, int bordered)
 {
-	int n = locus->n, blocks = locus->blocks, wide = locus->wide, row = wide + 1;
+	int n = locus->n, blocks = locus->blocks, wide = locus->wide, row = wide + bordered;
 
+	set_scale(locus, kappa);
 	for (int l = 0; l < blocks; l++)
 		for (int k = 0; k < blocks; k++) {
-			block(locus, locus->pair, locus->low + k, locus->low + l, locus->kappa);
+			block(locus, locus->pair, locus->low + k, locus->low + l, kappa);
 			for (int j = 0; j < n; j++)
 				for (int i = 0; i < n; i++)
 					locus->A[(size_t)(l*n + j)*row + k*n + i] =
 						locus->scale[k*n + i]*locus->scale[l*n + j]*locus->pair[i*n + j];
 		}
-	for (int k = 0; k < wide; k++) {
+	for (int k = 0; bordered && k < wide; k++) {
 		locus->A[(size_t)k*row + wide] = conj(locus->c[k]);
 		locus->A[(size_t)wide*row + k] = locus->b[k];
 	}
-	locus->A[(size_t)wide*row + wide] = 0.0;
+	if (bordered)
+		locus->A[(size_t)wide*row + wide] = 0.0;
+	return row;
 }
 
 double hawser__locus_determinant(struct hawser__locus *locus, double kappa, double *sign)
@@ -265,9 +267,8 @@ static void signal(const struct hawser__locus *locus, double complex *x, const d
 
 static int solve_complex(struct hawser__locus *locus)
 {
-	int wide = locus->wide, row = wide + 1;
+	int wide = locus->wide, row = hawser__locus_hill(locus, locus->kappa, 1);
 
-	fill_complex(locus);
 	if (LAPACKE_zgetrf_work(LAPACK_COL_MAJOR, row, row, locus->A, row, locus->pivot) != 0)
 		return 1;
 	memset(locus->v, 0, (size_t)row*sizeof *locus->v);
@@ -306,7 +307,7 @@ int hawser__locus_vectors(struct hawser__locus *locus)
 {
 	int wide = locus->wide, n = locus->n;
 
-	set_scale(locus);
+	set_scale(locus, locus->kappa);
 	if (locus->kind == HAWSER_TORUS ? solve_complex(locus) : solve_real(locus))
 		return 1;
 	locus->solves++;

@@ -29,8 +29,7 @@ static double largest(const double *x, int count)
 	return fabs(x[cblas_idamax(count, x, 1)]);
 }
 
-/* plus and minus = tangents at u + h x and u - h x, x in locus->shifted; returns h, 0 if x is 0. */
-static double both_sides(struct hawser__locus *locus, const double *x)
+double hawser__locus_both_sides(struct hawser__locus *locus, const double *x)
 {
 	int count = locus->rows*locus->n;
 	double size = largest(x, count), h;
@@ -60,7 +59,7 @@ static void add_part(struct hawser__locus *locus, int imaginary, double complex 
 
 	for (int k = 0; k < rows*n; k++)
 		x[k] = imaginary ? cimag(locus->vt[k]) : creal(locus->vt[k]);
-	h = both_sides(locus, x);
+	h = hawser__locus_both_sides(locus, x);
 	for (int r = 0; h > 0.0 && r < rows; r++)
 		for (int j = 0; j < n; j++) {
 			const double *p = locus->plus + ((size_t)r*n + j)*n;
@@ -178,8 +177,7 @@ enum hawser_status hawser__locus_differentiate(struct hawser__locus *locus, cons
 	return status;
 }
 
-/* The first 2 order + 1 harmonics of a real signal x [rows][n]. */
-static void transform(const struct hawser__locus *locus, double *out, const double *x)
+void hawser__locus_transform(const struct hawser__locus *locus, double *out, const double *x)
 {
 	int n = locus->n, columns = 2*locus->width + 1;
 
@@ -214,8 +212,10 @@ double hawser__locus_normal_form(struct hawser__locus *locus, double *sign, doub
 	double size = 0.0;
 
 	*sign = factor(locus, size_log);
-	if (*sign == 0.0 || locus->kind == HAWSER_TORUS)
+	if (*sign == 0.0)
 		return NAN;
+	if (locus->kind == HAWSER_TORUS)
+		return hawser__locus_lyapunov(locus);
 	for (int k = 0; k < rows*n; k++) {
 		x[k] = creal(locus->vt[k]);
 		size += x[k]*x[k];
@@ -223,7 +223,7 @@ double hawser__locus_normal_form(struct hawser__locus *locus, double *sign, doub
 	/* the tangent at the orbit itself, in locus->tangent */
 	hawser__rom_tangents(locus->rom, locus->force, locus->tangent, locus->u, rows, locus->work);
 	hawser__rom_vary_all(locus->rom, locus->force, locus->tangent, locus->u, rows);
-	if (!((h = both_sides(locus, x)) > 0.0))
+	if (!((h = hawser__locus_both_sides(locus, x)) > 0.0))
 		return NAN;
 	for (int r = 0; r < rows; r++)
 		for (int i = 0; i < n; i++) {
@@ -239,7 +239,7 @@ double hawser__locus_normal_form(struct hawser__locus *locus, double *sign, doub
 			locus->shifted[at] = -two/(2.0*h);
 			third += creal(locus->wt[at])*three/(h*h);
 		}
-	transform(locus, answer, locus->shifted);
+	hawser__locus_transform(locus, answer, locus->shifted);
 	for (int i = 0; i < row; i++)
 		answer[i] *= !hawser__locus_is_barred(locus, i);
 	LAPACKE_dgetrs_work(LAPACK_COL_MAJOR, 'N', row, 1, locus->J_factors, row, locus->pivot, answer,

@@ -82,6 +82,7 @@ static size_t lay_out(struct hawser__locus *to, double *memory)
 	to->plus = take(memory, &used, R*n2);
 	to->minus = take(memory, &used, R*n2);
 	to->shifted = take(memory, &used, R*n);
+	to->square = take(memory, &used, R*n);
 	to->work = take(memory, &used, hawser__rom_tangents_work(to->rom, to->rows) + 1);
 	to->T = take(memory, &used, K*n2);
 	to->D = take(memory, &used, K*n2);

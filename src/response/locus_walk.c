@@ -395,15 +395,19 @@ static enum hawser_status arrive(void *owner, enum hawser__arrival *arrival, dou
 	struct hawser__locus_walk *walk = owner;
 	struct hawser__locus *locus = walk->locus;
 	struct hawser__locus_station keep;
-	double kappa = walk->next.z[LOCUS_KAPPA];
-	int ended = 0;
+	double end = walk->next.z[LOCUS_KAPPA] <= 0.0 ? 0.0 : 0.5;
+	int ended = 0, passes = 0;
 	enum hawser_status status;
 
 	(void)ds;
 	*arrival = HAWSER__AT_END;
-	if (locus->kind == HAWSER_TORUS && (kappa <= 0.0 || kappa >= 0.5)) {
-		walk->list->end = HAWSER_LOCUS_RESONANCE;
-		return hawser__locus_resonance(walk, kappa <= 0.0 ? 0.0 : 0.5);
+	if (hawser__locus_is_beyond(walk)) {
+		if ((status = hawser__locus_pass(walk, end, &passes)))
+			return status;
+		if (!passes) {
+			walk->list->end = HAWSER_LOCUS_RESONANCE;
+			return hawser__locus_resonance(walk, end);
+		}
 	}
 	if ((status = to_bound(walk, &ended)))
 		return status;
@@ -413,6 +417,8 @@ static enum hawser_status arrive(void *owner, enum hawser__arrival *arrival, dou
 	}
 	if (!walk->options->skip_events && (status = hawser__locus_find_events(walk)))
 		return status;
+	if (passes && hawser__locus_is_beyond(walk))
+		hawser__locus_mirror(walk, end);
 	if ((status = record(walk, &walk->next)) || ended)
 		return status;
 	*arrival = HAWSER__GO_ON;

@@ -70,9 +70,22 @@ enum hawser_status hawser__locus_follow(struct hawser__locus_walk *walk,
 enum hawser_status hawser__locus_begin(struct hawser__locus_walk *walk, const struct hawser_frf *frf,
                                        int event, int *failed);
 
+/* locus_torus.c: whether the locus of a torus passes kappa = `end`, 0 or 1/2, between here and next;
+ * let all points have kappa between 0 and 1/2 again. */
+enum hawser_status hawser__locus_pass(struct hawser__locus_walk *walk, double end, int *passes);
+void hawser__locus_mirror(struct hawser__locus_walk *walk, double end);
+static inline int hawser__locus_is_beyond(const struct hawser__locus_walk *walk)
+{
+	double kappa = walk->next.z[LOCUS_KAPPA];
+
+	return walk->locus->kind == HAWSER_TORUS && (kappa <= 0.0 || kappa >= 0.5);
+}
+
 /* locus_events.c: tests at the last evaluation; the events between here and next. */
 enum hawser_status hawser__locus_test(struct hawser__locus_walk *walk,
                                       struct hawser__locus_station *station);
+void hawser__locus_test_angle(const struct hawser__locus *locus,
+                              struct hawser__locus_station *station);
 enum hawser_status hawser__locus_find_events(struct hawser__locus_walk *walk);
 /* The end of a torus locus at kappa = 0 or 1/2, beyond `here`. */
 enum hawser_status hawser__locus_resonance(struct hawser__locus_walk *walk, double kappa);

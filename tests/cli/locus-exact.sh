@@ -1,0 +1,209 @@
+#!/bin/sh
+# hawser locus against closed forms. Two equal coordinates on a circle, with the cubic force a r^2 x and a
+# circular load, move on a circle; with N = r^2, sigma = w^2 - Omega^2, c = d Omega
+#     N ((sigma + a N)^2 + c^2) = f^2,   folds: 3 a^2 N^2 + 4 sigma a N + sigma^2 + c^2 = 0
+# and in the rotating frame the torus is a Hopf bifurcation of four equations: for a < 0 at
+#     N = - B/a (1 - sqrt(1 - w^2/B)),   B = d^2 + 4 Omega^2,   nu^2 = sigma + 2 a N + 2 Omega^2
+# with multipliers exp(+-2 pi i nu/Omega). Pairs that are not coupled meet where both have a bifurcation.
+# SPDX-License-Identifier: GPL-3.0-or-later
+. "$SRCDIR/tests/cli/lib.sh"
+export PYTHONPATH=. PYTHONDONTWRITEBYTECODE=1
+
+cat >exact.py <<'END'
+import cmath, json, math
+
+class Pair:
+    """Two coordinates on a circle."""
+    def __init__(self, w, d, a, f):
+        self.w, self.d, self.a, self.f = w, d, a, f
+
+    def load(self, Omega, N):
+        """The factor of the load at which the circle has this N."""
+        return math.sqrt(N*((self.w**2 - Omega**2 + self.a*N)**2 + (self.d*Omega)**2))/self.f
+
+    def fold(self, Omega, side):
+        s = self.w**2 - Omega**2
+        root = math.sqrt(s*s - 3*(self.d*Omega)**2)
+        return self.load(Omega, (side*root - 2*s)/(3*self.a))
+
+    def cusp(self):
+        Omega = (math.sqrt(3)*self.d + math.sqrt(3*self.d**2 + 4*self.w**2))/2
+        return Omega, math.sqrt(8*(self.d*Omega)**3/(3*math.sqrt(3)*self.a))/self.f
+
+    def hopf(self, Omega):
+        """Its N and its frequency in the rotating frame."""
+        B = self.d**2 + 4*Omega**2
+        N = -B/self.a*(1 - math.sqrt(1 - self.w**2/B))
+        nu2 = self.w**2 + Omega**2 + 2*self.a*N
+        return N, math.sqrt(max(nu2, 0))
+
+    def torus(self, Omega):
+        return self.load(Omega, self.hopf(Omega)[0])
+
+    def lyapunov(self, Omega):
+        """The first Lyapunov coefficient from the four equations of the rotating frame."""
+        N, nu = self.hopf(Omega)
+        a, d, W, s = -self.a, self.d, math.sqrt(N), self.w**2 - Omega**2
+        J = [[0, 0, 1, 0], [0, 0, 0, 1], [3*a*N - s, d*Omega, -d, 2*Omega], [-d*Omega, a*N - s, -2*Omega, -d]]
+        B = lambda x, y: [0, 0, 2*a*W*(3*x[0]*y[0] + x[1]*y[1]), 2*a*W*(x[0]*y[1] + x[1]*y[0])]
+        C = lambda x, y, z: [0, 0,
+            2*a*(3*x[0]*y[0]*z[0] + x[0]*y[1]*z[1] + x[1]*y[0]*z[1] + x[1]*y[1]*z[0]),
+            2*a*(3*x[1]*y[1]*z[1] + x[1]*y[0]*z[0] + x[0]*y[1]*z[0] + x[0]*y[0]*z[1])]
+        less = lambda x: [[J[i][j] - (x if i == j else 0) for j in range(4)] for i in range(4)]
+        q, p = null(less(1j*nu)), null([list(column) for column in zip(*less(1j*nu))])
+        dot = lambda x, y: sum(u*v for u, v in zip(x, y))
+        r = [z.conjugate() for z in q]
+        h, k = solve(J, [-x for x in B(q, r)]), solve(less(2j*nu), [-x/2 for x in B(q, q)])
+        return ((dot(p, B(q, h)) + dot(p, B(r, k)) + dot(p, C(q, q, r))/2)/dot(p, q)).real
+
+def solve(A, b):
+    n = len(b)
+    M = [list(map(complex, row)) + [complex(x)] for row, x in zip(A, b)]
+    for k in range(n):
+        best = max(range(k, n), key=lambda i: abs(M[i][k]))
+        M[k], M[best] = M[best], M[k]
+        for i in range(k + 1, n):
+            factor = M[i][k]/M[k][k]
+            M[i] = [x - factor*y for x, y in zip(M[i], M[k])]
+    x = [0]*n
+    for k in reversed(range(n)):
+        x[k] = (M[k][n] - sum(M[k][j]*x[j] for j in range(k + 1, n)))/M[k][k]
+    return x
+
+def null(A):
+    n = len(A)
+    rows = [list(row) + [math.sin(1 + i)] for i, row in enumerate(A)]
+    return solve(rows + [[math.cos(2 + i) for i in range(n)] + [0]], [0]*n + [1])[:n]
+
+def root(f, low, high):
+    sign = f(low) < 0
+    assert (f(high) < 0) != sign
+    for _ in range(100):
+        middle = (low + high)/2
+        low, high = (middle, high) if (f(middle) < 0) == sign else (low, middle)
+    return low
+
+def write(name, pairs, swing=None):
+    """The model of these pairs, and of a parametrically excited coordinate (damping, stiffness)."""
+    n = 2*len(pairs) + bool(swing)
+    K, D = ([[0.0]*n for _ in range(n)] for _ in range(2))
+    C, f = [], [[0.0]*n, [0.0]*n]
+    for at, pair in enumerate(pairs):
+        for i in (2*at, 2*at + 1):
+            o = 4*at + 1 - i
+            K[i][i], D[i][i] = pair.w**2, pair.d
+            C += [[i, i, i, i, pair.a], [i, i, o, o, pair.a]]
+            f[i - 2*at][i] = pair.f
+    first = {"k": 1, "phase": "cos", "f": f[0]}
+    if swing:
+        first["K"] = [[0.0]*n for _ in range(n)]
+        K[-1][-1], D[-1][-1], first["K"][-1][-1] = 1.0, *swing
+        C.append([n - 1]*4 + [0.5])
+    with open(name, "w") as stream:
+        json.dump({"n": n, "K": K, "D": D, "C": C,
+                   "harmonics": [first, {"k": 1, "phase": "sin", "f": f[1]}]}, stream)
+
+HARD, SOFT = Pair(1, 0.1, 0.5, 0.2), Pair(1, 0.1, -0.5, 1)
+OTHER, THIRD, FOURTH = Pair(1, 0.1, 0.5, 0.3), Pair(1.1, 0.2, -0.5, 1.04), Pair(1.9, 0.1, 0.5, 0.4)
+if __name__ == "__main__":
+    write("hard.json", [HARD])
+    write("soft.json", [SOFT])
+    write("both.json", [OTHER, SOFT])
+    write("tori.json", [SOFT, THIRD])
+    write("flip.json", [FOURTH], (0.05, 0.3))
+    for load in (1, 1.173, 1.179):
+        with open("tipped-%g.json" % load, "w") as stream:
+            json.dump({"n": 1, "K": [[1]], "D": [[0.1]], "Q": [[0, 0, 0, 1]], "C": [[0, 0, 0, 0, 0.5]],
+                       "harmonics": [{"k": 1, "phase": "cos", "f": [0.5*load]}]}, stream)
+END
+python "models" <exact.py
+cat >result.py <<'END'
+import json
+class Locus:
+    def __init__(self, name):
+        self.result = json.load(open(name + ".json"))
+        assert self.result["not_followed"] == 0
+        self.events = [e for c in self.result["curves"] for e in c["events"]]
+        self.points = [p for c in self.result["curves"] for p in c["points"]]
+    def of(self, kind):
+        return [(e["Omega"], e["parameter"]) for e in self.events if e["kind"] == kind]
+def near(a, b, most):
+    assert max(abs(x/y - 1) for x, y in zip(a, b)) < most, (a, b)
+END
+
+works "folds" locus hard.json --from 0.8 --to 2 --over factor.load=0.1:2 --json hard-l.json -q
+works "tori" locus soft.json --kind torus --from 3 --to 0.5 --over factor.load=0.05:5 --json soft-l.json -q
+works "folds beside a torus" locus both.json --from 2 --to 1.2 --over factor.load=1:2 --at 1.7 --json both-f.json -q
+works "tori beside a fold" locus both.json --kind torus --from 2 --to 1.2 --over factor.load=1:2 --at 1.7 \
+	--json both-t.json -q
+works "two tori" locus tori.json --kind torus --from 2 --to 1.06 --over factor.load=0.6:2 --at 1.7 \
+	--json tori-l.json -q
+works "folds beside period doublings" locus flip.json --from 1.9 --to 2.4 --over factor.load=0.4:1.5 \
+	--json flip-f.json -q
+works "period doublings beside folds" locus flip.json --kind period-doubling --from 1.9 --to 2.4 \
+	--over factor.load=0.4:1.5 --json flip-p.json -q
+works "generalised period doublings" locus tipped-1.json --kind period-doubling --from 3.5 --to 0.7 \
+	--over factor.load=0.3:6 --at 2 --json tipped-l.json -q
+works "a branch, less load" frf tipped-1.173.json --from 1.8 --to 1.6 --branches 1 --json less.json -q
+works "a branch, more load" frf tipped-1.179.json --from 1.8 --to 1.6 --branches 1 --json more.json -q
+
+python "folds and their cusp" <<'END'
+from exact import *
+from result import *
+locus = Locus("hard-l")
+near(locus.of("cusp")[0], HARD.cusp(), 1e-10)
+for p in locus.points:
+    O = p["Omega"]
+    if O > HARD.cusp()[0]*(1 + 1e-9): # at the cusp both sides are the same
+        assert min(abs(HARD.fold(O, side)/p["parameter"] - 1) for side in (1, -1)) < 1e-10
+END
+python "tori, their angles, their resonances, which they pass on a circle, and the Chenciner point" <<'END'
+from exact import *
+from result import *
+locus = Locus("soft-l")
+for p in locus.points:
+    N, nu = SOFT.hopf(p["Omega"])
+    if p["Omega"] > 0.58: # the load stays nearly the same towards the end, 1:1
+        angle = abs(math.remainder(2*math.pi*nu/p["Omega"], 2*math.pi))
+        assert abs(angle - p["angle"]) < 1e-8 and abs(SOFT.torus(p["Omega"])/p["parameter"] - 1) < 1e-10
+kappa = lambda O: SOFT.hopf(O)[1]/O
+for kind, parts in {"1:4": (1/4, 3/4), "1:3": (1/3, 2/3), "1:2": (1/2,)}.items():
+    found = locus.of(kind)
+    assert len(found) == len(parts)
+    for part, event in zip(parts, sorted(found)):
+        O = root(lambda O: kappa(O) - part, 0.576, 1)
+        near(event, (O, SOFT.torus(O)), 1e-10)
+O = root(lambda O: SOFT.w**2 + O**2 + 2*SOFT.a*SOFT.hopf(O)[0], 0.55, 0.6)
+near(locus.of("1:1")[0], (O, SOFT.torus(O)), 1e-8)
+O = root(SOFT.lyapunov, 1.5, 2.8)
+near(locus.of("chenciner")[0], (O, SOFT.torus(O)), 1e-10)
+END
+python "where two bifurcations meet" <<'END'
+from exact import *
+from result import *
+O = root(lambda O: SOFT.torus(O) - OTHER.fold(O, -1), 1.2, 1.6)
+for name in ("both-f", "both-t"):
+    near(Locus(name).of("fold-torus")[0], (O, SOFT.torus(O)), 1e-10)
+O = root(lambda O: SOFT.torus(O) - THIRD.torus(O), 1.2, 1.4)
+both = Locus("tori-l").of("torus-torus")
+assert len(both) == 2
+for event in both:
+    near(event, (O, SOFT.torus(O)), 1e-10)
+a, b = Locus("flip-f").of("fold-flip"), Locus("flip-p").of("fold-flip")
+assert len(a) >= 1 and len(a) == len(b), (a, b)
+for x, y in zip(sorted(a), sorted(b)):
+    near(x, y, 1e-8)
+    assert min(abs(FOURTH.fold(x[0], side)/x[1] - 1) for side in (1, -1)) < 1e-9
+END
+python "beyond a generalised period doubling the branch goes the other way" <<'END'
+from result import *
+event, = [e for e in Locus("tipped-l").of("generalised-period-doubling") if abs(e[0] - 1.7) < 0.01]
+bends = []
+for name in ("less", "more"):
+    branch = json.load(open(name + ".json"))["branches"][0]
+    bends.append(branch["points"][2]["Omega"] - branch["born"])
+assert bends[0] < 0 < bends[1]
+# the bend is proportional to the coefficient
+assert abs(1.173 + 0.006*bends[0]/(bends[0] - bends[1]) - event[1]) < 3e-4, (bends, event)
+END
+done_testing
