@@ -27,8 +27,8 @@
 #include "study/curve.h"
 
 enum { PARTS = 6 };             /* segments into which each segment of a curve is refined; chosen */
-static const double uneven = 5.0;  /* ratio of successive steps above which a cubic may overshoot; a
-                                    * straight line is used instead */
+static const double uneven = 100.0; /* ratio of successive steps above which the shorter one has too
+                                     * few digits for a parabola; chosen */
 static const double faintest = 0.5; /* smallest relevant component, relative to the largest one:
                                      * peaks are compared down to the same size */
 
@@ -73,26 +73,32 @@ static double largest(const struct hawser__curve *curve, int column)
 	return most;
 }
 
-/* Cubic interpolation through points i - 1 to i + 2, at the fraction x between points i and i + 1. */
-static double between(const struct hawser__curve *curve, int i, double x, int column)
+/* Derivative by arc at point i of the parabola through it and its neighbours; at an end, through the
+ * next two. Where steps are too uneven, the slope of the longer one. */
+static double slope(const struct hawser__curve *curve, int i, int column)
 {
 	const double *s = curve->arc;
-	double step = s[i + 1] - s[i], where = s[i] + x*step, sum = 0.0;
-	double line = (1.0 - x)*at(curve, i, column) + x*at(curve, i + 1, column);
+	int k = i < 1 ? 1 : i > curve->points - 2 ? curve->points - 2 : i;
+	double left = s[k] - s[k - 1], right = s[k + 1] - s[k];
+	double before = (at(curve, k, column) - at(curve, k - 1, column))/left;
+	double after = (at(curve, k + 1, column) - at(curve, k, column))/right;
+	double bend = (after - before)/(left + right);
 
-	if (i < 1 || i + 2 >= curve->points ||
-	    fmax(s[i] - s[i - 1], s[i + 2] - s[i + 1]) > uneven*step ||
-	    fmin(s[i] - s[i - 1], s[i + 2] - s[i + 1])*uneven < step)
-		return line;
-	for (int k = i - 1; k <= i + 2; k++) {
-		double weight = 1.0;
+	if (fmax(left, right) > uneven*fmin(left, right))
+		return left > right ? before : after;
+	return before + bend*(2.0*s[i] - s[k - 1] - s[k]);
+}
 
-		for (int m = i - 1; m <= i + 2; m++)
-			if (m != k)
-				weight *= (where - s[m])/(s[k] - s[m]);
-		sum += weight*at(curve, k, column);
-	}
-	return sum;
+/* Cubic interpolation between points i and i + 1, at the fraction x. */
+static double between(const struct hawser__curve *curve, int i, double x, int column)
+{
+	double step = curve->arc[i + 1] - curve->arc[i], y = 1.0 - x;
+	double a = at(curve, i, column), b = at(curve, i + 1, column);
+
+	if (curve->points < 3)
+		return y*a + x*b;
+	return y*y*(1.0 + 2.0*x)*a + x*x*(3.0 - 2.0*x)*b +
+	       x*y*step*(y*slope(curve, i, column) - x*slope(curve, i + 1, column));
 }
 
 /* The refined curve of one component: (w, a) [count][2]. */
