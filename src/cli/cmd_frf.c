@@ -269,14 +269,14 @@ static enum hawser_status trace(struct hawser_frf *frf, struct hawser_landmark *
 	}
 	if (!status && !automatic)
 		status = trace_curve(frf, &choice, result, settings, label, report);
-	if (frf->points > 0 && frf->period == 1 && !result->over) {
+	if (frf->points > 0 && cli_label_plain(frf, model) && !result->over) {
 		enum hawser_status located = locate_peaks(peak, result, &watch.progress, &choice,
 		                                          status != HAWSER_OK, status ? &second : report);
 
 		status = status ? status : located;
 	}
-	if (!status && frf->period == 1 && !result->over && !cli_switch_elsewhere(settings->switched) &&
-	    !cli_interrupted())
+	if (!status && cli_label_plain(frf, model) && !result->over && !cli_interrupted() &&
+	    !cli_switch_elsewhere(settings->switched))
 		status = cli_cover_trace(cover, result, &choice, &watch.progress, locate_peaks, report);
 	if (!status && !cli_interrupted())
 		status = cli_cover_switch(cover, result, &choice, settings->branches, settings->switched,

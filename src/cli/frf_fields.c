@@ -246,6 +246,15 @@ static void warnings_json(struct hawser__json *json, json_t *into, const void *r
 		hawser__json_text(json, json_object_get(json->root, "warnings"), NULL, result->missed[k].text);
 }
 
+static void parameters_json(struct hawser__json *json, json_t *into, const void *row)
+{
+	const struct hawser_rom_source *source = &((const struct cli_frf_result *)row)->model->source;
+	json_t *object = source->parameters > 0 ? hawser__json_object(json, into, "parameters") : NULL;
+
+	for (int i = 0; object && i < source->parameters; i++)
+		hawser__json_number(json, object, source->parameter[i].name, source->parameter[i].value);
+}
+
 static int has_direction(const void *row, const void *parent)
 {
 	(void)parent;
@@ -323,6 +332,7 @@ static const struct hawser__field stats_field[] = {
 static const struct hawser__field result_field[] = {
 	THROUGH(scales, cli_modulation_field),
 	THROUGH(model, cli_si_field),
+	{"parameters", NULL, "of a model file or library that names some", HAWSER__CALLS(parameters_json)},
 	{"over", NULL, "with --over", HAWSER__THROUGH(struct cli_frf_result, over, over_field)},
 	{"range", NULL, "of Omega", HAWSER__PAIR_AT(struct cli_frf_result, from, to),
 	 .unit = HAWSER__RAD_S},

@@ -58,6 +58,15 @@ static int has_event(const struct hawser_frf *frf, double omega)
 	return 0;
 }
 
+/* The same for branch points. */
+static int meets(const struct hawser_frf *frf, double omega)
+{
+	for (int e = 0; e < frf->events; e++)
+		if (frf->event[e].kind == HAWSER_BRANCH_POINT && fabs(frf->event[e].omega/omega - 1.0) < SAME)
+			return 1;
+	return 0;
+}
+
 static const struct hawser_frf *branch_of(const struct cli_frf_result *result, int branch)
 {
 	for (int k = 0; k < result->others; k++)
@@ -72,8 +81,12 @@ static int begins(const struct cli_cover *cover, const struct cli_frf_result *re
 {
 	const struct hawser_frf_event *event = &frf->event[e];
 
-	if (event->kind == HAWSER_PERIOD_DOUBLING)
+	if (event->kind == HAWSER_PERIOD_DOUBLING) { /* where a branch may have come back to this one */
+		for (int k = 0; k < cover->borns; k++)
+			if (cover->born[k]->parent == frf->branch && meets(cover->born[k], event->omega))
+				return 0;
 		return 1;
+	}
 	if (event->kind != HAWSER_BRANCH_POINT)
 		return 0;
 	for (int k = 0; k < cover->borns; k++)
@@ -147,7 +160,7 @@ static enum hawser_status follow(struct cli_cover *cover, struct cli_frf_result 
 	if (status && miss(cover, "branch %d, from the %s, is incomplete: %s", frf->branch, at.text,
 	                   why.message))
 		return hawser__no_memory(report, "frf");
-	status = frf->period > 1 ? HAWSER_OK
+	status = !cli_label_plain(frf, result->model) ? HAWSER_OK
 	         : peaks(&peak, one, progress, options, status || frf->end == HAWSER_END_FAILED, report);
 	one->peak = peak;
 	return status;

@@ -29,6 +29,11 @@ void cli_label_all(struct cli_frf_result *result)
 		next = hawser_frf_label((void *)result->other[k].frf, next, 0);
 }
 
+int cli_label_plain(const struct hawser_frf *frf, const struct cli_model *model)
+{
+	return frf->period <= 1 || frf->period == model->rom.periods;
+}
+
 int cli_label_split(char *path, size_t size, const char *text)
 {
 	const char *mark = strrchr(text, '#');
@@ -139,6 +144,9 @@ static double present(const char *key, const struct cli_model *model)
 
 	if (!cli_over_needs_scene(key))
 		return 1.0;
+	for (int i = 0; i < model->source.parameters; i++)
+		if (strcmp(model->source.parameter[i].name, key) == 0)
+			return model->source.parameter[i].value;
 	if (!model->has_scene || hawser_scene_get(&model->scene, &value, key, NULL))
 		return NAN;
 	return value;
@@ -149,6 +157,25 @@ static int same(double a, double b)
 	return fabs(a - b) <= SAME*fmax(fabs(a), fabs(b));
 }
 
+/* The first parameter of a model file or library that has another value in the result; NULL: none.
+ * `but` and `or` (or NULL) are followed and not compared. */
+static const char *other_parameter(const json_t *root, const struct hawser_rom_source *source,
+                                   const char *but, const char *or)
+{
+	const json_t *object = json_object_get(root, "parameters");
+
+	for (int i = 0; i < source->parameters; i++) {
+		const struct hawser_parameter *one = &source->parameter[i];
+		double then = number(object, one->name);
+
+		if ((but && strcmp(but, one->name) == 0) || (or && strcmp(or, one->name) == 0))
+			continue;
+		if (!isnan(then) && !same(then, one->value))
+			return one->name;
+	}
+	return NULL;
+}
+
 static enum hawser_status check(const struct cli_label *label, const json_t *root, const char *option,
                                 const char *text, const char *over, const struct cli_model *model,
                                 const struct cli_common *common, struct hawser_report *report)
@@ -156,9 +183,10 @@ static enum hawser_status check(const struct cli_label *label, const json_t *roo
 	struct hawser__view view = cli_view(model, ~0u);
 	struct cli_model then = *model;
 	enum hawser_status status = HAWSER_OK;
-	const char *found, *but = *label->over ? label->over : over;
+	const char *found, *but = *label->over ? label->over : over, *other;
 	char name[128];
 
+	other = other_parameter(root, &model->source, over, label->over);
 	if (*label->over && !(over && strcmp(over, label->over) == 0)) {
 		if (!same(present(label->over, model), label->parameter))
 			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "label",
@@ -179,6 +207,7 @@ static enum hawser_status check(const struct cli_label *label, const json_t *roo
 	free(then.natural);
 	if (status)
 		return hawser__no_memory(report, "label");
+	found = found ? found : other;
 	return !found ? HAWSER_OK
 	       : hawser__fail(report, HAWSER_ERR_ARGUMENT, "label",
 	                      "--%s %s: that is a result of another %s, with another value of %s", option,

@@ -20,6 +20,9 @@ struct cli_label {
 /* Label the branches of a result, one after another. */
 void cli_label_all(struct cli_frf_result *result);
 
+/* Whether the motions have the period of the model, not a multiple. */
+int cli_label_plain(const struct hawser_frf *frf, const struct cli_model *model);
+
 /* Split FILE#LABEL, into path [size]. Returns the label, or 0 if the text has none. */
 int cli_label_split(char *path, size_t size, const char *text);
 

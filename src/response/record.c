@@ -10,7 +10,7 @@
 #include "response/record.h"
 
 #define ONE_ARC 0.05 /* largest arclength between a fold and a branch point that are one; chosen */
-#define ERRORS 3.0   /* and of their parameters, in errors; chosen */
+#define ERRORS 5.0   /* and of their parameters, in errors; chosen */
 
 /* Resize one array to `rows` of `width` doubles; a failure keeps the old one. */
 static int resize(double **array, int rows, int width)

@@ -176,4 +176,34 @@ refuses_like 1 "at a fold the motion can't be followed in another parameter" \
 	frf pair.json --over factor.load=0.5:2 --from-label "pair-frf.json#$(cat fold)"
 refuses_like 1 "a motion of several periods of the load is followed over the frequency only" \
 	frf cascade.json --over factor.load=0.5:2 --from-label cascade-frf.json#16
+cat >half.json <<'END'
+{"n": 1, "periods": 2, "K": [[1]], "D": [[0.4]], "Q": [[0, 0, 0, -1]],
+ "harmonics": [{"k": 2, "phase": "cos", "f": [0.25]}]}
+END
+cat >first.json <<'END'
+{"hawser_rom": 1, "n": 2, "first_order": true, "parameters": {"A": 0.4, "B": 1.2, "a": 0.05},
+ "K": [["B + 1", 0], ["-B", 0]], "terms": [[0, [0, 0, 1], [], -1], [1, [0, 0, 1], [], 1]],
+ "harmonics": [{"k": 0, "f": ["A", 0]}, {"k": 1, "f": ["a", 0]}]}
+END
+works "a model of two periods" frf half.json --from 1.6 --to 0.7 --step 0.01 --branches 2 --json half-frf.json -q
+works "from its label" frf half.json --from 1.6 --to 0.7 --step 0.01 --from-label half-frf.json#16 --json half-label.json -q
+works "the motion at it" orbit half.json --from-label half-frf.json#16 --json half-orbit.json -q
+works "a model with parameters" frf first.json --from 3 --to 0.9 --branches 1 --json first-frf.json -q
+works "from its label over one of them" frf first.json --over a=0.05:0.06 --from-label first-frf.json#3 --json over-a.json -q
+python "models of several periods and with parameters have labels" <<'END'
+import sys; sys.path.insert(0, ".")
+from lib import *
+half, again, orbit, first, over = map(load, ("half-frf", "half-label", "half-orbit", "first-frf", "over-a"))
+assert half["period"] == 2 and [b["period"] for b in half["branches"]] == [2, 4]
+assert half["events"][0]["kind"] == "branch-point" and half["branches"][1]["born"] == half["branches"][0]["events"][0]["Omega"]
+cascade = load("cascade-frf")
+for b, c in zip(half["branches"], cascade["branches"]):
+    assert abs(b["events"][0]["Omega"]/c["events"][0]["Omega"] - 1) < 1e-9
+assert again["period"] == 2 and gap(again["points"][0], labels(half)[16]) < 1e-9
+assert orbit["orbit"]["period"] == 2 and orbit["orbit"]["closure"] < 1e-8
+assert first["parameters"] == {"A": 0.4, "B": 1.2, "a": 0.05} and first["branches"][0]["period"] == 2
+assert abs(over["points"][0]["parameter"] - 0.05) < 1e-15 and gap(over["points"][0], labels(first)[3]) < 1e-6
+END
+refuses 1 "--from-label first-frf.json#3: that is a result of another model, with another value of a" \
+	frf first.json --from 3 --to 0.9 --set a=0.06 --from-label first-frf.json#3
 done_testing

@@ -43,6 +43,26 @@ a, b = (json.load(open(n))["states"][-1] for n in ("time.json", "file-time.json"
 assert max(abs(x - y) for x, y in zip(a, b)) < 1e-10, (a, b)
 PY
 
+sed 's/{0.05, 0.1, 0.18}/{0.4, -1.0, 0.25}/; s/u\[0\]\*u\[0\]\*u\[0\];/u[0]*u[0];/; s/3.0\*p\[EPS\]\*u\[0\]\*u\[0\]/2.0*p[EPS]*u[0]/' \
+	"$top/examples/duffing.c" >cascade.c
+try "a quadratic one" build cascade.c cascade.so
+echo '{"n": 1, "K": [[1]], "D": [[0.4]], "Q": [[0, 0, 0, -1]], "harmonics": [{"k": 1, "f": [0.25]}]}' >cascade.json
+works "its branches" frf --model-library cascade.so --from 1.6 --to 0.7 --step 0.01 --branches 3 --json branches.json -q
+works "those of the file" frf cascade.json --from 1.6 --to 0.7 --step 0.01 --branches 3 --method shooting \
+	--json file-branches.json -q
+works "from a label" frf --model-library cascade.so --from 1.6 --to 0.7 --step 0.01 --from-label branches.json#16 \
+	--json label.json -q
+python "agree" <<'PY'
+import json
+own, file, label = (json.load(open(name)) for name in ("branches.json", "file-branches.json", "label.json"))
+assert [b["period"] for b in own["branches"]] == [b["period"] for b in file["branches"]] == [2, 4, 8]
+for a, b in zip([own] + own["branches"], [file] + file["branches"]):
+    assert abs(a["events"][0]["Omega"]/b["events"][0]["Omega"] - 1) < 1e-9
+assert label["period"] == 2 and own["parameters"]["delta"] == 0.4
+PY
+refuses 1 "--from-label branches.json#16: that is a result of another model, with another value of delta" \
+	frf --model-library cascade.so --from 1.6 --to 0.7 --set delta=0.3 --from-label branches.json#16
+
 refuses_like 1 "--model-library nothing.so: .*nothing.so" frf --model-library nothing.so
 refuses 1 "--model-library unnamed.so does not define hawser_plugin(), which hawser/plugin.h describes" \
 	frf --model-library unnamed.so
