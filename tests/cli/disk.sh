@@ -49,7 +49,7 @@ if [ -w /dev/full ]; then
 		frf "$duffing" $short
 		folds "$duffing"
 		map "$duffing" --x Omega=1:2 --y factor.load=1:2 --points 3x3 --threads 1
-		plan "$chairlift" --limit 0.05
+		plan "$chairlift" --fidelities "raw 3"
 	END
 	refuses 4 "cannot write /dev/full: No space left on device" rom "$duffing" --json /dev/full
 else

@@ -177,8 +177,8 @@ works "modes of one solution" map "$chairlift" --x "Omega=0.2 Hz:0.5 Hz" --y dam
 	--quantity unstable --tsv none.tsv
 
 # --- the checkpoint ---
-wide="--points 300x300 --coarse 1 --quantity multiplier --checkpoint kept"
-works "an uninterrupted map" map hill.json $axes --points 300x300 --coarse 1 --quantity multiplier --tsv whole.tsv
+wide="--points 150x150 --coarse 1 --quantity multiplier --checkpoint kept"
+works "an uninterrupted map" map hill.json $axes --points 150x150 --coarse 1 --quantity multiplier --tsv whole.tsv
 }
 cat >../kill.py <<'END'
 import os, signal, subprocess, sys, time

@@ -143,19 +143,19 @@ shows models "Sag over span" "Relative error of sag" catenary inextensible parab
 draw curves statics "$chairlift" --compatibility --points 40
 sound curves
 shows curves "Weight ratio" "Elastic ratio" "Slope at end A" scene
-works "compare.svg" compare modes "$chairlift" -n 3 --to 30 --plot compare.svg -q
+works "compare.svg" compare modes "$chairlift" -n 2 --to 20 --plot compare.svg -q
 shows compare "Time (ms); numbers: resolution" "Largest relative error of a frequency" spectral \
 	"its own choice"
 sound compare
-works "fidelities" compare "$top/notebooks-data/scenes/b-table-4.5.yaml" --from 0.9w1 --to 1.15w1 \
-	--fidelities "raw 3, condensed 2, condensed 3" --plot fidelities.svg -q
+works "fidelities" compare "$top/notebooks-data/scenes/b-table-4.5.yaml" --from 0.95w1 --to 1.1w1 \
+	--fidelities "raw 2, condensed 2, condensed 3" --plot fidelities.svg -q
 shows fidelities "reference: condensed 3" "Frequency error of folds, peaks (–)" "raw (none found)"
 sound fidelities
-works "multiple scales" compare mms "$top/notebooks-data/scenes/b-table-4.5.yaml" -n 2 --levels 2 --step 0.004 \
+works "multiple scales" compare mms "$top/notebooks-data/scenes/b-table-4.5.yaml" -n 2 --levels 2 --step 0.01 \
 	--set model.condense=static --plot scales.svg -q
 shows scales "multiple scales, quarter-span" "multiple scales, mid-span"
 sound scales
-draw integrate integrate "$chairlift" --Omega 0.9w1 --until 30T
+draw integrate integrate "$chairlift" --Omega 0.9w1 --until 12T
 shows integrate "Time t (s)" "z, mid-span (m)" "y, mid-span (m)" "Velocity (m/s)" \
 	"Frequency (Hz)" "Amplitude (m)" forcing
 sound integrate
@@ -200,7 +200,7 @@ sound irvine
 
 # without growth the Campbell diagram has no panels of zeros, and its colours are told
 scenes=$top/notebooks-data/scenes
-works "a Campbell diagram" campbell "$scenes/b-table-5.3.yaml" -n 3 --points 20 --spacing "60 m" \
+works "a Campbell diagram" campbell "$scenes/b-table-5.3.yaml" -n 3 --points 8 --spacing "60 m" \
 	--set damping.ratio=0.01 --plot campbell.svg -q
 shows campbell "in plane, no damping: all real parts 0" "mode 1" "mode 2" excitation "limit speed"
 try "no panel of zeros" sh -c '! grep -q "Real part" campbell.svg'
@@ -208,7 +208,7 @@ sound campbell
 
 # a map's colours turn at the border of stability, and its axes name quantities
 works "a map" map "$scenes/b-table-5.4.yaml" -n 3 --x Omega=14:16 --y travel.fluctuation=0:8 \
-	--quantity multiplier --points 24x24 --plot map.svg -q
+	--quantity multiplier --points 12x12 --plot map.svg -q
 shows map "Amplitude of speed fluctuation V (m/s)" "Largest modulus of a multiplier (–)" stable unstable \
 	"boundary of stability"
 try "no raw key" sh -c '! grep -q "travel.fluctuation" map.svg'
@@ -216,7 +216,7 @@ sound map
 try "browsers do not blur the colours" grep -q "<image style='image-rendering:pixelated' " map.svg
 
 works "a map of whole numbers" map "$scenes/b-table-5.4.yaml" -n 3 --x Omega=14:16 \
-	--y travel.fluctuation=0:8 --quantity unstable --points 24x24 --plot whole.svg -q
+	--y travel.fluctuation=0:8 --quantity unstable --points 12x12 --plot whole.svg -q
 shows whole "Number of unstable multipliers (–)" unstable
 try "the legend has the colour of the bar" sh -c \
 	'[ "$(grep -ciE "fill *[=:] *.?rgb\( *241, *105, *19\)" whole.svg)" -ge 2 ]'
@@ -237,11 +237,11 @@ works "a plane in which nothing was found" hill --mathieu --x delta=5:6 --y epsi
 shows calm "no instability found"
 
 works "safe speeds" beam "$scenes/hoist-rope.yaml" --boundary beam.tension_end --from "5 kN" --to "40 kN" \
-	--points 4 --size 24 -n 3 --plot safe.svg -q
+	--points 3 --size 16 -n 2 --plot safe.svg -q
 shows safe "Tension at the end (kN)" 40 "stable up to here"
 try "no plain newtons" sh -c '! grep -q 40000 safe.svg'
 sound safe
-run beam "$scenes/d-figure-9.2.yaml" --vary beam.rho=0,10 --boundary beam.mu --from 5 --to 20 --points 2 --size 24 \
+run beam "$scenes/d-figure-9.2.yaml" --vary beam.rho=0,10 --boundary beam.mu --from 5 --to 20 --points 2 --size 16 \
 	--plot weights.svg -q
 try "boundaries of two beams are drawn (status $status)" test "$status" -eq 0
 shows weights "ρ = 10, stable up to here" "Tension μ (–)" "Speed v (–)"

@@ -386,7 +386,7 @@ def table(name):
     return [l for l in open(name).read().split("\n") if not l.startswith("#")]
 assert table("still.tsv") == table("modes.tsv")
 END
-works "compare modes of a travelling cable" compare modes "$chairlift" -n 3 --to 40 \
+works "compare modes of a travelling cable" compare modes "$chairlift" -n 2 --to 30 \
 	--set travel.hold=tension --set travel.speed="40 m/s" --json compare-travel.json
 python "compares its three methods" <<'END'
 import json

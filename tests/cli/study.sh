@@ -41,7 +41,7 @@ assert plan["fidelities"][0]["Omega_error"] < 1e-6, plan["fidelities"][0]
 END
 sed '/^load:/,/per_length/d' "$scene" >unloaded.yaml
 works "a curve of many folds, and little time" plan "$scene" --from 0.6w1 --to 3.3w1 --limit 0.05 \
-	--fidelities "condensed 5" --json bound.json
+	--fidelities "condensed 4" --json bound.json
 python "a bound, and why" <<'END'
 import json
 row = json.load(open("bound.json"))["fidelities"][0]
@@ -62,29 +62,30 @@ refuses 1 "$chairlift: damping.drag is quadratic, and the fidelities compared ha
 run rom "$chairlift" --set damping.drag=0.1 -q
 try "rom warns of drag" grep -q "warning: damping.drag is no part of these entries" "$scratch/err"
 
-range="--from 0.85w1 --to 1.2w1"
+range="--from 0.93w1 --to 1.1w1"
+wide="--from 0.85w1 --to 1.2w1"
 picture=
 command -v gnuplot >/dev/null && picture="--plot work.svg"
 # shellcheck disable=SC2086 # words
-works "compare" compare "$scene" $range --fidelities "multiple-scales, raw 3,condensed 3, condensed:5" \
+works "compare" compare "$scene" $range --fidelities "multiple-scales, raw 3,condensed 3, condensed:4" \
 	--tsv compare.tsv --json compare.json $picture
 # shellcheck disable=SC2086
-works "compare --landmarks" compare "$scene" $range --landmarks --fidelities "raw 3, condensed 5" \
+works "compare --landmarks" compare "$scene" $range --landmarks --fidelities "raw 3, condensed 4" \
 	--tsv landmarks.tsv
 # shellcheck disable=SC2086
-works "the same response by frf" frf "$scene" $range -n 5 --set model.condense=static --json frf.json
+works "the same response by frf" frf "$scene" $range -n 4 --set model.condense=static --json frf.json
 python "a comparison: counts add up, errors are those of the landmarks, folds those of frf" <<'END'
 import csv, json, math
 result = json.load(open("compare.json"))
 runs = {f["name"]: f for f in result["fidelities"]}
-assert result["reference"] == "condensed 5" and runs["condensed 5"]["role"] == "reference"
+assert result["reference"] == "condensed 4" and runs["condensed 4"]["role"] == "reference"
 assert all(r["outcome"] == "complete" for r in runs.values())
-assert all((r["role"] == "reference") == (n == "condensed 5") for n, r in runs.items())
+assert all((r["role"] == "reference") == (n == "condensed 4") for n, r in runs.items())
 assert all(r["planned_secs"] > 0 for r in runs.values())
 assert all(r["planned_is"] in ("estimate", "bound") for r in runs.values())
 ends = [r["Omega_end"] for r in runs.values() if r["points"]]
 assert all(abs(e/result["to"] - 1) < 1e-12 for e in ends), ends
-reference = runs["condensed 5"]
+reference = runs["condensed 4"]
 for run in runs.values():
     for kind, name in (("fold", "folds"), ("peak", "peaks")):
         own = [l for l in run["landmarks"] if l["kind"] == kind]
@@ -130,13 +131,13 @@ reference() {
 	try "the reference is $want" grep -q "^$want	reference	complete" "$scratch/out"
 }
 narrow="--from 0.9w1 --to 0.95w1"
-reference "condensed 6" "auto 5, condensed 6, condensed 3" "$narrow"
+reference "condensed 5" "auto 5, condensed 5, condensed 3" "$narrow"
 reference "auto 1%" "auto 1, condensed 3, raw 2"
 reference "condensed 3" "condensed 3, raw 9" "$narrow"
 
 # a curve that a limit cuts is told of in its row, and has no reference to be
 # shellcheck disable=SC2086
-works "a limit of points" compare "$scene" $range --fidelities "raw 5, condensed 2" --max-points 300 \
+works "a limit of points" compare "$scene" $wide --fidelities "raw 5, condensed 2" --max-points 300 \
 	--json cut.json --tsv cut.tsv
 try "is told" grep -q "^# raw 5 ended before the range did, at Omega .*: max-points" cut.tsv
 python "in the row of the one that is cut" <<'END'
@@ -150,7 +151,7 @@ assert all(float(r["Omega_end_rad_s"]) == runs[r["fidelity"]]["Omega_end"] for r
 END
 # shellcheck disable=SC2086
 refuses_like 3 "reference, condensed 2, was cut \\(max-points\\) after 90 points; of the range from 1.06638 to 1.50548 rad/s it got to 1\\.[0-9]+: .*raise --max-points" \
-	compare "$scene" $range --fidelities "raw 2, condensed 2" --max-points 90
+	compare "$scene" $wide --fidelities "raw 2, condensed 2" --max-points 90
 # shellcheck disable=SC2086
 refuses_like 3 "was cut \\(the time limit\\) .*raise --limit, or name another --reference" \
 	compare "$scene" $range --fidelities "raw 2, condensed 2" --limit 1e-6

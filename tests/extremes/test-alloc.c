@@ -63,8 +63,8 @@ static const struct {
 	{"mms o-model.json --tsv o.tsv", 300, 0},
 	{"hill o-model.json --Omega 1 --tsv o.tsv", 300, 0},
 	{"beam beam.yaml --tsv o.tsv", 300, 0},
-	{"plan s.yaml --limit 0.01 --tsv o.tsv", 300, 1},
-	{"compare modes s.yaml --method fdm", 100, 1},
+	{"plan s.yaml --fidelities raw~2,condensed~2 --tsv o.tsv", 300, 1},
+	{"compare modes s.yaml --method fdm --from 10 --to 20", 100, 1},
 	{"compare s.yaml --fidelities raw~1,raw~2 --from 0.9w1 --to 0.92w1 --limit 50", 100, 1},
 };
 

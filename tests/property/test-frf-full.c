@@ -154,8 +154,8 @@ int main(void)
 	if (!build(&rom))
 		return done_testing();
 	options.method = "balance";
-	options.from = 0.85*sqrt(rom.K[0]);
-	options.to = 1.2*sqrt(rom.K[0]);
+	options.from = (getenv("HAWSER_LONG") ? 0.85 : 0.93)*sqrt(rom.K[0]);
+	options.to = (getenv("HAWSER_LONG") ? 1.2 : 1.08)*sqrt(rom.K[0]);
 	options.step_max = 0.1;
 	options.tolerance = 1e-8;
 	stable = hawser_frf_trace(&frf, &rom, &options, &report) != HAWSER_OK;

@@ -217,7 +217,7 @@ static void check_estimates(const char *name, double from, double to, int rows, 
 	                             !hawser_plan_make(&plan, &statics, &scene, choice, count, from*w1,
 	                             to*w1, &brief, &report), "a plan %s", report.message))
 		return;
-	if (!run(&reference, "condensed 11", from, to, 0.01))
+	if (!run(&reference, "condensed 11", from, to, 0.02))
 		goto done;
 	for (int i = 0; i < rows; i++) {
 		struct hawser_study_curve curve = {.n = 0};
@@ -225,7 +225,7 @@ static void check_estimates(const char *name, double from, double to, int rows, 
 		const struct hawser_plan_row *row = row_of(&plan, list[i]);
 
 		measured[i] = NAN;
-		if (run(&curve, list[i], from, to, 0.01) &&
+		if (run(&curve, list[i], from, to, 0.02) &&
 		    !hawser_study_compare(&error, &curve, &reference, NULL, NULL))
 			measured[i] = fabs(error.largest.omega);
 		printf("# %s %s: estimated %.2e, measured %.2e; %.0f points estimated, %d; %.2g s, %.2g\n",
