@@ -44,6 +44,7 @@ CLI_TESTS = \
 	%D%/cli/over.sh \
 	%D%/cli/library.sh \
 	%D%/cli/own.sh \
+	%D%/cli/published.sh \
 	%D%/cli/unstable.sh \
 	%D%/cli/usage.sh
 TESTS += $(CLI_TESTS)
