@@ -42,6 +42,7 @@ CLI_TESTS = \
 	%D%/cli/branches.sh \
 	%D%/cli/label.sh \
 	%D%/cli/over.sh \
+	%D%/cli/tori.sh \
 	%D%/cli/library.sh \
 	%D%/cli/own.sh \
 	%D%/cli/published.sh \

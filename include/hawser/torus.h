@@ -62,6 +62,7 @@ struct hawser_tori {
 	                             * anywhere on the cable; NULL if the model has no tensions */
 	double *state;              /* [points][2n] a point of the circle: u then du/dt at the start of a
 	                             * period, scaled */
+	int curve;                  /* 1; a caller that follows several may number them */
 	int branch;                 /* number of the branch of the response */
 	int from;                   /* index of the event at which the curve begins, in that branch */
 	int to;                     /* the same of the event at which it ends, or -1 */

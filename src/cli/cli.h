@@ -422,13 +422,13 @@ struct cli_frf_result {
 	const struct cli_mms_result *scales; /* modulation equations, also for the head; or NULL */
 	const struct cli_backbone *backbone; /* or NULL */
 	const struct cli_overlay *overlay; /* [overlays] for the picture */
-	int overlays;
+	const struct hawser_tori *tori; /* [curves] frf --tori (frf_tori.h), or NULL */
 	const struct cli_model *model;
 	const struct hawser_frf *frf;
 	const struct hawser_landmark *peak; /* [peaks] */
 	int peaks, located; /* located: 1: peaks were searched for; the list may be empty */
 	const struct cli_sweep *sweep; /* [sweeps] */
-	int sweeps;
+	int sweeps, overlays, curves;
 	double from, to; /* scaled */
 	const struct cli_over *over; /* frf --over: the parameter, or NULL */
 	int stated;      /* 1: the error of a model with a given number of modes, or why it is not known: */

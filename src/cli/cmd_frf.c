@@ -10,6 +10,8 @@
 #include "cli/frf_beside.h"
 #include "cli/frf_cover.h"
 #include "cli/frf_over.h"
+#include "cli/frf_sweep.h"
+#include "cli/frf_tori.h"
 #include "cli/label.h"
 #include "cli/progress.h"
 #include "cli/view.h"
@@ -25,7 +27,7 @@ struct settings {
 	const char *from, *to, *at, *sweep, *start, *resume, *scale, *method, *slack, *beside;
 	const char *over, *omega, *label, *switched;
 	double tolerance, step;
-	int n, points, segments, unstable, sweep_points, multipliers, partial, backbone, energy;
+	int n, points, segments, unstable, sweep_points, multipliers, partial, backbone, energy, tori;
 	int branches, period;
 };
 static const struct settings defaults = {
@@ -52,6 +54,7 @@ static const struct cli_option options[] = {
 	{"switch", 0, "LABEL", "follow the branch at this label; FILE#LABEL: only that, of a JSON result",
 	 CLI_TEXT(switched)},
 	{"period", 0, "N", "motions of N periods of the load (1)", CLI_INTEGER(period)},
+	{"tori", 0, "", "follow quasi-periodic motions from torus points too", CLI_FLAG(tori)},
 	{"over", 0, "KEY=FROM:TO", "follow the motion in a parameter instead, at the frequency --Omega",
 	 CLI_TEXT(over)},
 	{"Omega", 0, "FREQUENCY", "frequency of the load with --over", CLI_TEXT(omega)},
@@ -137,6 +140,8 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 		                          : settings->start ? "start" : settings->at ? "at"
 		                          : settings->resume ? "continue" : settings->period ? "period" : NULL,
 		                          report);
+	if (!status && settings->tori)
+		status = cli_tori_check(settings->over, settings->method, report);
 	if (!status && (settings->over || settings->omega))
 		status = check_over(settings, report);
 	if (!status)
@@ -286,45 +291,6 @@ static enum hawser_status trace(struct hawser_frf *frf, struct hawser_landmark *
 	return status;
 }
 
-/* One sweep between the ends of the range. */
-static enum hawser_status sweep(struct cli_sweep *sweep, int direction,
-                                const struct settings *settings,
-                                const struct cli_frf_result *result, struct hawser_report *report)
-{
-	struct cli_watch watch = {{.quiet = settings->common.quiet},
-	                          direction > 0 ? "up-sweep" : "down-sweep"};
-	struct hawser_sweep_options choice = {0};
-	enum hawser_status status;
-
-	choice.from = direction > 0 ? fmin(result->from, result->to) : fmax(result->from, result->to);
-	choice.to = direction > 0 ? fmax(result->from, result->to) : fmin(result->from, result->to);
-	choice.count = settings->sweep_points;
-	choice.progress = (struct hawser_progress){cli_watch, &watch};
-	sweep->direction = direction;
-	status = hawser_sweep_run(&sweep->run, &result->model->rom, &choice, report);
-	cli_progress_end(&watch.progress);
-	return status;
-}
-
-static enum hawser_status sweeps(struct cli_sweep *list, int *count,
-                                 const struct settings *settings,
-                                 const struct cli_frf_result *result, struct hawser_report *report)
-{
-	enum hawser_status status = HAWSER_OK;
-	int direction;
-
-	for (direction = 1; direction >= -1 && settings->sweep && !status; direction -= 2) {
-		const char *name = direction > 0 ? "up" : "down";
-
-		if (cli_interrupted() ||
-		    (strcmp(settings->sweep, "both") != 0 && strcmp(settings->sweep, name) != 0))
-			continue;
-		status = sweep(&list[*count], direction, settings, result, report);
-		*count += !status;
-	}
-	return status;
-}
-
 /* The backbone up to 1.2 times the largest amplitude of that mode in the response. */
 static enum hawser_status backbone(struct cli_backbone *to, const struct settings *settings,
                                    const struct cli_frf_result *result,
@@ -420,6 +386,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	struct cli_model model = {0};
 	struct hawser_report second = {0};
 	struct cli_sweep list[2] = {{0}};
+	struct hawser_tori *tori = NULL;
 	struct cli_backbone free_motions = {.omega = NULL};
 	struct cli_beside beside = {.root = NULL};
 	struct cli_overlay overlay[CLI_OVERLAYS];
@@ -459,7 +426,10 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	for (int k = 0; k < result.others && !status; k++)
 		status = cli_fixed_estimate(&cover.other[k], report);
 	if (!status && !cli_interrupted())
-		status = sweeps(list, &result.sweeps, settings, &result, report);
+		status = cli_sweeps(list, &result.sweeps, settings->sweep, settings->sweep_points, &result,
+		                    report);
+	if (!status && settings->tori && !cli_interrupted())
+		status = cli_tori_trace(&tori, &result, strcmp(settings->slack, "end") == 0, report);
 	if (!status && settings->backbone && !cli_interrupted()) {
 		status = backbone(&free_motions, settings, &result, report);
 		result.backbone = &free_motions;
@@ -485,6 +455,7 @@ done:
 	cli_beside_clear(&beside);
 	hawser_frf_clear(&frf);
 	free(peak);
+	cli_tori_clear(tori, result.curves);
 	cli_cover_clear(&cover);
 	cli_over_clear(&over);
 	cli_label_clear(&label);

@@ -11,6 +11,7 @@
 
 #include "cli/frf_cover.h"
 #include "cli/frf_over.h"
+#include "cli/frf_tori.h"
 #include "cli/view.h"
 #include "core/report.h"
 
@@ -37,6 +38,7 @@ struct picture {
 	struct hawser__response_event *event;
 	struct hawser__response_peak *peak; /* with room for the curves of all branches */
 	double *natural, *gap;
+	struct hawser__response_torus *torus; /* [response.tori] */
 };
 
 /* Names come from files: only letters, digits and blanks are written to the script. */
@@ -379,10 +381,16 @@ static enum hawser_status draw(const char *path, const struct cli_frf_result *re
 	picture.probed = picture.response.panels > 0;
 	if (picture.response.panels == 0)
 		choose_coordinates(&picture, result);
-	if (!allocate(&picture, result) || fill(&picture, result))
+	picture.response.tori = result->curves;
+	if (!allocate(&picture, result) || fill(&picture, result) ||
+	    cli_tori_draw(&picture.torus, result, picture.source, picture.response.curves, picture.probed,
+	                  picture.per_omega, picture.per_length))
 		status = hawser__no_memory(report, "picture");
-	else
+	else {
+		picture.response.torus = picture.torus;
 		status = hawser__plot_frf(path, &picture.response, report);
+	}
+	cli_tori_undraw(picture.torus, result->curves);
 	free(picture.store);
 	free(picture.unstable);
 	free(picture.event);

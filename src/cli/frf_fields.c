@@ -9,12 +9,13 @@
 #include "cli/backbone.h"
 #include "cli/frf_cover.h"
 #include "cli/frf_over.h"
+#include "cli/frf_tori.h"
 #include "cli/view.h"
 #include "cli/mms_result.h"
 
 /* Options of a result. */
 enum { TENSION = 1, MULTIPLIERS = 2, SWEEPS = 4, BACKBONE = 8, SAMPLE = 16, PEAKS = 32,
-	UNDECIDED = 64, BRANCHES = 128, OVER = 256 };
+	UNDECIDED = 64, BRANCHES = 128, OVER = 256, TORI = 512 };
 
 HAWSER__LABELS(event_name, hawser_event_name, enum hawser_event_kind)
 HAWSER__LABELS(end_name, hawser_frf_end_name, enum hawser_frf_end)
@@ -62,6 +63,9 @@ static const struct hawser__field point_field[] = {
 	 .when = BRANCHES},
 	{NULL, "sweep", "0 on the curve, 1 on the up-sweep, -1 on the down-sweep",
 	 HAWSER__CONSTANT_IS(0), .when = SWEEPS},
+	{NULL, "tori", "0, or the number of a curve of tori", HAWSER__CONSTANT_IS(0), .when = TORI},
+	{NULL, "extreme", "of tori: 1 with the greatest amplitudes, -1 with the least",
+	 HAWSER__CONSTANT_IS(0), .when = TORI},
 	{NULL, "backbone", "of rows of a backbone: its mode", HAWSER__CONSTANT_IS(HAWSER__NO_INTEGER),
 	 .when = BACKBONE},
 	{NULL, "energy", "of rows of a backbone: its energy", HAWSER__CONSTANT_IS(HAWSER__NO_INTEGER),
@@ -349,6 +353,8 @@ static const struct hawser__field result_field[] = {
 	THROUGH(model, cli_basis_field),
 	{"warnings", NULL, "sentences about a slack cable, gaps, and branches that were not found",
 	 HAWSER__CALLS(warnings_json)},
+	{"tori", NULL, "curves of quasi-periodic motions, with --tori",
+	 HAWSER__STORED(struct cli_frf_result, tori, curves, cli_tori_field), .when = TORI},
 	{"sweeps", NULL, "sweeps by settled time integration",
 	 HAWSER__STORED(struct cli_frf_result, sweep, sweeps, sweep_field), .when = SWEEPS},
 	{"backbone", NULL, "free motions of a mode",
@@ -375,7 +381,8 @@ static struct cli_head head(const void *of)
 		(result->sweeps > 0 ? SWEEPS : 0u) | (result->backbone ? BACKBONE : 0u) |
 		(frf->sampled > 0 ? SAMPLE : 0u) | (result->located ? PEAKS : 0u) |
 		(frf->undecided > 0 ? UNDECIDED : 0u) |
-		(result->others + result->gaps > 0 ? BRANCHES : 0u) | (result->over ? OVER : 0u));
+		(result->others + result->gaps > 0 ? BRANCHES : 0u) | (result->over ? OVER : 0u) |
+		(result->tori ? TORI : 0u));
 
 	head.rows = frf;
 	head.also = ", pseudo-arclength continuation";
@@ -392,6 +399,10 @@ static void more(struct hawser__table *table, const void *of)
 		hawser__fields_rows(table, point_field, &point_list, result->other[k].frf, &view);
 	for (int k = 0; k < result->sweeps; k++)
 		hawser__fields_rows(table, point_field, &settled_list, &result->sweep[k], &view);
+	for (int k = 0; k < result->curves; k++) {
+		hawser__fields_rows(table, point_field, &cli_torus_most_list, &result->tori[k], &view);
+		hawser__fields_rows(table, point_field, &cli_torus_least_list, &result->tori[k], &view);
+	}
 	if (result->backbone)
 		hawser__fields_rows(table, point_field, &free_list, result->backbone, &view);
 }

@@ -9,6 +9,7 @@
 #include "cli/backbone.h"
 #include "cli/frf_cover.h"
 #include "cli/frf_over.h"
+#include "cli/frf_tori.h"
 #include "cli/view.h"
 #include "cli/mms_result.h"
 #include "core/report.h"
@@ -278,6 +279,7 @@ void cli_frf_comments(struct hawser__table *table, const void *of)
 		hawser__table_comment(table, "%d points computed again by another method: off by %.1e at "
 		                      "most, stability %s", frf->sampled, frf->sample_gap,
 		                      frf->sample_disagreements ? "NOT the same" : "the same");
+	cli_tori_comments(table, result);
 	if (result->backbone)
 		cli_backbone_comments(table, result);
 	cli_speeding_comment(table, model, fmax(result->from, result->to));

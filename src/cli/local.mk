@@ -57,9 +57,13 @@ hawser_SOURCES = \
 	%D%/frf_draw.c \
 	%D%/frf_fields.c \
 	%D%/frf_over.c \
+	%D%/frf_sweep.c \
+	%D%/frf_tori.c \
 	%D%/label.c \
 	%D%/label.h \
 	%D%/frf_over.h \
+	%D%/frf_sweep.h \
+	%D%/frf_tori.h \
 	%D%/locus_draw.c \
 	%D%/locus_result.c \
 	%D%/locus_result.h \

@@ -34,6 +34,7 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/plot_frf.c \
 	%D%/plot_frf.h \
 	%D%/plot_frf_detail.c \
+	%D%/plot_frf_tori.c \
 	%D%/plot_hill.c \
 	%D%/plot_identify.c \
 	%D%/plot_integrate.c \

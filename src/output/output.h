@@ -365,6 +365,8 @@ struct hawser__response {
 	double from, to;
 	int gaps;
 	const double *gap; /* [gaps][2] from and to, where no branch was found */
+	int tori;
+	const struct hawser__response_torus *torus; /* [tori], plot_frf.h */
 };
 enum hawser_status hawser__plot_frf(const char *path, const struct hawser__response *response,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;

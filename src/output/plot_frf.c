@@ -185,6 +185,7 @@ static void data(FILE *script, const struct hawser__response *response)
 		peaks(script, response, c);
 		sweeps(script, response, c);
 		overlays(script, response, c);
+		hawser__tori_data(script, response, c);
 	}
 }
 
@@ -284,6 +285,8 @@ static void range(struct hawser__picture *picture, const struct hawser__response
 			least = a > 0.0 ? fmin(least, a) : least;
 		}
 	for (c = 0; c < response->curves; c++)
+		most = response->curve[c].panel == panel ? fmax(most, hawser__tori_largest(response, c)) : most;
+	for (c = 0; c < response->curves; c++)
 		for (int s = 0; response->curve[c].panel == panel && s < response->overlays; s++)
 			most = fmax(most, largest_beside(response, &response->overlay[s], c));
 	if (response->logarithmic && least < most) {
@@ -304,6 +307,7 @@ void hawser__frf_curves(FILE *script, const struct hawser__response *response, i
 	char style[96];
 	int c, kind, s;
 
+	hawser__tori_bands(script, &comma, response, panel);
 	for (c = 0; c < response->curves; c++)
 		for (s = 0; response->curve[c].panel == panel && s < response->overlays; s++) {
 			if (!response->overlay[s].beside)
@@ -369,6 +373,7 @@ static void legend(struct hawser__legend *entries, const struct hawser__response
 			hawser__legend_add(entries, symbol[kind].label,
 			                   "with points pt %d ps %g lw 0.6 lc rgb 'black'", symbol[kind].type,
 			                   symbol[kind].size);
+	hawser__tori_legend(entries, response);
 	if (response->peaks > 0)
 		hawser__legend_add(entries, "peak", "with %s", peak_style);
 	for (int s = 0; s < response->sweeps; s++)

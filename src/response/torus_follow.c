@@ -423,9 +423,9 @@ static enum hawser_status follow(struct walk *walk)
 	            : walk->stop == 1 ? HAWSER_TORI_INTERRUPTED : HAWSER_TORI_LOST;
 	if (list->end == HAWSER_TORI_ROUGH)
 		snprintf(list->lost, sizeof list->lost, "%d points of the circle leave an error of %.1e: it "
-		         "loses its smoothness or locks in%s", torus->points, torus->defect, resonance);
+		         "breaks or locks in%s", torus->points, torus->defect, resonance);
 	else if (list->end == HAWSER_TORI_LOST)
-		snprintf(list->lost, sizeof list->lost, "no circle is found beyond, however short the step: it "
+		snprintf(list->lost, sizeof list->lost, "the steps become ever shorter: the circle "
 		         "breaks or locks in%s", resonance);
 	return HAWSER_OK;
 }
@@ -465,7 +465,7 @@ enum hawser_status hawser_tori_trace(struct hawser_tori *tori, const struct haws
 	enum hawser_status status;
 
 	*tori = (struct hawser_tori){.n = rom->n, .probes = rom->shapes.points, .length = rom->length,
-		.time = rom->time, .branch = frf->branch, .from = event, .to = -1, .to_omega = NAN};
+		.time = rom->time, .curve = 1, .branch = frf->branch, .from = event, .to = -1, .to_omega = NAN};
 	hawser_tori_settle(&walk.options);
 	if ((status = hawser__tori_check(rom, frf, event, &walk.options, report)))
 		return status;

@@ -163,6 +163,7 @@ static void refused(const struct hawser_rom *rom, struct hawser_frf *frf, int ev
 	struct hawser_tori_options options = {.from = 0.72, .to = 1.3}, empty = {.from = 1.0, .to = 1.0};
 	struct hawser_tori_options stopped = {.from = 0.72, .to = 1.3, .progress = {stop, NULL}};
 	struct hawser_frf without = *frf;
+	struct hawser_rom large = *rom;
 	struct hawser_tori tori;
 
 	ok(hawser_tori_trace(&tori, rom, frf, -1, &options, &report) == HAWSER_ERR_ARGUMENT, "%s",
@@ -189,6 +190,13 @@ static void refused(const struct hawser_rom *rom, struct hawser_frf *frf, int ev
 	ok(!hawser_tori_trace(&tori, rom, frf, event, &options, &report) &&
 	   tori.end == HAWSER_TORI_ROUGH && *tori.lost, "%s", tori.lost);
 	hawser_tori_clear(&tori);
+	options.most_circle = 3;
+	ok(hawser_tori_trace(&tori, rom, frf, event, &options, &report) == HAWSER_ERR_CONVERGENCE, "%s",
+	   report.message);
+	hawser_tori_clear(&tori);
+	large.n = 60;
+	ok(hawser_tori_trace(&tori, &large, frf, event, &options, &report) == HAWSER_ERR_ARGUMENT, "%s",
+	   report.message);
 	hawser_tori_clear(NULL);
 }
 

@@ -55,6 +55,7 @@ static void integrated(const struct hawser__torus *torus, const struct hawser_ro
 static void refused(const struct hawser_rom *rom, const struct hawser_frf *frf, int e)
 {
 	double omega = frf->event[e].omega;
+	const double far[] = {1e9, 1e9};
 	struct hawser__torus torus;
 	int p = 0;
 
@@ -63,6 +64,10 @@ static void refused(const struct hawser_rom *rom, const struct hawser_frf *frf, 
 	ok(!hawser__torus_open(&torus, rom, 9, omega, &report) &&
 	   hawser__torus_begin(&torus, frf->state + 2*p, frf->point[p].omega, 0.01, &report) ==
 	   HAWSER_ERR_ARGUMENT, "real multipliers: %s", report.message);
+	hawser__torus_clear(&torus);
+	ok(!hawser__torus_open(&torus, rom, 9, omega, &report) &&
+	   hawser__torus_begin(&torus, far, omega, 0.01, &report) == HAWSER_ERR_CONVERGENCE,
+	   "a motion that escapes: %s", report.message);
 	hawser__torus_clear(&torus);
 	ok(!hawser__torus_open(&torus, rom, 9, omega, &report) &&
 	   !hawser__torus_begin(&torus, frf->event_state + 2*e, omega, 1e9, &report) &&

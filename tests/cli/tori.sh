@@ -1,0 +1,49 @@
+#!/bin/sh
+# hawser frf --tori: quasi-periodic motions beyond torus points, against a stroboscopic section.
+# SPDX-License-Identifier: GPL-3.0-or-later
+. "$SRCDIR/tests/cli/lib.sh"
+
+rayleigh="$top/notebooks-data/scenes/rayleigh.json"
+works "tori" frf "$rayleigh" --from 1.1 --to 1.4 --tori --json tori.json --tsv tori.tsv --plot tori.svg -q
+works "the range in the other direction" \
+	frf "$rayleigh" --from 1.4 --to 1.1 --tori --json back.json -q
+works "the motion at the end of the range" \
+	integrate "$rayleigh" --Omega 1.4 --every 1T --after 60T --until 1060T --json section.json -q
+works "the same, in steps" \
+	integrate "$rayleigh" --Omega 1.4 --every 0.01T --after 60T --until 360T --json steps.json -q
+python "curve, table, picture; rotation number and amplitudes are those of the section" <<'END'
+import json, math
+result, back = json.load(open("tori.json")), json.load(open("back.json"))
+curve, other = result["tori"][0], back["tori"][0]
+event = [e for e in result["events"] if e["kind"] == "torus"]
+assert len(result["tori"]) == len(event) == 1 and curve["from"] == event[0]["Omega"] and "to" not in curve
+assert curve["end"] == other["end"] == "range" and "lost" not in curve
+last = curve["points"][-1]
+assert last["Omega"] == other["points"][-1]["Omega"] == 1.4
+assert abs(last["rotation"] - other["points"][-1]["rotation"]) < 1e-5
+assert all(p["stable"] and p["growth"] < 0 and p["error"] <= 1e-6 for p in curve["points"])
+assert abs(last["second"] - last["rotation"]*1.4/(2*math.pi)) < 1e-12
+states = json.load(open("section.json"))["states"]
+mean = [sum(s[k] for s in states)/len(states) for k in (0, 1)]
+angle = [math.atan2(s[1] - mean[1], s[0] - mean[0]) for s in states]
+turn = sum((b - a + math.pi) % (2*math.pi) - math.pi for a, b in zip(angle, angle[1:]))
+rho = abs(turn)/(len(angle) - 1)
+wanted = abs((last["rotation"] + math.pi) % (2*math.pi) - math.pi)
+assert abs(rho - wanted) < 2*math.pi/1000, (rho, wanted)
+u = [abs(s[0]) for s in json.load(open("steps.json"))["states"]]
+tops = [max(u[k:k + 101]) for k in range(0, len(u) - 100, 100)]
+assert abs(max(tops) - last["coordinates"][0]) < 2e-3, (max(tops), last["coordinates"])
+assert -2e-3 < min(tops) - last["coordinates_least"][0] < 0.03, (min(tops), last["coordinates_least"])
+rows = [line.rstrip("\n").split("\t") for line in open("tori.tsv") if not line.startswith("#")]
+at = rows[0].index("tori")
+assert rows[0][at + 1] == "extreme"
+sides = [row[at + 1] for row in rows[1:] if row[at] == "1"]
+assert sides.count("1") == sides.count("-1") == len(curve["points"])
+assert any("tori 1: end: range" in line for line in open("tori.tsv"))
+assert ">tori<" in open("tori.svg").read()
+END
+works "no torus point" frf "$duffing" --from 0.5 --to 0.6 --tori -q --tsv none.tsv
+try "and that is said" grep -q "tori: none, since no torus point was located" none.tsv
+refuses_like 1 "leave one of them out" frf "$rayleigh" --tori --over factor.load=0.5:1 --Omega 1.1
+refuses_like 1 "use shooting or balance" frf "$rayleigh" --tori --method multiple-scales
+done_testing
