@@ -30,7 +30,7 @@ struct settings {
 static const struct settings defaults = {.label = NULL};
 
 static const struct cli_option options[] = {
-	{"from-label", 0, "FILE#LABEL", "label of a JSON result of frf; required", CLI_TEXT(label)},
+	{"from-label", 0, "FILE#LABEL", "label of a JSON result of frf", CLI_TEXT(label)},
 	CLI_MODES_OPTION,
 	CLI_LIBRARY_OPTION,
 	CLI_NO_OPTION,
@@ -39,6 +39,7 @@ static const struct cli_option options[] = {
 static const char *const notes[] = {
 	"Writes the periodic motion at a label of a frequency response over two of its periods:",
 	"displacements, tension, Fourier coefficients, Floquet multipliers, and how well it closes.",
+	"FILE#LABEL: a label of a JSON result of frf, which names its scene or model.",
 	NULL,
 };
 
@@ -148,9 +149,27 @@ static enum hawser_status solve(struct cli_integrate_result *result, struct cli_
 	return status;
 }
 
+/* FILE#LABEL in place of the scene: the result names the scene or model, scene [size]. */
+static enum hawser_status of_result(struct settings *settings, char *scene, size_t size,
+                                    struct hawser_report *report)
+{
+	struct cli_common *common = &settings->common;
+	int modes;
+	enum hawser_status status;
+
+	if (settings->label || common->library || !cli_label_split(scene, size, common->input))
+		return HAWSER_OK;
+	settings->label = common->input;
+	status = cli_label_scene(scene, size, &modes, settings->label, report);
+	common->input = scene;
+	if (settings->n == 0)
+		settings->n = modes;
+	return status;
+}
+
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
-	const struct settings *settings = context;
+	struct settings own = *(const struct settings *)context, *settings = &own;
 	struct cli_model model = {0};
 	struct cli_label label = {.state = NULL};
 	struct hawser_frf frf = {0};
@@ -159,12 +178,14 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	                                      .orbit = &orbit};
 	struct cli_showing showing = cli_integrate_showing;
 	enum hawser_status status = cli_outputs_check(&settings->common, report);
-	char text[CLI_WARNING_SIZE];
+	char text[CLI_WARNING_SIZE], scene[4096];
 
+	if (!status)
+		status = of_result(&own, scene, sizeof scene, report);
 	if (!status && !settings->label)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "orbit",
-		                      "which motion? give a label of a result of hawser frf by --from-label "
-		                      "FILE#LABEL");
+		                      "which motion? write hawser orbit FILE#LABEL, with a label of a JSON "
+		                      "result of hawser frf");
 	if (!status)
 		status = cli_model_load(&model, &settings->common, settings->n, report);
 	if (!status)
@@ -197,6 +218,6 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 }
 
 const struct cli_command cli_orbit = {
-	"orbit", "SCENE|MODEL", "The periodic motion at a label of a frequency response", notes, options,
-	&defaults, sizeof(struct settings), 1, run, cli_integrate_listing,
+	"orbit", "SCENE|MODEL|FILE#LABEL", "The periodic motion at a label of a frequency response", notes,
+	options, &defaults, sizeof(struct settings), 1, run, cli_integrate_listing,
 };

@@ -242,6 +242,34 @@ enum hawser_status cli_label_open(struct cli_label *label, const char *option, c
 	return status;
 }
 
+enum hawser_status cli_label_scene(char *scene, size_t size, int *modes, const char *text,
+                                   struct hawser_report *report)
+{
+	char path[4096];
+	int number = cli_label_split(path, sizeof path, text);
+	const json_t *of, *count;
+	json_t *root = NULL;
+	FILE *file;
+	enum hawser_status status = cli_state_root(&root, path, report);
+
+	if (status)
+		return status;
+	of = json_object_get(root, "scene");
+	text_of(scene, size, of, json_object_get(of, "name") ? "name" : "model_file");
+	count = json_object_get(json_object_get(of, "model"), "modes");
+	*modes = json_is_integer(count) ? (int)json_integer_value(count) : 0;
+	json_decref(root);
+	file = *scene ? fopen(scene, "r") : NULL;
+	if (file)
+		fclose(file);
+	return file ? HAWSER_OK
+	            : hawser__fail(report, HAWSER_ERR_ARGUMENT, "label",
+	                           "%s names %s%s: write SCENE --from-label %s#%d, with the scene or "
+	                           "model file of that result", path,
+	                           *scene ? "a scene or model that is not found here, " : "no scene",
+	                           scene, path, number);
+}
+
 void cli_label_clear(struct cli_label *label)
 {
 	free(label->state);

@@ -59,8 +59,9 @@ static enum hawser_status check(const struct hawser_locus_options *o, struct haw
 	if (!(o->at >= fmin(o->parameter_from, o->parameter_to) &&
 	      o->at <= fmax(o->parameter_from, o->parameter_to)))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "locus",
-		                    "the response at %.9g, outside the range of the parameter from %.9g to "
-		                    "%.9g", o->at, o->parameter_from, o->parameter_to);
+		                    "the curves begin at %.9g of the parameter (--at), outside its range "
+		                    "from %.9g to %.9g: choose a value in the range", o->at,
+		                    o->parameter_from, o->parameter_to);
 	return HAWSER_OK;
 }
 

@@ -255,7 +255,8 @@ static enum hawser_status check(const struct hawser_rom *rom,
 	if (options->periods < HAWSER_LYAPUNOV_FEWEST)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, WHERE,
 		                    "Lyapunov exponents are averages over %d periods or more, and there "
-		                    "are %ld: lengthen the run (--until)", HAWSER_LYAPUNOV_FEWEST,
+		                    "are %ld after the transient: lengthen the run (--until), or end "
+		                    "the transient earlier (--after)", HAWSER_LYAPUNOV_FEWEST,
 		                    options->periods);
 	return HAWSER_OK;
 }

@@ -105,7 +105,18 @@ for name, source, label, decay in ("orbit", "cascade-frf", 16, 0.4), ("cable", "
 lines = open("orbit.tsv").read()
 assert "# label 16: a motion of 2 periods of the load" in lines and "# multiplier 2: modulus " in lines
 END
-refuses 1 "which motion? give a label of a result of hawser frf by --from-label FILE#LABEL" orbit cascade.json
+refuses 1 "which motion? write hawser orbit FILE#LABEL, with a label of a JSON result of hawser frf" orbit cascade.json
+works "the motion at a label alone" orbit cascade-frf.json#16 --json alone.json -q
+python "is that of the model which the result names" <<'END'
+import json
+a, b = (json.load(open(n + ".json")) for n in ("orbit", "alone"))
+assert a["orbit"] == b["orbit"] and a["states"] == b["states"]
+END
+sed 's/"model_file": "[^"]*"/"model_file": "gone.json"/' cascade-frf.json >moved.json
+refuses 1 "moved.json names a scene or model that is not found here, gone.json: write SCENE --from-label moved.json#16, with the scene or model file of that result" \
+	orbit moved.json#16
+sed 's/"model_file": "[^"]*"/"file": 1/' cascade-frf.json >nameless.json
+refuses_like 1 "nameless.json names no scene: write SCENE" orbit nameless.json#16
 refuses_like 1 "its state is not one of this model" orbit pair.json --from-label cascade-frf.json#2
 
 works "over the damping" frf "$chairlift" -n 3 --set model.inertia=none --over damping.alpha=0.08:0.1 \

@@ -297,6 +297,8 @@ static void check_errors(struct hawser_rom *rom)
 	ok(hawser_rom_export_auto(rom, stem, &bad, &report) == HAWSER_ERR_ARGUMENT, "%s", report.message);
 	ok(hawser_rom_export_auto(rom, "a.b", &fine, &report) == HAWSER_ERR_ARGUMENT, "%s", report.message);
 	ok(hawser_rom_export_auto(rom, "a/", &fine, &report) == HAWSER_ERR_ARGUMENT, "%s", report.message);
+	ok(hawser_rom_export(rom, "octave", stem, &report) == HAWSER_ERR_ARGUMENT &&
+	   strstr(report.message, "octave is no format"), "%s", report.message);
 	rom->harmonics = 0;
 	ok(hawser_rom_export_auto(rom, stem, &fine, &report) == HAWSER_ERR_ARGUMENT, "%s", report.message);
 	rom->harmonics = harmonics;

@@ -46,7 +46,7 @@ int main(void)
 	refused(&family, &bad, "not empty");
 	bad = good;
 	bad.at = 2.5;
-	refused(&family, &bad, "outside the range of the parameter");
+	refused(&family, &bad, "outside its range");
 	ok(strcmp(hawser_locus_special_name(HAWSER_TORUS, HAWSER_LOCUS_WITH_FOLD), "fold-torus") == 0 &&
 	   strcmp(hawser_locus_special_name(HAWSER_FOLD, HAWSER_LOCUS_WITH_TORUS), "fold-torus") == 0 &&
 	   strcmp(hawser_locus_special_name(HAWSER_FOLD, HAWSER_LOCUS_SPECIALS), "unknown") == 0, "names");
