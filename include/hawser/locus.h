@@ -44,7 +44,8 @@ enum hawser_locus_end {
 const char *hawser_locus_end_name(enum hawser_locus_end end);
 
 struct hawser_locus_point {
-	double omega;     /* scaled, in the unit of time of the model at the start */
+	double omega;     /* scaled, in the unit of time of the model at the start; of a plane, the first
+	                   * parameter */
 	double parameter;
 	double angle;     /* argument of the critical multipliers, 0 to pi: 0 at folds and branch points, pi
 	                   * at period doublings */
@@ -98,6 +99,9 @@ struct hawser_locus_options {
 	double step_max;             /* largest change of Omega or of the parameter in a step, relative to
 	                              * its range; 0: 0.02 */
 	int skip_events;             /* 1: no special points, no multipliers */
+	const struct hawser_rom_plane *plane; /* NULL, or two parameters at one frequency: the first one
+	                              * takes the place of Omega in `from`, `to`, `near`, in the points and
+	                              * in the events, and may have any sign; the family is not read */
 	struct hawser_progress progress; /* called after each point */
 };
 void hawser_locus_settle(struct hawser_locus_options *options);

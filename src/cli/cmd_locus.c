@@ -14,7 +14,7 @@
 
 struct settings {
 	struct cli_common common;
-	const char *from, *to, *kind, *over, *at, *near;
+	const char *from, *to, *kind, *over, *and, *Omega, *at, *near;
 	double tolerance, step;
 	int n, points;
 };
@@ -23,6 +23,8 @@ static const struct settings defaults = {.from = "0.6w1", .to = "3.3w1", .kind =
 static const struct cli_option options[] = {
 	CLI_TEXT_OPTION(kind, "NAME", "fold, period-doubling, torus or branch-point (fold)"),
 	CLI_TEXT_OPTION(over, "KEY=FROM:TO", "the other parameter, and its range (factor.load=0.5:2)"),
+	CLI_TEXT_OPTION(and, "KEY=FROM:TO", "a parameter instead of the frequency, and its range"),
+	CLI_TEXT_OPTION(Omega, "FREQUENCY", "of the load, with --and"),
 	CLI_TEXT_OPTION(at, "VALUE", "of the parameter where the curves begin (the model's own)"),
 	CLI_TEXT_OPTION(near, "FREQUENCY", "only the bifurcation next to it (all in the range)"),
 	CLI_RANGE_OPTIONS("end of the range at which the response begins (0.6w1)",
@@ -77,16 +79,22 @@ static enum hawser_status start_of(double *at, const struct cli_over *over, cons
 
 static enum hawser_status trace(struct hawser_locus *locus, const struct settings *settings,
                                 const struct cli_locus_result *result, const struct cli_over *over,
-                                struct cli_model *model, struct hawser_report *report)
+                                const struct hawser_rom_plane *plane, struct cli_model *model,
+                                struct hawser_report *report)
 {
 	struct cli_watch watch = {.progress = {.quiet = settings->common.quiet}};
 	struct hawser_locus_options choice = {.from = result->from, .to = result->to,
-		.parameter_from = over->from, .parameter_to = over->to, .max_points = settings->points};
+		.parameter_from = over->from, .parameter_to = over->to, .max_points = settings->points,
+		.plane = plane};
 	double near = 0.0;
 	enum hawser_status status = kind_of(&choice.kind, settings->kind, report);
 
 	if (!status)
 		status = start_of(&choice.at, over, settings->at, model, report);
+	if (!status && settings->near && plane)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "locus",
+		                      "--near %s: with --and, all bifurcations of the range are followed: "
+		                      "narrow the range of --and instead", settings->near);
 	if (!status && settings->near)
 		status = cli_map_frequency(&near, settings->near, "near", model, report);
 	if (status)
@@ -102,12 +110,46 @@ static enum hawser_status trace(struct hawser_locus *locus, const struct setting
 	return status;
 }
 
+static int factor_of(const struct cli_over *over)
+{
+	for (int k = HAWSER_FACTOR_LOAD; k <= HAWSER_FACTOR_DAMPING; k++)
+		if (!cli_over_needs_scene(over->axis.key) &&
+		    strcmp(over->axis.key + strlen("factor."), hawser_factor_name((enum hawser_factor)k)) == 0)
+			return k;
+	return -1;
+}
+
+/* The models over --and (first) and --over (second), at --Omega. */
+static enum hawser_status open_plane(struct hawser_rom_plane *plane, struct cli_over *first,
+                                     const struct cli_over *second, const struct settings *settings,
+                                     struct cli_model *model, struct hawser_report *report)
+{
+	enum hawser_status status = cli_over_open(first, settings->and, settings->Omega, model, report);
+
+	if (status)
+		return status;
+	if (strcmp(first->axis.key, second->axis.key) == 0)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "locus",
+		                    "--over and --and are both over %s: name two parameters",
+		                    first->axis.key);
+	if (factor_of(first) >= 0)
+		return hawser_plane_open(plane, &second->family, (enum hawser_factor)factor_of(first), 0,
+		                         report);
+	if (factor_of(second) >= 0)
+		return hawser_plane_open(plane, &first->family, (enum hawser_factor)factor_of(second), 1,
+		                         report);
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "locus",
+	                    "--over %s with --and %s: one of both must be factor.load or factor.damping",
+	                    second->axis.key, first->axis.key);
+}
+
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	const struct settings *settings = context;
 	struct hawser_locus locus = {0};
 	struct cli_model model = {0};
-	struct cli_over over = {.at = NAN};
+	struct cli_over over = {.at = NAN}, other = {.at = NAN};
+	struct hawser_rom_plane plane = {.context = NULL};
 	struct cli_locus_result result = {.common = &settings->common, .model = &model, .locus = &locus};
 	enum hawser_status status = cli_outputs_check(&settings->common, report);
 
@@ -120,17 +162,34 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		status = cli_basis_check(&model, fmax(result.from, result.to), report);
 	if (!status)
 		status = cli_over_open(&over, settings->over ? settings->over : "factor.load=0.5:2",
-		                       "1", &model, report); /* the frequency is not read */
+		                       settings->Omega ? settings->Omega : "1", &model, report);
 	if (!status) {
 		result.key = over.axis.key;
 		result.unit = over.axis.unit;
 		result.parameter_from = over.from;
 		result.parameter_to = over.to;
-		status = trace(&locus, settings, &result, &over, &model, report);
 	}
+	if (!status && (settings->and != NULL) != (settings->Omega != NULL))
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "locus",
+		                      "--and KEY=FROM:TO and --Omega FREQUENCY belong together: they replace "
+		                      "--from and --to");
+	if (!status && settings->and)
+		status = open_plane(&plane, &other, &over, settings, &model, report);
+	if (!status && settings->and) {
+		result.first = other.axis.key;
+		result.first_unit = other.axis.unit;
+		result.from = other.from;
+		result.to = other.to;
+		result.omega = other.omega;
+	}
+	if (!status)
+		status = trace(&locus, settings, &result, &over, settings->and ? &plane : NULL, &model, report);
 	if (!status)
 		status = cli_show(&settings->common, &cli_locus_showing, &result, report);
 	hawser_locus_clear(&locus);
+	if (plane.context)
+		hawser_plane_close(&plane);
+	cli_over_clear(&other);
 	cli_over_clear(&over);
 	cli_model_clear(&model);
 	return status;

@@ -19,10 +19,12 @@ enum hawser_status cli_locus_draw(const char *path, const void *context,
 	const struct hawser_locus *locus = result->locus;
 	struct hawser__locus_picture picture = {.locus = locus};
 
-	picture.axis[0] = cli_frf_axis(result->model);
+	picture.axis[0] = result->first ? cli_axis(result->first, result->first_unit,
+	                                           fmax(fabs(result->from), fabs(result->to)))
+	                  : cli_frf_axis(result->model);
 	picture.axis[1] = cli_axis(result->key, result->unit, fmax(fabs(result->parameter_from),
 	                                                           fabs(result->parameter_to)));
-	picture.per_omega = cli_per_omega(result->model)/picture.axis[0].per;
+	picture.per_omega = (result->first ? 1.0 : cli_per_omega(result->model))/picture.axis[0].per;
 	picture.from[0] = fmin(result->from, result->to)*picture.per_omega;
 	picture.to[0] = fmax(result->from, result->to)*picture.per_omega;
 	picture.from[1] = fmin(result->parameter_from, result->parameter_to)/picture.axis[1].per;

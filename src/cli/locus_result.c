@@ -9,6 +9,19 @@
 
 /* --- comments --- */
 
+static const char *first_name(const struct cli_locus_result *result)
+{
+	return result->first ? result->first : "Omega";
+}
+static const char *first_unit(const struct cli_locus_result *result)
+{
+	return result->first ? "" : cli_unit(result->model, " rad/s");
+}
+static double per_first(const struct cli_locus_result *result)
+{
+	return result->first ? 1.0 : cli_per_omega(result->model);
+}
+
 static void comment_curve(struct hawser__table *table, const struct cli_locus_result *result, int c)
 {
 	const struct hawser_locus *locus = result->locus;
@@ -18,10 +31,10 @@ static void comment_curve(struct hawser__table *table, const struct cli_locus_re
 		const struct hawser_locus_event *event = &locus->event[e];
 
 		if (event->kind != HAWSER_LOCUS_START)
-			hawser__table_comment(table, "curve %d: %s at Omega = %.12g%s, %s = %.12g", c + 1,
+			hawser__table_comment(table, "curve %d: %s at %s = %.12g%s, %s = %.12g", c + 1,
 			                      hawser_locus_special_name(locus->kind, event->kind),
-			                      event->omega*cli_per_omega(result->model),
-			                      cli_unit(result->model, " rad/s"), result->key, event->parameter);
+			                      first_name(result), event->omega*per_first(result),
+			                      first_unit(result), result->key, event->parameter);
 	}
 	hawser__table_comment(table, "curve %d: %d points; ends: %s, %s%s%s", c + 1, curve->points,
 	                      hawser_locus_end_name(curve->end[0]), hawser_locus_end_name(curve->end[1]),
@@ -32,28 +45,34 @@ static void comments(struct hawser__table *table, const void *of)
 {
 	const struct cli_locus_result *result = of;
 	const struct hawser_locus *locus = result->locus;
-	double per_omega = cli_per_omega(result->model);
-	const char *rad_s = cli_unit(result->model, " rad/s");
+	double per = per_first(result);
 
-	hawser__table_comment(table, "range: Omega from %.12g to %.12g%s, %s from %.12g to %.12g%s%s",
-	                      result->from*per_omega, result->to*per_omega, rad_s, result->key,
+	hawser__table_comment(table, "range: %s from %.12g to %.12g%s, %s from %.12g to %.12g%s%s",
+	                      first_name(result), result->from*per, result->to*per, first_unit(result),
+	                      result->key,
 	                      result->parameter_from, result->parameter_to,
 	                      *result->unit && *result->unit != '1' ? " " : "",
 	                      *result->unit != '1' ? result->unit : "");
+	if (result->first)
+		hawser__table_comment(table, "Omega = %.12g%s", result->omega,
+		                      cli_unit(result->model, " rad/s"));
 	cli_basis_comment(table, result->model);
 	hawser__table_comment(table, "kind: %s, begun at %s = %.12g", hawser_event_name(locus->kind),
 	                      result->key, locus->at);
 	for (int c = 0; c < locus->curves; c++)
 		comment_curve(table, result, c);
 	for (int i = 0; i < locus->lost; i++)
-		hawser__table_comment(table, "not followed: the %s at Omega = %.12g%s",
-		                      hawser_event_name(locus->kind), locus->lost_at[i]*per_omega, rad_s);
+		hawser__table_comment(table, "not followed: the %s at %s = %.12g%s",
+		                      hawser_event_name(locus->kind), first_name(result),
+		                      locus->lost_at[i]*per, first_unit(result));
 	if (locus->interrupted)
 		hawser__table_comment(table, "interrupted: the curves are incomplete");
 	hawser__table_comment(table, "%d curves, %d points", locus->curves, locus->points);
 }
 
 /* --- fields --- */
+
+enum { LINE = 1, PLANE = 2 }; /* the first parameter is Omega, or another one */
 
 HAWSER__LABELS(kind_name, hawser_event_name, enum hawser_event_kind)
 
@@ -68,7 +87,8 @@ struct row {
 #define OF(member) HAWSER__AT(struct row, point.member)
 static const struct hawser__field point_field[] = {
 	{NULL, "curve", "from 1", HAWSER__AT(struct row, curve), .flags = HAWSER__FROM_1},
-	{"Omega", "Omega", "forcing frequency", OF(omega), .unit = HAWSER__RAD_S},
+	{"Omega", "Omega", "forcing frequency", OF(omega), .unit = HAWSER__RAD_S, .when = LINE},
+	{"first", "first", "the parameter of --and, in SI units", OF(omega), .when = PLANE},
 	{"parameter", "parameter", "the other parameter, in SI units", OF(parameter)},
 	{NULL, "kind", "of the bifurcation, or of a special point", HAWSER__AT(struct row, kind)},
 	{"angle", "angle", "argument of the critical multipliers, 0 to pi", OF(angle)},
@@ -89,7 +109,8 @@ static const struct hawser__field point_field[] = {
 static const struct hawser__field event_field[] = {
 	{NULL, "curve", "from 1", HAWSER__AT(struct row, curve), .flags = HAWSER__FROM_1},
 	{"kind", "kind", "what it is", HAWSER__AT(struct row, kind)},
-	{"Omega", "Omega", "forcing frequency", OF(omega), .unit = HAWSER__RAD_S},
+	{"Omega", "Omega", "forcing frequency", OF(omega), .unit = HAWSER__RAD_S, .when = LINE},
+	{"first", "first", "the parameter of --and", OF(omega), .when = PLANE},
 	{"parameter", "parameter", "the other parameter", OF(parameter)},
 	{"angle", "angle", "argument of the critical multipliers", OF(angle)},
 	{"error", NULL, "estimated error of both parameters, relative to their ranges", OF(error)},
@@ -193,7 +214,13 @@ static const struct hawser__field stats_field[] = {
 static const struct hawser__field result_field[] = {
 	{"", NULL, "", HAWSER__THROUGH(struct cli_locus_result, model, cli_si_field)},
 	{"range", NULL, "of Omega", HAWSER__PAIR_AT(struct cli_locus_result, from, to),
-	 .unit = HAWSER__RAD_S},
+	 .unit = HAWSER__RAD_S, .when = LINE},
+	{"Omega", NULL, "forcing frequency, of --Omega", HAWSER__AT(struct cli_locus_result, omega),
+	 .when = PLANE},
+	{"first", NULL, "the parameter of --and", HAWSER__AT(struct cli_locus_result, first),
+	 .when = PLANE},
+	{"first_range", NULL, "its range", HAWSER__PAIR_AT(struct cli_locus_result, from, to),
+	 .when = PLANE},
 	{"key", NULL, "the other parameter", HAWSER__AT(struct cli_locus_result, key)},
 	{"parameter_range", NULL, "its range",
 	 HAWSER__PAIR_AT(struct cli_locus_result, parameter_from, parameter_to)},
@@ -213,7 +240,7 @@ static struct cli_head head(const void *of)
 
 	return cli_model_head(result->common, "locus",
 	                      "harmonic balance, minimally augmented bifurcation, pseudo-arclength "
-	                      "continuation", result->model, 0u);
+	                      "continuation", result->model, result->first ? PLANE : LINE);
 }
 
 /* A special point is written after the point that precedes it on the curve. */

@@ -10,7 +10,9 @@ struct cli_locus_result {
 	const struct cli_model *model;
 	const struct hawser_locus *locus;
 	const char *key, *unit; /* of the parameter */
-	double from, to;        /* scaled Omega */
+	const char *first, *first_unit; /* NULL, or of the parameter that replaces Omega */
+	double omega;           /* then the frequency, in rad/s or the model's unit */
+	double from, to;        /* scaled Omega, or the first parameter */
 	double parameter_from, parameter_to;
 };
 extern const struct cli_showing cli_locus_showing;

@@ -40,6 +40,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/floquet.c \
 	%D%/floquet.h \
 	%D%/factor.c \
+	%D%/plane.c \
 	%D%/parameter.c \
 	%D%/flow.c \
 	%D%/flow_drag.c \

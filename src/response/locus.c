@@ -48,7 +48,7 @@ void hawser_locus_settle(struct hawser_locus_options *options)
 
 static enum hawser_status check(const struct hawser_locus_options *o, struct hawser_report *report)
 {
-	if ((unsigned)o->kind > HAWSER_BRANCH_POINT || !(o->from > 0.0) || !(o->to > 0.0) ||
+	if ((unsigned)o->kind > HAWSER_BRANCH_POINT || !(o->plane || (o->from > 0.0 && o->to > 0.0)) ||
 	    o->from == o->to || !isfinite(o->from - o->to) || o->parameter_from == o->parameter_to ||
 	    !isfinite(o->parameter_from - o->parameter_to))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "locus",
@@ -183,7 +183,7 @@ static enum hawser_status trace_from(struct hawser_locus *locus, struct hawser__
 	enum hawser_status status = hawser__locus_begin(walk, &locus->response, event, &failed);
 
 	if (status || failed)
-		return status ? status : add_lost(locus, locus->response.event[event].omega, report);
+		return status ? status : add_lost(locus, locus->response.event[event].parameter, report);
 	status = hawser__locus_follow(walk, &part[0], 1);
 	if (!status && part[0].end != HAWSER_LOCUS_CLOSED && !walk->stopped)
 		status = hawser__locus_follow(walk, &part[1], -1);
@@ -199,10 +199,10 @@ static int nearest(const struct hawser_frf *frf, const struct hawser_locus_optio
 {
 	int best = -1;
 
-	for (int e = 0; options->near > 0.0 && e < frf->events; e++)
+	for (int e = 0; options->near != 0.0 && e < frf->events; e++)
 		if (frf->event[e].kind == options->kind &&
-		    (best < 0 || fabs(frf->event[e].omega - options->near) <
-		                 fabs(frf->event[best].omega - options->near)))
+		    (best < 0 || fabs(frf->event[e].parameter - options->near) <
+		                 fabs(frf->event[best].parameter - options->near)))
 			best = e;
 	return best;
 }
@@ -220,7 +220,7 @@ static enum hawser_status trace_all(struct hawser_locus *locus, struct hawser__l
 		if (frf->event[e].kind != o->kind || (only >= 0 && e != only))
 			continue;
 		any = 1;
-		if (is_known(locus, frf->event[e].omega, walk->locus->extent[0]))
+		if (is_known(locus, frf->event[e].parameter, walk->locus->extent[0]))
 			continue;
 		if ((status = trace_from(locus, walk, e, report)))
 			return status;
@@ -241,6 +241,21 @@ static enum hawser_status trace_all(struct hawser_locus *locus, struct hawser__l
 	return HAWSER_OK;
 }
 
+/* The family over the first parameter of a plane. */
+struct across {
+	const struct hawser_rom_plane *plane;
+	double at;
+};
+
+static enum hawser_status model_across(void *context, const struct hawser_rom **rom, double first,
+                                       struct hawser_report *report)
+{
+	const struct across *across = context;
+	const double p[2] = {first, across->at};
+
+	return across->plane->model(across->plane->context, rom, p, report);
+}
+
 enum hawser_status hawser_locus_trace(struct hawser_locus *locus,
                                       const struct hawser_rom_family *family,
                                       const struct hawser_locus_options *options,
@@ -248,6 +263,8 @@ enum hawser_status hawser_locus_trace(struct hawser_locus *locus,
 {
 	struct hawser_locus_options own = *options;
 	struct hawser_frf_options choice = {.method = NULL};
+	struct across line = {own.plane, own.at};
+	struct hawser_rom_family across = {own.plane ? own.plane->omega : 0.0, model_across, &line};
 	struct hawser__locus system = {.n = 0};
 	struct hawser__locus_walk walk = {.locus = NULL};
 	enum hawser_status status;
@@ -256,7 +273,7 @@ enum hawser_status hawser_locus_trace(struct hawser_locus *locus,
 	hawser_locus_settle(&own);
 	if ((status = check(&own, report)))
 		return status;
-	status = hawser__locus_open(&system, own.kind, family, own.at, report);
+	status = hawser__locus_open(&system, family, &own, report);
 	locus->n = system.n;
 	if (!status)
 		status = check_model(system.rom, report);
@@ -265,6 +282,8 @@ enum hawser_status hawser_locus_trace(struct hawser_locus *locus,
 	choice.tolerance = own.tolerance;
 	choice.progress = own.progress;
 	choice.samples = HAWSER_NONE;
+	if (own.plane)
+		choice.family = &across;
 	if (!status)
 		status = hawser_frf_trace(&locus->response, system.rom, &choice, report);
 	if (status == HAWSER_ERR_CONVERGENCE && locus->response.points > 0)

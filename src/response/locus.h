@@ -1,7 +1,8 @@
 /* response/locus.h - the equations of a bifurcation in two parameters.
  *
  *   y        Fourier coefficients of the orbit [2H + 1][n]: constant, cos 1, sin 1, ...
- *   z        unknowns [size]: Omega, parameter, kappa, then y. kappa is constant except for tori
+ *   z        unknowns [size]: Omega or a first parameter, parameter, kappa, then y. kappa is constant
+ *            except for tori
  *   kappa    angle of the critical multiplier over 2 pi: 0 for folds and branch points, 1/2 for period
  *            doublings, unknown for tori
  *   F(z)     defects of the orbit, as in balance.h
@@ -46,10 +47,11 @@ enum {
 struct hawser__locus {
 	enum hawser_event_kind kind;
 	const struct hawser_rom_family *family;
+	const struct hawser_rom_plane *plane; /* NULL: the first parameter is Omega */
 	const struct hawser_rom *rom; /* at the present parameter */
 	double time;                  /* unit of time of the model at the start */
 	double extent[2];             /* lengths of the ranges of Omega and of the parameter */
-	double centre;                /* value of the parameter for the derivative by it */
+	double centre[2];             /* values of the parameters for the derivatives by them */
 	double omega;                 /* scaled by the present model's unit of time */
 	double kappa;
 	int n, most;                  /* coordinates; largest number of harmonics */
@@ -99,8 +101,9 @@ struct hawser__locus {
 	struct hawser_report *report;
 };
 
-enum hawser_status hawser__locus_open(struct hawser__locus *locus, enum hawser_event_kind kind,
-                                      const struct hawser_rom_family *family, double at,
+enum hawser_status hawser__locus_open(struct hawser__locus *locus,
+                                      const struct hawser_rom_family *family,
+                                      const struct hawser_locus_options *options,
                                       struct hawser_report *report);
 void hawser__locus_close(struct hawser__locus *locus);
 

@@ -24,17 +24,20 @@
 #define SKEW 1e-6      /* relative size of what is absent by symmetry; chosen */
 enum { FIRST_ORDER = 12, ITERATIONS = 12, INVERSE = 4 };
 
-/* z = the orbit through the state x [2n] at Omega. */
+/* z = the orbit through the state x [2n] at `first`, Omega or the first parameter. */
 static enum hawser_status orbit_through(struct hawser__locus_walk *walk, double *z, const double *x,
-                                        double omega)
+                                        double first)
 {
 	struct hawser__locus *locus = walk->locus;
-	int n = locus->n, H = locus->order, rows = hawser__shooting_steps(locus->rom, omega, 1);
+	int n = locus->n, H = locus->order, rows;
 	struct hawser__stretch period;
 	struct hawser__flow flow;
 	double *samples, *end;
-	enum hawser_status status;
+	enum hawser_status status = hawser__locus_place(locus, first, walk->options->at);
 
+	if (status)
+		return status;
+	rows = hawser__shooting_steps(locus->rom, locus->omega, 1);
 	rows = rows < 6*H ? 6*H : rows;
 	period = (struct hawser__stretch){.h = 2.0*M_PI/rows, .steps = rows, .count = 1};
 	samples = malloc((size_t)rows*n*sizeof *samples);
@@ -44,7 +47,7 @@ static enum hawser_status orbit_through(struct hawser__locus_walk *walk, double 
 		status = hawser__no_memory(walk->report, "locus");
 	if (!status) {
 		memcpy(end, x, 2*(size_t)n*sizeof *end);
-		hawser__flow_map(&flow, end, samples, &period, omega);
+		hawser__flow_map(&flow, end, samples, &period, locus->omega);
 		memset(z, 0, (size_t)walk->room*sizeof *z);
 		for (int r = 0; r < rows; r++)
 			for (int k = 0; k < 2*H + 1; k++) {
@@ -55,7 +58,7 @@ static enum hawser_status orbit_through(struct hawser__locus_walk *walk, double 
 					z[LOCUS_FIRST + k*n + j] += s*(samples[(size_t)r*n + j] -
 					                               (end[j] - x[j])*r/rows);
 			}
-		z[LOCUS_OMEGA] = omega;
+		z[LOCUS_OMEGA] = first;
 	}
 	hawser__flow_clear(&flow);
 	free(samples);
@@ -174,10 +177,10 @@ static enum hawser_status between(struct hawser__locus_walk *walk, const struct 
 	const double *x = frf->event_state + 2*(size_t)frf->n*(event - frf->event);
 	double *from = walk->here.z, *to = walk->next.z, *z = walk->start.z, *chord = walk->spare;
 	double part = (event->arc - a->arc)/(b->arc - a->arc), range = walk->locus->extent[0], size;
-	enum hawser_status status = orbit_through(walk, from, xa, a->omega);
+	enum hawser_status status = orbit_through(walk, from, xa, a->parameter);
 
 	*failed = 1;
-	if (status || (status = orbit_through(walk, to, xb, b->omega)))
+	if (status || (status = orbit_through(walk, to, xb, b->parameter)))
 		return status;
 	part = part >= 0.0 && part <= 1.0 ? part : 0.5;
 	for (int k = 0; k < walk->room; k++) {
@@ -186,13 +189,13 @@ static enum hawser_status between(struct hawser__locus_walk *walk, const struct 
 	}
 	if (cblas_dnrm2(walk->locus->coefficients, z + LOCUS_FIRST, 1) <= 1e-12) {
 		memset(z, 0, (size_t)walk->room*sizeof *z);
-		z[LOCUS_OMEGA] = event->omega;
+		z[LOCUS_OMEGA] = event->parameter;
 	}
 	chord[LOCUS_OMEGA] /= range*range;
 	size = cblas_dnrm2(walk->locus->coefficients, z + LOCUS_FIRST, 1);
 	if (size > 0.0)
 		cblas_dscal(walk->locus->coefficients, 1.0/(size*size), chord + LOCUS_FIRST, 1);
-	if (isfinite(x[0]) && (status = orbit_through(walk, z, x, event->omega)))
+	if (isfinite(x[0]) && (status = orbit_through(walk, z, x, event->parameter)))
 		return status;
 	z[LOCUS_PARAMETER] = walk->options->at;
 	status = settle(walk, z, chord, failed);
@@ -218,7 +221,7 @@ enum hawser_status hawser__locus_begin(struct hawser__locus_walk *walk, const st
 	walk->reference[0] = walk->reference[1] = 0.0;
 	memset(locus->barred, 0, 2*(size_t)locus->n);
 	if ((status = hawser__locus_arrange(locus, order)) ||
-	    (status = hawser__locus_place(locus, from->omega, walk->options->at)))
+	    (status = hawser__locus_place(locus, from->parameter, walk->options->at)))
 		return status;
 	if ((status = between(walk, frf, from, failed)) || *failed)
 		return status;
@@ -231,7 +234,7 @@ enum hawser_status hawser__locus_begin(struct hawser__locus_walk *walk, const st
 	walk->spare[LOCUS_PARAMETER] = 1.0;
 	if ((status = hawser__locus_correct(walk, start, walk->spare, failed)) || *failed)
 		return status;
-	*failed = fabs(start->z[LOCUS_OMEGA] - from->omega) > ELSEWHERE*locus->extent[0];
+	*failed = fabs(start->z[LOCUS_OMEGA] - from->parameter) > ELSEWHERE*locus->extent[0];
 	if (*failed)
 		return HAWSER_OK;
 	start->arc = 0.0;

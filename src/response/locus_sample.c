@@ -16,11 +16,13 @@
 
 enum hawser_status hawser__locus_place(struct hawser__locus *locus, double omega, double parameter)
 {
-	enum hawser_status status = locus->family->model(locus->family->context, &locus->rom, parameter,
-	                                                 locus->report);
+	const struct hawser_rom_plane *plane = locus->plane;
+	const double p[2] = {omega, parameter};
+	enum hawser_status status = plane ? plane->model(plane->context, &locus->rom, p, locus->report)
+		: locus->family->model(locus->family->context, &locus->rom, parameter, locus->report);
 
 	if (!status)
-		locus->omega = omega*locus->rom->time/locus->time;
+		locus->omega = plane ? plane->omega*locus->rom->time : omega*locus->rom->time/locus->time;
 	return status;
 }
 

@@ -139,13 +139,17 @@ static enum hawser_status by_parameter(struct hawser__locus *locus, int k, const
                                        double complex here)
 {
 	double h = NUDGE*locus->extent[k], at[2] = {z[0], z[1]}, place[2] = {z[k], z[k]};
+	int made = locus->plane || k == LOCUS_PARAMETER;
 	double complex value[2] = {here, here};
 	enum hawser_status status;
 
-	if (k == LOCUS_PARAMETER && !(fabs(z[k] - locus->centre) <= NEAR*h))
-		locus->centre = z[k];
+	for (int i = locus->plane ? 0 : 1; made && i < 2; i++) {
+		if (!(fabs(z[i] - locus->centre[i]) <= NEAR*NUDGE*locus->extent[i]))
+			locus->centre[i] = z[i];
+		at[i] = locus->centre[i];
+	}
 	for (int side = 0; side < 2; side++) {
-		at[k] = (k == LOCUS_PARAMETER ? locus->centre : z[k]) + (side ? h : -h);
+		at[k] = (made ? locus->centre[k] : z[k]) + (side ? h : -h);
 		if (hawser__locus_place(locus, at[0], at[1])) {
 			memcpy(locus->other[side], locus->F,
 			       (2*(size_t)locus->width + 1)*locus->n*sizeof(double));

@@ -16,18 +16,24 @@
 enum { LARGEST = 1500, MOST_ORDER = 200 };
 #define AT_REST 1e-9 /* size of the orbit below which defects are relative to this; chosen */
 
-enum hawser_status hawser__locus_open(struct hawser__locus *locus, enum hawser_event_kind kind,
-                                      const struct hawser_rom_family *family, double at,
+enum hawser_status hawser__locus_open(struct hawser__locus *locus,
+                                      const struct hawser_rom_family *family,
+                                      const struct hawser_locus_options *options,
                                       struct hawser_report *report)
 {
+	const double begin[2] = {options->from, options->at};
 	enum hawser_status status;
 
-	*locus = (struct hawser__locus){.kind = kind, .family = family, .report = report,
-		.centre = INFINITY, .kappa = kind == HAWSER_PERIOD_DOUBLING ? 0.5 : 0.0};
-	if ((status = family->model(family->context, &locus->rom, at, report)))
+	*locus = (struct hawser__locus){.kind = options->kind, .family = family, .plane = options->plane,
+		.report = report, .centre = {INFINITY, INFINITY},
+		.kappa = options->kind == HAWSER_PERIOD_DOUBLING ? 0.5 : 0.0};
+	status = locus->plane
+	         ? locus->plane->model(locus->plane->context, &locus->rom, begin, report)
+	         : family->model(family->context, &locus->rom, options->at, report);
+	if (status)
 		return status;
 	locus->n = locus->rom->n;
-	locus->time = locus->rom->time;
+	locus->time = locus->plane ? 1.0 : locus->rom->time;
 	locus->most = (LARGEST/locus->n - 1)/2;
 	locus->most = locus->most > MOST_ORDER ? MOST_ORDER : locus->most;
 	for (int p = 0; p < locus->rom->harmonics; p++)
@@ -245,7 +251,7 @@ enum hawser_status hawser__locus_evaluate(struct hawser__locus *locus, double *r
 	if (locus->kind == HAWSER_TORUS) /* for the others it is exact */
 		locus->kappa = z[LOCUS_KAPPA];
 	locus->size_y = fmax(length_of(z + LOCUS_FIRST, locus->coefficients), AT_REST);
-	if (!(z[LOCUS_OMEGA] > 0.0) || hawser__locus_place(locus, z[0], z[1]))
+	if (!(locus->plane || z[LOCUS_OMEGA] > 0.0) || hawser__locus_place(locus, z[0], z[1]))
 		return HAWSER_OK;
 	hawser__locus_orbit(locus, z);
 	hawser__locus_fields(locus, locus->F, z, 1);

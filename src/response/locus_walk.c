@@ -248,7 +248,7 @@ static int predict(void *owner, double ds)
 	int known = walk->known > 1 ? 2 : 1;
 
 	hawser__curve_ahead(walk->next.z, node + 2 - known, known, ds, &metric);
-	return !(walk->next.z[LOCUS_OMEGA] > 0.0);
+	return !walk->locus->plane && !(walk->next.z[LOCUS_OMEGA] > 0.0);
 }
 
 static enum hawser_status correct(void *owner, double ds, struct hawser__correction *correction,

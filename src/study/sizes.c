@@ -198,6 +198,7 @@ static const struct row {
 	ROW(hawser_rom_line),
 	ROW(hawser_rom_moment),
 	ROW(hawser_rom_motion),
+	ROW(hawser_rom_plane),
 	ROW(hawser_rom_shapes),
 	ROW(hawser_rom_source),
 	ROW(hawser_scene),

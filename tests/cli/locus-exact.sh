@@ -132,6 +132,15 @@ def near(a, b, most):
 END
 
 works "folds" locus hard.json --from 0.8 --to 2 --over factor.load=0.1:2 --json hard-l.json -q
+works "folds in load and damping" locus hard.json --over factor.damping=0.5:3.5 --and factor.load=0.3:3 \
+	--Omega 1.3 --json plane-l.json --plot plane.svg -q
+works "the same, exchanged" locus hard.json --over factor.load=0.3:3 --and factor.damping=3.5:0.5 --Omega 1.3 \
+	--at 1.7 --tsv plane.tsv --json turned-l.json -q
+chairlift=$SRCDIR/notebooks-data/scenes/chairlift.yaml
+works "a scene, over damping and load" locus "$chairlift" --kind torus --over damping.alpha=0.075:0.085 \
+	--and factor.load=0.1:1.3 --Omega 2.915 --step 0.2 --json alpha-l.json -q
+works "the scene with the other damping" frf "$chairlift" --set damping.alpha="0.085 kg/m/s" \
+	--over factor.load=0.1:1.3 --Omega 2.915 --json alpha.json -q
 works "tori" locus soft.json --kind torus --from 3 --to 0.5 --over factor.load=0.05:5 --json soft-l.json -q
 works "folds beside a torus" locus both.json --from 2 --to 1.2 --over factor.load=1:2 --at 1.7 --json both-f.json -q
 works "tori beside a fold" locus both.json --kind torus --from 2 --to 1.2 --over factor.load=1:2 --at 1.7 \
@@ -157,6 +166,37 @@ for p in locus.points:
     if O > HARD.cusp()[0]*(1 + 1e-9): # at the cusp both sides are the same
         assert min(abs(HARD.fold(O, side)/p["parameter"] - 1) for side in (1, -1)) < 1e-10
 END
+python "folds at one frequency, over load and damping" <<'END'
+from exact import *
+from result import *
+c = (1.3**2 - 1)/math.sqrt(3)
+cusp = math.sqrt(8*c**3/(3*math.sqrt(3)*HARD.a))/HARD.f, c/1.3/HARD.d # load, damping
+plane, turned = Locus("plane-l"), Locus("turned-l")
+event, = [e for e in plane.events if e["kind"] == "cusp"]
+near((event["first"], event["parameter"]), cusp, 1e-10)
+for locus, load, damping in ((plane, "first", "parameter"), (turned, "parameter", "first")):
+    assert len(locus.points) > 20 and locus.result["Omega"] == 1.3
+    for p in locus.points:
+        other = Pair(HARD.w, HARD.d*p[damping], HARD.a, HARD.f)
+        if p[damping] < cusp[1]*(1 - 1e-9):
+            assert min(abs(other.fold(1.3, side)/p[load] - 1) for side in (1, -1)) < 1e-10
+END
+python "a torus of a scene" <<'END'
+from result import *
+torus = [e["parameter"] for e in json.load(open("alpha.json"))["events"] if e["kind"] == "torus"]
+ends = [p["first"] for p in Locus("alpha-l").points if p["parameter"] == 0.085]
+assert len(ends) >= 1 and all(min(abs(x/t - 1) for t in torus) < 1e-8 for x in ends), (ends, torus)
+END
+try "the table" grep -q "^# Omega = 1.3$" plane.tsv
+try "the picture" grep -q "cusp" plane.svg
+refuses 1 "--and KEY=FROM:TO and --Omega FREQUENCY belong together: they replace --from and --to" \
+	locus hard.json --Omega 1.3
+refuses 1 "--near 1: with --and, all bifurcations of the range are followed: narrow the range of --and instead" \
+	locus hard.json --and factor.damping=1:2 --Omega 1.3 --near 1
+refuses 1 "--over and --and are both over factor.load: name two parameters" \
+	locus hard.json --and factor.load=1:2 --Omega 1.3
+refuses 1 "--over tension.T0 with --and damping.alpha: one of both must be factor.load or factor.damping" \
+	locus "$chairlift" --over tension.T0=80e3:81e3 --and damping.alpha=0.08:0.09 --Omega 2.9
 python "tori, their angles, their resonances, which they pass on a circle, and the Chenciner point" <<'END'
 from exact import *
 from result import *
