@@ -26,6 +26,9 @@ export OPENBLAS_NUM_THREADS=1
 	--plot "$target/absorber.svg" >"$target/absorber.txt"
 # An iced conductor with two spacers in wind.
 "$hawser" statics "$scenes/conductor-spacers.yaml" -q --plot "$target/spacers.svg"
+# Tori of the chairlift span.
+"$hawser" frf "$scenes/chairlift.yaml" --from "2.935 rad/s" --to "2.905 rad/s" --tori -q \
+	--plot "$target/tori.svg" >"$target/tori.txt"
 # The response of the chairlift span at one frequency over its tension.
 "$hawser" frf "$scenes/b-table-4.2.yaml" -n 3 --set model.condense=static --over "tension.T0=100 kN:50 kN" \
 	--Omega "1.42 rad/s" --tolerance 1e-7 -q --plot "$target/over-tension.svg" >"$target/over-tension.txt"

@@ -37,7 +37,9 @@ struct hawser_tori_point {
 	double growth;       /* largest logarithm of growth per period of what is not along the circle;
 	                      * negative: the circle attracts */
 	double growth_error; /* estimated error of it */
-	int unstable;        /* number of such logarithms above their error; 0: stable */
+	int unstable;        /* number of such logarithms above their error */
+	int undecided;       /* number of those that are nearer to zero than their error: whether they are
+	                      * unstable is not known; where both numbers are 0 the circle is stable */
 	double arc;          /* arclength along the curve, in the metric of the continuation */
 	double size;         /* of the circle: root mean square distance from its mean, scaled */
 	double residual;     /* certificate: largest defect at the points of the circle, relative to the

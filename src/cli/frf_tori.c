@@ -105,6 +105,13 @@ void cli_tori_clear(struct hawser_tori *tori, int curves)
 	free(tori);
 }
 
+static double is_stable(const void *row)
+{
+	const struct hawser_tori_point *point = row;
+
+	return point->unstable + point->undecided == 0;
+}
+
 /* --- comments --- */
 
 static const char *sentence(enum hawser_tori_end end)
@@ -135,7 +142,7 @@ static void comment(struct hawser__table *table, const struct cli_frf_result *re
 		return;
 	}
 	for (int i = 0; i < tori->points; i++) {
-		stable += tori->point[i].unstable == 0;
+		stable += is_stable(&tori->point[i]) > 0.0;
 		worst = fmax(worst, tori->point[i].error);
 	}
 	hawser__table_comment(table, "tori %d: from the torus point of branch %d at Omega = %.12g to %.12g"
@@ -168,7 +175,7 @@ HAWSER__LABELS(end_name, hawser_tori_end_name, enum hawser_tori_end)
 #define COMMON \
 	{"Omega", "Omega", "forcing frequency", OF(omega), .unit = HAWSER__RAD_S}, \
 	{"stable", "stable", "whether motions beside the torus approach it", \
-	 HAWSER__NOT_AT(struct hawser_tori_point, unstable)}, \
+	 HAWSER__FLAG_BY(is_stable)}, \
 	{"unstable", "unstable", "directions in which they leave it", OF(unstable)}
 #define COLUMNS(sign) \
 	{NULL, "T_min", "", TENSION_OF(0)}, {NULL, "T_max", "", TENSION_OF(1)}, \
@@ -197,6 +204,7 @@ const struct hawser__list cli_torus_least_list =
 
 static const struct hawser__field torus_field[] = {
 	COMMON,
+	{"undecided", NULL, "directions of which that is not known: within the error", OF(undecided)},
 	{"rotation", NULL, "rotation number: rad per period of the load", OF(rotation)},
 	{"second", NULL, "second frequency of the motion: rotation times Omega over 2 pi", OF(second),
 	 .unit = HAWSER__RAD_S},
@@ -284,7 +292,7 @@ static int draw_one(struct hawser__response_torus *torus, const struct hawser_to
 		.least = memory + 2*P, .most = memory + (2 + curves)*P};
 	for (int i = 0; i < tori->points; i++) {
 		torus->omega[i + 1] = tori->point[i].omega*per_omega;
-		torus->unstable[i + 1] = tori->point[i].unstable > 0;
+		torus->unstable[i + 1] = !(is_stable(&tori->point[i]) > 0.0);
 		for (int c = 0; c < curves; c++) {
 			size_t at = (size_t)i*wide + (size_t)source[c];
 

@@ -202,8 +202,10 @@ static enum hawser_status record(struct walk *walk, int *slack)
 		.size = sqrt(product(walk, torus->x, torus->x)), .residual = torus->residual,
 		.error = torus->defect, .tail = torus->tail, .circle = torus->points,
 		.steps = torus->steps, .iterations = torus->iterations};
-	for (int k = 0; k < torus->m - 1; k++)
+	for (int k = 0; k < torus->m - 1; k++) {
 		point->unstable += walk->exponent[k] > point->growth_error;
+		point->undecided += fabs(walk->exponent[k]) <= point->growth_error;
+	}
 	memcpy(list->state + (size_t)i*(size_t)torus->m, torus->x, (size_t)torus->m*sizeof *torus->x);
 	list->points++;
 	state = hawser__progress_state("tori", "circles", list->points, walk->began);
