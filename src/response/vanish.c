@@ -121,15 +121,53 @@ static enum hawser_status locate(int *found, struct hawser_frf_event *event, str
 	return HAWSER_OK;
 }
 
+/* Whether all terms are products of two factors at least, which are nothing at rest. */
+static int only_products(const struct hawser_rom *rom)
+{
+	for (int i = 0; i < rom->terms; i++)
+		if (rom->term[i].factors < 2)
+			return 0;
+	for (int h = 0; h < rom->harmonics; h++)
+		for (int i = 0; i < rom->harmonic[h].terms; i++)
+			if (rom->harmonic[h].term[i].factors < 2)
+				return 0;
+	return 1;
+}
+
+/* *bare: rom without these; *harmonic is its memory. */
+static enum hawser_status strip(struct hawser_rom *bare, struct hawser_harmonic **harmonic,
+                                const struct hawser_rom *rom, struct hawser_report *report)
+{
+	*bare = *rom;
+	*harmonic = malloc(((size_t)rom->harmonics + 1)*sizeof **harmonic);
+	if (!*harmonic)
+		return hawser__no_memory(report, "frf");
+	for (int h = 0; h < rom->harmonics; h++) {
+		(*harmonic)[h] = rom->harmonic[h];
+		(*harmonic)[h].terms = 0;
+	}
+	bare->harmonic = *harmonic;
+	bare->terms = 0;
+	return HAWSER_OK;
+}
+
 static enum hawser_status search(const struct hawser__shrinking *s, int *found,
                                  struct hawser_frf_event *event, const struct hawser_rom *rom,
                                  struct hawser_report *report)
 {
+	struct hawser_rom bare;
+	struct hawser_harmonic *harmonic;
 	struct rest rest = {.rom = rom, .m = 2*rom->n};
-	enum hawser_status status = hawser_linear_open(&rest.linear, rom->n, report);
+	enum hawser_status status = strip(&bare, &harmonic, rom, report);
 
-	if (status)
+	if (!status && only_products(rom))
+		rest.rom = &bare;
+	if (!status)
+		status = hawser_linear_open(&rest.linear, rom->n, report);
+	if (status) {
+		free(harmonic);
 		return status;
+	}
 	rest.log_modulus = malloc(2*(size_t)rest.m*sizeof(double));
 	if (!rest.log_modulus)
 		status = hawser__no_memory(report, "frf");
@@ -142,6 +180,7 @@ static enum hawser_status search(const struct hawser__shrinking *s, int *found,
 		status = locate(found, event, &rest, s->omega[1] + length, length, report);
 	}
 	free(rest.log_modulus);
+	free(harmonic);
 	hawser_linear_free(rest.linear);
 	return status;
 }

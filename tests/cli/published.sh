@@ -62,4 +62,38 @@ assert abs(at - 0.603072) < 2e-6, at
 assert abs(at/0.60338213 - 1) < 6e-4, at
 assert abs(exp(product[0.56581407]) - 0.8911) < 1e-4, product
 END
+
+# Examples of SSMTool 2.4 (Jain, Li, Thurnher and Haller), events of the full systems as COCO finds and prints them, with five
+# digits. Its nonlinear Mathieu equation x" + 0.1 x' + x - 0.1 x^3 = eps (x - 0.1 x^3) cos(Omega t): the branch points of rest
+# and the fold of motions of two periods, at eps 0.21 and 0.22. Its reduced model of order 5 has them at 1.9651, 2.0299 and
+# 1.7828 for eps 0.21: that is its truncation. Its self-excited oscillators with x2'^3: four folds.
+for eps in 0.21 0.22; do
+	echo '{"n": 1, "K": [[1]], "D": [[0.1]], "terms": [[0, [0, 0, 0], [], -0.1]], "harmonics": [{"k": 1, "phase": "cos",
+ "K": [[-EPS]], "terms": [[0, [0, 0, 0], [], 0.1EPS]]}]}' | sed "s/0.1EPS/0.0${eps#0.}/; s/EPS/$eps/" >mathieu.json
+	works "a nonlinear Mathieu equation" frf mathieu.json --from 2.5967 --to 1.598 --json mathieu-$eps.json -q
+	label=$(python3 -c "import json
+print([e['label'] for e in json.load(open('mathieu-$eps.json'))['branches'][0]['events'] if e['kind'] == 'fold'][0])")
+	works "the motion at its fold" orbit mathieu.json --from-label mathieu-$eps.json#$label --json fold-$eps.json -q
+done
+cat >self.json <<'END'
+{"n": 2, "K": [[5, -4], [-2, 2]], "D": [[0, 0], [0, -0.01]],
+ "terms": [[0, [0, 0, 0], [], 0.1], [1, [], [1, 1, 1], 0.05]],
+ "harmonics": [{"k": 1, "phase": "cos", "f": [0.02, 0]}, {"k": 2, "phase": "cos", "K": [[-0.08, 0.08], [0.04, -0.04]]}]}
+END
+works "self-excited oscillators" frf self.json --from 2.4593 --to 2.7002 --json self-frf.json -q
+python "to the printed digits" <<'END'
+import json
+for eps, points, fold, size in (("0.21", (2.0282, 1.9641), 1.8013, 1.5612), ("0.22", (2.0418, 1.9502), 1.6200, 2.1110)):
+    result = json.load(open(f"mathieu-{eps}.json"))
+    assert [e["kind"] for e in result["events"]] == 2*["period-doubling"] and len(result["branches"]) == 1
+    for e, printed in zip(result["events"], points):
+        assert abs(e["Omega"] - printed) < 6e-5, (e["Omega"], printed)
+    branch = result["branches"][0]
+    assert branch["end"] == "at rest" and [e["kind"] for e in branch["events"]] == ["fold", "branch-point"]
+    assert abs(branch["events"][0]["Omega"] - fold) < 6e-5 and abs(branch["events"][1]["Omega"] - points[1]) < 6e-5
+    most = max(abs(row[0]) for row in json.load(open(f"fold-{eps}.json"))["states"])
+    assert abs(most/size - 1) < 1e-3, most
+folds = [e["Omega"] for e in json.load(open("self-frf.json"))["events"] if e["kind"] == "fold"]
+assert len(folds) == 4 and all(abs(f - p) < 6e-5 for f, p in zip(folds, (2.6173, 2.5856, 2.6129, 2.6014))), folds
+END
 done_testing
