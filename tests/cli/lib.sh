@@ -78,11 +78,12 @@ holds() {
 	printf '%s' "$1" | tr ' ' '\n' | sed '/^$/d' | diff - "$scratch/ls"
 }
 
-# python TEXT: passes when the program on standard input does; it may import json, csv, math, sys.
+# python TEXT: passes when the program on standard input does; it may import json, csv, math, sys (-S: no
+# packages of the site, whose search takes half of the start).
 python() {
 	if command -v python3 >/dev/null; then
 		cat >"$scratch/check.py"
-		try "$1" python3 "$scratch/check.py"
+		try "$1" python3 -S "$scratch/check.py"
 	else
 		cat >/dev/null
 		skip "$1: python3 is not installed"

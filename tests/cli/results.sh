@@ -58,6 +58,8 @@ for name, columns in expected.items():
 END
 python "numpy and pandas read them too, where they are installed" <<'END'
 try:
+    import site
+    site.main()
     import numpy
 except ImportError:
     numpy = None

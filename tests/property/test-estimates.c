@@ -20,7 +20,7 @@ static const struct {
 	double least; /* fraction of the stated errors that must be exceeded */
 } tried[] = {
 	{"statics", 300, 0.01}, {"modes", 20, 0.01}, {"campbell", 20, 0.01}, {"irvine", 6, 0.01},
-	{"frf", 6, 0.01}, {"integrate", 5, 0.01}, {"hill", 60, 0.01}, {"map", 2, 0.01},
+	{"frf", 6, 0.01}, {"integrate", 3, 0.01}, {"hill", 60, 0.01}, {"map", 2, 0.01},
 	/* the same for few scenes and the most cautious estimates */
 	{"beam", 3, 1e-3}, {"events", 6, 1e-3},
 };

@@ -217,7 +217,7 @@ static void check_estimates(const char *name, double from, double to, int rows, 
 	                             !hawser_plan_make(&plan, &statics, &scene, choice, count, from*w1,
 	                             to*w1, &brief, &report), "a plan %s", report.message))
 		return;
-	if (!run(&reference, "condensed 11", from, to, 0.02))
+	if (!run(&reference, getenv("HAWSER_LONG") ? "condensed 11" : "condensed 8", from, to, 0.02))
 		goto done;
 	for (int i = 0; i < rows; i++) {
 		struct hawser_study_curve curve = {.n = 0};

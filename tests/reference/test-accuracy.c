@@ -150,8 +150,8 @@ int main(void)
 		check_peak("deep sag, exact energy", deep, "model.energy=exact", near_end, 3.4075, 0.02149,
 		           0.0);
 		check_peak("deeper sag", deeper, NULL, first, 0.9032, 3.435, 258.0);
+		check_end();
 	}
-	check_end();
 	check_folds();
 	return done_testing();
 }
