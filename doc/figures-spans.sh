@@ -1,7 +1,7 @@
 #!/bin/sh
 # Pictures of spans with what people have on them; figures.sh calls it. The ones that spans.md shows are
 # copies: stay-map.svg, carriers.svg, damper-size.svg, damper-place.svg, absorber.svg, spacers.svg; that of
-# theory-response.md is over-tension.svg.
+# theory-response.md is over-tension.svg, that of theory-folds.md is loci.svg.
 # Needs gnuplot. Writes into the folder given as argument.
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -eu
@@ -32,3 +32,6 @@ export OPENBLAS_NUM_THREADS=1
 # The response of the chairlift span at one frequency over its tension.
 "$hawser" frf "$scenes/b-table-4.2.yaml" -n 3 --set model.condense=static --over "tension.T0=100 kN:50 kN" \
 	--Omega "1.42 rad/s" --tolerance 1e-7 -q --plot "$target/over-tension.svg" >"$target/over-tension.txt"
+# The folds of the chairlift span over its load, with their cusps and resonances.
+"$hawser" locus "$scenes/chairlift.yaml" --from 1.2 --to 3.6 --over factor.load=0.3:1.6 -q \
+	--plot "$target/loci.svg" >"$target/loci.txt"
