@@ -46,6 +46,7 @@ static void plain(char *label, const char *name)
 {
 	int i;
 
+	/* cppcheck-suppress arrayIndexOutOfBoundsCond ; a name ends with a zero */
 	for (i = 0; i < label_size - 1 && name[i]; i++)
 		label[i] = isalnum((unsigned char)name[i]) ? name[i] : '-';
 	label[i] = '\0';

@@ -194,7 +194,6 @@ static enum hawser_status check(const struct cli_label *label, const json_t *roo
 			                    label->over, label->parameter, cli_over_needs_scene(label->over)
 			                    ? "add --set with this value, or follow it with --over "
 			                    : "follow it with --over ", label->over);
-		over = NULL;
 	}
 	then.natural = malloc(((size_t)model->naturals + 1)*sizeof *then.natural);
 	if (!then.natural)

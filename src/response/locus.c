@@ -101,6 +101,7 @@ static enum hawser_status make_room(struct hawser_locus *to, const struct hawser
 	to->curve = curve ? curve : to->curve;
 	event = realloc(to->event, events*sizeof *to->event);
 	to->event = event ? event : to->event;
+	/* cppcheck-suppress memleak ; they are kept in *to */
 	return point && coordinate && state && curve && event ? HAWSER_OK
 	       : hawser__no_memory(report, "locus");
 }

@@ -322,6 +322,7 @@ static enum hawser_status record(struct hawser__locus_walk *walk,
 		if (!point || !coordinate || !state)
 			return hawser__no_memory(walk->report, "locus");
 		list->room = (int)room;
+		/* cppcheck-suppress memleak ; they are kept in *list */
 	}
 	list->point[list->points] = station->point;
 	memcpy(list->coordinate + (size_t)list->points*n, station->coordinate, n*sizeof(double));
