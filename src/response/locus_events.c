@@ -31,6 +31,7 @@
                            * its sign changes has a pole there and no zero */
 #define CLOSE 1e-11       /* width of a bracket, relative to the step */
 #define FAR 0.03          /* largest distance of kappa from its end in the extrapolation */
+#define NEARBY 0.002      /* distance at which the equations are too nearly singular to begin there */
 enum { MOST = 60, NODES = 4 };
 
 static const enum hawser_locus_special special[LOCUS_TESTS] = {
@@ -306,12 +307,14 @@ static double extrapolate(const double *x, const double *y, int count)
 enum hawser_status hawser__locus_resonance(struct hawser__locus_walk *walk, double kappa)
 {
 	struct hawser__locus_station *to = &walk->scratch;
-	double far = fmin(FAR, fabs(walk->here.z[LOCUS_KAPPA] - kappa));
+	int early = fabs(walk->here.z[LOCUS_KAPPA] - kappa) < NEARBY && walk->known > 1;
+	const struct hawser__locus_station *from = early ? &walk->prev : &walk->here;
+	double far = fmin(FAR, fabs(from->z[LOCUS_KAPPA] - kappa));
 	double x[NODES], y[2][NODES], z[2], less[2];
 	int side = kappa > 0.0 ? -1 : 1, failed;
 	struct hawser_locus_event event;
 
-	hawser__locus_station_copy(walk, to, &walk->here);
+	hawser__locus_station_copy(walk, to, from);
 	memset(walk->spare, 0, (size_t)walk->room*sizeof(double));
 	walk->spare[LOCUS_KAPPA] = 1.0;
 	for (int i = 0; i < NODES; i++) {
