@@ -46,4 +46,22 @@ works "no torus point" frf "$duffing" --from 0.5 --to 0.6 --tori -q --tsv none.t
 try "and that is said" grep -q "tori: none, since no torus point was located" none.tsv
 refuses_like 1 "leave one of them out" frf "$rayleigh" --tori --over factor.load=0.5:1 --Omega 1.1
 refuses_like 1 "use shooting or balance" frf "$rayleigh" --tori --method multiple-scales
+if [ -n "${HAWSER_LONG:-}" ]; then
+	works "tori between two torus points of an internal resonance" frf "$top/tests/reference/pair-2to1.json" --from 0.95 --to 1.05 \
+		--tori --json pair.json -q
+	python "one curve joins both, and its ends are theirs" <<'END'
+import json
+result = json.load(open("pair.json"))
+ends = [e["Omega"] for branch in [result] + result.get("branches", []) for e in branch["events"] if e["kind"] == "torus"]
+curve, = result["tori"]
+assert len(ends) == 2 and curve["end"] == "torus-point" and curve["from"] in ends
+# extrapolated where the other torus point is on another branch
+assert max(abs(a - b) for a, b in zip(sorted([curve["from"], curve["to"]]), sorted(ends))) < 1e-6
+last, first = curve["points"][-1], curve["points"][0]
+for p in first, last:
+    assert 0.8 < p["coordinates_least"][0]/p["coordinates"][0] <= 1
+stable = [p["stable"] for p in curve["points"]]
+assert stable[0] and stable[-1] and not all(stable)
+END
+fi
 done_testing
