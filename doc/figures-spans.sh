@@ -35,3 +35,6 @@ export OPENBLAS_NUM_THREADS=1
 # The folds of the chairlift span over its load, with their cusps and resonances.
 "$hawser" locus "$scenes/chairlift.yaml" --from 1.2 --to 3.6 --over factor.load=0.3:1.6 -q \
 	--plot "$target/loci.svg" >"$target/loci.txt"
+# A nonlinear normal mode with the tongue of a 3:1 resonance.
+"$hawser" nnm "$scenes/two-masses.json" --energy-to 1e5 --branches 1 --from 0.9 --to 1.45 -q \
+	--plot "$target/nnm-tongue.svg" >"$target/nnm-tongue.txt"

@@ -2,6 +2,7 @@ pkginclude_HEADERS = \
 	%D%/hawser/beam.h \
 	%D%/hawser/beam_motion.h \
 	%D%/hawser/backbone.h \
+	%D%/hawser/nnm.h \
 	%D%/hawser/basin.h \
 	%D%/hawser/campbell.h \
 	%D%/hawser/damped.h \

@@ -18,6 +18,7 @@ command_pages = \
 	%D%/hawser-map.1 \
 	%D%/hawser-mms.1 \
 	%D%/hawser-modes.1 \
+	%D%/hawser-nnm.1 \
 	%D%/hawser-orbit.1 \
 	%D%/hawser-plan.1 \
 	%D%/hawser-rom.1 \

@@ -51,6 +51,7 @@ dist_scenes_DATA = \
 	%D%/scenes/guide-rope.yaml \
 	%D%/scenes/hoist-rope.yaml \
 	%D%/scenes/duffing.json \
+	%D%/scenes/two-masses.json \
 	%D%/scenes/rayleigh.json \
 	%D%/scenes/inclined.yaml \
 	%D%/scenes/level-two-to-one.yaml \

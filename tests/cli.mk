@@ -8,6 +8,7 @@ CLI_TESTS = \
 	%D%/cli/files.sh \
 	%D%/cli/folds.sh \
 	%D%/cli/locus.sh \
+	%D%/cli/nnm.sh \
 	%D%/cli/locus-exact.sh \
 	%D%/cli/full.sh \
 	%D%/cli/help-vs-man.sh \

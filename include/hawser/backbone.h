@@ -3,7 +3,9 @@
  *
  * The model of a cable at rest is time-reversible, so the velocity of such motions vanishes twice per
  * period. With u(0) = u0 and du/dt = 0 at phase 0, the n equations du/dt = 0 at phase pi determine a
- * curve of (u0, Omega). Only half a period is integrated, and no phase condition is needed.
+ * curve of (u0, Omega). Only half a period is integrated, and no phase condition is needed. With
+ * `periods` k, du/dt vanishes at phase k pi: the curve is the same, and has branch points where motions
+ * of k periods begin as well.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_BACKBONE_H
@@ -21,12 +23,22 @@ enum hawser_backbone_end {
 	HAWSER_BACKBONE_RANGE,      /* Omega left the range */
 	HAWSER_BACKBONE_REST,       /* the motion returned to rest */
 	HAWSER_BACKBONE_MAX_POINTS, /* the curve has max_points points */
+	HAWSER_BACKBONE_ENERGY,     /* the energy reached options.energy */
+	HAWSER_BACKBONE_MEETS,      /* the curve reached one of the points options.known */
 	HAWSER_BACKBONE_STOPPED     /* progress.function asked for it, or the status is not HAWSER_OK */
 };
 
 struct hawser_backbone_options {
 	int mode;         /* index of the mode */
-	double size;      /* largest |u_mode| (scaled) */
+	double size;      /* largest |u_mode| (scaled); the first point is at a thousandth of it */
+	double energy;    /* if positive, the largest energy (scaled), in place of size */
+	int periods;      /* k; 0: 1 */
+	int branches;     /* 1: locate branch points */
+	const double *start, *direction; /* [n + 1] u0 and Omega near the first point, which is in the
+	                                  * plane through `start` normal to `direction`, in which the
+	                                  * curve goes; NULL: the linear mode */
+	const double *known; /* [known_count][2] Omega and energy of branch points at which a curve ends */
+	int known_count;
 	double lo, hi;    /* scaled range of Omega; hi 0: 0.5 to 1.5 times the mode's frequency */
 	double tolerance; /* of the defect and of the integration error, relative to the motion; 0: 1e-9 */
 	double step_max;  /* longest step in the metric of the continuation; 0: 0.1 */
@@ -43,8 +55,16 @@ struct hawser_backbone_point {
 	int unstable;    /* number of multipliers outside the unit circle by more than their error */
 };
 
+struct hawser_backbone_branch {
+	double omega, energy; /* scaled */
+	int after;            /* index of the point before it */
+};
+
 struct hawser_backbone {
-	int n, points, capacity, probes;
+	int n, points, capacity, probes, branches;
+	struct hawser_backbone_branch *branch; /* [branches] in order along the curve */
+	double *branch_start;     /* [branches][n + 1] u0, Omega */
+	double *branch_direction; /* [branches][n + 1] tangent of the other curve */
 	struct hawser_backbone_point *point; /* [points] */
 	double *coordinate; /* [points][n] max |u_j| */
 	double *probe;      /* [points][probes][3] max |x|, |y|, |z|, scaled */

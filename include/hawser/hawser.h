@@ -23,6 +23,7 @@
 #include <hawser/integrate.h>
 #include <hawser/orbit.h>
 #include <hawser/backbone.h>
+#include <hawser/nnm.h>
 #include <hawser/basin.h>
 #include <hawser/branches.h>
 #include <hawser/cover.h>

@@ -77,6 +77,8 @@ const char *cli_backbone_end(enum hawser_backbone_end end)
 	case HAWSER_BACKBONE_RANGE: return "the end of the range of frequencies";
 	case HAWSER_BACKBONE_REST: return "rest, again";
 	case HAWSER_BACKBONE_MAX_POINTS: return "the most points";
+	case HAWSER_BACKBONE_ENERGY: return "the largest energy";
+	case HAWSER_BACKBONE_MEETS: return "a branch point of another curve";
 	case HAWSER_BACKBONE_STOPPED: return "an interruption";
 	}
 	return "";

@@ -110,7 +110,7 @@ struct cli_command {
 	X(rom) \
 	X(integrate) \
 	X(frf) X(orbit) \
-	X(folds) X(locus) \
+	X(folds) X(locus) X(nnm) \
 	X(mms) \
 	X(hill) \
 	X(damping) \

@@ -26,6 +26,7 @@ hawser_SOURCES = \
 	%D%/cmd_identify.c \
 	%D%/cmd_integrate.c \
 	%D%/cmd_locus.c \
+	%D%/cmd_nnm.c %D%/nnm_result.c %D%/nnm_result.h \
 	%D%/cmd_irvine.c \
 	%D%/cmd_map.c \
 	%D%/cmd_orbit.c \

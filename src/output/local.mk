@@ -29,6 +29,7 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/plot_damped.h \
 	%D%/plot_energy.c \
 	%D%/plot_folds.c \
+	%D%/plot_nnm.c %D%/plot_nnm.h \
 	%D%/plot_locus.c \
 	%D%/plot_locus.h \
 	%D%/plot_frf.c \

@@ -9,10 +9,12 @@
 
 #include <hawser/backbone.h>
 
+#include "continuation/false_position.h"
 #include "core/progress.h"
 #include "core/report.h"
 #include "core/settle.h"
 #include "response/amplitude.h"
+#include "response/backbone.h"
 #include "response/half.h"
 #include "rom/terms.h"
 
@@ -21,7 +23,11 @@ static const char where[] = "backbone";
 #define FIRST 1e-3        /* size of the first point, relative to the largest: the model is nearly
                            * linear there; chosen */
 #define FIRST_STEP 0.1    /* first step relative to the longest; chosen */
+#define SAME 1e-4         /* relative difference of branch points that are one; chosen */
+#define CLOSE 1e-6        /* width of the bracket of a branch point, relative to the step; chosen */
 #define WORST_ANGLE 0.45  /* largest angle between successive tangents, rad; chosen */
+
+enum { MOST = 40 };       /* tries for a branch point */
 
 struct walk {
 	const struct hawser_rom *rom;
@@ -30,6 +36,9 @@ struct walk {
 	struct hawser__half half;
 	struct hawser__amplitude *amplitude;
 	double *y, *t, *next, *next_t, *row; /* [n + 1] */
+	double *at, *at_t, *other;           /* [n + 1] of a branch point */
+	double determinant[2], next_determinant[2]; /* sign, logarithm */
+	int met;                             /* 1: a known branch point was reached */
 	struct hawser__curve curve;
 	double lo, hi;
 	double began; /* s, hawser__wall_seconds */
@@ -41,6 +50,7 @@ void hawser_backbone_settle(struct hawser_backbone_options *options)
 	hawser__settle(&options->tolerance, 1e-9);
 	hawser__settle(&options->step_max, 0.1);
 	hawser__settle_count(&options->max_points, 2000);
+	hawser__settle_count(&options->periods, 1);
 }
 
 static enum hawser_status check(const struct hawser_rom *rom,
@@ -136,17 +146,6 @@ static enum hawser_status record(struct walk *walk, const struct hawser__correct
 	return hawser__half_unstable(half, &point->unstable, report);
 }
 
-void hawser_backbone_clear(struct hawser_backbone *backbone)
-{
-	if (!backbone)
-		return;
-	free(backbone->point);
-	free(backbone->coordinate);
-	free(backbone->probe);
-	free(backbone->start);
-	memset(backbone, 0, sizeof *backbone);
-}
-
 /* --- the curve --- */
 
 /* Correct y in the plane of `row`, with the number of steps that the tolerance requires. Returns 1
@@ -179,9 +178,13 @@ static enum hawser_status begin(struct walk *walk, struct hawser_report *report)
 	memset(walk->y, 0, ((size_t)n + 1)*sizeof(double));
 	walk->y[j] = FIRST*walk->options->size;
 	walk->y[n] = w;
+	if (walk->options->start)
+		memcpy(walk->y, walk->options->start, ((size_t)n + 1)*sizeof(double));
 	orbit->ops->metric(orbit, walk->y);
 	memset(walk->row, 0, ((size_t)n + 1)*sizeof(double));
 	walk->row[j] = walk->half.scale[j];
+	if (walk->options->start)
+		memcpy(walk->row, walk->options->direction, ((size_t)n + 1)*sizeof(double));
 	status = correct(walk, walk->y, walk->row, &correction, &failed, report);
 	if (!status && failed)
 		status = hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, where, correction.iterations,
@@ -192,6 +195,7 @@ static enum hawser_status begin(struct walk *walk, struct hawser_report *report)
 	if (status)
 		return status;
 	hawser__orbit_tangent(orbit, walk->t);
+	walk->determinant[1] = hawser__half_determinant(&walk->half, walk->determinant);
 	return record(walk, &correction, report);
 }
 
@@ -215,7 +219,11 @@ static int ended(const struct walk *walk)
 	double omega = backbone->point[last].omega;
 	double size = backbone->coordinate[(size_t)last*backbone->n + j];
 
-	if (size >= walk->options->size)
+	if (walk->met)
+		backbone->end = HAWSER_BACKBONE_MEETS;
+	else if (walk->options->energy > 0.0 && backbone->point[last].energy >= walk->options->energy)
+		backbone->end = HAWSER_BACKBONE_ENERGY;
+	else if (!(walk->options->energy > 0.0) && size >= walk->options->size)
 		backbone->end = HAWSER_BACKBONE_SIZE;
 	else if (omega < walk->lo || omega > walk->hi)
 		backbone->end = HAWSER_BACKBONE_RANGE;
@@ -266,6 +274,7 @@ static enum hawser_status finish(void *owner, double ds, double *angle)
 
 	(void)ds;
 	hawser__orbit_tangent(&walk->half.base, walk->next_t);
+	walk->next_determinant[1] = hawser__half_determinant(&walk->half, walk->next_determinant);
 	*angle = hawser__metric_angle(&metric, walk->t, walk->next_t);
 	return HAWSER_OK;
 }
@@ -283,6 +292,92 @@ static double longest(void *owner)
 	return ((const struct walk *)owner)->options->step_max;
 }
 
+/* at = the point at the share s of the step, by interpolation; at_t its tangent. */
+static void interpolate(struct walk *walk, double s)
+{
+	for (int k = 0; k < walk->half.base.size; k++) {
+		walk->at[k] = walk->y[k] + s*(walk->next[k] - walk->y[k]);
+		walk->at_t[k] = walk->t[k] + s*(walk->next_t[k] - walk->t[k]);
+	}
+}
+
+/* The same, corrected; *value: its determinant, relative. Where the kernel has two dimensions, the
+ * system has no tangent of its own, and at_t remains the interpolated one. */
+static enum hawser_status between(struct walk *walk, double s, double *value, int *failed)
+{
+	struct hawser__correction correction;
+	double sign, size;
+	enum hawser_status status;
+
+	interpolate(walk, s);
+	status = correct(walk, walk->at, walk->at_t, &correction, failed, walk->report);
+	if (status || *failed)
+		return status;
+	size = hawser__half_determinant(&walk->half, &sign);
+	*value = sign*exp(fmin(size - walk->determinant[1], 600.0));
+	return HAWSER_OK;
+}
+
+static int is_known(const struct walk *walk, double omega, double energy)
+{
+	for (int i = 0; i < walk->options->known_count; i++)
+		if (fabs(walk->options->known[2*i]/omega - 1.0) < SAME &&
+		    fabs(walk->options->known[2*i + 1]/energy - 1.0) < SAME)
+			return 1;
+	return 0;
+}
+
+static enum hawser_status add_branch(struct walk *walk)
+{
+	int n = walk->backbone->n;
+	double energy;
+	enum hawser_status status;
+
+	memset(walk->row, 0, (size_t)n*sizeof(double));
+	energy = hawser_rom_energy(&walk->half.model, walk->at, walk->row);
+	if (is_known(walk, walk->at[n], energy)) {
+		walk->met = 1;
+		return HAWSER_OK;
+	}
+	status = hawser__half_other(&walk->half, walk->other, walk->at_t, walk->report);
+	return status ? status : hawser__backbone_add(walk->backbone, walk->at, walk->other, energy,
+	                                              walk->report);
+}
+
+/* The branch point in the step: the determinant with the tangent changes its sign. Near it the system
+ * is nearly singular and corrections may fail; the zero is then extrapolated from the bracket. */
+static enum hawser_status find_branch(struct walk *walk)
+{
+	struct hawser__bracketed in = {.a = 0.0, .b = 1.0, .fa = walk->determinant[0]};
+	double value = 0.0, s = 0.5;
+	int failed = 0;
+	enum hawser_status status = HAWSER_OK;
+
+	in.fb = walk->next_determinant[0]*
+	        exp(fmin(walk->next_determinant[1] - walk->determinant[1], 600.0));
+	for (int i = 0; i < MOST && in.b - in.a > CLOSE && !failed; i++) {
+		s = hawser__false_position(&in, i);
+		if ((status = between(walk, s, &value, &failed)))
+			return status;
+		for (int side = 0; failed && side < 2; side++) {
+			s = in.a + (side ? 0.8 : 0.2)*(in.b - in.a);
+			if ((status = between(walk, s, &value, &failed)))
+				return status;
+		}
+		if (!failed)
+			hawser__false_position_take(&in, s, value);
+	}
+	interpolate(walk, failed ? hawser__false_position(&in, 0) : s);
+	if (!failed) {
+		struct hawser__correction correction;
+
+		if ((status = correct(walk, walk->at, walk->at_t, &correction, &failed, walk->report)))
+			return status;
+	}
+	walk->half.base.ops->defects(&walk->half.base, walk->at, 1);
+	return add_branch(walk);
+}
+
 static enum hawser_status arrive(void *owner, enum hawser__arrival *arrival, double taken, double *ds)
 {
 	struct walk *walk = owner;
@@ -291,6 +386,16 @@ static enum hawser_status arrive(void *owner, enum hawser__arrival *arrival, dou
 	(void)taken;
 	(void)ds;
 	*arrival = HAWSER__GO_ON;
+	if (walk->options->branches && walk->next_determinant[0] != walk->determinant[0]) {
+		enum hawser_status status = find_branch(walk);
+		int failed;
+
+		if (!status) /* the integration along `next` again, which record needs */
+			status = correct(walk, walk->next, walk->t, &walk->curve.correction, &failed, walk->report);
+		if (status)
+			return status;
+	}
+	memcpy(walk->determinant, walk->next_determinant, sizeof walk->determinant);
 	memcpy(walk->y, walk->next, bytes);
 	memcpy(walk->t, walk->next_t, bytes);
 	return record(walk, &walk->curve.correction, walk->report);
@@ -320,13 +425,17 @@ static enum hawser_status open_walk(struct walk *walk, struct hawser_report *rep
 	if (status)
 		return status;
 	walk->amplitude = hawser__amplitude_new(walk->rom);
-	walk->y = calloc(5*size, sizeof(double));
+	walk->y = calloc(8*size, sizeof(double));
 	if (!walk->amplitude || !walk->y)
 		return hawser__no_memory(report, where);
 	walk->t = walk->y + size;
 	walk->next = walk->t + size;
 	walk->next_t = walk->next + size;
 	walk->row = walk->next_t + size;
+	walk->at = walk->row + size;
+	walk->at_t = walk->at + size;
+	walk->other = walk->at_t + size;
+	walk->half.periods = walk->options->periods;
 	return HAWSER_OK;
 }
 

@@ -62,7 +62,7 @@ static double defects(struct hawser__orbit *orbit, const double *y, int derive)
 {
 	struct hawser__half *half = of(orbit);
 	int n = orbit->n;
-	struct hawser__stretch stretch = {.h = M_PI/half->steps, .steps = half->steps, .count = 1};
+	struct hawser__stretch stretch = {.h = half->periods*M_PI/half->steps, .steps = half->steps, .count = 1};
 	double sum = 0.0;
 
 	memcpy(half->x, y, (size_t)n*sizeof(double));
@@ -114,6 +114,69 @@ static void solve(struct hawser__orbit *orbit, double *dy, int homogeneous, doub
 	dy[n] *= orbit->W;
 }
 
+double hawser__half_determinant(const struct hawser__half *half, double *sign)
+{
+	int size = half->base.n + 1;
+	double sum = 0.0;
+
+	*sign = 1.0;
+	for (int i = 0; i < size; i++) {
+		double entry = half->matrix[(size_t)i*size + i];
+
+		if ((entry < 0.0) != (half->pivot[i] != i + 1))
+			*sign = -*sign;
+		sum += log(fabs(entry));
+	}
+	return sum;
+}
+
+/* Product of a scaled vector with an unscaled one, in the metric. */
+static double product(const struct hawser__half *half, const double *scaled, int stride, const double *t)
+{
+	int n = half->base.n;
+	double sum = scaled[(size_t)n*stride]*t[n]/half->base.W;
+
+	for (int k = 0; k < n; k++)
+		sum += scaled[(size_t)k*stride]*t[k]/half->scale[k]/n;
+	return sum;
+}
+
+enum hawser_status hawser__half_other(const struct hawser__half *half, double *s, const double *t,
+                                      struct hawser_report *report)
+{
+	int n = half->base.n, m = 2*n, size = n + 1, info;
+	double *room = malloc(((size_t)n*size + (size_t)size*size + 2*(size_t)n)*sizeof *room);
+	double *vt, *singular, a, b, length = 0.0;
+
+	if (!room)
+		return hawser__no_memory(report, where);
+	vt = room + (size_t)n*size;
+	singular = vt + (size_t)size*size;
+	for (int j = 0; j < n; j++) {
+		double over = 1.0/(half->scale[j]*half->base.W);
+
+		for (int k = 0; k < n; k++)
+			room[(size_t)k*n + j] = half->A[(size_t)(n + j)*m + k]*half->scale[k]*over;
+		room[(size_t)n*n + j] = half->b[n + j]*half->base.W*over;
+	}
+	info = LAPACKE_dgesvd(LAPACK_COL_MAJOR, 'N', 'A', n, size, room, n, singular, NULL, 1, vt, size,
+	                      singular + n);
+	/* rows n - 1 and n of vt */
+	a = product(half, vt + n - 1, size, t);
+	b = product(half, vt + n, size, t);
+	for (int k = 0; k < size; k++) {
+		double c = b*vt[(size_t)k*size + n - 1] - a*vt[(size_t)k*size + n];
+
+		s[k] = c*(k < n ? half->scale[k] : half->base.W);
+		length += c*c/(k < n ? n : 1);
+	}
+	for (int k = 0; k < size; k++)
+		s[k] /= sqrt(length);
+	free(room);
+	return info ? hawser__fail(report, HAWSER_ERR_CONVERGENCE, where,
+	                           "the curves at a branch point were not found") : HAWSER_OK;
+}
+
 static const struct hawser__orbit_ops ops = {
 	.metric = metric, .defects = defects, .factor = factor, .solve = solve,
 };
@@ -151,6 +214,7 @@ enum hawser_status hawser__half_init(struct hawser__half *half, const struct haw
 
 	memset(half, 0, sizeof *half);
 	half->base.ops = &ops;
+	half->periods = 1;
 	half->no_damping = calloc(n*n, sizeof(double));
 	half->x = calloc(m, sizeof(double));
 	half->A = calloc(m*m, sizeof(double));

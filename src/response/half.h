@@ -13,6 +13,7 @@ struct hawser__half {
 	double *no_damping;        /* [n][n] */
 	struct hawser__flow flow;
 	int steps;                 /* number of steps of the half period */
+	int periods;               /* the motion repeats after so many periods of Omega; 1 */
 	double *x, *A, *b;         /* [m] end of the half period, its derivatives [m][m], [m] */
 	double *scale;             /* [n] metric: sizes of the coordinates */
 	double *matrix;            /* [n + 1][n + 1] factors, column-major */
@@ -30,5 +31,12 @@ enum hawser_status hawser__half_refine(struct hawser__half *half, struct hawser_
  * integration; at the last derived defects. */
 enum hawser_status hawser__half_unstable(struct hawser__half *half, int *unstable,
                                          struct hawser_report *report);
+
+/* Sign and logarithm of the determinant of the factors, scaled. */
+double hawser__half_determinant(const struct hawser__half *half, double *sign);
+/* s [n + 1]: the vector in the kernel of the last derived defects, without the last row, that is normal
+ * to the tangent t in the metric, of length 1. At a branch point. */
+enum hawser_status hawser__half_other(const struct hawser__half *half, double *s, const double *t,
+                                      struct hawser_report *report);
 
 #endif

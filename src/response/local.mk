@@ -6,7 +6,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/amplitude.h \
 	%D%/bracket.c \
 	%D%/bracket.h \
-	%D%/backbone.c \
+	%D%/backbone.c %D%/backbone.h %D%/backbone_branch.c %D%/nnm.c \
 	%D%/half.c \
 	%D%/half.h \
 	%D%/automatic.c \

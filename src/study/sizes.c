@@ -7,6 +7,7 @@
 
 #include <hawser/accuracy.h>
 #include <hawser/backbone.h>
+#include <hawser/nnm.h>
 #include <hawser/beam.h>
 #include <hawser/beam_motion.h>
 #include <hawser/campbell.h>
@@ -60,6 +61,10 @@ static const struct row {
 	ROW(hawser_backbone),
 	ROW(hawser_backbone_options),
 	ROW(hawser_backbone_point),
+	ROW(hawser_backbone_branch),
+	ROW(hawser_nnm),
+	ROW(hawser_nnm_options),
+	ROW(hawser_nnm_curve),
 	ROW(hawser_beam),
 	ROW(hawser_beam_boundary),
 	ROW(hawser_beam_boundary_options),

@@ -1,0 +1,215 @@
+/* response/nnm.c - see hawser/nnm.h.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <hawser/nnm.h>
+
+#include "core/report.h"
+#include "core/settle.h"
+
+#define SAME 1e-6 /* relative difference of Omega and energy of first points that are mirror images */
+/* Distances of the first point from the branch point, in the metric; chosen. */
+static const double distance[] = {0.02, 0.005, 0.05, 0.15};
+enum { DISTANCES = sizeof distance/sizeof *distance, MOST_CURVES = 60 };
+
+void hawser_nnm_settle(struct hawser_nnm_options *options)
+{
+	hawser__settle(&options->tolerance, 1e-9);
+	hawser__settle(&options->step_max, 0.05);
+	hawser__settle_count(&options->max_points, 1000);
+	hawser__settle_count(&options->periods, 1);
+}
+
+/* The energy of the linear mode at the least amplitude at which a nonlinear term that contains it alone
+ * equals its linear one; where there is no such term, at amplitude 1. */
+static double usual_energy(const struct hawser_rom *rom, int mode)
+{
+	double k = rom->K[(size_t)mode*((size_t)rom->n + 1)], size = INFINITY;
+
+	for (int i = 0; i < rom->quads; i++)
+		if (rom->Q[i].k == mode && rom->Q[i].l == mode && rom->Q[i].value != 0.0)
+			size = fmin(size, k/fabs(rom->Q[i].value));
+	for (int i = 0; i < rom->cubics; i++)
+		if (rom->C[i].k == mode && rom->C[i].l == mode && rom->C[i].m == mode &&
+		    rom->C[i].value != 0.0)
+			size = fmin(size, sqrt(k/fabs(rom->C[i].value)));
+	return isfinite(size) ? 0.5*k*size*size : 0.5*k;
+}
+
+static struct hawser_nnm_curve *add(struct hawser_nnm *nnm, struct hawser_report *report)
+{
+	struct hawser_nnm_curve *more = realloc(nnm->curve, ((size_t)nnm->curves + 1)*sizeof *more);
+
+	if (!more) {
+		(void)hawser__no_memory(report, "nnm");
+		return NULL;
+	}
+	nnm->curve = more;
+	more += nnm->curves++;
+	*more = (struct hawser_nnm_curve){.parent = -1, .born = -1};
+	return more;
+}
+
+/* Omega and energy of all branch points; NULL: no memory. */
+static double *branch_points(const struct hawser_nnm *nnm, int *count)
+{
+	double *list;
+
+	*count = 0;
+	for (int c = 0; c < nnm->curves; c++)
+		*count += nnm->curve[c].motion.branches;
+	list = malloc((2*(size_t)*count + 1)*sizeof *list);
+	*count = 0;
+	for (int c = 0; list && c < nnm->curves; c++)
+		for (int b = 0; b < nnm->curve[c].motion.branches; b++) {
+			list[2**count] = nnm->curve[c].motion.branch[b].omega;
+			list[2*(*count)++ + 1] = nnm->curve[c].motion.branch[b].energy;
+		}
+	return list;
+}
+
+/* A curve that failed after its first points is kept, with the reason; *status becomes HAWSER_OK. */
+static void keep_part(struct hawser_nnm_curve *curve, enum hawser_status *status,
+                      const struct hawser_report *report)
+{
+	if (*status == HAWSER_ERR_CONVERGENCE && curve->motion.points > 1) {
+		snprintf(curve->message, sizeof curve->message, "%s", report->message);
+		*status = HAWSER_OK;
+	}
+}
+
+/* The curve from a branch point to one side. *found 0: there is none. */
+static enum hawser_status leave(struct hawser_nnm *nnm, const struct hawser_rom *rom,
+                                const struct hawser_backbone_options *base, int parent, int born,
+                                double side, int *found, struct hawser_report *report)
+{
+	size_t size = (size_t)rom->n + 1;
+	double *start = malloc(2*size*sizeof *start), *direction = start + size, *known;
+	struct hawser_backbone_options options = *base;
+	struct hawser_nnm_curve *curve = start ? add(nnm, report) : NULL;
+	enum hawser_status status = HAWSER_OK;
+
+	*found = 0;
+	known = branch_points(nnm, &options.known_count);
+	if (!start || !curve || !known) {
+		free(start);
+		free(known);
+		return hawser__no_memory(report, "nnm");
+	}
+	curve->parent = parent;
+	curve->born = born;
+	curve->depth = nnm->curve[parent].depth + 1;
+	options.start = start;
+	options.direction = direction;
+	options.known = known;
+	for (int d = 0; !status && !*found && d < DISTANCES; d++) {
+		const struct hawser_backbone *from = &nnm->curve[parent].motion;
+		const double *at = from->branch_start + (size_t)born*size;
+		const double *s = from->branch_direction + (size_t)born*size;
+
+		for (size_t k = 0; k < size; k++) {
+			direction[k] = side*s[k];
+			start[k] = at[k] + distance[d]*direction[k];
+		}
+		hawser_backbone_clear(&curve->motion);
+		status = hawser_backbone_trace(&curve->motion, rom, &options, report);
+		keep_part(curve, &status, report);
+		*found = !status && curve->motion.points > 1;
+		if (status == HAWSER_ERR_CONVERGENCE)
+			status = HAWSER_OK;
+	}
+	if (!*found) {
+		hawser_backbone_clear(&curve->motion);
+		nnm->curves--;
+	}
+	free(start);
+	free(known);
+	return status;
+}
+
+/* Whether the curve added last is a mirror image of the one before: the other side of the same branch. */
+static int is_image(const struct hawser_nnm *nnm)
+{
+	const struct hawser_backbone *a = &nnm->curve[nnm->curves - 2].motion;
+	const struct hawser_backbone *b = &nnm->curve[nnm->curves - 1].motion;
+
+	return fabs(a->point[0].omega/b->point[0].omega - 1.0) < SAME &&
+	       fabs(a->point[0].energy/b->point[0].energy - 1.0) < SAME;
+}
+
+static enum hawser_status leave_both(struct hawser_nnm *nnm, const struct hawser_rom *rom,
+                                     const struct hawser_backbone_options *options, int parent,
+                                     int born, struct hawser_report *report)
+{
+	int found, other;
+	enum hawser_status status = leave(nnm, rom, options, parent, born, 1.0, &found, report);
+
+	if (!status)
+		status = leave(nnm, rom, options, parent, born, -1.0, &other, report);
+	if (!status && found && other && is_image(nnm))
+		hawser_backbone_clear(&nnm->curve[--nnm->curves].motion);
+	nnm->lost += !status && !found && !other;
+	return status;
+}
+
+enum hawser_status hawser_nnm_trace(struct hawser_nnm *nnm, const struct hawser_rom *rom,
+                                    const struct hawser_nnm_options *options,
+                                    struct hawser_report *report)
+{
+	struct hawser_nnm_options own = *options;
+	struct hawser_backbone_options base = {.mode = own.mode};
+	struct hawser_nnm_curve *first;
+	enum hawser_status status;
+
+	*nnm = (struct hawser_nnm){.n = rom->n};
+	hawser_nnm_settle(&own);
+	if (own.mode < 0 || own.mode >= rom->n)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "nnm", "mode %d: the model has 1 to %d",
+		                    own.mode + 1, rom->n);
+	if (!(own.energy >= 0.0 && isfinite(own.energy)) || own.depth < 0)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "nnm",
+		                    "energy %g (positive and finite), depth %d (0 or more): one is out of "
+		                    "range", own.energy, own.depth);
+	nnm->energy = own.energy > 0.0 ? own.energy : usual_energy(rom, own.mode);
+	base.energy = nnm->energy;
+	base.size = sqrt(2.0*fmax(nnm->energy, 0.0)/
+	                 fmax(rom->K[(size_t)own.mode*((size_t)rom->n + 1)], 1e-300));
+	base.periods = own.periods;
+	base.branches = 1;
+	base.lo = own.lo;
+	base.hi = own.hi;
+	if (own.hi == 0.0) {
+		double w = sqrt(fmax(rom->K[(size_t)own.mode*((size_t)rom->n + 1)], 0.0));
+
+		base.lo = 0.25*w;
+		base.hi = 4.0*w;
+	}
+	base.tolerance = own.tolerance;
+	base.step_max = own.step_max;
+	base.max_points = own.max_points;
+	base.progress = own.progress;
+	if (!(first = add(nnm, report)))
+		return HAWSER_ERR_MEMORY;
+	status = hawser_backbone_trace(&first->motion, rom, &base, report);
+	keep_part(first, &status, report);
+	for (int c = 0; !status && c < nnm->curves && nnm->curve[c].depth < own.depth; c++)
+		for (int b = 0; !status && b < nnm->curve[c].motion.branches &&
+		     nnm->curves < MOST_CURVES; b++)
+			status = leave_both(nnm, rom, &base, c, b, report);
+	return status;
+}
+
+void hawser_nnm_clear(struct hawser_nnm *nnm)
+{
+	if (!nnm)
+		return;
+	for (int c = 0; c < nnm->curves; c++)
+		hawser_backbone_clear(&nnm->curve[c].motion);
+	free(nnm->curve);
+	*nnm = (struct hawser_nnm){.n = 0};
+}
