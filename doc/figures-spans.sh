@@ -1,7 +1,8 @@
 #!/bin/sh
 # Pictures of spans with what people have on them; figures.sh calls it. The ones that spans.md shows are
 # copies: stay-map.svg, carriers.svg, damper-size.svg, damper-place.svg, absorber.svg, spacers.svg; that of
-# theory-response.md is over-tension.svg, that of theory-folds.md is loci.svg.
+# theory-response.md is over-tension.svg, that of theory-folds.md is loci.svg, that of theory-scales.md is
+# nnm-tongue.svg.
 # Needs gnuplot. Writes into the folder given as argument.
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -eu

@@ -2,10 +2,10 @@
  * over energy and frequency, with the branches that begin at internal resonances.
  *
  * The first curve is the backbone that begins at a linear mode (backbone.h). Where another family of
- * motions meets it, the determinant of the system changes its sign; these are its branch points. Each of
- * them is left both ways along the other curve, and so on to a given depth. In a diagram of frequency
- * over energy such branches are tongues: along them a motion of the mode becomes one in which another
- * mode of a multiple of the frequency takes part.
+ * motions meets it, the determinant of the system changes its sign; these are its branch points. They
+ * are left both ways along the other curve, and so on to a given depth. In a diagram of frequency over
+ * energy such curves have tongues: along them a motion of the mode becomes one in which another mode,
+ * of a multiple of the frequency, takes part.
  *
  * Motions of this kind are at rest at two instants of a period. Others, as a cable's whirling, are not
  * found. With `periods` k, branches of motions that repeat after up to k periods are found as well.
@@ -47,6 +47,7 @@ struct hawser_nnm_curve {
 
 struct hawser_nnm {
 	int n, curves, lost; /* lost: branch points from which no curve could be begun */
+	int interrupted;     /* 1: progress.function asked for the end */
 	double energy;       /* the largest, scaled */
 	struct hawser_nnm_curve *curve;
 };

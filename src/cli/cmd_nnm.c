@@ -21,7 +21,8 @@ static const struct settings defaults = {.mode = 1, .from = NULL};
 static const struct cli_option options[] = {
 	{"mode", 0, "J", "the mode at which the motions begin (1)", CLI_COUNT(mode)},
 	{"energy-to", 0, "ENERGY", "largest energy in J (see the manual page)", CLI_POSITIVE(energy)},
-	{"branches", 0, "DEPTH", "follow what begins at branch points, and so on (0)", CLI_INTEGER(branches)},
+	{"branches", 0, "DEPTH", "follow what begins at branch points, to this depth",
+	 CLI_INTEGER(branches)},
 	{"periods", 0, "K", "look for motions of up to K periods (1)", CLI_COUNT(periods)},
 	CLI_RANGE_OPTIONS("end of the range of frequencies (a quarter of the mode's)",
 	                  "the other end (four times the mode's)"),
@@ -48,8 +49,8 @@ static enum hawser_status trace(struct hawser_nnm *nnm, const struct settings *s
 	enum hawser_status status = HAWSER_OK;
 
 	if (settings->mode > model->rom.n)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "nnm", "--mode %d: the model has modes 1 to %d",
-		                    settings->mode, model->rom.n);
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "nnm",
+		                    "--mode %d: the model has modes 1 to %d", settings->mode, model->rom.n);
 	if (settings->from || settings->to) {
 		double w = model->rom.n > 0 ? sqrt(model->rom.K[(size_t)(settings->mode - 1)*
 		                                                ((size_t)model->rom.n + 1)]) : 0.0;

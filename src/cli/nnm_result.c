@@ -28,8 +28,8 @@ static const struct hawser__field point_field[] = {
 	{"unstable", "unstable", "multipliers outside the unit circle", OF(unstable)},
 	CLI_AMPLITUDE(HAWSER__VECTOR_AT, struct row, probe),
 	CLI_COORDINATES(HAWSER__VECTOR_AT, struct row, coordinate),
-	{"start", NULL, "coordinates at an instant of rest", HAWSER__VECTOR_AT(struct row, start, cli_coordinates),
-	 .unit = HAWSER__M},
+	{"start", NULL, "coordinates at an instant of rest",
+	 HAWSER__VECTOR_AT(struct row, start, cli_coordinates), .unit = HAWSER__M},
 	{"residual", "residual", "defect of the orbit, relative", OF(residual)},
 	{"mesh", "mesh", "truncation error of the orbit, relative", OF(mesh)},
 	{"energy_gap", "energy_gap", "largest change of the energy over half a period, relative",
@@ -100,7 +100,8 @@ static void message_json(struct hawser__json *json, json_t *into, const void *ro
 static const struct hawser__field curve_field[] = {
 	{"parent", NULL, "the curve at whose branch point it begins, from 1; 0: the linear mode",
 	 HAWSER__AT(struct curve, parent)},
-	{"branch_point", NULL, "number of that branch point, from 1; 0: none", HAWSER__AT(struct curve, born)},
+	{"branch_point", NULL, "number of that branch point, from 1; 0: none",
+	 HAWSER__AT(struct curve, born)},
 	{"end", NULL, "why it ends", HAWSER__CALLS(end_json)},
 	{"message", NULL, "why it was lost", HAWSER__CALLS(message_json)},
 	{"branch_points", NULL, "where other motions begin, in order along it",
@@ -124,6 +125,8 @@ static const struct hawser__field nnm_field[] = {
 	{"curves", NULL, "the mode's own first, then its branches", HAWSER__OBJECTS_OF(curve_list)},
 	{"not_followed", NULL, "number of branch points from which no curve could be begun",
 	 HAWSER__AT(struct hawser_nnm, lost)},
+	{"interrupted", NULL, "whether curves are incomplete",
+	 HAWSER__FLAG_AT(struct hawser_nnm, interrupted)},
 	{"energy_to", NULL, "the largest energy", HAWSER__AT(struct hawser_nnm, energy), .unit = HAWSER__J},
 	HAWSER__END,
 };
@@ -168,7 +171,8 @@ static void comments(struct hawser__table *table, const void *of)
 
 		for (int b = 0; b < motion->branches; b++)
 			hawser__table_comment(table, "curve %d: branch point at Omega = %.12g%s, energy = %.9g%s",
-			                      c + 1, hawser__in_unit(motion->branch[b].omega, HAWSER__RAD_S, &scale),
+			                      c + 1,
+			                      hawser__in_unit(motion->branch[b].omega, HAWSER__RAD_S, &scale),
 			                      rad_s, hawser__in_unit(motion->branch[b].energy, HAWSER__J, &scale),
 			                      joule);
 		if (curve->parent >= 0)
@@ -177,6 +181,8 @@ static void comments(struct hawser__table *table, const void *of)
 		hawser__table_comment(table, "curve %d: %d points, ends at %s%s%s", c + 1, motion->points,
 		                      end_of(curve), *curve->message ? ": " : "", curve->message);
 	}
+	if (nnm->interrupted)
+		hawser__table_comment(table, "interrupted: the curves are incomplete");
 	if (nnm->lost > 0)
 		hawser__table_comment(table, "%d branch points from which no curve could be begun", nnm->lost);
 }

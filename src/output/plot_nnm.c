@@ -77,7 +77,8 @@ enum hawser_status hawser__plot_nnm(const char *path, const struct hawser__nnm_p
 		int depth = of->nnm->curve[c].depth;
 		const char *look = style[depth < STYLES ? depth : STYLES - 1];
 
-		fprintf(script, "$stable%d with lines %s, $unstable%d with lines %s dt (6,4), ", c, look, c, look);
+		fprintf(script, "$stable%d with lines %s, $unstable%d with lines %s dt (6,4), ", c, look,
+		        c, look);
 	}
 	fputs("$marks with points pt 7 ps 0.5 lc rgb 'black'\n", script);
 	hawser__legend_add(&entries, "the mode", "with lines %s", style[0]);

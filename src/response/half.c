@@ -62,7 +62,8 @@ static double defects(struct hawser__orbit *orbit, const double *y, int derive)
 {
 	struct hawser__half *half = of(orbit);
 	int n = orbit->n;
-	struct hawser__stretch stretch = {.h = half->periods*M_PI/half->steps, .steps = half->steps, .count = 1};
+	struct hawser__stretch stretch = {.h = half->periods*M_PI/half->steps, .steps = half->steps,
+		.count = 1};
 	double sum = 0.0;
 
 	memcpy(half->x, y, (size_t)n*sizeof(double));

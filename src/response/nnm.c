@@ -118,6 +118,7 @@ static enum hawser_status leave(struct hawser_nnm *nnm, const struct hawser_rom 
 		}
 		hawser_backbone_clear(&curve->motion);
 		status = hawser_backbone_trace(&curve->motion, rom, &options, report);
+		nnm->interrupted = !status && curve->motion.end == HAWSER_BACKBONE_STOPPED;
 		keep_part(curve, &status, report);
 		*found = !status && curve->motion.points > 1;
 		if (status == HAWSER_ERR_CONVERGENCE)
@@ -146,14 +147,14 @@ static enum hawser_status leave_both(struct hawser_nnm *nnm, const struct hawser
                                      const struct hawser_backbone_options *options, int parent,
                                      int born, struct hawser_report *report)
 {
-	int found, other;
+	int found, other = 0;
 	enum hawser_status status = leave(nnm, rom, options, parent, born, 1.0, &found, report);
 
-	if (!status)
+	if (!status && !nnm->interrupted)
 		status = leave(nnm, rom, options, parent, born, -1.0, &other, report);
 	if (!status && found && other && is_image(nnm))
 		hawser_backbone_clear(&nnm->curve[--nnm->curves].motion);
-	nnm->lost += !status && !found && !other;
+	nnm->lost += !status && !found && !other && !nnm->interrupted;
 	return status;
 }
 
@@ -196,9 +197,10 @@ enum hawser_status hawser_nnm_trace(struct hawser_nnm *nnm, const struct hawser_
 	if (!(first = add(nnm, report)))
 		return HAWSER_ERR_MEMORY;
 	status = hawser_backbone_trace(&first->motion, rom, &base, report);
+	nnm->interrupted = !status && first->motion.end == HAWSER_BACKBONE_STOPPED;
 	keep_part(first, &status, report);
-	for (int c = 0; !status && c < nnm->curves && nnm->curve[c].depth < own.depth; c++)
-		for (int b = 0; !status && b < nnm->curve[c].motion.branches &&
+	for (int c = 0; !status && !nnm->interrupted && c < nnm->curves && nnm->curve[c].depth < own.depth; c++)
+		for (int b = 0; !status && !nnm->interrupted && b < nnm->curve[c].motion.branches &&
 		     nnm->curves < MOST_CURVES; b++)
 			status = leave_both(nnm, rom, &base, c, b, report);
 	return status;
