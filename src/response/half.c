@@ -132,7 +132,8 @@ double hawser__half_determinant(const struct hawser__half *half, double *sign)
 }
 
 /* Product of a scaled vector with an unscaled one, in the metric. */
-static double product(const struct hawser__half *half, const double *scaled, int stride, const double *t)
+static double product(const struct hawser__half *half, const double *scaled, int stride,
+                      const double *t)
 {
 	int n = half->base.n;
 	double sum = scaled[(size_t)n*stride]*t[n]/half->base.W;

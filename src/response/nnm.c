@@ -133,7 +133,7 @@ static enum hawser_status leave(struct hawser_nnm *nnm, const struct hawser_rom 
 	return status;
 }
 
-/* Whether the curve added last is a mirror image of the one before: the other side of the same branch. */
+/* Whether the curve added last is a mirror image of the one before, the other side of the branch. */
 static int is_image(const struct hawser_nnm *nnm)
 {
 	const struct hawser_backbone *a = &nnm->curve[nnm->curves - 2].motion;
@@ -199,8 +199,8 @@ enum hawser_status hawser_nnm_trace(struct hawser_nnm *nnm, const struct hawser_
 	status = hawser_backbone_trace(&first->motion, rom, &base, report);
 	nnm->interrupted = !status && first->motion.end == HAWSER_BACKBONE_STOPPED;
 	keep_part(first, &status, report);
-	for (int c = 0; !status && !nnm->interrupted && c < nnm->curves && nnm->curve[c].depth < own.depth; c++)
-		for (int b = 0; !status && !nnm->interrupted && b < nnm->curve[c].motion.branches &&
+	for (int c = 0; !status && !nnm->interrupted && c < nnm->curves; c++)
+		for (int b = 0; nnm->curve[c].depth < own.depth && !status && !nnm->interrupted && b < nnm->curve[c].motion.branches &&
 		     nnm->curves < MOST_CURVES; b++)
 			status = leave_both(nnm, rom, &base, c, b, report);
 	return status;
