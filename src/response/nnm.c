@@ -158,6 +158,21 @@ static enum hawser_status leave_both(struct hawser_nnm *nnm, const struct hawser
 	return status;
 }
 
+/* All branches of a curve, if it is not as deep as asked for. */
+static enum hawser_status leave_all(struct hawser_nnm *nnm, const struct hawser_rom *rom,
+                                    const struct hawser_backbone_options *options, int parent,
+                                    int depth, struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+
+	if (nnm->curve[parent].depth >= depth)
+		return status;
+	for (int b = 0; !status && b < nnm->curve[parent].motion.branches; b++)
+		if (!nnm->interrupted && nnm->curves < MOST_CURVES)
+			status = leave_both(nnm, rom, options, parent, b, report);
+	return status;
+}
+
 enum hawser_status hawser_nnm_trace(struct hawser_nnm *nnm, const struct hawser_rom *rom,
                                     const struct hawser_nnm_options *options,
                                     struct hawser_report *report)
@@ -200,9 +215,7 @@ enum hawser_status hawser_nnm_trace(struct hawser_nnm *nnm, const struct hawser_
 	nnm->interrupted = !status && first->motion.end == HAWSER_BACKBONE_STOPPED;
 	keep_part(first, &status, report);
 	for (int c = 0; !status && !nnm->interrupted && c < nnm->curves; c++)
-		for (int b = 0; nnm->curve[c].depth < own.depth && !status && !nnm->interrupted && b < nnm->curve[c].motion.branches &&
-		     nnm->curves < MOST_CURVES; b++)
-			status = leave_both(nnm, rom, &base, c, b, report);
+		status = leave_all(nnm, rom, &base, c, own.depth, report);
 	return status;
 }
 

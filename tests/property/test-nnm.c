@@ -114,7 +114,8 @@ static void check_branches(void)
 	        nnm.curves))
 		return;
 	meets = &nnm.curve[0].motion.branch[2];
-	ok(fabs(3.0*at_tongue[0]/meets->omega - 1.0) < 1e-6 && fabs(at_tongue[1]/meets->energy - 1.0) < 1e-4,
+	ok(fabs(3.0*at_tongue[0]/meets->omega - 1.0) < 1e-6 &&
+	   fabs(at_tongue[1]/meets->energy - 1.0) < 1e-4,
 	   "the tongue meets it at a third of its frequency: %.9g, %.9g", 3.0*at_tongue[0], meets->omega);
 	for (int c = 1; c < nnm.curves; c++) {
 		const struct hawser_backbone *motion = &nnm.curve[c].motion;
@@ -123,7 +124,8 @@ static void check_branches(void)
 			action(&gap, motion->start + 2*(size_t)i, motion->point[i].omega/3.0);
 			worst = fmax(worst, gap);
 		}
-		action(&gap, motion->start + 2*(size_t)(motion->points/2), motion->point[motion->points/2].omega);
+		action(&gap, motion->start + 2*(size_t)(motion->points/2),
+		       motion->point[motion->points/2].omega);
 		alone = fmin(alone, gap);
 		ok(nnm.curve[c].born > 1 || motion->end == HAWSER_BACKBONE_MEETS,
 		   "branch %d returns to a branch point", c);
