@@ -1,7 +1,8 @@
 /* response/plane.c - the models of a family, multiplied by a factor; see hawser/family.h.
  *
  * A model of the family is asked for at every call, so that it is there as long as one is kept that is
- * made from it. What is kept is made anew where the family has made its model anew.
+ * made from it. What is kept is made anew where the family has made its model anew. The first model
+ * stays to the end: a response that is traced has it as its own.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -49,7 +50,7 @@ static enum hawser_status model(void *context, const struct hawser_rom **rom, co
 	if (status)
 		return status;
 	*kept = (struct kept){.from = from, .p = {p[0], p[1]}, .family = kept->family};
-	plane->next = (plane->next + 1)%KEPT;
+	plane->next = plane->next%(KEPT - 1) + 1;
 	status = kept->family.model(kept->family.context, &kept->rom, p[plane->place], report);
 	*rom = kept->rom;
 	return status;
