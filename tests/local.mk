@@ -68,6 +68,7 @@ include %D%/scene.mk
 include %D%/statics.mk
 include %D%/modes.mk
 include %D%/beam.mk
+include %D%/net.mk
 include %D%/rom.mk
 include %D%/response.mk
 include %D%/integrate.mk

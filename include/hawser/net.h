@@ -7,6 +7,7 @@
 #ifndef HAWSER_NET_H
 #define HAWSER_NET_H
 
+#include <stddef.h>
 #include <hawser/status.h>
 
 #ifdef __cplusplus
@@ -68,12 +69,67 @@ struct hawser_net {
 	struct hawser_net_load *load;   /* [loads] */
 	struct hawser_net_load *motion; /* [motions] of supports */
 	int nodes, cables, loads, motions;
+	int *order;         /* [nodes + cables] numbers of the nodes, then of the cables, by name */
 	double alpha;       /* viscous force per unstretched length and velocity, kg/(m s) */
 	double axial;       /* Kelvin-Voigt: T = EA*(strain + axial*its rate), s */
 	struct hawser_net_dynamics dynamics;
 };
 
+/* Read a scene of kind `net`; `set` has overrides, such as "cables.c1.EA=100 MN". */
+enum hawser_status hawser_net_open(struct hawser_net *net, const char *path,
+                                   const char *const *set /* [nset] */, size_t nset,
+                                   struct hawser_report *report) HAWSER_MUST_CHECK;
+/* 1 if this file is a scene of kind `net`: a line begins with "kind:" or "nodes:". "-", which can be
+ * read once only, is none. */
+int hawser_net_is(const char *path);
 void hawser_net_clear(struct hawser_net *net);
+
+/* --- statics --- */
+
+struct hawser_net_options {
+	const char *method; /* a row of hawser_net_method; NULL: the first */
+	double tolerance;   /* of the largest force that is not balanced, over weight and loads; 0: 1e-10 */
+	int iterations;     /* most; 0: the method's own */
+};
+
+/* What a cable has come to. */
+struct hawser_net_member {
+	double T_min, T_max, T_from, T_to; /* N: of its elements, and of the first and last */
+	double length0, length;            /* m */
+	int slack;                         /* number of elements without tension */
+};
+
+/* A node of the mesh on a cable. */
+struct hawser_net_point {
+	int cable;
+	double S;    /* m, unstretched length from the end `from` */
+	double x[3]; /* m */
+	double T;    /* N: mean of both elements */
+};
+
+struct hawser_net_statics {
+	int nodes, cables, points, unknowns;
+	double (*x)[3];        /* [nodes] positions */
+	double (*reaction)[3]; /* [nodes] forces of the supports on the net, N; 0 where nothing is held */
+	struct hawser_net_member *member; /* [cables] */
+	struct hawser_net_point *point;   /* [points] along cable 0, cable 1 and so on */
+	double energy;         /* J: strain energy minus loads times positions */
+	double gap;            /* J: the energy is at most this above the least one */
+	double residual;       /* N: largest component of a force that is not balanced */
+	double floor;          /* N: what round-off allows */
+	const char *method;
+	int iterations;
+};
+/* The only equilibrium of the net: cables carry tension only. */
+enum hawser_status hawser_net_solve(struct hawser_net_statics *st, const struct hawser_net *net,
+                                    const struct hawser_net_options *options /* or NULL */,
+                                    struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser_net_statics_clear(struct hawser_net_statics *st);
+
+struct hawser_net_method {
+	const char *name, *summary, *source;
+};
+const struct hawser_net_method *hawser_net_method(int index); /* NULL beyond the last */
 
 #ifdef __cplusplus
 }

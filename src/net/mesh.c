@@ -31,6 +31,7 @@ void hawser__mesh_clear(struct hawser__mesh *mesh)
 	free(mesh->cable);
 	free(mesh->length0);
 	free(mesh->EA);
+	free(mesh->density);
 	free(mesh->rho);
 	free(mesh->q);
 	free(mesh->unknown);
@@ -80,6 +81,7 @@ static enum hawser_status allocate(struct hawser__mesh *mesh, const struct hawse
 	mesh->cable = calloc(elements, sizeof *mesh->cable);
 	mesh->length0 = calloc(elements, sizeof *mesh->length0);
 	mesh->EA = calloc(elements, sizeof *mesh->EA);
+	mesh->density = calloc(elements, sizeof *mesh->density);
 	mesh->rho = calloc(elements, sizeof *mesh->rho);
 	mesh->q = calloc(nodes, sizeof *mesh->q);
 	mesh->unknown = calloc(nodes, sizeof *mesh->unknown);
@@ -88,8 +90,8 @@ static enum hawser_status allocate(struct hawser__mesh *mesh, const struct hawse
 	mesh->wave = calloc(waves, sizeof *mesh->wave);
 	mesh->motion = calloc((size_t)net->motions + 1, sizeof *mesh->motion);
 	return mesh->first && mesh->inner && mesh->end && mesh->cable && mesh->length0 && mesh->EA &&
-	       mesh->rho && mesh->q && mesh->unknown && mesh->mass && mesh->force && mesh->wave &&
-	       mesh->motion ? HAWSER_OK : hawser__no_memory(report, "net");
+	       mesh->density && mesh->rho && mesh->q && mesh->unknown && mesh->mass && mesh->force &&
+	       mesh->wave && mesh->motion ? HAWSER_OK : hawser__no_memory(report, "net");
 }
 
 /* Elements of one cable, and its inner nodes from number `node`. */
@@ -224,9 +226,12 @@ double hawser__mesh_energy(const struct hawser__mesh *mesh)
 	double sum = 0.0, e[3];
 
 	for (int i = 0; i < mesh->elements; i++) {
-		double p = hawser__mesh_direction(e, mesh, i) - mesh->length0[i];
+		double l = hawser__mesh_direction(e, mesh, i), p = l - mesh->length0[i];
 
-		sum += p > 0.0 ? mesh->EA[i]/mesh->length0[i]*p*p/2.0 : 0.0;
+		if (mesh->density[i] > 0.0)
+			sum += mesh->density[i]*l*l/2.0;
+		else if (p > 0.0)
+			sum += mesh->EA[i]/mesh->length0[i]*p*p/2.0;
 	}
 	for (int i = 0; i < mesh->nodes; i++)
 		for (int k = 0; k < 3; k++)
@@ -240,8 +245,9 @@ void hawser__mesh_gradient(double (*residual)[3], double *T, const struct hawser
 		for (int k = 0; k < 3; k++)
 			residual[i][k] = -mesh->force[i][k];
 	for (int i = 0; i < mesh->elements; i++) {
-		double e[3], p = hawser__mesh_direction(e, mesh, i) - mesh->length0[i];
-		double tension = p > 0.0 ? mesh->EA[i]/mesh->length0[i]*p : 0.0;
+		double e[3], l = hawser__mesh_direction(e, mesh, i), p = l - mesh->length0[i];
+		double tension = mesh->density[i] > 0.0 ? mesh->density[i]*l
+			: p > 0.0 ? mesh->EA[i]/mesh->length0[i]*p : 0.0;
 
 		for (int k = 0; k < 3; k++) {
 			residual[mesh->end[i][0]][k] -= tension*e[k];
@@ -260,6 +266,8 @@ double hawser__mesh_floor(const struct hawser__mesh *mesh)
 		const double *a = mesh->q[mesh->end[i][0]], *b = mesh->q[mesh->end[i][1]];
 		double reach = mesh->length0[i];
 
+		if (mesh->density[i] > 0.0)
+			continue;
 		for (int k = 0; k < 3; k++)
 			reach = fmax(reach, fmax(fabs(a[k]), fabs(b[k])));
 		most = fmax(most, mesh->EA[i]/mesh->length0[i]*reach*DBL_EPSILON);

@@ -16,6 +16,7 @@ void hawser_net_clear(struct hawser_net *net)
 	free(net->name);
 	free(net->node);
 	free(net->cable);
+	free(net->order);
 	free(net->load);
 	free(net->motion);
 	free(net->dynamics.from);

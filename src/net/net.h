@@ -22,6 +22,8 @@ struct hawser__mesh {
 	int *cable;            /* [elements] the cable it is of */
 	double *length0;       /* [elements] m */
 	double *EA;            /* [elements] N */
+	double *density;       /* [elements] N/m; positive only within form finding, where the tension
+	                        * of the element is density*l */
 	double *rho;           /* [elements] kg/m per unstretched length */
 	double (*q)[3];        /* [nodes] positions: of supports as given; of the others as last solved */
 	int (*unknown)[3];     /* [nodes] index of the unknown of each direction; -1 if it is held */
@@ -79,6 +81,11 @@ enum hawser_status hawser__sparse_factor(struct hawser__sparse *sparse, int *def
 enum hawser_status hawser__sparse_solve(double *x, struct hawser__sparse *sparse,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* A part of the net that no support holds in one direction: it has no equilibrium, or one at any place.
+ * *lost is its first node, -1 if there is none; part [nodes] gets the first node of each part. */
+enum hawser_status hawser__mesh_loose(int *lost, int *direction, const struct hawser__mesh *mesh,
+                                      int *part, struct hawser_report *report) HAWSER_MUST_CHECK;
+
 /* What statics found. */
 struct hawser__equilibrium {
 	double energy;     /* J, Pi */
@@ -100,5 +107,11 @@ enum hawser_status hawser__mesh_statics(struct hawser__mesh *mesh, double *T,
                                         struct hawser__equilibrium *found,
                                         const struct hawser__mesh_options *options,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+/* The same for a net whose cables may have tension, force_density or sag: finds the shape, then the
+ * unstretched lengths of the elements, and solves with these. */
+enum hawser_status hawser__mesh_form(struct hawser__mesh *mesh, double *T,
+                                     struct hawser__equilibrium *found, const struct hawser_net *net,
+                                     const struct hawser__mesh_options *options,
+                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 
 #endif

@@ -1,0 +1,85 @@
+/* net/mixed.c - equilibrium of a net without slack members: Newton's method for positions and forces.
+ *
+ * N  force of an element, an unknown of its own beside the positions q
+ *
+ * Newton's method for q alone takes T(q) in the geometric stiffness, over-stretches far from the
+ * solution and compresses elements. With N as an unknown, eliminated element by element, the matrix
+ * sum of (EA/length0)*e*e' + (N/l)*(I - e*e') is positive definite, and 7 iterations do. Where a member
+ * is slack it does not converge; net/interior.c does.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+
+#include "core/report.h"
+#include "net/solve.h"
+
+enum { MOST = 40, CLIPPED = 4 };
+
+static void assemble(struct hawser__net_work *work)
+{
+	const struct hawser__mesh *mesh = work->mesh;
+
+	for (int i = 0; i < mesh->elements; i++) {
+		double e[3], l = fmax(hawser__mesh_direction(e, mesh, i), 1e-12*mesh->length0[i]);
+
+		if (mesh->density[i] > 0.0) {
+			work->a[i] = mesh->density[i];
+			work->b[i] = 0.0;
+			continue;
+		}
+		work->T[i] = mesh->EA[i]*((l - mesh->length0[i])/mesh->length0[i]);
+		work->a[i] = work->N[i]/l;
+		work->b[i] = mesh->EA[i]/mesh->length0[i] - work->a[i];
+	}
+	hawser__net_right(work, work->T);
+}
+
+/* The new forces; returns 1 if one of them is at its lower bound. */
+static int forces(struct hawser__net_work *work)
+{
+	const struct hawser__mesh *mesh = work->mesh;
+	int clipped = 0;
+
+	for (int i = 0; i < mesh->elements; i++) {
+		double e[3], d[3], l = hawser__mesh_direction(e, mesh, i), N;
+
+		if (mesh->density[i] > 0.0)
+			continue;
+		hawser__net_stretch(d, work, i);
+		N = mesh->EA[i]*((l - mesh->length0[i] + e[0]*d[0] + e[1]*d[1] + e[2]*d[2])/mesh->length0[i]);
+		clipped |= N < 1e-6*work->weight;
+		work->N[i] = fmax(N, fmax(0.1*work->N[i], 1e-6*work->weight));
+	}
+	return clipped;
+}
+
+enum hawser_status hawser__net_mixed(struct hawser__net_work *work, int *done,
+                                     struct hawser_report *report)
+{
+	int most = work->most ? work->most : MOST, clipped = 0;
+	enum hawser_status status = HAWSER_OK;
+
+	*done = 0;
+	for (int i = 0; i < most && !*done; i++) {
+		double residual;
+		int definite;
+
+		assemble(work);
+		status = hawser__net_factor(work, &definite, report);
+		if (!status && definite)
+			status = hawser__sparse_solve(work->x, work->sparse, report);
+		if (status || !definite)
+			break;
+		clipped = forces(work) ? clipped + 1 : 0;
+		hawser__net_move(work, 1.0);
+		work->factored = 0;
+		work->iterations++;
+		residual = hawser__net_residual(work);
+		*done = residual <= work->tolerance;
+		if (!isfinite(residual) || (!work->most && clipped > CLIPPED))
+			break;
+	}
+	return status;
+}

@@ -1,0 +1,135 @@
+/* net/solution.c - statics of a net as its user sees it: positions and tensions by name.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "net/net.h"
+
+void hawser_net_statics_clear(struct hawser_net_statics *st)
+{
+	if (!st)
+		return;
+	free(st->x);
+	free(st->reaction);
+	free(st->member);
+	free(st->point);
+	memset(st, 0, sizeof *st);
+}
+
+/* Fail for a part without support, with the names of its nodes. */
+static enum hawser_status supported(const struct hawser__mesh *mesh, const struct hawser_net *net,
+                                    struct hawser_report *report)
+{
+	int *part = malloc((size_t)mesh->nodes*sizeof *part), lost = -1, direction = 0, count = 0;
+	enum hawser_status status = part ? hawser__mesh_loose(&lost, &direction, mesh, part, report)
+	                                 : hawser__no_memory(report, "net");
+	char names[160] = "";
+
+	for (int i = 0; lost >= 0 && i < net->nodes; i++) {
+		size_t used = strlen(names);
+
+		if (part[i] == lost && ++count <= 4)
+			snprintf(names + used, sizeof names - used, "%s%s", count > 1 ? ", " : "",
+			         net->node[i].name);
+	}
+	free(part);
+	if (status || lost < 0)
+		return status;
+	return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "net",
+	                    "%s: the part of the net with the node%s %s%s has no support in direction "
+	                    "%c, so that it has no equilibrium: add one of its nodes to supports",
+	                    net->name,
+	                    count == 1 ? "" : "s", names, count > 4 ? ", ..." : "", "xyz"[direction]);
+}
+
+static void member(struct hawser_net_statics *st, int c, const struct hawser__mesh *mesh,
+                   const double *T)
+{
+	struct hawser_net_member *m = &st->member[c];
+	int first = mesh->first[c], last = mesh->first[c + 1] - 1;
+
+	*m = (struct hawser_net_member){.T_min = INFINITY, .T_from = T[first], .T_to = T[last]};
+	for (int i = first; i <= last; i++) {
+		struct hawser_net_point *point = &st->point[st->points++];
+		double e[3], l = hawser__mesh_direction(e, mesh, i);
+
+		point->cable = c;
+		point->S = m->length0;
+		memcpy(point->x, mesh->q[mesh->end[i][0]], sizeof point->x);
+		point->T = (T[i] + T[i > first ? i - 1 : i])/2.0;
+		m->T_min = fmin(m->T_min, T[i]);
+		m->T_max = fmax(m->T_max, T[i]);
+		m->slack += l < mesh->length0[i];
+		m->length0 += mesh->length0[i];
+		m->length += l;
+	}
+	st->point[st->points] = (struct hawser_net_point){.cable = c, .S = m->length0, .T = T[last]};
+	memcpy(st->point[st->points++].x, mesh->q[mesh->end[last][1]], sizeof st->point->x);
+}
+
+static enum hawser_status fill(struct hawser_net_statics *st, const struct hawser__mesh *mesh,
+                               const double *T, struct hawser_report *report)
+{
+	double (*residual)[3] = malloc((size_t)mesh->nodes*sizeof *residual);
+	size_t nodes = (size_t)st->nodes, cables = (size_t)st->cables;
+
+	st->x = calloc(nodes, sizeof *st->x);
+	st->reaction = calloc(nodes, sizeof *st->reaction);
+	st->member = calloc(cables, sizeof *st->member);
+	st->point = calloc((size_t)mesh->elements + cables, sizeof *st->point);
+	if (!residual || !st->x || !st->reaction || !st->member || !st->point) {
+		free(residual);
+		return hawser__no_memory(report, "net");
+	}
+	hawser__mesh_gradient(residual, NULL, mesh);
+	for (int i = 0; i < st->nodes; i++) {
+		memcpy(st->x[i], mesh->q[i], sizeof st->x[i]);
+		for (int k = 0; k < 3; k++)
+			st->reaction[i][k] = mesh->unknown[i][k] < 0 ? residual[i][k] : 0.0;
+	}
+	for (int c = 0; c < st->cables; c++)
+		member(st, c, mesh, T);
+	free(residual);
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser_net_solve(struct hawser_net_statics *st, const struct hawser_net *net,
+                                    const struct hawser_net_options *options,
+                                    struct hawser_report *report)
+{
+	struct hawser__mesh_options settings = {0};
+	struct hawser__mesh mesh = {0};
+	struct hawser__equilibrium found;
+	double *T = NULL;
+	enum hawser_status status;
+
+	memset(st, 0, sizeof *st);
+	if (options)
+		settings = (struct hawser__mesh_options){.method = options->method,
+		                                         .tolerance = options->tolerance,
+		                                         .iterations = options->iterations};
+	status = hawser__mesh_build(&mesh, net, report);
+	if (!status)
+		status = supported(&mesh, net, report);
+	if (!status && !(T = calloc((size_t)mesh.elements, sizeof *T)))
+		status = hawser__no_memory(report, "net");
+	if (!status)
+		status = hawser__mesh_form(&mesh, T, &found, net, &settings, report);
+	if (!status) {
+		*st = (struct hawser_net_statics){
+			.nodes = net->nodes, .cables = net->cables, .unknowns = mesh.unknowns,
+			.energy = found.energy, .gap = found.gap, .residual = found.residual,
+			.floor = found.floor, .method = found.method, .iterations = found.iterations};
+		status = fill(st, &mesh, T, report);
+	}
+	free(T);
+	hawser__mesh_clear(&mesh);
+	if (status)
+		hawser_net_statics_clear(st);
+	return status;
+}

@@ -1,0 +1,320 @@
+/* net/tree.c - see net/tree.h. The depth is bounded, the events are those of scene/events.c (no
+ * anchors, aliases, tags), and duplicate names of a mapping are found when it is complete.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "net/tree.h"
+
+enum { DEEPEST = 8 };
+
+void hawser__tree_clear(struct hawser__tree *tree)
+{
+	while (tree) {
+		struct hawser__tree *next = tree->next;
+
+		hawser__tree_clear(tree->child); /* at most DEEPEST levels */
+		free(tree->name);
+		free(tree->text);
+		free(tree);
+		tree = next;
+	}
+}
+
+struct hawser__tree *hawser__tree_find(const struct hawser__tree *tree, const char *name)
+{
+	struct hawser__tree *child = tree ? tree->child : NULL;
+
+	while (child && (!child->name || strcmp(child->name, name) != 0))
+		child = child->next;
+	return child;
+}
+
+static void append(struct hawser__tree *parent, struct hawser__tree *child)
+{
+	if (parent->last)
+		parent->last->next = child;
+	else
+		parent->child = child;
+	parent->last = child;
+	parent->children++;
+}
+
+static enum hawser_status value(struct hawser__tree **made, struct hawser__reader *reader,
+                                const yaml_event_t *event, int depth);
+
+/* The name of an entry; *end is 1 at the end of the mapping. */
+static enum hawser_status name_of(char name[HAWSER__TEXT], struct hawser__place *place, int *end,
+                                  struct hawser__reader *reader)
+{
+	yaml_event_t event;
+	enum hawser_status status = hawser__event_next(reader, &event);
+
+	if (status)
+		return status;
+	*place = hawser__event_place(reader, &event);
+	*end = event.type == YAML_MAPPING_END_EVENT;
+	if (!*end && event.type != YAML_SCALAR_EVENT)
+		status = hawser__reader_fail(reader, place, "a key must be a word, not a %s",
+		                             event.type == YAML_SEQUENCE_START_EVENT ? "list" : "mapping");
+	else if (!*end)
+		status = hawser__event_text(reader, name, &event, "this key");
+	yaml_event_delete(&event);
+	return status;
+}
+
+static int by_name(const void *a, const void *b)
+{
+	return strcmp((*(struct hawser__tree *const *)a)->name, (*(struct hawser__tree *const *)b)->name);
+}
+
+static enum hawser_status no_twins(struct hawser__reader *reader, const struct hawser__tree *tree)
+{
+	struct hawser__tree **list = malloc(((size_t)tree->children + 1)*sizeof(struct hawser__tree *));
+	enum hawser_status status = HAWSER_OK;
+	size_t count = 0;
+	char shown[HAWSER__SHOWN];
+
+	if (!list)
+		return hawser__no_memory(reader->report, "scene");
+	for (struct hawser__tree *child = tree->child; child; child = child->next)
+		list[count++] = child;
+	qsort(list, count, sizeof *list, by_name);
+	for (size_t i = 1; i < count && !status; i++)
+		if (!strcmp(list[i]->name, list[i - 1]->name)) {
+			int later = list[i]->at.line > list[i - 1]->at.line;
+
+			status = hawser__reader_fail(reader, &list[later ? i : i - 1]->at,
+			                             "duplicate key %s, already given in line %zu: keep one",
+			                             hawser__shown(shown, list[i]->name),
+			                             list[later ? i - 1 : i]->at.line);
+		}
+	free(list);
+	return status;
+}
+
+static enum hawser_status entries(struct hawser__tree *tree, struct hawser__reader *reader, int depth)
+{
+	enum hawser_status status = HAWSER_OK;
+
+	for (int end = 0; !status && !end;) {
+		char name[HAWSER__TEXT];
+		struct hawser__place place;
+		struct hawser__tree *child = NULL;
+		yaml_event_t event;
+
+		status = name_of(name, &place, &end, reader);
+		if (status || end)
+			break;
+		status = hawser__event_next(reader, &event);
+		if (status)
+			break;
+		status = value(&child, reader, &event, depth);
+		yaml_event_delete(&event);
+		if (!child)
+			break;
+		append(tree, child);
+		child->at = place;
+		child->name = strdup(name);
+		if (!child->name)
+			status = hawser__no_memory(reader->report, "scene");
+	}
+	return status ? status : no_twins(reader, tree);
+}
+
+static enum hawser_status items(struct hawser__tree *tree, struct hawser__reader *reader, int depth)
+{
+	enum hawser_status status = HAWSER_OK;
+
+	for (int end = 0; !status && !end;) {
+		struct hawser__tree *child = NULL;
+		yaml_event_t event;
+
+		status = hawser__event_next(reader, &event);
+		if (status)
+			break;
+		end = event.type == YAML_SEQUENCE_END_EVENT;
+		if (!end)
+			status = value(&child, reader, &event, depth);
+		yaml_event_delete(&event);
+		if (child)
+			append(tree, child);
+	}
+	return status;
+}
+
+static enum hawser_status value(struct hawser__tree **made, struct hawser__reader *reader,
+                                const yaml_event_t *event, int depth)
+{
+	struct hawser__tree *tree = calloc(1, sizeof *tree);
+	char text[HAWSER__TEXT];
+	enum hawser_status status;
+
+	*made = tree;
+	if (!tree)
+		return hawser__no_memory(reader->report, "scene");
+	tree->at = hawser__event_place(reader, event);
+	if (depth > DEEPEST)
+		return hawser__reader_fail(reader, &tree->at, "nothing in a scene is nested that deep");
+	if (event->type == YAML_MAPPING_START_EVENT) {
+		tree->kind = HAWSER__MAPPING;
+		return entries(tree, reader, depth + 1);
+	}
+	if (event->type == YAML_SEQUENCE_START_EVENT) {
+		tree->kind = HAWSER__SEQUENCE;
+		return items(tree, reader, depth + 1);
+	}
+	status = hawser__event_text(reader, text, event, "this value");
+	if (status)
+		return status;
+	tree->text = strdup(text);
+	return tree->text ? HAWSER_OK : hawser__no_memory(reader->report, "scene");
+}
+
+/* Read one document. */
+static enum hawser_status document(struct hawser__tree **tree, struct hawser__reader *reader,
+                                   const char *text, size_t length)
+{
+	yaml_parser_t yaml;
+	enum hawser_status status = HAWSER_OK;
+
+	*tree = NULL;
+	memset(&yaml, 0, sizeof yaml);
+	if (!yaml_parser_initialize(&yaml))
+		return hawser__no_memory(reader->report, "scene");
+	reader->yaml = &yaml;
+	yaml_parser_set_input_string(&yaml, (const unsigned char *)text, length);
+	for (int ended = 0; !status && !ended;) {
+		yaml_event_t event;
+		struct hawser__place here;
+
+		status = hawser__event_next(reader, &event);
+		if (status)
+			break;
+		here = hawser__event_place(reader, &event);
+		ended = event.type == YAML_STREAM_END_EVENT;
+		if (event.type == YAML_DOCUMENT_START_EVENT && *tree)
+			status = hawser__reader_fail(reader, &here, "a second document begins here: a scene is "
+			                             "one document, so remove what follows");
+		else if (event.type == YAML_SCALAR_EVENT || event.type == YAML_MAPPING_START_EVENT ||
+		         event.type == YAML_SEQUENCE_START_EVENT)
+			status = value(tree, reader, &event, 0);
+		yaml_event_delete(&event);
+	}
+	yaml_parser_delete(&yaml);
+	reader->yaml = NULL;
+	return status;
+}
+
+/* Item of a list by its number or its `name`, entry of a mapping by its name. */
+static struct hawser__tree *step_into(const struct hawser__tree *tree, const char *name)
+{
+	int number = 0;
+
+	if (tree->kind != HAWSER__SEQUENCE)
+		return hawser__tree_find(tree, name);
+	for (struct hawser__tree *child = tree->child; child; child = child->next, number++) {
+		const struct hawser__tree *called = hawser__tree_find(child, "name");
+		char digits[16];
+
+		snprintf(digits, sizeof digits, "%d", number);
+		if (!strcmp(digits, name) || (called && called->text && !strcmp(called->text, name)))
+			return child;
+	}
+	return NULL;
+}
+
+/* Put the tree `fresh` in the place of `path`. It is used up. */
+static enum hawser_status put(struct hawser__tree *root, struct hawser__reader *reader,
+                              struct hawser__tree *fresh, char *path)
+{
+	const struct hawser__place here = fresh->at;
+	struct hawser__tree *tree = root, *old;
+	char *dot, shown[HAWSER__SHOWN];
+
+	while ((dot = strchr(path, '.'))) {
+		*dot = '\0';
+		tree = step_into(tree, path);
+		path = dot + 1;
+		if (!tree)
+			break;
+	}
+	old = tree ? step_into(tree, path) : NULL;
+	if (!old && (!tree || tree->kind != HAWSER__MAPPING || !*path)) {
+		hawser__tree_clear(fresh);
+		return hawser__reader_fail(reader, &here, "the scene has no such place as that before %s: "
+		                           "write names joined by dots, such as cables.c1.EA=100 MN",
+		                           hawser__shown(shown, path));
+	}
+	if (!old) {
+		old = calloc(1, sizeof *old);
+		if (old)
+			old->name = strdup(path);
+		if (!old || !old->name) {
+			free(old);
+			hawser__tree_clear(fresh);
+			return hawser__no_memory(reader->report, "scene");
+		}
+		append(tree, old);
+	}
+	hawser__tree_clear(old->child);
+	free(old->text);
+	old->kind = fresh->kind;
+	old->text = fresh->text;
+	old->child = fresh->child;
+	old->last = fresh->last;
+	old->children = fresh->children;
+	old->at = here;
+	free(fresh);
+	return HAWSER_OK;
+}
+
+static enum hawser_status override(struct hawser__tree *root, struct hawser__reader *reader,
+                                   const char *set)
+{
+	const char *equals = strchr(set, '=');
+	struct hawser__tree *fresh = NULL;
+	char path[HAWSER__TEXT];
+	size_t length = equals ? (size_t)(equals - set) : 0;
+	enum hawser_status status;
+
+	reader->set = set;
+	reader->pass++;
+	if (!equals || length >= sizeof path)
+		return hawser__reader_fail(reader, &(struct hawser__place){.set = set},
+		                           "write KEY=VALUE, such as cables.c1.EA=100 MN");
+	memcpy(path, set, length);
+	path[length] = '\0';
+	status = document(&fresh, reader, equals + 1, strlen(equals + 1));
+	if (!status && !fresh)
+		status = hawser__reader_fail(reader, &(struct hawser__place){.set = set},
+		                             "there is no value after =");
+	if (status) {
+		hawser__tree_clear(fresh);
+		return status;
+	}
+	fresh->at.set = set;
+	return put(root, reader, fresh, path);
+}
+
+enum hawser_status hawser__tree_read(struct hawser__tree **tree, struct hawser__reader *reader,
+                                     const char *text, size_t length, const char *const *set,
+                                     size_t nset)
+{
+	enum hawser_status status;
+
+	reader->set = NULL;
+	reader->pass = 1;
+	status = document(tree, reader, text, length);
+	if (!status && (!*tree || (*tree)->kind != HAWSER__MAPPING))
+		status = hawser__reader_fail(reader, &(struct hawser__place){.pass = 1},
+		                             "a scene of kind net is a mapping with at least nodes, cables and "
+		                             "supports (see hawser-scene(5))");
+	for (size_t i = 0; i < nset && !status; i++)
+		status = override(*tree, reader, set[i]);
+	return status;
+}

@@ -1,0 +1,140 @@
+/* net/value.c - see net/value.h.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "core/spelling.h"
+#include "net/value.h"
+
+/* The key of the list nearest to `name`, "" if none is near. */
+static void nearest(char best[HAWSER__TEXT], const char *name, const char *keys)
+{
+	int least = hawser__edit_limit(strlen(name)) + 1;
+
+	*best = '\0';
+	while (*keys) {
+		size_t length = strcspn(keys, ",");
+		char key[HAWSER__TEXT];
+		int distance;
+
+		snprintf(key, sizeof key, "%.*s", (int)length, keys);
+		distance = hawser__edit_distance(name, key);
+		if (distance < least) {
+			least = distance;
+			snprintf(best, HAWSER__TEXT, "%s", key);
+		}
+		keys += length;
+		keys += strspn(keys, ", ");
+	}
+}
+
+static int among(const char *name, const char *keys)
+{
+	size_t own = strlen(name);
+
+	while (*keys) {
+		size_t length = strcspn(keys, ",");
+
+		if (length == own && !strncmp(name, keys, own))
+			return 1;
+		keys += length;
+		keys += strspn(keys, ", ");
+	}
+	return 0;
+}
+
+enum hawser_status hawser__net_keys(struct hawser__reader *reader, const struct hawser__tree *tree,
+                                    const char *what, const char *keys)
+{
+	char shown[HAWSER__SHOWN], best[HAWSER__TEXT];
+
+	if (tree->kind != HAWSER__MAPPING)
+		return hawser__reader_fail(reader, &tree->at, "%s must be a mapping with the keys %s", what,
+		                           keys);
+	for (const struct hawser__tree *child = tree->child; child; child = child->next) {
+		if (among(child->name, keys))
+			continue;
+		nearest(best, child->name, keys);
+		return hawser__reader_fail(reader, &child->at, "unknown key %s: %s%s%s%s takes %s",
+		                           hawser__shown(shown, child->name), *best ? "did you mean " : "",
+		                           best, *best ? "? " : "", what, keys);
+	}
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser__net_text(struct hawser__reader *reader, const char **text,
+                                    const struct hawser__tree *tree, const char *what)
+{
+	*text = tree->text;
+	if (tree->kind == HAWSER__SCALAR && tree->text && *tree->text)
+		return HAWSER_OK;
+	return hawser__reader_fail(reader, &tree->at, "%s is %s, but must be a single value", what,
+	                           tree->kind == HAWSER__MAPPING ? "a mapping"
+	                           : tree->kind == HAWSER__SEQUENCE ? "a list" : "empty");
+}
+
+enum hawser_status hawser__net_number(struct hawser__reader *reader, double *value,
+                                      const struct hawser__tree *tree, const char *what,
+                                      const char *unit, enum hawser__net_range range)
+{
+	const char *text, *rule = range == HAWSER__NET_POSITIVE ? "> 0" : range ? ">= 0" : "finite";
+	char sentence[320], shown[HAWSER__SHOWN];
+	enum hawser__number answer;
+	enum hawser_status status = hawser__net_text(reader, &text, tree, what);
+
+	if (status)
+		return status;
+	answer = hawser__units_read(&reader->units, value, text, unit);
+	hawser__shown(shown, text);
+	if (answer != HAWSER__NUMBER_OK) {
+		hawser__units_explain(sentence, sizeof sentence, answer, text, unit);
+		if (answer == HAWSER__NUMBER_DATABASE)
+			return hawser__fail(reader->report, HAWSER_ERR_IO, "scene", "%s %s", what, sentence);
+		return hawser__reader_fail(reader, &tree->at, "%s: \"%s\" %s", what, shown, sentence);
+	}
+	if (isfinite(*value) && fabs(*value) <= 1e100 &&
+	    !(range == HAWSER__NET_POSITIVE && *value < 1e-100) &&
+	    !(range == HAWSER__NET_NOT_NEGATIVE && *value < 0.0))
+		return HAWSER_OK;
+	return hawser__reader_fail(reader, &tree->at, "%s: \"%s\" is out of range: it must be %s%s%s", what,
+	                           shown, rule, strcmp(unit, "1") ? ", in " : "",
+	                           strcmp(unit, "1") ? unit : "");
+}
+
+enum hawser_status hawser__net_vector(struct hawser__reader *reader, double value[3],
+                                      const struct hawser__tree *tree, const char *what,
+                                      const char *unit)
+{
+	const struct hawser__tree *child = tree->child;
+	enum hawser_status status = HAWSER_OK;
+
+	if (tree->kind != HAWSER__SEQUENCE || tree->children != 3)
+		return hawser__reader_fail(reader, &tree->at, "%s must be a list of 3 numbers in %s, along "
+		                           "x, y and z", what, unit);
+	for (int k = 0; k < 3 && !status; k++, child = child->next)
+		status = hawser__net_number(reader, &value[k], child, what, unit, HAWSER__NET_ANY);
+	return status;
+}
+
+enum hawser_status hawser__net_name(struct hawser__reader *reader, char name[HAWSER_NET_NAME],
+                                    const struct hawser__tree *tree, const char *text,
+                                    const char *what)
+{
+	size_t length = strlen(text);
+	char shown[HAWSER__SHOWN];
+	int good = length && length < HAWSER_NET_NAME && strspn(text, "0123456789") < length;
+
+	for (size_t i = 0; i < length && good; i++)
+		good = isalnum((unsigned char)text[i]) || text[i] == '_' || text[i] == '-';
+	if (!good)
+		return hawser__reader_fail(reader, &tree->at, "%s: \"%s\" is no name: at most %d letters, "
+		                           "digits, _ and -, and not only digits", what,
+		                           hawser__shown(shown, text), HAWSER_NET_NAME - 1);
+	memcpy(name, text, length + 1);
+	return HAWSER_OK;
+}
