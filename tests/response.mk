@@ -113,6 +113,11 @@ TESTS += tests/property/test-own
 tests_property_test_own_SOURCES = tests/property/test-own.c
 tests_property_test_own_LDADD = $(UPTO_RESPONSE)
 
+check_PROGRAMS += tests/property/test-balance-terms
+TESTS += tests/property/test-balance-terms
+tests_property_test_balance_terms_SOURCES = tests/property/test-balance-terms.c
+tests_property_test_balance_terms_LDADD = $(UPTO_RESPONSE)
+
 check_PROGRAMS += tests/property/test-plugin
 TESTS += tests/property/test-plugin
 tests_property_test_plugin_SOURCES = tests/property/test-plugin.c

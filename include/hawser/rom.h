@@ -181,7 +181,8 @@ struct hawser_rom {
 	struct hawser_cubic *C;    /* [cubics] */
 	int terms;
 	struct hawser_term *term;  /* [terms] or NULL. A model with terms, here or in harmonics, is only
-	                            * for integration and shooting; what else takes models refuses it */
+	                            * for integration, periodic orbits and exports; what else takes models
+	                            * refuses it */
 	int harmonics;
 	struct hawser_harmonic *harmonic; /* [harmonics] */
 	struct hawser_ramp *ramp;  /* NULL if nothing changes once */

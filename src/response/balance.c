@@ -83,8 +83,7 @@ enum hawser_status hawser__balance_init(struct hawser__balance *balance,
 	if (!status)
 		status = hawser__monodromy_init(&balance->monodromy, rom->n, report);
 	if (!status) {
-		for (size_t j = 0; j < n; j++)
-			balance->damping[j] = fabs(rom->D[j*(n + 1)]);
+		hawser__balance_set_damping(balance);
 		hawser__balance_seed(balance);
 		status = hawser__balance_arrange(balance, report);
 	}
@@ -142,6 +141,10 @@ void hawser__balance_release(struct hawser__balance *balance)
 	free(balance->defect);
 	free(balance->by_omega);
 	free(balance->T);
+	free(balance->rates);
+	free(balance->slope);
+	free(balance->shift);
+	free(balance->resist);
 	free(balance->matrix);
 	free(balance->pivot);
 	free(balance->rhs);

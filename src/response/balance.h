@@ -18,7 +18,8 @@
  * Alternating frequency and time (Cameron and Griffin 1989): products are formed at samples. A
  * product of three harmonics up to H reaches 3H; with R >= 3H + reach + 1 equidistant samples none
  * of it is aliased to harmonics up to `reach`. For the polynomial model the Fourier coefficients of the
- * force are therefore exact.
+ * force are therefore exact; so they are with terms of any degree, which take more samples
+ * (balance_terms.c).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_RESPONSE_BALANCE_H
@@ -53,6 +54,10 @@ struct hawser__balance {
 	double *orbit, *before;  /* [size] scratch of the error */
 	double *wave;            /* [2 top + 1][n] scratch */
 	double *T;
+	int more;                /* 1: the model has terms (rom.h). Only then: */
+	double *rates;           /* [R][n] velocities at the samples */
+	double *slope, *shift;   /* [R][n][n], [R][n] derivatives of the terms by velocities and Omega */
+	double *resist;          /* [2 spread + 1][n][n] Fourier coefficients of slope, as T; else NULL */
 	double open;             /* the part of mesh that more active pairs could reduce */
 	double *stiffness;       /* [n] mean of the tangent's diagonal */
 	double *damping;         /* [n] diagonal of D */
@@ -111,6 +116,17 @@ void hawser__balance_release(struct hawser__balance *balance);
 
 /* balance_sample.c: defects at y for all harmonics of r, and with derive also T and by_omega. */
 void hawser__balance_evaluate(struct hawser__balance *balance, const double *y, int derive);
+
+/* balance_terms.c: the numbers of samples and the spread that terms need, at least those on entry. */
+void hawser__balance_reach(const struct hawser__balance *balance, int *samples, int *spread);
+/* Add the terms to the force at the samples of the orbit `at`, and with derive to the tangent, and set
+ * their other derivatives; then the series of these: by_omega +=, resist and what follows from it. */
+void hawser__balance_terms(struct hawser__balance *balance, double omega, int derive);
+void hawser__balance_terms_transform(struct hawser__balance *balance, double omega);
+/* force [R][n] += slope times the velocities of balance->direction. */
+void hawser__balance_terms_product(struct hawser__balance *balance, double *force, double omega);
+/* Mean damping of the coordinates, for missing pairs. */
+void hawser__balance_set_damping(struct hawser__balance *balance);
 
 /* balance_jacobian.c: the scales of M; the border of M, from `row` [size]; and M, from T, by_omega
  * and the border. */

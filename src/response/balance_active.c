@@ -24,6 +24,7 @@
 #include "response/planner.h"
 #include "response/shooting.h"
 #include "rom/kernel.h"
+#include "rom/terms.h"
 
 #define LEFT_OUT 0.25  /* error of the inactive pairs after activation, relative to the tolerance */
 #define CUT_BACK 0.1   /* the same after pairs are dropped */
@@ -128,6 +129,19 @@ static int room(double **array, size_t count)
 	return *array == NULL;
 }
 
+static int terms_room(struct hawser__balance *balance, size_t rows, size_t n)
+{
+	size_t series = (2*(size_t)balance->spread + 1)*n*n;
+	int failed = room(&balance->rates, rows*n) | room(&balance->slope, rows*n*n) |
+	             room(&balance->shift, rows*n) | room(&balance->resist, series);
+
+	balance->monodromy.resist = balance->resist;
+	balance->monodromy.resist_order = 0;
+	if (!failed) /* until the first derivatives */
+		memset(balance->resist, 0, series*sizeof(double));
+	return failed;
+}
+
 static int make_room(struct hawser__balance *balance, int unknowns)
 {
 	size_t n = (size_t)balance->base.n, rows = (size_t)balance->base.rows;
@@ -151,6 +165,7 @@ static int make_room(struct hawser__balance *balance, int unknowns)
 	       room(&balance->defect, wide) | room(&balance->by_omega, wide) |
 	       room(&balance->other_samples, rows*n) | room(&balance->other_defect, wide) |
 	       room(&balance->T, (2*(size_t)balance->spread + 1)*n*n) |
+	       (balance->more && terms_room(balance, rows, n)) |
 	       room(&balance->rhs, 2*square) | room(&balance->krylov, (HAWSER__KRYLOV + 1)*square) |
 	       room(&balance->flexible, HAWSER__KRYLOV*square) | room(&balance->image, wide) |
 	       room(&balance->moved, 2*rows*n) | room(&balance->border, square) |
@@ -172,7 +187,7 @@ int hawser__balance_matrix_room(struct hawser__balance *balance)
 enum hawser_status hawser__balance_arrange(struct hawser__balance *balance,
                                            struct hawser_report *report)
 {
-	int unknowns = list_pairs(balance), k = 1;
+	int unknowns = list_pairs(balance), k = 1, samples;
 
 	for (int p = 0; p < balance->base.rom->harmonics; p++)
 		if (balance->base.rom->harmonic[p].k > k)
@@ -181,8 +196,11 @@ enum hawser_status hawser__balance_arrange(struct hawser__balance *balance,
 	balance->factored = balance->direct = 0;
 	balance->reach = balance->order + 2*k;
 	balance->spread = k > 2*balance->order ? k : 2*balance->order;
+	samples = 3*balance->order + balance->reach + 1;
+	balance->more = hawser__rom_more(balance->base.rom);
+	hawser__balance_reach(balance, &samples, &balance->spread);
 	balance->width = balance->reach > balance->spread ? balance->reach : balance->spread;
-	balance->base.rows = hawser__planner_rows(3*balance->order + balance->reach + 1);
+	balance->base.rows = hawser__planner_rows(samples);
 	balance->base.resolution = 2*balance->order + 1;
 	balance->blockwise = blocks_pay(balance, unknowns);
 	if (make_room(balance, unknowns))

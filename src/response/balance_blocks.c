@@ -96,6 +96,7 @@ static size_t share_out(struct hawser__blocks *blocks, float *memory, size_t n)
 	size_t next = 0;
 
 	blocks->T = take(&next, memory, (2*(size_t)blocks->spread + 1)*n*n);
+	blocks->resist = take(&next, memory, blocks->more ? (2*(size_t)blocks->spread + 1)*n*n : 0);
 	blocks->table = take(&next, memory, S*K*width);
 	blocks->start = take(&next, memory, K*width); /* must follow the table in memory */
 	blocks->stiff = take(&next, memory, S*n*n);
@@ -133,6 +134,7 @@ int hawser__blocks_arrange(struct hawser__blocks *blocks, const struct hawser__b
 	blocks->order = balance->order;
 	blocks->width = balance->width;
 	blocks->spread = balance->spread;
+	blocks->more = balance->more;
 	blocks->steps = count_steps(balance);
 	blocks->w = list_members(blocks->member, balance, 0);
 	blocks->f = list_members(blocks->member + blocks->w, balance, 1);
@@ -314,6 +316,8 @@ int hawser__blocks_factor(struct hawser__blocks *blocks, const struct hawser__ba
 	blocks->harmonics = hawser__blocks_harmonics(balance);
 	for (size_t e = 0; e < (2*(size_t)blocks->harmonics + 1)*n*n; e++)
 		blocks->T[e] = (float)balance->T[e];
+	for (size_t e = 0; blocks->more && e < (2*(size_t)balance->monodromy.resist_order + 1)*n*n; e++)
+		blocks->resist[e] = (float)balance->resist[e];
 	blocks->omega = balance->derived_at;
 	blocks->h = 2.0*M_PI/blocks->omega/blocks->steps;
 	for (int p = 0; p < blocks->w; p++)

@@ -46,6 +46,8 @@ struct hawser__blocks {
 	double omega;
 	int harmonics;        /* of T that are included */
 	float *T;             /* [2 spread + 1][n][n] the tangent's Fourier coefficients */
+	float *resist;        /* [2 spread + 1][n][n] those of balance->resist; empty without terms */
+	int more;             /* 1: with terms */
 	float *table;        /* [K][8][2 width + 1] 1, cos, sin, ... at the nodes */
 	float *start;        /* [K][2 width + 1] the same at the starts of the steps */
 	float *stiff, *damp; /* [8][n][n] at the nodes of a step */

@@ -97,20 +97,22 @@ static void fill_block(struct hawser__balance *balance, double *cos_row, double 
 	}
 }
 
-/* Inertia and constant damping of the equation (h, j). */
+/* Inertia and mean damping of the equation (h, j). */
 static void add_motion(struct hawser__balance *balance, double *cos_row, double *sin_row, int h,
                        int j, double omega, int origin)
 {
 	int n = balance->base.n;
 	const double *D = balance->base.rom->D + (size_t)j*n;
+	const double *more = balance->resist ? balance->resist + (size_t)j*n : NULL;
 
 	cos_row[balance->place[hawser__cos(n, h, j)] - origin] -= h*h*omega*omega;
 	sin_row[balance->place[hawser__sin(n, h, j)] - origin] -= h*h*omega*omega;
 	for (int q = balance->first[h]; q < balance->first[h + 1]; q++) {
 		int k = balance->list[q];
+		double d = h*omega*(D[k] + (more ? 0.5*more[k] : 0.0));
 
-		cos_row[balance->place[hawser__sin(n, h, k)] - origin] += h*omega*D[k];
-		sin_row[balance->place[hawser__cos(n, h, k)] - origin] -= h*omega*D[k];
+		cos_row[balance->place[hawser__sin(n, h, k)] - origin] += d;
+		sin_row[balance->place[hawser__cos(n, h, k)] - origin] -= d;
 	}
 }
 
@@ -240,5 +242,11 @@ void hawser__balance_assemble(struct hawser__balance *balance)
 	for (int p = 0; p < rom->harmonics; p++)
 		if (rom->harmonic[p].D)
 			add_parametric_damping(balance, &rom->harmonic[p], balance->derived_at);
+	for (int row = 1; balance->resist && row <= 2*balance->monodromy.resist_order; row++)
+		add_parametric_damping(balance,
+		                       &(struct hawser_harmonic){.k = (row + 1)/2,
+		                       .phase = row%2 ? HAWSER_COS : HAWSER_SIN,
+		                       .D = balance->resist + (size_t)row*rom->n*rom->n},
+		                       balance->derived_at);
 	scale_and_border(balance);
 }

@@ -65,12 +65,16 @@ void hawser__blocks_evaluate(struct hawser__blocks *blocks, const struct hawser_
 		table[i*columns] = 0.5; /* T's constant is twice the mean */
 	cblas_sgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, S, n2, 2*blocks->harmonics + 1, 1.0, table,
 	            columns, blocks->T, n2, 0.0, blocks->stiff, n2);
+	if (blocks->more)
+		cblas_sgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, S, n2,
+		            2*balance->monodromy.resist_order + 1, 1.0, table, columns, blocks->resist, n2,
+		            0.0, blocks->damp, n2);
 	for (int i = 0; i < S; i++) {
 		float *damp = blocks->damp + (size_t)i*n2;
 
 		table[i*columns] = 1.0;
 		for (int e = 0; e < n2; e++)
-			damp[e] = (float)rom->D[e];
+			damp[e] = (float)rom->D[e] + (blocks->more ? damp[e] : 0.0F);
 		for (int p = 0; p < rom->harmonics; p++) {
 			const struct hawser_harmonic *harmonic = &rom->harmonic[p];
 			int at = 2*harmonic->k - (harmonic->phase == HAWSER_COS);

@@ -195,11 +195,15 @@ static void evaluate(struct hawser__balance *balance, int derive)
 	                     balance->base.samples, rows, balance->work);
 	hawser__rom_vary_all(rom, balance->force, derive ? balance->tangent : NULL,
 	                     balance->base.samples, rows);
+	if (balance->more)
+		hawser__balance_terms(balance, omega, derive);
 	cblas_dgemm(CblasRowMajor, CblasTrans, CblasNoTrans, 2*balance->reach + 1, n, rows, 2.0/rows,
 	            balance->basis, columns, balance->force, n, 0.0, balance->defect, n);
 	cblas_dscal(n, 0.5, balance->defect, 1);
 	if (derive)
 		memset(balance->by_omega, 0, (2*(size_t)balance->reach + 1)*n*sizeof(double));
+	if (derive && balance->more)
+		hawser__balance_terms_transform(balance, omega);
 	add_motion(balance, omega, derive);
 	for (int p = 0; p < rom->harmonics; p++)
 		add_forcing(balance, &rom->harmonic[p], omega, derive);
@@ -250,8 +254,7 @@ static void differentiate_family(struct hawser__balance *balance)
 	(void)hawser__orbit_place(orbit, p);
 	for (int i = 0; i < count; i++)
 		balance->by_omega[i] = (balance->by_omega[i] - balance->image[i])/span;
-	for (int j = 0; j < orbit->n; j++)
-		balance->damping[j] = fabs(orbit->rom->D[j*(orbit->n + 1)]);
+	hawser__balance_set_damping(balance);
 }
 
 void hawser__balance_evaluate(struct hawser__balance *balance, const double *y, int derive)
@@ -291,6 +294,8 @@ static void differentiate(struct hawser__balance *balance, int from)
 		cblas_dgemv(CblasRowMajor, CblasNoTrans, n, n, 1.0,
 		            balance->tangent + (size_t)r*n*n, n, moved + (size_t)r*n, 1, 0.0,
 		            force + (size_t)r*n, 1);
+	if (balance->more)
+		hawser__balance_terms_product(balance, force, omega);
 	cblas_dgemm(CblasRowMajor, CblasTrans, CblasNoTrans, 2*balance->reach + 1, n, rows, 2.0/rows,
 	            balance->basis, columns, force, n, 0.0, balance->image, n);
 	cblas_dscal(n, 0.5, balance->image, 1);

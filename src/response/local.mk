@@ -17,6 +17,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/balance_blocks.h \
 	%D%/balance_error.c \
 	%D%/balance_fast.c \
+	%D%/balance_terms.c \
 	%D%/balance_nodes.c \
 	%D%/balance_jacobian.c \
 	%D%/balance_sample.c \

@@ -30,9 +30,10 @@ enum hawser_status hawser__orbit_method(const struct hawser__orbit_method **meth
 		name = NULL;
 	if (rom->drag && name && strcmp(name, "shooting") != 0)
 		return hawser__drag_refuse(rom, "this method for orbits", report);
-	if (hawser__rom_more(rom) && name && strcmp(name, "shooting") != 0)
+	if (hawser__rom_more(rom) && name && strcmp(name, "shooting") != 0 &&
+	    (rom->plug || strcmp(name, "balance") != 0))
 		return hawser__more_refuse(rom, "this method for orbits", report);
-	if (rom->drag || hawser__rom_more(rom))
+	if (rom->drag || (hawser__rom_more(rom) && !name))
 		name = "shooting";
 
 	for (int i = 0; i < ROWS; i++)

@@ -316,6 +316,8 @@ enum hawser_status hawser__monodromy_damping(struct hawser__monodromy *monodromy
 	for (int p = 0; p < rom->harmonics; p++)
 		if (rom->harmonic[p].D && rom->harmonic[p].k > system->order_d)
 			system->order_d = rom->harmonic[p].k;
+	if (monodromy->resist && monodromy->resist_order > system->order_d)
+		system->order_d = monodromy->resist_order;
 	need = (2*(size_t)system->order_d + 1)*n2;
 	if (need > monodromy->damping_room) {
 		free(monodromy->damping);
@@ -334,6 +336,9 @@ enum hawser_status hawser__monodromy_damping(struct hawser__monodromy *monodromy
 			cblas_daxpy((int)n2, pow(system->omega, harmonic->omega_power), harmonic->D, 1,
 			            monodromy->damping + (size_t)row*n2, 1);
 	}
+	for (int row = 0; monodromy->resist && row <= 2*monodromy->resist_order; row++)
+		cblas_daxpy((int)n2, 1.0, monodromy->resist + (size_t)row*n2, 1,
+		            monodromy->damping + (size_t)row*n2, 1);
 	system->D = monodromy->damping;
 	return HAWSER_OK;
 }
@@ -343,7 +348,7 @@ void hawser__monodromy_free_motion(double *log_modulus, double *argument,
                                    const struct hawser_rom *rom, int f, double omega)
 {
 	int j = monodromy->fast[f];
-	double half = 0.5*rom->D[(size_t)j*((size_t)rom->n + 1)], w = monodromy->frequency[j];
+	double half = 0.25*monodromy->damping[(size_t)j*((size_t)rom->n + 1)], w = monodromy->frequency[j];
 	double slower = half > w ? sqrt(half*half - w*w) : 0.0, period = 2.0*M_PI/omega;
 
 	log_modulus[0] = (slower - half)*period;

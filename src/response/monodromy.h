@@ -98,6 +98,9 @@ struct hawser__monodromy {
 	double *memory;
 	double *damping;        /* D of the model, as a series */
 	size_t damping_room;
+	const double *resist;   /* [2 resist_order + 1][n][n] further damping of the caller, as a series, or
+	                         * NULL */
+	int resist_order;
 	/* monodromy_condense.c */
 	double follow;          /* frequency, relative to Omega, up to which no coordinate is condensed */
 	int *slow, *fast;       /* [n] coordinates that are kept, and those that are condensed */

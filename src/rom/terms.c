@@ -119,8 +119,9 @@ enum hawser_status hawser__more_refuse(const struct hawser_rom *rom, const char 
 		return HAWSER_OK;
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
 	                    "%s takes models with D, K, Q and C only; this one %s, which "
-	                    "hawser frf (by shooting) and hawser integrate take", what,
-	                    rom->plug ? "is a function" : "has terms besides");
+	                    "hawser frf%s and hawser integrate take", what,
+	                    rom->plug ? "is a function" : "has terms besides",
+	                    rom->plug ? " (by shooting)" : "");
 }
 
 int hawser__rom_periods(const struct hawser_rom *rom)

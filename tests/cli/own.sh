@@ -38,12 +38,19 @@ PY
 refuses 1 "--set ep=1: named.json has these parameters: eps, F" frf named.json --set ep=1
 refuses 1 "--set eps=1 kg: write NAME=NUMBER for a parameter of a model file" frf named.json --set "eps=1 kg"
 refuses 1 "named.json has no parameter ep; its parameters are: eps, F" frf named.json --over ep=1:2 --Omega 1
-only="takes models with D, K, Q and C only; this one has terms besides, which hawser frf (by shooting) and hawser \
-integrate take"
+only="takes models with D, K, Q and C only; this one has terms besides, which hawser frf and hawser integrate \
+take"
 refuses 1 "a search for folds $only" folds terms.json --from 1 --to 2
 refuses 1 "the method of multiple scales $only" mms terms.json
 refuses 1 "a backbone $only" frf terms.json --backbone 1
-refuses 1 "this method for orbits $only" frf terms.json --method balance
+refuses 1 "this method for orbits $only" frf terms.json --method multiple-scales
+works "terms by balance" frf terms.json --over eps=0.02:1 --Omega 1.2 --method balance --json balance-over.json -q
+python "agree with shooting" <<'PY'
+import json
+a, b = ([(e["kind"], e["parameter"]) for e in json.load(open(f"{name}-over.json"))["events"]]
+        for name in ("balance", "terms"))
+assert len(a) == 2 and all(k == l and abs(x/y - 1) < 1e-8 for (k, x), (l, y) in zip(a, b)), (a, b)
+PY
 refuses 1 "an export to AUTO $only" rom terms.json --export auto x
 refuses 1 "a map or the stability of rest $only" hill terms.json --x Omega=1:2 --y factor.load=0.5:1
 refuses 1 "a map or the stability of rest $only" map terms.json --x Omega=1:2 --y factor.load=0.5:1
