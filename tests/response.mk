@@ -70,7 +70,7 @@ tests_extremes_test_folds_memory_SOURCES = tests/extremes/test-folds-memory.c
 tests_extremes_test_folds_memory_LDADD = $(UPTO_RESPONSE)
 EXTRA_DIST += tests/reference/absorber.json tests/reference/frf-cases.txt tests/reference/duffing-nlvib-01.json \
 	tests/reference/pair-2to1.json tests/reference/springs-nlvib-06-f1e-3.json \
-	tests/reference/springs-nlvib-06-f3e-3.json
+	tests/reference/springs-nlvib-06-f3e-3.json tests/reference/pair-quintic.json
 check_PROGRAMS += tests/property/test-frf-full
 TESTS += tests/property/test-frf-full
 tests_property_test_frf_full_SOURCES = tests/property/test-frf-full.c

@@ -136,6 +136,36 @@ static void put_varying(FILE *out, const struct hawser_rom *rom)
 		}
 }
 
+/* Terms of the model, h = -1, or of a harmonic: entries from `at` on. Returns the last one. */
+static int put_terms(FILE *out, const struct hawser_term *term, int terms, int h, int at, int n)
+{
+	for (int i = 0; i < terms; i++) {
+		const struct hawser_term *t = &term[i];
+		char text[32];
+
+		at++; /* a list of all its indices would be too long for a line */
+		fprintf(out, "  DATA T(%d)/%s/\n  DATA TI(:,%d)/%d,%d,%d", at, number(text, t->value), at,
+		        t->j + 1, h + 1, t->factors);
+		for (int f = 0; f < HAWSER_TERM_FACTORS; f++)
+			fprintf(out, ",%d", f >= t->factors ? 0
+			        : t->factor[f] + 1 + (f >= t->factors - t->rates ? n : 0));
+		fputs("/\n", out);
+	}
+	return at;
+}
+
+static void put_all_terms(FILE *out, const struct hawser_rom *rom)
+{
+	int count = rom->terms;
+
+	for (int h = 0; h < rom->harmonics; h++)
+		count += rom->harmonic[h].terms;
+	declare(out, "T", count, 3 + HAWSER_TERM_FACTORS);
+	count = put_terms(out, rom->term, rom->terms, -1, 0, rom->n);
+	for (int h = 0; h < rom->harmonics; h++)
+		count = put_terms(out, rom->harmonic[h].term, rom->harmonic[h].terms, h, count, rom->n);
+}
+
 static void put_matrix(FILE *out, const char *name, const double *value, int n)
 {
 	const int first[2] = {0, 0};
@@ -180,6 +210,7 @@ static void put_model(FILE *out, const struct hawser_rom *rom)
 	put_harmonics(out, rom, "ED", 'D');
 	put_harmonics(out, rom, "EK", 'K');
 	put_varying(out, rom);
+	put_all_terms(out, rom);
 }
 
 static void put_start(FILE *out, const struct hawser__cycle *cycle, double omega)
@@ -211,11 +242,29 @@ static void put_equations(FILE *out, const struct hawser_rom *rom, const struct 
 
 /* --- the constants --- */
 
-/* Amplitude at which the nonlinear terms of equation j equal the linear one: for its own coordinate
- * if `own`, otherwise for any. INFINITY if there is none. */
-static double nonlinear_length(const struct hawser_rom *rom, int j, int own)
+/* The same as below of terms, whose velocities are of a motion of frequency omega. */
+static double length_of_terms(const struct hawser_rom *rom, int j, int own, double omega)
 {
 	double stiffness = fabs(rom->K[j*rom->n + j]), length = INFINITY;
+
+	for (int i = 0; i < rom->terms; i++) {
+		const struct hawser_term *t = &rom->term[i];
+		int counts = t->j == j && t->factors > 1;
+
+		for (int f = 0; own && f < t->factors; f++)
+			counts &= t->factor[f] == j;
+		if (counts)
+			length = fmin(length, pow(stiffness/fabs(t->value*pow(omega, t->rates)),
+			                          1.0/(t->factors - 1)));
+	}
+	return length;
+}
+
+/* Amplitude at which the nonlinear terms of equation j equal the linear one: for its own coordinate
+ * if `own`, otherwise for any. INFINITY if there is none. */
+static double nonlinear_length(const struct hawser_rom *rom, int j, int own, double omega)
+{
+	double stiffness = fabs(rom->K[j*rom->n + j]), length = length_of_terms(rom, j, own, omega);
 
 	for (int i = 0; i < rom->quads; i++) {
 		const struct hawser_quad *q = &rom->Q[i];
@@ -233,12 +282,13 @@ static double nonlinear_length(const struct hawser_rom *rom, int j, int own)
 }
 
 /* The amplitude of coordinate j that is large for a continuation. */
-static double length_of(const struct hawser_rom *rom, const struct hawser__cycle *cycle, int j)
+static double length_of(const struct hawser_rom *rom, const struct hawser__cycle *cycle, int j,
+                        double omega)
 {
-	double length = nonlinear_length(rom, j, 1);
+	double length = nonlinear_length(rom, j, 1, omega);
 
 	if (!(length > 0.0 && length < INFINITY))
-		length = nonlinear_length(rom, j, 0);
+		length = nonlinear_length(rom, j, 0, omega);
 	if (length > 0.0 && length < INFINITY)
 		return length;
 	length = 0.0;
@@ -260,7 +310,7 @@ static void put_weights(FILE *out, const struct hawser_rom *rom, const struct ha
 
 	fprintf(out, "THL={11:0.0}\nTHU={");
 	for (int i = 0; i < 2*rom->n; i++) {
-		double weight = share*middle/length_of(rom, cycle, i%rom->n);
+		double weight = share*middle/length_of(rom, cycle, i%rom->n, middle);
 
 		if (i >= rom->n)
 			weight /= middle;
@@ -385,7 +435,7 @@ static enum hawser_status check(const struct hawser_rom *rom, const char *base,
 {
 	if (rom->drag)
 		return hawser__drag_refuse(rom, "an export to AUTO", report);
-	if (hawser__rom_more(rom))
+	if (rom->plug)
 		return hawser__more_refuse(rom, "an export to AUTO", report);
 	if (rom->periods > 1)
 		return hawser__periods_refuse(rom, "an export", report);

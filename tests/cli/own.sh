@@ -51,11 +51,10 @@ a, b = ([(e["kind"], e["parameter"]) for e in json.load(open(f"{name}-over.json"
         for name in ("balance", "terms"))
 assert len(a) == 2 and all(k == l and abs(x/y - 1) < 1e-8 for (k, x), (l, y) in zip(a, b)), (a, b)
 PY
-refuses 1 "an export to AUTO $only" rom terms.json --export auto x
 refuses 1 "a map or the stability of rest $only" hill terms.json --x Omega=1:2 --y factor.load=0.5:1
 refuses 1 "a map or the stability of rest $only" map terms.json --x Omega=1:2 --y factor.load=0.5:1
 refuses 1 "the stability of rest $only" hill terms.json --Omega 1.1
-for format in coco matcont bifurcationkit; do
+for format in auto coco matcont bifurcationkit; do
 	works "terms for $format" rom terms.json --export $format "to_$format" -q
 done
 refuses 1 "\"2x\" can't name a function: use a letter, then up to 59 letters, digits and _" \

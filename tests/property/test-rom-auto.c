@@ -22,8 +22,25 @@ static double uniform(void)
 	return 2.0*rand()/RAND_MAX - 1.0;
 }
 
+/* Products of 1 to HAWSER_TERM_FACTORS coordinates and velocities. */
+static void random_terms(struct hawser_term **term, int *terms, int count)
+{
+	*term = calloc((size_t)count, sizeof **term);
+	*terms = count;
+	for (int i = 0; i < count; i++) {
+		struct hawser_term *t = &(*term)[i];
+
+		t->j = rand()%N;
+		t->factors = 1 + i%HAWSER_TERM_FACTORS;
+		t->rates = rand()%(t->factors + 1);
+		t->value = 0.2*uniform();
+		for (int f = 0; f < t->factors; f++)
+			t->factor[f] = rand()%N;
+	}
+}
+
 /* A model with every kind of term: full D and K, Q, C, cosines and sines, powers of Omega,
- * parametric terms, quadratic ones that vary, constant ones. */
+ * parametric terms, quadratic ones that vary, constant ones, and products of any degree. */
 static int random_model(struct hawser_rom *rom)
 {
 	if (hawser__rom_init(rom, N, NULL))
@@ -70,6 +87,9 @@ static int random_model(struct hawser_rom *rom)
 		rom->harmonic[3].f[i%N] = 0.05*uniform();
 		rom->harmonic[3].K[i] = 0.1*uniform();
 	}
+	random_terms(&rom->term, &rom->terms, 11);
+	random_terms(&rom->harmonic[1].term, &rom->harmonic[1].terms, 9);
+	random_terms(&rom->harmonic[3].term, &rom->harmonic[3].terms, 5);
 	return ok(!hawser_rom_compile(rom, NULL), "a model with every kind of term");
 }
 

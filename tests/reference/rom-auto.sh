@@ -69,5 +69,10 @@ if [ -n "${HAWSER_LONG:-}" ]; then
 	finds PD 1.098891783 1e-6
 	finds PD 1.094506527 1e-6
 	reaches 1.2
+	# u^5, u'^3, u^2 u' and a modulated u^3: the folds of hawser frf, by balance and by shooting
+	run pair-quintic 0.8 1.6
+	finds LP 1.368591832 1e-8
+	finds LP 1.150078835 1e-8
+	reaches 1.6
 fi
 done_testing
