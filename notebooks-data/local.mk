@@ -54,6 +54,8 @@ dist_scenes_DATA = \
 	%D%/scenes/duffing.json \
 	%D%/scenes/two-masses.json \
 	%D%/scenes/rayleigh.json \
+	%D%/scenes/parametric-amplifier.json \
+	%D%/scenes/parametric-duffing.json \
 	%D%/scenes/inclined.yaml \
 	%D%/scenes/level-two-to-one.yaml \
 	%D%/scenes/rope.yaml \

@@ -47,6 +47,7 @@ CLI_TESTS = \
 	%D%/cli/library.sh \
 	%D%/cli/own.sh \
 	%D%/cli/published.sh \
+	%D%/cli/published-forced.sh \
 	%D%/cli/unstable.sh \
 	%D%/cli/usage.sh
 TESTS += $(CLI_TESTS)
