@@ -160,7 +160,7 @@ enum hawser_status hawser__net_interior(struct hawser__net_work *work, int *done
 		*done = residual <= work->tolerance;
 		idle = residual < 0.5*best ? 0 : idle + 1;
 		best = fmin(best, residual);
-		if (*done || !isfinite(residual) || idle > 60)
+		if (*done || !isfinite(residual) || idle > 15)
 			break;
 	}
 	return status;

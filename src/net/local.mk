@@ -1,5 +1,12 @@
 noinst_LTLIBRARIES += %D%/libnet.la
 %C%_libnet_la_SOURCES = \
+	%D%/catenary.c \
+	%D%/catenary.h \
+	%D%/dual.c \
+	%D%/dual.h \
+	%D%/exact.c \
+	%D%/exact.h \
+	%D%/exact_solution.c \
 	%D%/form.c \
 	%D%/interior.c \
 	%D%/loads.c \
@@ -10,6 +17,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/net.h \
 	%D%/read.c \
 	%D%/solution.c \
+	%D%/solution.h \
 	%D%/solve.h \
 	%D%/sparse.c \
 	%D%/statics.c \

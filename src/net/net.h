@@ -73,6 +73,8 @@ void hawser__sparse_zero(struct hawser__sparse *sparse);
 /* Add a*I + b*e*e' for an element; add to the diagonal of an unknown. */
 void hawser__sparse_add(struct hawser__sparse *sparse, int element, double a, double b,
                         const double e[3]);
+/* Add a symmetric block B for an element. */
+void hawser__sparse_block(struct hawser__sparse *sparse, int element, const double block[3][3]);
 void hawser__sparse_diagonal(struct hawser__sparse *sparse, int unknown, double value);
 /* Factor; *definite is 0 if the matrix is not positive definite (then the factors are not usable). */
 enum hawser_status hawser__sparse_factor(struct hawser__sparse *sparse, int *definite,
@@ -100,6 +102,7 @@ struct hawser__mesh_options {
 	double tolerance;   /* of the residual over the weight and load; 0: 1e-10 */
 	int iterations;     /* most; 0: the method's own */
 	int keep_start;     /* begin at mesh->q instead of at the force-density start */
+	const double *N;    /* [elements] tensions of that start; NULL: a part of the loads */
 };
 /* Solve for mesh->q, and the tensions T [elements]. Fails with HAWSER_ERR_NO_SOLUTION where parts have
  * no support, and with HAWSER_ERR_CONVERGENCE. */

@@ -8,7 +8,9 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "net/net.h"
+#include "net/exact.h"
+#include "net/solution.h"
+#include "net/solve.h"
 
 void hawser_net_statics_clear(struct hawser_net_statics *st)
 {
@@ -21,9 +23,8 @@ void hawser_net_statics_clear(struct hawser_net_statics *st)
 	memset(st, 0, sizeof *st);
 }
 
-/* Fail for a part without support, with the names of its nodes. */
-static enum hawser_status supported(const struct hawser__mesh *mesh, const struct hawser_net *net,
-                                    struct hawser_report *report)
+enum hawser_status hawser__net_supported(const struct hawser__mesh *mesh, const struct hawser_net *net,
+                                         struct hawser_report *report)
 {
 	int *part = malloc((size_t)mesh->nodes*sizeof *part), lost = -1, direction = 0, count = 0;
 	enum hawser_status status = part ? hawser__mesh_loose(&lost, &direction, mesh, part, report)
@@ -72,52 +73,62 @@ static void member(struct hawser_net_statics *st, int c, const struct hawser__me
 	memcpy(st->point[st->points++].x, mesh->q[mesh->end[last][1]], sizeof st->point->x);
 }
 
-static enum hawser_status fill(struct hawser_net_statics *st, const struct hawser__mesh *mesh,
-                               const double *T, struct hawser_report *report)
+enum hawser_status hawser__net_statics_open(struct hawser_net_statics *st, size_t elements,
+                                            struct hawser_report *report)
 {
-	double (*residual)[3] = malloc((size_t)mesh->nodes*sizeof *residual);
 	size_t nodes = (size_t)st->nodes, cables = (size_t)st->cables;
 
 	st->x = calloc(nodes, sizeof *st->x);
 	st->reaction = calloc(nodes, sizeof *st->reaction);
 	st->member = calloc(cables, sizeof *st->member);
-	st->point = calloc((size_t)mesh->elements + cables, sizeof *st->point);
-	if (!residual || !st->x || !st->reaction || !st->member || !st->point) {
-		free(residual);
-		return hawser__no_memory(report, "net");
-	}
-	hawser__mesh_gradient(residual, NULL, mesh);
-	for (int i = 0; i < st->nodes; i++) {
-		memcpy(st->x[i], mesh->q[i], sizeof st->x[i]);
-		for (int k = 0; k < 3; k++)
-			st->reaction[i][k] = mesh->unknown[i][k] < 0 ? residual[i][k] : 0.0;
-	}
-	for (int c = 0; c < st->cables; c++)
-		member(st, c, mesh, T);
-	free(residual);
-	return HAWSER_OK;
+	st->point = calloc(elements + cables, sizeof *st->point);
+	return st->x && st->reaction && st->member && st->point ? HAWSER_OK
+	                                                        : hawser__no_memory(report, "net");
 }
 
-enum hawser_status hawser_net_solve(struct hawser_net_statics *st, const struct hawser_net *net,
-                                    const struct hawser_net_options *options,
-                                    struct hawser_report *report)
+static enum hawser_status fill(struct hawser_net_statics *st, const struct hawser__mesh *mesh,
+                               const double *T, struct hawser_report *report)
 {
-	struct hawser__mesh_options settings = {0};
+	double (*residual)[3] = malloc((size_t)mesh->nodes*sizeof *residual);
+	enum hawser_status status = residual ? HAWSER_OK : hawser__no_memory(report, "net");
+
+	if (!status)
+		status = hawser__net_statics_open(st, (size_t)mesh->elements, report);
+	if (!status) {
+		hawser__mesh_gradient(residual, NULL, mesh);
+		for (int i = 0; i < st->nodes; i++) {
+			memcpy(st->x[i], mesh->q[i], sizeof st->x[i]);
+			for (int k = 0; k < 3; k++)
+				st->reaction[i][k] = mesh->unknown[i][k] < 0 ? residual[i][k] : 0.0;
+		}
+		for (int c = 0; c < st->cables; c++)
+			member(st, c, mesh, T);
+	}
+	free(residual);
+	return status;
+}
+
+static enum hawser_status of_mesh(struct hawser_net_statics *st, const struct hawser_net *net,
+                                  const struct hawser_net_options *options,
+                                  struct hawser_report *report)
+{
+	struct hawser__mesh_options settings = {.method = options->method, .tolerance = options->tolerance,
+	                                        .iterations = options->iterations};
 	struct hawser__mesh mesh = {0};
 	struct hawser__equilibrium found;
 	double *T = NULL;
 	enum hawser_status status;
 
-	memset(st, 0, sizeof *st);
-	if (options)
-		settings = (struct hawser__mesh_options){.method = options->method,
-		                                         .tolerance = options->tolerance,
-		                                         .iterations = options->iterations};
 	status = hawser__mesh_build(&mesh, net, report);
 	if (!status)
-		status = supported(&mesh, net, report);
+		status = hawser__net_supported(&mesh, net, report);
 	if (!status && !(T = calloc((size_t)mesh.elements, sizeof *T)))
 		status = hawser__no_memory(report, "net");
+	if (!status && (!options->method || !strcmp(options->method, "automatic")) &&
+	    hawser__exact_start(&mesh, T, net)) {
+		settings.keep_start = 1;
+		settings.N = T;
+	}
 	if (!status)
 		status = hawser__mesh_form(&mesh, T, &found, net, &settings, report);
 	if (!status) {
@@ -129,6 +140,25 @@ enum hawser_status hawser_net_solve(struct hawser_net_statics *st, const struct 
 	}
 	free(T);
 	hawser__mesh_clear(&mesh);
+	return status;
+}
+
+enum hawser_status hawser_net_solve(struct hawser_net_statics *st, const struct hawser_net *net,
+                                    const struct hawser_net_options *options,
+                                    struct hawser_report *report)
+{
+	static const struct hawser_net_options defaults = {0};
+	const struct hawser__net_method *row = NULL;
+	enum hawser_status status;
+
+	if (!options)
+		options = &defaults;
+	for (int i = 0; options->method && (row = hawser__net_method(i)); i++)
+		if (!strcmp(row->shown.name, options->method))
+			break;
+	memset(st, 0, sizeof *st);
+	status = row && !row->solve ? hawser__exact_statics(st, net, options, report)
+	                            : of_mesh(st, net, options, report);
 	if (status)
 		hawser_net_statics_clear(st);
 	return status;

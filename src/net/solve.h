@@ -13,7 +13,8 @@ struct hawser__net_work {
 	double *T;               /* [elements] */
 	double *x;               /* [unknowns] right side, then the step */
 	double (*residual)[3];   /* [nodes] */
-	double (*start)[3];      /* [nodes] positions of the force-density start */
+	double (*start)[3];      /* [nodes] positions of the start */
+	const double *first;     /* [elements] tensions of the start, or NULL */
 	double weight;           /* W: sum of the forces on the nodes, N */
 	double tolerance;        /* N, of the residual */
 	int most;                /* iterations; 0: the method's own */
@@ -21,7 +22,8 @@ struct hawser__net_work {
 	int factored;            /* 1 if the factors are of a and b */
 };
 
-/* A method: iterates from mesh->q; *done is 1 if the residual is within the tolerance. */
+/* A method: iterates from mesh->q; *done is 1 if the residual is within the tolerance. NULL: the method
+ * has elements of its own (net/exact.h). */
 struct hawser__net_method {
 	struct hawser_net_method shown;
 	enum hawser_status (*solve)(struct hawser__net_work *work, int *done,
@@ -34,6 +36,8 @@ enum hawser_status hawser__net_interior(struct hawser__net_work *work, int *done
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 enum hawser_status hawser__net_mixed(struct hawser__net_work *work, int *done,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+enum hawser_status hawser__net_dual(struct hawser__net_work *work, int *done,
+                                    struct hawser_report *report) HAWSER_MUST_CHECK;
 enum hawser_status hawser__net_automatic(struct hawser__net_work *work, int *done,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 

@@ -219,6 +219,17 @@ void hawser__sparse_add(struct hawser__sparse *sparse, int element, double a, do
 		}
 }
 
+void hawser__sparse_block(struct hawser__sparse *sparse, int element, const double block[3][3])
+{
+	const int *at = sparse->at[element];
+	double *x = sparse->matrix->x;
+
+	for (int i = 0, entry = 0; i < DIRECTIONS; i++)
+		for (int j = 0; j <= i; j++, entry++)
+			if (at[entry] >= 0)
+				x[at[entry]] += i/3 == j/3 ? block[i%3][j%3] : -block[i%3][j%3];
+}
+
 void hawser__sparse_diagonal(struct hawser__sparse *sparse, int unknown, double value)
 {
 	((double *)sparse->matrix->x)[sparse->diagonal[unknown]] += value;

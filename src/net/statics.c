@@ -23,12 +23,16 @@
 #include "net/solve.h"
 
 static const struct hawser__net_method methods[] = {
-	{{"automatic", "mixed Newton and, where a member is slack, the interior point", "this program"},
+	{{"automatic", "mixed Newton and, where it fails, the method forces", "this program"},
 	 hawser__net_automatic, 1},
 	{{"interior-point", "primal-dual interior point of the convex energy", "this program"},
 	 hawser__net_interior, 1},
 	{{"mixed", "Newton's method for positions and forces, for nets without slack members",
 	  "this program"}, hawser__net_mixed, 1},
+	{{"forces", "Newton's method for forces in balance, with steps that lower their energy: slower, and "
+	  "cannot fail", "this program"}, hawser__net_dual, 1},
+	{{"catenary", "exact catenaries between the joints, whose positions alone are unknown",
+	  "this program"}, NULL, 1},
 };
 
 const struct hawser__net_method *hawser__net_method(int index)
@@ -189,13 +193,15 @@ static double weight_of(const struct hawser__mesh *mesh)
 	return sum;
 }
 
-/* Forces of the start: a fifth of all loads or, between nodes that are held, what the strain of the
- * chord gives. */
+/* Forces of the start, if they are not known: a fifth of all loads or, between nodes that are held, what
+ * the strain of the chord gives. */
 static void start_forces(struct hawser__net_work *work)
 {
 	const struct hawser__mesh *mesh = work->mesh;
 
-	for (int c = 0; c < mesh->cables; c++) {
+	for (int i = 0; work->first && i < mesh->elements; i++)
+		work->N[i] = fmax(work->first[i], 1e-6*work->weight);
+	for (int c = 0; !work->first && c < mesh->cables; c++) {
 		int first = mesh->first[c], last = mesh->first[c + 1] - 1, fixed = 1;
 		int from = mesh->end[first][0], to = mesh->end[last][1];
 		double chord = 0.0, length0 = 0.0, N = 0.2*work->weight;
@@ -258,7 +264,8 @@ enum hawser_status hawser__net_automatic(struct hawser__net_work *work, int *don
 		return status;
 	memcpy(work->mesh->q, work->start, (size_t)work->mesh->nodes*sizeof *work->start);
 	start_forces(work);
-	return hawser__net_interior(work, done, report);
+	status = hawser__net_interior(work, done, report);
+	return status || *done ? status : hawser__net_dual(work, done, report);
 }
 
 /* Term of the gap of an element with force vector n. */
@@ -366,6 +373,7 @@ static enum hawser_status solve(struct hawser__net_work *work, struct hawser__eq
 
 	work->weight = weight_of(mesh);
 	work->most = options->iterations;
+	work->first = options->keep_start ? options->N : NULL;
 	start_forces(work);
 	if (!options->keep_start)
 		status = start(work, report);

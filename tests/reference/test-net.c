@@ -75,8 +75,13 @@ int main(void)
 		if (!ok(!status, "%s: %s", options.method, report.message))
 			continue;
 		ok(st.iterations <= 15, "%d iterations", st.iterations);
-		nodes(&net, &st);
-		whole(&net, &st);
+		if (!strcmp(st.method, "catenary")) /* the limit of a fine mesh */
+			ok(st.energy < -1753.03356462 && st.energy > -1753.06 && st.unknowns == 36,
+			   "energy %.9f J below that of the mesh, %d unknowns", st.energy, st.unknowns);
+		else {
+			nodes(&net, &st);
+			whole(&net, &st);
+		}
 		hawser_net_statics_clear(&st);
 	}
 	hawser_net_clear(&net);
