@@ -1,5 +1,5 @@
-/* tests/net-random.h - random nets: 2 to 4 supports, 1 to 6 joints, 1 to 40 cables, slack and taut, badly
- * scaled (lengths over three decades, stiffness over five, strains to 40 %).
+/* tests/net-random.h - random nets: 2 to 4 supports, 1 to 6 joints, 1 to 40 cables, slack and taut,
+ * badly scaled (lengths over three decades, stiffness over five, strains to 40 %).
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_TESTS_NET_RANDOM_H
 #define HAWSER_TESTS_NET_RANDOM_H

@@ -4,11 +4,11 @@
  * F  mean tension vector of each element (net/catenary.h), W(F) its complementary energy
  *
  * Of all forces in equilibrium, A'F = f, the true ones have the least sum of W(F) - F.(A q of the
- * supports): Castigliano. The sum is convex and smooth, and the positions are its multipliers. The start
- * gives each element a force density: those forces are in equilibrium. From there Newton's method with
- * steps that lower the sum converges from anywhere. Its matrix A'K A, with the stiffness K of each
- * element, is of the size of the unknown positions. An element without weight may be slack: its |t| is
- * rounded off by a force that falls to 1e-14 of the loads.
+ * supports): Castigliano. The sum is convex and smooth, and the positions are its multipliers. The
+ * start gives each element a force density: those forces are in equilibrium. From there Newton's
+ * method with steps that lower the sum converges from anywhere. Its matrix A'K A, with the stiffness K
+ * of each element, is of the size of the unknown positions. An element without weight may be slack:
+ * its |t| is rounded off by a force that falls to 1e-14 of the loads.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -223,7 +223,8 @@ static void begin(struct hawser__dual *dual)
 
 		chord_of(d, mesh, c);
 		for (int k = 0; k < 3; k++)
-			free_ends += mesh->unknown[mesh->end[c][0]][k] >= 0 || mesh->unknown[mesh->end[c][1]][k] >= 0;
+			free_ends += mesh->unknown[mesh->end[c][0]][k] >= 0 ||
+			             mesh->unknown[mesh->end[c][1]][k] >= 0;
 		if (!free_ends)
 			N = fmax(N, mesh->EA[c]*(sqrt(dot(d, d))/mesh->length0[c] - 1.0));
 		dual->step[c][0] = N;

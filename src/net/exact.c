@@ -90,8 +90,8 @@ enum hawser_status hawser__exact_solve(struct hawser__exact *exact, struct hawse
 	enum hawser_status status;
 
 	*found = (struct hawser__equilibrium){.method = "catenary"};
-	status = hawser__dual_solve(dual, &done, &found->residual, tolerance > 0.0 ? tolerance : 1e-10, most,
-	                            report);
+	status = hawser__dual_solve(dual, &done, &found->residual, tolerance > 0.0 ? tolerance : 1e-10,
+	                            most, report);
 	found->iterations = dual->iterations;
 	found->floor = hawser__mesh_floor(&exact->mesh);
 	if (status)

@@ -31,7 +31,8 @@ static double least(const struct hawser__catenary *cable, const double F[3], dou
 	return size_of(t);
 }
 
-static void member(struct hawser_net_statics *st, int c, const struct hawser__exact *exact, int elements)
+static void member(struct hawser_net_statics *st, int c, const struct hawser__exact *exact,
+                   int elements)
 {
 	const struct hawser__catenary *cable = &exact->dual.cable[c];
 	const double *from = exact->mesh.q[exact->mesh.end[c][0]];

@@ -29,8 +29,8 @@ static const struct hawser__net_method methods[] = {
 	 hawser__net_interior, 1},
 	{{"mixed", "Newton's method for positions and forces, for nets without slack members",
 	  "this program"}, hawser__net_mixed, 1},
-	{{"forces", "Newton's method for forces in balance, with steps that lower their energy: slower, and "
-	  "cannot fail", "this program"}, hawser__net_dual, 1},
+	{{"forces", "Newton's method for forces in balance, with steps that lower their energy: slower, "
+	  "and cannot fail", "this program"}, hawser__net_dual, 1},
 	{{"catenary", "exact catenaries between the joints, whose positions alone are unknown",
 	  "this program"}, NULL, 1},
 };
@@ -193,8 +193,8 @@ static double weight_of(const struct hawser__mesh *mesh)
 	return sum;
 }
 
-/* Forces of the start, if they are not known: a fifth of all loads or, between nodes that are held, what
- * the strain of the chord gives. */
+/* Forces of the start, if they are not known: a fifth of all loads or, between nodes that are held,
+ * what the strain of the chord gives. */
 static void start_forces(struct hawser__net_work *work)
 {
 	const struct hawser__mesh *mesh = work->mesh;

@@ -1,5 +1,5 @@
-/* Exact catenaries against quadrature and differences, against meshes, and against the statics of spans;
- * random nets, of which none may fail.
+/* Exact catenaries against quadrature and differences, against meshes, and against the statics of
+ * spans; random nets, of which none may fail.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -107,9 +107,9 @@ static void span(void)
 	hawser_net_statics_clear(&st);
 }
 
-/* Random nets by catenaries and by meshes of 8 and 16 elements: energies per weight and size. A mesh is the
- * same energy for piecewise straight cables, so that it comes from above, the finer one closer; it halves
- * the error at least, if no cable has a fold that is shorter than an element. */
+/* Random nets by catenaries and by meshes of 8 and 16 elements: energies per weight and size. A mesh
+ * is the same energy for piecewise straight cables, so that it comes from above, the finer one closer;
+ * it halves the error at least, if no cable has a fold that is shorter than an element. */
 static void many(enum random_kind kind, int count)
 {
 	static const char *const name[] = {"heavy cables", "heavy and light cables", "bars"};
@@ -148,7 +148,8 @@ static void many(enum random_kind kind, int count)
 	}
 	ok(failed == 0, "%s: %d of %d nets failed", name[kind], failed, count);
 	ok(high == 0, "%s: %d meshes with a gap", name[kind], high);
-	ok(worst <= 1e-10, "%s: energies in the wrong order or, of bars, off by %.1e", name[kind], worst);
+	ok(worst <= 1e-10, "%s: energies in the wrong order or, of bars, off by %.1e", name[kind],
+	   worst);
 	if (kind == HEAVY)
 		ok(slow <= count/100, "%s: %d times the error of the energy was not halved at least", name[kind],
 		   slow);
