@@ -151,8 +151,8 @@ static void many(enum random_kind kind, int count)
 	ok(worst <= 1e-10, "%s: energies in the wrong order or, of bars, off by %.1e", name[kind],
 	   worst);
 	if (kind == HEAVY)
-		ok(slow <= count/100, "%s: %d times the error of the energy was not halved at least", name[kind],
-		   slow);
+		ok(slow <= count/100, "%s: %d times the error of the energy was not halved at least",
+		   name[kind], slow);
 }
 
 int main(void)
