@@ -3,6 +3,7 @@ pkginclude_HEADERS = \
 	%D%/hawser/beam_motion.h \
 	%D%/hawser/backbone.h \
 	%D%/hawser/nnm.h \
+	%D%/hawser/normal_form.h \
 	%D%/hawser/basin.h \
 	%D%/hawser/campbell.h \
 	%D%/hawser/damped.h \

@@ -127,3 +127,8 @@ check_PROGRAMS += tests/reference/test-feigenbaum
 TESTS += tests/reference/test-feigenbaum
 tests_reference_test_feigenbaum_SOURCES = tests/reference/test-feigenbaum.c
 tests_reference_test_feigenbaum_LDADD = $(UPTO_RESPONSE)
+
+check_PROGRAMS += tests/property/test-normal-form
+TESTS += tests/property/test-normal-form
+tests_property_test_normal_form_SOURCES = tests/property/test-normal-form.c
+tests_property_test_normal_form_LDADD = $(UPTO_RESPONSE)

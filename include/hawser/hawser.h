@@ -24,6 +24,7 @@
 #include <hawser/orbit.h>
 #include <hawser/backbone.h>
 #include <hawser/nnm.h>
+#include <hawser/normal_form.h>
 #include <hawser/basin.h>
 #include <hawser/branches.h>
 #include <hawser/cover.h>

@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include <hawser/branches.h>
+#include <hawser/normal_form.h>
 
 #include "cli/integrate_result.h"
 #include "cli/label.h"
@@ -56,6 +57,32 @@ static enum hawser_status multipliers(struct hawser_frf *frf, const struct cli_l
 	status = label->period > 1 ? hawser_branch_trace(frf, rom, label->period, &choice, NULL)
 	                           : hawser_frf_trace(frf, rom, &choice, NULL);
 	return status == HAWSER_ERR_MEMORY ? status : HAWSER_OK;
+}
+
+/* The normal form, of a label of an event that has one. */
+static enum hawser_status normal_form(struct cli_orbit *orbit, const struct cli_label *label,
+                                      const struct cli_model *model)
+{
+	static const char *const verdict[] = {"subcritical", "quadratic", "supercritical"};
+	const struct hawser_rom *rom = &model->rom;
+	struct hawser_normal_form form;
+	struct hawser_report why = {0};
+	enum hawser_status status;
+	int kind = HAWSER_FOLD;
+
+	while (kind <= HAWSER_TORUS && strcmp(label->kind, hawser_event_name(kind)) != 0)
+		kind++;
+	if (kind > HAWSER_TORUS)
+		return HAWSER_OK;
+	status = hawser_normal_form(&form, rom, label->state, label->omega, label->period, kind, &why);
+	if (status)
+		memcpy(orbit->formless, why.message, sizeof orbit->formless - 1);
+	if (status)
+		return status == HAWSER_ERR_MEMORY ? status : HAWSER_OK;
+	orbit->form = form.c/pow(rom->length, kind == HAWSER_FOLD ? 1.0 : 2.0);
+	orbit->form_error = orbit->form*form.error/form.c;
+	orbit->verdict = verdict[form.decided + 1];
+	return HAWSER_OK;
 }
 
 /* Over the first period; the state at its end is in row ROWS. */
@@ -116,6 +143,12 @@ static void comments(struct hawser__table *table, const void *of)
 	                      orbit->period > 1 ? "s" : "");
 	hawser__table_comment(table, "closure after one period of the motion: %.1e of its size",
 	                      orbit->closure);
+	if (*orbit->verdict)
+		hawser__table_comment(table, "normal form: %s, coefficient %.6g (error %.1e)%s", orbit->verdict,
+		                      orbit->form, orbit->form_error,
+		                      cli_unit(result->model, *orbit->verdict == 'q' ? " 1/m" : " 1/m^2"));
+	else if (*orbit->formless)
+		hawser__table_comment(table, "%s", orbit->formless);
 	for (int i = 0; orbit->multiplier && i < 2*result->model->rom.n; i++)
 		hawser__table_comment(table, "multiplier %d: modulus %.9g, argument %.9g", i + 1,
 		                      exp(orbit->multiplier[2*i]), orbit->multiplier[2*i + 1]);
@@ -173,7 +206,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	struct cli_model model = {0};
 	struct cli_label label = {.state = NULL};
 	struct hawser_frf frf = {0};
-	struct cli_orbit orbit = {.harmonics = HARMONICS};
+	struct cli_orbit orbit = {.harmonics = HARMONICS, .form = NAN, .form_error = NAN, .verdict = ""};
 	struct cli_integrate_result result = {.common = &settings->common, .model = &model,
 	                                      .orbit = &orbit};
 	struct cli_showing showing = cli_integrate_showing;
@@ -197,6 +230,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		status = hawser__no_memory(report, "orbit");
 	if (!status)
 		status = multipliers(&frf, &label, &model);
+	if (!status)
+		status = normal_form(&orbit, &label, &model);
 	orbit.label = label.number;
 	orbit.period = label.period;
 	orbit.kind = label.kind;

@@ -231,6 +231,13 @@ static const struct hawser__field orbit_field[] = {
 	{"orbit.period", NULL, "periods of the load in one of the motion", OF(period)},
 	{"orbit.closure", NULL, "change of the state over a period of the motion, relative",
 	 OF(closure)},
+	{"orbit.normal_form.coefficient", NULL, "of an event: of the normal form of the period "
+	 "map, in 1/m of a fold, else 1/m^2, or in the units of the model", OF(form),
+	 .flags = HAWSER__OMIT},
+	{"orbit.normal_form.error", NULL, "its estimated error", OF(form_error), .flags = HAWSER__OMIT},
+	{"orbit.normal_form.verdict", NULL, "supercritical or subcritical; quadratic of a fold",
+	 OF(verdict), .flags = HAWSER__OMIT},
+	{"orbit.normal_form.reason", NULL, "why an event has none", OF(formless), .flags = HAWSER__OMIT},
 	{"orbit.harmonics", NULL, "its Fourier coefficients", HAWSER__OBJECTS_OF(harmonic_list)},
 	{"orbit.multipliers", NULL, "Floquet multipliers: logarithm of the modulus, argument",
 	 .kind = HAWSER__VECTOR, HAWSER__PLACE(struct cli_orbit, multiplier),

@@ -16,6 +16,9 @@ struct cli_orbit {
 	int *k;              /* [harmonics] multiples of the frequency of the motion, from 0 */
 	double *amplitude;   /* [harmonics][n] of each coordinate, scaled */
 	const double *multiplier; /* [2n][2] log modulus, argument; NULL: not known */
+	double form, form_error;  /* coefficient of the normal form of an event, SI; NAN: none */
+	const char *verdict;      /* "supercritical", ... or "" */
+	char formless[512];       /* why there is none, or "" */
 };
 
 struct cli_integrate_result {

@@ -116,6 +116,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/monodromy_plan.c \
 	%D%/monodromy_step.c \
 	%D%/newton.c \
+	%D%/normal_form.c \
 	%D%/nystrom.c \
 	%D%/nystrom.h \
 	%D%/periodic.c \

@@ -29,6 +29,7 @@
 #include <hawser/map.h>
 #include <hawser/modes.h>
 #include <hawser/net.h>
+#include <hawser/normal_form.h>
 #include <hawser/orbit.h>
 #include <hawser/plan.h>
 #include <hawser/plausible.h>
@@ -181,6 +182,7 @@ static const struct row {
 	ROW(hawser_net_point),
 	ROW(hawser_net_statics),
 	ROW(hawser_orbit_cost),
+	ROW(hawser_normal_form),
 	ROW(hawser_parameter),
 	ROW(hawser_plan),
 	ROW(hawser_plan_decision),

@@ -105,6 +105,30 @@ for name, source, label, decay in ("orbit", "cascade-frf", 16, 0.4), ("cable", "
 lines = open("orbit.tsv").read()
 assert "# label 16: a motion of 2 periods of the load" in lines and "# multiplier 2: modulus " in lines
 END
+cat >softer.json <<'END'
+{"n": 1, "K": [[1]], "D": [[0.05]], "C": [[0, 0, 0, 0, 0.4]], "harmonics": [{"k": 1, "K": [[-0.3]]}]}
+END
+works "two doublings of rest" frf softer.json --from 1.6 --to 2.5 --branches 1 --json softer-frf.json -q
+python "labels of events" <<'END'
+import json
+result = json.load(open("softer-frf.json"))
+for name, label in zip(("lower", "upper"), (e["label"] for e in result["events"])):
+    open(name, "w").write(f"softer-frf.json#{label}")
+pair = json.load(open("pair-frf.json"))
+open("fold-label", "w").write(str([e["label"] for e in pair["events"] if e["kind"] == "fold"][0]))
+END
+works "the lower one" orbit "$(cat lower)" --json lower.json --tsv lower.tsv -q
+works "the upper one" orbit "$(cat upper)" --json upper.json -q
+works "a fold" orbit pair.json --from-label "pair-frf.json#$(cat fold-label)" --json fold-orbit.json -q
+python "normal forms of events" <<'END'
+import json
+lower, upper, fold = (json.load(open(n + ".json"))["orbit"]["normal_form"] for n in ("lower", "upper", "fold-orbit"))
+assert lower["verdict"] == "supercritical" and abs(lower["coefficient"] - 1.60679426) < 1e-6, lower
+assert upper["verdict"] == "subcritical" and abs(upper["coefficient"] + 4.68729434) < 1e-6, upper
+assert fold["verdict"] == "quadratic" and fold["coefficient"] > 0 and fold["error"] < 1e-4*fold["coefficient"], fold
+assert "normal_form" not in json.load(open("orbit.json"))["orbit"]
+assert "# normal form: supercritical, coefficient 1.60679" in open("lower.tsv").read()
+END
 refuses 1 "which motion? write hawser orbit FILE#LABEL, with a label of a JSON result of hawser frf" orbit cascade.json
 works "the motion at a label alone" orbit cascade-frf.json#16 --json alone.json -q
 python "is that of the model which the result names" <<'END'
