@@ -12,6 +12,13 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/loads.c \
 	%D%/mesh.c \
 	%D%/mixed.c \
+	%D%/motion.c \
+	%D%/motion.h \
+	%D%/motion-chain.c \
+	%D%/motion-klu.c \
+	%D%/motion-law.c \
+	%D%/motion-schemes.c \
+	%D%/motion-support.c \
 	%D%/names.c \
 	%D%/net.c \
 	%D%/net.h \

@@ -29,6 +29,7 @@
 #include <hawser/map.h>
 #include <hawser/modes.h>
 #include <hawser/net.h>
+#include <hawser/net_motion.h>
 #include <hawser/normal_form.h>
 #include <hawser/orbit.h>
 #include <hawser/plan.h>
@@ -180,6 +181,7 @@ static const struct row {
 	ROW(hawser_net_node),
 	ROW(hawser_net_options),
 	ROW(hawser_net_point),
+	ROW(hawser_net_scheme),
 	ROW(hawser_net_statics),
 	ROW(hawser_orbit_cost),
 	ROW(hawser_normal_form),

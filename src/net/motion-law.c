@@ -1,0 +1,326 @@
+/* net/motion-law.c - forces, tangents and the energy ledger of a step; see net/motion.h.
+ *
+ * S, L    d0 + d1 and l0 + l1 of an element
+ * g       S/L: the work of a force sigma*g over the step is sigma*(l1 - l0)
+ *
+ * Kelvin-Voigt damping adds c*(p1 - p0)/h to sigma, in all schemes; what pushes is cut off, since a cable
+ * cannot. Both only dissipate.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "net/motion.h"
+
+static inline double dot(const double a[3], const double b[3])
+{
+	return a[0]*b[0] + a[1]*b[1] + a[2]*b[2];
+}
+
+/* What the mass of an element makes of the vectors at its ends. */
+static inline double square(const struct hawser__motion *motion, const double a[3], const double b[3])
+{
+	return (0.5 - motion->far)*(dot(a, a) + dot(b, b)) + 2.0*motion->far*dot(a, b);
+}
+
+/* Length and signed stretch of an element whose vector is D + delta. */
+static inline double stretch(double *p, const struct hawser__motion_element *el,
+                             const double delta[3], const double d[3])
+{
+	double l = sqrt(dot(d, d)), sum = l + el->l_ref, more = 0.0;
+
+	for (int k = 0; k < 3; k++)
+		more += (el->D[k] + d[k])*delta[k];
+	*p = el->p_ref + (sum > 0.0 ? more/sum : 0.0);
+	return l;
+}
+
+/* What an element does in the step: a force on its end b of gradient*g + end*e1, and their derivatives
+ * by l1. dl = l1 - l0. */
+struct forces {
+	double gradient, slope, end, end_slope, dl;
+};
+
+/* sigma = (W1 - W0)/(l1 - l0), without its cancellation. */
+static void discrete(struct forces *f, const struct hawser__motion_element *el)
+{
+	double p0 = el->p, p1 = el->p1, k = el->k;
+
+	if (p0 > 0.0 && p1 > 0.0) {
+		f->gradient = 0.5*k*(p0 + p1);
+		f->slope = 0.5*k;
+	} else if (p1 > 0.0) { /* l1 - l0 >= p1 */
+		double ratio = fmin(p1/f->dl, 1.0);
+
+		f->gradient = 0.5*k*p1*ratio;
+		f->slope = k*ratio*(1.0 - 0.5*ratio);
+	} else if (p0 > 0.0) {
+		double ratio = fmin(-p0/f->dl, 1.0);
+
+		f->gradient = 0.5*k*p0*ratio;
+		f->slope = 0.5*k*ratio*ratio;
+	}
+}
+
+static inline void forces(struct forces *f, const struct hawser__motion_element *el,
+                          const struct hawser__motion_rule *rule, double h)
+{
+	f->gradient = f->slope = f->end = f->end_slope = 0.0;
+	if (rule->weight < 0.0) {
+		discrete(f, el);
+	} else if (el->p1 > 0.0) {
+		f->end = rule->weight*el->k*el->p1;
+		f->end_slope = rule->weight*el->k;
+	}
+	if (el->c > 0.0 && (el->p > 0.0 || el->p1 > 0.0)) {
+		double rate = (fmax(el->p1, 0.0) - fmax(el->p, 0.0))/h;
+		double whole = f->gradient + f->end + el->c*rate;
+
+		if (whole < 0.0) {
+			f->gradient = -f->end;
+			f->slope = -f->end_slope;
+		} else {
+			f->gradient += el->c*rate;
+			f->slope += el->p1 > 0.0 ? el->c/h : 0.0;
+		}
+	}
+}
+
+/* Vector, length and stretch of an element at the end of the step. */
+static inline void move(struct hawser__motion_element *el, double d1[3], const double *xa,
+                        const double *xb)
+{
+	double delta[3];
+
+	for (int k = 0; k < 3; k++) {
+		delta[k] = el->delta[k] + (xb[k] - xa[k]);
+		d1[k] = el->D[k] + delta[k];
+	}
+	el->l1 = stretch(&el->p1, el, delta, d1);
+}
+
+static void block(double B[9], const struct forces *f, const double g[3], const double e1[3],
+                  double sum, double l1)
+{
+	double round = (sum > 0.0 ? f->gradient/sum : 0.0) + (l1 > 0.0 ? f->end/l1 : 0.0);
+	double skew = f->slope - (sum > 0.0 ? f->gradient/sum : 0.0);
+	double along = f->end_slope - (l1 > 0.0 ? f->end/l1 : 0.0);
+
+	for (int i = 0; i < 3; i++) {
+		for (int j = 0; j < 3; j++)
+			B[3*i + j] = (skew*g[i] + along*e1[i])*e1[j];
+		B[4*i] += round;
+	}
+}
+
+static double element(struct hawser__motion *motion, int number, const struct hawser__motion_rule *rule,
+                      double h, int tangent)
+{
+	struct hawser__motion_element *el = &motion->element[number];
+	const double *xa = motion->x[el->a], *xb = motion->x[el->b];
+	const double *ya = motion->acc[el->a], *yb = motion->acc[el->b];
+	const double *wa = motion->vel[el->a], *wb = motion->vel[el->b];
+	double d1[3], g[3], e1[3], sum, most = 0.0, *ra = motion->r[el->a], *rb = motion->r[el->b];
+	const double far = motion->far, near = 0.5 - far;
+	struct forces f;
+
+	move(el, d1, xa, xb);
+	sum = el->l + el->l1;
+	for (int k = 0; k < 3; k++) {
+		g[k] = sum > 0.0 ? (el->d[k] + d1[k])/sum : 0.0;
+		e1[k] = el->l1 > 0.0 ? d1[k]/el->l1 : 0.0;
+	}
+	f.dl = g[0]*(xb[0] - xa[0]) + g[1]*(xb[1] - xa[1]) + g[2]*(xb[2] - xa[2]);
+	forces(&f, el, rule, h);
+	el->T1 = f.gradient + f.end;
+	for (int k = 0; k < 3; k++) {
+		double F = f.gradient*g[k] + f.end*e1[k] -
+		           (rule->weight < 0.0 ? 1.0 : rule->weight)*el->F_ref[k];
+		double a = el->m*ya[k] + el->drag*wa[k], b = el->m*yb[k] + el->drag*wb[k];
+
+		ra[k] += near*a + far*b - F;
+		rb[k] += near*b + far*a + F;
+		most = fmax(most, fabs(F) + fabs(a) + fabs(b));
+	}
+	if (tangent) {
+		block(motion->B[number], &f, g, e1, sum, el->l1);
+		motion->mass[number][0] = (rule->m[0]*el->m + rule->c[0]*el->drag)*(0.5 - motion->far);
+		motion->mass[number][1] = (rule->m[0]*el->m + rule->c[0]*el->drag)*motion->far;
+	}
+	return fmax(most, fabs(el->T1));
+}
+
+void hawser__motion_residual(struct hawser__motion *motion, const struct hawser__motion_rule *rule,
+                             double h, int tangent)
+{
+	double most = 0.0;
+
+	for (int i = 0; i < motion->nodes; i++) {
+		const int *free = motion->mesh->unknown[i];
+
+		for (int k = 0; k < 3; k++) {
+			double x = motion->x[i][k], v = motion->v0[i][k], a = motion->a0[i][k];
+
+			motion->acc[i][k] = free[k] < 0 ? (motion->v[i][k] - v)/h
+				: rule->m[0]*x + rule->m[1]*v + rule->m[2]*a;
+			motion->vel[i][k] = free[k] < 0 && rule->weight < 0.0 ? x/h
+				: rule->c[0]*x + rule->c[1]*v + rule->c[2]*a;
+			motion->r[i][k] = motion->mesh->mass[i]*motion->acc[i][k] - motion->load[i][k];
+		}
+		if (tangent)
+			motion->point[i] = rule->m[0]*motion->mesh->mass[i];
+	}
+	for (int e = 0; e < motion->elements; e++)
+		most = fmax(most, element(motion, e, rule, h, tangent));
+	motion->scale = most;
+}
+
+/* Force of the beginning of the step, of the part 1 - weight, added to the load. */
+static void beginning(struct hawser__motion *motion, double part)
+{
+	for (int e = 0; e < motion->elements; e++) {
+		const struct hawser__motion_element *el = &motion->element[e];
+		double T = el->p > 0.0 && el->l > 0.0 ? el->k*el->p/el->l : 0.0;
+
+		for (int k = 0; k < 3; k++) {
+			double F = part*(T*el->d[k] - el->F_ref[k]);
+
+			motion->load[el->a][k] += F;
+			motion->load[el->b][k] -= F;
+		}
+	}
+}
+
+void hawser__motion_prepare(struct hawser__motion *motion, const struct hawser__motion_rule *rule,
+                            double h)
+{
+	size_t size = (size_t)motion->nodes*sizeof *motion->wave;
+
+	for (int e = 0; e < motion->elements; e++) {
+		struct hawser__motion_element *el = &motion->element[e];
+
+		for (int k = 0; k < 3; k++) {
+			el->delta[k] = motion->u0[el->b][k] - motion->u0[el->a][k];
+			el->d[k] = el->D[k] + el->delta[k];
+		}
+		el->l = stretch(&el->p, el, el->delta, el->d);
+	}
+	memset(motion->wave, 0, size);
+	if (rule->weight < 0.0) {
+		hawser__motion_waves(motion->wave, motion->mesh, motion->t + h/2.0, 1.0);
+	} else {
+		hawser__motion_waves(motion->wave, motion->mesh, motion->t + h, rule->weight);
+		hawser__motion_waves(motion->wave, motion->mesh, motion->t, 1.0 - rule->weight);
+	}
+	for (int i = 0; i < motion->nodes; i++)
+		for (int k = 0; k < 3; k++)
+			motion->load[i][k] = motion->base[i][k] + motion->wave[i][k];
+	if (rule->weight >= 0.0 && rule->weight < 1.0)
+		beginning(motion, 1.0 - rule->weight);
+}
+
+/* Strain energy beyond the reference's, less the work of the reference's force: with s = l - l_ref both
+ * taut it is k*s^2/2 + k*p_ref*(delta^2 - s^2)/(2*l_ref), without cancellation. */
+static double strain_of(const struct hawser__motion_element *el, double p, const double delta[3])
+{
+	double rest = fmax(el->p_ref, 0.0), s = p - el->p_ref;
+
+	if (p > 0.0 && rest > 0.0)
+		return 0.5*el->k*(s*s + rest*(dot(delta, delta) - s*s)/el->l_ref);
+	p = fmax(p, 0.0);
+	return 0.5*el->k*(p - rest)*(p + rest) - dot(el->F_ref, delta);
+}
+
+void hawser__motion_energies(struct hawser__motion *motion)
+{
+	double kinetic = 0.0, strain = 0.0, loads = 0.0;
+
+	for (int e = 0; e < motion->elements; e++) {
+		const struct hawser__motion_element *el = &motion->element[e];
+		const double *va = motion->v[el->a], *vb = motion->v[el->b];
+		double delta[3], d[3], p;
+
+		for (int k = 0; k < 3; k++) {
+			delta[k] = motion->u[el->b][k] - motion->u[el->a][k];
+			d[k] = el->D[k] + delta[k];
+		}
+		(void)stretch(&p, el, delta, d);
+		kinetic += 0.5*el->m*square(motion, va, vb);
+		strain += strain_of(el, p, delta);
+	}
+	for (int i = 0; i < motion->nodes; i++) {
+		kinetic += 0.5*motion->mesh->mass[i]*dot(motion->v[i], motion->v[i]);
+		loads += dot(motion->base[i], motion->u[i]);
+	}
+	motion->energy.kinetic = kinetic;
+	motion->energy.potential = strain - loads;
+}
+
+/* The mass of a support gets its momentum at the mean of its velocities, which is not its mean velocity: what
+ * this adds to the work of r over the increment. */
+static double inertia(const struct hawser__motion *motion, double h)
+{
+	double work = 0.0;
+
+	for (int i = 0; i < motion->nodes; i++)
+		for (int k = 0; k < 3; k++)
+			if (motion->mesh->unknown[i][k] < 0)
+				work += motion->mesh->mass[i]*motion->acc[i][k]*
+				        (0.5*h*(motion->v0[i][k] + motion->v[i][k]) - motion->x[i][k]);
+	for (int e = 0; e < motion->elements; e++) {
+		const struct hawser__motion_element *el = &motion->element[e];
+		const int end[2] = {el->a, el->b};
+
+		for (int side = 0; side < 2; side++)
+			for (int k = 0; k < 3; k++) {
+				int i = end[side], j = end[!side];
+
+				if (motion->mesh->unknown[i][k] >= 0)
+					continue;
+				work += el->m*((0.5 - motion->far)*motion->acc[i][k] + motion->far*motion->acc[j][k])*
+				        (0.5*h*(motion->v0[i][k] + motion->v[i][k]) - motion->x[i][k]);
+			}
+	}
+	return work;
+}
+
+void hawser__motion_account(struct hawser__motion *motion, const struct hawser__motion_rule *rule,
+                            double h)
+{
+	double work = 0.0, lost = 0.0, error, most;
+	struct hawser__motion_energy *energy = &motion->energy;
+
+	for (int e = 0; e < motion->elements; e++) {
+		const struct hawser__motion_element *el = &motion->element[e];
+		const double *xa = motion->x[el->a], *xb = motion->x[el->b];
+		double p0 = fmax(el->p, 0.0), p1 = fmax(el->p1, 0.0), dl = el->p1 - el->p, T = 0.0;
+
+		lost += el->drag/h*square(motion, xa, xb);
+		if (el->c > 0.0 && (p0 > 0.0 || p1 > 0.0)) {
+			T = rule->weight < 0.0 ? el->T1*dl - 0.5*el->k*(p1 - p0)*(p1 + p0)
+			                       : el->c*(p1 - p0)*dl/h;
+			lost += T;
+		}
+	}
+	for (int i = 0; i < motion->nodes; i++)
+		for (int k = 0; k < 3; k++) {
+			double x = motion->x[i][k];
+
+			work += motion->wave[i][k]*x;
+			if (motion->mesh->unknown[i][k] < 0) /* r: what the support adds, with the mass */
+				work += motion->r[i][k]*x;
+		}
+	if (motion->tables || motion->mesh->motions)
+		work += inertia(motion, h);
+	energy->work += work;
+	energy->dissipated += lost;
+	hawser__motion_energies(motion);
+	error = energy->kinetic + energy->potential - motion->start_energy - energy->work +
+	        energy->dissipated;
+	most = fmax(fmax(energy->kinetic, fabs(energy->potential - motion->start_energy)),
+	            fmax(fabs(energy->work), energy->dissipated));
+	motion->most_energy = fmax(motion->most_energy, most);
+	motion->closure = fmax(motion->closure, fabs(error));
+}
