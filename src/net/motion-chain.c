@@ -1,7 +1,7 @@
 /* net/motion-chain.c - block elimination along chains, and the choice between it and KLU.
  *
- * A graph whose parts are paths is ordered along them: the matrix is then block tridiagonal with 3x3
- * blocks, and elimination without fill costs some 200 operations a node.
+ * A graph whose parts are paths is ordered along them: the matrix is then block tridiagonal with
+ * 3x3 blocks, and elimination without fill costs some 200 operations a node.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -240,7 +240,8 @@ static int eliminate(double (*r)[3], struct hawser__blocks *blocks, const double
 }
 
 enum hawser_status hawser__blocks_solve(double (*r)[3], int *good, struct hawser__blocks *blocks,
-                                        const double (*B)[9], const double (*mass)[2], const double *point,
+                                        const double (*B)[9], const double (*mass)[2],
+                                        const double *point,
                                         struct hawser_report *report)
 {
 	if (blocks->klu)

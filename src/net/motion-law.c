@@ -3,8 +3,8 @@
  * S, L    d0 + d1 and l0 + l1 of an element
  * g       S/L: the work of a force sigma*g over the step is sigma*(l1 - l0)
  *
- * Kelvin-Voigt damping adds c*(p1 - p0)/h to sigma, in all schemes; what pushes is cut off, since a cable
- * cannot. Both only dissipate.
+ * Kelvin-Voigt damping adds c*(p1 - p0)/h to sigma, in all schemes; what pushes is cut off, since
+ * a cable cannot. Both only dissipate.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -37,8 +37,8 @@ static inline double stretch(double *p, const struct hawser__motion_element *el,
 	return l;
 }
 
-/* What an element does in the step: a force on its end b of gradient*g + end*e1, and their derivatives
- * by l1. dl = l1 - l0. */
+/* What an element does in the step: a force on its end b of gradient*g + end*e1, and their
+ * derivatives by l1. dl = l1 - l0. */
 struct forces {
 	double gradient, slope, end, end_slope, dl;
 };
@@ -221,8 +221,8 @@ void hawser__motion_prepare(struct hawser__motion *motion, const struct hawser__
 		beginning(motion, 1.0 - rule->weight);
 }
 
-/* Strain energy beyond the reference's, less the work of the reference's force: with s = l - l_ref both
- * taut it is k*s^2/2 + k*p_ref*(delta^2 - s^2)/(2*l_ref), without cancellation. */
+/* Strain energy beyond the reference's, less the work of the reference's force: with s = l -
+ * l_ref both taut it is k*s^2/2 + k*p_ref*(delta^2 - s^2)/(2*l_ref), without cancellation. */
 static double strain_of(const struct hawser__motion_element *el, double p, const double delta[3])
 {
 	double rest = fmax(el->p_ref, 0.0), s = p - el->p_ref;
@@ -258,8 +258,8 @@ void hawser__motion_energies(struct hawser__motion *motion)
 	motion->energy.potential = strain - loads;
 }
 
-/* The mass of a support gets its momentum at the mean of its velocities, which is not its mean velocity: what
- * this adds to the work of r over the increment. */
+/* The mass of a support gets its momentum at the mean of its velocities, which is not its mean
+ * velocity: what this adds to the work of r over the increment. */
 static double inertia(const struct hawser__motion *motion, double h)
 {
 	double work = 0.0;

@@ -1,4 +1,5 @@
-/* net/motion-schemes.c - schemes of time integration, as rows of a table; see struct hawser__motion_rule.
+/* net/motion-schemes.c - schemes of time integration, as rows of a table; see
+ * struct hawser__motion_rule.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 

@@ -1,7 +1,7 @@
 /* net/motion-support.c - motion of supports, by harmonics and from tables; harmonic loads.
  *
- * A table is a text file: a line `t x y z` for each time, in s and m, the displacement of the node from its
- * place in the scene; # begins a comment. Between the times: natural cubic spline.
+ * A table is a text file: a line `t x y z` for each time, in s and m, the displacement of the
+ * node from its place in the scene; # begins a comment. Between the times: natural cubic spline.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -75,7 +75,8 @@ static void spline(struct hawser__table *table, int k, double *work)
 	table->curve[0][k] = work[0] = 0.0;
 	for (int i = 1; i < n - 1; i++) {
 		double a = t[i] - t[i - 1], b = t[i + 1] - t[i];
-		double slope = (table->x[i + 1][k] - table->x[i][k])/b - (table->x[i][k] - table->x[i - 1][k])/a;
+		double up = table->x[i + 1][k] - table->x[i][k], down = table->x[i][k] - table->x[i - 1][k];
+		double slope = up/b - down/a;
 		double pivot = 2.0*(a + b) - a*work[i - 1];
 
 		work[i] = b/pivot;

@@ -1,10 +1,10 @@
 /* net/motion.c - time integration of a mesh: begin, steps, their control.
  *
- * Newton's method ends at 1e-12 of the largest force or, where round-off is larger, when it gains nothing
- * more: the energy is kept as well as the equations are solved.
+ * Newton's method ends at 1e-12 of the largest force or, where round-off is larger, when it gains
+ * nothing more: the energy is kept as well as the equations are solved.
  *
- * Local error: of a step of order 2 it is h^3*q'''/12 (the scheme is the trapezoidal rule to this order),
- * q''' from divided differences of the mean velocities of three steps.
+ * Local error: of a step of order 2 it is h^3*q'''/12 (the scheme is the trapezoidal rule to this
+ * order), q''' from divided differences of the mean velocities of three steps.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -131,7 +131,8 @@ static double rest_of(const struct hawser__motion *motion)
 	return most;
 }
 
-static enum hawser_status correct(struct hawser__motion *motion, int *good, struct hawser_report *report)
+static enum hawser_status correct(struct hawser__motion *motion, int *good,
+                                  struct hawser_report *report)
 {
 	enum hawser_status status;
 

@@ -5,14 +5,15 @@
  * D, d   vector along an element in the reference, and now; l = |d|
  * p      l - length0; T = k*max(p, 0), k = EA/length0
  *
- * The stretch is p = p_ref + (2D + delta).delta/(l + l_ref), delta the difference of u over the element: its
- * round-off is that of u, not that of the positions. The internal force is counted from the reference's,
- * so that an equilibrium stays at rest exactly.
+ * The stretch is p = p_ref + (2D + delta).delta/(l + l_ref), delta the difference of u over the
+ * element: its round-off is that of u, not that of the positions. The internal force is counted
+ * from the reference's, so that an equilibrium stays at rest exactly.
  *
- * The discrete gradient (Gonzalez): with d0, d1 at the ends of the step the force on an element's end is
- * sigma*(d0 + d1)/(l0 + l1), sigma = (W1 - W0)/(l1 - l0). Its work over the step is the change of the strain
- * energy W, whatever the step; it has no moment about any point, so that both energy and angular
- * momentum are kept while elements get slack and taut. Its tangent is unsymmetric.
+ * The discrete gradient (Gonzalez): with d0, d1 at the ends of the step the force on an element's
+ * end is sigma*(d0 + d1)/(l0 + l1), sigma = (W1 - W0)/(l1 - l0). Its work over the step is the
+ * change of the strain energy W, whatever the step; it has no moment about any point, so that
+ * both energy and angular momentum are kept while elements get slack and taut. Its tangent is
+ * unsymmetric.
  *
  * Mass and viscous damping: mean of the consistent and the lumped matrix.
  *
@@ -34,8 +35,8 @@ struct hawser__motion_element {
 /* How a scheme makes a step of length h. With v, a at its beginning:
  *   0 = M*(m[0]*x + m[1]*v + m[2]*a) + C*(c[0]*x + c[1]*v + c[2]*a)
  *       + weight*(f_int - load)(end) + (1 - weight)*(f_int - load)(beginning),
- * or, if weight is negative, the discrete gradient and the load at the middle. At the end the velocity is
- * to_v[0]*x + to_v[1]*v + to_v[2]*a and the acceleration to_a likewise. */
+ * or, if weight is negative, the discrete gradient and the load at the middle. At the end the
+ * velocity is to_v[0]*x + to_v[1]*v + to_v[2]*a and the acceleration to_a likewise. */
 struct hawser__motion_rule {
 	double m[3], c[3], to_v[3], to_a[3], weight;
 };
@@ -51,8 +52,9 @@ struct hawser__motion_energy {
 	double kinetic, potential, work, dissipated;
 };
 
-/* Matrices over the nodes, sums for each element of [B, -B; -B, B] + [near, far; far, near] (times the
- * unit matrix), and a multiple of it at nodes. The rows of held directions are those of the unit matrix. */
+/* Matrices over the nodes, sums for each element of [B, -B; -B, B] + [near, far; far, near]
+ * (times the unit matrix), and a multiple of it at nodes. The rows of held directions are those
+ * of the unit matrix. */
 struct hawser__blocks;
 enum hawser_status hawser__blocks_open(struct hawser__blocks **blocks, const struct hawser__mesh *mesh,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
@@ -93,8 +95,8 @@ struct hawser__motion {
 	struct hawser__mesh *mesh;
 	const struct hawser__motion_scheme *scheme;
 	double rho_inf;
-	double far;                  /* of the mass of an element, what couples its ends: 1/12 is the mean of
-	                              * the consistent (1/6) and the lumped matrix (0) */
+	double far;                  /* of the mass of an element, what couples its ends: 1/12 is the
+	                              * mean of the consistent (1/6) and the lumped matrix (0) */
 	double t;
 	int nodes, elements;
 	struct hawser__motion_element *element; /* [elements] */
@@ -121,8 +123,9 @@ struct hawser__motion {
 	long steps, iterations, splits, rejected, switches; /* switches: slack to taut and back */
 };
 
-/* Begin at mesh->q, at rest, with the supports where they are at time t. `balanced` is 1 if this is an
- * equilibrium: what is not balanced is then round-off, except at nodes marked in loose [nodes] (or NULL). */
+/* Begin at mesh->q, at rest, with the supports where they are at time t. `balanced` is 1 if this
+ * is an equilibrium: what is not balanced is then round-off, except at nodes marked in loose
+ * [nodes] (or NULL). */
 enum hawser_status hawser__motion_open(struct hawser__motion *motion, struct hawser__mesh *mesh,
                                        const char *scheme, double rho_inf, int balanced,
                                        const unsigned char *loose, struct hawser_report *report)
@@ -134,8 +137,8 @@ enum hawser_status hawser__motion_begin(struct hawser__motion *motion, struct ha
 /* One step of length h; it is split where Newton's method fails. */
 enum hawser_status hawser__motion_step(struct hawser__motion *motion, double h,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
-/* Steps to time `end`, their lengths from *h on chosen so that the local error of a position is at most
- * `tolerance` (m); *h is the next one. */
+/* Steps to time `end`, their lengths from *h on chosen so that the local error of a position is
+ * at most `tolerance` (m); *h is the next one. */
 enum hawser_status hawser__motion_adapt(struct hawser__motion *motion, double *h, double end,
                                         double tolerance, struct hawser_report *report)
 	HAWSER_MUST_CHECK;

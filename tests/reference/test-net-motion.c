@@ -1,8 +1,10 @@
-/* Motion of a cable pendulum (B 3.3.2) through slack and taut, without damping. The places of the tip were
- * computed by three other programs: finite elements in Python, DOP853 of SciPy, and MoorDyn 2.7.1.
+/* Motion of a cable pendulum (B 3.3.2) through slack and taut, without damping. The places of the
+ * tip were computed by three other programs: finite elements in Python, DOP853 of SciPy, and
+ * MoorDyn 2.7.1.
  *
- * Axial waves of an undamped cable are chaotic: with steps of 0.25, 0.125 and 0.0625 ms the tip of the
- * hanging cable is 2e-4 m apart by 0.6 s. With a little Kelvin-Voigt damping (1e-5 s) all agree.
+ * Axial waves of an undamped cable are chaotic: with steps of 0.25, 0.125 and 0.0625 ms the tip
+ * of the hanging cable is 2e-4 m apart by 0.6 s. With a little Kelvin-Voigt damping (1e-5 s) all
+ * agree.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -104,7 +106,8 @@ static void horizontal(void)
 		return;
 	motion.far = 0.0; /* lumped */
 	run(&motion, 0.4, STEP);
-	ok(fabs(motion.u[1][1] + 0.5*G*0.16) <= 1e-9, "the tip falls freely: %.1e m off", motion.u[1][1] + 0.5*G*0.16);
+	ok(fabs(motion.u[1][1] + 0.5*G*0.16) <= 1e-9, "the tip falls freely: %.1e m off",
+	   motion.u[1][1] + 0.5*G*0.16);
 	run(&motion, scipy[0], STEP);
 	tip(&motion, scipy, 3e-4);
 	run(&motion, 1.2, STEP);
