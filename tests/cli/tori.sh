@@ -42,6 +42,27 @@ assert sides.count("1") == sides.count("-1") == len(curve["points"])
 assert any("tori 1: end: range" in line for line in open("tori.tsv"))
 assert ">tori<" in open("tori.svg").read()
 END
+label=$(python3 -c "import json; print([e['label'] for e in json.load(open('tori.json'))['events'] if e['kind'] == 'torus'][0])")
+works "its torus point" orbit "$rayleigh" --from-label "tori.json#$label" --json point.json -q
+if [ -n "${HAWSER_LONG:-}" ]; then
+	for eps in 0.5 0.8; do
+		works "unstable tori" frf "$top/notebooks-data/scenes/parametric-duffing.json" --set eps=$eps --from 1.3851 --to 1.75 --tori \
+			--json hard.json -q
+		label=$(python3 -c "import json; print([e['label'] for e in json.load(open('hard.json'))['events'] if e['kind'] == 'torus'][0])")
+		works "their torus point" orbit "$top/notebooks-data/scenes/parametric-duffing.json" --set eps=$eps \
+			--from-label "hard.json#$label" --json hard-point.json -q
+		python "is subcritical" <<'END'
+import json
+assert json.load(open("hard-point.json"))["orbit"]["normal_form"]["verdict"] == "subcritical"
+assert not any(p["stable"] for p in json.load(open("hard.json"))["tori"][0]["points"][:3])
+END
+	done
+fi
+python "its normal form says that they are stable" <<'END'
+import json
+assert json.load(open("point.json"))["orbit"]["normal_form"]["verdict"] == "supercritical"
+assert json.load(open("tori.json"))["tori"][0]["points"][0]["stable"]
+END
 works "no torus point" frf "$duffing" --from 0.5 --to 0.6 --tori -q --tsv none.tsv
 try "and that is said" grep -q "tori: none, since no torus point was located" none.tsv
 refuses_like 1 "leave one of them out" frf "$rayleigh" --tori --over factor.load=0.5:1 --Omega 1.1
