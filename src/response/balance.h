@@ -58,6 +58,7 @@ struct hawser__balance {
 	double *rates;           /* [R][n] velocities at the samples */
 	double *slope, *shift;   /* [R][n][n], [R][n] derivatives of the terms by velocities and Omega */
 	double *resist;          /* [2 spread + 1][n][n] Fourier coefficients of slope, as T; else NULL */
+	double resist_floor;     /* round-off of them */
 	double open;             /* the part of mesh that more active pairs could reduce */
 	double *stiffness;       /* [n] mean of the tangent's diagonal */
 	double *damping;         /* [n] diagonal of D */
@@ -125,6 +126,8 @@ void hawser__balance_terms(struct hawser__balance *balance, double omega, int de
 void hawser__balance_terms_transform(struct hawser__balance *balance, double omega);
 /* force [R][n] += slope times the velocities of balance->direction. */
 void hawser__balance_terms_product(struct hawser__balance *balance, double *force, double omega);
+/* Whether row `row` of resist is more than round-off. */
+int hawser__balance_resists(const struct hawser__balance *balance, int row);
 /* Mean damping of the coordinates, for missing pairs. */
 void hawser__balance_set_damping(struct hawser__balance *balance);
 

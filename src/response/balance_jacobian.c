@@ -242,11 +242,14 @@ void hawser__balance_assemble(struct hawser__balance *balance)
 	for (int p = 0; p < rom->harmonics; p++)
 		if (rom->harmonic[p].D)
 			add_parametric_damping(balance, &rom->harmonic[p], balance->derived_at);
-	for (int row = 1; balance->resist && row <= 2*balance->monodromy.resist_order; row++)
-		add_parametric_damping(balance,
-		                       &(struct hawser_harmonic){.k = (row + 1)/2,
-		                       .phase = row%2 ? HAWSER_COS : HAWSER_SIN,
-		                       .D = balance->resist + (size_t)row*rom->n*rom->n},
-		                       balance->derived_at);
+	/* two harmonics up to the order are coupled by their sum and difference */
+	for (int row = 1; balance->resist && row <= 2*balance->monodromy.resist_order &&
+	                  row <= 4*balance->order; row++)
+		if (hawser__balance_resists(balance, row))
+			add_parametric_damping(balance,
+			                       &(struct hawser_harmonic){.k = (row + 1)/2,
+			                       .phase = row%2 ? HAWSER_COS : HAWSER_SIN,
+			                       .D = balance->resist + (size_t)row*rom->n*rom->n},
+			                       balance->derived_at);
 	scale_and_border(balance);
 }

@@ -106,19 +106,30 @@ void hawser__balance_terms(struct hawser__balance *balance, double omega, int de
 	}
 }
 
-/* Harmonics of the resistance above this one are round-off. */
-static int highest_resistance(const struct hawser__balance *balance)
+int hawser__balance_resists(const struct hawser__balance *balance, int row)
 {
-	int n2 = balance->base.n*balance->base.n, k = balance->spread;
+	size_t n2 = (size_t)balance->base.n*(size_t)balance->base.n;
+
+	for (size_t e = 0; e < n2; e++)
+		if (fabs(balance->resist[(size_t)row*n2 + e]) > balance->resist_floor)
+			return 1;
+	return 0;
+}
+
+/* Harmonics of the resistance above this one are round-off. */
+static int highest_resistance(struct hawser__balance *balance)
+{
+	size_t n2 = (size_t)balance->base.n*(size_t)balance->base.n;
+	int k = balance->spread;
 	double most = 0.0;
 
-	for (size_t e = 0; e < (2*(size_t)balance->spread + 1)*(size_t)n2; e++)
+	for (size_t e = 0; e < (2*(size_t)balance->spread + 1)*n2; e++)
 		most = fmax(most, fabs(balance->resist[e]));
-	for (; k > 0; k--)
-		for (int e = 0; e < 2*n2; e++)
-			if (fabs(balance->resist[(2*k - 1)*(size_t)n2 + e]) > DBL_EPSILON*most)
-				return k;
-	return 0;
+	balance->resist_floor = DBL_EPSILON*most;
+	while (k > 0 && !hawser__balance_resists(balance, 2*k - 1) &&
+	       !hawser__balance_resists(balance, 2*k))
+		k--;
+	return k;
 }
 
 void hawser__balance_terms_transform(struct hawser__balance *balance, double omega)

@@ -33,7 +33,8 @@ enum hawser_status hawser__orbit_method(const struct hawser__orbit_method **meth
 	if (hawser__rom_more(rom) && name && strcmp(name, "shooting") != 0 &&
 	    (rom->plug || strcmp(name, "balance") != 0))
 		return hawser__more_refuse(rom, "this method for orbits", report);
-	if (rom->drag || (hawser__rom_more(rom) && !name))
+	/* equations of first order are stiff by their relaxation only, which shooting resolves */
+	if (rom->drag || rom->plug || (hawser__rom_more(rom) && rom->first && !name))
 		name = "shooting";
 
 	for (int i = 0; i < ROWS; i++)
