@@ -264,10 +264,17 @@ HAWSER_PART void set_varying(struct hawser__flow *flow, int s, double *by_u)
 		                      flow->stage_u + lane, flow->at[lane] + hawser__dop853.c[s]*flow->h,
 		                      LANES);
 	for (int k = 0; k < flow->rom->harmonics; k++)
-		for (int lane = 0; flow->rom->harmonic[k].quads > 0 && lane < LANES; lane++)
-			hawser__rom_vary_by(&flow->rom->harmonic[k], flow->wave[k*LANES + lane],
-			                    flow->force + lane, by_u ? by_u + lane : NULL,
-			                    flow->stage_u + lane, flow->n, LANES);
+		for (int i = 0; i < flow->rom->harmonic[k].quads; i++) { /* as vary_by of rom/vary.c */
+			const struct hawser_quad *q = &flow->rom->harmonic[k].Q[i];
+			hawser__vec value = *lanes(flow->wave, k)*q->value;
+			hawser__vec x = *lanes(flow->stage_u, q->k), y = *lanes(flow->stage_u, q->l);
+
+			*lanes(flow->force, q->j) += value*x*y;
+			if (!by_u)
+				continue;
+			*lanes(by_u, q->j*flow->n + q->k) += value*y;
+			*lanes(by_u, q->j*flow->n + q->l) += value*x;
+		}
 }
 
 /* Contribution of the harmonics to the derivatives of f. */

@@ -20,18 +20,20 @@ int hawser__rom_varies(const struct hawser_rom *rom)
 	return 0;
 }
 
-void hawser__rom_vary_by(const struct hawser_harmonic *harmonic, double wave, double *restoring,
-                         double *tangent, const double *u, int n, int stride)
+/* Add the terms of one harmonic times `wave` to restoring [n] and, unless NULL, to tangent [n][n],
+ * at u [n]. */
+static void vary_by(const struct hawser_harmonic *harmonic, double wave, double *restoring,
+                    double *tangent, const double *u, int n)
 {
 	for (int i = 0; i < harmonic->quads; i++) {
 		const struct hawser_quad *q = &harmonic->Q[i];
-		double value = wave*q->value, x = u[q->k*stride], y = u[q->l*stride];
+		double value = wave*q->value, x = u[q->k], y = u[q->l];
 
-		restoring[q->j*stride] += value*x*y;
+		restoring[q->j] += value*x*y;
 		if (!tangent)
 			continue;
-		tangent[(q->j*n + q->k)*stride] += value*y;
-		tangent[(q->j*n + q->l)*stride] += value*x;
+		tangent[q->j*n + q->k] += value*y;
+		tangent[q->j*n + q->l] += value*x;
 	}
 }
 
@@ -49,9 +51,8 @@ void hawser__rom_vary_at(const struct hawser_rom *rom, double *restoring, double
 		const struct hawser_harmonic *harmonic = &rom->harmonic[h];
 
 		if (harmonic->quads > 0)
-			hawser__rom_vary_by(harmonic, harmonic->phase == HAWSER_COS
-			                    ? cos(harmonic->k*tau) : sin(harmonic->k*tau), restoring,
-			                    tangent, u, rom->n, 1);
+			vary_by(harmonic, harmonic->phase == HAWSER_COS ? cos(harmonic->k*tau)
+			        : sin(harmonic->k*tau), restoring, tangent, u, rom->n);
 	}
 }
 

@@ -11,11 +11,6 @@
 /* Whether the model has such terms. */
 int hawser__rom_varies(const struct hawser_rom *rom);
 
-/* Add the terms of one harmonic times `wave` to restoring [n] and, unless NULL, to tangent [n][n],
- * at u [n]. `stride`: doubles from one entry of each array to the next. */
-void hawser__rom_vary_by(const struct hawser_harmonic *harmonic, double wave, double *restoring,
-                         double *tangent, const double *u, int n, int stride);
-
 /* Add all of them at the phase tau. */
 void hawser__rom_vary_at(const struct hawser_rom *rom, double *restoring, double *tangent,
                          const double *u, double tau);

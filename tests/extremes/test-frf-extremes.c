@@ -36,7 +36,7 @@ static int make(struct hawser_rom *rom, int n, double z, double cubic, double lo
 static enum hawser_status trace(struct hawser_frf *frf, const struct hawser_rom *rom, double from,
                                 double to, double tolerance, struct hawser_report *report)
 {
-	struct hawser_frf_options options = {.method = NULL};
+	struct hawser_frf_options options = {.step_max = getenv("HAWSER_LONG") ? 0.02 : 0.1};
 
 	options.from = from;
 	options.to = to;

@@ -286,7 +286,7 @@ int main(void)
 	check_large();
 	for (int i = 0; i < (more ? 200 : 12); i++)
 		check_rotating(i);
-	for (int i = 0; i < (more ? 200 : 6); i++)
+	for (int i = 0; i < (more ? 200 : 4); i++)
 		check_random(i);
 	return done_testing();
 }

@@ -220,7 +220,7 @@ static void same_crossovers(const struct hawser_irvine *a, const struct hawser_i
 
 static void one_case(struct hawser_span span, double slope)
 {
-	struct hawser_irvine_options options = {.points = getenv("HAWSER_LONG") ? 400 : 100};
+	struct hawser_irvine_options options = {.points = getenv("HAWSER_LONG") ? 400 : 50};
 	struct hawser_irvine down, up, coarse;
 	clock_t start = clock();
 

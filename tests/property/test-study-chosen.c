@@ -45,6 +45,7 @@ static int run(struct hawser_study_curve *curve, const char *name, double from, 
 	options.to = to*modes.mode[0].omega;
 	options.tolerance = 1e-8;
 	options.samples = HAWSER_NONE;
+	options.step_max = getenv("HAWSER_LONG") ? 0.0 : 0.1;
 	done = !hawser_fidelities_read(&choice, &count, name, 1, &report) &&
 	       !hawser_study_run(curve, &statics, &scene, &choice, &options, &report);
 	return ok(done, "%s: %d coordinates, %d points, %d landmarks %s", name, curve->n,
@@ -75,13 +76,14 @@ static int errors(double *omega, double *size, const char *name,
 /* Six functions per component agree with twelve to 5e-5 in Omega and 3e-3 in size. */
 static void check_against_lowest(void)
 {
+	const double from = getenv("HAWSER_LONG") ? 0.92 : 0.94, to = getenv("HAWSER_LONG") ? 1.1 : 1.06;
 	struct hawser_study_curve reference = {.n = 0};
 	double chosen[2], lowest[2], few[2];
 
-	if (open_scene("b-table-4.5", NULL, 0) && run(&reference, "full 6", 0.92, 1.1) &&
-	    errors(&chosen[0], &chosen[1], "chosen 9", &reference, 0.92, 1.1) &&
-	    errors(&few[0], &few[1], "chosen 6", &reference, 0.92, 1.1) &&
-	    errors(&lowest[0], &lowest[1], "condensed 9", &reference, 0.92, 1.1)) {
+	if (open_scene("b-table-4.5", NULL, 0) && run(&reference, "full 6", from, to) &&
+	    errors(&chosen[0], &chosen[1], "chosen 9", &reference, from, to) &&
+	    errors(&few[0], &few[1], "chosen 6", &reference, from, to) &&
+	    errors(&lowest[0], &lowest[1], "condensed 9", &reference, from, to)) {
 		ok(chosen[0] < 3e-4 && chosen[1] < 0.01, "nine chosen ones: %.1e, %.1e", chosen[0],
 		   chosen[1]);
 		ok(few[0] < 1e-3, "six chosen ones: %.1e, %.1e", few[0], few[1]);

@@ -189,7 +189,8 @@ static void check_across(const struct across *row)
 	struct hawser_modes modes;
 	struct hawser_rom rom;
 	struct hawser_frf frf;
-	struct hawser_frf_options options = {.samples = HAWSER_NONE};
+	struct hawser_frf_options options = {.samples = HAWSER_NONE,
+		.step_max = getenv("HAWSER_LONG") ? 0.02 : 0.1};
 	const double A = 1e-4, T = 1e6, L = 100.0, alpha = 2.0;
 	double rho = 16.0/(1.0 + T/4e8), worst = 0.0, most = 0.0;
 	char text[1000];
@@ -356,7 +357,8 @@ static void check_full(void)
 		struct hawser_modes modes;
 		struct hawser_rom rom, full;
 		struct hawser_frf a, b;
-		struct hawser_frf_options options = {.samples = HAWSER_NONE, .tolerance = 1e-7};
+		struct hawser_frf_options options = {.samples = HAWSER_NONE, .tolerance = 1e-7,
+			.step_max = 0.2};
 		const double *x, *y;
 		double most = 0.0, worst = 0.0, tension;
 
@@ -365,7 +367,7 @@ static void check_full(void)
 		        !hawser_rom_build_full(&full, &modes.statics, &scene,
 		                               i == 2 ? 16 : 10, NULL), "models"))
 			return;
-		options.from = 0.62*sqrt(rom.K[0]);
+		options.from = 0.605*sqrt(rom.K[0]);
 		options.to = 0.6*sqrt(rom.K[0]);
 		if (!ok(!hawser_frf_trace(&a, &rom, &options, NULL) &&
 		        !hawser_frf_trace(&b, &full, &options, NULL), "responses"))

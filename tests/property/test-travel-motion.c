@@ -111,7 +111,7 @@ static void check_braking(void)
 	scene.travel.braking = 4.3;
 	if (!build(&quartic, &st, &scene, 12))
 		return;
-	if (!ok(!hawser_rom_build_full(&exact, &st, &scene, 8, NULL), "the full order"))
+	if (!ok(!hawser_rom_build_full(&exact, &st, &scene, 6, NULL), "the full order"))
 		return;
 	ok(!hawser_integrate(&run, &exact, &options, NULL), "braking");
 	end = off_rest(&exact, &st, &scene, run.state + (size_t)(run.rows - 1)*2*(size_t)exact.n);

@@ -118,7 +118,9 @@ static void trace(struct curve *curve, const char *folder, const char *name, int
 	for (int i = 0; i < curve->frf.events; i++)
 		ok(!curve->frf.event[i].suspected, "%s: event at %.9f is confirmed by the "
 		   "multipliers", name, curve->frf.event[i].omega);
-	check_retrace(curve, &options);
+	/* models in a second; scenes back by shooting, by all methods with HAWSER_LONG */
+	if (!is_scene || !strcmp(method, "shooting") || getenv("HAWSER_LONG"))
+		check_retrace(curve, &options);
 }
 
 static void finish(struct curve *curve)

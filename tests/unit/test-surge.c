@@ -272,7 +272,7 @@ int main(void)
 	check_guy();
 	check_modes();
 	check_quick();
-	check_random(getenv("HAWSER_LONG") ? 80 : 8);
+	check_random(getenv("HAWSER_LONG") ? 80 : 6);
 	check_refused();
 	done_testing();
 	return 0;
