@@ -1,5 +1,9 @@
 /* hawser/net_motion.h - motion of a net: time integration through slack and taut.
  *
+ * It begins at the equilibrium, at rest, with moving supports where they are at t = 0; supports that
+ * the scene's `dynamics.release` names let go then. It can also begin at the state that another run
+ * has written, and then goes on bit by bit as that run would have.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_NET_MOTION_H
 #define HAWSER_NET_MOTION_H
@@ -18,6 +22,67 @@ struct hawser_net_scheme {
 	int order;
 };
 const struct hawser_net_scheme *hawser_net_scheme(int index); /* NULL beyond the last */
+
+/* A place whose motion is kept: a node, or the point of a cable at a part of its unstretched length
+ * from its end `from`, 0 to 1 (linear between the nodes of the mesh). */
+struct hawser_net_probe {
+	int node, cable; /* one of them; the other is -1 */
+	double part;
+};
+
+/* The whole net at one time; valid during the call only. */
+struct hawser_net_frame {
+	double t;
+	int row, nodes, elements;
+	const double (*x)[3]; /* [nodes] of the mesh: those of the scene, then inner nodes cable by cable */
+	const int (*end)[2];  /* [elements] nodes of each element */
+	const double *T;      /* [elements] N */
+};
+
+struct hawser_net_motion_options {
+	double until;        /* s, end */
+	double every;        /* s, between rows; 0: until/200 */
+	double step;         /* s, at most; 0: the scene's; negative, or 0 in both: by the local error */
+	double tolerance;    /* of the local error of a position in a step, over the unstretched length of
+	                      * the longest cable; 0: 1e-7 */
+	const char *scheme;  /* row of hawser_net_scheme; NULL: the scene's, or the first */
+	double rho_inf;      /* of the scheme alpha; 0: the scene's, or 0.9; HAWSER_NONE: 0 */
+	const char *initial; /* file of a state; NULL: the scene's, or the equilibrium */
+	const struct hawser_net_probe *probe; /* [probes] */
+	int probes;
+	/* Called for each row; not 0 ends the run. May be NULL. */
+	int (*frame)(void *data, const struct hawser_net_frame *frame);
+	void *data;
+	struct hawser_progress progress;
+};
+
+struct hawser_net_motion {
+	int rows, probes, interrupted;
+	double *time;        /* [rows] s */
+	double (*x)[3];      /* [rows*probes] m, row by row */
+	double *T;           /* [rows*probes] N: largest tension of the elements there */
+	/* J; since the beginning, the potential energy (of strain, weight and constant loads) too: it is
+	 * counted from the equilibrium. work: of harmonic loads and moving supports. */
+	double *kinetic, *potential, *work, *dissipated; /* [rows] */
+	int *slack;          /* [rows] number of elements without tension */
+	double closure;      /* largest error of kinetic + potential - work + dissipated, over the largest
+	                      * of these; what a scheme damps is an error here */
+	double start_kinetic; /* J, of the state at the beginning */
+	const char *scheme;
+	long steps, iterations, splits, rejected, switches; /* switches: of elements, slack to taut and
+	                                                     * back; splits: steps made in halves since
+	                                                     * Newton's method failed */
+	double *state;       /* [states] for hawser_net_state_write */
+	int states;
+};
+enum hawser_status hawser_net_integrate(struct hawser_net_motion *motion,
+                                        const struct hawser_net *net,
+                                        const struct hawser_net_motion_options *options,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser_net_motion_clear(struct hawser_net_motion *motion);
+/* Write the last state to a file, from which another run can go on. */
+enum hawser_status hawser_net_state_write(const struct hawser_net_motion *motion, const char *path,
+                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 
 #ifdef __cplusplus
 }

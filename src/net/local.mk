@@ -10,6 +10,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/form.c \
 	%D%/interior.c \
 	%D%/loads.c \
+	%D%/integrate.c \
 	%D%/mesh.c \
 	%D%/mixed.c \
 	%D%/motion.c \
@@ -18,6 +19,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/motion-klu.c \
 	%D%/motion-law.c \
 	%D%/motion-schemes.c \
+	%D%/motion-state.c \
 	%D%/motion-support.c \
 	%D%/names.c \
 	%D%/net.c \

@@ -324,3 +324,22 @@ void hawser__motion_account(struct hawser__motion *motion, const struct hawser__
 	motion->most_energy = fmax(motion->most_energy, most);
 	motion->closure = fmax(motion->closure, fabs(error));
 }
+
+int hawser__motion_tensions(double *T, const struct hawser__motion *motion)
+{
+	int slack = 0;
+
+	for (int e = 0; e < motion->elements; e++) {
+		const struct hawser__motion_element *el = &motion->element[e];
+		double delta[3], d[3], p;
+
+		for (int k = 0; k < 3; k++) {
+			delta[k] = motion->u[el->b][k] - motion->u[el->a][k];
+			d[k] = el->D[k] + delta[k];
+		}
+		(void)stretch(&p, el, delta, d);
+		T[e] = el->k*fmax(p, 0.0);
+		slack += p < 0.0;
+	}
+	return slack;
+}

@@ -18,6 +18,8 @@
 #include "net/motion.h"
 
 enum { ITERATIONS = 30, SPLITS = 12 };
+/* Of the control of steps: as is usual; the shortest step over the whole time. */
+static const double SAFETY = 0.9, GROW = 1.5, SHRINK = 0.3, SHORTEST = 1e-9;
 
 void hawser__motion_clear(struct hawser__motion *motion)
 {
@@ -156,14 +158,18 @@ static void keep(struct hawser__motion *motion)
 /* Accelerations of the state, where a scheme needs them: M*a = what is not balanced. */
 static enum hawser_status accelerate(struct hawser__motion *motion, struct hawser_report *report)
 {
-	const struct hawser__motion_rule rule = {.m = {1.0}, .weight = 0.0};
+	const struct hawser__motion_rule rule = {.m = {1.0}, .c = {0.0, 1.0}, .weight = 0.0};
+	enum hawser_status status;
 	int good = 1;
 
 	keep(motion);
 	memset(motion->x, 0, (size_t)motion->nodes*sizeof *motion->x);
 	hawser__motion_prepare(motion, &rule, 1.0);
 	hawser__motion_residual(motion, &rule, 1.0, 1);
-	return correct(motion, &good, report);
+	status = correct(motion, &good, report);
+	if (!good) /* nodes without mass: only a first guess is lost */
+		memset(motion->r, 0, (size_t)motion->nodes*sizeof *motion->r);
+	return status;
 }
 
 enum hawser_status hawser__motion_begin(struct hawser__motion *motion, struct hawser_report *report)
@@ -256,8 +262,28 @@ static void finish(struct hawser__motion *motion, const struct hawser__motion_ru
 	motion->steps++;
 }
 
-/* Try one step; *done is 0, and the state as before, if it fails. */
-static enum hawser_status attempt(struct hawser__motion *motion, int *done, double h,
+/* Largest local error of a position: h^3 q'''/12 or, of order 1, h^2 q''/2; 0 if it is not known. */
+static double local_error(const struct hawser__motion *motion, double h)
+{
+	double h1 = motion->past_h, h2 = motion->past2_h, most = 0.0;
+	int first = motion->scheme->shown.order == 1;
+
+	if (h1 <= 0.0 || h2 <= 0.0)
+		return 0.0;
+	for (int i = 0; i < motion->nodes; i++)
+		for (int k = 0; k < 3; k++) {
+			double v0 = motion->x[i][k]/h, v1 = motion->past[i][k]/h1, v2 = motion->past2[i][k]/h2;
+			double a0 = 2.0*(v0 - v1)/(h + h1), a1 = 2.0*(v1 - v2)/(h1 + h2);
+			double jerk = 4.0*(a0 - a1)/(h + 2.0*h1 + h2);
+
+			most = fmax(most, fabs(first ? h*h*a0/2.0 : h*h*h*jerk/12.0));
+		}
+	return most;
+}
+
+/* Try one step; *done is 0, and the state as before, if it fails or its local error is more than limit;
+ * motion->error gets the error if limit is not infinite. */
+static enum hawser_status attempt(struct hawser__motion *motion, int *done, double h, double limit,
                                   struct hawser_report *report)
 {
 	struct hawser__motion_rule rule = {0};
@@ -269,9 +295,11 @@ static enum hawser_status attempt(struct hawser__motion *motion, int *done, doub
 	predict(motion, h);
 	hawser__motion_prepare(motion, &rule, h);
 	status = solve(motion, done, &rule, h, report);
-	if (!status && *done) {
+	motion->error = !status && *done && isfinite(limit) ? local_error(motion, h) : 0.0;
+	if (!status && *done && motion->error <= limit) {
 		finish(motion, &rule, h);
 	} else {
+		*done = 0;
 		memcpy(motion->u, motion->u0, size);
 		memcpy(motion->v, motion->v0, size);
 	}
@@ -282,7 +310,7 @@ static enum hawser_status split(struct hawser__motion *motion, double h, int dep
                                 struct hawser_report *report)
 {
 	int done;
-	enum hawser_status status = attempt(motion, &done, h, report);
+	enum hawser_status status = attempt(motion, &done, h, INFINITY, report);
 
 	if (status || done)
 		return status;
@@ -299,4 +327,28 @@ enum hawser_status hawser__motion_step(struct hawser__motion *motion, double h,
                                        struct hawser_report *report)
 {
 	return split(motion, h, SPLITS, report);
+}
+
+enum hawser_status hawser__motion_adapt(struct hawser__motion *motion, double *h, double end,
+                                        double tolerance, struct hawser_report *report)
+{
+	const double power = 1.0/(motion->scheme->shown.order + 1.0);
+	enum hawser_status status = HAWSER_OK;
+
+	while (!status && motion->t < end*(1.0 - 4.0*DBL_EPSILON)) {
+		double left = end - motion->t, part = ceil(left / *h), step = left/part, f;
+		/* an impact has no derivatives: at some length the step is taken as it is */
+		int least = step <= SHORTEST*end;
+		int done;
+
+		status = attempt(motion, &done, step, least ? INFINITY : tolerance, report);
+		if (status)
+			break;
+		if (!done && least)
+			return hawser__motion_step(motion, step, report);
+		motion->rejected += !done;
+		f = motion->error > 0.0 ? SAFETY*pow(tolerance/motion->error, power) : done ? GROW : SHRINK;
+		*h = step*fmin(fmax(f, SHRINK), done ? GROW : SAFETY);
+	}
+	return status;
 }

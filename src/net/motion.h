@@ -120,6 +120,7 @@ struct hawser__motion {
 	double start_energy;         /* J */
 	double most_energy;          /* J, largest of the ledger's terms */
 	double closure;              /* J, largest error of the ledger */
+	double error;                /* m, local error of the last step that was tried */
 	long steps, iterations, splits, rejected, switches; /* switches: slack to taut and back */
 };
 
@@ -131,6 +132,17 @@ enum hawser_status hawser__motion_open(struct hawser__motion *motion, struct haw
                                        const unsigned char *loose, struct hawser_report *report)
 	HAWSER_MUST_CHECK;
 void hawser__motion_clear(struct hawser__motion *motion);
+/* The state as numbers, bit by bit: what the next step needs, its length h too. _read allocates
+ * *state. */
+int hawser__motion_states(const struct hawser__motion *motion);
+void hawser__motion_save(double *state /* [states] */, const struct hawser__motion *motion, double h);
+void hawser__motion_restore(struct hawser__motion *motion, double *h,
+                            const double *state /* [states] */);
+const double *hawser__motion_place(const double *state /* [states] */, int node);
+enum hawser_status hawser__motion_read(double **state /* [states] */, const char *path, int nodes,
+                                       struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Tensions T [elements] of the state, without damping; returns the number of slack elements. */
+int hawser__motion_tensions(double *T, const struct hawser__motion *motion);
 /* After a change of u, v or t by the caller: energies and accelerations anew. */
 enum hawser_status hawser__motion_begin(struct hawser__motion *motion, struct hawser_report *report)
 	HAWSER_MUST_CHECK;

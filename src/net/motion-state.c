@@ -1,0 +1,127 @@
+/* net/motion-state.c - the state of a motion as numbers, and in a file: 17 digits, so that a run goes
+ * on bit by bit.
+ *
+ * A file is the line "hawser net state 1 COUNT" and then one number a line: those of `head`, and for
+ * each node those of `part`.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "net/motion.h"
+
+enum { HEAD = 12, PARTS = 6 };
+static const char format[] = "hawser net state 1 %d";
+
+/* Numbers that are not of a node. */
+static void heads(double *head[HEAD], struct hawser__motion *motion, double *h, double *nodes)
+{
+	double *list[HEAD] = {nodes, &motion->t, h, &motion->past_h, &motion->past2_h,
+	                      &motion->energy.kinetic, &motion->energy.potential, &motion->energy.work,
+	                      &motion->energy.dissipated, &motion->start_energy, &motion->most_energy,
+	                      &motion->closure};
+
+	memcpy(head, list, sizeof list);
+}
+
+static void parts(double (*part[PARTS])[3], const struct hawser__motion *motion)
+{
+	double (*list[PARTS])[3] = {motion->reference, motion->u, motion->v, motion->a, motion->past,
+	                            motion->past2};
+
+	memcpy(part, list, sizeof list);
+}
+
+int hawser__motion_states(const struct hawser__motion *motion)
+{
+	return HEAD + 3*PARTS*motion->nodes;
+}
+
+void hawser__motion_save(double *state, const struct hawser__motion *motion, double h)
+{
+	struct hawser__motion copy = *motion;
+	double *head[HEAD], nodes = motion->nodes;
+	double (*part[PARTS])[3];
+
+	heads(head, &copy, &h, &nodes);
+	parts(part, motion);
+	for (int i = 0; i < HEAD; i++)
+		*state++ = *head[i];
+	for (int i = 0; i < motion->nodes; i++)
+		for (int p = 0; p < PARTS; p++, state += 3)
+			memcpy(state, part[p][i], sizeof *part[p]);
+}
+
+void hawser__motion_restore(struct hawser__motion *motion, double *h, const double *state)
+{
+	double *head[HEAD], nodes;
+	double (*part[PARTS])[3];
+
+	heads(head, motion, h, &nodes);
+	parts(part, motion);
+	for (int i = 0; i < HEAD; i++)
+		*head[i] = *state++;
+	for (int i = 0; i < motion->nodes; i++)
+		for (int p = 0; p < PARTS; p++, state += 3)
+			memcpy(part[p][i], state, sizeof *part[p]);
+}
+
+/* Place of the reference of a node in a state. */
+const double *hawser__motion_place(const double *state, int node)
+{
+	return state + HEAD + (size_t)3*PARTS*(size_t)node;
+}
+
+enum hawser_status hawser_net_state_write(const struct hawser_net_motion *motion, const char *path,
+                                          struct hawser_report *report)
+{
+	FILE *file = fopen(path, "w");
+	int bad;
+
+	if (!file)
+		return hawser__fail(report, HAWSER_ERR_IO, "net", "cannot write the state to %s: %s", path,
+		                    strerror(errno));
+	fprintf(file, format, motion->states);
+	for (int i = 0; i < motion->states; i++)
+		fprintf(file, "\n%.17g", motion->state[i]);
+	fprintf(file, "\n");
+	bad = ferror(file);
+	return fclose(file) || bad
+		? hawser__fail(report, HAWSER_ERR_IO, "net", "cannot write the state to %s: %s", path,
+		               strerror(errno)) : HAWSER_OK;
+}
+
+enum hawser_status hawser__motion_read(double **state, const char *path, int nodes,
+                                       struct hawser_report *report)
+{
+	FILE *file = fopen(path, "r");
+	int count = 0, want = HEAD + 3*PARTS*nodes, good;
+
+	*state = NULL;
+	if (!file)
+		return hawser__fail(report, hawser__unreadable(errno), "net",
+		                    "cannot read the state in %s: %s", path, strerror(errno));
+	/* NOLINTNEXTLINE(cert-err34-c): overflow is a wrong count */
+	good = fscanf(file, format, &count) == 1 && count == want;
+	*state = good ? malloc((size_t)want*sizeof **state) : NULL;
+	if (good && !*state) {
+		fclose(file);
+		return hawser__no_memory(report, "net");
+	}
+	for (int i = 0; i < want && good; i++) /* NOLINTNEXTLINE(cert-err34-c): overflow is not finite */
+		good = fscanf(file, "%lf", &(*state)[i]) == 1 && isfinite((*state)[i]);
+	fclose(file);
+	if (good && (*state)[0] == nodes)
+		return HAWSER_OK;
+	free(*state);
+	*state = NULL;
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net",
+	                    "%s is no state of a net with %d nodes in its mesh: give a file that a run of "
+	                    "this scene has written", path, nodes);
+}
