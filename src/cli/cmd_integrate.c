@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/integrate_net.h"
 #include "cli/integrate_result.h"
 #include "cli/label.h"
 #include "cli/load_history.h"
@@ -18,6 +19,7 @@ struct settings {
 	const char *load, *motion, *omega, *omega_to, *until, *every, *after, *initial, *resume, *method;
 	double rtol, atol;
 	int n, spectrum, partial, error, lyapunov;
+	struct cli_integrate_net net; /* of nets only */
 };
 static const struct settings defaults = {
 	.until = "100T", .every = "0.01T", .rtol = 1e-10, .atol = 1e-13,
@@ -45,6 +47,11 @@ static const struct cli_option options[] = {
 	{"error", 0, "", "estimate the error by a second run with tighter tolerances", CLI_FLAG(error)},
 	{"lyapunov", 0, "", "Lyapunov exponents of the motion after --after, with their errors",
 	 CLI_FLAG(lyapunov)},
+	{"step", 0, "TIME", "nets: longest step, or auto (the scene's, or auto)", CLI_TEXT(net.step)},
+	{"probe", 0, "NAMES", "nets: nodes, or cable:part, with commas (all free nodes)",
+	 CLI_TEXT(net.probe)},
+	{"state", 0, "FILE", "nets: write the last state, for --initial", CLI_TEXT(net.state)},
+	{"vtk", 0, "STEM", "nets: write STEM-00000.vtk and so on, one a row", CLI_TEXT(net.vtk)},
 	{"partial", 0, "", "write what was computed also if the run fails", CLI_FLAG(partial)},
 	CLI_NO_OPTION,
 };
@@ -246,15 +253,48 @@ static enum hawser_status write_result(struct cli_integrate_result *result,
 	return status;
 }
 
+/* A scene of kind net; an option of the one kind does not go with the other. */
+static enum hawser_status run_net(const struct settings *settings, struct hawser_report *report)
+{
+	const struct {
+		const char *name;
+		int given;
+	} other[] = {{"Omega", settings->omega != NULL}, {"Omega-to", settings->omega_to != NULL},
+	             {"load", settings->load != NULL}, {"motion", settings->motion != NULL},
+	             {"after", settings->after != NULL}, {"continue", settings->resume != NULL},
+	             {"modes", settings->n > 0}, {"spectrum", settings->spectrum},
+	             {"error", settings->error}, {"lyapunov", settings->lyapunov},
+	             {"partial", settings->partial}, {"atol", settings->atol != defaults.atol}};
+	struct cli_integrate_net net = settings->net;
+
+	for (size_t i = 0; i < sizeof other/sizeof *other; i++)
+		if (other[i].given)
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate", "--%s is not for nets: loads "
+			                    "and motions of supports are in the scene", other[i].name);
+	net.until = settings->until != defaults.until ? settings->until : NULL;
+	net.every = settings->every != defaults.every ? settings->every : NULL;
+	net.scheme = settings->method;
+	net.initial = settings->initial;
+	net.tolerance = settings->rtol != defaults.rtol ? settings->rtol : 0.0;
+	return cli_integrate_net(&settings->common, &net, report);
+}
+
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	const struct settings *settings = context;
+	const struct cli_integrate_net *net = &settings->net;
 	struct hawser_report second = {0};
 	struct cli_model model = {0};
 	struct cli_integrate_result result = {.common = &settings->common, .model = &model,
 	                                      .spectrum = settings->spectrum};
 	enum hawser_status status = cli_outputs_check(&settings->common, report);
 
+	if (!status && hawser_net_is(settings->common.input))
+		return run_net(settings, report);
+	if (!status && (net->step || net->probe || net->vtk || net->state))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate", "--%s is for nets, and %s is no "
+		                    "scene of a net", net->step ? "step" : net->probe ? "probe"
+		                    : net->vtk ? "vtk" : "state", settings->common.input);
 	if (!status)
 		status = cli_state_check("initial", settings->initial, &settings->common, report);
 	if (!status)

@@ -78,6 +78,8 @@ hawser_SOURCES = \
 	%D%/integrate_draw.c \
 	%D%/integrate_exponents.c \
 	%D%/integrate_fields.c \
+	%D%/integrate_net.c \
+	%D%/integrate_net.h \
 	%D%/integrate_result.c \
 	%D%/integrate_result.h \
 	%D%/irvine_draw.c \

@@ -1,0 +1,17 @@
+/* cli/integrate_net.h - hawser integrate of a scene of kind `net`.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_CLI_INTEGRATE_NET_H
+#define HAWSER_CLI_INTEGRATE_NET_H
+
+#include "cli/cli.h"
+
+/* Texts of options; NULL if not given. */
+struct cli_integrate_net {
+	const char *until, *every, *step, *scheme, *probe, *vtk, *state, *initial;
+	double tolerance; /* 0: the library's */
+};
+enum hawser_status cli_integrate_net(const struct cli_common *common,
+                                     const struct cli_integrate_net *settings,
+                                     struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

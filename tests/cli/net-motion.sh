@@ -1,0 +1,68 @@
+#!/bin/sh
+# hawser integrate of nets: results, runs that go on bit by bit, refusals.
+# SPDX-License-Identifier: GPL-3.0-or-later
+. "$SRCDIR/tests/cli/lib.sh"
+
+cat >net.yaml <<'END'
+kind: net
+nodes: {A: [0 m, 0 m, 0 m], J: {}, B: [15 m, 1 m, 0 m], C: [7 m, 3 m, 6 m]}
+cables:
+  - {name: c1, from: A, to: J, EA: 100 kN, rho: 0.5 kg/m, length0: 8 m, elements: 6}
+  - {name: c2, from: J, to: B, EA: 100 kN, rho: 0.5 kg/m, length0: 8.5 m, elements: 6}
+  - {name: c3, from: J, to: C, EA: 100 kN, rho: 0.5 kg/m, length0: 7 m, elements: 5}
+supports:
+  A: fixed
+  C: {table: C.txt}
+  B: {motion: {x: {amplitude: 0.4 m, Omega: 3 rad/s}, z: {amplitude: 0.3 m, Omega: 2 rad/s, phase: 0.4}}}
+masses: {J: 2 kg}
+loads:
+  J: {force: [5 N, 0 N, 10 N], harmonic: {Omega: 4 rad/s}}
+  c1: {per_length: [0 N/m, 0 N/m, 1 N/m], harmonic: {Omega: 2.5 rad/s}}
+damping: {alpha: 0.1 kg/m/s, axial: 1e-4}
+END
+printf '# t x y z\n0 0 0 0\n0.5 0.1 0 0.1\n1.2 0 0.2 0\n3 0 0 0\n' >C.txt
+for step in "2 ms" auto; do
+	works "a run, $step" integrate net.yaml --until "2 s" --every "0.1 s" --step "$step" --probe J,c2:0.4 \
+		--json whole.json --tsv whole.tsv --state whole.state --vtk frame -q
+	works "its half" integrate net.yaml --until "1 s" --every "0.1 s" --step "$step" --state half.state -q
+	works "and the other" integrate net.yaml --until "2 s" --every "0.1 s" --step "$step" --probe J,c2:0.4 \
+		--initial half.state --state second.state --json second.json -q
+	try "they are one run, bit by bit" cmp whole.state second.state
+	python "the ledger closes; the second half has the rows of the whole" <<'END'
+import json
+whole, second = json.load(open("whole.json")), json.load(open("second.json"))
+assert whole["energy"]["closure"] < 1e-10, whole["energy"]["closure"]
+assert whole["energy"]["work"][-1] != 0 and whole["energy"]["dissipated"][-1] > 0
+assert len(whole["times"]) == 21 and list(whole["probes"]) == ["J", "c2:0.4"]
+for name in whole["probes"]:
+    assert whole["probes"][name]["x"][10:] == second["probes"][name]["x"]
+END
+done
+try "21 files of VTK" test "$(find . -name 'frame-*.vtk' | wc -l)" -eq 21
+
+refuses() {
+	called=$1 saying=$2
+	shift 2
+	run integrate "$@"
+	try "$called" said 1
+	try "  says so" grep -q -e "$saying" "$scratch/err"
+}
+refuses "no end" "give the end of its motion" net.yaml
+refuses "an option of models" "\-\-Omega is not for nets" net.yaml --until "1 s" --Omega 1
+refuses "an option of nets" "\-\-step is for nets" "$chairlift" --Omega 1 --step 1
+refuses "an unknown scheme" "the schemes of nets are" net.yaml --until "1 s" --method gauss
+refuses "an unknown probe" "neither a node of the net nor a place" net.yaml --until "1 s" --probe c1:2
+refuses "a table that ends" "and the run is from 0 to" net.yaml --until "4 s"
+refuses "a long name" "with commas between them" net.yaml --until "1 s" --probe ,
+refuses "too many rows" "choose a longer time between them" net.yaml --until "1 s" --every "1e-9 s"
+refuses "another's state" "is no state of a net with" net.yaml --until "1 s" --initial C.txt
+refuses "no state" "cannot read the state in" net.yaml --until "1 s" --initial none.txt
+printf '0 0 0 0\n' >C.txt
+refuses "a table of one time" "needs two times at least" net.yaml --until "1 s"
+printf '0 0 0 0\n0 1 1 1\n' >C.txt
+refuses "times that stand" "is not after that of the line before" net.yaml --until "1 s"
+printf '0 0 0\n' >C.txt
+refuses "three numbers" "a line must have 4 numbers" net.yaml --until "1 s"
+rm C.txt
+refuses "no table" "the table with the motion of a support cannot be read" net.yaml --until "1 s"
+done_testing
