@@ -74,6 +74,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/locus_second.c \
 	%D%/locus_system.c \
 	%D%/locus_station.c \
+	%D%/locus_terms.c \
 	%D%/locus_torus.c \
 	%D%/locus_walk.c \
 	%D%/locus_walk.h \

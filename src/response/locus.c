@@ -69,7 +69,7 @@ static enum hawser_status check_model(const struct hawser_rom *rom, struct hawse
 {
 	if (rom->drag)
 		return hawser__drag_refuse(rom, "a locus of bifurcations", report);
-	if (hawser__rom_more(rom))
+	if (rom->plug)
 		return hawser__more_refuse(rom, "a locus of bifurcations", report);
 	return HAWSER_OK;
 }

@@ -59,6 +59,12 @@ struct hawser__locus {
 	int coefficients, size;       /* of y; of z */
 	int low, blocks, wide;        /* first m, number of m, rows of H */
 	int varying_damping;
+	int more;                     /* 1: the model has terms (rom.h). Only then: */
+	double *slope, *plus_v, *minus_v; /* [rows][n][n] derivative of the terms by velocities, at the
+	                               * orbit and on both sides of it */
+	double *resist;               /* [2 width + 1][n][n] series of slope */
+	double *velocity, *shifted_v; /* [n]; [rows][n] */
+	double complex *q_v;          /* [rows][n] as q, of the velocities */
 	double *memory;
 	double *basis;                /* [rows][2 width + 1] */
 	double *u, *du;               /* [rows][n] */
@@ -124,6 +130,15 @@ enum hawser_status hawser__locus_place(struct hawser__locus *locus, double omega
 void hawser__locus_orbit(struct hawser__locus *locus, const double *z);
 void hawser__locus_fields(struct hawser__locus *locus, double *F, const double *z, int derive);
 
+/* locus_terms.c: the highest degree of the terms, at least 3; force += and, unless NULL, tangent +=
+ * those of the terms at u and du [rows][n], slope = their derivative by velocities; the series of
+ * locus->slope; g_y and q_v from both sides at the distance h. Nothing without terms. */
+int hawser__locus_degree(const struct hawser_rom *rom);
+void hawser__locus_terms(struct hawser__locus *locus, double *tangent, double *slope, const double *u,
+                         const double *du);
+void hawser__locus_resist(struct hawser__locus *locus);
+void hawser__locus_by_velocities(struct hawser__locus *locus, double complex factor, double h);
+
 /* locus_hill.c: H for what follows, from the tangents and damping at the samples. */
 void hawser__locus_series(struct hawser__locus *locus);
 /* H of a torus at kappa, or with `bordered` [H b; c^H 0], in locus->A; scales. Returns its rows. */
@@ -140,8 +155,9 @@ enum hawser_status hawser__locus_differentiate(struct hawser__locus *locus, cons
 /* The coefficient whose zero is a degenerate bifurcation, or NAN. Besides sign and logarithm of the
  * determinant of F_y; sign 0: not known. */
 double hawser__locus_normal_form(struct hawser__locus *locus, double *sign, double *size_log);
-/* plus and minus = tangents at u + h x and u - h x, x [rows][n]; returns h, 0 if x is 0. */
-double hawser__locus_both_sides(struct hawser__locus *locus, const double *x);
+/* plus and minus = tangents at u + h x and u - h x, x [rows][n], the real or the imaginary part of vt;
+ * with terms plus_v and minus_v too. Returns h, 0 if x is 0. */
+double hawser__locus_both_sides(struct hawser__locus *locus, const double *x, int imaginary);
 /* The first 2 order + 1 harmonics of a real signal x [rows][n]. */
 void hawser__locus_transform(const struct hawser__locus *locus, double *out, const double *x);
 

@@ -38,6 +38,7 @@ void hawser__locus_series(struct hawser__locus *locus)
 		            2.0/locus->rows, locus->basis, columns, locus->damping, n2, 0.0, locus->D, n2);
 	else
 		cblas_daxpy(n2, 2.0, locus->rom->D, 1, locus->D, 1);
+	hawser__locus_resist(locus);
 	to_complex(locus->T_c, locus->T, locus->width, n2);
 	to_complex(locus->D_c, locus->D, locus->width, n2);
 }

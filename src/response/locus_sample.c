@@ -80,11 +80,14 @@ void hawser__locus_fields(struct hawser__locus *locus, double *F, const double *
 	hawser__rom_tangents(rom, locus->force, derive ? locus->tangent : NULL, locus->u, rows,
 	                     locus->work);
 	hawser__rom_vary_all(rom, locus->force, derive ? locus->tangent : NULL, locus->u, rows);
+	hawser__locus_terms(locus, derive ? locus->tangent : NULL, locus->slope, locus->u, locus->du);
 	for (int r = 0; r < rows; r++) {
 		memcpy(locus->damping + (size_t)r*n2, rom->D, (size_t)n2*sizeof(double));
 		multiply(locus->force + (size_t)r*n, rom->D, locus->du + (size_t)r*n, locus->omega, n);
 		for (int p = 0; p < rom->harmonics; p++)
 			add_harmonic(locus, &rom->harmonic[p], r, derive);
+		if (locus->more)
+			cblas_daxpy(n2, 1.0, locus->slope + (size_t)r*n2, 1, locus->damping + (size_t)r*n2, 1);
 	}
 	cblas_dgemm(CblasRowMajor, CblasTrans, CblasNoTrans, columns, n, rows, 2.0/rows, locus->basis,
 	            columns, locus->force, n, 0.0, F, n);

@@ -29,7 +29,7 @@ static double largest(const double *x, int count)
 	return fabs(x[cblas_idamax(count, x, 1)]);
 }
 
-double hawser__locus_both_sides(struct hawser__locus *locus, const double *x)
+double hawser__locus_both_sides(struct hawser__locus *locus, const double *x, int imaginary)
 {
 	int count = locus->rows*locus->n;
 	double size = largest(x, count), h;
@@ -46,6 +46,11 @@ double hawser__locus_both_sides(struct hawser__locus *locus, const double *x)
 		hawser__rom_tangents(locus->rom, locus->force, tangent, locus->shifted, locus->rows,
 		                     locus->work);
 		hawser__rom_vary_all(locus->rom, locus->force, tangent, locus->shifted, locus->rows);
+		for (int k = 0; locus->more && k < count; k++)
+			locus->shifted_v[k] = locus->du[k] + sign*h*(imaginary ? cimag(locus->dv[k])
+			                                             : creal(locus->dv[k]));
+		hawser__locus_terms(locus, tangent, sign > 0 ? locus->plus_v : locus->minus_v,
+		                    locus->shifted, locus->shifted_v);
 	}
 	return h;
 }
@@ -59,7 +64,9 @@ static void add_part(struct hawser__locus *locus, int imaginary, double complex 
 
 	for (int k = 0; k < rows*n; k++)
 		x[k] = imaginary ? cimag(locus->vt[k]) : creal(locus->vt[k]);
-	h = hawser__locus_both_sides(locus, x);
+	h = hawser__locus_both_sides(locus, x, imaginary);
+	if (h > 0.0)
+		hawser__locus_by_velocities(locus, factor, h);
 	for (int r = 0; h > 0.0 && r < rows; r++)
 		for (int j = 0; j < n; j++) {
 			const double *p = locus->plus + ((size_t)r*n + j)*n;
@@ -77,10 +84,11 @@ static void by_orbit(struct hawser__locus *locus)
 	int n = locus->n, rows = locus->rows, columns = 2*locus->width + 1;
 
 	memset(locus->q, 0, (size_t)rows*n*sizeof *locus->q);
+	memset(locus->q_v, 0, (size_t)rows*n*sizeof *locus->q_v);
+	memset(locus->g_y, 0, (size_t)locus->coefficients*sizeof *locus->g_y);
 	add_part(locus, 0, 1.0);
 	if (locus->kind == HAWSER_TORUS)
 		add_part(locus, 1, I);
-	memset(locus->g_y, 0, (size_t)locus->coefficients*sizeof *locus->g_y);
 	for (int r = 0; r < rows; r++)
 		for (int h = 0; h < 2*locus->order + 1; h++) {
 			double s = -locus->basis[(size_t)r*columns + h];
@@ -90,7 +98,7 @@ static void by_orbit(struct hawser__locus *locus)
 		}
 	locus->second = 0.0;
 	for (int k = 0; k < rows*n; k++)
-		locus->second += creal(locus->q[k]*locus->vt[k]);
+		locus->second += creal(locus->q[k]*locus->vt[k] + locus->q_v[k]*locus->dv[k]);
 }
 
 /* w^H H v with the present fields. */
@@ -218,8 +226,8 @@ double hawser__locus_normal_form(struct hawser__locus *locus, double *sign, doub
 	*sign = factor(locus, size_log);
 	if (*sign == 0.0)
 		return NAN;
-	if (locus->kind == HAWSER_TORUS)
-		return hawser__locus_lyapunov(locus);
+	if (locus->kind == HAWSER_TORUS) /* with terms, f_2 and f_3 are those of velocities too */
+		return locus->more ? NAN : hawser__locus_lyapunov(locus);
 	for (int k = 0; k < rows*n; k++) {
 		x[k] = creal(locus->vt[k]);
 		size += x[k]*x[k];
@@ -227,7 +235,8 @@ double hawser__locus_normal_form(struct hawser__locus *locus, double *sign, doub
 	/* the tangent at the orbit itself, in locus->tangent */
 	hawser__rom_tangents(locus->rom, locus->force, locus->tangent, locus->u, rows, locus->work);
 	hawser__rom_vary_all(locus->rom, locus->force, locus->tangent, locus->u, rows);
-	if (!((h = hawser__locus_both_sides(locus, x)) > 0.0))
+	hawser__locus_terms(locus, locus->tangent, locus->slope, locus->u, locus->du);
+	if (!((h = hawser__locus_both_sides(locus, x, 0)) > 0.0))
 		return NAN;
 	for (int r = 0; r < rows; r++)
 		for (int i = 0; i < n; i++) {
@@ -239,6 +248,13 @@ double hawser__locus_normal_form(struct hawser__locus *locus, double *sign, doub
 
 				two += (p - m)*x[(size_t)r*n + j];
 				three += (p + m - 2.0*locus->tangent[at*n + j])*x[(size_t)r*n + j];
+			}
+			for (int j = 0; locus->more && j < n; j++) {
+				double p = locus->plus_v[at*n + j], m = locus->minus_v[at*n + j];
+				double y = locus->omega*creal(locus->dv[(size_t)r*n + j]);
+
+				two += (p - m)*y;
+				three += (p + m - 2.0*locus->slope[at*n + j])*y;
 			}
 			locus->shifted[at] = -two/(2.0*h);
 			third += creal(locus->wt[at])*three/(h*h);
@@ -253,5 +269,11 @@ double hawser__locus_normal_form(struct hawser__locus *locus, double *sign, doub
 			for (int j = 0; j < n; j++)
 				cross += creal(locus->q[(size_t)r*n + j])*answer[k*n + j]*
 				         locus->basis[(size_t)r*columns + k];
+	for (int r = 0; locus->more && r < rows; r++)
+		for (int k = 1; k <= locus->order; k++)
+			for (int j = 0; j < n; j++)
+				cross += creal(locus->q_v[(size_t)r*n + j])*k*
+				         (answer[2*k*n + j]*locus->basis[(size_t)r*columns + 2*k - 1] -
+				          answer[(2*k - 1)*n + j]*locus->basis[(size_t)r*columns + 2*k]);
 	return (third + 3.0*cross)/size;
 }

@@ -11,6 +11,7 @@
 #include "core/report.h"
 #include "response/locus.h"
 #include "rom/kernel.h"
+#include "rom/terms.h"
 
 #define CLOSE 1e-6 /* distance of a matrix whose kernel serves as the tangent, relative; chosen */
 enum { LARGEST = 1500, MOST_ORDER = 200 };
@@ -38,6 +39,8 @@ enum hawser_status hawser__locus_open(struct hawser__locus *locus,
 	locus->most = locus->most > MOST_ORDER ? MOST_ORDER : locus->most;
 	for (int p = 0; p < locus->rom->harmonics; p++)
 		locus->varying_damping |= locus->rom->harmonic[p].D != NULL;
+	locus->more = hawser__rom_more(locus->rom);
+	locus->varying_damping |= locus->more;
 	locus->log_modulus = calloc(4*(size_t)locus->n, sizeof(double));
 	if (!locus->log_modulus)
 		return hawser__no_memory(report, "locus");
@@ -89,6 +92,12 @@ static size_t lay_out(struct hawser__locus *to, double *memory)
 	to->minus = take(memory, &used, R*n2);
 	to->shifted = take(memory, &used, R*n);
 	to->square = take(memory, &used, R*n);
+	to->slope = take(memory, &used, to->more ? R*n2 : 0);
+	to->plus_v = take(memory, &used, to->more ? R*n2 : 0);
+	to->minus_v = take(memory, &used, to->more ? R*n2 : 0);
+	to->resist = take(memory, &used, to->more ? K*n2 : 0);
+	to->velocity = take(memory, &used, n);
+	to->shifted_v = take(memory, &used, to->more ? R*n : 0);
 	to->work = take(memory, &used, hawser__rom_tangents_work(to->rom, to->rows) + 1);
 	to->T = take(memory, &used, K*n2);
 	to->D = take(memory, &used, K*n2);
@@ -124,6 +133,7 @@ static size_t lay_out_c(struct hawser__locus *to, double complex *memory)
 	to->ddv = take_c(memory, &used, R*n);
 	to->wt = take_c(memory, &used, R*n);
 	to->q = take_c(memory, &used, R*n);
+	to->q_v = take_c(memory, &used, R*n);
 	to->g_y = take_c(memory, &used, (size_t)to->coefficients);
 	to->T_c = take_c(memory, &used, ((size_t)to->width + 1)*n*n);
 	to->D_c = take_c(memory, &used, ((size_t)to->width + 1)*n*n);
@@ -139,7 +149,7 @@ enum hawser_status hawser__locus_arrange(struct hawser__locus *locus, int order)
 		highest = locus->rom->harmonic[p].k > highest ? locus->rom->harmonic[p].k : highest;
 	locus->order = order;
 	locus->width = 2*order + 1;
-	locus->rows = 5*order + 8 + 2*highest;
+	locus->rows = (hawser__locus_degree(locus->rom) + 2)*order + 8 + 2*highest;
 	locus->coefficients = n*(2*order + 1);
 	locus->size = LOCUS_FIRST + locus->coefficients;
 	locus->low = -order - half;

@@ -47,7 +47,7 @@ static int add_part(struct hawser__locus *locus, struct second *sums, int imagin
 
 	for (int k = 0; k < rows*n; k++)
 		x[k] = imaginary ? cimag(locus->vt[k]) : creal(locus->vt[k]);
-	if (!((h = hawser__locus_both_sides(locus, x)) > 0.0))
+	if (!((h = hawser__locus_both_sides(locus, x, imaginary)) > 0.0))
 		return 1;
 	sums->mean += cblas_ddot(rows*n, x, 1, x, 1)/rows;
 	for (int r = 0; r < rows; r++)

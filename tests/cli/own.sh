@@ -54,6 +54,42 @@ PY
 refuses 1 "a map or the stability of rest $only" hill terms.json --x Omega=1:2 --y factor.load=0.5:1
 refuses 1 "a map or the stability of rest $only" map terms.json --x Omega=1:2 --y factor.load=0.5:1
 refuses 1 "the stability of rest $only" hill terms.json --Omega 1.1
+for model in named terms; do
+	works "locus of $model" locus $model.json --kind fold --over F=0.01:0.3 --at 0.18 --from 0.8 --to 2.2 --json $model-locus.json -q
+done
+rayleigh=$top/notebooks-data/scenes/rayleigh.json
+works "a locus of torus points with velocities cubed" locus "$rayleigh" --kind torus --over F=0.4:0.6 --at 0.5 --near 1.23 \
+	--from 0.5 --to 2 --json torus-locus.json -q
+works "and one of its points" frf "$rayleigh" --set F=0.6 --from 1.1 --to 1.5 --json torus-frf.json -q
+cat >general.json <<'JSON'
+{"n": 1, "parameters": {"a": 0.3}, "K": [[1]], "D": [[0.05]],
+ "terms": [[0, [0, 0, 0], [], "a"], [0, [], [0, 0, 0], 0.1], [0, [0, 0, 0, 0, 0], [], 0.2]],
+ "harmonics": [{"k": 1, "K": [[-0.3]], "f": [0.05]}]}
+JSON
+works "doublings that change from sub- to supercritical" locus general.json --kind period-doubling --over a=-0.1:0.1 --at 0.1 \
+	--from 1.6 --to 2.5 --json general-locus.json -q
+for a in -0.029054276161 -0.027054276161; do
+	[ -n "${HAWSER_LONG:-}" ] || continue
+	works "its response" frf general.json --set a=$a --from 1.6 --to 2 --json general-frf.json -q
+	label=$(python3 -c "import json; print([e['label'] for e in json.load(open('general-frf.json'))['events']][0])")
+	works "the normal form" orbit general.json --from-label "general-frf.json#$label" --set a=$a --json form$a.json -q
+done
+python "loci of terms are those of tensors, and of responses" <<'PY'
+import glob, json
+load = lambda name: json.load(open(name + ".json"))
+for a, b in zip(load("named-locus")["curves"], load("terms-locus")["curves"], strict=True):
+    assert [e["kind"] for e in a["events"]] == [e["kind"] for e in b["events"]] and "cusp" in [e["kind"] for e in a["events"]]
+    for x, y in zip(a["events"], b["events"]):
+        assert abs(x["Omega"]/y["Omega"] - 1) < 1e-9 and abs(x["parameter"]/y["parameter"] - 1) < 1e-8, (x, y)
+ends = [p["Omega"] for c in load("torus-locus")["curves"] for p in c["points"] if abs(p["parameter"] - 0.6) < 1e-12]
+torus = [e["Omega"] for e in load("torus-frf")["events"] if e["kind"] == "torus"]
+assert len(ends) == 1 and min(abs(w/ends[0] - 1) for w in torus) < 1e-8, (ends, torus)
+found = [e["parameter"] for c in load("general-locus")["curves"] for e in c["events"] if e["kind"] == "generalised-period-doubling"]
+assert len(found) == 2 and abs(found[0] + 0.028054276) < 1e-6 and abs(found[1] - 0.045278095) < 1e-6, found
+# the coefficient of the period map, which shares no code with the locus, is zero there
+forms = sorted(json.load(open(name))["orbit"]["normal_form"]["coefficient"] for name in glob.glob("form-*.json"))
+assert not forms or abs(sum(forms)) < 1e-6 and forms[1] > 3e-3, forms
+PY
 for format in auto coco matcont bifurcationkit; do
 	works "terms for $format" rom terms.json --export $format "to_$format" -q
 done
