@@ -88,12 +88,14 @@ TESTS += tests/property/test-travel-motion
 tests_property_test_travel_motion_SOURCES = tests/property/test-travel-motion.c
 tests_property_test_travel_motion_LDADD = $(UPTO_RESPONSE) $(GSL_LIBS)
 
-SCALES_TESTS = tests/property/test-scales tests/property/test-backbone tests/property/test-nnm
+SCALES_TESTS = tests/property/test-scales tests/property/test-backbone tests/property/test-nnm tests/property/test-nnm-whirl
 check_PROGRAMS += $(SCALES_TESTS)
 TESTS += $(SCALES_TESTS)
 tests_property_test_scales_SOURCES = tests/property/test-scales.c
 tests_property_test_scales_LDADD = $(UPTO_RESPONSE)
 tests_property_test_nnm_SOURCES = tests/property/test-nnm.c
+tests_property_test_nnm_whirl_SOURCES = tests/property/test-nnm-whirl.c
+tests_property_test_nnm_whirl_LDADD = $(UPTO_RESPONSE) $(GSL_LIBS)
 tests_property_test_nnm_LDADD = $(UPTO_RESPONSE)
 tests_property_test_backbone_SOURCES = tests/property/test-backbone.c
 tests_property_test_backbone_LDADD = $(UPTO_RESPONSE)

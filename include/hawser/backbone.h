@@ -3,9 +3,13 @@
  *
  * The model of a cable at rest is time-reversible, so the velocity of such motions vanishes twice per
  * period. With u(0) = u0 and du/dt = 0 at phase 0, the n equations du/dt = 0 at phase pi determine a
- * curve of (u0, Omega). Only half a period is integrated, and no phase condition is needed. With
- * `periods` k, du/dt vanishes at phase k pi: the curve is the same, and has branch points where motions
- * of k periods begin as well.
+ * curve of (u0, Omega). Only half a period is integrated, and no phase condition is needed. Other
+ * motions are never at rest: those that whirl, and all of a gyroscopic model (a travelling
+ * cable's). They equal their own reverse with some coordinates reflected, if the model has this
+ * symmetry. The coordinates have signs: 1, even in time, with velocity 0 at phases 0 and pi; -1,
+ * odd in time, with value 0 there, and u0 stands for du/dt/Omega. With `periods` k, du/dt vanishes
+ * at phase k pi: the curve is the same, and has branch points where motions of k periods begin as
+ * well.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_BACKBONE_H
@@ -39,6 +43,9 @@ struct hawser_backbone_options {
 	                                  * curve goes; NULL: the linear mode */
 	const double *known; /* [known_count][2] Omega and energy of branch points at which a curve ends */
 	int known_count;
+	int quadrature;   /* from 1, or 0: begin in this mode as well, a quarter of a period behind; it
+	                   * needs the same frequency */
+	const int *sign;  /* [n] with `start`; NULL: all 1, or those that the symmetries require */
 	double lo, hi;    /* scaled range of Omega; hi 0: 0.5 to 1.5 times the mode's frequency */
 	double tolerance; /* of the defect and of the integration error, relative to the motion; 0: 1e-9 */
 	double step_max;  /* longest step in the metric of the continuation; 0: 0.1 */
@@ -58,6 +65,7 @@ struct hawser_backbone_point {
 struct hawser_backbone_branch {
 	double omega, energy; /* scaled */
 	int after;            /* index of the point before it */
+	int turned;           /* 1: the other motions have other signs: they whirl */
 };
 
 struct hawser_backbone {
@@ -65,16 +73,18 @@ struct hawser_backbone {
 	struct hawser_backbone_branch *branch; /* [branches] in order along the curve */
 	double *branch_start;     /* [branches][n + 1] u0, Omega */
 	double *branch_direction; /* [branches][n + 1] tangent of the other curve */
+	int *branch_sign;         /* [branches][n] its signs */
 	struct hawser_backbone_point *point; /* [points] */
 	double *coordinate; /* [points][n] max |u_j| */
 	double *probe;      /* [points][probes][3] max |x|, |y|, |z|, scaled */
 	double *start;      /* [points][n] u0 */
+	int *sign;          /* [n] of the coordinates */
 	enum hawser_backbone_end end;
 };
 
 /* Trace the curve. Release with hawser_backbone_clear. HAWSER_ERR_ARGUMENT (mode, options, K not
- * diagonal, a gyroscopic model, which has no such motions), HAWSER_ERR_CONVERGENCE (the message says
- * where; the points traced so far remain), HAWSER_ERR_MEMORY. */
+ * diagonal, a gyroscopic model without a symmetry of reversed motions), HAWSER_ERR_CONVERGENCE (the
+ * message says where; the points traced so far remain), HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_backbone_trace(struct hawser_backbone *backbone, const struct hawser_rom *rom,
                                          const struct hawser_backbone_options *options,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;

@@ -7,8 +7,11 @@
  * energy such curves have tongues: along them a motion of the mode becomes one in which another mode,
  * of a multiple of the frequency, takes part.
  *
- * Motions of this kind are at rest at two instants of a period. Others, as a cable's whirling, are not
- * found. With `periods` k, branches of motions that repeat after up to k periods are found as well.
+ * Motions in which all coordinates are at rest at two instants of a period come first; where the
+ * model may be reflected, those that whirl begin at branch points as well, or at two modes of the
+ * same frequency (backbone.h). Free motions that don't equal their reverse with any reflection are
+ * not found. With `periods` k, branches of motions that repeat after up to k periods are found as
+ * well.
  *
  * Reference: G. Kerschen, M. Peeters, J. C. Golinval and A. F. Vakakis, Nonlinear normal modes, part I,
  * Mech. Syst. Signal Process. 23 (2009) 170; M. Peeters et al., part II, the same, 195.
@@ -29,6 +32,7 @@ struct hawser_nnm_options {
 	                   * linear one */
 	double lo, hi;    /* scaled range of Omega; hi 0: 0.25 to 4 times the mode's frequency */
 	int depth;        /* branches of branches of ...: 0: only the mode's own curve */
+	int quadrature;   /* as in backbone.h; from 1, or 0 */
 	int periods;      /* see above; 0: 1 */
 	double tolerance; /* of the defect and of the integration error, relative to the motion; 0: 1e-9 */
 	double step_max;  /* longest step in the metric of the continuation; 0: 0.05 */

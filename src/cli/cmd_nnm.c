@@ -14,16 +14,18 @@ struct settings {
 	struct cli_common common;
 	const char *from, *to;
 	double energy, tolerance, step;
-	int n, mode, branches, periods, points;
+	int n, mode, quadrature, branches, periods, points;
 };
 static const struct settings defaults = {.mode = 1, .from = NULL};
 
 static const struct cli_option options[] = {
-	{"mode", 0, "J", "the mode at which the motions begin (1)", CLI_COUNT(mode)},
+	{"mode", 0, "J", "the mode at which the motions begin (1)", CLI_INTEGER(mode)},
+	{"quadrature", 0, "K", "whirl: begin in mode K too, of the same frequency",
+	 CLI_INTEGER(quadrature)},
 	{"energy-to", 0, "ENERGY", "largest energy in J (see the manual page)", CLI_POSITIVE(energy)},
 	{"branches", 0, "DEPTH", "follow what begins at branch points, to this depth",
 	 CLI_INTEGER(branches)},
-	{"periods", 0, "K", "look for motions of up to K periods (1)", CLI_COUNT(periods)},
+	{"periods", 0, "K", "look for motions of up to K periods (1)", CLI_INTEGER(periods)},
 	CLI_RANGE_OPTIONS("end of the range of frequencies (a quarter of the mode's)",
 	                  "the other end (four times the mode's)"),
 	CLI_MODES_OPTION,
@@ -45,7 +47,8 @@ static enum hawser_status trace(struct hawser_nnm *nnm, const struct settings *s
 	struct cli_watch watch = {.progress = {.quiet = settings->common.quiet}};
 	struct hawser__scale scale = cli_scale(model);
 	struct hawser_nnm_options choice = {.mode = settings->mode - 1, .depth = settings->branches,
-		.periods = settings->periods, .max_points = settings->points};
+		.quadrature = settings->quadrature, .periods = settings->periods,
+		.max_points = settings->points};
 	enum hawser_status status = HAWSER_OK;
 
 	if (settings->mode > model->rom.n)

@@ -28,7 +28,7 @@ static const struct hawser__field point_field[] = {
 	{"unstable", "unstable", "multipliers outside the unit circle", OF(unstable)},
 	CLI_AMPLITUDE(HAWSER__VECTOR_AT, struct row, probe),
 	CLI_COORDINATES(HAWSER__VECTOR_AT, struct row, coordinate),
-	{"start", NULL, "coordinates at an instant of rest",
+	{"start", NULL, "coordinates at phase 0; of those with sign -1 the velocity over Omega",
 	 HAWSER__VECTOR_AT(struct row, start, cli_coordinates), .unit = HAWSER__M},
 	{"residual", "residual", "defect of the orbit, relative", OF(residual)},
 	{"mesh", "mesh", "truncation error of the orbit, relative", OF(mesh)},
@@ -42,6 +42,8 @@ static const struct hawser__field point_field[] = {
 static const struct hawser__field branch_field[] = {
 	{"Omega", NULL, "frequency", OF(omega), .unit = HAWSER__RAD_S},
 	{"energy", NULL, "energy", OF(energy), .unit = HAWSER__J},
+	{"turned", NULL, "whether motions begin that whirl: with other signs",
+	 HAWSER__FLAG_AT(struct hawser_backbone_branch, turned)},
 	{"after", NULL, "index of the point before it", OF(after)},
 	HAWSER__END,
 };
@@ -84,6 +86,17 @@ static void end_json(struct hawser__json *json, json_t *into, const void *row)
 	hawser__json_text(json, into, "end", end_of(((const struct curve *)row)->own));
 }
 
+static void signs_json(struct hawser__json *json, json_t *into, const void *row)
+{
+	const struct hawser_backbone *motion = &((const struct curve *)row)->own->motion;
+	json_t *list = json_array();
+
+	for (int j = 0; list && j < motion->n; j++)
+		json_array_append_new(list, json_integer(motion->sign[j]));
+	json_object_set_new(into, "signs", list);
+	(void)json;
+}
+
 static const char *message_of(const void *row)
 {
 	const struct hawser_nnm_curve *own = ((const struct curve *)row)->own;
@@ -102,6 +115,8 @@ static const struct hawser__field curve_field[] = {
 	 HAWSER__AT(struct curve, parent)},
 	{"branch_point", NULL, "number of that branch point, from 1; 0: none",
 	 HAWSER__AT(struct curve, born)},
+	{"signs", NULL, "1: the coordinate is even in time, at rest at phase 0; -1: odd, and zero there",
+	 HAWSER__CALLS(signs_json)},
 	{"end", NULL, "why it ends", HAWSER__CALLS(end_json)},
 	{"message", NULL, "why it was lost", HAWSER__CALLS(message_json)},
 	{"branch_points", NULL, "where other motions begin, in order along it",
@@ -170,11 +185,11 @@ static void comments(struct hawser__table *table, const void *of)
 		const struct hawser_backbone *motion = &curve->motion;
 
 		for (int b = 0; b < motion->branches; b++)
-			hawser__table_comment(table, "curve %d: branch point at Omega = %.12g%s, energy = %.9g%s",
+			hawser__table_comment(table, "curve %d: branch point at Omega = %.12g%s, energy = %.9g%s%s",
 			                      c + 1,
 			                      hawser__in_unit(motion->branch[b].omega, HAWSER__RAD_S, &scale),
 			                      rad_s, hawser__in_unit(motion->branch[b].energy, HAWSER__J, &scale),
-			                      joule);
+			                      joule, motion->branch[b].turned ? ", where whirling begins" : "");
 		if (curve->parent >= 0)
 			hawser__table_comment(table, "curve %d: begins at branch point %d of curve %d", c + 1,
 			                      curve->born + 1, curve->parent + 1);

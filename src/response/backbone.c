@@ -9,7 +9,6 @@
 
 #include <hawser/backbone.h>
 
-#include "continuation/false_position.h"
 #include "core/progress.h"
 #include "core/report.h"
 #include "core/settle.h"
@@ -20,30 +19,9 @@
 
 static const char where[] = "backbone";
 
-#define FIRST 1e-3        /* size of the first point, relative to the largest: the model is nearly
-                           * linear there; chosen */
 #define FIRST_STEP 0.1    /* first step relative to the longest; chosen */
-#define SAME 1e-4         /* relative difference of branch points that are one; chosen */
-#define CLOSE 1e-6        /* width of the bracket of a branch point, relative to the step; chosen */
+#define PLANE 0.02        /* share of the smaller coordinate in quadrature, at least; chosen */
 #define WORST_ANGLE 0.45  /* largest angle between successive tangents, rad; chosen */
-
-enum { MOST = 40 };       /* tries for a branch point */
-
-struct walk {
-	const struct hawser_rom *rom;
-	const struct hawser_backbone_options *options;
-	struct hawser_backbone *backbone;
-	struct hawser__half half;
-	struct hawser__amplitude *amplitude;
-	double *y, *t, *next, *next_t, *row; /* [n + 1] */
-	double *at, *at_t, *other;           /* [n + 1] of a branch point */
-	double determinant[2], next_determinant[2]; /* sign, logarithm */
-	int met;                             /* 1: a known branch point was reached */
-	struct hawser__curve curve;
-	double lo, hi;
-	double began; /* s, hawser__wall_seconds */
-	struct hawser_report *report;
-};
 
 void hawser_backbone_settle(struct hawser_backbone_options *options)
 {
@@ -57,26 +35,26 @@ static enum hawser_status check(const struct hawser_rom *rom,
                                 const struct hawser_backbone_options *options,
                                 struct hawser_report *report)
 {
-	double off = 0.0, largest = 0.0, skew = 0.0;
+	double off = 0.0, largest = 0.0;
 
 	for (int j = 0; j < rom->n; j++)
 		for (int k = 0; k < rom->n; k++) {
 			double K = fabs(rom->K[j*rom->n + k]);
 
 			*(j == k ? &largest : &off) = fmax(K, j == k ? largest : off);
-			skew = fmax(skew, fabs(rom->D[j*rom->n + k] - rom->D[k*rom->n + j]));
 		}
 	if (off > 1e-12*largest)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
 		                    "K is not diagonal (%.3g off the diagonal): give the model in its "
 		                    "modes' coordinates", off);
-	if (skew > 1e-12*sqrt(largest))
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
-		                    "the model is gyroscopic (a travelling cable's): its free motions do "
-		                    "not pass through rest, and have no backbone of this kind");
 	if (options->mode < 0 || options->mode >= rom->n)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where, "mode %d: the model has 1 to %d",
 		                    options->mode + 1, rom->n);
+	if (options->quadrature < 0 || options->quadrature > rom->n ||
+	    options->quadrature == options->mode + 1)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
+		                    "mode %d in quadrature with mode %d: the model has 1 to %d, and two are "
+		                    "needed", options->quadrature, options->mode + 1, rom->n);
 	if (!(rom->K[(size_t)options->mode*((size_t)rom->n + 1)] > 0.0))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
 		                    "mode %d has no positive stiffness: nothing oscillates in it",
@@ -118,7 +96,8 @@ static enum hawser_status grow(struct hawser_backbone *backbone, struct hawser_r
 	return HAWSER_OK;
 }
 
-static enum hawser_status record(struct walk *walk, const struct hawser__correction *correction,
+static enum hawser_status record(struct hawser__free_walk *walk,
+                                 const struct hawser__correction *correction,
                                  struct hawser_report *report)
 {
 	struct hawser_backbone *backbone = walk->backbone;
@@ -126,14 +105,14 @@ static enum hawser_status record(struct walk *walk, const struct hawser__correct
 	int n = backbone->n, p = backbone->points;
 	enum hawser_status status = p == backbone->capacity ? grow(backbone, report) : HAWSER_OK;
 	struct hawser_backbone_point *point;
-	double *rest = walk->row, begin, end;
+	double begin, end;
 
 	if (status)
 		return status;
 	point = &backbone->point[p];
-	memset(rest, 0, (size_t)n*sizeof *rest);
-	begin = hawser_rom_energy(&half->model, walk->y, rest);
-	end = hawser_rom_energy(&half->model, half->x, rest);
+	end = hawser_rom_energy(&half->model, half->x, half->x + n);
+	hawser__half_state(half, half->x, walk->y);
+	begin = hawser_rom_energy(&half->model, half->x, half->x + n);
 	*point = (struct hawser_backbone_point){.omega = walk->y[n], .energy = begin,
 		.residual = correction->residual, .mesh = half->base.mesh/half->base.X,
 		.energy_gap = fabs(end - begin)/fmax(fabs(begin), 1e-300)};
@@ -150,9 +129,9 @@ static enum hawser_status record(struct walk *walk, const struct hawser__correct
 
 /* Correct y in the plane of `row`, with the number of steps that the tolerance requires. Returns 1
  * if it fails. */
-static enum hawser_status correct(struct walk *walk, double *y, const double *row,
-                                  struct hawser__correction *correction, int *failed,
-                                  struct hawser_report *report)
+enum hawser_status hawser__free_correct(struct hawser__free_walk *walk, double *y, const double *row,
+                                        struct hawser__correction *correction, int *failed,
+                                        struct hawser_report *report)
 {
 	struct hawser__orbit *orbit = &walk->half.base;
 	enum hawser_status status = HAWSER_OK;
@@ -166,40 +145,44 @@ static enum hawser_status correct(struct walk *walk, double *y, const double *ro
 	}
 }
 
-/* The first point: the linear mode, with an amplitude at which the model is nearly linear. */
-static enum hawser_status begin(struct walk *walk, struct hawser_report *report)
+/* The first point: of a motion in quadrature the ratio of the two coordinates is not known. */
+static enum hawser_status begin(struct hawser__free_walk *walk, struct hawser_report *report)
 {
+	static const double turn[] = {0.785, 0.5, 1.07, 0.25, 1.32}; /* of the first motion, rad */
 	struct hawser__orbit *orbit = &walk->half.base;
 	struct hawser__correction correction;
-	int n = orbit->n, j = walk->options->mode, failed;
-	double w = sqrt(walk->rom->K[(size_t)j*((size_t)n + 1)]);
-	enum hawser_status status;
+	int n = orbit->n, j = walk->options->mode, other = walk->options->quadrature - 1, failed = 1;
+	enum hawser_status status = HAWSER_OK;
 
-	memset(walk->y, 0, ((size_t)n + 1)*sizeof(double));
-	walk->y[j] = FIRST*walk->options->size;
-	walk->y[n] = w;
-	if (walk->options->start)
-		memcpy(walk->y, walk->options->start, ((size_t)n + 1)*sizeof(double));
-	orbit->ops->metric(orbit, walk->y);
-	memset(walk->row, 0, ((size_t)n + 1)*sizeof(double));
-	walk->row[j] = walk->half.scale[j];
-	if (walk->options->start)
-		memcpy(walk->row, walk->options->direction, ((size_t)n + 1)*sizeof(double));
-	status = correct(walk, walk->y, walk->row, &correction, &failed, report);
+	for (int i = 0; !status && failed && i < (other >= 0 ? 5 : 1); i++) {
+		memcpy(walk->y, walk->at, ((size_t)n + 1)*sizeof(double));
+		if (other >= 0) {
+			walk->y[j] = walk->first*cos(turn[i]);
+			walk->y[other] = walk->first*sin(turn[i]);
+		}
+		orbit->ops->metric(orbit, walk->y);
+		memcpy(walk->row, walk->y, (size_t)n*sizeof(double));
+		walk->row[n] = 0.0;
+		if (walk->options->start)
+			memcpy(walk->row, walk->options->direction, ((size_t)n + 1)*sizeof(double));
+		status = hawser__free_correct(walk, walk->y, walk->row, &correction, &failed, report);
+		if (other >= 0 && fmin(fabs(walk->y[j]), fabs(walk->y[other])) < PLANE*walk->first)
+			failed = 1;
+	}
 	if (!status && failed)
 		status = hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, where, correction.iterations,
 		                         correction.residual,
-		                         "no free motion of amplitude %.3g was found near mode %d: another "
+		                         "no free motion of amplitude %.3g was found near mode %d%s: another "
 		                         "mode is in resonance with it, or that is no small motion",
-		                         FIRST*walk->options->size, j + 1);
+		                         walk->first, j + 1, other >= 0 ? " in quadrature" : "");
 	if (status)
 		return status;
 	hawser__orbit_tangent(orbit, walk->t);
-	walk->determinant[1] = hawser__half_determinant(&walk->half, walk->determinant);
+	hawser__free_events(walk, walk->event);
 	return record(walk, &correction, report);
 }
 
-static int told_to_stop(const struct walk *walk)
+static int told_to_stop(const struct hawser__free_walk *walk)
 {
 	const struct hawser_backbone *backbone = walk->backbone;
 	struct hawser_progress_state state;
@@ -212,7 +195,7 @@ static int told_to_stop(const struct walk *walk)
 }
 
 /* Whether the curve has ended, and how. */
-static int ended(const struct walk *walk)
+static int ended(const struct hawser__free_walk *walk)
 {
 	struct hawser_backbone *backbone = walk->backbone;
 	int last = backbone->points - 1, j = walk->options->mode;
@@ -227,7 +210,7 @@ static int ended(const struct walk *walk)
 		backbone->end = HAWSER_BACKBONE_SIZE;
 	else if (omega < walk->lo || omega > walk->hi)
 		backbone->end = HAWSER_BACKBONE_RANGE;
-	else if (walk->half.base.X < 0.5*FIRST*walk->options->size)
+	else if (walk->half.base.X < 0.5*walk->first)
 		backbone->end = HAWSER_BACKBONE_REST;
 	else if (backbone->points >= walk->options->max_points)
 		backbone->end = HAWSER_BACKBONE_MAX_POINTS;
@@ -242,7 +225,7 @@ static int ended(const struct walk *walk)
 
 static enum hawser_status prepare(void *owner, int *finished)
 {
-	struct walk *walk = owner;
+	struct hawser__free_walk *walk = owner;
 
 	*finished = ended(walk);
 	walk->half.base.ops->metric(&walk->half.base, walk->y);
@@ -251,7 +234,7 @@ static enum hawser_status prepare(void *owner, int *finished)
 
 static int predict(void *owner, double ds)
 {
-	struct walk *walk = owner;
+	struct hawser__free_walk *walk = owner;
 
 	for (int i = 0; i < walk->half.base.size; i++)
 		walk->next[i] = walk->y[i] + ds*walk->t[i];
@@ -261,20 +244,20 @@ static int predict(void *owner, double ds)
 static enum hawser_status correct_next(void *owner, double ds, struct hawser__correction *correction,
                                        int *failed)
 {
-	struct walk *walk = owner;
+	struct hawser__free_walk *walk = owner;
 
 	(void)ds;
-	return correct(walk, walk->next, walk->t, correction, failed, walk->report);
+	return hawser__free_correct(walk, walk->next, walk->t, correction, failed, walk->report);
 }
 
 static enum hawser_status finish(void *owner, double ds, double *angle)
 {
-	struct walk *walk = owner;
+	struct hawser__free_walk *walk = owner;
 	const struct hawser__metric metric = hawser__orbit_metric(&walk->half.base);
 
 	(void)ds;
 	hawser__orbit_tangent(&walk->half.base, walk->next_t);
-	walk->next_determinant[1] = hawser__half_determinant(&walk->half, walk->next_determinant);
+	hawser__free_events(walk, walk->next_event);
 	*angle = hawser__metric_angle(&metric, walk->t, walk->next_t);
 	return HAWSER_OK;
 }
@@ -289,113 +272,27 @@ static enum hawser_status judge(void *owner, double ds, double angle, enum hawse
 
 static double longest(void *owner)
 {
-	return ((const struct walk *)owner)->options->step_max;
-}
-
-/* at = the point at the share s of the step, by interpolation; at_t its tangent. */
-static void interpolate(struct walk *walk, double s)
-{
-	for (int k = 0; k < walk->half.base.size; k++) {
-		walk->at[k] = walk->y[k] + s*(walk->next[k] - walk->y[k]);
-		walk->at_t[k] = walk->t[k] + s*(walk->next_t[k] - walk->t[k]);
-	}
-}
-
-/* The same, corrected; *value: its determinant, relative. Where the kernel has two dimensions, the
- * system has no tangent of its own, and at_t remains the interpolated one. */
-static enum hawser_status between(struct walk *walk, double s, double *value, int *failed)
-{
-	struct hawser__correction correction;
-	double sign, size;
-	enum hawser_status status;
-
-	interpolate(walk, s);
-	status = correct(walk, walk->at, walk->at_t, &correction, failed, walk->report);
-	if (status || *failed)
-		return status;
-	size = hawser__half_determinant(&walk->half, &sign);
-	*value = sign*exp(fmin(size - walk->determinant[1], 600.0));
-	return HAWSER_OK;
-}
-
-static int is_known(const struct walk *walk, double omega, double energy)
-{
-	for (int i = 0; i < walk->options->known_count; i++)
-		if (fabs(walk->options->known[2*i]/omega - 1.0) < SAME &&
-		    fabs(walk->options->known[2*i + 1]/energy - 1.0) < SAME)
-			return 1;
-	return 0;
-}
-
-static enum hawser_status add_branch(struct walk *walk)
-{
-	int n = walk->backbone->n;
-	double energy;
-	enum hawser_status status;
-
-	memset(walk->row, 0, (size_t)n*sizeof(double));
-	energy = hawser_rom_energy(&walk->half.model, walk->at, walk->row);
-	if (is_known(walk, walk->at[n], energy)) {
-		walk->met = 1;
-		return HAWSER_OK;
-	}
-	status = hawser__half_other(&walk->half, walk->other, walk->at_t, walk->report);
-	return status ? status : hawser__backbone_add(walk->backbone, walk->at, walk->other, energy,
-	                                              walk->report);
-}
-
-/* The branch point in the step: the determinant with the tangent changes its sign. Near it the system
- * is nearly singular and corrections may fail; the zero is then extrapolated from the bracket. */
-static enum hawser_status find_branch(struct walk *walk)
-{
-	struct hawser__bracketed in = {.a = 0.0, .b = 1.0, .fa = walk->determinant[0]};
-	double value = 0.0, s = 0.5;
-	int failed = 0;
-	enum hawser_status status = HAWSER_OK;
-
-	in.fb = walk->next_determinant[0]*
-	        exp(fmin(walk->next_determinant[1] - walk->determinant[1], 600.0));
-	for (int i = 0; i < MOST && in.b - in.a > CLOSE && !failed; i++) {
-		s = hawser__false_position(&in, i);
-		if ((status = between(walk, s, &value, &failed)))
-			return status;
-		for (int side = 0; failed && side < 2; side++) {
-			s = in.a + (side ? 0.8 : 0.2)*(in.b - in.a);
-			if ((status = between(walk, s, &value, &failed)))
-				return status;
-		}
-		if (!failed)
-			hawser__false_position_take(&in, s, value);
-	}
-	interpolate(walk, failed ? hawser__false_position(&in, 0) : s);
-	if (!failed) {
-		struct hawser__correction correction;
-
-		if ((status = correct(walk, walk->at, walk->at_t, &correction, &failed, walk->report)))
-			return status;
-	}
-	walk->half.base.ops->defects(&walk->half.base, walk->at, 1);
-	return add_branch(walk);
+	return ((const struct hawser__free_walk *)owner)->options->step_max;
 }
 
 static enum hawser_status arrive(void *owner, enum hawser__arrival *arrival, double taken, double *ds)
 {
-	struct walk *walk = owner;
+	struct hawser__free_walk *walk = owner;
 	size_t bytes = (size_t)walk->half.base.size*sizeof(double);
 
 	(void)taken;
 	(void)ds;
 	*arrival = HAWSER__GO_ON;
-	if (walk->options->branches && walk->next_determinant[0] != walk->determinant[0]) {
-		enum hawser_status status = find_branch(walk);
-		int failed;
+	if (walk->options->branches) {
+		int failed, moved;
+		enum hawser_status status = hawser__free_branches(walk, &moved);
 
-		if (!status) /* the integration along `next` again, which record needs */
-			status = correct(walk, walk->next, walk->t, &walk->curve.correction, &failed, walk->report);
+		if (!status && moved) /* the integration along `next` again, which record needs */
+			status = hawser__free_correct(walk, walk->next, walk->t, &walk->curve.correction, &failed,
+			                              walk->report);
 		if (status)
 			return status;
 	}
-	memcpy(walk->determinant, walk->next_determinant, sizeof walk->determinant);
 	memcpy(walk->y, walk->next, bytes);
 	memcpy(walk->t, walk->next_t, bytes);
 	return record(walk, &walk->curve.correction, walk->report);
@@ -406,7 +303,7 @@ static const struct hawser__curve_ops backbone_ops = {
 	.judge = judge, .longest = longest, .arrive = arrive
 };
 
-static enum hawser_status follow(struct walk *walk)
+static enum hawser_status follow(struct hawser__free_walk *walk)
 {
 	enum hawser__outcome outcome;
 	enum hawser_status status = hawser__curve_follow(&walk->curve, &outcome);
@@ -417,7 +314,7 @@ static enum hawser_status follow(struct walk *walk)
 	                    HAWSER_SHOWN(walk->rom, walk->y[walk->half.base.size - 1]));
 }
 
-static enum hawser_status open_walk(struct walk *walk, struct hawser_report *report)
+static enum hawser_status open_walk(struct hawser__free_walk *walk, struct hawser_report *report)
 {
 	size_t size = (size_t)walk->rom->n + 1;
 	enum hawser_status status = hawser__half_init(&walk->half, walk->rom, report);
@@ -436,7 +333,7 @@ static enum hawser_status open_walk(struct walk *walk, struct hawser_report *rep
 	walk->at_t = walk->at + size;
 	walk->other = walk->at_t + size;
 	walk->half.periods = walk->options->periods;
-	return HAWSER_OK;
+	return hawser__free_signs(walk, report);
 }
 
 enum hawser_status hawser_backbone_trace(struct hawser_backbone *backbone, const struct hawser_rom *rom,
@@ -444,7 +341,7 @@ enum hawser_status hawser_backbone_trace(struct hawser_backbone *backbone, const
                                          struct hawser_report *report)
 {
 	struct hawser_backbone_options settled = *options;
-	struct walk walk = {.began = hawser__wall_seconds(), .rom = rom, .options = &settled,
+	struct hawser__free_walk walk = {.began = hawser__wall_seconds(), .rom = rom, .options = &settled,
 		.backbone = backbone,
 		.curve = {.ops = &backbone_ops, .settings = &hawser__backbone_steps},
 		.lo = options->lo, .hi = options->hi, .report = report};
@@ -463,7 +360,9 @@ enum hawser_status hawser_backbone_trace(struct hawser_backbone *backbone, const
 	walk.curve.owner = &walk;
 	walk.curve.ds = FIRST_STEP*settled.step_max;
 	*backbone = (struct hawser_backbone){.n = rom->n, .probes = rom->shapes.points,
-		.end = HAWSER_BACKBONE_STOPPED};
+		.end = HAWSER_BACKBONE_STOPPED, .sign = calloc((size_t)rom->n, sizeof(int))};
+	if (!backbone->sign)
+		return hawser__no_memory(report, where);
 	if ((status = check(rom, options, report)))
 		return status;
 	if (walk.hi == 0.0) {
@@ -478,6 +377,9 @@ enum hawser_status hawser_backbone_trace(struct hawser_backbone *backbone, const
 	if (!status)
 		status = follow(&walk);
 	hawser__half_release(&walk.half);
+	hawser__signs_free(&walk.signs);
+	free(walk.member);
+	free(walk.event);
 	hawser__amplitude_free(walk.amplitude);
 	free(walk.y);
 	return status;

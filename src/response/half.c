@@ -1,8 +1,10 @@
 /* response/half.c - see half.h.
  *
- * With R the change of sign of the velocities, the flow backwards in time is R times the flow times
- * R. The second half period therefore has the matrix R A^-1 R, and the monodromy matrix is R A^-1 R
- * A.
+ * With R the change of sign of the velocities, and of the coordinates whose sign is -1, the flow
+ * backwards in time is R times the flow times R. The second half period therefore has the matrix
+ * R A^-1 R, and the monodromy matrix is R A^-1 R A. A motion that R reverses has R x = x at phase 0 and
+ * at half the period: the velocities of coordinates with sign 1, and the displacements of the others,
+ * vanish there ("bound"). The others ("open") are unknown; velocities are divided by Omega.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -47,15 +49,86 @@ static void metric(struct hawser__orbit *orbit, const double *y)
 	orbit->weight[n] = 1.0/(orbit->W*orbit->W);
 }
 
-/* The second half of the samples is the first half in reverse order. */
+/* The second half of the samples is the first half in reverse order, reflected. */
 static void mirror(struct hawser__half *half)
 {
 	int n = half->base.n, steps = half->steps;
 
 	memcpy(half->base.samples + (size_t)steps*n, half->x, (size_t)n*sizeof(double));
 	for (int i = 1; i < steps; i++)
-		memcpy(half->base.samples + (size_t)(steps + i)*n,
-		       half->base.samples + (size_t)(steps - i)*n, (size_t)n*sizeof(double));
+		for (int j = 0; j < n; j++)
+			half->base.samples[(size_t)(steps + i)*n + j] =
+				half->sign[j]*half->base.samples[(size_t)(steps - i)*n + j];
+}
+
+/* Index in the state of what of coordinate j is open or bound, with its sign or (other) the opposite
+ * one. */
+static int open_at(const struct hawser__half *half, int j, int other)
+{
+	return (half->sign[j] < 0) != other ? half->base.n + j : j;
+}
+
+static int bound_at(const struct hawser__half *half, int j, int other)
+{
+	return open_at(half, j, !other);
+}
+
+/* An entry of the derivative of the flow, in units of the coordinates. */
+static double scaled(const struct hawser__half *half, int row, int column)
+{
+	int n = half->base.n;
+	double omega = half->y[n], value = half->A[(size_t)row*2*n + column];
+
+	return value*(column < n ? 1.0 : omega)/(row < n ? 1.0 : omega);
+}
+
+double hawser__half_entry(const struct hawser__half *half, int j, int k, int other)
+{
+	return scaled(half, bound_at(half, j, other), open_at(half, k, other));
+}
+
+double hawser__half_length(const struct hawser__half *half, int j, int other)
+{
+	double sum = 0.0;
+
+	for (int k = 0; k < 2*half->base.n; k++) {
+		double part = scaled(half, bound_at(half, j, other), k);
+
+		sum += part*part;
+	}
+	return sqrt(sum);
+}
+
+/* The same by Omega. */
+static double entry_omega(const struct hawser__half *half, int j)
+{
+	int n = half->base.n, row = bound_at(half, j, 0);
+	double value = half->b[row];
+
+	for (int k = 0; k < n; k++)
+		if (half->sign[k] < 0)
+			value += half->A[(size_t)row*2*n + n + k]*half->y[k];
+	return row < n ? value : value/half->y[n];
+}
+
+void hawser__half_state(const struct hawser__half *half, double *x, const double *y)
+{
+	int n = half->base.n;
+
+	for (int j = 0; j < n; j++) {
+		x[j] = half->sign[j] < 0 ? 0.0 : y[j];
+		x[n + j] = half->sign[j] < 0 ? y[j]*y[n] : 0.0;
+	}
+}
+
+/* What is bound, at half the period; as an amplitude. */
+static double bound_of(const struct hawser__half *half, int j)
+{
+	int row = bound_at(half, j, 0);
+
+	if (half->class_of[j])
+		return 0.0;
+	return row < half->base.n ? half->x[row] : half->x[row]/half->y[half->base.n];
 }
 
 static double defects(struct hawser__orbit *orbit, const double *y, int derive)
@@ -66,8 +139,8 @@ static double defects(struct hawser__orbit *orbit, const double *y, int derive)
 		.count = 1};
 	double sum = 0.0;
 
-	memcpy(half->x, y, (size_t)n*sizeof(double));
-	memset(half->x + n, 0, (size_t)n*sizeof(double));
+	memcpy(half->y, y, ((size_t)n + 1)*sizeof(double));
+	hawser__half_state(half, half->x, y);
 	if (derive) {
 		orbit->mesh = hawser__flow_derive(&half->flow, half->x, half->A, half->b, orbit->samples,
 		                                  &stretch, y[n]);
@@ -77,24 +150,28 @@ static double defects(struct hawser__orbit *orbit, const double *y, int derive)
 		orbit->mesh = hawser__flow_map(&half->flow, half->x, orbit->samples, &stretch, y[n]);
 		orbit->cost.maps++;
 	}
-	for (int j = 0; j < n; j++)
-		sum += half->x[n + j]*half->x[n + j];
-	return sqrt(sum)/(orbit->X*y[n]);
+	for (int j = 0; j < n; j++) {
+		double rest = bound_of(half, j);
+
+		sum += rest*rest;
+	}
+	return sqrt(sum)/orbit->X;
 }
 
 static int factor(struct hawser__orbit *orbit, const double *row)
 {
 	struct hawser__half *half = of(orbit);
-	int n = orbit->n, m = 2*n, size = n + 1;
-	double omega = orbit->W/HAWSER_OMEGA_WIDTH;
+	int n = orbit->n, size = n + 1;
 
 	for (int j = 0; j < n; j++) {
-		double over = 1.0/(half->scale[j]*omega);
+		int inside = half->class_of[j] == 0; /* the others stay at rest */
 
 		for (int k = 0; k < n; k++)
-			half->matrix[k*size + j] = half->A[(size_t)(n + j)*m + k]*half->scale[k]*over;
-		half->matrix[n*size + j] = half->b[n + j]*orbit->W*over;
-		half->matrix[j*size + n] = orbit->weight[j]*row[j]*half->scale[j];
+			half->matrix[k*size + j] = inside && half->class_of[k] == 0
+				? hawser__half_entry(half, j, k, 0)*half->scale[k]/half->scale[j]
+				: j == k ? 1.0 : 0.0;
+		half->matrix[n*size + j] = inside ? entry_omega(half, j)*orbit->W/half->scale[j] : 0.0;
+		half->matrix[j*size + n] = inside ? orbit->weight[j]*row[j]*half->scale[j] : 0.0;
 	}
 	half->matrix[size*size - 1] = row[n]/orbit->W;
 	return LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, size, size, half->matrix, size, half->pivot) != 0;
@@ -104,10 +181,9 @@ static void solve(struct hawser__orbit *orbit, double *dy, int homogeneous, doub
 {
 	struct hawser__half *half = of(orbit);
 	int n = orbit->n, size = n + 1;
-	double omega = orbit->W/HAWSER_OMEGA_WIDTH;
 
 	for (int j = 0; j < n; j++)
-		dy[j] = homogeneous ? 0.0 : -half->x[n + j]/(half->scale[j]*omega);
+		dy[j] = homogeneous ? 0.0 : -bound_of(half, j)/half->scale[j];
 	dy[n] = last;
 	LAPACKE_dgetrs_work(LAPACK_COL_MAJOR, 'N', size, 1, half->matrix, size, half->pivot, dy, size);
 	for (int j = 0; j < n; j++)
@@ -146,7 +222,7 @@ static double product(const struct hawser__half *half, const double *scaled, int
 enum hawser_status hawser__half_other(const struct hawser__half *half, double *s, const double *t,
                                       struct hawser_report *report)
 {
-	int n = half->base.n, m = 2*n, size = n + 1, info;
+	int n = half->base.n, size = n + 1, info;
 	double *room = malloc(((size_t)n*size + (size_t)size*size + 2*(size_t)n)*sizeof *room);
 	double *vt, *singular, a, b, length = 0.0;
 
@@ -155,11 +231,13 @@ enum hawser_status hawser__half_other(const struct hawser__half *half, double *s
 	vt = room + (size_t)n*size;
 	singular = vt + (size_t)size*size;
 	for (int j = 0; j < n; j++) {
-		double over = 1.0/(half->scale[j]*half->base.W);
+		int inside = half->class_of[j] == 0;
 
 		for (int k = 0; k < n; k++)
-			room[(size_t)k*n + j] = half->A[(size_t)(n + j)*m + k]*half->scale[k]*over;
-		room[(size_t)n*n + j] = half->b[n + j]*half->base.W*over;
+			room[(size_t)k*n + j] = inside && half->class_of[k] == 0
+				? hawser__half_entry(half, j, k, 0)*half->scale[k]/half->scale[j]
+				: j == k ? 1.0 : 0.0;
+		room[(size_t)n*n + j] = inside ? entry_omega(half, j)*half->base.W/half->scale[j] : 0.0;
 	}
 	info = LAPACKE_dgesvd(LAPACK_COL_MAJOR, 'N', 'A', n, size, room, n, singular, NULL, 1, vt, size,
 	                      singular + n);
@@ -208,6 +286,26 @@ static int first_steps(const struct hawser_rom *rom)
 	return (int)fmin(MOST_STEPS, fmax(16.0, ceil(0.5*FIRST_STEPS_A_PERIOD*sqrt(fast/slow))));
 }
 
+/* The gyroscopic forces of a travelling cable: the skew part of D. Entries of the size of round-off are
+ * left out. */
+static void skew_part(double *G, const struct hawser_rom *rom)
+{
+	int n = rom->n;
+	double largest = 0.0;
+
+	for (int j = 0; j < n; j++)
+		largest = fmax(largest, fabs(rom->K[(size_t)j*((size_t)n + 1)]));
+	largest = sqrt(largest);
+	for (int i = 0; i < n*n; i++)
+		largest = fmax(largest, fabs(rom->D[i]));
+	for (int j = 0; j < n; j++)
+		for (int k = 0; k < n; k++) {
+			double g = 0.5*(rom->D[j*n + k] - rom->D[k*n + j]);
+
+			G[j*n + k] = fabs(g) > 1e-12*largest ? g : 0.0;
+		}
+}
+
 enum hawser_status hawser__half_init(struct hawser__half *half, const struct hawser_rom *rom,
                                      struct hawser_report *report)
 {
@@ -217,18 +315,25 @@ enum hawser_status hawser__half_init(struct hawser__half *half, const struct haw
 	memset(half, 0, sizeof *half);
 	half->base.ops = &ops;
 	half->periods = 1;
-	half->no_damping = calloc(n*n, sizeof(double));
+	half->G = calloc(n*n, sizeof(double));
+	half->sign = calloc(n, sizeof(int));
+	half->class_of = calloc(n, sizeof(int));
+	half->y = calloc(size, sizeof(double));
 	half->x = calloc(m, sizeof(double));
 	half->A = calloc(m*m, sizeof(double));
 	half->b = calloc(m, sizeof(double));
 	half->scale = calloc(n, sizeof(double));
 	half->matrix = calloc(size*size, sizeof(double));
 	half->pivot = calloc(size, sizeof(int));
-	if (!half->no_damping || !half->x || !half->A || !half->b || !half->scale || !half->matrix ||
-	    !half->pivot)
+	if (!half->G || !half->sign || !half->class_of || !half->y || !half->x || !half->A ||
+	    !half->b || !half->scale || !half->matrix || !half->pivot)
 		return hawser__no_memory(report, where);
+	skew_part(half->G, rom);
+	half->classes = 1;
+	for (size_t j = 0; j < n; j++)
+		half->sign[j] = 1;
 	half->model = *rom;
-	half->model.D = half->no_damping;
+	half->model.D = half->G;
 	half->model.harmonics = 0;
 	half->model.harmonic = NULL;
 	half->model.ends = NULL;
@@ -243,7 +348,10 @@ void hawser__half_release(struct hawser__half *half)
 	hawser__flow_clear(&half->flow);
 	hawser__orbit_free(&half->base);
 	free(half->base.samples);
-	free(half->no_damping);
+	free(half->G);
+	free(half->sign);
+	free(half->class_of);
+	free(half->y);
 	free(half->x);
 	free(half->A);
 	free(half->b);
@@ -262,18 +370,25 @@ enum hawser_status hawser__half_refine(struct hawser__half *half, struct hawser_
 	return arrange(half, 2*half->steps, report);
 }
 
-/* whole [m][m] = R A^-1 R A, row-major. Returns LAPACK's info. */
-static int monodromy(double *whole, double *factors, int *pivot, const double *A, int n)
+static void reflect(const struct hawser__half *half, double *whole)
 {
-	int m = 2*n, info;
+	int n = half->base.n, m = 2*n;
 
-	memcpy(factors, A, (size_t)m*(size_t)m*sizeof *factors);
 	for (int j = 0; j < m; j++)
 		for (int k = 0; k < m; k++)
-			whole[(size_t)j*m + k] = j < n ? A[(size_t)j*m + k] : -A[(size_t)j*m + k];
+			whole[(size_t)j*m + k] *= j < n ? half->sign[j] : -half->sign[j - n];
+}
+
+/* whole [m][m] = R A^-1 R A, row-major. Returns LAPACK's info. */
+static int monodromy(const struct hawser__half *half, double *whole, double *factors, int *pivot)
+{
+	int m = 2*half->base.n, info;
+
+	memcpy(factors, half->A, (size_t)m*(size_t)m*sizeof *factors);
+	memcpy(whole, half->A, (size_t)m*(size_t)m*sizeof *factors);
+	reflect(half, whole);
 	info = LAPACKE_dgesv(LAPACK_ROW_MAJOR, m, m, factors, m, pivot, whole, m);
-	for (int j = n*m; j < m*m; j++)
-		whole[j] = -whole[j];
+	reflect(half, whole);
 	return info;
 }
 
@@ -294,7 +409,7 @@ enum hawser_status hawser__half_unstable(struct hawser__half *half, int *unstabl
                                          struct hawser_report *report)
 {
 	double loss = DERIVATIVES*half->base.mesh/half->base.X + ROUND_OFF;
-	int n = half->base.n, m = 2*n, info;
+	int m = 2*half->base.n, info;
 	size_t square = (size_t)m*(size_t)m;
 	double *room = malloc((2*square + 2*(size_t)m)*sizeof *room), *re, *im;
 	int *pivot = malloc((size_t)m*sizeof *pivot);
@@ -307,7 +422,7 @@ enum hawser_status hawser__half_unstable(struct hawser__half *half, int *unstabl
 	}
 	re = room + 2*square;
 	im = re + m;
-	info = monodromy(room, room + square, pivot, half->A, n);
+	info = monodromy(half, room, room + square, pivot);
 	if (!info)
 		info = LAPACKE_dgeev(LAPACK_ROW_MAJOR, 'N', 'N', m, room, m, re, im, NULL, m, NULL, m);
 	if (!info)

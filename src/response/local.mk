@@ -6,9 +6,12 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/amplitude.h \
 	%D%/bracket.c \
 	%D%/bracket.h \
-	%D%/backbone.c %D%/backbone.h %D%/backbone_branch.c %D%/nnm.c \
+	%D%/backbone.c %D%/backbone.h %D%/backbone_begin.c %D%/backbone_branch.c %D%/nnm.c \
 	%D%/half.c \
 	%D%/half.h \
+	%D%/half_class.c \
+	%D%/signs.c \
+	%D%/signs.h \
 	%D%/automatic.c \
 	%D%/balance.c \
 	%D%/balance.h \

@@ -25,20 +25,42 @@ void hawser_nnm_settle(struct hawser_nnm_options *options)
 	hawser__settle_count(&options->periods, 1);
 }
 
-/* The energy of the linear mode at the least amplitude at which a nonlinear term that contains it alone
- * equals its linear one; where there is no such term, at amplitude 1. */
-static double usual_energy(const struct hawser_rom *rom, int mode)
+/* The larger one of: the potential of a quadratic force over 2/3 of that of the linear one, and
+ * that of a cubic force over 1/2, as far as the energies at a and -a tell. At 1 the force equals
+ * the linear one. */
+static double share(const struct hawser_rom *rom, int mode, double a, double *u, const double *rest)
 {
-	double k = rom->K[(size_t)mode*((size_t)rom->n + 1)], size = INFINITY;
+	double k = rom->K[(size_t)mode*((size_t)rom->n + 1)], linear = 0.5*k*a*a, up, down;
 
-	for (int i = 0; i < rom->quads; i++)
-		if (rom->Q[i].k == mode && rom->Q[i].l == mode && rom->Q[i].value != 0.0)
-			size = fmin(size, k/fabs(rom->Q[i].value));
-	for (int i = 0; i < rom->cubics; i++)
-		if (rom->C[i].k == mode && rom->C[i].l == mode && rom->C[i].m == mode &&
-		    rom->C[i].value != 0.0)
-			size = fmin(size, sqrt(k/fabs(rom->C[i].value)));
-	return isfinite(size) ? 0.5*k*size*size : 0.5*k;
+	u[mode] = a;
+	up = hawser_rom_energy(rom, u, rest);
+	u[mode] = -a;
+	down = hawser_rom_energy(rom, u, rest);
+	u[mode] = 0.0;
+	return fmax(0.75*fabs(up - down)/linear, 2.0*fabs(0.5*(up + down)/linear - 1.0));
+}
+
+/* The energy of the linear mode at the least amplitude at which the nonlinear part of the force in this
+ * mode alone equals its linear one; where it never does, at amplitude 1. */
+static enum hawser_status usual_energy(double *energy, const struct hawser_rom *rom, int mode,
+                                       struct hawser_report *report)
+{
+	double k = rom->K[(size_t)mode*((size_t)rom->n + 1)], lo = 1e-6, hi;
+	double *u = calloc(2*(size_t)rom->n, sizeof *u);
+
+	if (!u)
+		return hawser__no_memory(report, "nnm");
+	while (lo < 1e3 && share(rom, mode, 2.0*lo, u, u + rom->n) < 1.0)
+		lo *= 2.0;
+	hi = 2.0*lo;
+	for (int i = 0; i < 40 && lo < 1e3; i++) {
+		double middle = 0.5*(lo + hi);
+
+		*(share(rom, mode, middle, u, u + rom->n) < 1.0 ? &lo : &hi) = middle;
+	}
+	free(u);
+	*energy = lo < 1e3 ? 0.5*k*lo*lo : 0.5*k;
+	return HAWSER_OK;
 }
 
 static struct hawser_nnm_curve *add(struct hawser_nnm *nnm, struct hawser_report *report)
@@ -107,11 +129,13 @@ static enum hawser_status leave(struct hawser_nnm *nnm, const struct hawser_rom 
 	options.start = start;
 	options.direction = direction;
 	options.known = known;
+	options.quadrature = 0;
 	for (int d = 0; !status && !*found && d < DISTANCES; d++) {
 		const struct hawser_backbone *from = &nnm->curve[parent].motion;
 		const double *at = from->branch_start + (size_t)born*size;
 		const double *s = from->branch_direction + (size_t)born*size;
 
+		options.sign = from->branch_sign + (size_t)born*(size - 1);
 		for (size_t k = 0; k < size; k++) {
 			direction[k] = side*s[k];
 			start[k] = at[k] + distance[d]*direction[k];
@@ -191,11 +215,15 @@ enum hawser_status hawser_nnm_trace(struct hawser_nnm *nnm, const struct hawser_
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "nnm",
 		                    "energy %g (positive and finite), depth %d (0 or more): one is out of "
 		                    "range", own.energy, own.depth);
-	nnm->energy = own.energy > 0.0 ? own.energy : usual_energy(rom, own.mode);
+	nnm->energy = own.energy;
+	status = own.energy > 0.0 ? HAWSER_OK : usual_energy(&nnm->energy, rom, own.mode, report);
+	if (status)
+		return status;
 	base.energy = nnm->energy;
 	base.size = sqrt(2.0*fmax(nnm->energy, 0.0)/
 	                 fmax(rom->K[(size_t)own.mode*((size_t)rom->n + 1)], 1e-300));
 	base.periods = own.periods;
+	base.quadrature = own.quadrature;
 	base.branches = 1;
 	base.lo = own.lo;
 	base.hi = own.hi;

@@ -38,6 +38,25 @@ try "one row a motion" awk -F '\t' '!/^#/ { n++ } END { exit !(n > 200) }' masse
 try "the picture is in order" grep -q "Energy" tongue.svg
 
 refuses 1 "--mode 3: the model has modes 1 to 2" nnm "$scenes/two-masses.json" --mode 3
-refuses_like 1 "free motions do not pass through rest" nnm "$scenes/b-table-5.4.yaml"
+refuses_like 1 "travelling cable's., and without symmetry" nnm "$scenes/b-table-5.4.yaml"
+refuses_like 1 "--mode 0: must be at least 1" nnm "$scenes/two-masses.json" --mode 0
+refuses_like 1 "frequencies of modes 1 and 2 differ by" nnm "$scenes/two-masses.json" --quadrature 2
+works "whirling" nnm "$scenes/chairlift.yaml" --mode 2 --branches 1 --json whirl.json --tsv whirl.tsv -q
+python "it begins on the plane motion, and is never at rest" <<'END'
+import json
+whirl = json.load(open("whirl.json"))
+plane, *others = whirl["curves"]
+assert set(plane["signs"]) == {1} and any(b["turned"] for b in plane["branch_points"])
+assert any(-1 in c["signs"] for c in others) and whirl["not_followed"] == 0
+assert all(p["residual"] < 1e-9 and p["mesh"] <= 1e-9 and p["energy_gap"] < 1e-8 for c in others for p in c["points"])
+END
+try "the table names it" grep -q "where whirling begins" whirl.tsv
+sed 's/h: 5 m/h: 0 m/; s/modes: 9.*/modes: 4/' "$scenes/b-table-5.4.yaml" >level.yaml
+works "a level travelling span" nnm level.yaml --mode 2 --max-points 60 --json level.json -q
+python "its modes of the plane are a quarter of a period apart" <<'END'
+import json
+curve, = json.load(open("level.json"))["curves"]
+assert {1, -1} <= set(curve["signs"]) and curve["points"][-1]["energy_gap"] < 1e-8
+END
 refuses_like 1 "branches" nnm "$scenes/two-masses.json" --branches -1
 done_testing
