@@ -28,11 +28,14 @@ struct hawser_rom_family {
 struct hawser_rom_plane {
 	double omega; /* as in hawser_rom_family */
 	/* *rom becomes the model at the values p. It stays as it is at least until the function has been
-	 * called for eight other pairs of values. */
+	 * called for eight other pairs of values; the first model stays as long as the plane. */
 	enum hawser_status (*model)(void *context, const struct hawser_rom **rom, const double p[2],
 	                            struct hawser_report *report);
 	void *context;
+	void (*close)(void *context); /* of hawser_plane_close; NULL: nothing to release */
 };
+/* Release a plane of any of the functions below and of hawser/scene_family.h. */
+void hawser_plane_close(struct hawser_rom_plane *plane);
 
 /* The factors by which a model may be multiplied. */
 enum hawser_factor {
@@ -49,13 +52,11 @@ enum hawser_status hawser_factor_open(struct hawser_rom_family *family, const st
 void hawser_factor_close(struct hawser_rom_family *family);
 
 /* The models of a family, each multiplied by a factor: place 0 or 1 of the parameters is the factor,
- * the other is that of `family`, which is used as long as the plane is. HAWSER_ERR_MEMORY. Release with
- * hawser_plane_close. */
+ * the other is that of `family`, which is used as long as the plane is. HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_plane_open(struct hawser_rom_plane *plane,
                                      const struct hawser_rom_family *family,
                                      enum hawser_factor factor, int place,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
-void hawser_plane_close(struct hawser_rom_plane *plane);
 
 /* The family of the models of a file over its parameter `name`, which is used, as is the text of
  * `source`, as long as the family is. Release with hawser_parameter_close. HAWSER_ERR_ARGUMENT (no such
@@ -64,6 +65,11 @@ enum hawser_status hawser_parameter_open(struct hawser_rom_family *family,
                                          const struct hawser_rom_source *source, const char *name,
                                          double omega, struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_parameter_close(struct hawser_rom_family *family);
+/* The same over two parameters. */
+enum hawser_status hawser_parameter_plane_open(struct hawser_rom_plane *plane,
+                                               const struct hawser_rom_source *source,
+                                               const char *const name[2], double omega,
+                                               struct hawser_report *report) HAWSER_MUST_CHECK;
 
 #ifdef __cplusplus
 }

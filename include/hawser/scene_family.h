@@ -21,6 +21,12 @@ enum hawser_status hawser_scene_family_open(struct hawser_rom_family *family,
                                             double from, double to, double at, double omega,
                                             struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_scene_family_close(struct hawser_rom_family *family);
+/* The same over two keys: arrays of both. Release with hawser_plane_close. */
+enum hawser_status hawser_scene_plane_open(struct hawser_rom_plane *plane,
+                                           const struct hawser_scene *scene,
+                                           const char *const key[2], const double from[2],
+                                           const double to[2], const double at[2], double omega,
+                                           struct hawser_report *report) HAWSER_MUST_CHECK;
 
 #ifdef __cplusplus
 }

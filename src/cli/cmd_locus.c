@@ -73,6 +73,9 @@ static enum hawser_status start_of(double *at, const struct cli_over *over, cons
 	if (cli_over_needs_scene(key) &&
 	    (!model->has_scene || hawser_scene_get(&model->scene, &own, key, NULL)))
 		own = NAN;
+	for (int i = 0; over->file && i < model->source.parameters; i++)
+		if (strcmp(model->source.parameter[i].name, key) == 0)
+			own = model->source.parameter[i].value;
 	*at = own >= low && own <= high ? own : over->from;
 	return HAWSER_OK;
 }
@@ -125,6 +128,8 @@ static enum hawser_status open_plane(struct hawser_rom_plane *plane, struct cli_
                                      struct cli_model *model, struct hawser_report *report)
 {
 	enum hawser_status status = cli_over_open(first, settings->and, settings->Omega, model, report);
+	const char *const key[] = {first->axis.key, second->axis.key};
+	const double from[] = {first->from, second->from}, to[] = {first->to, second->to};
 
 	if (status)
 		return status;
@@ -138,9 +143,9 @@ static enum hawser_status open_plane(struct hawser_rom_plane *plane, struct cli_
 	if (factor_of(second) >= 0)
 		return hawser_plane_open(plane, &first->family, (enum hawser_factor)factor_of(second), 1,
 		                         report);
-	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "locus",
-	                    "--over %s with --and %s: one of both must be factor.load or factor.damping",
-	                    second->axis.key, first->axis.key);
+	if (first->file)
+		return hawser_parameter_plane_open(plane, &model->source, key, first->omega, report);
+	return hawser_scene_plane_open(plane, &model->scene, key, from, to, from, first->omega, report);
 }
 
 static enum hawser_status run(void *context, struct hawser_report *report)
@@ -187,8 +192,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!status)
 		status = cli_show(&settings->common, &cli_locus_showing, &result, report);
 	hawser_locus_clear(&locus);
-	if (plane.context)
-		hawser_plane_close(&plane);
+	hawser_plane_close(&plane);
 	cli_over_clear(&other);
 	cli_over_clear(&over);
 	cli_model_clear(&model);

@@ -150,7 +150,8 @@ static void comments(struct hawser__table *table, const void *of)
 		hawser__table_comment(table, "note: %s", folds->note);
 	if (folds->interrupted)
 		hawser__table_comment(table, "interrupted: the curves are incomplete");
-	hawser__table_comment(table, "%d curves, %d points", folds->curves, folds->points);
+	hawser__table_comment(table, "%d curve%s, %d points", folds->curves, folds->curves == 1 ? "" : "s",
+	                      folds->points);
 }
 
 /* --- fields --- */

@@ -67,7 +67,8 @@ static void comments(struct hawser__table *table, const void *of)
 		                      locus->lost_at[i]*per, first_unit(result));
 	if (locus->interrupted)
 		hawser__table_comment(table, "interrupted: the curves are incomplete");
-	hawser__table_comment(table, "%d curves, %d points", locus->curves, locus->points);
+	hawser__table_comment(table, "%d curve%s, %d points", locus->curves, locus->curves == 1 ? "" : "s",
+	                      locus->points);
 }
 
 /* --- fields --- */

@@ -153,13 +153,23 @@ static enum hawser_status join(struct hawser_locus *to, const struct hawser__loc
 	return HAWSER_OK;
 }
 
-/* Whether a curve passes the start value of the parameter at this Omega. */
-static int is_known(const struct hawser_locus *locus, double omega, double extent)
+/* Whether a curve passes the start value of the parameter at this Omega, or ends there. */
+static int is_known(const struct hawser_locus *locus, double omega, const double extent[2])
 {
 	for (int e = 0; e < locus->events; e++)
 		if (locus->event[e].kind == HAWSER_LOCUS_START &&
-		    fabs(locus->event[e].omega - omega) < SAME*extent)
+		    fabs(locus->event[e].omega - omega) < SAME*extent[0])
 			return 1;
+	for (int c = 0; c < locus->curves; c++)
+		for (int side = 0; side < 2; side++) {
+			const struct hawser_locus_curve *curve = &locus->curve[c];
+			const struct hawser_locus_point *end =
+				&locus->point[curve->first + (side ? curve->points - 1 : 0)];
+
+			if (curve->points > 0 && fabs(end->omega - omega) < SAME*extent[0] &&
+			    fabs(end->parameter - locus->at) < SAME*extent[1])
+				return 1;
+		}
 	return 0;
 }
 
@@ -221,7 +231,7 @@ static enum hawser_status trace_all(struct hawser_locus *locus, struct hawser__l
 		if (frf->event[e].kind != o->kind || (only >= 0 && e != only))
 			continue;
 		any = 1;
-		if (is_known(locus, frf->event[e].parameter, walk->locus->extent[0]))
+		if (is_known(locus, frf->event[e].parameter, walk->locus->extent))
 			continue;
 		if ((status = trace_from(locus, walk, e, report)))
 			return status;
@@ -229,9 +239,9 @@ static enum hawser_status trace_all(struct hawser_locus *locus, struct hawser__l
 	locus->interrupted = walk->stopped;
 	if (!any && !locus->interrupted)
 		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "locus",
-		                    "the response at the parameter %.9g has no %s in this range of "
-		                    "frequencies: begin at another value (--at), or change the range",
-		                    o->at, hawser_event_name(o->kind));
+		                    "the response at the parameter %.9g has no %s in this range%s: begin "
+		                    "at another value (--at), or change the range", o->at,
+		                    hawser_event_name(o->kind), o->plane ? "" : " of frequencies");
 	if (locus->curves == 0 && !locus->interrupted)
 		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "locus",
 		                    "no curve could be begun at the %s of the response%s",

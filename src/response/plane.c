@@ -2,7 +2,7 @@
  *
  * A model of the family is asked for at every call, so that it is there as long as one is kept that is
  * made from it. What is kept is made anew where the family has made its model anew. The first model
- * stays to the end: a response that is traced has it as its own.
+ * stays to the end: a response that is traced over the first parameter has it as its own.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -56,15 +56,21 @@ static enum hawser_status model(void *context, const struct hawser_rom **rom, co
 	return status;
 }
 
-void hawser_plane_close(struct hawser_rom_plane *closed)
+static void close(void *context)
 {
-	struct plane *plane = closed->context;
+	struct plane *plane = context;
 
 	for (int i = 0; plane && i < KEPT; i++)
 		if (plane->kept[i].from)
 			hawser_factor_close(&plane->kept[i].family);
 	free(plane);
-	*closed = (struct hawser_rom_plane){0.0, NULL, NULL};
+}
+
+void hawser_plane_close(struct hawser_rom_plane *plane)
+{
+	if (plane->close)
+		plane->close(plane->context);
+	*plane = (struct hawser_rom_plane){.omega = 0.0};
 }
 
 enum hawser_status hawser_plane_open(struct hawser_rom_plane *opened,
@@ -74,7 +80,7 @@ enum hawser_status hawser_plane_open(struct hawser_rom_plane *opened,
 {
 	struct plane *plane = calloc(1, sizeof *plane);
 
-	*opened = (struct hawser_rom_plane){family->omega, model, plane};
+	*opened = (struct hawser_rom_plane){family->omega, model, plane, close};
 	if (!plane)
 		return hawser__no_memory(report, "locus");
 	*plane = (struct plane){.family = family, .factor = factor, .place = place};

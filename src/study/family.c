@@ -1,13 +1,13 @@
-/* study/family.c - the models of a scene over one of its keys; see hawser/scene_family.h.
+/* study/family.c - the models of a scene over one or two of its keys; see hawser/scene_family.h.
  *
- *    anchor    modes at a value of the key, in the order of the coordinates and with their signs
+ *    anchor    modes at values of the keys, in the order of the coordinates and with their signs
  *    overlap   integral of Phi_j . Phi_k over the length of the cable, of modes at two values, each as
  *              a function of the fraction of the length
  *
  * Modes are followed from one anchor to the next. A step is halved until each coordinate overlaps with
  * one mode by more than SURE, so that modes that cross keep their coordinates, while those that veer
  * exchange their shapes continuously. Anchors are kept, and the order of the modes at a value depends
- * on the nearest anchor only.
+ * on the nearest anchor only. The first model stays to the end.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -25,22 +25,22 @@
 #define LEAST 1e-7 /* least step, relative to the range, that is halved; below it the larger overlap
                     * decides; chosen */
 #define EXACT 1e-11 /* tolerance of modes, so that models are smooth functions of the parameter */
-enum { MODELS = 10, PLACES = 96, MORE = 6 };
+enum { MODELS = 11, PLACES = 96, MORE = 6 };
 
 struct anchor {
-	double p;
+	double p[2];
 	struct hawser_modes modes;
 };
 
 struct scene_family {
 	const struct hawser_scene *scene;
-	const char *key;
-	double from, to;
+	const char *key[2]; /* the second one may be NULL */
+	double extent[2];   /* of the ranges */
 	int n;
 	struct anchor *anchor; /* [anchors] in no order */
 	int anchors;
 	struct kept {
-		double p;
+		double p[2];
 		long used;
 		struct hawser_rom rom;
 	} kept[MODELS];
@@ -49,16 +49,20 @@ struct scene_family {
 };
 
 static enum hawser_status scene_at(struct hawser_scene *scene, const struct scene_family *family,
-                                   double p, struct hawser_report *report)
+                                   const double p[2], struct hawser_report *report)
 {
+	enum hawser_status status = HAWSER_OK;
+
 	*scene = *family->scene;
 	scene->model.inertia = HAWSER_INERTIA_NONE;
-	return hawser_scene_set(scene, family->key, p, report);
+	for (int k = 0; k < 2 && family->key[k] && !status; k++)
+		status = hawser_scene_set(scene, family->key[k], p[k], report);
+	return status;
 }
 
 /* More modes than coordinates at p, by frequency. */
 static enum hawser_status solve(struct hawser_modes *modes, const struct scene_family *family,
-                                double p, struct hawser_report *report)
+                                const double p[2], struct hawser_report *report)
 {
 	struct hawser_modes_options options = {.n = 2*family->n + MORE, .tolerance = EXACT};
 	struct hawser_statics statics;
@@ -195,7 +199,7 @@ static enum hawser_status arrange(struct hawser_modes *modes, const struct hawse
 	return HAWSER_OK;
 }
 
-static enum hawser_status add_anchor(struct scene_family *family, double p,
+static enum hawser_status add_anchor(struct scene_family *family, const double p[2],
                                      const struct hawser_modes *modes, struct hawser_report *report)
 {
 	struct anchor *larger = realloc(family->anchor, ((size_t)family->anchors + 1)*sizeof *larger);
@@ -203,16 +207,26 @@ static enum hawser_status add_anchor(struct scene_family *family, double p,
 	if (!larger)
 		return hawser__no_memory(report, "frf");
 	family->anchor = larger;
-	family->anchor[family->anchors++] = (struct anchor){p, *modes};
+	family->anchor[family->anchors++] = (struct anchor){{p[0], p[1]}, *modes};
 	return HAWSER_OK;
 }
 
-static const struct anchor *nearest(const struct scene_family *family, double p)
+/* Relative to the ranges. */
+static double distance(const struct scene_family *family, const double a[2], const double b[2])
+{
+	double sum = 0.0;
+
+	for (int k = 0; k < 2 && family->key[k]; k++)
+		sum += fabs(a[k] - b[k])/family->extent[k];
+	return sum;
+}
+
+static const struct anchor *nearest(const struct scene_family *family, const double p[2])
 {
 	const struct anchor *best = family->anchor;
 
 	for (int i = 1; i < family->anchors; i++)
-		if (fabs(family->anchor[i].p - p) < fabs(best->p - p))
+		if (distance(family, family->anchor[i].p, p) < distance(family, best->p, p))
 			best = &family->anchor[i];
 	return best;
 }
@@ -220,7 +234,7 @@ static const struct anchor *nearest(const struct scene_family *family, double p)
 /* The modes at p in the order of the coordinates, from the nearest anchor; *sure is 0 if they could not
  * be recognised. */
 static enum hawser_status recognised(struct hawser_modes *modes, int *sure,
-                                     const struct scene_family *family, double p,
+                                     const struct scene_family *family, const double p[2],
                                      struct hawser_report *report)
 {
 	const struct anchor *anchor = nearest(family, p);
@@ -232,26 +246,29 @@ static enum hawser_status recognised(struct hawser_modes *modes, int *sure,
 	if (status)
 		return status;
 	recognise(place, sign, &least, family, &anchor->modes, &all);
-	*sure = least >= SURE || fabs(p - anchor->p) <= LEAST*fabs(family->to - family->from);
+	*sure = least >= SURE || distance(family, p, anchor->p) <= LEAST;
 	status = arrange(modes, &all, place, sign, family->n, report);
 	hawser_modes_clear(&all);
 	return status;
 }
 
 /* The modes at p, with anchors on the way from the nearest one. */
-static enum hawser_status modes_at(struct hawser_modes *modes, struct scene_family *family, double p,
-                                   struct hawser_report *report)
+static enum hawser_status modes_at(struct hawser_modes *modes, struct scene_family *family,
+                                   const double p[2], struct hawser_report *report)
 {
 	for (;;) {
-		double at = p;
+		double at[2] = {p[0], p[1]};
 		enum hawser_status status;
 		int sure;
 
 		while (!(status = recognised(modes, &sure, family, at, report)) && !sure) {
+			const double *back = nearest(family, at)->p;
+
 			hawser_modes_clear(modes);
-			at = 0.5*(at + nearest(family, at)->p);
+			for (int k = 0; k < 2; k++)
+				at[k] = 0.5*(at[k] + back[k]);
 		}
-		if (status || at == p)
+		if (status || (at[0] == p[0] && at[1] == p[1]))
 			return status;
 		if ((status = add_anchor(family, at, modes, report))) {
 			hawser_modes_clear(modes);
@@ -260,22 +277,23 @@ static enum hawser_status modes_at(struct hawser_modes *modes, struct scene_fami
 	}
 }
 
-static enum hawser_status model(void *context, const struct hawser_rom **rom, double p,
-                                struct hawser_report *report)
+static enum hawser_status model_of_two(void *context, const struct hawser_rom **rom,
+                                       const double p[2], struct hawser_report *report)
 {
 	struct scene_family *family = context;
-	struct kept *kept = family->kept;
+	struct kept *kept = &family->kept[family->kept[0].used > 0];
 	struct hawser_modes modes;
 	struct hawser_scene scene;
 	enum hawser_status status;
 
 	for (int i = 0; i < MODELS; i++) {
-		if (family->kept[i].used > 0 && family->kept[i].p == p) {
+		if (family->kept[i].used > 0 && family->kept[i].p[0] == p[0] &&
+		    family->kept[i].p[1] == p[1]) {
 			family->kept[i].used = ++family->now;
 			*rom = &family->kept[i].rom;
 			return HAWSER_OK;
 		}
-		if (family->kept[i].used < kept->used)
+		if (i > 0 && family->kept[i].used < kept->used)
 			kept = &family->kept[i];
 	}
 	if ((status = scene_at(&scene, family, p, report)) ||
@@ -287,15 +305,21 @@ static enum hawser_status model(void *context, const struct hawser_rom **rom, do
 	hawser_modes_clear(&modes);
 	if (status)
 		return status;
-	kept->p = p;
+	memcpy(kept->p, p, sizeof kept->p);
 	kept->used = ++family->now;
 	*rom = &kept->rom;
 	return HAWSER_OK;
 }
 
-void hawser_scene_family_close(struct hawser_rom_family *closed)
+static enum hawser_status model(void *context, const struct hawser_rom **rom, double p,
+                                struct hawser_report *report)
 {
-	struct scene_family *family = closed->context;
+	return model_of_two(context, rom, (double[2]){p, 0.0}, report);
+}
+
+static void close(void *context)
+{
+	struct scene_family *family = context;
 
 	for (int i = 0; family && i < MODELS; i++)
 		hawser_rom_clear(&family->kept[i].rom);
@@ -306,11 +330,17 @@ void hawser_scene_family_close(struct hawser_rom_family *closed)
 		free(family->samples);
 	}
 	free(family);
+}
+
+void hawser_scene_family_close(struct hawser_rom_family *closed)
+{
+	close(closed->context);
 	*closed = (struct hawser_rom_family){0.0, NULL, NULL};
 }
 
 /* The first anchor: the lowest modes. */
-static enum hawser_status begin(struct scene_family *family, double at, struct hawser_report *report)
+static enum hawser_status begin(struct scene_family *family, const double at[2],
+                                struct hawser_report *report)
 {
 	struct hawser_modes all, modes;
 	int place[HAWSER_ROM_MAX];
@@ -330,31 +360,60 @@ static enum hawser_status begin(struct scene_family *family, double at, struct h
 	return status;
 }
 
+static enum hawser_status make(struct scene_family **made, const struct hawser_scene *scene,
+                               const char *const key[2], const double extent[2], const double at[2],
+                               struct hawser_report *report)
+{
+	struct scene_family *family;
+	enum hawser_status status = HAWSER_OK;
+	double unused;
+
+	*made = NULL;
+	for (int k = 0; k < 2 && key[k] && !status; k++)
+		status = hawser_scene_get(scene, &unused, key[k], report);
+	if (status)
+		return status;
+	if (scene->model.modes == HAWSER_MODES_AUTO || scene->model.energy == HAWSER_ENERGY_EXACT)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
+		                    "%s as a parameter needs a model of a given number of modes with the "
+		                    "energy to fourth order: set model.modes and model.energy", key[0]);
+	if (!(family = calloc(1, sizeof *family)))
+		return hawser__no_memory(report, "frf");
+	*made = family;
+	*family = (struct scene_family){.scene = scene, .key = {key[0], key[1]},
+		.extent = {extent[0] > 0.0 ? extent[0] : 1.0, extent[1] > 0.0 ? extent[1] : 1.0},
+		.n = scene->model.modes};
+	family->samples = calloc((size_t)(2*family->n + MORE + 1)*3*PLACES, sizeof(double));
+	return family->samples ? begin(family, at, report) : hawser__no_memory(report, "frf");
+}
+
 enum hawser_status hawser_scene_family_open(struct hawser_rom_family *opened,
                                             const struct hawser_scene *scene, const char *key,
                                             double from, double to, double at, double omega,
                                             struct hawser_report *report)
 {
 	struct scene_family *family;
-	double unused;
-	enum hawser_status status = hawser_scene_get(scene, &unused, key, report);
+	enum hawser_status status = make(&family, scene, (const char *[2]){key, NULL},
+	                                 (double[2]){fabs(to - from), 1.0}, (double[2]){at, 0.0}, report);
 
-	*opened = (struct hawser_rom_family){omega, model, NULL};
+	*opened = (struct hawser_rom_family){omega, model, family};
 	if (status)
-		return status;
-	if (scene->model.modes == HAWSER_MODES_AUTO || scene->model.energy == HAWSER_ENERGY_EXACT)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
-		                    "%s as a parameter needs a model of a given number of modes with the "
-		                    "energy to fourth order: set model.modes and model.energy", key);
-	if (!(family = calloc(1, sizeof *family)))
-		return hawser__no_memory(report, "frf");
-	opened->context = family;
-	*family = (struct scene_family){.scene = scene, .key = key, .from = from, .to = to,
-		.n = scene->model.modes};
-	family->samples = calloc((size_t)(2*family->n + MORE + 1)*3*PLACES, sizeof(double));
-	if (!family->samples)
-		status = hawser__no_memory(report, "frf");
-	if (status || (status = begin(family, at, report)))
 		hawser_scene_family_close(opened);
+	return status;
+}
+
+enum hawser_status hawser_scene_plane_open(struct hawser_rom_plane *opened,
+                                           const struct hawser_scene *scene,
+                                           const char *const key[2], const double from[2],
+                                           const double to[2], const double at[2], double omega,
+                                           struct hawser_report *report)
+{
+	struct scene_family *family;
+	double extent[2] = {fabs(to[0] - from[0]), fabs(to[1] - from[1])};
+	enum hawser_status status = make(&family, scene, key, extent, at, report);
+
+	*opened = (struct hawser_rom_plane){omega, model_of_two, family, close};
+	if (status)
+		hawser_plane_close(opened);
 	return status;
 }

@@ -108,6 +108,13 @@ OTHER, THIRD, FOURTH = Pair(1, 0.1, 0.5, 0.3), Pair(1.1, 0.2, -0.5, 1.04), Pair(
 if __name__ == "__main__":
     write("hard.json", [HARD])
     write("soft.json", [SOFT])
+    with open("hard.json") as stream: # load and damping as parameters of the file
+        named = json.load(stream)
+    named.update(hawser_rom=1, parameters={"F": HARD.f, "c": HARD.d}, D=[["c", 0], [0, "c"]])
+    for harmonic in named["harmonics"]:
+        harmonic["f"] = ["F" if x else 0 for x in harmonic["f"]]
+    with open("named.json", "w") as stream:
+        json.dump(named, stream)
     write("both.json", [OTHER, SOFT])
     write("tori.json", [SOFT, THIRD])
     write("flip.json", [FOURTH], (0.05, 0.3))
@@ -136,9 +143,15 @@ works "folds in load and damping" locus hard.json --over factor.damping=0.5:3.5 
 	--Omega 1.3 --json plane-l.json --plot plane.svg -q
 works "the same, exchanged" locus hard.json --over factor.load=0.3:3 --and factor.damping=3.5:0.5 --Omega 1.3 \
 	--at 1.7 --tsv plane.tsv --json turned-l.json -q
+works "in two parameters of the file" locus named.json --over c=0.05:0.35 --at 0.05 --and F=0.06:0.6 --Omega 1.3 \
+	--json named-l.json -q
 chairlift=$SRCDIR/notebooks-data/scenes/chairlift.yaml
 works "a scene, over damping and load" locus "$chairlift" --kind torus --over damping.alpha=0.075:0.085 \
 	--and factor.load=0.1:1.3 --Omega 2.915 --step 0.2 --json alpha-l.json -q
+works "a scene, over two of its keys" locus "$chairlift" --kind torus --over damping.alpha=0.075:0.085 \
+	--and tension.T0=79.5kN:80.5kN --Omega 2.915 --step 0.2 --json keys-l.json -q
+works "the scene at the end of that curve" frf "$chairlift" --set damping.alpha="0.085 kg/m/s" \
+	--over tension.T0=79.5kN:80.5kN --Omega 2.915 --json keys.json -q
 works "the scene with the other damping" frf "$chairlift" --set damping.alpha="0.085 kg/m/s" \
 	--over factor.load=0.1:1.3 --Omega 2.915 --json alpha.json -q
 works "tori" locus soft.json --kind torus --from 3 --to 0.5 --over factor.load=0.05:5 --json soft-l.json -q
@@ -180,11 +193,26 @@ for locus, load, damping in ((plane, "first", "parameter"), (turned, "parameter"
         other = Pair(HARD.w, HARD.d*p[damping], HARD.a, HARD.f)
         if p[damping] < cusp[1]*(1 - 1e-9):
             assert min(abs(other.fold(1.3, side)/p[load] - 1) for side in (1, -1)) < 1e-10
+named = Locus("named-l") # begins at an end of the range, where the curve ends again: one curve
+assert len(named.result["curves"]) == 1
+event, = [e for e in named.events if e["kind"] == "cusp"]
+near((event["first"], event["parameter"]), (cusp[0]*HARD.f, cusp[1]*HARD.d), 1e-10)
+assert len(named.points) > 20
+for p in named.points:
+    if p["parameter"] < cusp[1]*HARD.d*(1 - 1e-9):
+        other = Pair(HARD.w, p["parameter"], HARD.a, HARD.f)
+        assert min(abs(other.fold(1.3, side)*HARD.f/p["first"] - 1) for side in (1, -1)) < 1e-10
 END
 python "a torus of a scene" <<'END'
 from result import *
 torus = [e["parameter"] for e in json.load(open("alpha.json"))["events"] if e["kind"] == "torus"]
 ends = [p["first"] for p in Locus("alpha-l").points if p["parameter"] == 0.085]
+assert len(ends) >= 1 and all(min(abs(x/t - 1) for t in torus) < 1e-8 for x in ends), (ends, torus)
+END
+python "a torus over two keys of a scene" <<'END'
+from result import *
+torus = [e["parameter"] for e in json.load(open("keys.json"))["events"] if e["kind"] == "torus"]
+ends = [p["first"] for p in Locus("keys-l").points if p["parameter"] == 0.085]
 assert len(ends) >= 1 and all(min(abs(x/t - 1) for t in torus) < 1e-8 for x in ends), (ends, torus)
 END
 try "the table" grep -q "^# Omega = 1.3$" plane.tsv
@@ -195,8 +223,6 @@ refuses 1 "--near 1: with --and, all bifurcations of the range are followed: nar
 	locus hard.json --and factor.damping=1:2 --Omega 1.3 --near 1
 refuses 1 "--over and --and are both over factor.load: name two parameters" \
 	locus hard.json --and factor.load=1:2 --Omega 1.3
-refuses 1 "--over tension.T0 with --and damping.alpha: one of both must be factor.load or factor.damping" \
-	locus "$chairlift" --over tension.T0=80e3:81e3 --and damping.alpha=0.08:0.09 --Omega 2.9
 python "tori, their angles, their resonances, which they pass on a circle, and the Chenciner point" <<'END'
 from exact import *
 from result import *
