@@ -65,6 +65,7 @@ struct hawser__locus {
 	double *resist;               /* [2 width + 1][n][n] series of slope */
 	double *velocity, *shifted_v; /* [n]; [rows][n] */
 	double complex *q_v;          /* [rows][n] as q, of the velocities */
+	double complex *kept[3];      /* [rows][n] scratch of the coefficient of a torus */
 	double *memory;
 	double *basis;                /* [rows][2 width + 1] */
 	double *u, *du;               /* [rows][n] */
@@ -137,6 +138,8 @@ int hawser__locus_degree(const struct hawser_rom *rom);
 void hawser__locus_terms(struct hawser__locus *locus, double *tangent, double *slope, const double *u,
                          const double *du);
 void hawser__locus_resist(struct hawser__locus *locus);
+/* The sum of q_v times the derivative by the phase of the signal y [2 order + 1][n]. */
+double complex hawser__locus_through_velocities(const struct hawser__locus *locus, const double *y);
 void hawser__locus_by_velocities(struct hawser__locus *locus, double complex factor, double h);
 
 /* locus_hill.c: H for what follows, from the tangents and damping at the samples. */

@@ -226,8 +226,8 @@ double hawser__locus_normal_form(struct hawser__locus *locus, double *sign, doub
 	*sign = factor(locus, size_log);
 	if (*sign == 0.0)
 		return NAN;
-	if (locus->kind == HAWSER_TORUS) /* with terms, f_2 and f_3 are those of velocities too */
-		return locus->more ? NAN : hawser__locus_lyapunov(locus);
+	if (locus->kind == HAWSER_TORUS)
+		return hawser__locus_lyapunov(locus);
 	for (int k = 0; k < rows*n; k++) {
 		x[k] = creal(locus->vt[k]);
 		size += x[k]*x[k];
@@ -269,11 +269,6 @@ double hawser__locus_normal_form(struct hawser__locus *locus, double *sign, doub
 			for (int j = 0; j < n; j++)
 				cross += creal(locus->q[(size_t)r*n + j])*answer[k*n + j]*
 				         locus->basis[(size_t)r*columns + k];
-	for (int r = 0; locus->more && r < rows; r++)
-		for (int k = 1; k <= locus->order; k++)
-			for (int j = 0; j < n; j++)
-				cross += creal(locus->q_v[(size_t)r*n + j])*k*
-				         (answer[2*k*n + j]*locus->basis[(size_t)r*columns + 2*k - 1] -
-				          answer[(2*k - 1)*n + j]*locus->basis[(size_t)r*columns + 2*k]);
+	cross += creal(hawser__locus_through_velocities(locus, answer));
 	return (third + 3.0*cross)/size;
 }

@@ -134,6 +134,8 @@ static size_t lay_out_c(struct hawser__locus *to, double complex *memory)
 	to->wt = take_c(memory, &used, R*n);
 	to->q = take_c(memory, &used, R*n);
 	to->q_v = take_c(memory, &used, R*n);
+	for (int k = 0; k < 3; k++)
+		to->kept[k] = take_c(memory, &used, to->more && to->kind == HAWSER_TORUS ? R*n : 0);
 	to->g_y = take_c(memory, &used, (size_t)to->coefficients);
 	to->T_c = take_c(memory, &used, ((size_t)to->width + 1)*n*n);
 	to->D_c = take_c(memory, &used, ((size_t)to->width + 1)*n*n);

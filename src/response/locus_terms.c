@@ -90,3 +90,19 @@ void hawser__locus_by_velocities(struct hawser__locus *locus, double complex fac
 		}
 	}
 }
+
+double complex hawser__locus_through_velocities(const struct hawser__locus *locus, const double *y)
+{
+	int n = locus->n, columns = 2*locus->width + 1;
+	double complex sum = 0.0;
+
+	for (int r = 0; locus->more && r < locus->rows; r++)
+		for (int k = 1; k <= locus->order; k++) {
+			const double *at = locus->basis + (size_t)r*columns + 2*k - 1;
+
+			for (int j = 0; j < n; j++)
+				sum += locus->q_v[(size_t)r*n + j]*
+				       (k*(y[2*k*n + j]*at[0] - y[(2*k - 1)*n + j]*at[1]));
+		}
+	return sum;
+}

@@ -35,6 +35,9 @@ struct second {
 	double complex *adjoint; /* [rows][n] the row w^H f_2(conj v, .) */
 	double *square;          /* [rows][n] f_2(v, conj v) */
 	double complex third;    /* w^H f_3(v, v, conj v) */
+	double complex *adjoint_v; /* [rows][n] as adjoint, for velocities; only with terms, whose f_2 and
+	                          * f_3 are those of velocities too */
+	double complex *rate;    /* [rows][n] scratch */
 	double mean;             /* of |v|^2 */
 };
 
@@ -66,6 +69,16 @@ static int add_part(struct hawser__locus *locus, struct second *sums, int imagin
 				sums->square[at] += slope*x[(size_t)r*n + j];
 				sums->adjoint[(size_t)r*n + j] += conj(turn)*slope*w;
 			}
+			for (int j = 0; locus->more && j < n; j++) {
+				double complex v = locus->omega*locus->dv[(size_t)r*n + j];
+				double ahead = locus->plus_v[at*n + j], back = locus->minus_v[at*n + j];
+				double slope = (ahead - back)/(2.0*h);
+
+				first += slope*v;
+				again += (ahead + back - 2.0*locus->slope[at*n + j])/(h*h)*v;
+				sums->square[at] += slope*(imaginary ? cimag(v) : creal(v));
+				sums->adjoint_v[(size_t)r*n + j] += conj(turn)*slope*w;
+			}
 			sums->vv[at] += turn*first;
 			sums->third += w*again;
 		}
@@ -86,7 +99,7 @@ static double complex through_orbit(struct hawser__locus *locus, const struct se
 		for (int k = 0; k < 2*locus->order + 1; k++)
 			for (int j = 0; j < n; j++)
 				sum += locus->q[(size_t)r*n + j]*h[k*n + j]*locus->basis[(size_t)r*columns + k];
-	return sum;
+	return sum + hawser__locus_through_velocities(locus, h);
 }
 
 /* w^H f_2(conj v, k), NAN where H(2 kappa) is singular (a resonance 1:3). */
@@ -114,27 +127,38 @@ static double complex through_double(struct hawser__locus *locus, const struct s
 		k[i] *= locus->scale[i];
 	cblas_zgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, rows, n, blocks, &one, locus->exponential,
 	            blocks, k, n, &none, sums->vv, n);
+	for (int i = 0; i < wide; i++)
+		k[i] *= I*locus->omega*(locus->low + i/n + 2.0*locus->kappa);
+	if (locus->more)
+		cblas_zgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, rows, n, blocks, &one,
+		            locus->exponential, blocks, k, n, &none, sums->rate, n);
 	for (int r = 0; r < rows; r++) {
 		const double complex turn = cexp(I*(2.0*M_PI*locus->kappa*r/rows));
 
 		for (int j = 0; j < n; j++)
 			sum += sums->adjoint[(size_t)r*n + j]*turn*sums->vv[(size_t)r*n + j];
+		for (int j = 0; locus->more && j < n; j++)
+			sum += sums->adjoint_v[(size_t)r*n + j]*turn*sums->rate[(size_t)r*n + j];
 	}
 	return sum;
 }
 
 double hawser__locus_lyapunov(struct hawser__locus *locus)
 {
-	/* the derivatives of v have served */
-	struct second sums = {.vv = locus->dv, .adjoint = locus->ddv, .square = locus->square};
+	/* the derivatives of v have served, but the first one for terms */
+	struct second sums = {.vv = locus->more ? locus->kept[0] : locus->dv, .adjoint = locus->ddv,
+		.square = locus->square, .adjoint_v = locus->kept[1], .rate = locus->kept[2]};
 	size_t count = (size_t)locus->rows*locus->n;
 	double complex rate = locus->g_kappa/(-I*locus->omega), all;
 
 	memset(sums.vv, 0, count*sizeof *sums.vv);
 	memset(sums.adjoint, 0, count*sizeof *sums.adjoint);
 	memset(sums.square, 0, count*sizeof *sums.square);
+	if (locus->more)
+		memset(sums.adjoint_v, 0, count*sizeof *sums.adjoint_v);
 	hawser__rom_tangents(locus->rom, locus->force, locus->tangent, locus->u, locus->rows, locus->work);
 	hawser__rom_vary_all(locus->rom, locus->force, locus->tangent, locus->u, locus->rows);
+	hawser__locus_terms(locus, locus->tangent, locus->slope, locus->u, locus->du);
 	if (add_part(locus, &sums, 0) || add_part(locus, &sums, 1))
 		return NAN;
 	all = through_orbit(locus, &sums);

@@ -74,6 +74,24 @@ for a in -0.029054276161 -0.027054276161; do
 	label=$(python3 -c "import json; print([e['label'] for e in json.load(open('general-frf.json'))['events']][0])")
 	works "the normal form" orbit general.json --from-label "general-frf.json#$label" --set a=$a --json form$a.json -q
 done
+if [ -n "${HAWSER_LONG:-}" ]; then
+	duffing=$top/notebooks-data/scenes/parametric-duffing.json
+	works "tori that change from super- to subcritical" locus "$duffing" --kind torus --over mu=0.01:0.3 --at 0.3 \
+		--from 1.3851 --to 2.2507 --json chenciner.json -q
+	for at in 0.99 1.01; do
+		mu=$(python3 -c "import json
+print([repr($at*e['parameter']) for c in json.load(open('chenciner.json'))['curves'] for e in c['events'] if e['kind'] == 'chenciner'][0])")
+		works "a response beside it" frf "$duffing" --set "mu=$mu" --from 1.7 --to 1.8 --json beside.json -q
+		label=$(python3 -c "import json
+print([e['label'] for e in json.load(open('beside.json'))['events'] if e['kind'] == 'torus'][0])")
+		works "its normal form" orbit "$duffing" --from-label "beside.json#$label" --set "mu=$mu" --json "torus-$at.json" -q
+	done
+	python "the coefficient of the period map is zero between them" <<'PY'
+import json
+a, b = (json.load(open(f"torus-{at}.json"))["orbit"]["normal_form"]["coefficient"] for at in ("0.99", "1.01"))
+assert a < -4e-5 and b > 4e-5 and abs(a + b) < 2e-6, (a, b)
+PY
+fi
 python "loci of terms are those of tensors, and of responses" <<'PY'
 import glob, json
 load = lambda name: json.load(open(name + ".json"))
