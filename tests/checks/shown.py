@@ -30,7 +30,8 @@ import sys
 import tempfile
 
 LONG = (r"hawser (map|campbell|compare|folds|frf|locus|hill|beam|integrate|mms)\b|hawser plan\b"
-        r"|hawser irvine [a-z.]* --|hawser statics .*--(speeds|models)")
+        r"|hawser irvine [a-z.]* --|hawser statics .*--(speeds|models)"
+        r"|hawser identify .*--free [\w.]+,|hawser nnm\b|hawser modes .*--over")
 STARTED = 0.04       # s of processor time; reading and checking a scene takes 0.01
 LIMIT = 1800.0       # s of wall time, for a command that runs to its end
 PRECISION = 1e-12    # relative, of what is computed to round-off
@@ -251,7 +252,7 @@ def check(name, number, command, shown, folder, path):
     status, printed, place = run(command, folder, path, LIMIT, started)
     word = re.search(r"hawser (\w+)", command)
     if started and (status == 128 + signal.SIGPROF or "Profiling timer expired" in printed):
-        unwritten.update(re.findall(r"--(?:json|tsv|export auto) (\S+)", command))
+        unwritten.update(re.findall(r"--(?:json|tsv|fitted|export auto) (\S+)", command))
         verdict(True, text + " (started)")
         return place
     if status != 0:

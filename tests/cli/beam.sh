@@ -22,7 +22,7 @@ try "the region above the divergence is stable" grep -q '^# calm at v = 20.96374
 try "up to the flutter" grep -q '^# flutter at v = 21.2787890' s.tsv
 run beam "$scenes/d-figure-9.8.yaml" -q --boundary beam.theta --from 0.1 --to 1 --tsv b.tsv
 try "it ends where the column buckles" grep -q '^# left end: at 0.44381043.* reaches speed 0' b.tsv
-run beam "$scenes/d-figure-9.11.yaml" -q --set beam.v=2.38723 --until 40 --tolerance 1e-8 --json m.json
+run beam "$scenes/d-figure-9.11.yaml" -q --set beam.v=2.38723 --until 40 --tolerance 1e-7 --json m.json
 try "grows at 0.068, as D 9.5 has it" near "$(key m.json growth)" 0.068 1e-3
 printf '0 0\n0.5 0.02\n1 0\n' >shape
 works "motion from a file" beam "$scenes/d-figure-9.10.yaml" -q --until 1 --every 0.1 --initial shape --tsv f.tsv

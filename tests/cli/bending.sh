@@ -18,7 +18,7 @@ works "a moving end" rom "$scene" --set 'support={A: {motion: [1 cm, 0, 0]}}'
 works "the full-order model" rom "$scene" --set model.energy=exact --set model.basis=15
 refuses_like 1 "the method fdm is for a cable without bending stiffness" modes "$scene" --method fdm
 refuses_like 1 "model.basis = 30 with cable.EI" modes "$scene" --basis 30
-works "a sweep of the tension" irvine "$scene" --points 3 -n 3 --json i.json
+works "a sweep of the tension" irvine "$scene" --points 2 -n 2 --json i.json
 works "condensed modes" rom "$scene" --set model.condense=static
 refuses_like 1 "modes are not weighed with cable.EI" frf "$scene" --set model.modes=auto --set model.condense=static
 refuses_like 1 "900 modes asked, which need" modes "$scene" -n 900

@@ -23,7 +23,7 @@ for kind in auto 5; do
 	works "deep sag, $kind modes" frf deep.yaml $range --json "$kind.json" --tsv "$kind.tsv" \
 		--plot "$kind.svg"
 	# shellcheck disable=SC2086
-	works "in short steps" frf deep.yaml $range --step 0.004 --json "$kind-fine.json"
+	works "in short steps" frf deep.yaml $range --step 0.01 --json "$kind-fine.json"
 done
 python "peaks are where they are said to be" <<'END'
 import json, math, re

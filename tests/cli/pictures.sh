@@ -35,89 +35,106 @@ draw() {
 	sed 's/^Produced by.*//' "$scratch/out" | try "is the same SVG" diff - a
 }
 
+# What is looked for in the pictures, one check a line: the check, the picture's name, texts; done at the end by one
+# python, whose start takes longer than a check.
+ask() {
+	printf '%s' "$1" >>"$scratch/asked"
+	shift
+	for word in "$@"; do printf '\t%s' "$word" >>"$scratch/asked"; done
+	echo >>"$scratch/asked"
+}
+
 # shows NAME TEXT...: all of them are in the picture's text.
 shows() {
-	cat >"$scratch/check.py" <<'END'
-import sys, xml.etree.ElementTree as tree
-words = [" ".join("".join(t.itertext()).split())
-         for t in tree.parse(sys.argv[1]).iter("{http://www.w3.org/2000/svg}text")]
-squeezed = "|".join(words).replace(" ", "")
-missing = [w for w in sys.argv[2:] if w.replace(" ", "") not in squeezed]
-if missing:
-    sys.exit("not in %s: %s; there is %s" % (sys.argv[1], missing, squeezed))
-END
-	if command -v python3 >/dev/null; then
-		name=$1
-		shift
-		try "$name.svg is well-formed and shows $*" python3 -IS "$scratch/check.py" "$name.svg" "$@"
-	else
-		skip "python3 is not installed"
-	fi
+	ask shows "$@"
 }
 
 # sound NAME: what viewers drop or clip: spaces at the ends of a text's elements are kept, no text stands
 # on another or touches it (less than 0.4 em from end to end), and none leaves the picture. Letters have the
 # widths of DejaVu Sans (in em), the widest of the usual fonts.
 sound() {
-	cat >"$scratch/sound.py" <<'END'
-import re, sys, xml.etree.ElementTree as tree
-svg, space = "{http://www.w3.org/2000/svg}", "{http://www.w3.org/XML/1998/namespace}space"
-narrow = {"ijl'|I": 0.29, " ,.:;/": 0.33, "ft()[]-–": 0.39, "r": 0.41, "sz": 0.53, "mMW%": 0.93, "w×=+<>": 0.83}
-wide = {letter: em for letters, em in narrow.items() for letter in letters}
-root, wrong, boxes = tree.parse(sys.argv[1]).getroot(), [], []
-width, height = (float(root.get(k)) for k in ("width", "height"))
-for g in root.iter(svg + "g"):
-    text = g.find(svg + "text")
-    if text is None:
-        continue
-    words = "".join(text.itertext())
-    if text.get(space) != "preserve":
-        wrong.append("loses spaces: " + words)
-    at = re.match(r"translate\(([-0-9.]+),([-0-9.]+)\)(?: rotate\((-?[0-9]+))?", g.get("transform", ""))
-    if not at or not words.strip():
-        continue
-    x, y, turn = float(at[1]), float(at[2]), at[3]
-    size = float(g.get("font-size"))
-    long = size*sum(wide.get(letter, 0.62) for letter in words.strip())
-    back = {"start": 0, "middle": 0.5, "end": 1}[g.get("text-anchor")]*long
-    box = ((x - back, y - 0.7*size, x - back + long, y) if not turn else
-           (x - 0.7*size, y - long + back, x, y + back))
-    if box[0] < 0 or box[1] < 0 or box[2] > width or box[3] > height:
-        wrong.append("clipped: " + words)
-    free = 0.2*size
-    box = ((box[0] - free, box[1], box[2] + free, box[3]) if not turn else
-           (box[0], box[1] - free, box[2], box[3] + free))
-    for other, said in boxes:
-        if box[0] < other[2] and other[0] < box[2] and box[1] < other[3] and other[1] < box[3]:
-            wrong.append("%s on %s" % (words, said))
-    boxes.append((box, words))
-if not boxes or wrong:
-    sys.exit("%s: %s" % (sys.argv[1], wrong or "no text"))
-END
-	if command -v python3 >/dev/null; then
-		try "$1.svg keeps spaces, clips nothing, overprints nothing" python3 -IS "$scratch/sound.py" "$1.svg"
-	else
-		skip "python3 is not installed"
-	fi
+	ask sound "$@"
 }
 
 # symbols NAME: no two kinds of points in the legend have the same symbol
 symbols() {
-	cat >"$scratch/symbols.py" <<'END'
-import re, sys
-svg, seen = open(sys.argv[1], encoding="utf-8").read(), {}
-for title, body in re.findall(r"<title>([^<]+)</title>(.*?)(?=<title>|\Z)", svg, re.S):
-    symbol = re.search(r"<use xlink:href='#(gpPt\d+)' [^>]*color='([^']*)'", body)
-    if symbol and not title.startswith(("gnuplot", "$")):
-        seen.setdefault(symbol.groups(), set()).add(title)
-if not seen or any(len(titles) > 1 for titles in seen.values()):
-    sys.exit("%s: %s" % (sys.argv[1], seen))
-END
-	if command -v python3 >/dev/null; then
-		try "$1.svg has a symbol for each kind of point" python3 -IS "$scratch/symbols.py" "$1.svg"
-	else
+	ask symbols "$@"
+}
+
+# look: the checks that were asked for
+look() {
+	if ! command -v python3 >/dev/null; then
 		skip "python3 is not installed"
+		return
 	fi
+	cat >"$scratch/look.py" <<'END'
+import re, sys, xml.etree.ElementTree as tree
+svg, space = "{http://www.w3.org/2000/svg}", "{http://www.w3.org/XML/1998/namespace}space"
+narrow = {"ijl'|I": 0.29, " ,.:;/": 0.33, "ft()[]-–": 0.39, "r": 0.41, "sz": 0.53, "mMW%": 0.93, "w×=+<>": 0.83}
+wide = {letter: em for letters, em in narrow.items() for letter in letters}
+
+def shows(path, *texts):
+    words = [" ".join("".join(t.itertext()).split()) for t in tree.parse(path).iter(svg + "text")]
+    squeezed = "|".join(words).replace(" ", "")
+    missing = [w for w in texts if w.replace(" ", "") not in squeezed]
+    return missing and "not in %s: %s; there is %s" % (path, missing, squeezed)
+
+def sound(path):
+    root, wrong, boxes = tree.parse(path).getroot(), [], []
+    width, height = (float(root.get(k)) for k in ("width", "height"))
+    for g in root.iter(svg + "g"):
+        text = g.find(svg + "text")
+        if text is None:
+            continue
+        words = "".join(text.itertext())
+        if text.get(space) != "preserve":
+            wrong.append("loses spaces: " + words)
+        at = re.match(r"translate\(([-0-9.]+),([-0-9.]+)\)(?: rotate\((-?[0-9]+))?", g.get("transform", ""))
+        if not at or not words.strip():
+            continue
+        x, y, turn = float(at[1]), float(at[2]), at[3]
+        size = float(g.get("font-size"))
+        long = size*sum(wide.get(letter, 0.62) for letter in words.strip())
+        back = {"start": 0, "middle": 0.5, "end": 1}[g.get("text-anchor")]*long
+        box = ((x - back, y - 0.7*size, x - back + long, y) if not turn else
+               (x - 0.7*size, y - long + back, x, y + back))
+        if box[0] < 0 or box[1] < 0 or box[2] > width or box[3] > height:
+            wrong.append("clipped: " + words)
+        free = 0.2*size
+        box = ((box[0] - free, box[1], box[2] + free, box[3]) if not turn else
+               (box[0], box[1] - free, box[2], box[3] + free))
+        for other, said in boxes:
+            if box[0] < other[2] and other[0] < box[2] and box[1] < other[3] and other[1] < box[3]:
+                wrong.append("%s on %s" % (words, said))
+        boxes.append((box, words))
+    return (not boxes or wrong) and "%s: %s" % (path, wrong or "no text")
+
+def symbols(path):
+    text, seen = open(path, encoding="utf-8").read(), {}
+    for title, body in re.findall(r"<title>([^<]+)</title>(.*?)(?=<title>|\Z)", text, re.S):
+        symbol = re.search(r"<use xlink:href='#(gpPt\d+)' [^>]*color='([^']*)'", body)
+        if symbol and not title.startswith(("gnuplot", "$")):
+            seen.setdefault(symbol.groups(), set()).add(title)
+    return (not seen or any(len(titles) > 1 for titles in seen.values())) and "%s: %s" % (path, seen)
+
+said = {"shows": "is well-formed and shows", "sound": "keeps spaces, clips nothing, overprints nothing",
+        "symbols": "has a symbol for each kind of point"}
+for line in open(sys.argv[1], encoding="utf-8"):
+    kind, name, *texts = line.rstrip("\n").split("\t")
+    try:
+        why = {"shows": shows, "sound": sound, "symbols": symbols}[kind](name + ".svg", *texts)
+    except Exception as error:
+        why = repr(error)
+    text = " ".join([name + ".svg", said[kind]] + texts)
+    sys.stdout.buffer.write(("%d\t%s\t%s\n" % (bool(why), text, " ".join(str(why or "").split()))).encode())
+END
+	python3 -IS "$scratch/look.py" "$scratch/asked" >"$scratch/seen"
+	try "every picture that was asked for was looked at" test "$(grep -c '' <"$scratch/seen")" -eq "$(grep -c '' <"$scratch/asked")"
+	tab=$(printf '\t')
+	while IFS=$tab read -r wrong text why; do
+		printf '%s\n' "$why" >"$scratch/why"
+		verdict "$wrong" "$text"
+	done <"$scratch/seen"
 }
 
 draw statics statics "$chairlift"
@@ -277,4 +294,5 @@ sed -e 's/"harmonics"/"C": [[0, 0, 0, 0, 0.1]], &/' -e 's/"name"/"names"/' evil.
 run folds worse.json --from 0.8 --to 1.8 --plot evil3.svg
 try "folds draws it (status $status)" test "$status" -eq 0
 try "and does not run it either" test ! -e pwned
+look
 done_testing

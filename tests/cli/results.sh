@@ -329,7 +329,7 @@ assert all("chord" in m["why"] for m in models[1:])
 END
 
 # --- comparing methods
-works "compare modes" compare modes "$chairlift" -n 4 --to 64 --tsv compare.tsv --json compare.json
+works "compare modes" compare modes "$chairlift" -n 4 --to 32 --tsv compare.tsv --json compare.json
 python "compare modes: errors fall, the method's own choice is among them" <<'END'
 import csv, json
 r = json.load(open("compare.json"))
@@ -388,7 +388,7 @@ def table(name):
     return [l for l in open(name).read().split("\n") if not l.startswith("#")]
 assert table("still.tsv") == table("modes.tsv")
 END
-works "compare modes of a travelling cable" compare modes "$chairlift" -n 2 --to 30 \
+works "compare modes of a travelling cable" compare modes "$chairlift" -n 2 --to 20 \
 	--set travel.hold=tension --set travel.speed="40 m/s" --json compare-travel.json
 python "compares its three methods" <<'END'
 import json

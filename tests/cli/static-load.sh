@@ -133,12 +133,12 @@ assert abs(top(a) / top(b) - 1) < 1e-6
 END
 works "a map over the wind" map "$scene" --x Omega=0.9w1:1.1w1 --y "load.static.per_length[2]=0:20" --points 4x3 \
 	--quantity growth
-works "a Campbell diagram of a swung rope" campbell "$scene" -n 3 --points 5 \
+works "a Campbell diagram of a swung rope" campbell "$scene" -n 3 --points 3 \
 	--set "travel={speed: 1, hold: tension}"
 works "travelling" statics "$scene" --points 3 --set "travel={speed: 5, hold: tension}"
-works "speeds" statics "$scene" --points 5 --speeds --set "travel={speed: 5, hold: tension}"
-works "other models" statics "$scene" --points 5 --models --set tension.state=loaded
-works "irvine" irvine "$scene" -n 2 --points 5
+works "speeds" statics "$scene" --points 3 --speeds --set "travel={speed: 5, hold: tension}"
+works "other models" statics "$scene" --points 3 --models --set tension.state=loaded
+works "irvine" irvine "$scene" -n 2 --points 3
 works "point masses on an iced and heated cable" statics "$top/notebooks-data/scenes/ropeway-carriers.yaml" \
 	--points 3 --set load.static.mass=1 --set "temperature={change: 20, expansion: 1.2e-5}" --json carriers.json
 python "" <<'END'

@@ -118,7 +118,7 @@ refuses_like 1 '--speeds' irvine "$scene" --speeds "0,,2"
 
 # --- pictures
 if command -v gnuplot >/dev/null; then
-	works "a Campbell picture" campbell "$scene" --points 5 -n 3 --spacing "30 m" --plot campbell.svg -q
+	works "a Campbell picture" campbell "$scene" --points 8 -n 2 --spacing "30 m" --plot campbell.svg -q
 	try "it says what it shows" sh -c 'for w in "in plane" "out of plane" "Imaginary part (rad/s)" \
 		"all real parts 0" excitation "limit speed"; do
 		grep -q "$w" campbell.svg || exit 1; done'
