@@ -9,11 +9,18 @@ if ! command -v python3 >/dev/null; then
 	done_testing
 	exit
 fi
-"$BUILDDIR/hawser" --help | sed -n '/^Commands:/,/^Options:/s/^  \([a-z]* \{0,1\}[a-z]*\)  .*/\1/p' | sed 's/ *$//' >"$scratch/commands"
+# without libtool's script, which takes longer than the program
+hawser=$BUILDDIR/hawser
+if [ -x "$BUILDDIR/.libs/hawser" ]; then
+	hawser=$BUILDDIR/.libs/hawser
+	LD_LIBRARY_PATH=$BUILDDIR/.libs
+	export LD_LIBRARY_PATH
+fi
+"$hawser" --help | sed -n '/^Commands:/,/^Options:/s/^  \([a-z]* \{0,1\}[a-z]*\)  .*/\1/p' | sed 's/ *$//' >"$scratch/commands"
 while read -r command <&3; do
 	# shellcheck disable=SC2086 # words
-	"$BUILDDIR/hawser" help columns $command >"$scratch/list"
-	python3 tests/checks/columns.py "$BUILDDIR/man/hawser-${command%% *}.1" <"$scratch/list" |
+	"$hawser" help columns $command >"$scratch/list"
+	python3 -S tests/checks/columns.py "$BUILDDIR/man/hawser-${command%% *}.1" <"$scratch/list" |
 		nothing "$command: the page has all columns and keys"
 	grep -E '^ +[^ ]+ *$' "$scratch/list" | nothing "$command: each has a meaning"
 done 3<"$scratch/commands"

@@ -227,7 +227,7 @@ int main(void)
 	struct hawser_statics st;
 
 	if (!ok(!hawser_statics_scene(&st, &scene, &report), "statics: %s", report.message) ||
-	    !model(few, &st, 16) || !model(full, &st, 24))
+	    !model(few, &st, 14) || !model(full, &st, 20))
 		return done_testing();
 	chain(coarse, &st, LINKS/2);
 	chain(fine, &st, LINKS);
@@ -235,7 +235,7 @@ int main(void)
 		fine[i] += (fine[i] - coarse[i])/3.0;
 	size = hypot(hypot(full[0], full[1]), full[2]);
 	ok(apart(full, fine) < 5e-3*size && apart(full, fine) < 0.25*apart(few, fine), "the middle moves "
-	   "by %.4f m, from the chain %.1e m with 24 functions, %.1e m with 16", size, apart(full, fine),
+	   "by %.4f m, from the chain %.1e m with 20 functions, %.1e m with 14", size, apart(full, fine),
 	   apart(few, fine));
 	for (int b = 3; b < 5; b++)
 		ok(fabs(full[b]/fine[b] - 1.0) < 3e-3, "stroke %d: %.5f m, chain %.5f m", b - 2, full[b],

@@ -206,7 +206,7 @@ static void veering(double h)
 	struct hawser_scene scene = veering_scene(h);
 	struct hawser_campbell_options few = {.from = 30.0, .to = 42.0, .points = 7, .n = 20};
 	struct hawser_campbell_options many = {.from = 30.0, .to = 42.0, .n = 20,
-	                                       .points = getenv("HAWSER_LONG") ? 241 : 31};
+	                                       .points = getenv("HAWSER_LONG") ? 241 : 19};
 	struct hawser_campbell coarse, fine = {0};
 	int same = 1, sorted = 1;
 
