@@ -95,3 +95,8 @@ bench: $(BENCHES) %D%/frf %D%/peak %D%/plan hawser
 		$(PYTHON3) $(top_srcdir)/bench/frf-auto.py --hawser ./hawser \
 			--scene $(top_srcdir)/notebooks-data/scenes/b-table-4.2.yaml || status=1; \
 	fi; exit $$status
+
+# a time step of a mesh
+BENCHES += %D%/net-motion
+%C%_net_motion_SOURCES = %D%/net-motion.c
+%C%_net_motion_LDADD = $(UPTO_NET)

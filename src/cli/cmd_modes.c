@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "cli/modes_damped.h"
+#include "cli/modes_net.h"
 #include "cli/modes_result.h"
 #include "core/report.h"
 
@@ -108,6 +109,15 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!settings->common.input)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
 		                    "modes needs a SCENE (hawser modes --help)");
+	if (hawser_net_is(settings->common.input)) {
+		if (settings->damped || settings->over || settings->log || settings->method ||
+		    settings->basis > 0)
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes", "the scene is a net: of the "
+			                    "options of modes only --modes and --shapes are for nets");
+		status = cli_outputs_check(&settings->common, report);
+		return status ? status : cli_modes_net(&settings->common, settings->n, settings->shapes,
+		                                       report);
+	}
 	if (settings->damped || settings->over || settings->log)
 		return run_damped(settings, report);
 	status = cli_choose(&view, "modes", "view", settings->view, views, 3, report);

@@ -100,6 +100,8 @@ hawser_SOURCES = \
 	%D%/model.c \
 	%D%/modes_damped.c \
 	%D%/modes_damped.h \
+	%D%/modes_net.c \
+	%D%/modes_net.h \
 	%D%/modes_result.c \
 	%D%/modes_result.h \
 	%D%/natural.c \

@@ -13,6 +13,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/integrate.c \
 	%D%/mesh.c \
 	%D%/mixed.c \
+	%D%/modes.c \
 	%D%/motion.c \
 	%D%/motion.h \
 	%D%/motion-chain.c \

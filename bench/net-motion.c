@@ -1,0 +1,67 @@
+/* bench/net-motion - a time step of a mesh: processor time over the number of elements, of a single
+ * cable (block elimination along it) and of a fan of three (KLU); the error of the energy beside it.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <hawser/net_motion.h>
+
+#include "bench/clock.h"
+
+/* A span of 300 m, or a fan of three, under a load that swings it out of plane. Best of three. */
+static int run(int cables, int elements)
+{
+	static struct hawser_net_node node[4];
+	static struct hawser_net_cable cable[3];
+	static char name[] = "fan";
+	struct hawser_net_load load = {.node = -1, .cable = 0, .value = {0.0, 0.0, 0.8}, .harmonic = 1,
+	                               .Omega = 2.25};
+	struct hawser_net net = {.name = name, .g = 9.81, .node = node, .cable = cable, .load = &load,
+	                         .nodes = cables + 1, .cables = cables, .loads = 1};
+	struct hawser_net_motion_options options = {.until = 10.0, .every = 10.0, .step = 0.005};
+	struct hawser_net_motion motion;
+	struct hawser_report report = {0};
+	double best = HUGE_VAL, began;
+	int good;
+
+	for (int i = 0; i <= cables; i++)
+		node[i] = (struct hawser_net_node){.placed = 1, .x = {i ? 300.0 : 0.0, 0.0, 120.0*(i - 1)},
+		                                   .held = {i > 0, i > 0, i > 0}, .support = i > 0};
+	node[0].x[2] = 0.0;
+	memset(node[0].held, cables == 1, 3);
+	for (int i = 0; i < cables; i++)
+		cable[i] = (struct hawser_net_cable){.from = 0, .to = i + 1, .EA = 1e8, .rho = 5.56,
+		                                     .value = 302.0, .elements = elements};
+	if (cables == 3)
+		node[2].x[0] = -300.0;
+	for (int again = 0; again < 3; again++) {
+		if (again)
+			hawser_net_motion_clear(&motion);
+		began = cpu_secs();
+		if (hawser_net_integrate(&motion, &net, &options, &report)) {
+			printf("%s\n", report.message);
+			return 1;
+		}
+		best = fmin(best, cpu_secs() - began);
+	}
+	printf("%d cable%s of %4d elements: %7.2f us a step, %.2f iterations, closure %.1e\n", cables,
+	       cables == 1 ? " " : "s", elements, 1e6*best/(double)motion.steps,
+	       (double)motion.iterations/(double)motion.steps, motion.closure);
+	good = motion.closure <= 1e-9;
+	hawser_net_motion_clear(&motion);
+	return !good;
+}
+
+int main(void)
+{
+	int failed = 0;
+
+	for (int n = 25; n <= 1600; n *= 2)
+		failed += run(1, n);
+	for (int n = 25; n <= 400; n *= 4)
+		failed += run(3, n);
+	return failed != 0;
+}

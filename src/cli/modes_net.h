@@ -1,0 +1,12 @@
+/* cli/modes_net.h - hawser modes of a scene of kind `net`.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_CLI_MODES_NET_H
+#define HAWSER_CLI_MODES_NET_H
+
+#include "cli/cli.h"
+
+/* n: number of modes, 0 for the default; shapes 1: at the nodes of the mesh in JSON too. */
+enum hawser_status cli_modes_net(const struct cli_common *common, int n, int shapes,
+                                 struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif
