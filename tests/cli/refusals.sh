@@ -210,7 +210,7 @@ model off.json 2 "$light" '[[1, 0.1], [0.1, 4]]' '[]' '[]' '[0.01, 0]'
 model turning.json 2 '[[0.1, 0.1], [-0.1, 0.1]]' '[[1, 0], [0, 4]]' '[[0, 0, 0, 1], [1, 1, 1, 1]]' '[]' '[0.01, 0]'
 model falling.json 2 "$light" '[[-1, 0], [0, 4]]' '[]' '[]' '[0.01, 0]'
 refuses_like 1 'K is not diagonal' frf off.json --from 0.9 --to 1.1 --backbone 1
-refuses_like 1 'is gyroscopic .a travelling cable's., and without symmetry' frf turning.json --from 0.9 --to 1.1 --backbone 1
+refuses_like 1 'is gyroscopic .*and without symmetry' frf turning.json --from 0.9 --to 1.1 --backbone 1
 refuses_like 1 'mode 1 has no positive stiffness' frf falling.json --from 0.9 --to 1.1 --backbone 1
 refuses_like 3 'was found near mode 1: another mode is in resonance' \
 	frf "$pair" --from 0.9 --to 1.1 --backbone 1
