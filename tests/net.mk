@@ -8,10 +8,13 @@ tests_property_test_net_catenary_SOURCES = tests/property/test-net-catenary.c
 tests_property_test_net_catenary_LDADD = $(UPTO_NET)
 noinst_HEADERS += tests/net-random.h
 
-NET_MOTION_TESTS = tests/reference/test-net-motion tests/reference/test-net-modes
+NET_MOTION_TESTS = tests/reference/test-net-motion tests/reference/test-net-modes \
+	tests/property/test-net-steps
 check_PROGRAMS += $(NET_MOTION_TESTS)
 TESTS += $(NET_MOTION_TESTS)
 tests_reference_test_net_motion_SOURCES = tests/reference/test-net-motion.c
 tests_reference_test_net_motion_LDADD = $(UPTO_NET)
 tests_reference_test_net_modes_SOURCES = tests/reference/test-net-modes.c
 tests_reference_test_net_modes_LDADD = $(UPTO_NET)
+tests_property_test_net_steps_SOURCES = tests/property/test-net-steps.c
+tests_property_test_net_steps_LDADD = $(UPTO_NET)
