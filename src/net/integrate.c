@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -340,7 +341,7 @@ enum hawser_status hawser_net_integrate(struct hawser_net_motion *to, const stru
 			hawser__motion_save(to->state, motion, run.h);
 		else
 			status = hawser__no_memory(report, "net");
-		to->closure = motion->most_energy > 0.0 ? motion->closure/motion->most_energy : 0.0;
+		to->closure = motion->closure/fmax(fmax(motion->most_energy, motion->least_energy), DBL_MIN);
 		to->scheme = motion->scheme->shown.name;
 		to->steps = motion->steps;
 		to->iterations = motion->iterations;

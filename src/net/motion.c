@@ -18,6 +18,8 @@
 #include "net/motion.h"
 
 enum { ITERATIONS = 30, SPLITS = 12 };
+/* Of the tensions and weights times lengths: less energy than this is round-off. */
+static const double LEAST = 1e-12;
 /* Of the control of steps: as is usual; the shortest step over the whole time. */
 static const double SAFETY = 0.9, GROW = 1.5, SHRINK = 0.3, SHORTEST = 1e-9;
 
@@ -79,6 +81,7 @@ static void refer(struct hawser__motion *motion, int balanced, const unsigned ch
 		el->m = mesh->rho[e]*L0;
 		el->drag = mesh->alpha*L0;
 		T = fmax(el->p_ref, 0.0)*el->k;
+		motion->least_energy += LEAST*(T + el->m*mesh->g)*el->l_ref;
 		for (int k = 0; k < 3 && T > 0.0; k++) {
 			el->F_ref[k] = T*el->D[k]/el->l_ref;
 			motion->base[el->a][k] += el->F_ref[k];

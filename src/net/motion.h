@@ -119,6 +119,7 @@ struct hawser__motion {
 	struct hawser__motion_energy energy;
 	double start_energy;         /* J */
 	double most_energy;          /* J, largest of the ledger's terms */
+	double least_energy;         /* J, below which it is round-off */
 	double closure;              /* J, largest error of the ledger */
 	double error;                /* m, local error of the last step that was tried */
 	long steps, iterations, splits, rejected, switches; /* switches: slack to taut and back */
