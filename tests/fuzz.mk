@@ -26,6 +26,8 @@ CLEANFILES += $(FUZZ_TARGETS)
 
 FUZZ_SECONDS = 60
 FUZZ_RUNS = -1
+# targets that run at the same time
+FUZZ_JOBS = 1
 # 0: another one each time. With FUZZ_RUNS it makes a run that another machine repeats.
 FUZZ_SEED = 0
 # Seconds from which one input counts as a hang.
@@ -36,7 +38,7 @@ EXTRA_DIST += tests/fuzz/run.sh tests/fuzz/leaks.supp tests/fuzz/corpus
 .PHONY: fuzz
 fuzz:
 	@SRCDIR='$(abs_top_srcdir)' FUZZ_CFLAGS='$(FUZZ_CFLAGS)' FUZZ_SECONDS='$(FUZZ_SECONDS)' \
-		FUZZ_RUNS='$(FUZZ_RUNS)' FUZZ_SEED='$(FUZZ_SEED)' FUZZ_TIMEOUT='$(FUZZ_TIMEOUT)' \
+		FUZZ_JOBS='$(FUZZ_JOBS)' FUZZ_RUNS='$(FUZZ_RUNS)' FUZZ_SEED='$(FUZZ_SEED)' FUZZ_TIMEOUT='$(FUZZ_TIMEOUT)' \
 		FUZZ_TARGETS='$(FUZZ_TARGETS)' MAKE='$(MAKE)' \
 		$(SHELL) $(srcdir)/tests/fuzz/run.sh
 

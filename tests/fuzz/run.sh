@@ -24,27 +24,45 @@ export UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1
 # Addresses steer libFuzzer's choices: the same ones each time, where the system allows it.
 fixed=
 [ "$FUZZ_SEED" -eq 0 ] || ! setarch -R true 2>/dev/null || fixed='setarch -R'
-bad=0
-for target in $FUZZ_TARGETS; do
-	name=${target##*/fuzz-}
+# one TARGET: its inputs; the verdict in NAME.verdict, the status in NAME.ended.
+one() {
+	name=${1##*/fuzz-}
 	found=corpus/$name
 	if [ "$FUZZ_SEED" -ne 0 ]; then # what earlier runs found would change this one
 		found=seeded/$name
 		rm -rf "$found"
 	fi
 	mkdir -p "$found"
-	$fixed "./$target" "$found" "$SRCDIR/tests/fuzz/corpus/$name" \
+	$fixed "./$1" "$found" "$SRCDIR/tests/fuzz/corpus/$name" \
 		-dict="$SRCDIR/tests/fuzz/corpus/$name.dict" -artifact_prefix="findings/$name-" \
 		-max_total_time="$FUZZ_SECONDS" -runs="$FUZZ_RUNS" -seed="$FUZZ_SEED" \
 		-timeout="$FUZZ_TIMEOUT" -rss_limit_mb=2048 -max_len=4096 -print_final_stats=1 >"$name.log" 2>&1
 	status=$?
 	runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$name.log")
 	edges=$(sed -n 's/.* cov: \([0-9]*\).*/\1/p' "$name.log" | tail -n 1)
-	echo "fuzz-$name: ${runs:-no} inputs, ${edges:-no} edges, status $status"
-	if [ "$status" -ne 0 ]; then
-		bad=1
-		grep -E 'ERROR|SUMMARY|broken promise|^message|runtime error' "$name.log" | head -n 5
-		echo "see fuzzing/$name.log and fuzzing/findings/$name-*"
-	fi
+	{
+		echo "fuzz-$name: ${runs:-no} inputs, ${edges:-no} edges, status $status"
+		if [ "$status" -ne 0 ]; then
+			grep -E 'ERROR|SUMMARY|broken promise|^message|runtime error' "$name.log" | head -n 5
+			echo "see fuzzing/$name.log and fuzzing/findings/$name-*"
+		fi
+	} >"$name.verdict"
+	echo "$status" >"$name.ended"
+}
+
+# FUZZ_JOBS targets at a time
+at=0
+rm -f ./*.verdict ./*.ended
+for target in $FUZZ_TARGETS; do
+	one "$target" &
+	at=$((at + 1))
+	[ $((at % ${FUZZ_JOBS:-1})) -ne 0 ] || wait
+done
+wait
+bad=0
+for target in $FUZZ_TARGETS; do
+	name=${target##*/fuzz-}
+	cat "$name.verdict" || bad=1
+	[ "$(cat "$name.ended")" = 0 ] || bad=1
 done
 exit $bad
