@@ -7,12 +7,13 @@
 #include <string.h>
 
 #include "cli/statics_loaded.h"
+#include "cli/statics_net.h"
 #include "core/report.h"
 
 struct settings {
 	struct cli_common common;
-	const char *model, *from, *to;
-	int points, models, compatibility, speeds, cases;
+	const char *model, *from, *to, *method;
+	int profile, points, models, compatibility, speeds, cases;
 };
 static const struct settings defaults = {.points = 201};
 
@@ -30,6 +31,9 @@ static const struct cli_option options[] = {
 	{"to", 0, "VALUE", "curves: highest tension (epsilon = 0.02), or speed (past the limit)",
 	 CLI_TEXT(to)},
 	{"points", 0, "N", "number of points of the profile or of the curves (201)", CLI_COUNT(points)},
+	{"method", 0, "NAME", "nets: automatic, interior-point, mixed, forces or catenary (automatic)",
+	 CLI_TEXT(method)},
+	{"profile", 0, "", "nets: table of points along the cables", CLI_FLAG(profile)},
 	CLI_NO_OPTION,
 };
 
@@ -453,12 +457,31 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 static const struct cli_showing showing = {
 	.head = head, .comments = comments, .more = rows, .fields = result_field, .draw = draw};
 
+/* A scene of kind net; options of spans do not go with it. */
+static enum hawser_status run_net(const struct settings *settings, struct hawser_report *report)
+{
+	const char *other = settings->model ? "model" : settings->models ? "models"
+		: settings->compatibility ? "compatibility" : settings->speeds ? "speeds"
+		: settings->cases ? "cases" : settings->from ? "from" : settings->to ? "to"
+		: settings->points != defaults.points ? "points" : NULL;
+
+	return other ? hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
+	                            "--%s is for spans, and this scene is a net", other)
+	             : cli_statics_net(&settings->common, settings->method, settings->profile, report);
+}
+
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	const struct settings *settings = context;
 	struct result result = {.settings = settings, .points = settings->points};
 	enum hawser_status status = check(settings, report);
 
+	if (!status && hawser_net_is(settings->common.input))
+		return run_net(settings, report);
+	if (!status && (settings->method || settings->profile))
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
+		                      "--%s is for nets, and %s is no scene of a net",
+		                      settings->method ? "method" : "profile", settings->common.input);
 	if (!status)
 		status = solve(&result, report);
 	if (!status)
@@ -472,6 +495,6 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 }
 
 const struct cli_command cli_statics = {
-	"statics", "SCENE", "Static shape and tensions of a span", NULL, options, &defaults,
+	"statics", "SCENE", "Static shape and tensions of a span or a net", NULL, options, &defaults,
 	sizeof(struct settings), 1, run, cli_statics_listing,
 };

@@ -36,6 +36,8 @@ hawser_SOURCES = \
 	%D%/cmd_rom.c \
 	%D%/cmd_statics.c \
 	%D%/statics_loaded.h \
+	%D%/statics_net.c \
+	%D%/statics_net.h \
 	%D%/statics_cases.c \
 	%D%/statics_loaded.c \
 	%D%/statics_marks.c \

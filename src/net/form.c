@@ -121,6 +121,11 @@ static enum hawser_status no_form(const struct hawser__mesh *mesh, const struct 
 			worst = cable;
 		}
 	}
+	if (most < 1e-6)
+		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "net",
+		                    "the lengths that go with the given force densities, tensions and sags did "
+		                    "not settle, since the weights change with them: give length0 for cables "
+		                    "with a free end");
 	return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "net",
 	                    "no shape was found in which the cables have what is given: the %s of %s "
 	                    "came to %.6g, and %.6g is given. Give what loads and supports allow, or "

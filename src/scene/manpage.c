@@ -379,6 +379,62 @@ static const char bending[] =
 	".fi\n"
 	".RE\n";
 
+static const char nets[] =
+	".SH NETS\n"
+	"A scene with kind: net describes cables between nodes. No initial shape is asked for.\n"
+	"x and z are horizontal, y is upwards; cables carry tension only, and may be slack.\n"
+	".BR hawser\\-statics (1),\n"
+	".BR hawser\\-modes (1)\n"
+	"and\n"
+	".BR hawser\\-integrate (1)\n"
+	"take such scenes; --set takes names, as in cables.c1.EA=90 MN.\n"
+	".PP\n"
+	".RS\n"
+	".nf\n"
+	"kind: net\n"
+	"nodes: {A: [0 m, 0 m, 0 m], J: {}, B: [300 m, 15 m, 0 m]}\n"
+	"cables:\n"
+	"  \\- {name: c1, from: A, to: J, EA: 100 MN, rho: 5.56 kg/m, length0: 150.2 m, elements: 60}\n"
+	"  \\- {name: c2, from: J, to: B, EA: 100 MN, rho: 5.56 kg/m, length0: 150.9 m}\n"
+	"supports: {A: fixed, B: {fixed: [x, y], motion: {x: {amplitude: 0.1 m, Omega: 2 rad/s}}}}\n"
+	"masses: {J: 12 kg}\n"
+	"loads: {J: [0 N, \\-8 kN, 0 N]}\n"
+	".fi\n"
+	".RE\n";
+
+static const char net_keys[] =
+	".PP\n"
+	".B nodes\n"
+	"has the positions of supports; {} is a node whose position is to be found.\n"
+	"Each cable has\n"
+	".BR name \", \" from \", \" to \", \" EA \", \" rho\n"
+	"(0: without weight) and one of\n"
+	".B length0\n"
+	"(unstretched),\n"
+	".B tension\n"
+	"(its mean),\n"
+	".B force_density\n"
+	"(tension over length) and\n"
+	".BR sag ,\n"
+	"from which its unstretched length is found, and the number of its\n"
+	".B elements\n"
+	"(20).\n"
+	".B supports\n"
+	"hold a node (fixed), or some of its directions (fixed: [y, z]), and may have a motion:\n"
+	"harmonic in held directions (amplitude, Omega, phase), or a\n"
+	".B table\n"
+	"with lines of t, x, y, z in s and m.\n"
+	".B loads\n"
+	"are forces of nodes, [x, y, z] in N or {force: [...], harmonic: {Omega: ..., phase: ...}},\n"
+	"and forces per unstretched length of cables, {per_length: [...]}.\n"
+	".B damping\n"
+	"has alpha (viscous force per length and velocity) and axial\n"
+	"(T = EA (strain + axial d strain/dt), in s).\n"
+	".B dynamics\n"
+	"has scheme, rho_inf, step, from (a file of a state), and release: supports that let go at t = 0.\n"
+	".B g\n"
+	"is 9.81 m/s^2.\n";
+
 int main(void)
 {
 	printf(".\\\" Written by src/scene/manpage.c from the table of keys: change that.\n"
@@ -389,6 +445,8 @@ int main(void)
 	fputs(elastic, stdout);
 	fputs(loaded, stdout);
 	fputs(bending, stdout);
+	fputs(nets, stdout);
+	fputs(net_keys, stdout);
 	example();
 	plausible();
 	fputs(after, stdout);

@@ -155,12 +155,32 @@ static void many(enum random_kind kind, int count)
 		   name[kind], slow);
 }
 
+/* Too few iterations: refused, with what is left. */
+static void cut(void)
+{
+	static const char *const method[] = {"mixed", "interior-point", "forces", "catenary"};
+	struct hawser_report report = {0};
+	uint64_t state = 20;
+	struct random_net r;
+
+	random_net(&r, &state, HEAVY);
+	for (int i = 0; i < 4; i++) {
+		struct hawser_net_options options = {.method = method[i], .iterations = 1};
+		struct hawser_net_statics st;
+
+		ok(hawser_net_solve(&st, &r.net, &options, &report) == HAWSER_ERR_CONVERGENCE &&
+		   report.residual > 0.0 && strstr(report.message, method[i]), "one iteration: %s",
+		   report.message);
+	}
+}
+
 int main(void)
 {
 	int factor = getenv("HAWSER_LONG") ? 50 : 1;
 
 	element();
 	span();
+	cut();
 	many(HEAVY, 40*factor);
 	many(SOME_LIGHT, 20*factor);
 	many(BARS, 100*factor);

@@ -1,0 +1,88 @@
+#!/bin/sh
+# hawser statics of nets: results, methods, tables, refusals.
+# SPDX-License-Identifier: GPL-3.0-or-later
+. "$SRCDIR/tests/cli/lib.sh"
+
+net=$SRCDIR/notebooks-data/scenes/net-table-3-1.yaml
+for method in automatic interior-point mixed forces catenary; do
+	works "$method" statics "$net" --method $method --json $method.json -q
+done
+works "a table" statics "$net" --tsv net.tsv --plot net.svg -q
+works "a profile" statics "$net" --profile --tsv profile.tsv --json profile.json -q
+try "cables" test "$(grep -c '^c[0-9]' net.tsv)" -eq 26
+try "points" test "$(grep -c '^c[0-9]' profile.tsv)" -eq 1601
+try "places" grep -q '^# J0 = (3.14112947, -2.61800509, 0.0846971467) m$' net.tsv
+try "the picture" grep -q 'K4' net.svg
+python "the results of all methods" <<'END2'
+import json
+own = json.load(open("automatic.json"))
+assert set(own) >= {"nodes", "cables", "reactions", "energy", "gap", "residual", "floor", "method", "iterations"}
+assert list(own["reactions"]) == ["A%d" % i for i in range(7)]
+assert abs(sum(f[1] for f in own["reactions"].values()) - 894.326688) < 1e-6
+for name in ("interior-point", "mixed", "forces", "catenary"):
+    other, exact = json.load(open(name + ".json")), name == "catenary"
+    assert other["method"] == name and 0 <= other["gap"] < 1e-12
+    for node in own["nodes"]:
+        assert max(abs(a - b) for a, b in zip(own["nodes"][node], other["nodes"][node])) < (1e-4 if exact else 1e-9)
+    for a, b in zip(own["cables"], other["cables"]):
+        assert abs(a["T_from"]/b["T_from"] - 1) < (2e-2 if exact else 1e-9) and a["slack"] == 0
+rows = json.load(open("profile.json"))["profile"]
+assert len(rows) == 26 and rows["c0"][0][1:4] == [0, 0, 0]
+END2
+
+cat >slack.yaml <<'END2'
+kind: net
+nodes: {A: [0 m, 0 m, 0 m], B: [10 m, 0 m, 0 m], J: {}, K: {}}
+cables:
+  - {name: a, from: A, to: J, EA: 1 MN, rho: 0, length0: 6 m, elements: 1}
+  - {name: b, from: J, to: B, EA: 1 MN, rho: 0, length0: 6 m, elements: 1}
+  - {name: tie, from: A, to: B, EA: 1 MN, rho: 0, length0: 11 m, elements: 1}
+  - {name: c, from: J, to: K, EA: 1 MN, rho: 1 kg/m, length0: 1 m}
+supports: {A: fixed, B: fixed}
+loads: {J: [0 N, -1 kN, 0 N]}
+END2
+works "a slack member" statics slack.yaml --tsv slack.tsv --json slack.json -q
+try "is named" grep -q '^# 1 cable with elements without tension: tie$' slack.tsv
+works "a force density" statics slack.yaml --json density.json -q \
+	--set 'cables.a={name: a, from: A, to: J, EA: 1 MN, rho: 0, force_density: 90 N/m, elements: 1}'
+python "the shape of two bars, the hanging cable, the force density" <<'END2'
+import json, math
+slack = json.load(open("slack.json"))
+y = slack["nodes"]["J"][1]
+stretched = 6*(1 + slack["cables"][0]["T_max"]/1e6)
+assert abs(math.hypot(5, y) - stretched) < 1e-12 and slack["cables"][2]["T_max"] == 0
+load = 1000 + 9.81
+assert abs(2*slack["cables"][0]["T_max"]*(-y)/stretched - load) < 1e-8
+assert abs(slack["cables"][3]["T_from"] - 9.81*(1 - 0.5/20)) < 1e-6
+found = json.load(open("density.json"))
+cable = found["cables"][0]
+assert abs(cable["T_from"]/math.hypot(*found["nodes"]["J"]) - 90) < 1e-7
+assert abs(cable["length0"]*(1 + cable["T_from"]/1e6) - cable["length"]) < 1e-9
+END2
+
+refuses() {
+	called=$1 code=$2 saying=$3
+	shift 3
+	run "$@"
+	try "$called" said "$code"
+	try "  says so" grep -q -e "$saying" "$scratch/err"
+}
+refuses "an option of spans" 1 "\-\-points is for spans, and this scene is a net" statics "$net" --points 20
+refuses "an option of nets" 1 "\-\-profile is for nets, and .* is no scene of a net" statics "$chairlift" --profile
+refuses "a command of spans" 1 "this is the scene of a net, and the command takes spans" frf "$net"
+refuses "an unknown method" 1 "must be one of automatic, interior-point" statics "$net" --method gauss
+refuses "a part without support" 2 "the node X has no support in direction x" statics "$net" --set 'nodes.X={}'
+refuses "form finding by catenaries" 1 "takes cables with length0 only, and cable a has tension" statics slack.yaml \
+	--method catenary --set 'cables.a={name: a, from: A, to: J, EA: 1 MN, rho: 0, tension: 5 N}'
+refuses "a density that no length has" 2 "the lengths that go with the given force densities" statics slack.yaml \
+	--set 'cables.c={name: c, from: J, to: K, EA: 1 MN, rho: 1 kg/m, force_density: 5 N/m}'
+refuses "a tension that no shape has" 2 "no shape was found in which" statics slack.yaml \
+	--set 'cables.c={name: c, from: J, to: K, EA: 1 MN, rho: 0, tension: 5 N}' --set 'loads.K=[0 N, -100 N, 0 N]'
+refuses "a cable that is too short" 1 "is far below the distance" statics slack.yaml --set cables.tie.length0="5 m"
+refuses "two nodes in one place" 1 "are in one place" statics slack.yaml --set 'nodes.B=[0 m, 0 m, 0 m]'
+refuses "no length" 1 "is out of range" statics slack.yaml --set cables.a.length0="0 m"
+refuses "two lengths" 1 "has length0 and sag" statics slack.yaml --set 'cables.a.sag=1 m'
+refuses "a million elements" 1 "elements need about" statics slack.yaml --set cables.c.elements=90000000
+refuses "a wrong key" 1 "unknown key" statics slack.yaml --set cables.a.EE=1
+refuses "a wrong name" 1 "there is no node Q" statics slack.yaml --set cables.a.from=Q
+done_testing
