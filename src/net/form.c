@@ -153,6 +153,11 @@ enum hawser_status hawser__mesh_form(struct hawser__mesh *mesh, double *T,
 		hawser__mesh_load(mesh, net);
 		status = hawser__mesh_statics(mesh, T, found, &again, report);
 		change = status ? 1.0 : revise(mesh, net);
+		if (i > 0 && (status == HAWSER_ERR_CONVERGENCE || status == HAWSER_ERR_NAN))
+			status = hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "net",
+			                      "no shape was found in which the cables have what is given: it "
+			                      "grows beyond all bounds. Give tensions and sags that loads and "
+			                      "supports allow, or force_density");
 	}
 	if (!status && !(change <= 1e-9))
 		status = no_form(mesh, net, report);

@@ -76,8 +76,10 @@ refuses "form finding by catenaries" 1 "takes cables with length0 only, and cabl
 	--method catenary --set 'cables.a={name: a, from: A, to: J, EA: 1 MN, rho: 0, tension: 5 N}'
 refuses "a density that no length has" 2 "the lengths that go with the given force densities" statics slack.yaml \
 	--set 'cables.c={name: c, from: J, to: K, EA: 1 MN, rho: 1 kg/m, force_density: 5 N/m}'
-refuses "a tension that no shape has" 2 "no shape was found in which" statics slack.yaml \
+refuses "a tension that no shape has" 2 "it grows beyond all bounds" statics slack.yaml \
 	--set 'cables.c={name: c, from: J, to: K, EA: 1 MN, rho: 0, tension: 5 N}' --set 'loads.K=[0 N, -100 N, 0 N]'
+refuses "a sag that no shape has" 2 "the sag of tie came to" statics slack.yaml \
+	--set 'cables.tie={name: tie, from: A, to: B, EA: 1 MN, rho: 0, sag: 1 m}'
 refuses "a cable that is too short" 1 "is far below the distance" statics slack.yaml --set cables.tie.length0="5 m"
 refuses "two nodes in one place" 1 "are in one place" statics slack.yaml --set 'nodes.B=[0 m, 0 m, 0 m]'
 refuses "no length" 1 "is out of range" statics slack.yaml --set cables.a.length0="0 m"
