@@ -5,7 +5,7 @@ RESPONSE_TESTS = tests/unit/test-floquet tests/unit/test-flow tests/unit/test-ba
 	tests/unit/test-monodromy tests/unit/test-varying tests/property/test-support tests/property/test-loads tests/property/test-frf tests/property/test-event-errors \
 	tests/property/test-linear-condensed tests/unit/test-hill-matrix \
 	tests/reference/test-frf-published tests/extremes/test-frf-extremes \
-	tests/property/test-family tests/property/test-branches tests/property/test-whirling tests/property/test-mathieu-duffing tests/unit/test-folds tests/unit/test-locus tests/property/test-folds tests/property/test-folds-least tests/reference/test-folds \
+	tests/property/test-family tests/property/test-branches tests/property/test-whirling tests/property/test-mathieu-duffing tests/property/test-resonance tests/unit/test-folds tests/unit/test-locus tests/property/test-folds tests/property/test-folds-least tests/reference/test-folds \
 	tests/extremes/test-folds-extremes tests/extremes/test-folds-memory
 noinst_HEADERS += tests/folds-duffing.h
 check_PROGRAMS += $(RESPONSE_TESTS)
@@ -50,6 +50,8 @@ tests_unit_test_folds_SOURCES = tests/unit/test-folds.c
 tests_unit_test_folds_LDADD = $(UPTO_RESPONSE)
 tests_unit_test_locus_SOURCES = tests/unit/test-locus.c
 tests_unit_test_locus_LDADD = $(UPTO_RESPONSE)
+tests_property_test_resonance_SOURCES = tests/property/test-resonance.c
+tests_property_test_resonance_LDADD = $(UPTO_RESPONSE)
 tests_property_test_mathieu_duffing_SOURCES = tests/property/test-mathieu-duffing.c
 tests_property_test_mathieu_duffing_LDADD = $(UPTO_RESPONSE)
 tests_property_test_whirling_SOURCES = tests/property/test-whirling.c

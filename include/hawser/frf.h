@@ -20,9 +20,10 @@ enum hawser_event_kind {
 	HAWSER_BRANCH_POINT,
 	HAWSER_UNEXPLAINED, /* the number of unstable multipliers changes, and no located event explains
 	                     * it */
-	HAWSER_SLACK        /* the least tension becomes zero (end_at_slack) */
+	HAWSER_SLACK,       /* the least tension becomes zero (end_at_slack) */
+	HAWSER_RESONANCE    /* the motion lags its load by 90 degrees: only in locus.h */
 };
-/* "fold", "period-doubling", "torus", "branch-point", "unexplained", "slack" */
+/* "fold", "period-doubling", "torus", "branch-point", "unexplained", "slack", "resonance" */
 const char *hawser_event_name(enum hawser_event_kind kind);
 
 enum hawser_frf_end {

@@ -1,5 +1,6 @@
 /* hawser/locus.h - bifurcations of the frequency response, followed in two parameters: the forcing
- * frequency and another parameter of the model.
+ * frequency and another parameter of the model. Besides, its resonances: the motions that lag their
+ * load by 90 degrees, which with the load as the parameter are the damped backbone.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_LOCUS_H
@@ -14,10 +15,10 @@ extern "C" {
 /* Special points of a locus (bifurcations of codimension two). Kuznetsov, Elements of Applied
  * Bifurcation Theory, 2004, chapter 9. */
 enum hawser_locus_special {
-	HAWSER_LOCUS_CUSP = 0,     /* two folds merge */
+	HAWSER_LOCUS_CUSP = 0,     /* two folds merge; of resonances, the parameter turns back */
 	HAWSER_LOCUS_DEGENERATE,   /* the branch that is born turns from one side of the locus to the
 	                            * other: generalised period doubling, degenerate branch point, and of
-	                            * tori Chenciner's point */
+	                            * tori Chenciner's point; of resonances, a branch point */
 	HAWSER_LOCUS_ONE_ONE,      /* resonance 1:1: two multipliers are +1 */
 	HAWSER_LOCUS_ONE_TWO,      /* 1:2: two multipliers are -1 */
 	HAWSER_LOCUS_ONE_THREE,    /* 1:3: the torus' multipliers are cube roots of 1 */
@@ -56,6 +57,12 @@ struct hawser_locus_point {
 	int unstable;     /* multipliers outside the unit circle besides the critical ones */
 	int harmonics;    /* of the orbit and of the critical motion */
 	int iterations;   /* of the corrector */
+	/* Of HAWSER_RESONANCE, else 0; scaled: */
+	double amplitude; /* of the harmonic, along the load: |f a|/|f| */
+	double phase;     /* by which it lags the load: pi/2, but for `residual` */
+	double energy;    /* kinetic and potential energy, mean over the period */
+	double work;      /* of the load in a period, all of its harmonics: what the damping takes */
+	double damping;   /* work/(4 pi energy): of a linear mode the damping ratio */
 };
 
 struct hawser_locus_event {
@@ -80,6 +87,7 @@ struct hawser_locus {
 	double *state;                    /* [points][2n] u then du/dt at tau = 0, scaled */
 	struct hawser_locus_curve *curve; /* [curves] */
 	struct hawser_locus_event *event; /* [events] */
+	int harmonic;                     /* HAWSER_RESONANCE: of the load */
 	double at;                        /* the parameter at which the curves begin */
 	int lost;                         /* events of the response from which no curve could be begun */
 	double *lost_at;                  /* [lost] their Omega */
@@ -89,7 +97,10 @@ struct hawser_locus {
 };
 
 struct hawser_locus_options {
-	enum hawser_event_kind kind; /* HAWSER_FOLD, _PERIOD_DOUBLING, _TORUS or _BRANCH_POINT */
+	enum hawser_event_kind kind; /* HAWSER_FOLD, _PERIOD_DOUBLING, _TORUS, _BRANCH_POINT, or
+	                              * HAWSER_RESONANCE: motions in phase quadrature with their load, the
+	                              * damped backbone */
+	int harmonic;                /* HAWSER_RESONANCE: of load and motion; 0: the load's lowest one */
 	double from, to;             /* scaled Omega: the range, as in hawser_frf_options */
 	double parameter_from, parameter_to;
 	double at;                   /* the parameter of the response whose bifurcations begin the curves */

@@ -16,12 +16,14 @@ struct settings {
 	struct cli_common common;
 	const char *from, *to, *kind, *over, *and, *Omega, *at, *near;
 	double tolerance, step;
-	int n, points;
+	int n, points, harmonic;
 };
 static const struct settings defaults = {.from = "0.6w1", .to = "3.3w1", .kind = "fold"};
 
 static const struct cli_option options[] = {
-	CLI_TEXT_OPTION(kind, "NAME", "fold, period-doubling, torus or branch-point (fold)"),
+	CLI_TEXT_OPTION(kind, "NAME", "fold, period-doubling, torus, branch-point, or resonance (fold)"),
+	{"harmonic", 0, "K", "of load and motion, of --kind resonance (the load's lowest)",
+	 CLI_COUNT(harmonic)},
 	CLI_TEXT_OPTION(over, "KEY=FROM:TO", "the other parameter, and its range (factor.load=0.5:2)"),
 	CLI_TEXT_OPTION(and, "KEY=FROM:TO", "a parameter instead of the frequency, and its range"),
 	CLI_TEXT_OPTION(Omega, "FREQUENCY", "of the load, with --and"),
@@ -38,7 +40,8 @@ static const struct cli_option options[] = {
 
 static const char *const notes[] = {
 	"Follows bifurcations of the frequency response in the forcing frequency and another parameter,",
-	"as factor.load, factor.damping or a key of the scene, and names their special points.",
+	"as factor.load, factor.damping or a key of the scene, and names their special points. With",
+	"--kind resonance the motions that lag the load by 90 degrees: the damped backbone.",
 	"FREQUENCY: a number (rad/s), \"0.3 Hz\", or a multiple of a natural frequency, 0.6w1.",
 	NULL,
 };
@@ -46,13 +49,15 @@ static const char *const notes[] = {
 static enum hawser_status kind_of(enum hawser_event_kind *kind, const char *name,
                                   struct hawser_report *report)
 {
-	for (int k = HAWSER_FOLD; k <= HAWSER_BRANCH_POINT; k++)
-		if (strcmp(name, hawser_event_name((enum hawser_event_kind)k)) == 0) {
+	for (int k = HAWSER_FOLD; k <= HAWSER_RESONANCE; k++)
+		if ((k <= HAWSER_BRANCH_POINT || k == HAWSER_RESONANCE) &&
+		    strcmp(name, hawser_event_name((enum hawser_event_kind)k)) == 0) {
 			*kind = (enum hawser_event_kind)k;
 			return HAWSER_OK;
 		}
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "locus",
-	                    "--kind %s: write fold, period-doubling, torus or branch-point", name);
+	                    "--kind %s: write fold, period-doubling, torus, branch-point or resonance",
+	                    name);
 }
 
 /* The parameter where the curves begin: --at, else the model's own value, else the first end. */
@@ -88,7 +93,7 @@ static enum hawser_status trace(struct hawser_locus *locus, const struct setting
 	struct cli_watch watch = {.progress = {.quiet = settings->common.quiet}};
 	struct hawser_locus_options choice = {.from = result->from, .to = result->to,
 		.parameter_from = over->from, .parameter_to = over->to, .max_points = settings->points,
-		.plane = plane};
+		.plane = plane, .harmonic = settings->harmonic};
 	double near = 0.0;
 	enum hawser_status status = kind_of(&choice.kind, settings->kind, report);
 

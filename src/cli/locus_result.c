@@ -73,7 +73,8 @@ static void comments(struct hawser__table *table, const void *of)
 
 /* --- fields --- */
 
-enum { LINE = 1, PLANE = 2 }; /* the first parameter is Omega, or another one */
+/* the first parameter is Omega, or another one; of bifurcations, or of resonances */
+enum { LINE = 1, PLANE = 2, BIFURCATION = 4, RESONANCE = 8 };
 
 HAWSER__LABELS(kind_name, hawser_event_name, enum hawser_event_kind)
 
@@ -91,10 +92,17 @@ static const struct hawser__field point_field[] = {
 	{"Omega", "Omega", "forcing frequency", OF(omega), .unit = HAWSER__RAD_S, .when = LINE},
 	{"first", "first", "the parameter of --and, in SI units", OF(omega), .when = PLANE},
 	{"parameter", "parameter", "the other parameter, in SI units", OF(parameter)},
-	{NULL, "kind", "of the bifurcation, or of a special point", HAWSER__AT(struct row, kind)},
-	{"angle", "angle", "argument of the critical multipliers, 0 to pi", OF(angle)},
-	{"unstable", "unstable", "multipliers outside the unit circle besides the critical ones",
+	{NULL, "kind", "of the locus, or of a special point", HAWSER__AT(struct row, kind)},
+	{"angle", "angle", "argument of the critical multipliers, 0 to pi", OF(angle), .when = BIFURCATION},
+	{"unstable", "unstable", "multipliers outside the unit circle besides critical ones",
 	 OF(unstable)},
+	{"amplitude", "amplitude", "of the harmonic of a resonance, along the load", OF(amplitude),
+	 .unit = HAWSER__M, .when = RESONANCE},
+	{"phase", "phase", "by which it lags the load", OF(phase), .unit = HAWSER__RADIAN,
+	 .when = RESONANCE},
+	{"energy", "energy", "mean over the period", OF(energy), .unit = HAWSER__J, .when = RESONANCE},
+	{"work", "work", "of the load in a period", OF(work), .unit = HAWSER__J, .when = RESONANCE},
+	{"damping_ratio", "damping_ratio", "work/(4 pi energy)", OF(damping), .when = RESONANCE},
 	CLI_COORDINATES(HAWSER__VECTOR_AT, struct row, coordinate),
 	{"residual", "residual", "defect of all equations, relative", OF(residual)},
 	{"truncation", "truncation", "estimated error of the truncated series, relative", OF(mesh)},
@@ -113,7 +121,7 @@ static const struct hawser__field event_field[] = {
 	{"Omega", "Omega", "forcing frequency", OF(omega), .unit = HAWSER__RAD_S, .when = LINE},
 	{"first", "first", "the parameter of --and", OF(omega), .when = PLANE},
 	{"parameter", "parameter", "the other parameter", OF(parameter)},
-	{"angle", "angle", "argument of the critical multipliers", OF(angle)},
+	{"angle", "angle", "argument of the critical multipliers", OF(angle), .when = BIFURCATION},
 	{"error", NULL, "estimated error of both parameters, relative to their ranges", OF(error)},
 	{"after", NULL, "index of the point before it", OF(after)},
 	HAWSER__END,
@@ -194,6 +202,8 @@ static void lost_json(struct hawser__json *json, json_t *into, const void *row)
 
 static const struct hawser__field locus_field[] = {
 	{"kind", NULL, "of the bifurcations", HAWSER__LABEL_AT(struct hawser_locus, kind, kind_name)},
+	{"harmonic", NULL, "of the load, of resonances", HAWSER__AT(struct hawser_locus, harmonic),
+	 .when = RESONANCE},
 	{"at", NULL, "the parameter at which the curves begin", HAWSER__AT(struct hawser_locus, at)},
 	{"curves", NULL, "loci", HAWSER__OBJECTS_OF(curve_list)},
 	{"not_followed", NULL, "number of bifurcations from which no curve could be begun",
@@ -238,10 +248,13 @@ const struct cli_listing cli_locus_listing[] = {
 static struct cli_head head(const void *of)
 {
 	const struct cli_locus_result *result = of;
+	int resonance = result->locus->kind == HAWSER_RESONANCE;
 
-	return cli_model_head(result->common, "locus",
-	                      "harmonic balance, minimally augmented bifurcation, pseudo-arclength "
-	                      "continuation", result->model, result->first ? PLANE : LINE);
+	return cli_model_head(result->common, "locus", resonance
+	                      ? "harmonic balance, phase quadrature, pseudo-arclength continuation"
+	                      : "harmonic balance, minimally augmented bifurcation, pseudo-arclength "
+	                        "continuation", result->model,
+	                      (result->first ? PLANE : LINE) | (resonance ? RESONANCE : BIFURCATION));
 }
 
 /* A special point is written after the point that precedes it on the curve. */

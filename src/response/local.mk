@@ -73,6 +73,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/locus_begin.c \
 	%D%/locus_events.c \
 	%D%/locus_hill.c \
+	%D%/locus_phase.c \
 	%D%/locus_sample.c \
 	%D%/locus_second.c \
 	%D%/locus_system.c \

@@ -18,10 +18,16 @@ const char *hawser_locus_special_name(enum hawser_event_kind kind, enum hawser_l
 {
 	static const char *const plain[HAWSER_LOCUS_SPECIALS] = {
 		"cusp", "generalised-period-doubling", "1:1", "1:2", "1:3", "1:4", NULL, NULL, NULL, "start"};
+	static const char *const resonance[HAWSER_LOCUS_SPECIALS] = {
+		[HAWSER_LOCUS_CUSP] = "turning-point", [HAWSER_LOCUS_DEGENERATE] = "branch-point",
+		[HAWSER_LOCUS_WITH_FOLD] = "fold", [HAWSER_LOCUS_WITH_DOUBLING] = "period-doubling",
+		[HAWSER_LOCUS_WITH_TORUS] = "torus", [HAWSER_LOCUS_START] = "start"};
 	static const char *const with[4][3] = { /* enum hawser_event_kind; fold, doubling, torus */
 		{"fold-fold", "fold-flip", "fold-torus"}, {"fold-flip", "flip-flip", "flip-torus"},
 		{"fold-torus", "flip-torus", "torus-torus"}, {"branch-fold", "branch-flip", "branch-torus"}};
 
+	if (kind == HAWSER_RESONANCE && (unsigned)special < HAWSER_LOCUS_SPECIALS && resonance[special])
+		return resonance[special];
 	if ((unsigned)special >= HAWSER_LOCUS_SPECIALS || (unsigned)kind > HAWSER_BRANCH_POINT)
 		return "unknown";
 	if (special == HAWSER_LOCUS_DEGENERATE && kind == HAWSER_BRANCH_POINT)
@@ -48,13 +54,15 @@ void hawser_locus_settle(struct hawser_locus_options *options)
 
 static enum hawser_status check(const struct hawser_locus_options *o, struct hawser_report *report)
 {
-	if ((unsigned)o->kind > HAWSER_BRANCH_POINT || !(o->plane || (o->from > 0.0 && o->to > 0.0)) ||
+	int known = (unsigned)o->kind <= HAWSER_BRANCH_POINT || o->kind == HAWSER_RESONANCE;
+
+	if (!known || !(o->plane || (o->from > 0.0 && o->to > 0.0)) ||
 	    o->from == o->to || !isfinite(o->from - o->to) || o->parameter_from == o->parameter_to ||
 	    !isfinite(o->parameter_from - o->parameter_to))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "locus",
 		                    "a locus of kind %d, Omega from %.9g to %.9g, parameter from %.9g to "
-		                    "%.9g: loci are those of folds, period doublings, tori and branch points; "
-		                    "ranges must be finite and not empty, and frequencies positive",
+		                    "%.9g: loci are those of folds, period doublings, tori, branch points and "
+		                    "resonances; ranges must be finite and not empty, and frequencies positive",
 		                    (int)o->kind, o->from, o->to, o->parameter_from, o->parameter_to);
 	if (!(o->at >= fmin(o->parameter_from, o->parameter_to) &&
 	      o->at <= fmax(o->parameter_from, o->parameter_to)))
@@ -195,6 +203,8 @@ static enum hawser_status trace_from(struct hawser_locus *locus, struct hawser__
 
 	if (status || failed)
 		return status ? status : add_lost(locus, locus->response.event[event].parameter, report);
+	if (is_known(locus, walk->start.z[LOCUS_OMEGA], walk->locus->extent))
+		return HAWSER_OK; /* a resonance, which was interpolated before */
 	status = hawser__locus_follow(walk, &part[0], 1);
 	if (!status && part[0].end != HAWSER_LOCUS_CLOSED && !walk->stopped)
 		status = hawser__locus_follow(walk, &part[1], -1);
@@ -293,6 +303,10 @@ enum hawser_status hawser_locus_trace(struct hawser_locus *locus,
 	choice.tolerance = own.tolerance;
 	choice.progress = own.progress;
 	choice.samples = HAWSER_NONE;
+	choice.skip_events = own.kind == HAWSER_RESONANCE;
+	if (!status && own.kind == HAWSER_RESONANCE)
+		status = hawser__locus_choose_harmonic(&system, own.harmonic, report);
+	locus->harmonic = system.harmonic;
 	if (own.plane)
 		choice.family = &across;
 	if (!status)
@@ -303,6 +317,8 @@ enum hawser_status hawser_locus_trace(struct hawser_locus *locus,
 	system.extent[1] = fabs(own.parameter_to - own.parameter_from);
 	if (!status)
 		status = hawser__locus_walk_open(&walk, &system, &own, report);
+	if (!status && own.kind == HAWSER_RESONANCE)
+		status = hawser__locus_find_resonances(&walk, &locus->response);
 	if (!status && locus->response.end != HAWSER_END_INTERRUPTED)
 		status = trace_all(locus, &walk, report);
 	locus->interrupted |= locus->response.end == HAWSER_END_INTERRUPTED;

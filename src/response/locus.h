@@ -12,6 +12,8 @@
  *            whose matrices and borders have conjugate symmetry, and complex for tori
  *   w        the same of the adjoint, so that the derivative of g is - w^H (dH) v
  *
+ * For resonances (locus_phase.c) g is the phase of the motion instead, without H.
+ *
  * Equations: F = 0, g = 0, and that of the plane of a continuation step. At a branch point F_y is
  * singular, too: the orbit is symmetric, while v is not. The coefficients of the orbit that are of the
  * kind of v (coordinate, and odd or even harmonic) are then barred: they stay zero, and F_y is regular.
@@ -53,6 +55,8 @@ struct hawser__locus {
 	double extent[2];             /* lengths of the ranges of Omega and of the parameter */
 	double centre[2];             /* values of the parameters for the derivatives by them */
 	double omega;                 /* scaled by the present model's unit of time */
+	int harmonic;                 /* of a resonance */
+	double *load;                 /* [2][n] its load */
 	double kappa;
 	int n, most;                  /* coordinates; largest number of harmonics */
 	int order, rows, width;       /* harmonics, samples, highest harmonic of the tables */
@@ -163,6 +167,17 @@ double hawser__locus_normal_form(struct hawser__locus *locus, double *sign, doub
 double hawser__locus_both_sides(struct hawser__locus *locus, const double *x, int imaginary);
 /* The first 2 order + 1 harmonics of a real signal x [rows][n]. */
 void hawser__locus_transform(const struct hawser__locus *locus, double *out, const double *x);
+
+/* locus_phase.c: g of resonances, and its derivatives, after F and J. */
+enum hawser_status hawser__locus_quadrature(struct hawser__locus *locus, const double *z);
+/* G: what of the motion is in phase with the load. Sets locus->load. */
+double hawser__locus_in_phase(struct hawser__locus *locus, const double *z);
+/* Amplitude, phase, energy, work and damping of z, which is at the samples. */
+void hawser__locus_phase(struct hawser__locus *locus, struct hawser_locus_point *point,
+                         const double *z);
+/* locus->harmonic, and locus->load; a refusal where the load has none. */
+enum hawser_status hawser__locus_choose_harmonic(struct hawser__locus *locus, int harmonic,
+                                                 struct hawser_report *report);
 
 /* locus_torus.c: the first Lyapunov coefficient, with J_factors; NAN where it has a pole. */
 double hawser__locus_lyapunov(struct hawser__locus *locus);

@@ -24,9 +24,8 @@
 #define SKEW 1e-6      /* relative size of what is absent by symmetry; chosen */
 enum { FIRST_ORDER = 12, ITERATIONS = 12, INVERSE = 4 };
 
-/* z = the orbit through the state x [2n] at `first`, Omega or the first parameter. */
-static enum hawser_status orbit_through(struct hawser__locus_walk *walk, double *z, const double *x,
-                                        double first)
+enum hawser_status hawser__locus_orbit_through(struct hawser__locus_walk *walk, double *z,
+                                               const double *x, double first)
 {
 	struct hawser__locus *locus = walk->locus;
 	int n = locus->n, H = locus->order, rows;
@@ -177,10 +176,10 @@ static enum hawser_status between(struct hawser__locus_walk *walk, const struct 
 	const double *x = frf->event_state + 2*(size_t)frf->n*(event - frf->event);
 	double *from = walk->here.z, *to = walk->next.z, *z = walk->start.z, *chord = walk->spare;
 	double part = (event->arc - a->arc)/(b->arc - a->arc), range = walk->locus->extent[0], size;
-	enum hawser_status status = orbit_through(walk, from, xa, a->parameter);
+	enum hawser_status status = hawser__locus_orbit_through(walk, from, xa, a->parameter);
 
 	*failed = 1;
-	if (status || (status = orbit_through(walk, to, xb, b->parameter)))
+	if (status || (status = hawser__locus_orbit_through(walk, to, xb, b->parameter)))
 		return status;
 	part = part >= 0.0 && part <= 1.0 ? part : 0.5;
 	for (int k = 0; k < walk->room; k++) {
@@ -195,7 +194,7 @@ static enum hawser_status between(struct hawser__locus_walk *walk, const struct 
 	size = cblas_dnrm2(walk->locus->coefficients, z + LOCUS_FIRST, 1);
 	if (size > 0.0)
 		cblas_dscal(walk->locus->coefficients, 1.0/(size*size), chord + LOCUS_FIRST, 1);
-	if (isfinite(x[0]) && (status = orbit_through(walk, z, x, event->parameter)))
+	if (isfinite(x[0]) && (status = hawser__locus_orbit_through(walk, z, x, event->parameter)))
 		return status;
 	z[LOCUS_PARAMETER] = walk->options->at;
 	status = settle(walk, z, chord, failed);
@@ -204,28 +203,42 @@ static enum hawser_status between(struct hawser__locus_walk *walk, const struct 
 	return status;
 }
 
+static int first_order(const struct hawser__locus *locus)
+{
+	int order = FIRST_ORDER < locus->most ? FIRST_ORDER : locus->most;
+
+	for (int p = 0; p < locus->rom->harmonics; p++)
+		order = locus->rom->harmonic[p].k + 4 > order ? locus->rom->harmonic[p].k + 4 : order;
+	return order;
+}
+
+enum hawser_status hawser__locus_first_order(struct hawser__locus *locus)
+{
+	return hawser__locus_arrange(locus, first_order(locus));
+}
+
 enum hawser_status hawser__locus_begin(struct hawser__locus_walk *walk, const struct hawser_frf *frf,
                                        int event, int *failed)
 {
 	struct hawser__locus *locus = walk->locus;
 	const struct hawser_frf_event *from = &frf->event[event];
 	struct hawser__locus_station *start = &walk->start;
-	int order = FIRST_ORDER < locus->most ? FIRST_ORDER : locus->most;
+	double elsewhere = ELSEWHERE*locus->extent[0];
 	enum hawser_status status;
 
 	*failed = 1;
-	for (int p = 0; p < locus->rom->harmonics; p++)
-		order = locus->rom->harmonic[p].k + 4 > order ? locus->rom->harmonic[p].k + 4 : order;
-	if (order > locus->most || from->after < 0 || from->after + 1 >= frf->points)
+	if (first_order(locus) > locus->most || from->after < 0 || from->after + 1 >= frf->points)
 		return HAWSER_OK;
 	walk->reference[0] = walk->reference[1] = 0.0;
 	memset(locus->barred, 0, 2*(size_t)locus->n);
-	if ((status = hawser__locus_arrange(locus, order)) ||
+	if ((status = hawser__locus_first_order(locus)) ||
 	    (status = hawser__locus_place(locus, from->parameter, walk->options->at)))
 		return status;
 	if ((status = between(walk, frf, from, failed)) || *failed)
 		return status;
-	if ((status = null_vectors(walk, failed)) || *failed)
+	if (locus->kind == HAWSER_RESONANCE) /* `from` is interpolated */
+		elsewhere = fmax(elsewhere, fabs(from[0].bracket[1] - from[0].bracket[0]));
+	else if ((status = null_vectors(walk, failed)) || *failed)
 		return status;
 	*failed = 1;
 	if (locus->kind == HAWSER_BRANCH_POINT && bar(locus, start->z))
@@ -234,7 +247,7 @@ enum hawser_status hawser__locus_begin(struct hawser__locus_walk *walk, const st
 	walk->spare[LOCUS_PARAMETER] = 1.0;
 	if ((status = hawser__locus_correct(walk, start, walk->spare, failed)) || *failed)
 		return status;
-	*failed = fabs(start->z[LOCUS_OMEGA] - from->parameter) > ELSEWHERE*locus->extent[0];
+	*failed = fabs(start->z[LOCUS_OMEGA] - from->parameter) > elsewhere;
 	if (*failed)
 		return HAWSER_OK;
 	start->arc = 0.0;

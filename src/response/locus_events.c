@@ -1,10 +1,10 @@
 /* response/locus_events.c - special points of a locus: zeros of test functions along it.
  *
- *   cusp        w f''(v, v)
+ *   cusp        w f''(v, v); of resonances, the parameter's part of the tangent
  *   degenerate  the cubic coefficient of the normal form
  *   double      the derivative of the critical eigenvalue, zero where its multiplier is double (1:1,
  *               1:2)
- *   fold        determinant of F_y
+ *   fold        determinant of F_y; of resonances this is a branch point if the orientation changes too
  *   doubling    determinant of Hill's matrix of motions of twice the period
  *   unity, half, third, quarter  the angle of a torus less 0, pi, 2 pi/3, pi/2
  *   pairs       number of further complex pairs of multipliers outside the unit circle
@@ -81,7 +81,8 @@ static enum hawser_status count(struct hawser__locus *locus, int *unstable, int 
                                 double *nearest)
 {
 	enum hawser_status status = hawser__locus_multipliers(locus);
-	int own = critical(locus), torus = locus->kind == HAWSER_TORUS;
+	int own = locus->kind == HAWSER_RESONANCE ? -1 : critical(locus);
+	int torus = locus->kind == HAWSER_TORUS;
 
 	*unstable = *pairs = 0;
 	*nearest = INFINITY;
@@ -119,6 +120,7 @@ enum hawser_status hawser__locus_test(struct hawser__locus_walk *walk,
 	struct hawser__locus *locus = walk->locus;
 	double *test = station->test, nearest, sign, size;
 	enum hawser_event_kind kind = locus->kind;
+	int resonance = kind == HAWSER_RESONANCE;
 	double complex rate = locus->g_kappa/(-I*locus->omega);
 	enum hawser_status status;
 
@@ -133,7 +135,9 @@ enum hawser_status hawser__locus_test(struct hawser__locus_walk *walk,
 	test[LOCUS_TEST_PAIRS] = nearest;
 	if (kind == HAWSER_FOLD)
 		test[LOCUS_TEST_CUSP] = locus->second;
-	if (kind != HAWSER_TORUS)
+	if (resonance)
+		test[LOCUS_TEST_CUSP] = station->t[LOCUS_PARAMETER];
+	if (kind != HAWSER_TORUS && !resonance)
 		test[LOCUS_TEST_DOUBLE] = creal(rate);
 	hawser__locus_test_angle(locus, station);
 	if (kind != HAWSER_FOLD) {
@@ -249,6 +253,9 @@ static enum hawser_status locate(struct hawser__locus_walk *walk, int test, int 
 		.after = walk->list->points - 1};
 	if (test == LOCUS_TEST_DOUBLE && walk->locus->kind == HAWSER_PERIOD_DOUBLING)
 		event->kind = HAWSER_LOCUS_ONE_TWO;
+	if (test == LOCUS_TEST_FOLD && walk->locus->kind == HAWSER_RESONANCE &&
+	    walk->next.orientation != walk->here.orientation)
+		event->kind = HAWSER_LOCUS_DEGENERATE;
 	return HAWSER_OK;
 }
 

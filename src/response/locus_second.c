@@ -101,12 +101,14 @@ static void by_orbit(struct hawser__locus *locus)
 		locus->second += creal(locus->q[k]*locus->vt[k] + locus->q_v[k]*locus->dv[k]);
 }
 
-/* w^H H v with the present fields. */
-static double complex form(const struct hawser__locus *locus)
+/* w^H H v with the present fields, or - G of a resonance. */
+static double complex form(struct hawser__locus *locus, const double *z)
 {
 	int n = locus->n;
 	double complex sum = 0.0;
 
+	if (locus->kind == HAWSER_RESONANCE)
+		return -hawser__locus_in_phase(locus, z);
 	for (int r = 0; r < locus->rows; r++)
 		for (int i = 0; i < n; i++) {
 			size_t at = (size_t)r*n + i;
@@ -163,8 +165,8 @@ static enum hawser_status by_parameter(struct hawser__locus *locus, int k, const
 			       (2*(size_t)locus->width + 1)*locus->n*sizeof(double));
 			continue;
 		}
-		hawser__locus_fields(locus, locus->other[side], z, 1);
-		value[side] = form(locus);
+		hawser__locus_fields(locus, locus->other[side], z, locus->kind != HAWSER_RESONANCE);
+		value[side] = form(locus, z);
 		place[side] = at[k];
 	}
 	if ((status = hawser__locus_place(locus, z[0], z[1])))
@@ -177,14 +179,15 @@ static enum hawser_status by_parameter(struct hawser__locus *locus, int k, const
 
 enum hawser_status hawser__locus_differentiate(struct hawser__locus *locus, const double *z)
 {
-	double complex here = form(locus);
+	double complex here = form(locus, z);
 	enum hawser_status status;
 
-	locus->g_kappa = by_kappa(locus);
+	if (locus->kind != HAWSER_RESONANCE)
+		locus->g_kappa = by_kappa(locus);
 	status = by_parameter(locus, 0, z, here);
 	if (!status)
 		status = by_parameter(locus, 1, z, here);
-	if (!status)
+	if (!status && locus->kind != HAWSER_RESONANCE)
 		by_orbit(locus);
 	return status;
 }
@@ -225,6 +228,8 @@ double hawser__locus_normal_form(struct hawser__locus *locus, double *sign, doub
 
 	*sign = factor(locus, size_log);
 	if (*sign == 0.0)
+		return NAN;
+	if (locus->kind == HAWSER_RESONANCE)
 		return NAN;
 	if (locus->kind == HAWSER_TORUS)
 		return hawser__locus_lyapunov(locus);

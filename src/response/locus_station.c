@@ -33,6 +33,8 @@ void hawser__locus_describe(struct hawser__locus_walk *walk, struct hawser__locu
 		.residual = station->correction.residual, .mesh = locus->mesh,
 		.harmonics = locus->order, .iterations = station->correction.iterations,
 		.unstable = station->point.unstable};
+	if (locus->kind == HAWSER_RESONANCE)
+		hawser__locus_phase(walk->locus, &station->point, station->z);
 }
 
 double hawser__locus_turn(const struct hawser__locus_walk *walk, const double complex *from,

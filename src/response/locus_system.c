@@ -58,6 +58,7 @@ void hawser__locus_close(struct hawser__locus *locus)
 	free(locus->pivot);
 	free(locus->log_modulus);
 	free(locus->barred);
+	free(locus->load);
 	hawser__monodromy_release(&locus->monodromy);
 }
 
@@ -236,7 +237,7 @@ static void estimate_mesh(struct hawser__locus *locus)
 
 			rest += pow(locus->F[(2*h - 1)*n + j]/by, 2) + pow(locus->F[2*h*n + j]/by, 2);
 		}
-	for (int k = 0; k < N; k++) {
+	for (int k = 0; k < N && locus->kind != HAWSER_RESONANCE; k++) {
 		double a = cabs(locus->scale[k]*locus->v[k]);
 
 		all += a*a;
@@ -244,7 +245,8 @@ static void estimate_mesh(struct hawser__locus *locus)
 			edge += a*a;
 	}
 	locus->mesh = sqrt(rest)/locus->size_y;
-	locus->mesh = fmax(locus->mesh, edge/all); /* its square, since w's is as small */
+	if (all > 0.0)
+		locus->mesh = fmax(locus->mesh, edge/all); /* its square, since w's is as small */
 }
 
 static double length_of(const double *x, int count)
@@ -271,10 +273,12 @@ enum hawser_status hawser__locus_evaluate(struct hawser__locus *locus, double *r
 		return HAWSER_OK;
 	hawser__locus_series(locus);
 	hawser__locus_jacobian(locus);
-	if (hawser__locus_vectors(locus))
+	if (locus->kind != HAWSER_RESONANCE && hawser__locus_vectors(locus))
 		return HAWSER_OK;
 	estimate_mesh(locus);
-	if ((status = hawser__locus_differentiate(locus, z)))
+	status = locus->kind == HAWSER_RESONANCE ? hawser__locus_quadrature(locus, z)
+	         : hawser__locus_differentiate(locus, z);
+	if (status)
 		return status;
 	for (int k = 0; k < locus->coefficients; k++) {
 		int h = (k/n + 1)/2;

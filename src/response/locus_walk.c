@@ -277,7 +277,7 @@ static enum hawser_status finish(void *owner, double ds, double *angle)
 	status = hawser__locus_finish(walk, &walk->next, walk->here.t);
 	metric = metric_at(walk, walk->next.z);
 	*angle = hawser__metric_angle(&metric, walk->here.t, walk->next.t);
-	if (!status)
+	if (!status && walk->locus->kind != HAWSER_RESONANCE)
 		*angle = fmax(*angle, fmax(hawser__locus_turn(walk, walk->here.c, walk->next.c),
 		                           hawser__locus_turn(walk, walk->here.b, walk->next.b)));
 	return status;

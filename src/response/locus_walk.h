@@ -66,7 +66,15 @@ enum hawser_status hawser__locus_grow(struct hawser__locus_walk *walk, int order
 enum hawser_status hawser__locus_follow(struct hawser__locus_walk *walk,
                                         struct hawser__locus_list *list, int direction);
 
-/* locus_begin.c: start = the bifurcation between points `after` and `after` + 1 of the response. */
+/* locus_begin.c: z = the orbit through the state x [2n] at `first`, Omega or the first parameter. */
+enum hawser_status hawser__locus_orbit_through(struct hawser__locus_walk *walk, double *z,
+                                               const double *x, double first);
+/* Arrange for the first number of harmonics, or fewer where there is no room. */
+enum hawser_status hawser__locus_first_order(struct hawser__locus *locus);
+/* locus_phase.c: add the resonances of a response to its events. */
+enum hawser_status hawser__locus_find_resonances(struct hawser__locus_walk *walk,
+                                                 struct hawser_frf *frf);
+/* start = the bifurcation between points `after` and `after` + 1 of the response. */
 enum hawser_status hawser__locus_begin(struct hawser__locus_walk *walk, const struct hawser_frf *frf,
                                        int event, int *failed);
 

@@ -174,7 +174,7 @@ void hawser_frf_clear(struct hawser_frf *frf)
 const char *hawser_event_name(enum hawser_event_kind kind)
 {
 	static const char *const name[] = {"fold", "period-doubling", "torus", "branch-point",
-		"unexplained", "slack"};
+		"unexplained", "slack", "resonance"};
 
 	return (unsigned)kind < sizeof name/sizeof *name ? name[kind] : "unknown";
 }
