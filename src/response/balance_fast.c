@@ -41,6 +41,8 @@ static int condense_node(struct hawser__blocks *blocks, float *slow, const float
 	float *ff = blocks->inverse + (size_t)node*f*f, *G = blocks->follow + (size_t)node*f*w;
 	float *H = blocks->weigh + (size_t)node*w*f, *fs = blocks->fast_room, *sf = fs + (size_t)f*w;
 
+	if (w == 0)
+		return 1; /* nothing is slow */
 	gather(slow, K, n, s, w, s, w);
 	gather(ff, K, n, q, f, q, f);
 	gather(fs, K, n, q, f, s, w);
