@@ -177,8 +177,9 @@ enum hawser_status hawser_frf_trace(struct hawser_frf *frf, const struct hawser_
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_frf_clear(struct hawser_frf *frf);
 
-/* Number the events, the first and last point, and every `every`th one (0: 10) along the branch, from
- * `first` on: their members `label`. Returns the number after the last one. */
+/* Number the events, the first and last point, and every `every`th one (0: 10; HAWSER_NONE: events
+ * alone) along the branch, from `first` on: their members `label`. Returns the number after the last
+ * one. */
 int hawser_frf_label(struct hawser_frf *frf, int first, int every);
 
 /* A sweep by time integration at `count` frequencies from `from` to `to`. Each integration starts

@@ -440,7 +440,7 @@ struct cli_frf_result {
 	const struct cli_frf_result *other; /* [others] further branches (frf_cover.h) */
 	const double *gap; /* [gaps][2] scaled Omega: parts of the range in which no branch was found */
 	const struct cli_missed *missed; /* [misses] what was not followed (frf_cover.h) */
-	int others, gaps, misses;
+	int others, gaps, misses, label_every; /* label_every: 0: of events alone */
 };
 /* "Omega = 1.4 rad/s" of a point at `omega` (scaled), or "damping.alpha = 0.1 kg/m/s" with --over. */
 struct cli_place {

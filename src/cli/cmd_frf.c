@@ -28,11 +28,11 @@ struct settings {
 	const char *over, *omega, *label, *switched;
 	double tolerance, step;
 	int n, points, segments, unstable, sweep_points, multipliers, partial, backbone, energy, tori;
-	int branches, period;
+	int branches, period, label_every;
 };
 static const struct settings defaults = {
 	.from = "0.6w1", .to = "3.3w1", .scale = "auto", .slack = "end",
-	.sweep_points = 200,
+	.sweep_points = 200, .label_every = 10,
 };
 
 static const struct cli_option options[] = {
@@ -49,6 +49,8 @@ static const struct cli_option options[] = {
 	CLI_TEXT_OPTION(at, "FREQUENCY", "frequency of the first orbit, inside the range"),
 	{"continue", 0, "FILE", "continue the curve whose JSON result this file is", CLI_TEXT(resume)},
 	{"from-label", 0, "FILE#LABEL", "begin at this label of a JSON result of frf", CLI_TEXT(label)},
+	{"label-every", 0, "N", "label every Nth point too; 0: events alone (10)",
+	 CLI_STORED(cli_store_every, label_every)},
 	{"branches", 0, "DEPTH", "follow branches that begin at bifurcations too, and theirs, so deep",
 	 CLI_INTEGER(branches)},
 	{"switch", 0, "LABEL", "follow the branch at this label; FILE#LABEL: only that, of a JSON result",
@@ -394,7 +396,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	struct cli_label label = {.period = 1};
 	struct cli_frf_result result = {.common = &settings->common, .model = &model, .frf = &frf,
 	                                .sweep = list, .multipliers = settings->multipliers,
-	                                .scale = settings->scale, .overlay = overlay};
+	                                .scale = settings->scale, .overlay = overlay,
+	                                .label_every = settings->label_every};
 	enum hawser_status status = check(settings, report), written = HAWSER_OK;
 
 	if (!status)

@@ -233,6 +233,7 @@ static enum hawser_status equilibria(struct cli_mms_result *result, struct hawse
 	drawn.from = result->from;
 	drawn.to = result->to;
 	drawn.direction = cli_frf_direction(&frf);
+	drawn.label_every = 10;
 	if (!status)
 		cli_label_all(&drawn);
 	if (!status)

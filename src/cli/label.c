@@ -23,10 +23,11 @@
 
 void cli_label_all(struct cli_frf_result *result)
 {
-	int next = hawser_frf_label((void *)result->frf, 1, 0);
+	int every = result->label_every > 0 ? result->label_every : HAWSER_NONE;
+	int next = hawser_frf_label((void *)result->frf, 1, every);
 
 	for (int k = 0; k < result->others; k++)
-		next = hawser_frf_label((void *)result->other[k].frf, next, 0);
+		next = hawser_frf_label((void *)result->other[k].frf, next, every);
 }
 
 int cli_label_plain(const struct hawser_frf *frf, const struct cli_model *model)

@@ -17,8 +17,11 @@ struct cli_label {
 	double least;   /* least tension, N; NAN: not known */
 };
 
-/* Label the branches of a result, one after another. */
+/* Label the branches of a result, one after another; the points by its label_every. */
 void cli_label_all(struct cli_frf_result *result);
+/* Store a whole number, 0 or more, as the functions of cli.h do. */
+enum hawser_status cli_store_every(void *field, const struct cli_option *option,
+                                   const char *const *values, struct hawser_report *report);
 
 /* Whether the motions have the period of the model, not a multiple. */
 int cli_label_plain(const struct hawser_frf *frf, const struct cli_model *model);

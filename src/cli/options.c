@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/label.h"
 #include "cli/view.h"
 #include "core/report.h"
 
@@ -124,6 +125,12 @@ enum hawser_status cli_store_count(void *field, const struct cli_option *option,
                                    const char *const *values, struct hawser_report *report)
 {
 	return store_integer(field, option, values[0], 2, report);
+}
+
+enum hawser_status cli_store_every(void *field, const struct cli_option *option,
+                                   const char *const *values, struct hawser_report *report)
+{
+	return store_integer(field, option, values[0], 0, report);
 }
 
 /* --- reading a command line --- */

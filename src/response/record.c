@@ -190,9 +190,10 @@ const char *hawser_frf_end_name(enum hawser_frf_end end)
 
 int hawser_frf_label(struct hawser_frf *frf, int first, int every)
 {
-	every = every > 0 ? every : 10;
+	every = every == 0 ? 10 : every;
 	for (int p = 0, e = 0; p < frf->points; p++) {
-		frf->point[p].label = p % every == 0 || p == frf->points - 1 ? first++ : 0;
+		frf->point[p].label = every > 0 && (p % every == 0 || p == frf->points - 1)
+		                      ? first++ : 0;
 		for (; e < frf->events && frf->event[e].after <= p; e++)
 			frf->event[e].label = first++;
 	}

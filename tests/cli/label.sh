@@ -241,4 +241,25 @@ assert abs(over["points"][0]["parameter"] - 0.05) < 1e-15 and gap(over["points"]
 END
 refuses 1 "--from-label first-frf.json#3: that is a result of another model, with another value of a" \
 	frf first.json --from 3 --to 0.9 --set a=0.06 --from-label first-frf.json#3
+works "every third point" frf pair.json --from 0.5 --to 2 --label-every 3 --json third.json -q
+works "events alone" frf pair.json --from 0.5 --to 2 --label-every 0 --json alone.json --tsv alone.tsv -q
+python "have a label, as asked for; the motions are the same" <<'END'
+import sys; sys.path.insert(0, ".")
+from lib import *
+tenth, third, alone = map(load, ("pair-frf", "third", "alone"))
+last = len(tenth["points"]) - 1
+for result, every in (tenth, 10), (third, 3), (alone, 0):
+    want = [i for i in range(last + 1) if every and (i % every == 0 or i == last)]
+    assert [i for i, p in enumerate(result["points"]) if "label" in p] == want
+    assert sorted(labels(result)) == list(range(1, len(want) + len(result["events"]) + 1))
+    assert [p["Omega"] for p in result["points"]] == [p["Omega"] for p in tenth["points"]]
+assert [e["label"] for e in alone["events"]] == [1, 2]
+assert "label 2" in open("alone.tsv").read()
+END
+works "a run from such a label" frf pair.json --from 0.5 --to 2 --from-label third.json#2 --json from-third.json -q
+works "a part of it" frf pair.json --from 0.5 --to 2 --label-every 0 --max-points 25 --json part.json -q
+works "goes on" frf pair.json --from 0.5 --to 2 --continue part.json --json on.json -q
+refuses 1 "--label-every -1: must be at least 0" frf pair.json --from 0.5 --to 2 --label-every -1
+works "the labels of --switch are those of the result" frf cascade.json --from 1.6 --to 0.7 --step 0.01 --label-every 0 \
+	--switch 1 --json switched.json -q
 done_testing
