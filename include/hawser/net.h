@@ -79,8 +79,8 @@ struct hawser_net {
 enum hawser_status hawser_net_open(struct hawser_net *net, const char *path,
                                    const char *const *set /* [nset] */, size_t nset,
                                    struct hawser_report *report) HAWSER_MUST_CHECK;
-/* 1 if this file is a scene of kind `net`: a line begins with "kind:" or "nodes:". "-", which can be
- * read once only, is none. */
+/* 1 if this file is a scene of kind `net`: a line begins with "kind:" or "nodes:". "-" and pipes, which
+ * can be read once only, are none. */
 int hawser_net_is(const char *path);
 void hawser_net_clear(struct hawser_net *net);
 

@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "core/report.h"
 #include "net/value.h"
@@ -380,9 +381,10 @@ static enum hawser_status slurp(char **text, size_t *length, const char *path,
 
 int hawser_net_is(const char *path)
 {
-	FILE *stream = strcmp(path, "-") != 0 ? fopen(path, "r") : NULL;
+	struct stat file;
+	int found = 0, begins = 1, whole = !stat(path, &file) && S_ISREG(file.st_mode);
+	FILE *stream = whole ? fopen(path, "r") : NULL;
 	char line[256];
-	int found = 0, begins = 1;
 
 	while (stream && !found && fgets(line, sizeof line, stream)) {
 		found = begins && (!strncmp(line, "kind:", 5) || !strncmp(line, "nodes:", 6));

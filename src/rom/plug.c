@@ -236,6 +236,18 @@ static enum hawser_status fill(struct hawser_rom *rom, const struct hawser_rom_p
 	return hawser_rom_compile(rom, report);
 }
 
+/* 1 if all of the model at rest are numbers. */
+static int is_finite(const struct hawser_rom_plug *plug, size_t n)
+{
+	double sum = 0.0;
+
+	for (size_t i = 0; i < n*n; i++)
+		sum += 0.0*plug->K[i] + 0.0*plug->D[i];
+	for (size_t i = 0; i < 2*HAWSER_PLUG_WAVES*n; i++)
+		sum += 0.0*plug->wave[i];
+	return sum == 0.0;
+}
+
 enum hawser_status hawser__plug_make(struct hawser_rom *rom, const struct hawser_rom_source *source,
                                      struct hawser_report *report)
 {
@@ -263,7 +275,7 @@ enum hawser_status hawser__plug_make(struct hawser_rom *rom, const struct hawser
 		plug->parameter[i] = source->parameter[i].value;
 	if (!status)
 		status = examine(of, plug->parameter, source->name, work, report);
-	if (!status && linearise(plug, of->n, work))
+	if (!status && (linearise(plug, of->n, work) || !is_finite(plug, n)))
 		status = hawser__fail(report, HAWSER_ERR_NAN, "rom",
 		                      "%s: its function has no value at rest", source->name);
 	if (!status)
@@ -281,11 +293,17 @@ enum hawser_status hawser_rom_source_plugin(struct hawser_rom_source *source,
 	enum hawser_status status = HAWSER_OK;
 
 	*source = (struct hawser_rom_source){.plugin = plugin};
-	if (!plugin || plugin->version != HAWSER_PLUGIN_VERSION)
+	if (!plugin)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+		                    "%s: its function hawser_plugin returned no struct hawser_plugin", name);
+	if (plugin->version != HAWSER_PLUGIN_VERSION)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
 		                    "%s is a library of version %d, and this program takes version "
-		                    "%d: compile it again", name, plugin ? plugin->version : 0,
-		                    HAWSER_PLUGIN_VERSION);
+		                    "%d: compile it again", name, plugin->version, HAWSER_PLUGIN_VERSION);
+	if (plugin->parameters > 0 && (!plugin->parameter || !plugin->value))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+		                    "%s has %d parameters, and no list of their names or of their values",
+		                    name, plugin->parameters);
 	if (plugin->n < 1 || plugin->n > MOST || plugin->parameters < 0 ||
 	    plugin->parameters > HAWSER_PARAMETERS || !plugin->acceleration)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",

@@ -66,7 +66,7 @@ refuses 1 "--from-label branches.json#16: that is a result of another model, wit
 refuses_like 1 "--model-library nothing.so: .*nothing.so" frf --model-library nothing.so
 refuses 1 "--model-library unnamed.so does not define hawser_plugin(), which hawser/plugin.h describes" \
 	frf --model-library unnamed.so
-refuses 1 "none.so is a library of version 0, and this program takes version 1: compile it again" \
+refuses 1 "none.so: its function hawser_plugin returned no struct hawser_plugin" \
 	frf --model-library none.so
 refuses_like 1 "wrong.so: by_u\[0\]\[0\] of its function is .*: correct the derivative" frf --model-library wrong.so
 refuses 1 "--model-library duffing.so is the model, and so is duffing.json: give one of them" \

@@ -93,6 +93,12 @@ static void check_refusals(void)
 	ok(hawser_rom_source_plugin(&source, &plugin, "pair", &report) == HAWSER_ERR_ARGUMENT &&
 	   strstr(report.message, "has the name \"2F\""), "%s", report.message);
 	plugin = plugin_of(2, pair);
+	plugin.value = NULL;
+	ok(hawser_rom_source_plugin(&source, &plugin, "pair", &report) == HAWSER_ERR_ARGUMENT &&
+	   strstr(report.message, "no list of their names or of their values"), "%s", report.message);
+	ok(hawser_rom_source_plugin(&source, NULL, "pair", &report) == HAWSER_ERR_ARGUMENT &&
+	   strstr(report.message, "returned no struct hawser_plugin"), "%s", report.message);
+	plugin = plugin_of(2, pair);
 	ok(!hawser_rom_source_plugin(&source, &plugin, "pair", &report) &&
 	   !hawser_rom_source_model(&rom, &source, &report), "right");
 	hawser_rom_source_set(&source, "G", 1.0, &known);
