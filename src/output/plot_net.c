@@ -11,7 +11,7 @@
 #define AZIMUTH 0.35  /* rad, about the vertical */
 #define ELEVATION 0.6 /* rad, above the horizon */
 #define DISTANCE 3.0  /* of the eye, over the size of the net */
-enum { NAMED = 30 };  /* most nodes whose names are shown */
+enum { NAMED = 30, FEW = 300 }; /* most nodes whose names are shown; that are drawn large */
 
 struct eye {
 	double middle[3], size, azimuth, elevation;
@@ -48,7 +48,9 @@ static void project(double to[2], const struct eye *eye, const double x[3])
 	to[1] = up*scale;
 }
 
-static void cable_data(FILE *script, const struct hawser_net_statics *st, const struct eye *eye)
+/* Tensions are in units of `per` newton. */
+static void cable_data(FILE *script, const struct hawser_net_statics *st, const struct eye *eye,
+                       double per)
 {
 	fputs("$cables << END\n", script);
 	for (int i = 0; i < st->points; i++) {
@@ -58,7 +60,7 @@ static void cable_data(FILE *script, const struct hawser_net_statics *st, const 
 		if (i > 0 && point->cable != st->point[i - 1].cable)
 			fputs("\n", script);
 		project(to, eye, point->x);
-		fprintf(script, "%.7g %.7g %.7g\n", to[0], to[1], point->T);
+		fprintf(script, "%.7g %.7g %.7g\n", to[0], to[1], point->T/per);
 	}
 	fputs("END\n", script);
 }
@@ -84,22 +86,29 @@ enum hawser_status hawser__plot_net(const char *path, const struct hawser_net *n
 	struct hawser__picture picture;
 	enum hawser_status status = hawser__picture_begin(&picture, path, 16.0, 9.5, report);
 	FILE *script = picture.script;
+	int few = st->nodes <= FEW;
+	double most = 0.0;
 	struct eye eye;
 
 	if (status)
 		return status;
 	look(&eye, st);
-	cable_data(script, st, &eye);
+	for (int c = 0; c < st->cables; c++)
+		most = fmax(most, st->member[c].T_max);
+	cable_data(script, st, &eye, most >= 1e4 ? 1e3 : 1.0);
 	node_data(script, net, st, &eye, 1);
 	node_data(script, net, st, &eye, 0);
 	hawser__picture_panel(&picture, 0.04, 0.86, 0.06, 0.96);
+	fprintf(script, "set cblabel 'Tension {/:Italic T} (%s)' offset 1, 0\n", most >= 1e4 ? "kN" : "N");
 	fputs("set size ratio -1\nunset border\nunset xtics\nunset ytics\nunset grid\nunset key\n"
 	      "set offsets graph 0.05, graph 0.05, graph 0.05, graph 0.05\n"
 	      "set palette defined (0 '#4575B4', 1 '#91BFDB', 2 '#FEE090', 3 '#FC8D59', 4 '#D73027')\n"
-	      "set colorbox user origin 0.88, 0.15 size 0.02, 0.7\nset cblabel 'Tension {/:Italic T} (N)' "
-	      "offset 1, 0\nplot $cables using 1:2:3 with lines lw 2 lc palette, "
-	      "$joints using 1:2 with points pt 7 ps 0.5 lc rgb 'black', "
-	      "$supports using 1:2 with points pt 9 ps 1.2 lc rgb 'black'", script);
+	      "set colorbox user origin 0.88, 0.15 size 0.02, 0.7\n", script);
+	fprintf(script, "plot $cables using 1:2:3 with lines lw %g lc palette, "
+	        "$supports using 1:2 with points pt 9 ps %g lc rgb 'black'", few ? 2.0 : 0.8,
+	        few ? 1.2 : 0.5);
+	if (few)
+		fputs(", $joints using 1:2 with points pt 7 ps 0.5 lc rgb 'black'", script);
 	if (st->nodes <= NAMED)
 		fputs(", $joints using 1:2:3 with labels offset 0.9, 0.6 font ',9' noenhanced"
 		      ", $supports using 1:2:3 with labels offset 0.9, 0.6 font ',9' noenhanced", script);
