@@ -4,7 +4,7 @@ dist_doc_DATA += \
 	%D%/glossary.md \
 	%D%/messages.md \
 	%D%/theory-beam.md \
-	%D%/theory-net-motion.md \
+	%D%/theory-net.md %D%/theory-net-motion.md \
 	%D%/theory-bending.md \
 	%D%/robustness.md \
 	%D%/theory-campbell.md \
