@@ -229,7 +229,7 @@ static void read_numbers(struct hawser_map_options *to, const struct settings *s
 	hawser_map_settle(to);
 	/* brackets that are narrower than cells would cost as much again as the points of a basin's map */
 	if (strcmp(settings->quantity, "basin") == 0 && !(settings->tolerance > 0.0))
-		to->tolerance = 1.0/(fmin(to->points[0], to->points[1]) - 1.0);
+		to->tolerance = fmin(0.5, 1.0/(fmin(to->points[0], to->points[1]) - 1.0));
 	to->threads = settings->threads;
 	to->strict = !settings->partial;
 	to->only_stable = settings->stable;

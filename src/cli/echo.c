@@ -7,15 +7,17 @@
 #include <stdio.h>
 #include <string.h>
 
+#include <hawser/net.h>
+
 #include "cli/cli.h"
 
 void cli_echo_table(struct hawser__table *table, const struct cli_common *common,
                     const char *command, const struct hawser_scene *scene, const char *method)
 {
-	int i;
+	int i, net = !scene && common->input && hawser_net_is(common->input);
 
 	hawser__table_comment(table, "hawser %s %s", hawser_version(), command);
-	hawser__table_remark(table, "%s: %s", scene ? "scene" : "model",
+	hawser__table_remark(table, "%s: %s", scene || net ? "scene" : "model",
 	                     scene && scene->name ? scene->name : common->input);
 	for (i = 0; i < common->sets; i++)
 		hawser__table_remark(table, "set: %s", common->set[i]);
@@ -181,18 +183,34 @@ static void echo_cases(struct hawser__json *json, json_t *echo, const struct haw
 	}
 }
 
+static void echo_net(struct hawser__json *json, json_t *echo, const struct cli_common *common)
+{
+	json_t *set;
+
+	hawser__json_text(json, echo, "kind", "net");
+	if (common->sets == 0)
+		return;
+	set = hawser__json_array(json, echo, "set");
+	for (int i = 0; i < common->sets; i++)
+		hawser__json_text(json, set, NULL, common->set[i]);
+}
+
 void cli_echo_json(struct hawser__json *json, const struct cli_common *common,
                    const char *command, const struct hawser_scene *scene)
 {
 	const struct hawser_scene_key *key;
 	json_t *echo;
+	int net;
 
 	hawser__json_begin(json);
 	hawser__json_text(json, json->root, "command", command);
 	hawser__json_text(json, json->root, "version", hawser_version());
 	echo = hawser__json_object(json, json->root, "scene");
-	hawser__json_text(json, echo, scene ? "name" : "model_file",
+	net = !scene && common->input && hawser_net_is(common->input);
+	hawser__json_text(json, echo, scene || net ? "name" : "model_file",
 	                  scene && scene->name ? scene->name : common->input);
+	if (net)
+		echo_net(json, echo, common);
 	if (!scene)
 		return;
 	for (int i = 0; !json->status && (key = hawser_scene_key(i)); i++)
