@@ -226,7 +226,7 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 			fprintf(script, " %.7g", motion->x[i*motion->probes + p][1]);
 		fputs("\n", script);
 	}
-	fputs("END\nset key above horizontal\n", script);
+	fputs("END\nset key at graph 1, graph 1.12 right center horizontal\n", script);
 	hawser__picture_panel(&picture, 0.15, 0.95, 0.61, 0.93);
 	hawser__picture_ylabel(&picture, "Height {/:Italic y} (m)");
 	fputs("plot ", script);
