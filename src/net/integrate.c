@@ -22,7 +22,7 @@ struct run {
 	double *state;           /* from a file, or NULL */
 	double h, step, every, tolerance; /* step 0: by the error */
 	double (*x)[3], *T;      /* [nodes], [elements] of a row */
-	struct hawser__table *table; /* [tables], until the motion owns them */
+	struct hawser__support_table *table; /* [tables], until the motion owns them */
 	int tables;
 };
 
@@ -45,7 +45,7 @@ void hawser_net_motion_clear(struct hawser_net_motion *motion)
 static void clear(struct run *run)
 {
 	for (int i = 0; i < run->tables; i++)
-		hawser__table_clear(&run->table[i]);
+		hawser__support_clear(&run->table[i]);
 	free(run->table);
 	free(run->state);
 	free(run->x);
@@ -65,11 +65,11 @@ static enum hawser_status tables(struct run *run, struct hawser_report *report)
 	if (!run->table)
 		return hawser__no_memory(report, "net");
 	for (int i = 0; i < net->nodes && !status; i++) {
-		struct hawser__table *table = &run->table[run->tables];
+		struct hawser__support_table *table = &run->table[run->tables];
 
 		if (!net->node[i].table)
 			continue;
-		status = hawser__table_read(table, net->node[i].table, report);
+		status = hawser__support_read(table, net->node[i].table, report);
 		if (status)
 			break;
 		table->node = i;
@@ -94,9 +94,9 @@ static void displace(struct run *run)
 		for (int k = 0; k < 3; k++)
 			mesh->q[mesh->motion[i].node][k] += mesh->motion[i].value[k]*cos(mesh->motion[i].phase);
 	for (int i = 0; i < run->tables; i++) {
-		struct hawser__table *table = &run->table[i];
+		struct hawser__support_table *table = &run->table[i];
 
-		hawser__table_at(table->from, rate, table, 0.0);
+		hawser__support_at(table->from, rate, table, 0.0);
 		for (int k = 0; k < 3; k++)
 			if (mesh->unknown[table->node][k] < 0)
 				mesh->q[table->node][k] += table->from[k];

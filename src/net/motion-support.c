@@ -46,10 +46,10 @@ void hawser__motion_supports(double (*x)[3], double (*v)[3], const struct hawser
 			}
 	}
 	for (int i = 0; i < motion->tables; i++) {
-		const struct hawser__table *table = &motion->table[i];
+		const struct hawser__support_table *table = &motion->table[i];
 		double here[3], rate[3];
 
-		hawser__table_at(here, rate, table, t);
+		hawser__support_at(here, rate, table, t);
 		for (int k = 0; k < 3; k++)
 			if (mesh->unknown[table->node][k] < 0) {
 				x[table->node][k] = here[k] - table->from[k];
@@ -58,7 +58,7 @@ void hawser__motion_supports(double (*x)[3], double (*v)[3], const struct hawser
 	}
 }
 
-void hawser__table_clear(struct hawser__table *table)
+void hawser__support_clear(struct hawser__support_table *table)
 {
 	free(table->t);
 	free(table->x);
@@ -67,7 +67,7 @@ void hawser__table_clear(struct hawser__table *table)
 }
 
 /* Second derivatives of the natural spline, by elimination; work [rows]. */
-static void spline(struct hawser__table *table, int k, double *work)
+static void spline(struct hawser__support_table *table, int k, double *work)
 {
 	const double *t = table->t;
 	int n = table->rows;
@@ -87,7 +87,7 @@ static void spline(struct hawser__table *table, int k, double *work)
 		table->curve[i][k] -= work[i]*table->curve[i + 1][k];
 }
 
-void hawser__table_at(double x[3], double v[3], const struct hawser__table *table, double t)
+void hawser__support_at(double x[3], double v[3], const struct hawser__support_table *table, double t)
 {
 	int low = 0, high = table->rows - 1;
 	double h, a, b;
@@ -112,7 +112,7 @@ void hawser__table_at(double x[3], double v[3], const struct hawser__table *tabl
 	}
 }
 
-static int grow(struct hawser__table *table, int *room)
+static int grow(struct hawser__support_table *table, int *room)
 {
 	int more = *room ? 2**room : 64;
 	double *t;
@@ -144,7 +144,7 @@ static int parse(double value[4], int *blank, char *line)
 	return *blank || *at == '\0';
 }
 
-static enum hawser_status rows(struct hawser__table *table, FILE *file, const char *path,
+static enum hawser_status rows(struct hawser__support_table *table, FILE *file, const char *path,
                                struct hawser_report *report)
 {
 	char line[512];
@@ -172,7 +172,7 @@ static enum hawser_status rows(struct hawser__table *table, FILE *file, const ch
 	return HAWSER_OK;
 }
 
-enum hawser_status hawser__table_read(struct hawser__table *table, const char *path,
+enum hawser_status hawser__support_read(struct hawser__support_table *table, const char *path,
                                       struct hawser_report *report)
 {
 	FILE *file = fopen(path, "r");
@@ -194,6 +194,6 @@ enum hawser_status hawser__table_read(struct hawser__table *table, const char *p
 		spline(table, k, work);
 	free(work);
 	if (status)
-		hawser__table_clear(table);
+		hawser__support_clear(table);
 	return status;
 }

@@ -33,7 +33,7 @@ void hawser__motion_clear(struct hawser__motion *motion)
 	free(motion->mass);
 	free(motion->point);
 	for (int i = 0; i < motion->tables; i++)
-		hawser__table_clear(&motion->table[i]);
+		hawser__support_clear(&motion->table[i]);
 	free(motion->table);
 	hawser__blocks_clear(motion->blocks);
 	memset(motion, 0, sizeof *motion);

@@ -80,16 +80,16 @@ enum hawser_status hawser__klu_solve(double (*r)[3], int *good, struct hawser__k
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* Displacement and velocity of a support from a table of times, by a natural cubic spline. */
-struct hawser__table {
+struct hawser__support_table {
 	int node, rows;
 	double *t;              /* [rows] s */
 	double (*x)[3], (*curve)[3]; /* [rows] m; second derivatives, m/s2 */
 	double from[3];         /* m: displacement of the reference */
 };
-enum hawser_status hawser__table_read(struct hawser__table *table, const char *path,
+enum hawser_status hawser__support_read(struct hawser__support_table *table, const char *path,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
-void hawser__table_at(double x[3], double v[3], const struct hawser__table *table, double t);
-void hawser__table_clear(struct hawser__table *table);
+void hawser__support_at(double x[3], double v[3], const struct hawser__support_table *table, double t);
+void hawser__support_clear(struct hawser__support_table *table);
 
 struct hawser__motion {
 	struct hawser__mesh *mesh;
@@ -113,7 +113,7 @@ struct hawser__motion {
 	double past_h, past2_h;      /* their lengths; 0: there was none */
 	double (*B)[9], (*mass)[2], *point; /* the matrix */
 	struct hawser__blocks *blocks;
-	struct hawser__table *table; /* [tables] */
+	struct hawser__support_table *table; /* [tables] */
 	int tables;
 	double scale;                /* N, of the terms of the residual */
 	struct hawser__motion_energy energy;

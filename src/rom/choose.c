@@ -205,9 +205,8 @@ static enum hawser_status check(const struct hawser_modes *modes, const struct h
 			                    scene->piece[i].harmonic);
 	if (!hawser__loaded(scene) && !(modes->statics.motion.swing > 0.0))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "choose",
-		                    "the scene has no load: which modes matter, a load and a range of "
-		                    "frequencies decide (motions of supports are not weighed); give a load, "
-		                    "or model.modes as a number");
+		                    "the scene has no load along the cable: which modes matter, a load and a "
+		                    "range of frequencies decide; give one, or model.modes as a number");
 	return HAWSER_OK;
 }
 
