@@ -174,7 +174,6 @@ static void json(struct hawser__json *json, const void *of)
 	const struct hawser_net_motion *motion = &result->motion;
 	json_t *into, *energy;
 
-	hawser__json_begin(json);
 	cli_echo_json(json, result->common, "integrate", NULL);
 	hawser__json_text(json, json->root, "scheme", motion->scheme);
 	hawser__json_numbers(json, json->root, "times", motion->time, motion->rows, 1.0);

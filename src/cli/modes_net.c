@@ -65,7 +65,6 @@ static void json(struct hawser__json *json, const void *of)
 	const struct hawser_net_modes *modes = &result->modes;
 	json_t *list, *stats;
 
-	hawser__json_begin(json);
 	cli_echo_json(json, result->common, "modes", NULL);
 	hawser__json_text(json, json->root, "method", "subspace iteration");
 	if (result->shapes)

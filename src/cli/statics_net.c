@@ -151,7 +151,6 @@ static void json(struct hawser__json *json, const void *of)
 	const struct hawser_net_statics *st = &result->st;
 	json_t *into;
 
-	hawser__json_begin(json);
 	cli_echo_json(json, result->common, "statics", NULL);
 	hawser__json_text(json, json->root, "method", st->method);
 	into = hawser__json_object(json, json->root, "nodes");
