@@ -204,6 +204,10 @@ sh "$SRCDIR/doc/figures-travel.sh" "$target/travel"
 # Spans with attachments and moving ends.
 sh "$SRCDIR/doc/figures-spans.sh" "$target/spans"
 
+# The equilibria of four bars; the picture of theory-net.md is a copy.
+"$hawser" statics "$scenes/net-bars.yaml" --equilibria 2000 -q --plot "$target/net-bars.svg"
+echo "$target/net-bars.svg"
+
 # Travelling beams: all figures of D chapter 9.
 sh "$SRCDIR/doc/figures-beam.sh" "$target/beam"
 

@@ -25,6 +25,7 @@ dist_scenes_DATA = \
 	%D%/scenes/b-table-5.5.yaml \
 	%D%/scenes/b-table-5.6.yaml \
 	%D%/scenes/bridge-stay.yaml \
+	%D%/scenes/net-bars.yaml \
 	%D%/scenes/net-table-3-1.yaml \
 	%D%/scenes/stay-anchorage.yaml \
 	%D%/scenes/stay-absorber.yaml \

@@ -13,7 +13,7 @@
 struct settings {
 	struct cli_common common;
 	const char *model, *from, *to, *method;
-	int profile, points, models, compatibility, speeds, cases;
+	int profile, points, models, compatibility, speeds, cases, equilibria;
 };
 static const struct settings defaults = {.points = 201};
 
@@ -23,17 +23,17 @@ static const struct cli_option options[] = {
 	{"models", 0, "", "table of all models and their errors against the catenary", CLI_FLAG(models)},
 	{"compatibility", 0, "", "table of epsilon, delta, eta and more over the tension",
 	 CLI_FLAG(compatibility)},
-	{"speeds", 0, "", "table of the steady state over the travel speed, for both holds",
-	 CLI_FLAG(speeds)},
+	{"speeds", 0, "", "table of the steady state over the speed, for both holds", CLI_FLAG(speeds)},
 	{"cases", 0, "", "table of the load cases of the scene", CLI_FLAG(cases)},
-	{"from", 0, "VALUE", "curves: lowest horizontal tension (delta = 4), or speed (0)",
-	 CLI_TEXT(from)},
+	{"from", 0, "VALUE", "curves: lowest horizontal tension (delta = 4), or speed (0)", CLI_TEXT(from)},
 	{"to", 0, "VALUE", "curves: highest tension (epsilon = 0.02), or speed (past the limit)",
 	 CLI_TEXT(to)},
 	{"points", 0, "N", "number of points of the profile or of the curves (201)", CLI_COUNT(points)},
 	{"method", 0, "NAME", "nets: automatic, interior-point, mixed, forces or catenary (automatic)",
 	 CLI_TEXT(method)},
 	{"profile", 0, "", "nets: table of points along the cables", CLI_FLAG(profile)},
+	{"equilibria", 0, "N", "nets: all equilibria of bars instead of cables, from N random starts",
+	 CLI_COUNT(equilibria)},
 	CLI_NO_OPTION,
 };
 
@@ -445,43 +445,43 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
 		                    "--points %d: at most %d points%s are possible", settings->points,
 		                    most, curves ? " of curves" : "");
-	if (settings->cases && (settings->models || settings->compatibility || settings->speeds ||
-	                        settings->model))
+	if (settings->cases && (curves || settings->model))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
-		                    "--cases is a table of its own: leave --%s out",
-		                    settings->models ? "models" : settings->speeds ? "speeds"
-		                    : settings->model ? "model" : "compatibility");
+		                    "--cases is a table of its own: leave --%s out", settings->models
+		                    ? "models" : settings->speeds ? "speeds" : settings->model ? "model"
+		                    : "compatibility");
 	return cli_outputs_check(&settings->common, report);
 }
 
 static const struct cli_showing showing = {
 	.head = head, .comments = comments, .more = rows, .fields = result_field, .draw = draw};
 
-/* A scene of kind net; options of spans do not go with it. */
 static enum hawser_status run_net(const struct settings *settings, struct hawser_report *report)
 {
 	const char *other = settings->model ? "model" : settings->models ? "models"
 		: settings->compatibility ? "compatibility" : settings->speeds ? "speeds"
-		: settings->cases ? "cases" : settings->from ? "from" : settings->to ? "to"
-		: settings->points != defaults.points ? "points" : NULL;
+		: settings->cases ? "cases" : settings->from ? "from" : settings->to ? "to" : NULL;
 
-	return other ? hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
-	                            "--%s is for spans, and this scene is a net", other)
-	             : cli_statics_net(&settings->common, settings->method, settings->profile, report);
+	if (other || settings->points != defaults.points)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
+		                    "--%s is for spans, and this scene is a net", other ? other : "points");
+	return settings->equilibria ? cli_equilibria_net(&settings->common, settings->equilibria, report)
+		: cli_statics_net(&settings->common, settings->method, settings->profile, report);
 }
 
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	const struct settings *settings = context;
 	struct result result = {.settings = settings, .points = settings->points};
+	const char *of_net = settings->method ? "method" : settings->profile ? "profile"
+		: settings->equilibria ? "equilibria" : NULL, *input = settings->common.input;
 	enum hawser_status status = check(settings, report);
 
-	if (!status && hawser_net_is(settings->common.input))
+	if (!status && hawser_net_is(input))
 		return run_net(settings, report);
-	if (!status && (settings->method || settings->profile))
+	if (!status && of_net)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
-		                      "--%s is for nets, and %s is no scene of a net",
-		                      settings->method ? "method" : "profile", settings->common.input);
+		                      "--%s is for nets, and %s is no scene of a net", of_net, input);
 	if (!status)
 		status = solve(&result, report);
 	if (!status)

@@ -36,6 +36,7 @@ hawser_SOURCES = \
 	%D%/cmd_rom.c \
 	%D%/cmd_statics.c \
 	%D%/statics_loaded.h \
+	%D%/equilibria_net.c \
 	%D%/statics_net.c \
 	%D%/statics_net.h \
 	%D%/statics_cases.c \

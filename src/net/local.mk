@@ -4,6 +4,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/catenary.h \
 	%D%/dual.c \
 	%D%/dual.h \
+	%D%/equilibria.c \
 	%D%/exact.c \
 	%D%/exact.h \
 	%D%/exact_solution.c \

@@ -29,6 +29,8 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/plot_damped.h \
 	%D%/plot_energy.c \
 	%D%/plot_folds.c \
+	%D%/plot_equilibria.c \
+	%D%/plot_equilibria.h \
 	%D%/plot_net.c \
 	%D%/plot_net.h \
 	%D%/plot_nnm.c %D%/plot_nnm.h \

@@ -29,6 +29,7 @@
 #include <hawser/map.h>
 #include <hawser/modes.h>
 #include <hawser/net.h>
+#include <hawser/net_equilibria.h>
 #include <hawser/net_modes.h>
 #include <hawser/net_motion.h>
 #include <hawser/normal_form.h>
@@ -183,6 +184,9 @@ static const struct row {
 	ROW(hawser_net_options),
 	ROW(hawser_net_point),
 	ROW(hawser_net_frame),
+	ROW(hawser_net_equilibrium),
+	ROW(hawser_net_equilibria),
+	ROW(hawser_net_equilibria_options),
 	ROW(hawser_net_modes),
 	ROW(hawser_net_motion),
 	ROW(hawser_net_motion_options),

@@ -87,4 +87,22 @@ refuses "two lengths" 1 "has length0 and sag" statics slack.yaml --set 'cables.a
 refuses "a million elements" 1 "elements need about" statics slack.yaml --set cables.c.elements=90000000
 refuses "a wrong key" 1 "unknown key" statics slack.yaml --set cables.a.EE=1
 refuses "a wrong name" 1 "there is no node Q" statics slack.yaml --set cables.a.from=Q
+
+bars=$SRCDIR/notebooks-data/scenes/net-bars.yaml
+works "bars" statics "$bars" --equilibria 2000 --tsv bars.tsv --json bars.json --plot bars.svg -q
+try "their number" grep -q '^# 13 equilibria from 2000 random starts' bars.tsv
+works "the same net of cables" statics "$bars" --json cables.json -q
+python "the equilibrium of the cables is the only one without compression" <<'END2'
+import json
+bars, cables = json.load(open("bars.json")), json.load(open("cables.json"))
+assert bars["bars"] == 4 and bars["unknowns"] == 9 and len(bars["equilibria"]) == 13
+taut = [one for one in bars["equilibria"] if one["compressed"] == 0]
+assert len(taut) == 1 and taut[0]["unstable"] == 0 and all(o["unstable"] for o in bars["equilibria"] if o != taut[0])
+for node, x in cables["nodes"].items():
+    assert max(abs(a - b) for a, b in zip(x, taut[0]["nodes"][node])) < 1e-9
+assert abs(taut[0]["energy"] - cables["energy"]) < 1e-12
+END2
+refuses "too many bars" 1 "the mesh has 4683 unknowns, and the search takes 1 to 90" statics "$net" --equilibria 10
+refuses "bars of a span" 1 "\--equilibria is for nets" statics "$SRCDIR/notebooks-data/scenes/chairlift.yaml" \
+	--equilibria 10
 done_testing
