@@ -1,7 +1,9 @@
 /* net/motion-chain.c - block elimination along chains, and the choice between it and KLU.
  *
  * A graph whose parts are paths is ordered along them: the matrix is then block tridiagonal with
- * 3x3 blocks, and elimination without fill costs some 200 operations a node.
+ * 3x3 blocks, and elimination without fill costs some 200 operations a node. They are done by rows of
+ * [block | right side], which are registers of four numbers, and from both ends of a path at once: each
+ * node waits for its neighbour, so that one chain of operations leaves most of a processor idle.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -10,16 +12,21 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/hot.h"
 #include "core/report.h"
 #include "net/motion.h"
+
+/* The rows of a 3x3 block, with a right side beside them. */
+struct rows {
+	hawser__vec x, y, z;
+};
 
 struct hawser__blocks {
 	int nodes;
 	int *node;        /* [nodes] in their order along the paths */
 	int *link;        /* [nodes] element from this place to the next; -1: a path ends here */
 	unsigned char *held; /* [nodes] by place; bit k: direction k is held */
-	double (*diagonal)[9], (*next)[9]; /* [nodes] factors, by place */
-	double (*y)[3];   /* [nodes] */
+	struct rows *factor; /* [nodes] by place: rows of [next | y], x = y - next*(x of the neighbour) */
 	struct hawser__klu *klu; /* NULL for chains */
 };
 
@@ -30,9 +37,7 @@ void hawser__blocks_clear(struct hawser__blocks *blocks)
 	free(blocks->node);
 	free(blocks->link);
 	free(blocks->held);
-	free(blocks->diagonal);
-	free(blocks->next);
-	free(blocks->y);
+	free(blocks->factor);
 	hawser__klu_clear(blocks->klu);
 	free(blocks);
 }
@@ -109,12 +114,9 @@ enum hawser_status hawser__blocks_open(struct hawser__blocks **made, const struc
 		blocks->node = calloc(n, sizeof *blocks->node);
 		blocks->link = calloc(n, sizeof *blocks->link);
 		blocks->held = calloc(n, 1);
-		blocks->diagonal = calloc(n, sizeof *blocks->diagonal);
-		blocks->next = calloc(n, sizeof *blocks->next);
-		blocks->y = calloc(n, sizeof *blocks->y);
+		blocks->factor = calloc(n, sizeof *blocks->factor);
 	}
-	if (!blocks || !touch || !blocks->node || !blocks->link || !blocks->held || !blocks->diagonal ||
-	    !blocks->next || !blocks->y)
+	if (!blocks || !touch || !blocks->node || !blocks->link || !blocks->held || !blocks->factor)
 		status = hawser__no_memory(report, "net");
 	else if (!arrange(blocks, touch, mesh))
 		status = hawser__klu_open(&blocks->klu, mesh, report);
@@ -126,117 +128,146 @@ enum hawser_status hawser__blocks_open(struct hawser__blocks **made, const struc
 	return status;
 }
 
-/* inverse = 1/m, by cofactors; 0 if m is singular. */
-static int invert(double inverse[9], const double m[9])
-{
-	double a = m[4]*m[8] - m[5]*m[7], b = m[5]*m[6] - m[3]*m[8], c = m[3]*m[7] - m[4]*m[6];
-	double det = m[0]*a + m[1]*b + m[2]*c, f = 1.0/det;
+struct problem {
+	struct hawser__blocks *blocks;
+	double (*r)[3];
+	const double (*B)[9], (*mass)[2], *point;
+};
 
-	inverse[0] = a*f;
-	inverse[3] = b*f;
-	inverse[6] = c*f;
-	inverse[1] = (m[2]*m[7] - m[1]*m[8])*f;
-	inverse[4] = (m[0]*m[8] - m[2]*m[6])*f;
-	inverse[7] = (m[1]*m[6] - m[0]*m[7])*f;
-	inverse[2] = (m[1]*m[5] - m[2]*m[4])*f;
-	inverse[5] = (m[2]*m[3] - m[0]*m[5])*f;
-	inverse[8] = (m[0]*m[4] - m[1]*m[3])*f;
-	return isfinite(f) && det != 0.0;
+/* The rows of `at` of held directions are those of the unit matrix, with r beside them. */
+HAWSER_PART void hold(struct rows *at, unsigned char held, const double *r)
+{
+	if (held & 1U)
+		at->x = (hawser__vec){1.0, 0.0, 0.0, r[0]};
+	if (held & 2U)
+		at->y = (hawser__vec){0.0, 1.0, 0.0, r[1]};
+	if (held & 4U)
+		at->z = (hawser__vec){0.0, 0.0, 1.0, r[2]};
 }
 
-static inline void multiply(double out[9], const double a[9], const double b[9])
+/* The transposed cofactors c of the block, row by row; returns the determinant. */
+HAWSER_PART double adjugate(double c[9], const struct rows *m)
 {
-	for (int i = 0; i < 3; i++)
-		for (int j = 0; j < 3; j++)
-			out[3*i + j] = a[3*i]*b[j] + a[3*i + 1]*b[3 + j] + a[3*i + 2]*b[6 + j];
+	const hawser__vec x = m->x, y = m->y, z = m->z;
+
+	c[0] = y[1]*z[2] - y[2]*z[1];
+	c[3] = y[2]*z[0] - y[0]*z[2];
+	c[6] = y[0]*z[1] - y[1]*z[0];
+	c[1] = x[2]*z[1] - x[1]*z[2];
+	c[4] = x[0]*z[2] - x[2]*z[0];
+	c[7] = x[1]*z[0] - x[0]*z[1];
+	c[2] = x[1]*y[2] - x[2]*y[1];
+	c[5] = x[2]*y[0] - x[0]*y[2];
+	c[8] = x[0]*y[1] - x[1]*y[0];
+	return x[0]*c[0] + x[1]*c[3] + x[2]*c[6];
 }
 
-static inline void apply(double out[3], const double a[9], const double x[3])
+/* Eliminate the node at a place, whose neighbour is across element e: rest is what the nodes before
+ * have left to it, and then what is left to the neighbour. Returns the determinant. The rows are
+ * variables without index, so that they are in registers: to store single numbers and load them as one
+ * register stalls a processor. */
+HAWSER_PART double step(struct rows *rest, const struct problem *of, int place, int e)
 {
-	for (int i = 0; i < 3; i++)
-		out[i] = a[3*i]*x[0] + a[3*i + 1]*x[1] + a[3*i + 2]*x[2];
+	const struct hawser__blocks *blocks = of->blocks;
+	const int node = blocks->node[place];
+	const double *r = of->r[node], *B = of->B[e], near = of->mass[e][0], far = of->mass[e][1];
+	const double own = near + of->point[node];
+	struct rows here, off, factor;
+	double c[9], det, inverse;
+
+	here.x = rest->x + (hawser__vec){B[0] + own, B[1], B[2], r[0]};
+	here.y = rest->y + (hawser__vec){B[3], B[4] + own, B[5], r[1]};
+	here.z = rest->z + (hawser__vec){B[6], B[7], B[8] + own, r[2]};
+	if (blocks->held[place])
+		hold(&here, blocks->held[place], r);
+	off.x = (hawser__vec){far, 0.0, 0.0, here.x[3]} - (hawser__vec){B[0], B[1], B[2], 0.0};
+	off.y = (hawser__vec){0.0, far, 0.0, here.y[3]} - (hawser__vec){B[3], B[4], B[5], 0.0};
+	off.z = (hawser__vec){0.0, 0.0, far, here.z[3]} - (hawser__vec){B[6], B[7], B[8], 0.0};
+	if (blocks->held[place] & 1U)
+		off.x = (hawser__vec){0.0, 0.0, 0.0, r[0]};
+	if (blocks->held[place] & 2U)
+		off.y = (hawser__vec){0.0, 0.0, 0.0, r[1]};
+	if (blocks->held[place] & 4U)
+		off.z = (hawser__vec){0.0, 0.0, 0.0, r[2]};
+	det = adjugate(c, &here);
+	inverse = 1.0/det;
+	factor.x = (c[0]*off.x + c[1]*off.y + c[2]*off.z)*inverse;
+	factor.y = (c[3]*off.x + c[4]*off.y + c[5]*off.z)*inverse;
+	factor.z = (c[6]*off.x + c[7]*off.y + c[8]*off.z)*inverse;
+	blocks->factor[place] = factor;
+	rest->x = (hawser__vec){B[0] + near, B[1], B[2], 0.0} +
+	          ((B[0] - far)*factor.x + B[1]*factor.y + B[2]*factor.z);
+	rest->y = (hawser__vec){B[3], B[4] + near, B[5], 0.0} +
+	          (B[3]*factor.x + (B[4] - far)*factor.y + B[5]*factor.z);
+	rest->z = (hawser__vec){B[6], B[7], B[8] + near, 0.0} +
+	          (B[6]*factor.x + B[7]*factor.y + (B[8] - far)*factor.z);
+	return det;
 }
 
-/* Rows of held directions: those of the unit matrix, or zero beside it. */
-static void mask(double m[9], unsigned char held, double one)
+/* The middle of a path: x = its displacement. */
+HAWSER_PART double middle(const struct rows *one, const struct rows *other, const struct problem *of,
+                          int place)
 {
+	const int node = of->blocks->node[place];
+	const double own = of->point[node];
+	double *x = of->r[node], c[9], det, right[3];
+	struct rows here;
+
+	here.x = one->x + other->x + (hawser__vec){own, 0.0, 0.0, x[0]};
+	here.y = one->y + other->y + (hawser__vec){0.0, own, 0.0, x[1]};
+	here.z = one->z + other->z + (hawser__vec){0.0, 0.0, own, x[2]};
+	if (of->blocks->held[place])
+		hold(&here, of->blocks->held[place], x);
+	det = adjugate(c, &here);
+	right[0] = here.x[3]/det;
+	right[1] = here.y[3]/det;
+	right[2] = here.z[3]/det;
 	for (int k = 0; k < 3; k++)
-		for (int j = 0; held & (1U << k) && j < 3; j++)
-			m[3*k + j] = j == k ? one : 0.0;
+		x[k] = c[3*k]*right[0] + c[3*k + 1]*right[1] + c[3*k + 2]*right[2];
+	return det;
 }
 
-/* Add the share of element e to the blocks at both its ends; off gets what couples them. */
-static inline void share(double here[9], double there[9], double off[9], const double B[9],
-                         const double mass[2])
+/* x of a place from that of its neighbour. */
+HAWSER_PART void back(double x[3], const struct hawser__blocks *blocks, int place,
+                      const double neighbour[3])
 {
-	for (int k = 0; k < 9; k++) {
-		here[k] += B[k];
-		there[k] = B[k];
-		off[k] = -B[k];
-	}
-	for (int k = 0; k < 9; k += 4) {
-		here[k] += mass[0];
-		there[k] += mass[0];
-		off[k] += mass[1];
-	}
+	const struct rows *row = &blocks->factor[place];
+	const double a = neighbour[0], b = neighbour[1], c = neighbour[2];
+
+	x[0] = row->x[3] - (row->x[0]*a + row->x[1]*b + row->x[2]*c);
+	x[1] = row->y[3] - (row->y[0]*a + row->y[1]*b + row->y[2]*c);
+	x[2] = row->z[3] - (row->z[0]*a + row->z[1]*b + row->z[2]*c);
 }
 
-static void back(double (*r)[3], const struct hawser__blocks *blocks)
+static int usable(double det)
 {
-	for (int i = blocks->nodes - 1; i >= 0; i--) {
-		double *x = r[blocks->node[i]], before[3];
-
-		for (int k = 0; k < 3; k++)
-			x[k] = blocks->y[i][k];
-		if (blocks->link[i] < 0)
-			continue;
-		apply(before, blocks->next[i], r[blocks->node[i + 1]]);
-		for (int k = 0; k < 3; k++)
-			x[k] -= before[k];
-	}
+	return isfinite(1.0/det) && det != 0.0;
 }
 
-static int eliminate(double (*r)[3], struct hawser__blocks *blocks, const double (*B)[9],
-                     const double (*mass)[2], const double *point)
+/* A path from both its ends to its middle: two chains of operations that do not wait for each other. */
+HAWSER_HOT
+static int eliminate(const struct problem *of, int first, int last)
 {
-	double here[9] = {0}, there[9] = {0}, right[3] = {0};
-	int linked = 0;
+	const struct hawser__blocks *blocks = of->blocks;
+	const int half = first + (last - first)/2;
+	const hawser__vec zero = {0.0};
+	struct rows low = {zero, zero, zero}, high = low;
+	int good = 1;
 
-	for (int i = 0; i < blocks->nodes; i++) {
-		const int node = blocks->node[i], e = blocks->link[i];
-		double off[9], lower[9], product[9], less[3];
-
-		for (int k = 0; k < 9; k++)
-			here[k] = linked ? there[k] : 0.0;
-		for (int k = 0; k < 3; k++) {
-			here[4*k] += point[node];
-			right[k] = r[node][k] - (linked ? right[k] : 0.0);
-		}
-		if (e >= 0)
-			share(here, there, off, B[e], mass[e]);
-		if (linked) /* less what the elimination of the node before has left */
-			for (int k = 0; k < 9; k++)
-				here[k] -= blocks->diagonal[i][k];
-		if (blocks->held[i])
-			mask(here, blocks->held[i], 1.0);
-		if (!invert(product, here))
-			return 0;
-		apply(blocks->y[i], product, right);
-		linked = e >= 0;
-		if (!linked)
-			continue;
-		memcpy(lower, off, sizeof lower);
-		if (blocks->held[i])
-			mask(off, blocks->held[i], 0.0);
-		if (blocks->held[i + 1])
-			mask(lower, blocks->held[i + 1], 0.0);
-		multiply(blocks->next[i], product, off);
-		multiply(blocks->diagonal[i + 1], lower, blocks->next[i]);
-		apply(less, lower, blocks->y[i]);
-		memcpy(right, less, sizeof right);
+	for (int i = first, j = last; i < half || j > half; i++, j--) {
+		if (i < half)
+			good &= usable(step(&low, of, i, blocks->link[i]));
+		if (j > half)
+			good &= usable(step(&high, of, j, blocks->link[j - 1]));
 	}
-	back(r, blocks);
-	return 1;
+	good &= usable(middle(&low, &high, of, half));
+	for (int i = half - 1, j = half + 1; i >= first || j <= last; i--, j++) {
+		if (i >= first)
+			back(of->r[blocks->node[i]], blocks, i, of->r[blocks->node[i + 1]]);
+		if (j <= last)
+			back(of->r[blocks->node[j]], blocks, j, of->r[blocks->node[j - 1]]);
+	}
+	return good;
 }
 
 enum hawser_status hawser__blocks_solve(double (*r)[3], int *good, struct hawser__blocks *blocks,
@@ -244,8 +275,15 @@ enum hawser_status hawser__blocks_solve(double (*r)[3], int *good, struct hawser
                                         const double *point,
                                         struct hawser_report *report)
 {
+	const struct problem of = {.blocks = blocks, .r = r, .B = B, .mass = mass, .point = point};
+
 	if (blocks->klu)
 		return hawser__klu_solve(r, good, blocks->klu, B, mass, point, report);
-	*good = eliminate(r, blocks, B, mass, point);
+	*good = 1;
+	for (int first = 0, last; first < blocks->nodes && *good; first = last + 1) {
+		for (last = first; blocks->link[last] >= 0;)
+			last++;
+		*good = eliminate(&of, first, last);
+	}
 	return HAWSER_OK;
 }

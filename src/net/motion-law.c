@@ -12,11 +12,23 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/hot.h"
 #include "net/motion.h"
 
 static inline double dot(const double a[3], const double b[3])
 {
 	return a[0]*b[0] + a[1]*b[1] + a[2]*b[2];
+}
+
+/* fmax is a call of the C library, which a loop over elements feels. */
+static inline double larger(double a, double b)
+{
+	return a > b ? a : b;
+}
+
+static inline double smaller(double a, double b)
+{
+	return a < b ? a : b;
 }
 
 /* What the mass of an element makes of the vectors at its ends. */
@@ -31,6 +43,7 @@ static inline double stretch(double *p, const struct hawser__motion_element *el,
 {
 	double l = sqrt(dot(d, d)), sum = l + el->l_ref, more = 0.0;
 
+	HAWSER_UNROLL
 	for (int k = 0; k < 3; k++)
 		more += (el->D[k] + d[k])*delta[k];
 	*p = el->p_ref + (sum > 0.0 ? more/sum : 0.0);
@@ -52,12 +65,12 @@ static void discrete(struct forces *f, const struct hawser__motion_element *el)
 		f->gradient = 0.5*k*(p0 + p1);
 		f->slope = 0.5*k;
 	} else if (p1 > 0.0) { /* l1 - l0 >= p1 */
-		double ratio = fmin(p1/f->dl, 1.0);
+		double ratio = smaller(p1/f->dl, 1.0);
 
 		f->gradient = 0.5*k*p1*ratio;
 		f->slope = k*ratio*(1.0 - 0.5*ratio);
 	} else if (p0 > 0.0) {
-		double ratio = fmin(-p0/f->dl, 1.0);
+		double ratio = smaller(-p0/f->dl, 1.0);
 
 		f->gradient = 0.5*k*p0*ratio;
 		f->slope = 0.5*k*ratio*ratio;
@@ -75,7 +88,7 @@ static inline void forces(struct forces *f, const struct hawser__motion_element 
 		f->end_slope = rule->weight*el->k;
 	}
 	if (el->c > 0.0 && (el->p > 0.0 || el->p1 > 0.0)) {
-		double rate = (fmax(el->p1, 0.0) - fmax(el->p, 0.0))/h;
+		double rate = (larger(el->p1, 0.0) - larger(el->p, 0.0))/h;
 		double whole = f->gradient + f->end + el->c*rate;
 
 		if (whole < 0.0) {
@@ -88,68 +101,74 @@ static inline void forces(struct forces *f, const struct hawser__motion_element 
 	}
 }
 
-/* Vector, length and stretch of an element at the end of the step. */
-static inline void move(struct hawser__motion_element *el, double d1[3], const double *xa,
-                        const double *xb)
+/* Vector, length and stretch of an element at the end of the step. Over all elements before anything
+ * else: roots and divisions of several elements are then under way at once. */
+static inline void move(struct hawser__motion_element *el, const double *xa, const double *xb)
 {
-	double delta[3];
+	double delta[3], d1[3], sum;
 
+	HAWSER_UNROLL
 	for (int k = 0; k < 3; k++) {
 		delta[k] = el->delta[k] + (xb[k] - xa[k]);
 		d1[k] = el->D[k] + delta[k];
 	}
+	memcpy(el->d1, d1, sizeof d1);
 	el->l1 = stretch(&el->p1, el, delta, d1);
+	sum = el->l + el->l1;
+	el->inverse = sum > 0.0 ? 1.0/sum : 0.0;
+	el->inverse1 = el->l1 > 0.0 ? 1.0/el->l1 : 0.0;
 }
 
-static void block(double B[9], const struct forces *f, const double g[3], const double e1[3],
-                  double sum, double l1)
+static inline void block(double B[9], const struct hawser__motion_element *el, const struct forces *f,
+                         const double g[3], const double e1[3])
 {
-	double round = (sum > 0.0 ? f->gradient/sum : 0.0) + (l1 > 0.0 ? f->end/l1 : 0.0);
-	double skew = f->slope - (sum > 0.0 ? f->gradient/sum : 0.0);
-	double along = f->end_slope - (l1 > 0.0 ? f->end/l1 : 0.0);
+	double middle = f->gradient*el->inverse, last = f->end*el->inverse1, round = middle + last;
+	double skew = f->slope - middle, along = f->end_slope - last;
 
+	HAWSER_UNROLL
 	for (int i = 0; i < 3; i++) {
+		HAWSER_UNROLL
 		for (int j = 0; j < 3; j++)
 			B[3*i + j] = (skew*g[i] + along*e1[i])*e1[j];
 		B[4*i] += round;
 	}
 }
 
-static double element(struct hawser__motion *motion, int number, const struct hawser__motion_rule *rule,
-                      double h, int tangent)
+static inline double element(struct hawser__motion *motion, int number,
+                             const struct hawser__motion_rule *rule, double h, int tangent)
 {
 	struct hawser__motion_element *el = &motion->element[number];
 	const double *xa = motion->x[el->a], *xb = motion->x[el->b];
 	const double *ya = motion->acc[el->a], *yb = motion->acc[el->b];
 	const double *wa = motion->vel[el->a], *wb = motion->vel[el->b];
-	double d1[3], g[3], e1[3], sum, most = 0.0, *ra = motion->r[el->a], *rb = motion->r[el->b];
-	const double far = motion->far, near = 0.5 - far;
+	double g[3], e1[3], most, *ra = motion->r[el->a], *rb = motion->r[el->b];
+	const double far = motion->far, near = 0.5 - far, part = rule->weight < 0.0 ? 1.0 : rule->weight;
 	struct forces f;
 
-	move(el, d1, xa, xb);
-	sum = el->l + el->l1;
+	HAWSER_UNROLL
 	for (int k = 0; k < 3; k++) {
-		g[k] = sum > 0.0 ? (el->d[k] + d1[k])/sum : 0.0;
-		e1[k] = el->l1 > 0.0 ? d1[k]/el->l1 : 0.0;
+		g[k] = (el->d[k] + el->d1[k])*el->inverse;
+		e1[k] = el->d1[k]*el->inverse1;
 	}
 	f.dl = g[0]*(xb[0] - xa[0]) + g[1]*(xb[1] - xa[1]) + g[2]*(xb[2] - xa[2]);
 	forces(&f, el, rule, h);
 	el->T1 = f.gradient + f.end;
+	most = fabs(el->T1);
+	HAWSER_UNROLL
 	for (int k = 0; k < 3; k++) {
-		double F = f.gradient*g[k] + f.end*e1[k] -
-		           (rule->weight < 0.0 ? 1.0 : rule->weight)*el->F_ref[k];
+		double F = f.gradient*g[k] + f.end*e1[k] - part*el->F_ref[k];
 		double a = el->m*ya[k] + el->drag*wa[k], b = el->m*yb[k] + el->drag*wb[k];
 
 		ra[k] += near*a + far*b - F;
 		rb[k] += near*b + far*a + F;
-		most = fmax(most, fabs(F) + fabs(a) + fabs(b));
+		most = larger(fabs(F) + fabs(a) + fabs(b), most);
 	}
 	if (tangent) {
-		block(motion->B[number], &f, g, e1, sum, el->l1);
+		block(motion->B[number], el, &f, g, e1);
 		motion->mass[number][0] = (rule->m[0]*el->m + rule->c[0]*el->drag)*(0.5 - motion->far);
 		motion->mass[number][1] = (rule->m[0]*el->m + rule->c[0]*el->drag)*motion->far;
 	}
-	return fmax(most, fabs(el->T1));
+	return most;
 }
 
 void hawser__motion_residual(struct hawser__motion *motion, const struct hawser__motion_rule *rule,
@@ -160,6 +179,7 @@ void hawser__motion_residual(struct hawser__motion *motion, const struct hawser_
 	for (int i = 0; i < motion->nodes; i++) {
 		const int *free = motion->mesh->unknown[i];
 
+		HAWSER_UNROLL
 		for (int k = 0; k < 3; k++) {
 			double x = motion->x[i][k], v = motion->v0[i][k], a = motion->a0[i][k];
 
@@ -173,7 +193,9 @@ void hawser__motion_residual(struct hawser__motion *motion, const struct hawser_
 			motion->point[i] = rule->m[0]*motion->mesh->mass[i];
 	}
 	for (int e = 0; e < motion->elements; e++)
-		most = fmax(most, element(motion, e, rule, h, tangent));
+		move(&motion->element[e], motion->x[motion->element[e].a], motion->x[motion->element[e].b]);
+	for (int e = 0; e < motion->elements; e++)
+		most = larger(element(motion, e, rule, h, tangent), most);
 	motion->scale = most;
 }
 
@@ -225,11 +247,11 @@ void hawser__motion_prepare(struct hawser__motion *motion, const struct hawser__
  * l_ref both taut it is k*s^2/2 + k*p_ref*(delta^2 - s^2)/(2*l_ref), without cancellation. */
 static double strain_of(const struct hawser__motion_element *el, double p, const double delta[3])
 {
-	double rest = fmax(el->p_ref, 0.0), s = p - el->p_ref;
+	double rest = larger(el->p_ref, 0.0), s = p - el->p_ref;
 
 	if (p > 0.0 && rest > 0.0)
 		return 0.5*el->k*(s*s + rest*(dot(delta, delta) - s*s)/el->l_ref);
-	p = fmax(p, 0.0);
+	p = larger(p, 0.0);
 	return 0.5*el->k*(p - rest)*(p + rest) - dot(el->F_ref, delta);
 }
 
@@ -295,7 +317,7 @@ void hawser__motion_account(struct hawser__motion *motion, const struct hawser__
 	for (int e = 0; e < motion->elements; e++) {
 		const struct hawser__motion_element *el = &motion->element[e];
 		const double *xa = motion->x[el->a], *xb = motion->x[el->b];
-		double p0 = fmax(el->p, 0.0), p1 = fmax(el->p1, 0.0), dl = el->p1 - el->p, T = 0.0;
+		double p0 = larger(el->p, 0.0), p1 = larger(el->p1, 0.0), dl = el->p1 - el->p, T = 0.0;
 
 		lost += el->drag/h*square(motion, xa, xb);
 		if (el->c > 0.0 && (p0 > 0.0 || p1 > 0.0)) {
@@ -338,7 +360,7 @@ int hawser__motion_tensions(double *T, const struct hawser__motion *motion)
 			d[k] = el->D[k] + delta[k];
 		}
 		(void)stretch(&p, el, delta, d);
-		T[e] = el->k*fmax(p, 0.0);
+		T[e] = el->k*larger(p, 0.0);
 		slack += p < 0.0;
 	}
 	return slack;

@@ -17,10 +17,13 @@
 
 void hawser__motion_waves(double (*wave)[3], const struct hawser__mesh *mesh, double t, double factor)
 {
+	double f = 0.0;
+
 	for (int i = 0; i < mesh->waves; i++) {
 		const struct hawser__mesh_wave *from = &mesh->wave[i];
-		double f = factor*cos(from->Omega*t + from->phase);
 
+		if (i == 0 || from->Omega != from[-1].Omega || from->phase != from[-1].phase)
+			f = factor*cos(from->Omega*t + from->phase); /* once for all nodes of a cable */
 		for (int k = 0; k < 3; k++)
 			wave[from->node][k] += f*from->value[k];
 	}

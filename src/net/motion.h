@@ -30,6 +30,7 @@ struct hawser__motion_element {
 	double k, c, m, drag;     /* N/m; N s/m (Kelvin-Voigt); kg; kg/s */
 	double d[3], delta[3], l, p; /* at the beginning of the step */
 	double l1, p1, T1;        /* at its end; T1 is the mean of the step if the scheme keeps energy */
+	double d1[3], inverse, inverse1; /* at its end: vector; 1/(l + l1) and 1/l1, 0 for length 0 */
 };
 
 /* How a scheme makes a step of length h. With v, a at its beginning:
