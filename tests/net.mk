@@ -21,3 +21,9 @@ tests_reference_test_net_modes_SOURCES = tests/reference/test-net-modes.c
 tests_reference_test_net_modes_LDADD = $(UPTO_NET)
 tests_property_test_net_steps_SOURCES = tests/property/test-net-steps.c
 tests_property_test_net_steps_LDADD = $(UPTO_NET)
+
+NET_SPAN_TESTS = tests/property/test-net-span
+check_PROGRAMS += $(NET_SPAN_TESTS)
+TESTS += $(NET_SPAN_TESTS)
+tests_property_test_net_span_SOURCES = tests/property/test-net-span.c
+tests_property_test_net_span_LDADD = $(UPTO_ROM)

@@ -49,6 +49,8 @@ struct hawser_net_load {
 	double value[3];    /* N of a node, N/m of a cable per unstretched length; of a motion m */
 	int harmonic;       /* 0: constant; 1: value*cos(Omega*t + phase) */
 	double Omega, phase;
+	double (*along)[3]; /* [elements + 1] N: a harmonic load of a cable on the nodes of its mesh, from
+	                     * end to end, in place of value; or NULL. Owned by the net */
 };
 
 /* What `dynamics` asks for, for time integration. */
@@ -69,7 +71,8 @@ struct hawser_net {
 	struct hawser_net_load *load;   /* [loads] */
 	struct hawser_net_load *motion; /* [motions] of supports */
 	int nodes, cables, loads, motions;
-	int *order;         /* [nodes + cables] numbers of the nodes, then of the cables, by name */
+	int *order;         /* [nodes + cables] numbers of the nodes, then of the cables, by name; NULL if
+	                     * the net is not from a scene of its kind */
 	double alpha;       /* viscous force per unstretched length and velocity, kg/(m s) */
 	double axial;       /* Kelvin-Voigt: T = EA*(strain + axial*its rate), s */
 	struct hawser_net_dynamics dynamics;

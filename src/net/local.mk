@@ -30,6 +30,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/solution.c \
 	%D%/solution.h \
 	%D%/solve.h \
+	%D%/span.c \
 	%D%/sparse.c \
 	%D%/statics.c \
 	%D%/tree.c \

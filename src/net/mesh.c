@@ -189,7 +189,8 @@ static void load(struct hawser__mesh *mesh, const struct hawser_net_load *from)
 			*wave = (struct hawser__mesh_wave){.node = at, .Omega = from->Omega,
 			                                   .phase = from->phase};
 		for (int k = 0; k < 3; k++)
-			*(from->harmonic ? &wave->value[k] : &mesh->force[at][k]) += half*from->value[k];
+			*(from->harmonic ? &wave->value[k] : &mesh->force[at][k]) +=
+				from->along ? from->along[i][k] : half*from->value[k];
 		mesh->waves += from->harmonic;
 	}
 }

@@ -13,6 +13,8 @@ void hawser_net_clear(struct hawser_net *net)
 		return;
 	for (int i = 0; i < net->nodes; i++)
 		free(net->node[i].table);
+	for (int i = 0; i < net->loads; i++)
+		free(net->load[i].along);
 	free(net->name);
 	free(net->node);
 	free(net->cable);

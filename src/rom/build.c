@@ -63,7 +63,7 @@ static enum hawser_status set_load(struct hawser_rom *rom, const struct hawser_m
 		struct hawser_harmonic *h = &rom->harmonic[rom->harmonics++];
 
 		h->k = loads->k[i];
-		h->phase = loads->wave[i];
+		h->phase = loads->sine[i] ? HAWSER_SIN : HAWSER_COS;
 		h->f = malloc((size_t)rom->n*sizeof *h->f);
 		if (!h->f)
 			return hawser__no_memory(report, "rom");

@@ -87,7 +87,7 @@ void hawser__load_pull(struct hawser__stations *stations, const struct hawser__l
 	memset(stations->p, 0, 3*(size_t)stations->count*sizeof *stations->p);
 	memset(stations->beyond, 0, sizeof stations->beyond);
 	for (int i = 0; i < loads->count; i++)
-		if (loads->piece[i].harmonic[loads->wave[h] == HAWSER_SIN] == h)
+		if (loads->piece[i].harmonic[loads->sine[h]] == h)
 			pull_one(stations, &loads->piece[i], loads, h);
 }
 

@@ -1,46 +1,10 @@
-/* rom/load.h - the varying load of a scene in parts: see load.c.
+/* rom/load.h - the varying load of a scene as forces on modes: see load.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_ROM_LOAD_H
 #define HAWSER_ROM_LOAD_H
 
 #include <hawser/rom.h>
-
-enum { HAWSER__PIECES = HAWSER_LOADS_MAX + 1 };
-
-/* A force per length f cos(k tau + phase - kappa s) between two scaled arclengths, or at a point. */
-struct hawser__piece {
-	enum hawser_frame frame;
-	double f[3];        /* N/m; at a point, as if spread over the length unit (`scale` of the loads) */
-	double from, to;    /* scaled arclength; equal: a force at this point */
-	double phase, kappa;
-	int harmonic[2];    /* index in the loads' harmonics of its cosine and its sine part, -1: none */
-};
-
-struct hawser__loads {
-	int count, harmonics;
-	struct hawser__piece piece[HAWSER__PIECES];
-	int k[2*HAWSER__PIECES];
-	enum hawser_phase wave[2*HAWSER__PIECES]; /* [harmonics] of k: the first harmonics of a model */
-	int cuts;
-	double *cut;        /* [cuts] ascending: begins, ends and points of the pieces, and as many points
-	                     * of waves as their phase requires; owned */
-	double scale;       /* converts the work of f in N/m over scaled lengths to a scaled force */
-};
-
-/* 1 if the scene has a varying load. */
-int hawser__loaded(const struct hawser_scene *scene);
-
-/* The load of the scene in pieces: the section load, then the list loads; scene NULL: none.
- * HAWSER_ERR_SCENE: a place that is not on the cable, a wave that is too short. */
-enum hawser_status hawser__loads_make(struct hawser__loads *loads, const struct hawser_statics *st,
-                                      const struct hawser_scene *scene,
-                                      struct hawser_report *report) HAWSER_MUST_CHECK;
-void hawser__loads_clear(struct hawser__loads *loads);
-
-/* Part of harmonic h in the force of a piece at s, N/m in the local frame. */
-void hawser__piece_at(double local[3], const struct hawser__piece *piece,
-                      const struct hawser__loads *loads, int h, const struct hawser_statics *st,
-                      double s);
+#include "statics/load.h"
 
 /* The force of harmonic h on mode j, scaled. */
 double hawser__loads_work(const struct hawser__loads *loads, int h,

@@ -13,6 +13,8 @@ noinst_LTLIBRARIES += %D%/libstatics.la
 	%D%/equivalent.c \
 	%D%/held.c \
 	%D%/limit.c \
+	%D%/load.c \
+	%D%/load.h \
 	%D%/loaded.c \
 	%D%/loaded.h \
 	%D%/loaded_solve.c \

@@ -32,6 +32,7 @@
 #include <hawser/net_equilibria.h>
 #include <hawser/net_modes.h>
 #include <hawser/net_motion.h>
+#include <hawser/net_span.h>
 #include <hawser/normal_form.h>
 #include <hawser/orbit.h>
 #include <hawser/plan.h>
@@ -192,6 +193,7 @@ static const struct row {
 	ROW(hawser_net_motion_options),
 	ROW(hawser_net_probe),
 	ROW(hawser_net_scheme),
+	ROW(hawser_net_span_options),
 	ROW(hawser_net_statics),
 	ROW(hawser_orbit_cost),
 	ROW(hawser_normal_form),
