@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "net/value.h"
+#include "net/read.h"
 
 enum { CALLED = HAWSER__TEXT + 64 };
 
@@ -35,9 +35,9 @@ static enum hawser_status harmonic(struct hawser__reader *reader, struct hawser_
 		return hawser__reader_fail(reader, &tree->at, "%s has no Omega: give the frequency in rad/s",
 		                           what);
 	load->harmonic = 1;
-	status = hawser__net_number(reader, &load->Omega, Omega, what, "rad/s", HAWSER__NET_POSITIVE);
+	status = hawser__tree_number(reader, &load->Omega, Omega, what, "rad/s", HAWSER__TREE_POSITIVE);
 	if (!status && phase)
-		status = hawser__net_number(reader, &load->phase, phase, what, "rad", HAWSER__NET_ANY);
+		status = hawser__tree_number(reader, &load->phase, phase, what, "rad", HAWSER__TREE_ANY);
 	return status;
 }
 
@@ -58,7 +58,7 @@ static enum hawser_status load_of(struct hawser__reader *reader, struct hawser_n
 	load->node = node;
 	load->cable = cable;
 	if (tree->kind == HAWSER__MAPPING || cable >= 0) {
-		status = hawser__net_keys(reader, tree, what,
+		status = hawser__tree_keys(reader, tree, what,
 		                          cable < 0 ? "force, harmonic" : "per_length, harmonic");
 		vector = status ? NULL : hawser__tree_find(tree, key);
 		if (!status && !vector)
@@ -67,9 +67,9 @@ static enum hawser_status load_of(struct hawser__reader *reader, struct hawser_n
 		wave = status ? NULL : hawser__tree_find(tree, "harmonic");
 	}
 	if (!status)
-		status = hawser__net_vector(reader, load->value, vector, what, unit);
+		status = hawser__tree_vector(reader, load->value, 3, vector, what, unit);
 	if (!status && wave) {
-		status = hawser__net_keys(reader, wave, "harmonic", "Omega, phase");
+		status = hawser__tree_keys(reader, wave, "harmonic", "Omega, phase");
 		if (!status)
 			status = harmonic(reader, load, wave, what);
 	}
@@ -128,7 +128,7 @@ static enum hawser_status directions(struct hawser__reader *reader, unsigned cha
 static enum hawser_status motion_of(struct hawser__reader *reader, struct hawser_net *net, int node,
                                     const struct hawser__tree *tree, const char *what)
 {
-	enum hawser_status status = hawser__net_keys(reader, tree, "motion", "x, y, z");
+	enum hawser_status status = hawser__tree_keys(reader, tree, "motion", "x, y, z");
 
 	for (const struct hawser__tree *one = status ? NULL : tree->child; one &&
 	     !status; one = one->next) {
@@ -136,7 +136,7 @@ static enum hawser_status motion_of(struct hawser__reader *reader, struct hawser
 		int k = *one->name - 'x';
 		struct hawser_net_load *motion;
 
-		status = hawser__net_keys(reader, one, "motion", "amplitude, Omega, phase");
+		status = hawser__tree_keys(reader, one, "motion", "amplitude, Omega, phase");
 		if (!status && !net->node[node].held[k])
 			status = hawser__reader_fail(reader, &one->at, "%s moves in direction %c, which is not "
 			                             "held: add %c to fixed", what, *one->name, *one->name);
@@ -150,7 +150,7 @@ static enum hawser_status motion_of(struct hawser__reader *reader, struct hawser
 		memset(motion, 0, sizeof *motion);
 		motion->node = node;
 		motion->cable = -1;
-		status = hawser__net_number(reader, &motion->value[k], amplitude, what, "m", HAWSER__NET_ANY);
+		status = hawser__tree_number(reader, &motion->value[k], amplitude, what, "m", HAWSER__TREE_ANY);
 		if (!status)
 			status = harmonic(reader, motion, one, what);
 		net->motions += !status;
@@ -173,7 +173,7 @@ static enum hawser_status support(struct hawser__reader *reader, struct hawser_n
 	if (entry->kind != HAWSER__MAPPING)
 		return hawser__reader_fail(reader, &entry->at, "%s must be the word fixed, or a mapping such "
 		                           "as {fixed: [y, z]}", what);
-	status = hawser__net_keys(reader, entry, what, "fixed, motion, table");
+	status = hawser__tree_keys(reader, entry, what, "fixed, motion, table");
 	if (status)
 		return status;
 	fixed = hawser__tree_find(entry, "fixed");
@@ -188,7 +188,7 @@ static enum hawser_status support(struct hawser__reader *reader, struct hawser_n
 		status = motion_of(reader, net, node, motion, what);
 	if (status || !table)
 		return status;
-	status = hawser__net_text(reader, &text, table, what);
+	status = hawser__tree_text(reader, &text, table, what);
 	if (!status && !(to->table = strdup(text)))
 		status = hawser__no_memory(reader->report, "scene");
 	return status;

@@ -27,13 +27,10 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/net.c \
 	%D%/net.h \
 	%D%/read.c \
+	%D%/read.h \
 	%D%/solution.c \
 	%D%/solution.h \
 	%D%/solve.h \
 	%D%/span.c \
 	%D%/sparse.c \
-	%D%/statics.c \
-	%D%/tree.c \
-	%D%/tree.h \
-	%D%/value.c \
-	%D%/value.h
+	%D%/statics.c

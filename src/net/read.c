@@ -3,17 +3,15 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "core/report.h"
-#include "net/value.h"
+#include "net/read.h"
 
-enum { CALLED = HAWSER__TEXT + 64, LARGEST = 1 << 28, ELEMENTS = 20 };
+enum { CALLED = HAWSER__TEXT + 64, ELEMENTS = 20 };
 
 static enum hawser_status nodes(struct hawser__reader *reader, struct hawser_net *net,
                                 const struct hawser__tree *tree)
@@ -31,7 +29,7 @@ static enum hawser_status nodes(struct hawser__reader *reader, struct hawser_net
 		char what[CALLED], shown[HAWSER__SHOWN];
 
 		snprintf(what, sizeof what, "nodes.%s", hawser__shown(shown, entry->name));
-		status = hawser__net_name(reader, node->name, entry, entry->name, "nodes");
+		status = hawser__tree_name(reader, node->name, entry, entry->name, "nodes");
 		if (status || (entry->kind == HAWSER__MAPPING && !entry->children))
 			continue;
 		node->placed = 1;
@@ -39,7 +37,7 @@ static enum hawser_status nodes(struct hawser__reader *reader, struct hawser_net
 			status = hawser__reader_fail(reader, &entry->at, "%s must be a list of 3 numbers in m, "
 			                             "or {} for a node whose position is to be found", what);
 		else
-			status = hawser__net_vector(reader, node->x, entry, what, "m");
+			status = hawser__tree_vector(reader, node->x, 3, entry, what, "m");
 	}
 	return status;
 }
@@ -70,8 +68,8 @@ static enum hawser_status given(struct hawser__reader *reader, struct hawser_net
 		return hawser__reader_fail(reader, &tree->at, "cable %s has no length: give one of length0, "
 		                           "tension, force_density and sag", cable->name);
 	snprintf(what, sizeof what, "cables.%s.%s", cable->name, way[cable->given].key);
-	return hawser__net_number(reader, &cable->value, found, what, way[cable->given].unit,
-	                          HAWSER__NET_POSITIVE);
+	return hawser__tree_number(reader, &cable->value, found, what, way[cable->given].unit,
+	                          HAWSER__TREE_POSITIVE);
 }
 
 static enum hawser_status end_of(struct hawser__reader *reader, int *node, const struct hawser_net *net,
@@ -85,7 +83,7 @@ static enum hawser_status end_of(struct hawser__reader *reader, int *node, const
 	snprintf(what, sizeof what, "cables.%s.%s", name, key);
 	if (!end)
 		return hawser__reader_fail(reader, &tree->at, "%s is missing: give the name of a node", what);
-	status = hawser__net_text(reader, &text, end, what);
+	status = hawser__tree_text(reader, &text, end, what);
 	return status ? status : hawser__net_find_node(reader, node, net, end, text, what);
 }
 
@@ -94,7 +92,7 @@ static enum hawser_status count_of(struct hawser__reader *reader, int *value,
 {
 	double number = ELEMENTS;
 	enum hawser_status status =
-		tree ? hawser__net_number(reader, &number, tree, what, "1", HAWSER__NET_POSITIVE) : HAWSER_OK;
+		tree ? hawser__tree_number(reader, &number, tree, what, "1", HAWSER__TREE_POSITIVE) : HAWSER_OK;
 
 	if (!status && (number != floor(number) || number > 1e9))
 		return hawser__reader_fail(reader, &tree->at,
@@ -112,7 +110,7 @@ static enum hawser_status cable_of(struct hawser__reader *reader, struct hawser_
 	const char *text = "";
 	char what[CALLED];
 	enum hawser_status status =
-		hawser__net_keys(reader, tree, "a cable", "name, from, to, EA, rho, length0, tension, "
+		hawser__tree_keys(reader, tree, "a cable", "name, from, to, EA, rho, length0, tension, "
 		                 "force_density, sag, elements");
 
 	if (status)
@@ -120,9 +118,9 @@ static enum hawser_status cable_of(struct hawser__reader *reader, struct hawser_
 	name = hawser__tree_find(tree, "name");
 	snprintf(cable->name, sizeof cable->name, "c%d", net->cables);
 	if (name)
-		status = hawser__net_text(reader, &text, name, "name");
+		status = hawser__tree_text(reader, &text, name, "name");
 	if (!status && name)
-		status = hawser__net_name(reader, cable->name, name, text, "name");
+		status = hawser__tree_name(reader, cable->name, name, text, "name");
 	if (!status)
 		status = end_of(reader, &cable->from, net, tree, "from", cable->name);
 	if (!status)
@@ -138,10 +136,10 @@ static enum hawser_status cable_of(struct hawser__reader *reader, struct hawser_
 		return hawser__reader_fail(reader, &tree->at, "cable %s has no %s", cable->name,
 		                           EA ? "rho, in kg/m" : "EA, in N");
 	snprintf(what, sizeof what, "cables.%s.EA", cable->name);
-	status = hawser__net_number(reader, &cable->EA, EA, what, "N", HAWSER__NET_POSITIVE);
+	status = hawser__tree_number(reader, &cable->EA, EA, what, "N", HAWSER__TREE_POSITIVE);
 	snprintf(what, sizeof what, "cables.%s.rho", cable->name);
 	if (!status)
-		status = hawser__net_number(reader, &cable->rho, rho, what, "kg/m", HAWSER__NET_NOT_NEGATIVE);
+		status = hawser__tree_number(reader, &cable->rho, rho, what, "kg/m", HAWSER__TREE_NOT_NEGATIVE);
 	snprintf(what, sizeof what, "cables.%s.elements", cable->name);
 	if (!status)
 		status = count_of(reader, &cable->elements, hawser__tree_find(tree, "elements"), what);
@@ -204,19 +202,19 @@ static enum hawser_status masses(struct hawser__reader *reader, struct hawser_ne
 
 		status = hawser__net_find_node(reader, &node, net, one, one->name, "masses");
 		if (!status)
-			status = hawser__net_number(reader, &net->node[node].mass, one, "masses", "kg",
-			                            HAWSER__NET_NOT_NEGATIVE);
+			status = hawser__tree_number(reader, &net->node[node].mass, one, "masses", "kg",
+			                            HAWSER__TREE_NOT_NEGATIVE);
 	}
 	return status;
 }
 
 static enum hawser_status optional(struct hawser__reader *reader, double *value,
                                    const struct hawser__tree *tree, const char *key, const char *unit,
-                                   enum hawser__net_range range)
+                                   enum hawser__tree_range range)
 {
 	const struct hawser__tree *one = hawser__tree_find(tree, key);
 
-	return one ? hawser__net_number(reader, value, one, key, unit, range) : HAWSER_OK;
+	return one ? hawser__tree_number(reader, value, one, key, unit, range) : HAWSER_OK;
 }
 
 static enum hawser_status release(struct hawser__reader *reader, struct hawser_net *net,
@@ -235,7 +233,7 @@ static enum hawser_status release(struct hawser__reader *reader, struct hawser_n
 		const char *text;
 		int node = 0;
 
-		status = hawser__net_text(reader, &text, one, "release");
+		status = hawser__tree_text(reader, &text, one, "release");
 		if (!status)
 			status = hawser__net_find_node(reader, &node, net, one, text, "release");
 		if (!status && !net->node[node].support)
@@ -252,7 +250,7 @@ static enum hawser_status dynamics(struct hawser__reader *reader, struct hawser_
 	const struct hawser__tree *from, *list, *scheme, *step;
 	const char *text;
 	enum hawser_status status =
-		hawser__net_keys(reader, tree, "dynamics", "from, release, scheme, rho_inf, step");
+		hawser__tree_keys(reader, tree, "dynamics", "from, release, scheme, rho_inf, step");
 
 	if (status)
 		return status;
@@ -261,21 +259,21 @@ static enum hawser_status dynamics(struct hawser__reader *reader, struct hawser_
 	scheme = hawser__tree_find(tree, "scheme");
 	step = hawser__tree_find(tree, "step");
 	if (from)
-		status = hawser__net_text(reader, &text, from, "from");
+		status = hawser__tree_text(reader, &text, from, "from");
 	if (!status && from && strcmp(text, "statics") != 0 && !(net->dynamics.from = strdup(text)))
 		status = hawser__no_memory(reader->report, "scene");
 	if (!status && list)
 		status = release(reader, net, list);
 	if (!status && scheme)
-		status = hawser__net_text(reader, &text, scheme, "scheme");
+		status = hawser__tree_text(reader, &text, scheme, "scheme");
 	if (!status && scheme)
-		status = hawser__net_name(reader, net->dynamics.scheme, scheme, text, "scheme");
+		status = hawser__tree_name(reader, net->dynamics.scheme, scheme, text, "scheme");
 	if (!status)
 		status = optional(reader, &net->dynamics.rho_inf, tree, "rho_inf", "1",
-		                  HAWSER__NET_NOT_NEGATIVE);
+		                  HAWSER__TREE_NOT_NEGATIVE);
 	if (!status && step && !(step->text && !strcmp(step->text, "auto")))
-		status = hawser__net_number(reader, &net->dynamics.step, step, "step", "s",
-		                            HAWSER__NET_POSITIVE);
+		status = hawser__tree_number(reader, &net->dynamics.step, step, "step", "s",
+		                            HAWSER__TREE_POSITIVE);
 	return status;
 }
 
@@ -313,7 +311,7 @@ static enum hawser_status interpret(struct hawser__reader *reader, struct hawser
 	} part[] = {{"nodes", nodes, 1}, {"cables", cables, 1}, {"supports", hawser__net_supports, 1},
 	            {"masses", masses, 0}, {"loads", hawser__net_loads, 0}, {"dynamics", dynamics, 0}};
 	const struct hawser__tree *kind, *damping;
-	enum hawser_status status = hawser__net_keys(reader, root, "a scene of kind net",
+	enum hawser_status status = hawser__tree_keys(reader, root, "a scene of kind net",
 	                                             "kind, g, nodes, cables, supports, masses, loads, "
 	                                             "damping, dynamics");
 
@@ -324,7 +322,7 @@ static enum hawser_status interpret(struct hawser__reader *reader, struct hawser
 	kind = hawser__tree_find(root, "kind");
 	if (kind && (!kind->text || strcmp(kind->text, "net") != 0))
 		return hawser__reader_fail(reader, &kind->at, "kind must be net");
-	status = optional(reader, &net->g, root, "g", "m/s^2", HAWSER__NET_NOT_NEGATIVE);
+	status = optional(reader, &net->g, root, "g", "m/s^2", HAWSER__TREE_NOT_NEGATIVE);
 	for (size_t i = 0; i < sizeof part/sizeof *part && !status; i++) {
 		const struct hawser__tree *tree = hawser__tree_find(root, part[i].name);
 
@@ -338,83 +336,39 @@ static enum hawser_status interpret(struct hawser__reader *reader, struct hawser
 	}
 	damping = hawser__tree_find(root, "damping");
 	if (!status && damping) {
-		status = hawser__net_keys(reader, damping, "damping", "alpha, axial");
+		status = hawser__tree_keys(reader, damping, "damping", "alpha, axial");
 		if (!status)
 			status = optional(reader, &net->alpha, damping, "alpha", "kg/m/s",
-			                  HAWSER__NET_NOT_NEGATIVE);
+			                  HAWSER__TREE_NOT_NEGATIVE);
 		if (!status)
-			status = optional(reader, &net->axial, damping, "axial", "s", HAWSER__NET_NOT_NEGATIVE);
+			status = optional(reader, &net->axial, damping, "axial", "s", HAWSER__TREE_NOT_NEGATIVE);
 	}
 	return status ? status : rules(reader, net, hawser__tree_find(root, "cables"));
 }
 
-static enum hawser_status slurp(char **text, size_t *length, const char *path,
-                                struct hawser_report *report)
-{
-	FILE *stream = fopen(path, "r");
-	size_t capacity = 0, got = 1;
-
-	*text = NULL;
-	*length = 0;
-	if (!stream)
-		return hawser__fail(report, hawser__unreadable(errno), "scene", "cannot open %s: %s", path,
-		                    strerror(errno));
-	while (got && *length < LARGEST) {
-		if (*length == capacity) {
-			char *longer = realloc(*text, capacity = capacity ? 4*capacity : 65536);
-
-			if (!longer) {
-				fclose(stream);
-				return hawser__no_memory(report, "scene");
-			}
-			*text = longer;
-		}
-		got = fread(*text + *length, 1, capacity - *length, stream);
-		*length += got;
-	}
-	got = (size_t)ferror(stream);
-	fclose(stream);
-	return got ? hawser__fail(report, HAWSER_ERR_IO, "scene", "cannot read %s: %s", path,
-	                          strerror(errno))
-	           : HAWSER_OK;
-}
-
 int hawser_net_is(const char *path)
 {
-	struct stat file;
-	int found = 0, begins = 1, whole = !stat(path, &file) && S_ISREG(file.st_mode);
-	FILE *stream = whole ? fopen(path, "r") : NULL;
-	char line[256];
-
-	while (stream && !found && fgets(line, sizeof line, stream)) {
-		found = begins && (!strncmp(line, "kind:", 5) || !strncmp(line, "nodes:", 6));
-		begins = strchr(line, '\n') != NULL;
-	}
-	if (stream)
-		fclose(stream);
-	return found;
+	return hawser__tree_is(path, "net");
 }
 
 enum hawser_status hawser_net_open(struct hawser_net *net, const char *path, const char *const *set,
                                    size_t nset, struct hawser_report *report)
 {
 	struct hawser__reader reader = {.report = report, .name = path};
+	static const struct hawser__tree_words words = {
+		"a scene of kind net is a mapping with at least nodes, cables and supports (see "
+		"hawser-scene(5))", "cables.c1.EA=100 MN"};
 	struct hawser__tree *tree = NULL;
-	char *text;
-	size_t length;
 	enum hawser_status status;
 
 	memset(net, 0, sizeof *net);
-	status = slurp(&text, &length, path, report);
-	if (!status)
-		status = hawser__tree_read(&tree, &reader, text, length, set, nset);
+	status = hawser__tree_open(&tree, &reader, path, &words, set, nset);
 	if (!status)
 		status = interpret(&reader, net, tree);
 	if (!status && !(net->name = strdup(path)))
 		status = hawser__no_memory(report, "scene");
 	hawser__tree_clear(tree);
 	hawser__units_clear(&reader.units);
-	free(text);
 	if (status)
 		hawser_net_clear(net);
 	return status;

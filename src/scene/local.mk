@@ -15,6 +15,9 @@ noinst_LTLIBRARIES += %D%/libscene.la
 	%D%/scene.c \
 	%D%/suggest.c \
 	%D%/suggest.h \
+	%D%/tree.c \
+	%D%/tree.h \
+	%D%/tree_value.c \
 	%D%/units.c \
 	%D%/units.h \
 	%D%/value.c \

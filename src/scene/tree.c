@@ -1,16 +1,18 @@
-/* net/tree.c - see net/tree.h. The depth is bounded, the events are those of scene/events.c (no
+/* scene/tree.c - see scene/tree.h. The depth is bounded, the events are those of scene/events.c (no
  * anchors, aliases, tags), and duplicate names of a mapping are found when it is complete.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "core/report.h"
-#include "net/tree.h"
+#include "scene/tree.h"
 
-enum { DEEPEST = 8 };
+enum { DEEPEST = 8, LARGEST = 1 << 28 };
 
 void hawser__tree_clear(struct hawser__tree *tree)
 {
@@ -230,7 +232,7 @@ static struct hawser__tree *step_into(const struct hawser__tree *tree, const cha
 
 /* Put the tree `fresh` in the place of `path`. It is used up. */
 static enum hawser_status put(struct hawser__tree *root, struct hawser__reader *reader,
-                              struct hawser__tree *fresh, char *path)
+                              struct hawser__tree *fresh, char *path, const char *example)
 {
 	const struct hawser__place here = fresh->at;
 	struct hawser__tree *tree = root, *old;
@@ -247,8 +249,8 @@ static enum hawser_status put(struct hawser__tree *root, struct hawser__reader *
 	if (!old && (!tree || tree->kind != HAWSER__MAPPING || !*path)) {
 		hawser__tree_clear(fresh);
 		return hawser__reader_fail(reader, &here, "the scene has no such place as that before %s: "
-		                           "write names joined by dots, such as cables.c1.EA=100 MN",
-		                           hawser__shown(shown, path));
+		                           "write names joined by dots, such as %s",
+		                           hawser__shown(shown, path), example);
 	}
 	if (!old) {
 		old = calloc(1, sizeof *old);
@@ -274,7 +276,7 @@ static enum hawser_status put(struct hawser__tree *root, struct hawser__reader *
 }
 
 static enum hawser_status override(struct hawser__tree *root, struct hawser__reader *reader,
-                                   const char *set)
+                                   const char *set, const char *example)
 {
 	const char *equals = strchr(set, '=');
 	struct hawser__tree *fresh = NULL;
@@ -286,7 +288,7 @@ static enum hawser_status override(struct hawser__tree *root, struct hawser__rea
 	reader->pass++;
 	if (!equals || length >= sizeof path)
 		return hawser__reader_fail(reader, &(struct hawser__place){.set = set},
-		                           "write KEY=VALUE, such as cables.c1.EA=100 MN");
+		                           "write KEY=VALUE, such as %s", example);
 	memcpy(path, set, length);
 	path[length] = '\0';
 	status = document(&fresh, reader, equals + 1, strlen(equals + 1));
@@ -298,12 +300,44 @@ static enum hawser_status override(struct hawser__tree *root, struct hawser__rea
 		return status;
 	}
 	fresh->at.set = set;
-	return put(root, reader, fresh, path);
+	return put(root, reader, fresh, path, example);
 }
 
-enum hawser_status hawser__tree_read(struct hawser__tree **tree, struct hawser__reader *reader,
-                                     const char *text, size_t length, const char *const *set,
-                                     size_t nset)
+static enum hawser_status slurp(char **text, size_t *length, const char *path,
+                                struct hawser_report *report)
+{
+	FILE *stream = fopen(path, "r");
+	size_t capacity = 0, got = 1;
+
+	*text = NULL;
+	*length = 0;
+	if (!stream)
+		return hawser__fail(report, hawser__unreadable(errno), "scene", "cannot open %s: %s", path,
+		                    strerror(errno));
+	while (got && *length < LARGEST) {
+		if (*length == capacity) {
+			char *longer = realloc(*text, capacity = capacity ? 4*capacity : 65536);
+
+			if (!longer) {
+				fclose(stream);
+				return hawser__no_memory(report, "scene");
+			}
+			*text = longer;
+		}
+		got = fread(*text + *length, 1, capacity - *length, stream);
+		*length += got;
+	}
+	got = (size_t)ferror(stream);
+	fclose(stream);
+	return got ? hawser__fail(report, HAWSER_ERR_IO, "scene", "cannot read %s: %s", path,
+	                          strerror(errno))
+	           : HAWSER_OK;
+}
+
+static enum hawser_status read_text(struct hawser__tree **tree, struct hawser__reader *reader,
+                                    const char *text, size_t length,
+                                    const struct hawser__tree_words *words, const char *const *set,
+                                    size_t nset)
 {
 	enum hawser_status status;
 
@@ -311,10 +345,52 @@ enum hawser_status hawser__tree_read(struct hawser__tree **tree, struct hawser__
 	reader->pass = 1;
 	status = document(tree, reader, text, length);
 	if (!status && (!*tree || (*tree)->kind != HAWSER__MAPPING))
-		status = hawser__reader_fail(reader, &(struct hawser__place){.pass = 1},
-		                             "a scene of kind net is a mapping with at least nodes, cables and "
-		                             "supports (see hawser-scene(5))");
+		status = hawser__reader_fail(reader, &(struct hawser__place){.pass = 1}, "%s", words->scene);
 	for (size_t i = 0; i < nset && !status; i++)
-		status = override(*tree, reader, set[i]);
+		status = override(*tree, reader, set[i], words->set);
 	return status;
+}
+
+enum hawser_status hawser__tree_open(struct hawser__tree **tree, struct hawser__reader *reader,
+                                     const char *path, const struct hawser__tree_words *words,
+                                     const char *const *set, size_t nset)
+{
+	char *text;
+	size_t length;
+	enum hawser_status status = slurp(&text, &length, path, reader->report);
+
+	*tree = NULL;
+	if (!status)
+		status = read_text(tree, reader, text, length, words, set, nset);
+	free(text);
+	return status;
+}
+
+/* 1 if a line of this file begins with the text. */
+static int begins(const char *path, const char *text)
+{
+	struct stat file;
+	int found = 0, fresh = 1, whole = !stat(path, &file) && S_ISREG(file.st_mode);
+	FILE *stream = whole ? fopen(path, "r") : NULL;
+	char line[256];
+
+	while (stream && !found && fgets(line, sizeof line, stream)) {
+		found = fresh && !strncmp(line, text, strlen(text));
+		fresh = strchr(line, '\n') != NULL;
+	}
+	if (stream)
+		fclose(stream);
+	return found;
+}
+
+int hawser__tree_is(const char *path, const char *kind)
+{
+	static const struct {
+		const char *text, *kind;
+	} row[] = {{"ropeway:", "ropeway"}, {"kind: ropeway", "ropeway"}, {"nodes:", "net"}, {"kind:", "net"}};
+
+	for (size_t i = 0; i < sizeof row/sizeof *row; i++)
+		if (begins(path, row[i].text))
+			return !strcmp(row[i].kind, kind);
+	return 0;
 }

@@ -1,4 +1,5 @@
-/* net/value.c - see net/value.h.
+/* scene/tree_value.c - values of a tree: numbers with units, vectors, names, words; keys that a
+ * mapping may have.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -9,7 +10,7 @@
 
 #include "core/report.h"
 #include "core/spelling.h"
-#include "net/value.h"
+#include "scene/tree.h"
 
 /* The key of the list nearest to `name`, "" if none is near. */
 static void nearest(char best[HAWSER__TEXT], const char *name, const char *keys)
@@ -48,7 +49,7 @@ static int among(const char *name, const char *keys)
 	return 0;
 }
 
-enum hawser_status hawser__net_keys(struct hawser__reader *reader, const struct hawser__tree *tree,
+enum hawser_status hawser__tree_keys(struct hawser__reader *reader, const struct hawser__tree *tree,
                                     const char *what, const char *keys)
 {
 	char shown[HAWSER__SHOWN], best[HAWSER__TEXT];
@@ -67,7 +68,7 @@ enum hawser_status hawser__net_keys(struct hawser__reader *reader, const struct 
 	return HAWSER_OK;
 }
 
-enum hawser_status hawser__net_text(struct hawser__reader *reader, const char **text,
+enum hawser_status hawser__tree_text(struct hawser__reader *reader, const char **text,
                                     const struct hawser__tree *tree, const char *what)
 {
 	*text = tree->text;
@@ -78,14 +79,14 @@ enum hawser_status hawser__net_text(struct hawser__reader *reader, const char **
 	                           : tree->kind == HAWSER__SEQUENCE ? "a list" : "empty");
 }
 
-enum hawser_status hawser__net_number(struct hawser__reader *reader, double *value,
+enum hawser_status hawser__tree_number(struct hawser__reader *reader, double *value,
                                       const struct hawser__tree *tree, const char *what,
-                                      const char *unit, enum hawser__net_range range)
+                                      const char *unit, enum hawser__tree_range range)
 {
-	const char *text, *rule = range == HAWSER__NET_POSITIVE ? "> 0" : range ? ">= 0" : "finite";
+	const char *text, *rule = range == HAWSER__TREE_POSITIVE ? "> 0" : range ? ">= 0" : "finite";
 	char sentence[320], shown[HAWSER__SHOWN];
 	enum hawser__number answer;
-	enum hawser_status status = hawser__net_text(reader, &text, tree, what);
+	enum hawser_status status = hawser__tree_text(reader, &text, tree, what);
 
 	if (status)
 		return status;
@@ -98,43 +99,65 @@ enum hawser_status hawser__net_number(struct hawser__reader *reader, double *val
 		return hawser__reader_fail(reader, &tree->at, "%s: \"%s\" %s", what, shown, sentence);
 	}
 	if (isfinite(*value) && fabs(*value) <= 1e100 &&
-	    !(range == HAWSER__NET_POSITIVE && *value < 1e-100) &&
-	    !(range == HAWSER__NET_NOT_NEGATIVE && *value < 0.0))
+	    !(range == HAWSER__TREE_POSITIVE && *value < 1e-100) &&
+	    !(range == HAWSER__TREE_NOT_NEGATIVE && *value < 0.0))
 		return HAWSER_OK;
 	return hawser__reader_fail(reader, &tree->at, "%s: \"%s\" is out of range: it must be %s%s%s", what,
 	                           shown, rule, strcmp(unit, "1") ? ", in " : "",
 	                           strcmp(unit, "1") ? unit : "");
 }
 
-enum hawser_status hawser__net_vector(struct hawser__reader *reader, double value[3],
-                                      const struct hawser__tree *tree, const char *what,
-                                      const char *unit)
+enum hawser_status hawser__tree_vector(struct hawser__reader *reader, double *value, int count,
+                                       const struct hawser__tree *tree, const char *what,
+                                       const char *unit)
 {
 	const struct hawser__tree *child = tree->child;
 	enum hawser_status status = HAWSER_OK;
 
-	if (tree->kind != HAWSER__SEQUENCE || tree->children != 3)
-		return hawser__reader_fail(reader, &tree->at, "%s must be a list of 3 numbers in %s, along "
-		                           "x, y and z", what, unit);
-	for (int k = 0; k < 3 && !status; k++, child = child->next)
-		status = hawser__net_number(reader, &value[k], child, what, unit, HAWSER__NET_ANY);
+	if (tree->kind != HAWSER__SEQUENCE || tree->children != count)
+		return hawser__reader_fail(reader, &tree->at, "%s must be a list of %d numbers in %s, along "
+		                           "%s", what, count, unit, count == 2 ? "x and y" : "x, y and z");
+	for (int k = 0; k < count && !status; k++, child = child->next)
+		status = hawser__tree_number(reader, &value[k], child, what, unit, HAWSER__TREE_ANY);
 	return status;
 }
 
-enum hawser_status hawser__net_name(struct hawser__reader *reader, char name[HAWSER_NET_NAME],
+enum hawser_status hawser__tree_word(struct hawser__reader *reader, int *index,
+                                     const struct hawser__tree *tree, const char *what,
+                                     const char *const *words, int count)
+{
+	char list[HAWSER__TEXT] = "", shown[HAWSER__SHOWN];
+	const char *text;
+	enum hawser_status status = hawser__tree_text(reader, &text, tree, what);
+
+	if (status)
+		return status;
+	for (*index = 0; *index < count; ++*index) {
+		size_t used = strlen(list);
+
+		if (!strcmp(text, words[*index]))
+			return HAWSER_OK;
+		snprintf(list + used, sizeof list - used, "%s%s", !used ? "" : *index == count - 1 ? " or "
+		         : ", ", words[*index]);
+	}
+	return hawser__reader_fail(reader, &tree->at, "%s: \"%s\" must be %s", what,
+	                           hawser__shown(shown, text), list);
+}
+
+enum hawser_status hawser__tree_name(struct hawser__reader *reader, char name[HAWSER__TREE_NAME],
                                     const struct hawser__tree *tree, const char *text,
                                     const char *what)
 {
 	size_t length = strlen(text);
 	char shown[HAWSER__SHOWN];
-	int good = length && length < HAWSER_NET_NAME && strspn(text, "0123456789") < length;
+	int good = length && length < HAWSER__TREE_NAME && strspn(text, "0123456789") < length;
 
 	for (size_t i = 0; i < length && good; i++)
 		good = isalnum((unsigned char)text[i]) || text[i] == '_' || text[i] == '-';
 	if (!good)
 		return hawser__reader_fail(reader, &tree->at, "%s: \"%s\" is no name: at most %d letters, "
 		                           "digits, _ and -, and not only digits", what,
-		                           hawser__shown(shown, text), HAWSER_NET_NAME - 1);
+		                           hawser__shown(shown, text), HAWSER__TREE_NAME - 1);
 	memcpy(name, text, length + 1);
 	return HAWSER_OK;
 }

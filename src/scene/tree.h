@@ -1,0 +1,65 @@
+/* scene/tree.h - a scene whose names are the user's (nets, ropeways) as a tree of values with their
+ * places. The table of keys of spans, which has one place for each key, cannot hold such names.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_SCENE_TREE_H
+#define HAWSER_SCENE_TREE_H
+
+#include "scene/reader.h"
+
+enum hawser__tree_kind { HAWSER__SCALAR, HAWSER__MAPPING, HAWSER__SEQUENCE };
+
+struct hawser__tree {
+	enum hawser__tree_kind kind;
+	char *name, *text;           /* of an entry of a mapping; of a scalar */
+	struct hawser__place at;     /* of the name or, without one, of the value */
+	struct hawser__tree *child, *last, *next;
+	int children;
+};
+
+/* For messages: what such a scene is, and an example of an override. */
+struct hawser__tree_words {
+	const char *scene; /* "a scene of kind net is a mapping with ..." */
+	const char *set;   /* "cables.c1.EA=100 MN" */
+};
+
+/* Read a file, then overrides "path=value". The caller clears *tree. */
+enum hawser_status hawser__tree_open(struct hawser__tree **tree, struct hawser__reader *reader,
+                                     const char *path, const struct hawser__tree_words *words,
+                                     const char *const *set, size_t nset) HAWSER_MUST_CHECK;
+void hawser__tree_clear(struct hawser__tree *tree);
+/* Entry of a mapping, or NULL. */
+struct hawser__tree *hawser__tree_find(const struct hawser__tree *tree, const char *name);
+/* 1 if this file is a scene of this kind, "net" or "ropeway", by what its lines begin with. "-" and
+ * pipes, which can be read once only, are none. */
+int hawser__tree_is(const char *path, const char *kind);
+
+/* --- tree_value.c: values of a tree. `what` names the value in messages. --- */
+
+enum hawser__tree_range { HAWSER__TREE_ANY, HAWSER__TREE_POSITIVE, HAWSER__TREE_NOT_NEGATIVE };
+enum { HAWSER__TREE_NAME = 32 }; /* size of a name, with the NUL at its end */
+
+/* A tree must be a mapping whose keys are among `keys`, such as "EA, rho, length0". */
+enum hawser_status hawser__tree_keys(struct hawser__reader *reader, const struct hawser__tree *tree,
+                                     const char *what, const char *keys) HAWSER_MUST_CHECK;
+enum hawser_status hawser__tree_number(struct hawser__reader *reader, double *value,
+                                       const struct hawser__tree *tree, const char *what,
+                                       const char *unit, enum hawser__tree_range range)
+	HAWSER_MUST_CHECK;
+/* Two or three numbers, along x, y and z. */
+enum hawser_status hawser__tree_vector(struct hawser__reader *reader, double *value, int count,
+                                       const struct hawser__tree *tree, const char *what,
+                                       const char *unit) HAWSER_MUST_CHECK;
+/* Letters, digits, _ and -, not only digits. */
+enum hawser_status hawser__tree_name(struct hawser__reader *reader, char name[HAWSER__TREE_NAME],
+                                     const struct hawser__tree *tree, const char *text,
+                                     const char *what) HAWSER_MUST_CHECK;
+/* The text of a scalar; fails for others. */
+enum hawser_status hawser__tree_text(struct hawser__reader *reader, const char **text,
+                                     const struct hawser__tree *tree, const char *what)
+	HAWSER_MUST_CHECK;
+/* The index of a scalar in words [count]. */
+enum hawser_status hawser__tree_word(struct hawser__reader *reader, int *index,
+                                     const struct hawser__tree *tree, const char *what,
+                                     const char *const *words, int count) HAWSER_MUST_CHECK;
+
+#endif
