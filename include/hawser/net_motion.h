@@ -19,7 +19,7 @@ extern "C" {
 /* A scheme of time integration. */
 struct hawser_net_scheme {
 	const char *name, *summary, *source;
-	int order;
+	int order; /* 0: chosen by the scheme from step to step */
 };
 const struct hawser_net_scheme *hawser_net_scheme(int index); /* NULL beyond the last */
 
@@ -50,6 +50,7 @@ struct hawser_net_motion_options {
 	const char *initial; /* file of a state; NULL: the scene's, or the equilibrium */
 	const struct hawser_net_probe *probe; /* [probes] */
 	int probes;
+	int check;           /* 1: the motion again with steps twice as long, for its error */
 	/* Called for each row; not 0 ends the run. May be NULL. */
 	int (*frame)(void *data, const struct hawser_net_frame *frame);
 	void *data;
@@ -67,6 +68,10 @@ struct hawser_net_motion {
 	int *slack;          /* [rows] number of elements without tension */
 	double closure;      /* largest error of kinetic + potential - work + dissipated, over the largest
 	                      * of these; what a scheme damps is an error here */
+	/* m, estimated error of positions: the sum of the local errors of all steps, which takes it that
+	 * errors do not grow; or, with the option check, that of the probes, from another run. */
+	double error;
+	int checked;         /* 1: from another run */
 	double start_kinetic; /* J, of the state at the beginning */
 	const char *scheme;
 	long steps, iterations, splits, rejected, switches; /* switches: of elements, slack to taut and

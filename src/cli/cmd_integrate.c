@@ -44,7 +44,7 @@ static const struct cli_option options[] = {
 	{"rtol", 0, "NUMBER", "relative tolerance (1e-10)", CLI_POSITIVE(rtol)},
 	{"atol", 0, "NUMBER", "absolute tolerance, scaled (1e-13)", CLI_POSITIVE(atol)},
 	{"spectrum", 0, "", "write the spectrum to the table, and to JSON", CLI_FLAG(spectrum)},
-	{"error", 0, "", "estimate the error by a second run with tighter tolerances", CLI_FLAG(error)},
+	{"error", 0, "", "estimate the error by a second run with other tolerances", CLI_FLAG(error)},
 	{"lyapunov", 0, "", "Lyapunov exponents of the motion after --after, with their errors",
 	 CLI_FLAG(lyapunov)},
 	{"step", 0, "TIME", "nets: longest step, or auto (the scene's, or auto)", CLI_TEXT(net.step)},
@@ -263,7 +263,7 @@ static enum hawser_status run_net(const struct settings *settings, struct hawser
 	             {"load", settings->load != NULL}, {"motion", settings->motion != NULL},
 	             {"after", settings->after != NULL}, {"continue", settings->resume != NULL},
 	             {"modes", settings->n > 0}, {"spectrum", settings->spectrum},
-	             {"error", settings->error}, {"lyapunov", settings->lyapunov},
+	             {"lyapunov", settings->lyapunov},
 	             {"partial", settings->partial}, {"atol", settings->atol != defaults.atol}};
 	struct cli_integrate_net net = settings->net;
 
@@ -275,6 +275,7 @@ static enum hawser_status run_net(const struct settings *settings, struct hawser
 	net.every = settings->every != defaults.every ? settings->every : NULL;
 	net.scheme = settings->method;
 	net.initial = settings->initial;
+	net.error = settings->error;
 	net.tolerance = settings->rtol != defaults.rtol ? settings->rtol : 0.0;
 	return cli_integrate_net(&settings->common, &net, report);
 }

@@ -155,6 +155,9 @@ static void table(struct hawser__table *table, const void *of)
 	                      motion->rejected, motion->splits, motion->switches);
 	hawser__table_comment(table, "energy ledger closed to %.1e of its largest term",
 	                      motion->closure);
+	hawser__table_comment(table, "positions to some %.1e m: %s", motion->error, motion->checked
+	                      ? "from another, coarser run"
+	                      : "the local errors of all steps, if they do not grow (--error looks)");
 	if (motion->interrupted)
 		hawser__table_comment(table, "interrupted");
 	hawser__table_column(table, "t_s");
@@ -193,6 +196,9 @@ static void json(struct hawser__json *json, const void *of)
 	hawser__json_numbers(json, energy, "work", motion->work, motion->rows, 1.0);
 	hawser__json_numbers(json, energy, "dissipated", motion->dissipated, motion->rows, 1.0);
 	hawser__json_number(json, energy, "closure", motion->closure);
+	into = hawser__json_object(json, json->root, "error");
+	hawser__json_number(json, into, "position", motion->error);
+	hawser__json_text(json, into, "from", motion->checked ? "another run" : "local errors");
 	into = hawser__json_array(json, json->root, "slack");
 	for (int i = 0; i < motion->rows; i++)
 		hawser__json_integer(json, into, NULL, motion->slack[i]);
@@ -272,7 +278,7 @@ static enum hawser_status options_of(struct hawser_net_motion_options *options,
 	options->scheme = settings->scheme;
 	return known ? HAWSER_OK
 		: hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate", "--method %s: the schemes of nets are "
-		               "energy, alpha, theta and euler", settings->scheme);
+		               "energy, alpha, theta, euler and cvode", settings->scheme);
 }
 
 static enum hawser_status solve(struct result *result, struct hawser_report *report)
@@ -280,7 +286,7 @@ static enum hawser_status solve(struct result *result, struct hawser_report *rep
 	struct cli_watch watch = {{.quiet = result->common->quiet}, "integrate"};
 	struct hawser_net_motion_options options = {
 		.initial = result->settings->initial, .tolerance = result->settings->tolerance,
-		.probe = result->probe, .frame = frame, .data = result, .progress = {cli_watch, &watch}};
+		.check = result->settings->error, .probe = result->probe, .frame = frame, .data = result, .progress = {cli_watch, &watch}};
 	enum hawser_status status = hawser_net_open(&result->net, result->common->input,
 	                                            result->common->set, (size_t)result->common->sets,
 	                                            report);

@@ -9,6 +9,7 @@
 struct cli_integrate_net {
 	const char *until, *every, *step, *scheme, *probe, *vtk, *state, *initial;
 	double tolerance; /* 0: the library's */
+	int error;        /* 1: another run, for the error */
 };
 enum hawser_status cli_integrate_net(const struct cli_common *common,
                                      const struct cli_integrate_net *settings,

@@ -14,4 +14,6 @@ noinst_LTLIBRARIES += %D%/libcore.la
 	%D%/solve3.h \
 	%D%/spelling.c \
 	%D%/spelling.h \
-	%D%/status.c
+	%D%/status.c \
+	%D%/sundials.c \
+	%D%/sundials.h

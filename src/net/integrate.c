@@ -142,6 +142,33 @@ static double longest(const struct hawser__mesh *mesh)
 	return most;
 }
 
+/* M has no inverse where a node that moves has no mass. */
+static enum hawser_status massive(const struct run *run, struct hawser_report *report)
+{
+	const struct hawser__mesh *mesh = &run->mesh;
+	const struct hawser_net *net = run->net;
+	unsigned char *heavy = calloc((size_t)mesh->nodes, 1);
+	enum hawser_status status = heavy ? HAWSER_OK : hawser__no_memory(report, "net");
+
+	for (int e = 0; e < mesh->elements && !status; e++)
+		for (int end = 0; end < 2; end++)
+			heavy[mesh->end[e][end]] |= mesh->rho[e] > 0.0;
+	for (int c = 0; c < mesh->cables && !status; c++)
+		if (net->cable[c].elements > 1 && net->cable[c].rho == 0.0)
+			status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "the scheme cvode needs mass at "
+			                      "each node, and cable %s has inner nodes without: give it rho, 1 "
+			                      "element, or take the scheme energy", net->cable[c].name);
+	for (int i = 0; i < net->nodes && !status; i++)
+		for (int k = 0; k < 3 && !status; k++)
+			if (mesh->unknown[i][k] >= 0 && !heavy[i] && mesh->mass[i] == 0.0)
+				status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "the scheme cvode needs mass "
+				                      "at each node, and node %s has none: give it one in `masses`, "
+				                      "rho to a cable there, or take the scheme energy",
+				                      net->node[i].name);
+	free(heavy);
+	return status;
+}
+
 static enum hawser_status start(struct run *run, struct hawser_report *report)
 {
 	static const unsigned char none[3];
@@ -156,7 +183,7 @@ static enum hawser_status start(struct run *run, struct hawser_report *report)
 	if (!loose)
 		return hawser__no_memory(report, "net");
 	if (initial)
-		status = hawser__motion_read(&run->state, initial, run->mesh.nodes, report);
+		status = hawser__motion_read(&run->state, initial, &run->mesh, report);
 	for (int i = 0; i < net->dynamics.releases; i++) {
 		loose[net->dynamics.release[i]] = 1;
 		hawser__mesh_hold(&run->mesh, net->dynamics.release[i], none);
@@ -167,6 +194,8 @@ static enum hawser_status start(struct run *run, struct hawser_report *report)
 		status = hawser__motion_open(&run->motion, &run->mesh, scheme, rho, same, loose, report);
 	}
 	free(loose);
+	if (!status && run->motion.scheme->advance)
+		status = massive(run, report);
 	if (status)
 		return status;
 	run->motion.table = run->table;
@@ -282,7 +311,9 @@ static enum hawser_status advance(struct run *run, double end, struct hawser_rep
 	double n;
 	enum hawser_status status = HAWSER_OK;
 
-	if (run->step <= 0.0) {
+	if (run->motion.scheme->advance) {
+		status = run->motion.scheme->advance(&run->motion, end, run->tolerance, run->step, report);
+	} else if (run->step <= 0.0) {
 		status = hawser__motion_adapt(&run->motion, &run->h, end, run->tolerance, report);
 	} else {
 		n = ceil(run->every/run->step*(1.0 - 1e-12));
@@ -322,9 +353,9 @@ static enum hawser_status rows(struct hawser_net_motion *to, struct run *run,
 	return status;
 }
 
-enum hawser_status hawser_net_integrate(struct hawser_net_motion *to, const struct hawser_net *net,
-                                        const struct hawser_net_motion_options *options,
-                                        struct hawser_report *report)
+static enum hawser_status integrate(struct hawser_net_motion *to, const struct hawser_net *net,
+                                    const struct hawser_net_motion_options *options,
+                                    struct hawser_report *report)
 {
 	struct run run = {.net = net, .options = options};
 	const struct hawser__motion *motion = &run.motion;
@@ -343,6 +374,7 @@ enum hawser_status hawser_net_integrate(struct hawser_net_motion *to, const stru
 			status = hawser__no_memory(report, "net");
 		to->closure = motion->closure/fmax(fmax(motion->most_energy, motion->least_energy), DBL_MIN);
 		to->scheme = motion->scheme->shown.name;
+		to->error = motion->drift;
 		to->steps = motion->steps;
 		to->iterations = motion->iterations;
 		to->splits = motion->splits;
@@ -350,6 +382,61 @@ enum hawser_status hawser_net_integrate(struct hawser_net_motion *to, const stru
 		to->switches = motion->switches;
 	}
 	clear(&run);
+	if (status)
+		hawser_net_motion_clear(to);
+	return status;
+}
+
+/* Largest distance of the probes of two motions, over the rows of both. */
+static double distance(const struct hawser_net_motion *a, const struct hawser_net_motion *b)
+{
+	int rows = a->rows < b->rows ? a->rows : b->rows;
+	double most = 0.0;
+
+	for (int i = 0; i < rows*a->probes; i++)
+		for (int k = 0; k < 3; k++)
+			most = fmax(most, fabs(a->x[i][k] - b->x[i][k]));
+	return most;
+}
+
+/* The motion again with steps twice as long: the error of order p is the difference over 2^p - 1. CVODE has
+ * no steps that could be doubled: with a hundred times its tolerance, the difference is a bound. */
+static enum hawser_status check(struct hawser_net_motion *motion, const struct hawser_net *net,
+                                const struct hawser_net_motion_options *options,
+                                struct hawser_report *report)
+{
+	struct hawser_net_motion_options again = *options;
+	struct hawser_net_motion other;
+	const struct hawser__motion_scheme *scheme = NULL;
+	double factor, step = options->step != 0.0 ? options->step : net->dynamics.step;
+	int order;
+	enum hawser_status status;
+
+	for (int i = 0; !scheme || strcmp(scheme->shown.name, motion->scheme) != 0; i++)
+		scheme = hawser__motion_scheme(i);
+	order = scheme->shown.order;
+	factor = scheme->advance ? 100.0 : pow(2.0, order + 1);
+	again.tolerance = factor*(options->tolerance > 0.0 ? options->tolerance : default_tolerance);
+	again.step = step > 0.0 ? 2.0*step : -1.0;
+	again.frame = NULL;
+	status = integrate(&other, net, &again, report);
+	if (status)
+		return status;
+	motion->error = distance(motion, &other)/(scheme->advance ? 1.0 : pow(2.0, order) - 1.0);
+	motion->checked = 1;
+	motion->interrupted |= other.interrupted;
+	hawser_net_motion_clear(&other);
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser_net_integrate(struct hawser_net_motion *to, const struct hawser_net *net,
+                                        const struct hawser_net_motion_options *options,
+                                        struct hawser_report *report)
+{
+	enum hawser_status status = integrate(to, net, options, report);
+
+	if (!status && options->check && !to->interrupted)
+		status = check(to, net, options, report);
 	if (status)
 		hawser_net_motion_clear(to);
 	return status;

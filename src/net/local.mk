@@ -18,8 +18,11 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/motion.c \
 	%D%/motion.h \
 	%D%/motion-chain.c \
+	%D%/motion-cvode.c \
 	%D%/motion-klu.c \
 	%D%/motion-law.c \
+	%D%/motion-ode.c \
+	%D%/motion-ode.h \
 	%D%/motion-schemes.c \
 	%D%/motion-state.c \
 	%D%/motion-support.c \

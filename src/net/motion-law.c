@@ -311,8 +311,7 @@ static double inertia(const struct hawser__motion *motion, double h)
 void hawser__motion_account(struct hawser__motion *motion, const struct hawser__motion_rule *rule,
                             double h)
 {
-	double work = 0.0, lost = 0.0, error, most;
-	struct hawser__motion_energy *energy = &motion->energy;
+	double work = 0.0, lost = 0.0;
 
 	for (int e = 0; e < motion->elements; e++) {
 		const struct hawser__motion_element *el = &motion->element[e];
@@ -336,8 +335,16 @@ void hawser__motion_account(struct hawser__motion *motion, const struct hawser__
 		}
 	if (motion->tables || motion->mesh->motions)
 		work += inertia(motion, h);
-	energy->work += work;
-	energy->dissipated += lost;
+	motion->energy.work += work;
+	motion->energy.dissipated += lost;
+	hawser__motion_balance(motion);
+}
+
+void hawser__motion_balance(struct hawser__motion *motion)
+{
+	const struct hawser__motion_energy *energy = &motion->energy;
+	double error, most;
+
 	hawser__motion_energies(motion);
 	error = energy->kinetic + energy->potential - motion->start_energy - energy->work +
 	        energy->dissipated;

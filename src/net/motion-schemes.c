@@ -50,13 +50,15 @@ const struct hawser__motion_scheme *hawser__motion_scheme(int index)
 {
 	static const struct hawser__motion_scheme table[] = {
 		{{"energy", "keeps energy and angular momentum: discrete gradient, order 2",
-		  "Gonzalez 1996; Simo and Tarnow 1992", 2}, energy},
+		  "Gonzalez 1996; Simo and Tarnow 1992", 2}, energy, NULL},
 		{{"alpha", "generalised-alpha: damps what is faster than the step, order 2",
-		  "Chung and Hulbert 1993", 2}, alpha},
+		  "Chung and Hulbert 1993", 2}, alpha, NULL},
 		{{"theta", "theta scheme with theta = 1/2 (trapezoidal rule), order 2",
-		  "Bertrand 2022, (3.41)-(3.42)", 2}, trapezoidal},
+		  "Bertrand 2022, (3.41)-(3.42)", 2}, trapezoidal, NULL},
 		{{"euler", "implicit Euler: damps all, order 1; printed there as theta = 1/2",
-		  "Bertrand 2022, (3.43)", 1}, euler},
+		  "Bertrand 2022, (3.43)", 1}, euler, NULL},
+		{{"cvode", "CVODE, Adams' formulas of order 1 to 12, or BDF if axial waves are overdamped: a check",
+		  "Hindmarsh et al. 2005", 0}, NULL, hawser__cvode_advance},
 	};
 
 	return index >= 0 && (size_t)index < sizeof table/sizeof *table ? &table[index] : NULL;

@@ -1,8 +1,9 @@
 /* net/motion-state.c - the state of a motion as numbers, and in a file: 17 digits, so that a run goes
  * on bit by bit.
  *
- * A file is the line "hawser net state 1 COUNT" and then one number a line: those of `head`, and for
- * each node those of `part`.
+ * A file is the line "hawser net state 2 COUNT" and then one number a line: those of `head`, and for
+ * each node those of `part`. The first number of `head` is a check sum of which nodes the elements join:
+ * another net with as many nodes is not taken for this one.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -16,16 +17,17 @@
 #include "core/report.h"
 #include "net/motion.h"
 
-enum { HEAD = 12, PARTS = 6 };
-static const char format[] = "hawser net state 1 %d";
+enum { HEAD = 14, PARTS = 6 };
+static const char format[] = "hawser net state 2 %d";
 
 /* Numbers that are not of a node. */
-static void heads(double *head[HEAD], struct hawser__motion *motion, double *h, double *nodes)
+static void heads(double *head[HEAD], struct hawser__motion *motion, double *h, double *sum,
+                  double *nodes)
 {
-	double *list[HEAD] = {nodes, &motion->t, h, &motion->past_h, &motion->past2_h,
+	double *list[HEAD] = {sum, nodes, &motion->t, h, &motion->past_h, &motion->past2_h,
 	                      &motion->energy.kinetic, &motion->energy.potential, &motion->energy.work,
 	                      &motion->energy.dissipated, &motion->start_energy, &motion->most_energy,
-	                      &motion->closure};
+	                      &motion->closure, &motion->drift};
 
 	memcpy(head, list, sizeof list);
 }
@@ -38,6 +40,17 @@ static void parts(double (*part[PARTS])[3], const struct hawser__motion *motion)
 	memcpy(part, list, sizeof list);
 }
 
+/* Of the ends of the elements: a whole number below 2^52, which a double holds. */
+static double check_sum(const struct hawser__mesh *mesh)
+{
+	unsigned long long sum = 2166136261U;
+
+	for (int e = 0; e < mesh->elements; e++)
+		for (int end = 0; end < 2; end++)
+			sum = (sum ^ (unsigned)mesh->end[e][end])*1099511628211ULL;
+	return (double)(sum >> 12);
+}
+
 int hawser__motion_states(const struct hawser__motion *motion)
 {
 	return HEAD + 3*PARTS*motion->nodes;
@@ -46,10 +59,10 @@ int hawser__motion_states(const struct hawser__motion *motion)
 void hawser__motion_save(double *state, const struct hawser__motion *motion, double h)
 {
 	struct hawser__motion copy = *motion;
-	double *head[HEAD], nodes = motion->nodes;
+	double *head[HEAD], nodes = motion->nodes, sum = check_sum(motion->mesh);
 	double (*part[PARTS])[3];
 
-	heads(head, &copy, &h, &nodes);
+	heads(head, &copy, &h, &sum, &nodes);
 	parts(part, motion);
 	for (int i = 0; i < HEAD; i++)
 		*state++ = *head[i];
@@ -60,10 +73,10 @@ void hawser__motion_save(double *state, const struct hawser__motion *motion, dou
 
 void hawser__motion_restore(struct hawser__motion *motion, double *h, const double *state)
 {
-	double *head[HEAD], nodes;
+	double *head[HEAD], nodes, sum;
 	double (*part[PARTS])[3];
 
-	heads(head, motion, h, &nodes);
+	heads(head, motion, h, &sum, &nodes);
 	parts(part, motion);
 	for (int i = 0; i < HEAD; i++)
 		*head[i] = *state++;
@@ -97,11 +110,11 @@ enum hawser_status hawser_net_state_write(const struct hawser_net_motion *motion
 		               strerror(errno)) : HAWSER_OK;
 }
 
-enum hawser_status hawser__motion_read(double **state, const char *path, int nodes,
-                                       struct hawser_report *report)
+enum hawser_status hawser__motion_read(double **state, const char *path,
+                                       const struct hawser__mesh *mesh, struct hawser_report *report)
 {
 	FILE *file = fopen(path, "r");
-	int count = 0, want = HEAD + 3*PARTS*nodes, good;
+	int count = 0, want = HEAD + 3*PARTS*mesh->nodes, good;
 
 	*state = NULL;
 	if (!file)
@@ -117,11 +130,12 @@ enum hawser_status hawser__motion_read(double **state, const char *path, int nod
 	for (int i = 0; i < want && good; i++) /* NOLINTNEXTLINE(cert-err34-c): overflow is not finite */
 		good = fscanf(file, "%lf", &(*state)[i]) == 1 && isfinite((*state)[i]);
 	fclose(file);
-	if (good && (*state)[0] == nodes)
+	if (good && (*state)[0] == check_sum(mesh) && (*state)[1] == mesh->nodes)
 		return HAWSER_OK;
 	free(*state);
 	*state = NULL;
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net",
-	                    "%s is no state of a net with %d nodes in its mesh: give a file that a run of "
-	                    "this scene has written", path, nodes);
+	                    "%s is no state of this net, which has %d nodes in its mesh%s: give a file that a "
+	                    "run of this scene has written with --state", path, mesh->nodes,
+	                    good ? ", and joins them in another way" : "");
 }

@@ -15,6 +15,23 @@
 #include "core/report.h"
 #include "net/motion.h"
 
+/* Rows before and after a time; returns the latter. */
+static int interval(int *low, const struct hawser__support_table *table, double t)
+{
+	int high = table->rows - 1;
+
+	*low = 0;
+	while (high - *low > 1) {
+		int mid = *low + (high - *low)/2;
+
+		if (table->t[mid] <= t)
+			*low = mid;
+		else
+			high = mid;
+	}
+	return high;
+}
+
 void hawser__motion_waves(double (*wave)[3], const struct hawser__mesh *mesh, double t, double factor)
 {
 	double f = 0.0;
@@ -61,6 +78,30 @@ void hawser__motion_supports(double (*x)[3], double (*v)[3], const struct hawser
 	}
 }
 
+void hawser__motion_support_accelerations(double (*a)[3], const struct hawser__motion *motion, double t)
+{
+	const struct hawser__mesh *mesh = motion->mesh;
+
+	memset(a, 0, (size_t)mesh->nodes*sizeof *a);
+	for (int i = 0; i < mesh->motions; i++) {
+		const struct hawser__mesh_wave *from = &mesh->motion[i];
+		double c = from->Omega*from->Omega*cos(from->Omega*t + from->phase);
+
+		for (int k = 0; k < 3; k++)
+			if (mesh->unknown[from->node][k] < 0)
+				a[from->node][k] -= from->value[k]*c;
+	}
+	for (int i = 0; i < motion->tables; i++) {
+		const struct hawser__support_table *table = &motion->table[i];
+		int low, high = interval(&low, table, t);
+		double part = (t - table->t[low])/(table->t[high] - table->t[low]);
+
+		for (int k = 0; k < 3; k++)
+			if (mesh->unknown[table->node][k] < 0)
+				a[table->node][k] = (1.0 - part)*table->curve[low][k] + part*table->curve[high][k];
+	}
+}
+
 void hawser__support_clear(struct hawser__support_table *table)
 {
 	free(table->t);
@@ -92,17 +133,9 @@ static void spline(struct hawser__support_table *table, int k, double *work)
 
 void hawser__support_at(double x[3], double v[3], const struct hawser__support_table *table, double t)
 {
-	int low = 0, high = table->rows - 1;
+	int low, high = interval(&low, table, t);
 	double h, a, b;
 
-	while (high - low > 1) {
-		int mid = low + (high - low)/2;
-
-		if (table->t[mid] <= t)
-			low = mid;
-		else
-			high = mid;
-	}
 	h = table->t[high] - table->t[low];
 	a = (table->t[high] - t)/h;
 	b = (t - table->t[low])/h;

@@ -36,6 +36,7 @@ void hawser__motion_clear(struct hawser__motion *motion)
 		hawser__support_clear(&motion->table[i]);
 	free(motion->table);
 	hawser__blocks_clear(motion->blocks);
+	hawser__cvode_clear(motion->cvode);
 	memset(motion, 0, sizeof *motion);
 }
 
@@ -261,31 +262,35 @@ static void finish(struct hawser__motion *motion, const struct hawser__motion_ru
 	memcpy(motion->past, motion->x, (size_t)motion->nodes*sizeof *motion->x);
 	motion->past2_h = motion->past_h;
 	motion->past_h = h;
+	motion->drift += motion->error;
 	motion->t += h;
 	motion->steps++;
 }
 
-/* Largest local error of a position: h^3 q'''/12 or, of order 1, h^2 q''/2; 0 if it is not known. */
+/* Largest local error of a position: h^3 q'''/12 or, of order 1, h^2 q''/2; 0 if it is not known. Both
+ * are sums of the increments of the last steps. */
 static double local_error(const struct hawser__motion *motion, double h)
 {
-	double h1 = motion->past_h, h2 = motion->past2_h, most = 0.0;
+	double h1 = motion->past_h, h2 = motion->past2_h, most = 0.0, a0, a1, part, c[3];
 	int first = motion->scheme->shown.order == 1;
 
 	if (h1 <= 0.0 || h2 <= 0.0)
 		return 0.0;
+	a0 = 2.0/(h + h1);
+	a1 = 2.0/(h1 + h2);
+	part = 4.0/(h + 2.0*h1 + h2)*h*h*h/12.0;
+	c[0] = (first ? 0.5*h*h : part)*a0/h;
+	c[1] = (first ? -0.5*h*h*a0 : -part*(a0 + a1))/h1;
+	c[2] = first ? 0.0 : part*a1/h2;
 	for (int i = 0; i < motion->nodes; i++)
-		for (int k = 0; k < 3; k++) {
-			double v0 = motion->x[i][k]/h, v1 = motion->past[i][k]/h1, v2 = motion->past2[i][k]/h2;
-			double a0 = 2.0*(v0 - v1)/(h + h1), a1 = 2.0*(v1 - v2)/(h1 + h2);
-			double jerk = 4.0*(a0 - a1)/(h + 2.0*h1 + h2);
-
-			most = fmax(most, fabs(first ? h*h*a0/2.0 : h*h*h*jerk/12.0));
-		}
+		for (int k = 0; k < 3; k++)
+			most = fmax(most, fabs(c[0]*motion->x[i][k] + c[1]*motion->past[i][k] +
+			                       c[2]*motion->past2[i][k]));
 	return most;
 }
 
-/* Try one step; *done is 0, and the state as before, if it fails or its local error is more than limit;
- * motion->error gets the error if limit is not infinite. */
+/* Try one step; *done is 0, and the state as before, if it fails or its local error, which motion->error
+ * gets, is more than limit. */
 static enum hawser_status attempt(struct hawser__motion *motion, int *done, double h, double limit,
                                   struct hawser_report *report)
 {
@@ -298,7 +303,7 @@ static enum hawser_status attempt(struct hawser__motion *motion, int *done, doub
 	predict(motion, h);
 	hawser__motion_prepare(motion, &rule, h);
 	status = solve(motion, done, &rule, h, report);
-	motion->error = !status && *done && isfinite(limit) ? local_error(motion, h) : 0.0;
+	motion->error = !status && *done ? local_error(motion, h) : 0.0;
 	if (!status && *done && motion->error <= limit) {
 		finish(motion, &rule, h);
 	} else {

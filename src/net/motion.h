@@ -42,9 +42,14 @@ struct hawser__motion_rule {
 	double m[3], c[3], to_v[3], to_a[3], weight;
 };
 
+struct hawser__motion;
 struct hawser__motion_scheme {
 	struct hawser_net_scheme shown;
-	void (*rule)(struct hawser__motion_rule *rule, double h, double rho_inf);
+	void (*rule)(struct hawser__motion_rule *rule, double h, double rho_inf); /* NULL: see advance */
+	/* A scheme with steps of its own, at most `longest` (0: any): to time `end`, with local errors of
+	 * at most `tolerance` (m). NULL: steps by the rule. */
+	enum hawser_status (*advance)(struct hawser__motion *motion, double end, double tolerance,
+	                              double longest, struct hawser_report *report);
 };
 const struct hawser__motion_scheme *hawser__motion_scheme(int index); /* NULL beyond the last */
 
@@ -114,6 +119,7 @@ struct hawser__motion {
 	double past_h, past2_h;      /* their lengths; 0: there was none */
 	double (*B)[9], (*mass)[2], *point; /* the matrix */
 	struct hawser__blocks *blocks;
+	struct hawser__cvode *cvode; /* of that scheme, or NULL */
 	struct hawser__support_table *table; /* [tables] */
 	int tables;
 	double scale;                /* N, of the terms of the residual */
@@ -123,6 +129,7 @@ struct hawser__motion {
 	double least_energy;         /* J, below which it is round-off */
 	double closure;              /* J, largest error of the ledger */
 	double error;                /* m, local error of the last step that was tried */
+	double drift;                /* m, sum of the local errors of all steps */
 	long steps, iterations, splits, rejected, switches; /* switches: slack to taut and back */
 };
 
@@ -141,8 +148,9 @@ void hawser__motion_save(double *state /* [states] */, const struct hawser__moti
 void hawser__motion_restore(struct hawser__motion *motion, double *h,
                             const double *state /* [states] */);
 const double *hawser__motion_place(const double *state /* [states] */, int node);
-enum hawser_status hawser__motion_read(double **state /* [states] */, const char *path, int nodes,
-                                       struct hawser_report *report) HAWSER_MUST_CHECK;
+enum hawser_status hawser__motion_read(double **state /* [states] */, const char *path,
+                                       const struct hawser__mesh *mesh, struct hawser_report *report)
+	HAWSER_MUST_CHECK;
 /* Tensions T [elements] of the state, without damping; returns the number of slack elements. */
 int hawser__motion_tensions(double *T, const struct hawser__motion *motion);
 /* After a change of u, v or t by the caller: energies and accelerations anew. */
@@ -157,7 +165,7 @@ enum hawser_status hawser__motion_adapt(struct hawser__motion *motion, double *h
                                         double tolerance, struct hawser_report *report)
 	HAWSER_MUST_CHECK;
 
-/* law.c: residual r of the step for motion->x; the matrix too if `tangent`. */
+/* motion-law.c: residual r of the step for motion->x; the matrix too if `tangent`. */
 void hawser__motion_residual(struct hawser__motion *motion, const struct hawser__motion_rule *rule,
                              double h, int tangent);
 /* What does not change within the step: vectors of the elements, loads, motion of supports. */
@@ -165,12 +173,22 @@ void hawser__motion_prepare(struct hawser__motion *motion, const struct hawser__
                             double h);
 /* Kinetic and potential energy of the state. */
 void hawser__motion_energies(struct hawser__motion *motion);
+/* The error of the ledger: sets energies and closure. */
+void hawser__motion_balance(struct hawser__motion *motion);
 /* The ledger after a step from (u0, v0) to (u, v). */
 void hawser__motion_account(struct hawser__motion *motion, const struct hawser__motion_rule *rule,
                             double h);
-/* supports.c: displacement and velocity of the held directions of all supports at time t. */
+/* motion-cvode.c */
+struct hawser__cvode;
+enum hawser_status hawser__cvode_advance(struct hawser__motion *motion, double end, double tolerance,
+                                         double longest, struct hawser_report *report)
+	HAWSER_MUST_CHECK;
+void hawser__cvode_clear(struct hawser__cvode *cvode);
+/* motion-support.c: displacement and velocity of the held directions of all supports at time t. */
 void hawser__motion_supports(double (*x)[3], double (*v)[3], const struct hawser__motion *motion,
                              double t);
+/* The same for their accelerations; 0 for all other directions. */
+void hawser__motion_support_accelerations(double (*a)[3], const struct hawser__motion *motion, double t);
 /* Harmonic loads at time t, times `factor`, added to wave [nodes][3]. */
 void hawser__motion_waves(double (*wave)[3], const struct hawser__mesh *mesh, double t, double factor);
 

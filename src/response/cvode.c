@@ -21,7 +21,6 @@
 #include "config.h"
 
 #include <float.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -31,20 +30,20 @@
 #include <sunmatrix/sunmatrix_dense.h>
 
 #include "core/report.h"
+#include "core/sundials.h"
 #include "response/stepper.h"
 #include "rom/history.h"
 #include "rom/ramp.h"
 
 struct cvode {
 	struct hawser__stepper base;
-	SUNContext context;
+	struct hawser__sundials sundials;
 	N_Vector state;
 	SUNMatrix matrix;
 	SUNLinearSolver solver;
 	void *memory;
 	double phase; /* phase of the forcing at the start of the run */
 	double *by_u, *by_v, *by_omega, *acceleration; /* [n][n] twice, [n] twice */
-	char message[256]; /* message of CVODE's last failure */
 };
 
 /* Phase of the forcing at CVODE's time t. */
@@ -100,58 +99,6 @@ static int jacobian(sunrealtype t, N_Vector y, N_Vector slope, SUNMatrix matrix,
 	return 0;
 }
 
-/* SUNDIALS 7 moved error handlers from the integrator to its context. All handlers of a stack are
- * called, and the first one prints, so the stack is cleared. Warnings go to a logger, which prints
- * them to standard output. The library prints nothing, so the logger is removed. A debug build of
- * SUNDIALS uses the logger without checking that there is one, and keeps it. */
-#if HAVE_DECL_SUNCONTEXT_PUSHERRHANDLER
-static void keep_message(int line, const char *function, const char *file, const char *message,
-                         SUNErrCode code, void *user, SUNContext context)
-{
-	struct cvode *cvode = user;
-
-	(void)line, (void)file, (void)context;
-	snprintf(cvode->message, sizeof cvode->message, "%s: %s", function,
-	         message ? message : SUNGetErrMsg(code));
-}
-
-static int make_context(struct cvode *cvode)
-{
-	return !SUNContext_Create(SUN_COMM_NULL, &cvode->context) &&
-#if SUNDIALS_LOGGING_LEVEL < 4
-	       !SUNContext_SetLogger(cvode->context, NULL) &&
-#endif
-	       !SUNContext_ClearErrHandlers(cvode->context) &&
-	       !SUNContext_PushErrHandler(cvode->context, keep_message, cvode);
-}
-
-static int redirect_messages(struct cvode *cvode)
-{
-	(void)cvode;
-	return 1;
-}
-#else
-static void keep_message(int code, const char *module, const char *function, char *message,
-                         void *user)
-{
-	struct cvode *cvode = user;
-
-	(void)module;
-	if (code < 0)
-		snprintf(cvode->message, sizeof cvode->message, "%s: %s", function, message);
-}
-
-static int make_context(struct cvode *cvode)
-{
-	return !SUNContext_Create(NULL, &cvode->context);
-}
-
-static int redirect_messages(struct cvode *cvode)
-{
-	return !CVodeSetErrHandlerFn(cvode->memory, keep_message, cvode);
-}
-#endif
-
 static void close_cvode(struct hawser__stepper *stepper)
 {
 	struct cvode *cvode = (struct cvode *)stepper;
@@ -164,8 +111,7 @@ static void close_cvode(struct hawser__stepper *stepper)
 		SUNMatDestroy(cvode->matrix);
 	if (cvode->state)
 		N_VDestroy(cvode->state);
-	if (cvode->context)
-		SUNContext_Free(&cvode->context);
+	hawser__sundials_clear(&cvode->sundials);
 	free(cvode->by_u);
 	free(cvode);
 }
@@ -182,17 +128,17 @@ static int set_up(struct cvode *cvode, int family, const double *y0)
 	size_t block = (size_t)n*(size_t)n;
 
 	if (!(cvode->by_u = calloc(2*block + 2*(size_t)n, sizeof(double))) ||
-	    !make_context(cvode) ||
-	    !(cvode->state = N_VNew_Serial(2*n, cvode->context)))
+	    !hawser__sundials_open(&cvode->sundials) ||
+	    !(cvode->state = N_VNew_Serial(2*n, cvode->sundials.context)))
 		return 0;
 	cvode->by_v = cvode->by_u + block;
 	cvode->by_omega = cvode->by_v + block;
 	cvode->acceleration = cvode->by_omega + n;
 	memcpy(NV_DATA_S(cvode->state), y0, 2*(size_t)n*sizeof(double));
-	return (cvode->matrix = SUNDenseMatrix(2*n, 2*n, cvode->context)) &&
-	       (cvode->solver = SUNLinSol_Dense(cvode->state, cvode->matrix, cvode->context)) &&
-	       (cvode->memory = CVodeCreate(family, cvode->context)) &&
-	       redirect_messages(cvode) &&
+	return (cvode->matrix = SUNDenseMatrix(2*n, 2*n, cvode->sundials.context)) &&
+	       (cvode->solver = SUNLinSol_Dense(cvode->state, cvode->matrix, cvode->sundials.context)) &&
+	       (cvode->memory = CVodeCreate(family, cvode->sundials.context)) &&
+	       hawser__sundials_listen(&cvode->sundials, cvode->memory) &&
 	       !CVodeInit(cvode->memory, right_hand_side, 0.0, cvode->state) &&
 	       !CVodeSetUserData(cvode->memory, cvode) &&
 	       !CVodeSStolerances(cvode->memory, cvode->base.rtol, cvode->base.atol) &&
@@ -254,7 +200,7 @@ static enum hawser_status explain(struct cvode *cvode, int flag, struct hawser_r
 		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "integrate",
 		                       (int)cvode->base.steps, step, "CVODE stopped at t = "
 		                       "%.6g%s with code %d: %s",
-		                       HAWSER_SHOWN_TIME(cvode->base.rom, t), flag, cvode->message);
+		                       HAWSER_SHOWN_TIME(cvode->base.rom, t), flag, cvode->sundials.message);
 	}
 }
 

@@ -38,6 +38,18 @@ for name in whole["probes"]:
     assert whole["probes"][name]["x"][10:] == second["probes"][name]["x"]
 END
 done
+works "by CVODE, with an error" integrate net.yaml --until "2 s" --every "0.1 s" --method cvode --probe J,c2:0.4 \
+	--error --json cvode.json -q
+python "within the stated errors" <<'END'
+import json
+one, other = json.load(open("whole.json")), json.load(open("cvode.json"))
+assert other["error"]["from"] == "another run" and one["error"]["from"] == "local errors"
+assert 0 < other["error"]["position"] < 1e-5 < one["error"]["position"] < 1e-2
+assert other["scheme"] == "cvode" and other["energy"]["closure"] < 1e-6
+off = max(abs(a - b) for name in one["probes"] for x, y in zip(one["probes"][name]["x"], other["probes"][name]["x"])
+          for a, b in zip(x, y))
+assert 0 < off < 1.5*one["error"]["position"], (off, one["error"])
+END
 try "21 files of VTK" test "$(find . -name 'frame-*.vtk' | wc -l)" -eq 21
 
 refuses() {
@@ -47,7 +59,9 @@ refuses() {
 	try "$called" said 1
 	try "  says so" grep -q -e "$saying" "$scratch/err"
 }
+sed -e 's/elements: [0-9]*/elements: 1/' -e 's/0.5 kg.m/0/' -e '/^masses/d' net.yaml >massless.yaml
 refuses "no end" "give the end of its motion" net.yaml
+refuses "no mass" "node J has none" massless.yaml --until "1 s" --method cvode
 refuses "an option of models" "\-\-Omega is not for nets" net.yaml --until "1 s" --Omega 1
 refuses "an option of nets" "\-\-step is for nets" "$chairlift" --Omega 1 --step 1
 refuses "an unknown scheme" "the schemes of nets are" net.yaml --until "1 s" --method gauss
@@ -55,7 +69,9 @@ refuses "an unknown probe" "neither a node of the net nor a place" net.yaml --un
 refuses "a table that ends" "and the run is from 0 to" net.yaml --until "4 s"
 refuses "a long name" "with commas between them" net.yaml --until "1 s" --probe ,
 refuses "too many rows" "choose a longer time between them" net.yaml --until "1 s" --every "1e-9 s"
-refuses "another's state" "is no state of a net with" net.yaml --until "1 s" --initial C.txt
+refuses "another's state" "is no state of this net" net.yaml --until "1 s" --initial C.txt
+sed -e 's/from: J, to: C/from: J, to: A/' -e 's/  C: {table/  C: fixed #/' net.yaml >other.yaml
+refuses "that of a net with as many nodes" "joins them in another way" other.yaml --until "2 s" --initial half.state
 refuses "no state" "cannot read the state in" net.yaml --until "1 s" --initial none.txt
 printf '0 0 0 0\n' >C.txt
 refuses "a table of one time" "needs two times at least" net.yaml --until "1 s"

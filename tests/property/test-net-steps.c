@@ -132,9 +132,14 @@ static void orders(void)
 {
 	for (int i = 0; hawser_net_scheme(i); i++) {
 		const struct hawser_net_scheme *scheme = hawser_net_scheme(i);
-		double a = middle(scheme->name, 1e-3), b = middle(scheme->name, 0.5e-3),
-		       c = middle(scheme->name, 0.25e-3), order = log2(fabs((a - b)/(b - c)));
+		double a, b, c, order;
 
+		if (scheme->order == 0)
+			continue; /* steps of its own: test-net-cvode */
+		a = middle(scheme->name, 1e-3);
+		b = middle(scheme->name, 0.5e-3);
+		c = middle(scheme->name, 0.25e-3);
+		order = log2(fabs((a - b)/(b - c)));
 		ok(fabs(order - scheme->order) <= 0.1, "%s: order %.3f", scheme->name, order);
 	}
 }
@@ -143,7 +148,7 @@ static void orders(void)
  * and both solvers. */
 static void tangents(void)
 {
-	for (int s = 0; hawser__motion_scheme(s); s++) {
+	for (int s = 0; hawser__motion_scheme(s) && hawser__motion_scheme(s)->rule; s++) {
 		struct hawser__motion_rule rule = {0};
 		struct hawser__mesh mesh;
 		struct hawser__motion motion;
