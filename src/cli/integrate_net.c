@@ -277,8 +277,8 @@ static enum hawser_status options_of(struct hawser_net_motion_options *options,
 		known |= strcmp(hawser_net_scheme(i)->name, settings->scheme) == 0;
 	options->scheme = settings->scheme;
 	return known ? HAWSER_OK
-		: hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate", "--method %s: the schemes of nets are "
-		               "energy, alpha, theta, euler and cvode", settings->scheme);
+		: hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate", "--method %s: the schemes of nets "
+		               "are energy, alpha, theta, euler and cvode", settings->scheme);
 }
 
 static enum hawser_status solve(struct result *result, struct hawser_report *report)
@@ -286,7 +286,8 @@ static enum hawser_status solve(struct result *result, struct hawser_report *rep
 	struct cli_watch watch = {{.quiet = result->common->quiet}, "integrate"};
 	struct hawser_net_motion_options options = {
 		.initial = result->settings->initial, .tolerance = result->settings->tolerance,
-		.check = result->settings->error, .probe = result->probe, .frame = frame, .data = result, .progress = {cli_watch, &watch}};
+		.check = result->settings->error, .probe = result->probe, .frame = frame, .data = result,
+		.progress = {cli_watch, &watch}};
 	enum hawser_status status = hawser_net_open(&result->net, result->common->input,
 	                                            result->common->set, (size_t)result->common->sets,
 	                                            report);

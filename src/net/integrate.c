@@ -399,8 +399,8 @@ static double distance(const struct hawser_net_motion *a, const struct hawser_ne
 	return most;
 }
 
-/* The motion again with steps twice as long: the error of order p is the difference over 2^p - 1. CVODE has
- * no steps that could be doubled: with a hundred times its tolerance, the difference is a bound. */
+/* The motion again with steps twice as long: the error of order p is the difference over 2^p - 1. CVODE
+ * has no steps that could be doubled: with a hundred times its tolerance, the difference is a bound. */
 static enum hawser_status check(struct hawser_net_motion *motion, const struct hawser_net *net,
                                 const struct hawser_net_motion_options *options,
                                 struct hawser_report *report)

@@ -1,17 +1,17 @@
 /* net/motion-cvode.c - SUNDIALS CVODE on a mesh, as a check of the other schemes: orders up to 12, and
  * a local error that is controlled in positions and velocities.
  *
- * y = (u, v) of the unknowns. An error weight is 1/tolerance for positions and 1/(tolerance*omega) for
- * velocities, with the slow frequency omega = sqrt(g/L + T/(rho*L^2)) of the longest cable: the errors of
- * the slow motion decide, and they add up in the positions. The norm is Euclid's, so that no component
- * exceeds the tolerance; that of SUNDIALS is a root mean square, which a few components of a thousand
- * do not move.
+ * y = (u, v) of the unknowns. An error weight is 1/tolerance for positions and 1/(tolerance*omega)
+ * for velocities, with the slow frequency omega = sqrt(g/L + T/(rho*L^2)) of the longest cable: the
+ * errors of the slow motion decide, and they add up in the positions. The norm is Euclid's, so that no
+ * component exceeds the tolerance; that of SUNDIALS is a root mean square, which a few components of a
+ * thousand do not move.
  *
  * Adams' formulas, with Newton's method: axial waves without damping stay in the motion, and backward
- * differences are slow and inexact on them (a span of 300 m with 100 elements over 10 s at 1e-8: 25170
- * steps by Adams, 183388 by BDF). Where Kelvin-Voigt damping makes the fastest axial wave aperiodic
- * (damping.axial*omega_max > 2), it would still limit the steps of Adams' formulas, and BDF is taken (the
- * same span with 0.01 s: 9483 and 2198 steps).
+ * differences are slow and inexact on them (a span of 300 m with 100 elements over 10 s at 1e-8:
+ * 25170 steps by Adams, 183388 by BDF). Where Kelvin-Voigt damping makes the fastest axial wave
+ * aperiodic (damping.axial*omega_max > 2), it would still limit the steps of Adams' formulas, and BDF
+ * is taken (the same span with 0.01 s: 9483 and 2198 steps).
  *
  * The ledger integrates the rates of work and damping over each step by three Gauss points of CVODE's
  * own interpolation.
@@ -247,9 +247,9 @@ static enum hawser_status explain(struct hawser__cvode *cvode, int flag, struct 
 		return hawser__no_memory(report, "net");
 	CVodeGetCurrentTime(cvode->memory, &t);
 	CVodeGetCurrentStep(cvode->memory, &step);
-	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "net", 0, step, "the scheme cvode stopped at "
-	                       "%.9g s with a step of %.3g s (code %d: %s): give a larger --rtol, or take the "
-	                       "scheme energy", t, step, flag, cvode->sundials.message);
+	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "net", 0, step, "the scheme cvode stopped "
+	                       "at %.9g s with a step of %.3g s (code %d: %s): give a larger --rtol, or "
+	                       "take the scheme energy", t, step, flag, cvode->sundials.message);
 }
 
 /* The local error of the last step: what it adds to positions, sooner or later. */

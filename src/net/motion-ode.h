@@ -23,8 +23,8 @@ enum hawser_status hawser__ode_accelerate(double *a /* [unknowns] */, struct haw
                                           const double *u /* [unknowns] */,
                                           const double *v /* [unknowns] */,
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
-/* Solve (I - gamma*J)*(x, y) = (x, y) in place, J the derivative of (v, u'') by (u, v); *good is 0 if the
- * matrix is singular. */
+/* Solve (I - gamma*J)*(x, y) = (x, y) in place, J the derivative of (v, u'') by (u, v); *good is 0 if
+ * the matrix is singular. */
 enum hawser_status hawser__ode_newton(double *x /* [unknowns] */, double *y /* [unknowns] */, int *good,
                                       struct hawser__ode *ode, double gamma, double t,
                                       const double *u /* [unknowns] */,

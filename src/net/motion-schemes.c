@@ -57,8 +57,8 @@ const struct hawser__motion_scheme *hawser__motion_scheme(int index)
 		  "Bertrand 2022, (3.41)-(3.42)", 2}, trapezoidal, NULL},
 		{{"euler", "implicit Euler: damps all, order 1; printed there as theta = 1/2",
 		  "Bertrand 2022, (3.43)", 1}, euler, NULL},
-		{{"cvode", "CVODE, Adams' formulas of order 1 to 12, or BDF if axial waves are overdamped: a check",
-		  "Hindmarsh et al. 2005", 0}, NULL, hawser__cvode_advance},
+		{{"cvode", "CVODE, Adams' formulas to order 12, or BDF if axial waves are overdamped: a "
+		  "check", "Hindmarsh et al. 2005", 0}, NULL, hawser__cvode_advance},
 	};
 
 	return index >= 0 && (size_t)index < sizeof table/sizeof *table ? &table[index] : NULL;
