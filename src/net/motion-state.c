@@ -2,8 +2,8 @@
  * on bit by bit.
  *
  * A file is the line "hawser net state 2 COUNT" and then one number a line: those of `head`, and for
- * each node those of `part`. The first number of `head` is a check sum of which nodes the elements join:
- * another net with as many nodes is not taken for this one.
+ * each node those of `part`. The first number of `head` is a check sum of which nodes the elements
+ * join: another net with as many nodes is not taken for this one.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -135,7 +135,7 @@ enum hawser_status hawser__motion_read(double **state, const char *path,
 	free(*state);
 	*state = NULL;
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net",
-	                    "%s is no state of this net, which has %d nodes in its mesh%s: give a file that a "
-	                    "run of this scene has written with --state", path, mesh->nodes,
+	                    "%s is no state of this net, which has %d nodes in its mesh%s: give a file "
+	                    "that a run of this scene has written with --state", path, mesh->nodes,
 	                    good ? ", and joins them in another way" : "");
 }

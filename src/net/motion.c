@@ -289,8 +289,8 @@ static double local_error(const struct hawser__motion *motion, double h)
 	return most;
 }
 
-/* Try one step; *done is 0, and the state as before, if it fails or its local error, which motion->error
- * gets, is more than limit. */
+/* Try one step; *done is 0, and the state as before, if it fails or its local error, which
+ * motion->error gets, is more than limit. */
 static enum hawser_status attempt(struct hawser__motion *motion, int *done, double h, double limit,
                                   struct hawser_report *report)
 {

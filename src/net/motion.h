@@ -188,7 +188,8 @@ void hawser__cvode_clear(struct hawser__cvode *cvode);
 void hawser__motion_supports(double (*x)[3], double (*v)[3], const struct hawser__motion *motion,
                              double t);
 /* The same for their accelerations; 0 for all other directions. */
-void hawser__motion_support_accelerations(double (*a)[3], const struct hawser__motion *motion, double t);
+void hawser__motion_support_accelerations(double (*a)[3], const struct hawser__motion *motion,
+                                          double t);
 /* Harmonic loads at time t, times `factor`, added to wave [nodes][3]. */
 void hawser__motion_waves(double (*wave)[3], const struct hawser__mesh *mesh, double t, double factor);
 
