@@ -12,7 +12,8 @@ tests_property_test_net_equilibria_LDADD = $(UPTO_NET)
 noinst_HEADERS += tests/net-random.h
 
 NET_MOTION_TESTS = tests/reference/test-net-motion tests/reference/test-net-modes \
-	tests/property/test-net-steps tests/property/test-net-error tests/property/test-net-cvode
+	tests/property/test-net-steps tests/property/test-net-error tests/property/test-net-cvode \
+	tests/property/test-net-damping
 check_PROGRAMS += $(NET_MOTION_TESTS)
 TESTS += $(NET_MOTION_TESTS)
 tests_reference_test_net_motion_SOURCES = tests/reference/test-net-motion.c
@@ -23,6 +24,8 @@ tests_property_test_net_steps_SOURCES = tests/property/test-net-steps.c
 tests_property_test_net_steps_LDADD = $(UPTO_NET)
 tests_property_test_net_cvode_SOURCES = tests/property/test-net-cvode.c
 tests_property_test_net_cvode_LDADD = $(UPTO_NET)
+tests_property_test_net_damping_SOURCES = tests/property/test-net-damping.c
+tests_property_test_net_damping_LDADD = $(UPTO_NET)
 tests_property_test_net_error_SOURCES = tests/property/test-net-error.c
 tests_property_test_net_error_LDADD = $(UPTO_NET)
 

@@ -1,5 +1,6 @@
-/* The motion of a net by CVODE against the scheme that keeps energy: two programs for the same equations,
- * but for the vectors of the elements. Newton's matrix against differences; the ledger; order 2.
+/* The motion of a net by CVODE against the scheme that keeps energy: two programs for the same
+ * equations, but for the vectors of the elements. Newton's matrix against differences; the ledger;
+ * order 2.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -20,8 +21,8 @@ static double any(void)
 	return (double)(seed >> 11)/4503599627370496.0 - 1.0;
 }
 
-/* A hanging chain of 2 m under a harmonic load, one end of which moves; with a second cable of 3 m from its
- * other end and a mass there if `net` is 1. */
+/* A hanging chain of 2 m under a harmonic load, one end of which moves; with a second cable of 3 m from
+ * its other end and a mass there if `net` is 1. */
 static void scene(struct hawser_net *to, int net)
 {
 	static struct hawser_net_node node[3];
@@ -132,7 +133,8 @@ static double ledgers(const struct hawser_net_motion *a, const struct hawser_net
 	return most/fabs(a->work[a->rows - 1]);
 }
 
-/* Steps of 2, 1 and 0.5 ms: the stated error of the last is a third of its distance from the one before. */
+/* Steps of 2, 1 and 0.5 ms: the stated error of the last is a third of its distance from the one
+ * before. */
 static void agree(int net)
 {
 	struct hawser_net scene_of;
@@ -150,11 +152,11 @@ static void agree(int net)
 	   "1e-10, and states %.1e m", own, coarse.error);
 	for (int i = 0; i < 3; i++)
 		off[i] = distance(&by[i], &cvode);
-	ok(fabs(log2(off[1]/off[2]) - 2.0) <= 0.1, "the schemes converge to each other with order %.3f, %.3f",
-	   log2(off[0]/off[1]), log2(off[1]/off[2]));
+	ok(fabs(log2(off[1]/off[2]) - 2.0) <= 0.1, "the schemes converge to each other with order %.3f, "
+	   "%.3f", log2(off[0]/off[1]), log2(off[1]/off[2]));
 	stated = distance(&by[1], &by[2])/3.0;
-	ok(off[2] <= 1.1*stated + cvode.error, "%.2e m apart, stated errors %.2e and %.1e m", off[2], stated,
-	   cvode.error);
+	ok(off[2] <= 1.1*stated + cvode.error, "%.2e m apart, stated errors %.2e and %.1e m", off[2],
+	   stated, cvode.error);
 	ok(by[2].closure <= 1e-12 && cvode.closure <= 1e-8 && coarse.closure <= 1e-5,
 	   "ledgers close to %.1e, and %.1e and %.1e", by[2].closure, cvode.closure, coarse.closure);
 	ok(ledgers(&cvode, &by[2]) <= 2e-3 && ledgers(&cvode, &by[2]) <= 0.3*ledgers(&cvode, &by[1]),

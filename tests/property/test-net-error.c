@@ -78,8 +78,8 @@ static double distance(const struct hawser_net_motion *a, const struct hawser_ne
 	return most;
 }
 
-/* Steps chosen by the error, against CVODE at 1e-9. The sum of the local errors is no bound where cables get
- * slack often: errors grow there. */
+/* Steps chosen by the error, against CVODE at 1e-9. The sum of the local errors is no bound where
+ * cables get slack often: errors grow there. */
 static void compare(const struct random_net *r, int number)
 {
 	struct hawser_net_motion coarse = {0}, fine = {0}, judge = {0};
@@ -89,8 +89,8 @@ static void compare(const struct random_net *r, int number)
 	    run(&judge, r, "cvode", 1e-9, 0)) {
 		off = distance(&coarse, &judge);
 		apart = distance(&fine, &judge);
-		printf("# net %d: %d cables, %.3g m, %ld changes of slack and taut; %ld, %ld and %ld steps\n", number,
-		       r->net.cables, r->size, fine.switches, coarse.steps, fine.steps, judge.steps);
+		printf("# net %d: %d cables, %.3g m, %ld changes of slack and taut; %ld, %ld and %ld steps\n",
+		       number, r->net.cables, r->size, fine.switches, coarse.steps, fine.steps, judge.steps);
 		ok(off <= coarse.error*(coarse.switches > 60 ? 50.0 : 1.2) && !coarse.checked,
 		   "rtol 1e-6: %.2e m off, %.2f of the sum of local errors", off, off/coarse.error);
 		ok(apart <= 3.0*fine.error && fine.error <= 5.0*apart && fine.checked,
