@@ -20,6 +20,7 @@ pkginclude_HEADERS = \
 	%D%/hawser/identify.h \
 	%D%/hawser/integrate.h \
 	%D%/hawser/irvine.h \
+	%D%/hawser/line.h \
 	%D%/hawser/linear.h \
 	%D%/hawser/locus.h \
 	%D%/hawser/lyapunov.h \

@@ -35,7 +35,8 @@ UPTO_STATICS = src/statics/.libs/libstatics.a $(UPTO_SCENE) $(GSL_LIBS)
 UPTO_MODES = src/modes/.libs/libmodes.a $(UPTO_STATICS) $(SLICOT_LIBS) $(LAPACKE_LIBS) $(BLAS_LIBS)
 UPTO_BEAM = src/beam/.libs/libbeam.a $(UPTO_MODES)
 UPTO_NET = src/net/.libs/libnet.a $(UPTO_BEAM) $(CHOLMOD_LIBS) $(SUNDIALS_LIBS)
-UPTO_ROM = src/rom/.libs/librom.a $(UPTO_NET) $(JANSSON_LIBS)
+UPTO_ROPEWAY = src/ropeway/.libs/libropeway.a $(UPTO_NET)
+UPTO_ROM = src/rom/.libs/librom.a $(UPTO_ROPEWAY) $(JANSSON_LIBS)
 UPTO_RESPONSE = src/response/.libs/libresponse.a $(UPTO_ROM) $(SUNDIALS_LIBS) $(FFTW_LIBS) $(SLICOT_LIBS)
 UPTO_STUDY = src/study/.libs/libstudy.a $(UPTO_RESPONSE)
 
@@ -53,6 +54,8 @@ src/beam/.libs/libbeam.a: src/beam/libbeam.la
 	@:
 src/net/.libs/libnet.a: src/net/libnet.la
 	@:
+src/ropeway/.libs/libropeway.a: src/ropeway/libropeway.la
+	@:
 src/rom/.libs/librom.a: src/rom/librom.la
 	@:
 src/response/.libs/libresponse.a: src/response/libresponse.la
@@ -69,6 +72,7 @@ include %D%/statics.mk
 include %D%/modes.mk
 include %D%/beam.mk
 include %D%/net.mk
+include %D%/ropeway.mk
 include %D%/rom.mk
 include %D%/response.mk
 include %D%/integrate.mk

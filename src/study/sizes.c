@@ -22,6 +22,7 @@
 #include <hawser/identify.h>
 #include <hawser/integrate.h>
 #include <hawser/irvine.h>
+#include <hawser/line.h>
 #include <hawser/linear.h>
 #include <hawser/locus.h>
 #include <hawser/basin.h>
@@ -146,6 +147,13 @@ static const struct row {
 	ROW(hawser_irvine_station),
 	ROW(hawser_landmark),
 	ROW(hawser_landmark_options),
+	ROW(hawser_line),
+	ROW(hawser_line_carrier),
+	ROW(hawser_line_contact),
+	ROW(hawser_line_mass),
+	ROW(hawser_line_piece),
+	ROW(hawser_line_sheave),
+	ROW(hawser_line_statics),
 	ROW(hawser_load_piece),
 	ROW(hawser_locus),
 	ROW(hawser_locus_curve),

@@ -1,0 +1,16 @@
+noinst_LTLIBRARIES += %D%/libropeway.la
+%C%_libropeway_la_SOURCES = \
+	%D%/ahead.c \
+	%D%/arc.c \
+	%D%/at.c \
+	%D%/check.c \
+	%D%/flight.c \
+	%D%/given.c \
+	%D%/line.h \
+	%D%/march.c \
+	%D%/march.h \
+	%D%/path.c \
+	%D%/rope.h \
+	%D%/search.c \
+	%D%/solution.c \
+	%D%/trace.c
