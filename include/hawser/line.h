@@ -1,8 +1,10 @@
-/* hawser/line.h - a rope in a vertical plane that passes over and under sheaves: the statics of a line.
+/* hawser/line.h - a rope in a vertical plane that passes over and under sheaves: the statics of
+ * a line.
  *
- * The rope runs from end A to end B, x horizontal and increasing, y upwards. Between two contacts it is
- * an elastic catenary with point masses; on a sheave it is an arc. Everything is exact: there is no mesh.
- * S is the unstretched arclength from end A; angles are slopes of the rope, atan(dy/dx).
+ * The rope runs from end A to end B, x horizontal and increasing, y upwards. Between two
+ * contacts it is an elastic catenary with point masses; on a sheave it is an arc. Everything is
+ * exact: there is no mesh. S is the unstretched arclength from end A; angles are slopes of the
+ * rope, atan(dy/dx).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_LINE_H
@@ -16,8 +18,8 @@ extern "C" {
 
 enum { HAWSER_LINE_NAME = 32 }; /* size of a name, with the NUL at its end */
 
-/* The way in which the rope slides over every sheave with friction, or would begin to. Friction acts
- * against it, so that the tension grows in this direction. */
+/* The way in which the rope slides over every sheave with friction, or would begin to. Friction
+ * acts against it, so that the tension grows in this direction. */
 enum hawser_line_sliding {
 	HAWSER_LINE_NONE = 0,     /* no tangential force: friction is only reported as an interval */
 	HAWSER_LINE_TOWARD_A,
@@ -56,8 +58,8 @@ struct hawser_line {
 	struct hawser_line_mass *mass;     /* [masses] by ascending S. Masses beyond the unstretched length
 	                                    * of a line whose tension is given are not on it */
 	int sheaves, masses;
-	int lift;              /* 0: a sheave that the rope does not press is an error; 1: the rope passes it
-	                        * without contact */
+	int lift;              /* 0: a sheave that the rope does not press is an error; 1: the rope
+	                        * passes it without contact */
 };
 
 /* A part of the rope between two break points (ends, tangent points, masses): a catenary or an arc. */
@@ -88,8 +90,8 @@ struct hawser_line_contact {
 struct hawser_line_carrier {
 	int present;           /* 0: beyond the end of the rope */
 	int sheave;            /* on or at this sheave; -1: in a span */
-	int state;             /* 0: in a span; 1: at the first point of contact; 2: on the arc; 3: at the last
-	                        * point of contact */
+	int state;             /* 0: in a span, or below a compression sheave between two arcs; 1: at
+	                        * the first point of contact; 2: on the arc; 3: at the last point */
 	double x[2];           /* m */
 	double T_before, T_after; /* N */
 	double angle_before, angle_after; /* rad */
@@ -112,15 +114,16 @@ struct hawser_line_statics {
 	int iterations;
 };
 
-/* Solve. HAWSER_ERR_ARGUMENT (invalid line), HAWSER_ERR_NO_SOLUTION: the rope lifts off a sheave or does
- * not reach it, or the tension is below the least one (the report says which sheave, where, and by how
- * much); HAWSER_ERR_CONVERGENCE, HAWSER_ERR_NAN, HAWSER_ERR_MEMORY. */
+/* Solve. HAWSER_ERR_ARGUMENT (invalid line), HAWSER_ERR_NO_SOLUTION: the rope lifts off a
+ * sheave or does not reach it, or the tension is below the least one (the report says which
+ * sheave, where, and by how much); HAWSER_ERR_CONVERGENCE, HAWSER_ERR_NAN, HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_line_solve(struct hawser_line_statics *st, const struct hawser_line *line,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_line_statics_clear(struct hawser_line_statics *st);
 
-/* State at S: position [2], slope angle, tension, stretch |x'| = 1 + T/EA, curvature per unstretched
- * length (d angle/dS). At a break point: of the piece that begins there. Any pointer may be NULL. */
+/* State at S: position [2], slope angle, tension, stretch |x'| = 1 + T/EA, curvature per
+ * unstretched length (d angle/dS). At a break point: of the piece that begins there. Any
+ * pointer may be NULL. */
 void hawser_line_at(const struct hawser_line_statics *st, double x[2], double *angle, double *T,
                     double *stretch, double *curvature, double S);
 

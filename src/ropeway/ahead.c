@@ -1,9 +1,10 @@
 /* ropeway/ahead.c - which sheaves the rope presses, and how far it is from the others.
  *
- * From a point of departure, the places on its path from which the rope passes above all support sheaves and
- * below all compression sheaves so far are an interval [near, far]. Each further sheave shortens it. When it would be
- * empty, or end B is not in it, the rope touches the sheave that sets the bound in the way: this is the next
- * one. (For a weightless rope it is the funnel algorithm for shortest paths of Lee and Preparata, Networks 14, 1984.)
+ * From a point of departure, the places on its path from which the rope passes above all
+ * support sheaves and below all compression sheaves so far are an interval [near, far]. Each
+ * further sheave shortens it. When it would be empty, or end B is not in it, the rope touches
+ * the sheave that sets the bound in the way: this is the next one. (For a weightless rope it is
+ * the funnel algorithm for shortest paths of Lee and Preparata, Networks 14, 1984.)
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -40,8 +41,8 @@ static struct place place_of(const struct hawser__march *march, const struct haw
 	return place;
 }
 
-/* The next sheave that the rope presses behind the path's; their number: end B; -1: the tension is too low for
- * *blocked; -2: not found. */
+/* The next sheave that the rope presses behind the path's; their number: end B; -1: the tension
+ * is too low for *blocked; -2: not found. */
 static int next_of(int *blocked, const struct hawser__march *march, const struct hawser__path *path)
 {
 	struct place near = {.segment = -1, .q = -INFINITY, .sheave = -2};
@@ -125,7 +126,8 @@ int hawser__march_clearances(struct hawser__march *march)
 		if (meet.found && meet.at.S > to->S)
 			far = copysign(hypot(to->x[0] - target->c[0], to->x[1] - target->c[1]), far);
 		*contact = (struct hawser_line_contact){.clearance = target->side*far - target->R};
-		if (worst < 0 && contact->clearance < -1e-9*(target->R + fabs(target->c[0]) + fabs(target->c[1])))
+		if (worst < 0 && contact->clearance < -1e-9*(target->R + fabs(target->c[0]) +
+		                                             fabs(target->c[1])))
 			worst = k;
 	}
 	return worst;

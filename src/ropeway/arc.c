@@ -7,10 +7,10 @@
  * Per angle, along and across the rope:
  *   N R = T + side*w' R cos a,      dT/dq = w' R sin a + m N R,      dS/dq = R/(1 + T/EA).
  *
- * T is e^{m q} times an integral of the weight. By collocation at the five points of Gauss, where the exponential
- * is exact and only the weight's part is a polynomial: its error is of order 10, 1e-17 of the weight of the
- * arc in a step of 0.4 rad. The weight depends on T through the strain alone, so that a few substitutions
- * solve the equations of a step.
+ * T is e^{m q} times an integral of the weight. By collocation at the five points of Gauss,
+ * where the exponential is exact and only the weight's part is a polynomial: its error is of
+ * order 10, 1e-17 of the weight of the arc in a step of 0.4 rad. The weight depends on T
+ * through the strain alone, so that a few substitutions solve the equations of a step.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -81,7 +81,8 @@ static double step(double T[POINTS], const struct hawser__arc *arc, const struct
 	return (m != 0.0 ? exp(m*h) : 1.0)*(T0 + h*sum);
 }
 
-void hawser__arc_at(double *T, double *S, const struct hawser__arc *arc, const struct hawser__rope *rope,
+void hawser__arc_at(double *T, double *S, const struct hawser__arc *arc,
+                    const struct hawser__rope *rope,
                     double q)
 {
 	int steps = q > longest ? (int)ceil(q/longest) : 1;

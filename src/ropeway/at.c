@@ -24,7 +24,8 @@ static const struct hawser_line_piece *piece_of(const struct hawser_line_statics
 }
 
 /* Angle of contact of the length S from the arc's beginning. */
-static double angle_of(double *P, const struct hawser__arc *arc, const struct hawser__rope *rope, double S,
+static double angle_of(double *P, const struct hawser__arc *arc, const struct hawser__rope *rope,
+                       double S,
                        double most)
 {
 	double q = fmin(S*(1.0 + arc->T0/rope->EA)/arc->R, most), at;

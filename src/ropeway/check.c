@@ -10,7 +10,8 @@
 
 static const char where[] = "line";
 
-const char *hawser__line_name(char text[HAWSER_LINE_NAME + 24], const struct hawser_line *line, int sheave)
+const char *hawser__line_name(char text[HAWSER_LINE_NAME + 24], const struct hawser_line *line,
+                              int sheave)
 {
 	if (sheave < 0 || sheave >= line->sheaves)
 		snprintf(text, HAWSER_LINE_NAME + 24, "end %s", sheave < 0 ? "A" : "B");
@@ -22,9 +23,11 @@ const char *hawser__line_name(char text[HAWSER_LINE_NAME + 24], const struct haw
 	return text;
 }
 
-static enum hawser_status bad(struct hawser_report *report, const char *what, double value, const char *rule)
+static enum hawser_status bad(struct hawser_report *report, const char *what, double value,
+                              const char *rule)
 {
-	return hawser__fail(report, HAWSER_ERR_ARGUMENT, where, "%s is %g: it has to be %s", what, value, rule);
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, where, "%s is %g: it has to be %s", what, value,
+	                    rule);
 }
 
 static enum hawser_status check_rope(const struct hawser_line *line, struct hawser_report *report)
@@ -43,11 +46,13 @@ static enum hawser_status check_rope(const struct hawser_line *line, struct haws
 		return bad(report, "the speed of the rope, m/s,", line->speed, "finite");
 	if (!(thrust < line->EA))
 		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, where,
-		                    "at %g m/s rho*speed^2 = %g N is not below EA = %g N: no rope can run so fast",
+		                    "at %g m/s rho*speed^2 = %g N is not below EA = %g N: no rope can run so "
+		                    "fast",
 		                    line->speed, thrust, line->EA);
 	for (int k = 0; k < 2; k++)
 		if (!isfinite(line->A[k]) || !isfinite(line->B[k]))
-			return bad(report, "a coordinate of the ends, m,", isfinite(line->A[k]) ? line->B[k] : line->A[k],
+			return bad(report, "a coordinate of the ends, m,",
+			           isfinite(line->A[k]) ? line->B[k] : line->A[k],
 			           "finite");
 	if (!(line->B[0] > line->A[0]))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
@@ -66,7 +71,8 @@ static enum hawser_status check_rope(const struct hawser_line *line, struct haws
 	return HAWSER_OK;
 }
 
-static enum hawser_status check_sheave(const struct hawser_line *line, int i, struct hawser_report *report)
+static enum hawser_status check_sheave(const struct hawser_line *line, int i,
+                                       struct hawser_report *report)
 {
 	const struct hawser_line_sheave *s = &line->sheave[i];
 	char name[HAWSER_LINE_NAME + 24];
@@ -81,16 +87,19 @@ static enum hawser_status check_sheave(const struct hawser_line *line, int i, st
 	hawser__line_name(name, line, i);
 	if (what)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
-		                    "%s (centre %g, %g m, radius %g m, friction %g, inertia %g kg m^2): its %s", name,
+		                    "%s (centre %g, %g m, radius %g m, friction %g, inertia %g kg m^2): its "
+		                    "%s", name,
 		                    s->centre[0], s->centre[1], s->radius, s->friction, s->inertia, what);
 	if (!(s->centre[0] > (i ? line->sheave[i - 1].centre[0] : line->A[0]) && s->centre[0] < line->B[0]))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
-		                    "%s is at x = %g m: centres of sheaves have to be between the ends, each to the "
+		                    "%s is at x = %g m: centres of sheaves have to be between the ends, each "
+		                    "to the "
 		                    "right of the one before", name, s->centre[0]);
 	for (int k = 0; k < 2; k++)
 		if (hypot(ends[k][0] - s->centre[0], ends[k][1] - s->centre[1]) <= s->radius)
 			return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
-			                    "end %s at (%g, %g) m is inside %s, whose centre is at (%g, %g) m and radius is "
+			                    "end %s at (%g, %g) m is inside %s, whose centre is at (%g, %g) m and "
+			                    "radius is "
 			                    "%g m", k ? "B" : "A", ends[k][0], ends[k][1], name, s->centre[0],
 			                    s->centre[1], s->radius);
 	for (int j = 0; j < i; j++) {
@@ -122,12 +131,14 @@ enum hawser_status hawser__line_check(const struct hawser_line *line, struct haw
 
 		if (!(m->mass >= 0.0 && isfinite(m->mass)) || !(m->hanger >= 0.0 && isfinite(m->hanger)))
 			return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
-			                    "mass %d is %g kg on a hanger of %g m: both have to be finite and not negative",
+			                    "mass %d is %g kg on a hanger of %g m: both have to be finite and not "
+			                    "negative",
 			                    i + 1, m->mass, m->hanger);
 		if (!(m->S >= (i ? line->mass[i - 1].S : 0.0)) || !isfinite(m->S) ||
 		    (line->given == HAWSER_LINE_LENGTH0 && m->S > line->value))
 			return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
-			                    "mass %d is at S = %g m: masses have to be on the rope, by ascending S", i + 1,
+			                    "mass %d is at S = %g m: masses have to be on the rope, by ascending "
+			                    "S", i + 1,
 			                    m->S);
 	}
 	return status;

@@ -3,11 +3,12 @@
  * c      the centre;  r = x - c;  e, n tangent and normal (upwards) of the rope
  * g      r.e: half the derivative of |r|^2 along the rope
  *
- * The slope grows along the rope, steadily by its weight and in steps at masses. So the rope is the lower boundary
- * of a convex set. A point below the rope has one nearest point, a tangent point (g = 0, r.n > 0) or
- * a mass (g changes its sign from - to + in its kink). A point above the rope may have several, all of them with g = 0
- * from - to +. |r.n| or |r|, with its sign, is a continuous function of the rope, and by the envelope
- * theorem its change is n.dx, where dx is the change of the rope's nearest point.
+ * The slope grows along the rope, steadily by its weight and in steps at masses. So the rope is
+ * the lower boundary of a convex set. A point below the rope has one nearest point, a tangent
+ * point (g = 0, r.n > 0) or a mass (g changes its sign from - to + in its kink). A point above
+ * the rope may have several, all of them with g = 0 from - to +. |r.n| or |r|, with its sign,
+ * is a continuous function of the rope, and by the envelope theorem its change is n.dx, where
+ * dx is the change of the rope's nearest point.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -60,7 +61,8 @@ static double along(const struct hawser__station *at, const double c[2])
 }
 
 /* The nearest point is at the station: a tangent point or a mass. */
-static void settle(struct hawser__meet *meet, const struct hawser__station *at, const double c[2], int vertex)
+static void settle(struct hawser__meet *meet, const struct hawser__station *at, const double c[2],
+                   int vertex)
 {
 	double r[2] = {at->x[0] - c[0], at->x[1] - c[1]}, T = hypot(at->P[0], at->P[1]), far;
 
@@ -138,8 +140,8 @@ static int is_above(const struct hawser__rope *rope, const struct hawser__statio
 	return at.x[1] > c[1];
 }
 
-/* How far the next piece goes at most: a mass, the lowest point of the rope, or the largest turning. INFINITY: no
- * end. */
+/* How far the next piece goes at most: a mass, the lowest point of the rope, or the largest
+ * turning. INFINITY: no end. */
 static double piece_end(const struct hawser__rope *rope, const struct hawser__station *a, double turn)
 {
 	double end = a->mass < rope->masses ? rope->S[a->mass] : INFINITY;

@@ -1,9 +1,9 @@
 /* ropeway/given.c - the tension at end A that belongs to what is given, and hawser_line_solve().
  *
- * The march needs the tension P at A. Given the tension at B, or the unstretched length, one equation in
- * ln P is left: T_B grows with P, and the length falls. It is solved by secant steps in a bracket. A rope that is
- * longer than at the least tension hangs slack in one span, that in which the tension was too low; there the
- * length grows with P.
+ * The march needs the tension P at A. Given the tension at B, or the unstretched length, one
+ * equation in ln P is left: T_B grows with P, and the length falls. It is solved by secant
+ * steps in a bracket. A rope that is longer than at the least tension hangs slack in one span,
+ * that in which the tension was too low; there the length grows with P.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -43,7 +43,8 @@ static int lay(struct hawser__march *march, double P)
 	return 1;
 }
 
-/* What is given, as the march has it, less the given value, over it; grows with P where the rope is taut. */
+/* What is given, as the march has it, less the given value, over it; grows with P where the
+ * rope is taut. */
 static double excess(const struct hawser__march *march, double value)
 {
 	if (march->line->given == HAWSER_LINE_T_B)
@@ -63,7 +64,8 @@ static double first_guess(const struct hawser__march *march, double value)
 	for (int i = 0; i < line->masses; i++)
 		weight += march->rope.weight[i];
 	for (int k = 0; k <= line->sheaves; k++) {
-		double to[2] = {march->target[k].c[0], march->target[k].c[1] + march->target[k].side*march->target[k].R};
+		double to[2] = {march->target[k].c[0], march->target[k].c[1] +
+		                march->target[k].side*march->target[k].R};
 		double dx = to[0] - from[0], chord = hypot(dx, to[1] - from[1]), part;
 
 		part = weight/value*chord;
@@ -135,8 +137,8 @@ static int slacken(struct hawser__march *march, double value, double lo, double 
 	return fabs(excess(march, value)) <= 1e-9;
 }
 
-/* Is the rope slack that belongs to the value? Then it is laid. P: the least tension that is known to be high enough;
- * lo: too low; `from`: the span in which. */
+/* Is the rope slack that belongs to the value? Then it is laid. P: the least tension that is
+ * known to be high enough; lo: too low; `from`: the span in which. */
 static int slack(struct hawser__march *march, double value, double lo, double P, int from, int *below)
 {
 	int done;
@@ -147,7 +149,8 @@ static int slack(struct hawser__march *march, double value, double lo, double P,
 		march->slack_behind = -2;
 		return 0;
 	}
-	*below = excess(march, value) < 0.0; /* longer than the value: the root is below P on one of both branches */
+	/* longer than the value: the root is below P, on one of both branches */
+	*below = excess(march, value) < 0.0;
 	done = !*below && slacken(march, value, lo, P);
 	if (!done)
 		march->slack_behind = -2;
@@ -181,7 +184,8 @@ static int search(struct hawser__march *march, double value, double *least)
 		}
 		if (laid && f > 0.0 && too_low >= -1 && P < 1.01*b.lo) {
 			*least = P;
-			if (march->line->given == HAWSER_LINE_LENGTH0 && slack(march, value, b.lo, P, too_low, &below))
+			if (march->line->given == HAWSER_LINE_LENGTH0 && slack(march, value, b.lo, P, too_low,
+			                                                       &below))
 				return 1;
 		}
 		next = next_of(&b, P, f, P1, f1);
@@ -225,7 +229,8 @@ static enum hawser_status too_low(struct hawser__march *march, double P, struct 
 	hawser__line_name(to, line, march->to);
 	least = (least_of(march, P) + march->rope.thrust)*march->rope.stretch;
 	return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, where,
-	                    "the tension is too low: behind %s the rope sags so much that it does not come down to %s. "
+	                    "the tension is too low: behind %s the rope sags so much that it does not "
+	                    "come down to %s. "
 	                    "The tension at end A has to be at least %.10g N", from, to, least);
 }
 
@@ -245,7 +250,8 @@ static enum hawser_status check_lift(const struct hawser__march *march, struct h
 		return HAWSER_OK;
 	hawser__line_name(name, line, first);
 	return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, where,
-	                    "the rope lifts off %s at (%g, %g) m: in equilibrium it passes %.6g m %s it (%d of %d "
+	                    "the rope lifts off %s at (%g, %g) m: in equilibrium it passes %.6g m %s it "
+	                    "(%d of %d "
 	                    "sheaves without contact). Move the sheave, or change the tension", name,
 	                    line->sheave[first].centre[0], line->sheave[first].centre[1],
 	                    march->trace.st->contact[first].clearance,
@@ -266,7 +272,8 @@ static enum hawser_status fail(struct hawser__march *march, double P, double lea
 		                       hawser__line_name(from, line, march->from));
 	if (line->given == HAWSER_LINE_T_B && isfinite(least))
 		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, where,
-		                    "the tension of %g N at end B is too low: end A would need less than the least "
+		                    "the tension of %g N at end B is too low: end A would need less than the "
+		                    "least "
 		                    "tension there, %.10g N", line->value,
 		                    (least + march->rope.thrust)*march->rope.stretch);
 	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, where, march->iterations, 0.0,
@@ -287,8 +294,10 @@ static enum hawser_status solve(struct hawser__march *march, struct hawser_repor
 		value = value/march->rope.stretch - march->rope.thrust;
 		if (!(value > 0.0))
 			return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, where,
-			                    "a rope that runs at %g m/s needs a tension above rho*speed^2 = %g N, and %g N is "
-			                    "given", line->speed, march->rope.thrust*march->rope.stretch, line->value);
+			                    "a rope that runs at %g m/s needs a tension above rho*speed^2 = %g N, "
+			                    "and %g N is "
+			                    "given", line->speed, march->rope.thrust*march->rope.stretch,
+			                    line->value);
 	}
 	done = line->given == HAWSER_LINE_T_A ? lay(march, value) : search(march, value, &least);
 	if (!done)
@@ -312,9 +321,11 @@ enum hawser_status hawser_line_solve(struct hawser_line_statics *st, const struc
 		status = check_lift(&march, report);
 	if (!status) {
 		hawser__line_finish(st, &march);
-		if (!isfinite(st->T_B) || !isfinite(st->length) || !isfinite(st->closure) || !isfinite(st->balance))
+		if (!isfinite(st->T_B) || !isfinite(st->length) || !isfinite(st->closure) ||
+		    !isfinite(st->balance))
 			status = hawser__fail(report, HAWSER_ERR_NAN, where,
-			                      "the solution of the line is not a number (tension at end B %g N, length %g "
+			                      "the solution of the line is not a number (tension at end B %g N, "
+			                      "length %g "
 			                      "m)", st->T_B, st->length);
 	}
 	if (status)

@@ -7,7 +7,8 @@
 
 enum hawser_status hawser__line_check(const struct hawser_line *line, struct hawser_report *report);
 /* "sheave 3 (p2)", or "end A" for a number below 0, "end B" for one above the last. */
-const char *hawser__line_name(char text[HAWSER_LINE_NAME + 24], const struct hawser_line *line, int sheave);
+const char *hawser__line_name(char text[HAWSER_LINE_NAME + 24], const struct hawser_line *line,
+                              int sheave);
 /* Convert what the march has laid to the result, and check it. */
 void hawser__line_finish(struct hawser_line_statics *st, struct hawser__march *march);
 void hawser__line_release(struct hawser_line_statics *st);

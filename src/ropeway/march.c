@@ -1,12 +1,15 @@
-/* ropeway/march.c - the rope laid from end A, where its tension is known, over its sheaves to end B.
+/* ropeway/march.c - the rope laid from end A, where its tension is known, over its sheaves to
+ * end B.
  *
- * One scalar problem a sheave: the place on the path of the last sheave (path.c) from which the rope meets the
- * next. Nothing has to be guessed, and an error does not grow from span to span, since each is closed exactly.
+ * One scalar problem a sheave: the place on the path of the last sheave (path.c) from which the
+ * rope meets the next. Nothing has to be guessed, and an error does not grow from span to span,
+ * since each is closed exactly.
  *
- * A sheave that is not pressed shows at the begin of its path: without its force the rope would already pass beyond the
- * next target. Between sheaves of the same side (and before B, which is fixed) it is then the one without contact:
- * it is taken out, and the search returns to the sheave before, as in the scan for a convex hull. Between a
- * support and a compression sheave either may be the one without contact; hawser__march_ahead() decides.
+ * A sheave that is not pressed shows at the begin of its path: without its force the rope would
+ * already pass beyond the next target. Between sheaves of the same side (and before B, which is
+ * fixed) it is then the one without contact: it is taken out, and the search returns to the
+ * sheave before, as in the scan for a convex hull. Between a support and a compression sheave
+ * either may be the one without contact; hawser__march_ahead() decides.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -162,7 +165,8 @@ enum hawser_status hawser__march_open(struct hawser__march *march, struct hawser
 	for (int i = 0; i < line->sheaves; i++) {
 		const struct hawser_line_sheave *sheave = &line->sheave[i];
 
-		march->target[i] = (struct hawser__target){{sheave->centre[0], sheave->centre[1]}, sheave->radius,
+		march->target[i] = (struct hawser__target){{sheave->centre[0], sheave->centre[1]},
+		                                           sheave->radius,
 		                                           sheave->friction, sheave->side, i};
 	}
 	march->target[line->sheaves] = (struct hawser__target){{line->B[0], line->B[1]}, 0.0, 0.0, 1,

@@ -17,8 +17,10 @@ struct hawser__march {
 	const double *A;             /* [2] */
 	struct hawser__rope rope;
 	struct hawser__target *target; /* [sheaves + 1], end B last */
-	struct hawser__path *start;  /* [sheaves + 1] begin of the path of each sheave that is pressed, A first */
-	int *index, *pieces, *pending; /* [sheaves + 1] its sheave; pieces laid before; mass pending there */
+	struct hawser__path *start;  /* [sheaves + 1] begin of the path of each sheave that is pressed,
+	    A first */
+	int *index, *pieces, *pending; /* [sheaves +
+	                                   1] its sheave; pieces laid before; mass pending there */
 	char *off;                   /* [sheaves] 1: the rope passes this sheave without contact */
 	struct hawser__trace trace;
 	int sheaves;
@@ -33,14 +35,14 @@ struct hawser__march {
 enum hawser_status hawser__march_open(struct hawser__march *march, struct hawser_line_statics *st,
                                       const struct hawser_line *line, struct hawser_report *report);
 void hawser__march_clear(struct hawser__march *march);
-/* Lay the rope with P at A. Returns 1 if it reaches B in equilibrium, pressing each sheave that is not
- * `off`. */
+/* Lay the rope with P at A. Returns 1 if it reaches B in equilibrium, pressing each sheave that
+ * is not `off`. */
 int hawser__march(struct hawser__march *march, double P);
-/* The least index whose sheave the rope penetrates without contact, by more than round-off; -1: none. Sets the
- * clearances of the sheaves without contact. */
+/* The least index whose sheave the rope penetrates without contact, by more than round-off; -1:
+ * none. Sets the clearances of the sheaves without contact. */
 int hawser__march_clearances(struct hawser__march *march);
-/* The sheaves that the rope presses, by looking ahead from each. Slower than hawser__march, and sure. Sets
- * `off`. */
+/* The sheaves that the rope presses, by looking ahead from each. Slower than hawser__march, and
+ * sure. Sets `off`. */
 int hawser__march_ahead(struct hawser__march *march, double P);
 
 #endif

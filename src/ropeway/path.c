@@ -5,18 +5,19 @@
  * m      friction coefficient times the direction of sliding
  *
  * A support sheave takes up in turn
- *   a mass at the first point of contact, whose kink the normal force N bends until the rope leaves along
- *   the tangent (N = 0: the rope only touches it);
+ *   a mass at the first point of contact: the normal force N bends its kink until the rope leaves
+ *   along the tangent (N = 0: the rope only touches the sheave);
  *   an arc, up to the next mass;
- *   this mass at the last point of contact, from N = 0, where the rope leaves in a kink as if the mass were
- *   just behind the circle, to N = weight*cos a, where it is carried; and so on.
- * So a carrier near a point of contact is no special case, and one follows from another without a jump. A
- * compression sheave takes up an arc; a mass cannot lie on it. When the rope behind the mass comes up to the circle
- * again, the first arc is complete, the mass hangs free, and the path goes on as a second arc.
+ *   this mass at the last point of contact, from N = 0, where the rope leaves in a kink as if the
+ *   mass were just behind the circle, to N = weight*cos a, where it is carried; and so on.
+ * So a carrier near a point of contact is no special case, and one follows from another without
+ * a jump. A compression sheave takes up an arc; a mass cannot lie on it. When the rope behind
+ * the mass comes up to the circle again, the first arc is complete, the mass hangs free, and
+ * the path goes on as a second arc.
  *
- * Each change of q adds to the sheave's force, by -(side*n - m*t) dN to P, and moves the rope behind by the
- * flexibility times that change, at each S. The point of contact's own motion cancels, since it is one along
- * the rope.
+ * Each change of q adds to the sheave's force, by -(side*n - m*t) dN to P, and moves the rope
+ * behind by the flexibility times that change, at each S. The point of contact's own motion
+ * cancels, since it is one along the rope.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -119,7 +120,8 @@ void hawser__path_arrive(struct hawser__path *path, const struct hawser__rope *r
 	set_arc(path, hypot(meet->at.P[0], meet->at.P[1]));
 }
 
-void hawser__path_at(struct hawser__station *at, double slope[2], const struct hawser__path *path, double q)
+void hawser__path_at(struct hawser__station *at, double slope[2], const struct hawser__path *path,
+                     double q)
 {
 	double m = path->arc.friction, T, S, a, N, side = path->arc.side;
 	const struct hawser__target *from = &path->from;

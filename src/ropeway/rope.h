@@ -1,8 +1,8 @@
-/* ropeway/rope.h - internal to the statics of a line: free rope, arcs, and the paths on which the rope may
- * leave a sheave. Derivations: doc/theory-ropeway.md.
+/* ropeway/rope.h - internal to the statics of a line: free rope, arcs, and the paths on which
+ * the rope may leave a sheave. Derivations: doc/theory-ropeway.md.
  *
- * A rope that runs at the speed v has the shape of one at rest (src/statics/travel.c). All of this is
- * written for the rope at rest, with
+ * A rope that runs at the speed v has the shape of one at rest (src/statics/travel.c). All of
+ * this is written for the rope at rest, with
  *   P      vector along the rope of size T - rho v^2 |x'|; at rest the tension
  *   S      unstretched arclength times `stretch`
  *   w      rho*g/stretch, N/m
@@ -17,7 +17,8 @@ struct hawser__rope {
 	double EA, w;          /* N, N/m */
 	double stretch;        /* 1/(1 - rho v^2/EA) */
 	double thrust;         /* rho v^2, N */
-	int slide;             /* 1: friction lets the tension grow towards B, -1: towards A, 0: none acts */
+	int slide;             /* 1: friction lets the tension grow towards B, -1: towards A,
+	    0: none acts */
 	int masses;
 	double *S, *weight;    /* [masses] m, N */
 };
@@ -29,8 +30,8 @@ struct hawser__station {
 	int mass;              /* the first mass that is not yet passed */
 };
 
-/* Move along the free rope to S, between two masses. Adds the flexibility of this part, that is the change of
- * its chord with P: xx, xy, yy, m/N. */
+/* Move along the free rope to S, between two masses. Adds the flexibility of this part, that is
+ * the change of its chord with P: xx, xy, yy, m/N. */
 void hawser__fly(struct hawser__station *at, double flexibility[3], const struct hawser__rope *rope,
                  double S);
 /* Stretch of the free rope of unstretched length L that begins with P, m. */
@@ -48,9 +49,9 @@ struct hawser__meet {
 	int found;             /* 0: the start is nearest; only `distance` is set */
 };
 
-/* `turn`: largest turning of the rope between two places that are compared, rad: what a rope needs that
- * is curved more than a circle about c. `reach`: places beyond c[0] + reach do not matter. `leaving`: the
- * start is the place at which the rope leaves a circle about c. */
+/* `turn`: largest turning of the rope between two places that are compared, rad: what a rope
+ * needs that is curved more than a circle about c. `reach`: places beyond c[0] + reach do not
+ * matter. `leaving`: the start is the place at which the rope leaves a circle about c. */
 void hawser__meet(struct hawser__meet *meet, const struct hawser__rope *rope,
                   const struct hawser__station *from, const double c[2], double turn, double reach,
                   int leaving);
@@ -62,7 +63,8 @@ struct hawser__arc {
 	int side;
 };
 /* Tension and unstretched length after the angle q. The tension is NAN if it would be negative. */
-void hawser__arc_at(double *T, double *S, const struct hawser__arc *arc, const struct hawser__rope *rope,
+void hawser__arc_at(double *T, double *S, const struct hawser__arc *arc,
+                    const struct hawser__rope *rope,
                     double q);
 /* Normal force per angle at the tension T and the slope angle a, N: that per length times R. */
 double hawser__arc_force(const struct hawser__arc *arc, const struct hawser__rope *rope, double T,
@@ -78,9 +80,9 @@ struct hawser__target {
 	int index;             /* of the sheave; their number: end B */
 };
 
-/* The states in which the rope may leave a sheave, or the end A, as one continuous path. Along it the force
- * of the sheave grows, which lowers the rope behind a support sheave and raises it behind a compression
- * sheave. The path is a sequence of segments. */
+/* The states in which the rope may leave a sheave, or the end A, as one continuous path. Along
+ * it the force of the sheave grows, which lowers the rope behind a support sheave and raises it
+ * behind a compression sheave. The path is a sequence of segments. */
 enum hawser__segment {
 	HAWSER__LAUNCH, /* end A: q = -asinh(slope), from -infinity to infinity */
 	HAWSER__ARC,    /* on the circle: q = angle of contact */
@@ -107,7 +109,8 @@ void hawser__path_open(struct hawser__path *path, const struct hawser__rope *rop
 void hawser__path_arrive(struct hawser__path *path, const struct hawser__rope *rope,
                          const struct hawser__target *sheave, const struct hawser__meet *meet);
 /* Where the rope leaves at q, and the change of P with q. */
-void hawser__path_at(struct hawser__station *at, double slope[2], const struct hawser__path *path, double q);
+void hawser__path_at(struct hawser__station *at, double slope[2], const struct hawser__path *path,
+                     double q);
 
 /* Receives the rope as it is laid; NULL: nothing is recorded. */
 struct hawser__trace {
@@ -135,8 +138,8 @@ enum hawser__search {
 	HAWSER__NOT_PRESSED, /* the rope would have to be pulled from the sheave */
 	HAWSER__TOO_LOW      /* the tension is too low to come down to the target */
 };
-/* The first place on the path from which the rope meets the target; moves the path to its segment. `slack`:
- * the second place, from which the rope comes up to the target. */
+/* The first place on the path from which the rope meets the target; moves the path to its
+ * segment. `slack`: the second place, from which the rope comes up to the target. */
 enum hawser__search hawser__path_find(struct hawser__path *path, double *q, struct hawser__meet *meet,
                                       struct hawser__trace *trace, const struct hawser__target *target,
                                       int slack);

@@ -3,11 +3,12 @@
  * h      height of the rope over the target: signed distance from its centre, less side*R
  * k      h on a path that lowers the rope, -h on one that raises it
  *
- * k is a continuous function along the path. Where the sheave is pressed it begins positive; the first zero
- * belongs to the taut rope. On a path that lowers, with a given tension, h has one minimum: beyond it the rope gets
- * so slack that it rises again to the target from below its lowest point, and h = 0 has a second zero. So the
- * values of k and of its derivative at any place tell on which side of it the zero is, and a search in a
- * bracket, by Newton's method where it applies, cannot fail where there is one (the method is that of
+ * k is a continuous function along the path. Where the sheave is pressed it begins positive;
+ * the first zero belongs to the taut rope. On a path that lowers, with a given tension, h has
+ * one minimum: beyond it the rope gets so slack that it rises again to the target from below
+ * its lowest point, and h = 0 has a second zero. So the values of k and of its derivative at
+ * any place tell on which side of it the zero is, and a search in a bracket, by Newton's method
+ * where it applies, cannot fail where there is one (the method is that of
  * src/statics/tension.c).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -43,7 +44,8 @@ static double turning(const struct hawser__rope *rope, const struct hawser__stat
 	return rope->w*R > 0.1*at->P[0] ? 0.1 : 2.0;
 }
 
-static void look(struct probe *probe, const struct hawser__path *path, const struct hawser__target *target,
+static void look(struct probe *probe, const struct hawser__path *path,
+                 const struct hawser__target *target,
                  double q)
 {
 	struct hawser__station at;
@@ -139,7 +141,8 @@ static enum outcome segment(struct probe *probe, const struct hawser__path *path
 		if (launch && fabs(newton) > 2.0)
 			newton = copysign(2.0, newton);
 		next = probe->q + newton;
-		if (fabs(newton) <= 2.0*DBL_EPSILON*fmax(fabs(probe->q), path->kind == HAWSER__MASS ? 0.0 : 1.0) &&
+		if (fabs(newton) <= 2.0*DBL_EPSILON*fmax(fabs(probe->q),
+		                                         path->kind == HAWSER__MASS ? 0.0 : 1.0) &&
 		    fabs(probe->k) <= 1e3*fine*probe->scale)
 			return FOUND;
 		if (!ended && hi >= path->end && (next >= path->end || !usable)) {
@@ -177,7 +180,8 @@ static int comes_back(struct probe *probe, const struct hawser__path *path, doub
 	probe->k = -INFINITY;
 	probe->dk = NAN;
 	hawser__path_at(&at, slope, path, q);
-	if (hypot(slope[0], slope[1]) <= 0.0 || slope[0]*-sin(path->angle + q) + slope[1]*cos(path->angle + q) <= 0.0) {
+	if (hypot(slope[0], slope[1]) <= 0.0 || slope[0]*-sin(path->angle + q) +
+	    slope[1]*cos(path->angle + q) <= 0.0) {
 		probe->k = INFINITY;
 		return 1;
 	}
@@ -191,7 +195,8 @@ static int comes_back(struct probe *probe, const struct hawser__path *path, doub
 	return probe->k > fine*probe->scale;
 }
 
-/* The angle at which the rope behind the arc touches the same circle again, between 0 and q. 0: none. */
+/* The angle at which the rope behind the arc touches the same circle again, between 0 and q. 0:
+ * none. */
 static int again(struct probe *probe, const struct hawser__path *path, double q)
 {
 	double lo = 0.0, hi = q, next, newton;

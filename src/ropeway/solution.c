@@ -1,8 +1,10 @@
-/* ropeway/solution.c - the result of a line: of the rope that runs, with its forces, and what does not close.
+/* ropeway/solution.c - the result of a line: of the rope that runs, with its forces, and what
+ * does not close.
  *
- * The force of a sheave follows from the balance of the rope in contact. It is compared with the sum of the normal
- * forces and of the friction on each arc (by quadrature) and at each mass, which is another way to the same
- * force: their difference, and that of the whole rope, is `balance`.
+ * The force of a sheave follows from the balance of the rope in contact. It is compared with
+ * the sum of the normal forces and of the friction on each arc (by quadrature) and at each
+ * mass, which is another way to the same force: their difference, and that of the whole rope,
+ * is `balance`.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -34,7 +36,8 @@ struct hawser__arc hawser__line_arc(const struct hawser_line *line, const struct
 }
 
 /* Force of the sheaves on the rope by quadrature, [sheaves][2] in the caller's pairs. */
-static void press(struct hawser_line_contact *contact, double force[2], const struct hawser__march *march,
+static void press(struct hawser_line_contact *contact, double force[2],
+                  const struct hawser__march *march,
                   const struct hawser_line_piece *piece)
 {
 	struct hawser__arc arc = hawser__line_arc(march->line, &march->rope, piece, piece->T0);
@@ -70,7 +73,8 @@ static double behind(const struct hawser__march *march, int k, int slide)
 		const struct hawser_line_piece *piece = &st->piece[i];
 		struct hawser__arc arc = {sheave->radius, piece->angle0, T, m, sheave->side};
 
-		if (piece->sheave < 0 && (piece->S0 < march->trace.arrive[k].S || piece->S1 > march->trace.leave[k].S))
+		if (piece->sheave < 0 && (piece->S0 < march->trace.arrive[k].S ||
+		                          piece->S1 > march->trace.leave[k].S))
 			continue;
 		if (piece->mass >= 0 && st->carrier[piece->mass].sheave == k) {
 			double W = march->rope.weight[piece->mass], N = st->carrier[piece->mass].carried;
@@ -123,7 +127,8 @@ static double close_contact(struct hawser_line_contact *contact, const double fo
 }
 
 /* Normal force and friction of the sheave at each mass in contact, and of its arcs. */
-static void forces_on(double force[2], struct hawser_line_contact *contact, const struct hawser__march *march,
+static void forces_on(double force[2], struct hawser_line_contact *contact,
+                      const struct hawser__march *march,
                       int k)
 {
 	const struct hawser_line_statics *st = march->trace.st;
@@ -139,7 +144,8 @@ static void forces_on(double force[2], struct hawser_line_contact *contact, cons
 		force[1] += N*(side*cos(a) - m*sin(a));
 	}
 	if (!(march->line->sheave[k].radius > 0.0)) { /* a point: an arc without length */
-		struct hawser__arc arc = {0.0, contact->angle_in, contact->T_in, m, march->line->sheave[k].side};
+		struct hawser__arc arc = {0.0, contact->angle_in, contact->T_in, m,
+		                          march->line->sheave[k].side};
 		double sum[2];
 
 		hawser__arc_total(sum, &arc, &march->rope, contact->wrap);

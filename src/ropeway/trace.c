@@ -71,7 +71,8 @@ void hawser__trace_free(struct hawser__trace *trace, const struct hawser__rope *
 
 void hawser__trace_arc(struct hawser__trace *trace, const struct hawser__path *path, double q)
 {
-	struct hawser_line_piece piece = {.sheave = path->from.index, .S0 = path->at.S, .angle0 = path->angle,
+	struct hawser_line_piece piece = {.sheave = path->from.index, .S0 = path->at.S,
+	                                  .angle0 = path->angle,
 	                                  .angle1 = path->angle - path->arc.side*q, .T0 = path->arc.T0};
 	struct hawser__station at;
 	double change[2];

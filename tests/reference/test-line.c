@@ -1,7 +1,7 @@
 /* Statics of a rope over sheaves against published and independent numbers.
  *
- * B: Bertrand, 2022. Where B neglects the weight of the rope on a sheave, or where its prototype did, the
- * comparison says so.
+ * B: Bertrand, 2022. Where B neglects the weight of the rope on a sheave, or where its
+ * prototype did, the comparison says so.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -24,24 +24,28 @@ static int solved(struct hawser_line_statics *st, const struct hawser_line *line
 	          "%s: closed to %.1e m, balanced to %.1e N", what, st->closure, st->balance);
 }
 
-/* |got - want| within half a unit of the last printed digit, and a little for the text's own rounding. */
+/* |got - want| within half a unit of the last printed digit, and a little for the text's own
+ * rounding. */
 static void printed(double got, double want, double digit, const char *what)
 {
 	ok(fabs(got - want) <= 0.51*digit, "%s: %.7g, printed %.7g", what, got, want);
 }
 
-/* B Tables 6.3 and 6.4: joined catenaries, that is sheaves of radius 0. The load is spread: 25 kg/m. B says
- * that the rope is inextensible there; the printed numbers are those of EA = 40 MN. */
+/* B Tables 6.3 and 6.4: joined catenaries, that is sheaves of radius 0. The load is spread: 25
+ * kg/m. B says that the rope is inextensible there; the printed numbers are those of EA = 40
+ * MN. */
 static void bouquet_bare(void)
 {
 	static const double at[8][2] = {{40.0, 0.0}, {79.71, 16.86}, {146.56, 41.03}, {222.57, 67.96},
-	                                {394.98, 126.17}, {479.37, 154.04}, {623.41, 195.99}, {694.13, 212.67}};
+	                                {394.98, 126.17}, {479.37, 154.04}, {623.41, 195.99}, {694.13,
+	                                                                                       212.67}};
 	static const double T0[9] = {84.0, 84.0, 88.13, 94.04, 100.63, 114.87, 121.68, 131.94, 136.01};
 	static const double L[9] = {14.97, 43.07, 71.02, 80.57, 182.7, 88.73, 150.04, 72.47, 14.95};
 	static const double eta[9] = {-0.022, 0.358, 0.261, 0.247, 0.118, 0.234, 0.141, 0.168, -0.013};
 	static const double R[10] = {1.84, -26.5, 16.68, 17.06, 30.5, 30.48, 30.98, 31.89, 41.45, 1.83};
 	struct hawser_line_sheave sheave[8];
-	struct hawser_line line = {.EA = 40e6, .rho = 25.0, .g = 9.81, .A = {25.0, 0.0}, .B = {709.13, 212.67},
+	struct hawser_line line = {.EA = 40e6, .rho = 25.0, .g = 9.81, .A = {25.0, 0.0}, .B = {709.13,
+	                                                                                       212.67},
 	                           .given = HAWSER_LINE_T_A, .value = 84e3, .sheave = sheave, .sheaves = 8};
 	struct hawser_line_statics st;
 	char what[64];
@@ -71,14 +75,15 @@ static void bouquet_bare(void)
 	hawser_line_statics_clear(&st);
 }
 
-/* B Table 3.5. B's rope has no weight on the sheave, so that the printed 28 937 and 52 294 N are met to 5e-5
- * only; the numbers of an independent prototype and of a mesh of 3000 elements (28 935.56, 52 295.88, 52 126.33 N)
- * are met to their digits. */
+/* B Table 3.5. B's rope has no weight on the sheave, so that the printed 28 937 and 52 294 N
+ * are met to 5e-5 only; the numbers of an independent prototype and of a mesh of 3000 elements
+ * (28 935.56, 52 295.88, 52 126.33 N) are met to their digits. */
 static void sheave_span(void)
 {
 	struct hawser_line_sheave sheave = {.centre = {150.0, -8.0}, .radius = 10.0, .side = 1};
 	struct hawser_line line = {.EA = 1.5e9, .rho = 5.56, .g = 9.81, .B = {300.0, 0.0},
-	                           .given = HAWSER_LINE_LENGTH0, .value = 301.0, .sheave = &sheave, .sheaves = 1};
+	                           .given = HAWSER_LINE_LENGTH0, .value = 301.0, .sheave = &sheave,
+	                           .sheaves = 1};
 	struct hawser_line_statics st;
 
 	if (solved(&st, &line, "B Table 3.5, sheave in the middle")) {
@@ -108,7 +113,8 @@ static void inextensible(void)
 	struct hawser_line_statics st;
 
 	for (int i = 0; i < 3; i++) {
-		struct hawser_line_sheave sheave = {.centre = {row[i].c[0], row[i].c[1]}, .radius = 3.0, .side = 1,
+		struct hawser_line_sheave sheave = {.centre = {row[i].c[0], row[i].c[1]}, .radius = 3.0,
+		                                    .side = 1,
 		                                    .friction = 0.1};
 		struct hawser_line line = {.EA = INFINITY, .rho = 5.56, .g = 9.81, .B = {50.0, row[i].yB},
 		                           .given = HAWSER_LINE_LENGTH0, .value = row[i].L, .sheave = &sheave,
@@ -129,8 +135,8 @@ static void inextensible(void)
 	}
 }
 
-/* Force on the rope but for the weight of rope and masses in contact: what a prototype without these
- * reported. */
+/* Force on the rope but for the weight of rope and masses in contact: what a prototype without
+ * these reported. */
 static double pull(const struct hawser_line_contact *c, int component)
 {
 	double x = c->T_in*cos(c->angle_in) - c->T_out*cos(c->angle_out);
@@ -146,8 +152,8 @@ static void carriers(struct hawser_line_mass *mass, int count, double phase)
 		mass[i] = (struct hawser_line_mass){phase + 36.6*i, 400.0, 0.0};
 }
 
-/* A ropeway of two towers, against a prototype in another language (4 to 5 digits; no weight of the rope on
- * the sheaves). All phases: it could not solve 4 of 75. */
+/* A ropeway of two towers, against a prototype in another language (4 to 5 digits; no weight of
+ * the rope on the sheaves). All phases: it could not solve 4 of 75. */
 static void small_ropeway(void)
 {
 	struct hawser_line_sheave sheave[2] = {{.centre = {80.0, 5.0}, .radius = 12.0, .side = 1},
@@ -182,7 +188,8 @@ static void small_ropeway(void)
 		line.sliding = i ? HAWSER_LINE_TOWARD_A : HAWSER_LINE_TOWARD_B;
 		if (!solved(&st, &line, "small ropeway with friction"))
 			continue;
-		close_to(st.T_B, i ? 90804.0 : 92885.0, 7e-5, "T at the top (the prototype's law has no weight)");
+		close_to(st.T_B, i ? 90804.0 : 92885.0, 7e-5, "T at the top (the prototype's law has no "
+		         "weight)");
 		hawser_line_statics_clear(&st);
 	}
 	line.sliding = HAWSER_LINE_NONE;
@@ -207,22 +214,28 @@ static void small_ropeway(void)
 	ok(T[0] < 91573.0 && T[0] > 91540.0 && T[1] > 93579.0 && T[1] < 93620.0,
 	   "T at the top %.0f to %.0f N, without the four phases 91573 to 93579", T[0], T[1]);
 	for (int k = 0; k < 2; k++)
-		ok(R[k][0] < range[k][0]*1.0001 && R[k][0] > range[k][0]*0.997 && R[k][1] > range[k][1]*0.9999 &&
-		   R[k][1] < range[k][1]*1.003, "tower %d %.0f to %.0f N, without the four phases %.0f to %.0f", k + 1,
+		ok(R[k][0] < range[k][0]*1.0001 && R[k][0] > range[k][0]*0.997 &&
+		    R[k][1] > range[k][1]*0.9999 &&
+		   R[k][1] < range[k][1]*1.003, "tower %d %.0f to %.0f N, without the four phases %.0f to "
+		   "%.0f", k + 1,
 		   R[k][0], R[k][1], range[k][0], range[k][1]);
 }
 
-/* The line of B Table 6.2 with its towers as circles, carriers 20 m from the lower station. A prototype gave
- * T 115 790 N and the vertical forces below, but its rope went into the compression battery p0: the first carrier
- * hangs 0.25 m behind the point where the rope leaves it, and the rope behind the carrier touches it again. */
+/* The line of B Table 6.2 with its towers as circles, carriers 20 m from the lower station. A
+ * prototype gave T 115 790 N and the vertical forces below, but its rope went into the
+ * compression battery p0: the first carrier hangs 0.25 m behind the point where the rope leaves
+ * it, and the rope behind the carrier touches it again. */
 static void bouquet(void)
 {
 	static const double at[8][2] = {{40.0, 0.0}, {79.71, 16.86}, {146.56, 41.03}, {222.57, 67.96},
-	                                {394.98, 126.17}, {479.37, 154.04}, {623.41, 195.99}, {694.13, 212.67}};
-	static const double R[8] = {-33213.0, 15582.0, 10286.0, 18424.0, 18387.0, 19474.0, 20803.0, 32182.0};
+	                                {394.98, 126.17}, {479.37, 154.04}, {623.41, 195.99}, {694.13,
+	                                                                                       212.67}};
+	static const double R[8] = {-33213.0, 15582.0, 10286.0, 18424.0, 18387.0, 19474.0, 20803.0,
+	                            32182.0};
 	struct hawser_line_sheave sheave[8];
 	struct hawser_line_mass mass[22];
-	struct hawser_line line = {.EA = 40e6, .rho = 4.0, .g = 9.81, .A = {25.0, 0.0}, .B = {709.13, 212.67},
+	struct hawser_line line = {.EA = 40e6, .rho = 4.0, .g = 9.81, .A = {25.0, 0.0}, .B = {709.13,
+	                                                                                      212.67},
 	                           .given = HAWSER_LINE_T_A, .value = 84e3, .sheave = sheave, .sheaves = 8,
 	                           .mass = mass, .masses = 22};
 	struct hawser_line_statics st;
@@ -242,7 +255,8 @@ static void bouquet(void)
 		arcs += st.piece[i].sheave == 0;
 	ok(arcs == 2 && st.carrier[0].state == 0, "the first carrier hangs between %d arcs of p0", arcs);
 	close_to(st.T_B, 115790.0, 4e-4, "T at the top, against the prototype");
-	close_to(pull(&st.contact[0], 1), R[0] - 3924.0, 6e-4, "p0 with the carrier, against the prototype");
+	close_to(pull(&st.contact[0], 1), R[0] - 3924.0, 6e-4, "p0 with the carrier, against the "
+	         "prototype");
 	for (int i = 1; i < 8; i++)
 		close_to(pull(&st.contact[i], 1), R[i], 7e-4, "tower, against the prototype");
 	hawser_line_statics_clear(&st);
