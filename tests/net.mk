@@ -13,7 +13,8 @@ noinst_HEADERS += tests/net-random.h
 
 NET_MOTION_TESTS = tests/reference/test-net-motion tests/reference/test-net-modes \
 	tests/property/test-net-steps tests/property/test-net-error tests/property/test-net-cvode \
-	tests/property/test-net-damping
+	tests/property/test-net-damping \
+	tests/property/test-net-eigen tests/property/test-net-symmetry
 check_PROGRAMS += $(NET_MOTION_TESTS)
 TESTS += $(NET_MOTION_TESTS)
 tests_reference_test_net_motion_SOURCES = tests/reference/test-net-motion.c
@@ -34,3 +35,7 @@ check_PROGRAMS += $(NET_SPAN_TESTS)
 TESTS += $(NET_SPAN_TESTS)
 tests_property_test_net_span_SOURCES = tests/property/test-net-span.c
 tests_property_test_net_span_LDADD = $(UPTO_ROM)
+tests_property_test_net_symmetry_SOURCES = tests/property/test-net-symmetry.c
+tests_property_test_net_symmetry_LDADD = $(UPTO_NET)
+tests_property_test_net_eigen_SOURCES = tests/property/test-net-eigen.c
+tests_property_test_net_eigen_LDADD = $(UPTO_NET)

@@ -6,43 +6,87 @@
 #include <stdlib.h>
 
 #include "cli/modes_net.h"
+#include "cli/view.h"
 #include "core/report.h"
 
 struct result {
 	const struct cli_common *common;
 	struct hawser_net net;
 	struct hawser_net_modes modes;
+	const char *method;
 	int shapes;
 };
 
-static void fill_row(struct hawser__table *row, const void *of, size_t j)
+static const char *family_of(double along)
 {
-	const struct hawser_net_modes *modes = &((const struct result *)of)->modes;
-
-	hawser__table_number(row, (double)j + 1.0);
-	hawser__table_number(row, modes->omega[j]);
-	hawser__table_number(row, modes->omega[j]/(2.0*M_PI));
-	hawser__table_number(row, modes->mass[j]);
-	for (int k = 0; k < 3; k++)
-		hawser__table_number(row, modes->share[j][k]);
-	hawser__table_number(row, modes->residual[j]);
+	return hawser_family_name(along > 0.5 ? HAWSER_LONGITUDINAL : HAWSER_TRANSVERSE);
 }
 
-static void table(struct hawser__table *table, const void *of)
+/* --- comments --- */
+
+static void plane_comment(struct hawser__table *table, const char *what,
+                          const struct hawser_net_plane *plane)
 {
-	static const char *const column[] = {"index", "omega_rad_s", "frequency_Hz", "mass_kg", "share_x",
-	                                     "share_y", "share_z", "residual"};
+	const double *x = plane->point, *n = plane->normal;
+
+	hawser__table_comment(table, "%s through (%.6g, %.6g, %.6g) m with normal (%.6g, %.6g, %.6g): "
+	                      "places within %.1e m, stiffness, tension and mass within %.1e", what, x[0],
+	                      x[1], x[2], n[0] + 0.0, n[1] + 0.0, n[2] + 0.0, plane->places,
+	                      plane->elements);
+}
+
+static void symmetry_comments(struct hawser__table *table, const struct hawser_net_symmetry *symmetry)
+{
+	const double *x = symmetry->centre, *a = symmetry->axis;
+
+	if (symmetry->flat)
+		plane_comment(table, symmetry->straight ? "the net lies on a line; plane"
+		              : "the net lies in the plane", &symmetry->plane);
+	for (int k = 0; k < symmetry->mirrors; k++) {
+		char what[40];
+
+		snprintf(what, sizeof what, "mirror plane %d", k + 1);
+		plane_comment(table, what, &symmetry->mirror[k]);
+	}
+	if (symmetry->turns > 1)
+		hawser__table_comment(table, "a turn by 1/%d about the axis through (%.6g, %.6g, %.6g) m along "
+		                      "(%.6g, %.6g, %.6g) maps the net onto itself", symmetry->turns, x[0],
+		                      x[1], x[2], a[0] + 0.0, a[1] + 0.0, a[2] + 0.0);
+	if (!symmetry->flat && symmetry->mirrors == 0 && symmetry->turns == 1)
+		hawser__table_comment(table, "no plane of symmetry");
+}
+
+static void comments(struct hawser__table *table, const void *of)
+{
 	const struct result *result = of;
+	const struct hawser_net_modes *modes = &result->modes;
 
-	cli_echo_table(table, result->common, "modes", NULL, "subspace iteration");
 	hawser__table_comment(table, "%d unknowns; mass: of a shape whose largest displacement is 1",
-	                      result->modes.unknowns);
-	for (size_t i = 0; i < sizeof column/sizeof *column; i++)
-		hawser__table_column(table, "%s", column[i]);
-	hawser__table_rows(table, (size_t)result->modes.n, fill_row, result);
+	                      modes->unknowns);
+	if (modes->slack > 0)
+		hawser__table_comment(table, "%d element%s without tension: no stiffness", modes->slack,
+		                      modes->slack == 1 ? "" : "s");
+	if (modes->below > 0.0)
+		hawser__table_comment(table, "no mode is missed: K - omega^2 M at omega = %.10g rad/s has %d "
+		                      "negative eigenvalue%s, as many as modes were found below",
+		                      modes->below, modes->counted, modes->counted == 1 ? "" : "s");
+	else if (modes->below < 0.0)
+		hawser__table_comment(table, "round-off prevents a count of the modes below the last one");
+	symmetry_comments(table, &modes->symmetry);
 }
 
-/* Arrays along the cables: S and, of mode j, the displacements. */
+/* --- fields --- */
+
+enum { TWO = 1, THREE = 2, TURNS = 4 };
+
+struct row {
+	const struct result *result;
+	int index, waves, pair;
+	double omega, mass, share[3], along, residual;
+	const char *plane, *family, *symmetry[HAWSER_NET_MIRRORS];
+};
+
+/* Displacements along the cables of mode j, or their S if it is negative. */
 static void along(struct hawser__json *json, json_t *into, const struct result *result, int j)
 {
 	const struct hawser_net_modes *modes = &result->modes;
@@ -59,39 +103,172 @@ static void along(struct hawser__json *json, json_t *into, const struct result *
 	}
 }
 
-static void json(struct hawser__json *json, const void *of)
+static void parity_json(struct hawser__json *json, json_t *into, const void *of)
 {
-	const struct result *result = of;
-	const struct hawser_net_modes *modes = &result->modes;
-	json_t *list, *stats;
+	const struct row *row = of;
+	const struct hawser_net_modes *modes = &row->result->modes;
+	const double *parity = modes->parity[row->index - 1];
+	json_t *to = hawser__json_object(json, into, "parity");
 
-	cli_echo_json(json, result->common, "modes", NULL);
-	hawser__json_text(json, json->root, "method", "subspace iteration");
-	if (result->shapes)
-		along(json, hawser__json_object(json, json->root, "S"), result, -1);
-	list = hawser__json_array(json, json->root, "modes");
-	for (int j = 0; j < modes->n; j++) {
-		json_t *one = hawser__json_object(json, list, NULL), *nodes;
-
-		hawser__json_integer(json, one, "index", j + 1);
-		hawser__json_number(json, one, "omega", modes->omega[j]);
-		hawser__json_number(json, one, "frequency", modes->omega[j]/(2.0*M_PI));
-		hawser__json_number(json, one, "mass", modes->mass[j]);
-		hawser__json_numbers(json, one, "share", modes->share[j], 3, 1.0);
-		hawser__json_number(json, one, "residual", modes->residual[j]);
-		nodes = hawser__json_object(json, one, "nodes");
-		for (int i = 0; i < modes->nodes; i++)
-			hawser__json_numbers(json, nodes, result->net.node[i].name,
-			                     modes->shape[j*modes->nodes + i], 3, 1.0);
-		if (result->shapes)
-			along(json, hawser__json_object(json, one, "shape"), result, j);
-	}
-	stats = cli_stats_json(json, result->common);
-	hawser__json_integer(json, stats, "unknowns", modes->unknowns);
-	hawser__json_integer(json, stats, "iterations", modes->iterations);
+	if (modes->symmetry.flat)
+		hawser__json_number(json, to, "plane", parity[0]);
+	else
+		hawser__json_null(json, to, "plane");
+	hawser__json_numbers(json, to, "mirrors", parity + 1, modes->symmetry.mirrors, 1.0);
 }
 
-static const struct cli_showing showing = {.table = table, .json = json};
+static void shape_json(struct hawser__json *json, json_t *into, const void *of)
+{
+	const struct row *row = of;
+	const struct result *result = row->result;
+	json_t *nodes = hawser__json_object(json, into, "nodes");
+
+	for (int i = 0; i < result->modes.nodes; i++)
+		hawser__json_numbers(json, nodes, result->net.node[i].name,
+		                     result->modes.shape[(row->index - 1)*result->modes.nodes + i], 3, 1.0);
+	if (result->shapes)
+		along(json, hawser__json_object(json, into, "shape"), result, row->index - 1);
+}
+
+#define OF(member) HAWSER__AT(struct row, member)
+const struct hawser__field cli_modes_net_field[] = {
+	{"index", "index", "from 1, by frequency", OF(index)},
+	{"omega", "omega", "circular frequency", OF(omega), .unit = HAWSER__RADIAN_S},
+	{"frequency", "frequency", "frequency", OF(omega), .unit = HAWSER__HERTZ},
+	{"plane", "plane", "of a net that lies in a plane: in-plane or out-of-plane", OF(plane),
+	 .flags = HAWSER__NULL},
+	{"family", "family", "transverse or longitudinal, by the larger share of the kinetic energy",
+	 OF(family)},
+	{"symmetry", "symmetry", "to mirror plane 1: symmetric, antisymmetric or mixed", OF(symmetry[0]),
+	 .flags = HAWSER__NULL},
+	{"symmetry_2", "symmetry_2", "to mirror plane 2", OF(symmetry[1]), .flags = HAWSER__NULL,
+	 .when = TWO | THREE},
+	{"symmetry_3", "symmetry_3", "to mirror plane 3", OF(symmetry[2]), .flags = HAWSER__NULL,
+	 .when = THREE},
+	{"waves", "waves", "of a net that a turn by 1/n maps onto itself: waves around the axis, 0 to n/2",
+	 OF(waves), .flags = HAWSER__NULL, .when = TURNS},
+	{"pair", "pair", "index of the other mode of two with this frequency", OF(pair),
+	 .flags = HAWSER__NULL},
+	{"residual", "residual", "bound of the error of the frequency, relative, as that of the mesh",
+	 OF(residual)},
+	{"mass", "mass_kg", "modal mass, of a shape whose largest displacement is 1 (kg)", OF(mass)},
+	{"along", "along", "share of the kinetic energy of motion along the cables", OF(along)},
+	{"share", "share_", "of the modal mass, that moves along an axis", OF(share),
+	 .vector = &cli_axes},
+	{"parity", NULL, "symmetric part of the kinetic energy minus the antisymmetric one: plane, and the "
+	 "list mirrors", HAWSER__CALLS(parity_json)},
+	{"nodes", NULL, "displacement of each node; with --shapes shape, along each cable",
+	 HAWSER__CALLS(shape_json)},
+	HAWSER__END,
+};
+#undef OF
+
+static const void *mode_row(void *to, const void *parent, size_t j)
+{
+	const struct result *result = parent;
+	const struct hawser_net_modes *modes = &result->modes;
+	struct row *row = to;
+
+	*row = (struct row){
+		.result = result, .index = (int)j + 1, .omega = modes->omega[j], .mass = modes->mass[j],
+		.share = {modes->share[j][0], modes->share[j][1], modes->share[j][2]},
+		.along = modes->along[j], .residual = modes->residual[j],
+		.waves = modes->waves[j] < 0 ? HAWSER__NO_INTEGER : modes->waves[j],
+		.pair = modes->pair[j] < 0 ? HAWSER__NO_INTEGER : modes->pair[j] + 1,
+		.plane = hawser_net_plane_side(modes->parity[j][0]), .family = family_of(modes->along[j])};
+	for (int k = 0; k < HAWSER_NET_MIRRORS; k++)
+		row->symmetry[k] = hawser_net_side(modes->parity[j][1 + k]);
+	return row;
+}
+static const struct hawser__list mode_list = HAWSER__MADE_ROWS(
+	struct row, cli_modes_net_field, struct result, modes.n, mode_row);
+
+static void plane_json(struct hawser__json *json, json_t *into, const char *key,
+                       const struct hawser_net_plane *plane)
+{
+	json_t *to = hawser__json_object(json, into, key);
+
+	hawser__json_numbers(json, to, "point", plane->point, 3, 1.0);
+	hawser__json_numbers(json, to, "normal", plane->normal, 3, 1.0);
+	hawser__json_number(json, to, "places", plane->places);
+	hawser__json_number(json, to, "elements", plane->elements);
+}
+
+static void symmetry_json(struct hawser__json *json, json_t *into, const void *of)
+{
+	const struct hawser_net_symmetry *symmetry = &((const struct result *)of)->modes.symmetry;
+	json_t *to = hawser__json_object(json, into, "symmetry"), *list;
+
+	if (symmetry->flat)
+		plane_json(json, to, "plane", &symmetry->plane);
+	else
+		hawser__json_null(json, to, "plane");
+	hawser__json_flag(json, to, "straight", symmetry->straight);
+	list = hawser__json_array(json, to, "mirrors");
+	for (int k = 0; k < symmetry->mirrors; k++)
+		plane_json(json, list, NULL, &symmetry->mirror[k]);
+	hawser__json_integer(json, to, "turns", symmetry->turns);
+	hawser__json_numbers(json, to, "axis", symmetry->axis, 3, 1.0);
+	hawser__json_numbers(json, to, "centre", symmetry->centre, 3, 1.0);
+}
+
+static void certificate_json(struct hawser__json *json, json_t *into, const void *of)
+{
+	const struct hawser_net_modes *modes = &((const struct result *)of)->modes;
+	json_t *to = hawser__json_object(json, into, "certificate");
+
+	if (modes->below > 0.0)
+		hawser__json_number(json, to, "omega", modes->below);
+	else
+		hawser__json_null(json, to, "omega");
+	hawser__json_integer(json, to, "modes", modes->counted);
+	hawser__json_flag(json, to, "complete", modes->below >= 0.0);
+}
+
+static void points_json(struct hawser__json *json, json_t *into, const void *of)
+{
+	const struct result *result = of;
+
+	if (result->shapes)
+		along(json, hawser__json_object(json, into, "S"), result, -1);
+}
+
+const struct hawser__field cli_modes_net_member[] = {
+	{"method", NULL, "by which they are computed", HAWSER__AT(struct result, method)},
+	{"slack", NULL, "elements without tension, which have no stiffness",
+	 HAWSER__AT(struct result, modes.slack)},
+	{"certificate", NULL, "omega (rad/s) below which there are so many modes, by the inertia of K - "
+	 "omega^2 M (null: all of the mesh); complete: none is missed", HAWSER__CALLS(certificate_json)},
+	{"symmetry", NULL, "plane (or null), mirrors: point, normal, how well they hold (places, m; "
+	 "elements, relative); turns: 1/turns of a circle about axis through centre",
+	 HAWSER__CALLS(symmetry_json)},
+	{"S", NULL, "with --shapes: unstretched length of the points of each cable",
+	 HAWSER__CALLS(points_json)},
+	{"modes", NULL, "by frequency", HAWSER__OBJECTS_OF(mode_list)},
+	HAWSER__END,
+};
+static const struct hawser__field stats_field[] = {
+	{"unknowns", NULL, "of the mesh", HAWSER__AT(struct result, modes.unknowns)},
+	{"iterations", NULL, "solutions with the factors of K",
+	 HAWSER__AT(struct result, modes.iterations)},
+	HAWSER__END,
+};
+
+static struct cli_head head(const void *of)
+{
+	const struct result *result = of;
+	const struct hawser_net_symmetry *symmetry = &result->modes.symmetry;
+	int waves = symmetry->turns > 2 || (symmetry->turns == 2 && symmetry->mirrors == 0);
+
+	return (struct cli_head){
+		.common = result->common, .command = "modes", .method = result->method,
+		.view = {.scale = hawser__si, .context = result,
+		         .options = (waves ? TURNS : 0u) | (symmetry->mirrors == 2 ? TWO : 0u) |
+		                    (symmetry->mirrors > 2 ? THREE : 0u)}};
+}
+
+static const struct cli_showing showing = {.head = head, .comments = comments, .rows = &mode_list,
+                                           .fields = cli_modes_net_member, .stats = stats_field};
 
 enum hawser_status cli_modes_net(const struct cli_common *common, int n, int shapes,
                                  struct hawser_report *report)
@@ -102,6 +279,7 @@ enum hawser_status cli_modes_net(const struct cli_common *common, int n, int sha
 	if (!result)
 		return hawser__no_memory(report, "modes");
 	result->common = common;
+	result->method = "block Lanczos";
 	result->shapes = shapes;
 	if (common->plot)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes", "modes of nets have no picture: "

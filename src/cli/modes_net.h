@@ -4,9 +4,13 @@
 #define HAWSER_CLI_MODES_NET_H
 
 #include "cli/cli.h"
+#include "output/fields.h"
 
 /* n: number of modes, 0 for the default; shapes 1: at the nodes of the mesh in JSON too. */
 enum hawser_status cli_modes_net(const struct cli_common *common, int n, int shapes,
                                  struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* Columns of the table, keys of JSON. */
+extern const struct hawser__field cli_modes_net_field[], cli_modes_net_member[];
 
 #endif

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "cli/modes_damped.h"
+#include "cli/modes_net.h"
 #include "cli/modes_result.h"
 #include "core/report.h"
 
@@ -361,8 +362,10 @@ const struct cli_listing cli_modes_listing[] = {
 	{"Columns of the table:", mode_field, 0},
 	{"Columns with --shapes:", point_field, 0},
 	{"Columns with --damped or --over:", cli_damped_field, 0},
+	{"Columns of nets:", cli_modes_net_field, 0},
 	{"Keys of JSON:", result_field, 1},
 	{"Keys of JSON with --damped or --over:", cli_damped_member, 1},
+	{"Keys of JSON of nets:", cli_modes_net_member, 1},
 	{NULL, NULL, 0},
 };
 

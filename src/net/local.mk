@@ -4,17 +4,21 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/catenary.h \
 	%D%/dual.c \
 	%D%/dual.h \
+	%D%/eigen.c \
+	%D%/eigen.h \
 	%D%/equilibria.c \
 	%D%/exact.c \
 	%D%/exact.h \
 	%D%/exact_solution.c \
 	%D%/form.c \
 	%D%/interior.c \
+	%D%/lanczos.c \
 	%D%/loads.c \
 	%D%/integrate.c \
 	%D%/mesh.c \
 	%D%/mixed.c \
 	%D%/modes.c \
+	%D%/modes-label.c \
 	%D%/motion.c \
 	%D%/motion.h \
 	%D%/motion-chain.c \
@@ -36,4 +40,8 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/solve.h \
 	%D%/span.c \
 	%D%/sparse.c \
-	%D%/statics.c
+	%D%/statics.c \
+	%D%/symmetry.c \
+	%D%/symmetry.h \
+	%D%/symmetry-map.c \
+	%D%/symmetry-map.h

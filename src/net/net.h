@@ -79,6 +79,13 @@ void hawser__sparse_diagonal(struct hawser__sparse *sparse, int unknown, double 
 /* Factor; *definite is 0 if the matrix is not positive definite (then the factors are not usable). */
 enum hawser_status hawser__sparse_factor(struct hawser__sparse *sparse, int *definite,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
+/* The same for a matrix that is not definite; its factors L*D*L' are made without pivoting. */
+enum hawser_status hawser__sparse_open_indefinite(struct hawser__sparse **sparse,
+                                                  const struct hawser__mesh *mesh,
+                                                  struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Factor, and count the negative eigenvalues; *done 0: a pivot is zero. */
+enum hawser_status hawser__sparse_inertia(int *negative, int *done, struct hawser__sparse *sparse,
+                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 /* Solve for a right side [unknowns], in place. */
 enum hawser_status hawser__sparse_solve(double *x, struct hawser__sparse *sparse,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;

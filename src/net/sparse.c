@@ -168,8 +168,8 @@ static enum hawser_status pattern(struct hawser__sparse *sparse, const struct ha
 	return HAWSER_OK;
 }
 
-enum hawser_status hawser__sparse_open(struct hawser__sparse **made, const struct hawser__mesh *mesh,
-                                       struct hawser_report *report)
+static enum hawser_status open_with(struct hawser__sparse **made, const struct hawser__mesh *mesh,
+                                    int indefinite, struct hawser_report *report)
 {
 	struct hawser__sparse *sparse = calloc(1, sizeof *sparse);
 	enum hawser_status status;
@@ -181,6 +181,10 @@ enum hawser_status hawser__sparse_open(struct hawser__sparse **made, const struc
 	sparse->common.print = 0; /* the library never prints */
 	sparse->common.nmethods = 1;
 	sparse->common.method[0].ordering = CHOLMOD_AMD;
+	if (indefinite) { /* L*D*L' without square roots */
+		sparse->common.supernodal = CHOLMOD_SIMPLICIAL;
+		sparse->common.final_ll = 0;
+	}
 	sparse->unknowns = mesh->unknowns;
 	status = pattern(sparse, mesh, report);
 	if (!status) {
@@ -195,6 +199,19 @@ enum hawser_status hawser__sparse_open(struct hawser__sparse **made, const struc
 	else
 		*made = sparse;
 	return status;
+}
+
+enum hawser_status hawser__sparse_open(struct hawser__sparse **made, const struct hawser__mesh *mesh,
+                                       struct hawser_report *report)
+{
+	return open_with(made, mesh, 0, report);
+}
+
+enum hawser_status hawser__sparse_open_indefinite(struct hawser__sparse **made,
+                                                  const struct hawser__mesh *mesh,
+                                                  struct hawser_report *report)
+{
+	return open_with(made, mesh, 1, report);
 }
 
 void hawser__sparse_zero(struct hawser__sparse *sparse)
@@ -245,6 +262,25 @@ enum hawser_status hawser__sparse_factor(struct hawser__sparse *sparse, int *def
 	    sparse->common.status == CHOLMOD_DSMALL)
 		return HAWSER_OK;
 	return failed(sparse, report);
+}
+
+enum hawser_status hawser__sparse_inertia(int *negative, int *done, struct hawser__sparse *sparse,
+                                          struct hawser_report *report)
+{
+	enum hawser_status status = hawser__sparse_factor(sparse, done, report);
+	const double *x;
+	const int *p;
+
+	*negative = 0;
+	if (status || !*done)
+		return status;
+	x = sparse->factor->x;
+	p = sparse->factor->p;
+	for (int j = 0; j < sparse->unknowns; j++) { /* D is where the diagonal of L, all ones, would be */
+		*done = *done && x[p[j]] != 0.0;
+		*negative += x[p[j]] < 0.0;
+	}
+	return HAWSER_OK;
 }
 
 enum hawser_status hawser__sparse_solve(double *x, struct hawser__sparse *sparse,

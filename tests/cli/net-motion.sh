@@ -80,30 +80,5 @@ refuses "times that stand" "is not after that of the line before" net.yaml --unt
 printf '0 0 0\n' >C.txt
 refuses "three numbers" "a line must have 4 numbers" net.yaml --until "1 s"
 rm C.txt
-run modes net.yaml -n 3 --shapes --json modes.json
-try "modes" said 0
-python "shapes at nodes and along cables" <<'END'
-import json
-modes = json.load(open("modes.json"))["modes"]
-assert len(modes) == 3 and len(modes[0]["shape"]["c3"]) == 6 and modes[0]["nodes"]["A"] == [0, 0, 0]
-assert modes[0]["shape"]["c1"][-1] == modes[0]["nodes"]["J"] and modes[0]["mass"] > 0
-END
-for option in "--method spectral" "--plot modes.png"; do
-	run modes net.yaml $option
-	try "modes $option" said 1
-done
-try "names the reason" grep -q "have no picture" "$scratch/err"
-run modes net.yaml -n 1000
-try "too many modes" said 1
-try "says so" grep -q "ask for 1 to 45 modes, not 1000" "$scratch/err"
-printf 'kind: net\nnodes: {A: [0, 0, 0], J: {}, B: [0, -5, 0]}\ncables:\n' >slack.yaml
-for cable in "{name: a, from: A, to: J, EA: 1 MN, rho: 0.001 kg/m, length0: 1 m, elements: 1}" \
-	"{name: b, from: J, to: B, EA: 1 MN, rho: 0.001 kg/m, length0: 5 m, elements: 1}"; do
-	echo "  - $cable"
-done >>slack.yaml
-printf 'supports: {A: fixed, B: fixed}\nmasses: {J: 9 kg}\n' >>slack.yaml
-run modes slack.yaml
-try "a slack cable" said 2
-try "says so" grep -q "cable b is slack in the equilibrium" "$scratch/err"
 refuses "no table" "the table with the motion of a support cannot be read" net.yaml --until "1 s"
 done_testing

@@ -64,7 +64,7 @@ static void string(void)
 		worst = fmax(worst, fabs(modes.omega[j]/mesh - 1.0));
 		heavy = fmax(heavy, fabs(modes.omega[j]/exact - 1.0));
 	}
-	ok(worst <= 1e-9, "string: frequencies of its mesh in closed form, %.1e", worst);
+	ok(worst <= 1e-13, "string: frequencies of its mesh in closed form, %.1e", worst);
 	ok(heavy <= 1e-8, "and of the string, %.1e", heavy);
 	hawser_net_modes_clear(&modes);
 }
