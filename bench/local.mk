@@ -100,3 +100,12 @@ bench: $(BENCHES) %D%/frf %D%/peak %D%/plan hawser
 BENCHES += %D%/net-motion
 %C%_net_motion_SOURCES = %D%/net-motion.c
 %C%_net_motion_LDADD = $(UPTO_NET)
+
+# statics of nets: times and memory over size; and random nets, of which none may fail
+BENCHES += %D%/net-statics
+%C%_net_statics_SOURCES = %D%/net-statics.c
+%C%_net_statics_LDADD = $(UPTO_NET)
+EXTRA_PROGRAMS += %D%/net-random
+CLEANFILES += %D%/net-random
+%C%_net_random_SOURCES = %D%/net-random.c
+%C%_net_random_LDADD = $(UPTO_NET)
