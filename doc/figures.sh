@@ -207,6 +207,8 @@ sh "$SRCDIR/doc/figures-spans.sh" "$target/spans"
 # The equilibria of four bars; the picture of theory-net.md is a copy.
 "$hawser" statics "$scenes/net-bars.yaml" --equilibria 2000 -q --plot "$target/net-bars.svg"
 echo "$target/net-bars.svg"
+"$hawser" modes "$scenes/net-table-3-1.yaml" -q --plot "$target/net-modes.svg" >"$target/net-modes.txt"
+echo "$target/net-modes.svg"
 
 # Travelling beams: all figures of D chapter 9.
 sh "$SRCDIR/doc/figures-beam.sh" "$target/beam"

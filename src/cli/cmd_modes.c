@@ -12,7 +12,7 @@
 
 struct settings {
 	struct cli_common common;
-	const char *method, *view, *over;
+	const char *method, *view, *over, *vtk;
 	int n, basis, points, shapes, list, damped, log;
 };
 static const struct settings defaults = {.view = "components", .points = 201};
@@ -29,6 +29,8 @@ static const struct cli_option options[] = {
 	{"damped", 0, "", "damped modes: dampers and damping of the scene", CLI_FLAG(damped)},
 	{"over", 0, "KEY=FROM:TO:N", "damped modes at N values of a key of the scene", CLI_TEXT(over)},
 	{"log", 0, "", "these values at equal ratios", CLI_FLAG(log)},
+	{"vtk", 0, "FILE", "nets: write all shapes to FILE.vtk, for programs such as ParaView",
+	 CLI_TEXT(vtk)},
 	{"list-methods", 0, "", "list the methods and exit", CLI_FLAG(list)},
 	CLI_NO_OPTION,
 };
@@ -113,11 +115,14 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		if (settings->damped || settings->over || settings->log || settings->method ||
 		    settings->basis > 0)
 			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes", "the scene is a net: of the "
-			                    "options of modes only --modes and --shapes are for nets");
+			                    "options of modes only --modes, --shapes and --vtk are for nets");
 		status = cli_outputs_check(&settings->common, report);
 		return status ? status : cli_modes_net(&settings->common, settings->n, settings->shapes,
-		                                       report);
+		                                       settings->vtk, report);
 	}
+	if (settings->vtk)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes", "--vtk is for nets, and %s is no "
+		                    "scene of a net", settings->common.input);
 	if (settings->damped || settings->over || settings->log)
 		return run_damped(settings, report);
 	status = cli_choose(&view, "modes", "view", settings->view, views, 3, report);

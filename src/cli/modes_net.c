@@ -4,10 +4,13 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "cli/modes_net.h"
 #include "cli/view.h"
 #include "core/report.h"
+#include "output/plot_net_modes.h"
+#include "output/vtk.h"
 
 struct result {
 	const struct cli_common *common;
@@ -267,10 +270,58 @@ static struct cli_head head(const void *of)
 		                    (symmetry->mirrors > 2 ? THREE : 0u)}};
 }
 
-static const struct cli_showing showing = {.head = head, .comments = comments, .rows = &mode_list,
-                                           .fields = cli_modes_net_member, .stats = stats_field};
+static enum hawser_status draw(const char *path, const void *of, struct hawser_report *report)
+{
+	return hawser__plot_net_modes(path, &((const struct result *)of)->modes, report);
+}
 
-enum hawser_status cli_modes_net(const struct cli_common *common, int n, int shapes,
+static const struct cli_showing showing = {.head = head, .comments = comments, .rows = &mode_list,
+                                           .fields = cli_modes_net_member, .stats = stats_field,
+                                           .draw = draw};
+
+/* --- VTK --- */
+
+static enum hawser_status check_vtk(const char *path, struct hawser_report *report)
+{
+	size_t length = path ? strlen(path) : 0;
+
+	if (path && (length < 5 || strcmp(path + length - 4, ".vtk") != 0))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes", "--vtk %s: programs tell the kind of "
+		                    "file by its name, which must end in .vtk", path);
+	return hawser__file_check(path, report);
+}
+
+/* All shapes as vectors of the points in the equilibrium; the number of the cable of each line. */
+static enum hawser_status write_vtk(const char *path, const struct result *result,
+                                    struct hawser_report *report)
+{
+	const struct hawser_net_modes *modes = &result->modes;
+	size_t points = (size_t)modes->points + 1;
+	int (*end)[2] = malloc(points*sizeof *end), lines = 0;
+	double *cable = malloc(points*sizeof *cable);
+	const struct hawser__vtk_scalar scalar = {"cable", cable};
+	enum hawser_status status = end && cable ? HAWSER_OK : hawser__no_memory(report, "modes");
+
+	for (int p = 0; p + 1 < modes->points && !status; p++) {
+		if (modes->cable[p] != modes->cable[p + 1])
+			continue;
+		end[lines][0] = p;
+		end[lines][1] = p + 1;
+		cable[lines++] = modes->cable[p] + 1;
+	}
+	if (!status)
+		status = hawser__vtk_write(path, &(struct hawser__vtk){
+			.title = "hawser modes: displacements of modes 1, 2, ... about the equilibrium",
+			.points = modes->points, .lines = lines, .x = (const double (*)[3])modes->place,
+			.end = (const int (*)[2])end, .scalars = 1, .scalar = &scalar, .vectors = modes->n,
+			.vector = "mode", .shape = (const double (*)[3])modes->point, .field = "omega_rad_s",
+			.number = modes->omega}, report);
+	free(end);
+	free(cable);
+	return status;
+}
+
+enum hawser_status cli_modes_net(const struct cli_common *common, int n, int shapes, const char *vtk,
                                  struct hawser_report *report)
 {
 	struct result *result = calloc(1, sizeof *result);
@@ -281,14 +332,14 @@ enum hawser_status cli_modes_net(const struct cli_common *common, int n, int sha
 	result->common = common;
 	result->method = "block Lanczos";
 	result->shapes = shapes;
-	if (common->plot)
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes", "modes of nets have no picture: "
-		                      "use --json with --shapes");
-	else
+	status = check_vtk(vtk, report);
+	if (!status)
 		status = hawser_net_open(&result->net, common->input, common->set, (size_t)common->sets,
 		                         report);
 	if (!status)
 		status = hawser_net_modes_solve(&result->modes, &result->net, n > 0 ? n : 0, report);
+	if (!status && vtk)
+		status = write_vtk(vtk, result, report);
 	if (!status)
 		status = cli_show(common, &showing, result, report);
 	hawser_net_modes_clear(&result->modes);

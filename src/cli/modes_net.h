@@ -6,8 +6,9 @@
 #include "cli/cli.h"
 #include "output/fields.h"
 
-/* n: number of modes, 0 for the default; shapes 1: at the nodes of the mesh in JSON too. */
-enum hawser_status cli_modes_net(const struct cli_common *common, int n, int shapes,
+/* n: number of modes, 0 for the default; shapes 1: at the nodes of the mesh in JSON too; vtk: a file,
+ * or NULL. */
+enum hawser_status cli_modes_net(const struct cli_common *common, int n, int shapes, const char *vtk,
                                  struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* Columns of the table, keys of JSON. */

@@ -16,6 +16,8 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/output.h \
 	%D%/panels.c \
 	%D%/panels.h \
+	%D%/perspective.c \
+	%D%/perspective.h \
 	%D%/plot_beam.c \
 	%D%/plot_beam_lines.c \
 	%D%/plot_beam_motion.c \
@@ -33,6 +35,8 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/plot_equilibria.h \
 	%D%/plot_net.c \
 	%D%/plot_net.h \
+	%D%/plot_net_modes.c \
+	%D%/plot_net_modes.h \
 	%D%/plot_nnm.c %D%/plot_nnm.h \
 	%D%/plot_locus.c \
 	%D%/plot_locus.h \
@@ -53,4 +57,6 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/style.h \
 	%D%/table.c \
 	%D%/units.c \
-	%D%/units.h
+	%D%/units.h \
+	%D%/vtk.c \
+	%D%/vtk.h

@@ -31,12 +31,19 @@ struct hawser__panels hawser__panels_arrange(int modes)
 	return at;
 }
 
+void hawser__panels_place(struct hawser__picture *picture, const struct hawser__panels *at, int k)
+{
+	int column = k % at->columns;
+	/* NOLINTNEXTLINE(bugprone-integer-division): the integer quotient is intended */
+	double x = at->left + at->width*column, y = at->top - at->tall*(k/at->columns + 1);
+
+	hawser__picture_panel(picture, x, x + at->width - 0.032, y, y + at->tall - 0.95/at->height);
+}
+
 void hawser__panels_open(struct hawser__picture *picture, const struct hawser__panels *at, int k,
                          const char *xlabel, const char *ylabel)
 {
 	int column = k % at->columns, last = k + at->columns >= at->panels;
-	/* NOLINTNEXTLINE(bugprone-integer-division): the integer quotient is intended */
-	double x = at->left + at->width*column, y = at->top - at->tall*(k/at->columns + 1);
 
 	fprintf(picture->script, "set format x '%s'\nset format y '%s'\n", last ? "%g" : "",
 	        column == 0 ? "%g" : "");
@@ -44,7 +51,7 @@ void hawser__panels_open(struct hawser__picture *picture, const struct hawser__p
 		fprintf(picture->script, "set xlabel '%s' offset 0,0.4\n", xlabel);
 	else
 		fputs("unset xlabel\n", picture->script);
-	hawser__picture_panel(picture, x, x + at->width - 0.032, y, y + at->tall - 0.95/at->height);
+	hawser__panels_place(picture, at, k);
 	fputs("unset label\n", picture->script);
 	if (k == 0) {
 		/* once for all rows: the title of a row may be longer than the row is high */

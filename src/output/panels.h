@@ -16,6 +16,9 @@ struct hawser__panels {
 	double height, bottom, top, left, width, tall;
 };
 struct hawser__panels hawser__panels_arrange(int modes);
+/* Its place alone. */
+void hawser__panels_place(struct hawser__picture *picture, const struct hawser__panels *at, int k);
+/* Its place, labels and tics; once for all the title of y. */
 void hawser__panels_open(struct hawser__picture *picture, const struct hawser__panels *at, int k,
                          const char *xlabel, const char *ylabel);
 

@@ -22,6 +22,48 @@ for i in 0 1 2 3; do
 done >>web.yaml
 echo 'supports: {A0: fixed, A1: fixed, A2: fixed, A3: fixed}' >>web.yaml
 works "a web" modes web.yaml -n 8 --json web.json --tsv web.tsv -q
+works "its picture and VTK" modes web.yaml -n 4 --plot web.svg --vtk web.vtk -q
+try "titles" grep -q '1:  ' web.svg
+try "symmetry in the picture" grep -q 'anti/sym' web.svg
+python "the file of VTK, read strictly" <<'END'
+import json, math
+lines = open("web.vtk").read().split("\n")
+assert lines[0] == "# vtk DataFile Version 3.0" and lines[2:4] == ["ASCII", "DATASET POLYDATA"] and lines[-1] == ""
+words = iter(" ".join(lines[4:]).split())
+def head(*want):
+    for word in want:
+        got = next(words)
+        assert word is None or got == word, (got, word)
+        last = got
+    return int(last)
+def floats(count):
+    values = [float(next(words)) for _ in range(count)]
+    assert all(map(math.isfinite, values))
+    return values
+head("FIELD", "FieldData", "1")
+head("omega_rad_s", "1", "4")
+assert next(words) == "double"
+omega = floats(4)
+points = head("POINTS", None)
+assert next(words) == "double"
+x = floats(3*points)
+cells = head("LINES", None)
+assert int(next(words)) == 3*cells
+for _ in range(cells):
+    two, a, b = (int(next(words)) for _ in range(3))
+    assert two == 2 and 0 <= a < b < points
+head("CELL_DATA", str(cells))
+assert [next(words) for _ in range(6)] == ["SCALARS", "cable", "double", "1", "LOOKUP_TABLE", "default"]
+assert sorted(set(floats(cells))) == list(range(1, 13)) and points == cells + 12 == 60
+head("POINT_DATA", str(points))
+modes = json.load(open("web.json"))["modes"]
+for mode in modes[:4]:
+    assert [next(words) for _ in range(3)] == ["VECTORS", "mode_%d" % mode["index"], "double"]
+    u = floats(3*points)
+    assert max(abs(a - b) for a, b in zip(u[12:15], mode["nodes"]["J0"])) < 1e-8
+    assert abs(omega[mode["index"] - 1]/mode["omega"] - 1) < 1e-8
+assert next(words, None) is None
+END
 works "a web with a mass on a joint" modes web.yaml -n 8 --set 'masses={J1: 0.5 kg}' --json one.json -q
 works "and another on the next" modes web.yaml -n 8 --set 'masses={J1: 0.5 kg, J2: 0.6 kg}' --json none.json -q
 try "the planes" test "$(grep -c '^# mirror plane [12] through' web.tsv)" -eq 2
@@ -105,6 +147,8 @@ no() {
 	try "  says so" grep -q -e "$saying" "$scratch/err"
 }
 no "an option of spans" 1 "of the options of modes only" web.yaml --method spectral
+no "another name for VTK" 1 "must end in .vtk" web.yaml --vtk web.vtu
+no "a span in VTK" 1 "\-\-vtk is for nets" "$chairlift" --vtk web.vtk
 no "too many modes" 1 "the mesh has 123 unknowns with mass: ask for 1 to 123 modes, not 1000" web.yaml -n 1000
 no "a slack mesh" 2 "cable b is slack in the equilibrium, and without its stiffness a part of the net is not held" \
 	slack.yaml --set cables.b.elements=2 --set cables.b.rho=0
