@@ -37,6 +37,7 @@ pkginclude_HEADERS = \
 	%D%/hawser/primary.h \
 	%D%/hawser/progress.h \
 	%D%/hawser/rom.h \
+	%D%/hawser/ropeway.h \
 	%D%/hawser/choose.h \
 	%D%/hawser/scales.h \
 	%D%/hawser/scene.h \

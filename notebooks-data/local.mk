@@ -24,6 +24,7 @@ dist_scenes_DATA = \
 	%D%/scenes/b-table-5.4.yaml \
 	%D%/scenes/b-table-5.5.yaml \
 	%D%/scenes/b-table-5.6.yaml \
+	%D%/scenes/b-table-6.3.yaml \
 	%D%/scenes/bridge-stay.yaml \
 	%D%/scenes/net-bars.yaml \
 	%D%/scenes/net-table-3-1.yaml \
@@ -60,6 +61,8 @@ dist_scenes_DATA = \
 	%D%/scenes/inclined.yaml \
 	%D%/scenes/level-two-to-one.yaml \
 	%D%/scenes/rope.yaml \
+	%D%/scenes/ropeway-bouquet.yaml \
 	%D%/scenes/ropeway-carriers.yaml \
+	%D%/scenes/ropeway-small.yaml \
 	%D%/scenes/stay-frequencies.tsv \
 	%D%/scenes/second-stable-region.yaml

@@ -18,6 +18,7 @@ CLI_TESTS = \
 	%D%/cli/long.sh \
 	%D%/cli/motion.sh \
 	%D%/cli/net.sh \
+	%D%/cli/ropeway.sh \
 	%D%/cli/net-modes.sh \
 	%D%/cli/net-motion.sh \
 	%D%/cli/section.sh \

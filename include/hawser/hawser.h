@@ -22,6 +22,7 @@
 #include <hawser/net_motion.h>
 #include <hawser/net_span.h>
 #include <hawser/line.h>
+#include <hawser/ropeway.h>
 #include <hawser/plugin.h>
 #include <hawser/rom.h>
 #include <hawser/choose.h>

@@ -52,8 +52,6 @@ static const struct cli_option options[] = {
 	 CLI_TEXT(net.probe)},
 	{"state", 0, "FILE", "nets: write the last state, for --initial", CLI_TEXT(net.state)},
 	{"vtk", 0, "STEM", "nets: write STEM-00000.vtk and so on, one a row", CLI_TEXT(net.vtk)},
-	{"movie", 0, "FILE", "nets: write an animation, FILE.gif or FILE.mp4", CLI_TEXT(net.movie)},
-	{"frames", 0, "N", "nets: frames of the animation, at most (120)", CLI_INTEGER(net.frames)},
 	{"partial", 0, "", "write what was computed also if the run fails", CLI_FLAG(partial)},
 	CLI_NO_OPTION,
 };
@@ -294,11 +292,10 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 
 	if (!status && hawser_net_is(settings->common.input))
 		return run_net(settings, report);
-	if (!status && (net->step || net->probe || net->vtk || net->movie || net->frames || net->state))
+	if (!status && (net->step || net->probe || net->vtk || net->state))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate", "--%s is for nets, and %s is no "
 		                    "scene of a net", net->step ? "step" : net->probe ? "probe"
-		                    : net->vtk ? "vtk" : net->movie ? "movie" : net->frames ? "frames"
-		                    : "state", settings->common.input);
+		                    : net->vtk ? "vtk" : "state", settings->common.input);
 	if (!status)
 		status = cli_state_check("initial", settings->initial, &settings->common, report);
 	if (!status)

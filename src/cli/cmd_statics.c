@@ -7,13 +7,14 @@
 #include <string.h>
 
 #include "cli/statics_loaded.h"
-#include "cli/statics_net.h"
+#include "cli/statics_kinds.h"
 #include "core/report.h"
 
 struct settings {
 	struct cli_common common;
-	const char *model, *from, *to, *method;
-	int profile, points, models, compatibility, speeds, cases, equilibria;
+	const char *model, *from, *to;
+	int points, models, compatibility, speeds, cases;
+	struct cli_statics_kinds kinds;
 };
 static const struct settings defaults = {.points = 201};
 
@@ -29,11 +30,7 @@ static const struct cli_option options[] = {
 	{"to", 0, "VALUE", "curves: highest tension (epsilon = 0.02), or speed (past the limit)",
 	 CLI_TEXT(to)},
 	{"points", 0, "N", "number of points of the profile or of the curves (201)", CLI_COUNT(points)},
-	{"method", 0, "NAME", "nets: automatic, interior-point, mixed, forces or catenary (automatic)",
-	 CLI_TEXT(method)},
-	{"profile", 0, "", "nets: table of points along the cables", CLI_FLAG(profile)},
-	{"equilibria", 0, "N", "nets: all equilibria of bars instead of cables, from N random starts",
-	 CLI_COUNT(equilibria)},
+	CLI_STATICS_KINDS_OPTIONS,
 	CLI_NO_OPTION,
 };
 
@@ -186,6 +183,12 @@ const struct cli_listing cli_statics_listing[] = {
 	{"Columns with --speeds:", cli_speed_field, 0},
 	{"Columns with --cases:", cli_case_field, 0},
 	{"Keys of JSON:", result_field, 1},
+	{"Columns of a ropeway:", cli_ropeway_tower_field, 0},
+	{"Columns of a ropeway with --spans:", cli_ropeway_span_field, 0},
+	{"Columns of a ropeway with --worst:", cli_ropeway_worst_field, 0},
+	{"Columns of a ropeway with --cases:", cli_ropeway_case_field, 0},
+	{"Columns of a ropeway with --profile:", cli_ropeway_point_field, 0},
+	{"Keys of JSON of a ropeway:", cli_ropeway_field, 1},
 	{NULL, NULL, 0},
 };
 
@@ -456,34 +459,28 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 static const struct cli_showing showing = {
 	.head = head, .comments = comments, .more = rows, .fields = result_field, .draw = draw};
 
-static enum hawser_status run_net(const struct settings *settings, struct hawser_report *report)
+/* The first option that is for spans only, or NULL. */
+static const char *span_option(const struct settings *settings)
 {
-	const char *other = settings->model ? "model" : settings->models ? "models"
-		: settings->compatibility ? "compatibility" : settings->speeds ? "speeds"
-		: settings->cases ? "cases" : settings->from ? "from" : settings->to ? "to" : NULL;
-
-	if (other || settings->points != defaults.points)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
-		                    "--%s is for spans, and this scene is a net", other ? other : "points");
-	return settings->equilibria ? cli_equilibria_net(&settings->common, settings->equilibria, report)
-		: cli_statics_net(&settings->common, settings->method, settings->profile, report);
+	return settings->model ? "model" : settings->models ? "models"
+	       : settings->compatibility ? "compatibility" : settings->speeds ? "speeds"
+	       : settings->from ? "from" : settings->to ? "to"
+	       : settings->points != defaults.points ? "points" : NULL;
 }
 
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	const struct settings *settings = context;
 	struct result result = {.settings = settings, .points = settings->points};
-	const char *of_net = settings->method ? "method" : settings->profile ? "profile"
-		: settings->equilibria ? "equilibria" : NULL, *input = settings->common.input;
+	int done = 0;
 	enum hawser_status status = check(settings, report);
 
-	if (!status && hawser_net_is(input))
-		return run_net(settings, report);
-	if (!status && of_net)
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
-		                      "--%s is for nets, and %s is no scene of a net", of_net, input);
 	if (!status)
-		status = solve(&result, report);
+		status = cli_statics_kinds(&done, &settings->common, &settings->kinds, span_option(settings),
+		                           settings->cases, report);
+	if (status || done)
+		return status;
+	status = solve(&result, report);
 	if (!status)
 		status = cli_show(&settings->common, &showing, &result, report);
 	free(result.profile);
@@ -495,6 +492,6 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 }
 
 const struct cli_command cli_statics = {
-	"statics", "SCENE", "Static shape and tensions of a span or a net", NULL, options, &defaults,
-	sizeof(struct settings), 1, run, cli_statics_listing,
+	"statics", "SCENE", "Static shape and tensions of a span, a net or a ropeway", NULL, options,
+	&defaults, sizeof(struct settings), 1, run, cli_statics_listing,
 };

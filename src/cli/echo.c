@@ -11,13 +11,21 @@
 
 #include "cli/cli.h"
 
+/* Of a scene that the table of keys does not describe; NULL of others. */
+static const char *other_kind(const struct cli_common *common)
+{
+	return !common->input ? NULL : hawser_ropeway_is(common->input) ? "ropeway"
+	       : hawser_net_is(common->input) ? "net" : NULL;
+}
+
 void cli_echo_table(struct hawser__table *table, const struct cli_common *common,
                     const char *command, const struct hawser_scene *scene, const char *method)
 {
-	int i, net = !scene && common->input && hawser_net_is(common->input);
+	const char *kind = scene ? NULL : other_kind(common);
+	int i;
 
 	hawser__table_comment(table, "hawser %s %s", hawser_version(), command);
-	hawser__table_remark(table, "%s: %s", scene || net ? "scene" : "model",
+	hawser__table_remark(table, "%s: %s", scene || kind ? "scene" : "model",
 	                     scene && scene->name ? scene->name : common->input);
 	for (i = 0; i < common->sets; i++)
 		hawser__table_remark(table, "set: %s", common->set[i]);
@@ -183,11 +191,12 @@ static void echo_cases(struct hawser__json *json, json_t *echo, const struct haw
 	}
 }
 
-static void echo_net(struct hawser__json *json, json_t *echo, const struct cli_common *common)
+static void echo_other(struct hawser__json *json, json_t *echo, const struct cli_common *common,
+                       const char *kind)
 {
 	json_t *set;
 
-	hawser__json_text(json, echo, "kind", "net");
+	hawser__json_text(json, echo, "kind", kind);
 	if (common->sets == 0)
 		return;
 	set = hawser__json_array(json, echo, "set");
@@ -200,17 +209,16 @@ void cli_echo_json(struct hawser__json *json, const struct cli_common *common,
 {
 	const struct hawser_scene_key *key;
 	json_t *echo;
-	int net;
+	const char *kind = scene ? NULL : other_kind(common);
 
 	hawser__json_begin(json);
 	hawser__json_text(json, json->root, "command", command);
 	hawser__json_text(json, json->root, "version", hawser_version());
 	echo = hawser__json_object(json, json->root, "scene");
-	net = !scene && common->input && hawser_net_is(common->input);
-	hawser__json_text(json, echo, scene || net ? "name" : "model_file",
+	hawser__json_text(json, echo, scene || kind ? "name" : "model_file",
 	                  scene && scene->name ? scene->name : common->input);
-	if (net)
-		echo_net(json, echo, common);
+	if (kind)
+		echo_other(json, echo, common, kind);
 	if (!scene)
 		return;
 	for (int i = 0; !json->status && (key = hawser_scene_key(i)); i++)

@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,11 +11,8 @@
 #include "cli/integrate_net.h"
 #include "cli/progress.h"
 #include "core/report.h"
-#include "output/movie.h"
-#include "output/plot_net_motion.h"
-#include "output/vtk.h"
 
-enum { PROBES = 64, NAME = HAWSER_NET_NAME + 24, PATH = 4096 };
+enum { PROBES = 64, NAME = HAWSER_NET_NAME + 24, PATH = 4096, DRAWN = 3 };
 
 struct result {
 	const struct cli_common *common;
@@ -23,10 +21,8 @@ struct result {
 	struct hawser_net_motion motion;
 	struct hawser_net_probe probe[PROBES];
 	char name[PROBES][NAME];
-	int probes;
-	struct hawser__movie *movie; /* or NULL */
-	enum hawser_status failed;   /* a frame that could not be kept or written */
-	struct hawser_report report;
+	int probes, failed; /* failed: errno of a frame that could not be written */
+	char path[PATH];    /* of that frame */
 };
 
 /* --- probes: J, or c1:0.25 --- */
@@ -94,71 +90,35 @@ static enum hawser_status probes(struct result *result, struct hawser_report *re
 	return status;
 }
 
-/* --- VTK, one file a row, and the animation --- */
+/* --- VTK: one file a row --- */
 
 static int frame(void *data, const struct hawser_net_frame *frame)
 {
 	struct result *result = data;
-	const struct hawser__vtk_scalar tension = {"tension_N", frame->T};
-	char title[64], path[PATH];
+	FILE *file;
+	int bad;
 
-	if (result->movie)
-		result->failed = hawser__movie_add(result->movie, frame, &result->report);
-	if (!result->settings->vtk || result->failed)
-		return result->failed != HAWSER_OK;
-	snprintf(title, sizeof title, "hawser, t = %.9g s", frame->t);
-	snprintf(path, sizeof path, "%s-%05d.vtk", result->settings->vtk, frame->row);
-	result->failed = hawser__vtk_write(path, &(struct hawser__vtk){
-		.title = title, .points = frame->nodes, .lines = frame->elements, .x = frame->x,
-		.end = frame->end, .scalars = 1, .scalar = &tension}, &result->report);
-	return result->failed != HAWSER_OK;
-}
-
-static enum hawser_status check_movie(const struct cli_integrate_net *settings,
-                                      struct hawser_report *report)
-{
-	if (settings->frames != 0 && !settings->movie)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate", "--frames %d is for the "
-		                    "animation of --movie FILE: give that", settings->frames);
-	if (settings->frames < 0 || settings->frames == 1 || settings->frames > HAWSER__MOVIE_MOST)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate", "--frames %d: an animation has 2 "
-		                    "to %d frames", settings->frames, HAWSER__MOVIE_MOST);
-	return hawser__movie_check(settings->movie, report);
-}
-
-/* Room for the frames, before the run; rows: of it. */
-static enum hawser_status begin_movie(struct result *result,
-                                      const struct hawser_net_motion_options *options,
-                                      struct hawser_report *report)
-{
-	double rows = options->every > 0.0 ? floor(options->until/options->every) + 1.0 : 201.0;
-	int frames = result->settings->frames > 0 ? result->settings->frames : HAWSER__MOVIE_FRAMES;
-
-	if (!result->settings->movie)
-		return HAWSER_OK;
-	return hawser__movie_open(&result->movie, result->settings->movie, (int)fmin(rows, 1e9), frames,
-	                          report);
-}
-
-static enum hawser_status make_movie(struct result *result, struct hawser_report *report)
-{
-	const struct hawser_net *net = &result->net;
-	unsigned char *supports = malloc((size_t)net->nodes + 1);
-	struct cli_progress progress = {.quiet = result->common->quiet};
-	enum hawser_status status;
-
-	if (!supports)
-		return hawser__no_memory(report, "integrate");
-	for (int i = 0; i < net->nodes; i++)
-		supports[i] = net->node[i].support != 0;
-	for (int i = 0; i < net->dynamics.releases; i++)
-		supports[net->dynamics.release[i]] = 0;
-	cli_progress_show(&progress, "animation: drawing %d frames",
-	                  hawser__movie_frames(result->movie));
-	status = hawser__movie_finish(result->movie, supports, net->nodes, report);
-	cli_progress_end(&progress);
-	free(supports);
-	return status;
+	if (!result->settings->vtk)
+		return 0;
+	snprintf(result->path, sizeof result->path, "%s-%05d.vtk", result->settings->vtk, frame->row);
+	file = fopen(result->path, "w");
+	if (!file)
+		return result->failed = errno;
+	fprintf(file, "# vtk DataFile Version 3.0\nhawser, t = %.9g s\nASCII\nDATASET POLYDATA\n"
+	        "POINTS %d double\n", frame->t, frame->nodes);
+	for (int i = 0; i < frame->nodes; i++)
+		fprintf(file, "%.9g %.9g %.9g\n", frame->x[i][0], frame->x[i][1], frame->x[i][2]);
+	fprintf(file, "LINES %d %d\n", frame->elements, 3*frame->elements);
+	for (int e = 0; e < frame->elements; e++)
+		fprintf(file, "2 %d %d\n", frame->end[e][0], frame->end[e][1]);
+	fprintf(file, "CELL_DATA %d\nSCALARS tension_N double 1\nLOOKUP_TABLE default\n",
+	        frame->elements);
+	for (int e = 0; e < frame->elements; e++)
+		fprintf(file, "%.9g\n", frame->T[e]);
+	bad = ferror(file);
+	if (fclose(file) || bad)
+		result->failed = errno ? errno : EIO;
+	return result->failed;
 }
 
 /* --- results --- */
@@ -251,14 +211,40 @@ static void json(struct hawser__json *json, const void *of)
 	hawser__json_integer(json, into, "switches", motion->switches);
 }
 
+/* Heights of the first probes over time; below, the energies. */
 static enum hawser_status draw(const char *path, const void *of, struct hawser_report *report)
 {
 	const struct result *result = of;
-	const char *names[PROBES];
+	const struct hawser_net_motion *motion = &result->motion;
+	int probes = motion->probes < DRAWN ? motion->probes : DRAWN;
+	struct hawser__picture picture;
+	enum hawser_status status = hawser__picture_begin(&picture, path, 14.0, 12.0, report);
+	FILE *script = picture.script;
 
-	for (int p = 0; p < result->probes; p++)
-		names[p] = result->name[p];
-	return hawser__plot_net_motion(path, &result->motion, names, report);
+	if (status)
+		return status;
+	fputs("$motion << END\n", script);
+	for (int i = 0; i < motion->rows; i++) {
+		fprintf(script, "%.9g %.7g %.7g %.7g", motion->time[i], motion->kinetic[i],
+		        motion->potential[i], motion->kinetic[i] + motion->potential[i]);
+		for (int p = 0; p < probes; p++)
+			fprintf(script, " %.7g", motion->x[i*motion->probes + p][1]);
+		fputs("\n", script);
+	}
+	fputs("END\nset key at graph 1, graph 1.12 right center horizontal\n", script);
+	hawser__picture_panel(&picture, 0.15, 0.95, 0.61, 0.93);
+	hawser__picture_ylabel(&picture, "Height {/:Italic y} (m)");
+	fputs("plot ", script);
+	for (int p = 0; p < probes; p++)
+		fprintf(script, "%s$motion using 1:%d with lines lt %d title \"%s\" noenhanced",
+		        p ? ", " : "", p + 5, p + 1, result->name[p]);
+	fputs("\n", script);
+	hawser__picture_panel(&picture, 0.15, 0.95, 0.11, 0.46);
+	hawser__picture_ylabel(&picture, "Energy (J)");
+	fputs("set xlabel 'Time {/:Italic t} (s)'\nplot $motion using 1:2 with lines lt 1 title 'kinetic', "
+	      "$motion using 1:3 with lines lt 2 title 'potential', "
+	      "$motion using 1:4 with lines lt 3 title 'sum'\n", script);
+	return hawser__picture_finish(&picture, report);
 }
 
 static const struct cli_showing showing = {.table = table, .json = json, .draw = draw};
@@ -312,17 +298,11 @@ static enum hawser_status solve(struct result *result, struct hawser_report *rep
 	if (!status)
 		status = options_of(&options, result, report);
 	if (!status)
-		status = begin_movie(result, &options, report);
-	if (!status)
 		status = hawser_net_integrate(&result->motion, &result->net, &options, report);
 	cli_progress_end(&watch.progress);
-	if (!status && result->failed) {
-		*report = result->report;
-		return result->failed;
-	}
-	if (!status && result->settings->vtk)
-		status = hawser__vtk_series(result->settings->vtk, result->motion.time, result->motion.rows,
-		                            report);
+	if (!status && result->failed)
+		status = hawser__fail(report, HAWSER_ERR_IO, "integrate", "cannot write %s: %s", result->path,
+		                      strerror(result->failed));
 	return status;
 }
 
@@ -337,16 +317,11 @@ enum hawser_status cli_integrate_net(const struct cli_common *common,
 		return hawser__no_memory(report, "integrate");
 	result->common = common;
 	result->settings = settings;
-	status = check_movie(settings, report);
-	if (!status)
-		status = solve(result, report);
+	status = solve(result, report);
 	if (!status && settings->state)
 		status = hawser_net_state_write(&result->motion, settings->state, report);
-	if (!status && settings->movie && hawser__movie_frames(result->movie) > 0)
-		status = make_movie(result, report);
 	if (!status)
 		status = cli_show(common, &showing, result, report);
-	hawser__movie_clear(result->movie);
 	hawser_net_motion_clear(&result->motion);
 	hawser_net_clear(&result->net);
 	free(result);

@@ -7,9 +7,8 @@
 
 /* Texts of options; NULL if not given. */
 struct cli_integrate_net {
-	const char *until, *every, *step, *scheme, *probe, *vtk, *movie, *state, *initial;
+	const char *until, *every, *step, *scheme, *probe, *vtk, *state, *initial;
 	double tolerance; /* 0: the library's */
-	int frames;       /* of the animation, at most; 0: the default */
 	int error;        /* 1: another run, for the error */
 };
 enum hawser_status cli_integrate_net(const struct cli_common *common,

@@ -37,6 +37,12 @@ hawser_SOURCES = \
 	%D%/cmd_statics.c \
 	%D%/statics_loaded.h \
 	%D%/equilibria_net.c \
+	%D%/statics_kinds.c \
+	%D%/statics_kinds.h \
+	%D%/ropeway_fields.c \
+	%D%/ropeway_fill.c \
+	%D%/statics_ropeway.c \
+	%D%/statics_ropeway.h \
 	%D%/statics_net.c \
 	%D%/statics_net.h \
 	%D%/statics_cases.c \

@@ -357,7 +357,7 @@ enum hawser_status hawser_net_open(struct hawser_net *net, const char *path, con
 	struct hawser__reader reader = {.report = report, .name = path};
 	static const struct hawser__tree_words words = {
 		"a scene of kind net is a mapping with at least nodes, cables and supports (see "
-		"hawser-scene(5))", "cables.c1.EA=100 MN"};
+		"hawser-scene(5))", "cables.c1.EA=100 MN", 'c'};
 	struct hawser__tree *tree = NULL;
 	enum hawser_status status;
 

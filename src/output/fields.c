@@ -30,6 +30,7 @@ static const struct {
 	[HAWSER__RADIAN] = {"_rad", "rad"},
 	[HAWSER__SECOND] = {"_s", "s"},
 	[HAWSER__BYTE] = {"_bytes", "bytes"},
+	[HAWSER__NEWTON_M] = {"_N_m", "N/m"},
 };
 
 const struct hawser__scale hawser__si = {

@@ -8,16 +8,22 @@
 #include "config.h"
 
 #include <errno.h>
+#include <limits.h>
 #include <math.h>
 #include <signal.h>
+#include <spawn.h>
 #include <stdarg.h>
+#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include "core/report.h"
 #include "output/output.h"
-#include "output/program.h"
 #include "output/style.h"
+
+extern char **environ;
 
 /* gnuplot's terminal commands, with the same appearance for the three formats. */
 static const struct terminal {
@@ -47,9 +53,37 @@ static const struct terminal *terminal_for(const char *path)
 	return NULL;
 }
 
+/* Write the path of gnuplot into found[size]; returns 0 if it is not found. */
+static int find_program(char *found, size_t size)
+{
+	const char *wanted = getenv("HAWSER_GNUPLOT"), *folder = getenv("PATH"), *end;
+
+	if (wanted && *wanted && strchr(wanted, '/'))
+		return snprintf(found, size, "%s", wanted) < (int)size && access(found, X_OK) == 0;
+	if (!wanted || !*wanted)
+		wanted = "gnuplot";
+	for (; folder && *folder; folder = *end ? end + 1 : end) {
+		end = strchrnul(folder, ':');
+		if (snprintf(found, size, "%.*s/%s", (int)(end - folder), folder, wanted) < (int)size &&
+		    access(found, X_OK) == 0)
+			return 1;
+	}
+	return 0;
+}
+
+static enum hawser_status missing(struct hawser_report *report)
+{
+	const char *wanted = getenv("HAWSER_GNUPLOT");
+
+	return hawser__fail(report, HAWSER_ERR_PROGRAM, "picture",
+	                    "cannot draw: no gnuplot program found%s%s; install gnuplot "
+	                    "(Debian: gnuplot-nox), or write the numbers with --tsv",
+	                    wanted ? " at HAWSER_GNUPLOT=" : "", wanted ? wanted : "");
+}
+
 enum hawser_status hawser__picture_check(const char *path, struct hawser_report *report)
 {
-	enum hawser_status status;
+	char program[PATH_MAX];
 
 	if (!path)
 		return HAWSER_OK;
@@ -57,8 +91,9 @@ enum hawser_status hawser__picture_check(const char *path, struct hawser_report 
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "picture",
 		                    "cannot tell the kind of picture from the name %s: it must end in "
 		                    ".svg, .png or .pdf (or be - for SVG on standard output)", path);
-	status = hawser__program_check(&hawser__gnuplot, report);
-	return status ? status : hawser__file_check(path, report);
+	if (!find_program(program, sizeof program))
+		return missing(report);
+	return hawser__file_check(path, report);
 }
 
 enum hawser_status hawser__picture_begin(struct hawser__picture *picture, const char *path,
@@ -83,7 +118,7 @@ enum hawser_status hawser__picture_begin(struct hawser__picture *picture, const 
 	fputs("set terminal ", picture->script);
 	fprintf(picture->script, terminal->setting, width_cm*terminal->per_cm,
 	        height_cm*terminal->per_cm);
-	fprintf(picture->script, "\n%sset multiplot\n", hawser__picture_look);
+	fprintf(picture->script, "\n%s", hawser__picture_look);
 	return HAWSER_OK;
 }
 
@@ -162,12 +197,108 @@ void hawser__picture_abort(struct hawser__picture *picture)
 	picture->script = NULL;
 }
 
+/* 1 if gnuplot may be running, and its process id; 0: none. */
+static volatile sig_atomic_t drawing;
+static volatile pid_t gnuplot;
+
+int hawser__picture_stop(void)
+{
+	if (drawing && gnuplot > 0)
+		kill(gnuplot, SIGKILL);
+	return drawing;
+}
+
+/* Wait for gnuplot with interrupts unblocked, see hawser__picture_stop. The process id is cleared
+ * before the system can reuse it. */
+static int wait_for(pid_t child, int *state, const sigset_t *signals)
+{
+	sigset_t held;
+	siginfo_t info;
+	int error = 0;
+
+	gnuplot = child;
+	drawing = 1;
+	pthread_sigmask(SIG_SETMASK, signals, &held);
+	while (waitid(P_PID, (id_t)child, &info, WEXITED | WNOWAIT) < 0 && errno == EINTR)
+		;
+	pthread_sigmask(SIG_SETMASK, &held, NULL);
+	drawing = 0;
+	gnuplot = 0;
+	while (!error && waitpid(child, state, 0) < 0)
+		if (errno != EINTR)
+			error = errno;
+	return error;
+}
+
+/* Start gnuplot with the signal mask of the caller, so that an interrupt ends it although
+ * interrupts are blocked in this process. */
+static int spawn(pid_t *child, const char *program, int in, int out, int complaints,
+                 const sigset_t *signals)
+{
+	char name[] = "gnuplot", defaults[] = "-d";
+	char *arguments[] = {name, defaults, NULL};
+	posix_spawn_file_actions_t actions;
+	posix_spawnattr_t attributes;
+	int error;
+
+	posix_spawn_file_actions_init(&actions);
+	posix_spawnattr_init(&attributes);
+	posix_spawn_file_actions_adddup2(&actions, in, STDIN_FILENO);
+	posix_spawn_file_actions_adddup2(&actions, out, STDOUT_FILENO);
+	posix_spawn_file_actions_adddup2(&actions, complaints, STDERR_FILENO);
+	posix_spawnattr_setsigmask(&attributes, signals);
+	posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
+	error = posix_spawn(child, program, &actions, &attributes, arguments, environ);
+	posix_spawnattr_destroy(&attributes);
+	posix_spawn_file_actions_destroy(&actions);
+	return error;
+}
+
+/* First line of gnuplot's messages that is neither blank nor a caret. */
+static void first_complaint(char *line, int size, FILE *complaints)
+{
+	rewind(complaints);
+	while (fgets(line, size, complaints)) {
+		line[strcspn(line, "\n")] = '\0';
+		if (line[strspn(line, " \t^")] != '\0')
+			return;
+	}
+	snprintf(line, (size_t)size, "no message");
+}
+
 static enum hawser_status run(FILE *script, FILE *out, const sigset_t *signals,
                               struct hawser_report *report)
 {
-	static const char *const defaults[] = {"-d"};
+	enum hawser_status status = HAWSER_OK;
+	char program[PATH_MAX], line[200];
+	FILE *complaints = tmpfile();
+	int error, state = 0;
+	pid_t child;
 
-	return hawser__program_run(&hawser__gnuplot, defaults, 1, script, out, signals, report);
+	if (!complaints)
+		return hawser__fail(report, HAWSER_ERR_IO, "picture",
+		                    "cannot write a temporary file for gnuplot: %s", strerror(errno));
+	if (!find_program(program, sizeof program)) {
+		fclose(complaints);
+		return missing(report);
+	}
+	error = spawn(&child, program, fileno(script), fileno(out), fileno(complaints), signals);
+	if (!error)
+		error = wait_for(child, &state, signals);
+	first_complaint(line, sizeof line, complaints);
+	if (error)
+		status = hawser__fail(report, HAWSER_ERR_PROGRAM, "picture", "cannot run %s: %s", program,
+		                      strerror(error));
+	else if (WIFSIGNALED(state))
+		status = hawser__fail(report, HAWSER_ERR_PROGRAM, "picture",
+		                      "%s was ended by signal %d; no picture is written", program,
+		                      WTERMSIG(state));
+	else if (WEXITSTATUS(state) != 0)
+		status = hawser__fail(report, HAWSER_ERR_PROGRAM, "picture",
+		                      "%s failed with status %d (%s); no picture is written", program,
+		                      WEXITSTATUS(state), line);
+	fclose(complaints);
+	return status;
 }
 
 /* Write the picture to the file; SVG through a temporary file. */

@@ -13,8 +13,6 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/labels.c \
 	%D%/labels.h \
 	%D%/map_tongues.c \
-	%D%/movie.c \
-	%D%/movie.h \
 	%D%/output.h \
 	%D%/panels.c \
 	%D%/panels.h \
@@ -39,8 +37,8 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/plot_net.h \
 	%D%/plot_net_modes.c \
 	%D%/plot_net_modes.h \
-	%D%/plot_net_motion.c \
-	%D%/plot_net_motion.h \
+	%D%/plot_ropeway.c \
+	%D%/plot_ropeway.h \
 	%D%/plot_nnm.c %D%/plot_nnm.h \
 	%D%/plot_locus.c \
 	%D%/plot_locus.h \
@@ -57,8 +55,6 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/plot_precision.c \
 	%D%/plot_speeds.c \
 	%D%/plot_statics.c \
-	%D%/program.c \
-	%D%/program.h \
 	%D%/style.c \
 	%D%/style.h \
 	%D%/table.c \

@@ -27,7 +27,8 @@ const char hawser__picture_look[] =
 	"set tics nomirror out scale 0.6\n"
 	"set format '%g'\n"
 	"set grid lw 0.5 lc rgb '#d8d8d8' dt solid\n"
-	"set key reverse Left\nset key off\n";
+	"set key reverse Left\nset key off\n"
+	"set multiplot\n";
 
 void hawser__legend_add(struct hawser__legend *legend, const char *title, const char *style, ...)
 {

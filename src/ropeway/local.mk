@@ -14,3 +14,15 @@ noinst_LTLIBRARIES += %D%/libropeway.la
 	%D%/search.c \
 	%D%/solution.c \
 	%D%/trace.c
+
+# The ropeway: its scene, and its two lanes as lines.
+%C%_libropeway_la_SOURCES += \
+	%D%/contact.c \
+	%D%/frame.c \
+	%D%/frame.h \
+	%D%/lane.c \
+	%D%/read.c \
+	%D%/read.h \
+	%D%/state.c \
+	%D%/sweep.c \
+	%D%/towers.c

@@ -29,5 +29,6 @@ CLEANFILES += %D%/manpage$(EXEEXT)
 %C%_manpage_SOURCES = \
 	%D%/example.c \
 	%D%/example.h \
-	%D%/manpage.c
+	%D%/manpage.c \
+	%D%/manpage_ropeway.c
 %C%_manpage_LDADD = %D%/libscene.la src/core/libcore.la $(YAML_LIBS) $(UDUNITS_LIBS)

@@ -213,7 +213,8 @@ static enum hawser_status document(struct hawser__tree **tree, struct hawser__re
 }
 
 /* Item of a list by its number or its `name`, entry of a mapping by its name. */
-static struct hawser__tree *step_into(const struct hawser__tree *tree, const char *name)
+static struct hawser__tree *step_into(const struct hawser__tree *tree, const char *name,
+                                      const struct hawser__tree_words *words)
 {
 	int number = 0;
 
@@ -221,10 +222,10 @@ static struct hawser__tree *step_into(const struct hawser__tree *tree, const cha
 		return hawser__tree_find(tree, name);
 	for (struct hawser__tree *child = tree->child; child; child = child->next, number++) {
 		const struct hawser__tree *called = hawser__tree_find(child, "name");
-		char digits[16];
+		char own[16];
 
-		snprintf(digits, sizeof digits, "%d", number);
-		if (!strcmp(digits, name) || (called && called->text && !strcmp(called->text, name)))
+		snprintf(own, sizeof own, "%c%d", words->item, number);
+		if (!strcmp(own + 1, name) || !strcmp(called && called->text ? called->text : own, name))
 			return child;
 	}
 	return NULL;
@@ -232,7 +233,8 @@ static struct hawser__tree *step_into(const struct hawser__tree *tree, const cha
 
 /* Put the tree `fresh` in the place of `path`. It is used up. */
 static enum hawser_status put(struct hawser__tree *root, struct hawser__reader *reader,
-                              struct hawser__tree *fresh, char *path, const char *example)
+                              struct hawser__tree *fresh, char *path,
+                              const struct hawser__tree_words *words)
 {
 	const struct hawser__place here = fresh->at;
 	struct hawser__tree *tree = root, *old;
@@ -240,17 +242,17 @@ static enum hawser_status put(struct hawser__tree *root, struct hawser__reader *
 
 	while ((dot = strchr(path, '.'))) {
 		*dot = '\0';
-		tree = step_into(tree, path);
+		tree = step_into(tree, path, words);
 		path = dot + 1;
 		if (!tree)
 			break;
 	}
-	old = tree ? step_into(tree, path) : NULL;
+	old = tree ? step_into(tree, path, words) : NULL;
 	if (!old && (!tree || tree->kind != HAWSER__MAPPING || !*path)) {
 		hawser__tree_clear(fresh);
 		return hawser__reader_fail(reader, &here, "the scene has no such place as that before %s: "
 		                           "write names joined by dots, such as %s",
-		                           hawser__shown(shown, path), example);
+		                           hawser__shown(shown, path), words->set);
 	}
 	if (!old) {
 		old = calloc(1, sizeof *old);
@@ -276,7 +278,7 @@ static enum hawser_status put(struct hawser__tree *root, struct hawser__reader *
 }
 
 static enum hawser_status override(struct hawser__tree *root, struct hawser__reader *reader,
-                                   const char *set, const char *example)
+                                   const char *set, const struct hawser__tree_words *words)
 {
 	const char *equals = strchr(set, '=');
 	struct hawser__tree *fresh = NULL;
@@ -288,7 +290,7 @@ static enum hawser_status override(struct hawser__tree *root, struct hawser__rea
 	reader->pass++;
 	if (!equals || length >= sizeof path)
 		return hawser__reader_fail(reader, &(struct hawser__place){.set = set},
-		                           "write KEY=VALUE, such as %s", example);
+		                           "write KEY=VALUE, such as %s", words->set);
 	memcpy(path, set, length);
 	path[length] = '\0';
 	status = document(&fresh, reader, equals + 1, strlen(equals + 1));
@@ -300,7 +302,7 @@ static enum hawser_status override(struct hawser__tree *root, struct hawser__rea
 		return status;
 	}
 	fresh->at.set = set;
-	return put(root, reader, fresh, path, example);
+	return put(root, reader, fresh, path, words);
 }
 
 static enum hawser_status slurp(char **text, size_t *length, const char *path,
@@ -347,7 +349,7 @@ static enum hawser_status read_text(struct hawser__tree **tree, struct hawser__r
 	if (!status && (!*tree || (*tree)->kind != HAWSER__MAPPING))
 		status = hawser__reader_fail(reader, &(struct hawser__place){.pass = 1}, "%s", words->scene);
 	for (size_t i = 0; i < nset && !status; i++)
-		status = override(*tree, reader, set[i], words->set);
+		status = override(*tree, reader, set[i], words);
 	return status;
 }
 
@@ -387,7 +389,8 @@ int hawser__tree_is(const char *path, const char *kind)
 {
 	static const struct {
 		const char *text, *kind;
-	} row[] = {{"ropeway:", "ropeway"}, {"kind: ropeway", "ropeway"}, {"nodes:", "net"}, {"kind:", "net"}};
+	} row[] = {{"ropeway:", "ropeway"}, {"kind: ropeway", "ropeway"}, {"nodes:", "net"},
+	           {"kind:", "net"}};
 
 	for (size_t i = 0; i < sizeof row/sizeof *row; i++)
 		if (begins(path, row[i].text))

@@ -20,6 +20,7 @@ struct hawser__tree {
 struct hawser__tree_words {
 	const char *scene; /* "a scene of kind net is a mapping with ..." */
 	const char *set;   /* "cables.c1.EA=100 MN" */
+	char item;         /* of a list, without a name: this letter and their number, c1 */
 };
 
 /* Read a file, then overrides "path=value". The caller clears *tree. */

@@ -23,6 +23,7 @@
 #include <hawser/integrate.h>
 #include <hawser/irvine.h>
 #include <hawser/line.h>
+#include <hawser/ropeway.h>
 #include <hawser/linear.h>
 #include <hawser/locus.h>
 #include <hawser/basin.h>
@@ -154,6 +155,19 @@ static const struct row {
 	ROW(hawser_line_piece),
 	ROW(hawser_line_sheave),
 	ROW(hawser_line_statics),
+	ROW(hawser_ropeway),
+	ROW(hawser_ropeway_case),
+	ROW(hawser_ropeway_contact),
+	ROW(hawser_ropeway_lane),
+	ROW(hawser_ropeway_lane_range),
+	ROW(hawser_ropeway_options),
+	ROW(hawser_ropeway_range),
+	ROW(hawser_ropeway_span),
+	ROW(hawser_ropeway_span_range),
+	ROW(hawser_ropeway_statics),
+	ROW(hawser_ropeway_tower),
+	ROW(hawser_ropeway_tower_range),
+	ROW(hawser_ropeway_worst),
 	ROW(hawser_load_piece),
 	ROW(hawser_locus),
 	ROW(hawser_locus_curve),

@@ -60,56 +60,10 @@ refuses() {
 	try "  says so" grep -q -e "$saying" "$scratch/err"
 }
 sed -e 's/elements: [0-9]*/elements: 1/' -e 's/0.5 kg.m/0/' -e '/^masses/d' net.yaml >massless.yaml
-for file in frame.vtk.series frame-00007.vtk; do
-	try "$file" test -s "$file"
-done
-works "an animation, and the picture" integrate net.yaml --until "1 s" --every "0.1 s" --step "5 ms" --movie film.gif \
-	--frames 4 --plot film.svg --probe J,c2:0.4 -q
-try "directions, tension, energies" grep -q 'dissipated' film.svg
-HAWSER_FFMPEG="$scratch/ffmpeg" HAWSER_GNUPLOT="$scratch/gnuplot"
-export HAWSER_FFMPEG HAWSER_GNUPLOT
-printf '#!/bin/sh\ncat\n' >"$HAWSER_GNUPLOT"
-printf '#!/bin/sh\necho "$*" >"%s"; cat >"%s"; printf film\n' "$scratch/arguments" "$scratch/pictures" >"$HAWSER_FFMPEG"
-chmod +x "$HAWSER_FFMPEG" "$HAWSER_GNUPLOT"
-works "as .mp4, with programs that copy" integrate net.yaml --until "1 s" --step "5 ms" --movie film.mp4 -q
-try "gnuplot's pictures go to ffmpeg" grep -q '^set terminal pngcairo' "$scratch/pictures"
-try "101 frames of 201 rows" test "$(grep -c '^plot ' "$scratch/pictures")" -eq 101
-try "its arguments" grep -q -e '-f image2pipe .*-framerate 20 .*-f mp4 /dev/fd/1$' "$scratch/arguments"
-try "its output is the file" test "$(cat film.mp4)" = film
-rm "$HAWSER_FFMPEG"
-run integrate net.yaml --until "1 s" --step "5 ms" --movie other.mp4 -q
-try "without ffmpeg" said 4
-try "  says so" grep -q "cannot make an .mp4: no ffmpeg program found at HAWSER_FFMPEG=.*; install ffmpeg, or give a name that" \
-	"$scratch/err"
-printf '#!/bin/sh\necho no codec >&2; exit 1\n' >"$HAWSER_FFMPEG"
-chmod +x "$HAWSER_FFMPEG"
-run integrate net.yaml --until "1 s" --step "5 ms" --movie other.mp4 -q
-try "ffmpeg that fails" said 4
-try "  says so" grep -q "ffmpeg failed with status 1 (no codec); no picture is written" "$scratch/err"
-try "  leaves no file" test ! -e other.mp4
-unset HAWSER_FFMPEG HAWSER_GNUPLOT
-python "frames of the GIF; the files of VTK and their times" <<'END'
-import json, math
-data = open("film.gif", "rb").read()
-assert data[:6] == b"GIF89a" and data[6:10] == bytes([0x20, 3, 0xf4, 1]) and data[-1:] == b";"
-assert b"NETSCAPE2.0" in data and data.count(b"\x21\xf9\x04") == 4, data.count(b"\x21\xf9\x04")
-series = json.load(open("frame.vtk.series"))["files"]
-assert len(series) == 21 and series[7] == {"name": "frame-00007.vtk", "time": 0.7}, series
-words = open("frame-00007.vtk").read().split("\n")
-assert words[:4] == ["# vtk DataFile Version 3.0", "hawser, t = 0.7 s", "ASCII", "DATASET POLYDATA"]
-points, lines = int(words[4].split()[1]), int(words[5 + int(words[4].split()[1])].split()[1])
-assert points == 4 + 17 - 3 and lines == 17 and words[6 + points + lines] == "CELL_DATA 17"
-assert all(math.isfinite(float(w)) for w in words[9 + points + lines:-1]) and len(words) == 10 + points + 2*lines
-END
-
 refuses "no end" "give the end of its motion" net.yaml
 refuses "no mass" "node J has none" massless.yaml --until "1 s" --method cvode
 refuses "an option of models" "\-\-Omega is not for nets" net.yaml --until "1 s" --Omega 1
 refuses "an option of nets" "\-\-step is for nets" "$chairlift" --Omega 1 --step 1
-refuses "another film" "it must end in .gif or .mp4" net.yaml --until "1 s" --movie film.avi
-refuses "frames without one" "\-\-frames 9 is for the animation of \-\-movie FILE" net.yaml --until "1 s" --frames 9
-refuses "one frame" "an animation has 2 to 2000 frames" net.yaml --until "1 s" --frames 1 --movie film.gif
-refuses "a film of a span" "\-\-movie is for nets" "$chairlift" --Omega 1 --movie film.gif
 refuses "an unknown scheme" "the schemes of nets are" net.yaml --until "1 s" --method gauss
 refuses "an unknown probe" "neither a node of the net nor a place" net.yaml --until "1 s" --probe c1:2
 refuses "a table that ends" "and the run is from 0 to" net.yaml --until "4 s"

@@ -68,7 +68,7 @@ refuses() {
 	try "  says so" grep -q -e "$saying" "$scratch/err"
 }
 refuses "an option of spans" 1 "\-\-points is for spans, and this scene is a net" statics "$net" --points 20
-refuses "an option of nets" 1 "\-\-profile is for nets, and .* is no scene of a net" statics "$chairlift" --profile
+refuses "an option of nets" 1 "\-\-profile is for nets and ropeways, and .* is no scene of a net" statics "$chairlift" --profile
 refuses "a command of spans" 1 "this is the scene of a net, and the command takes spans" frf "$net"
 refuses "an unknown method" 1 "must be one of automatic, interior-point" statics "$net" --method gauss
 refuses "a part without support" 2 "the node X has no support in direction x" statics "$net" --set 'nodes.X={}'

@@ -1,0 +1,65 @@
+/* cli/statics_kinds.c - hawser statics: which kind a scene is, and options that do not go with it.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include "cli/statics_kinds.h"
+#include "cli/statics_net.h"
+#include "core/report.h"
+
+static const char *net_option(const struct cli_statics_kinds *kinds)
+{
+	return kinds->method ? "method" : kinds->equilibria ? "equilibria" : NULL;
+}
+
+static const char *ropeway_option(const struct cli_statics_kinds *kinds)
+{
+	return kinds->spans       ? "spans"
+	       : kinds->worst     ? "worst"
+	       : kinds->phases    ? "phases"
+	       : kinds->load_case ? "case"
+	       : kinds->sliding   ? "sliding"
+	       : kinds->tolerate  ? "tolerate"
+	                          : NULL;
+}
+
+static enum hawser_status of_net(const struct cli_common *common, const struct cli_statics_kinds *kinds,
+                                 const char *other, struct hawser_report *report)
+{
+	const char *ropeway = ropeway_option(kinds);
+
+	if (other || ropeway)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
+		                    "--%s is for %s, and this scene is a net", other ? other : ropeway,
+		                    other ? "spans" : "ropeways");
+	return kinds->equilibria ? cli_equilibria_net(common, kinds->equilibria, report)
+	                         : cli_statics_net(common, kinds->method, kinds->profile, report);
+}
+
+enum hawser_status cli_statics_kinds(int *done, const struct cli_common *common,
+                                     const struct cli_statics_kinds *kinds, const char *span_option,
+                                     int cases, struct hawser_report *report)
+{
+	const char *net = net_option(kinds), *ropeway = ropeway_option(kinds);
+
+	*done = 1;
+	if (hawser_ropeway_is(common->input)) {
+		if (!span_option && !net)
+			return cli_statics_ropeway(common, kinds, cases, report);
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
+		                    "--%s is for %s, and this scene is a ropeway",
+		                    span_option ? span_option : net, span_option ? "spans" : "nets");
+	}
+	if (hawser_net_is(common->input))
+		return of_net(common, kinds, cases && !span_option ? "cases" : span_option, report);
+	*done = 0;
+	if (net || kinds->profile)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
+		                    "--%s is for nets%s, and %s is no scene of a net", net ? net : "profile",
+		                    net ? "" : " and ropeways", common->input);
+	if (ropeway)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
+		                    "--%s is for ropeways, and %s is no scene of a ropeway", ropeway,
+		                    common->input);
+	return HAWSER_OK;
+}

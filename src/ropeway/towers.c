@@ -1,0 +1,152 @@
+/* ropeway/towers.c - read the towers of a ropeway.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "ropeway/read.h"
+
+enum { SHEAVES = 100 }; /* most of a battery: real ones have up to 16 */
+
+static enum hawser_status train(struct hawser__reader *reader, struct hawser_ropeway_tower *tower,
+                                const struct hawser__tree *tree, const char *section)
+{
+	double count = 0.0, gap;
+	char what[HAWSER__CALLED];
+	enum hawser_status status;
+
+	snprintf(what, sizeof what, "%.60s.sheaves", section);
+	status = hawser__tree_keys(reader, tree, what, "count, spacing, radius");
+	if (!status)
+		status = hawser__ropeway_number(reader, &count, tree, what, "count", "1",
+		                                HAWSER__TREE_POSITIVE, 1);
+	if (!status && (count != floor(count) || count > SHEAVES))
+		status = hawser__reader_fail(reader, &hawser__tree_find(tree, "count")->at,
+		                             "%s.count: %.9g is not "
+		                             "a whole number from 1 to %d",
+		                             what, count, SHEAVES);
+	if (!status)
+		status = hawser__ropeway_number(reader, &tower->spacing, tree, what, "spacing", "m",
+		                                HAWSER__TREE_POSITIVE, 1);
+	if (!status)
+		status = hawser__ropeway_number(reader, &tower->sheave, tree, what, "radius", "m",
+		                                HAWSER__TREE_NOT_NEGATIVE, 1);
+	if (status)
+		return status;
+	tower->sheaves = (int)count;
+	if (!(tower->radius > tower->sheave))
+		return hawser__reader_fail(
+			reader, &tree->at,
+			"%s: the battery's radius %.9g m, of the circle that "
+			"its sheaves touch from within, must be larger than the %.9g m of a "
+			"sheave",
+			what, tower->radius, tower->sheave);
+	if ((tower->sheaves - 1)*tower->spacing > 2.0*tower->radius)
+		return hawser__reader_fail(reader, &tree->at, "%s: %d sheaves at %.9g m are longer than the "
+		                           "battery's diameter: give it a larger radius than %.9g m", what,
+		                           tower->sheaves, tower->spacing, tower->radius);
+	gap = 2.0*(tower->radius - tower->sheave)*sin(0.5*tower->spacing/tower->radius);
+	if (tower->sheaves > 1 && gap < 2.0*tower->sheave)
+		return hawser__reader_fail(reader, &tree->at,
+		                           "%s: the middles of two sheaves are %.9g m apart, "
+		                           "less than two radii of %.9g m: give a larger spacing",
+		                           what, gap, tower->sheave);
+	return HAWSER_OK;
+}
+
+static enum hawser_status name_of(struct hawser__reader *reader, struct hawser_ropeway *rw,
+                                  const struct hawser__tree *tree)
+{
+	struct hawser_ropeway_tower *tower = &rw->tower[rw->towers];
+	const struct hawser__tree *name = hawser__tree_find(tree, "name");
+	const char *text = "";
+	enum hawser_status status = HAWSER_OK;
+
+	snprintf(tower->name, sizeof tower->name, "p%d", rw->towers);
+	if (name)
+		status = hawser__tree_text(reader, &text, name, "towers.name");
+	if (!status && name)
+		status = hawser__tree_name(reader, tower->name, name, text, "towers.name");
+	for (int i = 0; i < rw->towers && !status; i++)
+		if (!strcmp(rw->tower[i].name, tower->name))
+			status = hawser__reader_fail(reader, name ? &name->at : &tree->at,
+			                             "two towers have the name %s: give different ones (without "
+			                             "one, the first is p0, the next p1 and so on)", tower->name);
+	return status;
+}
+
+/* Towers are given from the bottom station on, and are between the stations. */
+static enum hawser_status order(struct hawser__reader *reader, const struct hawser_ropeway *rw,
+                                const struct hawser__tree *tree)
+{
+	const struct hawser_ropeway_tower *tower = &rw->tower[rw->towers];
+	double before = rw->towers ? tower[-1].at[0] : rw->bottom[0];
+
+	if (!(tower->at[0] > before))
+		return hawser__reader_fail(reader, &tree->at,
+		                           "tower %s: x = %.9g m is not beyond x = %.9g m of %s: "
+		                           "give the towers by x, from the bottom station on",
+		                           tower->name, tower->at[0], before,
+		                           rw->towers ? tower[-1].name : "bottom.at");
+	if (!(tower->at[0] < rw->top[0]))
+		return hawser__reader_fail(reader, &tree->at, "tower %s: x = %.9g m is not below x = %.9g m of "
+		                           "top.at", tower->name, tower->at[0], rw->top[0]);
+	return HAWSER_OK;
+}
+
+static enum hawser_status tower_of(struct hawser__reader *reader, struct hawser_ropeway *rw,
+                                   const struct hawser__tree *tree)
+{
+	static const char *const battery[] = {"auto", "support", "compression"};
+	struct hawser_ropeway_tower *tower = &rw->tower[rw->towers];
+	const struct hawser__tree *one;
+	char section[HAWSER__CALLED], what[HAWSER__CALLED];
+	int index = 0;
+	enum hawser_status status = hawser__tree_keys(reader, tree, "a tower", "name, at, battery, radius, "
+	                                              "friction, sheaves");
+
+	if (!status)
+		status = name_of(reader, rw, tree);
+	if (status)
+		return status;
+	snprintf(section, sizeof section, "towers.%s", tower->name);
+	status = hawser__ropeway_place(reader, tower->at, tree, section);
+	if (!status)
+		status = order(reader, rw, tree);
+	one = hawser__tree_find(tree, "battery");
+	snprintf(what, sizeof what, "%.60s.battery", section);
+	if (one && !status)
+		status = hawser__tree_word(reader, &index, one, what, battery, 3);
+	tower->battery = (enum hawser_ropeway_battery)index;
+	if (!status)
+		status = hawser__ropeway_number(reader, &tower->radius, tree, section, "radius", "m",
+		                                HAWSER__TREE_NOT_NEGATIVE, 1);
+	if (!status)
+		status = hawser__ropeway_number(reader, &tower->friction, tree, section, "friction", "1",
+		                                HAWSER__TREE_NOT_NEGATIVE, 0);
+	one = hawser__tree_find(tree, "sheaves");
+	return status || !one ? status : train(reader, tower, one, section);
+}
+
+enum hawser_status hawser__ropeway_towers(struct hawser__reader *reader, struct hawser_ropeway *rw,
+                                          const struct hawser__tree *tree)
+{
+	enum hawser_status status = HAWSER_OK;
+
+	if (tree->kind != HAWSER__SEQUENCE)
+		return hawser__reader_fail(reader, &tree->at, "towers must be a list of mappings, such as "
+		                           "[{at: [40 m, 0 m], battery: support, radius: 12 m}]");
+	rw->tower = calloc((size_t)tree->children + 1, sizeof *rw->tower);
+	if (!rw->tower)
+		return hawser__no_memory(reader->report, "scene");
+	for (const struct hawser__tree *one = tree->child; one && !status; one = one->next) {
+		status = tower_of(reader, rw, one);
+		rw->towers += !status;
+	}
+	return status;
+}
