@@ -43,6 +43,7 @@ pkginclude_HEADERS = \
 	%D%/hawser/scene.h \
 	%D%/hawser/scene_family.h \
 	%D%/hawser/sizes.h \
+	%D%/hawser/span_motion.h \
 	%D%/hawser/statics.h \
 	%D%/hawser/status.h \
 	%D%/hawser/study.h \

@@ -30,7 +30,7 @@ tests_property_test_net_damping_LDADD = $(UPTO_NET)
 tests_property_test_net_error_SOURCES = tests/property/test-net-error.c
 tests_property_test_net_error_LDADD = $(UPTO_NET)
 
-NET_SPAN_TESTS = tests/property/test-net-span
+NET_SPAN_TESTS = tests/property/test-net-span tests/property/test-net-span-modes
 check_PROGRAMS += $(NET_SPAN_TESTS)
 TESTS += $(NET_SPAN_TESTS)
 tests_property_test_net_span_SOURCES = tests/property/test-net-span.c
@@ -39,3 +39,5 @@ tests_property_test_net_symmetry_SOURCES = tests/property/test-net-symmetry.c
 tests_property_test_net_symmetry_LDADD = $(UPTO_NET)
 tests_property_test_net_eigen_SOURCES = tests/property/test-net-eigen.c
 tests_property_test_net_eigen_LDADD = $(UPTO_NET)
+tests_property_test_net_span_modes_SOURCES = tests/property/test-net-span-modes.c
+tests_property_test_net_span_modes_LDADD = $(UPTO_NET)

@@ -42,6 +42,7 @@
 #include <hawser/locus.h>
 #include <hawser/lyapunov.h>
 #include <hawser/study.h>
+#include <hawser/span_motion.h>
 #include <hawser/torus.h>
 #include <hawser/primary.h>
 #include <hawser/plan.h>

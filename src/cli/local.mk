@@ -25,6 +25,10 @@ hawser_SOURCES = \
 	%D%/cmd_hill.c \
 	%D%/cmd_identify.c \
 	%D%/cmd_integrate.c \
+	%D%/integrate_span.c \
+	%D%/integrate_span.h \
+	%D%/span_run.c \
+	%D%/span_run.h \
 	%D%/cmd_locus.c \
 	%D%/cmd_nnm.c %D%/nnm_result.c %D%/nnm_result.h \
 	%D%/cmd_irvine.c \
@@ -49,6 +53,10 @@ hawser_SOURCES = \
 	%D%/statics_loaded.c \
 	%D%/statics_marks.c \
 	%D%/compare_mms.c \
+	%D%/compare_motion.c \
+	%D%/statics_fields.c \
+	%D%/statics_mesh.c \
+	%D%/statics_mesh.h \
 	%D%/compare_modes.c \
 	%D%/condensed.c \
 	%D%/condensed.h \

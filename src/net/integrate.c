@@ -32,6 +32,7 @@ void hawser_net_motion_clear(struct hawser_net_motion *motion)
 		return;
 	free(motion->time);
 	free(motion->x);
+	free(motion->v);
 	free(motion->T);
 	free(motion->kinetic);
 	free(motion->potential);
@@ -250,19 +251,22 @@ static enum hawser_status allocate(struct hawser_net_motion *to, size_t rows, si
 {
 	to->time = calloc(rows, sizeof *to->time);
 	to->x = calloc(rows*probes + 1, sizeof *to->x);
+	to->v = calloc(rows*probes + 1, sizeof *to->v);
 	to->T = calloc(rows*probes + 1, sizeof *to->T);
 	to->kinetic = calloc(rows, sizeof *to->kinetic);
 	to->potential = calloc(rows, sizeof *to->potential);
 	to->work = calloc(rows, sizeof *to->work);
 	to->dissipated = calloc(rows, sizeof *to->dissipated);
 	to->slack = calloc(rows, sizeof *to->slack);
-	return to->time && to->x && to->T && to->kinetic && to->potential && to->work &&
+	return to->time && to->x && to->v && to->T && to->kinetic && to->potential && to->work &&
 	       to->dissipated && to->slack ? HAWSER_OK : hawser__no_memory(report, "net");
 }
 
-static void probe(double x[3], double *T, const struct run *run, const struct hawser_net_probe *at)
+static void probe(double x[3], double v[3], double *T, const struct run *run,
+                  const struct hawser_net_probe *at)
 {
 	const struct hawser__mesh *mesh = &run->mesh;
+	const double (*rate)[3] = (const double (*)[3])run->motion.v;
 	int first = at->cable < 0 ? 0 : mesh->first[at->cable];
 	int n = at->cable < 0 ? 0 : mesh->first[at->cable + 1] - first;
 	double along = fmin(fmax(at->part, 0.0), 1.0)*n, part;
@@ -271,6 +275,7 @@ static void probe(double x[3], double *T, const struct run *run, const struct ha
 	*T = 0.0;
 	if (n == 0) {
 		memcpy(x, run->x[at->node], 3*sizeof *x);
+		memcpy(v, rate[at->node], 3*sizeof *v);
 		for (int i = 0; i < mesh->elements; i++)
 			if (mesh->end[i][0] == at->node || mesh->end[i][1] == at->node)
 				*T = fmax(*T, run->T[i]);
@@ -278,8 +283,10 @@ static void probe(double x[3], double *T, const struct run *run, const struct ha
 	}
 	part = along - (e - first);
 	*T = run->T[e];
-	for (int k = 0; k < 3; k++)
+	for (int k = 0; k < 3; k++) {
 		x[k] = (1.0 - part)*run->x[mesh->end[e][0]][k] + part*run->x[mesh->end[e][1]][k];
+		v[k] = (1.0 - part)*rate[mesh->end[e][0]][k] + part*rate[mesh->end[e][1]][k];
+	}
 }
 
 /* Positions and tensions as they are, into the next row; returns what the caller's function does. */
@@ -301,8 +308,11 @@ static int row(struct hawser_net_motion *to, struct run *run)
 	to->work[i] = motion->energy.work;
 	to->dissipated[i] = motion->energy.dissipated;
 	to->slack[i] = hawser__motion_tensions(run->T, motion);
-	for (int p = 0; p < options->probes; p++)
-		probe(to->x[i*options->probes + p], &to->T[i*options->probes + p], run, &options->probe[p]);
+	for (int p = 0; p < options->probes; p++) {
+		int at = i*options->probes + p;
+
+		probe(to->x[at], to->v[at], &to->T[at], run, &options->probe[p]);
+	}
 	return options->frame ? options->frame(options->data, &frame) : 0;
 }
 
@@ -353,6 +363,19 @@ static enum hawser_status rows(struct hawser_net_motion *to, struct run *run,
 	return status;
 }
 
+static void slackens(struct hawser_net_motion *to, const struct run *run)
+{
+	const struct hawser__motion *motion = &run->motion;
+	const struct hawser__mesh *mesh = &run->mesh;
+	int c = mesh->cable[motion->slack_element], first = mesh->first[c];
+
+	to->least = motion->least;
+	to->least_at = motion->least_at;
+	to->slack_at = motion->slack_at;
+	to->slack_cable = c;
+	to->slack_part = (motion->slack_element - first + 0.5)/(mesh->first[c + 1] - first);
+}
+
 static enum hawser_status integrate(struct hawser_net_motion *to, const struct hawser_net *net,
                                     const struct hawser_net_motion_options *options,
                                     struct hawser_report *report)
@@ -372,6 +395,7 @@ static enum hawser_status integrate(struct hawser_net_motion *to, const struct h
 			hawser__motion_save(to->state, motion, run.h);
 		else
 			status = hawser__no_memory(report, "net");
+		slackens(to, &run);
 		to->closure = motion->closure/fmax(fmax(motion->most_energy, motion->least_energy), DBL_MIN);
 		to->scheme = motion->scheme->shown.name;
 		to->error = motion->drift;

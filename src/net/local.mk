@@ -39,6 +39,10 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/solution.h \
 	%D%/solve.h \
 	%D%/span.c \
+	%D%/span.h \
+	%D%/span-modes.c \
+	%D%/span-motion.c \
+	%D%/span-statics.c \
 	%D%/sparse.c \
 	%D%/statics.c \
 	%D%/symmetry.c \

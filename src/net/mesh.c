@@ -132,6 +132,15 @@ void hawser__mesh_hold(struct hawser__mesh *mesh, int node, const unsigned char 
 	number(mesh);
 }
 
+void hawser__mesh_along(struct hawser__mesh *mesh, unsigned along)
+{
+	for (int i = 0; i < mesh->nodes; i++)
+		for (int k = 0; k < 3; k++)
+			if (!(along & (1U << k)))
+				mesh->unknown[i][k] = -1;
+	number(mesh);
+}
+
 enum hawser_status hawser__mesh_build(struct hawser__mesh *mesh, const struct hawser_net *net,
                                       struct hawser_report *report)
 {

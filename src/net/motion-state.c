@@ -83,6 +83,8 @@ void hawser__motion_restore(struct hawser__motion *motion, double *h, const doub
 	for (int i = 0; i < motion->nodes; i++)
 		for (int p = 0; p < PARTS; p++, state += 3)
 			memcpy(part[p][i], state, sizeof *part[p]);
+	motion->least = INFINITY; /* of what follows */
+	motion->slack_at = NAN;
 }
 
 /* Place of the reference of a node in a state. */

@@ -176,6 +176,21 @@ static enum hawser_status accelerate(struct hawser__motion *motion, struct hawse
 	return status;
 }
 
+void hawser__motion_watch(struct hawser__motion *motion, const struct hawser__motion_element *el,
+                          double p, double t)
+{
+	double T = p > 0.0 ? el->k*p : 0.0;
+
+	if (T < motion->least) {
+		motion->least = T;
+		motion->least_at = t;
+	}
+	if (p < 0.0 && isnan(motion->slack_at)) {
+		motion->slack_at = t;
+		motion->slack_element = (int)(el - motion->element);
+	}
+}
+
 enum hawser_status hawser__motion_begin(struct hawser__motion *motion, struct hawser_report *report)
 {
 	enum hawser_status status;
@@ -190,6 +205,10 @@ enum hawser_status hawser__motion_begin(struct hawser__motion *motion, struct ha
 	motion->start_energy = motion->energy.kinetic + motion->energy.potential;
 	motion->most_energy = motion->energy.kinetic;
 	motion->closure = 0.0;
+	motion->least = INFINITY;
+	motion->slack_at = NAN;
+	for (int e = 0; e < motion->elements; e++)
+		hawser__motion_watch(motion, &motion->element[e], motion->element[e].p, motion->t);
 	return HAWSER_OK;
 }
 
@@ -254,8 +273,12 @@ static void finish(struct hawser__motion *motion, const struct hawser__motion_ru
 			motion->v[i][k] = rule->to_v[0]*x + rule->to_v[1]*v + rule->to_v[2]*a;
 			motion->a[i][k] = rule->to_a[0]*x + rule->to_a[1]*v + rule->to_a[2]*a;
 		}
-	for (int e = 0; e < motion->elements; e++)
-		motion->switches += (motion->element[e].p > 0.0) != (motion->element[e].p1 > 0.0);
+	for (int e = 0; e < motion->elements; e++) {
+		const struct hawser__motion_element *el = &motion->element[e];
+
+		motion->switches += (el->p > 0.0) != (el->p1 > 0.0);
+		hawser__motion_watch(motion, el, el->p1, motion->t + h);
+	}
 	hawser__motion_account(motion, rule, h);
 	motion->past2 = motion->past;
 	motion->past = swap;

@@ -130,6 +130,9 @@ struct hawser__motion {
 	double closure;              /* J, largest error of the ledger */
 	double error;                /* m, local error of the last step that was tried */
 	double drift;                /* m, sum of the local errors of all steps */
+	double least, least_at;      /* N, s: least tension of an element so far */
+	double slack_at;             /* s: when an element first had none; NAN: never */
+	int slack_element;           /* that element */
 	long steps, iterations, splits, rejected, switches; /* switches: slack to taut and back */
 };
 
@@ -156,6 +159,9 @@ int hawser__motion_tensions(double *T, const struct hawser__motion *motion);
 /* After a change of u, v or t by the caller: energies and accelerations anew. */
 enum hawser_status hawser__motion_begin(struct hawser__motion *motion, struct hawser_report *report)
 	HAWSER_MUST_CHECK;
+/* Note the least tension and the first slack element: the stretch p of an element at time t. */
+void hawser__motion_watch(struct hawser__motion *motion, const struct hawser__motion_element *el,
+                          double p, double t);
 /* One step of length h; it is split where Newton's method fails. */
 enum hawser_status hawser__motion_step(struct hawser__motion *motion, double h,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;

@@ -44,6 +44,7 @@
 #include <hawser/rom.h>
 #include <hawser/scales.h>
 #include <hawser/scene.h>
+#include <hawser/span_motion.h>
 #include <hawser/statics.h>
 #include <hawser/status.h>
 #include <hawser/study.h>
@@ -197,6 +198,9 @@ static const struct row {
 	ROW(hawser_modulation),
 	ROW(hawser_monomial),
 	ROW(hawser_motion),
+	ROW(hawser_motions),
+	ROW(hawser_motions_options),
+	ROW(hawser_motions_run),
 	ROW(hawser_net),
 	ROW(hawser_net_cable),
 	ROW(hawser_net_dynamics),
@@ -216,7 +220,11 @@ static const struct row {
 	ROW(hawser_net_motion_options),
 	ROW(hawser_net_probe),
 	ROW(hawser_net_scheme),
+	ROW(hawser_net_span_error),
+	ROW(hawser_net_span_motion),
+	ROW(hawser_net_span_motion_options),
 	ROW(hawser_net_span_options),
+	ROW(hawser_net_span_statics),
 	ROW(hawser_net_statics),
 	ROW(hawser_net_symmetry),
 	ROW(hawser_orbit_cost),
