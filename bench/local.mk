@@ -109,3 +109,9 @@ EXTRA_PROGRAMS += %D%/net-random
 CLEANFILES += %D%/net-random
 %C%_net_random_SOURCES = %D%/net-random.c
 %C%_net_random_LDADD = $(UPTO_NET)
+
+# times that a plan of a net estimates
+EXTRA_PROGRAMS += %D%/net-plan
+CLEANFILES += %D%/net-plan
+%C%_net_plan_SOURCES = %D%/net-plan.c
+%C%_net_plan_LDADD = $(UPTO_NET)

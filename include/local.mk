@@ -30,6 +30,7 @@ pkginclude_HEADERS = \
 	%D%/hawser/net_equilibria.h \
 	%D%/hawser/net_modes.h \
 	%D%/hawser/net_motion.h \
+	%D%/hawser/net_plan.h \
 	%D%/hawser/net_span.h \
 	%D%/hawser/orbit.h \
 	%D%/hawser/plan.h \

@@ -13,7 +13,7 @@ noinst_HEADERS += tests/net-random.h
 
 NET_MOTION_TESTS = tests/reference/test-net-motion tests/reference/test-net-modes \
 	tests/property/test-net-steps tests/property/test-net-error tests/property/test-net-cvode \
-	tests/property/test-net-damping \
+	tests/property/test-net-damping tests/extremes/test-net-motion-extremes \
 	tests/property/test-net-eigen tests/property/test-net-symmetry
 check_PROGRAMS += $(NET_MOTION_TESTS)
 TESTS += $(NET_MOTION_TESTS)
@@ -25,6 +25,8 @@ tests_property_test_net_steps_SOURCES = tests/property/test-net-steps.c
 tests_property_test_net_steps_LDADD = $(UPTO_NET)
 tests_property_test_net_cvode_SOURCES = tests/property/test-net-cvode.c
 tests_property_test_net_cvode_LDADD = $(UPTO_NET)
+tests_extremes_test_net_motion_extremes_SOURCES = tests/extremes/test-net-motion-extremes.c
+tests_extremes_test_net_motion_extremes_LDADD = $(UPTO_NET)
 tests_property_test_net_damping_SOURCES = tests/property/test-net-damping.c
 tests_property_test_net_damping_LDADD = $(UPTO_NET)
 tests_property_test_net_error_SOURCES = tests/property/test-net-error.c

@@ -77,6 +77,10 @@ struct hawser_net_motion {
 	 * errors do not grow; or, with the option check, that of the probes, from another run. */
 	double error;
 	int checked;         /* 1: from another run */
+	int unknowns;        /* of the positions */
+	int still[3];        /* 1: nothing moves the net along this axis,
+	so that the model has no motion there */
+	double reached;      /* s: less than options.until if interrupted, perhaps after the last row */
 	double start_kinetic; /* J, of the state at the beginning */
 	const char *scheme;
 	long steps, iterations, splits, rejected, switches; /* switches: of elements, slack to taut and

@@ -125,6 +125,9 @@ hawser_SOURCES = \
 	%D%/nearest.c \
 	%D%/options.c \
 	%D%/plan_fields.c \
+	%D%/plan_net.c \
+	%D%/plan_net.h \
+	%D%/plan_net_text.c \
 	%D%/plan_result.c \
 	%D%/plan_result.h \
 	%D%/progress.c \

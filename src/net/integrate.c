@@ -9,9 +9,11 @@
 
 #include "core/progress.h"
 #include "core/report.h"
-#include "net/motion.h"
+#include "net/motion-ode.h"
 
 enum { ROWS = 10000000, DEFAULT_ROWS = 200 };
+/* s, between two questions whether to go on: not felt by the user, nor by the computation. */
+static const double ASKED_EVERY = 0.05;
 static const double default_tolerance = 1e-7;
 
 struct run {
@@ -24,6 +26,10 @@ struct run {
 	double (*x)[3], *T;      /* [nodes], [elements] of a row */
 	struct hawser__support_table *table; /* [tables], until the motion owns them */
 	int tables;
+	double began, asked;     /* s, clock */
+	int still[3];            /* 1: nothing moves along this axis */
+	double from;             /* s, of the motion, at the beginning */
+	int rows;                /* so far */
 };
 
 void hawser_net_motion_clear(struct hawser_net_motion *motion)
@@ -143,31 +149,17 @@ static double longest(const struct hawser__mesh *mesh)
 	return most;
 }
 
-/* M has no inverse where a node that moves has no mass. */
-static enum hawser_status massive(const struct run *run, struct hawser_report *report)
+/* What nothing moves is not built. */
+static void flatten(struct run *run)
 {
-	const struct hawser__mesh *mesh = &run->mesh;
-	const struct hawser_net *net = run->net;
-	unsigned char *heavy = calloc((size_t)mesh->nodes, 1);
-	enum hawser_status status = heavy ? HAWSER_OK : hawser__no_memory(report, "net");
+	double at;
 
-	for (int e = 0; e < mesh->elements && !status; e++)
-		for (int end = 0; end < 2; end++)
-			heavy[mesh->end[e][end]] |= mesh->rho[e] > 0.0;
-	for (int c = 0; c < mesh->cables && !status; c++)
-		if (net->cable[c].elements > 1 && net->cable[c].rho == 0.0)
-			status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "the scheme cvode needs mass at "
-			                      "each node, and cable %s has inner nodes without: give it rho, 1 "
-			                      "element, or take the scheme energy", net->cable[c].name);
-	for (int i = 0; i < net->nodes && !status; i++)
-		for (int k = 0; k < 3 && !status; k++)
-			if (mesh->unknown[i][k] >= 0 && !heavy[i] && mesh->mass[i] == 0.0)
-				status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "the scheme cvode needs mass "
-				                      "at each node, and node %s has none: give it one in `masses`, "
-				                      "rho to a cable there, or take the scheme energy",
-				                      net->node[i].name);
-	free(heavy);
-	return status;
+	for (int k = 0; k < 3; k++) {
+		run->still[k] = hawser__net_still(&at, run->net, k, run->table, run->tables) &&
+		                !(run->state && hawser__motion_moves(run->state, run->mesh.nodes, k));
+		if (run->still[k])
+			hawser__mesh_flatten(&run->mesh, k, at);
+	}
 }
 
 static enum hawser_status start(struct run *run, struct hawser_report *report)
@@ -192,11 +184,12 @@ static enum hawser_status start(struct run *run, struct hawser_report *report)
 	if (!status) {
 		int same = place(run);
 
+		flatten(run);
 		status = hawser__motion_open(&run->motion, &run->mesh, scheme, rho, same, loose, report);
 	}
 	free(loose);
-	if (!status && run->motion.scheme->advance)
-		status = massive(run, report);
+	if (!status)
+		status = hawser__ode_massive(&run->mesh, net, report);
 	if (status)
 		return status;
 	run->motion.table = run->table;
@@ -206,7 +199,13 @@ static enum hawser_status start(struct run *run, struct hawser_report *report)
 	run->h = 0.1*transit(&run->mesh);
 	if (run->state)
 		hawser__motion_restore(&run->motion, &run->h, run->state);
-	else
+	if (run->state && run->motion.t >= run->options->until)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s is the state at %g s, and the "
+		                    "run is to end at %g s: the end counts from the beginning of the first "
+		                    "run",
+		                    initial,
+		                    run->motion.t, run->options->until);
+	if (!run->state)
 		status = hawser__motion_begin(&run->motion, report);
 	return status;
 }
@@ -316,29 +315,67 @@ static int row(struct hawser_net_motion *to, struct run *run)
 	return options->frame ? options->frame(options->data, &frame) : 0;
 }
 
+/* Whether the caller ends the run: asked after each row, and within rows after some time. */
+static int ask(const struct run *run)
+{
+	const struct hawser_net_motion_options *options = run->options;
+	struct hawser_progress_state state = hawser__progress_state("motion", "rows", run->rows,
+	                                                            run->began);
+
+	state.expected = (long)((options->until - run->from)/run->every) + 1;
+	state.fraction = (run->motion.t - run->from)/fmax(options->until - run->from, DBL_MIN);
+	return hawser__told_to_stop(&options->progress, &state);
+}
+
+static int stop(void *data)
+{
+	struct run *run = data;
+	double now = hawser__wall_seconds();
+
+	if (now - run->asked < ASKED_EVERY)
+		return 0;
+	run->asked = now;
+	return ask(run);
+}
+
+/* Steps of one length; what is left of an interval in which a run was interrupted has the same ones. */
+static enum hawser_status march(struct run *run, double end, struct hawser_report *report)
+{
+	double h = run->every/ceil(run->every/run->step*(1.0 - 1e-12)), left = end - run->motion.t;
+	double n = round(left/h);
+	enum hawser_status status = HAWSER_OK;
+
+	if (fabs(left/h - n) > 1e-6) { /* a state of a run with other rows */
+		n = ceil(left/h);
+		h = left/n;
+	}
+	for (long i = (long)n; i > 0 && !status; i--) {
+		if (hawser__motion_asked(&run->motion))
+			return HAWSER_OK;
+		status = hawser__motion_step(&run->motion, h, report);
+	}
+	return status;
+}
+
 static enum hawser_status advance(struct run *run, double end, struct hawser_report *report)
 {
-	double n;
-	enum hawser_status status = HAWSER_OK;
+	enum hawser_status status;
 
 	if (run->motion.scheme->advance) {
 		status = run->motion.scheme->advance(&run->motion, end, run->tolerance, run->step, report);
 	} else if (run->step <= 0.0) {
 		status = hawser__motion_adapt(&run->motion, &run->h, end, run->tolerance, report);
 	} else {
-		n = ceil(run->every/run->step*(1.0 - 1e-12));
-		for (double i = 0.0; i < n && !status; i++)
-			status = hawser__motion_step(&run->motion, run->every/n, report);
+		status = march(run, end, report);
 	}
-	run->motion.t = status ? run->motion.t : end;
+	run->motion.t = status || run->motion.stopped ? run->motion.t : end;
 	return status;
 }
 
 static enum hawser_status rows(struct hawser_net_motion *to, struct run *run,
                                struct hawser_report *report)
 {
-	double first = round(run->motion.t/run->every), last = run->options->until/run->every;
-	double began = hawser__wall_seconds();
+	double first = floor(run->motion.t/run->every*(1.0 + 1e-12)), last = run->options->until/run->every;
 	enum hawser_status status = allocate(to, (size_t)fmax(last - first, 0.0) + 3,
 	                                     (size_t)run->options->probes, report);
 
@@ -346,20 +383,22 @@ static enum hawser_status rows(struct hawser_net_motion *to, struct run *run,
 	to->start_kinetic = run->motion.energy.kinetic;
 	if (status)
 		return status;
+	run->began = hawser__wall_seconds(); /* asked at once: the caller learns that steps begin */
+	run->from = run->motion.t;
+	run->motion.stop = hawser__is_watched(&run->options->progress) ? stop : NULL;
+	run->motion.data = run;
 	to->interrupted = row(to, run) != 0;
 	for (double i = first + 1.0; i <= last*(1.0 + 1e-12) && !status && !to->interrupted; i++) {
-		struct hawser_progress_state state;
-
 		status = advance(run, i*run->every, report);
-		if (status)
+		to->interrupted = run->motion.stopped;
+		if (status || to->interrupted)
 			break;
 		to->interrupted = row(to, run) != 0;
-		state = hawser__progress_state("motion", "rows", to->rows, began);
-		state.expected = (long)(last - first) + 1;
-		state.fraction = (i - first)/fmax(last - first, 1.0);
-		if (hawser__told_to_stop(&run->options->progress, &state))
+		run->rows = to->rows;
+		if (ask(run))
 			to->interrupted = 1;
 	}
+	to->reached = run->motion.t;
 	return status;
 }
 
@@ -399,6 +438,8 @@ static enum hawser_status integrate(struct hawser_net_motion *to, const struct h
 		to->closure = motion->closure/fmax(fmax(motion->most_energy, motion->least_energy), DBL_MIN);
 		to->scheme = motion->scheme->shown.name;
 		to->error = motion->drift;
+		to->unknowns = run.mesh.unknowns;
+		memcpy(to->still, run.still, sizeof to->still);
 		to->steps = motion->steps;
 		to->iterations = motion->iterations;
 		to->splits = motion->splits;

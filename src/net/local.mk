@@ -31,8 +31,14 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/motion-state.c \
 	%D%/motion-support.c \
 	%D%/names.c \
+	%D%/plane.c \
 	%D%/net.c \
 	%D%/net.h \
+	%D%/plan.c \
+	%D%/plan.h \
+	%D%/plan-cost.c \
+	%D%/plan-mesh.c \
+	%D%/plan-words.c \
 	%D%/read.c \
 	%D%/read.h \
 	%D%/solution.c \

@@ -312,7 +312,7 @@ enum hawser_status hawser__cvode_advance(struct hawser__motion *motion, double e
 	if (!motion->cvode)
 		status = open(motion, tolerance, longest, report);
 	cvode = motion->cvode;
-	while (!status && cvode->since < end) {
+	while (!status && cvode->since < end && !hawser__motion_asked(motion)) {
 		double reached = cvode->since;
 		int flag;
 

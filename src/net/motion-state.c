@@ -87,6 +87,15 @@ void hawser__motion_restore(struct hawser__motion *motion, double *h, const doub
 	motion->slack_at = NAN;
 }
 
+int hawser__motion_moves(const double *state, int nodes, int k)
+{
+	for (int i = 0; i < nodes; i++)
+		for (int p = 1; p < 4; p++) /* u, v and a */
+			if (state[HEAD + 3*(PARTS*i + p) + k] != 0.0)
+				return 1;
+	return 0;
+}
+
 /* Place of the reference of a node in a state. */
 const double *hawser__motion_place(const double *state, int node)
 {

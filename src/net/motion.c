@@ -245,10 +245,13 @@ static enum hawser_status solve(struct hawser__motion *motion, int *done,
 		rest = rest_of(motion);
 		tolerance = 5000.0*DBL_EPSILON*motion->scale;
 		*done = rest <= tolerance || (rest <= 1e3*tolerance && rest > 0.25*last);
+		motion->undefined = i == 0 && !isfinite(rest);
+		motion->singular = i == 1 && !isfinite(rest);
 		if (*done || !isfinite(rest))
 			return HAWSER_OK;
 		last = rest;
 		status = correct(motion, &good, report);
+		motion->singular = !good && i == 0;
 		if (status || !good)
 			return status;
 		motion->iterations++;
@@ -345,6 +348,13 @@ static enum hawser_status split(struct hawser__motion *motion, double h, int dep
 
 	if (status || done)
 		return status;
+	if (depth == 0 && motion->undefined)
+		return hawser__fail(report, HAWSER_ERR_NAN, "net", "at %.9g s the forces are not finite: a "
+		                    "load, a motion or a stiffness is out of range", motion->t);
+	if (depth == 0 && motion->singular)
+		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "net", "at %.9g s the motion is not "
+		                    "determined: no tension holds a node with next to no mass; give it a mass",
+		                    motion->t);
 	if (depth == 0)
 		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "net", ITERATIONS, rest_of(motion),
 		                       "at %.9g s no step of %.3g s or longer has a solution: begin from "
@@ -360,13 +370,19 @@ enum hawser_status hawser__motion_step(struct hawser__motion *motion, double h,
 	return split(motion, h, SPLITS, report);
 }
 
+int hawser__motion_asked(struct hawser__motion *motion)
+{
+	motion->stopped |= motion->stop && motion->stop(motion->data);
+	return motion->stopped;
+}
+
 enum hawser_status hawser__motion_adapt(struct hawser__motion *motion, double *h, double end,
                                         double tolerance, struct hawser_report *report)
 {
 	const double power = 1.0/(motion->scheme->shown.order + 1.0);
 	enum hawser_status status = HAWSER_OK;
 
-	while (!status && motion->t < end*(1.0 - 4.0*DBL_EPSILON)) {
+	while (!status && motion->t < end*(1.0 - 4.0*DBL_EPSILON) && !hawser__motion_asked(motion)) {
 		double left = end - motion->t, part = ceil(left / *h), step = left/part, f;
 		/* an impact has no derivatives: at some length the step is taken as it is */
 		int least = step <= SHORTEST*end;
@@ -375,8 +391,10 @@ enum hawser_status hawser__motion_adapt(struct hawser__motion *motion, double *h
 		status = attempt(motion, &done, step, least ? INFINITY : tolerance, report);
 		if (status)
 			break;
-		if (!done && least)
-			return hawser__motion_step(motion, step, report);
+		if (!done && least) {
+			status = hawser__motion_step(motion, step, report);
+			continue;
+		}
 		motion->rejected += !done;
 		f = motion->error > 0.0 ? SAFETY*pow(tolerance/motion->error, power) : done ? GROW : SHRINK;
 		*h = step*fmin(fmax(f, SHRINK), done ? GROW : SAFETY);

@@ -52,6 +52,8 @@ void hawser__mesh_load(struct hawser__mesh *mesh, const struct hawser_net *net);
 void hawser__mesh_hold(struct hawser__mesh *mesh, int node, const unsigned char held[3]);
 /* Hold all nodes in the directions that are not in `along` (bit k: direction k). */
 void hawser__mesh_along(struct hawser__mesh *mesh, unsigned along);
+/* Hold all nodes along axis k, at one place (m). */
+void hawser__mesh_flatten(struct hawser__mesh *mesh, int k, double place);
 void hawser__mesh_clear(struct hawser__mesh *mesh);
 
 /* Pi(q) at mesh->q. */
@@ -88,6 +90,8 @@ enum hawser_status hawser__sparse_open_indefinite(struct hawser__sparse **sparse
 /* Factor, and count the negative eigenvalues; *done 0: a pivot is zero. */
 enum hawser_status hawser__sparse_inertia(int *negative, int *done, struct hawser__sparse *sparse,
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Memory of matrix and factors, bytes. */
+double hawser__sparse_bytes(const struct hawser__sparse *sparse);
 /* Solve for a right side [unknowns], in place. */
 enum hawser_status hawser__sparse_solve(double *x, struct hawser__sparse *sparse,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;

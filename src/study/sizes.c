@@ -34,6 +34,7 @@
 #include <hawser/net_equilibria.h>
 #include <hawser/net_modes.h>
 #include <hawser/net_motion.h>
+#include <hawser/net_plan.h>
 #include <hawser/net_span.h>
 #include <hawser/normal_form.h>
 #include <hawser/orbit.h>
@@ -203,6 +204,7 @@ static const struct row {
 	ROW(hawser_motions_run),
 	ROW(hawser_net),
 	ROW(hawser_net_cable),
+	ROW(hawser_net_decision),
 	ROW(hawser_net_dynamics),
 	ROW(hawser_net_load),
 	ROW(hawser_net_member),
@@ -218,6 +220,10 @@ static const struct row {
 	ROW(hawser_net_modes),
 	ROW(hawser_net_motion),
 	ROW(hawser_net_motion_options),
+	ROW(hawser_net_plan),
+	ROW(hawser_net_plan_cable),
+	ROW(hawser_net_plan_job),
+	ROW(hawser_net_plan_options),
 	ROW(hawser_net_probe),
 	ROW(hawser_net_scheme),
 	ROW(hawser_net_span_error),
