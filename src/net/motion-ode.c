@@ -48,7 +48,8 @@ enum hawser_status hawser__ode_massive(const struct hawser__mesh *mesh, const st
 	for (int c = 0; c < mesh->cables && !status; c++)
 		if (net->cable[c].elements > 1 && net->cable[c].rho == 0.0)
 			status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "a motion needs mass at each "
-			                      "node, and cable %s has inner nodes without: give it rho, or 1 element",
+			                      "node, and cable %s has inner nodes without: give it rho, or 1 "
+			                      "element",
 			                      net->cable[c].name);
 	for (int i = 0; i < net->nodes && !status; i++)
 		for (int k = 0; k < 3 && !status; k++)

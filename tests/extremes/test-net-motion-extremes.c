@@ -123,8 +123,8 @@ static void no_mass(void)
 	s.release = 2;
 	s.net.dynamics.releases = 1;
 	status = run(&motion, &s, "energy", 1.0, 1e-2);
-	ok(status == HAWSER_ERR_ARGUMENT && strstr(report.message, "node J has none"), "no mass: status %d: "
-	   "%s", status, report.message);
+	ok(status == HAWSER_ERR_ARGUMENT && strstr(report.message, "node J has none"),
+	   "no mass: status %d: %s", status, report.message);
 	if (!status)
 		hawser_net_motion_clear(&motion);
 	/* a released end of a cable with mass is no such node */
