@@ -23,6 +23,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/motion.h \
 	%D%/motion-chain.c \
 	%D%/motion-cvode.c \
+	%D%/motion-error.c \
 	%D%/motion-klu.c \
 	%D%/motion-law.c \
 	%D%/motion-ode.c \

@@ -205,6 +205,13 @@ void hawser__motion_balance(struct hawser__motion *motion);
 /* The ledger after a step from (u0, v0) to (u, v). */
 void hawser__motion_account(struct hawser__motion *motion, const struct hawser__motion_rule *rule,
                             double h);
+/* integrate.c: hawser_net_integrate without the error by another run; the default of its tolerance. */
+enum hawser_status hawser__net_integrate(struct hawser_net_motion *motion,
+                                         const struct hawser_net *net,
+                                         const struct hawser_net_motion_options *options,
+                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+extern const double hawser__motion_tolerance;
+
 /* motion-cvode.c */
 struct hawser__cvode;
 enum hawser_status hawser__cvode_advance(struct hawser__motion *motion, double end, double tolerance,
