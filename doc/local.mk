@@ -23,6 +23,7 @@ dist_doc_DATA += \
 	%D%/theory-study.md \
 	%D%/theory-modes.md \
 	%D%/theory-rom.md \
+	%D%/theory-ropeway-modes.md \
 	%D%/theory-travel-rom.md \
 	%D%/theory-travel.md \
 	%D%/theory.md

@@ -21,6 +21,7 @@ pkginclude_HEADERS = \
 	%D%/hawser/integrate.h \
 	%D%/hawser/irvine.h \
 	%D%/hawser/line.h \
+	%D%/hawser/line_modes.h \
 	%D%/hawser/linear.h \
 	%D%/hawser/locus.h \
 	%D%/hawser/lyapunov.h \
@@ -30,7 +31,6 @@ pkginclude_HEADERS = \
 	%D%/hawser/net_equilibria.h \
 	%D%/hawser/net_modes.h \
 	%D%/hawser/net_motion.h \
-	%D%/hawser/net_plan.h \
 	%D%/hawser/net_span.h \
 	%D%/hawser/orbit.h \
 	%D%/hawser/plan.h \
@@ -44,7 +44,6 @@ pkginclude_HEADERS = \
 	%D%/hawser/scene.h \
 	%D%/hawser/scene_family.h \
 	%D%/hawser/sizes.h \
-	%D%/hawser/span_motion.h \
 	%D%/hawser/statics.h \
 	%D%/hawser/status.h \
 	%D%/hawser/study.h \

@@ -4,3 +4,12 @@ check_PROGRAMS += $(LINE_TESTS)
 TESTS += $(LINE_TESTS)
 tests_reference_test_line_SOURCES = tests/reference/test-line.c
 tests_reference_test_line_LDADD = $(UPTO_ROPEWAY)
+
+LINE_MODES_TESTS = tests/reference/test-line-modes tests/property/test-line-modes-gradient
+check_PROGRAMS += $(LINE_MODES_TESTS)
+TESTS += $(LINE_MODES_TESTS)
+tests_reference_test_line_modes_SOURCES = tests/reference/test-line-modes.c
+tests_reference_test_line_modes_LDADD = $(UPTO_ROPEWAY)
+tests_property_test_line_modes_gradient_SOURCES = tests/property/test-line-modes-gradient.c
+tests_property_test_line_modes_gradient_LDADD = $(UPTO_ROPEWAY)
+noinst_HEADERS += tests/line-mesh.h

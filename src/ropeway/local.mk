@@ -9,9 +9,26 @@ noinst_LTLIBRARIES += %D%/libropeway.la
 	%D%/line.h \
 	%D%/march.c \
 	%D%/march.h \
+	%D%/modes.c \
+	%D%/modes.h \
+	%D%/modes_equations.c \
+	%D%/modes_fill.c \
+	%D%/modes_grid.c \
+	%D%/modes_iterate.c \
+	%D%/modes_label.c \
+	%D%/modes_pieces.c \
+	%D%/modes_plan.c \
+	%D%/modes_running.c \
+	%D%/modes_segment.c \
+	%D%/modes_speed.c \
+	%D%/modes_static.c \
+	%D%/modes_systems.c \
 	%D%/path.c \
+	%D%/plan.h \
 	%D%/rope.h \
+	%D%/running.h \
 	%D%/search.c \
+	%D%/segment.h \
 	%D%/solution.c \
 	%D%/trace.c
 

@@ -24,6 +24,7 @@
 #include <hawser/irvine.h>
 #include <hawser/line.h>
 #include <hawser/ropeway.h>
+#include <hawser/line_modes.h>
 #include <hawser/linear.h>
 #include <hawser/locus.h>
 #include <hawser/basin.h>
@@ -34,7 +35,6 @@
 #include <hawser/net_equilibria.h>
 #include <hawser/net_modes.h>
 #include <hawser/net_motion.h>
-#include <hawser/net_plan.h>
 #include <hawser/net_span.h>
 #include <hawser/normal_form.h>
 #include <hawser/orbit.h>
@@ -45,7 +45,6 @@
 #include <hawser/rom.h>
 #include <hawser/scales.h>
 #include <hawser/scene.h>
-#include <hawser/span_motion.h>
 #include <hawser/statics.h>
 #include <hawser/status.h>
 #include <hawser/study.h>
@@ -153,7 +152,12 @@ static const struct row {
 	ROW(hawser_line),
 	ROW(hawser_line_carrier),
 	ROW(hawser_line_contact),
+	ROW(hawser_line_freedom),
 	ROW(hawser_line_mass),
+	ROW(hawser_line_modes),
+	ROW(hawser_line_modes_options),
+	ROW(hawser_line_modes_piece),
+	ROW(hawser_line_modes_point),
 	ROW(hawser_line_piece),
 	ROW(hawser_line_sheave),
 	ROW(hawser_line_statics),
@@ -199,12 +203,8 @@ static const struct row {
 	ROW(hawser_modulation),
 	ROW(hawser_monomial),
 	ROW(hawser_motion),
-	ROW(hawser_motions),
-	ROW(hawser_motions_options),
-	ROW(hawser_motions_run),
 	ROW(hawser_net),
 	ROW(hawser_net_cable),
-	ROW(hawser_net_decision),
 	ROW(hawser_net_dynamics),
 	ROW(hawser_net_load),
 	ROW(hawser_net_member),
@@ -220,17 +220,9 @@ static const struct row {
 	ROW(hawser_net_modes),
 	ROW(hawser_net_motion),
 	ROW(hawser_net_motion_options),
-	ROW(hawser_net_plan),
-	ROW(hawser_net_plan_cable),
-	ROW(hawser_net_plan_job),
-	ROW(hawser_net_plan_options),
 	ROW(hawser_net_probe),
 	ROW(hawser_net_scheme),
-	ROW(hawser_net_span_error),
-	ROW(hawser_net_span_motion),
-	ROW(hawser_net_span_motion_options),
 	ROW(hawser_net_span_options),
-	ROW(hawser_net_span_statics),
 	ROW(hawser_net_statics),
 	ROW(hawser_net_symmetry),
 	ROW(hawser_orbit_cost),
