@@ -5,7 +5,7 @@ EXTRA_PROGRAMS += $(BENCHES) %D%/frf %D%/peak %D%/plan %D%/shapes
 CLEANFILES += $(BENCHES) %D%/frf %D%/peak %D%/plan %D%/shapes
 noinst_HEADERS += %D%/clock.h
 EXTRA_DIST += %D%/README.md %D%/convergence.sh %D%/frf-auto.py %D%/locus-auto.py %D%/branches-auto.py %D%/long.py \
-	%D%/scaling.py %D%/trade.py %D%/bending.py
+	%D%/scaling.py %D%/trade.py %D%/bending.py %D%/slack.py
 
 # solves a second of the statics, errors beside them
 %C%_statics_SOURCES = %D%/statics.c
@@ -109,3 +109,9 @@ EXTRA_PROGRAMS += %D%/net-random
 CLEANFILES += %D%/net-random
 %C%_net_random_SOURCES = %D%/net-random.c
 %C%_net_random_LDADD = $(UPTO_NET)
+
+# times that a plan of a net estimates
+EXTRA_PROGRAMS += %D%/net-plan
+CLEANFILES += %D%/net-plan
+%C%_net_plan_SOURCES = %D%/net-plan.c
+%C%_net_plan_LDADD = $(UPTO_NET)

@@ -31,6 +31,7 @@ pkginclude_HEADERS = \
 	%D%/hawser/net_equilibria.h \
 	%D%/hawser/net_modes.h \
 	%D%/hawser/net_motion.h \
+	%D%/hawser/net_plan.h \
 	%D%/hawser/net_span.h \
 	%D%/hawser/orbit.h \
 	%D%/hawser/plan.h \
@@ -44,6 +45,7 @@ pkginclude_HEADERS = \
 	%D%/hawser/scene.h \
 	%D%/hawser/scene_family.h \
 	%D%/hawser/sizes.h \
+	%D%/hawser/span_motion.h \
 	%D%/hawser/statics.h \
 	%D%/hawser/status.h \
 	%D%/hawser/study.h \

@@ -33,6 +33,7 @@ shared_text = \
 	%D%/shared/frequencies \
 	%D%/shared/library \
 	%D%/shared/help \
+	%D%/shared/mesh \
 	%D%/shared/modes \
 	%D%/shared/reproducible \
 	%D%/shared/units \

@@ -21,6 +21,8 @@ CLI_TESTS = \
 	%D%/cli/ropeway.sh \
 	%D%/cli/net-modes.sh \
 	%D%/cli/net-motion.sh \
+	%D%/cli/fe.sh \
+	%D%/cli/net-plan.sh \
 	%D%/cli/section.sh \
 	%D%/cli/map.sh \
 	%D%/cli/pairs.sh \

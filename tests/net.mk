@@ -13,7 +13,7 @@ noinst_HEADERS += tests/net-random.h
 
 NET_MOTION_TESTS = tests/reference/test-net-motion tests/reference/test-net-modes \
 	tests/property/test-net-steps tests/property/test-net-error tests/property/test-net-cvode \
-	tests/property/test-net-damping \
+	tests/property/test-net-damping tests/extremes/test-net-motion-extremes \
 	tests/property/test-net-eigen tests/property/test-net-symmetry
 check_PROGRAMS += $(NET_MOTION_TESTS)
 TESTS += $(NET_MOTION_TESTS)
@@ -25,12 +25,14 @@ tests_property_test_net_steps_SOURCES = tests/property/test-net-steps.c
 tests_property_test_net_steps_LDADD = $(UPTO_NET)
 tests_property_test_net_cvode_SOURCES = tests/property/test-net-cvode.c
 tests_property_test_net_cvode_LDADD = $(UPTO_NET)
+tests_extremes_test_net_motion_extremes_SOURCES = tests/extremes/test-net-motion-extremes.c
+tests_extremes_test_net_motion_extremes_LDADD = $(UPTO_NET)
 tests_property_test_net_damping_SOURCES = tests/property/test-net-damping.c
 tests_property_test_net_damping_LDADD = $(UPTO_NET)
 tests_property_test_net_error_SOURCES = tests/property/test-net-error.c
 tests_property_test_net_error_LDADD = $(UPTO_NET)
 
-NET_SPAN_TESTS = tests/property/test-net-span
+NET_SPAN_TESTS = tests/property/test-net-span tests/property/test-net-span-modes
 check_PROGRAMS += $(NET_SPAN_TESTS)
 TESTS += $(NET_SPAN_TESTS)
 tests_property_test_net_span_SOURCES = tests/property/test-net-span.c
@@ -39,3 +41,5 @@ tests_property_test_net_symmetry_SOURCES = tests/property/test-net-symmetry.c
 tests_property_test_net_symmetry_LDADD = $(UPTO_NET)
 tests_property_test_net_eigen_SOURCES = tests/property/test-net-eigen.c
 tests_property_test_net_eigen_LDADD = $(UPTO_NET)
+tests_property_test_net_span_modes_SOURCES = tests/property/test-net-span-modes.c
+tests_property_test_net_span_modes_LDADD = $(UPTO_NET)

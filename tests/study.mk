@@ -90,3 +90,9 @@ check_PROGRAMS += tests/property/test-identify-bending
 TESTS += tests/property/test-identify-bending
 tests_property_test_identify_bending_SOURCES = tests/property/test-identify-bending.c
 tests_property_test_identify_bending_LDADD = $(UPTO_STUDY)
+
+SPAN_MOTION_TESTS = tests/reference/test-span-motion
+check_PROGRAMS += $(SPAN_MOTION_TESTS)
+TESTS += $(SPAN_MOTION_TESTS)
+tests_reference_test_span_motion_SOURCES = tests/reference/test-span-motion.c
+tests_reference_test_span_motion_LDADD = $(UPTO_STUDY)

@@ -20,6 +20,7 @@
 #include <hawser/net_equilibria.h>
 #include <hawser/net_modes.h>
 #include <hawser/net_motion.h>
+#include <hawser/net_plan.h>
 #include <hawser/net_span.h>
 #include <hawser/line.h>
 #include <hawser/ropeway.h>
@@ -43,6 +44,7 @@
 #include <hawser/locus.h>
 #include <hawser/lyapunov.h>
 #include <hawser/study.h>
+#include <hawser/span_motion.h>
 #include <hawser/torus.h>
 #include <hawser/primary.h>
 #include <hawser/plan.h>

@@ -40,7 +40,7 @@ struct hawser_net_cable {
 	double EA, rho;     /* N, kg/m per unstretched length */
 	enum hawser_net_given given;
 	double value;       /* of what is given */
-	int elements;
+	int elements, elements_given; /* elements_given: 1 if the scene has them, 0: the default */
 };
 
 /* A load, or the motion of a support. */
@@ -66,6 +66,7 @@ struct hawser_net_dynamics {
 struct hawser_net {
 	char *name;         /* of the file */
 	double g;
+	int g_given;        /* 1 if the scene has it, 0: the default */
 	struct hawser_net_node *node;   /* [nodes] */
 	struct hawser_net_cable *cable; /* [cables] */
 	struct hawser_net_load *load;   /* [loads] */

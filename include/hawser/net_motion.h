@@ -61,17 +61,26 @@ struct hawser_net_motion {
 	int rows, probes, interrupted;
 	double *time;        /* [rows] s */
 	double (*x)[3];      /* [rows*probes] m, row by row */
+	double (*v)[3];      /* [rows*probes] m/s */
 	double *T;           /* [rows*probes] N: largest tension of the elements there */
 	/* J; since the beginning, the potential energy (of strain, weight and constant loads) too: it is
 	 * counted from the equilibrium. work: of harmonic loads and moving supports. */
 	double *kinetic, *potential, *work, *dissipated; /* [rows] */
 	int *slack;          /* [rows] number of elements without tension */
+	/* Over all steps: the least tension and its time, and the first element without tension: time (s;
+	 * NAN: there is none), its cable, and the part of its unstretched length at its middle. */
+	double least, least_at, slack_at, slack_part; /* N, s, s, 0 to 1 */
+	int slack_cable;
 	double closure;      /* largest error of kinetic + potential - work + dissipated, over the largest
 	                      * of these; what a scheme damps is an error here */
 	/* m, estimated error of positions: the sum of the local errors of all steps, which takes it that
 	 * errors do not grow; or, with the option check, that of the probes, from another run. */
 	double error;
 	int checked;         /* 1: from another run */
+	int unknowns;        /* of the positions */
+	int still[3];        /* 1: nothing moves the net along this axis,
+	so that the model has no motion there */
+	double reached;      /* s: less than options.until if interrupted, perhaps after the last row */
 	double start_kinetic; /* J, of the state at the beginning */
 	const char *scheme;
 	long steps, iterations, splits, rejected, switches; /* switches: of elements, slack to taut and

@@ -119,7 +119,7 @@ struct cli_command {
 	X(map) \
 	X(compare) \
 	X(compare_modes) \
-	X(compare_mms)
+	X(compare_mms) X(compare_motion)
 #define CLI_DECLARE(command) extern const struct cli_command cli_##command;
 CLI_COMMANDS(CLI_DECLARE)
 #undef CLI_DECLARE

@@ -8,6 +8,7 @@
 
 #include "cli/integrate_net.h"
 #include "cli/integrate_result.h"
+#include "cli/integrate_span.h"
 #include "cli/label.h"
 #include "cli/load_history.h"
 #include "cli/progress.h"
@@ -18,7 +19,8 @@ struct settings {
 	struct cli_common common;
 	const char *load, *motion, *omega, *omega_to, *until, *every, *after, *initial, *resume, *method;
 	double rtol, atol;
-	int n, spectrum, partial, error, lyapunov;
+	const char *model;
+	int n, spectrum, partial, error, lyapunov, elements;
 	struct cli_integrate_net net; /* of nets only */
 };
 static const struct settings defaults = {
@@ -47,7 +49,9 @@ static const struct cli_option options[] = {
 	{"error", 0, "", "estimate the error by a second run with other tolerances", CLI_FLAG(error)},
 	{"lyapunov", 0, "", "Lyapunov exponents of the motion after --after, with their errors",
 	 CLI_FLAG(lyapunov)},
-	{"step", 0, "TIME", "nets: longest step, or auto (the scene's, or auto)", CLI_TEXT(net.step)},
+	{"model", 0, "NAME", "rom, or fe: a mesh of cable elements (rom)", CLI_TEXT(model)},
+	{"elements", 0, "N", "elements of the mesh of --model fe (120)", CLI_INTEGER(elements)},
+	{"step", 0, "TIME", "nets and --model fe: longest step, or auto", CLI_TEXT(net.step)},
 	{"probe", 0, "NAMES", "nets: nodes, or cable:part, with commas (all free nodes)",
 	 CLI_TEXT(net.probe)},
 	{"state", 0, "FILE", "nets: write the last state, for --initial", CLI_TEXT(net.state)},
@@ -263,8 +267,9 @@ static enum hawser_status run_net(const struct settings *settings, struct hawser
 	             {"load", settings->load != NULL}, {"motion", settings->motion != NULL},
 	             {"after", settings->after != NULL}, {"continue", settings->resume != NULL},
 	             {"modes", settings->n > 0}, {"spectrum", settings->spectrum},
-	             {"lyapunov", settings->lyapunov},
-	             {"partial", settings->partial}, {"atol", settings->atol != defaults.atol}};
+	             {"lyapunov", settings->lyapunov}, {"partial", settings->partial},
+	             {"atol", settings->atol != defaults.atol}, {"model", settings->model != NULL},
+	             {"elements", settings->elements > 0}};
 	struct cli_integrate_net net = settings->net;
 
 	for (size_t i = 0; i < sizeof other/sizeof *other; i++)
@@ -280,6 +285,49 @@ static enum hawser_status run_net(const struct settings *settings, struct hawser
 	return cli_integrate_net(&settings->common, &net, report);
 }
 
+/* --model fe; what is of reduced models does not go with it. */
+static enum hawser_status run_span(const struct settings *settings, struct hawser_report *report)
+{
+	const struct {
+		const char *name;
+		int given;
+	} other[] = {{"Omega-to", settings->omega_to != NULL}, {"load", settings->load != NULL},
+	             {"motion", settings->motion != NULL}, {"after", settings->after != NULL},
+	             {"initial", settings->initial != NULL}, {"continue", settings->resume != NULL},
+	             {"modes", settings->n > 0}, {"spectrum", settings->spectrum},
+	             {"error", settings->error}, {"lyapunov", settings->lyapunov},
+	             {"partial", settings->partial}, {"atol", settings->atol != defaults.atol},
+	             {"model-library", settings->common.library != NULL},
+	             {"probe", settings->net.probe != NULL}, {"state", settings->net.state != NULL},
+	             {"vtk", settings->net.vtk != NULL}};
+	const struct cli_integrate_span span = {
+		.texts = {.omega = settings->omega, .until = settings->until, .every = settings->every,
+		          .step = settings->net.step},
+		.scheme = settings->method, .elements = settings->elements,
+		.tolerance = settings->rtol != defaults.rtol ? settings->rtol : 0.0};
+
+	for (size_t i = 0; i < sizeof other/sizeof *other; i++)
+		if (other[i].given)
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
+			                    "--%s does not go with --model fe, a mesh of cable elements: leave "
+			                    "out one of them", other[i].name);
+	return cli_integrate_span(&settings->common, &span, report);
+}
+
+static enum hawser_status check_model(const struct settings *settings, struct hawser_report *report)
+{
+	static const char *const models[] = {"rom", "fe"};
+	int model = 0;
+	enum hawser_status status = HAWSER_OK;
+
+	if (settings->model)
+		status = cli_choose(&model, "integrate", "model", settings->model, models, 2, report);
+	if (!status && settings->elements && model == 0)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
+		                      "--elements is for the mesh of --model fe: give that");
+	return status;
+}
+
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	const struct settings *settings = context;
@@ -292,6 +340,10 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 
 	if (!status && hawser_net_is(settings->common.input))
 		return run_net(settings, report);
+	if (!status)
+		status = check_model(settings, report);
+	if (!status && settings->model && strcmp(settings->model, "fe") == 0)
+		return run_span(settings, report);
 	if (!status && (net->step || net->probe || net->vtk || net->state))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate", "--%s is for nets, and %s is no "
 		                    "scene of a net", net->step ? "step" : net->probe ? "probe"

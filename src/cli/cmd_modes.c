@@ -12,14 +12,16 @@
 
 struct settings {
 	struct cli_common common;
-	const char *method, *view, *over, *vtk;
-	int n, basis, points, shapes, list, damped, log;
+	const char *method, *view, *over, *vtk, *model;
+	int n, basis, points, shapes, list, damped, log, elements;
 };
 static const struct settings defaults = {.view = "components", .points = 201};
 
 static const struct cli_option options[] = {
 	{"modes", 'n', "N", "number of modes (the scene's model.modes)", CLI_INTEGER(n)},
 	{"method", 0, "NAME", "method (spectral)", CLI_TEXT(method)},
+	{"model", 0, "NAME", "cable, or fe: a mesh of cable elements (cable)", CLI_TEXT(model)},
+	{"elements", 0, "N", "elements of the mesh of --model fe (120)", CLI_INTEGER(elements)},
 	{"basis", 0, "N", "functions per component (as many as the tolerance requires)",
 	 CLI_INTEGER(basis)},
 	{"shapes", 0, "", "write the shapes and slopes to the table, and to JSON", CLI_FLAG(shapes)},
@@ -48,6 +50,32 @@ static void list_methods(void)
 	print_methods(hawser_complex_modes_method);
 }
 
+static int fe(const struct settings *settings)
+{
+	return settings->model && strcmp(settings->model, "fe") == 0;
+}
+
+/* What goes with the mesh, and what only with it. */
+static enum hawser_status check_model(const struct settings *settings, struct hawser_report *report)
+{
+	static const char *const models[] = {"cable", "fe"};
+	const char *other = settings->method ? "method" : settings->basis > 0 ? "basis"
+		: settings->damped ? "damped" : settings->over ? "over" : NULL;
+	int model;
+	enum hawser_status status = HAWSER_OK;
+
+	if (settings->model)
+		status = cli_choose(&model, "modes", "model", settings->model, models, 2, report);
+	if (!status && settings->elements && !fe(settings))
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+		                      "--elements is for the mesh of --model fe: give that");
+	if (!status && fe(settings) && other)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+		                      "--%s does not go with --model fe, a mesh of cable elements: leave out "
+		                      "one of them", other);
+	return status;
+}
+
 static enum hawser_status solve(struct cli_modes_result *result, const struct settings *settings,
                                 struct hawser_report *report)
 {
@@ -68,7 +96,10 @@ static enum hawser_status solve(struct cli_modes_result *result, const struct se
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
 		                    "--view waves shows the modes of a cable that travels, and this one does "
 		                    "not: give it a travel.speed, or choose components or profile");
-	status = hawser_steady_modes_solve(&result->modes, &statics, &choice, report);
+	status = fe(settings)
+		? hawser_net_span_modes(&result->modes, &result->scene, &statics, choice.n,
+		                        settings->elements, report)
+		: hawser_steady_modes_solve(&result->modes, &statics, &choice, report);
 	return status ? status : cli_modes_sample(result, report);
 }
 
@@ -113,7 +144,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		                    "modes needs a SCENE (hawser modes --help)");
 	if (hawser_net_is(settings->common.input)) {
 		if (settings->damped || settings->over || settings->log || settings->method ||
-		    settings->basis > 0)
+		    settings->basis > 0 || settings->model || settings->elements)
 			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes", "the scene is a net: of the "
 			                    "options of modes only --modes, --shapes and --vtk are for nets");
 		status = cli_outputs_check(&settings->common, report);
@@ -123,9 +154,11 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (settings->vtk)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes", "--vtk is for nets, and %s is no "
 		                    "scene of a net", settings->common.input);
-	if (settings->damped || settings->over || settings->log)
+	status = check_model(settings, report);
+	if (!status && (settings->damped || settings->over || settings->log))
 		return run_damped(settings, report);
-	status = cli_choose(&view, "modes", "view", settings->view, views, 3, report);
+	if (!status)
+		status = cli_choose(&view, "modes", "view", settings->view, views, 3, report);
 	if (!status)
 		status = cli_outputs_check(&settings->common, report);
 	if (!status)

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "cli/beam_result.h"
+#include "cli/plan_net.h"
 #include "cli/plan_result.h"
 #include "cli/view.h"
 #include "core/report.h"
@@ -14,6 +15,7 @@ struct settings {
 	struct cli_common common;
 	const char *from, *to, *fidelities;
 	double limit;
+	struct cli_plan_net net; /* of nets only */
 };
 static const struct settings defaults = {
 	.from = "0.6w1", .to = "3.3w1",
@@ -26,6 +28,14 @@ static const struct cli_option options[] = {
 	CLI_TEXT_OPTION(fidelities, "LIST", "what to estimate, separated by commas"),
 	{"limit", 0, "SECONDS", "processor time for measuring times (1 and a tenth of the estimate)",
 	 CLI_POSITIVE(limit)},
+	{"until", 0, "TIME", "nets: end of the motion (ten periods of the slowest load)",
+	 CLI_TEXT(net.until)},
+	{"step", 0, "TIME", "nets: longest step, or auto (the scene's, or auto)", CLI_TEXT(net.step)},
+	{"method", 0, "NAME", "nets: scheme of time integration (the scene's, or energy)",
+	 CLI_TEXT(net.scheme)},
+	{"rtol", 0, "NUMBER", "nets: local error over the longest cable (1e-7)",
+	 CLI_POSITIVE(net.rtol)},
+	{"modes", 'n', "N", "nets: number of modes (6)", CLI_INTEGER(net.modes)},
 	CLI_NO_OPTION,
 };
 
@@ -43,8 +53,7 @@ static enum hawser_status choose(struct cli_plan_result *result, const struct se
 {
 	if (settings->common.plot)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "plan",
-		                    "plan has no picture; hawser compare --plot draws errors against "
-		                    "time");
+		                    "plan has no picture; hawser compare --plot draws errors against time");
 	return hawser_fidelities_read(result->choice, &result->choices, settings->fidelities,
 	                              CLI_PLAN_ROWS, report);
 }
@@ -127,6 +136,37 @@ static enum hawser_status plan_beam(int *done, const struct cli_common *common,
 	return status;
 }
 
+/* The name of an option that is given and of the other kind of scenes; "" if there is none. */
+static const char *other(const struct settings *settings, int net)
+{
+	const struct {
+		const char *name;
+		int given, net;
+	} option[] = {{"from", settings->from != defaults.from, 0}, {"to", settings->to != defaults.to, 0},
+	              {"fidelities", settings->fidelities != defaults.fidelities, 0},
+	              {"until", settings->net.until != NULL, 1}, {"step", settings->net.step != NULL, 1},
+	              {"method", settings->net.scheme != NULL, 1}, {"rtol", settings->net.rtol > 0.0, 1},
+	              {"modes", settings->net.modes > 0, 1}};
+
+	for (size_t i = 0; i < sizeof option/sizeof *option; i++)
+		if (option[i].given && option[i].net != net)
+			return option[i].name;
+	return "";
+}
+
+static enum hawser_status run_net(const struct settings *settings, struct hawser_report *report)
+{
+	struct cli_plan_net net = settings->net;
+	enum hawser_status status;
+
+	if (*other(settings, 1))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "plan", "--%s is for responses of spans, "
+		                    "and the scene is a net", other(settings, 1));
+	status = cli_outputs_check(&settings->common, report);
+	net.limit = settings->limit;
+	return status ? status : cli_plan_net(&settings->common, &net, report);
+}
+
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	const struct settings *settings = context;
@@ -135,6 +175,11 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	enum hawser_status status = choose(&result, settings, report);
 	int done = 0;
 
+	if (!status && hawser_net_is(settings->common.input))
+		return run_net(settings, report);
+	if (!status && *other(settings, 0))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "plan", "--%s is for nets, and %s is no "
+		                    "scene of a net", other(settings, 0), settings->common.input);
 	if (!status)
 		status = plan_beam(&done, &settings->common, report);
 	if (status || done)

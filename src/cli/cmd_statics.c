@@ -8,19 +8,21 @@
 
 #include "cli/statics_loaded.h"
 #include "cli/statics_kinds.h"
+#include "cli/statics_mesh.h"
 #include "core/report.h"
 
 struct settings {
 	struct cli_common common;
 	const char *model, *from, *to;
-	int points, models, compatibility, speeds, cases;
+	int points, models, compatibility, speeds, cases, elements;
 	struct cli_statics_kinds kinds;
 };
 static const struct settings defaults = {.points = 201};
 
 static const struct cli_option options[] = {
-	{"model", 0, "NAME", "static model: catenary, inextensible or parabola (catenary)",
+	{"model", 0, "NAME", "static model: catenary, inextensible, parabola or fe (catenary)",
 	 CLI_TEXT(model)},
+	{"elements", 0, "N", "elements of the mesh of --model fe (120)", CLI_INTEGER(elements)},
 	{"models", 0, "", "table of all models and their errors against the catenary", CLI_FLAG(models)},
 	{"compatibility", 0, "", "table of epsilon, delta, eta and more over the tension",
 	 CLI_FLAG(compatibility)},
@@ -38,6 +40,8 @@ struct result {
 	const struct settings *settings;
 	struct hawser_scene scene;
 	const struct hawser_statics_model *model;
+	int fe;                               /* 1: a mesh of cable elements, and `mesh` is set */
+	struct hawser_net_span_statics mesh;
 	struct hawser_statics statics; /* travelling: with the apparent quantities */
 	struct hawser_statics actual;  /* the actual ones */
 	double limit;                  /* m/s, if the cable travels */
@@ -51,34 +55,8 @@ struct result {
 	struct cli_cases cases;
 };
 
-#define OF(member) HAWSER__AT(struct hawser_statics, member)
-/* Quantities in JSON and in the comments. */
-static const struct hawser__field quantity_field[] = {
-	{"H", NULL, "tension across the static force (horizontal)", OF(H), .unit = HAWSER__NEWTON},
-	{"T0", NULL, "tension at end A", OF(T0), .unit = HAWSER__NEWTON},
-	{"T1", NULL, "tension at end B", OF(T1), .unit = HAWSER__NEWTON},
-	{"V0", NULL, "component against the static force at end A", OF(V0), .unit = HAWSER__NEWTON},
-	{"V1", NULL, "the same at end B", OF(V1), .unit = HAWSER__NEWTON},
-	{"length0", NULL, "unstretched length", OF(length0), .unit = HAWSER__METRE},
-	{"length", NULL, "stretched length", OF(length), .unit = HAWSER__METRE},
-	{"sag", NULL, "largest distance from the chord along the static force", OF(sag),
-	 .unit = HAWSER__METRE},
-	{"eta", NULL, "V0/H", OF(eta)},
-	{"epsilon", NULL, "H/EA", OF(epsilon)},
-	{"delta", NULL, "rho g d/H", OF(delta)},
-	/* infinite for an inextensible cable; JSON has no infinity */
-	{"irvine", NULL, "Irvine's parameter lambda", OF(irvine),
-	 .flags = HAWSER__NULL | HAWSER__INFINITE},
-	{"irvine_source", NULL, "the same for steep cables", OF(irvine_source),
-	 .flags = HAWSER__NULL | HAWSER__INFINITE},
-	{"closure", NULL, "distance of the profile from end B", OF(closure), .unit = HAWSER__METRE},
-	{"error", NULL, "estimated relative error by round-off", OF(error)},
-	HAWSER__END,
-};
-#undef OF
-
 enum { TRAVELS = 1, MODELS = 2, COMPATIBILITY = 4, SPEEDS = 8, ATTACHED = 16, LOADED = 32,
-       TURNED = 64, CASES = 128 };
+       TURNED = 64, CASES = 128, MESH = 256 };
 
 #define OF(member) HAWSER__AT(struct hawser__place, member)
 static const struct hawser__field profile_field[] = {
@@ -160,7 +138,8 @@ static const struct hawser__field name_field[] = {
 #define PART(member, fields) {"", NULL, "", HAWSER__PART_OF(struct result, member, fields)
 static const struct hawser__field result_field[] = {
 	{"", NULL, "", HAWSER__THROUGH(struct result, model, name_field)},
-	PART(actual, quantity_field)},
+	PART(actual, cli_statics_field)},
+	PART(mesh, cli_statics_mesh_field), .when = MESH},
 	{"travel", NULL, "of a cable that travels", HAWSER__OBJECT_OF(travel_field), .when = TRAVELS},
 	{"attachments", NULL, "of the scene, by S",
 	 HAWSER__STORED_WITHIN(struct result, mark, marks, cli_mark_field), .when = ATTACHED},
@@ -198,8 +177,14 @@ static int aside(const struct hawser_statics *st)
 	return st->turned || st->space;
 }
 
-static const char *catenary(const struct hawser_statics *st)
+static const char *method_of(const struct result *result)
 {
+	const struct hawser_statics *st = &result->statics;
+
+	if (result->fe)
+		return "mesh of cable elements that carry tension only";
+	if (result->model != hawser_statics_model(0))
+		return result->model->summary;
 	return st->space ? "elastic catenaries in space, Newton's method for the force at end A"
 	                 : "elastic catenary, bracketed monotone solve";
 }
@@ -210,14 +195,13 @@ static struct cli_head head(const void *of)
 	const struct settings *settings = result->settings;
 
 	return (struct cli_head){
-		&settings->common, "statics", result->model == hawser_statics_model(0)
-		? catenary(&result->statics) : result->model->summary, &result->scene,
+		&settings->common, "statics", method_of(result), &result->scene,
 		cli_si_view((result->scene.travel.present ? TRAVELS : 0u) |
 		            (result->marks ? ATTACHED : 0u) |
 		            (result->loaded.present ? LOADED : 0u) |
 		            (aside(&result->statics) ? TURNED : 0u) |
 		            (settings->models ? MODELS : 0u) | (settings->cases ? CASES : 0u) |
-		            (settings->speeds ? SPEEDS : 0u) |
+		            (settings->speeds ? SPEEDS : 0u) | (result->fe ? MESH : 0u) |
 		            (settings->compatibility ? COMPATIBILITY : 0u)), NULL, NULL};
 }
 
@@ -226,7 +210,9 @@ static void comments(struct hawser__table *table, const void *of)
 	const struct result *result = of;
 	struct hawser__view view = cli_si_view(0);
 
-	hawser__fields_comments(table, quantity_field, &result->actual, &view);
+	hawser__fields_comments(table, cli_statics_field, &result->actual, &view);
+	if (result->fe)
+		cli_statics_mesh_comments(table, &result->mesh);
 	if (result->scene.travel.present)
 		travel_comments(table, result);
 	cli_marks_comments(table, result->mark, result->marks);
@@ -268,7 +254,7 @@ static enum hawser_status draw(const char *path, const void *context, struct haw
 	const struct hawser__axis highest = hawser__fields_axis(profile_field, "T", &view, most);
 	struct hawser__place kink[2*HAWSER_ATTACH_MAX];
 	const struct hawser__span_picture picture = {
-		&result->scene, result->profile, kink, result->settings->points, result->marks,
+		&result->scene, result->profile, kink, result->points, result->marks,
 		aside(&result->statics)};
 
 	if (result->settings->cases)
@@ -297,8 +283,10 @@ static enum hawser_status choose_model(struct result *result, struct hawser_repo
 		return HAWSER_OK;
 	for (; hawser_statics_model(count); count++)
 		name[count] = hawser_statics_model(count)->name;
-	status = cli_choose(&i, "statics", "model", result->settings->model, name, count, report);
-	result->model = hawser_statics_model(status ? 0 : i);
+	name[count] = "fe";
+	status = cli_choose(&i, "statics", "model", result->settings->model, name, count + 1, report);
+	result->fe = !status && i == count;
+	result->model = hawser_statics_model(status || result->fe ? 0 : i);
 	return status;
 }
 
@@ -427,6 +415,13 @@ static enum hawser_status solve(struct result *result, struct hawser_report *rep
 		return status;
 	result->actual = scene->travel.present ? hawser_statics_actual(&result->statics)
 	                                       : result->statics;
+	if (result->fe) {
+		status = cli_statics_mesh(&result->profile, &result->mesh, scene, &result->statics,
+		                          settings->elements, report);
+		result->actual = result->mesh.statics;
+		result->points = result->mesh.points;
+		return status;
+	}
 	result->profile = calloc((size_t)points, sizeof *result->profile);
 	if (!result->profile)
 		return hawser__no_memory(report, "statics");
@@ -443,6 +438,7 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 {
 	int curves = settings->models || settings->compatibility || settings->speeds;
 	int most = curves ? most_curve_points : most_profile_points;
+	enum hawser_status status;
 
 	if (settings->points > most)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
@@ -453,7 +449,9 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 		                    "--cases is a table of its own: leave --%s out", settings->models
 		                    ? "models" : settings->speeds ? "speeds" : settings->model ? "model"
 		                    : "compatibility");
-	return cli_outputs_check(&settings->common, report);
+	status = cli_statics_mesh_check(settings->model, settings->elements, settings->points,
+	                                defaults.points, report);
+	return status ? status : cli_outputs_check(&settings->common, report);
 }
 
 static const struct cli_showing showing = {
@@ -462,7 +460,8 @@ static const struct cli_showing showing = {
 /* The first option that is for spans only, or NULL. */
 static const char *span_option(const struct settings *settings)
 {
-	return settings->model ? "model" : settings->models ? "models"
+	return settings->model ? "model" : settings->elements ? "elements"
+	       : settings->models ? "models"
 	       : settings->compatibility ? "compatibility" : settings->speeds ? "speeds"
 	       : settings->from ? "from" : settings->to ? "to"
 	       : settings->points != defaults.points ? "points" : NULL;
@@ -484,6 +483,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!status)
 		status = cli_show(&settings->common, &showing, &result, report);
 	free(result.profile);
+	hawser_net_span_statics_clear(&result.mesh);
 	cli_curves_clear(&result.curves);
 	cli_speeds_clear(&result.speeds);
 	free(result.cases.row);

@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "cli/integrate_result.h"
+#include "cli/integrate_span.h"
 
 enum { PROBED = 1, TENSIONS = 2, ERROR = 4, SPECTRUM = 8, KNOWN = 16, SURGES = 32, UNKNOWN = 64,
        SWEPT = 128, EXPONENTS = 256 };
@@ -291,7 +292,9 @@ static const struct hawser__field cost_field[] = {
 const struct cli_listing cli_integrate_listing[] = {
 	{"Columns of the table:", history_field, 0},
 	{"Columns with --spectrum:", spectrum_field, 0},
+	{"Columns with --model fe:", cli_span_history_field, 0},
 	{"Keys of JSON:", integrate_field, 1},
+	{"Keys of JSON with --model fe:", cli_span_field, 1},
 	{NULL, NULL, 0},
 };
 

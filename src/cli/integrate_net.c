@@ -158,8 +158,12 @@ static void table(struct hawser__table *table, const void *of)
 	hawser__table_comment(table, "positions to some %.1e m: %s", motion->error, motion->checked
 	                      ? "from another, coarser run"
 	                      : "the local errors of all steps, if they do not grow (--error looks)");
+	for (int k = 0; k < 3; k++)
+		if (motion->still[k])
+			hawser__table_comment(table, "no motion along %c in the model: nothing drives it",
+			                      "xyz"[k]);
 	if (motion->interrupted)
-		hawser__table_comment(table, "interrupted");
+		hawser__table_comment(table, "interrupted at %.6g s", motion->reached);
 	hawser__table_column(table, "t_s");
 	for (int p = 0; p < motion->probes; p++) {
 		for (int k = 0; k < 3; k++)
@@ -202,8 +206,13 @@ static void json(struct hawser__json *json, const void *of)
 	into = hawser__json_array(json, json->root, "slack");
 	for (int i = 0; i < motion->rows; i++)
 		hawser__json_integer(json, into, NULL, motion->slack[i]);
+	into = hawser__json_array(json, json->root, "still");
+	for (int k = 0; k < 3; k++)
+		if (motion->still[k])
+			hawser__json_text(json, into, NULL, (const char *[]){"x", "y", "z"}[k]);
 	hawser__json_flag(json, json->root, "interrupted", motion->interrupted);
 	into = cli_stats_json(json, result->common);
+	hawser__json_integer(json, into, "unknowns", motion->unknowns);
 	hawser__json_integer(json, into, "steps", motion->steps);
 	hawser__json_integer(json, into, "iterations", motion->iterations);
 	hawser__json_integer(json, into, "rejected", motion->rejected);
@@ -242,8 +251,8 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 	hawser__picture_panel(&picture, 0.15, 0.95, 0.11, 0.46);
 	hawser__picture_ylabel(&picture, "Energy (J)");
 	fputs("set xlabel 'Time {/:Italic t} (s)'\nplot $motion using 1:2 with lines lt 1 title 'kinetic', "
-	      "$motion using 1:3 with lines lt 2 title 'potential', "
-	      "$motion using 1:4 with lines lt 3 title 'sum'\n", script);
+	      "$motion using 1:3 with lines lt 2 title 'potential', $motion using 1:4 with lines lt 3 "
+	      "title 'sum'\n", script);
 	return hawser__picture_finish(&picture, report);
 }
 

@@ -25,6 +25,10 @@ hawser_SOURCES = \
 	%D%/cmd_hill.c \
 	%D%/cmd_identify.c \
 	%D%/cmd_integrate.c \
+	%D%/integrate_span.c \
+	%D%/integrate_span.h \
+	%D%/span_run.c \
+	%D%/span_run.h \
 	%D%/cmd_locus.c \
 	%D%/cmd_nnm.c %D%/nnm_result.c %D%/nnm_result.h \
 	%D%/cmd_irvine.c \
@@ -49,6 +53,10 @@ hawser_SOURCES = \
 	%D%/statics_loaded.c \
 	%D%/statics_marks.c \
 	%D%/compare_mms.c \
+	%D%/compare_motion.c \
+	%D%/statics_fields.c \
+	%D%/statics_mesh.c \
+	%D%/statics_mesh.h \
 	%D%/compare_modes.c \
 	%D%/condensed.c \
 	%D%/condensed.h \
@@ -117,6 +125,9 @@ hawser_SOURCES = \
 	%D%/nearest.c \
 	%D%/options.c \
 	%D%/plan_fields.c \
+	%D%/plan_net.c \
+	%D%/plan_net.h \
+	%D%/plan_net_text.c \
 	%D%/plan_result.c \
 	%D%/plan_result.h \
 	%D%/progress.c \

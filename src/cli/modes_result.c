@@ -118,7 +118,9 @@ static void comments(struct hawser__table *table, const void *of)
 	const struct hawser_modes *modes = &result->modes;
 	const struct hawser_motion *motion = &modes->statics.motion;
 
-	hawser__table_comment(table, "%d functions a component, time unit %.12g s", modes->basis,
+	hawser__table_comment(table, strcmp(modes->method, "fe") == 0
+	                      ? "mesh of %d cable elements, time unit %.12g s"
+	                      : "%d functions a component, time unit %.12g s", modes->basis,
 	                      modes->time_unit);
 	if (modes->gyroscopic)
 		hawser__table_comment(table,
@@ -336,7 +338,7 @@ static const struct hawser__field shapes_field[] = {
 #define OF(member) HAWSER__AT(struct hawser_modes, member)
 static const struct hawser__field modes_field[] = {
 	{"method", NULL, "by which they are computed", OF(method)},
-	{"basis", NULL, "functions per component", OF(basis)},
+	{"basis", NULL, "functions per component; elements with --model fe", OF(basis)},
 	{"time_unit", NULL, "of the scaled equations", OF(time_unit), .unit = HAWSER__SECOND},
 	{"travel.speed", NULL, "travel speed", OF(statics.motion.speed), .unit = HAWSER__METRE_S,
 	 .when = TRAVELS},

@@ -4,6 +4,7 @@
 
 #include <math.h>
 
+#include "cli/plan_net.h"
 #include "cli/plan_result.h"
 #include "cli/view.h"
 
@@ -217,6 +218,8 @@ static const struct hawser__field result_field[] = {
 const struct cli_listing cli_plan_listing[] = {
 	{"Columns of the table:", row_field, 0},
 	{"Keys of JSON:", result_field, 1},
+	{"Columns of the table of a net:", cli_plan_net_row, 0},
+	{"Keys of JSON of a net:", cli_plan_net_fields, 1},
 	{NULL, NULL, 0},
 };
 

@@ -16,6 +16,7 @@ struct cli_loaded {
 	double moved[2][3], imbalance;       /* m, N: of struct hawser_statics */
 };
 extern const struct hawser__field cli_loaded_field[];
+extern const struct hawser__field cli_statics_field[]; /* of a struct hawser_statics */
 void cli_loaded_comments(struct hawser__table *table, const struct cli_loaded *loaded);
 /* Where the ends on springs are, in the state or case `name`. */
 void cli_moved_comment(struct hawser__table *table, const char *name, const struct cli_loaded *loaded);

@@ -19,6 +19,14 @@ double hawser__wall_seconds(void)
 	return (double)now.tv_sec + 1e-9*(double)now.tv_nsec;
 }
 
+double hawser__processor_seconds(void)
+{
+	struct timespec now;
+
+	clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+	return (double)now.tv_sec + 1e-9*(double)now.tv_nsec;
+}
+
 struct hawser_progress_state hawser__progress_state(const char *stage, const char *unit, long done,
                                                     double began)
 {

@@ -7,6 +7,8 @@
 
 /* Wall time, s, of a clock that nobody sets. */
 double hawser__wall_seconds(void);
+/* Processor time of this process, s. */
+double hawser__processor_seconds(void);
 
 /* A state with these members and `seconds` since `began`; all others say "unknown". */
 struct hawser_progress_state hawser__progress_state(const char *stage, const char *unit, long done,

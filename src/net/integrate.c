@@ -1,4 +1,4 @@
-/* net/integrate.c - hawser_net_integrate: the beginning of a motion, its rows, its results.
+/* net/integrate.c - hawser__net_integrate: the beginning of a motion, its rows, its results.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -9,10 +9,12 @@
 
 #include "core/progress.h"
 #include "core/report.h"
-#include "net/motion.h"
+#include "net/motion-ode.h"
 
 enum { ROWS = 10000000, DEFAULT_ROWS = 200 };
-static const double default_tolerance = 1e-7;
+/* s, between two questions whether to go on: not felt by the user, nor by the computation. */
+static const double ASKED_EVERY = 0.05;
+const double hawser__motion_tolerance = 1e-7;
 
 struct run {
 	const struct hawser_net *net;
@@ -24,6 +26,10 @@ struct run {
 	double (*x)[3], *T;      /* [nodes], [elements] of a row */
 	struct hawser__support_table *table; /* [tables], until the motion owns them */
 	int tables;
+	double began, asked;     /* s, clock */
+	int still[3];            /* 1: nothing moves along this axis */
+	double from;             /* s, of the motion, at the beginning */
+	int rows;                /* so far */
 };
 
 void hawser_net_motion_clear(struct hawser_net_motion *motion)
@@ -32,6 +38,7 @@ void hawser_net_motion_clear(struct hawser_net_motion *motion)
 		return;
 	free(motion->time);
 	free(motion->x);
+	free(motion->v);
 	free(motion->T);
 	free(motion->kinetic);
 	free(motion->potential);
@@ -142,31 +149,17 @@ static double longest(const struct hawser__mesh *mesh)
 	return most;
 }
 
-/* M has no inverse where a node that moves has no mass. */
-static enum hawser_status massive(const struct run *run, struct hawser_report *report)
+/* What nothing moves is not built. */
+static void flatten(struct run *run)
 {
-	const struct hawser__mesh *mesh = &run->mesh;
-	const struct hawser_net *net = run->net;
-	unsigned char *heavy = calloc((size_t)mesh->nodes, 1);
-	enum hawser_status status = heavy ? HAWSER_OK : hawser__no_memory(report, "net");
+	double at;
 
-	for (int e = 0; e < mesh->elements && !status; e++)
-		for (int end = 0; end < 2; end++)
-			heavy[mesh->end[e][end]] |= mesh->rho[e] > 0.0;
-	for (int c = 0; c < mesh->cables && !status; c++)
-		if (net->cable[c].elements > 1 && net->cable[c].rho == 0.0)
-			status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "the scheme cvode needs mass at "
-			                      "each node, and cable %s has inner nodes without: give it rho, 1 "
-			                      "element, or take the scheme energy", net->cable[c].name);
-	for (int i = 0; i < net->nodes && !status; i++)
-		for (int k = 0; k < 3 && !status; k++)
-			if (mesh->unknown[i][k] >= 0 && !heavy[i] && mesh->mass[i] == 0.0)
-				status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "the scheme cvode needs mass "
-				                      "at each node, and node %s has none: give it one in `masses`, "
-				                      "rho to a cable there, or take the scheme energy",
-				                      net->node[i].name);
-	free(heavy);
-	return status;
+	for (int k = 0; k < 3; k++) {
+		run->still[k] = hawser__net_still(&at, run->net, k, run->table, run->tables) &&
+		                !(run->state && hawser__motion_moves(run->state, run->mesh.nodes, k));
+		if (run->still[k])
+			hawser__mesh_flatten(&run->mesh, k, at);
+	}
 }
 
 static enum hawser_status start(struct run *run, struct hawser_report *report)
@@ -191,11 +184,12 @@ static enum hawser_status start(struct run *run, struct hawser_report *report)
 	if (!status) {
 		int same = place(run);
 
+		flatten(run);
 		status = hawser__motion_open(&run->motion, &run->mesh, scheme, rho, same, loose, report);
 	}
 	free(loose);
-	if (!status && run->motion.scheme->advance)
-		status = massive(run, report);
+	if (!status)
+		status = hawser__ode_massive(&run->mesh, net, report);
 	if (status)
 		return status;
 	run->motion.table = run->table;
@@ -205,7 +199,13 @@ static enum hawser_status start(struct run *run, struct hawser_report *report)
 	run->h = 0.1*transit(&run->mesh);
 	if (run->state)
 		hawser__motion_restore(&run->motion, &run->h, run->state);
-	else
+	if (run->state && run->motion.t >= run->options->until)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s is the state at %g s, and the "
+		                    "run is to end at %g s: the end counts from the beginning of the first "
+		                    "run",
+		                    initial,
+		                    run->motion.t, run->options->until);
+	if (!run->state)
 		status = hawser__motion_begin(&run->motion, report);
 	return status;
 }
@@ -236,7 +236,7 @@ static enum hawser_status prepare(struct run *run, struct hawser_report *report)
 		status = start(run, report);
 	if (status)
 		return status;
-	run->tolerance = (options->tolerance > 0.0 ? options->tolerance : default_tolerance)*
+	run->tolerance = (options->tolerance > 0.0 ? options->tolerance : hawser__motion_tolerance)*
 	                 longest(&run->mesh);
 	run->x = calloc((size_t)run->mesh.nodes, sizeof *run->x);
 	run->T = calloc((size_t)run->mesh.elements, sizeof *run->T);
@@ -250,19 +250,22 @@ static enum hawser_status allocate(struct hawser_net_motion *to, size_t rows, si
 {
 	to->time = calloc(rows, sizeof *to->time);
 	to->x = calloc(rows*probes + 1, sizeof *to->x);
+	to->v = calloc(rows*probes + 1, sizeof *to->v);
 	to->T = calloc(rows*probes + 1, sizeof *to->T);
 	to->kinetic = calloc(rows, sizeof *to->kinetic);
 	to->potential = calloc(rows, sizeof *to->potential);
 	to->work = calloc(rows, sizeof *to->work);
 	to->dissipated = calloc(rows, sizeof *to->dissipated);
 	to->slack = calloc(rows, sizeof *to->slack);
-	return to->time && to->x && to->T && to->kinetic && to->potential && to->work &&
+	return to->time && to->x && to->v && to->T && to->kinetic && to->potential && to->work &&
 	       to->dissipated && to->slack ? HAWSER_OK : hawser__no_memory(report, "net");
 }
 
-static void probe(double x[3], double *T, const struct run *run, const struct hawser_net_probe *at)
+static void probe(double x[3], double v[3], double *T, const struct run *run,
+                  const struct hawser_net_probe *at)
 {
 	const struct hawser__mesh *mesh = &run->mesh;
+	const double (*rate)[3] = (const double (*)[3])run->motion.v;
 	int first = at->cable < 0 ? 0 : mesh->first[at->cable];
 	int n = at->cable < 0 ? 0 : mesh->first[at->cable + 1] - first;
 	double along = fmin(fmax(at->part, 0.0), 1.0)*n, part;
@@ -271,6 +274,7 @@ static void probe(double x[3], double *T, const struct run *run, const struct ha
 	*T = 0.0;
 	if (n == 0) {
 		memcpy(x, run->x[at->node], 3*sizeof *x);
+		memcpy(v, rate[at->node], 3*sizeof *v);
 		for (int i = 0; i < mesh->elements; i++)
 			if (mesh->end[i][0] == at->node || mesh->end[i][1] == at->node)
 				*T = fmax(*T, run->T[i]);
@@ -278,8 +282,10 @@ static void probe(double x[3], double *T, const struct run *run, const struct ha
 	}
 	part = along - (e - first);
 	*T = run->T[e];
-	for (int k = 0; k < 3; k++)
+	for (int k = 0; k < 3; k++) {
 		x[k] = (1.0 - part)*run->x[mesh->end[e][0]][k] + part*run->x[mesh->end[e][1]][k];
+		v[k] = (1.0 - part)*rate[mesh->end[e][0]][k] + part*rate[mesh->end[e][1]][k];
+	}
 }
 
 /* Positions and tensions as they are, into the next row; returns what the caller's function does. */
@@ -301,34 +307,75 @@ static int row(struct hawser_net_motion *to, struct run *run)
 	to->work[i] = motion->energy.work;
 	to->dissipated[i] = motion->energy.dissipated;
 	to->slack[i] = hawser__motion_tensions(run->T, motion);
-	for (int p = 0; p < options->probes; p++)
-		probe(to->x[i*options->probes + p], &to->T[i*options->probes + p], run, &options->probe[p]);
+	for (int p = 0; p < options->probes; p++) {
+		int at = i*options->probes + p;
+
+		probe(to->x[at], to->v[at], &to->T[at], run, &options->probe[p]);
+	}
 	return options->frame ? options->frame(options->data, &frame) : 0;
+}
+
+/* Whether the caller ends the run: asked after each row, and within rows after some time. */
+static int ask(const struct run *run)
+{
+	const struct hawser_net_motion_options *options = run->options;
+	struct hawser_progress_state state = hawser__progress_state("motion", "rows", run->rows,
+	                                                            run->began);
+
+	state.expected = (long)((options->until - run->from)/run->every) + 1;
+	state.fraction = (run->motion.t - run->from)/fmax(options->until - run->from, DBL_MIN);
+	return hawser__told_to_stop(&options->progress, &state);
+}
+
+static int stop(void *data)
+{
+	struct run *run = data;
+	double now = hawser__wall_seconds();
+
+	if (now - run->asked < ASKED_EVERY)
+		return 0;
+	run->asked = now;
+	return ask(run);
+}
+
+/* Steps of one length; what is left of an interval in which a run was interrupted has the same ones. */
+static enum hawser_status march(struct run *run, double end, struct hawser_report *report)
+{
+	double h = run->every/ceil(run->every/run->step*(1.0 - 1e-12)), left = end - run->motion.t;
+	double n = round(left/h);
+	enum hawser_status status = HAWSER_OK;
+
+	if (fabs(left/h - n) > 1e-6) { /* a state of a run with other rows */
+		n = ceil(left/h);
+		h = left/n;
+	}
+	for (long i = (long)n; i > 0 && !status; i--) {
+		if (hawser__motion_asked(&run->motion))
+			return HAWSER_OK;
+		status = hawser__motion_step(&run->motion, h, report);
+	}
+	return status;
 }
 
 static enum hawser_status advance(struct run *run, double end, struct hawser_report *report)
 {
-	double n;
-	enum hawser_status status = HAWSER_OK;
+	enum hawser_status status;
 
 	if (run->motion.scheme->advance) {
 		status = run->motion.scheme->advance(&run->motion, end, run->tolerance, run->step, report);
 	} else if (run->step <= 0.0) {
 		status = hawser__motion_adapt(&run->motion, &run->h, end, run->tolerance, report);
 	} else {
-		n = ceil(run->every/run->step*(1.0 - 1e-12));
-		for (double i = 0.0; i < n && !status; i++)
-			status = hawser__motion_step(&run->motion, run->every/n, report);
+		status = march(run, end, report);
 	}
-	run->motion.t = status ? run->motion.t : end;
+	run->motion.t = status || run->motion.stopped ? run->motion.t : end;
 	return status;
 }
 
 static enum hawser_status rows(struct hawser_net_motion *to, struct run *run,
                                struct hawser_report *report)
 {
-	double first = round(run->motion.t/run->every), last = run->options->until/run->every;
-	double began = hawser__wall_seconds();
+	double first = floor(run->motion.t/run->every*(1.0 + 1e-12)), last = run->options->until/run->every;
 	enum hawser_status status = allocate(to, (size_t)fmax(last - first, 0.0) + 3,
 	                                     (size_t)run->options->probes, report);
 
@@ -336,26 +383,41 @@ static enum hawser_status rows(struct hawser_net_motion *to, struct run *run,
 	to->start_kinetic = run->motion.energy.kinetic;
 	if (status)
 		return status;
+	run->began = hawser__wall_seconds(); /* asked at once: the caller learns that steps begin */
+	run->from = run->motion.t;
+	run->motion.stop = hawser__is_watched(&run->options->progress) ? stop : NULL;
+	run->motion.data = run;
 	to->interrupted = row(to, run) != 0;
 	for (double i = first + 1.0; i <= last*(1.0 + 1e-12) && !status && !to->interrupted; i++) {
-		struct hawser_progress_state state;
-
 		status = advance(run, i*run->every, report);
-		if (status)
+		to->interrupted = run->motion.stopped;
+		if (status || to->interrupted)
 			break;
 		to->interrupted = row(to, run) != 0;
-		state = hawser__progress_state("motion", "rows", to->rows, began);
-		state.expected = (long)(last - first) + 1;
-		state.fraction = (i - first)/fmax(last - first, 1.0);
-		if (hawser__told_to_stop(&run->options->progress, &state))
+		run->rows = to->rows;
+		if (ask(run))
 			to->interrupted = 1;
 	}
+	to->reached = run->motion.t;
 	return status;
 }
 
-static enum hawser_status integrate(struct hawser_net_motion *to, const struct hawser_net *net,
-                                    const struct hawser_net_motion_options *options,
-                                    struct hawser_report *report)
+static void slackens(struct hawser_net_motion *to, const struct run *run)
+{
+	const struct hawser__motion *motion = &run->motion;
+	const struct hawser__mesh *mesh = &run->mesh;
+	int c = mesh->cable[motion->slack_element], first = mesh->first[c];
+
+	to->least = motion->least;
+	to->least_at = motion->least_at;
+	to->slack_at = motion->slack_at;
+	to->slack_cable = c;
+	to->slack_part = (motion->slack_element - first + 0.5)/(mesh->first[c + 1] - first);
+}
+
+enum hawser_status hawser__net_integrate(struct hawser_net_motion *to, const struct hawser_net *net,
+                                         const struct hawser_net_motion_options *options,
+                                         struct hawser_report *report)
 {
 	struct run run = {.net = net, .options = options};
 	const struct hawser__motion *motion = &run.motion;
@@ -372,9 +434,12 @@ static enum hawser_status integrate(struct hawser_net_motion *to, const struct h
 			hawser__motion_save(to->state, motion, run.h);
 		else
 			status = hawser__no_memory(report, "net");
+		slackens(to, &run);
 		to->closure = motion->closure/fmax(fmax(motion->most_energy, motion->least_energy), DBL_MIN);
 		to->scheme = motion->scheme->shown.name;
 		to->error = motion->drift;
+		to->unknowns = run.mesh.unknowns;
+		memcpy(to->still, run.still, sizeof to->still);
 		to->steps = motion->steps;
 		to->iterations = motion->iterations;
 		to->splits = motion->splits;
@@ -382,61 +447,6 @@ static enum hawser_status integrate(struct hawser_net_motion *to, const struct h
 		to->switches = motion->switches;
 	}
 	clear(&run);
-	if (status)
-		hawser_net_motion_clear(to);
-	return status;
-}
-
-/* Largest distance of the probes of two motions, over the rows of both. */
-static double distance(const struct hawser_net_motion *a, const struct hawser_net_motion *b)
-{
-	int rows = a->rows < b->rows ? a->rows : b->rows;
-	double most = 0.0;
-
-	for (int i = 0; i < rows*a->probes; i++)
-		for (int k = 0; k < 3; k++)
-			most = fmax(most, fabs(a->x[i][k] - b->x[i][k]));
-	return most;
-}
-
-/* The motion again with steps twice as long: the error of order p is the difference over 2^p - 1. CVODE
- * has no steps that could be doubled: with a hundred times its tolerance, the difference is a bound. */
-static enum hawser_status check(struct hawser_net_motion *motion, const struct hawser_net *net,
-                                const struct hawser_net_motion_options *options,
-                                struct hawser_report *report)
-{
-	struct hawser_net_motion_options again = *options;
-	struct hawser_net_motion other;
-	const struct hawser__motion_scheme *scheme = NULL;
-	double factor, step = options->step != 0.0 ? options->step : net->dynamics.step;
-	int order;
-	enum hawser_status status;
-
-	for (int i = 0; !scheme || strcmp(scheme->shown.name, motion->scheme) != 0; i++)
-		scheme = hawser__motion_scheme(i);
-	order = scheme->shown.order;
-	factor = scheme->advance ? 100.0 : pow(2.0, order + 1);
-	again.tolerance = factor*(options->tolerance > 0.0 ? options->tolerance : default_tolerance);
-	again.step = step > 0.0 ? 2.0*step : -1.0;
-	again.frame = NULL;
-	status = integrate(&other, net, &again, report);
-	if (status)
-		return status;
-	motion->error = distance(motion, &other)/(scheme->advance ? 1.0 : pow(2.0, order) - 1.0);
-	motion->checked = 1;
-	motion->interrupted |= other.interrupted;
-	hawser_net_motion_clear(&other);
-	return HAWSER_OK;
-}
-
-enum hawser_status hawser_net_integrate(struct hawser_net_motion *to, const struct hawser_net *net,
-                                        const struct hawser_net_motion_options *options,
-                                        struct hawser_report *report)
-{
-	enum hawser_status status = integrate(to, net, options, report);
-
-	if (!status && options->check && !to->interrupted)
-		status = check(to, net, options, report);
 	if (status)
 		hawser_net_motion_clear(to);
 	return status;

@@ -23,6 +23,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/motion.h \
 	%D%/motion-chain.c \
 	%D%/motion-cvode.c \
+	%D%/motion-error.c \
 	%D%/motion-klu.c \
 	%D%/motion-law.c \
 	%D%/motion-ode.c \
@@ -31,14 +32,24 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/motion-state.c \
 	%D%/motion-support.c \
 	%D%/names.c \
+	%D%/plane.c \
 	%D%/net.c \
 	%D%/net.h \
+	%D%/plan.c \
+	%D%/plan.h \
+	%D%/plan-cost.c \
+	%D%/plan-mesh.c \
+	%D%/plan-words.c \
 	%D%/read.c \
 	%D%/read.h \
 	%D%/solution.c \
 	%D%/solution.h \
 	%D%/solve.h \
 	%D%/span.c \
+	%D%/span.h \
+	%D%/span-modes.c \
+	%D%/span-motion.c \
+	%D%/span-statics.c \
 	%D%/sparse.c \
 	%D%/statics.c \
 	%D%/symmetry.c \

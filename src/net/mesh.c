@@ -132,6 +132,42 @@ void hawser__mesh_hold(struct hawser__mesh *mesh, int node, const unsigned char 
 	number(mesh);
 }
 
+void hawser__mesh_along(struct hawser__mesh *mesh, unsigned along)
+{
+	for (int i = 0; i < mesh->nodes; i++)
+		for (int k = 0; k < 3; k++)
+			if (!(along & (1U << k)))
+				mesh->unknown[i][k] = -1;
+	number(mesh);
+}
+
+void hawser__mesh_flatten(struct hawser__mesh *mesh, int k, double place)
+{
+	for (int i = 0; i < mesh->nodes; i++)
+		mesh->q[i][k] = place;
+	hawser__mesh_along(mesh, 7U & ~(1U << k));
+}
+
+/* Loads and motions of supports are numbers: later steps would spread what is none. */
+static enum hawser_status numbers(const struct hawser_net *net, struct hawser_report *report)
+{
+	for (int i = 0; i < net->loads + net->motions; i++) {
+		const struct hawser_net_load *load = i < net->loads ? &net->load[i]
+		                                                    : &net->motion[i - net->loads];
+		double sum = load->value[0] + load->value[1] + load->value[2];
+
+		if (!isfinite(sum) || (load->harmonic && !isfinite(load->Omega + load->phase)))
+			return hawser__fail(report, HAWSER_ERR_NAN, "net", "%s: the %s of %s %s is not finite: "
+			                    "(%g, %g, %g), Omega %g rad/s, phase %g", net->name,
+			                    i < net->loads ? "load" : "motion", load->cable < 0 ? "node" : "cable",
+			                    load->cable < 0 ? net->node[load->node].name
+			                                    : net->cable[load->cable].name,
+			                    load->value[0], load->value[1], load->value[2], load->Omega,
+			                    load->phase);
+	}
+	return HAWSER_OK;
+}
+
 enum hawser_status hawser__mesh_build(struct hawser__mesh *mesh, const struct hawser_net *net,
                                       struct hawser_report *report)
 {
@@ -139,7 +175,9 @@ enum hawser_status hawser__mesh_build(struct hawser__mesh *mesh, const struct ha
 	int node = net->nodes;
 
 	memset(mesh, 0, sizeof *mesh);
-	status = count(mesh, net, report);
+	status = numbers(net, report);
+	if (!status)
+		status = count(mesh, net, report);
 	if (!status)
 		status = allocate(mesh, net, report);
 	if (status) {

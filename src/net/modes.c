@@ -163,8 +163,8 @@ static enum hawser_status solve(struct hawser_net_modes *modes, struct hawser__e
 	return status;
 }
 
-enum hawser_status hawser_net_modes_solve(struct hawser_net_modes *modes, const struct hawser_net *net,
-                                          int n, struct hawser_report *report)
+enum hawser_status hawser__net_modes(struct hawser_net_modes *modes, const struct hawser_net *net,
+                                     int n, unsigned axes, struct hawser_report *report)
 {
 	struct hawser__mesh mesh = {0};
 	struct hawser__equilibrium equilibrium;
@@ -173,11 +173,14 @@ enum hawser_status hawser_net_modes_solve(struct hawser_net_modes *modes, const 
 	double *T = NULL;
 	enum hawser_status status = hawser__mesh_build(&mesh, net, report);
 
-	*modes = (struct hawser_net_modes){.nodes = net->nodes, .unknowns = mesh.unknowns};
+	*modes = (struct hawser_net_modes){.nodes = net->nodes};
 	if (!status && !(T = calloc((size_t)mesh.elements + 1, sizeof *T)))
 		status = hawser__no_memory(report, "net");
 	if (!status)
 		status = hawser__mesh_form(&mesh, T, &equilibrium, net, &settings, report);
+	if (!status && axes != HAWSER__NET_SPACE)
+		hawser__mesh_along(&mesh, axes);
+	modes->unknowns = mesh.unknowns;
 	if (!status)
 		status = hawser__eigen_open(&eigen, &mesh, T, net, n, report);
 	if (!status)
@@ -188,4 +191,10 @@ enum hawser_status hawser_net_modes_solve(struct hawser_net_modes *modes, const 
 	if (status)
 		hawser_net_modes_clear(modes);
 	return status;
+}
+
+enum hawser_status hawser_net_modes_solve(struct hawser_net_modes *modes, const struct hawser_net *net,
+                                          int n, struct hawser_report *report)
+{
+	return hawser__net_modes(modes, net, n, HAWSER__NET_SPACE, report);
 }

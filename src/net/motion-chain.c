@@ -47,6 +47,23 @@ int hawser__blocks_chain(const struct hawser__blocks *blocks)
 	return !blocks->klu;
 }
 
+enum hawser_status hawser__blocks_bytes(double *bytes, int *chain, const struct hawser__mesh *mesh,
+                                        struct hawser_report *report)
+{
+	struct hawser__blocks *blocks;
+	enum hawser_status status = hawser__blocks_open(&blocks, mesh, report);
+	double nodes = mesh->nodes, elements = mesh->elements;
+
+	if (status)
+		return status;
+	*chain = hawser__blocks_chain(blocks);
+	*bytes = nodes*(16.0*sizeof *mesh->q + 8.0) + nodes*(sizeof *blocks->factor + 9.0) +
+	         elements*(sizeof(struct hawser__motion_element) + 11.0*8.0) +
+	         (blocks->klu ? hawser__klu_bytes(blocks->klu) : 0.0);
+	hawser__blocks_clear(blocks);
+	return HAWSER_OK;
+}
+
 /* Elements at each node, at most 2: touch [nodes][2]; 0 if a node has more. */
 static int neighbours(int (*touch)[2], const struct hawser__mesh *mesh)
 {

@@ -166,6 +166,7 @@ static void look(struct hawser__cvode *cvode)
 		taut = sqrt(l) > motion->mesh->length0[e];
 		motion->switches += taut != cvode->taut[e];
 		cvode->taut[e] = (unsigned char)taut;
+		hawser__motion_watch(motion, el, sqrt(l) - motion->mesh->length0[e], motion->t);
 	}
 }
 
@@ -311,7 +312,7 @@ enum hawser_status hawser__cvode_advance(struct hawser__motion *motion, double e
 	if (!motion->cvode)
 		status = open(motion, tolerance, longest, report);
 	cvode = motion->cvode;
-	while (!status && cvode->since < end) {
+	while (!status && cvode->since < end && !hawser__motion_asked(motion)) {
 		double reached = cvode->since;
 		int flag;
 

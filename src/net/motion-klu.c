@@ -6,6 +6,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -42,6 +43,15 @@ void hawser__klu_clear(struct hawser__klu *klu)
 	free(klu->diagonal);
 	free(klu->right);
 	free(klu);
+}
+
+double hawser__klu_bytes(const struct hawser__klu *klu)
+{
+	/* an index and a value for each entry; KLU's estimate of the factors is one of a symmetric
+	 * pattern */
+	double factors = fmax(klu->symbolic->lnz, 0.0) + fmax(klu->symbolic->unz, 0.0);
+
+	return 12.0*(factors + klu->p[klu->unknowns]) + (double)klu->elements*sizeof *klu->at;
 }
 
 static int compare(const void *a, const void *b)

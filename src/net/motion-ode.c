@@ -34,6 +34,33 @@ void hawser__ode_clear(struct hawser__ode *ode)
 	memset(ode, 0, sizeof *ode);
 }
 
+/* M has no inverse where a node that moves has no mass. Its place would be one of balance, about which
+ * the schemes that keep energy would vibrate from step to step for ever. */
+enum hawser_status hawser__ode_massive(const struct hawser__mesh *mesh, const struct hawser_net *net,
+                                       struct hawser_report *report)
+{
+	unsigned char *heavy = calloc((size_t)mesh->nodes, 1);
+	enum hawser_status status = heavy ? HAWSER_OK : hawser__no_memory(report, "net");
+
+	for (int e = 0; e < mesh->elements && !status; e++)
+		for (int end = 0; end < 2; end++)
+			heavy[mesh->end[e][end]] |= mesh->rho[e] > 0.0;
+	for (int c = 0; c < mesh->cables && !status; c++)
+		if (net->cable[c].elements > 1 && net->cable[c].rho == 0.0)
+			status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "a motion needs mass at each "
+			                      "node, and cable %s has inner nodes without: give it rho, or 1 "
+			                      "element",
+			                      net->cable[c].name);
+	for (int i = 0; i < net->nodes && !status; i++)
+		for (int k = 0; k < 3 && !status; k++)
+			if (mesh->unknown[i][k] >= 0 && !heavy[i] && mesh->mass[i] == 0.0)
+				status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "a motion needs mass at each "
+				                      "node that moves, and node %s has none: give it one in `masses`, "
+				                      "or rho to a cable there", net->node[i].name);
+	free(heavy);
+	return status;
+}
+
 static enum hawser_status factor(struct hawser__ode *ode, struct hawser_report *report)
 {
 	const struct hawser__motion *motion = ode->motion;

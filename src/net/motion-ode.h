@@ -14,6 +14,9 @@ struct hawser__ode {
 	double *right;                      /* [unknowns] */
 };
 
+/* HAWSER_ERR_ARGUMENT, with its name, where a node that moves has no mass. */
+enum hawser_status hawser__ode_massive(const struct hawser__mesh *mesh, const struct hawser_net *net,
+                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 /* Fails where a node has no mass: M has no inverse then. */
 enum hawser_status hawser__ode_open(struct hawser__ode *ode, struct hawser__motion *motion,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;

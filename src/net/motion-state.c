@@ -83,6 +83,17 @@ void hawser__motion_restore(struct hawser__motion *motion, double *h, const doub
 	for (int i = 0; i < motion->nodes; i++)
 		for (int p = 0; p < PARTS; p++, state += 3)
 			memcpy(part[p][i], state, sizeof *part[p]);
+	motion->least = INFINITY; /* of what follows */
+	motion->slack_at = NAN;
+}
+
+int hawser__motion_moves(const double *state, int nodes, int k)
+{
+	for (int i = 0; i < nodes; i++)
+		for (int p = 1; p < 4; p++) /* u, v and a */
+			if (state[HEAD + 3*(PARTS*i + p) + k] != 0.0)
+				return 1;
+	return 0;
 }
 
 /* Place of the reference of a node in a state. */

@@ -71,6 +71,9 @@ enum hawser_status hawser__blocks_solve(double (*r)[3], int *good, struct hawser
                                         const double (*mass)[2] /* [elements] near, far */,
                                         const double *point /* [nodes] */,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Memory for the motion of a mesh: states, elements, factors; *chain as the next function. */
+enum hawser_status hawser__blocks_bytes(double *bytes, int *chain, const struct hawser__mesh *mesh,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 /* 1 if this is the elimination along chains. */
 int hawser__blocks_chain(const struct hawser__blocks *blocks);
 
@@ -79,6 +82,7 @@ struct hawser__klu;
 enum hawser_status hawser__klu_open(struct hawser__klu **klu, const struct hawser__mesh *mesh,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__klu_clear(struct hawser__klu *klu);
+double hawser__klu_bytes(const struct hawser__klu *klu); /* with the factors to come, about */
 enum hawser_status hawser__klu_solve(double (*r)[3], int *good, struct hawser__klu *klu,
                                      const double (*B)[9] /* [elements] */,
                                      const double (*mass)[2] /* [elements] near, far */,
@@ -96,6 +100,13 @@ enum hawser_status hawser__support_read(struct hawser__support_table *table, con
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__support_at(double x[3], double v[3], const struct hawser__support_table *table, double t);
 void hawser__support_clear(struct hawser__support_table *table);
+
+/* plane.c: 1 if nothing moves the net along axis k, which all its supports hold at *place (m). */
+int hawser__net_still(double *place, const struct hawser_net *net, int k,
+                      const struct hawser__support_table *table /* [tables] */, int tables);
+/* 1 if supports, loads and motions are in one vertical plane, whose unit normal is `normal`; 2 if
+ * they are on a vertical line; 0 else, and where tables move supports. */
+int hawser__net_plane(double normal[3], const struct hawser_net *net);
 
 struct hawser__motion {
 	struct hawser__mesh *mesh;
@@ -129,7 +140,16 @@ struct hawser__motion {
 	double least_energy;         /* J, below which it is round-off */
 	double closure;              /* J, largest error of the ledger */
 	double error;                /* m, local error of the last step that was tried */
+	/* Asked after each step: not 0 ends hawser__motion_adapt and a scheme's own steps. May be NULL. */
+	int (*stop)(void *data);
+	void *data;
+	int stopped;
+	int singular;                /* of the last step: 1, its first equations had no solution */
+	int undefined;               /* 1: its first residual is not a number */
 	double drift;                /* m, sum of the local errors of all steps */
+	double least, least_at;      /* N, s: least tension of an element so far */
+	double slack_at;             /* s: when an element first had none; NAN: never */
+	int slack_element;           /* that element */
 	long steps, iterations, splits, rejected, switches; /* switches: slack to taut and back */
 };
 
@@ -147,6 +167,8 @@ int hawser__motion_states(const struct hawser__motion *motion);
 void hawser__motion_save(double *state /* [states] */, const struct hawser__motion *motion, double h);
 void hawser__motion_restore(struct hawser__motion *motion, double *h,
                             const double *state /* [states] */);
+/* 1 if a state moves along axis k. */
+int hawser__motion_moves(const double *state /* [states] */, int nodes, int k);
 const double *hawser__motion_place(const double *state /* [states] */, int node);
 enum hawser_status hawser__motion_read(double **state /* [states] */, const char *path,
                                        const struct hawser__mesh *mesh, struct hawser_report *report)
@@ -156,9 +178,14 @@ int hawser__motion_tensions(double *T, const struct hawser__motion *motion);
 /* After a change of u, v or t by the caller: energies and accelerations anew. */
 enum hawser_status hawser__motion_begin(struct hawser__motion *motion, struct hawser_report *report)
 	HAWSER_MUST_CHECK;
+/* Note the least tension and the first slack element: the stretch p of an element at time t. */
+void hawser__motion_watch(struct hawser__motion *motion, const struct hawser__motion_element *el,
+                          double p, double t);
 /* One step of length h; it is split where Newton's method fails. */
 enum hawser_status hawser__motion_step(struct hawser__motion *motion, double h,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Whether the caller's `stop` ends the run. */
+int hawser__motion_asked(struct hawser__motion *motion);
 /* Steps to time `end`, their lengths from *h on chosen so that the local error of a position is
  * at most `tolerance` (m); *h is the next one. */
 enum hawser_status hawser__motion_adapt(struct hawser__motion *motion, double *h, double end,
@@ -178,6 +205,13 @@ void hawser__motion_balance(struct hawser__motion *motion);
 /* The ledger after a step from (u0, v0) to (u, v). */
 void hawser__motion_account(struct hawser__motion *motion, const struct hawser__motion_rule *rule,
                             double h);
+/* integrate.c: hawser_net_integrate without the error by another run; the default of its tolerance. */
+enum hawser_status hawser__net_integrate(struct hawser_net_motion *motion,
+                                         const struct hawser_net *net,
+                                         const struct hawser_net_motion_options *options,
+                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+extern const double hawser__motion_tolerance;
+
 /* motion-cvode.c */
 struct hawser__cvode;
 enum hawser_status hawser__cvode_advance(struct hawser__motion *motion, double end, double tolerance,

@@ -12,7 +12,7 @@
 #ifndef HAWSER_NET_NET_H
 #define HAWSER_NET_NET_H
 
-#include <hawser/net.h>
+#include <hawser/net_modes.h>
 
 struct hawser__mesh {
 	int nodes, elements, cables, unknowns;
@@ -50,6 +50,10 @@ enum hawser_status hawser__mesh_build(struct hawser__mesh *mesh, const struct ha
 void hawser__mesh_load(struct hawser__mesh *mesh, const struct hawser_net *net);
 /* Hold or release the directions of a node: counts the unknowns anew. */
 void hawser__mesh_hold(struct hawser__mesh *mesh, int node, const unsigned char held[3]);
+/* Hold all nodes in the directions that are not in `along` (bit k: direction k). */
+void hawser__mesh_along(struct hawser__mesh *mesh, unsigned along);
+/* Hold all nodes along axis k, at one place (m). */
+void hawser__mesh_flatten(struct hawser__mesh *mesh, int k, double place);
 void hawser__mesh_clear(struct hawser__mesh *mesh);
 
 /* Pi(q) at mesh->q. */
@@ -86,6 +90,8 @@ enum hawser_status hawser__sparse_open_indefinite(struct hawser__sparse **sparse
 /* Factor, and count the negative eigenvalues; *done 0: a pivot is zero. */
 enum hawser_status hawser__sparse_inertia(int *negative, int *done, struct hawser__sparse *sparse,
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Memory of matrix and factors, bytes. */
+double hawser__sparse_bytes(const struct hawser__sparse *sparse);
 /* Solve for a right side [unknowns], in place. */
 enum hawser_status hawser__sparse_solve(double *x, struct hawser__sparse *sparse,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
@@ -94,6 +100,13 @@ enum hawser_status hawser__sparse_solve(double *x, struct hawser__sparse *sparse
  * *lost is its first node, -1 if there is none; part [nodes] gets the first node of each part. */
 enum hawser_status hawser__mesh_loose(int *lost, int *direction, const struct hawser__mesh *mesh,
                                       int *part, struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* hawser_net_modes_solve for motions in the directions `axes` only (bit k: direction k), as modes of
+ * one plane of a net that is plane. */
+enum { HAWSER__NET_SPACE = 7 };
+enum hawser_status hawser__net_modes(struct hawser_net_modes *modes, const struct hawser_net *net,
+                                     int n, unsigned axes, struct hawser_report *report)
+	HAWSER_MUST_CHECK;
 
 /* What statics found. */
 struct hawser__equilibrium {

@@ -143,6 +143,7 @@ static enum hawser_status cable_of(struct hawser__reader *reader, struct hawser_
 	snprintf(what, sizeof what, "cables.%s.elements", cable->name);
 	if (!status)
 		status = count_of(reader, &cable->elements, hawser__tree_find(tree, "elements"), what);
+	cable->elements_given = hawser__tree_find(tree, "elements") != NULL;
 	return status ? status : given(reader, cable, tree);
 }
 
@@ -322,6 +323,7 @@ static enum hawser_status interpret(struct hawser__reader *reader, struct hawser
 	kind = hawser__tree_find(root, "kind");
 	if (kind && (!kind->text || strcmp(kind->text, "net") != 0))
 		return hawser__reader_fail(reader, &kind->at, "kind must be net");
+	net->g_given = hawser__tree_find(root, "g") != NULL;
 	status = optional(reader, &net->g, root, "g", "m/s^2", HAWSER__TREE_NOT_NEGATIVE);
 	for (size_t i = 0; i < sizeof part/sizeof *part && !status; i++) {
 		const struct hawser__tree *tree = hawser__tree_find(root, part[i].name);

@@ -15,13 +15,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include <hawser/net_span.h>
-
 #include "core/report.h"
+#include "net/span.h"
 #include "statics/frame.h"
 #include "statics/load.h"
 
-enum { ELEMENTS = 100, MOST = 1000000 };
+enum { ELEMENTS = 120, MOST = 1000000 };
 static const char where[] = "net";
 
 void hawser_net_span_settle(struct hawser_net_span_options *options)
@@ -115,9 +114,9 @@ static enum hawser_status check(const struct hawser_scene *scene,
                                 const struct hawser_net_span_options *options,
                                 struct hawser_report *report)
 {
-	if (options->elements < 1 || options->elements > MOST)
+	if (options->elements < 2 || options->elements > MOST)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
-		                    "the number of elements of the cable is 1 to %d, not %d", MOST,
+		                    "the number of elements of the cable is 2 to %d, not %d", MOST,
 		                    options->elements);
 	if (!options->still && (hawser__loaded(scene) || moves(scene)) &&
 	    !(options->Omega > 0.0 && isfinite(options->Omega)))
@@ -138,7 +137,7 @@ static enum hawser_status allocate(struct hawser_net *net, const struct hawser_s
 	net->name = strdup(scene->name);
 	net->node = calloc(pieces + 1, sizeof *net->node);
 	net->cable = calloc(pieces, sizeof *net->cable);
-	net->load = calloc(pieces*(2 + (size_t)harmonics), sizeof *net->load);
+	net->load = calloc(pieces*(HAWSER__SPAN_LOADS + (size_t)harmonics), sizeof *net->load);
 	net->motion = calloc(2, sizeof *net->motion);
 	return net->name && net->node && net->cable && net->load && net->motion
 		? HAWSER_OK : hawser__no_memory(report, where);

@@ -214,6 +214,14 @@ enum hawser_status hawser__sparse_open_indefinite(struct hawser__sparse **made,
 	return open_with(made, mesh, 1, report);
 }
 
+double hawser__sparse_bytes(const struct hawser__sparse *sparse)
+{
+	double elements = sparse->matrix ? (double)sparse->matrix->nzmax : 0.0;
+
+	/* the list of entries of the pattern lives beside the matrix for a while */
+	return (double)sparse->common.memory_usage + 8.0*elements;
+}
+
 void hawser__sparse_zero(struct hawser__sparse *sparse)
 {
 	const int *p = sparse->matrix->p;

@@ -52,6 +52,8 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/plot_irvine.c \
 	%D%/plot_map.c \
 	%D%/plot_modes.c \
+	%D%/plot_motions.c \
+	%D%/plot_motions.h \
 	%D%/plot_precision.c \
 	%D%/plot_speeds.c \
 	%D%/plot_statics.c \

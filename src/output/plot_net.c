@@ -9,7 +9,7 @@
 #include "output/style.h"
 
 #define WIDTH 16.0 /* cm */
-#define HEIGHT 9.5
+#define HEIGHT 9.5 /* cm */
 enum { NAMED = 30, FEW = 300 }; /* most nodes whose names are shown; that are drawn large */
 
 static struct hawser__eye eye_of(const struct hawser_net_statics *st)

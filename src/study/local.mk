@@ -34,6 +34,7 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/scales.c \
 	%D%/scales.h \
 	%D%/sharpen.c \
+	%D%/span_motion.c \
 	%D%/sizes.c \
 	%D%/stencil.c \
 	%D%/stencil.h \

@@ -35,6 +35,7 @@
 #include <hawser/net_equilibria.h>
 #include <hawser/net_modes.h>
 #include <hawser/net_motion.h>
+#include <hawser/net_plan.h>
 #include <hawser/net_span.h>
 #include <hawser/normal_form.h>
 #include <hawser/orbit.h>
@@ -45,6 +46,7 @@
 #include <hawser/rom.h>
 #include <hawser/scales.h>
 #include <hawser/scene.h>
+#include <hawser/span_motion.h>
 #include <hawser/statics.h>
 #include <hawser/status.h>
 #include <hawser/study.h>
@@ -203,8 +205,12 @@ static const struct row {
 	ROW(hawser_modulation),
 	ROW(hawser_monomial),
 	ROW(hawser_motion),
+	ROW(hawser_motions),
+	ROW(hawser_motions_options),
+	ROW(hawser_motions_run),
 	ROW(hawser_net),
 	ROW(hawser_net_cable),
+	ROW(hawser_net_decision),
 	ROW(hawser_net_dynamics),
 	ROW(hawser_net_load),
 	ROW(hawser_net_member),
@@ -220,9 +226,17 @@ static const struct row {
 	ROW(hawser_net_modes),
 	ROW(hawser_net_motion),
 	ROW(hawser_net_motion_options),
+	ROW(hawser_net_plan),
+	ROW(hawser_net_plan_cable),
+	ROW(hawser_net_plan_job),
+	ROW(hawser_net_plan_options),
 	ROW(hawser_net_probe),
 	ROW(hawser_net_scheme),
+	ROW(hawser_net_span_error),
+	ROW(hawser_net_span_motion),
+	ROW(hawser_net_span_motion_options),
 	ROW(hawser_net_span_options),
+	ROW(hawser_net_span_statics),
 	ROW(hawser_net_statics),
 	ROW(hawser_net_symmetry),
 	ROW(hawser_orbit_cost),

@@ -57,14 +57,6 @@ static const double largest_ratio = 30.0;
  * 20000 points instead of 650). Its cost without events is then stated as a lower bound. */
 enum { many_events = 6 };
 
-double hawser__processor_seconds(void)
-{
-	struct timespec now;
-
-	clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-	return (double)now.tv_sec + 1e-9*(double)now.tv_nsec;
-}
-
 void hawser__trial_begin(struct hawser__trial *trial, struct hawser__allowance *allowance,
                          const struct hawser_frf_options *options, double expected)
 {

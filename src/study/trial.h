@@ -5,6 +5,8 @@
 
 #include <hawser/frf.h>
 
+#include "core/progress.h"
+
 /* The processor time, in s, that the trials of a plan may take. */
 struct hawser__allowance {
 	double left;  /* remaining time for the remaining rows, independent of their estimates */
@@ -44,8 +46,6 @@ struct hawser__cost {
 	int slack;      /* number of points of `traced` with negative tension */
 	int traced;
 };
-
-double hawser__processor_seconds(void);
 
 /* Begin the trial of a row. */
 void hawser__trial_begin(struct hawser__trial *trial, struct hawser__allowance *allowance,

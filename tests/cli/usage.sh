@@ -69,7 +69,7 @@ refuses 1 "compare modes needs a SCENE (hawser compare modes --help)" compare mo
 refuses 1 "--method spectra: there is no such method (hawser modes --list-methods)" \
 	compare modes "$chairlift" --method spectra
 refuses 1 "--view side: must be one of components, profile, waves" modes "$chairlift" --view side
-refuses 1 "--model parabole: must be one of catenary, inextensible, parabola" \
+refuses 1 "--model parabole: must be one of catenary, inextensible, parabola, fe" \
 	statics "$chairlift" --model parabole
 refuses 1 "--models and --compatibility are different tables: choose one" \
 	statics "$chairlift" --models --compatibility

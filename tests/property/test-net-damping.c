@@ -3,7 +3,8 @@
  * doc/theory-net-motion.md.
  *
  * The vibration is the first transverse mode of a taut string without weight, mean mass matrix: omega
- * is exact. With z the factor of a step, the damping ratio is -ln|z|/|ln z| and the frequency |arg z|/h.
+ * is exact. With z the factor of a step, the damping ratio is -ln|z|/|ln z| and the frequency
+ * |arg z|/h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

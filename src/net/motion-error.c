@@ -1,0 +1,63 @@
+/* net/motion-error.c - hawser_net_integrate: a motion and, if asked for, its error by another run.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "net/motion.h"
+
+/* Largest distance of the probes of two motions, over the rows of both. */
+static double distance(const struct hawser_net_motion *a, const struct hawser_net_motion *b)
+{
+	int rows = a->rows < b->rows ? a->rows : b->rows;
+	double most = 0.0;
+
+	for (int i = 0; i < rows*a->probes; i++)
+		for (int k = 0; k < 3; k++)
+			most = fmax(most, fabs(a->x[i][k] - b->x[i][k]));
+	return most;
+}
+
+/* The motion again with steps twice as long: the error of order p is the difference over 2^p - 1. CVODE
+ * has no steps that could be doubled: with a hundred times its tolerance, the difference is a bound. */
+static enum hawser_status check(struct hawser_net_motion *motion, const struct hawser_net *net,
+                                const struct hawser_net_motion_options *options,
+                                struct hawser_report *report)
+{
+	struct hawser_net_motion_options again = *options;
+	struct hawser_net_motion other;
+	const struct hawser__motion_scheme *scheme = NULL;
+	double factor, step = options->step != 0.0 ? options->step : net->dynamics.step;
+	int order;
+	enum hawser_status status;
+
+	for (int i = 0; !scheme || strcmp(scheme->shown.name, motion->scheme) != 0; i++)
+		scheme = hawser__motion_scheme(i);
+	order = scheme->shown.order;
+	factor = scheme->advance ? 100.0 : pow(2.0, order + 1);
+	again.tolerance = factor*(options->tolerance > 0.0 ? options->tolerance : hawser__motion_tolerance);
+	again.step = step > 0.0 ? 2.0*step : -1.0;
+	again.frame = NULL;
+	status = hawser__net_integrate(&other, net, &again, report);
+	if (status)
+		return status;
+	motion->error = distance(motion, &other)/(scheme->advance ? 1.0 : pow(2.0, order) - 1.0);
+	motion->checked = 1;
+	motion->interrupted |= other.interrupted;
+	hawser_net_motion_clear(&other);
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser_net_integrate(struct hawser_net_motion *to, const struct hawser_net *net,
+                                        const struct hawser_net_motion_options *options,
+                                        struct hawser_report *report)
+{
+	enum hawser_status status = hawser__net_integrate(to, net, options, report);
+
+	if (!status && options->check && !to->interrupted)
+		status = check(to, net, options, report);
+	if (status)
+		hawser_net_motion_clear(to);
+	return status;
+}
