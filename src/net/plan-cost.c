@@ -251,15 +251,12 @@ enum hawser_status hawser__plan_motion(struct hawser__net_planner *planner,
 	struct hawser_net_plan_job *job = &plan->job[2];
 	struct trial trial = {.start = hawser__processor_seconds(), .limit = planner->options.seconds};
 	struct hawser_net_motion_options options = planner->options.motion;
-	double held = 0.0;
 	int chain = 0;
 	enum hawser_status status;
 
 	*job = none("integrate", "", "nothing sets the net in motion: no harmonic load, moving support, "
 	            "release or first state; it stays in equilibrium");
 	solver(planner);
-	for (int k = 0; k < 3; k++)
-		held += planner->still[k];
 	job->unknowns = plan->unknowns;
 	if (plan->job[0].basis == HAWSER_NET_BASIS_NONE) {
 		snprintf(job->why, sizeof job->why, "there is no equilibrium to begin from");
