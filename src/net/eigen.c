@@ -152,8 +152,9 @@ static enum hawser_status look(struct hawser__eigen *eigen, const struct hawser_
 			return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "net", "%s: cable %s has an element "
 			                    "that is neither slack nor taut in the equilibrium (strain %.1e), so "
 			                    "that its stiffness differs between both directions: there are no "
-			                    "linear modes; change its length0", net->name,
-			                    net->cable[mesh->cable[e]].name, strain);
+			                    "linear modes; change its length0, or its EA, which is %.1e times its "
+			                    "tension", net->name, net->cable[mesh->cable[e]].name, strain,
+			                    mesh->EA[e]/fmax(fabs(eigen->T[e]), 1e-300));
 		eigen->slack += eigen->T[e] <= 0.0;
 	}
 	return HAWSER_OK;

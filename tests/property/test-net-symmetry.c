@@ -11,6 +11,7 @@
 
 #include <hawser/net_modes.h>
 
+#include "tests/net-random.h"
 #include "tests/tap.h"
 
 enum { NODES = 64, CABLES = 128, MODES = 12 };
@@ -276,6 +277,83 @@ static void chiral(void)
 	hawser_net_modes_clear(&modes);
 }
 
+static uint64_t state = 2385;
+
+/* A node at the place (across, up, along) of a vertical plane at that azimuth, whose normal is `across`. */
+static int at_plane(struct scene *s, double azimuth, double across, double up, double along, int held)
+{
+	return node(s, 7.0 + across*cos(azimuth) - along*sin(azimuth), up,
+	            3.0 - across*sin(azimuth) - along*cos(azimuth), held);
+}
+
+/* A random net and its image, tied together; `flat` 1: a random net within the plane instead. */
+static void random_scene(struct scene *s, double azimuth, int flat)
+{
+	enum { SUPPORTS = 3, HALF = 7 };
+	int at[2][HALF];
+
+	begin(s);
+	for (int i = 0; i < HALF; i++) {
+		double across = flat ? 0.0 : 2.0 + 8.0*uniform(&state), up = 10.0*uniform(&state);
+		double along = 20.0*uniform(&state) - 10.0;
+
+		for (int side = 0; side < 2 - flat; side++)
+			at[side][i] = at_plane(s, azimuth, side ? -across : across, up, along, i < SUPPORTS);
+	}
+	for (int i = SUPPORTS; i < HALF; i++) {
+		int a = i % SUPPORTS, b = (int)(i*uniform(&state)); /* of one support alone all would hang in a line */
+
+		for (int side = 0; side < 2 - flat; side++) {
+			cable(s, at[side][i], at[side][a], -0.03, 4);
+			if (b != a)
+				cable(s, side ? at[side][b] : at[side][i], side ? at[side][i] : at[side][b], -0.05, 3);
+		}
+		if (!flat)
+			cable(s, at[0][i], at[1][i], -0.04, 3 + i % 2);
+	}
+}
+
+/* 1 if all labels are as they should be: the plane of a flat net, or one mirror plane. */
+static int planes(const struct hawser_net_modes *modes, double azimuth, int flat)
+{
+	const struct hawser_net_symmetry *found = &modes->symmetry;
+	const double *normal = flat ? found->plane.normal : found->mirror[0].normal;
+	int good = found->flat == flat && found->mirrors == !flat && found->turns == 1 &&
+	           fabs(fabs(normal[0]*cos(azimuth) - normal[2]*sin(azimuth)) - 1.0) < 1e-9;
+
+	for (int j = 0; j < modes->n; j++)
+		good &= fabs(fabs(modes->parity[j][!flat]) - 1.0) < 1e-6;
+	return good;
+}
+
+static void random_planes(int count)
+{
+	int good = 0, none = 0, solved = 0;
+
+	for (int i = 0; i < count; i++) {
+		double azimuth = 2.0*M_PI*uniform(&state);
+		struct hawser_net_modes modes;
+		struct scene s;
+
+		random_scene(&s, azimuth, i % 2);
+		if (!hawser_net_modes_solve(&modes, &s.net, 8, &report)) {
+			solved++;
+			good += planes(&modes, azimuth, i % 2);
+			hawser_net_modes_clear(&modes);
+		}
+		s.net.loads = 1;
+		s.load[0] = (struct hawser_net_load){.node = s.net.nodes - 1, .cable = -1,
+		                                     .value = {30.0*cos(azimuth), 0.0, -30.0*sin(azimuth)}};
+		if (!hawser_net_modes_solve(&modes, &s.net, 8, &report)) {
+			none += modes.symmetry.mirrors == 0 && !modes.symmetry.flat;
+			hawser_net_modes_clear(&modes);
+		}
+	}
+	ok(good == count && solved == count, "random nets, plane or mirrored in a random vertical plane: "
+	   "found in %d of %d", good, count);
+	ok(none == count, "with a force across it: none in %d", none);
+}
+
 /* A joint that may slide horizontally only; and one that may slide along x, which breaks the symmetry
  * of a net that is turned. */
 static void held(void)
@@ -315,5 +393,6 @@ int main(void)
 	broken();
 	chiral();
 	held();
+	random_planes(getenv("HAWSER_LONG") ? 2000 : 12);
 	return done_testing();
 }
