@@ -101,6 +101,11 @@ BENCHES += %D%/net-motion
 %C%_net_motion_SOURCES = %D%/net-motion.c
 %C%_net_motion_LDADD = $(UPTO_NET)
 
+# modes of nets: times over size, bounds, counts
+BENCHES += %D%/net-modes
+%C%_net_modes_SOURCES = %D%/net-modes.c
+%C%_net_modes_LDADD = $(UPTO_NET)
+
 # statics of nets: times and memory over size; and random nets, of which none may fail
 BENCHES += %D%/net-statics
 %C%_net_statics_SOURCES = %D%/net-statics.c

@@ -287,10 +287,10 @@ static enum hawser_status certify(struct basis *basis, struct hawser_report *rep
 	for (int round = 0; round < ROUNDS && !status; round++) {
 		basis->eigen->found = found;
 		basis->eigen->shift = 0.0;
-		if (basis->done == basis->eigen->massive)
+		if (found == basis->eigen->massive)
 			return HAWSER_OK;
 		status = count(&below, basis, found, report);
-		if (!status && below == 0) {
+		if (!status && (below == 0 || (below > found && basis->done == basis->eigen->massive))) {
 			basis->eigen->shift = -1.0;
 			return HAWSER_OK;
 		}

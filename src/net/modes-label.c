@@ -5,9 +5,11 @@
  *        turn by 2*pi/n, p = cos(2*pi*waves/n)
  *
  * Any vectors that span the modes of one frequency are such modes. P takes them to each other, and the
- * planes are at right angles, so that their maps commute: the eigenvectors of 8*p(plane) +
- * 4*p(mirror 1) + 2*p(mirror 2) + p(mirror 3) are symmetric or antisymmetric to each. A trace of K
- * is added, so that frequencies that are not quite equal stay apart where the planes do not decide.
+ * planes are at right angles, so that their maps commute, also with the sum of a turn and its
+ * opposite: the eigenvectors of 8*p(plane) + 4*p(mirror 1) + 2*p(mirror 2) + p(mirror 3) +
+ * (p(turn) + p(turn)')/4 are symmetric or antisymmetric to each plane and have one number of waves. A
+ * trace of K is added, so that frequencies that are not quite equal stay apart where nothing else
+ * decides.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -76,7 +78,7 @@ static const struct hawser__net_map *plane_of(const struct hawser__net_maps *map
 	return map->partner ? map : NULL;
 }
 
-/* Eigenvectors of the sum of all planes, the largest first, in place of the modes. */
+/* Eigenvectors of that sum, the largest eigenvalue first, in place of the modes. */
 static enum hawser_status turn(struct hawser__eigen *eigen, const struct hawser__net_maps *maps,
                                int first, int count, double *work, struct hawser_report *report)
 {
@@ -93,6 +95,11 @@ static enum hawser_status turn(struct hawser__eigen *eigen, const struct hawser_
 			continue;
 		project(p, eigen, plane_of(maps, k), first, count, work);
 		cblas_daxpy(count*count, ldexp(1.0, 3 - k), p, 1, sum, 1);
+	}
+	if (maps->turn.partner) {
+		project(p, eigen, &maps->turn, first, count, work);
+		for (int i = 0; i < count*count; i++)
+			sum[i] += 0.25*(p[i] + p[i % count*count + i/count]);
 	}
 	for (int i = 0; i < count; i++)
 		sum[i*(count + 1)] -= trace*(omega2[i]/omega2[0] - 1.0)/loosest;
@@ -153,24 +160,26 @@ static int waves_of(double p, int turns)
 	return fabs(p - cos(2.0*M_PI*waves/turns)) <= same_turn ? waves : -1;
 }
 
-/* Partners of equal frequency: with turns, of the same number of waves; else two modes alone. */
+/* Whether modes j and k, of a frequency that `count` modes share, are partners: with turns, modes
+ * of the same number of waves, which must be neither 0 nor turns/2; else two modes alone. */
+static int are_partners(const int *waves, int j, int k, int count, int turns)
+{
+	if (waves[j] < 0)
+		return count == 2;
+	return waves[j] == waves[k] && waves[j] > 0 && 2*waves[j] < turns;
+}
+
 static void pairs(struct hawser_net_modes *modes, const int *waves, int first, int count)
 {
-	for (int j = first; j < first + count; j++) {
-		int turns = modes->symmetry.turns, found = -1;
-
-		if (modes->pair[j < modes->n ? j : 0] >= 0 && j < modes->n)
-			continue;
-		for (int k = j + 1; k < first + count && found < 0 && j < modes->n; k++)
-			if (waves[j] >= 0 ? waves[j] == waves[k] && waves[j] > 0 && 2*waves[j] < turns &&
-			                    (k >= modes->n || modes->pair[k] < 0) : count == 2)
-				found = k;
-		if (found < 0)
-			continue;
-		modes->pair[j] = found;
-		if (found < modes->n)
-			modes->pair[found] = j;
-	}
+	for (int j = first; j < first + count && j < modes->n; j++)
+		for (int k = j + 1; k < first + count && modes->pair[j] < 0; k++) {
+			if (!are_partners(waves, j, k, count, modes->symmetry.turns) ||
+			    (k < modes->n && modes->pair[k] >= 0))
+				continue;
+			modes->pair[j] = k;
+			if (k < modes->n)
+				modes->pair[k] = j;
+		}
 }
 
 static enum hawser_status choose(struct hawser__eigen *eigen, const struct hawser__net_maps *maps,
@@ -182,7 +191,7 @@ static enum hawser_status choose(struct hawser__eigen *eigen, const struct hawse
 
 	for (int first = 0, count; first < eigen->found && !status; first += count) {
 		count = shared(eigen, first, tolerance);
-		if (count == 1 || (maps->found.mirrors == 0 && !maps->found.flat))
+		if (count == 1 || (maps->found.mirrors == 0 && !maps->found.flat && !maps->turn.partner))
 			continue;
 		status = turn(eigen, maps, first, count, work, report);
 		if (!status)

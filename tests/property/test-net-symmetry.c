@@ -279,7 +279,7 @@ static void chiral(void)
 
 static uint64_t state = 2385;
 
-/* A node at the place (across, up, along) of a vertical plane at that azimuth, whose normal is `across`. */
+/* A node (across, up, along) of a vertical plane at that azimuth, whose normal is `across`. */
 static int at_plane(struct scene *s, double azimuth, double across, double up, double along, int held)
 {
 	return node(s, 7.0 + across*cos(azimuth) - along*sin(azimuth), up,
@@ -301,7 +301,8 @@ static void random_scene(struct scene *s, double azimuth, int flat)
 			at[side][i] = at_plane(s, azimuth, side ? -across : across, up, along, i < SUPPORTS);
 	}
 	for (int i = SUPPORTS; i < HALF; i++) {
-		int a = i % SUPPORTS, b = (int)(i*uniform(&state)); /* of one support alone all would hang in a line */
+		/* all supports take part: under one alone a net hangs in a line */
+		int a = i % SUPPORTS, b = (int)(i*uniform(&state));
 
 		for (int side = 0; side < 2 - flat; side++) {
 			cable(s, at[side][i], at[side][a], -0.03, 4);
