@@ -43,3 +43,9 @@ tests_property_test_net_eigen_SOURCES = tests/property/test-net-eigen.c
 tests_property_test_net_eigen_LDADD = $(UPTO_NET)
 tests_property_test_net_span_modes_SOURCES = tests/property/test-net-span-modes.c
 tests_property_test_net_span_modes_LDADD = $(UPTO_NET)
+
+NET_METHODS_TESTS = tests/property/test-net-methods
+check_PROGRAMS += $(NET_METHODS_TESTS)
+TESTS += $(NET_METHODS_TESTS)
+tests_property_test_net_methods_SOURCES = tests/property/test-net-methods.c
+tests_property_test_net_methods_LDADD = $(UPTO_NET)

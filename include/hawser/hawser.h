@@ -17,6 +17,7 @@
 #include <hawser/beam_motion.h>
 #include <hawser/campbell.h>
 #include <hawser/net.h>
+#include <hawser/net_comparison.h>
 #include <hawser/net_equilibria.h>
 #include <hawser/net_modes.h>
 #include <hawser/net_motion.h>

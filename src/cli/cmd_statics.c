@@ -492,6 +492,6 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 }
 
 const struct cli_command cli_statics = {
-	"statics", "SCENE", "Static shape and tensions of a span, a net or a ropeway", NULL, options,
-	&defaults, sizeof(struct settings), 1, run, cli_statics_listing,
+	"statics", "SCENE", "Static shape and tensions of a span, a net or a ropeway", cli_statics_notes,
+	options, &defaults, sizeof(struct settings), 1, run, cli_statics_listing,
 };

@@ -7,6 +7,12 @@
 #include "cli/statics_net.h"
 #include "core/report.h"
 
+const char *const cli_statics_notes[] = {
+	"Methods for nets: automatic, interior-point, mixed, forces, catenary; for comparison two-sided,",
+	"regularised, descent and relaxation, which may end with compressed elements or not at all.",
+	NULL,
+};
+
 static const char *net_option(const struct cli_statics_kinds *kinds)
 {
 	return kinds->method ? "method" : kinds->equilibria ? "equilibria" : NULL;

@@ -14,9 +14,11 @@ struct cli_statics_kinds {
 	const char *load_case, *sliding;  /* ropeways */
 	int spans, worst, phases, tolerate; /* ropeways */
 };
+/* Lines of the command's --help. */
+extern const char *const cli_statics_notes[];
 /* Their rows in the command's table; its `struct settings` has them as the member `kinds`. */
 #define CLI_STATICS_KINDS_OPTIONS \
-	{"method", 0, "NAME", "nets: automatic, interior-point, mixed, forces or catenary (automatic)", \
+	{"method", 0, "NAME", "nets: how to find the equilibrium (automatic)", \
 	 CLI_TEXT(kinds.method)}, \
 	{"profile", 0, "", "nets and ropeways: table of points along the cables", \
 	 CLI_FLAG(kinds.profile)}, \

@@ -18,7 +18,20 @@ struct result {
 	int profile;
 	struct hawser_net net;
 	struct hawser_net_statics st;
+	char warning[CLI_WARNING_SIZE]; /* "": none */
 };
+
+/* A method with the law of bars has found compressed elements. */
+static void warn(struct result *result)
+{
+	int elements = result->st.points - result->st.cables, count = result->st.compressed;
+
+	if (count > 0)
+		snprintf(result->warning, sizeof result->warning,
+		         "%d of %d elements %s compressed: the method %s has found an equilibrium of bars, "
+		         "not of cables, and there is no certificate; --method automatic finds that of the "
+		         "cables", count, elements, count == 1 ? "is" : "are", result->st.method);
+}
 
 static void member_row(struct hawser__table *row, const void *of, size_t c)
 {
@@ -71,11 +84,17 @@ static void comments(struct hawser__table *table, const struct result *result)
 
 	hawser__table_comment(table, "%d nodes, %d cables, %d unknowns; %d iterations", st->nodes,
 	                      st->cables, st->unknowns, st->iterations);
-	hawser__table_comment(table, "energy = %.12g J, at most %.1e J above the least one", st->energy,
-	                      st->gap);
+	if (st->compressed > 0)
+		hawser__table_comment(table, "energy of bars = %.12g J", st->energy);
+	else
+		hawser__table_comment(table, "energy = %.12g J, at most %.1e J above the least one", st->energy,
+		                      st->gap);
 	hawser__table_comment(table, "forces balance to %.1e N; round-off allows %.1e N", st->residual,
 	                      st->floor);
-	slack_comment(table, result);
+	if (st->compressed > 0)
+		hawser__table_comment(table, "%s", result->warning);
+	else
+		slack_comment(table, result);
 	for (int i = 0; i < st->nodes; i++) {
 		const struct hawser_net_node *node = &result->net.node[i];
 		const double *x = st->x[i], *f = st->reaction[i];
@@ -162,13 +181,18 @@ static void json(struct hawser__json *json, const void *of)
 		if (result->net.node[i].support)
 			hawser__json_numbers(json, into, result->net.node[i].name, st->reaction[i], 3, 1.0);
 	hawser__json_number(json, json->root, "energy", st->energy);
-	hawser__json_number(json, json->root, "gap", st->gap);
+	if (st->compressed > 0)
+		hawser__json_null(json, json->root, "gap");
+	else
+		hawser__json_number(json, json->root, "gap", st->gap);
+	hawser__json_integer(json, json->root, "compressed", st->compressed);
 	hawser__json_number(json, json->root, "residual", st->residual);
 	hawser__json_number(json, json->root, "floor", st->floor);
 	hawser__json_integer(json, json->root, "unknowns", st->unknowns);
 	hawser__json_integer(json, json->root, "iterations", st->iterations);
 	if (result->profile)
 		profile_json(json, result);
+	cli_warnings_json(json, *result->warning ? result->warning : NULL);
 	cli_stats_json(json, result->common);
 }
 
@@ -205,7 +229,11 @@ enum hawser_status cli_statics_net(const struct cli_common *common, const char *
 	if (!status)
 		status = hawser_net_solve(&result.st, &result.net, &options, report);
 	if (!status)
+		warn(&result);
+	if (!status)
 		status = cli_show(common, &showing, &result, report);
+	if (!status && *result.warning)
+		cli_warn(result.warning);
 	hawser_net_statics_clear(&result.st);
 	hawser_net_clear(&result.net);
 	return status;

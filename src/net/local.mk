@@ -2,6 +2,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 %C%_libnet_la_SOURCES = \
 	%D%/catenary.c \
 	%D%/catenary.h \
+	%D%/descent.c \
 	%D%/dual.c \
 	%D%/dual.h \
 	%D%/eigen.c \
@@ -40,8 +41,12 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/plan-cost.c \
 	%D%/plan-mesh.c \
 	%D%/plan-words.c \
+	%D%/random.c \
+	%D%/random.h \
 	%D%/read.c \
 	%D%/read.h \
+	%D%/regularised.c \
+	%D%/relaxation.c \
 	%D%/solution.c \
 	%D%/solution.h \
 	%D%/solve.h \
@@ -51,8 +56,10 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/span-motion.c \
 	%D%/span-statics.c \
 	%D%/sparse.c \
+	%D%/start.c \
 	%D%/statics.c \
 	%D%/symmetry.c \
 	%D%/symmetry.h \
 	%D%/symmetry-map.c \
-	%D%/symmetry-map.h
+	%D%/symmetry-map.h \
+	%D%/two_sided.c

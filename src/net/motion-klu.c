@@ -54,6 +54,11 @@ double hawser__klu_bytes(const struct hawser__klu *klu)
 	return 12.0*(factors + klu->p[klu->unknowns]) + (double)klu->elements*sizeof *klu->at;
 }
 
+void hawser__klu_forget(struct hawser__klu *klu)
+{
+	klu_free_numeric(&klu->numeric, &klu->common);
+}
+
 static int compare(const void *a, const void *b)
 {
 	const int *p = a, *q = b;

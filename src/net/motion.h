@@ -83,6 +83,8 @@ enum hawser_status hawser__klu_open(struct hawser__klu **klu, const struct hawse
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__klu_clear(struct hawser__klu *klu);
 double hawser__klu_bytes(const struct hawser__klu *klu); /* with the factors to come, about */
+/* Choose new pivots for the next matrix: the pivots of a matrix serve others that differ little. */
+void hawser__klu_forget(struct hawser__klu *klu);
 enum hawser_status hawser__klu_solve(double (*r)[3], int *good, struct hawser__klu *klu,
                                      const double (*B)[9] /* [elements] */,
                                      const double (*mass)[2] /* [elements] near, far */,

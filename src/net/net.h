@@ -116,6 +116,7 @@ struct hawser__equilibrium {
 	double floor;      /* N, what round-off allows */
 	const char *method;
 	int iterations;
+	int compressed;    /* number of elements; only of methods with a law of two sides */
 };
 struct hawser__mesh_options {
 	const char *method; /* a row of hawser__mesh_method; NULL: "automatic" */
@@ -123,6 +124,9 @@ struct hawser__mesh_options {
 	int iterations;     /* most; 0: the method's own */
 	int keep_start;     /* begin at mesh->q instead of at the force-density start */
 	const double *N;    /* [elements] tensions of that start; NULL: a part of the loads */
+	enum hawser_net_start start; /* where it begins otherwise */
+	double noise;       /* of that start at the chord, over the chord; 0: 0.01; HAWSER_NONE: 0 */
+	unsigned seed;      /* of the noise */
 };
 /* Solve for mesh->q, and the tensions T [elements]. Fails with HAWSER_ERR_NO_SOLUTION where parts have
  * no support, and with HAWSER_ERR_CONVERGENCE. */

@@ -86,26 +86,40 @@ enum hawser_status hawser__net_statics_open(struct hawser_net_statics *st, size_
 	                                                        : hawser__no_memory(report, "net");
 }
 
+/* Forces of the supports on the net, from the tensions, whatever their law. */
+static void reactions(struct hawser_net_statics *st, const struct hawser__mesh *mesh, const double *T)
+{
+	for (int i = 0; i < st->nodes; i++)
+		for (int k = 0; k < 3; k++)
+			st->reaction[i][k] = mesh->unknown[i][k] < 0 ? -mesh->force[i][k] : 0.0;
+	for (int i = 0; i < mesh->elements; i++) {
+		double e[3];
+
+		hawser__mesh_direction(e, mesh, i);
+		for (int k = 0; k < 3; k++) {
+			int a = mesh->end[i][0], b = mesh->end[i][1];
+
+			if (a < st->nodes && mesh->unknown[a][k] < 0)
+				st->reaction[a][k] -= T[i]*e[k];
+			if (b < st->nodes && mesh->unknown[b][k] < 0)
+				st->reaction[b][k] += T[i]*e[k];
+		}
+	}
+}
+
 static enum hawser_status fill(struct hawser_net_statics *st, const struct hawser__mesh *mesh,
                                const double *T, struct hawser_report *report)
 {
-	double (*residual)[3] = malloc((size_t)mesh->nodes*sizeof *residual);
-	enum hawser_status status = residual ? HAWSER_OK : hawser__no_memory(report, "net");
+	enum hawser_status status = hawser__net_statics_open(st, (size_t)mesh->elements, report);
 
-	if (!status)
-		status = hawser__net_statics_open(st, (size_t)mesh->elements, report);
-	if (!status) {
-		hawser__mesh_gradient(residual, NULL, mesh);
-		for (int i = 0; i < st->nodes; i++) {
-			memcpy(st->x[i], mesh->q[i], sizeof st->x[i]);
-			for (int k = 0; k < 3; k++)
-				st->reaction[i][k] = mesh->unknown[i][k] < 0 ? residual[i][k] : 0.0;
-		}
-		for (int c = 0; c < st->cables; c++)
-			member(st, c, mesh, T);
-	}
-	free(residual);
-	return status;
+	if (status)
+		return status;
+	for (int i = 0; i < st->nodes; i++)
+		memcpy(st->x[i], mesh->q[i], sizeof st->x[i]);
+	reactions(st, mesh, T);
+	for (int c = 0; c < st->cables; c++)
+		member(st, c, mesh, T);
+	return HAWSER_OK;
 }
 
 static enum hawser_status of_mesh(struct hawser_net_statics *st, const struct hawser_net *net,
@@ -113,7 +127,9 @@ static enum hawser_status of_mesh(struct hawser_net_statics *st, const struct ha
                                   struct hawser_report *report)
 {
 	struct hawser__mesh_options settings = {.method = options->method, .tolerance = options->tolerance,
-	                                        .iterations = options->iterations};
+	                                        .iterations = options->iterations,
+	                                        .start = options->start, .noise = options->noise,
+	                                        .seed = options->seed};
 	struct hawser__mesh mesh = {0};
 	struct hawser__equilibrium found;
 	double *T = NULL;
@@ -135,7 +151,8 @@ static enum hawser_status of_mesh(struct hawser_net_statics *st, const struct ha
 		*st = (struct hawser_net_statics){
 			.nodes = net->nodes, .cables = net->cables, .unknowns = mesh.unknowns,
 			.energy = found.energy, .gap = found.gap, .residual = found.residual,
-			.floor = found.floor, .method = found.method, .iterations = found.iterations};
+			.floor = found.floor, .method = found.method, .iterations = found.iterations,
+			.compressed = found.compressed};
 		status = fill(st, &mesh, T, report);
 	}
 	free(T);

@@ -16,6 +16,8 @@ struct hawser__net_work {
 	double (*start)[3];      /* [nodes] positions of the start */
 	const double *first;     /* [elements] tensions of the start, or NULL */
 	double weight;           /* W: sum of the forces on the nodes, N */
+	double reach;            /* m: sum of the unstretched lengths */
+	double left;             /* N: residual of a law that is not one-sided */
 	double tolerance;        /* N, of the residual */
 	int most;                /* iterations; 0: the method's own */
 	int iterations;          /* done */
@@ -29,6 +31,7 @@ struct hawser__net_method {
 	enum hawser_status (*solve)(struct hawser__net_work *work, int *done,
 	                            struct hawser_report *report);
 	int one_sided; /* 1 if what it finds has no compressed element */
+	enum hawser_net_start start; /* where it begins */
 };
 const struct hawser__net_method *hawser__net_method(int index); /* NULL beyond the last */
 
@@ -38,8 +41,24 @@ enum hawser_status hawser__net_mixed(struct hawser__net_work *work, int *done,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
 enum hawser_status hawser__net_dual(struct hawser__net_work *work, int *done,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
+enum hawser_status hawser__net_two_sided(struct hawser__net_work *work, int *done,
+                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+enum hawser_status hawser__net_regularised(struct hawser__net_work *work, int *done,
+                                           struct hawser_report *report) HAWSER_MUST_CHECK;
+enum hawser_status hawser__net_descent(struct hawser__net_work *work, int *done,
+                                       struct hawser_report *report) HAWSER_MUST_CHECK;
+enum hawser_status hawser__net_relaxation(struct hawser__net_work *work, int *done,
+                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 enum hawser_status hawser__net_automatic(struct hawser__net_work *work, int *done,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* start.c: positions and forces N of the start, also kept in work->start. */
+enum hawser_status hawser__net_begin(struct hawser__net_work *work,
+                                     const struct hawser__net_method *method,
+                                     const struct hawser__mesh_options *options,
+                                     struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Its forces N alone. */
+void hawser__net_start_forces(struct hawser__net_work *work);
 
 /* Assemble a*I + b*e*e' of all elements at mesh->q, and factor. */
 enum hawser_status hawser__net_factor(struct hawser__net_work *work, int *definite,

@@ -22,17 +22,27 @@
 #include "core/report.h"
 #include "net/solve.h"
 
+#define DENSITY HAWSER_NET_START_DENSITY
+#define CHORD HAWSER_NET_START_CHORD
 static const struct hawser__net_method methods[] = {
 	{{"automatic", "mixed Newton and, where it fails, the method forces", "this program"},
-	 hawser__net_automatic, 1},
+	 hawser__net_automatic, 1, DENSITY},
 	{{"interior-point", "primal-dual interior point of the convex energy", "this program"},
-	 hawser__net_interior, 1},
+	 hawser__net_interior, 1, DENSITY},
 	{{"mixed", "Newton's method for positions and forces, for nets without slack members",
-	  "this program"}, hawser__net_mixed, 1},
+	  "this program"}, hawser__net_mixed, 1, DENSITY},
 	{{"forces", "Newton's method for forces in balance, with steps that lower their energy: slower, "
-	  "and cannot fail", "this program"}, hawser__net_dual, 1},
+	  "and cannot fail", "this program"}, hawser__net_dual, 1, DENSITY},
 	{{"catenary", "exact catenaries between the joints, whose positions alone are unknown",
-	  "this program"}, NULL, 1},
+	  "this program"}, NULL, 1, DENSITY},
+	{{"two-sided", "Newton's method with the law of bars: elements may be compressed",
+	  "B (3.17), (3.21)"}, hawser__net_two_sided, 0, CHORD},
+	{{"regularised", "Newton's method, compressed elements without force and with a stiffness",
+	  "B (3.25), (3.26)"}, hawser__net_regularised, 1, CHORD},
+	{{"descent", "Newton's method with the true tangent, made definite, and steps that lower the "
+	  "energy", "B (3.25)"}, hawser__net_descent, 1, CHORD},
+	{{"relaxation", "dynamic relaxation with kinetic damping: explicit steps, no matrix",
+	  "B 3.2.4"}, hawser__net_relaxation, 1, DENSITY},
 };
 
 const struct hawser__net_method *hawser__net_method(int index)
@@ -193,68 +203,6 @@ static double weight_of(const struct hawser__mesh *mesh)
 	return sum;
 }
 
-/* Forces of the start, if they are not known: a fifth of all loads or, between nodes that are held,
- * what the strain of the chord gives. */
-static void start_forces(struct hawser__net_work *work)
-{
-	const struct hawser__mesh *mesh = work->mesh;
-
-	for (int i = 0; work->first && i < mesh->elements; i++)
-		work->N[i] = fmax(work->first[i], 1e-6*work->weight);
-	for (int c = 0; !work->first && c < mesh->cables; c++) {
-		int first = mesh->first[c], last = mesh->first[c + 1] - 1, fixed = 1;
-		int from = mesh->end[first][0], to = mesh->end[last][1];
-		double chord = 0.0, length0 = 0.0, N = 0.2*work->weight;
-
-		for (int k = 0; k < 3; k++) {
-			double d = mesh->q[to][k] - mesh->q[from][k];
-
-			fixed = fixed && mesh->unknown[from][k] < 0 && mesh->unknown[to][k] < 0;
-			chord += d*d;
-		}
-		chord = sqrt(chord);
-		for (int i = first; i <= last; i++)
-			length0 += mesh->length0[i];
-		if (fixed && length0 > 0.0)
-			N = fmax(N, mesh->EA[first]*(chord/length0 - 1.0));
-		for (int i = first; i <= last; i++)
-			work->N[i] = N;
-	}
-}
-
-/* The positions that the force densities N/length0 give. */
-static enum hawser_status start(struct hawser__net_work *work, struct hawser_report *report)
-{
-	struct hawser__mesh *mesh = work->mesh;
-	int definite = 0;
-	enum hawser_status status;
-
-	start_forces(work);
-	for (int i = 0; i < mesh->nodes; i++)
-		for (int k = 0; k < 3; k++)
-			if (mesh->unknown[i][k] >= 0)
-				mesh->q[i][k] = 0.0;
-	for (int i = 0; i < mesh->elements; i++) {
-		double e[3], l = hawser__mesh_direction(e, mesh, i);
-
-		work->a[i] = mesh->density[i] > 0.0 ? mesh->density[i] : work->N[i]/mesh->length0[i];
-		work->b[i] = 0.0;
-		work->T[i] = work->a[i]*l; /* of positions 0 */
-	}
-	hawser__net_right(work, work->T);
-	status = hawser__net_factor(work, &definite, report);
-	if (!status && !definite)
-		return hawser__fail(report, HAWSER_ERR_NAN, "net",
-		                    "the matrix of the force densities is not positive definite: the loads or "
-		                    "stiffnesses are out of range");
-	if (!status)
-		status = hawser__sparse_solve(work->x, work->sparse, report);
-	if (!status)
-		hawser__net_move(work, 1.0);
-	memcpy(work->start, mesh->q, (size_t)mesh->nodes*sizeof *mesh->q);
-	return status;
-}
-
 enum hawser_status hawser__net_automatic(struct hawser__net_work *work, int *done,
                                          struct hawser_report *report)
 {
@@ -263,7 +211,7 @@ enum hawser_status hawser__net_automatic(struct hawser__net_work *work, int *don
 	if (status || *done)
 		return status;
 	memcpy(work->mesh->q, work->start, (size_t)work->mesh->nodes*sizeof *work->start);
-	start_forces(work);
+	hawser__net_start_forces(work);
 	status = hawser__net_interior(work, done, report);
 	return status || *done ? status : hawser__net_dual(work, done, report);
 }
@@ -282,6 +230,28 @@ static double gap_of(const struct hawser__mesh *mesh, int i, const double e[3], 
 	if (l > mesh->length0[i])
 		return term + c/2.0*(N - T)*(N - T);
 	return term + c/2.0*N*N + N*(mesh->length0[i] - l);
+}
+
+/* Number of elements under compression, by the law with two sides. */
+static int compressed(const struct hawser__net_work *work)
+{
+	int count = 0;
+
+	for (int i = 0; i < work->mesh->elements; i++)
+		count += work->T[i] < -work->tolerance;
+	return count;
+}
+
+static double two_sided_energy(const struct hawser__mesh *mesh)
+{
+	double sum = hawser__mesh_energy(mesh), e[3];
+
+	for (int i = 0; i < mesh->elements; i++) {
+		double p = fmin(hawser__mesh_direction(e, mesh, i) - mesh->length0[i], 0.0);
+
+		sum += mesh->density[i] > 0.0 ? 0.0 : mesh->EA[i]/mesh->length0[i]*p*p/2.0;
+	}
+	return sum;
 }
 
 static enum hawser_status certify(struct hawser__net_work *work, struct hawser__equilibrium *found,
@@ -372,13 +342,10 @@ static enum hawser_status solve(struct hawser__net_work *work, struct hawser__eq
 	enum hawser_status status = HAWSER_OK;
 
 	work->weight = weight_of(mesh);
+	for (int i = 0; i < mesh->elements; i++)
+		work->reach += mesh->length0[i];
 	work->most = options->iterations;
-	work->first = options->keep_start ? options->N : NULL;
-	start_forces(work);
-	if (!options->keep_start)
-		status = start(work, report);
-	else
-		memcpy(work->start, mesh->q, (size_t)mesh->nodes*sizeof *mesh->q);
+	status = hawser__net_begin(work, method, options, report);
 	if (status)
 		return status;
 	found->floor = hawser__mesh_floor(mesh);
@@ -387,8 +354,14 @@ static enum hawser_status solve(struct hawser__net_work *work, struct hawser__eq
 	found->floor = hawser__mesh_floor(mesh);
 	found->method = method->shown.name;
 	found->iterations = work->iterations;
-	if (!status)
+	found->compressed = status || method->one_sided ? 0 : compressed(work);
+	if (found->compressed > 0) {
+		found->residual = work->left;
+		found->gap = INFINITY;
+		found->energy = two_sided_energy(mesh);
+	} else if (!status) {
 		status = certify(work, found, report);
+	}
 	if (status || (done && isfinite(found->residual)))
 		return status;
 	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "net", work->iterations, found->residual,

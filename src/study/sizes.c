@@ -32,6 +32,7 @@
 #include <hawser/map.h>
 #include <hawser/modes.h>
 #include <hawser/net.h>
+#include <hawser/net_comparison.h>
 #include <hawser/net_equilibria.h>
 #include <hawser/net_modes.h>
 #include <hawser/net_motion.h>
@@ -231,6 +232,7 @@ static const struct row {
 	ROW(hawser_net_plan_job),
 	ROW(hawser_net_plan_options),
 	ROW(hawser_net_probe),
+	ROW(hawser_net_random),
 	ROW(hawser_net_scheme),
 	ROW(hawser_net_span_error),
 	ROW(hawser_net_span_motion),

