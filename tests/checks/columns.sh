@@ -17,11 +17,12 @@ if [ -x "$BUILDDIR/.libs/hawser" ]; then
 	export LD_LIBRARY_PATH
 fi
 "$hawser" --help | sed -n '/^Commands:/,/^Options:/s/^  \([a-z]* \{0,1\}[a-z]*\)  .*/\1/p' | sed 's/ *$//' >"$scratch/commands"
+mkdir "$scratch/lists"
 while read -r command <&3; do
 	# shellcheck disable=SC2086 # words
-	"$hawser" help columns $command >"$scratch/list"
-	python3 -S tests/checks/columns.py "$BUILDDIR/man/hawser-${command%% *}.1" <"$scratch/list" |
-		nothing "$command: the page has all columns and keys"
-	grep -E '^ +[^ ]+ *$' "$scratch/list" | nothing "$command: each has a meaning"
+	"$hawser" help columns $command >"$scratch/lists/$command"
 done 3<"$scratch/commands"
+python3 -S tests/checks/columns.py "$BUILDDIR/man" "$scratch/lists"/* |
+	nothing "the pages have all columns and keys"
+grep -E '^ +[^ ]+ *$' "$scratch/lists"/* | nothing "each has a meaning"
 done_testing
