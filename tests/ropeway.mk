@@ -1,9 +1,12 @@
 # tests of ropes over sheaves
-LINE_TESTS = tests/reference/test-line
+LINE_TESTS = tests/reference/test-line tests/property/test-line-random
 check_PROGRAMS += $(LINE_TESTS)
 TESTS += $(LINE_TESTS)
 tests_reference_test_line_SOURCES = tests/reference/test-line.c
 tests_reference_test_line_LDADD = $(UPTO_ROPEWAY)
+tests_property_test_line_random_SOURCES = tests/property/test-line-random.c
+tests_property_test_line_random_LDADD = $(UPTO_ROPEWAY)
+noinst_HEADERS += tests/line-random.h
 
 LINE_MODES_TESTS = tests/reference/test-line-modes tests/property/test-line-modes-gradient
 check_PROGRAMS += $(LINE_MODES_TESTS)

@@ -144,17 +144,21 @@ static int is_above(const struct hawser__rope *rope, const struct hawser__statio
  * turning. INFINITY: no end. */
 static double piece_end(const struct hawser__rope *rope, const struct hawser__station *a, double turn)
 {
-	double end = a->mass < rope->masses ? rope->S[a->mass] : INFINITY;
+	double mass = a->mass < rope->masses ? rope->S[a->mass] : INFINITY, end = INFINITY;
 
-	if (a->P[1] < 0.0 && rope->w > 0.0)
-		end = fmin(end, a->S + fmax(-a->P[1]/rope->w, 4.0*DBL_EPSILON*fabs(a->S)));
-	if (rope->w > 0.0 && turn < 1.0) {
+	if (!(rope->w > 0.0))
+		return mass;
+	if (a->P[1] < 0.0)
+		end = a->S - a->P[1]/rope->w;
+	if (turn < 1.0) {
 		double angle = atan2(a->P[1], a->P[0]) + turn;
 
 		if (angle < 1.5)
 			end = fmin(end, a->S + (a->P[0]*tan(angle) - a->P[1])/rope->w);
 	}
-	return fmax(end, a->S);
+	/* at least a step of S */
+	end = fmax(end, a->S + 4.0*DBL_EPSILON*(fabs(a->S) + (a->P[0] + fabs(a->P[1]))/rope->w));
+	return fmin(end, mass);
 }
 
 /* A station of the last piece, which has no end, with g >= 0. */

@@ -1,9 +1,10 @@
 /* ropeway/given.c - the tension at end A that belongs to what is given, and hawser_line_solve().
  *
  * The march needs the tension P at A. Given the tension at B, or the unstretched length, one
- * equation in ln P is left: T_B grows with P, and the length falls. It is solved by secant
- * steps in a bracket. A rope that is longer than at the least tension hangs slack in one span,
- * that in which the tension was too low; there the length grows with P.
+ * equation in ln P is left: T_B grows with P, but for places that scan() looks at, and the length
+ * falls. It is solved by secant steps in a bracket. A rope that is longer than at the least
+ * tension hangs slack in one span, that in which the tension was too low; there the length grows
+ * with P.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -26,21 +27,41 @@ void hawser__line_release(struct hawser_line_statics *st)
 	free(st->carrier);
 }
 
+/* Lay the rope, beginning with the set of sheaves that was kept. */
+static int lay_near(struct hawser__march *march, double P)
+{
+	memcpy(march->off, march->kept, (size_t)march->sheaves);
+	for (int round = 0; round <= 2*march->sheaves; round++) {
+		int worst;
+
+		if (hawser__march(march, P)) {
+			worst = hawser__march_clearances(march);
+			if (worst < 0)
+				return march->slack_behind < 0 || !march->off[march->slack_behind];
+			march->off[worst] = 0;
+		} else if (march->fault == HAWSER__FAULT_LOST) {
+			march->off[march->to] = 1;
+		} else {
+			return 0;
+		}
+	}
+	return 0;
+}
+
 /* Lay the rope, with the sheaves that it presses. 1: done; 0: march->fault says why not. */
 static int lay(struct hawser__march *march, double P)
 {
+	if (march->slack_behind >= -1)
+		return lay_near(march, P);
 	memset(march->off, 0, (size_t)march->sheaves);
 	if (hawser__march(march, P) && hawser__march_clearances(march) < 0)
 		return 1;
-	if (march->fault == HAWSER__FAULT_TOO_LOW || march->slack_behind >= -1)
+	if (march->fault == HAWSER__FAULT_TOO_LOW || !hawser__march_ahead(march, P))
 		return 0;
-	if (!hawser__march_ahead(march, P))
-		return 0;
-	if (hawser__march_clearances(march) >= 0) {
-		march->fault = HAWSER__FAULT_LOST;
-		return 0;
-	}
-	return 1;
+	if (hawser__march_clearances(march) < 0)
+		return 1;
+	march->fault = HAWSER__FAULT_LOST;
+	return 0;
 }
 
 /* What is given, as the march has it, less the given value, over it; grows with P where the
@@ -88,7 +109,7 @@ static double first_guess(const struct hawser__march *march, double value)
 
 struct bracket {
 	double lo, hi;         /* P; 0 and INFINITY while open */
-	double f_lo, f_hi;     /* NAN: not known */
+	double f, f_hi;     /* NAN: not known */
 };
 
 /* Next P: a secant step between the ends, or between the last two places. */
@@ -110,7 +131,7 @@ static double next_of(const struct bracket *b, double P, double f, double P1, do
 	return b->hi/b->lo < 1.0 + 1e-9 ? b->lo + (b->hi - b->lo)/2.0 : sqrt(b->lo)*sqrt(b->hi);
 }
 
-/* The rope is slack in one span: length over P grows from the least tension `lo` on. */
+/* The rope is slack in one span: its length grows with P from the least tension on. */
 static int slacken(struct hawser__march *march, double value, double lo, double P)
 {
 	struct bracket b = {lo, INFINITY, NAN, NAN};
@@ -128,44 +149,98 @@ static int slacken(struct hawser__march *march, double value, double lo, double 
 		next = next_of(&b, P, f, P1, f1);
 		P1 = P;
 		f1 = f;
-		if (!(next > b.lo && next < b.hi) || !(next < 1e30*P)) {
-			lay(march, b.hi < INFINITY ? b.hi : P);
-			return fabs(excess(march, value)) <= 1e-9;
-		}
+		if (!(next > b.lo && next < b.hi) || !(next < 1e30*lo))
+			break;
 		P = next;
 	}
-	return fabs(excess(march, value)) <= 1e-9;
+	return b.hi < INFINITY && lay(march, b.hi) && fabs(excess(march, value)) <= 1e-9;
 }
 
-/* Is the rope slack that belongs to the value? Then it is laid. P: the least tension that is
- * known to be high enough; lo: too low; `from`: the span in which. */
-static int slack(struct hawser__march *march, double value, double lo, double P, int from, int *below)
+/* The span in which the rope gets slack at the least tension, at a P just above it: both ropes that
+ * belong to P, the taut one and that with this span slack, are of nearly the same length there. -2:
+ * none. */
+static int slack_span(struct hawser__march *march, double value, double P, double taut)
 {
-	int done;
+	double least = INFINITY;
+	int best = -2;
 
-	march->slack_behind = from;
-	*below = 0;
-	if (!lay(march, P)) {
-		march->slack_behind = -2;
-		return 0;
+	memcpy(march->kept, march->off, (size_t)march->sheaves);
+	for (int k = -1; k < march->sheaves; k++) {
+		double gap;
+
+		march->slack_behind = k;
+		if (!lay(march, P))
+			continue;
+		gap = fabs(taut - excess(march, value));
+		if (gap < least) {
+			least = gap;
+			best = k;
+		}
 	}
-	/* longer than the value: the root is below P, on one of both branches */
-	*below = excess(march, value) < 0.0;
-	done = !*below && slacken(march, value, lo, P);
-	if (!done)
-		march->slack_behind = -2;
-	return done;
+	march->slack_behind = -2;
+	return best;
+}
+
+/* Lay the rope of the given length with one span slack, if the length is above those of both ropes
+ * that belong to P, which is just above the least tension `lo`. */
+static int slack(struct hawser__march *march, double value, double lo, double P, double taut)
+{
+	march->slack_behind = slack_span(march, value, P, taut);
+	if (march->slack_behind >= -1 && lay(march, P) && excess(march, value) >= 0.0 &&
+	    slacken(march, value, lo, P))
+		return 1;
+	march->slack_behind = -2;
+	return 0;
+}
+
+/* How near the least tension P has to be, over it, before slack ropes are tried. */
+static const double near = 1e-2;
+
+/* Factor from one P to the next that `scan` looks at, and how many: up to 1.02^700 = 1e6 times the
+ * first. The change of sign that it is for is between the least tension and twice that. */
+static const double ratio = 1.02;
+enum { SCANNED = 700 };
+
+/* T_B falls with P where more tension brings a mass, or friction, before another sheave: then the
+ * bracket from above misses a place where it is met. Look for it from P on upwards. */
+static int scan(struct hawser__march *march, double value, double P)
+{
+	double lo = NAN, hi = P, f = NAN;
+
+	for (int i = 0; i < SCANNED && !(f < 0.0); i++) {
+		lo = hi;
+		hi = lo*ratio;
+		f = lay(march, hi) ? excess(march, value) : NAN;
+		if (isnan(f) && march->fault != HAWSER__FAULT_TOO_LOW)
+			return 0;
+	}
+	if (!(f < 0.0))
+		return 0;
+	for (int i = 0; i < 100; i++) { /* f(lo) >= 0 > f(hi) */
+		double middle = lo + (hi - lo)/2.0;
+
+		if (!(middle > lo && middle < hi))
+			break;
+		f = lay(march, middle) ? excess(march, value) : NAN;
+		if (fabs(f) <= 4.0*DBL_EPSILON)
+			return 1;
+		if (f < 0.0)
+			hi = middle;
+		else
+			lo = middle;
+	}
+	return lay(march, hi) && fabs(excess(march, value)) <= 1e-9;
 }
 
 static int search(struct hawser__march *march, double value, double *least)
 {
 	struct bracket b = {0.0, INFINITY, NAN, NAN};
 	double P = first_guess(march, value), P1 = NAN, f1 = NAN, best = NAN, best_P = P;
-	int too_low = -2, below;
+	int too_low = 0, slack_known = march->line->given == HAWSER_LINE_LENGTH0;
 
 	*least = NAN;
 	for (int round = 0; round < ROUNDS; round++) {
-		int laid = lay(march, P), from = march->from;
+		int laid = lay(march, P);
 		double f = laid ? excess(march, value) : NAN, next;
 
 		if (!laid && march->fault != HAWSER__FAULT_TOO_LOW)
@@ -173,7 +248,7 @@ static int search(struct hawser__march *march, double value, double *least)
 		if (fabs(f) <= 4.0*DBL_EPSILON)
 			return 1;
 		if (!laid)
-			too_low = from;
+			too_low = 1;
 		if (f > 0.0)
 			b.hi = P;
 		else
@@ -182,12 +257,11 @@ static int search(struct hawser__march *march, double value, double *least)
 			best = fabs(f);
 			best_P = P;
 		}
-		if (laid && f > 0.0 && too_low >= -1 && P < 1.01*b.lo) {
+		if (f > 0.0 && too_low)
 			*least = P;
-			if (march->line->given == HAWSER_LINE_LENGTH0 && slack(march, value, b.lo, P, too_low,
-			                                                       &below))
-				return 1;
-		}
+		if (f > 0.0 && slack_known && b.hi < (1.0 + (too_low ? near : 1e-6))*b.lo &&
+		    slack(march, value, b.lo, P, f))
+			return 1;
 		next = next_of(&b, P, f, P1, f1);
 		P1 = P;
 		f1 = f;
@@ -195,10 +269,12 @@ static int search(struct hawser__march *march, double value, double *least)
 			break;
 		P = next;
 	}
+	if (best <= 1e-9)
+		return lay(march, best_P);
+	if (march->line->given == HAWSER_LINE_T_B && isfinite(*least) && scan(march, value, *least))
+		return 1;
 	march->fault = HAWSER__NO_FAULT;
-	if (!(best <= 1e-9))
-		return 0;
-	return lay(march, best_P);
+	return 0;
 }
 
 /* The least P that is high enough, between a P that is not and one that is. */

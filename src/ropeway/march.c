@@ -143,7 +143,7 @@ enum hawser_status hawser__march_open(struct hawser__march *march, struct hawser
 	march->target = calloc(n, sizeof *march->target);
 	march->start = calloc(n, sizeof *march->start);
 	march->index = calloc(3*n, sizeof *march->index);
-	march->off = calloc(n, 1);
+	march->off = calloc(2*n, 1);
 	march->rope.S = calloc(3*m, sizeof *march->rope.S);
 	march->trace.arrive = calloc(2*n, sizeof *march->trace.arrive);
 	march->trace.st = st;
@@ -153,6 +153,7 @@ enum hawser_status hawser__march_open(struct hawser__march *march, struct hawser
 	if (!march->target || !march->start || !march->index || !march->off || !march->rope.S ||
 	    !march->trace.arrive || !st->piece || !st->contact || !st->carrier)
 		return hawser__no_memory(report, "line");
+	march->kept = march->off + n;
 	march->pieces = march->index + n;
 	march->pending = march->pieces + n;
 	march->trace.leave = march->trace.arrive + n;

@@ -22,6 +22,7 @@ struct hawser__march {
 	int *index, *pieces, *pending; /* [sheaves +
 	                                   1] its sheave; pieces laid before; mass pending there */
 	char *off;                   /* [sheaves] 1: the rope passes this sheave without contact */
+	char *kept;                  /* [sheaves] another such set */
 	struct hawser__trace trace;
 	int sheaves;
 	int slack_behind;            /* the span behind this sheave (-1: A) is slack; -2: none is */

@@ -164,16 +164,17 @@ void hawser__path_next(struct hawser__path *path, struct hawser__trace *trace)
 	double slope[2], T;
 
 	hawser__path_at(&at, slope, path, path->end);
-	path->count++;
 	if (path->kind == HAWSER__ARC) {
 		hawser__trace_arc(trace, path, path->end);
+		path->count++;
 		path->angle -= path->arc.side*path->end;
 		at.S = path->rope->S[at.mass];
 		path->at = at;
 		set_mass(path);
 		return;
 	}
-	hawser__trace_mass(trace, path, path->end);
+	hawser__trace_mass(trace, path, path->end); /* reads count */
+	path->count++;
 	T = at.P[0]*cos(path->angle) + at.P[1]*sin(path->angle);
 	path->at = at;
 	set_arc(path, T);

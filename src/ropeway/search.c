@@ -112,7 +112,8 @@ enum outcome { FOUND, NOT_PRESSED, ON, NONE };
 static enum outcome segment(struct probe *probe, const struct hawser__path *path,
                             const struct hawser__target *target, int slack, int first)
 {
-	int launch = path->kind == HAWSER__LAUNCH, ended = path->last, top_passed = path->lowers < 0;
+	int launch = path->kind == HAWSER__LAUNCH, top_passed = path->lowers < 0;
+	int open = !path->last; /* the end has not been looked at */
 	double lo = launch ? -INFINITY : 0.0, hi = path->end, next, newton = INFINITY, last;
 	struct probe low = {.k = INFINITY};
 
@@ -126,13 +127,16 @@ static enum outcome segment(struct probe *probe, const struct hawser__path *path
 
 		if (fabs(probe->k) <= fine*probe->scale && (usable || probe->q > 0.0 || launch))
 			return FOUND;
+		if (probe->q >= path->end) {
+			if (!beyond)
+				return ON;
+			open = 0;
+		}
 		if (beyond) {
 			hi = probe->q;
 			top_passed = probe->side == PASSED;
 		} else {
 			lo = probe->q;
-			if (!ended && lo >= path->end)
-				return ON;
 		}
 		if (probe->k > 0.0 && probe->k < low.k)
 			low = *probe;
@@ -145,7 +149,7 @@ static enum outcome segment(struct probe *probe, const struct hawser__path *path
 		                                         path->kind == HAWSER__MASS ? 0.0 : 1.0) &&
 		    fabs(probe->k) <= 1e3*fine*probe->scale)
 			return FOUND;
-		if (!ended && hi >= path->end && (next >= path->end || !usable)) {
+		if (open && hi >= path->end && (next >= path->end || !usable)) {
 			next = path->end;
 			newton = INFINITY;
 		} else if (!(next > lo && next < hi) || !(fabs(newton) <= 0.7*fabs(last) || launch)) {
@@ -154,9 +158,7 @@ static enum outcome segment(struct probe *probe, const struct hawser__path *path
 		}
 		if (launch && fabs(next) > 700.0)
 			break;
-		if (!launch && !(next > lo && next < hi) && !(next == path->end && !ended))
-			break;
-		if (launch && !(next > lo && next < hi))
+		if (!(next > lo && next < hi) && !(open && next >= path->end))
 			break;
 		look(probe, path, target, next);
 	}

@@ -60,6 +60,20 @@ static void press(struct hawser_line_contact *contact, double force[2],
 	}
 }
 
+/* The tension behind a mass in contact, with T before it and the friction coefficient m, at the normal
+ * force that it has. */
+static double past_mass(const struct hawser__march *march, int mass, double T, double m)
+{
+	const struct hawser_line_carrier *carrier = &march->trace.st->carrier[mass];
+	double W = march->rope.weight[mass], N = carrier->carried, tangent = march->trace.tangent[mass];
+	double angle = carrier->state == 1 ? march->trace.st->contact[carrier->sheave].angle_in : tangent;
+
+	if (carrier->state == 2)
+		return T + W*sin(tangent) + m*N;
+	return hypot(T*cos(angle) + N*(sin(tangent) + m*cos(tangent)),
+	             T*sin(angle) + W + N*(m*sin(tangent) - cos(tangent)));
+}
+
 /* The tension behind the contact if friction acted all along it, towards B (1) or A (-1). */
 static double behind(const struct hawser__march *march, int k, int slide)
 {
@@ -72,28 +86,18 @@ static double behind(const struct hawser__march *march, int k, int slide)
 	for (int i = 0; i < st->pieces; i++) {
 		const struct hawser_line_piece *piece = &st->piece[i];
 		struct hawser__arc arc = {sheave->radius, piece->angle0, T, m, sheave->side};
+		int between = piece->S0 >= march->trace.arrive[k].S && piece->S1 <= march->trace.leave[k].S;
 
-		if (piece->sheave < 0 && (piece->S0 < march->trace.arrive[k].S ||
-		                          piece->S1 > march->trace.leave[k].S))
-			continue;
-		if (piece->mass >= 0 && st->carrier[piece->mass].sheave == k) {
-			double W = march->rope.weight[piece->mass], N = st->carrier[piece->mass].carried;
-			double tangent = march->trace.tangent[piece->mass];
-
-			if (st->carrier[piece->mass].state == 1)
-				arc.T0 = T = hypot(st->contact[k].T_in*cos(st->contact[k].angle_in) + N*(sin(tangent) +
-				         m*cos(tangent)), st->contact[k].T_in*sin(st->contact[k].angle_in) + W +
-				         N*(m*sin(tangent) - cos(tangent)));
-			else
-				arc.T0 = T += W*sin(tangent) + m*N;
-		}
+		if (piece->mass >= 0 && st->carrier[piece->mass].sheave == k)
+			arc.T0 = T = past_mass(march, piece->mass, T, m);
 		if (piece->sheave == k) {
 			hawser__arc_at(&T, &S, &arc, &march->rope, fabs(piece->angle1 - piece->angle0));
 			if (isnan(T))
 				return 0.0;
-		} else if (piece->sheave < 0 && piece->S0 >= march->trace.arrive[k].S &&
-		           piece->S1 <= march->trace.leave[k].S) {
+		} else if (piece->sheave < 0 && between) { /* between two arcs below a circle */
 			T += piece->T1 - piece->T0;
+			if (piece->mass >= 0)
+				T += st->carrier[piece->mass].T_after - st->carrier[piece->mass].T_before;
 		}
 	}
 	return T;
