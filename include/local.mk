@@ -41,6 +41,7 @@ pkginclude_HEADERS = \
 	%D%/hawser/progress.h \
 	%D%/hawser/rom.h \
 	%D%/hawser/ropeway.h \
+	%D%/hawser/ropeway_modes.h \
 	%D%/hawser/choose.h \
 	%D%/hawser/scales.h \
 	%D%/hawser/scene.h \

@@ -19,6 +19,7 @@ CLI_TESTS = \
 	%D%/cli/motion.sh \
 	%D%/cli/net.sh \
 	%D%/cli/ropeway.sh \
+	%D%/cli/ropeway-modes.sh \
 	%D%/cli/net-modes.sh \
 	%D%/cli/net-motion.sh \
 	%D%/cli/fe.sh \

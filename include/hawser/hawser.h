@@ -26,6 +26,7 @@
 #include <hawser/line.h>
 #include <hawser/ropeway.h>
 #include <hawser/line_modes.h>
+#include <hawser/ropeway_modes.h>
 #include <hawser/plugin.h>
 #include <hawser/rom.h>
 #include <hawser/choose.h>

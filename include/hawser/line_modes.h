@@ -35,6 +35,7 @@ enum { HAWSER_LINE_LANES = 2 };
 struct hawser_line_freedom {
 	char name[HAWSER_LINE_NAME];
 	double mass; /* kg, or of a rotation its moment of inertia over the radius squared; may be 0 */
+	double stiffness; /* N/m, of the body itself, of either sign; 0: none */
 	double end[HAWSER_LINE_LANES][2][3]; /* displacements of ends A and B of each lane along x, y and
 	                                      * z, per unit of the coordinate */
 };

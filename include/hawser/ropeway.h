@@ -36,6 +36,15 @@ enum hawser_ropeway_tension {
 	HAWSER_ROPEWAY_EMPTY /* N: fixed carriage; the tension of the rope without carriers, at rest */
 };
 
+/* What the rope does on the sheaves as it vibrates: enum hawser_line_contact_kind (line_modes.h),
+ * plus 1. */
+enum hawser_ropeway_hold {
+	HAWSER_ROPEWAY_HOLD_AUTO = 0, /* slip if the rope runs, stick if it is at rest */
+	HAWSER_ROPEWAY_HOLD_SLIP,
+	HAWSER_ROPEWAY_HOLD_STICK,
+	HAWSER_ROPEWAY_HOLD_ROLL
+};
+
 /* How the rope moves over the batteries. */
 enum hawser_ropeway_sliding {
 	HAWSER_ROPEWAY_RUNNING = 0, /* as the drive pulls it: friction lets the tension grow towards B on
@@ -54,6 +63,7 @@ struct hawser_ropeway_tower {
 	int sheaves;       /* number of sheaves of a train; 0: one circle of the battery's radius */
 	double spacing;    /* m, between their middles along the battery's circle */
 	double sheave;     /* m, their radius */
+	double inertia;    /* kg m^2, of each sheave about its axis, or of the circle: for modes */
 };
 
 struct hawser_ropeway_case {
@@ -69,7 +79,9 @@ struct hawser_ropeway {
 	double bottom_radius, top_radius; /* m, of the bullwheels */
 	enum hawser_ropeway_tension tension;
 	double value;      /* of the tension, see there */
-	double carriage;   /* kg, mass of the carriage of the bottom station */
+	double carriage;   /* kg, mass of the carriage of the bottom station, and of what moves with it; 0:
+	                    * it does not vibrate */
+	double bottom_inertia, top_inertia; /* kg m^2, of the bullwheels about their axes */
 	double bottom_friction;           /* resistance of its bullwheel, as a part of the force on it */
 	double travel[2];  /* m, stops of the carriage, from its place with the empty rope; > 0:
 	                    * towards the line */
@@ -77,6 +89,9 @@ struct hawser_ropeway {
 	double speed, ramp; /* m/s, s: of the drive */
 	double drive_friction, wrap;      /* of the rope on the drive bullwheel; rad */
 	int drive;         /* 1 if drive.friction is given */
+	int coasts;        /* 1: drive.inertia is given, so that the drive bullwheel turns as the rope
+	                    * vibrates; 0: it keeps its speed */
+	enum hawser_ropeway_hold hold;
 	enum hawser_ropeway_sliding sliding;
 	struct hawser_ropeway_tower *tower; /* [towers] by x */
 	int towers;

@@ -5,17 +5,21 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/kinds.h"
 #include "cli/modes_damped.h"
 #include "cli/modes_net.h"
 #include "cli/modes_result.h"
+#include "cli/modes_ropeway.h"
 #include "core/report.h"
 
 struct settings {
 	struct cli_common common;
 	const char *method, *view, *over, *vtk, *model;
 	int n, basis, points, shapes, list, damped, log, elements;
+	struct cli_ropeway_choice ropeway;
 };
-static const struct settings defaults = {.view = "components", .points = 201};
+enum { POINTS = 201 }; /* of a shape: half a percent of the span apart */
+static const struct settings defaults = {.points = POINTS};
 
 static const struct cli_option options[] = {
 	{"modes", 'n', "N", "number of modes (the scene's model.modes)", CLI_INTEGER(n)},
@@ -33,6 +37,11 @@ static const struct cli_option options[] = {
 	{"log", 0, "", "these values at equal ratios", CLI_FLAG(log)},
 	{"vtk", 0, "FILE", "nets: write all shapes to FILE.vtk, for programs such as ParaView",
 	 CLI_TEXT(vtk)},
+	{"contact", 0, "HOW", "ropeways: slip, stick or roll (the scene's contact.modes)",
+	 CLI_TEXT(ropeway.contact)},
+	{"case", 0, "NAME", "ropeways: the load case (full)", CLI_TEXT(ropeway.load_case)},
+	{"sliding", 0, "HOW", "ropeways: running, rest or reverse (the scene's ropeway.sliding)",
+	 CLI_TEXT(ropeway.sliding)},
 	{"list-methods", 0, "", "list the methods and exit", CLI_FLAG(list)},
 	CLI_NO_OPTION,
 };
@@ -92,7 +101,7 @@ static enum hawser_status solve(struct cli_modes_result *result, const struct se
 	choice.method = settings->method;
 	if (settings->basis > 0)
 		choice.basis = settings->basis;
-	if (statics.motion.nu == 0.0 && strcmp(settings->view, "waves") == 0 && settings->common.plot)
+	if (statics.motion.nu == 0.0 && strcmp(result->view, "waves") == 0 && settings->common.plot)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
 		                    "--view waves shows the modes of a cable that travels, and this one does "
 		                    "not: give it a travel.speed, or choose components or profile");
@@ -126,39 +135,19 @@ static enum hawser_status run_damped(const struct settings *settings, struct haw
 	return status;
 }
 
-static enum hawser_status run(void *context, struct hawser_report *report)
+static enum hawser_status run_span(const struct settings *settings, struct hawser_report *report)
 {
 	static const char *const views[] = {"components", "profile", "waves"};
-	const struct settings *settings = context;
-	struct cli_modes_result result = {.common = &settings->common, .view = settings->view,
+	struct cli_modes_result result = {.common = &settings->common,
 	                                  .points = settings->shapes ? settings->points : 0};
-	enum hawser_status status;
-	int view;
+	enum hawser_status status = check_model(settings, report);
+	int view = 0;
 
-	if (settings->list) {
-		list_methods();
-		return HAWSER_OK;
-	}
-	if (!settings->common.input)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
-		                    "modes needs a SCENE (hawser modes --help)");
-	if (hawser_net_is(settings->common.input)) {
-		if (settings->damped || settings->over || settings->log || settings->method ||
-		    settings->basis > 0 || settings->model || settings->elements)
-			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes", "the scene is a net: of the "
-			                    "options of modes only --modes, --shapes and --vtk are for nets");
-		status = cli_outputs_check(&settings->common, report);
-		return status ? status : cli_modes_net(&settings->common, settings->n, settings->shapes,
-		                                       settings->vtk, report);
-	}
-	if (settings->vtk)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes", "--vtk is for nets, and %s is no "
-		                    "scene of a net", settings->common.input);
-	status = check_model(settings, report);
 	if (!status && (settings->damped || settings->over || settings->log))
 		return run_damped(settings, report);
-	if (!status)
+	if (!status && settings->view)
 		status = cli_choose(&view, "modes", "view", settings->view, views, 3, report);
+	result.view = views[view];
 	if (!status)
 		status = cli_outputs_check(&settings->common, report);
 	if (!status)
@@ -170,6 +159,56 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	hawser_modes_clear(&result.modes);
 	hawser_scene_clear(&result.scene);
 	return status;
+}
+
+static enum hawser_status run_net(const struct settings *settings, struct hawser_report *report)
+{
+	enum hawser_status status = cli_outputs_check(&settings->common, report);
+
+	return status ? status : cli_modes_net(&settings->common, settings->n, settings->shapes,
+	                                       settings->vtk, report);
+}
+
+static enum hawser_status run_ropeway(const struct settings *settings, struct hawser_report *report)
+{
+	enum hawser_status status = cli_outputs_check(&settings->common, report);
+
+	return status ? status : cli_modes_ropeway(&settings->common, &settings->ropeway, settings->n,
+	                                           settings->shapes ? settings->points : 0, report);
+}
+
+static enum hawser_status run(void *context, struct hawser_report *report)
+{
+	static const struct {
+		enum cli_kind kind;
+		enum hawser_status (*run)(const struct settings *settings, struct hawser_report *report);
+	} table[] = {{CLI_SPAN, run_span}, {CLI_NET, run_net}, {CLI_ROPEWAY, run_ropeway}};
+	const struct settings *s = context;
+	const struct cli_given given[] = {
+		{"method", s->method != NULL, CLI_SPAN}, {"model", s->model != NULL, CLI_SPAN},
+		{"elements", s->elements != 0, CLI_SPAN}, {"basis", s->basis > 0, CLI_SPAN},
+		{"view", s->view != NULL, CLI_SPAN}, {"damped", s->damped, CLI_SPAN},
+		{"over", s->over != NULL, CLI_SPAN}, {"log", s->log, CLI_SPAN},
+		{"points", s->points != POINTS, CLI_SPAN | CLI_ROPEWAY}, {"vtk", s->vtk != NULL, CLI_NET},
+		{"contact", s->ropeway.contact != NULL, CLI_ROPEWAY},
+		{"case", s->ropeway.load_case != NULL, CLI_ROPEWAY},
+		{"sliding", s->ropeway.sliding != NULL, CLI_ROPEWAY}, {NULL, 0, 0}};
+	enum cli_kind kind;
+	enum hawser_status status;
+	int i = 0;
+
+	if (s->list) {
+		list_methods();
+		return HAWSER_OK;
+	}
+	if (!s->common.input)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+		                    "modes needs a SCENE (hawser modes --help)");
+	kind = cli_kind_of(s->common.input);
+	status = cli_kind_check(kind, given, "modes", s->common.input, report);
+	while (table[i].kind != kind)
+		i++;
+	return status ? status : table[i].run(s, report);
 }
 
 const struct cli_command cli_modes = {

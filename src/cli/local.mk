@@ -47,6 +47,11 @@ hawser_SOURCES = \
 	%D%/ropeway_fill.c \
 	%D%/statics_ropeway.c \
 	%D%/statics_ropeway.h \
+	%D%/kinds.c \
+	%D%/kinds.h \
+	%D%/modes_ropeway.c \
+	%D%/modes_ropeway.h \
+	%D%/modes_ropeway_fields.c \
 	%D%/statics_net.c \
 	%D%/statics_net.h \
 	%D%/statics_cases.c \

@@ -39,6 +39,8 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/plot_net_modes.h \
 	%D%/plot_ropeway.c \
 	%D%/plot_ropeway.h \
+	%D%/plot_ropeway_modes.c \
+	%D%/plot_ropeway_modes.h \
 	%D%/plot_nnm.c %D%/plot_nnm.h \
 	%D%/plot_locus.c \
 	%D%/plot_locus.h \

@@ -38,6 +38,7 @@ noinst_LTLIBRARIES += %D%/libropeway.la
 	%D%/frame.c \
 	%D%/frame.h \
 	%D%/lane.c \
+	%D%/loop_modes.c \
 	%D%/read.c \
 	%D%/read.h \
 	%D%/state.c \

@@ -277,6 +277,7 @@ static void attach_freedoms(struct hawser__lmode_draft *t, int segment, int end)
 			continue;
 		border = border_of(t, i, -1, -1);
 		t->border[border].mass = o->freedom[i].mass/unit_mass(t->rope);
+		t->border[border].stiffness = o->freedom[i].stiffness*t->rope->length/t->rope->force;
 		if (t->plane == HAWSER_OUT_OF_PLANE) {
 			border_at(t, segment, end, 0)[border] += u[2];
 		} else if (to->arc) {
@@ -407,10 +408,12 @@ static enum hawser_status check(const struct hawser__lmode *rope, struct hawser_
 			in |= u[0] != 0.0 || u[1] != 0.0;
 			out |= u[2] != 0.0;
 		}
-		if ((in && out) || !(freedom->mass >= 0.0 && isfinite(freedom->mass)))
+		if ((in && out) || !(freedom->mass >= 0.0 && isfinite(freedom->mass)) ||
+		    !isfinite(freedom->stiffness))
 			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "line modes", "the freedom %s has a mass "
-			                    "of %g kg and moves its ends %s: give a mass of 0 or more, and motions "
-			                    "in the plane or out of it", freedom->name, freedom->mass,
+			                    "of %g kg, a stiffness of %g N/m and moves its ends %s: give a mass of "
+			                    "0 or more, a finite stiffness, and motions in the plane or out of it",
+			                    freedom->name, freedom->mass, freedom->stiffness,
 			                    in && out ? "in both planes" : "in one plane");
 	}
 	for (int i = 0; i < rope->pieces; i++)

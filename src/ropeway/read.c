@@ -122,7 +122,7 @@ static enum hawser_status bottom(struct hawser__reader *reader, struct hawser_ro
 {
 	const struct hawser__tree *of;
 	enum hawser_status status = hawser__tree_keys(reader, tree, "bottom", "at, radius, tension, mass, "
-	                                              "friction");
+	                                              "friction, inertia");
 
 	if (!status)
 		status = hawser__ropeway_place(reader, rw->bottom, tree, "bottom");
@@ -134,6 +134,9 @@ static enum hawser_status bottom(struct hawser__reader *reader, struct hawser_ro
 		                                HAWSER__TREE_NOT_NEGATIVE, 0);
 	if (!status)
 		status = hawser__ropeway_number(reader, &rw->bottom_friction, tree, "bottom", "friction", "1",
+		                                HAWSER__TREE_NOT_NEGATIVE, 0);
+	if (!status)
+		status = hawser__ropeway_number(reader, &rw->bottom_inertia, tree, "bottom", "inertia", "kg m2",
 		                                HAWSER__TREE_NOT_NEGATIVE, 0);
 	of = hawser__tree_find(tree, "tension");
 	if (!status && rw->bottom_friction >= 1.0)
@@ -162,7 +165,7 @@ static enum hawser_status top(struct hawser__reader *reader, struct hawser_ropew
 	of = hawser__tree_find(tree, "drive");
 	if (status || !of)
 		return status;
-	status = hawser__tree_keys(reader, of, "drive", "speed, friction, ramp, wrap");
+	status = hawser__tree_keys(reader, of, "drive", "speed, friction, ramp, wrap, inertia");
 	if (!status)
 		status = hawser__ropeway_number(reader, &rw->speed, of, "drive", "speed", "m/s",
 		                                HAWSER__TREE_NOT_NEGATIVE, 0);
@@ -175,8 +178,25 @@ static enum hawser_status top(struct hawser__reader *reader, struct hawser_ropew
 	if (!status)
 		status = hawser__ropeway_number(reader, &rw->wrap, of, "drive", "wrap", "rad",
 		                                HAWSER__TREE_POSITIVE, 0);
+	if (!status)
+		status = hawser__ropeway_number(reader, &rw->top_inertia, of, "drive", "inertia", "kg m2",
+		                                HAWSER__TREE_NOT_NEGATIVE, 0);
 	rw->drive = hawser__tree_find(of, "friction") != NULL;
+	rw->coasts = hawser__tree_find(of, "inertia") != NULL;
 	return status;
+}
+
+/* A wheel without radius does not turn. */
+static enum hawser_status wheels(struct hawser__reader *reader, const struct hawser_ropeway *rw,
+                                 const struct hawser__tree *tree)
+{
+	if (rw->bottom_inertia > 0.0 && rw->bottom_radius == 0.0)
+		return hawser__reader_fail(reader, &tree->at, "bottom.inertia with bottom.radius = 0: give the "
+		                           "bullwheel a radius");
+	if (rw->top_inertia > 0.0 && rw->top_radius == 0.0)
+		return hawser__reader_fail(reader, &tree->at, "top.drive.inertia with top.radius = 0: give the "
+		                           "bullwheel a radius");
+	return HAWSER_OK;
 }
 
 /* One mass for both lanes, or {up, down}. */
@@ -358,16 +378,35 @@ static enum hawser_status ropeway(struct hawser__reader *reader, struct hawser_r
 			                             rw->top[0], rw->bottom[0]);
 	}
 	if (!status)
+		status = wheels(reader, rw, tree);
+	if (!status)
 		status = words(reader, rw, tree);
 	return status ? status : cases(reader, rw, hawser__tree_find(tree, "cases"));
+}
+
+/* What the rope does on its sheaves as it vibrates. */
+static enum hawser_status contact(struct hawser__reader *reader, struct hawser_ropeway *rw,
+                                  const struct hawser__tree *tree)
+{
+	static const char *const words[] = {"slip", "stick", "roll"};
+	const struct hawser__tree *one;
+	enum hawser_status status = hawser__tree_keys(reader, tree, "contact", "modes");
+	int index;
+
+	one = status ? NULL : hawser__tree_find(tree, "modes");
+	if (one)
+		status = hawser__tree_word(reader, &index, one, "contact.modes", words, 3);
+	if (one && !status)
+		rw->hold = (enum hawser_ropeway_hold)(index + 1);
+	return status;
 }
 
 static enum hawser_status interpret(struct hawser__reader *reader, struct hawser_ropeway *rw,
                                     const struct hawser__tree *root)
 {
-	const struct hawser__tree *kind, *g, *section;
+	const struct hawser__tree *kind, *g, *section, *touch;
 	enum hawser_status status = hawser__tree_keys(reader, root, "a scene of kind ropeway",
-	                                              "kind, g, ropeway");
+	                                              "kind, g, ropeway, contact");
 
 	rw->g = 9.81;
 	if (status)
@@ -375,10 +414,13 @@ static enum hawser_status interpret(struct hawser__reader *reader, struct hawser
 	kind = hawser__tree_find(root, "kind");
 	g = hawser__tree_find(root, "g");
 	section = hawser__tree_find(root, "ropeway");
+	touch = hawser__tree_find(root, "contact");
 	if (kind && (!kind->text || strcmp(kind->text, "ropeway") != 0))
 		return hawser__reader_fail(reader, &kind->at, "kind must be ropeway");
 	if (g)
 		status = hawser__tree_number(reader, &rw->g, g, "g", "m/s^2", HAWSER__TREE_POSITIVE);
+	if (!status && touch)
+		status = contact(reader, rw, touch);
 	if (!status && !section)
 		status = hawser__reader_fail(reader, &root->at, "the section ropeway is missing (see "
 		                             "hawser-scene(5), ROPEWAYS)");

@@ -80,6 +80,22 @@ static enum hawser_status name_of(struct hawser__reader *reader, struct hawser_r
 	return status;
 }
 
+/* A point has no axis to turn about. */
+static enum hawser_status inertia(struct hawser__reader *reader, struct hawser_ropeway_tower *tower,
+                                  const struct hawser__tree *tree, const char *section)
+{
+	double radius = tower->sheaves ? tower->sheave : tower->radius;
+	enum hawser_status status = hawser__ropeway_number(reader, &tower->inertia, tree, section,
+	                                                   "inertia", "kg m2", HAWSER__TREE_NOT_NEGATIVE,
+	                                                   0);
+
+	if (!status && tower->inertia > 0.0 && !(radius > 0.0))
+		status = hawser__reader_fail(reader, &hawser__tree_find(tree, "inertia")->at,
+		                             "%s.inertia: a sheave of the radius 0 does not turn: give it a "
+		                             "radius, or leave the inertia out", section);
+	return status;
+}
+
 /* Towers are given from the bottom station on, and are between the stations. */
 static enum hawser_status order(struct hawser__reader *reader, const struct hawser_ropeway *rw,
                                 const struct hawser__tree *tree)
@@ -108,7 +124,7 @@ static enum hawser_status tower_of(struct hawser__reader *reader, struct hawser_
 	char section[HAWSER__CALLED], what[HAWSER__CALLED];
 	int index = 0;
 	enum hawser_status status = hawser__tree_keys(reader, tree, "a tower", "name, at, battery, radius, "
-	                                              "friction, sheaves");
+	                                              "friction, sheaves, inertia");
 
 	if (!status)
 		status = name_of(reader, rw, tree);
@@ -130,7 +146,9 @@ static enum hawser_status tower_of(struct hawser__reader *reader, struct hawser_
 		status = hawser__ropeway_number(reader, &tower->friction, tree, section, "friction", "1",
 		                                HAWSER__TREE_NOT_NEGATIVE, 0);
 	one = hawser__tree_find(tree, "sheaves");
-	return status || !one ? status : train(reader, tower, one, section);
+	if (!status && one)
+		status = train(reader, tower, one, section);
+	return status ? status : inertia(reader, tower, tree, section);
 }
 
 enum hawser_status hawser__ropeway_towers(struct hawser__reader *reader, struct hawser_ropeway *rw,

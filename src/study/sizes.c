@@ -25,6 +25,7 @@
 #include <hawser/line.h>
 #include <hawser/ropeway.h>
 #include <hawser/line_modes.h>
+#include <hawser/ropeway_modes.h>
 #include <hawser/linear.h>
 #include <hawser/locus.h>
 #include <hawser/basin.h>
@@ -169,6 +170,7 @@ static const struct row {
 	ROW(hawser_ropeway_contact),
 	ROW(hawser_ropeway_lane),
 	ROW(hawser_ropeway_lane_range),
+	ROW(hawser_ropeway_modes_options),
 	ROW(hawser_ropeway_options),
 	ROW(hawser_ropeway_range),
 	ROW(hawser_ropeway_span),

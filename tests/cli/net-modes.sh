@@ -146,7 +146,7 @@ no() {
 	try "$called" said "$code"
 	try "  says so" grep -q -e "$saying" "$scratch/err"
 }
-no "an option of spans" 1 "of the options of modes only" web.yaml --method spectral
+no "an option of spans" 1 "\-\-method is for spans, and web.yaml is the scene of a net" web.yaml --method spectral
 no "another name for VTK" 1 "must end in .vtk" web.yaml --vtk web.vtu
 no "a span in VTK" 1 "\-\-vtk is for nets" "$chairlift" --vtk web.vtk
 no "too many modes" 1 "the mesh has 123 unknowns with mass: ask for 1 to 123 modes, not 1000" web.yaml -n 1000

@@ -1,0 +1,22 @@
+/* cli/kinds.h - the kinds of scenes, and options that are for some of them.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_CLI_KINDS_H
+#define HAWSER_CLI_KINDS_H
+
+#include "cli/cli.h"
+
+enum cli_kind { CLI_SPAN = 1, CLI_NET = 2, CLI_ROPEWAY = 4 }; /* bits */
+
+enum cli_kind cli_kind_of(const char *path);
+
+/* An option of the command line; a list is ended by a row without name. */
+struct cli_given {
+	const char *name; /* without "--" */
+	int given;
+	unsigned kinds;   /* for which it is */
+};
+/* Refuse the first option that is given and is not for scenes of this kind. */
+enum hawser_status cli_kind_check(enum cli_kind kind, const struct cli_given *list, const char *command,
+                                  const char *path, struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif
