@@ -17,6 +17,7 @@ dist_doc_DATA += \
 	%D%/theory-irvine.md \
 	%D%/theory-map.md \
 	%D%/theory-response.md \
+	%D%/theory-ropeway.md \
 	%D%/theory-scales.md \
 	%D%/theory-statics.md \
 	%D%/spans.md \

@@ -63,6 +63,7 @@ dist_scenes_DATA = \
 	%D%/scenes/rope.yaml \
 	%D%/scenes/ropeway-bouquet.yaml \
 	%D%/scenes/ropeway-carriers.yaml \
+	%D%/scenes/ropeway-gondola.yaml \
 	%D%/scenes/ropeway-small.yaml \
 	%D%/scenes/stay-frequencies.tsv \
 	%D%/scenes/second-stable-region.yaml

@@ -8,6 +8,7 @@
 #include "cli/beam_result.h"
 #include "cli/plan_net.h"
 #include "cli/plan_result.h"
+#include "cli/plan_ropeway.h"
 #include "cli/view.h"
 #include "core/report.h"
 
@@ -167,6 +168,16 @@ static enum hawser_status run_net(const struct settings *settings, struct hawser
 	return status ? status : cli_plan_net(&settings->common, &net, report);
 }
 
+static enum hawser_status run_ropeway(const struct settings *settings, struct hawser_report *report)
+{
+	const char *given = settings->limit > 0.0 ? "limit" : other(settings, -1);
+
+	if (*given)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "plan", "--%s is for spans or nets, and "
+		                    "this scene is a ropeway", given);
+	return cli_plan_ropeway(&settings->common, report);
+}
+
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	const struct settings *settings = context;
@@ -177,6 +188,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 
 	if (!status && hawser_net_is(settings->common.input))
 		return run_net(settings, report);
+	if (!status && hawser_ropeway_is(settings->common.input))
+		return run_ropeway(settings, report);
 	if (!status && *other(settings, 0))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "plan", "--%s is for nets, and %s is no "
 		                    "scene of a net", other(settings, 0), settings->common.input);

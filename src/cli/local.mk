@@ -135,6 +135,8 @@ hawser_SOURCES = \
 	%D%/plan_net_text.c \
 	%D%/plan_result.c \
 	%D%/plan_result.h \
+	%D%/plan_ropeway.c \
+	%D%/plan_ropeway.h \
 	%D%/progress.c \
 	%D%/progress.h \
 	%D%/quantity.c \

@@ -37,7 +37,7 @@ static void state_comments(struct hawser__table *table, const struct cli_ropeway
 	                      rw->towers, st->lane[0].carriers,
 	                      st->lanes > 1 ? st->lane[1].carriers : 0,
 	                      rw->load_case[st->load_case].name, st->phase, sliding[rw->sliding],
-	                      of->swept ? " (the phase of the largest tension)" : "");
+	                      rw->sweep ? " (the phase of the largest tension)" : "");
 	hawser__table_comment(table,
 	                      "bottom station: T = %.9g N, %.9g N on the carriage, travel = %.6g m",
 	                      st->T0, st->weight, st->travel);

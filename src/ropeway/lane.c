@@ -64,10 +64,10 @@ static enum hawser_status carriers(struct hawser_line *line, const struct hawser
 	line->mass = calloc((size_t)count + 1, sizeof *line->mass);
 	if (!line->mass)
 		return hawser__no_memory(report, "ropeway");
-	line->masses = (int)count;
-	for (int i = 0; i < line->masses; i++)
-		line->mass[i] = (struct hawser_line_mass){.S = loading->first + i*rw->spacing,
-		                                          .mass = loading->mass, .hanger = rw->hanger};
+	for (int i = 0; i < (int)count; i++)
+		if (loading->first + i*rw->spacing > 0.0) /* a carrier at S = 0 hangs on the station */
+			line->mass[line->masses++] = (struct hawser_line_mass){
+				.S = loading->first + i*rw->spacing, .mass = loading->mass, .hanger = rw->hanger};
 	return HAWSER_OK;
 }
 

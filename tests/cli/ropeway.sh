@@ -138,6 +138,11 @@ a, b = json.load(open("fixed.json")), json.load(open("length.json"))
 assert abs(a["T_top"]/b["T_top"] - 1) < 1e-6
 END2
 
+works "a plan" plan "$scenes/ropeway-gondola.yaml" --reproducible
+try "  of a train" grep -q '^  trains of sheaves: 96 fixed sheaves$' "$scratch/out"
+try "  and of its carriers" grep -q '^  carriers down: 20 of 650 kg' "$scratch/out"
+refuses "an option of the plans of spans" 1 "and this scene is a ropeway" plan "$small" --limit 1
+refuses "a plan as JSON" 1 "the plan of a ropeway is a text" plan "$small" --json plan.json
 refuses "a battery that the rope does not press" 2 "case full, phase 18.3 m, lane up: .*p1" statics "$small" \
 	--set ropeway.towers.p1.battery=compression
 refuses "a tower that is too low" 2 "case full, phase 18.3 m, lane up: .*lifts off sheave 1 (p0)" statics "$small" \
