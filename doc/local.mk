@@ -25,6 +25,7 @@ dist_doc_DATA += \
 	%D%/theory-modes.md \
 	%D%/theory-rom.md \
 	%D%/theory-ropeway-modes.md \
+	%D%/theory-ropeway-response.md \
 	%D%/theory-travel-rom.md \
 	%D%/theory-travel.md \
 	%D%/theory.md

@@ -22,6 +22,7 @@ pkginclude_HEADERS = \
 	%D%/hawser/irvine.h \
 	%D%/hawser/line.h \
 	%D%/hawser/line_modes.h \
+	%D%/hawser/line_rom.h \
 	%D%/hawser/linear.h \
 	%D%/hawser/locus.h \
 	%D%/hawser/lyapunov.h \

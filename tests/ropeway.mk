@@ -21,3 +21,12 @@ check_PROGRAMS += $(ROPEWAY_TESTS)
 TESTS += $(ROPEWAY_TESTS)
 tests_property_test_ropeway_SOURCES = tests/property/test-ropeway.c
 tests_property_test_ropeway_LDADD = $(UPTO_ROPEWAY)
+
+# energy and nonlinear models of ropes over sheaves
+LINE_ROM_TESTS = tests/property/test-line-expand tests/property/test-line-rom
+check_PROGRAMS += $(LINE_ROM_TESTS)
+TESTS += $(LINE_ROM_TESTS)
+tests_property_test_line_expand_SOURCES = tests/property/test-line-expand.c
+tests_property_test_line_expand_LDADD = $(UPTO_ROPEWAY)
+tests_property_test_line_rom_SOURCES = tests/property/test-line-rom.c
+tests_property_test_line_rom_LDADD = $(UPTO_RESPONSE)

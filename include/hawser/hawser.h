@@ -29,6 +29,7 @@
 #include <hawser/ropeway_modes.h>
 #include <hawser/plugin.h>
 #include <hawser/rom.h>
+#include <hawser/line_rom.h>
 #include <hawser/choose.h>
 #include <hawser/integrate.h>
 #include <hawser/orbit.h>

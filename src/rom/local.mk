@@ -73,6 +73,10 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/known.c \
 	%D%/known.h \
 	%D%/known_below.c \
+	%D%/line.c \
+	%D%/line.h \
+	%D%/line_lift.c \
+	%D%/line_load.c \
 	%D%/linear.c \
 	%D%/load.c \
 	%D%/load.h \

@@ -4,6 +4,15 @@ noinst_LTLIBRARIES += %D%/libropeway.la
 	%D%/arc.c \
 	%D%/at.c \
 	%D%/check.c \
+	%D%/expand.c \
+	%D%/expand.h \
+	%D%/expand_ends.c \
+	%D%/expand_follow.c \
+	%D%/expand_at.c \
+	%D%/expand_drive.c \
+	%D%/expand_modes.c \
+	%D%/expand_modes.h \
+	%D%/expand_points.c \
 	%D%/flight.c \
 	%D%/given.c \
 	%D%/line.h \

@@ -117,17 +117,16 @@ enum hawser_status hawser__lmode_find(struct hawser__lmode_search *t, struct haw
 	return status;
 }
 
-/* Refine the n lowest modes on grids for one frequency, and choose again; *omega is that frequency.
- * Short spans may have modes far above, which those grids would not resolve. */
-static enum hawser_status refine(double *omega, struct hawser__lmode_search *t,
-                                 struct hawser_report *report)
+enum hawser_status hawser__lmode_refine_all(double *omega, struct hawser__lmode_search *t, double wider,
+                                            struct hawser_report *report)
 {
 	struct hawser__lmode *rope = t->rope;
 	enum hawser_status status = HAWSER_OK;
+	double most = margin*omega_of(t, t->n - 1);
 
-	*omega = margin*omega_of(t, t->n - 1);
+	*omega = wider*most;
 	for (int i = 0; i < rope->systems && !status; i++) {
-		while (t->pairs[i].n > 0 && t->pairs[i].omega[t->pairs[i].n - 1] > *omega)
+		while (t->pairs[i].n > 0 && t->pairs[i].omega[t->pairs[i].n - 1] > most)
 			t->pairs[i].n--;
 		status = hawser__lmode_refine(&t->pairs[i], &rope->system[i], rope, *omega, report);
 	}
@@ -135,7 +134,7 @@ static enum hawser_status refine(double *omega, struct hawser__lmode_search *t,
 	return status;
 }
 
-static double worst_of(const struct hawser__lmode_search *t)
+double hawser__lmode_worst(const struct hawser__lmode_search *t)
 {
 	double worst = 0.0;
 
@@ -162,10 +161,10 @@ static enum hawser_status solve(struct hawser_line_modes *modes, struct hawser__
 	for (;;) {
 		status = hawser__lmode_find(t, report);
 		if (!status)
-			status = refine(&omega, t, report);
+			status = hawser__lmode_refine_all(&omega, t, 1.0, report);
 		if (status)
 			return status;
-		worst = worst_of(t);
+		worst = hawser__lmode_worst(t);
 		if (worst <= rope->options.tolerance)
 			return hawser__lmode_fill(modes, rope, t->pairs, NULL, t->choice, t->n, omega, report);
 		rope->options.extra += 4 + rope->options.extra/2;

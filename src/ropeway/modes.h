@@ -145,6 +145,16 @@ enum hawser_status hawser__lmode_factor(struct hawser__lmode_system *system,
  * strain may be NULL; x and load may be the same. */
 void hawser__lmode_static(double *x, double *strain, struct hawser__lmode_system *system,
                          const double *load);
+/* Strains that the rope would have without force, and displacements of the ends of segments besides
+ * those of their nodes, in the frame of the run (not of arcs). */
+struct hawser__lmode_given {
+	const double *source;       /* [strains], in the scale of strains; strain is then that of the force
+	                             * minus the source; or NULL */
+	const double (*lift)[HAWSER__ENDS][2]; /* [segments][ends][component], or NULL */
+};
+/* The same with these; of a system that does not circulate. */
+void hawser__lmode_static_given(double *x, double *strain, struct hawser__lmode_system *system,
+                                const double *load, const struct hawser__lmode_given *given);
 /* load = mass times x, both [size]. */
 void hawser__lmode_inertia(double *load, const double *x, const struct hawser__lmode_system *system);
 /* Inner product of a load and a displacement. */
@@ -197,6 +207,13 @@ struct hawser__lmode_search {
 /* Pairs of each system such that the n lowest are among them, and choice. */
 enum hawser_status hawser__lmode_find(struct hawser__lmode_search *search,
                                       struct hawser_report *report);
+/* Refine the n lowest modes on grids for `wider` times the highest frequency, and choose again;
+ * *omega is what the grids resolve. Short spans may have modes far above, which those grids would
+ * not resolve. */
+enum hawser_status hawser__lmode_refine_all(double *omega, struct hawser__lmode_search *search,
+                                            double wider, struct hawser_report *report);
+/* Largest estimated error of the n modes. */
+double hawser__lmode_worst(const struct hawser__lmode_search *search);
 /* Check lanes and options, whose zeros are replaced by defaults. */
 enum hawser_status hawser__lmode_settle(struct hawser_line_modes_options *options,
                                         const struct hawser_line_statics *const *lane, int lanes,

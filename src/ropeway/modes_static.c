@@ -74,16 +74,42 @@ static double end_of(const struct hawser__lmode_system *t, const struct spaces *
 	return sum;
 }
 
+/* G [D][points] += the derivative of the displacement by given strains. */
+static void add_source(double *G, const double *source, const struct hawser__lmode_segment *s)
+{
+	int points = s->grid.points;
+
+	for (int i = 0; i < points; i++) {
+		double a, b;
+
+		if (s->D == 1) {
+			G[i] -= (s->sb ? s->sb[i] : s->sa)*source[i];
+			continue;
+		}
+		a = s->sa*source[i];
+		b = s->sb[i]*source[points + i];
+		G[i] -= s->cosine[i]*a - s->sine[i]*b;
+		G[points + i] -= s->sine[i]*a + s->cosine[i]*b;
+	}
+}
+
+static double lift_of(const struct hawser__lmode_given *given, const struct hawser__lmode_system *t,
+                      const struct hawser__lmode_segment *s, int end, int c)
+{
+	return given && given->lift ? given->lift[s - t->segment][end][c] : 0.0;
+}
+
 /* Displacement X and strain of segment s from F0, X0 and the force by the load; off[D] is by how much
  * its end misses the node. */
 static void expand(double *X, double *strain, double *off, const struct hawser__lmode_system *t,
-                   const struct spaces *p, const struct hawser__lmode_segment *s)
+                   const struct spaces *p, const struct hawser__lmode_segment *s,
+                   const struct hawser__lmode_given *given)
 {
 	int points = s->grid.points;
 	double *F = p->segment, *G = F + 2*points, X0[2];
 
 	for (int c = 0; c < s->D; c++) {
-		X0[c] = end_of(t, p, s, 0, c);
+		X0[c] = end_of(t, p, s, 0, c) + lift_of(given, t, s, 0, c);
 		for (int i = 0; i < points; i++)
 			F[c*points + i] = p->force[s->strain + c*points + i] + p->unknown[s->row + c];
 	}
@@ -94,18 +120,39 @@ static void expand(double *X, double *strain, double *off, const struct hawser__
 		(void)hawser__segment_ground(F, G, s, G + points);
 	}
 	hawser__segment_gradient(G, F, s);
+	if (given && given->source)
+		add_source(G, given->source + s->strain, s);
 	for (int c = 0; c < s->D; c++) {
 		double end = X0[c] + hawser__grid_running(X + c*points, &s->grid, &s->table, G + c*points);
 
-		off[c] = end_of(t, p, s, 1, c) - end;
+		off[c] = end_of(t, p, s, 1, c) + lift_of(given, t, s, 1, c) - end;
 		for (int i = 0; i < points; i++)
 			X[c*points + i] += X0[c];
 	}
 	if (strain)
 		hawser__segment_strains(strain, F, s);
+	for (int i = 0; strain && given && given->source && i < s->D*points; i++)
+		strain[i] -= given->source[s->strain + i];
 }
 
-static void solve_loads(double *x, double *strain, struct hawser__lmode_system *t, const double *load)
+/* What the given strains and the lifts of its ends add to the displacement of a segment's end. */
+static void add_given(double *end, const struct hawser__lmode_system *t, const struct spaces *p,
+                      const struct hawser__lmode_segment *s, const struct hawser__lmode_given *given)
+{
+	double *G = p->segment;
+
+	if (!given)
+		return;
+	memset(G, 0, (size_t)(2*s->grid.points)*sizeof *G);
+	if (given->source)
+		add_source(G, given->source + s->strain, s);
+	for (int c = 0; c < s->D; c++)
+		end[c] += cblas_ddot(s->grid.points, s->grid.weight, 1, G + c*s->grid.points, 1) +
+		          lift_of(given, t, s, 0, c) - lift_of(given, t, s, 1, c);
+}
+
+static void solve_loads(double *x, double *strain, struct hawser__lmode_system *t, const double *load,
+                        const struct hawser__lmode_given *given)
 {
 	struct spaces p = spaces_of(t);
 	double (*f)[2] = (double (*)[2])(void *)(p.load + t->size); /* [segments] within [size] */
@@ -118,6 +165,7 @@ static void solve_loads(double *x, double *strain, struct hawser__lmode_system *
 
 		hawser__segment_load(p.end[i][0], p.end[i][1], p.force + s->strain, p.load + s->at, s,
 		                     p.segment);
+		add_given(p.end[i][0], t, &p, s, given);
 		for (int c = 0; c < s->D; c++) {
 			f[i][c] = p.end[i][1][c];
 			p.right[s->row + c] = p.end[i][0][c];
@@ -142,7 +190,8 @@ static void solve_loads(double *x, double *strain, struct hawser__lmode_system *
 	/* Round-off lets the ends miss their nodes. To first order the error of a frequency is the force
 	 * times that; solving once more for it leaves the round-off of the strains alone. */
 	for (int i = 0; i < t->segments; i++)
-		expand(x + t->segment[i].at, NULL, &p.right[t->segment[i].row], t, &p, &t->segment[i]);
+		expand(x + t->segment[i].at, NULL, &p.right[t->segment[i].row], t, &p, &t->segment[i],
+		       given);
 	for (int i = 0; i < t->nodes; i++)
 		for (int d = 0; d < t->node[i].dofs; d++)
 			p.right[t->node[i].row + d] = 0.0;
@@ -158,7 +207,7 @@ static void solve_loads(double *x, double *strain, struct hawser__lmode_system *
 		p.w[b] += first[t->rows + b];
 	for (int i = 0; i < t->segments; i++)
 		expand(x + t->segment[i].at, strain ? strain + t->segment[i].strain : NULL,
-		       p.end[i][0], t, &p, &t->segment[i]);
+		       p.end[i][0], t, &p, &t->segment[i], given);
 	for (int i = 0; i < t->nodes; i++)
 		for (int d = 0; d < t->node[i].dofs; d++)
 			x[t->node[i].at + d] = p.unknown[t->node[i].row + d];
@@ -185,7 +234,7 @@ int hawser__lmode_circulation(struct hawser__lmode_system *t, const double *v)
 		return -1;
 	for (int b = 0; b < t->borders; b++)
 		t->null_load[t->border[b].at] = v[b];
-	solve_loads(t->null, t->null_strain, t, t->null_load);
+	solve_loads(t->null, t->null_strain, t, t->null_load, NULL);
 	hawser__lmode_inertia(t->null_load, t->null, t);
 	norm = 1.0/sqrt(hawser__lmode_product(t->null_load, t->null, t));
 	cblas_dscal(t->size, norm, t->null, 1);
@@ -201,18 +250,24 @@ void hawser__lmode_static(double *x, double *strain, struct hawser__lmode_system
 	double part;
 
 	if (!t->circulates) {
-		solve_loads(x, strain, t, load);
+		solve_loads(x, strain, t, load, NULL);
 		return;
 	}
 	part = hawser__lmode_product(load, t->null, t);
 	if (x != load)
 		memcpy(x, load, (size_t)t->size*sizeof *x);
 	cblas_daxpy(t->size, -part, t->null_load, 1, x, 1);
-	solve_loads(x, strain, t, x);
+	solve_loads(x, strain, t, x, NULL);
 	part = hawser__lmode_product(t->null_load, x, t);
 	cblas_daxpy(t->size, -part, t->null, 1, x, 1);
 	if (strain)
 		cblas_daxpy(t->strains, -part, t->null_strain, 1, strain, 1);
+}
+
+void hawser__lmode_static_given(double *x, double *strain, struct hawser__lmode_system *t,
+                                const double *load, const struct hawser__lmode_given *given)
+{
+	solve_loads(x, strain, t, load, given);
 }
 
 void hawser__lmode_inertia(double *load, const double *x, const struct hawser__lmode_system *t)

@@ -26,6 +26,7 @@
 #include <hawser/ropeway.h>
 #include <hawser/line_modes.h>
 #include <hawser/ropeway_modes.h>
+#include <hawser/line_rom.h>
 #include <hawser/linear.h>
 #include <hawser/locus.h>
 #include <hawser/basin.h>
@@ -162,6 +163,8 @@ static const struct row {
 	ROW(hawser_line_modes_options),
 	ROW(hawser_line_modes_piece),
 	ROW(hawser_line_modes_point),
+	ROW(hawser_line_rom_options),
+	ROW(hawser_line_lift),
 	ROW(hawser_line_piece),
 	ROW(hawser_line_sheave),
 	ROW(hawser_line_statics),

@@ -1,0 +1,74 @@
+/* hawser/line_rom.h - the nonlinear response of a rope over sheaves: its modes as the coordinates
+ * of a reduced model (rom.h), with the loads of carriers that pass and of a drive that does not
+ * run evenly.
+ *
+ * The strain energy of spans and arcs, the motion of the points at which the rope leaves the
+ * sheaves, and the static response of the modes that are not kept are in the tensors Q and C
+ * (doc/theory-ropeway-response.md). A model is that of contacts that stay: hawser_line_rom_lift
+ * says up to which amplitude they do.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_LINE_ROM_H
+#define HAWSER_LINE_ROM_H
+
+#include <hawser/line_modes.h>
+#include <hawser/rom.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum hawser_line_load {
+	HAWSER_LINE_LOAD_NONE = 0,
+	HAWSER_LINE_LOAD_PASSING, /* equal weights that pass along the rope at equal distances */
+	HAWSER_LINE_LOAD_DRIVE    /* an end that moves along the rope harmonically */
+};
+
+enum { HAWSER_LINE_ROM_MODES = 40 }; /* most coordinates of a model */
+
+struct hawser_line_rom_options {
+	struct hawser_line_modes_options modes; /* which modes are coordinates, and the contact: slip or
+	                                         * stick. With n of at most HAWSER_LINE_ROM_MODES */
+	int held;              /* 1: the rope leaves each sheave at a material point, as in linear
+	                        * theory: for comparison */
+	double ratio;          /* damping ratio of each mode; 0: none */
+	enum hawser_line_load load;
+	/* Passing: the frequency of the model is 2 pi times speed over spacing. The weights of the
+	 * carriers are smeared over the rope in the statics: no masses on it, and rho with their
+	 * part. */
+	double weight, spacing; /* N, m (unstretched) */
+	int harmonics;          /* multiples of the frequency; 0: 3 */
+	int lane;               /* along which they pass, or which the drive moves */
+	/* Drive */
+	int end;                /* 0: end A moves, 1: end B */
+	double amplitude;       /* m */
+};
+void hawser_line_rom_settle(struct hawser_line_rom_options *options);
+
+/* A model whose coordinates are the lowest modes of the rope, and those modes. Shape points are the
+ * middles of the spans, "span_1" and so on over all lanes, and the line has the ends and the
+ * middle of every piece. *rom and *modes are overwritten; release them with hawser_rom_clear and
+ * hawser_line_modes_clear. Statuses of hawser_line_modes_solve; HAWSER_ERR_ARGUMENT also for what
+ * the model does not cover: a rope that runs, hangers, sheaves of radius 0, contact roll, a loop
+ * that circulates freely. */
+enum hawser_status hawser_line_rom_build(struct hawser_rom *rom, struct hawser_line_modes *modes,
+                                         const struct hawser_line_statics *const *lane, int lanes,
+                                         const struct hawser_line_rom_options *options,
+                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* Where, and at which amplitude, a motion in one mode alone takes the rope off a sheave: its
+ * slopes before and behind it change, by the linear motion, by as much as the angle of contact. */
+struct hawser_line_lift {
+	int lane, sheave;   /* -1: no sheave is relieved by this mode */
+	double amplitude;   /* of the coordinate, scaled; INFINITY if none */
+	double motion;      /* m, largest displacement of the rope in this mode at that amplitude */
+	double force;       /* N, of the sheave on the rope at rest */
+};
+/* Of mode k of real modes. */
+void hawser_line_rom_lift(struct hawser_line_lift *lift, const struct hawser_line_modes *modes,
+                          int k);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
