@@ -75,6 +75,12 @@ static double best_reading(const char *path)
 	return best;
 }
 
+/* Of these the net has no equilibrium of cables: they are there for comparison. */
+static int may_fail(const char *method)
+{
+	return !strcmp(method, "two-sided") || !strcmp(method, "regularised");
+}
+
 /* One line a method. Dynamic relaxation stops at its own tolerance: its distance from the others is in
  * the columns of the error. */
 static int table_3_1(void)
@@ -102,7 +108,13 @@ static int table_3_1(void)
 
 		if (hawser_net_solve(&st, &net, &options, &report)) {
 			printf("%-16s %s\n", options.method, report.message);
-			wrong = 1;
+			wrong |= !may_fail(options.method);
+			continue;
+		}
+		if (st.compressed > 0) {
+			printf("%-16s %d compressed elements\n", options.method, st.compressed);
+			wrong |= !may_fail(options.method);
+			hawser_net_statics_clear(&st);
 			continue;
 		}
 		off = st.energy/ENERGY - 1.0;

@@ -209,6 +209,8 @@ sh "$SRCDIR/doc/figures-spans.sh" "$target/spans"
 echo "$target/net-bars.svg"
 "$hawser" modes "$scenes/net-table-3-1.yaml" -q --plot "$target/net-modes.svg" >"$target/net-modes.txt"
 echo "$target/net-modes.svg"
+"$hawser" compare statics -q --plot "$target/net-profile.svg"
+echo "$target/net-profile.svg"
 
 # Travelling beams: all figures of D chapter 9.
 sh "$SRCDIR/doc/figures-beam.sh" "$target/beam"

@@ -30,7 +30,7 @@ dist_doc_DATA += \
 	%D%/theory-travel.md \
 	%D%/theory.md
 # Figures of the notes: `make figures` draws them into the build folder's figures/, from benches.
-EXTRA_DIST += %D%/campbell.svg %D%/carriers.svg %D%/convergence.svg %D%/damper-place.svg %D%/absorber.svg %D%/spacers.svg %D%/over-tension.svg %D%/loci.svg %D%/net-bars.svg %D%/net-modes.svg %D%/nnm-tongue.svg %D%/tori.svg %D%/damper-size.svg %D%/figures-beam.sh %D%/figures-spans.sh %D%/figures-travel.sh %D%/figures-validity.sh %D%/figures.sh \
+EXTRA_DIST += %D%/campbell.svg %D%/carriers.svg %D%/convergence.svg %D%/damper-place.svg %D%/absorber.svg %D%/spacers.svg %D%/over-tension.svg %D%/loci.svg %D%/net-bars.svg %D%/net-modes.svg %D%/net-profile.svg %D%/nnm-tongue.svg %D%/tori.svg %D%/damper-size.svg %D%/figures-beam.sh %D%/figures-spans.sh %D%/figures-travel.sh %D%/figures-validity.sh %D%/figures.sh \
 	%D%/stay-map.svg %D%/trade.svg %D%/travel-holds.svg %D%/validity.svg
 .PHONY: figures
 figures: bench/shapes hawser

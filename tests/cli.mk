@@ -18,6 +18,7 @@ CLI_TESTS = \
 	%D%/cli/long.sh \
 	%D%/cli/motion.sh \
 	%D%/cli/net.sh \
+	%D%/cli/net-profile.sh \
 	%D%/cli/ropeway.sh \
 	%D%/cli/ropeway-modes.sh \
 	%D%/cli/net-modes.sh \

@@ -49,3 +49,9 @@ check_PROGRAMS += $(NET_METHODS_TESTS)
 TESTS += $(NET_METHODS_TESTS)
 tests_property_test_net_methods_SOURCES = tests/property/test-net-methods.c
 tests_property_test_net_methods_LDADD = $(UPTO_NET)
+
+NET_PROFILE_TESTS = tests/property/test-net-profile
+check_PROGRAMS += $(NET_PROFILE_TESTS)
+TESTS += $(NET_PROFILE_TESTS)
+tests_property_test_net_profile_SOURCES = tests/property/test-net-profile.c
+tests_property_test_net_profile_LDADD = $(UPTO_NET)

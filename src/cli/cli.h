@@ -71,12 +71,14 @@ enum hawser_status cli_store_count(void *field, const struct cli_option *option,
 #define CLI_NO_OPTION {NULL, 0, NULL, NULL, NULL, 0}
 
 #define CLI_STEP 0.005 /* longest step of a response, as a part of its range, by default */
-enum { CLI_SETS = 64 }; /* --set options in one call */
+enum { CLI_SETS = 64, CLI_MORE_INPUTS = 99 }; /* --set options and further inputs in one call */
 
 /* Settings of every command; the first member of each command's own. */
 struct cli_common {
 	const char *input; /* scene or model; "-" is standard input */
 	const char *library; /* the same as input if that is a shared library (hawser/plugin.h); or NULL */
+	const char *more[CLI_MORE_INPUTS]; /* [mores] after the first, if the command's input has "..." */
+	int mores;
 	const char *second; /* the second argument of a command whose `input` has two words; or NULL */
 	const char *json, *tsv, *plot; /* files to write, or NULL */
 	const char *units; /* list of units for tables, or NULL: SI */
@@ -116,10 +118,8 @@ struct cli_command {
 	X(damping) \
 	X(identify) \
 	X(beam) \
-	X(map) \
-	X(compare) \
-	X(compare_modes) \
-	X(compare_mms) X(compare_motion)
+	X(map) X(compare) X(compare_modes) \
+	X(compare_mms) X(compare_motion) X(compare_statics)
 #define CLI_DECLARE(command) extern const struct cli_command cli_##command;
 CLI_COMMANDS(CLI_DECLARE)
 #undef CLI_DECLARE

@@ -113,6 +113,8 @@ enum hawser_status cli_outputs_check_with(const struct cli_common *common,
 			status = check_clash(&list[i], &list[j], 0, report);
 		if (!status)
 			status = check_clash(&list[i], &input, 1, report);
+		for (j = 0; j < common->mores && !status; j++)
+			status = check_clash(&list[i], &(struct cli_output){"input", common->more[j]}, 1, report);
 	}
 	if (!status)
 		status = hawser__picture_check(common->plot, report);

@@ -25,8 +25,11 @@ void cli_echo_table(struct hawser__table *table, const struct cli_common *common
 	int i;
 
 	hawser__table_comment(table, "hawser %s %s", hawser_version(), command);
-	hawser__table_remark(table, "%s: %s", scene || kind ? "scene" : "model",
-	                     scene && scene->name ? scene->name : common->input);
+	if (scene || common->input)
+		hawser__table_remark(table, "%s: %s", scene || kind ? "scene" : "model",
+		                     scene && scene->name ? scene->name : common->input);
+	for (i = 0; i < common->mores; i++)
+		hawser__table_remark(table, "scene: %s", common->more[i]);
 	for (i = 0; i < common->sets; i++)
 		hawser__table_remark(table, "set: %s", common->set[i]);
 	hawser__table_remark(table, "method: %s", method);
@@ -197,6 +200,12 @@ static void echo_other(struct hawser__json *json, json_t *echo, const struct cli
 	json_t *set;
 
 	hawser__json_text(json, echo, "kind", kind);
+	if (common->mores > 0) {
+		json_t *more = hawser__json_array(json, echo, "more");
+
+		for (int i = 0; i < common->mores; i++)
+			hawser__json_text(json, more, NULL, common->more[i]);
+	}
 	if (common->sets == 0)
 		return;
 	set = hawser__json_array(json, echo, "set");
@@ -214,6 +223,10 @@ void cli_echo_json(struct hawser__json *json, const struct cli_common *common,
 	hawser__json_begin(json);
 	hawser__json_text(json, json->root, "command", command);
 	hawser__json_text(json, json->root, "version", hawser_version());
+	if (!scene && !common->input) {
+		hawser__json_null(json, json->root, "scene");
+		return;
+	}
 	echo = hawser__json_object(json, json->root, "scene");
 	hawser__json_text(json, echo, scene || kind ? "name" : "model_file",
 	                  scene && scene->name ? scene->name : common->input);

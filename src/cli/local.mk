@@ -59,6 +59,9 @@ hawser_SOURCES = \
 	%D%/statics_marks.c \
 	%D%/compare_mms.c \
 	%D%/compare_motion.c \
+	%D%/compare_statics.c \
+	%D%/compare_statics.h \
+	%D%/compare_statics_fields.c \
 	%D%/statics_fields.c \
 	%D%/statics_mesh.c \
 	%D%/statics_mesh.h \

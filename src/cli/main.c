@@ -24,7 +24,7 @@ static void print_usage(FILE *stream)
 	      "Linear and nonlinear dynamics of cables: from a scene file to static shape, modes,\n"
 	      "reduced model, time response and certified frequency response.\n\nCommands:\n", stream);
 	for (i = 0; i < command_count; i++)
-		fprintf(stream, "  %-15s %s\n", commands[i]->name, commands[i]->summary);
+		fprintf(stream, "  %-16s %s\n", commands[i]->name, commands[i]->summary);
 	fputs("\nOptions:\n"
 	      "  -h, --help     print this help; hawser COMMAND --help, or hawser help COMMAND, prints a\n"
 	      "                 command's options; hawser help columns COMMAND what its results hold\n"

@@ -237,6 +237,13 @@ static enum hawser_status positional(struct reader *reader, const char *text,
 		common->second = text;
 		return HAWSER_OK;
 	}
+	if (common->input && strstr(reader->command->input, "...")) {
+		if (common->mores == CLI_MORE_INPUTS)
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "options", "%s takes at most %d scenes",
+			                    reader->command->name, CLI_MORE_INPUTS + 1);
+		common->more[common->mores++] = text;
+		return HAWSER_OK;
+	}
 	if (common->input)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "options",
 		                    "%s takes one %s, but %s and %s are given", reader->command->name,

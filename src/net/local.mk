@@ -2,6 +2,8 @@ noinst_LTLIBRARIES += %D%/libnet.la
 %C%_libnet_la_SOURCES = \
 	%D%/catenary.c \
 	%D%/catenary.h \
+	%D%/certificate.c \
+	%D%/comparison.c \
 	%D%/descent.c \
 	%D%/dual.c \
 	%D%/dual.h \

@@ -57,6 +57,8 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/plot_motions.c \
 	%D%/plot_motions.h \
 	%D%/plot_precision.c \
+	%D%/plot_profile.c \
+	%D%/plot_profile.h \
 	%D%/plot_speeds.c \
 	%D%/plot_statics.c \
 	%D%/style.c \
