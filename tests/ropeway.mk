@@ -1,9 +1,11 @@
 # tests of ropes over sheaves
-LINE_TESTS = tests/reference/test-line tests/property/test-line-random
+LINE_TESTS = tests/reference/test-line tests/reference/test-line-closed tests/property/test-line-random
 check_PROGRAMS += $(LINE_TESTS)
 TESTS += $(LINE_TESTS)
 tests_reference_test_line_SOURCES = tests/reference/test-line.c
 tests_reference_test_line_LDADD = $(UPTO_ROPEWAY)
+tests_reference_test_line_closed_SOURCES = tests/reference/test-line-closed.c
+tests_reference_test_line_closed_LDADD = $(UPTO_ROPEWAY)
 tests_property_test_line_random_SOURCES = tests/property/test-line-random.c
 tests_property_test_line_random_LDADD = $(UPTO_ROPEWAY)
 noinst_HEADERS += tests/line-random.h

@@ -10,6 +10,7 @@
 #include "config.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -23,30 +24,66 @@ static const double *place(const struct hawser_ropeway *rw, int i)
 	return i < 0 ? rw->bottom : i < rw->towers ? rw->tower[i].at : rw->top;
 }
 
+const char *hawser__tension_given(char text[HAWSER__TENSION_GIVEN], const struct hawser_ropeway *rw)
+{
+	static const char *const key[] = {"counterweight", "T0", "length0", "T_empty"};
+
+	snprintf(text, HAWSER__TENSION_GIVEN, " (bottom.tension.%s = %.9g %s sets the tension "
+	         "at the bottom station)",
+	         key[rw->tension], rw->value, rw->tension == HAWSER_ROPEWAY_LENGTH0 ? "m" : "N");
+	return text;
+}
+
+enum hawser_status hawser__in_file(struct hawser_report *report, enum hawser_status status,
+                                   const struct hawser_ropeway *rw)
+{
+	enum { NAME = 100 }; /* characters of the name that are shown, from its end */
+	char message[sizeof report->message];
+	const char *name = rw->name;
+
+	if (!report || (status != HAWSER_ERR_NO_SOLUTION && status != HAWSER_ERR_ARGUMENT &&
+	                status != HAWSER_ERR_CONVERGENCE && status != HAWSER_ERR_NAN) || !name)
+		return status;
+	if (strlen(name) > NAME)
+		name += strlen(name) - NAME;
+	memcpy(message, report->message, sizeof message);
+	snprintf(report->message, sizeof report->message, "%s: %.530s", name, message);
+	return status;
+}
+
+static const char *name_of(const struct hawser_ropeway *rw, int tower)
+{
+	return tower < 0 ? "bottom" : tower < rw->towers ? rw->tower[tower].name : "top";
+}
+
 /* One catenary after the other, from the tension T0. V [2*(towers + 1)] gets the vertical forces at
  * both ends of each, H [towers + 1]; *length their unstretched lengths together. */
 static enum hawser_status join(double *V, double *H, double *length, const struct hawser_ropeway *rw,
                                double rho, double T0, struct hawser_report *report)
 {
 	struct hawser_statics st;
-	enum hawser_status status = HAWSER_OK;
+	struct hawser_report inner;
+	char given[HAWSER__TENSION_GIVEN];
+	enum hawser_status status;
 
 	*length = 0.0;
-	for (int i = 0; i <= rw->towers && !status; i++) {
+	for (int i = 0; i <= rw->towers; i++) {
 		const double *a = place(rw, i - 1), *b = place(rw, i);
 		struct hawser_span span = {.EA = rw->EA, .rho = rho, .g = rw->g, .d = b[0] - a[0],
 		                           .h = b[1] - a[1]};
 
-		status = hawser_statics_solve(&st, &span, HAWSER_GIVEN_T0, T0, HAWSER_BRANCH_TAUT, report);
+		status = hawser_statics_solve(&st, &span, HAWSER_GIVEN_T0, T0, HAWSER_BRANCH_TAUT, &inner);
 		if (status)
-			break;
+			return hawser__fail(report, status, "ropeway", "the rope with the carriers spread over it, "
+			                    "%s to %s: %.420s%s", name_of(rw, i - 1), name_of(rw, i), inner.message,
+			                    hawser__tension_given(given, rw));
 		V[2*i] = st.V0;
 		V[2*i + 1] = st.V1;
 		H[i] = st.H;
 		*length += st.length0;
 		T0 = st.T1;
 	}
-	return status;
+	return HAWSER_OK;
 }
 
 /* The tension at which the empty rope has the given length, if it is straight: for the sides of

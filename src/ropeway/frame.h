@@ -24,6 +24,13 @@ enum hawser_status hawser__frame_open(struct hawser__frame *frame, const struct 
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__frame_clear(struct hawser__frame *frame);
 
+enum { HAWSER__TENSION_GIVEN = 96 };
+/* What the scene gives as tension of the bottom station, for the end of a message. Returns `text`. */
+const char *hawser__tension_given(char text[HAWSER__TENSION_GIVEN], const struct hawser_ropeway *rw);
+/* Set the file's name before the message of a failure that belongs to the scene. Returns `status`. */
+enum hawser_status hawser__in_file(struct hawser_report *report, enum hawser_status status,
+                                   const struct hawser_ropeway *rw);
+
 /* What the rope carries and how it moves. */
 struct hawser__loading {
 	double mass;      /* kg of a carrier; 0: none */

@@ -58,6 +58,7 @@ static enum hawser_status solve_lanes(struct hawser_ropeway_statics *st,
 {
 	const struct hawser_ropeway *rw = frame->ropeway;
 	struct hawser_report inner;
+	char given[HAWSER__TENSION_GIVEN] = "";
 	double tension = 0.0;
 
 	st->loop0 = 0.0;
@@ -65,12 +66,15 @@ static enum hawser_status solve_lanes(struct hawser_ropeway_statics *st,
 		const struct hawser__loading loading = loading_of(rw, i, load_case, phase, P, lift);
 		enum hawser_status status = hawser__lane_solve(&st->lane[i], frame, &loading, &inner);
 
+		if (status == HAWSER_ERR_NO_SOLUTION)
+			hawser__tension_given(given, rw);
 		if (status && load_case < 0)
-			return hawser__fail(report, status, "ropeway", "the rope without carriers, lane %s: %.560s",
-			                    i ? "down" : "up", inner.message);
+			return hawser__fail(report, status, "ropeway", "the rope without carriers, lane %s: "
+			                    "%.440s%s", i ? "down" : "up", inner.message, given);
 		if (status)
-			return hawser__fail(report, status, "ropeway", "case %s, phase %.9g m, lane %s: %.520s",
-			                    rw->load_case[load_case].name, phase, i ? "down" : "up", inner.message);
+			return hawser__fail(report, status, "ropeway", "case %s, phase %.9g m, lane %s: "
+			                    "%.440s%s", rw->load_case[load_case].name, phase,
+			                    i ? "down" : "up", inner.message, given);
 		st->loop0 += st->lane[i].st.length0;
 		tension += st->lane[i].st.T_B/rw->lanes;
 	}
@@ -287,7 +291,7 @@ enum hawser_status hawser_ropeway_solve(struct hawser_ropeway_statics *st,
 	if (!status)
 		status = hawser__ropeway_state(st, &frame, &own, phase, report);
 	hawser__frame_clear(&frame);
-	return status;
+	return hawser__in_file(report, status, rw);
 }
 
 void hawser_ropeway_statics_clear(struct hawser_ropeway_statics *st)

@@ -145,6 +145,10 @@ static enum hawser_status tower_of(struct hawser__reader *reader, struct hawser_
 	if (!status)
 		status = hawser__ropeway_number(reader, &tower->friction, tree, section, "friction", "1",
 		                                HAWSER__TREE_NOT_NEGATIVE, 0);
+	if (!status && tower->friction > 10.0) /* the limit of hawser_line_solve */
+		return hawser__reader_fail(reader, &hawser__tree_find(tree, "friction")->at, "%s.friction = "
+		                           "%.9g is out of range: it must be from 0 to 10, a coefficient such "
+		                           "as 0.03 and no per cent", section, tower->friction);
 	one = hawser__tree_find(tree, "sheaves");
 	if (!status && one)
 		status = train(reader, tower, one, section);

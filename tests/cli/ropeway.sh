@@ -145,6 +145,10 @@ refuses "an option of the plans of spans" 1 "and this scene is a ropeway" plan "
 refuses "a plan as JSON" 1 "the plan of a ropeway is a text" plan "$small" --json plan.json
 refuses "a battery that the rope does not press" 2 "case full, phase 18.3 m, lane up: .*p1" statics "$small" \
 	--set ropeway.towers.p1.battery=compression
+refuses "a coefficient in per cent" 1 "towers.p0.friction = 30 is out of range" statics "$small" \
+	--set ropeway.towers.p0.friction=30
+refuses "too little tension" 2 "small.yaml: .*lane up: .*tension.counterweight = 2000 N sets" \
+	statics "$small" --set "ropeway.bottom.tension={counterweight: 2 kN}"
 refuses "a tower that is too low" 2 "case full, phase 18.3 m, lane up: .*lifts off sheave 1 (p0)" statics "$small" \
 	--set 'ropeway.towers.p0.at=[80 m, 5 m]'
 run statics "$small" --set 'ropeway.towers.p0.at=[80 m, 5 m]' --tolerate --json low.json -q

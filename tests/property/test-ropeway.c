@@ -274,11 +274,43 @@ static void heights(void)
 	hawser_ropeway_statics_clear(&st);
 }
 
+/* A counterweight W at rest: W/2 in each lane. The drive slips where its force exceeds
+ * (exp(friction wrap) - 1) times the slack side. */
+static void stations(void)
+{
+	struct hawser_ropeway_tower tower[3];
+	struct hawser_ropeway_case load_case;
+	struct hawser_ropeway rw;
+	struct hawser_ropeway_statics st;
+	struct hawser_report report = {0};
+	double needed = 0.0, least;
+
+	plain(&rw, tower, &load_case);
+	rw.sliding = HAWSER_ROPEWAY_REST;
+	rw.drive = 1;
+	rw.drive_friction = 0.9;
+	if (ok(!hawser_ropeway_solve(&st, &rw, NULL, 4.7, &report), "a counterweight")) {
+		close_to(st.lane[0].st.T_A, 0.5*rw.value, 1e-15, "half of it on lane up");
+		close_to(st.lane[1].st.T_A, 0.5*rw.value, 1e-15, "and on lane down");
+		least = fmin(st.lane[0].st.T_B, st.lane[1].st.T_B);
+		needed = st.needed_friction;
+		close_to(fabs(st.force), expm1(needed*rw.wrap)*least, 1e-12, "force that just does not slip");
+		hawser_ropeway_statics_clear(&st);
+	}
+	rw.drive_friction = needed*(1.0 + 1e-9);
+	ok(!hawser_ropeway_solve(&st, &rw, NULL, 4.7, &report), "a friction just above it holds");
+	hawser_ropeway_statics_clear(&st);
+	rw.drive_friction = needed*(1.0 - 1e-9);
+	ok(hawser_ropeway_solve(&st, &rw, NULL, 4.7, &report) == HAWSER_ERR_NO_SOLUTION &&
+	   strstr(report.message, "slips"), "one just below it slips: %s", report.message);
+}
+
 int main(void)
 {
 	random_lines(getenv("HAWSER_LONG") ? 10000 : 60);
 	sweeps();
 	trains();
 	heights();
+	stations();
 	return done_testing();
 }
