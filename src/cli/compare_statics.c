@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "cli/compare_statics.h"
 #include "cli/label.h"
@@ -160,17 +161,19 @@ static const struct cli_showing
 static enum hawser_status read_scene(struct cli_compare_statics *result, const char *path,
                                      struct hawser_report *report)
 {
-	enum { REPEATS = 5 };
+	enum { REPEATS = 5 }; /* of files; pipes are read once */
 	const struct cli_common *common = result->common;
 	struct hawser_net *net = &result->net[result->nets];
 	double *least = &result->reading[result->nets];
+	int repeats = hawser_net_is(path) ? REPEATS : 1;
 	enum hawser_status status = HAWSER_OK;
+	struct stat info;
 
-	if (!hawser_net_is(path))
+	if (stat(path, &info) == 0 && S_ISREG(info.st_mode) && !hawser_net_is(path))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "compare statics", "%s is no scene of a net: "
 		                    "that is a file with kind: net (man hawser-scene, NETS)", path);
 	*least = INFINITY;
-	for (int i = 0; i < REPEATS && !status; i++) {
+	for (int i = 0; i < repeats && !status; i++) {
 		double began = cli_processor_seconds();
 
 		hawser_net_clear(net);

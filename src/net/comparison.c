@@ -16,6 +16,7 @@
 #include "core/report.h"
 
 enum {
+	MOST = 1000000,  /* nets: their outcomes take half a gigabyte */
 	NETS = 1600,     /* random cables: as many as in B 3.2.3 */
 	STEPS = 20000,   /* of relaxation: a tenth of a second for 100 elements; some need 1e6 */
 	CHORD_MOST = 100, /* of mixed from the chord: it would give up where forces stay at their bound */
@@ -202,6 +203,9 @@ static enum hawser_status open(struct hawser_net_comparison *of,
 	of->nets = options->nets > 0 ? options->nets : NETS;
 	of->seed = options->seed;
 	nets = (size_t)of->nets;
+	if (of->nets > MOST)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%d nets are too many to compare: at "
+		                    "most %d", of->nets, MOST);
 	of->score = calloc(WAYS, sizeof *of->score);
 	of->random = options->net ? NULL : calloc(nets, sizeof *of->random);
 	of->outcome = calloc(WAYS*nets, sizeof *of->outcome);

@@ -77,5 +77,7 @@ refuses 1 "--profile and --each are different tables: choose one" compare static
 refuses 1 "there is no method newton in this comparison (hawser compare statics --help lists them)" compare statics --method newton
 refuses_like 1 "would overwrite the input" compare statics slack.yaml taut.yaml --tsv taut.yaml
 refuses_like 1 "nets" compare statics --nets 0
+refuses 1 "2000000 nets are too many to compare: at most 1000000" compare statics --nets 2000000
+refuses_like 1 "cannot open nosuch.yaml" compare statics nosuch.yaml
 refuses_like 1 "unknown key" compare statics slack.yaml --set cables.a.EE=1
 done_testing
