@@ -120,3 +120,8 @@ EXTRA_PROGRAMS += %D%/net-plan
 CLEANFILES += %D%/net-plan
 %C%_net_plan_SOURCES = %D%/net-plan.c
 %C%_net_plan_LDADD = $(UPTO_NET)
+
+# statics of ropeways: the cost of a sweep over the phases, and random lines
+BENCHES += %D%/ropeway
+%C%_ropeway_SOURCES = %D%/ropeway.c
+%C%_ropeway_LDADD = $(UPTO_ROPEWAY)

@@ -8,7 +8,7 @@ tests_reference_test_line_closed_SOURCES = tests/reference/test-line-closed.c
 tests_reference_test_line_closed_LDADD = $(UPTO_ROPEWAY)
 tests_property_test_line_random_SOURCES = tests/property/test-line-random.c
 tests_property_test_line_random_LDADD = $(UPTO_ROPEWAY)
-noinst_HEADERS += tests/line-random.h
+noinst_HEADERS += tests/line-judge.h tests/line-random.h
 
 LINE_MODES_TESTS = tests/reference/test-line-modes tests/property/test-line-modes-gradient
 check_PROGRAMS += $(LINE_MODES_TESTS)
