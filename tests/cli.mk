@@ -21,6 +21,7 @@ CLI_TESTS = \
 	%D%/cli/net-profile.sh \
 	%D%/cli/ropeway.sh \
 	%D%/cli/ropeway-modes.sh \
+	%D%/cli/ropeway-rom.sh \
 	%D%/cli/net-modes.sh \
 	%D%/cli/net-motion.sh \
 	%D%/cli/fe.sh \

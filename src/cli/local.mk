@@ -139,6 +139,8 @@ hawser_SOURCES = \
 	%D%/plan_result.c \
 	%D%/plan_result.h \
 	%D%/plan_ropeway.c \
+	%D%/rom_ropeway.c \
+	%D%/rom_ropeway.h \
 	%D%/plan_ropeway.h \
 	%D%/progress.c \
 	%D%/progress.h \

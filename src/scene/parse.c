@@ -126,7 +126,7 @@ enum hawser_status hawser__parse_unknown(struct hawser__reader *reader,
 		                           "spans: hawser statics, modes and integrate take nets");
 	if (!strcmp(path, "ropeway"))
 		return hawser__reader_fail(reader, place, "this is the scene of a ropeway, and the command "
-		                           "takes spans: hawser statics, modes and plan take ropeways");
+		                           "takes spans: hawser statics, modes, plan and rom take ropeways");
 	hawser__suggest(hint, sizeof hint, path);
 	return hawser__reader_fail(reader, place, "unknown key %s: %s",
 	                           *path ? hawser__shown(shown, path) : "\"\"", hint);

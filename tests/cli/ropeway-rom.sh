@@ -1,0 +1,54 @@
+#!/bin/sh
+# hawser rom of ropeways: the model of a lane, its loads, what takes its file, refusals.
+# SPDX-License-Identifier: GPL-3.0-or-later
+. "$SRCDIR/tests/cli/lib.sh"
+
+scenes=$SRCDIR/notebooks-data/scenes
+small=$scenes/ropeway-small.yaml
+works "carriers that pass" rom "$small" -n 6 --damping 0.02 --json passing.json --tsv passing.tsv -q
+works "a drive" rom "$small" -n 6 --damping 0.02 --ripple 0.01 --json drive.json -q
+works "the other lane, stuck" rom "$small" -n 4 --lane down --contact stick --json stick.json -q
+works "the modes of the lane" modes "$small" --set ropeway.down=off --contact slip -n 6 --json modes.json -q
+works "a response" frf passing.json --from 0.9w1 --to 1.02w1 --json frf.json -q
+works "a motion" integrate drive.json --Omega 2.5 --until 20 --every 1 --json run.json -q
+python "models of a lane" <<'END2'
+import json, math
+passing, drive, stick = (json.load(open(n + ".json")) for n in ("passing", "drive", "stick"))
+modes = json.load(open("modes.json"))["modes"]
+time = drive["scale"]["time"]
+for j, m in enumerate(modes): # carriers where the phase has them
+    assert abs(math.sqrt(drive["K"][j][j])/time/m["omega"] - 1) < 1e-9, m
+    assert abs(drive["D"][j][j]/math.sqrt(drive["K"][j][j]) - 0.04) < 1e-12
+# smeared over the rope: the wave of the first mode is four spacings long
+assert abs(math.sqrt(passing["K"][0][0])/passing["scale"]["time"]/modes[0]["omega"] - 1) < 0.05
+assert [(h["k"], h["phase"]) for h in passing["harmonics"]] == [(k, p) for k in (1, 2, 3) for p in ("cos", "sin")]
+assert len(drive["harmonics"]) == 1 and any(drive["harmonics"][0]["f"])
+assert [len(m["Q"]) > 10 and len(m["C"]) > 20 for m in (passing, drive)] == [True, True]
+assert passing["shapes"]["names"] == ["span_1", "span_2", "span_3"]
+assert stick["n"] == 4
+points = json.load(open("frf.json"))["points"]
+assert len(points) > 5 and all(p["amplitude"]["y_span_1"] > 0 for p in points)
+END2
+try "the load is told" grep -q '^# load: weights of 3924 N that pass at 36.6 m' passing.tsv
+try "  and where the rope leaves a sheave" grep -q '^# mode 1: .*in-plane; the rope leaves p0 at u = ' passing.tsv
+
+no() {
+	called=$1 code=$2 saying=$3
+	shift 3
+	run "$@"
+	try "$called" said "$code"
+	try "  says so" grep -q -e "$saying" "$scratch/err"
+}
+no "a drive without amplitude" 1 "give the amplitude of the rope's motion" rom "$small" --load drive
+no "an amplitude without drive" 1 "leave out one of --ripple and --load passing" rom "$small" --ripple 0.01 --load passing
+no "an unknown load" 1 "must be one of passing, drive" rom "$small" --load pasing
+no "an unknown lane" 1 "must be one of up, down" rom "$small" --lane dwn
+no "a lane that is not there" 1 "this ropeway has lane up only" rom "$small" --lane down --set ropeway.down=off
+no "no carriers" 1 "lane up has no carriers that pass" rom "$small" --case empty --set ropeway.carriers.empty=0
+no "rolling sheaves" 1 "contact roll" rom "$small" --contact roll
+no "too large a damping" 1 "the damping ratio is 2" rom "$small" --damping 2
+no "too many modes" 1 "41 modes asked" rom "$small" -n 41
+no "an option of ropeways" 1 "\-\-ripple is for ropeways" rom "$chairlift" --ripple 1
+no "a picture" 1 "rom has no picture" rom "$small" --plot a.svg
+no "a response of the scene" 1 "hawser statics, modes, plan and rom take ropeways" frf "$small"
+done_testing
