@@ -230,7 +230,7 @@ static long double term(const struct judged *of, const struct part *part, long d
 	return sum + (T > 0.0L ? c*(N - T)*(N - T)/2.0L : c*N*N/2.0L + N*(part->length0 - l));
 }
 
-/* Largest force that is not balanced, and sum of all loads; loads that supports carry count too. */
+/* Largest component of the forces that are not balanced. */
 static double largest(const struct judged *of)
 {
 	double most = 0.0;
