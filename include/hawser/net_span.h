@@ -18,7 +18,8 @@ extern "C" {
 /* What has no counterpart in a mesh is refused by HAWSER_ERR_SCENE, which names the key: an
  * inextensible cable, bending stiffness, travel, elastic supports, springs, dampers, absorbers. */
 struct hawser_net_span_options {
-	int elements; /* of the whole cable, 2 or more, at least one between two attachments; 0: 120 */
+	int elements; /* of the whole cable, 2 or more; 0: 120. With attachments, whose parts have an even
+	               * number, nearly so many */
 	int still;    /* 1: without load, moving ends and damping, which are not looked at: for
 	               * statics and modes. 0: damping other than alpha is refused too */
 	double Omega; /* rad/s, of the load and of moving ends; > 0 if the scene has them, but with

@@ -27,6 +27,7 @@
 enum { ORDER = 4, PLANES = 2 }; /* nodes of the grid on an element */
 /* Of the estimate, so that it exceeds the true error where order 2 has not been reached. */
 static const double SAFETY = 2.0;
+static const double ROUND_OFF = 1e-14;
 
 static void turned(double v[3], const struct hawser_statics *st)
 {
@@ -73,12 +74,12 @@ static void clear(struct level *level)
 }
 
 static enum hawser_status solve(struct level *level, const struct hawser_scene *scene,
-                                const struct hawser_statics *st, int elements, int n,
+                                const struct hawser_statics *st, int elements, int halved, int n,
                                 struct hawser_report *report)
 {
 	static const unsigned along[PLANES] = {3U, 4U};
 	const struct hawser_net_span_options options = {.elements = elements, .still = 1};
-	enum hawser_status status = hawser_net_span(&level->net, scene, st, &options, report);
+	enum hawser_status status = hawser__net_span(&level->net, scene, st, &options, halved, report);
 
 	level->parts = st->space ? 1 : PLANES;
 	if (!status)
@@ -130,13 +131,25 @@ static void fill(struct hawser_modes *modes, int k, const struct level *level, i
 	}
 }
 
-/* Error of mode j of a part: by the second mesh, and by the eigensolver. */
-static double error_of(const struct level *fine, const struct level *coarse, int q, int j)
+/* Error of mode j of a part, by the second mesh; 0 for a mode that is not there. */
+static double estimate(const struct level *fine, const struct level *coarse, int q, int j)
 {
 	const struct hawser_net_modes *a = &fine->part[q], *b = &coarse->part[q];
 	double ratio = (double)fine->elements/coarse->elements;
 
-	return SAFETY*fabs(a->omega[j] - b->omega[j])/a->omega[j]/(ratio*ratio - 1.0) + 1e-14;
+	if (j < 0 || j >= a->n)
+		return 0.0;
+	return fabs(a->omega[j] - b->omega[j])/a->omega[j]/(ratio*ratio - 1.0);
+}
+
+/* The error changes its sign between coarse and fine meshes, at different ones for neighbouring modes:
+ * theirs count too. */
+static double error_of(const struct level *fine, const struct level *coarse, int q, int j)
+{
+	double own = estimate(fine, coarse, q, j);
+	double next = fmax(estimate(fine, coarse, q, j - 1), estimate(fine, coarse, q, j + 1));
+
+	return SAFETY*fmax(own, 0.5*next) + ROUND_OFF;
 }
 
 /* The n lowest of both planes. */
@@ -214,9 +227,9 @@ enum hawser_status hawser_net_span_modes(struct hawser_modes *modes, const struc
 		                      "ask for 1 to %d, or give %d elements or more", n, options.elements,
 		                      options.elements/2 - 1, least);
 	if (!status)
-		status = solve(&fine, scene, st, options.elements, n, report);
+		status = solve(&fine, scene, st, options.elements, 0, n, report);
 	if (!status)
-		status = solve(&coarse, scene, st, options.elements/2, n, report);
+		status = solve(&coarse, scene, st, options.elements, 1, n, report);
 	if (!status)
 		status = make(modes, st, n, &fine, &coarse, report);
 	clear(&fine);

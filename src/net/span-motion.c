@@ -104,12 +104,12 @@ static enum hawser_status rest(struct level *level, struct hawser_report *report
 
 static enum hawser_status run_level(struct level *level, const struct hawser_scene *scene,
                                     const struct hawser_statics *st,
-                                    const struct hawser_net_span_options *mesh,
+                                    const struct hawser_net_span_options *mesh, int halved,
                                     const struct hawser_net_motion_options *options,
                                     struct hawser_report *report)
 {
 	struct hawser_net_motion_options choice = *options;
-	enum hawser_status status = hawser_net_span(&level->net, scene, st, mesh, report);
+	enum hawser_status status = hawser__net_span(&level->net, scene, st, mesh, halved, report);
 	double began = processor();
 
 	if (status)
@@ -200,12 +200,11 @@ enum hawser_status hawser_net_span_integrate(struct hawser_net_span_motion *run,
 	if (motion.step == 0.0)
 		motion.step = hawser_net_span_step(scene, st, mesh.Omega);
 	run->step = fmax(motion.step, 0.0);
-	status = run_level(&fine, scene, st, &mesh, &motion, report);
-	mesh.elements /= 2;
+	status = run_level(&fine, scene, st, &mesh, 0, &motion, report);
 	motion.step *= motion.step > 0.0 ? 2.0 : 1.0;
 	motion.tolerance *= 8.0;
 	if (!status && !options->single && !fine.motion.interrupted)
-		status = run_level(&coarse, scene, st, &mesh, &motion, report);
+		status = run_level(&coarse, scene, st, &mesh, 1, &motion, report);
 	if (!status)
 		status = fill(run, &fine, &coarse, report);
 	clear(&fine);

@@ -143,12 +143,20 @@ static enum hawser_status allocate(struct hawser_net *net, const struct hawser_s
 		? HAWSER_OK : hawser__no_memory(report, where);
 }
 
+/* Elements of a part of the cable: of several parts an even number, so that a mesh with half of them
+ * has elements twice as long everywhere. */
+static int share(int elements, double part, int parts, int halved)
+{
+	int half = (int)fmax(round(0.5*elements*part), 1.0);
+
+	return parts == 1 ? elements/(halved ? 2 : 1) : half*(halved ? 1 : 2);
+}
+
 /* The cable from S = from to S = to, and what is constant. */
 static void cable(struct hawser_net *net, const struct hawser_scene *scene,
                   const struct hawser_statics *st, int i, double from, double to, int elements)
 {
 	struct hawser_net_cable *one = &net->cable[net->cables++];
-	double n = round(elements*(to - from)/st->length0);
 	int last = st->attachments;
 
 	if (last == 0)
@@ -161,7 +169,7 @@ static void cable(struct hawser_net *net, const struct hawser_scene *scene,
 	one->rho = st->span.rho;
 	one->given = HAWSER_NET_LENGTH0;
 	one->value = to - from;
-	one->elements = (int)fmax(n, 1.0);
+	one->elements = elements;
 	if (scene->static_load.present) {
 		struct hawser_net_load *load = &net->load[net->loads++];
 
@@ -190,8 +198,9 @@ static void attach(struct hawser_net *net, const struct hawser_scene *scene,
 }
 
 static void chain(struct hawser_net *net, const struct hawser_scene *scene,
-                  const struct hawser_statics *st, int elements)
+                  const struct hawser_statics *st, int elements, int halved)
 {
+	int parts = st->attachments + 1;
 	double from = 0.0;
 
 	net->nodes = st->attachments + 2;
@@ -208,7 +217,8 @@ static void chain(struct hawser_net *net, const struct hawser_scene *scene,
 	for (int i = 0; i <= st->attachments; i++) {
 		double to = i < st->attachments ? st->attached[i].S : st->length0;
 
-		cable(net, scene, st, i, from, to, elements);
+		cable(net, scene, st, i, from, to,
+		      share(elements, (to - from)/st->length0, parts, halved));
 		if (i < st->attachments)
 			attach(net, scene, st, i);
 		from = to;
@@ -332,10 +342,10 @@ static void move(struct hawser_net *net, const struct hawser_scene *scene, doubl
 	}
 }
 
-enum hawser_status hawser_net_span(struct hawser_net *net, const struct hawser_scene *scene,
-                                   const struct hawser_statics *st,
-                                   const struct hawser_net_span_options *options,
-                                   struct hawser_report *report)
+enum hawser_status hawser__net_span(struct hawser_net *net, const struct hawser_scene *scene,
+                                    const struct hawser_statics *st,
+                                    const struct hawser_net_span_options *options, int halved,
+                                    struct hawser_report *report)
 {
 	struct hawser_net_span_options choice = {0};
 	struct hawser__loads loads = {.count = 0};
@@ -351,7 +361,7 @@ enum hawser_status hawser_net_span(struct hawser_net *net, const struct hawser_s
 	if (!status)
 		status = allocate(net, scene, st, loads.harmonics, report);
 	if (!status)
-		chain(net, scene, st, choice.elements);
+		chain(net, scene, st, choice.elements, halved);
 	net->dynamics.rho_inf = -1.0;
 	if (!status && !choice.still) {
 		net->alpha = scene->damping.kind == HAWSER_DAMPING_ALPHA ? scene->damping.alpha : 0.0;
@@ -362,6 +372,14 @@ enum hawser_status hawser_net_span(struct hawser_net *net, const struct hawser_s
 	if (status)
 		hawser_net_clear(net);
 	return status;
+}
+
+enum hawser_status hawser_net_span(struct hawser_net *net, const struct hawser_scene *scene,
+                                   const struct hawser_statics *st,
+                                   const struct hawser_net_span_options *options,
+                                   struct hawser_report *report)
+{
+	return hawser__net_span(net, scene, st, options, 0, report);
 }
 
 void hawser_net_span_place(int *cable, double *part, const struct hawser_net *net, double S)

@@ -193,8 +193,30 @@ static void loads(const char *what, const char *text, int odd)
 	hawser_scene_clear(&scene);
 }
 
+/* What is refused: a load without its frequency, and keys without counterpart. */
+static void refused(const char *what, const char *text, int still, const char *message)
+{
+	const struct hawser_net_span_options options = {.still = still};
+	struct hawser_scene scene;
+	struct hawser_statics statics;
+	struct hawser_net net;
+	enum hawser_status status;
+
+	if (!solve(&scene, &statics, text))
+		return;
+	status = hawser_net_span(&net, &scene, &statics, &options, &report);
+	ok(status && strcmp(report.message, message) == 0 && !net.node && !net.name, "%s: %s", what,
+	   report.message);
+	hawser_scene_clear(&scene);
+}
+
 int main(void)
 {
+	refused("no frequency", CABLE "tension: {T0: 80 kN}\nload: {frame: local, per_length: [0, 1, 0]}\n",
+	        0, "test: the load or the motion of the ends needs a positive frequency Omega");
+	refused("a damper", CABLE "tension: {T0: 80 kN}\nattach: [{at: 0.5, damper: [0, 9, 0]}]\n", 1,
+	        "test: attach.0.damper: attachments of a mesh of cable elements are masses and forces "
+	        "only");
 	published();
 	converges("H", CABLE "tension: {H: 41.7 kN}\n");
 	converges("T1", CABLE "tension: {T1: 63 kN}\n");

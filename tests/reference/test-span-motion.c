@@ -244,10 +244,27 @@ static void agree(const char *what, const char *text, double Omega, const char *
 #define CABLE "cable: {EA: 400 MN, rho: 6}\nspan: {d: 250, h: 10}\ntension: {T0: 80 kN}\ndamping: " \
 	"{alpha: 0.08}\n"
 
+static void refused(void)
+{
+	struct hawser_motions_options options = {.Omega = 2.0, .until = 2.0, .every = 0.1, .after = 2.0};
+	struct hawser_scene scene;
+	struct hawser_statics statics;
+	struct hawser_motions motions;
+
+	if (!open(&scene, &statics, "b-table-4.3-line-2.yaml"))
+		return;
+	ok(hawser_motions_compare(&motions, &scene, &statics, &options, &report) == HAWSER_ERR_ARGUMENT &&
+	   strcmp(report.message, "rows every 0.1 s from 2 s to 2 s: give positive times, with an end "
+	          "after their beginning") == 0, "%s", report.message);
+	hawser_motions_clear(&motions);
+	hawser_scene_clear(&scene);
+}
+
 int main(void)
 {
 	int whole = getenv("HAWSER_LONG") != NULL;
 
+	refused();
 	nonlinear(whole);
 	estimate();
 	agree("an end that moves", CABLE "support: {B: {motion: [0, 0.1, 0.05]}}\n", 2.6,
