@@ -224,7 +224,7 @@ static void extend(struct hawser__net_planner *planner, const struct trial *tria
 	all = pow(first, power)*(1.0 + power*(times/first - 1.0));
 	job->count = (double)motion->steps*(motion->interrupted ? all : 1.0);
 	if (motion->interrupted)
-		estimated(job, trial->setup + all*(trial->now - trial->setup), trial->part > 0.02 ? 2.0 : 4.0);
+		estimated(job, trial->setup + all*(trial->now - trial->setup), trial->part > 0.02 ? 2.5 : 4.0);
 	else
 		ran(job, seconds);
 	planner->plan->step = job->count > 0.0 ? planner->plan->until/job->count : NAN;

@@ -276,6 +276,36 @@ static void interrupted(void)
 	hawser_net_motion_clear(&rest);
 }
 
+/* The motion of a support by a table of times, against the harmonics that it was made of. */
+static void table(void)
+{
+	static char file[] = "test-net-motion-extremes.table";
+	struct hawser_net_motion motion, harmonic;
+	struct scene s;
+	FILE *stream = fopen(file, "w");
+
+	if (!ok(stream != NULL, "a table"))
+		return;
+	for (int i = -4; i <= 404; i++)
+		fprintf(stream, "%.17g 0 %.17g 0\n", 0.005*i, -0.2*sin(3.1*0.005*i));
+	fclose(stream);
+	begin(&s);
+	s.motion.value[1] = 0.2;
+	s.net.motions = 1;
+	ok(!run(&harmonic, &s, "energy", 2.0, 2e-3), "harmonic motion %s", report.message);
+	s.net.motions = 0;
+	s.node[2].table = file;
+	ok(!run(&motion, &s, "energy", 2.0, 2e-3), "by a table %s", report.message);
+	ok(distance(&motion, &harmonic) <= 1e-6 && motion.still[2], "the same motion to %.1e m",
+	   distance(&motion, &harmonic));
+	ok(fabs(motion.work[10] - harmonic.work[10]) <= 1e-5*fabs(harmonic.work[10]) &&
+	   motion.closure <= 1e-11, "and work, %.6g and %.6g J; ledger to %.1e", motion.work[10],
+	   harmonic.work[10], motion.closure);
+	hawser_net_motion_clear(&motion);
+	hawser_net_motion_clear(&harmonic);
+	(void)unlink(file);
+}
+
 /* Free motion from a support that is let go, without damping. */
 static void endless(void)
 {
@@ -304,6 +334,7 @@ int main(void)
 	slack();
 	stretched();
 	interrupted();
+	table();
 	endless();
 	return done_testing();
 }

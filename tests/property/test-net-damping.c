@@ -2,6 +2,9 @@
  * change of the frequency that a step causes, against closed forms; the table of
  * doc/theory-net-motion.md.
  *
+ * And what damping of the scene does: viscous, alpha/(2 rho omega) of any mode; Kelvin-Voigt,
+ * axial*omega/2 of axial ones.
+ *
  * The vibration is the first transverse mode of a taut string without weight, mean mass matrix: omega
  * is exact. With z the factor of a step, the damping ratio is -ln|z|/|ln z| and the frequency
  * |arg z|/h.
@@ -114,6 +117,59 @@ static double complex closed(const char *scheme, double rho, double w)
 	return z;
 }
 
+/* Damping ratio of the first transverse (direction 2) or axial mode (0) of the string, damped. */
+static double damped(double *omega, int direction, double alpha, double axial)
+{
+	enum { STEPS = 400, PERIODS = 4 };
+	static double q[PERIODS*STEPS + 1];
+	struct motion motion;
+	const double small = 1e-4;
+	double h, s = sin(0.5*M_PI/N), k, m;
+	double complex z;
+
+	if (!open(&motion, "energy", -1.0))
+		return NAN;
+	k = motion.run.element[0].k;
+	m = motion.run.element[0].m;
+	*omega = direction == 2 ? motion.omega : 2.0*s*sqrt(k/(m*(1.0 - s*s/3.0)));
+	h = 2.0*M_PI/(*omega*STEPS);
+	for (int e = 0; e < motion.run.elements; e++) {
+		motion.run.element[e].drag = alpha*motion.mesh.length0[e];
+		motion.run.element[e].c = k*axial;
+	}
+	for (int i = 2; i < motion.run.nodes; i++)
+		motion.run.u[i][direction] = small*sin(M_PI*(i - 1)/N);
+	if (hawser__motion_begin(&motion.run, &report))
+		return NAN;
+	for (int i = 0; i <= PERIODS*STEPS; i++) {
+		q[i] = motion.run.u[5][direction]/small;
+		if (i < PERIODS*STEPS && hawser__motion_step(&motion.run, h, &report))
+			return NAN;
+	}
+	ok(motion.run.closure <= 1e-10*motion.run.most_energy && motion.run.energy.dissipated > 0.0,
+	   "%.2e J dissipated, ledger to %.1e", motion.run.energy.dissipated,
+	   motion.run.closure/motion.run.most_energy);
+	z = factor(q, 1, PERIODS*STEPS);
+	hawser__motion_clear(&motion.run);
+	hawser__mesh_clear(&motion.mesh);
+	return -log(cabs(z))/cabs(clog(z));
+}
+
+static void scene_damping(void)
+{
+	double omega, got;
+
+	for (int direction = 0; direction < 3; direction += 2) {
+		got = damped(&omega, direction, 0.07*2.0*0.37*1.0, 0.0);
+		close_to(got*omega, 0.07, 1e-4, "viscous damping alpha/(2 rho)");
+	}
+	got = damped(&omega, 0, 0.0, 1e-4);
+	close_to(got, 0.5*1e-4*omega, 1e-4, "Kelvin-Voigt damping axial*omega/2");
+	got = damped(&omega, 2, 0.0, 1e-4);
+	ok(got < 1e-2*0.5*1e-4*omega, "transverse vibrations of small amplitude: %.1e of that",
+	   got/(0.5*1e-4*omega));
+}
+
 static double ratio(double complex z)
 {
 	return -log(cabs(z))/cabs(clog(z));
@@ -129,6 +185,7 @@ int main(void)
 	static const int steps_of[] = {20, 40, 80, 160};
 	double q[801];
 
+	scene_damping();
 	for (size_t s = 0; s < sizeof row/sizeof *row; s++) {
 		double damping[4], period[4];
 
