@@ -1,11 +1,13 @@
 /* bench/net-random - statics of random nets (tests/net-random.h): none may fail, and none may be wrong.
  *
- *     bench/net-random [-n NETS] [-s SEED] [-m METHOD] [-w DIR]
+ *     bench/net-random [-n NETS] [-o ONE] [-s SEED] [-m METHOD] [-w DIR]
  *
- * Each net is solved by the default method (or METHOD) and verified: the residual against round-off and
- * tolerance, the certificate (gap of the energy), and the tensions of all elements against those
- * of another method with the same mesh. -w writes the scenes to DIR/net-NUMBER.json, for
- * bench/net-judge.py. Prints one line for each kind of net. The status is 1 if one failed or is wrong.
+ * Each net (or ONE alone) is solved by the default method (or METHOD) and verified: the residual
+ * against round-off and tolerance, the certificate (gap of the energy), and the tensions of all
+ * elements against those of another method with the same mesh. Errors are relative to the loads and
+ * tensions or, without loads, to 1e-6 of the least EA, as the tolerance of the statics is. -w writes
+ * the scenes to DIR/net-NUMBER.json. Prints one line for each kind of net. The status is 1 if one
+ * failed or is wrong.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -23,11 +25,12 @@ static const char *const change_name[CHANGES] = {"partly held", "wind", "stiff",
 struct tally {
 	int nets, slack, failed, wrong; /* slack: nets with slack elements */
 	int other;                      /* the second method failed */
+	long iterations;
 	double gap, force; /* largest: gap and differences of tensions, relative */
 };
 
 struct settings {
-	long nets;
+	long nets, only; /* only: the number of one net, or -1 */
 	uint64_t seed;
 	const char *method, *folder;
 };
@@ -125,6 +128,16 @@ static double forces(const struct hawser_net_statics *a, const struct hawser_net
 	return size > 0.0 ? most/size : most;
 }
 
+/* Scale of the forces. */
+static double scale_of(const struct random_net *r)
+{
+	double least = INFINITY;
+
+	for (int c = 0; c < r->net.cables; c++)
+		least = fmin(least, r->cable[c].EA);
+	return r->weight > 0.0 ? r->weight : 1e-6*least;
+}
+
 static void check(struct tally *tally, long number, const struct random_net *r,
                   const struct settings *settings)
 {
@@ -132,7 +145,7 @@ static void check(struct tally *tally, long number, const struct random_net *r,
 	struct hawser_net_options second = {.method = "forces"};
 	struct hawser_report report = {0};
 	struct hawser_net_statics a, b;
-	double size = 0.0, allowed;
+	double size = 0.0, allowed, weight = scale_of(r);
 	int slack = 0, wrong;
 
 	tally->nets++;
@@ -145,20 +158,21 @@ static void check(struct tally *tally, long number, const struct random_net *r,
 		slack |= a.member[c].slack > 0;
 		size = fmax(size, a.member[c].T_max);
 	}
-	size = fmax(size, r->weight)*r->size; /* J */
-	allowed = fmax(1e-10*r->weight, a.floor)*(1.0 + 1e-9);
+	size = fmax(size, weight)*r->size; /* J */
+	allowed = fmax(1e-10*weight, a.floor)*(1.0 + 1e-9);
 	wrong = !(a.residual <= allowed) || !(a.gap <= 1e-8*size + 1e-300) || !isfinite(a.energy);
 	tally->gap = fmax(tally->gap, size > 0.0 ? a.gap/size : 0.0);
 	tally->slack += slack;
+	tally->iterations += a.iterations;
 	if (hawser_net_solve(&b, &r->net, &second, &report))
 		tally->other++;
 	else {
-		double error = forces(&a, &b, r->weight);
+		double error = forces(&a, &b, weight);
 
-		wrong |= !(error <= 1e-6 + 100.0*a.floor/fmax(r->weight, 1e-300));
+		wrong |= !(error <= 1e-6 + 100.0*a.floor/weight);
 		if (wrong)
 			printf("net %ld: residual %.3g N, floor %.3g N, weight %.3g N, gap %.3g of %.3g J, "
-			       "tensions differ by %.3g\n", number, a.residual, a.floor, r->weight, a.gap,
+			       "tensions differ by %.3g\n", number, a.residual, a.floor, weight, a.gap,
 			       size, error);
 		tally->force = fmax(tally->force, error);
 		hawser_net_statics_clear(&b);
@@ -171,10 +185,11 @@ static int read_settings(struct settings *settings, int argc, char **argv)
 {
 	int option;
 
-	*settings = (struct settings){.nets = 1000, .seed = 1};
-	while ((option = getopt(argc, argv, "n:s:m:w:")) != -1)
+	*settings = (struct settings){.nets = 1000, .only = -1, .seed = 1};
+	while ((option = getopt(argc, argv, "n:o:s:m:w:")) != -1)
 		switch (option) {
 		case 'n': settings->nets = atol(optarg); break;
+		case 'o': settings->only = atol(optarg); break;
 		case 's': settings->seed = strtoull(optarg, NULL, 10); break;
 		case 'm': settings->method = optarg; break;
 		case 'w': settings->folder = optarg; break;
@@ -185,15 +200,17 @@ static int read_settings(struct settings *settings, int argc, char **argv)
 
 static void show(const char *name, const struct tally *tally)
 {
-	printf("%-16s %7d nets, %6d with slack elements, %d failed, %d wrong; gap %.1e, tensions %.1e "
-	       "(second method failed on %d)\n", name, tally->nets, tally->slack, tally->failed,
-	       tally->wrong, tally->gap, tally->force, tally->other);
+	printf("%-16s %7d nets, %6d with slack elements, %d failed, %d wrong; %.1f iterations, gap %.1e, "
+	       "tensions %.1e (second method failed on %d)\n", name, tally->nets, tally->slack,
+	       tally->failed, tally->wrong, (double)tally->iterations/fmax(tally->nets, 1.0), tally->gap,
+	       tally->force, tally->other);
 }
 
 static void sum_up(struct tally *all, const struct tally *one)
 {
 	all->nets += one->nets;
 	all->slack += one->slack;
+	all->iterations += one->iterations;
 	all->failed += one->failed;
 	all->wrong += one->wrong;
 	all->other += one->other;
@@ -208,7 +225,7 @@ int main(int argc, char **argv)
 	double began = cpu_secs();
 
 	if (read_settings(&settings, argc, argv)) {
-		fprintf(stderr, "usage: net-random [-n NETS] [-s SEED] [-m METHOD] [-w DIR]\n");
+		fprintf(stderr, "usage: net-random [-n NETS] [-o ONE] [-s SEED] [-m METHOD] [-w DIR]\n");
 		return 1;
 	}
 	for (long i = 0; i < settings.nets; i++) {
@@ -217,6 +234,8 @@ int main(int argc, char **argv)
 		struct random_net r;
 		int which, changes = 0;
 
+		if (settings.only >= 0 && i != settings.only)
+			continue;
 		for (int j = 0; j < 4; j++)
 			uniform(&state); /* seeds that follow one another begin alike */
 		which = (int)(3.0*uniform(&state));

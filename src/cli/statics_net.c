@@ -21,12 +21,42 @@ struct result {
 	char warning[CLI_WARNING_SIZE]; /* "": none */
 };
 
-/* A method with the law of bars has found compressed elements. */
+/* A cable that is stretched to more than this part of its length has its length0, EA or ends
+ * wrong, or a law that is not linear: 1.5, where a chord between supports is refused (hawser-
+ * scene(5)). */
+static const double FAR = 1.5;
+
+static void warn_of_strain(struct result *result)
+{
+	const struct hawser_net_member *most = NULL;
+	int count = 0;
+
+	for (int c = 0; c < result->st.cables; c++) {
+		const struct hawser_net_member *m = &result->st.member[c];
+
+		if (m->length <= FAR*m->length0)
+			continue;
+		count++;
+		if (!most || m->length/m->length0 > most->length/most->length0)
+			most = m;
+	}
+	if (most)
+		snprintf(result->warning, sizeof result->warning,
+		         "%d cable%s stretched by more than %.0f %%, most of all %s, by %.0f %%: the tension "
+		         "EA (length/length0 - 1) holds for small strains; check length0, EA and its unit, and "
+		         "the places of the nodes", count, count == 1 ? " is" : "s are", 100.0*(FAR - 1.0),
+		         result->net.cable[most - result->st.member].name,
+		         100.0*(most->length/most->length0 - 1.0));
+}
+
+/* A method with the law of bars has found compressed elements; or cables are much too short. */
 static void warn(struct result *result)
 {
 	int elements = result->st.points - result->st.cables, count = result->st.compressed;
 
-	if (count > 0)
+	if (count == 0)
+		warn_of_strain(result);
+	else
 		snprintf(result->warning, sizeof result->warning,
 		         "%d of %d elements %s compressed: the method %s has found an equilibrium of bars, "
 		         "not of cables, and there is no certificate; --method automatic finds that of the "
@@ -91,9 +121,9 @@ static void comments(struct hawser__table *table, const struct result *result)
 		                      st->gap);
 	hawser__table_comment(table, "forces balance to %.1e N; round-off allows %.1e N", st->residual,
 	                      st->floor);
-	if (st->compressed > 0)
+	if (*result->warning)
 		hawser__table_comment(table, "%s", result->warning);
-	else
+	if (st->compressed == 0)
 		slack_comment(table, result);
 	for (int i = 0; i < st->nodes; i++) {
 		const struct hawser_net_node *node = &result->net.node[i];

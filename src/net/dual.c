@@ -1,4 +1,4 @@
-/* net/dual.c - equilibrium from forces that are in balance: a method that cannot fail.
+/* net/dual.c - equilibrium from forces that are in balance.
  *
  * q  positions of the nodes, A q the chords of the elements
  * F  mean tension vector of each element (net/catenary.h), W(F) its complementary energy
@@ -304,8 +304,10 @@ enum hawser_status hawser__net_dual(struct hawser__net_work *work, int *done,
 		                            report);
 	work->iterations += dual.iterations;
 	work->factored = 0;
-	if (!status)
-		*done = hawser__net_residual(work) <= fmax(work->tolerance, hawser__mesh_floor(mesh));
+	for (int i = 0; i < mesh->elements && !status; i++)
+		work->N[i] = sqrt(dot(dual.F[i], dual.F[i]));
+	if (!status && *done)
+		status = hawser__net_finish(work, done, report);
 	hawser__dual_clear(&dual);
 	return status;
 }

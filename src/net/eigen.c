@@ -17,6 +17,7 @@
 #include "config.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -143,18 +144,22 @@ static enum hawser_status look(struct hawser__eigen *eigen, const struct hawser_
 	const struct hawser__mesh *mesh = eigen->mesh;
 
 	for (int e = 0; e < mesh->elements; e++) {
-		double d[3], strain = hawser__mesh_direction(d, mesh, e)/mesh->length0[e] - 1.0;
+		double d[3], strain = eigen->T[e] > 0.0 ? eigen->T[e]/mesh->EA[e]
+			: hawser__mesh_direction(d, mesh, e)/mesh->length0[e] - 1.0;
+		char more[80] = "";
 		int moves = 0;
 
 		for (int i = 0; i < 6; i++)
 			moves |= mesh->unknown[mesh->end[e][i/3]][i%3] >= 0;
+		if (moves && fabs(strain) <= edge && eigen->T[e] > 0.0)
+			snprintf(more, sizeof more, ", or its EA, which is %.1e times its tension",
+			         mesh->EA[e]/eigen->T[e]);
 		if (moves && fabs(strain) <= edge)
 			return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "net", "%s: cable %s has an element "
 			                    "that is neither slack nor taut in the equilibrium (strain %.1e), so "
 			                    "that its stiffness differs between both directions: there are no "
-			                    "linear modes; change its length0, or its EA, which is %.1e times its "
-			                    "tension", net->name, net->cable[mesh->cable[e]].name, strain,
-			                    mesh->EA[e]/fmax(fabs(eigen->T[e]), 1e-300));
+			                    "linear modes; change its length0%s", net->name,
+			                    net->cable[mesh->cable[e]].name, strain, more);
 		eigen->slack += eigen->T[e] <= 0.0;
 	}
 	return HAWSER_OK;

@@ -1,6 +1,5 @@
-/* net/exact.c - statics with exact elements: every cable is one elastic catenary, only the joints are
- * unknown. The method is that of net/dual.c.
- * SPDX-License-Identifier: GPL-3.0-or-later */
+/* net/exact.c - statics with exact elements: every cable is one elastic catenary, only the joints
+ * are unknown. The method is that of net/dual.c. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <math.h>
@@ -9,6 +8,10 @@
 
 #include "core/report.h"
 #include "net/exact.h"
+
+/* Exact catenaries start a mesh if they are found in so many iterations: another start costs less
+ * than more of them. */
+enum { FEW = 40 };
 
 enum hawser_status hawser__exact_open(struct hawser__exact *exact, const struct hawser_net *net,
                                       struct hawser_report *report)
@@ -58,7 +61,8 @@ static double dot(const double a[3], const double b[3])
 	return a[0]*b[0] + a[1]*b[1] + a[2]*b[2];
 }
 
-/* Energy, and how far it may be above the least one; step = force that belongs to the chord minus F. */
+/* Energy, and how far it may be above the least one; step = force that belongs to the chord minus
+ * F. */
 static double energy_of(double *gap, struct hawser__dual *dual)
 {
 	const struct hawser__mesh *mesh = dual->mesh;
@@ -120,7 +124,7 @@ int hawser__exact_start(struct hawser__mesh *mesh, double *N, const struct hawse
 	for (int c = 0; c < net->cables; c++)
 		fine = fine && net->cable[c].given == HAWSER_NET_LENGTH0;
 	fine = fine && !hawser__exact_open(&exact, net, &report) &&
-	       !hawser__exact_solve(&exact, &found, 1e-6, 0, &report);
+	       !hawser__exact_solve(&exact, &found, 1e-6, FEW, &report);
 	for (int i = 0; fine && i < net->nodes; i++)
 		memcpy(mesh->q[i], exact.mesh.q[i], sizeof mesh->q[i]);
 	for (int c = 0; fine && c < net->cables; c++) {

@@ -99,6 +99,8 @@ static double revise(struct hawser__mesh *mesh, const struct hawser_net *net)
 				mesh->length0[i] = length0;
 			}
 			mesh->density[i] *= ratio;
+			if (cable->given == HAWSER_NET_SAG) /* a strain of 1: no sag that can be had */
+				mesh->density[i] = fmin(mesh->density[i], mesh->EA[i]/fmax(l, 1e-300));
 		}
 	}
 	return most;

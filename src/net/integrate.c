@@ -10,6 +10,7 @@
 #include "core/progress.h"
 #include "core/report.h"
 #include "net/motion-ode.h"
+#include "net/solution.h"
 
 enum { ROWS = 10000000, DEFAULT_ROWS = 200 };
 /* s, between two questions whether to go on: not felt by the user, nor by the computation. */
@@ -226,6 +227,8 @@ static enum hawser_status prepare(struct run *run, struct hawser_report *report)
 		                    "a longer time between them", options->until/run->every, ROWS);
 	run->step = options->step != 0.0 ? fmax(options->step, 0.0) : run->net->dynamics.step;
 	status = hawser__mesh_build(&run->mesh, run->net, report);
+	if (!status)
+		status = hawser__net_supported(&run->mesh, run->net, report);
 	if (!status)
 		status = tables(run, report);
 	if (status)

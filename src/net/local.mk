@@ -4,6 +4,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/catenary.h \
 	%D%/certificate.c \
 	%D%/comparison.c \
+	%D%/cone.c \
 	%D%/descent.c \
 	%D%/dual.c \
 	%D%/dual.h \
@@ -13,6 +14,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/exact.c \
 	%D%/exact.h \
 	%D%/exact_solution.c \
+	%D%/finish.c \
 	%D%/form.c \
 	%D%/interior.c \
 	%D%/lanczos.c \

@@ -22,16 +22,18 @@ static void assemble(struct hawser__net_work *work)
 	const struct hawser__mesh *mesh = work->mesh;
 
 	for (int i = 0; i < mesh->elements; i++) {
-		double e[3], l = fmax(hawser__mesh_direction(e, mesh, i), 1e-12*mesh->length0[i]);
+		double e[3], l = fmax(hawser__mesh_direction(e, mesh, i), 1e-12*mesh->length0[i]), along;
 
 		if (mesh->density[i] > 0.0) {
 			work->a[i] = mesh->density[i];
 			work->b[i] = 0.0;
 			continue;
 		}
-		work->T[i] = mesh->EA[i]*((l - mesh->length0[i])/mesh->length0[i]);
 		work->a[i] = work->N[i]/l;
-		work->b[i] = mesh->EA[i]/mesh->length0[i] - work->a[i];
+		along = fmin(mesh->EA[i]/mesh->length0[i], HAWSER__NET_RIGID*work->a[i]);
+		work->b[i] = along - work->a[i];
+		work->T[i] = work->N[i] + along*(l - mesh->length0[i] -
+		                                 work->N[i]*mesh->length0[i]/mesh->EA[i]);
 	}
 	hawser__net_right(work, work->T);
 }
@@ -43,12 +45,13 @@ static int forces(struct hawser__net_work *work)
 	int clipped = 0;
 
 	for (int i = 0; i < mesh->elements; i++) {
-		double e[3], d[3], l = hawser__mesh_direction(e, mesh, i), N;
+		double e[3], d[3], N;
 
 		if (mesh->density[i] > 0.0)
 			continue;
+		hawser__mesh_direction(e, mesh, i);
 		hawser__net_stretch(d, work, i);
-		N = mesh->EA[i]*((l - mesh->length0[i] + e[0]*d[0] + e[1]*d[1] + e[2]*d[2])/mesh->length0[i]);
+		N = work->T[i] + (work->a[i] + work->b[i])*(e[0]*d[0] + e[1]*d[1] + e[2]*d[2]);
 		clipped |= N < 1e-6*work->weight;
 		work->N[i] = fmax(N, fmax(0.1*work->N[i], 1e-6*work->weight));
 	}
@@ -62,8 +65,9 @@ enum hawser_status hawser__net_mixed(struct hawser__net_work *work, int *done,
 	enum hawser_status status = HAWSER_OK;
 
 	*done = 0;
+	work->own = 1;
 	for (int i = 0; i < most && !*done; i++) {
-		double residual;
+		double residual, floor;
 		int definite;
 
 		assemble(work);
@@ -76,10 +80,11 @@ enum hawser_status hawser__net_mixed(struct hawser__net_work *work, int *done,
 		hawser__net_move(work, 1.0);
 		work->factored = 0;
 		work->iterations++;
-		residual = hawser__net_residual(work);
-		*done = residual <= work->tolerance;
+		*done = hawser__net_settled(work, &residual, &floor);
 		if (!isfinite(residual) || (!work->most && clipped > CLIPPED))
 			break;
 	}
+	if (!status && !*done)
+		*done = hawser__net_lawful(work);
 	return status;
 }

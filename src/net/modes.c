@@ -11,6 +11,7 @@
 #include <hawser/net_modes.h>
 
 #include "core/report.h"
+#include "net/solution.h"
 #include "net/symmetry.h"
 
 void hawser_net_modes_clear(struct hawser_net_modes *modes)
@@ -174,6 +175,8 @@ enum hawser_status hawser__net_modes(struct hawser_net_modes *modes, const struc
 	enum hawser_status status = hawser__mesh_build(&mesh, net, report);
 
 	*modes = (struct hawser_net_modes){.nodes = net->nodes};
+	if (!status)
+		status = hawser__net_supported(&mesh, net, report);
 	if (!status && !(T = calloc((size_t)mesh.elements + 1, sizeof *T)))
 		status = hawser__no_memory(report, "net");
 	if (!status)

@@ -161,13 +161,15 @@ static enum hawser_status plausible(struct hawser__reader *reader, const struct 
 		if (!a->held[k] || !b->held[k])
 			return HAWSER_OK;
 	if (chord == 0.0)
-		return hawser__reader_fail(reader, &tree->at, "cable %s: its nodes %s and %s are in one place",
+		return hawser__reader_fail(reader, &tree->at, "cable %s: its nodes %s and %s are in one "
+		                           "place: correct their coordinates, or leave the cable out",
 		                           cable->name, a->name, b->name);
 	if (cable->given != HAWSER_NET_LENGTH0 || 1.5*cable->value > chord)
 		return HAWSER_OK;
 	return hawser__reader_fail(reader, &tree->at, "cable %s: its unstretched length %.6g m is far "
 	                           "below the distance %.6g m of its supports %s and %s, a strain of "
-	                           "%.0f %%", cable->name, cable->value, chord, a->name, b->name,
+	                           "%.0f %%: correct length0 and its unit, or the places of these nodes",
+	                           cable->name, cable->value, chord, a->name, b->name,
 	                           100.0*(chord/cable->value - 1.0));
 }
 

@@ -3,13 +3,13 @@
  * Pi   energy, convex in the positions for any graph: no local minima
  * n    a force vector for each element, in equilibrium with the loads
  *
- * The start gives every element a force density: one linear problem, from which the positions follow
- * without any guess of a shape. The certificate is Fenchel's inequality: for any n in equilibrium,
- * Pi(q) - least Pi <= sum of W(d) + W*(n) - n.d, with W*(n) = length0*|n| + length0*|n|^2/(2 EA). Such
- * an n is the true force of each element plus the linear answer to what is not balanced.
- * For a taut element the term is length0/(2 EA)*(|n| - T)^2 + (|n|*l - n.d), for a slack one
- * length0/(2 EA)*|n|^2 + |n|*(length0 - l) + (|n|*l - n.d): sums of positive numbers, without
- * cancellation.
+ * The start gives every element a force density: one linear problem, from which the positions
+ * follow without any guess of a shape. The certificate is Fenchel's inequality: for any n in
+ * equilibrium, Pi(q) - least Pi <= sum of W(d) + W*(n) - n.d, with W*(n) = length0*|n| +
+ * length0*|n|^2/(2 EA). Such an n is the true force of each element plus the linear answer to what
+ * is not balanced. For a taut element the term is length0/(2 EA)*(|n| - T)^2 + (|n|*l - n.d), for
+ * a slack one length0/(2 EA)*|n|^2 + |n|*(length0 - l) + (|n|*l - n.d): sums of positive numbers,
+ * without cancellation.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -25,14 +25,16 @@
 #define DENSITY HAWSER_NET_START_DENSITY
 #define CHORD HAWSER_NET_START_CHORD
 static const struct hawser__net_method methods[] = {
-	{{"automatic", "mixed Newton and, where it fails, the method forces", "this program"},
-	 hawser__net_automatic, 1, DENSITY},
+	{{"automatic", "from exact catenaries Newton's method for positions and forces and, where it "
+	  "fails, the methods cone and forces", "this program"}, hawser__net_automatic, 1, DENSITY},
 	{{"interior-point", "primal-dual interior point of the convex energy", "this program"},
 	 hawser__net_interior, 1, DENSITY},
+	{{"cone", "interior point of the convex energy as a second-order cone program: converges from any "
+	  "start", "this program"}, hawser__net_cone, 1, DENSITY},
 	{{"mixed", "Newton's method for positions and forces, for nets without slack members",
 	  "this program"}, hawser__net_mixed, 1, DENSITY},
-	{{"forces", "Newton's method for forces in balance, with steps that lower their energy: slower, "
-	  "and cannot fail", "this program"}, hawser__net_dual, 1, DENSITY},
+	{{"forces", "Newton's method for forces in balance, with steps that lower their energy: slower",
+	  "this program"}, hawser__net_dual, 1, DENSITY},
 	{{"catenary", "exact catenaries between the joints, whose positions alone are unknown",
 	  "this program"}, NULL, 1, DENSITY},
 	{{"two-sided", "Newton's method with the law of bars: elements may be compressed",
@@ -191,28 +193,33 @@ static enum hawser_status supported(const struct hawser__mesh *mesh, struct haws
 	                    "xyz"[direction]);
 }
 
-/* Sum of the absolute forces: the scale of the tensions. */
+/* Sum of the absolute forces: the scale of the tensions. Without any, a small part of the least
+ * EA. */
 static double weight_of(const struct hawser__mesh *mesh)
 {
 	double sum = 0.0;
 
 	for (int i = 0; i < mesh->nodes; i++)
 		sum += fabs(mesh->force[i][0]) + fabs(mesh->force[i][1]) + fabs(mesh->force[i][2]);
-	for (int i = 0; sum == 0.0 && i < mesh->elements; i++)
-		sum = fmax(sum, 1e-6*mesh->EA[i]);
+	if (sum > 0.0)
+		return sum;
+	for (int i = 0; i < mesh->elements; i++)
+		sum = i ? fmin(sum, 1e-6*mesh->EA[i]) : 1e-6*mesh->EA[i];
 	return sum;
 }
 
 enum hawser_status hawser__net_automatic(struct hawser__net_work *work, int *done,
                                          struct hawser_report *report)
 {
-	enum hawser_status status = hawser__net_mixed(work, done, report);
+	enum hawser_status status = work->first ? hawser__net_finish(work, done, report)
+	                                        : hawser__net_mixed(work, done, report);
 
 	if (status || *done)
 		return status;
+	work->first = NULL;
 	memcpy(work->mesh->q, work->start, (size_t)work->mesh->nodes*sizeof *work->start);
 	hawser__net_start_forces(work);
-	status = hawser__net_interior(work, done, report);
+	status = hawser__net_cone(work, done, report);
 	return status || *done ? status : hawser__net_dual(work, done, report);
 }
 
@@ -227,7 +234,7 @@ static double gap_of(const struct hawser__mesh *mesh, int i, const double e[3], 
 		across += (n[k] - along*e[k])*(n[k] - along*e[k]);
 	N = sqrt(along*along + across);
 	term = along > 0.0 ? l*across/(N + along) : l*(N - along);
-	if (l > mesh->length0[i])
+	if (T > 0.0)
 		return term + c/2.0*(N - T)*(N - T);
 	return term + c/2.0*N*N + N*(mesh->length0[i] - l);
 }
@@ -254,6 +261,21 @@ static double two_sided_energy(const struct hawser__mesh *mesh)
 	return sum;
 }
 
+/* The energy, that of the strain from the tensions. */
+static double energy(const struct hawser__net_work *work)
+{
+	const struct hawser__mesh *mesh = work->mesh;
+	double sum = 0.0, e[3];
+
+	for (int i = 0; i < mesh->elements; i++)
+		sum += mesh->density[i] > 0.0 ? work->T[i]*hawser__mesh_direction(e, mesh, i)/2.0
+		                              : work->T[i]*(mesh->length0[i]/mesh->EA[i])*work->T[i]/2.0;
+	for (int i = 0; i < mesh->nodes; i++)
+		for (int k = 0; k < 3; k++)
+			sum -= mesh->force[i][k]*mesh->q[i][k];
+	return sum;
+}
+
 static enum hawser_status certify(struct hawser__net_work *work, struct hawser__equilibrium *found,
                                   struct hawser_report *report)
 {
@@ -261,8 +283,9 @@ static enum hawser_status certify(struct hawser__net_work *work, struct hawser__
 	enum hawser_status status;
 	int definite = 0;
 
-	found->residual = hawser__net_residual(work);
-	found->energy = hawser__mesh_energy(mesh);
+	if (!work->own)
+		found->residual = hawser__net_residual(work);
+	found->energy = energy(work);
 	found->gap = INFINITY;
 	for (int i = 0; i < mesh->elements; i++) {
 		double e[3], l = fmax(hawser__mesh_direction(e, mesh, i), 1e-12*mesh->length0[i]);
@@ -270,7 +293,8 @@ static enum hawser_status certify(struct hawser__net_work *work, struct hawser__
 		work->a[i] = mesh->density[i] > 0.0 ? mesh->density[i]
 		                                    : fmax(work->T[i], 1e-9*work->weight)/l;
 		work->b[i] = mesh->density[i] > 0.0 || work->T[i] == 0.0 ? 0.0
-			: fmax(mesh->EA[i]/mesh->length0[i] - work->a[i], -0.5*work->a[i]);
+			: fmax(fmin(mesh->EA[i]/mesh->length0[i], HAWSER__NET_RIGID*work->a[i]) - work->a[i],
+			       -0.5*work->a[i]);
 	}
 	hawser__net_right(work, work->T);
 	status = hawser__net_factor(work, &definite, report);
@@ -298,6 +322,7 @@ static void clear(struct hawser__net_work *work)
 	free(work->x);
 	free(work->residual);
 	free(work->start);
+	free(work->bound);
 	hawser__sparse_clear(work->sparse);
 }
 
@@ -311,7 +336,8 @@ static enum hawser_status open(struct hawser__net_work *work, struct hawser__mes
 	work->x = calloc((size_t)mesh->unknowns + 1, sizeof *work->x);
 	work->residual = calloc((size_t)mesh->nodes, sizeof *work->residual);
 	work->start = calloc((size_t)mesh->nodes, sizeof *work->start);
-	if (!work->N || !work->x || !work->residual || !work->start)
+	work->bound = calloc((size_t)mesh->nodes, sizeof *work->bound);
+	if (!work->N || !work->x || !work->residual || !work->start || !work->bound)
 		return hawser__no_memory(report, "net");
 	work->s = work->N + elements;
 	work->a = work->s + elements;
@@ -349,9 +375,13 @@ static enum hawser_status solve(struct hawser__net_work *work, struct hawser__eq
 	if (status)
 		return status;
 	found->floor = hawser__mesh_floor(mesh);
-	work->tolerance = fmax(tolerance*work->weight, found->floor);
+	work->wanted = tolerance*work->weight;
+	work->tolerance = fmax(work->wanted, found->floor);
 	status = method->solve(work, &done, report);
-	found->floor = hawser__mesh_floor(mesh);
+	if (!work->own)
+		found->floor = hawser__mesh_floor(mesh);
+	else if (!status)
+		done = hawser__net_settled(work, &found->residual, &found->floor) && done;
 	found->method = method->shown.name;
 	found->iterations = work->iterations;
 	found->compressed = status || method->one_sided ? 0 : compressed(work);

@@ -4,7 +4,7 @@
 . "$SRCDIR/tests/cli/lib.sh"
 
 net=$SRCDIR/notebooks-data/scenes/net-table-3-1.yaml
-for method in automatic interior-point mixed forces catenary; do
+for method in automatic interior-point cone mixed forces catenary; do
 	works "$method" statics "$net" --method $method --json $method.json -q
 done
 works "a table" statics "$net" --tsv net.tsv --plot net.svg -q
@@ -19,7 +19,7 @@ own = json.load(open("automatic.json"))
 assert set(own) >= {"nodes", "cables", "reactions", "energy", "gap", "residual", "floor", "method", "iterations"}
 assert list(own["reactions"]) == ["A%d" % i for i in range(7)]
 assert abs(sum(f[1] for f in own["reactions"].values()) - 894.326688) < 1e-6
-for name in ("interior-point", "mixed", "forces", "catenary"):
+for name in ("interior-point", "cone", "mixed", "forces", "catenary"):
     other, exact = json.load(open(name + ".json")), name == "catenary"
     assert other["method"] == name and 0 <= other["gap"] < 1e-12
     for node in own["nodes"]:
@@ -72,6 +72,8 @@ refuses "an option of nets" 1 "\-\-profile is for nets and ropeways, and .* is n
 refuses "a command of spans" 1 "this is the scene of a net, and the command takes spans" frf "$net"
 refuses "an unknown method" 1 "must be one of automatic, interior-point" statics "$net" --method gauss
 refuses "a part without support" 2 "the node X has no support in direction x" statics "$net" --set 'nodes.X={}'
+refuses "modes of it" 2 "the node X has no support in direction x" modes "$net" --set 'nodes.X={}'
+refuses "motion of it" 2 "the node X has no support in direction x" integrate "$net" --until 1 --set 'nodes.X={}'
 refuses "form finding by catenaries" 1 "takes cables with length0 only, and cable a has tension" statics slack.yaml \
 	--method catenary --set 'cables.a={name: a, from: A, to: J, EA: 1 MN, rho: 0, tension: 5 N}'
 refuses "a density that no length has" 2 "the lengths that go with the given force densities" statics slack.yaml \
@@ -80,8 +82,15 @@ refuses "a tension that no shape has" 2 "it grows beyond all bounds" statics sla
 	--set 'cables.c={name: c, from: J, to: K, EA: 1 MN, rho: 0, tension: 5 N}' --set 'loads.K=[0 N, -100 N, 0 N]'
 refuses "a sag that no shape has" 2 "the sag of tie came to" statics slack.yaml \
 	--set 'cables.tie={name: tie, from: A, to: B, EA: 1 MN, rho: 0, sag: 1 m}'
-refuses "a cable that is too short" 1 "is far below the distance" statics slack.yaml --set cables.tie.length0="5 m"
-refuses "two nodes in one place" 1 "are in one place" statics slack.yaml --set 'nodes.B=[0 m, 0 m, 0 m]'
+refuses "a cable that is too short" 1 "slack.yaml:6:5: cable tie: .* a strain of 100 %: correct length0" statics slack.yaml \
+	--set cables.tie.length0="5 m"
+refuses "two nodes in one place" 1 "A and B are in one place: correct their" statics slack.yaml --set 'nodes.B=[0 m, 0 m, 0 m]'
+refuses "a place that is not a number" 1 'nodes.B: "nan" is not a number' statics slack.yaml --set 'nodes.B=[nan, 0 m, 0 m]'
+refuses "a stiffness without bound" 1 'cables.a.EA: "inf N" is not a number' statics slack.yaml --set 'cables.a.EA=inf N'
+refuses "a cable from a node to itself" 1 "begins and ends at node A: give two nodes" statics slack.yaml --set cables.tie.to=A
+run statics slack.yaml -q --set cables.a.length0="2 m" --set cables.b.length0="2 m"
+try "cables much too short are solved" test "$status" -eq 0
+try "and warned of" grep -q "2 cables are stretched by more than 50 %, most of all [ab], by 15[01] %" "$scratch/err"
 refuses "no length" 1 "is out of range" statics slack.yaml --set cables.a.length0="0 m"
 refuses "two lengths" 1 "has length0 and sag" statics slack.yaml --set 'cables.a.sag=1 m'
 refuses "a million elements" 1 "elements need about" statics slack.yaml --set cables.c.elements=90000000
