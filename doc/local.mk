@@ -23,6 +23,7 @@ dist_doc_DATA += \
 	%D%/spans.md \
 	%D%/theory-study.md \
 	%D%/theory-modes.md \
+	%D%/theory-obstacles.md \
 	%D%/theory-rom.md \
 	%D%/theory-ropeway-modes.md \
 	%D%/theory-ropeway-response.md \

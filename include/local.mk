@@ -35,6 +35,7 @@ pkginclude_HEADERS = \
 	%D%/hawser/net_motion.h \
 	%D%/hawser/net_plan.h \
 	%D%/hawser/net_span.h \
+	%D%/hawser/obstacles.h \
 	%D%/hawser/orbit.h \
 	%D%/hawser/plan.h \
 	%D%/hawser/plausible.h \

@@ -4,6 +4,8 @@
 EXTRA_DIST += %D%/trade.tsv
 scenesdir = $(pkgdatadir)/scenes
 dist_scenes_DATA = \
+	%D%/scenes/b-table-2.1.yaml \
+	%D%/scenes/b-table-3.5.yaml \
 	%D%/scenes/b-table-4.1-case-1.yaml \
 	%D%/scenes/b-table-4.1-case-2.yaml \
 	%D%/scenes/b-table-4.1-case-3.yaml \

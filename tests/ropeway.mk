@@ -32,3 +32,9 @@ tests_property_test_line_expand_SOURCES = tests/property/test-line-expand.c
 tests_property_test_line_expand_LDADD = $(UPTO_ROPEWAY)
 tests_property_test_line_rom_SOURCES = tests/property/test-line-rom.c
 tests_property_test_line_rom_LDADD = $(UPTO_RESPONSE)
+
+OBSTACLES_TESTS = tests/reference/test-obstacles
+check_PROGRAMS += $(OBSTACLES_TESTS)
+TESTS += $(OBSTACLES_TESTS)
+tests_reference_test_obstacles_SOURCES = tests/reference/test-obstacles.c
+tests_reference_test_obstacles_LDADD = $(UPTO_ROPEWAY)

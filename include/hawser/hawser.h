@@ -27,6 +27,7 @@
 #include <hawser/ropeway.h>
 #include <hawser/line_modes.h>
 #include <hawser/ropeway_modes.h>
+#include <hawser/obstacles.h>
 #include <hawser/plugin.h>
 #include <hawser/rom.h>
 #include <hawser/line_rom.h>

@@ -7,8 +7,8 @@
 #include <string.h>
 
 #include "cli/statics_loaded.h"
-#include "cli/statics_kinds.h"
 #include "cli/statics_mesh.h"
+#include "cli/statics_obstacles.h"
 #include "core/report.h"
 
 struct settings {
@@ -72,7 +72,6 @@ static const struct hawser__field profile_field[] = {
 	HAWSER__END,
 };
 #undef OF
-
 static const struct hawser__list profile_list =
 	HAWSER__STORED_ROWS(struct result, profile, points, profile_field);
 
@@ -162,6 +161,9 @@ const struct cli_listing cli_statics_listing[] = {
 	{"Columns with --speeds:", cli_speed_field, 0},
 	{"Columns with --cases:", cli_case_field, 0},
 	{"Keys of JSON:", result_field, 1},
+	{"Columns of a span over obstacles:", cli_obstacle_point_field, 0},
+	{"Columns of a span over obstacles with --spans:", cli_obstacle_span_field, 0},
+	{"Keys of JSON of a span over obstacles:", cli_obstacles_field, 1},
 	{"Columns of a ropeway:", cli_ropeway_tower_field, 0},
 	{"Columns of a ropeway with --spans:", cli_ropeway_span_field, 0},
 	{"Columns of a ropeway with --worst:", cli_ropeway_worst_field, 0},
@@ -476,7 +478,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 
 	if (!status)
 		status = cli_statics_kinds(&done, &settings->common, &settings->kinds, span_option(settings),
-		                           settings->cases, report);
+		                           settings->points, settings->cases, report);
 	if (status || done)
 		return status;
 	status = solve(&result, report);

@@ -45,6 +45,10 @@ hawser_SOURCES = \
 	%D%/statics_kinds.h \
 	%D%/ropeway_fields.c \
 	%D%/ropeway_fill.c \
+	%D%/obstacles_fields.c \
+	%D%/obstacles_fill.c \
+	%D%/statics_obstacles.c \
+	%D%/statics_obstacles.h \
 	%D%/statics_ropeway.c \
 	%D%/statics_ropeway.h \
 	%D%/kinds.c \

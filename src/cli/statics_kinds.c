@@ -5,6 +5,7 @@
 
 #include "cli/statics_kinds.h"
 #include "cli/statics_net.h"
+#include "cli/statics_obstacles.h"
 #include "core/report.h"
 
 const char *const cli_statics_notes[] = {
@@ -29,6 +30,15 @@ static const char *ropeway_option(const struct cli_statics_kinds *kinds)
 	                          : NULL;
 }
 
+const char *cli_statics_kinds_option(const struct cli_statics_kinds *kinds)
+{
+	struct cli_statics_kinds others = *kinds;
+	const char *net = net_option(kinds);
+
+	others.spans = 0;
+	return net ? net : kinds->profile ? "profile" : ropeway_option(&others);
+}
+
 static enum hawser_status of_net(const struct cli_common *common, const struct cli_statics_kinds *kinds,
                                  const char *other, struct hawser_report *report)
 {
@@ -44,11 +54,13 @@ static enum hawser_status of_net(const struct cli_common *common, const struct c
 
 enum hawser_status cli_statics_kinds(int *done, const struct cli_common *common,
                                      const struct cli_statics_kinds *kinds, const char *span_option,
-                                     int cases, struct hawser_report *report)
+                                     int points, int cases, struct hawser_report *report)
 {
 	const char *net = net_option(kinds), *ropeway = ropeway_option(kinds);
 
 	*done = 1;
+	if (hawser_obstacles_is(common->input))
+		return cli_statics_obstacles(common, kinds, points, cases, span_option, report);
 	if (hawser_ropeway_is(common->input)) {
 		if (!span_option && !net)
 			return cli_statics_ropeway(common, kinds, cases, report);

@@ -24,7 +24,7 @@ extern const char *const cli_statics_notes[];
 	 CLI_FLAG(kinds.profile)}, \
 	{"equilibria", 0, "N", "nets: all equilibria of bars instead of cables, from N random starts", \
 	 CLI_COUNT(kinds.equilibria)}, \
-	{"spans", 0, "", "ropeways: table of the spans", CLI_FLAG(kinds.spans)}, \
+	{"spans", 0, "", "ropeways, obstacles: table of the spans", CLI_FLAG(kinds.spans)}, \
 	{"worst", 0, "", "ropeways: table of the worst values over the phases", \
 	 CLI_FLAG(kinds.worst)}, \
 	{"phases", 0, "N", "ropeways: number of phases of the carriers (200)", \
@@ -35,11 +35,15 @@ extern const char *const cli_statics_notes[];
 	{"tolerate", 0, "", "ropeways: report what lifts, slips or is at its stop, and refuse nothing", \
 	 CLI_FLAG(kinds.tolerate)}
 
-/* *done is 0 if the scene is a span. span_option: the name of an option for spans that is given, or
- * NULL; cases: whether --cases is. */
+/* *done is 0 if the scene is a span without obstacles. span_option: the name of an option for spans
+ * that is given, or NULL; points: of a profile; cases: whether --cases is given. */
 enum hawser_status cli_statics_kinds(int *done, const struct cli_common *common,
                                      const struct cli_statics_kinds *kinds, const char *span_option,
-                                     int cases, struct hawser_report *report) HAWSER_MUST_CHECK;
+                                     int points, int cases,
+                                     struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* The first option that is given but not one of spans over obstacles, or NULL. */
+const char *cli_statics_kinds_option(const struct cli_statics_kinds *kinds);
 
 /* statics_ropeway.c */
 enum hawser_status cli_statics_ropeway(const struct cli_common *common,

@@ -53,3 +53,8 @@ noinst_LTLIBRARIES += %D%/libropeway.la
 	%D%/state.c \
 	%D%/sweep.c \
 	%D%/towers.c
+
+# A span over obstacles: its scene, and the limits of friction.
+%C%_libropeway_la_SOURCES += \
+	%D%/obstacles.c \
+	%D%/obstacles_read.c

@@ -4,7 +4,8 @@
 #define HAWSER_SCENE_EXAMPLE_H
 
 extern const char hawser__scene_example[];
-/* manpage_ropeway.c: a part of hawser-scene(5). */
+/* manpage_obstacles.c, manpage_ropeway.c: parts of hawser-scene(5). */
+extern const char hawser__manpage_obstacles[];
 extern const char hawser__manpage_ropeways[];
 
 #endif

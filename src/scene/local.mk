@@ -30,5 +30,6 @@ CLEANFILES += %D%/manpage$(EXEEXT)
 	%D%/example.c \
 	%D%/example.h \
 	%D%/manpage.c \
+	%D%/manpage_obstacles.c \
 	%D%/manpage_ropeway.c
 %C%_manpage_LDADD = %D%/libscene.la src/core/libcore.la $(YAML_LIBS) $(UDUNITS_LIBS)

@@ -447,6 +447,7 @@ int main(void)
 	fputs(bending, stdout);
 	fputs(nets, stdout);
 	fputs(net_keys, stdout);
+	fputs(hawser__manpage_obstacles, stdout);
 	fputs(hawser__manpage_ropeways, stdout);
 	example();
 	plausible();

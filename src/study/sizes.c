@@ -28,6 +28,7 @@
 #include <hawser/ropeway_modes.h>
 #include <hawser/line_rom.h>
 #include <hawser/linear.h>
+#include <hawser/obstacles.h>
 #include <hawser/locus.h>
 #include <hawser/basin.h>
 #include <hawser/lyapunov.h>
@@ -252,6 +253,10 @@ static const struct row {
 	ROW(hawser_net_span_statics),
 	ROW(hawser_net_statics),
 	ROW(hawser_net_symmetry),
+	ROW(hawser_obstacle),
+	ROW(hawser_obstacles),
+	ROW(hawser_obstacles_limit),
+	ROW(hawser_obstacles_statics),
 	ROW(hawser_orbit_cost),
 	ROW(hawser_normal_form),
 	ROW(hawser_parameter),

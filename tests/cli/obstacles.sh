@@ -1,0 +1,88 @@
+#!/bin/sh
+# hawser statics of spans over obstacles: exact output, JSON, pictures, refusals.
+# SPDX-License-Identifier: GPL-3.0-or-later
+. "$SRCDIR/tests/cli/lib.sh"
+
+scenes=$SRCDIR/notebooks-data/scenes
+sheave=$scenes/b-table-3.5.yaml
+refuses() {
+	called=$1 code=$2 saying=$3
+	shift 3
+	run "$@"
+	try "$called" said "$code"
+	try "  says so" grep -q -e "$saying" "$scratch/err"
+}
+
+works "B Table 3.5" statics "$sheave" --points 3 --json sheave.json --tsv sheave.tsv --plot sheave.svg -q
+sed '/^# scene:/d; s/-*[0-9.]*e-[0-9]*/0/g' sheave.tsv | awk -F'\t' '
+	/^#/ || /^S_m/ { print; next }
+	{ for (i = 1; i <= NF; i++) printf("%s%.6f", (i > 1 ? " " : ""), $i + 1e-9); print "" }' >text
+cat >want <<'END'
+# hawser 0.1.0 statics
+# method: catenaries and arcs, laid from end A
+# g = 9.81 m/s^2; sliding: none
+# T0 = 52444.5136 N at end A, T1 = 52444.5136 N at end B
+# length0 = 301 m, length = 301.010502 m
+# A to s0: H = 52295.977 N, sag = 0.311351 m
+# s0 to B: H = 52126.5397 N, sag = 8.09058 m
+# s0: T = 52712.9081 N before, 52711.1727 N behind; wrap = 0.274932345 rad from (48.744756, 4.920905) to (51.485244, 4.889087) m
+# s0: reaction = [169.437358, 14595.604] N, least pressure = 5325.05 N/m
+# s0: margin = 0.0274603; friction holds T behind from 51266.8526 to 54195.7532 N at this T before
+# about to slide toward A: T0 = 53913.1394 N, T1 = 52432.4451 N, H = 53757.6335 N at A, 52114.3702 N at B
+# about to slide toward B: T0 = 51009.0495 N, T1 = 52457.1815 N, H = 50867.2991 N at A, 52139.3135 N at B
+# without obstacles: T0 = 58129.3349 N, T1 = 58129.3349 N, H = 57546.8069 N at A, 57546.8069 N at B
+S_m	x_m	y_m	angle_rad	T_N	y_clear_m
+0.000000 0.000000 0.000000 0.075281 52444.513623 0.000000
+150.500000 149.725582 -4.781354 -0.046822 52183.730445 -10.680419
+301.000000 300.000000 0.000000 0.110174 52444.513623 0.000000
+END
+try "the text, exactly" diff want text
+python "JSON" <<'END'
+import json, math
+r = json.load(open("sheave.json"))
+assert r["scene"]["kind"] == "span" and r["sliding"] == "none"
+s, = r["obstacles"]
+assert s["name"] == "s0" and s["touches"] and s["side"] == "above" and s["rotation"] == "locked"
+# forces: ends, sheave and weight
+for k, weight in ((0, 0.0), (1, 5.56*9.81*r["length0"])):
+    assert abs(r["reaction_A"][k] + r["reaction_B"][k] + s["reaction"][k] - weight) < 1e-7
+assert abs(s["wrap"] - (s["angle_in"] - s["angle_out"])) < 1e-15
+assert abs(math.hypot(s["from"][0] - 50, s["from"][1] + 5) - 10) < 1e-9
+assert abs(s["margin"] - (0.1*s["wrap"] - abs(math.log(s["T_out"]/s["T_in"])))) < 1e-12
+assert [p["name"] for p in r["spans"]] == ["A to s0", "s0 to B"]
+for p in r["spans"]:
+    assert min(p["H_toward_A"], p["H_toward_B"]) < p["H"] < max(p["H_toward_A"], p["H_toward_B"])
+assert r["toward_A"]["T0"] > r["T0"] > r["toward_B"]["T0"]
+assert abs(r["clear"]["length0"] - 301) < 1e-9 and "why" not in r["clear"]
+assert r["closure"] < 1e-9 and r["error"] < 1e-12 and len(r["profile"]) == 3
+END
+works "a table of the free parts" statics "$sheave" --spans --tsv spans.tsv -q
+try "  of two" test "$(grep -c '^[As]0* to\|^s0 to' spans.tsv)" = 2
+run statics "$scenes/b-table-2.1.yaml" --set 'obstacles.s0.circle.centre=[37.5 m, -8 m]' --json clear.json
+try "a rope that passes clear" test "$status" -eq 0
+try "  a warning has the distance" grep -q "does not touch obstacle s0: it passes at a distance of 2.653 m" "$scratch/err"
+python "  is the rope without obstacles" <<'END'
+import json
+r = json.load(open("clear.json"))
+assert r["obstacles"] == [{"name": "s0", "side": "above", "rotation": "locked", "touches": False,
+                           "clearance": r["obstacles"][0]["clearance"]}]
+assert abs(r["T0"]/r["clear"]["T0"] - 1) < 1e-12 and "toward_A" not in r
+END
+works "sliding" statics "$sheave" --set 'contact={sliding: toward-B}' --json sliding.json -q
+python "  is the limit at rest" <<'END'
+import json
+rest, sliding = (json.load(open(n + ".json")) for n in ("sheave", "sliding"))
+assert abs(sliding["T1"]/rest["toward_B"]["T1"] - 1) < 1e-12 and "toward_B" not in sliding
+END
+try "the picture has the rope without the obstacles" grep -q "without obstacles" sheave.svg
+
+refuses "a misspelt key" 1 "unknown key frction: did you mean friction" statics "$sheave" --set obstacles.s0.frction=1
+refuses "a wrong unit" 1 'wrong unit "kg"' statics "$sheave" --set "obstacles.s0.circle.radius=3 kg"
+refuses "an option of other scenes" 1 "\-\-models does not go with a span over obstacles" statics "$sheave" --models
+refuses "the same of ropeways" 1 "\-\-worst does not go with a span over obstacles" statics "$sheave" --worst
+refuses "a rope that is too short" 2 "shorter than the shortest way past the obstacles" statics "$scenes/b-table-2.1.yaml" --set obstacles.s0.side=below
+for command in "frf" "rom" "integrate" "plan" "irvine" "campbell" "compare modes"; do
+	refuses "$command" 1 "b-table-3.5.yaml:6:1: this span passes over obstacles" $command "$sheave"
+done
+refuses "obstacles by --set" 1 "this span passes over obstacles" statics "$scenes/chairlift.yaml" --set "obstacles=[{circle: {centre: [1, 1], radius: 1}}]"
+done_testing
