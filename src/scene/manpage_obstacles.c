@@ -15,7 +15,7 @@ const char hawser__manpage_obstacles[] =
 	"tension: {length0: 301 m}\n"
 	"obstacles:\n"
 	"  \\- {circle: {centre: [50 m, \\-5 m], radius: 10 m}, side: above, friction: 0.1}\n"
-	"contact: {sliding: none, modes: stick}\n"
+	"contact: {sliding: none}\n"
 	".fi\n"
 	".RE\n"
 	".PP\n"
@@ -74,6 +74,8 @@ const char hawser__manpage_obstacles[] =
 	"contact do not move, or turn with a circle whose rotation is free). Without it modes slip\n"
 	"if no touched circle has friction or if contact.sliding says that the rope slides, else\n"
 	"they stick.\n"
+	"No command computes modes of such spans yet (the library does,\n"
+	"hawser_obstacles_contact): contact.modes, groove and inertia are checked and not used.\n"
 	".B contact.restitution\n"
 	"must be 0: it is of motions, which obstacles do not have yet. Neither are there planes,\n"
 	"segments, surfaces that move and sliding: history yet.\n";

@@ -307,6 +307,57 @@ static void turning(void)
 	ok(T[0] == T[1], "free as locked without tangential force");
 }
 
+/* The contact of modes, and modes of B Table 3.5, line 2 (Table 3.6 does not say where its sheave is):
+ * a mesh gives 1.22338, 2.43481, 2.44519 and 3.47141 rad/s with slip, 1e-4 from the exact ones
+ * (doc/theory-ropeway-modes.md). */
+static void modes(void)
+{
+	static const struct {
+		const char *of, *contact, *error;
+		enum hawser_line_contact_kind kind;
+	} row[] = {
+		{"friction: 0.1", "{}", NULL, HAWSER_LINE_STICK},
+		{"friction: 0.1", "{sliding: toward-A}", NULL, HAWSER_LINE_SLIP},
+		{"friction: 0.1", "{modes: slip}", NULL, HAWSER_LINE_SLIP},
+		{"friction: 0.1, rotation: free, inertia: 20", "{}", NULL, HAWSER_LINE_ROLL},
+		{"friction: 0", "{}", NULL, HAWSER_LINE_SLIP},
+		{"friction: 0", "{modes: stick}", "does not stick to it", HAWSER_LINE_STICK},
+	};
+	static const double mesh[4] = {1.22338, 2.43481, 2.44519, 3.47141};
+
+	for (size_t i = 0; i < sizeof row/sizeof *row; i++) {
+		struct hawser_obstacles scene;
+		struct hawser_obstacles_statics st;
+		struct hawser_report report = {0};
+		enum hawser_line_contact_kind kind;
+		enum hawser_status status;
+		char text[512];
+		int loose;
+
+		snprintf(text, sizeof text,
+		         "cable: {EA: 1.5 GN, rho: 5.56}\nspan: {d: 300, h: 0}\ntension: {length0: 301}\n"
+		         "obstacles:\n  - {circle: {centre: [50, -5], radius: 10}, %s}\ncontact: %s\n",
+		         row[i].of, row[i].contact);
+		if (!solved(&scene, &st, text))
+			continue;
+		status = hawser_obstacles_contact(&kind, &loose, &scene, &st.st, &report);
+		ok(row[i].error ? status && strstr(report.message, row[i].error)
+		                : !status && kind == row[i].kind && !loose, "%s, contact: %s: %s", row[i].of,
+		   row[i].contact, status ? report.message : hawser_line_contact_name(kind));
+		if (i == 2) {
+			const struct hawser_line_statics *lane = &st.st;
+			const struct hawser_line_modes_options options = {.n = 4, .contact = kind};
+			struct hawser_line_modes of;
+
+			if (ok(!hawser_line_modes_solve(&of, &lane, 1, &options, &report), "modes"))
+				for (int k = 0; k < 4; k++)
+					close_to(of.mode[k].omega/of.time_unit, mesh[k], 1.5e-4, "a mode with slip");
+			hawser_line_modes_clear(&of);
+		}
+		done(&scene, &st);
+	}
+}
+
 /* What cannot be. */
 static void refused(void)
 {
@@ -359,6 +410,7 @@ int main(void)
 	mirrored();
 	capstan();
 	turning();
+	modes();
 	refused();
 	unlink(path);
 	return done_testing();
