@@ -368,6 +368,21 @@ enum hawser_status hawser__tree_open(struct hawser__tree **tree, struct hawser__
 	return status;
 }
 
+/* 1 if a line begins with the text; or has it as JSON does: in quotation marks, behind blanks. */
+static int line_begins(const char *line, const char *text)
+{
+	const char *at = line + strspn(line, " \t{");
+
+	if (*at != '"')
+		return !strncmp(line, text, strlen(text));
+	while (*text && *at) {
+		at += *at == '"';
+		if (*at++ != *text++)
+			return 0;
+	}
+	return !*text;
+}
+
 /* 1 if a line of this file begins with the text. */
 static int begins(const char *path, const char *text)
 {
@@ -377,7 +392,7 @@ static int begins(const char *path, const char *text)
 	char line[256];
 
 	while (stream && !found && fgets(line, sizeof line, stream)) {
-		found = fresh && !strncmp(line, text, strlen(text));
+		found = fresh && line_begins(line, text);
 		fresh = strchr(line, '\n') != NULL;
 	}
 	if (stream)

@@ -41,6 +41,16 @@ cables:
 supports: {A: fixed, B: fixed}
 loads: {J: [0 N, -1 kN, 0 N]}
 END2
+python "the same scene in JSON" <<'END2'
+import json
+bars = [{"name": c, "from": "AJ"[c == "b"], "to": "JB"[c == "b"], "EA": 1e6, "rho": 0, "length0": 6} for c in "ab"]
+for indent in (None, 1):
+    with open(f"bars{indent}.json", "w") as file:
+        json.dump({"kind": "net", "nodes": {"A": [0, 0, 0], "B": [10, 0, 0], "J": {}}, "cables": bars,
+                   "supports": {"A": "fixed", "B": "fixed"}, "loads": {"J": [0, -1e3, 0]}}, file, indent=indent)
+END2
+works "JSON in one line" statics barsNone.json -q
+works "JSON in lines" statics bars1.json -q
 works "a slack member" statics slack.yaml --tsv slack.tsv --json slack.json -q
 try "is named" grep -q '^# 1 cable with elements without tension: tie$' slack.tsv
 works "a force density" statics slack.yaml --json density.json -q \
