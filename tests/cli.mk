@@ -23,6 +23,7 @@ CLI_TESTS = \
 	%D%/cli/ropeway.sh \
 	%D%/cli/ropeway-modes.sh \
 	%D%/cli/ropeway-rom.sh \
+	%D%/cli/ropeway-sweeps.sh \
 	%D%/cli/net-modes.sh \
 	%D%/cli/net-motion.sh \
 	%D%/cli/fe.sh \

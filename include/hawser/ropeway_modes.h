@@ -44,6 +44,63 @@ enum hawser_status hawser_ropeway_modes_solve(struct hawser_line_modes *modes,
 void hawser_ropeway_modes_spans(int *of, const struct hawser_line_modes *modes,
                                 const struct hawser_ropeway_statics *st);
 
+/* --- frequencies along a sweep: of the tension, the speed, a tower's height, the phase --- */
+
+struct hawser_ropeway_track_options {
+	const double *value; /* [points] of what is swept, ascending or descending */
+	int points;
+	/* Open the scene at a value; *ropeway is the caller's to clear. */
+	enum hawser_status (*open)(struct hawser_ropeway *ropeway, void *context, double value,
+	                           struct hawser_report *report);
+	void *context;
+	int load_case;       /* index of a case */
+	int n;               /* number of branches: the lowest at the first value; 0: 6 */
+	double tolerance;    /* as in struct hawser_ropeway_modes_options */
+};
+
+/* A branch at a value. */
+struct hawser_ropeway_track_point {
+	double omega, residual; /* rad/s; NAN: the branch is lost, by shapes that change too much */
+	double share;           /* of the kinetic energy, in this span: */
+	int span;               /* lane*(towers + 1) + number, from the bottom station */
+};
+
+struct hawser_ropeway_track_sample {
+	double value;
+	int inserted;           /* 1: between two of the values asked for */
+	int unsure;             /* 1: branches were continued with shapes that had changed much */
+	double T0;              /* N, at the bottom station */
+	int gyroscopic;         /* 1: the rope runs */
+};
+
+/* Where two branches of a plane change their order, or come closest. */
+struct hawser_ropeway_track_crossover {
+	int veers;              /* 0: they cross, each with its shape; 1: they exchange their shapes */
+	double value, omega;    /* omega: mean of the two, rad/s */
+	double gap;             /* relative to omega; 0: between spans that do not interact */
+	int below, above;       /* branches from 0; -1: one that is not among those asked for */
+};
+
+struct hawser_ropeway_track {
+	int samples, branches, crossovers, solves;
+	struct hawser_ropeway_track_sample *sample;       /* [samples] */
+	struct hawser_ropeway_track_point *point;         /* [samples][branches] */
+	enum hawser_plane *plane;                         /* [branches] */
+	struct hawser_ropeway_track_crossover *crossover; /* [crossovers] by sample */
+	double least_correlation; /* of a branch's shapes at neighbouring samples, squared */
+	int ended;              /* 1: at `end` the line has no solution any more, and the sweep ends */
+	double end;
+	struct hawser_report why;
+};
+
+/* Follow the lowest modes along a sweep by their shapes; doc/theory-ropeway-modes.md. Without a
+ * solution at the first value its status is returned; a later one ends the sweep. Other statuses:
+ * HAWSER_ERR_ARGUMENT, HAWSER_ERR_MEMORY. */
+enum hawser_status hawser_ropeway_track_solve(struct hawser_ropeway_track *track,
+                                              const struct hawser_ropeway_track_options *options,
+                                              struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser_ropeway_track_clear(struct hawser_ropeway_track *track);
+
 #ifdef __cplusplus
 }
 #endif

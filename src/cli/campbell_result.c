@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "cli/campbell_result.h"
+#include "cli/track_ropeway.h"
 #include "cli/view.h"
 
 const char *const cli_campbell_units[2] = {"rad/s", "Hz"};
@@ -262,7 +263,9 @@ static const struct hawser__field cost_field[] = {
 };
 const struct cli_listing cli_campbell_listing[] = {
 	{"Columns of the table:", cell_field, 0},
+	{"Columns of ropeways:", cli_track_field, 0},
 	{"Keys of JSON:", result_field, 1},
+	{"Keys of JSON of ropeways:", cli_track_member, 1},
 	{NULL, NULL, 0},
 };
 

@@ -3,7 +3,11 @@
 #include "config.h"
 
 
+#include <stddef.h>
+
 #include "cli/campbell_result.h"
+#include "cli/kinds.h"
+#include "cli/track_ropeway.h"
 #include "cli/view.h"
 #include "core/report.h"
 
@@ -11,10 +15,10 @@ struct settings {
 	struct cli_common common;
 	const char *from, *to, *unit, *method, *spacing;
 	int points, n, harmonics;
+	struct cli_ropeway_choice ropeway;
 };
-static const struct settings defaults = {
-	.from = "0", .unit = "rad/s", .method = "spectral", .points = 100, .n = 10, .harmonics = 3,
-};
+static const struct settings defaults = {.from = "0", .n = 10, .harmonics = 3};
+enum { POINTS = 100 }; /* of spans, before refinement */
 
 static const struct cli_option options[] = {
 	{"from", 0, "SPEED", "first speed, in m/s or with a unit (0)", CLI_TEXT(from)},
@@ -26,6 +30,9 @@ static const struct cli_option options[] = {
 	 cli_store_text, offsetof(struct settings, spacing)},
 	{"harmonics", 0, "N", "number of these lines (3)", CLI_INTEGER(harmonics)},
 	{"method", 0, "NAME", "method for the modes (spectral)", CLI_TEXT(method)},
+	{"contact", 0, "HOW", "ropeways: slip or roll (the scene's contact.modes)",
+	 CLI_TEXT(ropeway.contact)},
+	{"case", 0, "NAME", "ropeways: the load case (full)", CLI_TEXT(ropeway.load_case)},
 	CLI_NO_OPTION,
 };
 
@@ -34,11 +41,14 @@ static enum hawser_status read_settings(struct hawser_campbell_options *choice,
                                         const struct settings *settings,
                                         struct hawser_report *report)
 {
-	enum hawser_status status = cli_choose(&result->hertz, "campbell", "unit", settings->unit,
-	                                       cli_campbell_units, 2, report);
+	const char *method = settings->method ? settings->method : "spectral";
+	enum hawser_status status = HAWSER_OK;
 
+	if (settings->unit)
+		status = cli_choose(&result->hertz, "campbell", "unit", settings->unit, cli_campbell_units, 2,
+		                    report);
 	if (!status)
-		status = cli_choose_method("campbell", settings->method, 1, report);
+		status = cli_choose_method("campbell", method, 1, report);
 	if (!status)
 		status = cli_quantity(&choice->from, settings->from, "m/s", CLI_NOT_NEGATIVE, "campbell",
 		                      "from", report);
@@ -49,9 +59,9 @@ static enum hawser_status read_settings(struct hawser_campbell_options *choice,
 		status = cli_quantity(&result->spacing, settings->spacing, "m", CLI_ABOVE_ZERO, "campbell",
 		                      "spacing", report);
 	result->harmonics = settings->spacing ? settings->harmonics : 0;
-	choice->points = settings->points;
+	choice->points = settings->points ? settings->points : POINTS;
 	choice->n = settings->n;
-	choice->method = settings->method;
+	choice->method = method;
 	return status;
 }
 
@@ -75,9 +85,8 @@ static enum hawser_status trace(struct cli_campbell_result *result,
 	return status;
 }
 
-static enum hawser_status run(void *context, struct hawser_report *report)
+static enum hawser_status run_span(const struct settings *settings, struct hawser_report *report)
 {
-	const struct settings *settings = context;
 	struct cli_campbell_result result = {.common = &settings->common};
 	struct hawser_campbell_options choice = {0};
 	enum hawser_status status = read_settings(&choice, &result, settings, report);
@@ -90,6 +99,23 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		status = cli_show(&settings->common, &cli_campbell_showing, &result, report);
 	cli_campbell_free(&result);
 	return status;
+}
+
+static enum hawser_status run(void *context, struct hawser_report *report)
+{
+	const struct settings *s = context;
+	const struct cli_given given[] = {{"method", s->method != NULL, CLI_SPAN},
+		{"contact", s->ropeway.contact != NULL, CLI_ROPEWAY},
+		{"case", s->ropeway.load_case != NULL, CLI_ROPEWAY}, {NULL, 0, 0}};
+	struct cli_track track = {.common = &s->common, .command = "campbell", .swept = CLI_SWEPT_SPEED,
+		.from = s->from, .to = s->to, .points = s->points, .n = s->n, .unit = s->unit,
+		.spacing = s->spacing, .harmonics = s->harmonics, .choice = s->ropeway};
+	enum cli_kind kind = cli_kind_of(s->common.input);
+	enum hawser_status status = cli_kind_check(kind, given, "campbell", s->common.input, report);
+
+	if (status)
+		return status;
+	return kind == CLI_ROPEWAY ? cli_track_run(&track, report) : run_span(s, report);
 }
 
 const struct cli_command cli_campbell = {

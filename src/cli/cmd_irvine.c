@@ -6,6 +6,8 @@
 #include <string.h>
 
 #include "cli/irvine_result.h"
+#include "cli/kinds.h"
+#include "cli/track_ropeway.h"
 #include "cli/view.h"
 #include "core/report.h"
 
@@ -13,11 +15,10 @@ struct settings {
 	struct cli_common common;
 	const char *sweep, *from, *to, *over, *unit, *method, *speeds;
 	int points, n;
+	struct cli_ropeway_choice ropeway;
 };
-static const struct settings defaults = {
-	.sweep = "H", .over = "lambda", .unit = "normalised", .method = "spectral", .points = 200,
-	.n = 10,
-};
+static const struct settings defaults = {.n = 10};
+enum { POINTS = 200 }; /* of spans, before refinement */
 
 static const struct cli_option options[] = {
 	{"sweep", 0, "QUANTITY", "swept quantity: H, T0, T1, length0 or sag (H)", CLI_TEXT(sweep)},
@@ -31,6 +32,11 @@ static const struct cli_option options[] = {
 	{"speeds", 0, "LIST", "a sweep and a panel for each of these travel speeds: \"0, 5 m/s\"",
 	 CLI_TEXT(speeds)},
 	{"method", 0, "NAME", "method for the modes (spectral)", CLI_TEXT(method)},
+	{"contact", 0, "HOW", "ropeways: slip, stick or roll (the scene's contact.modes)",
+	 CLI_TEXT(ropeway.contact)},
+	{"case", 0, "NAME", "ropeways: the load case (full)", CLI_TEXT(ropeway.load_case)},
+	{"sliding", 0, "HOW", "ropeways: running, rest or reverse (the scene's ropeway.sliding)",
+	 CLI_TEXT(ropeway.sliding)},
 	CLI_NO_OPTION,
 };
 
@@ -55,12 +61,13 @@ static enum hawser_status read_settings(struct hawser_irvine_options *choice,
 {
 	static const char *const axes[] = {"lambda", "value"};
 	int unit = 0;
-	enum hawser_status status = choose_sweep(&choice->sweep, settings->sweep, report);
+	enum hawser_status status = choose_sweep(&choice->sweep, settings->sweep ? settings->sweep : "H",
+	                                         report);
 
-	if (!status)
+	if (!status && settings->over)
 		status = cli_choose(&result->over_value, "irvine", "over", settings->over, axes, 2,
 		                    report);
-	if (!status)
+	if (!status && settings->unit)
 		status = cli_choose(&unit, "irvine", "unit", settings->unit, cli_irvine_units,
 		                    CLI_IRVINE_UNITS, report);
 	if (!status)
@@ -70,9 +77,9 @@ static enum hawser_status read_settings(struct hawser_irvine_options *choice,
 		status = cli_quantity(&choice->to, settings->to, cli_irvine_si(choice->sweep),
 		                      CLI_ABOVE_ZERO, "irvine", "to", report);
 	result->unit = (enum cli_irvine_unit)unit;
-	choice->points = settings->points;
+	choice->points = settings->points ? settings->points : POINTS;
 	choice->n = settings->n;
-	choice->method = settings->method;
+	choice->method = settings->method ? settings->method : "spectral";
 	return status;
 }
 
@@ -172,7 +179,7 @@ static enum hawser_status trace(struct cli_irvine_result *result,
 	if (!status)
 		status = speeds_of(speed, result, settings->speeds, report);
 	if (!status)
-		status = cli_choose_method("irvine", settings->method, result->moving, report);
+		status = cli_choose_method("irvine", choice->method, result->moving, report);
 	if (status)
 		return status;
 	modes = cli_modes_options(scene);
@@ -193,9 +200,8 @@ static enum hawser_status trace(struct cli_irvine_result *result,
 	return status;
 }
 
-static enum hawser_status run(void *context, struct hawser_report *report)
+static enum hawser_status run_span(const struct settings *settings, struct hawser_report *report)
 {
-	const struct settings *settings = context;
 	struct cli_irvine_result result = {.common = &settings->common};
 	struct hawser_irvine_options choice = {0};
 	enum hawser_status status = read_settings(&choice, &result, settings, report);
@@ -210,6 +216,25 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		status = cli_show(&settings->common, &cli_irvine_showing, &result, report);
 	cli_irvine_free(&result);
 	return status;
+}
+
+static enum hawser_status run(void *context, struct hawser_report *report)
+{
+	const struct settings *s = context;
+	const struct cli_given given[] = {{"sweep", s->sweep != NULL, CLI_SPAN},
+		{"over", s->over != NULL, CLI_SPAN}, {"speeds", s->speeds != NULL, CLI_SPAN},
+		{"method", s->method != NULL, CLI_SPAN}, {"contact", s->ropeway.contact != NULL, CLI_ROPEWAY},
+		{"case", s->ropeway.load_case != NULL, CLI_ROPEWAY},
+		{"sliding", s->ropeway.sliding != NULL, CLI_ROPEWAY}, {NULL, 0, 0}};
+	struct cli_track track = {.common = &s->common, .command = "irvine", .swept = CLI_SWEPT_TENSION,
+		.from = s->from, .to = s->to, .points = s->points, .n = s->n, .unit = s->unit,
+		.choice = s->ropeway};
+	enum cli_kind kind = cli_kind_of(s->common.input);
+	enum hawser_status status = cli_kind_check(kind, given, "irvine", s->common.input, report);
+
+	if (status)
+		return status;
+	return kind == CLI_ROPEWAY ? cli_track_run(&track, report) : run_span(s, report);
 }
 
 const struct cli_command cli_irvine = {

@@ -10,6 +10,7 @@
 #include "cli/modes_net.h"
 #include "cli/modes_result.h"
 #include "cli/modes_ropeway.h"
+#include "cli/track_ropeway.h"
 #include "core/report.h"
 
 struct settings {
@@ -33,7 +34,8 @@ static const struct cli_option options[] = {
 	{"view", 0, "NAME", "contents of the picture: components, profile or waves (components)",
 	 CLI_TEXT(view)},
 	{"damped", 0, "", "damped modes: dampers and damping of the scene", CLI_FLAG(damped)},
-	{"over", 0, "KEY=FROM:TO:N", "damped modes at N values of a key of the scene", CLI_TEXT(over)},
+	{"over", 0, "KEY=FROM:TO:N", "damped modes, or modes of ropeways, at N values of a key",
+	 CLI_TEXT(over)},
 	{"log", 0, "", "these values at equal ratios", CLI_FLAG(log)},
 	{"vtk", 0, "FILE", "nets: write all shapes to FILE.vtk, for programs such as ParaView",
 	 CLI_TEXT(vtk)},
@@ -171,8 +173,20 @@ static enum hawser_status run_net(const struct settings *settings, struct hawser
 
 static enum hawser_status run_ropeway(const struct settings *settings, struct hawser_report *report)
 {
-	enum hawser_status status = cli_outputs_check(&settings->common, report);
+	struct cli_track track = {.common = &settings->common, .command = "modes", .over = settings->over,
+	                          .swept = CLI_SWEPT_KEY, .logarithmic = settings->log, .n = settings->n,
+	                          .choice = settings->ropeway};
+	enum hawser_status status;
 
+	if (settings->over && settings->shapes)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+		                    "--shapes and --over are tables of their own: choose one");
+	if (!settings->over && settings->log)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+		                    "--log is for --over KEY=FROM:TO:N: give that");
+	if (settings->over)
+		return cli_track_run(&track, report);
+	status = cli_outputs_check(&settings->common, report);
 	return status ? status : cli_modes_ropeway(&settings->common, &settings->ropeway, settings->n,
 	                                           settings->shapes ? settings->points : 0, report);
 }
@@ -188,7 +202,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		{"method", s->method != NULL, CLI_SPAN}, {"model", s->model != NULL, CLI_SPAN},
 		{"elements", s->elements != 0, CLI_SPAN}, {"basis", s->basis > 0, CLI_SPAN},
 		{"view", s->view != NULL, CLI_SPAN}, {"damped", s->damped, CLI_SPAN},
-		{"over", s->over != NULL, CLI_SPAN}, {"log", s->log, CLI_SPAN},
+		{"over", s->over != NULL, CLI_SPAN | CLI_ROPEWAY},
+		{"log", s->log, CLI_SPAN | CLI_ROPEWAY},
 		{"points", s->points != POINTS, CLI_SPAN | CLI_ROPEWAY}, {"vtk", s->vtk != NULL, CLI_NET},
 		{"contact", s->ropeway.contact != NULL, CLI_ROPEWAY},
 		{"case", s->ropeway.load_case != NULL, CLI_ROPEWAY},

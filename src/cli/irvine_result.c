@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "cli/irvine_result.h"
+#include "cli/track_ropeway.h"
 #include "cli/view.h"
 
 const char *const cli_irvine_units[] = {"normalised", "rad/s", "Hz", "s"};
@@ -317,7 +318,9 @@ static const struct hawser__field cost_field[] = {
 };
 const struct cli_listing cli_irvine_listing[] = {
 	{"Columns of the table:", station_field, 0},
+	{"Columns of ropeways:", cli_track_field, 0},
 	{"Keys of JSON:", irvine_field, 1},
+	{"Keys of JSON of ropeways:", cli_track_member, 1},
 	{NULL, NULL, 0},
 };
 

@@ -56,6 +56,8 @@ hawser_SOURCES = \
 	%D%/modes_ropeway.c \
 	%D%/modes_ropeway.h \
 	%D%/modes_ropeway_fields.c \
+	%D%/track_ropeway.c \
+	%D%/track_ropeway.h \
 	%D%/statics_net.c \
 	%D%/statics_net.h \
 	%D%/statics_cases.c \

@@ -43,6 +43,8 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/plot_ropeway.h \
 	%D%/plot_ropeway_modes.c \
 	%D%/plot_ropeway_modes.h \
+	%D%/plot_track.c \
+	%D%/plot_track.h \
 	%D%/plot_nnm.c %D%/plot_nnm.h \
 	%D%/plot_locus.c \
 	%D%/plot_locus.h \

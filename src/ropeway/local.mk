@@ -52,7 +52,11 @@ noinst_LTLIBRARIES += %D%/libropeway.la
 	%D%/read.h \
 	%D%/state.c \
 	%D%/sweep.c \
-	%D%/towers.c
+	%D%/towers.c \
+	%D%/track.c \
+	%D%/track.h \
+	%D%/track_match.c \
+	%D%/track_sample.c
 
 # A span over obstacles: its scene, and the limits of friction.
 %C%_libropeway_la_SOURCES += \

@@ -126,7 +126,8 @@ enum hawser_status hawser__parse_unknown(struct hawser__reader *reader,
 		                           "spans: hawser statics, modes and integrate take nets");
 	if (!strcmp(path, "ropeway"))
 		return hawser__reader_fail(reader, place, "this is the scene of a ropeway, and the command "
-		                           "takes spans: hawser statics, modes, plan and rom take ropeways");
+		                           "takes spans: hawser statics, modes, campbell, irvine, plan and rom "
+		                           "take ropeways");
 	if (!strncmp(path, "obstacles", 9) || !strncmp(path, "contact", 7))
 		return hawser__reader_fail(reader, place, "this span passes over obstacles, and the command "
 		                           "takes spans without: hawser statics takes obstacles (in a file, "
