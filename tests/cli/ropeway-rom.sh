@@ -50,5 +50,5 @@ no "too large a damping" 1 "the damping ratio is 2" rom "$small" --damping 2
 no "too many modes" 1 "41 modes asked" rom "$small" -n 41
 no "an option of ropeways" 1 "\-\-ripple is for ropeways" rom "$chairlift" --ripple 1
 no "a picture" 1 "rom has no picture" rom "$small" --plot a.svg
-no "a response of the scene" 1 "hawser statics, modes, plan and rom take ropeways" frf "$small"
+no "a response of the scene" 1 "hawser statics, modes, .*rom take ropeways" frf "$small"
 done_testing
