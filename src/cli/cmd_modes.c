@@ -8,6 +8,7 @@
 #include "cli/kinds.h"
 #include "cli/modes_damped.h"
 #include "cli/modes_net.h"
+#include "cli/modes_obstacles.h"
 #include "cli/modes_result.h"
 #include "cli/modes_ropeway.h"
 #include "cli/track_ropeway.h"
@@ -39,7 +40,7 @@ static const struct cli_option options[] = {
 	{"log", 0, "", "these values at equal ratios", CLI_FLAG(log)},
 	{"vtk", 0, "FILE", "nets: write all shapes to FILE.vtk, for programs such as ParaView",
 	 CLI_TEXT(vtk)},
-	{"contact", 0, "HOW", "ropeways: slip, stick or roll (the scene's contact.modes)",
+	{"contact", 0, "HOW", "on sheaves: slip, stick or roll (the scene's contact.modes)",
 	 CLI_TEXT(ropeway.contact)},
 	{"case", 0, "NAME", "ropeways: the load case (full)", CLI_TEXT(ropeway.load_case)},
 	{"sliding", 0, "HOW", "ropeways: running, rest or reverse (the scene's ropeway.sliding)",
@@ -191,12 +192,22 @@ static enum hawser_status run_ropeway(const struct settings *settings, struct ha
 	                                           settings->shapes ? settings->points : 0, report);
 }
 
+static enum hawser_status run_obstacles(const struct settings *settings, struct hawser_report *report)
+{
+	enum hawser_status status = cli_outputs_check(&settings->common, report);
+
+	return status ? status : cli_modes_obstacles(&settings->common, settings->ropeway.contact,
+	                                             settings->n, settings->shapes ? settings->points : 0,
+	                                             report);
+}
+
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	static const struct {
 		enum cli_kind kind;
 		enum hawser_status (*run)(const struct settings *settings, struct hawser_report *report);
-	} table[] = {{CLI_SPAN, run_span}, {CLI_NET, run_net}, {CLI_ROPEWAY, run_ropeway}};
+	} table[] = {{CLI_SPAN, run_span}, {CLI_NET, run_net}, {CLI_ROPEWAY, run_ropeway},
+	             {CLI_OBSTACLES, run_obstacles}};
 	const struct settings *s = context;
 	const struct cli_given given[] = {
 		{"method", s->method != NULL, CLI_SPAN}, {"model", s->model != NULL, CLI_SPAN},
@@ -204,8 +215,9 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		{"view", s->view != NULL, CLI_SPAN}, {"damped", s->damped, CLI_SPAN},
 		{"over", s->over != NULL, CLI_SPAN | CLI_ROPEWAY},
 		{"log", s->log, CLI_SPAN | CLI_ROPEWAY},
-		{"points", s->points != POINTS, CLI_SPAN | CLI_ROPEWAY}, {"vtk", s->vtk != NULL, CLI_NET},
-		{"contact", s->ropeway.contact != NULL, CLI_ROPEWAY},
+		{"points", s->points != POINTS, CLI_SPAN | CLI_ROPEWAY | CLI_OBSTACLES},
+		{"vtk", s->vtk != NULL, CLI_NET},
+		{"contact", s->ropeway.contact != NULL, CLI_ROPEWAY | CLI_OBSTACLES},
 		{"case", s->ropeway.load_case != NULL, CLI_ROPEWAY},
 		{"sliding", s->ropeway.sliding != NULL, CLI_ROPEWAY}, {NULL, 0, 0}};
 	enum cli_kind kind;
@@ -219,7 +231,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!s->common.input)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
 		                    "modes needs a SCENE (hawser modes --help)");
-	kind = cli_kind_of(s->common.input);
+	kind = cli_kind_of(s->common.input, CLI_KINDS | CLI_OBSTACLES);
 	status = cli_kind_check(kind, given, "modes", s->common.input, report);
 	while (table[i].kind != kind)
 		i++;

@@ -314,7 +314,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		{"damping", own->damping > 0.0, CLI_ROPEWAY}, {"lane", own->lane != NULL, CLI_ROPEWAY},
 		{"contact", own->state.contact != NULL, CLI_ROPEWAY},
 		{"case", own->state.load_case != NULL, CLI_ROPEWAY}, {NULL, 0, 0}};
-	enum cli_kind kind = settings->common.input ? cli_kind_of(settings->common.input) : CLI_SPAN;
+	enum cli_kind kind = settings->common.input ? cli_kind_of(settings->common.input, CLI_KINDS)
+	                                           : CLI_SPAN;
 	const struct result result = {&settings->common, &model, kind == CLI_ROPEWAY ? &ropeway : NULL};
 	enum hawser_status status = check(settings, report);
 

@@ -15,14 +15,15 @@ static const struct {
 } table[] = {
 	{CLI_ROPEWAY, "a ropeway", "ropeways", hawser_ropeway_is},
 	{CLI_NET, "a net", "nets", hawser_net_is},
+	{CLI_OBSTACLES, "a span over obstacles", "spans over obstacles", hawser_obstacles_is},
 	{CLI_SPAN, "a span", "spans", NULL}, /* what is of no other kind */
 };
 enum { KINDS = sizeof table/sizeof *table };
 
-enum cli_kind cli_kind_of(const char *path)
+enum cli_kind cli_kind_of(const char *path, unsigned kinds)
 {
 	for (int i = 0; i < KINDS - 1; i++)
-		if (table[i].is(path))
+		if ((kinds & (unsigned)table[i].kind) && table[i].is(path))
 			return table[i].kind;
 	return CLI_SPAN;
 }

@@ -5,9 +5,11 @@
 
 #include "cli/cli.h"
 
-enum cli_kind { CLI_SPAN = 1, CLI_NET = 2, CLI_ROPEWAY = 4 }; /* bits */
+enum cli_kind { CLI_SPAN = 1, CLI_NET = 2, CLI_ROPEWAY = 4, CLI_OBSTACLES = 8 }; /* bits */
+enum { CLI_KINDS = CLI_SPAN | CLI_NET | CLI_ROPEWAY }; /* those that each command tells apart */
 
-enum cli_kind cli_kind_of(const char *path);
+/* The kind of a scene, of these kinds; one of another is taken for a span, whose reader refuses it. */
+enum cli_kind cli_kind_of(const char *path, unsigned kinds);
 
 /* An option of the command line; a list is ended by a row without name. */
 struct cli_given {

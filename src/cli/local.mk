@@ -53,6 +53,8 @@ hawser_SOURCES = \
 	%D%/statics_ropeway.h \
 	%D%/kinds.c \
 	%D%/kinds.h \
+	%D%/modes_obstacles.c \
+	%D%/modes_obstacles.h \
 	%D%/modes_ropeway.c \
 	%D%/modes_ropeway.h \
 	%D%/modes_ropeway_fields.c \

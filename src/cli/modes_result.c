@@ -8,6 +8,7 @@
 
 #include "cli/modes_damped.h"
 #include "cli/modes_net.h"
+#include "cli/modes_obstacles.h"
 #include "cli/modes_result.h"
 #include "cli/modes_ropeway.h"
 #include "cli/track_ropeway.h"
@@ -367,13 +368,14 @@ const struct cli_listing cli_modes_listing[] = {
 	{"Columns with --shapes:", point_field, 0},
 	{"Columns with --damped or --over:", cli_damped_field, 0},
 	{"Columns of nets:", cli_modes_net_field, 0},
-	{"Columns of ropeways:", cli_modes_ropeway_field, 0},
-	{"Columns of ropeways with --shapes:", cli_modes_ropeway_point, 0},
+	{"Columns of ropeways and of spans over obstacles:", cli_modes_ropeway_field, 0},
+	{"Columns of these with --shapes:", cli_modes_ropeway_point, 0},
 	{"Columns of ropeways with --over:", cli_track_field, 0},
 	{"Keys of JSON:", result_field, 1},
 	{"Keys of JSON with --damped or --over:", cli_damped_member, 1},
 	{"Keys of JSON of nets:", cli_modes_net_member, 1},
 	{"Keys of JSON of ropeways:", cli_modes_ropeway_member, 1},
+	{"Keys of JSON of spans over obstacles:", cli_modes_obstacles_member, 1},
 	{"Keys of JSON of ropeways with --over:", cli_track_member, 1},
 	{NULL, NULL, 0},
 };

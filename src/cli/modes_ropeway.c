@@ -7,7 +7,6 @@
 
 #include "cli/modes_ropeway.h"
 #include "core/report.h"
-#include "output/plot_ropeway_modes.h"
 
 static const char *const lane_name[] = {"up", "down"};
 static const char *const contact_name[] = {"slip", "stick", "roll"};
@@ -74,23 +73,29 @@ static void bodies(struct hawser__table *table, const struct cli_ropeway_modes *
 		                      : "the scene gives no bottom.mass");
 }
 
+void cli_ropeway_modes_comments(struct hawser__table *table, const struct cli_ropeway_modes *of)
+{
+	const struct hawser_line_modes *modes = &of->modes;
+
+	hawser__table_comment(table, "%d points, time unit %.12g s", modes->points, modes->time_unit);
+	if (of->points == 0)
+		return;
+	hawser__table_comment(table, "shapes: P along the rope, Q normal to it, B out of plane; the "
+	                      "integral of |P|^2 + |Q|^2 + |B|^2 over S/L, L = %.12g m, and of the "
+	                      "bodies is 1", modes->length_unit);
+	for (int k = 0; k < modes->n; k++)
+		hawser__table_comment(table, "mode %d: omega = %.15g rad/s, %s", k + 1,
+		                      modes->mode[k].omega/modes->time_unit,
+		                      hawser_plane_name(modes->mode[k].plane));
+}
+
 static void comments(struct hawser__table *table, const void *of)
 {
 	const struct cli_ropeway_modes *result = of;
-	const struct hawser_line_modes *modes = &result->modes;
 
 	cli_ropeway_state(table, &result->st);
 	bodies(table, result);
-	hawser__table_comment(table, "%d points, time unit %.12g s", modes->points, modes->time_unit);
-	if (result->points > 0) {
-		hawser__table_comment(table, "shapes: P along the rope, Q normal to it, B out of plane; the "
-		                      "integral of |P|^2 + |Q|^2 + |B|^2 over S/L, L = %.12g m, and of the "
-		                      "bodies is 1", modes->length_unit);
-		for (int k = 0; k < modes->n; k++)
-			hawser__table_comment(table, "mode %d: omega = %.15g rad/s, %s", k + 1,
-			                      modes->mode[k].omega/modes->time_unit,
-			                      hawser_plane_name(modes->mode[k].plane));
-	}
+	cli_ropeway_modes_comments(table, result);
 }
 
 static struct cli_head head(const void *of)
@@ -102,7 +107,7 @@ static struct cli_head head(const void *of)
 		.common = result->common, .command = "modes",
 		.method = "spectral elements, piece by piece",
 		.view = {.scale = hawser__si, .context = result,
-		         .options = (runs ? CLI_MODES_RUNS : CLI_MODES_REST) |
+		         .options = CLI_MODES_ROPEWAY | (runs ? CLI_MODES_RUNS : CLI_MODES_REST) |
 		                    (result->lanes > 1 ? CLI_MODES_LOOP : 0u) |
 		                    (result->points > 0 ? CLI_MODES_SHAPES : 0u)}};
 }
@@ -116,21 +121,47 @@ static void rows(struct hawser__table *table, const void *of)
 	                                               : &cli_modes_ropeway_list, result, &view);
 }
 
-static enum hawser_status draw(const char *path, const void *of, struct hawser_report *report)
+enum hawser_status cli_ropeway_modes_draw(const char *path,
+                                          struct hawser__ropeway_modes_picture *picture,
+                                          const struct cli_ropeway_modes *of,
+                                          struct hawser_report *report)
 {
-	const struct cli_ropeway_modes *result = of;
-	struct hawser__ropeway_modes_picture picture = {
-		.st = &result->st, .modes = &result->modes, .spans = result->spans, .share = result->share};
+	const char **name = calloc((size_t)of->spans, sizeof *name);
 	enum hawser_status status;
-	const char **name = calloc((size_t)result->spans, sizeof *name);
 
 	if (!name)
 		return hawser__no_memory(report, "modes");
-	for (int i = 0; i < result->spans; i++)
-		name[i] = result->span[i].name;
-	picture.name = name;
-	status = hawser__plot_ropeway_modes(path, &picture, report);
+	for (int i = 0; i < of->spans; i++)
+		name[i] = of->span[i].name;
+	picture->modes = &of->modes;
+	picture->spans = of->spans;
+	picture->name = name;
+	picture->share = of->share;
+	status = hawser__plot_ropeway_modes(path, picture, report);
 	free(name);
+	return status;
+}
+
+static enum hawser_status draw(const char *path, const void *of, struct hawser_report *report)
+{
+	const struct cli_ropeway_modes *result = of;
+	const struct hawser_ropeway *rw = &result->ropeway;
+	struct hawser__ropeway_modes_picture picture = {.what = "towers", .posts = 1,
+	                                                .towers = rw->towers};
+	double (*tower)[2] = calloc((size_t)rw->towers + 1, sizeof *tower);
+	enum hawser_status status;
+
+	if (!tower)
+		return hawser__no_memory(report, "modes");
+	for (int i = 0; i < rw->towers; i++)
+		memcpy(tower[i], rw->tower[i].at, sizeof tower[i]);
+	picture.tower = (const double (*)[2])tower;
+	memcpy(picture.end[0], rw->bottom, sizeof picture.end[0]);
+	memcpy(picture.end[1], rw->top, sizeof picture.end[1]);
+	for (int i = 0; i < result->lanes; i++)
+		picture.carriers[i] = result->st.lane[i].carriers;
+	status = cli_ropeway_modes_draw(path, &picture, result, report);
+	free(tower);
 	return status;
 }
 
@@ -177,8 +208,7 @@ static enum hawser_status fill_spans(struct cli_ropeway_modes *of, struct hawser
 	return HAWSER_OK;
 }
 
-/* Points of both lanes, equidistant in S. */
-static enum hawser_status fill_shapes(struct cli_ropeway_modes *of, struct hawser_report *report)
+enum hawser_status cli_ropeway_shapes(struct cli_ropeway_modes *of, struct hawser_report *report)
 {
 	const struct hawser_line_modes *modes = &of->modes;
 	size_t numbers = modes->gyroscopic ? 6 : 3, rows;
@@ -194,7 +224,7 @@ static enum hawser_status fill_shapes(struct cli_ropeway_modes *of, struct hawse
 		return hawser__no_memory(report, "modes");
 	for (int i = 0; i < of->rows; i++) {
 		int lane = i/of->points, k = i % of->points;
-		const struct hawser_line_statics *line = &of->st.lane[lane].st;
+		const struct hawser_line_statics *line = modes->lane[lane];
 		double x[2];
 
 		of->lane[i] = lane_name[lane];
@@ -227,7 +257,18 @@ static enum hawser_status solve(struct cli_ropeway_modes *of, const struct cli_r
 	of->towers = of->ropeway.towers;
 	(void)hawser_ropeway_freedoms(of->freedom, &of->st);
 	status = fill_spans(of, report);
-	return status || of->points == 0 ? status : fill_shapes(of, report);
+	return status || of->points == 0 ? status : cli_ropeway_shapes(of, report);
+}
+
+void cli_ropeway_modes_free(struct cli_ropeway_modes *of)
+{
+	free(of->span);
+	free(of->share);
+	free(of->S);
+	free(of->x);
+	free(of->y);
+	free(of->lane);
+	free(of->shape);
 }
 
 enum hawser_status cli_modes_ropeway(const struct cli_common *common,
@@ -242,12 +283,6 @@ enum hawser_status cli_modes_ropeway(const struct cli_common *common,
 	hawser_line_modes_clear(&result.modes);
 	hawser_ropeway_statics_clear(&result.st);
 	hawser_ropeway_clear(&result.ropeway);
-	free(result.span);
-	free(result.share);
-	free(result.S);
-	free(result.x);
-	free(result.y);
-	free(result.lane);
-	free(result.shape);
+	cli_ropeway_modes_free(&result);
 	return status;
 }

@@ -1,4 +1,5 @@
-/* cli/modes_ropeway.h - hawser modes of a scene of kind `ropeway`.
+/* cli/modes_ropeway.h - hawser modes of a scene of kind `ropeway`, and what modes of a span over
+ * obstacles share with it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_CLI_MODES_ROPEWAY_H
 #define HAWSER_CLI_MODES_ROPEWAY_H
@@ -6,6 +7,7 @@
 #include <hawser/ropeway_modes.h>
 
 #include "cli/view.h"
+#include "output/plot_ropeway_modes.h"
 
 enum { CLI_MODES_SPAN = 2*HAWSER_ROPEWAY_NAME + 4 };
 
@@ -17,8 +19,8 @@ struct cli_modes_span {
 
 struct cli_ropeway_modes {
 	const struct cli_common *common;
-	struct hawser_ropeway ropeway;
-	struct hawser_ropeway_statics st;
+	struct hawser_ropeway ropeway;    /* empty if it is a span over obstacles */
+	struct hawser_ropeway_statics st; /* the same */
 	struct hawser_line_modes modes;
 	struct hawser_line_freedom freedom[HAWSER_ROPEWAY_FREEDOMS]; /* [modes.freedoms] */
 	int lanes, towers, spans;
@@ -48,11 +50,25 @@ enum hawser_status cli_modes_ropeway(const struct cli_common *common,
                                      const struct cli_ropeway_choice *choice, int n, int points,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* Points of all lanes, equidistant in S, and the shapes at them: of->rows and what is [rows]. */
+enum hawser_status cli_ropeway_shapes(struct cli_ropeway_modes *of,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Comments on grid and shapes. */
+void cli_ropeway_modes_comments(struct hawser__table *table, const struct cli_ropeway_modes *of);
+/* Draw: what the picture has of the modes and of the spans is filled in. */
+enum hawser_status cli_ropeway_modes_draw(const char *path,
+                                          struct hawser__ropeway_modes_picture *picture,
+                                          const struct cli_ropeway_modes *of,
+                                          struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Release what a result has, but for ropeway, st and modes. */
+void cli_ropeway_modes_free(struct cli_ropeway_modes *of);
+
 /* modes_ropeway_fields.c */
 extern const struct hawser__list cli_modes_ropeway_list, cli_modes_ropeway_points;
 extern const struct hawser__field cli_modes_ropeway_field[], cli_modes_ropeway_point[],
-                                  cli_modes_ropeway_member[];
+                                  cli_modes_ropeway_member[], cli_modes_ropeway_shapes[];
 /* Bits of the view. */
-enum { CLI_MODES_RUNS = 1, CLI_MODES_REST = 2, CLI_MODES_SHAPES = 4, CLI_MODES_LOOP = 8 };
+enum { CLI_MODES_RUNS = 1, CLI_MODES_REST = 2, CLI_MODES_SHAPES = 4, CLI_MODES_LOOP = 8,
+       CLI_MODES_ROPEWAY = 16 };
 
 #endif

@@ -72,7 +72,8 @@ static void spans_json(struct hawser__json *json, json_t *into, const void *of)
 	for (int i = 0; i < result->spans; i++) {
 		json_t *to = hawser__json_object(json, list, NULL);
 
-		hawser__json_text(json, to, "lane", result->span[i].lane);
+		if (*result->span[i].lane)
+			hawser__json_text(json, to, "lane", result->span[i].lane);
 		hawser__json_text(json, to, "name", result->span[i].name);
 		hawser__json_number(json, to, "share", result->share[(row->index - 1)*result->spans + i]);
 	}
@@ -111,13 +112,15 @@ const struct hawser__field cli_modes_ropeway_field[] = {
 	{"plane", "plane", "in-plane or out-of-plane", OF(plane)},
 	{"family", "family", "transverse or longitudinal, by the larger share of the kinetic energy",
 	 OF(family)},
-	{"lane", "lane", "of the span with the largest share", OF(lane)},
+	{"lane", "lane", "of ropeways: of the span with the largest share", OF(lane),
+	 .when = CLI_MODES_ROPEWAY},
 	{"span", "span", "with the largest share of the kinetic energy", OF(span)},
 	{"span_share", "span_share", "its share, with its carriers", OF(span_share)},
 	{"up_share", "up_share", "share of the spans of lane up", OF(up), .when = CLI_MODES_LOOP},
 	{"sheaves_share", "sheaves_share", "share of the rope on sheaves, and of sheaves that turn",
 	 OF(sheaves)},
-	{"bodies_share", "bodies_share", "share of the carriage and the bullwheels", OF(bodies)},
+	{"bodies_share", "bodies_share", "of ropeways: share of the carriage and the bullwheels",
+	 OF(bodies), .when = CLI_MODES_ROPEWAY},
 	{"residual", "residual", "error estimate of the frequency, relative", OF(mode.residual)},
 	{"condition", "condition", "if it runs: condition number of the eigenvalue, relative",
 	 OF(mode.condition), .when = CLI_MODES_RUNS},
@@ -132,7 +135,8 @@ const struct hawser__field cli_modes_ropeway_field[] = {
 	{"spans", NULL, "share of the kinetic energy in each span: lane, name, share",
 	 HAWSER__CALLS(spans_json)},
 	{"bodies", NULL, "carriage and bullwheels: name, mass (kg; of a bullwheel its inertia over the "
-	 "radius squared, and the rope on it), share", HAWSER__CALLS(bodies_json)},
+	 "radius squared, and the rope on it), share", HAWSER__CALLS(bodies_json),
+	 .when = CLI_MODES_ROPEWAY},
 	HAWSER__END,
 };
 #undef OF
@@ -189,8 +193,9 @@ static const struct hawser__vector
 
 #define ALONG(member) HAWSER__ALONG(struct cli_ropeway_modes, member)
 const struct hawser__field cli_modes_ropeway_point[] = {
-	{"lane", "lane", "up or down", ALONG(lane)},
-	{"S", "S", "unstretched length of rope from the bottom station", ALONG(S), .unit = HAWSER__METRE},
+	{"lane", "lane", "of ropeways: up or down", ALONG(lane), .when = CLI_MODES_ROPEWAY},
+	{"S", "S", "unstretched length of rope from the bottom station, or from end A", ALONG(S),
+	 .unit = HAWSER__METRE},
 	{"x", "x", "place in equilibrium", ALONG(x), .unit = HAWSER__METRE},
 	{"y", "y", "its height", ALONG(y), .unit = HAWSER__METRE},
 	{NULL, "", "of mode J: P along the rope, Q normal to it, B out of plane; P_re_J and P_im_J if the "
@@ -219,7 +224,7 @@ static const void *shape_row(void *to, const void *parent, size_t k)
 }
 static const struct hawser__list shape_list = HAWSER__MADE_ROWS(
 	struct shape, shape_field, struct cli_ropeway_modes, modes.n, shape_row);
-static const struct hawser__field shapes_field[] = {
+const struct hawser__field cli_modes_ropeway_shapes[] = {
 	{"", NULL, "", HAWSER__ARRAYS_OF(cli_modes_ropeway_points)},
 	{"modes", NULL, "shape of each mode", HAWSER__OBJECTS_OF(shape_list)},
 	HAWSER__END,
@@ -255,7 +260,7 @@ const struct hawser__field cli_modes_ropeway_member[] = {
 	{"modes", NULL, "by frequency, both planes and lanes together",
 	 HAWSER__OBJECTS_OF(cli_modes_ropeway_list)},
 	{"shapes", NULL, "with --shapes: points of both lanes, and for each mode the shape at them",
-	 HAWSER__OBJECT_OF(shapes_field), .when = CLI_MODES_SHAPES},
+	 HAWSER__OBJECT_OF(cli_modes_ropeway_shapes), .when = CLI_MODES_SHAPES},
 	HAWSER__END,
 };
 #undef OF

@@ -21,14 +21,13 @@
 #define TITLE_CM 0.95    /* above a panel */
 #define FOOT_CM 2.7      /* tics, axis title, legend */
 #define LARGEST_CM 0.75  /* largest displacement on the page */
-enum { PER_PIECE = 24, ALONE = 3 }; /* points of a piece; up to so many modes have the whole width */
+enum { PER_PIECE = 48, ALONE = 3 }; /* points of a piece; up to so many modes have the whole width */
 
 static const char *const colour[] = {"#0072B2", "#D55E00"};
 static const char *const faint[] = {"#8fc1e0", "#f0b48a"};
 /* Of the points of contact, by enum hawser_line_contact_kind: open, closed, with a hub. */
 static const char *const mark[] = {"pt 6 ps 0.6", "pt 5 ps 0.5", "pt 2 ps 0.6"};
-static const char *const said[] = {"towers: the rope slips", "towers: the rope sticks",
-                                   "towers: the sheaves roll"};
+static const char *const said[] = {"the rope slips", "the rope sticks", "the sheaves roll"};
 
 struct frame {
 	const struct hawser__ropeway_modes_picture *of;
@@ -119,7 +118,7 @@ static void data(FILE *script, const struct frame *frame, int k)
 			for (int i = 0; i < PER_PIECE + (p + 1 == line->pieces); i++)
 				place(script, frame, k, lane, S_of(&line->piece[p], i), scale);
 		fprintf(script, "END\n$carriers%d_%d << END\nNaN NaN NaN NaN NaN NaN\n", k, lane);
-		for (int i = 0; i < frame->of->st->lane[lane].carriers; i++)
+		for (int i = 0; i < frame->of->carriers[lane]; i++)
 			place(script, frame, k, lane, line->line->mass[i].S, scale);
 		fputs("END\n", script);
 	}
@@ -127,15 +126,16 @@ static void data(FILE *script, const struct frame *frame, int k)
 
 static void tower_data(FILE *script, const struct frame *frame)
 {
-	const struct hawser_ropeway *rw = frame->of->st->ropeway;
+	const struct hawser__ropeway_modes_picture *of = frame->of;
 
 	fputs("$towers << END\nNaN NaN NaN\n", script);
-	for (int i = 0; i < rw->towers; i++)
-		fprintf(script, "%.8g %.8g %.8g\n", rw->tower[i].at[0]/frame->x.per,
-		        rw->tower[i].at[1]/frame->y.per,
-		        (frame->from[1] - rw->tower[i].at[1])/frame->y.per);
-	fprintf(script, "END\n$stations << END\n%.8g %.8g\n%.8g %.8g\nEND\n", rw->bottom[0]/frame->x.per,
-	        rw->bottom[1]/frame->y.per, rw->top[0]/frame->x.per, rw->top[1]/frame->y.per);
+	for (int i = 0; i < of->towers; i++)
+		fprintf(script, "%.8g %.8g %.8g\n", of->tower[i][0]/frame->x.per,
+		        of->tower[i][1]/frame->y.per,
+		        of->posts ? (frame->from[1] - of->tower[i][1])/frame->y.per : 0.0);
+	fprintf(script, "END\n$stations << END\n%.8g %.8g\n%.8g %.8g\nEND\n",
+	        of->end[0][0]/frame->x.per, of->end[0][1]/frame->y.per, of->end[1][0]/frame->x.per,
+	        of->end[1][1]/frame->y.per);
 }
 
 static void title(FILE *script, const struct frame *frame, int k)
@@ -145,13 +145,13 @@ static void title(FILE *script, const struct frame *frame, int k)
 	const double *share = of->share + (size_t)k*(size_t)of->spans;
 	const char *what = mode->family == HAWSER_LONGITUDINAL ? "longitudinal"
 	                                                       : hawser_plane_name(mode->plane);
-	int most = 0, towers = of->st->ropeway->towers;
+	int most = 0, lanes = of->modes->lanes;
 	char text[160];
 
 	for (int i = 0; i < of->spans; i++)
 		most = share[i] > share[most] ? i : most;
 	snprintf(text, sizeof text, "%s,  %.0f %% in %.70s%s", what, 100.0*share[most], of->name[most],
-	         of->st->lanes == 1 ? "" : most > towers ? ", down" : ", up");
+	         lanes == 1 ? "" : most >= of->spans/lanes ? ", down" : ", up");
 	hawser__panels_frequency(script, k, mode->omega/of->modes->time_unit, text);
 }
 
@@ -176,27 +176,30 @@ static struct hawser__legend legend(const struct frame *frame)
 {
 	const struct hawser_line_modes *modes = frame->of->modes;
 	struct hawser__legend entries = {0};
+	char text[64];
 
 	for (int i = 0; i < modes->lanes; i++)
-		hawser__legend_add(&entries, i ? "lane down" : "lane up", "with lines lc rgb '%s' lw 1.5",
-		                   colour[i]);
+		hawser__legend_add(&entries, modes->lanes == 1 ? "mode" : i ? "lane down" : "lane up",
+		                   "with lines lc rgb '%s' lw 1.5", colour[i]);
 	for (int i = 0; i < modes->lanes && modes->gyroscopic; i++)
-		hawser__legend_add(&entries, i ? "down, a quarter period later" : "up, a quarter period later",
+		hawser__legend_add(&entries, modes->lanes == 1 ? "a quarter period later"
+		                   : i ? "down, a quarter period later" : "up, a quarter period later",
 		                   "with lines lc rgb '%s' lw 1.0", faint[i]);
 	hawser__legend_add(&entries, "equilibrium", "with lines lc rgb '#808080' lw 0.7");
 	for (int i = 0; i < modes->lanes; i++)
-		if (frame->of->st->lane[i].carriers > 0)
+		if (frame->of->carriers[i] > 0)
 			hawser__legend_add(&entries, i ? "carriers down" : "carriers up",
 			                   "with points pt %d ps 0.4 lc rgb '%s'", i ? 6 : 7, colour[i]);
-	if (frame->of->st->ropeway->towers > 0)
-		hawser__legend_add(&entries, said[modes->contact], "with points %s lc rgb 'black'",
-		                   mark[modes->contact]);
+	if (frame->of->towers > 0) {
+		snprintf(text, sizeof text, "%s: %s", frame->of->what, said[modes->contact]);
+		hawser__legend_add(&entries, text, "with points %s lc rgb 'black'", mark[modes->contact]);
+	}
 	return entries;
 }
 
 static void measure(struct frame *frame)
 {
-	const struct hawser_ropeway *rw = frame->of->st->ropeway;
+	const struct hawser__ropeway_modes_picture *of = frame->of;
 	int n = frame->of->modes->n;
 	double tall, room = PANEL_CM - 2.0*LARGEST_CM - 0.4; /* cm, for the line at rest */
 
@@ -205,15 +208,18 @@ static void measure(struct frame *frame)
 	frame->rows = (frame->panels + frame->columns - 1)/frame->columns;
 	frame->wide = (WIDTH - LEFT_CM - RIGHT_CM - (frame->columns - 1)*GAP_CM)/frame->columns;
 	for (int c = 0; c < 2; c++) {
-		frame->from[c] = fmin(rw->bottom[c], rw->top[c]);
-		frame->to[c] = fmax(rw->bottom[c], rw->top[c]);
+		frame->from[c] = fmin(of->end[0][c], of->end[1][c]);
+		frame->to[c] = fmax(of->end[0][c], of->end[1][c]);
 	}
-	for (int lane = 0; lane < frame->of->modes->lanes; lane++)
-		for (int i = 0; i < frame->of->modes->lane[lane]->pieces; i++) {
-			double y = frame->of->modes->lane[lane]->piece[i].x1[1];
+	for (int lane = 0; lane < of->modes->lanes; lane++)
+		for (int i = 0; i < PER_PIECE*of->modes->lane[lane]->pieces; i++) {
+			const struct hawser_line_statics *line = of->modes->lane[lane];
+			double x[2];
 
-			frame->from[1] = fmin(frame->from[1], y);
-			frame->to[1] = fmax(frame->to[1], y);
+			hawser_line_at(line, x, NULL, NULL, NULL, NULL,
+			               S_of(&line->piece[i/PER_PIECE], i % PER_PIECE));
+			frame->from[1] = fmin(frame->from[1], x[1]);
+			frame->to[1] = fmax(frame->to[1], x[1]);
 		}
 	/* not less than a twentieth of the length, so that a level line does not fill the panel */
 	tall = fmax(frame->to[1] - frame->from[1], 0.05*(frame->to[0] - frame->from[0]));

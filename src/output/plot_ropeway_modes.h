@@ -1,17 +1,23 @@
-/* output/plot_ropeway_modes.h - modes of a ropeway along the profile of its line, a panel each.
+/* output/plot_ropeway_modes.h - modes of a rope over sheaves along its profile, a panel each: of a
+ * ropeway, or of a span over obstacles.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_OUTPUT_PLOT_ROPEWAY_MODES_H
 #define HAWSER_OUTPUT_PLOT_ROPEWAY_MODES_H
 
-#include <hawser/ropeway_modes.h>
+#include <hawser/line_modes.h>
 
 #include "output/output.h"
 
 struct hawser__ropeway_modes_picture {
-	const struct hawser_ropeway_statics *st;
 	const struct hawser_line_modes *modes;
-	int spans;               /* of both lanes: lanes*(towers + 1) */
+	const char *what;        /* "towers", "obstacles": in the legend */
+	int posts;               /* 1: a line below each tower */
+	int towers;
+	const double (*tower)[2]; /* [towers] m, points at which the rope passes them */
+	double end[2][2];        /* m, of the line */
+	int carriers[HAWSER_LINE_LANES];
+	int spans;               /* of all lanes, those of a lane one after the other */
 	const char *const *name; /* [spans] "p0 to p1" */
 	const double *share;     /* [modes->n][spans] of the kinetic energy */
 };

@@ -130,8 +130,8 @@ enum hawser_status hawser__parse_unknown(struct hawser__reader *reader,
 		                           "take ropeways");
 	if (!strncmp(path, "obstacles", 9) || !strncmp(path, "contact", 7))
 		return hawser__reader_fail(reader, place, "this span passes over obstacles, and the command "
-		                           "takes spans without: hawser statics takes obstacles (in a file, "
-		                           "where the line begins with obstacles: or contact:)");
+		                           "takes spans without: hawser statics and modes take obstacles "
+		                           "(in a file, where the line begins with obstacles: or contact:)");
 	hawser__suggest(hint, sizeof hint, path);
 	return hawser__reader_fail(reader, place, "unknown key %s: %s",
 	                           *path ? hawser__shown(shown, path) : "\"\"", hint);

@@ -1,5 +1,5 @@
 #!/bin/sh
-# hawser statics of spans over obstacles: exact output, JSON, pictures, refusals.
+# hawser statics and modes of spans over obstacles: exact output, JSON, pictures, refusals.
 # SPDX-License-Identifier: GPL-3.0-or-later
 . "$SRCDIR/tests/cli/lib.sh"
 
@@ -81,6 +81,54 @@ refuses "a wrong unit" 1 'wrong unit "kg"' statics "$sheave" --set "obstacles.s0
 refuses "an option of other scenes" 1 "\-\-models does not go with a span over obstacles" statics "$sheave" --models
 refuses "the same of ropeways" 1 "\-\-worst does not go with a span over obstacles" statics "$sheave" --worst
 refuses "a rope that is too short" 2 "shorter than the shortest way past the obstacles" statics "$scenes/b-table-2.1.yaml" --set obstacles.s0.side=below
+# --- modes
+works "slip" modes "$sheave" -n 4 --contact slip --json slip.json --tsv slip.tsv --plot modes.svg -q
+works "  in the middle" modes "$sheave" --set 'obstacles.s0.circle.centre=[150 m, -8 m]' -n 4 --contact slip --json middle.json -q
+works "stick, with friction" modes "$sheave" -n 8 --json stick.json -q
+works "slip, without friction" modes "$sheave" --set obstacles.s0.friction=0 -n 4 --json smooth.json -q
+works "a circle that turns" modes "$sheave" --set obstacles.s0.rotation=free -n 4 --json roll.json -q
+works "shapes" modes "$sheave" -n 2 --points 5 --shapes --json shapes.json --tsv shapes.tsv -q
+python "frequencies of an independent mesh" <<'END'
+# B Table 3.6 does not say where the sheave is. The mesh has its points of contact at nodes, which is 1e-4 of a frequency
+# (doc/theory-obstacles.md).
+import json
+def near(name, want):
+    for m, text in zip(json.load(open(name))["modes"], want.split()):
+        assert abs(m["omega"]/float(text[:-1]) - 1) < 1.3e-4, (name, m["omega"], text)
+        assert m["plane"] == ("in-plane" if text[-1] == "p" else "out-of-plane") and m["residual"] < 1e-9
+near("slip.json", "1.22338z 2.43481p 2.44519z 3.47141p")
+near("middle.json", "1.49496p 1.52514z 1.52514z 3.03304p")
+r = {n: json.load(open(n + ".json")) for n in ("slip", "stick", "smooth", "roll", "shapes")}
+assert [r[n]["contact"] for n in r] == ["slip", "stick", "slip", "roll", "stick"]
+assert all(abs(a["omega"]/b["omega"] - 1) < 1e-9 for a, b in zip(r["slip"]["modes"], r["smooth"]["modes"]))
+assert [s["name"] for s in r["slip"]["modes"][0]["spans"]] == ["A to s0", "s0 to B"]
+points = r["shapes"]["shapes"]
+assert len(points["S"]) == 5 and len(points["modes"]) == 2 and "lane" not in points
+END
+python "stick: the spans between the points of contact, each as a scene" <<'END'
+import json
+r = json.load(open("sheave.json"))
+for p, name in zip(r["spans"], ("left", "right")):
+    with open(name + ".yaml", "w") as f:
+        f.write("cable: {EA: 1.5 GN, rho: 5.56 kg/m}\nspan: {d: %.17g, h: %.17g}\ntension: {H: %.17g}\n"
+                % (p["to"][0] - p["from"][0], p["to"][1] - p["from"][1], p["H"]))
+END
+# a warning says that this rope is too stiff for its mass
+for part in left right; do
+	run modes $part.yaml -n 8 --json $part.json -q
+	try "  $part" test "$status" -eq 0
+done
+python "  have the same frequencies" <<'END'
+import json
+stick = json.load(open("stick.json"))["modes"]
+parts = [m["omega"] for n in ("left", "right") for m in json.load(open(n + ".json"))["modes"]]
+assert len(stick) == 8 and all(min(abs(m["omega"]/p - 1) for p in parts) < 1e-9 for m in stick), (stick, parts)
+END
+try "the picture names the contact" grep -q "obstacles: the rope slips" modes.svg
+refuses "a contact that is none" 1 "must be one of slip, stick" modes "$sheave" --contact roll
+refuses "stick without friction" 1 "has no friction, so that the rope does not stick to it" modes "$sheave" --set obstacles.s0.friction=0 --contact stick
+refuses "an option of ropeways" 1 "\-\-case is for ropeways" modes "$sheave" --case full
+refuses "an option of spans" 1 "is the scene of a span over obstacles" modes "$sheave" --damped
 for command in "frf" "rom" "integrate" "plan" "irvine" "campbell" "compare modes"; do
 	refuses "$command" 1 "b-table-3.5.yaml:6:1: this span passes over obstacles" $command "$sheave"
 done

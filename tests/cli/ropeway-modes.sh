@@ -103,7 +103,7 @@ no "stick, and a rope that runs" 1 "contact.modes is stick, but the rope runs at
 no "an unknown contact" 1 "must be one of slip, stick, roll" "$bouquet" --contact stik
 no "an option of spans" 1 "\-\-damped is for spans, and .* is the scene of a ropeway" "$small" --damped
 no "an option of nets" 1 "\-\-vtk is for nets, and .* is the scene of a ropeway" "$small" --vtk a.vtk
-no "an option of ropeways" 1 "\-\-contact is for ropeways, and .* is the scene of a span" "$chairlift" --contact slip
+no "an option of ropeways" 1 "\-\-contact is for ropeways and spans over obstacles, and .* is the scene of a span" "$chairlift" --contact slip
 no "too many modes" 1 "ask for 1 to 500" "$small" -n 1000
 no "a tower that is too low" 2 "lifts off sheave 1 (p0)" "$small" --set 'ropeway.towers.p0.at=[80 m, 5 m]'
 (cat "$small"; echo 'contact: {modes: stuck}') >word.yaml
