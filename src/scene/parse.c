@@ -123,11 +123,12 @@ enum hawser_status hawser__parse_unknown(struct hawser__reader *reader,
 
 	if (!strcmp(path, "kind") || !strcmp(path, "nodes"))
 		return hawser__reader_fail(reader, place, "this is the scene of a net, and the command takes "
-		                           "spans: hawser statics, modes and integrate take nets");
+		                           "spans: hawser statics, modes, integrate and plan take nets");
 	if (!strcmp(path, "ropeway"))
 		return hawser__reader_fail(reader, place, "this is the scene of a ropeway, and the command "
 		                           "takes spans: hawser statics, modes, campbell, irvine, plan and rom "
-		                           "take ropeways");
+		                           "take ropeways, and what rom writes is a model for frf and "
+		                           "integrate");
 	if (!strncmp(path, "obstacles", 9) || !strncmp(path, "contact", 7))
 		return hawser__reader_fail(reader, place, "this span passes over obstacles, and the command "
 		                           "takes spans without: hawser statics and modes take obstacles "
