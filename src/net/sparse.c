@@ -15,6 +15,10 @@
 #include "net/net.h"
 
 enum { ENTRIES = 21, DIRECTIONS = 6 };
+/* Unknowns from which CHOLMOD may factor dense blocks. It starts four threads for each of them, which
+ * costs more than it gains in smaller nets: 0.87 against 0.33 s for a roof of 9747 unknowns
+ * (bench/net-statics). */
+enum { BLOCKS_FROM = 30000 };
 
 struct hawser__sparse {
 	cholmod_common common;
@@ -181,10 +185,10 @@ static enum hawser_status open_with(struct hawser__sparse **made, const struct h
 	sparse->common.print = 0; /* the library never prints */
 	sparse->common.nmethods = 1;
 	sparse->common.method[0].ordering = CHOLMOD_AMD;
-	if (indefinite) { /* L*D*L' without square roots */
+	if (indefinite || mesh->unknowns < BLOCKS_FROM)
 		sparse->common.supernodal = CHOLMOD_SIMPLICIAL;
-		sparse->common.final_ll = 0;
-	}
+	/* L*L' tells a matrix that is not definite, L*D*L' goes on. */
+	sparse->common.final_ll = !indefinite;
 	sparse->unknowns = mesh->unknowns;
 	status = pattern(sparse, mesh, report);
 	if (!status) {
