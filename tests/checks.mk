@@ -140,10 +140,13 @@ check-more:
 	HAWSER_LONG=1 $(MAKE) check
 
 # Every program and test compiled by both compilers, a warning being an error.
+# gcc finds some warnings only where it optimises, clang does not.
+COMPILERS = gcc clang
 check-compilers:
-	@for cc in gcc clang; do \
+	@for cc in $(COMPILERS); do \
+		case $$cc in clang) level=-O0 ;; *) level=-O2 ;; esac; \
 		$(MKDIR_P) werror-$$cc && { test -f werror-$$cc/config.status || ( cd werror-$$cc && \
-			$(abs_top_srcdir)/configure -q --enable-werror --disable-static CC=$$cc CFLAGS=-O2 ); } && \
+			$(abs_top_srcdir)/configure -q --enable-werror --disable-static CC=$$cc CFLAGS=$$level ); } && \
 		$(MAKE) -C werror-$$cc check-programs || exit 1; done
 
 # A read-only tree is checked by distcheck itself; warnings count there too.
