@@ -47,7 +47,8 @@ check-sanitizers:
 # What .ci/run takes of it. Left out are the tests that take longest and whose code others run as well; check-long has them.
 SANITIZERS_OUT = %D%/checks/% %-sweep %-estimates %-estimate %/test-sweep-curves %/test-sweep-mms %/test-study \
 	%/test-study-chosen %/test-accuracy %/test-campbell %/test-irvine %/test-modes %/test-map-threads %/test-frf-full \
-	%/test-map-mathieu %/same-bytes.sh %/study.sh %/beam.sh %/pictures.sh %/long.sh %/scales.sh %/travel.sh %/disk.sh %/irvine.sh
+	%/test-map-mathieu %/same-bytes.sh %/study.sh %/beam.sh %/pictures.sh %/long.sh %/scales.sh %/travel.sh %/disk.sh %/irvine.sh \
+	%/locus-exact.sh %/units-plot.sh %/plausible.sh %/travel-motion.sh
 check-sanitizers-sample:
 	$(MAKE) check-sanitizers TESTS='$(filter-out $(SANITIZERS_OUT),$(TESTS:$(EXEEXT)=))'
 
