@@ -150,7 +150,7 @@ static enum hawser_status run_span(const struct settings *settings, struct hawse
 		return run_damped(settings, report);
 	if (!status && settings->view)
 		status = cli_choose(&view, "modes", "view", settings->view, views, 3, report);
-	result.view = views[view];
+	result.view = views[status ? 0 : view];
 	if (!status)
 		status = cli_outputs_check(&settings->common, report);
 	if (!status)
