@@ -85,13 +85,6 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 	return status;
 }
 
-static const struct hawser__field stats_field[] = {
-	{"unknowns", NULL, "values of a mode", HAWSER__AT(struct cli_ropeway_modes, modes.unknowns)},
-	{"iterations", NULL, "of the eigenvalue solver",
-	 HAWSER__AT(struct cli_ropeway_modes, modes.iterations)},
-	HAWSER__END,
-};
-
 static const char *contact_of(const void *of)
 {
 	return hawser_line_contact_name(((const struct result *)of)->line.modes.contact);
@@ -113,7 +106,7 @@ const struct hawser__field cli_modes_obstacles_member[] = {
 #undef OF
 static const struct cli_showing showing = {
 	.head = head, .comments = comments, .more = rows, .fields = cli_modes_obstacles_member,
-	.stats = stats_field, .draw = draw};
+	.stats = cli_modes_ropeway_stats, .draw = draw};
 
 /* Names of the free parts, "A to s0", and the energy in each. */
 static enum hawser_status fill_spans(struct result *result, struct hawser_report *report)

@@ -81,8 +81,9 @@ void cli_ropeway_modes_comments(struct hawser__table *table, const struct cli_ro
 	if (of->points == 0)
 		return;
 	hawser__table_comment(table, "shapes: P along the rope, Q normal to it, B out of plane; the "
-	                      "integral of |P|^2 + |Q|^2 + |B|^2 over S/L, L = %.12g m, and of the "
-	                      "bodies is 1", modes->length_unit);
+	                      "integral of |P|^2 + |Q|^2 + |B|^2 over S/L, L = %.12g m%s is 1",
+	                      modes->length_unit,
+	                      modes->freedoms + modes->masses > 0 ? ", and of the bodies" : "");
 	for (int k = 0; k < modes->n; k++)
 		hawser__table_comment(table, "mode %d: omega = %.15g rad/s, %s", k + 1,
 		                      modes->mode[k].omega/modes->time_unit,
@@ -165,7 +166,7 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 	return status;
 }
 
-static const struct hawser__field stats_field[] = {
+const struct hawser__field cli_modes_ropeway_stats[] = {
 	{"unknowns", NULL, "values of a mode", HAWSER__AT(struct cli_ropeway_modes, modes.unknowns)},
 	{"iterations", NULL, "of the eigenvalue solver",
 	 HAWSER__AT(struct cli_ropeway_modes, modes.iterations)},
@@ -173,7 +174,7 @@ static const struct hawser__field stats_field[] = {
 };
 static const struct cli_showing showing = {
 	.head = head, .comments = comments, .more = rows, .fields = cli_modes_ropeway_member,
-	.stats = stats_field, .draw = draw};
+	.stats = cli_modes_ropeway_stats, .draw = draw};
 
 /* --- what is shown --- */
 

@@ -66,7 +66,8 @@ void cli_ropeway_modes_free(struct cli_ropeway_modes *of);
 /* modes_ropeway_fields.c */
 extern const struct hawser__list cli_modes_ropeway_list, cli_modes_ropeway_points;
 extern const struct hawser__field cli_modes_ropeway_field[], cli_modes_ropeway_point[],
-                                  cli_modes_ropeway_member[], cli_modes_ropeway_shapes[];
+                                  cli_modes_ropeway_member[], cli_modes_ropeway_shapes[],
+                                  cli_modes_ropeway_stats[];
 /* Bits of the view. */
 enum { CLI_MODES_RUNS = 1, CLI_MODES_REST = 2, CLI_MODES_SHAPES = 4, CLI_MODES_LOOP = 8,
        CLI_MODES_ROPEWAY = 16 };

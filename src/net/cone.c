@@ -148,10 +148,7 @@ static enum hawser_status solve(struct hawser__net_work *work, const struct cone
 {
 	const struct hawser__mesh *mesh = work->mesh;
 
-	for (int i = 0; i < mesh->nodes; i++)
-		for (int k = 0; k < 3; k++)
-			if (mesh->unknown[i][k] >= 0)
-				work->x[mesh->unknown[i][k]] = mesh->force[i][k];
+	hawser__net_right_loads(work);
 	for (int i = 0; i < mesh->elements; i++) {
 		const struct cone *k = &cones[i];
 		double force[3], e[3], part = k->in ? 2.0*k->c*k->delta*k->y[0]*k->g[0]/soft(k) : 0.0;

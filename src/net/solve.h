@@ -97,6 +97,8 @@ double hawser__net_residual(struct hawser__net_work *work);
 void hawser__net_move(struct hawser__net_work *work, double factor);
 /* Difference of the step x between the ends of an element. */
 void hawser__net_stretch(double d[3], const struct hawser__net_work *work, int element);
+/* x = loads. */
+void hawser__net_right_loads(struct hawser__net_work *work);
 /* x = loads minus the sum over elements of force[e]*e; those of form finding with their true
  * force. */
 void hawser__net_right(struct hawser__net_work *work, const double *force /* [elements] */);

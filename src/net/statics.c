@@ -117,7 +117,7 @@ static void add_force(struct hawser__net_work *work, int element, const double f
 	}
 }
 
-void hawser__net_right(struct hawser__net_work *work, const double *force)
+void hawser__net_right_loads(struct hawser__net_work *work)
 {
 	const struct hawser__mesh *mesh = work->mesh;
 
@@ -125,6 +125,13 @@ void hawser__net_right(struct hawser__net_work *work, const double *force)
 		for (int k = 0; k < 3; k++)
 			if (mesh->unknown[i][k] >= 0)
 				work->x[mesh->unknown[i][k]] = mesh->force[i][k];
+}
+
+void hawser__net_right(struct hawser__net_work *work, const double *force)
+{
+	const struct hawser__mesh *mesh = work->mesh;
+
+	hawser__net_right_loads(work);
 	for (int i = 0; i < mesh->elements; i++) {
 		double e[3], l = hawser__mesh_direction(e, mesh, i);
 		double T = mesh->density[i] > 0.0 ? mesh->density[i]*l : force[i];

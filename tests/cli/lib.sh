@@ -64,6 +64,15 @@ refuses_like() {
 	try "status $want: hawser $(echo "$*" | sed "s|$top/||g")" like "$want" "$message"
 }
 
+# denies TEXT STATUS PATTERN ARGUMENTS: ends with that status, and standard error has the basic regular expression.
+denies() {
+	called=$1 code=$2 saying=$3
+	shift 3
+	run "$@"
+	try "$called" said "$code"
+	try "  says so" grep -q -e "$saying" "$scratch/err"
+}
+
 # works TEXT ARGUMENTS
 works() {
 	text=$1

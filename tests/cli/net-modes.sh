@@ -139,21 +139,14 @@ for name, mass in (("slack.json", 0.001), ("light.json", 0)):
     assert all(abs(mode["omega"]/math.sqrt(T/l/m) - 1) < 1e-9 for mode in slack["modes"][:2])
 END
 
-no() {
-	called=$1 code=$2 saying=$3
-	shift 3
-	run modes "$@"
-	try "$called" said "$code"
-	try "  says so" grep -q -e "$saying" "$scratch/err"
-}
-no "an option of spans" 1 "\-\-method is for spans, and web.yaml is the scene of a net" web.yaml --method spectral
-no "another name for VTK" 1 "must end in .vtk" web.yaml --vtk web.vtu
-no "a span in VTK" 1 "\-\-vtk is for nets" "$chairlift" --vtk web.vtk
-no "too many modes" 1 "the mesh has 123 unknowns with mass: ask for 1 to 123 modes, not 1000" web.yaml -n 1000
-no "a slack mesh" 2 "cable b is slack in the equilibrium, and without its stiffness a part of the net is not held" \
+denies "an option of spans" 1 "\-\-method is for spans, and web.yaml is the scene of a net" modes web.yaml --method spectral
+denies "another name for VTK" 1 "must end in .vtk" modes web.yaml --vtk web.vtu
+denies "a span in VTK" 1 "\-\-vtk is for nets" modes "$chairlift" --vtk web.vtk
+denies "too many modes" 1 "the mesh has 123 unknowns with mass: ask for 1 to 123 modes, not 1000" modes web.yaml -n 1000
+denies "a slack mesh" 2 "cable b is slack in the equilibrium, and without its stiffness a part of the net is not held" modes \
 	slack.yaml --set cables.b.elements=2 --set cables.b.rho=0
-no "no mass" 2 "nothing that can move has a mass" slack.yaml --set cables.a.rho=0 --set cables.b.rho=0 \
+denies "no mass" 2 "nothing that can move has a mass" modes slack.yaml --set cables.a.rho=0 --set cables.b.rho=0 \
 	--set 'masses={}' --set 'loads={J: [0 N, -3 N, 0 N]}'
-no "neither slack nor taut" 2 "cable . has an element that is neither slack nor taut in the equilibrium" slack.yaml \
+denies "neither slack nor taut" 2 "cable . has an element that is neither slack nor taut in the equilibrium" modes slack.yaml \
 	--set g=0 --set 'nodes.B=[0, -6, 0]'
 done_testing

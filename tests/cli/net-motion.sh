@@ -52,33 +52,26 @@ assert 0 < off < 1.5*one["error"]["position"], (off, one["error"])
 END
 try "21 files of VTK" test "$(find . -name 'frame-*.vtk' | wc -l)" -eq 21
 
-refuses() {
-	called=$1 saying=$2
-	shift 2
-	run integrate "$@"
-	try "$called" said 1
-	try "  says so" grep -q -e "$saying" "$scratch/err"
-}
 sed -e 's/elements: [0-9]*/elements: 1/' -e 's/0.5 kg.m/0/' -e '/^masses/d' net.yaml >massless.yaml
-refuses "no end" "give the end of its motion" net.yaml
-refuses "no mass" "node J has none" massless.yaml --until "1 s"
-refuses "an option of models" "\-\-Omega is not for nets" net.yaml --until "1 s" --Omega 1
-refuses "an option of nets" "\-\-step is for nets" "$chairlift" --Omega 1 --step 1
-refuses "an unknown scheme" "the schemes of nets are" net.yaml --until "1 s" --method gauss
-refuses "an unknown probe" "neither a node of the net nor a place" net.yaml --until "1 s" --probe c1:2
-refuses "a table that ends" "and the run is from 0 to" net.yaml --until "4 s"
-refuses "a long name" "with commas between them" net.yaml --until "1 s" --probe ,
-refuses "too many rows" "choose a longer time between them" net.yaml --until "1 s" --every "1e-9 s"
-refuses "another's state" "is no state of this net" net.yaml --until "1 s" --initial C.txt
+denies "no end" 1 "give the end of its motion" integrate net.yaml
+denies "no mass" 1 "node J has none" integrate massless.yaml --until "1 s"
+denies "an option of models" 1 "\-\-Omega is not for nets" integrate net.yaml --until "1 s" --Omega 1
+denies "an option of nets" 1 "\-\-step is for nets" integrate "$chairlift" --Omega 1 --step 1
+denies "an unknown scheme" 1 "the schemes of nets are" integrate net.yaml --until "1 s" --method gauss
+denies "an unknown probe" 1 "neither a node of the net nor a place" integrate net.yaml --until "1 s" --probe c1:2
+denies "a table that ends" 1 "and the run is from 0 to" integrate net.yaml --until "4 s"
+denies "a long name" 1 "with commas between them" integrate net.yaml --until "1 s" --probe ,
+denies "too many rows" 1 "choose a longer time between them" integrate net.yaml --until "1 s" --every "1e-9 s"
+denies "another's state" 1 "is no state of this net" integrate net.yaml --until "1 s" --initial C.txt
 sed -e 's/from: J, to: C/from: J, to: A/' -e 's/  C: {table/  C: fixed #/' net.yaml >other.yaml
-refuses "that of a net with as many nodes" "joins them in another way" other.yaml --until "2 s" --initial half.state
-refuses "no state" "cannot read the state in" net.yaml --until "1 s" --initial none.txt
+denies "that of a net with as many nodes" 1 "joins them in another way" integrate other.yaml --until "2 s" --initial half.state
+denies "no state" 1 "cannot read the state in" integrate net.yaml --until "1 s" --initial none.txt
 printf '0 0 0 0\n' >C.txt
-refuses "a table of one time" "needs two times at least" net.yaml --until "1 s"
+denies "a table of one time" 1 "needs two times at least" integrate net.yaml --until "1 s"
 printf '0 0 0 0\n0 1 1 1\n' >C.txt
-refuses "times that stand" "is not after that of the line before" net.yaml --until "1 s"
+denies "times that stand" 1 "is not after that of the line before" integrate net.yaml --until "1 s"
 printf '0 0 0\n' >C.txt
-refuses "three numbers" "a line must have 4 numbers" net.yaml --until "1 s"
+denies "three numbers" 1 "a line must have 4 numbers" integrate net.yaml --until "1 s"
 rm C.txt
-refuses "no table" "the table with the motion of a support cannot be read" net.yaml --until "1 s"
+denies "no table" 1 "the table with the motion of a support cannot be read" integrate net.yaml --until "1 s"
 done_testing

@@ -86,15 +86,8 @@ done >>slack.yaml
 printf 'supports: {A: fixed, B: fixed}\nmasses: {J: 9 kg}\n' >>slack.yaml
 warns "a slack cable" "slack in the equilibrium: b" slack.yaml
 
-refuses() {
-	called=$1 saying=$2
-	shift 2
-	run plan "$@"
-	try "$called" said 1
-	try "  says so" grep -q -e "$saying" "$scratch/err"
-}
-refuses "an option of spans" "\-\-fidelities is for responses of spans" plane.yaml --fidelities "raw 5"
-refuses "an option of nets" "\-\-until is for nets" "$chairlift" --until "3 s"
-refuses "an unknown scheme" "the schemes of nets are" plane.yaml --method gauss
-refuses "a negative time" "until" plane.yaml --until "-3 s"
+denies "an option of spans" 1 "\-\-fidelities is for responses of spans" plan plane.yaml --fidelities "raw 5"
+denies "an option of nets" 1 "\-\-until is for nets" plan "$chairlift" --until "3 s"
+denies "an unknown scheme" 1 "the schemes of nets are" plan plane.yaml --method gauss
+denies "a negative time" 1 "until" plan plane.yaml --until "-3 s"
 done_testing

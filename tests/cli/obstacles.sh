@@ -5,13 +5,6 @@
 
 scenes=$SRCDIR/notebooks-data/scenes
 sheave=$scenes/b-table-3.5.yaml
-refuses() {
-	called=$1 code=$2 saying=$3
-	shift 3
-	run "$@"
-	try "$called" said "$code"
-	try "  says so" grep -q -e "$saying" "$scratch/err"
-}
 
 works "B Table 3.5" statics "$sheave" --points 3 --json sheave.json --tsv sheave.tsv --plot sheave.svg -q
 sed '/^# scene:/d; s/-*[0-9.]*e-[0-9]*/0/g' sheave.tsv | awk -F'\t' '
@@ -76,11 +69,11 @@ assert abs(sliding["T1"]/rest["toward_B"]["T1"] - 1) < 1e-12 and "toward_B" not 
 END
 try "the picture has the rope without the obstacles" grep -q "without obstacles" sheave.svg
 
-refuses "a misspelt key" 1 "unknown key frction: did you mean friction" statics "$sheave" --set obstacles.s0.frction=1
-refuses "a wrong unit" 1 'wrong unit "kg"' statics "$sheave" --set "obstacles.s0.circle.radius=3 kg"
-refuses "an option of other scenes" 1 "\-\-models does not go with a span over obstacles" statics "$sheave" --models
-refuses "the same of ropeways" 1 "\-\-worst does not go with a span over obstacles" statics "$sheave" --worst
-refuses "a rope that is too short" 2 "shorter than the shortest way past the obstacles" statics "$scenes/b-table-2.1.yaml" --set obstacles.s0.side=below
+denies "a misspelt key" 1 "unknown key frction: did you mean friction" statics "$sheave" --set obstacles.s0.frction=1
+denies "a wrong unit" 1 'wrong unit "kg"' statics "$sheave" --set "obstacles.s0.circle.radius=3 kg"
+denies "an option of other scenes" 1 "\-\-models does not go with a span over obstacles" statics "$sheave" --models
+denies "the same of ropeways" 1 "\-\-worst does not go with a span over obstacles" statics "$sheave" --worst
+denies "a rope that is too short" 2 "shorter than the shortest way past the obstacles" statics "$scenes/b-table-2.1.yaml" --set obstacles.s0.side=below
 # --- modes
 works "slip" modes "$sheave" -n 4 --contact slip --json slip.json --tsv slip.tsv --plot modes.svg -q
 works "  in the middle" modes "$sheave" --set 'obstacles.s0.circle.centre=[150 m, -8 m]' -n 4 --contact slip --json middle.json -q
@@ -125,12 +118,12 @@ parts = [m["omega"] for n in ("left", "right") for m in json.load(open(n + ".jso
 assert len(stick) == 8 and all(min(abs(m["omega"]/p - 1) for p in parts) < 1e-9 for m in stick), (stick, parts)
 END
 try "the picture names the contact" grep -q "obstacles: the rope slips" modes.svg
-refuses "a contact that is none" 1 "must be one of slip, stick" modes "$sheave" --contact roll
-refuses "stick without friction" 1 "has no friction, so that the rope does not stick to it" modes "$sheave" --set obstacles.s0.friction=0 --contact stick
-refuses "an option of ropeways" 1 "\-\-case is for ropeways" modes "$sheave" --case full
-refuses "an option of spans" 1 "is the scene of a span over obstacles" modes "$sheave" --damped
+denies "a contact that is none" 1 "must be one of slip, stick" modes "$sheave" --contact roll
+denies "stick without friction" 1 "has no friction, so that the rope does not stick to it" modes "$sheave" --set obstacles.s0.friction=0 --contact stick
+denies "an option of ropeways" 1 "\-\-case is for ropeways" modes "$sheave" --case full
+denies "an option of spans" 1 "is the scene of a span over obstacles" modes "$sheave" --damped
 for command in "frf" "rom" "integrate" "plan" "irvine" "campbell" "compare modes"; do
-	refuses "$command" 1 "b-table-3.5.yaml:6:1: this span passes over obstacles" $command "$sheave"
+	denies "$command" 1 "b-table-3.5.yaml:6:1: this span passes over obstacles" $command "$sheave"
 done
-refuses "obstacles by --set" 1 "this span passes over obstacles" statics "$scenes/chairlift.yaml" --set "obstacles=[{circle: {centre: [1, 1], radius: 1}}]"
+denies "obstacles by --set" 1 "this span passes over obstacles" statics "$scenes/chairlift.yaml" --set "obstacles=[{circle: {centre: [1, 1], radius: 1}}]"
 done_testing

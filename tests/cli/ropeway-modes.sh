@@ -91,32 +91,25 @@ assert max(map(abs, shape["modes"][0]["B"])) > 0.5
 END2
 try "the picture of a rope that runs" grep -q 'a quarter period later' runs.svg
 
-no() {
-	called=$1 code=$2 saying=$3
-	shift 3
-	run modes "$@"
-	try "$called" said "$code"
-	try "  says so" grep -q -e "$saying" "$scratch/err"
-}
-no "stick, and a rope that runs" 1 "contact.modes is stick, but the rope runs at 4 m/s (ropeway.top.drive.speed)" \
+denies "stick, and a rope that runs" 1 "contact.modes is stick, but the rope runs at 4 m/s (ropeway.top.drive.speed)" modes \
 	"$bouquet" --contact stick
-no "an unknown contact" 1 "must be one of slip, stick, roll" "$bouquet" --contact stik
-no "an option of spans" 1 "\-\-damped is for spans, and .* is the scene of a ropeway" "$small" --damped
-no "an option of nets" 1 "\-\-vtk is for nets, and .* is the scene of a ropeway" "$small" --vtk a.vtk
-no "an option of ropeways" 1 "\-\-contact is for ropeways and spans over obstacles, and .* is the scene of a span" "$chairlift" --contact slip
-no "too many modes" 1 "ask for 1 to 500" "$small" -n 1000
-no "a tower that is too low" 2 "lifts off sheave 1 (p0)" "$small" --set 'ropeway.towers.p0.at=[80 m, 5 m]'
+denies "an unknown contact" 1 "must be one of slip, stick, roll" modes "$bouquet" --contact stik
+denies "an option of spans" 1 "\-\-damped is for spans, and .* is the scene of a ropeway" modes "$small" --damped
+denies "an option of nets" 1 "\-\-vtk is for nets, and .* is the scene of a ropeway" modes "$small" --vtk a.vtk
+denies "an option of ropeways" 1 "\-\-contact is for ropeways and spans over obstacles, and .* is the scene of a span" modes "$chairlift" --contact slip
+denies "too many modes" 1 "ask for 1 to 500" modes "$small" -n 1000
+denies "a tower that is too low" 2 "lifts off sheave 1 (p0)" modes "$small" --set 'ropeway.towers.p0.at=[80 m, 5 m]'
 (cat "$small"; echo 'contact: {modes: stuck}') >word.yaml
-no "an unknown word" 1 'word.yaml:10:11: contact.modes: "stuck" must be slip, stick or roll' word.yaml
+denies "an unknown word" 1 'word.yaml:10:11: contact.modes: "stuck" must be slip, stick or roll' modes word.yaml
 (cat "$small"; echo 'contact: {mode: stick}') >key.yaml
-no "an unknown key" 1 "key.yaml:10:.*unknown key mode: did you mean modes?" key.yaml
+denies "an unknown key" 1 "key.yaml:10:.*unknown key mode: did you mean modes?" modes key.yaml
 (cat "$small"; echo 'contact: {modes: slip}') >own.yaml
 works "the contact of the scene" modes own.yaml $one -n 1 --json own.json -q
 try "  is taken" grep -q '"contact": "slip"' own.json
-no "inertia of a point" 1 "towers.p0.inertia: a sheave of the radius 0 does not turn" "$small" \
+denies "inertia of a point" 1 "towers.p0.inertia: a sheave of the radius 0 does not turn" modes "$small" \
 	--set 'ropeway.towers.p0.radius=0 m' --set ropeway.towers.p0.inertia=3
-no "inertia without a radius" 1 "bottom.inertia with bottom.radius = 0" "$small" --set ropeway.bottom.radius=0 \
+denies "inertia without a radius" 1 "bottom.inertia with bottom.radius = 0" modes "$small" --set ropeway.bottom.radius=0 \
 	--set ropeway.bottom.inertia=3
-no "a wrong unit" 1 'drive.inertia: "3 kg"' "$small" --set 'ropeway.top.drive.inertia=3 kg'
-no "a negative mass" 1 "bottom.mass" "$small" --set ropeway.bottom.mass=-3
+denies "a wrong unit" 1 'drive.inertia: "3 kg"' modes "$small" --set 'ropeway.top.drive.inertia=3 kg'
+denies "a negative mass" 1 "bottom.mass" modes "$small" --set ropeway.bottom.mass=-3
 done_testing

@@ -32,23 +32,16 @@ END2
 try "the load is told" grep -q '^# load: weights of 3924 N that pass at 36.6 m' passing.tsv
 try "  and where the rope leaves a sheave" grep -q '^# mode 1: .*in-plane; the rope leaves p0 at u = ' passing.tsv
 
-no() {
-	called=$1 code=$2 saying=$3
-	shift 3
-	run "$@"
-	try "$called" said "$code"
-	try "  says so" grep -q -e "$saying" "$scratch/err"
-}
-no "a drive without amplitude" 1 "give the amplitude of the rope's motion" rom "$small" --load drive
-no "an amplitude without drive" 1 "leave out one of --ripple and --load passing" rom "$small" --ripple 0.01 --load passing
-no "an unknown load" 1 "must be one of passing, drive" rom "$small" --load pasing
-no "an unknown lane" 1 "must be one of up, down" rom "$small" --lane dwn
-no "a lane that is not there" 1 "this ropeway has lane up only" rom "$small" --lane down --set ropeway.down=off
-no "no carriers" 1 "lane up has no carriers that pass" rom "$small" --case empty --set ropeway.carriers.empty=0
-no "rolling sheaves" 1 "contact roll" rom "$small" --contact roll
-no "too large a damping" 1 "the damping ratio is 2" rom "$small" --damping 2
-no "too many modes" 1 "41 modes asked" rom "$small" -n 41
-no "an option of ropeways" 1 "\-\-ripple is for ropeways" rom "$chairlift" --ripple 1
-no "a picture" 1 "rom has no picture" rom "$small" --plot a.svg
-no "a response of the scene" 1 "hawser statics, modes, .*rom take ropeways" frf "$small"
+denies "a drive without amplitude" 1 "give the amplitude of the rope's motion" rom "$small" --load drive
+denies "an amplitude without drive" 1 "leave out one of --ripple and --load passing" rom "$small" --ripple 0.01 --load passing
+denies "an unknown load" 1 "must be one of passing, drive" rom "$small" --load pasing
+denies "an unknown lane" 1 "must be one of up, down" rom "$small" --lane dwn
+denies "a lane that is not there" 1 "this ropeway has lane up only" rom "$small" --lane down --set ropeway.down=off
+denies "no carriers" 1 "lane up has no carriers that pass" rom "$small" --case empty --set ropeway.carriers.empty=0
+denies "rolling sheaves" 1 "contact roll" rom "$small" --contact roll
+denies "too large a damping" 1 "the damping ratio is 2" rom "$small" --damping 2
+denies "too many modes" 1 "41 modes asked" rom "$small" -n 41
+denies "an option of ropeways" 1 "\-\-ripple is for ropeways" rom "$chairlift" --ripple 1
+denies "a picture" 1 "rom has no picture" rom "$small" --plot a.svg
+denies "a response of the scene" 1 "hawser statics, modes, .*rom take ropeways" frf "$small"
 done_testing

@@ -70,22 +70,15 @@ try "the table" grep -q '^counterweight_N	branch	omega_rad_s	frequency_Hz	plane	
 try "  of speeds" grep -q '^speed_m_s	branch' speed.tsv
 try "the end is told" grep -q '^# the sweep ends before ropeway.towers.p0.at.1 = 8.4 m: .*case full' ends.tsv
 
-no() {
-	called=$1 code=$2 saying=$3
-	shift 3
-	run "$@"
-	try "$called" said "$code"
-	try "  says so" grep -q -e "$saying" "$scratch/err"
-}
-no "an option of spans" 1 "\-\-sweep is for spans" irvine "$small" --sweep T0
-no "an option of ropeways" 1 "\-\-contact is for ropeways" campbell "$chairlift" --contact slip
-no "stick, and a rope that runs" 1 "contact.modes is stick, but the rope runs" campbell "$small" --contact stick --from 1 --points 2
-no "another unit" 1 "KEY=FROM:TO:POINTS" modes "$small" --over "ropeway.towers.p0.at.1=15 m:20:5"
-no "one point" 1 "with 2 to 2000 points" modes "$small" --over ropeway.carriers.phase=0:36:1
-no "an unknown key" 1 "unknown key phas" modes "$small" --over ropeway.carriers.phas=0:36:3
-no "shapes of a sweep" 1 "choose one" modes "$small" --over ropeway.carriers.phase=0:36:3 --shapes
-no "no range" 1 "are both" irvine "$small" --from 3e5 --to "300 kN"
-no "ratios of 0" 1 "no equal ratios" modes "$small" --over ropeway.carriers.phase=0:36:3 --log
-no "a unit of spans" 1 "must be one of rad/s, Hz\|must be rad/s or Hz" irvine "$small" --unit normalised
-no "no first solution" 2 "lifts off" modes "$small" --over "ropeway.towers.p0.at.1=4 m:15 m:3"
+denies "an option of spans" 1 "\-\-sweep is for spans" irvine "$small" --sweep T0
+denies "an option of ropeways" 1 "\-\-contact is for ropeways" campbell "$chairlift" --contact slip
+denies "stick, and a rope that runs" 1 "contact.modes is stick, but the rope runs" campbell "$small" --contact stick --from 1 --points 2
+denies "another unit" 1 "KEY=FROM:TO:POINTS" modes "$small" --over "ropeway.towers.p0.at.1=15 m:20:5"
+denies "one point" 1 "with 2 to 2000 points" modes "$small" --over ropeway.carriers.phase=0:36:1
+denies "an unknown key" 1 "unknown key phas" modes "$small" --over ropeway.carriers.phas=0:36:3
+denies "shapes of a sweep" 1 "choose one" modes "$small" --over ropeway.carriers.phase=0:36:3 --shapes
+denies "no range" 1 "are both" irvine "$small" --from 3e5 --to "300 kN"
+denies "ratios of 0" 1 "no equal ratios" modes "$small" --over ropeway.carriers.phase=0:36:3 --log
+denies "a unit of spans" 1 "must be one of rad/s, Hz\|must be rad/s or Hz" irvine "$small" --unit normalised
+denies "no first solution" 2 "lifts off" modes "$small" --over "ropeway.towers.p0.at.1=4 m:15 m:3"
 done_testing

@@ -4,13 +4,6 @@
 . "$SRCDIR/tests/cli/lib.sh"
 
 scenes=$SRCDIR/notebooks-data/scenes
-refuses() {
-	called=$1 code=$2 saying=$3
-	shift 3
-	run "$@"
-	try "$called" said "$code"
-	try "  says so" grep -q -e "$saying" "$scratch/err"
-}
 
 works "B Tables 6.3 and 6.4" statics "$scenes/b-table-6.3.yaml" --json table.json -q
 python "all 37 entries" <<'END2'
@@ -141,41 +134,41 @@ END2
 works "a plan" plan "$scenes/ropeway-gondola.yaml" --reproducible
 try "  of a train" grep -q '^  trains of sheaves: 96 fixed sheaves$' "$scratch/out"
 try "  and of its carriers" grep -q '^  carriers down: 20 of 650 kg' "$scratch/out"
-refuses "an option of the plans of spans" 1 "and this scene is a ropeway" plan "$small" --limit 1
-refuses "a plan as JSON" 1 "the plan of a ropeway is a text" plan "$small" --json plan.json
-refuses "a battery that the rope does not press" 2 "case full, phase 18.3 m, lane up: .*p1" statics "$small" \
+denies "an option of the plans of spans" 1 "and this scene is a ropeway" plan "$small" --limit 1
+denies "a plan as JSON" 1 "the plan of a ropeway is a text" plan "$small" --json plan.json
+denies "a battery that the rope does not press" 2 "case full, phase 18.3 m, lane up: .*p1" statics "$small" \
 	--set ropeway.towers.p1.battery=compression
-refuses "a coefficient in per cent" 1 "towers.p0.friction = 30 is out of range" statics "$small" \
+denies "a coefficient in per cent" 1 "towers.p0.friction = 30 is out of range" statics "$small" \
 	--set ropeway.towers.p0.friction=30
-refuses "too little tension" 2 "small.yaml: .*lane up: .*tension.counterweight = 2000 N sets" \
+denies "too little tension" 2 "small.yaml: .*lane up: .*tension.counterweight = 2000 N sets" \
 	statics "$small" --set "ropeway.bottom.tension={counterweight: 2 kN}"
-refuses "a tower that is too low" 2 "case full, phase 18.3 m, lane up: .*lifts off sheave 1 (p0)" statics "$small" \
+denies "a tower that is too low" 2 "case full, phase 18.3 m, lane up: .*lifts off sheave 1 (p0)" statics "$small" \
 	--set 'ropeway.towers.p0.at=[80 m, 5 m]'
 run statics "$small" --set 'ropeway.towers.p0.at=[80 m, 5 m]' --tolerate --json low.json -q
 try "  is shown if it is to be" test "$status" -eq 0
 try "  with a warning" grep -q "lane up: the rope does not press the battery of tower p0" "$scratch/err"
-refuses "a drive that slips" 2 "the rope slips on the drive bullwheel: .* drive.friction is 0.005, 0.002096 too little" \
+denies "a drive that slips" 2 "the rope slips on the drive bullwheel: .* drive.friction is 0.005, 0.002096 too little" \
 	statics "$small" --set ropeway.top.drive.friction=0.005
-refuses "a counterweight at its stop" 2 "the counterweight is at its stop: the carriage would be at 0.2565 m, 0.1565 m beyond" \
+denies "a counterweight at its stop" 2 "the counterweight is at its stop: the carriage would be at 0.2565 m, 0.1565 m beyond" \
 	statics "$small" --set 'ropeway.bottom.tension.travel=[-0.1 m, 0.1 m]'
-refuses "a phase of a sweep" 2 "case full, phase 0 m: the counterweight is at its stop" statics "$small" --worst \
+denies "a phase of a sweep" 2 "case full, phase 0 m: the counterweight is at its stop" statics "$small" --worst \
 	--set 'ropeway.bottom.tension.travel=[-0.1 m, 0.1 m]'
-refuses "too little tension" 2 "lane up: " statics "$small" --set 'ropeway.bottom.tension.counterweight=6 kN'
-refuses "a loop that is too long" 2 "the loop is too long" statics "$small" --set 'ropeway.bottom.tension={length0: 900 m}'
-refuses "a command of spans" 1 "this is the scene of a ropeway, and the command takes spans" frf "$small"
-refuses "an option of spans" 1 "\-\-model is for spans, and this scene is a ropeway" statics "$small" --model parabola
-refuses "an option of nets" 1 "\-\-method is for nets, and this scene is a ropeway" statics "$small" --method mixed
-refuses "an option of ropeways" 1 "\-\-worst is for ropeways, and .* is no scene of a ropeway" statics \
+denies "too little tension" 2 "lane up: " statics "$small" --set 'ropeway.bottom.tension.counterweight=6 kN'
+denies "a loop that is too long" 2 "the loop is too long" statics "$small" --set 'ropeway.bottom.tension={length0: 900 m}'
+denies "a command of spans" 1 "this is the scene of a ropeway, and the command takes spans" frf "$small"
+denies "an option of spans" 1 "\-\-model is for spans, and this scene is a ropeway" statics "$small" --model parabola
+denies "an option of nets" 1 "\-\-method is for nets, and this scene is a ropeway" statics "$small" --method mixed
+denies "an option of ropeways" 1 "\-\-worst is for ropeways, and .* is no scene of a ropeway" statics \
 	"$scenes/chairlift.yaml" --worst
-refuses "two tables" 1 "choose one" statics "$small" --worst --spans
-refuses "an unknown case" 1 "must be one of full, empty, up, down" statics "$small" --case half
+denies "two tables" 1 "choose one" statics "$small" --worst --spans
+denies "an unknown case" 1 "must be one of full, empty, up, down" statics "$small" --case half
 sed 's/battery: support, radius: 12 m}$/battery: support, radius: 12 m, frictoin: 0.1}/' "$small" >wrong.yaml
-refuses "an unknown key" 1 "wrong.yaml:7:.*unknown key frictoin: did you mean friction?" statics wrong.yaml
-refuses "a wrong unit" 1 'rope.EA: "40 m"' statics "$small" --set 'ropeway.rope.EA=40 m'
-refuses "towers out of order" 1 "give the towers by x" statics "$small" --set 'ropeway.towers.p1.at=[50 m, 40 m]'
-refuses "no place" 1 "towers.p1.at must be a list of 2 numbers in m, along x and y" statics "$small" \
+denies "an unknown key" 1 "wrong.yaml:7:.*unknown key frictoin: did you mean friction?" statics wrong.yaml
+denies "a wrong unit" 1 'rope.EA: "40 m"' statics "$small" --set 'ropeway.rope.EA=40 m'
+denies "towers out of order" 1 "give the towers by x" statics "$small" --set 'ropeway.towers.p1.at=[50 m, 40 m]'
+denies "no place" 1 "towers.p1.at must be a list of 2 numbers in m, along x and y" statics "$small" \
 	--set 'ropeway.towers.p1.at=[50 m]'
-refuses "two tensions" 1 "tension has counterweight and T0" statics "$small" --set 'ropeway.bottom.tension.T0=84 kN'
-refuses "a word" 1 '"sometimes" must be running, rest or reverse' statics "$small" --set ropeway.sliding=sometimes
-refuses "carriers without end" 1 "puts more than" statics "$small" --set 'ropeway.carriers.spacing=1 mm'
+denies "two tensions" 1 "tension has counterweight and T0" statics "$small" --set 'ropeway.bottom.tension.T0=84 kN'
+denies "a word" 1 '"sometimes" must be running, rest or reverse' statics "$small" --set ropeway.sliding=sometimes
+denies "carriers without end" 1 "puts more than" statics "$small" --set 'ropeway.carriers.spacing=1 mm'
 done_testing
