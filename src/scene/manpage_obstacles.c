@@ -26,7 +26,7 @@ const char hawser__manpage_obstacles[] =
 	"other commands refuse them. \\-\\-set takes names, as in obstacles.s0.friction=0.2.\n"
 	"The sections are\n"
 	".B cable\n"
-	"(EA, which may be .inf for statics, and rho),\n"
+	"(EA, which may be .inf, and rho),\n"
 	".B span\n"
 	"(d, h),\n"
 	".B tension\n"

@@ -117,6 +117,13 @@ stick = json.load(open("stick.json"))["modes"]
 parts = [m["omega"] for n in ("left", "right") for m in json.load(open(n + ".json"))["modes"]]
 assert len(stick) == 8 and all(min(abs(m["omega"]/p - 1) for p in parts) < 1e-9 for m in stick), (stick, parts)
 END
+works "a rope that cannot stretch" modes "$sheave" --set cable.EA=.inf -n 4 --contact slip --json rigid.json -q
+run modes "$sheave" --set cable.EA=1e15 -n 4 --contact slip --json nearly.json -q
+python "  is the limit of a stiff one" <<'END'
+import json
+rigid, nearly = (json.load(open(n + ".json"))["modes"] for n in ("rigid", "nearly"))
+assert all(abs(a["omega"]/b["omega"] - 1) < 1e-7 for a, b in zip(rigid, nearly)) and len(rigid) == 4
+END
 try "the picture names the contact" grep -q "obstacles: the rope slips" modes.svg
 denies "a contact that is none" 1 "must be one of slip, stick" modes "$sheave" --contact roll
 denies "stick without friction" 1 "has no friction, so that the rope does not stick to it" modes "$sheave" --set obstacles.s0.friction=0 --contact stick
