@@ -30,6 +30,7 @@ shared_text = \
 	%D%/shared/exit-nothing \
 	%D%/shared/exit-partial \
 	%D%/shared/files \
+	%D%/shared/followed \
 	%D%/shared/frequencies \
 	%D%/shared/library \
 	%D%/shared/help \

@@ -39,9 +39,10 @@ static const char *const notes[] = {
 	"with compressed elements, not solved; iterations and times. A net counts as solved if the method",
 	"says so and a certificate, which uses nothing of the methods, agrees. The picture has the",
 	"performance profiles: the part of the nets solved within a multiple of the least time of all.",
-	"Methods: automatic, interior-point, mixed, mixed/chord, forces, two-sided, two-sided/density,",
-	"regularised, regularised/density, descent, relaxation (man hawser-statics); /chord and /density:",
-	"from straight cables with noise, or from force densities, in place of the method's own start.",
+	"Methods: automatic, interior-point, cone, mixed, mixed/chord, forces, two-sided,",
+	"two-sided/density, regularised, regularised/density, descent, relaxation (man hawser-statics);",
+	"/chord and /density: from straight cables with noise, or from force densities, in place of the",
+	"method's own start.",
 	NULL,
 };
 

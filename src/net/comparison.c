@@ -30,6 +30,7 @@ enum {
 static const struct hawser_net_way ways[] = {
 	{"automatic", "automatic", HAWSER_NET_START_OWN, 0},
 	{"interior-point", "interior-point", HAWSER_NET_START_OWN, 0},
+	{"cone", "cone", HAWSER_NET_START_OWN, 0},
 	{"mixed", "mixed", HAWSER_NET_START_OWN, 0},
 	{"mixed/chord", "mixed", HAWSER_NET_START_CHORD, CHORD_MOST},
 	{"forces", "forces", HAWSER_NET_START_OWN, 0},

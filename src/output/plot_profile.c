@@ -8,8 +8,8 @@
 #include "output/style.h"
 
 enum { MOST = 150 }; /* points of a curve, so that files stay small, and dashes visible */
-static const char *const colours[] = {"black", "#0072B2", "#009E73", "#56B4E9", "#D55E00", "#E69F00",
-                                      "#CC79A7", "#7F7F7F"};
+static const char *const colours[] = {"black", "#0072B2", "#8C564B", "#009E73", "#56B4E9", "#D55E00",
+                                      "#E69F00", "#CC79A7", "#7F7F7F"};
 enum { COLOURS = sizeof colours/sizeof *colours };
 
 static int solved(const struct hawser__profile *of, int c, int by)

@@ -50,7 +50,6 @@ static void turn(struct hawser_line_freedom *freedom, const struct hawser_ropewa
 		double weight = line->line->rho*line->line->g/(1.0 + T/line->line->EA);
 
 		freedom->stiffness += (end == END_A ? weight : -weight)*sin(angle);
-
 		freedom->end[i][end][0] = way*cos(angle);
 		freedom->end[i][end][1] = way*sin(angle);
 	}
