@@ -90,11 +90,11 @@ enum hawser_status hawser__plot_profile(const char *path, const struct hawser__p
 		return status;
 	fputs("unset key\nset yrange [0:103]\nset ytics 20\n", picture.script);
 	for (int by = of->timed ? 0 : 1; by < 2; by++) {
-		double end = end_of(of, by), left = by && of->timed ? 0.57 : 0.1;
+		double end = end_of(of, by), left = by && of->timed ? 0.6 : 0.14;
 
 		for (int c = 0; c < of->curves; c++)
 			data(picture.script, of, c, by, end);
-		hawser__picture_panel(&picture, left, by ? 0.97 : 0.5, bottom/height, 1.0 - 0.4/height);
+		hawser__picture_panel(&picture, left, by ? 0.97 : 0.53, bottom/height, 1.0 - 0.4/height);
 		if (by == !of->timed)
 			hawser__picture_ylabel(&picture, "%s (%%)", of->unit);
 		fprintf(picture.script, "set logscale x\nset xrange [1:%g]\nset xlabel '%s'\n", end, title[by]);
