@@ -14,6 +14,7 @@ pkginclude_HEADERS = \
 	%D%/hawser/family.h \
 	%D%/hawser/plugin.h \
 	%D%/hawser/frf.h \
+	%D%/hawser/friction.h \
 	%D%/hawser/gyroscopic.h \
 	%D%/hawser/hawser.h \
 	%D%/hawser/hill.h \

@@ -34,7 +34,8 @@ UPTO_SCENE = src/scene/.libs/libscene.a $(UPTO_CONTINUATION) $(YAML_LIBS) $(UDUN
 UPTO_STATICS = src/statics/.libs/libstatics.a $(UPTO_SCENE) $(GSL_LIBS)
 UPTO_MODES = src/modes/.libs/libmodes.a $(UPTO_STATICS) $(SLICOT_LIBS) $(LAPACKE_LIBS) $(BLAS_LIBS)
 UPTO_BEAM = src/beam/.libs/libbeam.a $(UPTO_MODES)
-UPTO_NET = src/net/.libs/libnet.a $(UPTO_BEAM) $(CHOLMOD_LIBS) $(SUNDIALS_LIBS)
+UPTO_CONTACT = src/contact/.libs/libcontact.a $(UPTO_BEAM)
+UPTO_NET = src/net/.libs/libnet.a $(UPTO_CONTACT) $(CHOLMOD_LIBS) $(SUNDIALS_LIBS)
 UPTO_ROPEWAY = src/ropeway/.libs/libropeway.a $(UPTO_NET)
 UPTO_ROM = src/rom/.libs/librom.a $(UPTO_ROPEWAY) $(JANSSON_LIBS)
 UPTO_RESPONSE = src/response/.libs/libresponse.a $(UPTO_ROM) $(SUNDIALS_LIBS) $(FFTW_LIBS) $(SLICOT_LIBS)
@@ -51,6 +52,8 @@ src/statics/.libs/libstatics.a: src/statics/libstatics.la
 src/modes/.libs/libmodes.a: src/modes/libmodes.la
 	@:
 src/beam/.libs/libbeam.a: src/beam/libbeam.la
+	@:
+src/contact/.libs/libcontact.a: src/contact/libcontact.la
 	@:
 src/net/.libs/libnet.a: src/net/libnet.la
 	@:
@@ -71,6 +74,7 @@ include %D%/scene.mk
 include %D%/statics.mk
 include %D%/modes.mk
 include %D%/beam.mk
+include %D%/contact.mk
 include %D%/net.mk
 include %D%/ropeway.mk
 include %D%/rom.mk

@@ -42,6 +42,7 @@
 #include <hawser/cover.h>
 #include <hawser/family.h>
 #include <hawser/frf.h>
+#include <hawser/friction.h>
 #include <hawser/scales.h>
 #include <hawser/folds.h>
 #include <hawser/linear.h>

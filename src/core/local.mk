@@ -5,9 +5,12 @@ noinst_LTLIBRARIES += %D%/libcore.la
 	%D%/file.c \
 	%D%/file.h \
 	%D%/hot.h \
+	%D%/paths.c \
+	%D%/paths.h \
 	%D%/progress.c \
 	%D%/progress.h \
 	%D%/report.h \
+	%D%/rows3.h \
 	%D%/settle.h \
 	%D%/share.c \
 	%D%/share.h \

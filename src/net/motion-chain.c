@@ -12,21 +12,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/hot.h"
+#include "core/paths.h"
 #include "core/report.h"
+#include "core/rows3.h"
 #include "net/motion.h"
-
-/* The rows of a 3x3 block, with a right side beside them. */
-struct rows {
-	hawser__vec x, y, z;
-};
 
 struct hawser__blocks {
 	int nodes;
 	int *node;        /* [nodes] in their order along the paths */
 	int *link;        /* [nodes] element from this place to the next; -1: a path ends here */
 	unsigned char *held; /* [nodes] by place; bit k: direction k is held */
-	struct rows *factor; /* [nodes] by place: rows of [next | y], x = y - next*(x of the neighbour) */
+	struct hawser__rows *factor; /* [nodes] by place: rows of [next | y], x = y - next*(that of the
+	                              * neighbour) */
 	struct hawser__klu *klu; /* NULL for chains */
 };
 
@@ -64,51 +61,10 @@ enum hawser_status hawser__blocks_bytes(double *bytes, int *chain, const struct 
 	return HAWSER_OK;
 }
 
-/* Elements at each node, at most 2: touch [nodes][2]; 0 if a node has more. */
-static int neighbours(int (*touch)[2], const struct hawser__mesh *mesh)
-{
-	for (int i = 0; i < mesh->nodes; i++)
-		touch[i][0] = touch[i][1] = -1;
-	for (int e = 0; e < mesh->elements; e++)
-		for (int end = 0; end < 2; end++) {
-			int *at = touch[mesh->end[e][end]];
-
-			if (at[1] >= 0)
-				return 0;
-			at[at[0] >= 0] = e;
-		}
-	return 1;
-}
-
-/* Order the nodes along paths; 0 if a part is a ring. */
-static int order(struct hawser__blocks *blocks, int (*touch)[2], const struct hawser__mesh *mesh)
-{
-	int count = 0;
-
-	for (int i = 0; i < mesh->nodes; i++) {
-		int node = i, from = -1;
-
-		if (touch[i][1] >= 0 || touch[i][0] == -2)
-			continue; /* inside a path, or the end of one that was taken */
-		for (int more = 1; more; count++) {
-			int link = touch[node][0] != from ? touch[node][0] : touch[node][1];
-
-			more = link >= 0;
-			blocks->node[count] = node;
-			blocks->link[count] = more ? link : -1;
-			if (!more || touch[node][1] < 0)
-				touch[node][0] = -2;
-			from = link;
-			if (more)
-				node = mesh->end[link][mesh->end[link][0] == node];
-		}
-	}
-	return count == mesh->nodes;
-}
-
 static int arrange(struct hawser__blocks *blocks, int (*touch)[2], const struct hawser__mesh *mesh)
 {
-	if (!neighbours(touch, mesh) || !order(blocks, touch, mesh))
+	if (!hawser__paths(blocks->node, blocks->link, touch, mesh->nodes, (const int (*)[2])mesh->end,
+	                   mesh->elements))
 		return 0;
 	for (int i = 0; i < mesh->nodes; i++)
 		for (int k = 0; k < 3; k++)
@@ -152,7 +108,7 @@ struct problem {
 };
 
 /* The rows of `at` of held directions are those of the unit matrix, with r beside them. */
-HAWSER_PART void hold(struct rows *at, unsigned char held, const double *r)
+HAWSER_PART void hold(struct hawser__rows *at, unsigned char held, const double *r)
 {
 	if (held & 1U)
 		at->x = (hawser__vec){1.0, 0.0, 0.0, r[0]};
@@ -162,34 +118,15 @@ HAWSER_PART void hold(struct rows *at, unsigned char held, const double *r)
 		at->z = (hawser__vec){0.0, 0.0, 1.0, r[2]};
 }
 
-/* The transposed cofactors c of the block, row by row; returns the determinant. */
-HAWSER_PART double adjugate(double c[9], const struct rows *m)
-{
-	const hawser__vec x = m->x, y = m->y, z = m->z;
-
-	c[0] = y[1]*z[2] - y[2]*z[1];
-	c[3] = y[2]*z[0] - y[0]*z[2];
-	c[6] = y[0]*z[1] - y[1]*z[0];
-	c[1] = x[2]*z[1] - x[1]*z[2];
-	c[4] = x[0]*z[2] - x[2]*z[0];
-	c[7] = x[1]*z[0] - x[0]*z[1];
-	c[2] = x[1]*y[2] - x[2]*y[1];
-	c[5] = x[2]*y[0] - x[0]*y[2];
-	c[8] = x[0]*y[1] - x[1]*y[0];
-	return x[0]*c[0] + x[1]*c[3] + x[2]*c[6];
-}
-
 /* Eliminate the node at a place, whose neighbour is across element e: rest is what the nodes before
- * have left to it, and then what is left to the neighbour. Returns the determinant. The rows are
- * variables without index, so that they are in registers: to store single numbers and load them as one
- * register stalls a processor. */
-HAWSER_PART double step(struct rows *rest, const struct problem *of, int place, int e)
+ * have left to it, and then what is left to the neighbour. Returns the determinant. */
+HAWSER_PART double step(struct hawser__rows *rest, const struct problem *of, int place, int e)
 {
 	const struct hawser__blocks *blocks = of->blocks;
 	const int node = blocks->node[place];
 	const double *r = of->r[node], *B = of->B[e], near = of->mass[e][0], far = of->mass[e][1];
 	const double own = near + of->point[node];
-	struct rows here, off, factor;
+	struct hawser__rows here, off, factor;
 	double c[9], det, inverse;
 
 	here.x = rest->x + (hawser__vec){B[0] + own, B[1], B[2], r[0]};
@@ -206,11 +143,9 @@ HAWSER_PART double step(struct rows *rest, const struct problem *of, int place, 
 		off.y = (hawser__vec){0.0, 0.0, 0.0, r[1]};
 	if (blocks->held[place] & 4U)
 		off.z = (hawser__vec){0.0, 0.0, 0.0, r[2]};
-	det = adjugate(c, &here);
+	det = hawser__rows_adjugate(c, &here);
 	inverse = 1.0/det;
-	factor.x = (c[0]*off.x + c[1]*off.y + c[2]*off.z)*inverse;
-	factor.y = (c[3]*off.x + c[4]*off.y + c[5]*off.z)*inverse;
-	factor.z = (c[6]*off.x + c[7]*off.y + c[8]*off.z)*inverse;
+	hawser__rows_times(&factor, c, inverse, &off);
 	blocks->factor[place] = factor;
 	rest->x = (hawser__vec){B[0] + near, B[1], B[2], 0.0} +
 	          ((B[0] - far)*factor.x + B[1]*factor.y + B[2]*factor.z);
@@ -222,38 +157,26 @@ HAWSER_PART double step(struct rows *rest, const struct problem *of, int place, 
 }
 
 /* The middle of a path: x = its displacement. */
-HAWSER_PART double middle(const struct rows *one, const struct rows *other, const struct problem *of,
-                          int place)
+HAWSER_PART double middle(const struct hawser__rows *one, const struct hawser__rows *other,
+                          const struct problem *of, int place)
 {
 	const int node = of->blocks->node[place];
 	const double own = of->point[node];
 	double *x = of->r[node], c[9], det, right[3];
-	struct rows here;
+	struct hawser__rows here;
 
 	here.x = one->x + other->x + (hawser__vec){own, 0.0, 0.0, x[0]};
 	here.y = one->y + other->y + (hawser__vec){0.0, own, 0.0, x[1]};
 	here.z = one->z + other->z + (hawser__vec){0.0, 0.0, own, x[2]};
 	if (of->blocks->held[place])
 		hold(&here, of->blocks->held[place], x);
-	det = adjugate(c, &here);
+	det = hawser__rows_adjugate(c, &here);
 	right[0] = here.x[3]/det;
 	right[1] = here.y[3]/det;
 	right[2] = here.z[3]/det;
 	for (int k = 0; k < 3; k++)
 		x[k] = c[3*k]*right[0] + c[3*k + 1]*right[1] + c[3*k + 2]*right[2];
 	return det;
-}
-
-/* x of a place from that of its neighbour. */
-HAWSER_PART void back(double x[3], const struct hawser__blocks *blocks, int place,
-                      const double neighbour[3])
-{
-	const struct rows *row = &blocks->factor[place];
-	const double a = neighbour[0], b = neighbour[1], c = neighbour[2];
-
-	x[0] = row->x[3] - (row->x[0]*a + row->x[1]*b + row->x[2]*c);
-	x[1] = row->y[3] - (row->y[0]*a + row->y[1]*b + row->y[2]*c);
-	x[2] = row->z[3] - (row->z[0]*a + row->z[1]*b + row->z[2]*c);
 }
 
 static int usable(double det)
@@ -268,7 +191,7 @@ static int eliminate(const struct problem *of, int first, int last)
 	const struct hawser__blocks *blocks = of->blocks;
 	const int half = first + (last - first)/2;
 	const hawser__vec zero = {0.0};
-	struct rows low = {zero, zero, zero}, high = low;
+	struct hawser__rows low = {zero, zero, zero}, high = low;
 	int good = 1;
 
 	for (int i = first, j = last; i < half || j > half; i++, j--) {
@@ -280,9 +203,9 @@ static int eliminate(const struct problem *of, int first, int last)
 	good &= usable(middle(&low, &high, of, half));
 	for (int i = half - 1, j = half + 1; i >= first || j <= last; i--, j++) {
 		if (i >= first)
-			back(of->r[blocks->node[i]], blocks, i, of->r[blocks->node[i + 1]]);
+			hawser__rows_back(of->r[blocks->node[i]], &blocks->factor[i], of->r[blocks->node[i + 1]]);
 		if (j <= last)
-			back(of->r[blocks->node[j]], blocks, j, of->r[blocks->node[j - 1]]);
+			hawser__rows_back(of->r[blocks->node[j]], &blocks->factor[j], of->r[blocks->node[j - 1]]);
 	}
 	return good;
 }

@@ -17,6 +17,7 @@
 #include <hawser/folds.h>
 #include <hawser/cover.h>
 #include <hawser/frf.h>
+#include <hawser/friction.h>
 #include <hawser/gyroscopic.h>
 #include <hawser/hill.h>
 #include <hawser/identify.h>
@@ -69,6 +70,12 @@ static const struct row {
 	ROW(hawser_accuracy_try),
 	ROW(hawser_answer),
 	ROW(hawser_attached),
+	ROW(hawser_contact),
+	ROW(hawser_contact_reply),
+	ROW(hawser_friction_counts),
+	ROW(hawser_friction_method),
+	ROW(hawser_friction_options),
+	ROW(hawser_friction_problem),
 	ROW(hawser_bending),
 	ROW(hawser_attachment),
 	ROW(hawser_auto_options),

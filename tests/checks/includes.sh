@@ -7,10 +7,10 @@
 # rank of a stage, and the stage of a public header; a new stage or header is entered here.
 table='
 BEGIN {
-	n = split("core continuation scene statics modes beam net ropeway rom response study output cli", stage, " ")
+	n = split("core continuation scene statics modes beam contact net ropeway rom response study output cli", stage, " ")
 	for (i = 1; i <= n; i++) rank[stage[i]] = i
 	of["status"] = of["progress"] = "core"; of["scene"] = of["plausible"] = "scene"; of["statics"] = "statics"; of["modes"] = of["gyroscopic"] = of["irvine"] = of["campbell"] = of["damped"] = "modes"
-	of["beam"] = "beam"; of["net"] = "net"
+	of["beam"] = "beam"; of["friction"] = "contact"; of["net"] = "net"
 	of["net_motion"] = of["net_plan"] = of["net_span"] = of["net_modes"] = of["net_equilibria"] = of["net_comparison"] = "net"
 	of["line"] = of["ropeway"] = of["line_modes"] = of["ropeway_modes"] = of["obstacles"] = "ropeway"
 	of["rom"] = of["line_rom"] = of["plugin"] = of["choose"] = "rom"; of["integrate"] = of["orbit"] = of["family"] = of["frf"] = of["cover"] = of["branches"] = of["backbone"] = of["nnm"] = of["normal_form"] = of["scales"] = of["folds"] = of["locus"] = of["linear"] = of["lyapunov"] = of["torus"] = of["beam_motion"] = "response"; of["hawser"] = "output"

@@ -1,0 +1,240 @@
+/* contact/friction.c - the solver's work space, checks before and after a solution.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "contact/friction.h"
+#include "core/report.h"
+#include "core/settle.h"
+
+const char *hawser_contact_state_name(enum hawser_contact_state state)
+{
+	static const char *const name[] = {"open", "stick", "slip"};
+
+	return state <= HAWSER_CONTACT_SLIP ? name[state] : "unknown";
+}
+
+void hawser_friction_options_settle(struct hawser_friction_options *options)
+{
+	hawser__settle(&options->tolerance, 1e-10);
+	hawser__settle_count(&options->most, 200);
+}
+
+int hawser_contact_frame(struct hawser_contact *contact, const double normal[3])
+{
+	double length = hypot(hypot(normal[0], normal[1]), normal[2]), n[3], t[3];
+	int axis;
+
+	if (!(length > 0.0) || !isfinite(length))
+		return 0;
+	for (int k = 0; k < 3; k++)
+		n[k] = normal[k]/length;
+	axis = fabs(n[2]) <= 0.9 ? 2 : 0;
+	for (int k = 0; k < 3; k++)
+		t[k] = (k == axis ? 1.0 : 0.0) - n[axis]*n[k];
+	length = hypot(hypot(t[0], t[1]), t[2]);
+	for (int k = 0; k < 3; k++) {
+		contact->normal[k] = n[k];
+		contact->tangent[1][k] = t[k] /= length;
+	}
+	for (int k = 0; k < 3; k++)
+		contact->tangent[0][k] = n[(k + 1)%3]*t[(k + 2)%3] - n[(k + 2)%3]*t[(k + 1)%3];
+	return 1;
+}
+
+void hawser_friction_clear(struct hawser_friction *solver)
+{
+	if (!solver)
+		return;
+	hawser__contact_chain_clear(solver->chain);
+	free(solver->link);
+	free(solver->first);
+	free(solver->touch);
+	free(solver->R);
+	free(solver->du);
+	free(solver->Mdu);
+	free(solver->kept);
+	free(solver->inverse);
+	free(solver);
+}
+
+static int allocate(struct hawser_friction *solver)
+{
+	size_t n = (size_t)solver->nodes, c = (size_t)solver->most;
+
+	solver->link = calloc((size_t)solver->links + 1, sizeof *solver->link);
+	solver->first = calloc(n, sizeof *solver->first);
+	solver->touch = calloc(c + 1, sizeof *solver->touch);
+	solver->R = calloc(n, sizeof *solver->R);
+	solver->du = calloc(n, sizeof *solver->du);
+	solver->Mdu = calloc(n, sizeof *solver->Mdu);
+	solver->kept = calloc(n, sizeof *solver->kept);
+	solver->inverse = calloc(n, sizeof *solver->inverse);
+	return solver->link && solver->first && solver->touch && solver->R && solver->du && solver->Mdu &&
+	       solver->kept && solver->inverse;
+}
+
+static enum hawser_status links_good(int nodes, const int (*link)[2], int links,
+                                     struct hawser_report *report)
+{
+	for (int e = 0; e < links; e++)
+		if (link[e][0] < 0 || link[e][0] >= nodes || link[e][1] < 0 || link[e][1] >= nodes ||
+		    link[e][0] == link[e][1])
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "friction",
+			                    "link %d joins node %d and node %d; links join two of the nodes 0 to "
+			                    "%d", e, link[e][0], link[e][1], nodes - 1);
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser_friction_open(struct hawser_friction **made, int nodes, const int (*link)[2],
+                                        int links, int most_contacts, struct hawser_report *report)
+{
+	struct hawser_friction *solver;
+	enum hawser_status status;
+
+	*made = NULL;
+	if (nodes < 1 || links < 0 || most_contacts < 0)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "friction",
+		                    "%d nodes, %d links, %d contacts: at least one node is needed, and no "
+		                    "number may be negative", nodes, links, most_contacts);
+	status = links_good(nodes, link, links, report);
+	if (status)
+		return status;
+	solver = calloc(1, sizeof *solver);
+	if (!solver)
+		return hawser__no_memory(report, "friction");
+	*solver = (struct hawser_friction){.nodes = nodes, .links = links, .most = most_contacts};
+	if (!allocate(solver))
+		status = hawser__no_memory(report, "friction");
+	if (!status) {
+		if (links)
+			memcpy(solver->link, link, (size_t)links*sizeof *link);
+		status = hawser__contact_chain_open(&solver->chain, nodes, link, links, report);
+		if (!status && !solver->chain)
+			status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "friction",
+			                      "contact: the links of the nodes form no chains");
+	}
+	if (status)
+		hawser_friction_clear(solver);
+	else
+		*made = solver;
+	return status;
+}
+
+static double shift(const struct hawser_contact *contact)
+{
+	int impact = contact->restitution > 0.0 && contact->before < 0.0 &&
+	             contact->before + contact->gap_rate <= 0.0;
+
+	return impact ? contact->restitution*contact->before : contact->gap_rate;
+}
+
+static void place(struct hawser_friction *solver, const struct hawser_friction_problem *problem)
+{
+	for (int n = 0; n < solver->nodes; n++)
+		solver->first[n] = -1;
+	for (int c = problem->contacts - 1; c >= 0; c--) {
+		const struct hawser_contact *contact = &problem->contact[c];
+		struct hawser__touch *touch = &solver->touch[c];
+
+		touch->node = contact->node;
+		touch->next = solver->first[contact->node];
+		solver->first[contact->node] = c;
+		touch->mu = contact->friction;
+		memcpy(touch->H, contact->normal, sizeof contact->normal);
+		memcpy(touch->H + 3, contact->tangent, sizeof contact->tangent);
+		for (int k = 0; k < 3; k++)
+			touch->offset[k] = -(touch->H[3*k]*contact->surface[0] +
+			                     touch->H[3*k + 1]*contact->surface[1] +
+			                     touch->H[3*k + 2]*contact->surface[2]);
+		touch->offset[0] += shift(contact);
+	}
+}
+
+/* Start from the replies, or where they are none, from no impulse. */
+static void begin(struct hawser_friction *solver, const struct hawser_contact_reply *reply, int warm)
+{
+	for (int c = 0; c < solver->of->contacts; c++)
+		for (int k = 0; k < 3; k++) {
+			struct hawser__touch *touch = &solver->touch[c];
+
+			touch->r[k] = warm ? reply[c].impulse[k] : 0.0;
+			touch->w[k] = warm ? reply[c].velocity[k] : 0.0;
+			if (warm && !k)
+				touch->w[k] += shift(&solver->of->contact[c]);
+		}
+}
+
+static enum hawser_status warm_finite(const struct hawser_contact_reply *reply, int contacts,
+                                      struct hawser_report *report)
+{
+	for (int c = 0; c < contacts; c++)
+		for (int k = 0; k < 3; k++)
+			if (!isfinite(reply[c].impulse[k]) || !isfinite(reply[c].velocity[k]))
+				return hawser__fail(report, HAWSER_ERR_NAN, "friction",
+				                    "contact %d: the impulse or velocity to start from is not a number "
+				                    "or infinite", c);
+	return HAWSER_OK;
+}
+
+/* Results: the law is then exact, and its round-off is in the balance. */
+static void reply_all(struct hawser_contact_reply *reply, struct hawser_friction_counts *counts,
+                      struct hawser_friction *solver)
+{
+	int *const count[] = {&counts->open, &counts->stick, &counts->slip};
+
+	for (int c = 0; c < solver->of->contacts; c++) {
+		struct hawser__touch *touch = &solver->touch[c];
+
+		hawser__touch_law(touch, 0.0, 0);
+		reply[c].state = hawser__touch_state(touch);
+		for (int k = 0; k < 3; k++) {
+			touch->r[k] -= touch->F[k];
+			reply[c].impulse[k] = touch->r[k];
+			reply[c].velocity[k] = touch->w[k];
+		}
+		reply[c].velocity[0] -= shift(&solver->of->contact[c]);
+		++*count[reply[c].state];
+		counts->power -= touch->r[1]*touch->w[1] + touch->r[2]*touch->w[2];
+	}
+}
+
+enum hawser_status hawser_friction_solve(struct hawser_friction *solver, double (*u)[3],
+                                         struct hawser_contact_reply *reply,
+                                         struct hawser_friction_counts *counts,
+                                         const struct hawser_friction_problem *problem,
+                                         const struct hawser_friction_options *given,
+                                         struct hawser_report *report)
+{
+	struct hawser_friction_options options = {0};
+	const struct hawser__friction_row *row;
+	enum hawser_status status = hawser__friction_check(solver, problem, report);
+
+	if (given)
+		options = *given;
+	hawser_friction_options_settle(&options);
+	memset(counts, 0, sizeof *counts);
+	row = hawser__friction_row(options.method, report);
+	if (!row)
+		return HAWSER_ERR_ARGUMENT;
+	if (!status && options.warm)
+		status = warm_finite(reply, problem->contacts, report);
+	if (status)
+		return status;
+	solver->of = problem;
+	place(solver, problem);
+	for (int n = 0; n < solver->nodes && !status; n++)
+		status = hawser__friction_room(solver, n, report);
+	if (status)
+		return status;
+	begin(solver, reply, options.warm);
+	status = row->solve(solver, u, counts, &options, report);
+	if (status)
+		return status;
+	reply_all(reply, counts, solver);
+	hawser__friction_verify(counts, solver, (const double (*)[3])u);
+	return status;
+}

@@ -1,0 +1,118 @@
+/* contact/friction.h - the parts of the solver of one time step with contact and friction.
+ *
+ * u    velocities, [nodes][3]; M, p: matrix and right side of the problem
+ * s    force of the obstacles on a node, M u - p
+ * H    rows n, t1, t2 of a contact; r = H s impulse, w = H (u - surface) + shift of w_N
+ * rho  scale of a contact, force over velocity
+ * z    r - rho w, which the law of the contact projects
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_CONTACT_FRICTION_H
+#define HAWSER_CONTACT_FRICTION_H
+
+#include <hawser/friction.h>
+
+/* A contact while it is solved. Matrices are row-major. */
+struct hawser__touch {
+	int node, next;      /* next: contact of the same node; -1: none */
+	unsigned fixed;      /* bit k: tangent k (1, 2) is a held direction */
+	double H[9];
+	double mu, offset[3]; /* w = H u + offset */
+	double rho;
+	double r[3], w[3];
+	double F[3];         /* residual of the law, a force */
+	double G[3];         /* the same for the step: F and what r and w lack of H s and H u + offset */
+	double Cr[9], Cu[9]; /* derivatives of F by r, and by w */
+	double CrH[9], CuH[9];
+	double dr[3], dw[3]; /* of Newton's step */
+	double kept[3];      /* r of a point to which the iteration may return */
+	double back[9], least[3]; /* of a second contact of a node: dr = least - back*du of the next */
+};
+
+struct hawser__contact_chain;
+struct hawser__net_lu;
+
+struct hawser_friction {
+	int nodes, links, most;
+	int (*link)[2];
+	struct hawser__contact_chain *chain; /* NULL: a net */
+	struct hawser__net_lu *lu;   /* NULL: chains */
+	int *first;                  /* [nodes] first contact; -1: none */
+	struct hawser__touch *touch; /* [most] */
+	double (*R)[3], (*du)[3], (*Mdu)[3]; /* [nodes] R = p - M u; at held directions p - u */
+	double (*kept)[3];           /* [nodes] u of a point to which the iteration may return */
+	double (*inverse)[9];        /* [nodes] diagonal blocks of the inverse of M */
+	const struct hawser_friction_problem *of; /* while it is solved */
+};
+
+/* friction-check.c: numbers, frames and held directions, which set touch->fixed; and then whether the
+ * contacts of a node contradict each other. */
+enum hawser_status hawser__friction_check(struct hawser_friction *solver,
+                                          const struct hawser_friction_problem *problem,
+                                          struct hawser_report *report) HAWSER_MUST_CHECK;
+enum hawser_status hawser__friction_room(const struct hawser_friction *solver, int node,
+                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* friction-law.c: F, and with `derivatives` Cr and Cu, at r and w; sigma >= 0 smooths the law. */
+void hawser__touch_law(struct hawser__touch *touch, double sigma, int derivatives);
+enum hawser_contact_state hawser__touch_state(const struct hawser__touch *touch);
+/* |r - P_K(r - rho*(w + mu |w_T| n))|, a force. */
+double hawser__touch_error(const struct hawser__touch *touch);
+
+/* friction-chain.c. *made is NULL where the links form no chains. */
+enum hawser_status hawser__contact_chain_open(struct hawser__contact_chain **made, int nodes,
+                                      const int (*link)[2] /* [links] */, int links,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser__contact_chain_clear(struct hawser__contact_chain *chain);
+/* du [nodes][3]: Newton's step, or without the law M du = R. Returns 0 if the matrix is singular, or M
+ * not positive definite. */
+int hawser__contact_chain_solve(double (*du)[3], struct hawser_friction *of, int law);
+/* of->inverse, after a solution without the law. */
+void hawser__contact_chain_inverse(struct hawser_friction *of);
+
+/* friction-corner.c: rows of [next | y] of a node with several contacts, the first of them `first`, of
+ * [S | y] and [U | y]. Returns 0 if they are singular. */
+struct hawser__rows;
+int hawser__corner(struct hawser__rows *factor, struct hawser_friction *of, int first,
+                   const struct hawser__rows *S, const struct hawser__rows *U);
+
+/* friction-state.c. R at u: */
+void hawser__friction_defect(struct hawser_friction *of, const double (*u)[3] /* [nodes][3] */);
+/* The largest entry of the blocks of nodes; the largest component of M u - p - sum of H^T r, and of the
+ * terms p and D u. */
+double hawser__friction_norm(const struct hawser_friction *of);
+double hawser__friction_balance(double *size, struct hawser_friction *of,
+                                const double (*u)[3] /* [nodes][3] */);
+/* r and w of all contacts at u and R: */
+void hawser__friction_follow(struct hawser_friction *of, const double (*u)[3] /* [nodes][3] */);
+/* F of all contacts, Cr and Cu with `derivatives`; returns the sum of F^2. */
+double hawser__friction_laws(struct hawser_friction *of, double sigma, int derivatives);
+/* G, CrH and CuH of a step from u. elsewhere: r and w are not those of u, and then become them. */
+void hawser__friction_linearise(struct hawser_friction *of, const double (*u)[3] /* [nodes][3] */,
+                                int elsewhere);
+/* dr and dw of all contacts from du, and then a part of the step: */
+void hawser__friction_steps(struct hawser_friction *of);
+void hawser__friction_move(struct hawser_friction *of, double (*u)[3] /* [nodes][3] */, double by);
+
+/* A method: u, r and w of the contacts, from r and w (warm), or from none. */
+struct hawser__friction_row {
+	struct hawser_friction_method shown;
+	enum hawser_status (*solve)(struct hawser_friction *of, double (*u)[3],
+	                            struct hawser_friction_counts *counts,
+	                            const struct hawser_friction_options *options,
+	                            struct hawser_report *report);
+};
+/* NULL, with a report, if there is no row of this name; name NULL: the first. */
+const struct hawser__friction_row *hawser__friction_row(const char *name, struct hawser_report *report);
+
+/* friction-newton.c: from r and w of the contacts (warm), or from M u = p. */
+enum hawser_status hawser__friction_newton(struct hawser_friction *of, double (*u)[3],
+                                           struct hawser_friction_counts *counts,
+                                           const struct hawser_friction_options *options,
+                                           struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* residual and balance of r and u */
+void hawser__friction_verify(struct hawser_friction_counts *counts, struct hawser_friction *of,
+                             const double (*u)[3] /* [nodes][3] */);
+
+#endif

@@ -1,0 +1,11 @@
+noinst_LTLIBRARIES += %D%/libcontact.la
+%C%_libcontact_la_SOURCES = \
+	%D%/friction.c \
+	%D%/friction.h \
+	%D%/friction-chain.c \
+	%D%/friction-check.c \
+	%D%/friction-corner.c \
+	%D%/friction-law.c \
+	%D%/friction-methods.c \
+	%D%/friction-newton.c \
+	%D%/friction-state.c
