@@ -7,6 +7,7 @@ pkginclude_HEADERS = \
 	%D%/hawser/basin.h \
 	%D%/hawser/campbell.h \
 	%D%/hawser/damped.h \
+	%D%/hawser/drag.h \
 	%D%/hawser/decay.h \
 	%D%/hawser/folds.h \
 	%D%/hawser/branches.h \
@@ -55,4 +56,6 @@ pkginclude_HEADERS = \
 	%D%/hawser/status.h \
 	%D%/hawser/study.h \
 	%D%/hawser/torus.h \
+	%D%/hawser/tow.h \
+	%D%/hawser/trajectory.h \
 	%D%/hawser/accuracy.h

@@ -22,7 +22,8 @@ command_pages = \
 	%D%/hawser-orbit.1 \
 	%D%/hawser-plan.1 \
 	%D%/hawser-rom.1 \
-	%D%/hawser-statics.1
+	%D%/hawser-statics.1 \
+	%D%/hawser-trajectory.1
 shared_text = \
 	%D%/shared/examples \
 	%D%/shared/exit \

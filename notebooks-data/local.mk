@@ -51,6 +51,10 @@ dist_scenes_DATA = \
 	%D%/scenes/d-figure-9.7.yaml \
 	%D%/scenes/d-figure-9.8.yaml \
 	%D%/scenes/d-figure-9.9.yaml \
+	%D%/scenes/d-section-5.2.2.yaml \
+	%D%/scenes/d-section-5.2.4.yaml \
+	%D%/scenes/d-section-5.2.5.yaml \
+	%D%/scenes/d-section-5.2.6.yaml \
 	%D%/scenes/deep-sag-light.yaml \
 	%D%/scenes/deep-sag.yaml \
 	%D%/scenes/guide-rope.yaml \

@@ -37,7 +37,8 @@ UPTO_BEAM = src/beam/.libs/libbeam.a $(UPTO_MODES)
 UPTO_CONTACT = src/contact/.libs/libcontact.a $(UPTO_BEAM)
 UPTO_NET = src/net/.libs/libnet.a $(UPTO_CONTACT) $(CHOLMOD_LIBS) $(SUNDIALS_LIBS)
 UPTO_ROPEWAY = src/ropeway/.libs/libropeway.a $(UPTO_NET)
-UPTO_ROM = src/rom/.libs/librom.a $(UPTO_ROPEWAY) $(JANSSON_LIBS)
+UPTO_TOW = src/tow/.libs/libtow.a $(UPTO_ROPEWAY)
+UPTO_ROM = src/rom/.libs/librom.a $(UPTO_TOW) $(JANSSON_LIBS)
 UPTO_RESPONSE = src/response/.libs/libresponse.a $(UPTO_ROM) $(SUNDIALS_LIBS) $(FFTW_LIBS) $(SLICOT_LIBS)
 UPTO_STUDY = src/study/.libs/libstudy.a $(UPTO_RESPONSE)
 
@@ -59,6 +60,8 @@ src/net/.libs/libnet.a: src/net/libnet.la
 	@:
 src/ropeway/.libs/libropeway.a: src/ropeway/libropeway.la
 	@:
+src/tow/.libs/libtow.a: src/tow/libtow.la
+	@:
 src/rom/.libs/librom.a: src/rom/librom.la
 	@:
 src/response/.libs/libresponse.a: src/response/libresponse.la
@@ -77,6 +80,7 @@ include %D%/beam.mk
 include %D%/contact.mk
 include %D%/net.mk
 include %D%/ropeway.mk
+include %D%/tow.mk
 include %D%/rom.mk
 include %D%/response.mk
 include %D%/integrate.mk

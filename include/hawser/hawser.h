@@ -28,6 +28,9 @@
 #include <hawser/line_modes.h>
 #include <hawser/ropeway_modes.h>
 #include <hawser/obstacles.h>
+#include <hawser/drag.h>
+#include <hawser/trajectory.h>
+#include <hawser/tow.h>
 #include <hawser/plugin.h>
 #include <hawser/rom.h>
 #include <hawser/line_rom.h>

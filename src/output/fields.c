@@ -31,6 +31,9 @@ static const struct {
 	[HAWSER__SECOND] = {"_s", "s"},
 	[HAWSER__BYTE] = {"_bytes", "bytes"},
 	[HAWSER__NEWTON_M] = {"_N_m", "N/m"},
+	[HAWSER__METRE_S2] = {"_m_s2", "m/s^2"},
+	[HAWSER__METRE_S3] = {"_m_s3", "m/s^3"},
+	[HAWSER__METRE_S4] = {"_m_s4", "m/s^4"},
 };
 
 const struct hawser__scale hawser__si = {

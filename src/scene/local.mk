@@ -31,5 +31,6 @@ CLEANFILES += %D%/manpage$(EXEEXT)
 	%D%/example.h \
 	%D%/manpage.c \
 	%D%/manpage_obstacles.c \
-	%D%/manpage_ropeway.c
+	%D%/manpage_ropeway.c \
+	%D%/manpage_tow.c
 %C%_manpage_LDADD = %D%/libscene.la src/core/libcore.la $(YAML_LIBS) $(UDUNITS_LIBS)

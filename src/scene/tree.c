@@ -404,7 +404,8 @@ int hawser__tree_is(const char *path, const char *kind)
 {
 	static const struct {
 		const char *text, *kind;
-	} row[] = {{"ropeway:", "ropeway"}, {"kind: ropeway", "ropeway"}, {"nodes:", "net"},
+	} row[] = {{"tow:", "tow"}, {"kind: tow", "tow"}, {"ropeway:", "ropeway"},
+	           {"kind: ropeway", "ropeway"}, {"nodes:", "net"},
 	           {"obstacles:", "obstacles"}, {"contact:", "obstacles"}, {"kind:", "net"}};
 
 	for (size_t i = 0; i < sizeof row/sizeof *row; i++)

@@ -30,8 +30,8 @@ enum hawser_status hawser__tree_open(struct hawser__tree **tree, struct hawser__
 void hawser__tree_clear(struct hawser__tree *tree);
 /* Entry of a mapping, or NULL. */
 struct hawser__tree *hawser__tree_find(const struct hawser__tree *tree, const char *name);
-/* 1 if this file is a scene of this kind, "net", "ropeway" or "obstacles", by what its lines begin
- * with. "-" and pipes, which can be read once only, are none. */
+/* 1 if this file is a scene of this kind, "net", "ropeway", "tow" or "obstacles", by what its lines
+ * begin with. "-" and pipes, which can be read once only, are none. */
 int hawser__tree_is(const char *path, const char *kind);
 
 /* --- tree_value.c: values of a tree. `what` names the value in messages. --- */

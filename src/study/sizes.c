@@ -30,6 +30,8 @@
 #include <hawser/line_rom.h>
 #include <hawser/linear.h>
 #include <hawser/obstacles.h>
+#include <hawser/drag.h>
+#include <hawser/tow.h>
 #include <hawser/locus.h>
 #include <hawser/basin.h>
 #include <hawser/lyapunov.h>
@@ -269,6 +271,13 @@ static const struct row {
 	ROW(hawser_obstacles),
 	ROW(hawser_obstacles_limit),
 	ROW(hawser_obstacles_statics),
+	ROW(hawser_drag),
+	ROW(hawser_path),
+	ROW(hawser_path_largest),
+	ROW(hawser_ring),
+	ROW(hawser_ring_drag),
+	ROW(hawser_tow),
+	ROW(hawser_waypoint),
 	ROW(hawser_orbit_cost),
 	ROW(hawser_normal_form),
 	ROW(hawser_parameter),

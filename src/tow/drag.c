@@ -1,0 +1,147 @@
+/* tow/drag.c - drag of a line and of a ring.
+ *
+ *   t      unit tangent; p normal part of the flow u, a = u.t its part along the line
+ *   P      1 - t t^T, the derivative of t by x' is P/|x'|
+ *
+ * |p| p has a continuous derivative, |p| P + p p^T/|p|, which is 0 where p is: only 0/0 has to be avoided,
+ * and |p| is not smoothed.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <string.h>
+
+#include <hawser/drag.h>
+
+#define PI 3.14159265358979323846 /* to the digits of a double */
+
+static double dot(const double *a, const double *b)
+{
+	return a[0]*b[0] + a[1]*b[1] + a[2]*b[2];
+}
+
+static void cross(double *c, const double *a, const double *b)
+{
+	c[0] = a[1]*b[2] - a[2]*b[1];
+	c[1] = a[2]*b[0] - a[0]*b[2];
+	c[2] = a[0]*b[1] - a[1]*b[0];
+}
+
+void hawser_drag_line(double f[3], double (*f_u)[3], double (*f_x)[3], const struct hawser_drag *drag,
+                      const double u[3], const double x[3])
+{
+	double length = hypot(hypot(x[0], x[1]), x[2]), t[3], p[3], a, norm;
+	double cn = drag->density*drag->radius*drag->normal;
+	double ct = drag->density*drag->radius*drag->tangential*PI;
+
+	for (int i = 0; i < 3; i++)
+		t[i] = x[i]/length;
+	a = dot(u, t);
+	for (int i = 0; i < 3; i++)
+		p[i] = u[i] - a*t[i];
+	norm = hypot(hypot(p[0], p[1]), p[2]);
+	for (int i = 0; i < 3; i++)
+		f[i] = cn*norm*p[i] + ct*fabs(a)*a*t[i];
+	for (int i = 0; i < 3; i++)
+		for (int j = 0; j < 3; j++) {
+			double P = (i == j) - t[i]*t[j], pp = norm > 0.0 ? p[i]*(p[j]/norm) : 0.0;
+
+			/* the normal part of u turns with t: dp = -(u.dt) t - a dt, and u.dt = p.dt */
+			if (f_u)
+				f_u[i][j] = cn*(norm*P + pp) + 2.0*ct*fabs(a)*t[i]*t[j];
+			if (f_x)
+				f_x[i][j] = (-cn*(norm*(t[i]*p[j] + a*P) + a*pp) +
+				             ct*fabs(a)*(2.0*t[i]*p[j] + a*P))/length;
+		}
+}
+
+/* Two unit vectors normal to a unit vector and to each other. */
+static void normals(double *e, double *g, const double *axis)
+{
+	int least = fabs(axis[0]) <= fabs(axis[1]) ? (fabs(axis[0]) <= fabs(axis[2]) ? 0 : 2)
+	                                           : (fabs(axis[1]) <= fabs(axis[2]) ? 1 : 2);
+	double from[3] = {0.0}, length;
+
+	from[least] = 1.0;
+	cross(e, axis, from);
+	length = sqrt(dot(e, e));
+	for (int i = 0; i < 3; i++)
+		e[i] /= length;
+	cross(g, axis, e);
+}
+
+/* Column j of a matrix; the j-th unit vector. */
+static void put(double (*to)[3], int j, const double *column, double weight)
+{
+	for (int i = 0; i < 3; i++)
+		to[i][j] += weight*column[i];
+}
+
+static void apply(double *y, double (*A)[3], const double *x)
+{
+	for (int i = 0; i < 3; i++)
+		y[i] = dot(A[i], x);
+}
+
+/* One segment: at r from the centre, with tangent t and this length. */
+static void segment(struct hawser_ring_drag *out, const struct hawser_ring *ring, const double *u,
+                    const double *spin, const double *r, const double *t, double length)
+{
+	double f[3], f_u[3][3], f_x[3][3], flow[3], moment[3];
+
+	cross(flow, spin, r);
+	for (int i = 0; i < 3; i++)
+		flow[i] = u[i] - flow[i];
+	hawser_drag_line(f, f_u, f_x, &ring->drag, flow, t);
+	cross(moment, r, f);
+	for (int i = 0; i < 3; i++) {
+		out->force[i] += length*f[i];
+		out->moment[i] += length*moment[i];
+	}
+	for (int j = 0; j < 3; j++) {
+		double unit[3] = {j == 0, j == 1, j == 2}, df[3], part[3], dm[3], dr[3], dt[3], du[3];
+
+		apply(df, f_u, unit);
+		cross(dm, r, df);
+		put(out->force_u, j, df, length);
+		put(out->moment_u, j, dm, length);
+		cross(du, r, unit); /* -unit x r */
+		apply(df, f_u, du);
+		cross(dm, r, df);
+		put(out->force_spin, j, df, length);
+		put(out->moment_spin, j, dm, length);
+		cross(dr, unit, r);
+		cross(dt, unit, t);
+		cross(du, dr, spin); /* -spin x dr */
+		apply(df, f_u, du);
+		apply(part, f_x, dt);
+		for (int i = 0; i < 3; i++)
+			df[i] += part[i];
+		cross(dm, r, df);
+		cross(part, dr, f);
+		for (int i = 0; i < 3; i++)
+			dm[i] += part[i];
+		put(out->force_turn, j, df, length);
+		put(out->moment_turn, j, dm, length);
+	}
+}
+
+void hawser_ring_drag(struct hawser_ring_drag *out, const struct hawser_ring *ring, const double u[3],
+                      const double axis[3], const double spin[3])
+{
+	int segments = ring->segments > 0 ? ring->segments : HAWSER_RING_SEGMENTS;
+	double e[3], g[3], length = 2.0*PI*ring->radius/segments;
+
+	memset(out, 0, sizeof *out);
+	normals(e, g, axis);
+	for (int k = 0; k < segments; k++) {
+		double angle = 2.0*PI*(k + 0.5)/segments, r[3], t[3];
+
+		for (int i = 0; i < 3; i++) {
+			r[i] = ring->radius*(e[i]*cos(angle) + g[i]*sin(angle));
+			t[i] = -e[i]*sin(angle) + g[i]*cos(angle);
+		}
+		segment(out, ring, u, spin, r, t, length);
+	}
+}

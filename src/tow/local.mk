@@ -1,0 +1,15 @@
+noinst_LTLIBRARIES += %D%/libtow.la
+# Towed bodies: the path of the towing point.
+%C%_libtow_la_SOURCES = \
+	%D%/drag.c \
+	%D%/read.c \
+	%D%/read.h \
+	%D%/read_path.c \
+	%D%/read_waypoints.c \
+	%D%/trajectory.c \
+	%D%/trajectory.h \
+	%D%/trajectory_file.c \
+	%D%/trajectory_flight.c \
+	%D%/trajectory_largest.c \
+	%D%/trajectory_pieces.c \
+	%D%/trajectory_solve.c

@@ -1,0 +1,83 @@
+/* tow/read.c - read the scene of a towed body: its sections.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "tow/read.h"
+
+#define SECTIONS "kind, tow"
+
+enum hawser_status hawser__tow_number(struct hawser__reader *reader, double *value,
+                                      const struct hawser__tree *tree, const char *section,
+                                      const char *key, const char *unit,
+                                      enum hawser__tree_range range, int required)
+{
+	const struct hawser__tree *one = hawser__tree_find(tree, key);
+	int pure = !strcmp(unit, "1");
+	char what[HAWSER__TOW_WHAT];
+
+	snprintf(what, sizeof what, "%.60s.%s", section, key);
+	if (one)
+		return hawser__tree_number(reader, value, one, what, unit, range);
+	return required ? hawser__reader_fail(reader, &tree->at, "%s is missing: give it%s%s", what,
+	                                      pure ? "" : " in ", pure ? "" : unit)
+	                : HAWSER_OK;
+}
+
+static enum hawser_status interpret(struct hawser__reader *reader, struct hawser_tow *tow,
+                                    const struct hawser__tree *root)
+{
+	const struct hawser__tree *kind = hawser__tree_find(root, "kind");
+	const struct hawser__tree *section = hawser__tree_find(root, "tow");
+	enum hawser_status status = hawser__tree_keys(reader, root, "the scene of a towed body", SECTIONS);
+
+	if (!status && kind && (!kind->text || strcmp(kind->text, "tow") != 0))
+		status = hawser__reader_fail(reader, &kind->at, "kind must be tow in a scene with the "
+		                             "section tow");
+	if (!status && !section)
+		status = hawser__reader_fail(reader, &root->at, "the section tow is missing: give, for "
+		                             "example, tow: {orbit: {radius: 100 m, speed: 20 m/s}}");
+	return status ? status : hawser__tow_path(reader, tow, section);
+}
+
+int hawser_tow_is(const char *path)
+{
+	return hawser__tree_is(path, "tow");
+}
+
+enum hawser_status hawser_tow_open(struct hawser_tow *tow, const char *path, const char *const *set,
+                                   size_t nset, struct hawser_report *report)
+{
+	static const struct hawser__tree_words said = {
+		"the scene of a towed body is a mapping with the section tow (see hawser-scene(5), TOW)",
+		"tow.orbit.radius=80 m", 'p'};
+	struct hawser__reader reader = {.report = report, .name = path};
+	struct hawser__tree *tree = NULL;
+	enum hawser_status status;
+
+	memset(tow, 0, sizeof *tow);
+	status = hawser__tree_open(&tree, &reader, path, &said, set, nset);
+	if (!status)
+		status = interpret(&reader, tow, tree);
+	if (!status && !(tow->name = strdup(path)))
+		status = hawser__no_memory(report, "scene");
+	hawser__tree_clear(tree);
+	hawser__units_clear(&reader.units);
+	if (status)
+		hawser_tow_clear(tow);
+	return status;
+}
+
+void hawser_tow_clear(struct hawser_tow *tow)
+{
+	if (!tow)
+		return;
+	free(tow->name);
+	free(tow->waypoint);
+	hawser_path_clear(&tow->path);
+	memset(tow, 0, sizeof *tow);
+}

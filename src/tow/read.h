@@ -1,0 +1,25 @@
+/* tow/read.h - reading the scene of a towed body: its parts.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_TOW_READ_H
+#define HAWSER_TOW_READ_H
+
+#include <hawser/tow.h>
+#include "scene/tree.h"
+
+enum { HAWSER__TOW_WHAT = 96 }; /* size of "tow.waypoints[999999].velocity" */
+
+/* The number section.key of the mapping; unchanged if it is not given and not required. */
+enum hawser_status hawser__tow_number(struct hawser__reader *reader, double *value,
+                                      const struct hawser__tree *tree, const char *section,
+                                      const char *key, const char *unit,
+                                      enum hawser__tree_range range, int required) HAWSER_MUST_CHECK;
+/* read_path.c: the section `tow`. */
+enum hawser_status hawser__tow_path(struct hawser__reader *reader, struct hawser_tow *tow,
+                                    const struct hawser__tree *tree) HAWSER_MUST_CHECK;
+/* read_waypoints.c: the waypoints of a scene, a list; what the section says of the ends. */
+enum hawser_status hawser__tow_waypoints(struct hawser__reader *reader, struct hawser_tow *tow,
+                                         const struct hawser__tree *list) HAWSER_MUST_CHECK;
+enum hawser_status hawser__tow_ends(struct hawser__reader *reader, struct hawser_tow *tow,
+                                    const struct hawser__tree *ends) HAWSER_MUST_CHECK;
+
+#endif

@@ -1,0 +1,192 @@
+/* tow/read_path.c - read the section `tow`: waypoints, file, speed or orbit, and what goes with each.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "tow/read.h"
+
+#define KEYS "waypoints, file, speed, orbit, minimise, ends, start, ramp, law"
+
+enum { WAYPOINTS, FILE_OF, SPEED, ORBIT, WAYS };
+static const char *const way_name[WAYS] = {"waypoints", "file", "speed", "orbit"};
+
+/* A key of the section, and the ways to give a path for which it is (bits). */
+static const struct {
+	const char *key, *of;
+	unsigned ways;
+} rule[] = {
+	{"minimise", "waypoints and files", 1u << WAYPOINTS | 1u << FILE_OF},
+	{"ends", "waypoints and files", 1u << WAYPOINTS | 1u << FILE_OF},
+	{"start", "straight flight (speed)", 1u << SPEED},
+	{"ramp", "straight flight (speed) and orbits", 1u << SPEED | 1u << ORBIT},
+	{"law", "straight flight (speed) and orbits", 1u << SPEED | 1u << ORBIT},
+};
+
+/* The one way in which the path is given. */
+static enum hawser_status choose(struct hawser__reader *reader, int *way,
+                                 const struct hawser__tree *tree)
+{
+	enum hawser_status status = hawser__tree_keys(reader, tree, "tow", KEYS);
+	int found = -1;
+
+	for (int k = 0; k < WAYS && !status; k++) {
+		const struct hawser__tree *one = hawser__tree_find(tree, way_name[k]);
+
+		if (one && found >= 0)
+			status = hawser__reader_fail(reader, &one->at, "tow has %s and %s: give one of "
+			                             "waypoints, file, speed and orbit", way_name[found],
+			                             way_name[k]);
+		if (one)
+			found = k;
+	}
+	if (!status && found < 0)
+		status = hawser__reader_fail(reader, &tree->at, "tow has no path: give waypoints, file, "
+		                             "speed or orbit, for example orbit: {radius: 100 m, "
+		                             "speed: 20 m/s}");
+	for (size_t k = 0; k < sizeof rule/sizeof *rule && !status; k++) {
+		const struct hawser__tree *one = hawser__tree_find(tree, rule[k].key);
+
+		if (one && !(rule[k].ways & 1u << found))
+			status = hawser__reader_fail(reader, &one->at, "tow.%s is of %s, and the path is given "
+			                             "by %s: remove one of them", rule[k].key, rule[k].of,
+			                             way_name[found]);
+	}
+	*way = found;
+	return status;
+}
+
+static enum hawser_status ramp_of(struct hawser__reader *reader, double *time,
+                                  enum hawser_path_ramp *ramp, const struct hawser__tree *tree)
+{
+	static const char *const words[] = {"smooth", "erf"};
+	const struct hawser__tree *law = hawser__tree_find(tree, "law");
+	int index = 0;
+	enum hawser_status status = hawser__tow_number(reader, time, tree, "tow", "ramp", "s",
+	                                               HAWSER__TREE_NOT_NEGATIVE, 0);
+
+	if (!status && law)
+		status = hawser__tree_word(reader, &index, law, "tow.law", words, 2);
+	if (!status && law && *time == 0.0)
+		status = hawser__reader_fail(reader, &law->at, "tow.law is how the speed grows in a ramp: "
+		                             "give tow.ramp, the time in which it does, such as ramp: 32 s");
+	*ramp = (enum hawser_path_ramp)index;
+	return status;
+}
+
+/* A speed along x, or a velocity. */
+static enum hawser_status straight(struct hawser__reader *reader, struct hawser_tow *tow,
+                                   const struct hawser__tree *tree)
+{
+	const struct hawser__tree *speed = hawser__tree_find(tree, "speed");
+	const struct hawser__tree *from = hawser__tree_find(tree, "start");
+	double velocity[3] = {0.0}, start[3] = {0.0}, time = 0.0;
+	enum hawser_path_ramp ramp;
+	enum hawser_status status = ramp_of(reader, &time, &ramp, tree);
+
+	if (!status && speed->kind == HAWSER__SEQUENCE)
+		status = hawser__tree_vector(reader, velocity, 3, speed, "tow.speed", "m/s");
+	else if (!status)
+		status = hawser__tree_number(reader, velocity, speed, "tow.speed", "m/s", HAWSER__TREE_ANY);
+	if (!status && from)
+		status = hawser__tree_vector(reader, start, 3, from, "tow.start", "m");
+	return status ? status : hawser_path_straight(&tow->path, start, velocity, time, ramp,
+	                                                    reader->report);
+}
+
+static enum hawser_status orbit(struct hawser__reader *reader, struct hawser_tow *tow,
+                                const struct hawser__tree *tree)
+{
+	const struct hawser__tree *section = hawser__tree_find(tree, "orbit"), *middle;
+	double radius = 0.0, speed = 0.0, centre[3] = {0.0}, time = 0.0;
+	enum hawser_path_ramp ramp;
+	enum hawser_status status = ramp_of(reader, &time, &ramp, tree);
+
+	if (!status)
+		status = hawser__tree_keys(reader, section, "tow.orbit", "radius, speed, centre");
+	if (!status)
+		status = hawser__tow_number(reader, &radius, section, "tow.orbit", "radius", "m",
+		                            HAWSER__TREE_POSITIVE, 1);
+	if (!status)
+		status = hawser__tow_number(reader, &speed, section, "tow.orbit", "speed", "m/s",
+		                            HAWSER__TREE_ANY, 1);
+	middle = hawser__tree_find(section, "centre");
+	if (!status && middle)
+		status = hawser__tree_vector(reader, centre, 3, middle, "tow.orbit.centre", "m");
+	return status ? status : hawser_path_orbit(&tow->path, centre, radius, speed, time, ramp,
+	                                                 reader->report);
+}
+
+/* The places of waypoints, for what the path says of one of them. */
+static const struct hawser__place *place_of(const struct hawser__tree *tree, int index)
+{
+	const struct hawser__tree *list = hawser__tree_find(tree, "waypoints");
+	const struct hawser__tree *one = list ? list->child : NULL;
+
+	for (; one && index > 0; index--)
+		one = one->next;
+	return one && index == 0 ? &one->at : list ? &list->at : &tree->at;
+}
+
+static enum hawser_status through(struct hawser__reader *reader, struct hawser_tow *tow,
+                                  const struct hawser__tree *tree)
+{
+	const char *words[4];
+	const struct hawser__tree *minimise = hawser__tree_find(tree, "minimise");
+	const struct hawser__tree *ends = hawser__tree_find(tree, "ends");
+	struct hawser_report report = {.iteration = -1};
+	int index = 0;
+	enum hawser_status status = HAWSER_OK;
+
+	for (int k = 0; k < 4; k++)
+		words[k] = hawser_minimise_name((enum hawser_minimise)k);
+	if (minimise)
+		status = hawser__tree_word(reader, &index, minimise, "tow.minimise", words, 4);
+	if (!status && ends)
+		status = hawser__tow_ends(reader, tow, ends);
+	if (status)
+		return status;
+	status = hawser_path_waypoints(&tow->path, tow->waypoint, tow->waypoints,
+	                                     (enum hawser_minimise)index, &report);
+	if (status == HAWSER_ERR_ARGUMENT || status == HAWSER_ERR_CONVERGENCE) {
+		(void)hawser__reader_fail(reader, place_of(tree, report.iteration), "tow: %s", report.message);
+		return status == HAWSER_ERR_ARGUMENT ? HAWSER_ERR_SCENE : status;
+	}
+	if (status)
+		*reader->report = report;
+	return status;
+}
+
+/* The path of tow.file, which a relative name finds beside the scene. */
+static enum hawser_status file(struct hawser__reader *reader, struct hawser_tow *tow,
+                               const struct hawser__tree *tree)
+{
+	const struct hawser__tree *one = hawser__tree_find(tree, "file");
+	const char *text, *slash = one->at.set ? NULL : strrchr(reader->name, '/');
+	char path[4096]; /* the longest path that Linux opens */
+	enum hawser_status status = hawser__tree_text(reader, &text, one, "tow.file");
+
+	if (status)
+		return status;
+	snprintf(path, sizeof path, "%.*s%s", slash && *text != '/' ? (int)(slash + 1 - reader->name) : 0,
+	         reader->name, text);
+	return hawser_path_read(&tow->waypoint, &tow->waypoints, path, reader->report);
+}
+
+enum hawser_status hawser__tow_path(struct hawser__reader *reader, struct hawser_tow *tow,
+                                    const struct hawser__tree *tree)
+{
+	int way = 0;
+	enum hawser_status status = choose(reader, &way, tree);
+
+	if (status)
+		return status;
+	if (way == SPEED || way == ORBIT)
+		return way == SPEED ? straight(reader, tow, tree) : orbit(reader, tow, tree);
+	status = way == WAYPOINTS
+	         ? hawser__tow_waypoints(reader, tow, hawser__tree_find(tree, "waypoints"))
+	         : file(reader, tow, tree);
+	return status ? status : through(reader, tow, tree);
+}

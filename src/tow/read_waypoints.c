@@ -1,0 +1,191 @@
+/* tow/read_waypoints.c - read waypoints, and derivatives that are given at them and at the ends.
+ *
+ * A waypoint is [t, x, y, z], or a mapping with t, at and derivatives. `ends` is a list of
+ * derivatives that are 0 at both ends, or a mapping with start and end, each such a list or a mapping
+ * of vectors.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "tow/read.h"
+
+enum { MOST = 100000, /* waypoints of a scene: more belong into a file */
+       NAMED = 4      /* velocity to snap; flat reaches higher */ };
+#define ORDERS "velocity, acceleration, jerk, snap"
+
+/* A derivative that has a name in scenes; [0] is the position. */
+static const struct {
+	const char *name, *unit;
+} order[NAMED + 1] = {
+	{"at", "m"}, {"velocity", "m/s"}, {"acceleration", "m/s^2"}, {"jerk", "m/s^3"}, {"snap", "m/s^4"}};
+
+/* The vectors of a mapping that have the name of a derivative. */
+static enum hawser_status vectors(struct hawser__reader *reader, struct hawser_waypoint *point,
+                                  const struct hawser__tree *tree, const char *section)
+{
+	enum hawser_status status = HAWSER_OK;
+
+	for (int k = 1; k <= NAMED && !status; k++) {
+		const struct hawser__tree *one = hawser__tree_find(tree, order[k].name);
+		char what[HAWSER__TOW_WHAT];
+
+		snprintf(what, sizeof what, "%.60s.%s", section, order[k].name);
+		if (!one)
+			continue;
+		status = hawser__tree_vector(reader, point->at[k], 3, one, what, order[k].unit);
+		point->given[k] = 1;
+	}
+	return status;
+}
+
+/* All derivatives up to this order that are not given are 0. */
+static enum hawser_status flat(struct hawser__reader *reader, struct hawser_waypoint *point,
+                               const struct hawser__tree *tree, const char *section)
+{
+	const struct hawser__tree *one = hawser__tree_find(tree, "flat");
+	double number = 0.0;
+	enum hawser_status status = hawser__tow_number(reader, &number, tree, section, "flat", "1",
+	                                               HAWSER__TREE_NOT_NEGATIVE, 0);
+
+	if (status)
+		return status;
+	if (number > HAWSER_PATH_GIVEN - 1 || number != (int)number)
+		return hawser__reader_fail(reader, &one->at, "%s.flat must be a whole number from 0 to %d: "
+		                           "the order up to which derivatives that are not given are 0",
+		                           section,		                           HAWSER_PATH_GIVEN - 1);
+	for (int k = 1; k <= (int)number; k++)
+		point->given[k] = 1;
+	return HAWSER_OK;
+}
+
+static enum hawser_status mapping(struct hawser__reader *reader, struct hawser_waypoint *point,
+                                  const struct hawser__tree *tree, const char *section)
+{
+	const struct hawser__tree *at = hawser__tree_find(tree, "at");
+	char what[HAWSER__TOW_WHAT];
+	enum hawser_status status = hawser__tree_keys(reader, tree, section, "t, at, " ORDERS ", flat");
+
+	if (!status)
+		status = hawser__tow_number(reader, &point->t, tree, section, "t", "s", HAWSER__TREE_ANY, 1);
+	if (!status && !at)
+		status = hawser__reader_fail(reader, &tree->at, "%s.at is missing: give [x, y, z] in m",
+		                             section);
+	snprintf(what, sizeof what, "%.60s.at", section);
+	if (!status)
+		status = hawser__tree_vector(reader, point->at[0], 3, at, what, "m");
+	if (!status)
+		status = vectors(reader, point, tree, section);
+	return status ? status : flat(reader, point, tree, section);
+}
+
+static enum hawser_status waypoint(struct hawser__reader *reader, struct hawser_waypoint *point,
+                                   const struct hawser__tree *tree, int index)
+{
+	char what[HAWSER__TOW_WHAT];
+	const struct hawser__tree *child = tree->child;
+	enum hawser_status status = HAWSER_OK;
+
+	snprintf(what, sizeof what, "tow.waypoints[%d]", index);
+	if (tree->kind == HAWSER__MAPPING)
+		return mapping(reader, point, tree, what);
+	if (tree->kind != HAWSER__SEQUENCE || tree->children != 4)
+		return hawser__reader_fail(reader, &tree->at, "%s must be [t, x, y, z] in s and m, or a "
+		                           "mapping with t, at and derivatives, such as {t: 30 s, at: [100 "
+		                           "m, 0, 0], velocity: [6 m/s, 0, 0]}", what);
+	status = hawser__tree_number(reader, &point->t, child, what, "s", HAWSER__TREE_ANY);
+	for (int axis = 0; axis < 3 && !status; axis++) {
+		child = child->next;
+		status = hawser__tree_number(reader, &point->at[0][axis], child, what, "m", HAWSER__TREE_ANY);
+	}
+	return status;
+}
+
+enum hawser_status hawser__tow_waypoints(struct hawser__reader *reader, struct hawser_tow *tow,
+                                         const struct hawser__tree *list)
+{
+	enum hawser_status status = HAWSER_OK;
+
+	if (list->kind != HAWSER__SEQUENCE || list->children < 2)
+		return hawser__reader_fail(reader, &list->at, "tow.waypoints must be a list of at least "
+		                           "two waypoints [t, x, y, z], such as [[0 s, 0, 0, 0], [30 s, "
+		                           "100 m, 0, 0]]");
+	if (list->children > MOST)
+		return hawser__reader_fail(reader, &list->at, "%d waypoints are more than %d: put them "
+		                           "into a file of lines t x y z, and give tow.file", list->children,
+		                           MOST);
+	tow->waypoint = calloc((size_t)list->children, sizeof *tow->waypoint);
+	if (!tow->waypoint)
+		return hawser__no_memory(reader->report, "scene");
+	for (const struct hawser__tree *one = list->child; one && !status; one = one->next) {
+		status = waypoint(reader, &tow->waypoint[tow->waypoints], one, tow->waypoints);
+		tow->waypoints++;
+	}
+	return status;
+}
+
+/* A list of derivatives that are 0. */
+static enum hawser_status zeros(struct hawser__reader *reader, struct hawser_waypoint *point,
+                                const struct hawser__tree *list, const char *what)
+{
+	const char *words[NAMED];
+	enum hawser_status status = HAWSER_OK;
+
+	for (int k = 0; k < NAMED; k++)
+		words[k] = order[k + 1].name;
+	for (const struct hawser__tree *one = list->child; one && !status; one = one->next) {
+		int index = 0;
+
+		status = hawser__tree_word(reader, &index, one, what, words, NAMED);
+		if (!status && point->given[index + 1])
+			status = hawser__reader_fail(reader, &one->at, "%s: the %s of this waypoint is already "
+			                             "given: remove one of them", what, words[index]);
+		if (!status)
+			point->given[index + 1] = 1;
+	}
+	return status;
+}
+
+static enum hawser_status one_end(struct hawser__reader *reader, struct hawser_waypoint *point,
+                                  const struct hawser__tree *tree, const char *what)
+{
+	enum hawser_status status;
+
+	if (!tree)
+		return HAWSER_OK;
+	if (tree->kind == HAWSER__SEQUENCE)
+		return zeros(reader, point, tree, what);
+	status = hawser__tree_keys(reader, tree, what, ORDERS);
+	for (int k = 1; k <= NAMED && !status; k++) {
+		const struct hawser__tree *one = hawser__tree_find(tree, order[k].name);
+
+		if (one && point->given[k])
+			status = hawser__reader_fail(reader, &one->at, "%s: the %s of this waypoint is already "
+			                             "given: remove one of them", what, order[k].name);
+	}
+	return status ? status : vectors(reader, point, tree, what);
+}
+
+enum hawser_status hawser__tow_ends(struct hawser__reader *reader, struct hawser_tow *tow,
+                                    const struct hawser__tree *ends)
+{
+	struct hawser_waypoint *first = &tow->waypoint[0], *last = &tow->waypoint[tow->waypoints - 1];
+	enum hawser_status status;
+
+	if (ends->kind == HAWSER__SEQUENCE) {
+		status = zeros(reader, first, ends, "tow.ends");
+		return status ? status : zeros(reader, last, ends, "tow.ends");
+	}
+	if (ends->kind == HAWSER__SCALAR)
+		return hawser__reader_fail(reader, &ends->at, "tow.ends must be a list of derivatives that "
+		                           "are 0 at both ends, such as [velocity, acceleration], or a "
+		                           "mapping with start and end");
+	status = hawser__tree_keys(reader, ends, "tow.ends", "start, end");
+	if (!status)
+		status = one_end(reader, first, hawser__tree_find(ends, "start"), "tow.ends.start");
+	return status ? status : one_end(reader, last, hawser__tree_find(ends, "end"), "tow.ends.end");
+}

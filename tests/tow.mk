@@ -1,0 +1,10 @@
+# tests of towed bodies
+TOW_TESTS = tests/reference/test-trajectory tests/unit/test-drag
+check_PROGRAMS += $(TOW_TESTS)
+TESTS += $(TOW_TESTS)
+tests_reference_test_trajectory_SOURCES = tests/reference/test-trajectory.c
+tests_reference_test_trajectory_LDADD = $(UPTO_TOW)
+tests_unit_test_drag_SOURCES = tests/unit/test-drag.c
+tests_unit_test_drag_LDADD = $(UPTO_TOW)
+TESTS += tests/cli/trajectory.sh
+EXTRA_DIST += tests/cli/trajectory.sh
