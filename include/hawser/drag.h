@@ -42,8 +42,8 @@ struct hawser_ring_drag {
 	double force_spin[3][3], moment_spin[3][3];   /* by the angular velocity */
 	double force_turn[3][3], moment_turn[3][3];   /* by a small rotation of the ring, spatial axes */
 };
-/* In air that moves at u[3] (m/s) relative to the centre, for a ring with this unit vector along its axis
- * and this angular velocity spin[3] (rad/s). */
+/* In air that moves at u[3] (m/s) relative to the centre, for a ring with this unit vector along its
+ * axis and this angular velocity spin[3] (rad/s). */
 void hawser_ring_drag(struct hawser_ring_drag *out, const struct hawser_ring *ring, const double u[3],
                       const double axis[3], const double spin[3]);
 

@@ -1,4 +1,5 @@
-/* hawser/trajectory.h - the path of a towing point in time: position and its derivatives up to snap.
+/* hawser/trajectory.h - the path of a towing point in time: position and its derivatives up to
+ * snap.
  *
  * A path through waypoints is made of polynomials in time, one between two waypoints: those with
  * the least integral of the squared snap (or jerk, or acceleration), or those of least degree with
@@ -18,8 +19,9 @@ extern "C" {
 /* Orders of derivative: 0 position (m), 1 velocity (m/s), 2 acceleration, 3 jerk, 4 snap (m/s^4). */
 enum { HAWSER_PATH_ORDERS = 5, HAWSER_PATH_GIVEN = 7 };
 
-/* What a path through waypoints minimises: the integral of |u''''|^2, |u'''|^2 or |u''|^2 by time; or
- * nothing, and each piece is the polynomial of least degree with the derivatives given at its ends. */
+/* What a path through waypoints minimises: the integral of |u''''|^2, |u'''|^2 or |u''|^2 by time;
+ * or nothing, and each piece is the polynomial of least degree with the derivatives given at its
+ * ends. */
 enum hawser_minimise {
 	HAWSER_MINIMISE_SNAP = 0, HAWSER_MINIMISE_JERK, HAWSER_MINIMISE_ACCELERATION,
 	HAWSER_MINIMISE_NOTHING
@@ -33,8 +35,8 @@ struct hawser_waypoint {
 	int given[HAWSER_PATH_GIVEN];        /* 1: at[order] is prescribed; [0] always is */
 };
 
-/* How the speed grows from 0 in a ramp. SMOOTH: a polynomial of degree 7, with acceleration, jerk and
- * snap continuous at both ends. ERF: (1 - erf(6 - 12 (t/T)^0.6))/2, D 5.2.2 with T = 32 s. */
+/* How the speed grows from 0 in a ramp. SMOOTH: a polynomial of degree 7, with acceleration, jerk
+ * and snap continuous at both ends. ERF: (1 - erf(6 - 12 (t/T)^0.6))/2, D 5.2.2 with T = 32 s. */
 enum hawser_path_ramp { HAWSER_PATH_RAMP_SMOOTH = 0, HAWSER_PATH_RAMP_ERF };
 
 enum hawser_path_kind {
@@ -63,16 +65,16 @@ struct hawser_path {
 	enum hawser_path_ramp ramp;
 };
 
-/* A path through waypoints in the order of time. Where a derivative is not given, it is free: at an
- * end the natural condition holds, between them the derivative is continuous, and so are all others
- * up to twice the order of what is minimised, less 2. *trajectory is overwritten; release it with
- * hawser_path_clear. On failure it is all zero. HAWSER_ERR_ARGUMENT: times that do not increase
- * or are too close for their digits, less conditions than needed, derivatives that cannot be given,
- * a number that is not finite; HAWSER_ERR_CONVERGENCE: times so uneven that round-off spoils the
- * result; HAWSER_ERR_MEMORY. report->iteration is the index of the waypoint that an argument is
- * about, or -1. */
+/* A path through `count` waypoints point[count] in the order of time. Where a derivative is not
+ * given, it is free: at an end the natural condition holds, between them the derivative is
+ * continuous, and so are all others up to twice the order of what is minimised, less 2. *trajectory
+ * is overwritten; release it with hawser_path_clear. On failure it is all zero.
+ * HAWSER_ERR_ARGUMENT: times that do not increase or are too close for their digits, less
+ * conditions than needed, derivatives that cannot be given, a number that is not finite;
+ * HAWSER_ERR_CONVERGENCE: times so uneven that round-off spoils the result; HAWSER_ERR_MEMORY.
+ * report->iteration is the index of the waypoint that an argument is about, or -1. */
 enum hawser_status hawser_path_waypoints(struct hawser_path *trajectory,
-                                               const struct hawser_waypoint *point, /* [count] */
+                                               const struct hawser_waypoint *point,
                                                int count, enum hawser_minimise minimise,
                                                struct hawser_report *report) HAWSER_MUST_CHECK;
 
@@ -91,8 +93,9 @@ enum hawser_status hawser_path_orbit(struct hawser_path *trajectory,
 
 /* Read the waypoints t x y z (s, m) of a text file: a line each, separated by blanks or tabs; "#"
  * begins a comment. A first line of names (t_s x_m y_m z_m, and more columns, which are not read)
- * is that of hawser trajectory. *point is owned by the caller, who frees it. Failures name the
- * line: HAWSER_ERR_SCENE, HAWSER_ERR_ARGUMENT (no such file), HAWSER_ERR_IO, HAWSER_ERR_MEMORY. */
+ * is that of hawser trajectory. *point [*count] is owned by the caller, who frees it; *count their
+ * number. Failures name the line: HAWSER_ERR_SCENE, HAWSER_ERR_ARGUMENT (no such file),
+ * HAWSER_ERR_IO, HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_path_read(struct hawser_waypoint **point, int *count,
                                           const char *path, struct hawser_report *report)
 	HAWSER_MUST_CHECK;

@@ -3,8 +3,8 @@
  *   t      unit tangent; p normal part of the flow u, a = u.t its part along the line
  *   P      1 - t t^T, the derivative of t by x' is P/|x'|
  *
- * |p| p has a continuous derivative, |p| P + p p^T/|p|, which is 0 where p is: only 0/0 has to be avoided,
- * and |p| is not smoothed.
+ * |p| p has a continuous derivative, |p| P + p p^T/|p|, which is 0 where p is: only 0/0 has to be
+ * avoided, and |p| is not smoothed.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

@@ -1,5 +1,5 @@
-/* Paths of a towing point: the numbers of D 5.2 as corrected, least integral by perturbation, smoothness,
- * what may be given, and what is refused.
+/* Paths of a towing point: the numbers of D 5.2 as corrected, least integral by perturbation,
+ * smoothness, what may be given, and what is refused.
  *
  * D: Dehadrai, 2018; its e1 (down), e2, e3 are -y, x, z here.
  *
@@ -38,6 +38,18 @@ static double value(const struct hawser_path *path, double t, int order, int axi
 	return state[order][axis];
 }
 
+/* By the midpoint rule. */
+static double squared_snap(const struct hawser_path *path)
+{
+	enum { STEPS = 2000 };
+	double h = (path->to - path->from)/STEPS, sum = 0.0;
+
+	for (int i = 0; i < STEPS; i++)
+		for (int axis = 0; axis < 3; axis++)
+			sum += h*pow(value(path, path->from + (i + 0.5)*h, 4, axis), 2.0);
+	return sum;
+}
+
 /* --- D 5.2 --- */
 
 static void published(void)
@@ -63,19 +75,21 @@ static void published(void)
 				at(70.0, 100.0, 100.0), given(at(100.0, 0.0, round ? 0.0 : 100.0), 2 + jerk)};
 			double want = jerk ? 7.4162 : 6.3538;
 
-			if (!ok(!hawser_path_waypoints(&path, u, 4, HAWSER_MINIMISE_SNAP, &report), "D 5.2.%d%s: %s",
-			        5 + round, jerk ? " with the jerk" : "", report.message))
+			if (!ok(!hawser_path_waypoints(&path, u, 4, HAWSER_MINIMISE_SNAP, &report),
+			        "D 5.2.%d%s: %s", 5 + round, jerk ? " with the jerk" : "", report.message))
 				continue;
 			ok(fabs(value(&path, 30.0, 1, 0) - want) < 5e-5, "velocity at 30 s %.4f: %.6f", want,
 			   value(&path, 30.0, 1, 0));
 			ok(!round || jerk || fabs(value(&path, 30.0, 1, 2) + 1.8876) < 5e-5,
 			   "across %.6f", value(&path, 30.0, 1, 2));
 			ok(path.smooth == 6 && path.error < 1e-12, "error %.1e", path.error);
+			close_to(path.cost, squared_snap(&path), 1e-5, "integral of the squared snap");
 			hawser_path_clear(&path);
 		}
 }
 
-/* D 5.2.4: seven conditions at 30 s and at 70 s. Its first piece has five, its coefficients as printed. */
+/* D 5.2.4: seven conditions at 30 s and at 70 s. Its first piece has five, its coefficients as
+ * printed. */
 static void repaired(void)
 {
 	struct hawser_report report = {0};
@@ -130,8 +144,9 @@ static double derivative(const double *c, int degree, int order, double t)
 	return sum;
 }
 
-/* The integral of u^(m) times the m-th derivative of a function that vanishes at all waypoints, and with
- * its derivatives where those are given, over the root of the product of their squares: 0 if u is optimal. */
+/* The integral of u^(m) times the m-th derivative of a function that vanishes at all waypoints, and
+ * with its derivatives where those are given, over the root of the product of their squares: 0 if u
+ * is optimal. */
 static double defect(const struct hawser_path *path, const struct hawser_waypoint *u, int m, int power)
 {
 	static const double node[] = {-0.9324695142031521, -0.6612093864662645, -0.2386191860831969,
@@ -183,7 +198,8 @@ static void optimal(void)
 			if (m > 2)
 				u[NODES - 1].given[2] = 1;
 			if (!ok(!hawser_path_waypoints(&path, u, NODES, (enum hawser_minimise)minimise, &report),
-			        "least %s: %s", hawser_minimise_name((enum hawser_minimise)minimise), report.message))
+			        "least %s: %s", hawser_minimise_name((enum hawser_minimise)minimise),
+			        report.message))
 				continue;
 			for (int power = 0; power < 5; power++)
 				largest = fmax(largest, defect(&path, u, m, power));
@@ -203,8 +219,8 @@ static void optimal(void)
 		}
 }
 
-/* A path is a linear function of its waypoints, and does not depend on the origins of time and place;
- * a motion that has no snap is kept as it is. */
+/* A path is a linear function of its waypoints, and does not depend on the origins of time and
+ * place; a motion that has no snap is kept as it is. */
 static void invariant(void)
 {
 	struct hawser_report report = {0};
@@ -251,8 +267,8 @@ static void uneven(void)
 		for (int i = 1; i < NODES - 1; i++)
 			worst = fmax(worst, fabs(value(&path, nextafter(u[i].t, 0.0), 4, 0) -
 			                         value(&path, u[i].t, 4, 0)));
-		ok(path.error < 1e-15 && worst < 1e-12*sqrt(path.cost), "stated error %.1e, jump of the snap "
-		   "%.1e of %.1e", path.error, worst, sqrt(path.cost));
+		ok(path.error < 1e-15 && worst < 1e-12*sqrt(path.cost), "stated error %.1e, jump of the "
+		   "snap %.1e of %.1e", path.error, worst, sqrt(path.cost));
 		hawser_path_clear(&path);
 	}
 }
@@ -267,7 +283,8 @@ static void flights(void)
 
 	if (!ok(!hawser_path_straight(&path[0], origin, velocity, 7.3, HAWSER_PATH_RAMP_SMOOTH, &report) &&
 	        !hawser_path_straight(&path[1], origin, velocity, 7.3, HAWSER_PATH_RAMP_ERF, &report) &&
-	        !hawser_path_orbit(&path[2], origin, 40.0, -20.0, 7.3, HAWSER_PATH_RAMP_SMOOTH, &report), "%s",
+	        !hawser_path_orbit(&path[2], origin, 40.0, -20.0, 7.3, HAWSER_PATH_RAMP_SMOOTH, &report),
+	        "%s",
 	        report.message))
 		return;
 	for (int k = 0; k < 3; k++)
@@ -277,7 +294,8 @@ static void flights(void)
 					double slope = (value(&path[k], t + h, order - 1, axis) -
 					                value(&path[k], t - h, order - 1, axis))/(2.0*h);
 
-					worst = fmax(worst, fabs(slope - value(&path[k], t, order, axis))/(1.0 + fabs(slope)));
+					worst = fmax(worst, fabs(slope - value(&path[k], t, order, axis))/
+					                    (1.0 + fabs(slope)));
 				}
 	ok(worst < 1e-6, "derivatives agree with differences: %.1e", worst);
 	close_to(hypot(value(&path[2], 20.0, 0, 0) - 3.0, value(&path[2], 20.0, 0, 2) - 1.0), 40.0, 1e-13,

@@ -112,7 +112,8 @@ static void ring_derivatives(void)
 	ok(distance(at.force_spin, diff[1]) < 1e-7 && distance(at.moment_spin, diff[4]) < 1e-7,
 	   "by the angular velocity");
 	ok(distance(at.force_turn, diff[2]) < 1e-5 && distance(at.moment_turn, diff[5]) < 1e-5,
-	   "by a rotation: %.1e, %.1e", distance(at.force_turn, diff[2]), distance(at.moment_turn, diff[5]));
+	   "by a rotation: %.1e, %.1e", distance(at.force_turn, diff[2]),
+	   distance(at.moment_turn, diff[5]));
 }
 
 static void ring_closed_forms(void)
