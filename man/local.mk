@@ -46,8 +46,10 @@ shared_text = \
 man_MANS += $(command_pages) %D%/hawser-scene.5
 EXTRA_DIST += %D%/page.awk $(command_pages:=.in) $(shared_text)
 MOSTLYCLEANFILES += $(command_pages) %D%/hawser-scene.5
+# In the build folder hawser is a script of libtool's, which starts a dozen processes before the program.
+program = $$(test -x .libs/hawser && echo LD_LIBRARY_PATH=.libs .libs/hawser || echo ./hawser$(EXEEXT))
 $(command_pages): %D%/%.1: $(srcdir)/%D%/%.1.in hawser$(EXEEXT) %D%/page.awk $(shared_text)
-	$(AM_V_GEN)$(MKDIR_P) %D% && LC_ALL=C $(AWK) -v hawser=./hawser$(EXEEXT) -v shared=$(srcdir)/%D%/shared \
+	$(AM_V_GEN)$(MKDIR_P) %D% && LC_ALL=C $(AWK) -v hawser="$(program)" -v shared=$(srcdir)/%D%/shared \
 		-f $(srcdir)/%D%/page.awk $< >$@.tmp && mv -f $@.tmp $@
 %D%/hawser-scene.5: src/scene/manpage$(EXEEXT)
 	$(AM_V_GEN)$(MKDIR_P) %D% && src/scene/manpage$(EXEEXT) >$@.tmp && mv -f $@.tmp $@
