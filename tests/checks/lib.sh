@@ -7,10 +7,12 @@ LC_ALL=C
 export LC_ALL
 scratch=$(mktemp -d "${TMPDIR:-/tmp}/hawser-check.XXXXXX") || exit 1
 trap 'rm -rf "$scratch"' EXIT
-# The number of checks so far, in a file because the end of a pipe runs in a shell of its own.
+# The number of checks so far, in a file because the end of a pipe runs in a shell of its own. There are thousands of
+# checks: what is done at each one is done by the shell itself, since starting a program takes some milliseconds.
 echo 0 >"$scratch/count"
 next() {
-	count=$(($(cat "$scratch/count") + 1))
+	read -r count <"$scratch/count"
+	count=$((count + 1))
 	echo $count >"$scratch/count"
 }
 
@@ -47,7 +49,8 @@ skip() {
 }
 
 done_testing() {
-	echo "1..$(cat "$scratch/count")"
+	read -r count <"$scratch/count"
+	echo "1..$count"
 }
 
 # Paths in findings are relative to the source tree.

@@ -42,8 +42,27 @@ exactly() {
 like() {
 	said "$1" || return 1
 	grep -qE -- "$2" "$scratch/err" || { echo "no /$2/ in:"; cat "$scratch/err"; return 1; }
-	[ "$(grep -c '' "$scratch/err")" -le 2 ] || { echo "more than two lines"; return 1; }
-	head -n 1 "$scratch/err" | grep -q '^hawser: ' || { echo "no hawser: in front"; return 1; }
+	{
+		IFS= read -r first
+		IFS= read -r second
+		! IFS= read -r third || { echo "more than two lines"; return 1; }
+	} <"$scratch/err"
+	case $first in 'hawser: '*) ;; *) echo "no hawser: in front"; return 1 ;; esac
+}
+
+# called STATUS ARGUMENTS: leaves in $words the name of a check, without the folder of the sources.
+called() {
+	words="status $1: hawser"
+	shift
+	for word; do
+		while :; do
+			case $word in
+				*"$top/"*) word=${word%%"$top/"*}${word#*"$top/"} ;;
+				*) break ;;
+			esac
+		done
+		words="$words $word"
+	done
 }
 
 # refuses STATUS MESSAGE ARGUMENTS: exact standard error (without "hawser: "), empty standard output.
@@ -52,7 +71,8 @@ refuses() {
 	message=$2
 	shift 2
 	run "$@"
-	try "status $want: hawser $(echo "$*" | sed "s|$top/||g")" exactly "$want" "hawser: $message"
+	called "$want" "$@"
+	try "$words" exactly "$want" "hawser: $message"
 }
 
 # refuses_like STATUS PATTERN ARGUMENTS: the same with an extended regular expression.
@@ -61,15 +81,16 @@ refuses_like() {
 	message=$2
 	shift 2
 	run "$@"
-	try "status $want: hawser $(echo "$*" | sed "s|$top/||g")" like "$want" "$message"
+	called "$want" "$@"
+	try "$words" like "$want" "$message"
 }
 
 # denies TEXT STATUS PATTERN ARGUMENTS: ends with that status, and standard error has the basic regular expression.
 denies() {
-	called=$1 code=$2 saying=$3
+	text=$1 code=$2 saying=$3
 	shift 3
 	run "$@"
-	try "$called" said "$code"
+	try "$text" said "$code"
 	try "  says so" grep -q -e "$saying" "$scratch/err"
 }
 
