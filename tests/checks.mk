@@ -33,7 +33,26 @@ AM_TESTS_ENVIRONMENT += \
 messages:
 	cd $(srcdir) && python3 tests/checks/messages.py list >doc/messages.md
 
-.PHONY: messages check-analyzers check-kernels check-kernel-sample check-provoked check-sanitizers check-sanitizers-sample check-valgrind check-valgrind-all check-long check-more \
+# The tests that take more than 3 s of processor time (`make times`). ./quickstart check leaves them out, so that its verdict comes
+# soon; make check has them, and .ci/run runs each of them once more: under the sanitizers, or without where those leave it out.
+LONGER = %D%/checks/compilable.sh %D%/checks/installed.sh %D%/checks/shown.sh %D%/cli/attach.sh %D%/cli/bad-input.sh \
+	%D%/cli/beam.sh %D%/cli/bending.sh %D%/cli/branches.sh %D%/cli/choice.sh %D%/cli/disk.sh %D%/cli/files.sh %D%/cli/folds.sh \
+	%D%/cli/full.sh %D%/cli/help-vs-man.sh %D%/cli/identify.sh %D%/cli/irvine.sh %D%/cli/label.sh %D%/cli/library.sh \
+	%D%/cli/locus-exact.sh %D%/cli/locus.sh %D%/cli/long.sh %D%/cli/map.sh %D%/cli/own.sh %D%/cli/pairs.sh %D%/cli/pictures.sh \
+	%D%/cli/plausible.sh %D%/cli/refusals.sh %D%/cli/results.sh %D%/cli/ropeway-modes.sh %D%/cli/ropeway-sweeps.sh \
+	%D%/cli/same-bytes.sh %D%/cli/scales.sh %D%/cli/signals.sh %D%/cli/static-load.sh %D%/cli/stiff.sh %D%/cli/study.sh \
+	%D%/cli/travel-motion.sh %D%/cli/travel.sh %D%/cli/units-plot.sh %D%/cli/usage.sh %D%/property/test-campbell \
+	%D%/property/test-combined %D%/property/test-estimates %D%/property/test-hill-boundaries %D%/property/test-modes \
+	%D%/property/test-study %D%/property/test-study-chosen %D%/extremes/test-alloc %D%/extremes/test-beam-sweep \
+	%D%/extremes/test-gyroscopic-sweep %D%/extremes/test-irvine %D%/extremes/test-modes-sweep %D%/extremes/test-sweep-curves
+quick_tests = $(filter-out $(LONGER),$(TESTS:$(EXEEXT)=))
+rest_of_tests = $(filter $(SANITIZERS_OUT),$(filter $(LONGER),$(TESTS:$(EXEEXT)=)))
+check-quick:
+	$(MAKE) check TESTS='$(quick_tests)'
+check-rest:
+	$(MAKE) check TESTS='$(rest_of_tests)' TEST_SUITE_LOG=test-rest.log
+
+.PHONY: messages check-quick check-rest check-analyzers check-kernels check-kernel-sample check-provoked check-sanitizers check-sanitizers-sample check-valgrind check-valgrind-all check-long check-more \
 	check-compilers
 
 # The suite under AddressSanitizer (with its leak check) and UBSan, in a build of its own. CC may be
@@ -155,4 +174,4 @@ AM_DISTCHECK_CONFIGURE_FLAGS = --enable-werror
 
 clean-local: clean-checks
 clean-checks:
-	rm -rf analyzers fuzzing kernels provoked sanitizers werror-gcc werror-clang test-valgrind.log test-valgrind-all.log hawser-valgrind
+	rm -rf analyzers fuzzing kernels provoked sanitizers werror-gcc werror-clang test-rest.log test-valgrind.log test-valgrind-all.log hawser-valgrind
