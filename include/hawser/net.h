@@ -103,7 +103,7 @@ struct hawser_net_options {
 	int iterations;     /* most; 0: the method's own */
 	enum hawser_net_start start;
 	double noise;       /* of a start at the chord: largest displacement of an inner node along each
-	                     * axis, over the chord of its cable; 0: 0.01; HAWSER_NONE: 0 */
+	                     * axis, over the chord of its cable; 0: 1e-4; HAWSER_NONE: 0 */
 	unsigned seed;      /* of the noise */
 };
 

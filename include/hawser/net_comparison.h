@@ -103,6 +103,7 @@ struct hawser_net_comparison_options {
 	unsigned seed;                /* of the random cables */
 	const char *way;              /* this one alone; NULL: all */
 	double tolerance;             /* of all methods, as in hawser_net_options; 0: 1e-7 */
+	double noise;                 /* of starts at the chord, as in hawser_net_options */
 	int steps;                    /* most of relaxation; 0: 20000 for random cables, else 1000000 */
 	int repeats;                  /* of a brief solution, of which the least time counts; 0: 3 */
 	struct hawser_progress progress;

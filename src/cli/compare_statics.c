@@ -17,7 +17,7 @@
 struct settings {
 	struct cli_common common;
 	const char *method;
-	double tolerance;
+	double tolerance, noise;
 	int nets, seed, steps, profile, each;
 };
 static const struct settings defaults = {.tolerance = 1e-7};
@@ -27,6 +27,8 @@ static const struct cli_option options[] = {
 	{"seed", 0, "N", "of the random cables (0)", CLI_STORED(cli_store_every, seed)},
 	{"method", 0, "NAME", "this method only (all)", CLI_TEXT(method)},
 	CLI_TOLERANCE_OPTION("of all methods: unbalanced force over the loads (1e-7)"),
+	{"noise", 0, "NUMBER", "of starts at straight cables, over their chords (1e-4)",
+	 CLI_POSITIVE(noise)},
 	{"steps", 0, "N", "most steps of relaxation (20000; with scenes 1000000)", CLI_INTEGER(steps)},
 	{"profile", 0, "", "table of the performance profiles", CLI_FLAG(profile)},
 	{"each", 0, "", "table of each method on each net", CLI_FLAG(each)},
@@ -229,7 +231,8 @@ static enum hawser_status solve(struct cli_compare_statics *result, const struct
 	struct hawser_net_comparison_options choice = {
 		.net = result->net, .nets = result->nets ? result->nets : settings->nets,
 		.seed = (unsigned)settings->seed, .way = settings->method,
-		.tolerance = settings->tolerance, .steps = settings->steps,
+		.tolerance = settings->tolerance, .noise = settings->noise,
+		.steps = settings->steps,
 		.progress = {cli_watch, &watch}};
 	enum hawser_status status = hawser_net_compare(&result->of, &choice, report);
 	size_t all;

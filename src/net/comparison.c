@@ -91,7 +91,7 @@ static enum hawser_status one(struct hawser_net_outcome *outcome, const struct h
                               struct hawser_report *report)
 {
 	struct hawser_net_options choice = {.method = way->method, .start = way->start, .seed = seed,
-	                                    .iterations = way->iterations,
+	                                    .iterations = way->iterations, .noise = options->noise,
 	                                    .tolerance = options->tolerance > 0.0 ? options->tolerance
 	                                                                          : TOLERANCE};
 	int repeats = options->repeats > 0 ? options->repeats : REPEATS;

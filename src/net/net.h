@@ -125,7 +125,7 @@ struct hawser__mesh_options {
 	int keep_start;     /* begin at mesh->q instead of at the force-density start */
 	const double *N;    /* [elements] tensions of that start; NULL: a part of the loads */
 	enum hawser_net_start start; /* where it begins otherwise */
-	double noise;       /* of that start at the chord, over the chord; 0: 0.01; HAWSER_NONE: 0 */
+	double noise;       /* of that start at the chord, over the chord; 0: 1e-4; HAWSER_NONE: 0 */
 	unsigned seed;      /* of the noise */
 };
 /* Solve for mesh->q, and the tensions T [elements]. Fails with HAWSER_ERR_NO_SOLUTION where parts have

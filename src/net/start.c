@@ -17,7 +17,8 @@
 #include "net/random.h"
 #include "net/solve.h"
 
-#define NOISE 0.01 /* of the chord: visible in a drawing of the net, and no shape yet */
+#define NOISE 1e-4 /* of the chord: what two-sided, regularised and mixed solve of random cables is then
+                    * what an independent program finds (doc/theory-net.md) */
 
 static double chord_of(const struct hawser__mesh *mesh, int from, int to)
 {

@@ -52,7 +52,7 @@ for m in few["methods"]:
     assert each["profile"]["time"][m["name"]][0] is None
     timed = few["profile"]["time"][m["name"]]
     assert abs(timed[0] - m["best"]) < 1e-12 and abs(timed[-1] - m["success"]) < 1e-12
-    if m["name"] in ("automatic", "interior-point", "mixed", "forces"):
+    if m["name"] in ("automatic", "interior-point", "mixed", "mixed/chord", "forces"):
         assert m["solved"] == 4 and m["seconds"]["median"] <= m["seconds"]["p90"] <= m["seconds"]["max"]
 assert sum(m["best"] for m in few["methods"]) >= 1
 assert [float(row["solved"]) for row in table("slack.tsv")][:3] == [1, 1, 1]
@@ -77,6 +77,7 @@ refuses 1 "--profile and --each are different tables: choose one" compare static
 refuses 1 "there is no method newton in this comparison (hawser compare statics --help lists them)" compare statics --method newton
 refuses_like 1 "would overwrite the input" compare statics slack.yaml taut.yaml --tsv taut.yaml
 refuses_like 1 "nets" compare statics --nets 0
+refuses_like 1 "noise" compare statics --nets 2 --noise 0
 refuses 1 "2000000 nets are too many to compare: at most 1000000" compare statics --nets 2000000
 refuses_like 1 "cannot open nosuch.yaml" compare statics nosuch.yaml
 refuses_like 1 "unknown key" compare statics slack.yaml --set cables.a.EE=1
