@@ -137,9 +137,6 @@ static enum hawser_status motion_of(struct hawser__reader *reader, struct hawser
 		struct hawser_net_load *motion;
 
 		status = hawser__tree_keys(reader, one, "motion", "amplitude, Omega, phase");
-		if (!status && !net->node[node].held[k])
-			status = hawser__reader_fail(reader, &one->at, "%s moves in direction %c, which is not "
-			                             "held: add %c to fixed", what, *one->name, *one->name);
 		if (!status && !amplitude)
 			status = hawser__reader_fail(reader, &one->at, "%s has no amplitude: give it in m", what);
 		if (!status)
@@ -150,6 +147,7 @@ static enum hawser_status motion_of(struct hawser__reader *reader, struct hawser
 		memset(motion, 0, sizeof *motion);
 		motion->node = node;
 		motion->cable = -1;
+		net->node[node].held[k] = 1; /* by what moves it */
 		status = hawser__tree_number(reader, &motion->value[k], amplitude, what, "m", HAWSER__TREE_ANY);
 		if (!status)
 			status = harmonic(reader, motion, one, what);

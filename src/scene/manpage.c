@@ -421,7 +421,7 @@ static const char net_keys[] =
 	"(20).\n"
 	".B supports\n"
 	"hold a node (fixed), or some of its directions (fixed: [y, z]), and may have a motion:\n"
-	"harmonic in held directions (amplitude, Omega, phase), or a\n"
+	"harmonic (amplitude, Omega, phase) in directions that it holds, or a\n"
 	".B table\n"
 	"with lines of t, x, y, z in s and m.\n"
 	".B loads\n"

@@ -52,6 +52,11 @@ assert 0 < off < 1.5*one["error"]["position"], (off, one["error"])
 END
 try "21 files of VTK" test "$(find . -name 'frame-*.vtk' | wc -l)" -eq 21
 
+sed 's/B: {motion/B: {fixed: [y], motion/' net.yaml >held.yaml
+works "directions that are moved are held, listed or not" integrate held.yaml --until "0.5 s" --step "5 ms" --state held.state -q
+works "as if all were" integrate net.yaml --until "0.5 s" --step "5 ms" --state all.state -q
+try "they are one run" cmp held.state all.state
+
 sed -e 's/elements: [0-9]*/elements: 1/' -e 's/0.5 kg.m/0/' -e '/^masses/d' net.yaml >massless.yaml
 denies "no end" 1 "give the end of its motion" integrate net.yaml
 denies "no mass" 1 "node J has none" integrate massless.yaml --until "1 s"
