@@ -23,6 +23,7 @@ command_pages = \
 	%D%/hawser-plan.1 \
 	%D%/hawser-rom.1 \
 	%D%/hawser-statics.1 \
+	%D%/hawser-tow.1 \
 	%D%/hawser-trajectory.1
 shared_text = \
 	%D%/shared/examples \

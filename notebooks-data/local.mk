@@ -55,6 +55,9 @@ dist_scenes_DATA = \
 	%D%/scenes/d-section-5.2.4.yaml \
 	%D%/scenes/d-section-5.2.5.yaml \
 	%D%/scenes/d-section-5.2.6.yaml \
+	%D%/scenes/d-section-5.2.3.yaml \
+	%D%/scenes/d-section-5.3.yaml \
+	%D%/scenes/tow-orbit.yaml \
 	%D%/scenes/deep-sag-light.yaml \
 	%D%/scenes/deep-sag.yaml \
 	%D%/scenes/guide-rope.yaml \

@@ -22,8 +22,8 @@ struct hawser_drag {
 	double tangential; /* ct */
 };
 
-/* f[3] N/m; and unless they are NULL its derivatives f_u[3][3] by u[3] (m/s), f_x[3][3] by x'[3], whose
- * length does not matter and must not be 0. */
+/* f[3] N/m; and unless they are NULL its derivatives f_u[3][3] by u[3] (m/s), f_x[3][3] by x'[3],
+ * whose length does not matter and must not be 0. */
 void hawser_drag_line(double f[3], double (*f_u)[3], double (*f_x)[3], const struct hawser_drag *drag,
                       const double u[3], const double x[3]);
 
@@ -42,10 +42,13 @@ struct hawser_ring_drag {
 	double force_spin[3][3], moment_spin[3][3];   /* by the angular velocity */
 	double force_turn[3][3], moment_turn[3][3];   /* by a small rotation of the ring, spatial axes */
 };
-/* In air that moves at u[3] (m/s) relative to the centre, for a ring with this unit vector along its
- * axis and this angular velocity spin[3] (rad/s). */
+/* In air that moves at u[3] (m/s) relative to the centre, for a ring with this unit vector along
+ * its axis and this angular velocity spin[3] (rad/s). */
 void hawser_ring_drag(struct hawser_ring_drag *out, const struct hawser_ring *ring, const double u[3],
                       const double axis[3], const double spin[3]);
+/* The force f[3] alone, at rest. */
+void hawser_ring_force(double f[3], const struct hawser_ring *ring, const double u[3],
+                       const double axis[3]);
 
 #ifdef __cplusplus
 }

@@ -1,6 +1,7 @@
-/* hawser/tow.h - the scene of a towed body: so far the path of the towing point.
+/* hawser/tow.h - a towed body: its scene, and the steady state in straight flight and in an orbit.
  *
- * A scene with the section `tow` (hawser-scene(5), TOW). Axes: x and z are horizontal, y is upwards.
+ * A scene with the section `tow` (hawser-scene(5), TOW). Axes: x and z are horizontal, y is
+ * upwards.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_TOW_H
@@ -8,21 +9,49 @@
 
 #include <stddef.h>
 
+#include <hawser/drag.h>
 #include <hawser/trajectory.h>
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
+/* A part of the cable, from the towing point on. */
+struct hawser_tow_segment {
+	double length;      /* m, unstretched */
+	double rho;         /* kg/m */
+	double EA, EI;      /* N, N m^2; EA may be infinite, EI 0 */
+	double diameter;    /* m */
+	double normal, tangential; /* drag coefficients cn, ct */
+	int elements;       /* 0: HAWSER_TOW_ELEMENTS */
+};
+enum { HAWSER_TOW_ELEMENTS = 100 };
+
+enum hawser_tow_body_kind { HAWSER_TOW_NO_BODY = 0, HAWSER_TOW_MASS, HAWSER_TOW_RING };
+
+/* At the free end. A ring hangs on rigid links without drag, its centre `offset` from the end. */
+struct hawser_tow_body {
+	enum hawser_tow_body_kind kind;
+	double mass;             /* kg */
+	double CdA;              /* m^2, of a mass: drag coefficient times area */
+	double offset;           /* m, of a ring */
+	struct hawser_ring ring; /* with the density of the air */
+};
+
 struct hawser_tow {
 	char *name;                         /* file name; owned */
 	struct hawser_path path;            /* of the towing point */
 	struct hawser_waypoint *waypoint;   /* [waypoints] of the path, with what is given; owned */
 	int waypoints;                      /* 0: straight flight or orbit */
+	double g;                           /* m/s^2 */
+	double density, wind[3];            /* kg/m^3 and m/s, of the air */
+	struct hawser_tow_segment *segment; /* [segments] from the towing point; owned */
+	int segments;                       /* 0: the scene has no cable */
+	struct hawser_tow_body body;
 };
 
-/* 1 if this file is the scene of a towed body, by what its lines begin with. "-" and pipes, which can
- * be read once only, are none. */
+/* 1 if this file is the scene of a towed body, by what its lines begin with. "-" and pipes, which
+ * can be read once only, are none. */
 int hawser_tow_is(const char *path);
 
 /* Read the scene and apply `nset` overrides "path=value", such as "tow.orbit.radius=80". *tow is
@@ -31,6 +60,57 @@ int hawser_tow_is(const char *path);
 enum hawser_status hawser_tow_open(struct hawser_tow *tow, const char *path, const char *const *set,
                                    size_t nset, struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_tow_clear(struct hawser_tow *tow);
+
+/* A point of the cable. */
+struct hawser_tow_point {
+	double s;       /* m, unstretched length from the towing point */
+	double x[3];    /* m */
+	double tension; /* N */
+	double along[3]; /* unit vector along the cable, away from the towing point */
+};
+
+/* One of the steady states of an orbit. */
+struct hawser_tow_state {
+	double radius;      /* m, of the free end about the axis of the orbit */
+	double lag;         /* rad, angle about the axis by which the free end is behind the towing point */
+	double depth;       /* m, of the free end below the towing point */
+	double tension_top; /* N */
+};
+enum { HAWSER_TOW_STATES = 16 };
+
+/* The steady state at the path's speed, without bending stiffness, at the instant at which the
+ * towing point is at its start (of an orbit: at centre + [radius, 0, 0]). */
+struct hawser_tow_steady {
+	struct hawser_tow_point *point; /* [points] from the towing point to the free end; owned */
+	int points;
+	double tension_top, tension_end; /* N */
+	double end[3];        /* m, the free end */
+	double centre[3];     /* m, of mass of the body; the free end without a body */
+	double axis[3];       /* unit vector: of the ring, from the free end to its centre; of a mass and
+	                       * without a body: along the cable at its end */
+	double attitude[4];   /* quaternion (w, x, y, z) that turns -y into `axis`, without twist */
+	double rotation[3];   /* rad, the same as a rotation vector */
+	double tilt;          /* rad, its angle; negative if the free end is behind the towing point along
+	                       * the direction of flight (at rest: toward -x) */
+	double body_force[3]; /* N, of the body on the cable */
+	struct hawser_tow_state state; /* of an orbit, else only its depth and tension */
+	struct hawser_tow_state other[HAWSER_TOW_STATES]; /* [others] further steady states of an orbit */
+	int others;
+	double spin;          /* rad/s of the steady frame about y; 0 in straight flight */
+	double residual;      /* largest of: distance of the end of the cable from the towing point over the
+	                       * length, moment on the body over offset times force */
+	double mesh_error;    /* m, largest change of a point if the number of elements is halved */
+	double bending;       /* m, sqrt(EI/T) where it is largest: bending is left out, and matters within
+	                       * a few of it from the ends; 0 without EI */
+};
+
+/* Solve. *steady is overwritten; release it with hawser_tow_steady_clear. HAWSER_ERR_ARGUMENT: a
+ * path that has no steady state, no cable, a horizontal wind in an orbit; HAWSER_ERR_NO_SOLUTION;
+ * HAWSER_ERR_CONVERGENCE; HAWSER_ERR_MEMORY. */
+enum hawser_status hawser_tow_steady_solve(struct hawser_tow_steady *steady,
+                                           const struct hawser_tow *tow,
+                                           struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser_tow_steady_clear(struct hawser_tow_steady *steady);
 
 #ifdef __cplusplus
 }

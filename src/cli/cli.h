@@ -117,7 +117,7 @@ struct cli_command {
 	X(hill) \
 	X(damping) \
 	X(identify) \
-	X(beam) X(trajectory) \
+	X(beam) X(trajectory) X(tow_steady) \
 	X(map) X(compare) X(compare_modes) \
 	X(compare_mms) X(compare_motion) X(compare_statics)
 #define CLI_DECLARE(command) extern const struct cli_command cli_##command;

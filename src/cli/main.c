@@ -79,6 +79,10 @@ static enum hawser_status unknown_command(const char *name, struct hawser_report
 		snprintf(word[i], sizeof word[i], "%.*s", first_word(commands[i]), commands[i]->name);
 		names[i] = word[i];
 	}
+	for (i = 0; i < command_count; i++) /* the first word of a command of two, alone */
+		if (is_called(commands[i], name, commands[i]->name + first_word(commands[i]) + 1, 2))
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "main",
+			                    "%s needs a second word: hawser %s", name, commands[i]->name);
 	best = cli_nearest(name, names, command_count);
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "main",
 	                    "unknown %s %s%s%s%s (hawser --help lists the commands)",

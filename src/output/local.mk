@@ -65,6 +65,8 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/plot_profile.h \
 	%D%/plot_speeds.c \
 	%D%/plot_statics.c \
+	%D%/plot_tow.c \
+	%D%/plot_tow.h \
 	%D%/plot_trajectory.c \
 	%D%/plot_trajectory.h \
 	%D%/style.c \

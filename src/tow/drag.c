@@ -127,21 +127,52 @@ static void segment(struct hawser_ring_drag *out, const struct hawser_ring *ring
 	}
 }
 
+/* The frame of a ring, across its axis; returns the length of a segment. */
+static double ring_frame(int *segments, double e[3], double g[3], const struct hawser_ring *ring,
+                         const double axis[3])
+{
+	*segments = ring->segments > 0 ? ring->segments : HAWSER_RING_SEGMENTS;
+	normals(e, g, axis);
+	return 2.0*PI*ring->radius/ *segments;
+}
+
+/* The middle of segment k: the radius of length 1, and the tangent. */
+static void middle(double r[3], double t[3], const double e[3], const double g[3], int k, int segments)
+{
+	double angle = 2.0*PI*(k + 0.5)/segments;
+
+	for (int i = 0; i < 3; i++) {
+		r[i] = e[i]*cos(angle) + g[i]*sin(angle);
+		t[i] = -e[i]*sin(angle) + g[i]*cos(angle);
+	}
+}
+
 void hawser_ring_drag(struct hawser_ring_drag *out, const struct hawser_ring *ring, const double u[3],
                       const double axis[3], const double spin[3])
 {
-	int segments = ring->segments > 0 ? ring->segments : HAWSER_RING_SEGMENTS;
-	double e[3], g[3], length = 2.0*PI*ring->radius/segments;
+	int segments;
+	double e[3], g[3], r[3], t[3], length = ring_frame(&segments, e, g, ring, axis);
 
 	memset(out, 0, sizeof *out);
-	normals(e, g, axis);
 	for (int k = 0; k < segments; k++) {
-		double angle = 2.0*PI*(k + 0.5)/segments, r[3], t[3];
-
-		for (int i = 0; i < 3; i++) {
-			r[i] = ring->radius*(e[i]*cos(angle) + g[i]*sin(angle));
-			t[i] = -e[i]*sin(angle) + g[i]*cos(angle);
-		}
+		middle(r, t, e, g, k, segments);
+		for (int i = 0; i < 3; i++)
+			r[i] *= ring->radius;
 		segment(out, ring, u, spin, r, t, length);
+	}
+}
+
+void hawser_ring_force(double f[3], const struct hawser_ring *ring, const double u[3],
+                       const double axis[3])
+{
+	int segments;
+	double e[3], g[3], r[3], t[3], part[3], length = ring_frame(&segments, e, g, ring, axis);
+
+	memset(f, 0, 3*sizeof *f);
+	for (int k = 0; k < segments; k++) {
+		middle(r, t, e, g, k, segments);
+		hawser_drag_line(part, NULL, NULL, &ring->drag, u, t);
+		for (int i = 0; i < 3; i++)
+			f[i] += length*part[i];
 	}
 }

@@ -4,8 +4,14 @@ noinst_LTLIBRARIES += %D%/libtow.la
 	%D%/drag.c \
 	%D%/read.c \
 	%D%/read.h \
+	%D%/read_cable.c \
 	%D%/read_path.c \
 	%D%/read_waypoints.c \
+	%D%/steady.c \
+	%D%/steady.h \
+	%D%/steady_body.c \
+	%D%/steady_orbit.c \
+	%D%/steady_string.c \
 	%D%/trajectory.c \
 	%D%/trajectory.h \
 	%D%/trajectory_file.c \

@@ -9,7 +9,7 @@
 #include "core/report.h"
 #include "tow/read.h"
 
-#define SECTIONS "kind, tow"
+#define SECTIONS "kind, g, tow, cable, air, body"
 
 enum hawser_status hawser__tow_number(struct hawser__reader *reader, double *value,
                                       const struct hawser__tree *tree, const char *section,
@@ -28,11 +28,26 @@ enum hawser_status hawser__tow_number(struct hawser__reader *reader, double *val
 	                : HAWSER_OK;
 }
 
+/* Drag coefficients ask for the density of the air. */
+static enum hawser_status in_air(struct hawser__reader *reader, const struct hawser_tow *tow,
+                                 const struct hawser__tree *root)
+{
+	double drag = tow->body.CdA + tow->body.ring.drag.normal + tow->body.ring.drag.tangential;
+
+	for (int i = 0; i < tow->segments; i++)
+		drag += tow->segment[i].normal + tow->segment[i].tangential;
+	if (drag > 0.0 && !hawser__tree_find(root, "air"))
+		return hawser__reader_fail(reader, &root->at, "cable or body has drag, but the section air "
+		                           "is missing: give air: {density: 1.2 kg/m^3}");
+	return HAWSER_OK;
+}
+
 static enum hawser_status interpret(struct hawser__reader *reader, struct hawser_tow *tow,
                                     const struct hawser__tree *root)
 {
 	const struct hawser__tree *kind = hawser__tree_find(root, "kind");
 	const struct hawser__tree *section = hawser__tree_find(root, "tow");
+	const struct hawser__tree *g = hawser__tree_find(root, "g");
 	enum hawser_status status = hawser__tree_keys(reader, root, "the scene of a towed body", SECTIONS);
 
 	if (!status && kind && (!kind->text || strcmp(kind->text, "tow") != 0))
@@ -41,7 +56,19 @@ static enum hawser_status interpret(struct hawser__reader *reader, struct hawser
 	if (!status && !section)
 		status = hawser__reader_fail(reader, &root->at, "the section tow is missing: give, for "
 		                             "example, tow: {orbit: {radius: 100 m, speed: 20 m/s}}");
-	return status ? status : hawser__tow_path(reader, tow, section);
+	tow->g = 9.81;
+	if (!status && g)
+		status = hawser__tree_number(reader, &tow->g, g, "g", "m/s^2", HAWSER__TREE_POSITIVE);
+	if (!status)
+		status = hawser__tow_path(reader, tow, section);
+	if (!status)
+		status = hawser__tow_cable(reader, tow, hawser__tree_find(root, "cable"));
+	if (!status)
+		status = hawser__tow_air(reader, tow, hawser__tree_find(root, "air"));
+	if (!status)
+		status = hawser__tow_body(reader, tow, hawser__tree_find(root, "body"));
+	tow->body.ring.drag.density = tow->density;
+	return status ? status : in_air(reader, tow, root);
 }
 
 int hawser_tow_is(const char *path)
@@ -78,6 +105,7 @@ void hawser_tow_clear(struct hawser_tow *tow)
 		return;
 	free(tow->name);
 	free(tow->waypoint);
+	free(tow->segment);
 	hawser_path_clear(&tow->path);
 	memset(tow, 0, sizeof *tow);
 }

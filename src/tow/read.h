@@ -13,6 +13,13 @@ enum hawser_status hawser__tow_number(struct hawser__reader *reader, double *val
                                       const struct hawser__tree *tree, const char *section,
                                       const char *key, const char *unit,
                                       enum hawser__tree_range range, int required) HAWSER_MUST_CHECK;
+/* read_cable.c: the other sections; NULL: the scene does not have it. */
+enum hawser_status hawser__tow_cable(struct hawser__reader *reader, struct hawser_tow *tow,
+                                     const struct hawser__tree *tree) HAWSER_MUST_CHECK;
+enum hawser_status hawser__tow_air(struct hawser__reader *reader, struct hawser_tow *tow,
+                                   const struct hawser__tree *tree) HAWSER_MUST_CHECK;
+enum hawser_status hawser__tow_body(struct hawser__reader *reader, struct hawser_tow *tow,
+                                    const struct hawser__tree *tree) HAWSER_MUST_CHECK;
 /* read_path.c: the section `tow`. */
 enum hawser_status hawser__tow_path(struct hawser__reader *reader, struct hawser_tow *tow,
                                     const struct hawser__tree *tree) HAWSER_MUST_CHECK;

@@ -1,5 +1,5 @@
-/* tow/read_path.c - read the section `tow`: waypoints, file, speed or orbit, and what goes with each.
- * SPDX-License-Identifier: GPL-3.0-or-later */
+/* tow/read_path.c - read the section `tow`: waypoints, file, speed or orbit, and what goes with
+ * each. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <stdio.h>
@@ -8,7 +8,7 @@
 #include "core/report.h"
 #include "tow/read.h"
 
-#define KEYS "waypoints, file, speed, orbit, minimise, ends, start, ramp, law"
+#define KEYS "waypoints, file, speed, orbit, minimise, ends, start, ramp, law, hinge"
 
 enum { WAYPOINTS, FILE_OF, SPEED, ORBIT, WAYS };
 static const char *const way_name[WAYS] = {"waypoints", "file", "speed", "orbit"};
@@ -24,6 +24,22 @@ static const struct {
 	{"ramp", "straight flight (speed) and orbits", 1u << SPEED | 1u << ORBIT},
 	{"law", "straight flight (speed) and orbits", 1u << SPEED | 1u << ORBIT},
 };
+
+/* A string has no moment at its end. */
+static enum hawser_status hinge(struct hawser__reader *reader, const struct hawser__tree *tree)
+{
+	static const char *const words[] = {"free", "clamped"};
+	const struct hawser__tree *one = hawser__tree_find(tree, "hinge");
+	int index = 0;
+	enum hawser_status status = HAWSER_OK;
+
+	if (one)
+		status = hawser__tree_word(reader, &index, one, "tow.hinge", words, 2);
+	if (!status && index)
+		status = hawser__reader_fail(reader, &one->at, "tow.hinge: clamped: not yet: the cable is "
+		                             "without bending stiffness; give free, or leave it out");
+	return status;
+}
 
 /* The one way in which the path is given. */
 static enum hawser_status choose(struct hawser__reader *reader, int *way,
@@ -46,6 +62,8 @@ static enum hawser_status choose(struct hawser__reader *reader, int *way,
 		status = hawser__reader_fail(reader, &tree->at, "tow has no path: give waypoints, file, "
 		                             "speed or orbit, for example orbit: {radius: 100 m, "
 		                             "speed: 20 m/s}");
+	if (!status)
+		status = hinge(reader, tree);
 	for (size_t k = 0; k < sizeof rule/sizeof *rule && !status; k++) {
 		const struct hawser__tree *one = hawser__tree_find(tree, rule[k].key);
 

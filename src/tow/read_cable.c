@@ -1,0 +1,209 @@
+/* tow/read_cable.c - read the sections of a towed body besides its path: cable, air, body.
+ *
+ * Keys that nothing computes yet are refused by name: nothing of a scene is silently left out.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "tow/read.h"
+
+enum { MOST = 1000,      /* parts of a cable */
+       ELEMENTS = 100000 /* of a part: more make no result better */ };
+
+static enum hawser_status later(struct hawser__reader *reader, const struct hawser__tree *tree,
+                                const char *section, const char *key, const char *why)
+{
+	const struct hawser__tree *one = hawser__tree_find(tree, key);
+
+	return one ? hawser__reader_fail(reader, &one->at, "%s.%s: not yet: %s", section, key, why)
+	           : HAWSER_OK;
+}
+
+/* A whole number in a range; unchanged if it is not given. */
+static enum hawser_status whole(struct hawser__reader *reader, int *to, const struct hawser__tree *tree,
+                                const char *section, const char *key, int least, int most)
+{
+	const struct hawser__tree *one = hawser__tree_find(tree, key);
+	double number = 0.0;
+	enum hawser_status status = hawser__tow_number(reader, &number, tree, section, key, "1",
+	                                               HAWSER__TREE_ANY, 0);
+
+	if (status || !one)
+		return status;
+	if (number != floor(number) || number < least || number > most)
+		return hawser__reader_fail(reader, &one->at, "%s.%s must be a whole number from %d to %d",
+		                           section, key, least, most);
+	*to = (int)number;
+	return HAWSER_OK;
+}
+
+static enum hawser_status drag(struct hawser__reader *reader, double *normal, double *tangential,
+                               const struct hawser__tree *tree, const char *section)
+{
+	const struct hawser__tree *one = hawser__tree_find(tree, "drag");
+	char what[HAWSER__TOW_WHAT];
+	enum hawser_status status;
+
+	snprintf(what, sizeof what, "%.60s.drag", section);
+	if (!one)
+		return HAWSER_OK;
+	status = hawser__tree_keys(reader, one, what, "normal, tangential");
+	if (!status)
+		status = hawser__tow_number(reader, normal, one, what, "normal", "1", HAWSER__TREE_NOT_NEGATIVE,
+		                            1);
+	return status ? status : hawser__tow_number(reader, tangential, one, what, "tangential", "1",
+	                                            HAWSER__TREE_NOT_NEGATIVE, 0);
+}
+
+/* EA, which may be .inf, and is where it is not given. */
+static enum hawser_status stiffness(struct hawser__reader *reader, double *EA,
+                                    const struct hawser__tree *tree, const char *section)
+{
+	const struct hawser__tree *one = hawser__tree_find(tree, "EA");
+
+	*EA = INFINITY;
+	if (one && one->text && !strcmp(one->text, ".inf"))
+		return HAWSER_OK;
+	return hawser__tow_number(reader, EA, tree, section, "EA", "N", HAWSER__TREE_POSITIVE, 0);
+}
+
+static enum hawser_status segment(struct hawser__reader *reader, struct hawser_tow_segment *to,
+                                  const struct hawser__tree *tree, const char *section)
+{
+	double ignored = 0.0;
+	enum hawser_status status = hawser__tree_keys(reader, tree, section, "length, EA, EI, GJ, GA, "
+	                                              "rho, diameter, elements, drag, shedding");
+
+	if (!status)
+		status = later(reader, tree, section, "shedding", "forces of vortices are not computed");
+	if (!status)
+		status = hawser__tow_number(reader, &to->length, tree, section, "length", "m",
+		                            HAWSER__TREE_POSITIVE, 1);
+	if (!status)
+		status = hawser__tow_number(reader, &to->rho, tree, section, "rho", "kg/m",
+		                            HAWSER__TREE_NOT_NEGATIVE, 1);
+	if (!status)
+		status = hawser__tow_number(reader, &to->diameter, tree, section, "diameter", "m",
+		                            HAWSER__TREE_NOT_NEGATIVE, hawser__tree_find(tree, "drag") != NULL);
+	if (!status)
+		status = stiffness(reader, &to->EA, tree, section);
+	if (!status)
+		status = hawser__tow_number(reader, &to->EI, tree, section, "EI", "N.m^2",
+		                            HAWSER__TREE_NOT_NEGATIVE, 0);
+	for (int k = 0; k < 2 && !status; k++) /* of the beam: without bending they have no effect */
+		status = hawser__tow_number(reader, &ignored, tree, section, k ? "GA" : "GJ",
+		                            k ? "N" : "N.m^2", HAWSER__TREE_NOT_NEGATIVE, 0);
+	if (!status)
+		status = whole(reader, &to->elements, tree, section, "elements", 1, ELEMENTS);
+	return status ? status : drag(reader, &to->normal, &to->tangential, tree, section);
+}
+
+enum hawser_status hawser__tow_cable(struct hawser__reader *reader, struct hawser_tow *tow,
+                                     const struct hawser__tree *tree)
+{
+	const struct hawser__tree *list = tree ? hawser__tree_find(tree, "segments") : NULL;
+	enum hawser_status status = tree ? hawser__tree_keys(reader, tree, "cable", "segments") : HAWSER_OK;
+
+	if (status || !tree)
+		return status;
+	if (!list || list->kind != HAWSER__SEQUENCE || !list->children || list->children > MOST)
+		return hawser__reader_fail(reader, list ? &list->at : &tree->at, "cable.segments must be a "
+		                           "list of 1 to %d parts of the cable, such as [{length: 14 m, "
+		                           "rho: 58 g/m, diameter: 8 mm, drag: {normal: 1.2}}]", MOST);
+	tow->segment = calloc((size_t)list->children, sizeof *tow->segment);
+	if (!tow->segment)
+		return hawser__no_memory(reader->report, "scene");
+	for (const struct hawser__tree *one = list->child; one && !status; one = one->next) {
+		char what[HAWSER__TOW_WHAT];
+
+		snprintf(what, sizeof what, "cable.segments[%d]", tow->segments);
+		status = segment(reader, &tow->segment[tow->segments++], one, what);
+	}
+	return status;
+}
+
+enum hawser_status hawser__tow_air(struct hawser__reader *reader, struct hawser_tow *tow,
+                                   const struct hawser__tree *tree)
+{
+	const struct hawser__tree *wind = tree ? hawser__tree_find(tree, "wind") : NULL;
+	enum hawser_status status = tree ? hawser__tree_keys(reader, tree, "air", "density, wind, file")
+	                                 : HAWSER_OK;
+
+	if (status || !tree)
+		return status;
+	status = later(reader, tree, "air", "file", "winds are constant: give wind: [x, y, z]");
+	if (!status)
+		status = hawser__tow_number(reader, &tow->density, tree, "air", "density", "kg/m^3",
+		                            HAWSER__TREE_NOT_NEGATIVE, 1);
+	if (!status && wind)
+		status = hawser__tree_vector(reader, tow->wind, 3, wind, "air.wind", "m/s");
+	if (!status && tow->density == 0.0 && (tow->wind[0] != 0.0 || tow->wind[1] != 0.0 ||
+	                                       tow->wind[2] != 0.0))
+		status = hawser__reader_fail(reader, &wind->at, "air.wind in air of density 0 has no "
+		                             "effect: give the density, such as 1.2 kg/m^3, or no wind");
+	return status;
+}
+
+static enum hawser_status ring(struct hawser__reader *reader, struct hawser_tow_body *body,
+                               const struct hawser__tree *tree)
+{
+	enum hawser_status status = hawser__tree_keys(reader, tree, "body.ring", "radius, tube, mass, "
+	                                              "offset, segments, drag");
+
+	body->kind = HAWSER_TOW_RING;
+	if (!status)
+		status = hawser__tow_number(reader, &body->ring.radius, tree, "body.ring", "radius", "m",
+		                            HAWSER__TREE_POSITIVE, 1);
+	if (!status)
+		status = hawser__tow_number(reader, &body->ring.drag.radius, tree, "body.ring", "tube", "m",
+		                            HAWSER__TREE_POSITIVE, 1);
+	if (!status && body->ring.drag.radius >= body->ring.radius)
+		status = hawser__reader_fail(reader, &tree->at, "body.ring.tube, the radius of the tube, "
+		                             "must be less than the radius of the ring");
+	if (!status)
+		status = hawser__tow_number(reader, &body->mass, tree, "body.ring", "mass", "kg",
+		                            HAWSER__TREE_POSITIVE, 1);
+	if (!status)
+		status = hawser__tow_number(reader, &body->offset, tree, "body.ring", "offset", "m",
+		                            HAWSER__TREE_NOT_NEGATIVE, 1);
+	if (!status)
+		status = whole(reader, &body->ring.segments, tree, "body.ring", "segments", 8, ELEMENTS);
+	return status ? status : drag(reader, &body->ring.drag.normal, &body->ring.drag.tangential, tree,
+	                              "body.ring");
+}
+
+enum hawser_status hawser__tow_body(struct hawser__reader *reader, struct hawser_tow *tow,
+                                    const struct hawser__tree *tree)
+{
+	struct hawser_tow_body *body = &tow->body;
+	const struct hawser__tree *of_ring = tree ? hawser__tree_find(tree, "ring") : NULL;
+	enum hawser_status status = HAWSER_OK;
+
+	if (!tree)
+		return status;
+	status = hawser__tree_keys(reader, tree, "body", "ring, mass, CdA, inertia, joint");
+	if (!status)
+		status = later(reader, tree, "body", "joint", "the body hangs on a free joint");
+	if (!status)
+		status = later(reader, tree, "body", "inertia", "a mass is a point");
+	for (int k = 0; k < 2 && !status && of_ring; k++) {
+		const struct hawser__tree *one = hawser__tree_find(tree, k ? "CdA" : "mass");
+
+		if (one)
+			status = hawser__reader_fail(reader, &one->at, "body has ring and %s: a ring has its "
+			                             "own mass and drag; remove one of them", k ? "CdA" : "mass");
+	}
+	if (status || of_ring)
+		return status ? status : ring(reader, body, of_ring);
+	body->kind = HAWSER_TOW_MASS;
+	status = hawser__tow_number(reader, &body->mass, tree, "body", "mass", "kg", HAWSER__TREE_POSITIVE,
+	                            1);
+	return status ? status : hawser__tow_number(reader, &body->CdA, tree, "body", "CdA", "m^2",
+	                                            HAWSER__TREE_NOT_NEGATIVE, 0);
+}

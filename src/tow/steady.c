@@ -1,0 +1,213 @@
+/* tow/steady.c - the steady state of a towed body: straight flight, and what follows from a
+ * solution.
+ *
+ * In straight flight the free end may be anywhere: the cable is integrated from the origin, and
+ * moved so that it begins at the towing point.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "tow/steady.h"
+
+static const char where[] = "tow steady";
+#define COARSE 1e-3 /* of the cable's length: a mesh error beyond it is no result */
+
+static enum hawser_status check(const struct hawser_tow *tow, struct hawser_report *report)
+{
+	double weight = tow->body.mass;
+
+	if (tow->path.kind == HAWSER_PATH_WAYPOINTS)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where, "a path through waypoints has no "
+		                    "steady state: give tow.speed or tow.orbit");
+	if (!tow->segments)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where, "the scene has no cable: add, for "
+		                    "example, cable: {segments: [{length: 14 m, rho: 58 g/m, diameter: 8 "
+		                    "mm, drag: {normal: 1.2}}]}");
+	for (int i = 0; i < tow->segments; i++)
+		weight += tow->segment[i].rho;
+	if (weight == 0.0)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where, "cable and body have no mass, so "
+		                    "that nothing holds them down: give a body, or cable.segments.rho");
+	if (tow->path.kind == HAWSER_PATH_ORBIT && (tow->wind[0] != 0.0 || tow->wind[2] != 0.0))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where, "an orbit in a horizontal wind has "
+		                    "no steady state: the flow changes along the circle; leave air.wind "
+		                    "out, or give a vertical one");
+	return HAWSER_OK;
+}
+
+static enum hawser_status straight(struct hawser__tow_frame *frame, double end[3],
+                                   struct hawser_report *report)
+{
+	struct hawser__tow_end body;
+
+	memcpy(frame->velocity, frame->tow->path.velocity, sizeof frame->velocity);
+	memset(end, 0, 3*sizeof *end);
+	if (!hawser__tow_body_at(&body, frame, end))
+		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, where, 0, body.residual,
+		                       "the attitude of the ring was not found (moment %.1e of offset "
+		                       "times force): give body.ring.segments more than %d", body.residual,
+		                       frame->tow->body.ring.segments ? frame->tow->body.ring.segments
+		                                                      : HAWSER_RING_SEGMENTS);
+	return HAWSER_OK;
+}
+
+/* --- from a solution --- */
+
+/* The cable from its free end, with its mesh error. */
+static enum hawser_status shape(struct hawser_tow_steady *steady, const struct hawser__tow_frame *frame,
+                                const double end[3], struct hawser_report *report)
+{
+	struct hawser__tow_end body;
+	int found = hawser__tow_body_at(&body, frame, end);
+	double top[2][3], n[3], length = 0.0;
+	struct hawser_tow_point *coarse;
+
+	steady->points = hawser__tow_elements(frame->tow) + 1;
+	steady->point = calloc((size_t)steady->points, sizeof *steady->point);
+	coarse = calloc((size_t)steady->points, sizeof *coarse);
+	if (!steady->point || !coarse) {
+		free(coarse);
+		return hawser__no_memory(report, where);
+	}
+	hawser__tow_string(top[0], n, coarse, frame, end, &body, 2);
+	hawser__tow_string(top[1], n, steady->point, frame, end, &body, 4);
+	for (int i = 0; i < steady->points; i++) {
+		double change = 0.0;
+
+		for (int k = 0; k < 3; k++)
+			change = hypot(change, (coarse[i].x[k] - top[0][k]) - (steady->point[i].x[k] - top[1][k]));
+		steady->mesh_error = fmax(steady->mesh_error, change);
+	}
+	free(coarse);
+	for (int i = 0; i < frame->tow->segments; i++)
+		length += frame->tow->segment[i].length;
+	steady->residual = fmax(body.residual, frame->spin != 0.0
+	                        ? fabs(hypot(top[1][0], top[1][2]) - frame->tow->path.radius)/length : 0.0);
+	memcpy(steady->centre, body.centre, sizeof body.centre);
+	memcpy(steady->axis, frame->tow->body.kind == HAWSER_TOW_RING
+	       ? body.axis : steady->point[steady->points - 1].along, sizeof steady->axis);
+	memcpy(steady->body_force, body.force, sizeof body.force);
+	if (!found || !isfinite(top[1][0] + top[1][1] + top[1][2] + n[0] + n[1] + n[2]))
+		return hawser__fail(report, found ? HAWSER_ERR_NAN : HAWSER_ERR_CONVERGENCE, where, found
+		                    ? "a number of the steady state is beyond double precision: are the "
+		                      "values of the scene plausible?"
+		                    : "the attitude of the ring was not found");
+	if (steady->mesh_error > COARSE*length)
+		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, where, steady->points - 1,
+		                       steady->mesh_error, "%d elements are too few: halving them moves a point "
+		                       "by %.3g m; give cable.segments.elements more", steady->points - 1,
+		                       steady->mesh_error);
+	return HAWSER_OK;
+}
+
+/* Turn about y, x toward z by -angle, then move. */
+static void place(double x[3], double angle, const double move[3])
+{
+	double from = x[0];
+
+	x[0] = cos(angle)*from + sin(angle)*x[2] + move[0];
+	x[1] += move[1];
+	x[2] = -sin(angle)*from + cos(angle)*x[2] + move[2];
+}
+
+/* Put the solution where the towing point is at its start. */
+static void move(struct hawser_tow_steady *steady, const struct hawser__tow_frame *frame)
+{
+	const struct hawser_path *path = &frame->tow->path;
+	const double *top = steady->point[0].x, still[3] = {0.0};
+	double angle = frame->spin != 0.0 ? atan2(top[2], top[0]) : 0.0, by[3];
+
+	for (int k = 0; k < 3; k++)
+		by[k] = path->origin[k] - (frame->spin != 0.0 && k != 1 ? 0.0 : top[k]);
+	if (path->kind == HAWSER_PATH_ORBIT && frame->spin == 0.0)
+		by[0] += path->radius;
+	for (int i = 0; i < steady->points; i++) {
+		place(steady->point[i].x, angle, by);
+		place(steady->point[i].along, angle, still);
+	}
+	place(steady->centre, angle, by);
+	place(steady->axis, angle, still);
+	place(steady->body_force, angle, still);
+	steady->state.lag = path->speed < 0.0 ? -angle : angle;
+}
+
+/* The rotation that turns -y into the axis, without twist. */
+static void turned(struct hawser_tow_steady *steady, const struct hawser__tow_frame *frame)
+{
+	const double *a = steady->axis, *v = frame->tow->path.velocity;
+	double side = hypot(a[0], a[2]), angle = atan2(side, -a[1]);
+	double ahead = frame->tow->path.kind == HAWSER_PATH_ORBIT
+	               ? (frame->tow->path.speed < 0.0 ? -a[2] : a[2])
+	               : hypot(v[0], v[2]) > 0.0 ? a[0]*v[0] + a[2]*v[2] : a[0];
+
+	steady->tilt = ahead > 0.0 ? angle : -angle;
+	steady->attitude[0] = cos(0.5*angle);
+	steady->attitude[1] = side > 0.0 ? -a[2]/side*sin(0.5*angle) : 0.0;
+	steady->attitude[2] = 0.0;
+	steady->attitude[3] = side > 0.0 ? a[0]/side*sin(0.5*angle) : 0.0;
+	steady->rotation[0] = side > 0.0 ? -a[2]/side*angle : 0.0;
+	steady->rotation[1] = 0.0;
+	steady->rotation[2] = side > 0.0 ? a[0]/side*angle : 0.0;
+	if (side == 0.0)
+		steady->tilt = angle;
+}
+
+static void numbers(struct hawser_tow_steady *steady, const struct hawser__tow_frame *frame)
+{
+	const struct hawser_tow *tow = frame->tow;
+	const struct hawser_tow_point *last = &steady->point[steady->points - 1];
+	double from = 0.0;
+	int at = 0;
+
+	memcpy(steady->end, last->x, sizeof steady->end);
+	steady->tension_top = steady->point[0].tension;
+	steady->tension_end = last->tension;
+	steady->state.tension_top = steady->tension_top;
+	steady->state.depth = steady->point[0].x[1] - last->x[1];
+	steady->spin = frame->spin;
+	for (int i = 0; i < tow->segments; i++) {
+		from += tow->segment[i].length;
+		for (; at < steady->points && steady->point[at].s <= from; at++)
+			if (tow->segment[i].EI > 0.0 && steady->point[at].tension > 0.0)
+				steady->bending = fmax(steady->bending,
+				                       sqrt(tow->segment[i].EI/steady->point[at].tension));
+	}
+}
+
+enum hawser_status hawser_tow_steady_solve(struct hawser_tow_steady *steady,
+                                           const struct hawser_tow *tow, struct hawser_report *report)
+{
+	struct hawser__tow_frame frame = {.tow = tow};
+	double end[3];
+	enum hawser_status status;
+
+	memset(steady, 0, sizeof *steady);
+	status = check(tow, report);
+	if (!status && tow->path.kind == HAWSER_PATH_ORBIT && tow->path.speed != 0.0)
+		status = hawser__tow_orbit(steady, &frame, end, report);
+	else if (!status)
+		status = straight(&frame, end, report);
+	if (!status)
+		status = shape(steady, &frame, end, report);
+	if (!status) {
+		move(steady, &frame);
+		turned(steady, &frame);
+		numbers(steady, &frame);
+	}
+	if (status)
+		hawser_tow_steady_clear(steady);
+	return status;
+}
+
+void hawser_tow_steady_clear(struct hawser_tow_steady *steady)
+{
+	if (!steady)
+		return;
+	free(steady->point);
+	memset(steady, 0, sizeof *steady);
+}

@@ -1,0 +1,68 @@
+/* tow/steady.h - internal to the steady states of a towed body: the frame, the loads, the string.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_TOW_STEADY_H
+#define HAWSER_TOW_STEADY_H
+
+#include <math.h>
+
+#include <hawser/tow.h>
+
+/* A frame in which the state is at rest: it moves at a velocity, or turns about the axis y through
+ * its origin. */
+struct hawser__tow_frame {
+	const struct hawser_tow *tow;
+	double velocity[3]; /* m/s */
+	double spin;        /* rad/s about y */
+};
+
+static inline double hawser__dot(const double *a, const double *b)
+{
+	return a[0]*b[0] + a[1]*b[1] + a[2]*b[2];
+}
+
+static inline void hawser__cross(double *c, const double *a, const double *b)
+{
+	c[0] = a[1]*b[2] - a[2]*b[1];
+	c[1] = a[2]*b[0] - a[0]*b[2];
+	c[2] = a[0]*b[1] - a[1]*b[0];
+}
+
+static inline double hawser__norm(const double *a)
+{
+	return hypot(hypot(a[0], a[1]), a[2]);
+}
+
+/* The flow relative to a point at rest in the frame, and weight and inertia per mass there. */
+void hawser__tow_flow(double u[3], const struct hawser__tow_frame *frame, const double x[3]);
+void hawser__tow_gravity(double w[3], const struct hawser__tow_frame *frame, const double x[3]);
+
+/* Where a direction t between `from` and the flow u (at most a half turn apart) has no force across
+ * it: force(F, context, t) is drag that vanishes across t where t is along u, and `weight` is along
+ * `from`. */
+void hawser__tow_direction(double t[3], const double weight[3], const double u[3],
+                           void (*drag)(double f[3], const void *context, const double t[3]),
+                           const void *context, int bisections);
+enum { HAWSER__BISECTIONS = 60 /* of an angle of at most pi: to 3e-18 of it, less than round-off */ };
+
+/* steady_body.c: the force of the body on the cable if its free end is at x, and its axis; the
+ * moment that is left over offset times force. Returns 0 if the attitude of a ring was not found. */
+struct hawser__tow_end {
+	double force[3], axis[3], centre[3], residual;
+};
+int hawser__tow_body_at(struct hawser__tow_end *end, const struct hawser__tow_frame *frame,
+                        const double x[3]);
+
+/* steady_string.c: the cable from its free end at x, where the body pulls, up to the towing point,
+ * which is top[3]; n[3] the tension there. With point not NULL the points [elements+1] from the
+ * towing point on. Each part of the cable has parts*its elements/2 steps. */
+void hawser__tow_string(double top[3], double n[3], struct hawser_tow_point *point,
+                        const struct hawser__tow_frame *frame, const double x[3],
+                        const struct hawser__tow_end *end, int parts);
+int hawser__tow_elements(const struct hawser_tow *tow);
+
+/* steady_orbit.c */
+enum hawser_status hawser__tow_orbit(struct hawser_tow_steady *steady,
+                                     struct hawser__tow_frame *frame, double end[3],
+                                     struct hawser_report *report);
+
+#endif

@@ -1,0 +1,202 @@
+/* tow/steady_body.c - what the body pulls with in a steady state, and the attitude of a ring.
+ *
+ *   a      axis of the ring, from the free end of the cable to its centre, l = offset
+ *   F, M   drag on the ring and its moment about the centre
+ *   n      force of the body on the cable, m (g - acceleration of the centre) + F
+ *
+ * The hinge takes no moment across the axis: l a x n + M - spin x J spin = 0 across a (J of the
+ * torus). In straight flight M is 0 by symmetry, and a is along n: with the flow and the vertical
+ * all is in one plane, tan(tilt) = F_h/(W + F_v), one equation in one angle. In an orbit this
+ * state, with the local flow and gravity, is where Newton's method in two angles begins, with the
+ * exact derivatives; in straight flight it removes the moment that the segments of the ring leave
+ * (1e-9).
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "tow/steady.h"
+
+enum { ITERATIONS = 50, /* of Newton's method: it needs 4 */
+       NEAR = 10        /* bisections of the angle before it: to 3 mrad */ };
+#define TOLERANCE 1e-13 /* of the moment over offset times force; round-off is 1e-15 */
+
+struct ring {
+	const struct hawser__tow_frame *frame;
+	const struct hawser_tow_body *body;
+	const double *x;   /* of the hinge */
+	double flow[3];    /* there */
+};
+
+static void ring_drag(double f[3], const void *context, const double t[3])
+{
+	const struct ring *of = context;
+
+	hawser_ring_force(f, &of->body->ring, of->flow, t);
+}
+
+/* Force n, its moment and their derivatives by a small rotation of the ring, for the axis a. */
+struct balance {
+	double centre[3], n[3], moment[3], slope[3][3];
+};
+
+static void spin_cross(double c[3], double spin, const double x[3])
+{
+	c[0] = spin*x[2];
+	c[1] = 0.0;
+	c[2] = -spin*x[0];
+}
+
+/* Moment of the inertia of a torus that turns about y: spin x J spin, J = jt + (ja - jt) a a^T. */
+static void gyroscopic(double c[3], const struct ring *of, const double a[3])
+{
+	double R = of->body->ring.radius, r = of->body->ring.drag.radius, spin = of->frame->spin;
+	double excess = of->body->mass*(0.5*R*R + 0.125*r*r); /* ja - jt */
+
+	spin_cross(c, spin*spin*excess*a[1], a);
+}
+
+static void balance_of(struct balance *b, const struct ring *of, const double a[3])
+{
+	const double spin = of->frame->spin, omega[3] = {0.0, spin, 0.0};
+	double l = of->body->offset, m = of->body->mass, u[3], w[3], part[3];
+	struct hawser_ring_drag drag;
+
+	for (int i = 0; i < 3; i++)
+		b->centre[i] = of->x[i] + l*a[i];
+	hawser__tow_flow(u, of->frame, b->centre);
+	hawser__tow_gravity(w, of->frame, b->centre);
+	hawser_ring_drag(&drag, &of->body->ring, u, a, omega);
+	for (int i = 0; i < 3; i++)
+		b->n[i] = m*w[i] + drag.force[i];
+	hawser__cross(b->moment, a, b->n);
+	gyroscopic(part, of, a);
+	for (int i = 0; i < 3; i++)
+		b->moment[i] = l*b->moment[i] + drag.moment[i] - part[i];
+	for (int j = 0; j < 3; j++) {
+		double unit[3] = {j == 0, j == 1, j == 2}, da[3], du[3], dn[3], dm[3], more[3];
+
+		hawser__cross(da, unit, a);
+		spin_cross(du, -spin*l, da);
+		for (int i = 0; i < 3; i++) {
+			dn[i] = drag.force_turn[i][j] + (i == 1 ? 0.0 : m*spin*spin*l*da[i]);
+			dm[i] = drag.moment_turn[i][j];
+			for (int k = 0; k < 3; k++) {
+				dn[i] += drag.force_u[i][k]*du[k];
+				dm[i] += drag.moment_u[i][k]*du[k];
+			}
+		}
+		hawser__cross(part, da, b->n);
+		hawser__cross(more, a, dn);
+		for (int i = 0; i < 3; i++)
+			dm[i] += l*(part[i] + more[i]);
+		gyroscopic(part, of, (const double [3]){da[0], a[1], da[2]});
+		gyroscopic(more, of, (const double [3]){a[0], da[1], a[2]});
+		for (int i = 0; i < 3; i++)
+			b->slope[i][j] = dm[i] - part[i] - more[i];
+	}
+}
+
+/* Two unit vectors across a. */
+static void across(double e[2][3], const double a[3])
+{
+	const double from[3] = {fabs(a[0]) < 0.7, fabs(a[0]) >= 0.7, 0.0};
+	double length;
+
+	hawser__cross(e[0], a, from);
+	length = hawser__norm(e[0]);
+	for (int i = 0; i < 3; i++)
+		e[0][i] /= length;
+	hawser__cross(e[1], a, e[0]);
+}
+
+static double quadratic(double (*A)[3], const double *left, const double *right)
+{
+	double sum = 0.0;
+
+	for (int i = 0; i < 3; i++)
+		sum += left[i]*hawser__dot(A[i], right);
+	return sum;
+}
+
+/* Newton's method from the axis a; returns the moment that is left over offset times force. */
+static double attitude(double a[3], struct balance *b, const struct ring *of)
+{
+	double left = INFINITY;
+
+	for (int i = 0; i < ITERATIONS; i++) {
+		double e[2][3], g[2], A[2][2], det, step[3], turn[2], size, scale;
+
+		balance_of(b, of, a);
+		across(e, a);
+		for (int k = 0; k < 2; k++) {
+			g[k] = hawser__dot(e[k], b->moment);
+			for (int j = 0; j < 2; j++)
+				A[k][j] = quadratic(b->slope, e[k], e[j]);
+		}
+		left = hypot(g[0], g[1])/(of->body->offset*hawser__norm(b->n) + DBL_MIN);
+		det = A[0][0]*A[1][1] - A[0][1]*A[1][0];
+		if (left < TOLERANCE || !(fabs(det) > 0.0))
+			break;
+		turn[0] = (A[0][1]*g[1] - A[1][1]*g[0])/det;
+		turn[1] = (A[1][0]*g[0] - A[0][0]*g[1])/det;
+		size = hypot(turn[0], turn[1]);
+		scale = size > 0.3 ? 0.3/size : 1.0; /* rad a step: beyond it the linear model says little */
+		for (int k = 0; k < 3; k++)
+			step[k] = scale*(turn[0]*e[0][k] + turn[1]*e[1][k]);
+		hawser__cross(e[0], step, a);
+		for (int k = 0; k < 3; k++)
+			a[k] += e[0][k];
+		size = hawser__norm(a);
+		for (int k = 0; k < 3; k++)
+			a[k] /= size;
+	}
+	return left;
+}
+
+static int ring_at(struct hawser__tow_end *end, const struct ring *of)
+{
+	struct balance b;
+	double w[3], a[3];
+
+	hawser__tow_gravity(w, of->frame, of->x);
+	for (int i = 0; i < 3; i++)
+		w[i] *= of->body->mass;
+	if (of->body->offset > 0.0) {
+		hawser__tow_direction(a, w, of->flow, ring_drag, of, NEAR);
+		end->residual = attitude(a, &b, of);
+	} else { /* its centre is in the hinge: along the force, as the limit of small offsets */
+		hawser__tow_direction(a, w, of->flow, ring_drag, of, HAWSER__BISECTIONS);
+		balance_of(&b, of, a);
+	}
+	memcpy(end->force, b.n, sizeof b.n);
+	memcpy(end->axis, a, sizeof a);
+	memcpy(end->centre, b.centre, sizeof b.centre);
+	return end->residual < 1e-9; /* of a rotation: a thousandth of what a user reads */
+}
+
+int hawser__tow_body_at(struct hawser__tow_end *end, const struct hawser__tow_frame *frame,
+                        const double x[3])
+{
+	const struct hawser_tow_body *body = &frame->tow->body;
+	struct ring ring = {frame, body, x, {0.0}};
+	double w[3], u[3], speed;
+
+	memset(end, 0, sizeof *end);
+	memcpy(end->centre, x, sizeof end->centre);
+	if (body->kind == HAWSER_TOW_NO_BODY)
+		return 1;
+	hawser__tow_flow(u, frame, x);
+	if (body->kind == HAWSER_TOW_RING) {
+		memcpy(ring.flow, u, sizeof u);
+		return ring_at(end, &ring);
+	}
+	hawser__tow_gravity(w, frame, x);
+	speed = hawser__norm(u);
+	for (int i = 0; i < 3; i++)
+		end->force[i] = body->mass*w[i] + 0.5*frame->tow->density*body->CdA*speed*u[i];
+	return 1;
+}

@@ -1,0 +1,153 @@
+/* tow/steady_orbit.c - the steady states of an orbit.
+ *
+ *   r      radius of the free end about the axis of the orbit
+ *   g(r)   radius of the upper end of the cable that is integrated from there, less that of the
+ * orbit
+ *
+ * In the frame that turns with the towing point everything is at rest and symmetric about the axis,
+ * so that the free end may be put at [r, 0, 0]: one equation in one unknown, g(r) = 0. On the axis
+ * the cable hangs down, g(0) = -R, and from beyond R and its length it does not reach back: there
+ * is always a solution. All sign changes on a grid are solutions; of several the one is taken to
+ * which the state at rest leads when the speed is raised.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+
+#include "continuation/false_position.h"
+#include "core/report.h"
+#include "tow/steady.h"
+
+enum { GRID = 96,      /* places at which g is looked at first */
+       TRIES = 60,     /* of false position: it needs 10 */
+       SPEEDS = 24,    /* from rest to the speed */
+       PARTS = 4 };    /* the mesh of the result: twice the elements */
+#define TOLERANCE 1e-13 /* of the radius, relative */
+#define STRETCHED 1.2  /* the cable is at most so much longer than unstretched */
+
+static const char where[] = "tow steady";
+
+static double miss(const struct hawser__tow_frame *frame, double r, int parts)
+{
+	double x[3] = {r, 0.0, 0.0}, top[3], n[3];
+	struct hawser__tow_end end;
+
+	if (!hawser__tow_body_at(&end, frame, x))
+		return NAN;
+	hawser__tow_string(top, n, NULL, frame, x, &end, parts);
+	return hypot(top[0], top[2]) - frame->tow->path.radius;
+}
+
+/* Between two places of different signs. */
+static double zero(const struct hawser__tow_frame *frame, double a, double b)
+{
+	struct hawser__bracketed in = {.a = a, .b = b, .fa = miss(frame, a, PARTS),
+	                               .fb = miss(frame, b, PARTS)};
+	double scale = frame->tow->path.radius, r = a;
+
+	if ((in.fa < 0.0) == (in.fb < 0.0)) /* the coarse mesh of the grid saw one that is not there */
+		return NAN;
+	for (int i = 0; i < TRIES && in.b - in.a > TOLERANCE*scale; i++) {
+		double f;
+
+		r = hawser__false_position(&in, i);
+		f = miss(frame, r, PARTS);
+		if (!(fabs(f) > TOLERANCE*scale))
+			return f == f ? r : NAN;
+		hawser__false_position_take(&in, r, f);
+	}
+	return r;
+}
+
+static double reach(const struct hawser_tow *tow)
+{
+	double length = 0.0;
+
+	for (int i = 0; i < tow->segments; i++)
+		length += tow->segment[i].length;
+	return tow->path.radius + STRETCHED*length;
+}
+
+/* All solutions on the grid, in ascending order. */
+static int all(double *root, const struct hawser__tow_frame *frame)
+{
+	double far = reach(frame->tow), before = 0.0, value = miss(frame, 0.0, 1);
+	int found = 0;
+
+	for (int i = 1; i <= GRID; i++) {
+		double r = far*i/GRID, next = miss(frame, r, 1);
+
+		if (value == value && next == next && (value < 0.0) != (next < 0.0) &&
+		    found < HAWSER_TOW_STATES) {
+			root[found] = zero(frame, before, r);
+			found += root[found] == root[found];
+		}
+		before = r;
+		value = next;
+	}
+	return found;
+}
+
+/* The solution to which the state at rest leads: the nearest to the one before, as the speed grows. */
+static int from_rest(const double *root, int roots, const struct hawser__tow_frame *frame)
+{
+	struct hawser__tow_frame slow = *frame;
+	double r = frame->tow->path.radius;
+	int best = 0;
+
+	for (int k = 1; k < SPEEDS; k++) {
+		double other[HAWSER_TOW_STATES], nearest = NAN;
+		int count;
+
+		slow.spin = frame->spin*k/SPEEDS;
+		count = all(other, &slow);
+		for (int i = 0; i < count; i++)
+			if (!(fabs(other[i] - r) >= fabs(nearest - r)))
+				nearest = other[i];
+		if (nearest == nearest)
+			r = nearest;
+	}
+	for (int i = 1; i < roots; i++)
+		if (fabs(root[i] - r) < fabs(root[best] - r))
+			best = i;
+	return best;
+}
+
+static struct hawser_tow_state describe(const struct hawser__tow_frame *frame, double r)
+{
+	double x[3] = {r, 0.0, 0.0}, top[3], n[3], angle;
+	struct hawser__tow_end end;
+
+	if (!hawser__tow_body_at(&end, frame, x))
+		return (struct hawser_tow_state){.radius = r};
+	hawser__tow_string(top, n, NULL, frame, x, &end, PARTS);
+	angle = atan2(top[2], top[0]);
+	return (struct hawser_tow_state){.radius = r, .depth = top[1], .tension_top = hawser__norm(n),
+	                                 .lag = frame->tow->path.speed < 0.0 ? -angle : angle};
+}
+
+enum hawser_status hawser__tow_orbit(struct hawser_tow_steady *steady,
+                                     struct hawser__tow_frame *frame, double end[3],
+                                     struct hawser_report *report)
+{
+	double root[HAWSER_TOW_STATES];
+	int roots, chosen;
+
+	/* a positive speed turns x toward z, which is a negative rotation about y */
+	frame->spin = -frame->tow->path.speed/frame->tow->path.radius;
+	roots = all(root, frame);
+	if (!roots)
+		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, where, "no steady state was found in "
+		                    "the orbit of %.6g m at %.6g m/s, among radii of the free end up to "
+		                    "%.6g m: is the speed plausible?", frame->tow->path.radius,
+		                    frame->tow->path.speed, reach(frame->tow));
+	chosen = roots > 1 ? from_rest(root, roots, frame) : 0;
+	for (int i = 0; i < roots; i++)
+		if (i != chosen)
+			steady->other[steady->others++] = describe(frame, root[i]);
+	steady->state = describe(frame, root[chosen]);
+	end[0] = root[chosen];
+	end[1] = end[2] = 0.0;
+	return HAWSER_OK;
+}

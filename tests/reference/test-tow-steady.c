@@ -1,0 +1,258 @@
+/* Steady states of towed bodies: numbers of an independent program, closed forms, the balance of a
+ * ring in an orbit, and what is refused.
+ *
+ * D: Dehadrai, 2018; its e1 (down), e2, e3 are -y, x, z here. The numbers of D's cases are those of a
+ * program with a beam on whose end the ring is clamped. Here the ring hangs on a joint. The beam's
+ * moment at its end turns it by EI (curvature)/(offset T), 1e-5 in the cases of 5.2.3.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <string.h>
+
+#include <hawser/tow.h>
+
+#include "tests/tap.h"
+
+#define PI 3.14159265358979323846 /* to the digits of a double */
+static const double origin[3] = {0.0};
+
+/* A cable of nylon in air of 1.2 kg/m^3, with a ring. */
+static struct hawser_tow with_ring(struct hawser_tow_segment *cable, double length, double r, double cn,
+                                   double mass, double radius, double tube, double offset)
+{
+	*cable = (struct hawser_tow_segment){.length = length, .rho = 1150.0*PI*r*r, .EA = INFINITY,
+	                                     .diameter = 2.0*r, .normal = cn};
+	return (struct hawser_tow){
+		.g = 9.81, .density = 1.2, .segment = cable, .segments = 1,
+		.body = {.kind = HAWSER_TOW_RING, .mass = mass, .offset = offset,
+		         .ring = {.radius = radius, .segments = 256, .drag = {1.2, tube, cn, 0.0}}}};
+}
+
+static int solve(struct hawser_tow_steady *steady, struct hawser_tow *tow, double speed, double radius,
+                 const char *what)
+{
+	struct hawser_report report = {0};
+	double velocity[3] = {speed, 0.0, 0.0};
+	enum hawser_status status =
+		radius > 0.0 ? hawser_path_orbit(&tow->path, origin, radius, speed, 0.0,
+		                                 HAWSER_PATH_RAMP_SMOOTH, &report)
+		             : hawser_path_straight(&tow->path, origin, velocity, 0.0, HAWSER_PATH_RAMP_SMOOTH,
+		                                    &report);
+
+	if (!status)
+		status = hawser_tow_steady_solve(steady, tow, &report);
+	return ok(!status && steady->residual < 1e-12, "%s: %s", what, report.message);
+}
+
+/* tan(tilt) = F_h/(W + F_v), by bisection. */
+static double scalar_tilt(const struct hawser_tow *tow, double speed)
+{
+	double low = 0.0, high = 0.5*PI, u[3] = {-speed, 0.0, 0.0};
+
+	for (int i = 0; i < 60; i++) {
+		double tilt = 0.5*(low + high), axis[3] = {-sin(tilt), -cos(tilt), 0.0};
+		struct hawser_ring_drag drag;
+
+		hawser_ring_drag(&drag, &tow->body.ring, u, axis, origin);
+		if (-drag.force[0] > tan(tilt)*(tow->body.mass*tow->g - drag.force[1]))
+			low = tilt;
+		else
+			high = tilt;
+	}
+	return -0.5*(low + high);
+}
+
+static void tilts(void)
+{
+	static const struct {
+		double speed, tilt, digits, top;
+	} row[] = {{13.0, -0.07164, 1e-5, 0.0}, {25.0, -0.2630, 5e-5, 0.0}, {40.0, -0.6287, 1e-4, 0.0},
+	           {27.8, -0.5129, 5e-5, 5752.0}, {32.8, -0.6779, 5e-5, 7205.0}};
+
+	for (size_t i = 0; i < sizeof row/sizeof *row; i++) {
+		struct hawser_tow_segment cable;
+		struct hawser_tow tow = i < 3 ? with_ring(&cable, 10.0, 0.005, 1.3, 50.0, 1.0, 0.05, 1.0)
+		                              : with_ring(&cable, 14.0, 0.004, 1.2, 435.0, 11.0, 0.07, 16.0);
+		struct hawser_tow_steady steady;
+
+		if (!solve(&steady, &tow, row[i].speed, 0.0, i < 3 ? "D 5.2.3" : "D 5.3"))
+			continue;
+		ok(fabs(steady.tilt - row[i].tilt) <= row[i].digits, "%g m/s: tilt %g: %.6f", row[i].speed,
+		   row[i].tilt, steady.tilt);
+		close_to(steady.tilt, scalar_tilt(&tow, row[i].speed), 1e-9, "the scalar equation");
+		ok(row[i].top == 0.0 || fabs(steady.tension_top - row[i].top) < 0.5, "top %.2f N",
+		   steady.tension_top);
+		ok(fabs(steady.rotation[2] - steady.tilt) < 1e-12 && fabs(steady.attitude[3] -
+		   sin(0.5*steady.tilt)) < 1e-12, "rotation and quaternion");
+		hawser_tow_steady_clear(&steady);
+	}
+}
+
+/* D 5.2.1: a wind at 45 degrees. */
+static void hover(void)
+{
+	struct hawser_tow_segment cable;
+	struct hawser_tow tow = with_ring(&cable, 10.0, 0.01, 1.3, 10.0, 0.08, 0.0025, 0.8);
+	struct hawser_tow_steady steady;
+
+	tow.wind[0] = tow.wind[2] = 40.0*sqrt(0.5);
+	if (!solve(&steady, &tow, 0.0, 0.0, "D 5.2.1"))
+		return;
+	/* the beam's end is turned much more, by 0.0487: its drag, 25 N/m, is large against the tension */
+	close_to(hypot(steady.rotation[0], steady.rotation[2]), -scalar_tilt(&tow, 40.0), 1e-9,
+	         "the scalar equation");
+	close_to(steady.rotation[0], -steady.rotation[2], 1e-12, "toward the wind");
+	ok(fabs(steady.tension_top - 123.5) < 0.05, "top 123.5 N: %.3f", steady.tension_top);
+	hawser_tow_steady_clear(&steady);
+}
+
+static void closed_forms(void)
+{
+	struct hawser_tow_segment cable = {.length = 50.0, .rho = 0.3, .EA = INFINITY, .diameter = 0.01,
+	                                   .normal = 1.2};
+	struct hawser_tow tow = {.g = 9.81, .density = 1.2, .segment = &cable, .segments = 1};
+	struct hawser_tow_steady steady;
+	double w = 0.3*9.81, D = 0.5*1.2*1.2*0.01*400.0, angle, T, p;
+
+	if (solve(&steady, &tow, 20.0, 0.0, "a free end")) {
+		angle = acos((sqrt(w*w + 4.0*D*D) - w)/(2.0*D));
+		/* the angle from the flow: the normal part of it is V sin, so that w cos = D sin^2 */
+		close_to(steady.state.depth, 50.0*sin(angle), 1e-9, "critical angle: straight");
+		close_to(steady.tension_top, w*50.0*sin(angle), 1e-9, "its tension");
+		hawser_tow_steady_clear(&steady);
+	}
+	/* D 5.1.5, Glauert's string: no weight, so that T is constant; from the mass on p = tan(angle) */
+	cable = (struct hawser_tow_segment){.length = 1.0, .EA = INFINITY, .diameter = 0.01,
+	                                    .normal = 10.0/(0.5*1.2*0.01*400.0)};
+	tow.body = (struct hawser_tow_body){.kind = HAWSER_TOW_MASS, .mass = 20.0,
+	                                    .CdA = 10.0/(0.5*1.2*400.0)};
+	if (solve(&steady, &tow, 20.0, 0.0, "D 5.1.5")) {
+		T = hypot(20.0*9.81, 10.0);
+		p = 10.0/(20.0*9.81);
+		close_to(steady.tension_top, T, 1e-12, "constant tension");
+		close_to(-steady.end[0], T/10.0*(hypot(1.0, p + 10.0/T) - hypot(1.0, p)), 1e-9, "its way back");
+		close_to(steady.state.depth, T/10.0*(asinh(p + 10.0/T) - asinh(p)), 1e-9, "its depth");
+		ok(fabs(-steady.end[0] - 0.076173) < 5e-7 && fabs(steady.state.depth - 0.996988) < 5e-7,
+		   "(0.076173, 0.996988)");
+		hawser_tow_steady_clear(&steady);
+	}
+	/* at rest, with a stretch: T = (m + rho (L - s)) g */
+	cable = (struct hawser_tow_segment){.length = 7.3, .rho = 0.4, .EA = 3e4, .diameter = 0.01,
+	                                    .normal = 1.2};
+	if (solve(&steady, &tow, 0.0, 0.0, "at rest")) {
+		close_to(steady.tension_top, (20.0 + 0.4*7.3)*9.81, 1e-13, "weight");
+		close_to(steady.state.depth, 7.3*(1.0 + (20.0 + 0.2*7.3)*9.81/3e4), 1e-13, "stretch");
+		ok(steady.tilt == 0.0 && steady.attitude[0] == 1.0, "it hangs down");
+		hawser_tow_steady_clear(&steady);
+	}
+}
+
+static void orbit(void)
+{
+	struct hawser_tow_segment cable = {.length = 100.0, .rho = 0.3, .EA = INFINITY, .diameter = 0.01,
+	                                   .normal = 1.2};
+	struct hawser_tow tow = {.g = 9.81, .density = 1.2, .segment = &cable, .segments = 1,
+	                         .body = {.kind = HAWSER_TOW_MASS, .mass = 20.0, .CdA = 0.1}};
+	struct hawser_tow_steady steady;
+
+	if (!solve(&steady, &tow, 20.0, 100.0, "an orbit"))
+		return;
+	ok(fabs(steady.state.depth - 76.854) < 5e-4, "depth 76.854 m: %.5f", steady.state.depth);
+	ok(fabs(steady.state.radius - 131.738) < 5e-4, "radius 131.738 m: %.5f", steady.state.radius);
+	ok(fabs(steady.state.lag*180.0/PI - 27.629) < 5e-4, "lag 27.629 degrees: %.5f",
+	   steady.state.lag*180.0/PI);
+	ok(fabs(steady.tension_top - 496.89) < 5e-3, "top 496.89 N: %.4f", steady.tension_top);
+	ok(fabs(steady.point[0].x[0] - 100.0) < 1e-9 && fabs(steady.point[0].x[2]) < 1e-9 &&
+	   steady.end[2] < 0.0, "from the towing point; the body is behind");
+	ok(steady.mesh_error < 1e-6 && steady.others == 0, "mesh error %.1e m", steady.mesh_error);
+	hawser_tow_steady_clear(&steady);
+}
+
+static void cross(double *c, const double *a, const double *b)
+{
+	c[0] = a[1]*b[2] - a[2]*b[1];
+	c[1] = a[2]*b[0] - a[0]*b[2];
+	c[2] = a[0]*b[1] - a[1]*b[0];
+}
+
+/* The ring's forces and moments, summed again in the state that is found. */
+static void ring_in_orbit(void)
+{
+	struct hawser_tow_segment cable;
+	struct hawser_tow tow = with_ring(&cable, 14.0, 0.004, 1.2, 435.0, 11.0, 0.07, 16.0);
+	struct hawser_tow_steady steady;
+	struct hawser_ring_drag drag;
+	double spin[3] = {0.0}, u[3], rim[3], n[3], moment[3], h[3], part[3], along, R = 11.0, r = 0.07;
+
+	if (!solve(&steady, &tow, 13.9, 60.0, "a ring in an orbit"))
+		return;
+	spin[1] = steady.spin;
+	cross(u, steady.centre, spin); /* the origin is on the axis */
+	hawser_ring_drag(&drag, &tow.body.ring, u, steady.axis, spin);
+	for (int k = 0; k < 3; k++)
+		n[k] = drag.force[k] + 435.0*((k == 1 ? -9.81 : 0.0) +
+		                              (k == 1 ? 0.0 : spin[1]*spin[1]*steady.centre[k]));
+	ok(hypot(hypot(n[0] - steady.body_force[0], n[1] - steady.body_force[1]),
+	         n[2] - steady.body_force[2]) < 1e-8,
+	   "weight, inertia and drag are the force on the cable");
+	/* angular momentum of a torus: 435 ((R^2/2 + 5 r^2/8) spin + (R^2/2 + r^2/8) (spin.a) a) */
+	along = spin[1]*steady.axis[1];
+	for (int k = 0; k < 3; k++)
+		h[k] = 435.0*((0.5*R*R + 0.625*r*r)*spin[k] + (0.5*R*R + 0.125*r*r)*along*steady.axis[k]);
+	cross(part, spin, h);
+	for (int k = 0; k < 3; k++)
+		rim[k] = 16.0*steady.axis[k];
+	cross(moment, rim, n);
+	for (int k = 0; k < 3; k++)
+		moment[k] += drag.moment[k] - part[k];
+	along = moment[0]*steady.axis[0] + moment[1]*steady.axis[1] + moment[2]*steady.axis[2];
+	for (int k = 0; k < 3; k++)
+		moment[k] -= along*steady.axis[k];
+	ok(hypot(hypot(moment[0], moment[1]), moment[2]) < 1e-7, "no moment across the axis: %.1e Nm",
+	   hypot(hypot(moment[0], moment[1]), moment[2]));
+	hawser_tow_steady_clear(&steady);
+}
+
+static void refused(struct hawser_tow *tow, double speed, double radius, const char *text)
+{
+	struct hawser_tow_steady steady;
+	struct hawser_report report = {0};
+	double velocity[3] = {speed, 0.0, 0.0};
+	enum hawser_status status =
+		radius > 0.0 ? hawser_path_orbit(&tow->path, origin, radius, speed, 0.0,
+		                                 HAWSER_PATH_RAMP_SMOOTH, &report)
+		             : hawser_path_straight(&tow->path, origin, velocity, 0.0, HAWSER_PATH_RAMP_SMOOTH,
+		                                    &report);
+
+	if (radius < 0.0)
+		tow->path.kind = HAWSER_PATH_WAYPOINTS;
+	if (!status)
+		status = hawser_tow_steady_solve(&steady, tow, &report);
+	ok(status == HAWSER_ERR_ARGUMENT && strstr(report.message, text), "%s", report.message);
+}
+
+static void refusals(void)
+{
+	struct hawser_tow_segment cable = {.length = 10.0, .EA = INFINITY};
+	struct hawser_tow tow = {.g = 9.81, .segment = &cable};
+
+	refused(&tow, 5.0, 0.0, "has no cable");
+	tow.segments = 1;
+	refused(&tow, 5.0, 0.0, "no mass");
+	cable.rho = 1.0;
+	refused(&tow, 5.0, -1.0, "waypoints has no steady state");
+	tow.wind[2] = 3.0;
+	refused(&tow, 5.0, 10.0, "horizontal wind");
+}
+
+int main(void)
+{
+	tilts();
+	hover();
+	closed_forms();
+	orbit();
+	ring_in_orbit();
+	refusals();
+	return done_testing();
+}
