@@ -35,6 +35,8 @@ struct hawser_tow_body {
 	double mass;             /* kg */
 	double CdA;              /* m^2, of a mass: drag coefficient times area */
 	double offset;           /* m, of a ring */
+	int joint;               /* of a ring on a cable with EI. 0: clamped to its end; 1: a joint without
+	                          * moment, as there is where the cable has no EI */
 	struct hawser_ring ring; /* with the density of the air */
 };
 
@@ -43,6 +45,7 @@ struct hawser_tow {
 	struct hawser_path path;            /* of the towing point */
 	struct hawser_waypoint *waypoint;   /* [waypoints] of the path, with what is given; owned */
 	int waypoints;                      /* 0: straight flight or orbit */
+	int clamped;                        /* 1: with EI, the cable leaves the towing point downwards */
 	double g;                           /* m/s^2 */
 	double density, wind[3];            /* kg/m^3 and m/s, of the air */
 	struct hawser_tow_segment *segment; /* [segments] from the towing point; owned */
@@ -78,8 +81,9 @@ struct hawser_tow_state {
 };
 enum { HAWSER_TOW_STATES = 16 };
 
-/* The steady state at the path's speed, without bending stiffness, at the instant at which the
- * towing point is at its start (of an orbit: at centre + [radius, 0, 0]). */
+/* The steady state at the path's speed, at the instant at which the towing point is at its start (of
+ * an orbit: at centre + [radius, 0, 0]). With EI the cable is a beam in straight flight; in an orbit
+ * it is a string. */
 struct hawser_tow_steady {
 	struct hawser_tow_point *point; /* [points] from the towing point to the free end; owned */
 	int points;
@@ -98,10 +102,12 @@ struct hawser_tow_steady {
 	int others;
 	double spin;          /* rad/s of the steady frame about y; 0 in straight flight */
 	double residual;      /* largest of: distance of the end of the cable from the towing point over the
-	                       * length, moment on the body over offset times force */
+	                       * length, moment on the body over offset times force; of a beam: of its
+	                       * forces and moments, over the largest force and that times the length */
 	double mesh_error;    /* m, largest change of a point if the number of elements is halved */
-	double bending;       /* m, sqrt(EI/T) where it is largest: bending is left out, and matters within
-	                       * a few of it from the ends; 0 without EI */
+	int bent;             /* 1: a beam, 0: a string */
+	double bending;       /* m, sqrt(EI/T) where it is largest: bending matters within a few of it from
+	                       * the ends, and is left out of a string; 0 without EI */
 };
 
 /* Solve. *steady is overwritten; release it with hawser_tow_steady_clear. HAWSER_ERR_ARGUMENT: a

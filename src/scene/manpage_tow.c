@@ -87,8 +87,8 @@ const char hawser__manpage_tow[] =
 	"are its parts from the towing point on, each with\n"
 	".BR length \", \" rho \" (kg/m), \" diameter\n"
 	"(of its drag),\n"
-	".BR EA \" (.inf), \" EI \", \" GJ \", \" GA\n"
-	"(which the string does not use),\n"
+	".BR EA \" (.inf), \" EI \" (0), \" GJ \" and \" GA\n"
+	"(which are not used),\n"
 	".BR elements \" (100) and \" drag :\n"
 	"the coefficients\n"
 	".BR normal ,\n"
@@ -109,5 +109,9 @@ const char hawser__manpage_tow[] =
 	".B offset\n"
 	"of its centre from the end of the cable,\n"
 	".BR segments \" (32) and \" drag .\n"
-	"Without a body the end is free. tow.hinge may be free only, and shedding, body.joint,\n"
-	"body.inertia and air.file are refused: nothing computes them yet.\n";
+	"Without a body the end is free. With EI\n"
+	".B tow.hinge\n"
+	"is free (the default) or clamped (the cable leaves the towing point downwards), and\n"
+	".B body.joint\n"
+	"clamped (the default: the ring turns with the end of the cable) or free.\n"
+	"shedding, body.inertia and air.file are refused: nothing computes them yet.\n";

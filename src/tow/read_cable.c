@@ -178,6 +178,22 @@ static enum hawser_status ring(struct hawser__reader *reader, struct hawser_tow_
 	                              "body.ring");
 }
 
+/* How a ring is held by a cable with EI. */
+static enum hawser_status joint(struct hawser__reader *reader, struct hawser_tow_body *body,
+                                const struct hawser__tree *tree)
+{
+	static const char *const words[] = {"clamped", "free"};
+	const struct hawser__tree *one = hawser__tree_find(tree, "joint");
+
+	if (one && one->kind == HAWSER__MAPPING)
+		return hawser__reader_fail(reader, &one->at, "body.joint: not yet with a spring: give clamped "
+		                           "or free");
+	if (one && !hawser__tree_find(tree, "ring"))
+		return hawser__reader_fail(reader, &one->at, "body.joint is of a ring: a mass is a point, "
+		                           "which has no attitude; leave it out");
+	return one ? hawser__tree_word(reader, &body->joint, one, "body.joint", words, 2) : HAWSER_OK;
+}
+
 enum hawser_status hawser__tow_body(struct hawser__reader *reader, struct hawser_tow *tow,
                                     const struct hawser__tree *tree)
 {
@@ -189,8 +205,6 @@ enum hawser_status hawser__tow_body(struct hawser__reader *reader, struct hawser
 		return status;
 	status = hawser__tree_keys(reader, tree, "body", "ring, mass, CdA, inertia, joint");
 	if (!status)
-		status = later(reader, tree, "body", "joint", "the body hangs on a free joint");
-	if (!status)
 		status = later(reader, tree, "body", "inertia", "a mass is a point");
 	for (int k = 0; k < 2 && !status && of_ring; k++) {
 		const struct hawser__tree *one = hawser__tree_find(tree, k ? "CdA" : "mass");
@@ -199,6 +213,8 @@ enum hawser_status hawser__tow_body(struct hawser__reader *reader, struct hawser
 			status = hawser__reader_fail(reader, &one->at, "body has ring and %s: a ring has its "
 			                             "own mass and drag; remove one of them", k ? "CdA" : "mass");
 	}
+	if (!status)
+		status = joint(reader, body, tree);
 	if (status || of_ring)
 		return status ? status : ring(reader, body, of_ring);
 	body->kind = HAWSER_TOW_MASS;

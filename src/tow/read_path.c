@@ -25,20 +25,14 @@ static const struct {
 	{"law", "straight flight (speed) and orbits", 1u << SPEED | 1u << ORBIT},
 };
 
-/* A string has no moment at its end. */
-static enum hawser_status hinge(struct hawser__reader *reader, const struct hawser__tree *tree)
+/* How a cable with EI is held at the towing point. */
+static enum hawser_status hinge(struct hawser__reader *reader, struct hawser_tow *tow,
+                                const struct hawser__tree *tree)
 {
 	static const char *const words[] = {"free", "clamped"};
 	const struct hawser__tree *one = hawser__tree_find(tree, "hinge");
-	int index = 0;
-	enum hawser_status status = HAWSER_OK;
 
-	if (one)
-		status = hawser__tree_word(reader, &index, one, "tow.hinge", words, 2);
-	if (!status && index)
-		status = hawser__reader_fail(reader, &one->at, "tow.hinge: clamped: not yet: the cable is "
-		                             "without bending stiffness; give free, or leave it out");
-	return status;
+	return one ? hawser__tree_word(reader, &tow->clamped, one, "tow.hinge", words, 2) : HAWSER_OK;
 }
 
 /* The one way in which the path is given. */
@@ -62,8 +56,6 @@ static enum hawser_status choose(struct hawser__reader *reader, int *way,
 		status = hawser__reader_fail(reader, &tree->at, "tow has no path: give waypoints, file, "
 		                             "speed or orbit, for example orbit: {radius: 100 m, "
 		                             "speed: 20 m/s}");
-	if (!status)
-		status = hinge(reader, tree);
 	for (size_t k = 0; k < sizeof rule/sizeof *rule && !status; k++) {
 		const struct hawser__tree *one = hawser__tree_find(tree, rule[k].key);
 
@@ -199,6 +191,8 @@ enum hawser_status hawser__tow_path(struct hawser__reader *reader, struct hawser
 	int way = 0;
 	enum hawser_status status = choose(reader, &way, tree);
 
+	if (!status)
+		status = hinge(reader, tow, tree);
 	if (status)
 		return status;
 	if (way == SPEED || way == ORBIT)

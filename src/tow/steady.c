@@ -58,51 +58,111 @@ static enum hawser_status straight(struct hawser__tow_frame *frame, double end[3
 
 /* --- from a solution --- */
 
-/* The cable from its free end, with its mesh error. */
+/* The largest distance of a point in the finer of two shapes, both seen from the towing point. */
+static double change(const struct hawser_tow_point *coarse, const struct hawser_tow_point *fine,
+                     int points)
+{
+	double largest = 0.0;
+
+	for (int i = 0; i < points; i++) {
+		double one[3];
+
+		for (int k = 0; k < 3; k++)
+			one[k] = (coarse[i].x[k] - coarse[0].x[k]) - (fine[i].x[k] - fine[0].x[k]);
+		largest = fmax(largest, hawser__norm(one));
+	}
+	return largest;
+}
+
+/* 1 if the cable is a beam: in straight flight with EI. */
+static int bends(const struct hawser__tow_frame *frame)
+{
+	int stiff = 0;
+
+	for (int i = 0; i < frame->tow->segments; i++)
+		stiff |= frame->tow->segment[i].EI > 0.0;
+	return stiff && frame->tow->path.kind == HAWSER_PATH_STRAIGHT;
+}
+
+/* The cable from its free end, and as a beam from there; on a mesh and one of twice the elements. */
+static enum hawser_status meshes(struct hawser_tow_steady *steady, struct hawser_tow_point *coarse,
+                                 struct hawser__tow_end *body, const struct hawser__tow_frame *frame,
+                                 const double end[3], struct hawser_report *report)
+{
+	struct hawser__tow_end other = *body;
+	double top[3], n[3];
+	enum hawser_status status = HAWSER_OK;
+
+	hawser__tow_string(top, n, coarse, frame, end, body, 2);
+	hawser__tow_string(top, n, steady->point, frame, end, body, 4);
+	steady->bent = bends(frame);
+	if (steady->bent) {
+		status = hawser__tow_bend(coarse, &other, frame, steady->point, 1, report);
+		if (!status)
+			status = hawser__tow_bend(steady->point, body, frame, steady->point, 2, report);
+	}
+	steady->mesh_error = change(coarse, steady->point, steady->points);
+	return status;
+}
+
+static double length_of(const struct hawser_tow *tow)
+{
+	double length = 0.0;
+
+	for (int i = 0; i < tow->segments; i++)
+		length += tow->segment[i].length;
+	return length;
+}
+
+/* What is known when the points are: errors, and where the body is. */
+static enum hawser_status judge(struct hawser_tow_steady *steady,
+                                const struct hawser__tow_frame *frame,
+                                const struct hawser__tow_end *body, struct hawser_report *report)
+{
+	const struct hawser_tow *tow = frame->tow;
+	const struct hawser_tow_point *top = steady->point, *last = top + steady->points - 1;
+	int ring = tow->body.kind == HAWSER_TOW_RING;
+
+	for (int i = 0; i < steady->points; i++)
+		if (!isfinite(top[i].x[0] + top[i].x[1] + top[i].x[2] + top[i].tension))
+			return hawser__fail(report, HAWSER_ERR_NAN, where, "a number of the steady state is beyond "
+			                    "double precision: are the values of the scene plausible?");
+	if (steady->mesh_error > COARSE*length_of(tow))
+		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, where, steady->points - 1,
+		                       steady->mesh_error, "%d elements are too few: halving them moves a "
+		                       "point by %.3g m; give cable.segments.elements more", steady->points - 1,
+		                       steady->mesh_error);
+	steady->residual = body->residual;
+	if (frame->spin != 0.0)
+		steady->residual = fmax(body->residual, fabs(hypot(top->x[0], top->x[2]) - tow->path.radius)/
+		                                        length_of(tow));
+	memcpy(steady->axis, ring ? body->axis : last->along, sizeof steady->axis);
+	for (int k = 0; k < 3; k++)
+		steady->centre[k] = last->x[k] + (ring ? tow->body.offset*body->axis[k] : 0.0);
+	memcpy(steady->body_force, body->force, sizeof body->force);
+	return HAWSER_OK;
+}
+
 static enum hawser_status shape(struct hawser_tow_steady *steady, const struct hawser__tow_frame *frame,
                                 const double end[3], struct hawser_report *report)
 {
 	struct hawser__tow_end body;
 	int found = hawser__tow_body_at(&body, frame, end);
-	double top[2][3], n[3], length = 0.0;
 	struct hawser_tow_point *coarse;
+	enum hawser_status status = HAWSER_OK;
 
 	steady->points = hawser__tow_elements(frame->tow) + 1;
 	steady->point = calloc((size_t)steady->points, sizeof *steady->point);
 	coarse = calloc((size_t)steady->points, sizeof *coarse);
-	if (!steady->point || !coarse) {
-		free(coarse);
-		return hawser__no_memory(report, where);
-	}
-	hawser__tow_string(top[0], n, coarse, frame, end, &body, 2);
-	hawser__tow_string(top[1], n, steady->point, frame, end, &body, 4);
-	for (int i = 0; i < steady->points; i++) {
-		double change = 0.0;
-
-		for (int k = 0; k < 3; k++)
-			change = hypot(change, (coarse[i].x[k] - top[0][k]) - (steady->point[i].x[k] - top[1][k]));
-		steady->mesh_error = fmax(steady->mesh_error, change);
-	}
+	if (!steady->point || !coarse)
+		status = hawser__no_memory(report, where);
+	else if (!found)
+		status = hawser__fail(report, HAWSER_ERR_CONVERGENCE, where,
+		                      "the attitude of the ring was not found");
+	else
+		status = meshes(steady, coarse, &body, frame, end, report);
 	free(coarse);
-	for (int i = 0; i < frame->tow->segments; i++)
-		length += frame->tow->segment[i].length;
-	steady->residual = fmax(body.residual, frame->spin != 0.0
-	                        ? fabs(hypot(top[1][0], top[1][2]) - frame->tow->path.radius)/length : 0.0);
-	memcpy(steady->centre, body.centre, sizeof body.centre);
-	memcpy(steady->axis, frame->tow->body.kind == HAWSER_TOW_RING
-	       ? body.axis : steady->point[steady->points - 1].along, sizeof steady->axis);
-	memcpy(steady->body_force, body.force, sizeof body.force);
-	if (!found || !isfinite(top[1][0] + top[1][1] + top[1][2] + n[0] + n[1] + n[2]))
-		return hawser__fail(report, found ? HAWSER_ERR_NAN : HAWSER_ERR_CONVERGENCE, where, found
-		                    ? "a number of the steady state is beyond double precision: are the "
-		                      "values of the scene plausible?"
-		                    : "the attitude of the ring was not found");
-	if (steady->mesh_error > COARSE*length)
-		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, where, steady->points - 1,
-		                       steady->mesh_error, "%d elements are too few: halving them moves a point "
-		                       "by %.3g m; give cable.segments.elements more", steady->points - 1,
-		                       steady->mesh_error);
-	return HAWSER_OK;
+	return status ? status : judge(steady, frame, &body, report);
 }
 
 /* Turn about y, x toward z by -angle, then move. */

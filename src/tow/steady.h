@@ -60,6 +60,14 @@ void hawser__tow_string(double top[3], double n[3], struct hawser_tow_point *poi
                         const struct hawser__tow_end *end, int parts);
 int hawser__tow_elements(const struct hawser_tow *tow);
 
+/* steady_bending.c: the cable as a beam in straight flight, with parts times the elements of the scene:
+ * point [elements+1] from the towing point on, at the origin, where the string may be; *body is that of
+ * the string, and becomes that of the beam but for its centre. */
+enum hawser_status hawser__tow_bend(struct hawser_tow_point *point, struct hawser__tow_end *body,
+                                    const struct hawser__tow_frame *frame,
+                                    const struct hawser_tow_point *string, int parts,
+                                    struct hawser_report *report);
+
 /* steady_orbit.c */
 enum hawser_status hawser__tow_orbit(struct hawser_tow_steady *steady,
                                      struct hawser__tow_frame *frame, double end[3],
