@@ -37,7 +37,7 @@ bad 'bad.yaml:3:19: air.wind in air of density 0 has no effect: give the density
 	"tow: {speed: 3}
 $cable
 air: {density: 0, wind: [3, 0, 0]}"
-bad 'bad.yaml:2:48: unknown key diametre: did you mean diameter? cable.segments[0] takes length, EA, EI, GJ, GA, rho, diameter, elements, drag, shedding' \
+bad 'bad.yaml:2:47: unknown key diametre: did you mean diameter? cable.segments[0] takes length, EA, EI, GJ, GA, rho, diameter, elements, drag, shedding' \
 	'tow: {speed: 3}
 cable: {segments: [{length: 9 m, rho: 1 kg/m, diametre: 1 cm}]}'
 bad 'bad.yaml:2:34: cable.segments[0].rho: "1 kg" has a wrong unit "kg", not convertible to kg/m: give a number in kg/m, or with a unit that converts to kg/m' \
@@ -49,7 +49,7 @@ $cable
 air: {density: 1.2, wind: [3, 0, 0]}"
 bad 'a path through waypoints has no steady state: give tow.speed or tow.orbit' \
 	'tow: {waypoints: [[0, 0, 0, 0], [1, 1, 0, 0]], minimise: none}'
-bad 'bad.yaml:4:37: body.ring.tube, the radius of the tube, must be less than the radius of the ring' \
+bad 'bad.yaml:4:31: body.ring.tube, the radius of the tube, must be less than the radius of the ring' \
 	"tow: {speed: 3}
 $cable
 air: {density: 1.2}
