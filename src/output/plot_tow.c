@@ -204,10 +204,11 @@ enum hawser_status hawser__plot_tow(const char *path, const struct hawser_tow *t
 	view(&picture, &frame, 2);
 	bottom = HAWSER__LEGEND_CM/frame.height;
 	hawser__picture_panel(&picture, LEFT, RIGHT, bottom, bottom + TENSION/frame.height);
-	fprintf(picture.script, "set xrange [0:%.9g]\nset yrange [0:*]\nset ytics autofreq\n"
+	fprintf(picture.script, "set xrange [0:%.9g]\nset yrange [0:*]\n"
 	        "set xlabel '%s' offset 0,0.3\n", steady->point[steady->points - 1].s/frame.s.per,
 	        frame.s.title);
 	hawser__picture_tics(&picture, 'x', 0.0, steady->point[steady->points - 1].s/frame.s.per, 10);
+	hawser__picture_tics(&picture, 'y', 0.0, steady->tension_top/frame.T.per, 5);
 	hawser__picture_ylabel(&picture, "%s", frame.T.title);
 	fputs("plot $cable using 4:5 with lines lt 7 lw 1.8\n", picture.script);
 	legend(&picture, &frame);
