@@ -23,7 +23,9 @@ enum { HAWSER_LINE_NAME = 32 }; /* size of a name, with the NUL at its end */
 enum hawser_line_sliding {
 	HAWSER_LINE_NONE = 0,     /* no tangential force: friction is only reported as an interval */
 	HAWSER_LINE_TOWARD_A,
-	HAWSER_LINE_TOWARD_B
+	HAWSER_LINE_TOWARD_B,
+	HAWSER_LINE_HELD          /* each sheave by itself: its `grip` says how much friction acts, and
+	                           * which way; a rope at rest whose history is known */
 };
 
 struct hawser_line_sheave {
@@ -32,7 +34,10 @@ struct hawser_line_sheave {
 	double radius;     /* m; 0: a point */
 	int side;          /* 1: the rope passes above (support); -1: below (compression) */
 	double friction;   /* coefficient, >= 0 */
+	double grip;       /* of HAWSER_LINE_HELD: the part of the friction that acts, from -friction to
+	                    * friction; > 0: the tension grows towards B */
 	double inertia;    /* kg m^2, of the sheave about its axis; 0: none */
+	int file_line;     /* of the scene's file, for messages; 0: not known */
 };
 
 struct hawser_line_mass {

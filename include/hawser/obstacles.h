@@ -30,6 +30,10 @@ struct hawser_obstacles {
 	struct hawser_line line;     /* without masses, at rest; line.sheave [line.sheaves] is owned. With
 	                              * `lift`: a circle that the rope passes clear of is no error */
 	struct hawser_obstacle *obstacle; /* [line.sheaves]; owned */
+	int history;                 /* 1: contact.sliding: history, with the path: */
+	double *path;                /* [stops] N or m: values of what `tension` gives before its own one,
+	                              * the first without tangential forces; owned */
+	int stops, winch;            /* winch: the end at which rope is paid in and out: 0: A, 1: B */
 	int modes;                   /* enum hawser_line_contact_kind of contact.modes; -1: not given */
 };
 
@@ -40,15 +44,29 @@ struct hawser_obstacles_limit {
 	struct hawser_line_statics st;
 };
 
+/* States along the path of contact.sliding: history, from its first one to that of the scene. */
+struct hawser_obstacles_path {
+	int points;
+	double *value;               /* [points] N or m, of what `tension` gives */
+	double *T;                   /* [points][2] N, at ends A and B */
+	double *grip;                /* [points][sheaves] part of the friction that acts, struct
+	                              * hawser_line_sheave */
+	double *slid;                /* [points][sheaves] m, unstretched rope that has passed the sheave
+	                              * toward B since the first state, less what has passed toward A */
+};
+
 struct hawser_obstacles_statics {
-	struct hawser_line line[4];      /* of the four equilibria below; they share the scene's sheaves */
+	struct hawser_line line[4];      /* of the four equilibria below; they share the scene's sheaves,
+	                                  * or `held` */
+	struct hawser_line_sheave *held; /* [sheaves] with history: with what friction acts; else NULL */
+	struct hawser_obstacles_path path; /* with history */
 	struct hawser_line_statics st;   /* as the scene says */
 	double error;                    /* estimated relative error of the tensions by round-off: a given
 	                                  * length that is nearly the shortest way leaves few digits */
 	/* The same unstretched rope between the ends without obstacles, B Figure 2.9. */
 	struct hawser_obstacles_limit clear;
-	int friction;                    /* 1: `slide` is filled in: contact.sliding is none, and a touched
-	                                  * circle has friction */
+	int friction;                    /* 1: `slide` is filled in: contact.sliding is none or history, and
+	                                  * a touched circle has friction */
 	/* The rope about to slide toward end A [0], toward end B [1]; at rest it is between the two. */
 	struct hawser_obstacles_limit slide[2];
 };

@@ -64,6 +64,7 @@ struct hawser_ropeway_tower {
 	double spacing;    /* m, between their middles along the battery's circle */
 	double sheave;     /* m, their radius */
 	double inertia;    /* kg m^2, of each sheave about its axis, or of the circle: for modes */
+	int file_line;     /* of the file, for messages; 0: not known */
 };
 
 struct hawser_ropeway_case {
@@ -89,6 +90,7 @@ struct hawser_ropeway {
 	double speed, ramp; /* m/s, s: of the drive */
 	double drive_friction, wrap;      /* of the rope on the drive bullwheel; rad */
 	int drive;         /* 1 if drive.friction is given */
+	int tension_line, drive_line; /* of the file: bottom.tension and drive; 0: not known */
 	int coasts;        /* 1: drive.inertia is given, so that the drive bullwheel turns as the rope
 	                    * vibrates; 0: it keeps its speed */
 	enum hawser_ropeway_hold hold;

@@ -10,7 +10,8 @@
 #ifndef HAWSER_ROPEWAY_MODES_H
 #define HAWSER_ROPEWAY_MODES_H
 
-#include <hawser/line_modes.h>
+#include <hawser/obstacles.h>
+#include <hawser/progress.h>
 #include <hawser/ropeway.h>
 
 #ifdef __cplusplus
@@ -44,18 +45,27 @@ enum hawser_status hawser_ropeway_modes_solve(struct hawser_line_modes *modes,
 void hawser_ropeway_modes_spans(int *of, const struct hawser_line_modes *modes,
                                 const struct hawser_ropeway_statics *st);
 
-/* --- frequencies along a sweep: of the tension, the speed, a tower's height, the phase --- */
+/* --- frequencies along a sweep: of the tension, the speed, a tower's height, the phase ---
+ *
+ * Of a ropeway, or of a span over obstacles: its free parts, from one obstacle to the next, are the
+ * spans; an obstacle that the rope passes clear of divides them where the rope is above or below its
+ * centre. */
 
 struct hawser_ropeway_track_options {
 	const double *value; /* [points] of what is swept, ascending or descending */
 	int points;
-	/* Open the scene at a value; *ropeway is the caller's to clear. */
+	/* Open the scene at a value, one or the other; what is opened is cleared by the sweep. Calls are
+	 * from the caller's thread. */
 	enum hawser_status (*open)(struct hawser_ropeway *ropeway, void *context, double value,
 	                           struct hawser_report *report);
+	enum hawser_status (*open_obstacles)(struct hawser_obstacles *obstacles, void *context,
+	                                     double value, struct hawser_report *report);
 	void *context;
 	int load_case;       /* index of a case */
 	int n;               /* number of branches: the lowest at the first value; 0: 6 */
 	double tolerance;    /* as in struct hawser_ropeway_modes_options */
+	int threads;         /* 0: hawser's default; the result does not depend on it */
+	struct hawser_progress progress;
 };
 
 /* A branch at a value. */
@@ -69,8 +79,9 @@ struct hawser_ropeway_track_sample {
 	double value;
 	int inserted;           /* 1: between two of the values asked for */
 	int unsure;             /* 1: branches were continued with shapes that had changed much */
-	double T0;              /* N, at the bottom station */
+	double T0;              /* N, at the bottom station, or at end A */
 	int gyroscopic;         /* 1: the rope runs */
+	int touched;            /* number of obstacles that the rope touches; of a ropeway 0 */
 };
 
 /* Where two branches of a plane change their order, or come closest. */
@@ -91,6 +102,7 @@ struct hawser_ropeway_track {
 	int ended;              /* 1: at `end` the line has no solution any more, and the sweep ends */
 	double end;
 	struct hawser_report why;
+	int interrupted;        /* 1: by options.progress; the sweep ends early */
 };
 
 /* Follow the lowest modes along a sweep by their shapes; doc/theory-ropeway-modes.md. Without a

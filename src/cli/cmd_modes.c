@@ -35,7 +35,7 @@ static const struct cli_option options[] = {
 	{"view", 0, "NAME", "contents of the picture: components, profile or waves (components)",
 	 CLI_TEXT(view)},
 	{"damped", 0, "", "damped modes: dampers and damping of the scene", CLI_FLAG(damped)},
-	{"over", 0, "KEY=FROM:TO:N", "damped modes, or modes of ropeways, at N values of a key",
+	{"over", 0, "KEY=FROM:TO:N", "damped modes, or modes over sheaves, at N values of a key",
 	 CLI_TEXT(over)},
 	{"log", 0, "", "these values at equal ratios", CLI_FLAG(log)},
 	{"vtk", 0, "FILE", "nets: write all shapes to FILE.vtk, for programs such as ParaView",
@@ -172,33 +172,43 @@ static enum hawser_status run_net(const struct settings *settings, struct hawser
 	                                       settings->vtk, report);
 }
 
-static enum hawser_status run_ropeway(const struct settings *settings, struct hawser_report *report)
+/* --over of ropeways and of spans over obstacles. *done is 1 if it was given. */
+static enum hawser_status run_track(int *done, const struct settings *settings, int obstacles,
+                                    struct hawser_report *report)
 {
 	struct cli_track track = {.common = &settings->common, .command = "modes", .over = settings->over,
 	                          .swept = CLI_SWEPT_KEY, .logarithmic = settings->log, .n = settings->n,
-	                          .choice = settings->ropeway};
-	enum hawser_status status;
+	                          .obstacles = obstacles, .choice = settings->ropeway};
 
+	*done = settings->over != NULL;
 	if (settings->over && settings->shapes)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
 		                    "--shapes and --over are tables of their own: choose one");
 	if (!settings->over && settings->log)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
 		                    "--log is for --over KEY=FROM:TO:N: give that");
-	if (settings->over)
-		return cli_track_run(&track, report);
-	status = cli_outputs_check(&settings->common, report);
-	return status ? status : cli_modes_ropeway(&settings->common, &settings->ropeway, settings->n,
-	                                           settings->shapes ? settings->points : 0, report);
+	return settings->over ? cli_track_run(&track, report)
+	                      : cli_outputs_check(&settings->common, report);
+}
+
+static enum hawser_status run_ropeway(const struct settings *settings, struct hawser_report *report)
+{
+	int done;
+	enum hawser_status status = run_track(&done, settings, 0, report);
+
+	return status || done ? status
+		: cli_modes_ropeway(&settings->common, &settings->ropeway, settings->n,
+		                    settings->shapes ? settings->points : 0, report);
 }
 
 static enum hawser_status run_obstacles(const struct settings *settings, struct hawser_report *report)
 {
-	enum hawser_status status = cli_outputs_check(&settings->common, report);
+	int done;
+	enum hawser_status status = run_track(&done, settings, 1, report);
 
-	return status ? status : cli_modes_obstacles(&settings->common, settings->ropeway.contact,
-	                                             settings->n, settings->shapes ? settings->points : 0,
-	                                             report);
+	return status || done ? status
+		: cli_modes_obstacles(&settings->common, settings->ropeway.contact, settings->n,
+		                      settings->shapes ? settings->points : 0, report);
 }
 
 static enum hawser_status run(void *context, struct hawser_report *report)
@@ -213,8 +223,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		{"method", s->method != NULL, CLI_SPAN}, {"model", s->model != NULL, CLI_SPAN},
 		{"elements", s->elements != 0, CLI_SPAN}, {"basis", s->basis > 0, CLI_SPAN},
 		{"view", s->view != NULL, CLI_SPAN}, {"damped", s->damped, CLI_SPAN},
-		{"over", s->over != NULL, CLI_SPAN | CLI_ROPEWAY},
-		{"log", s->log, CLI_SPAN | CLI_ROPEWAY},
+		{"over", s->over != NULL, CLI_SPAN | CLI_ROPEWAY | CLI_OBSTACLES},
+		{"log", s->log, CLI_SPAN | CLI_ROPEWAY | CLI_OBSTACLES},
 		{"points", s->points != POINTS, CLI_SPAN | CLI_ROPEWAY | CLI_OBSTACLES},
 		{"vtk", s->vtk != NULL, CLI_NET},
 		{"contact", s->ropeway.contact != NULL, CLI_ROPEWAY | CLI_OBSTACLES},

@@ -55,11 +55,14 @@ hawser_SOURCES = \
 	%D%/statics_ropeway.h \
 	%D%/kinds.c \
 	%D%/kinds.h \
+	%D%/key_sweep.c \
+	%D%/key_sweep.h \
 	%D%/modes_obstacles.c \
 	%D%/modes_obstacles.h \
 	%D%/modes_ropeway.c \
 	%D%/modes_ropeway.h \
 	%D%/modes_ropeway_fields.c \
+	%D%/track_fields.c \
 	%D%/track_ropeway.c \
 	%D%/track_ropeway.h \
 	%D%/statics_net.c \

@@ -370,13 +370,13 @@ const struct cli_listing cli_modes_listing[] = {
 	{"Columns of nets:", cli_modes_net_field, 0},
 	{"Columns of ropeways and of spans over obstacles:", cli_modes_ropeway_field, 0},
 	{"Columns of these with --shapes:", cli_modes_ropeway_point, 0},
-	{"Columns of ropeways with --over:", cli_track_field, 0},
+	{"Columns of ropeways and of spans over obstacles with --over:", cli_track_field, 0},
 	{"Keys of JSON:", result_field, 1},
 	{"Keys of JSON with --damped or --over:", cli_damped_member, 1},
 	{"Keys of JSON of nets:", cli_modes_net_member, 1},
 	{"Keys of JSON of ropeways:", cli_modes_ropeway_member, 1},
 	{"Keys of JSON of spans over obstacles:", cli_modes_obstacles_member, 1},
-	{"Keys of JSON of ropeways with --over:", cli_track_member, 1},
+	{"Keys of JSON of these with --over:", cli_track_member, 1},
 	{NULL, NULL, 0},
 };
 

@@ -92,7 +92,7 @@ const struct hawser__list cli_obstacle_point_list =
 
 static const char *sliding_word(const void *row)
 {
-	static const char *const word[] = {"none", "toward-A", "toward-B"};
+	static const char *const word[] = {"none", "toward-A", "toward-B", "history"};
 	const struct cli_obstacles *of = row;
 
 	return word[of->scene.line.sliding];
@@ -143,6 +143,27 @@ static const struct hawser__field limit_field[] = {
 	HAWSER__END,
 };
 
+static void path_json(struct hawser__json *json, json_t *into, const void *row)
+{
+	const struct cli_obstacles *of = row;
+	const struct hawser_obstacles_path *path = &of->st.path;
+	int sheaves = of->scene.line.sheaves;
+	json_t *list;
+
+	if (!of->scene.history)
+		return;
+	list = hawser__json_array(json, into, "path");
+	for (int i = 0; i < path->points; i++) {
+		json_t *to = hawser__json_object(json, list, NULL);
+
+		hawser__json_number(json, to, "value", path->value[i]);
+		hawser__json_number(json, to, "T0", path->T[2*i]);
+		hawser__json_number(json, to, "T1", path->T[2*i + 1]);
+		hawser__json_numbers(json, to, "grip", path->grip + i*sheaves, sheaves, 1.0);
+		hawser__json_numbers(json, to, "slid", path->slid + i*sheaves, sheaves, 1.0);
+	}
+}
+
 static void columns_json(struct hawser__json *json, json_t *into, const void *row)
 {
 	json_t *columns = hawser__json_array(json, into, "profile_columns");
@@ -167,13 +188,16 @@ static void profile_json(struct hawser__json *json, json_t *into, const void *ro
 
 #define PART(member, fields) HAWSER__PART_OF(struct cli_obstacles, member, fields)
 const struct hawser__field cli_obstacles_field[] = {
-	{"sliding", NULL, "none, toward-A or toward-B", HAWSER__TEXT_BY(sliding_word)},
+	{"sliding", NULL, "none, toward-A, toward-B or history", HAWSER__TEXT_BY(sliding_word)},
 	{"", NULL, "", PART(st.st, ends_field)},
 	{"obstacles", NULL, "in the order of x",
 	 HAWSER__STORED(struct cli_obstacles, obstacle, obstacles, cli_obstacle_field)},
 	{"spans", NULL, "free parts of the rope",
 	 HAWSER__STORED(struct cli_obstacles, span, spans, cli_obstacle_span_field)},
-	{"toward_A", NULL, "with sliding: none and friction, the rope about to slide toward A",
+	{"path", NULL, "with sliding: history, states from the first to the last: value (N or m), T0, T1 "
+	 "(N), grip (friction that acts at each obstacle, > 0: T grows toward B), slid (m of rope that has "
+	 "passed it toward B)", HAWSER__CALLS(path_json)},
+	{"toward_A", NULL, "with sliding: none or history and friction, the rope about to slide toward A",
 	 PART(st.slide[0], limit_field), .when = CLI_OBSTACLES_FRICTION},
 	{"toward_B", NULL, "the same toward B", PART(st.slide[1], limit_field),
 	 .when = CLI_OBSTACLES_FRICTION, .flags = HAWSER__BRIEF},

@@ -50,11 +50,32 @@ static void limit_comment(struct hawser__table *table, const char *what,
 		                      limit->st.T_B*cos(limit->st.angle_B));
 }
 
+/* Stops of the path of sliding: history, and what the circles did on the way. */
+static void path_comments(struct hawser__table *table, const struct cli_obstacles *of)
+{
+	const struct hawser_obstacles_path *path = &of->st.path;
+	const struct hawser_line *line = &of->scene.line;
+	const char *unit = line->given == HAWSER_LINE_LENGTH0 ? "m" : "N";
+	int steps = of->scene.history ? (path->points - 1)/of->scene.stops : 1;
+
+	for (int i = 0; i < path->points; i += steps)
+		hawser__table_comment(table, "path: at %.9g %s T0 = %.9g N, T1 = %.9g N", path->value[i], unit,
+		                      path->T[2*i], path->T[2*i + 1]);
+	for (int k = 0; k < line->sheaves && of->scene.history; k++) {
+		double grip = of->st.held[k].grip, slid = path->slid[(path->points - 1)*line->sheaves + k];
+
+		hawser__table_comment(table, "%s: %s, friction that acts = %.6g of %.6g; %.6g m of rope passed "
+		                      "it toward B in all", line->sheave[k].name,
+		                      fabs(grip) < line->sheave[k].friction ? "the rope sticks"
+		                      : "the rope slipped last", grip, line->sheave[k].friction, slid);
+	}
+}
+
 static void comments(struct hawser__table *table, const void *of)
 {
 	const struct cli_obstacles *result = of;
 	const struct hawser_line_statics *st = &result->st.st;
-	static const char *const sliding[] = {"none", "toward-A", "toward-B"};
+	static const char *const sliding[] = {"none", "toward-A", "toward-B", "history"};
 
 	hawser__table_comment(table, "g = %.10g m/s^2; sliding: %s", result->scene.line.g,
 	                      sliding[result->scene.line.sliding]);
@@ -65,6 +86,7 @@ static void comments(struct hawser__table *table, const void *of)
 		                      result->span[i].H, result->span[i].sag);
 	for (int i = 0; i < result->obstacles; i++)
 		obstacle_comments(table, &result->obstacle[i], result->scene.line.sheave[i].friction);
+	path_comments(table, result);
 	if (result->st.friction) {
 		limit_comment(table, "about to slide toward A", &result->st.slide[0]);
 		limit_comment(table, "about to slide toward B", &result->st.slide[1]);

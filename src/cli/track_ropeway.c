@@ -6,12 +6,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/progress.h"
 #include "cli/track_ropeway.h"
 #include "core/report.h"
 #include "output/plot_track.h"
 
-/* Values of a sweep: by default, and at most. */
-enum { POINTS = 41, MOST = 2000 };
+/* Values of a sweep of campbell and irvine: by default, and at most. */
+enum { POINTS = 41, MOST = CLI_KEY_SWEEP_MOST };
 #define FASTEST "10 m/s" /* ropeways run at up to some 12 m/s, chairlifts at 5 */
 #define AROUND 2.0       /* irvine: the tension of the scene over and times this */
 
@@ -25,16 +26,15 @@ static enum hawser_status open_at(struct hawser_ropeway *rw, void *context, doub
 {
 	const struct cli_track *t = context;
 	struct cli_common common = *t->common;
-	char set[192];
+	char set[CLI_KEY_SWEEP_SET] = "";
 	int load_case;
 	enum hawser_status status;
 
-	snprintf(set, sizeof set, "%s=%.17g %s", t->key, value, t->si);
-	if (t->swept == CLI_SWEPT_KEY && common.sets < CLI_SETS)
-		common.set[common.sets++] = set;
+	if (t->swept == CLI_SWEPT_KEY)
+		cli_key_sweep_at(&common, set, &t->sweep, t->common, value);
 	status = cli_ropeway_open(rw, &load_case, &common, t->command, &t->choice, report);
 	if (status)
-		return status;
+		return cli_key_sweep_blame(report, status, &t->sweep, set);
 	if (t->swept == CLI_SWEPT_SPEED) {
 		rw->speed = value;
 		rw->sliding = rw->sliding == HAWSER_ROPEWAY_REST ? HAWSER_ROPEWAY_RUNNING : rw->sliding;
@@ -46,46 +46,29 @@ static enum hawser_status open_at(struct hawser_ropeway *rw, void *context, doub
 	return HAWSER_OK;
 }
 
+static enum hawser_status open_span(struct hawser_obstacles *span, const struct cli_common *common,
+                                    const struct cli_track *t, struct hawser_report *report)
+{
+	static const char *const name[] = {"slip", "stick"};
+	enum hawser_status status = hawser_obstacles_open(span, common->input, common->set,
+	                                                  (size_t)common->sets, report);
+
+	return status || !t->choice.contact ? status
+		: cli_choose(&span->modes, t->command, "contact", t->choice.contact, name, 2, report);
+}
+
+static enum hawser_status open_span_at(struct hawser_obstacles *span, void *context, double value,
+                                       struct hawser_report *report)
+{
+	const struct cli_track *t = context;
+	struct cli_common common;
+	char set[CLI_KEY_SWEEP_SET];
+
+	cli_key_sweep_at(&common, set, &t->sweep, t->common, value);
+	return cli_key_sweep_blame(report, open_span(span, &common, t, report), &t->sweep, set);
+}
+
 /* --- what is swept --- */
-
-static enum hawser_status wrong(const struct cli_track *t, struct hawser_report *report)
-{
-	return hawser__fail(report, HAWSER_ERR_ARGUMENT, t->command,
-	                    "--over %s: write KEY=FROM:TO:POINTS with 2 to %d points and the same unit in "
-	                    "both, such as \"ropeway.towers.p0.at.1=15 m:20 m:41\"", t->over, MOST);
-}
-
-/* KEY=FROM:TO:POINTS: numbers in SI, or with a unit that both have. */
-static enum hawser_status read_over(double *from, double *to, struct cli_track *t,
-                                    struct hawser_report *report)
-{
-	const char *equals = strchr(t->over, '='), *colon, *second;
-	char *end;
-	size_t length, unit;
-
-	if (!equals || (length = (size_t)(equals - t->over)) == 0 || length >= sizeof t->key)
-		return wrong(t, report);
-	snprintf(t->key, sizeof t->key, "%.*s", (int)length, t->over);
-	*from = strtod(equals + 1, &end);
-	colon = strchr(equals, ':');
-	if (!colon || end == equals + 1 || end > colon)
-		return wrong(t, report);
-	end += strspn(end, " ");
-	unit = (size_t)(colon - end);
-	if (unit >= sizeof t->si)
-		return wrong(t, report);
-	snprintf(t->si, sizeof t->si, "%.*s", (int)unit, end);
-	*to = strtod(colon + 1, &end);
-	second = strchr(colon + 1, ':');
-	if (!second || end == colon + 1 || end > second)
-		return wrong(t, report);
-	end += strspn(end, " ");
-	if ((size_t)(second - end) != unit || strncmp(end, t->si, unit) != 0)
-		return wrong(t, report);
-	t->points = (int)strtol(second + 1, &end, 10);
-	return end == second + 1 || *end || t->points < 2 || t->points > MOST || !isfinite(*from) ||
-		!isfinite(*to) || *from == *to ? wrong(t, report) : HAWSER_OK;
-}
 
 static enum hawser_status range_of(double *from, double *to, struct cli_track *t,
                                    struct hawser_report *report)
@@ -95,229 +78,40 @@ static enum hawser_status range_of(double *from, double *to, struct cli_track *t
 	int length = t->swept == CLI_SWEPT_TENSION && rw->tension == HAWSER_ROPEWAY_LENGTH0;
 	enum hawser_status status;
 
-	if (t->swept == CLI_SWEPT_KEY)
-		return read_over(from, to, t, report);
 	*from = t->swept == CLI_SWEPT_SPEED ? 0.0 : length ? rw->value*1.0005 : rw->value/AROUND;
 	*to = length ? rw->value*0.9995 : rw->value*AROUND;
-	snprintf(t->key, sizeof t->key, "%s",
+	snprintf(t->sweep.key, sizeof t->sweep.key, "%s",
 	         t->swept == CLI_SWEPT_SPEED ? "speed" : tension_name[rw->tension]);
-	snprintf(t->si, sizeof t->si, "%s", t->swept == CLI_SWEPT_SPEED ? "m/s" : length ? "m" : "N");
-	status = cli_quantity(from, t->from, t->si, sign, t->command, "from", report);
+	snprintf(t->sweep.si, sizeof t->sweep.si, "%s",
+	         t->swept == CLI_SWEPT_SPEED ? "m/s" : length ? "m" : "N");
+	status = cli_quantity(from, t->from, t->sweep.si, sign, t->command, "from", report);
 	if (!status)
-		status = cli_quantity(to, t->to || t->swept == CLI_SWEPT_TENSION ? t->to : FASTEST, t->si, sign,
-		                      t->command, "to", report);
+		status = cli_quantity(to, t->to || t->swept == CLI_SWEPT_TENSION ? t->to : FASTEST, t->sweep.si,
+		                      sign, t->command, "to", report);
 	t->points = t->points ? t->points : POINTS;
 	if (!status && (*from == *to || t->points > MOST))
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, t->command, "--from and --to are both %.9g "
 		                      "%s, or --points is above %d: give a range, and 2 to %d points", *from,
-		                      t->si, MOST, MOST);
+		                      t->sweep.si, MOST, MOST);
 	return status;
 }
 
 static enum hawser_status place(struct cli_track *t, struct hawser_report *report)
 {
 	double from = 0.0, to = 0.0;
-	enum hawser_status status = range_of(&from, &to, t, report);
+	enum hawser_status status;
 
-	if (status)
-		return status;
-	if (t->logarithmic && !(from > 0.0 && to > 0.0))
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, t->command, "--log: from %.9g to %.9g there "
-		                    "are no equal ratios: give values above 0", from, to);
-	t->value = calloc((size_t)t->points, sizeof *t->value);
-	if (!t->value)
-		return hawser__no_memory(report, t->command);
-	for (int i = 0; i < t->points; i++) {
-		double part = (double)i/(t->points - 1);
-
-		t->value[i] = i + 1 == t->points ? to : t->logarithmic ? from*pow(to/from, part)
-		                                                       : from + part*(to - from);
-	}
-	return HAWSER_OK;
+	t->sweep.command = t->command;
+	t->sweep.over = t->over;
+	t->sweep.logarithmic = t->logarithmic;
+	t->sweep.example = t->obstacles ? "obstacles.s0.circle.centre.1=-8 m:-5 m:41"
+	                                : "ropeway.towers.p0.at.1=15 m:20 m:41";
+	if (t->swept == CLI_SWEPT_KEY)
+		return cli_key_sweep_read(&t->sweep, report);
+	status = range_of(&from, &to, t, report);
+	t->sweep.points = t->points;
+	return status ? status : cli_key_sweep_place(&t->sweep, from, to, report);
 }
-
-/* --- table and JSON --- */
-
-struct row {
-	const struct cli_track *of;
-	struct hawser_ropeway_track_point at;
-	double value;
-	int branch, sample;
-	const char *plane, *lane, *span;
-};
-
-static enum hawser_status name_spans(struct cli_track *t, struct hawser_report *report)
-{
-	const struct hawser_ropeway *rw = &t->ropeway;
-	int count = rw->lanes*(rw->towers + 1);
-
-	t->name = calloc((size_t)count, sizeof *t->name);
-	if (!t->name)
-		return hawser__no_memory(report, t->command);
-	for (int k = 0; k < count; k++) {
-		int i = k % (rw->towers + 1);
-
-		snprintf(t->name[k], CLI_MODES_SPAN, "%s to %s", i > 0 ? rw->tower[i - 1].name : "bottom",
-		         i < rw->towers ? rw->tower[i].name : "top");
-	}
-	return HAWSER_OK;
-}
-
-static void fill_row(struct row *row, const struct cli_track *t, int i, int b)
-{
-	*row = (struct row){.of = t, .at = t->track.point[i*t->track.branches + b],
-	                    .value = t->track.sample[i].value, .branch = b + 1, .sample = i,
-	                    .plane = hawser_plane_name(t->track.plane[b])};
-	if (row->at.span < 0)
-		return;
-	row->lane = row->at.span > t->ropeway.towers ? "down" : "up";
-	row->span = t->name[row->at.span];
-}
-
-static size_t count_rows(const void *parent)
-{
-	const struct cli_track *t = parent;
-
-	return (size_t)t->track.samples*(size_t)t->track.branches;
-}
-
-static const void *make_row(void *to, const void *parent, size_t k)
-{
-	const struct cli_track *t = parent;
-	int n = t->track.branches;
-
-	fill_row(to, t, (int)k/n, (int)k % n);
-	return to;
-}
-
-static void value_name(char *text, size_t size, const void *context)
-{
-	const struct cli_track *t = context;
-	static const char *const suffix[] = {"_N", "_N", "_m", "_N"}; /* by enum hawser_ropeway_tension */
-
-	snprintf(text, size, "%s%s", t->key, t->swept == CLI_SWEPT_SPEED ? "_m_s"
-	         : t->swept == CLI_SWEPT_TENSION ? suffix[t->ropeway.tension] : "");
-}
-
-static const char *value_unit(const void *context)
-{
-	return ((const struct cli_track *)context)->si;
-}
-
-#define OF(member) HAWSER__AT(struct row, member)
-const struct hawser__field cli_track_field[] = {
-	{NULL, "KEY", "value of what is swept", OF(value), .named = value_name, .si = value_unit},
-	{NULL, "branch", "from 1, by frequency at the first value", OF(branch)},
-	{NULL, "omega", "circular frequency", OF(at.omega), .unit = HAWSER__RADIAN_S,
-	 .flags = HAWSER__NULL},
-	{NULL, "frequency", "frequency", OF(at.omega), .unit = HAWSER__HERTZ, .flags = HAWSER__NULL},
-	{NULL, "plane", "in-plane or out-of-plane", OF(plane)},
-	{NULL, "lane", "of the span with the largest share", OF(lane), .flags = HAWSER__NULL},
-	{NULL, "span", "with the largest share of the kinetic energy", OF(span), .flags = HAWSER__NULL},
-	{NULL, "span_share", "its share", OF(at.share), .flags = HAWSER__NULL},
-	{NULL, "residual", "error estimate of the frequency, relative", OF(at.residual),
-	 .flags = HAWSER__NULL},
-	HAWSER__END,
-};
-#undef OF
-static const struct hawser__list row_list = {
-	.field = cli_track_field, .size = HAWSER__MADE_SIZE(struct row), .count = count_rows,
-	.row = make_row};
-
-static void branches_json(struct hawser__json *json, json_t *into, const struct cli_track *t, int i)
-{
-	json_t *list = hawser__json_array(json, into, "eigenvalues");
-
-	for (int b = 0; b < t->track.branches; b++) {
-		json_t *to = hawser__json_object(json, list, NULL);
-		struct row row;
-
-		fill_row(&row, t, i, b);
-		hawser__json_integer(json, to, "branch", row.branch);
-		hawser__json_text(json, to, "plane", row.plane);
-		if (row.at.span < 0)
-			continue;
-		hawser__json_number(json, to, "re", 0.0);
-		hawser__json_number(json, to, "im", row.at.omega);
-		hawser__json_number(json, to, "frequency", row.at.omega/(2.0*M_PI));
-		hawser__json_text(json, to, "lane", row.lane);
-		hawser__json_text(json, to, "span", row.span);
-		hawser__json_number(json, to, "share", row.at.share);
-		hawser__json_number(json, to, "residual", row.at.residual);
-	}
-}
-
-static void samples_json(struct hawser__json *json, json_t *into, const void *of)
-{
-	const struct cli_track *t = of;
-	int speeds = t->swept == CLI_SWEPT_SPEED;
-	json_t *list = hawser__json_array(json, into, speeds ? "speeds" : "stations");
-
-	for (int i = 0; i < t->track.samples; i++) {
-		const struct hawser_ropeway_track_sample *at = &t->track.sample[i];
-		json_t *to = hawser__json_object(json, list, NULL);
-
-		hawser__json_number(json, to, speeds ? "speed" : "value", at->value);
-		hawser__json_number(json, to, "T0", at->T0);
-		hawser__json_flag(json, to, "inserted", at->inserted);
-		hawser__json_flag(json, to, "unsure", at->unsure);
-		branches_json(json, to, t, i);
-	}
-}
-
-static void crossovers_json(struct hawser__json *json, json_t *into, const void *of)
-{
-	const struct cli_track *t = of;
-	json_t *list = hawser__json_array(json, into, "crossovers");
-
-	for (int i = 0; i < t->track.crossovers; i++) {
-		const struct hawser_ropeway_track_crossover *at = &t->track.crossover[i];
-		json_t *to = hawser__json_object(json, list, NULL), *pair;
-
-		hawser__json_text(json, to, "kind", at->veers ? "veering" : "crossing");
-		hawser__json_number(json, to, "value", at->value);
-		hawser__json_number(json, to, "omega", at->omega);
-		hawser__json_number(json, to, "relative_gap", at->gap);
-		pair = hawser__json_array(json, to, "branches");
-		for (int k = 0; k < 2; k++) {
-			int branch = k ? at->above : at->below;
-
-			if (branch < 0)
-				hawser__json_null(json, pair, NULL);
-			else
-				hawser__json_integer(json, pair, NULL, branch + 1);
-		}
-	}
-}
-
-static void ended_json(struct hawser__json *json, json_t *into, const void *of)
-{
-	const struct cli_track *t = of;
-	json_t *to;
-
-	if (!t->track.ended)
-		return;
-	to = hawser__json_object(json, into, "ended");
-	hawser__json_number(json, to, "value", t->track.end);
-	hawser__json_text(json, to, "why", t->track.why.message);
-}
-
-#define OF(member) HAWSER__AT(struct cli_track, member)
-const struct hawser__field cli_track_member[] = {
-	{"swept", NULL, "what is swept", OF(key)},
-	{"unit", NULL, "its unit", OF(si)},
-	{"solves", NULL, "number of modal solutions", OF(track.solves)},
-	{"least_correlation", NULL, "of a branch's shapes at neighbouring values, squared",
-	 OF(track.least_correlation)},
-	{"speeds", NULL, "of campbell; stations of others: speed or value, T0 (N), inserted, unsure, "
-	 "eigenvalues: branch, plane, re, im (rad/s), frequency (Hz), lane, span, share, residual",
-	 HAWSER__CALLS(samples_json)},
-	{"crossovers", NULL, "kind (crossing or veering), value, omega (rad/s), relative_gap, branches "
-	 "(null: one that is not followed)", HAWSER__CALLS(crossovers_json)},
-	{"ended", NULL, "if the sweep ended before its end: value, why", HAWSER__CALLS(ended_json)},
-	HAWSER__END,
-};
-#undef OF
 
 /* --- the result --- */
 
@@ -327,7 +121,38 @@ static struct cli_head head(const void *of)
 
 	return (struct cli_head){.common = t->common, .command = t->command,
 	                         .method = "spectral elements, piece by piece",
-	                         .view = {.scale = hawser__si, .context = t}};
+	                         .view = {.scale = hawser__si, .context = t,
+	                                  .options = t->obstacles ? 0u : CLI_TRACK_LANES}};
+}
+
+/* Where the rope leaves an obstacle, or comes to touch one. */
+static void touched_comments(struct hawser__table *table, const struct cli_track *t)
+{
+	const struct hawser_ropeway_track *track = &t->track;
+
+	if (t->obstacles)
+		hawser__table_comment(table, "obstacles touched: %d of %d at %s = %.9g%s%s",
+		                      track->sample[0].touched, t->span.line.sheaves, t->sweep.key,
+		                      track->sample[0].value, *t->sweep.si ? " " : "", t->sweep.si);
+	for (int i = 1; i < track->samples; i++)
+		if (track->sample[i].touched != track->sample[i - 1].touched)
+			hawser__table_comment(table, "between %s = %.9g and %.9g%s%s: %d touched", t->sweep.key,
+			                      track->sample[i - 1].value, track->sample[i].value,
+			                      *t->sweep.si ? " " : "", t->sweep.si, track->sample[i].touched);
+}
+
+static void resonance_comments(struct hawser__table *table, const struct cli_track *t)
+{
+	if (t->harmonics > 0 && t->distance > 0.0)
+		hawser__table_comment(table, "excitation: n*2*pi*v/%.10g m, n up to %d; meetings with the "
+		                      "branches are interpolated", t->distance, t->harmonics);
+	for (int i = 0; i < t->resonances; i++) {
+		const struct hawser_campbell_resonance *at = &t->resonance[i];
+
+		hawser__table_comment(table, "resonance: harmonic %d with branch %d (%s) at %.8g m/s, omega = "
+		                      "%.8g rad/s", at->harmonic, at->branch + 1,
+		                      hawser_plane_name(t->track.plane[at->branch]), at->speed, at->omega);
+	}
 }
 
 static void comments(struct hawser__table *table, const void *of)
@@ -338,15 +163,17 @@ static void comments(struct hawser__table *table, const void *of)
 
 	for (int i = 0; i < track->samples; i++)
 		unsure += track->sample[i].unsure;
-	hawser__table_comment(table, "%s from %.9g to %.9g%s%s; case %s", t->key,
+	hawser__table_comment(table, "%s from %.9g to %.9g%s%s%s%s", t->sweep.key,
 	                      track->sample[0].value, track->sample[track->samples - 1].value,
-	                      *t->si ? " " : "", t->si,
-	                      t->ropeway.load_case[t->load_case].name);
+	                      *t->sweep.si ? " " : "", t->sweep.si, t->obstacles ? "" : "; case ",
+	                      t->obstacles ? "" : t->ropeway.load_case[t->load_case].name);
 	hawser__table_comment(table, "%d modal solutions; least squared correlation of a branch %.3g",
 	                      track->solves, track->least_correlation);
 	if (unsure > 0)
 		hawser__table_comment(table, "at %d values a branch was continued by shapes that had changed "
 		                      "by more than a half", unsure);
+	touched_comments(table, t);
+	resonance_comments(table, t);
 	for (int i = 0; i < track->crossovers; i++) {
 		const struct hawser_ropeway_track_crossover *at = &track->crossover[i];
 
@@ -358,19 +185,22 @@ static void comments(struct hawser__table *table, const void *of)
 		else
 			snprintf(pair, sizeof pair, "branches %d and %d", at->below + 1, at->above + 1);
 		hawser__table_comment(table, "%s at %s = %.9g%s%s: %s, omega = %.9g rad/s, relative gap %.2e",
-		                      at->veers ? "veering" : "crossing", t->key, at->value, *t->si ? " " : "",
-		                      t->si, pair, at->omega, at->gap);
+		                      at->veers ? "veering" : "crossing", t->sweep.key, at->value,
+		                      *t->sweep.si ? " " : "", t->sweep.si, pair, at->omega, at->gap);
 	}
+	if (track->interrupted)
+		hawser__table_comment(table, "interrupted");
 	if (track->ended)
-		hawser__table_comment(table, "the sweep ends before %s = %.9g%s%s: %s", t->key, track->end,
-		                      *t->si ? " " : "", t->si, track->why.message);
+		hawser__table_comment(table, "the sweep ends before %s = %.9g%s%s: %s", t->sweep.key,
+		                      track->end,
+		                      *t->sweep.si ? " " : "", t->sweep.si, track->why.message);
 }
 
 static void rows(struct hawser__table *table, const void *of)
 {
 	const struct hawser__view view = head(of).view;
 
-	hawser__fields_table(table, &row_list, of, &view);
+	hawser__fields_table(table, &cli_track_rows, of, &view);
 }
 
 static enum hawser_status draw(const char *path, const void *of, struct hawser_report *report)
@@ -381,29 +211,59 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 	char label[160];
 	const char *what = t->swept == CLI_SWEPT_SPEED ? "Speed {/:Italic v}" : title[t->ropeway.tension];
 	struct hawser__axis x, y = hawser__axis_of("Frequency", t->hertz ? "Hz" : "rad/s", 0.0);
-	double largest = fmax(fabs(t->value[0]), fabs(t->value[t->points - 1]));
+	double largest = fmax(fabs(t->sweep.value[0]), fabs(t->sweep.value[t->sweep.points - 1]));
 
 	if (t->swept == CLI_SWEPT_KEY) {
-		size_t k = 0;
-
-		for (const char *c = t->key; *c && k + 2 < sizeof label; c++) {
-			if (*c == '_')
-				label[k++] = '\\';
-			label[k++] = *c;
-		}
-		label[k] = '\0';
+		cli_key_sweep_title(label, sizeof label, t->sweep.key);
 		what = label;
 	}
-	x = hawser__axis_of(what, t->si, largest);
+	x = hawser__axis_of(what, t->sweep.si, largest);
 	return hawser__plot_track(path, &(struct hawser__track_picture){
 		.track = &t->track, .x_title = x.title, .y_title = y.title, .x_per = x.per,
 		.y_per = y.per*(t->hertz ? 2.0*M_PI : 1.0), .logarithmic = t->logarithmic,
+		.resonance = t->resonance, .resonances = t->resonances,
 		.harmonics = t->distance > 0.0 ? t->harmonics : 0,
 		.slope = t->distance > 0.0 ? 2.0*M_PI/t->distance : 0.0}, report);
 }
 
 static const struct cli_showing showing = {
 	.head = head, .comments = comments, .more = rows, .fields = cli_track_member, .draw = draw};
+
+/* Where the harmonics of the passing of carriers meet the branches. */
+static enum hawser_status resonances(struct cli_track *t, struct hawser_report *report)
+{
+	const struct hawser_ropeway_track *track = &t->track;
+	size_t values = (size_t)track->samples*(size_t)track->branches;
+	struct hawser_campbell campbell = {.stations = track->samples, .branches = track->branches};
+	enum hawser_status status;
+
+	campbell.station = calloc((size_t)track->samples, sizeof *campbell.station);
+	campbell.im = calloc(values + 1, sizeof *campbell.im);
+	status = campbell.station && campbell.im ? HAWSER_OK : hawser__no_memory(report, t->command);
+	for (int i = 0; i < track->samples && !status; i++)
+		campbell.station[i].speed = track->sample[i].value;
+	for (size_t i = 0; i < values && !status; i++)
+		campbell.im[i] = track->point[i].omega;
+	if (!status)
+		status = hawser_campbell_resonances(&t->resonance, &t->resonances, &campbell, t->distance,
+		                                    t->harmonics, report);
+	free(campbell.station);
+	free(campbell.im);
+	return status;
+}
+
+static enum hawser_status follow(struct cli_track *t, struct hawser_report *report)
+{
+	struct cli_watch watch = {.progress = {.quiet = t->common->quiet}};
+	enum hawser_status status = hawser_ropeway_track_solve(&t->track,
+		&(struct hawser_ropeway_track_options){
+			.value = t->sweep.value, .points = t->sweep.points, .open = t->obstacles ? NULL : open_at,
+			.open_obstacles = t->obstacles ? open_span_at : NULL, .context = t,
+			.load_case = t->load_case, .n = t->n, .progress = {cli_watch, &watch}}, report);
+
+	cli_progress_end(&watch.progress);
+	return status || !(t->distance > 0.0) || t->harmonics < 1 ? status : resonances(t, report);
+}
 
 static enum hawser_status solve(struct cli_track *t, struct hawser_report *report)
 {
@@ -413,8 +273,9 @@ static enum hawser_status solve(struct cli_track *t, struct hawser_report *repor
 	if (t->unit)
 		status = cli_choose(&t->hertz, t->command, "unit", t->unit, unit_name, 2, report);
 	if (!status)
-		status = cli_ropeway_open(&t->ropeway, &t->load_case, t->common, t->command, &t->choice,
-		                          report);
+		status = t->obstacles ? open_span(&t->span, t->common, t, report)
+		                      : cli_ropeway_open(&t->ropeway, &t->load_case, t->common, t->command,
+		                                         &t->choice, report);
 	if (!status && t->swept == CLI_SWEPT_SPEED) {
 		t->distance = t->ropeway.spacing;
 		status = cli_quantity(&t->distance, t->spacing, "m", CLI_ABOVE_ZERO, t->command, "spacing",
@@ -423,11 +284,9 @@ static enum hawser_status solve(struct cli_track *t, struct hawser_report *repor
 	if (!status)
 		status = place(t, report);
 	if (!status)
-		status = name_spans(t, report);
+		status = cli_track_name_spans(t, report);
 	if (!status)
-		status = hawser_ropeway_track_solve(&t->track, &(struct hawser_ropeway_track_options){
-			.value = t->value, .points = t->points, .open = open_at, .context = t,
-			.load_case = t->load_case, .n = t->n}, report);
+		status = follow(t, report);
 	return status;
 }
 
@@ -441,7 +300,9 @@ enum hawser_status cli_track_run(struct cli_track *t, struct hawser_report *repo
 		status = cli_show(t->common, &showing, t, report);
 	hawser_ropeway_track_clear(&t->track);
 	hawser_ropeway_clear(&t->ropeway);
-	free(t->value);
+	hawser_obstacles_clear(&t->span);
+	free(t->sweep.value);
+	free(t->resonance);
 	free(t->name);
 	return status;
 }

@@ -44,7 +44,7 @@ static enum hawser_status along(struct hawser_campbell_resonance **list, int *co
 		const struct hawser_campbell_resonance one = {harmonic, b, speed, slope*speed};
 		enum hawser_status status;
 
-		if ((before > 0.0) == (after > 0.0))
+		if ((before > 0.0) == (after > 0.0) || isnan(before) || isnan(after))
 			continue;
 		status = add(list, count, &one, report);
 		if (status)

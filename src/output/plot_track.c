@@ -14,6 +14,7 @@
 #define HEIGHT 12.0 /* cm */
 #define APART 0.028 /* of the height of the axis: between two numbers */
 #define IN_PLANE "lt 1 lw 1.4"
+#define RESONANCE "pt 12 ps 0.8 lw 1.2 lc rgb '#d55e00'"
 #define OUT_OF_PLANE "lt 3 lw 1.1 dt (9,5)"
 
 static double y_of(const struct hawser__track_picture *of, int i, int b)
@@ -40,6 +41,22 @@ static void data(FILE *script, const struct hawser__track_picture *of)
 				fprintf(script, "%.12g %.9g\n", t->crossover[i].value/of->x_per,
 				        t->crossover[i].omega/of->y_per);
 		fputs("END\n", script);
+	}
+	fputs("$resonances << END\nNaN NaN\n", script);
+	for (int i = 0; i < of->resonances; i++)
+		fprintf(script, "%.12g %.9g\n", of->resonance[i].speed/of->x_per,
+		        of->resonance[i].omega/of->y_per);
+	fputs("END\n", script);
+}
+
+/* The number of each line of the excitation, where it leaves the panel. */
+static void harmonics(FILE *script, const struct hawser__track_picture *of, double high, double last)
+{
+	for (int k = 1; k <= of->harmonics; k++) {
+		double slope = k*of->slope*of->x_per/of->y_per, x = fmin(last, high/slope);
+
+		fprintf(script, "set label '%d' at %.9g,%.9g right offset -0.6,-0.5 tc rgb '#606060' "
+		        "font ',8'\n", k, x, slope*x);
 	}
 }
 
@@ -83,6 +100,8 @@ static void draw(FILE *script, const struct hawser__track_picture *of)
 	for (int b = 0; b < t->branches; b++)
 		fprintf(script, ", $track using 1:%d with lines %s", b + 2,
 		        t->plane[b] == HAWSER_OUT_OF_PLANE ? OUT_OF_PLANE : IN_PLANE);
+	if (of->resonances > 0)
+		fputs(", $resonances using 1:2 with points " RESONANCE, script);
 	fprintf(script, ", $marks0 using 1:2 with points pt 6 ps 0.7 lc rgb 'black'"
 	        ", $marks1 using 1:2 with points pt 7 ps 0.6 lc rgb 'black'"
 	        ", $numbers using 1:2:3 with labels left offset %g,0 font ',8'\n",
@@ -107,6 +126,8 @@ static void legend(struct hawser__picture *picture, const struct hawser__track_p
 		hawser__legend_add(&entries, "crossing", "with points pt 6 ps 0.7 lc rgb 'black'");
 	if (marks[1])
 		hawser__legend_add(&entries, "veering", "with points pt 7 ps 0.6 lc rgb 'black'");
+	if (of->resonances > 0)
+		hawser__legend_add(&entries, "resonance", "with points " RESONANCE);
 	if (of->harmonics > 0)
 		hawser__legend_add(&entries, "passing of carriers, and its multiples",
 		                   "with lines lc rgb '#909090' lw 0.8 dt (3,3)");
@@ -130,6 +151,7 @@ enum hawser_status hawser__plot_track(const char *path, const struct hawser__tra
 			low = fmin(low, y_of(of, i, b));
 			high = fmax(high, y_of(of, i, b));
 		}
+	low = of->harmonics > 0 ? 0.0 : low; /* the lines begin at 0 */
 	margin = fmax(0.06*(high - low), 1e-3*high);
 	low = fmax(low - margin, 0.0);
 	high += margin;
@@ -148,6 +170,7 @@ enum hawser_status hawser__plot_track(const char *path, const struct hawser__tra
 		hawser__picture_tics(&picture, 'x', fmin(x0, x1), fmax(x0, x1), 8);
 	hawser__picture_tics(&picture, 'y', low, high, 8);
 	hawser__picture_ylabel(&picture, "%s", of->y_title);
+	harmonics(script, of, high, fmax(x0, x1));
 	draw(script, of);
 	legend(&picture, of);
 	return hawser__picture_finish(&picture, report);

@@ -61,7 +61,7 @@ void hawser_line_at(const struct hawser_line_statics *st, double x[2], double *a
 		place[1] = at.x[1];
 		bend = rope.w*(at.P[0]/P)/P;
 	} else {
-		struct hawser__arc arc = hawser__line_arc(line, &rope, piece, P);
+		struct hawser__arc arc = hawser__line_arc(line, piece, P);
 		const struct hawser_line_sheave *sheave = &line->sheave[piece->sheave];
 
 		a -= arc.side*angle_of(&P, &arc, &rope, s, fabs(piece->angle1 - piece->angle0));

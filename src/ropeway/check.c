@@ -10,16 +10,19 @@
 
 static const char where[] = "line";
 
-const char *hawser__line_name(char text[HAWSER_LINE_NAME + 24], const struct hawser_line *line,
+const char *hawser__line_name(char text[HAWSER__LINE_CALLED], const struct hawser_line *line,
                               int sheave)
 {
 	if (sheave < 0 || sheave >= line->sheaves)
-		snprintf(text, HAWSER_LINE_NAME + 24, "end %s", sheave < 0 ? "A" : "B");
+		snprintf(text, HAWSER__LINE_CALLED, "end %s", sheave < 0 ? "A" : "B");
+	else if (line->sheave[sheave].name[0] && line->sheave[sheave].file_line > 0)
+		snprintf(text, HAWSER__LINE_CALLED, "sheave %d (%.*s, line %d)", sheave + 1,
+		         HAWSER_LINE_NAME - 1, line->sheave[sheave].name, line->sheave[sheave].file_line);
 	else if (line->sheave[sheave].name[0])
-		snprintf(text, HAWSER_LINE_NAME + 24, "sheave %d (%.*s)", sheave + 1, HAWSER_LINE_NAME - 1,
+		snprintf(text, HAWSER__LINE_CALLED, "sheave %d (%.*s)", sheave + 1, HAWSER_LINE_NAME - 1,
 		         line->sheave[sheave].name);
 	else
-		snprintf(text, HAWSER_LINE_NAME + 24, "sheave %d", sheave + 1);
+		snprintf(text, HAWSER__LINE_CALLED, "sheave %d", sheave + 1);
 	return text;
 }
 
@@ -64,9 +67,9 @@ static enum hawser_status check_rope(const struct hawser_line *line, struct haws
 		                    (int)line->given);
 	if (!(line->value > 0.0 && isfinite(line->value)))
 		return bad(report, given[line->given], line->value, "positive and finite");
-	if ((int)line->sliding < HAWSER_LINE_NONE || line->sliding > HAWSER_LINE_TOWARD_B)
+	if ((int)line->sliding < HAWSER_LINE_NONE || line->sliding > HAWSER_LINE_HELD)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
-		                    "%d does not name a sliding of the rope: none, toward A or toward B",
+		                    "%d does not name a sliding of the rope: none, toward A, toward B or held",
 		                    (int)line->sliding);
 	return HAWSER_OK;
 }
@@ -75,11 +78,13 @@ static enum hawser_status check_sheave(const struct hawser_line *line, int i,
                                        struct hawser_report *report)
 {
 	const struct hawser_line_sheave *s = &line->sheave[i];
-	char name[HAWSER_LINE_NAME + 24];
+	char name[HAWSER__LINE_CALLED];
 	const char *what = !isfinite(s->centre[0]) || !isfinite(s->centre[1]) ? "centre is not finite"
 		: !(s->radius >= 0.0 && isfinite(s->radius)) ? "radius has to be finite and not negative"
 		: s->side != 1 && s->side != -1 ? "side has to be 1 (rope above) or -1 (rope below)"
 		: !(s->friction >= 0.0 && s->friction <= 10.0) ? "friction coefficient has to be from 0 to 10"
+		: line->sliding == HAWSER_LINE_HELD && !(fabs(s->grip) <= s->friction)
+			? "grip has to be from -friction to friction"
 		: !(s->inertia >= 0.0 && isfinite(s->inertia)) ? "inertia has to be finite and not negative"
 		: NULL;
 	const double *ends[2] = {line->A, line->B};
@@ -105,7 +110,7 @@ static enum hawser_status check_sheave(const struct hawser_line *line, int i,
 	for (int j = 0; j < i; j++) {
 		const struct hawser_line_sheave *o = &line->sheave[j];
 		double gap = hypot(o->centre[0] - s->centre[0], o->centre[1] - s->centre[1]);
-		char other[HAWSER_LINE_NAME + 24];
+		char other[HAWSER__LINE_CALLED];
 
 		if (!(gap < o->radius + s->radius))
 			continue;

@@ -24,22 +24,31 @@ static const double *place(const struct hawser_ropeway *rw, int i)
 	return i < 0 ? rw->bottom : i < rw->towers ? rw->tower[i].at : rw->top;
 }
 
+const char *hawser__file_line(char text[HAWSER__FILE_LINE], int line)
+{
+	text[0] = '\0';
+	if (line > 0)
+		snprintf(text, HAWSER__FILE_LINE, ", line %d,", line);
+	return text;
+}
+
 const char *hawser__tension_given(char text[HAWSER__TENSION_GIVEN], const struct hawser_ropeway *rw)
 {
 	static const char *const key[] = {"counterweight", "T0", "length0", "T_empty"};
+	char line[HAWSER__FILE_LINE];
 
-	snprintf(text, HAWSER__TENSION_GIVEN, " (bottom.tension.%s = %.9g %s sets the tension "
+	snprintf(text, HAWSER__TENSION_GIVEN, " (bottom.tension.%s = %.9g %s%s sets the tension "
 	         "at the bottom station)",
-	         key[rw->tension], rw->value, rw->tension == HAWSER_ROPEWAY_LENGTH0 ? "m" : "N");
+	         key[rw->tension], rw->value, rw->tension == HAWSER_ROPEWAY_LENGTH0 ? "m" : "N",
+	         hawser__file_line(line, rw->tension_line));
 	return text;
 }
 
 enum hawser_status hawser__in_file(struct hawser_report *report, enum hawser_status status,
-                                   const struct hawser_ropeway *rw)
+                                   const char *name)
 {
 	enum { NAME = 100 }; /* characters of the name that are shown, from its end */
 	char message[sizeof report->message];
-	const char *name = rw->name;
 
 	if (!report || (status != HAWSER_ERR_NO_SOLUTION && status != HAWSER_ERR_ARGUMENT &&
 	                status != HAWSER_ERR_CONVERGENCE && status != HAWSER_ERR_NAN) || !name)

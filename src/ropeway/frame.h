@@ -24,12 +24,15 @@ enum hawser_status hawser__frame_open(struct hawser__frame *frame, const struct 
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__frame_clear(struct hawser__frame *frame);
 
-enum { HAWSER__TENSION_GIVEN = 96 };
+enum { HAWSER__TENSION_GIVEN = 120 };
 /* What the scene gives as tension of the bottom station, for the end of a message. Returns `text`. */
 const char *hawser__tension_given(char text[HAWSER__TENSION_GIVEN], const struct hawser_ropeway *rw);
+/* ", line 7,", or "" where the line is not known. */
+enum { HAWSER__FILE_LINE = 24 };
+const char *hawser__file_line(char text[HAWSER__FILE_LINE], int line);
 /* Set the file's name before the message of a failure that belongs to the scene. Returns `status`. */
 enum hawser_status hawser__in_file(struct hawser_report *report, enum hawser_status status,
-                                   const struct hawser_ropeway *rw);
+                                   const char *name /* or NULL */);
 
 /* What the rope carries and how it moves. */
 struct hawser__loading {

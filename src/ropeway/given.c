@@ -298,7 +298,7 @@ static double least_of(struct hawser__march *march, double lo)
 static enum hawser_status too_low(struct hawser__march *march, double P, struct hawser_report *report)
 {
 	const struct hawser_line *line = march->line;
-	char from[HAWSER_LINE_NAME + 24], to[HAWSER_LINE_NAME + 24];
+	char from[HAWSER__LINE_CALLED], to[HAWSER__LINE_CALLED];
 	double least;
 
 	hawser__line_name(from, line, march->from);
@@ -314,7 +314,7 @@ static enum hawser_status too_low(struct hawser__march *march, double P, struct 
 static enum hawser_status check_lift(const struct hawser__march *march, struct hawser_report *report)
 {
 	const struct hawser_line *line = march->line;
-	char name[HAWSER_LINE_NAME + 24];
+	char name[HAWSER__LINE_CALLED];
 	int first = -1, count = 0;
 
 	for (int k = 0; k < line->sheaves; k++) {
@@ -338,7 +338,7 @@ static enum hawser_status fail(struct hawser__march *march, double P, double lea
                                struct hawser_report *report)
 {
 	const struct hawser_line *line = march->line;
-	char from[HAWSER_LINE_NAME + 24];
+	char from[HAWSER__LINE_CALLED];
 
 	if (march->fault == HAWSER__FAULT_TOO_LOW)
 		return too_low(march, P, report);

@@ -41,7 +41,8 @@ static void battery(struct hawser_line *line, const struct hawser_ropeway_tower 
 		*sheave = (struct hawser_line_sheave){
 			.centre = {centre[0] - side*inside*sin(angle), centre[1] + side*inside*cos(angle)},
 			.radius = tower->sheaves ? tower->sheave : tower->radius, .side = side,
-			.friction = tower->friction, .inertia = tower->inertia};
+			.friction = tower->friction, .inertia = tower->inertia,
+			.file_line = tower->file_line};
 		if (tower->sheaves)
 			snprintf(sheave->name, sizeof sheave->name, "%.20s.%d", tower->name, j + 1);
 		else

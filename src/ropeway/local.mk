@@ -60,5 +60,7 @@ noinst_LTLIBRARIES += %D%/libropeway.la
 
 # A span over obstacles: its scene, and the limits of friction.
 %C%_libropeway_la_SOURCES += \
+	%D%/history.c \
+	%D%/history.h \
 	%D%/obstacles.c \
 	%D%/obstacles_read.c

@@ -20,7 +20,7 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "ropeway/march.h"
+#include "ropeway/line.h"
 
 /* One span: from the path of the last sheave to the target; the path of the next begins there. */
 static enum hawser__search span(struct hawser__march *march, struct hawser__path *path, int to)
@@ -136,8 +136,6 @@ enum hawser_status hawser__march_open(struct hawser__march *march, struct hawser
 	march->rope.stretch = 1.0/(1.0 - share);
 	march->rope.thrust = line->rho*line->speed*line->speed;
 	march->rope.w = line->rho*line->g*(1.0 - share);
-	march->rope.slide = line->sliding == HAWSER_LINE_NONE ? 0
-	                    : line->sliding == HAWSER_LINE_TOWARD_B ? 1 : -1;
 	march->rope.masses = line->masses;
 	march->trace.room = 3*(int)(n + m) + 8;
 	march->target = calloc(n, sizeof *march->target);
@@ -167,8 +165,8 @@ enum hawser_status hawser__march_open(struct hawser__march *march, struct hawser
 		const struct hawser_line_sheave *sheave = &line->sheave[i];
 
 		march->target[i] = (struct hawser__target){{sheave->centre[0], sheave->centre[1]},
-		                                           sheave->radius,
-		                                           sheave->friction, sheave->side, i};
+		                                           sheave->radius, hawser__line_grip(line, i),
+		                                           sheave->side, i};
 	}
 	march->target[line->sheaves] = (struct hawser__target){{line->B[0], line->B[1]}, 0.0, 0.0, 1,
 	                                                       line->sheaves};

@@ -12,10 +12,13 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include <hawser/obstacles.h>
 #include "core/report.h"
+#include "ropeway/frame.h"
+#include "ropeway/history.h"
 
 #define STEP 2.0  /* factor of the tension by which the length changes more than by round-off */
 #define MOST 1e-3 /* largest error of the tensions: three digits */
@@ -38,7 +41,8 @@ static enum hawser_status limits(struct hawser_obstacles_statics *st, struct haw
 	st->line[1].sheaves = 0;
 	status = other(&st->clear, &st->line[1]);
 	for (int i = 0; i < line->sheaves; i++)
-		st->friction |= line->sliding == HAWSER_LINE_NONE && st->st.contact[i].touches &&
+		st->friction |= (line->sliding == HAWSER_LINE_NONE || line->sliding == HAWSER_LINE_HELD) &&
+		                st->st.contact[i].touches &&
 		                line->sheave[i].friction > 0.0;
 	for (int side = 0; side < 2 && st->friction && !status; side++) {
 		st->line[2 + side] = *line;
@@ -108,13 +112,20 @@ enum hawser_status hawser_obstacles_solve(struct hawser_obstacles_statics *st,
 
 	memset(st, 0, sizeof *st);
 	st->line[0] = obstacles->line;
+	if (obstacles->history) {
+		status = hawser__obstacles_history(st, obstacles, report);
+		if (status) {
+			hawser_obstacles_statics_clear(st);
+			return hawser__in_file(report, status, obstacles->name);
+		}
+	}
 	status = hawser_line_solve(&st->st, &st->line[0], report);
 	status = status ? explain(status, &st->line[0], report) : judge(st, report);
 	if (!status)
 		status = limits(st, report);
 	if (status)
 		hawser_obstacles_statics_clear(st);
-	return status;
+	return hawser__in_file(report, status, obstacles->name);
 }
 
 void hawser_obstacles_statics_clear(struct hawser_obstacles_statics *st)
@@ -125,6 +136,11 @@ void hawser_obstacles_statics_clear(struct hawser_obstacles_statics *st)
 	hawser_line_statics_clear(&st->clear.st);
 	for (int side = 0; side < 2; side++)
 		hawser_line_statics_clear(&st->slide[side].st);
+	free(st->held);
+	free(st->path.value);
+	free(st->path.T);
+	free(st->path.grip);
+	free(st->path.slid);
 	memset(st, 0, sizeof *st);
 }
 
@@ -160,7 +176,8 @@ enum hawser_status hawser_obstacles_contact(enum hawser_line_contact_kind *conta
 {
 	const struct touched of = touched(obstacles, st);
 	int stick = obstacles->modes >= 0 ? obstacles->modes == HAWSER_LINE_STICK
-	                                  : of.rough > 0 && obstacles->line.sliding == HAWSER_LINE_NONE;
+	                                  : of.rough > 0 && (obstacles->line.sliding == HAWSER_LINE_NONE ||
+	                                      obstacles->line.sliding == HAWSER_LINE_HELD);
 
 	*contact = !stick ? HAWSER_LINE_SLIP : of.turning ? HAWSER_LINE_ROLL : HAWSER_LINE_STICK;
 	*loose = of.count > 0 && of.grooves == 0;

@@ -17,9 +17,10 @@
 #include "ropeway/read.h"
 
 #define SPAN "cable, span, tension, obstacles, contact"
-#define CONTACT "sliding, modes, restitution"
+#define CONTACT "sliding, path, winch, modes, restitution"
 #define OBSTACLE "name, circle, side, friction, groove, rotation, inertia"
 enum { MOST = 100 }; /* obstacles of a scene: each pair is checked for overlap */
+enum { STOPS = 100 }; /* of a path: each takes 20 steps */
 
 /* A key that is one of hawser but not with obstacles. */
 struct later {
@@ -223,6 +224,7 @@ static enum hawser_status obstacle(struct hawser__reader *reader, struct hawser_
 	if (!status)
 		status = word(reader, &groove, tree, section, "groove", no_yes, 2);
 	sheave->side = side ? -1 : 1;
+	sheave->file_line = tree->at.set ? 0 : (int)tree->at.line;
 	one->groove = groove;
 	if (!status)
 		status = rotation(reader, sheave, one, tree, section);
@@ -255,6 +257,43 @@ static enum hawser_status obstacles(struct hawser__reader *reader, struct hawser
 	return status;
 }
 
+/* contact.path and contact.winch: the path of sliding: history. */
+static enum hawser_status path(struct hawser__reader *reader, struct hawser_obstacles *of,
+                               const struct hawser__tree *tree)
+{
+	static const char *const ends[] = {"A", "B"};
+	static const char *const key[] = {"T0", "T1", "length0"};
+	const struct hawser__tree *list = hawser__tree_find(tree, "path");
+	const struct hawser__tree *winch = hawser__tree_find(tree, "winch"), *other = list ? list : winch;
+	const char *unit = of->line.given == HAWSER_LINE_LENGTH0 ? "m" : "N";
+	int own = of->line.given == HAWSER_LINE_T_B;
+	enum hawser_status status;
+
+	of->winch = own;
+	if (!of->history && other)
+		return hawser__reader_fail(reader, &other->at, "contact.%s is of sliding: history: give that, "
+		                           "or leave it out", list ? "path" : "winch");
+	if (!of->history)
+		return HAWSER_OK;
+	if (!list || list->kind != HAWSER__SEQUENCE || list->children < 1 || list->children > STOPS)
+		return hawser__reader_fail(reader, list ? &list->at : &tree->at, "contact.sliding: history "
+		                           "needs contact.path, a list of 1 to %d values that tension.%s had "
+		                           "before, such as [%.6g %s]", STOPS, key[of->line.given],
+		                           1.1*of->line.value, unit);
+	status = word(reader, &of->winch, tree, "contact", "winch", ends, 2);
+	if (!status && of->line.given != HAWSER_LINE_LENGTH0 && of->winch != own)
+		return hawser__reader_fail(reader, &winch->at, "contact.winch: %s: with tension.%s the rope is "
+		                           "paid in and out at end %s", ends[of->winch], key[of->line.given],
+		                           ends[own]);
+	of->path = calloc((size_t)list->children, sizeof *of->path);
+	if (!of->path)
+		return hawser__no_memory(reader->report, "scene");
+	for (const struct hawser__tree *one = list->child; one && !status; one = one->next)
+		status = hawser__tree_number(reader, &of->path[of->stops++], one, "contact.path", unit,
+		                             HAWSER__TREE_POSITIVE);
+	return status;
+}
+
 static enum hawser_status contact(struct hawser__reader *reader, struct hawser_obstacles *of,
                                   const struct hawser__tree *tree)
 {
@@ -267,12 +306,12 @@ static enum hawser_status contact(struct hawser__reader *reader, struct hawser_o
 
 	if (!status)
 		status = word(reader, &index, tree, "contact", "sliding", sliding, 4);
-	one = hawser__tree_find(tree, "sliding");
-	if (!status && index == 3)
-		return hawser__reader_fail(reader, &one->at, "contact.sliding: history: not yet: give none "
-		                           "for the interval of tensions at rest, or toward-A or toward-B");
+	of->history = index == 3;
+	if (!status)
+		status = path(reader, of, tree);
 	of->line.sliding = index == 1 ? HAWSER_LINE_TOWARD_A
-	                   : index == 2 ? HAWSER_LINE_TOWARD_B : HAWSER_LINE_NONE;
+	                   : index == 2 ? HAWSER_LINE_TOWARD_B
+	                   : index == 3 ? HAWSER_LINE_HELD : HAWSER_LINE_NONE;
 	if (!status)
 		status = word(reader, &of->modes, tree, "contact", "modes", modes, 2);
 	one = hawser__tree_find(tree, "restitution");
@@ -375,5 +414,6 @@ void hawser_obstacles_clear(struct hawser_obstacles *of)
 	free(of->name);
 	free(of->line.sheave);
 	free(of->obstacle);
+	free(of->path);
 	memset(of, 0, sizeof *of);
 }

@@ -110,7 +110,7 @@ void hawser__path_arrive(struct hawser__path *path, const struct hawser__rope *r
 	path->lowers = sheave->side > 0 ? 1 : -1;
 	path->arc.R = sheave->R;
 	path->arc.side = sheave->side;
-	path->arc.friction = rope->slide*sheave->friction;
+	path->arc.friction = sheave->friction;
 	if (meet->vertex && sheave->R > 0.0) {
 		path->angle = atan2(-meet->normal[0], meet->normal[1]);
 		set_mass(path);

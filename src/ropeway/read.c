@@ -103,6 +103,7 @@ static enum hawser_status tension(struct hawser__reader *reader, struct hawser_r
 	}
 	if (status)
 		return status;
+	rw->tension_line = tree->at.set ? 0 : (int)tree->at.line;
 	if (!found)
 		return hawser__reader_fail(reader, &tree->at, "tension needs one of counterweight (N, of both "
 		                           "lanes), T0 (N, of each lane), length0 (m, of the whole loop; the "
@@ -165,6 +166,7 @@ static enum hawser_status top(struct hawser__reader *reader, struct hawser_ropew
 	of = hawser__tree_find(tree, "drive");
 	if (status || !of)
 		return status;
+	rw->drive_line = of->at.set ? 0 : (int)of->at.line;
 	status = hawser__tree_keys(reader, of, "drive", "speed, friction, ramp, wrap, inertia");
 	if (!status)
 		status = hawser__ropeway_number(reader, &rw->speed, of, "drive", "speed", "m/s",

@@ -17,8 +17,6 @@ struct hawser__rope {
 	double EA, w;          /* N, N/m */
 	double stretch;        /* 1/(1 - rho v^2/EA) */
 	double thrust;         /* rho v^2, N */
-	int slide;             /* 1: friction lets the tension grow towards B, -1: towards A,
-	    0: none acts */
 	int masses;
 	double *S, *weight;    /* [masses] m, N */
 };
@@ -59,7 +57,7 @@ void hawser__meet(struct hawser__meet *meet, const struct hawser__rope *rope,
 /* Rope in contact with a circle, from a slope angle0 and a tension T0 on. */
 struct hawser__arc {
 	double R, angle0, T0;
-	double friction;       /* coefficient times rope's slide */
+	double friction;       /* coefficient; > 0: the tension grows towards B */
 	int side;
 };
 /* Tension and unstretched length after the angle q. The tension is NAN if it would be negative. */

@@ -21,17 +21,53 @@ struct hawser__rope hawser__line_rope(const struct hawser_line *line)
 
 	return (struct hawser__rope){
 		.EA = line->EA, .w = line->rho*line->g*(1.0 - share), .stretch = 1.0/(1.0 - share),
-		.thrust = line->rho*line->speed*line->speed,
-		.slide = line->sliding == HAWSER_LINE_NONE ? 0 : line->sliding == HAWSER_LINE_TOWARD_B ? 1 : -1
-	};
+		.thrust = line->rho*line->speed*line->speed};
 }
 
-struct hawser__arc hawser__line_arc(const struct hawser_line *line, const struct hawser__rope *rope,
+double hawser__line_grip(const struct hawser_line *line, int sheave)
+{
+	const struct hawser_line_sheave *of = &line->sheave[sheave];
+
+	switch (line->sliding) {
+	case HAWSER_LINE_TOWARD_A:
+		return -of->friction;
+	case HAWSER_LINE_TOWARD_B:
+		return of->friction;
+	case HAWSER_LINE_HELD:
+		return of->grip;
+	default:
+		return 0.0;
+	}
+}
+
+void hawser__line_touch(double *from, double *to, const struct hawser_line_statics *st, int sheave)
+{
+	const double *centre = st->line->sheave[sheave].centre;
+	double nearest = INFINITY;
+
+	*from = INFINITY;
+	*to = 0.0;
+	for (int i = 0; i < st->pieces; i++) {
+		const struct hawser_line_piece *piece = &st->piece[i];
+		double far = hypot(piece->x1[0] - centre[0], piece->x1[1] - centre[1]);
+
+		if (piece->sheave == sheave) {
+			*from = fmin(*from, piece->S0);
+			*to = fmax(*to, piece->S1);
+		} else if (st->line->sheave[sheave].radius == 0.0 && far < nearest) {
+			nearest = far; /* a point has no arc */
+			*from = *to = piece->S1;
+		}
+	}
+}
+
+struct hawser__arc hawser__line_arc(const struct hawser_line *line,
                                     const struct hawser_line_piece *piece, double T0)
 {
 	const struct hawser_line_sheave *sheave = &line->sheave[piece->sheave];
 
-	return (struct hawser__arc){sheave->radius, piece->angle0, T0, rope->slide*sheave->friction,
+	return (struct hawser__arc){sheave->radius, piece->angle0, T0,
+	                            hawser__line_grip(line, piece->sheave),
 	                            sheave->side};
 }
 
@@ -40,7 +76,7 @@ static void press(struct hawser_line_contact *contact, double force[2],
                   const struct hawser__march *march,
                   const struct hawser_line_piece *piece)
 {
-	struct hawser__arc arc = hawser__line_arc(march->line, &march->rope, piece, piece->T0);
+	struct hawser__arc arc = hawser__line_arc(march->line, piece, piece->T0);
 	double sum[2], q = fabs(piece->angle1 - piece->angle0), R = arc.R;
 
 	hawser__arc_total(sum, &arc, &march->rope, q);
@@ -136,7 +172,7 @@ static void forces_on(double force[2], struct hawser_line_contact *contact,
                       int k)
 {
 	const struct hawser_line_statics *st = march->trace.st;
-	double m = march->rope.slide*march->line->sheave[k].friction, side = march->line->sheave[k].side;
+	double m = hawser__line_grip(march->line, k), side = march->line->sheave[k].side;
 
 	force[0] = force[1] = 0.0;
 	for (int i = march->trace.arrive[k].mass; i < march->trace.leave[k].mass; i++) {

@@ -189,6 +189,7 @@ static enum hawser_status judge(struct hawser_ropeway_statics *st, const struct 
 {
 	const struct hawser_ropeway *rw = st->ropeway;
 	const char *load_case = rw->load_case[st->load_case].name;
+	char line[HAWSER__FILE_LINE];
 
 	for (int i = 0; i < st->lanes; i++)
 		for (int k = 0; k < rw->towers; k++) {
@@ -200,22 +201,22 @@ static enum hawser_status judge(struct hawser_ropeway_statics *st, const struct 
 			if (!tolerate)
 				return hawser__fail(
 					report, HAWSER_ERR_NO_SOLUTION, "ropeway",
-					"case %s, phase %.9g m, "
-					"lane %s: the rope does not press the %s battery of tower %s: it "
-					"passes at a distance of %.4g m; move the tower, change its battery, or "
-					"see the state with --tolerate",
+					"case %s, phase %.9g m, lane %s: the rope lifts off the %s battery of tower "
+					"%s%s at (%.6g, %.6g) m: it passes %.4g m %s it; move the tower, change its "
+					"battery or the tension, or see the state with --tolerate",
 					load_case, st->phase, i ? "down" : "up",
 					frame->side[k] > 0 ? "support" : "compression", rw->tower[k].name,
-					c->clearance);
+					hawser__file_line(line, rw->tower[k].file_line), rw->tower[k].at[0],
+					rw->tower[k].at[1], c->clearance, frame->side[k] > 0 ? "above" : "below");
 		}
 	if (st->slips && !tolerate)
 		return hawser__fail(
 			report, HAWSER_ERR_NO_SOLUTION, "ropeway",
 			"case %s, phase %.9g m: the rope slips "
 			"on the drive bullwheel: %.6g N against %.6g N need a friction of %.4g, and "
-			"drive.friction is %.4g, %.4g too little; see the state with --tolerate",
+			"drive.friction%s is %.4g, %.4g too little; see the state with --tolerate",
 			load_case, st->phase, st->lane[0].st.T_B, st->lane[1].st.T_B, st->needed_friction,
-			rw->drive_friction, -st->drive_margin);
+			hawser__file_line(line, rw->drive_line), rw->drive_friction, -st->drive_margin);
 	if (st->stopped && !tolerate) {
 		double stop = st->travel < rw->travel[0] ? rw->travel[0] : rw->travel[1];
 
@@ -223,10 +224,39 @@ static enum hawser_status judge(struct hawser_ropeway_statics *st, const struct 
 			report, HAWSER_ERR_NO_SOLUTION, "ropeway",
 			"case %s, phase %.9g m: the "
 			"counterweight is at its stop: the carriage would be at %.4g m, %.4g m beyond "
-			"tension.travel = %.4g m; see the state with --tolerate",
-			load_case, st->phase, st->travel, fabs(st->travel - stop), stop);
+			"tension.travel%s = %.4g m; see the state with --tolerate",
+			load_case, st->phase, st->travel, fabs(st->travel - stop),
+			hawser__file_line(line, rw->tension_line), stop);
 	}
 	return HAWSER_OK;
+}
+
+static void begin(struct hawser_ropeway_statics *st, const struct hawser__frame *frame,
+                  const struct hawser_ropeway_options *options, double phase)
+{
+	*st = (struct hawser_ropeway_statics){.ropeway = frame->ropeway, .phase = phase,
+	                                      .load_case = options->load_case,
+	                                      .lanes = frame->ropeway->lanes};
+}
+
+/* The state for P at the bottom station, but with a fixed carriage. lift 1: batteries may be without
+ * contact on the way. */
+static enum hawser_status complete(struct hawser_ropeway_statics *st, const struct hawser__frame *frame,
+                                   const struct hawser_ropeway_options *options, double P, int lift,
+                                   struct hawser_report *report)
+{
+	const struct hawser_ropeway *rw = frame->ropeway;
+	enum hawser_status status = rw->tension > HAWSER_ROPEWAY_T0
+		? fit_length(st, frame, options->load_case, st->phase, &P, report)
+		: solve_lanes(st, frame, options->load_case, st->phase, P, lift, report);
+
+	for (int i = 0; i < rw->lanes && !status; i++)
+		status = hawser__lane_describe(&st->lane[i], frame, report);
+	if (status)
+		return status;
+	drive(st);
+	carriage(st, frame, P);
+	return judge(st, frame, options->tolerate, report);
 }
 
 enum hawser_status hawser__ropeway_state(struct hawser_ropeway_statics *st,
@@ -238,11 +268,7 @@ enum hawser_status hawser__ropeway_state(struct hawser_ropeway_statics *st,
 	double speed = rw->sliding == HAWSER_ROPEWAY_REST ? 0.0 : rw->speed, P = 0.5*rw->value;
 	enum hawser_status status;
 
-	memset(st, 0, sizeof *st);
-	*st = (struct hawser_ropeway_statics){.ropeway = rw,
-	                                      .phase = phase,
-	                                      .load_case = options->load_case,
-	                                      .lanes = rw->lanes};
+	begin(st, frame, options, phase);
 	if (rw->tension == HAWSER_ROPEWAY_T0 || rw->tension == HAWSER_ROPEWAY_EMPTY)
 		P = hawser__apparent(rw, rw->value, rw->tension == HAWSER_ROPEWAY_T0 ? speed : 0.0);
 	if (rw->tension == HAWSER_ROPEWAY_LENGTH0)
@@ -253,16 +279,16 @@ enum hawser_status hawser__ropeway_state(struct hawser_ropeway_statics *st,
 			"tension.T0 = %.9g N is not above "
 			"rho*speed^2 = %.9g N: the rope cannot run around its bullwheels at drive.speed",
 			rw->value, rw->rho*speed*speed);
-	if (rw->tension > HAWSER_ROPEWAY_T0)
-		status = fit_length(st, frame, options->load_case, phase, &P, report);
-	else
-		status = solve_lanes(st, frame, options->load_case, phase, P, options->tolerate, report);
-	for (int i = 0; i < rw->lanes && !status; i++)
-		status = hawser__lane_describe(&st->lane[i], frame, report);
-	if (!status) {
-		drive(st);
-		carriage(st, frame, P);
-		status = judge(st, frame, options->tolerate, report);
+	status = complete(st, frame, options, P, options->tolerate, report);
+	if (status == HAWSER_ERR_NO_SOLUTION && !st->lifted && !options->tolerate) {
+		/* A battery that the rope does not press: the state without it says by how much. */
+		struct hawser_report other = {0};
+
+		hawser_ropeway_statics_clear(st);
+		begin(st, frame, options, phase);
+		(void)complete(st, frame, options, P, 1, &other);
+		if (st->lifted && report)
+			*report = other;
 	}
 	if (status)
 		hawser_ropeway_statics_clear(st);
@@ -291,7 +317,7 @@ enum hawser_status hawser_ropeway_solve(struct hawser_ropeway_statics *st,
 	if (!status)
 		status = hawser__ropeway_state(st, &frame, &own, phase, report);
 	hawser__frame_clear(&frame);
-	return hawser__in_file(report, status, rw);
+	return hawser__in_file(report, status, rw->name);
 }
 
 void hawser_ropeway_statics_clear(struct hawser_ropeway_statics *st)

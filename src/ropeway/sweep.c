@@ -316,7 +316,7 @@ enum hawser_status hawser_ropeway_sweep(struct hawser_ropeway_worst *worst,
 	hawser__frame_clear(&frame);
 	if (status)
 		hawser_ropeway_worst_clear(worst);
-	return hawser__in_file(report, status, rw);
+	return hawser__in_file(report, status, rw->name);
 }
 
 void hawser_ropeway_worst_clear(struct hawser_ropeway_worst *worst)

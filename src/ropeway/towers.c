@@ -130,6 +130,7 @@ static enum hawser_status tower_of(struct hawser__reader *reader, struct hawser_
 		status = name_of(reader, rw, tree);
 	if (status)
 		return status;
+	tower->file_line = tree->at.set ? 0 : (int)tree->at.line;
 	snprintf(section, sizeof section, "towers.%s", tower->name);
 	status = hawser__ropeway_place(reader, tower->at, tree, section);
 	if (!status)

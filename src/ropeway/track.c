@@ -9,13 +9,16 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "core/progress.h"
 #include "core/report.h"
 #include "core/settle.h"
+#include "core/share.h"
 #include "ropeway/track.h"
 
 /* Modes by default; more than the branches, since these go up and down along a sweep; halvings of a
  * step; samples in all. */
 enum { DEFAULT = 6, MORE = 6, HALVINGS = 6, MOST = 20000 };
+enum { BATCH = 8 }; /* values solved at once by several threads: little is lost where a sweep ends */
 #define NEAR 0.05 /* relative gap below which a least one is a veering */
 
 /* Add a sample to the sweep; it is used up. */
@@ -34,6 +37,10 @@ static enum hawser_status append(struct hawser__track *t, struct hawser__track_s
 		t->capacity = capacity;
 	}
 	t->sample[t->samples++] = *sample;
+	if (t->samples > 1) { /* shapes are compared with those of the last sample only */
+		free(t->sample[t->samples - 2].shape);
+		t->sample[t->samples - 2].shape = NULL;
+	}
 	*sample = (struct hawser__track_sample){.n = 0};
 	return HAWSER_OK;
 }
@@ -130,6 +137,8 @@ static enum hawser_status wide(struct hawser__track *t, struct hawser_report *re
 				double here = gap_at(a, p, q);
 				int k = mode_of(a, p), l = mode_of(a, q);
 
+				if (a[-1].at.touched != a[1].at.touched)
+					continue;
 				if (here < before && here <= after && here < NEAR && !known_at(t, p, q, i))
 					status = veering(t, i, k < l ? k : l, k < l ? l : k, report);
 			}
@@ -190,33 +199,101 @@ static int by_value(const void *a, const void *b)
 	return (x > y) - (x < y);
 }
 
+/* Samples at the next values: the scenes are opened one after the other, and solved by several
+ * threads. */
+struct batch {
+	const struct hawser__track *t;
+	struct hawser__track_scene scene[BATCH];
+	struct hawser__track_sample sample[BATCH];
+	struct hawser_report why[BATCH];
+	enum hawser_status status[BATCH];
+	int first, count;
+};
+
+static void solve_one(void *context, long item, int worker)
+{
+	struct batch *batch = context;
+
+	(void)worker;
+	if (!batch->status[item])
+		batch->status[item] = hawser__track_solve(&batch->sample[item], batch->t, &batch->scene[item],
+		                                          &batch->why[item]);
+}
+
+static void solve_batch(struct batch *batch, struct hawser__track *t, int first, int threads)
+{
+	int left = t->options->points - first, most = threads > 1 ? BATCH : 1;
+
+	batch->t = t;
+	batch->first = first;
+	batch->count = left < most ? left : most;
+	for (int k = 0; k < batch->count; k++) {
+		batch->sample[k] = (struct hawser__track_sample){.n = 0};
+		batch->status[k] = hawser__track_open(&batch->scene[k], t, t->options->value[first + k],
+		                                      &batch->why[k]);
+		t->solves += !batch->status[k];
+	}
+	hawser__share(batch->count, threads, solve_one, batch);
+	for (int k = 0; k < batch->count; k++)
+		hawser__track_scene_clear(&batch->scene[k]);
+}
+
+/* The caller's answer after `done` values: nonzero ends the sweep. */
+static int told_to_stop(const struct hawser__track *t, int done, double began)
+{
+	struct hawser_progress_state state = hawser__progress_state("sweep", "values", done, began);
+
+	state.expected = t->options->points;
+	state.fraction = (double)done/t->options->points;
+	state.left = state.seconds*(t->options->points - done)/done;
+	return hawser__told_to_stop(&t->options->progress, &state);
+}
+
+/* Continue the branches to the sample of value i, which is used up. */
+static enum hawser_status advance(struct hawser_ropeway_track *track, struct hawser__track *t, int i,
+                                  struct batch *batch, struct hawser_report *report)
+{
+	int k = i - batch->first;
+	enum hawser_status status = batch->status[k];
+
+	if (!status)
+		status = step(t, &batch->sample[k], HALVINGS, &batch->why[k]);
+	batch->sample[k] = (struct hawser__track_sample){.n = 0};
+	if (status == HAWSER_ERR_MEMORY)
+		return hawser__no_memory(report, "track");
+	if (status) {
+		track->ended = 1;
+		track->end = t->options->value[i];
+		track->why = batch->why[k];
+	}
+	return HAWSER_OK;
+}
+
 static enum hawser_status sweep(struct hawser_ropeway_track *track, struct hawser__track *t,
                                 struct hawser_report *report)
 {
 	const struct hawser_ropeway_track_options *o = t->options;
-	struct hawser__track_sample next;
-	struct hawser_report why;
-	enum hawser_status status = hawser__track_sample(&next, t, o->value[0], report);
+	int threads = o->threads > 0 ? o->threads : hawser__processors();
+	double began = hawser__wall_seconds();
+	struct hawser__track_sample first;
+	struct batch *batch = calloc(1, sizeof *batch);
+	enum hawser_status status = batch ? hawser__track_sample(&first, t, o->value[0], report)
+	                                  : hawser__no_memory(report, "track");
 
-	if (status)
-		return status;
-	begin(&next, t->n);
-	status = append(t, &next, report);
-	for (int i = 1; i < o->points && !status; i++) {
-		status = hawser__track_sample(&next, t, o->value[i], &why);
-		if (!status)
-			status = step(t, &next, HALVINGS, &why);
-		if (status == HAWSER_ERR_MEMORY) {
-			*report = why;
-			return status;
-		}
-		if (status) {
-			track->ended = 1;
-			track->end = o->value[i];
-			track->why = why;
-		}
+	if (!status) {
+		begin(&first, t->n);
+		status = append(t, &first, report);
 	}
-	return HAWSER_OK;
+	for (int i = 1; i < o->points && !status && !track->ended && !track->interrupted; i++) {
+		if (i >= batch->first + batch->count)
+			solve_batch(batch, t, i, threads);
+		status = advance(track, t, i, batch, report);
+		track->interrupted = told_to_stop(t, i + 1, began);
+	}
+	for (int k = 0; batch && k < batch->count; k++)
+		hawser__track_sample_clear(&batch->sample[k]);
+	free(batch);
+	return status;
 }
 
 enum hawser_status hawser_ropeway_track_solve(struct hawser_ropeway_track *track,
@@ -230,6 +307,9 @@ enum hawser_status hawser_ropeway_track_solve(struct hawser_ropeway_track *track
 	*track = (struct hawser_ropeway_track){.samples = 0};
 	report = report ? report : &own;
 	hawser__settle_count(&t.n, DEFAULT);
+	if (!options->open == !options->open_obstacles)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "track", "options.open or "
+		                    "options.open_obstacles must be given, and one of them only");
 	if (options->points < 2 || t.n < 1)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "track", "%d values and %d branches: give 2 "
 		                    "values or more, and one branch or more", options->points, t.n);

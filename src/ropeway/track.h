@@ -27,7 +27,22 @@ struct hawser__track {
 	double least;             /* see least_correlation */
 };
 
-/* track_sample.c */
+/* The scene at a value. */
+struct hawser__track_scene {
+	double value;
+	struct hawser_ropeway ropeway;
+	struct hawser_obstacles obstacles;
+};
+
+/* track_sample.c: open the scene; solve it: calls for different samples may run at the same time, and
+ * the caller counts them in t->solves; both. */
+enum hawser_status hawser__track_open(struct hawser__track_scene *scene, const struct hawser__track *t,
+                                      double value, struct hawser_report *report) HAWSER_MUST_CHECK;
+enum hawser_status hawser__track_solve(struct hawser__track_sample *sample,
+                                       const struct hawser__track *t,
+                                       const struct hawser__track_scene *scene,
+                                       struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser__track_scene_clear(struct hawser__track_scene *scene);
 enum hawser_status hawser__track_sample(struct hawser__track_sample *sample, struct hawser__track *t,
                                         double value, struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__track_sample_clear(struct hawser__track_sample *sample);

@@ -245,7 +245,8 @@ enum hawser_status hawser__track_match(int *split, struct hawser__track *t,
 			          (a->branch[i] >= 0 || a->branch[j] >= 0) && involved(a, b, to, i, j) &&
 			          (hawser__track_coupled(a, i, j) || hawser__track_coupled(b, to[i], to[j]));
 	}
-	for (int i = 0; i < a->n && !status && !*split; i++)
+	/* Where the rope leaves an obstacle all frequencies jump: that is no crossover. */
+	for (int i = 0; i < a->n && !status && !*split && a->at.touched == b->at.touched; i++)
 		for (int j = i + 1; j < a->n && !status; j++)
 			if (to[i] >= 0 && to[j] >= 0 && to[i] > to[j] && a->plane[i] == a->plane[j] &&
 			    (a->branch[i] >= 0 || a->branch[j] >= 0))

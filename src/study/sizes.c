@@ -270,6 +270,7 @@ static const struct row {
 	ROW(hawser_obstacle),
 	ROW(hawser_obstacles),
 	ROW(hawser_obstacles_limit),
+	ROW(hawser_obstacles_path),
 	ROW(hawser_obstacles_statics),
 	ROW(hawser_drag),
 	ROW(hawser_path),

@@ -67,6 +67,28 @@ import json
 rest, sliding = (json.load(open(n + ".json")) for n in ("sheave", "sliding"))
 assert abs(sliding["T1"]/rest["toward_B"]["T1"] - 1) < 1e-12 and "toward_B" not in sliding
 END
+works "history: hauled tight, then paid out a little" statics "$sheave" --json history.json -q \
+	--set 'contact={sliding: history, path: [310 m, 300.99995 m]}'
+python "  is what sticks and slips make of it" <<'END'
+import json
+r, rest = (json.load(open(n + ".json")) for n in ("history", "sheave"))
+assert r["sliding"] == "history" and len(r["path"]) == 41
+first, tight, last = (r["path"][i] for i in (0, 20, 40))
+# from the state without tangential forces the rope slips toward A, with all the friction
+assert abs(first["T0"]/first["T1"] - 1) < 1e-12 and first["grip"] == first["slid"] == [0]
+assert tight["grip"] == [-0.1] and tight["slid"][0] < -8 and tight["T0"] > tight["T1"]
+# then it sticks: no rope passes, and friction is between its limits
+assert last["slid"] == tight["slid"]
+assert -0.1 < last["grip"][0] < 0.1 and r["toward_A"]["T0"] > r["T0"] > r["toward_B"]["T0"]
+# so that rope and tension behind the circle are those of before; all the rope paid out is before it
+assert abs(last["T1"]/tight["T1"] - 1) < 1e-3 and last["T0"] < tight["T0"]
+assert abs(r["toward_A"]["T0"]/rest["toward_A"]["T0"] - 1) < 1e-12
+END
+denies "history without a path" 1 "history needs contact.path, a list of 1 to 100 values that tension.length0 had before" \
+	statics "$sheave" --set 'contact={sliding: history}'
+denies "a path without history" 1 "contact.path is of sliding: history" statics "$sheave" --set 'contact={path: [310 m]}'
+denies "a winch at the other end" 1 "with tension.T0 the rope is paid in and out at end A" statics "$sheave" \
+	--set 'tension={T0: 50 kN}' --set 'contact={sliding: history, path: [20 kN], winch: B}'
 try "the picture has the rope without the obstacles" grep -q "without obstacles" sheave.svg
 
 denies "a misspelt key" 1 "unknown key frction: did you mean friction" statics "$sheave" --set obstacles.s0.frction=1
@@ -125,6 +147,22 @@ rigid, nearly = (json.load(open(n + ".json"))["modes"] for n in ("rigid", "nearl
 assert all(abs(a["omega"]/b["omega"] - 1) < 1e-7 for a, b in zip(rigid, nearly)) and len(rigid) == 4
 END
 try "the picture names the contact" grep -q "obstacles: the rope slips" modes.svg
+works "over the height of the circle" modes "$sheave" --over "obstacles.s0.circle.centre.1=-17 m:-5 m:7" --contact slip -n 4 \
+	--json over.json --tsv over.tsv --plot over.svg -q
+python "  frequencies are those of the scenes" <<'END'
+import json
+r, slip = json.load(open("over.json")), json.load(open("slip.json"))
+assert r["swept"] == "obstacles.s0.circle.centre.1" and r["unit"] == "m" and "ended" not in r
+s = r["stations"]
+assert [x["value"] for x in s if not x["inserted"]] == [-17, -15, -13, -11, -9, -7, -5]
+assert [s[0]["touched"], s[-1]["touched"]] == [0, 1]
+assert all(abs(a["im"]/b["omega"] - 1) < 1e-9 for a, b in zip(sorted(s[-1]["eigenvalues"], key=lambda e: e["im"]), slip["modes"]))
+assert {e["span"] for e in s[-1]["eigenvalues"]} == {"s0 to B"} and "lane" not in s[0]["eigenvalues"][0]
+END
+try "  where the rope comes to touch it is told" grep -q '^# between obstacles.s0.circle.centre.1 = -1[0-9.]* and -15.9[0-9]* m: 1 touched' over.tsv
+try "  columns" grep -q '^obstacles.s0.circle.centre.1	branch	omega_rad_s	frequency_Hz	plane	span	span_share	residual$' over.tsv
+denies "a key that is none" 1 "\-\-over obstacles.s0.circle.radus, at 1 m: unknown key radus" modes "$sheave" \
+	--over "obstacles.s0.circle.radus=1 m:2 m:3"
 denies "a contact that is none" 1 "must be one of slip, stick" modes "$sheave" --contact roll
 denies "stick without friction" 1 "has no friction, so that the rope does not stick to it" modes "$sheave" --set obstacles.s0.friction=0 --contact stick
 denies "an option of ropeways" 1 "\-\-case is for ropeways" modes "$sheave" --case full

@@ -50,6 +50,16 @@ assert [s["speed"] for s in speed["speeds"]][::4] == [0, 10]
 fast = [e["im"] for e in speed["speeds"][-1]["eigenvalues"]]
 assert all(abs(x/m["omega"] - 1) < 1e-9 for x, m in zip(sorted(fast), runs["modes"]))
 assert all(s["eigenvalues"][0]["plane"] == "in-plane" for s in speed["speeds"])
+# where multiples of the frequency at which carriers pass meet the branches
+pi = 3.141592653589793
+v = [s["speed"] for s in speed["speeds"]]
+sides = [(n, b) for b in range(6) for n in (1, 2, 3) for i in range(1, len(v))
+         if (branch(speed, b, "speeds")[i - 1] - 2*pi*n*v[i - 1]/36.6)*(branch(speed, b, "speeds")[i] - 2*pi*n*v[i]/36.6) < 0]
+assert speed["spacing"] == 36.6 and len(sides) > 4
+assert sorted((r["harmonic"], r["branch"] - 1) for r in speed["resonances"]) == sorted(sides)
+for r in speed["resonances"]:
+    assert abs(2*pi*r["harmonic"]*r["speed"]/36.6/r["omega"] - 1) < 1e-9
+    assert min(abs(r["omega"]/w - 1) for w in branch(speed, r["branch"] - 1, "speeds")) < 2e-3
 assert branch(speed, 0, "speeds")[-1] < branch(speed, 0, "speeds")[0]
 assert height["stations"][0]["value"] == 15 and height["swept"] == "ropeway.towers.p0.at.1" and height["unit"] == "m"
 assert 4 < ends["ended"]["value"] < 10 and "lifts off" in ends["ended"]["why"] and len(ends["stations"]) == 3
@@ -75,10 +85,12 @@ denies "an option of ropeways" 1 "\-\-contact is for ropeways" campbell "$chairl
 denies "stick, and a rope that runs" 1 "contact.modes is stick, but the rope runs" campbell "$small" --contact stick --from 1 --points 2
 denies "another unit" 1 "KEY=FROM:TO:POINTS" modes "$small" --over "ropeway.towers.p0.at.1=15 m:20:5"
 denies "one point" 1 "with 2 to 2000 points" modes "$small" --over ropeway.carriers.phase=0:36:1
-denies "an unknown key" 1 "unknown key phas" modes "$small" --over ropeway.carriers.phas=0:36:3
+denies "an unknown key" 1 "\-\-over ropeway.carriers.phas, at 0: unknown key phas" modes "$small" --over ropeway.carriers.phas=0:36:3
 denies "shapes of a sweep" 1 "choose one" modes "$small" --over ropeway.carriers.phase=0:36:3 --shapes
 denies "no range" 1 "are both" irvine "$small" --from 3e5 --to "300 kN"
 denies "ratios of 0" 1 "no equal ratios" modes "$small" --over ropeway.carriers.phase=0:36:3 --log
 denies "a unit of spans" 1 "must be one of rad/s, Hz\|must be rad/s or Hz" irvine "$small" --unit normalised
+try "resonances are listed, and marked" grep -q '^# resonance: harmonic 3 with branch 1 (in-plane) at 4.0[0-9]* m/s' speed.tsv
+try "  in the picture" grep -q '>resonance<' speed.svg
 denies "no first solution" 2 "lifts off" modes "$small" --over "ropeway.towers.p0.at.1=4 m:15 m:3"
 done_testing
