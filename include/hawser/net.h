@@ -20,7 +20,7 @@ enum { HAWSER_NET_NAME = 32 }; /* size of a name, with the NUL at its end */
 enum hawser_net_given {
 	HAWSER_NET_LENGTH0 = 0,   /* unstretched length, m */
 	HAWSER_NET_TENSION,       /* mean of the tension over the elements in the equilibrium, N */
-	HAWSER_NET_FORCE_DENSITY, /* tension over length of each element, N/m */
+	HAWSER_NET_FORCE_DENSITY, /* tension over the length of the cable, N/m */
 	HAWSER_NET_SAG            /* largest vertical distance from the chord, m */
 };
 

@@ -63,6 +63,7 @@ static void begin(struct hawser__mesh *mesh, const struct hawser_net *net)
 
 		if (cable->given == HAWSER_NET_LENGTH0)
 			continue;
+		density *= cable->elements; /* of an element, whose length is that part of the cable's */
 		if (cable->given == HAWSER_NET_TENSION)
 			density = cable->value/l;
 		/* Of the parabola; 1e-4 of EA for a cable of no weight. */

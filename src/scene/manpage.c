@@ -414,7 +414,7 @@ static const char net_keys[] =
 	".B tension\n"
 	"(its mean),\n"
 	".B force_density\n"
-	"(tension over length) and\n"
+	"(tension over the length of the cable) and\n"
 	".BR sag ,\n"
 	"from which its unstretched length is found, and the number of its\n"
 	".B elements\n"

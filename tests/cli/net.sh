@@ -55,6 +55,8 @@ works "a slack member" statics slack.yaml --tsv slack.tsv --json slack.json -q
 try "is named" grep -q '^# 1 cable with elements without tension: tie$' slack.tsv
 works "a force density" statics slack.yaml --json density.json -q \
 	--set 'cables.a={name: a, from: A, to: J, EA: 1 MN, rho: 0, force_density: 90 N/m, elements: 1}'
+works "on another mesh" statics slack.yaml --json density7.json -q \
+	--set 'cables.a={name: a, from: A, to: J, EA: 1 MN, rho: 0, force_density: 90 N/m, elements: 7}'
 python "the shape of two bars, the hanging cable, the force density" <<'END2'
 import json, math
 slack = json.load(open("slack.json"))
@@ -67,6 +69,9 @@ assert abs(slack["cables"][3]["T_from"] - 9.81*(1 - 0.5/20)) < 1e-6
 found = json.load(open("density.json"))
 cable = found["cables"][0]
 assert abs(cable["T_from"]/math.hypot(*found["nodes"]["J"]) - 90) < 1e-7
+fine = json.load(open("density7.json"))
+assert all(abs(a - b) < 1e-9 for a, b in zip(found["nodes"]["J"], fine["nodes"]["J"]))
+assert abs(fine["cables"][0]["T_from"]/cable["T_from"] - 1) < 1e-9
 assert abs(cable["length0"]*(1 + cable["T_from"]/1e6) - cable["length"]) < 1e-9
 END2
 
@@ -80,7 +85,7 @@ denies "motion of it" 2 "the node X has no support in direction x" integrate "$n
 denies "form finding by catenaries" 1 "takes cables with length0 only, and cable a has tension" statics slack.yaml \
 	--method catenary --set 'cables.a={name: a, from: A, to: J, EA: 1 MN, rho: 0, tension: 5 N}'
 denies "a density that no length has" 2 "the lengths that go with the given force densities" statics slack.yaml \
-	--set 'cables.c={name: c, from: J, to: K, EA: 1 MN, rho: 1 kg/m, force_density: 5 N/m}'
+	--set 'cables.c={name: c, from: J, to: K, EA: 1 MN, rho: 1 kg/m, force_density: 0.25 N/m}'
 denies "a tension that no shape has" 2 "it grows beyond all bounds" statics slack.yaml \
 	--set 'cables.c={name: c, from: J, to: K, EA: 1 MN, rho: 0, tension: 5 N}' --set 'loads.K=[0 N, -100 N, 0 N]'
 denies "a sag that no shape has" 2 "the sag of tie came to" statics slack.yaml \
