@@ -152,6 +152,33 @@ static void carriers(struct hawser_line_mass *mass, int count, double phase)
 		mass[i] = (struct hawser_line_mass){phase + 36.6*i, 400.0, 0.0};
 }
 
+/* The small ropeway with the friction of the prototype, whose normal force leaves out the weight of the
+ * rope on the sheave: T_out = T_in e^(+-mu wrap) + w (y_out - y_in). The coefficient is adjusted until
+ * this holds. */
+static void lighter_friction(struct hawser_line *line, struct hawser_line_sheave *sheave, double mu,
+                             double top)
+{
+	double way = line->sliding == HAWSER_LINE_TOWARD_B ? 1.0 : -1.0;
+	struct hawser_line_statics st;
+
+	for (int round = 0; round < 8; round++) {
+		if (hawser_line_solve(&st, line, NULL)) {
+			ok(0, "friction without the weight");
+			return;
+		}
+		for (int k = 0; k < line->sheaves; k++) {
+			const struct hawser_line_contact *c = &st.contact[k];
+			double weight = line->rho*line->g*sheave[k].radius*(cos(c->angle_out) - cos(c->angle_in));
+
+			sheave[k].friction += mu - way*log((c->T_out - weight)/c->T_in)/c->wrap;
+		}
+		if (round == 7)
+			close_to(st.T_B, top, 6e-6, "T at the top, friction without the weight on the sheaves");
+		hawser_line_statics_clear(&st);
+	}
+	sheave[0].friction = sheave[1].friction = mu;
+}
+
 /* A ropeway of two towers, against a prototype in another language (4 to 5 digits; no weight of
  * the rope on the sheaves). All phases: it could not solve 4 of 75. */
 static void small_ropeway(void)
@@ -191,6 +218,7 @@ static void small_ropeway(void)
 		close_to(st.T_B, i ? 90804.0 : 92885.0, 7e-5, "T at the top (the prototype's law has no "
 		         "weight)");
 		hawser_line_statics_clear(&st);
+		lighter_friction(&line, sheave, 0.03, i ? 90804.0 : 92885.0);
 	}
 	line.sliding = HAWSER_LINE_NONE;
 	for (int i = 0; i < phases; i++) {
