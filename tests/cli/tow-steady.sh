@@ -54,4 +54,6 @@ bad 'bad.yaml:4:31: body.ring.tube, the radius of the tube, must be less than th
 $cable
 air: {density: 1.2}
 body:      {                  ring: {radius: 1, tube: 2, mass: 3, offset: 1}}"
+printf 'tow: {speed: 3}\n' >bad.yaml
+refuses 1 'bad.yaml:1:1: this is the scene of a towed body, and the command takes others: hawser trajectory and hawser tow steady take it' statics bad.yaml
 done_testing
