@@ -60,7 +60,7 @@ bad 'bad.yaml:1:52: tow.waypoints[2]: "2 m" has a wrong unit "m", not convertibl
 bad 'bad.yaml:1:60: tow.waypoints[2]: ".nan" is not a number (NaN): give a number in m, or with a unit that converts to m' "$way, [2 s, 2, .nan, 0]]}"
 bad 'bad.yaml:1:51: tow.waypoints[2] must be [t, x, y, z] in s and m, or a mapping with t, at and derivatives, such as {t: 30 s, at: [100 m, 0, 0], velocity: [6 m/s, 0, 0]}' "$way, [2 s, 2, 0]]}"
 bad 'bad.yaml:1:59: tow.ends: "velocty" must be velocity, acceleration, jerk or snap' "$way], ends: [velocty]}"
-bad 'bad.yaml:1:7: unknown key waypionts: did you mean waypoints? tow takes waypoints, file, speed, orbit, minimise, ends, start, ramp, law' 'tow: {waypionts: []}'
+bad 'bad.yaml:1:7: unknown key waypionts: did you mean waypoints? tow takes waypoints, file, speed, orbit, minimise, ends, start, ramp, law, hinge' 'tow: {waypionts: []}'
 bad 'bad.yaml:1:21: tow has speed and orbit: give one of waypoints, file, speed and orbit' \
 	'tow: {speed: 3 m/s, orbit: {radius: 1, speed: 2}}'
 bad 'bad.yaml:1:19: tow.minimise is of waypoints and files, and the path is given by speed: remove one of them' \
