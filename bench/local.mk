@@ -125,3 +125,8 @@ CLEANFILES += %D%/net-plan
 BENCHES += %D%/ropeway
 %C%_ropeway_SOURCES = %D%/ropeway.c
 %C%_ropeway_LDADD = $(UPTO_ROPEWAY)
+
+# contact with friction in one step: time over contacts, agreement with Siconos
+BENCHES += %D%/friction
+%C%_friction_SOURCES = %D%/friction.c
+%C%_friction_LDADD = $(UPTO_CONTACT)

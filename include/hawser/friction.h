@@ -76,8 +76,9 @@ void hawser_friction_options_settle(struct hawser_friction_options *options);
 struct hawser_friction_counts {
 	int iterations;   /* of Newton's method, or of the method */
 	int open, stick, slip;
-	double residual;  /* largest |r - P_K(r - rho (w + mu |w_T| n))| of a contact, over the largest
-	                   * |r| or rho |w|; P_K: projection on Coulomb's cone; rho = 1/(n.M^-1 n) */
+	double residual;  /* of the laws: largest |r - P(r - rho w)| of a contact over the largest |r| or
+	                   * rho |w|, rho = 1/(n.M^-1 n). P(z): p = max(z_N, 0), and z_T cut to the
+	                   * length mu p. r = P(r - rho w) where the laws hold, and only there */
 	double balance;   /* largest |M u - p - H^T r| over the largest of its terms */
 	double power;     /* sum of -r_T.w_T, the work of friction: 0 or more, J */
 };

@@ -93,26 +93,8 @@ enum hawser_contact_state hawser__touch_state(const struct hawser__touch *touch)
 	return tangent <= kappa && kappa > 0.0 ? HAWSER_CONTACT_STICK : HAWSER_CONTACT_SLIP;
 }
 
-/* Distance of r from the projection of v on the cone |v_T| <= mu v_N (in the metric of v). */
-double hawser__touch_error(const struct hawser__touch *touch)
+double hawser__touch_error(struct hawser__touch *touch)
 {
-	const double mu = touch->mu, slide = hypot(touch->w[1], touch->w[2]);
-	double v[3], tangent, along;
-
-	v[0] = touch->r[0] - touch->rho*(touch->w[0] + mu*slide);
-	v[1] = touch->r[1] - touch->rho*touch->w[1];
-	v[2] = touch->r[2] - touch->rho*touch->w[2];
-	for (int k = 1; k < 3; k++)
-		if (touch->fixed & 1U << k)
-			v[k] = 0.0;
-	tangent = hypot(v[1], v[2]);
-	if (mu*tangent <= -v[0]) {
-		memset(v, 0, sizeof v);
-	} else if (tangent > mu*v[0]) {
-		along = (v[0] + mu*tangent)/(1.0 + mu*mu);
-		v[0] = along;
-		v[1] *= mu*along/tangent;
-		v[2] *= mu*along/tangent;
-	}
-	return hypot(hypot(touch->r[0] - v[0], touch->r[1] - v[1]), touch->r[2] - v[2]);
+	hawser__touch_law(touch, 0.0, 0);
+	return sqrt(touch->F[0]*touch->F[0] + touch->F[1]*touch->F[1] + touch->F[2]*touch->F[2]);
 }

@@ -8,10 +8,28 @@
 #include "contact/friction.h"
 #include "core/report.h"
 
+#ifdef HAVE_SICONOS
+enum { SICONOS = 1 };
+#else
+enum { SICONOS = 0 };
+#endif
+
 static const struct hawser__friction_row rows[] = {
 	{{"newton", "semismooth Newton along a path of smoothed laws; O(n) on chains",
 	  "P. Alart, A. Curnier, Comput. Methods Appl. Mech. Engrg. 92 (1991) 353-375", 0, 1, 1},
 	 hawser__friction_newton},
+	{{"lemke", "Lemke's pivots on Delassus' operator (Siconos); without friction only",
+	  "R. W. Cottle, J.-S. Pang, R. E. Stone, The Linear Complementarity Problem (2009)", 200, 0,
+	  SICONOS},
+	 hawser__friction_lemke},
+	{{"nsgs", "nonsmooth Gauss-Seidel, contact by contact (Siconos)",
+	  "V. Acary, M. Bremond, O. Huber, Advanced Topics in Nonsmooth Dynamics (2018) 375-457", 200, 1,
+	  SICONOS},
+	 hawser__friction_nsgs},
+	{{"nsn_ac", "semismooth Newton on Delassus' operator (Siconos)",
+	  "V. Acary, M. Bremond, O. Huber, Advanced Topics in Nonsmooth Dynamics (2018) 375-457", 200, 1,
+	  SICONOS},
+	 hawser__friction_nsn_ac},
 };
 
 static const struct hawser__friction_row *row(int index)

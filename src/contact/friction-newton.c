@@ -27,61 +27,23 @@ static const double sigma_least = 1e-10, sigma_finish = 1e-2;
 /* Of the line search: least decrease of |F|^2, shortest step, and the shortest that is no stall. */
 static const double decrease = 1e-4, shortest = 1e-4, stalled = 1e-2;
 enum { STALLS = 4 };
-/* Round-off of M u over |M| |u|: that of the sums of a row, and of the solution. */
-static const double digits = 1e-15;
 
 struct iteration {
 	struct hawser_friction *of;
 	double (*u)[3];
 	double sum;   /* of F^2 */
 	double scale; /* largest force: |r| or rho*|w| of a contact */
-	double roundoff; /* of M u over the largest u */
 	double tolerance;
 	int count, most, singular;
 };
-
-static double largest(const struct hawser_friction *of)
-{
-	double scale = 0.0;
-
-	for (int c = 0; c < of->of->contacts; c++) {
-		const struct hawser__touch *t = &of->touch[c];
-		double r = t->r[0]*t->r[0] + t->r[1]*t->r[1] + t->r[2]*t->r[2];
-		double w = t->w[0]*t->w[0] + t->w[1]*t->w[1] + t->w[2]*t->w[2];
-
-		scale = fmax(scale, fmax(r, t->rho*t->rho*w));
-	}
-	return sqrt(scale);
-}
-
-static double error(const struct hawser_friction *of)
-{
-	double most = 0.0, one;
-
-	for (int c = 0; c < of->of->contacts; c++) {
-		one = hawser__touch_error(&of->touch[c]);
-		most = one <= most ? most : one; /* not a number stays */
-	}
-	return most;
-}
-
-static double speed(const struct iteration *it)
-{
-	double most = 0.0;
-
-	for (int n = 0; n < it->of->nodes; n++)
-		for (int k = 0; k < 3; k++)
-			most = fmax(most, fabs(it->u[n][k]));
-	return most;
-}
 
 /* Make r and w those of u, and say whether it is the solution. */
 static int arrive(struct iteration *it)
 {
 	hawser__friction_defect(it->of, (const double (*)[3])it->u);
 	hawser__friction_follow(it->of, (const double (*)[3])it->u);
-	it->scale = largest(it->of);
-	return error(it->of) <= it->tolerance*it->scale + it->roundoff*speed(it);
+	return hawser__friction_error(&it->scale, it->of) <= it->tolerance +
+	       hawser__friction_roundoff(it->of, (const double (*)[3])it->u)/it->scale;
 }
 
 /* Newton's step from u, the law as taken at r and w. Returns 0 if its matrix is singular. */
@@ -161,8 +123,10 @@ static int path(struct iteration *it, double sigma, double factor)
 	while (sigma > sigma_least*it->scale && it->count < it->most) {
 		double next, t = search(it, sigma, &next);
 
-		if (arrive(it))
+		if (arrive(it)) {
+			(void)finish(it, 0); /* to round-off */
 			return 1;
+		}
 		stalls = t < stalled ? stalls + 1 : 0;
 		if (t == 0.0 || stalls > STALLS)
 			return 0;
@@ -178,54 +142,18 @@ static int path(struct iteration *it, double sigma, double factor)
 	return finish(it, 0);
 }
 
-/* The error of what is returned, as the header defines it. */
-void hawser__friction_verify(struct hawser_friction_counts *counts, struct hawser_friction *of,
-                             const double (*u)[3])
+/* Back to the velocities without contact and without impulses. */
+static void release(struct iteration *it)
 {
-	double scale = largest(of), size, most;
-
-	counts->residual = scale > 0.0 ? error(of)/scale : 0.0;
-	most = hawser__friction_balance(&size, of, u);
-	counts->balance = size > 0.0 ? most/size : 0.0;
-}
-
-static void weigh(struct hawser_friction *of)
-{
-	for (int c = 0; c < of->of->contacts; c++) {
-		struct hawser__touch *touch = &of->touch[c];
-		const double *n = touch->H, *A = of->inverse[touch->node];
-		double inverse = 0.0;
-
-		for (int i = 0; i < 3; i++)
-			inverse += n[i]*(A[3*i]*n[0] + A[3*i + 1]*n[1] + A[3*i + 2]*n[2]);
-		touch->rho = 1.0/inverse;
-	}
-}
-
-/* The velocities without contact; 0 if M is not positive definite. */
-static int release(struct iteration *it)
-{
-	struct hawser_friction *of = it->of;
-
-	for (int n = 0; n < of->nodes; n++)
-		for (int k = 0; k < 3; k++)
-			it->u[n][k] = of->of->held && of->of->held[n] & 1U << k ? of->of->right[n][k] : 0.0;
-	hawser__friction_defect(of, (const double (*)[3])it->u);
-	if (!hawser__contact_chain_solve(of->du, of, 0))
-		return 0;
-	for (int n = 0; n < of->nodes; n++)
-		for (int k = 0; k < 3; k++)
-			it->u[n][k] += of->du[n][k];
-	return 1;
+	memcpy(it->u, it->of->free, (size_t)it->of->nodes*sizeof *it->u);
+	for (int c = 0; c < it->of->of->contacts; c++)
+		memset(it->of->touch[c].r, 0, sizeof it->of->touch[c].r);
 }
 
 static int cold(struct iteration *it)
 {
 	for (int i = 0; i < TRIES; i++) {
-		for (int c = 0; c < it->of->of->contacts; c++)
-			memset(it->of->touch[c].r, 0, sizeof it->of->touch[c].r);
-		if (i && !release(it))
-			return 0;
+		release(it);
 		if (arrive(it) || path(it, it->scale, factors[i]))
 			return 1;
 	}
@@ -238,24 +166,14 @@ enum hawser_status hawser__friction_newton(struct hawser_friction *of, double (*
                                            struct hawser_report *report)
 {
 	struct iteration it = {.of = of, .u = u, .tolerance = options->tolerance, .most = options->most};
-	int done;
+	int done = (options->warm && finish(&it, 1)) || cold(&it);
+	double error = hawser__friction_error(&it.scale, of);
 
-	if (!release(&it))
-		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "friction",
-		                    "the matrix M of the nodes is not positive definite: a node has no mass, "
-		                    "or the stiffness of the step is negative; give every node mass, or make "
-		                    "the step shorter");
-	hawser__contact_chain_inverse(of);
-	weigh(of);
-	it.roundoff = digits*hawser__friction_norm(of);
-	hawser__friction_defect(of, (const double (*)[3])u);
-	done = (options->warm && finish(&it, 1)) || cold(&it);
 	counts->iterations = it.count;
-	counts->residual = it.scale > 0.0 ? error(of)/it.scale : 0.0;
 	if (done)
 		return HAWSER_OK;
-	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "friction", it.count, counts->residual,
+	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "friction", it.count, error,
 	                       "contact and friction: not solved in %d iterations, residual %.2e%s; make "
-	                       "the step shorter", it.count, counts->residual,
+	                       "the step shorter", it.count, error,
 	                       it.singular ? " (a matrix was singular)" : "");
 }

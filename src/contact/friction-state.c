@@ -38,16 +38,6 @@ void hawser__friction_defect(struct hawser_friction *of, const double (*u)[3])
 			              (of->of->held && of->of->held[n] & 1U << k ? u[n][k] : of->R[n][k]);
 }
 
-double hawser__friction_norm(const struct hawser_friction *of)
-{
-	double most = 0.0;
-
-	for (int n = 0; n < of->nodes; n++)
-		for (int k = 0; k < 9; k++)
-			most = fmax(most, fabs(of->of->diagonal[n][k]));
-	return most;
-}
-
 double hawser__friction_balance(double *size, struct hawser_friction *of, const double (*u)[3])
 {
 	double most = 0.0;

@@ -57,6 +57,7 @@ void hawser_friction_clear(struct hawser_friction *solver)
 	free(solver->du);
 	free(solver->Mdu);
 	free(solver->kept);
+	free(solver->free);
 	free(solver->inverse);
 	free(solver);
 }
@@ -72,9 +73,10 @@ static int allocate(struct hawser_friction *solver)
 	solver->du = calloc(n, sizeof *solver->du);
 	solver->Mdu = calloc(n, sizeof *solver->Mdu);
 	solver->kept = calloc(n, sizeof *solver->kept);
+	solver->free = calloc(n, sizeof *solver->free);
 	solver->inverse = calloc(n, sizeof *solver->inverse);
 	return solver->link && solver->first && solver->touch && solver->R && solver->du && solver->Mdu &&
-	       solver->kept && solver->inverse;
+	       solver->kept && solver->free && solver->inverse;
 }
 
 static enum hawser_status links_good(int nodes, const int (*link)[2], int links,
@@ -154,18 +156,30 @@ static void place(struct hawser_friction *solver, const struct hawser_friction_p
 	}
 }
 
-/* Start from the replies, or where they are none, from no impulse. */
+static double norm(const struct hawser_friction_problem *problem, int nodes)
+{
+	double most = 0.0;
+
+	for (int n = 0; n < nodes; n++)
+		for (int k = 0; k < 9; k++)
+			most = fmax(most, fabs(problem->diagonal[n][k]));
+	return most;
+}
+
+/* Start from the replies, or from no impulse. */
 static void begin(struct hawser_friction *solver, const struct hawser_contact_reply *reply, int warm)
 {
-	for (int c = 0; c < solver->of->contacts; c++)
-		for (int k = 0; k < 3; k++) {
-			struct hawser__touch *touch = &solver->touch[c];
+	hawser__friction_follow(solver, (const double (*)[3])solver->free);
+	for (int c = 0; c < solver->of->contacts; c++) {
+		struct hawser__touch *touch = &solver->touch[c];
 
-			touch->r[k] = warm ? reply[c].impulse[k] : 0.0;
-			touch->w[k] = warm ? reply[c].velocity[k] : 0.0;
-			if (warm && !k)
-				touch->w[k] += shift(&solver->of->contact[c]);
-		}
+		memset(touch->r, 0, sizeof touch->r);
+		if (!warm)
+			continue;
+		memcpy(touch->r, reply[c].impulse, sizeof touch->r);
+		memcpy(touch->w, reply[c].velocity, sizeof touch->w);
+		touch->w[0] += shift(&solver->of->contact[c]);
+	}
 }
 
 static enum hawser_status warm_finite(const struct hawser_contact_reply *reply, int contacts,
@@ -202,6 +216,44 @@ static void reply_all(struct hawser_contact_reply *reply, struct hawser_friction
 	}
 }
 
+static enum hawser_status suits(const struct hawser_friction_problem *problem,
+                                const struct hawser_friction_method *method,
+                                struct hawser_report *report)
+{
+	if (method->limit && problem->contacts > method->limit)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "friction",
+		                    "contact: the method %s takes at most %d contacts, and here are %d; take "
+		                    "the method newton", method->name, method->limit, problem->contacts);
+	for (int c = 0; c < problem->contacts; c++)
+		if (!method->friction && problem->contact[c].friction > 0.0)
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "friction",
+			                    "contact: the method %s is one without friction, and contact %d has "
+			                    "the coefficient %g", method->name, c, problem->contact[c].friction);
+	return HAWSER_OK;
+}
+
+/* Check what a method calls solved, and hand it on. */
+static enum hawser_status answer(double (*u)[3], struct hawser_contact_reply *reply,
+                                 struct hawser_friction_counts *counts, struct hawser_friction *solver,
+                                 const struct hawser_friction_options *options,
+                                 struct hawser_report *report)
+{
+	const double (*at)[3] = (const double (*)[3])u;
+	double scale, size, most, allowed;
+
+	counts->residual = hawser__friction_error(&scale, solver);
+	allowed = options->tolerance + hawser__friction_roundoff(solver, at)/scale;
+	if (!(counts->residual <= allowed))
+		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "friction", counts->iterations,
+		                       counts->residual, "contact and friction: the residual is %.2e after %d "
+		                       "iterations, more than the tolerance %.2e", counts->residual,
+		                       counts->iterations, options->tolerance);
+	reply_all(reply, counts, solver);
+	most = hawser__friction_balance(&size, solver, at);
+	counts->balance = size > 0.0 ? most/size : 0.0;
+	return HAWSER_OK;
+}
+
 enum hawser_status hawser_friction_solve(struct hawser_friction *solver, double (*u)[3],
                                          struct hawser_contact_reply *reply,
                                          struct hawser_friction_counts *counts,
@@ -220,6 +272,8 @@ enum hawser_status hawser_friction_solve(struct hawser_friction *solver, double 
 	row = hawser__friction_row(options.method, report);
 	if (!row)
 		return HAWSER_ERR_ARGUMENT;
+	if (!status)
+		status = suits(problem, &row->shown, report);
 	if (!status && options.warm)
 		status = warm_finite(reply, problem->contacts, report);
 	if (status)
@@ -230,11 +284,13 @@ enum hawser_status hawser_friction_solve(struct hawser_friction *solver, double 
 		status = hawser__friction_room(solver, n, report);
 	if (status)
 		return status;
+	solver->norm = norm(problem, solver->nodes);
+	if (!hawser__friction_free(solver, u))
+		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "friction",
+		                    "the matrix M of the nodes is not positive definite: a node has no mass, "
+		                    "or the stiffness of the step is negative; give every node mass, or make "
+		                    "the step shorter");
 	begin(solver, reply, options.warm);
 	status = row->solve(solver, u, counts, &options, report);
-	if (status)
-		return status;
-	reply_all(reply, counts, solver);
-	hawser__friction_verify(counts, solver, (const double (*)[3])u);
-	return status;
+	return status ? status : answer(u, reply, counts, solver, &options, report);
 }

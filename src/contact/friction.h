@@ -40,7 +40,9 @@ struct hawser_friction {
 	int *first;                  /* [nodes] first contact; -1: none */
 	struct hawser__touch *touch; /* [most] */
 	double (*R)[3], (*du)[3], (*Mdu)[3]; /* [nodes] R = p - M u; at held directions p - u */
+	double (*free)[3];           /* [nodes] u without contact */
 	double (*kept)[3];           /* [nodes] u of a point to which the iteration may return */
+	double norm;                 /* largest entry of the blocks of nodes */
 	double (*inverse)[9];        /* [nodes] diagonal blocks of the inverse of M */
 	const struct hawser_friction_problem *of; /* while it is solved */
 };
@@ -56,8 +58,8 @@ enum hawser_status hawser__friction_room(const struct hawser_friction *solver, i
 /* friction-law.c: F, and with `derivatives` Cr and Cu, at r and w; sigma >= 0 smooths the law. */
 void hawser__touch_law(struct hawser__touch *touch, double sigma, int derivatives);
 enum hawser_contact_state hawser__touch_state(const struct hawser__touch *touch);
-/* |r - P_K(r - rho*(w + mu |w_T| n))|, a force. */
-double hawser__touch_error(const struct hawser__touch *touch);
+/* |F| without smoothing, a force. */
+double hawser__touch_error(struct hawser__touch *touch);
 
 /* friction-chain.c. *made is NULL where the links form no chains. */
 enum hawser_status hawser__contact_chain_open(struct hawser__contact_chain **made, int nodes,
@@ -78,9 +80,7 @@ int hawser__corner(struct hawser__rows *factor, struct hawser_friction *of, int 
 
 /* friction-state.c. R at u: */
 void hawser__friction_defect(struct hawser_friction *of, const double (*u)[3] /* [nodes][3] */);
-/* The largest entry of the blocks of nodes; the largest component of M u - p - sum of H^T r, and of the
- * terms p and D u. */
-double hawser__friction_norm(const struct hawser_friction *of);
+/* The largest component of M u - p - sum of H^T r; size: the largest of the terms p and D u. */
 double hawser__friction_balance(double *size, struct hawser_friction *of,
                                 const double (*u)[3] /* [nodes][3] */);
 /* r and w of all contacts at u and R: */
@@ -94,25 +94,31 @@ void hawser__friction_linearise(struct hawser_friction *of, const double (*u)[3]
 void hawser__friction_steps(struct hawser_friction *of);
 void hawser__friction_move(struct hawser_friction *of, double (*u)[3] /* [nodes][3] */, double by);
 
-/* A method: u, r and w of the contacts, from r and w (warm), or from none. */
+/* A method: from u, w and rho without contact (hawser__friction_free) to u, r and w with it. With the
+ * option `warm` r and w are those of a start, and r is 0 otherwise. */
+typedef enum hawser_status hawser__friction_method(struct hawser_friction *of, double (*u)[3],
+                                                   struct hawser_friction_counts *counts,
+                                                   const struct hawser_friction_options *options,
+                                                   struct hawser_report *report);
 struct hawser__friction_row {
 	struct hawser_friction_method shown;
-	enum hawser_status (*solve)(struct hawser_friction *of, double (*u)[3],
-	                            struct hawser_friction_counts *counts,
-	                            const struct hawser_friction_options *options,
-	                            struct hawser_report *report);
+	hawser__friction_method *solve;
 };
 /* NULL, with a report, if there is no row of this name; name NULL: the first. */
 const struct hawser__friction_row *hawser__friction_row(const char *name, struct hawser_report *report);
 
 /* friction-newton.c: from r and w of the contacts (warm), or from M u = p. */
-enum hawser_status hawser__friction_newton(struct hawser_friction *of, double (*u)[3],
-                                           struct hawser_friction_counts *counts,
-                                           const struct hawser_friction_options *options,
-                                           struct hawser_report *report) HAWSER_MUST_CHECK;
+hawser__friction_method hawser__friction_newton;
+/* friction-siconos.c: begin at the velocities without contact. */
+hawser__friction_method hawser__friction_lemke, hawser__friction_nsgs, hawser__friction_nsn_ac;
 
-/* residual and balance of r and u */
-void hawser__friction_verify(struct hawser_friction_counts *counts, struct hawser_friction *of,
-                             const double (*u)[3] /* [nodes][3] */);
+/* friction-start.c: velocities without contact, R, w and rho; 0 if M is not positive definite. */
+int hawser__friction_free(struct hawser_friction *of, double (*u)[3] /* [nodes][3] */);
+/* The largest error of a contact over the scale, the largest force |r| or rho |w|; the round-off of
+ * forces at u. */
+double hawser__friction_error(double *scale, struct hawser_friction *of);
+double hawser__friction_roundoff(const struct hawser_friction *of,
+                                 const double (*u)[3] /* [nodes][3] */);
+
 
 #endif

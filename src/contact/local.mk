@@ -8,4 +8,6 @@ noinst_LTLIBRARIES += %D%/libcontact.la
 	%D%/friction-law.c \
 	%D%/friction-methods.c \
 	%D%/friction-newton.c \
+	%D%/friction-siconos.c \
+	%D%/friction-start.c \
 	%D%/friction-state.c

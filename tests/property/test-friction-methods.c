@@ -1,0 +1,80 @@
+/* The same forces, and the same contacts open, sticking and slipping, by every method.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
+#include <stdlib.h>
+
+#include "tests/friction-random.h"
+#include "tests/tap.h"
+
+/* A contact at the limit of two states may be called either: its distance over the largest impulse. */
+static const double limit = 1e-7;
+
+/* Largest difference of impulses over the largest impulse; *states: contacts whose states differ. */
+static double difference(int *states, const struct hawser_contact_reply *a,
+                         const struct hawser_contact_reply *b, const struct friction_case *of)
+{
+	double most = 0.0, size = 1e-3;
+
+	for (int c = 0; c < of->contacts; c++)
+		size = fmax(size, a[c].impulse[0]);
+	for (int c = 0; c < of->contacts; c++) {
+		double near = fabs(hypot(a[c].impulse[1], a[c].impulse[2]) -
+		                   of->contact[c].friction*a[c].impulse[0]);
+
+		for (int k = 0; k < 3; k++)
+			most = fmax(most, fabs(a[c].impulse[k] - b[c].impulse[k])/size);
+		if (a[c].state != b[c].state && near > limit*size && a[c].impulse[0] > limit*size)
+			++*states;
+	}
+	return most;
+}
+
+static void compare(const struct hawser_friction_method *method, int count, double mu)
+{
+	static struct friction_case of;
+	static struct hawser_contact_reply a[FRICTION_NODES], b[FRICTION_NODES];
+	static double u[FRICTION_NODES][3];
+	struct hawser_friction_counts ours = {0}, theirs;
+	struct hawser_report report = {.message = ""};
+	int failed = 0, states = 0, counted[3] = {0}, refused = 0;
+	double most = 0.0, balance = 0.0;
+
+	for (int i = 0; i < count; i++) {
+		friction_random(&of, i, mu, 1e3);
+		if (friction_solve(u, a, &ours, &of, NULL, &report)) {
+			printf("# problem %d: %s\n", i, report.message);
+			failed++;
+			continue;
+		}
+		counted[0] += ours.open;
+		counted[1] += ours.stick;
+		counted[2] += ours.slip;
+		balance = fmax(balance, ours.balance);
+		if (!method->available)
+			continue;
+		if (friction_solve(u, b, &theirs, &of, method->name, &report)) {
+			printf("# problem %d, %s: %s\n", i, method->name, report.message);
+			refused++;
+			continue;
+		}
+		most = fmax(most, difference(&states, a, b, &of));
+	}
+	ok(!failed && balance < 1e-9, "newton solves %d of %d problems, balance %.1e (contacts: %d open, "
+	   "%d stick, %d slip)", count - failed, count, balance, counted[0], counted[1], counted[2]);
+	if (!method->available) {
+		printf("# %s: built without Siconos\n", method->name);
+		ok(1, "%s # SKIP built without Siconos", method->name);
+		return;
+	}
+	ok(most < 1e-6 && !states && refused*50 <= count, "%s: the same, largest difference %.1e, %d other "
+	   "states, %d not solved by it", method->name, most, states, refused);
+}
+
+int main(int argc, char **argv)
+{
+	int count = argc > 1 ? atoi(argv[1]) : getenv("HAWSER_LONG") ? 1000 : 100;
+
+	for (int i = 1; hawser_friction_method(i); i++)
+		compare(hawser_friction_method(i), count, hawser_friction_method(i)->friction ? 0.6 : 0.0);
+	return done_testing();
+}
