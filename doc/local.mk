@@ -9,6 +9,7 @@ dist_doc_DATA += \
 	%D%/robustness.md \
 	%D%/theory-campbell.md \
 	%D%/theory-compare.md \
+	%D%/theory-friction.md \
 	%D%/theory-folds.md \
 	%D%/theory-gyroscopic.md \
 	%D%/theory-hill.md \

@@ -14,7 +14,7 @@ enum { FRICTION_NODES = 40 };
 
 struct friction_case {
 	uint64_t state;
-	int nodes, contacts, space;
+	int nodes, contacts, space, rings; /* rings: links beyond those of the chain */
 	double stiffness; /* of an element over the mass of a node */
 	int link[FRICTION_NODES][2];
 	double diagonal[FRICTION_NODES][9], off[FRICTION_NODES][9], right[FRICTION_NODES][3];
@@ -117,8 +117,8 @@ static inline enum hawser_status friction_solve(double (*u)[3], struct hawser_co
 	const struct hawser_friction_problem problem = friction_problem(of);
 	const struct hawser_friction_options options = {.method = method};
 	struct hawser_friction *solver;
-	enum hawser_status status = hawser_friction_open(&solver, of->nodes, of->link, of->nodes - 1,
-	                                                 of->contacts, report);
+	enum hawser_status status = hawser_friction_open(&solver, of->nodes, of->link,
+	                                                 of->nodes - 1 + of->rings, of->contacts, report);
 
 	if (!status)
 		status = hawser_friction_solve(solver, u, reply, counts, &problem, &options, report);

@@ -10,7 +10,8 @@
  * impulses r in N s; or a stiffness, with displacements u and forces r.
  *
  * Links are the pairs of nodes whose block of M is not zero. Where the links form chains, a solution
- * costs time in proportion to the number of nodes.
+ * costs time in proportion to the number of nodes; else SuiteSparse KLU factors the matrix, and a node
+ * may have one contact.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_FRICTION_H
@@ -94,8 +95,8 @@ const struct hawser_friction_method *hawser_friction_method(int index); /* NULL 
 
 /* Work space for a mesh; a solution of the first method on chains allocates nothing. */
 struct hawser_friction;
-/* HAWSER_ERR_ARGUMENT: a link outside the nodes, links that form no
- * chains, or counts that are negative; HAWSER_ERR_MEMORY. */
+/* HAWSER_ERR_ARGUMENT: a link outside the nodes, or counts that are
+ * negative; HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_friction_open(struct hawser_friction **solver, int nodes,
                                         const int (*link)[2] /* [links] */, int links,
                                         int most_contacts,

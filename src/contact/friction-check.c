@@ -225,6 +225,10 @@ enum hawser_status hawser__friction_room(const struct hawser_friction *solver, i
 			                    "node %d has more than %d contacts", node, HAWSER_CONTACTS_AT_NODE);
 		c[count++] = at;
 	}
+	if (solver->net && count > 1)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "friction",
+		                    "node %d has %d contacts: where the links form no chains, a node may have "
+		                    "one", node, count);
 	for (unsigned chosen = 3; count > 1 && chosen < 1U << count; chosen++)
 		if (contradict(solver, c, chosen))
 			return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "friction",

@@ -52,7 +52,7 @@ static int step(struct iteration *it, double sigma, int elsewhere)
 	it->sum = hawser__friction_laws(it->of, sigma, 1);
 	hawser__friction_linearise(it->of, (const double (*)[3])it->u, elsewhere);
 	it->count++;
-	if (!hawser__contact_chain_solve(it->of->du, it->of, 1)) {
+	if (!hawser__friction_step(it->of, 1)) {
 		it->singular = 1;
 		return 0;
 	}

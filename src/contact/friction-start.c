@@ -23,15 +23,24 @@ static void weigh(struct hawser_friction *of)
 	}
 }
 
+int hawser__friction_step(struct hawser_friction *of, int law)
+{
+	return of->net ? hawser__contact_net_solve(of->du, of, law)
+	               : hawser__contact_chain_solve(of->du, of, law);
+}
+
 int hawser__friction_free(struct hawser_friction *of, double (*u)[3])
 {
 	for (int n = 0; n < of->nodes; n++)
 		for (int k = 0; k < 3; k++)
 			u[n][k] = of->of->held && of->of->held[n] & 1U << k ? of->of->right[n][k] : 0.0;
 	hawser__friction_defect(of, (const double (*)[3])u);
-	if (!hawser__contact_chain_solve(of->du, of, 0))
+	if (!hawser__friction_step(of, 0))
 		return 0;
-	hawser__contact_chain_inverse(of);
+	if (of->net)
+		hawser__contact_net_inverse(of);
+	else
+		hawser__contact_chain_inverse(of);
 	weigh(of);
 	for (int n = 0; n < of->nodes; n++)
 		for (int k = 0; k < 3; k++)

@@ -50,6 +50,7 @@ void hawser_friction_clear(struct hawser_friction *solver)
 	if (!solver)
 		return;
 	hawser__contact_chain_clear(solver->chain);
+	hawser__contact_net_clear(solver->net);
 	free(solver->link);
 	free(solver->first);
 	free(solver->touch);
@@ -116,8 +117,7 @@ enum hawser_status hawser_friction_open(struct hawser_friction **made, int nodes
 			memcpy(solver->link, link, (size_t)links*sizeof *link);
 		status = hawser__contact_chain_open(&solver->chain, nodes, link, links, report);
 		if (!status && !solver->chain)
-			status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "friction",
-			                      "contact: the links of the nodes form no chains");
+			status = hawser__contact_net_open(&solver->net, nodes, link, links, report);
 	}
 	if (status)
 		hawser_friction_clear(solver);

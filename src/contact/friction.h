@@ -30,13 +30,13 @@ struct hawser__touch {
 };
 
 struct hawser__contact_chain;
-struct hawser__net_lu;
+struct hawser__contact_net;
 
 struct hawser_friction {
 	int nodes, links, most;
 	int (*link)[2];
 	struct hawser__contact_chain *chain; /* NULL: a net */
-	struct hawser__net_lu *lu;   /* NULL: chains */
+	struct hawser__contact_net *net; /* NULL: chains */
 	int *first;                  /* [nodes] first contact; -1: none */
 	struct hawser__touch *touch; /* [most] */
 	double (*R)[3], (*du)[3], (*Mdu)[3]; /* [nodes] R = p - M u; at held directions p - u */
@@ -71,6 +71,17 @@ void hawser__contact_chain_clear(struct hawser__contact_chain *chain);
 int hawser__contact_chain_solve(double (*du)[3], struct hawser_friction *of, int law);
 /* of->inverse, after a solution without the law. */
 void hawser__contact_chain_inverse(struct hawser_friction *of);
+
+/* friction-net.c: the same for any graph. The inverse is that of the blocks of nodes. */
+enum hawser_status hawser__contact_net_open(struct hawser__contact_net **made, int nodes,
+                                            const int (*link)[2] /* [links] */, int links,
+                                            struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser__contact_net_clear(struct hawser__contact_net *net);
+int hawser__contact_net_solve(double (*du)[3], struct hawser_friction *of, int law);
+void hawser__contact_net_inverse(struct hawser_friction *of);
+
+/* friction-start.c: either of them; du goes to of->du. */
+int hawser__friction_step(struct hawser_friction *of, int law);
 
 /* friction-corner.c: rows of [next | y] of a node with several contacts, the first of them `first`, of
  * [S | y] and [U | y]. Returns 0 if they are singular. */

@@ -110,12 +110,32 @@ static void shapes(void)
 	of.contact[0].gap_rate = 1.0;
 	refused(HAWSER_OK, "", NULL);
 	of.contacts = 5;
+	of.contact[0].gap_rate = 0.0;
 	for (int c = 1; c < 5; c++)
 		of.contact[c] = of.contact[0];
 	refused(HAWSER_ERR_ARGUMENT, "more than 4 contacts", NULL);
+	two();
+	of.nodes = 3; /* a ring */
+	of.rings = 1;
+	for (int n = 0; n < 3; n++) {
+		of.link[n][0] = n;
+		of.link[n][1] = (n + 1)%3;
+		for (int k = 0; k < 9; k += 4)
+			of.diagonal[n][k] = 3.385, of.off[n][k] = n ? -1e-3 : -1.0;
+	}
+	of.contacts = 2;
+	of.contact[1] = of.contact[0];
+	refused(HAWSER_ERR_ARGUMENT, "where the links form no chains, a node may have one", NULL);
+	of.contacts = 1;
+	refused(HAWSER_OK, "", NULL);
+	of.diagonal[2][4] = -1.0;
+	refused(HAWSER_ERR_NO_SOLUTION, "not positive definite", NULL);
+	two();
+	for (int c = 1; c < 3; c++)
+		of.contact[c] = of.contact[0];
 	of.contacts = 3;
 	refused(HAWSER_OK, "", NULL);
-	ok(fabs(reply[0].impulse[0] + reply[1].impulse[0] + reply[2].impulse[0]) < 2.0,
+	ok(fabs(reply[0].impulse[0] + reply[1].impulse[0] + reply[2].impulse[0] - 1.0 - 1.0/3.385) < 1e-9,
 	   "the same contact three times: impulses %g %g %g", reply[0].impulse[0], reply[1].impulse[0],
 	   reply[2].impulse[0]);
 }

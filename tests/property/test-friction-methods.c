@@ -70,11 +70,44 @@ static void compare(const struct hawser_friction_method *method, int count, doub
 	   "states, %d not solved by it", method->name, most, states, refused);
 }
 
+/* A link of no stiffness from the last node to the first makes a net of a chain, and changes nothing
+ * else: elimination along the chain and KLU give the same. */
+static void nets(int count)
+{
+	static struct friction_case of;
+	static struct hawser_contact_reply a[FRICTION_NODES], b[FRICTION_NODES];
+	static double u[FRICTION_NODES][3];
+	struct hawser_friction_counts counts;
+	struct hawser_report report = {.message = ""};
+	int failed = 0, states = 0, solved = 0;
+	double most = 0.0;
+
+	for (int i = 0; i < count; i++) {
+		friction_random(&of, i, 0.6, 1e3);
+		if (of.nodes < 3)
+			continue;
+		failed += friction_solve(u, a, &counts, &of, NULL, &report) != HAWSER_OK;
+		of.link[of.nodes - 1][1] = 0;
+		of.rings = 1;
+		memset(of.off[of.nodes - 1], 0, sizeof of.off[0]);
+		if (friction_solve(u, b, &counts, &of, NULL, &report)) {
+			printf("# problem %d: %s\n", i, report.message);
+			failed++;
+			continue;
+		}
+		solved++;
+		most = fmax(most, difference(&states, a, b, &of));
+	}
+	ok(!failed && !states && most < 1e-7, "%d chains as nets: %d fail, %d other states, largest "
+	   "difference %.1e", solved, failed, states, most);
+}
+
 int main(int argc, char **argv)
 {
 	int count = argc > 1 ? atoi(argv[1]) : getenv("HAWSER_LONG") ? 1000 : 100;
 
 	for (int i = 1; hawser_friction_method(i); i++)
 		compare(hawser_friction_method(i), count, hawser_friction_method(i)->friction ? 0.6 : 0.0);
+	nets(count);
 	return done_testing();
 }

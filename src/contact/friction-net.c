@@ -1,0 +1,234 @@
+/* contact/friction-net.c - Newton's step on any graph of links, by SuiteSparse KLU.
+ *
+ * The rows are those of friction-chain.c. The pattern is analysed once. The matrix M alone is factored
+ * with pivots of its diagonal, which are all positive if and only if it is positive definite; Newton's
+ * matrix with pivots of KLU's choice.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <suitesparse/klu.h>
+
+#include "contact/friction.h"
+#include "core/report.h"
+
+struct hawser__contact_net {
+	klu_common common;
+	klu_symbolic *symbolic;
+	int unknowns;
+	int *p, *i;         /* [unknowns + 1], [entries] columns */
+	double *x;          /* [entries] */
+	int (*node)[9];     /* [nodes] place of row r, column c of the block, in 3*r + c */
+	int (*link)[2][9];  /* [links] rows of link[0], columns of link[1]; and the other way */
+	double *right;      /* [unknowns] */
+};
+
+void hawser__contact_net_clear(struct hawser__contact_net *net)
+{
+	if (!net)
+		return;
+	klu_free_symbolic(&net->symbolic, &net->common);
+	free(net->p);
+	free(net->i);
+	free(net->x);
+	free(net->node);
+	free(net->link);
+	free(net->right);
+	free(net);
+}
+
+static int compare(const void *a, const void *b)
+{
+	const int *p = a, *q = b;
+
+	return p[0] != q[0] ? (p[0] > q[0]) - (p[0] < q[0]) : (p[1] > q[1]) - (p[1] < q[1]);
+}
+
+/* Place of a row in a column. */
+static int find(const struct hawser__contact_net *net, int row, int column)
+{
+	int low = net->p[column], high = net->p[column + 1] - 1;
+
+	while (low < high) {
+		int mid = low + (high - low)/2;
+
+		if (net->i[mid] < row)
+			low = mid + 1;
+		else
+			high = mid;
+	}
+	return low;
+}
+
+/* Blocks (column, row) of the diagonal and of both sides of each link, sorted. */
+static void pattern(struct hawser__contact_net *net, int (*list)[2], int nodes, const int (*link)[2],
+                    int links)
+{
+	int blocks = 0, n = 0;
+
+	for (int j = 0; j < nodes; j++, blocks++)
+		list[blocks][0] = list[blocks][1] = j;
+	for (int e = 0; e < 2*links; e++, blocks++) {
+		list[blocks][0] = link[e/2][e%2];
+		list[blocks][1] = link[e/2][1 - e%2];
+	}
+	qsort(list, (size_t)blocks, sizeof *list, compare);
+	for (int first = 0, last; first < blocks; first = last) {
+		for (last = first; last < blocks && list[last][0] == list[first][0];)
+			last++;
+		for (int c = 0; c < 3; c++) {
+			net->p[3*list[first][0] + c] = n;
+			for (int b = first; b < last; b++)
+				for (int r = 0; r < 3 && (b == first || list[b][1] != list[b - 1][1]); r++)
+					net->i[n++] = 3*list[b][1] + r;
+		}
+	}
+	net->p[net->unknowns] = n;
+}
+
+static void locate(struct hawser__contact_net *net, int nodes, const int (*link)[2], int links)
+{
+	for (int k = 0; k < 9; k++) {
+		for (int j = 0; j < nodes; j++)
+			net->node[j][k] = find(net, 3*j + k/3, 3*j + k%3);
+		for (int e = 0; e < links; e++)
+			for (int side = 0; side < 2; side++)
+				net->link[e][side][k] = find(net, 3*link[e][side] + k/3,
+				                             3*link[e][1 - side] + k%3);
+	}
+}
+
+enum hawser_status hawser__contact_net_open(struct hawser__contact_net **made, int nodes,
+                                            const int (*link)[2], int links,
+                                            struct hawser_report *report)
+{
+	struct hawser__contact_net *net = calloc(1, sizeof *net);
+	size_t blocks = (size_t)nodes + 2*(size_t)links;
+	int (*list)[2] = malloc((blocks + 1)*sizeof *list);
+	enum hawser_status status = HAWSER_OK;
+
+	*made = NULL;
+	if (net) {
+		klu_defaults(&net->common);
+		net->common.scale = 0;
+		net->common.btf = 0;
+		net->unknowns = 3*nodes;
+		net->p = calloc(3*(size_t)nodes + 1, sizeof *net->p);
+		net->i = malloc((9*blocks + 1)*sizeof *net->i);
+		net->x = malloc((9*blocks + 1)*sizeof *net->x);
+		net->node = malloc(((size_t)nodes + 1)*sizeof *net->node);
+		net->link = malloc(((size_t)links + 1)*sizeof *net->link);
+		net->right = malloc((3*(size_t)nodes + 1)*sizeof *net->right);
+	}
+	if (!net || !list || !net->p || !net->i || !net->x || !net->node || !net->link || !net->right) {
+		status = hawser__no_memory(report, "friction");
+	} else {
+		pattern(net, list, nodes, link, links);
+		locate(net, nodes, link, links);
+		net->symbolic = klu_analyze(net->unknowns, net->p, net->i, &net->common);
+		if (!net->symbolic)
+			status = hawser__no_memory(report, "friction");
+	}
+	free(list);
+	if (status)
+		hawser__contact_net_clear(net);
+	else
+		*made = net;
+	return status;
+}
+
+/* Add a block, whose rows are those of a node: with the law times Cr H, none of held directions. */
+static void add(struct hawser__contact_net *net, const int at[9], const double B[9], int transposed,
+                const struct hawser__touch *touch, unsigned held)
+{
+	for (int i = 0; i < 3; i++)
+		for (int j = 0; j < 3; j++) {
+			double sum = 0.0;
+
+			if (!touch && held & 1U << i)
+				continue;
+			for (int k = 0; k < 3; k++)
+				sum += (touch ? touch->CrH[3*i + k] : k == i)*(transposed ? B[3*j + k] : B[3*k + j]);
+			net->x[at[3*i + j]] += sum;
+		}
+}
+
+static void assemble(struct hawser_friction *of, int law)
+{
+	struct hawser__contact_net *net = of->net;
+
+	memset(net->x, 0, (size_t)net->p[net->unknowns]*sizeof *net->x);
+	for (int n = 0; n < of->nodes; n++) {
+		const struct hawser__touch *touch = law && of->first[n] >= 0 ? &of->touch[of->first[n]] : NULL;
+		const unsigned held = of->of->held ? of->of->held[n] : 0U;
+
+		add(net, net->node[n], of->of->diagonal[n], 0, touch, held);
+		for (int k = 0; k < 3; k++) {
+			if (!touch && held & 1U << k)
+				net->x[net->node[n][4*k]] = 1.0;
+			net->right[3*n + k] = touch ? -touch->G[k] : of->R[n][k];
+		}
+		for (int k = 0; k < 9 && touch; k++)
+			net->x[net->node[n][k]] += touch->CuH[k];
+	}
+	for (int e = 0; e < of->links; e++)
+		for (int side = 0; side < 2; side++) {
+			const int n = of->link[e][side];
+
+			add(net, net->link[e][side], of->of->off[e], side,
+			    law && of->first[n] >= 0 ? &of->touch[of->first[n]] : NULL,
+			    of->of->held ? of->of->held[n] : 0U);
+		}
+}
+
+/* The factors of M have no sign but that of the pivots. */
+static int positive(const struct hawser__contact_net *net, const klu_numeric *numeric)
+{
+	const double *pivot = numeric->Udiag;
+
+	for (int k = 0; k < net->unknowns; k++)
+		if (!(pivot[k] > 0.0))
+			return 0;
+	return 1;
+}
+
+int hawser__contact_net_solve(double (*du)[3], struct hawser_friction *of, int law)
+{
+	struct hawser__contact_net *net = of->net;
+	klu_numeric *numeric;
+	int good;
+
+	assemble(of, law);
+	net->common.tol = law ? 0.001 : 0.0; /* KLU's own tolerance, and none: pivots of the diagonal */
+	numeric = klu_factor(net->p, net->i, net->x, net->symbolic, &net->common);
+	good = numeric && net->common.status == KLU_OK && (law || positive(net, numeric)) &&
+	       klu_solve(net->symbolic, numeric, net->unknowns, 1, net->right, &net->common);
+	klu_free_numeric(&numeric, &net->common);
+	for (int n = 0; n < of->nodes && good; n++)
+		memcpy(du[n], net->right + 3*n, sizeof du[n]);
+	return good;
+}
+
+/* Scales of contacts: of the inverse the inverses of the blocks of nodes, as if others stood still. */
+void hawser__contact_net_inverse(struct hawser_friction *of)
+{
+	for (int n = 0; n < of->nodes; n++) {
+		const double *D = of->of->diagonal[n];
+		const unsigned held = of->of->held ? of->of->held[n] : 0U;
+		double A[9], det;
+
+		for (int k = 0; k < 9; k++)
+			A[k] = held & 1U << k/3 || held & 1U << k%3 ? k%4 == 0 : D[k];
+		det = A[0]*(A[4]*A[8] - A[5]*A[7]) - A[1]*(A[3]*A[8] - A[5]*A[6]) +
+		      A[2]*(A[3]*A[7] - A[4]*A[6]);
+		for (int i = 0; i < 3; i++)
+			for (int j = 0; j < 3; j++)
+				of->inverse[n][3*i + j] =
+					(A[3*((j + 1)%3) + (i + 1)%3]*A[3*((j + 2)%3) + (i + 2)%3] -
+					 A[3*((j + 1)%3) + (i + 2)%3]*A[3*((j + 2)%3) + (i + 1)%3])/det;
+	}
+}
