@@ -8,6 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <hawser/net_motion.h>
+
 #include "core/report.h"
 #include "net/read.h"
 
@@ -247,6 +249,21 @@ static enum hawser_status release(struct hawser__reader *reader, struct hawser_n
 	return status;
 }
 
+/* Is it one of the schemes? */
+static enum hawser_status known(struct hawser__reader *reader, const struct hawser__tree *tree,
+                                const char *scheme)
+{
+	char names[160] = "";
+	int i = 0;
+
+	for (; hawser_net_scheme(i) && strcmp(hawser_net_scheme(i)->name, scheme) != 0; i++)
+		snprintf(names + strlen(names), sizeof names - strlen(names), "%s%s", i ? ", " : "",
+		         hawser_net_scheme(i)->name);
+	return hawser_net_scheme(i) ? HAWSER_OK
+	       : hawser__reader_fail(reader, &tree->at, "there is no scheme %.40s: the schemes are %s",
+	                             scheme, names);
+}
+
 static enum hawser_status dynamics(struct hawser__reader *reader, struct hawser_net *net,
                                    const struct hawser__tree *tree)
 {
@@ -271,6 +288,8 @@ static enum hawser_status dynamics(struct hawser__reader *reader, struct hawser_
 		status = hawser__tree_text(reader, &text, scheme, "scheme");
 	if (!status && scheme)
 		status = hawser__tree_name(reader, net->dynamics.scheme, scheme, text, "scheme");
+	if (!status && scheme)
+		status = known(reader, scheme, net->dynamics.scheme);
 	if (!status)
 		status = optional(reader, &net->dynamics.rho_inf, tree, "rho_inf", "1",
 		                  HAWSER__TREE_NOT_NEGATIVE);

@@ -63,6 +63,7 @@ denies "no mass" 1 "node J has none" integrate massless.yaml --until "1 s"
 denies "an option of models" 1 "\-\-Omega is not for nets" integrate net.yaml --until "1 s" --Omega 1
 denies "an option of nets" 1 "\-\-step is for nets" integrate "$chairlift" --Omega 1 --step 1
 denies "an unknown scheme" 1 "the schemes of nets are" integrate net.yaml --until "1 s" --method gauss
+denies "one in the scene, by its place" 1 "there is no scheme gauss: the schemes are energy, alpha" integrate net.yaml --until "1 s" --set 'dynamics={scheme: gauss}'
 denies "an unknown probe" 1 "neither a node of the net nor a place" integrate net.yaml --until "1 s" --probe c1:2
 denies "a table that ends" 1 "and the run is from 0 to" integrate net.yaml --until "4 s"
 denies "a long name" 1 "with commas between them" integrate net.yaml --until "1 s" --probe ,
