@@ -25,9 +25,11 @@ tests_property_test_ropeway_SOURCES = tests/property/test-ropeway.c
 tests_property_test_ropeway_LDADD = $(UPTO_ROPEWAY)
 
 # energy and nonlinear models of ropes over sheaves
-LINE_ROM_TESTS = tests/property/test-line-expand tests/property/test-line-rom
+LINE_ROM_TESTS = tests/property/test-line-carriers tests/property/test-line-expand tests/property/test-line-rom
 check_PROGRAMS += $(LINE_ROM_TESTS)
 TESTS += $(LINE_ROM_TESTS)
+tests_property_test_line_carriers_SOURCES = tests/property/test-line-carriers.c
+tests_property_test_line_carriers_LDADD = $(UPTO_ROM)
 tests_property_test_line_expand_SOURCES = tests/property/test-line-expand.c
 tests_property_test_line_expand_LDADD = $(UPTO_ROPEWAY)
 tests_property_test_line_rom_SOURCES = tests/property/test-line-rom.c

@@ -62,6 +62,9 @@ struct hawser_frf_point {
 	int steps;        /* Runge-Kutta steps per period; harmonic balance: number of coefficients per
 	                   * coordinate */
 	int label;        /* hawser_frf_label; 0: none */
+	double contact;   /* smallest angle of contact on a sheave over the period, relative to that at rest
+	                   * (hawser_rom_contact): below 0 the rope leaves it; INFINITY: no sheaves */
+	int sheave;       /* on which: index in rom->contacts; -1: none */
 };
 
 struct hawser_frf_event {

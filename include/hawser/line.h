@@ -44,6 +44,7 @@ struct hawser_line_mass {
 	double S;          /* m, unstretched arclength from end A */
 	double mass;       /* kg */
 	double hanger;     /* m, length of the pendulum by which it hangs; 0: on the rope */
+	double body;       /* kg, which have inertia but no weight: that is in rho and g; of modes only */
 };
 
 enum hawser_line_given {

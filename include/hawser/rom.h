@@ -46,7 +46,7 @@ struct hawser_term {
 enum hawser_phase { HAWSER_COS = 0, HAWSER_SIN };
 
 struct hawser_harmonic {
-	int k; /* >= 0; 0, of phase HAWSER_COS and without D: the term is constant */
+	int k; /* >= 0; 0, of phase HAWSER_COS: the term is constant, and has no D if omega_power is 0 */
 	enum hawser_phase phase;
 	int omega_power; /* 0, 1 or 2; 0 if there is a Q */
 	int load_power;  /* power of the load factor (folds.h, map.h) that multiplies the term; 0: 1 */
@@ -118,6 +118,14 @@ struct hawser_rom_line {
 	double *stretch; /* [points] */
 	double *slope;   /* [n][points][3] a, b, c */
 	double *second_slope; /* [n(n+1)/2][points][3], or NULL */
+};
+
+/* The sheaves on which the rope of a model lies (line_rom.h). The angle of contact of sheave i is,
+ * relative to that at rest, 1 + sum_j turn[j][i] u_j by the linear motion; at 0 the rope leaves. */
+struct hawser_rom_contacts {
+	int count;       /* 0: none */
+	char **name;     /* [count] */
+	double *turn;    /* [n][count] */
 };
 
 /* Forces with a given history (hawser integrate --load, --motion): at the time t the sum over the terms
@@ -193,6 +201,7 @@ struct hawser_rom {
 	int scaled;                /* 1: the units above are known */
 	struct hawser_rom_shapes shapes; /* 0 points if unknown */
 	struct hawser_rom_line line;
+	struct hawser_rom_contacts contacts;
 	struct hawser_rom_known known;
 	struct hawser_rom_inertia inertia;
 	struct hawser_rom_kernel *kernel; /* compiled form for the hot loops; made by _compile */
@@ -450,6 +459,10 @@ double hawser_rom_tension(const struct hawser_rom *rom, int p, const double *u);
  * shape points if the model has no line. Returns 1; or 0 if the model has neither, and *least and
  * *most are not changed. */
 int hawser_rom_tensions(const struct hawser_rom *rom, double *least, double *most, const double *u);
+
+/* The smallest angle of contact on a sheave of rom->contacts at u[n], relative to that at rest, and
+ * *sheave, its index; INFINITY and -1 if there are none. */
+double hawser_rom_contact(const struct hawser_rom *rom, int *sheave, const double *u);
 
 /* An instant of a forced motion, from which the response of the modes that are not kept follows. */
 struct hawser_rom_moment {

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/rom_ropeway.h"
 #include "cli/view.h"
 #include "core/report.h"
 
@@ -127,6 +128,7 @@ void cli_choice_comments(struct hawser__table *table, const struct cli_model *mo
 	const struct hawser_choice *choice = &accuracy->choice;
 	int coordinate = 0;
 
+	cli_rom_ropeway_comments(table, model);
 	if (!model->automatic)
 		return;
 	if (accuracy->tries > 0)

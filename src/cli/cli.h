@@ -7,6 +7,7 @@
 #include <stddef.h>
 
 #include <hawser/hawser.h>
+#include "cli/lane.h"
 #include "output/output.h"
 
 /* --- options.c: parsing and --help follow from one table --- */
@@ -81,6 +82,7 @@ struct cli_common {
 	int mores;
 	const char *second; /* the second argument of a command whose `input` has two words; or NULL */
 	const char *json, *tsv, *plot; /* files to write, or NULL */
+	struct cli_lane_choice lane; /* of commands that make models */
 	const char *units; /* list of units for tables, or NULL: SI */
 	const char *set[CLI_SETS];
 	int sets;
@@ -140,7 +142,8 @@ struct cli_model {
 	struct hawser_statics statics;
 	struct hawser_modes modes;
 	struct hawser_rom rom;
-	int has_scene;   /* otherwise the model came from a file */
+	int has_scene;   /* of a span; otherwise the model came from a file, or from a ropeway */
+	struct cli_rom_ropeway *ropeway; /* rom_ropeway.h: what it is made from; NULL: no ropeway */
 	struct hawser_rom_source source; /* its text, if it has parameters; else all zero */
 	int reproducible; /* 1: no times in the results */
 	int automatic;   /* 1: modes are to be chosen; until then rom contains its units only */
@@ -345,13 +348,6 @@ void cli_writing(int to_files);
 /* The file `path` is complete (NULL and "-" are no files). The message of an interrupt then does not
  * say that nothing was written. */
 void cli_written(const char *path);
-
-/* --- gauge.c: time and memory of a call; `work` returns 0 if it fails --- */
-
-/* Seconds of wall time, the best of several calls. */
-double cli_gauge_time(int (*work)(void *context), void *context);
-/* Bytes by which the heap's high-water mark rises, or 0 if that is not known. */
-double cli_gauge_memory(int (*work)(void *context), void *context);
 
 /* --- statics_curves.c: one cable at different tensions --- */
 

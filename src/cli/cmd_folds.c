@@ -34,6 +34,8 @@ static const struct cli_option options[] = {
 	CLI_POINTS_OPTION("end a curve or response after this many points (5000)"),
 	{"no-isolas", 0, "", "do not trace detached curves at the model's own load",
 	 CLI_FLAG(no_isolas)},
+	CLI_LANE_LOAD_OPTION,
+	CLI_LANE_OPTIONS,
 	CLI_NO_OPTION,
 };
 

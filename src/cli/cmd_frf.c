@@ -9,6 +9,7 @@
 #include "cli/backbone.h"
 #include "cli/frf_beside.h"
 #include "cli/frf_cover.h"
+#include "cli/frf_lift.h"
 #include "cli/frf_over.h"
 #include "cli/frf_sweep.h"
 #include "cli/frf_tori.h"
@@ -75,6 +76,8 @@ static const struct cli_option options[] = {
 	CLI_TEXT_OPTION(scale, "WHICH",
 	                "amplitude axes of the picture: auto, linear or log (auto)"),
 	{"partial", 0, "", "write what was computed also if the run fails", CLI_FLAG(partial)},
+	CLI_LANE_LOAD_OPTION,
+	CLI_LANE_OPTIONS,
 	CLI_NO_OPTION,
 };
 
@@ -329,6 +332,8 @@ static enum hawser_status write_result(struct cli_frf_result *result, int energy
 	if (!status)
 		cli_known_warn(result->model, fmax(result->from, result->to));
 	if (!status && cli_frf_slack(text, sizeof text, result))
+		cli_warn(text);
+	if (!status && cli_frf_lift(text, sizeof text, result))
 		cli_warn(text);
 	if (!status && cli_frf_lost(text, sizeof text, result))
 		cli_warn(text);

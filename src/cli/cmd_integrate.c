@@ -12,6 +12,7 @@
 #include "cli/label.h"
 #include "cli/load_history.h"
 #include "cli/progress.h"
+#include "cli/rom_ropeway.h"
 #include "cli/view.h"
 #include "core/report.h"
 
@@ -57,6 +58,7 @@ static const struct cli_option options[] = {
 	{"state", 0, "FILE", "nets: write the last state, for --initial", CLI_TEXT(net.state)},
 	{"vtk", 0, "STEM", "nets: write STEM-00000.vtk and so on, one a row", CLI_TEXT(net.vtk)},
 	{"partial", 0, "", "write what was computed also if the run fails", CLI_FLAG(partial)},
+	CLI_LANE_OPTIONS,
 	CLI_NO_OPTION,
 };
 
@@ -338,6 +340,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	                                      .spectrum = settings->spectrum};
 	enum hawser_status status = cli_outputs_check(&settings->common, report);
 
+	if (!status)
+		status = cli_rom_ropeway_check(&settings->common, report);
 	if (!status && hawser_net_is(settings->common.input))
 		return run_net(settings, report);
 	if (!status)

@@ -35,6 +35,8 @@ static const struct cli_option options[] = {
 	CLI_TOLERANCE_OPTION("residual and truncation error, relative to the orbit (1e-9)"),
 	{"step", 0, "NUMBER", "longest step, as a part of both ranges (0.02)", CLI_POSITIVE(step)},
 	CLI_POINTS_OPTION("end a curve after this many points (2000)"),
+	CLI_LANE_LOAD_OPTION,
+	CLI_LANE_OPTIONS,
 	CLI_NO_OPTION,
 };
 

@@ -31,6 +31,8 @@ static const struct cli_option options[] = {
 	CLI_TOLERANCE_OPTION("relative tolerance of equilibria (1e-9)"),
 	CLI_STEP_OPTION,
 	CLI_POINTS_OPTION("points of the closed form (400); most points of other curves (20000)"),
+	CLI_LANE_LOAD_OPTION,
+	CLI_LANE_OPTIONS,
 	CLI_NO_OPTION,
 };
 

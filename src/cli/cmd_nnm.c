@@ -32,6 +32,8 @@ static const struct cli_option options[] = {
 	CLI_TOLERANCE_OPTION("defect and truncation error, relative to the orbit (1e-9)"),
 	{"step", 0, "NUMBER", "longest step, relative to the motion (0.05)", CLI_POSITIVE(step)},
 	CLI_POINTS_OPTION("end a curve after this many points (1000)"),
+	CLI_LANE_LOAD_OPTION,
+	CLI_LANE_OPTIONS,
 	CLI_NO_OPTION,
 };
 

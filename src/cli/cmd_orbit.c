@@ -34,6 +34,8 @@ static const struct cli_option options[] = {
 	{"from-label", 0, "FILE#LABEL", "label of a JSON result of frf", CLI_TEXT(label)},
 	CLI_MODES_OPTION,
 	CLI_LIBRARY_OPTION,
+	CLI_LANE_LOAD_OPTION,
+	CLI_LANE_OPTIONS,
 	CLI_NO_OPTION,
 };
 

@@ -5,8 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/kinds.h"
-#include "cli/rom_ropeway.h"
 #include "cli/view.h"
 #include "core/report.h"
 
@@ -16,7 +14,6 @@ struct settings {
 	const char *from, *to;
 	double tolerance;
 	int n, intervals, points;
-	struct cli_rom_ropeway_choice ropeway;
 };
 static const struct settings defaults = {
 	.from = "0.6w1", .to = "3.3w1",
@@ -33,23 +30,15 @@ static const struct cli_option options[] = {
 	 CLI_POSITIVE(tolerance)},
 	{"intervals", 0, "N", "NTST of the export, number of mesh intervals (80)", CLI_COUNT(intervals)},
 	{"max-points", 0, "N", "NMX of the export, most points (20000)", CLI_COUNT(points)},
-	{"load", 0, "NAME", "ropeways: passing (carriers), or drive (passing)",
-	 CLI_TEXT(ropeway.load)},
-	{"ripple", 0, "LENGTH", "ropeways: amplitude of the rope at the drive, m",
-	 CLI_POSITIVE(ropeway.ripple)},
-	{"damping", 0, "RATIO", "ropeways: damping ratio of each mode (0)",
-	 CLI_POSITIVE(ropeway.damping)},
-	{"lane", 0, "NAME", "ropeways: up or down (up)", CLI_TEXT(ropeway.lane)},
-	{"contact", 0, "HOW", "ropeways: slip or stick (the scene's contact.modes, or slip)",
-	 CLI_TEXT(ropeway.state.contact)},
-	{"case", 0, "NAME", "ropeways: the load case (full)", CLI_TEXT(ropeway.state.load_case)},
+	CLI_LANE_LOAD_OPTION,
+	CLI_LANE_OPTIONS,
 	CLI_NO_OPTION,
 };
 
 static const char *const notes[] = {
 	"--json writes the reduced-model file, which frf and integrate take in place of a scene.",
 	"FREQUENCY: a number (rad/s), \"0.3 Hz\", or a multiple such as 0.6w1.",
-	"Of a ropeway the model is that of one lane, and frf and integrate take its file.",
+	"Of a ropeway the model is that of one lane.",
 	"With model.modes: auto the modes kept are chosen for forcing from --from to --to.",
 	NULL,
 };
@@ -57,7 +46,6 @@ static const char *const notes[] = {
 struct result {
 	const struct cli_common *common;
 	const struct cli_model *model;
-	const struct cli_rom_ropeway *ropeway; /* NULL of others */
 };
 
 /* --- the table: nonzero entries of the tensors --- */
@@ -146,8 +134,6 @@ static void comments(struct hawser__table *table, const void *of)
 	const struct hawser_rom *rom = &model->rom;
 	char forces[240];
 
-	if (((const struct result *)of)->ropeway)
-		cli_rom_ropeway_comments(table, ((const struct result *)of)->ropeway);
 	cli_choice_comments(table, model);
 	if (rom->exact)
 		hawser__table_comment(table, "%d coordinates, %d harmonics; scaled; the restoring force "
@@ -291,13 +277,11 @@ static enum hawser_status export(const struct settings *settings, const struct c
 
 /* The forces of a model of which only the file is wanted are not needed: without a table or comments,
  * which tell the asymmetry, and without an export, which contains a computed orbit. */
-static enum hawser_status load(struct cli_model *model, struct cli_rom_ropeway *ropeway,
-                               const struct settings *settings, struct hawser_report *report)
+static enum hawser_status load(struct cli_model *model, const struct settings *settings,
+                               struct hawser_report *report)
 {
 	const struct cli_common *common = &settings->common;
 
-	if (ropeway)
-		return cli_rom_ropeway_load(ropeway, model, common, &settings->ropeway, settings->n, report);
 	return common->json && common->quiet && !common->tsv && !settings->export[0]
 	       ? cli_model_entries(model, common, settings->n, report)
 	       : cli_model_load(model, common, settings->n, report);
@@ -307,22 +291,11 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	struct settings *settings = context;
 	struct cli_model model = {0};
-	struct cli_rom_ropeway ropeway = {.lane = 0};
-	const struct cli_rom_ropeway_choice *own = &settings->ropeway;
-	const struct cli_given given[] = {
-		{"load", own->load != NULL, CLI_ROPEWAY}, {"ripple", own->ripple > 0.0, CLI_ROPEWAY},
-		{"damping", own->damping > 0.0, CLI_ROPEWAY}, {"lane", own->lane != NULL, CLI_ROPEWAY},
-		{"contact", own->state.contact != NULL, CLI_ROPEWAY},
-		{"case", own->state.load_case != NULL, CLI_ROPEWAY}, {NULL, 0, 0}};
-	enum cli_kind kind = settings->common.input ? cli_kind_of(settings->common.input, CLI_KINDS)
-	                                           : CLI_SPAN;
-	const struct result result = {&settings->common, &model, kind == CLI_ROPEWAY ? &ropeway : NULL};
+	const struct result result = {&settings->common, &model};
 	enum hawser_status status = check(settings, report);
 
-	if (!status && settings->common.input)
-		status = cli_kind_check(kind, given, "rom", settings->common.input, report);
 	if (!status)
-		status = load(&model, kind == CLI_ROPEWAY ? &ropeway : NULL, settings, report);
+		status = load(&model, settings, report);
 	if (!status && model.automatic)
 		status = choose(&model, settings, report);
 	if (!status && settings->export[0])
@@ -333,7 +306,6 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!status && model.has_scene && model.scene.damping.drag > 0.0)
 		cli_warn("damping.drag is no part of these entries: hawser integrate and hawser frf compute "
 		         "its force from the scene");
-	cli_rom_ropeway_clear(&ropeway);
 	cli_model_clear(&model);
 	return status;
 }

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/gauge.h"
 #include "cli/progress.h"
 #include "cli/view.h"
 #include "core/report.h"

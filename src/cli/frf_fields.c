@@ -8,6 +8,7 @@
 
 #include "cli/backbone.h"
 #include "cli/frf_cover.h"
+#include "cli/frf_lift.h"
 #include "cli/frf_over.h"
 #include "cli/frf_tori.h"
 #include "cli/view.h"
@@ -15,7 +16,7 @@
 
 /* Options of a result. */
 enum { TENSION = 1, MULTIPLIERS = 2, SWEEPS = 4, BACKBONE = 8, SAMPLE = 16, PEAKS = 32,
-	UNDECIDED = 64, BRANCHES = 128, OVER = 256, TORI = 512 };
+	UNDECIDED = 64, BRANCHES = 128, OVER = 256, TORI = 512, CONTACT = 1024 };
 
 HAWSER__LABELS(event_name, hawser_event_name, enum hawser_event_kind)
 HAWSER__LABELS(end_name, hawser_frf_end_name, enum hawser_frf_end)
@@ -52,6 +53,9 @@ static const struct hawser__field point_field[] = {
 	CLI_COORDINATES(HAWSER__VECTOR_ALONG, struct hawser_frf, coordinate),
 	{"tension.min", NULL, "least tension over a period", TENSION_OF(0)},
 	{"tension.max", NULL, "greatest tension over a period", TENSION_OF(1)},
+	{"contact.least", "contact", "smallest angle of contact of a sheave over a period, relative to "
+	 "that at rest; below 0 the rope leaves it", OF(contact), .when = CONTACT},
+	{"contact.sheave", "sheave", "on which, from 0 in the list sheaves", OF(sheave), .when = CONTACT},
 	{"certificate.residual", "residual", "defect of the orbit, relative", OF(residual)},
 	{"certificate.mesh", "mesh", "truncation error of the orbit, relative", OF(mesh)},
 	{"certificate.error", "error", "estimated error of the orbit, relative", OF(error)},
@@ -242,6 +246,8 @@ static void warnings_json(struct hawser__json *json, json_t *into, const void *r
 
 	(void)into;
 	cli_warnings_json(json, cli_frf_slack(text, sizeof text, row) ? text : NULL);
+	if (cli_frf_lift(text, sizeof text, row))
+		hawser__json_text(json, json_object_get(json->root, "warnings"), NULL, text);
 	if (cli_frf_gaps(text, sizeof text, row))
 		hawser__json_text(json, json_object_get(json->root, "warnings"), NULL, text);
 	if (cli_frf_lost(text, sizeof text, row))
@@ -309,6 +315,10 @@ static const struct hawser__field branch_field[] = {
 	{"", NULL, "", HAWSER__THROUGH(struct cli_frf_result, frf, born_field), .given = is_born},
 	{"", NULL, "", HAWSER__OBJECT_OF(cli_fixed_field)},
 	THROUGH(frf, curve_field),
+	{"sheaves", NULL, "of ropeways: names of the sheaves of contact.sheave",
+	 HAWSER__CALLS(cli_frf_sheaves_json), .when = CONTACT},
+	{"lift", NULL, "of ropeways: where the curve first takes the rope off a sheave, interpolated",
+	 HAWSER__CALLS(cli_frf_lift_json), .when = CONTACT},
 	{"peaks", NULL, "see PEAKS", HAWSER__OBJECTS_OF(cli_frf_peak_list), .when = PEAKS},
 	THROUGH(frf, end_field),
 	HAWSER__END,
@@ -382,7 +392,7 @@ static struct cli_head head(const void *of)
 		(frf->sampled > 0 ? SAMPLE : 0u) | (result->located ? PEAKS : 0u) |
 		(frf->undecided > 0 ? UNDECIDED : 0u) |
 		(result->others + result->gaps > 0 ? BRANCHES : 0u) | (result->over ? OVER : 0u) |
-		(result->tori ? TORI : 0u));
+		(result->tori ? TORI : 0u) | (result->model->rom.contacts.count > 0 ? CONTACT : 0u));
 
 	head.rows = frf;
 	head.also = ", pseudo-arclength continuation";

@@ -8,6 +8,7 @@
 
 #include "cli/backbone.h"
 #include "cli/frf_cover.h"
+#include "cli/frf_lift.h"
 #include "cli/frf_over.h"
 #include "cli/frf_tori.h"
 #include "cli/view.h"
@@ -283,7 +284,10 @@ void cli_frf_comments(struct hawser__table *table, const void *of)
 	if (result->backbone)
 		cli_backbone_comments(table, result);
 	cli_speeding_comment(table, model, fmax(result->from, result->to));
+	cli_frf_lift_comment(table, result);
 	if (cli_frf_slack(text, sizeof text, result))
+		hawser__table_comment(table, "warning: %s", text);
+	if (cli_frf_lift(text, sizeof text, result))
 		hawser__table_comment(table, "warning: %s", text);
 	hawser__table_comment(table, "end: %s - %s%s%s", hawser_frf_end_name(frf->end),
 	                      sentence(frf->end), *frf->lost ? ": " : "", frf->lost);

@@ -95,11 +95,14 @@ hawser_SOURCES = \
 	%D%/frf_switch.c \
 	%D%/frf_draw.c \
 	%D%/frf_fields.c \
+	%D%/frf_lift.c \
+	%D%/frf_lift.h \
 	%D%/frf_over.c \
 	%D%/frf_sweep.c \
 	%D%/frf_tori.c \
 	%D%/label.c \
 	%D%/label.h \
+	%D%/lane.h \
 	%D%/frf_over.h \
 	%D%/frf_sweep.h \
 	%D%/frf_tori.h \
@@ -109,6 +112,7 @@ hawser_SOURCES = \
 	%D%/frf_peaks.c \
 	%D%/frf_result.c \
 	%D%/gauge.c \
+	%D%/gauge.h \
 	%D%/hill_draw.c \
 	%D%/hill_result.c \
 	%D%/hill_result.h \

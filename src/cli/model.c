@@ -16,7 +16,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "cli/cli.h"
+#include "cli/kinds.h"
+#include "cli/rom_ropeway.h"
 #include "core/report.h"
 
 /* Number of listed modes if the program chooses the modes. */
@@ -332,6 +333,15 @@ static enum hawser_status naturals(struct cli_model *model, struct hawser_report
 	                      : hawser__no_memory(report, "model");
 }
 
+static enum hawser_status from_scene_or_ropeway(struct cli_model *model, FILE *stream,
+                                                const struct cli_common *common, int n,
+                                                enum extent extent, struct hawser_report *report)
+{
+	return cli_kind_of(common->input, CLI_ROPEWAY) == CLI_ROPEWAY
+	       ? cli_rom_ropeway_load(model, common, n, report)
+	       : from_scene(model, stream, common, n, extent, report);
+}
+
 static enum hawser_status load(struct cli_model *model, const struct cli_common *common, int n,
                                enum extent extent, struct hawser_report *report)
 {
@@ -341,6 +351,8 @@ static enum hawser_status load(struct cli_model *model, const struct cli_common 
 
 	memset(model, 0, sizeof *model);
 	model->reproducible = common->reproducible;
+	if ((status = cli_rom_ropeway_check(common, report)))
+		return status;
 	if (common->library) {
 		status = from_library(model, common, n, report);
 		if (!status)
@@ -356,7 +368,7 @@ static enum hawser_status load(struct cli_model *model, const struct cli_common 
 		status = from_file(model, copied ? stream : NULL, common, n, report);
 	} else {
 		rewind(stream);
-		status = from_scene(model, stream, common, n, extent, report);
+		status = from_scene_or_ropeway(model, stream, common, n, extent, report);
 	}
 	fclose(stream);
 	if (!status && !model->automatic && model->rom.n > 0)
@@ -393,6 +405,7 @@ void cli_model_clear(struct cli_model *model)
 	hawser_rom_source_clear(&model->source);
 	hawser_modes_clear(&model->modes);
 	hawser_scene_clear(&model->scene);
+	cli_rom_ropeway_free(model->ropeway);
 	free(model->natural);
 	memset(model, 0, sizeof *model);
 }

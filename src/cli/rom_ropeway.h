@@ -1,4 +1,4 @@
-/* cli/rom_ropeway.h - hawser rom of a scene of kind `ropeway`.
+/* cli/rom_ropeway.h - the model of a scene of kind `ropeway`.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_CLI_ROM_ROPEWAY_H
 #define HAWSER_CLI_ROM_ROPEWAY_H
@@ -7,19 +7,12 @@
 
 #include "cli/modes_ropeway.h"
 
-/* Options of the command line; NULL or 0: not given. */
-struct cli_rom_ropeway_choice {
-	const char *load, *lane;
-	double ripple, damping; /* m, ratio */
-	struct cli_ropeway_choice state;
-};
-
 /* One lane of a ropeway as a model. */
 struct cli_rom_ropeway {
 	struct hawser_ropeway ropeway;
 	struct hawser_ropeway_statics st;
-	int lane;
-	struct hawser_line line;               /* at rest, its carriers smeared if they pass */
+	int lane, smeared;
+	struct hawser_line line;               /* at rest */
 	struct hawser_line_mass *mass;
 	struct hawser_line_statics line_st;
 	struct hawser_line_rom_options options;
@@ -27,12 +20,17 @@ struct cli_rom_ropeway {
 	struct hawser_line_modes modes;
 };
 
-/* The model; n: number of modes, 0 for the default. *of refers to itself: it must not be moved. */
-enum hawser_status cli_rom_ropeway_load(struct cli_rom_ropeway *of, struct cli_model *model,
-                                        const struct cli_common *common,
-                                        const struct cli_rom_ropeway_choice *choice, int n,
+/* model->ropeway and model->rom by common->lane; n: number of modes, 0 for the default. */
+enum hawser_status cli_rom_ropeway_load(struct cli_model *model, const struct cli_common *common, int n,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
-void cli_rom_ropeway_comments(struct hawser__table *table, const struct cli_rom_ropeway *of);
-void cli_rom_ropeway_clear(struct cli_rom_ropeway *of);
+/* The same with another number of modes. Release it with hawser_rom_clear. */
+enum hawser_status cli_rom_ropeway_again(struct hawser_rom *rom, const struct cli_rom_ropeway *of,
+                                         int modes, struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Refuse options of ropeways that are given with something else. */
+enum hawser_status cli_rom_ropeway_check(const struct cli_common *common,
+                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+/* What the model is, as comments; nothing of models of other scenes. */
+void cli_rom_ropeway_comments(struct hawser__table *table, const struct cli_model *model);
+void cli_rom_ropeway_free(struct cli_rom_ropeway *of);
 
 #endif

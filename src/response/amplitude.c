@@ -39,6 +39,7 @@ struct hawser__amplitude {
 	double *signal, *fine;
 	double *xyz;       /* [capacity][3] displacement of one probe */
 	double *tension;   /* [capacity][places], and `extra` of a row; NULL until it is needed */
+	double *contact;   /* [capacity][sheaves]; the same */
 	fftw_complex *coarse_c, *fine_c;
 	struct plans plans[PLANS], *now;
 	int kept;
@@ -81,6 +82,7 @@ static void drop(struct hawser__amplitude *amplitude)
 	fftw_free(amplitude->fine);
 	free(amplitude->xyz);
 	free(amplitude->tension);
+	free(amplitude->contact);
 	fftw_free(amplitude->coarse_c);
 	fftw_free(amplitude->fine_c);
 	*amplitude = (struct hawser__amplitude){.rom = amplitude->rom};
@@ -280,14 +282,14 @@ static struct extreme highest(const double *tension, int rows, int places, doubl
 }
 
 /* The extreme of the trigonometric interpolant near that of the parabola. */
-static double extreme_near(struct hawser__amplitude *amplitude, const struct extreme *at, int rows,
-                           int places, double sign)
+static double extreme_near(struct hawser__amplitude *amplitude, const double *tension,
+                           const struct extreme *at, int rows, int places, double sign)
 {
 	double h = 2.0*M_PI/rows, tau = h*(at->row + at->shift), value[3];
-	double best = sign*amplitude->tension[(size_t)at->row*places + at->place];
+	double best = sign*tension[(size_t)at->row*places + at->place];
 
 	for (int i = 0; i < rows; i++)
-		amplitude->signal[i] = amplitude->tension[(size_t)i*places + at->place];
+		amplitude->signal[i] = tension[(size_t)i*places + at->place];
 	fftw_execute(amplitude->now->analyse);
 	for (int k = 0; k <= rows/2; k++)
 		amplitude->coarse_c[k] /= rows;
@@ -330,7 +332,39 @@ int hawser__amplitude_tension(struct hawser__amplitude *amplitude, double extrem
 		/* NOLINTNEXTLINE(clang-analyzer-unix.Malloc): drop() leaves no pointer to what it frees */
 		struct extreme at = highest(amplitude->tension, rows, places, sign);
 
-		extreme[side] = extreme_near(amplitude, &at, rows, places, sign);
+		extreme[side] = extreme_near(amplitude, amplitude->tension, &at, rows, places, sign);
 	}
+	return 0;
+}
+
+int hawser__amplitude_contact(struct hawser__amplitude *amplitude, double *least, int *sheave,
+                              const double *samples, int rows)
+{
+	const struct hawser_rom_contacts *contacts = &amplitude->rom->contacts;
+	int sheaves = contacts->count, n = amplitude->rom->n;
+	struct extreme at;
+
+	*least = INFINITY;
+	*sheave = -1;
+	if (sheaves == 0)
+		return 0;
+	if (prepare(amplitude, rows))
+		return 1;
+	if (!amplitude->contact)
+		amplitude->contact = malloc((size_t)amplitude->capacity*(size_t)sheaves*
+		                            sizeof *amplitude->contact);
+	if (!amplitude->contact)
+		return 1;
+	for (int i = 0; i < rows; i++)
+		for (int k = 0; k < sheaves; k++) {
+			double angle = 1.0;
+
+			for (int j = 0; j < n; j++)
+				angle += contacts->turn[j*sheaves + k]*samples[(size_t)i*n + j];
+			amplitude->contact[(size_t)i*sheaves + k] = angle;
+		}
+	at = highest(amplitude->contact, rows, sheaves, -1.0);
+	*least = extreme_near(amplitude, amplitude->contact, &at, rows, sheaves, -1.0);
+	*sheave = at.place;
 	return 0;
 }

@@ -71,7 +71,8 @@ enum hawser_status hawser__record_point(struct hawser_frf *frf, struct hawser__a
 	enum hawser_status status;
 	int p = frf->points, m = orbit->m;
 	double *multiplier, omega = hawser__orbit_omega(orbit, station->y);
-	double length = orbit->rom->length/frf->length;
+	double length = orbit->rom->length/frf->length, contact;
+	int sheave;
 
 	if (p == frf->capacity && (status = grow(frf, report)))
 		return status;
@@ -79,6 +80,7 @@ enum hawser_status hawser__record_point(struct hawser_frf *frf, struct hawser__a
 	if (hawser__amplitude_find(amplitude, frf->coordinate + (size_t)p*frf->n,
 	                           frf->probe + (size_t)p*3*frf->probes, orbit->samples,
 	                           orbit->rows, omega) ||
+	    hawser__amplitude_contact(amplitude, &contact, &sheave, orbit->samples, orbit->rows) ||
 	    (frf->tension && find_tension(frf, amplitude, orbit, omega)))
 		return hawser__no_memory(report, "frf");
 	frf->point[p] = (struct hawser_frf_point){
@@ -94,6 +96,8 @@ enum hawser_status hawser__record_point(struct hawser_frf *frf, struct hawser__a
 		.liouville = station->liouville,
 		.iterations = station->correction.iterations,
 		.steps = orbit->resolution,
+		.contact = contact,
+		.sheave = sheave,
 	};
 	multiplier = frf->multiplier + (size_t)p*2*m;
 	for (int i = 0; i < m; i++) {

@@ -215,10 +215,11 @@ static enum hawser_status check_harmonic(const struct hawser_harmonic *harmonic,
 		                    "be 0 to %d, omega_power 0, 1 or 2 and load_power 0 to 9", h,
 		                    harmonic->k, harmonic->omega_power, harmonic->load_power,
 		                    HIGHEST_HARMONIC);
-	if (harmonic->k == 0 && (harmonic->phase != HAWSER_COS || harmonic->D))
+	if (harmonic->k == 0 &&
+	    (harmonic->phase != HAWSER_COS || (harmonic->D && harmonic->omega_power == 0)))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
-		                    "harmonic %d: a constant term (k = 0) has the phase cos and no D; "
-		                    "constant damping belongs to the D of the model", h);
+		                    "harmonic %d: a constant term (k = 0) has the phase cos, and no D without "
+		                    "a power of Omega; constant damping belongs to the D of the model", h);
 	if (harmonic->quads > 0 && harmonic->omega_power != 0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
 		                    "harmonic %d: a Q with omega_power %d; it must be 0", h,

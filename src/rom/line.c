@@ -38,6 +38,14 @@ static enum hawser_status check(const struct hawser_line_rom_options *o, int lan
 		return refuse(report, "the damping ratio", o->ratio, "0 to 1");
 	if ((unsigned)o->load > HAWSER_LINE_LOAD_DRIVE || (unsigned)o->end > 1)
 		return refuse(report, "an option (load or end)", o->load, "one of its values");
+	if (!(o->running >= 0.0 && isfinite(o->running)))
+		return refuse(report, "the mass per length that runs (kg/m)", o->running,
+		              "0 or a positive one");
+	if (!(o->speed >= 0.0 && isfinite(o->speed)))
+		return refuse(report, "the speed (m/s)", o->speed, "0 or a positive one, and modes.backward");
+	if (o->running > 0.0 && o->modes.contact == HAWSER_LINE_STICK)
+		return refuse(report, "the mass per length that runs (kg/m)", o->running,
+		              "0: the contact is stick, and a rope that sticks does not run");
 	if (o->load != HAWSER_LINE_LOAD_NONE && (o->lane < 0 || o->lane >= lanes))
 		return refuse(report, "the lane of the load", o->lane, "that of a lane, counted from 0");
 	if (o->load == HAWSER_LINE_LOAD_PASSING) {
@@ -293,6 +301,8 @@ static enum hawser_status fill(struct hawser_rom *rom, const struct hawser__lexp
 		status = set_line(rom, t, modes, report);
 	if (!status)
 		status = set_second(rom, t, report);
+	if (!status)
+		status = hawser__line_contacts(rom, modes, report);
 	if (!status)
 		status = hawser__line_load(rom, t, modes, o, pull, report);
 	return status ? status : hawser_rom_compile(rom, report);

@@ -13,5 +13,8 @@ enum hawser_status hawser__line_load(struct hawser_rom *rom, const struct hawser
                                      const struct hawser_line_modes *modes,
                                      const struct hawser_line_rom_options *options, const double *pull,
                                      struct hawser_report *report);
+/* rom->contacts: the arcs on which the rope lies. line_lift.c. */
+enum hawser_status hawser__line_contacts(struct hawser_rom *rom, const struct hawser_line_modes *modes,
+                                         struct hawser_report *report);
 
 #endif

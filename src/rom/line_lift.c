@@ -12,10 +12,12 @@
 #include "config.h"
 
 #include <math.h>
+#include <string.h>
 
-#include <hawser/line_rom.h>
-
+#include "core/report.h"
 #include "modes/grid.h"
+#include "rom/contacts.h"
+#include "rom/line.h"
 
 /* Change of slope of the rope at an end of a piece. */
 static double slope_at(const struct hawser_line_modes *modes, int k, int piece, int end)
@@ -31,11 +33,37 @@ static double slope_at(const struct hawser_line_modes *modes, int k, int piece, 
 	return slope[1]/(1.0 + modes->epsilon*T);
 }
 
-/* 1 if pieces i and i + 1 are parts of one arc. */
-static int continues(const struct hawser_line_modes *modes, int i)
+/* An arc of the rope on a sheave. */
+struct arc {
+	int before, behind; /* the free pieces beside it */
+	int lane, sheave;
+	double angle;       /* by which the tangent turns along it, signed */
+};
+
+/* The first arc of which piece `from` or a later one is a part; 0 if there is none. */
+static int arc_from(struct arc *arc, const struct hawser_line_modes *modes, int from)
 {
-	return i + 1 < modes->pieces && modes->piece[i + 1].lane == modes->piece[i].lane &&
-	       modes->piece[i + 1].sheave == modes->piece[i].sheave;
+	const struct hawser_line_modes_piece *piece = modes->piece;
+	int i = from > 1 ? from : 1;
+
+	while (i + 1 < modes->pieces && piece[i].sheave < 0)
+		i++;
+	if (i + 1 >= modes->pieces)
+		return 0;
+	*arc = (struct arc){.before = i - 1, .lane = piece[i].lane, .sheave = piece[i].sheave};
+	for (; i + 1 < modes->pieces && piece[i].lane == arc->lane && piece[i].sheave == arc->sheave; i++) {
+		const struct hawser_line_piece *on = &modes->lane[arc->lane]->piece[piece[i].piece];
+
+		arc->angle += on->angle1 - on->angle0;
+	}
+	arc->behind = i;
+	return 1;
+}
+
+/* Change of the angle, relative to it, by a unit of mode k. */
+static double turn(const struct arc *arc, const struct hawser_line_modes *modes, int k)
+{
+	return (slope_at(modes, k, arc->behind, 0) - slope_at(modes, k, arc->before, 1))/arc->angle;
 }
 
 static double largest(const struct hawser_line_modes *modes, int k)
@@ -53,32 +81,44 @@ static double largest(const struct hawser_line_modes *modes, int k)
 void hawser_line_rom_lift(struct hawser_line_lift *lift, const struct hawser_line_modes *modes,
                           int k)
 {
-	double beta = 0.0;
-	int first = 0;
+	struct arc arc;
 
 	*lift = (struct hawser_line_lift){.lane = -1, .sheave = -1, .amplitude = INFINITY,
 	                                  .motion = INFINITY};
-	for (int i = 1; i + 1 < modes->pieces; i++) {
-		const struct hawser_line_modes_piece *on = &modes->piece[i];
-		const struct hawser_line_statics *st = modes->lane[on->lane];
-		double amplitude;
+	for (int i = 0; arc_from(&arc, modes, i); i = arc.behind) {
+		const struct hawser_line_statics *st = modes->lane[arc.lane];
+		double amplitude = 1.0/fabs(turn(&arc, modes, k));
 
-		if (on->sheave < 0)
-			continue;
-		if (modes->piece[i - 1].sheave != on->sheave || modes->piece[i - 1].lane != on->lane) {
-			first = i;
-			beta = 0.0;
-		}
-		beta += fabs(st->piece[on->piece].angle1 - st->piece[on->piece].angle0);
-		if (continues(modes, i))
-			continue;
-		amplitude = beta/fabs(slope_at(modes, k, first - 1, 1) - slope_at(modes, k, i + 1, 0));
 		if (amplitude < lift->amplitude) {
-			lift->lane = on->lane;
-			lift->sheave = on->sheave;
-			lift->force = hypot(st->contact[on->sheave].force[0], st->contact[on->sheave].force[1]);
+			lift->lane = arc.lane;
+			lift->sheave = arc.sheave;
+			lift->force = hypot(st->contact[arc.sheave].force[0], st->contact[arc.sheave].force[1]);
 			lift->amplitude = amplitude;
 			lift->motion = amplitude*largest(modes, k)*modes->length_unit;
 		}
 	}
+}
+
+enum hawser_status hawser__line_contacts(struct hawser_rom *rom, const struct hawser_line_modes *modes,
+                                         struct hawser_report *report)
+{
+	struct arc arc;
+	int count = 0;
+	enum hawser_status status;
+
+	for (int i = 0; arc_from(&arc, modes, i); i = arc.behind)
+		count += arc.angle != 0.0;
+	status = count > 0 ? hawser__rom_init_contacts(rom, count, report) : HAWSER_OK;
+	count = 0;
+	for (int i = 0; !status && arc_from(&arc, modes, i); i = arc.behind) {
+		if (arc.angle == 0.0)
+			continue;
+		rom->contacts.name[count] = strdup(modes->lane[arc.lane]->line->sheave[arc.sheave].name);
+		if (!rom->contacts.name[count])
+			return hawser__no_memory(report, "line rom");
+		for (int j = 0; j < rom->n; j++)
+			rom->contacts.turn[j*rom->contacts.count + count] = turn(&arc, modes, j);
+		count++;
+	}
+	return status;
 }

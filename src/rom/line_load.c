@@ -11,6 +11,14 @@
  * Drive: ropeway/expand_drive.c. The shape Z of the modes that are not kept changes the stiffness
  * by its third derivatives.
  *
+ * A rope that runs: with the mass r per length of rope and carriers, relative to that of the rope, the
+ * kinetic energy has the term r nu integral of du/dt.u', which gives the gyroscopic forces
+ *
+ *    - r nu (A - A') du/dt,      A_jk = integral of Phi_j.Phi_k'
+ *
+ * and its term in nu^2 makes the apparent tension of the tension, which is that of the statics. If
+ * carriers pass, nu = Omega d/2 pi, so that the forces are a harmonic k = 0 with a factor Omega.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -110,6 +118,50 @@ static void project(double *sum, const struct field *field, int lane, const stru
 			integrate(sum, field, i, wave, waves);
 }
 
+/* A - A' times r, plus what is in G. */
+static void add_gyroscopic(double *G, const struct hawser_line_modes *modes, double r)
+{
+	int n = modes->n;
+
+	for (int j = 0; j < n; j++)
+		for (int k = 0; k < n; k++) {
+			const double *u = modes->shape + 3*(size_t)j*(size_t)modes->points;
+			const double *slope = modes->slope + 3*(size_t)k*(size_t)modes->points;
+			double sum = 0.0;
+
+			if (modes->mode[j].plane != modes->mode[k].plane)
+				continue;
+			for (int p = 0; p < modes->points; p++, u += 3, slope += 3)
+				sum += modes->weight[p]*(u[0]*slope[0] + u[1]*slope[1] + u[2]*slope[2]);
+			G[j*n + k] += r*sum;
+			G[k*n + j] -= r*sum;
+		}
+}
+
+/* Of the rope's own mass; signed: positive from end A to end B. */
+static double running_of(const struct hawser_line_modes *modes, const struct hawser_line_rom_options *o)
+{
+	return o->running/modes->rho*(o->modes.backward[o->lane] ? -1.0 : 1.0);
+}
+
+static enum hawser_status passing_runs(struct hawser_rom *rom, const struct hawser_line_modes *modes,
+                                       const struct hawser_line_rom_options *o,
+                                       struct hawser_report *report)
+{
+	struct hawser_harmonic *h = &rom->harmonic[rom->harmonics];
+
+	if (!(o->running > 0.0))
+		return HAWSER_OK;
+	h->D = calloc((size_t)rom->n*(size_t)rom->n, sizeof *h->D);
+	if (!h->D)
+		return hawser__no_memory(report, "line rom");
+	rom->harmonics++;
+	h->phase = HAWSER_COS;
+	h->omega_power = 1;
+	add_gyroscopic(h->D, modes, running_of(modes, o)*o->spacing/modes->length_unit/(2.0*M_PI));
+	return HAWSER_OK;
+}
+
 enum { WAVES_MOST = 60 }; /* two of each harmonic */
 
 static enum hawser_status passing(struct hawser_rom *rom, const struct hawser__lexpand *t,
@@ -123,12 +175,13 @@ static enum hawser_status passing(struct hawser_rom *rom, const struct hawser__l
 	double sum[WAVES_MOST];
 	int waves = 2*o->harmonics;
 
-	rom->harmonic = calloc((size_t)waves, sizeof *rom->harmonic);
+	rom->harmonic = calloc((size_t)waves + 1, sizeof *rom->harmonic);
 	if (!rom->harmonic)
 		return hawser__no_memory(report, "line rom");
 	for (int k = 0; k < waves; k++) {
 		wave[k] = (struct wave){2.0*M_PI*(k/2 + 1)*modes->length_unit/o->spacing, k%2,
-			-2.0*o->weight/modes->force_unit*modes->length_unit/o->spacing};
+			-2.0*o->weight/modes->force_unit*modes->length_unit/o->spacing*
+			(k%2 && o->modes.backward[o->lane] ? -1.0 : 1.0)};
 		h[k] = add(rom, k/2 + 1, k%2 ? HAWSER_SIN : HAWSER_COS, report);
 		if (!h[k])
 			return HAWSER_ERR_MEMORY;
@@ -149,7 +202,7 @@ static enum hawser_status passing(struct hawser_rom *rom, const struct hawser__l
 			for (int k = 0; k < waves; k++)
 				h[k]->K[j*rom->n + l] = h[k]->K[l*rom->n + j] = -sum[k];
 		}
-	return HAWSER_OK;
+	return passing_runs(rom, modes, o, report);
 }
 
 /* --- drive --- */
@@ -163,6 +216,9 @@ static enum hawser_status drive(struct hawser_rom *rom, const struct hawser__lex
 	double r = o->amplitude/modes->length_unit;
 	int n = rom->n;
 
+	if (o->running > 0.0)
+		add_gyroscopic(rom->D, modes, running_of(modes, o)*o->speed*modes->time_unit/
+		               modes->length_unit);
 	rom->harmonic = calloc(1, sizeof *rom->harmonic);
 	if (!rom->harmonic)
 		return hawser__no_memory(report, "line rom");

@@ -18,6 +18,8 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/condense_space.c \
 	%D%/condense.h \
 	%D%/condense_load.c \
+	%D%/contacts.c \
+	%D%/contacts.h \
 	%D%/absorbers.c \
 	%D%/absorbers.h \
 	%D%/dampers.c \

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "rom/contacts.h"
 #include "rom/history.h"
 #include "rom/drag.h"
 #include "rom/ends.h"
@@ -147,6 +148,7 @@ void hawser_rom_clear(struct hawser_rom *rom)
 	free_words(rom->label, rom->n);
 	clear_shapes(&rom->shapes);
 	clear_line(&rom->line);
+	hawser__rom_contacts_clear(&rom->contacts);
 	hawser__kernel_free(rom->kernel);
 	hawser__exact_free(rom->exact);
 	hawser__drag_free(rom->drag);

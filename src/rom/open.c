@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "rom/contacts.h"
 #include "rom/model.h"
 #include "rom/plug.h"
 #include "rom/read.h"
@@ -204,6 +205,8 @@ enum hawser_status hawser__read_extras(const struct hawser__reader *reader, stru
 		status = read_answers(reader, rom, root);
 	if (!status && json_object_get(root, "ends"))
 		status = hawser__read_ends(reader, rom, json_object_get(root, "ends"));
+	if (!status && json_object_get(root, "contacts"))
+		status = hawser__read_contacts(reader, rom, json_object_get(root, "contacts"));
 	return status ? status : hawser__read_known(reader, rom, root);
 }
 

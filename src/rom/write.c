@@ -205,6 +205,15 @@ static void shapes(struct hawser__writer *to, const struct hawser_rom *rom)
 	hawser__write_end(to);
 }
 
+static void contacts(struct hawser__writer *to, const struct hawser_rom *rom)
+{
+	hawser__write_key(to, "contacts");
+	hawser__write_begin(to, '{', 1);
+	words(to, "names", rom->contacts.name, rom->contacts.count);
+	matrix(to, "turn", rom->contacts.turn, rom->n, rom->contacts.count);
+	hawser__write_end(to);
+}
+
 static void known(struct hawser__writer *to, const struct hawser_rom *rom)
 {
 	const struct hawser_rom_known *k = &rom->known;
@@ -267,6 +276,8 @@ static void members(struct hawser__writer *to, const struct hawser_rom *rom)
 		scale(to, rom);
 	if (rom->shapes.points > 0)
 		shapes(to, rom);
+	if (rom->contacts.count > 0)
+		contacts(to, rom);
 	if (rom->known.reach > 0.0)
 		known(to, rom);
 	if (rom->ends && rom->shapes.points > 0)

@@ -134,6 +134,9 @@ enum hawser_status hawser__line_check(const struct hawser_line *line, struct haw
 	for (int i = 0; !status && i < line->masses; i++) {
 		const struct hawser_line_mass *m = &line->mass[i];
 
+		if (!(m->body >= 0.0 && isfinite(m->body)))
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, where, "mass %d has a body of %g kg: give "
+			                    "one that is finite and not negative", i + 1, m->body);
 		if (!(m->mass >= 0.0 && isfinite(m->mass)) || !(m->hanger >= 0.0 && isfinite(m->hanger)))
 			return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
 			                    "mass %d is %g kg on a hanger of %g m: both have to be finite and not "

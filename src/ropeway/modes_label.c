@@ -20,7 +20,7 @@ static double mass_of(const struct hawser__lmode *rope, const struct hawser__lmo
 {
 	const struct hawser_line *line = rope->lane[piece->lane]->line;
 
-	return line->mass[piece->mass].mass/(line->rho*rope->length);
+	return (line->mass[piece->mass].mass + line->mass[piece->mass].body)/(line->rho*rope->length);
 }
 
 /* Shares of |P|^2, |Q|^2, |B|^2 of the rope, then of the masses along their axes, and those of

@@ -149,8 +149,8 @@ static void add_mass(struct hawser__lmode_draft *t, struct place place,
 {
 	const struct hawser_line *line = t->rope->lane[lane]->line;
 	const struct hawser_line_mass *mass = &line->mass[joint->mass];
-	double m = mass->mass/unit_mass(t->rope), x[2], y[2];
-	int hangs = mass->hanger > 0.0 && line->g > 0.0;
+	double m = (mass->mass + mass->body)/unit_mass(t->rope), x[2], y[2];
+	int hangs = mass->hanger > 0.0 && mass->mass > 0.0 && line->g > 0.0;
 
 	if (place.kind == FIXED || !(m > 0.0))
 		return;

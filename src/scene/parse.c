@@ -126,9 +126,9 @@ enum hawser_status hawser__parse_unknown(struct hawser__reader *reader,
 		                           "spans: hawser statics, modes, integrate and plan take nets");
 	if (!strcmp(path, "ropeway"))
 		return hawser__reader_fail(reader, place, "this is the scene of a ropeway, and the command "
-		                           "takes spans: hawser statics, modes, campbell, irvine, plan and rom "
-		                           "take ropeways, and what rom writes is a model for frf and "
-		                           "integrate");
+		                           "takes spans: hawser statics, modes, campbell, irvine, plan, rom, "
+		                           "frf, integrate, orbit, folds, locus, nnm and mms take "
+		                           "ropeways");
 	if (!strcmp(path, "tow"))
 		return hawser__reader_fail(reader, place, "this is the scene of a towed body, and the command "
 		                           "takes others: hawser trajectory and hawser tow steady take it");

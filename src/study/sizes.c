@@ -306,6 +306,7 @@ static const struct row {
 	ROW(hawser_report),
 	ROW(hawser_resonance),
 	ROW(hawser_rom),
+	ROW(hawser_rom_contacts),
 	ROW(hawser_rom_family),
 	ROW(hawser_rom_history),
 	ROW(hawser_rom_inertia),

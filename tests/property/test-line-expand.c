@@ -65,12 +65,17 @@ static void series(double coefficient[4], const struct weights *w, double h)
 	coefficient[3] = (-13.0/24.0*odd[0] + 2.0/3.0*odd[1] - 0.125*odd[2])/(h*h);
 }
 
-/* Which system the rope's motion in the plane is in, with a node's load. */
-static int system_in_plane(const struct hawser__lmode *rope)
+/* The system in the plane with a mass on which a weight acts; of a rope that sticks each span is one
+ * system. */
+static int system_in_plane(const struct hawser__lmode *rope, const double *P)
 {
 	for (int i = 0; i < rope->systems; i++)
-		if (rope->system[i].plane == HAWSER_IN_PLANE)
-			return i;
+		for (int k = 0; rope->system[i].plane == HAWSER_IN_PLANE && k < rope->system[i].segments; k++) {
+			int mass = rope->system[i].segment[k].piece->mass;
+
+			if (mass >= 0 && P[mass] != 0.0)
+				return i;
+		}
 	return -1;
 }
 
@@ -84,7 +89,7 @@ static void load_nodes(double *load, const struct hawser__lmode *rope, int own, 
 		double angle = atan2(r[1], r[0]), P_i;
 		struct hawser__lmode_joint joint;
 
-		if (s->piece->mass < 0 || s->index == 0)
+		if (s->piece->mass < 0 || s->index == 0 || s->node[0] < 0)
 			continue;
 		P_i = P[s->piece->mass]/rope->force;
 		joint = hawser__lmode_joint(rope, 0, s->index);
@@ -99,9 +104,10 @@ static void load_nodes(double *load, const struct hawser__lmode *rope, int own, 
 
 /* Second, third and fourth coefficients of E by the model; held: without motion of the points of
  * contact. */
-static int model(double E[3], const struct hawser_line_statics *st, const double *P, int held)
+static int model(double E[3], const struct hawser_line_statics *st, const double *P,
+                 enum hawser_line_contact_kind contact, int held)
 {
-	struct hawser_line_modes_options o = {.n = 1, .tolerance = 1e-9};
+	struct hawser_line_modes_options o = {.n = 1, .tolerance = 1e-9, .contact = contact};
 	const struct hawser_line_statics *lane[1] = {st};
 	struct hawser__lmode rope = {.systems = 0};
 	struct hawser__lexpand t = {.rope = NULL};
@@ -109,7 +115,7 @@ static int model(double E[3], const struct hawser_line_statics *st, const double
 	enum hawser_status status = hawser__lmode_open(&rope, lane, 1, &o, &report);
 	const int index[4] = {0};
 	double *x = NULL, *strain = NULL, *load = NULL, unit;
-	int own = system_in_plane(&rope);
+	int own = system_in_plane(&rope, P);
 
 	for (int i = 0; i < rope.systems && !status; i++) {
 		status = hawser__lmode_grids(&rope.system[i], &rope, 1.0, 4, &report);
@@ -165,12 +171,95 @@ static void compare(struct hawser_line *line, double h, const char *what, double
 	fixed.given = HAWSER_LINE_LENGTH0;
 	fixed.value = st.length0;
 	series(Y, &w, h);
-	if (model(E, &st, P, 0) && model(held, &st, P, 1)) {
+	if (model(E, &st, P, HAWSER_LINE_SLIP, 0) && model(held, &st, P, HAWSER_LINE_SLIP, 1)) {
 		printf("# %s: second %.8g %.8g, third %.8g %.8g (held %.8g), fourth %.8g %.8g (held %.8g)\n",
 		       what, 0.5*Y[1], E[0], Y[2]/3.0, E[1], held[1], Y[3]/4.0, E[2], held[2]);
 		close_to(E[0], 0.5*Y[1], 1e-8, "second order");
 		close_to(E[1], Y[2]/3.0, 1e-6, "third order");
 		close_to(E[2], Y[3]/4.0, tolerance4, "fourth order");
+	}
+	hawser_line_statics_clear(&st);
+}
+
+/* --- a rope that sticks --- */
+
+/* The free rope behind the only sheave, as a line of its own from the point at which it leaves it, fixed
+ * there; under more weight it lies down on the circle. */
+struct run {
+	struct hawser_line line;
+	struct hawser_line_mass mass[MASSES];
+	struct hawser_line_sheave sheave;
+};
+
+/* P[..] of the masses on it are moved to the first ones. */
+static void take_run(struct run *run, double *P, const struct hawser_line_statics *st)
+{
+	int i = st->pieces - 1;
+
+	while (st->piece[i - 1].sheave < 0)
+		i--;
+	run->line = *st->line;
+	run->line.mass = run->mass;
+	run->line.masses = 0;
+	run->line.sheave = &run->sheave;
+	run->line.lift = 1;
+	run->line.given = HAWSER_LINE_LENGTH0;
+	run->line.value = 0.0;
+	run->sheave = st->line->sheave[0];
+	run->sheave.radius *= 1.0 - 1e-12; /* the end is on it, not inside */
+	run->line.A[0] = st->piece[i].x0[0];
+	run->line.A[1] = st->piece[i].x0[1];
+	for (; i < st->pieces; i++) {
+		if (st->piece[i].mass >= 0) {
+			P[run->line.masses] = P[st->piece[i].mass];
+			run->mass[run->line.masses] = st->line->mass[st->piece[i].mass];
+			run->mass[run->line.masses++].S = run->line.value;
+		}
+		run->line.value += st->piece[i].S1 - st->piece[i].S0;
+	}
+}
+
+/* As `series`, from lambda >= 0 alone: Newton's forward differences. */
+static void series_forward(double c[4], const struct weights *w, double h)
+{
+	double d[6];
+
+	for (int i = 0; i < 6; i++)
+		d[i] = work_of(w, i*h);
+	c[0] = d[0];
+	for (int k = 1; k < 6; k++)
+		for (int i = 5; i >= k; i--)
+			d[i] -= d[i - 1];
+	c[1] = (d[1] - d[2]/2.0 + d[3]/3.0 - d[4]/4.0 + d[5]/5.0)/h;
+	c[2] = (d[2]/2.0 - d[3]/2.0 + 11.0/24.0*d[4] - 5.0/12.0*d[5])/(h*h);
+	c[3] = (d[3]/6.0 - d[4]/4.0 + 7.0/24.0*d[5])/(h*h*h);
+}
+
+static void stuck(const struct hawser_line *of, double h)
+{
+	struct hawser_line one = *of, *line = &one;
+	struct hawser_line_statics st;
+	struct hawser_report report = {0};
+	struct run run;
+	double Y[4], E[3], held[3], P[MASSES] = {0.0}, own[MASSES];
+
+	one.sheaves = 1;
+	one.sheave = of->sheave + 1; /* behind which the rope rises, so that the end is left of its centre */
+	if (!ok(!hawser_line_solve(&st, line, &report), "stick: statics %s", report.message))
+		return;
+	for (int i = 0; i < line->masses; i++)
+		if (st.carrier[i].state == 0 && st.carrier[i].x[0] > 190.0)
+			P[i] = 100.0 + 30.0*sin(1.7*i + 0.4);
+	for (int i = 0; i < MASSES; i++)
+		own[i] = P[i];
+	take_run(&run, own, &st);
+	series_forward(Y, &(struct weights){&run.line, own}, h);
+	if (model(E, &st, P, HAWSER_LINE_STICK, 0) && model(held, &st, P, HAWSER_LINE_STICK, 1)) {
+		printf("# stick: second %.8g %.8g, third %.8g %.8g (held %.8g), fourth %.8g %.8g\n", 0.5*Y[1],
+		       E[0], Y[2]/3.0, E[1], held[1], Y[3]/4.0, E[2]);
+		close_to(E[0], 0.5*Y[1], 1e-7, "second order, stick");
+		close_to(E[1], Y[2]/3.0, 1e-5, "third order, stick");
+		close_to(E[2], Y[3]/4.0, 1e-3, "fourth order, stick");
 	}
 	hawser_line_statics_clear(&st);
 }
@@ -217,8 +306,9 @@ int main(void)
 	                           .mass = mass, .masses = 8};
 
 	for (int i = 0; i < 8; i++)
-		mass[i] = (struct hawser_line_mass){18.3 + 36.6*i, 400.0, 0.0};
+		mass[i] = (struct hawser_line_mass){.S = 18.3 + 36.6*i, .mass = 400.0};
 	compare(&line, 2.0, "two towers", 2e-5);
+	stuck(&line, 1.0);
 	sheave[0].radius = sheave[1].radius = 40.0;
 	sheave[0].centre[1] -= 28.0;
 	sheave[1].centre[1] -= 28.0;
@@ -240,7 +330,7 @@ int main(void)
 	line.B[0] = 146.56;
 	line.B[1] = 41.03;
 	for (int i = 0; i < 4; i++)
-		mass[i] = (struct hawser_line_mass){20.0 + 36.6*i, 400.0, 0.0};
+		mass[i] = (struct hawser_line_mass){.S = 20.0 + 36.6*i, .mass = 400.0};
 	line.masses = 3;
 	compare(&line, 2.0, "a carrier under a compression battery", 2e-2);
 	line.rho = 0.04;

@@ -164,11 +164,11 @@ int main(void)
 
 	compare(&line, 0.0, "two towers");
 	for (int i = 0; i < 9; i++)
-		mass[i] = (struct hawser_line_mass){18.3 + 36.6*i, 400.0, 0.0};
+		mass[i] = (struct hawser_line_mass){.S = 18.3 + 36.6*i, .mass = 400.0};
 	line.masses = 9;
 	compare(&line, 20e3, "carriers and carriage");
 	for (int i = 0; i < 9; i++)
-		mass[i] = (struct hawser_line_mass){8.03 + 36.6*i, 400.0, 4.0};
+		mass[i] = (struct hawser_line_mass){.S = 8.03 + 36.6*i, .mass = 400.0, .hanger = 4.0};
 	compare(&line, 0.0, "carriers on hangers, one of them on a tower");
 	/* the lowest part of the line of B Table 6.2: a carrier hangs between two arcs of the first
 	 * sheave */
@@ -178,7 +178,7 @@ int main(void)
 	line.B[0] = 146.56;
 	line.B[1] = 41.03;
 	for (int i = 0; i < 9; i++)
-		mass[i] = (struct hawser_line_mass){20.0 + 36.6*i, 400.0, 0.0};
+		mass[i] = (struct hawser_line_mass){.S = 20.0 + 36.6*i, .mass = 400.0};
 	compare(&line, 0.0, "a carrier under a compression battery");
 	return done_testing();
 }

@@ -180,7 +180,7 @@ static void source_rope(void)
 static void carriers(struct hawser_line_mass *mass, int count, double phase)
 {
 	for (int i = 0; i < count; i++)
-		mass[i] = (struct hawser_line_mass){phase + 36.6*i, 400.0, 0.0};
+		mass[i] = (struct hawser_line_mass){.S = phase + 36.6*i, .mass = 400.0};
 }
 
 static void small_ropeway(void)

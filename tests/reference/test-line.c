@@ -149,7 +149,7 @@ static double pull(const struct hawser_line_contact *c, int component)
 static void carriers(struct hawser_line_mass *mass, int count, double phase)
 {
 	for (int i = 0; i < count; i++)
-		mass[i] = (struct hawser_line_mass){phase + 36.6*i, 400.0, 0.0};
+		mass[i] = (struct hawser_line_mass){.S = phase + 36.6*i, .mass = 400.0};
 }
 
 /* The small ropeway with the friction of the prototype, whose normal force leaves out the weight of the

@@ -78,7 +78,7 @@ static void check_messages(void)
 	refused(MODEL(", \"harmonics\": [{\"f\": [1, 0]}]"), "harmonics[0].k is missing|0 or more");
 	refused(MODEL(", \"harmonics\": [{\"k\": -1, \"f\": [1, 0]}]"), "harmonics[0].k is -1");
 	refused(MODEL(", \"harmonics\": [{\"k\": 0, \"f\": [1, 0], \"phase\": \"sin\"}]"),
-	        "harmonic 0|a constant term (k = 0) has the phase cos and no D");
+	        "harmonic 0|a constant term (k = 0) has the phase cos, and no D without");
 	refused(MODEL(", \"harmonics\": [{\"k\": 0, \"D\": [[1, 0], [0, 1]]}]"), "and no D");
 	refused(MODEL(", \"harmonics\": [{\"k\": 1, \"Q\": [[0, 0, 2, 1]]}]"),
 	        "harmonics[0].Q[0]: index l is 2");
