@@ -10,7 +10,6 @@
 #include "cli/progress.h"
 #include "cli/rom_ropeway.h"
 #include "cli/view.h"
-#include "core/report.h"
 
 static enum hawser_status not_known(struct cli_frf_result *result, const char *why)
 {
@@ -37,9 +36,6 @@ static enum hawser_status against_more(struct hawser_accuracy_fixed *fixed,
 	enum hawser_status status;
 
 	modes = modes < HAWSER_LINE_ROM_MODES ? modes : HAWSER_LINE_ROM_MODES;
-	if (modes == rom->n)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "accuracy", "a model has at most %d modes, "
-		                    "and this one has them", modes);
 	choice.progress = (struct hawser_progress){cli_watch, &watch};
 	status = cli_rom_ropeway_again(&more, result->model->ropeway, modes, report);
 	if (!status)
@@ -70,6 +66,8 @@ enum hawser_status cli_fixed_estimate(struct cli_frf_result *result, struct haws
 	if (!model->has_scene && !model->ropeway)
 		return not_known(result, "a model file does not say what it leaves out of its scene: give "
 		                         "the scene");
+	if (model->ropeway && model->rom.n == HAWSER_LINE_ROM_MODES)
+		return not_known(result, "no model of a ropeway has more modes to compare with");
 	if (result->frf->period > 1)
 		return not_known(result, "that of motions of several periods is not");
 	if (cli_interrupted())

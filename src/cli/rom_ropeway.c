@@ -121,7 +121,7 @@ enum hawser_status cli_rom_ropeway_check(const struct cli_common *common,
 	if (!given || (common->input && cli_kind_of(common->input, CLI_ROPEWAY) == CLI_ROPEWAY))
 		return HAWSER_OK;
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "model", "--%s is for ropeways, and %s is no "
-	                    "scene of one", given, common->library ? common->library
+	                    "scene of a ropeway", given, common->library ? common->library
 	                    : common->input ? common->input : "the input");
 }
 

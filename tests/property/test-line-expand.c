@@ -183,8 +183,8 @@ static void compare(struct hawser_line *line, double h, const char *what, double
 
 /* --- a rope that sticks --- */
 
-/* The free rope behind the only sheave, as a line of its own from the point at which it leaves it, fixed
- * there; under more weight it lies down on the circle. */
+/* The free rope behind the only sheave, as a line of its own from the point at which it leaves it,
+ * fixed there; under more weight it lies down on the circle. */
 struct run {
 	struct hawser_line line;
 	struct hawser_line_mass mass[MASSES];
@@ -244,7 +244,7 @@ static void stuck(const struct hawser_line *of, double h)
 	double Y[4], E[3], held[3], P[MASSES] = {0.0}, own[MASSES];
 
 	one.sheaves = 1;
-	one.sheave = of->sheave + 1; /* behind which the rope rises, so that the end is left of its centre */
+	one.sheave = of->sheave + 1; /* behind it the rope rises: the end is left of its centre */
 	if (!ok(!hawser_line_solve(&st, line, &report), "stick: statics %s", report.message))
 		return;
 	for (int i = 0; i < line->masses; i++)
