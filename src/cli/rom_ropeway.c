@@ -185,7 +185,7 @@ static int is_loaded(const struct hawser_rom *rom, int j)
 	double all = 0.0, own = 0.0;
 
 	for (int h = 0; h < rom->harmonics; h++)
-		for (int k = 0; k < rom->n; k++) {
+		for (int k = 0; rom->harmonic[h].f && k < rom->n; k++) {
 			double f = fabs(rom->harmonic[h].f[k])/rom->K[k*(rom->n + 1)];
 
 			all = fmax(all, f);

@@ -28,7 +28,7 @@ assert abs(first(passing)) < 2e-3 < 0.02 < first(smeared) < 0.03, (first(passing
 assert [(h["k"], h["phase"]) for h in passing["harmonics"]] == \
     [(k, p) for k in (1, 2, 3) for p in ("cos", "sin")] + [(0, "cos")]
 D = passing["harmonics"][6]["D"]
-assert all(D[j][k] == -D[k][j] for j in range(6) for k in range(6)) and D[0][1] != 0.0
+assert all(D[j][k] == -D[k][j] for j in range(6) for k in range(6)) and any(D[0])
 assert len(drive["harmonics"]) == 1 and any(drive["harmonics"][0]["f"])
 assert [len(m["Q"]) > 10 and len(m["C"]) > 20 for m in (passing, drive)] == [True, True]
 assert passing["shapes"]["names"] == ["span_1", "span_2", "span_3"]
