@@ -37,6 +37,8 @@ shared_text = \
 	%D%/shared/library \
 	%D%/shared/help \
 	%D%/shared/mesh \
+	%D%/shared/lane \
+	%D%/shared/lane-load \
 	%D%/shared/modes \
 	%D%/shared/reproducible \
 	%D%/shared/units \
