@@ -12,6 +12,9 @@
 /* Exact catenaries start a mesh if they are found in so many iterations: another start costs less
  * than more of them. */
 enum { FEW = 40 };
+/* Unknowns of the mesh over those of the joints from which catenaries start it. Below, an iteration of
+ * theirs costs as much as one of the mesh, of which they save fewer than they take. */
+enum { PART = 4 };
 
 enum hawser_status hawser__exact_open(struct hawser__exact *exact, const struct hawser_net *net,
                                       struct hawser_report *report)
@@ -114,17 +117,28 @@ enum hawser_status hawser__exact_solve(struct hawser__exact *exact, struct hawse
 	return HAWSER_OK;
 }
 
+/* 1 if every cable has a length, and if joints have few of the unknowns of the mesh. */
+static int worth(const struct hawser__mesh *mesh, const struct hawser_net *net)
+{
+	int joints = 0;
+
+	for (int c = 0; c < net->cables; c++)
+		if (net->cable[c].given != HAWSER_NET_LENGTH0)
+			return 0;
+	for (int i = 0; i < net->nodes; i++)
+		for (int k = 0; k < 3; k++)
+			joints += mesh->unknown[i][k] >= 0;
+	return PART*joints <= mesh->unknowns;
+}
+
 int hawser__exact_start(struct hawser__mesh *mesh, double *N, const struct hawser_net *net)
 {
 	struct hawser__exact exact = {0};
 	struct hawser__equilibrium found;
 	struct hawser_report report = {0};
-	int fine = 1;
+	int fine = worth(mesh, net) && !hawser__exact_open(&exact, net, &report) &&
+	           !hawser__exact_solve(&exact, &found, 1e-6, FEW, &report);
 
-	for (int c = 0; c < net->cables; c++)
-		fine = fine && net->cable[c].given == HAWSER_NET_LENGTH0;
-	fine = fine && !hawser__exact_open(&exact, net, &report) &&
-	       !hawser__exact_solve(&exact, &found, 1e-6, FEW, &report);
 	for (int i = 0; fine && i < net->nodes; i++)
 		memcpy(mesh->q[i], exact.mesh.q[i], sizeof mesh->q[i]);
 	for (int c = 0; fine && c < net->cables; c++) {

@@ -158,7 +158,6 @@ static enum hawser_status step(struct hawser__net_work *work, int *definite,
 	for (int i = 0; i < mesh->elements; i++)
 		work->N[i] = hawser__net_force_after(work, i);
 	hawser__net_move(work, 1.0);
-	work->factored = 0;
 	work->iterations++;
 	return HAWSER_OK;
 }

@@ -10,6 +10,8 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/dual.h \
 	%D%/eigen.c \
 	%D%/eigen.h \
+	%D%/elimination.c \
+	%D%/elimination.h \
 	%D%/equilibria.c \
 	%D%/exact.c \
 	%D%/exact.h \

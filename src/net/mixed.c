@@ -98,7 +98,6 @@ enum hawser_status hawser__net_mixed(struct hawser__net_work *work, int *done,
 			break;
 		clipped = forces(work) ? clipped + 1 : 0;
 		hawser__net_move(work, part(work));
-		work->factored = 0;
 		work->iterations++;
 		*done = hawser__net_settled(work, &residual, &floor);
 		if (!isfinite(residual) || (!work->most && clipped > CLIPPED))

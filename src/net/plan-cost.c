@@ -112,7 +112,7 @@ enum hawser_status hawser__plan_statics(struct hawser__net_planner *planner,
 	enum hawser_status status = hawser__net_supported(&planner->mesh, net, &planner->report);
 
 	*job = none("statics", "automatic", lengths
-	            ? "exact catenaries, which converge from any start, then the mesh from there"
+	            ? "Newton's method with slack members, from exact catenaries or force densities"
 	            : "form finding by force densities, then the mesh with the lengths found");
 	job->unknowns = planner->mesh.unknowns;
 	if (reported(job, status, &planner->report))

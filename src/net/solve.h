@@ -16,7 +16,8 @@ struct hawser__net_work {
 	double *N;               /* [elements] forces, where the method has them beside the positions */
 	double *s;               /* [elements] slack of the interior point */
 	int own;                 /* 1: the result's tensions are N (net/finish.c), not of the positions */
-	double *a, *b;           /* [elements] the blocks a*I + b*e*e' of the last matrix */
+	double *a, *b;           /* [elements] the blocks a*I + b*e*e' of the last matrix, */
+	double (*e)[3];          /* [elements] with its e: the directions where it was made */
 	double *T;               /* [elements] */
 	double *x;               /* [unknowns] right side, then the step */
 	double (*residual)[3];   /* [nodes] */
@@ -30,7 +31,7 @@ struct hawser__net_work {
 	double tolerance;        /* N, the same, at least what round-off allows for forces of positions */
 	int most;                /* iterations; 0: the method's own */
 	int iterations;          /* done */
-	int factored;            /* 1 if the factors are of a and b */
+	int factored;            /* 1 if the factors are of a, b and e */
 };
 
 /* A method: iterates from mesh->q; *done is 1 if the residual is within the tolerance. NULL: the

@@ -1,7 +1,8 @@
 /* net/sparse.c - symmetric matrices over the unknowns of a mesh, and their Cholesky factors.
  *
- * CHOLMOD chooses its simplicial or supernodal code by the fill. The lower triangle is stored by
- * columns; each element knows where its 21 entries are, so that a new matrix costs no search.
+ * The lower triangle is stored by columns; each element knows where its 21 entries are, so that a
+ * new matrix costs no search. The order of elimination is found once, for the graph of the nodes
+ * (net/elimination.c). CHOLMOD factors small matrices by columns and large ones by dense blocks.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -9,16 +10,46 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include <suitesparse/cholmod.h>
-
 #include "core/report.h"
-#include "net/net.h"
+#include "net/elimination.h"
 
 enum { ENTRIES = 21, DIRECTIONS = 6 };
-/* Unknowns from which CHOLMOD may factor dense blocks. It starts four threads for each of them, which
- * costs more than it gains in smaller nets: 0.87 against 0.33 s for a roof of 9747 unknowns
- * (bench/net-statics). */
-enum { BLOCKS_FROM = 30000 };
+/* Operations per entry of the factors from which CHOLMOD factors by dense blocks. Below it factors
+ * by columns, which is faster there: with 74 (a web of 2919 unknowns) 4 against 6 ms, with 98 (a
+ * roof of 9747) as fast, with 234 (a web of 29586) 240 against 80 ms (nets of bench/net-statics). */
+#define BLOCKS_FROM 100.0
+
+/* Where CHOLMOD uses OpenMP, it starts four threads in each dense block, whatever the number of
+ * threads or processors is; they wait actively, so that the factors took two to eight times the
+ * processor time. With no active level of parallel regions its loops run in the calling thread. The
+ * levels are those of this thread alone, and are set back. */
+#ifdef HAVE_OMP_LEVELS
+int omp_get_max_active_levels(void);
+void omp_set_max_active_levels(int levels);
+
+static int begin_serial(void)
+{
+	int levels = omp_get_max_active_levels();
+
+	omp_set_max_active_levels(0);
+	return levels;
+}
+
+static void end_serial(int levels)
+{
+	omp_set_max_active_levels(levels);
+}
+#else
+static int begin_serial(void)
+{
+	return 0;
+}
+
+static void end_serial(int levels)
+{
+	(void)levels;
+}
+#endif
 
 struct hawser__sparse {
 	cholmod_common common;
@@ -69,13 +100,6 @@ static void pair(int *i, int *j, int entry)
 	*j = entry;
 }
 
-static int compare(const void *a, const void *b)
-{
-	const int *p = a, *q = b;
-
-	return p[0] != q[0] ? (p[0] > q[0]) - (p[0] < q[0]) : (p[1] > q[1]) - (p[1] < q[1]);
-}
-
 /* Where row i of column j is. */
 static int find(const cholmod_sparse *matrix, int i, int j)
 {
@@ -115,6 +139,20 @@ static size_t list_entries(int (*list)[2], const struct hawser__mesh *mesh)
 	return count;
 }
 
+/* Sort the entries by column (key 0) or row (key 1); those of one key keep their order. place
+ * [unknowns + 1] is work space. */
+static void sort(int (*sorted)[2], const int (*list)[2], size_t count, int key, size_t *place,
+                 int unknowns)
+{
+	memset(place, 0, ((size_t)unknowns + 1)*sizeof *place);
+	for (size_t i = 0; i < count; i++)
+		place[list[i][key] + 1]++;
+	for (int j = 0; j < unknowns; j++)
+		place[j + 1] += place[j];
+	for (size_t i = 0; i < count; i++)
+		memcpy(sorted[place[list[i][key]]++], list[i], sizeof *list);
+}
+
 static void fill_pattern(cholmod_sparse *matrix, const int (*list)[2], size_t count)
 {
 	int *p = matrix->p, *rows = matrix->i, n = 0, column = -1;
@@ -150,26 +188,49 @@ static void locate(struct hawser__sparse *sparse, const struct hawser__mesh *mes
 static enum hawser_status pattern(struct hawser__sparse *sparse, const struct hawser__mesh *mesh,
                                   struct hawser_report *report)
 {
+	enum hawser_status status = HAWSER_OK;
 	size_t most = (size_t)mesh->unknowns + 15*(size_t)mesh->elements, count;
-	int (*list)[2] = malloc((most + 1)*sizeof *list);
+	int (*list)[2] = malloc((most + 1)*sizeof *list), (*sorted)[2] = malloc((most + 1)*sizeof *sorted);
+	size_t *place = malloc(((size_t)mesh->unknowns + 1)*sizeof *place);
 
 	sparse->at = malloc(((size_t)mesh->elements + 1)*sizeof *sparse->at);
 	sparse->diagonal = malloc(((size_t)mesh->unknowns + 1)*sizeof *sparse->diagonal);
-	if (!list || !sparse->at || !sparse->diagonal) {
-		free(list);
+	if (list && sorted && place && sparse->at && sparse->diagonal) {
+		count = list_entries(list, mesh);
+		sort(sorted, (const int (*)[2])list, count, 1, place, mesh->unknowns);
+		sort(list, (const int (*)[2])sorted, count, 0, place, mesh->unknowns);
+		sparse->matrix = cholmod_allocate_sparse((size_t)mesh->unknowns, (size_t)mesh->unknowns, count,
+		                                         1, 1, -1, CHOLMOD_REAL, &sparse->common);
+		if (sparse->matrix) {
+			fill_pattern(sparse->matrix, (const int (*)[2])list, count);
+			locate(sparse, mesh);
+		} else {
+			status = failed(sparse, report);
+		}
+	} else {
+		status = hawser__no_memory(report, "net");
+	}
+	free(list);
+	free(sorted);
+	free(place);
+	return status;
+}
+
+/* The order of elimination, and the pattern of the factors. */
+static enum hawser_status analyse(struct hawser__sparse *sparse, const struct hawser__mesh *mesh,
+                                  struct hawser_report *report)
+{
+	int *permutation = malloc(((size_t)mesh->unknowns + 1)*sizeof *permutation);
+
+	if (!permutation || !hawser__elimination(permutation, mesh, &sparse->common)) {
+		free(permutation);
 		return hawser__no_memory(report, "net");
 	}
-	count = list_entries(list, mesh);
-	qsort(list, count, sizeof *list, compare);
-	sparse->matrix = cholmod_allocate_sparse((size_t)mesh->unknowns, (size_t)mesh->unknowns, count, 1,
-	                                         1, -1, CHOLMOD_REAL, &sparse->common);
-	if (sparse->matrix)
-		fill_pattern(sparse->matrix, (const int (*)[2])list, count);
-	free(list);
-	if (!sparse->matrix)
-		return failed(sparse, report);
-	locate(sparse, mesh);
-	return HAWSER_OK;
+	sparse->common.nmethods = 1;
+	sparse->common.method[0].ordering = CHOLMOD_GIVEN;
+	sparse->factor = cholmod_analyze_p(sparse->matrix, permutation, NULL, 0, &sparse->common);
+	free(permutation);
+	return sparse->factor ? HAWSER_OK : failed(sparse, report);
 }
 
 static enum hawser_status open_with(struct hawser__sparse **made, const struct hawser__mesh *mesh,
@@ -183,10 +244,8 @@ static enum hawser_status open_with(struct hawser__sparse **made, const struct h
 		return hawser__no_memory(report, "net");
 	cholmod_start(&sparse->common);
 	sparse->common.print = 0; /* the library never prints */
-	sparse->common.nmethods = 1;
-	sparse->common.method[0].ordering = CHOLMOD_AMD;
-	if (indefinite || mesh->unknowns < BLOCKS_FROM)
-		sparse->common.supernodal = CHOLMOD_SIMPLICIAL;
+	sparse->common.supernodal = indefinite ? CHOLMOD_SIMPLICIAL : CHOLMOD_AUTO;
+	sparse->common.supernodal_switch = BLOCKS_FROM;
 	/* L*L' tells a matrix that is not definite, L*D*L' goes on. */
 	sparse->common.final_ll = !indefinite;
 	sparse->unknowns = mesh->unknowns;
@@ -194,9 +253,7 @@ static enum hawser_status open_with(struct hawser__sparse **made, const struct h
 	if (!status) {
 		hawser__sparse_zero(sparse);
 		sparse->right = cholmod_zeros((size_t)mesh->unknowns, 1, CHOLMOD_REAL, &sparse->common);
-		sparse->factor = cholmod_analyze(sparse->matrix, &sparse->common);
-		if (!sparse->factor || !sparse->right)
-			status = failed(sparse, report);
+		status = sparse->right ? analyse(sparse, mesh, report) : failed(sparse, report);
 	}
 	if (status)
 		hawser__sparse_clear(sparse);
@@ -267,8 +324,10 @@ void hawser__sparse_diagonal(struct hawser__sparse *sparse, int unknown, double 
 enum hawser_status hawser__sparse_factor(struct hawser__sparse *sparse, int *definite,
                                          struct hawser_report *report)
 {
+	int levels = begin_serial();
 	int done = cholmod_factorize(sparse->matrix, sparse->factor, &sparse->common);
 
+	end_serial(levels);
 	*definite = done && sparse->common.status == CHOLMOD_OK;
 	if (*definite || sparse->common.status == CHOLMOD_NOT_POSDEF ||
 	    sparse->common.status == CHOLMOD_DSMALL)

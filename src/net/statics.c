@@ -25,8 +25,9 @@
 #define DENSITY HAWSER_NET_START_DENSITY
 #define CHORD HAWSER_NET_START_CHORD
 static const struct hawser__net_method methods[] = {
-	{{"automatic", "from exact catenaries Newton's method for positions and forces and, where it "
-	  "fails, the methods cone and forces", "this program"}, hawser__net_automatic, 1, DENSITY},
+	{{"automatic", "Newton's method for positions and forces with slack members, from exact catenaries "
+	  "or force densities, and where it fails the methods cone and forces", "this program"},
+	 hawser__net_automatic, 1, DENSITY},
 	{{"interior-point", "primal-dual interior point of the convex energy", "this program"},
 	 hawser__net_interior, 1, DENSITY},
 	{{"cone", "interior point of the convex energy as a second-order cone program: converges from any "
@@ -73,12 +74,11 @@ enum hawser_status hawser__net_factor(struct hawser__net_work *work, int *defini
 {
 	const struct hawser__mesh *mesh = work->mesh;
 	enum hawser_status status;
-	double e[3];
 
 	hawser__sparse_zero(work->sparse);
 	for (int i = 0; i < mesh->elements; i++) {
-		hawser__mesh_direction(e, mesh, i);
-		hawser__sparse_add(work->sparse, i, work->a[i], work->b[i], e);
+		hawser__mesh_direction(work->e[i], mesh, i);
+		hawser__sparse_add(work->sparse, i, work->a[i], work->b[i], work->e[i]);
 	}
 	status = hawser__sparse_factor(work->sparse, definite, report);
 	work->factored = !status && *definite;
@@ -218,8 +218,7 @@ static double weight_of(const struct hawser__mesh *mesh)
 enum hawser_status hawser__net_automatic(struct hawser__net_work *work, int *done,
                                          struct hawser_report *report)
 {
-	enum hawser_status status = work->first ? hawser__net_finish(work, done, report)
-	                                        : hawser__net_mixed(work, done, report);
+	enum hawser_status status = hawser__net_finish(work, done, report);
 
 	if (status || *done)
 		return status;
@@ -283,17 +282,12 @@ static double energy(const struct hawser__net_work *work)
 	return sum;
 }
 
-static enum hawser_status certify(struct hawser__net_work *work, struct hawser__equilibrium *found,
-                                  struct hawser_report *report)
+/* A matrix of the elements at mesh->q. */
+static enum hawser_status factor_here(struct hawser__net_work *work, struct hawser_report *report)
 {
 	const struct hawser__mesh *mesh = work->mesh;
-	enum hawser_status status;
-	int definite = 0;
+	int definite;
 
-	if (!work->own)
-		found->residual = hawser__net_residual(work);
-	found->energy = energy(work);
-	found->gap = INFINITY;
 	for (int i = 0; i < mesh->elements; i++) {
 		double e[3], l = fmax(hawser__mesh_direction(e, mesh, i), 1e-12*mesh->length0[i]);
 
@@ -303,29 +297,60 @@ static enum hawser_status certify(struct hawser__net_work *work, struct hawser__
 			: fmax(fmin(mesh->EA[i]/mesh->length0[i], HAWSER__NET_RIGID*work->a[i]) - work->a[i],
 			       -0.5*work->a[i]);
 	}
+	return hawser__net_factor(work, &definite, report);
+}
+
+/* The gap with forces in balance: those of the elements, and the forces that the last factors give
+ * them for what is not balanced. */
+static enum hawser_status gap_with_factors(double *gap, struct hawser__net_work *work,
+                                           struct hawser_report *report)
+{
+	const struct hawser__mesh *mesh = work->mesh;
+	enum hawser_status status;
+
 	hawser__net_right(work, work->T);
-	status = hawser__net_factor(work, &definite, report);
-	if (!status && definite)
-		status = hawser__sparse_solve(work->x, work->sparse, report);
-	if (status || !definite)
+	status = hawser__sparse_solve(work->x, work->sparse, report);
+	if (status)
 		return status;
-	found->gap = 0.0;
+	*gap = 0.0;
 	for (int i = 0; i < mesh->elements; i++) {
 		double e[3], d[3], n[3], l = hawser__mesh_direction(e, mesh, i), along;
 
 		hawser__net_stretch(d, work, i);
-		along = e[0]*d[0] + e[1]*d[1] + e[2]*d[2];
+		along = work->e[i][0]*d[0] + work->e[i][1]*d[1] + work->e[i][2]*d[2];
 		for (int k = 0; k < 3; k++)
-			n[k] = work->T[i]*e[k] + work->a[i]*d[k] + work->b[i]*along*e[k];
+			n[k] = work->T[i]*e[k] + work->a[i]*d[k] + work->b[i]*along*work->e[i][k];
 		if (mesh->density[i] == 0.0)
-			found->gap += gap_of(mesh, i, e, l, work->T[i], n);
+			*gap += gap_of(mesh, i, e, l, work->T[i], n);
 	}
 	return HAWSER_OK;
+}
+
+/* Any definite matrix of the elements gives forces in balance; that of the last iteration is as good as
+ * a new one, unless the gap is beyond the round-off of the energy. */
+static enum hawser_status certify(struct hawser__net_work *work, struct hawser__equilibrium *found,
+                                  struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+
+	if (!work->own)
+		found->residual = hawser__net_residual(work);
+	found->energy = energy(work);
+	found->gap = INFINITY;
+	if (work->factored)
+		status = gap_with_factors(&found->gap, work, report);
+	if (!status && !(found->gap <= DBL_EPSILON*work->weight*work->reach)) {
+		status = factor_here(work, report);
+		if (!status && work->factored)
+			status = gap_with_factors(&found->gap, work, report);
+	}
+	return status;
 }
 
 static void clear(struct hawser__net_work *work)
 {
 	free(work->N);
+	free(work->e);
 	free(work->x);
 	free(work->residual);
 	free(work->start);
@@ -340,11 +365,12 @@ static enum hawser_status open(struct hawser__net_work *work, struct hawser__mes
 
 	*work = (struct hawser__net_work){.mesh = mesh};
 	work->N = calloc(5*elements, sizeof *work->N);
+	work->e = calloc(elements, sizeof *work->e);
 	work->x = calloc((size_t)mesh->unknowns + 1, sizeof *work->x);
 	work->residual = calloc((size_t)mesh->nodes, sizeof *work->residual);
 	work->start = calloc((size_t)mesh->nodes, sizeof *work->start);
 	work->bound = calloc((size_t)mesh->nodes, sizeof *work->bound);
-	if (!work->N || !work->x || !work->residual || !work->start || !work->bound)
+	if (!work->N || !work->e || !work->x || !work->residual || !work->start || !work->bound)
 		return hawser__no_memory(report, "net");
 	work->s = work->N + elements;
 	work->a = work->s + elements;
