@@ -25,6 +25,7 @@ dist_doc_DATA += \
 	%D%/theory-study.md \
 	%D%/theory-modes.md \
 	%D%/theory-obstacles.md \
+	%D%/theory-rod.md \
 	%D%/theory-rom.md \
 	%D%/theory-ropeway-modes.md \
 	%D%/theory-ropeway-response.md \

@@ -43,6 +43,7 @@ pkginclude_HEADERS = \
 	%D%/hawser/plausible.h \
 	%D%/hawser/primary.h \
 	%D%/hawser/progress.h \
+	%D%/hawser/rod.h \
 	%D%/hawser/rom.h \
 	%D%/hawser/ropeway.h \
 	%D%/hawser/ropeway_modes.h \

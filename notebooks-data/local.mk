@@ -70,6 +70,9 @@ dist_scenes_DATA = \
 	%D%/scenes/inclined.yaml \
 	%D%/scenes/level-two-to-one.yaml \
 	%D%/scenes/rope.yaml \
+	%D%/scenes/rod-bend.yaml \
+	%D%/scenes/rod-pipe.yaml \
+	%D%/scenes/rod-roll.yaml \
 	%D%/scenes/ropeway-bouquet.yaml \
 	%D%/scenes/ropeway-carriers.yaml \
 	%D%/scenes/ropeway-gondola.yaml \

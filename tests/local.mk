@@ -37,7 +37,8 @@ UPTO_BEAM = src/beam/.libs/libbeam.a $(UPTO_MODES)
 UPTO_CONTACT = src/contact/.libs/libcontact.a $(UPTO_BEAM) $(CHOLMOD_LIBS)
 UPTO_NET = src/net/.libs/libnet.a $(UPTO_CONTACT) $(CHOLMOD_LIBS) $(SUNDIALS_LIBS)
 UPTO_ROPEWAY = src/ropeway/.libs/libropeway.a $(UPTO_NET)
-UPTO_TOW = src/tow/.libs/libtow.a $(UPTO_ROPEWAY)
+UPTO_ROD = src/rod/.libs/librod.a $(UPTO_ROPEWAY)
+UPTO_TOW = src/tow/.libs/libtow.a $(UPTO_ROD)
 UPTO_ROM = src/rom/.libs/librom.a $(UPTO_TOW) $(JANSSON_LIBS)
 UPTO_RESPONSE = src/response/.libs/libresponse.a $(UPTO_ROM) $(SUNDIALS_LIBS) $(FFTW_LIBS) $(SLICOT_LIBS)
 UPTO_STUDY = src/study/.libs/libstudy.a $(UPTO_RESPONSE)
@@ -60,6 +61,8 @@ src/net/.libs/libnet.a: src/net/libnet.la
 	@:
 src/ropeway/.libs/libropeway.a: src/ropeway/libropeway.la
 	@:
+src/rod/.libs/librod.a: src/rod/librod.la
+	@:
 src/tow/.libs/libtow.a: src/tow/libtow.la
 	@:
 src/rom/.libs/librom.a: src/rom/librom.la
@@ -80,6 +83,7 @@ include %D%/beam.mk
 include %D%/contact.mk
 include %D%/net.mk
 include %D%/ropeway.mk
+include %D%/rod.mk
 include %D%/tow.mk
 include %D%/rom.mk
 include %D%/response.mk

@@ -24,6 +24,7 @@
 #include <hawser/net_plan.h>
 #include <hawser/net_span.h>
 #include <hawser/line.h>
+#include <hawser/rod.h>
 #include <hawser/ropeway.h>
 #include <hawser/line_modes.h>
 #include <hawser/ropeway_modes.h>

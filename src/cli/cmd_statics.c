@@ -170,6 +170,7 @@ const struct cli_listing cli_statics_listing[] = {
 	{"Columns of a ropeway with --cases:", cli_ropeway_case_field, 0},
 	{"Columns of a ropeway with --profile:", cli_ropeway_point_field, 0},
 	{"Keys of JSON of a ropeway:", cli_ropeway_field, 1},
+	{"Columns of a rod:", cli_rod_point_field, 0}, {"Keys of JSON of a rod:", cli_rod_field, 1},
 	{NULL, NULL, 0},
 };
 
@@ -494,6 +495,6 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 }
 
 const struct cli_command cli_statics = {
-	"statics", "SCENE", "Static shape and tensions of a span, a net or a ropeway", cli_statics_notes,
-	options, &defaults, sizeof(struct settings), 1, run, cli_statics_listing,
+	"statics", "SCENE", "Static shape and tensions of a span, a net, a ropeway or a rod",
+	cli_statics_notes, options, &defaults, sizeof(struct settings), 1, run, cli_statics_listing,
 };

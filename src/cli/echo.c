@@ -14,7 +14,8 @@
 /* Of a scene that the table of keys does not describe; NULL of others. */
 static const char *other_kind(const struct cli_common *common)
 {
-	return !common->input ? NULL : hawser_ropeway_is(common->input) ? "ropeway"
+	return !common->input ? NULL : hawser_rod_is(common->input) ? "rod"
+	       : hawser_ropeway_is(common->input) ? "ropeway"
 	       : hawser_obstacles_is(common->input) ? "span"
 	       : hawser_tow_is(common->input) ? "tow"
 	       : hawser_net_is(common->input) ? "net" : NULL;

@@ -51,6 +51,9 @@ hawser_SOURCES = \
 	%D%/obstacles_fill.c \
 	%D%/statics_obstacles.c \
 	%D%/statics_obstacles.h \
+	%D%/rod_fields.c \
+	%D%/rod_result.h \
+	%D%/statics_rod.c \
 	%D%/statics_ropeway.c \
 	%D%/statics_ropeway.h \
 	%D%/kinds.c \

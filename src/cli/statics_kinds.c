@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include "cli/rod_result.h"
 #include "cli/statics_kinds.h"
 #include "cli/statics_net.h"
 #include "cli/statics_obstacles.h"
@@ -30,13 +31,19 @@ static const char *ropeway_option(const struct cli_statics_kinds *kinds)
 	                          : NULL;
 }
 
+static const char *rod_option(const struct cli_statics_kinds *kinds)
+{
+	return kinds->load_steps ? "load-steps" : kinds->vtk ? "vtk" : NULL;
+}
+
 const char *cli_statics_kinds_option(const struct cli_statics_kinds *kinds)
 {
 	struct cli_statics_kinds others = *kinds;
 	const char *net = net_option(kinds);
 
 	others.spans = 0;
-	return net ? net : kinds->profile ? "profile" : ropeway_option(&others);
+	return net ? net : kinds->profile ? "profile"
+	       : rod_option(kinds) ? rod_option(kinds) : ropeway_option(&others);
 }
 
 static enum hawser_status of_net(const struct cli_common *common, const struct cli_statics_kinds *kinds,
@@ -56,9 +63,23 @@ enum hawser_status cli_statics_kinds(int *done, const struct cli_common *common,
                                      const struct cli_statics_kinds *kinds, const char *span_option,
                                      int points, int cases, struct hawser_report *report)
 {
-	const char *net = net_option(kinds), *ropeway = ropeway_option(kinds);
+	const char *net = net_option(kinds), *ropeway = ropeway_option(kinds), *rod = rod_option(kinds);
+	const char *profile = kinds->profile ? "profile" : NULL;
 
 	*done = 1;
+	if (hawser_rod_is(common->input)) {
+		const char *other = span_option ? span_option : cases ? "cases" : net ? net : profile;
+
+		if (!other && !ropeway)
+			return cli_statics_rod(common, kinds, report);
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
+		                    "--%s does not go with a rod, whose options are --load-steps and --vtk",
+		                    other ? other : ropeway);
+	}
+	if (rod && (hawser_obstacles_is(common->input) || hawser_ropeway_is(common->input) ||
+	            hawser_net_is(common->input)))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
+		                    "--%s is for rods, and %s is no scene of a rod", rod, common->input);
 	if (hawser_obstacles_is(common->input))
 		return cli_statics_obstacles(common, kinds, points, cases, span_option, report);
 	if (hawser_ropeway_is(common->input)) {
@@ -75,6 +96,9 @@ enum hawser_status cli_statics_kinds(int *done, const struct cli_common *common,
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
 		                    "--%s is for nets%s, and %s is no scene of a net", net ? net : "profile",
 		                    net ? "" : " and ropeways", common->input);
+	if (rod)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
+		                    "--%s is for rods, and %s is no scene of a rod", rod, common->input);
 	if (ropeway)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
 		                    "--%s is for ropeways, and %s is no scene of a ropeway", ropeway,

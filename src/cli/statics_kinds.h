@@ -13,6 +13,8 @@ struct cli_statics_kinds {
 	int profile;                      /* nets and ropeways */
 	const char *load_case, *sliding;  /* ropeways */
 	int spans, worst, phases, tolerate; /* ropeways */
+	const char *vtk;                  /* rods */
+	int load_steps;                   /* rods */
 };
 /* Lines of the command's --help. */
 extern const char *const cli_statics_notes[];
@@ -33,7 +35,11 @@ extern const char *const cli_statics_notes[];
 	{"sliding", 0, "HOW", "ropeways: running, rest or reverse (the scene's ropeway.sliding)", \
 	 CLI_TEXT(kinds.sliding)}, \
 	{"tolerate", 0, "", "ropeways: report what lifts, slips or is at its stop, and refuse nothing", \
-	 CLI_FLAG(kinds.tolerate)}
+	 CLI_FLAG(kinds.tolerate)}, \
+	{"load-steps", 0, "N", "rods: equal steps in which the load is raised (1)", \
+	 CLI_COUNT(kinds.load_steps)}, \
+	{"vtk", 0, "FILE", "rods: write the shape to FILE.vtk, for programs such as ParaView", \
+	 CLI_TEXT(kinds.vtk)}
 
 /* *done is 0 if the scene is a span without obstacles. span_option: the name of an option for spans
  * that is given, or NULL; points: of a profile; cases: whether --cases is given. */
@@ -52,5 +58,7 @@ enum hawser_status cli_statics_ropeway(const struct cli_common *common,
 extern const struct hawser__field cli_ropeway_tower_field[], cli_ropeway_span_field[],
                                   cli_ropeway_worst_field[], cli_ropeway_case_field[],
                                   cli_ropeway_point_field[], cli_ropeway_field[];
+/* rod_fields.c */
+extern const struct hawser__field cli_rod_point_field[], cli_rod_field[];
 
 #endif

@@ -14,7 +14,7 @@ static const struct {
 	int prefixed; /* may be kilo or mega */
 } units[] = {
 	{"N", "N", 1}, {"N.m^2", "N m²", 1}, {"kg/m/s", "kg/(m s)", 0}, {"N.s/m", "N s/m", 1},
-	{"N/m", "N/m", 1}, {"1", "–", 0}, {"rad/s/m^2", "rad/s/m²", 0},
+	{"N/m", "N/m", 1}, {"N.m", "N m", 1}, {"1", "–", 0}, {"rad/s/m^2", "rad/s/m²", 0},
 };
 enum { UNITS = sizeof units/sizeof *units };
 

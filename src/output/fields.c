@@ -34,6 +34,7 @@ static const struct {
 	[HAWSER__METRE_S2] = {"_m_s2", "m/s^2"},
 	[HAWSER__METRE_S3] = {"_m_s3", "m/s^3"},
 	[HAWSER__METRE_S4] = {"_m_s4", "m/s^4"},
+	[HAWSER__NEWTON_METRE] = {"_Nm", "N.m"},
 };
 
 const struct hawser__scale hawser__si = {

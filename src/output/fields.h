@@ -41,6 +41,7 @@ enum hawser__unit {
 	HAWSER__HERTZ, /* shows a value in rad/s in Hz */
 	HAWSER__RADIAN, HAWSER__SECOND, HAWSER__BYTE, HAWSER__NEWTON_M,
 	HAWSER__METRE_S2, HAWSER__METRE_S3, HAWSER__METRE_S4, /* acceleration, jerk, snap */
+	HAWSER__NEWTON_METRE,
 	HAWSER__UNITS
 };
 

@@ -37,6 +37,8 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/plot_net.h \
 	%D%/plot_net_modes.c \
 	%D%/plot_net_modes.h \
+	%D%/plot_rod.c \
+	%D%/plot_rod.h \
 	%D%/plot_obstacles.c \
 	%D%/plot_obstacles.h \
 	%D%/plot_ropeway.c \

@@ -20,16 +20,7 @@ enum hawser_status hawser__ropeway_number(struct hawser__reader *reader, double 
                                           const char *key, const char *unit,
                                           enum hawser__tree_range range, int required)
 {
-	const struct hawser__tree *one = hawser__tree_find(tree, key);
-	int pure = !strcmp(unit, "1");
-	char what[HAWSER__CALLED];
-
-	snprintf(what, sizeof what, "%s.%s", section, key);
-	if (one)
-		return hawser__tree_number(reader, value, one, what, unit, range);
-	return required ? hawser__reader_fail(reader, &tree->at, "%s is missing: give it%s%s", what,
-	                                      pure ? "" : " in ", pure ? "" : unit)
-	                : HAWSER_OK;
+	return hawser__tree_number_of(reader, value, tree, section, key, unit, range, required);
 }
 
 enum hawser_status hawser__ropeway_place(struct hawser__reader *reader, double at[2],

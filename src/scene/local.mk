@@ -31,6 +31,7 @@ CLEANFILES += %D%/manpage$(EXEEXT)
 	%D%/example.h \
 	%D%/manpage.c \
 	%D%/manpage_obstacles.c \
+	%D%/manpage_rod.c \
 	%D%/manpage_ropeway.c \
 	%D%/manpage_tow.c
 %C%_manpage_LDADD = %D%/libscene.la src/core/libcore.la $(YAML_LIBS) $(UDUNITS_LIBS)

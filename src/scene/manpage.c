@@ -449,6 +449,7 @@ int main(void)
 	fputs(net_keys, stdout);
 	fputs(hawser__manpage_obstacles, stdout);
 	fputs(hawser__manpage_ropeways, stdout);
+	fputs(hawser__manpage_rods, stdout);
 	fputs(hawser__manpage_tow, stdout);
 	example();
 	plausible();

@@ -9,6 +9,7 @@
 #include "core/report.h"
 #include "scene/reader.h"
 #include "scene/suggest.h"
+#include "scene/tree.h"
 
 static const char *path_of(int index)
 {
@@ -121,6 +122,10 @@ enum hawser_status hawser__parse_unknown(struct hawser__reader *reader,
 {
 	char hint[256], shown[HAWSER__SHOWN];
 
+	if (!strcmp(path, "rod") || (!strcmp(path, "kind") && hawser__tree_is(reader->name, "rod")))
+		return hawser__reader_fail(reader, place, "this scene is a rod, which hawser statics takes "
+		                           "(from a file in which a line begins with rod: or kind: rod); "
+		                           "this command does not");
 	if (!strcmp(path, "kind") || !strcmp(path, "nodes"))
 		return hawser__reader_fail(reader, place, "this is the scene of a net, and the command takes "
 		                           "spans: hawser statics, modes, integrate and plan take nets");

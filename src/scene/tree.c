@@ -406,7 +406,8 @@ int hawser__tree_is(const char *path, const char *kind)
 		const char *text, *kind;
 	} row[] = {{"tow:", "tow"}, {"kind: tow", "tow"}, {"ropeway:", "ropeway"},
 	           {"kind: ropeway", "ropeway"}, {"nodes:", "net"},
-	           {"obstacles:", "obstacles"}, {"contact:", "obstacles"}, {"kind:", "net"}};
+	           {"obstacles:", "obstacles"}, {"contact:", "obstacles"}, {"rod:", "rod"},
+	           {"kind: rod", "rod"}, {"kind:", "net"}};
 
 	for (size_t i = 0; i < sizeof row/sizeof *row; i++)
 		if (begins(path, row[i].text))

@@ -30,8 +30,8 @@ enum hawser_status hawser__tree_open(struct hawser__tree **tree, struct hawser__
 void hawser__tree_clear(struct hawser__tree *tree);
 /* Entry of a mapping, or NULL. */
 struct hawser__tree *hawser__tree_find(const struct hawser__tree *tree, const char *name);
-/* 1 if this file is a scene of this kind, "net", "ropeway", "tow" or "obstacles", by what its lines
- * begin with. "-" and pipes, which can be read once only, are none. */
+/* 1 if this file is a scene of this kind, "net", "ropeway", "rod", "tow" or "obstacles", by what its
+ * lines begin with. "-" and pipes, which can be read once only, are none. */
 int hawser__tree_is(const char *path, const char *kind);
 
 /* --- tree_value.c: values of a tree. `what` names the value in messages. --- */
@@ -45,6 +45,12 @@ enum hawser_status hawser__tree_keys(struct hawser__reader *reader, const struct
 enum hawser_status hawser__tree_number(struct hawser__reader *reader, double *value,
                                        const struct hawser__tree *tree, const char *what,
                                        const char *unit, enum hawser__tree_range range)
+	HAWSER_MUST_CHECK;
+/* The number section.key of a mapping; unchanged if it is not given and not required. */
+enum hawser_status hawser__tree_number_of(struct hawser__reader *reader, double *value,
+                                          const struct hawser__tree *tree, const char *section,
+                                          const char *key, const char *unit,
+                                          enum hawser__tree_range range, int required)
 	HAWSER_MUST_CHECK;
 /* Two or three numbers, along x, y and z. */
 enum hawser_status hawser__tree_vector(struct hawser__reader *reader, double *value, int count,

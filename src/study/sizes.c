@@ -24,6 +24,7 @@
 #include <hawser/integrate.h>
 #include <hawser/irvine.h>
 #include <hawser/line.h>
+#include <hawser/rod.h>
 #include <hawser/ropeway.h>
 #include <hawser/line_modes.h>
 #include <hawser/ropeway_modes.h>
@@ -179,6 +180,12 @@ static const struct row {
 	ROW(hawser_line_piece),
 	ROW(hawser_line_sheave),
 	ROW(hawser_line_statics),
+	ROW(hawser_rod),
+	ROW(hawser_rod_load),
+	ROW(hawser_rod_options),
+	ROW(hawser_rod_point),
+	ROW(hawser_rod_segment),
+	ROW(hawser_rod_statics),
 	ROW(hawser_ropeway),
 	ROW(hawser_ropeway_case),
 	ROW(hawser_ropeway_contact),

@@ -1,0 +1,218 @@
+/* rod/element.c - strains, forces and tangent of an element of a geometrically exact rod.
+ *
+ *   psi = log(R1' R2), k = psi/h, Rm = R1 exp(psi/2), w = Rm'(x2 - x1)/h
+ *   N = EA (w - w0), M = EI (k - k0), mu = h N x w
+ *   a = M + Jr(psi/2)'mu/2
+ *   f2 = -f1 = Rm N, m2 = Ji(psi)'a, m1 = exp(psi/2) mu - Ji(psi) a
+ *
+ * The relative rotation is interpolated, not a total rotation vector, which is neither objective nor
+ * without singularities: a rigid turn leaves w and k as they are, by any angle and any number of
+ * turns, and they depend on nothing but the two nodes (Crisfield and Jelenic 1999). With one point
+ * there is no locking, and the error is of order h^2. m1 and m2 are in the sections' own axes, so
+ * that K is symmetric only at an equilibrium with conservative loads.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <string.h>
+
+#include "rod/element.h"
+#include "rod/so3.h"
+
+int hawser__rod_strain(struct hawser__rod_strain *at, const struct hawser__rod_element *el,
+                       const struct hawser__rod_node node[2])
+{
+	double between[4], middle[4], half[3], d[3];
+
+	hawser__quaternion_between(between, node[0].q, node[1].q);
+	(void)hawser__quaternion_log(at->psi, between);
+	for (int i = 0; i < 3; i++) {
+		half[i] = 0.5*at->psi[i];
+		at->k[i] = at->psi[i]/el->h;
+		d[i] = (node[1].x[i] - node[0].x[i])/el->h;
+	}
+	memcpy(middle, node[0].q, sizeof middle);
+	hawser__quaternion_turn(middle, half);
+	hawser__quaternion_matrix(at->R, middle);
+	hawser__apply_left(at->w, at->R, d);
+	for (int i = 0; i < 3; i++) {
+		at->N[i] = el->EA[i]*(at->w[i] - el->w0[i]);
+		at->M[i] = el->EI[i]*(at->k[i] - el->k0[i]);
+	}
+	return !(between[0] > 0.0);
+}
+
+double hawser__rod_energy(const struct hawser__rod_element *el, const struct hawser__rod_strain *at)
+{
+	double sum = 0.0;
+
+	for (int i = 0; i < 3; i++)
+		sum += at->N[i]*(at->w[i] - el->w0[i]) + at->M[i]*(at->k[i] - el->k0[i]);
+	return 0.5*el->h*sum;
+}
+
+/* What forces and tangent share. */
+struct parts {
+	struct hawser__so3 half, whole; /* psi/2, psi */
+	double Jh[9], Ji[9], E[9];      /* Jr(psi/2), Ji(psi), exp(psi/2) */
+	double mu[3], a[3];
+};
+
+static void share(struct parts *p, const struct hawser__rod_element *el,
+                  const struct hawser__rod_strain *at)
+{
+	double half[3], turn[4], part[3];
+
+	for (int i = 0; i < 3; i++)
+		half[i] = 0.5*at->psi[i];
+	hawser__so3_at(&p->half, half);
+	hawser__so3_at(&p->whole, at->psi);
+	hawser__so3_jr(p->Jh, &p->half);
+	hawser__so3_ji(p->Ji, &p->whole);
+	hawser__quaternion_exp(turn, half);
+	hawser__quaternion_matrix(p->E, turn);
+	hawser__cross(p->mu, at->N, at->w);
+	for (int i = 0; i < 3; i++)
+		p->mu[i] *= el->h;
+	hawser__apply_left(part, p->Jh, p->mu);
+	for (int i = 0; i < 3; i++)
+		p->a[i] = at->M[i] + 0.5*part[i];
+}
+
+static void put(double *K, int row, int column, const double block[9], double factor)
+{
+	for (int i = 0; i < 3; i++)
+		for (int j = 0; j < 3; j++)
+			K[(3*row + i)*HAWSER__ROD_PAIR + 3*column + j] = factor*block[3*i + j];
+}
+
+/* Matrices that do not depend on which node moves. */
+struct tangent {
+	const struct parts *p;
+	double Q[9];        /* derivative of mu over w */
+	double JQ[9], EQ[9]; /* Jr(psi/2)'Q/2, exp(psi/2)Q */
+	double Da[9];       /* of psi: part of the derivative of a */
+	double D2[9], D1[9]; /* of psi: parts of those of m2 and m1 */
+	double ws[9], Ns[9]; /* skew matrices of w and N */
+};
+
+static void prepare(struct tangent *t, const struct parts *p, const struct hawser__rod_element *el,
+                    const struct hawser__rod_strain *at)
+{
+	double part[9], mu[9];
+
+	t->p = p;
+	hawser__skew(t->ws, at->w);
+	hawser__skew(t->Ns, at->N);
+	for (int i = 0; i < 9; i++)
+		t->Q[i] = el->h*(t->Ns[i] - t->ws[i]*el->EA[i % 3]);
+	hawser__mul_left(t->JQ, p->Jh, t->Q);
+	hawser__mul(t->EQ, p->E, t->Q);
+	hawser__so3_djr_left(t->Da, &p->half, p->mu);
+	for (int i = 0; i < 9; i++) {
+		t->JQ[i] *= 0.5;
+		t->Da[i] = 0.25*t->Da[i] + (i % 4 == 0 ? el->EI[i/4]/el->h : 0.0);
+	}
+	hawser__so3_dji_left(t->D2, &p->whole, p->a);
+	hawser__so3_dji(t->D1, &p->whole, p->a);
+	hawser__skew(mu, p->mu);
+	hawser__mul(part, mu, p->Jh);
+	hawser__mul(mu, p->E, part);
+	for (int i = 0; i < 9; i++)
+		t->D1[i] = -0.5*mu[i] - t->D1[i];
+}
+
+/* Columns of the turn of node `n`: P is the derivative of psi, T that of the turn of the middle. */
+static void turns(double *K, const struct tangent *t, const struct hawser__rod_element *el,
+                  const struct hawser__rod_strain *at, int n, const double P[9], const double T[9])
+{
+	double W[9], A[9], B[9], part[9], f[9], m[9];
+
+	hawser__mul(W, t->ws, T);
+	hawser__mul(part, t->Ns, T);
+	for (int i = 0; i < 9; i++)
+		part[i] = el->EA[i/3]*W[i] - part[i];
+	hawser__mul(f, at->R, part);
+	put(K, 0, 2*n + 1, f, -1.0);
+	put(K, 2, 2*n + 1, f, 1.0);
+	hawser__mul(A, t->JQ, W);
+	hawser__mul(B, t->Da, P);
+	for (int i = 0; i < 9; i++)
+		A[i] += B[i];
+	hawser__mul_left(m, t->p->Ji, A);
+	hawser__mul(part, t->D2, P);
+	for (int i = 0; i < 9; i++)
+		m[i] += part[i];
+	put(K, 3, 2*n + 1, m, 1.0);
+	hawser__mul(m, t->EQ, W);
+	hawser__mul(B, t->D1, P);
+	hawser__mul(part, t->p->Ji, A);
+	for (int i = 0; i < 9; i++)
+		m[i] += B[i] - part[i];
+	put(K, 1, 2*n + 1, m, 1.0);
+}
+
+/* Columns of the places of both nodes. */
+static void places(double *K, const struct tangent *t, const struct hawser__rod_element *el,
+                   const struct hawser__rod_strain *at)
+{
+	double W[9], A[9], part[9], f[9], m[9];
+
+	for (int i = 0; i < 9; i++)
+		W[i] = at->R[3*(i % 3) + i/3]/el->h;
+	for (int i = 0; i < 9; i++)
+		part[i] = el->EA[i/3]*W[i];
+	hawser__mul(f, at->R, part);
+	for (int n = 0; n < 2; n++) {
+		put(K, 0, 2*n, f, n ? -1.0 : 1.0);
+		put(K, 2, 2*n, f, n ? 1.0 : -1.0);
+	}
+	hawser__mul(A, t->JQ, W);
+	hawser__mul_left(m, t->p->Ji, A);
+	put(K, 3, 2, m, 1.0);
+	put(K, 3, 0, m, -1.0);
+	hawser__mul(m, t->EQ, W);
+	hawser__mul(part, t->p->Ji, A);
+	for (int i = 0; i < 9; i++)
+		m[i] -= part[i];
+	put(K, 1, 2, m, 1.0);
+	put(K, 1, 0, m, -1.0);
+}
+
+static void tangent(double *K, const struct parts *p, const struct hawser__rod_element *el,
+                    const struct hawser__rod_strain *at)
+{
+	struct tangent t;
+	double P[9], T[9];
+
+	prepare(&t, p, el, at);
+	places(K, &t, el, at);
+	for (int i = 0; i < 9; i++)
+		P[i] = -p->Ji[3*(i % 3) + i/3];
+	hawser__mul(T, p->Jh, P);
+	for (int i = 0; i < 9; i++)
+		T[i] = 0.5*T[i] + p->E[3*(i % 3) + i/3];
+	turns(K, &t, el, at, 0, P, T);
+	hawser__mul(T, p->Jh, p->Ji);
+	for (int i = 0; i < 9; i++)
+		T[i] *= 0.5;
+	turns(K, &t, el, at, 1, p->Ji, T);
+}
+
+void hawser__rod_forces(double *f, double *K, const struct hawser__rod_element *el,
+                        const struct hawser__rod_strain *at)
+{
+	struct parts p;
+	double part[3], back[3];
+
+	share(&p, el, at);
+	hawser__apply(f + 6, at->R, at->N);
+	hawser__apply_left(f + 9, p.Ji, p.a);
+	hawser__apply(part, p.E, p.mu);
+	hawser__apply(back, p.Ji, p.a);
+	for (int i = 0; i < 3; i++) {
+		f[i] = -f[6 + i];
+		f[3 + i] = part[i] - back[i];
+	}
+	if (K)
+		tangent(K, &p, el, at);
+}

@@ -1,0 +1,20 @@
+/* rod/read.h - reading a scene of kind `rod`: its parts.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_ROD_READ_H
+#define HAWSER_ROD_READ_H
+
+#include <hawser/rod.h>
+#include "scene/tree.h"
+
+enum { HAWSER__ROD_CALLED = 96 }; /* size of "loads.i12.moment" */
+
+/* Three numbers for e1, e2, e3, or two for e2, e3, which may be one number. */
+enum hawser_status hawser__rod_numbers(struct hawser__reader *reader, double *value, int count,
+                                       const struct hawser__tree *tree, const char *what,
+                                       const char *unit, enum hawser__tree_range range)
+	HAWSER_MUST_CHECK;
+/* read_loads.c: `loads`; the length of the rod is known. */
+enum hawser_status hawser__rod_read_loads(struct hawser__reader *reader, struct hawser_rod *rod,
+                                          const struct hawser__tree *tree) HAWSER_MUST_CHECK;
+
+#endif

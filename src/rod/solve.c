@@ -1,0 +1,270 @@
+/* rod/solve.c - the equilibrium of a mesh: Newton's method, load steps, and a damped motion.
+ *
+ * First the whole load at once; a step whose iteration fails is halved, one that goes well doubled. The
+ * iteration ends by its increment: forces of elements of 1e7 N are balanced no better than to 1e-9 N
+ * times their number, so that a limit of the residual would be one of round-off. If the steps become
+ * too short, as with a rod that hangs from a hinge and begins without stiffness, the rod moves under
+ * the full load with so much damping that it has no inertia,
+ *     D u' = r, by implicit Euler: (K + D/t) du = r
+ * with steps t that grow as the motion allows, until they are Newton's (pseudo-transient continuation,
+ * Kelley and Keyes 1998). With loads that have a potential, t is so small that K + D/t is positive
+ * definite: each step then lowers the energy, and the motion ends at a stable equilibrium, where
+ * Newton's method ends at any. So it is tried too where Newton's method has found an unstable one.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "rod/solve.h"
+#include "rod/so3.h"
+
+enum {
+	ITERATIONS = 30,   /* of a load step: those that converge take 4 to 10 */
+	QUICK = 7,         /* a step with no more is followed by a longer one */
+	MOTION = 3000,     /* steps of the damped motion */
+	HALVINGS = 12      /* the shortest load step: 2^-12 of the load */
+};
+#define FAR 100.0     /* lengths or rad: an increment that is larger has nothing to do with the rod */
+#define NEAR 1e-6     /* increments that are smaller and do not fall are round-off */
+#define CALM 0.1      /* lengths or rad: a step of the motion may be this large, and */
+#define WILD 0.3      /* no larger */
+#define GROWTH 3.0    /* of the motion's steps */
+enum { SADDLE = 8 };  /* steps that do not move a rod that is at an unstable equilibrium */
+#define NEWTON 1e9    /* units of time: a motion with such steps is Newton's method */
+
+static double largest(const struct hawser__rod_mesh *mesh, const double *step)
+{
+	double most = 0.0;
+
+	for (int i = 0; i < mesh->nodes; i++) {
+		const double *by = step + (long)HAWSER__ROD_FREE*i;
+		double moved = sqrt(hawser__dot(by, by))/mesh->rod->length;
+		double turned = sqrt(hawser__dot(by + 3, by + 3));
+
+		most = fmax(most, fmax(moved, turned));
+		if (!(most < INFINITY && moved < INFINITY && turned < INFINITY))
+			return INFINITY;
+	}
+	return most;
+}
+
+/* Where the ends are held: their increments to the part of the way to their goals. */
+static void hold(struct hawser__rod_mesh *mesh, double part)
+{
+	for (int end = 0; end < 2; end++) {
+		int at = end ? mesh->nodes - 1 : 0;
+		const struct hawser__rod_node *rest = &mesh->rest[at];
+		double between[4], turn[3], goal[4], by[6];
+
+		hawser__quaternion_between(between, rest->q, mesh->goal[end].q);
+		if (between[0] < 0.0) /* the shorter way */
+			for (int i = 0; i < 4; i++)
+				between[i] = -between[i];
+		(void)hawser__quaternion_log(turn, between);
+		for (int i = 0; i < 3; i++) {
+			turn[i] *= part;
+			by[i] = rest->x[i] + part*(mesh->goal[end].x[i] - rest->x[i]) - mesh->node[at].x[i];
+		}
+		memcpy(goal, rest->q, sizeof goal);
+		hawser__quaternion_turn(goal, turn);
+		hawser__quaternion_between(between, mesh->node[at].q, goal);
+		(void)hawser__quaternion_log(by + 3, between);
+		for (int k = 0; k < HAWSER__ROD_FREE; k++)
+			if (mesh->held[HAWSER__ROD_FREE*at + k])
+				mesh->r[HAWSER__ROD_FREE*at + k] = by[k];
+	}
+}
+
+static int solve(struct hawser__rod_mesh *mesh, double part)
+{
+	hold(mesh, part);
+	for (int i = 0; i < mesh->n; i++)
+		if (mesh->held[i])
+			mesh->r[i] *= hawser__band_hold(&mesh->band, i);
+	if (hawser__band_factor(&mesh->band))
+		return 1;
+	hawser__band_solve(&mesh->band, mesh->r);
+	return 0;
+}
+
+/* Newton's method at this part of the load; 1: it has converged. */
+static int newton(struct hawser__rod_mesh *mesh, struct hawser__rod_effort *effort, double part,
+                  double tolerance)
+{
+	double before = INFINITY, size;
+
+	effort->bent = hawser__rod_strains(mesh);
+	for (int i = 0; i < ITERATIONS && effort->bent < 0; i++) {
+		hawser__rod_tangent(mesh);
+		if (solve(mesh, part))
+			return 0;
+		size = largest(mesh, mesh->r);
+		effort->iterations++;
+		effort->increment = size;
+		if (!(size < FAR))
+			return 0;
+		hawser__rod_move(mesh, mesh->r, 1.0);
+		effort->bent = hawser__rod_strains(mesh);
+		if (size <= tolerance || (size < NEAR && size > 0.5*before))
+			return effort->bent < 0;
+		before = size;
+	}
+	return 0;
+}
+
+static void keep(struct hawser__rod_mesh *mesh, int back)
+{
+	memcpy(back ? mesh->node : mesh->kept, back ? mesh->kept : mesh->node,
+	       (size_t)mesh->nodes*sizeof *mesh->node);
+}
+
+/* The load in steps; 1: done. */
+static int steps(struct hawser__rod_mesh *mesh, struct hawser__rod_effort *effort,
+                 const double *factor, int count, double tolerance)
+{
+	double part = 0.0, by = 1.0/count;
+
+	while (part < 1.0) {
+		double to = part + by > 1.0 - 1e-9 ? 1.0 : part + by;
+		int before = effort->iterations;
+
+		keep(mesh, 0);
+		hawser__rod_loads(mesh, factor, to);
+		if (newton(mesh, effort, to, tolerance)) {
+			part = to;
+			effort->steps++;
+			if (effort->iterations - before <= QUICK && by < 1.0/count)
+				by *= 2.0;
+			continue;
+		}
+		keep(mesh, 1);
+		by *= 0.5;
+		if (by*count < ldexp(1.0, -HALVINGS))
+			return 0;
+	}
+	return 1;
+}
+
+/* D: per unit of length, such that the whole load moves the rod by its length in a unit of time; turns
+ * of a node are damped as the motion of what is at an element's length. */
+static double unit(const struct hawser__rod_mesh *mesh)
+{
+	double force = 0.0;
+
+	for (int i = 0; i < mesh->nodes; i++) {
+		const struct hawser__rod_force *of = &mesh->sum[i];
+
+		force += sqrt(hawser__dot(of->force, of->force)) + sqrt(hawser__dot(of->follow, of->follow)) +
+		         (sqrt(hawser__dot(of->moment, of->moment)) + sqrt(hawser__dot(of->turn, of->turn)))/
+		         mesh->rod->length;
+	}
+	for (int e = 0; e < mesh->elements && force == 0.0; e++)
+		force = fmax(force, mesh->element[e].EI[1]/(mesh->rod->length*mesh->rod->length));
+	return force/(mesh->rod->length*mesh->rod->length);
+}
+
+static void damp(struct hawser__rod_mesh *mesh, double d)
+{
+	for (int e = 0; e < mesh->elements; e++) {
+		double h = mesh->element[e].h;
+
+		for (int k = 0; k < HAWSER__ROD_PAIR; k++) {
+			int at = HAWSER__ROD_FREE*e + k;
+
+			*hawser__band_at(&mesh->band, at, at) += 0.5*d*h*(k % HAWSER__ROD_FREE < 3 ? 1.0 : h*h);
+		}
+	}
+}
+
+/* The damped motion from rest; 1: it has ended. */
+int hawser__rod_flow(struct hawser__rod_mesh *mesh, struct hawser__rod_effort *effort, double tolerance)
+{
+	double d = unit(mesh), t = 0.01, part = 0.0, before = INFINITY;
+	int potential = hawser__rod_potential(mesh->rod), still = 0;
+
+	effort->flow = 1;
+	effort->steps = 0;
+	memcpy(mesh->node, mesh->rest, (size_t)mesh->nodes*sizeof *mesh->node);
+
+	for (int i = 0; i < MOTION; i++) {
+		double size, to = fmin(part + fmin(0.05, t), 1.0); /* the ends move with the time */
+
+		keep(mesh, 0);
+		if (hawser__rod_strains(mesh) >= 0)
+			return 0;
+		hawser__rod_tangent(mesh);
+		damp(mesh, d/t);
+		effort->iterations++;
+		if (potential && hawser__band_negative(&mesh->band, mesh->held, mesh->work)) {
+			t *= 0.5;
+			continue;
+		}
+		if (!solve(mesh, to) && (size = largest(mesh, mesh->r)) < WILD) {
+			hawser__rod_move(mesh, mesh->r, 1.0);
+			if (hawser__rod_strains(mesh) < 0) {
+				part = to;
+				effort->increment = size;
+				effort->steps++;
+				if (part == 1.0 && t >= NEWTON &&
+				    (size <= tolerance || (size < NEAR && size > 0.5*before)))
+					return 1;
+				before = size;
+				still = size <= tolerance && part == 1.0 && t < NEWTON ? still + 1 : 0;
+				if (still > SADDLE + 60)
+					return 0;
+				t *= size < CALM ? GROWTH : 1.0;
+				continue;
+			}
+		}
+		keep(mesh, 1);
+		t *= 0.25;
+		if (t < 1e-12)
+			return 0;
+	}
+	return 0;
+}
+
+enum hawser_status hawser__rod_equilibrium(struct hawser__rod_mesh *mesh,
+                                           struct hawser__rod_effort *effort, int start, int count,
+                                           double tolerance, struct hawser_report *report)
+{
+	const struct hawser_rod *rod = mesh->rod;
+	double *factor = malloc(((size_t)rod->loads + 1)*sizeof *factor);
+	int done = 0;
+
+	*effort = (struct hawser__rod_effort){.bent = -1};
+	if (!factor)
+		return hawser__no_memory(report, "statics");
+	for (int i = 0; i < rod->loads; i++)
+		factor[i] = 1.0;
+	hawser__rod_loads(mesh, factor, 1.0);
+	if (!(unit(mesh) < INFINITY)) {
+		free(factor);
+		return hawser__fail(report, HAWSER_ERR_NAN, "statics", "a load or a stiffness of the rod "
+		                    "is not a number");
+	}
+	if (start) {
+		keep(mesh, 0);
+		done = newton(mesh, effort, 1.0, tolerance);
+		keep(mesh, !done);
+	}
+	if (start && !done)
+		memcpy(mesh->node, mesh->rest, (size_t)mesh->nodes*sizeof *mesh->node);
+	if (!done)
+		done = steps(mesh, effort, factor, count, tolerance);
+	hawser__rod_loads(mesh, factor, 1.0);
+	free(factor);
+	if (!done)
+		done = hawser__rod_flow(mesh, effort, tolerance);
+	if (done)
+		return HAWSER_OK;
+	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "statics", effort->iterations,
+	                       effort->increment, "no equilibrium found: neither load steps nor a damped "
+	                       "motion under the full load came to one (last increment %.2e of the length, "
+	                       "or rad): are ends held so that the rod cannot move away? Check the loads "
+	                       "and their units; more elements help if one turns by pi or more",
+	                       effort->increment);
+}
