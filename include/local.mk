@@ -56,6 +56,7 @@ pkginclude_HEADERS = \
 	%D%/hawser/statics.h \
 	%D%/hawser/status.h \
 	%D%/hawser/study.h \
+	%D%/hawser/surface.h \
 	%D%/hawser/torus.h \
 	%D%/hawser/tow.h \
 	%D%/hawser/trajectory.h \

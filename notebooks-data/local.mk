@@ -29,6 +29,9 @@ dist_scenes_DATA = \
 	%D%/scenes/b-table-6.3.yaml \
 	%D%/scenes/bridge-stay.yaml \
 	%D%/scenes/net-bars.yaml \
+	%D%/scenes/net-capstan.yaml \
+	%D%/scenes/net-drag.yaml \
+	%D%/scenes/net-seabed.yaml \
 	%D%/scenes/net-table-3-1.yaml \
 	%D%/scenes/stay-anchorage.yaml \
 	%D%/scenes/stay-absorber.yaml \

@@ -17,6 +17,7 @@ CLI_TESTS = \
 	%D%/cli/irvine.sh \
 	%D%/cli/long.sh \
 	%D%/cli/motion.sh \
+	%D%/cli/net-contact.sh \
 	%D%/cli/net.sh \
 	%D%/cli/net-profile.sh \
 	%D%/cli/obstacles.sh \

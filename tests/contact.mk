@@ -1,5 +1,5 @@
 # tests of contact with friction
-CONTACT_TESTS = tests/unit/test-friction-law tests/property/test-friction-methods \
+CONTACT_TESTS = tests/unit/test-surface tests/unit/test-friction-law tests/property/test-friction-methods \
 	tests/reference/test-friction tests/extremes/test-friction-extremes
 check_PROGRAMS += $(CONTACT_TESTS)
 TESTS += $(CONTACT_TESTS)
@@ -12,3 +12,5 @@ tests_property_test_friction_methods_LDADD = $(UPTO_CONTACT)
 tests_extremes_test_friction_extremes_SOURCES = tests/extremes/test-friction-extremes.c
 tests_extremes_test_friction_extremes_LDADD = $(UPTO_CONTACT)
 noinst_HEADERS += tests/friction-random.h
+tests_unit_test_surface_SOURCES = tests/unit/test-surface.c
+tests_unit_test_surface_LDADD = $(UPTO_CONTACT)

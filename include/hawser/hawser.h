@@ -16,6 +16,7 @@
 #include <hawser/beam.h>
 #include <hawser/beam_motion.h>
 #include <hawser/campbell.h>
+#include <hawser/surface.h>
 #include <hawser/net.h>
 #include <hawser/net_comparison.h>
 #include <hawser/net_equilibria.h>

@@ -9,6 +9,7 @@
 
 #include <stddef.h>
 #include <hawser/status.h>
+#include <hawser/surface.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -63,6 +64,23 @@ struct hawser_net_dynamics {
 	double step;        /* s; 0: chosen by the program */
 };
 
+/* How a support comes to its place, for friction that depends on the way. */
+struct hawser_net_path {
+	int node;
+	double (*x)[3];     /* [points] m, from the beginning on; the last one is before the node's place */
+	int points;
+};
+
+/* `contact` of the scene. */
+struct hawser_net_contact_given {
+	int history;        /* 1: friction follows the way of the supports; 0: none in statics, but that of
+	                     * surfaces that move */
+	int steps;          /* of the way, between two of its points */
+	double restitution; /* of impacts */
+	struct hawser_net_path *path; /* [paths] */
+	int paths;
+};
+
 struct hawser_net {
 	char *name;         /* of the file */
 	double g;
@@ -77,6 +95,9 @@ struct hawser_net {
 	double alpha;       /* viscous force per unstretched length and velocity, kg/(m s) */
 	double axial;       /* Kelvin-Voigt: T = EA*(strain + axial*its rate), s */
 	struct hawser_net_dynamics dynamics;
+	struct hawser_surface *surface; /* [surfaces] the obstacles */
+	int surfaces;
+	struct hawser_net_contact_given contact;
 };
 
 /* Read a scene of kind `net`; `set` has overrides, such as "cables.c1.EA=100 MN". */
@@ -122,14 +143,30 @@ struct hawser_net_point {
 	double T;    /* N: mean of both elements */
 };
 
+/* A node of the mesh that touches an obstacle. */
+struct hawser_net_contact {
+	int surface;        /* of the net */
+	int node, cable;    /* a node of the net, or one on a cable; the other is -1 */
+	double S;           /* m, on the cable, from its end `from` */
+	double length0;     /* m: half of the elements at the node, its part of the unstretched length */
+	double x[3];        /* m */
+	double r;           /* N: force of the obstacle along its normal, > 0 */
+	double friction[3]; /* N: its force along the surface */
+	int sticks;         /* 1: it stays where it is; 0: it slides, or would without resistance */
+};
+
 struct hawser_net_statics {
-	int nodes, cables, points, unknowns;
+	int nodes, cables, points, unknowns, contacts;
 	double (*x)[3];        /* [nodes] positions */
 	double (*reaction)[3]; /* [nodes] forces of the supports on the net, N; 0 where nothing is held */
 	struct hawser_net_member *member; /* [cables] */
+	struct hawser_net_contact *contact; /* [contacts] touches: nodes of the net, then along cables */
+	double apart;          /* m: largest penetration of an obstacle, or gap of a node that touches */
 	struct hawser_net_point *point;   /* [points] along cable 0, cable 1 and so on */
 	double energy;         /* J: strain energy minus loads times positions */
-	double gap;            /* J: the energy is at most this above the least one */
+	double gap;            /* J: the energy is at most this above the least one, friction held as it
+	                        * is; infinite where it touches a circle from outside, or a segment: there
+	                        * may be other equilibria */
 	double residual;       /* N: largest component of a force that is not balanced */
 	double floor;          /* N: what round-off allows */
 	const char *method;

@@ -68,6 +68,8 @@ hawser_SOURCES = \
 	%D%/track_fields.c \
 	%D%/track_ropeway.c \
 	%D%/track_ropeway.h \
+	%D%/contacts_net.c \
+	%D%/contacts_net.h \
 	%D%/statics_net.c \
 	%D%/statics_net.h \
 	%D%/statics_cases.c \

@@ -7,6 +7,7 @@
 
 #include <hawser/net.h>
 
+#include "cli/contacts_net.h"
 #include "cli/statics_net.h"
 #include "core/report.h"
 #include "output/plot_net.h"
@@ -88,6 +89,8 @@ static void point_row(struct hawser__table *row, const void *of, size_t i)
 	for (int k = 0; k < 3; k++)
 		hawser__table_number(row, point->x[k]);
 	hawser__table_number(row, point->T);
+	if (result->net.surfaces)
+		cli_contacts_row(row, &result->net, &result->st, point);
 }
 
 static void slack_comment(struct hawser__table *table, const struct result *result)
@@ -116,11 +119,15 @@ static void comments(struct hawser__table *table, const struct result *result)
 	                      st->cables, st->unknowns, st->iterations);
 	if (st->compressed > 0)
 		hawser__table_comment(table, "energy of bars = %.12g J", st->energy);
+	else if (!isfinite(st->gap))
+		hawser__table_comment(table, "energy = %.12g J; around obstacles that are not planes there "
+		                      "may be other equilibria", st->energy);
 	else
 		hawser__table_comment(table, "energy = %.12g J, at most %.1e J above the least one", st->energy,
 		                      st->gap);
 	hawser__table_comment(table, "forces balance to %.1e N; round-off allows %.1e N", st->residual,
 	                      st->floor);
+	cli_contacts_comments(table, &result->net, st);
 	if (*result->warning)
 		hawser__table_comment(table, "%s", result->warning);
 	if (st->compressed == 0)
@@ -146,9 +153,11 @@ static void table(struct hawser__table *table, const void *of)
 {
 	static const char *const member[] = {"cable", "T_min_N", "T_max_N", "T_from_N", "T_to_N",
 	                                     "length0_m", "length_m", "slack"};
-	static const char *const point[] = {"cable", "S_m", "x_m", "y_m", "z_m", "T_N"};
+	static const char *const point[] = {"cable", "S_m", "x_m", "y_m", "z_m", "T_N", "obstacle", "r_N_N",
+	                                    "r_T_N", "contact"};
 	const struct result *result = of;
-	size_t columns = result->profile ? sizeof point/sizeof *point : sizeof member/sizeof *member;
+	size_t columns = !result->profile ? sizeof member/sizeof *member
+	                 : result->net.surfaces ? sizeof point/sizeof *point : 6;
 
 	cli_echo_table(table, result->common, "statics", NULL, result->st.method);
 	comments(table, result);
@@ -211,7 +220,7 @@ static void json(struct hawser__json *json, const void *of)
 		if (result->net.node[i].support)
 			hawser__json_numbers(json, into, result->net.node[i].name, st->reaction[i], 3, 1.0);
 	hawser__json_number(json, json->root, "energy", st->energy);
-	if (st->compressed > 0)
+	if (!isfinite(st->gap))
 		hawser__json_null(json, json->root, "gap");
 	else
 		hawser__json_number(json, json->root, "gap", st->gap);
@@ -220,6 +229,7 @@ static void json(struct hawser__json *json, const void *of)
 	hawser__json_number(json, json->root, "floor", st->floor);
 	hawser__json_integer(json, json->root, "unknowns", st->unknowns);
 	hawser__json_integer(json, json->root, "iterations", st->iterations);
+	cli_contacts_json(json, &result->net, st);
 	if (result->profile)
 		profile_json(json, result);
 	cli_warnings_json(json, *result->warning ? result->warning : NULL);

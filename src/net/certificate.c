@@ -24,6 +24,7 @@
 #include <hawser/net_comparison.h>
 
 #include "core/report.h"
+#include "net/net.h"
 
 struct part {
 	int end[2];
@@ -249,9 +250,11 @@ enum hawser_status hawser_net_certify(struct hawser_net_certificate *certificate
 {
 	struct judged of = {0};
 	long double gap = 0.0L, scale = 0.0L, weight = 0.0L;
-	enum hawser_status status = open(&of, net, report);
+	enum hawser_status status = hawser__touch_none(net, "the certificate", report);
 
 	memset(certificate, 0, sizeof *certificate);
+	if (!status)
+		status = open(&of, net, report);
 	if (!status && st->points != of.parts + net->cables)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: the result has %d points, and "
 		                      "the net %d elements of %d cables", net->name, st->points, of.parts,

@@ -359,7 +359,9 @@ enum hawser_status hawser_net_equilibria_find(struct hawser_net_equilibria *foun
 	enum hawser_status status;
 
 	memset(found, 0, sizeof *found);
-	status = open_search(&s, net, report);
+	status = hawser__touch_none(net, "hawser statics --equilibria", report);
+	if (!status)
+		status = open_search(&s, net, report);
 	found->nodes = net->nodes;
 	found->bars = s.mesh.elements;
 	found->unknowns = s.n;

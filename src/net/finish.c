@@ -20,6 +20,7 @@
 #include <math.h>
 
 #include "net/solve.h"
+#include "net/touch.h"
 
 enum { MOST = 25, WORSE = 6 };
 #define ROUND 8.0   /* operations whose errors of one ulp each add up, in the bounds of round-off */
@@ -79,6 +80,7 @@ int hawser__net_settled(struct hawser__net_work *work, double *most, double *flo
 				work->residual[node][k] += end ? N*e[k] : -N*e[k];
 		}
 	}
+	hawser__touch_forces(work->residual, mesh);
 	for (int i = 0; i < mesh->nodes; i++)
 		for (int k = 0; k < 3; k++) {
 			double r = fabs(work->residual[i][k]);

@@ -15,9 +15,10 @@
 #include <math.h>
 
 #include "core/report.h"
-#include "net/solve.h"
+#include "net/touch.h"
 
-enum { MOST = 300 };
+/* Iterations without a residual of half the size; with obstacles, whose gaps make steps short, more. */
+enum { MOST = 300, IDLE = 15 };
 
 static double length_of(double e[3], const struct hawser__mesh *mesh, int i)
 {
@@ -39,7 +40,7 @@ static void begin(struct hawser__net_work *work)
 	}
 }
 
-/* Mean of N*s over the elements that have a slack. */
+/* Mean of N*s over the elements that have a slack, and of r*t over the nodes that may touch. */
 static double mean(const struct hawser__net_work *work)
 {
 	double sum = 0.0;
@@ -50,6 +51,7 @@ static double mean(const struct hawser__net_work *work)
 			sum += work->N[i]*work->s[i];
 			count++;
 		}
+	hawser__touch_mean(&sum, &count, work->mesh);
 	return count ? sum/count : 0.0;
 }
 
@@ -80,6 +82,7 @@ static void assemble(struct hawser__net_work *work, double mu)
 		work->a[i] = work->N[i]/l;
 		work->b[i] = work->N[i]/D - work->a[i];
 	}
+	hawser__touch_interior(work->mesh, mu);
 	hawser__net_right(work, work->T);
 }
 
@@ -124,13 +127,26 @@ static double advance(struct hawser__net_work *work, double mu)
 		work->a[i] = change.N;
 		work->T[i] = change.s;
 	}
+	hawser__touch_limit(&step, work, mu);
+	hawser__touch_advance(work, mu, step);
 	for (int i = 0; i < mesh->elements; i++)
 		if (mesh->density[i] == 0.0) {
 			work->N[i] += step*work->a[i];
 			work->s[i] += step*work->T[i];
 		}
 	hawser__net_move(work, step);
+	hawser__touch_measure(work->mesh);
+	hawser__touch_follow(work->mesh);
 	return step;
+}
+
+/* With obstacles Newton's method goes on: what touches and what is slack must be clear. */
+static int near_enough(const struct hawser__net_work *work, double residual)
+{
+	double length = work->reach/work->mesh->elements;
+
+	return residual <= fmax(work->tolerance, 1e-6*work->weight) &&
+	       mean(work) <= 1e-9*work->weight*length;
 }
 
 enum hawser_status hawser__net_interior(struct hawser__net_work *work, int *done,
@@ -142,6 +158,7 @@ enum hawser_status hawser__net_interior(struct hawser__net_work *work, int *done
 
 	*done = 0;
 	begin(work);
+	hawser__touch_begin(work->mesh, mean(work), work->weight/work->mesh->nodes);
 	for (int i = 0; i < most && !status; i++) {
 		double mu = (step < 0.5 ? 1.0 : 0.1)*mean(work), residual;
 		int definite;
@@ -157,10 +174,10 @@ enum hawser_status hawser__net_interior(struct hawser__net_work *work, int *done
 		work->factored = 0;
 		work->iterations++;
 		residual = hawser__net_residual(work);
-		*done = residual <= work->tolerance;
+		*done = work->mesh->touches ? near_enough(work, residual) : residual <= work->tolerance;
 		idle = residual < 0.5*best ? 0 : idle + 1;
 		best = fmin(best, residual);
-		if (*done || !isfinite(residual) || idle > 15)
+		if (*done || !isfinite(residual) || idle > (work->mesh->touches ? 4*IDLE : IDLE))
 			break;
 	}
 	return status;

@@ -21,6 +21,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/interior.c \
 	%D%/lanczos.c \
 	%D%/loads.c \
+	%D%/history.c \
 	%D%/integrate.c \
 	%D%/mesh.c \
 	%D%/mixed.c \
@@ -39,6 +40,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/motion-state.c \
 	%D%/motion-support.c \
 	%D%/names.c \
+	%D%/obstacles.c \
 	%D%/plane.c \
 	%D%/net.c \
 	%D%/net.h \
@@ -68,4 +70,8 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/symmetry.h \
 	%D%/symmetry-map.c \
 	%D%/symmetry-map.h \
+	%D%/touch.c \
+	%D%/touch.h \
+	%D%/touched.c \
+	%D%/touching.c \
 	%D%/two_sided.c

@@ -39,6 +39,7 @@ void hawser__mesh_clear(struct hawser__mesh *mesh)
 	free(mesh->force);
 	free(mesh->wave);
 	free(mesh->motion);
+	free(mesh->touch);
 	memset(mesh, 0, sizeof *mesh);
 }
 
@@ -208,7 +209,10 @@ enum hawser_status hawser__mesh_build(struct hawser__mesh *mesh, const struct ha
 			.node = from->node, .value = {from->value[0], from->value[1], from->value[2]},
 			.Omega = from->Omega, .phase = from->phase};
 	}
-	return HAWSER_OK;
+	status = hawser__touch_open(mesh, net, report);
+	if (status)
+		hawser__mesh_clear(mesh);
+	return status;
 }
 
 /* Add a load to the constant forces or, if it is harmonic, to the waves. */

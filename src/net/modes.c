@@ -199,5 +199,9 @@ enum hawser_status hawser__net_modes(struct hawser_net_modes *modes, const struc
 enum hawser_status hawser_net_modes_solve(struct hawser_net_modes *modes, const struct hawser_net *net,
                                           int n, struct hawser_report *report)
 {
-	return hawser__net_modes(modes, net, n, HAWSER__NET_SPACE, report);
+	enum hawser_status status = hawser__touch_none(net, "hawser modes", report);
+
+	if (status)
+		memset(modes, 0, sizeof *modes);
+	return status ? status : hawser__net_modes(modes, net, n, HAWSER__NET_SPACE, report);
 }

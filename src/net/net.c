@@ -23,5 +23,9 @@ void hawser_net_clear(struct hawser_net *net)
 	free(net->motion);
 	free(net->dynamics.from);
 	free(net->dynamics.release);
+	free(net->surface);
+	for (int i = 0; i < net->contact.paths; i++)
+		free(net->contact.path[i].x);
+	free(net->contact.path);
 	memset(net, 0, sizeof *net);
 }

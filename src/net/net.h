@@ -34,6 +34,24 @@ struct hawser__mesh {
 	struct hawser__mesh_wave *motion; /* [motions] harmonic displacements of held directions */
 	int waves, motions;
 	double g, alpha, axial; /* as in struct hawser_net */
+	struct hawser__touch *touch; /* [touches] each node that can move, with each obstacle */
+	int touches;
+};
+
+/* A node that may touch an obstacle. Its force on the node is r*n + friction; r is 0 unless it
+ * touches. */
+struct hawser__touch {
+	const struct hawser_surface *surface; /* of the net */
+	int number;            /* of that surface */
+	int node, element, end; /* the node is this end of this element */
+	int curved;            /* 1: the matrix has the second derivatives of the gap */
+	double g, n[3], H[3][3]; /* gap, its gradient and second derivatives, at mesh->q */
+	double r, t;           /* N; m: slack of the interior point, g at its end */
+	double friction[3];    /* N */
+	int slides;            /* 1: friction is at its bound, against the slip */
+	double from[3];        /* m: the place where the node stuck or slid from */
+	double stiff;          /* N/m, of the linear equations */
+	double block[3][3], push[3]; /* what it gives to the matrix, and to the right side */
 };
 
 /* value*cos(Omega*t + phase) at a node: a force, N, or a displacement, m. */
@@ -66,6 +84,18 @@ double hawser__mesh_floor(const struct hawser__mesh *mesh);
 /* Length of an element, and unit vector along it (zero if the length is 0). */
 double hawser__mesh_direction(double e[3], const struct hawser__mesh *mesh, int element);
 
+/* touch.c: list the touches of the net's obstacles, after the nodes are numbered. */
+enum hawser_status hawser__touch_open(struct hawser__mesh *mesh, const struct hawser_net *net,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+/* List them anew after nodes were held or released; forces r stay. */
+enum hawser_status hawser__touch_again(struct hawser__mesh *mesh, const struct hawser_net *net,
+                                       struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Gaps and their derivatives at mesh->q. */
+void hawser__touch_measure(struct hawser__mesh *mesh);
+/* Fail for a net with obstacles, which `command` does not know. */
+enum hawser_status hawser__touch_none(const struct hawser_net *net, const char *command,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+
 /* Symmetric sparse matrices over the unknowns, sums of a 3x3 block for each element as
  * [B, -B; -B, B], and their Cholesky factors (SuiteSparse CHOLMOD). The pattern is analysed once. */
 struct hawser__sparse;
@@ -79,6 +109,8 @@ void hawser__sparse_add(struct hawser__sparse *sparse, int element, double a, do
                         const double e[3]);
 /* Add a symmetric block B for an element. */
 void hawser__sparse_block(struct hawser__sparse *sparse, int element, const double block[3][3]);
+/* Add a symmetric block at the node that is end 0 or 1 of an element. */
+void hawser__sparse_node(struct hawser__sparse *sparse, int element, int end, const double block[3][3]);
 void hawser__sparse_diagonal(struct hawser__sparse *sparse, int unknown, double value);
 /* Factor; *definite is 0 if the matrix is not positive definite (then the factors are not usable). */
 enum hawser_status hawser__sparse_factor(struct hawser__sparse *sparse, int *definite,
@@ -116,6 +148,7 @@ struct hawser__equilibrium {
 	double floor;      /* N, what round-off allows */
 	const char *method;
 	int iterations;
+	double apart;      /* m: largest penetration of an obstacle, or gap of a node that touches */
 	int compressed;    /* number of elements; only of methods with a law of two sides */
 };
 struct hawser__mesh_options {
@@ -127,6 +160,7 @@ struct hawser__mesh_options {
 	enum hawser_net_start start; /* where it begins otherwise */
 	double noise;       /* of that start at the chord, over the chord; 0: 1e-4; HAWSER_NONE: 0 */
 	unsigned seed;      /* of the noise */
+	int rubs;           /* 1: obstacles rub; with keep_start */
 };
 /* Solve for mesh->q, and the tensions T [elements]. Fails with HAWSER_ERR_NO_SOLUTION where parts have
  * no support, and with HAWSER_ERR_CONVERGENCE. */

@@ -331,11 +331,12 @@ static enum hawser_status interpret(struct hawser__reader *reader, struct hawser
 		                           const struct hawser__tree *);
 		int required;
 	} part[] = {{"nodes", nodes, 1}, {"cables", cables, 1}, {"supports", hawser__net_supports, 1},
-	            {"masses", masses, 0}, {"loads", hawser__net_loads, 0}, {"dynamics", dynamics, 0}};
+	            {"masses", masses, 0}, {"loads", hawser__net_loads, 0}, {"dynamics", dynamics, 0},
+	            {"obstacles", hawser__net_obstacles, 0}, {"contact", hawser__net_contact, 0}};
 	const struct hawser__tree *kind, *damping;
 	enum hawser_status status = hawser__tree_keys(reader, root, "a scene of kind net",
 	                                             "kind, g, nodes, cables, supports, masses, loads, "
-	                                             "damping, dynamics");
+	                                             "damping, dynamics, obstacles, contact");
 
 	net->g = 9.81;
 	net->dynamics.rho_inf = -1.0;
@@ -366,6 +367,8 @@ static enum hawser_status interpret(struct hawser__reader *reader, struct hawser
 		if (!status)
 			status = optional(reader, &net->axial, damping, "axial", "s", HAWSER__TREE_NOT_NEGATIVE);
 	}
+	if (!status)
+		status = hawser__net_room(reader, net, root);
 	return status ? status : rules(reader, net, hawser__tree_find(root, "cables"));
 }
 

@@ -11,6 +11,13 @@ enum hawser_status hawser__net_loads(struct hawser__reader *reader, struct hawse
                                      const struct hawser__tree *tree) HAWSER_MUST_CHECK;
 enum hawser_status hawser__net_supports(struct hawser__reader *reader, struct hawser_net *net,
                                         const struct hawser__tree *tree) HAWSER_MUST_CHECK;
+/* obstacles.c: `obstacles` and `contact` of the scene, and whether its supports are outside them. */
+enum hawser_status hawser__net_obstacles(struct hawser__reader *reader, struct hawser_net *net,
+                                         const struct hawser__tree *tree) HAWSER_MUST_CHECK;
+enum hawser_status hawser__net_contact(struct hawser__reader *reader, struct hawser_net *net,
+                                       const struct hawser__tree *tree) HAWSER_MUST_CHECK;
+enum hawser_status hawser__net_room(struct hawser__reader *reader, const struct hawser_net *net,
+                                    const struct hawser__tree *root) HAWSER_MUST_CHECK;
 /* names.c: sort the names, of nodes and of cables if there are any yet. */
 enum hawser_status hawser__net_index(struct hawser__reader *reader, struct hawser_net *net)
 	HAWSER_MUST_CHECK;

@@ -10,7 +10,7 @@
 #include "core/report.h"
 #include "net/exact.h"
 #include "net/solution.h"
-#include "net/solve.h"
+#include "net/touch.h"
 
 void hawser_net_statics_clear(struct hawser_net_statics *st)
 {
@@ -20,6 +20,7 @@ void hawser_net_statics_clear(struct hawser_net_statics *st)
 	free(st->reaction);
 	free(st->member);
 	free(st->point);
+	free(st->contact);
 	memset(st, 0, sizeof *st);
 }
 
@@ -140,20 +141,25 @@ static enum hawser_status of_mesh(struct hawser_net_statics *st, const struct ha
 		status = hawser__net_supported(&mesh, net, report);
 	if (!status && !(T = calloc((size_t)mesh.elements, sizeof *T)))
 		status = hawser__no_memory(report, "net");
-	if (!status && (!options->method || !strcmp(options->method, "automatic")) &&
+	if (!status && !mesh.touches && (!options->method || !strcmp(options->method, "automatic")) &&
 	    hawser__exact_start(&mesh, T, net)) {
 		settings.keep_start = 1;
 		settings.N = T;
 	}
 	if (!status)
-		status = hawser__mesh_form(&mesh, T, &found, net, &settings, report);
+		status = net->contact.history ? hawser__net_history(&mesh, T, &found, net, &settings, report)
+		                              : hawser__mesh_form(&mesh, T, &found, net, &settings, report);
+	if (!status)
+		status = hawser__touch_sides(&mesh, net, report);
 	if (!status) {
 		*st = (struct hawser_net_statics){
 			.nodes = net->nodes, .cables = net->cables, .unknowns = mesh.unknowns,
 			.energy = found.energy, .gap = found.gap, .residual = found.residual,
 			.floor = found.floor, .method = found.method, .iterations = found.iterations,
-			.compressed = found.compressed};
+			.compressed = found.compressed, .apart = found.apart};
 		status = fill(st, &mesh, T, report);
+		if (!status)
+			status = hawser__touch_list(st, &mesh, report);
 	}
 	free(T);
 	hawser__mesh_clear(&mesh);
@@ -174,6 +180,10 @@ enum hawser_status hawser_net_solve(struct hawser_net_statics *st, const struct 
 		if (!strcmp(row->shown.name, options->method))
 			break;
 	memset(st, 0, sizeof *st);
+	if (row && net->surfaces && !row->obstacles)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: the method %s does not know "
+		                    "obstacles: leave it out, or give contact", net->name,
+		                    row->shown.name);
 	status = row && !row->solve ? hawser__exact_statics(st, net, options, report)
 	                            : of_mesh(st, net, options, report);
 	if (status)

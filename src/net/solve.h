@@ -31,6 +31,8 @@ struct hawser__net_work {
 	double tolerance;        /* N, the same, at least what round-off allows for forces of positions */
 	int most;                /* iterations; 0: the method's own */
 	int iterations;          /* done */
+	int rubs;                /* 1: friction of obstacles at rest, from touch->from; with `first` */
+	int slides;              /* number of nodes that slide along an obstacle */
 	int factored;            /* 1 if the factors are of a, b and e */
 };
 
@@ -42,10 +44,13 @@ struct hawser__net_method {
 	                            struct hawser_report *report);
 	int one_sided; /* 1 if what it finds has no compressed element */
 	enum hawser_net_start start; /* where it begins */
+	int obstacles; /* 1 if it knows them */
 };
 const struct hawser__net_method *hawser__net_method(int index); /* NULL beyond the last */
 
 enum hawser_status hawser__net_interior(struct hawser__net_work *work, int *done,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+enum hawser_status hawser__net_touching(struct hawser__net_work *work, int *done,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 enum hawser_status hawser__net_cone(struct hawser__net_work *work, int *done,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;

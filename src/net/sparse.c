@@ -316,6 +316,20 @@ void hawser__sparse_block(struct hawser__sparse *sparse, int element, const doub
 				x[at[entry]] += i/3 == j/3 ? block[i%3][j%3] : -block[i%3][j%3];
 }
 
+void hawser__sparse_node(struct hawser__sparse *sparse, int element, int end, const double block[3][3])
+{
+	const int *at = sparse->at[element];
+	double *x = sparse->matrix->x;
+
+	for (int i = 3*end; i < 3*end + 3; i++)
+		for (int j = 3*end; j <= i; j++) {
+			int entry = at[i*(i + 1)/2 + j];
+
+			if (entry >= 0)
+				x[entry] += block[i - 3*end][j - 3*end];
+		}
+}
+
 void hawser__sparse_diagonal(struct hawser__sparse *sparse, int unknown, double value)
 {
 	((double *)sparse->matrix->x)[sparse->diagonal[unknown]] += value;

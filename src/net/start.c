@@ -15,7 +15,7 @@
 
 #include "core/report.h"
 #include "net/random.h"
-#include "net/solve.h"
+#include "net/touch.h"
 
 #define NOISE 1e-4 /* of the chord: what two-sided, regularised and mixed solve of random cables is then
                     * what an independent program finds (doc/theory-net.md) */
@@ -42,7 +42,7 @@ void hawser__net_start_forces(struct hawser__net_work *work)
 	const struct hawser__mesh *mesh = work->mesh;
 
 	for (int i = 0; work->first && i < mesh->elements; i++)
-		work->N[i] = fmax(work->first[i], 1e-6*work->weight);
+		work->N[i] = mesh->touches ? work->first[i] : fmax(work->first[i], 1e-6*work->weight);
 	for (int c = 0; !work->first && c < mesh->cables; c++) {
 		int first = mesh->first[c], last = mesh->first[c + 1] - 1;
 		int from = mesh->end[first][0], to = mesh->end[last][1];
@@ -124,6 +124,12 @@ enum hawser_status hawser__net_begin(struct hawser__net_work *work,
 		status = densities(work, report);
 	if (!options->keep_start && start == HAWSER_NET_START_CHORD)
 		straighten(mesh, noise, options->seed);
+	if (!options->keep_start && mesh->touches) {
+		/* a cable that hangs low would have circles between its nodes */
+		if (!hawser__touch_convex(mesh))
+			straighten(mesh, 0.0, 0);
+		hawser__touch_start(mesh);
+	}
 	memcpy(work->start, mesh->q, (size_t)mesh->nodes*sizeof *mesh->q);
 	return status;
 }

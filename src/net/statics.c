@@ -21,31 +21,32 @@
 
 #include "core/report.h"
 #include "net/solve.h"
+#include "net/touch.h"
 
 #define DENSITY HAWSER_NET_START_DENSITY
 #define CHORD HAWSER_NET_START_CHORD
 static const struct hawser__net_method methods[] = {
 	{{"automatic", "Newton's method for positions and forces with slack members, from exact catenaries "
 	  "or force densities, and where it fails the methods cone and forces", "this program"},
-	 hawser__net_automatic, 1, DENSITY},
+	 hawser__net_automatic, 1, DENSITY, 1},
 	{{"interior-point", "primal-dual interior point of the convex energy", "this program"},
-	 hawser__net_interior, 1, DENSITY},
+	 hawser__net_interior, 1, DENSITY, 0},
 	{{"cone", "interior point of the convex energy as a second-order cone program: converges from any "
-	  "start", "this program"}, hawser__net_cone, 1, DENSITY},
+	  "start", "this program"}, hawser__net_cone, 1, DENSITY, 0},
 	{{"mixed", "Newton's method for positions and forces, for nets without slack members",
-	  "this program"}, hawser__net_mixed, 1, DENSITY},
+	  "this program"}, hawser__net_mixed, 1, DENSITY, 0},
 	{{"forces", "Newton's method for forces in balance, with steps that lower their energy: slower",
-	  "this program"}, hawser__net_dual, 1, DENSITY},
+	  "this program"}, hawser__net_dual, 1, DENSITY, 0},
 	{{"catenary", "exact catenaries between the joints, whose positions alone are unknown",
-	  "this program"}, NULL, 1, DENSITY},
+	  "this program"}, NULL, 1, DENSITY, 0},
 	{{"two-sided", "Newton's method with the law of bars: elements may be compressed",
-	  "B (3.17), (3.21)"}, hawser__net_two_sided, 0, CHORD},
+	  "B (3.17), (3.21)"}, hawser__net_two_sided, 0, CHORD, 0},
 	{{"regularised", "Newton's method, compressed elements without force and with a stiffness",
-	  "B (3.25), (3.26)"}, hawser__net_regularised, 1, CHORD},
+	  "B (3.25), (3.26)"}, hawser__net_regularised, 1, CHORD, 0},
 	{{"descent", "Newton's method with the true tangent, made definite, and steps that lower the "
-	  "energy", "B (3.25)"}, hawser__net_descent, 1, CHORD},
+	  "energy", "B (3.25)"}, hawser__net_descent, 1, CHORD, 0},
 	{{"relaxation", "dynamic relaxation with kinetic damping: explicit steps, no matrix",
-	  "B 3.2.4"}, hawser__net_relaxation, 1, DENSITY},
+	  "B 3.2.4"}, hawser__net_relaxation, 1, DENSITY, 0},
 };
 
 const struct hawser__net_method *hawser__net_method(int index)
@@ -59,6 +60,7 @@ double hawser__net_residual(struct hawser__net_work *work)
 	double most = 0.0;
 
 	hawser__mesh_gradient(work->residual, work->T, mesh);
+	hawser__touch_forces(work->residual, mesh);
 	for (int i = 0; i < mesh->nodes; i++)
 		for (int k = 0; k < 3; k++) {
 			double r = fabs(work->residual[i][k]);
@@ -80,6 +82,7 @@ enum hawser_status hawser__net_factor(struct hawser__net_work *work, int *defini
 		hawser__mesh_direction(work->e[i], mesh, i);
 		hawser__sparse_add(work->sparse, i, work->a[i], work->b[i], work->e[i]);
 	}
+	hawser__touch_matrix(work->sparse, mesh);
 	status = hawser__sparse_factor(work->sparse, definite, report);
 	work->factored = !status && *definite;
 	return status;
@@ -138,6 +141,7 @@ void hawser__net_right(struct hawser__net_work *work, const double *force)
 
 		add_force(work, i, (double[3]){T*e[0], T*e[1], T*e[2]});
 	}
+	hawser__touch_right(work->x, mesh);
 }
 
 const struct hawser_net_method *hawser_net_method(int index)
@@ -218,7 +222,11 @@ static double weight_of(const struct hawser__mesh *mesh)
 enum hawser_status hawser__net_automatic(struct hawser__net_work *work, int *done,
                                          struct hawser_report *report)
 {
-	enum hawser_status status = hawser__net_finish(work, done, report);
+	enum hawser_status status;
+
+	if (work->mesh->touches)
+		return hawser__net_touching(work, done, report);
+	status = hawser__net_finish(work, done, report);
 
 	if (status || *done)
 		return status;
@@ -331,12 +339,17 @@ static enum hawser_status gap_with_factors(double *gap, struct hawser__net_work 
 static enum hawser_status certify(struct hawser__net_work *work, struct hawser__equilibrium *found,
                                   struct hawser_report *report)
 {
+	const struct hawser__mesh *mesh = work->mesh;
 	enum hawser_status status = HAWSER_OK;
 
 	if (!work->own)
 		found->residual = hawser__net_residual(work);
 	found->energy = energy(work);
 	found->gap = INFINITY;
+	if (mesh->touches) { /* forces of contacts are loads now, without stiffness */
+		hawser__touch_fixed(work->mesh);
+		work->factored = 0;
+	}
 	if (work->factored)
 		status = gap_with_factors(&found->gap, work, report);
 	if (!status && !(found->gap <= DBL_EPSILON*work->weight*work->reach)) {
@@ -344,6 +357,10 @@ static enum hawser_status certify(struct hawser__net_work *work, struct hawser__
 		if (!status && work->factored)
 			status = gap_with_factors(&found->gap, work, report);
 	}
+	for (int i = 0; i < mesh->touches; i++)
+		if (mesh->touch[i].r > 0.0)
+			found->gap += hawser_surface_convex(mesh->touch[i].surface)
+			              ? fabs(mesh->touch[i].r*mesh->touch[i].g) : INFINITY;
 	return status;
 }
 
@@ -404,6 +421,7 @@ static enum hawser_status solve(struct hawser__net_work *work, struct hawser__eq
 	for (int i = 0; i < mesh->elements; i++)
 		work->reach += mesh->length0[i];
 	work->most = options->iterations;
+	work->rubs = options->rubs;
 	status = hawser__net_begin(work, method, options, report);
 	if (status)
 		return status;
@@ -415,6 +433,8 @@ static enum hawser_status solve(struct hawser__net_work *work, struct hawser__eq
 		found->floor = hawser__mesh_floor(mesh);
 	else if (!status)
 		done = hawser__net_settled(work, &found->residual, &found->floor) && done;
+	if (!status && mesh->touches)
+		done = hawser__touch_settled(&found->apart, work) && done;
 	found->method = method->shown.name;
 	found->iterations = work->iterations;
 	found->compressed = status || method->one_sided ? 0 : compressed(work);
@@ -427,6 +447,12 @@ static enum hawser_status solve(struct hawser__net_work *work, struct hawser__eq
 	}
 	if (status || (done && isfinite(found->residual)))
 		return status;
+	if (mesh->touches)
+		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "net", work->iterations, found->residual,
+		                       "the equilibrium with obstacles was not found: after %d iterations the "
+		                       "largest force that is not balanced is %.3g N, and nodes that touch are "
+		                       "up to %.3g m off: try more elements, or smaller steps (contact.steps)",
+		                       work->iterations, found->residual, found->apart);
 	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "net", work->iterations, found->residual,
 	                       "the equilibrium was not found by the method %s: after %d iterations the "
 	                       "largest force that is not balanced is %.3g N, and round-off allows %.3g N",

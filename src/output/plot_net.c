@@ -12,16 +12,16 @@
 #define HEIGHT 9.5 /* cm */
 enum { NAMED = 30, FEW = 300 }; /* most nodes whose names are shown; that are drawn large */
 
-static struct hawser__eye eye_of(const struct hawser_net_statics *st)
+static struct hawser__eye eye_of(struct hawser__box *box, const struct hawser_net_statics *st)
 {
-	struct hawser__box box = {.any = 0};
 	struct hawser__eye eye;
 
+	*box = (struct hawser__box){.any = 0};
 	for (int i = 0; i < st->nodes; i++)
-		hawser__box_add(&box, st->x[i], 3);
+		hawser__box_add(box, st->x[i], 3);
 	for (int i = 0; i < st->points; i++)
-		hawser__box_add(&box, st->point[i].x, 3);
-	hawser__eye_look(&eye, &box, HAWSER__IN_SPACE, NULL);
+		hawser__box_add(box, st->point[i].x, 3);
+	hawser__eye_look(&eye, box, HAWSER__IN_SPACE, NULL);
 	return eye;
 }
 
@@ -57,6 +57,81 @@ static void node_data(FILE *script, const struct hawser_net *net, const struct h
 	fputs("NaN NaN x\nEND\n", script);
 }
 
+/* --- obstacles: outlines within the box of the net --- */
+
+enum { ROUND = 96 }; /* sides of a circle */
+
+static void corner(FILE *script, const struct hawser__eye *eye, double x, double y, double z)
+{
+	double to[2];
+
+	hawser__eye_see(to, eye, (double[3]){x, y, z});
+	fprintf(script, "%.7g %.7g\n", to[0], to[1]);
+}
+
+/* A plane: its part above the box's base or, of a steep one, beside the box's height. */
+static void plane_data(FILE *script, const struct hawser_surface *of, const struct hawser__box *box,
+                       const struct hawser__eye *eye)
+{
+	const double *n = of->normal, *low = box->low, *high = box->high;
+	int upright = fabs(n[1]) < 0.3, flat = low[2] == high[2];
+
+	for (int i = 0; i < (flat ? 2 : 5); i++) {
+		double one = i == 1 || i == 2 ? 1.0 : 0.0, z = i == 2 || i == 3 ? high[2] : low[2];
+		double x = low[0] + one*(high[0] - low[0]), y = low[1] + one*(high[1] - low[1]);
+		double rest = n[0]*of->at[0] + n[1]*of->at[1] + n[2]*of->at[2] - n[2]*z;
+
+		if (upright && fabs(n[0]) < 0.3)
+			return;
+		if (upright)
+			corner(script, eye, (rest - n[1]*y)/n[0], y, z);
+		else
+			corner(script, eye, x, (rest - n[0]*x)/n[1], z);
+	}
+	fputs("\n", script);
+}
+
+static void surface_data(FILE *script, const struct hawser_surface *of, const struct hawser__box *box,
+                         const struct hawser__eye *eye)
+{
+	if (of->kind == HAWSER_SURFACE_PLANE) {
+		plane_data(script, of, box, eye);
+		return;
+	}
+	for (int side = 0; side < (box->low[2] == box->high[2] ? 1 : 2); side++) {
+		double z = side ? box->high[2] : box->low[2];
+		int circle = of->kind == HAWSER_SURFACE_CIRCLE;
+
+		for (int i = 0; i <= (circle ? ROUND : 1); i++) {
+			double angle = 2.0*acos(-1.0)*i/ROUND;
+
+			if (circle)
+				corner(script, eye, of->at[0] + of->radius*cos(angle),
+				       of->at[1] + of->radius*sin(angle), z);
+			else
+				corner(script, eye, i ? of->to[0] : of->at[0], i ? of->to[1] : of->at[1], z);
+		}
+		fputs("\n", script);
+	}
+}
+
+static void contact_data(FILE *script, const struct hawser_net *net,
+                         const struct hawser_net_statics *st, const struct hawser__box *box,
+                         const struct hawser__eye *eye)
+{
+	fputs("$obstacles << END\n", script);
+	for (int i = 0; i < net->surfaces; i++)
+		surface_data(script, &net->surface[i], box, eye);
+	fputs("NaN NaN\nEND\n", script);
+	for (int sticks = 0; sticks < 2; sticks++) {
+		fprintf(script, "$%s << END\n", sticks ? "stick" : "slip");
+		for (int i = 0; i < st->contacts; i++)
+			if (st->contact[i].sticks == sticks)
+				corner(script, eye, st->contact[i].x[0], st->contact[i].x[1], st->contact[i].x[2]);
+		fputs("NaN NaN\nEND\n", script);
+	}
+}
+
 enum hawser_status hawser__plot_net(const char *path, const struct hawser_net *net,
                                     const struct hawser_net_statics *st, struct hawser_report *report)
 {
@@ -65,16 +140,19 @@ enum hawser_status hawser__plot_net(const char *path, const struct hawser_net *n
 	FILE *script = picture.script;
 	int few = st->nodes <= FEW;
 	double most = 0.0;
+	struct hawser__box box;
 	struct hawser__eye eye;
 
 	if (status)
 		return status;
-	eye = eye_of(st);
+	eye = eye_of(&box, st);
 	for (int c = 0; c < st->cables; c++)
 		most = fmax(most, st->member[c].T_max);
 	cable_data(script, st, &eye, most >= 1e4 ? 1e3 : 1.0);
 	node_data(script, net, st, &eye, 1);
 	node_data(script, net, st, &eye, 0);
+	if (net->surfaces)
+		contact_data(script, net, st, &box, &eye);
 	hawser__picture_panel(&picture, 0.04, 0.86, 0.06, 0.96);
 	fprintf(script, "set cblabel 'Tension {/:Italic T} (%s)' offset 1, 0\n", most >= 1e4 ? "kN" : "N");
 	fputs("set size ratio -1\nunset border\nunset xtics\nunset ytics\nunset grid\nunset key\n"
@@ -82,14 +160,21 @@ enum hawser_status hawser__plot_net(const char *path, const struct hawser_net *n
 	      "set palette defined (0 '#4575B4', 1 '#91BFDB', 2 '#FEE090', 3 '#FC8D59', 4 '#D73027')\n"
 	      "set colorbox user origin 0.88, 0.22 size 0.02, 0.66\n", script);
 	hawser__eye_axes(script, &eye, &(struct hawser__corner){14.6, 0.8, WIDTH, HEIGHT});
-	fprintf(script, "plot $cables using 1:2:3 with lines lw %g lc palette, "
-	        "$supports using 1:2 with points pt 9 ps %g lc rgb 'black'", few ? 2.0 : 0.8,
+	if (net->surfaces)
+		fputs("set key at screen 0.84, 0.98 right top horizontal font ',9'\n", script);
+	fprintf(script, "plot %s$cables using 1:2:3 with lines lw %g lc palette notitle, "
+	        "$supports using 1:2 with points pt 9 ps %g lc rgb 'black' notitle", net->surfaces
+	        ? "$obstacles using 1:2 with lines lw 2.5 lc rgb '#999999' title 'obstacles', " : "",
+	        few ? 2.0 : 0.8,
 	        few ? 1.2 : 0.5);
 	if (few)
-		fputs(", $joints using 1:2 with points pt 7 ps 0.5 lc rgb 'black'", script);
+		fputs(", $joints using 1:2 with points pt 7 ps 0.5 lc rgb 'black' notitle", script);
 	if (st->nodes <= NAMED)
-		fputs(", $joints using 1:2:3 with labels offset 0.9, 0.6 font ',9' noenhanced"
-		      ", $supports using 1:2:3 with labels offset 0.9, 0.6 font ',9' noenhanced", script);
+		fputs(", $joints using 1:2:3 with labels offset 0.9, 0.6 font ',9' noenhanced notitle, "
+		      "$supports using 1:2:3 with labels offset 0.9, 0.6 font ',9' noenhanced notitle", script);
+	if (st->contacts)
+		fputs(", $slip using 1:2 with points pt 6 ps 0.45 lc rgb '#1A9850' title 'slip'"
+		      ", $stick using 1:2 with points pt 7 ps 0.45 lc rgb '#762A83' title 'stick'", script);
 	fputs("\n", script);
 	return hawser__picture_finish(&picture, report);
 }

@@ -1,0 +1,68 @@
+/* hawser/surface.h - obstacles that the nodes of a mesh may touch: planes, segments and circles.
+ *
+ * x and z are horizontal, y is upwards. The gap g of a point is its distance from the surface, below 0
+ * inside the obstacle; its gradient n is a unit vector towards the free side. Segments and circles are
+ * in the plane of x and y and extend along z: they are strips and cylinders.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_SURFACE_H
+#define HAWSER_SURFACE_H
+
+#include <hawser/status.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum { HAWSER_SURFACE_NAME = 32 }; /* size of a name, with the NUL at its end */
+
+enum hawser_surface_kind { HAWSER_SURFACE_PLANE = 0, HAWSER_SURFACE_SEGMENT, HAWSER_SURFACE_CIRCLE };
+
+/* Where cables are. ABOVE, BELOW: of a circle, which way they pass it; LEFT, RIGHT: of a segment that
+ * is vertical; INSIDE: of a circle, which is then a pipe. Planes have their normal instead. */
+enum hawser_surface_side {
+	HAWSER_SIDE_ABOVE = 0, HAWSER_SIDE_BELOW, HAWSER_SIDE_LEFT, HAWSER_SIDE_RIGHT, HAWSER_SIDE_INSIDE
+};
+
+struct hawser_surface {
+	char name[HAWSER_SURFACE_NAME];
+	enum hawser_surface_kind kind;
+	enum hawser_surface_side side;
+	double at[3];       /* m: a point of the plane, the first end of the segment, the centre */
+	double to[3];       /* m: the other end of the segment */
+	double normal[3];   /* unit vector towards the free side, of planes and segments */
+	double radius;      /* m */
+	double friction;    /* coefficient */
+	double velocity[3]; /* m/s of the surface of a plane, along it */
+	double speed;       /* m/s of the surface of a segment, to its other end; of a circle,
+	                     * counterclockwise */
+};
+
+/* The gap of the point x, m. Its gradient goes to normal [3], a unit vector, and the second derivatives
+ * to hessian [3][3], 1/m; each may be NULL. At the centre of a circle the gradient is along y. */
+double hawser_surface_gap(double *normal /* [3] */, double (*hessian)[3] /* [3][3] */,
+                          const struct hawser_surface *surface, const double *x /* [3] */);
+
+/* v [3], m/s: the velocity of the surface where the point x [3] touches it. */
+void hawser_surface_velocity(double *v /* [3] */, const struct hawser_surface *surface,
+                             const double *x /* [3] */);
+
+/* Move the point x [3] to the surface if it is inside the obstacle or, seen along y (of a vertical
+ * segment along x), behind it. Returns 1 if x has changed. */
+int hawser_surface_clear_of(double *x /* [3] */, const struct hawser_surface *surface);
+
+/* 1 if all segments of a line between two points of the free side are in it, so that what touches
+ * nothing but such surfaces has one equilibrium: of planes, and of circles around the cable. */
+int hawser_surface_convex(const struct hawser_surface *surface);
+
+/* Of values that the scene gives: sets normal of a segment from its ends and side, scales that of a
+ * plane to 1, and checks. HAWSER_ERR_ARGUMENT, with a message that begins with the key: a normal or a
+ * segment of length 0, a side that the kind does not have, numbers that are not finite, a velocity
+ * that is not along the plane. */
+enum hawser_status hawser_surface_settle(struct hawser_surface *surface,
+                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,51 @@
+/* net/touch.h - nodes that touch obstacles, in the equations of statics.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_NET_TOUCH_H
+#define HAWSER_NET_TOUCH_H
+
+#include "net/solve.h"
+
+/* residual [nodes][3] less the forces of the obstacles. */
+void hawser__touch_forces(double (*residual)[3], const struct hawser__mesh *mesh);
+/* Blocks and right sides of all touches, where these are set; x [unknowns]. */
+void hawser__touch_matrix(struct hawser__sparse *sparse, const struct hawser__mesh *mesh);
+void hawser__touch_right(double *x, const struct hawser__mesh *mesh);
+/* No blocks; the right sides are the forces as they are. */
+void hawser__touch_fixed(struct hawser__mesh *mesh);
+/* 1 if the obstacles leave a convex space. */
+int hawser__touch_convex(const struct hawser__mesh *mesh);
+/* Bring the nodes of a start to the free side of all obstacles. */
+void hawser__touch_start(struct hawser__mesh *mesh);
+
+/* The interior point: r*t = mu, t = g. _begin: from a mean of the products; _mean: adds the products
+ * and their number; _interior: blocks and right sides; _limit: *step so that r and t stay positive;
+ * _advance. */
+void hawser__touch_begin(struct hawser__mesh *mesh, double product, double force);
+void hawser__touch_mean(double *sum, int *count, const struct hawser__mesh *mesh);
+void hawser__touch_interior(struct hawser__mesh *mesh, double mu);
+void hawser__touch_limit(double *step, const struct hawser__net_work *work, double mu);
+/* Gaps as the slacks of circles and segments: a gap is a convex function, at least what a step makes of
+ * its linear part, so that nodes that begin on the free side stay there. */
+void hawser__touch_follow(struct hawser__mesh *mesh);
+void hawser__touch_advance(const struct hawser__net_work *work, double mu, double step);
+
+/* Newton's method with contact: r = max(0, r - stiff*g), and friction; the equations of the next step,
+ * then the forces after it, for the step work->x. */
+void hawser__touch_linear(struct hawser__net_work *work, int curved);
+void hawser__touch_after(struct hawser__net_work *work);
+/* 1 if r and gaps, friction and slips agree. *gap: largest penetration or gap of what touches, m. */
+int hawser__touch_settled(double *gap, const struct hawser__net_work *work);
+
+/* history.c: statics along the way of the supports, with friction. */
+enum hawser_status hawser__net_history(struct hawser__mesh *mesh, double *T,
+                                       struct hawser__equilibrium *found, const struct hawser_net *net,
+                                       const struct hawser__mesh_options *options,
+                                       struct hawser_report *report) HAWSER_MUST_CHECK;
+/* touched.c: fail where the net passes a circle on the other side than the scene says. */
+enum hawser_status hawser__touch_sides(const struct hawser__mesh *mesh, const struct hawser_net *net,
+                                       struct hawser_report *report) HAWSER_MUST_CHECK;
+/* The contacts of a result. */
+enum hawser_status hawser__touch_list(struct hawser_net_statics *st, const struct hawser__mesh *mesh,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

@@ -1,0 +1,120 @@
+/* net/touching.c - equilibrium of a net with obstacles: interior point, then Newton's method for
+ * positions, forces of elements and forces of contacts.
+ *
+ * Without friction and with planes the energy is convex and the space as well: the interior point
+ * (net/interior.c, with the terms of net/touch.c) converges from any start. It leaves which nodes touch
+ * and which elements are slack, and Newton's method (that of net/finish.c) ends at round-off. Outside
+ * circles and above segments there may be several equilibria; the start is on the side that the scene
+ * gives.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "net/touch.h"
+
+enum { MOST = 60, WORSE = 10, ROUNDS = 5 };
+/* Of the usual forces at the start: where the interior point fails, another start may do. */
+static const double parts[ROUNDS] = {1.0, 10.0, 0.1, 100.0, 0.01};
+
+static enum hawser_status step(struct hawser__net_work *work, int *definite,
+                               struct hawser_report *report)
+{
+	const struct hawser__mesh *mesh = work->mesh;
+	enum hawser_status status = HAWSER_OK;
+
+	/* With the curvature of the obstacles the matrix may not be definite, far from the equilibrium. */
+	*definite = 0;
+	for (int curved = 1; curved >= 0 && !status && !*definite; curved--) {
+		for (int i = 0; i < mesh->elements; i++)
+			hawser__net_linear(work, i);
+		hawser__touch_linear(work, curved);
+		hawser__net_right(work, work->T);
+		status = hawser__net_factor(work, definite, report);
+	}
+	if (status || !*definite)
+		return status;
+	status = hawser__sparse_solve(work->x, work->sparse, report);
+	if (status)
+		return status;
+	for (int i = 0; i < mesh->elements; i++)
+		work->N[i] = hawser__net_force_after(work, i);
+	hawser__touch_after(work);
+	hawser__net_move(work, 1.0);
+	hawser__touch_measure(work->mesh);
+	work->factored = 0;
+	work->iterations++;
+	return HAWSER_OK;
+}
+
+static enum hawser_status newton(struct hawser__net_work *work, int *done, struct hawser_report *report)
+{
+	double best = INFINITY, residual, floor, gap;
+	enum hawser_status status = HAWSER_OK;
+	int worse = 0, definite = 1, slides = -1, most = MOST + work->mesh->touches;
+
+	work->own = 1;
+	*done = 0;
+	for (int i = 0; i < most && !*done && !status && definite && worse < WORSE; i++) {
+		double rest;
+
+		status = step(work, &definite, report);
+		if (status || !definite)
+			break;
+		*done = hawser__net_settled(work, &residual, &floor);
+		*done = hawser__touch_settled(&gap, work) && *done;
+		rest = residual/work->weight + gap/work->reach;
+		worse = rest < 0.5*best || slides != work->slides ? 0 : worse + 1;
+		slides = work->slides;
+		best = fmin(best, rest);
+		if (!isfinite(rest))
+			break;
+	}
+	return status;
+}
+
+/* The interior point leaves N*s = mu: an element whose slack is the larger one has no force. */
+static void slacken(struct hawser__net_work *work)
+{
+	for (int i = 0; i < work->mesh->elements; i++)
+		if (work->N[i]/work->weight < work->s[i]/work->mesh->length0[i])
+			work->N[i] = 0.0;
+}
+
+/* Begin, with a part of the forces of the start. */
+static void again(struct hawser__net_work *work, int round)
+{
+	struct hawser__mesh *mesh = work->mesh;
+
+	work->own = 0;
+	if (round == 0)
+		return;
+	memcpy(mesh->q, work->start, (size_t)mesh->nodes*sizeof *mesh->q);
+	hawser__net_start_forces(work);
+	for (int i = 0; i < mesh->elements; i++)
+		work->N[i] *= parts[round];
+	for (int i = 0; i < mesh->touches; i++)
+		memset(mesh->touch[i].friction, 0, sizeof mesh->touch[i].friction);
+	hawser__touch_measure(mesh);
+}
+
+enum hawser_status hawser__net_touching(struct hawser__net_work *work, int *done,
+                                        struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+
+	*done = 0;
+	hawser__touch_measure(work->mesh);
+	if (work->first)
+		return newton(work, done, report);
+	for (int round = 0; round < ROUNDS && !status && !*done; round++) {
+		again(work, round);
+		status = hawser__net_interior(work, done, report);
+		slacken(work);
+		if (!status)
+			status = newton(work, done, report);
+	}
+	return status;
+}
