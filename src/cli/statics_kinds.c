@@ -11,7 +11,8 @@
 
 const char *const cli_statics_notes[] = {
 	"Methods for nets: automatic, interior-point, mixed, forces, catenary, contact; for comparison",
-	"two-sided, regularised, descent and relaxation, which may end with compressed elements or not at all.",
+	"two-sided, regularised, descent and relaxation, which may end with compressed elements or not",
+	"at all.",
 	NULL,
 };
 

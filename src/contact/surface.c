@@ -189,10 +189,11 @@ static enum hawser_status segment(struct hawser_surface *surface, struct hawser_
 
 enum hawser_status hawser_surface_settle(struct hawser_surface *surface, struct hawser_report *report)
 {
-	const double all[] = {surface->at[0], surface->at[1], surface->at[2],
-	                      surface->to[0], surface->to[1], surface->normal[0], surface->normal[1], surface->normal[2], surface->radius,
-	                      surface->friction, surface->velocity[0], surface->velocity[1],
-	                      surface->velocity[2], surface->speed};
+	const double all[] = {
+		surface->at[0], surface->at[1], surface->at[2], surface->to[0], surface->to[1],
+		surface->normal[0], surface->normal[1], surface->normal[2], surface->radius,
+		surface->friction, surface->velocity[0], surface->velocity[1], surface->velocity[2],
+		surface->speed};
 	int circle = surface->kind == HAWSER_SURFACE_CIRCLE;
 
 	for (size_t i = 0; i < sizeof all/sizeof *all; i++)

@@ -2,9 +2,9 @@
  *
  * At rest friction leaves the tensions undetermined: they depend on how the net came to its place. Here
  * the supports go along the way that the scene gives, slowly, from an equilibrium without friction, in
- * which nodes whose places are given are held: a free end lies where it is put. In each step a node that
- * touches sticks where it was, or slides against the friction; the law has no time, so that only the
- * way counts. A step without solution is halved.
+ * which nodes whose places are given are held: a free end lies where it is put. In each step a node
+ * that touches sticks where it was, or slides against the friction; the law has no time, so that only
+ * the way counts. A step without solution is halved.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

@@ -7,9 +7,9 @@
  *
  * Of Newton's method (Alart and Curnier): r = max(0, r - k*g) holds at the solution for any k > 0, and
  * so does f = (f - k*d, shortened to friction*r). The equations of a step have the derivatives of the
- * right sides, k*n*n' of a touch and k*(I - n*n') of one that sticks, in the matrix of positions; r and f
- * follow from the step. So the matrix stays positive definite and keeps its pattern, whatever touches,
- * and each step leaves of the error the part (stiffness of the net)/(k + stiffness of the net).
+ * right sides, k*n*n' of a touch and k*(I - n*n') of one that sticks, in the matrix of positions; r and
+ * f follow from the step. So the matrix stays positive definite and keeps its pattern, whatever
+ * touches, and each step leaves of the error the part K/(k + K), K the stiffness of the net.
  *
  * The bound friction*r of a step is that of the last one, which keeps the matrix symmetric: along a
  * rope on a circle the errors are the terms of the series of e^(friction*angle).

@@ -71,7 +71,7 @@ enum hawser_status hawser__touch_sides(const struct hawser__mesh *mesh, const st
 			if (across(mesh, e, &net->surface[s]))
 				return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "net", "%s: cable %s passes "
 				                    "obstacle %s on the side that is not %s: there is no equilibrium "
-				                    "on that side, or the elements of %.3g m are too long for the radius "
+				                    "there, or the elements of %.3g m are too long for the radius "
 				                    "of %.3g m: correct its side, or give more elements", net->name,
 				                    net->cable[mesh->cable[e]].name, net->surface[s].name,
 				                    net->surface[s].side == HAWSER_SIDE_BELOW ? "below" : "above",

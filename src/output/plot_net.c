@@ -138,7 +138,7 @@ enum hawser_status hawser__plot_net(const char *path, const struct hawser_net *n
 	struct hawser__picture picture;
 	enum hawser_status status = hawser__picture_begin(&picture, path, WIDTH, HEIGHT, report);
 	FILE *script = picture.script;
-	int few = st->nodes <= FEW;
+	int few = st->nodes <= FEW, joints = 0;
 	double most = 0.0;
 	struct hawser__box box;
 	struct hawser__eye eye;
@@ -169,9 +169,14 @@ enum hawser_status hawser__plot_net(const char *path, const struct hawser_net *n
 	        few ? 1.2 : 0.5);
 	if (few)
 		fputs(", $joints using 1:2 with points pt 7 ps 0.5 lc rgb 'black' notitle", script);
+	/* gnuplot ends by a signal where no label of a list has a place */
+	for (int i = 0; i < st->nodes; i++)
+		joints += !net->node[i].support;
+	if (st->nodes <= NAMED && joints > 0)
+		fputs(", $joints using 1:2:3 with labels offset 0.9, 0.6 font ',9' noenhanced notitle", script);
 	if (st->nodes <= NAMED)
-		fputs(", $joints using 1:2:3 with labels offset 0.9, 0.6 font ',9' noenhanced notitle, "
-		      "$supports using 1:2:3 with labels offset 0.9, 0.6 font ',9' noenhanced notitle", script);
+		fputs(", $supports using 1:2:3 with labels offset 0.9, 0.6 font ',9' noenhanced notitle",
+		      script);
 	if (st->contacts)
 		fputs(", $slip using 1:2 with points pt 6 ps 0.45 lc rgb '#1A9850' title 'slip'"
 		      ", $stick using 1:2 with points pt 7 ps 0.45 lc rgb '#762A83' title 'stick'", script);

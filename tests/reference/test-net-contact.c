@@ -139,15 +139,16 @@ static void turned(void)
 
 		snprintf(path, sizeof path, "%s/notebooks-data/scenes/net-seabed.yaml", getenv("SRCDIR"));
 		snprintf(nodes, sizeof nodes, "nodes={A: [0, 0, 0], B: [%.17g, 30, %.17g]}", 400.0*c, 400.0*s);
-		snprintf(planes, sizeof planes, "obstacles=[{plane: {point: [0, 0, 0], normal: [%.17g, 1, %.17g]"
-		         "}}, {plane: {point: [0, -90, 0], normal: [%.17g, 1, %.17g]}}]", 0.385*c, 0.385*s,
-		         -0.2*c, -0.2*s);
-		ok(!hawser_net_open(&net, path, set, 5, &report) && !hawser_net_solve(&st[i], &net, NULL, &report),
-		   "a valley");
+		snprintf(planes, sizeof planes, "obstacles=[{plane: {point: [0, 0, 0], normal: [%.17g, 1, "
+		         "%.17g]}}, {plane: {point: [0, -90, 0], normal: [%.17g, 1, %.17g]}}]", 0.385*c,
+		         0.385*s, -0.2*c, -0.2*s);
+		ok(!hawser_net_open(&net, path, set, 5, &report) &&
+		   !hawser_net_solve(&st[i], &net, NULL, &report), "a valley");
 		hawser_net_clear(&net);
 	}
 	close_to(st[1].energy, st[0].energy, 1e-10, "its energy does not change as it is turned");
-	close_to(hypot(st[1].reaction[1][0], st[1].reaction[1][2]), fabs(st[0].reaction[1][0]), 1e-9, "H, N");
+	close_to(hypot(st[1].reaction[1][0], st[1].reaction[1][2]), fabs(st[0].reaction[1][0]), 1e-9,
+	         "H, N");
 	ok(st[0].contacts == st[1].contacts && st[0].contacts > 10, "%d nodes touch", st[0].contacts);
 	for (int i = 0; i < 2; i++)
 		hawser_net_statics_clear(&st[i]);
