@@ -10,9 +10,8 @@
 #include "core/report.h"
 
 const char *const cli_statics_notes[] = {
-	"Methods for nets: automatic, interior-point, mixed, forces, catenary, contact; for comparison",
-	"two-sided, regularised, descent and relaxation, which may end with compressed elements or not",
-	"at all.",
+	"Methods for nets: automatic, interior-point, mixed, forces, catenary; for comparison two-sided,",
+	"regularised, descent and relaxation, which may end with compressed elements or not at all.",
 	NULL,
 };
 

@@ -182,7 +182,7 @@ enum hawser_status hawser_net_solve(struct hawser_net_statics *st, const struct 
 	memset(st, 0, sizeof *st);
 	if (row && net->surfaces && !row->obstacles)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: the method %s does not know "
-		                    "obstacles: leave it out, or give contact", net->name,
+		                    "obstacles: give automatic, or leave it out", net->name,
 		                    row->shown.name);
 	status = row && !row->solve ? hawser__exact_statics(st, net, options, report)
 	                            : of_mesh(st, net, options, report);
