@@ -19,6 +19,7 @@ noinst_LTLIBRARIES += %D%/libscene.la
 	%D%/tree.h \
 	%D%/tree_value.c \
 	%D%/units.c \
+	%D%/units_common.c \
 	%D%/units.h \
 	%D%/value.c \
 	%D%/write.c

@@ -1,4 +1,4 @@
-/* scene/units.c - numbers with units, through udunits2.
+/* scene/units.c - numbers with units, through udunits2 but for the common ones (units_common.c).
  *
  * udunits2 stores its parser's state, its status and its message handler in global variables. All
  * calls of it here are protected by one lock, and its handler is restored afterwards; the unit
@@ -135,9 +135,14 @@ static enum hawser__number convert(struct hawser__units *units, double *value, c
                                    const char *to)
 {
 	enum hawser__number answer = HAWSER__NUMBER_DATABASE;
+	const double common = hawser__units_common(from, to);
 	ut_unit *written = NULL, *wanted = NULL;
 	cv_converter *converter = NULL;
 
+	if (common > 0.0) {
+		*value *= common;
+		return HAWSER__NUMBER_OK;
+	}
 	if (!load(units))
 		return answer;
 	answer = HAWSER__NUMBER_UNKNOWN;

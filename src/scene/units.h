@@ -6,8 +6,8 @@
 #include <stddef.h>
 #include <hawser/status.h>
 
-/* A unit system, read from the database of udunits2 with the first unit. Zero is a valid initial
- * state; release with hawser__units_clear. */
+/* A unit system, read from the database of udunits2 with the first unit that is none of the common
+ * ones. Zero is a valid initial state; release with hawser__units_clear. */
 struct hawser__units {
 	struct ut_system *system;
 };
@@ -25,6 +25,10 @@ enum hawser__number {
 /* Read "18 km/h" for the unit "m/s" as 5. A plain number is in `unit`. ".inf" is a number. */
 enum hawser__number hawser__units_read(struct hawser__units *units, double *value,
                                        const char *text, const char *unit);
+
+/* By what a number in the common unit `from` is multiplied to be in `to`; 0 if this pair is no
+ * common one. */
+double hawser__units_common(const char *from, const char *to);
 
 /* Write the sentence that explains a failure, to follow the quoted text. */
 void hawser__units_explain(char *sentence, size_t size, enum hawser__number failure,

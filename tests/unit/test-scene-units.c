@@ -46,6 +46,36 @@ static void conversions(void)
 	}
 }
 
+/* The units that are converted without udunits2, against udunits2, which reads them in brackets. */
+static void common(void)
+{
+	static const char *const pairs[][2] = {
+		{"m", "m"}, {"kg/m", "kg/m"}, {"N/m", "N/m"}, {"m/s", "m/s"}, {"N", "N"}, {"s", "s"},
+		{"kg", "kg"}, {"kg/m/s", "kg/m/s"}, {"rad/s", "rad/s"}, {"N.s/m", "N.s/m"},
+		{"mm", "m"}, {"cm", "m"}, {"km", "m"}, {"kN", "N"}, {"MN", "N"}, {"GN", "N"},
+		{"kN/m", "N/m"}, {"t", "kg"}, {"ms", "s"},
+	};
+	static const char *const numbers[] = {
+		"2.385", "-0.1", "1e-320", "3.3333333333333335", "7e22", "1.7e290",
+	};
+
+	for (size_t i = 0; i < sizeof pairs/sizeof *pairs; i++) {
+		int same = 1;
+
+		for (size_t k = 0; k < sizeof numbers/sizeof *numbers; k++) {
+			char text[64];
+			double quick = 0.0, udunits = 1.0;
+
+			snprintf(text, sizeof text, "%s %s", numbers[k], pairs[i][0]);
+			same &= hawser_unit_parse(&quick, text, pairs[i][1], NULL) == HAWSER_OK;
+			snprintf(text, sizeof text, "%s (%s)", numbers[k], pairs[i][0]);
+			same &= hawser_unit_parse(&udunits, text, pairs[i][1], NULL) == HAWSER_OK;
+			same &= quick == udunits;
+		}
+		ok(same, "%s in %s as udunits2 has it, to the last bit", pairs[i][0], pairs[i][1]);
+	}
+}
+
 static void refusals(void)
 {
 	static const struct {
@@ -133,12 +163,14 @@ static void database(void)
 	double value = 2.385;
 
 	setenv("UDUNITS2_XML_PATH", "/nowhere/udunits2.xml", 1);
-	ok(hawser_unit_parse(&value, "3 m", "m", &report) == HAWSER_ERR_IO && value == 2.385 &&
-	   !strcmp(report.message, "\"3 m\" needs the unit database of udunits2, which can't be read: "
+	ok(hawser_unit_parse(&value, "3 ft", "m", &report) == HAWSER_ERR_IO && value == 2.385 &&
+	   !strcmp(report.message, "\"3 ft\" needs the unit database of udunits2, which can't be read: "
 	                           "install it (Debian package libudunits2-data), or write plain "
 	                           "numbers in SI units"), "no database: %s", report.message);
 	ok(hawser_unit_parse(&value, "3", "m", &report) == HAWSER_OK && value == 3.0,
 	   "plain numbers need none");
+	ok(hawser_unit_parse(&value, "3 kN", "N", &report) == HAWSER_OK && value == 3000.0,
+	   "common units need none");
 	unsetenv("UDUNITS2_XML_PATH");
 }
 
@@ -178,6 +210,7 @@ static void threads(void)
 int main(void)
 {
 	conversions();
+	common();
 	refusals();
 	no_trace();
 	comma();
