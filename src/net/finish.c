@@ -10,8 +10,8 @@
  *
  * Positions in double precision give the tension of a stiff element only to
  * EA*ulp(position)/length0, which may exceed the loads. N does not have this error: what is
- * verified is that the forces N balance, and that each differs from the law by no more than the
- * tolerance or what one ulp of the positions makes of it.
+ * verified is that the forces N balance, and that each differs by no more than the tolerance from a
+ * force by the law at positions that differ by some ulp: an element that is slack has none.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -42,6 +42,19 @@ static double reach_of(const struct hawser__mesh *mesh, int i)
 	return reach;
 }
 
+/* Error of a length by that of the positions. */
+static double error_of(const struct hawser__mesh *mesh, int i)
+{
+	return ROUND*DBL_EPSILON*reach_of(mesh, i);
+}
+
+double hawser__net_lawful_force(const struct hawser__mesh *mesh, int i, double l, double N)
+{
+	double error = error_of(mesh, i);
+
+	return fmin(fmax(N, law(mesh, i, l - error)), law(mesh, i, l + error));
+}
+
 /* residual = minus the loads; bound = 0. */
 static void clear(struct hawser__net_work *work)
 {
@@ -63,13 +76,14 @@ int hawser__net_settled(struct hawser__net_work *work, double *most, double *flo
 	*most = *floor = 0.0;
 	for (int i = 0; i < mesh->elements; i++) {
 		double e[3], l = hawser__mesh_direction(e, mesh, i), T = law(mesh, i, l), N = work->N[i];
-		double ulp = ROUND*DBL_EPSILON*reach_of(mesh, i);
+		double ulp = error_of(mesh, i);
 
 		if (mesh->density[i] > 0.0)
 			N = T = mesh->density[i]*l;
 		else if (fabs(N) <= work->wanted)
 			N = T; /* so that what is slack has no force at all */
-		if (!(fabs(T - N) <= fmax(work->wanted, mesh->EA[i]/mesh->length0[i]*ulp)))
+		if (mesh->density[i] <= 0.0 &&
+		    !(fabs(N - hawser__net_lawful_force(mesh, i, l, N)) <= work->wanted))
 			settled = 0;
 		work->T[i] = N;
 		for (int end = 0; end < 2; end++) {

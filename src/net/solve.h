@@ -84,6 +84,9 @@ enum hawser_status hawser__net_finish(struct hawser__net_work *work, int *done,
  * left of it for no step. After it is solved: the force N that goes with the step x. */
 void hawser__net_linear(struct hawser__net_work *work, int element);
 double hawser__net_force_after(const struct hawser__net_work *work, int element);
+/* The force next to N that an element of length l has by the law, if the error of positions may make
+ * it shorter or longer. */
+double hawser__net_lawful_force(const struct hawser__mesh *mesh, int element, double l, double N);
 /* 1 if the forces N balance, and agree with the law at mesh->q. Sets T to them, or to the law for
  * forces within the tolerance; *most is the largest component that is not balanced, N, and *floor
  * what round-off allows it to be. */

@@ -329,7 +329,8 @@ static enum hawser_status gap_with_factors(double *gap, struct hawser__net_work 
 		for (int k = 0; k < 3; k++)
 			n[k] = work->T[i]*e[k] + work->a[i]*d[k] + work->b[i]*along*work->e[i][k];
 		if (mesh->density[i] == 0.0)
-			*gap += gap_of(mesh, i, e, l, work->T[i], n);
+			*gap += gap_of(mesh, i, e, l,
+			               hawser__net_lawful_force(mesh, i, l, work->T[i]), n);
 	}
 	return HAWSER_OK;
 }
