@@ -60,8 +60,8 @@ enum hawser_status cli_span_run(struct cli_span_run *run, const struct cli_commo
 
 	if (!status && !model->has_scene)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, command,
-		                      "%s is a reduced-model file: a mesh of cable elements is made of a "
-		                      "scene, give that", common->input);
+		                      "%s is no scene of a span: a mesh of cable elements is made of "
+		                      "one, give that", common->input);
 	if (!status && scene->beam.form != HAWSER_BEAM_NONE)
 		status = hawser__fail(report, HAWSER_ERR_SCENE, command,
 		                      "%s is a scene of a beam: that is for hawser beam", scene->name);

@@ -65,8 +65,8 @@ static enum hawser_status reach_of(enum hawser__reach *reach,
 		*reach = HAWSER__REACH_DAMPING;
 	else if (source->rom)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
-		                    "%.60s: the parameters of a reduced-model file are Omega, factor.load "
-		                    "and factor.damping", key);
+		                    "%.60s: the parameters of reduced-model files and of ropeways are "
+		                    "Omega, factor.load and factor.damping", key);
 	else if (strncmp(key, "damping.", 8) == 0)
 		/* with point masses the damping is not diagonal, and dampers add coordinates */
 		*reach = source->scene->attachments > 0 || hawser_statics_held(held, source->scene)

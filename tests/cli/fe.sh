@@ -114,7 +114,7 @@ refuses 1 "--method gauss: must be one of energy, alpha, theta, euler, cvode" in
 refuses 1 "the span is forced: give the frequency with --Omega, such as --Omega 0.9w1" integrate "$line2" --model fe
 refuses 1 "a motion needs 4 elements at least, not 3: its error is estimated by a mesh with half of them" \
 	integrate "$line2" --model fe --Omega 1w1 --elements 3
-refuses 1 "$duffing is a reduced-model file: a mesh of cable elements is made of a scene, give that" integrate \
+refuses 1 "$duffing is no scene of a span: a mesh of cable elements is made of one, give that" integrate \
 	"$duffing" --model fe --Omega 1
 refuses 1 "the fidelity auto has no motion from rest: name raw N, condensed N or full N" compare motion "$line2" \
 	--Omega 1w1 --fidelities "auto 1"
