@@ -207,7 +207,9 @@ out, err = run.communicate(timeout=60)
 want = -number if number == signal.SIGKILL else 128 + number
 assert run.returncode == want, (run.returncode, err)
 if number != signal.SIGKILL:
-    assert b"interrupted" in out and b"left" not in err, out
+    # On a slow machine the table takes longer than what a signal allows, and the JSON file is not begun.
+    cut = b"hawser: interrupted; the files that were written are complete, the rest is left out\n"
+    assert b"interrupted" in out and err in (b"", cut), err
 END
 if command -v python3 >/dev/null; then
 	# shellcheck disable=SC2086 # words
