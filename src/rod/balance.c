@@ -57,8 +57,7 @@ int hawser__rod_strains(struct hawser__rod_mesh *mesh)
 	return first;
 }
 
-/* Loads of node i, in the axes of the scene and, moments, of the section. */
-static void load(double r[HAWSER__ROD_FREE], const struct hawser__rod_mesh *mesh, int i)
+void hawser__rod_load(double r[HAWSER__ROD_FREE], const struct hawser__rod_mesh *mesh, int i)
 {
 	const struct hawser__rod_force *of = &mesh->sum[i];
 	double R[9], follow[3], moment[3];
@@ -74,7 +73,7 @@ static void load(double r[HAWSER__ROD_FREE], const struct hawser__rod_mesh *mesh
 
 /* The loads change with the turn t of the node: R exp(t) f = R f - R f~ t, and exp(-t) R'm = R'm +
  * (R'm)~ t. */
-static void load_tangent(struct hawser__rod_mesh *mesh, int i)
+void hawser__rod_load_tangent(struct hawser__rod_mesh *mesh, int i)
 {
 	const struct hawser__rod_force *of = &mesh->sum[i];
 	double R[9], moment[3], follow[9], turn[9], part[9];
@@ -97,7 +96,7 @@ static void assemble(struct hawser__rod_mesh *mesh, int tangent)
 	double f[HAWSER__ROD_PAIR], K[HAWSER__ROD_PAIR*HAWSER__ROD_PAIR];
 
 	for (int i = 0; i < mesh->nodes; i++)
-		load(mesh->r + (long)HAWSER__ROD_FREE*i, mesh, i);
+		hawser__rod_load(mesh->r + (long)HAWSER__ROD_FREE*i, mesh, i);
 	for (int e = 0; e < mesh->elements; e++) {
 		int at = HAWSER__ROD_FREE*e;
 
@@ -123,7 +122,7 @@ void hawser__rod_tangent(struct hawser__rod_mesh *mesh)
 	hawser__band_zero(&mesh->band);
 	assemble(mesh, 1);
 	for (int i = 0; i < mesh->nodes; i++)
-		load_tangent(mesh, i);
+		hawser__rod_load_tangent(mesh, i);
 	for (int end = 0; end < 2; end++) {
 		int at = end ? mesh->n - 3 : 3;
 

@@ -7,6 +7,10 @@ noinst_LTLIBRARIES += %D%/librod.la
 	%D%/element.h \
 	%D%/mesh.c \
 	%D%/mesh.h \
+	%D%/motion.c \
+	%D%/motion.h \
+	%D%/motion_form.c \
+	%D%/motion_ledger.c \
 	%D%/points.c \
 	%D%/read.c \
 	%D%/read.h \
