@@ -29,7 +29,7 @@ struct hawser__contact_chain {
 	int *node;                   /* [nodes] node at a place */
 	int *link;                   /* [nodes] from a place to the next; -1: the chain ends */
 	struct hawser__rows *factor; /* [nodes] rows of [next | y] */
-	struct hawser__rows *rest;   /* [nodes] what the places before leave */
+	struct hawser__rows *rest;   /* [nodes] what the places before leave of M alone */
 };
 
 void hawser__contact_chain_clear(struct hawser__contact_chain *chain)
@@ -101,9 +101,9 @@ HAWSER_PART void hold(struct hawser__rows *here, struct hawser__rows *off, unsig
 
 /* The rows of a node with one contact instead of those of M. here: [S | y], off: [U | y]. */
 HAWSER_PART void law(struct hawser__rows *here, struct hawser__rows *off,
-                     const struct hawser__touch *touch)
+                     const struct hawser__touch_rows *rows)
 {
-	const double *b = touch->CuH, *a = touch->CrH, *F = touch->G;
+	const double *b = rows->CuH, *a = rows->CrH, *F = rows->G;
 	const struct hawser__rows S = *here, U = *off;
 
 	here->x = (a[0]*S.x + a[1]*S.y + a[2]*S.z) + (hawser__vec){b[0], b[1], b[2], 0.0};
@@ -122,13 +122,14 @@ HAWSER_PART int positive(const struct hawser__rows *m, double det)
 
 /* Eliminate a place; rest: what is left to it, and then to the next. Returns 0 if it is singular, or
  * for M alone not positive definite. */
-HAWSER_PART int eliminate(struct hawser__rows *rest, struct hawser_friction *of, int place, int law_too)
+HAWSER_PART int eliminate(struct hawser__rows *rest, struct hawser_friction *of, int place,
+                          const struct hawser__step_law *by)
 {
 	struct hawser__contact_chain *chain = of->chain;
 	const int node = chain->node[place], link = chain->link[place];
 	const double *D = of->of->diagonal[node], *R = of->R[node];
 	const unsigned held = of->of->held ? of->of->held[node] : 0U;
-	const int first = law_too ? of->first[node] : -1;
+	const int first = by ? of->first[node] : -1;
 	double U[9] = {0.0}, c[9], det;
 	struct hawser__rows here, off, *factor = &chain->factor[place];
 
@@ -147,14 +148,17 @@ HAWSER_PART int eliminate(struct hawser__rows *rest, struct hawser_friction *of,
 		if (held)
 			hold(&here, &off, held, R);
 	} else if (of->touch[first].next < 0) {
-		law(&here, &off, &of->touch[first]);
+		struct hawser__touch_rows rows;
+
+		hawser__touch_linearise(&rows, &of->touch[first], by->sigma, hawser__step_from(by, of, first));
+		law(&here, &off, &rows);
 	}
 	if (first >= 0 && of->touch[first].next >= 0) {
-		if (!hawser__corner(factor, of, first, &here, &off))
+		if (!hawser__corner(factor, of, first, &here, &off, by))
 			return 0;
 	} else {
 		det = hawser__rows_adjugate(c, &here);
-		if (!law_too && !positive(&here, det))
+		if (!by && !positive(&here, det))
 			return 0;
 		if (det == 0.0 || !isfinite(1.0/det))
 			return 0;
@@ -171,22 +175,25 @@ static void corner(struct hawser_friction *of, int second, const double next[3])
 {
 	for (int c = second; c >= 0; c = of->touch[c].next)
 		for (int k = 0; k < 3; k++) {
-			const double *b = of->touch[c].back + 3*k;
+			const double *b = of->second[c].back + 3*k;
 
-			of->touch[c].dr[k] = of->touch[c].least[k] - (b[0]*next[0] + b[1]*next[1] + b[2]*next[2]);
+			of->second[c].dr[k] = of->second[c].least[k] -
+			                      (b[0]*next[0] + b[1]*next[1] + b[2]*next[2]);
 		}
 }
 
 HAWSER_HOT
-int hawser__contact_chain_solve(double (*du)[3], struct hawser_friction *of, int law_too)
+int hawser__contact_chain_solve(double (*du)[3], struct hawser_friction *of,
+                                const struct hawser__step_law *by)
 {
 	struct hawser__contact_chain *chain = of->chain;
 	const hawser__vec zero = {0.0};
 	struct hawser__rows rest = {zero, zero, zero};
 
 	for (int place = 0; place < chain->nodes; place++) {
-		chain->rest[place] = rest;
-		if (!eliminate(&rest, of, place, law_too))
+		if (!by)
+			chain->rest[place] = rest;
+		if (!eliminate(&rest, of, place, by))
 			return 0;
 		if (chain->link[place] < 0)
 			rest = (struct hawser__rows){zero, zero, zero};
@@ -196,7 +203,7 @@ int hawser__contact_chain_solve(double (*du)[3], struct hawser_friction *of, int
 		const double *next = chain->link[place] < 0 ? none : du[chain->node[place + 1]];
 
 		hawser__rows_back(du[chain->node[place]], &chain->factor[place], next);
-		if (law_too && of->first[chain->node[place]] >= 0)
+		if (by && of->corners && of->first[chain->node[place]] >= 0)
 			corner(of, of->touch[of->first[chain->node[place]]].next, next);
 	}
 	return 1;

@@ -50,23 +50,22 @@ static int solve(double A[MOST][WIDE], int n)
 	return 1;
 }
 
-/* The three rows of the law of contact c, the index-th of the node; unknowns du and dr/scale. */
-static void rows_of(double A[MOST][WIDE], const struct hawser_friction *of, int first, int c, int index,
-                    int n, double scale, const double S[3][4], const double U[3][4])
+/* The three rows of the law of the index-th contact of a node; unknowns du and dr/scale. */
+static void rows_of(double A[MOST][WIDE], const struct hawser_friction *of, int first, int index,
+                    int n, double scale, const double S[3][4], const double U[3][4],
+                    const struct hawser__touch_rows *law)
 {
-	const struct hawser__touch *touch = &of->touch[c];
-
 	for (int i = 0; i < 3; i++) {
 		double *row = A[3*index + i];
-		const double *a = touch->CrH + 3*i;
+		const double *a = law->CrH + 3*i;
 
 		memset(row, 0, WIDE*sizeof *row);
 		for (int j = 0; j < 3; j++)
-			row[j] = touch->CuH[3*i + j];
-		row[n + 3] = -touch->G[i];
+			row[j] = law->CuH[3*i + j];
+		row[n + 3] = -law->G[i];
 		if (index) {
 			for (int j = 0; j < 3; j++)
-				row[3*index + j] = scale*(touch->Cr[3*i + j] + (i == j ? weak : 0.0));
+				row[3*index + j] = scale*(law->Cr[3*i + j] + (i == j ? weak : 0.0));
 			continue;
 		}
 		for (int k = 0; k < 3; k++)
@@ -92,7 +91,8 @@ static void unpack(double to[3][4], const struct hawser__rows *rows)
 }
 
 int hawser__corner(struct hawser__rows *factor, struct hawser_friction *of, int first,
-                   const struct hawser__rows *S, const struct hawser__rows *U)
+                   const struct hawser__rows *S, const struct hawser__rows *U,
+                   const struct hawser__step_law *by)
 {
 	const double scale = of->touch[first].rho;
 	double A[MOST][WIDE], left[3][4], right[3][4];
@@ -102,9 +102,13 @@ int hawser__corner(struct hawser__rows *factor, struct hawser_friction *of, int 
 		n += 3;
 	unpack(left, S);
 	unpack(right, U);
-	for (int c = first; c >= 0; c = of->touch[c].next)
-		rows_of(A, of, first, c, index++, n, scale, (const double (*)[4])left,
-		        (const double (*)[4])right);
+	for (int c = first; c >= 0; c = of->touch[c].next) {
+		struct hawser__touch_rows law;
+
+		hawser__touch_linearise(&law, &of->touch[c], by->sigma, hawser__step_from(by, of, c));
+		rows_of(A, of, first, index++, n, scale, (const double (*)[4])left,
+		        (const double (*)[4])right, &law);
+	}
 	if (!solve(A, n))
 		return 0;
 	factor->x = (hawser__vec){A[0][n], A[0][n + 1], A[0][n + 2], A[0][n + 3]};
@@ -114,8 +118,8 @@ int hawser__corner(struct hawser__rows *factor, struct hawser_friction *of, int 
 	for (int c = of->touch[first].next; c >= 0; c = of->touch[c].next, index++)
 		for (int i = 0; i < 3; i++) {
 			for (int j = 0; j < 3; j++)
-				of->touch[c].back[3*i + j] = scale*A[3*index + i][n + j];
-			of->touch[c].least[i] = scale*A[3*index + i][n + 3];
+				of->second[c].back[3*i + j] = scale*A[3*index + i][n + j];
+			of->second[c].least[i] = scale*A[3*index + i][n + 3];
 		}
 	return 1;
 }

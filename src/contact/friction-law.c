@@ -50,37 +50,79 @@ static void slopes(double D[9], const double z[3], double mu, double dp, double 
 	}
 }
 
-void hawser__touch_law(struct hawser__touch *touch, double sigma, int derivatives)
+/* F at z, whose r is given; with D not NULL also the derivatives of r - F by z. */
+static void law(double F[3], double *D, const struct hawser__touch *touch, double sigma,
+                const double r[3], const double z[3])
 {
-	const double rho = touch->rho;
-	double z[3], dp, by_kappa, p, kappa, m, D[9];
+	double dp, by_kappa, p = maximum(&dp, z[0], 0.0, sigma), kappa, m;
 
-	for (int k = 0; k < 3; k++)
-		z[k] = touch->r[k] - rho*touch->w[k];
-	p = maximum(&dp, z[0], 0.0, sigma);
 	if (sigma == 0.0 && z[0] <= 0.0)
 		p = dp = 0.0;
 	kappa = touch->mu*p;
 	m = maximum(&by_kappa, kappa, length2(z[1], z[2]), sigma);
-	touch->F[0] = touch->r[0] - p;
+	F[0] = r[0] - p;
 	for (int k = 1; k < 3; k++)
-		touch->F[k] = touch->r[k] - (m > 0.0 ? kappa*z[k]/m : 0.0);
-	for (int k = 1; k < 3; k++)
-		if (touch->fixed & 1U << k)
-			touch->F[k] = 0.0;
-	if (!derivatives)
-		return;
-	slopes(D, z, touch->mu, dp, kappa, m, by_kappa);
+		F[k] = touch->fixed & 1U << k ? 0.0 : r[k] - (m > 0.0 ? kappa*z[k]/m : 0.0);
+	if (D)
+		slopes(D, z, touch->mu, dp, kappa, m, by_kappa);
+}
+
+double hawser__touch_law(double F[3], const struct hawser__touch *touch, double sigma)
+{
+	double z[3];
+
+	for (int k = 0; k < 3; k++)
+		z[k] = touch->r[k] - touch->rho*touch->w[k];
+	law(F, NULL, touch, sigma, touch->r, z);
+	return F[0]*F[0] + F[1]*F[1] + F[2]*F[2];
+}
+
+/* Cr and Cu of D. */
+static void derivatives(struct hawser__touch_rows *rows, const struct hawser__touch *touch,
+                        const double D[9])
+{
 	for (int i = 0; i < 9; i++) {
-		touch->Cr[i] = (i%4 == 0 ? 1.0 : 0.0) - D[i];
-		touch->Cu[i] = rho*D[i];
+		rows->Cr[i] = (i%4 == 0 ? 1.0 : 0.0) - D[i];
+		rows->Cu[i] = touch->rho*D[i];
 	}
 	for (int i = 1; i < 3; i++)
-		if (touch->fixed & 1U << i)
-			for (int j = 0; j < 3; j++) {
-				touch->Cr[3*i + j] = 0.0;
-				touch->Cu[3*i + j] = i == j ? rho : 0.0;
+		for (int j = 0; j < 3 && touch->fixed & 1U << i; j++) {
+			rows->Cr[3*i + j] = 0.0;
+			rows->Cu[3*i + j] = i == j ? touch->rho : 0.0;
+		}
+}
+
+void hawser__touch_linearise(struct hawser__touch_rows *rows, const struct hawser__touch *touch,
+                             double sigma, const double *from)
+{
+	const double *r = from ? from : touch->r, *w = from ? from + 3 : touch->w;
+	double z[3], D[9];
+
+	for (int k = 0; k < 3; k++)
+		z[k] = r[k] - touch->rho*w[k];
+	law(rows->G, D, touch, sigma, r, z);
+	derivatives(rows, touch, D);
+	for (int i = 0; i < 3; i++)
+		for (int j = 0; j < 3; j++) {
+			double by_r = 0.0, by_w = 0.0;
+
+			for (int k = 0; k < 3; k++) {
+				by_r += rows->Cr[3*i + k]*touch->H[3*k + j];
+				by_w += rows->Cu[3*i + k]*touch->H[3*k + j];
 			}
+			rows->CrH[3*i + j] = by_r;
+			rows->CuH[3*i + j] = by_w;
+		}
+	for (int i = 0; i < 3 && from; i++)
+		for (int k = 0; k < 3; k++)
+			rows->G[i] += rows->Cr[3*i + k]*(touch->r[k] - r[k]) +
+			              rows->Cu[3*i + k]*(touch->w[k] - w[k]);
+}
+
+const double *hawser__step_from(const struct hawser__step_law *law, const struct hawser_friction *of,
+                                int contact)
+{
+	return law->elsewhere ? of->from[contact] : NULL;
 }
 
 enum hawser_contact_state hawser__touch_state(const struct hawser__touch *touch)
@@ -91,10 +133,4 @@ enum hawser_contact_state hawser__touch_state(const struct hawser__touch *touch)
 	if (touch->r[0] - rho*touch->w[0] <= 0.0)
 		return HAWSER_CONTACT_OPEN;
 	return tangent <= kappa && kappa > 0.0 ? HAWSER_CONTACT_STICK : HAWSER_CONTACT_SLIP;
-}
-
-double hawser__touch_error(struct hawser__touch *touch)
-{
-	hawser__touch_law(touch, 0.0, 0);
-	return sqrt(touch->F[0]*touch->F[0] + touch->F[1]*touch->F[1] + touch->F[2]*touch->F[2]);
 }

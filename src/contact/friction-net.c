@@ -25,6 +25,7 @@ struct hawser__contact_net {
 	int (*node)[9];     /* [nodes] place of row r, column c of the block, in 3*r + c */
 	int (*link)[2][9];  /* [links] rows of link[0], columns of link[1]; and the other way */
 	double *right;      /* [unknowns] */
+	struct hawser__touch_rows *rows; /* [nodes] of the contact of a node, in a step */
 };
 
 void hawser__contact_net_clear(struct hawser__contact_net *net)
@@ -38,6 +39,7 @@ void hawser__contact_net_clear(struct hawser__contact_net *net)
 	free(net->node);
 	free(net->link);
 	free(net->right);
+	free(net->rows);
 	free(net);
 }
 
@@ -123,8 +125,10 @@ enum hawser_status hawser__contact_net_open(struct hawser__contact_net **made, i
 		net->node = malloc(((size_t)nodes + 1)*sizeof *net->node);
 		net->link = malloc(((size_t)links + 1)*sizeof *net->link);
 		net->right = malloc((3*(size_t)nodes + 1)*sizeof *net->right);
+		net->rows = malloc(((size_t)nodes + 1)*sizeof *net->rows);
 	}
-	if (!net || !list || !net->p || !net->i || !net->x || !net->node || !net->link || !net->right) {
+	if (!net || !list || !net->p || !net->i || !net->x || !net->node || !net->link || !net->right ||
+	    !net->rows) {
 		status = hawser__no_memory(report, "friction");
 	} else {
 		pattern(net, list, nodes, link, links);
@@ -143,44 +147,59 @@ enum hawser_status hawser__contact_net_open(struct hawser__contact_net **made, i
 
 /* Add a block, whose rows are those of a node: with the law times Cr H, none of held directions. */
 static void add(struct hawser__contact_net *net, const int at[9], const double B[9], int transposed,
-                const struct hawser__touch *touch, unsigned held)
+                const struct hawser__touch_rows *rows, unsigned held)
 {
 	for (int i = 0; i < 3; i++)
 		for (int j = 0; j < 3; j++) {
 			double sum = 0.0;
 
-			if (!touch && held & 1U << i)
+			if (!rows && held & 1U << i)
 				continue;
 			for (int k = 0; k < 3; k++)
-				sum += (touch ? touch->CrH[3*i + k] : k == i)*(transposed ? B[3*j + k] : B[3*k + j]);
+				sum += (rows ? rows->CrH[3*i + k] : k == i)*(transposed ? B[3*j + k] : B[3*k + j]);
 			net->x[at[3*i + j]] += sum;
 		}
 }
 
-static void assemble(struct hawser_friction *of, int law)
+/* The rows of the law of a node; NULL: it has none. */
+static const struct hawser__touch_rows *rows_of(const struct hawser_friction *of, int node,
+                                                const struct hawser__step_law *law)
+{
+	return law && of->first[node] >= 0 ? &of->net->rows[node] : NULL;
+}
+
+static void assemble_node(struct hawser_friction *of, int n, const struct hawser__step_law *law)
+{
+	struct hawser__contact_net *net = of->net;
+	const struct hawser__touch_rows *rows = rows_of(of, n, law);
+	const unsigned held = of->of->held ? of->of->held[n] : 0U;
+	const int contact = of->first[n];
+
+	if (rows)
+		hawser__touch_linearise(&net->rows[n], &of->touch[contact], law->sigma,
+		                        hawser__step_from(law, of, contact));
+	add(net, net->node[n], of->of->diagonal[n], 0, rows, held);
+	for (int k = 0; k < 3; k++) {
+		if (!rows && held & 1U << k)
+			net->x[net->node[n][4*k]] = 1.0;
+		net->right[3*n + k] = rows ? -rows->G[k] : of->R[n][k];
+	}
+	for (int k = 0; k < 9 && rows; k++)
+		net->x[net->node[n][k]] += rows->CuH[k];
+}
+
+static void assemble(struct hawser_friction *of, const struct hawser__step_law *law)
 {
 	struct hawser__contact_net *net = of->net;
 
 	memset(net->x, 0, (size_t)net->p[net->unknowns]*sizeof *net->x);
-	for (int n = 0; n < of->nodes; n++) {
-		const struct hawser__touch *touch = law && of->first[n] >= 0 ? &of->touch[of->first[n]] : NULL;
-		const unsigned held = of->of->held ? of->of->held[n] : 0U;
-
-		add(net, net->node[n], of->of->diagonal[n], 0, touch, held);
-		for (int k = 0; k < 3; k++) {
-			if (!touch && held & 1U << k)
-				net->x[net->node[n][4*k]] = 1.0;
-			net->right[3*n + k] = touch ? -touch->G[k] : of->R[n][k];
-		}
-		for (int k = 0; k < 9 && touch; k++)
-			net->x[net->node[n][k]] += touch->CuH[k];
-	}
+	for (int n = 0; n < of->nodes; n++)
+		assemble_node(of, n, law);
 	for (int e = 0; e < of->links; e++)
 		for (int side = 0; side < 2; side++) {
 			const int n = of->link[e][side];
 
-			add(net, net->link[e][side], of->of->off[e], side,
-			    law && of->first[n] >= 0 ? &of->touch[of->first[n]] : NULL,
+			add(net, net->link[e][side], of->of->off[e], side, rows_of(of, n, law),
 			    of->of->held ? of->of->held[n] : 0U);
 		}
 }
@@ -196,7 +215,8 @@ static int positive(const struct hawser__contact_net *net, const klu_numeric *nu
 	return 1;
 }
 
-int hawser__contact_net_solve(double (*du)[3], struct hawser_friction *of, int law)
+int hawser__contact_net_solve(double (*du)[3], struct hawser_friction *of,
+                              const struct hawser__step_law *law)
 {
 	struct hawser__contact_net *net = of->net;
 	klu_numeric *numeric;

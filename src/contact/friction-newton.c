@@ -31,45 +31,45 @@ enum { STALLS = 4 };
 struct iteration {
 	struct hawser_friction *of;
 	double (*u)[3];
-	double sum;   /* of F^2 */
-	double scale; /* largest force: |r| or rho*|w| of a contact */
+	struct hawser__friction_where at; /* `sum` with the last smoothing */
 	double tolerance;
 	int count, most, singular;
 };
 
-/* Make r and w those of u, and say whether it is the solution. */
-static int arrive(struct iteration *it)
+/* Make r and w those of u. */
+static void arrive(struct iteration *it, double sigma)
 {
-	hawser__friction_defect(it->of, (const double (*)[3])it->u);
-	hawser__friction_follow(it->of, (const double (*)[3])it->u);
-	return hawser__friction_error(&it->scale, it->of) <= it->tolerance +
-	       hawser__friction_roundoff(it->of, (const double (*)[3])it->u)/it->scale;
+	it->at = hawser__friction_arrive(it->of, sigma, (const double (*)[3])it->u);
 }
 
-/* Newton's step from u, the law as taken at r and w. Returns 0 if its matrix is singular. */
+static int solved(const struct iteration *it)
+{
+	double roundoff = hawser__friction_roundoff(it->of, (const double (*)[3])it->u);
+
+	return it->at.error <= it->tolerance*it->at.scale + roundoff;
+}
+
+/* Newton's step. Returns 0 if its matrix is singular. */
 static int step(struct iteration *it, double sigma, int elsewhere)
 {
-	it->sum = hawser__friction_laws(it->of, sigma, 1);
-	hawser__friction_linearise(it->of, (const double (*)[3])it->u, elsewhere);
+	const struct hawser__step_law law = {sigma, elsewhere};
+
 	it->count++;
-	if (!hawser__friction_step(it->of, 1)) {
-		it->singular = 1;
-		return 0;
-	}
-	hawser__friction_steps(it->of);
-	return 1;
+	if (hawser__friction_step(it->of, &law))
+		return 1;
+	it->singular = 1;
+	return 0;
 }
 
 static void keep(struct iteration *it, int back)
 {
-	size_t size = (size_t)it->of->nodes*sizeof *it->u;
+	struct hawser_friction *of = it->of;
+	size_t size = (size_t)of->nodes*sizeof *it->u;
 
-	memcpy(back ? it->u : it->of->kept, back ? it->of->kept : it->u, size);
-	for (int c = 0; c < it->of->of->contacts; c++) {
-		struct hawser__touch *touch = &it->of->touch[c];
-
-		memcpy(back ? touch->r : touch->kept, back ? touch->kept : touch->r, sizeof touch->r);
-	}
+	memcpy(back ? it->u : of->kept, back ? of->kept : it->u, size);
+	for (int c = 0; c < of->of->contacts && of->corners; c++)
+		memcpy(back ? of->touch[c].r : of->second[c].kept, back ? of->second[c].kept : of->touch[c].r,
+		       sizeof of->touch[c].r);
 }
 
 /* Full steps with sigma = 0 while they get nearer: 1 if they reach the solution, else u as before. */
@@ -83,30 +83,32 @@ static int finish(struct iteration *it, int elsewhere)
 			break;
 		elsewhere = 0;
 		hawser__friction_move(it->of, it->u, 1.0);
-		if (arrive(it))
+		arrive(it, 0.0);
+		if (solved(it))
 			return 1;
-		if (i > 1 && !(it->sum < before))
+		if (i > 1 && !(it->at.sum < before))
 			break;
-		before = it->sum;
+		before = it->at.sum;
 	}
 	keep(it, 1);
-	(void)arrive(it);
+	arrive(it, 0.0);
 	return 0;
 }
 
 /* A step of the path with a line search: its length, 0 if there is none. */
-static double search(struct iteration *it, double sigma, double *next)
+static double search(struct iteration *it, double sigma)
 {
+	const double before = hawser__friction_look(it->of, sigma).sum;
 	double t = 1.0;
 
 	if (!step(it, sigma, 0))
 		return 0.0;
 	hawser__friction_move(it->of, it->u, 1.0);
-	*next = hawser__friction_laws(it->of, sigma, 0);
-	while (!(*next <= (1.0 - decrease*t)*it->sum)) {
+	arrive(it, sigma);
+	while (!(it->at.sum <= (1.0 - decrease*t)*before)) {
 		hawser__friction_move(it->of, it->u, -0.5*t);
+		arrive(it, sigma);
 		t *= 0.5;
-		*next = hawser__friction_laws(it->of, sigma, 0);
 		if (t < shortest)
 			return 0.0;
 	}
@@ -120,17 +122,17 @@ static int path(struct iteration *it, double sigma, double factor)
 	int stalls = 0;
 	double wanted = sigma_finish*sigma;
 
-	while (sigma > sigma_least*it->scale && it->count < it->most) {
-		double next, t = search(it, sigma, &next);
+	while (sigma > sigma_least*it->at.scale && it->count < it->most) {
+		double t = search(it, sigma), sum = it->at.sum;
 
-		if (arrive(it)) {
+		if (solved(it)) {
 			(void)finish(it, 0); /* to round-off */
 			return 1;
 		}
 		stalls = t < stalled ? stalls + 1 : 0;
 		if (t == 0.0 || stalls > STALLS)
 			return 0;
-		if (next > near*near*sigma*sigma*contacts)
+		if (sum > near*near*sigma*sigma*contacts)
 			continue;
 		if (sigma <= wanted) {
 			if (finish(it, 0))
@@ -154,7 +156,8 @@ static int cold(struct iteration *it)
 {
 	for (int i = 0; i < TRIES; i++) {
 		release(it);
-		if (arrive(it) || path(it, it->scale, factors[i]))
+		arrive(it, 0.0);
+		if (solved(it) || path(it, it->at.scale, factors[i]))
 			return 1;
 	}
 	return 0;
@@ -167,7 +170,7 @@ enum hawser_status hawser__friction_newton(struct hawser_friction *of, double (*
 {
 	struct iteration it = {.of = of, .u = u, .tolerance = options->tolerance, .most = options->most};
 	int done = (options->warm && finish(&it, 1)) || cold(&it);
-	double error = hawser__friction_error(&it.scale, of);
+	double error = it.at.error/it.at.scale;
 
 	counts->iterations = it.count;
 	if (done)

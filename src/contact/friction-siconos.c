@@ -101,7 +101,7 @@ static int respond(struct hawser_friction *of, const double *r)
 		for (int k = 0; k < 3; k++)
 			if (of->of->held && of->of->held[n] & 1U << k)
 				of->R[n][k] = 0.0;
-	return hawser__friction_step(of, 0);
+	return hawser__friction_step(of, NULL);
 }
 
 /* W by columns; the rows and columns of held tangents are those of a multiple of the unit matrix. */

@@ -1,4 +1,4 @@
-/* contact/friction-start.c - the velocities without contact, and the scales of the contacts; errors.
+/* contact/friction-start.c - the velocities without contact, and the scales of the contacts; round-off.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -23,7 +23,7 @@ static void weigh(struct hawser_friction *of)
 	}
 }
 
-int hawser__friction_step(struct hawser_friction *of, int law)
+int hawser__friction_step(struct hawser_friction *of, const struct hawser__step_law *law)
 {
 	return of->net ? hawser__contact_net_solve(of->du, of, law)
 	               : hawser__contact_chain_solve(of->du, of, law);
@@ -35,7 +35,7 @@ int hawser__friction_free(struct hawser_friction *of, double (*u)[3])
 		for (int k = 0; k < 3; k++)
 			u[n][k] = of->of->held && of->of->held[n] & 1U << k ? of->of->right[n][k] : 0.0;
 	hawser__friction_defect(of, (const double (*)[3])u);
-	if (!hawser__friction_step(of, 0))
+	if (!hawser__friction_step(of, NULL))
 		return 0;
 	if (of->net)
 		hawser__contact_net_inverse(of);
@@ -47,35 +47,6 @@ int hawser__friction_free(struct hawser_friction *of, double (*u)[3])
 			of->free[n][k] = u[n][k] += of->du[n][k];
 	hawser__friction_defect(of, (const double (*)[3])u);
 	return 1;
-}
-
-static double largest(const struct hawser_friction *of)
-{
-	double scale = 0.0;
-
-	for (int c = 0; c < of->of->contacts; c++) {
-		const struct hawser__touch *t = &of->touch[c];
-		double r = t->r[0]*t->r[0] + t->r[1]*t->r[1] + t->r[2]*t->r[2];
-		double w = t->w[0]*t->w[0] + t->w[1]*t->w[1] + t->w[2]*t->w[2];
-
-		scale = fmax(scale, fmax(r, t->rho*t->rho*w));
-	}
-	return sqrt(scale);
-}
-
-double hawser__friction_error(double *scale, struct hawser_friction *of)
-{
-	double most = 0.0;
-
-	for (int c = 0; c < of->of->contacts; c++) {
-		double one = hawser__touch_error(&of->touch[c]);
-
-		most = one <= most ? most : one; /* not a number stays */
-	}
-	*scale = largest(of);
-	if (!(*scale > 0.0))
-		*scale = 1.0; /* nothing acts on the contacts */
-	return most/ *scale;
 }
 
 double hawser__friction_roundoff(const struct hawser_friction *of, const double (*u)[3])

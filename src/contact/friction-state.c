@@ -3,7 +3,6 @@
 #include "config.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "contact/friction.h"
 
@@ -71,17 +70,16 @@ static void rotate(double to[3], const double H[9], const double x[3])
 
 /* r of the first contact of a node from the force s on it and those of the others. */
 static void share(double r[3], const struct hawser_friction *of, const struct hawser__touch *first,
-                  const double s[3], int steps)
+                  const double s[3])
 {
 	double left[3] = {s[0], s[1], s[2]};
 
 	for (int c = first->next; c >= 0; c = of->touch[c].next) {
 		const struct hawser__touch *other = &of->touch[c];
-		const double *impulse = steps ? other->dr : other->r;
 
 		for (int k = 0; k < 3; k++)
 			for (int i = 0; i < 3; i++)
-				left[i] -= other->H[3*k + i]*impulse[k];
+				left[i] -= other->H[3*k + i]*other->r[k];
 	}
 	rotate(r, first->H, left);
 	for (int k = 1; k < 3; k++)
@@ -89,96 +87,72 @@ static void share(double r[3], const struct hawser_friction *of, const struct ha
 			r[k] = 0.0;
 }
 
-/* r and w of all contacts, as u has them. */
+static void follow(struct hawser__touch *touch, const struct hawser_friction *of, int contact,
+                   const double (*u)[3])
+{
+	const int node = touch->node;
+	const double *R = of->R[node], s[3] = {-R[0], -R[1], -R[2]};
+
+	rotate(touch->w, touch->H, u[node]);
+	for (int k = 0; k < 3; k++)
+		touch->w[k] += touch->offset[k];
+	if (of->first[node] == contact)
+		share(touch->r, of, touch, s);
+}
+
 void hawser__friction_follow(struct hawser_friction *of, const double (*u)[3])
 {
-	for (int c = 0; c < of->of->contacts; c++) {
-		struct hawser__touch *touch = &of->touch[c];
-		const int node = touch->node;
-
-		rotate(touch->w, touch->H, u[node]);
-		for (int k = 0; k < 3; k++)
-			touch->w[k] += touch->offset[k];
-		if (of->first[node] == c) {
-			const double s[3] = {-of->R[node][0], -of->R[node][1], -of->R[node][2]};
-
-			share(touch->r, of, touch, s, 0);
-		}
-	}
-}
-
-/* Sum of F^2; with derivatives too. */
-double hawser__friction_laws(struct hawser_friction *of, double sigma, int derivatives)
-{
-	double sum = 0.0;
-
-	for (int c = 0; c < of->of->contacts; c++) {
-		struct hawser__touch *touch = &of->touch[c];
-
-		hawser__touch_law(touch, sigma, derivatives);
-		for (int k = 0; k < 3; k++)
-			sum += touch->F[k]*touch->F[k];
-	}
-	return sum;
-}
-
-/* G, CrH and CuH of a step from u, where the law is taken at r and w; these become those of u. */
-void hawser__friction_linearise(struct hawser_friction *of, const double (*u)[3], int elsewhere)
-{
-	for (int c = 0; c < of->of->contacts; c++) {
-		struct hawser__touch *touch = &of->touch[c];
-
-		memcpy(touch->G, touch->F, sizeof touch->G);
-		if (elsewhere) {
-			memcpy(touch->dr, touch->r, sizeof touch->dr);
-			memcpy(touch->dw, touch->w, sizeof touch->dw);
-		}
-		for (int i = 0; i < 3; i++)
-			for (int j = 0; j < 3; j++) {
-				double r = 0.0, w = 0.0;
-
-				for (int k = 0; k < 3; k++) {
-					r += touch->Cr[3*i + k]*touch->H[3*k + j];
-					w += touch->Cu[3*i + k]*touch->H[3*k + j];
-				}
-				touch->CrH[3*i + j] = r;
-				touch->CuH[3*i + j] = w;
-			}
-	}
-	if (!elsewhere)
-		return;
-	hawser__friction_follow(of, u);
-	for (int c = 0; c < of->of->contacts; c++) {
-		struct hawser__touch *touch = &of->touch[c];
-
-		for (int i = 0; i < 3; i++)
-			for (int k = 0; k < 3; k++)
-				touch->G[i] += touch->Cr[3*i + k]*(touch->r[k] - touch->dr[k]) +
-				               touch->Cu[3*i + k]*(touch->w[k] - touch->dw[k]);
-	}
-}
-
-void hawser__friction_steps(struct hawser_friction *of)
-{
-	times(of->Mdu, of, (const double (*)[3])of->du);
-	for (int c = 0; c < of->of->contacts; c++) {
-		struct hawser__touch *touch = &of->touch[c];
-
-		rotate(touch->dw, touch->H, of->du[touch->node]);
-	}
 	for (int c = 0; c < of->of->contacts; c++)
-		if (of->first[of->touch[c].node] == c)
-			share(of->touch[c].dr, of, &of->touch[c], of->Mdu[of->touch[c].node], 1);
+		follow(&of->touch[c], of, c, u);
+}
+
+/* Add a contact; error and scale are squares here. */
+static void look(struct hawser__friction_where *where, const struct hawser__touch *touch, double sigma)
+{
+	const double *r = touch->r, *w = touch->w, rho = touch->rho;
+	double F[3], one = hawser__touch_law(F, touch, 0.0);
+
+	where->error = one <= where->error ? where->error : one; /* not a number stays */
+	where->sum += sigma > 0.0 ? hawser__touch_law(F, touch, sigma) : one;
+	where->scale = fmax(where->scale, r[0]*r[0] + r[1]*r[1] + r[2]*r[2]);
+	where->scale = fmax(where->scale, rho*rho*(w[0]*w[0] + w[1]*w[1] + w[2]*w[2]));
+}
+
+static struct hawser__friction_where looked(struct hawser__friction_where where)
+{
+	where.error = sqrt(where.error);
+	where.scale = where.scale > 0.0 ? sqrt(where.scale) : 1.0;
+	return where;
+}
+
+struct hawser__friction_where hawser__friction_look(const struct hawser_friction *of, double sigma)
+{
+	struct hawser__friction_where where = {.sum = 0.0};
+
+	for (int c = 0; c < of->of->contacts; c++)
+		look(&where, &of->touch[c], sigma);
+	return looked(where);
+}
+
+struct hawser__friction_where hawser__friction_arrive(struct hawser_friction *of, double sigma,
+                                                      const double (*u)[3])
+{
+	struct hawser__friction_where where = {.sum = 0.0};
+
+	hawser__friction_defect(of, u);
+	for (int c = 0; c < of->of->contacts; c++) {
+		follow(&of->touch[c], of, c, u);
+		look(&where, &of->touch[c], sigma);
+	}
+	return looked(where);
 }
 
 void hawser__friction_move(struct hawser_friction *of, double (*u)[3], double by)
 {
-	for (int c = 0; c < of->of->contacts; c++)
-		for (int k = 0; k < 3; k++) {
-			of->touch[c].r[k] += by*of->touch[c].dr[k];
-			of->touch[c].w[k] += by*of->touch[c].dw[k];
-		}
 	for (int n = 0; n < of->nodes; n++)
 		for (int k = 0; k < 3; k++)
 			u[n][k] += by*of->du[n][k];
+	for (int c = 0; c < of->of->contacts && of->corners; c++)
+		for (int k = 0; k < 3 && of->first[of->touch[c].node] != c; k++)
+			of->touch[c].r[k] += by*of->second[c].dr[k];
 }

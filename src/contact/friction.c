@@ -54,9 +54,10 @@ void hawser_friction_clear(struct hawser_friction *solver)
 	free(solver->link);
 	free(solver->first);
 	free(solver->touch);
+	free(solver->second);
+	free(solver->from);
 	free(solver->R);
 	free(solver->du);
-	free(solver->Mdu);
 	free(solver->kept);
 	free(solver->free);
 	free(solver->inverse);
@@ -70,14 +71,15 @@ static int allocate(struct hawser_friction *solver)
 	solver->link = calloc((size_t)solver->links + 1, sizeof *solver->link);
 	solver->first = calloc(n, sizeof *solver->first);
 	solver->touch = calloc(c + 1, sizeof *solver->touch);
+	solver->second = calloc(c + 1, sizeof *solver->second);
+	solver->from = calloc(c + 1, sizeof *solver->from);
 	solver->R = calloc(n, sizeof *solver->R);
 	solver->du = calloc(n, sizeof *solver->du);
-	solver->Mdu = calloc(n, sizeof *solver->Mdu);
 	solver->kept = calloc(n, sizeof *solver->kept);
 	solver->free = calloc(n, sizeof *solver->free);
 	solver->inverse = calloc(n, sizeof *solver->inverse);
-	return solver->link && solver->first && solver->touch && solver->R && solver->du && solver->Mdu &&
-	       solver->kept && solver->free && solver->inverse;
+	return solver->link && solver->first && solver->touch && solver->second && solver->from &&
+	       solver->R && solver->du && solver->kept && solver->free && solver->inverse;
 }
 
 static enum hawser_status links_good(int nodes, const int (*link)[2], int links,
@@ -136,6 +138,7 @@ static double shift(const struct hawser_contact *contact)
 
 static void place(struct hawser_friction *solver, const struct hawser_friction_problem *problem)
 {
+	solver->corners = 0;
 	for (int n = 0; n < solver->nodes; n++)
 		solver->first[n] = -1;
 	for (int c = problem->contacts - 1; c >= 0; c--) {
@@ -144,6 +147,7 @@ static void place(struct hawser_friction *solver, const struct hawser_friction_p
 
 		touch->node = contact->node;
 		touch->next = solver->first[contact->node];
+		solver->corners |= touch->next >= 0;
 		solver->first[contact->node] = c;
 		touch->mu = contact->friction;
 		memcpy(touch->H, contact->normal, sizeof contact->normal);
@@ -169,16 +173,17 @@ static double norm(const struct hawser_friction_problem *problem, int nodes)
 /* Start from the replies, or from no impulse. */
 static void begin(struct hawser_friction *solver, const struct hawser_contact_reply *reply, int warm)
 {
+	for (int c = 0; c < solver->of->contacts; c++)
+		memset(solver->touch[c].r, 0, sizeof solver->touch[c].r);
 	hawser__friction_follow(solver, (const double (*)[3])solver->free);
-	for (int c = 0; c < solver->of->contacts; c++) {
-		struct hawser__touch *touch = &solver->touch[c];
+	for (int c = 0; c < solver->of->contacts && warm; c++) {
+		double *from = solver->from[c];
 
-		memset(touch->r, 0, sizeof touch->r);
-		if (!warm)
-			continue;
-		memcpy(touch->r, reply[c].impulse, sizeof touch->r);
-		memcpy(touch->w, reply[c].velocity, sizeof touch->w);
-		touch->w[0] += shift(&solver->of->contact[c]);
+		memcpy(from, reply[c].impulse, sizeof reply[c].impulse);
+		memcpy(from + 3, reply[c].velocity, sizeof reply[c].velocity);
+		from[3] += shift(&solver->of->contact[c]);
+		if (solver->first[solver->touch[c].node] != c)
+			memcpy(solver->touch[c].r, from, sizeof solver->touch[c].r);
 	}
 }
 
@@ -202,11 +207,12 @@ static void reply_all(struct hawser_contact_reply *reply, struct hawser_friction
 
 	for (int c = 0; c < solver->of->contacts; c++) {
 		struct hawser__touch *touch = &solver->touch[c];
+		double F[3];
 
-		hawser__touch_law(touch, 0.0, 0);
+		(void)hawser__touch_law(F, touch, 0.0);
 		reply[c].state = hawser__touch_state(touch);
 		for (int k = 0; k < 3; k++) {
-			touch->r[k] -= touch->F[k];
+			touch->r[k] -= F[k];
 			reply[c].impulse[k] = touch->r[k];
 			reply[c].velocity[k] = touch->w[k];
 		}
@@ -239,10 +245,11 @@ static enum hawser_status answer(double (*u)[3], struct hawser_contact_reply *re
                                  struct hawser_report *report)
 {
 	const double (*at)[3] = (const double (*)[3])u;
-	double scale, size, most, allowed;
+	const struct hawser__friction_where where = hawser__friction_look(solver, 0.0);
+	double size, most;
+	const double allowed = options->tolerance + hawser__friction_roundoff(solver, at)/where.scale;
 
-	counts->residual = hawser__friction_error(&scale, solver);
-	allowed = options->tolerance + hawser__friction_roundoff(solver, at)/scale;
+	counts->residual = where.error/where.scale;
 	if (!(counts->residual <= allowed))
 		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "friction", counts->iterations,
 		                       counts->residual, "contact and friction: the residual is %.2e after %d "

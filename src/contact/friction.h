@@ -12,21 +12,33 @@
 
 #include <hawser/friction.h>
 
-/* A contact while it is solved. Matrices are row-major. */
+/* A contact while it is solved. Matrices are row-major. Small, as each iteration passes over all. */
 struct hawser__touch {
 	int node, next;      /* next: contact of the same node; -1: none */
 	unsigned fixed;      /* bit k: tangent k (1, 2) is a held direction */
 	double H[9];
 	double mu, offset[3]; /* w = H u + offset */
 	double rho;
-	double r[3], w[3];
-	double F[3];         /* residual of the law, a force */
-	double G[3];         /* the same for the step: F and what r and w lack of H s and H u + offset */
-	double Cr[9], Cu[9]; /* derivatives of F by r, and by w */
-	double CrH[9], CuH[9];
-	double dr[3], dw[3]; /* of Newton's step */
-	double kept[3];      /* r of a point to which the iteration may return */
-	double back[9], least[3]; /* of a second contact of a node: dr = least - back*du of the next */
+	double r[3], w[3];   /* at u */
+};
+
+/* What only a second contact of a node has, whose impulse is an unknown. */
+struct hawser__touch_second {
+	double back[9], least[3]; /* dr = least - back*du of the next node of the chain */
+	double dr[3];             /* of Newton's step */
+	double kept[3];           /* r of a point to which the iteration may return */
+};
+
+/* The rows of the law in a step: residual G, derivatives by r and w, and by H^T r and u. */
+struct hawser__touch_rows {
+	double G[3], Cr[9], Cu[9], CrH[9], CuH[9];
+};
+
+/* Where the iteration is. */
+struct hawser__friction_where {
+	double sum;   /* of F^2 with smoothing */
+	double error; /* largest |F| of a contact without */
+	double scale; /* the largest force, |r| or rho |w|; 1 where there is none */
 };
 
 struct hawser__contact_chain;
@@ -34,12 +46,15 @@ struct hawser__contact_net;
 
 struct hawser_friction {
 	int nodes, links, most;
+	int corners;                 /* 1: a node of the problem has several contacts */
 	int (*link)[2];
 	struct hawser__contact_chain *chain; /* NULL: a net */
 	struct hawser__contact_net *net; /* NULL: chains */
 	int *first;                  /* [nodes] first contact; -1: none */
 	struct hawser__touch *touch; /* [most] */
-	double (*R)[3], (*du)[3], (*Mdu)[3]; /* [nodes] R = p - M u; at held directions p - u */
+	struct hawser__touch_second *second; /* [most] */
+	double (*from)[6];           /* [most] r and w at which the law of a first warm step is taken */
+	double (*R)[3], (*du)[3];    /* [nodes] R = p - M u; at held directions p - u */
 	double (*free)[3];           /* [nodes] u without contact */
 	double (*kept)[3];           /* [nodes] u of a point to which the iteration may return */
 	double norm;                 /* largest entry of the blocks of nodes */
@@ -55,20 +70,31 @@ enum hawser_status hawser__friction_check(struct hawser_friction *solver,
 enum hawser_status hawser__friction_room(const struct hawser_friction *solver, int node,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* friction-law.c: F, and with `derivatives` Cr and Cu, at r and w; sigma >= 0 smooths the law. */
-void hawser__touch_law(struct hawser__touch *touch, double sigma, int derivatives);
+/* friction-law.c: F at r and w; sigma >= 0 smooths the law. Returns |F|^2. */
+double hawser__touch_law(double F[3], const struct hawser__touch *touch, double sigma);
+/* The rows of a step from the touch's r and w, where the law is taken there, or at `from` (r, w). */
+void hawser__touch_linearise(struct hawser__touch_rows *rows, const struct hawser__touch *touch,
+                             double sigma, const double *from /* [6], or NULL */);
 enum hawser_contact_state hawser__touch_state(const struct hawser__touch *touch);
-/* |F| without smoothing, a force. */
-double hawser__touch_error(struct hawser__touch *touch);
+
+/* The law of a Newton step. */
+struct hawser__step_law {
+	double sigma;
+	int elsewhere; /* 1: the law is taken at the solver's `from` */
+};
+/* `from` of a contact, or NULL: */
+const double *hawser__step_from(const struct hawser__step_law *law, const struct hawser_friction *of,
+                                int contact);
 
 /* friction-chain.c. *made is NULL where the links form no chains. */
 enum hawser_status hawser__contact_chain_open(struct hawser__contact_chain **made, int nodes,
                                       const int (*link)[2] /* [links] */, int links,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__contact_chain_clear(struct hawser__contact_chain *chain);
-/* du [nodes][3]: Newton's step, or without the law M du = R. Returns 0 if the matrix is singular, or M
- * not positive definite. */
-int hawser__contact_chain_solve(double (*du)[3], struct hawser_friction *of, int law);
+/* du [nodes][3]: Newton's step, or without a law (NULL) M du = R. Returns 0 if the matrix is singular, or
+ * M not positive definite. */
+int hawser__contact_chain_solve(double (*du)[3], struct hawser_friction *of,
+                                const struct hawser__step_law *law);
 /* of->inverse, after a solution without the law. */
 void hawser__contact_chain_inverse(struct hawser_friction *of);
 
@@ -77,36 +103,36 @@ enum hawser_status hawser__contact_net_open(struct hawser__contact_net **made, i
                                             const int (*link)[2] /* [links] */, int links,
                                             struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__contact_net_clear(struct hawser__contact_net *net);
-int hawser__contact_net_solve(double (*du)[3], struct hawser_friction *of, int law);
+int hawser__contact_net_solve(double (*du)[3], struct hawser_friction *of,
+                              const struct hawser__step_law *law);
 void hawser__contact_net_inverse(struct hawser_friction *of);
 
 /* friction-start.c: either of them; du goes to of->du. */
-int hawser__friction_step(struct hawser_friction *of, int law);
+int hawser__friction_step(struct hawser_friction *of, const struct hawser__step_law *law);
 
 /* friction-corner.c: rows of [next | y] of a node with several contacts, the first of them `first`, of
  * [S | y] and [U | y]. Returns 0 if they are singular. */
 struct hawser__rows;
 int hawser__corner(struct hawser__rows *factor, struct hawser_friction *of, int first,
-                   const struct hawser__rows *S, const struct hawser__rows *U);
+                   const struct hawser__rows *S, const struct hawser__rows *U,
+                   const struct hawser__step_law *law);
 
 /* friction-state.c. R at u: */
 void hawser__friction_defect(struct hawser_friction *of, const double (*u)[3] /* [nodes][3] */);
 /* The largest component of M u - p - sum of H^T r; size: the largest of the terms p and D u. */
 double hawser__friction_balance(double *size, struct hawser_friction *of,
                                 const double (*u)[3] /* [nodes][3] */);
-/* r and w of all contacts at u and R: */
+/* r and w of all contacts at u and R; the impulses of second contacts stay. */
 void hawser__friction_follow(struct hawser_friction *of, const double (*u)[3] /* [nodes][3] */);
-/* F of all contacts, Cr and Cu with `derivatives`; returns the sum of F^2. */
-double hawser__friction_laws(struct hawser_friction *of, double sigma, int derivatives);
-/* G, CrH and CuH of a step from u. elsewhere: r and w are not those of u, and then become them. */
-void hawser__friction_linearise(struct hawser_friction *of, const double (*u)[3] /* [nodes][3] */,
-                                int elsewhere);
-/* dr and dw of all contacts from du, and then a part of the step: */
-void hawser__friction_steps(struct hawser_friction *of);
+/* R, r and w at u, and what the laws say of them: */
+struct hawser__friction_where hawser__friction_arrive(struct hawser_friction *of, double sigma,
+                                                      const double (*u)[3] /* [nodes][3] */);
+struct hawser__friction_where hawser__friction_look(const struct hawser_friction *of, double sigma);
+/* A part of the step: */
 void hawser__friction_move(struct hawser_friction *of, double (*u)[3] /* [nodes][3] */, double by);
 
 /* A method: from u, w and rho without contact (hawser__friction_free) to u, r and w with it. With the
- * option `warm` r and w are those of a start, and r is 0 otherwise. */
+ * option `warm` the solver's `from` holds r and w of a start. */
 typedef enum hawser_status hawser__friction_method(struct hawser_friction *of, double (*u)[3],
                                                    struct hawser_friction_counts *counts,
                                                    const struct hawser_friction_options *options,
@@ -118,18 +144,15 @@ struct hawser__friction_row {
 /* NULL, with a report, if there is no row of this name; name NULL: the first. */
 const struct hawser__friction_row *hawser__friction_row(const char *name, struct hawser_report *report);
 
-/* friction-newton.c: from r and w of the contacts (warm), or from M u = p. */
+/* friction-newton.c: from `from` (warm), or from M u = p. */
 hawser__friction_method hawser__friction_newton;
 /* friction-siconos.c: begin at the velocities without contact. */
 hawser__friction_method hawser__friction_lemke, hawser__friction_nsgs, hawser__friction_nsn_ac;
 
 /* friction-start.c: velocities without contact, R, w and rho; 0 if M is not positive definite. */
 int hawser__friction_free(struct hawser_friction *of, double (*u)[3] /* [nodes][3] */);
-/* The largest error of a contact over the scale, the largest force |r| or rho |w|; the round-off of
- * forces at u. */
-double hawser__friction_error(double *scale, struct hawser_friction *of);
+/* The round-off of forces at u. */
 double hawser__friction_roundoff(const struct hawser_friction *of,
                                  const double (*u)[3] /* [nodes][3] */);
-
 
 #endif
