@@ -1,5 +1,6 @@
 /* bench/friction - contact with friction in one step: agreement with Siconos on random problems; time
- * over the number of contacts, cold and warm, errors beside it; and times of all methods.
+ * over the number of contacts, cold and warm, errors beside it; times of all methods; how many random
+ * problems are not solved.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -200,6 +201,37 @@ static int agreement(const char *name, int count)
 	return failed || states || most > 1e-6;
 }
 
+/* How many random problems of a class are not solved. */
+static void failures(double mu, double stiff, int count)
+{
+	static struct friction_case of;
+	static struct hawser_contact_reply reply[FRICTION_NODES];
+	static double u[FRICTION_NODES][3];
+	struct hawser_friction_counts counts;
+	struct hawser_report report;
+	int failed = 0, most = 0;
+	double sum = 0.0;
+
+	for (int i = 0; i < count; i++) {
+		friction_random(&of, i, mu, stiff);
+		failed += friction_solve(u, reply, &counts, &of, NULL, &report) != HAWSER_OK;
+		sum += counts.iterations;
+		most = counts.iterations > most ? counts.iterations : most;
+	}
+	printf("%6g %10g %6d of %d %6.1f %5d\n", mu, stiff, failed, count, sum/count, most);
+}
+
+static void classes(int count)
+{
+	static const double mu[] = {0.6, 1.0, 2.0}, stiff[] = {1e3, 1e6, 1e9};
+
+	printf("# random problems from a cold start\n"
+	       "# friction  stiffness  not solved  iterations  most\n");
+	for (int m = 0; m < 3; m++)
+		for (int s = 0; s < 3; s++)
+			failures(mu[m], stiff[s], count);
+}
+
 int main(void)
 {
 	int failed = 0;
@@ -210,5 +242,6 @@ int main(void)
 		printf("built without Siconos: nothing to compare with\n");
 	failed += scaling(1e3, 0) + scaling(1e6, 0) + scaling(1e6, 1);
 	methods();
+	classes(20000);
 	return failed != 0;
 }

@@ -69,7 +69,7 @@ struct hawser_friction_problem {
 struct hawser_friction_options {
 	const char *method;  /* row of hawser_friction_method; NULL: the first */
 	double tolerance;    /* of the complementarity, relative (see residual); 0: 1e-10 */
-	int most;            /* iterations; 0: 200 */
+	int most;            /* iterations; 0: 400 */
 	int warm;            /* 1: start from what the replies hold, as of the step before */
 };
 void hawser_friction_options_settle(struct hawser_friction_options *options);

@@ -17,9 +17,16 @@
 
 /* Steps with sigma = 0 in a row; a start from the step before takes 2 to 4. */
 enum { FINISH = 12 };
-/* Each time that the path is lost it is followed again from its beginning in shorter steps. */
-static const double factors[] = {0.5, 0.7, 0.85};
-enum { TRIES = sizeof factors/sizeof *factors };
+/* Attempts in turn until one arrives, each from the velocities without contact: along the path, where
+ * the next sigma is this part of the last, or by full steps with sigma = 0 (part 0); with the scales of
+ * the contacts times rho. */
+static const struct attempt {
+	double part, rho;
+} attempts[] = {{0.5, 1.0}, {0.7, 1.0}, {0.0, 1.0}, {0.0, 0.1}, {0.0, 10.0}, {0.5, 4.0}, {0.5, 0.25},
+                {0.0, 0.01}, {0.0, 100.0}, {0.7, 16.0}, {0.7, 0.0625}};
+enum { ATTEMPTS = sizeof attempts/sizeof *attempts };
+/* Most full steps of an attempt */
+enum { FULL = 30 };
 /* A point is on the path if |F| is at most this times sigma for each contact. */
 static const double near = 1.0;
 /* sigma over the largest force where the path ends; and from where a finish is tried */
@@ -152,15 +159,48 @@ static void release(struct iteration *it)
 		memset(it->of->touch[c].r, 0, sizeof it->of->touch[c].r);
 }
 
-static int cold(struct iteration *it)
+/* Full steps with sigma = 0 that may also get farther: where the line search on |F| is caught at a
+ * least value that is not 0, they may leave it. */
+static int full(struct iteration *it)
 {
-	for (int i = 0; i < TRIES; i++) {
-		release(it);
+	for (int i = 0; i < FULL && it->count < it->most; i++) {
+		if (!step(it, 0.0, 0))
+			return 0;
+		hawser__friction_move(it->of, it->u, 1.0);
 		arrive(it, 0.0);
-		if (solved(it) || path(it, it->at.scale, factors[i]))
+		if (solved(it))
 			return 1;
 	}
 	return 0;
+}
+
+/* The solution does not depend on the scales rho, the way to it does. */
+static void scale(struct iteration *it, double by)
+{
+	for (int c = 0; c < it->of->of->contacts; c++)
+		it->of->touch[c].rho *= by;
+}
+
+static int attempt(struct iteration *it, const struct attempt *by)
+{
+	int done;
+
+	scale(it, by->rho);
+	release(it);
+	arrive(it, 0.0);
+	done = solved(it) || (by->part > 0.0 ? path(it, it->at.scale, by->part) : full(it));
+	scale(it, 1.0/by->rho);
+	arrive(it, 0.0);
+	return done;
+}
+
+static int cold(struct iteration *it)
+{
+	int done = 0;
+
+	for (int i = 0; i < ATTEMPTS && !done; i++)
+		done = attempt(it, &attempts[i]);
+	return done;
 }
 
 enum hawser_status hawser__friction_newton(struct hawser_friction *of, double (*u)[3],

@@ -20,7 +20,7 @@ const char *hawser_contact_state_name(enum hawser_contact_state state)
 void hawser_friction_options_settle(struct hawser_friction_options *options)
 {
 	hawser__settle(&options->tolerance, 1e-10);
-	hawser__settle_count(&options->most, 200);
+	hawser__settle_count(&options->most, 400);
 }
 
 int hawser_contact_frame(struct hawser_contact *contact, const double normal[3])

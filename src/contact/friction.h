@@ -91,8 +91,8 @@ enum hawser_status hawser__contact_chain_open(struct hawser__contact_chain **mad
                                       const int (*link)[2] /* [links] */, int links,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__contact_chain_clear(struct hawser__contact_chain *chain);
-/* du [nodes][3]: Newton's step, or without a law (NULL) M du = R. Returns 0 if the matrix is singular, or
- * M not positive definite. */
+/* du [nodes][3]: Newton's step, or without a law (NULL) M du = R. Returns 0 if the matrix is singular,
+ * or M not positive definite. */
 int hawser__contact_chain_solve(double (*du)[3], struct hawser_friction *of,
                                 const struct hawser__step_law *law);
 /* of->inverse, after a solution without the law. */
