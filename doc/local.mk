@@ -3,6 +3,7 @@ dist_doc_DATA += \
 	%D%/errata.md \
 	%D%/glossary.md \
 	%D%/messages.md \
+	%D%/python.md \
 	%D%/theory-beam.md \
 	%D%/theory-net.md %D%/theory-net-motion.md \
 	%D%/theory-bending.md \

@@ -38,6 +38,7 @@ CLI_TESTS = \
 	%D%/cli/units.sh \
 	%D%/cli/pictures.sh \
 	%D%/cli/plausible.sh \
+	%D%/cli/python.sh \
 	%D%/cli/refusals.sh \
 	%D%/cli/ratios.sh \
 	%D%/cli/results.sh \

@@ -1,0 +1,20 @@
+"""hawser: linear and nonlinear dynamics of cables.
+
+`run` starts the program's commands and returns their results. Scene, Statics, Modes and Model call the shared library,
+whose arrays numpy then sees without a copy. Failures are exceptions, all of the class Error.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+from ._library import function as _function
+from .errors import ConvergenceError, Error, InputError, Interrupted, NoSolutionError, Status, SystemFailure
+from .models import Model, Modes, Motion, Response, Scene, Statics
+from .results import Result, run
+
+
+def library_version() -> str:
+    """The version of the shared library in use."""
+    return str(_function("hawser_version")().decode())
+
+
+__all__ = ["ConvergenceError", "Error", "InputError", "Interrupted", "Model", "Modes", "Motion", "NoSolutionError",
+           "Response", "Result", "Scene", "Statics", "Status", "SystemFailure", "library_version", "run"]

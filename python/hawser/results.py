@@ -1,0 +1,127 @@
+"""hawser.run: the program's commands from Python, with their results.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+from __future__ import annotations
+
+import json
+import pathlib
+import subprocess
+import tempfile
+from typing import Any, Dict, List, Mapping, Optional, Union
+
+import numpy as np
+
+from . import scenes
+from ._library import program
+from .errors import exit_error
+
+
+def _options(given: Mapping[str, Any]) -> List[str]:
+    """--from 1 of from_=1. True is an option without argument; a tuple has several arguments; a list repeats the
+    option. n=4 is -n 4."""
+    words: List[str] = []
+    for key, value in given.items():
+        name = key.rstrip("_").replace("_", "-")
+        option = ("-" if len(name) == 1 and name == "n" else "--") + name
+        for item in value if isinstance(value, list) else [value]:
+            if item is None or item is False:
+                continue
+            words.append(option)
+            if item is not True:
+                words += [str(part) for part in (item if isinstance(item, tuple) else (item,))]
+    return words
+
+
+def _table(text: str) -> "tuple[List[str], np.ndarray[Any, Any]]":
+    """Comments without "# ", and the rows as records: numbers where all are numbers, else words."""
+    lines = text.split("\n")
+    comments = [line[1:].strip() for line in lines if line.startswith("#")]
+    rows = [line.split("\t") for line in lines if line and not line.startswith("#")]
+    if not rows:
+        return comments, np.zeros(0, [])
+    names, cells = rows[0], rows[1:]
+    columns: List[Any] = []
+    kinds: List[Any] = []
+    for index, name in enumerate(names):
+        words = [row[index] for row in cells]
+        column: Any
+        try:
+            column = np.array([float(word) if word else np.nan for word in words])
+        except ValueError:
+            column = np.array(words, dtype=str)
+        columns.append(column)
+        kinds.append((name, column.dtype))
+    table = np.zeros(len(cells), kinds)
+    for (name, _), column in zip(kinds, columns):
+        table[name] = column
+    return comments, table
+
+
+class Result:
+    """What a command computed. `json`: the whole result; `table`: the rows as a numpy record array, whose names have
+    their unit at the end (Omega_rad_s); `comments`: the lines above the table; `warnings`: the program's warnings."""
+
+    def __init__(self, command: str, data: Dict[str, Any], text: str, warnings: str) -> None:
+        self.command, self.json, self.warnings = command, data, warnings
+        self.comments, self.table = _table(text)
+
+    @property
+    def names(self) -> List[str]:
+        """The table's columns."""
+        return list(self.table.dtype.names or ())
+
+    def __repr__(self) -> str:
+        names = ", ".join(self.names[:6])
+        return f"<hawser {self.command}: {len(self.table)} rows of {names}, ...>"
+
+    def __getitem__(self, name: str) -> Any:
+        """A column of the table, or else a key of the JSON."""
+        if name in self.names:
+            return self.table[name]
+        return self.json[name]
+
+    def frame(self, key: Optional[str] = None) -> Any:
+        """A pandas frame of the table, or of a list of objects in the JSON such as "events"."""
+        import pandas  # optional: asked for by name
+
+        if key is None:
+            return pandas.DataFrame({name: self.table[name] for name in self.names})
+        return pandas.json_normalize(self.json[key])
+
+    def plot(self, x: Optional[str] = None, y: Union[str, List[str], None] = None, ax: Any = None) -> Any:
+        """Draw columns with matplotlib; see hawser.plots.result. Returns the axes."""
+        from . import plots
+
+        return plots.result(self, x, y, ax)
+
+
+def run(command: str, scene: Union[scenes.SceneLike, None] = None, *more: str,
+        set: Optional[Mapping[str, Any]] = None, timeout: Optional[float] = None, **options: Any) -> Result:
+    """Run `hawser COMMAND SCENE`. The scene is a file or a nested dict; `set` overrides keys ({"tension.T0": "90 kN"}).
+    Options are those of the program, with _ for - and a _ behind Python's own words: run("frf", scene,
+    from_="0.9w1", to="1.1w1", n=5). A failure is a hawser.Error with the program's message."""
+    words = command.split()
+    with tempfile.TemporaryDirectory(prefix="hawser-") as folder, scenes.as_file(scene or "") as path:
+        files = [str(pathlib.Path(folder) / name) for name in ("result.json", "result.tsv")]
+        arguments = words + ([path] if scene else []) + list(more) + _options(options)
+        for change in scenes.overrides(set):
+            arguments += ["--set", change]
+        done = subprocess.run([program()] + arguments + ["--quiet", "--json", files[0], "--tsv", files[1]],
+                              stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=timeout,
+                              encoding="utf-8", errors="replace", check=False)
+        if done.returncode:
+            raise _failure(done)
+        data = json.loads(pathlib.Path(files[0]).read_text(encoding="utf-8"))
+        rows = pathlib.Path(files[1])
+        table = rows.read_text(encoding="utf-8") if rows.is_file() else ""
+    return Result(command, data, table, done.stderr.strip())
+
+
+def _failure(done: "subprocess.CompletedProcess[str]") -> Exception:
+    lines = done.stderr.strip().split("\n")
+    begin = max((i for i, line in enumerate(lines) if line.startswith("hawser: ")), default=0)
+    message = " ".join(line.strip() for line in lines[begin:])
+    prefix = "hawser: "
+    code = 128 - done.returncode if done.returncode < 0 else done.returncode
+    return exit_error(code, message[len(prefix):] if message.startswith(prefix) else message or f"exit status {code}")
