@@ -21,11 +21,19 @@ struct hawser_tow_segment {
 	double length;      /* m, unstretched */
 	double rho;         /* kg/m */
 	double EA, EI;      /* N, N m^2; EA may be infinite, EI 0 */
+	double GJ, GA;      /* N m^2, N; 0: GJ that of EI, no shear */
 	double diameter;    /* m */
 	double normal, tangential; /* drag coefficients cn, ct */
 	int elements;       /* 0: HAWSER_TOW_ELEMENTS */
 };
 enum { HAWSER_TOW_ELEMENTS = 100 };
+
+/* How a ring is held by a cable with EI; where the cable has none, it is a joint. */
+enum hawser_tow_joint {
+	HAWSER_TOW_CLAMPED = 0, /* to its end */
+	HAWSER_TOW_JOINT,       /* without moment */
+	HAWSER_TOW_SPRING       /* a moment `torsion` times the angle between both */
+};
 
 enum hawser_tow_body_kind { HAWSER_TOW_NO_BODY = 0, HAWSER_TOW_MASS, HAWSER_TOW_RING };
 
@@ -35,8 +43,9 @@ struct hawser_tow_body {
 	double mass;             /* kg */
 	double CdA;              /* m^2, of a mass: drag coefficient times area */
 	double offset;           /* m, of a ring */
-	int joint;               /* of a ring on a cable with EI. 0: clamped to its end; 1: a joint without
-	                          * moment, as there is where the cable has no EI */
+	enum hawser_tow_joint joint;
+	double torsion;          /* N m/rad, of a spring */
+	double inertia;          /* kg m^2, of a mass, about any axis; 0: a point */
 	struct hawser_ring ring; /* with the density of the air */
 };
 
@@ -69,7 +78,8 @@ struct hawser_tow_point {
 	double s;       /* m, unstretched length from the towing point */
 	double x[3];    /* m */
 	double tension; /* N */
-	double along[3]; /* unit vector along the cable, away from the towing point */
+	double along[3]; /* unit vector along the cable, away from the towing point; of a rod e1 */
+	double curvature; /* 1/m, of a rod; 0 of a string */
 };
 
 /* One of the steady states of an orbit. */
@@ -82,8 +92,7 @@ struct hawser_tow_state {
 enum { HAWSER_TOW_STATES = 16 };
 
 /* The steady state at the path's speed, at the instant at which the towing point is at its start (of
- * an orbit: at centre + [radius, 0, 0]). With EI the cable is a beam in straight flight; in an orbit
- * it is a string. */
+ * an orbit: at centre + [radius, 0, 0]). With EI the cable is a rod, else a string. */
 struct hawser_tow_steady {
 	struct hawser_tow_point *point; /* [points] from the towing point to the free end; owned */
 	int points;
@@ -102,10 +111,10 @@ struct hawser_tow_steady {
 	int others;
 	double spin;          /* rad/s of the steady frame about y; 0 in straight flight */
 	double residual;      /* largest of: distance of the end of the cable from the towing point over the
-	                       * length, moment on the body over offset times force; of a beam: of its
+	                       * length, moment on the body over offset times force; of a rod: of its
 	                       * forces and moments, over the largest force and that times the length */
 	double mesh_error;    /* m, largest change of a point if the number of elements is halved */
-	int bent;             /* 1: a beam, 0: a string */
+	int bent;             /* 1: a rod, 0: a string */
 	double bending;       /* m, sqrt(EI/T) where it is largest: bending matters within a few of it from
 	                       * the ends, and is left out of a string; 0 without EI */
 };

@@ -17,7 +17,7 @@ static const struct cli_option options[] = {
 };
 static const char *const notes[] = {
 	"The scene has tow (speed or orbit), cable, air and body; the state is that at the full speed. The",
-	"cable is a string, or with EI in straight flight a beam.",
+	"cable is a string, or with EI a rod that bends.",
 	NULL,
 };
 
@@ -36,6 +36,7 @@ static const struct hawser__field point_field[] = {
 	{NULL, "T", "tension", OF(tension), .unit = HAWSER__NEWTON},
 	{NULL, "along_", "unit vector along the cable, away from the towing point", OF(along),
 	 .vector = &cli_axes},
+	{NULL, "curvature", "of a rod; 0 of a string", OF(curvature), .unit = HAWSER__PER_M},
 	HAWSER__END,
 };
 #undef OF
@@ -112,7 +113,7 @@ static const struct hawser__field field[] = {
 	 "length, and the moment on the body over offset times force", OF(residual)},
 	{"mesh_error", NULL, "largest change of a point if the number of elements is halved",
 	 OF(mesh_error), .unit = HAWSER__METRE},
-	{"bent", NULL, "whether the cable is a beam (EI, straight flight), not a string",
+	{"bent", NULL, "whether the cable is a rod (EI), not a string",
 	 HAWSER__FLAG_AT(struct result, steady.bent)},
 	{"bending", NULL, "largest sqrt(EI/T), the length near the ends within which bending matters; 0 "
 	 "without EI", OF(bending), .unit = HAWSER__METRE},
@@ -139,7 +140,7 @@ static struct cli_head head(const void *of)
 
 	return (struct cli_head){.common = result->common, .command = "tow steady",
 	                         .method = ((const struct result *)of)->steady.bent
-	                                   ? "beam by differences of order 2, from the string"
+	                                   ? "geometrically exact rod, elements of order 2, from the string"
 	                                   : "string from its free end, Runge-Kutta of order 4",
 	                         .view = cli_si_view(0)};
 }
@@ -164,9 +165,8 @@ static void comments(struct hawser__table *table, const void *of)
 		hawser__table_comment(table, "body at [%.9g, %.9g, %.9g] m", s->centre[0], s->centre[1],
 		                      s->centre[2]);
 	hawser__table_comment(table, "residual %.1e, mesh error %.1e m", s->residual, s->mesh_error);
-	if (s->bending > 0.0 && !s->bent)
-		hawser__table_comment(table, "bending stiffness is left out of an orbit: it matters within "
-		                      "some %.3g m of the ends", s->bending);
+	if (s->bent)
+		hawser__table_comment(table, "bending matters most within some %.3g m of the ends", s->bending);
 	for (int i = 0; i < s->others; i++)
 		hawser__table_comment(table, "another steady state: radius = %.9g m, lag = %.9g rad, depth = "
 		                      "%.9g m, tension %.9g N", s->other[i].radius, s->other[i].lag,

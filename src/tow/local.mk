@@ -9,7 +9,7 @@ noinst_LTLIBRARIES += %D%/libtow.la
 	%D%/read_waypoints.c \
 	%D%/steady.c \
 	%D%/steady.h \
-	%D%/steady_bending.c \
+	%D%/steady_rod.c \
 	%D%/steady_body.c \
 	%D%/steady_orbit.c \
 	%D%/steady_string.c \

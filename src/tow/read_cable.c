@@ -76,7 +76,6 @@ static enum hawser_status stiffness(struct hawser__reader *reader, double *EA,
 static enum hawser_status segment(struct hawser__reader *reader, struct hawser_tow_segment *to,
                                   const struct hawser__tree *tree, const char *section)
 {
-	double ignored = 0.0;
 	enum hawser_status status = hawser__tree_keys(reader, tree, section, "length, EA, EI, GJ, GA, "
 	                                              "rho, diameter, elements, drag, shedding");
 
@@ -96,9 +95,9 @@ static enum hawser_status segment(struct hawser__reader *reader, struct hawser_t
 	if (!status)
 		status = hawser__tow_number(reader, &to->EI, tree, section, "EI", "N.m^2",
 		                            HAWSER__TREE_NOT_NEGATIVE, 0);
-	for (int k = 0; k < 2 && !status; k++) /* of the beam: without bending they have no effect */
-		status = hawser__tow_number(reader, &ignored, tree, section, k ? "GA" : "GJ",
-		                            k ? "N" : "N.m^2", HAWSER__TREE_NOT_NEGATIVE, 0);
+	for (int k = 0; k < 2 && !status; k++) /* without bending they have no effect */
+		status = hawser__tow_number(reader, k ? &to->GA : &to->GJ, tree, section, k ? "GA" : "GJ",
+		                            k ? "N" : "N.m^2", HAWSER__TREE_POSITIVE, 0);
 	if (!status)
 		status = whole(reader, &to->elements, tree, section, "elements", 1, ELEMENTS);
 	return status ? status : drag(reader, &to->normal, &to->tangential, tree, section);
@@ -178,20 +177,29 @@ static enum hawser_status ring(struct hawser__reader *reader, struct hawser_tow_
 	                              "body.ring");
 }
 
-/* How a ring is held by a cable with EI. */
+/* How a ring is held by a cable with EI: a word, or {torsion: stiffness}. */
 static enum hawser_status joint(struct hawser__reader *reader, struct hawser_tow_body *body,
                                 const struct hawser__tree *tree)
 {
 	static const char *const words[] = {"clamped", "free"};
 	const struct hawser__tree *one = hawser__tree_find(tree, "joint");
+	enum hawser_status status;
+	int word = 0;
 
-	if (one && one->kind == HAWSER__MAPPING)
-		return hawser__reader_fail(reader, &one->at, "body.joint: not yet with a spring: give clamped "
-		                           "or free");
-	if (one && !hawser__tree_find(tree, "ring"))
+	if (!one)
+		return HAWSER_OK;
+	if (!hawser__tree_find(tree, "ring"))
 		return hawser__reader_fail(reader, &one->at, "body.joint is of a ring: a mass is a point, "
 		                           "which has no attitude; leave it out");
-	return one ? hawser__tree_word(reader, &body->joint, one, "body.joint", words, 2) : HAWSER_OK;
+	if (one->kind == HAWSER__MAPPING) {
+		body->joint = HAWSER_TOW_SPRING;
+		status = hawser__tree_keys(reader, one, "body.joint", "torsion");
+		return status ? status : hawser__tow_number(reader, &body->torsion, one, "body.joint", "torsion",
+		                                            "N.m/rad", HAWSER__TREE_POSITIVE, 1);
+	}
+	status = hawser__tree_word(reader, &word, one, "body.joint", words, 2);
+	body->joint = word ? HAWSER_TOW_JOINT : HAWSER_TOW_CLAMPED;
+	return status;
 }
 
 enum hawser_status hawser__tow_body(struct hawser__reader *reader, struct hawser_tow *tow,
@@ -204,14 +212,13 @@ enum hawser_status hawser__tow_body(struct hawser__reader *reader, struct hawser
 	if (!tree)
 		return status;
 	status = hawser__tree_keys(reader, tree, "body", "ring, mass, CdA, inertia, joint");
-	if (!status)
-		status = later(reader, tree, "body", "inertia", "a mass is a point");
-	for (int k = 0; k < 2 && !status && of_ring; k++) {
-		const struct hawser__tree *one = hawser__tree_find(tree, k ? "CdA" : "mass");
+	for (int k = 0; k < 3 && !status && of_ring; k++) {
+		static const char *const key[] = {"mass", "CdA", "inertia"};
+		const struct hawser__tree *one = hawser__tree_find(tree, key[k]);
 
 		if (one)
 			status = hawser__reader_fail(reader, &one->at, "body has ring and %s: a ring has its "
-			                             "own mass and drag; remove one of them", k ? "CdA" : "mass");
+			                             "own mass, drag and inertia; remove one of them", key[k]);
 	}
 	if (!status)
 		status = joint(reader, body, tree);
@@ -220,6 +227,9 @@ enum hawser_status hawser__tow_body(struct hawser__reader *reader, struct hawser
 	body->kind = HAWSER_TOW_MASS;
 	status = hawser__tow_number(reader, &body->mass, tree, "body", "mass", "kg", HAWSER__TREE_POSITIVE,
 	                            1);
+	if (!status)
+		status = hawser__tow_number(reader, &body->inertia, tree, "body", "inertia", "kg.m^2",
+		                            HAWSER__TREE_NOT_NEGATIVE, 0);
 	return status ? status : hawser__tow_number(reader, &body->CdA, tree, "body", "CdA", "m^2",
 	                                            HAWSER__TREE_NOT_NEGATIVE, 0);
 }

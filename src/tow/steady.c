@@ -74,17 +74,17 @@ static double change(const struct hawser_tow_point *coarse, const struct hawser_
 	return largest;
 }
 
-/* 1 if the cable is a beam: in straight flight with EI. */
+/* 1 if the cable is a rod: with EI. */
 static int bends(const struct hawser__tow_frame *frame)
 {
 	int stiff = 0;
 
 	for (int i = 0; i < frame->tow->segments; i++)
 		stiff |= frame->tow->segment[i].EI > 0.0;
-	return stiff && frame->tow->path.kind == HAWSER_PATH_STRAIGHT;
+	return stiff;
 }
 
-/* The cable from its free end, and as a beam from there; on a mesh and one of twice the elements. */
+/* The cable from its free end, and as a rod from there; on a mesh and one of twice the elements. */
 static enum hawser_status meshes(struct hawser_tow_steady *steady, struct hawser_tow_point *coarse,
                                  struct hawser__tow_end *body, const struct hawser__tow_frame *frame,
                                  const double end[3], struct hawser_report *report)
@@ -99,9 +99,12 @@ static enum hawser_status meshes(struct hawser_tow_steady *steady, struct hawser
 	if (steady->bent) {
 		status = hawser__tow_bend(coarse, &other, frame, steady->point, 1, report);
 		if (!status)
-			status = hawser__tow_bend(steady->point, body, frame, steady->point, 2, report);
+			status = hawser__tow_bend(steady->point, body, frame, coarse, 2, report);
 	}
 	steady->mesh_error = change(coarse, steady->point, steady->points);
+	for (int k = 0; k < 3 && steady->bent && frame->tow->body.kind == HAWSER_TOW_RING; k++)
+		steady->mesh_error = fmax(steady->mesh_error, frame->tow->body.offset*
+		                          fabs(other.axis[k] - body->axis[k]));
 	return status;
 }
 
@@ -179,13 +182,18 @@ static void place(double x[3], double angle, const double move[3])
 static void move(struct hawser_tow_steady *steady, const struct hawser__tow_frame *frame)
 {
 	const struct hawser_path *path = &frame->tow->path;
-	const double *top = steady->point[0].x, still[3] = {0.0};
-	double angle = frame->spin != 0.0 ? atan2(top[2], top[0]) : 0.0, by[3];
+	const double *top = steady->point[0].x, *end = steady->point[steady->points - 1].x;
+	const double still[3] = {0.0};
+	double angle = frame->spin != 0.0 ? atan2(top[2], top[0]) : 0.0, by[3], lag;
 
 	for (int k = 0; k < 3; k++)
 		by[k] = path->origin[k] - (frame->spin != 0.0 && k != 1 ? 0.0 : top[k]);
 	if (path->kind == HAWSER_PATH_ORBIT && frame->spin == 0.0)
 		by[0] += path->radius;
+	/* of a rod the end is no longer at [r, 0, 0] */
+	lag = frame->spin != 0.0 ? atan2(top[2]*end[0] - top[0]*end[2], top[0]*end[0] + top[2]*end[2]) : 0.0;
+	if (frame->spin != 0.0)
+		steady->state.radius = hypot(end[0], end[2]);
 	for (int i = 0; i < steady->points; i++) {
 		place(steady->point[i].x, angle, by);
 		place(steady->point[i].along, angle, still);
@@ -193,7 +201,7 @@ static void move(struct hawser_tow_steady *steady, const struct hawser__tow_fram
 	place(steady->centre, angle, by);
 	place(steady->axis, angle, still);
 	place(steady->body_force, angle, still);
-	steady->state.lag = path->speed < 0.0 ? -angle : angle;
+	steady->state.lag = path->speed < 0.0 ? -lag : lag;
 }
 
 /* The rotation that turns -y into the axis, without twist. */

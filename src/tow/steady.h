@@ -7,6 +7,8 @@
 
 #include <hawser/tow.h>
 
+#include "rod/so3.h"
+
 /* A frame in which the state is at rest: it moves at a velocity, or turns about the axis y through
  * its origin. */
 struct hawser__tow_frame {
@@ -14,18 +16,6 @@ struct hawser__tow_frame {
 	double velocity[3]; /* m/s */
 	double spin;        /* rad/s about y */
 };
-
-static inline double hawser__dot(const double *a, const double *b)
-{
-	return a[0]*b[0] + a[1]*b[1] + a[2]*b[2];
-}
-
-static inline void hawser__cross(double *c, const double *a, const double *b)
-{
-	c[0] = a[1]*b[2] - a[2]*b[1];
-	c[1] = a[2]*b[0] - a[0]*b[2];
-	c[2] = a[0]*b[1] - a[1]*b[0];
-}
 
 static inline double hawser__norm(const double *a)
 {
@@ -60,9 +50,21 @@ void hawser__tow_string(double top[3], double n[3], struct hawser_tow_point *poi
                         const struct hawser__tow_end *end, int parts);
 int hawser__tow_elements(const struct hawser_tow *tow);
 
-/* steady_bending.c: the cable as a beam in straight flight, with parts times the elements of the scene:
- * point [elements+1] from the towing point on, at the origin, where the string may be; *body is that of
- * the string, and becomes that of the beam but for its centre. */
+/* A ring with its axis a, its joint at x: what it pulls with, its moment about the joint, and their
+ * derivatives by x and by a small rotation. */
+struct hawser__tow_ring {
+	double centre[3], n[3], moment[3];
+	double n_x[3][3], n_turn[3][3], moment_x[3][3], moment_turn[3][3];
+};
+void hawser__tow_ring_at(struct hawser__tow_ring *to, const struct hawser__tow_frame *frame,
+                         const double x[3], const double a[3]);
+/* The derivative of end->force by x, of a ring at the attitude that it has. */
+void hawser__tow_body_slope(double n_x[3][3], const struct hawser__tow_frame *frame, const double x[3],
+                            const struct hawser__tow_end *end);
+
+/* steady_rod.c: the cable as a rod, with parts times the elements of the scene, from the shape of a
+ * string or of a rod with the elements of the scene: point [elements+1] from the towing point on,
+ * which stays where it is. *body is that of the string, and becomes that of the rod. */
 enum hawser_status hawser__tow_bend(struct hawser_tow_point *point, struct hawser__tow_end *body,
                                     const struct hawser__tow_frame *frame,
                                     const struct hawser_tow_point *string, int parts,

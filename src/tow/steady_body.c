@@ -38,11 +38,6 @@ static void ring_drag(double f[3], const void *context, const double t[3])
 	hawser_ring_force(f, &of->body->ring, of->flow, t);
 }
 
-/* Force n, its moment and their derivatives by a small rotation of the ring, for the axis a. */
-struct balance {
-	double centre[3], n[3], moment[3], slope[3][3];
-};
-
 static void spin_cross(double c[3], double spin, const double x[3])
 {
 	c[0] = spin*x[2];
@@ -51,52 +46,106 @@ static void spin_cross(double c[3], double spin, const double x[3])
 }
 
 /* Moment of the inertia of a torus that turns about y: spin x J spin, J = jt + (ja - jt) a a^T. */
-static void gyroscopic(double c[3], const struct ring *of, const double a[3])
+static void gyroscopic(double c[3], const struct hawser_tow_body *body, double spin, const double a[3])
 {
-	double R = of->body->ring.radius, r = of->body->ring.drag.radius, spin = of->frame->spin;
-	double excess = of->body->mass*(0.5*R*R + 0.125*r*r); /* ja - jt */
+	double R = body->ring.radius, r = body->ring.drag.radius;
+	double excess = body->mass*(0.5*R*R + 0.125*r*r); /* ja - jt */
 
 	spin_cross(c, spin*spin*excess*a[1], a);
 }
 
-static void balance_of(struct balance *b, const struct ring *of, const double a[3])
+/* Column j of the derivatives, for a place of the centre that moves by dx, and a ring that turns. */
+static void column(struct hawser__tow_ring *to, const struct hawser_ring_drag *drag,
+                   const struct hawser__tow_frame *frame, const double a[3], int j)
 {
-	const double spin = of->frame->spin, omega[3] = {0.0, spin, 0.0};
-	double l = of->body->offset, m = of->body->mass, u[3], w[3], part[3];
+	const double unit[3] = {j == 0, j == 1, j == 2};
+	double spin = frame->spin, l = frame->tow->body.offset, m = frame->tow->body.mass;
+	double da[3], part[3], more[3], dx[2][3], dn[2][3], dm[2][3];
+
+	hawser__cross(da, unit, a);
+	for (int k = 0; k < 3; k++) {
+		dx[0][k] = unit[k];
+		dx[1][k] = l*da[k];
+	}
+	for (int turn = 0; turn < 2; turn++) {
+		double du[3];
+
+		spin_cross(du, -spin, dx[turn]);
+		for (int i = 0; i < 3; i++) {
+			dn[turn][i] = (turn ? drag->force_turn[i][j] : 0.0) +
+			              (i == 1 ? 0.0 : m*spin*spin*dx[turn][i]);
+			dm[turn][i] = turn ? drag->moment_turn[i][j] : 0.0;
+			for (int k = 0; k < 3; k++) {
+				dn[turn][i] += drag->force_u[i][k]*du[k];
+				dm[turn][i] += drag->moment_u[i][k]*du[k];
+			}
+		}
+		hawser__cross(more, a, dn[turn]);
+		for (int i = 0; i < 3; i++)
+			dm[turn][i] += l*more[i];
+	}
+	hawser__cross(part, da, to->n);
+	for (int i = 0; i < 3; i++)
+		dm[1][i] += l*part[i];
+	gyroscopic(part, &frame->tow->body, spin, (const double [3]){da[0], a[1], da[2]});
+	gyroscopic(more, &frame->tow->body, spin, (const double [3]){a[0], da[1], a[2]});
+	for (int i = 0; i < 3; i++) {
+		to->n_x[i][j] = dn[0][i];
+		to->moment_x[i][j] = dm[0][i];
+		to->n_turn[i][j] = dn[1][i];
+		to->moment_turn[i][j] = dm[1][i] - part[i] - more[i];
+	}
+}
+
+void hawser__tow_ring_at(struct hawser__tow_ring *to, const struct hawser__tow_frame *frame,
+                         const double x[3], const double a[3])
+{
+	const struct hawser_tow_body *body = &frame->tow->body;
+	const double omega[3] = {0.0, frame->spin, 0.0};
+	double l = body->offset, u[3], w[3], part[3];
 	struct hawser_ring_drag drag;
 
 	for (int i = 0; i < 3; i++)
-		b->centre[i] = of->x[i] + l*a[i];
-	hawser__tow_flow(u, of->frame, b->centre);
-	hawser__tow_gravity(w, of->frame, b->centre);
-	hawser_ring_drag(&drag, &of->body->ring, u, a, omega);
+		to->centre[i] = x[i] + l*a[i];
+	hawser__tow_flow(u, frame, to->centre);
+	hawser__tow_gravity(w, frame, to->centre);
+	hawser_ring_drag(&drag, &body->ring, u, a, omega);
 	for (int i = 0; i < 3; i++)
-		b->n[i] = m*w[i] + drag.force[i];
-	hawser__cross(b->moment, a, b->n);
-	gyroscopic(part, of, a);
+		to->n[i] = body->mass*w[i] + drag.force[i];
+	hawser__cross(to->moment, a, to->n);
+	gyroscopic(part, body, frame->spin, a);
 	for (int i = 0; i < 3; i++)
-		b->moment[i] = l*b->moment[i] + drag.moment[i] - part[i];
-	for (int j = 0; j < 3; j++) {
-		double unit[3] = {j == 0, j == 1, j == 2}, da[3], du[3], dn[3], dm[3], more[3];
+		to->moment[i] = l*to->moment[i] + drag.moment[i] - part[i];
+	for (int j = 0; j < 3; j++)
+		column(to, &drag, frame, a, j);
+}
 
-		hawser__cross(da, unit, a);
-		spin_cross(du, -spin*l, da);
-		for (int i = 0; i < 3; i++) {
-			dn[i] = drag.force_turn[i][j] + (i == 1 ? 0.0 : m*spin*spin*l*da[i]);
-			dm[i] = drag.moment_turn[i][j];
-			for (int k = 0; k < 3; k++) {
-				dn[i] += drag.force_u[i][k]*du[k];
-				dm[i] += drag.moment_u[i][k]*du[k];
-			}
-		}
-		hawser__cross(part, da, b->n);
-		hawser__cross(more, a, dn);
+void hawser__tow_body_slope(double n_x[3][3], const struct hawser__tow_frame *frame, const double x[3],
+                            const struct hawser__tow_end *end)
+{
+	const struct hawser_tow_body *body = &frame->tow->body;
+	double spin = frame->spin, u[3], speed, half = 0.5*frame->tow->density*body->CdA;
+	struct hawser__tow_ring ring;
+
+	memset(n_x, 0, 9*sizeof n_x[0][0]);
+	if (spin == 0.0 || body->kind == HAWSER_TOW_NO_BODY)
+		return;
+	if (body->kind == HAWSER_TOW_RING) {
+		hawser__tow_ring_at(&ring, frame, x, end->axis);
+		memcpy(n_x, ring.n_x, sizeof ring.n_x);
+		return;
+	}
+	hawser__tow_flow(u, frame, x);
+	speed = hawser__norm(u);
+	for (int j = 0; j < 3; j++) {
+		const double unit[3] = {j == 0, j == 1, j == 2};
+		double du[3];
+
+		spin_cross(du, -spin, unit);
 		for (int i = 0; i < 3; i++)
-			dm[i] += l*(part[i] + more[i]);
-		gyroscopic(part, of, (const double [3]){da[0], a[1], da[2]});
-		gyroscopic(more, of, (const double [3]){a[0], da[1], a[2]});
-		for (int i = 0; i < 3; i++)
-			b->slope[i][j] = dm[i] - part[i] - more[i];
+			n_x[i][j] = (i == j && i != 1 ? body->mass*spin*spin : 0.0) +
+			            half*(speed*du[i] +
+			                  (speed > 0.0 ? u[i]*(hawser__dot(u, du)/speed) : 0.0));
 	}
 }
 
@@ -123,19 +172,19 @@ static double quadratic(double (*A)[3], const double *left, const double *right)
 }
 
 /* Newton's method from the axis a; returns the moment that is left over offset times force. */
-static double attitude(double a[3], struct balance *b, const struct ring *of)
+static double attitude(double a[3], struct hawser__tow_ring *b, const struct ring *of)
 {
 	double left = INFINITY;
 
 	for (int i = 0; i < ITERATIONS; i++) {
 		double e[2][3], g[2], A[2][2], det, step[3], turn[2], size, scale;
 
-		balance_of(b, of, a);
+		hawser__tow_ring_at(b, of->frame, of->x, a);
 		across(e, a);
 		for (int k = 0; k < 2; k++) {
 			g[k] = hawser__dot(e[k], b->moment);
 			for (int j = 0; j < 2; j++)
-				A[k][j] = quadratic(b->slope, e[k], e[j]);
+				A[k][j] = quadratic(b->moment_turn, e[k], e[j]);
 		}
 		left = hypot(g[0], g[1])/(of->body->offset*hawser__norm(b->n) + DBL_MIN);
 		det = A[0][0]*A[1][1] - A[0][1]*A[1][0];
@@ -159,7 +208,7 @@ static double attitude(double a[3], struct balance *b, const struct ring *of)
 
 static int ring_at(struct hawser__tow_end *end, const struct ring *of)
 {
-	struct balance b;
+	struct hawser__tow_ring b;
 	double w[3], a[3];
 
 	hawser__tow_gravity(w, of->frame, of->x);
@@ -170,7 +219,7 @@ static int ring_at(struct hawser__tow_end *end, const struct ring *of)
 		end->residual = attitude(a, &b, of);
 	} else { /* its centre is in the hinge: along the force, as the limit of small offsets */
 		hawser__tow_direction(a, w, of->flow, ring_drag, of, HAWSER__BISECTIONS);
-		balance_of(&b, of, a);
+		hawser__tow_ring_at(&b, of->frame, of->x, a);
 	}
 	memcpy(end->force, b.n, sizeof b.n);
 	memcpy(end->axis, a, sizeof a);

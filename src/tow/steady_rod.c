@@ -1,0 +1,564 @@
+/* tow/steady_rod.c - the cable as a geometrically exact rod in a steady state, straight or in an orbit.
+ *
+ *   u, d     flow at the middle of an element, its chord x2 - x1; U the derivative of u by x
+ *   f        drag f(u, d) per length, half of it on each node of the element
+ *   P        stiffness that stands for a rigid one
+ *
+ * The mesh, its elements and their tangent are those of rods (src/rod); drag, inertia of the turning frame
+ * and the body are added here with their derivatives, and Newton's method begins at the string. Rigid
+ * directions (no EA, no GA) have the law N = P (w - w0), in which w0 is moved by -N/P as the iteration
+ * ends (augmented Lagrangian, Hestenes 1969), so that the strain is 0 to round-off although P is only
+ * some thousand times the tension, which keeps Newton's steps long. If it fails, the cable moves from the
+ * string with damping and without inertia, as rods do (rod/solve.c).
+ *
+ * A ring is clamped to the last node, or to a node of its own with a torsional spring between both, or
+ * hangs on a joint without moment; then its attitude is that of hawser__tow_body_at. A hinge at the towing
+ * point leaves bending free and holds the twist, which nothing else holds.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "rod/mesh.h"
+#include "tow/steady.h"
+
+enum { ITERATIONS = 40,  /* of Newton's method: 5 to 12 are usual */
+       MOTION = 400,     /* steps of the damped motion */
+       FREE = HAWSER__ROD_FREE };
+#define TOLERANCE 1e-10 /* of the last increment, in lengths of the cable and rad */
+#define ROUND 1e-7      /* an increment that is smaller and does not fall is round-off */
+#define LONGEST 0.5     /* rad and lengths, of a step */
+#define RIGID 1e3       /* P over the tension */
+#define NEAR 1e-2       /* increments below which rigid strains are corrected */
+#define LINK 1e-6       /* of the cable's length: that of the element which has the ring's own node; its
+                         * stiffness is 0 */
+#define THIN 1e-2       /* least EI over T h^2: layers below a tenth of an element are not resolved, and
+                         * would let rotations alternate from node to node */
+
+static const char where[] = "tow steady";
+
+struct rod {
+	const struct hawser__tow_frame *frame;
+	struct hawser_rod rod;
+	struct hawser__rod_mesh mesh;
+	double rigid;                  /* P */
+	double spring[2];              /* N/m, N m/rad of the joint; 0: none. Its ends are at one place, too, */
+	double pull[3];                /* N, by a force that is corrected as those of rigid directions */
+	int last, end;                 /* node of the cable's end, of the ring */
+	const struct hawser__tow_end *hung; /* on a joint without moment, or a mass */
+	struct hawser__tow_end now;    /* the body in the state */
+};
+
+/* --- the mesh --- */
+
+static double strongest(const struct hawser_tow_point *point, int points)
+{
+	double most = 0.0;
+
+	for (int i = 0; i < points; i++)
+		most = fmax(most, point[i].tension);
+	return most;
+}
+
+static void describe(struct rod *b, int parts, double tension)
+{
+	const struct hawser_tow *tow = b->frame->tow;
+	double stiff = 0.0;
+
+	for (int i = 0; i < tow->segments; i++) {
+		const struct hawser_tow_segment *from = &tow->segment[i];
+		struct hawser_rod_segment *to = &b->rod.segment[i];
+		double h;
+
+		to->elements = parts*(from->elements ? from->elements : HAWSER_TOW_ELEMENTS);
+		h = from->length/to->elements;
+		to->length = from->length;
+		to->rho = from->rho;
+		to->EI[0] = to->EI[1] = from->EI;
+		to->GJ = from->GJ > 0.0 ? from->GJ : to->EI[0];
+		stiff = fmax(stiff, to->EI[0]/(h*h));
+		b->rod.length += from->length;
+	}
+	b->rigid = RIGID*tension + 0.01*stiff;
+	for (int i = 0; i < tow->segments; i++) {
+		const struct hawser_tow_segment *from = &tow->segment[i];
+		struct hawser_rod_segment *to = &b->rod.segment[i];
+
+		to->EA = isfinite(from->EA) ? from->EA : b->rigid;
+		to->GA[0] = to->GA[1] = from->GA > 0.0 ? from->GA : b->rigid;
+	}
+	b->rod.segments = tow->segments;
+	b->rod.g = tow->g;
+	b->rod.hold[0] = tow->clamped ? HAWSER_ROD_CLAMPED : HAWSER_ROD_HINGED;
+	b->rod.hold[1] = HAWSER_ROD_FREE;
+	b->rod.tangent[1] = -1.0;
+	b->rod.normal[0] = 1.0;
+}
+
+/* A node of its own for a ring on a spring: behind an element without stiffness and mass. */
+static void add_joint(struct rod *b)
+{
+	struct hawser_rod_segment *link = &b->rod.segment[b->rod.segments++];
+
+	link->length = LINK*b->rod.length;
+	link->elements = 1;
+	b->rod.length += link->length;
+}
+
+static enum hawser_status open_rod(struct rod *b, const struct hawser__tow_frame *frame, int parts,
+                                   double tension, struct hawser_report *report)
+{
+	const struct hawser_tow *tow = frame->tow;
+	int spring = tow->body.kind == HAWSER_TOW_RING && tow->body.joint == HAWSER_TOW_SPRING;
+	enum hawser_status status;
+
+	b->frame = frame;
+	b->rod.segment = calloc((size_t)tow->segments + 1, sizeof *b->rod.segment);
+	if (!b->rod.segment)
+		return hawser__no_memory(report, where);
+	describe(b, parts, tension);
+	if (spring)
+		add_joint(b);
+	status = hawser__rod_mesh_open(&b->mesh, &b->rod, 1, report);
+	if (status)
+		return status;
+	b->end = b->mesh.nodes - 1;
+	b->last = b->end - spring;
+	if (spring) {
+		const struct hawser__rod_element *el = &b->mesh.element[b->last - 1];
+
+		b->spring[0] = b->rigid/el->h;
+		b->spring[1] = tow->body.torsion;
+	}
+	b->mesh.held[3] = 1;
+	hawser__rod_loads(&b->mesh, NULL, 1.0);
+	return HAWSER_OK;
+}
+
+static void close_rod(struct rod *b)
+{
+	hawser__rod_mesh_clear(&b->mesh);
+	free(b->rod.segment);
+}
+
+/* --- the start --- */
+
+/* The shortest turn of the axes q that brings e1 along t. */
+static void aim(double q[4], const double t[3])
+{
+	double R[9], from[3], v[3], turn[3], sine, angle;
+
+	hawser__quaternion_matrix(R, q);
+	for (int k = 0; k < 3; k++)
+		from[k] = R[3*k];
+	hawser__cross(v, from, t);
+	sine = hawser__norm(v);
+	angle = atan2(sine, hawser__dot(from, t));
+	hawser__apply_left(turn, R, v);
+	for (int k = 0; k < 3; k++)
+		turn[k] = sine > 0.0 ? turn[k]*(angle/sine) : k == 2 ? angle : 0.0;
+	hawser__quaternion_turn(q, turn);
+}
+
+static double chord(const struct hawser_tow_point *from, const struct hawser_tow_point *to, int k)
+{
+	return to->x[k] - from->x[k];
+}
+
+/* The string's state at the nodes; point [elements of the scene + 1], parts elements between two. */
+static void start(struct rod *b, const struct hawser_tow_point *point, int parts,
+                  const struct hawser__tow_end *body)
+{
+	struct hawser__rod_node *node = b->mesh.node;
+
+	for (int i = 0; i <= b->last; i++) {
+		const struct hawser_tow_point *before = &point[i/parts];
+		const struct hawser_tow_point *after = i%parts ? before + 1 : before;
+		double part = (double)(i%parts)/parts, along[3], size, h = after->s - before->s;
+
+		for (int k = 0; k < 3; k++) {
+			/* cubic: chords at right angles to the sections, where they could not shear */
+			node[i].x[k] = (1.0 - part)*before->x[k] + part*after->x[k] +
+			               part*(1.0 - part)*((1.0 - part)*(h*before->along[k] - chord(before, after, k)) -
+			                                  part*(h*after->along[k] - chord(before, after, k)));
+			along[k] = (1.0 - part)*before->along[k] + part*after->along[k];
+		}
+		size = hawser__norm(along);
+		for (int k = 0; k < 3; k++)
+			along[k] /= size;
+		if (i)
+			memcpy(node[i].q, node[i - 1].q, sizeof node[i].q);
+		if (i || !b->frame->tow->clamped)
+			aim(node[i].q, along);
+	}
+	if (b->end > b->last) {
+		node[b->end] = node[b->last];
+		aim(node[b->end].q, body->axis);
+	}
+}
+
+/* The least EI of an element, where the string has this tension. */
+static void thicken(struct rod *b, const struct hawser_tow_point *point, int parts)
+{
+	for (int e = 0; e < b->last; e++) {
+		struct hawser__rod_element *el = &b->mesh.element[e];
+		double least = THIN*fmax(point[e/parts].tension, point[e/parts + 1].tension)*el->h*el->h;
+
+		for (int k = 0; k < 3; k++)
+			el->EI[k] = fmax(el->EI[k], least);
+	}
+}
+
+/* --- loads --- */
+
+static double *at(struct rod *b, int row, int column)
+{
+	return hawser__band_at(&b->mesh.band, row, column);
+}
+
+/* Subtract a block of a derivative from the matrix. */
+static void take(struct rod *b, int row, int column, double (*A)[3], double factor)
+{
+	for (int i = 0; i < 3; i++)
+		for (int j = 0; j < 3; j++)
+			*at(b, row + i, column + j) -= factor*A[i][j];
+}
+
+/* A U, U the derivative of the flow by the place. */
+static void by_place(double (*to)[3], double (*A)[3], double spin)
+{
+	for (int i = 0; i < 3; i++) {
+		to[i][0] = A[i][2]*spin;
+		to[i][1] = 0.0;
+		to[i][2] = -A[i][0]*spin;
+	}
+}
+
+static struct hawser_drag drag_of(const struct rod *b, int e)
+{
+	const struct hawser_tow_segment *segment = &b->frame->tow->segment[b->mesh.segment[e]];
+
+	return (struct hawser_drag){b->frame->tow->density, 0.5*segment->diameter, segment->normal,
+	                            segment->tangential};
+}
+
+/* Drag per length of an element, and its derivatives by flow and chord. */
+static void drag_on(double f[3], double (*f_u)[3], double (*f_d)[3], const struct rod *b, int e)
+{
+	const struct hawser__rod_node *node = &b->mesh.node[e];
+	struct hawser_drag drag = drag_of(b, e);
+	double middle[3], d[3], u[3];
+
+	for (int k = 0; k < 3; k++) {
+		middle[k] = 0.5*(node[0].x[k] + node[1].x[k]);
+		d[k] = node[1].x[k] - node[0].x[k];
+	}
+	hawser__tow_flow(u, b->frame, middle);
+	hawser_drag_line(f, f_u, f_d, &drag, u, d);
+}
+
+static void load_element(struct rod *b, int e)
+{
+	double f[3], f_u[3][3], f_d[3][3], f_x[3][3], spin = b->frame->spin, half = 0.5*b->mesh.element[e].h;
+	double mass = half*b->rod.segment[b->mesh.segment[e]].rho;
+
+	drag_on(f, f_u, f_d, b, e);
+	by_place(f_x, f_u, spin);
+	for (int n = 0; n < 2; n++) {
+		int row = FREE*(e + n);
+
+		for (int k = 0; k < 3; k++)
+			b->mesh.r[row + k] += half*f[k] + (k == 1 ? 0.0 : mass*spin*spin*b->mesh.node[e + n].x[k]);
+		*at(b, row, row) -= mass*spin*spin;
+		*at(b, row + 2, row + 2) -= mass*spin*spin;
+		for (int c = 0; c < 2; c++) {
+			take(b, row, FREE*(e + c), f_d, c ? half : -half);
+			take(b, row, FREE*(e + c), f_x, 0.5*half);
+		}
+	}
+}
+
+/* A spring between the last two nodes, which are at one place: forces K (x2 - x1), moments k psi with
+ * psi = log(R1'R2), which are along psi in the axes of both. */
+static void load_spring(struct rod *b)
+{
+	int row[2] = {FREE*b->last, FREE*b->end};
+	const struct hawser__rod_node *node = &b->mesh.node[b->last];
+	const double *psi = b->mesh.strain[b->last].psi;
+	struct hawser__so3 so3;
+	double Ji[9];
+
+	hawser__so3_at(&so3, psi);
+	hawser__so3_ji(Ji, &so3);
+	for (int n = 0; n < 2; n++)
+		for (int i = 0; i < 3; i++) {
+			double sign = n ? -1.0 : 1.0;
+
+			b->mesh.r[row[n] + i] += sign*(b->pull[i] + b->spring[0]*(node[1].x[i] - node[0].x[i]));
+			b->mesh.r[row[n] + 3 + i] += sign*b->spring[1]*psi[i];
+			for (int c = 0; c < 2; c++)
+				*at(b, row[n] + i, row[c] + i) += n == c ? b->spring[0] : -b->spring[0];
+			for (int j = 0; j < 3; j++) {
+				*at(b, row[n] + 3 + i, row[1] + 3 + j) -= sign*b->spring[1]*Ji[3*i + j];
+				*at(b, row[n] + 3 + i, row[0] + 3 + j) += sign*b->spring[1]*Ji[3*j + i];
+			}
+		}
+}
+
+/* The ring, clamped to node `end`. */
+static void load_ring(struct rod *b)
+{
+	const struct hawser__rod_node *node = &b->mesh.node[b->end];
+	int row = FREE*b->end;
+	struct hawser__tow_ring ring;
+	double R[9], moment[3], turn[9], part[9], slope[9], skew[9];
+
+	hawser__quaternion_matrix(R, node->q);
+	for (int k = 0; k < 3; k++)
+		b->now.axis[k] = R[3*k];
+	hawser__tow_ring_at(&ring, b->frame, node->x, b->now.axis);
+	memcpy(b->now.force, ring.n, sizeof ring.n);
+	memcpy(b->now.centre, ring.centre, sizeof ring.centre);
+	hawser__apply_left(moment, R, ring.moment);
+	hawser__skew(skew, moment);
+	for (int k = 0; k < 3; k++) {
+		b->mesh.r[row + k] += ring.n[k];
+		b->mesh.r[row + 3 + k] += moment[k];
+	}
+	take(b, row, row, ring.n_x, 1.0);
+	memcpy(slope, ring.n_turn, sizeof slope);
+	hawser__mul(turn, slope, R);
+	for (int k = 0; k < 9; k++)
+		*at(b, row + k/3, row + 3 + k%3) -= turn[k];
+	memcpy(slope, ring.moment_x, sizeof slope);
+	hawser__mul_left(turn, R, slope);
+	for (int k = 0; k < 9; k++)
+		*at(b, row + 3 + k/3, row + k%3) -= turn[k];
+	memcpy(slope, ring.moment_turn, sizeof slope);
+	hawser__mul_left(part, R, slope);
+	hawser__mul(turn, part, R);
+	for (int k = 0; k < 9; k++)
+		*at(b, row + 3 + k/3, row + 3 + k%3) -= turn[k] + skew[k];
+}
+
+/* A body that pulls at the end without a moment; of a ring the change of its attitude with the place
+ * is left to the iteration. */
+static void load_body(struct rod *b)
+{
+	double spin = b->frame->spin, n_x[3][3];
+	int row = FREE*b->end;
+
+	if (spin != 0.0)
+		(void)hawser__tow_body_at(&b->now, b->frame, b->mesh.node[b->end].x);
+	else
+		b->now = *b->hung;
+	hawser__tow_body_slope(n_x, b->frame, b->mesh.node[b->end].x, &b->now);
+	for (int k = 0; k < 3; k++)
+		b->mesh.r[row + k] += b->now.force[k];
+	take(b, row, row, n_x, 1.0);
+}
+
+/* Forces that are not balanced, and the matrix. */
+static void assemble(struct rod *b)
+{
+	hawser__rod_tangent(&b->mesh);
+	for (int e = 0; e < b->last; e++)
+		load_element(b, e);
+	if (b->end > b->last)
+		load_spring(b);
+	if (b->hung)
+		load_body(b);
+	else
+		load_ring(b);
+}
+
+/* --- the iteration --- */
+
+static double largest(const struct rod *b, const double *step)
+{
+	double most = 0.0;
+
+	for (int i = 0; i < b->mesh.nodes; i++) {
+		const double *by = step + (long)FREE*i;
+
+		most = fmax(most, fmax(hawser__norm(by)/b->rod.length, hawser__norm(by + 3)));
+		if (!isfinite(by[0] + by[1] + by[2] + by[3] + by[4] + by[5]))
+			return INFINITY;
+	}
+	return most;
+}
+
+/* An increment into mesh.r; its size. `damping` 0: Newton's. */
+static double increment(struct rod *b, double damping)
+{
+	struct hawser__rod_mesh *mesh = &b->mesh;
+
+	assemble(b);
+	for (int e = 0; e < b->last && damping > 0.0; e++)
+		for (int k = 0; k < HAWSER__ROD_PAIR; k++) {
+			double h = mesh->element[e].h;
+
+			*at(b, FREE*e + k, FREE*e + k) += damping*h*(k%FREE < 3 ? 1.0 : h*h);
+		}
+	for (int i = 0; i < mesh->n; i++)
+		if (mesh->held[i]) {
+			(void)hawser__band_hold(&mesh->band, i);
+			mesh->r[i] = 0.0;
+		}
+	if (hawser__band_factor(&mesh->band))
+		return INFINITY;
+	hawser__band_solve(&mesh->band, mesh->r);
+	return largest(b, mesh->r);
+}
+
+/* Rigid directions: their strain is taken out of the law. */
+static void correct(struct rod *b)
+{
+	for (int e = 0; e < b->last; e++) {
+		struct hawser__rod_element *el = &b->mesh.element[e];
+		const struct hawser_tow_segment *of = &b->frame->tow->segment[b->mesh.segment[e]];
+		int rigid[3] = {!isfinite(of->EA), !(of->GA > 0.0), !(of->GA > 0.0)};
+
+		for (int k = 0; k < 3; k++)
+			if (rigid[k])
+				el->w0[k] = (k == 0) - b->mesh.strain[e].N[k]/el->EA[k];
+	}
+	for (int k = 0; k < 3 && b->end > b->last; k++)
+		b->pull[k] += b->spring[0]*(b->mesh.node[b->end].x[k] - b->mesh.node[b->last].x[k]);
+	(void)hawser__rod_strains(&b->mesh);
+}
+
+/* Newton's method from the state. 1: done. */
+static int newton(struct rod *b, double *size)
+{
+	double before = INFINITY;
+
+	for (int i = 0; i < ITERATIONS; i++) {
+		double scale;
+
+		*size = increment(b, 0.0);
+		if (!(*size < INFINITY))
+			return 0;
+		scale = *size > LONGEST ? LONGEST/ *size : 1.0;
+		hawser__rod_move(&b->mesh, b->mesh.r, scale);
+		if (hawser__rod_strains(&b->mesh) >= 0)
+			return 0;
+		if (before < NEAR && (*size <= TOLERANCE || (*size < ROUND && *size > 0.5*before)))
+			return 1;
+		if (*size < NEAR)
+			correct(b);
+		before = *size;
+	}
+	return *size < ROUND;
+}
+
+/* The damped motion from the state, as in rod/solve.c; 1: it is near an equilibrium. */
+static int settle(struct rod *b, double tension, double *size)
+{
+	double unit = tension/(b->rod.length*b->rod.length), t = 0.01;
+	size_t nodes = (size_t)b->mesh.nodes*sizeof *b->mesh.node;
+
+	for (int i = 0; i < MOTION && t > 1e-12; i++) {
+		memcpy(b->mesh.kept, b->mesh.node, nodes);
+		*size = increment(b, unit/t);
+		if (*size < LONGEST) {
+			hawser__rod_move(&b->mesh, b->mesh.r, 1.0);
+			if (hawser__rod_strains(&b->mesh) < 0) {
+				t *= *size < 0.2*LONGEST ? 3.0 : 1.0;
+				if (t > 1e6 && *size < NEAR)
+					return 1;
+				continue;
+			}
+		}
+		memcpy(b->mesh.node, b->mesh.kept, nodes);
+		(void)hawser__rod_strains(&b->mesh);
+		t *= 0.25;
+	}
+	return 0;
+}
+
+/* --- the result --- */
+
+/* Largest force that is not balanced over the tension, moment over that times the length; held
+ * directions have none. */
+static double residual(struct rod *b, double tension)
+{
+	double worst = 0.0;
+
+	assemble(b);
+	for (int i = 0; i < b->mesh.n; i++)
+		if (!b->mesh.held[i])
+			worst = fmax(worst, fabs(b->mesh.r[i])/(tension*(i%FREE < 3 ? 1.0 : b->rod.length)));
+	return worst;
+}
+
+/* At node i: of the element after it, or of the last one before it, with the load on its half. */
+static void lay(struct hawser_tow_point *point, const struct rod *b, int i)
+{
+	int e = i < b->last ? i : i - 1, side = i > e;
+	const struct hawser__rod_element *el = &b->mesh.element[e];
+	const struct hawser_tow *tow = b->frame->tow;
+	double f[HAWSER__ROD_PAIR], q[3], w[3], R[9], sign = side ? 1.0 : -1.0;
+
+	hawser__rod_forces(f, NULL, el, &b->mesh.strain[e]);
+	drag_on(q, NULL, NULL, b, e);
+	hawser__tow_gravity(w, b->frame, b->mesh.node[i].x);
+	hawser__quaternion_matrix(R, b->mesh.node[i].q);
+	point->s = b->mesh.s[i];
+	point->tension = 0.0;
+	memcpy(point->x, b->mesh.node[i].x, sizeof point->x);
+	for (int k = 0; k < 3; k++) {
+		q[k] += tow->segment[b->mesh.segment[e]].rho*w[k];
+		point->along[k] = R[3*k];
+		point->tension += (sign*f[6*side + k] - sign*0.5*el->h*q[k])*R[3*k];
+	}
+	point->curvature = hypot(f[6*side + 4]/el->EI[1], f[6*side + 5]/el->EI[2]);
+}
+
+static enum hawser_status find(struct rod *b, const struct hawser_tow_point *string, int parts,
+                               const struct hawser__tow_end *body, double tension,
+                               struct hawser_report *report)
+{
+	double size = INFINITY;
+	int found;
+
+	thicken(b, string, parts);
+	start(b, string, parts, body);
+	found = hawser__rod_strains(&b->mesh) < 0 && newton(b, &size);
+	if (!found) {
+		start(b, string, parts, body);
+		found = hawser__rod_strains(&b->mesh) < 0 && settle(b, tension, &size) && newton(b, &size);
+	}
+	if (found)
+		return HAWSER_OK;
+	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, where, ITERATIONS, size,
+	                       "the bent cable was not found (last increment %.1e of its length or rad): "
+	                       "give cable.segments.elements more, or a smaller EI", size);
+}
+
+enum hawser_status hawser__tow_bend(struct hawser_tow_point *point, struct hawser__tow_end *body,
+                                    const struct hawser__tow_frame *frame,
+                                    const struct hawser_tow_point *string, int parts,
+                                    struct hawser_report *report)
+{
+	struct rod b = {.hung = frame->tow->body.kind != HAWSER_TOW_RING ||
+	                        frame->tow->body.joint == HAWSER_TOW_JOINT ? body : NULL};
+	int points = hawser__tow_elements(frame->tow) + 1;
+	double tension = strongest(string, points);
+	enum hawser_status status = open_rod(&b, frame, parts, tension, report);
+
+	if (!status)
+		status = find(&b, string, parts, body, tension, report);
+	if (!status) {
+		b.now.residual = residual(&b, tension);
+		for (int i = 0; i < points; i++)
+			lay(&point[i], &b, i*parts);
+		*body = b.now;
+	}
+	close_rod(&b);
+	return status;
+}
