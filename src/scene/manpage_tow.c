@@ -115,6 +115,7 @@ const char hawser__manpage_tow[] =
 	".B tow.hinge\n"
 	"is free (the default) or clamped (the cable leaves the towing point downwards), and\n"
 	".B body.joint\n"
-	"clamped (the default: the ring turns with the end of the cable), free, or {torsion: k}, a spring with\n"
+	"clamped (the default: the ring turns with the end of the cable), free, or\n"
+	"{torsion: k}, a spring with\n"
 	"the moment k (N m/rad) times the angle between both.\n"
 	"shedding and air.file are refused: nothing computes them yet.\n";

@@ -194,8 +194,8 @@ static enum hawser_status joint(struct hawser__reader *reader, struct hawser_tow
 	if (one->kind == HAWSER__MAPPING) {
 		body->joint = HAWSER_TOW_SPRING;
 		status = hawser__tree_keys(reader, one, "body.joint", "torsion");
-		return status ? status : hawser__tow_number(reader, &body->torsion, one, "body.joint", "torsion",
-		                                            "N.m/rad", HAWSER__TREE_POSITIVE, 1);
+		return status ? status : hawser__tow_number(reader, &body->torsion, one, "body.joint",
+		                                            "torsion", "N.m/rad", HAWSER__TREE_POSITIVE, 1);
 	}
 	status = hawser__tree_word(reader, &word, one, "body.joint", words, 2);
 	body->joint = word ? HAWSER_TOW_JOINT : HAWSER_TOW_CLAMPED;

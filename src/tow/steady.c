@@ -191,7 +191,8 @@ static void move(struct hawser_tow_steady *steady, const struct hawser__tow_fram
 	if (path->kind == HAWSER_PATH_ORBIT && frame->spin == 0.0)
 		by[0] += path->radius;
 	/* of a rod the end is no longer at [r, 0, 0] */
-	lag = frame->spin != 0.0 ? atan2(top[2]*end[0] - top[0]*end[2], top[0]*end[0] + top[2]*end[2]) : 0.0;
+	lag = frame->spin == 0.0 ? 0.0
+	      : atan2(top[2]*end[0] - top[0]*end[2], top[0]*end[0] + top[2]*end[2]);
 	if (frame->spin != 0.0)
 		steady->state.radius = hypot(end[0], end[2]);
 	for (int i = 0; i < steady->points; i++) {

@@ -1,19 +1,17 @@
-/* tow/steady_rod.c - the cable as a geometrically exact rod in a steady state, straight or in an orbit.
+/* tow/steady_rod.c - the cable as a geometrically exact rod in a steady state, also in an orbit.
  *
- *   u, d     flow at the middle of an element, its chord x2 - x1; U the derivative of u by x
- *   f        drag f(u, d) per length, half of it on each node of the element
  *   P        stiffness that stands for a rigid one
  *
- * The mesh, its elements and their tangent are those of rods (src/rod); drag, inertia of the turning frame
- * and the body are added here with their derivatives, and Newton's method begins at the string. Rigid
- * directions (no EA, no GA) have the law N = P (w - w0), in which w0 is moved by -N/P as the iteration
- * ends (augmented Lagrangian, Hestenes 1969), so that the strain is 0 to round-off although P is only
- * some thousand times the tension, which keeps Newton's steps long. If it fails, the cable moves from the
- * string with damping and without inertia, as rods do (rod/solve.c).
+ * The mesh, its elements and their tangent are those of rods (src/rod), the loads and their
+ * derivatives are in steady_rod_loads.c, and Newton's method begins at the string. Rigid directions
+ * (no EA, no GA) have the law N = P (w - w0), in which w0 is moved by -N/P as the iteration ends
+ * (augmented Lagrangian, Hestenes 1969), so that the strain is 0 to round-off although P is only
+ * some thousand times the tension, which keeps Newton's steps long. If it fails, the cable moves
+ * from the string with damping and without inertia, as rods do (rod/solve.c).
  *
  * A ring is clamped to the last node, or to a node of its own with a torsional spring between both, or
- * hangs on a joint without moment; then its attitude is that of hawser__tow_body_at. A hinge at the towing
- * point leaves bending free and holds the twist, which nothing else holds.
+ * hangs on a joint without moment; then its attitude is that of hawser__tow_body_at. A hinge at the
+ * towing point leaves bending free and holds the twist, which nothing else holds.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -23,8 +21,7 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "rod/mesh.h"
-#include "tow/steady.h"
+#include "tow/steady_rod.h"
 
 enum { ITERATIONS = 40,  /* of Newton's method: 5 to 12 are usual */
        MOTION = 400,     /* steps of the damped motion */
@@ -41,18 +38,6 @@ enum { ITERATIONS = 40,  /* of Newton's method: 5 to 12 are usual */
 
 static const char where[] = "tow steady";
 
-struct rod {
-	const struct hawser__tow_frame *frame;
-	struct hawser_rod rod;
-	struct hawser__rod_mesh mesh;
-	double rigid;                  /* P */
-	double spring[2];              /* N/m, N m/rad of the joint; 0: none. Its ends are at one place, too, */
-	double pull[3];                /* N, by a force that is corrected as those of rigid directions */
-	int last, end;                 /* node of the cable's end, of the ring */
-	const struct hawser__tow_end *hung; /* on a joint without moment, or a mass */
-	struct hawser__tow_end now;    /* the body in the state */
-};
-
 /* --- the mesh --- */
 
 static double strongest(const struct hawser_tow_point *point, int points)
@@ -64,7 +49,7 @@ static double strongest(const struct hawser_tow_point *point, int points)
 	return most;
 }
 
-static void describe(struct rod *b, int parts, double tension)
+static void describe(struct hawser__tow_rod *b, int parts, double tension)
 {
 	const struct hawser_tow *tow = b->frame->tow;
 	double stiff = 0.0;
@@ -100,7 +85,7 @@ static void describe(struct rod *b, int parts, double tension)
 }
 
 /* A node of its own for a ring on a spring: behind an element without stiffness and mass. */
-static void add_joint(struct rod *b)
+static void add_joint(struct hawser__tow_rod *b)
 {
 	struct hawser_rod_segment *link = &b->rod.segment[b->rod.segments++];
 
@@ -109,8 +94,8 @@ static void add_joint(struct rod *b)
 	b->rod.length += link->length;
 }
 
-static enum hawser_status open_rod(struct rod *b, const struct hawser__tow_frame *frame, int parts,
-                                   double tension, struct hawser_report *report)
+static enum hawser_status open_rod(struct hawser__tow_rod *b, const struct hawser__tow_frame *frame,
+                                   int parts, double tension, struct hawser_report *report)
 {
 	const struct hawser_tow *tow = frame->tow;
 	int spring = tow->body.kind == HAWSER_TOW_RING && tow->body.joint == HAWSER_TOW_SPRING;
@@ -139,7 +124,7 @@ static enum hawser_status open_rod(struct rod *b, const struct hawser__tow_frame
 	return HAWSER_OK;
 }
 
-static void close_rod(struct rod *b)
+static void close_rod(struct hawser__tow_rod *b)
 {
 	hawser__rod_mesh_clear(&b->mesh);
 	free(b->rod.segment);
@@ -164,13 +149,8 @@ static void aim(double q[4], const double t[3])
 	hawser__quaternion_turn(q, turn);
 }
 
-static double chord(const struct hawser_tow_point *from, const struct hawser_tow_point *to, int k)
-{
-	return to->x[k] - from->x[k];
-}
-
 /* The string's state at the nodes; point [elements of the scene + 1], parts elements between two. */
-static void start(struct rod *b, const struct hawser_tow_point *point, int parts,
+static void start(struct hawser__tow_rod *b, const struct hawser_tow_point *point, int parts,
                   const struct hawser__tow_end *body)
 {
 	struct hawser__rod_node *node = b->mesh.node;
@@ -181,10 +161,12 @@ static void start(struct rod *b, const struct hawser_tow_point *point, int parts
 		double part = (double)(i%parts)/parts, along[3], size, h = after->s - before->s;
 
 		for (int k = 0; k < 3; k++) {
+			double d = after->x[k] - before->x[k], first = h*before->along[k] - d;
+			double second = h*after->along[k] - d;
+
 			/* cubic: chords at right angles to the sections, where they could not shear */
 			node[i].x[k] = (1.0 - part)*before->x[k] + part*after->x[k] +
-			               part*(1.0 - part)*((1.0 - part)*(h*before->along[k] - chord(before, after, k)) -
-			                                  part*(h*after->along[k] - chord(before, after, k)));
+			               part*(1.0 - part)*((1.0 - part)*first - part*second);
 			along[k] = (1.0 - part)*before->along[k] + part*after->along[k];
 		}
 		size = hawser__norm(along);
@@ -202,7 +184,7 @@ static void start(struct rod *b, const struct hawser_tow_point *point, int parts
 }
 
 /* The least EI of an element, where the string has this tension. */
-static void thicken(struct rod *b, const struct hawser_tow_point *point, int parts)
+static void thicken(struct hawser__tow_rod *b, const struct hawser_tow_point *point, int parts)
 {
 	for (int e = 0; e < b->last; e++) {
 		struct hawser__rod_element *el = &b->mesh.element[e];
@@ -213,172 +195,9 @@ static void thicken(struct rod *b, const struct hawser_tow_point *point, int par
 	}
 }
 
-/* --- loads --- */
-
-static double *at(struct rod *b, int row, int column)
-{
-	return hawser__band_at(&b->mesh.band, row, column);
-}
-
-/* Subtract a block of a derivative from the matrix. */
-static void take(struct rod *b, int row, int column, double (*A)[3], double factor)
-{
-	for (int i = 0; i < 3; i++)
-		for (int j = 0; j < 3; j++)
-			*at(b, row + i, column + j) -= factor*A[i][j];
-}
-
-/* A U, U the derivative of the flow by the place. */
-static void by_place(double (*to)[3], double (*A)[3], double spin)
-{
-	for (int i = 0; i < 3; i++) {
-		to[i][0] = A[i][2]*spin;
-		to[i][1] = 0.0;
-		to[i][2] = -A[i][0]*spin;
-	}
-}
-
-static struct hawser_drag drag_of(const struct rod *b, int e)
-{
-	const struct hawser_tow_segment *segment = &b->frame->tow->segment[b->mesh.segment[e]];
-
-	return (struct hawser_drag){b->frame->tow->density, 0.5*segment->diameter, segment->normal,
-	                            segment->tangential};
-}
-
-/* Drag per length of an element, and its derivatives by flow and chord. */
-static void drag_on(double f[3], double (*f_u)[3], double (*f_d)[3], const struct rod *b, int e)
-{
-	const struct hawser__rod_node *node = &b->mesh.node[e];
-	struct hawser_drag drag = drag_of(b, e);
-	double middle[3], d[3], u[3];
-
-	for (int k = 0; k < 3; k++) {
-		middle[k] = 0.5*(node[0].x[k] + node[1].x[k]);
-		d[k] = node[1].x[k] - node[0].x[k];
-	}
-	hawser__tow_flow(u, b->frame, middle);
-	hawser_drag_line(f, f_u, f_d, &drag, u, d);
-}
-
-static void load_element(struct rod *b, int e)
-{
-	double f[3], f_u[3][3], f_d[3][3], f_x[3][3], spin = b->frame->spin, half = 0.5*b->mesh.element[e].h;
-	double mass = half*b->rod.segment[b->mesh.segment[e]].rho;
-
-	drag_on(f, f_u, f_d, b, e);
-	by_place(f_x, f_u, spin);
-	for (int n = 0; n < 2; n++) {
-		int row = FREE*(e + n);
-
-		for (int k = 0; k < 3; k++)
-			b->mesh.r[row + k] += half*f[k] + (k == 1 ? 0.0 : mass*spin*spin*b->mesh.node[e + n].x[k]);
-		*at(b, row, row) -= mass*spin*spin;
-		*at(b, row + 2, row + 2) -= mass*spin*spin;
-		for (int c = 0; c < 2; c++) {
-			take(b, row, FREE*(e + c), f_d, c ? half : -half);
-			take(b, row, FREE*(e + c), f_x, 0.5*half);
-		}
-	}
-}
-
-/* A spring between the last two nodes, which are at one place: forces K (x2 - x1), moments k psi with
- * psi = log(R1'R2), which are along psi in the axes of both. */
-static void load_spring(struct rod *b)
-{
-	int row[2] = {FREE*b->last, FREE*b->end};
-	const struct hawser__rod_node *node = &b->mesh.node[b->last];
-	const double *psi = b->mesh.strain[b->last].psi;
-	struct hawser__so3 so3;
-	double Ji[9];
-
-	hawser__so3_at(&so3, psi);
-	hawser__so3_ji(Ji, &so3);
-	for (int n = 0; n < 2; n++)
-		for (int i = 0; i < 3; i++) {
-			double sign = n ? -1.0 : 1.0;
-
-			b->mesh.r[row[n] + i] += sign*(b->pull[i] + b->spring[0]*(node[1].x[i] - node[0].x[i]));
-			b->mesh.r[row[n] + 3 + i] += sign*b->spring[1]*psi[i];
-			for (int c = 0; c < 2; c++)
-				*at(b, row[n] + i, row[c] + i) += n == c ? b->spring[0] : -b->spring[0];
-			for (int j = 0; j < 3; j++) {
-				*at(b, row[n] + 3 + i, row[1] + 3 + j) -= sign*b->spring[1]*Ji[3*i + j];
-				*at(b, row[n] + 3 + i, row[0] + 3 + j) += sign*b->spring[1]*Ji[3*j + i];
-			}
-		}
-}
-
-/* The ring, clamped to node `end`. */
-static void load_ring(struct rod *b)
-{
-	const struct hawser__rod_node *node = &b->mesh.node[b->end];
-	int row = FREE*b->end;
-	struct hawser__tow_ring ring;
-	double R[9], moment[3], turn[9], part[9], slope[9], skew[9];
-
-	hawser__quaternion_matrix(R, node->q);
-	for (int k = 0; k < 3; k++)
-		b->now.axis[k] = R[3*k];
-	hawser__tow_ring_at(&ring, b->frame, node->x, b->now.axis);
-	memcpy(b->now.force, ring.n, sizeof ring.n);
-	memcpy(b->now.centre, ring.centre, sizeof ring.centre);
-	hawser__apply_left(moment, R, ring.moment);
-	hawser__skew(skew, moment);
-	for (int k = 0; k < 3; k++) {
-		b->mesh.r[row + k] += ring.n[k];
-		b->mesh.r[row + 3 + k] += moment[k];
-	}
-	take(b, row, row, ring.n_x, 1.0);
-	memcpy(slope, ring.n_turn, sizeof slope);
-	hawser__mul(turn, slope, R);
-	for (int k = 0; k < 9; k++)
-		*at(b, row + k/3, row + 3 + k%3) -= turn[k];
-	memcpy(slope, ring.moment_x, sizeof slope);
-	hawser__mul_left(turn, R, slope);
-	for (int k = 0; k < 9; k++)
-		*at(b, row + 3 + k/3, row + k%3) -= turn[k];
-	memcpy(slope, ring.moment_turn, sizeof slope);
-	hawser__mul_left(part, R, slope);
-	hawser__mul(turn, part, R);
-	for (int k = 0; k < 9; k++)
-		*at(b, row + 3 + k/3, row + 3 + k%3) -= turn[k] + skew[k];
-}
-
-/* A body that pulls at the end without a moment; of a ring the change of its attitude with the place
- * is left to the iteration. */
-static void load_body(struct rod *b)
-{
-	double spin = b->frame->spin, n_x[3][3];
-	int row = FREE*b->end;
-
-	if (spin != 0.0)
-		(void)hawser__tow_body_at(&b->now, b->frame, b->mesh.node[b->end].x);
-	else
-		b->now = *b->hung;
-	hawser__tow_body_slope(n_x, b->frame, b->mesh.node[b->end].x, &b->now);
-	for (int k = 0; k < 3; k++)
-		b->mesh.r[row + k] += b->now.force[k];
-	take(b, row, row, n_x, 1.0);
-}
-
-/* Forces that are not balanced, and the matrix. */
-static void assemble(struct rod *b)
-{
-	hawser__rod_tangent(&b->mesh);
-	for (int e = 0; e < b->last; e++)
-		load_element(b, e);
-	if (b->end > b->last)
-		load_spring(b);
-	if (b->hung)
-		load_body(b);
-	else
-		load_ring(b);
-}
-
 /* --- the iteration --- */
 
-static double largest(const struct rod *b, const double *step)
+static double largest(const struct hawser__tow_rod *b, const double *step)
 {
 	double most = 0.0;
 
@@ -393,16 +212,16 @@ static double largest(const struct rod *b, const double *step)
 }
 
 /* An increment into mesh.r; its size. `damping` 0: Newton's. */
-static double increment(struct rod *b, double damping)
+static double increment(struct hawser__tow_rod *b, double damping)
 {
 	struct hawser__rod_mesh *mesh = &b->mesh;
 
-	assemble(b);
+	hawser__tow_rod_assemble(b);
 	for (int e = 0; e < b->last && damping > 0.0; e++)
 		for (int k = 0; k < HAWSER__ROD_PAIR; k++) {
 			double h = mesh->element[e].h;
 
-			*at(b, FREE*e + k, FREE*e + k) += damping*h*(k%FREE < 3 ? 1.0 : h*h);
+			*hawser__band_at(&mesh->band, FREE*e + k, FREE*e + k) += damping*h*(k%FREE < 3 ? 1.0 : h*h);
 		}
 	for (int i = 0; i < mesh->n; i++)
 		if (mesh->held[i]) {
@@ -416,7 +235,7 @@ static double increment(struct rod *b, double damping)
 }
 
 /* Rigid directions: their strain is taken out of the law. */
-static void correct(struct rod *b)
+static void correct(struct hawser__tow_rod *b)
 {
 	for (int e = 0; e < b->last; e++) {
 		struct hawser__rod_element *el = &b->mesh.element[e];
@@ -433,7 +252,7 @@ static void correct(struct rod *b)
 }
 
 /* Newton's method from the state. 1: done. */
-static int newton(struct rod *b, double *size)
+static int newton(struct hawser__tow_rod *b, double *size)
 {
 	double before = INFINITY;
 
@@ -457,7 +276,7 @@ static int newton(struct rod *b, double *size)
 }
 
 /* The damped motion from the state, as in rod/solve.c; 1: it is near an equilibrium. */
-static int settle(struct rod *b, double tension, double *size)
+static int settle(struct hawser__tow_rod *b, double tension, double *size)
 {
 	double unit = tension/(b->rod.length*b->rod.length), t = 0.01;
 	size_t nodes = (size_t)b->mesh.nodes*sizeof *b->mesh.node;
@@ -485,11 +304,11 @@ static int settle(struct rod *b, double tension, double *size)
 
 /* Largest force that is not balanced over the tension, moment over that times the length; held
  * directions have none. */
-static double residual(struct rod *b, double tension)
+static double residual(struct hawser__tow_rod *b, double tension)
 {
 	double worst = 0.0;
 
-	assemble(b);
+	hawser__tow_rod_assemble(b);
 	for (int i = 0; i < b->mesh.n; i++)
 		if (!b->mesh.held[i])
 			worst = fmax(worst, fabs(b->mesh.r[i])/(tension*(i%FREE < 3 ? 1.0 : b->rod.length)));
@@ -497,7 +316,7 @@ static double residual(struct rod *b, double tension)
 }
 
 /* At node i: of the element after it, or of the last one before it, with the load on its half. */
-static void lay(struct hawser_tow_point *point, const struct rod *b, int i)
+static void lay(struct hawser_tow_point *point, const struct hawser__tow_rod *b, int i)
 {
 	int e = i < b->last ? i : i - 1, side = i > e;
 	const struct hawser__rod_element *el = &b->mesh.element[e];
@@ -505,7 +324,7 @@ static void lay(struct hawser_tow_point *point, const struct rod *b, int i)
 	double f[HAWSER__ROD_PAIR], q[3], w[3], R[9], sign = side ? 1.0 : -1.0;
 
 	hawser__rod_forces(f, NULL, el, &b->mesh.strain[e]);
-	drag_on(q, NULL, NULL, b, e);
+	hawser__tow_rod_drag(q, NULL, NULL, b, e);
 	hawser__tow_gravity(w, b->frame, b->mesh.node[i].x);
 	hawser__quaternion_matrix(R, b->mesh.node[i].q);
 	point->s = b->mesh.s[i];
@@ -519,8 +338,8 @@ static void lay(struct hawser_tow_point *point, const struct rod *b, int i)
 	point->curvature = hypot(f[6*side + 4]/el->EI[1], f[6*side + 5]/el->EI[2]);
 }
 
-static enum hawser_status find(struct rod *b, const struct hawser_tow_point *string, int parts,
-                               const struct hawser__tow_end *body, double tension,
+static enum hawser_status find(struct hawser__tow_rod *b, const struct hawser_tow_point *string,
+                               int parts, const struct hawser__tow_end *body, double tension,
                                struct hawser_report *report)
 {
 	double size = INFINITY;
@@ -545,7 +364,7 @@ enum hawser_status hawser__tow_bend(struct hawser_tow_point *point, struct hawse
                                     const struct hawser_tow_point *string, int parts,
                                     struct hawser_report *report)
 {
-	struct rod b = {.hung = frame->tow->body.kind != HAWSER_TOW_RING ||
+	struct hawser__tow_rod b = {.hung = frame->tow->body.kind != HAWSER_TOW_RING ||
 	                        frame->tow->body.joint == HAWSER_TOW_JOINT ? body : NULL};
 	int points = hawser__tow_elements(frame->tow) + 1;
 	double tension = strongest(string, points);
