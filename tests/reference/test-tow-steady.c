@@ -50,7 +50,8 @@ static int solve(struct hawser_tow_steady *steady, struct hawser_tow *tow, doubl
 	if (!status)
 		status = hawser_tow_steady_solve(steady, tow, &report);
 	/* of a rod round-off: of places over an element's length, times a stiffness of 1000 tensions */
-	return ok(!status && steady->residual < (steady->bent ? 1e-9 : 1e-10), "%s: residual %.1e %s", what, status ? 0.0 : steady->residual, report.message);
+	return ok(!status && steady->residual < (steady->bent ? 1e-9 : 1e-10), "%s: residual %.1e %s",
+	          what, status ? 0.0 : steady->residual, report.message);
 }
 
 /* tan(tilt) = F_h/(W + F_v), by bisection. */
@@ -220,7 +221,8 @@ static void orbit(void)
 	hawser_tow_steady_clear(&steady);
 }
 
-/* The same as a rod of nylon, from a hinge: an independent program has it within 1.1 mm of the string. */
+/* The same as a rod of nylon, from a hinge: an independent program has it within 1.1 mm of the
+ * string. */
 static void orbit_bent(void)
 {
 	struct hawser_tow_segment cable = {.length = 100.0, .rho = 0.3, .EA = INFINITY, .diameter = 0.01,
@@ -296,7 +298,8 @@ static void ring_in_orbit(void)
 static void spring(double radius)
 {
 	/* in an orbit the drag on the ring has a moment about its axis too, which a weak spring yields to */
-	const double torsion[] = {radius > 0.0 ? 0.1 : 1e-6, 40.0, 1e9}, near = radius > 0.0 ? 1e-3 : 1e-6;
+	const double torsion[] = {radius > 0.0 ? 0.1 : 1e-6, 40.0, 1e9};
+	const double near = radius > 0.0 ? 1e-3 : 1e-6;
 	struct hawser_tow_segment cable;
 	struct hawser_tow tow = with_ring(&cable, 10.0, 0.01, 1.3, 10.0, 0.08, 0.0025, 0.8);
 	struct hawser_tow_steady steady;
