@@ -60,6 +60,9 @@ struct hawser_contact_reply {
 struct hawser_friction_problem {
 	const double (*diagonal)[9]; /* [nodes] */
 	const double (*off)[9];      /* [links] rows of link[0], columns of link[1] */
+	const double (*back)[9];     /* [links] rows of link[1], columns of link[0]; NULL: the transposes of
+	                              * off, M is symmetric. Else M is the tangent of a scheme of which the
+	                              * caller knows that its steps have one solution */
 	const double (*right)[3];    /* [nodes] p; at a held direction the velocity itself */
 	const unsigned char *held;   /* [nodes] bit k: direction k is held; NULL: none */
 	const struct hawser_contact *contact; /* [contacts] */

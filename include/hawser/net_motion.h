@@ -37,6 +37,9 @@ struct hawser_net_frame {
 	const double (*x)[3]; /* [nodes] of the mesh: those of the scene, then inner nodes cable by cable */
 	const int (*end)[2];  /* [elements] nodes of each element */
 	const double *T;      /* [elements] N */
+	/* With obstacles; NULL without. Of a node at several, the one with the largest force. */
+	const unsigned char *state; /* [nodes] 0: open, 1: sticks, 2: slips (enum hawser_contact_state) */
+	const double *r_N, *r_T; /* [nodes] N: force of the obstacle along its normal, and along its surface */
 };
 
 struct hawser_net_motion_options {
@@ -64,9 +67,18 @@ struct hawser_net_motion {
 	double (*v)[3];      /* [rows*probes] m/s */
 	double *T;           /* [rows*probes] N: largest tension of the elements there */
 	/* J; since the beginning, the potential energy (of strain, weight and constant loads) too: it is
-	 * counted from the equilibrium. work: of harmonic loads and moving supports. */
+	 * counted from the equilibrium. work: of harmonic loads, moving supports and moving surfaces.
+	 * dissipated: by damping, and by friction and impacts at obstacles. */
 	double *kinetic, *potential, *work, *dissipated; /* [rows] */
 	int *slack;          /* [rows] number of elements without tension */
+	/* With obstacles: */
+	int *touching, *sliding; /* [rows] number of contacts; of these, those that slip */
+	double *friction, *impacts; /* [rows] J: parts of dissipated */
+	double *apart;       /* [rows] m: largest penetration, or gap of what touches, since the row before */
+	double laws;         /* largest relative residual of the laws of contact and friction of a step */
+	struct hawser_net_contact *contact; /* [contacts] of the last state, with the mean forces of its
+	                      * step: nodes of the net, then along cables */
+	int contacts;
 	/* Over all steps: the least tension and its time, and the first element without tension: time (s;
 	 * NAN: there is none), its cable, and the part of its unstretched length at its middle. */
 	double least, least_at, slack_at, slack_part; /* N, s, s, 0 to 1 */

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/contacts_net.h"
 #include "cli/integrate_net.h"
 #include "cli/progress.h"
 #include "core/report.h"
@@ -92,6 +93,20 @@ static enum hawser_status probes(struct result *result, struct hawser_report *re
 
 /* --- VTK: one file a row --- */
 
+/* contact: 0 open, 1 sticks, 2 slips. */
+static void contacts_vtk(FILE *file, const struct hawser_net_frame *frame)
+{
+	fprintf(file, "POINT_DATA %d\nSCALARS contact int 1\nLOOKUP_TABLE default\n", frame->nodes);
+	for (int i = 0; i < frame->nodes; i++)
+		fprintf(file, "%d\n", frame->state[i]);
+	fputs("SCALARS r_N_N double 1\nLOOKUP_TABLE default\n", file);
+	for (int i = 0; i < frame->nodes; i++)
+		fprintf(file, "%.9g\n", frame->r_N[i]);
+	fputs("SCALARS r_T_N double 1\nLOOKUP_TABLE default\n", file);
+	for (int i = 0; i < frame->nodes; i++)
+		fprintf(file, "%.9g\n", frame->r_T[i]);
+}
+
 static int frame(void *data, const struct hawser_net_frame *frame)
 {
 	struct result *result = data;
@@ -115,6 +130,8 @@ static int frame(void *data, const struct hawser_net_frame *frame)
 	        frame->elements);
 	for (int e = 0; e < frame->elements; e++)
 		fprintf(file, "%.9g\n", frame->T[e]);
+	if (frame->state)
+		contacts_vtk(file, frame);
 	bad = ferror(file);
 	if (fclose(file) || bad)
 		result->failed = errno ? errno : EIO;
@@ -141,11 +158,29 @@ static void fill_row(struct hawser__table *row, const void *of, size_t index)
 	hawser__table_number(row, motion->work[index]);
 	hawser__table_number(row, motion->dissipated[index]);
 	hawser__table_number(row, motion->slack[index]);
+	if (!result->net.surfaces)
+		return;
+	hawser__table_number(row, motion->touching[index]);
+	hawser__table_number(row, motion->sliding[index]);
+	hawser__table_number(row, motion->friction[index]);
+	hawser__table_number(row, motion->impacts[index]);
+	hawser__table_number(row, motion->apart[index]);
+}
+
+static double apart(const struct hawser_net_motion *motion)
+{
+	double most = 0.0;
+
+	for (int i = 0; i < motion->rows; i++)
+		most = fmax(most, motion->apart[i]);
+	return most;
 }
 
 static void table(struct hawser__table *table, const void *of)
 {
-	static const char *const last[] = {"kinetic_J", "potential_J", "work_J", "dissipated_J", "slack"};
+	static const char *const last[] = {"kinetic_J", "potential_J", "work_J", "dissipated_J", "slack",
+	                                   "touching", "sliding", "friction_J", "impacts_J", "apart_m"};
+	enum { CONTACT = 5 };
 	const struct result *result = of;
 	const struct hawser_net_motion *motion = &result->motion;
 
@@ -158,6 +193,9 @@ static void table(struct hawser__table *table, const void *of)
 	hawser__table_comment(table, "positions to some %.1e m: %s", motion->error, motion->checked
 	                      ? "from another, coarser run"
 	                      : "the local errors of all steps, if they do not grow (--error looks)");
+	if (result->net.surfaces)
+		hawser__table_comment(table, "contacts: penetration, and gap of what touches, at most %.1e m; "
+		                      "laws of contact and friction to %.1e", apart(motion), motion->laws);
 	for (int k = 0; k < 3; k++)
 		if (motion->still[k])
 			hawser__table_comment(table, "no motion along %c in the model: nothing drives it",
@@ -170,9 +208,28 @@ static void table(struct hawser__table *table, const void *of)
 			hawser__table_column(table, "%s_%c_m", result->name[p], "xyz"[k]);
 		hawser__table_column(table, "%s_T_N", result->name[p]);
 	}
-	for (size_t i = 0; i < sizeof last/sizeof *last; i++)
+	for (size_t i = 0; i < sizeof last/sizeof *last - (result->net.surfaces ? 0 : CONTACT); i++)
 		hawser__table_column(table, "%s", last[i]);
 	hawser__table_rows(table, (size_t)motion->rows, fill_row, result);
+}
+
+static void contacts(struct hawser__json *json, const struct result *result, json_t *energy)
+{
+	const struct hawser_net_motion *motion = &result->motion;
+	const struct hawser_net_statics last = {.contact = motion->contact, .contacts = motion->contacts,
+	                                        .apart = apart(motion)};
+	json_t *touching = hawser__json_array(json, json->root, "touching");
+	json_t *sliding = hawser__json_array(json, json->root, "sliding");
+
+	for (int i = 0; i < motion->rows; i++) {
+		hawser__json_integer(json, touching, NULL, motion->touching[i]);
+		hawser__json_integer(json, sliding, NULL, motion->sliding[i]);
+	}
+	hawser__json_numbers(json, json->root, "apart", motion->apart, motion->rows, 1.0);
+	hawser__json_number(json, json->root, "laws", motion->laws);
+	hawser__json_numbers(json, energy, "friction", motion->friction, motion->rows, 1.0);
+	hawser__json_numbers(json, energy, "impacts", motion->impacts, motion->rows, 1.0);
+	cli_contacts_json(json, &result->net, &last);
 }
 
 static void json(struct hawser__json *json, const void *of)
@@ -210,6 +267,8 @@ static void json(struct hawser__json *json, const void *of)
 	for (int k = 0; k < 3; k++)
 		if (motion->still[k])
 			hawser__json_text(json, into, NULL, (const char *[]){"x", "y", "z"}[k]);
+	if (result->net.surfaces)
+		contacts(json, result, energy);
 	hawser__json_flag(json, json->root, "interrupted", motion->interrupted);
 	into = cli_stats_json(json, result->common);
 	hawser__json_integer(json, into, "unknowns", motion->unknowns);

@@ -71,15 +71,21 @@ enum hawser_status hawser__contact_chain_open(struct hawser__contact_chain **mad
 	return good ? HAWSER_OK : hawser__no_memory(report, "friction");
 }
 
-/* The block of M from the node at a place to the next: rows of the former. */
-HAWSER_PART void across(double U[9], const struct hawser_friction *of, int node, int link)
+/* The block U of M from the node at a place to the next, rows of the former, and the transpose of the
+ * block L with the rows of the latter: equal where M is symmetric. */
+HAWSER_PART void across(double U[9], double L[9], const struct hawser_friction *of, int node, int link)
 {
-	const double *off = of->of->off[link];
+	const double *off = of->of->off[link], *back = of->of->back ? of->of->back[link] : NULL;
 	const int along = of->link[link][0] == node;
 
 	for (int i = 0; i < 3; i++)
-		for (int j = 0; j < 3; j++)
-			U[3*i + j] = along ? off[3*i + j] : off[3*j + i];
+		for (int j = 0; j < 3; j++) {
+			double up = off[3*i + j], down = back ? back[3*j + i] : up;
+			int at = along ? 3*i + j : 3*j + i;
+
+			U[at] = along ? up : down;
+			L[at] = along ? down : up;
+		}
 }
 
 HAWSER_PART void hold(struct hawser__rows *here, struct hawser__rows *off, unsigned held,
@@ -130,11 +136,11 @@ HAWSER_PART int eliminate(struct hawser__rows *rest, struct hawser_friction *of,
 	const double *D = of->of->diagonal[node], *R = of->R[node];
 	const unsigned held = of->of->held ? of->of->held[node] : 0U;
 	const int first = by ? of->first[node] : -1;
-	double U[9] = {0.0}, c[9], det;
+	double U[9] = {0.0}, L[9] = {0.0}, c[9], det;
 	struct hawser__rows here, off, *factor = &chain->factor[place];
 
 	if (link >= 0)
-		across(U, of, node, link);
+		across(U, L, of, node, link);
 	here.x = rest->x + (hawser__vec){D[0], D[1], D[2], 0.0};
 	here.y = rest->y + (hawser__vec){D[3], D[4], D[5], 0.0};
 	here.z = rest->z + (hawser__vec){D[6], D[7], D[8], 0.0};
@@ -158,15 +164,15 @@ HAWSER_PART int eliminate(struct hawser__rows *rest, struct hawser_friction *of,
 			return 0;
 	} else {
 		det = hawser__rows_adjugate(c, &here);
-		if (!by && !positive(&here, det))
+		if (!by && !of->of->back && !positive(&here, det))
 			return 0;
 		if (det == 0.0 || !isfinite(1.0/det))
 			return 0;
 		hawser__rows_times(factor, c, 1.0/det, &off);
 	}
-	rest->x = -(U[0]*factor->x + U[3]*factor->y + U[6]*factor->z);
-	rest->y = -(U[1]*factor->x + U[4]*factor->y + U[7]*factor->z);
-	rest->z = -(U[2]*factor->x + U[5]*factor->y + U[8]*factor->z);
+	rest->x = -(L[0]*factor->x + L[3]*factor->y + L[6]*factor->z);
+	rest->y = -(L[1]*factor->x + L[4]*factor->y + L[7]*factor->z);
+	rest->z = -(L[2]*factor->x + L[5]*factor->y + L[8]*factor->z);
 	return 1;
 }
 
@@ -224,15 +230,15 @@ HAWSER_PART void block(struct hawser__rows *rows, const double D[9], const struc
 		hold(rows, &off, held, none);
 }
 
-/* What the places after this one leave to it: -U times the inverse of theirs times U^T. */
-HAWSER_PART void from_next(struct hawser__rows *rest, const double U[9],
+/* What the places after this one leave to it: -U times the inverse of theirs times L^T. */
+HAWSER_PART void from_next(struct hawser__rows *rest, const double U[9], const double L[9],
                            const struct hawser__rows *next)
 {
 	double c[9], product[9], inverse = 1.0/hawser__rows_adjugate(c, next);
 
 	for (int i = 0; i < 3; i++)
 		for (int j = 0; j < 3; j++)
-			product[3*i + j] = -inverse*(c[3*i]*U[3*j] + c[3*i + 1]*U[3*j + 1] + c[3*i + 2]*U[3*j + 2]);
+			product[3*i + j] = -inverse*(c[3*i]*L[3*j] + c[3*i + 1]*L[3*j + 1] + c[3*i + 2]*L[3*j + 2]);
 	for (int k = 0; k < 3; k++) {
 		const hawser__vec row = {product[3*k], product[3*k + 1], product[3*k + 2], 0.0};
 
@@ -258,14 +264,14 @@ void hawser__contact_chain_inverse(struct hawser_friction *of)
 	for (int place = chain->nodes - 1; place >= 0; place--) {
 		const int node = chain->node[place], link = chain->link[place];
 		const unsigned held = of->of->held ? of->of->held[node] : 0U;
-		double U[9] = {0.0}, c[9], det;
+		double U[9] = {0.0}, L[9] = {0.0}, c[9], det;
 
 		if (link >= 0) {
-			across(U, of, node, link);
+			across(U, L, of, node, link);
 			for (int k = 0; k < 9; k++) /* rows of held directions of the next place are 0 */
 				if (of->of->held && of->of->held[chain->node[place + 1]] & 1U << k%3)
-					U[k] = 0.0;
-			from_next(&rest, U, &next);
+					U[k] = L[k] = 0.0;
+			from_next(&rest, U, L, &next);
 		} else {
 			rest = (struct hawser__rows){zero, zero, zero};
 		}

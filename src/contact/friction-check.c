@@ -46,6 +46,8 @@ static enum hawser_status matrix(const struct hawser_friction *solver,
 		return hawser__fail(report, HAWSER_ERR_NAN, "friction",
 		                    "the block of M of node %d is not a number or infinite", node);
 	link = solver->links ? first_not(problem->off[0], solver->links, 9) : -1;
+	if (link < 0 && solver->links && problem->back)
+		link = first_not(problem->back[0], solver->links, 9);
 	if (link >= 0)
 		return hawser__fail(report, HAWSER_ERR_NAN, "friction",
 		                    "the block of M of link %d is not a number or infinite", link);
@@ -53,7 +55,7 @@ static enum hawser_status matrix(const struct hawser_friction *solver,
 	if (right >= 0)
 		return hawser__fail(report, HAWSER_ERR_NAN, "friction",
 		                    "the right side p of node %d is not a number or infinite", right);
-	for (int n = 0; n < solver->nodes; n++) {
+	for (int n = 0; n < solver->nodes && !problem->back; n++) {
 		const double *D = problem->diagonal[n];
 		double size = fabs(D[0]) + fabs(D[4]) + fabs(D[8]);
 

@@ -199,7 +199,8 @@ static void assemble(struct hawser_friction *of, const struct hawser__step_law *
 		for (int side = 0; side < 2; side++) {
 			const int n = of->link[e][side];
 
-			add(net, net->link[e][side], of->of->off[e], side, rows_of(of, n, law),
+			add(net, net->link[e][side], side && of->of->back ? of->of->back[e] : of->of->off[e],
+			    side && !of->of->back, rows_of(of, n, law),
 			    of->of->held ? of->of->held[n] : 0U);
 		}
 }
@@ -223,9 +224,10 @@ int hawser__contact_net_solve(double (*du)[3], struct hawser_friction *of,
 	int good;
 
 	assemble(of, law);
-	net->common.tol = law ? 0.001 : 0.0; /* KLU's own tolerance, and none: pivots of the diagonal */
+	net->common.tol = law || of->of->back ? 0.001 : 0.0; /* KLU's own tolerance, and none: pivots of the diagonal */
 	numeric = klu_factor(net->p, net->i, net->x, net->symbolic, &net->common);
-	good = numeric && net->common.status == KLU_OK && (law || positive(net, numeric)) &&
+	good = numeric && net->common.status == KLU_OK &&
+	       (law || of->of->back || positive(net, numeric)) &&
 	       klu_solve(net->symbolic, numeric, net->unknowns, 1, net->right, &net->common);
 	klu_free_numeric(&numeric, &net->common);
 	for (int n = 0; n < of->nodes && good; n++)

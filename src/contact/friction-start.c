@@ -19,7 +19,8 @@ static void weigh(struct hawser_friction *of)
 
 		for (int i = 0; i < 3; i++)
 			inverse += n[i]*(A[3*i]*n[0] + A[3*i + 1]*n[1] + A[3*i + 2]*n[2]);
-		touch->rho = 1.0/inverse;
+		/* any rho > 0 does: where M has no sign, that of the block of the node */
+		touch->rho = inverse > 0.0 ? 1.0/inverse : of->norm;
 	}
 }
 

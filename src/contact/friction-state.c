@@ -16,13 +16,13 @@ static void times(double (*y)[3], const struct hawser_friction *of, const double
 			y[n][i] = D[0]*x[n][0] + D[1]*x[n][1] + D[2]*x[n][2];
 		}
 	for (int e = 0; e < of->links; e++) {
-		const double *B = of->of->off[e];
+		const double *B = of->of->off[e], *C = of->of->back ? of->of->back[e] : NULL;
 		const int a = of->link[e][0], b = of->link[e][1];
 
 		for (int i = 0; i < 3; i++)
 			for (int j = 0; j < 3; j++) {
 				y[a][i] += B[3*i + j]*x[b][j];
-				y[b][i] += B[3*j + i]*x[a][j];
+				y[b][i] += (C ? C[3*i + j] : B[3*j + i])*x[a][j];
 			}
 	}
 }

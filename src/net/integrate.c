@@ -9,8 +9,10 @@
 
 #include "core/progress.h"
 #include "core/report.h"
+#include "net/motion-contact.h"
 #include "net/motion-ode.h"
 #include "net/solution.h"
+#include "net/touch.h"
 
 enum { ROWS = 10000000, DEFAULT_ROWS = 200 };
 /* s, between two questions whether to go on: not felt by the user, nor by the computation. */
@@ -25,6 +27,7 @@ struct run {
 	double *state;           /* from a file, or NULL */
 	double h, step, every, tolerance; /* step 0: by the error */
 	double (*x)[3], *T;      /* [nodes], [elements] of a row */
+	struct hawser__net_touched touched; /* of a row, with obstacles */
 	struct hawser__support_table *table; /* [tables], until the motion owns them */
 	int tables;
 	double began, asked;     /* s, clock */
@@ -32,23 +35,6 @@ struct run {
 	double from;             /* s, of the motion, at the beginning */
 	int rows;                /* so far */
 };
-
-void hawser_net_motion_clear(struct hawser_net_motion *motion)
-{
-	if (!motion)
-		return;
-	free(motion->time);
-	free(motion->x);
-	free(motion->v);
-	free(motion->T);
-	free(motion->kinetic);
-	free(motion->potential);
-	free(motion->work);
-	free(motion->dissipated);
-	free(motion->slack);
-	free(motion->state);
-	memset(motion, 0, sizeof *motion);
-}
 
 static void clear(struct run *run)
 {
@@ -58,6 +44,8 @@ static void clear(struct run *run)
 	free(run->state);
 	free(run->x);
 	free(run->T);
+	free(run->touched.r_N); /* with r_T */
+	free(run->touched.state);
 	hawser__motion_clear(&run->motion);
 	hawser__mesh_clear(&run->mesh);
 }
@@ -176,12 +164,15 @@ static enum hawser_status start(struct run *run, struct hawser_report *report)
 
 	if (!loose)
 		return hawser__no_memory(report, "net");
-	if (initial)
-		status = hawser__motion_read(&run->state, initial, &run->mesh, report);
 	for (int i = 0; i < net->dynamics.releases; i++) {
 		loose[net->dynamics.release[i]] = 1;
 		hawser__mesh_hold(&run->mesh, net->dynamics.release[i], none);
 	}
+	if (net->surfaces && net->dynamics.releases)
+		status = hawser__touch_again(&run->mesh, net, report);
+	hawser__touch_measure(&run->mesh);
+	if (initial && !status)
+		status = hawser__motion_read(&run->state, initial, &run->mesh, report);
 	if (!status) {
 		int same = place(run);
 
@@ -189,6 +180,12 @@ static enum hawser_status start(struct run *run, struct hawser_report *report)
 		status = hawser__motion_open(&run->motion, &run->mesh, scheme, rho, same, loose, report);
 	}
 	free(loose);
+	if (!status && run->mesh.touches && run->motion.scheme->rule != hawser__motion_scheme(0)->rule)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: the scheme %s does not know "
+		                      "obstacles: take energy, or leave dynamics.scheme and --method out",
+		                      net->name ? net->name : "the net", run->motion.scheme->shown.name);
+	if (!status && run->mesh.touches)
+		status = hawser__contact_open(&run->motion, net->contact.restitution, report);
 	if (!status)
 		status = hawser__ode_massive(&run->mesh, net, report);
 	if (status)
@@ -211,11 +208,28 @@ static enum hawser_status start(struct run *run, struct hawser_report *report)
 	return status;
 }
 
+/* The equilibrium; with friction as the way of the supports has left it. */
+static enum hawser_status still(struct run *run, struct hawser_report *report)
+{
+	struct hawser__equilibrium found;
+	struct hawser__mesh_options settings = {0};
+	enum hawser_status status;
+	double *T;
+
+	if (!run->net->contact.history)
+		status = hawser__mesh_form(&run->mesh, NULL, &found, run->net, &settings, report);
+	else if (!(T = calloc((size_t)run->mesh.elements, sizeof *T)))
+		status = hawser__no_memory(report, "net");
+	else {
+		status = hawser__net_history(&run->mesh, T, &found, run->net, &settings, report);
+		free(T);
+	}
+	return status ? status : hawser__touch_sides(&run->mesh, run->net, report);
+}
+
 static enum hawser_status prepare(struct run *run, struct hawser_report *report)
 {
 	const struct hawser_net_motion_options *options = run->options;
-	struct hawser__equilibrium found;
-	struct hawser__mesh_options settings = {0};
 	enum hawser_status status;
 
 	if (!(options->until > 0.0) || !isfinite(options->until))
@@ -234,7 +248,7 @@ static enum hawser_status prepare(struct run *run, struct hawser_report *report)
 	if (status)
 		return status;
 	displace(run);
-	status = hawser__mesh_form(&run->mesh, NULL, &found, run->net, &settings, report);
+	status = still(run, report);
 	if (!status)
 		status = start(run, report);
 	if (status)
@@ -243,26 +257,12 @@ static enum hawser_status prepare(struct run *run, struct hawser_report *report)
 	                 longest(&run->mesh);
 	run->x = calloc((size_t)run->mesh.nodes, sizeof *run->x);
 	run->T = calloc((size_t)run->mesh.elements, sizeof *run->T);
-	return run->x && run->T ? HAWSER_OK : hawser__no_memory(report, "net");
+	if (!run->x || !run->T)
+		return hawser__no_memory(report, "net");
+	return run->motion.contact ? hawser__contact_room(&run->touched, run->mesh.nodes, report) : HAWSER_OK;
 }
 
 /* --- rows --- */
-
-static enum hawser_status allocate(struct hawser_net_motion *to, size_t rows, size_t probes,
-                                   struct hawser_report *report)
-{
-	to->time = calloc(rows, sizeof *to->time);
-	to->x = calloc(rows*probes + 1, sizeof *to->x);
-	to->v = calloc(rows*probes + 1, sizeof *to->v);
-	to->T = calloc(rows*probes + 1, sizeof *to->T);
-	to->kinetic = calloc(rows, sizeof *to->kinetic);
-	to->potential = calloc(rows, sizeof *to->potential);
-	to->work = calloc(rows, sizeof *to->work);
-	to->dissipated = calloc(rows, sizeof *to->dissipated);
-	to->slack = calloc(rows, sizeof *to->slack);
-	return to->time && to->x && to->v && to->T && to->kinetic && to->potential && to->work &&
-	       to->dissipated && to->slack ? HAWSER_OK : hawser__no_memory(report, "net");
-}
 
 static void probe(double x[3], double v[3], double *T, const struct run *run,
                   const struct hawser_net_probe *at)
@@ -310,6 +310,12 @@ static int row(struct hawser_net_motion *to, struct run *run)
 	to->work[i] = motion->energy.work;
 	to->dissipated[i] = motion->energy.dissipated;
 	to->slack[i] = hawser__motion_tensions(run->T, motion);
+	if (motion->contact) {
+		hawser__contact_row(to, i, &run->touched, &run->motion);
+		frame.state = run->touched.state;
+		frame.r_N = run->touched.r_N;
+		frame.r_T = run->touched.r_T;
+	}
 	for (int p = 0; p < options->probes; p++) {
 		int at = i*options->probes + p;
 
@@ -379,7 +385,7 @@ static enum hawser_status rows(struct hawser_net_motion *to, struct run *run,
                                struct hawser_report *report)
 {
 	double first = floor(run->motion.t/run->every*(1.0 + 1e-12)), last = run->options->until/run->every;
-	enum hawser_status status = allocate(to, (size_t)fmax(last - first, 0.0) + 3,
+	enum hawser_status status = hawser__motion_rows(to, (size_t)fmax(last - first, 0.0) + 3,
 	                                     (size_t)run->options->probes, report);
 
 	to->probes = run->options->probes;
@@ -438,6 +444,8 @@ enum hawser_status hawser__net_integrate(struct hawser_net_motion *to, const str
 		else
 			status = hawser__no_memory(report, "net");
 		slackens(to, &run);
+		if (!status && motion->contact)
+			status = hawser__contact_result(to, net, &run.motion, report);
 		to->closure = motion->closure/fmax(fmax(motion->most_energy, motion->least_energy), DBL_MIN);
 		to->scheme = motion->scheme->shown.name;
 		to->error = motion->drift;

@@ -30,15 +30,20 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/motion.c \
 	%D%/motion.h \
 	%D%/motion-chain.c \
+	%D%/motion-contact.c \
+	%D%/motion-contact.h \
 	%D%/motion-cvode.c \
 	%D%/motion-error.c \
+	%D%/motion-impact.c \
 	%D%/motion-klu.c \
 	%D%/motion-law.c \
 	%D%/motion-ode.c \
 	%D%/motion-ode.h \
+	%D%/motion-result.c \
 	%D%/motion-schemes.c \
 	%D%/motion-state.c \
 	%D%/motion-support.c \
+	%D%/motion-touched.c \
 	%D%/names.c \
 	%D%/obstacles.c \
 	%D%/plane.c \

@@ -53,12 +53,7 @@ enum hawser_status hawser_net_integrate(struct hawser_net_motion *to, const stru
                                         const struct hawser_net_motion_options *options,
                                         struct hawser_report *report)
 {
-	enum hawser_status status = hawser__touch_none(net, "hawser integrate", report);
-
-	if (status)
-		memset(to, 0, sizeof *to);
-	else
-		status = hawser__net_integrate(to, net, options, report);
+	enum hawser_status status = hawser__net_integrate(to, net, options, report);
 
 	if (!status && options->check && !to->interrupted)
 		status = check(to, net, options, report);

@@ -15,7 +15,7 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "net/motion.h"
+#include "net/motion-contact.h"
 
 enum { HEAD = 14, PARTS = 6 };
 static const char format[] = "hawser net state 2 %d";
@@ -51,9 +51,16 @@ static double check_sum(const struct hawser__mesh *mesh)
 	return (double)(sum >> 12);
 }
 
+/* Numbers of a state; contacts are behind the nodes. */
+static int numbers(const struct hawser__mesh *mesh)
+{
+	return HEAD + 3*PARTS*mesh->nodes +
+	       (mesh->touches ? HAWSER__CONTACT_NUMBERS + HAWSER__TOUCH_NUMBERS*mesh->touches : 0);
+}
+
 int hawser__motion_states(const struct hawser__motion *motion)
 {
-	return HEAD + 3*PARTS*motion->nodes;
+	return numbers(motion->mesh);
 }
 
 void hawser__motion_save(double *state, const struct hawser__motion *motion, double h)
@@ -69,6 +76,8 @@ void hawser__motion_save(double *state, const struct hawser__motion *motion, dou
 	for (int i = 0; i < motion->nodes; i++)
 		for (int p = 0; p < PARTS; p++, state += 3)
 			memcpy(state, part[p][i], sizeof *part[p]);
+	if (motion->contact)
+		hawser__contact_save(state, motion->contact);
 }
 
 void hawser__motion_restore(struct hawser__motion *motion, double *h, const double *state)
@@ -83,6 +92,8 @@ void hawser__motion_restore(struct hawser__motion *motion, double *h, const doub
 	for (int i = 0; i < motion->nodes; i++)
 		for (int p = 0; p < PARTS; p++, state += 3)
 			memcpy(part[p][i], state, sizeof *part[p]);
+	if (motion->contact)
+		hawser__contact_restore(motion, state);
 	motion->least = INFINITY; /* of what follows */
 	motion->slack_at = NAN;
 }
@@ -125,7 +136,7 @@ enum hawser_status hawser__motion_read(double **state, const char *path,
                                        const struct hawser__mesh *mesh, struct hawser_report *report)
 {
 	FILE *file = fopen(path, "r");
-	int count = 0, want = HEAD + 3*PARTS*mesh->nodes, good;
+	int count = 0, want = numbers(mesh), good;
 
 	*state = NULL;
 	if (!file)

@@ -15,12 +15,14 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "net/motion.h"
+#include "net/motion-contact.h"
 
 enum { ITERATIONS = 30, SPLITS = 12 };
 /* Of the tensions and weights times lengths: less energy than this is round-off. */
 static const double LEAST = 1e-12;
 /* Of the control of steps: as is usual; the shortest step over the whole time. */
+static const double JUMPS = 0.01; /* of the error of a jump: it may be a hundred times the local error, since
+                                   * there are few of them */
 static const double SAFETY = 0.9, GROW = 1.5, SHRINK = 0.3, SHORTEST = 1e-9;
 
 void hawser__motion_clear(struct hawser__motion *motion)
@@ -37,6 +39,7 @@ void hawser__motion_clear(struct hawser__motion *motion)
 	free(motion->table);
 	hawser__blocks_clear(motion->blocks);
 	hawser__cvode_clear(motion->cvode);
+	hawser__contact_clear(motion->contact);
 	memset(motion, 0, sizeof *motion);
 }
 
@@ -93,6 +96,13 @@ static void refer(struct hawser__motion *motion, int balanced, const unsigned ch
 		for (int k = 0; k < 3 && !(loose && loose[i]); k++)
 			if (mesh->unknown[i][k] >= 0)
 				motion->base[i][k] = 0.0;
+	for (int i = 0; i < mesh->touches && balanced; i++) {
+		const struct hawser__touch *touch = &mesh->touch[i];
+
+		for (int k = 0; k < 3 && !(loose && loose[touch->node]); k++)
+			if (mesh->unknown[touch->node][k] >= 0 && touch->r > 0.0)
+				motion->base[touch->node][k] -= touch->r*touch->n[k] + touch->friction[k];
+	}
 }
 
 enum hawser_status hawser__motion_open(struct hawser__motion *motion, struct hawser__mesh *mesh,
@@ -200,6 +210,8 @@ enum hawser_status hawser__motion_begin(struct hawser__motion *motion, struct ha
 	if (status)
 		return status;
 	memcpy(motion->a, motion->r, (size_t)motion->nodes*sizeof *motion->a);
+	if (motion->contact)
+		hawser__contact_begin(motion);
 	motion->energy = (struct hawser__motion_energy){0};
 	hawser__motion_energies(motion);
 	motion->start_energy = motion->energy.kinetic + motion->energy.potential;
@@ -276,6 +288,8 @@ static void finish(struct hawser__motion *motion, const struct hawser__motion_ru
 			motion->v[i][k] = rule->to_v[0]*x + rule->to_v[1]*v + rule->to_v[2]*a;
 			motion->a[i][k] = rule->to_a[0]*x + rule->to_a[1]*v + rule->to_a[2]*a;
 		}
+	if (motion->contact)
+		hawser__contact_finish(motion);
 	for (int e = 0; e < motion->elements; e++) {
 		const struct hawser__motion_element *el = &motion->element[e];
 
@@ -288,7 +302,7 @@ static void finish(struct hawser__motion *motion, const struct hawser__motion_ru
 	memcpy(motion->past, motion->x, (size_t)motion->nodes*sizeof *motion->x);
 	motion->past2_h = motion->past_h;
 	motion->past_h = h;
-	motion->drift += motion->error;
+	motion->drift += motion->contact ? fmax(motion->error, motion->contact->jump_error) : motion->error;
 	motion->t += h;
 	motion->steps++;
 }
@@ -309,7 +323,7 @@ static double local_error(const struct hawser__motion *motion, double h)
 	c[1] = (first ? -0.5*h*h*a0 : -part*(a0 + a1))/h1;
 	c[2] = first ? 0.0 : part*a1/h2;
 	for (int i = 0; i < motion->nodes; i++)
-		for (int k = 0; k < 3; k++)
+		for (int k = 0; k < 3 && !(motion->contact && motion->contact->recent[i]); k++)
 			most = fmax(most, fabs(c[0]*motion->x[i][k] + c[1]*motion->past[i][k] +
 			                       c[2]*motion->past2[i][k]));
 	return most;
@@ -328,8 +342,13 @@ static enum hawser_status attempt(struct hawser__motion *motion, int *done, doub
 	keep(motion);
 	predict(motion, h);
 	hawser__motion_prepare(motion, &rule, h);
-	status = solve(motion, done, &rule, h, report);
+	status = motion->contact ? hawser__contact_solve(motion, done, &rule, h, report)
+	                         : solve(motion, done, &rule, h, report);
 	motion->error = !status && *done ? local_error(motion, h) : 0.0;
+	if (!status && *done && motion->contact) {
+		hawser__contact_jump(motion, &rule, h);
+		motion->error = fmax(motion->error, JUMPS*motion->contact->jump_error);
+	}
 	if (!status && *done && motion->error <= limit) {
 		finish(motion, &rule, h);
 	} else {
@@ -351,6 +370,11 @@ static enum hawser_status split(struct hawser__motion *motion, double h, int dep
 	if (depth == 0 && motion->undefined)
 		return hawser__fail(report, HAWSER_ERR_NAN, "net", "at %.9g s the forces are not finite: a "
 		                    "load, a motion or a stiffness is out of range", motion->t);
+	if (depth == 0 && motion->contact && motion->contact->refusal.status) {
+		if (report)
+			*report = motion->contact->refusal;
+		return motion->contact->refusal.status;
+	}
 	if (depth == 0 && motion->singular)
 		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "net", "at %.9g s the motion is not "
 		                    "determined: no tension holds a node with next to no mass; give it a mass",

@@ -133,6 +133,7 @@ struct hawser__motion {
 	double (*B)[9], (*mass)[2], *point; /* the matrix */
 	struct hawser__blocks *blocks;
 	struct hawser__cvode *cvode; /* of that scheme, or NULL */
+	struct hawser__motion_contact *contact; /* NULL: no obstacles; see net/motion-contact.h */
 	struct hawser__support_table *table; /* [tables] */
 	int tables;
 	double scale;                /* N, of the terms of the residual */
@@ -207,6 +208,9 @@ void hawser__motion_balance(struct hawser__motion *motion);
 /* The ledger after a step from (u0, v0) to (u, v). */
 void hawser__motion_account(struct hawser__motion *motion, const struct hawser__motion_rule *rule,
                             double h);
+/* motion-result.c: room for rows. */
+enum hawser_status hawser__motion_rows(struct hawser_net_motion *to, size_t rows, size_t probes,
+                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 /* integrate.c: hawser_net_integrate without the error by another run; the default of its tolerance. */
 enum hawser_status hawser__net_integrate(struct hawser_net_motion *motion,
                                          const struct hawser_net *net,

@@ -45,6 +45,14 @@ int hawser__net_still(double *place, const struct hawser_net *net, int k,
 		if (node->x[k] != *place)
 			return 0;
 	}
+	for (int i = 0; i < net->surfaces; i++) {
+		const struct hawser_surface *surface = &net->surface[i];
+		int flat = surface->kind == HAWSER_SURFACE_PLANE;
+
+		/* circles and segments are in the plane of x and y, and move in it */
+		if (flat ? surface->normal[k] != 0.0 || surface->velocity[k] != 0.0 : k == 0)
+			return 0;
+	}
 	for (int i = 0; i < tables; i++)
 		for (int row = 0; row < table[i].rows; row++)
 			if (table[i].x[row][k] != 0.0)

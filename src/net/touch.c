@@ -88,8 +88,11 @@ enum hawser_status hawser__touch_again(struct hawser__mesh *mesh, const struct h
 	for (int i = 0, j = 0; !status && i < mesh->touches; i++) { /* both are in the order of the nodes */
 		while (j < count && old[j].node < mesh->touch[i].node)
 			j++;
-		if (j < count && old[j].node == mesh->touch[i].node)
-			mesh->touch[i].r = old[j++].r;
+		if (j < count && old[j].node == mesh->touch[i].node) {
+			mesh->touch[i].r = old[j].r;
+			mesh->touch[i].slides = old[j].slides;
+			memcpy(mesh->touch[i].friction, old[j++].friction, sizeof mesh->touch[i].friction);
+		}
 	}
 	free(old);
 	return status;
