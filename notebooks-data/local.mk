@@ -31,6 +31,10 @@ dist_scenes_DATA = \
 	%D%/scenes/net-bars.yaml \
 	%D%/scenes/net-capstan.yaml \
 	%D%/scenes/net-drag.yaml \
+	%D%/scenes/net-dragged.txt \
+	%D%/scenes/net-dragged.yaml \
+	%D%/scenes/net-impact.yaml \
+	%D%/scenes/net-pendulum.yaml \
 	%D%/scenes/net-seabed.yaml \
 	%D%/scenes/net-table-3-1.yaml \
 	%D%/scenes/stay-anchorage.yaml \

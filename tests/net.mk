@@ -1,5 +1,6 @@
 # tests of nets
-NET_TESTS = tests/reference/test-net tests/reference/test-net-contact tests/property/test-net-catenary \
+NET_TESTS = tests/reference/test-net tests/reference/test-net-contact tests/reference/test-net-impact \
+	tests/property/test-net-catenary \
 	tests/property/test-net-equilibria
 check_PROGRAMS += $(NET_TESTS)
 TESTS += $(NET_TESTS)
@@ -7,6 +8,8 @@ tests_reference_test_net_SOURCES = tests/reference/test-net.c
 tests_reference_test_net_LDADD = $(UPTO_NET)
 tests_reference_test_net_contact_SOURCES = tests/reference/test-net-contact.c
 tests_reference_test_net_contact_LDADD = $(UPTO_NET)
+tests_reference_test_net_impact_SOURCES = tests/reference/test-net-impact.c
+tests_reference_test_net_impact_LDADD = $(UPTO_NET)
 tests_property_test_net_catenary_SOURCES = tests/property/test-net-catenary.c
 tests_property_test_net_catenary_LDADD = $(UPTO_NET)
 tests_property_test_net_equilibria_SOURCES = tests/property/test-net-equilibria.c

@@ -38,8 +38,8 @@ struct hawser_net_frame {
 	const int (*end)[2];  /* [elements] nodes of each element */
 	const double *T;      /* [elements] N */
 	/* With obstacles; NULL without. Of a node at several, the one with the largest force. */
-	const unsigned char *state; /* [nodes] 0: open, 1: sticks, 2: slips (enum hawser_contact_state) */
-	const double *r_N, *r_T; /* [nodes] N: force of the obstacle along its normal, and along its surface */
+	const unsigned char *state; /* [nodes] enum hawser_contact_state: 0 open, 1 sticks, 2 slips */
+	const double *r_N, *r_T; /* [nodes] N: force of the obstacle along its normal, its surface */
 };
 
 struct hawser_net_motion_options {
@@ -74,7 +74,7 @@ struct hawser_net_motion {
 	/* With obstacles: */
 	int *touching, *sliding; /* [rows] number of contacts; of these, those that slip */
 	double *friction, *impacts; /* [rows] J: parts of dissipated */
-	double *apart;       /* [rows] m: largest penetration, or gap of what touches, since the row before */
+	double *apart;       /* [rows] m: largest penetration, or gap of what touches, since the last row */
 	double laws;         /* largest relative residual of the laws of contact and friction of a step */
 	struct hawser_net_contact *contact; /* [contacts] of the last state, with the mean forces of its
 	                      * step: nodes of the net, then along cables */

@@ -224,7 +224,8 @@ int hawser__contact_net_solve(double (*du)[3], struct hawser_friction *of,
 	int good;
 
 	assemble(of, law);
-	net->common.tol = law || of->of->back ? 0.001 : 0.0; /* KLU's own tolerance, and none: pivots of the diagonal */
+	/* KLU's own tolerance, and none: pivots of the diagonal */
+	net->common.tol = law || of->of->back ? 0.001 : 0.0;
 	numeric = klu_factor(net->p, net->i, net->x, net->symbolic, &net->common);
 	good = numeric && net->common.status == KLU_OK &&
 	       (law || of->of->back || positive(net, numeric)) &&

@@ -259,7 +259,8 @@ static enum hawser_status prepare(struct run *run, struct hawser_report *report)
 	run->T = calloc((size_t)run->mesh.elements, sizeof *run->T);
 	if (!run->x || !run->T)
 		return hawser__no_memory(report, "net");
-	return run->motion.contact ? hawser__contact_room(&run->touched, run->mesh.nodes, report) : HAWSER_OK;
+	return run->motion.contact ? hawser__contact_room(&run->touched, run->mesh.nodes, report)
+	                           : HAWSER_OK;
 }
 
 /* --- rows --- */

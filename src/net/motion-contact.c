@@ -1,7 +1,7 @@
 /* net/motion-contact.c - the mean part of a step with contact; see net/motion-contact.h.
  *
- * Newton's method for the increments x: in each iteration the forces of elements are linear in x, and the
- * laws of contact and friction are solved exactly (hawser/friction.h, displacements and forces for
+ * Newton's method for the increments x: in each iteration the forces of elements are linear in x, and
+ * the laws of contact and friction are solved exactly (hawser/friction.h, displacements and forces for
  * velocities and impulses). Normals follow from iteration to iteration; on planes they do not change.
  *
  * n, scale  discrete gradient of the gap as a unit vector, and its length
@@ -170,8 +170,8 @@ static void gradient(double n[3], const struct hawser_surface *surface, const do
 		n[k] += rest*x[k];
 }
 
-/* The frame and the gap of a contact of the list, for motion->x; 0 if it has no normal, or has turned too
- * far. */
+/* The frame and the gap of a contact of the list, for motion->x; 0 if it has no normal, or has turned
+ * too far. */
 static int frame(struct hawser__motion *motion, int number, double h)
 {
 	struct hawser__motion_contact *all = motion->contact;
@@ -249,8 +249,8 @@ static int list(struct hawser__motion *motion, int first)
 	return all->candidates - before;
 }
 
-/* Matrix and right side without the forces of obstacles, which are then taken from the residual; returns
- * the largest of what is left. */
+/* Matrix and right side without the forces of obstacles, which are then taken from the residual;
+ * returns the largest of what is left. */
 static double assemble(struct hawser__motion *motion)
 {
 	struct hawser__motion_contact *all = motion->contact;

@@ -5,9 +5,9 @@
  *   0 <= f_N, g1;  f_N*g1 = 0;  f_N acts along the discrete gradient n of the gap, n.x = g1 - g0;
  *   |f_T| <= mu*f_N against the slip s = x_T - h*v_s, at nodes that touched before the step.
  * The work of f_N is -f_N*g0 <= 0 and that of f_T, relative to the surface, f_T.s <= 0.
- * The end part sets the velocities v of the end, node by node, since the masses are lumped, with what the
- * obstacle gave in the whole step, R >= 0, |R_T| <= mu*R_N. With the normal velocity c by which the node
- * would have come to the obstacle without its force, m*c^2/2 = m*v_N^2/2 + f_N*g0:
+ * The end part sets the velocities v of the end, node by node, since the masses are lumped, with what
+ * the obstacle gave in the whole step, R >= 0, |R_T| <= mu*R_N. With the normal velocity c by which the
+ * node would have come to the obstacle without its force, m*c^2/2 = m*v_N^2/2 + f_N*g0:
  *   v_N = max(e*c, v_N - h*f_N/m).
  * Neither part adds energy: see doc/theory-contact.md.
  *
@@ -47,7 +47,7 @@ struct hawser__motion_contact {
 	double *weight;                      /* [nodes] kg */
 	unsigned char *held, *recent;        /* [nodes]; recent: steps since a change, counted down */
 	struct hawser_friction *solver;
-	struct hawser_report refusal;        /* why the last step had no solution; status 0: not by contact */
+	struct hawser_report refusal;        /* why a step had no solution; status 0: not by contact */
 	double friction, impacts, surfaces;  /* J: dissipated, and work, since the beginning */
 	double rubs, bounces, drives;        /* the same of the step that is tried */
 	double apart, laws;                  /* m: penetration, or gap of what touches; relative residual of

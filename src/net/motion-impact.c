@@ -7,8 +7,8 @@
  *
  * Work, per node: normal: m*(v_N'^2 - v_N^2)/2 - f_N*g0 = m*(e^2 - 1)*c^2/2 at most. Along the surface
  * R_T is the point of the disc of radius b nearest to what would stop the node, and f_T is in the disc,
- * so that (R_T - f_T).w' <= 0; the work is less by (R_T - f_T)^2/(2*m). b is mu*R_N, or mu*f_N if that is
- * larger. What slid in the mean part and has not turned back keeps its f_T, so that sliding is of order 2.
+ * so that (R_T - f_T).w' <= 0; the work is less by (R_T - f_T)^2/(2*m). b is mu*R_N, or mu*f_N if that
+ * is larger. What slid in the mean part and has not turned back keeps its f_T: sliding is of order 2.
  *
  * A node with several obstacles takes them one after another.
  *
@@ -46,9 +46,10 @@ struct node {
 };
 
 /* Velocity along the surface: v gets that at the end, and the touch the friction of the step. */
-static void rub(struct hawser__motion_contact *all, struct node *node, struct hawser__motion_touch *touch,
-                const struct hawser_contact *contact, const struct hawser_contact_reply *reply,
-                const double n[3], const double surface[3], double mu)
+static void rub(struct hawser__motion_contact *all, struct node *node,
+                struct hawser__motion_touch *touch, const struct hawser_contact *contact,
+                const struct hawser_contact_reply *reply, const double n[3], const double surface[3],
+                double mu)
 {
 	const double *f = reply->impulse, *slip = reply->velocity;
 	double w[3], w1[3], T[3], mean[3], bound, size, slid = 0.0;

@@ -21,8 +21,8 @@ enum { ITERATIONS = 30, SPLITS = 12 };
 /* Of the tensions and weights times lengths: less energy than this is round-off. */
 static const double LEAST = 1e-12;
 /* Of the control of steps: as is usual; the shortest step over the whole time. */
-static const double JUMPS = 0.01; /* of the error of a jump: it may be a hundred times the local error, since
-                                   * there are few of them */
+/* Of the error of a jump, which may be a hundred times the local error, since there are few jumps. */
+static const double JUMPS = 0.01;
 static const double SAFETY = 0.9, GROW = 1.5, SHRINK = 0.3, SHORTEST = 1e-9;
 
 void hawser__motion_clear(struct hawser__motion *motion)

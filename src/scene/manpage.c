@@ -454,7 +454,9 @@ static const char net_keys[] =
 	"of its surface: a vector in m/s along a plane, a number along a segment from its first end, or\n"
 	"counterclockwise around a circle. Cables must have length0. Only\n"
 	".BR hawser\\-statics (1)\n"
-	"takes obstacles in nets.\n"
+	"and\n"
+	".BR hawser\\-integrate (1)\n"
+	"take obstacles in nets.\n"
 	".PP\n"
 	".B contact\n"
 	"has\n"
@@ -467,7 +469,9 @@ static const char net_keys[] =
 	".B steps\n"
 	"(20) between two places; and\n"
 	".B restitution\n"
-	"(0), of impacts, which statics does not use.\n";
+	"(0 to 1; 0), of impacts: the normal velocity after an impact over the one before. Statics does\n"
+	"not use it. In a motion all obstacles have their friction; the sliding is that of the\n"
+	"equilibrium at which it begins.\n";
 
 int main(void)
 {

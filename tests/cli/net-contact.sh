@@ -59,6 +59,19 @@ for command in modes plan; do
 	run $command "$sea" -q
 	try "$command: not yet" grep -q 'does not know obstacles in nets yet' "$scratch/err"
 done
+run integrate "$scenes/net-impact.yaml" --until 1 --method theta -q
+try "a scheme that knows none" grep -q 'the scheme theta does not know obstacles' "$scratch/err"
+works "a mass that bounces" integrate "$scenes/net-impact.yaml" --until "0.6 s" --every "0.1 s" --json hit.json --tsv hit.tsv \
+	--vtk hit --plot hit.svg -q
+try "  columns" grep -q 'slack	touching	sliding	friction_J	impacts_J	apart_m$' hit.tsv
+try "  states of nodes" grep -q '^SCALARS contact int 1$' hit-00006.vtk
+python "  JSON" <<'END'
+import json
+r = json.load(open("hit.json"))
+e = r["energy"]
+assert r["touching"] == 7*[0] and r["contacts"] == [] and r["laws"] < 1e-12 and e["closure"] < 1e-12
+assert abs(e["impacts"][-1] - 19.62*(1 - 0.49)) < 1e-9 and e["friction"][-1] == 0 and max(r["apart"]) == r["complementarity"]
+END
 run statics "$sea" --equilibria 3 -q
 try "equilibria: not yet" grep -q 'does not know obstacles in nets yet' "$scratch/err"
 run statics "$sea" -q --set 'obstacles=[{circle: {centre: [200, 150], radius: 1 m}}]' --set 'contact={sliding: none}'
