@@ -21,6 +21,7 @@ command_pages = \
 	%D%/hawser-nnm.1 \
 	%D%/hawser-orbit.1 \
 	%D%/hawser-plan.1 \
+	%D%/hawser-report.1 \
 	%D%/hawser-rom.1 \
 	%D%/hawser-statics.1 \
 	%D%/hawser-tow.1 \

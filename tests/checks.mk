@@ -39,7 +39,7 @@ LONGER = %D%/checks/compilable.sh %D%/checks/installed.sh %D%/checks/shown.sh %D
 	%D%/cli/beam.sh %D%/cli/bending.sh %D%/cli/branches.sh %D%/cli/choice.sh %D%/cli/disk.sh %D%/cli/files.sh %D%/cli/folds.sh \
 	%D%/cli/full.sh %D%/cli/help-vs-man.sh %D%/cli/identify.sh %D%/cli/irvine.sh %D%/cli/label.sh %D%/cli/library.sh \
 	%D%/cli/locus-exact.sh %D%/cli/locus.sh %D%/cli/long.sh %D%/cli/map.sh %D%/cli/own.sh %D%/cli/pairs.sh %D%/cli/pictures.sh \
-	%D%/cli/plausible.sh %D%/cli/python.sh %D%/cli/refusals.sh %D%/cli/results.sh %D%/cli/ropeway-modes.sh %D%/cli/ropeway-sweeps.sh \
+	%D%/cli/plausible.sh %D%/cli/python.sh %D%/cli/refusals.sh %D%/cli/report.sh %D%/cli/results.sh %D%/cli/ropeway-modes.sh %D%/cli/ropeway-sweeps.sh \
 	%D%/cli/same-bytes.sh %D%/cli/scales.sh %D%/cli/signals.sh %D%/cli/static-load.sh %D%/cli/stiff.sh %D%/cli/study.sh \
 	%D%/cli/travel-motion.sh %D%/cli/travel.sh %D%/cli/units-plot.sh %D%/cli/usage.sh %D%/property/test-campbell \
 	%D%/property/test-combined %D%/property/test-estimates %D%/property/test-hill-boundaries %D%/property/test-modes \

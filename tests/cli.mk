@@ -40,6 +40,7 @@ CLI_TESTS = \
 	%D%/cli/plausible.sh \
 	%D%/cli/python.sh \
 	%D%/cli/refusals.sh \
+	%D%/cli/report.sh \
 	%D%/cli/ratios.sh \
 	%D%/cli/results.sh \
 	%D%/cli/same-bytes.sh \

@@ -5,6 +5,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include <hawser/net.h>
@@ -298,12 +299,39 @@ void cli_warn_doubts(const struct hawser_scene *scene)
 
 	if (count == 1)
 		cli_warn(doubt->text);
-	else if (count > 1)
-		fprintf(stderr, "hawser: warning: %s; besides, %d more quantities are implausible "
-		        "(hawser-scene(5), PLAUSIBILITY)\n", doubt->text, count - 1);
+	else if (count > 1) {
+		char text[CLI_WARNING_SIZE + 100];
+
+		snprintf(text, sizeof text, "%s; besides, %d more quantities are implausible "
+		         "(hawser-scene(5), PLAUSIBILITY)", doubt->text, count - 1);
+		cli_warn(text);
+	}
+}
+
+static char **kept;
+
+void cli_warn_into(char **text)
+{
+	kept = text;
+}
+
+/* Add a line to the text; without memory it is not kept. */
+static void keep(const char *line)
+{
+	size_t used = *kept ? strlen(*kept) : 0, more = strlen(line);
+	char *text = realloc(*kept, used + more + 2);
+
+	if (!text)
+		return;
+	memcpy(text + used, line, more);
+	memcpy(text + used + more, "\n", 2);
+	*kept = text;
 }
 
 void cli_warn(const char *warning)
 {
-	fprintf(stderr, "hawser: warning: %s\n", warning);
+	if (kept)
+		keep(warning);
+	else
+		fprintf(stderr, "hawser: warning: %s\n", warning);
 }

@@ -39,6 +39,13 @@ hawser_SOURCES = \
 	%D%/cmd_plan.c \
 	%D%/cmd_tow_steady.c \
 	%D%/cmd_trajectory.c \
+	%D%/cmd_report.c \
+	%D%/report.h \
+	%D%/report_page.c \
+	%D%/report_parts.c \
+	%D%/report_parts.h \
+	%D%/report_pdf.c \
+	%D%/report_run.c \
 	%D%/cmd_rom.c \
 	%D%/cmd_statics.c \
 	%D%/statics_loaded.h \

@@ -155,11 +155,33 @@ static enum hawser_status help(int argc, char **argv, struct hawser_report *repo
 	return HAWSER_OK;
 }
 
+const struct cli_command *cli_command_called(const char *line)
+{
+	const struct cli_command *found = NULL;
+	const char *name = strncmp(line, "hawser ", 7) == 0 ? line + 7 : line;
+
+	for (int i = 0; i < command_count; i++) {
+		size_t length = strlen(commands[i]->name);
+
+		if (strncmp(name, commands[i]->name, length) == 0 && name[length] == ' ' &&
+		    (!found || length > strlen(found->name)))
+			found = commands[i];
+	}
+	return found;
+}
+
+enum hawser_status cli_execute(int argc, char **argv, struct hawser_report *report)
+{
+	int words;
+	const struct cli_command *command = find(&words, argc, argv);
+
+	return command ? execute(command, argc - words, argv + words, report)
+	               : unknown_command(argv[0], report);
+}
+
 static enum hawser_status dispatch(int argc, char **argv, struct hawser_report *report)
 {
 	const char *name = argv[1];
-	const struct cli_command *command;
-	int words;
 
 	if (strcmp(name, "help") == 0)
 		return help(argc - 2, argv + 2, report);
@@ -169,9 +191,7 @@ static enum hawser_status dispatch(int argc, char **argv, struct hawser_report *
 		print_version();
 		return HAWSER_OK;
 	}
-	command = find(&words, argc - 1, argv + 1);
-	return command ? execute(command, argc - 1 - words, argv + 1 + words, report)
-	               : unknown_command(name, report);
+	return cli_execute(argc - 1, argv + 1, report);
 }
 
 int main(int argc, char **argv)

@@ -32,6 +32,7 @@ static const struct itimerspec grace = {.it_value = {.tv_nsec = 600000000}};
 static const struct itimerspec again = {.it_value = {.tv_nsec = 50000000}};
 
 static volatile sig_atomic_t interrupted, writing, written;
+static void (*volatile clean)(void); /* removes temporary files; NULL: there are none */
 static pthread_t main_thread;
 static timer_t timer;
 
@@ -45,6 +46,8 @@ static void end_now(void)
 		(void)!write(STDERR_FILENO, some, sizeof some - 1);
 	else
 		(void)!write(STDERR_FILENO, none, sizeof none - 1);
+	if (clean)
+		clean();
 	_exit(128 + interrupted);
 }
 
@@ -128,6 +131,11 @@ void cli_writing(int to_files)
 
 void cli_written(const char *path)
 {
-	if (path && strcmp(path, "-") != 0)
+	if (path && strcmp(path, "-") != 0 && !clean)
 		written = 1;
+}
+
+void cli_temporary(void (*remove)(void))
+{
+	clean = remove;
 }

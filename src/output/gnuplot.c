@@ -20,6 +20,7 @@
 #include <unistd.h>
 
 #include "core/report.h"
+#include "output/frames.h"
 #include "output/output.h"
 #include "output/style.h"
 
@@ -96,6 +97,12 @@ enum hawser_status hawser__picture_check(const char *path, struct hawser_report 
 	return hawser__file_check(path, report);
 }
 
+static enum hawser_status no_file(struct hawser_report *report)
+{
+	return hawser__fail(report, HAWSER_ERR_IO, "picture",
+	                    "cannot write a temporary file for gnuplot: %s", strerror(errno));
+}
+
 enum hawser_status hawser__picture_begin(struct hawser__picture *picture, const char *path,
                                          double width_cm, double height_cm,
                                          struct hawser_report *report)
@@ -113,8 +120,7 @@ enum hawser_status hawser__picture_begin(struct hawser__picture *picture, const 
 	}
 	picture->script = tmpfile();
 	if (!picture->script)
-		return hawser__fail(report, HAWSER_ERR_IO, "picture",
-		                    "cannot write a temporary file for gnuplot: %s", strerror(errno));
+		return no_file(report);
 	fputs("set terminal ", picture->script);
 	fprintf(picture->script, terminal->setting, width_cm*terminal->per_cm,
 	        height_cm*terminal->per_cm);
@@ -127,6 +133,7 @@ void hawser__picture_panel(struct hawser__picture *picture, double left, double 
 {
 	picture->left = left;
 	picture->middle = 0.5*(bottom + top);
+	hawser__frames_ask(picture->script);
 	fprintf(picture->script,
 	        "set lmargin at screen %.4f\nset rmargin at screen %.4f\n"
 	        "set bmargin at screen %.4f\nset tmargin at screen %.4f\n", left, right, bottom, top);
@@ -254,34 +261,28 @@ static int spawn(pid_t *child, const char *program, int in, int out, int complai
 	return error;
 }
 
-/* First line of gnuplot's messages that is neither blank nor a caret. */
+/* First line of gnuplot's messages that is neither blank nor a caret, nor an answer to hawser__frames_ask. */
 static void first_complaint(char *line, int size, FILE *complaints)
 {
 	rewind(complaints);
 	while (fgets(line, size, complaints)) {
 		line[strcspn(line, "\n")] = '\0';
-		if (line[strspn(line, " \t^")] != '\0')
+		if (line[strspn(line, " \t^")] != '\0' && !hawser__frames_answer(line))
 			return;
 	}
 	snprintf(line, (size_t)size, "no message");
 }
 
-static enum hawser_status run(FILE *script, FILE *out, const sigset_t *signals,
+static enum hawser_status run(FILE *script, FILE *out, FILE *complaints, const sigset_t *signals,
                               struct hawser_report *report)
 {
 	enum hawser_status status = HAWSER_OK;
 	char program[PATH_MAX], line[200];
-	FILE *complaints = tmpfile();
 	int error, state = 0;
 	pid_t child;
 
-	if (!complaints)
-		return hawser__fail(report, HAWSER_ERR_IO, "picture",
-		                    "cannot write a temporary file for gnuplot: %s", strerror(errno));
-	if (!find_program(program, sizeof program)) {
-		fclose(complaints);
+	if (!find_program(program, sizeof program))
 		return missing(report);
-	}
 	error = spawn(&child, program, fileno(script), fileno(out), fileno(complaints), signals);
 	if (!error)
 		error = wait_for(child, &state, signals);
@@ -297,33 +298,45 @@ static enum hawser_status run(FILE *script, FILE *out, const sigset_t *signals,
 		status = hawser__fail(report, HAWSER_ERR_PROGRAM, "picture",
 		                      "%s failed with status %d (%s); no picture is written", program,
 		                      WEXITSTATUS(state), line);
-	fclose(complaints);
 	return status;
 }
 
-/* Write the picture to the file; SVG through a temporary file. */
+/* Write an SVG picture through a temporary file. */
+static enum hawser_status draw_svg(const struct hawser__picture *picture, FILE *to, FILE *complaints,
+                                   const sigset_t *signals, struct hawser_report *report)
+{
+	enum hawser_status status;
+	FILE *raw = tmpfile();
+
+	if (!raw)
+		return no_file(report);
+	status = run(picture->script, raw, complaints, signals, report);
+	if (!status) {
+		rewind(raw);
+		hawser__picture_head(to, raw);
+		hawser__frames_write(to, picture->script, complaints,
+		                     floor(picture->height*terminals[0].per_cm + 0.5));
+		hawser__picture_spaces(to, raw);
+	}
+	if (!status && ferror(raw))
+		status = no_file(report);
+	fclose(raw);
+	return status;
+}
+
 static enum hawser_status draw(const struct hawser__picture *picture,
                                const struct hawser__file *file, const sigset_t *signals,
                                struct hawser_report *report)
 {
+	FILE *complaints = tmpfile();
 	enum hawser_status status;
-	FILE *raw;
 
-	if (terminal_for(picture->path) != &terminals[0])
-		return run(picture->script, file->stream, signals, report);
-	raw = tmpfile();
-	if (!raw)
-		return hawser__fail(report, HAWSER_ERR_IO, "picture",
-		                    "cannot write a temporary file for gnuplot: %s", strerror(errno));
-	status = run(picture->script, raw, signals, report);
-	if (!status) {
-		rewind(raw);
-		hawser__picture_spaces(file->stream, raw);
-	}
-	if (!status && ferror(raw))
-		status = hawser__fail(report, HAWSER_ERR_IO, "picture",
-		                      "cannot write a temporary file for gnuplot: %s", strerror(errno));
-	fclose(raw);
+	if (!complaints)
+		return no_file(report);
+	status = terminal_for(picture->path) == &terminals[0]
+	             ? draw_svg(picture, file->stream, complaints, signals, report)
+	             : run(picture->script, file->stream, complaints, signals, report);
+	fclose(complaints);
 	return status;
 }
 
@@ -334,11 +347,11 @@ enum hawser_status hawser__picture_finish(struct hawser__picture *picture,
 	enum hawser_status status;
 	sigset_t now;
 
+	hawser__frames_ask(picture->script);
 	fputs("unset multiplot\n", picture->script);
 	if (fflush(picture->script) != 0 || ferror(picture->script)) {
 		hawser__picture_abort(picture);
-		return hawser__fail(report, HAWSER_ERR_IO, "picture",
-		                    "cannot write a temporary file for gnuplot: %s", strerror(errno));
+		return no_file(report);
 	}
 	rewind(picture->script);
 	status = hawser__file_begin(&file, picture->path, report);

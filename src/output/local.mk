@@ -8,7 +8,11 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/fields_read.c \
 	%D%/fields_table.c \
 	%D%/fields_value.h \
+	%D%/frames.c \
+	%D%/frames.h \
 	%D%/gnuplot.c \
+	%D%/html.c \
+	%D%/html.h \
 	%D%/json.c \
 	%D%/labels.c \
 	%D%/labels.h \
@@ -71,6 +75,8 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/plot_tow.h \
 	%D%/plot_trajectory.c \
 	%D%/plot_trajectory.h \
+	%D%/sha256.c \
+	%D%/sha256.h \
 	%D%/style.c \
 	%D%/style.h \
 	%D%/table.c \
@@ -78,3 +84,12 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/units.h \
 	%D%/vtk.c \
 	%D%/vtk.h
+
+# The style and the script of reports, as lines of C.
+EXTRA_DIST += %D%/report.css %D%/report.js %D%/lines.awk
+BUILT_SOURCES += %D%/report_page.h
+CLEANFILES += %D%/report_page.h
+%D%/report_page.h: %D%/report.css %D%/report.js %D%/lines.awk
+	$(AM_V_GEN)$(MKDIR_P) %D% && { $(AWK) -v name=hawser__report_css -f $(srcdir)/%D%/lines.awk $(srcdir)/%D%/report.css && \
+		$(AWK) -v name=hawser__report_js -f $(srcdir)/%D%/lines.awk $(srcdir)/%D%/report.js; } >$@.tmp && mv -f $@.tmp $@
+%D%/html.lo: %D%/report_page.h

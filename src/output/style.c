@@ -121,6 +121,18 @@ void hawser__legend_draw(struct hawser__picture *picture, const struct hawser__l
 	}
 }
 
+void hawser__picture_head(FILE *to, FILE *from)
+{
+	static const char root[] = "<svg ";
+	size_t in_root = 0;
+	int c;
+
+	while (root[in_root] && (c = getc(from)) != EOF) {
+		in_root = root[in_root] == c ? in_root + 1 : c == '<';
+		putc(c, to);
+	}
+}
+
 void hawser__picture_spaces(FILE *to, FILE *from)
 {
 	static const char text[] = "<text", image[] = "<image";
