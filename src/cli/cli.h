@@ -127,10 +127,6 @@ struct cli_command {
 CLI_COMMANDS(CLI_DECLARE)
 #undef CLI_DECLARE
 
-/* main.c: run the command that argv [argc] begins with, as the program does. */
-enum hawser_status cli_execute(int argc, char **argv, struct hawser_report *report) HAWSER_MUST_CHECK;
-/* The command that "hawser COMMAND ..." runs, or NULL. */
-const struct cli_command *cli_command_called(const char *line);
 enum hawser_status cli_parse(void *settings, const struct cli_command *command, int argc,
                              char **argv, struct hawser_report *report) HAWSER_MUST_CHECK;
 void cli_print_help(const struct cli_command *command, FILE *stream);
@@ -338,8 +334,6 @@ void cli_speeding_comment(struct hawser__table *table, const struct cli_model *m
 void cli_warnings_json(struct hawser__json *json, const char *warning);
 /* Print the same on standard error, also with --quiet. */
 void cli_warn(const char *warning);
-/* From now on add warnings, a line each, to *text, which the caller frees, in place of standard error; NULL: no longer. */
-void cli_warn_into(char **text);
 /* Warn of implausible quantities of the scene (plausible.h). */
 void cli_warn_doubts(const struct hawser_scene *scene);
 enum { CLI_WARNING_SIZE = 1000 };
@@ -355,9 +349,6 @@ void cli_writing(int to_files);
 /* The file `path` is complete (NULL and "-" are no files). The message of an interrupt then does not
  * say that nothing was written. */
 void cli_written(const char *path);
-/* Temporary files: `remove` removes them if the handler of a signal ends the program, and they do not count as written. It
- * only calls what a handler may call. NULL: there are none any longer. */
-void cli_temporary(void (*remove)(void));
 
 /* --- statics_curves.c: one cable at different tensions --- */
 

@@ -46,8 +46,8 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 
 	if (other)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "report",
-		                    "a report is one file, --output: leave --%s out (the commands it shows have "
-		                    "it)", other);
+		                    "a report is one file, --output: leave --%s out (the commands it shows "
+		                    "have it)", other);
 	if (strcmp(common->input, "-") == 0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "report",
 		                    "a report reads its scene several times: give a file, not standard input");
@@ -152,7 +152,22 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	return status;
 }
 
-static const struct cli_listing listing[] = {{NULL, NULL, 0}};
+/* A report has no columns of its own; the list is that of its parts. */
+static const struct hawser__field part_field[] = {
+	{"plan", NULL, "hawser plan: of spans and nets"},
+	{"statics", NULL, "hawser statics: of all but towed bodies and beams"},
+	{"worst", NULL, "hawser statics --worst: of ropeways"},
+	{"cases", NULL, "hawser statics --cases: of spans with cases"},
+	{"modes", NULL, "hawser modes: of spans, nets and ropeways"},
+	{"irvine", NULL, "hawser irvine: of spans at rest"},
+	{"campbell", NULL, "hawser campbell: of travelling cables"},
+	{"frf", NULL, "hawser frf: of spans with a load, moving ends or a fluctuating speed"},
+	{"tow", NULL, "hawser tow steady: of a towed cable"},
+	{"trajectory", NULL, "hawser trajectory: of a path through waypoints"},
+	{"beam", NULL, "hawser beam: of a travelling beam or string"},
+	HAWSER__END,
+};
+static const struct cli_listing listing[] = {{"Parts:", part_field, 1}, {NULL, NULL, 0}};
 
 const struct cli_command cli_report = {
 	"report", "SCENE", "Pictures, tables and settings of all that a scene calls for, in one page",

@@ -10,7 +10,7 @@
 
 #include <hawser/net.h>
 
-#include "cli/cli.h"
+#include "cli/within.h"
 
 /* Of a scene that the table of keys does not describe; NULL of others. */
 static const char *other_kind(const struct cli_common *common)

@@ -186,6 +186,7 @@ hawser_SOURCES = \
 	%D%/statics_speeds.c \
 	%D%/view.c \
 	%D%/view.h \
+	%D%/within.h \
 	%D%/words.c
 # libcore brings the report's functions, which libhawser does not export
 hawser_LDADD = src/output/liboutput.la libhawser.la src/core/libcore.la $(JANSSON_LIBS) \

@@ -10,6 +10,7 @@
 
 #include "cli/cli.h"
 #include "cli/progress.h"
+#include "cli/within.h"
 #include "core/report.h"
 
 #define ADDRESS(command) &cli_##command,

@@ -40,9 +40,12 @@ enum hawser_status cli_report_folder_open(struct hawser_report *report) HAWSER_M
 void cli_report_folder_close(void);
 /* The path of a file in it; a static buffer for each of the names "tsv", "svg", "html", "pdf". */
 const char *cli_report_path(const char *name);
-/* Run a part. A failure of an essential one, or an interrupt, is returned, another is part of the result. */
-enum hawser_status cli_report_run(struct cli_report_result *result, const struct cli_report_part *part,
-                                  const struct cli_common *common, const struct cli_report_given *given,
+/* Run a part. A failure of an essential one, or an interrupt, is returned, another is part of the
+ * result. */
+enum hawser_status cli_report_run(struct cli_report_result *result,
+                                  const struct cli_report_part *part,
+                                  const struct cli_common *common,
+                                  const struct cli_report_given *given,
                                   struct hawser_report *report) HAWSER_MUST_CHECK;
 void cli_report_result_clear(struct cli_report_result *result);
 
@@ -54,7 +57,8 @@ void cli_report_write(FILE *to, const struct cli_report_page *page);
 
 /* 1 if the name ends with .pdf. */
 int cli_report_is_pdf(const char *path);
-/* Check, before a long computation, that a program that makes PDF of HTML is installed: HAWSER_ERR_PROGRAM. */
+/* Check, before a long computation, that a program that makes PDF of HTML is installed:
+ * HAWSER_ERR_PROGRAM. */
 enum hawser_status cli_report_pdf_check(struct hawser_report *report) HAWSER_MUST_CHECK;
 /* Make the file `pdf` of the file `html` (absolute paths). */
 enum hawser_status cli_report_pdf(const char *pdf, const char *html,

@@ -7,6 +7,7 @@
 #include <time.h>
 
 #include "cli/report.h"
+#include "cli/within.h"
 #include "output/html.h"
 #include "output/sha256.h"
 
@@ -48,7 +49,8 @@ static void head(FILE *to, const struct cli_report_page *page)
 		hawser__html_text(to, page->result[i].part->title);
 		fputs("</a></li>\n", to);
 	}
-	fputs("<li><a href=\"#scene\">Scene</a></li>\n<li><a href=\"#provenance\">Provenance</a></li>\n</ul>\n"
+	fputs("<li><a href=\"#scene\">Scene</a></li>\n"
+	      "<li><a href=\"#provenance\">Provenance</a></li>\n</ul>\n"
 	      "</nav>\n<main id=\"main\">\n", to);
 }
 
@@ -116,8 +118,8 @@ static void scene_as_read(FILE *to, const struct hawser_scene *scene)
 		return;
 	status = hawser_scene_write(scene, stream, NULL);
 	if (fclose(stream) == 0 && !status) {
-		fputs("<details>\n<summary>As it was read: in SI units, with overrides and with the defaults in use"
-		      "</summary>\n<pre tabindex=\"0\">", to);
+		fputs("<details>\n<summary>As it was read: in SI units, with overrides and with the "
+		      "defaults in use</summary>\n<pre tabindex=\"0\">", to);
 		hawser__html_text(to, text);
 		fputs("</pre>\n</details>\n", to);
 	}
@@ -136,7 +138,8 @@ static void scene(FILE *to, const struct cli_report_page *page)
 	fputs("</section>\n", to);
 }
 
-/* Options that state an accuracy, a step or an amount of points; their lines end with the default in parentheses. */
+/* Options that state an accuracy, a step or an amount of points; their lines end with the default in
+ * parentheses. */
 static int sets_accuracy(const char *name)
 {
 	static const char *const words[] = {"tol", "step", "points", "elements", "segments", "basis"};
@@ -151,11 +154,13 @@ static void tolerances(FILE *to, const struct cli_report_page *page)
 {
 	char heading_text[80];
 
-	hawser__html_words_begin(to, "Tolerances, steps and resolutions of each command, with the value in use in parentheses");
+	hawser__html_words_begin(to, "Tolerances, steps and resolutions of each command, with the value in "
+	                         "use in parentheses");
 	for (int i = 0; i < page->results; i++) {
 		const struct cli_command *command = cli_command_called(page->result[i].command);
+		const struct cli_option *row = command ? command->options : NULL;
 
-		for (const struct cli_option *row = command ? command->options : NULL; row && row->name; row++) {
+		for (; row && row->name; row++) {
 			if (!sets_accuracy(row->name))
 				continue;
 			snprintf(heading_text, sizeof heading_text, "%s --%s", command->name, row->name);
@@ -198,7 +203,8 @@ static void provenance(FILE *to, const struct cli_report_page *page)
 	fputs("<section aria-labelledby=\"provenance\">\n", to);
 	heading(to, "provenance", "Provenance");
 	hawser__html_words_begin(to, "How these results were made");
-	hawser__html_words_row(to, "Program", "hawser " PACKAGE_VERSION ", free software under the GNU GPL, version 3 or later");
+	hawser__html_words_row(to, "Program", "hawser " PACKAGE_VERSION
+	                       ", free software under the GNU GPL, version 3 or later");
 	hawser__html_words_row(to, "Scene", base_name(page->common->input));
 	hawser__sha256(digest, page->text, page->size);
 	hawser__html_words_row(to, "SHA-256 of the scene", digest);

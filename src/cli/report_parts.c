@@ -9,32 +9,44 @@
 
 /* Kinds of scenes, bits; a span is one of the first two. */
 enum {
-	AT_REST = 1, TRAVELS = 2, OBSTACLES = 4, NET = 8, ROPEWAY = 16, ROD = 32, TOWED = 64, WAYPOINTS = 128,
-	BEAM = 256, LOADED = 512, CASES = 1024 /* the last two: besides, of spans */
+	AT_REST = 1, TRAVELS = 2, OBSTACLES = 4, NET = 8, ROPEWAY = 16, ROD = 32, TOWED = 64,
+	WAYPOINTS = 128, BEAM = 256, LOADED = 512, CASES = 1024 /* the last two: besides, of spans */
 };
 
 static const struct cli_report_part table[] = {
-	{"plan", "What is modelled", "What a model of this scene contains, what it leaves out and why, and which settings are defaults.",
-	 {"plan", "--limit", "0.2", "--fidelities", "condensed 5, condensed 9"}, AT_REST | TRAVELS, 0, 1, 0, 1},
-	{"plan", "What is modelled", "What the model of this net contains, what it leaves out and why, and which settings are defaults.",
+	{"plan", "What is modelled",
+	 "What a model of this scene contains, what it leaves out and why, and which settings are "
+	 "defaults.",
+	 {"plan", "--limit", "0.2", "--fidelities", "condensed 5, condensed 9"}, AT_REST | TRAVELS,
+	 0, 1, 0, 1},
+	{"plan", "What is modelled",
+	 "What the model of this net contains, what it leaves out and why, and which settings are "
+	 "defaults.",
 	 {"plan", "--limit", "0.2"}, NET, 0, 1, 0, 0},
 	{"statics", "Static shape", "The equilibrium, from which all that follows departs.",
 	 {"statics"}, AT_REST | TRAVELS | OBSTACLES | NET | ROPEWAY | ROD, 1, 0, 0, 0},
 	{"worst", "Worst values", "The largest and smallest values over all places of the carriers.",
 	 {"statics", "--worst"}, ROPEWAY, 0, 0, 0, 0},
-	{"cases", "Load cases", "The static shape in each load case.", {"statics", "--cases"}, CASES, 0, 0, 0, 0},
-	{"modes", "Natural modes", "Small free vibrations about the static shape, each frequency with its estimated relative error.",
+	{"cases", "Load cases", "The static shape in each load case.",
+	 {"statics", "--cases"}, CASES, 0, 0, 0, 0},
+	{"modes", "Natural modes",
+	 "Small free vibrations about the static shape, each frequency with its estimated relative error.",
 	 {"modes"}, AT_REST | TRAVELS | OBSTACLES | NET | ROPEWAY, 0, 0, 1, 0},
-	{"irvine", "Frequencies over the tension", "Where frequencies cross or veer as the horizontal tension changes.",
+	{"irvine", "Frequencies over the tension",
+	 "Where frequencies cross or veer as the horizontal tension changes.",
 	 {"irvine"}, AT_REST, 0, 0, 1, 0},
-	{"campbell", "Frequencies over the speed", "The natural frequencies as the travel speed increases.",
-	 {"campbell"}, TRAVELS, 0, 0, 0, 0},
-	{"frf", "Frequency response", "Steady motions under the load of the scene: stable ones, and unstable ones, which are not observed; each point with its "
-	 "certificate.", {"frf"}, LOADED, 0, 0, 1, 1},
-	{"tow", "Steady tow", "The state that does not change in the frame of the towing point.", {"tow", "steady"}, TOWED, 1, 0, 0, 0},
+	{"campbell", "Frequencies over the speed",
+	 "The natural frequencies as the travel speed increases.", {"campbell"}, TRAVELS, 0, 0, 0, 0},
+	{"frf", "Frequency response",
+	 "Steady motions under the load of the scene: stable ones, and unstable ones, which are not "
+	 "observed; each point with its certificate.",
+	 {"frf"}, LOADED, 0, 0, 1, 1},
+	{"tow", "Steady tow", "The state that does not change in the frame of the towing point.",
+	 {"tow", "steady"}, TOWED, 1, 0, 0, 0},
 	{"trajectory", "Path of the towing point", "Place, speed and acceleration of the towing point.",
 	 {"trajectory"}, WAYPOINTS, 1, 0, 0, 0},
-	{"beam", "Eigenvalues and limit speed", "Growth and frequency of small motions, and the speed up to which they decay.",
+	{"beam", "Eigenvalues and limit speed",
+	 "Growth and frequency of small motions, and the speed up to which they decay.",
 	 {"beam"}, BEAM, 1, 1, 0, 0},
 };
 enum { ROWS = sizeof table/sizeof *table };
@@ -109,14 +121,15 @@ static int is_wanted(const char *list, const char *name)
 }
 
 /* Refuse a name of the list that is none of a part of this scene. */
-static enum hawser_status check_list(const char *list, const struct cli_report_part *const part[], int count,
-                                     struct hawser_report *report)
+static enum hawser_status check_list(const char *list, const struct cli_report_part *const part[],
+                                     int count, struct hawser_report *report)
 {
 	char known[200] = "", name[40];
 	size_t used = 0;
 
 	for (int i = 0; i < count; i++)
-		used += (size_t)snprintf(known + used, sizeof known - used, "%s%s", i ? ", " : "", part[i]->name);
+		used += (size_t)snprintf(known + used, sizeof known - used, "%s%s", i ? ", " : "",
+		                         part[i]->name);
 	for (const char *word = list; word && *word; word += strcspn(word, ",")) {
 		int found = 0;
 

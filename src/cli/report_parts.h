@@ -15,8 +15,9 @@ struct cli_report_part {
 	int modes, range; /* 1: it takes -n; --from and --to of a response */
 };
 
-/* part [CLI_REPORT_PARTS], *count: the parts of a report of the scene common->input. `list`: names of parts, separated by
- * commas, to be taken alone; or NULL. *scene is 1 if *span is the scene, which is then to be cleared; of spans and beams. */
+/* part [CLI_REPORT_PARTS], *count: the parts of a report of the scene common->input. `list`: names of
+ * parts, separated by commas, to be taken alone; or NULL. *scene is 1 if *span is the scene, which is
+ * then to be cleared; of spans and beams. */
 enum hawser_status cli_report_choose(const struct cli_report_part *part[], int *count,
                                      struct hawser_scene *span, int *scene,
                                      const struct cli_common *common, const char *list,

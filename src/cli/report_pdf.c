@@ -1,4 +1,5 @@
-/* cli/report_pdf.c - PDF of a report, by a browser without window or by weasyprint, whichever is found first.
+/* cli/report_pdf.c - PDF of a report, by a browser without window or by weasyprint, whichever is
+ * found first.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -34,7 +35,8 @@ static int is_there(const char *name)
 
 	for (; list && *list; list = *end ? end + 1 : end) {
 		end = strchrnul(list, ':');
-		if (snprintf(path, sizeof path, "%.*s/%s", (int)(end - list), list, name) < (int)sizeof path &&
+		if (snprintf(path, sizeof path, "%.*s/%s", (int)(end - list), list, name) <
+		        (int)sizeof path &&
 		    access(path, X_OK) == 0)
 			return 1;
 	}
@@ -56,8 +58,9 @@ enum hawser_status cli_report_pdf_check(struct hawser_report *report)
 	if (choose() < PROGRAMS)
 		return HAWSER_OK;
 	return hawser__fail(report, HAWSER_ERR_PROGRAM, "report",
-	                    "cannot make a PDF: neither chromium nor weasyprint is found; install one of them "
-	                    "(Debian: chromium, weasyprint), or write -o report.html and print it from a browser");
+	                    "cannot make a PDF: neither chromium nor weasyprint is found; install one of "
+	                    "them (Debian: chromium, weasyprint), or write -o report.html and print it from "
+	                    "a browser");
 }
 
 /* Run it with its messages discarded; *state as of waitpid(2). Returns 0 or the cause. */
@@ -104,11 +107,11 @@ enum hawser_status cli_report_pdf(const char *pdf, const char *html, struct haws
 		error = run(argument, &state);
 	}
 	if (error)
-		return hawser__fail(report, HAWSER_ERR_PROGRAM, "report", "cannot run %s: %s", name,
-		                    strerror(error));
+		return hawser__fail(report, HAWSER_ERR_PROGRAM, "report",
+		                    "cannot run %s: %s; no PDF is written", name, strerror(error));
 	if (!WIFEXITED(state) || WEXITSTATUS(state) != 0 || access(pdf, R_OK) != 0)
 		return hawser__fail(report, HAWSER_ERR_PROGRAM, "report",
-		                    "%s made no PDF of the report; write -o report.html and print it from a browser",
-		                    name);
+		                    "%s made no PDF of the report; write -o report.html and print it from a "
+		                    "browser", name);
 	return HAWSER_OK;
 }

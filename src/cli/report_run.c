@@ -1,5 +1,6 @@
-/* cli/report_run.c - the parts of a report, each a command of the program run in this process: one place computes and
- * formats each result, and the report shows what the command writes with --tsv and --plot.
+/* cli/report_run.c - the parts of a report, each a command of the program run in this process: one
+ * place computes and formats each result, and the report shows what the command writes with --tsv and
+ * --plot.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -10,6 +11,7 @@
 #include <unistd.h>
 
 #include "cli/report.h"
+#include "cli/within.h"
 #include "core/report.h"
 
 /* --- files between the commands --- */
@@ -39,7 +41,7 @@ enum hawser_status cli_report_folder_open(struct hawser_report *report)
 	snprintf(folder, sizeof folder, "%s/hawser-XXXXXX", where && *where ? where : "/tmp");
 	if (!mkdtemp(folder)) {
 		enum hawser_status status = hawser__fail(report, HAWSER_ERR_IO, "report",
-		                                         "cannot make a temporary folder %s: %s", folder,
+		                                         "cannot write the temporary folder %s: %s", folder,
 		                                         strerror(errno));
 
 		folder[0] = '\0';
@@ -95,7 +97,7 @@ enum hawser_status cli_report_text(char **text, size_t *size, const char *path,
 
 /* --- a part --- */
 
-/* Words of its command line; `copies` are owned. */
+/* Words of its command line; owned. */
 struct line {
 	char *word[2*CLI_SETS + 32];
 	int words;
@@ -120,8 +122,8 @@ static void add_option(struct line *line, const char *name, const char *value)
 }
 
 /* What a user would write. */
-static void compose(struct line *line, const struct cli_report_part *part, const struct cli_common *common,
-                    const struct cli_report_given *given)
+static void compose(struct line *line, const struct cli_report_part *part,
+                    const struct cli_common *common, const struct cli_report_given *given)
 {
 	char number[16];
 	int i = 0;
@@ -149,6 +151,8 @@ static void compose(struct line *line, const struct cli_report_part *part, const
 /* "hawser statics 'a scene.yaml'"; NULL without memory. */
 static char *shown(const struct line *line)
 {
+	static const char unquoted[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+	                               "_-+=.,:/%^@";
 	char *text = NULL;
 	size_t size;
 	FILE *to = open_memstream(&text, &size);
@@ -157,8 +161,7 @@ static char *shown(const struct line *line)
 		return NULL;
 	fputs("hawser", to);
 	for (int i = 0; i < line->words; i++) {
-		int plain = line->word[i][strspn(line->word[i], "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-		                                 "0123456789_-+=.,:/%^@")] == '\0';
+		int plain = line->word[i][strspn(line->word[i], unquoted)] == '\0';
 
 		fprintf(to, plain ? " %s" : " '%s'", line->word[i]);
 	}
@@ -199,8 +202,10 @@ static enum hawser_status execute(struct cli_report_result *result, struct line 
 	return status;
 }
 
-enum hawser_status cli_report_run(struct cli_report_result *result, const struct cli_report_part *part,
-                                  const struct cli_common *common, const struct cli_report_given *given,
+enum hawser_status cli_report_run(struct cli_report_result *result,
+                                  const struct cli_report_part *part,
+                                  const struct cli_common *common,
+                                  const struct cli_report_given *given,
                                   struct hawser_report *report)
 {
 	struct line line = {.words = 0};

@@ -25,7 +25,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "cli/cli.h"
+#include "cli/within.h"
 
 /* Time from the signal to the forced end, and between two checks while a result is being written. */
 static const struct itimerspec grace = {.it_value = {.tv_nsec = 600000000}};

@@ -1,5 +1,5 @@
-/* output/frames.c - see frames.h. Whether an axis is logarithmic is no variable of gnuplot, so it is read from the
- * script: its "set logscale" before the plot.
+/* output/frames.c - see frames.h. Whether an axis is logarithmic is no variable of gnuplot, so it is
+ * read from the script: its "set logscale" before the plot.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -45,7 +45,9 @@ static int axes(const char *names)
 {
 	size_t length = strcspn(names, " \n");
 
-	return length == 0 ? 3 : (memchr(names, 'x', length) ? 1 : 0) | (memchr(names, 'y', length) ? 2 : 0);
+	if (length == 0)
+		return 3;
+	return (memchr(names, 'x', length) ? 1 : 0) | (memchr(names, 'y', length) ? 2 : 0);
 }
 
 static void follow(struct state *state, const char *line)

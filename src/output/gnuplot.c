@@ -261,7 +261,8 @@ static int spawn(pid_t *child, const char *program, int in, int out, int complai
 	return error;
 }
 
-/* First line of gnuplot's messages that is neither blank nor a caret, nor an answer to hawser__frames_ask. */
+/* First line of gnuplot's messages that is neither blank nor a caret, nor an answer to
+ * hawser__frames_ask. */
 static void first_complaint(char *line, int size, FILE *complaints)
 {
 	rewind(complaints);

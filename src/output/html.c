@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "output/html.h"
-#include "src/output/report_page.h" /* made of report.css and report.js */
+#include "output/report_page.h" /* made of report.css and report.js */
 
 static void put(FILE *to, const char *text, size_t length)
 {
@@ -90,18 +90,13 @@ static void words_across(FILE *to, const char *text, size_t length)
 	fputs("</td></tr>\n", to);
 }
 
-void hawser__html_words_across(FILE *to, const char *text)
-{
-	words_across(to, text, strlen(text));
-}
-
 void hawser__html_words_end(FILE *to)
 {
 	fputs("</tbody>\n</table>\n", to);
 }
 
-/* Where the heading of a comment ends, and the text begins: after " = " or ": ", whichever is first; NULL: it
- * has none. A heading with a comma or a semicolon in it is the first half of a sentence. */
+/* Where the heading of a comment ends, and the text begins: after " = " or ": ", whichever is first;
+ * NULL: it has none. A heading with a comma or a semicolon in it is the first half of a sentence. */
 static const char *heading_end(const char *line, size_t length, const char **text)
 {
 	const char *at = NULL;
@@ -250,8 +245,9 @@ static int is_chosen(int index, int rows, int most)
 {
 	if (rows <= most)
 		return 1;
-	/* the indices round(k (rows - 1)/(most - 1)) */
-	return (long)index*(most - 1)/(rows - 1) != ((long)index - 1)*(most - 1)/(rows - 1) || index == 0;
+	/* where index (most - 1)/(rows - 1) reaches another whole number */
+	return index == 0 ||
+	       (long)index*(most - 1)/(rows - 1) != ((long)index - 1)*(most - 1)/(rows - 1);
 }
 
 int hawser__html_rows(FILE *to, const char *tsv, int most, const char *full)
@@ -268,9 +264,10 @@ int hawser__html_rows(FILE *to, const char *tsv, int most, const char *full)
 	for (line = next_line(head); *line; line = next_line(line))
 		rows++;
 	shown = rows < most ? rows : most;
-	fprintf(to, "<details%s>\n<summary>Table: %d of %d rows</summary>\n<div class=\"wide\" tabindex=\"0\" "
-	        "role=\"region\" aria-label=\"Table\">\n<table class=\"rows\">\n<caption>Numbers rounded to eight "
-	        "digits; in full and all rows: <code>", shown <= OPEN ? " open" : "", shown, rows);
+	fprintf(to, "<details%s>\n<summary>Table: %d of %d rows</summary>\n"
+	        "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Table\">\n"
+	        "<table class=\"rows\">\n<caption>Numbers rounded to eight digits; in full and all rows: "
+	        "<code>", shown <= OPEN ? " open" : "", shown, rows);
 	hawser__html_text(to, full);
 	fputs("</code></caption>\n<thead>", to);
 	row(to, head, 1);
@@ -284,15 +281,15 @@ int hawser__html_rows(FILE *to, const char *tsv, int most, const char *full)
 
 /* --- pictures --- */
 
-/* Names of elements are unique in a page, and gnuplot's are the same in each picture: they get the figure's
- * number. */
+/* Names of elements are unique in a page, and gnuplot's are the same in each picture: they get the
+ * figure's number. */
 static const char *const references[] = {
 	" id='", " id=\"", "xlink:href='#", "xlink:href=\"#", " href='#", "url(#",
 };
 enum { REFERENCES = sizeof references/sizeof *references };
 
-/* gnuplot's own titles, which browsers would show at the pointer, its description, and the size, which is the page's.
- * Returns the length of what is to be left out at this place, or 0. */
+/* gnuplot's own titles, which browsers would show at the pointer, its description, and the size, which
+ * is the page's. Returns the length of what is to be left out at this place, or 0. */
 static size_t left_out(const char *at, int root)
 {
 	static const char *const element[][2] = {{"<title>", "</title>"}, {"<desc>", "</desc>"}};
@@ -312,7 +309,8 @@ static size_t left_out(const char *at, int root)
 }
 
 /* Copy from the attributes of the outermost element on. `title`, `description`: its first children. */
-static void copy_svg(FILE *to, const char *at, int number, const char *title, const char *description)
+static void copy_svg(FILE *to, const char *at, int number, const char *title,
+                     const char *description)
 {
 	int root = 1; /* in the outermost element's attributes */
 
@@ -351,9 +349,9 @@ void hawser__html_picture(FILE *to, const char *svg, int number, const char *tit
 
 	if (!at)
 		return;
-	fprintf(to, "<figure>\n<div class=\"plot\" tabindex=\"0\" role=\"group\" aria-label=\"Picture %d: keys + and - "
-	        "enlarge and reduce it, arrows move it, 0 shows the whole\">\n<svg role=\"img\" "
-	        "aria-labelledby=\"t%d d%d\"", number, number, number);
+	fprintf(to, "<figure>\n<div class=\"plot\" tabindex=\"0\" role=\"group\" "
+	        "aria-label=\"Picture %d: keys + and - enlarge and reduce it, arrows move it, 0 shows the "
+	        "whole\">\n<svg role=\"img\" aria-labelledby=\"t%d d%d\"", number, number, number);
 	copy_svg(to, at + strlen(root), number, title, description);
 	fputs("</div>\n<div class=\"tools\"><button type=\"button\" value=\"+\">Enlarge</button>"
 	      "<button type=\"button\" value=\"-\">Reduce</button>"

@@ -1,4 +1,5 @@
-/* output/sha256.h - the SHA-256 digest of a text, by which a report names the scene it was made from (FIPS 180-4).
+/* output/sha256.h - the SHA-256 digest of a text, by which a report names the scene it was made from
+ * (FIPS 180-4).
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_OUTPUT_SHA256_H
 #define HAWSER_OUTPUT_SHA256_H
