@@ -9,6 +9,7 @@
 #include "cli/progress.h"
 #include "cli/report.h"
 #include "cli/view.h"
+#include "cli/within.h"
 #include "core/report.h"
 
 struct settings {
@@ -154,17 +155,17 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 
 /* A report has no columns of its own; the list is that of its parts. */
 static const struct hawser__field part_field[] = {
-	{"plan", NULL, "hawser plan: of spans and nets"},
-	{"statics", NULL, "hawser statics: of all but towed bodies and beams"},
-	{"worst", NULL, "hawser statics --worst: of ropeways"},
-	{"cases", NULL, "hawser statics --cases: of spans with cases"},
-	{"modes", NULL, "hawser modes: of spans, nets and ropeways"},
-	{"irvine", NULL, "hawser irvine: of spans at rest"},
-	{"campbell", NULL, "hawser campbell: of travelling cables"},
-	{"frf", NULL, "hawser frf: of spans with a load, moving ends or a fluctuating speed"},
-	{"tow", NULL, "hawser tow steady: of a towed cable"},
-	{"trajectory", NULL, "hawser trajectory: of a path through waypoints"},
-	{"beam", NULL, "hawser beam: of a travelling beam or string"},
+	{.key = "plan", .doc = "hawser plan: of spans and nets"},
+	{.key = "statics", .doc = "hawser statics: of all but towed bodies and beams"},
+	{.key = "worst", .doc = "hawser statics --worst: of ropeways"},
+	{.key = "cases", .doc = "hawser statics --cases: of spans with cases"},
+	{.key = "modes", .doc = "hawser modes: of spans, nets and ropeways"},
+	{.key = "irvine", .doc = "hawser irvine: of spans at rest"},
+	{.key = "campbell", .doc = "hawser campbell: of travelling cables"},
+	{.key = "frf", .doc = "hawser frf: of spans with a load, moving ends or a fluctuating speed"},
+	{.key = "tow", .doc = "hawser tow steady: of a towed cable"},
+	{.key = "trajectory", .doc = "hawser trajectory: of a path through waypoints"},
+	{.key = "beam", .doc = "hawser beam: of a travelling beam or string"},
 	HAWSER__END,
 };
 static const struct cli_listing listing[] = {{"Parts:", part_field, 1}, {NULL, NULL, 0}};

@@ -34,10 +34,11 @@ static int is_there(const char *name)
 	char path[PATH_MAX];
 
 	for (; list && *list; list = *end ? end + 1 : end) {
+		int length;
+
 		end = strchrnul(list, ':');
-		if (snprintf(path, sizeof path, "%.*s/%s", (int)(end - list), list, name) <
-		        (int)sizeof path &&
-		    access(path, X_OK) == 0)
+		length = snprintf(path, sizeof path, "%.*s/%s", (int)(end - list), list, name);
+		if (length < (int)sizeof path && access(path, X_OK) == 0)
 			return 1;
 	}
 	return 0;
@@ -58,9 +59,9 @@ enum hawser_status cli_report_pdf_check(struct hawser_report *report)
 	if (choose() < PROGRAMS)
 		return HAWSER_OK;
 	return hawser__fail(report, HAWSER_ERR_PROGRAM, "report",
-	                    "cannot make a PDF: neither chromium nor weasyprint is found; install one of "
-	                    "them (Debian: chromium, weasyprint), or write -o report.html and print it from "
-	                    "a browser");
+	                    "cannot make a PDF: neither chromium nor weasyprint is found; install one "
+	                    "of them (Debian: chromium, weasyprint), or write -o report.html and print "
+	                    "it from a browser");
 }
 
 /* Run it with its messages discarded; *state as of waitpid(2). Returns 0 or the cause. */

@@ -39,9 +39,9 @@ void hawser__map_tongues(FILE *script, const struct hawser__map_picture *map);
 
 /* Copy an SVG picture up to the attributes of its outermost element. */
 void hawser__picture_head(FILE *to, FILE *from);
-/* Copy the rest of an SVG picture of gnuplot with two changes. Text elements preserve white space: gnuplot
- * writes each piece of markup as a separate element, and viewers would remove the white space at
- * its ends. Images are not smoothed: browsers would interpolate the pixels of a map, also across
+/* Copy the rest of an SVG picture of gnuplot with two changes. Text elements preserve white space:
+ * gnuplot writes each piece of markup as a separate element, and viewers would remove the white space
+ * at its ends. Images are not smoothed: browsers would interpolate the pixels of a map, also across
  * the stability boundary. */
 void hawser__picture_spaces(FILE *to, FILE *from);
 
