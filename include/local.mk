@@ -44,6 +44,7 @@ pkginclude_HEADERS = \
 	%D%/hawser/primary.h \
 	%D%/hawser/progress.h \
 	%D%/hawser/rod.h \
+	%D%/hawser/rod_motion.h \
 	%D%/hawser/rom.h \
 	%D%/hawser/ropeway.h \
 	%D%/hawser/ropeway_modes.h \

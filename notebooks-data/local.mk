@@ -58,6 +58,9 @@ dist_scenes_DATA = \
 	%D%/scenes/d-figure-9.7.yaml \
 	%D%/scenes/d-figure-9.8.yaml \
 	%D%/scenes/d-figure-9.9.yaml \
+	%D%/scenes/d-section-5.1.2.yaml \
+	%D%/scenes/d-section-5.1.3.yaml \
+	%D%/scenes/d-section-5.1.4.yaml \
 	%D%/scenes/d-section-5.2.2.yaml \
 	%D%/scenes/d-section-5.2.4.yaml \
 	%D%/scenes/d-section-5.2.5.yaml \

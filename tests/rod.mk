@@ -1,5 +1,6 @@
 # tests of geometrically exact rods
-ROD_TESTS = tests/unit/test-rod-element tests/reference/test-rod-statics tests/property/test-rod
+ROD_TESTS = tests/unit/test-rod-element tests/unit/test-rod-motion tests/reference/test-rod-motion \
+	tests/reference/test-rod-statics tests/property/test-rod
 check_PROGRAMS += $(ROD_TESTS)
 TESTS += $(ROD_TESTS)
 tests_unit_test_rod_element_SOURCES = tests/unit/test-rod-element.c
@@ -8,3 +9,7 @@ tests_reference_test_rod_statics_SOURCES = tests/reference/test-rod-statics.c
 tests_reference_test_rod_statics_LDADD = $(UPTO_ROD)
 tests_property_test_rod_SOURCES = tests/property/test-rod.c
 tests_property_test_rod_LDADD = $(UPTO_ROD)
+tests_unit_test_rod_motion_SOURCES = tests/unit/test-rod-motion.c
+tests_unit_test_rod_motion_LDADD = $(UPTO_ROD)
+tests_reference_test_rod_motion_SOURCES = tests/reference/test-rod-motion.c
+tests_reference_test_rod_motion_LDADD = $(UPTO_ROD)

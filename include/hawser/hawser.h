@@ -26,6 +26,7 @@
 #include <hawser/net_span.h>
 #include <hawser/line.h>
 #include <hawser/rod.h>
+#include <hawser/rod_motion.h>
 #include <hawser/ropeway.h>
 #include <hawser/line_modes.h>
 #include <hawser/ropeway_modes.h>

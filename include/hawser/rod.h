@@ -39,6 +39,13 @@ struct hawser_rod_load {
 	int factors;         /* 0: constant */
 };
 
+/* How an end moves: it spins about its place, and goes along a path. */
+struct hawser_rod_drive {
+	double axis[3], speed, rise; /* of length 1; rad/s, 0: no spin; s, from 0 to the full speed:
+	                              * (t - sin(2 pi t/rise) rise/(2 pi))/rise of it; 0: at once */
+	char *path;                  /* file of displacements over time: lines t x y z; NULL: none */
+};
+
 struct hawser_rod {
 	char *name;                         /* of the file */
 	double g;                           /* m/s^2, against y */
@@ -53,6 +60,8 @@ struct hawser_rod {
 	double end_at[3], end_tangent[3], end_normal[3];
 	double alpha;                       /* 1/s: damping force per mass and velocity */
 	double rho_inf, step;               /* of time integration; step in s; 0 (rho_inf: -1): not given */
+	int from_rest;                      /* 1: a motion begins in the shape at rest, though held */
+	struct hawser_rod_drive drive[2];   /* how start and end move, where they are held */
 };
 
 /* Read a scene of kind `rod`; `set` has overrides, such as "rod.EI=2 kN m^2". */

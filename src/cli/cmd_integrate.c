@@ -52,11 +52,12 @@ static const struct cli_option options[] = {
 	 CLI_FLAG(lyapunov)},
 	{"model", 0, "NAME", "rom, or fe: a mesh of cable elements (rom)", CLI_TEXT(model)},
 	{"elements", 0, "N", "elements of the mesh of --model fe (120)", CLI_INTEGER(elements)},
-	{"step", 0, "TIME", "nets and --model fe: longest step, or auto", CLI_TEXT(net.step)},
-	{"probe", 0, "NAMES", "nets: nodes, or cable:part, with commas (all free nodes)",
+	{"step", 0, "TIME", "nets, rods and --model fe: longest step, or auto", CLI_TEXT(net.step)},
+	{"probe", 0, "NAMES", "nets: nodes, or cable:part (all free nodes); rods: start, end, lengths",
 	 CLI_TEXT(net.probe)},
-	{"state", 0, "FILE", "nets: write the last state, for --initial", CLI_TEXT(net.state)},
-	{"vtk", 0, "STEM", "nets: write STEM-00000.vtk and so on, one a row", CLI_TEXT(net.vtk)},
+	{"state", 0, "FILE", "nets, rods: write the last state, for --initial", CLI_TEXT(net.state)},
+	{"vtk", 0, "STEM", "nets, rods: write STEM-00000.vtk and so on, one a row", CLI_TEXT(net.vtk)},
+	{"no-error", 0, "", "rods: without the two runs for the errors", CLI_FLAG(net.skip_error)},
 	{"partial", 0, "", "write what was computed also if the run fails", CLI_FLAG(partial)},
 	CLI_LANE_OPTIONS,
 	CLI_NO_OPTION,
@@ -259,8 +260,9 @@ static enum hawser_status write_result(struct cli_integrate_result *result,
 	return status;
 }
 
-/* A scene of kind net; an option of the one kind does not go with the other. */
-static enum hawser_status run_net(const struct settings *settings, struct hawser_report *report)
+/* A scene of kind net, or rod; an option of the one kind does not go with the other. */
+static enum hawser_status run_kind(const struct settings *settings, int rod,
+                                   struct hawser_report *report)
 {
 	const struct {
 		const char *name;
@@ -271,20 +273,25 @@ static enum hawser_status run_net(const struct settings *settings, struct hawser
 	             {"modes", settings->n > 0}, {"spectrum", settings->spectrum},
 	             {"lyapunov", settings->lyapunov}, {"partial", settings->partial},
 	             {"atol", settings->atol != defaults.atol}, {"model", settings->model != NULL},
-	             {"elements", settings->elements > 0}};
+	             {"elements", settings->elements > 0}, {"error", rod && settings->error},
+	             {"no-error", !rod && settings->net.skip_error}};
 	struct cli_integrate_net net = settings->net;
 
 	for (size_t i = 0; i < sizeof other/sizeof *other; i++)
 		if (other[i].given)
-			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate", "--%s is not for nets: loads "
-			                    "and motions of supports are in the scene", other[i].name);
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate", rod
+			                    ? "--%s is not for rods: all that moves them is in the scene, and "
+			                      "their errors are computed unless --no-error is given"
+			                    : "--%s is not for nets: loads and motions of supports are in the "
+			                      "scene", other[i].name);
 	net.until = settings->until != defaults.until ? settings->until : NULL;
 	net.every = settings->every != defaults.every ? settings->every : NULL;
 	net.scheme = settings->method;
 	net.initial = settings->initial;
 	net.error = settings->error;
 	net.tolerance = settings->rtol != defaults.rtol ? settings->rtol : 0.0;
-	return cli_integrate_net(&settings->common, &net, report);
+	return rod ? cli_integrate_rod(&settings->common, &net, report)
+	           : cli_integrate_net(&settings->common, &net, report);
 }
 
 /* --model fe; what is of reduced models does not go with it. */
@@ -342,16 +349,17 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 
 	if (!status)
 		status = cli_rom_ropeway_check(&settings->common, report);
-	if (!status && hawser_net_is(settings->common.input))
-		return run_net(settings, report);
+	if (!status && (hawser_net_is(settings->common.input) || hawser_rod_is(settings->common.input)))
+		return run_kind(settings, hawser_rod_is(settings->common.input), report);
 	if (!status)
 		status = check_model(settings, report);
 	if (!status && settings->model && strcmp(settings->model, "fe") == 0)
 		return run_span(settings, report);
-	if (!status && (net->step || net->probe || net->vtk || net->state))
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate", "--%s is for nets, and %s is no "
-		                    "scene of a net", net->step ? "step" : net->probe ? "probe"
-		                    : net->vtk ? "vtk" : "state", settings->common.input);
+	if (!status && (net->step || net->probe || net->vtk || net->state || net->skip_error))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate", "--%s is for nets and rods, and "
+		                    "%s is no scene of one", net->step ? "step" : net->probe ? "probe"
+		                    : net->vtk ? "vtk" : net->state ? "state" : "no-error",
+		                    settings->common.input);
 	if (!status)
 		status = cli_state_check("initial", settings->initial, &settings->common, report);
 	if (!status)

@@ -10,7 +10,12 @@ struct cli_integrate_net {
 	const char *until, *every, *step, *scheme, *probe, *vtk, *state, *initial;
 	double tolerance; /* 0: the library's */
 	int error;        /* 1: another run, for the error */
+	int skip_error;   /* of rods, 1: without the runs for the errors */
 };
+/* integrate_rod.c: of a scene of kind `rod`. */
+enum hawser_status cli_integrate_rod(const struct cli_common *common,
+                                     const struct cli_integrate_net *settings,
+                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 enum hawser_status cli_integrate_net(const struct cli_common *common,
                                      const struct cli_integrate_net *settings,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;

@@ -134,6 +134,7 @@ hawser_SOURCES = \
 	%D%/integrate_fields.c \
 	%D%/integrate_net.c \
 	%D%/integrate_net.h \
+	%D%/integrate_rod.c \
 	%D%/integrate_result.c \
 	%D%/integrate_result.h \
 	%D%/irvine_draw.c \

@@ -32,6 +32,15 @@ static int interval(int *low, const struct hawser__support_table *table, double 
 	return high;
 }
 
+void hawser__support_acceleration(double a[3], const struct hawser__support_table *table, double t)
+{
+	int low, high = interval(&low, table, t);
+	double part = (t - table->t[low])/(table->t[high] - table->t[low]);
+
+	for (int k = 0; k < 3; k++)
+		a[k] = (1.0 - part)*table->curve[low][k] + part*table->curve[high][k];
+}
+
 void hawser__motion_waves(double (*wave)[3], const struct hawser__mesh *mesh, double t, double factor)
 {
 	double f = 0.0;
@@ -93,12 +102,12 @@ void hawser__motion_support_accelerations(double (*a)[3], const struct hawser__m
 	}
 	for (int i = 0; i < motion->tables; i++) {
 		const struct hawser__support_table *table = &motion->table[i];
-		int low, high = interval(&low, table, t);
-		double part = (t - table->t[low])/(table->t[high] - table->t[low]);
+		double here[3];
 
+		hawser__support_acceleration(here, table, t);
 		for (int k = 0; k < 3; k++)
 			if (mesh->unknown[table->node][k] < 0)
-				a[table->node][k] = (1.0 - part)*table->curve[low][k] + part*table->curve[high][k];
+				a[table->node][k] = here[k];
 	}
 }
 

@@ -101,6 +101,7 @@ struct hawser__support_table {
 enum hawser_status hawser__support_read(struct hawser__support_table *table, const char *path,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser__support_at(double x[3], double v[3], const struct hawser__support_table *table, double t);
+void hawser__support_acceleration(double a[3], const struct hawser__support_table *table, double t);
 void hawser__support_clear(struct hawser__support_table *table);
 
 /* plane.c: 1 if nothing moves the net along axis k, which all its supports hold at *place (m). */

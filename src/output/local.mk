@@ -43,6 +43,7 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/plot_net_modes.h \
 	%D%/plot_rod.c \
 	%D%/plot_rod.h \
+	%D%/plot_rod_motion.c \
 	%D%/plot_obstacles.c \
 	%D%/plot_obstacles.h \
 	%D%/plot_ropeway.c \

@@ -4,11 +4,17 @@
 #define HAWSER_OUTPUT_PLOT_ROD_H
 
 #include <hawser/rod.h>
+#include <hawser/rod_motion.h>
 
 #include "output/output.h"
 
 enum hawser_status hawser__plot_rod(const char *path, const struct hawser_rod *rod,
                                     const struct hawser_rod_statics *st,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* A motion: shapes at some times, the first probe (its name) and the energies over time. */
+enum hawser_status hawser__plot_rod_motion(const char *path, const struct hawser_rod_motion *motion,
+                                           const char *probe, struct hawser_report *report)
+	HAWSER_MUST_CHECK;
 
 #endif

@@ -2,19 +2,28 @@ noinst_LTLIBRARIES += %D%/librod.la
 %C%_librod_la_SOURCES = \
 	%D%/balance.c \
 	%D%/band.c \
+	%D%/begin.c \
 	%D%/band.h \
+	%D%/drive.c \
+	%D%/drive.h \
 	%D%/element.c \
 	%D%/element.h \
+	%D%/integrate.c \
 	%D%/mesh.c \
 	%D%/mesh.h \
 	%D%/motion.c \
 	%D%/motion.h \
 	%D%/motion_form.c \
 	%D%/motion_ledger.c \
+	%D%/motion_newton.c \
+	%D%/motion_state.c \
 	%D%/points.c \
 	%D%/read.c \
 	%D%/read.h \
+	%D%/read_dynamics.c \
 	%D%/read_loads.c \
+	%D%/rows.c \
+	%D%/run.h \
 	%D%/so3.c \
 	%D%/so3.h \
 	%D%/solve.c \

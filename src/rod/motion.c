@@ -1,18 +1,5 @@
-/* rod/motion.c - generalised-alpha on R^3 x SO(3) (motion.h).
- *
- * Bruels, Cardona (2010), Arnold, Bruels (2007): with the velocities u (v and spin), their rates u' and
- * the scheme's own rates a, in a step of length h,
- *   (1 - am) a1 + am a0 = (1 - af) u1' + af u0'
- *   d = h u0 + h^2 ((1/2 - b) a0 + b a1),  u1 = u0 + h ((1 - g) a0 + g a1)
- *   x1 = x0 + d_x,  R1 = R0 exp(d_turn),  and at its end: inertia(u1', u1) = forces
- *   am = (2 rho - 1)/(rho + 1), af = rho/(rho + 1), g = 1/2 + af - am, b = (1/2 + g)^2/4.
- * The rotation is an increment in the step, so that nothing is singular after any number of turns.
- * Order 2 for any rho; Newmark's method with damping (g > 1/2 alone) has order 1. a is that at the time
- * am - af steps later, and a step of another length begins with a as far off as its own.
- *
- * Unknowns of Newton's method are moves and turns of the state: d_turn changes by Ji(d_turn) times
- * the turn, so that only the blocks of inertia get Ji, and the matrix of the elements none.
- * SPDX-License-Identifier: GPL-3.0-or-later */
+/* rod/motion.c - steps of a rod in motion: their memory, beginning, length and failures (motion.h); a
+ * step itself is in motion_newton.c. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <float.h>
@@ -22,39 +9,13 @@
 
 #include "core/report.h"
 #include "rod/motion.h"
-#include "rod/so3.h"
 
-enum {
-	ITERATIONS = 12, /* of a step: those that converge take 2 to 5 */
-	SPLITS = 10      /* a step that has no solution is made in 2^SPLITS parts at most */
-};
-#define TOLERANCE 1e-11 /* lengths of the rod and rad: what an increment of Newton's method may leave */
-#define NEAR 1e-8       /* increments that are smaller and do not fall are round-off */
-#define SLOW 0.2        /* the matrix is made anew if increments fall by less */
-#define SQUARE 30.0     /* an increment with a new matrix leaves at most this times its square */
-#define SPUN 2.0        /* rad, of a node in a step: Ji is singular at 2 pi */
+enum { SPLITS = 10 };   /* a step that has no solution is made in 2^SPLITS parts at most */
 #define GROW 2.0        /* of a step's length, at most */
 #define SHRINK 0.2      /* at least */
 #define SAFETY 0.8      /* steps are so much shorter than their errors would let them be */
 #define STEADY 1.2      /* a step that may be longer by less is kept, and the factors with it */
 #define SHORTEST 1e-9   /* of the time: steps that are not made shorter for their error */
-
-struct scheme {
-	double am, af, g, b, c; /* c: of the local error, c h^3 x''' */
-};
-
-/* c: x = (1 + 2 c h^2 D^2) times the exact one, by series of the scheme's difference operators. */
-static struct scheme scheme_of(double rho)
-{
-	struct scheme s = {.am = (2.0*rho - 1.0)/(rho + 1.0), .af = rho/(rho + 1.0)};
-	double v;
-
-	s.g = 0.5 + s.af - s.am;
-	s.b = 0.25*(0.5 + s.g)*(0.5 + s.g);
-	v = 0.5*s.g*(1.0 - s.g) - 1.0/24.0 + 0.5*(s.af*(1.0 - s.af) - s.am*(1.0 - s.am));
-	s.c = 0.5*fabs(v + s.b + 1.0/12.0 - 0.5*s.g);
-	return s;
-}
 
 /* --- memory --- */
 
@@ -79,7 +40,9 @@ enum hawser_status hawser__rod_motion_open(struct hawser__rod_motion *motion,
 	motion->factor = calloc((size_t)mesh->rod->loads + 1, sizeof *motion->factor);
 	motion->node0 = calloc(nodes, sizeof *motion->node0);
 	motion->Ji = calloc(nodes, sizeof *motion->Ji);
-	if (!good || !motion->mass || !motion->factor || !motion->node0 || !motion->Ji) {
+	motion->factor_q = calloc(nodes, sizeof *motion->factor_q);
+	if (!good || !motion->mass || !motion->factor || !motion->node0 || !motion->Ji ||
+	    !motion->factor_q) {
 		hawser__rod_motion_clear(motion);
 		return hawser__no_memory(report, "rod");
 	}
@@ -106,6 +69,7 @@ void hawser__rod_motion_clear(struct hawser__rod_motion *motion)
 	free(motion->factor);
 	free(motion->node0);
 	free(motion->Ji);
+	free(motion->factor_q);
 	memset(motion, 0, sizeof *motion);
 }
 
@@ -154,173 +118,6 @@ enum hawser_status hawser__rod_motion_begin(struct hawser__rod_motion *motion, i
 
 /* --- a step --- */
 
-/* The state, from the increments of the step. Returns 1 if a node turns too far. */
-static int place(struct hawser__rod_motion *motion, const struct scheme *s, double h)
-{
-	struct hawser__rod_mesh *mesh = motion->mesh;
-
-	motion->spun = -1;
-	for (int i = 0; i < mesh->nodes; i++) {
-		struct hawser__rod_node *node = &mesh->node[i];
-		const double *d = motion->step[i];
-
-		*node = motion->node0[i];
-		for (int k = 0; k < 3; k++)
-			node->x[k] += d[k];
-		hawser__quaternion_turn(node->q, d + 3);
-		if (!(hawser__dot(d + 3, d + 3) < SPUN*SPUN))
-			motion->spun = i;
-		for (int k = 0; k < HAWSER__ROD_FREE; k++) {
-			double u = motion->velocity0[i][k], a = motion->mean0[i][k];
-			double a1 = (d[k] - h*u - h*h*(0.5 - s->b)*a)/(s->b*h*h);
-
-			motion->mean[i][k] = a1;
-			motion->velocity[i][k] = u + h*((1.0 - s->g)*a + s->g*a1);
-			motion->rate[i][k] = ((1.0 - s->am)*a1 + s->am*a - s->af*motion->rate0[i][k])/
-			                     (1.0 - s->af);
-		}
-	}
-	hawser__rod_motion_hold(motion, motion->t + h);
-	return motion->spun >= 0;
-}
-
-/* Increments of held ends, as they have moved; their mean rates are the rates. */
-static void held_steps(struct hawser__rod_motion *motion)
-{
-	struct hawser__rod_mesh *mesh = motion->mesh;
-
-	for (int end = 0; end < 2; end++) {
-		int i = end ? mesh->nodes - 1 : 0;
-		const unsigned char *held = mesh->held + (long)HAWSER__ROD_FREE*i;
-		double by[6], between[4];
-
-		for (int k = 0; k < 3; k++)
-			by[k] = mesh->node[i].x[k] - motion->node0[i].x[k];
-		hawser__quaternion_between(between, motion->node0[i].q, mesh->node[i].q);
-		(void)hawser__quaternion_log(by + 3, between);
-		for (int k = 0; k < HAWSER__ROD_FREE; k++)
-			if (held[k]) {
-				motion->step[i][k] = by[k];
-				motion->mean[i][k] = motion->rate[i][k];
-			}
-	}
-}
-
-/* First increments: the polynomial through the places of the last steps, with the velocity; an
- * extrapolation of rates would excite what is stiff. */
-static void predict(struct hawser__rod_motion *motion, double h)
-{
-	double h1 = motion->past_h, all = h1 + motion->past2_h;
-
-	for (int i = 0; i < motion->mesh->nodes; i++)
-		for (int k = 0; k < HAWSER__ROD_FREE; k++) {
-			double u = motion->velocity0[i][k], square = 0.5*motion->rate0[i][k], cube = 0.0, near, far;
-
-			if (h1 > 0.0)
-				square = near = (u*h1 - motion->past[i][k])/(h1*h1);
-			if (h1 > 0.0 && motion->past2_h > 0.0) {
-				far = (u*all - motion->past[i][k] - motion->past2[i][k])/(all*all);
-				cube = (near - far)/motion->past2_h;
-				square = near + cube*h1;
-			}
-			motion->step[i][k] = motion->mesh->held[HAWSER__ROD_FREE*i + k]
-				? 0.0 : h*(u + h*(square + h*cube));
-		}
-}
-
-/* Add the solution to the increments; returns the largest, in lengths of the rod and rad. */
-static double correct(struct hawser__rod_motion *motion)
-{
-	const struct hawser__rod_mesh *mesh = motion->mesh;
-	double most = 0.0;
-
-	for (int i = 0; i < mesh->n; i++)
-		if (mesh->held[i])
-			mesh->r[i] = 0.0; /* round-off of the factors */
-	for (int i = 0; i < mesh->nodes; i++) {
-		const double *by = mesh->r + (long)HAWSER__ROD_FREE*i;
-		double turn[3], size = sqrt(hawser__dot(by, by))/mesh->rod->length +
-		                       sqrt(hawser__dot(by + 3, by + 3));
-
-		if (!isfinite(size))
-			return INFINITY;
-		most = fmax(most, size);
-		hawser__apply(turn, motion->Ji[i], by + 3);
-		for (int k = 0; k < 3; k++) {
-			motion->step[i][k] += by[k];
-			motion->step[i][3 + k] += turn[k];
-		}
-	}
-	return most;
-}
-
-/* Factors of the matrix; 1: it is singular. mesh->r is not solved for yet. */
-static int factor(struct hawser__rod_motion *motion, double h)
-{
-	struct hawser__rod_mesh *mesh = motion->mesh;
-
-	for (int i = 0; i < mesh->n; i++)
-		if (mesh->held[i])
-			(void)hawser__band_hold(&mesh->band, i);
-	motion->factored++;
-	motion->contraction = 1.0; /* not known */
-	motion->factor_h = h;
-	return hawser__band_factor(&mesh->band);
-}
-
-static void turns(struct hawser__rod_motion *motion)
-{
-	for (int i = 0; i < motion->mesh->nodes; i++) {
-		struct hawser__so3 at;
-
-		hawser__so3_at(&at, motion->step[i] + 3);
-		hawser__so3_ji(motion->Ji[i], &at);
-	}
-}
-
-/* Newton's method for the increments; 1: it has converged. The matrix is that of an earlier step as
- * long as increments fall quickly with it. */
-static int newton(struct hawser__rod_motion *motion, const struct scheme *s, double h)
-{
-	struct hawser__rod_mesh *mesh = motion->mesh;
-	double last = INFINITY, left;
-	int anew = motion->factor_h != h;
-
-	motion->by_place = 1.0;
-	motion->to_velocity = s->g/(s->b*h);
-	motion->to_rate = (1.0 - s->am)/(s->b*h*h*(1.0 - s->af));
-	motion->undefined = 0;
-	for (int i = 0; i < ITERATIONS; i++) {
-		double size, ratio;
-
-		if (place(motion, s, h))
-			return 0;
-		if (i == 0)
-			held_steps(motion);
-		turns(motion);
-		if (hawser__rod_motion_form(motion, motion->t + h, anew))
-			return 0;
-		if (anew && factor(motion, h))
-			return 0;
-		hawser__band_solve(&mesh->band, mesh->r);
-		size = correct(motion);
-		motion->iterations++;
-		motion->increment = size;
-		motion->undefined = !isfinite(size);
-		if (motion->undefined)
-			return 0;
-		ratio = i > 0 ? size/last : anew ? 1.0 : motion->contraction;
-		if (i > 0)
-			motion->contraction = fmax(0.3*motion->contraction, ratio);
-		left = anew ? fmin(SQUARE*size*size, size) : ratio < 1.0 ? size*ratio/(1.0 - ratio) : size;
-		if (left <= TOLERANCE || (i > 0 && size < NEAR && ratio > 0.5))
-			return !place(motion, s, h);
-		anew = i > 0 && ratio > SLOW;
-		last = size;
-	}
-	return 0;
-}
-
 static void keep(struct hawser__rod_motion *motion, double h)
 {
 	size_t nodes = (size_t)motion->mesh->nodes;
@@ -359,7 +156,8 @@ static void restore(struct hawser__rod_motion *motion, double h)
 
 /* Largest local error, c h^3 x''', by the increments of the last steps, turns times the rod's length; 0
  * if it is not known. */
-static double local_error(const struct hawser__rod_motion *motion, const struct scheme *s, double h)
+static double local_error(const struct hawser__rod_motion *motion,
+                          const struct hawser__rod_scheme *s, double h)
 {
 	double h1 = motion->past_h, h2 = motion->past2_h, most = 0.0, a0, a1, part;
 
@@ -400,13 +198,13 @@ static void finish(struct hawser__rod_motion *motion, double h)
  * local error, motion->error, is more than limit. */
 static int attempt(struct hawser__rod_motion *motion, double h, double limit)
 {
-	struct scheme s = scheme_of(motion->rho_inf);
+	struct hawser__rod_scheme s = hawser__rod_scheme_of(motion->rho_inf);
 	int done;
 
 	keep(motion, h);
 	hawser__rod_motion_factors(motion, motion->t + h, 0);
-	predict(motion, h);
-	done = newton(motion, &s, h);
+	hawser__rod_motion_predict(motion, h);
+	done = hawser__rod_motion_newton(motion, &s, h);
 	motion->error = done ? local_error(motion, &s, h) : 0.0;
 	if (done && motion->error <= limit) {
 		finish(motion, h);
@@ -434,8 +232,9 @@ static enum hawser_status failed(const struct hawser__rod_motion *motion, double
 	if (motion->spun >= 0)
 		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "rod", "at %.9g s the rod at %.6g m "
 		                    "turns by more than %g rad in a step of %.3g s: give a shorter step",
-		                    motion->t, mesh->s[motion->spun], SPUN, h);
-	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "rod", ITERATIONS, motion->increment,
+		                    motion->t, mesh->s[motion->spun], HAWSER__ROD_SPUN, h);
+	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "rod", HAWSER__ROD_ITERATIONS,
+	                       motion->increment,
 	                       "at %.9g s no step of %.3g s or longer has a solution: give a shorter "
 	                       "step, or more elements", motion->t, h);
 }

@@ -8,8 +8,8 @@
  * An end of the mesh that is held (mesh->held) may move as a `guide` says. Loads that are not in the
  * scene, such as drag, are a function with its derivatives. Rigid bodies are at nodes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_ROD_MOTION_H
-#define HAWSER_ROD_MOTION_H
+#ifndef HAWSER_ROD_STEPS_H
+#define HAWSER_ROD_STEPS_H
 
 #include "rod/mesh.h"
 
@@ -89,6 +89,7 @@ struct hawser__rod_motion {
 	double to_velocity, to_rate;     /* derivatives of velocities and rates by the step's increments */
 	double by_place;                 /* 1: derivatives by places are wanted; 0: they are not */
 	double factor_h;                 /* s: step of the factors; 0: there are none */
+	double (*factor_q)[4];           /* [nodes] axes of the state of the factors */
 	double contraction;              /* of an increment to the next one, with these factors */
 	double error;                    /* m, of this step: the local error */
 	double drift;                    /* m, sum of the local errors */
@@ -138,6 +139,22 @@ int hawser__rod_motion_rates(struct hawser__rod_motion *motion, double t);
 void hawser__rod_motion_hold(struct hawser__rod_motion *motion, double t);
 /* Factors of the scene's loads at time t, before (0) or after (1) a jump at that time. */
 void hawser__rod_motion_factors(struct hawser__rod_motion *motion, double t, int after);
+
+/* --- motion_newton.c --- */
+
+enum { HAWSER__ROD_ITERATIONS = 12 }; /* of a step: those that converge take 2 to 5 */
+#define HAWSER__ROD_SPUN 2.0 /* rad, of a node in a step: Ji is singular at 2 pi */
+
+/* Of a step, see motion_newton.c; c: of the local error c h^3 x''''. */
+struct hawser__rod_scheme {
+	double am, af, g, b, c;
+};
+struct hawser__rod_scheme hawser__rod_scheme_of(double rho_inf);
+/* First increments of a step. */
+void hawser__rod_motion_predict(struct hawser__rod_motion *motion, double h);
+/* The step from these: the state at its end; 1: it has converged. */
+int hawser__rod_motion_newton(struct hawser__rod_motion *motion, const struct hawser__rod_scheme *s,
+                              double h);
 
 /* --- motion_ledger.c --- */
 

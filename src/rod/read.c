@@ -151,8 +151,8 @@ static enum hawser_status hold(struct hawser__reader *reader, enum hawser_rod_ho
 }
 
 /* A direction, which must not be 0. */
-static enum hawser_status direction(struct hawser__reader *reader, double *to,
-                                    const struct hawser__tree *tree, const char *what)
+enum hawser_status hawser__rod_direction(struct hawser__reader *reader, double *to,
+                                         const struct hawser__tree *tree, const char *what)
 {
 	enum hawser_status status = hawser__tree_vector(reader, to, 3, tree, what, "1");
 
@@ -174,10 +174,10 @@ static enum hawser_status axes(struct hawser__reader *reader, double tangent[3],
 
 	snprintf(what, sizeof what, "%s.tangent", section);
 	if (along)
-		status = direction(reader, tangent, along, what);
+		status = hawser__rod_direction(reader, tangent, along, what);
 	snprintf(what, sizeof what, "%s.normal", section);
 	if (!status && across)
-		status = direction(reader, normal, across, what);
+		status = hawser__rod_direction(reader, normal, across, what);
 	if (status)
 		return status;
 	if (!across) {
@@ -202,12 +202,14 @@ static enum hawser_status start(struct hawser__reader *reader, struct hawser_rod
 	enum hawser_status status = HAWSER_OK;
 
 	if (tree)
-		status = hawser__tree_keys(reader, tree, "start", "at, tangent, normal, hold");
+		status = hawser__tree_keys(reader, tree, "start", "at, tangent, normal, hold, spin, path");
 	if (!status && at)
 		status = hawser__tree_vector(reader, rod->at, 3, at, "start.at", "m");
 	if (!status)
 		status = axes(reader, rod->tangent, rod->normal, tree, "start");
-	return status ? status : hold(reader, &rod->hold[0], tree, "start.hold");
+	if (!status)
+		status = hold(reader, &rod->hold[0], tree, "start.hold");
+	return status ? status : hawser__rod_read_drive(reader, rod, 0, tree);
 }
 
 static enum hawser_status end(struct hawser__reader *reader, struct hawser_rod *rod,
@@ -215,7 +217,8 @@ static enum hawser_status end(struct hawser__reader *reader, struct hawser_rod *
 {
 	const struct hawser__tree *at = hawser__tree_find(tree, "at");
 	const struct hawser__tree *tangent = hawser__tree_find(tree, "tangent");
-	enum hawser_status status = hawser__tree_keys(reader, tree, "end", "at, tangent, normal, hold");
+	enum hawser_status status = hawser__tree_keys(reader, tree, "end",
+	                                              "at, tangent, normal, hold, spin, path");
 
 	if (!status)
 		status = hold(reader, &rod->hold[1], tree, "end.hold");
@@ -234,34 +237,7 @@ static enum hawser_status end(struct hawser__reader *reader, struct hawser_rod *
 		status = axes(reader, rod->end_tangent, rod->end_normal, tree, "end");
 	rod->placed = at != NULL;
 	rod->turned = tangent != NULL;
-	return status;
-}
-
-static enum hawser_status dynamics(struct hawser__reader *reader, struct hawser_rod *rod,
-                                   const struct hawser__tree *root)
-{
-	const struct hawser__tree *damping = hawser__tree_find(root, "damping"), *rho;
-	const struct hawser__tree *tree = hawser__tree_find(root, "dynamics");
-	enum hawser_status status = damping ? hawser__tree_keys(reader, damping, "damping", "alpha")
-	                                    : HAWSER_OK;
-
-	if (!status && damping)
-		status = hawser__tree_number_of(reader, &rod->alpha, damping, "damping", "alpha", "s^-1",
-		                                HAWSER__TREE_NOT_NEGATIVE, 1);
-	if (status || !tree)
-		return status;
-	status = hawser__tree_keys(reader, tree, "dynamics", "rho_inf, step");
-	if (!status)
-		status = hawser__tree_number_of(reader, &rod->rho_inf, tree, "dynamics", "rho_inf", "1",
-		                                HAWSER__TREE_NOT_NEGATIVE, 0);
-	rho = hawser__tree_find(tree, "rho_inf");
-	if (!status && rod->rho_inf > 1.0)
-		status = hawser__reader_fail(reader, &rho->at, "dynamics.rho_inf: %.9g is above 1: from 0 "
-		                             "(what is faster than the step is damped) to 1 (nothing is)",
-		                             rod->rho_inf);
-	return status ? status
-		: hawser__tree_number_of(reader, &rod->step, tree, "dynamics", "step", "s",
-		                         HAWSER__TREE_POSITIVE, 0);
+	return status ? status : hawser__rod_read_drive(reader, rod, 1, tree);
 }
 
 static enum hawser_status interpret(struct hawser__reader *reader, struct hawser_rod *rod,
@@ -294,7 +270,7 @@ static enum hawser_status interpret(struct hawser__reader *reader, struct hawser
 	tree = hawser__tree_find(root, "loads");
 	if (!status && tree)
 		status = hawser__rod_read_loads(reader, rod, tree);
-	return status ? status : dynamics(reader, rod, root);
+	return status ? status : hawser__rod_read_dynamics(reader, rod, root);
 }
 
 int hawser_rod_is(const char *path)
@@ -334,5 +310,7 @@ void hawser_rod_clear(struct hawser_rod *rod)
 	for (int i = 0; i < rod->loads; i++)
 		free(rod->load[i].factor);
 	free(rod->load);
+	free(rod->drive[0].path);
+	free(rod->drive[1].path);
 	memset(rod, 0, sizeof *rod);
 }

@@ -13,6 +13,17 @@ enum hawser_status hawser__rod_numbers(struct hawser__reader *reader, double *va
                                        const struct hawser__tree *tree, const char *what,
                                        const char *unit, enum hawser__tree_range range)
 	HAWSER_MUST_CHECK;
+/* A direction, which must not be 0. */
+enum hawser_status hawser__rod_direction(struct hawser__reader *reader, double *to /* [3] */,
+                                         const struct hawser__tree *tree, const char *what)
+	HAWSER_MUST_CHECK;
+/* read_dynamics.c: `damping` and `dynamics`; `spin` and `path` of the start (0) or end, if `tree` is
+ * not NULL. */
+enum hawser_status hawser__rod_read_dynamics(struct hawser__reader *reader, struct hawser_rod *rod,
+                                             const struct hawser__tree *root) HAWSER_MUST_CHECK;
+enum hawser_status hawser__rod_read_drive(struct hawser__reader *reader, struct hawser_rod *rod,
+                                          int end, const struct hawser__tree *tree)
+	HAWSER_MUST_CHECK;
 /* read_loads.c: `loads`; the length of the rod is known. */
 enum hawser_status hawser__rod_read_loads(struct hawser__reader *reader, struct hawser_rod *rod,
                                           const struct hawser__tree *tree) HAWSER_MUST_CHECK;

@@ -229,7 +229,8 @@ int hawser__rod_flow(struct hawser__rod_mesh *mesh, struct hawser__rod_effort *e
 
 enum hawser_status hawser__rod_equilibrium(struct hawser__rod_mesh *mesh,
                                            struct hawser__rod_effort *effort, int start, int count,
-                                           double tolerance, struct hawser_report *report)
+                                           const double *factors, double tolerance,
+                                           struct hawser_report *report)
 {
 	const struct hawser_rod *rod = mesh->rod;
 	double *factor = malloc(((size_t)rod->loads + 1)*sizeof *factor);
@@ -239,7 +240,7 @@ enum hawser_status hawser__rod_equilibrium(struct hawser__rod_mesh *mesh,
 	if (!factor)
 		return hawser__no_memory(report, "statics");
 	for (int i = 0; i < rod->loads; i++)
-		factor[i] = 1.0;
+		factor[i] = factors ? factors[i] : 1.0;
 	hawser__rod_loads(mesh, factor, 1.0);
 	if (!(unit(mesh) < INFINITY)) {
 		free(factor);

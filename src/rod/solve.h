@@ -11,11 +11,13 @@ struct hawser__rod_effort {
 	int bent;                    /* element that turned by pi or more when it failed last; -1: none */
 };
 
-/* Find the equilibrium under full load from the state, which is one with none (`start` 0) or near that
- * with full load (1). The last increment is at most `tolerance`. */
+/* Find the equilibrium under full load, each load times factor [loads] (NULL: 1), from the state,
+ * which is one with none (`start` 0) or near that with full load (1). The last increment is at most
+ * `tolerance`. */
 enum hawser_status hawser__rod_equilibrium(struct hawser__rod_mesh *mesh,
                                            struct hawser__rod_effort *effort, int start, int steps,
-                                           double tolerance, struct hawser_report *report)
+                                           const double *factors, double tolerance,
+                                           struct hawser_report *report)
 	HAWSER_MUST_CHECK;
 
 /* The equilibrium under the full load, which is set, by a damped motion from rest; 1: found. */

@@ -117,8 +117,8 @@ static enum hawser_status check(struct hawser_rod_statics *st, const struct haws
 
 	if (!status) {
 		refine(&fine, mesh);
-		status = hawser__rod_equilibrium(&fine, &effort, 1, options->steps, options->tolerance,
-		                                 &st->unchecked);
+		status = hawser__rod_equilibrium(&fine, &effort, 1, options->steps, NULL,
+		                                 options->tolerance, &st->unchecked);
 	}
 	if (!status)
 		status = hawser__rod_points(&other, &fine, &st->unchecked);
@@ -133,7 +133,7 @@ static enum hawser_status solve(struct hawser_rod_statics *st, struct hawser__ro
                                 const struct hawser_rod_options *options, struct hawser_report *report)
 {
 	struct hawser__rod_effort effort;
-	enum hawser_status status = hawser__rod_equilibrium(mesh, &effort, 0, options->steps,
+	enum hawser_status status = hawser__rod_equilibrium(mesh, &effort, 0, options->steps, NULL,
 	                                                    options->tolerance, report);
 
 	if (status)

@@ -25,6 +25,7 @@
 #include <hawser/irvine.h>
 #include <hawser/line.h>
 #include <hawser/rod.h>
+#include <hawser/rod_motion.h>
 #include <hawser/ropeway.h>
 #include <hawser/line_modes.h>
 #include <hawser/ropeway_modes.h>
@@ -181,9 +182,14 @@ static const struct row {
 	ROW(hawser_line_sheave),
 	ROW(hawser_line_statics),
 	ROW(hawser_rod),
+	ROW(hawser_rod_drive),
+	ROW(hawser_rod_frame),
 	ROW(hawser_rod_load),
+	ROW(hawser_rod_motion),
+	ROW(hawser_rod_motion_options),
 	ROW(hawser_rod_options),
 	ROW(hawser_rod_point),
+	ROW(hawser_rod_scheme),
 	ROW(hawser_rod_segment),
 	ROW(hawser_rod_statics),
 	ROW(hawser_ropeway),

@@ -1,0 +1,143 @@
+/* rod/motion_state.c - the state of a motion as numbers, and in a file: 17 digits, so that a run goes
+ * on bit by bit.
+ *
+ * A file is the line "hawser rod state 1 COUNT" and then one number a line: those of `heads`, and of
+ * each node place, quaternion and `parts`. The first is a check sum of the lengths and stiffnesses of
+ * the elements: another rod with as many nodes is not taken for this one.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "rod/run.h"
+
+enum { HEAD = 43, PARTS = 5, NODE = 7 + 6*PARTS };
+static const char format[] = "hawser rod state 1 %d";
+
+static double check_sum(const struct hawser__rod_mesh *mesh)
+{
+	unsigned long long sum = 2166136261U;
+
+	for (int e = 0; e < mesh->elements; e++) {
+		const struct hawser__rod_element *el = &mesh->element[e];
+		const double of[] = {el->h, el->EA[0], el->EA[1], el->EA[2], el->EI[0], el->EI[1], el->EI[2]};
+
+		for (size_t i = 0; i < sizeof of/sizeof *of; i++) {
+			unsigned long long bits;
+
+			memcpy(&bits, &of[i], sizeof bits);
+			sum = (sum ^ bits)*1099511628211ULL;
+		}
+	}
+	return (double)(sum >> 12); /* a whole number below 2^52, which a double holds */
+}
+
+/* Numbers that are not of a node: their addresses. */
+static void heads(double *head[HEAD], struct hawser__rod_motion *motion, double *h, double *turned)
+{
+	double *const list[] = {&motion->t, h, turned, &motion->past_h, &motion->past2_h,
+	                        &motion->start_energy, &motion->most_energy, &motion->most_momentum,
+	                        &motion->most_angular, &motion->energy_lost, &motion->momentum_gap,
+	                        &motion->angular_gap, &motion->drift, &motion->h, &motion->energy.kinetic,
+	                        &motion->energy.strain, &motion->energy.height, &motion->energy.work,
+	                        &motion->energy.pushed, &motion->energy.support, &motion->energy.damped};
+	double *const triple[] = {motion->momentum.linear, motion->momentum.angular, motion->momentum.force,
+	                          motion->momentum.moment, motion->start, motion->start + 3};
+	int count = 0;
+
+	for (size_t i = 0; i < sizeof list/sizeof *list; i++)
+		head[count++] = list[i];
+	for (size_t i = 0; i < sizeof triple/sizeof *triple; i++)
+		for (int k = 0; k < 3; k++)
+			head[count++] = triple[i] + k;
+	while (count < HEAD)
+		head[count++] = NULL;
+}
+
+/* The numbers in their order: out of the motion (to 1), or into it. */
+static void copy(double *state, struct hawser__rod_motion *motion, double *h, double *turned, int to)
+{
+	double *head[HEAD];
+	double (*const part[PARTS])[6] = {motion->velocity, motion->rate, motion->mean, motion->past,
+	                                  motion->past2};
+
+	heads(head, motion, h, turned);
+	for (int i = 0; i < HEAD; i++, state++)
+		if (head[i])
+			*(to ? state : head[i]) = *(to ? head[i] : state);
+	for (int i = 0; i < motion->mesh->nodes; i++) {
+		struct hawser__rod_node *node = &motion->mesh->node[i];
+
+		memcpy(to ? state : node->x, to ? node->x : state, 3*sizeof *state);
+		memcpy(to ? state + 3 : node->q, to ? node->q : state + 3, 4*sizeof *state);
+		state += 7;
+		for (int p = 0; p < PARTS; p++, state += 6)
+			memcpy(to ? state : part[p][i], to ? part[p][i] : state, 6*sizeof *state);
+	}
+}
+
+enum hawser_status hawser__rod_state_save(double **state, int *states,
+                                          const struct hawser__rod_motion *motion, double h,
+                                          double turned, struct hawser_report *report)
+{
+	struct hawser__rod_motion same = *motion;
+
+	*states = 1 + HEAD + NODE*motion->mesh->nodes;
+	*state = calloc((size_t)*states, sizeof **state);
+	if (!*state)
+		return hawser__no_memory(report, "rod");
+	(*state)[0] = check_sum(motion->mesh);
+	copy(*state + 1, &same, &h, &turned, 1);
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser__rod_state_read(struct hawser__rod_motion *motion, double *h, double *turned,
+                                          const char *path, struct hawser_report *report)
+{
+	FILE *file = fopen(path, "r");
+	int count = 0, want = 1 + HEAD + NODE*motion->mesh->nodes, good;
+	double *state;
+
+	if (!file)
+		return hawser__fail(report, hawser__unreadable(errno), "rod",
+		                    "cannot read the state in %s: %s", path, strerror(errno));
+	state = malloc((size_t)want*sizeof *state);
+	/* NOLINTNEXTLINE(cert-err34-c): overflow is a wrong count */
+	good = state && fscanf(file, format, &count) == 1 && count == want;
+	for (int i = 0; i < want && good; i++) /* NOLINTNEXTLINE(cert-err34-c): overflow is not finite */
+		good = fscanf(file, "%lf", &state[i]) == 1 && isfinite(state[i]);
+	fclose(file);
+	good = good && state[0] == check_sum(motion->mesh);
+	if (good)
+		copy(state + 1, motion, h, turned, 0);
+	free(state);
+	return good ? HAWSER_OK
+		: !state ? hawser__no_memory(report, "rod")
+		: hawser__fail(report, HAWSER_ERR_ARGUMENT, "rod", "%s is no state of this rod with %d "
+		               "elements: give a file that a run of this scene has written with --state", path,
+		               motion->mesh->elements);
+}
+
+enum hawser_status hawser_rod_state_write(const struct hawser_rod_motion *motion, const char *path,
+                                          struct hawser_report *report)
+{
+	FILE *file = fopen(path, "w");
+	int bad;
+
+	if (!file)
+		return hawser__fail(report, HAWSER_ERR_IO, "rod", "cannot write the state to %s: %s", path,
+		                    strerror(errno));
+	fprintf(file, format, motion->states);
+	for (int i = 0; i < motion->states; i++)
+		fprintf(file, "\n%.17g", motion->state[i]);
+	fprintf(file, "\n");
+	bad = ferror(file);
+	return fclose(file) || bad
+		? hawser__fail(report, HAWSER_ERR_IO, "rod", "cannot write the state to %s: %s", path,
+		               strerror(errno)) : HAWSER_OK;
+}

@@ -1,0 +1,43 @@
+/* rod/run.h - a motion with its rows: what integrate.c and its parts share.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_ROD_RUN_H
+#define HAWSER_ROD_RUN_H
+
+#include <hawser/rod_motion.h>
+
+#include "rod/drive.h"
+#include "rod/motion.h"
+
+/* A motion on a mesh. */
+struct hawser__rod_twin {
+	struct hawser__rod_mesh mesh;
+	struct hawser__rod_motion motion;
+	struct hawser__rod_drive drive[2];
+	int parts;               /* steps to one of the first motion */
+	int live;                /* 0: it has failed, or is not wanted */
+};
+
+/* begin.c: mesh, supports and the state at t = 0. The structure must stay where it is. */
+enum hawser_status hawser__rod_twin_open(struct hawser__rod_twin *twin, const struct hawser_rod *rod,
+                                         int refine, double until, int rest,
+                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser__rod_twin_clear(struct hawser__rod_twin *twin);
+
+/* rows.c: memory for these rows; the state as the next row, of which the caller may end the run. */
+enum hawser_status hawser__rod_rows_open(struct hawser_rod_motion *to, size_t rows, size_t probes,
+                                         size_t nodes, struct hawser_report *report) HAWSER_MUST_CHECK;
+enum hawser_status hawser__rod_row(struct hawser_rod_motion *to, struct hawser__rod_twin *twin,
+                                   double turned, const struct hawser_rod_motion_options *options,
+                                   struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* motion_state.c: the state as numbers, with the next step's length h; *state [*states] is
+ * allocated. */
+enum hawser_status hawser__rod_state_save(double **state, int *states,
+                                          const struct hawser__rod_motion *motion, double h,
+                                          double turned, struct hawser_report *report)
+	HAWSER_MUST_CHECK;
+enum hawser_status hawser__rod_state_read(struct hawser__rod_motion *motion, double *h, double *turned,
+                                          const char *path, struct hawser_report *report)
+	HAWSER_MUST_CHECK;
+
+#endif
