@@ -35,6 +35,9 @@ dist_scenes_DATA = \
 	%D%/scenes/net-dragged.yaml \
 	%D%/scenes/net-impact.yaml \
 	%D%/scenes/net-pendulum.yaml \
+	%D%/scenes/net-belt.yaml \
+	%D%/scenes/net-table-3-6.yaml \
+	%D%/scenes/span-seabed.yaml \
 	%D%/scenes/net-seabed.yaml \
 	%D%/scenes/net-table-3-1.yaml \
 	%D%/scenes/stay-anchorage.yaml \

@@ -1,7 +1,7 @@
 # tests of nets
 NET_TESTS = tests/reference/test-net tests/reference/test-net-contact tests/reference/test-net-impact \
 	tests/property/test-net-catenary \
-	tests/property/test-net-equilibria
+	tests/property/test-net-equilibria tests/reference/test-net-contact-modes
 check_PROGRAMS += $(NET_TESTS)
 TESTS += $(NET_TESTS)
 tests_reference_test_net_SOURCES = tests/reference/test-net.c
@@ -10,6 +10,8 @@ tests_reference_test_net_contact_SOURCES = tests/reference/test-net-contact.c
 tests_reference_test_net_contact_LDADD = $(UPTO_NET)
 tests_reference_test_net_impact_SOURCES = tests/reference/test-net-impact.c
 tests_reference_test_net_impact_LDADD = $(UPTO_NET)
+tests_reference_test_net_contact_modes_SOURCES = tests/reference/test-net-contact-modes.c
+tests_reference_test_net_contact_modes_LDADD = $(UPTO_NET)
 tests_property_test_net_catenary_SOURCES = tests/property/test-net-catenary.c
 tests_property_test_net_catenary_LDADD = $(UPTO_NET)
 tests_property_test_net_equilibria_SOURCES = tests/property/test-net-equilibria.c

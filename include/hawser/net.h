@@ -71,12 +71,22 @@ struct hawser_net_path {
 	int points;
 };
 
+/* About which state of contact modes are. SLIP: nodes that touch move along the obstacles; STICK: those
+ * that touch one with friction do not move; STATICS: each as the statics has it. */
+enum hawser_net_contact_modes {
+	HAWSER_NET_MODES_STATICS = 0, HAWSER_NET_MODES_SLIP, HAWSER_NET_MODES_STICK
+};
+
+/* What a node does at the obstacles. */
+enum hawser_net_contact_state { HAWSER_NET_OPEN = 0, HAWSER_NET_SLIP, HAWSER_NET_STICK };
+
 /* `contact` of the scene. */
 struct hawser_net_contact_given {
 	int history;        /* 1: friction follows the way of the supports; 0: none in statics, but that of
 	                     * surfaces that move */
 	int steps;          /* of the way, between two of its points */
 	double restitution; /* of impacts */
+	enum hawser_net_contact_modes modes;
 	struct hawser_net_path *path; /* [paths] */
 	int paths;
 };

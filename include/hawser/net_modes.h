@@ -2,7 +2,8 @@
  *
  * K*phi = omega^2*M*phi over the nodes of the mesh: K is the second derivative of the energy at the
  * equilibrium, M the mean of the consistent and the lumped mass matrix. Supports stand still. Slack
- * elements have no stiffness.
+ * elements have no stiffness. Nodes that touch obstacles keep touching (contact.modes), and K has the
+ * curvature of the obstacles times their forces.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_NET_MODES_H
@@ -48,6 +49,9 @@ struct hawser_net_modes {
 	double *along;        /* [n] of the kinetic energy of cables, that of motion along them */
 	double *residual;     /* [n] bound of the relative error of omega, as that of the mesh; that of the
 	                       * mesh itself is not in it */
+	double *corners;      /* [n] rad/s: where cables slide over circles, the square of this may be
+	                       * missing in omega^2 or too much, by the corners of the mesh; it falls
+	                       * with the length of the elements. Else 0 */
 	struct hawser_net_symmetry symmetry;
 	/* [n][1 + HAWSER_NET_MIRRORS] part of the kinetic energy that is symmetric minus the part that is
 	 * antisymmetric, -1 to 1: to the plane of the net (1: in it, -1: normal to it), then to each mirror
@@ -68,12 +72,21 @@ struct hawser_net_modes {
 	int *cable;           /* [points] */
 	double *S;            /* [points] m, unstretched length from the end `from` of the cable */
 	int slack;            /* elements without tension, which have no stiffness */
+	/* Of nets with obstacles; else none: */
+	enum hawser_net_contact_modes how;
+	struct hawser_net_contact *contact; /* [contacts] as in the statics; `sticks`: in the modes */
+	int contacts;
+	unsigned char *state; /* [points] enum hawser_net_contact_state; NULL without obstacles */
+	int doubtful;         /* touches without gap and without force: the modes are those without them,
+	                       * and others with them */
+	int barely;           /* a point with one, if doubtful is above 0 */
 	int unknowns, iterations; /* iterations: solutions with the factors of K */
 };
 /* The first n modes; 0: 6, or all if there are fewer. Of two equal frequencies the modes are chosen
  * symmetric or antisymmetric to the planes that there are. HAWSER_ERR_NO_SOLUTION if elements are
  * slack and the net is not held without them, if one is neither slack nor taut, or if nothing that
- * moves has a mass; HAWSER_ERR_CONVERGENCE. */
+ * moves has a mass, or if the equilibrium on its obstacles is not stable; HAWSER_ERR_ARGUMENT for
+ * contact.modes: stick where nothing can stick; HAWSER_ERR_CONVERGENCE. */
 enum hawser_status hawser_net_modes_solve(struct hawser_net_modes *modes, const struct hawser_net *net,
                                           int n, struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_net_modes_clear(struct hawser_net_modes *modes);

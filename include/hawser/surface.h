@@ -18,22 +18,32 @@ enum { HAWSER_SURFACE_NAME = 32 }; /* size of a name, with the NUL at its end */
 
 enum hawser_surface_kind { HAWSER_SURFACE_PLANE = 0, HAWSER_SURFACE_SEGMENT, HAWSER_SURFACE_CIRCLE };
 
-/* Where cables are. ABOVE, BELOW: of a circle, which way they pass it; LEFT, RIGHT: of a segment that
- * is vertical; INSIDE: of a circle, which is then a pipe. Planes have their normal instead. */
+/* Where cables are. ABOVE, BELOW: of a circle, which way they pass it; LEFT, RIGHT: of a segment
+ * that is vertical; INSIDE: of a circle, which is then a pipe; AROUND: of a circle, where the
+ * places of nodes lead the cables, as a belt. Planes have their normal instead. */
 enum hawser_surface_side {
-	HAWSER_SIDE_ABOVE = 0, HAWSER_SIDE_BELOW, HAWSER_SIDE_LEFT, HAWSER_SIDE_RIGHT, HAWSER_SIDE_INSIDE
+	HAWSER_SIDE_ABOVE = 0, HAWSER_SIDE_BELOW, HAWSER_SIDE_LEFT, HAWSER_SIDE_RIGHT, HAWSER_SIDE_INSIDE,
+	HAWSER_SIDE_AROUND
 };
+
+/* What a circle does. FREE: it turns without resistance, so that friction does not change tensions;
+ * DRIVE: a motor holds or turns it. */
+enum hawser_surface_rotation { HAWSER_SURFACE_LOCKED = 0, HAWSER_SURFACE_FREE, HAWSER_SURFACE_DRIVE };
 
 struct hawser_surface {
 	char name[HAWSER_SURFACE_NAME];
 	enum hawser_surface_kind kind;
 	enum hawser_surface_side side;
-	double at[3];       /* m: a point of the plane, the first end of the segment, the centre */
+	double at[3];       /* m: a point of the plane, the first end of the segment, the centre; z of a
+	                     * centre is that of the groove */
+	int groove;         /* 1: of a circle, holds nodes that touch at z = at[2] */
 	double to[3];       /* m: the other end of the segment */
 	double normal[3];   /* unit vector towards the free side, of planes and segments */
 	double radius;      /* m */
 	double friction;    /* coefficient */
 	double velocity[3]; /* m/s of the surface of a plane, along it */
+	enum hawser_surface_rotation rotation;
+	double inertia;     /* kg*m^2, of a circle that turns freely */
 	double speed;       /* m/s of the surface of a segment, to its other end; of a circle,
 	                     * counterclockwise */
 };

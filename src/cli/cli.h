@@ -334,6 +334,9 @@ void cli_speeding_comment(struct hawser__table *table, const struct cli_model *m
 void cli_warnings_json(struct hawser__json *json, const char *warning);
 /* Print the same on standard error, also with --quiet. */
 void cli_warn(const char *warning);
+/* A file of --vtk, or NULL: its name, and that it can be written. */
+enum hawser_status cli_vtk_check(const char *path, const char *command,
+                                 struct hawser_report *report) HAWSER_MUST_CHECK;
 /* Warn of implausible quantities of the scene (plausible.h). */
 void cli_warn_doubts(const struct hawser_scene *scene);
 enum { CLI_WARNING_SIZE = 1000 };

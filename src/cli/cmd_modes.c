@@ -40,7 +40,7 @@ static const struct cli_option options[] = {
 	{"log", 0, "", "these values at equal ratios", CLI_FLAG(log)},
 	{"vtk", 0, "FILE", "nets: write all shapes to FILE.vtk, for programs such as ParaView",
 	 CLI_TEXT(vtk)},
-	{"contact", 0, "HOW", "on sheaves: slip, stick or roll (the scene's contact.modes)",
+	{"contact", 0, "HOW", "on sheaves and obstacles: slip, stick, roll or statics (contact.modes)",
 	 CLI_TEXT(ropeway.contact)},
 	{"case", 0, "NAME", "ropeways: the load case (full)", CLI_TEXT(ropeway.load_case)},
 	{"sliding", 0, "HOW", "ropeways: running, rest or reverse (the scene's ropeway.sliding)",
@@ -169,7 +169,7 @@ static enum hawser_status run_net(const struct settings *settings, struct hawser
 	enum hawser_status status = cli_outputs_check(&settings->common, report);
 
 	return status ? status : cli_modes_net(&settings->common, settings->n, settings->shapes,
-	                                       settings->vtk, report);
+	                                       settings->vtk, settings->ropeway.contact, report);
 }
 
 /* --over of ropeways and of spans over obstacles. *done is 1 if it was given. */
@@ -227,7 +227,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		{"log", s->log, CLI_SPAN | CLI_ROPEWAY | CLI_OBSTACLES},
 		{"points", s->points != POINTS, CLI_SPAN | CLI_ROPEWAY | CLI_OBSTACLES},
 		{"vtk", s->vtk != NULL, CLI_NET},
-		{"contact", s->ropeway.contact != NULL, CLI_ROPEWAY | CLI_OBSTACLES},
+		{"contact", s->ropeway.contact != NULL, CLI_NET | CLI_ROPEWAY | CLI_OBSTACLES},
 		{"case", s->ropeway.load_case != NULL, CLI_ROPEWAY},
 		{"sliding", s->ropeway.sliding != NULL, CLI_ROPEWAY}, {NULL, 0, 0}};
 	enum cli_kind kind;

@@ -3,8 +3,11 @@
 #include "config.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 #include "cli/contacts_net.h"
+#include "core/report.h"
+#include "output/vtk.h"
 
 static double rubs(const struct hawser_net_contact *contact)
 {
@@ -67,16 +70,13 @@ static const char *state(const struct hawser_net_contact *contact)
 	return !contact ? "open" : contact->sticks ? "stick" : "slip";
 }
 
-void cli_contacts_json(struct hawser__json *json, const struct hawser_net *net,
-                       const struct hawser_net_statics *st)
+void cli_contacts_list(struct hawser__json *json, const struct hawser_net *net,
+                       const struct hawser_net_contact *all, int contacts)
 {
-	json_t *list;
+	json_t *list = hawser__json_array(json, json->root, "contacts");
 
-	if (!net->surfaces)
-		return;
-	list = hawser__json_array(json, json->root, "contacts");
-	for (int i = 0; i < st->contacts; i++) {
-		const struct hawser_net_contact *contact = &st->contact[i];
+	for (int i = 0; i < contacts; i++) {
+		const struct hawser_net_contact *contact = &all[i];
 		json_t *one = hawser__json_object(json, list, NULL);
 
 		hawser__json_text(json, one, "obstacle", net->surface[contact->surface].name);
@@ -91,6 +91,14 @@ void cli_contacts_json(struct hawser__json *json, const struct hawser_net *net,
 		hawser__json_numbers(json, one, "r_T", contact->friction, 3, 1.0);
 		hawser__json_text(json, one, "state", state(contact));
 	}
+}
+
+void cli_contacts_json(struct hawser__json *json, const struct hawser_net *net,
+                       const struct hawser_net_statics *st)
+{
+	if (!net->surfaces)
+		return;
+	cli_contacts_list(json, net, st->contact, st->contacts);
 	hawser__json_number(json, json->root, "complementarity", st->apart);
 }
 
@@ -133,4 +141,41 @@ void cli_contacts_row(struct hawser__table *row, const struct hawser_net *net,
 	hawser__table_number(row, contact ? contact->r : 0.0);
 	hawser__table_number(row, contact ? rubs(contact) : 0.0);
 	hawser__table_word(row, state(contact));
+}
+
+enum hawser_status cli_contacts_vtk(const char *path, const struct hawser_net *net,
+                                    const struct hawser_net_statics *st, struct hawser_report *report)
+{
+	size_t points = (size_t)st->points + 1;
+	int (*end)[2] = malloc(points*sizeof *end), lines = 0;
+	double (*x)[3] = malloc(points*sizeof *x), *value = calloc(4*points, sizeof *value);
+	double *T = value, *touch = T + points, *r = touch + points, *cable = r + points;
+	const struct hawser__vtk_scalar scalar = {"cable", cable},
+	                                mark[] = {{"tension_N", T}, {"contact", touch}, {"r_N", r}};
+	enum hawser_status status = end && x && value ? HAWSER_OK : hawser__no_memory(report, "statics");
+
+	for (int p = 0; p < st->points && !status; p++) {
+		const struct hawser_net_point *point = &st->point[p];
+		const struct hawser_net_contact *contact = net->surfaces ? contact_of(net, st, point) : NULL;
+
+		for (int k = 0; k < 3; k++)
+			x[p][k] = point->x[k];
+		T[p] = point->T;
+		touch[p] = !contact ? HAWSER_NET_OPEN : contact->sticks ? HAWSER_NET_STICK : HAWSER_NET_SLIP;
+		r[p] = contact ? contact->r : 0.0;
+		if (p == 0 || point->cable != point[-1].cable)
+			continue;
+		end[lines][0] = p - 1;
+		end[lines][1] = p;
+		cable[lines++] = point->cable + 1;
+	}
+	if (!status)
+		status = hawser__vtk_write(path, &(struct hawser__vtk){
+			.title = "hawser statics: a net in equilibrium", .points = st->points, .lines = lines,
+			.x = (const double (*)[3])x, .end = (const int (*)[2])end, .scalars = 1, .scalar = &scalar,
+			.marks = net->surfaces ? 3 : 1, .mark = mark}, report);
+	free(end);
+	free(x);
+	free(value);
+	return status;
 }

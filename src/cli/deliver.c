@@ -130,6 +130,16 @@ enum hawser_status cli_outputs_check(const struct cli_common *common, struct haw
 	return cli_outputs_check_with(common, NULL, 0, report);
 }
 
+enum hawser_status cli_vtk_check(const char *path, const char *command, struct hawser_report *report)
+{
+	size_t length = path ? strlen(path) : 0;
+
+	if (path && (length < 5 || strcmp(path + length - 4, ".vtk") != 0))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, command, "--vtk %s: programs tell the kind of "
+		                    "file by its name, which must end in .vtk", path);
+	return hawser__file_check(path, report);
+}
+
 /* perhaps a pipe that nobody reads */
 static int may_block(const char *path)
 {

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/contacts_net.h"
 #include "cli/modes_net.h"
 #include "cli/view.h"
 #include "core/report.h"
@@ -59,6 +60,46 @@ static void symmetry_comments(struct hawser__table *table, const struct hawser_n
 		hawser__table_comment(table, "no plane of symmetry");
 }
 
+static int count_of(const struct hawser_net_modes *modes, int sticks)
+{
+	int count = 0;
+
+	for (int i = 0; i < modes->contacts; i++)
+		count += modes->contact[i].sticks == sticks;
+	return count;
+}
+
+static void contact_comments(struct hawser__table *table, const struct hawser_net_modes *modes)
+{
+	int free = 0;
+
+	if (!modes->state)
+		return;
+	while (free < modes->n && modes->omega[free] == 0.0)
+		free++;
+	hawser__table_comment(table, "contact: %d node%s of the mesh slip along obstacles, %d stick%s",
+	                      count_of(modes, 0), count_of(modes, 0) == 1 ? "" : "s", count_of(modes, 1),
+	                      modes->how == HAWSER_NET_MODES_STATICS ? ", as in the statics" : "");
+	if (free > 0)
+		hawser__table_comment(table, "omega 0: %d motion%s without resistance", free,
+		                      free == 1 ? "" : "s");
+}
+
+/* Modes that the corners of the mesh have changed by more than a hundredth. */
+static void corner_comment(struct hawser__table *table, const struct hawser_net_modes *modes)
+{
+	int worst = -1;
+
+	for (int j = 0; j < modes->n; j++)
+		if (modes->omega[j] > 0.0 && modes->corners[j] > 0.15*modes->omega[j] &&
+		    (worst < 0 || modes->corners[j] > modes->corners[worst]))
+			worst = j;
+	if (worst >= 0)
+		hawser__table_comment(table, "mode %d slides over circles, where the corners of the mesh alone "
+		                      "make a frequency of up to %.4g rad/s: more elements", worst + 1,
+		                      modes->corners[worst]);
+}
+
 static void comments(struct hawser__table *table, const void *of)
 {
 	const struct result *result = of;
@@ -75,6 +116,8 @@ static void comments(struct hawser__table *table, const void *of)
 		                      modes->below, modes->counted, modes->counted == 1 ? "" : "s");
 	else if (modes->below < 0.0)
 		hawser__table_comment(table, "round-off prevents a count of the modes below the last one");
+	contact_comments(table, modes);
+	corner_comment(table, modes);
 	symmetry_comments(table, &modes->symmetry);
 }
 
@@ -85,7 +128,7 @@ enum { TWO = 1, THREE = 2, TURNS = 4 };
 struct row {
 	const struct result *result;
 	int index, waves, pair;
-	double omega, mass, share[3], along, residual;
+	double omega, mass, share[3], along, residual, corners;
 	const char *plane, *family, *symmetry[HAWSER_NET_MIRRORS];
 };
 
@@ -154,6 +197,8 @@ const struct hawser__field cli_modes_net_field[] = {
 	 .flags = HAWSER__NULL},
 	{"residual", "residual", "bound of the error of the frequency, relative, as that of the mesh",
 	 OF(residual)},
+	{"corners", NULL, "with obstacles: frequency whose square the corners of the mesh on circles may "
+	 "add or take off (rad/s)", OF(corners)},
 	{"mass", "mass_kg", "modal mass, of a shape whose largest displacement is 1 (kg)", OF(mass)},
 	{"along", "along", "share of the kinetic energy of motion along the cables", OF(along)},
 	{"share", "share_", "of the modal mass, that moves along an axis", OF(share),
@@ -175,7 +220,7 @@ static const void *mode_row(void *to, const void *parent, size_t j)
 	*row = (struct row){
 		.result = result, .index = (int)j + 1, .omega = modes->omega[j], .mass = modes->mass[j],
 		.share = {modes->share[j][0], modes->share[j][1], modes->share[j][2]},
-		.along = modes->along[j], .residual = modes->residual[j],
+		.along = modes->along[j], .residual = modes->residual[j], .corners = modes->corners[j],
 		.waves = modes->waves[j] < 0 ? HAWSER__NO_INTEGER : modes->waves[j],
 		.pair = modes->pair[j] < 0 ? HAWSER__NO_INTEGER : modes->pair[j] + 1,
 		.plane = hawser_net_plane_side(modes->parity[j][0]), .family = family_of(modes->along[j])};
@@ -228,6 +273,23 @@ static void certificate_json(struct hawser__json *json, json_t *into, const void
 	hawser__json_flag(json, to, "complete", modes->below >= 0.0);
 }
 
+static const char *how_of(const void *of)
+{
+	static const char *const names[] = {"statics", "slip", "stick"};
+	const struct hawser_net_modes *modes = &((const struct result *)of)->modes;
+
+	return modes->state ? names[modes->how] : NULL;
+}
+
+static void contacts_json(struct hawser__json *json, json_t *into, const void *of)
+{
+	const struct result *result = of;
+
+	(void)into;
+	if (result->modes.state)
+		cli_contacts_list(json, &result->net, result->modes.contact, result->modes.contacts);
+}
+
 static void points_json(struct hawser__json *json, json_t *into, const void *of)
 {
 	const struct result *result = of;
@@ -245,6 +307,10 @@ const struct hawser__field cli_modes_net_member[] = {
 	{"symmetry", NULL, "plane (or null), mirrors: point, normal, how well they hold (places, m; "
 	 "elements, relative); turns: 1/turns of a circle about axis through centre",
 	 HAWSER__CALLS(symmetry_json)},
+	{"contact", NULL, "with obstacles, about which state of contact: statics, slip or stick",
+	 HAWSER__TEXT_BY(how_of), .flags = HAWSER__NULL},
+	{"contacts", NULL, "with obstacles: nodes of the mesh that touch, as in the statics; state: slip "
+	 "or stick in the modes", HAWSER__CALLS(contacts_json)},
 	{"S", NULL, "with --shapes: unstretched length of the points of each cable",
 	 HAWSER__CALLS(points_json)},
 	{"modes", NULL, "by frequency", HAWSER__OBJECTS_OF(mode_list)},
@@ -281,26 +347,18 @@ static const struct cli_showing showing = {.head = head, .comments = comments, .
 
 /* --- VTK --- */
 
-static enum hawser_status check_vtk(const char *path, struct hawser_report *report)
-{
-	size_t length = path ? strlen(path) : 0;
-
-	if (path && (length < 5 || strcmp(path + length - 4, ".vtk") != 0))
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes", "--vtk %s: programs tell the kind of "
-		                    "file by its name, which must end in .vtk", path);
-	return hawser__file_check(path, report);
-}
-
-/* All shapes as vectors of the points in the equilibrium; the number of the cable of each line. */
+/* All shapes as vectors of the points in the equilibrium; the number of the cable of each line; with
+ * obstacles 0, 1 or 2 at a point: open, slip or stick. */
 static enum hawser_status write_vtk(const char *path, const struct result *result,
                                     struct hawser_report *report)
 {
 	const struct hawser_net_modes *modes = &result->modes;
 	size_t points = (size_t)modes->points + 1;
 	int (*end)[2] = malloc(points*sizeof *end), lines = 0;
-	double *cable = malloc(points*sizeof *cable);
-	const struct hawser__vtk_scalar scalar = {"cable", cable};
-	enum hawser_status status = end && cable ? HAWSER_OK : hawser__no_memory(report, "modes");
+	double *cable = malloc(points*sizeof *cable), *contact = calloc(points, sizeof *contact);
+	const struct hawser__vtk_scalar scalar = {"cable", cable}, mark = {"contact", contact};
+	enum hawser_status status = end && cable && contact ? HAWSER_OK
+		: hawser__no_memory(report, "modes");
 
 	for (int p = 0; p + 1 < modes->points && !status; p++) {
 		if (modes->cable[p] != modes->cable[p + 1])
@@ -309,20 +367,57 @@ static enum hawser_status write_vtk(const char *path, const struct result *resul
 		end[lines][1] = p + 1;
 		cable[lines++] = modes->cable[p] + 1;
 	}
+	for (int p = 0; p < modes->points && modes->state && !status; p++)
+		contact[p] = modes->state[p];
 	if (!status)
 		status = hawser__vtk_write(path, &(struct hawser__vtk){
 			.title = "hawser modes: displacements of modes 1, 2, ... about the equilibrium",
 			.points = modes->points, .lines = lines, .x = (const double (*)[3])modes->place,
-			.end = (const int (*)[2])end, .scalars = 1, .scalar = &scalar, .vectors = modes->n,
+			.end = (const int (*)[2])end, .scalars = 1, .scalar = &scalar,
+			.marks = modes->state != NULL, .mark = &mark, .vectors = modes->n,
 			.vector = "mode", .shape = (const double (*)[3])modes->point, .field = "omega_rad_s",
 			.number = modes->omega}, report);
 	free(end);
 	free(cable);
+	free(contact);
 	return status;
 }
 
-enum hawser_status cli_modes_net(const struct cli_common *common, int n, int shapes, const char *vtk,
+/* --contact in place of the scene's contact.modes. */
+static enum hawser_status choose(struct hawser_net *net, const char *contact,
                                  struct hawser_report *report)
+{
+	static const char *const name[] = {"statics", "slip", "stick"};
+	int how = 0;
+	enum hawser_status status;
+
+	if (!contact)
+		return HAWSER_OK;
+	if (!net->surfaces)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes", "--contact: the scene %s has no "
+		                    "obstacles: add them, or leave the option out", net->name);
+	status = cli_choose(&how, "modes", "contact", contact, name, 3, report);
+	net->contact.modes = (enum hawser_net_contact_modes)how;
+	return status;
+}
+
+static void doubts(const struct result *result)
+{
+	const struct hawser_net_modes *modes = &result->modes;
+	char text[CLI_WARNING_SIZE];
+
+	if (modes->doubtful == 0)
+		return;
+	snprintf(text, sizeof text, "%s: %d node%s touch an obstacle without force (first: cable %s, S = "
+	         "%.6g m): the modes are those with these nodes open; with them closed they are others, so "
+	         "that small motions are not linear", result->net.name, modes->doubtful,
+	         modes->doubtful == 1 ? "" : "s", result->net.cable[modes->cable[modes->barely]].name,
+	         modes->S[modes->barely]);
+	cli_warn(text);
+}
+
+enum hawser_status cli_modes_net(const struct cli_common *common, int n, int shapes, const char *vtk,
+                                 const char *contact, struct hawser_report *report)
 {
 	struct result *result = calloc(1, sizeof *result);
 	enum hawser_status status;
@@ -332,12 +427,16 @@ enum hawser_status cli_modes_net(const struct cli_common *common, int n, int sha
 	result->common = common;
 	result->method = "block Lanczos";
 	result->shapes = shapes;
-	status = check_vtk(vtk, report);
+	status = cli_vtk_check(vtk, "modes", report);
 	if (!status)
 		status = hawser_net_open(&result->net, common->input, common->set, (size_t)common->sets,
 		                         report);
 	if (!status)
+		status = choose(&result->net, contact, report);
+	if (!status)
 		status = hawser_net_modes_solve(&result->modes, &result->net, n > 0 ? n : 0, report);
+	if (!status)
+		doubts(result);
 	if (!status && vtk)
 		status = write_vtk(vtk, result, report);
 	if (!status)

@@ -56,7 +56,8 @@ static enum hawser_status of_net(const struct cli_common *common, const struct c
 		                    "--%s is for %s, and this scene is a net", other ? other : ropeway,
 		                    other ? "spans" : "ropeways");
 	return kinds->equilibria ? cli_equilibria_net(common, kinds->equilibria, report)
-	                         : cli_statics_net(common, kinds->method, kinds->profile, report);
+	                         : cli_statics_net(common, kinds->method, kinds->profile, kinds->vtk,
+	                                           report);
 }
 
 enum hawser_status cli_statics_kinds(int *done, const struct cli_common *common,
@@ -76,6 +77,8 @@ enum hawser_status cli_statics_kinds(int *done, const struct cli_common *common,
 		                    "--%s does not go with a rod, whose options are --load-steps and --vtk",
 		                    other ? other : ropeway);
 	}
+	if (rod && hawser_net_is(common->input) && !kinds->load_steps)
+		rod = NULL; /* --vtk is for nets, too */
 	if (rod && (hawser_obstacles_is(common->input) || hawser_ropeway_is(common->input) ||
 	            hawser_net_is(common->input)))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",

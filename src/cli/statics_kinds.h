@@ -13,7 +13,7 @@ struct cli_statics_kinds {
 	int profile;                      /* nets and ropeways */
 	const char *load_case, *sliding;  /* ropeways */
 	int spans, worst, phases, tolerate; /* ropeways */
-	const char *vtk;                  /* rods */
+	const char *vtk;                  /* rods and nets */
 	int load_steps;                   /* rods */
 };
 /* Lines of the command's --help. */
@@ -38,7 +38,7 @@ extern const char *const cli_statics_notes[];
 	 CLI_FLAG(kinds.tolerate)}, \
 	{"load-steps", 0, "N", "rods: equal steps in which the load is raised (1)", \
 	 CLI_COUNT(kinds.load_steps)}, \
-	{"vtk", 0, "FILE", "rods: write the shape to FILE.vtk, for programs such as ParaView", \
+	{"vtk", 0, "FILE", "rods and nets: write the shape to FILE.vtk, for programs such as ParaView", \
 	 CLI_TEXT(kinds.vtk)}
 
 /* *done is 0 if the scene is a span without obstacles. span_option: the name of an option for spans

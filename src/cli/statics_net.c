@@ -258,18 +258,22 @@ static enum hawser_status method_of(const char *name, struct hawser_report *repo
 }
 
 enum hawser_status cli_statics_net(const struct cli_common *common, const char *method, int profile,
-                                   struct hawser_report *report)
+                                   const char *vtk, struct hawser_report *report)
 {
 	struct result result = {.common = common, .profile = profile};
 	struct hawser_net_options options = {.method = method};
 	enum hawser_status status = method_of(method, report);
 
 	if (!status)
+		status = cli_vtk_check(vtk, "statics", report);
+	if (!status)
 		status = hawser_net_open(&result.net, common->input, common->set, (size_t)common->sets, report);
 	if (!status)
 		status = hawser_net_solve(&result.st, &result.net, &options, report);
 	if (!status)
 		warn(&result);
+	if (!status && vtk)
+		status = cli_contacts_vtk(vtk, &result.net, &result.st, report);
 	if (!status)
 		status = cli_show(common, &showing, &result, report);
 	if (!status && *result.warning)

@@ -95,16 +95,6 @@ static void judge(struct cli_rod *result)
 		         st->error_x, 100.0*st->error_x/result->scene.length);
 }
 
-static enum hawser_status check_vtk(const char *path, struct hawser_report *report)
-{
-	size_t length = path ? strlen(path) : 0;
-
-	if (path && (length < 5 || strcmp(path + length - 4, ".vtk") != 0))
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics", "--vtk %s: programs tell the kind "
-		                    "of file by its name, which must end in .vtk", path);
-	return hawser__file_check(path, report);
-}
-
 /* The nodes, and of each element the mean tension and moment. */
 static enum hawser_status write_vtk(const char *path, const struct hawser_rod_statics *st,
                                     struct hawser_report *report)
@@ -143,7 +133,7 @@ enum hawser_status cli_statics_rod(const struct cli_common *common,
 {
 	struct cli_rod result = {.common = common};
 	struct hawser_rod_options options = {.steps = kinds->load_steps};
-	enum hawser_status status = check_vtk(kinds->vtk, report);
+	enum hawser_status status = cli_vtk_check(kinds->vtk, "statics", report);
 
 	if (!status)
 		status = hawser_rod_open(&result.scene, common->input, common->set, (size_t)common->sets,

@@ -19,7 +19,7 @@
 #include "core/report.h"
 
 static const char *const kinds[] = {"plane", "segment", "circle"};
-static const char *const sides[] = {"above", "below", "left", "right", "inside"};
+static const char *const sides[] = {"above", "below", "left", "right", "inside", "around"};
 
 static double dot(const double a[3], const double b[3])
 {
@@ -119,7 +119,8 @@ int hawser_surface_clear_of(double *x, const struct hawser_surface *surface)
 {
 	double n[3], y, sign = surface->side == HAWSER_SIDE_BELOW ? -1.0 : 1.0, g, part;
 
-	if (surface->kind == HAWSER_SURFACE_PLANE || surface->side == HAWSER_SIDE_INSIDE) {
+	if (surface->kind == HAWSER_SURFACE_PLANE || surface->side == HAWSER_SIDE_INSIDE ||
+	    surface->side == HAWSER_SIDE_AROUND) {
 		g = hawser_surface_gap(n, NULL, surface, x);
 		for (int k = 0; g < 0.0 && k < 3; k++)
 			x[k] -= g*n[k];
@@ -202,11 +203,21 @@ enum hawser_status hawser_surface_settle(struct hawser_surface *surface, struct 
 			                    "finite: give finite ones", kinds[surface->kind]);
 	if (surface->friction < 0.0 || surface->radius < 0.0)
 		return fail(report, "friction and radius must not be negative");
-	if ((surface->side == HAWSER_SIDE_INSIDE && !circle) ||
+	if (((surface->side == HAWSER_SIDE_INSIDE || surface->side == HAWSER_SIDE_AROUND) && !circle) ||
 	    ((surface->side == HAWSER_SIDE_LEFT || surface->side == HAWSER_SIDE_RIGHT) &&
 	     surface->kind != HAWSER_SURFACE_SEGMENT))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "contact", "side: a %s has no side %s",
 		                    kinds[surface->kind], sides[surface->side]);
+	if (surface->rotation != HAWSER_SURFACE_LOCKED && !(circle && surface->radius > 0.0))
+		return fail(report, "rotation is of a circle with a radius above 0: leave it out");
+	if (surface->rotation == HAWSER_SURFACE_FREE && surface->speed != 0.0)
+		return fail(report, "velocity is of a surface that something moves, and rotation is free: "
+		            "leave one of them out");
+	if (!(surface->inertia >= 0.0) || !isfinite(surface->inertia))
+		return fail(report, "inertia must be a number from 0 on");
+	if (surface->inertia > 0.0 && surface->rotation != HAWSER_SURFACE_FREE)
+		return fail(report, "inertia is of a circle that turns with the cable: give rotation: free, or "
+		            "leave it out");
 	if (surface->side == HAWSER_SIDE_INSIDE && !(surface->radius > 0.0))
 		return fail(report, "circle.radius is 0, and side is inside: there is no room");
 	return circle ? HAWSER_OK

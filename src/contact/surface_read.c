@@ -82,7 +82,7 @@ static enum hawser_status shape(struct hawser__reader *reader, struct hawser_sur
 		status = vector(reader, surface->at, tree, what, "from", "m", 2);
 		return status ? status : vector(reader, surface->to, tree, what, "to", "m", 2);
 	}
-	status = vector(reader, surface->at, tree, what, "centre", "m", 2);
+	status = vector(reader, surface->at, tree, what, "centre", "m", 3);
 	return status ? status : number(reader, &surface->radius, tree, what, "radius", "m",
 	                                HAWSER__TREE_NOT_NEGATIVE, 1);
 }
@@ -122,30 +122,44 @@ static enum hawser_status motion(struct hawser__reader *reader, struct hawser_su
 	return number(reader, &surface->speed, tree, section, "velocity", "m/s", HAWSER__TREE_ANY, 0);
 }
 
-/* Keys that obstacles of spans have, and those of nets do not have yet. */
-static enum hawser_status not_yet(struct hawser__reader *reader, const struct hawser__tree *tree,
-                                  const char *section)
+/* A groove: of circles. */
+static enum hawser_status groove(struct hawser__reader *reader, struct hawser_surface *surface,
+                                 const struct hawser__tree *tree, const char *section)
 {
-	static const struct {
-		const char *key, *what;
-	} later[] = {{"groove", "nodes are free along z: hold them by supports"},
-	             {"rotation", "circles are fixed, or their surface has a velocity"},
-	             {"inertia", "circles are fixed, or their surface has a velocity"}};
+	static const char *const words[] = {"no", "yes"};
+	const struct hawser__tree *one = hawser__tree_find(tree, "groove");
+	char what[CALLED];
 
-	for (size_t i = 0; i < sizeof later/sizeof *later; i++) {
-		const struct hawser__tree *one = hawser__tree_find(tree, later[i].key);
+	if (!one)
+		return HAWSER_OK;
+	snprintf(what, sizeof what, "%.80s.groove", section);
+	if (surface->kind != HAWSER_SURFACE_CIRCLE || surface->side == HAWSER_SIDE_INSIDE)
+		return hawser__reader_fail(reader, &one->at, "%s: a groove is of circles that cables pass "
+		                           "outside: leave it out", what);
+	return hawser__tree_word(reader, &surface->groove, one, what, words, 2);
+}
 
-		if (one)
-			return hawser__reader_fail(reader, &one->at, "%s.%s: not yet in nets: %s", section,
-			                           later[i].key, later[i].what);
-	}
-	return HAWSER_OK;
+static enum hawser_status rotation(struct hawser__reader *reader, struct hawser_surface *surface,
+                                   const struct hawser__tree *tree, const char *section)
+{
+	static const char *const words[] = {"locked", "free", "drive"};
+	const struct hawser__tree *one = hawser__tree_find(tree, "rotation");
+	char what[CALLED];
+	int index = 0;
+	enum hawser_status status = HAWSER_OK;
+
+	snprintf(what, sizeof what, "%.80s.rotation", section);
+	if (one)
+		status = hawser__tree_word(reader, &index, one, what, words, 3);
+	surface->rotation = (enum hawser_surface_rotation)index;
+	return status ? status : number(reader, &surface->inertia, tree, section, "inertia", "kg.m^2",
+	                                HAWSER__TREE_NOT_NEGATIVE, 0);
 }
 
 static enum hawser_status obstacle(struct hawser__reader *reader, struct hawser_surface *all,
                                    int number_of, const struct hawser__tree *tree)
 {
-	static const char *const sides[] = {"above", "below", "left", "right", "inside"};
+	static const char *const sides[] = {"above", "below", "left", "right", "inside", "around"};
 	struct hawser_surface *surface = &all[number_of];
 	const struct hawser__tree *found, *side;
 	struct hawser_report report = {0};
@@ -159,10 +173,8 @@ static enum hawser_status obstacle(struct hawser__reader *reader, struct hawser_
 	status = name_of(reader, all, number_of, tree);
 	snprintf(section, sizeof section, "obstacles.%s", surface->name);
 	if (!status)
-		status = not_yet(reader, tree, section);
-	if (!status)
 		status = hawser__tree_keys(reader, tree, "an obstacle", "name, plane, segment, circle, side, "
-		                           "friction, velocity");
+		                           "friction, velocity, groove, rotation, inertia");
 	if (!status)
 		status = kind_of(reader, &found, surface, tree);
 	if (!status)
@@ -173,11 +185,15 @@ static enum hawser_status obstacle(struct hawser__reader *reader, struct hawser_
 		return hawser__reader_fail(reader, &side->at, "%s: the free side of a plane is that of its "
 		                           "normal: leave side out", what);
 	if (!status && side)
-		status = hawser__tree_word(reader, &index, side, what, sides, 5);
+		status = hawser__tree_word(reader, &index, side, what, sides, 6);
 	surface->side = (enum hawser_surface_side)index;
 	if (!status)
 		status = number(reader, &surface->friction, tree, section, "friction", "1",
 		                HAWSER__TREE_NOT_NEGATIVE, 0);
+	if (!status)
+		status = groove(reader, surface, tree, section);
+	if (!status)
+		status = rotation(reader, surface, tree, section);
 	if (!status)
 		status = motion(reader, surface, tree, section);
 	if (!status && hawser_surface_settle(surface, &report))

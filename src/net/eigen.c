@@ -1,5 +1,5 @@
-/* net/eigen.c - matrices of the eigenproblem of a mesh, accuracy of its modes, and the count of those
- * below a shift; see eigen.h.
+/* net/eigen.c - the eigenproblem of a mesh: what has modes, the accuracy of modes, and the count of
+ * those below a shift; see eigen.h.
  *
  * The factors of K have errors of EA/T*(cable/element)^2 times round-off. Products K*x by elements do
  * not, since a mode hardly stretches elements. Vectors of lanczos.c are therefore improved: inverse
@@ -27,7 +27,7 @@
 #include "core/report.h"
 #include "net/eigen.h"
 
-enum { DEFAULT = 6, SWEEPS = 6, COLUMN = 102 /* LAPACK_COL_MAJOR */ };
+enum { DEFAULT = 6, SWEEPS = 6, LIFTS = 6, COLUMN = 102 /* LAPACK_COL_MAJOR */ };
 static const double good = 1e-11;  /* bound at which a mode needs no more improvement */
 static const double usable = 1e-4; /* bound above which there is no answer: four digits */
 static const double edge = 1e-12;  /* strain at which an element is neither slack nor taut */
@@ -38,83 +38,8 @@ void hawser__eigen_clear(struct hawser__eigen *eigen)
 	free(eigen->x);
 	free(eigen->value);
 	free(eigen->error);
+	free(eigen->work);
 	memset(eigen, 0, sizeof *eigen);
-}
-
-void hawser__eigen_mass(double *y, const double *x, const struct hawser__mesh *mesh, unsigned along)
-{
-	memset(y, 0, (size_t)mesh->unknowns*sizeof *y);
-	for (int i = 0; i < mesh->nodes; i++)
-		for (int k = 0; k < 3; k++)
-			if (mesh->unknown[i][k] >= 0 && along & (1U << k))
-				y[mesh->unknown[i][k]] += mesh->mass[i]*x[mesh->unknown[i][k]];
-	for (int e = 0; e < mesh->elements; e++) {
-		double m = mesh->rho[e]*mesh->length0[e]/12.0;
-		const int *a = mesh->unknown[mesh->end[e][0]], *b = mesh->unknown[mesh->end[e][1]];
-
-		for (int k = 0; k < 3; k++) {
-			double xa = a[k] >= 0 ? x[a[k]] : 0.0, xb = b[k] >= 0 ? x[b[k]] : 0.0;
-
-			if (a[k] >= 0 && along & (1U << k))
-				y[a[k]] += m*(5.0*xa + xb);
-			if (b[k] >= 0 && along & (1U << k))
-				y[b[k]] += m*(5.0*xb + xa);
-		}
-	}
-}
-
-void hawser__eigen_place(double x[3], const double *phi, const struct hawser__mesh *mesh, int node)
-{
-	for (int k = 0; k < 3; k++)
-		x[k] = mesh->unknown[node][k] >= 0 ? phi[mesh->unknown[node][k]] : 0.0;
-}
-
-void hawser__eigen_stiffness(double *y, const double *x, const struct hawser__eigen *eigen)
-{
-	const struct hawser__mesh *mesh = eigen->mesh;
-
-	memset(y, 0, (size_t)mesh->unknowns*sizeof *y);
-	for (int e = 0; e < mesh->elements; e++) {
-		double d[3], a[3], b[3], l = hawser__mesh_direction(d, mesh, e), along = 0.0;
-		double t = eigen->T[e]/l, k = mesh->EA[e]/mesh->length0[e];
-
-		if (eigen->T[e] <= 0.0)
-			continue;
-		hawser__eigen_place(a, x, mesh, mesh->end[e][0]);
-		hawser__eigen_place(b, x, mesh, mesh->end[e][1]);
-		for (int i = 0; i < 3; i++)
-			along += d[i]*(b[i] - a[i]);
-		for (int i = 0; i < 3; i++) {
-			double force = t*(b[i] - a[i]) + (k - t)*along*d[i];
-			int from = mesh->unknown[mesh->end[e][0]][i], to = mesh->unknown[mesh->end[e][1]][i];
-
-			if (from >= 0)
-				y[from] -= force;
-			if (to >= 0)
-				y[to] += force;
-		}
-	}
-}
-
-/* The matrix K - shift*M. The block of an element in M is m/2*I at both ends, minus
- * m/12*[I, -I; -I, I]. */
-static void assemble(struct hawser__sparse *sparse, const struct hawser__eigen *eigen, double shift)
-{
-	const struct hawser__mesh *mesh = eigen->mesh;
-
-	for (int e = 0; e < mesh->elements; e++) {
-		double d[3], l = hawser__mesh_direction(d, mesh, e), m = mesh->rho[e]*mesh->length0[e];
-		double t = eigen->T[e] > 0.0 ? eigen->T[e]/l : 0.0;
-		double k = eigen->T[e] > 0.0 ? mesh->EA[e]/mesh->length0[e] - t : 0.0;
-
-		hawser__sparse_add(sparse, e, t + shift*m/12.0, k, d);
-		for (int i = 0; i < 6 && shift != 0.0; i++)
-			if (mesh->unknown[mesh->end[e][i/3]][i%3] >= 0)
-				hawser__sparse_diagonal(sparse, mesh->unknown[mesh->end[e][i/3]][i%3], -shift*m/2.0);
-	}
-	for (int i = 0; i < 3*mesh->nodes && shift != 0.0; i++)
-		if (mesh->unknown[i/3][i%3] >= 0)
-			hawser__sparse_diagonal(sparse, mesh->unknown[i/3][i%3], -shift*mesh->mass[i/3]);
 }
 
 /* --- what has modes --- */
@@ -169,18 +94,48 @@ static enum hawser_status count_massive(struct hawser__eigen *eigen, struct haws
 {
 	const struct hawser__mesh *mesh = eigen->mesh;
 	double *heavy = calloc((size_t)mesh->nodes, sizeof *heavy);
+	unsigned char *has = calloc((size_t)mesh->unknowns + 1, 1);
 
-	if (!heavy)
+	if (!heavy || !has) {
+		free(heavy);
+		free(has);
 		return hawser__no_memory(report, "net");
+	}
 	for (int i = 0; i < mesh->nodes; i++)
 		heavy[i] = mesh->mass[i];
 	for (int e = 0; e < mesh->elements; e++)
 		for (int end = 0; end < 2; end++)
 			heavy[mesh->end[e][end]] += mesh->rho[e]*mesh->length0[e];
 	for (int i = 0; i < 3*mesh->nodes; i++)
-		eigen->massive += mesh->unknown[i/3][i%3] >= 0 && heavy[i/3] > 0.0;
+		if (mesh->unknown[i/3][i%3] >= 0 && heavy[i/3] > 0.0)
+			has[mesh->unknown[i/3][i%3]] = 1;
+	for (int i = 0; i < mesh->rotors; i++)
+		has[mesh->rotor[i].unknown] |= mesh->rotor[i].mass > 0.0;
+	for (int i = 0; i < mesh->unknowns; i++)
+		eigen->massive += has[i];
 	free(heavy);
+	free(has);
 	return HAWSER_OK;
+}
+
+/* K + lift*M in place of K: T/(rho*L^2) with the means of tensions and masses over all cables, of
+ * length L together, and 10 times more in each further round. */
+static enum hawser_status lifted(struct hawser__eigen *eigen, int round, struct hawser_report *report)
+{
+	const struct hawser__mesh *mesh = eigen->mesh;
+	double T = 0.0, mass = 0.0, length = 0.0;
+
+	for (int i = 0; i < mesh->nodes; i++)
+		mass += mesh->mass[i];
+	for (int e = 0; e < mesh->elements; e++) {
+		T += fmax(eigen->T[e], 0.0)*mesh->length0[e];
+		mass += mesh->rho[e]*mesh->length0[e];
+		length += mesh->length0[e];
+	}
+	eigen->lift = round > 1 ? 10.0*eigen->lift : T/(mass*length*length);
+	if (!eigen->work)
+		eigen->work = malloc(((size_t)mesh->unknowns + 1)*sizeof *eigen->work);
+	return eigen->work ? HAWSER_OK : hawser__no_memory(report, "net");
 }
 
 enum hawser_status hawser__eigen_open(struct hawser__eigen *eigen, const struct hawser__mesh *mesh,
@@ -206,8 +161,13 @@ enum hawser_status hawser__eigen_open(struct hawser__eigen *eigen, const struct 
 		status = look(eigen, net, report);
 	if (!status)
 		status = hawser__sparse_open(&eigen->sparse, mesh, report);
-	if (!status) {
-		assemble(eigen->sparse, eigen, 0.0);
+	for (int round = 0; round <= LIFTS && !status && !definite; round++) {
+		if (round > 0)
+			status = lifted(eigen, round, report);
+		if (status || !isfinite(eigen->lift) || (round > 0 && !mesh->frame))
+			break;
+		hawser__sparse_zero(eigen->sparse);
+		hawser__eigen_assemble(eigen->sparse, eigen, 0.0);
 		status = hawser__sparse_factor(eigen->sparse, &definite, report);
 	}
 	if (!status && !definite)
@@ -253,7 +213,7 @@ enum hawser_status hawser__eigen_count(int *below, int *sure, const struct hawse
 
 	*below = *sure = 0;
 	if (!status) {
-		assemble(sparse, eigen, shift);
+		hawser__eigen_assemble(sparse, eigen, shift);
 		status = hawser__sparse_inertia(below, sure, sparse, report);
 	}
 	if (!status && *sure)

@@ -16,6 +16,9 @@ struct hawser__eigen {
 	int n;            /* modes asked for */
 	int massive;      /* unknowns with mass: as many modes there are */
 	int slack;        /* elements without stiffness */
+	double lift;      /* rad^2/s^2: all below is of K + lift*M, whose eigenvalues are higher by it; 0
+	                   * where K is positive definite */
+	double *work;     /* [unknowns] with lift; else NULL */
 	struct hawser__sparse *sparse; /* the factors of K */
 
 	int found;        /* n, and more where modes beyond have the frequency of the last one */
@@ -40,6 +43,9 @@ void hawser__eigen_clear(struct hawser__eigen *eigen);
 /* y = M*x, K*x [unknowns]; `along`: of motions along these directions only (bit k: direction k). */
 void hawser__eigen_mass(double *y, const double *x, const struct hawser__mesh *mesh, unsigned along);
 void hawser__eigen_stiffness(double *y, const double *x, const struct hawser__eigen *eigen);
+/* The matrix K - shift*M is added to what `sparse` has. */
+void hawser__eigen_assemble(struct hawser__sparse *sparse, const struct hawser__eigen *eigen,
+                            double shift);
 /* Number of modes below a shift, rad^2/s^2; *sure 0: round-off may have changed it. */
 enum hawser_status hawser__eigen_count(int *below, int *sure, const struct hawser__eigen *eigen,
                                        double shift, const double *near, /* [unknowns] a mode nearby */

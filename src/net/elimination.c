@@ -55,7 +55,16 @@ static cholmod_sparse *graph_of(const struct hawser__mesh *mesh, const int *vert
 	return graph;
 }
 
-/* permutation [unknowns] = the unknowns of the nodes in the order of the vertices. */
+static int is_rotor(const struct hawser__mesh *mesh, int unknown)
+{
+	for (int i = 0; i < mesh->rotors; i++)
+		if (mesh->rotor[i].unknown == unknown)
+			return 1;
+	return 0;
+}
+
+/* permutation [unknowns] = the unknowns of the nodes in the order of the vertices, then those that many
+ * nodes share. */
 static void expand(int *permutation, const int *order, const struct hawser__mesh *mesh,
                    const int *vertex, int *node)
 {
@@ -64,13 +73,15 @@ static void expand(int *permutation, const int *order, const struct hawser__mesh
 	for (int i = 0; i < mesh->nodes; i++)
 		if (vertex[i] >= 0)
 			node[vertex[i]] = i;
-	for (int i = 0; count < mesh->unknowns; i++)
+	for (int i = 0; count < mesh->unknowns - mesh->rotors; i++)
 		for (int k = 0; k < 3; k++) {
 			int u = mesh->unknown[node[order[i]]][k];
 
-			if (u >= 0)
+			if (u >= 0 && !is_rotor(mesh, u))
 				permutation[count++] = u;
 		}
+	for (int i = 0; i < mesh->rotors; i++)
+		permutation[count++] = mesh->rotor[i].unknown;
 }
 
 int hawser__elimination(int *permutation, const struct hawser__mesh *mesh, cholmod_common *common)

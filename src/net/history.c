@@ -2,7 +2,8 @@
  *
  * At rest friction leaves the tensions undetermined: they depend on how the net came to its place. Here
  * the supports go along the way that the scene gives, slowly, from an equilibrium without friction, in
- * which nodes whose places are given are held: a free end lies where it is put. In each step a node
+ * which nodes whose places are given are held: a free end lies where it is put (but places of a belt
+ * only say how it goes around). In each step a node
  * that touches sticks where it was, or slides against the friction; the law has no time, so that only
  * the way counts. A step without solution is halved.
  *
@@ -88,7 +89,7 @@ static enum hawser_status hold(struct way *way, unsigned char held, struct hawse
 	int count = 0;
 
 	for (int i = 0; i < way->net->nodes; i++)
-		if (way->net->node[i].placed && !way->net->node[i].support) {
+		if (way->net->node[i].placed && !way->net->node[i].support && !way->mesh->around) {
 			hawser__mesh_hold(way->mesh, i, (unsigned char[3]){held, held, held});
 			count++;
 		}

@@ -10,6 +10,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/dual.h \
 	%D%/eigen.c \
 	%D%/eigen.h \
+	%D%/eigen-matrix.c \
 	%D%/elimination.c \
 	%D%/elimination.h \
 	%D%/equilibria.c \
@@ -58,6 +59,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/random.h \
 	%D%/read.c \
 	%D%/read.h \
+	%D%/read-span.c \
 	%D%/regularised.c \
 	%D%/relaxation.c \
 	%D%/solution.c \
@@ -77,6 +79,8 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/symmetry-map.h \
 	%D%/touch.c \
 	%D%/touch.h \
+	%D%/touch-hold.c \
+	%D%/touch-start.c \
 	%D%/touched.c \
 	%D%/touching.c \
 	%D%/two_sided.c

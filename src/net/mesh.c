@@ -35,11 +35,14 @@ void hawser__mesh_clear(struct hawser__mesh *mesh)
 	free(mesh->rho);
 	free(mesh->q);
 	free(mesh->unknown);
+	free(mesh->frame);
 	free(mesh->mass);
 	free(mesh->force);
 	free(mesh->wave);
 	free(mesh->motion);
 	free(mesh->touch);
+	free(mesh->edge);
+	free(mesh->rotor);
 	memset(mesh, 0, sizeof *mesh);
 }
 
@@ -116,7 +119,7 @@ static void chain(struct hawser__mesh *mesh, const struct hawser_net_cable *cabl
 	}
 }
 
-static void number(struct hawser__mesh *mesh)
+void hawser__mesh_number(struct hawser__mesh *mesh)
 {
 	int next = 0;
 
@@ -130,7 +133,13 @@ void hawser__mesh_hold(struct hawser__mesh *mesh, int node, const unsigned char 
 {
 	for (int k = 0; k < 3; k++)
 		mesh->unknown[node][k] = held[k] ? -1 : 0;
-	number(mesh);
+	hawser__mesh_number(mesh);
+}
+
+void hawser__mesh_axis(double axis[3], const struct hawser__mesh *mesh, int node, int k)
+{
+	for (int i = 0; i < 3; i++)
+		axis[i] = mesh->frame ? mesh->frame[node][k][i] : i == k;
 }
 
 void hawser__mesh_along(struct hawser__mesh *mesh, unsigned along)
@@ -139,7 +148,7 @@ void hawser__mesh_along(struct hawser__mesh *mesh, unsigned along)
 		for (int k = 0; k < 3; k++)
 			if (!(along & (1U << k)))
 				mesh->unknown[i][k] = -1;
-	number(mesh);
+	hawser__mesh_number(mesh);
 }
 
 void hawser__mesh_flatten(struct hawser__mesh *mesh, int k, double place)
@@ -199,7 +208,7 @@ enum hawser_status hawser__mesh_build(struct hawser__mesh *mesh, const struct ha
 		node += net->cable[i].elements - 1;
 		mesh->first[i + 1] = mesh->first[i] + net->cable[i].elements;
 	}
-	number(mesh);
+	hawser__mesh_number(mesh);
 	hawser__mesh_load(mesh, net);
 	mesh->motions = net->motions;
 	for (int i = 0; i < net->motions; i++) {

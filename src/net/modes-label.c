@@ -48,12 +48,16 @@ static void apply(double *y, const double *x, const struct hawser__mesh *mesh,
 {
 	for (int i = 0; i < mesh->nodes; i++) {
 		const int *to = mesh->unknown[map->partner[i]];
-		double at[3];
+		double at[3], image[3], axis[3];
 
 		hawser__eigen_place(at, x, mesh, i);
 		for (int k = 0; k < 3; k++)
+			image[k] = map->map[k][0]*at[0] + map->map[k][1]*at[1] + map->map[k][2]*at[2];
+		for (int k = 0; k < 3; k++) {
+			hawser__mesh_axis(axis, mesh, map->partner[i], k);
 			if (to[k] >= 0)
-				y[to[k]] = map->map[k][0]*at[0] + map->map[k][1]*at[1] + map->map[k][2]*at[2];
+				y[to[k]] = axis[0]*image[0] + axis[1]*image[1] + axis[2]*image[2];
+		}
 	}
 }
 

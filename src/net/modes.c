@@ -13,6 +13,10 @@
 #include "core/report.h"
 #include "net/solution.h"
 #include "net/symmetry.h"
+#include "net/touch.h"
+
+/* omega^2 over lift that counts as 0: round-off. */
+static const double STILL = 1e-9;
 
 void hawser_net_modes_clear(struct hawser_net_modes *modes)
 {
@@ -23,6 +27,7 @@ void hawser_net_modes_clear(struct hawser_net_modes *modes)
 	free(modes->share);
 	free(modes->along);
 	free(modes->residual);
+	free(modes->corners);
 	free(modes->parity);
 	free(modes->waves);
 	free(modes->pair);
@@ -31,6 +36,8 @@ void hawser_net_modes_clear(struct hawser_net_modes *modes)
 	free(modes->place);
 	free(modes->cable);
 	free(modes->S);
+	free(modes->contact);
+	free(modes->state);
 	memset(modes, 0, sizeof *modes);
 }
 
@@ -43,6 +50,7 @@ static enum hawser_status allocate(struct hawser_net_modes *modes, struct hawser
 	modes->share = calloc(n, sizeof *modes->share);
 	modes->along = calloc(n, sizeof *modes->along);
 	modes->residual = calloc(n, sizeof *modes->residual);
+	modes->corners = calloc(n, sizeof *modes->corners);
 	modes->parity = calloc(n, sizeof *modes->parity);
 	modes->waves = calloc(n, sizeof *modes->waves);
 	modes->pair = calloc(n, sizeof *modes->pair);
@@ -52,8 +60,9 @@ static enum hawser_status allocate(struct hawser_net_modes *modes, struct hawser
 	modes->cable = calloc(points + 1, sizeof *modes->cable);
 	modes->S = calloc(points + 1, sizeof *modes->S);
 	return modes->omega && modes->mass && modes->share && modes->along && modes->residual &&
-	       modes->parity && modes->waves && modes->pair && modes->shape && modes->point &&
-	       modes->place && modes->cable && modes->S ? HAWSER_OK : hawser__no_memory(report, "net");
+	       modes->corners && modes->parity && modes->waves && modes->pair && modes->shape &&
+	       modes->point && modes->place && modes->cable && modes->S
+		? HAWSER_OK : hawser__no_memory(report, "net");
 }
 
 /* Scale a vector so that the largest displacement of a node is 1, its largest component positive. */
@@ -99,15 +108,67 @@ static double along(const double *phi, const struct hawser__mesh *mesh)
 	return all[0] > 0.0 ? part[0]/all[0] : all[1] > 0.0 ? part[1]/all[1] : 0.0;
 }
 
+/* What corners may add to omega^2, or take off, of a vector with x'*M*x = 1. Where a node of an
+ * element of length h and tension T slides along a circle by u, and the other one is on the
+ * straight part, the length of the polygon has a second derivative between -h/(2*R^2) and
+ * h/(6*R^2), which depends on where the point of contact is within the element. */
+static double corners(const double *x, const struct hawser__eigen *eigen)
+{
+	const struct hawser__mesh *mesh = eigen->mesh;
+	double sum = 0.0;
+
+	for (int i = 0; i < mesh->edges; i++) {
+		const struct hawser__touch *touch = &mesh->touch[mesh->edge[i].touch];
+		double u[3], along = 0.0, curved = touch->H[0][0] + touch->H[1][1];
+		int e = mesh->edge[i].element;
+
+		hawser__eigen_place(u, x, mesh, touch->node);
+		for (int k = 0; k < 9; k++)
+			along += u[k/3]*touch->H[k/3][k%3]*u[k%3];
+		sum += 0.5*fmax(eigen->T[e], 0.0)*mesh->length0[e]*fabs(curved*along);
+	}
+	return sum;
+}
+
+/* Of the eigenvalue of K + lift*M. 0 where it may be so; the error is then that of omega^2 + lift. */
+static void frequency(struct hawser_net_modes *modes, const struct hawser__eigen *eigen, int j)
+{
+	double value = eigen->value[j] - eigen->lift;
+
+	modes->corners[j] = sqrt(corners(eigen->x + (size_t)j*(size_t)eigen->mesh->unknowns, eigen));
+	modes->residual[j] = eigen->error[j];
+	if (eigen->lift > 0.0 && value <= STILL*eigen->lift) {
+		modes->omega[j] = 0.0;
+		return;
+	}
+	modes->omega[j] = sqrt(value);
+	modes->residual[j] *= eigen->value[j]/value;
+}
+
+/* Fail where an eigenvalue is below 0, by more than what corners do. */
+static enum hawser_status stable(const struct hawser__eigen *eigen, struct hawser_report *report)
+{
+	for (int j = 0; j < eigen->found && eigen->lift > 0.0; j++) {
+		double value = eigen->value[j] - eigen->lift;
+
+		if (value < -STILL*eigen->lift - corners(eigen->x + (size_t)j*(size_t)eigen->mesh->unknowns,
+		                                         eigen))
+			return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "net", "%s: the equilibrium is not "
+			                    "stable: along the obstacles it has a mode with omega^2 = %.6g "
+			                    "rad^2/s^2, the net would slide off: look at the sides of obstacles, "
+			                    "or give them friction and contact.modes: stick", eigen->name, value);
+	}
+	return HAWSER_OK;
+}
+
 static void fill(struct hawser_net_modes *modes, struct hawser__eigen *eigen, int j, double *y)
 {
 	const struct hawser__mesh *mesh = eigen->mesh;
 	double *phi = eigen->x + (size_t)j*(size_t)mesh->unknowns;
 	int p = 0;
 
+	frequency(modes, eigen, j);
 	scale(phi, mesh);
-	modes->residual[j] = eigen->error[j];
-	modes->omega[j] = sqrt(eigen->value[j]);
 	modes->along[j] = along(phi, mesh);
 	hawser__eigen_mass(y, phi, mesh, 7U);
 	modes->mass[j] = cblas_ddot(mesh->unknowns, phi, 1, y, 1);
@@ -150,13 +211,15 @@ static enum hawser_status solve(struct hawser_net_modes *modes, struct hawser__e
 	if (!status)
 		status = hawser__eigen_solve(eigen, report);
 	if (!status)
+		status = stable(eigen, report);
+	if (!status)
 		status = hawser__net_maps_open(&maps, mesh, eigen->T, modes->nodes, report);
 	modes->symmetry = maps.found;
 	if (!status)
 		status = hawser__net_modes_label(modes, eigen, &maps, report);
 	for (int j = 0; j < modes->n && !status; j++)
 		fill(modes, eigen, j, y);
-	modes->below = eigen->shift > 0.0 ? sqrt(eigen->shift) : eigen->shift;
+	modes->below = eigen->shift > 0.0 ? sqrt(fmax(eigen->shift - eigen->lift, 0.0)) : eigen->shift;
 	modes->counted = eigen->found;
 	modes->iterations = eigen->iterations;
 	hawser__net_maps_clear(&maps);
@@ -164,12 +227,54 @@ static enum hawser_status solve(struct hawser_net_modes *modes, struct hawser__e
 	return status;
 }
 
+/* The state of contact: what nodes do, the contacts of the result, and the directions left in the
+ * mesh. */
+static enum hawser_status contacts(struct hawser_net_modes *modes, struct hawser__mesh *mesh,
+                                   const double *T, const struct hawser_net *net,
+                                   struct hawser_report *report)
+{
+	unsigned char *state = malloc((size_t)mesh->nodes + 1);
+	int node = 0, p = 0;
+	enum hawser_status status;
+
+	modes->state = calloc((size_t)(mesh->elements + mesh->cables) + 1, 1);
+	modes->how = net->contact.modes;
+	modes->doubtful = hawser__touch_doubtful(&node, mesh, T);
+	status = state && modes->state ? hawser__touch_hold(state, mesh, net, modes->how, report)
+		: hawser__no_memory(report, "net");
+	if (!status)
+		status = hawser__touch_list(&modes->contact, &modes->contacts, mesh, net->nodes, report);
+	for (int i = 0, j = 0; i < mesh->touches && !status; i++)
+		if (mesh->touch[i].r > 0.0)
+			modes->contact[j++].sticks = state[mesh->touch[i].node] == HAWSER_NET_STICK;
+	for (int c = 0; c < mesh->cables && !status; c++)
+		for (int e = mesh->first[c]; e <= mesh->first[c + 1]; e++, p++) {
+			int last = e == mesh->first[c + 1], at = mesh->end[last ? e - 1 : e][last];
+
+			modes->state[p] = state[at];
+			modes->barely = modes->doubtful && at == node ? p : modes->barely;
+		}
+	free(state);
+	return status;
+}
+
+/* The equilibrium, as hawser statics has it. */
+static enum hawser_status balance(struct hawser__mesh *mesh, double *T, const struct hawser_net *net,
+                                  struct hawser_report *report)
+{
+	struct hawser__equilibrium equilibrium;
+	struct hawser__mesh_options settings = {0};
+	enum hawser_status status = net->contact.history
+		? hawser__net_history(mesh, T, &equilibrium, net, &settings, report)
+		: hawser__mesh_form(mesh, T, &equilibrium, net, &settings, report);
+
+	return status ? status : hawser__touch_sides(mesh, net, report);
+}
+
 enum hawser_status hawser__net_modes(struct hawser_net_modes *modes, const struct hawser_net *net,
                                      int n, unsigned axes, struct hawser_report *report)
 {
 	struct hawser__mesh mesh = {0};
-	struct hawser__equilibrium equilibrium;
-	struct hawser__mesh_options settings = {0};
 	struct hawser__eigen eigen = {0};
 	double *T = NULL;
 	enum hawser_status status = hawser__mesh_build(&mesh, net, report);
@@ -180,9 +285,11 @@ enum hawser_status hawser__net_modes(struct hawser_net_modes *modes, const struc
 	if (!status && !(T = calloc((size_t)mesh.elements + 1, sizeof *T)))
 		status = hawser__no_memory(report, "net");
 	if (!status)
-		status = hawser__mesh_form(&mesh, T, &equilibrium, net, &settings, report);
+		status = balance(&mesh, T, net, report);
 	if (!status && axes != HAWSER__NET_SPACE)
 		hawser__mesh_along(&mesh, axes);
+	if (!status && mesh.touches)
+		status = contacts(modes, &mesh, T, net, report);
 	modes->unknowns = mesh.unknowns;
 	if (!status)
 		status = hawser__eigen_open(&eigen, &mesh, T, net, n, report);
@@ -199,9 +306,5 @@ enum hawser_status hawser__net_modes(struct hawser_net_modes *modes, const struc
 enum hawser_status hawser_net_modes_solve(struct hawser_net_modes *modes, const struct hawser_net *net,
                                           int n, struct hawser_report *report)
 {
-	enum hawser_status status = hawser__touch_none(net, "hawser modes", report);
-
-	if (status)
-		memset(modes, 0, sizeof *modes);
-	return status ? status : hawser__net_modes(modes, net, n, HAWSER__NET_SPACE, report);
+	return hawser__net_modes(modes, net, n, HAWSER__NET_SPACE, report);
 }

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/report.h"
 #include "net/motion.h"
 
 /* Largest distance of the probes of two motions, over the rows of both. */
@@ -49,12 +50,40 @@ static enum hawser_status check(struct hawser_net_motion *motion, const struct h
 	return HAWSER_OK;
 }
 
+/* Fail for circles that turn freely, and for grooves where something may move the net along z. */
+static enum hawser_status not_in_time(const struct hawser_net *net,
+                                      const struct hawser_net_motion_options *options,
+                                      struct hawser_report *report)
+{
+	double place;
+	int flat = !net->dynamics.from && !options->initial && hawser__net_still(&place, net, 2, NULL, 0);
+
+	for (int i = 0; i < net->nodes; i++)
+		flat = flat && !net->node[i].table;
+	for (int i = 0; i < net->surfaces; i++) {
+		const struct hawser_surface *surface = &net->surface[i];
+
+		if (surface->rotation == HAWSER_SURFACE_FREE && surface->friction > 0.0)
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: obstacles.%s.rotation: free "
+			                    "is not yet known in motions: give locked, a velocity, or "
+			                    "friction: 0", net->name, surface->name);
+		if (surface->groove && !flat)
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: obstacles.%s.groove is not "
+			                    "yet known in motions along z: leave it out, or what moves the net "
+			                    "along z", net->name, surface->name);
+	}
+	return HAWSER_OK;
+}
+
 enum hawser_status hawser_net_integrate(struct hawser_net_motion *to, const struct hawser_net *net,
                                         const struct hawser_net_motion_options *options,
                                         struct hawser_report *report)
 {
-	enum hawser_status status = hawser__net_integrate(to, net, options, report);
+	enum hawser_status status = not_in_time(net, options, report);
 
+	memset(to, 0, sizeof *to);
+	if (!status)
+		status = hawser__net_integrate(to, net, options, report);
 	if (!status && options->check && !to->interrupted)
 		status = check(to, net, options, report);
 	if (status)

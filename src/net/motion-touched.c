@@ -71,7 +71,7 @@ enum hawser_status hawser__contact_result(struct hawser_net_motion *to, const st
 		mesh->touch[i].slides = touch->state == HAWSER_CONTACT_SLIP;
 		memcpy(mesh->touch[i].friction, touch->T, sizeof mesh->touch[i].friction);
 	}
-	status = hawser__touch_list(&last, mesh, report);
+	status = hawser__touch_list(&last.contact, &last.contacts, mesh, last.nodes, report);
 	to->contact = last.contact;
 	to->contacts = last.contacts;
 	return status;

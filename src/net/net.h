@@ -27,6 +27,8 @@ struct hawser__mesh {
 	double *rho;           /* [elements] kg/m per unstretched length */
 	double (*q)[3];        /* [nodes] positions: of supports as given; of the others as last solved */
 	int (*unknown)[3];     /* [nodes] index of the unknown of each direction; -1 if it is held */
+	double (*frame)[3][3]; /* [nodes] rows: these directions, unit vectors at right angles to each
+	                        * other; NULL: the axes. Set for modes alone (hawser__touch_hold) */
 	double *mass;          /* [nodes] point masses, kg, without the cables */
 	double (*force)[3];    /* [nodes] weight (of cables, half to each end, and point masses) and
 	                        * constant loads, N */
@@ -36,10 +38,23 @@ struct hawser__mesh {
 	double g, alpha, axial; /* as in struct hawser_net */
 	struct hawser__touch *touch; /* [touches] each node that can move, with each obstacle */
 	int touches;
+	struct hawser__mesh_rotor {
+		int unknown, surface;
+		double mass;       /* kg: inertia/radius^2 */
+	} *rotor;              /* [rotors] circles that turn with what sticks to them: the unknown of all
+	                        * these nodes is the motion of the rim, counterclockwise. As edge */
+	int rotors;
+	struct hawser__mesh_edge {
+		int element, touch;
+	} *edge;               /* [edges] an element that leaves a curved obstacle, with the touch of
+	                        * the end that is on it. Set for modes alone (hawser__touch_hold) */
+	int edges;
+	int around;            /* 1: an obstacle has cables around it: they begin straight between the
+	                        * places of nodes, and supports need not hold them */
 };
 
-/* A node that may touch an obstacle. Its force on the node is r*n + friction; r is 0 unless it
- * touches. */
+/* A node that may touch an obstacle. Its force on the node is r*n + friction, and `aside` along z; r
+ * is 0 unless it touches. */
 struct hawser__touch {
 	const struct hawser_surface *surface; /* of the net */
 	int number;            /* of that surface */
@@ -48,6 +63,7 @@ struct hawser__touch {
 	double g, n[3], H[3][3]; /* gap, its gradient and second derivatives, at mesh->q */
 	double r, t;           /* N; m: slack of the interior point, g at its end */
 	double friction[3];    /* N */
+	double aside;          /* N: along z, of a groove */
 	int slides;            /* 1: friction is at its bound, against the slip */
 	double from[3];        /* m: the place where the node stuck or slid from */
 	double stiff;          /* N/m, of the linear equations */
@@ -70,6 +86,10 @@ void hawser__mesh_load(struct hawser__mesh *mesh, const struct hawser_net *net);
 void hawser__mesh_hold(struct hawser__mesh *mesh, int node, const unsigned char held[3]);
 /* Hold all nodes in the directions that are not in `along` (bit k: direction k). */
 void hawser__mesh_along(struct hawser__mesh *mesh, unsigned along);
+/* Count the unknowns anew, after mesh->unknown has been set to -1 (held) or 0. */
+void hawser__mesh_number(struct hawser__mesh *mesh);
+/* The direction k of a node: a row of its frame. */
+void hawser__mesh_axis(double axis[3], const struct hawser__mesh *mesh, int node, int k);
 /* Hold all nodes along axis k, at one place (m). */
 void hawser__mesh_flatten(struct hawser__mesh *mesh, int k, double place);
 void hawser__mesh_clear(struct hawser__mesh *mesh);
@@ -90,6 +110,8 @@ enum hawser_status hawser__touch_open(struct hawser__mesh *mesh, const struct ha
 /* List them anew after nodes were held or released; forces r stay. */
 enum hawser_status hawser__touch_again(struct hawser__mesh *mesh, const struct hawser_net *net,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+/* 1 if cables go around an obstacle, as belts. */
+int hawser__touch_around(const struct hawser_net *net);
 /* Gaps and their derivatives at mesh->q. */
 void hawser__touch_measure(struct hawser__mesh *mesh);
 /* Fail for a net with obstacles, which `command` does not know. */
@@ -109,6 +131,9 @@ void hawser__sparse_add(struct hawser__sparse *sparse, int element, double a, do
                         const double e[3]);
 /* Add a symmetric block B for an element. */
 void hawser__sparse_block(struct hawser__sparse *sparse, int element, const double block[3][3]);
+/* Add the lower triangle of a symmetric block over both ends of an element, whose unknowns may be the
+ * same (rotors). */
+void hawser__sparse_ends(struct hawser__sparse *sparse, int element, const double block[6][6]);
 /* Add a symmetric block at the node that is end 0 or 1 of an element. */
 void hawser__sparse_node(struct hawser__sparse *sparse, int element, int end, const double block[3][3]);
 void hawser__sparse_diagonal(struct hawser__sparse *sparse, int unknown, double value);

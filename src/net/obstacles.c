@@ -10,6 +10,7 @@
 
 #include "contact/surface_read.h"
 #include "core/report.h"
+#include "net/net.h"
 #include "net/read.h"
 
 enum { CALLED = HAWSER__TEXT + 64, STEPS = 20, STEPS_MOST = 100000 };
@@ -98,10 +99,12 @@ static enum hawser_status ways(struct hawser__reader *reader, struct hawser_net 
 enum hawser_status hawser__net_contact(struct hawser__reader *reader, struct hawser_net *net,
                                        const struct hawser__tree *tree)
 {
-	static const char *const words[] = {"none", "history"};
+	static const char *const words[] = {"none", "history"}, *const states[] = {"statics", "slip",
+	                                                                           "stick"};
 	const struct hawser__tree *one;
+	int how = 0;
 	enum hawser_status status =
-		hawser__tree_keys(reader, tree, "contact", "restitution, sliding, path, steps");
+		hawser__tree_keys(reader, tree, "contact", "restitution, sliding, path, steps, modes");
 
 	if (!status && !net->surfaces)
 		return hawser__reader_fail(reader, &tree->at, "contact is of obstacles, and the scene has "
@@ -116,6 +119,10 @@ enum hawser_status hawser__net_contact(struct hawser__reader *reader, struct haw
 	one = hawser__tree_find(tree, "sliding");
 	if (!status && one)
 		status = hawser__tree_word(reader, &net->contact.history, one, "contact.sliding", words, 2);
+	one = hawser__tree_find(tree, "modes");
+	if (!status && one)
+		status = hawser__tree_word(reader, &how, one, "contact.modes", states, 3);
+	net->contact.modes = (enum hawser_net_contact_modes)how;
 	net->contact.steps = STEPS;
 	if (!status)
 		status = whole(reader, &net->contact.steps, hawser__tree_find(tree, "steps"));
@@ -174,17 +181,22 @@ static enum hawser_status facing(struct hawser__reader *reader, const struct haw
 enum hawser_status hawser__net_room(struct hawser__reader *reader, const struct hawser_net *net,
                                     const struct hawser__tree *root)
 {
-	const struct hawser__tree *node = hawser__tree_find(root, "nodes")->child;
+	const struct hawser__tree *nodes = hawser__tree_find(root, "nodes");
+	const struct hawser__tree *node = nodes ? nodes->child : NULL;
 	const struct hawser__tree *contact = hawser__tree_find(root, "contact");
 	enum hawser_status status = facing(reader, net, root);
 	char what[CALLED];
 
-	for (int i = 0; i < net->nodes && !status; i++, node = node->next) {
+	for (int i = 0; i < net->nodes && !status; i++, node = node ? node->next : NULL) {
+		if (hawser__touch_around(net) && !net->node[i].support && !net->node[i].placed)
+			return hawser__reader_fail(reader, node ? &node->at : &root->at, "node %s has no place, "
+			                           "and an obstacle has side: around: the places of all nodes say "
+			                           "how the cables go around it: give it one", net->node[i].name);
 		if (!net->node[i].support && !net->node[i].placed)
 			continue;
 		snprintf(what, sizeof what, "%s %s", net->node[i].support ? "support" : "node",
 		         net->node[i].name);
-		status = outside(reader, net, &node->at, what, net->node[i].x);
+		status = outside(reader, net, node ? &node->at : &root->at, what, net->node[i].x);
 	}
 	for (int i = 0; i < net->contact.paths && !status; i++)
 		for (int j = 0; j < net->contact.path[i].points && !status; j++) {

@@ -22,6 +22,8 @@
  * before (7 to 112), of form finding with its repetitions, and of modes (8 to 21). */
 static const double ITERATIONS = 10.0, CATENARY_ITERATIONS = 40.0, FORM_ITERATIONS = 60.0,
                     MODE_ITERATIONS = 12.0;
+/* With obstacles, and in each step of contact.path. */
+static const double TOUCH_ITERATIONS = 60.0, STEP_ITERATIONS = 6.0;
 /* s, for each element and iteration: assembly; for each cable and iteration: catenaries; for each
  * unknown and vector: products; for an operation. Measured at 2.6 GHz. */
 static const double ASSEMBLY = 3e-7, CATENARY = 5e-6, PRODUCT = 1.5e-8, OPERATION = 5e-10;
@@ -107,11 +109,12 @@ enum hawser_status hawser__plan_statics(struct hawser__net_planner *planner,
 {
 	const struct hawser_net *net = planner->net;
 	struct hawser_net_plan_job *job = &planner->plan->job[0];
-	int lengths = all_lengths(net);
+	int lengths = all_lengths(net), path = net->contact.history ? net->contact.path[0].points : 0;
 	double seconds, start;
 	enum hawser_status status = hawser__net_supported(&planner->mesh, net, &planner->report);
 
-	*job = none("statics", "automatic", lengths
+	*job = none("statics", "automatic", net->surfaces
+	            ? "interior point, then Newton's method for positions, tensions and contacts" : lengths
 	            ? "Newton's method with slack members, from exact catenaries or force densities"
 	            : "form finding by force densities, then the mesh with the lengths found");
 	job->unknowns = planner->mesh.unknowns;
@@ -121,7 +124,8 @@ enum hawser_status hawser__plan_statics(struct hawser__net_planner *planner,
 	if (status)
 		return status;
 	job->counted = "iterations";
-	job->count = lengths ? ITERATIONS : FORM_ITERATIONS;
+	job->count = net->surfaces ? TOUCH_ITERATIONS + STEP_ITERATIONS*path*net->contact.steps
+		: lengths ? ITERATIONS : FORM_ITERATIONS;
 	job->bytes = planner->bytes;
 	seconds = 2.0*planner->analysed + job->count*(planner->factored + planner->solved +
 	                                              ASSEMBLY*planner->mesh.elements) +
@@ -171,7 +175,9 @@ enum hawser_status hawser__plan_modes(struct hawser__net_planner *planner, struc
 	if (status)
 		return hawser__no_memory(report, "net");
 	job->count = planner->modes.iterations;
-	plan->first = planner->modes.omega[0];
+	for (int j = 0; j < planner->modes.n && !(plan->first > 0.0); j++)
+		if (planner->modes.omega[j] > planner->modes.corners[j]) /* a belt that circulates is none */
+			plan->first = planner->modes.omega[j];
 	ran(job, seconds);
 	return HAWSER_OK;
 }

@@ -107,7 +107,8 @@ static void directions(struct hawser__net_planner *planner)
 {
 	const struct hawser_net_plan *plan = planner->plan;
 	double normal[3];
-	int left = 0, plane = hawser__net_plane(normal, planner->net);
+	/* obstacles have directions of their own: with them the axes alone count */
+	int left = 0, plane = planner->net->surfaces ? 0 : hawser__net_plane(normal, planner->net);
 	char axes[8] = "";
 
 	for (int k = 0; k < 3; k++)
@@ -117,8 +118,9 @@ static void directions(struct hawser__net_planner *planner)
 			         "xyz"[k]);
 		}
 	if (left == 0 && plane != 1) {
-		say(planner, "motion along x, y and z", 1, "supports and loads are in no common vertical "
-		    "plane");
+		say(planner, "motion along x, y and z", 1, planner->net->surfaces
+		    ? "supports, loads and obstacles leave no axis out"
+		    : "supports and loads are in no common vertical plane");
 		return;
 	}
 	say(planner, "motion in the plane", 1, "all supports and loads are %s", plane == 2
@@ -197,6 +199,91 @@ static void driving(struct hawser__net_planner *planner)
 		    "equilibrium");
 }
 
+/* Names of the obstacles that are touched, with the number of nodes, or of the others; returns how many
+ * there are. */
+static int obstacles(char *names, size_t size, const struct hawser__net_planner *planner, int touched)
+{
+	const struct hawser_net *net = planner->net;
+	int count = 0;
+
+	*names = '\0';
+	for (int s = 0; s < net->surfaces; s++) {
+		size_t used = strlen(names);
+		int nodes = 0;
+
+		for (int i = 0; i < planner->st.contacts; i++)
+			nodes += planner->st.contact[i].surface == s;
+		if ((nodes > 0) != touched || count++ >= NAMES)
+			continue;
+		snprintf(names + used, size - used, "%s%s", used ? ", " : "", net->surface[s].name);
+		used = strlen(names);
+		if (touched)
+			snprintf(names + used, size - used, " (%d node%s)", nodes, nodes == 1 ? "" : "s");
+	}
+	if (count > NAMES)
+		snprintf(names + strlen(names), size - strlen(names), " and %d more", count - NAMES);
+	return count;
+}
+
+static void friction(struct hawser__net_planner *planner)
+{
+	const struct hawser_net *net = planner->net;
+	int rough = 0, moving = 0, stick = 0;
+
+	for (int s = 0; s < net->surfaces; s++) {
+		const struct hawser_surface *of = &net->surface[s];
+		double v = fabs(of->speed) + fabs(of->velocity[0]) + fabs(of->velocity[1]) +
+		           fabs(of->velocity[2]);
+
+		rough += of->friction > 0.0;
+		moving += of->friction > 0.0 && v > 0.0;
+	}
+	for (int i = 0; i < planner->st.contacts; i++)
+		stick += planner->st.contact[i].sticks;
+	if (rough == 0)
+		say(planner, "friction", 0, "no obstacle has any");
+	else if (net->contact.history)
+		say(planner, "friction", 1, "along the way of the supports (contact.path), %d nodes stick at "
+		    "its end", stick);
+	else if (moving)
+		say(planner, "friction", 1, "of %d obstacle%s whose surface moves; at rest it depends on the "
+		    "way here, which contact.path would give", moving, moving == 1 ? "" : "s");
+	else
+		say(planner, "friction", 0, "in statics: at rest it depends on the way here, which "
+		    "contact.sliding: history and contact.path would give");
+	if (net->contact.modes != HAWSER_NET_MODES_SLIP && stick > 0)
+		say(planner, "contact in modes", 1, "%d nodes stick, %d slip along the obstacles "
+		    "(contact.modes)", stick, planner->st.contacts - stick);
+	else if (planner->st.contacts > 0)
+		say(planner, "contact in modes", 1, "nodes that touch slip along the obstacles, without "
+		    "friction");
+}
+
+static void contacts(struct hawser__net_planner *planner)
+{
+	const struct hawser_net *net = planner->net;
+	char names[160];
+	int count;
+
+	if (!net->surfaces)
+		return;
+	if (!planner->st.x) {
+		say(planner, "contact", 1, "with which obstacles: the statics say");
+		return;
+	}
+	count = obstacles(names, sizeof names, planner, 1);
+	if (count > 0)
+		say(planner, "contact", 1, "%d of %d obstacle%s touched in the equilibrium: %s", count,
+		    net->surfaces, net->surfaces == 1 ? "" : "s", names);
+	count = obstacles(names, sizeof names, planner, 0);
+	if (count > 0)
+		say(planner, "obstacles not touched", 0, "in the equilibrium: %s; modes are those without them",
+		    names);
+	friction(planner);
+	say(planner, "error of the mesh", 0, "exact catenaries know no obstacles: compare with twice as "
+	    "many elements");
+}
+
 /* What the loads of a scene may be at odds with. */
 static void warn_loads(struct hawser__net_planner *planner)
 {
@@ -264,7 +351,8 @@ static void warn_cables(struct hawser__net_planner *planner)
 	if (count)
 		warn(planner, "no mass: the inner nodes of %s; a motion needs it: give rho, or 1 element",
 		     names);
-	else if (planner->st.x && (count = list(names, sizeof names, planner, light)))
+	else if (planner->st.x && !planner->net->surfaces &&
+	         (count = list(names, sizeof names, planner, light)))
 		warn(planner, "as good as weightless: %s; 1 element is enough for statics", names);
 	if (planner->motion.switches > 0 && planner->net->axial == 0.0)
 		warn(planner, "elements become slack and taut in the motion (%ld times in its first %.3g "
@@ -282,6 +370,7 @@ enum hawser_status hawser__plan_words(struct hawser__net_planner *planner, struc
 		return hawser__no_memory(report, "net");
 	directions(planner);
 	law(planner);
+	contacts(planner);
 	mass(planner);
 	driving(planner);
 	for (int i = 0; i < HAWSER_NET_JOBS; i++)

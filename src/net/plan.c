@@ -191,9 +191,7 @@ enum hawser_status hawser_net_plan_make(struct hawser_net_plan *plan, const stru
 	planner->net = net;
 	if (options)
 		planner->options = *options;
-	status = hawser__touch_none(net, "hawser plan", report);
-	if (!status)
-		status = make(planner, report);
+	status = make(planner, report);
 	plan->seconds = hawser__processor_seconds() - began;
 	clear(planner);
 	free(planner);

@@ -26,6 +26,15 @@ static int loaded(const struct hawser_net *net, const struct hawser_net_load *lo
 	return 0;
 }
 
+/* 1 if a groove holds nodes at another place along z than this. */
+static int guided(const struct hawser_net *net, int k, double place)
+{
+	for (int s = 0; s < net->surfaces && k == 2; s++)
+		if (net->surface[s].groove && net->surface[s].at[2] != place)
+			return 1;
+	return 0;
+}
+
 int hawser__net_still(double *place, const struct hawser_net *net, int k,
                       const struct hawser__support_table *table, int tables)
 {
@@ -57,7 +66,7 @@ int hawser__net_still(double *place, const struct hawser_net *net, int k,
 		for (int row = 0; row < table[i].rows; row++)
 			if (table[i].x[row][k] != 0.0)
 				return 0;
-	return 1;
+	return !guided(net, k, *place);
 }
 
 /* Horizontal vectors that span the plane: between supports, of loads and of motions. */

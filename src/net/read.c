@@ -322,8 +322,11 @@ static enum hawser_status rules(struct hawser__reader *reader, const struct haws
 	return status;
 }
 
-static enum hawser_status interpret(struct hawser__reader *reader, struct hawser_net *net,
-                                    const struct hawser__tree *root)
+enum { DYNAMICS = 5 }; /* the first section below that spans have too */
+
+/* The sections of nets from number `from` on. */
+static enum hawser_status common(struct hawser__reader *reader, struct hawser_net *net,
+                                 const struct hawser__tree *root, int from)
 {
 	static const struct {
 		const char *name;
@@ -333,32 +336,24 @@ static enum hawser_status interpret(struct hawser__reader *reader, struct hawser
 	} part[] = {{"nodes", nodes, 1}, {"cables", cables, 1}, {"supports", hawser__net_supports, 1},
 	            {"masses", masses, 0}, {"loads", hawser__net_loads, 0}, {"dynamics", dynamics, 0},
 	            {"obstacles", hawser__net_obstacles, 0}, {"contact", hawser__net_contact, 0}};
-	const struct hawser__tree *kind, *damping;
-	enum hawser_status status = hawser__tree_keys(reader, root, "a scene of kind net",
-	                                             "kind, g, nodes, cables, supports, masses, loads, "
-	                                             "damping, dynamics, obstacles, contact");
+	const struct hawser__tree *damping = hawser__tree_find(root, "damping");
+	enum hawser_status status;
 
 	net->g = 9.81;
 	net->dynamics.rho_inf = -1.0;
-	if (status)
-		return status;
-	kind = hawser__tree_find(root, "kind");
-	if (kind && (!kind->text || strcmp(kind->text, "net") != 0))
-		return hawser__reader_fail(reader, &kind->at, "kind must be net");
 	net->g_given = hawser__tree_find(root, "g") != NULL;
 	status = optional(reader, &net->g, root, "g", "m/s^2", HAWSER__TREE_NOT_NEGATIVE);
-	for (size_t i = 0; i < sizeof part/sizeof *part && !status; i++) {
+	for (size_t i = (size_t)from; i < sizeof part/sizeof *part && !status; i++) {
 		const struct hawser__tree *tree = hawser__tree_find(root, part[i].name);
 
 		if (tree)
 			status = part[i].read(reader, net, tree);
-		else if (part[i].required)
+		else if (part[i].required && !(i == 2 && hawser__tree_find(root, "obstacles")))
 			status = hawser__reader_fail(reader, &(struct hawser__place){.pass = 1},
 			                             "a net needs %s (see hawser-scene(5))", part[i].name);
 		if (!status && i < 2)
 			status = hawser__net_index(reader, net);
 	}
-	damping = hawser__tree_find(root, "damping");
 	if (!status && damping) {
 		status = hawser__tree_keys(reader, damping, "damping", "alpha, axial");
 		if (!status)
@@ -367,8 +362,26 @@ static enum hawser_status interpret(struct hawser__reader *reader, struct hawser
 		if (!status)
 			status = optional(reader, &net->axial, damping, "axial", "s", HAWSER__TREE_NOT_NEGATIVE);
 	}
-	if (!status)
-		status = hawser__net_room(reader, net, root);
+	return status ? status : hawser__net_room(reader, net, root);
+}
+
+static enum hawser_status interpret(struct hawser__reader *reader, struct hawser_net *net,
+                                    const struct hawser__tree *root)
+{
+	const struct hawser__tree *kind = hawser__tree_find(root, "kind");
+	enum hawser_status status;
+
+	if (hawser__tree_find(root, "span")) {
+		status = hawser__net_of_span(reader, net, root);
+		return status ? status : common(reader, net, root, DYNAMICS);
+	}
+	status = hawser__tree_keys(reader, root, "a scene of kind net", "kind, g, nodes, cables, supports, "
+	                           "masses, loads, damping, dynamics, obstacles, contact");
+	if (status)
+		return status;
+	if (kind && (!kind->text || strcmp(kind->text, "net") != 0))
+		return hawser__reader_fail(reader, &kind->at, "kind must be net");
+	status = common(reader, net, root, 0);
 	return status ? status : rules(reader, net, hawser__tree_find(root, "cables"));
 }
 

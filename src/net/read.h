@@ -11,6 +11,9 @@ enum hawser_status hawser__net_loads(struct hawser__reader *reader, struct hawse
                                      const struct hawser__tree *tree) HAWSER_MUST_CHECK;
 enum hawser_status hawser__net_supports(struct hawser__reader *reader, struct hawser_net *net,
                                         const struct hawser__tree *tree) HAWSER_MUST_CHECK;
+/* read-span.c: nodes, supports and the cable of a span. */
+enum hawser_status hawser__net_of_span(struct hawser__reader *reader, struct hawser_net *net,
+                                       const struct hawser__tree *root) HAWSER_MUST_CHECK;
 /* obstacles.c: `obstacles` and `contact` of the scene, and whether its supports are outside them. */
 enum hawser_status hawser__net_obstacles(struct hawser__reader *reader, struct hawser_net *net,
                                          const struct hawser__tree *tree) HAWSER_MUST_CHECK;

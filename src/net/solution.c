@@ -32,6 +32,9 @@ enum hawser_status hawser__net_supported(const struct hawser__mesh *mesh, const 
 	                                 : hawser__no_memory(report, "net");
 	char names[160] = "";
 
+	if (mesh->around)
+		lost = -1; /* an obstacle holds it */
+
 	for (int i = 0; lost >= 0 && i < net->nodes; i++) {
 		size_t used = strlen(names);
 
@@ -159,7 +162,7 @@ static enum hawser_status of_mesh(struct hawser_net_statics *st, const struct ha
 			.compressed = found.compressed, .apart = found.apart};
 		status = fill(st, &mesh, T, report);
 		if (!status)
-			status = hawser__touch_list(st, &mesh, report);
+			status = hawser__touch_list(&st->contact, &st->contacts, &mesh, st->nodes, report);
 	}
 	free(T);
 	hawser__mesh_clear(&mesh);

@@ -316,6 +316,18 @@ void hawser__sparse_block(struct hawser__sparse *sparse, int element, const doub
 				x[at[entry]] += i/3 == j/3 ? block[i%3][j%3] : -block[i%3][j%3];
 }
 
+void hawser__sparse_ends(struct hawser__sparse *sparse, int element, const double block[6][6])
+{
+	const int *at = sparse->at[element];
+	double *x = sparse->matrix->x;
+
+	for (int i = 0, entry = 0; i < DIRECTIONS; i++)
+		for (int j = 0; j <= i; j++, entry++)
+			if (at[entry] >= 0) /* both triangles of two directions that are one unknown */
+				x[at[entry]] += i != j && at[entry] == at[i*(i + 3)/2] ? 2.0*block[i][j]
+				                                                       : block[i][j];
+}
+
 void hawser__sparse_node(struct hawser__sparse *sparse, int element, int end, const double block[3][3])
 {
 	const int *at = sparse->at[element];

@@ -57,6 +57,18 @@ void hawser__net_start_forces(struct hawser__net_work *work)
 	}
 }
 
+/* Around an obstacle: what the strain of the straight cables gives, of all together. */
+static void stretched(struct hawser__net_work *work)
+{
+	const struct hawser__mesh *mesh = work->mesh;
+	double chords = 0.0;
+
+	for (int c = 0; c < mesh->cables; c++)
+		chords += chord_of(mesh, mesh->end[mesh->first[c]][0], mesh->end[mesh->first[c + 1] - 1][1]);
+	for (int i = 0; i < mesh->elements; i++)
+		work->N[i] = fmax(work->N[i], mesh->EA[i]*(chords/work->reach - 1.0));
+}
+
 /* The positions that the force densities N/length0 give. */
 static enum hawser_status densities(struct hawser__net_work *work, struct hawser_report *report)
 {
@@ -120,7 +132,9 @@ enum hawser_status hawser__net_begin(struct hawser__net_work *work,
 
 	work->first = options->keep_start ? options->N : NULL;
 	hawser__net_start_forces(work);
-	if (!options->keep_start)
+	if (!options->keep_start && mesh->around)
+		stretched(work);
+	else if (!options->keep_start)
 		status = densities(work, report);
 	if (!options->keep_start && start == HAWSER_NET_START_CHORD)
 		straighten(mesh, noise, options->seed);

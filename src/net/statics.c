@@ -197,7 +197,7 @@ static enum hawser_status supported(const struct hawser__mesh *mesh, struct haws
 	                                 : hawser__no_memory(report, "net");
 
 	free(part);
-	if (status || lost < 0)
+	if (status || lost < 0 || mesh->around)
 		return status;
 	return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "net",
 	                    "the part of the mesh with node %d has no support in direction %c", lost,

@@ -119,11 +119,20 @@ static int moves_alike(const struct hawser__mesh *mesh, const double map[3][3], 
 	int free_i = 0, free_j = 0;
 
 	for (int k = 0; k < 3; k++) {
+		double a[3];
+
+		hawser__mesh_axis(a, mesh, i, k);
 		free_i += mesh->unknown[i][k] >= 0;
 		free_j += mesh->unknown[j][k] >= 0;
-		for (int l = 0; l < 3; l++)
-			if (mesh->unknown[i][k] >= 0 && mesh->unknown[j][l] < 0 && fabs(map[l][k]) > held)
+		for (int l = 0; l < 3; l++) {
+			double b[3], along = 0.0;
+
+			hawser__mesh_axis(b, mesh, j, l);
+			for (int m = 0; m < 9; m++)
+				along += b[m/3]*map[m/3][m%3]*a[m%3];
+			if (mesh->unknown[i][k] >= 0 && mesh->unknown[j][l] < 0 && fabs(along) > held)
 				return 0;
+		}
 	}
 	return free_i == free_j;
 }

@@ -19,7 +19,6 @@
 
 #include <float.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "core/report.h"
@@ -29,8 +28,8 @@ static const double STIFFER = 1e3; /* k over the stiffness of the elements at th
                                     * leaves a thousandth of the error of a gap at most */
 /* Of the bound: friction that exceeds it by no more is at it; round-off of forces is below. */
 static const double SLIDES = 1e-9;
-/* Of an element, where nodes begin above a circle or segment; the least gap then. */
-static const double OFF = 0.1, TINY = 1e-14;
+/* Of an element: least gap of a node from a circle or segment when the interior point begins. */
+static const double TINY = 1e-14;
 static const double ROUND = 16.0;  /* operations whose errors of one ulp add up in a gap */
 
 static double dot(const double a[3], const double b[3])
@@ -43,71 +42,6 @@ static double norm(const double a[3])
 	return sqrt(dot(a, a));
 }
 
-static int movable(const struct hawser__mesh *mesh, int node)
-{
-	const int *unknown = mesh->unknown[node];
-
-	return unknown[0] >= 0 || unknown[1] >= 0 || unknown[2] >= 0;
-}
-
-enum hawser_status hawser__touch_open(struct hawser__mesh *mesh, const struct hawser_net *net,
-                                      struct hawser_report *report)
-{
-	size_t pairs = (size_t)mesh->nodes*(size_t)net->surfaces;
-	int *at;
-
-	if (!pairs)
-		return HAWSER_OK;
-	at = malloc((size_t)mesh->nodes*sizeof *at);
-	mesh->touch = calloc(pairs, sizeof *mesh->touch);
-	for (int i = 0; at && i < mesh->nodes; i++)
-		at[i] = -1;
-	for (int e = 0; at && e < mesh->elements; e++)
-		for (int end = 0; end < 2; end++)
-			at[mesh->end[e][end]] = 2*e + end;
-	for (int i = 0; at && mesh->touch && i < mesh->nodes; i++)
-		for (int s = 0; s < net->surfaces && at[i] >= 0 && movable(mesh, i); s++)
-			mesh->touch[mesh->touches++] = (struct hawser__touch){
-				.surface = &net->surface[s], .number = s, .node = i, .element = at[i]/2,
-				.end = at[i] % 2};
-	pairs = at && mesh->touch;
-	free(at);
-	return pairs ? HAWSER_OK : hawser__no_memory(report, "net");
-}
-
-enum hawser_status hawser__touch_again(struct hawser__mesh *mesh, const struct hawser_net *net,
-                                       struct hawser_report *report)
-{
-	struct hawser__touch *old = mesh->touch;
-	int count = mesh->touches;
-	enum hawser_status status;
-
-	mesh->touch = NULL;
-	mesh->touches = 0;
-	status = hawser__touch_open(mesh, net, report);
-	for (int i = 0, j = 0; !status && i < mesh->touches; i++) { /* both are in the order of the nodes */
-		while (j < count && old[j].node < mesh->touch[i].node)
-			j++;
-		if (j < count && old[j].node == mesh->touch[i].node) {
-			mesh->touch[i].r = old[j].r;
-			mesh->touch[i].slides = old[j].slides;
-			memcpy(mesh->touch[i].friction, old[j++].friction, sizeof mesh->touch[i].friction);
-		}
-	}
-	free(old);
-	return status;
-}
-
-enum hawser_status hawser__touch_none(const struct hawser_net *net, const char *command,
-                                      struct hawser_report *report)
-{
-	if (!net->surfaces)
-		return HAWSER_OK;
-	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: %s does not know obstacles in nets "
-	                    "yet, hawser statics does: leave the section obstacles out",
-	                    net->name ? net->name : "the net", command);
-}
-
 void hawser__touch_measure(struct hawser__mesh *mesh)
 {
 	for (int i = 0; i < mesh->touches; i++) {
@@ -117,46 +51,6 @@ void hawser__touch_measure(struct hawser__mesh *mesh)
 	}
 }
 
-int hawser__touch_convex(const struct hawser__mesh *mesh)
-{
-	int convex = 1;
-
-	for (int i = 0; i < mesh->touches && mesh->touch[i].node == mesh->touch[0].node; i++)
-		convex = convex && hawser_surface_convex(mesh->touch[i].surface);
-	return convex;
-}
-
-/* Off a circle or segment, by a part of an element: see hawser__touch_follow. */
-static void lift(struct hawser__mesh *mesh, const struct hawser__touch *touch)
-{
-	const int *unknown = mesh->unknown[touch->node];
-	double n[3], g = hawser_surface_gap(n, NULL, touch->surface, mesh->q[touch->node]);
-	double off = OFF*mesh->length0[touch->element] - g;
-
-	for (int k = 0; off > 0.0 && !hawser_surface_convex(touch->surface) && k < 3; k++)
-		if (unknown[k] >= 0)
-			mesh->q[touch->node][k] += off*n[k];
-}
-
-void hawser__touch_start(struct hawser__mesh *mesh)
-{
-	for (int pass = 0; pass < 2; pass++) /* twice, since obstacles may overlap */
-		for (int i = 0; i < mesh->touches; i++) {
-			const int *unknown = mesh->unknown[mesh->touch[i].node];
-			double x[3];
-
-			memcpy(x, mesh->q[mesh->touch[i].node], sizeof x);
-			if (!hawser_surface_clear_of(x, mesh->touch[i].surface))
-				continue;
-			for (int k = 0; k < 3; k++)
-				if (unknown[k] >= 0)
-					mesh->q[mesh->touch[i].node][k] = x[k];
-		}
-	for (int i = 0; i < mesh->touches; i++)
-		lift(mesh, &mesh->touch[i]);
-	hawser__touch_measure(mesh);
-}
-
 void hawser__touch_forces(double (*residual)[3], const struct hawser__mesh *mesh)
 {
 	for (int i = 0; i < mesh->touches; i++) {
@@ -164,6 +58,7 @@ void hawser__touch_forces(double (*residual)[3], const struct hawser__mesh *mesh
 
 		for (int k = 0; k < 3; k++)
 			residual[touch->node][k] -= touch->r*touch->n[k] + touch->friction[k];
+		residual[touch->node][2] -= touch->aside;
 	}
 }
 
@@ -197,6 +92,7 @@ void hawser__touch_fixed(struct hawser__mesh *mesh)
 		touch->stiff = 0.0;
 		for (int k = 0; k < 3; k++)
 			touch->push[k] = touch->r*touch->n[k] + touch->friction[k];
+		touch->push[2] += touch->aside;
 	}
 }
 
@@ -216,6 +112,21 @@ static void add(struct hawser__touch *touch, double a, double b)
 			touch->block[i][j] += (a - b)*touch->n[i]*touch->n[j] + (i == j ? b : 0.0);
 }
 
+/* How far a node is from the middle of a groove, along z. */
+static double aside_of(const struct hawser__mesh *mesh, const struct hawser__touch *touch)
+{
+	return touch->surface->groove ? mesh->q[touch->node][2] - touch->surface->at[2] : 0.0;
+}
+
+/* A groove: as stiff along z as the obstacle is along its normal. */
+static void guide(const struct hawser__mesh *mesh, struct hawser__touch *touch)
+{
+	if (!touch->surface->groove)
+		return;
+	touch->block[2][2] += touch->stiff;
+	touch->push[2] += touch->aside - touch->stiff*aside_of(mesh, touch);
+}
+
 /* --- interior point --- */
 
 /* The velocity of a surface that moves; 0 if it is at rest. */
@@ -228,10 +139,10 @@ static double moving(double v[3], const struct hawser__mesh *mesh, const struct 
 /* Friction of a surface that moves: along its velocity. Returns 0 if it is at rest. */
 static int dragged(const struct hawser__mesh *mesh, struct hawser__touch *touch)
 {
-	double v[3], size = touch->surface->friction > 0.0 ? moving(v, mesh, touch) : 0.0;
+	double v[3], size = hawser__touch_friction(touch) > 0.0 ? moving(v, mesh, touch) : 0.0;
 
 	for (int k = 0; size > 0.0 && k < 3; k++)
-		touch->friction[k] = touch->surface->friction*fmax(touch->r, 0.0)*v[k]/size;
+		touch->friction[k] = hawser__touch_friction(touch)*fmax(touch->r, 0.0)*v[k]/size;
 	return size > 0.0;
 }
 
@@ -265,6 +176,8 @@ void hawser__touch_interior(struct hawser__mesh *mesh, double mu)
 		dragged(mesh, touch);
 		for (int k = 0; k < 3; k++)
 			touch->push[k] = force*touch->n[k] + touch->friction[k];
+		touch->aside = 0.0;
+		guide(mesh, touch);
 	}
 }
 
@@ -329,6 +242,8 @@ static void slip_of(double d[3], const struct hawser__mesh *mesh, const struct h
 	along = dot(d, touch->n);
 	for (int k = 0; k < 3; k++)
 		d[k] -= along*touch->n[k];
+	if (touch->surface->groove)
+		d[2] = 0.0; /* the groove holds it, not friction */
 }
 
 /* What friction would be without its bound: f - k*d, along the surface. */
@@ -347,7 +262,7 @@ static double trial_of(double trial[3], const struct hawser__touch *touch, const
 /* Friction of the next step: block and push, for the bound of the last one. */
 static void rub(const struct hawser__net_work *work, struct hawser__touch *touch)
 {
-	double bound = touch->surface->friction*touch->r, d[3], trial[3], size, along;
+	double bound = hawser__touch_friction(touch)*touch->r, d[3], trial[3], size, along;
 
 	if (!(bound > 0.0))
 		return;
@@ -375,7 +290,7 @@ static void rub(const struct hawser__net_work *work, struct hawser__touch *touch
 	}
 }
 
-void hawser__touch_linear(struct hawser__net_work *work, int curved)
+void hawser__touch_linear(struct hawser__net_work *work, double curved)
 {
 	struct hawser__mesh *mesh = work->mesh;
 
@@ -395,15 +310,16 @@ void hawser__touch_linear(struct hawser__net_work *work, int curved)
 		memset(touch->block, 0, sizeof touch->block);
 		memset(touch->push, 0, sizeof touch->push);
 		if (!(touch->r - soft*touch->g > 0.0)) {
-			touch->stiff = touch->r = 0.0;
+			touch->stiff = touch->r = touch->aside = 0.0;
 			continue;
 		}
 		add(touch, touch->stiff, 0.0);
 		for (int k = 0; k < 3; k++)
 			touch->push[k] = force*touch->n[k];
+		guide(mesh, touch);
 		rub(work, touch);
-		for (int k = 0; curved && k < 9; k++)
-			touch->block[k/3][k%3] -= touch->r*touch->H[k/3][k%3];
+		for (int k = 0; k < 9; k++)
+			touch->block[k/3][k%3] -= curved*touch->r*touch->H[k/3][k%3];
 	}
 }
 
@@ -447,9 +363,11 @@ void hawser__touch_after(struct hawser__net_work *work)
 		if (touch->stiff > 0.0) {
 			step_of(d, work, touch);
 			touch->r -= touch->stiff*(touch->g + dot(touch->n, d));
-			bound = touch->surface->friction*fmax(touch->r, 0.0);
+			if (touch->surface->groove)
+				touch->aside -= touch->stiff*(aside_of(work->mesh, touch) + d[2]);
+			bound = hawser__touch_friction(touch)*fmax(touch->r, 0.0);
 		} else {
-			touch->r = bound = 0.0;
+			touch->r = touch->aside = bound = 0.0;
 		}
 		if (bound > 0.0)
 			rubbed(work, touch, bound);
@@ -462,7 +380,7 @@ void hawser__touch_after(struct hawser__net_work *work)
 /* Whether friction and slip of a node agree. */
 static int agrees(const struct hawser__net_work *work, const struct hawser__touch *touch)
 {
-	double bound = touch->surface->friction*touch->r, size = norm(touch->friction), d[3];
+	double bound = hawser__touch_friction(touch)*touch->r, size = norm(touch->friction), d[3];
 
 	if (!(bound > 0.0))
 		return size == 0.0;
@@ -485,7 +403,8 @@ int hawser__touch_settled(double *gap, const struct hawser__net_work *work)
 	*gap = 0.0;
 	for (int i = 0; i < mesh->touches; i++) {
 		const struct hawser__touch *touch = &mesh->touch[i];
-		double error = touch->r != 0.0 ? fabs(touch->g) : fmax(-touch->g, 0.0);
+		double error = touch->r != 0.0 ? fmax(fabs(touch->g), fabs(aside_of(mesh, touch)))
+			: fmax(-touch->g, 0.0);
 
 		*gap = fmax(*gap, error);
 		settled = settled && touch->r >= 0.0 && error <= least_of(mesh, touch) && agrees(work, touch);

@@ -29,9 +29,9 @@ void hawser__touch_limit(double *step, const struct hawser__net_work *work, doub
 void hawser__touch_follow(struct hawser__mesh *mesh);
 void hawser__touch_advance(const struct hawser__net_work *work, double mu, double step);
 
-/* Newton's method with contact: r = max(0, r - stiff*g), and friction; the equations of the next step,
- * then the forces after it, for the step work->x. */
-void hawser__touch_linear(struct hawser__net_work *work, int curved);
+/* Newton's method with contact: r = max(0, r - stiff*g), and friction; the equations of the next step
+ * with a part of the curvature of the obstacles, then the forces after it, for the step work->x. */
+void hawser__touch_linear(struct hawser__net_work *work, double curved);
 void hawser__touch_after(struct hawser__net_work *work);
 /* 1 if r and gaps, friction and slips agree. *gap: largest penetration or gap of what touches, m. */
 int hawser__touch_settled(double *gap, const struct hawser__net_work *work);
@@ -44,8 +44,23 @@ enum hawser_status hawser__net_history(struct hawser__mesh *mesh, double *T,
 /* touched.c: fail where the net passes a circle on the other side than the scene says. */
 enum hawser_status hawser__touch_sides(const struct hawser__mesh *mesh, const struct hawser_net *net,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
-/* The contacts of a result. */
-enum hawser_status hawser__touch_list(struct hawser_net_statics *st, const struct hawser__mesh *mesh,
+/* Coefficient of friction, 0 of a circle that turns freely: it takes no moment. */
+double hawser__touch_friction(const struct hawser__touch *touch);
+/* 1 if friction holds the node where it is; of a node that touches. */
+int hawser__touch_sticks(const struct hawser__touch *touch);
+
+/* touch-hold.c: leave to the nodes that touch only the directions along the obstacles, or none
+ * where they stick (mesh->frame), for modes about this state: HAWSER_NET_MODES_STATICS: as the
+ * statics has it. state [nodes] gets one of enum hawser_net_contact_state. */
+enum hawser_status hawser__touch_hold(unsigned char *state, struct hawser__mesh *mesh,
+                                      const struct hawser_net *net, enum hawser_net_contact_modes how,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Number of touches without gap and without force, as far as round-off tells; *node: the first.
+ * They are open from then on. */
+int hawser__touch_doubtful(int *node, struct hawser__mesh *mesh, const double *T);
+/* The contacts of a result: list [*count], of a net with so many nodes. */
+enum hawser_status hawser__touch_list(struct hawser_net_contact **list, int *count,
+                                      const struct hawser__mesh *mesh, int nodes,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 
 #endif

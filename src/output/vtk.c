@@ -43,9 +43,13 @@ static int write_all(FILE *stream, const struct hawser__vtk *vtk)
 		fprintf(stream, "SCALARS %s double 1\nLOOKUP_TABLE default\n", vtk->scalar[i].name);
 		finite &= numbers(stream, vtk->scalar[i].value, (size_t)vtk->lines, 1);
 	}
+	if (vtk->marks + vtk->vectors > 0)
+		fprintf(stream, "POINT_DATA %d\n", vtk->points);
+	for (int i = 0; i < vtk->marks; i++) {
+		fprintf(stream, "SCALARS %s double 1\nLOOKUP_TABLE default\n", vtk->mark[i].name);
+		finite &= numbers(stream, vtk->mark[i].value, points, 1);
+	}
 	for (int i = 0; i < vtk->vectors; i++) {
-		if (i == 0)
-			fprintf(stream, "POINT_DATA %d\n", vtk->points);
 		fprintf(stream, "VECTORS %s_%d double\n", vtk->vector, i + 1);
 		finite &= numbers(stream, vtk->shape[(size_t)i*points], points, 3);
 	}

@@ -15,6 +15,8 @@ struct hawser__vtk {
 		const char *name;     /* without white space */
 		const double *value;  /* [lines] */
 	} *scalar;            /* [scalars] */
+	int marks;            /* of points: */
+	const struct hawser__vtk_scalar *mark; /* [marks], with value [points] */
 	int vectors;          /* of points: vector_1 and so on */
 	const char *vector;   /* such as "mode" */
 	const double (*shape)[3]; /* [vectors*points] */

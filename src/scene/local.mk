@@ -31,6 +31,7 @@ CLEANFILES += %D%/manpage$(EXEEXT)
 	%D%/example.c \
 	%D%/example.h \
 	%D%/manpage.c \
+	%D%/manpage_net_obstacles.c \
 	%D%/manpage_obstacles.c \
 	%D%/manpage_rod.c \
 	%D%/manpage_ropeway.c \

@@ -433,45 +433,7 @@ static const char net_keys[] =
 	".B dynamics\n"
 	"has scheme, rho_inf, step, from (a file of a state), and release: supports that let go at t = 0.\n"
 	".B g\n"
-	"is 9.81 m/s^2.\n"
-	".PP\n"
-	".B obstacles\n"
-	"is a list of surfaces that the nodes of the mesh do not pass. Each has one of\n"
-	".B plane\n"
-	"{point: [x, y, z], normal: [x, y, z]}, whose normal is towards the net (z may be left out: 0);\n"
-	".B segment\n"
-	"{from: [x, y], to: [x, y]}; and\n"
-	".B circle\n"
-	"{centre: [x, y], radius: ...}; these two extend along z. Besides it may have a\n"
-	".B name\n"
-	"(s0, s1 and so on); the\n"
-	".B side\n"
-	"where the net is: above (the default) or below, left or right of a vertical segment, inside a\n"
-	"circle; the coefficient of\n"
-	".B friction\n"
-	"(0); and a\n"
-	".B velocity\n"
-	"of its surface: a vector in m/s along a plane, a number along a segment from its first end, or\n"
-	"counterclockwise around a circle. Cables must have length0. Only\n"
-	".BR hawser\\-statics (1)\n"
-	"and\n"
-	".BR hawser\\-integrate (1)\n"
-	"take obstacles in nets.\n"
-	".PP\n"
-	".B contact\n"
-	"has\n"
-	".BR sliding :\n"
-	"none (the default), in which only surfaces that move have friction, or history, in which\n"
-	"friction follows the way of the supports to their places; this\n"
-	".BR path ,\n"
-	"{B: [[380 m, 200 m, 0 m], ...]}, begins with an equilibrium without friction in which nodes\n"
-	"with a given place are held, ends where nodes has the supports, and is gone in a number of\n"
-	".B steps\n"
-	"(20) between two places; and\n"
-	".B restitution\n"
-	"(0 to 1; 0), of impacts: the normal velocity after an impact over the one before. Statics does\n"
-	"not use it. In a motion all obstacles have their friction; the sliding is that of the\n"
-	"equilibrium at which it begins.\n";
+	"is 9.81 m/s^2.\n";
 
 int main(void)
 {
@@ -485,6 +447,7 @@ int main(void)
 	fputs(bending, stdout);
 	fputs(nets, stdout);
 	fputs(net_keys, stdout);
+	fputs(hawser__manpage_net_obstacles, stdout);
 	fputs(hawser__manpage_obstacles, stdout);
 	fputs(hawser__manpage_ropeways, stdout);
 	fputs(hawser__manpage_rods, stdout);

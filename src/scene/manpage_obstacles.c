@@ -87,5 +87,5 @@ const char hawser__manpage_obstacles[] =
 	"they stick.\n"
 	"Only hawser\\-modes(1) uses contact.modes, groove and inertia.\n"
 	".B contact.restitution\n"
-	"must be 0: it is of motions, which obstacles do not have yet. Neither are there planes,\n"
-	"segments and surfaces that move yet.\n";
+	"must be 0: it is of motions, which obstacles do not have yet. Surfaces do not move. With planes\n"
+	"or segments among the obstacles the span is a mesh, see NETS.\n";

@@ -383,8 +383,16 @@ static int line_begins(const char *line, const char *text)
 	return !*text;
 }
 
-/* 1 if a line of this file begins with the text. */
-static int begins(const char *path, const char *text)
+/* 1 if a line has the text, before any comment. */
+static int line_has(const char *line, const char *text)
+{
+	const char *at = strstr(line, text);
+
+	return at && !memchr(line, '#', (size_t)(at - line));
+}
+
+/* 1 if a line of this file begins with the text; with `within`, has it. */
+static int begins(const char *path, const char *text, int within)
 {
 	struct stat file;
 	int found = 0, fresh = 1, whole = !stat(path, &file) && S_ISREG(file.st_mode);
@@ -392,7 +400,7 @@ static int begins(const char *path, const char *text)
 	char line[256];
 
 	while (stream && !found && fgets(line, sizeof line, stream)) {
-		found = fresh && line_begins(line, text);
+		found = within ? line_has(line, text) : fresh && line_begins(line, text);
 		fresh = strchr(line, '\n') != NULL;
 	}
 	if (stream)
@@ -409,8 +417,15 @@ int hawser__tree_is(const char *path, const char *kind)
 	           {"obstacles:", "obstacles"}, {"contact:", "obstacles"}, {"rod:", "rod"},
 	           {"kind: rod", "rod"}, {"kind:", "net"}};
 
-	for (size_t i = 0; i < sizeof row/sizeof *row; i++)
-		if (begins(path, row[i].text))
-			return !strcmp(row[i].kind, kind);
+	for (size_t i = 0; i < sizeof row/sizeof *row; i++) {
+		const char *found = row[i].kind;
+
+		if (!begins(path, row[i].text, 0))
+			continue;
+		/* spans whose obstacles are not all circles are meshes */
+		if (!strcmp(found, "obstacles") && (begins(path, "plane:", 1) || begins(path, "segment:", 1)))
+			found = "net";
+		return !strcmp(found, kind);
+	}
 	return 0;
 }
