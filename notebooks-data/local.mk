@@ -2,6 +2,8 @@
 # start from.
 # Table of bench/trade.py, which doc/trade.svg shows.
 EXTRA_DIST += %D%/trade.tsv
+# Notebooks, which python/tests/test_notebooks.py runs.
+EXTRA_DIST += %D%/chairlift.ipynb %D%/how-many-modes.ipynb %D%/irvine.ipynb %D%/stability-map.ipynb %D%/travelling.ipynb
 scenesdir = $(pkgdatadir)/scenes
 dist_scenes_DATA = \
 	%D%/scenes/b-table-2.1.yaml \

@@ -14,4 +14,5 @@ EXTRA_DIST += \
 	%D%/tests/conftest.py \
 	%D%/tests/test_documents.py \
 	%D%/tests/test_hawser.py \
-	%D%/tests/test_layout.py
+	%D%/tests/test_layout.py \
+	%D%/tests/test_notebooks.py

@@ -4,7 +4,8 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Callable, Dict, List, Optional, Union
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any, Callable, Dict, Iterator, List, Optional, Union
 
 import numpy as np
 
@@ -30,18 +31,23 @@ _SHARED = {"frf": "amplitude", "integrate": "displacement"}
 _UNITS = ("rad_s2", "rad_s", "m_s2", "m_s", "Nm", "Hz", "kg", "rad", "N", "m", "s", "J", "K")
 
 
-def _axes(ax: Any) -> Any:
-    import matplotlib
+@contextmanager
+def _drawing(ax: Any) -> Iterator[Any]:
+    """The axes, or new ones, in the style; new ones are closed if drawing fails."""
     import matplotlib.pyplot as pyplot
 
-    if ax is not None:
-        return ax
-    with matplotlib.rc_context(STYLE):
-        from cycler import cycler
-
-        axes = pyplot.subplots()[1]
-        axes.set_prop_cycle(cycler(color=COLOURS))
-    return axes
+    # outside the context: the first figure chooses the backend, which the end of the context would undo
+    figure = None if ax is not None else pyplot.figure(figsize=STYLE["figure.figsize"], constrained_layout=True)
+    try:
+        with pyplot.rc_context(STYLE):
+            axes = ax if figure is None else figure.add_subplot()
+            if figure is not None:
+                axes.set_prop_cycle(color=COLOURS)
+            yield axes
+    except BaseException:
+        if figure is not None:
+            pyplot.close(figure)
+        raise
 
 
 def title(column: str) -> str:
@@ -73,15 +79,13 @@ def curve(ax: Any, x: "np.ndarray[Any, Any]", y: "np.ndarray[Any, Any]", stable:
 
 def result(of: "Result", x: Optional[str] = None, y: Union[str, List[str], None] = None, ax: Any = None) -> Any:
     """Columns y over column x of a result's table. Unstable parts of a response are dashed."""
-    import matplotlib
-
-    with matplotlib.rc_context(STYLE):
-        return _result(of, x, y, ax)
+    with _drawing(ax) as axes:
+        return _result(of, x, y, axes)
 
 
-def _result(of: "Result", x: Optional[str], y: Union[str, List[str], None], ax: Any) -> Any:
+def _result(of: "Result", x: Optional[str], y: Union[str, List[str], None], axes: Any) -> Any:
     if x is None and y is None and of.command in _OWN:
-        return _OWN[of.command](of, _axes(ax))
+        return _OWN[of.command](of, axes)
     names = of.names
     numbers = [n for n in names if of.table.dtype[n].kind == "f"]
     if len(numbers) < 2:
@@ -96,7 +100,6 @@ def _result(of: "Result", x: Optional[str], y: Union[str, List[str], None], ax: 
     missing = [w for w, found in zip([x] + list(wanted), [across] + up) if w and not found]
     if across is None or missing:
         raise ValueError(f"no column {', '.join(missing)} in the table of {of.command}: it has {', '.join(names)}")
-    axes = _axes(ax)
     stable = of.table["stable"] > 0 if "stable" in names else None
     for name in up:
         if name:
@@ -154,10 +157,11 @@ _OWN: Dict[str, Callable[["Result", Any], Any]] = {"irvine": _irvine, "campbell"
 
 def profile(of: "Statics", ax: Any = None) -> Any:
     """The static shape, height over distance."""
-    axes, rows = _axes(ax), of.profile()
-    axes.plot(rows["x"], rows["y"])
-    axes.set_xlabel("x (m)")
-    axes.set_ylabel("height (m)")
+    rows = of.profile()
+    with _drawing(ax) as axes:
+        axes.plot(rows["x"], rows["y"])
+        axes.set_xlabel("x (m)")
+        axes.set_ylabel("height (m)")
     return axes
 
 
@@ -166,9 +170,9 @@ def response(of: "Response", probe: str = "mid", component: str = "z", ax: Any =
     names = of.model.probes
     if probe not in names or component not in ("x", "y", "z"):
         raise ValueError(f"no component {component} at {probe}: there are x, y, z at {', '.join(names)}")
-    axes = _axes(ax)
     amplitude = of.probe[:, names.index(probe), "xyz".index(component)] * of.model.length
-    curve(axes, of.omega_si, amplitude, of.stable)
-    axes.set_xlabel("Omega (rad/s)")
-    axes.set_ylabel(f"amplitude of {component}, {probe} (m)")
+    with _drawing(ax) as axes:
+        curve(axes, of.omega_si, amplitude, of.stable)
+        axes.set_xlabel("Omega (rad/s)")
+        axes.set_ylabel(f"amplitude of {component}, {probe} (m)")
     return axes
