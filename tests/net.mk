@@ -51,6 +51,12 @@ tests_property_test_net_eigen_LDADD = $(UPTO_NET)
 tests_property_test_net_span_modes_SOURCES = tests/property/test-net-span-modes.c
 tests_property_test_net_span_modes_LDADD = $(UPTO_NET)
 
+NET_IMPACT_TESTS = tests/property/test-net-impact-order
+check_PROGRAMS += $(NET_IMPACT_TESTS)
+TESTS += $(NET_IMPACT_TESTS)
+tests_property_test_net_impact_order_SOURCES = tests/property/test-net-impact-order.c
+tests_property_test_net_impact_order_LDADD = $(UPTO_NET)
+
 NET_METHODS_TESTS = tests/property/test-net-methods
 check_PROGRAMS += $(NET_METHODS_TESTS)
 TESTS += $(NET_METHODS_TESTS)

@@ -72,7 +72,7 @@ static int allocate(struct hawser__motion_contact *contact, size_t nodes, size_t
 }
 
 enum hawser_status hawser__contact_open(struct hawser__motion *motion, double restitution,
-                                        struct hawser_report *report)
+                                        const char *method, struct hawser_report *report)
 {
 	const struct hawser__mesh *mesh = motion->mesh;
 	struct hawser__motion_contact *contact = calloc(1, sizeof *contact);
@@ -84,6 +84,7 @@ enum hawser_status hawser__contact_open(struct hawser__motion *motion, double re
 	motion->far = 0.0;
 	contact->touches = mesh->touches;
 	contact->restitution = restitution;
+	contact->method = method;
 	if (!allocate(contact, (size_t)mesh->nodes, (size_t)mesh->elements))
 		return hawser__no_memory(report, "net");
 	status = hawser_friction_open(&contact->solver, mesh->nodes, (const int (*)[2])mesh->end,
@@ -99,6 +100,37 @@ enum hawser_status hawser__contact_open(struct hawser__motion *motion, double re
 		for (int end = 0; end < 2; end++)
 			contact->weight[mesh->end[e][end]] += 0.5*motion->element[e].m;
 	return status;
+}
+
+double hawser__contact_gap(double n[3], const struct hawser_surface *surface, const double at[3])
+{
+	double d[3] = {at[0] - surface->at[0], at[1] - surface->at[1], at[2] - surface->at[2]};
+
+	if (surface->kind != HAWSER_SURFACE_SEGMENT)
+		return hawser_surface_gap(n, NULL, surface, at);
+	memcpy(n, surface->normal, 3*sizeof *n);
+	return dot(n, d);
+}
+
+/* 1 if a node that goes from a place to another may touch the surface: a segment if it is at its free
+ * side above it, or passes its line there. What has gone around its ends is behind it. */
+static int reaches(const struct hawser_surface *surface, const double from[3], const double to[3],
+                   double g0, double g1, double round)
+{
+	double way[2] = {surface->to[0] - surface->at[0], surface->to[1] - surface->at[1]}, part[2], s;
+
+	if (surface->kind != HAWSER_SURFACE_SEGMENT)
+		return 1;
+	if (g0 < -round)
+		return 0;
+	s = g1 < 0.0 && g0 > 0.0 ? g0/(g0 - g1) : 0.0;
+	for (int i = 0; i < 2; i++) {
+		double x = from[0] + i*s*(to[0] - from[0]), y = from[1] + i*s*(to[1] - from[1]);
+
+		part[i] = ((x - surface->at[0])*way[0] + (y - surface->at[1])*way[1])/
+		          (way[0]*way[0] + way[1]*way[1]);
+	}
+	return (part[1] >= 0.0 && part[1] <= 1.0) || (g0 <= round && part[0] >= 0.0 && part[0] <= 1.0);
 }
 
 /* Where a node is, with the increment x or without (NULL). */
@@ -124,13 +156,14 @@ void hawser__contact_begin(struct hawser__motion *motion)
 	for (int i = 0; i < contact->touches; i++) {
 		const struct hawser__touch *of = &motion->mesh->touch[i];
 		struct hawser__motion_touch *touch = &contact->touch[i];
-		double at[3], n[3];
+		double at[3], n[3], round;
 
 		*touch = (struct hawser__motion_touch){.candidate = -1, .N = of->r};
 		place(at, motion, of->node, NULL);
-		touch->g0 = touch->g1 = hawser_surface_gap(n, NULL, of->surface, at);
-		touch->closed = of->r > 0.0 || (touch->g0 <= round_off(contact, of->surface, at) &&
-		                                dot(n, motion->v[of->node]) <= 0.0);
+		touch->g0 = touch->g1 = hawser__contact_gap(n, of->surface, at);
+		round = round_off(contact, of->surface, at);
+		touch->closed = reaches(of->surface, at, at, touch->g0, touch->g0, round) &&
+		                (of->r > 0.0 || (touch->g0 <= round && dot(n, motion->v[of->node]) <= 0.0));
 		memcpy(touch->T, of->friction, sizeof touch->T);
 		touch->reply.impulse[0] = of->r;
 		touch->state = of->r <= 0.0 ? HAWSER_CONTACT_OPEN
@@ -138,36 +171,22 @@ void hawser__contact_begin(struct hawser__motion *motion)
 	}
 }
 
-/* The discrete gradient of the gap between two places. */
+/* The discrete gradient of the gap between two places: it is linear but for circles. */
 static void gradient(double n[3], const struct hawser_surface *surface, const double from[3],
-                     const double to[3], double change)
+                     const double to[3])
 {
-	double n0[3], middle[3], x[3], size, rest;
+	double sign = surface->side == HAWSER_SIDE_INSIDE ? -1.0 : 1.0, D[2], sum;
 
-	(void)hawser_surface_gap(n0, NULL, surface, from);
-	(void)hawser_surface_gap(n, NULL, surface, to);
-	if (n[0] == n0[0] && n[1] == n0[1] && n[2] == n0[2])
+	(void)hawser__contact_gap(n, surface, to);
+	if (surface->kind != HAWSER_SURFACE_CIRCLE)
 		return;
-	if (surface->kind == HAWSER_SURFACE_CIRCLE) {
-		double D[2] = {from[0] + to[0] - 2.0*surface->at[0], from[1] + to[1] - 2.0*surface->at[1]};
-		double sum = hypot(from[0] - surface->at[0], from[1] - surface->at[1]) +
-		             hypot(to[0] - surface->at[0], to[1] - surface->at[1]);
-		double sign = surface->side == HAWSER_SIDE_INSIDE ? -1.0 : 1.0;
-
-		n[0] = sign*D[0]/sum;
-		n[1] = sign*D[1]/sum;
-		n[2] = 0.0;
-		return;
-	}
-	for (int k = 0; k < 3; k++) {
-		middle[k] = 0.5*(from[k] + to[k]);
-		x[k] = to[k] - from[k];
-	}
-	(void)hawser_surface_gap(n, NULL, surface, middle);
-	size = dot(x, x);
-	rest = size > 0.0 ? (change - dot(n, x))/size : 0.0;
-	for (int k = 0; k < 3; k++)
-		n[k] += rest*x[k];
+	D[0] = from[0] + to[0] - 2.0*surface->at[0];
+	D[1] = from[1] + to[1] - 2.0*surface->at[1];
+	sum = hypot(from[0] - surface->at[0], from[1] - surface->at[1]) +
+	      hypot(to[0] - surface->at[0], to[1] - surface->at[1]);
+	n[0] = sign*D[0]/sum;
+	n[1] = sign*D[1]/sum;
+	n[2] = 0.0;
 }
 
 /* The frame and the gap of a contact of the list, for motion->x; 0 if it has no normal, or has turned
@@ -186,8 +205,8 @@ static int frame(struct hawser__motion *motion, int number, double h)
 		to[k] = from[k] + x[k];
 		middle[k] = 0.5*(from[k] + to[k]);
 	}
-	touch->g1 = hawser_surface_gap(n1, NULL, of->surface, to);
-	gradient(n, of->surface, from, to, touch->g1 - touch->g0);
+	touch->g1 = hawser__contact_gap(n1, of->surface, to);
+	gradient(n, of->surface, from, to);
 	scale = sqrt(dot(n, n));
 	if (!(scale > 0.0) || !hawser_contact_frame(contact, n))
 		return 0;
@@ -236,15 +255,16 @@ static int list(struct hawser__motion *motion, int first)
 			continue;
 		place(to, motion, of->node, motion->x[of->node]);
 		round = round_off(all, of->surface, to);
+		for (int k = 0; k < 3; k++)
+			from[k] = motion->reference[of->node][k] + motion->u0[of->node][k];
 		if (first) {
 			touch->candidate = -1;
-			for (int k = 0; k < 3; k++)
-				from[k] = motion->reference[of->node][k] + motion->u0[of->node][k];
-			touch->g0 = hawser_surface_gap(n0, NULL, of->surface, from);
+			touch->g0 = hawser__contact_gap(n0, of->surface, from);
 		}
-		touch->g1 = hawser_surface_gap(n, NULL, of->surface, to);
+		touch->g1 = hawser__contact_gap(n, of->surface, to);
 		if (touch->g1 < (first ? round : -round) || (first && (touch->closed || touch->g0 <= round)))
-			add(all, i);
+			if (reaches(of->surface, from, to, touch->g0, touch->g1, round))
+				add(all, i);
 	}
 	return all->candidates - before;
 }
@@ -323,7 +343,8 @@ static enum hawser_status solve_laws(struct hawser__motion *motion, int *done,
 		.diagonal = (const double (*)[9])all->diagonal, .off = (const double (*)[9])all->off,
 		.back = (const double (*)[9])all->off, .right = (const double (*)[3])all->right,
 		.held = all->held, .contact = all->contact, .contacts = all->candidates};
-	const struct hawser_friction_options options = {.tolerance = LAWS, .warm = 1};
+	const struct hawser_friction_options options = {.method = all->method, .tolerance = LAWS,
+	                                                .warm = 1};
 	struct hawser_friction_counts counts;
 	struct hawser_report own = {.status = HAWSER_OK};
 	enum hawser_status status = hawser_friction_solve(all->solver, all->dx, all->reply, &counts,
@@ -343,6 +364,21 @@ static enum hawser_status solve_laws(struct hawser__motion *motion, int *done,
 	if (report)
 		*report = own;
 	return status;
+}
+
+/* Fail for two contacts of a node where the solver of a step takes one. */
+static enum hawser_status single(const struct hawser__motion *motion, struct hawser_report *report)
+{
+	const struct hawser__motion_contact *all = motion->contact;
+
+	for (int c = 1; c < all->candidates && !hawser__blocks_chain(motion->blocks); c++)
+		if (all->contact[c].node == all->contact[c - 1].node)
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "at %.6g s a node touches the "
+			                    "obstacles %s and %s at once: where cables branch or form a ring, a "
+			                    "node may touch one: move them apart, or leave one out", motion->t,
+			                    motion->mesh->touch[all->which[c - 1]].surface->name,
+			                    motion->mesh->touch[all->which[c]].surface->name);
+	return HAWSER_OK;
 }
 
 /* Newton's method with the contacts of the list. */
@@ -375,7 +411,9 @@ static enum hawser_status newton(struct hawser__motion *motion, int *done,
 			return HAWSER_OK;
 		last = rest;
 		gap_last = gap;
-		status = solve_laws(motion, &good, report);
+		status = single(motion, report);
+		if (!status)
+			status = solve_laws(motion, &good, report);
 		if (status || !good)
 			return status;
 		for (int n = 0; n < motion->nodes; n++)

@@ -36,6 +36,7 @@ struct hawser__motion_touch {
 struct hawser__motion_contact {
 	int touches, candidates;
 	double restitution;
+	const char *method;                  /* row of hawser_friction_method; NULL: first */
 	double reach;                        /* m, longest element: scale of round-off beside places */
 	struct hawser__motion_touch *touch;  /* [touches] */
 	struct hawser_contact *contact;      /* [touches] of the list */
@@ -58,8 +59,12 @@ struct hawser__motion_contact {
 
 /* For a motion whose mesh has touches: sets motion->contact, and lumps the masses. */
 enum hawser_status hawser__contact_open(struct hawser__motion *motion, double restitution,
-                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+                                        const char *method, struct hawser_report *report)
+	HAWSER_MUST_CHECK;
 void hawser__contact_clear(struct hawser__motion_contact *contact);
+/* The gap of a place, and its gradient. Of a segment that of its line: in motion a node leaves the
+ * segment at its ends, where statics has the distance from the end. */
+double hawser__contact_gap(double n[3], const struct hawser_surface *surface, const double at[3]);
 /* Which nodes touch at the state of the motion. */
 void hawser__contact_begin(struct hawser__motion *motion);
 /* The mean part of a step, for motion->x; *done is 0 if it has none. */

@@ -95,7 +95,7 @@ static void end(struct hawser__motion *motion, struct node *node, int number)
 
 	for (int k = 0; k < 3; k++)
 		at[k] = motion->reference[of->node][k] + motion->u0[of->node][k] + motion->x[of->node][k];
-	(void)hawser_surface_gap(n, NULL, of->surface, at);
+	(void)hawser__contact_gap(n, of->surface, at);
 	hawser_surface_velocity(surface, of->surface, at);
 	v = dot(n, node->v);
 	loss = -f*dot(contact->normal, motion->x[of->node]);
