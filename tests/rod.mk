@@ -1,6 +1,6 @@
 # tests of geometrically exact rods
 ROD_TESTS = tests/unit/test-rod-element tests/unit/test-rod-motion tests/reference/test-rod-motion \
-	tests/reference/test-rod-statics tests/property/test-rod
+	tests/reference/test-rod-statics tests/property/test-rod tests/property/test-rod-cvode
 check_PROGRAMS += $(ROD_TESTS)
 TESTS += $(ROD_TESTS)
 tests_unit_test_rod_element_SOURCES = tests/unit/test-rod-element.c
@@ -13,3 +13,5 @@ tests_unit_test_rod_motion_SOURCES = tests/unit/test-rod-motion.c
 tests_unit_test_rod_motion_LDADD = $(UPTO_ROD)
 tests_reference_test_rod_motion_SOURCES = tests/reference/test-rod-motion.c
 tests_reference_test_rod_motion_LDADD = $(UPTO_ROD)
+tests_property_test_rod_cvode_SOURCES = tests/property/test-rod-cvode.c
+tests_property_test_rod_cvode_LDADD = $(UPTO_ROD)
