@@ -101,7 +101,7 @@ check-valgrind-all: all-am
 # gcc -fanalyzer, clang-tidy (.clang-tidy) and cppcheck; what is no mistake is annotated with why.
 EXTRA_DIST += .clang-tidy %D%/analyzers/run.sh %D%/analyzers/gcc.txt
 # The flags are a variable because a backslash in quotes would reach the tools.
-ANALYZER_FLAGS = $(DEFS) -I$(abs_top_builddir) -Iinclude -Isrc -I. -std=c11 -pthread \
+ANALYZER_FLAGS = $(DEFS) -I$(abs_top_builddir) -I$(abs_top_builddir)/src -Iinclude -Isrc -I. -std=c11 -pthread \
 	$(GSL_CFLAGS) $(LAPACKE_CFLAGS) $(BLAS_CFLAGS) $(FFTW_CFLAGS) $(YAML_CFLAGS) \
 	$(JANSSON_CFLAGS) $(UDUNITS_CFLAGS) $(SUNDIALS_CFLAGS)
 check-analyzers:
