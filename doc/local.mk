@@ -31,6 +31,7 @@ dist_doc_DATA += \
 	%D%/theory-rom.md \
 	%D%/theory-ropeway-modes.md \
 	%D%/theory-ropeway-response.md \
+	%D%/theory-ropeway-transient.md \
 	%D%/theory-tow.md \
 	%D%/theory-travel-rom.md \
 	%D%/theory-travel.md \

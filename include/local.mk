@@ -61,4 +61,5 @@ pkginclude_HEADERS = \
 	%D%/hawser/torus.h \
 	%D%/hawser/tow.h \
 	%D%/hawser/trajectory.h \
+	%D%/hawser/transient.h \
 	%D%/hawser/accuracy.h

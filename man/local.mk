@@ -25,7 +25,8 @@ command_pages = \
 	%D%/hawser-rom.1 \
 	%D%/hawser-statics.1 \
 	%D%/hawser-tow.1 \
-	%D%/hawser-trajectory.1
+	%D%/hawser-trajectory.1 \
+	%D%/hawser-transient.1
 shared_text = \
 	%D%/shared/examples \
 	%D%/shared/exit \

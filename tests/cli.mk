@@ -26,6 +26,7 @@ CLI_TESTS = \
 	%D%/cli/ropeway-modes.sh \
 	%D%/cli/ropeway-rom.sh \
 	%D%/cli/ropeway-sweeps.sh \
+	%D%/cli/transient.sh \
 	%D%/cli/net-modes.sh \
 	%D%/cli/net-motion.sh \
 	%D%/cli/fe.sh \

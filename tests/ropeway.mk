@@ -18,11 +18,13 @@ tests_reference_test_line_modes_LDADD = $(UPTO_ROPEWAY)
 tests_property_test_line_modes_gradient_SOURCES = tests/property/test-line-modes-gradient.c
 tests_property_test_line_modes_gradient_LDADD = $(UPTO_ROPEWAY)
 noinst_HEADERS += tests/line-mesh.h
-ROPEWAY_TESTS = tests/property/test-ropeway
+ROPEWAY_TESTS = tests/property/test-ropeway tests/property/test-transient
 check_PROGRAMS += $(ROPEWAY_TESTS)
 TESTS += $(ROPEWAY_TESTS)
 tests_property_test_ropeway_SOURCES = tests/property/test-ropeway.c
 tests_property_test_ropeway_LDADD = $(UPTO_ROPEWAY)
+tests_property_test_transient_SOURCES = tests/property/test-transient.c
+tests_property_test_transient_LDADD = $(UPTO_ROPEWAY)
 
 # energy and nonlinear models of ropes over sheaves
 LINE_ROM_TESTS = tests/property/test-line-carriers tests/property/test-line-expand tests/property/test-line-rom

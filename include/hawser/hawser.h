@@ -33,6 +33,7 @@
 #include <hawser/obstacles.h>
 #include <hawser/drag.h>
 #include <hawser/trajectory.h>
+#include <hawser/transient.h>
 #include <hawser/tow.h>
 #include <hawser/plugin.h>
 #include <hawser/rom.h>

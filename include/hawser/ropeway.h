@@ -88,6 +88,8 @@ struct hawser_ropeway {
 	                    * towards the line */
 	int stops;         /* 1 if `travel` is given */
 	double speed, ramp; /* m/s, s: of the drive */
+	double drive_most;                /* N, largest force of the drive at the bullwheel; 0: no limit */
+	double brake, brake_force;        /* m/s^2, or N at the bullwheel; 0: not given */
 	double drive_friction, wrap;      /* of the rope on the drive bullwheel; rad */
 	int drive;         /* 1 if drive.friction is given */
 	int tension_line, drive_line; /* of the file: bottom.tension and drive; 0: not known */

@@ -112,7 +112,7 @@ struct cli_command {
 	X(irvine) \
 	X(campbell) \
 	X(rom) \
-	X(integrate) \
+	X(integrate) X(transient) \
 	X(frf) X(orbit) \
 	X(folds) X(locus) X(nnm) \
 	X(mms) \

@@ -46,6 +46,9 @@ hawser_SOURCES = \
 	%D%/report_parts.h \
 	%D%/report_pdf.c \
 	%D%/report_run.c \
+	%D%/cmd_transient.c \
+	%D%/transient_fields.c \
+	%D%/transient_ropeway.h \
 	%D%/cmd_rom.c \
 	%D%/cmd_statics.c \
 	%D%/statics_loaded.h \

@@ -78,6 +78,8 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/plot_trajectory.h \
 	%D%/sha256.c \
 	%D%/sha256.h \
+	%D%/plot_transient.c \
+	%D%/plot_transient.h \
 	%D%/style.c \
 	%D%/style.h \
 	%D%/table.c \

@@ -48,15 +48,23 @@ noinst_LTLIBRARIES += %D%/libropeway.la
 	%D%/frame.h \
 	%D%/lane.c \
 	%D%/loop_modes.c \
+	%D%/passing.c \
 	%D%/read.c \
 	%D%/read.h \
+	%D%/read_drive.c \
 	%D%/state.c \
 	%D%/sweep.c \
 	%D%/towers.c \
 	%D%/track.c \
 	%D%/track.h \
 	%D%/track_match.c \
-	%D%/track_sample.c
+	%D%/track_sample.c \
+	%D%/transient.c \
+	%D%/transient.h \
+	%D%/transient_chain.c \
+	%D%/transient_rows.c \
+	%D%/transient_slow.c \
+	%D%/transient_step.c
 
 # A span over obstacles: its scene, and the limits of friction.
 %C%_libropeway_la_SOURCES += \

@@ -157,26 +157,7 @@ static enum hawser_status top(struct hawser__reader *reader, struct hawser_ropew
 	of = hawser__tree_find(tree, "drive");
 	if (status || !of)
 		return status;
-	rw->drive_line = of->at.set ? 0 : (int)of->at.line;
-	status = hawser__tree_keys(reader, of, "drive", "speed, friction, ramp, wrap, inertia");
-	if (!status)
-		status = hawser__ropeway_number(reader, &rw->speed, of, "drive", "speed", "m/s",
-		                                HAWSER__TREE_NOT_NEGATIVE, 0);
-	if (!status)
-		status = hawser__ropeway_number(reader, &rw->drive_friction, of, "drive", "friction", "1",
-		                                HAWSER__TREE_NOT_NEGATIVE, 0);
-	if (!status)
-		status = hawser__ropeway_number(reader, &rw->ramp, of, "drive", "ramp", "s",
-		                                HAWSER__TREE_NOT_NEGATIVE, 0);
-	if (!status)
-		status = hawser__ropeway_number(reader, &rw->wrap, of, "drive", "wrap", "rad",
-		                                HAWSER__TREE_POSITIVE, 0);
-	if (!status)
-		status = hawser__ropeway_number(reader, &rw->top_inertia, of, "drive", "inertia", "kg m2",
-		                                HAWSER__TREE_NOT_NEGATIVE, 0);
-	rw->drive = hawser__tree_find(of, "friction") != NULL;
-	rw->coasts = hawser__tree_find(of, "inertia") != NULL;
-	return status;
+	return hawser__ropeway_drive(reader, rw, of);
 }
 
 /* A wheel without radius does not turn. */

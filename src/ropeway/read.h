@@ -21,5 +21,8 @@ enum hawser_status hawser__ropeway_place(struct hawser__reader *reader, double a
 /* towers.c: the list of towers; the stations are known. */
 enum hawser_status hawser__ropeway_towers(struct hawser__reader *reader, struct hawser_ropeway *rw,
                                           const struct hawser__tree *tree) HAWSER_MUST_CHECK;
+/* The drive, top.drive. */
+enum hawser_status hawser__ropeway_drive(struct hawser__reader *reader, struct hawser_ropeway *rw,
+                                         const struct hawser__tree *tree);
 
 #endif

@@ -34,6 +34,7 @@
 #include <hawser/obstacles.h>
 #include <hawser/drag.h>
 #include <hawser/tow.h>
+#include <hawser/transient.h>
 #include <hawser/locus.h>
 #include <hawser/basin.h>
 #include <hawser/lyapunov.h>
@@ -303,6 +304,8 @@ static const struct row {
 	ROW(hawser_orbit_cost),
 	ROW(hawser_normal_form),
 	ROW(hawser_parameter),
+	ROW(hawser_passing),
+	ROW(hawser_passing_row),
 	ROW(hawser_plan),
 	ROW(hawser_plan_decision),
 	ROW(hawser_plan_mode),
@@ -352,6 +355,12 @@ static const struct row {
 	ROW(hawser_tori_options),
 	ROW(hawser_tori_point),
 	ROW(hawser_trajectory),
+	ROW(hawser_transient),
+	ROW(hawser_transient_energy),
+	ROW(hawser_transient_options),
+	ROW(hawser_transient_place),
+	ROW(hawser_transient_range),
+	ROW(hawser_transient_row),
 };
 
 size_t hawser_sizeof(const char *name)

@@ -12,7 +12,7 @@ BEGIN {
 	of["status"] = of["progress"] = "core"; of["scene"] = of["plausible"] = "scene"; of["statics"] = "statics"; of["modes"] = of["gyroscopic"] = of["irvine"] = of["campbell"] = of["damped"] = "modes"
 	of["beam"] = "beam"; of["friction"] = of["surface"] = "contact"; of["net"] = "net"
 	of["net_motion"] = of["net_plan"] = of["net_span"] = of["net_modes"] = of["net_equilibria"] = of["net_comparison"] = "net"
-	of["line"] = of["ropeway"] = of["line_modes"] = of["ropeway_modes"] = of["obstacles"] = "ropeway"
+	of["line"] = of["ropeway"] = of["line_modes"] = of["ropeway_modes"] = of["transient"] = of["obstacles"] = "ropeway"
 	of["rod"] = of["rod_motion"] = "rod"
 	of["tow"] = of["drag"] = of["trajectory"] = "tow"
 	of["rom"] = of["line_rom"] = of["plugin"] = of["choose"] = "rom"; of["integrate"] = of["orbit"] = of["family"] = of["frf"] = of["cover"] = of["branches"] = of["backbone"] = of["nnm"] = of["normal_form"] = of["scales"] = of["folds"] = of["locus"] = of["linear"] = of["lyapunov"] = of["torus"] = of["beam_motion"] = "response"; of["hawser"] = "output"
