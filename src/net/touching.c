@@ -15,15 +15,18 @@
 
 #include "net/touch.h"
 
-enum { MOST = 60, WORSE = 10, ROUNDS = 5, CURVED = 5 };
+enum { MOST = 60, WORSE = 10, ROUNDS = 5, CURVED = 5, DESCENT = 300 };
 /* Of the curvature of the obstacles: with all of it the matrix may not be definite, far from the
- * equilibrium or where a belt circulates without resistance. Less of it makes shorter steps; the
- * least that must go is taken, since what resists the circulation is a thousandth. */
+ * equilibrium or where a belt circulates without resistance. With less of it steps descend; as little
+ * as that needs is left out, so that they are not short. A belt may begin near a position that is not
+ * stable: it leaves it by some 20 % more in each step, which is no lack of convergence for DESCENT
+ * steps. */
 static const double curved[CURVED] = {1.0, 0.999, 0.99, 0.9, 0.0};
 /* Of the usual forces at the start: where the interior point fails, another start may do. */
 static const double parts[ROUNDS] = {1.0, 10.0, 0.1, 100.0, 0.01};
 
-static enum hawser_status step(struct hawser__net_work *work, int *definite,
+/* *descends: 1 if a part of the curvature was left out. */
+static enum hawser_status step(struct hawser__net_work *work, int *definite, int *descends,
                                struct hawser_report *report)
 {
 	const struct hawser__mesh *mesh = work->mesh;
@@ -34,6 +37,7 @@ static enum hawser_status step(struct hawser__net_work *work, int *definite,
 		for (int i = 0; i < mesh->elements; i++)
 			hawser__net_linear(work, i);
 		hawser__touch_linear(work, curved[k]);
+		*descends = k > 0;
 		hawser__net_right(work, work->T);
 		status = hawser__net_factor(work, definite, report);
 	}
@@ -56,20 +60,23 @@ static enum hawser_status newton(struct hawser__net_work *work, int *done, struc
 {
 	double best = INFINITY, residual, floor, gap;
 	enum hawser_status status = HAWSER_OK;
-	int worse = 0, definite = 1, slides = -1, most = MOST + work->mesh->touches;
+	int worse = 0, definite = 1, slides = -1, most = MOST + work->mesh->touches, descents = 0;
 
 	work->own = 1;
 	*done = 0;
 	for (int i = 0; i < most && !*done && !status && definite && worse < WORSE; i++) {
 		double rest;
+		int descends = 0;
 
-		status = step(work, &definite, report);
+		status = step(work, &definite, &descends, report);
 		if (status || !definite)
 			break;
 		*done = hawser__net_settled(work, &residual, &floor);
 		*done = hawser__touch_settled(&gap, work) && *done;
 		rest = residual/work->weight + gap/work->reach;
-		worse = rest < 0.5*best || slides != work->slides ? 0 : worse + 1;
+		descents += descends;
+		worse = rest < 0.5*best || slides != work->slides || (descends && descents <= DESCENT)
+			? 0 : worse + 1;
 		slides = work->slides;
 		best = fmin(best, rest);
 		if (!isfinite(rest))

@@ -218,6 +218,27 @@ static void belts(void)
 	done(&net, &modes);
 }
 
+/* A belt whose nodes begin near a position that is not stable. */
+static void off_centre(void)
+{
+	static const char *const set[] = {
+		"cables.upper.elements=100", "cables.lower.elements=100", "cables.r1.elements=20",
+		"cables.r2.elements=20", "cables.l1.elements=20", "cables.l2.elements=20"};
+	struct hawser_net net;
+	struct hawser_net_statics st = {0};
+	char path[4096];
+	enum hawser_status status;
+
+	snprintf(path, sizeof path, "%s/notebooks-data/scenes/net-belt.yaml", getenv("SRCDIR"));
+	status = hawser_net_open(&net, path, set, 6, &report);
+	if (!status)
+		status = hawser_net_solve(&st, &net, NULL, &report);
+	if (ok(!status, "belt off centre: %s", status ? report.message : "solved"))
+		close_to(st.member[0].T_max, 358.701, 6e-3, "  its tension, N, of a coarse polygon");
+	hawser_net_statics_clear(&st);
+	hawser_net_clear(&net);
+}
+
 /* A string along a floor: with weight it touches everywhere, without it nowhere for certain. */
 static void floors(void)
 {
@@ -259,6 +280,7 @@ int main(void)
 {
 	floors();
 	belts();
+	off_centre();
 	table_3_6();
 	rolling();
 	return done_testing();
