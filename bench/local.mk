@@ -96,6 +96,11 @@ bench: $(BENCHES) %D%/frf %D%/peak %D%/plan hawser
 			--scene $(top_srcdir)/notebooks-data/scenes/b-table-4.2.yaml || status=1; \
 	fi; exit $$status
 
+# motions of rods
+BENCHES += %D%/rod-motion
+%C%_rod_motion_SOURCES = %D%/rod-motion.c
+%C%_rod_motion_LDADD = $(UPTO_ROD)
+
 # a time step of a mesh
 BENCHES += %D%/net-motion
 %C%_net_motion_SOURCES = %D%/net-motion.c
