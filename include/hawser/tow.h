@@ -24,6 +24,7 @@ struct hawser_tow_segment {
 	double GJ, GA;      /* N m^2, N; 0: GJ that of EI, no shear */
 	double diameter;    /* m */
 	double normal, tangential; /* drag coefficients cn, ct */
+	double lift, strouhal;     /* of vortex shedding, ck and St; lift 0: none */
 	int elements;       /* 0: HAWSER_TOW_ELEMENTS */
 };
 enum { HAWSER_TOW_ELEMENTS = 100 };
@@ -57,6 +58,9 @@ struct hawser_tow {
 	int clamped;                        /* 1: with EI, the cable leaves the towing point downwards */
 	double g;                           /* m/s^2 */
 	double density, wind[3];            /* kg/m^3 and m/s, of the air */
+	struct hawser_waypoint *gust;       /* [gusts] wind in time, m/s in at[0], linear
+	                                     * between; owned */
+	int gusts;                          /* 0: constant */
 	struct hawser_tow_segment *segment; /* [segments] from the towing point; owned */
 	int segments;                       /* 0: the scene has no cable */
 	struct hawser_tow_body body;
@@ -126,6 +130,58 @@ enum hawser_status hawser_tow_steady_solve(struct hawser_tow_steady *steady,
                                            const struct hawser_tow *tow,
                                            struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_tow_steady_clear(struct hawser_tow_steady *steady);
+
+/* --- in time --- */
+
+struct hawser_tow_options {
+	double until;      /* s, end of the motion; 0: that of the path */
+	double step;       /* s; 0: as the local error allows */
+	double tolerance;  /* m, local error of a step; 0: 1e-6 of the cable's length */
+	double every;      /* s between samples; 0: a 500th of the time */
+	double rho_inf;    /* of the integration; 0: 0.8 */
+	int refine;        /* elements times this; 0: 1 */
+	void (*progress)(void *data, double t, double until); /* or NULL */
+	void *data;
+};
+
+struct hawser_tow_sample {
+	double t;            /* s */
+	double top[3];       /* m, towing point */
+	double end[3], body[3]; /* m, the cable's end, the body's centre */
+	double attitude[4];  /* quaternion (w, x, y, z) that turns -y into the body's axis, by its axes */
+	double tilt;         /* rad, angle of the body's axis to the vertical */
+	double tension_top, tension_end; /* N */
+	double kinetic, strain, height; /* J, energies; height: of the weight */
+	double towed, air;   /* J, done by the towing point and by the air since the beginning */
+};
+/* At the middle of an element. */
+struct hawser_tow_range {
+	double s;            /* m */
+	double least, mean, most; /* N, tension over the time */
+	double bent;         /* 1/m, largest curvature at its ends' mean */
+};
+
+struct hawser_tow_motion {
+	struct hawser_tow_sample *sample; /* [samples] */
+	int samples;
+	struct hawser_tow_range *range;   /* [elements] */
+	int elements;
+	double (*shape)[3];  /* [samples][elements+1] m, places of the nodes */
+	long steps, rejected, iterations;
+	double shortest;     /* s, shortest step but those that end at a sample */
+	double step_error;   /* m, sum of the local errors of the steps, largest of all points */
+	double closure;      /* J, energy that the steps have lost or made, over the largest energy */
+	double momentum;     /* N s, largest gap of the momentum over the largest momentum */
+	double frequency;    /* Hz, largest of vortex shedding; 0: none */
+};
+
+/* The motion from the steady state at the path's first velocity. EA and EI are needed.
+ * HAWSER_ERR_ARGUMENT: what the scene lacks, a step that vortex shedding would alias;
+ * HAWSER_ERR_NO_SOLUTION, _CONVERGENCE, _NAN, _MEMORY. */
+enum hawser_status hawser_tow_move(struct hawser_tow_motion *motion, const struct hawser_tow *tow,
+                                   const struct hawser_tow_options *options /* or NULL */,
+                                   struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser_tow_motion_clear(struct hawser_tow_motion *motion);
 
 #ifdef __cplusplus
 }

@@ -119,7 +119,7 @@ struct cli_command {
 	X(hill) \
 	X(damping) \
 	X(identify) \
-	X(beam) X(trajectory) X(tow_steady) \
+	X(beam) X(trajectory) X(tow) X(tow_steady) \
 	X(map) X(compare) X(compare_modes) \
 	X(compare_mms) X(compare_motion) X(compare_statics) \
 	X(report)

@@ -37,6 +37,7 @@ hawser_SOURCES = \
 	%D%/cmd_mms.c \
 	%D%/cmd_modes.c \
 	%D%/cmd_plan.c \
+	%D%/cmd_tow.c \
 	%D%/cmd_tow_steady.c \
 	%D%/cmd_trajectory.c \
 	%D%/cmd_report.c \

@@ -75,7 +75,8 @@ extern const struct cli_listing cli_beam_listing[], cli_campbell_listing[], cli_
                                 cli_hill_listing[], cli_mms_listing[], cli_damping_listing[],
                                 cli_compare_modes_listing[], cli_locus_listing[],
                                 cli_rom_listing[], cli_identify_listing[],
-                                cli_trajectory_listing[], cli_tow_steady_listing[],
+                                cli_trajectory_listing[], cli_tow_listing[],
+                                cli_tow_steady_listing[],
                                 cli_transient_listing[];
 /* Of hawser statics: its tables, and what a struct cli_curves or cli_speeds adds to JSON. */
 extern const struct hawser__field cli_model_field[], cli_compatibility_field[], cli_speed_field[],

@@ -74,6 +74,8 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/plot_statics.c \
 	%D%/plot_tow.c \
 	%D%/plot_tow.h \
+	%D%/plot_tow_motion.c \
+	%D%/plot_tow_motion.h \
 	%D%/plot_trajectory.c \
 	%D%/plot_trajectory.h \
 	%D%/sha256.c \

@@ -136,7 +136,8 @@ enum hawser_status hawser__parse_unknown(struct hawser__reader *reader,
 		                           "ropeways");
 	if (!strcmp(path, "tow"))
 		return hawser__reader_fail(reader, place, "this is the scene of a towed body, and the command "
-		                           "takes others: hawser trajectory and hawser tow steady take it");
+		                           "takes others: hawser trajectory, hawser tow and hawser tow "
+		                           "steady take it");
 	if (!strncmp(path, "obstacles", 9) || !strncmp(path, "contact", 7))
 		return hawser__reader_fail(reader, place, "this span passes over obstacles, and the command "
 		                           "takes spans without: hawser statics and modes take obstacles "

@@ -308,7 +308,7 @@ static enum hawser_status override(struct hawser__tree *root, struct hawser__rea
 static enum hawser_status slurp(char **text, size_t *length, const char *path,
                                 struct hawser_report *report)
 {
-	FILE *stream = fopen(path, "r");
+	FILE *stream = strcmp(path, "-") ? fopen(path, "r") : stdin;
 	size_t capacity = 0, got = 1;
 
 	*text = NULL;
@@ -321,7 +321,8 @@ static enum hawser_status slurp(char **text, size_t *length, const char *path,
 			char *longer = realloc(*text, capacity = capacity ? 4*capacity : 65536);
 
 			if (!longer) {
-				fclose(stream);
+				if (stream != stdin)
+					fclose(stream);
 				return hawser__no_memory(report, "scene");
 			}
 			*text = longer;
@@ -330,7 +331,8 @@ static enum hawser_status slurp(char **text, size_t *length, const char *path,
 		*length += got;
 	}
 	got = (size_t)ferror(stream);
-	fclose(stream);
+	if (stream != stdin)
+		fclose(stream);
 	return got ? hawser__fail(report, HAWSER_ERR_IO, "scene", "cannot read %s: %s", path,
 	                          strerror(errno))
 	           : HAWSER_OK;

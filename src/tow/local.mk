@@ -2,6 +2,10 @@ noinst_LTLIBRARIES += %D%/libtow.la
 # Towed bodies: the path of the towing point.
 %C%_libtow_la_SOURCES = \
 	%D%/drag.c \
+	%D%/motion.c \
+	%D%/motion.h \
+	%D%/motion_loads.c \
+	%D%/motion_start.c \
 	%D%/read.c \
 	%D%/read.h \
 	%D%/read_cable.c \

@@ -28,6 +28,8 @@ enum hawser_status hawser__tow_number(struct hawser__reader *reader, double *val
 	                : HAWSER_OK;
 }
 
+#define STRAIN 0.2 /* of the cable by its load at rest: more is no small strain */
+
 /* Drag coefficients ask for the density of the air. */
 static enum hawser_status in_air(struct hawser__reader *reader, const struct hawser_tow *tow,
                                  const struct hawser__tree *root)
@@ -39,6 +41,27 @@ static enum hawser_status in_air(struct hawser__reader *reader, const struct haw
 	if (drag > 0.0 && !hawser__tree_find(root, "air"))
 		return hawser__reader_fail(reader, &root->at, "cable or body has drag, but the section air "
 		                           "is missing: give air: {density: 1.2 kg/m^3}");
+	return HAWSER_OK;
+}
+
+/* Stresses are linear in strains, which holds for small ones. */
+static enum hawser_status borne(struct hawser__reader *reader, const struct hawser_tow *tow,
+                                const struct hawser__tree *root)
+{
+	const struct hawser__tree *body = hawser__tree_find(root, "body");
+	double weight = tow->body.mass*tow->g;
+
+	for (int i = tow->segments - 1; i >= 0; i--) {
+		const struct hawser_tow_segment *segment = &tow->segment[i];
+
+		weight += segment->length*segment->rho*tow->g;
+		if (weight > STRAIN*segment->EA)
+			return hawser__reader_fail(reader, body ? &body->at : &root->at, "the body and the cable "
+			                           "below the top of cable.segments[%d] weigh %.6g N, which "
+			                           "stretches it by %.3g of its length (EA %.6g N): give a larger "
+			                           "EA, or a smaller mass", i, weight, weight/segment->EA,
+			                           segment->EA);
+	}
 	return HAWSER_OK;
 }
 
@@ -68,6 +91,8 @@ static enum hawser_status interpret(struct hawser__reader *reader, struct hawser
 	if (!status)
 		status = hawser__tow_body(reader, tow, hawser__tree_find(root, "body"));
 	tow->body.ring.drag.density = tow->density;
+	if (!status)
+		status = borne(reader, tow, root);
 	return status ? status : in_air(reader, tow, root);
 }
 
@@ -82,7 +107,7 @@ enum hawser_status hawser_tow_open(struct hawser_tow *tow, const char *path, con
 	static const struct hawser__tree_words said = {
 		"the scene of a towed body is a mapping with the section tow (see hawser-scene(5), TOW)",
 		"tow.orbit.radius=80 m", 'p'};
-	struct hawser__reader reader = {.report = report, .name = path};
+	struct hawser__reader reader = {.report = report, .name = strcmp(path, "-") ? path : "<stdin>"};
 	struct hawser__tree *tree = NULL;
 	enum hawser_status status;
 
@@ -106,6 +131,7 @@ void hawser_tow_clear(struct hawser_tow *tow)
 	free(tow->name);
 	free(tow->waypoint);
 	free(tow->segment);
+	free(tow->gust);
 	hawser_path_clear(&tow->path);
 	memset(tow, 0, sizeof *tow);
 }

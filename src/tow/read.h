@@ -20,6 +20,10 @@ enum hawser_status hawser__tow_air(struct hawser__reader *reader, struct hawser_
                                    const struct hawser__tree *tree) HAWSER_MUST_CHECK;
 enum hawser_status hawser__tow_body(struct hawser__reader *reader, struct hawser_tow *tow,
                                     const struct hawser__tree *tree) HAWSER_MUST_CHECK;
+/* read_path.c: lines of time and three numbers of a file, found beside the scene. */
+enum hawser_status hawser__tow_file(struct hawser__reader *reader, struct hawser_waypoint **point,
+                                    int *count, const struct hawser__tree *one, const char *key)
+	HAWSER_MUST_CHECK;
 /* read_path.c: the section `tow`. */
 enum hawser_status hawser__tow_path(struct hawser__reader *reader, struct hawser_tow *tow,
                                     const struct hawser__tree *tree) HAWSER_MUST_CHECK;

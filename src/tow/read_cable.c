@@ -1,7 +1,5 @@
 /* tow/read_cable.c - read the sections of a towed body besides its path: cable, air, body.
  *
- * Keys that nothing computes yet are refused by name: nothing of a scene is silently left out.
- *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -15,15 +13,6 @@
 
 enum { MOST = 1000,      /* parts of a cable */
        ELEMENTS = 100000 /* of a part: more make no result better */ };
-
-static enum hawser_status later(struct hawser__reader *reader, const struct hawser__tree *tree,
-                                const char *section, const char *key, const char *why)
-{
-	const struct hawser__tree *one = hawser__tree_find(tree, key);
-
-	return one ? hawser__reader_fail(reader, &one->at, "%s.%s: not yet: %s", section, key, why)
-	           : HAWSER_OK;
-}
 
 /* A whole number in a range; unchanged if it is not given. */
 static enum hawser_status whole(struct hawser__reader *reader, int *to, const struct hawser__tree *tree,
@@ -61,6 +50,26 @@ static enum hawser_status drag(struct hawser__reader *reader, double *normal, do
 	                                            HAWSER__TREE_NOT_NEGATIVE, 0);
 }
 
+static enum hawser_status shedding(struct hawser__reader *reader, struct hawser_tow_segment *to,
+                                   const struct hawser__tree *tree, const char *section)
+{
+	const struct hawser__tree *one = hawser__tree_find(tree, "shedding");
+	char what[HAWSER__TOW_WHAT];
+	enum hawser_status status;
+
+	if (!one)
+		return HAWSER_OK;
+	snprintf(what, sizeof what, "%.60s.shedding", section);
+	if (!(to->diameter > 0.0))
+		return hawser__reader_fail(reader, &one->at, "%s needs the diameter, which is not given", what);
+	status = hawser__tree_keys(reader, one, what, "lift, strouhal");
+	if (!status)
+		status = hawser__tow_number(reader, &to->lift, one, what, "lift", "1",
+		                            HAWSER__TREE_NOT_NEGATIVE, 1);
+	return status ? status : hawser__tow_number(reader, &to->strouhal, one, what, "strouhal", "1",
+	                                            HAWSER__TREE_POSITIVE, 1);
+}
+
 /* EA, which may be .inf, and is where it is not given. */
 static enum hawser_status stiffness(struct hawser__reader *reader, double *EA,
                                     const struct hawser__tree *tree, const char *section)
@@ -80,8 +89,6 @@ static enum hawser_status segment(struct hawser__reader *reader, struct hawser_t
 	                                              "rho, diameter, elements, drag, shedding");
 
 	if (!status)
-		status = later(reader, tree, section, "shedding", "forces of vortices are not computed");
-	if (!status)
 		status = hawser__tow_number(reader, &to->length, tree, section, "length", "m",
 		                            HAWSER__TREE_POSITIVE, 1);
 	if (!status)
@@ -100,6 +107,8 @@ static enum hawser_status segment(struct hawser__reader *reader, struct hawser_t
 		                            k ? "N" : "N.m^2", HAWSER__TREE_POSITIVE, 0);
 	if (!status)
 		status = whole(reader, &to->elements, tree, section, "elements", 1, ELEMENTS);
+	if (!status)
+		status = shedding(reader, to, tree, section);
 	return status ? status : drag(reader, &to->normal, &to->tangential, tree, section);
 }
 
@@ -127,6 +136,30 @@ enum hawser_status hawser__tow_cable(struct hawser__reader *reader, struct hawse
 	return status;
 }
 
+/* Wind in time, of a file beside the scene. */
+static enum hawser_status gusts(struct hawser__reader *reader, struct hawser_tow *tow,
+                                const struct hawser__tree *tree, const struct hawser__tree *wind)
+{
+	const struct hawser__tree *one = hawser__tree_find(tree, "file");
+	enum hawser_status status;
+
+	if (!one)
+		return HAWSER_OK;
+	if (wind)
+		return hawser__reader_fail(reader, &wind->at, "air has wind and file: remove one of them");
+	if (tow->density == 0.0)
+		return hawser__reader_fail(reader, &one->at, "air.file, a wind, in air of density 0 has no "
+		                           "effect: give the density, such as 1.2 kg/m^3, or no wind");
+	status = hawser__tow_file(reader, &tow->gust, &tow->gusts, one, "air.file");
+	for (int i = 1; i < tow->gusts && !status; i++)
+		if (!(tow->gust[i].t > tow->gust[i - 1].t))
+			return hawser__reader_fail(reader, &one->at, "air.file: the times of its lines must grow, "
+			                           "and %.9g s follows %.9g s", tow->gust[i].t, tow->gust[i - 1].t);
+	for (int k = 0; k < 3 && !status; k++)
+		tow->wind[k] = tow->gust[0].at[0][k];
+	return status;
+}
+
 enum hawser_status hawser__tow_air(struct hawser__reader *reader, struct hawser_tow *tow,
                                    const struct hawser__tree *tree)
 {
@@ -136,13 +169,14 @@ enum hawser_status hawser__tow_air(struct hawser__reader *reader, struct hawser_
 
 	if (status || !tree)
 		return status;
-	status = later(reader, tree, "air", "file", "winds are constant: give wind: [x, y, z]");
 	if (!status)
 		status = hawser__tow_number(reader, &tow->density, tree, "air", "density", "kg/m^3",
 		                            HAWSER__TREE_NOT_NEGATIVE, 1);
 	if (!status && wind)
 		status = hawser__tree_vector(reader, tow->wind, 3, wind, "air.wind", "m/s");
-	if (!status && tow->density == 0.0 && (tow->wind[0] != 0.0 || tow->wind[1] != 0.0 ||
+	if (!status)
+		status = gusts(reader, tow, tree, wind);
+	if (!status && wind && tow->density == 0.0 && (tow->wind[0] != 0.0 || tow->wind[1] != 0.0 ||
 	                                       tow->wind[2] != 0.0))
 		status = hawser__reader_fail(reader, &wind->at, "air.wind in air of density 0 has no "
 		                             "effect: give the density, such as 1.2 kg/m^3, or no wind");

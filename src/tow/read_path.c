@@ -169,20 +169,18 @@ static enum hawser_status through(struct hawser__reader *reader, struct hawser_t
 	return status;
 }
 
-/* The path of tow.file, which a relative name finds beside the scene. */
-static enum hawser_status file(struct hawser__reader *reader, struct hawser_tow *tow,
-                               const struct hawser__tree *tree)
+enum hawser_status hawser__tow_file(struct hawser__reader *reader, struct hawser_waypoint **point,
+                                    int *count, const struct hawser__tree *one, const char *key)
 {
-	const struct hawser__tree *one = hawser__tree_find(tree, "file");
 	const char *text, *slash = one->at.set ? NULL : strrchr(reader->name, '/');
 	char path[4096]; /* the longest path that Linux opens */
-	enum hawser_status status = hawser__tree_text(reader, &text, one, "tow.file");
+	enum hawser_status status = hawser__tree_text(reader, &text, one, key);
 
 	if (status)
 		return status;
 	snprintf(path, sizeof path, "%.*s%s", slash && *text != '/' ? (int)(slash + 1 - reader->name) : 0,
 	         reader->name, text);
-	return hawser_path_read(&tow->waypoint, &tow->waypoints, path, reader->report);
+	return hawser_path_read(point, count, path, reader->report);
 }
 
 enum hawser_status hawser__tow_path(struct hawser__reader *reader, struct hawser_tow *tow,
@@ -199,6 +197,7 @@ enum hawser_status hawser__tow_path(struct hawser__reader *reader, struct hawser
 		return way == SPEED ? straight(reader, tow, tree) : orbit(reader, tow, tree);
 	status = way == WAYPOINTS
 	         ? hawser__tow_waypoints(reader, tow, hawser__tree_find(tree, "waypoints"))
-	         : file(reader, tow, tree);
+	         : hawser__tow_file(reader, &tow->waypoint, &tow->waypoints,
+	                            hawser__tree_find(tree, "file"), "tow.file");
 	return status ? status : through(reader, tow, tree);
 }

@@ -12,7 +12,7 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "tow/steady.h"
+#include "tow/steady_rod.h"
 
 static const char where[] = "tow steady";
 #define COARSE 1e-3 /* of the cable's length: a mesh error beyond it is no result */
@@ -246,6 +246,38 @@ static void numbers(struct hawser_tow_steady *steady, const struct hawser__tow_f
 				steady->bending = fmax(steady->bending,
 				                       sqrt(tow->segment[i].EI/steady->point[at].tension));
 	}
+}
+
+enum hawser_status hawser__tow_rod_start(struct hawser__tow_rod *b, struct hawser__tow_frame *frame,
+                                         struct hawser__tow_end *body, const struct hawser_tow *tow,
+                                         int parts, struct hawser_report *report)
+{
+	struct hawser_tow_steady orbit = {.points = 0};
+	struct hawser_tow_point *string;
+	double end[3], top[3], n[3];
+	enum hawser_status status = check(tow, report);
+
+	*frame = (struct hawser__tow_frame){.tow = tow};
+	*b = (struct hawser__tow_rod){.frame = frame, .moves = 1,
+	                              .hung = hawser__tow_hangs(tow) ? body : NULL};
+	if (!status && tow->path.kind == HAWSER_PATH_ORBIT && tow->path.speed != 0.0)
+		status = hawser__tow_orbit(&orbit, frame, end, report);
+	else if (!status)
+		status = straight(frame, end, report);
+	if (status)
+		return status;
+	string = calloc((size_t)hawser__tow_elements(tow) + 1, sizeof *string);
+	if (!string)
+		return hawser__no_memory(report, where);
+	if (!hawser__tow_body_at(body, frame, end))
+		status = hawser__fail(report, HAWSER_ERR_CONVERGENCE, where,
+		                      "the attitude of the ring was not found");
+	if (!status) {
+		hawser__tow_string(top, n, string, frame, end, body, 2);
+		status = hawser__tow_rod_solve(b, string, parts, body, report);
+	}
+	free(string);
+	return status;
 }
 
 enum hawser_status hawser_tow_steady_solve(struct hawser_tow_steady *steady,

@@ -94,14 +94,16 @@ static void add_joint(struct hawser__tow_rod *b)
 	b->rod.length += link->length;
 }
 
-static enum hawser_status open_rod(struct hawser__tow_rod *b, const struct hawser__tow_frame *frame,
-                                   int parts, double tension, struct hawser_report *report)
+static enum hawser_status open_rod(struct hawser__tow_rod *b, int parts, double tension,
+                                   struct hawser_report *report)
 {
-	const struct hawser_tow *tow = frame->tow;
-	int spring = tow->body.kind == HAWSER_TOW_RING && tow->body.joint == HAWSER_TOW_SPRING;
+	const struct hawser_tow *tow = b->frame->tow;
+	int spring = tow->body.kind == HAWSER_TOW_RING &&
+	             (tow->body.joint == HAWSER_TOW_SPRING ||
+	              (tow->body.joint == HAWSER_TOW_JOINT && b->moves));
 	enum hawser_status status;
 
-	b->frame = frame;
+	b->links = spring;
 	b->rod.segment = calloc((size_t)tow->segments + 1, sizeof *b->rod.segment);
 	if (!b->rod.segment)
 		return hawser__no_memory(report, where);
@@ -116,15 +118,17 @@ static enum hawser_status open_rod(struct hawser__tow_rod *b, const struct hawse
 	if (spring) {
 		const struct hawser__rod_element *el = &b->mesh.element[b->last - 1];
 
-		b->spring[0] = b->rigid/el->h;
+		b->spring[0] = fmax(b->rigid, b->moves ? el->EA[0] : 0.0)/el->h;
 		b->spring[1] = tow->body.torsion;
+		for (int k = 3; k < FREE && b->hung; k++)
+			b->mesh.held[FREE*b->end + k] = 1;
 	}
 	b->mesh.held[3] = 1;
 	hawser__rod_loads(&b->mesh, NULL, 1.0);
 	return HAWSER_OK;
 }
 
-static void close_rod(struct hawser__tow_rod *b)
+void hawser__tow_rod_close(struct hawser__tow_rod *b)
 {
 	hawser__rod_mesh_clear(&b->mesh);
 	free(b->rod.segment);
@@ -359,25 +363,40 @@ static enum hawser_status find(struct hawser__tow_rod *b, const struct hawser_to
 	                       "give cable.segments.elements more, or a smaller EI", size);
 }
 
+enum hawser_status hawser__tow_rod_solve(struct hawser__tow_rod *b,
+                                         const struct hawser_tow_point *string, int parts,
+                                         const struct hawser__tow_end *body,
+                                         struct hawser_report *report)
+{
+	double tension = strongest(string, hawser__tow_elements(b->frame->tow) + 1);
+	enum hawser_status status = open_rod(b, parts, tension, report);
+
+	if (!status)
+		status = find(b, string, parts, body, tension, report);
+	if (!status)
+		b->now.residual = residual(b, tension);
+	if (!status && b->links && b->hung)
+		aim(b->mesh.node[b->end].q, b->now.axis);
+	return status;
+}
+
+int hawser__tow_hangs(const struct hawser_tow *tow)
+{
+	return tow->body.kind != HAWSER_TOW_RING || tow->body.joint == HAWSER_TOW_JOINT;
+}
+
 enum hawser_status hawser__tow_bend(struct hawser_tow_point *point, struct hawser__tow_end *body,
                                     const struct hawser__tow_frame *frame,
                                     const struct hawser_tow_point *string, int parts,
                                     struct hawser_report *report)
 {
-	struct hawser__tow_rod b = {.hung = frame->tow->body.kind != HAWSER_TOW_RING ||
-	                        frame->tow->body.joint == HAWSER_TOW_JOINT ? body : NULL};
-	int points = hawser__tow_elements(frame->tow) + 1;
-	double tension = strongest(string, points);
-	enum hawser_status status = open_rod(&b, frame, parts, tension, report);
+	struct hawser__tow_rod b = {.frame = frame, .hung = hawser__tow_hangs(frame->tow) ? body : NULL};
+	enum hawser_status status = hawser__tow_rod_solve(&b, string, parts, body, report);
 
+	for (int i = 0; !status && i <= hawser__tow_elements(frame->tow); i++)
+		lay(&point[i], &b, i*parts);
 	if (!status)
-		status = find(&b, string, parts, body, tension, report);
-	if (!status) {
-		b.now.residual = residual(&b, tension);
-		for (int i = 0; i < points; i++)
-			lay(&point[i], &b, i*parts);
 		*body = b.now;
-	}
-	close_rod(&b);
+	hawser__tow_rod_close(&b);
 	return status;
 }

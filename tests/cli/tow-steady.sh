@@ -55,5 +55,5 @@ $cable
 air: {density: 1.2}
 body:      {                  ring: {radius: 1, tube: 2, mass: 3, offset: 1}}"
 printf 'tow: {speed: 3}\n' >bad.yaml
-refuses 1 'bad.yaml:1:1: this is the scene of a towed body, and the command takes others: hawser trajectory and hawser tow steady take it' statics bad.yaml
+refuses 1 'bad.yaml:1:1: this is the scene of a towed body, and the command takes others: hawser trajectory, hawser tow and hawser tow steady take it' statics bad.yaml
 done_testing

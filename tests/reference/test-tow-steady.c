@@ -297,7 +297,7 @@ static void ring_in_orbit(void)
 /* A ring on a torsional spring: between clamped and free, and the moment of the spring balances it. */
 static void spring(double radius)
 {
-	/* in an orbit the drag on the ring has a moment about its axis too, which a weak spring yields to */
+	/* in an orbit drag on the ring has a moment about its axis, which a weak spring yields to */
 	const double torsion[] = {radius > 0.0 ? 0.1 : 1e-6, 40.0, 1e9};
 	const double near = radius > 0.0 ? 1e-3 : 1e-6;
 	struct hawser_tow_segment cable;

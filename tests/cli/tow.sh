@@ -1,0 +1,68 @@
+#!/bin/sh
+# hawser tow: rows, JSON, a picture, VTK, standard input, refusals.
+# SPDX-License-Identifier: GPL-3.0-or-later
+. "$SRCDIR/tests/cli/lib.sh"
+
+scene=$SRCDIR/notebooks-data/scenes/tow-u-turn.yaml
+works "from standard input, with a mesh error" tow - --until 4 --every 0.5 --set cable.segments.0.elements=6 --check \
+	--json turn.json --plot turn.svg --vtk turn -q <"$scene"
+python "JSON" <<'END'
+import json, math
+turn = json.load(open("turn.json"))
+assert len(turn["times"]) == len(turn["tilt"]) == len(turn["tension_top"]) == len(turn["body"]["position"]) == 9
+assert turn["times"][-1] == 4 and len(turn["energy"]["kinetic"]) == 9 and len(turn["range"]) == 6
+assert abs(turn["closure"]) < 1e-5 and 0 < turn["step_error"] < 1e-2 and 0 < turn["mesh_error"] < 1e-3
+r = turn["range"][0]
+assert r["least"] <= r["mean"] <= r["most"] and abs(turn["tension_top"][0] - 499.36) < 0.01
+q = turn["body"]["attitude"][-1]
+assert abs(sum(v*v for v in q) - 1) < 1e-12
+axis_y = -(q[0]**2 - q[1]**2 + q[2]**2 - q[3]**2)
+assert abs(math.acos(-axis_y) - turn["tilt"][-1]) < 1e-6
+END
+try "the ranges in the picture" grep -q 'seen from above' turn.svg
+try "VTK" test -s turn-00008.vtk -a -s turn.vtk.series
+
+# bad MESSAGE SCENE [OPTION ...]: a scene given as text
+bad() {
+	message=$1
+	printf '%s\n' "$2" >bad.yaml
+	shift 2
+	refuses 1 "$message" tow bad.yaml "$@"
+}
+cable='cable: {segments: [{length: 9 m, rho: 1 kg/m, diameter: 1 cm, EA: 1 MN, EI: 2 N m^2, drag: {normal: 1.2}}]}'
+bad 'a path of constant speed has no end: give --until, the time (s) at which the motion ends' "tow: {speed: 3}
+$cable
+air: {density: 1.2}"
+bad 'cable.segments[0].EA is missing: a motion needs the axial stiffness EA (N)' 'tow: {speed: 3}
+cable: {segments: [{length: 9 m, rho: 1 kg/m, EI: 2}]}' --until 1
+bad 'cable.segments[0].rho is 0: a motion needs a mass per length (kg/m)' 'tow: {speed: 3}
+cable: {segments: [{length: 9 m, rho: 0, EA: 1 MN, EI: 2}]}
+body: {mass: 3}' --until 1
+bad 'the scene has no cable: add, for example' 'tow: {speed: 3}' --until 1
+bad '--until 3 s is after the path' 'tow: {waypoints: [[0, 0, 0, 0], [1, 1, 0, 0]], minimise: none}' --until 3
+bad '--until 1 s is not after the path' 'tow: {waypoints: [[2, 0, 0, 0], [3, 1, 0, 0]], minimise: none}' --until 1
+bad 'makes more than 1000000 samples: give a longer one' "tow: {speed: 3}
+$cable
+air: {density: 1.2}" --until 1 --every 1e-9
+bad '--rho-inf 2 is more than 1: give a number above 0 and at most 1' "tow: {speed: 3}" --rho-inf 2
+bad 'bad.yaml:4:7: the body and the cable below the top of cable.segments[0] weigh 981088 N, which stretches it by 0.981 of its length (EA 1e+06 N): give a larger EA, or a smaller mass' "tow: {speed: 3}
+$cable
+air: {density: 1.2}
+body: {mass: 100000}"
+bad 'cable.segments[0].shedding needs the diameter, which is not given' 'tow: {speed: 3}
+cable: {segments: [{length: 9 m, rho: 1, shedding: {lift: 0.6, strouhal: 0.22}}]}'
+bad '--step 0.01 s is too long for vortex shedding of 220 Hz at 0 s' "tow: {speed: 10}
+cable: {segments: [{length: 9 m, rho: 1, EA: 1 MN, EI: 2, diameter: 1 cm, shedding: {lift: 0.6, strouhal: 0.22}}]}
+air: {density: 1.2}
+body: {mass: 900}" --until 1 --step 0.01 --every 0.01 --set tow.speed=10
+printf '0 1 0 0\n1 2 0 0\n0.5 1 0 0\n' >wind.txt
+bad 'bad.yaml:3:28: air.file: the times of its lines must grow, and 0.5 s follows 1 s' "tow: {speed: 3}
+$cable
+air: {density: 1.2,  file: wind.txt}"
+bad 'bad.yaml:3:23: air.file, a wind, in air of density 0 has no effect: give the density' "tow: {speed: 3}
+$cable
+air: {density: 0, file: wind.txt}"
+bad 'air has wind and file: remove one of them' "tow: {speed: 3}
+$cable
+air: {density: 1, file: wind.txt, wind: [1, 0, 0]}"
+done_testing
