@@ -151,10 +151,6 @@ static enum hawser_status gusts(struct hawser__reader *reader, struct hawser_tow
 		return hawser__reader_fail(reader, &one->at, "air.file, a wind, in air of density 0 has no "
 		                           "effect: give the density, such as 1.2 kg/m^3, or no wind");
 	status = hawser__tow_file(reader, &tow->gust, &tow->gusts, one, "air.file");
-	for (int i = 1; i < tow->gusts && !status; i++)
-		if (!(tow->gust[i].t > tow->gust[i - 1].t))
-			return hawser__reader_fail(reader, &one->at, "air.file: the times of its lines must grow, "
-			                           "and %.9g s follows %.9g s", tow->gust[i].t, tow->gust[i - 1].t);
 	for (int k = 0; k < 3 && !status; k++)
 		tow->wind[k] = tow->gust[0].at[0][k];
 	return status;

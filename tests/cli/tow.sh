@@ -4,8 +4,8 @@
 . "$SRCDIR/tests/cli/lib.sh"
 
 scene=$SRCDIR/notebooks-data/scenes/tow-u-turn.yaml
-works "from standard input, with a mesh error" tow - --until 4 --every 0.5 --set cable.segments.0.elements=6 --check \
-	--json turn.json --plot turn.svg --vtk turn -q <"$scene"
+works "with a mesh error" tow "$scene" --until 4 --every 0.5 --set cable.segments.0.elements=6 --check \
+	--json turn.json --plot turn.svg --vtk turn -q
 python "JSON" <<'END'
 import json, math
 turn = json.load(open("turn.json"))
@@ -21,6 +21,11 @@ assert abs(math.acos(-axis_y) - turn["tilt"][-1]) < 1e-6
 END
 try "the ranges in the picture" grep -q 'seen from above' turn.svg
 try "VTK" test -s turn-00008.vtk -a -s turn.vtk.series
+same() {
+	"$HAWSER" tow - --until 1 -q <"$scene" | grep -v "^# [sm]" >stdin.tsv
+	"$HAWSER" tow "$scene" --until 1 -q | grep -v "^# [sm]" | cmp - stdin.tsv
+}
+try "standard input" same
 
 # bad MESSAGE SCENE [OPTION ...]: a scene given as text
 bad() {
@@ -33,36 +38,36 @@ cable='cable: {segments: [{length: 9 m, rho: 1 kg/m, diameter: 1 cm, EA: 1 MN, E
 bad 'a path of constant speed has no end: give --until, the time (s) at which the motion ends' "tow: {speed: 3}
 $cable
 air: {density: 1.2}"
-bad 'cable.segments[0].EA is missing: a motion needs the axial stiffness EA (N)' 'tow: {speed: 3}
+bad 'cable.segments[0].EA is missing: a motion needs the axial stiffness EA (N) and the bending stiffness EI (N m^2); of a round cable of modulus E and diameter d they are E pi d^2/4 and E pi d^4/64' 'tow: {speed: 3}
 cable: {segments: [{length: 9 m, rho: 1 kg/m, EI: 2}]}' --until 1
 bad 'cable.segments[0].rho is 0: a motion needs a mass per length (kg/m)' 'tow: {speed: 3}
 cable: {segments: [{length: 9 m, rho: 0, EA: 1 MN, EI: 2}]}
 body: {mass: 3}' --until 1
-bad 'the scene has no cable: add, for example' 'tow: {speed: 3}' --until 1
-bad '--until 3 s is after the path' 'tow: {waypoints: [[0, 0, 0, 0], [1, 1, 0, 0]], minimise: none}' --until 3
-bad '--until 1 s is not after the path' 'tow: {waypoints: [[2, 0, 0, 0], [3, 1, 0, 0]], minimise: none}' --until 1
-bad 'makes more than 1000000 samples: give a longer one' "tow: {speed: 3}
+bad 'the scene has no cable: add, for example, cable: {segments: [{length: 14 m, rho: 58 g/m, diameter: 8 mm, EA: 200 kN, EI: 0.8 N m^2, drag: {normal: 1.2}}]}' 'tow: {speed: 3}' --until 1
+bad "--until 3 s is after the path's end at 1 s" 'tow: {waypoints: [[0, 0, 0, 0], [1, 1, 0, 0]], minimise: none}' --until 3
+bad "--until 1 s is not after the path's beginning at 2 s" 'tow: {waypoints: [[2, 0, 0, 0], [3, 1, 0, 0]], minimise: none}' --until 1
+bad '--every 1e-09 s makes more than 1000000 samples: give a longer one' "tow: {speed: 3}
 $cable
 air: {density: 1.2}" --until 1 --every 1e-9
 bad '--rho-inf 2 is more than 1: give a number above 0 and at most 1' "tow: {speed: 3}" --rho-inf 2
-bad 'bad.yaml:4:7: the body and the cable below the top of cable.segments[0] weigh 981088 N, which stretches it by 0.981 of its length (EA 1e+06 N): give a larger EA, or a smaller mass' "tow: {speed: 3}
+bad 'bad.yaml:4:1: the body and the cable below the top of cable.segments[0] weigh 981088 N, which stretches it by 0.981 of its length (EA 1e+06 N): give a larger EA, or a smaller mass' "tow: {speed: 3}
 $cable
 air: {density: 1.2}
 body: {mass: 100000}"
-bad 'cable.segments[0].shedding needs the diameter, which is not given' 'tow: {speed: 3}
+bad 'bad.yaml:2:42: cable.segments[0].shedding needs the diameter, which is not given' 'tow: {speed: 3}
 cable: {segments: [{length: 9 m, rho: 1, shedding: {lift: 0.6, strouhal: 0.22}}]}'
-bad '--step 0.01 s is too long for vortex shedding of 220 Hz at 0 s' "tow: {speed: 10}
+bad '--step 0.01 s is too long for vortex shedding of 220 Hz at 0 s, which it would show at a wrong frequency or not at all: give at most 0.000227 s (20 steps a period), or leave --step out' "tow: {speed: 10}
 cable: {segments: [{length: 9 m, rho: 1, EA: 1 MN, EI: 2, diameter: 1 cm, shedding: {lift: 0.6, strouhal: 0.22}}]}
 air: {density: 1.2}
 body: {mass: 900}" --until 1 --step 0.01 --every 0.01 --set tow.speed=10
 printf '0 1 0 0\n1 2 0 0\n0.5 1 0 0\n' >wind.txt
-bad 'bad.yaml:3:28: air.file: the times of its lines must grow, and 0.5 s follows 1 s' "tow: {speed: 3}
+bad 'wind.txt:3: t is 0.5 s, but that of the waypoint before it is 1 s: times must increase' "tow: {speed: 3}
 $cable
 air: {density: 1.2,  file: wind.txt}"
-bad 'bad.yaml:3:23: air.file, a wind, in air of density 0 has no effect: give the density' "tow: {speed: 3}
+bad 'bad.yaml:3:19: air.file, a wind, in air of density 0 has no effect: give the density, such as 1.2 kg/m^3, or no wind' "tow: {speed: 3}
 $cable
 air: {density: 0, file: wind.txt}"
-bad 'air has wind and file: remove one of them' "tow: {speed: 3}
+bad 'bad.yaml:3:35: air has wind and file: remove one of them' "tow: {speed: 3}
 $cable
 air: {density: 1, file: wind.txt, wind: [1, 0, 0]}"
 done_testing
