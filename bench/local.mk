@@ -126,6 +126,10 @@ CLEANFILES += %D%/net-plan
 %C%_net_plan_SOURCES = %D%/net-plan.c
 %C%_net_plan_LDADD = $(UPTO_NET)
 
+# steady states and motions of towed bodies
+BENCHES += %D%/tow
+%C%_tow_SOURCES = %D%/tow.c
+%C%_tow_LDADD = $(UPTO_TOW)
 # statics of ropeways: the cost of a sweep over the phases, and random lines
 BENCHES += %D%/ropeway
 %C%_ropeway_SOURCES = %D%/ropeway.c

@@ -39,6 +39,10 @@ enum { HAWSER__BISECTIONS = 60 /* of an angle of at most pi: to 3e-18 of it, les
 struct hawser__tow_end {
 	double force[3], axis[3], centre[3], residual;
 };
+/* The same from the attitude end->axis at a place near by; all 0: none is known. `coarse`
+ * 1: less exactly, for a sign. */
+int hawser__tow_body_near(struct hawser__tow_end *end, const struct hawser__tow_frame *frame,
+                          const double x[3], int coarse);
 int hawser__tow_body_at(struct hawser__tow_end *end, const struct hawser__tow_frame *frame,
                         const double x[3]);
 

@@ -23,6 +23,9 @@
 enum { ITERATIONS = 50, /* of Newton's method: it needs 4 */
        NEAR = 10        /* bisections of the angle before it: to 3 mrad */ };
 #define TOLERANCE 1e-13 /* of the moment over offset times force; round-off is 1e-15 */
+#define COARSE 1e-5     /* the same where a sign is looked for: the end of the cable moves by so much of
+                         * its offset */
+#define CLOSE 0.98      /* cosine of the turn between two places: beyond it is another attitude */
 
 struct ring {
 	const struct hawser__tow_frame *frame;
@@ -172,7 +175,8 @@ static double quadratic(double (*A)[3], const double *left, const double *right)
 }
 
 /* Newton's method from the axis a; returns the moment that is left over offset times force. */
-static double attitude(double a[3], struct hawser__tow_ring *b, const struct ring *of)
+static double attitude(double a[3], struct hawser__tow_ring *b, const struct ring *of,
+                       double tolerance)
 {
 	double left = INFINITY;
 
@@ -188,7 +192,7 @@ static double attitude(double a[3], struct hawser__tow_ring *b, const struct rin
 		}
 		left = hypot(g[0], g[1])/(of->body->offset*hawser__norm(b->n) + DBL_MIN);
 		det = A[0][0]*A[1][1] - A[0][1]*A[1][0];
-		if (left < TOLERANCE || !(fabs(det) > 0.0))
+		if (left < tolerance || !(fabs(det) > 0.0))
 			break;
 		turn[0] = (A[0][1]*g[1] - A[1][1]*g[0])/det;
 		turn[1] = (A[1][0]*g[0] - A[0][0]*g[1])/det;
@@ -216,7 +220,7 @@ static int ring_at(struct hawser__tow_end *end, const struct ring *of)
 		w[i] *= of->body->mass;
 	if (of->body->offset > 0.0) {
 		hawser__tow_direction(a, w, of->flow, ring_drag, of, NEAR);
-		end->residual = attitude(a, &b, of);
+		end->residual = attitude(a, &b, of, TOLERANCE);
 	} else { /* its centre is in the hinge: along the force, as the limit of small offsets */
 		hawser__tow_direction(a, w, of->flow, ring_drag, of, HAWSER__BISECTIONS);
 		hawser__tow_ring_at(&b, of->frame, of->x, a);
@@ -225,6 +229,34 @@ static int ring_at(struct hawser__tow_end *end, const struct ring *of)
 	memcpy(end->axis, a, sizeof a);
 	memcpy(end->centre, b.centre, sizeof b.centre);
 	return end->residual < 1e-9; /* of a rotation: a thousandth of what a user reads */
+}
+
+/* From the attitude that it has; 1: it is near. */
+static int ring_near(struct hawser__tow_end *end, const struct ring *of, double tolerance)
+{
+	struct hawser__tow_ring b;
+	double a[3];
+
+	memcpy(a, end->axis, sizeof a);
+	end->residual = attitude(a, &b, of, tolerance);
+	if (!(end->residual < fmax(tolerance, 1e-9)) || hawser__dot(a, end->axis) < CLOSE)
+		return 0;
+	memcpy(end->force, b.n, sizeof b.n);
+	memcpy(end->axis, a, sizeof a);
+	memcpy(end->centre, b.centre, sizeof b.centre);
+	return 1;
+}
+
+int hawser__tow_body_near(struct hawser__tow_end *end, const struct hawser__tow_frame *frame,
+                          const double x[3], int coarse)
+{
+	const struct hawser_tow_body *body = &frame->tow->body;
+	struct ring ring = {frame, body, x, {0.0}};
+
+	if (body->kind == HAWSER_TOW_RING && body->offset > 0.0 && hawser__dot(end->axis, end->axis) > 0.0 &&
+	    ring_near(end, &ring, coarse ? COARSE : TOLERANCE))
+		return 1;
+	return hawser__tow_body_at(end, frame, x);
 }
 
 int hawser__tow_body_at(struct hawser__tow_end *end, const struct hawser__tow_frame *frame,

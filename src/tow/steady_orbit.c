@@ -28,22 +28,24 @@ enum { GRID = 96,      /* places at which g is looked at first */
 
 static const char where[] = "tow steady";
 
-static double miss(const struct hawser__tow_frame *frame, double r, int parts)
+/* *end is the body at the place before, and becomes that at this one. */
+static double miss(const struct hawser__tow_frame *frame, double r, struct hawser__tow_end *end,
+                   int parts)
 {
 	double x[3] = {r, 0.0, 0.0}, top[3], n[3];
-	struct hawser__tow_end end;
 
-	if (!hawser__tow_body_at(&end, frame, x))
+	if (!hawser__tow_body_near(end, frame, x, parts == 1))
 		return NAN;
-	hawser__tow_string(top, n, NULL, frame, x, &end, parts);
+	hawser__tow_string(top, n, NULL, frame, x, end, parts);
 	return hypot(top[0], top[2]) - frame->tow->path.radius;
 }
 
 /* Between two places of different signs. */
 static double zero(const struct hawser__tow_frame *frame, double a, double b)
 {
-	struct hawser__bracketed in = {.a = a, .b = b, .fa = miss(frame, a, PARTS),
-	                               .fb = miss(frame, b, PARTS)};
+	struct hawser__tow_end end = {.residual = 0.0};
+	struct hawser__bracketed in = {.a = a, .b = b, .fa = miss(frame, a, &end, PARTS),
+	                               .fb = miss(frame, b, &end, PARTS)};
 	double scale = frame->tow->path.radius, r = a;
 
 	if ((in.fa < 0.0) == (in.fb < 0.0)) /* the coarse mesh of the grid saw one that is not there */
@@ -52,7 +54,7 @@ static double zero(const struct hawser__tow_frame *frame, double a, double b)
 		double f;
 
 		r = hawser__false_position(&in, i);
-		f = miss(frame, r, PARTS);
+		f = miss(frame, r, &end, PARTS);
 		if (!(fabs(f) > TOLERANCE*scale))
 			return f == f ? r : NAN;
 		hawser__false_position_take(&in, r, f);
@@ -72,11 +74,12 @@ static double reach(const struct hawser_tow *tow)
 /* All solutions on the grid, in ascending order. */
 static int all(double *root, const struct hawser__tow_frame *frame)
 {
-	double far = reach(frame->tow), before = 0.0, value = miss(frame, 0.0, 1);
+	struct hawser__tow_end end = {.residual = 0.0};
+	double far = reach(frame->tow), before = 0.0, value = miss(frame, 0.0, &end, 1);
 	int found = 0;
 
 	for (int i = 1; i <= GRID; i++) {
-		double r = far*i/GRID, next = miss(frame, r, 1);
+		double r = far*i/GRID, next = miss(frame, r, &end, 1);
 
 		if (value == value && next == next && (value < 0.0) != (next < 0.0) &&
 		    found < HAWSER_TOW_STATES) {
