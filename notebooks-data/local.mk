@@ -73,6 +73,7 @@ dist_scenes_DATA = \
 	%D%/scenes/d-section-5.2.3.yaml \
 	%D%/scenes/d-section-5.3.yaml \
 	%D%/scenes/tow-orbit.yaml \
+	%D%/scenes/tow-u-turn.yaml \
 	%D%/scenes/deep-sag-light.yaml \
 	%D%/scenes/deep-sag.yaml \
 	%D%/scenes/guide-rope.yaml \

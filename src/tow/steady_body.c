@@ -253,8 +253,8 @@ int hawser__tow_body_near(struct hawser__tow_end *end, const struct hawser__tow_
 	const struct hawser_tow_body *body = &frame->tow->body;
 	struct ring ring = {frame, body, x, {0.0}};
 
-	if (body->kind == HAWSER_TOW_RING && body->offset > 0.0 && hawser__dot(end->axis, end->axis) > 0.0 &&
-	    ring_near(end, &ring, coarse ? COARSE : TOLERANCE))
+	if (body->kind == HAWSER_TOW_RING && body->offset > 0.0 &&
+	    hawser__dot(end->axis, end->axis) > 0.0 && ring_near(end, &ring, coarse ? COARSE : TOLERANCE))
 		return 1;
 	return hawser__tow_body_at(end, frame, x);
 }
