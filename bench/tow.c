@@ -93,8 +93,7 @@ static int turn(int elements)
 	}
 	printf("%3d elements: tilt %.4f rad, %.1e m by half the local error, energy %.1e, %ld steps, "
 	       "%.2f s: %.0f times as fast  %s\n", elements, tilt, off, motion[0].closure,
-	       motion[0].steps, secs[0],
-	       100.0/secs[0], report.message);
+	       motion[0].steps, secs[0], 100.0/secs[0], report.message);
 	for (int k = 0; k < 2; k++)
 		hawser_tow_motion_clear(&motion[k]);
 	hawser_path_clear(&tow.path);
