@@ -51,6 +51,7 @@ pkginclude_HEADERS = \
 	%D%/hawser/choose.h \
 	%D%/hawser/scales.h \
 	%D%/hawser/scene.h \
+	%D%/hawser/schema.h \
 	%D%/hawser/scene_family.h \
 	%D%/hawser/sizes.h \
 	%D%/hawser/span_motion.h \

@@ -6,6 +6,8 @@ command_pages = \
 	%D%/hawser.1 \
 	%D%/hawser-beam.1 \
 	%D%/hawser-campbell.1 \
+	%D%/hawser-check.1 \
+	%D%/hawser-completion.1 \
 	%D%/hawser-compare.1 \
 	%D%/hawser-damping.1 \
 	%D%/hawser-folds.1 \
@@ -13,6 +15,7 @@ command_pages = \
 	%D%/hawser-frf.1 \
 	%D%/hawser-hill.1 \
 	%D%/hawser-identify.1 \
+	%D%/hawser-init.1 \
 	%D%/hawser-integrate.1 \
 	%D%/hawser-irvine.1 \
 	%D%/hawser-map.1 \
@@ -23,6 +26,7 @@ command_pages = \
 	%D%/hawser-plan.1 \
 	%D%/hawser-report.1 \
 	%D%/hawser-rom.1 \
+	%D%/hawser-schema.1 \
 	%D%/hawser-statics.1 \
 	%D%/hawser-tow.1 \
 	%D%/hawser-trajectory.1 \
@@ -42,6 +46,10 @@ shared_text = \
 	%D%/shared/lane \
 	%D%/shared/lane-load \
 	%D%/shared/modes \
+	%D%/shared/picture \
+	%D%/shared/picture-gp \
+	%D%/shared/picture-size \
+	%D%/shared/picture-title \
 	%D%/shared/reproducible \
 	%D%/shared/units \
 	%D%/shared/scene \
@@ -58,3 +66,20 @@ $(command_pages): %D%/%.1: $(srcdir)/%D%/%.1.in hawser$(EXEEXT) %D%/page.awk $(s
 		-f $(srcdir)/%D%/page.awk $< >$@.tmp && mv -f $@.tmp $@
 %D%/hawser-scene.5: src/scene/manpage$(EXEEXT)
 	$(AM_V_GEN)$(MKDIR_P) %D% && src/scene/manpage$(EXEEXT) >$@.tmp && mv -f $@.tmp $@
+# Completion in shells, written by the program.
+bash_completion = completions/hawser
+zsh_completion = completions/_hawser
+fish_completion = completions/hawser.fish
+bashcompletiondir = $(datadir)/bash-completion/completions
+zshcompletiondir = $(datadir)/zsh/site-functions
+fishcompletiondir = $(datadir)/fish/vendor_completions.d
+nodist_bashcompletion_DATA = $(bash_completion)
+nodist_zshcompletion_DATA = $(zsh_completion)
+nodist_fishcompletion_DATA = $(fish_completion)
+MOSTLYCLEANFILES += $(bash_completion) $(zsh_completion) $(fish_completion)
+$(bash_completion): hawser$(EXEEXT)
+	$(AM_V_GEN)$(MKDIR_P) completions && env $(program) completion bash >$@.tmp && mv -f $@.tmp $@
+$(zsh_completion): hawser$(EXEEXT)
+	$(AM_V_GEN)$(MKDIR_P) completions && env $(program) completion zsh >$@.tmp && mv -f $@.tmp $@
+$(fish_completion): hawser$(EXEEXT)
+	$(AM_V_GEN)$(MKDIR_P) completions && env $(program) completion fish >$@.tmp && mv -f $@.tmp $@

@@ -5,6 +5,8 @@ CLI_TESTS = \
 	%D%/cli/choice.sh \
 	%D%/cli/travel-motion.sh \
 	%D%/cli/disk.sh \
+	%D%/cli/editors.sh \
+	%D%/cli/picture-choice.sh \
 	%D%/cli/files.sh \
 	%D%/cli/folds.sh \
 	%D%/cli/locus.sh \

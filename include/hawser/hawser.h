@@ -6,6 +6,7 @@
 #include <hawser/status.h>
 #include <hawser/progress.h>
 #include <hawser/scene.h>
+#include <hawser/schema.h>
 #include <hawser/scene_family.h>
 #include <hawser/statics.h>
 #include <hawser/plausible.h>

@@ -9,6 +9,7 @@
 #include <hawser/hawser.h>
 #include "cli/lane.h"
 #include "output/output.h"
+#include "output/picture_choice.h"
 
 /* --- options.c: parsing and --help follow from one table --- */
 
@@ -32,7 +33,9 @@ enum hawser_status cli_store_text(void *field, const struct cli_option *option,
 /* Into const char *[2]. */
 enum hawser_status cli_store_two(void *field, const struct cli_option *option,
                                  const char *const *values, struct hawser_report *report);
-/* > 0 */
+/* The option --set, of any command: at offset 0. */
+enum hawser_status cli_store_set(void *field, const struct cli_option *option,
+                                 const char *const *values, struct hawser_report *report);
 enum hawser_status cli_store_library(void *field, const struct cli_option *option,
                                      const char *const *values, struct hawser_report *report);
 enum hawser_status cli_store_positive(void *field, const struct cli_option *option,
@@ -69,6 +72,10 @@ enum hawser_status cli_store_count(void *field, const struct cli_option *option,
 	{"step", 0, "NUMBER", "longest step, as a part of the range (0.005)", CLI_POSITIVE(step)}
 #define CLI_POINTS_OPTION(doc) \
 	{"max-points", 0, "N", doc, CLI_COUNT(points)}
+#define CLI_SET_OPTION \
+	{"set", 0, "KEY=VALUE", "override a key of the scene; may be repeated", cli_store_set, 0}
+#define CLI_HELP_OPTION \
+	{"help", 'h', "", "print this help", cli_store_flag, offsetof(struct cli_common, help)}
 #define CLI_NO_OPTION {NULL, 0, NULL, NULL, NULL, 0}
 
 #define CLI_STEP 0.005 /* longest step of a response, as a part of its range, by default */
@@ -82,6 +89,8 @@ struct cli_common {
 	int mores;
 	const char *second; /* the second argument of a command whose `input` has two words; or NULL */
 	const char *json, *tsv, *plot; /* files to write, or NULL */
+	const char *gp; /* a file for the script of the picture besides; or NULL */
+	struct hawser__picture_choice picture;
 	struct cli_lane_choice lane; /* of commands that make models */
 	const char *units; /* list of units for tables, or NULL: SI */
 	const char *set[CLI_SETS];
@@ -93,7 +102,7 @@ struct cli_common {
 };
 
 struct cli_listing; /* view.h */
-/* A name may have two words: "compare modes" is a command of its own beside "compare". */
+/* The input is a file or a word (input.h). With an option --help of its own, it has no common ones. */
 struct cli_command {
 	const char *name, *input, *summary;
 	const char *const *notes; /* lines for --help, ended by NULL; may be NULL */
@@ -122,7 +131,7 @@ struct cli_command {
 	X(beam) X(trajectory) X(tow) X(tow_steady) \
 	X(map) X(compare) X(compare_modes) \
 	X(compare_mms) X(compare_motion) X(compare_statics) \
-	X(report)
+	X(report) X(init) X(check) X(schema) X(completion)
 #define CLI_DECLARE(command) extern const struct cli_command cli_##command;
 CLI_COMMANDS(CLI_DECLARE)
 #undef CLI_DECLARE
@@ -132,6 +141,8 @@ enum hawser_status cli_parse(void *settings, const struct cli_command *command, 
 void cli_print_help(const struct cli_command *command, FILE *stream);
 void cli_print_columns(const struct cli_command *command, FILE *stream);
 extern const struct cli_option cli_common_options[];
+const struct cli_option *cli_common_of(const struct cli_command *command);
+const struct cli_command *cli_command_row(int index); /* from 0; NULL beyond the last */
 
 /* nearest.c: the name that is nearest to a misspelt one, or NULL. */
 const char *cli_nearest(const char *name, const char *const *names, int count);
@@ -468,17 +479,6 @@ extern const struct cli_showing cli_frf_showing;
 enum hawser_status cli_frf_draw(const char *path, const void *result, struct hawser_report *report);
 /* Write "Amplitude of z, mid-span (m)" in gnuplot's markup; probes may have any name. */
 void cli_probe_label(char *label, size_t size, char component, const char *probe, const char *unit);
-
-struct cli_folds_result {
-	const struct cli_common *common;
-	const struct cli_model *model;
-	const struct hawser_folds *folds;
-	double from, to; /* scaled */
-	double load_from, load_to;
-};
-extern const struct cli_showing cli_folds_showing;
-enum hawser_status cli_folds_draw(const char *path, const void *result,
-                                  struct hawser_report *report);
 
 struct cli_map_result {
 	const struct cli_common *common;

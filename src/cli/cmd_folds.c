@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/folds_result.h"
 #include "cli/progress.h"
 #include "cli/view.h"
 #include "core/report.h"

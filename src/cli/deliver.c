@@ -11,6 +11,8 @@
 #include "cli/view.h"
 #include "core/report.h"
 
+enum { OUTPUTS = 4 }; /* of every command */
+
 static int is_stdout(const char *path)
 {
 	return path && strcmp(path, "-") == 0;
@@ -100,16 +102,16 @@ enum hawser_status cli_outputs_check_with(const struct cli_common *common,
                                           struct hawser_report *report)
 {
 	const struct cli_output input = {"input", common->input};
-	struct cli_output list[3 + CLI_MORE_OUTPUTS] = {
-		{"json", common->json}, {"tsv", common->tsv}, {"plot", common->plot},
+	struct cli_output list[OUTPUTS + CLI_MORE_OUTPUTS] = {
+		{"json", common->json}, {"tsv", common->tsv}, {"plot", common->plot}, {"gp", common->gp},
 	};
 	enum hawser_status status = HAWSER_OK;
 	int i, j;
 
 	for (i = 0; i < count; i++)
-		list[3 + i] = more[i];
-	for (i = 0; i < 3 + count && !status; i++) {
-		for (j = i + 1; j < 3 + count && !status; j++)
+		list[OUTPUTS + i] = more[i];
+	for (i = 0; i < OUTPUTS + count && !status; i++) {
+		for (j = i + 1; j < OUTPUTS + count && !status; j++)
 			status = check_clash(&list[i], &list[j], 0, report);
 		if (!status)
 			status = check_clash(&list[i], &input, 1, report);
@@ -118,6 +120,8 @@ enum hawser_status cli_outputs_check_with(const struct cli_common *common,
 	}
 	if (!status)
 		status = hawser__picture_check(common->plot, report);
+	if (!status)
+		status = hawser__picture_check(common->gp, report);
 	if (!status)
 		status = hawser__file_check(common->json, report);
 	if (!status)
@@ -183,6 +187,8 @@ static enum hawser_status write_some(const struct cli_common *common, int to_std
 		drawn = drawing->draw(common->plot, drawing->context, report);
 	if (!drawn && is_stdout(common->plot) == to_stdout)
 		cli_written(common->plot);
+	if (!drawn && common->gp && !to_stdout)
+		drawn = drawing->draw(common->gp, drawing->context, report);
 	/* if an interrupt prevents the picture, the numbers are still written */
 	if (drawn && !cli_interrupted())
 		return drawn;

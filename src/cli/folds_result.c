@@ -4,6 +4,7 @@
 
 #include <stdio.h>
 
+#include "cli/folds_result.h"
 #include "cli/view.h"
 
 /* --- table --- */

@@ -18,7 +18,17 @@ hawser_SOURCES = \
 	%D%/cli.h \
 	%D%/cmd_beam.c \
 	%D%/cmd_campbell.c \
+	%D%/cmd_check.c \
 	%D%/cmd_compare.c \
+	%D%/cmd_completion.c \
+	%D%/cmd_init.c \
+	%D%/cmd_schema.c \
+	%D%/init_scenes.c \
+	%D%/input.h \
+	%D%/picture.c \
+	%D%/picture.h \
+	%D%/scene_kinds.c \
+	%D%/scene_kinds.h \
 	%D%/cmd_damping.c \
 	%D%/cmd_folds.c \
 	%D%/cmd_frf.c \
@@ -104,6 +114,7 @@ hawser_SOURCES = \
 	%D%/fixed.c \
 	%D%/folds_draw.c \
 	%D%/folds_result.c \
+	%D%/folds_result.h \
 	%D%/frf_beside.c \
 	%D%/frf_beside.h \
 	%D%/frf_cover.c \

@@ -9,6 +9,7 @@
 #include <cblas.h>
 
 #include "cli/cli.h"
+#include "cli/picture.h"
 #include "cli/progress.h"
 #include "cli/within.h"
 #include "core/report.h"
@@ -16,6 +17,11 @@
 #define ADDRESS(command) &cli_##command,
 static const struct cli_command *const commands[] = {CLI_COMMANDS(ADDRESS)};
 enum { command_count = sizeof commands/sizeof *commands };
+
+const struct cli_command *cli_command_row(int index)
+{
+	return index >= 0 && index < command_count ? commands[index] : NULL;
+}
 
 static void print_usage(FILE *stream)
 {
@@ -110,6 +116,8 @@ static enum hawser_status execute(const struct cli_command *command, int argc, c
 		                      command->name);
 	if (!status && !common->help)
 		status = hawser__units_choose(common->units, report);
+	if (!status && !common->help)
+		status = cli_picture_choose(common, report);
 	if (!status && !common->help)
 		status = command->run(common, report);
 	free(common);

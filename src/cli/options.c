@@ -12,29 +12,37 @@
 #include <string.h>
 
 #include "cli/label.h"
+#include "cli/picture.h"
 #include "cli/view.h"
 #include "core/report.h"
 
-enum { most_arguments = 2, most_names = 40 };
-
-static enum hawser_status store_set(void *field, const struct cli_option *option,
-                                    const char *const *values, struct hawser_report *report);
+enum { most_arguments = 2, most_names = 64 };
 
 const struct cli_option cli_common_options[] = {
 	{"json", 0, "FILE", "write the result as JSON (- is standard output)", cli_store_text,
 	 offsetof(struct cli_common, json)},
 	{"tsv", 0, "FILE", "write the table to a file", cli_store_text,
 	 offsetof(struct cli_common, tsv)},
-	{"plot", 0, "FILE", "draw a picture: .svg, .png or .pdf", cli_store_text,
+	{"plot", 0, "FILE", "draw a picture: .svg, .png, .pdf or .eps", cli_store_text,
 	 offsetof(struct cli_common, plot)},
-	{"set", 0, "KEY=VALUE", "override a key of the scene; may be repeated", store_set, 0},
+	{"title", 0, "TEXT", "a title above the picture", cli_store_title,
+	 offsetof(struct cli_common, picture)},
+	{"xrange", 0, "A:B", "range of its horizontal axis", cli_store_range,
+	 offsetof(struct cli_common, picture.range[0])},
+	{"yrange", 0, "A:B", "range of its vertical axis", cli_store_range,
+	 offsetof(struct cli_common, picture.range[1])},
+	{"size", 0, "WxH", "width and height of the picture in cm", cli_store_size,
+	 offsetof(struct cli_common, picture)},
+	{"gp", 0, "FILE", "write the picture as a script of gnuplot with its data", cli_store_text,
+	 offsetof(struct cli_common, gp)},
+	CLI_SET_OPTION,
 	{"quiet", 'q', "", "no progress and no summary", cli_store_flag,
 	 offsetof(struct cli_common, quiet)},
 	{"units", 0, "LIST", "units of table and picture, such as \"kN, ft, Hz\" (SI)", cli_store_text,
 	 offsetof(struct cli_common, units)},
 	{"reproducible", 0, "", "no times in results: two runs give the same bytes", cli_store_flag,
 	 offsetof(struct cli_common, reproducible)},
-	{"help", 'h', "", "print this help", cli_store_flag, offsetof(struct cli_common, help)},
+	CLI_HELP_OPTION,
 	CLI_NO_OPTION,
 };
 
@@ -66,8 +74,8 @@ enum hawser_status cli_store_two(void *field, const struct cli_option *option,
 	return status ? status : cli_store_text((const char **)field + 1, option, values + 1, report);
 }
 
-static enum hawser_status store_set(void *field, const struct cli_option *option,
-                                    const char *const *values, struct hawser_report *report)
+enum hawser_status cli_store_set(void *field, const struct cli_option *option,
+                                 const char *const *values, struct hawser_report *report)
 {
 	struct cli_common *common = field;
 
@@ -133,6 +141,15 @@ enum hawser_status cli_store_every(void *field, const struct cli_option *option,
 	return store_integer(field, option, values[0], 0, report);
 }
 
+const struct cli_option *cli_common_of(const struct cli_command *command)
+{
+	const struct cli_option *row = command->options;
+
+	while (row->name && strcmp(row->name, "help") != 0)
+		row++;
+	return row->name ? row + 1 : cli_common_options;
+}
+
 /* --- reading a command line --- */
 
 struct reader {
@@ -157,13 +174,14 @@ static const struct cli_option *find(const struct reader *reader, const char *na
 {
 	const struct cli_option *row = in_table(reader->command->options, name, length, letter);
 
-	return row ? row : in_table(cli_common_options, name, length, letter);
+	return row ? row : in_table(cli_common_of(reader->command), name, length, letter);
 }
 
 static enum hawser_status unknown(const struct reader *reader, const char *name,
                                   struct hawser_report *report)
 {
-	const struct cli_option *table[] = {reader->command->options, cli_common_options}, *row;
+	const struct cli_option *table[] = {reader->command->options,
+	                                    cli_common_of(reader->command)}, *row;
 	const char *names[most_names], *best;
 	char bare[64];
 	int count = 0, i;
@@ -277,11 +295,14 @@ enum hawser_status cli_parse(void *settings, const struct cli_command *command, 
 
 /* --- help --- */
 
-static void print_options(const struct cli_option *row, FILE *stream)
+/* `own`: options of the command, which stand in place of common ones of the same name; or NULL. */
+static void print_options(const struct cli_option *row, const struct cli_option *own, FILE *stream)
 {
 	for (; row->name; row++) {
 		char left[48];
 
+		if (own && in_table(own, row->name, strlen(row->name), 0))
+			continue;
 		snprintf(left, sizeof left, "%s%c%s--%s%s%s", row->letter ? "-" : " ",
 		         row->letter ? row->letter : ' ', row->letter ? ", " : "  ", row->name,
 		         *row->arguments ? " " : "", row->arguments);
@@ -301,8 +322,8 @@ void cli_print_help(const struct cli_command *command, FILE *stream)
 	for (note = command->notes; note && *note; note++)
 		fprintf(stream, "%s\n", *note);
 	fputs("\nOptions:\n", stream);
-	print_options(command->options, stream);
-	print_options(cli_common_options, stream);
+	print_options(command->options, NULL, stream);
+	print_options(cli_common_of(command), command->options, stream);
 	fprintf(stream, "\nMore: man hawser-%.*s, man hawser-scene\n",
 	        (int)strcspn(command->name, " "), command->name);
 }

@@ -125,7 +125,7 @@ static void print_text(FILE *stream, const char *text)
 	free(shown);
 }
 
-static void print_decisions(FILE *stream, const struct cli_plan_result *result)
+void cli_plan_print_decisions(FILE *stream, const struct cli_plan_result *result)
 {
 	fputs("\nModelled\n", stream);
 	for (int i = 0; i < result->plan.decisions; i++) {
@@ -314,7 +314,7 @@ void cli_plan_print(FILE *stream, const struct cli_plan_result *result)
 	fprintf(stream, "hawser %s plan: %s\nresponse over Omega from %.6g to %.6g %s\n",
 	        hawser_version(), result->model->scene.name, result->plan.from*unit,
 	        result->plan.to*unit, omega.name);
-	print_decisions(stream, result);
+	cli_plan_print_decisions(stream, result);
 	print_modes(stream, result);
 	print_resonances(stream, result);
 	print_rows(stream, result);

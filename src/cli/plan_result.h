@@ -29,6 +29,8 @@ int cli_plan_settings(struct cli_setting *setting, const struct cli_plan_result 
  * was computed within a time limit. */
 void cli_plan_forget_times(struct hawser_plan *plan);
 
+/* The part about what is modelled, and why. */
+void cli_plan_print_decisions(FILE *stream, const struct cli_plan_result *result);
 void cli_plan_print(FILE *stream, const struct cli_plan_result *result);
 extern const struct cli_showing cli_plan_showing;
 

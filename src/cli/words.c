@@ -2,9 +2,10 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <ctype.h>
 #include <string.h>
 
-#include "cli/cli.h"
+#include "cli/input.h"
 #include "core/report.h"
 
 enum hawser_status cli_choose(int *index, const char *command, const char *option, const char *text,
@@ -21,6 +22,32 @@ enum hawser_status cli_choose(int *index, const char *command, const char *optio
 	}
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, command, "--%s %s: must be one of %s", option,
 	                    text, list);
+}
+
+int cli_input_word(char word[CLI_INPUT_WORD], const struct cli_command *command, int index)
+{
+	const char *text = command->input + strspn(command->input, "[");
+
+	if (!strchr(text, '|') || !islower((unsigned char)*text)) /* SCENE|MODEL */
+		text = "";
+	for (; *text && *text != ']' && index > 0; index--) {
+		text += strcspn(text, "|]");
+		text += *text == '|';
+	}
+	snprintf(word, CLI_INPUT_WORD, "%.*s", (int)strcspn(text, "|]"), text);
+	return *word != '\0';
+}
+
+enum hawser_status cli_choose_input(int *index, const struct cli_command *command, const char *text,
+                                    struct hawser_report *report)
+{
+	char word[CLI_INPUT_WORD];
+
+	for (*index = 0; cli_input_word(word, command, *index); (*index)++)
+		if (!text || strcmp(text, word) == 0)
+			return HAWSER_OK;
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, command->name, "%s %s: must be one of %s",
+	                    command->name, text, command->input);
 }
 
 enum hawser_status cli_choose_method(const char *command, const char *text, int travels,

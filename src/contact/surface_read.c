@@ -66,7 +66,8 @@ static enum hawser_status number(struct hawser__reader *reader, double *value,
 static enum hawser_status shape(struct hawser__reader *reader, struct hawser_surface *surface,
                                 const struct hawser__tree *tree, const char *section)
 {
-	static const char *const keys[] = {"point, normal", "from, to", "centre, radius"};
+	static const char *const keys[] = {"net.obstacles[].plane", "net.obstacles[].segment",
+	                                   "net.obstacles[].circle"};
 	char what[CALLED];
 	enum hawser_status status;
 
@@ -173,8 +174,7 @@ static enum hawser_status obstacle(struct hawser__reader *reader, struct hawser_
 	status = name_of(reader, all, number_of, tree);
 	snprintf(section, sizeof section, "obstacles.%s", surface->name);
 	if (!status)
-		status = hawser__tree_keys(reader, tree, "an obstacle", "name, plane, segment, circle, side, "
-		                           "friction, velocity, groove, rotation, inertia");
+		status = hawser__tree_keys(reader, tree, "an obstacle", "net.obstacles[]");
 	if (!status)
 		status = kind_of(reader, &found, surface, tree);
 	if (!status)

@@ -59,7 +59,7 @@ static enum hawser_status load_of(struct hawser__reader *reader, struct hawser_n
 	load->cable = cable;
 	if (tree->kind == HAWSER__MAPPING || cable >= 0) {
 		status = hawser__tree_keys(reader, tree, what,
-		                          cable < 0 ? "force, harmonic" : "per_length, harmonic");
+		                          cable < 0 ? "net.loads.*" : "net.loads.**");
 		vector = status ? NULL : hawser__tree_find(tree, key);
 		if (!status && !vector)
 			status = hawser__reader_fail(reader, &tree->at, "%s has no %s: give a list of 3 numbers "
@@ -69,7 +69,7 @@ static enum hawser_status load_of(struct hawser__reader *reader, struct hawser_n
 	if (!status)
 		status = hawser__tree_vector(reader, load->value, 3, vector, what, unit);
 	if (!status && wave) {
-		status = hawser__tree_keys(reader, wave, "harmonic", "Omega, phase");
+		status = hawser__tree_keys(reader, wave, "harmonic", "net.loads.*.harmonic");
 		if (!status)
 			status = harmonic(reader, load, wave, what);
 	}
@@ -128,7 +128,7 @@ static enum hawser_status directions(struct hawser__reader *reader, unsigned cha
 static enum hawser_status motion_of(struct hawser__reader *reader, struct hawser_net *net, int node,
                                     const struct hawser__tree *tree, const char *what)
 {
-	enum hawser_status status = hawser__tree_keys(reader, tree, "motion", "x, y, z");
+	enum hawser_status status = hawser__tree_keys(reader, tree, "motion", "net.supports.*.motion");
 
 	for (const struct hawser__tree *one = status ? NULL : tree->child; one &&
 	     !status; one = one->next) {
@@ -136,7 +136,7 @@ static enum hawser_status motion_of(struct hawser__reader *reader, struct hawser
 		int k = *one->name - 'x';
 		struct hawser_net_load *motion;
 
-		status = hawser__tree_keys(reader, one, "motion", "amplitude, Omega, phase");
+		status = hawser__tree_keys(reader, one, "motion", "net.supports.*.motion.x");
 		if (!status && !amplitude)
 			status = hawser__reader_fail(reader, &one->at, "%s has no amplitude: give it in m", what);
 		if (!status)
@@ -171,7 +171,7 @@ static enum hawser_status support(struct hawser__reader *reader, struct hawser_n
 	if (entry->kind != HAWSER__MAPPING)
 		return hawser__reader_fail(reader, &entry->at, "%s must be the word fixed, or a mapping such "
 		                           "as {fixed: [y, z]}", what);
-	status = hawser__tree_keys(reader, entry, what, "fixed, motion, table");
+	status = hawser__tree_keys(reader, entry, what, "net.supports.*");
 	if (status)
 		return status;
 	fixed = hawser__tree_find(entry, "fixed");

@@ -104,7 +104,7 @@ enum hawser_status hawser__net_contact(struct hawser__reader *reader, struct haw
 	const struct hawser__tree *one;
 	int how = 0;
 	enum hawser_status status =
-		hawser__tree_keys(reader, tree, "contact", "restitution, sliding, path, steps, modes");
+		hawser__tree_keys(reader, tree, "contact", "net.contact");
 
 	if (!status && !net->surfaces)
 		return hawser__reader_fail(reader, &tree->at, "contact is of obstacles, and the scene has "

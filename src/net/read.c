@@ -112,8 +112,7 @@ static enum hawser_status cable_of(struct hawser__reader *reader, struct hawser_
 	const char *text = "";
 	char what[CALLED];
 	enum hawser_status status =
-		hawser__tree_keys(reader, tree, "a cable", "name, from, to, EA, rho, length0, tension, "
-		                 "force_density, sag, elements");
+		hawser__tree_keys(reader, tree, "a cable", "net.cables[]");
 
 	if (status)
 		return status;
@@ -270,7 +269,7 @@ static enum hawser_status dynamics(struct hawser__reader *reader, struct hawser_
 	const struct hawser__tree *from, *list, *scheme, *step;
 	const char *text;
 	enum hawser_status status =
-		hawser__tree_keys(reader, tree, "dynamics", "from, release, scheme, rho_inf, step");
+		hawser__tree_keys(reader, tree, "dynamics", "net.dynamics");
 
 	if (status)
 		return status;
@@ -355,7 +354,7 @@ static enum hawser_status common(struct hawser__reader *reader, struct hawser_ne
 			status = hawser__net_index(reader, net);
 	}
 	if (!status && damping) {
-		status = hawser__tree_keys(reader, damping, "damping", "alpha, axial");
+		status = hawser__tree_keys(reader, damping, "damping", "net.damping");
 		if (!status)
 			status = optional(reader, &net->alpha, damping, "alpha", "kg/m/s",
 			                  HAWSER__TREE_NOT_NEGATIVE);
@@ -375,8 +374,7 @@ static enum hawser_status interpret(struct hawser__reader *reader, struct hawser
 		status = hawser__net_of_span(reader, net, root);
 		return status ? status : common(reader, net, root, DYNAMICS);
 	}
-	status = hawser__tree_keys(reader, root, "a scene of kind net", "kind, g, nodes, cables, supports, "
-	                           "masses, loads, damping, dynamics, obstacles, contact");
+	status = hawser__tree_keys(reader, root, "a scene of kind net", "net");
 	if (status)
 		return status;
 	if (kind && (!kind->text || strcmp(kind->text, "net") != 0))

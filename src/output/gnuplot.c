@@ -22,22 +22,30 @@
 #include "core/report.h"
 #include "output/frames.h"
 #include "output/output.h"
+#include "output/picture_choice.h"
 #include "output/style.h"
 
 extern char **environ;
 
-/* gnuplot's terminal commands, with the same appearance for the three formats. */
+/* gnuplot's terminal commands, with the same appearance for all formats. The size of letters is
+ * multiplied by the factor of a smaller picture. */
 static const struct terminal {
 	const char *extension, *setting;
 	double per_cm; /* size units per centimetre */
+	double letters; /* factor of the font's size */
 } terminals[] = {
-	{".svg", "svg size %.0f,%.0f enhanced font 'sans-serif,12' background '#ffffff' "
-	         "linewidth 1.3", 96.0/2.54},
-	{".png", "pngcairo size %.0f,%.0f enhanced font 'Sans,9' fontscale 2.65 linewidth 3.2 "
-	         "pointscale 2.5 background '#ffffff'", 100.0},
-	{".pdf", "pdfcairo size %.2fcm,%.2fcm enhanced font 'Sans,9' fontscale 0.75 "
-	         "linewidth 1.6 pointscale 0.7 background '#ffffff'", 1.0},
+	{".svg", "svg size %.0f,%.0f enhanced font 'sans-serif,12' fontscale %.3g background '#ffffff' "
+	         "linewidth 1.3", 96.0/2.54, 1.0},
+	{".png", "pngcairo size %.0f,%.0f enhanced font 'Sans,9' fontscale %.3g linewidth 3.2 "
+	         "pointscale 2.5 background '#ffffff'", 100.0, 2.65},
+	{".pdf", "pdfcairo size %.2fcm,%.2fcm enhanced font 'Sans,9' fontscale %.3g "
+	         "linewidth 1.6 pointscale 0.7 background '#ffffff'", 1.0, 0.75},
+	{".eps", "epscairo size %.2fcm,%.2fcm enhanced font 'Sans,9' fontscale %.3g "
+	         "linewidth 1.6 pointscale 0.7 background '#ffffff'", 1.0, 0.75},
+	{".gp", "svg size %.0f,%.0f enhanced font 'sans-serif,12' fontscale %.3g background '#ffffff' "
+	        "linewidth 1.3", 96.0/2.54, 1.0},
 };
+enum { SCRIPT = 4 }; /* the row of the format that is a script, not a picture */
 
 static const struct terminal *terminal_for(const char *path)
 {
@@ -91,8 +99,9 @@ enum hawser_status hawser__picture_check(const char *path, struct hawser_report 
 	if (!terminal_for(path))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "picture",
 		                    "cannot tell the kind of picture from the name %s: it must end in "
-		                    ".svg, .png or .pdf (or be - for SVG on standard output)", path);
-	if (!find_program(program, sizeof program))
+		                    ".svg, .png, .pdf or .eps, or .gp for a script of gnuplot (or be "
+		                    "- for SVG on standard output)", path);
+	if (terminal_for(path) != &terminals[SCRIPT] && !find_program(program, sizeof program))
 		return missing(report);
 	return hawser__file_check(path, report);
 }
@@ -108,6 +117,7 @@ enum hawser_status hawser__picture_begin(struct hawser__picture *picture, const 
                                          struct hawser_report *report)
 {
 	const struct terminal *terminal = terminal_for(path);
+	double size[2], smaller = hawser__picture_size(size, width_cm, height_cm);
 	enum hawser_status status;
 
 	memset(picture, 0, sizeof *picture);
@@ -122,8 +132,8 @@ enum hawser_status hawser__picture_begin(struct hawser__picture *picture, const 
 	if (!picture->script)
 		return no_file(report);
 	fputs("set terminal ", picture->script);
-	fprintf(picture->script, terminal->setting, width_cm*terminal->per_cm,
-	        height_cm*terminal->per_cm);
+	fprintf(picture->script, terminal->setting, size[0]*terminal->per_cm, size[1]*terminal->per_cm,
+	        smaller*terminal->letters);
 	fprintf(picture->script, "\n%s", hawser__picture_look);
 	return HAWSER_OK;
 }
@@ -308,15 +318,17 @@ static enum hawser_status draw_svg(const struct hawser__picture *picture, FILE *
 {
 	enum hawser_status status;
 	FILE *raw = tmpfile();
+	double size[2];
 
 	if (!raw)
 		return no_file(report);
+	hawser__picture_size(size, picture->width, picture->height);
 	status = run(picture->script, raw, complaints, signals, report);
 	if (!status) {
 		rewind(raw);
 		hawser__picture_head(to, raw);
 		hawser__frames_write(to, picture->script, complaints,
-		                     floor(picture->height*terminals[0].per_cm + 0.5));
+		                     floor(size[1]*terminals[0].per_cm + 0.5));
 		hawser__picture_spaces(to, raw);
 	}
 	if (!status && ferror(raw))
@@ -325,13 +337,28 @@ static enum hawser_status draw_svg(const struct hawser__picture *picture, FILE *
 	return status;
 }
 
+static enum hawser_status copy_script(FILE *to, FILE *script, struct hawser_report *report)
+{
+	char text[4096]; /* a page at a time */
+	size_t length;
+
+	fputs("# A script of gnuplot with its data: gnuplot SCRIPT >picture.svg, or with another line\n"
+	      "# \"set terminal\", such as \"set terminal pdfcairo\"\n", to);
+	while ((length = fread(text, 1, sizeof text, script)) > 0)
+		(void)!fwrite(text, 1, length, to); /* the commit reports a short write */
+	return ferror(script) ? no_file(report) : HAWSER_OK;
+}
+
 static enum hawser_status draw(const struct hawser__picture *picture,
                                const struct hawser__file *file, const sigset_t *signals,
                                struct hawser_report *report)
 {
-	FILE *complaints = tmpfile();
+	FILE *complaints;
 	enum hawser_status status;
 
+	if (terminal_for(picture->path) == &terminals[SCRIPT])
+		return copy_script(file->stream, picture->script, report);
+	complaints = tmpfile();
 	if (!complaints)
 		return no_file(report);
 	status = terminal_for(picture->path) == &terminals[0]
@@ -355,6 +382,11 @@ enum hawser_status hawser__picture_finish(struct hawser__picture *picture,
 		return no_file(report);
 	}
 	rewind(picture->script);
+	status = hawser__picture_adjust(&picture->script, picture->height, report);
+	if (status) {
+		hawser__picture_abort(picture);
+		return status;
+	}
 	status = hawser__file_begin(&file, picture->path, report);
 	if (!status) {
 		fflush(file.stream);

@@ -19,6 +19,8 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/map_tongues.c \
 	%D%/output.h \
 	%D%/panels.c \
+	%D%/picture_choice.c \
+	%D%/picture_choice.h \
 	%D%/panels.h \
 	%D%/perspective.c \
 	%D%/perspective.h \

@@ -130,8 +130,8 @@ struct hawser__picture {
 	double left, middle; /* of the panel, for its label */
 };
 /* Check, before a long computation, that gnuplot is available and that the extension of `path` is
- * .svg, .png or .pdf ("-" is SVG). Statuses: HAWSER_ERR_ARGUMENT, HAWSER_ERR_PROGRAM. NULL is
- * legal. */
+ * .svg, .png, .pdf or .eps ("-" is SVG), or .gp: the script. Statuses: HAWSER_ERR_ARGUMENT,
+ * HAWSER_ERR_PROGRAM. NULL is legal. */
 enum hawser_status hawser__picture_check(const char *path,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 enum hawser_status hawser__picture_begin(struct hawser__picture *picture, const char *path,

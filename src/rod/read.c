@@ -10,8 +10,8 @@
 #include "core/report.h"
 #include "rod/read.h"
 #include "rod/so3.h"
+#include "scene/tree_keys.h"
 
-#define SEGMENT "length, EA, GA, EI, GJ, rho, curvature, inertia, elements"
 enum { ELEMENTS = 20, MOST_ELEMENTS = 100000 };
 
 enum hawser_status hawser__rod_numbers(struct hawser__reader *reader, double *value, int count,
@@ -95,7 +95,7 @@ static enum hawser_status segment(struct hawser__reader *reader, struct hawser_r
 #undef OF
 	};
 	struct hawser_rod_segment *to = &rod->segment[rod->segments];
-	enum hawser_status status = hawser__tree_keys(reader, tree, section, SEGMENT);
+	enum hawser_status status = hawser__tree_keys(reader, tree, section, "rod.rod");
 
 	for (size_t i = 0; i < sizeof row/sizeof *row && !status; i++) {
 		double *value = (double *)(void *)((char *)to + row[i].at);
@@ -121,10 +121,12 @@ static enum hawser_status segments(struct hawser__reader *reader, struct hawser_
 	int list = tree->kind == HAWSER__SEQUENCE;
 	const struct hawser__tree *one = list ? tree->child : tree;
 	enum hawser_status status = HAWSER_OK;
+	char keys[HAWSER__TREE_LIST_SIZE];
 
+	hawser__tree_key_list(keys, sizeof keys, "rod.rod");
 	if (tree->kind == HAWSER__SCALAR || !tree->children)
 		return hawser__reader_fail(reader, &tree->at, "rod must be a mapping, or a list of mappings, "
-		                           "one a segment, with the keys " SEGMENT);
+		                           "one a segment, with the keys %s", keys);
 	rod->segment = calloc(list ? (size_t)tree->children : 1, sizeof *rod->segment);
 	if (!rod->segment)
 		return hawser__no_memory(reader->report, "scene");
@@ -202,7 +204,7 @@ static enum hawser_status start(struct hawser__reader *reader, struct hawser_rod
 	enum hawser_status status = HAWSER_OK;
 
 	if (tree)
-		status = hawser__tree_keys(reader, tree, "start", "at, tangent, normal, hold, spin, path");
+		status = hawser__tree_keys(reader, tree, "start", "rod.start");
 	if (!status && at)
 		status = hawser__tree_vector(reader, rod->at, 3, at, "start.at", "m");
 	if (!status)
@@ -217,8 +219,7 @@ static enum hawser_status end(struct hawser__reader *reader, struct hawser_rod *
 {
 	const struct hawser__tree *at = hawser__tree_find(tree, "at");
 	const struct hawser__tree *tangent = hawser__tree_find(tree, "tangent");
-	enum hawser_status status = hawser__tree_keys(reader, tree, "end",
-	                                              "at, tangent, normal, hold, spin, path");
+	enum hawser_status status = hawser__tree_keys(reader, tree, "end", "rod.end");
 
 	if (!status)
 		status = hold(reader, &rod->hold[1], tree, "end.hold");
@@ -246,9 +247,10 @@ static enum hawser_status interpret(struct hawser__reader *reader, struct hawser
 	const struct hawser__tree *kind = hawser__tree_find(root, "kind");
 	const struct hawser__tree *tree = hawser__tree_find(root, "rod");
 	const struct hawser__tree *last = hawser__tree_find(root, "end");
-	enum hawser_status status = hawser__tree_keys(reader, root, "a scene of kind rod",
-	                                              "kind, g, rod, start, end, loads, damping, dynamics");
+	char keys[HAWSER__TREE_LIST_SIZE];
+	enum hawser_status status = hawser__tree_keys(reader, root, "a scene of kind rod", "rod");
 
+	hawser__tree_key_list(keys, sizeof keys, "rod.rod");
 	rod->g = 9.81;
 	rod->tangent[0] = 1.0;
 	rod->hold[1] = HAWSER_ROD_FREE;
@@ -257,7 +259,7 @@ static enum hawser_status interpret(struct hawser__reader *reader, struct hawser
 		status = hawser__reader_fail(reader, &kind->at, "kind must be rod");
 	if (!status && !tree)
 		status = hawser__reader_fail(reader, &(struct hawser__place){.pass = 1}, "the section rod is "
-		                             "missing: give its " SEGMENT " (see hawser-scene(5))");
+		                             "missing: give its %s (see hawser-scene(5))", keys);
 	if (!status && hawser__tree_find(root, "g"))
 		status = hawser__tree_number(reader, &rod->g, hawser__tree_find(root, "g"), "g", "m/s^2",
 		                             HAWSER__TREE_NOT_NEGATIVE);

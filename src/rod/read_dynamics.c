@@ -17,7 +17,7 @@ enum hawser_status hawser__rod_read_dynamics(struct hawser__reader *reader, stru
 	const struct hawser__tree *damping = hawser__tree_find(root, "damping"), *rho;
 	const struct hawser__tree *tree = hawser__tree_find(root, "dynamics"), *from;
 	static const char *const states[] = {"equilibrium", "rest"};
-	enum hawser_status status = damping ? hawser__tree_keys(reader, damping, "damping", "alpha")
+	enum hawser_status status = damping ? hawser__tree_keys(reader, damping, "damping", "rod.damping")
 	                                    : HAWSER_OK;
 
 	if (!status && damping)
@@ -25,7 +25,7 @@ enum hawser_status hawser__rod_read_dynamics(struct hawser__reader *reader, stru
 		                                HAWSER__TREE_NOT_NEGATIVE, 1);
 	if (status || !tree)
 		return status;
-	status = hawser__tree_keys(reader, tree, "dynamics", "rho_inf, step, from");
+	status = hawser__tree_keys(reader, tree, "dynamics", "rod.dynamics");
 	if (!status)
 		status = hawser__tree_number_of(reader, &rod->rho_inf, tree, "dynamics", "rho_inf", "1",
 		                                HAWSER__TREE_NOT_NEGATIVE, 0);
@@ -49,7 +49,7 @@ static enum hawser_status spin(struct hawser__reader *reader, struct hawser_rod 
 	const struct hawser__tree *axis;
 	char what[HAWSER__ROD_CALLED];
 	double length;
-	enum hawser_status status = hawser__tree_keys(reader, tree, section, "axis, speed, rise");
+	enum hawser_status status = hawser__tree_keys(reader, tree, section, "rod.start.spin");
 
 	if (!status && rod->hold[end] != HAWSER_ROD_CLAMPED)
 		status = hawser__reader_fail(reader, &tree->at, "%s: an end that spins must be held by its "

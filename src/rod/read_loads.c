@@ -10,8 +10,6 @@
 #include "rod/read.h"
 #include "rod/so3.h"
 
-#define LOAD "at, from, to, force, moment, frame, factor"
-
 /* A place on the rod: start, end, or m from the start. */
 static enum hawser_status place(struct hawser__reader *reader, double *s, const struct hawser_rod *rod,
                                 const struct hawser__tree *tree, const char *what)
@@ -123,7 +121,7 @@ static enum hawser_status load(struct hawser__reader *reader, struct hawser_rod 
 
 	snprintf(section, sizeof section, "loads.i%d", rod->loads);
 	rod->loads++; /* cleared with what it has */
-	status = hawser__tree_keys(reader, tree, section, LOAD);
+	status = hawser__tree_keys(reader, tree, section, "rod.loads[]");
 	if (!status)
 		status = where(reader, to, rod, tree, section);
 	frame = hawser__tree_find(tree, "frame");

@@ -16,9 +16,6 @@
 #include "ropeway/line.h"
 #include "ropeway/read.h"
 
-#define SPAN "cable, span, tension, obstacles, contact"
-#define CONTACT "sliding, path, winch, modes, restitution"
-#define OBSTACLE "name, circle, side, friction, groove, rotation, inertia"
 enum { MOST = 100 }; /* obstacles of a scene: each pair is checked for overlap */
 enum { STOPS = 100 }; /* of a path: each takes 20 steps */
 
@@ -51,7 +48,7 @@ static enum hawser_status cable(struct hawser__reader *reader, struct hawser_lin
 	enum hawser_status status = NOT_YET(reader, tree, "cable", later);
 
 	if (!status)
-		status = hawser__tree_keys(reader, tree, "cable", "EA, rho");
+		status = hawser__tree_keys(reader, tree, "cable", "obstacles.cable");
 	EA = hawser__tree_find(tree, "EA");
 	if (!status && EA && EA->text && !strcmp(EA->text, ".inf"))
 		line->EA = INFINITY;
@@ -65,7 +62,7 @@ static enum hawser_status cable(struct hawser__reader *reader, struct hawser_lin
 static enum hawser_status span(struct hawser__reader *reader, struct hawser_line *line,
                                const struct hawser__tree *tree)
 {
-	enum hawser_status status = hawser__tree_keys(reader, tree, "span", "d, h");
+	enum hawser_status status = hawser__tree_keys(reader, tree, "span", "obstacles.span");
 
 	if (!status)
 		status = hawser__ropeway_number(reader, &line->B[0], tree, "span", "d", "m",
@@ -92,7 +89,7 @@ static enum hawser_status tension(struct hawser__reader *reader, struct hawser_l
 	size_t chosen = 0;
 
 	if (!status)
-		status = hawser__tree_keys(reader, tree, "tension", "T0, T1, length0");
+		status = hawser__tree_keys(reader, tree, "tension", "obstacles.tension");
 	for (size_t i = 0; i < sizeof way/sizeof *way && !status; i++) {
 		const struct hawser__tree *one = hawser__tree_find(tree, way[i].key);
 
@@ -147,7 +144,7 @@ static enum hawser_status circle(struct hawser__reader *reader, struct hawser_li
 	if (!one)
 		return hawser__reader_fail(reader, &tree->at, "%s is missing: give, for example, circle: "
 		                           "{centre: [150 m, -8 m], radius: 10 m}", what);
-	status = hawser__tree_keys(reader, one, what, "centre, radius");
+	status = hawser__tree_keys(reader, one, what, "obstacles.obstacles[].circle");
 	centre = hawser__tree_find(one, "centre");
 	if (!status && !centre)
 		status = hawser__reader_fail(reader, &one->at, "%s.centre is missing: give [x, y] in m", what);
@@ -212,7 +209,7 @@ static enum hawser_status obstacle(struct hawser__reader *reader, struct hawser_
 	enum hawser_status status = NOT_YET(reader, tree, "obstacles", later);
 
 	if (!status)
-		status = hawser__tree_keys(reader, tree, "an obstacle", OBSTACLE);
+		status = hawser__tree_keys(reader, tree, "an obstacle", "obstacles.obstacles[]");
 	if (!status)
 		status = name_of(reader, of, tree);
 	if (status)
@@ -302,7 +299,7 @@ static enum hawser_status contact(struct hawser__reader *reader, struct hawser_o
 	const struct hawser__tree *one;
 	double restitution = 0.0;
 	int index = 0;
-	enum hawser_status status = hawser__tree_keys(reader, tree, "contact", CONTACT);
+	enum hawser_status status = hawser__tree_keys(reader, tree, "contact", "obstacles.contact");
 
 	if (!status)
 		status = word(reader, &index, tree, "contact", "sliding", sliding, 4);
@@ -366,7 +363,7 @@ static enum hawser_status interpret(struct hawser__reader *reader, struct hawser
 	enum hawser_status status = NOT_YET(reader, root, "", later);
 
 	if (!status)
-		status = hawser__tree_keys(reader, root, "a span with obstacles", "kind, g, " SPAN);
+		status = hawser__tree_keys(reader, root, "a span with obstacles", "obstacles");
 	if (!status && kind && (!kind->text || strcmp(kind->text, "span") != 0))
 		status = hawser__reader_fail(reader, &kind->at, "kind must be span in a scene with obstacles "
 		                             "or contact");
@@ -388,8 +385,8 @@ enum hawser_status hawser_obstacles_open(struct hawser_obstacles *of, const char
                                          struct hawser_report *report)
 {
 	static const struct hawser__tree_words said = {
-		"the scene of a span with obstacles is a mapping with the sections " SPAN
-		" (see hawser-scene(5), OBSTACLES)", "obstacles.s0.friction=0.2", 's'};
+		"the scene of a span with obstacles is a mapping with the sections cable, span, "
+		"tension and obstacles (see hawser-scene(5), OBSTACLES)", "obstacles.s0.friction=0.2", 's'};
 	struct hawser__reader reader = {.report = report, .name = path};
 	struct hawser__tree *tree = NULL;
 	enum hawser_status status;

@@ -12,7 +12,6 @@
 #include "core/report.h"
 #include "ropeway/read.h"
 
-#define KEYS "rope, bottom, top, towers, carriers, down, sliding, cases"
 #define PI 3.14159265358979323846 /* to the digits of a double */
 
 enum hawser_status hawser__ropeway_number(struct hawser__reader *reader, double *value,
@@ -38,7 +37,7 @@ enum hawser_status hawser__ropeway_place(struct hawser__reader *reader, double a
 static enum hawser_status rope(struct hawser__reader *reader, struct hawser_ropeway *rw,
                                const struct hawser__tree *tree)
 {
-	enum hawser_status status = hawser__tree_keys(reader, tree, "rope", "EA, rho");
+	enum hawser_status status = hawser__tree_keys(reader, tree, "rope", "ropeway.ropeway.rope");
 
 	if (!status)
 		status = hawser__ropeway_number(reader, &rw->EA, tree, "rope", "EA", "N",
@@ -77,8 +76,7 @@ static enum hawser_status tension(struct hawser__reader *reader, struct hawser_r
 	} way[] = {{"counterweight", "N"}, {"T0", "N"}, {"length0", "m"}, {"T_empty", "N"}};
 	const struct hawser__tree *found = NULL, *travel;
 	enum hawser_status status = hawser__tree_keys(reader, tree, "tension",
-	                                              "counterweight, T0, length0, "
-	                                              "T_empty, travel");
+	                                              "ropeway.ropeway.bottom.tension");
 
 	for (size_t i = 0; i < sizeof way/sizeof *way && !status; i++) {
 		const struct hawser__tree *one = hawser__tree_find(tree, way[i].key);
@@ -113,8 +111,7 @@ static enum hawser_status bottom(struct hawser__reader *reader, struct hawser_ro
                                  const struct hawser__tree *tree)
 {
 	const struct hawser__tree *of;
-	enum hawser_status status = hawser__tree_keys(reader, tree, "bottom", "at, radius, tension, mass, "
-	                                              "friction, inertia");
+	enum hawser_status status = hawser__tree_keys(reader, tree, "bottom", "ropeway.ropeway.bottom");
 
 	if (!status)
 		status = hawser__ropeway_place(reader, rw->bottom, tree, "bottom");
@@ -147,7 +144,7 @@ static enum hawser_status top(struct hawser__reader *reader, struct hawser_ropew
                               const struct hawser__tree *tree)
 {
 	const struct hawser__tree *of;
-	enum hawser_status status = hawser__tree_keys(reader, tree, "top", "at, radius, drive");
+	enum hawser_status status = hawser__tree_keys(reader, tree, "top", "ropeway.ropeway.top");
 
 	if (!status)
 		status = hawser__ropeway_place(reader, rw->top, tree, "top");
@@ -186,7 +183,7 @@ static enum hawser_status masses(struct hawser__reader *reader, double mass[HAWS
 		mass[HAWSER_ROPEWAY_DOWN] = mass[HAWSER_ROPEWAY_UP];
 		return status;
 	}
-	status = hawser__tree_keys(reader, tree, what, "up, down");
+	status = hawser__tree_keys(reader, tree, what, "ropeway.ropeway.carriers.mass");
 	if (!status)
 		status = hawser__ropeway_number(reader, &mass[HAWSER_ROPEWAY_UP], tree, what, "up", "kg",
 		                                HAWSER__TREE_NOT_NEGATIVE, 1);
@@ -232,8 +229,7 @@ static enum hawser_status carriers(struct hawser__reader *reader, struct hawser_
 {
 	const struct hawser__tree *mass;
 	enum hawser_status status = hawser__tree_keys(reader, tree, "carriers",
-	                                              "spacing, mass, empty, phase, "
-	                                              "phase_down, hanger");
+	                                              "ropeway.ropeway.carriers");
 
 	if (!status)
 		status = hawser__ropeway_number(reader, &rw->spacing, tree, "carriers", "spacing", "m",
@@ -277,7 +273,7 @@ static enum hawser_status cases(struct hawser__reader *reader, struct hawser_rop
 		struct hawser_ropeway_case *to = &rw->load_case[1 + tree->children - own--];
 		const char *text = "";
 
-		status = hawser__tree_keys(reader, one, "a load case", "name, mass");
+		status = hawser__tree_keys(reader, one, "a load case", "ropeway.ropeway.cases[]");
 		if (status)
 			return status;
 		name = hawser__tree_find(one, "name");
@@ -334,7 +330,7 @@ static enum hawser_status ropeway(struct hawser__reader *reader, struct hawser_r
 		int required;
 	} part[] = {{"rope", rope, 1}, {"bottom", bottom, 1}, {"top", top, 1},
 	            {"towers", hawser__ropeway_towers, 0}, {"carriers", carriers, 0}};
-	enum hawser_status status = hawser__tree_keys(reader, tree, "ropeway", KEYS);
+	enum hawser_status status = hawser__tree_keys(reader, tree, "ropeway", "ropeway.ropeway");
 
 	rw->wrap = PI;
 	for (size_t i = 0; i < sizeof part/sizeof *part && !status; i++) {
@@ -364,7 +360,7 @@ static enum hawser_status contact(struct hawser__reader *reader, struct hawser_r
 {
 	static const char *const words[] = {"slip", "stick", "roll"};
 	const struct hawser__tree *one;
-	enum hawser_status status = hawser__tree_keys(reader, tree, "contact", "modes");
+	enum hawser_status status = hawser__tree_keys(reader, tree, "contact", "ropeway.contact");
 	int index;
 
 	one = status ? NULL : hawser__tree_find(tree, "modes");
@@ -379,8 +375,7 @@ static enum hawser_status interpret(struct hawser__reader *reader, struct hawser
                                     const struct hawser__tree *root)
 {
 	const struct hawser__tree *kind, *g, *section, *touch;
-	enum hawser_status status = hawser__tree_keys(reader, root, "a scene of kind ropeway",
-	                                              "kind, g, ropeway, contact");
+	enum hawser_status status = hawser__tree_keys(reader, root, "a scene of kind ropeway", "ropeway");
 
 	rw->g = 9.81;
 	if (status)

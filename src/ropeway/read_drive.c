@@ -9,7 +9,8 @@ static enum hawser_status brake(struct hawser__reader *reader, struct hawser_rop
                                 const struct hawser__tree *tree)
 {
 	const struct hawser__tree *force;
-	enum hawser_status status = hawser__tree_keys(reader, tree, "drive.brake", "deceleration, force");
+	enum hawser_status status = hawser__tree_keys(reader, tree, "drive.brake",
+	                                              "ropeway.ropeway.top.drive.brake");
 
 	if (!status)
 		status = hawser__ropeway_number(reader, &rw->brake, tree, "drive.brake", "deceleration",
@@ -45,8 +46,7 @@ enum hawser_status hawser__ropeway_drive(struct hawser__reader *reader, struct h
 		{"force", "N", &rw->drive_most, HAWSER__TREE_POSITIVE},
 	};
 	const struct hawser__tree *of;
-	enum hawser_status status = hawser__tree_keys(reader, tree, "drive", "speed, friction, ramp, wrap, "
-	                                              "inertia, force, brake");
+	enum hawser_status status = hawser__tree_keys(reader, tree, "drive", "ropeway.ropeway.top.drive");
 
 	rw->drive_line = tree->at.set ? 0 : (int)tree->at.line;
 	for (size_t i = 0; i < sizeof number/sizeof *number && !status; i++)

@@ -21,7 +21,7 @@ static enum hawser_status train(struct hawser__reader *reader, struct hawser_rop
 	enum hawser_status status;
 
 	snprintf(what, sizeof what, "%.60s.sheaves", section);
-	status = hawser__tree_keys(reader, tree, what, "count, spacing, radius");
+	status = hawser__tree_keys(reader, tree, what, "ropeway.ropeway.towers[].sheaves");
 	if (!status)
 		status = hawser__ropeway_number(reader, &count, tree, what, "count", "1",
 		                                HAWSER__TREE_POSITIVE, 1);
@@ -123,8 +123,7 @@ static enum hawser_status tower_of(struct hawser__reader *reader, struct hawser_
 	const struct hawser__tree *one;
 	char section[HAWSER__CALLED], what[HAWSER__CALLED];
 	int index = 0;
-	enum hawser_status status = hawser__tree_keys(reader, tree, "a tower", "name, at, battery, radius, "
-	                                              "friction, sheaves, inertia");
+	enum hawser_status status = hawser__tree_keys(reader, tree, "a tower", "ropeway.ropeway.towers[]");
 
 	if (!status)
 		status = name_of(reader, rw, tree);

@@ -13,10 +13,17 @@ noinst_LTLIBRARIES += %D%/libscene.la
 	%D%/plausible.h \
 	%D%/reader.h \
 	%D%/scene.c \
+	%D%/schema.c \
+	%D%/schema.h \
+	%D%/schema_span.c \
+	%D%/schema_value.c \
 	%D%/suggest.c \
 	%D%/suggest.h \
 	%D%/tree.c \
 	%D%/tree.h \
+	%D%/tree_keys.c \
+	%D%/tree_keys.h \
+	%D%/tree_rows.c \
 	%D%/tree_value.c \
 	%D%/units.c \
 	%D%/units_common.c \

@@ -410,19 +410,23 @@ static int begins(const char *path, const char *text, int within)
 	return found;
 }
 
+/* In this order: a net may have obstacles. */
+static const struct hawser__tree_sign signs[] = {
+	{"tow:", "tow"}, {"kind: tow", "tow"}, {"ropeway:", "ropeway"}, {"kind: ropeway", "ropeway"},
+	{"nodes:", "net"}, {"obstacles:", "obstacles"}, {"contact:", "obstacles"}, {"rod:", "rod"},
+	{"kind: rod", "rod"}, {"kind:", "net"}};
+
+const struct hawser__tree_sign *hawser__tree_sign(int index)
+{
+	return index >= 0 && index < (int)(sizeof signs/sizeof *signs) ? &signs[index] : NULL;
+}
+
 int hawser__tree_is(const char *path, const char *kind)
 {
-	static const struct {
-		const char *text, *kind;
-	} row[] = {{"tow:", "tow"}, {"kind: tow", "tow"}, {"ropeway:", "ropeway"},
-	           {"kind: ropeway", "ropeway"}, {"nodes:", "net"},
-	           {"obstacles:", "obstacles"}, {"contact:", "obstacles"}, {"rod:", "rod"},
-	           {"kind: rod", "rod"}, {"kind:", "net"}};
+	for (size_t i = 0; i < sizeof signs/sizeof *signs; i++) {
+		const char *found = signs[i].kind;
 
-	for (size_t i = 0; i < sizeof row/sizeof *row; i++) {
-		const char *found = row[i].kind;
-
-		if (!begins(path, row[i].text, 0))
+		if (!begins(path, signs[i].text, 0))
 			continue;
 		/* spans whose obstacles are not all circles are meshes */
 		if (!strcmp(found, "obstacles") && (begins(path, "plane:", 1) || begins(path, "segment:", 1)))

@@ -33,15 +33,22 @@ struct hawser__tree *hawser__tree_find(const struct hawser__tree *tree, const ch
 /* 1 if this file is a scene of this kind, "net", "ropeway", "rod", "tow" or "obstacles", by what its
  * lines begin with. "-" and pipes, which can be read once only, are none. */
 int hawser__tree_is(const char *path, const char *kind);
+/* What a line of such a scene begins with, and the kind, in the order in which they are looked for;
+ * NULL beyond the last. */
+struct hawser__tree_sign {
+	const char *text, *kind; /* "rod:", "rod" */
+};
+const struct hawser__tree_sign *hawser__tree_sign(int index);
 
 /* --- tree_value.c: values of a tree. `what` names the value in messages. --- */
 
 enum hawser__tree_range { HAWSER__TREE_ANY, HAWSER__TREE_POSITIVE, HAWSER__TREE_NOT_NEGATIVE };
 enum { HAWSER__TREE_NAME = 32 }; /* size of a name, with the NUL at its end */
 
-/* A tree must be a mapping whose keys are among `keys`, such as "EA, rho, length0". */
+/* tree_keys.c: a tree must be a mapping whose keys are those of the mapping `of` in the table of
+ * keys (tree_rows.c), such as "net.cables[]", or of a list such as "d, h". */
 enum hawser_status hawser__tree_keys(struct hawser__reader *reader, const struct hawser__tree *tree,
-                                     const char *what, const char *keys) HAWSER_MUST_CHECK;
+                                     const char *what, const char *of) HAWSER_MUST_CHECK;
 enum hawser_status hawser__tree_number(struct hawser__reader *reader, double *value,
                                        const struct hawser__tree *tree, const char *what,
                                        const char *unit, enum hawser__tree_range range)

@@ -1,5 +1,4 @@
-/* scene/tree_value.c - values of a tree: numbers with units, vectors, names, words; keys that a
- * mapping may have.
+/* scene/tree_value.c - values of a tree: numbers with units, vectors, names, words.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -9,64 +8,7 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "core/spelling.h"
 #include "scene/tree.h"
-
-/* The key of the list nearest to `name`, "" if none is near. */
-static void nearest(char best[HAWSER__TEXT], const char *name, const char *keys)
-{
-	int least = hawser__edit_limit(strlen(name)) + 1;
-
-	*best = '\0';
-	while (*keys) {
-		size_t length = strcspn(keys, ",");
-		char key[HAWSER__TEXT];
-		int distance;
-
-		snprintf(key, sizeof key, "%.*s", (int)length, keys);
-		distance = hawser__edit_distance(name, key);
-		if (distance < least) {
-			least = distance;
-			snprintf(best, HAWSER__TEXT, "%s", key);
-		}
-		keys += length;
-		keys += strspn(keys, ", ");
-	}
-}
-
-static int among(const char *name, const char *keys)
-{
-	size_t own = strlen(name);
-
-	while (*keys) {
-		size_t length = strcspn(keys, ",");
-
-		if (length == own && !strncmp(name, keys, own))
-			return 1;
-		keys += length;
-		keys += strspn(keys, ", ");
-	}
-	return 0;
-}
-
-enum hawser_status hawser__tree_keys(struct hawser__reader *reader, const struct hawser__tree *tree,
-                                    const char *what, const char *keys)
-{
-	char shown[HAWSER__SHOWN], best[HAWSER__TEXT];
-
-	if (tree->kind != HAWSER__MAPPING)
-		return hawser__reader_fail(reader, &tree->at, "%s must be a mapping with the keys %s", what,
-		                           keys);
-	for (const struct hawser__tree *child = tree->child; child; child = child->next) {
-		if (among(child->name, keys))
-			continue;
-		nearest(best, child->name, keys);
-		return hawser__reader_fail(reader, &child->at, "unknown key %s: %s%s%s%s takes %s",
-		                           hawser__shown(shown, child->name), *best ? "did you mean " : "",
-		                           best, *best ? "? " : "", what, keys);
-	}
-	return HAWSER_OK;
-}
 
 enum hawser_status hawser__tree_text(struct hawser__reader *reader, const char **text,
                                     const struct hawser__tree *tree, const char *what)

@@ -9,8 +9,6 @@
 #include "core/report.h"
 #include "tow/read.h"
 
-#define SECTIONS "kind, g, tow, cable, air, body"
-
 enum hawser_status hawser__tow_number(struct hawser__reader *reader, double *value,
                                       const struct hawser__tree *tree, const char *section,
                                       const char *key, const char *unit,
@@ -71,7 +69,7 @@ static enum hawser_status interpret(struct hawser__reader *reader, struct hawser
 	const struct hawser__tree *kind = hawser__tree_find(root, "kind");
 	const struct hawser__tree *section = hawser__tree_find(root, "tow");
 	const struct hawser__tree *g = hawser__tree_find(root, "g");
-	enum hawser_status status = hawser__tree_keys(reader, root, "the scene of a towed body", SECTIONS);
+	enum hawser_status status = hawser__tree_keys(reader, root, "the scene of a towed body", "tow");
 
 	if (!status && kind && (!kind->text || strcmp(kind->text, "tow") != 0))
 		status = hawser__reader_fail(reader, &kind->at, "kind must be tow in a scene with the "

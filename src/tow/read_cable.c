@@ -42,7 +42,7 @@ static enum hawser_status drag(struct hawser__reader *reader, double *normal, do
 	snprintf(what, sizeof what, "%.60s.drag", section);
 	if (!one)
 		return HAWSER_OK;
-	status = hawser__tree_keys(reader, one, what, "normal, tangential");
+	status = hawser__tree_keys(reader, one, what, "tow.body.ring.drag");
 	if (!status)
 		status = hawser__tow_number(reader, normal, one, what, "normal", "1", HAWSER__TREE_NOT_NEGATIVE,
 		                            1);
@@ -62,7 +62,7 @@ static enum hawser_status shedding(struct hawser__reader *reader, struct hawser_
 	snprintf(what, sizeof what, "%.60s.shedding", section);
 	if (!(to->diameter > 0.0))
 		return hawser__reader_fail(reader, &one->at, "%s needs the diameter, which is not given", what);
-	status = hawser__tree_keys(reader, one, what, "lift, strouhal");
+	status = hawser__tree_keys(reader, one, what, "tow.cable.segments[].shedding");
 	if (!status)
 		status = hawser__tow_number(reader, &to->lift, one, what, "lift", "1",
 		                            HAWSER__TREE_NOT_NEGATIVE, 1);
@@ -85,8 +85,7 @@ static enum hawser_status stiffness(struct hawser__reader *reader, double *EA,
 static enum hawser_status segment(struct hawser__reader *reader, struct hawser_tow_segment *to,
                                   const struct hawser__tree *tree, const char *section)
 {
-	enum hawser_status status = hawser__tree_keys(reader, tree, section, "length, EA, EI, GJ, GA, "
-	                                              "rho, diameter, elements, drag, shedding");
+	enum hawser_status status = hawser__tree_keys(reader, tree, section, "tow.cable.segments[]");
 
 	if (!status)
 		status = hawser__tow_number(reader, &to->length, tree, section, "length", "m",
@@ -116,7 +115,8 @@ enum hawser_status hawser__tow_cable(struct hawser__reader *reader, struct hawse
                                      const struct hawser__tree *tree)
 {
 	const struct hawser__tree *list = tree ? hawser__tree_find(tree, "segments") : NULL;
-	enum hawser_status status = tree ? hawser__tree_keys(reader, tree, "cable", "segments") : HAWSER_OK;
+	enum hawser_status status = tree ? hawser__tree_keys(reader, tree, "cable", "tow.cable")
+	                                 : HAWSER_OK;
 
 	if (status || !tree)
 		return status;
@@ -160,7 +160,7 @@ enum hawser_status hawser__tow_air(struct hawser__reader *reader, struct hawser_
                                    const struct hawser__tree *tree)
 {
 	const struct hawser__tree *wind = tree ? hawser__tree_find(tree, "wind") : NULL;
-	enum hawser_status status = tree ? hawser__tree_keys(reader, tree, "air", "density, wind, file")
+	enum hawser_status status = tree ? hawser__tree_keys(reader, tree, "air", "tow.air")
 	                                 : HAWSER_OK;
 
 	if (status || !tree)
@@ -182,8 +182,7 @@ enum hawser_status hawser__tow_air(struct hawser__reader *reader, struct hawser_
 static enum hawser_status ring(struct hawser__reader *reader, struct hawser_tow_body *body,
                                const struct hawser__tree *tree)
 {
-	enum hawser_status status = hawser__tree_keys(reader, tree, "body.ring", "radius, tube, mass, "
-	                                              "offset, segments, drag");
+	enum hawser_status status = hawser__tree_keys(reader, tree, "body.ring", "tow.body.ring");
 
 	body->kind = HAWSER_TOW_RING;
 	if (!status)
@@ -223,7 +222,7 @@ static enum hawser_status joint(struct hawser__reader *reader, struct hawser_tow
 		                           "which has no attitude; leave it out");
 	if (one->kind == HAWSER__MAPPING) {
 		body->joint = HAWSER_TOW_SPRING;
-		status = hawser__tree_keys(reader, one, "body.joint", "torsion");
+		status = hawser__tree_keys(reader, one, "body.joint", "tow.body.joint");
 		return status ? status : hawser__tow_number(reader, &body->torsion, one, "body.joint",
 		                                            "torsion", "N.m/rad", HAWSER__TREE_POSITIVE, 1);
 	}
@@ -241,7 +240,7 @@ enum hawser_status hawser__tow_body(struct hawser__reader *reader, struct hawser
 
 	if (!tree)
 		return status;
-	status = hawser__tree_keys(reader, tree, "body", "ring, mass, CdA, inertia, joint");
+	status = hawser__tree_keys(reader, tree, "body", "tow.body");
 	for (int k = 0; k < 3 && !status && of_ring; k++) {
 		static const char *const key[] = {"mass", "CdA", "inertia"};
 		const struct hawser__tree *one = hawser__tree_find(tree, key[k]);

@@ -8,8 +8,6 @@
 #include "core/report.h"
 #include "tow/read.h"
 
-#define KEYS "waypoints, file, speed, orbit, minimise, ends, start, ramp, law, hinge"
-
 enum { WAYPOINTS, FILE_OF, SPEED, ORBIT, WAYS };
 static const char *const way_name[WAYS] = {"waypoints", "file", "speed", "orbit"};
 
@@ -39,7 +37,7 @@ static enum hawser_status hinge(struct hawser__reader *reader, struct hawser_tow
 static enum hawser_status choose(struct hawser__reader *reader, int *way,
                                  const struct hawser__tree *tree)
 {
-	enum hawser_status status = hawser__tree_keys(reader, tree, "tow", KEYS);
+	enum hawser_status status = hawser__tree_keys(reader, tree, "tow", "tow.tow");
 	int found = -1;
 
 	for (int k = 0; k < WAYS && !status; k++) {
@@ -115,7 +113,7 @@ static enum hawser_status orbit(struct hawser__reader *reader, struct hawser_tow
 	enum hawser_status status = ramp_of(reader, &time, &ramp, tree);
 
 	if (!status)
-		status = hawser__tree_keys(reader, section, "tow.orbit", "radius, speed, centre");
+		status = hawser__tree_keys(reader, section, "tow.orbit", "tow.tow.orbit");
 	if (!status)
 		status = hawser__tow_number(reader, &radius, section, "tow.orbit", "radius", "m",
 		                            HAWSER__TREE_POSITIVE, 1);

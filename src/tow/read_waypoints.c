@@ -16,7 +16,6 @@
 
 enum { MOST = 100000, /* waypoints of a scene: more belong into a file */
        NAMED = 4      /* velocity to snap; flat reaches higher */ };
-#define ORDERS "velocity, acceleration, jerk, snap"
 
 /* A derivative that has a name in scenes; [0] is the position. */
 static const struct {
@@ -68,7 +67,7 @@ static enum hawser_status mapping(struct hawser__reader *reader, struct hawser_w
 {
 	const struct hawser__tree *at = hawser__tree_find(tree, "at");
 	char what[HAWSER__TOW_WHAT];
-	enum hawser_status status = hawser__tree_keys(reader, tree, section, "t, at, " ORDERS ", flat");
+	enum hawser_status status = hawser__tree_keys(reader, tree, section, "tow.tow.waypoints[]");
 
 	if (!status)
 		status = hawser__tow_number(reader, &point->t, tree, section, "t", "s", HAWSER__TREE_ANY, 1);
@@ -159,7 +158,7 @@ static enum hawser_status one_end(struct hawser__reader *reader, struct hawser_w
 		return HAWSER_OK;
 	if (tree->kind == HAWSER__SEQUENCE)
 		return zeros(reader, point, tree, what);
-	status = hawser__tree_keys(reader, tree, what, ORDERS);
+	status = hawser__tree_keys(reader, tree, what, "tow.tow.ends.start");
 	for (int k = 1; k <= NAMED && !status; k++) {
 		const struct hawser__tree *one = hawser__tree_find(tree, order[k].name);
 
@@ -184,7 +183,7 @@ enum hawser_status hawser__tow_ends(struct hawser__reader *reader, struct hawser
 		return hawser__reader_fail(reader, &ends->at, "tow.ends must be a list of derivatives that "
 		                           "are 0 at both ends, such as [velocity, acceleration], or a "
 		                           "mapping with start and end");
-	status = hawser__tree_keys(reader, ends, "tow.ends", "start, end");
+	status = hawser__tree_keys(reader, ends, "tow.ends", "tow.tow.ends");
 	if (!status)
 		status = one_end(reader, first, hawser__tree_find(ends, "start"), "tow.ends.start");
 	return status ? status : one_end(reader, last, hawser__tree_find(ends, "end"), "tow.ends.end");

@@ -9,7 +9,7 @@ table='
 BEGIN {
 	n = split("core continuation scene statics modes beam contact net ropeway rod tow rom response study output cli", stage, " ")
 	for (i = 1; i <= n; i++) rank[stage[i]] = i
-	of["status"] = of["progress"] = "core"; of["scene"] = of["plausible"] = "scene"; of["statics"] = "statics"; of["modes"] = of["gyroscopic"] = of["irvine"] = of["campbell"] = of["damped"] = "modes"
+	of["status"] = of["progress"] = "core"; of["scene"] = of["schema"] = of["plausible"] = "scene"; of["statics"] = "statics"; of["modes"] = of["gyroscopic"] = of["irvine"] = of["campbell"] = of["damped"] = "modes"
 	of["beam"] = "beam"; of["friction"] = of["surface"] = "contact"; of["net"] = "net"
 	of["net_motion"] = of["net_plan"] = of["net_span"] = of["net_modes"] = of["net_equilibria"] = of["net_comparison"] = "net"
 	of["line"] = of["ropeway"] = of["line_modes"] = of["ropeway_modes"] = of["transient"] = of["obstacles"] = "ropeway"

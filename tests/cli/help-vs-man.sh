@@ -17,6 +17,11 @@ options_of_page() {
 		sed 's/^\.B //; s/\\f[A-Z]//g; s/\\-/-/g'
 }
 
+# init, check, schema and completion have no table, so that they have few options
+least() {
+	case $1 in init | check | schema | completion) echo 1 ;; *) echo 7 ;; esac
+}
+
 commands >commands
 while read -r command <&3; do
 	page=$man/hawser-${command%% *}.1
@@ -26,7 +31,7 @@ while read -r command <&3; do
 	works "$command --help" $command --help
 	options_of_help <"$scratch/out" >help
 	options_of_page "$section" <"$page" >page
-	try "$command: there are options" test "$(grep -c '' help)" -ge 7
+	try "$command: there are options" test "$(grep -c '' help)" -ge "$(least "$command")"
 	try "$command: help and page list the same options" diff help page
 	# "(0.6w1)" at the end of a line of help
 	sed -n 's/.*(\([^ ()]*\))$/\1/p' "$scratch/out" | while read -r default; do

@@ -1,0 +1,112 @@
+/* cli/scene_kinds.c - see scene_kinds.h. A new kind of scenes is a row of the table.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include "cli/scene_kinds.h"
+
+static enum hawser_status net(char *text, const struct cli_common *common,
+                              struct hawser_report *report)
+{
+	struct hawser_net net;
+	long elements = 0;
+	int supports = 0;
+	enum hawser_status status = hawser_net_open(&net, common->input, common->set,
+	                                            (size_t)common->sets, report);
+
+	if (status)
+		return status;
+	for (int i = 0; i < net.cables; i++)
+		elements += net.cable[i].elements;
+	for (int i = 0; i < net.nodes; i++)
+		supports += net.node[i].support != 0;
+	snprintf(text, CLI_SCENE_FACTS, "  nodes: %d, of which %d are supports\n"
+	         "  cables: %d, with %ld elements\n  loads: %d; motions of supports: %d\n", net.nodes,
+	         supports, net.cables, elements, net.loads, net.motions);
+	hawser_net_clear(&net);
+	return HAWSER_OK;
+}
+
+static enum hawser_status ropeway(char *text, const struct cli_common *common,
+                                  struct hawser_report *report)
+{
+	struct hawser_ropeway rw;
+	enum hawser_status status = hawser_ropeway_open(&rw, common->input, common->set,
+	                                                (size_t)common->sets, report);
+
+	if (status)
+		return status;
+	snprintf(text, CLI_SCENE_FACTS, "  lanes: %d; towers: %d\n  load cases: %d\n%s", rw.lanes,
+	         rw.towers, rw.cases, rw.spacing > 0.0 ? "" : "  no carriers\n");
+	hawser_ropeway_clear(&rw);
+	return HAWSER_OK;
+}
+
+static enum hawser_status obstacles(char *text, const struct cli_common *common,
+                                    struct hawser_report *report)
+{
+	struct hawser_obstacles of;
+	enum hawser_status status = hawser_obstacles_open(&of, common->input, common->set,
+	                                                  (size_t)common->sets, report);
+
+	if (status)
+		return status;
+	snprintf(text, CLI_SCENE_FACTS, "  obstacles: %d\n", of.line.sheaves);
+	hawser_obstacles_clear(&of);
+	return HAWSER_OK;
+}
+
+static enum hawser_status rod(char *text, const struct cli_common *common,
+                              struct hawser_report *report)
+{
+	struct hawser_rod rod;
+	long elements = 0;
+	enum hawser_status status = hawser_rod_open(&rod, common->input, common->set,
+	                                            (size_t)common->sets, report);
+
+	if (status)
+		return status;
+	for (int i = 0; i < rod.segments; i++)
+		elements += rod.segment[i].elements;
+	snprintf(text, CLI_SCENE_FACTS, "  segments: %d, with %ld elements; length: %.6g m\n"
+	         "  loads: %d\n", rod.segments, elements, rod.length, rod.loads);
+	hawser_rod_clear(&rod);
+	return HAWSER_OK;
+}
+
+static enum hawser_status tow(char *text, const struct cli_common *common,
+                              struct hawser_report *report)
+{
+	static const char *const body[] = {"none", "a point", "a ring"};
+	struct hawser_tow tow;
+	enum hawser_status status = hawser_tow_open(&tow, common->input, common->set,
+	                                            (size_t)common->sets, report);
+
+	if (status)
+		return status;
+	snprintf(text, CLI_SCENE_FACTS, "  path: %s\n  parts of the cable: %d\n  body: %s\n",
+	        hawser_path_name(tow.path.kind), tow.segments,
+	        body[tow.body.kind == HAWSER_TOW_RING ? 2 : tow.body.kind == HAWSER_TOW_MASS]);
+	hawser_tow_clear(&tow);
+	return HAWSER_OK;
+}
+
+#define OF_SPANS "irvine, rom, integrate, frf, orbit, folds, locus, nnm, mms, hill, damping, " \
+	"identify, map, compare, plan"
+static const struct cli_scene_kind kinds[] = {
+	{"cable", "a span of cable", "statics, modes, " OF_SPANS, cli_init_cable, NULL, NULL},
+	{"travelling", "a travelling cable", "campbell, statics, modes, " OF_SPANS, cli_init_travelling,
+	 NULL, NULL},
+	{"beam", "a travelling beam or string", "beam, map, plan", cli_init_beam, NULL, NULL},
+	{"net", "a net of cables", "statics, modes, integrate, plan", cli_init_net, net, hawser_net_is},
+	{"obstacles", "a span over obstacles", "statics, modes", cli_init_obstacles, obstacles,
+	 hawser_obstacles_is},
+	{"ropeway", "a ropeway", "statics, modes, campbell, irvine, rom, integrate, frf, orbit, folds, "
+	 "locus, nnm, mms, plan", cli_init_ropeway, ropeway, hawser_ropeway_is},
+	{"rod", "a rod", "statics", cli_init_rod, rod, hawser_rod_is},
+	{"tow", "a towed body", "tow steady, trajectory", cli_init_tow, tow, hawser_tow_is},
+};
+
+const struct cli_scene_kind *cli_scene_kind(int index)
+{
+	return index >= 0 && index < (int)(sizeof kinds/sizeof *kinds) ? &kinds[index] : NULL;
+}

@@ -1,0 +1,96 @@
+/* scene/tree_keys.c - which keys a mapping may have, by the table of tree_rows.c.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "core/spelling.h"
+#include "scene/tree_keys.h"
+
+const char *hawser__tree_key_of(const char *path, const char *of)
+{
+	size_t length = strlen(of);
+
+	if (strncmp(path, of, length) != 0 || path[length] != '.' || strpbrk(path + length + 1, ".["))
+		return NULL;
+	return path + length + 1;
+}
+
+void hawser__tree_key_list(char *text, size_t size, const char *of)
+{
+	const struct hawser__tree_key *row;
+	const char *before = "", *key;
+	size_t used = 0;
+
+	*text = '\0';
+	for (int i = 0; (row = hawser__tree_row(i)); i++) {
+		key = hawser__tree_key_of(row->path, of);
+		/* another form of the same value */
+		if (!key || row->need == HAWSER__TREE_MESH || !strcmp(row->path, before))
+			continue;
+		before = row->path;
+		if (used < size)
+			used += (size_t)snprintf(text + used, size - used, "%s%s", used ? ", " : "", key);
+	}
+}
+
+/* The key of the list nearest to `name`, "" if none is near. */
+static void nearest(char best[HAWSER__TEXT], const char *name, const char *keys)
+{
+	int least = hawser__edit_limit(strlen(name)) + 1;
+
+	*best = '\0';
+	while (*keys) {
+		size_t length = strcspn(keys, ",");
+		char key[HAWSER__TEXT];
+		int distance;
+
+		snprintf(key, sizeof key, "%.*s", (int)length, keys);
+		distance = hawser__edit_distance(name, key);
+		if (distance < least) {
+			least = distance;
+			snprintf(best, HAWSER__TEXT, "%s", key);
+		}
+		keys += length;
+		keys += strspn(keys, ", ");
+	}
+}
+
+static int among(const char *name, const char *keys)
+{
+	size_t own = strlen(name);
+
+	while (*keys) {
+		size_t length = strcspn(keys, ",");
+
+		if (length == own && !strncmp(name, keys, own))
+			return 1;
+		keys += length;
+		keys += strspn(keys, ", ");
+	}
+	return 0;
+}
+
+enum hawser_status hawser__tree_keys(struct hawser__reader *reader, const struct hawser__tree *tree,
+                                     const char *what, const char *of)
+{
+	char shown[HAWSER__SHOWN], best[HAWSER__TEXT], keys[HAWSER__TREE_LIST_SIZE];
+
+	if (strchr(of, ',')) /* a list */
+		snprintf(keys, sizeof keys, "%s", of);
+	else
+		hawser__tree_key_list(keys, sizeof keys, of);
+	if (tree->kind != HAWSER__MAPPING)
+		return hawser__reader_fail(reader, &tree->at, "%s must be a mapping with the keys %s", what,
+		                           keys);
+	for (const struct hawser__tree *child = tree->child; child; child = child->next) {
+		if (among(child->name, keys))
+			continue;
+		nearest(best, child->name, keys);
+		return hawser__reader_fail(reader, &child->at, "unknown key %s: %s%s%s%s takes %s",
+		                           hawser__shown(shown, child->name), *best ? "did you mean " : "",
+		                           best, *best ? "? " : "", what, keys);
+	}
+	return HAWSER_OK;
+}

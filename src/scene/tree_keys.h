@@ -1,0 +1,49 @@
+/* scene/tree_keys.h - the table of keys of scenes whose names are the user's. See tree_rows.c.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_SCENE_TREE_KEYS_H
+#define HAWSER_SCENE_TREE_KEYS_H
+
+#include <stddef.h>
+
+#include "scene/tree.h"
+
+enum hawser__tree_type {
+	HAWSER__TREE_NUMBER, /* or a list of `count` of them */
+	HAWSER__TREE_INTEGER,
+	HAWSER__TREE_WORD,
+	HAWSER__TREE_TEXT,
+	HAWSER__TREE_MAPPING,
+	HAWSER__TREE_LIST
+};
+
+enum hawser__tree_need {
+	HAWSER__TREE_OPTIONAL,
+	HAWSER__TREE_REQUIRED, /* where its mapping is given */
+	HAWSER__TREE_ONE_OF,   /* exactly one of those of its mapping */
+	HAWSER__TREE_LATER,    /* known, and refused with the reason */
+	HAWSER__TREE_MESH      /* of spans over obstacles that are meshes, whose reader lists its keys; a
+	                        * mapping is one of those that exclude each other */
+};
+
+struct hawser__tree_key {
+	const char *path;             /* "net.cables[].EA" */
+	enum hawser__tree_type type;
+	int count;                    /* length of a list of numbers; 0: one number */
+	const char *unit;             /* of numbers, NULL: it depends on other keys; of words "a|b" */
+	enum hawser__tree_range range;
+	enum hawser__tree_need need;
+	const char *doc;              /* with the default, in parentheses */
+};
+
+/* Row `index`, from 0; NULL beyond the last. */
+const struct hawser__tree_key *hawser__tree_row(int index);
+
+/* The key at the end of a path below the mapping `of` ("EA" of "net.cables[].EA" below
+ * "net.cables[]"); NULL if the path is not that of a key directly below it. */
+const char *hawser__tree_key_of(const char *path, const char *of);
+
+/* The keys of a mapping as text "name, from, to", into text [size]. */
+enum { HAWSER__TREE_LIST_SIZE = 256 };
+void hawser__tree_key_list(char *text, size_t size, const char *of);
+
+#endif
