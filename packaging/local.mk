@@ -21,3 +21,16 @@ install-exec-hook:
 uninstall-hook:
 	@$(RUN_FOLDERS) remove installed-folders $(INSTALL_FOLDERS)
 	@$(RUN_LOADER) '$(libdir)'
+
+# Debian packages of the tarball, in deb/; and these in a bare Debian (both need root's tools: see the scripts)
+EXTRA_DIST += %D%/deb.sh %D%/try-packages.sh %D%/bare-root.sh \
+	debian/changelog debian/control debian/copyright debian/hawser.install debian/hawser-doc.docs \
+	debian/hawser-doc.install debian/libhawser0.install debian/libhawser-dev.examples \
+	debian/libhawser-dev.install debian/rules debian/source/format debian/tests/control \
+	debian/tests/library debian/tests/main-job
+.PHONY: deb deb-try
+deb:
+	$(MAKE) $(AM_MAKEFLAGS) dist
+	$(SHELL) $(srcdir)/%D%/deb.sh $(distdir).tar.gz deb
+deb-try:
+	$(SHELL) $(srcdir)/%D%/bare-root.sh deb

@@ -1,0 +1,22 @@
+#!/bin/sh
+# deb.sh TARBALL FOLDER: the Debian packages of a tarball of `make dist`, in FOLDER, and what lintian says of
+# them. DEB_BUILD_OPTIONS as dpkg-buildpackage has it, such as "nocheck parallel=2".
+# SPDX-License-Identifier: GPL-3.0-or-later
+set -eu
+tarball=$1 folder=$2
+for program in dpkg-buildpackage dh lintian; do
+	command -v $program >/dev/null || {
+		echo "deb: $program is not found: apt-get install dpkg-dev debhelper lintian" >&2
+		exit 1
+	}
+done
+name=$(basename "$tarball" .tar.gz)
+rm -rf "$folder"
+mkdir -p "$folder"
+cp "$tarball" "$folder/$(echo "$name" | tr - _).orig.tar.gz"
+tar -xzf "$tarball" -C "$folder"
+unset MAKEFLAGS MAKELEVEL MFLAGS
+(cd "$folder/$name" && dpkg-buildpackage -us -uc)
+# What upstream's own packages cannot know: the number of the bug that asks for them.
+lintian --fail-on error,warning --suppress-tags initial-upload-closes-no-bugs "$folder"/*.changes
+ls -l "$folder"/*.deb
