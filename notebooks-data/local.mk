@@ -38,6 +38,7 @@ dist_scenes_DATA = \
 	%D%/scenes/net-impact.yaml \
 	%D%/scenes/net-pendulum.yaml \
 	%D%/scenes/net-belt.yaml \
+	%D%/scenes/net-belt-driven.yaml \
 	%D%/scenes/net-table-3-6.yaml \
 	%D%/scenes/span-seabed.yaml \
 	%D%/scenes/net-seabed.yaml \

@@ -1,5 +1,5 @@
 # tests of nets
-NET_TESTS = tests/reference/test-net tests/reference/test-net-contact tests/reference/test-net-impact \
+NET_TESTS = tests/reference/test-net tests/reference/test-net-contact tests/reference/test-net-impact tests/reference/test-net-belt \
 	tests/property/test-net-catenary \
 	tests/property/test-net-equilibria tests/reference/test-net-contact-modes
 check_PROGRAMS += $(NET_TESTS)
@@ -9,6 +9,8 @@ tests_reference_test_net_LDADD = $(UPTO_NET)
 tests_reference_test_net_contact_SOURCES = tests/reference/test-net-contact.c
 tests_reference_test_net_contact_LDADD = $(UPTO_NET)
 tests_reference_test_net_impact_SOURCES = tests/reference/test-net-impact.c
+tests_reference_test_net_belt_SOURCES = tests/reference/test-net-belt.c
+tests_reference_test_net_belt_LDADD = $(UPTO_NET)
 tests_reference_test_net_impact_LDADD = $(UPTO_NET)
 tests_reference_test_net_contact_modes_SOURCES = tests/reference/test-net-contact-modes.c
 tests_reference_test_net_contact_modes_LDADD = $(UPTO_NET)

@@ -62,6 +62,7 @@ struct hawser_net_dynamics {
 	char scheme[HAWSER_NET_NAME]; /* as the scene has it; "" if it has none */
 	double rho_inf;     /* -1 if the scene has none */
 	double step;        /* s; 0: chosen by the program */
+	int surfaces_start; /* 1: surfaces of obstacles are at rest before t = 0 */
 };
 
 /* How a support comes to its place, for friction that depends on the way. */

@@ -101,9 +101,9 @@ static const struct cli_scene_kind kinds[] = {
 	{"obstacles", "a span over obstacles", "statics, modes", cli_init_obstacles, obstacles,
 	 hawser_obstacles_is},
 	{"ropeway", "a ropeway", "statics, modes, campbell, irvine, rom, integrate, frf, orbit, folds, "
-	 "locus, nnm, mms, plan", cli_init_ropeway, ropeway, hawser_ropeway_is},
-	{"rod", "a rod", "statics", cli_init_rod, rod, hawser_rod_is},
-	{"tow", "a towed body", "tow steady, trajectory", cli_init_tow, tow, hawser_tow_is},
+	 "locus, nnm, mms, transient, plan", cli_init_ropeway, ropeway, hawser_ropeway_is},
+	{"rod", "a rod", "statics, integrate", cli_init_rod, rod, hawser_rod_is},
+	{"tow", "a towed body", "tow steady, tow, trajectory", cli_init_tow, tow, hawser_tow_is},
 };
 
 const struct cli_scene_kind *cli_scene_kind(int index)

@@ -16,9 +16,15 @@
 #include "contact/friction.h"
 #include "core/report.h"
 
+/* Matrices: M alone, symmetric or not, and the one with the laws of contacts. */
+enum matrix { SYMMETRIC, UNSYMMETRIC, LAW, MATRICES };
+/* Least reciprocal growth with the pivots of another matrix: three digits of round-off. */
+static const double growth = 1e-3;
+
 struct hawser__contact_net {
 	klu_common common;
 	klu_symbolic *symbolic;
+	klu_numeric *factors[MATRICES]; /* the last of each kind; NULL: none yet */
 	int unknowns;
 	int *p, *i;         /* [unknowns + 1], [entries] columns */
 	double *x;          /* [entries] */
@@ -32,6 +38,8 @@ void hawser__contact_net_clear(struct hawser__contact_net *net)
 {
 	if (!net)
 		return;
+	for (int kind = 0; kind < MATRICES; kind++)
+		klu_free_numeric(&net->factors[kind], &net->common);
 	klu_free_symbolic(&net->symbolic, &net->common);
 	free(net->p);
 	free(net->i);
@@ -216,21 +224,36 @@ static int positive(const struct hawser__contact_net *net, const klu_numeric *nu
 	return 1;
 }
 
+/* Factors of the matrix, with the pivots of the last one of its kind where these serve: that allocates
+ * nothing. Returns NULL if it is singular. */
+static klu_numeric *factors(struct hawser__contact_net *net, enum matrix kind)
+{
+	klu_numeric **kept = &net->factors[kind];
+	klu_common *common = &net->common;
+
+	if (*kept && klu_refactor(net->p, net->i, net->x, net->symbolic, *kept, common) &&
+	    common->status == KLU_OK && klu_rgrowth(net->p, net->i, net->x, net->symbolic, *kept, common) &&
+	    common->rgrowth > growth)
+		return *kept;
+	klu_free_numeric(kept, common);
+	/* KLU's own tolerance, and none: pivots of the diagonal */
+	common->tol = kind == SYMMETRIC ? 0.0 : 0.001;
+	*kept = klu_factor(net->p, net->i, net->x, net->symbolic, common);
+	return *kept && common->status == KLU_OK ? *kept : NULL;
+}
+
 int hawser__contact_net_solve(double (*du)[3], struct hawser_friction *of,
                               const struct hawser__step_law *law)
 {
 	struct hawser__contact_net *net = of->net;
+	const enum matrix kind = law ? LAW : of->of->back ? UNSYMMETRIC : SYMMETRIC;
 	klu_numeric *numeric;
 	int good;
 
 	assemble(of, law);
-	/* KLU's own tolerance, and none: pivots of the diagonal */
-	net->common.tol = law || of->of->back ? 0.001 : 0.0;
-	numeric = klu_factor(net->p, net->i, net->x, net->symbolic, &net->common);
-	good = numeric && net->common.status == KLU_OK &&
-	       (law || of->of->back || positive(net, numeric)) &&
+	numeric = factors(net, kind);
+	good = numeric && (kind != SYMMETRIC || positive(net, numeric)) &&
 	       klu_solve(net->symbolic, numeric, net->unknowns, 1, net->right, &net->common);
-	klu_free_numeric(&numeric, &net->common);
 	for (int n = 0; n < of->nodes && good; n++)
 		memcpy(du[n], net->right + 3*n, sizeof du[n]);
 	return good;

@@ -216,6 +216,7 @@ static enum hawser_status still(struct run *run, struct hawser_report *report)
 	enum hawser_status status;
 	double *T;
 
+	run->mesh.surfaces_rest = run->net->dynamics.surfaces_start;
 	if (!run->net->contact.history)
 		status = hawser__mesh_form(&run->mesh, NULL, &found, run->net, &settings, report);
 	else if (!(T = calloc((size_t)run->mesh.elements, sizeof *T)))
@@ -224,6 +225,7 @@ static enum hawser_status still(struct run *run, struct hawser_report *report)
 		status = hawser__net_history(&run->mesh, T, &found, run->net, &settings, report);
 		free(T);
 	}
+	run->mesh.surfaces_rest = 0;
 	return status ? status : hawser__touch_sides(&run->mesh, run->net, report);
 }
 

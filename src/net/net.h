@@ -38,6 +38,7 @@ struct hawser__mesh {
 	double g, alpha, axial; /* as in struct hawser_net */
 	struct hawser__touch *touch; /* [touches] each node that can move, with each obstacle */
 	int touches;
+	int surfaces_rest;     /* 1: the surfaces of obstacles do not move: before a motion */
 	struct hawser__mesh_rotor {
 		int unknown, surface;
 		double mass;       /* kg: inertia/radius^2 */

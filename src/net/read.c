@@ -263,10 +263,25 @@ static enum hawser_status known(struct hawser__reader *reader, const struct haws
 	                             scheme, names);
 }
 
+/* Do the surfaces of obstacles move before the motion begins, or do they start with it? */
+static enum hawser_status started(struct hawser__reader *reader, struct hawser_net *net,
+                                  const struct hawser__tree *tree)
+{
+	const char *text;
+	enum hawser_status status = hawser__tree_text(reader, &text, tree, "surfaces");
+
+	if (status)
+		return status;
+	net->dynamics.surfaces_start = strcmp(text, "start") == 0;
+	return net->dynamics.surfaces_start || strcmp(text, "moving") == 0 ? HAWSER_OK
+	       : hawser__reader_fail(reader, &tree->at, "surfaces of obstacles are moving (before the "
+	                             "motion begins, too) or start (with it), not %.40s", text);
+}
+
 static enum hawser_status dynamics(struct hawser__reader *reader, struct hawser_net *net,
                                    const struct hawser__tree *tree)
 {
-	const struct hawser__tree *from, *list, *scheme, *step;
+	const struct hawser__tree *from, *list, *scheme, *step, *surfaces;
 	const char *text;
 	enum hawser_status status =
 		hawser__tree_keys(reader, tree, "dynamics", "net.dynamics");
@@ -277,6 +292,7 @@ static enum hawser_status dynamics(struct hawser__reader *reader, struct hawser_
 	list = hawser__tree_find(tree, "release");
 	scheme = hawser__tree_find(tree, "scheme");
 	step = hawser__tree_find(tree, "step");
+	surfaces = hawser__tree_find(tree, "surfaces");
 	if (from)
 		status = hawser__tree_text(reader, &text, from, "from");
 	if (!status && from && strcmp(text, "statics") != 0 && !(net->dynamics.from = strdup(text)))
@@ -289,6 +305,8 @@ static enum hawser_status dynamics(struct hawser__reader *reader, struct hawser_
 		status = hawser__tree_name(reader, net->dynamics.scheme, scheme, text, "scheme");
 	if (!status && scheme)
 		status = known(reader, scheme, net->dynamics.scheme);
+	if (!status)
+		status = surfaces ? started(reader, net, surfaces) : HAWSER_OK;
 	if (!status)
 		status = optional(reader, &net->dynamics.rho_inf, tree, "rho_inf", "1",
 		                  HAWSER__TREE_NOT_NEGATIVE);

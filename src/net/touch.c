@@ -129,11 +129,11 @@ static void guide(const struct hawser__mesh *mesh, struct hawser__touch *touch)
 
 /* --- interior point --- */
 
-/* The velocity of a surface that moves; 0 if it is at rest. */
+/* The speed of a surface that moves, and its velocity v; 0 if it is at rest. */
 static double moving(double v[3], const struct hawser__mesh *mesh, const struct hawser__touch *touch)
 {
 	hawser_surface_velocity(v, touch->surface, mesh->q[touch->node]);
-	return norm(v);
+	return mesh->surfaces_rest ? 0.0 : norm(v);
 }
 
 /* Friction of a surface that moves: along its velocity. Returns 0 if it is at rest. */

@@ -431,7 +431,9 @@ static const char net_keys[] =
 	"has alpha (viscous force per length and velocity) and axial\n"
 	"(T = EA (strain + axial d strain/dt), in s).\n"
 	".B dynamics\n"
-	"has scheme, rho_inf, step, from (a file of a state), and release: supports that let go at t = 0.\n"
+	"has scheme, rho_inf, step, from (a file of a state), release: supports that let go at t = 0,\n"
+	"and surfaces: moving (those of obstacles move before t = 0 too; the default) or start (they\n"
+	"start then, as of a belt, which has no equilibrium on wheels that turn).\n"
 	".B g\n"
 	"is 9.81 m/s^2.\n";
 

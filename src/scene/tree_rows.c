@@ -170,6 +170,8 @@ static const struct hawser__tree_key rows[] = {
 	TEXT("net.dynamics.scheme", OPTIONAL, "method: hawser integrate has the list")
 	NUMBER("net.dynamics.rho_inf", OPTIONAL, "1", NOT_NEGATIVE,
 	       "spectral radius at infinite frequency, from 0 to 1")
+	WORD("net.dynamics.surfaces", OPTIONAL, "moving|start",
+	     "surfaces of obstacles move before t = 0 too (the default), or start then")
 	WORD("net.dynamics.step", OPTIONAL, "auto", "step chosen by the program")
 	NUMBER("net.dynamics.step", OPTIONAL, "s", POSITIVE, "step in time")
 	LIST("net.obstacles", OPTIONAL, "surfaces that the nodes of the mesh do not pass")

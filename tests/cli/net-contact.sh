@@ -95,6 +95,8 @@ refused 'obstacles=[{circle: {centre: [200, -9], radius: 1}, inertia: 1}]' 'iner
 refused 'obstacles.seabed={plane: {point: [0, 0], normal: [0, 1]}, side: around}' 'leave side out'
 refused 'obstacles={name: s, segment: {from: [0, -1], to: [9, -1]}, side: around}' 'list of mappings'
 
+run plan "$scenes/net-belt-driven.yaml" --set dynamics.surfaces=now
+try "surfaces that move or start" grep -q "not now" "$scratch/err"
 run integrate "$scenes/net-belt.yaml" --until "1 ms" --set obstacles.s0.rotation=free --set obstacles.s0.friction=0.1 -q
 try "a circle that turns, in time" grep -q 'rotation: free is not yet' "$scratch/err"
 run integrate "$scenes/net-belt.yaml" --until "1 ms" --set 'loads={P: [0, 0, 1 N]}' -q
