@@ -103,14 +103,15 @@ void hawser__rod_motion_predict(struct hawser__rod_motion *motion, double h)
 
 	for (int i = 0; i < motion->mesh->nodes; i++)
 		for (int k = 0; k < HAWSER__ROD_FREE; k++) {
-			double u = motion->velocity0[i][k], square = 0.5*motion->rate0[i][k], cube = 0.0, near, far;
+			double u = motion->velocity0[i][k], square = 0.5*motion->rate0[i][k], cube = 0.0;
 
 			if (h1 > 0.0)
-				square = near = (u*h1 - motion->past[i][k])/(h1*h1);
+				square = (u*h1 - motion->past[i][k])/(h1*h1);
 			if (h1 > 0.0 && motion->past2_h > 0.0) {
-				far = (u*all - motion->past[i][k] - motion->past2[i][k])/(all*all);
-				cube = (near - far)/motion->past2_h;
-				square = near + cube*h1;
+				double far = (u*all - motion->past[i][k] - motion->past2[i][k])/(all*all);
+
+				cube = (square - far)/motion->past2_h;
+				square += cube*h1;
 			}
 			motion->step[i][k] = motion->mesh->held[HAWSER__ROD_FREE*i + k]
 				? 0.0 : h*(u + h*(square + h*cube));

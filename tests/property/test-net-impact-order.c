@@ -76,10 +76,9 @@ static void bead(void)
 /* A mass on a slope in space, thrown across it by a surface that moves: it slides along a curve. */
 static void curve(void)
 {
-	static const char *const set[] = {
-		"nodes.B=[0, 0, 0]", "contact.restitution=0",
-		"obstacles=[{plane: {point: [0, 0, 0], normal: [-0.4, 1, 0]}, friction: 0.25, "
-		"velocity: [0, 0, 1.3 m/s]}]"};
+	static const char slope[] = "obstacles=[{plane: {point: [0, 0, 0], normal: [-0.4, 1, 0]}, "
+		"friction: 0.25, velocity: [0, 0, 1.3 m/s]}]";
+	static const char *const set[] = {"nodes.B=[0, 0, 0]", "contact.restitution=0", slope};
 	struct hawser_net_motion motion;
 	struct hawser_net_motion_options options = {.until = 0.8};
 	double x[4][3], difference[3];
