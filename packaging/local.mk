@@ -3,7 +3,7 @@
 EXTRA_DIST += %D%/folders.sh %D%/loader.sh
 DISTCLEANFILES = installed-folders
 INSTALL_FOLDERS = '$(bindir)' '$(libdir)' '$(pkgconfigdir)' '$(pkgincludedir)' '$(docdir)' '$(scenesdir)' \
-	'$(man1dir)' '$(man5dir)'
+	'$(man1dir)' '$(man5dir)' '$(bashcompletiondir)' '$(zshcompletiondir)' '$(fishcompletiondir)'
 RUN_FOLDERS = DESTDIR='$(DESTDIR)' $(SHELL) $(srcdir)/%D%/folders.sh
 RUN_LOADER = DESTDIR='$(DESTDIR)' $(SHELL) $(srcdir)/%D%/loader.sh
 
