@@ -93,6 +93,7 @@ dist_scenes_DATA = \
 	%D%/scenes/ropeway-bouquet.yaml \
 	%D%/scenes/ropeway-carriers.yaml \
 	%D%/scenes/ropeway-gondola.yaml \
+	%D%/scenes/ropeway-transient.yaml \
 	%D%/scenes/ropeway-small.yaml \
 	%D%/scenes/stay-frequencies.tsv \
 	%D%/scenes/second-stable-region.yaml
