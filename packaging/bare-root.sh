@@ -5,6 +5,7 @@ set -eu
 folder=$1 suite=${2-bookworm}
 here=$(dirname "$0")
 root=$(mktemp -d)
+chmod 755 "$root"
 trap 'rm -rf "$root"' EXIT
 debootstrap --variant=minbase "$suite" "$root" >"$folder/debootstrap.log"
 mkdir -p "$root/try/tests"

@@ -17,8 +17,9 @@ apt-get install -y -q --no-install-recommends gnuplot-nox man-db gcc libc6-dev p
 apt-get install -y -q --no-install-recommends "$folder"/*.deb >/dev/null
 echo "installed: $(hawser --version | head -n 1)"
 man -w hawser-frf hawser-scene >/dev/null && man hawser-frf | grep -q frequency && echo "manual pages: good"
-for test in "$folder"/tests/main-job "$folder"/tests/library; do
-	(sh "$test") && echo "${test##*/}: good"
+for test in main-job library; do
+	sh "$folder/tests/$test" # set -e: the first that fails ends all
+	echo "$test: good"
 done
 [ ! -f /usr/share/bash-completion/completions/hawser ] || echo "completion for bash: installed"
 cd /
