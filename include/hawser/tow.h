@@ -119,6 +119,8 @@ struct hawser_tow_steady {
 	                       * forces and moments, over the largest force and that times the length */
 	double mesh_error;    /* m, largest change of a point if the number of elements is halved */
 	int bent;             /* 1: a rod, 0: a string */
+	int raised;           /* elements, of twice those of the scene, whose EI is below 1 % of the tension
+	                       * times the square of their length and was raised to that */
 	double bending;       /* m, sqrt(EI/T) where it is largest: bending matters within a few of it from
 	                       * the ends, and is left out of a string; 0 without EI */
 };
@@ -173,6 +175,8 @@ struct hawser_tow_motion {
 	double closure;      /* J, energy that the steps have lost or made, over the largest energy */
 	double momentum;     /* N s, largest gap of the momentum over the largest momentum */
 	double frequency;    /* Hz, largest of vortex shedding; 0: none */
+	int raised;          /* elements whose EI is below 1 % of the tension at the start times the square
+	                      * of their length and was raised to that */
 };
 
 /* The motion from the steady state at the path's first velocity. EA and EI are needed.

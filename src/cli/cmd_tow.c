@@ -150,6 +150,8 @@ static const struct hawser__field field[] = {
 	 .unit = HAWSER__METRE},
 	{"mesh_error", NULL, "with --check: largest change of the body's place with twice the elements",
 	 OF(mesh_error), .unit = HAWSER__METRE, .given = was_checked},
+	{"raised", NULL, "elements whose EI was raised to 1 % of T h^2, as it is below that",
+	 OF(motion.raised)},
 	{"steps", NULL, "of the integration", OF(motion.steps)},
 	{"rejected", NULL, "steps that were made again, shorter", OF(motion.rejected)},
 	{"iterations", NULL, "of Newton's method", OF(motion.iterations)},
@@ -200,6 +202,10 @@ static void comments(struct hawser__table *table, const void *of)
 	                      "tension at the towing point = %.6g N at t = %.6g s", tilt, at, most, when);
 	hawser__table_comment(table, "sum of local errors %.1e m; energy closes to %.1e of the largest, "
 	                      "momentum to %.1e", m->step_error, m->closure, m->momentum);
+	if (m->raised)
+		hawser__table_comment(table, "EI is below 1 %% of T h^2 in %d of %d elements and was raised to "
+		                      "that: give cable.segments.elements more to see its effect", m->raised,
+		                      m->elements);
 	if (result->checked)
 		hawser__table_comment(table, "mesh error %.2e m", result->mesh_error);
 	if (m->frequency > 0.0)

@@ -115,6 +115,8 @@ static const struct hawser__field field[] = {
 	 OF(mesh_error), .unit = HAWSER__METRE},
 	{"bent", NULL, "whether the cable is a rod (EI), not a string",
 	 HAWSER__FLAG_AT(struct result, steady.bent)},
+	{"raised", NULL, "elements, of twice those of the scene, whose EI was raised to 1 % of T h^2",
+	 OF(raised)},
 	{"bending", NULL, "largest sqrt(EI/T), the length near the ends within which bending matters; 0 "
 	 "without EI", OF(bending), .unit = HAWSER__METRE},
 	{"others", NULL, "further steady states of an orbit",
@@ -167,6 +169,10 @@ static void comments(struct hawser__table *table, const void *of)
 	hawser__table_comment(table, "residual %.1e, mesh error %.1e m", s->residual, s->mesh_error);
 	if (s->bent)
 		hawser__table_comment(table, "bending matters most within some %.3g m of the ends", s->bending);
+	if (s->raised)
+		hawser__table_comment(table, "EI is below 1 %% of T h^2 in %d of %d elements and was raised to "
+		                      "that: give cable.segments.elements more to see its effect", s->raised,
+		                      2*(s->points - 1));
 	for (int i = 0; i < s->others; i++)
 		hawser__table_comment(table, "another steady state: radius = %.9g m, lag = %.9g rad, depth = "
 		                      "%.9g m, tension %.9g N", s->other[i].radius, s->other[i].lag,

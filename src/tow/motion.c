@@ -200,6 +200,7 @@ enum hawser_status hawser_tow_move(struct hawser_tow_motion *out, const struct h
 		status = go(out, &run, &options, report);
 	}
 	if (!status) {
+		out->raised = run.rod.raised;
 		out->steps = run.motion.steps;
 		out->rejected = run.motion.rejected;
 		out->iterations = run.motion.iterations;

@@ -101,6 +101,7 @@ static enum hawser_status meshes(struct hawser_tow_steady *steady, struct hawser
 		if (!status)
 			status = hawser__tow_bend(steady->point, body, frame, coarse, 2, report);
 	}
+	steady->raised = steady->bent ? body->raised : 0;
 	steady->mesh_error = change(coarse, steady->point, steady->points);
 	for (int k = 0; k < 3 && steady->bent && frame->tow->body.kind == HAWSER_TOW_RING; k++)
 		steady->mesh_error = fmax(steady->mesh_error, frame->tow->body.offset*

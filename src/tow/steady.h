@@ -38,6 +38,7 @@ enum { HAWSER__BISECTIONS = 60 /* of an angle of at most pi: to 3e-18 of it, les
  * moment that is left over offset times force. Returns 0 if the attitude of a ring was not found. */
 struct hawser__tow_end {
 	double force[3], axis[3], centre[3], residual;
+	int raised; /* of the cable as a rod: elements whose EI was raised */
 };
 /* The same from the attitude end->axis at a place near by; all 0: none is known. `coarse`
  * 1: less exactly, for a sign. */

@@ -194,6 +194,7 @@ static void thicken(struct hawser__tow_rod *b, const struct hawser_tow_point *po
 		struct hawser__rod_element *el = &b->mesh.element[e];
 		double least = THIN*fmax(point[e/parts].tension, point[e/parts + 1].tension)*el->h*el->h;
 
+		b->raised += el->EI[1] < least || el->EI[2] < least;
 		for (int k = 0; k < 3; k++)
 			el->EI[k] = fmax(el->EI[k], least);
 	}
@@ -395,8 +396,10 @@ enum hawser_status hawser__tow_bend(struct hawser_tow_point *point, struct hawse
 
 	for (int i = 0; !status && i <= hawser__tow_elements(frame->tow); i++)
 		lay(&point[i], &b, i*parts);
-	if (!status)
+	if (!status) {
 		*body = b.now;
+		body->raised = b.raised;
+	}
 	hawser__tow_rod_close(&b);
 	return status;
 }

@@ -15,6 +15,7 @@ struct hawser__tow_rod {
 	double pull[3];                /* N, that holds its ends at one place; corrected as those of rigid
 	                                * directions */
 	int last, end;                 /* node of the cable's end, of the ring */
+	int raised;                    /* elements whose EI was raised, as the mesh does not show it */
 	int moves;                     /* 1: for a motion: a ring on a joint has a node, too */
 	int links;                     /* 1: end and last are different nodes */
 	const struct hawser__tow_end *hung; /* on a joint without moment, or a mass */

@@ -6,6 +6,8 @@
 scenes=$SRCDIR/notebooks-data/scenes
 works "D 5.3" tow steady "$scenes/d-section-5.3.yaml" --json ring.json --plot ring.svg -q
 works "D 5.2.3" tow steady "$scenes/d-section-5.2.3.yaml" --json small.json -q
+works "EI that the mesh does not show" tow steady "$scenes/d-section-5.2.3.yaml" --set "cable.segments.0.EI=1e-7 N m^2" -q
+try "is told" grep -q '^# EI is below 1 % of T h^2 in 400 of 400 elements' "$scratch/out"
 works "an orbit" tow steady "$scenes/tow-orbit.yaml" --json orbit.json --tsv orbit.tsv --plot orbit.svg -q
 python "JSON" <<'END'
 import json, math

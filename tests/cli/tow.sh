@@ -12,6 +12,7 @@ turn = json.load(open("turn.json"))
 assert len(turn["times"]) == len(turn["tilt"]) == len(turn["tension_top"]) == len(turn["body"]["position"]) == 9
 assert turn["times"][-1] == 4 and len(turn["energy"]["kinetic"]) == 9 and len(turn["range"]) == 6
 assert abs(turn["closure"]) < 1e-5 and 0 < turn["step_error"] < 1e-2 and 0 < turn["mesh_error"] < 1e-3
+assert turn["raised"] == 6 # EI is 1.96 of the 13.9 N m^2 of 500 N and elements of 10 m/6
 r = turn["range"][0]
 assert r["least"] <= r["mean"] <= r["most"] and abs(turn["tension_top"][0] - 499.36) < 0.01
 q = turn["body"]["attitude"][-1]
