@@ -319,6 +319,27 @@ static const struct cli_showing showing = {.table = table, .json = json, .draw =
 
 /* --- the run --- */
 
+enum hawser_status cli_integrate_times(double *until, double *every, double *step,
+                                       const struct cli_integrate_net *settings, const char *kind,
+                                       struct hawser_report *report)
+{
+	const int by_error = settings->step && strcmp(settings->step, "auto") == 0;
+	enum hawser_status status;
+
+	if (!settings->until)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate", "the scene is a %s: give the "
+		                    "end of its motion, such as --until \"10 s\"", kind);
+	status = cli_quantity(until, settings->until, "s", CLI_ABOVE_ZERO, "integrate", "until", report);
+	if (!status)
+		status = cli_quantity(every, settings->every, "s", CLI_ABOVE_ZERO, "integrate", "every",
+		                      report);
+	if (by_error)
+		*step = -1.0;
+	else if (!status)
+		status = cli_quantity(step, settings->step, "s", CLI_ABOVE_ZERO, "integrate", "step", report);
+	return status;
+}
+
 static enum hawser_status options_of(struct hawser_net_motion_options *options,
                                      const struct result *result, struct hawser_report *report)
 {
@@ -326,19 +347,8 @@ static enum hawser_status options_of(struct hawser_net_motion_options *options,
 	enum hawser_status status;
 	int known = 0;
 
-	if (!settings->until)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate", "the scene is a net: give the "
-		                    "end of its motion, such as --until \"10 s\"");
-	status = cli_quantity(&options->until, settings->until, "s", CLI_ABOVE_ZERO, "integrate", "until",
-	                      report);
-	if (!status)
-		status = cli_quantity(&options->every, settings->every, "s", CLI_ABOVE_ZERO, "integrate",
-		                      "every", report);
-	if (!status && settings->step && strcmp(settings->step, "auto") == 0)
-		options->step = -1.0;
-	else if (!status)
-		status = cli_quantity(&options->step, settings->step, "s", CLI_ABOVE_ZERO, "integrate",
-		                      "step", report);
+	status = cli_integrate_times(&options->until, &options->every, &options->step, settings, "net",
+	                             report);
 	if (status || !settings->scheme)
 		return status;
 	for (int i = 0; hawser_net_scheme(i); i++)

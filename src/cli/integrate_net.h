@@ -13,6 +13,11 @@ struct cli_integrate_net {
 	int skip_error;   /* of rods, 1: without the runs for the errors */
 };
 /* integrate_rod.c: of a scene of kind `rod`. */
+/* Times of a run as hawser_net_integrate and hawser_rod_integrate take them (step -1: by the error);
+ * kind: the word for the scene. */
+enum hawser_status cli_integrate_times(double *until, double *every, double *step,
+                                       const struct cli_integrate_net *settings, const char *kind,
+                                       struct hawser_report *report);
 enum hawser_status cli_integrate_rod(const struct cli_common *common,
                                      const struct cli_integrate_net *settings,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;

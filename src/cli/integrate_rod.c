@@ -309,19 +309,8 @@ static enum hawser_status options_of(struct hawser_rod_motion_options *options,
 	enum hawser_status status;
 	int known = 0;
 
-	if (!settings->until)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate", "the scene is a rod: give the "
-		                    "end of its motion, such as --until \"10 s\"");
-	status = cli_quantity(&options->until, settings->until, "s", CLI_ABOVE_ZERO, "integrate", "until",
-	                      report);
-	if (!status)
-		status = cli_quantity(&options->every, settings->every, "s", CLI_ABOVE_ZERO, "integrate",
-		                      "every", report);
-	if (!status && settings->step && strcmp(settings->step, "auto") == 0)
-		options->step = -1.0;
-	else if (!status)
-		status = cli_quantity(&options->step, settings->step, "s", CLI_ABOVE_ZERO, "integrate",
-		                      "step", report);
+	status = cli_integrate_times(&options->until, &options->every, &options->step, settings, "rod",
+	                             report);
 	for (int i = 0; hawser_rod_scheme(i) && settings->scheme; i++)
 		known |= strcmp(hawser_rod_scheme(i)->name, settings->scheme) == 0;
 	options->scheme = settings->scheme;

@@ -1,24 +1,21 @@
-/* net/motion-state.c - the state of a motion as numbers, and in a file: 17 digits, so that a run goes
- * on bit by bit.
+/* net/motion-state.c - the state of a motion as numbers, and in a file (scene/state_file.h).
  *
- * A file is the line "hawser net state 2 COUNT" and then one number a line: those of `head`, and for
- * each node those of `part`. The first number of `head` is a check sum of which nodes the elements
- * join: another net with as many nodes is not taken for this one.
+ * The numbers are those of `head`, and for each node those of `part`. The first of `head` is a check
+ * sum of which nodes the elements join: another net with as many nodes is not taken for this one.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include <errno.h>
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "core/report.h"
 #include "net/motion-contact.h"
+#include "scene/state_file.h"
 
 enum { HEAD = 14, PARTS = 6 };
-static const char format[] = "hawser net state 2 %d";
+static const char kind[] = "hawser net state 2";
 
 /* Numbers that are not of a node. */
 static void heads(double *head[HEAD], struct hawser__motion *motion, double *h, double *sum,
@@ -116,48 +113,21 @@ const double *hawser__motion_place(const double *state, int node)
 enum hawser_status hawser_net_state_write(const struct hawser_net_motion *motion, const char *path,
                                           struct hawser_report *report)
 {
-	FILE *file = fopen(path, "w");
-	int bad;
-
-	if (!file)
-		return hawser__fail(report, HAWSER_ERR_IO, "net", "cannot write the state to %s: %s", path,
-		                    strerror(errno));
-	fprintf(file, format, motion->states);
-	for (int i = 0; i < motion->states; i++)
-		fprintf(file, "\n%.17g", motion->state[i]);
-	fprintf(file, "\n");
-	bad = ferror(file);
-	return fclose(file) || bad
-		? hawser__fail(report, HAWSER_ERR_IO, "net", "cannot write the state to %s: %s", path,
-		               strerror(errno)) : HAWSER_OK;
+	return hawser__state_write(motion->state, motion->states, kind, path, "net", report);
 }
 
 enum hawser_status hawser__motion_read(double **state, const char *path,
                                        const struct hawser__mesh *mesh, struct hawser_report *report)
 {
-	FILE *file = fopen(path, "r");
-	int count = 0, want = numbers(mesh), good;
+	enum hawser_status status = hawser__state_read(state, numbers(mesh), kind, path, "net", report);
+	const int read = *state != NULL;
 
-	*state = NULL;
-	if (!file)
-		return hawser__fail(report, hawser__unreadable(errno), "net",
-		                    "cannot read the state in %s: %s", path, strerror(errno));
-	/* NOLINTNEXTLINE(cert-err34-c): overflow is a wrong count */
-	good = fscanf(file, format, &count) == 1 && count == want;
-	*state = good ? malloc((size_t)want*sizeof **state) : NULL;
-	if (good && !*state) {
-		fclose(file);
-		return hawser__no_memory(report, "net");
-	}
-	for (int i = 0; i < want && good; i++) /* NOLINTNEXTLINE(cert-err34-c): overflow is not finite */
-		good = fscanf(file, "%lf", &(*state)[i]) == 1 && isfinite((*state)[i]);
-	fclose(file);
-	if (good && (*state)[0] == check_sum(mesh) && (*state)[1] == mesh->nodes)
-		return HAWSER_OK;
+	if (status || (read && (*state)[0] == check_sum(mesh) && (*state)[1] == mesh->nodes))
+		return status;
 	free(*state);
 	*state = NULL;
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net",
 	                    "%s is no state of this net, which has %d nodes in its mesh%s: give a file "
 	                    "that a run of this scene has written with --state", path, mesh->nodes,
-	                    good ? ", and joins them in another way" : "");
+	                    read ? ", and joins them in another way" : "");
 }

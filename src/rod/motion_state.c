@@ -1,23 +1,20 @@
-/* rod/motion_state.c - the state of a motion as numbers, and in a file: 17 digits, so that a run goes
- * on bit by bit.
+/* rod/motion_state.c - the state of a motion as numbers, and in a file (scene/state_file.h).
  *
- * A file is the line "hawser rod state 1 COUNT" and then one number a line: those of `heads`, and of
- * each node place, quaternion and `parts`. The first is a check sum of the lengths and stiffnesses of
- * the elements: another rod with as many nodes is not taken for this one.
+ * The numbers are those of `heads`, and of each node place, quaternion and `parts`. The first is a
+ * check sum of the lengths and stiffnesses of the elements: another rod with as many nodes is not taken
+ * for this one.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include <errno.h>
-#include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "core/report.h"
 #include "rod/run.h"
+#include "scene/state_file.h"
 
 enum { HEAD = 43, PARTS = 5, NODE = 7 + 6*PARTS };
-static const char format[] = "hawser rod state 1 %d";
+static const char kind[] = "hawser rod state 1";
 
 static double check_sum(const struct hawser__rod_mesh *mesh)
 {
@@ -99,25 +96,15 @@ enum hawser_status hawser__rod_state_save(double **state, int *states,
 enum hawser_status hawser__rod_state_read(struct hawser__rod_motion *motion, double *h, double *turned,
                                           const char *path, struct hawser_report *report)
 {
-	FILE *file = fopen(path, "r");
-	int count = 0, want = 1 + HEAD + NODE*motion->mesh->nodes, good;
 	double *state;
+	enum hawser_status status = hawser__state_read(&state, 1 + HEAD + NODE*motion->mesh->nodes, kind,
+	                                               path, "rod", report);
+	const int good = state && state[0] == check_sum(motion->mesh);
 
-	if (!file)
-		return hawser__fail(report, hawser__unreadable(errno), "rod",
-		                    "cannot read the state in %s: %s", path, strerror(errno));
-	state = malloc((size_t)want*sizeof *state);
-	/* NOLINTNEXTLINE(cert-err34-c): overflow is a wrong count */
-	good = state && fscanf(file, format, &count) == 1 && count == want;
-	for (int i = 0; i < want && good; i++) /* NOLINTNEXTLINE(cert-err34-c): overflow is not finite */
-		good = fscanf(file, "%lf", &state[i]) == 1 && isfinite(state[i]);
-	fclose(file);
-	good = good && state[0] == check_sum(motion->mesh);
 	if (good)
 		copy(state + 1, motion, h, turned, 0);
 	free(state);
-	return good ? HAWSER_OK
-		: !state ? hawser__no_memory(report, "rod")
+	return status || good ? status
 		: hawser__fail(report, HAWSER_ERR_ARGUMENT, "rod", "%s is no state of this rod with %d "
 		               "elements: give a file that a run of this scene has written with --state", path,
 		               motion->mesh->elements);
@@ -126,18 +113,5 @@ enum hawser_status hawser__rod_state_read(struct hawser__rod_motion *motion, dou
 enum hawser_status hawser_rod_state_write(const struct hawser_rod_motion *motion, const char *path,
                                           struct hawser_report *report)
 {
-	FILE *file = fopen(path, "w");
-	int bad;
-
-	if (!file)
-		return hawser__fail(report, HAWSER_ERR_IO, "rod", "cannot write the state to %s: %s", path,
-		                    strerror(errno));
-	fprintf(file, format, motion->states);
-	for (int i = 0; i < motion->states; i++)
-		fprintf(file, "\n%.17g", motion->state[i]);
-	fprintf(file, "\n");
-	bad = ferror(file);
-	return fclose(file) || bad
-		? hawser__fail(report, HAWSER_ERR_IO, "rod", "cannot write the state to %s: %s", path,
-		               strerror(errno)) : HAWSER_OK;
+	return hawser__state_write(motion->state, motion->states, kind, path, "rod", report);
 }

@@ -17,6 +17,8 @@ noinst_LTLIBRARIES += %D%/libscene.la
 	%D%/schema.h \
 	%D%/schema_span.c \
 	%D%/schema_value.c \
+	%D%/state_file.c \
+	%D%/state_file.h \
 	%D%/suggest.c \
 	%D%/suggest.h \
 	%D%/tree.c \
