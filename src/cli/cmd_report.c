@@ -52,7 +52,9 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 	if (strcmp(common->input, "-") == 0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "report",
 		                    "a report reads its scene several times: give a file, not standard input");
-	status = cli_outputs_check_with(common, &output, 1, report);
+	status = cli_report_name(settings->output, report);
+	if (!status)
+		status = cli_outputs_check_with(common, &output, 1, report);
 	if (!status)
 		status = hawser__file_check(settings->output, report);
 	if (!status)

@@ -57,6 +57,8 @@ void cli_report_write(FILE *to, const struct cli_report_page *page);
 
 /* 1 if the name ends with .pdf. */
 int cli_report_is_pdf(const char *path);
+/* HAWSER_ERR_ARGUMENT: the name ends with neither .html, .htm nor .pdf, and is not "-". */
+enum hawser_status cli_report_name(const char *path, struct hawser_report *report);
 /* Check, before a long computation, that a program that makes PDF of HTML is installed:
  * HAWSER_ERR_PROGRAM. */
 enum hawser_status cli_report_pdf_check(struct hawser_report *report) HAWSER_MUST_CHECK;

@@ -21,11 +21,25 @@ extern char **environ;
 static const char *const programs[] = {"chromium", "chromium-browser", "google-chrome", "weasyprint"};
 enum { PROGRAMS = sizeof programs/sizeof *programs, WEASYPRINT = PROGRAMS - 1 };
 
+static int ends_in(const char *path, const char *suffix)
+{
+	size_t length = strlen(path), part = strlen(suffix);
+
+	return length > part && strcasecmp(path + length - part, suffix) == 0;
+}
+
 int cli_report_is_pdf(const char *path)
 {
-	size_t length = strlen(path);
+	return ends_in(path, ".pdf");
+}
 
-	return length > 4 && strcasecmp(path + length - 4, ".pdf") == 0;
+enum hawser_status cli_report_name(const char *path, struct hawser_report *report)
+{
+	return strcmp(path, "-") == 0 || ends_in(path, ".html") || ends_in(path, ".htm") ||
+	       cli_report_is_pdf(path) ? HAWSER_OK
+		: hawser__fail(report, HAWSER_ERR_ARGUMENT, "report", "cannot tell the kind of report from "
+		               "the name %s: it must end in .html or .pdf (or be - for HTML on standard "
+		               "output)", path);
 }
 
 static int is_there(const char *name)

@@ -21,13 +21,13 @@ static enum hawser_status massive(const struct hawser_rod *rod, struct hawser_re
 
 		snprintf(name, sizeof name, rod->segments > 1 ? "rod.i%d" : "rod", i);
 		if (!(of->rho > 0.0))
-			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rod", "%s.rho is 0: what moves needs a "
-			                    "mass per length, in kg/m", name);
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rod", "%s: %s.rho is 0: what moves "
+			                    "needs a mass per length, in kg/m", rod->name, name);
 		if (!(of->inertia[0] > 0.0))
-			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rod", "%s.inertia is missing: give the "
-			                    "inertia of rotation per length about e1, e2 and e3, in kg.m: of a "
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rod", "%s: %s.inertia is missing: give "
+			                    "the inertia of rotation per length about e1, e2 and e3, in kg.m: of a "
 			                    "section of one material rho/EA times (the sum of both EI, EI, EI), "
-			                    "[%.3g kg.m, %.3g kg.m, %.3g kg.m]", name,
+			                    "[%.3g kg.m, %.3g kg.m, %.3g kg.m]", rod->name, name,
 			                    of->rho*(of->EI[0] + of->EI[1])/of->EA, of->rho*of->EI[0]/of->EA,
 			                    of->rho*of->EI[1]/of->EA);
 	}

@@ -12,6 +12,7 @@ if ! command -v gnuplot >/dev/null; then
 	exit
 fi
 refuses 1 "a report is one file, --output: leave --tsv out (the commands it shows have it)" report chairlift.yaml --tsv a
+refuses 1 "cannot tell the kind of report from the name a.doc: it must end in .html or .pdf (or be - for HTML on standard output)" report chairlift.yaml -o a.doc
 refuses 1 "a report reads its scene several times: give a file, not standard input" report -
 refuses 1 "--parts statics, mode: a report of this scene has no part mode; it has plan, statics, modes, irvine, frf" \
 	report chairlift.yaml --parts "statics, mode"
