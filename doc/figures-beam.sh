@@ -49,7 +49,7 @@ echo "$target/d-figure-9.7.svg"
 
 # 9.9: error of the safe speed against the number of functions, and against time, for the three methods
 table=$target/d-figure-9.9.tsv
-exact=$("$hawser" beam "$scenes/d-figure-9.9.yaml" --size 40 --json - | tr ',' '\n' |
+exact=$("$hawser" beam "$scenes/d-figure-9.9.yaml" --basis 40 --json - | tr ',' '\n' |
 	sed -n 's/.*"v_crit": *//p' | head -n 1)
 : >"$table"
 for method in legendre sine hermite; do
@@ -57,7 +57,7 @@ for method in legendre sine hermite; do
 	for size in 3 4 5 6 7 9 12 16 24 32 48 64 96; do
 		functions=$size
 		[ "$method" != hermite ] || functions=$((2*size))
-		"$hawser" beam "$scenes/d-figure-9.9.yaml" -n 1 --method "$method" --size "$size" --json - |
+		"$hawser" beam "$scenes/d-figure-9.9.yaml" -n 1 --method "$method" --basis "$size" --json - |
 			tr ',' '\n' | awk -v exact="$exact" -v size="$size" -v functions="$functions" '
 				/"v_crit":/ { v = $NF } /wall_time_secs/ { t = $NF; sub(/[}].*/, "", t) }
 				END { e = v/exact - 1; if (e < 0) e = -e; print size, functions, e + 1e-17, t }' >>"$table"

@@ -5,6 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 from __future__ import annotations
 
 import json
+import os
 import pathlib
 import subprocess
 import tempfile
@@ -109,6 +110,7 @@ def run(command: str, scene: Union[scenes.SceneLike, None] = None, *more: str,
             arguments += ["--set", change]
         done = subprocess.run([program()] + arguments + ["--quiet", "--json", files[0], "--tsv", files[1]],
                               stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=timeout,
+                              env={**os.environ, "NO_COLOR": "1"},
                               encoding="utf-8", errors="replace", check=False)
         if done.returncode:
             raise _failure(done)

@@ -42,7 +42,7 @@ static const struct cli_option options[] = {
 	CLI_TOLERANCE_OPTION("relative tolerance of the integrator (1e-11)"),
 	CLI_TEXT_OPTION(vary, "KEY=A,B", "repeat for up to eight values of a key of the scene"),
 	CLI_TEXT_OPTION(method, "NAME", "discretisation: legendre, sine or hermite (legendre)"),
-	{"size", 0, "N", "number of functions or elements (as many as the modes need)",
+	{"basis", 0, "N", "number of functions or elements (as many as the modes need)",
 	 CLI_INTEGER(size)},
 	CLI_NO_OPTION,
 };

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "cli/beam_result.h"
+#include "cli/colour.h"
 #include "cli/plan_result.h"
 #include "cli/scene_kinds.h"
 
@@ -34,6 +35,13 @@ static const struct cli_scene_kind *kind_named(const char *name)
 	return cli_scene_kind(i);
 }
 
+static void print_good(const struct cli_common *common, const struct cli_scene_kind *kind)
+{
+	printf("%s%s:%s %s, %swithout errors%s\n", cli_colour(stdout, CLI_PLACE), common->input,
+	       cli_colour(stdout, CLI_PLAIN), kind->one, cli_colour(stdout, CLI_GOOD),
+	       cli_colour(stdout, CLI_PLAIN));
+}
+
 /* What models of the motions of a span contain. The scene may be of statics alone. */
 static void print_models(const struct cli_common *common)
 {
@@ -49,7 +57,8 @@ static void print_models(const struct cli_common *common)
 		status = hawser_plan_make(&result.plan, &model.statics, &model.scene, NULL, 0, from, to, NULL,
 		                          &report);
 	if (status)
-		printf("  no model of its motions: %s\n", report.message);
+		printf("  %sno model of its motions:%s %s\n", cli_colour(stdout, CLI_WARNING),
+		       cli_colour(stdout, CLI_PLAIN), report.message);
 	else
 		cli_plan_print_decisions(stdout, &result);
 	hawser_plan_clear(&result.plan);
@@ -65,9 +74,9 @@ static enum hawser_status check_cable(const struct cli_common *common,
 
 	if (status)
 		return status;
-	printf("%s: %s, without errors\n"
-	       "  H: %.6g N, sag: %.6g m, unstretched length: %.6g m\n", common->input, kind->one,
-	       statics.H, statics.sag, statics.length0);
+	print_good(common, kind);
+	printf("  H: %.6g N, sag: %.6g m, unstretched length: %.6g m\n", statics.H, statics.sag,
+	       statics.length0);
 	print_models(common);
 	printf("commands that take it: %s\n", kind->commands);
 	return HAWSER_OK;
@@ -83,7 +92,7 @@ static enum hawser_status check_beam(const struct cli_common *common, const stru
 	if (status)
 		return status;
 	cli_warn_doubts(scene);
-	printf("%s: %s, without errors\n", common->input, kind->one);
+	print_good(common, kind);
 	cli_beam_print_scales(stdout, scene, &beam);
 	printf("commands that take it: %s\n", kind->commands);
 	return HAWSER_OK;
@@ -114,10 +123,11 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		if (!kind->is || !kind->is(s->common.input))
 			continue;
 		status = kind->look(text, &s->common, report);
-		if (!status)
-			printf("%s: %s, without errors\n%scommands that take it: %s\n", s->common.input, kind->one,
-			       text, kind->commands);
-		return status;
+		if (status)
+			return status;
+		print_good(&s->common, kind);
+		printf("%scommands that take it: %s\n", text, kind->commands);
+		return HAWSER_OK;
 	}
 	return check_span(&s->common, report);
 }

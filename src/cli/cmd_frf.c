@@ -155,7 +155,9 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 		status = cli_state_check("continue", settings->resume, &settings->common, report);
 	if (!status)
 		status = cli_state_check("beside", settings->beside, &settings->common, report);
-	return status ? status : cli_outputs_check(&settings->common, report);
+	return status ? status : cli_outputs_check_scales(&settings->common, settings->energy ? "x"
+	                                                  : strcmp(settings->scale, "log") == 0 ? "y" : "",
+	                                                  report);
 }
 
 /* The first orbit, if the user gives one; last->state owns its state. */

@@ -207,7 +207,8 @@ static enum hawser_status run_span(const struct settings *settings, struct hawse
 	enum hawser_status status = read_settings(&choice, &result, settings, report);
 
 	if (!status)
-		status = cli_outputs_check(&settings->common, report);
+		status = cli_outputs_check_scales(&settings->common, !result.over_value ||
+		                                  choice.sweep != HAWSER_GIVEN_LENGTH0 ? "x" : "", report);
 	if (!status)
 		status = trace(&result, &choice, settings, report);
 	if (!status)

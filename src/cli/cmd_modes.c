@@ -126,7 +126,7 @@ static enum hawser_status run_damped(const struct settings *settings, struct haw
 		                      "--shapes, --basis and --method are for undamped modes: leave out %s",
 		                      settings->over ? "--over" : "--damped");
 	if (!status)
-		status = cli_outputs_check(&settings->common, report);
+		status = cli_outputs_check_scales(&settings->common, settings->log ? "x" : "", report);
 	if (!status)
 		status = cli_scene_load(&result.scene, &settings->common, settings->n, report);
 	if (!status)

@@ -97,7 +97,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	struct cli_nnm_result result = {.common = &settings->common, .model = &model, .nnm = &nnm,
 		.mode = settings->mode - 1, .depth = settings->branches,
 		.periods = settings->periods > 0 ? settings->periods : 1};
-	enum hawser_status status = cli_outputs_check(&settings->common, report);
+	enum hawser_status status = cli_outputs_check_scales(&settings->common, "x", report);
 
 	if (!status)
 		status = cli_model_load(&model, &settings->common, settings->n, report);

@@ -4,7 +4,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "cli/statics_loaded.h"
 #include "cli/statics_mesh.h"
@@ -440,6 +439,7 @@ enum { most_profile_points = 10000000, most_curve_points = 1000000 };
 static enum hawser_status check(const struct settings *settings, struct hawser_report *report)
 {
 	int curves = settings->models || settings->compatibility || settings->speeds;
+	const char *scales = settings->compatibility ? "xy" : settings->speeds ? "y" : "";
 	int most = curves ? most_curve_points : most_profile_points;
 	enum hawser_status status;
 
@@ -454,7 +454,7 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 		                    : "compatibility");
 	status = cli_statics_mesh_check(settings->model, settings->elements, settings->points,
 	                                defaults.points, report);
-	return status ? status : cli_outputs_check(&settings->common, report);
+	return status ? status : cli_outputs_check_scales(&settings->common, scales, report);
 }
 
 static const struct cli_showing showing = {

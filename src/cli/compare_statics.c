@@ -221,7 +221,7 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 	if (settings->profile && settings->each)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "compare statics", "--profile and --each are "
 		                    "different tables: choose one");
-	return cli_outputs_check(&settings->common, report);
+	return cli_outputs_check_scales(&settings->common, settings->common.input ? "" : "x", report);
 }
 
 static enum hawser_status solve(struct cli_compare_statics *result, const struct settings *settings,

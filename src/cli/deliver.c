@@ -134,6 +134,16 @@ enum hawser_status cli_outputs_check(const struct cli_common *common, struct haw
 	return cli_outputs_check_with(common, NULL, 0, report);
 }
 
+enum hawser_status cli_outputs_check_scales(const struct cli_common *common, const char *axes,
+                                            struct hawser_report *report)
+{
+	enum hawser_status status = cli_outputs_check(common, report);
+
+	for (; !status && *axes; axes++)
+		status = hawser__picture_logarithmic(*axes, report);
+	return status;
+}
+
 enum hawser_status cli_vtk_check(const char *path, const char *command, struct hawser_report *report)
 {
 	size_t length = path ? strlen(path) : 0;

@@ -10,6 +10,7 @@
 
 #include <hawser/net.h>
 
+#include "cli/colour.h"
 #include "cli/within.h"
 
 /* Of a scene that the table of keys does not describe; NULL of others. */
@@ -333,5 +334,5 @@ void cli_warn(const char *warning)
 	if (kept)
 		keep(warning);
 	else
-		fprintf(stderr, "hawser: warning: %s\n", warning);
+		cli_say(CLI_WARNING, warning);
 }

@@ -184,6 +184,8 @@ static int wants_log(const char *scale, double *work, size_t count)
 
 	if (strcmp(scale, "auto") != 0)
 		return strcmp(scale, "log") == 0;
+	if (hawser__picture_logarithmic('y', NULL)) /* the user's range has 0 or less */
+		return 0;
 	qsort(work, count, sizeof *work, compare);
 	while (zeros < count && !(work[zeros] > 0.0))
 		zeros++;

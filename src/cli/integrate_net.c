@@ -303,9 +303,11 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 	hawser__picture_panel(&picture, 0.15, 0.95, 0.61, 0.93);
 	hawser__picture_ylabel(&picture, "Height {/:Italic y} (m)");
 	fputs("plot ", script);
-	for (int p = 0; p < probes; p++)
-		fprintf(script, "%s$motion using 1:%d with lines lt %d title \"%s\" noenhanced",
-		        p ? ", " : "", p + 5, p + 1, result->name[p]);
+	for (int p = 0; p < probes; p++) {
+		fprintf(script, "%s$motion using 1:%d with lines lt %d title '", p ? ", " : "", p + 5, p + 1);
+		hawser__picture_literal(script, result->name[p], 0);
+		fputc('\'', script);
+	}
 	fputs("\n", script);
 	hawser__picture_panel(&picture, 0.15, 0.95, 0.11, 0.46);
 	hawser__picture_ylabel(&picture, "Energy (J)");

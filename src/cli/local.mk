@@ -16,6 +16,8 @@ hawser_SOURCES = \
 	%D%/campbell_result.c \
 	%D%/campbell_result.h \
 	%D%/cli.h \
+	%D%/colour.c \
+	%D%/colour.h \
 	%D%/cmd_beam.c \
 	%D%/cmd_campbell.c \
 	%D%/cmd_check.c \

@@ -9,6 +9,7 @@
 #include <cblas.h>
 
 #include "cli/cli.h"
+#include "cli/colour.h"
 #include "cli/picture.h"
 #include "cli/progress.h"
 #include "cli/within.h"
@@ -223,6 +224,6 @@ int main(int argc, char **argv)
 	if (!status)
 		status = flush_stdout(&report);
 	if (status)
-		fprintf(stderr, "hawser: %s\n", report.message);
+		cli_say(CLI_ERROR, report.message);
 	return cli_interrupted() ? 128 + cli_interrupted() : hawser_status_exit(status);
 }

@@ -23,7 +23,7 @@ const struct cli_option cli_common_options[] = {
 	 offsetof(struct cli_common, json)},
 	{"tsv", 0, "FILE", "write the table to a file", cli_store_text,
 	 offsetof(struct cli_common, tsv)},
-	{"plot", 0, "FILE", "draw a picture: .svg, .png, .pdf or .eps", cli_store_text,
+	{"plot", 0, "FILE", "draw a picture: .svg, .png, .pdf, .eps or .tex", cli_store_text,
 	 offsetof(struct cli_common, plot)},
 	{"title", 0, "TEXT", "a title above the picture", cli_store_title,
 	 offsetof(struct cli_common, picture)},

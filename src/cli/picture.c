@@ -85,6 +85,7 @@ enum hawser_status cli_store_range(void *field, const struct cli_option *option,
 		                    "--%s %s: the first number must be less than the second", option->name,
 		                    values[0]);
 	range->given = 1;
+	range->text = values[0];
 	range->low = low;
 	range->high = high;
 	return HAWSER_OK;

@@ -292,7 +292,7 @@ static enum hawser_status solve(struct cli_track *t, struct hawser_report *repor
 
 enum hawser_status cli_track_run(struct cli_track *t, struct hawser_report *report)
 {
-	enum hawser_status status = cli_outputs_check(t->common, report);
+	enum hawser_status status = cli_outputs_check_scales(t->common, t->logarithmic ? "x" : "", report);
 
 	if (!status)
 		status = solve(t, report);

@@ -84,4 +84,9 @@ extern const struct hawser__field cli_model_field[], cli_compatibility_field[], 
                                   cli_speeds_member[];
 extern const struct hawser__list cli_compatibility_list;
 
+/* cli_outputs_check, and the user's ranges for a picture whose first panel has logarithmic axes: "",
+ * "x", "y" or "xy". */
+enum hawser_status cli_outputs_check_scales(const struct cli_common *common, const char *axes,
+                                            struct hawser_report *report) HAWSER_MUST_CHECK;
+
 #endif

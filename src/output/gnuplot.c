@@ -21,6 +21,7 @@
 
 #include "core/report.h"
 #include "output/frames.h"
+#include "output/latex.h"
 #include "output/output.h"
 #include "output/picture_choice.h"
 #include "output/style.h"
@@ -42,10 +43,13 @@ static const struct terminal {
 	         "linewidth 1.6 pointscale 0.7 background '#ffffff'", 1.0, 0.75},
 	{".eps", "epscairo size %.2fcm,%.2fcm enhanced font 'Sans,9' fontscale %.3g "
 	         "linewidth 1.6 pointscale 0.7 background '#ffffff'", 1.0, 0.75},
+	{".tex", "cairolatex pdf input colourtext size %.2fcm,%.2fcm font ',9' fontscale %.3g "
+	         "linewidth 1.6 pointscale 0.7", 1.0, 0.75},
 	{".gp", "svg size %.0f,%.0f enhanced font 'sans-serif,12' fontscale %.3g background '#ffffff' "
 	        "linewidth 1.3", 96.0/2.54, 1.0},
 };
-enum { SCRIPT = 4 }; /* the row of the format that is a script, not a picture */
+enum { LATEX = 4, SCRIPT }; /* rows: two files, for LaTeX; the script, not a picture */
+#define LETTERS 9.0         /* pt: of the font above, for LaTeX */
 
 static const struct terminal *terminal_for(const char *path)
 {
@@ -99,10 +103,16 @@ enum hawser_status hawser__picture_check(const char *path, struct hawser_report 
 	if (!terminal_for(path))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "picture",
 		                    "cannot tell the kind of picture from the name %s: it must end in "
-		                    ".svg, .png, .pdf or .eps, or .gp for a script of gnuplot (or be "
+		                    ".svg, .png, .pdf, .eps or .tex, or .gp for a script of gnuplot (or be "
 		                    "- for SVG on standard output)", path);
 	if (terminal_for(path) != &terminals[SCRIPT] && !find_program(program, sizeof program))
 		return missing(report);
+	if (terminal_for(path) == &terminals[LATEX]) {
+		enum hawser_status status = hawser__latex_check(path, report);
+
+		if (status)
+			return status;
+	}
 	return hawser__file_check(path, report);
 }
 
@@ -337,6 +347,24 @@ static enum hawser_status draw_svg(const struct hawser__picture *picture, FILE *
 	return status;
 }
 
+/* Run gnuplot in its own folder, and write both files of a picture for LaTeX. */
+static enum hawser_status draw_latex(const struct hawser__picture *picture, FILE *to,
+                                     FILE *complaints, const sigset_t *signals,
+                                     struct hawser_report *report)
+{
+	struct hawser__latex latex;
+	double size[2], smaller = hawser__picture_size(size, picture->width, picture->height);
+	enum hawser_status status = hawser__latex_begin(&latex, picture->script, report);
+
+	if (!status)
+		status = run(latex.script, complaints, complaints, signals, report);
+	if (!status)
+		status = hawser__latex_write(&latex, to, picture->path,
+		                             LETTERS*smaller*terminals[LATEX].letters, report);
+	hawser__latex_clear(&latex);
+	return status;
+}
+
 static enum hawser_status copy_script(FILE *to, FILE *script, struct hawser_report *report)
 {
 	char text[4096]; /* a page at a time */
@@ -363,6 +391,8 @@ static enum hawser_status draw(const struct hawser__picture *picture,
 		return no_file(report);
 	status = terminal_for(picture->path) == &terminals[0]
 	             ? draw_svg(picture, file->stream, complaints, signals, report)
+	         : terminal_for(picture->path) == &terminals[LATEX]
+	             ? draw_latex(picture, file->stream, complaints, signals, report)
 	             : run(picture->script, file->stream, complaints, signals, report);
 	fclose(complaints);
 	return status;

@@ -16,6 +16,8 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/json.c \
 	%D%/labels.c \
 	%D%/labels.h \
+	%D%/latex.c \
+	%D%/latex.h \
 	%D%/map_tongues.c \
 	%D%/output.h \
 	%D%/panels.c \

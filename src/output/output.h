@@ -130,7 +130,7 @@ struct hawser__picture {
 	double left, middle; /* of the panel, for its label */
 };
 /* Check, before a long computation, that gnuplot is available and that the extension of `path` is
- * .svg, .png, .pdf or .eps ("-" is SVG), or .gp: the script. Statuses: HAWSER_ERR_ARGUMENT,
+ * .svg, .png, .pdf, .eps or .tex ("-" is SVG), or .gp: the script. Statuses: HAWSER_ERR_ARGUMENT,
  * HAWSER_ERR_PROGRAM. NULL is legal. */
 enum hawser_status hawser__picture_check(const char *path,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
@@ -154,6 +154,8 @@ void hawser__picture_ylabel(struct hawser__picture *picture, const char *format,
 /* Set at most the given number of tics between low and high on axis 'x' or 'y'. */
 void hawser__picture_tics(struct hawser__picture *picture, char axis, double low, double high,
                           int most);
+/* A user's text, which has no markup, within single quotes (data 0) or as a word of a block of data. */
+void hawser__picture_literal(FILE *script, const char *text, int data);
 /* A logarithmic axis ("x", "y" or "cb"): tics at powers of ten, over a short range at 1, 2 and 5 times
  * them. */
 void hawser__picture_log_tics(struct hawser__picture *picture, const char *axis, double low,

@@ -187,10 +187,19 @@ static void put_range(struct state *s, int axis)
 static void put_title(const struct state *s)
 {
 	fputs("set label 1002 '", s->to);
-	for (const char *c = chosen.title; *c; c++)
-		fprintf(s->to, "%s%c", *c == '\'' ? "'" : "", *c);
-	fprintf(s->to, "' at screen 0.5, screen %.4f center noenhanced font ',13'\n",
-	        0.5*(1.0 + s->part));
+	hawser__picture_literal(s->to, chosen.title, 0);
+	fprintf(s->to, "' at screen 0.5, screen %.4f center font ',13'\n", 0.5*(1.0 + s->part));
+}
+
+enum hawser_status hawser__picture_logarithmic(char axis, struct hawser_report *report)
+{
+	const struct hawser__picture_range *range = &chosen.range[axis == 'y' ? Y : X];
+
+	if (!range->given || (range->high > 0.0 && (range->low > 0.0 || isinf(range->low))))
+		return HAWSER_OK;
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "picture",
+	                    "--%crange %s: the axis is logarithmic: give limits above 0", axis,
+	                    range->text);
 }
 
 /* Before a plot. */
@@ -201,10 +210,12 @@ static enum hawser_status prepare(struct state *s, struct hawser_report *report)
 			keep(s->first[axis], s->range[axis]);
 			keep(s->first_title, s->title);
 		}
-		if (is_for(s, axis) && s->logarithmic[axis] && !(chosen.range[axis].high > 0.0 &&
-		    (chosen.range[axis].low > 0.0 || isinf(chosen.range[axis].low))))
-			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "picture", "--%crange: the axis is "
-			                    "logarithmic: give limits above 0", "xy"[axis]);
+		if (is_for(s, axis) && s->logarithmic[axis]) {
+			enum hawser_status status = hawser__picture_logarithmic("xy"[axis], report);
+
+			if (status)
+				return status;
+		}
 		put_range(s, axis);
 	}
 	if (chosen.title && !s->plots)

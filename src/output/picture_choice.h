@@ -11,6 +11,7 @@
 struct hawser__picture_range {
 	int given;
 	double low, high; /* in the unit of the axis; -INFINITY, INFINITY: as the data are */
+	const char *text; /* as the user wrote it */
 };
 struct hawser__picture_choice {
 	const char *title;    /* above the picture; or NULL */
@@ -22,6 +23,11 @@ void hawser__picture_choose(const struct hawser__picture_choice *choice);
 /* Into size [2] the width and height in cm, of a picture that has these itself; with room for a
  * title. Returns the factor of its letters: 1, or less if it is smaller. */
 double hawser__picture_size(double size[2], double width, double height);
+
+/* Fails with HAWSER_ERR_ARGUMENT if the chosen range of an axis, 'x' or 'y', is none of a logarithmic
+ * one. */
+enum hawser_status hawser__picture_logarithmic(char axis,
+                                               struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* Replace the script, which is at its begin, by one with the chosen title and ranges. `height`: of the
  * picture itself, cm. Returns HAWSER_ERR_ARGUMENT if a logarithmic axis has no such range, and

@@ -30,15 +30,13 @@ static void data(FILE *script, const struct hawser__cases_picture *of)
 	fprintf(script, "END\nset xrange [-0.6:%.9g]\nset yrange [0:*]\n", of->cases - 0.4);
 }
 
-/* The names along x, or only tics. In single quotes gnuplot takes all characters as they are, but for
- * the quote, which is doubled. */
+/* The names along x, or only tics. */
 static void tics(FILE *script, const struct hawser__cases_picture *of, int named)
 {
-	fputs("set xtics noenhanced rotate by 30 right (", script);
+	fputs("set xtics rotate by 30 right (", script);
 	for (int i = 0; i < of->cases; i++) {
 		fputs(i ? ", '" : "'", script);
-		for (const char *c = named ? of->name[i] : ""; *c; c++)
-			fputs(*c == '\'' ? "''" : *c == '\n' ? " " : (const char[]){*c, '\0'}, script);
+		hawser__picture_literal(script, named ? of->name[i] : "", 0);
 		fprintf(script, "' %d", i);
 	}
 	fputs(")\n", script);

@@ -52,7 +52,9 @@ static void node_data(FILE *script, const struct hawser_net *net, const struct h
 		if (net->node[i].support != support)
 			continue;
 		hawser__eye_see(to, eye, st->x[i]);
-		fprintf(script, "%.7g %.7g %s\n", to[0], to[1], net->node[i].name);
+		fprintf(script, "%.7g %.7g ", to[0], to[1]);
+		hawser__picture_literal(script, net->node[i].name, 1);
+		fputc('\n', script);
 	}
 	fputs("NaN NaN x\nEND\n", script);
 }
@@ -173,9 +175,9 @@ enum hawser_status hawser__plot_net(const char *path, const struct hawser_net *n
 	for (int i = 0; i < st->nodes; i++)
 		joints += !net->node[i].support;
 	if (st->nodes <= NAMED && joints > 0)
-		fputs(", $joints using 1:2:3 with labels offset 0.9, 0.6 font ',9' noenhanced notitle", script);
+		fputs(", $joints using 1:2:3 with labels offset 0.9, 0.6 font ',9' notitle", script);
 	if (st->nodes <= NAMED)
-		fputs(", $supports using 1:2:3 with labels offset 0.9, 0.6 font ',9' noenhanced notitle",
+		fputs(", $supports using 1:2:3 with labels offset 0.9, 0.6 font ',9' notitle",
 		      script);
 	if (st->contacts)
 		fputs(", $slip using 1:2 with points pt 6 ps 0.45 lc rgb '#1A9850' title 'slip'"

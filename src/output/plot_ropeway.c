@@ -161,11 +161,14 @@ static void tower_data(FILE *script, const struct frame *frame)
 	const struct hawser_ropeway *rw = frame->rw;
 
 	fputs("$towers << END\nNaN NaN NaN none NaN\n", script);
-	for (int i = 0; i < rw->towers; i++)
-		fprintf(script, "%.8g %.8g %.8g %s %.8g\n", rw->tower[i].at[0]/frame->x.per,
+	for (int i = 0; i < rw->towers; i++) {
+		fprintf(script, "%.8g %.8g %.8g ", rw->tower[i].at[0]/frame->x.per,
 		        rw->tower[i].at[1]/frame->y.per,
-		        (frame->from[1] - rw->tower[i].at[1])/frame->y.per, rw->tower[i].name,
+		        (frame->from[1] - rw->tower[i].at[1])/frame->y.per);
+		hawser__picture_literal(script, rw->tower[i].name, 1);
+		fprintf(script, " %.8g\n",
 		        (frame->from[1] + 0.035*(frame->to[1] - frame->from[1]))/frame->y.per);
+	}
 	fprintf(script, "END\n$stations << END\n%.8g %.8g\n%.8g %.8g\nEND\n", rw->bottom[0]/frame->x.per,
 	        rw->bottom[1]/frame->y.per, rw->top[0]/frame->x.per, rw->top[1]/frame->y.per);
 }
@@ -214,7 +217,7 @@ static void draw_line(FILE *script, const struct frame *frame)
 		fprintf(script, ", $reaction%d using ($1 + $3):5:6 with labels font ',7.5' tc rgb '%s'", i,
 		        colour[i]);
 	if (frame->rw->towers <= NAMED)
-		fputs(", $towers using 1:5:4 with labels offset 0.4, 0 left font ',8' noenhanced",
+		fputs(", $towers using 1:5:4 with labels offset 0.4, 0 left font ',8'",
 		      script);
 	fputs("\nset yrange [*:*]\n", script);
 }

@@ -30,6 +30,19 @@ const char hawser__picture_look[] =
 	"set key reverse Left\nset key off\n"
 	"set multiplot\n";
 
+void hawser__picture_literal(FILE *script, const char *text, int data)
+{
+	for (; *text; text++) {
+		if (strchr("_^{}@&~\\", *text))
+			fputs(data ? "\\\\" : "\\", script);
+		if (*text == '\'' && !data)
+			putc('\'', script);
+		if (*text == '\\' && data)
+			putc('\\', script);
+		putc(*text == '\n' ? ' ' : *text, script);
+	}
+}
+
 void hawser__legend_add(struct hawser__legend *legend, const char *title, const char *style, ...)
 {
 	struct hawser__legend_entry *entry = &legend->entry[legend->count];

@@ -29,9 +29,9 @@ works "motion from a file" beam "$scenes/d-figure-9.10.yaml" -q --until 1 --ever
 try "it begins there" awk '!/^#/ && $1 == 0 { d = $2 - 0.02; exit !(d < 1e-3 && d > -1e-3) }' f.tsv
 run beam "$scenes/d-figure-9.1.yaml" -q
 try "a slack lower end is told" grep -q 'lower end is slack' "$scratch/err"
-works "a rope in SI" beam "$scenes/hoist-rope.yaml" -q --size 40 --json h.json
+works "a rope in SI" beam "$scenes/hoist-rope.yaml" -q --basis 40 --json h.json
 try "its speed is below that of its waves" near "$(key h.json v_crit)" 66.4 0.5
-run beam "$scenes/hoist-rope.yaml" --size 40 --set 'beam.inclination=30 degrees' --set 'beam.EI=2 kN.m^2'
+run beam "$scenes/hoist-rope.yaml" --basis 40 --set 'beam.inclination=30 degrees' --set 'beam.EI=2 kN.m^2'
 try "inclined: what lies across is told" grep -q 'weight across the travel' "$scratch/out"
 works "map" map "$scenes/d-figure-9.2.yaml" -q --x beam.mu=0.9:1.1 --y beam.v=0.5:4 --points 3x9 \
 	--boundary edge.tsv --tsv map.tsv

@@ -12,7 +12,7 @@ refuses 4 "cannot write missing/model.json: No such file or directory" \
 refuses 4 "cannot write missing/out.svg: No such file or directory" \
 	statics "$chairlift" --plot missing/out.svg
 refuses_like 4 "cannot write .*missing" rom "$chairlift" --export auto missing/stem
-refuses 1 "cannot tell the kind of picture from the name out.gif: it must end in .svg, .png, .pdf or .eps, \
+refuses 1 "cannot tell the kind of picture from the name out.gif: it must end in .svg, .png, .pdf, .eps or .tex, \
 or .gp for a script of gnuplot (or be - for SVG on standard output)" statics "$chairlift" --plot out.gif
 refuses 1 "--json and --tsv both write to standard output" \
 	statics "$chairlift" --json - --tsv -

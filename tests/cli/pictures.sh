@@ -254,11 +254,11 @@ works "a plane in which nothing was found" hill --mathieu --x delta=5:6 --y epsi
 shows calm "no instability found"
 
 works "safe speeds" beam "$scenes/hoist-rope.yaml" --boundary beam.tension_end --from "5 kN" --to "40 kN" \
-	--points 3 --size 16 -n 2 --plot safe.svg -q
+	--points 3 --basis 16 -n 2 --plot safe.svg -q
 shows safe "Tension at the end (kN)" 40 "stable up to here"
 try "no plain newtons" sh -c '! grep -q 40000 safe.svg'
 sound safe
-run beam "$scenes/d-figure-9.2.yaml" --vary beam.rho=0,10 --boundary beam.mu --from 5 --to 20 --points 2 --size 16 \
+run beam "$scenes/d-figure-9.2.yaml" --vary beam.rho=0,10 --boundary beam.mu --from 5 --to 20 --points 2 --basis 16 \
 	--plot weights.svg -q
 try "boundaries of two beams are drawn (status $status)" test "$status" -eq 0
 shows weights "ρ = 10, stable up to here" "Tension μ (–)" "Speed v (–)"

@@ -60,7 +60,7 @@ printf '0 0\n0.5 1e999\n1 0\n' >shape
 refuses_like 1 'after 2 lines: a shape is 2 to' beam "$beam" --until 1 --initial shape
 refuses_like 1 'is beyond double precision' beam "$beam" --to 1e999
 refuses_like 1 'at most .* values' beam "$beam" --vary beam.rho=0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17
-refuses_like 1 'at least 1' beam "$beam" --size -1
+refuses_like 1 'at least 1' beam "$beam" --basis -1
 refuses_like 1 'both axes are' map "$beam" --x beam.v=0:1 --y beam.v=0:2 --points 3x3
 
 # --- damping
@@ -104,7 +104,7 @@ moves() {
 }
 refuses_like 1 'must be finite' beam "$beam" --to .inf
 refuses_like 3 'eigenvalue problems were not enough for the speeds from 0 to 100' \
-	beam "$beam" --to 100 --points 2 --size 8 --modes 8
+	beam "$beam" --to 100 --points 2 --basis 8 --modes 8
 refuses_like 3 'were not found \(LAPACK [0-9]+\): .*weight 1e\+308 is too large' \
 	beam "$beam" --set beam.rho=1e308
 refuses_like 3 'theta 1 and tension 1e\+308 .* beyond double precision' \

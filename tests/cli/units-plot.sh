@@ -192,9 +192,9 @@ same integrate "ft, rpm, min" integrate "$chairlift" --Omega 0.9w1 --until 4T
 same map "rpm, ft/s, 1/min" map "$scenes/b-table-5.4.yaml" -n 2 --x Omega=14:16 --y travel.fluctuation=0:8 --points 5x5
 same hill "rpm, ft/s" hill "$scenes/b-table-5.4.yaml" --set model.modes=1 --x Omega=14:16 --y travel.fluctuation=0:8 \
 	--samples 5 --lines 5
-same beam "ft/s, rpm, 1/min" beam "$scenes/hoist-rope.yaml" --to 60 --points 8 --size 8
-same boundary "lbf, ft/s" beam "$scenes/hoist-rope.yaml" --boundary beam.tension_end --from "5 kN" --to "40 kN" --size 6
-same motion "min, ft" beam "$scenes/hoist-rope.yaml" --until 0.2 --coordinates 3 --size 10 --every 0.02
+same beam "ft/s, rpm, 1/min" beam "$scenes/hoist-rope.yaml" --to 60 --points 8 --basis 8
+same boundary "lbf, ft/s" beam "$scenes/hoist-rope.yaml" --boundary beam.tension_end --from "5 kN" --to "40 kN" --basis 6
+same motion "min, ft" beam "$scenes/hoist-rope.yaml" --until 0.2 --coordinates 3 --basis 10 --every 0.02
 same identify "rpm" identify "$chairlift" frequencies.tsv --free tension.T0
 python3 -IS "$scratch/compare.py"
 is_same() {

@@ -1,0 +1,30 @@
+#!/bin/sh
+# Colour of messages and of hawser check: on terminals alone. SPDX-License-Identifier: GPL-3.0-or-later
+. "$SRCDIR/tests/cli/lib.sh"
+
+escape=$(printf '\033')
+unset NO_COLOR CLICOLOR CLICOLOR_FORCE
+export TERM=xterm
+printf 'cable: {EA: 400 MN, rho: 6 kg/m}\nspan: {d: 250 m, hh: 10 m}\n' >bad.yaml
+
+run check bad.yaml
+try "no colour in a pipe" sh -c "! grep -q '$escape' '$scratch/err'"
+try "the message" grep -q '^hawser: bad.yaml:2:.*hh' "$scratch/err"
+export CLICOLOR_FORCE=1
+run check bad.yaml
+try "an error is red, its place bold" grep -q "^$escape\[1;31mhawser:$escape\[0m $escape\[1mbad.yaml:2:[0-9]*:$escape\[0m " \
+	"$scratch/err"
+run check "$chairlift"
+try "what is good is green" grep -q "$escape\[32mwithout errors$escape\[0m" "$scratch/out"
+run statics "$chairlift"
+try "a table has no colour" sh -c "! grep -q '$escape' '$scratch/out'"
+NO_COLOR=1 run check bad.yaml
+unset CLICOLOR_FORCE
+try "NO_COLOR is kept" sh -c "! grep -q '$escape' '$scratch/err'"
+if command -v script >/dev/null; then
+	script -qec "'$HAWSER' check bad.yaml" /dev/null </dev/null >terminal 2>&1
+	try "colour on a terminal" grep -q "$escape\[1;31mhawser:" terminal
+	TERM=dumb script -qec "'$HAWSER' check bad.yaml" /dev/null </dev/null >terminal 2>&1
+	try "not on a dumb one" sh -c "grep -q hawser: terminal && ! grep -q '$escape' terminal"
+fi
+done_testing
