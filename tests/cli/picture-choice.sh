@@ -30,7 +30,7 @@ if command -v gnuplot >/dev/null; then
 	if command -v pdflatex >/dev/null; then
 		printf '%s\n' '\documentclass{article}\usepackage{graphicx,color}\begin{document}' \
 			'\input{tex}\input{powers}\end{document}' >paper.tex
-		try "LaTeX sets both" pdflatex -interaction=nonstopmode paper.tex >latex.log
+		try "LaTeX sets both" sh -c 'pdflatex -interaction=nonstopmode paper.tex >latex.log'
 	fi
 fi
 
