@@ -6,11 +6,12 @@
 #include <hawser/status.h>
 
 enum { HAWSER__BAND_SIDE = 11 }; /* diagonals on either side: two nodes of six unknowns */
-enum { HAWSER__BAND_ROWS = 3*HAWSER__BAND_SIDE + 1 }; /* of LAPACK's storage, with fill by pivots */
+/* Of a column: 2*SIDE above the diagonal, with fill by pivots, SIDE below, and two that stay 0. */
+enum { HAWSER__BAND_ROWS = 3*HAWSER__BAND_SIDE + 3 };
 
 struct hawser__band {
 	int n;
-	double *a;   /* [n][HAWSER__BAND_ROWS] columns, as dgbtrf wants them */
+	double *a;   /* [n][HAWSER__BAND_ROWS] columns */
 	int *pivot;  /* [n] */
 };
 enum hawser_status hawser__band_open(struct hawser__band *band, int n, struct hawser_report *report)

@@ -13,7 +13,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include <string.h>
+#include <math.h>
 
 #include "rod/element.h"
 #include "rod/so3.h"
@@ -21,18 +21,20 @@
 int hawser__rod_strain(struct hawser__rod_strain *at, const struct hawser__rod_element *el,
                        const struct hawser__rod_node node[2])
 {
-	double between[4], middle[4], half[3], d[3];
+	double between[4], middle[4], part, d[3];
 
 	hawser__quaternion_between(between, node[0].q, node[1].q);
 	(void)hawser__quaternion_log(at->psi, between);
+	/* (1 + q)/|1 + q| is exp(psi/2), as q = exp(psi) */
+	part = 1.0/sqrt(2.0 + 2.0*between[0]);
+	for (int i = 0; i < 4; i++)
+		at->half[i] = part*((i == 0) + between[i]);
+	hawser__quaternion_mul(middle, node[0].q, at->half);
+	hawser__quaternion_matrix(at->R, middle);
 	for (int i = 0; i < 3; i++) {
-		half[i] = 0.5*at->psi[i];
 		at->k[i] = at->psi[i]/el->h;
 		d[i] = (node[1].x[i] - node[0].x[i])/el->h;
 	}
-	memcpy(middle, node[0].q, sizeof middle);
-	hawser__quaternion_turn(middle, half);
-	hawser__quaternion_matrix(at->R, middle);
 	hawser__apply_left(at->w, at->R, d);
 	for (int i = 0; i < 3; i++) {
 		at->N[i] = el->EA[i]*(at->w[i] - el->w0[i]);
@@ -50,32 +52,30 @@ double hawser__rod_energy(const struct hawser__rod_element *el, const struct haw
 	return 0.5*el->h*sum;
 }
 
-/* What forces and tangent share. */
+/* What the tangent needs besides. */
 struct parts {
 	struct hawser__so3 half, whole; /* psi/2, psi */
 	double Jh[9], Ji[9], E[9];      /* Jr(psi/2), Ji(psi), exp(psi/2) */
 	double mu[3], a[3];
 };
 
+/* mu and a; half and whole get their values. */
 static void share(struct parts *p, const struct hawser__rod_element *el,
                   const struct hawser__rod_strain *at)
 {
-	double half[3], turn[4], part[3];
+	double half[3], once[3], twice[3];
 
 	for (int i = 0; i < 3; i++)
 		half[i] = 0.5*at->psi[i];
-	hawser__so3_at(&p->half, half);
-	hawser__so3_at(&p->whole, at->psi);
-	hawser__so3_jr(p->Jh, &p->half);
-	hawser__so3_ji(p->Ji, &p->whole);
-	hawser__quaternion_exp(turn, half);
-	hawser__quaternion_matrix(p->E, turn);
+	hawser__so3_values(&p->half, half);
+	hawser__so3_values(&p->whole, at->psi);
 	hawser__cross(p->mu, at->N, at->w);
 	for (int i = 0; i < 3; i++)
 		p->mu[i] *= el->h;
-	hawser__apply_left(part, p->Jh, p->mu);
+	hawser__cross(once, half, p->mu);
+	hawser__cross(twice, half, once);
 	for (int i = 0; i < 3; i++)
-		p->a[i] = at->M[i] + 0.5*part[i];
+		p->a[i] = at->M[i] + 0.5*(p->mu[i] + p->half.a*once[i] + p->half.b*twice[i]);
 }
 
 static void put(double *K, int row, int column, const double block[9], double factor)
@@ -178,12 +178,17 @@ static void places(double *K, const struct tangent *t, const struct hawser__rod_
 	put(K, 1, 0, m, -1.0);
 }
 
-static void tangent(double *K, const struct parts *p, const struct hawser__rod_element *el,
+static void tangent(double *K, struct parts *p, const struct hawser__rod_element *el,
                     const struct hawser__rod_strain *at)
 {
 	struct tangent t;
 	double P[9], T[9];
 
+	hawser__so3_derivatives(&p->half);
+	hawser__so3_derivatives(&p->whole);
+	hawser__so3_jr(p->Jh, &p->half);
+	hawser__so3_ji(p->Ji, &p->whole);
+	hawser__quaternion_matrix(p->E, at->half);
 	prepare(&t, p, el, at);
 	places(K, &t, el, at);
 	for (int i = 0; i < 9; i++)
@@ -202,16 +207,19 @@ void hawser__rod_forces(double *f, double *K, const struct hawser__rod_element *
                         const struct hawser__rod_strain *at)
 {
 	struct parts p;
-	double part[3], back[3];
+	double once[3], twice[3], turned[3], again[3];
 
 	share(&p, el, at);
 	hawser__apply(f + 6, at->R, at->N);
-	hawser__apply_left(f + 9, p.Ji, p.a);
-	hawser__apply(part, p.E, p.mu);
-	hawser__apply(back, p.Ji, p.a);
+	hawser__cross(once, at->psi, p.a);
+	hawser__cross(twice, at->psi, once);
+	hawser__cross(turned, at->half + 1, p.mu);
+	hawser__cross(again, at->half + 1, turned);
 	for (int i = 0; i < 3; i++) {
 		f[i] = -f[6 + i];
-		f[3 + i] = part[i] - back[i];
+		f[9 + i] = p.a[i] - 0.5*once[i] + p.whole.c*twice[i];
+		f[3 + i] = p.mu[i] + 2.0*(at->half[0]*turned[i] + again[i]) -
+		           (p.a[i] + 0.5*once[i] + p.whole.c*twice[i]);
 	}
 	if (K)
 		tangent(K, &p, el, at);

@@ -14,6 +14,7 @@ struct hawser__rod_strain {
 	double w[3], k[3];  /* Rm'x', 1/m: curvature and twist, those at rest too */
 	double N[3], M[3];  /* N, N m */
 	double psi[3];      /* rad, turn from one node to the other */
+	double half[4];     /* exp(psi/2) */
 	double R[9];        /* of the middle */
 };
 

@@ -2,8 +2,10 @@
  *
  *   a = (1 - cos t)/t^2, b = (t - sin t)/t^3, c = (1 - (t/2) cot(t/2))/t^2, t = |v|
  *
- * and their derivatives over t, which cancel near 0: Taylor series up to t = 1, whose first term left
- * out is below round-off there; closed forms beyond, where no more than two digits cancel.
+ * and their derivatives over t, which cancel near 0: Taylor series in t^2 up to t = 1, whose first
+ * term left out is below round-off there; closed forms beyond, where no more than two digits cancel.
+ * Most elements and steps turn by less than a tenth of a radian, for which six terms are enough: these
+ * series take much of the time of a motion.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -11,49 +13,64 @@
 
 #include "rod/so3.h"
 
+#define SMALL 1.0  /* rad^2, largest of the long series: 1/22! and (1/2pi)^22 are below round-off */
+#define TINY 0.01  /* rad^2, largest of the short ones: TINY^6/14!, (TINY/39)^6, (TINY/4)^6/13 are */
+enum { LONG = 10, SHORT = 6, BERNOULLI = 11, SINES = 9, ARCS = 6 }; /* terms */
+/* 1/(k + 2)! with signs: cos, then sin. */
+static const double of_a[LONG] = {
+	1.0/2.0, -1.0/24.0, 1.0/720.0, -1.0/40320.0, 1.0/3628800.0, -1.0/479001600.0, 1.0/87178291200.0,
+	-1.0/20922789888000.0, 1.0/6402373705728000.0, -1.0/2432902008176640000.0};
+static const double of_b[LONG] = {
+	1.0/6.0, -1.0/120.0, 1.0/5040.0, -1.0/362880.0, 1.0/39916800.0, -1.0/6227020800.0,
+	1.0/1307674368000.0, -1.0/355687428096000.0, 1.0/121645100408832000.0,
+	-1.0/51090942171709440000.0};
+/* Of atan(x)/x, with alternating signs. */
+static const double of_arc[ARCS] = {1.0, 1.0/3.0, 1.0/5.0, 1.0/7.0, 1.0/9.0, 1.0/11.0};
 /* Of c: |B_2k|/(2k)!, k = 1, 2, .., with Bernoulli's numbers B. */
-static const double bernoulli[] = {
+static const double of_c[BERNOULLI] = {
 	1.0/12.0, 1.0/720.0, 1.0/30240.0, 1.0/1209600.0, 1.0/47900160.0, 691.0/1307674368000.0,
 	1.0/74724249600.0, 3617.0/10670622842880000.0, 43867.0/5109094217170944000.0,
 	174611.0/802857662698291200000.0, 77683.0/14101100039391805440000.0};
-enum { TERMS = 9, BERNOULLI = sizeof bernoulli/sizeof *bernoulli };
-#define SMALL 1.0 /* rad, largest |v| of the series: 1/20! and (1/2pi)^22 are below round-off */
-
-void hawser__quaternion_mul(double c[4], const double a[4], const double b[4])
-{
-	c[0] = a[0]*b[0] - a[1]*b[1] - a[2]*b[2] - a[3]*b[3];
-	c[1] = a[0]*b[1] + a[1]*b[0] + a[2]*b[3] - a[3]*b[2];
-	c[2] = a[0]*b[2] - a[1]*b[3] + a[2]*b[0] + a[3]*b[1];
-	c[3] = a[0]*b[3] + a[1]*b[2] - a[2]*b[1] + a[3]*b[0];
-}
 
 void hawser__quaternion_exp(double q[4], const double v[3])
 {
-	double half = 0.5*sqrt(hawser__dot(v, v));
-	double part = half > 1e-4 /* its next term, half^4/240, is below round-off */
-		? 0.5*sin(half)/half : 0.5 - half*half/12.0;
+	double square = 0.25*hawser__dot(v, v), part = 0.0;
 
-	q[0] = cos(half);
+	if (square <= 0.25*SMALL) {
+		double cosine = 0.0;
+
+		for (int k = (square <= 0.25*TINY ? SHORT : SINES) - 1; k >= 0; k--) {
+			cosine = cosine*square + of_a[k];
+			part = part*square + of_b[k];
+		}
+		q[0] = 1.0 - square*cosine;
+		part = 0.5 - 0.5*square*part;
+	} else {
+		double half = sqrt(square);
+
+		q[0] = cos(half);
+		part = 0.5*sin(half)/half;
+	}
 	for (int i = 0; i < 3; i++)
 		q[i + 1] = part*v[i];
 }
 
 double hawser__quaternion_log(double v[3], const double q[4])
 {
-	double length = sqrt(q[1]*q[1] + q[2]*q[2] + q[3]*q[3]);
-	double turn = 2.0*atan2(length, q[0]);
-	double part = length > 0.0 ? turn/length : 2.0;
+	double square = q[1]*q[1] + q[2]*q[2] + q[3]*q[3], length = sqrt(square), part;
 
+	if (q[0] > 0.0 && square <= 0.25*TINY*q[0]*q[0]) {
+		double u = square/(q[0]*q[0]), sum = 0.0;
+
+		for (int k = ARCS - 1; k >= 0; k--)
+			sum = of_arc[k] - u*sum;
+		part = 2.0*sum/q[0];
+	} else {
+		part = length > 0.0 ? 2.0*atan2(length, q[0])/length : 2.0;
+	}
 	for (int i = 0; i < 3; i++)
 		v[i] = part*q[i + 1];
-	return turn;
-}
-
-void hawser__quaternion_between(double c[4], const double a[4], const double b[4])
-{
-	const double back[4] = {a[0], -a[1], -a[2], -a[3]};
-
-	hawser__quaternion_mul(c, back, b);
+	return part*length;
 }
 
 void hawser__quaternion_turn(double q[4], const double v[3])
@@ -65,21 +82,6 @@ void hawser__quaternion_turn(double q[4], const double v[3])
 	length = sqrt(to[0]*to[0] + to[1]*to[1] + to[2]*to[2] + to[3]*to[3]);
 	for (int i = 0; i < 4; i++)
 		q[i] = to[i]/length;
-}
-
-void hawser__quaternion_matrix(double R[9], const double q[4])
-{
-	double w = q[0], x = q[1], y = q[2], z = q[3];
-
-	R[0] = 1.0 - 2.0*(y*y + z*z);
-	R[1] = 2.0*(x*y - w*z);
-	R[2] = 2.0*(x*z + w*y);
-	R[3] = 2.0*(x*y + w*z);
-	R[4] = 1.0 - 2.0*(x*x + z*z);
-	R[5] = 2.0*(y*z - w*x);
-	R[6] = 2.0*(x*z - w*y);
-	R[7] = 2.0*(y*z + w*x);
-	R[8] = 1.0 - 2.0*(x*x + y*y);
 }
 
 /* Shepperd 1978: the largest of the four components first. */
@@ -111,53 +113,60 @@ void hawser__quaternion_of(double q[4], const double R[9])
 		q[i] /= length;
 }
 
-static void series(struct hawser__so3 *at, double square)
+void hawser__so3_values(struct hawser__so3 *at, const double v[3])
 {
-	double a = 0.0, b = 0.0, da = 0.0, db = 0.0, c = 0.0, dc = 0.0;
+	double square = hawser__dot(v, v), t, a = 0.0, b = 0.0, c = 0.0;
 
-	/* a = 1/2! - t^2/4! + .., b = 1/3! - t^2/5! + .., by Horner's rule in the factors of the
-	 * factorials. */
-	for (int k = TERMS; k >= 1; k--) {
-		double after_a = 1.0/((2*k + 1)*(2*k + 2)), after_b = 1.0/((2*k + 2)*(2*k + 3));
-
-		da = -after_a*(2*k*1.0 + square*da);
-		db = -after_b*(2*k*1.0 + square*db);
-		a = -after_a*(1.0 + a)*square;
-		b = -after_b*(1.0 + b)*square;
+	for (int i = 0; i < 3; i++)
+		at->v[i] = v[i];
+	if (square > SMALL) {
+		t = sqrt(square);
+		at->a = (1.0 - cos(t))/square;
+		at->b = (t - sin(t))/(square*t);
+		at->c = (1.0 - 0.5*t/tan(0.5*t))/square;
+		return;
 	}
-	at->a = 0.5*(1.0 + a);
-	at->b = (1.0 + b)/6.0;
-	at->da = 0.5*da;
-	at->db = db/6.0;
-	for (int k = BERNOULLI - 1; k >= 0; k--) {
-		c = c*square + bernoulli[k];
-		if (k > 0)
-			dc = dc*square + 2*k*bernoulli[k];
+	if (square > TINY)
+		c = of_c[BERNOULLI - 1];
+	for (int k = (square <= TINY ? SHORT : LONG) - 1; k >= 0; k--) {
+		a = a*square + of_a[k];
+		b = b*square + of_b[k];
+		c = c*square + of_c[k];
 	}
+	at->a = a;
+	at->b = b;
 	at->c = c;
-	at->dc = dc;
+}
+
+void hawser__so3_derivatives(struct hawser__so3 *at)
+{
+	double square = hawser__dot(at->v, at->v), t, one, u, a = 0.0, b = 0.0, c = 0.0;
+
+	if (square > SMALL) {
+		t = sqrt(square);
+		one = square*at->a;     /* 1 - cos t */
+		u = 1.0 - square*at->c; /* u' = u/t - t/(4 sin^2(t/2)), and 4 sin^2(t/2) = 2(1 - cos t) */
+		at->da = (sin(t) - 2.0*t*at->a)/(square*t);
+		at->db = (one - 3.0*square*at->b)/(square*square);
+		at->dc = (-u + 0.5*square/one - 2.0*(1.0 - u))/(square*square);
+		return;
+	}
+	if (square > TINY)
+		c = 2*(BERNOULLI - 1)*of_c[BERNOULLI - 1];
+	for (int k = (square <= TINY ? SHORT : LONG) - 1; k >= 1; k--) {
+		a = a*square + 2*k*of_a[k];
+		b = b*square + 2*k*of_b[k];
+		c = c*square + 2*k*of_c[k];
+	}
+	at->da = a;
+	at->db = b;
+	at->dc = c;
 }
 
 void hawser__so3_at(struct hawser__so3 *at, const double v[3])
 {
-	double square = hawser__dot(v, v), t = sqrt(square), s, c, u;
-
-	for (int i = 0; i < 3; i++)
-		at->v[i] = v[i];
-	if (t <= SMALL) {
-		series(at, square);
-		return;
-	}
-	s = sin(t);
-	c = cos(t);
-	u = 0.5*t/tan(0.5*t);
-	at->a = (1.0 - c)/square;
-	at->b = (t - s)/(square*t);
-	at->da = (s - 2.0*t*at->a)/(square*t);
-	at->db = ((1.0 - c) - 3.0*t*t*at->b)/(square*square);
-	at->c = (1.0 - u)/square;
-	/* u' = u/t - t/(4 sin^2(t/2)), and 4 sin^2(t/2) = 2(1 - cos t) */
-	at->dc = (-u + 0.5*square/(1.0 - c) - 2.0*(1.0 - u))/(square*square);
+	hawser__so3_values(at, v);
+	hawser__so3_derivatives(at);
 }
 
 /* J = 1 + p v~ + q v~v~ */

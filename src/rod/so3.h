@@ -75,16 +75,45 @@ static inline void hawser__skew(double A[9], const double v[3])
 	A[7] = v[0];
 }
 
+/* --- quaternions --- */
+
+static inline void hawser__quaternion_mul(double c[4], const double a[4], const double b[4]) /* neither */
+{
+	c[0] = a[0]*b[0] - a[1]*b[1] - a[2]*b[2] - a[3]*b[3];
+	c[1] = a[0]*b[1] + a[1]*b[0] + a[2]*b[3] - a[3]*b[2];
+	c[2] = a[0]*b[2] - a[1]*b[3] + a[2]*b[0] + a[3]*b[1];
+	c[3] = a[0]*b[3] + a[1]*b[2] - a[2]*b[1] + a[3]*b[0];
+}
+
+/* conj(a) b, the rotation from a to b. */
+static inline void hawser__quaternion_between(double c[4], const double a[4], const double b[4])
+{
+	const double back[4] = {a[0], -a[1], -a[2], -a[3]};
+
+	hawser__quaternion_mul(c, back, b);
+}
+
+static inline void hawser__quaternion_matrix(double R[9], const double q[4])
+{
+	double w = q[0], x = q[1], y = q[2], z = q[3];
+
+	R[0] = 1.0 - 2.0*(y*y + z*z);
+	R[1] = 2.0*(x*y - w*z);
+	R[2] = 2.0*(x*z + w*y);
+	R[3] = 2.0*(x*y + w*z);
+	R[4] = 1.0 - 2.0*(x*x + z*z);
+	R[5] = 2.0*(y*z - w*x);
+	R[6] = 2.0*(x*z - w*y);
+	R[7] = 2.0*(y*z + w*x);
+	R[8] = 1.0 - 2.0*(x*x + y*y);
+}
+
 /* --- so3.c --- */
 
-void hawser__quaternion_mul(double c[4], const double a[4], const double b[4]); /* c is neither */
 void hawser__quaternion_exp(double q[4], const double v[3]);
 /* v = log q, and the turn |v|, up to 2 pi: above pi where w < 0. */
 double hawser__quaternion_log(double v[3], const double q[4]);
-/* conj(a) b, the rotation from a to b. */
-void hawser__quaternion_between(double c[4], const double a[4], const double b[4]);
 void hawser__quaternion_turn(double q[4], const double v[3]); /* q exp(v), of length 1 */
-void hawser__quaternion_matrix(double R[9], const double q[4]);
 /* q of the rotation matrix R; w >= 0. */
 void hawser__quaternion_of(double q[4], const double R[9]);
 
@@ -95,6 +124,9 @@ struct hawser__so3 {
 	double da, db, dc; /* a'/|v| and so on */
 };
 void hawser__so3_at(struct hawser__so3 *at, const double v[3]);
+/* The same in two parts: a, b and c, then the derivatives. */
+void hawser__so3_values(struct hawser__so3 *at, const double v[3]);
+void hawser__so3_derivatives(struct hawser__so3 *at);
 void hawser__so3_jr(double J[9], const struct hawser__so3 *at);
 void hawser__so3_ji(double J[9], const struct hawser__so3 *at);
 /* Derivative with respect to v of Jr(v)' u, Ji(v)' u and Ji(v) u for a constant u. */
