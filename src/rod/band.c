@@ -1,6 +1,6 @@
 /* rod/band.c - see band.h. Elimination with row exchanges: away from equilibrium, and with loads that
- * follow the rod, the matrix is not symmetric. The algorithm is that of LAPACK's dgbtf2 and dgbtrs, whose
- * calls of the BLAS with 11 numbers each took a quarter of the time of a motion.
+ * follow the rod, the matrix is not symmetric. The algorithm is that of LAPACK's dgbtf2 and dgbtrs,
+ * whose calls of the BLAS with 11 numbers each took a quarter of the time of a motion.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 

@@ -11,11 +11,23 @@
 #ifndef HAWSER_ROD_SO3_H
 #define HAWSER_ROD_SO3_H
 
+#include <float.h>
+#include <math.h>
+
 /* --- vectors --- */
 
 static inline double hawser__dot(const double a[3], const double b[3])
 {
 	return a[0]*b[0] + a[1]*b[1] + a[2]*b[2];
+}
+
+/* |a|; hypot where the square is not a normal number, as hypot takes ten times as long. */
+static inline double hawser__norm(const double a[3])
+{
+	double square = hawser__dot(a, a);
+
+	return square > DBL_MIN/DBL_EPSILON && square < DBL_MAX ? sqrt(square)
+	                                                        : hypot(hypot(a[0], a[1]), a[2]);
 }
 
 /* c = a x b; c is neither a nor b. */
@@ -77,7 +89,8 @@ static inline void hawser__skew(double A[9], const double v[3])
 
 /* --- quaternions --- */
 
-static inline void hawser__quaternion_mul(double c[4], const double a[4], const double b[4]) /* neither */
+/* c is neither a nor b. */
+static inline void hawser__quaternion_mul(double c[4], const double a[4], const double b[4])
 {
 	c[0] = a[0]*b[0] - a[1]*b[1] - a[2]*b[2] - a[3]*b[3];
 	c[1] = a[0]*b[1] + a[1]*b[0] + a[2]*b[3] - a[3]*b[2];

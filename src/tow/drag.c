@@ -14,35 +14,27 @@
 
 #include <hawser/drag.h>
 
+#include "rod/so3.h"
+
 #define PI 3.14159265358979323846 /* to the digits of a double */
-
-static double dot(const double *a, const double *b)
-{
-	return a[0]*b[0] + a[1]*b[1] + a[2]*b[2];
-}
-
-static void cross(double *c, const double *a, const double *b)
-{
-	c[0] = a[1]*b[2] - a[2]*b[1];
-	c[1] = a[2]*b[0] - a[0]*b[2];
-	c[2] = a[0]*b[1] - a[1]*b[0];
-}
 
 void hawser_drag_line(double f[3], double (*f_u)[3], double (*f_x)[3], const struct hawser_drag *drag,
                       const double u[3], const double x[3])
 {
-	double length = hypot(hypot(x[0], x[1]), x[2]), t[3], p[3], a, norm;
+	double length = hawser__norm(x), t[3], p[3], a, norm;
 	double cn = drag->density*drag->radius*drag->normal;
 	double ct = drag->density*drag->radius*drag->tangential*PI;
 
 	for (int i = 0; i < 3; i++)
 		t[i] = x[i]/length;
-	a = dot(u, t);
+	a = hawser__dot(u, t);
 	for (int i = 0; i < 3; i++)
 		p[i] = u[i] - a*t[i];
-	norm = hypot(hypot(p[0], p[1]), p[2]);
+	norm = hawser__norm(p);
 	for (int i = 0; i < 3; i++)
 		f[i] = cn*norm*p[i] + ct*fabs(a)*a*t[i];
+	if (!f_u && !f_x)
+		return;
 	for (int i = 0; i < 3; i++)
 		for (int j = 0; j < 3; j++) {
 			double P = (i == j) - t[i]*t[j], pp = norm > 0.0 ? p[i]*(p[j]/norm) : 0.0;
@@ -64,67 +56,62 @@ static void normals(double *e, double *g, const double *axis)
 	double from[3] = {0.0}, length;
 
 	from[least] = 1.0;
-	cross(e, axis, from);
-	length = sqrt(dot(e, e));
+	hawser__cross(e, axis, from);
+	length = sqrt(hawser__dot(e, e));
 	for (int i = 0; i < 3; i++)
 		e[i] /= length;
-	cross(g, axis, e);
+	hawser__cross(g, axis, e);
 }
 
-/* Column j of a matrix; the j-th unit vector. */
-static void put(double (*to)[3], int j, const double *column, double weight)
+static void gather(double (*to)[3], const double A[9], double weight)
 {
-	for (int i = 0; i < 3; i++)
-		to[i][j] += weight*column[i];
+	for (int i = 0; i < 9; i++)
+		to[i/3][i % 3] += weight*A[i];
 }
 
-static void apply(double *y, double (*A)[3], const double *x)
-{
-	for (int i = 0; i < 3; i++)
-		y[i] = dot(A[i], x);
-}
-
-/* One segment: at r from the centre, with tangent t and this length. */
+/* One segment: at r from the centre, with tangent t and this length. S, Q, T: skew matrices of spin, r
+ * and t; with a small turn of the ring r changes by -Q, and t by -T, times the turn. */
 static void segment(struct hawser_ring_drag *out, const struct hawser_ring *ring, const double *u,
                     const double *spin, const double *r, const double *t, double length)
 {
-	double f[3], f_u[3][3], f_x[3][3], flow[3], moment[3];
+	double f[3], f_u[3][3], f_x[3][3], U[9], X[9], flow[3], moment[3];
+	double S[9], Q[9], T[9], F[9], D[9], part[9], more[9];
 
-	cross(flow, spin, r);
+	hawser__cross(flow, spin, r);
 	for (int i = 0; i < 3; i++)
 		flow[i] = u[i] - flow[i];
 	hawser_drag_line(f, f_u, f_x, &ring->drag, flow, t);
-	cross(moment, r, f);
+	hawser__cross(moment, r, f);
 	for (int i = 0; i < 3; i++) {
 		out->force[i] += length*f[i];
 		out->moment[i] += length*moment[i];
 	}
-	for (int j = 0; j < 3; j++) {
-		double unit[3] = {j == 0, j == 1, j == 2}, df[3], part[3], dm[3], dr[3], dt[3], du[3];
-
-		apply(df, f_u, unit);
-		cross(dm, r, df);
-		put(out->force_u, j, df, length);
-		put(out->moment_u, j, dm, length);
-		cross(du, r, unit); /* -unit x r */
-		apply(df, f_u, du);
-		cross(dm, r, df);
-		put(out->force_spin, j, df, length);
-		put(out->moment_spin, j, dm, length);
-		cross(dr, unit, r);
-		cross(dt, unit, t);
-		cross(du, dr, spin); /* -spin x dr */
-		apply(df, f_u, du);
-		apply(part, f_x, dt);
-		for (int i = 0; i < 3; i++)
-			df[i] += part[i];
-		cross(dm, r, df);
-		cross(part, dr, f);
-		for (int i = 0; i < 3; i++)
-			dm[i] += part[i];
-		put(out->force_turn, j, df, length);
-		put(out->moment_turn, j, dm, length);
+	for (int i = 0; i < 9; i++) {
+		U[i] = f_u[i/3][i % 3];
+		X[i] = f_x[i/3][i % 3];
 	}
+	hawser__skew(S, spin);
+	hawser__skew(Q, r);
+	hawser__skew(T, t);
+	gather(out->force_u, U, length);
+	hawser__mul(part, Q, U);
+	gather(out->moment_u, part, length);
+	hawser__mul(D, U, Q); /* by the spin: the flow changes by -d x r */
+	gather(out->force_spin, D, length);
+	hawser__mul(part, Q, D);
+	gather(out->moment_spin, part, length);
+	hawser__mul(part, S, Q);
+	hawser__mul(F, U, part);
+	hawser__mul(part, X, T);
+	for (int i = 0; i < 9; i++)
+		F[i] -= part[i];
+	gather(out->force_turn, F, length);
+	hawser__mul(part, Q, F);
+	hawser__skew(more, f);
+	hawser__mul(D, more, Q); /* (d x r) x f = f~ r~ d */
+	for (int i = 0; i < 9; i++)
+		part[i] += D[i];
+	gather(out->moment_turn, part, length);
 }
 
 /* The frame of a ring, across its axis; returns the length of a segment. */

@@ -3,8 +3,6 @@
 #ifndef HAWSER_TOW_STEADY_H
 #define HAWSER_TOW_STEADY_H
 
-#include <math.h>
-
 #include <hawser/tow.h>
 
 #include "rod/so3.h"
@@ -16,11 +14,6 @@ struct hawser__tow_frame {
 	double velocity[3]; /* m/s */
 	double spin;        /* rad/s about y */
 };
-
-static inline double hawser__norm(const double *a)
-{
-	return hypot(hypot(a[0], a[1]), a[2]);
-}
 
 /* The flow relative to a point at rest in the frame, and weight and inertia per mass there. */
 void hawser__tow_flow(double u[3], const struct hawser__tow_frame *frame, const double x[3]);
