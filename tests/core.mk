@@ -14,6 +14,11 @@ TESTS += tests/unit/test-progress
 tests_unit_test_progress_SOURCES = tests/unit/test-progress.c
 tests_unit_test_progress_LDADD = $(UPTO_CORE)
 
+check_PROGRAMS += tests/unit/test-ranks
+TESTS += tests/unit/test-ranks
+tests_unit_test_ranks_SOURCES = tests/unit/test-ranks.c
+tests_unit_test_ranks_LDADD = $(UPTO_CORE)
+
 check_PROGRAMS += tests/unit/test-continuation
 TESTS += tests/unit/test-continuation
 tests_unit_test_continuation_SOURCES = tests/unit/test-continuation.c

@@ -115,8 +115,7 @@ struct cli_command {
 };
 /* All commands, in the order of hawser --help: X is the row that a new command adds. */
 #define CLI_COMMANDS(X) \
-	X(plan) \
-	X(statics) \
+	X(plan) X(statics) \
 	X(modes) \
 	X(irvine) \
 	X(campbell) \

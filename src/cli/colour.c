@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "cli/colour.h"
+#include "cli/ranks.h"
 
 /* 1 if the variable has a value that is not "0". */
 static int is_set(const char *variable)
@@ -70,6 +71,8 @@ void cli_say(enum cli_colour rank, const char *message)
 	int place = place_of(message);
 	const char *bold = cli_colour(stderr, CLI_PLACE), *plain = cli_colour(stderr, CLI_PLAIN);
 
+	if (cli_ranks_silent())
+		return;
 	fprintf(stderr, "%shawser:%s%s ", cli_colour(stderr, rank), rank == CLI_WARNING ? " warning:" : "",
 	        plain);
 	if (place)

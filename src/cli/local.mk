@@ -186,6 +186,8 @@ hawser_SOURCES = \
 	%D%/plan_result.c \
 	%D%/plan_result.h \
 	%D%/plan_ropeway.c \
+	%D%/ranks.c \
+	%D%/ranks.h \
 	%D%/rom_ropeway.c \
 	%D%/rom_ropeway.h \
 	%D%/plan_ropeway.h \
@@ -207,5 +209,10 @@ hawser_SOURCES = \
 	%D%/within.h \
 	%D%/words.c
 # libcore brings the report's functions, which libhawser does not export
-hawser_LDADD = src/output/liboutput.la libhawser.la src/core/libcore.la $(JANSSON_LIBS) \
+hawser_LDADD = src/cli/libloaded.la src/output/liboutput.la libhawser.la src/core/libcore.la $(JANSSON_LIBS) \
 	$(LAPACKE_LIBS) $(BLAS_LIBS)
+
+# Libraries that are loaded at run time: their headers are all that is needed here.
+noinst_LTLIBRARIES += %D%/libloaded.la
+%C%_libloaded_la_SOURCES = %D%/mpi.c
+%C%_libloaded_la_CFLAGS = $(AM_CFLAGS) $(OPENMPI_CFLAGS)

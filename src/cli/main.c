@@ -12,6 +12,7 @@
 #include "cli/colour.h"
 #include "cli/picture.h"
 #include "cli/progress.h"
+#include "cli/ranks.h"
 #include "cli/within.h"
 #include "core/report.h"
 
@@ -107,6 +108,7 @@ static enum hawser_status execute(const struct cli_command *command, int argc, c
 	if (!common)
 		return hawser__no_memory(report, "main");
 	memcpy(common, command->defaults, command->size);
+	cli_ranks_silence(command->name);
 	common->started = cli_seconds();
 	status = cli_parse(common, command, argc, argv, report);
 	if (!status && common->help)

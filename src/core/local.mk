@@ -1,5 +1,7 @@
 noinst_LTLIBRARIES += %D%/libcore.la
 %C%_libcore_la_SOURCES = \
+	%D%/bytes.c \
+	%D%/bytes.h \
 	%D%/digits.c \
 	%D%/digits.h \
 	%D%/file.c \
@@ -9,6 +11,11 @@ noinst_LTLIBRARIES += %D%/libcore.la
 	%D%/paths.h \
 	%D%/progress.c \
 	%D%/progress.h \
+	%D%/ranks.c \
+	%D%/ranks.h \
+	%D%/ranks_packet.c \
+	%D%/ranks_packet.h \
+	%D%/ranks_serve.c \
 	%D%/report.h \
 	%D%/rows3.h \
 	%D%/settle.h \

@@ -1,0 +1,114 @@
+/* core/bytes.c - a sequence of bytes that grows, and reading it again.
+ *
+ * Numbers are stored as they are in memory: the processes of one computation run on machines of one
+ * kind (src/core/ranks.c checks that).
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/bytes.h"
+
+void hawser__bytes_reserve(struct hawser__bytes *bytes, size_t length)
+{
+	unsigned char *larger = length > bytes->room ? realloc(bytes->at, 2*length) : bytes->at;
+
+	if (length > bytes->room && !larger) {
+		bytes->short_of_memory = 1;
+		return;
+	}
+	bytes->at = larger;
+	bytes->room = length > bytes->room ? 2*length : bytes->room;
+}
+
+void hawser__bytes_add(struct hawser__bytes *bytes, const void *from, size_t length)
+{
+	hawser__bytes_reserve(bytes, bytes->used + length);
+	if (bytes->used + length > bytes->room || length == 0)
+		return;
+	memcpy(bytes->at + bytes->used, from, length);
+	bytes->used += length;
+}
+
+void hawser__bytes_add_long(struct hawser__bytes *bytes, long number)
+{
+	hawser__bytes_add(bytes, &number, sizeof number);
+}
+
+void hawser__bytes_add_double(struct hawser__bytes *bytes, double number)
+{
+	hawser__bytes_add(bytes, &number, sizeof number);
+}
+
+void hawser__bytes_add_text(struct hawser__bytes *bytes, const char *text)
+{
+	size_t length = text ? strlen(text) : 0;
+
+	hawser__bytes_add_long(bytes, (long)length);
+	hawser__bytes_add(bytes, text, length);
+}
+
+void hawser__bytes_clear(struct hawser__bytes *bytes)
+{
+	free(bytes->at);
+	*bytes = (struct hawser__bytes){.at = NULL};
+}
+
+const void *hawser__view_next(struct hawser__view *view, size_t length)
+{
+	const unsigned char *at = view->at;
+
+	if (view->bad || length > view->left) {
+		view->bad = 1;
+		return NULL;
+	}
+	view->at += length;
+	view->left -= length;
+	return at;
+}
+
+void hawser__view_read(void *to, struct hawser__view *view, size_t length)
+{
+	const void *from = hawser__view_next(view, length);
+
+	if (from && length > 0)
+		memcpy(to, from, length);
+	else
+		memset(to, 0, length);
+}
+
+long hawser__view_long(struct hawser__view *view)
+{
+	long number;
+
+	hawser__view_read(&number, view, sizeof number);
+	return number;
+}
+
+double hawser__view_double(struct hawser__view *view)
+{
+	double number;
+
+	hawser__view_read(&number, view, sizeof number);
+	return number;
+}
+
+struct hawser__view hawser__view_part(struct hawser__view *view)
+{
+	long length = hawser__view_long(view);
+	const void *at = hawser__view_next(view, length >= 0 ? (size_t)length : view->left + 1);
+
+	return (struct hawser__view){at, at ? (size_t)length : 0, view->bad};
+}
+
+void hawser__view_text(char *to, size_t size, struct hawser__view *view)
+{
+	struct hawser__view part = hawser__view_part(view);
+	size_t length = part.left < size - 1 ? part.left : size - 1;
+
+	if (length > 0)
+		memcpy(to, part.at, length);
+	to[length] = '\0';
+}

@@ -1,0 +1,40 @@
+/* core/bytes.h - a sequence of bytes that grows, and reading it again.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_CORE_BYTES_H
+#define HAWSER_CORE_BYTES_H
+
+#include <stddef.h>
+
+/* All zero: empty. Without memory it stays as it is and `short_of_memory` is set, so that a writer
+ * asks once, at the end. */
+struct hawser__bytes {
+	unsigned char *at; /* [used] */
+	size_t used, room;
+	int short_of_memory;
+};
+/* Have room for `length` bytes in all. */
+void hawser__bytes_reserve(struct hawser__bytes *bytes, size_t length);
+void hawser__bytes_add(struct hawser__bytes *bytes, const void *from, size_t length);
+void hawser__bytes_add_long(struct hawser__bytes *bytes, long number);
+void hawser__bytes_add_double(struct hawser__bytes *bytes, double number);
+/* The length, then the characters without '\0'; NULL as an empty text. */
+void hawser__bytes_add_text(struct hawser__bytes *bytes, const char *text);
+void hawser__bytes_clear(struct hawser__bytes *bytes);
+
+/* What is left to be read. Beyond the end numbers are 0, and `bad` is set. */
+struct hawser__view {
+	const unsigned char *at; /* [left] */
+	size_t left;
+	int bad;
+};
+/* The next `length` bytes, or NULL. */
+const void *hawser__view_next(struct hawser__view *view, size_t length);
+void hawser__view_read(void *to, struct hawser__view *view, size_t length);
+long hawser__view_long(struct hawser__view *view);
+double hawser__view_double(struct hawser__view *view);
+/* A text written by hawser__bytes_add_text into to [size], cut at its end. */
+void hawser__view_text(char *to, size_t size, struct hawser__view *view);
+/* A part that begins with its length, as hawser__bytes_add_text writes it. */
+struct hawser__view hawser__view_part(struct hawser__view *view);
+
+#endif
