@@ -10,5 +10,6 @@ trap 'rm -rf "$root"' EXIT
 debootstrap --variant=minbase "$suite" "$root" >"$folder/debootstrap.log"
 mkdir -p "$root/try/tests"
 cp "$folder"/*.deb "$here/try-packages.sh" "$root/try"
-cp "$here"/../debian/tests/main-job "$here"/../debian/tests/library "$root/try/tests"
+cp "$here"/../debian/tests/main-job "$here"/../debian/tests/library "$here"/../debian/tests/python \
+	"$root/try/tests"
 chroot "$root" sh /try/try-packages.sh /try

@@ -27,7 +27,7 @@ EXTRA_DIST += %D%/deb.sh %D%/try-packages.sh %D%/bare-root.sh \
 	debian/changelog debian/control debian/copyright debian/hawser.install debian/hawser-doc.docs \
 	debian/hawser-doc.install debian/libhawser0.install debian/libhawser-dev.examples \
 	debian/libhawser-dev.install debian/rules debian/source/format debian/tests/control \
-	debian/tests/library debian/tests/main-job
+	debian/tests/library debian/tests/main-job debian/tests/python
 .PHONY: deb deb-try
 deb:
 	$(MAKE) $(AM_MAKEFLAGS) dist

@@ -17,13 +17,13 @@ apt-get install -y -q --no-install-recommends gnuplot-nox man-db gcc libc6-dev p
 apt-get install -y -q --no-install-recommends "$folder"/*.deb >/dev/null
 echo "installed: $(hawser --version | head -n 1)"
 man -w hawser-frf hawser-scene >/dev/null && man hawser-frf | grep -q frequency && echo "manual pages: good"
-for test in main-job library; do
+for test in main-job library python; do
 	sh "$folder/tests/$test" # set -e: the first that fails ends all
 	echo "$test: good"
 done
 [ ! -f /usr/share/bash-completion/completions/hawser ] || echo "completion for bash: installed"
 cd /
-apt-get purge -y -q hawser libhawser0 libhawser-dev hawser-doc >/dev/null
+apt-get purge -y -q python3-hawser hawser libhawser0 libhawser-dev hawser-doc >/dev/null
 found >"$work/after"
 if ! cmp -s "$work/before" "$work/after"; then
 	echo "left after the removal:" >&2
