@@ -23,7 +23,7 @@ uninstall-hook:
 	@$(RUN_LOADER) '$(libdir)'
 
 # Debian packages of the tarball, in deb/; and these in a bare Debian (both need root's tools: see the scripts)
-EXTRA_DIST += %D%/deb.sh %D%/try-packages.sh %D%/bare-root.sh \
+EXTRA_DIST += %D%/deb.sh %D%/try-packages.sh %D%/bare-root.sh %D%/static.sh %D%/try-static.sh \
 	debian/changelog debian/control debian/copyright debian/hawser.install debian/hawser-doc.docs \
 	debian/hawser-doc.install debian/libhawser0.install debian/libhawser-dev.examples \
 	debian/libhawser-dev.install debian/rules debian/source/format debian/tests/control \
@@ -34,3 +34,16 @@ deb:
 	$(SHELL) $(srcdir)/%D%/deb.sh $(distdir).tar.gz deb
 deb-try:
 	$(SHELL) $(srcdir)/%D%/bare-root.sh deb
+
+# The program for machines without its packages, linked statically in a build folder of its own, and whether it runs
+# in a folder with nothing else, with the results of the program here.
+STATIC_NAME = $(PACKAGE_TARNAME)-$(PACKAGE_VERSION)-$(host_cpu)-linux
+.PHONY: static-tarball static-try
+static-tarball:
+	@$(MKDIR_P) static
+	@test -f static/config.status || { cd static && $(abs_top_srcdir)/configure -q --disable-shared \
+		--without-siconos --without-mpi --without-hdf5 CC='$(CC)' CFLAGS='$(CFLAGS)'; }
+	cd static && $(MAKE) all-am
+	CC='$(CC)' $(SHELL) $(srcdir)/%D%/static.sh static $(STATIC_NAME)
+static-try:
+	$(SHELL) $(srcdir)/%D%/try-static.sh $(STATIC_NAME).tar.gz ./hawser$(EXEEXT)

@@ -204,6 +204,8 @@ hawser_SOURCES = \
 	%D%/state.h \
 	%D%/statics_curves.c \
 	%D%/statics_speeds.c \
+	%D%/unpacked.c \
+	%D%/unpacked.h \
 	%D%/view.c \
 	%D%/view.h \
 	%D%/within.h \

@@ -13,6 +13,7 @@
 #include "cli/picture.h"
 #include "cli/progress.h"
 #include "cli/ranks.h"
+#include "cli/unpacked.h"
 #include "cli/within.h"
 #include "core/report.h"
 
@@ -217,6 +218,7 @@ int main(int argc, char **argv)
 	}
 	/* a limit on the size of files is told as a full disk is, and leaves no part of a file */
 	(void)signal(SIGXFSZ, SIG_IGN);
+	cli_unpacked_units();
 	cli_catch_questions();
 	cli_catch_interrupts();
 	/* Matrices here are of orders up to some hundreds: threads cost more than they give, most of
