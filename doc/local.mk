@@ -1,7 +1,10 @@
 # The theory notes, installed and distributed: an index and a page a stage. A new page is entered here.
 dist_doc_DATA += \
+	%D%/coming-from.md \
 	%D%/errata.md \
+	%D%/gallery.md \
 	%D%/glossary.md \
+	%D%/index.md \
 	%D%/messages.md \
 	%D%/python.md \
 	%D%/theory-beam.md \
@@ -35,10 +38,24 @@ dist_doc_DATA += \
 	%D%/theory-tow.md \
 	%D%/theory-travel-rom.md \
 	%D%/theory-travel.md \
-	%D%/theory.md
+	%D%/theory.md \
+	%D%/tutorial.md
 # Figures of the notes: `make figures` draws them into the build folder's figures/, from benches.
 EXTRA_DIST += %D%/campbell.svg %D%/carriers.svg %D%/convergence.svg %D%/damper-place.svg %D%/absorber.svg %D%/spacers.svg %D%/over-tension.svg %D%/loci.svg %D%/net-bars.svg %D%/net-modes.svg %D%/net-profile.svg %D%/nnm-tongue.svg %D%/tori.svg %D%/damper-size.svg %D%/figures-beam.sh %D%/figures-spans.sh %D%/figures-travel.sh %D%/figures-validity.sh %D%/figures.sh \
 	%D%/stay-map.svg %D%/trade.svg %D%/travel-holds.svg %D%/validity.svg
 .PHONY: figures
 figures: bench/shapes hawser
 	SRCDIR=$(top_srcdir) $(SHELL) $(srcdir)/doc/figures.sh figures
+
+# The documentation site in site/: of the documents, manual pages and headers, with the pictures that the commands of its pages draw.
+# SITE_PICTURES=no leaves these out. Sphinx, MyST, furo and mandoc make it (packages.txt).
+EXTRA_DIST += %D%/site/assemble.py %D%/site/build.sh %D%/site/conf.py %D%/site/headers.py %D%/site/manual.py %D%/site/pictures.sh \
+	%D%/site/static/hawser.css tests/checks/links.py
+SITE_PICTURES = yes
+.PHONY: site
+site: hawser$(EXEEXT) $(command_pages) man/hawser-scene.5
+	SRCDIR='$(abs_top_srcdir)' MANDIR=man VERSION='$(PACKAGE_VERSION)' PICTURES='$(SITE_PICTURES)' \
+		HAWSER='$(abs_top_builddir)/hawser$(EXEEXT)' \
+		$(SHELL) $(srcdir)/%D%/site/build.sh site
+	python3 $(srcdir)/tests/checks/links.py site
+	@echo "the site is in $$PWD/site: open index.html"

@@ -12,6 +12,7 @@ REPO_CHECKS = \
 	%D%/checks/quickstart.sh \
 	%D%/checks/shapes.sh \
 	%D%/checks/shown.sh \
+	%D%/checks/site.sh \
 	%D%/checks/size.sh \
 	%D%/checks/symbols.sh \
 	%D%/checks/targets.sh
@@ -35,7 +36,7 @@ messages:
 
 # The tests that take more than 3 s of processor time (`make times`). ./quickstart check leaves them out, so that its verdict comes
 # soon; make check has them, and .ci/run runs each of them once more: under the sanitizers, or without where those leave it out.
-LONGER = %D%/checks/compilable.sh %D%/checks/installed.sh %D%/checks/shown.sh %D%/cli/attach.sh %D%/cli/bad-input.sh \
+LONGER = %D%/checks/compilable.sh %D%/checks/installed.sh %D%/checks/shown.sh %D%/checks/site.sh %D%/cli/attach.sh %D%/cli/bad-input.sh \
 	%D%/cli/beam.sh %D%/cli/bending.sh %D%/cli/branches.sh %D%/cli/choice.sh %D%/cli/disk.sh %D%/cli/files.sh %D%/cli/folds.sh \
 	%D%/cli/full.sh %D%/cli/help-vs-man.sh %D%/cli/identify.sh %D%/cli/irvine.sh %D%/cli/label.sh %D%/cli/library.sh \
 	%D%/cli/locus-exact.sh %D%/cli/locus.sh %D%/cli/long.sh %D%/cli/map.sh %D%/cli/own.sh %D%/cli/pairs.sh %D%/cli/pictures.sh \
@@ -174,4 +175,4 @@ AM_DISTCHECK_CONFIGURE_FLAGS = --enable-werror
 
 clean-local: clean-checks
 clean-checks:
-	rm -rf analyzers fuzzing kernels provoked sanitizers werror-gcc werror-clang test-rest.log test-valgrind.log test-valgrind-all.log hawser-valgrind
+	rm -rf analyzers fuzzing kernels provoked sanitizers werror-gcc werror-clang test-rest.log test-valgrind.log test-valgrind-all.log hawser-valgrind site site-work

@@ -18,9 +18,9 @@ comm -23 "$scratch/list" "$scratch/readme" | sed 's/$/: not in README.md/' |
 	nothing "README.md names every package"
 comm -13 "$scratch/list" "$scratch/readme" | sed 's/$/: not in packages.txt/' |
 	nothing "README.md names no other package"
-for package in $(group analyzers); do
+for package in $(group analyzers) $(group site); do
 	grep -qw -- "$package" README.md || echo "$package: not in README.md"
-done | nothing "README.md names what looks at the sources"
+done | nothing "README.md names what looks at the sources and what makes the site"
 if [ -f configure.ac ]; then
 	grep -o 'HAWSER_NEED(\[[^]]*\], \[[^]]*\]' configure.ac | sed 's/.*\[\(.*\)\]/\1/' | sort -u |
 		comm -23 - "$scratch/list" | sed 's/$/: advised by configure, not in packages.txt/' |

@@ -1,4 +1,4 @@
-"""Runs the commands that README.md and the manual pages show, and compares what is shown with what is printed.
+"""Runs the commands that README.md, pages of doc/ and the manual pages show, and compares what is shown with what is printed.
 
     HAWSER=build/hawser SRCDIR=. BUILDDIR=build MANDIR=build/man python3 tests/checks/shown.py [DOCUMENT...]
 
@@ -7,7 +7,7 @@ a "\\" at its end or a here-document continues it. What follows up to the next "
 standard output or standard error. All commands of a document run one after the other in one folder:
 
     README.md        a clone: copies of what it names, build/hawser, build/man; hawser is installed
-    a manual page    a copy of the folder of scenes, if its section EXAMPLES says so; else an empty folder
+    another one      a copy of the folder of scenes, if its text says so; else an empty folder
 
 Words are compared one by one, line breaks being blanks; "..." stands for any words. A number may differ by one
 in its last shown digit, or by what the command leaves open (ACCURACY). Not compared are counts of work
@@ -16,7 +16,8 @@ and round-off: see `free` and ROUND_OFF.
 What takes long (LONG) runs to its end with HAWSER_LONG=1 only. Otherwise it is started, and what still runs after
 STARTED seconds of processor time counts as passed: its arguments and files were accepted. What reads a file that such a
 command did not come to write is left out. Pictures are drawn with HAWSER_LONG=1 only; tests/cli/pictures.sh draws
-each kind.
+each kind. HAWSER_PICTURES=FOLDER runs everything to its end as well, and keeps the pictures in FOLDER/DOCUMENT: make site
+(doc/site) takes those of DOCUMENTS from there.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -44,10 +45,12 @@ INSTALLED = "/usr/local/share/hawser/scenes"
 # Commands of README.md that other tests run: quickstart by .ci/run, the installation by tests/checks/installed.sh.
 ELSEWHERE = re.compile(r"\./quickstart|sudo |autoreconf |mkdir -p build|\.\./configure|make$|cd \.\.$|cc statics\.c|export |source |\. ")
 COPY = "copy of the folder of scenes"
+DOCUMENTS = ("README.md", "doc/index.md", "doc/tutorial.md", "doc/gallery.md")
 
 source = os.path.abspath(os.environ["SRCDIR"])
 program = os.path.abspath(os.environ["HAWSER"])
-long_run = bool(os.environ.get("HAWSER_LONG"))
+pictures = os.environ.get("HAWSER_PICTURES", "")
+long_run = bool(os.environ.get("HAWSER_LONG") or pictures)
 verdicts = []
 unwritten = set()    # files of commands that were only started
 
@@ -244,7 +247,7 @@ def run(command, folder, path, seconds, started=False):
 def check(name, number, command, shown, folder, path):
     """Runs one command; returns the folder for the next."""
     text = "%s:%d: %s" % (name, number, " ".join(command.split())[:100])
-    started = not long_run and bool(re.search(LONG, command))
+    started = not long_run and bool(re.search(LONG, command) or name == "gallery.md")
     if unwritten.intersection(word.split("#")[0] for word in command.split()):
         print("ok %d # SKIP %s" % (len(verdicts) + 1, text))
         verdicts.append(True)
@@ -288,6 +291,13 @@ def prepare(name, text, scratch):
     return folder
 
 
+def keep(folder, target):
+    """The pictures that a document's commands drew."""
+    os.makedirs(target, exist_ok=True)
+    for picture in glob.glob(os.path.join(folder, "*.svg")):
+        shutil.copyfile(picture, os.path.join(target, os.path.basename(picture)))
+
+
 def document(path, scratch):
     name = os.path.basename(path)
     with open(path, encoding="utf-8") as stream:
@@ -307,6 +317,8 @@ def document(path, scratch):
             folder = check(name, number, command, shown, folder, os.path.join(scratch, "bin"))
     if bare or name == "README.md":
         verdict(not bare, name + ': every command stands behind "$ "', bare)
+    if pictures:
+        keep(folder, os.path.join(pictures, name))
     if name == "README.md":
         table(text, scratch)
 
@@ -328,7 +340,7 @@ def main():
     pages += glob.glob(os.path.join(os.environ.get("MANDIR", "man"), "*.[1-9]"))
     wrong = can_tell()
     verdict(not wrong, "the comparison tells what agrees from what does not", wrong)
-    paths = sys.argv[1:] or [os.path.join(source, "README.md")] + sorted(set(map(os.path.abspath, pages)))
+    paths = sys.argv[1:] or [os.path.join(source, each) for each in DOCUMENTS] + sorted(set(map(os.path.abspath, pages)))
     with tempfile.TemporaryDirectory(prefix="hawser-shown.") as scratch:
         tools(os.path.join(scratch, "bin"))
         for path in paths:

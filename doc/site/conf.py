@@ -1,0 +1,89 @@
+"""Sphinx's settings for the documentation site; build.sh runs it on what assemble.py wrote.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import os
+import re
+
+from docutils import nodes
+from pygments.lexer import RegexLexer
+from pygments.token import Generic, Text
+
+project = "hawser"
+author = "the authors of hawser"
+release = version = os.environ["HAWSER_VERSION"]
+extensions = ["myst_parser"]
+source_suffix = {".md": "markdown"}
+exclude_patterns = ["files"]
+language = "en"
+smartquotes = False             # "--plot" stays as it is
+highlight_language = "none"     # most blocks are formulas and tables; commands and scenes are found below
+myst_heading_anchors = 4
+myst_html_meta = {"description": "hawser: statics and linear and nonlinear dynamics of cables, nets, ropeways and rods, from the shell, "
+                                 "from Python and from C"}
+html_theme = "furo"
+html_title = "hawser " + version
+html_static_path = [os.path.join(os.path.dirname(os.path.abspath(__file__)), "static")]
+html_css_files = ["hawser.css"]
+html_copy_source = False
+html_show_copyright = False
+html_use_index = False
+html_domain_indices = False
+html_theme_options = {"top_of_page_button": None}
+
+MANUAL = re.compile(r"\b(hawser(?:-[a-z]+)?)\(([15])\)")
+PAGES = {name[:-3] for name in os.listdir(os.path.join(os.environ["HAWSER_SITE"], "man"))}
+
+
+class Shown(RegexLexer):
+    """Commands behind "$ ", with their continued lines, and what they print."""
+    tokens = {
+        "root": [(r"^\$ ", Generic.Prompt, "command"), (r".*\n", Text)],
+        "command": [(r"[^\\\n]+", Generic.Strong), (r"\\\n", Generic.Strong), (r"\\", Generic.Strong), (r"\n", Text, "#pop")],
+    }
+
+
+def language_of(text):
+    """shown for commands, yaml for scenes, none for the rest."""
+    if re.search(r"^\$ ", text, re.M):
+        return "shown"
+    if re.match(r"(#.*\n)*[a-z_]+:(\n| )", text) and "\n  " in text:
+        return "yaml"
+    return None
+
+
+def manual_links(doctree, docname):
+    """Names of manual pages in running text, and `man NAME`, lead to the pages."""
+    up = "../"*docname.count("/")
+
+    def reference(name, text):
+        return nodes.reference("", text, refuri="%sman/%s.html" % (up, name), internal=True)
+
+    for literal in list(doctree.findall(nodes.literal)):
+        hit = re.fullmatch(r"man (hawser(?:-[a-z]+)?)", literal.astext())
+        page = hit and next((hit[1] + end for end in (".1", ".5") if hit[1] + end in PAGES), None)
+        if page and not isinstance(literal.parent, nodes.reference):
+            literal.replace_self(nodes.reference("", "", literal.deepcopy(), refuri="%sman/%s.html" % (up, page), internal=True))
+    for text in list(doctree.findall(nodes.Text)):
+        if isinstance(text.parent, (nodes.literal, nodes.literal_block, nodes.reference, nodes.title, nodes.raw)):
+            continue
+        parts = MANUAL.split(str(text))
+        if len(parts) > 1:
+            new = [nodes.Text(parts[0])]
+            for name, section, rest in zip(parts[1::3], parts[2::3], parts[3::3]):
+                page, shown = name + "." + section, "%s(%s)" % (name, section)
+                new += [reference(page, shown) if page in PAGES else nodes.Text(shown), nodes.Text(rest)]
+            text.parent.replace(text, new)
+
+
+def adapt(app, doctree):
+    for block in doctree.findall(nodes.literal_block):
+        if block.get("language", "none") in ("none", "default"):
+            block["language"] = language_of(block.astext()) or "none"
+    manual_links(doctree, app.env.docname)
+
+
+def setup(app):
+    app.add_lexer("shown", Shown)
+    app.connect("doctree-read", adapt)
+    return {"parallel_read_safe": True}
