@@ -28,6 +28,7 @@ command_pages = \
 	%D%/hawser-rom.1 \
 	%D%/hawser-schema.1 \
 	%D%/hawser-statics.1 \
+	%D%/hawser-sweep.1 \
 	%D%/hawser-tow.1 \
 	%D%/hawser-trajectory.1 \
 	%D%/hawser-transient.1

@@ -54,6 +54,7 @@ CLI_TESTS = \
 	%D%/cli/slack.sh \
 	%D%/cli/stiff.sh \
 	%D%/cli/study.sh \
+	%D%/cli/sweep.sh \
 	%D%/cli/static-load.sh \
 	%D%/cli/attach.sh \
 	%D%/cli/bending.sh \

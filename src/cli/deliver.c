@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "cli/view.h"
+#include "cli/within.h"
 #include "core/report.h"
 
 enum { OUTPUTS = 4 }; /* of every command */
@@ -287,6 +288,28 @@ static void show_json(struct hawser__json *json, const struct cli_showing *showi
 		hawser__fields_json(json, stats, showing->stats, result, &head.view);
 }
 
+static const struct cli_taker *taker;
+
+void cli_show_to(const struct cli_taker *to)
+{
+	taker = to;
+}
+
+static enum hawser_status hand_over(const struct cli_common *common, const struct hawser__table *table,
+                                    struct hawser__json *json, const struct cli_showing *showing,
+                                    const void *result, struct hawser_report *report)
+{
+	const struct cli_head head = showing->head ? showing->head(result)
+	                                           : (struct cli_head){.view = cli_si_view(0)};
+	const struct cli_taken taken = {table, common->json ? json : NULL, showing->fields,
+	                                &head.view.scale};
+	enum hawser_status status = common->json ? json->status : hawser__table_check(table, report);
+
+	if (common->json && status && report)
+		*report = json->report;
+	return status ? status : taker->take(taker->data, &taken, report);
+}
+
 enum hawser_status cli_show(const struct cli_common *common, const struct cli_showing *showing,
                             const void *result, struct hawser_report *report)
 {
@@ -295,11 +318,13 @@ enum hawser_status cli_show(const struct cli_common *common, const struct cli_sh
 	struct hawser__json json = {0};
 	enum hawser_status status;
 
-	cli_writing(1); /* formatting is the first part of writing */
+	if (!taker)
+		cli_writing(1); /* formatting is the first part of writing */
 	show_table(&table, showing, result);
 	if (common->json)
 		show_json(&json, showing, result);
-	status = cli_deliver(common, &table, &json, &drawing, report);
+	status = taker ? hand_over(common, &table, &json, showing, result, report)
+	               : cli_deliver(common, &table, &json, &drawing, report);
 	hawser__json_clear(&json);
 	hawser__table_clear(&table);
 	return status;

@@ -9,11 +9,16 @@
 #include "cli/key_sweep.h"
 #include "core/report.h"
 
+static int most(const struct cli_key_sweep *of)
+{
+	return of->most > 0 ? of->most : CLI_KEY_SWEEP_MOST;
+}
+
 static enum hawser_status wrong(const struct cli_key_sweep *of, struct hawser_report *report)
 {
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, of->command,
 	                    "--over %s: write KEY=FROM:TO:POINTS with 2 to %d points and the same unit in "
-	                    "both, such as \"%s\"", of->over, CLI_KEY_SWEEP_MOST, of->example);
+	                    "both, such as \"%s\"", of->over, most(of), of->example);
 }
 
 /* KEY=FROM:TO:POINTS: numbers in SI, or with a unit that both have. */
@@ -44,7 +49,7 @@ static enum hawser_status split(double *from, double *to, struct cli_key_sweep *
 	if ((size_t)(second - end) != unit || strncmp(end, of->si, unit) != 0)
 		return wrong(of, report);
 	of->points = (int)strtol(second + 1, &end, 10);
-	return end == second + 1 || *end || of->points < 2 || of->points > CLI_KEY_SWEEP_MOST ||
+	return end == second + 1 || *end || of->points < 2 || of->points > most(of) ||
 		!isfinite(*from) || !isfinite(*to) || *from == *to ? wrong(of, report) : HAWSER_OK;
 }
 
@@ -105,7 +110,7 @@ void cli_key_sweep_title(char *text, size_t size, const char *key)
 	for (const char *c = key; *c && k + 2 < size; c++) {
 		if (*c == '_')
 			text[k++] = '\\';
-		text[k++] = *c;
+		text[k++] = *c == '\'' ? ' ' : *c;
 	}
 	text[k] = '\0';
 }

@@ -12,6 +12,7 @@ struct cli_key_sweep {
 	const char *command, *over; /* the option's value */
 	const char *example;        /* of a whole value, for messages */
 	int logarithmic;            /* 1: values at equal ratios */
+	int most;                   /* values; 0: CLI_KEY_SWEEP_MOST */
 	/* set by cli_key_sweep_read */
 	char key[96], si[32];       /* the unit is that of the option, or "" */
 	int points;

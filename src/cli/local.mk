@@ -49,6 +49,16 @@ hawser_SOURCES = \
 	%D%/cmd_mms.c \
 	%D%/cmd_modes.c \
 	%D%/cmd_plan.c \
+	%D%/cmd_sweep.c \
+	%D%/sweep.h \
+	%D%/sweep_choose.c \
+	%D%/sweep_draw.c \
+	%D%/sweep_file.c \
+	%D%/sweep_pack.c \
+	%D%/sweep_plan.c \
+	%D%/sweep_result.c \
+	%D%/sweep_run.c \
+	%D%/sweep_take.c \
 	%D%/cmd_tow.c \
 	%D%/cmd_tow_steady.c \
 	%D%/cmd_trajectory.c \

@@ -128,8 +128,7 @@ static enum hawser_status execute(const struct cli_command *command, int argc, c
 	return status;
 }
 
-/* The command that argv [argc] begins with, of so many words, or NULL. */
-static const struct cli_command *find(int *words, int argc, char **argv)
+const struct cli_command *cli_find(int *words, int argc, char **argv)
 {
 	const char *name = argv[0], *object = argc > 1 ? argv[1] : "";
 	int i;
@@ -158,7 +157,7 @@ static enum hawser_status help(int argc, char **argv, struct hawser_report *repo
 		print_usage(stdout);
 		return HAWSER_OK;
 	}
-	command = find(&words, argc, argv);
+	command = cli_find(&words, argc, argv);
 	if (!command)
 		return unknown_command(argv[0], report);
 	if (columns)
@@ -186,7 +185,7 @@ const struct cli_command *cli_command_called(const char *line)
 enum hawser_status cli_execute(int argc, char **argv, struct hawser_report *report)
 {
 	int words;
-	const struct cli_command *command = find(&words, argc, argv);
+	const struct cli_command *command = cli_find(&words, argc, argv);
 
 	return command ? execute(command, argc - words, argv + words, report)
 	               : unknown_command(argv[0], report);

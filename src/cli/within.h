@@ -1,4 +1,4 @@
-/* cli/within.h - commands that run in another command: hawser report.
+/* cli/within.h - commands that run in another command: hawser report and hawser sweep.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_CLI_WITHIN_H
 #define HAWSER_CLI_WITHIN_H
@@ -10,8 +10,28 @@
 /* Run the command that argv [argc] begins with, as the program does. */
 enum hawser_status cli_execute(int argc, char **argv, struct hawser_report *report)
 	HAWSER_MUST_CHECK;
+/* The command that argv [argc] begins with, of *words words, or NULL. */
+const struct cli_command *cli_find(int *words, int argc, char **argv);
 /* The command that "hawser COMMAND ..." runs, or NULL. */
 const struct cli_command *cli_command_called(const char *line);
+
+/* --- deliver.c --- */
+
+/* A result, as cli_show would write it. */
+struct cli_taken {
+	const struct hawser__table *table;
+	struct hawser__json *json;          /* NULL without --json */
+	const struct hawser__field *fields; /* of JSON; NULL: its members are written by a function */
+	const struct hawser__scale *scale;  /* of their units */
+};
+/* From now on results are handed to this function in place of being written; NULL: no longer. It
+ * returns the status of writing. */
+struct cli_taker {
+	enum hawser_status (*take)(void *data, const struct cli_taken *result,
+	                           struct hawser_report *report);
+	void *data;
+};
+void cli_show_to(const struct cli_taker *taker);
 
 /* --- echo.c --- */
 

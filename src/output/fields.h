@@ -311,6 +311,10 @@ void hawser__fields_json(struct hawser__json *json, json_t *into, const struct h
 void hawser__fields_read(void *row, const struct hawser__field *field, const json_t *object,
                          const struct hawser__view *view);
 
+/* The field of a value by its place in JSON, such as "counterweight.force", "end[1]" or
+ * "towers[0].T_in"; NULL if the fields have no such place. */
+const struct hawser__field *hawser__fields_at(const struct hawser__field *field, const char *place);
+
 /* --- the list of all fields --- */
 
 /* One line per field: name, unit, meaning; `what` is the heading. Inner lists are indented. */

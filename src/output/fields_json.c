@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "output/fields_units.h"
 #include "output/fields_value.h"
 
 /* The object of which the last part of "certificate.error" is a member; it is created if missing. */
@@ -37,13 +38,38 @@ static void pairs_json(struct hawser__json *json, json_t *list, const char *cons
 	}
 }
 
-static void value_json(struct hawser__json *json, json_t *into, const char *key,
-                       struct hawser__value value, unsigned flags)
+static int with_units;
+
+void hawser__fields_with_units(int with)
 {
+	with_units = with;
+}
+
+/* A number, or null, with its unit if that is asked for: *into and *key become those of the number. */
+static void wrap(struct hawser__json *json, json_t **into, const char **key, enum hawser__unit unit,
+                 const struct hawser__view *view)
+{
+	const char *suffix = with_units ? hawser__unit_suffix(unit, &view->scale) : "";
+
+	if (!*suffix)
+		return;
+	*into = hawser__json_object(json, *into, *key);
+	*key = HAWSER__VALUE_KEY;
+	hawser__json_text(json, *into, HAWSER__UNIT_KEY, hawser__unit_name(unit));
+	hawser__json_text(json, *into, HAWSER__SUFFIX_KEY, suffix);
+}
+
+static void value_json(struct hawser__json *json, json_t *into, const char *key,
+                       struct hawser__value value, unsigned flags, enum hawser__unit unit,
+                       const struct hawser__view *view)
+{
+	if (value.is == HAWSER__IS_UNKNOWN && (flags & HAWSER__OMIT))
+		return;
+	if (value.is == HAWSER__IS_UNKNOWN || value.is == HAWSER__IS_NUMBER)
+		wrap(json, &into, &key, unit, view);
 	switch (value.is) {
 	case HAWSER__IS_UNKNOWN:
-		if (!(flags & HAWSER__OMIT))
-			hawser__json_null(json, into, key);
+		hawser__json_null(json, into, key);
 		break;
 	case HAWSER__IS_WORD:
 		hawser__json_text(json, into, key, value.word);
@@ -83,7 +109,8 @@ static void vector_json(struct hawser__json *json, json_t *into, const char *key
 			vector->name(name, sizeof name, view->context, k);
 		place = holder(json, list, &last, HAWSER__WITHIN);
 		value_json(json, place, last,
-		           hawser__vector_at(field, at, values, count, k, view), field->flags);
+		           hawser__vector_at(field, at, values, count, k, view), field->flags,
+		           hawser__vector_unit(field, count, k, view), view);
 	}
 }
 
@@ -148,7 +175,8 @@ static void member_json(struct hawser__json *json, json_t *into, const char *key
 		field->call(json, into, at->row);
 		break;
 	default:
-		value_json(json, into, key, hawser__value_of(field, at, view), field->flags);
+		value_json(json, into, key, hawser__value_of(field, at, view), field->flags, field->unit,
+		           view);
 	}
 }
 
@@ -209,7 +237,7 @@ static void element_json(struct hawser__json *json, json_t *list, const void *co
 		count = field->vector->count(view->context);
 		value_json(json, list, NULL,
 		           hawser__vector_at(field, &at, hawser__member(field, &at, count), count, k, view),
-		           field->flags);
+		           field->flags, hawser__vector_unit(field, count, k, view), view);
 	}
 }
 
@@ -285,3 +313,26 @@ static void list_json(struct hawser__json *json, json_t *into, const char *key,
 	}
 }
 
+
+/* --- places --- */
+
+const struct hawser__field *hawser__fields_at(const struct hawser__field *field, const char *place)
+{
+	for (; !hawser__is_end(field); field++) {
+		const struct hawser__field *within = field->list ? field->list->field : field->inner;
+		size_t length = field->key ? strlen(field->key) : 0;
+		const char *rest = place + length;
+
+		if (!field->key || strncmp(place, field->key, length) != 0 ||
+		    (length > 0 && *rest && *rest != '.' && *rest != '['))
+			continue;
+		if (!within && length > 0)
+			return field;
+		rest += *rest == '[' ? strcspn(rest, "]") + 1 : 0;
+		rest += length > 0 && *rest == '.';
+		within = within && *rest ? hawser__fields_at(within, rest) : NULL;
+		if (within)
+			return within;
+	}
+	return NULL;
+}

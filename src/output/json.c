@@ -10,7 +10,7 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "output/output.h"
+#include "output/visit.h"
 
 enum { line_levels = 2, digits = 17 };
 
@@ -124,6 +124,20 @@ void hawser__json_list(struct hawser__json *json, json_t *into, const char *key,
 		json_array_clear(place);
 	}
 	json->lists++;
+}
+
+json_t *hawser__json_elements(struct hawser__json *json, json_t *array)
+{
+	for (int i = 0; i < json->lists; i++) {
+		const struct hawser__json_list list = json->list[i];
+
+		if (list.place != array)
+			continue;
+		json->list[i].place = NULL;
+		for (size_t k = 0; k < list.count && !json->status; k++)
+			list.fill(json, array, list.context, list.part, k);
+	}
+	return array;
 }
 
 void hawser__json_members(struct hawser__json *json,

@@ -7,7 +7,7 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/fields_json.c \
 	%D%/fields_read.c \
 	%D%/fields_table.c \
-	%D%/fields_value.h \
+	%D%/fields_units.h %D%/fields_value.h %D%/visit.h \
 	%D%/frames.c \
 	%D%/frames.h \
 	%D%/gnuplot.c \
@@ -76,6 +76,7 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/plot_profile.h \
 	%D%/plot_speeds.c \
 	%D%/plot_statics.c \
+	%D%/plot_sweep.c %D%/plot_sweep.h \
 	%D%/plot_tow.c \
 	%D%/plot_tow.h \
 	%D%/plot_tow_motion.c \

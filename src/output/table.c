@@ -13,7 +13,7 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "output/output.h"
+#include "output/visit.h"
 
 static char *format_text(const char *format, va_list args)
 {
@@ -170,36 +170,54 @@ void hawser__table_print_comments(const struct hawser__table *table, FILE *strea
 		fprintf(stream, "# %s\n", table->comment[i]);
 }
 
-static void print_cells(const struct hawser__table *cells, size_t columns, FILE *stream)
+static int visit_cells(const struct hawser__table *cells, size_t columns, struct hawser__visitor *by)
 {
-	size_t i;
+	int stop = 0;
 
-	for (i = 0; i < cells->cells; i++) {
-		if (cells->cell[i].word)
-			fputs(cells->cell[i].word, stream);
-		else
-			fprintf(stream, "%.17g", cells->cell[i].number);
-		fputc((i + 1) % columns ? '\t' : '\n', stream);
+	for (size_t i = 0; i + columns <= cells->cells && !stop && columns; i += columns)
+		stop = by->row(by->to, cells->cell + i, columns);
+	return stop;
+}
+
+int hawser__table_visit(const struct hawser__table *table, struct hawser__visitor *by)
+{
+	struct hawser__table row = {0};
+	size_t columns = (size_t)table->columns;
+	int bad = 0, stop = 0;
+
+	for (size_t i = 0; i < table->rows && !bad && !stop; i++) {
+		bad = !make_row(&row, table, i);
+		stop = !bad && visit_cells(&row, columns, by);
 	}
+	hawser__table_clear(&row);
+	if (!bad && !stop)
+		visit_cells(table, columns, by);
+	return -bad;
+}
+
+static int print_row(void *to, const struct hawser__cell *cell, size_t columns)
+{
+	FILE *stream = to;
+
+	for (size_t i = 0; i < columns; i++) {
+		if (cell[i].word)
+			fputs(cell[i].word, stream);
+		else
+			fprintf(stream, "%.17g", cell[i].number);
+		fputc(i + 1 < columns ? '\t' : '\n', stream);
+	}
+	return ferror(stream);
 }
 
 /* 0, or -1 when memory ran out. */
 static int print(const struct hawser__table *table, FILE *stream)
 {
-	size_t columns = (size_t)table->columns, i;
-	struct hawser__table row = {0};
-	int bad = 0;
+	struct hawser__visitor by = {print_row, stream};
 
 	hawser__table_print_comments(table, stream);
-	for (i = 0; i < columns; i++)
-		fprintf(stream, "%s%c", table->column[i], i + 1 < columns ? '\t' : '\n');
-	for (i = 0; i < table->rows && !bad && !ferror(stream); i++) {
-		bad = !make_row(&row, table, i);
-		print_cells(&row, columns, stream);
-	}
-	hawser__table_clear(&row);
-	print_cells(table, columns, stream);
-	return -bad;
+	for (int i = 0; i < table->columns; i++)
+		fprintf(stream, "%s%c", table->column[i], i + 1 < table->columns ? '\t' : '\n');
+	return hawser__table_visit(table, &by);
 }
 
 enum hawser_status hawser__table_write(const struct hawser__table *table, const char *path,

@@ -238,6 +238,12 @@ void hawser__unit_cut(char *column, const char *si)
 	}
 }
 
+void hawser__units_elsewhere(void)
+{
+	for (int d = 0; d < DIMENSIONS; d++)
+		chosen.used[d] = 1;
+}
+
 /* --- comments --- */
 
 /* Length of a number at the beginning of the text, and the digits that it has; 0 if there is none. */

@@ -41,6 +41,8 @@ void hawser__unit_cut(char *column, const char *si);
  * memory ran out. */
 char *hawser__units_text(const char *text);
 
+/* Another process has shown the values, so that it is not known which units they have. */
+void hawser__units_elsewhere(void);
 /* Add comments: the units chosen, and those that nothing before in this result has. */
 void hawser__units_comments(struct hawser__table *table);
 

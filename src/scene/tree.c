@@ -277,6 +277,17 @@ static enum hawser_status put(struct hawser__tree *root, struct hawser__reader *
 	return HAWSER_OK;
 }
 
+/* "segments[0].EA" as "segments.0.EA". */
+static void without_brackets(char *path)
+{
+	char *to = path;
+
+	for (; *path; path++)
+		if (*path != ']')
+			*to++ = *path == '[' ? '.' : *path;
+	*to = '\0';
+}
+
 static enum hawser_status override(struct hawser__tree *root, struct hawser__reader *reader,
                                    const char *set, const struct hawser__tree_words *words)
 {
@@ -293,6 +304,7 @@ static enum hawser_status override(struct hawser__tree *root, struct hawser__rea
 		                           "write KEY=VALUE, such as %s", words->set);
 	memcpy(path, set, length);
 	path[length] = '\0';
+	without_brackets(path);
 	status = document(&fresh, reader, equals + 1, strlen(equals + 1));
 	if (!status && !fresh)
 		status = hawser__reader_fail(reader, &(struct hawser__place){.set = set},

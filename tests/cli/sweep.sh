@@ -1,0 +1,69 @@
+#!/bin/sh
+# hawser sweep: rows are those of the command run alone, digit for digit, for each kind of scene; the same bytes with any number of
+# processes and from a checkpoint; variations without result; refusals.
+# SPDX-License-Identifier: GPL-3.0-or-later
+. "$SRCDIR/tests/cli/lib.sh"
+scenes=$top/notebooks-data/scenes
+for scene in chairlift rod-bend net-pendulum ropeway-small tow-orbit b-table-5.4; do
+	cp "$scenes/$scene.yaml" .
+done
+
+# alone SCENE KEY VALUE UNIT COMMAND...: the last row of the table of the command at this value is the row of the sweep.
+alone() {
+	scene=$1 key=$2 value=$3 unit=$4
+	shift 4
+	run sweep $scene.yaml --over "$key=$value $unit,1.01 $unit" --last -- "$@"
+	sed '/^#/d' "$scratch/out" | sed -n '2s/[^	]*	[^	]*	//p' >"$scratch/swept"
+	run "$@" $scene.yaml --set "$key=$value $unit"
+	try "$scene: the last row of $1" test "$(sed -n '$p' "$scratch/out")" = "$(cat "$scratch/swept")"
+}
+alone chairlift tension.T0 81.37 kN statics --points 3
+alone rod-bend 'loads[0].force[2]' 412.7 N statics
+alone net-pendulum cables.c.length0 2.13 m statics
+alone ropeway-small ropeway.rope.rho 3.97 kg/m statics --spans
+alone tow-orbit tow.orbit.speed 18.3 m/s tow steady
+alone b-table-5.4 travel.speed 3.21 m/s modes -n 2
+
+works "a grid" sweep chairlift.yaml --over "tension.T0=60 kN:100 kN:5" --over span.h=0,10 -j 1 --reproducible -- statics
+cp "$scratch/out" one.tsv
+works "with three processes" sweep chairlift.yaml --over "tension.T0=60 kN:100 kN:5" --over span.h=0,10 -j 3 \
+	--reproducible --checkpoint part --json grid.json --tsv three.tsv -- statics
+try "  same bytes" cmp one.tsv three.tsv
+size=$(wc -c <part)
+head -c $((size*2/3)) part >cut
+works "continued from two thirds of a checkpoint" sweep chairlift.yaml --over "tension.T0=60 kN:100 kN:5" \
+	--over span.h=0,10 --checkpoint cut --reproducible -- statics
+try "  same bytes" cmp one.tsv "$scratch/out"
+refuses 1 "the checkpoint cut is of another sweep: scene, command, variations or columns differ: remove it, or name another file" \
+	sweep chairlift.yaml --over "tension.T0=60 kN:100 kN:6" --checkpoint cut -- statics
+"$HAWSER" statics chairlift.yaml --set "tension.T0=70 kN" --set span.h=10 --json alone.json --quiet
+python "values are those of JSON alone, with their units" <<'EOF'
+import json, sys
+grid, alone = json.load(open("grid.json")), json.load(open("alone.json"))
+row = [r for r in grid["rows"] if r["tension.T0_kN"] == 70 and r["span.h_m"] == 10]
+good = len(row) == 1 and grid["variations"] == 10 == len(grid["rows"]) and grid["failed"] == 0
+for name in ("sag_m", "T1_N", "V0_N", "irvine", "length0_m"):
+    good = good and row[0][name] == alone[name.rsplit("_", 1)[0] if name != "irvine" else name]
+sys.exit(not good)
+EOF
+
+printf '# a study\ntension.T0 (kN)\tspan.h\n80\t10 m\n1\t0 m\n90\t5 m\n' >list.tsv
+run sweep chairlift.yaml --list list.tsv --keep sag -- statics
+try "one of three has no equilibrium: exit status 2" test $status -eq 2
+try "  its row has the status alone, the others have values" \
+	test "$(sed '/^#/d; /^tension/d' "$scratch/out" | awk -F '\t' '{ printf "%s:%s:%s ", $1, $3, $4 != "" }')" = "80:0:1 1:2:0 90:0:1 "
+try "  the message is in the comments and on standard error" \
+	test "$(cat "$scratch/out" "$scratch/err" | grep -c 'tension.T0 = 1 kN, span.h = 0 m: .*below the least one')" -eq 2
+
+sweep="sweep chairlift.yaml --over tension.T0=60000:100000:3"
+refuses 1 "no result of 2 of 2 variations; the first, tension.TO = 6: unknown key tension.TO: did you mean tension.T0?" \
+	sweep chairlift.yaml --over tension.TO=6,7 -- statics
+refuses_like 1 '^hawser: --keep sga: the result of statics has no such column; it has model, H_N,' $sweep --keep sga -- statics
+refuses_like 1 'it has no|has no such list; there is table, modes' sweep b-table-5.4.yaml --over travel.speed=1 --rows mode -- modes -n 1
+refuses_like 1 "--tsv: each variation would write this file again" $sweep -- statics --tsv x
+refuses_like 1 "write KEY=FROM:TO:POINTS" sweep chairlift.yaml --over "tension.T0=60:100 kN:3" -- statics
+refuses_like 1 "some values of tension.T0 have a unit" sweep chairlift.yaml --over "tension.T0=60,100 kN" -- statics
+refuses_like 1 "tension.T0 is varied twice" $sweep --over tension.T0=1,2 -- statics
+refuses_like 1 "the command is missing" $sweep
+refuses 1 "report has no result of one scene to put into a table" $sweep -- report
+done_testing
