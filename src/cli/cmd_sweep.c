@@ -67,9 +67,7 @@ static const char *const notes[] = {
 
 static const struct hawser__field column_field[] = {
 	{NULL, "KEY", "each varied key, with its unit", .kind = HAWSER__CALL},
-	{NULL, "status", "exit status of the run", .kind = HAWSER__CALL},
-	{NULL, "...", "columns of the command, or values of its result with their units",
-	 .kind = HAWSER__CALL},
+	{NULL, "status", "exit status of the run; the results stand behind it", .kind = HAWSER__CALL},
 	HAWSER__END,
 };
 static const struct hawser__field result_field[] = {

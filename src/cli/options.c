@@ -334,6 +334,8 @@ void cli_print_columns(const struct cli_command *command, FILE *stream)
 
 	fprintf(stream, "Results of hawser %s; man hawser-%.*s says more.\n", command->name,
 	        (int)strcspn(command->name, " "), command->name);
-	for (; row->title; row++)
+	if (!row)
+		fputs("It prints no table.\n", stream);
+	for (; row && row->title; row++)
 		hawser__fields_print(stream, row->title, row->field, row->json);
 }

@@ -10,7 +10,7 @@
 #define HAWSER_CLI_SWEEP_H
 
 #include "cli/within.h"
-#include "output/fields.h"
+#include "output/units.h"
 
 enum { CLI_SWEEP_OVERS = 16, CLI_SWEEP_KEYS = 32,
        CLI_SWEEP_MOST = 10000000, /* variations: some hundred bytes of memory each */

@@ -14,6 +14,7 @@
 #include "cli/key_sweep.h"
 #include "cli/sweep.h"
 #include "core/report.h"
+#include "output/fields.h"
 #include "output/plot_sweep.h"
 
 enum { PANELS = HAWSER__SWEEP_PANELS, CURVES = HAWSER__SWEEP_CURVES, LABEL = HAWSER__SWEEP_LABEL };
