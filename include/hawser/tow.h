@@ -142,8 +142,10 @@ struct hawser_tow_options {
 	double every;      /* s between samples; 0: a 500th of the time */
 	double rho_inf;    /* of the integration; 0: 0.8 */
 	int refine;        /* elements times this; 0: 1 */
-	void (*progress)(void *data, double t, double until); /* or NULL */
+	int (*progress)(void *data, double t, double until); /* or NULL; not 0 ends the motion there */
 	void *data;
+	const char *initial; /* a file of hawser_tow_state_write, at whose state and time the motion
+	                      * begins; NULL: the steady state */
 };
 
 struct hawser_tow_sample {
@@ -175,16 +177,23 @@ struct hawser_tow_motion {
 	double closure;      /* J, energy that the steps have lost or made, over the largest energy */
 	double momentum;     /* N s, largest gap of the momentum over the largest momentum */
 	double frequency;    /* Hz, largest of vortex shedding; 0: none */
+	int interrupted;     /* 1: progress ended it */
+	double *state;       /* [states] for hawser_tow_state_write: the last one */
+	int states;
 	int raised;          /* elements whose EI is below 1 % of the tension at the start times the square
 	                      * of their length and was raised to that */
 };
 
 /* The motion from the steady state at the path's first velocity. EA and EI are needed.
- * HAWSER_ERR_ARGUMENT: what the scene lacks, a step that vortex shedding would alias;
+ * HAWSER_ERR_ARGUMENT: what the scene lacks, a step that vortex shedding would alias, a state of
+ * another cable; HAWSER_ERR_IO: a state cannot be read;
  * HAWSER_ERR_NO_SOLUTION, _CONVERGENCE, _NAN, _MEMORY. */
 enum hawser_status hawser_tow_move(struct hawser_tow_motion *motion, const struct hawser_tow *tow,
                                    const struct hawser_tow_options *options /* or NULL */,
                                    struct hawser_report *report) HAWSER_MUST_CHECK;
+/* The last state, from which options.initial goes on. HAWSER_ERR_IO. */
+enum hawser_status hawser_tow_state_write(const struct hawser_tow_motion *motion, const char *path,
+                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_tow_motion_clear(struct hawser_tow_motion *motion);
 
 #ifdef __cplusplus

@@ -15,7 +15,7 @@ enum { PATH = 4096 }; /* bytes: the longest path that Linux opens */
 
 struct settings {
 	struct cli_common common;
-	const char *until, *step, *every, *local, *vtk;
+	const char *until, *step, *every, *local, *initial, *state, *vtk;
 	int refine, check;
 	double rho_inf;
 };
@@ -29,6 +29,8 @@ static const struct cli_option options[] = {
 	 "(0.8)", CLI_POSITIVE(rho_inf)},
 	{"refine", 0, "N", "elements of the scene times N (1)", CLI_COUNT(refine)},
 	{"check", 0, "", "the motion again with twice as many elements: mesh error", CLI_FLAG(check)},
+	CLI_TEXT_OPTION(initial, "FILE", "go on from a state that --state wrote (the steady state)"),
+	CLI_TEXT_OPTION(state, "FILE", "write the last state, from which --initial goes on"),
 	CLI_TEXT_OPTION(vtk, "STEM", "write STEM-00000.vtk and so on, one a row, and STEM.vtk.series"),
 	CLI_NO_OPTION,
 };
@@ -150,6 +152,8 @@ static const struct hawser__field field[] = {
 	 .unit = HAWSER__METRE},
 	{"mesh_error", NULL, "with --check: largest change of the body's place with twice the elements",
 	 OF(mesh_error), .unit = HAWSER__METRE, .given = was_checked},
+	{"interrupted", NULL, "whether the user ended the run",
+	 HAWSER__FLAG_AT(struct result, motion.interrupted)},
 	{"raised", NULL, "elements whose EI was raised to 1 % of T h^2, as it is below that",
 	 OF(motion.raised)},
 	{"steps", NULL, "of the integration", OF(motion.steps)},
@@ -206,6 +210,8 @@ static void comments(struct hawser__table *table, const void *of)
 		hawser__table_comment(table, "EI is below 1 %% of T h^2 in %d of %d elements and was raised to "
 		                      "that: give cable.segments.elements more to see its effect", m->raised,
 		                      m->elements);
+	if (m->interrupted)
+		hawser__table_comment(table, "interrupted at t = %.9g s", m->sample[m->samples - 1].t);
 	if (result->checked)
 		hawser__table_comment(table, "mesh error %.2e m", result->mesh_error);
 	if (m->frequency > 0.0)
@@ -256,11 +262,12 @@ static enum hawser_status write_vtk(const struct result *result, struct hawser_r
 
 /* --- the command --- */
 
-static void progress(void *data, double t, double until)
+static int progress(void *data, double t, double until)
 {
 	struct result *result = data;
 
 	cli_progress_show(&result->progress, "tow: %.4g s of %.4g s", t, until);
+	return cli_interrupted();
 }
 
 /* Again with twice the elements, and the largest change of the body's place. */
@@ -298,6 +305,9 @@ static enum hawser_status quantities(struct hawser_tow_options *set, const struc
 	if (!status && s->rho_inf > 1.0)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "tow", "--rho-inf %g is more than 1: give a "
 		                      "number above 0 and at most 1", s->rho_inf);
+	if (!status && s->check && s->initial)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "tow", "--check has no state for twice as "
+		                      "many elements: leave out --check, or --initial");
 	return status;
 }
 
@@ -306,7 +316,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	const struct settings *s = context;
 	struct result result = {.settings = s, .progress = {.quiet = s->common.quiet}};
 	struct hawser_tow_options set = {.refine = s->refine, .rho_inf = s->rho_inf, .progress = progress,
-	                                 .data = &result};
+	                                 .data = &result, .initial = s->initial};
 	enum hawser_status status = cli_outputs_check(&s->common, report);
 
 	if (!status)
@@ -316,9 +326,11 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		                         report);
 	if (!status)
 		status = hawser_tow_move(&result.motion, &result.tow, &set, report);
-	if (!status && s->check)
+	if (!status && s->check && !result.motion.interrupted)
 		status = check(&result, set, report);
 	cli_progress_end(&result.progress);
+	if (!status && s->state)
+		status = hawser_tow_state_write(&result.motion, s->state, report);
 	if (!status)
 		status = cli_show(&s->common, &showing, &result, report);
 	if (!status && s->vtk)

@@ -78,18 +78,38 @@ static void copy(double *state, struct hawser__rod_motion *motion, double *h, do
 	}
 }
 
+int hawser__rod_state_size(const struct hawser__rod_mesh *mesh)
+{
+	return 1 + HEAD + NODE*mesh->nodes;
+}
+
+void hawser__rod_state_give(double *state, const struct hawser__rod_motion *motion, double h,
+                            double turned)
+{
+	struct hawser__rod_motion same = *motion;
+
+	state[0] = check_sum(motion->mesh);
+	copy(state + 1, &same, &h, &turned, 1);
+}
+
+int hawser__rod_state_take(struct hawser__rod_motion *motion, double *h, double *turned,
+                           double *state)
+{
+	if (state[0] != check_sum(motion->mesh))
+		return 0;
+	copy(state + 1, motion, h, turned, 0);
+	return 1;
+}
+
 enum hawser_status hawser__rod_state_save(double **state, int *states,
                                           const struct hawser__rod_motion *motion, double h,
                                           double turned, struct hawser_report *report)
 {
-	struct hawser__rod_motion same = *motion;
-
-	*states = 1 + HEAD + NODE*motion->mesh->nodes;
+	*states = hawser__rod_state_size(motion->mesh);
 	*state = calloc((size_t)*states, sizeof **state);
 	if (!*state)
 		return hawser__no_memory(report, "rod");
-	(*state)[0] = check_sum(motion->mesh);
-	copy(*state + 1, &same, &h, &turned, 1);
+	hawser__rod_state_give(*state, motion, h, turned);
 	return HAWSER_OK;
 }
 
@@ -97,12 +117,10 @@ enum hawser_status hawser__rod_state_read(struct hawser__rod_motion *motion, dou
                                           const char *path, struct hawser_report *report)
 {
 	double *state;
-	enum hawser_status status = hawser__state_read(&state, 1 + HEAD + NODE*motion->mesh->nodes, kind,
+	enum hawser_status status = hawser__state_read(&state, hawser__rod_state_size(motion->mesh), kind,
 	                                               path, "rod", report);
-	const int good = state && state[0] == check_sum(motion->mesh);
+	const int good = state && hawser__rod_state_take(motion, h, turned, state);
 
-	if (good)
-		copy(state + 1, motion, h, turned, 0);
 	free(state);
 	return status || good ? status
 		: hawser__fail(report, HAWSER_ERR_ARGUMENT, "rod", "%s is no state of this rod with %d "

@@ -36,6 +36,13 @@ enum hawser_status hawser__rod_state_save(double **state, int *states,
                                           const struct hawser__rod_motion *motion, double h,
                                           double turned, struct hawser_report *report)
 	HAWSER_MUST_CHECK;
+/* Of another kind of files: the numbers of such a state; into and out of state [size]. take returns 0
+ * if they belong to another rod. */
+int hawser__rod_state_size(const struct hawser__rod_mesh *mesh);
+void hawser__rod_state_give(double *state, const struct hawser__rod_motion *motion, double h,
+                            double turned);
+int hawser__rod_state_take(struct hawser__rod_motion *motion, double *h, double *turned,
+                           double *state);
 enum hawser_status hawser__rod_state_read(struct hawser__rod_motion *motion, double *h, double *turned,
                                           const char *path, struct hawser_report *report)
 	HAWSER_MUST_CHECK;

@@ -6,6 +6,7 @@ noinst_LTLIBRARIES += %D%/libtow.la
 	%D%/motion.h \
 	%D%/motion_loads.c \
 	%D%/motion_start.c \
+	%D%/motion_state.c \
 	%D%/read.c \
 	%D%/read.h \
 	%D%/read_cable.c \

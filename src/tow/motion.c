@@ -151,36 +151,59 @@ static enum hawser_status advance(struct hawser_tow_motion *out, struct hawser__
 	return status;
 }
 
-static enum hawser_status go(struct hawser_tow_motion *out, struct hawser__tow_run *run,
-                             const struct hawser_tow_options *options, struct hawser_report *report)
+static void clear_ranges(struct hawser_tow_motion *out, const struct hawser__tow_run *run)
 {
-	double from = run->motion.t, all = options->until - from, h = fmin(BEGIN, options->every);
-	int count = (int)ceil(all/options->every - 1e-9);
-	enum hawser_status status = allocate(out, count + 1, run->rod.last, report);
-
-	if (!status)
-		status = hawser__rod_motion_begin(&run->motion, 1, report);
-	if (status)
-		return status;
 	for (int e = 0; e < out->elements; e++)
 		out->range[e] = (struct hawser_tow_range){
 			.s = 0.5*(run->rod.mesh.s[e] + run->rod.mesh.s[e + 1]), .least = INFINITY,
 			.most = -INFINITY};
+}
+
+/* The first state; *h is the first step. */
+static enum hawser_status begin(struct hawser__tow_run *run, double *h,
+                                const struct hawser_tow_options *options, struct hawser_report *report)
+{
+	enum hawser_status status;
+
+	if (!options->initial)
+		return hawser__rod_motion_begin(&run->motion, 1, report);
+	status = hawser__tow_state_read(run, h, options->initial, report);
+	if (!status && !(run->motion.t < options->until))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where, "%s is the state at %.9g s, and the "
+		                    "motion is to end at %.9g s: --until counts as the path does",
+		                    options->initial, run->motion.t, options->until);
+	return status;
+}
+
+static enum hawser_status go(struct hawser_tow_motion *out, struct hawser__tow_run *run, double *h,
+                             const struct hawser_tow_options *options, struct hawser_report *report)
+{
+	double first = run->tow->path.from, from;
+	int count = (int)ceil((options->until - first)/options->every - 1e-9), i;
+	enum hawser_status status = allocate(out, count + 1, run->rod.last, report);
+
+	if (!status)
+		status = begin(run, h, options, report);
+	if (status)
+		return status;
+	clear_ranges(out, run);
 	out->shortest = INFINITY;
+	from = run->motion.t;
 	(void)hawser__rod_motion_form(&run->motion, from, 0);
 	take_sample(out, run);
-	for (int i = 1; i <= count && !status; i++) {
-		double to = i == count ? options->until : from + i*options->every;
-
-		status = advance(out, run, options, &h, to, report);
+	for (i = 1 + (int)floor((from - first)/options->every*(1.0 + 1e-12)); i <= count && !status &&
+	     !out->interrupted; i++) {
+		run->motion.factor_h = 0.0; /* as in a run that begins here, to the last bit */
+		status = advance(out, run, options, h, i == count ? options->until : first + i*options->every,
+		                 report);
 		if (status)
 			return status;
 		take_sample(out, run);
-		if (options->progress)
-			options->progress(options->data, run->motion.t, options->until);
+		out->interrupted = options->progress &&
+		                   options->progress(options->data, run->motion.t, options->until);
 	}
 	for (int e = 0; e < out->elements; e++)
-		out->range[e].mean /= all;
+		out->range[e].mean /= run->motion.t - from;
 	return HAWSER_OK;
 }
 
@@ -190,6 +213,7 @@ enum hawser_status hawser_tow_move(struct hawser_tow_motion *out, const struct h
 	struct hawser_tow_options options;
 	struct hawser__tow_run run;
 	enum hawser_status status = settle(&options, given, tow, report);
+	double h;
 
 	memset(out, 0, sizeof *out);
 	if (status)
@@ -197,8 +221,11 @@ enum hawser_status hawser_tow_move(struct hawser_tow_motion *out, const struct h
 	status = hawser__tow_run_open(&run, tow, options.refine, report);
 	if (!status) {
 		run.motion.rho_inf = options.rho_inf > 0.0 ? options.rho_inf : run.motion.rho_inf;
-		status = go(out, &run, &options, report);
+		h = fmin(BEGIN, options.every);
+		status = go(out, &run, &h, &options, report);
 	}
+	if (!status)
+		status = hawser__tow_state_save(&out->state, &out->states, &run, h, report);
 	if (!status) {
 		out->raised = run.rod.raised;
 		out->steps = run.motion.steps;
@@ -221,5 +248,6 @@ void hawser_tow_motion_clear(struct hawser_tow_motion *motion)
 	free(motion->sample);
 	free(motion->shape);
 	free(motion->range);
+	free(motion->state);
 	memset(motion, 0, sizeof *motion);
 }

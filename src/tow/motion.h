@@ -27,6 +27,14 @@ int hawser__tow_push(void *data, struct hawser__rod_motion *motion, double t, in
 /* Shedding goes on to the time of the state: phases, their rates, the frequency. */
 void hawser__tow_shed(struct hawser__tow_run *run);
 
+/* motion_state.c: the state and the next step's length h as numbers, *state [*states], which are
+ * allocated; and from a file that has them. */
+enum hawser_status hawser__tow_state_save(double **state, int *states,
+                                          const struct hawser__tow_run *run, double h,
+                                          struct hawser_report *report) HAWSER_MUST_CHECK;
+enum hawser_status hawser__tow_state_read(struct hawser__tow_run *run, double *h, const char *path,
+                                          struct hawser_report *report) HAWSER_MUST_CHECK;
+
 /* motion_start.c: the state at the start, and where the towing point goes. */
 enum hawser_status hawser__tow_run_open(struct hawser__tow_run *run, const struct hawser_tow *tow,
                                         int refine, struct hawser_report *report) HAWSER_MUST_CHECK;

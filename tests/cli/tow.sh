@@ -28,6 +28,22 @@ same() {
 }
 try "standard input" same
 
+# a run in two parts, with vortices: the rows are those of one run
+sed 's/elements: 20,/elements: 6, shedding: {lift: 0.6, strouhal: 0.22},/' "$scene" >shed.yaml
+parts() {
+	few="tow shed.yaml --every 0.1 -q"
+	"$HAWSER" $few --until 1 | grep -v "^#" >whole.tsv &&
+		"$HAWSER" $few --until 0.5 --state half | grep -v "^#" >halves.tsv &&
+		"$HAWSER" $few --until 1 --initial half | grep -v "^#" | sed 1,2d >>halves.tsv && cmp whole.tsv halves.tsv
+}
+try "in two parts as in one, bit by bit" parts
+refuses 1 "half is the state at 0.5 s, and the motion is to end at 0.5 s: --until counts as the path does" \
+	tow shed.yaml --until 0.5 --initial half
+refuses 1 "half is no state of this cable with 20 elements: give a file that a run of this scene has written with --state" \
+	tow "$scene" --until 1 --initial half
+refuses 1 "--check has no state for twice as many elements: leave out --check, or --initial" \
+	tow "$scene" --until 1 --initial half --check
+
 # bad MESSAGE SCENE [OPTION ...]: a scene given as text
 bad() {
 	message=$1
