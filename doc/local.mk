@@ -30,6 +30,7 @@ dist_doc_DATA += \
 	%D%/theory-study.md \
 	%D%/theory-modes.md \
 	%D%/theory-obstacles.md \
+	%D%/theory-lengthening.md \
 	%D%/theory-rod.md \
 	%D%/theory-rom.md \
 	%D%/theory-ropeway-modes.md \

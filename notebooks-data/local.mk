@@ -88,8 +88,10 @@ dist_scenes_DATA = \
 	%D%/scenes/level-two-to-one.yaml \
 	%D%/scenes/rope.yaml \
 	%D%/scenes/rod-bend.yaml \
+	%D%/scenes/rod-hoist.yaml \
 	%D%/scenes/rod-pipe.yaml \
 	%D%/scenes/rod-roll.yaml \
+	%D%/scenes/rod-tether.yaml \
 	%D%/scenes/ropeway-bouquet.yaml \
 	%D%/scenes/ropeway-carriers.yaml \
 	%D%/scenes/ropeway-gondola.yaml \

@@ -46,6 +46,17 @@ struct hawser_rod_drive {
 	char *path;                  /* file of displacements over time: lines t x y z; NULL: none */
 };
 
+/* The start is a winch: the first segment lengthens, its elements together. The length at time t is that
+ * of the segment at t = 0 and what is paid out. */
+struct hawser_rod_winch {
+	int on;               /* 0: there is none */
+	double speed, rise;   /* m/s paid out, without rows; s, from 0 to the speed, as those of spins */
+	double (*row)[2];     /* [rows] s and m/s or m: speeds, between which the acceleration is
+	                       * 1 - cos, or lengths, with a spline between that is at rest at its ends */
+	int rows, lengths;    /* lengths: 1, the rows are lengths */
+	double least;         /* m, of the length; 0: 5 % of that at t = 0 */
+};
+
 struct hawser_rod {
 	char *name;                         /* of the file */
 	double g;                           /* m/s^2, against y */
@@ -62,6 +73,7 @@ struct hawser_rod {
 	double rho_inf, step;               /* of time integration; step in s; 0 (rho_inf: -1): not given */
 	int from_rest;                      /* 1: a motion begins in the shape at rest, though held */
 	struct hawser_rod_drive drive[2];   /* how start and end move, where they are held */
+	struct hawser_rod_winch winch;      /* at the start, which is held */
 };
 
 /* Read a scene of kind `rod`; `set` has overrides, such as "rod.EI=2 kN m^2". */

@@ -40,7 +40,8 @@ struct hawser_rod_motion_options {
 	const char *scheme;  /* row of hawser_rod_scheme; NULL: the first */
 	double rho_inf;      /* 0: the scene's, or 0.8; HAWSER_NONE: 0 */
 	const char *initial; /* file of a state; NULL: see above */
-	const double *probe; /* [probes] m, unstretched lengths from the start */
+	const double *probe; /* [probes] m, unstretched lengths from the start, at t = 0 if there is a winch:
+	                      * then they keep their shares of the first segment */
 	int probes;
 	int skip_error;      /* 1: without the two runs for step and mesh error */
 	/* Called for each row; not 0 ends the run. May be NULL. */
@@ -62,6 +63,8 @@ struct hawser_rod_motion {
 	double (*force)[3], (*moment)[3];     /* [rows] N, N m: of what holds the start, scene's axes */
 	int nodes;
 	double (*shape)[3];  /* [rows*nodes] m */
+	double *winch;       /* [rows] J, of the winch with that of the material that comes in */
+	double *length;      /* [rows] m, unstretched */
 	double *turned;      /* [rows] mean turn of the rod about z since the beginning, revolutions */
 	double closure;      /* largest |lost|, over the largest term of the ledger */
 	double momentum_gap, angular_gap; /* N s, N m s: largest error of the ledgers of momentum */

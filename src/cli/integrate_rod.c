@@ -136,6 +136,8 @@ static void fill_row(struct hawser__table *row, const void *of, size_t index)
 		for (int k = 0; k < 3; k++)
 			hawser__table_number(row, three[i][index][k]);
 	hawser__table_number(row, motion->turned[index]);
+	hawser__table_number(row, motion->winch[index]);
+	hawser__table_number(row, motion->length[index]);
 }
 
 static void comments(struct hawser__table *table, const struct result *result)
@@ -168,7 +170,7 @@ static void table(struct hawser__table *table, const void *of)
 	static const char *const last[] = {
 		"kinetic_J", "strain_J", "height_J", "work_J", "support_J", "damped_J", "lost_J", "P_x_Ns",
 		"P_y_Ns", "P_z_Ns", "H_x_Nms", "H_y_Nms", "H_z_Nms", "start_Fx_N", "start_Fy_N", "start_Fz_N",
-		"start_Mx_Nm", "start_My_Nm", "start_Mz_Nm", "turned_rev"};
+		"start_Mx_Nm", "start_My_Nm", "start_Mz_Nm", "turned_rev", "winch_J", "length_m"};
 	const struct result *result = of;
 	const struct hawser_rod_motion *motion = &result->motion;
 
@@ -226,7 +228,7 @@ static void energy_json(struct hawser__json *json, const struct hawser_rod_motio
 		const double *value;
 	} of[] = {{"kinetic", motion->kinetic}, {"strain", motion->strain}, {"height", motion->height},
 	          {"work", motion->work}, {"support", motion->support}, {"damped", motion->damped},
-	          {"lost", motion->lost}};
+	          {"lost", motion->lost}, {"winch", motion->winch}};
 	json_t *into = hawser__json_object(json, json->root, "energy");
 
 	for (size_t i = 0; i < sizeof of/sizeof *of; i++)
@@ -255,6 +257,7 @@ static void json(struct hawser__json *json, const void *of)
 	probes_json(json, result);
 	energy_json(json, motion);
 	hawser__json_numbers(json, json->root, "turned", motion->turned, motion->rows, 1.0);
+	hawser__json_numbers(json, json->root, "length", motion->length, motion->rows, 1.0);
 	if (motion->checked) {
 		hawser__json_number(json, json->root, "step_error", motion->step_error);
 		hawser__json_number(json, json->root, "mesh_error", motion->mesh_error);

@@ -96,7 +96,7 @@ enum hawser_status hawser__plot_rod_motion(const char *path, const struct hawser
 	enum hawser_status status = hawser__picture_begin(&picture, path, WIDTH, HEIGHT, report);
 	FILE *script = picture.script;
 	double most = 0.0;
-	int first = 1, mask, high = 0;
+	int first = 1, mask, high = 0, longer = 0;
 
 	if (status)
 		return status;
@@ -104,22 +104,24 @@ enum hawser_status hawser__plot_rod_motion(const char *path, const struct hawser
 	draw_shapes(script, motion);
 	for (int i = 0; i < motion->rows; i++)
 		most = fmax(most, fmax(motion->kinetic[i], motion->strain[i]));
-	for (int i = 0; i < motion->rows; i++)
+	for (int i = 0; i < motion->rows; i++) {
 		high |= fabs(motion->height[i] - motion->height[0]) > STILL*most;
+		longer |= motion->length[i] != motion->length[0];
+	}
 	energy = hawser__axis_of("Energy", "J", most);
 	fputs("$motion << END\n", script);
 	for (int i = 0; i < motion->rows; i++) {
 		const double *x = motion->x[(long)i*motion->probes];
 
-		fprintf(script, "%.9g %.7g %.7g %.7g %.7g %.7g %.7g\n", motion->time[i], x[0], x[1], x[2],
+		fprintf(script, "%.9g %.7g %.7g %.7g %.7g %.7g %.7g %.7g\n", motion->time[i], x[0], x[1], x[2],
 		        motion->kinetic[i]/energy.per, motion->strain[i]/energy.per,
-		        (motion->height[i] - motion->height[0])/energy.per);
+		        (motion->height[i] - motion->height[0])/energy.per, motion->length[i]);
 	}
 	fprintf(script, "END\nset key at graph 1, graph 1.11 right center horizontal\n"
 	        "set xrange [%.9g:%.9g]\n", motion->time[0], motion->time[motion->rows - 1]);
 	mask = moving(motion, 0);
 	hawser__picture_panel(&picture, 0.13, 0.95, 0.33, 0.49);
-	hawser__picture_ylabel(&picture, "Place at %s (m)", probe);
+	hawser__picture_ylabel(&picture, "Place at %s%s (m)", probe, longer ? ", length" : "");
 	fputs("set format x ''\nplot ", script);
 	for (int k = 0; k < 3; k++)
 		if (mask & 1 << k) {
@@ -127,6 +129,8 @@ enum hawser_status hawser__plot_rod_motion(const char *path, const struct hawser
 			        first ? "" : ", ", k + 2, k + 1, "xyz"[k]);
 			first = 0;
 		}
+	if (longer)
+		fputs(", $motion using 1:8 with lines lt 4 dt (8,5) title 'length'", script);
 	fputs("\n", script);
 	hawser__picture_panel(&picture, 0.13, 0.95, 0.08, 0.27);
 	hawser__picture_ylabel(&picture, "%s", energy.title);

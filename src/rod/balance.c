@@ -12,7 +12,8 @@
  * equilibrium, depend on it. */
 #define SPIN 1e-7
 
-static void add(struct hawser__rod_force *to, const struct hawser__rod_force *one, double factor)
+void hawser__rod_force_add(struct hawser__rod_force *to, const struct hawser__rod_force *one,
+                           double factor)
 {
 	for (int i = 0; i < 3; i++) {
 		to->force[i] += factor*one->force[i];
@@ -37,14 +38,14 @@ void hawser__rod_loads(struct hawser__rod_mesh *mesh, const double *factor, doub
 		memcpy(load->follower ? one.follow : one.force, load->force, sizeof load->force);
 		memcpy(load->follower ? one.turn : one.moment, load->moment, sizeof load->moment);
 		if (!load->distributed)
-			add(&mesh->point[mesh->place[2*l]], &one, part*factor[l]);
+			hawser__rod_force_add(&mesh->point[mesh->place[2*l]], &one, part*factor[l]);
 		for (int e = mesh->place[2*l]; load->distributed && e < mesh->place[2*l + 1]; e++)
-			add(&mesh->line[e], &one, part*factor[l]);
+			hawser__rod_force_add(&mesh->line[e], &one, part*factor[l]);
 	}
 	memcpy(mesh->sum, mesh->point, (size_t)mesh->nodes*sizeof *mesh->sum);
 	for (int e = 0; e < mesh->elements; e++)
 		for (int k = 0; k < 2; k++)
-			add(&mesh->sum[e + k], &mesh->line[e], 0.5*mesh->element[e].h);
+			hawser__rod_force_add(&mesh->sum[e + k], &mesh->line[e], 0.5*mesh->element[e].h);
 }
 
 int hawser__rod_strains(struct hawser__rod_mesh *mesh)

@@ -84,6 +84,8 @@ enum hawser_status hawser__rod_twin_open(struct hawser__rod_twin *twin, const st
 			twin->motion.guide_data[end] = &twin->drive[end];
 		}
 	}
+	if (!status)
+		status = hawser__rod_winch_open(&twin->motion.winch, &twin->mesh, until, report);
 	if (status)
 		return status;
 	hawser__rod_motion_factors(&twin->motion, 0.0, 0);
@@ -92,6 +94,10 @@ enum hawser_status hawser__rod_twin_open(struct hawser__rod_twin *twin, const st
 		                                 report);
 	if (!status)
 		sweep(twin);
+	if (!status && !rest && hawser__rod_winch_begin(&twin->motion, rod->from_rest))
+		status = hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "rod", "the equilibrium at the start "
+		                      "does not determine how it lengthens at %.3g m/s: give a speed that "
+		                      "begins with 0, as with winch.rise", twin->motion.winch.speed);
 	twin->live = !status;
 	return status;
 }

@@ -18,6 +18,8 @@
 #include "rod/element.h"
 #include "rod/so3.h"
 
+#define SMALL 1e-4 /* rad, of half an angle: series to 1e-17 */
+
 int hawser__rod_strain(struct hawser__rod_strain *at, const struct hawser__rod_element *el,
                        const struct hawser__rod_node node[2])
 {
@@ -41,6 +43,52 @@ int hawser__rod_strain(struct hawser__rod_strain *at, const struct hawser__rod_e
 		at->M[i] = el->EI[i]*(at->k[i] - el->k0[i]);
 	}
 	return !(between[0] > 0.0);
+}
+
+/* At rest w0 is the mean of exp(k0 s) e1 over the length: what is along k0 stays, what is across it is
+ * multiplied by S = sin(f/2)/(f/2), f = |k0| h. Returns S, and f dS/df. */
+static double shorter(double *by, double f)
+{
+	double half = 0.5*f, S = half < SMALL ? 1.0 - half*half/6.0 : sin(half)/half;
+
+	*by = half < SMALL ? -half*half/3.0 : cos(half) - S;
+	return S;
+}
+
+void hawser__rod_stretch(struct hawser__rod_element *el, double h)
+{
+	double k = sqrt(hawser__dot(el->k0, el->k0)), by, S = shorter(&by, k*h);
+
+	el->h = h;
+	for (int i = 0; i < 3; i++)
+		el->w0[i] = (i == 0 ? S : 0.0) + (k > 0.0 ? (1.0 - S)*el->k0[0]*el->k0[i]/(k*k) : 0.0);
+}
+
+void hawser__rod_strain_by_length(struct hawser__rod_strain *at, const struct hawser__rod_element *el)
+{
+	double k = sqrt(hawser__dot(el->k0, el->k0)), by;
+
+	(void)shorter(&by, k*el->h);
+	for (int i = 0; i < 3; i++) {
+		double rest = (i == 0 ? by : 0.0) - (k > 0.0 ? by*el->k0[0]*el->k0[i]/(k*k) : 0.0);
+
+		at->N[i] = -el->EA[i]*(at->w[i] + rest)/el->h;
+		at->M[i] = -el->EI[i]*at->k[i]/el->h;
+	}
+}
+
+double hawser__rod_energy_by_length(const struct hawser__rod_element *el,
+                                    const struct hawser__rod_strain *at)
+{
+	struct hawser__rod_strain by = *at;
+	double sum = 0.0;
+
+	/* h W, and N . (w - w0) = (w - w0) . EA (w - w0), of which N' has half twice */
+	hawser__rod_strain_by_length(&by, el);
+	for (int i = 0; i < 3; i++)
+		sum += (0.5*at->N[i] + el->h*by.N[i])*(at->w[i] - el->w0[i]) +
+		       (0.5*at->M[i] + el->h*by.M[i])*(at->k[i] - el->k0[i]);
+	return sum;
 }
 
 double hawser__rod_energy(const struct hawser__rod_element *el, const struct hawser__rod_strain *at)

@@ -28,6 +28,13 @@ struct hawser__rod_element {
 /* w and k of the state. Returns 1 if the element turns by pi or more, else 0. */
 int hawser__rod_strain(struct hawser__rod_strain *at, const struct hawser__rod_element *el,
                        const struct hawser__rod_node node[2]);
+/* h, and w0 of a rod at rest with the curvature k0. */
+void hawser__rod_stretch(struct hawser__rod_element *el, double h);
+/* N and M of `at` become their derivatives by h, at the same nodes. */
+void hawser__rod_strain_by_length(struct hawser__rod_strain *at, const struct hawser__rod_element *el);
+/* N: derivative of the energy by h, at the same nodes. */
+double hawser__rod_energy_by_length(const struct hawser__rod_element *el,
+                                    const struct hawser__rod_strain *at);
 /* J */
 double hawser__rod_energy(const struct hawser__rod_element *el, const struct hawser__rod_strain *at);
 /* f [HAWSER__ROD_PAIR]: derivative of the energy, of each node with respect to x (N) and to a turn in

@@ -56,6 +56,8 @@ void hawser_rod_motion_clear(struct hawser_rod_motion *motion)
 	free(motion->damped);
 	free(motion->lost);
 	free(motion->turned);
+	free(motion->winch);
+	free(motion->length);
 	free(motion->momentum);
 	free(motion->angular);
 	free(motion->force);
@@ -81,7 +83,8 @@ static int by_time(const void *a, const void *b)
 static enum hawser_status stops(struct run *run, const struct hawser_rod *rod,
                                 struct hawser_report *report)
 {
-	size_t count = 1;
+	const struct hawser_rod_winch *winch = &rod->winch;
+	size_t count = 2 + (size_t)winch->rows;
 
 	for (int l = 0; l < rod->loads; l++)
 		count += (size_t)rod->load[l].factors;
@@ -91,6 +94,10 @@ static enum hawser_status stops(struct run *run, const struct hawser_rod *rod,
 	for (int l = 0; l < rod->loads; l++)
 		for (int i = 0; i < rod->load[l].factors; i++)
 			run->stop[run->stops++] = rod->load[l].factor[i][0];
+	for (int i = 0; i < winch->rows; i++)
+		run->stop[run->stops++] = winch->row[i][0];
+	if (winch->on && winch->rise > 0.0)
+		run->stop[run->stops++] = winch->rise;
 	qsort(run->stop, (size_t)run->stops, sizeof *run->stop, by_time);
 	return HAWSER_OK;
 }
@@ -113,6 +120,7 @@ static enum hawser_status resume(struct run *run, struct hawser_report *report)
 	struct hawser__rod_motion *motion = &run->twin[MAIN].motion;
 	enum hawser_status status = hawser__rod_state_read(motion, &run->h, &run->turned,
 	                                                   run->options->initial, report);
+	double length;
 
 	if (status)
 		return status;
@@ -122,8 +130,15 @@ static enum hawser_status resume(struct run *run, struct hawser_report *report)
 		                    run->options->initial, motion->t, run->options->until);
 	while (run->next < run->stops && run->stop[run->next] < motion->t*(1.0 - SAME))
 		run->next++;
+	length = motion->winch.length;
 	hawser__rod_motion_factors(motion, motion->t, 0);
+	if (fabs(motion->winch.length - length) > 1e-9*length)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rod", "%s is a state with %.9g m of the first "
+		                    "segment at %g s, and with this winch it has %.9g m then: give the winch of "
+		                    "the first run", run->options->initial, length, motion->t,
+		                    motion->winch.length);
 	(void)hawser__rod_motion_form(motion, motion->t, 0);
+	hawser__rod_winch_power(motion);
 	return HAWSER_OK;
 }
 

@@ -17,15 +17,19 @@ noinst_LTLIBRARIES += %D%/librod.la
 	%D%/motion_ledger.c \
 	%D%/motion_newton.c \
 	%D%/motion_state.c \
+	%D%/motion_winch.c \
 	%D%/points.c \
 	%D%/read.c \
 	%D%/read.h \
 	%D%/read_dynamics.c \
 	%D%/read_loads.c \
+	%D%/read_winch.c \
 	%D%/rows.c \
 	%D%/run.h \
 	%D%/so3.c \
 	%D%/so3.h \
 	%D%/solve.c \
 	%D%/solve.h \
-	%D%/statics.c
+	%D%/statics.c \
+	%D%/winch.c \
+	%D%/winch.h

@@ -38,6 +38,8 @@ enum hawser_status hawser__rod_mesh_open(struct hawser__rod_mesh *mesh, const st
 void hawser__rod_mesh_clear(struct hawser__rod_mesh *mesh);
 /* Weight and loads, each load times factor [loads], all of it times `part`. */
 void hawser__rod_loads(struct hawser__rod_mesh *mesh, const double *factor, double part);
+void hawser__rod_force_add(struct hawser__rod_force *to, const struct hawser__rod_force *one,
+                           double factor);
 /* Loads of node i, force in the axes of the scene and moment in those of the section; and add what they
  * are to the matrix. */
 void hawser__rod_load(double r[HAWSER__ROD_FREE], const struct hawser__rod_mesh *mesh, int i);

@@ -37,22 +37,17 @@ enum hawser_status hawser__rod_motion_open(struct hawser__rod_motion *motion,
 	for (size_t i = 0; i < sizeof six/sizeof *six; i++)
 		good = (*six[i] = calloc(nodes, sizeof **six[i])) != NULL && good;
 	motion->mass = calloc(nodes, sizeof *motion->mass);
+	motion->mass0 = calloc(nodes, sizeof *motion->mass0);
 	motion->factor = calloc((size_t)mesh->rod->loads + 1, sizeof *motion->factor);
 	motion->node0 = calloc(nodes, sizeof *motion->node0);
 	motion->Ji = calloc(nodes, sizeof *motion->Ji);
 	motion->factor_q = calloc(nodes, sizeof *motion->factor_q);
-	if (!good || !motion->mass || !motion->factor || !motion->node0 || !motion->Ji ||
+	if (!good || !motion->mass || !motion->mass0 || !motion->factor || !motion->node0 || !motion->Ji ||
 	    !motion->factor_q) {
 		hawser__rod_motion_clear(motion);
 		return hawser__no_memory(report, "rod");
 	}
-	for (int e = 0; e < mesh->elements; e++) {
-		const struct hawser_rod_segment *of = &mesh->rod->segment[mesh->segment[e]];
-
-		for (int k = 0; k < 2; k++)
-			for (int j = 0; j < 4; j++)
-				motion->mass[e + k][j] += 0.5*mesh->element[e].h*(j ? of->inertia[j - 1] : of->rho);
-	}
+	hawser__rod_motion_masses(motion);
 	return HAWSER_OK;
 }
 
@@ -66,6 +61,8 @@ void hawser__rod_motion_clear(struct hawser__rod_motion *motion)
 	for (size_t i = 0; i < sizeof six/sizeof *six; i++)
 		free(six[i]);
 	free(motion->mass);
+	free(motion->mass0);
+	hawser__rod_winch_clear(&motion->winch);
 	free(motion->factor);
 	free(motion->node0);
 	free(motion->Ji);
@@ -103,10 +100,12 @@ enum hawser_status hawser__rod_motion_begin(struct hawser__rod_motion *motion, i
 	if (!isfinite(sum))
 		return undefined(motion, report);
 	memcpy(motion->mean, motion->rate, (size_t)mesh->nodes*sizeof *motion->mean);
+	hawser__rod_winch_power(motion);
 	if (!first)
 		return HAWSER_OK;
 	motion->energy = (struct hawser__rod_energy){0};
 	memset(&motion->momentum, 0, sizeof motion->momentum);
+	motion->winch.over = 0.0;
 	motion->energy_lost = motion->momentum_gap = motion->angular_gap = motion->most_momentum =
 	                      motion->most_angular = motion->most_energy = 0.0;
 	hawser__rod_motion_sum(motion);
@@ -130,6 +129,9 @@ static void keep(struct hawser__rod_motion *motion, double h)
 	memcpy(motion->pushed0, motion->pushed, nodes*sizeof *motion->pushed);
 	memcpy(motion->reaction0, motion->reaction, nodes*sizeof *motion->reaction);
 	memcpy(motion->mean0, motion->mean, nodes*sizeof *motion->mean);
+	memcpy(motion->mass0, motion->mass, nodes*sizeof *motion->mass);
+	if (motion->winch.as)
+		memcpy(motion->winch.slip0, motion->winch.slip, nodes*sizeof *motion->winch.slip);
 	if (part != 1.0)
 		for (size_t i = 0; i < nodes; i++)
 			for (int k = 0; k < HAWSER__ROD_FREE; k++)
@@ -149,6 +151,9 @@ static void restore(struct hawser__rod_motion *motion, double h)
 	memcpy(motion->applied, motion->applied0, nodes*sizeof *motion->applied);
 	memcpy(motion->pushed, motion->pushed0, nodes*sizeof *motion->pushed);
 	memcpy(motion->reaction, motion->reaction0, nodes*sizeof *motion->reaction);
+	memcpy(motion->mass, motion->mass0, nodes*sizeof *motion->mass);
+	if (motion->winch.as)
+		memcpy(motion->winch.slip, motion->winch.slip0, nodes*sizeof *motion->winch.slip);
 	for (size_t i = 0; i < nodes; i++)
 		for (int k = 0; k < HAWSER__ROD_FREE; k++)
 			motion->mean[i][k] = motion->rate0[i][k] + part*(motion->mean0[i][k] - motion->rate0[i][k]);
@@ -239,13 +244,27 @@ static enum hawser_status failed(const struct hawser__rod_motion *motion, double
 	                       "step, or more elements", motion->t, h);
 }
 
+/* Whether the rod is paid out faster than its waves run. */
+static enum hawser_status outrun(struct hawser__rod_motion *motion, struct hawser_report *report)
+{
+	const struct hawser__rod_strain *at = motion->mesh->strain;
+
+	if (!hawser__rod_winch_watch(motion))
+		return HAWSER_OK;
+	return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "rod", "at %.9g s the winch pays out or hauls "
+	                    "in %.3g m/s, faster than waves run there with a tension of %.3g N, for the "
+	                    "length of an element: the place of a hinge does not determine such a motion; "
+	                    "give a lower speed, more tension, or hold: clamped", motion->t,
+	                    fabs(motion->winch.speed), at->N[0]);
+}
+
 static enum hawser_status split(struct hawser__rod_motion *motion, double h, int depth,
                                 struct hawser_report *report)
 {
 	enum hawser_status status;
 
 	if (attempt(motion, h, INFINITY))
-		return HAWSER_OK;
+		return outrun(motion, report);
 	if (depth == 0)
 		return failed(motion, h, report);
 	motion->splits++;
@@ -271,7 +290,7 @@ enum hawser_status hawser__rod_motion_adapt(struct hawser__rod_motion *motion, d
 			/* the same length again saves factors; what was left of the interval says nothing */
 			if (f < 1.0 || f > STEADY || step != *h)
 				*h = step < *h && f >= 1.0 ? *h : step*fmin(fmax(f, SHRINK), GROW);
-			return HAWSER_OK;
+			return outrun(motion, report);
 		}
 		if (least)
 			return failed(motion, step, report);

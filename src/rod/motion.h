@@ -12,6 +12,7 @@
 #define HAWSER_ROD_STEPS_H
 
 #include "rod/mesh.h"
+#include "rod/winch.h"
 
 /* Where an end is, and how it moves there. What is not held is ignored. */
 struct hawser__rod_guide {
@@ -39,6 +40,7 @@ struct hawser__rod_energy {
 	double pushed;                   /* of the loads of the function */
 	double support;                  /* of the ends that are held */
 	double damped;                   /* taken by mass-proportional damping */
+	double winch;                    /* of the winch, with that of the material that comes in */
 };
 
 struct hawser__rod_momentum {
@@ -60,11 +62,13 @@ struct hawser__rod_motion {
 	struct hawser__rod_body *body;   /* [bodies], at different nodes */
 	int bodies;
 	double (*velocity)[6];           /* [nodes] of the state */
+	struct hawser__rod_winch winch;  /* opened by the caller, if the rod has one */
 
 	/* the state */
 	double (*rate)[6];               /* [nodes] derivatives of the velocities */
 	double (*mean)[6];               /* [nodes] the scheme's `a` */
-	double (*mass)[4];               /* [nodes] kg, kg m^2 about e1, e2, e3, of the rod */
+	double (*mass)[4], (*mass0)[4];  /* [nodes] kg, kg m^2 about e1, e2, e3, of the rod; 0: before
+	                                  * the step */
 	double *factor;                  /* [loads] of the scene's loads at this time */
 	struct hawser__rod_energy energy;
 	struct hawser__rod_momentum momentum;
@@ -137,7 +141,9 @@ int hawser__rod_motion_form(struct hawser__rod_motion *motion, double t, int tan
 int hawser__rod_motion_rates(struct hawser__rod_motion *motion, double t);
 /* Ends that are held, at time t: places, velocities, rates. */
 void hawser__rod_motion_hold(struct hawser__rod_motion *motion, double t);
-/* Factors of the scene's loads at time t, before (0) or after (1) a jump at that time. */
+/* Masses of the nodes, from the lengths of the elements. */
+void hawser__rod_motion_masses(struct hawser__rod_motion *motion);
+/* Length and factors of the scene's loads at time t, before (0) or after (1) a jump at that time. */
 void hawser__rod_motion_factors(struct hawser__rod_motion *motion, double t, int after);
 
 /* --- motion_newton.c --- */

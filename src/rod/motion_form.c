@@ -22,10 +22,25 @@ static const struct hawser__rod_body *body_of(const struct hawser__rod_motion *m
 	return NULL;
 }
 
+void hawser__rod_motion_masses(struct hawser__rod_motion *motion)
+{
+	const struct hawser__rod_mesh *mesh = motion->mesh;
+
+	memset(motion->mass, 0, (size_t)mesh->nodes*sizeof *motion->mass);
+	for (int e = 0; e < mesh->elements; e++) {
+		const struct hawser_rod_segment *of = &mesh->rod->segment[mesh->segment[e]];
+
+		for (int k = 0; k < 2; k++)
+			for (int j = 0; j < 4; j++)
+				motion->mass[e + k][j] += 0.5*mesh->element[e].h*(j ? of->inertia[j - 1] : of->rho);
+	}
+}
+
 void hawser__rod_motion_factors(struct hawser__rod_motion *motion, double t, int after)
 {
 	const struct hawser_rod *rod = motion->mesh->rod;
 
+	hawser__rod_winch_set(motion, t);
 	for (int l = 0; l < rod->loads; l++) {
 		const struct hawser_rod_load *load = &rod->load[l];
 		int i = 0, n = load->factors;
@@ -254,6 +269,8 @@ static int forces(struct hawser__rod_motion *motion, double t, int tangent)
 	motion->bent = hawser__rod_strains(mesh);
 	if (motion->bent >= 0)
 		return 1;
+	if (motion->winch.as)
+		hawser__rod_winch_slip(motion);
 	memset(motion->pushed, 0, (size_t)mesh->nodes*sizeof *motion->pushed);
 	if (motion->loading)
 		motion->refused = motion->loading(motion->data, motion, t, tangent);
@@ -310,6 +327,7 @@ int hawser__rod_motion_form(struct hawser__rod_motion *motion, double t, int tan
 		add(motion, i, i, turned, 1.0);
 		add(motion, i, i, turns, motion->by_place);
 	}
+	hawser__rod_winch_form(motion, tangent);
 	/* what holds an end bears what is not balanced there */
 	memset(motion->reaction[0], 0, sizeof *motion->reaction);
 	memset(motion->reaction[mesh->nodes - 1], 0, sizeof *motion->reaction);

@@ -42,14 +42,18 @@ void hawser__rod_motion_sum(struct hawser__rod_motion *motion)
 	motion->energy.kinetic = motion->energy.height = 0.0;
 	motion->energy.strain = hawser__rod_strain_energy(mesh);
 	for (int i = 0; i < mesh->nodes; i++) {
-		const double *v = motion->velocity[i];
-		double R[9], L[3];
+		const double *u = motion->velocity[i];
+		double R[9], L[3], v[6];
 
+		memcpy(v, u, sizeof v);
 		hawser__quaternion_matrix(R, mesh->node[i].q);
-		for (int k = 0; k < 3; k++)
+		for (int k = 0; k < 3; k++) {
 			L[k] = motion->mass[i][1 + k]*v[3 + k];
+			v[k] += motion->winch.as ? motion->winch.slip[i][k] : 0.0;
+		}
 		sum_mass(motion, motion->mass[i][0], mesh->node[i].x, v, L, v + 3, R);
 	}
+	motion->energy.kinetic += hawser__rod_winch_kinetic(motion);
 	for (int b = 0; b < motion->bodies; b++) {
 		const struct hawser__rod_body *body = &motion->body[b];
 		const double *spin = motion->velocity[body->node] + 3;
@@ -90,11 +94,15 @@ static void all_on(double f[6], const struct hawser__rod_motion *motion, int i, 
 	const double *applied = end ? motion->applied[i] : motion->applied0[i];
 	const double *pushed = end ? motion->pushed[i] : motion->pushed0[i];
 	const double *reaction = end ? motion->reaction[i] : motion->reaction0[i];
+	const double *mass = end ? motion->mass[i] : motion->mass0[i], none[6] = {0.0};
+	const double *slip = !motion->winch.as ? none : end ? motion->winch.slip[i]
+	                                                    : motion->winch.slip0[i];
 
 	for (int k = 0; k < 6; k++)
 		f[k] = applied[k] + pushed[k] + reaction[k] -
-		       motion->alpha*motion->mass[i][k < 3 ? 0 : k - 2]*v[k];
-	f[1] -= motion->mass[i][0]*motion->mesh->rod->g;
+		       motion->alpha*mass[k < 3 ? 0 : k - 2]*(v[k] + (k < 3 ? slip[k] : 0.0)) +
+		       (k < 3 ? 0.0 : slip[k]);
+	f[1] -= mass[0]*motion->mesh->rod->g;
 }
 
 /* The largest defects so far, and the largest terms. */
@@ -116,9 +124,34 @@ static void gaps(struct hawser__rod_motion *motion)
 	motion->most_angular = fmax(motion->most_angular,
 	                            sqrt(fmax(hawser__dot(of->angular, of->angular),
 	                                      hawser__dot(of->moment, of->moment))));
-	motion->energy_lost = e->work + e->pushed + e->support - e->damped - gained;
+	motion->energy_lost = e->work + e->pushed + e->support + e->winch - e->damped - gained;
 	motion->most_energy = fmax(fmax(fmax(motion->most_energy, e->kinetic + e->strain), e->damped),
-	                           fmax(fmax(fabs(e->work), fabs(e->support)), fabs(e->pushed)));
+	                           fmax(fmax(fabs(e->work), fabs(e->support)),
+	                                fmax(fabs(e->pushed), fabs(e->winch))));
+}
+
+/* Loads and damping act on the material, which moves through the nodes; the winch. */
+static void account_winch(struct hawser__rod_motion *motion, double h)
+{
+	struct hawser__rod_winch *winch = &motion->winch;
+	struct hawser__rod_energy *energy = &motion->energy;
+	double power = winch->power, store = winch->store;
+
+	hawser__rod_winch_power(motion);
+	energy->winch += 0.5*h*(power + winch->power) + winch->store - store;
+	for (int i = 0; i <= winch->elements; i++)
+		for (int end = 0; end < 2; end++) {
+			const double *slip = end ? winch->slip[i] : winch->slip0[i];
+			const double *d = motion->step[i];
+			const double *v = end ? motion->velocity[i] : motion->velocity0[i];
+			double half = 0.5*h, mass = motion->alpha*(end ? motion->mass[i][0] : motion->mass0[i][0]);
+
+			for (int k = 0; k < 3; k++) {
+				energy->work += half*slip[k]*(end ? motion->applied[i][k] : motion->applied0[i][k]);
+				energy->pushed += half*slip[k]*(end ? motion->pushed[i][k] : motion->pushed0[i][k]);
+				energy->damped += mass*slip[k]*(half*(v[k] + slip[k]) + 0.5*d[k]);
+			}
+		}
 }
 
 void hawser__rod_motion_account(struct hawser__rod_motion *motion, double h)
@@ -136,8 +169,9 @@ void hawser__rod_motion_account(struct hawser__rod_motion *motion, double h)
 			energy->work += half*(motion->applied[i][k] + motion->applied0[i][k]);
 			energy->pushed += half*(motion->pushed[i][k] + motion->pushed0[i][k]);
 			energy->support += half*(motion->reaction[i][k] + motion->reaction0[i][k]);
-			energy->damped += half*motion->alpha*motion->mass[i][k < 3 ? 0 : k - 2]*
-			                  (motion->velocity[i][k] + motion->velocity0[i][k]);
+			energy->damped += half*motion->alpha*
+			                  (motion->mass[i][k < 3 ? 0 : k - 2]*motion->velocity[i][k] +
+			                   motion->mass0[i][k < 3 ? 0 : k - 2]*motion->velocity0[i][k]);
 		}
 		all_on(f, motion, i, 0);
 		impulse(&motion->momentum, f, &motion->node0[i], 0.5*h);
@@ -158,6 +192,8 @@ void hawser__rod_motion_account(struct hawser__rod_motion *motion, double h)
 			impulse(&motion->momentum, weight, node, 0.5*h);
 		}
 	}
+	if (motion->winch.as)
+		account_winch(motion, h);
 	hawser__rod_motion_sum(motion);
 	gaps(motion);
 }

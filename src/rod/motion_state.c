@@ -16,13 +16,16 @@
 enum { HEAD = 43, PARTS = 5, NODE = 7 + 6*PARTS };
 static const char kind[] = "hawser rod state 1";
 
-static double check_sum(const struct hawser__rod_mesh *mesh)
+static double check_sum(const struct hawser__rod_motion *motion)
 {
+	const struct hawser__rod_mesh *mesh = motion->mesh;
+	const struct hawser__rod_winch *winch = &motion->winch;
 	unsigned long long sum = 2166136261U;
 
 	for (int e = 0; e < mesh->elements; e++) {
 		const struct hawser__rod_element *el = &mesh->element[e];
-		const double of[] = {el->h, el->EA[0], el->EA[1], el->EA[2], el->EI[0], el->EI[1], el->EI[2]};
+		double h = winch->as && e < winch->elements ? winch->part[e]*winch->first : el->h;
+		const double of[] = {h, el->EA[0], el->EA[1], el->EA[2], el->EI[0], el->EI[1], el->EI[2]};
 
 		for (size_t i = 0; i < sizeof of/sizeof *of; i++) {
 			unsigned long long bits;
@@ -42,7 +45,8 @@ static void heads(double *head[HEAD], struct hawser__rod_motion *motion, double 
 	                        &motion->most_angular, &motion->energy_lost, &motion->momentum_gap,
 	                        &motion->angular_gap, &motion->drift, &motion->h, &motion->energy.kinetic,
 	                        &motion->energy.strain, &motion->energy.height, &motion->energy.work,
-	                        &motion->energy.pushed, &motion->energy.support, &motion->energy.damped};
+	                        &motion->energy.pushed, &motion->energy.support, &motion->energy.damped,
+	                        &motion->energy.winch, &motion->winch.length, &motion->winch.over};
 	double *const triple[] = {motion->momentum.linear, motion->momentum.angular, motion->momentum.force,
 	                          motion->momentum.moment, motion->start, motion->start + 3};
 	int count = 0;
@@ -88,14 +92,14 @@ void hawser__rod_state_give(double *state, const struct hawser__rod_motion *moti
 {
 	struct hawser__rod_motion same = *motion;
 
-	state[0] = check_sum(motion->mesh);
+	state[0] = check_sum(motion);
 	copy(state + 1, &same, &h, &turned, 1);
 }
 
 int hawser__rod_state_take(struct hawser__rod_motion *motion, double *h, double *turned,
                            double *state)
 {
-	if (state[0] != check_sum(motion->mesh))
+	if (state[0] != check_sum(motion))
 		return 0;
 	copy(state + 1, motion, h, turned, 0);
 	return 1;

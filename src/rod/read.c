@@ -201,6 +201,7 @@ static enum hawser_status start(struct hawser__reader *reader, struct hawser_rod
                                 const struct hawser__tree *tree)
 {
 	const struct hawser__tree *at = hawser__tree_find(tree, "at");
+	const struct hawser__tree *winch = hawser__tree_find(tree, "winch");
 	enum hawser_status status = HAWSER_OK;
 
 	if (tree)
@@ -211,7 +212,30 @@ static enum hawser_status start(struct hawser__reader *reader, struct hawser_rod
 		status = axes(reader, rod->tangent, rod->normal, tree, "start");
 	if (!status)
 		status = hold(reader, &rod->hold[0], tree, "start.hold");
+	if (!status && winch && rod->hold[0] == HAWSER_ROD_FREE)
+		status = hawser__reader_fail(reader, &winch->at, "start.winch: the start is free: give hold: "
+		                             "hinged or hold: clamped, or leave the winch out");
+	if (!status && winch)
+		status = hawser__rod_read_winch(reader, &rod->winch, winch, "start.winch", "rod.start.winch");
 	return status ? status : hawser__rod_read_drive(reader, rod, 0, tree);
+}
+
+/* Nodes of the first segment go through the material; loads that begin or end within it would, too. */
+static enum hawser_status unmarked(struct hawser__reader *reader, const struct hawser_rod *rod,
+                                   const struct hawser__tree *tree)
+{
+	double end = rod->segment[0].length, near = 1e-9*rod->length;
+
+	for (int l = 0; l < rod->loads && rod->winch.on; l++) {
+		const double at[2] = {rod->load[l].from, rod->load[l].to};
+
+		for (int k = 0; k < 2; k++)
+			if (at[k] > near && at[k] < end - near)
+				return hawser__reader_fail(reader, &tree->at, "loads.i%d: %.9g m is within the first "
+				                           "segment, of %.9g m, which start.winch makes longer: put "
+				                           "loads at its ends, or beyond it", l, at[k], end);
+	}
+	return HAWSER_OK;
 }
 
 static enum hawser_status end(struct hawser__reader *reader, struct hawser_rod *rod,
@@ -272,6 +296,8 @@ static enum hawser_status interpret(struct hawser__reader *reader, struct hawser
 	tree = hawser__tree_find(root, "loads");
 	if (!status && tree)
 		status = hawser__rod_read_loads(reader, rod, tree);
+	if (!status && tree)
+		status = unmarked(reader, rod, tree);
 	return status ? status : hawser__rod_read_dynamics(reader, rod, root);
 }
 
@@ -314,5 +340,6 @@ void hawser_rod_clear(struct hawser_rod *rod)
 	free(rod->load);
 	free(rod->drive[0].path);
 	free(rod->drive[1].path);
+	free(rod->winch.row);
 	memset(rod, 0, sizeof *rod);
 }

@@ -14,7 +14,8 @@ enum hawser_status hawser__rod_rows_open(struct hawser_rod_motion *to, size_t ro
                                          size_t nodes, struct hawser_report *report)
 {
 	double **const plain[] = {&to->time, &to->kinetic, &to->strain, &to->height, &to->work,
-	                          &to->support, &to->damped, &to->lost, &to->turned};
+	                          &to->support, &to->damped, &to->lost, &to->turned,
+	                          &to->winch, &to->length};
 	double (**const three[])[3] = {&to->momentum, &to->angular, &to->force, &to->moment};
 	int good = 1;
 
@@ -42,9 +43,12 @@ static void probe(struct hawser_rod_motion *to, int at, const struct hawser__rod
 {
 	const struct hawser__rod_mesh *mesh = &twin->mesh;
 	const double (*v)[6] = (const double (*)[6])twin->motion.velocity;
+	const struct hawser__rod_winch *winch = &twin->motion.winch;
 	int e = 0;
 	double part;
 
+	if (winch->as)
+		s = s < winch->first ? s*winch->length/winch->first : s + winch->length - winch->first;
 	while (e < mesh->elements - 1 && mesh->s[e + 1] <= s)
 		e++;
 	part = fmin(fmax((s - mesh->s[e])/(mesh->s[e + 1] - mesh->s[e]), 0.0), 1.0);
@@ -103,6 +107,8 @@ enum hawser_status hawser__rod_row(struct hawser_rod_motion *to, struct hawser__
 	to->work[i] = motion->energy.work;
 	to->support[i] = motion->energy.support;
 	to->damped[i] = motion->energy.damped;
+	to->winch[i] = motion->energy.winch;
+	to->length[i] = mesh->s[mesh->nodes - 1];
 	to->lost[i] = motion->energy_lost;
 	to->turned[i] = turned;
 	memcpy(to->momentum[i], motion->momentum.linear, sizeof to->momentum[i]);

@@ -111,6 +111,18 @@
 	NUMBER(path ".spin.rise", OPTIONAL, "s", NOT_NEGATIVE, "time in which it grows from 0 (0)") \
 	LIST(path ".path", OPTIONAL, "the end is moved: [t, x, y, z]") \
 	VECTOR(path ".path[]", 4, OPTIONAL, "s, m, m, m", ANY, "[t, x, y, z]")
+#define WINCH(path) \
+	MAPPING(path, OPTIONAL, "the first segment is paid out or hauled in, in motions") \
+	NUMBER(path ".speed", ONE_OF, "m/s", ANY, "paid out in this time; negative: hauled in") \
+	NUMBER(path ".rise", OPTIONAL, "s", NOT_NEGATIVE, "time in which the speed grows from 0 (0)") \
+	LIST(path ".times", OPTIONAL, "times of speeds or lengths") \
+	NUMBER(path ".times[]", OPTIONAL, "s", ANY, "a time") \
+	LIST(path ".speeds", ONE_OF, "speeds at these times") \
+	NUMBER(path ".speeds[]", OPTIONAL, "m/s", ANY, "a speed") \
+	LIST(path ".lengths", ONE_OF, "unstretched lengths of the segment at these times") \
+	NUMBER(path ".lengths[]", OPTIONAL, "m", POSITIVE, "a length") \
+	NUMBER(path ".least", OPTIONAL, "m", POSITIVE, \
+	       "the segment must not become shorter (5 % of its length)")
 #define AXES(path) \
 	VECTOR(path ".tangent", 3, OPTIONAL, "1", ANY, "direction of e1 there ([1, 0, 0])") \
 	VECTOR(path ".normal", 3, OPTIONAL, "1", ANY, "direction whose part across the tangent is e2")
@@ -336,6 +348,7 @@ static const struct hawser__tree_key rows[] = {
 	AXES("rod.start")
 	HOLD("rod.start")
 	DRIVE("rod.start")
+	WINCH("rod.start.winch")
 	MAPPING("rod.end", OPTIONAL, "the last end")
 	VECTOR("rod.end.at", 3, OPTIONAL, "m", ANY, "the place to which it is brought")
 	AXES("rod.end")

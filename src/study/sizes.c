@@ -193,6 +193,7 @@ static const struct row {
 	ROW(hawser_rod_scheme),
 	ROW(hawser_rod_segment),
 	ROW(hawser_rod_statics),
+	ROW(hawser_rod_winch),
 	ROW(hawser_ropeway),
 	ROW(hawser_ropeway_case),
 	ROW(hawser_ropeway_contact),
