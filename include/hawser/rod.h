@@ -46,8 +46,8 @@ struct hawser_rod_drive {
 	char *path;                  /* file of displacements over time: lines t x y z; NULL: none */
 };
 
-/* The start is a winch: the first segment lengthens, its elements together. The length at time t is that
- * of the segment at t = 0 and what is paid out. */
+/* The start is a winch: the first segment lengthens, its elements together. The length at time t is
+ * that of the segment at t = 0 and what is paid out. */
 struct hawser_rod_winch {
 	int on;               /* 0: there is none */
 	double speed, rise;   /* m/s paid out, without rows; s, from 0 to the speed, as those of spins */

@@ -40,8 +40,8 @@ struct hawser_rod_motion_options {
 	const char *scheme;  /* row of hawser_rod_scheme; NULL: the first */
 	double rho_inf;      /* 0: the scene's, or 0.8; HAWSER_NONE: 0 */
 	const char *initial; /* file of a state; NULL: see above */
-	const double *probe; /* [probes] m, unstretched lengths from the start, at t = 0 if there is a winch:
-	                      * then they keep their shares of the first segment */
+	const double *probe; /* [probes] m, unstretched lengths from the start; those at t = 0 if there is
+	                      * a winch: they keep their shares of the first segment */
 	int probes;
 	int skip_error;      /* 1: without the two runs for step and mesh error */
 	/* Called for each row; not 0 ends the run. May be NULL. */

@@ -133,9 +133,9 @@ static enum hawser_status resume(struct run *run, struct hawser_report *report)
 	length = motion->winch.length;
 	hawser__rod_motion_factors(motion, motion->t, 0);
 	if (fabs(motion->winch.length - length) > 1e-9*length)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rod", "%s is a state with %.9g m of the first "
-		                    "segment at %g s, and with this winch it has %.9g m then: give the winch of "
-		                    "the first run", run->options->initial, length, motion->t,
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rod", "%s is a state with %.9g m of the "
+		                    "first segment at %g s, and with this winch it has %.9g m then: give the "
+		                    "winch of the first run", run->options->initial, length, motion->t,
 		                    motion->winch.length);
 	(void)hawser__rod_motion_form(motion, motion->t, 0);
 	hawser__rod_winch_power(motion);

@@ -158,10 +158,10 @@ void hawser__rod_winch_power(struct hawser__rod_motion *motion)
 	}
 }
 
-/* With s counted along the material the rod is a string of wave speed sqrt(T/(rho w)) at its start. If the
- * start moves through the material faster than that, the place of the start alone does not determine
- * the motion (pay-out) or is one condition too many (haul-in). A clamped start has bending, whose
- * waves have no largest speed. */
+/* With s counted along the material the rod is a string of wave speed sqrt(T/(rho w)) at its start. If
+ * the start moves through the material faster than that, the place of the start alone does not
+ * determine the motion (pay-out) or is one condition too many (haul-in). A clamped start has bending,
+ * whose waves have no largest speed. */
 int hawser__rod_winch_watch(struct hawser__rod_motion *motion)
 {
 	struct hawser__rod_winch *winch = &motion->winch;

@@ -24,7 +24,7 @@ enum hawser_status hawser__rod_read_dynamics(struct hawser__reader *reader, stru
 enum hawser_status hawser__rod_read_drive(struct hawser__reader *reader, struct hawser_rod *rod,
                                           int end, const struct hawser__tree *tree)
 	HAWSER_MUST_CHECK;
-/* read_winch.c: `winch`, a mapping whose keys are those of the mapping `of`, such as "rod.start.winch". */
+/* read_winch.c: `winch`, whose keys are those of the mapping `of`, such as "rod.start.winch". */
 enum hawser_status hawser__rod_read_winch(struct hawser__reader *reader, struct hawser_rod_winch *winch,
                                           const struct hawser__tree *tree, const char *section,
                                           const char *of) HAWSER_MUST_CHECK;

@@ -1,7 +1,7 @@
 /* rod/winch.c - length in time of a rod with a winch, and the mesh of that length (winch.h).
  *
- * Between rows of speeds the acceleration is that of spins (drive.c), (v1 - v0)/T (1 - cos(2 pi t/T)), so
- * that l, l' and l'' are continuous. Lengths have the cubic spline whose speed is 0 at both ends.
+ * Between rows of speeds the acceleration is that of spins (drive.c), (v1 - v0)/T (1 - cos(2 pi t/T)),
+ * so that l, l' and l'' are continuous. Lengths have the cubic spline whose speed is 0 at both ends.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -13,7 +13,7 @@
 #include "rod/motion.h"
 #include "rod/so3.h"
 
-enum { LOOKED = 4096 };  /* times in a run at which the length is looked at before it: l' changes slowly */
+enum { LOOKED = 4096 };  /* times of a run at which the length is looked at before it */
 #define LEAST 0.05       /* of the length at t = 0: the default of `least` */
 #define TURN 6.28318530717958647692 /* 2 pi, to the digits of a double */
 
@@ -223,8 +223,8 @@ void hawser__rod_winch_set(struct hawser__rod_motion *motion, double t)
 
 /* --- the beginning --- */
 
-/* The rod at rest: its nodes go along its curve, and beyond the segment it moves as a rigid body. If the
- * end is held, the difference is shared out along the rod. */
+/* The rod at rest: its nodes go along its curve, and beyond the segment it moves as a rigid body. If
+ * the end is held, the difference is shared out along the rod. */
 static void begin_at_rest(struct hawser__rod_motion *motion)
 {
 	struct hawser__rod_mesh *mesh = motion->mesh;
@@ -312,10 +312,11 @@ int hawser__rod_winch_begin(struct hawser__rod_motion *motion, int rest)
 		return 1;
 	hawser__band_solve(&mesh->band, mesh->r);
 	for (int i = 0; i < mesh->n; i++) {
+		double *velocity = &motion->velocity[i/HAWSER__ROD_FREE][i % HAWSER__ROD_FREE];
+
 		if (!isfinite(mesh->r[i]))
 			return 1;
-		if (!mesh->held[i])
-			motion->velocity[i/HAWSER__ROD_FREE][i % HAWSER__ROD_FREE] += motion->winch.speed*mesh->r[i];
+		*velocity += mesh->held[i] ? 0.0 : motion->winch.speed*mesh->r[i];
 	}
 	return 0;
 }

@@ -1,8 +1,8 @@
-/* rod/winch.h - a rod whose first segment lengthens at its start: length in time, mesh, convective terms.
+/* rod/winch.h - a rod whose first segment lengthens at its start: length in time, mesh, inertia.
  *
  * The elements of the segment have constant shares of its length l(t), so that nodes move through the
- * material. Material is at the distance s from the start, s' = l'; a node at s = l sigma, s' = l' sigma.
- * The velocity of the material at a node is that of the node and (1 - sigma) l' dx/ds.
+ * material. Material is at the distance s from the start, s' = l'; a node at s = l sigma, s' = l'
+ * sigma. The velocity of the material at a node is that of the node and (1 - sigma) l' dx/ds.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_ROD_WINCH_H
 #define HAWSER_ROD_WINCH_H
@@ -16,7 +16,7 @@ struct hawser__rod_winch {
 	int elements;              /* of the first segment */
 	double *part;              /* [elements] of the segment */
 	double *left;              /* [elements+1] of the segment, beyond each of its nodes: 1 - sigma */
-	double *curve;             /* [rows] of lengths: second derivatives; of speeds: length at each row */
+	double *curve;             /* [rows] of lengths: second derivatives; of speeds: length there */
 	double first;              /* m, length at t = 0 */
 	double length, speed, rate; /* l, l', l'' of the state: m, m/s, m/s2 */
 	double (*slip)[6], (*slip0)[6]; /* [nodes] m/s: velocity of the material less that of the node;
