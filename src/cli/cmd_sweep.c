@@ -21,7 +21,7 @@ struct overs {
 struct settings {
 	struct cli_common common;
 	struct overs over;
-	const char *list, *rows, *keep, *max, *min, *checkpoint;
+	const char *list, *rows, *keep, *max, *min, *checkpoint, *part;
 	int last, threads;
 };
 static const struct settings defaults = {.list = NULL};
@@ -54,6 +54,8 @@ static const struct cli_option options[] = {
 	 CLI_INTEGER(threads)},
 	{"checkpoint", 0, "FILE", "save results to this file, and continue from those in it",
 	 CLI_TEXT(checkpoint)},
+	{"part", 0, "K/N", "compute part K of N into the checkpoint; hawser merge joins them",
+	 CLI_TEXT(part)},
 	CLI_NO_OPTION,
 };
 
@@ -270,7 +272,8 @@ static enum hawser_status read_choice(struct cli_sweep_choice *choice,
 
 /* --- all --- */
 
-static enum hawser_status check(const struct settings *settings, struct hawser_report *report)
+static enum hawser_status check(const struct settings *settings, int worker,
+                                struct hawser_report *report)
 {
 	const struct cli_common *common = &settings->common;
 	const struct cli_output checkpoint = {"checkpoint", settings->checkpoint};
@@ -284,7 +287,37 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 	    (stat(common->input, &info) == 0 && !S_ISREG(info.st_mode)))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "sweep", "a sweep reads its scene several "
 		                    "times: give a file");
-	return cli_outputs_check_with(common, &checkpoint, 1, report);
+	return worker ? HAWSER_OK : cli_outputs_check_with(common, &checkpoint, 1, report);
+}
+
+/* --part K/N: each Nth variation; they are left in the checkpoint. */
+static enum hawser_status read_part(struct cli_study *sweep, const struct settings *settings,
+                                    struct hawser_report *report)
+{
+	const struct cli_common *common = &settings->common;
+	const char *text = settings->part, *file = common->json ? "json" : common->tsv ? "tsv"
+	                   : common->plot ? "plot" : NULL;
+	char *end;
+	long part, parts;
+
+	if (!text)
+		return HAWSER_OK;
+	part = strtol(text, &end, 10);
+	parts = *end == '/' ? strtol(end + 1, &end, 10) : 0;
+	if (*end || part < 1 || parts < part || parts > CLI_SWEEP_MOST)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "sweep", "--part %s: write K/N, such as 2/8: "
+		                    "part 2 of 8", text);
+	if (!settings->checkpoint)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "sweep", "--part %s: the results of a part "
+		                    "are kept in a checkpoint: write --checkpoint FILE, a file of its own for "
+		                    "each part", text);
+	if (file)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "sweep", "--%s: a part has no table: join the "
+		                    "checkpoints of all parts with hawser merge, and give this option to the "
+		                    "sweep that continues from that", file);
+	sweep->part = (int)part;
+	sweep->parts = (int)parts;
+	return HAWSER_OK;
 }
 
 /* What the exit status says of variations without result. */
@@ -322,6 +355,12 @@ static enum hawser_status compute(struct cli_study *sweep, const struct cli_comm
 	enum hawser_status judged, status = cli_sweep_run(sweep, report);
 	struct cli_common again = *own;
 
+	if (!status && sweep->parts > 0) {
+		if (!own->quiet)
+			printf("part %d of %d: %ld variations in %s\n", sweep->part, sweep->parts, sweep->done,
+			       sweep->checkpoint);
+		return HAWSER_OK;
+	}
 	if (!status)
 		status = cli_sweep_result_open(&result, sweep, report);
 	/* the commands have chosen theirs in between */
@@ -342,6 +381,39 @@ static enum hawser_status compute(struct cli_study *sweep, const struct cli_comm
 	return status;
 }
 
+static void clear(struct cli_study *sweep)
+{
+	for (long i = 0; sweep->packed && i < sweep->plan.count; i++)
+		free(sweep->packed[i].text);
+	free(sweep->packed);
+	free(sweep->word);
+	free(sweep->line);
+	cli_sweep_plan_clear(&sweep->plan);
+}
+
+/* All up to the computation, which is the same in all ranks. */
+static enum hawser_status prepare(struct cli_study *sweep, const struct settings *settings,
+                                  char *keep, struct hawser_report *report)
+{
+	enum hawser_status status = keep ? check(settings, cli_sweep_is_worker(sweep), report)
+	                                 : hawser__no_memory(report, "sweep");
+
+	if (!status)
+		status = compose(sweep, &settings->common, report);
+	if (!status)
+		status = read_choice(&sweep->choice, settings, keep, report);
+	if (!status)
+		status = read_part(sweep, settings, report);
+	if (!status)
+		status = cli_sweep_plan_open(&sweep->plan, settings->over.text, settings->over.count,
+		                             settings->list, report);
+	if (status)
+		return status;
+	add_shared(sweep, &settings->common);
+	sweep->line = line_of(&settings->common);
+	return sweep->line ? HAWSER_OK : hawser__no_memory(report, "sweep");
+}
+
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	const struct settings *settings = context;
@@ -350,29 +422,17 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	                          .processes = settings->threads > 0 ? settings->threads
 	                                                             : hawser__processors()};
 	char *keep = strdup(settings->keep ? settings->keep : "");
-	enum hawser_status status = keep ? check(settings, report) : hawser__no_memory(report, "sweep");
+	enum hawser_status status = cli_sweep_ranks_open(&sweep, settings->threads, report);
 
 	if (!status)
-		status = compose(&sweep, &settings->common, report);
+		status = prepare(&sweep, settings, keep, report);
+	common.mores = 0; /* these are no scenes */
 	if (!status)
-		status = read_choice(&sweep.choice, settings, keep, report);
-	if (!status)
-		status = cli_sweep_plan_open(&sweep.plan, settings->over.text, settings->over.count,
-		                             settings->list, report);
-	if (!status) {
-		add_shared(&sweep, &settings->common);
-		sweep.line = line_of(&settings->common);
-		common.mores = 0; /* these are no scenes */
-		status = sweep.line ? compute(&sweep, &settings->common, report)
-		                    : hawser__no_memory(report, "sweep");
-	}
-	for (long i = 0; sweep.packed && i < sweep.plan.count; i++)
-		free(sweep.packed[i].text);
-	free(sweep.packed);
-	free(sweep.word);
-	free(sweep.line);
+		status = cli_sweep_is_worker(&sweep) ? cli_sweep_serve(&sweep, report)
+		                                     : compute(&sweep, &settings->common, report);
+	status = cli_sweep_ranks_close(&sweep, status, report);
+	clear(&sweep);
 	free(keep);
-	cli_sweep_plan_clear(&sweep.plan);
 	return status;
 }
 

@@ -56,8 +56,11 @@ hawser_SOURCES = \
 	%D%/sweep_file.c \
 	%D%/sweep_pack.c \
 	%D%/sweep_plan.c \
+	%D%/sweep_processes.c \
+	%D%/sweep_ranks.c \
 	%D%/sweep_result.c \
 	%D%/sweep_run.c \
+	%D%/sweep_run.h \
 	%D%/sweep_take.c \
 	%D%/cmd_tow.c \
 	%D%/cmd_tow_steady.c \

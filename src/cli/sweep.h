@@ -117,9 +117,11 @@ struct cli_study {
 	int words;
 	char *line;      /* the command as the user wrote it, for comments */
 	int processes;
+	struct hawser__ranks *ranks; /* of mpirun; or NULL */
+	int part, parts; /* --part; parts 0: all variations */
+	long done;       /* variations of it that have been computed */
 	const char *checkpoint; /* or NULL */
 	struct cli_sweep_packed *packed; /* [plan.count] results; text NULL: not yet */
-	struct hawser_report refusal; /* see cli_sweep_run */
 };
 /* The result of one variation. */
 enum hawser_status cli_sweep_compute(struct cli_sweep_packed *packed, const struct cli_study *sweep,
@@ -129,7 +131,31 @@ enum hawser_status cli_sweep_compute(struct cli_sweep_packed *packed, const stru
 enum hawser_status cli_sweep_run(struct cli_study *sweep, struct hawser_report *report)
 	HAWSER_MUST_CHECK;
 
+/* --- sweep_ranks.c: ranks, which compute the same in the same order up to cli_sweep_run --- */
+
+/* `threads`: of --threads; 0: not given. */
+enum hawser_status cli_sweep_ranks_open(struct cli_study *sweep, int threads,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+int cli_sweep_is_worker(const struct cli_study *sweep);
+/* In a worker in place of cli_sweep_run. */
+enum hawser_status cli_sweep_serve(struct cli_study *sweep,
+                                   struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Returns `status`, the one that the command ends with, whose report it may complete. */
+enum hawser_status cli_sweep_ranks_close(struct cli_study *sweep, enum hawser_status status,
+                                         struct hawser_report *report);
+
 /* --- sweep_file.c: the checkpoint --- */
+
+/* A text that is the same for the same version, command line, files, variations and columns. */
+enum { CLI_SWEEP_IDENTITY = 160 };
+enum hawser_status cli_sweep_identity(char identity[CLI_SWEEP_IDENTITY],
+                                      const struct cli_study *sweep,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Join the checkpoints of parts, from [count], in the new file `to`; *results: their number. */
+enum hawser_status cli_sweep_merge(long *results, const char *to, const char *const *from, int count,
+                                   struct hawser_report *report) HAWSER_MUST_CHECK;
+/* 1 if the file begins as the checkpoint of a sweep does. */
+int cli_sweep_file_is(const char *path);
 
 struct cli_sweep_file {
 	int fd; /* -1: none */

@@ -15,11 +15,12 @@
 
 #include "cli/report.h"
 #include "cli/sweep.h"
+#include "core/file.h"
 #include "core/report.h"
 #include "output/sha256.h"
 
 static const char magic[] = "hawser-sweep-1";
-enum { HEAD = 160, CHECK = 8 }; /* size of a line; digits of a checksum */
+enum { HEAD = CLI_SWEEP_IDENTITY, CHECK = 8 }; /* size of a line; digits of a checksum */
 
 static enum hawser_status fail_io(const struct cli_sweep_file *file, const char *doing,
                                   struct hawser_report *report)
@@ -67,8 +68,8 @@ static void put_identity(FILE *to, const struct cli_study *sweep)
 		}
 }
 
-static enum hawser_status identify(char head[HEAD], const struct cli_study *sweep,
-                                   struct hawser_report *report)
+enum hawser_status cli_sweep_identity(char head[CLI_SWEEP_IDENTITY], const struct cli_study *sweep,
+                                      struct hawser_report *report)
 {
 	char digest[HAWSER__SHA256_SIZE], *text = NULL;
 	size_t size = 0;
@@ -97,51 +98,61 @@ static void checksum(char check[CHECK + 1], const char *text, size_t size)
 	snprintf(check, CHECK + 1, "%.*s", CHECK, digest);
 }
 
-/* One result at text [size]; returns its length, 0 if it is incomplete, -1 without memory. */
-static long read_one(struct cli_study *sweep, const char *text, size_t size)
+/* One result at text [size]: its place is *at, *length long. Returns what it takes, 0 if it is
+ * incomplete. */
+static size_t find_one(long *variation, const char **at, size_t *length, const char *text,
+                       size_t size)
 {
 	const char *end = memchr(text, '\n', size < HEAD ? size : HEAD);
 	char check[CHECK + 1], line[HEAD], was[CHECK + 1];
-	size_t length, head = end ? (size_t)(end - text) + 1 : 0;
-	struct cli_sweep_packed *packed;
-	long variation;
+	size_t head = end ? (size_t)(end - text) + 1 : 0;
 
 	snprintf(line, sizeof line, "%.*s", (int)head, text);
-	if (!head || sscanf(line, "%ld %zu %8s", &variation, &length, was) != 3 || variation < 0 ||
-	    variation >= sweep->plan.count || length > size - head)
+	if (!head || sscanf(line, "%ld %zu %8s", variation, length, was) != 3 || *variation < 0 ||
+	    *length > size - head)
 		return 0;
-	checksum(check, text + head, length);
-	if (strcmp(check, was) != 0)
-		return 0;
-	packed = &sweep->packed[variation];
+	checksum(check, text + head, *length);
+	*at = text + head;
+	return strcmp(check, was) == 0 ? head + *length : 0;
+}
+
+/* Returns 0 without memory. */
+static int keep_one(struct cli_study *sweep, long variation, const char *at, size_t length)
+{
+	struct cli_sweep_packed *packed = &sweep->packed[variation];
+
 	free(packed->text);
 	packed->text = malloc(length + 1);
 	if (!packed->text)
-		return -1;
-	memcpy(packed->text, text + head, length);
+		return 0;
+	memcpy(packed->text, at, length);
 	packed->text[length] = '\0';
 	packed->size = length;
-	return (long)(head + length);
+	return 1;
 }
 
 static enum hawser_status read_all(struct cli_sweep_file *file, struct cli_study *sweep,
                                    const char *head, const char *text, size_t size,
                                    struct hawser_report *report)
 {
-	size_t at = strlen(head);
-	long length = 1;
+	size_t at = strlen(head), taken = 1, length;
+	const char *found;
+	long variation;
 
 	if (size < at || strncmp(text, head, at) != 0)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "sweep",
-		                    "the checkpoint %s is %s: remove it, "
-		                    "or name another file", file->path,
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "sweep", "the checkpoint %s is %s: remove "
+		                    "it, or name another file", file->path,
 		                    strncmp(text, magic, strlen(magic)) == 0
 		                    ? "of another sweep: scene, command, variations or columns differ"
 		                    : "no checkpoint of a sweep");
-	for (; at < size && length > 0; at += length > 0 ? (size_t)length : 0)
-		length = read_one(sweep, text + at, size - at);
-	if (length < 0)
-		return hawser__no_memory(report, "sweep");
+	while (taken > 0 && at < size) {
+		taken = find_one(&variation, &found, &length, text + at, size - at);
+		if (variation >= sweep->plan.count)
+			taken = 0;
+		if (taken > 0 && !keep_one(sweep, variation, found, length))
+			return hawser__no_memory(report, "sweep");
+		at += taken;
+	}
 	if (ftruncate(file->fd, (off_t)at) != 0 || lseek(file->fd, 0, SEEK_END) < 0)
 		return fail_io(file, "continue", report);
 	return HAWSER_OK;
@@ -188,7 +199,7 @@ enum hawser_status cli_sweep_file_open(struct cli_sweep_file *file, struct cli_s
 {
 	char head[HEAD], *text = NULL;
 	size_t size;
-	enum hawser_status status = identify(head, sweep, report);
+	enum hawser_status status = cli_sweep_identity(head, sweep, report);
 
 	file->path = sweep->checkpoint;
 	if (status)
@@ -228,4 +239,88 @@ void cli_sweep_file_close(struct cli_sweep_file *file)
 	if (file->fd >= 0)
 		close(file->fd);
 	file->fd = -1;
+}
+
+/* --- joining parts --- */
+
+int cli_sweep_file_is(const char *path)
+{
+	char begin[sizeof magic] = "";
+	FILE *stream = fopen(path, "r");
+
+	if (!stream)
+		return 0;
+	begin[fread(begin, 1, sizeof magic - 1, stream)] = '\0';
+	fclose(stream);
+	return strcmp(begin, magic) == 0;
+}
+
+/* Append the results in text [size] that are not yet there; seen [count] of them. */
+static void join(FILE *to, char *seen, long count, long *results, const char *text, size_t size)
+{
+	size_t at = strcspn(text, "\n") + 1, taken = 1, length;
+	const char *found;
+	long variation;
+
+	while (taken > 0 && at < size) {
+		taken = find_one(&variation, &found, &length, text + at, size - at);
+		if (taken > 0 && variation < count && !seen[variation]) {
+			fwrite(text + at, 1, taken, to);
+			seen[variation] = 1;
+			++*results;
+		}
+		at += taken;
+	}
+}
+
+/* *head: that of the first file, with the number of variations in it, which all must have. */
+static enum hawser_status join_file(FILE *to, char head[HEAD], char **seen, long *count,
+                                    long *results, const char *path, struct hawser_report *report)
+{
+	char *text, own[HEAD];
+	size_t size;
+	enum hawser_status status = cli_report_text(&text, &size, path, report);
+
+	if (status)
+		return status;
+	snprintf(own, sizeof own, "%.*s", (int)strcspn(text, "\n"), text);
+	if (strncmp(text, magic, strlen(magic)) != 0 || (*head && strcmp(own, head) != 0))
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "merge", "%s is %s", path, *head &&
+		                      strncmp(text, magic, strlen(magic)) == 0
+		                      ? "the checkpoint of another sweep than the first file: scene, "
+		                        "command, variations or columns differ"
+		                      : "no checkpoint of a sweep, as the first file is");
+	if (!status && !*head) {
+		strcpy(head, own);
+		fprintf(to, "%s\n", head);
+		*count = strtol(strrchr(head, ' '), NULL, 10);
+		*count = *count > 0 && *count <= CLI_SWEEP_MOST ? *count : 0;
+		*seen = calloc((size_t)*count + 1, 1);
+	}
+	if (!status && !*seen)
+		status = hawser__no_memory(report, "merge");
+	if (!status)
+		join(to, *seen, *count, results, text, size);
+	free(text);
+	return status;
+}
+
+enum hawser_status cli_sweep_merge(long *results, const char *to, const char *const *from, int count,
+                                   struct hawser_report *report)
+{
+	struct hawser__file file;
+	char head[HEAD] = "", *seen = NULL;
+	long variations = 0;
+	enum hawser_status status = hawser__file_begin(&file, to, report);
+
+	*results = 0;
+	if (status)
+		return status;
+	for (int k = 0; k < count && !status; k++)
+		status = join_file(file.stream, head, &seen, &variations, results, from[k], report);
+	free(seen);
+	if (!status)
+		return hawser__file_commit(&file, report);
+	hawser__file_abort(&file);
+	return status;
 }

@@ -47,6 +47,15 @@ for name in ("sag_m", "T1_N", "V0_N", "irvine", "length0_m"):
 sys.exit(not good)
 EOF
 
+run sweep chairlift.yaml --over "tension.T0=60 kN:100 kN:5" --over span.h=0,10 --part 2/3 --checkpoint second -- statics
+try "part 2 of 3 has its variations in a checkpoint" test "$status $(cat "$scratch/out")" = "0 part 2 of 3: 3 variations in second"
+if [ -n "${HAWSER_LONG-}" ] && command -v mpirun >/dev/null; then
+	export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+	mpirun -n 3 --oversubscribe "$HAWSER" sweep chairlift.yaml --over "tension.T0=60 kN:100 kN:5" --over span.h=0,10 \
+		--reproducible --tsv ranks.tsv --quiet -- statics
+	try "three ranks write the same bytes" cmp one.tsv ranks.tsv
+fi
+
 printf '# a study\ntension.T0 (kN)\tspan.h\n80\t10 m\n1\t0 m\n90\t5 m\n' >list.tsv
 run sweep chairlift.yaml --list list.tsv --keep sag -- statics
 try "one of three has no equilibrium: exit status 2" test $status -eq 2
