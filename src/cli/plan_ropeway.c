@@ -4,8 +4,11 @@
 #include "config.h"
 
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "cli/plan_ropeway.h"
+#include "cli/view.h"
 #include "core/report.h"
 
 static void print_line(FILE *stream, const struct hawser_ropeway *rw,
@@ -105,6 +108,71 @@ static void print_cost(FILE *stream, double seconds, int reproducible)
 	        "each case\n", seconds, seconds*options.phases);
 }
 
+static void print_all(FILE *stream, const struct hawser_ropeway *rw,
+                      const struct hawser_ropeway_statics *st, double seconds, int reproducible)
+{
+	print_line(stream, rw, st);
+	print_left_out(stream, rw);
+	print_settings(stream, rw);
+	print_cost(stream, seconds, reproducible);
+}
+
+/* The text as comments of a table of what the line has: a line "  rope: ..." below "modelled" is the
+ * comment "modelled: rope: ...". */
+static enum hawser_status write_table(const struct cli_common *common, const char *text,
+                                      const struct hawser_ropeway *rw,
+                                      const struct hawser_ropeway_statics *st,
+                                      struct hawser_report *report)
+{
+	struct hawser__table table = {0};
+	const char *heading = "";
+	enum hawser_status status;
+
+	cli_echo_table(&table, common, "plan", NULL, "statics of a ropeway");
+	for (const char *line = text; *line; line += strcspn(line, "\n") + 1)
+		if (*line == ' ')
+			hawser__table_remark(&table, "%.*s: %.*s", (int)strcspn(heading, "\n"), heading,
+			                     (int)strcspn(line, "\n") - 2, line + 2);
+		else
+			heading = line;
+	hawser__table_column(&table, "lane");
+	hawser__table_column(&table, "towers");
+	hawser__table_column(&table, "carriers");
+	for (int i = 0; i < st->lanes; i++) {
+		hawser__table_word(&table, i ? "down" : "up");
+		hawser__table_number(&table, rw->towers);
+		hawser__table_number(&table, st->lane[i].carriers);
+	}
+	status = cli_deliver(common, &table, NULL, NULL, report);
+	hawser__table_clear(&table);
+	return status;
+}
+
+static enum hawser_status show(const struct cli_common *common, const struct hawser_ropeway *rw,
+                               const struct hawser_ropeway_statics *st, double seconds,
+                               struct hawser_report *report)
+{
+	enum hawser_status status;
+	char *text = NULL;
+	size_t size = 0;
+	FILE *stream;
+
+	if (!common->tsv) {
+		fprintf(stdout, "hawser %s plan: %s\nstatics of a ropeway\n", hawser_version(), common->input);
+		print_all(stdout, rw, st, seconds, common->reproducible);
+		return HAWSER_OK;
+	}
+	stream = open_memstream(&text, &size);
+	if (stream)
+		print_all(stream, rw, st, seconds, common->reproducible);
+	if (!stream || fclose(stream) != 0 || !text)
+		status = hawser__no_memory(report, "plan");
+	else
+		status = write_table(common, text, rw, st, report);
+	free(text);
+	return status;
+}
+
 enum hawser_status cli_plan_ropeway(const struct cli_common *common, struct hawser_report *report)
 {
 	const struct hawser_ropeway_options options = {.tolerate = 1};
@@ -113,20 +181,18 @@ enum hawser_status cli_plan_ropeway(const struct cli_common *common, struct haws
 	enum hawser_status status;
 	double before;
 
-	if (common->json || common->tsv)
+	if (common->json)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "plan", "the plan of a ropeway is a text: "
-		                    "leave --%s out", common->json ? "json" : "tsv");
-	status = hawser_ropeway_open(&rw, common->input, common->set, (size_t)common->sets, report);
+		                    "leave --json out (--tsv has it as comments)");
+	status = cli_outputs_check(common, report);
+	if (!status)
+		status = hawser_ropeway_open(&rw, common->input, common->set, (size_t)common->sets, report);
 	if (status)
 		return status;
 	before = cli_processor_seconds();
 	status = hawser_ropeway_solve(&st, &rw, &options, rw.phase, report);
 	if (!status) {
-		fprintf(stdout, "hawser %s plan: %s\nstatics of a ropeway\n", hawser_version(), common->input);
-		print_line(stdout, &rw, &st);
-		print_left_out(stdout, &rw);
-		print_settings(stdout, &rw);
-		print_cost(stdout, cli_processor_seconds() - before, common->reproducible);
+		status = show(common, &rw, &st, cli_processor_seconds() - before, report);
 		hawser_ropeway_statics_clear(&st);
 	}
 	hawser_ropeway_clear(&rw);

@@ -23,6 +23,10 @@ static const struct cli_report_part table[] = {
 	 "What the model of this net contains, what it leaves out and why, and which settings are "
 	 "defaults.",
 	 {"plan", "--limit", "0.2"}, NET, 0, 1, 0, 0},
+	{"plan", "What is modelled",
+	 "What the model of this line contains, what it leaves out and why, and which settings are "
+	 "defaults.",
+	 {"plan"}, ROPEWAY, 0, 1, 0, 0},
 	{"statics", "Static shape", "The equilibrium, from which all that follows departs.",
 	 {"statics"}, AT_REST | TRAVELS | OBSTACLES | NET | ROPEWAY | ROD, 1, 0, 0, 0},
 	{"worst", "Worst values", "The largest and smallest values over all places of the carriers.",

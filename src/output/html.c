@@ -143,10 +143,25 @@ static int same_heading(const struct comment *a, const struct comment *b)
 	return a->heading && a->heading == b->heading && strncmp(a->line, b->line, a->heading) == 0;
 }
 
+enum { LINES = 12 }; /* of one heading that are shown; a list of more lines can be opened */
+
+/* Number of comments from `line` on with this heading. */
+static int lines_of(const struct comment *first, const char *line)
+{
+	int count = 0;
+
+	for (; *line == '#'; line = next_line(line)) {
+		struct comment it = comment_at(line);
+
+		count += same_heading(&it, first);
+	}
+	return count;
+}
+
 /* One row for all comments from `line` on with the heading of the first. */
 static void comments_row(FILE *to, const struct comment *first, const char *line)
 {
-	const char *between = "";
+	int count = lines_of(first, line);
 
 	if (!first->heading) {
 		words_across(to, first->line, first->length);
@@ -155,16 +170,18 @@ static void comments_row(FILE *to, const struct comment *first, const char *line
 	fputs("<tr><th scope=\"row\">", to);
 	put(to, first->line, first->heading);
 	fputs("</th><td>", to);
+	if (count > LINES)
+		fprintf(to, "<details><summary>%d lines</summary>\n", count);
 	for (; *line == '#'; line = next_line(line)) {
 		struct comment it = comment_at(line);
 
 		if (!same_heading(&it, first))
 			continue;
-		fputs(between, to);
+		fputs(count > 1 ? "<div>" : "", to);
 		put(to, it.text, it.length - (size_t)(it.text - it.line));
-		between = "<br>\n";
+		fputs(count > 1 ? "</div>\n" : "", to);
 	}
-	fputs("</td></tr>\n", to);
+	fprintf(to, "%s</td></tr>\n", count > LINES ? "</details>" : "");
 }
 
 static int is_first(const struct comment *it, const char *from)
@@ -253,8 +270,9 @@ static int is_chosen(int index, int rows, int most)
 int hawser__html_rows(FILE *to, const char *tsv, int most, const char *full)
 {
 	enum { OPEN = 12 }; /* longer tables are folded */
+	enum { PAPER = 12 }; /* columns on paper, as report.css has it: more would leave the page */
 	const char *line = tsv, *head;
-	int rows = 0, shown, index = 0;
+	int rows = 0, shown, index = 0, columns = 1;
 
 	while (*line == '#')
 		line = next_line(line);
@@ -263,13 +281,18 @@ int hawser__html_rows(FILE *to, const char *tsv, int most, const char *full)
 		return 0;
 	for (line = next_line(head); *line; line = next_line(line))
 		rows++;
+	for (const char *c = head; *c && *c != '\n'; c++)
+		columns += *c == '\t';
 	shown = rows < most ? rows : most;
 	fprintf(to, "<details%s>\n<summary>Table: %d of %d rows</summary>\n"
 	        "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Table\">\n"
 	        "<table class=\"rows\">\n<caption>Numbers rounded to eight digits; in full and all rows: "
 	        "<code>", shown <= OPEN ? " open" : "", shown, rows);
 	hawser__html_text(to, full);
-	fputs("</code></caption>\n<thead>", to);
+	fputs("</code>", to);
+	if (columns > PAPER)
+		fprintf(to, "<span class=\"paper\">. Here the first %d of %d columns</span>", PAPER, columns);
+	fputs("</caption>\n<thead>", to);
 	row(to, head, 1);
 	fputs("</thead>\n<tbody>\n", to);
 	for (line = next_line(head); *line; line = next_line(line))

@@ -142,10 +142,10 @@ static void decide_load(struct hawser_plan *plan, const struct hawser_scene *sce
 	if (scene->loads > 0)
 		decide_loads(plan, scene);
 	if (hawser__support_moves(scene))
-		decide(plan, "motion of the supports", 1, "forces and stiffness at the multiples of Omega "
-		    "of the motion, its sums and differences up to the third degree, constant ones too; "
-		    "exact to the order of the energy. Left out: second-order displacement of the "
-		    "condensed modes by the motion, in displacements and tension; mode choice (auto)");
+		decide(plan, "motion of the supports", 1, "forces and stiffness at multiples of Omega "
+		    "of the motion, sums and differences up to degree three, and constants; exact to the "
+		    "order of the energy. Left out: second-order displacement of condensed modes by the "
+		    "motion; mode choice (auto)");
 	decide(plan, "Floquet multipliers", 1, "at every point of a traced response, for its stability "
 	    "and its bifurcations; not for multiple scales");
 }

@@ -135,6 +135,9 @@ works "a plan" plan "$scenes/ropeway-gondola.yaml" --reproducible
 try "  of a train" grep -q '^  trains of sheaves: 96 fixed sheaves$' "$scratch/out"
 try "  and of its carriers" grep -q '^  carriers down: 20 of 650 kg' "$scratch/out"
 denies "an option of the plans of spans" 1 "and this scene is a ropeway" plan "$small" --limit 1
+works "a plan as a table" plan "$small" --reproducible --tsv plan.tsv
+try "the text stands in comments" grep -q '^# left out: bending stiffness of the rope: ' plan.tsv
+try "the table has the lanes" sh -c 'tail -n 1 plan.tsv | grep -q "^down	2	8$"'
 denies "a plan as JSON" 1 "the plan of a ropeway is a text" plan "$small" --json plan.json
 denies "a battery that the rope does not press" 2 "case full, phase 18.3 m, lane up: .*p1" statics "$small" \
 	--set ropeway.towers.p1.battery=compression
