@@ -407,6 +407,8 @@ static enum hawser_status prepare(struct cli_study *sweep, const struct settings
 	if (!status)
 		status = cli_sweep_plan_open(&sweep->plan, settings->over.text, settings->over.count,
 		                             settings->list, report);
+	if (!status && settings->common.plot)
+		status = cli_sweep_draw_check(&sweep->plan, report);
 	if (status)
 		return status;
 	add_shared(sweep, &settings->common);

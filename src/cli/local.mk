@@ -56,6 +56,7 @@ hawser_SOURCES = \
 	%D%/sweep_file.c \
 	%D%/sweep_pack.c \
 	%D%/sweep_plan.c \
+	%D%/sweep_map.c \
 	%D%/sweep_processes.c \
 	%D%/sweep_ranks.c \
 	%D%/sweep_result.c \

@@ -203,7 +203,21 @@ void cli_sweep_result_clear(struct cli_sweep_result *result);
 double cli_sweep_number(const struct cli_sweep_line *line, int column);
 extern const struct cli_showing cli_sweep_showing;
 
-/* --- sweep_draw.c --- */
+/* --- sweep_draw.c, sweep_map.c --- */
+
+/* Check, before the computation, that the variations can be drawn. */
+enum hawser_status cli_sweep_draw_check(const struct cli_sweep_plan *plan,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+/* *largest: the largest modulus in a column. Returns 0 if it does not vary by more than round-off. */
+int cli_sweep_varies(double *largest, const struct cli_sweep_result *result, int column);
+/* Axes of a column and of a key, in gnuplot's markup. */
+struct hawser__axis cli_sweep_column_axis(const char *column, double largest);
+struct hawser__axis cli_sweep_key_axis(const struct cli_sweep_key *key, double largest);
+/* 1 if two keys vary, each over numbers at equal distances. */
+int cli_sweep_is_map(const struct cli_sweep_plan *plan);
+/* A column over these keys, of the first row of each variation. */
+enum hawser_status cli_sweep_map(const char *path, const struct cli_sweep_result *result, int column,
+                                 double largest, struct hawser_report *report) HAWSER_MUST_CHECK;
 
 enum hawser_status cli_sweep_draw(const char *path, const void *result,
                                   struct hawser_report *report);

@@ -78,16 +78,15 @@ static enum hawser_status choose_abscissa(struct drawing *of, struct hawser_repo
 				free(values);
 			}
 		}
-	if (of->key >= 0 && of->points > 1 && of->points < plan->axis[of->axis].values)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "sweep",
-		                    "--plot: values of %s repeat among those "
-		                    "that vary together: there is no curve over it; the table has the results",
+	if (of->key < 0 || of->points < 2)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "sweep", "--plot: no varied key has two "
+		                    "different numbers to draw over; leave it out");
+	if (of->points < plan->axis[of->axis].values)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "sweep", "--plot: values of %s repeat among "
+		                    "those that vary together: there is no curve over it; leave it out",
 		                    plan->key[of->key].key);
-	if (of->key >= 0 && of->points > 1)
-		return HAWSER_OK;
-	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "sweep",
-	                    "--plot: no varied key has two different "
-	                    "numbers to draw over; the table has the results");
+	of->curves = plan->count/plan->axis[of->axis].values;
+	return HAWSER_OK;
 }
 
 /* Values at equal ratios, as ":log" makes them. */
@@ -106,7 +105,7 @@ static int is_logarithmic(const struct drawing *of)
 
 /* largest: the largest modulus in a column. Returns 0 if it does not vary by more than
  * round-off. */
-static int varies(double *largest, const struct cli_sweep_result *result, int column)
+int cli_sweep_varies(double *largest, const struct cli_sweep_result *result, int column)
 {
 	double low = INFINITY, high = -INFINITY;
 
@@ -122,22 +121,19 @@ static int varies(double *largest, const struct cli_sweep_result *result, int co
 	return high > low && high - low > 1e-9**largest;
 }
 
-/* Those that the user names, or the first that vary. */
-static enum hawser_status choose_columns(struct drawing *of, struct hawser_report *report)
+/* The first that vary. */
+static void choose_columns(struct drawing *of)
 {
 	const struct cli_sweep_result *result = of->result;
 
 	for (int c = 0; c < result->columns && of->panels < PANELS; c++)
-		if (varies(&of->largest[of->panels], result, c) && strcmp(result->column[c], "index") != 0)
+		if (cli_sweep_varies(&of->largest[of->panels], result, c) &&
+		    strcmp(result->column[c], "index") != 0)
 			of->column[of->panels++] = c;
-	if (of->panels > 0)
-		return HAWSER_OK;
-	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "sweep", "--plot: no column of the result has "
-	                    "numbers that vary; the table has them");
 }
 
 /* "sag (m)" of "sag_m", in gnuplot's markup. */
-static struct hawser__axis column_axis(const char *column, double largest)
+struct hawser__axis cli_sweep_column_axis(const char *column, double largest)
 {
 	const char *unit = "";
 	char bare[LABEL], shown[HAWSER__AXIS_SIZE - 32], ending[HAWSER__UNIT_SIZE + 2];
@@ -190,14 +186,8 @@ static enum hawser_status count_curves(struct drawing *of, struct hawser_report 
 		if (of->place[i] >= of->places)
 			of->places = of->place[i] + 1;
 	}
-	of->curves = of->plan->count/of->plan->axis[of->axis].values*of->places;
-	if (of->curves <= CURVES)
-		return HAWSER_OK;
-	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "sweep",
-	                    "--plot: %ld curves (%ld combinations of "
-	                    "the other keys, %ld rows of each variation) are more than the %d that can be "
-	                    "told apart: vary less, or choose rows by --last, --max or --min", of->curves,
-	                    of->curves/of->places, of->places, CURVES);
+	of->curves *= of->places;
+	return HAWSER_OK;
 }
 
 /* The first word of a line, such as the plane of a mode; "" if there is none. */
@@ -258,17 +248,19 @@ static void fill(struct hawser__sweep_picture *picture, double *y, const struct 
 {
 	struct hawser__axis axis[PANELS];
 	const struct cli_sweep_result *result = of->result;
-	size_t points = (size_t)of->points, curves = (size_t)of->curves;
+	size_t points = (size_t)of->points, curves = (size_t)picture->curves;
 
 	for (size_t i = 0; i < points*curves*(size_t)of->panels; i++)
 		y[i] = NAN;
 	for (int p = 0; p < of->panels; p++) {
-		axis[p] = column_axis(result->column[of->column[p]], of->largest[p]);
+		axis[p] = cli_sweep_column_axis(result->column[of->column[p]], of->largest[p]);
 		snprintf(picture->y_title[p], LABEL, "%.119s", axis[p].title);
 	}
 	for (long i = 0; i < result->lines; i++) {
 		size_t curve = (size_t)curve_of(of, i), point = (size_t)point_of(of, i);
 
+		if (curve >= curves)
+			continue;
 		for (int p = 0; p < of->panels; p++)
 			y[((size_t)p*curves + curve)*points + point] =
 				cli_sweep_number(&result->line[i], of->column[p])/axis[p].per;
@@ -278,26 +270,32 @@ static void fill(struct hawser__sweep_picture *picture, double *y, const struct 
 	}
 }
 
+struct hawser__axis cli_sweep_key_axis(const struct cli_sweep_key *key, double largest)
+{
+	const char *unit = *key->unit ? key->unit : cli_key_unit(key->key), *quantity, *symbol;
+	char title[256];
+
+	if (!cli_axis_quantity(&quantity, &symbol, key->key))
+		cli_key_sweep_title(title, sizeof title, key->key);
+	else
+		snprintf(title, sizeof title, "%s%s%s", quantity, *symbol ? " " : "", symbol);
+	return hawser__axis_of(title, strcmp(unit, "1") == 0 ? "" : unit, largest);
+}
+
 static enum hawser_status draw(const char *path, struct drawing *of, struct hawser_report *report)
 {
 	struct hawser__sweep_picture *picture = calloc(1, sizeof *picture);
-	size_t count = (size_t)of->points*(size_t)of->curves*(size_t)of->panels;
+	int curves = of->curves < CURVES ? (int)of->curves : CURVES;
+	size_t count = (size_t)of->points*(size_t)curves*(size_t)of->panels;
 	double *y = malloc(count*sizeof *y);
-	const struct cli_sweep_key *key = &of->plan->key[of->key];
-	const char *unit = *key->unit ? key->unit : cli_key_unit(key->key), *quantity, *symbol;
 	struct hawser__axis axis;
-	char title[256];
 	enum hawser_status status = picture && y ? HAWSER_OK : hawser__no_memory(report, "sweep");
 
 	if (!status) {
-		*picture = (struct hawser__sweep_picture){.panels = of->panels, .curves = (int)of->curves,
+		*picture = (struct hawser__sweep_picture){.panels = of->panels, .curves = curves,
 			.points = (int)of->points, .logarithmic = is_logarithmic(of), .x = of->x, .y = y};
 		fill(picture, y, of);
-		if (!cli_axis_quantity(&quantity, &symbol, key->key))
-			cli_key_sweep_title(title, sizeof title, key->key);
-		else
-			snprintf(title, sizeof title, "%s%s%s", quantity, *symbol ? " " : "", symbol);
-		axis = hawser__axis_of(title, strcmp(unit, "1") == 0 ? "" : unit, of->x[of->points - 1]);
+		axis = cli_sweep_key_axis(&of->plan->key[of->key], of->x[of->points - 1]);
 		for (long i = 0; i < of->points; i++)
 			of->x[i] /= axis.per;
 		picture->x_title = axis.title;
@@ -310,18 +308,49 @@ static enum hawser_status draw(const char *path, struct drawing *of, struct haws
 	return status;
 }
 
+enum hawser_status cli_sweep_draw_check(const struct cli_sweep_plan *plan,
+                                        struct hawser_report *report)
+{
+	struct drawing drawing = {.plan = plan};
+	enum hawser_status status = choose_abscissa(&drawing, report);
+
+	free(drawing.x);
+	if (status || drawing.curves <= CURVES || cli_sweep_is_map(plan))
+		return status;
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "sweep", "--plot: %ld curves are more than the %d "
+	                    "that can be told apart, and a map has two keys with values at equal "
+	                    "distances: vary less, or leave it out", drawing.curves, CURVES);
+}
+
+/* A picture that cannot be as it should is no reason to lose the table. */
+static void warn(const struct drawing *of)
+{
+	char text[CLI_WARNING_SIZE];
+
+	if (of->panels == 0) {
+		cli_warn("there is no picture: no column of the result has numbers that vary");
+	} else if (of->curves > CURVES) {
+		snprintf(text, sizeof text, "the picture has the first %d of %ld curves, since more cannot be "
+		         "told apart: choose rows by --last, --max or --min", CURVES, of->curves);
+		cli_warn(text);
+	}
+}
+
 enum hawser_status cli_sweep_draw(const char *path, const void *of, struct hawser_report *report)
 {
 	const struct cli_sweep_result *result = of;
 	struct drawing drawing = {.result = result, .plan = &result->sweep->plan};
 	enum hawser_status status = choose_abscissa(&drawing, report);
+	int map = drawing.curves > CURVES;
 
-	if (!status)
-		status = choose_columns(&drawing, report);
-	if (!status)
+	choose_columns(&drawing);
+	if (!status && !map)
 		status = count_curves(&drawing, report);
-	if (!status)
-		status = draw(path, &drawing, report);
+	if (!status && (!map || drawing.panels == 0))
+		warn(&drawing);
+	if (!status && drawing.panels > 0)
+		status = map ? cli_sweep_map(path, result, drawing.column[0], drawing.largest[0], report)
+		             : draw(path, &drawing, report);
 	free(drawing.x);
 	free(drawing.place);
 	return status;

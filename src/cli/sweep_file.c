@@ -116,6 +116,12 @@ static size_t find_one(long *variation, const char **at, size_t *length, const c
 	return strcmp(check, was) == 0 ? head + *length : 0;
 }
 
+/* 1 if there is no result because of the system (a crash, no memory): it is computed again. */
+static int is_to_repeat(const char *text)
+{
+	return hawser_status_exit((enum hawser_status)atoi(text + 2)) == 4;
+}
+
 /* Returns 0 without memory. */
 static int keep_one(struct cli_study *sweep, long variation, const char *at, size_t length)
 {
@@ -149,7 +155,7 @@ static enum hawser_status read_all(struct cli_sweep_file *file, struct cli_study
 		taken = find_one(&variation, &found, &length, text + at, size - at);
 		if (variation >= sweep->plan.count)
 			taken = 0;
-		if (taken > 0 && !keep_one(sweep, variation, found, length))
+		if (taken > 0 && !is_to_repeat(found) && !keep_one(sweep, variation, found, length))
 			return hawser__no_memory(report, "sweep");
 		at += taken;
 	}
@@ -264,7 +270,7 @@ static void join(FILE *to, char *seen, long count, long *results, const char *te
 
 	while (taken > 0 && at < size) {
 		taken = find_one(&variation, &found, &length, text + at, size - at);
-		if (taken > 0 && variation < count && !seen[variation]) {
+		if (taken > 0 && variation < count && !seen[variation] && !is_to_repeat(found)) {
 			fwrite(text + at, 1, taken, to);
 			seen[variation] = 1;
 			++*results;
