@@ -84,7 +84,7 @@ class Site:
     def drawn(self, document, page, text):
         """The page with each picture below the block of the command that draws it."""
         folder = os.path.join(self.pictures or "", os.path.basename(document))
-        out, block, shown = [], [], []
+        out, block = [], []
         for line in text.split("\n") + ["end"]:
             if line.startswith("    ") or (block and not line.strip()):
                 block.append(line)
@@ -98,12 +98,11 @@ class Site:
                         copy = os.path.join(self.out, "pictures", os.path.basename(page) + "-" + name)
                         os.makedirs(os.path.dirname(copy), exist_ok=True)
                         shutil.copyfile(os.path.join(folder, name), copy)
-                        shown.append(os.path.relpath(copy, self.out))
-                        out += ["![Picture drawn by the command %s](%s)" % (re.sub(r"([\[\]*_`])", r"\\\1", command),
-                                                                            shown[-1]), ""]
+                        words = re.sub(r"([\[\]*_`])", r"\\\1", command)
+                        out += ["![Picture drawn by the command %s](%s)" % (words, os.path.relpath(copy, self.out)), ""]
                 block = []
             out.append(line)
-        return "\n".join(out[:-1]), shown
+        return "\n".join(out[:-1])
 
     @staticmethod
     def plots(block):
@@ -115,12 +114,13 @@ class Site:
 
     def markdown(self, document, page, extra=""):
         text = self.links(document, page, self.read(document))
-        text, shown = self.drawn(document, page, text)
+        text = self.drawn(document, page, text)
+        if page == "overview":      # whose title is that of the front page
+            text = re.sub(r"\A# .*", "# " + TITLES[page], text)
         if "<!-- pictures -->" in text:
             text = text.replace("<!-- pictures -->", self.grid(text))
         # a line that begins with % would be a comment
         self.write(page, re.sub(r"^%", r"\\%", text, flags=re.M) + extra)
-        return shown
 
     @staticmethod
     def grid(text):

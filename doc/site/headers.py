@@ -59,18 +59,17 @@ def page(name, text):
     about = prose(head)
     first, _, rest = about.partition("\n\n")
     summary = re.sub(r"^hawser/\S+ - ", "", " ".join(first.split()).replace(r"\_", "_")).replace("_", r"\_")
+    summary = summary[:1].upper() + summary[1:]
     out = ["# hawser/" + name, "", "    #include <hawser/%s>" % name, "", summary, "", rest, ""]
-    declared = []
     for part in parts(FRAME.sub("", text)):
         found = names(part)
-        declared += found
         if found:
             more = " …" if len(found) > 3 else ""
             out += ["## " + ", ".join(found[:3]).replace("_", r"\_") + more, ""]
             if found[1:]:
                 out += ["```{raw} html", "".join('<span id="%s"></span>' % each for each in found[1:]), "```", ""]
         out += ["```c", part.strip("\n"), "```", ""]
-    return summary, declared, "\n".join(out)
+    return summary, "\n".join(out)
 
 
 def pages(folder, write):
@@ -78,7 +77,7 @@ def pages(folder, write):
     for path in sorted(glob.glob(os.path.join(folder, "*.h"))):
         name = os.path.basename(path)
         with open(path, encoding="utf-8") as stream:
-            summary, declared, text = page(name, stream.read())
+            summary, text = page(name, stream.read())
         write("api/" + name, text)
         files.append(name)
         rows.append("| [hawser/%s](%s.md) | %s |" % (name, name, summary.partition(". ")[0].rstrip(".").replace("|", r"\|")))

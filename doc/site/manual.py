@@ -54,6 +54,7 @@ def linked(text, own, known, keys):
     def key(hit):
         return '<a href="hawser-scene.5.html#%s"><b>%s</b></a>' % (hit[1], hit[1]) if hit[1] in keys else hit[0]
 
+    text = re.sub(r"<b>(--?[\w-]+)</b>", r'<b class="option">\1</b>', text)     # not broken at its hyphens
     parts = re.split(r"(<pre.*?</pre>|<a .*?</a>)", text, flags=re.S)
     for i in range(0, len(parts), 2):
         parts[i] = REFERENCE.sub(page, parts[i])

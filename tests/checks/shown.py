@@ -32,7 +32,8 @@ import tempfile
 
 LONG = (r"hawser (map|campbell|compare|folds|frf|locus|hill|beam|integrate|mms)\b|hawser plan\b"
         r"|hawser irvine [a-z.]* --|hawser statics .*--(speeds|models)"
-        r"|hawser identify .*--free [\w.]+,|hawser nnm\b|hawser modes .*--over")
+        r"|hawser identify .*--free [\w.]+,|hawser nnm\b|hawser modes .*--over"
+        r"|hawser report .*--from")
 STARTED = 0.04       # s of processor time; reading and checking a scene takes 0.01
 LIMIT = 1800.0       # s of wall time, for a command that runs to its end
 PRECISION = 1e-12    # relative, of what is computed to round-off
