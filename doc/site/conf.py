@@ -24,7 +24,9 @@ myst_html_meta = {"description": "hawser: statics and linear and nonlinear dynam
                                  "from Python and from C"}
 html_theme = "furo"
 html_title = "hawser " + version
-html_static_path = [os.path.join(os.path.dirname(os.path.abspath(__file__)), "static")]
+HERE = os.path.dirname(os.path.abspath(__file__))
+html_static_path = [os.path.join(HERE, "static")]
+templates_path = [os.path.join(HERE, "templates")]
 html_css_files = ["hawser.css"]
 html_copy_source = False
 html_show_copyright = False
@@ -116,8 +118,24 @@ def navigation(app, pagename, templatename, context, doctree):
         context["toctree"] = titles
 
 
+def one_script(app, exception):
+    """The theme's script may import another file, as in Debian 12; browsers refuse that for pages read from files."""
+    path = os.path.join(app.outdir, "_static/scripts/furo.js")
+    if exception or not os.path.isfile(path):
+        return
+    with open(path, encoding="utf-8") as stream:
+        text = stream.read()
+    imported = re.match(r'import Gumshoe from "\./([\w-]+\.js)";', text)
+    if imported:
+        with open(os.path.join(os.path.dirname(path), imported[1]), encoding="utf-8") as stream:
+            text = stream.read() + text[imported.end():]
+        with open(path, "w", encoding="utf-8") as stream:
+            stream.write(text)
+
+
 def setup(app):
     app.add_lexer("shown", Shown)
     app.connect("doctree-read", adapt)
     app.connect("html-page-context", navigation, priority=400)   # before the theme's
+    app.connect("build-finished", one_script)
     return {"parallel_read_safe": True}

@@ -1,7 +1,7 @@
 """The links of a folder of HTML: links.py FOLDER [--external].
 
 Each internal link, anchor, picture, script and style of every page has to be there, and no page may load anything from elsewhere
-(a link to follow is no load). Prints a line a fault, and ends with status 1 where there are any; --external lists the links that
+(a link to follow is no load), nor scripts that are modules. Prints a line a fault, and ends with status 1 where there are any; --external lists the links that
 lead elsewhere, which are not followed. SPDX-License-Identifier: GPL-3.0-or-later
 """
 import html.parser
@@ -57,6 +57,8 @@ def check(folder):
             path = os.path.join(where, name)
             if name.endswith(".html"):
                 pages[os.path.normpath(path)] = Page(read(path))
+            elif name.endswith(".js") and re.search(r"^(import|export) ", read(path), re.M):
+                faults.append(path + ": a module, which browsers do not load from files")
             elif name.endswith(".css"):
                 faults += ["%s: loads %s" % (path, link) for link in elsewhere(read(path))]
     for path, page in sorted(pages.items()):

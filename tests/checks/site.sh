@@ -20,9 +20,11 @@ cat >"$scratch/wrong/index.html" <<'END'
 END
 echo '<html><head><title>b</title></head><body><p id="there"></p></body></html>' >"$scratch/wrong/other.html"
 echo 'a { background: url(//example.org/a.png) }' >"$scratch/wrong/a.css"
-python3 tests/checks/links.py "$scratch/wrong" | sed 's|.*wrong/||' >"$scratch/found"
+echo 'import a from "./b.js";' >"$scratch/wrong/c.js"
+python3 tests/checks/links.py "$scratch/wrong" | sort | sed 's|.*wrong/||' >"$scratch/found"
 cat >"$scratch/expected" <<'END'
 a.css: loads //example.org/a.png
+c.js: a module, which browsers do not load from files
 index.html: anchor #top stands twice
 index.html: picture other.html has no alternative text
 index.html:1: loads https://example.org/a.css
@@ -31,7 +33,7 @@ index.html:3: missing.html is not there
 index.html:3: missing.png is not there
 END
 diff "$scratch/expected" "$scratch/found" | nothing "broken links, anchors and pictures, and what is loaded from elsewhere, are found"
-rm "$scratch/wrong/a.css" "$scratch/wrong/index.html"
+rm "$scratch/wrong/a.css" "$scratch/wrong/c.js" "$scratch/wrong/index.html"
 try "a folder without faults passes" python3 tests/checks/links.py "$scratch/wrong"
 
 version=$(sed -n 's/^AC_INIT(\[hawser\], \[\([^]]*\)\].*/\1/p' configure.ac)
