@@ -5,7 +5,7 @@
 Writes a folder of Markdown that Sphinx (conf.py beside this file) makes HTML of. Nothing is written twice: links between
 the documents of the tree become links of the site, links to other files of the tree become downloads, and below a command
 that a page shows with `--plot NAME.svg` stands the picture it drew, where --pictures has it (tests/checks/shown.py draws).
-A document that is not named in PAGES is a failure, so that none is forgotten.
+A document that PAGES does not name stands at the end of the navigation.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -46,9 +46,9 @@ class Site:
         there = sorted(os.path.basename(path) for path in glob.glob(os.path.join(self.tree, "doc/theory-*.md")))
         self.notes = ["doc/" + name for name in sorted(there, key=lambda name: named.index(name) if name in named else len(named))]
         self.where.update((path, os.path.basename(path)[:-3]) for path in self.notes)
-        for path in glob.glob(os.path.join(self.tree, "doc/*.md")):
-            if os.path.relpath(path, self.tree) not in self.where:
-                sys.exit("assemble.py: %s is in no row of PAGES" % path)
+        others = sorted({"doc/" + os.path.basename(path) for path in glob.glob(os.path.join(self.tree, "doc/*.md"))} - set(self.where))
+        self.groups = PAGES + ((("Further", tuple((path, os.path.basename(path)[:-3]) for path in others)),) if others else ())
+        self.where.update(row for _, rows in self.groups for row in rows)
 
     def read(self, path):
         with open(os.path.join(self.tree, path), encoding="utf-8") as stream:
@@ -155,7 +155,7 @@ class Site:
     def contents(self):
         """The hidden tables of contents of the front page, which the theme's navigation shows."""
         parts = []
-        for group, rows in PAGES:
+        for group, rows in self.groups:
             pages = ["%s <%s>" % (TITLES[page], page) if page in TITLES else page for _, page in rows]
             parts.append("\n```{toctree}\n:hidden:\n:caption: %s\n\n%s\n```\n" % (group, "\n".join(pages)))
         return "\n".join(parts)
@@ -164,7 +164,7 @@ class Site:
         shutil.rmtree(self.out, ignore_errors=True)
         os.makedirs(self.out)
         notes = "\n```{toctree}\n:hidden:\n\n%s\n```\n" % "\n".join(self.where[path] for path in self.notes)
-        for _, rows in PAGES:
+        for _, rows in self.groups:
             for document, page in rows:
                 if document.endswith(".md"):
                     self.markdown(document, page, notes if document == "doc/theory.md" else "")

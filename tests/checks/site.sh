@@ -28,9 +28,9 @@ c.js: a module, which browsers do not load from files
 index.html: anchor #top stands twice
 index.html: picture other.html has no alternative text
 index.html:1: loads https://example.org/a.css
-index.html:3: no anchor for other.html#nowhere
 index.html:3: missing.html is not there
 index.html:3: missing.png is not there
+index.html:3: no anchor for other.html#nowhere
 END
 diff "$scratch/expected" "$scratch/found" | nothing "broken links, anchors and pictures, and what is loaded from elsewhere, are found"
 rm "$scratch/wrong/a.css" "$scratch/wrong/c.js" "$scratch/wrong/index.html"
