@@ -57,6 +57,8 @@ static const struct cli_option options[] = {
 	 CLI_TEXT(net.probe)},
 	{"state", 0, "FILE", "nets, rods: write the last state, for --initial", CLI_TEXT(net.state)},
 	{"vtk", 0, "STEM", "nets, rods: write STEM-00000.vtk and so on, one a row", CLI_TEXT(net.vtk)},
+	{"animate", 0, "FILE.gif", "rods: write an animation", CLI_TEXT(net.animate)},
+	{"frames", 0, "N", "of the animation, at most (100)", CLI_COUNT(net.frames)},
 	{"no-error", 0, "", "rods: without the two runs for the errors", CLI_FLAG(net.skip_error)},
 	{"partial", 0, "", "write what was computed also if the run fails", CLI_FLAG(partial)},
 	CLI_LANE_OPTIONS,
@@ -284,6 +286,9 @@ static enum hawser_status run_kind(const struct settings *settings, int rod,
 			                      "their errors are computed unless --no-error is given"
 			                    : "--%s is not for nets: loads and motions of supports are in the "
 			                      "scene", other[i].name);
+	if (!rod && settings->net.animate)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate", "--animate is for rods: of a net "
+		                    "--vtk writes files that ParaView plays");
 	net.until = settings->until != defaults.until ? settings->until : NULL;
 	net.every = settings->every != defaults.every ? settings->every : NULL;
 	net.scheme = settings->method;
@@ -308,7 +313,7 @@ static enum hawser_status run_span(const struct settings *settings, struct hawse
 	             {"partial", settings->partial}, {"atol", settings->atol != defaults.atol},
 	             {"model-library", settings->common.library != NULL},
 	             {"probe", settings->net.probe != NULL}, {"state", settings->net.state != NULL},
-	             {"vtk", settings->net.vtk != NULL}};
+	             {"vtk", settings->net.vtk != NULL}, {"animate", settings->net.animate != NULL}};
 	const struct cli_integrate_span span = {
 		.texts = {.omega = settings->omega, .until = settings->until, .every = settings->every,
 		          .step = settings->net.step},
@@ -355,10 +360,12 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		status = check_model(settings, report);
 	if (!status && settings->model && strcmp(settings->model, "fe") == 0)
 		return run_span(settings, report);
-	if (!status && (net->step || net->probe || net->vtk || net->state || net->skip_error))
+	if (!status && (net->step || net->probe || net->vtk || net->state || net->skip_error ||
+	                net->animate))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate", "--%s is for nets and rods, and "
 		                    "%s is no scene of one", net->step ? "step" : net->probe ? "probe"
-		                    : net->vtk ? "vtk" : net->state ? "state" : "no-error",
+		                    : net->vtk ? "vtk" : net->state ? "state"
+		                    : net->animate ? "animate" : "no-error",
 		                    settings->common.input);
 	if (!status)
 		status = cli_state_check("initial", settings->initial, &settings->common, report);

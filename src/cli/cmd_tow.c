@@ -8,6 +8,7 @@
 #include "cli/progress.h"
 #include "cli/view.h"
 #include "core/report.h"
+#include "output/animate.h"
 #include "output/plot_tow_motion.h"
 #include "output/vtk.h"
 
@@ -15,11 +16,12 @@ enum { PATH = 4096 }; /* bytes: the longest path that Linux opens */
 
 struct settings {
 	struct cli_common common;
-	const char *until, *step, *every, *local, *initial, *state, *vtk;
-	int refine, check;
+	const char *until, *step, *every, *local, *initial, *state, *vtk, *animate;
+	int refine, check, frames;
 	double rho_inf;
 };
-static const struct settings defaults = {.refine = 1, .rho_inf = 0.8};
+static const struct settings defaults = {.refine = 1, .rho_inf = 0.8,
+                                         .frames = HAWSER__ANIMATE_FRAMES};
 static const struct cli_option options[] = {
 	CLI_TEXT_OPTION(until, "TIME", "end of the motion (that of the path)"),
 	CLI_TEXT_OPTION(every, "TIME", "time between rows (a 500th of the motion)"),
@@ -32,6 +34,8 @@ static const struct cli_option options[] = {
 	CLI_TEXT_OPTION(initial, "FILE", "go on from a state that --state wrote (the steady state)"),
 	CLI_TEXT_OPTION(state, "FILE", "write the last state, from which --initial goes on"),
 	CLI_TEXT_OPTION(vtk, "STEM", "write STEM-00000.vtk and so on, one a row, and STEM.vtk.series"),
+	CLI_TEXT_OPTION(animate, "FILE.gif", "write an animation, seen from the towing point"),
+	{"frames", 0, "N", "of the animation, at most (100)", CLI_COUNT(frames)},
 	CLI_NO_OPTION,
 };
 static const char *const notes[] = {
@@ -260,6 +264,33 @@ static enum hawser_status write_vtk(const struct result *result, struct hawser_r
 	return status;
 }
 
+/* The cable and, as its last point, the body's centre, less the place of the towing point. */
+static enum hawser_status animate(const struct result *result, struct hawser_report *report)
+{
+	const struct hawser_tow_motion *m = &result->motion;
+	int points = m->elements + 2;
+	double (*x)[3] = calloc((size_t)m->samples*(size_t)points, sizeof *x);
+	double *time = calloc((size_t)m->samples, sizeof *time);
+	enum hawser_status status = x && time ? HAWSER_OK : hawser__no_memory(report, "tow");
+
+	for (int i = 0; i < m->samples && !status; i++) {
+		double (*shape)[3] = m->shape + (size_t)i*((size_t)m->elements + 1);
+
+		time[i] = m->sample[i].t;
+		for (int n = 0; n < points; n++)
+			for (int k = 0; k < 3; k++)
+				x[(size_t)i*(size_t)points + (size_t)n][k] =
+					(n <= m->elements ? shape[n][k] : m->sample[i].body[k]) - shape[0][k];
+	}
+	if (!status)
+		status = hawser__animate(result->settings->animate, &(struct hawser__animation){
+			.time = time, .x = (const double (*)[3])x, .rows = m->samples, .points = points,
+			.frames = result->settings->frames, .note = "seen from the towing point"}, report);
+	free(x);
+	free(time);
+	return status;
+}
+
 /* --- the command --- */
 
 static int progress(void *data, double t, double until)
@@ -320,6 +351,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	enum hawser_status status = cli_outputs_check(&s->common, report);
 
 	if (!status)
+		status = hawser__animate_check(s->animate, "tow", report);
+	if (!status)
 		status = quantities(&set, s, report);
 	if (!status)
 		status = hawser_tow_open(&result.tow, s->common.input, s->common.set, (size_t)s->common.sets,
@@ -335,6 +368,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		status = cli_show(&s->common, &showing, &result, report);
 	if (!status && s->vtk)
 		status = write_vtk(&result, report);
+	if (!status && s->animate)
+		status = animate(&result, report);
 	hawser_tow_motion_clear(&result.motion);
 	hawser_tow_clear(&result.tow);
 	return status;

@@ -7,8 +7,9 @@
 
 /* Texts of options; NULL if not given. */
 struct cli_integrate_net {
-	const char *until, *every, *step, *scheme, *probe, *vtk, *state, *initial;
+	const char *until, *every, *step, *scheme, *probe, *vtk, *state, *initial, *animate;
 	double tolerance; /* 0: the library's */
+	int frames;       /* of the animation */
 	int error;        /* 1: another run, for the error */
 	int skip_error;   /* of rods, 1: without the runs for the errors */
 };

@@ -11,6 +11,7 @@
 #include "cli/progress.h"
 #include "core/report.h"
 #include "output/plot_rod.h"
+#include "output/animate.h"
 #include "output/vtk.h"
 
 enum { PROBES = 64, NAME = 32, PATH = 4096 };
@@ -331,10 +332,11 @@ static enum hawser_status solve(struct result *result, struct hawser_report *rep
 		.initial = settings->initial, .tolerance = settings->tolerance,
 		.skip_error = settings->skip_error, .probe = result->probe, .frame = frame, .data = result,
 		.progress = {cli_watch, &watch}};
-	enum hawser_status status = hawser_rod_open(&result->rod, result->common->input,
-	                                            result->common->set, (size_t)result->common->sets,
-	                                            report);
+	enum hawser_status status = hawser__animate_check(settings->animate, "integrate", report);
 
+	if (!status)
+		status = hawser_rod_open(&result->rod, result->common->input, result->common->set,
+		                         (size_t)result->common->sets, report);
 	if (!status)
 		status = probes(result, report);
 	options.probes = result->probes;
@@ -349,6 +351,11 @@ static enum hawser_status solve(struct result *result, struct hawser_report *rep
 	}
 	if (!status && settings->vtk)
 		status = hawser__vtk_series(settings->vtk, result->motion.time, result->motion.rows, report);
+	if (!status && settings->animate)
+		status = hawser__animate(settings->animate, &(struct hawser__animation){
+			.time = result->motion.time, .x = (const double (*)[3])result->motion.shape,
+			.rows = (int)result->motion.rows, .points = (int)result->motion.nodes,
+			.frames = settings->frames}, report);
 	return status;
 }
 

@@ -47,8 +47,10 @@ static const struct terminal {
 	         "linewidth 1.6 pointscale 0.7", 1.0, 0.75},
 	{".gp", "svg size %.0f,%.0f enhanced font 'sans-serif,12' fontscale %.3g background '#ffffff' "
 	        "linewidth 1.3", 96.0/2.54, 1.0},
+	{".gif", "unknown", 1.0, 1.0}, /* animate.c sets another when it knows the time of a frame */
 };
-enum { LATEX = 4, SCRIPT }; /* rows: two files, for LaTeX; the script, not a picture */
+/* Rows: two files, for LaTeX; the script, not a picture; an animation, which --plot does not make. */
+enum { LATEX = 4, SCRIPT, GIF };
 #define LETTERS 9.0         /* pt: of the font above, for LaTeX */
 
 static const struct terminal *terminal_for(const char *path)
@@ -100,7 +102,7 @@ enum hawser_status hawser__picture_check(const char *path, struct hawser_report 
 
 	if (!path)
 		return HAWSER_OK;
-	if (!terminal_for(path))
+	if (!terminal_for(path) || terminal_for(path) == &terminals[GIF])
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "picture",
 		                    "cannot tell the kind of picture from the name %s: it must end in "
 		                    ".svg, .png, .pdf, .eps or .tex, or .gp for a script of gnuplot (or be "
@@ -114,6 +116,13 @@ enum hawser_status hawser__picture_check(const char *path, struct hawser_report 
 			return status;
 	}
 	return hawser__file_check(path, report);
+}
+
+enum hawser_status hawser__picture_check_gif(const char *path, struct hawser_report *report)
+{
+	char program[PATH_MAX];
+
+	return find_program(program, sizeof program) ? hawser__file_check(path, report) : missing(report);
 }
 
 static enum hawser_status no_file(struct hawser_report *report)

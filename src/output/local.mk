@@ -1,5 +1,7 @@
 noinst_LTLIBRARIES += %D%/liboutput.la
 %C%_liboutput_la_SOURCES = \
+	%D%/animate.c \
+	%D%/animate.h \
 	%D%/axis.c \
 	%D%/axis.h \
 	%D%/fields.c \

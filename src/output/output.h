@@ -134,6 +134,9 @@ struct hawser__picture {
  * HAWSER_ERR_PROGRAM. NULL is legal. */
 enum hawser_status hawser__picture_check(const char *path,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
+/* The same for an animation, whose name is known to end in .gif. */
+enum hawser_status hawser__picture_check_gif(const char *path,
+                                             struct hawser_report *report) HAWSER_MUST_CHECK;
 enum hawser_status hawser__picture_begin(struct hawser__picture *picture, const char *path,
                                          double width_cm, double height_cm,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;

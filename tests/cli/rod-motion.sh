@@ -13,7 +13,7 @@ loads:
 END
 printf '# t x y z\n0 1 0 0\n0.1 1.02 0 0\n0.3 1.1 0 0.05\n1 1 0 0\n' >path.txt
 run="integrate rod.yaml --until 0.4 --every 0.05 -q"
-works "a rod that hangs from a moving hinge" $run --json all.json --tsv all.tsv --plot all.svg --vtk all --probe start,0.5,end
+works "a rod that hangs from a moving hinge" $run --json all.json --tsv all.tsv --plot all.svg --vtk all --animate all.gif --frames 4 --probe start,0.5,end
 works "its first half" integrate rod.yaml --until 0.2 --every 0.05 -q --state half --no-error
 works "and its second" $run --initial half --json rest.json
 python "JSON, table, VTK, states" <<'END'
