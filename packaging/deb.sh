@@ -16,6 +16,9 @@ mkdir -p "$folder"
 cp "$tarball" "$folder/$(echo "$name" | tr - _).orig.tar.gz"
 tar -xzf "$tarball" -C "$folder"
 unset MAKEFLAGS MAKELEVEL MFLAGS
+# Debian's own programs: another python3 in PATH would have none of the modules of the build dependencies.
+PATH=/usr/sbin:/usr/bin:/sbin:/bin
+export PATH
 (cd "$folder/$name" && dpkg-buildpackage -us -uc)
 # What upstream's own packages cannot know: the number of the bug that asks for them.
 lintian --fail-on error,warning --suppress-tags initial-upload-closes-no-bugs "$folder"/*.changes
