@@ -439,6 +439,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 }
 
 const struct cli_command cli_sweep = {
-	"sweep", "SCENE -- COMMAND ...", "Any command over variations of a scene, results in one table",
-	notes, options, &defaults, sizeof(struct settings), 1, run, listing,
+	"sweep", "SCENE --over KEY=VALUES -- COMMAND ...",
+	"Any command over variations of a scene, results in one table", notes, options,
+	&defaults, sizeof(struct settings), 1, run, listing,
 };
