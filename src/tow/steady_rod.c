@@ -6,7 +6,8 @@
  * derivatives are in steady_rod_loads.c, and Newton's method begins at the string. Rigid directions
  * (no EA, no GA) have the law N = P (w - w0), in which w0 is moved by -N/P as the iteration ends
  * (augmented Lagrangian, Hestenes 1969), so that the strain is 0 to round-off although P is only
- * some thousand times the tension, which keeps Newton's steps long. If it fails, the cable moves
+ * some thousand times the tension, which keeps Newton's steps long. If it fails, GJ and EI grow from a
+ * small part of theirs; if that fails, the cable moves
  * from the string with damping and without inertia, as rods do (rod/solve.c).
  *
  * A ring is clamped to the last node, or to a node of its own with a torsional spring between both, or
@@ -24,6 +25,7 @@
 #include "tow/steady_rod.h"
 
 enum { ITERATIONS = 40,  /* of Newton's method: 5 to 12 are usual */
+       STAGES = 40,      /* of growing stiffness: 7 if none fails */
        MOTION = 400,     /* steps of the damped motion */
        FREE = HAWSER__ROD_FREE };
 #define TOLERANCE 1e-10 /* of the last increment, in lengths of the cable and rad */
@@ -33,6 +35,8 @@ enum { ITERATIONS = 40,  /* of Newton's method: 5 to 12 are usual */
 #define NEAR 1e-2       /* increments below which rigid strains are corrected */
 #define LINK 1e-6       /* of the cable's length: that of the element which has the ring's own node; its
                          * stiffness is 0 */
+#define SOFT 1e-4       /* part of GJ and EI with which they begin to grow */
+#define STIFFER 4.0     /* factor of a stage, less after one that fails */
 #define THIN 1e-2       /* least EI over T h^2: layers below a tenth of an element are not resolved, and
                          * would let rotations alternate from node to node */
 
@@ -187,16 +191,19 @@ static void start(struct hawser__tow_rod *b, const struct hawser_tow_point *poin
 	}
 }
 
-/* The least EI of an element, where the string has this tension. */
-static void thicken(struct hawser__tow_rod *b, const struct hawser_tow_point *point, int parts)
+/* GJ and EI times `part`, but at least that of an element where the string has this tension. */
+static void thicken(struct hawser__tow_rod *b, const struct hawser_tow_point *point, int parts,
+                    double part)
 {
+	b->raised = 0;
 	for (int e = 0; e < b->last; e++) {
 		struct hawser__rod_element *el = &b->mesh.element[e];
+		const struct hawser_rod_segment *of = &b->rod.segment[b->mesh.segment[e]];
 		double least = THIN*fmax(point[e/parts].tension, point[e/parts + 1].tension)*el->h*el->h;
 
-		b->raised += el->EI[1] < least || el->EI[2] < least;
+		b->raised += of->EI[0] < least || of->EI[1] < least;
 		for (int k = 0; k < 3; k++)
-			el->EI[k] = fmax(el->EI[k], least);
+			el->EI[k] = fmax(part*(k ? of->EI[k - 1] : of->GJ), least);
 	}
 }
 
@@ -305,6 +312,33 @@ static int settle(struct hawser__tow_rod *b, double tension, double *size)
 	return 0;
 }
 
+/* Newton's method as GJ and EI grow from SOFT times theirs, with which the rod is nearly the string;
+ * 1: done. */
+static int stiffen(struct hawser__tow_rod *b, const struct hawser_tow_point *string, int parts,
+                   double *size)
+{
+	double part = SOFT, before = SOFT, factor = STIFFER;
+	size_t nodes = (size_t)b->mesh.nodes*sizeof *b->mesh.node;
+
+	memcpy(b->mesh.kept, b->mesh.node, nodes);
+	for (int i = 0; i < STAGES; i++) {
+		thicken(b, string, parts, part);
+		if (hawser__rod_strains(&b->mesh) < 0 && newton(b, size)) {
+			if (part == 1.0)
+				return 1;
+			memcpy(b->mesh.kept, b->mesh.node, nodes);
+			before = part;
+		} else {
+			if (part == SOFT)
+				return 0;
+			memcpy(b->mesh.node, b->mesh.kept, nodes);
+			factor = sqrt(factor);
+		}
+		part = fmin(before*factor, 1.0);
+	}
+	return 0;
+}
+
 /* --- the result --- */
 
 /* Largest force that is not balanced over the tension, moment over that times the length; held
@@ -350,9 +384,14 @@ static enum hawser_status find(struct hawser__tow_rod *b, const struct hawser_to
 	double size = INFINITY;
 	int found;
 
-	thicken(b, string, parts);
+	thicken(b, string, parts, 1.0);
 	start(b, string, parts, body);
 	found = hawser__rod_strains(&b->mesh) < 0 && newton(b, &size);
+	if (!found) {
+		start(b, string, parts, body);
+		found = stiffen(b, string, parts, &size);
+		thicken(b, string, parts, 1.0);
+	}
 	if (!found) {
 		start(b, string, parts, body);
 		found = hawser__rod_strains(&b->mesh) < 0 && settle(b, tension, &size) && newton(b, &size);

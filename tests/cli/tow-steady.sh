@@ -58,4 +58,13 @@ air: {density: 1.2}
 body:      {                  ring: {radius: 1, tube: 2, mass: 3, offset: 1}}"
 printf 'tow: {speed: 3}\n' >bad.yaml
 refuses 1 'bad.yaml:1:1: this is the scene of a towed body, and the command takes others: hawser trajectory, hawser tow and hawser tow steady take it' statics bad.yaml
+# Newton's method from the string fails: GJ and EI grow
+cat >light.yaml <<'END'
+tow: {orbit: {radius: 7.2389 m, speed: 7.7826 m/s}}
+cable: {segments: [{length: 185.33 m, rho: 1.6177 kg/m, diameter: 18.464 mm, EA: 9.0059 MN, EI: 191.88 N m^2,
+	elements: 50, drag: {normal: 1.2, tangential: 0.02}}]}
+air: {density: 1.2}
+body: {ring: {radius: 0.3257 m, tube: 3.183 cm, mass: 1.393 kg, offset: 0.3327 m, drag: {normal: 1.2}}}
+END
+works "a light ring on a long stiff cable in a tight orbit" tow steady light.yaml -q
 done_testing
