@@ -28,7 +28,7 @@ static inline void chain_open(struct chain *c, double until, int refine)
 	if (!status)
 		status = hawser__rod_motion_open(&c->motion, &c->mesh, &report);
 	if (!status)
-		status = hawser__rod_winch_open(&c->motion.winch, &c->mesh, until, &report);
+		status = hawser__rod_winch_open(&c->motion.winch, &c->mesh, 0.0, until, &report);
 	if (status)
 		ok(0, "%s", report.message);
 	hawser__rod_motion_factors(&c->motion, 0.0, 0);

@@ -10,6 +10,7 @@
 #include <stddef.h>
 
 #include <hawser/drag.h>
+#include <hawser/rod.h>
 #include <hawser/trajectory.h>
 
 #ifdef __cplusplus
@@ -64,6 +65,7 @@ struct hawser_tow {
 	struct hawser_tow_segment *segment; /* [segments] from the towing point; owned */
 	int segments;                       /* 0: the scene has no cable */
 	struct hawser_tow_body body;
+	struct hawser_rod_winch winch;      /* at the towing point: pays out the first segment, in time */
 };
 
 /* 1 if this file is the scene of a towed body, by what its lines begin with. "-" and pipes, which
@@ -157,6 +159,8 @@ struct hawser_tow_sample {
 	double tension_top, tension_end; /* N */
 	double kinetic, strain, height; /* J, energies; height: of the weight */
 	double towed, air;   /* J, done by the towing point and by the air since the beginning */
+	double winch;        /* J, done by the winch, with the energy of what it pays out */
+	double length;       /* m, unstretched length of the cable */
 };
 /* At the middle of an element. */
 struct hawser_tow_range {

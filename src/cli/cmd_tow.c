@@ -64,6 +64,7 @@ static const struct hawser__field sample_field[] = {
 	{NULL, "tilt", "angle of the body's axis to the vertical", OF(tilt), .unit = HAWSER__RADIAN},
 	{NULL, "tension_top", "at the towing point", OF(tension_top), .unit = HAWSER__NEWTON},
 	{NULL, "tension_end", "in the last element", OF(tension_end), .unit = HAWSER__NEWTON},
+	{NULL, "length", "unstretched, of the cable", OF(length), .unit = HAWSER__METRE},
 	HAWSER__END,
 };
 static const struct hawser__field energy_field[] = {
@@ -72,6 +73,7 @@ static const struct hawser__field energy_field[] = {
 	{"height", NULL, "of the weight, counted from y = 0 (J)", OF(height)},
 	{"towed", NULL, "done by the towing point since the beginning (J)", OF(towed)},
 	{"air", NULL, "done by the air, and the spring of a joint (J)", OF(air)},
+	{"winch", NULL, "done by the winch, with the energy of what it pays out (J)", OF(winch)},
 	HAWSER__END,
 };
 #undef OF
@@ -115,6 +117,7 @@ static void column(struct hawser__json *json, json_t *into, const void *of, cons
 COLUMN(times, "times", t, 1)
 COLUMN(tilts, "tilt", tilt, 1)
 COLUMN(tensions, "tension_top", tension_top, 1)
+COLUMN(lengths, "length", length, 1)
 COLUMN(positions, "position", body, 3)
 COLUMN(attitudes, "attitude", attitude, 4)
 COLUMN(tops, "top", top, 3)
@@ -145,6 +148,7 @@ static const struct hawser__field field[] = {
 	{"body", NULL, "at these times", HAWSER__OBJECT_OF(body_field)},
 	{"tension_top", NULL, "at the towing point (N)", HAWSER__CALLS(tensions)},
 	{"tilt", NULL, "angle of the body's axis to the vertical (rad)", HAWSER__CALLS(tilts)},
+	{"length", NULL, "unstretched, of the cable (m)", HAWSER__CALLS(lengths)},
 	{"energy", NULL, "an array of each kind", HAWSER__ARRAYS_OF(energy_list)},
 	{"range", NULL, "of each element over the time",
 	 HAWSER__STORED(struct result, motion.range, motion.elements, range_field)},

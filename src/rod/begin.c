@@ -85,7 +85,7 @@ enum hawser_status hawser__rod_twin_open(struct hawser__rod_twin *twin, const st
 		}
 	}
 	if (!status)
-		status = hawser__rod_winch_open(&twin->motion.winch, &twin->mesh, until, report);
+		status = hawser__rod_winch_open(&twin->motion.winch, &twin->mesh, 0.0, until, report);
 	if (status)
 		return status;
 	hawser__rod_motion_factors(&twin->motion, 0.0, 0);

@@ -132,14 +132,10 @@ static enum hawser_status resume(struct run *run, struct hawser_report *report)
 		run->next++;
 	length = motion->winch.length;
 	hawser__rod_motion_factors(motion, motion->t, 0);
-	if (fabs(motion->winch.length - length) > 1e-9*length)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rod", "%s is a state with %.9g m of the "
-		                    "first segment at %g s, and with this winch it has %.9g m then: give the "
-		                    "winch of the first run", run->options->initial, length, motion->t,
-		                    motion->winch.length);
+	status = hawser__rod_winch_same(motion, length, run->options->initial, report);
 	(void)hawser__rod_motion_form(motion, motion->t, 0);
 	hawser__rod_winch_power(motion);
-	return HAWSER_OK;
+	return status;
 }
 
 /* The other two motions; what they cannot do is noted, and only the lack of memory ends the run. */

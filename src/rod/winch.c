@@ -79,11 +79,11 @@ void hawser__rod_winch_at(double l[3], const struct hawser__rod_winch *winch, do
 		by_lengths(l, winch, t);
 	} else if (as->rows) {
 		by_speeds(l, winch, t);
-	} else if (t < as->rise) {
-		change(l, 0.0, as->speed, as->rise, t);
+	} else if (t - winch->from < as->rise) {
+		change(l, 0.0, as->speed, as->rise, t - winch->from);
 		l[0] += winch->first;
 	} else {
-		l[0] = winch->first + as->speed*(t - 0.5*as->rise);
+		l[0] = winch->first + as->speed*(t - winch->from - 0.5*as->rise);
 		l[1] = as->speed;
 		l[2] = 0.0;
 	}
@@ -126,7 +126,7 @@ static enum hawser_status rows(struct hawser__rod_winch *winch, struct hawser_re
 		winch->curve[i] = winch->curve[i - 1] + 0.5*(as->row[i][0] - as->row[i - 1][0])*
 		                                        (as->row[i][1] + as->row[i - 1][1]);
 	if (as->rows && !as->lengths) {
-		by_speeds(at, winch, 0.0);
+		by_speeds(at, winch, winch->from);
 		for (int i = 0; i < as->rows; i++)
 			winch->curve[i] += winch->first - at[0];
 	}
@@ -143,7 +143,7 @@ static enum hawser_status long_enough(const struct hawser__rod_winch *winch, dou
 	double least = winch->as->least > 0.0 ? winch->as->least : LEAST*winch->first, l[3];
 
 	for (int i = 0; i <= LOOKED; i++) {
-		double t = until*i/LOOKED;
+		double t = winch->from + (until - winch->from)*i/LOOKED;
 
 		hawser__rod_winch_at(l, winch, t);
 		if (!(l[0] >= least))
@@ -155,8 +155,8 @@ static enum hawser_status long_enough(const struct hawser__rod_winch *winch, dou
 }
 
 enum hawser_status hawser__rod_winch_open(struct hawser__rod_winch *winch,
-                                          const struct hawser__rod_mesh *mesh, double until,
-                                          struct hawser_report *report)
+                                          const struct hawser__rod_mesh *mesh, double from,
+                                          double until, struct hawser_report *report)
 {
 	const struct hawser_rod *rod = mesh->rod;
 	double s = 0.0, l[3];
@@ -167,6 +167,7 @@ enum hawser_status hawser__rod_winch_open(struct hawser__rod_winch *winch,
 		return HAWSER_OK;
 	while (winch->elements < mesh->elements && mesh->segment[winch->elements] == 0)
 		winch->elements++;
+	winch->from = from;
 	winch->first = rod->segment[0].length;
 	winch->part = calloc((size_t)winch->elements, sizeof *winch->part);
 	winch->left = calloc((size_t)winch->elements + 1, sizeof *winch->left);
@@ -183,11 +184,22 @@ enum hawser_status hawser__rod_winch_open(struct hawser__rod_winch *winch,
 	status = rows(winch, report);
 	if (status)
 		return status;
-	hawser__rod_winch_at(l, winch, 0.0);
+	hawser__rod_winch_at(l, winch, from);
 	if (fabs(l[0] - winch->first) > 1e-9*winch->first)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rod", "winch.lengths: at 0 s it is %.9g m, "
-		                    "and the first segment has %.9g m: make them the same", l[0], winch->first);
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rod", "winch.lengths: at %.9g s it is %.9g "
+		                    "m, and the first segment has %.9g m: make them the same", from, l[0],
+		                    winch->first);
 	return long_enough(winch, until, report);
+}
+
+enum hawser_status hawser__rod_winch_same(const struct hawser__rod_motion *motion, double length,
+                                          const char *path, struct hawser_report *report)
+{
+	if (!motion->winch.as || fabs(motion->winch.length - length) <= 1e-9*length)
+		return HAWSER_OK;
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rod", "%s is a state with %.9g m of the "
+	                    "first segment at %g s, and with this winch it has %.9g m then: give the winch "
+	                    "of the first run", path, length, motion->t, motion->winch.length);
 }
 
 void hawser__rod_winch_clear(struct hawser__rod_winch *winch)

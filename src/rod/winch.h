@@ -17,7 +17,7 @@ struct hawser__rod_winch {
 	double *part;              /* [elements] of the segment */
 	double *left;              /* [elements+1] of the segment, beyond each of its nodes: 1 - sigma */
 	double *curve;             /* [rows] of lengths: second derivatives; of speeds: length there */
-	double first;              /* m, length at t = 0 */
+	double from, first;        /* s, m: when the motion begins (0), and the length then */
 	double length, speed, rate; /* l, l', l'' of the state: m, m/s, m/s2 */
 	double (*slip)[6], (*slip0)[6]; /* [nodes] m/s: velocity of the material less that of the node;
 	                            * N m: the spin that comes in, d(J)/dt w; 0: before the step */
@@ -25,11 +25,16 @@ struct hawser__rod_winch {
 	double over;               /* m, paid out or in faster than waves run, so far without a break */
 };
 
-/* Memory, and the length at t = 0, from the mesh of that time; fails if the length is too short
- * within `until`. */
+/* Memory, and the length at the time `from`, that of the mesh; fails if the length is too short before
+ * `until`. */
 enum hawser_status hawser__rod_winch_open(struct hawser__rod_winch *winch,
-                                          const struct hawser__rod_mesh *mesh, double until,
-                                          struct hawser_report *report) HAWSER_MUST_CHECK;
+                                          const struct hawser__rod_mesh *mesh, double from,
+                                          double until, struct hawser_report *report)
+	HAWSER_MUST_CHECK;
+/* After a state is read, which had this length: fails if the winch has another one then. */
+enum hawser_status hawser__rod_winch_same(const struct hawser__rod_motion *motion, double length,
+                                          const char *path, struct hawser_report *report)
+	HAWSER_MUST_CHECK;
 void hawser__rod_winch_clear(struct hawser__rod_winch *winch);
 /* l, l', l'' at time t. */
 void hawser__rod_winch_at(double l[3], const struct hawser__rod_winch *winch, double t);

@@ -127,4 +127,8 @@ const char hawser__manpage_tow[] =
 	".B air.file\n"
 	"has lines of time and wind, t wx wy wz (s, m/s), in place of wind, linear between;\n"
 	"a steady state\n"
-	"takes the first.\n";
+	"takes the first;\n"
+	".B winch\n"
+	"pays out or hauls in the first segment, as that of a rod's start: {speed: 1 m/s, rise: 2 s}, or\n"
+	"times with speeds or lengths. The path's first time is that of the start, and the speed is 0\n"
+	"then.\n";

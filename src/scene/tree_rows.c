@@ -424,6 +424,7 @@ static const struct hawser__tree_key rows[] = {
 	NUMBER("tow.air.density", REQUIRED, "kg/m^3", NOT_NEGATIVE, "density")
 	VECTOR("tow.air.wind", 3, OPTIONAL, "m/s", ANY, "velocity of the wind ([0, 0, 0])")
 	TEXT("tow.air.file", OPTIONAL, "a file of the wind over time, in place of wind")
+	WINCH("tow.winch")
 	MAPPING("tow.body", OPTIONAL, "what is towed")
 	MAPPING("tow.body.ring", OPTIONAL, "a ring")
 	NUMBER("tow.body.ring.radius", REQUIRED, "m", POSITIVE, "radius of the ring")

@@ -88,6 +88,8 @@ static void take_sample(struct hawser_tow_motion *out, const struct hawser__tow_
 	to->height = motion->energy.height;
 	to->towed = motion->energy.support;
 	to->air = motion->energy.pushed;
+	to->winch = motion->energy.winch;
+	to->length = mesh->s[run->rod.last];
 	for (int i = 0; i <= out->elements; i++)
 		memcpy(shape[i], mesh->node[i].x, sizeof shape[i]);
 }
@@ -190,6 +192,7 @@ static enum hawser_status go(struct hawser_tow_motion *out, struct hawser__tow_r
 	out->shortest = INFINITY;
 	from = run->motion.t;
 	(void)hawser__rod_motion_form(&run->motion, from, 0);
+	hawser__rod_winch_power(&run->motion);
 	take_sample(out, run);
 	for (i = 1 + (int)floor((from - first)/options->every*(1.0 + 1e-12)); i <= count && !status &&
 	     !out->interrupted; i++) {
@@ -218,7 +221,7 @@ enum hawser_status hawser_tow_move(struct hawser_tow_motion *out, const struct h
 	memset(out, 0, sizeof *out);
 	if (status)
 		return status;
-	status = hawser__tow_run_open(&run, tow, options.refine, report);
+	status = hawser__tow_run_open(&run, tow, options.refine, options.until, report);
 	if (!status) {
 		run.motion.rho_inf = options.rho_inf > 0.0 ? options.rho_inf : run.motion.rho_inf;
 		h = fmin(BEGIN, options.every);

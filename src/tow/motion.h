@@ -37,7 +37,8 @@ enum hawser_status hawser__tow_state_read(struct hawser__tow_run *run, double *h
 
 /* motion_start.c: the state at the start, and where the towing point goes. */
 enum hawser_status hawser__tow_run_open(struct hawser__tow_run *run, const struct hawser_tow *tow,
-                                        int refine, struct hawser_report *report) HAWSER_MUST_CHECK;
+                                        int refine, double until, struct hawser_report *report)
+	HAWSER_MUST_CHECK;
 void hawser__tow_run_close(struct hawser__tow_run *run);
 
 #endif

@@ -2,7 +2,8 @@
  * derivatives by places, turns, velocities and spins.
  *
  *   u, d     flow at the middle of an element, the wind less the mean of its nodes' velocities; its
- *            chord x2 - x1, L = |d|, t = d/L, P = 1 - t t'; p = P u
+ *            chord x2 - x1, L = |d|, t = d/L, P = 1 - t t'; p = P u; with a winch the velocity of the
+ *            material, that of the nodes and c d/h (rod/winch.h)
  *   f        drag f(u, d) and shedding c |p| (t x u), c = density r ck sin(phase), per length; half of
  *            both on each node
  *   R, w     axes of the body's node, its spin in these; a = R e1, l its arm; v_c = v + R (w x l e1)
@@ -41,10 +42,11 @@ static void flow_at(double u[3], double d[3], const struct hawser__rod_motion *m
                     const double wind[3], int e)
 {
 	const struct hawser__rod_node *node = &motion->mesh->node[e];
+	double through = hawser__rod_winch_through(motion, e)/motion->mesh->element[e].h;
 
 	for (int k = 0; k < 3; k++) {
-		u[k] = wind[k] - 0.5*(motion->velocity[e][k] + motion->velocity[e + 1][k]);
 		d[k] = node[1].x[k] - node[0].x[k];
+		u[k] = wind[k] - 0.5*(motion->velocity[e][k] + motion->velocity[e + 1][k]) - through*d[k];
 	}
 }
 
@@ -93,6 +95,7 @@ static void push_element(struct hawser__tow_run *run, const double wind[3], doub
 	struct hawser_drag drag = {run->own.density, 0.5*of->diameter, of->normal, of->tangential};
 	double u[3], d[3], f[3], f_u[3][3], f_d[3][3], half = 0.5*motion->mesh->element[e].h;
 	double force[6] = {0.0}, by[36] = {0.0}, at[36];
+	double through = hawser__rod_winch_through(motion, e)/motion->mesh->element[e].h;
 
 	flow_at(u, d, motion, wind, e);
 	hawser_drag_line(f, f_u, f_d, &drag, u, d);
@@ -106,6 +109,9 @@ static void push_element(struct hawser__tow_run *run, const double wind[3], doub
 	if (!tangent)
 		return;
 	put(by, 0, 0, f_u, -0.5*half);
+	for (int i = 0; i < 3 && through != 0.0; i++) /* the flow, too, changes with d */
+		for (int j = 0; j < 3; j++)
+			f_d[i][j] -= through*f_u[i][j];
 	for (int j = 0; j < 2; j++) {
 		memset(at, 0, sizeof at);
 		put(at, 0, 0, f_d, j ? half : -half);

@@ -184,8 +184,25 @@ static enum hawser_status begin(struct hawser__tow_run *run, double (*state)[3],
 	return HAWSER_OK;
 }
 
+/* The winch at the towing point. The cable begins in its steady state, at rest but for the path. */
+static enum hawser_status winch(struct hawser__tow_run *run, double until,
+                                struct hawser_report *report)
+{
+	double from = run->tow->path.from, l[3] = {0.0};
+	enum hawser_status status;
+
+	run->rod.rod.winch = run->tow->winch;
+	status = hawser__rod_winch_open(&run->motion.winch, &run->rod.mesh, from, until, report);
+	if (!status && run->motion.winch.as)
+		hawser__rod_winch_at(l, &run->motion.winch, from);
+	return status || fabs(l[1]) < 1e-12 ? status
+		: hawser__fail(report, HAWSER_ERR_ARGUMENT, where, "the winch begins with %.6g m/s at %.6g s, "
+		               "and the motion with a steady state: give winch.rise, or speeds from 0", l[1],
+		               from);
+}
+
 enum hawser_status hawser__tow_run_open(struct hawser__tow_run *run, const struct hawser_tow *tow,
-                                        int refine, struct hawser_report *report)
+                                        int refine, double until, struct hawser_report *report)
 {
 	double state[HAWSER_PATH_ORDERS][3];
 	enum hawser_status status;
@@ -206,7 +223,9 @@ enum hawser_status hawser__tow_run_open(struct hawser__tow_run *run, const struc
 		for (int k = 0; k < 3; k++)
 			of->inertia[k] = of->rho*of->EI[0]/of->EA*(k == 0 ? 2.0 : 1.0);
 	}
-	return status ? status : begin(run, state, report);
+	if (!status)
+		status = begin(run, state, report);
+	return status ? status : winch(run, until, report);
 }
 
 void hawser__tow_run_close(struct hawser__tow_run *run)

@@ -31,7 +31,7 @@ enum hawser_status hawser__tow_state_read(struct hawser__tow_run *run, double *h
                                           struct hawser_report *report)
 {
 	int size = hawser__rod_state_size(run->motion.mesh);
-	double *state, none;
+	double *state, none, length;
 	enum hawser_status status = hawser__state_read(&state, size + run->rod.last, kind, path, where,
 	                                               report);
 	const int good = state && hawser__rod_state_take(&run->motion, h, &none, state);
@@ -46,9 +46,10 @@ enum hawser_status hawser__tow_state_read(struct hawser__tow_run *run, double *h
 		                    "elements: give a file that a run of this scene has written with --state",
 		                    path, run->rod.last);
 	run->at = run->motion.t;
-	hawser__tow_shed(run);
+	length = run->motion.winch.length;
 	hawser__rod_motion_factors(&run->motion, run->motion.t, 0);
-	return HAWSER_OK;
+	hawser__tow_shed(run);
+	return hawser__rod_winch_same(&run->motion, length, path, report);
 }
 
 enum hawser_status hawser_tow_state_write(const struct hawser_tow_motion *motion, const char *path,

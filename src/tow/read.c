@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "rod/read.h"
 #include "tow/read.h"
 
 enum hawser_status hawser__tow_number(struct hawser__reader *reader, double *value,
@@ -69,6 +70,7 @@ static enum hawser_status interpret(struct hawser__reader *reader, struct hawser
 	const struct hawser__tree *kind = hawser__tree_find(root, "kind");
 	const struct hawser__tree *section = hawser__tree_find(root, "tow");
 	const struct hawser__tree *g = hawser__tree_find(root, "g");
+	const struct hawser__tree *winch = hawser__tree_find(root, "winch");
 	enum hawser_status status = hawser__tree_keys(reader, root, "the scene of a towed body", "tow");
 
 	if (!status && kind && (!kind->text || strcmp(kind->text, "tow") != 0))
@@ -88,6 +90,8 @@ static enum hawser_status interpret(struct hawser__reader *reader, struct hawser
 		status = hawser__tow_air(reader, tow, hawser__tree_find(root, "air"));
 	if (!status)
 		status = hawser__tow_body(reader, tow, hawser__tree_find(root, "body"));
+	if (!status && winch)
+		status = hawser__rod_read_winch(reader, &tow->winch, winch, "winch", "tow.winch");
 	tow->body.ring.drag.density = tow->density;
 	if (!status)
 		status = borne(reader, tow, root);
@@ -130,6 +134,7 @@ void hawser_tow_clear(struct hawser_tow *tow)
 	free(tow->waypoint);
 	free(tow->segment);
 	free(tow->gust);
+	free(tow->winch.row);
 	hawser_path_clear(&tow->path);
 	memset(tow, 0, sizeof *tow);
 }

@@ -95,4 +95,24 @@ air: {density: 0, file: wind.txt}"
 bad 'bad.yaml:3:35: air has wind and file: remove one of them' "tow: {speed: 3}
 $cable
 air: {density: 1, file: wind.txt, wind: [1, 0, 0]}"
+
+# a cable that is paid out: at the end it is as a longer one
+cat >winch.yaml <<'END'
+tow: {speed: 13 m/s}
+cable: {segments: [{length: 4 m, rho: 0.3 kg/m, diameter: 1 cm, EA: 300 kN, EI: 0.5 N m^2, drag: {normal: 30}, elements: 6}]}
+air: {density: 1.2}
+body: {mass: 20 kg, CdA: 1 m^2}
+winch: {times: [0 s, 2 s, 3 s], speeds: [0 m/s, 1 m/s, 0 m/s]}
+END
+works "paid out" tow winch.yaml --until 30 --every 10 --step 0.05 --json out.json -q
+works "as long" tow steady winch.yaml --set cable.segments.0.length=5.5 --json steady.json -q
+python "the longer cable" <<'END'
+import json
+r, s = json.load(open("out.json")), json.load(open("steady.json"))
+assert all(abs(a - b) < 1e-12 for a, b in zip(r["length"], [4, 5.5, 5.5, 5.5])) and r["energy"]["winch"][-1] < -100 and abs(r["closure"]) < 1e-5, r
+x = [a - b for a, b in zip(r["body"]["position"][-1], r["top"][-1])]
+assert all(abs(a - b) < 0.02 for a, b in zip(x, s["body"]["position"])), (x, s["body"]["position"])
+END
+refuses 1 "the winch begins with 1 m/s at 0 s, and the motion with a steady state: give winch.rise, or speeds from 0" \
+	tow winch.yaml --until 1 --set "winch.speeds=[1 m/s, 1 m/s, 0 m/s]"
 done_testing

@@ -99,7 +99,8 @@ static void loads(struct hawser_tow *tow, const char *what)
 	struct hawser__tow_run run;
 	struct hawser_report report = {0};
 
-	if (ok(!hawser__tow_run_open(&run, tow, 1, &report), "%s: %s", what, report.message)) {
+	if (ok(!hawser__tow_run_open(&run, tow, 1, 1.0, &report), "%s: %s", what, report.message)) {
+		hawser__rod_motion_factors(&run.motion, 0.3, 0);
 		disturb(&run);
 		compare(&run, what);
 	}
@@ -135,6 +136,8 @@ int main(void)
 	loads(&tow, "a clamped ring, wind in time");
 	tow.body = (struct hawser_tow_body){.kind = HAWSER_TOW_MASS, .mass = 9.0, .CdA = 0.2};
 	loads(&tow, "a mass");
+	tow.winch = (struct hawser_rod_winch){.on = 1, .speed = 2.0, .rise = 0.4};
+	loads(&tow, "a mass on a cable that is paid out");
 	hawser__tow_wind(wind, &tow, 1.0);
 	ok(wind[0] == 2.0 && wind[1] == 2.0 && wind[2] == 2.0, "wind between two times");
 	hawser__tow_wind(wind, &tow, 4.0);
