@@ -1,8 +1,9 @@
 /* bench/ranks [TASKS [US [LARGEST]]] - the cost of handing out tasks to ranks.
  *
  * Tasks of US microseconds of work (default 0: none), 16 bytes of question and 200 of answer, as
- * points of maps have. First all answers are verified. Start it with mpirun -n N; without, threads
- * of one process.
+ * points of maps have. All answers are verified. Without work, rank 0 sleeps through its own tasks,
+ * so that its processor time is that of messages. Start it with mpirun -n N; without, threads of
+ * one process.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -20,6 +21,7 @@ enum { ANSWER_DOUBLES = 25 };
 struct work {
 	double secs;
 	long wrong;
+	int sleeps;
 };
 
 static enum hawser_status ask(void *context, struct hawser__bytes *question, long number,
@@ -44,10 +46,12 @@ static enum hawser_status work_on(void *context, struct hawser__bytes *answer,
                                   struct hawser_report *report)
 {
 	const struct work *work = context;
-	struct hawser__view question = task->question;
-	double x = hawser__view_double(&question), began = thread_seconds();
+	struct hawser__extract question = task->question;
+	double x = hawser__extract_double(&question), began = thread_seconds();
 
 	(void)worker, (void)report;
+	if (work->sleeps)
+		nanosleep(&(struct timespec){.tv_nsec = 2000000}, NULL);
 	while (thread_seconds() - began < work->secs)
 		;
 	for (int k = 0; k < ANSWER_DOUBLES; k++)
@@ -55,14 +59,14 @@ static enum hawser_status work_on(void *context, struct hawser__bytes *answer,
 	return HAWSER_OK;
 }
 
-static enum hawser_status take(void *context, long number, struct hawser__view *answer,
+static enum hawser_status take(void *context, long number, struct hawser__extract *answer,
                                struct hawser_report *report)
 {
 	struct work *work = context;
 
 	(void)report;
 	for (int k = 0; k < ANSWER_DOUBLES; k++)
-		work->wrong += hawser__view_double(answer) != (double)(number + k);
+		work->wrong += hawser__extract_double(answer) != (double)(number + k);
 	return HAWSER_OK;
 }
 
@@ -80,6 +84,7 @@ int main(int argc, char **argv)
 	enum hawser_status status = cli_ranks_open(&ranks, "bench", &report);
 
 	opened = hawser__wall_seconds() - began;
+	work.sleeps = ranks && ranks->rank == 0 && !(work.secs > 0.0);
 	began = hawser__wall_seconds();
 	processor = hawser__processor_seconds();
 	if (!status && ranks && ranks->rank > 0)
@@ -90,10 +95,11 @@ int main(int argc, char **argv)
 	processor = hawser__processor_seconds() - processor;
 	if (!ranks || ranks->rank == 0)
 		printf("%d rank%s, %ld tasks of %g us, %ld wrong%s%s; start %.3f s; %.3f s wall, %.3f s "
-		       "processor of rank 0; %ld messages\n",
+		       "processor of rank 0; %ld messages, %.1f us each\n",
 		       ranks ? ranks->count : 1, ranks ? "s" : "", count, 1e6*work.secs, work.wrong,
 		       status ? "; " : "", report.message, opened, wall, processor,
-		       ranks ? ranks->messages : 0L);
+		       ranks ? ranks->messages : 0L,
+		       ranks && ranks->messages ? 1e6*processor/(double)ranks->messages : 0.0);
 	cli_ranks_close(ranks, &tasks);
 	return status || work.wrong > 0;
 }

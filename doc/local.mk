@@ -1,6 +1,7 @@
 # The theory notes, installed and distributed: an index and a page a stage. A new page is entered here.
 dist_doc_DATA += \
 	%D%/coming-from.md \
+	%D%/cluster.md \
 	%D%/errata.md \
 	%D%/gallery.md \
 	%D%/glossary.md \

@@ -19,6 +19,7 @@ command_pages = \
 	%D%/hawser-integrate.1 \
 	%D%/hawser-irvine.1 \
 	%D%/hawser-map.1 \
+	%D%/hawser-merge.1 \
 	%D%/hawser-mms.1 \
 	%D%/hawser-modes.1 \
 	%D%/hawser-nnm.1 \

@@ -43,6 +43,7 @@ CLI_TESTS = \
 	%D%/cli/pictures.sh \
 	%D%/cli/plausible.sh \
 	%D%/cli/python.sh \
+	%D%/cli/ranks.sh \
 	%D%/cli/refusals.sh \
 	%D%/cli/report.sh \
 	%D%/cli/ratios.sh \

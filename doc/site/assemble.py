@@ -24,14 +24,15 @@ PAGES = (
     ("Begin", (("doc/tutorial.md", "tutorial"), ("doc/gallery.md", "gallery"), ("doc/coming-from.md", "coming-from"),
                ("README.md", "overview"), ("doc/spans.md", "spans"))),
     ("Reference", (("man", "man/index"), ("notebooks-data/scenes", "scenes"), ("doc/python.md", "python"),
-                   ("include/hawser", "api/index"), ("doc/messages.md", "messages"), ("doc/glossary.md", "glossary"))),
+                   ("doc/cluster.md", "cluster"), ("include/hawser", "api/index"), ("doc/messages.md", "messages"),
+                   ("doc/glossary.md", "glossary"))),
     ("Theory", (("doc/theory.md", "theory"), ("doc/errata.md", "errata"), ("doc/robustness.md", "robustness"),
                 ("bench/README.md", "benches"))),
     ("Project", (("NEWS", "news"), ("HACKING.md", "hacking"))),
 )
 # Titles in the navigation, where that of the page is not one.
 TITLES = {"overview": "All commands (README)", "tutorial": "Ten minutes", "coming-from": "Coming from other programs",
-          "api/index": "C library", "python": "Python", "messages": "Messages", "robustness": "Robustness"}
+          "api/index": "C library", "python": "Python", "cluster": "Large maps", "messages": "Messages", "robustness": "Robustness"}
 LINK = re.compile(r"(!?)\[((?:[^\[\]]|\[[^\]]*\])*)\]\(([^)\s#]*)(#[^)\s]*)?\)")
 
 

@@ -1,5 +1,5 @@
-/* hawser/map.h - maps over two parameters: the value of a quantity, the number of instabilities, and
- * the lines on which that number changes.
+/* hawser/map.h - maps over two parameters: the value of a quantity, the number of instabilities,
+ * and the lines on which that number changes.
  *
  * The mapped field is a function of (x, y). hawser_map_trace evaluates it on cells, from coarse to
  * fine: cells whose corners differ are split down to the requested resolution, and the boundary is
@@ -51,6 +51,7 @@ struct hawser_map_condensed {
 };
 
 struct hawser__map_row;
+struct hawser__ranks; /* other processes that compute; the program has them of mpirun */
 
 /* A field to be mapped. The results of `point` depend on (x, y) only. */
 struct hawser_map_field {
@@ -75,15 +76,15 @@ struct hawser_map_field {
 	enum hawser_status (*prepare)(void *context, const double *x, const double *y, int count,
 	                              int threads, struct hawser_report *report);
 	/* Computes the point at x, y, and marks [marks] unless that is NULL. A status other than
-	 * HAWSER_OK ends the map. If only this point has no value, the status is HAWSER_OK, sample->code
-	 * says which case it is, and the report has the reason. */
+	 * HAWSER_OK ends the map. If only this point has no value, the status is HAWSER_OK,
+	 * sample->code says which case it is, and the report has the reason. */
 	enum hawser_status (*point)(void *worker, struct hawser_map_sample *sample, double *marks,
 	                            double x, double y, struct hawser_report *report);
 	/* Function `line` of marks [marks]. */
 	double (*line)(const void *context, int line, const double *marks);
-	/* If not NULL, the map consists of rows along coordinate `along` (0: x, 1: y), each computed at
-	 * once, and `point` is not called: the responses at each point are those of curves that are
-	 * followed along the row. Statuses as of `point`. */
+	/* If not NULL, the map consists of rows along coordinate `along` (0: x, 1: y), each
+	 * computed at once, and `point` is not called: the responses at each point are those of
+	 * curves that are followed along the row. Statuses as of `point`. */
 	enum hawser_status (*row)(void *worker, struct hawser__map_row *row,
 	                          struct hawser_report *report);
 	int along;
@@ -104,6 +105,13 @@ struct hawser_map_options {
 	int strict; /* 1: end with HAWSER_ERR_CONVERGENCE at the first point that could not be computed
 	             * (hawser_map_uncomputed) instead of leaving it empty */
 	int only_stable; /* a map by rows: 1: only stable responses count */
+	/* Of `parts` parts, number `part` from 1: the cells, or the rows, of this part are computed
+	 * as far as the part alone decides, into the checkpoint. The checkpoints of all parts
+	 * together, joined by hawser_map_merge, have nearly all points of the map, and it computes
+	 * those that are left. 0, 0: all. */
+	int part, parts;
+	struct hawser__ranks *ranks; /* or NULL. In a worker hawser_map_trace computes for rank 0, and the
+	                              * map stays empty */
 };
 void hawser_map_settle(struct hawser_map_options *options);
 
@@ -136,10 +144,10 @@ struct hawser_map {
 	double *segment;                /* [segments][4] x, y of both ends of the segments that form the
 	                                 * boundary lines */
 	/* Of a map by rows, otherwise NULL: [ny][nx] the smallest and the largest amplitude of the
-	 * responses that coexist at a point (with options->only_stable: of the stable ones), in the unit
-	 * of the quantity; their number, and the number of those that are stable. The value of a point is
-	 * the largest one, its number the smallest number of unstable multipliers among them. Where a
-	 * response is one that a cable bears, slack ones do not count. */
+	 * responses that coexist at a point (with options->only_stable: of the stable ones), in the
+	 * unit of the quantity; their number, and the number of those that are stable. The value of
+	 * a point is the largest one, its number the smallest number of unstable multipliers among
+	 * them. Where a response is one that a cable bears, slack ones do not count. */
 	double *least, *most;           /* [ny][nx] */
 	int *branches, *stable;         /* [ny][nx] */
 	int incomplete;                 /* number of rows in which a curve could not be followed to its
@@ -161,6 +169,13 @@ enum hawser_status hawser_map_trace(struct hawser_map *map, const struct hawser_
                                     const struct hawser_map_options *options,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_map_clear(struct hawser_map *map);
+
+/* Join checkpoints from [count] of the same map in the new file `to`, which is complete or not
+ * made. *points becomes the number of records: points, or of a map by rows the parts of rows.
+ * HAWSER_ERR_ARGUMENT: a file is no checkpoint of a map, or of another map than the first, or in
+ * use; `to` exists. HAWSER_ERR_IO, HAWSER_ERR_MEMORY. */
+enum hawser_status hawser_map_merge(long *points, const char *to, const char *const *from, int count,
+                                    struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* --- maps of cables --- */
 

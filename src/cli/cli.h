@@ -128,7 +128,7 @@ struct cli_command {
 	X(damping) \
 	X(identify) \
 	X(beam) X(trajectory) X(tow) X(tow_steady) \
-	X(map) X(sweep) X(compare) X(compare_modes) \
+	X(map) X(sweep) X(merge) X(compare) X(compare_modes) \
 	X(compare_mms) X(compare_motion) X(compare_statics) \
 	X(report) X(init) X(check) X(schema) X(completion)
 #define CLI_DECLARE(command) extern const struct cli_command cli_##command;

@@ -9,13 +9,14 @@
 #include <string.h>
 
 #include "cli/axis.h"
+#include "cli/map_part.h"
 #include "cli/progress.h"
 #include "cli/view.h"
 #include "core/report.h"
 
 struct settings {
 	struct cli_common common;
-	const char *x, *y, *points, *quantity, *omega, *checkpoint, *boundary;
+	const char *x, *y, *points, *quantity, *omega, *checkpoint, *boundary, *part;
 	double jump, tolerance;
 	int n, depth, coarse, threads, full, partial, stable;
 };
@@ -40,6 +41,8 @@ static const struct cli_option options[] = {
 	{"threads", 0, "N", "number of threads (all processors)", CLI_INTEGER(threads)},
 	{"checkpoint", 0, "FILE", "save points to this file, and continue from those in it",
 	 CLI_TEXT(checkpoint)},
+	{"part", 0, "K/N", "compute part K of N into the checkpoint; hawser merge joins them",
+	 CLI_TEXT(part)},
 	{"boundary", 0, "FILE", "write the points of the boundaries as a table", CLI_TEXT(boundary)},
 	{"stable", 0, "", "amplitude: min, max and branches of stable responses only", CLI_FLAG(stable)},
 	{"full", 0, "", "write interpolated points to the table too", CLI_FLAG(full)},
@@ -291,7 +294,7 @@ static enum hawser_status trace(struct hawser_map *map, struct cli_map_result *r
 	cli_progress_end(&watch.progress);
 	if (status == HAWSER_ERR_CONVERGENCE && choice.strict)
 		append(report, "; --partial leaves such points empty, and a smaller range may have none");
-	if (!status && basin)
+	if (!status && basin && map->point)
 		status = hawser_basins_count(&result->basins, &field, map, report);
 	basin ? hawser_map_basin_close(&field)
 	      : beam ? hawser_map_beam_close(&field) : hawser_map_cable_close(&field);
@@ -324,8 +327,13 @@ static enum hawser_status check_rows(const struct settings *settings, struct haw
 	                      "along one axis, for each of the --points of the other", option);
 }
 
-static enum hawser_status check(struct cli_map_result *result, const struct settings *settings,
-                                struct hawser_report *report)
+static int is_worker(const struct hawser__ranks *ranks)
+{
+	return ranks && ranks->rank > 0;
+}
+
+static enum hawser_status check(struct cli_map_result *result, struct settings *settings,
+                                struct hawser__ranks *ranks, struct hawser_report *report)
 {
 	const struct cli_output more[] = {{"checkpoint", settings->checkpoint},
 	                                  {"boundary", settings->boundary}};
@@ -339,24 +347,28 @@ static enum hawser_status check(struct cli_map_result *result, const struct sett
 		                      "not: the number of instabilities is a column of every map");
 	if (!status)
 		status = read_points(result->options.points, settings, report);
-	if (!status)
-		status = cli_outputs_check_with(&settings->common, more, 2, report);
-	if (!status)
-		status = hawser__file_check(settings->boundary, report);
 	read_numbers(&result->options, settings);
-	return status;
+	if (!status)
+		status = cli_map_part(&result->options, settings->part, &settings->common,
+		                      settings->boundary, report);
+	if (!status)
+		status = cli_map_ranks(&result->options, &settings->common, ranks, report);
+	if (status || is_worker(ranks))
+		return status;
+	status = cli_outputs_check_with(&settings->common, more, 2, report);
+	return status ? status : hawser__file_check(settings->boundary, report);
 }
 
-static enum hawser_status run(void *context, struct hawser_report *report)
+static enum hawser_status make(struct settings *settings, struct hawser__ranks *ranks,
+                               struct hawser_report *report)
 {
-	const struct settings *settings = context;
 	struct cli_model model = {0};
 	struct hawser_map map = {0};
 	struct cli_map_result result = {.common = &settings->common, .model = &model, .map = &map,
 	                                .full = settings->full};
 	const char *x[3], *y[3];
 	char *copy[2] = {NULL, NULL};
-	enum hawser_status status = check(&result, settings, report);
+	enum hawser_status status = check(&result, settings, ranks, report);
 
 	if (!status)
 		status = split(&copy[0], x, "x", settings->x, report);
@@ -374,15 +386,35 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		cli_warn("travel.braking is left out: the map is of travel.speed, the speed before");
 	if (!status)
 		status = trace(&map, &result, &model, settings->n, report);
-	if (!status)
+	if (!status && result.options.parts > 0)
+		cli_map_part_done(&result.options, &map, settings->common.quiet || is_worker(ranks));
+	else if (!status && !is_worker(ranks))
 		status = write_result(&result, settings->boundary, report);
-	if (!status)
+	if (!status && !is_worker(ranks))
 		warn_uncomputed(&map);
 	hawser_map_clear(&map);
 	hawser_basins_clear(&result.basins);
 	cli_model_clear(&model);
 	free(copy[0]);
 	free(copy[1]);
+	return status;
+}
+
+static enum hawser_status run(void *context, struct hawser_report *report)
+{
+	struct settings *settings = context;
+	struct hawser__ranks *ranks;
+	enum hawser_status status = cli_ranks_open(&ranks, "map", report);
+
+	if (!status)
+		status = make(settings, ranks, report);
+	if (status) {
+		cli_ranks_fail(ranks, status, report);
+		cli_map_lost(report, ranks, settings->checkpoint);
+	}
+	if (is_worker(ranks))
+		status = HAWSER_OK; /* rank 0 tells of it; mpirun ends all as soon as one fails */
+	cli_ranks_close(ranks, NULL);
 	return status;
 }
 

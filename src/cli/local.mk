@@ -45,6 +45,9 @@ hawser_SOURCES = \
 	%D%/cmd_nnm.c %D%/nnm_result.c %D%/nnm_result.h \
 	%D%/cmd_irvine.c \
 	%D%/cmd_map.c \
+	%D%/cmd_merge.c \
+	%D%/map_part.c \
+	%D%/map_part.h \
 	%D%/cmd_orbit.c \
 	%D%/cmd_mms.c \
 	%D%/cmd_modes.c \

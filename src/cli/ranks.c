@@ -99,6 +99,15 @@ enum hawser_status cli_ranks_open(struct hawser__ranks **to, const char *command
 	return HAWSER_OK;
 }
 
+void cli_ranks_fail(struct hawser__ranks *ranks, enum hawser_status status,
+                    const struct hawser_report *why)
+{
+	const struct hawser__tasks none = {.threads = 1, .what = "ranks", .identity = ""};
+
+	if (ranks && ranks->rank > 0 && !ranks->ended && status)
+		hawser__ranks_serve(ranks, &none, status, why);
+}
+
 void cli_ranks_close(struct hawser__ranks *ranks, const struct hawser__tasks *tasks)
 {
 	if (!ranks)

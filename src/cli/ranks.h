@@ -1,8 +1,8 @@
 /* cli/ranks.h - the ranks among which a command shares its work: processes that mpirun or srun
  * started.
  *
- * A command that shares its work has its name in the list of ranks.c. It calls cli_ranks_open first,
- * then prepares the same in all ranks; a worker calls hawser__ranks_serve in place of the
+ * A command that shares its work has its name in the list of ranks.c. It calls cli_ranks_open
+ * first, then prepares the same in all ranks; a worker calls hawser__ranks_serve in place of the
  * computation, and writes nothing:
  *
  *    status = cli_ranks_open(&ranks, "sweep", report);
@@ -30,6 +30,10 @@ int cli_ranks_silent(void);
  * loaded. */
 enum hawser_status cli_ranks_open(struct hawser__ranks **ranks, const char *command,
                                   struct hawser_report *report) HAWSER_MUST_CHECK;
+/* In a worker that could not prepare its work: tell rank 0 why. In others, and after
+ * hawser__ranks_serve: nothing. */
+void cli_ranks_fail(struct hawser__ranks *ranks, enum hawser_status status,
+                    const struct hawser_report *why);
 /* End the workers, and MPI. `tasks` as of hawser__ranks_end; may be NULL. If a rank is lost, MPI is
  * left as it is, since it would wait for that rank. */
 void cli_ranks_close(struct hawser__ranks *ranks, const struct hawser__tasks *tasks);

@@ -25,6 +25,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "cli/ranks.h"
 #include "cli/within.h"
 
 /* Time from the signal to the forced end, and between two checks while a result is being written. */
@@ -42,7 +43,9 @@ static void end_now(void)
 	static const char some[] = "hawser: interrupted; the files that were written are complete, the "
 	                           "rest is left out\n";
 
-	if (written)
+	if (cli_ranks_silent())
+		; /* rank 0 tells it */
+	else if (written)
 		(void)!write(STDERR_FILENO, some, sizeof some - 1);
 	else
 		(void)!write(STDERR_FILENO, none, sizeof none - 1);

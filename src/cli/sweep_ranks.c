@@ -34,8 +34,8 @@ static enum hawser_status work(void *context, struct hawser__bytes *answer,
                                struct hawser_report *report)
 {
 	const struct sharing *sharing = context;
-	struct hawser__view question = task->question;
-	long variation = hawser__view_long(&question);
+	struct hawser__extract question = task->question;
+	long variation = hawser__extract_long(&question);
 	struct cli_sweep_packed packed;
 	enum hawser_status status = cli_sweep_compute(&packed, sharing->sweep, variation, report);
 
@@ -47,7 +47,7 @@ static enum hawser_status work(void *context, struct hawser__bytes *answer,
 	return answer->short_of_memory ? hawser__no_memory(report, "sweep") : HAWSER_OK;
 }
 
-static enum hawser_status take(void *context, long number, struct hawser__view *answer,
+static enum hawser_status take(void *context, long number, struct hawser__extract *answer,
                                struct hawser_report *report)
 {
 	const struct sharing *sharing = context;

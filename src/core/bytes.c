@@ -56,7 +56,7 @@ void hawser__bytes_clear(struct hawser__bytes *bytes)
 	*bytes = (struct hawser__bytes){.at = NULL};
 }
 
-const void *hawser__view_next(struct hawser__view *view, size_t length)
+const void *hawser__extract_next(struct hawser__extract *view, size_t length)
 {
 	const unsigned char *at = view->at;
 
@@ -69,9 +69,9 @@ const void *hawser__view_next(struct hawser__view *view, size_t length)
 	return at;
 }
 
-void hawser__view_read(void *to, struct hawser__view *view, size_t length)
+void hawser__extract_read(void *to, struct hawser__extract *view, size_t length)
 {
-	const void *from = hawser__view_next(view, length);
+	const void *from = hawser__extract_next(view, length);
 
 	if (from && length > 0)
 		memcpy(to, from, length);
@@ -79,33 +79,33 @@ void hawser__view_read(void *to, struct hawser__view *view, size_t length)
 		memset(to, 0, length);
 }
 
-long hawser__view_long(struct hawser__view *view)
+long hawser__extract_long(struct hawser__extract *view)
 {
 	long number;
 
-	hawser__view_read(&number, view, sizeof number);
+	hawser__extract_read(&number, view, sizeof number);
 	return number;
 }
 
-double hawser__view_double(struct hawser__view *view)
+double hawser__extract_double(struct hawser__extract *view)
 {
 	double number;
 
-	hawser__view_read(&number, view, sizeof number);
+	hawser__extract_read(&number, view, sizeof number);
 	return number;
 }
 
-struct hawser__view hawser__view_part(struct hawser__view *view)
+struct hawser__extract hawser__extract_part(struct hawser__extract *view)
 {
-	long length = hawser__view_long(view);
-	const void *at = hawser__view_next(view, length >= 0 ? (size_t)length : view->left + 1);
+	long length = hawser__extract_long(view);
+	const void *at = hawser__extract_next(view, length >= 0 ? (size_t)length : view->left + 1);
 
-	return (struct hawser__view){at, at ? (size_t)length : 0, view->bad};
+	return (struct hawser__extract){at, at ? (size_t)length : 0, view->bad};
 }
 
-void hawser__view_text(char *to, size_t size, struct hawser__view *view)
+void hawser__extract_text(char *to, size_t size, struct hawser__extract *view)
 {
-	struct hawser__view part = hawser__view_part(view);
+	struct hawser__extract part = hawser__extract_part(view);
 	size_t length = part.left < size - 1 ? part.left : size - 1;
 
 	if (length > 0)

@@ -22,19 +22,19 @@ void hawser__bytes_add_text(struct hawser__bytes *bytes, const char *text);
 void hawser__bytes_clear(struct hawser__bytes *bytes);
 
 /* What is left to be read. Beyond the end numbers are 0, and `bad` is set. */
-struct hawser__view {
+struct hawser__extract {
 	const unsigned char *at; /* [left] */
 	size_t left;
 	int bad;
 };
 /* The next `length` bytes, or NULL. */
-const void *hawser__view_next(struct hawser__view *view, size_t length);
-void hawser__view_read(void *to, struct hawser__view *view, size_t length);
-long hawser__view_long(struct hawser__view *view);
-double hawser__view_double(struct hawser__view *view);
+const void *hawser__extract_next(struct hawser__extract *view, size_t length);
+void hawser__extract_read(void *to, struct hawser__extract *view, size_t length);
+long hawser__extract_long(struct hawser__extract *view);
+double hawser__extract_double(struct hawser__extract *view);
 /* A text written by hawser__bytes_add_text into to [size], cut at its end. */
-void hawser__view_text(char *to, size_t size, struct hawser__view *view);
+void hawser__extract_text(char *to, size_t size, struct hawser__extract *view);
 /* A part that begins with its length, as hawser__bytes_add_text writes it. */
-struct hawser__view hawser__view_part(struct hawser__view *view);
+struct hawser__extract hawser__extract_part(struct hawser__extract *view);
 
 #endif

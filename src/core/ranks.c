@@ -21,14 +21,15 @@
 #include "core/ranks_packet.h"
 #include "core/report.h"
 
-#define PACKET_SECS 0.01   /* work of a packet; chosen: a message takes some ten us (bench/ranks) */
+#define PACKET_SECS 0.05   /* work of a packet; chosen: a message takes 25 us (bench/ranks), and on a
+                            * busy machine a process may wait for milliseconds before it runs */
 #define AHEAD_SECS 0.05    /* packets up to this work are sent one ahead; chosen */
 #define WATCH_SECS 0.1     /* between two calls of `watch` */
 #define LOST_SECS 0.5      /* between two looks at the other processes; chosen */
 #define STOP_SECS 0.5      /* after a stop, the longest wait for answers; mpirun kills after 1 s */
-/* Sleep with nothing to do, us; chosen: a long one is a tenth of a packet. Without other ranks the
+/* Sleep with nothing to do, us; chosen: short beside a packet. Without other ranks the
  * threads wake this one. */
-enum { FIRST_PAUSE_US = 20, LAST_PAUSE_US = 1000, ALONE_PAUSE_US = 50000 };
+enum { FIRST_PAUSE_US = 50, LAST_PAUSE_US = 1000, ALONE_PAUSE_US = 50000 };
 
 struct arrived {
 	struct arrived *next;
@@ -158,22 +159,22 @@ static int start(struct thread *thread, int most, struct run *run)
 /* Take the answers of a message; with the lock. */
 static void take(struct run *run, const struct hawser__bytes *message)
 {
-	struct hawser__view view = {message->at, message->used, 0};
-	long kind = hawser__view_long(&view), first = hawser__view_long(&view);
-	long count = hawser__view_long(&view);
-	double secs = hawser__view_double(&view)/(double)(count > 0 ? count : 1);
+	struct hawser__extract view = {message->at, message->used, 0};
+	long kind = hawser__extract_long(&view), first = hawser__extract_long(&view);
+	long count = hawser__extract_long(&view);
+	double secs = hawser__extract_double(&view)/(double)(count > 0 ? count : 1);
 	struct hawser_report report = {.status = HAWSER_OK};
 
 	(void)kind;
 	run->cost = run->cost > 0.0 ? 0.5*(run->cost + secs) : secs;
 	for (long k = first; k < first + count; k++) {
-		struct hawser__view answer = hawser__view_part(&view);
-		enum hawser_status status = (enum hawser_status)hawser__view_long(&answer);
+		struct hawser__extract answer = hawser__extract_part(&view);
+		enum hawser_status status = (enum hawser_status)hawser__extract_long(&answer);
 
 		if (view.bad || answer.bad)
 			status = hawser__no_memory(&report, run->tasks->what);
 		else if (status)
-			hawser__view_text(report.message, sizeof report.message, &answer);
+			hawser__extract_text(report.message, sizeof report.message, &answer);
 		else
 			status = run->tasks->take(run->tasks->context, k, &answer, &report);
 		report.status = status;
@@ -187,10 +188,10 @@ static void take(struct run *run, const struct hawser__bytes *message)
 /* A worker's first message: its identity, or why it can't work. */
 static void welcome(struct run *run, int from, const struct hawser__bytes *message)
 {
-	struct hawser__view view = {message->at, message->used, 0};
-	long kind = hawser__view_long(&view);
-	enum hawser_status status = (enum hawser_status)hawser__view_long(&view);
-	struct hawser__view text = hawser__view_part(&view);
+	struct hawser__extract view = {message->at, message->used, 0};
+	long kind = hawser__extract_long(&view);
+	enum hawser_status status = (enum hawser_status)hawser__extract_long(&view);
+	struct hawser__extract text = hawser__extract_part(&view);
 	const char *identity = run->tasks->identity;
 	struct hawser_report report = {.status = HAWSER_OK};
 	int length = (int)(text.left < 400 ? text.left : 400);
@@ -216,8 +217,8 @@ static int receive_all(struct run *run, struct hawser__bytes *message)
 	int from, any = 0;
 
 	while (ranks && ranks->by.receive(ranks->by.context, &from, message)) {
-		struct hawser__view view = {message->at, message->used, 0};
-		long kind = hawser__view_long(&view);
+		struct hawser__extract view = {message->at, message->used, 0};
+		long kind = hawser__extract_long(&view);
 
 		any = 1;
 		ranks->messages++;
@@ -429,8 +430,10 @@ enum hawser_status hawser__ranks_run(struct hawser__ranks *ranks, int *stopped,
 			*report = run.report;
 	}
 	*stopped = run.stopped;
-	if (ranks)
+	if (ranks) {
 		ranks->cost = run.cost;
+		ranks->hurried |= run.stopped;
+	}
 	pthread_cond_destroy(&run.news);
 	pthread_condattr_destroy(&monotonic);
 	pthread_mutex_destroy(&run.lock);

@@ -22,7 +22,7 @@
 
 struct hawser__task {
 	long number;
-	struct hawser__view question;
+	struct hawser__extract question;
 };
 
 /* What the tasks are. `ask` and `take` are called in rank 0, one call at a time; the others in each
@@ -48,7 +48,7 @@ struct hawser__tasks {
 	                           const struct hawser__task *task, int worker,
 	                           struct hawser_report *report);
 	/* Take the answer of a task; in any order. */
-	enum hawser_status (*take)(void *context, long number, struct hawser__view *answer,
+	enum hawser_status (*take)(void *context, long number, struct hawser__extract *answer,
 	                           struct hawser_report *report);
 	/* Called every 0.1 s in the caller's thread with the number of answers that were taken: for
 	 * progress, and to write what has come. Not 0: hand out no more. NULL: nothing. */
@@ -56,7 +56,7 @@ struct hawser__tasks {
 	/* In a worker, after its last task: append what rank 0 is to know of all of them. In rank
 	 * 0: take that. NULL: nothing. */
 	void (*leave)(void *context, struct hawser__bytes *last);
-	void (*take_last)(void *context, struct hawser__view *last);
+	void (*take_last)(void *context, struct hawser__extract *last);
 };
 
 /* How messages travel. */
@@ -76,6 +76,7 @@ struct hawser__ranks {
 	int rank, count;
 	struct hawser__transport by;
 	int *waiting; /* rank 0: [count] packets that were sent and not answered; -1: not ready yet */
+	int hurried; /* 1: the last run was stopped */
 	int ended; /* 1: the workers were told to end */
 	int lost;  /* 1: a rank is lost, or does not answer: MPI can't be ended in order */
 	double cost;  /* s of a task, last; 0: unknown */

@@ -95,17 +95,17 @@ static void refuse(struct hawser__bytes *answers, const struct hawser__tasks *ta
 void hawser__packet_work(struct hawser__bytes *answers, const struct hawser__bytes *message,
                          const struct hawser__tasks *tasks, int threads, int worker)
 {
-	struct hawser__view view = {message->at, message->used, 0};
+	struct hawser__extract view = {message->at, message->used, 0};
 	double began = hawser__wall_seconds();
-	long kind = hawser__view_long(&view), first = hawser__view_long(&view);
-	int count = (int)hawser__view_long(&view);
+	long kind = hawser__extract_long(&view), first = hawser__extract_long(&view);
+	int count = (int)hawser__extract_long(&view);
 	struct packet packet = {.tasks = tasks, .worker = worker};
 
 	(void)kind;
 	packet.task = calloc((size_t)count + 1, sizeof *packet.task);
 	packet.answer = calloc((size_t)count + 1, sizeof *packet.answer);
 	for (int k = 0; k < count && packet.task && packet.answer; k++)
-		packet.task[k] = (struct hawser__task){first + k, hawser__view_part(&view)};
+		packet.task[k] = (struct hawser__task){first + k, hawser__extract_part(&view)};
 	if (packet.task && packet.answer)
 		compute(&packet, count, threads);
 	answers->used = 0;

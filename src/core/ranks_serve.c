@@ -13,8 +13,9 @@
 #include "core/report.h"
 
 #define LOOK_SECS 1.0 /* between two looks whether rank 0 is there; chosen */
+#define HURRIED_SECS 0.05 /* the same after a stop: the program is ended 0.6 s after a signal */
 #define END_SECS 60.0 /* the longest wait for the workers' last message; chosen */
-enum { FIRST_PAUSE_US = 20, LAST_PAUSE_US = 1000 }; /* sleep with nothing to do, us; as in ranks.c */
+enum { FIRST_PAUSE_US = 50, LAST_PAUSE_US = 1000 }; /* sleep with nothing to do, us; as in ranks.c */
 
 static void nap(long us)
 {
@@ -61,14 +62,14 @@ void hawser__ranks_serve(struct hawser__ranks *ranks, const struct hawser__tasks
 	hawser__bytes_add_text(&answers, status ? report->message : tasks->identity);
 	answer(ranks, &answers);
 	while (kind != HAWSER__END && !ranks->lost) {
-		struct hawser__view view;
+		struct hawser__extract view;
 
 		if (!await(ranks, &from, &message, LOOK_SECS)) {
 			ranks->lost = ranks->by.lost && ranks->by.lost(ranks->by.context, 0, name, sizeof name);
 			continue;
 		}
-		view = (struct hawser__view){message.at, message.used, 0};
-		kind = hawser__view_long(&view);
+		view = (struct hawser__extract){message.at, message.used, 0};
+		kind = hawser__extract_long(&view);
 		if (kind != HAWSER__WORK)
 			continue;
 		hawser__packet_work(&answers, &message, tasks, tasks->threads, 0);
@@ -98,12 +99,12 @@ void hawser__ranks_end(struct hawser__ranks *ranks, const struct hawser__tasks *
 		if (ranks->by.send(ranks->by.context, r, message.at, message.used, &report))
 			ranks->lost = 1;
 	while (left > 0 && !ranks->lost) {
-		struct hawser__view view;
+		struct hawser__extract view;
 
-		if (!await(ranks, &from, &message, END_SECS))
+		if (!await(ranks, &from, &message, ranks->hurried ? HURRIED_SECS : END_SECS))
 			ranks->lost = 1;
-		view = (struct hawser__view){message.at, message.used, 0};
-		if (ranks->lost || hawser__view_long(&view) != HAWSER__LAST)
+		view = (struct hawser__extract){message.at, message.used, 0};
+		if (ranks->lost || hawser__extract_long(&view) != HAWSER__LAST)
 			continue;
 		left--;
 		if (tasks && tasks->take_last && view.left > 0)

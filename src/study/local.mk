@@ -65,7 +65,9 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/map_memo.c \
 	%D%/map_point.c \
 	%D%/map_probes.c \
+	%D%/map_merge.c \
 	%D%/map_quantity.c \
+	%D%/map_ranks.c \
 	%D%/map_quantity.h \
 	%D%/basin.c \
 	%D%/basin.h \
@@ -79,6 +81,8 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/map_rows.h \
 	%D%/map_rows_file.c \
 	%D%/map_rows_file.h \
+	%D%/map_rows_mapper.h \
+	%D%/map_rows_ranks.c \
 	%D%/map_rows_lines.c \
 	%D%/map_structure.c \
 	%D%/map_tree.c

@@ -12,6 +12,7 @@
 #include "study/map.h"
 #include "study/map_rows.h"
 
+enum { SETTINGS = 320 }; /* characters of the settings of a map */
 enum { MOST_POINTS = 20000 }; /* largest number of points along an axis; chosen */
 
 const char *hawser_map_code_name(enum hawser_map_code code)
@@ -56,6 +57,11 @@ static enum hawser_status check(const struct hawser_map_options *options,
 			                    "%d points along %c: it must be 2 to %d", options->points[k],
 			                    "xy"[k], MOST_POINTS);
 	}
+	if (options->parts < 0 || options->part < (options->parts > 0) || options->part > options->parts ||
+	    (options->parts > 0 && !options->checkpoint))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
+		                    "part %d of %d: a part is numbered from 1, and its points are in a "
+		                    "checkpoint", options->part, options->parts);
 	if (options->coarse < 1 || isnan(options->jump) || options->threads < 0 ||
 	    options->threads > 1024 || !(options->tolerance >= 1e-14 && options->tolerance < 1.0))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
@@ -75,13 +81,20 @@ static double *axis_of(double from, double to, int points)
 	return at;
 }
 
+static void settings_of(char text[SETTINGS], const struct hawser_map_options *options)
+{
+	snprintf(text, SETTINGS, "%a %a %d %a %a %d coarse %d jump %a tolerance %a", options->from[0],
+	         options->to[0], options->points[0], options->from[1], options->to[1],
+	         options->points[1], options->coarse, options->jump, options->tolerance);
+}
+
 static enum hawser_status open_mapper(struct hawser__mapper *mapper, struct hawser_map *map,
                                       const struct hawser_map_field *field,
                                       const struct hawser_map_options *options,
                                       struct hawser_report *report)
 {
 	size_t nodes = (size_t)options->points[0]*(size_t)options->points[1];
-	char settings[320];
+	char settings[SETTINGS];
 
 	map->nx = mapper->nx = options->points[0];
 	map->ny = mapper->ny = options->points[1];
@@ -98,9 +111,7 @@ static enum hawser_status open_mapper(struct hawser__mapper *mapper, struct haws
 		return hawser__no_memory(report, "map");
 	for (size_t p = 0; p < nodes; p++)
 		mapper->node[p] = -1;
-	snprintf(settings, sizeof settings, "%a %a %d %a %a %d coarse %d jump %a tolerance %a",
-	         options->from[0], options->to[0], map->nx, options->from[1], options->to[1], map->ny,
-	         options->coarse, options->jump, options->tolerance);
+	settings_of(settings, options);
 	return hawser__map_memo_open(&mapper->memo, field, options, settings, report);
 }
 
@@ -196,12 +207,29 @@ static void explain(struct hawser_map *map, const struct hawser__mapper *mapper)
 		}
 }
 
+/* A worker has no grid: it computes the points that rank 0 asks for. */
+static enum hawser_status serve(struct hawser__mapper *mapper, const struct hawser_map_field *field,
+                                const struct hawser_map_options *options,
+                                struct hawser_report *report)
+{
+	char settings[SETTINGS];
+	enum hawser_status status;
+
+	settings_of(settings, options);
+	status = hawser__map_memo_open(&mapper->memo, field, options, settings, report);
+	if (!status)
+		hawser__map_ranks_serve(&mapper->memo);
+	hawser__map_memo_close(&mapper->memo);
+	return status;
+}
+
 enum hawser_status hawser_map_trace(struct hawser_map *map, const struct hawser_map_field *field,
                                     const struct hawser_map_options *options,
                                     struct hawser_report *report)
 {
 	struct hawser__mapper mapper = {.memo = {.checkpoint = {.fd = -1}}};
 	struct hawser_map_options settled = *options;
+	struct hawser_map_condensed others;
 	enum hawser_status status;
 
 	*map = (struct hawser_map){.nx = 0};
@@ -219,6 +247,8 @@ enum hawser_status hawser_map_trace(struct hawser_map *map, const struct hawser_
 		return map->x && map->y && map->point ? hawser__map_rows(map, field, options, report)
 		                                      : hawser__no_memory(report, "map");
 	}
+	if (options->ranks && options->ranks->rank > 0)
+		return serve(&mapper, field, options, report);
 	status = open_mapper(&mapper, map, field, options, report);
 	if (!status)
 		status = hawser__map_grow(&mapper, report);
@@ -228,9 +258,12 @@ enum hawser_status hawser_map_trace(struct hawser_map *map, const struct hawser_
 		collect(map, &mapper);
 		explain(map, &mapper);
 	}
+	hawser__map_ranks_end(&mapper.memo);
+	others = mapper.memo.others;
 	close_mapper(&mapper);
 	if (field->condensed)
 		map->condensed = *field->condensed;
+	hawser__map_condensed_merge(&map->condensed, &others);
 	return status;
 }
 

@@ -11,6 +11,8 @@
 
 #include <hawser/map.h>
 
+#include "core/ranks.h"
+
 /* --- map_checkpoint.c --- */
 
 struct hawser__map_record {
@@ -47,6 +49,9 @@ enum hawser_status hawser__map_checkpoint_add(struct hawser__map_checkpoint *che
 enum hawser_status hawser__map_checkpoint_flush(struct hawser__map_checkpoint *checkpoint,
                                                 struct hawser_report *report);
 void hawser__map_checkpoint_close(struct hawser__map_checkpoint *checkpoint);
+/* Whether a line, with its newline, has its checksum; and whether it is a header. */
+int hawser__map_checkpoint_is_sound(const char *line);
+int hawser__map_checkpoint_is_head(const char *line);
 
 /* --- map_memo.c --- */
 
@@ -70,18 +75,54 @@ struct hawser__map_memo {
 	double cost;                       /* time per point of the last computation, s; 0: none */
 	double began;                      /* start time, s, hawser__wall_seconds */
 	struct hawser__map_checkpoint checkpoint;
+	/* with other ranks: */
+	struct hawser__tasks tasks;
+	char *identity;                    /* of field and settings */
+	const long *asked;                 /* records that are computed now */
+	long all, later;                   /* their number; the expected number of further points */
+	const char *stage;
+	struct hawser_map_condensed others; /* of the points that other ranks computed */
 };
 enum hawser_status hawser__map_memo_open(struct hawser__map_memo *memo,
                                          const struct hawser_map_field *field,
                                          const struct hawser_map_options *options,
                                          const char *settings, struct hawser_report *report);
 void hawser__map_memo_close(struct hawser__map_memo *memo);
-/* *index becomes that of the point at x, y. If it is not computed yet, the next _run computes it. */
+/* *index becomes that of the point at x, y. If it is not computed yet, the next _run computes it.
+ * */
 enum hawser_status hawser__map_want(struct hawser__map_memo *memo, long *index, double x, double y,
                                     struct hawser_report *report);
 /* Compute the requested points; `later` is the expected number of further points. */
 enum hawser_status hawser__map_run(struct hawser__map_memo *memo, const char *stage, long later,
                                    struct hawser_report *report);
+
+/* The status of a point whose failure ends a strict map; its coordinates are added to the report.
+ * */
+enum hawser_status hawser__map_refuse(const struct hawser__map_memo *memo, struct hawser_report *report,
+                                      const struct hawser__map_record *record);
+/* Tell the progress, `left` points before the end; not 0: stop. */
+int hawser__map_told_to_stop(const struct hawser__map_memo *memo, const char *stage, long left);
+
+/* --- map_ranks.c --- */
+
+enum hawser_status hawser__map_ranks_open(struct hawser__map_memo *memo, const char *settings,
+                                          struct hawser_report *report);
+/* Whether the next `count` points are worth messages. */
+int hawser__map_ranks_worthwhile(const struct hawser__map_memo *memo, long count);
+/* Compute pending [count] by all ranks. */
+enum hawser_status hawser__map_ranks_run(struct hawser__map_memo *memo, const long *pending, long count,
+                                         struct hawser_report *report);
+/* In a worker: compute for rank 0 until it ends. */
+void hawser__map_ranks_serve(struct hawser__map_memo *memo);
+/* In rank 0: end the workers. */
+void hawser__map_ranks_end(struct hawser__map_memo *memo);
+void hawser__map_condensed_merge(struct hawser_map_condensed *all,
+                                 const struct hawser_map_condensed *part);
+/* The text that tells whether ranks have the same field and settings, or NULL. */
+char *hawser__map_ranks_identity(const char *identity, const char *settings);
+/* The number of the part, from 1, that the item at column a, row b of a grid of columns x rows has.
+ * */
+int hawser__map_part_of(int a, int b, int columns, int rows, int parts);
 
 /* --- map_tree.c --- */
 

@@ -140,6 +140,21 @@ static int sound(const char *line, size_t *length)
 	return *end == '\0' && sum == short_hash(line, *length);
 }
 
+int hawser__map_checkpoint_is_sound(const char *line)
+{
+	size_t length = strlen(line);
+	char *end;
+
+	if (length < 11 || line[length - 1] != '\n' || line[length - 10] != ' ')
+		return 0;
+	return strtoul(line + length - 9, &end, 16) == short_hash(line, length - 10) && *end == '\n';
+}
+
+int hawser__map_checkpoint_is_head(const char *line)
+{
+	return strncmp(line, magic, sizeof magic - 1) == 0 && hawser__map_checkpoint_is_sound(line);
+}
+
 /* A blank and the sixteen digits of a number, as written by put_number. *at is moved behind them,
  * or becomes NULL if they are missing. */
 static double number(const char **at)

@@ -142,8 +142,11 @@ enum hawser_status hawser__map_memo_open(struct hawser__map_memo *memo,
 	memo->scratch = calloc((size_t)memo->threads*(size_t)field->marks + 1, sizeof(double));
 	if (!memo->worker || !memo->scratch)
 		return hawser__no_memory(report, "map");
-	status = hawser__map_checkpoint_open(&memo->checkpoint, options->checkpoint, field->identity,
-	                                     settings, memo->marks, &taker, report);
+	if (options->ranks)
+		status = hawser__map_ranks_open(memo, settings, report);
+	if (!status && (!options->ranks || options->ranks->rank == 0))
+		status = hawser__map_checkpoint_open(&memo->checkpoint, options->checkpoint, field->identity,
+		                                     settings, memo->marks, &taker, report);
 	for (int t = 0; t < memo->threads && !status; t++)
 		status = field->open(&memo->worker[t], field->context, report);
 	return status;
@@ -159,6 +162,7 @@ void hawser__map_memo_close(struct hawser__map_memo *memo)
 	free(memo->mark);
 	free(memo->slot);
 	free(memo->pending);
+	free(memo->identity);
 	hawser__map_checkpoint_close(&memo->checkpoint);
 	*memo = (struct hawser__map_memo){.checkpoint = {.fd = -1}};
 }
@@ -210,13 +214,14 @@ struct chunk {
 	struct hawser_report report;
 };
 
-/* Add the coordinates to the report of a point without a value. */
-static enum hawser_status refuse(struct hawser_report *report,
-                                 const struct hawser__map_record *record)
+enum hawser_status hawser__map_refuse(const struct hawser__map_memo *memo, struct hawser_report *report,
+                                      const struct hawser__map_record *record)
 {
 	const char *code = hawser_map_code_name(record->sample.code);
 	char reason[400];
 
+	if (!is_refused(memo, record))
+		return HAWSER_OK;
 	snprintf(reason, sizeof reason, "%.399s", report->message);
 	return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "map",
 	                    "the point x = %.9g, y = %.9g could not be computed (%s%s%s)", record->x,
@@ -239,8 +244,8 @@ static void one_point(void *context, long i, int thread)
 		memcpy(memo->mark + pending[i]*memo->marks, marks,
 		       (size_t)memo->marks*sizeof *marks);
 	record->ready = !status;
-	if (!status && is_refused(memo, record))
-		status = refuse(&local, record);
+	if (!status)
+		status = hawser__map_refuse(memo, &local, record);
 	if (!status)
 		return;
 	pthread_mutex_lock(&chunk->lock);
@@ -296,7 +301,7 @@ static enum hawser_status run_chunk(struct hawser__map_memo *memo, const long *p
 	return status;
 }
 
-static int told_to_stop(const struct hawser__map_memo *memo, const char *stage, long left)
+int hawser__map_told_to_stop(const struct hawser__map_memo *memo, const char *stage, long left)
 {
 	struct hawser_progress_state state =
 		hawser__progress_state(stage, "points", memo->visited - memo->waiting, memo->began);
@@ -326,8 +331,14 @@ enum hawser_status hawser__map_run(struct hawser__map_memo *memo, const char *st
 		int count = (int)(all - at < memo->chunk ? all - at : memo->chunk);
 		double began = hawser__wall_seconds(), took;
 
-		if (told_to_stop(memo, stage, memo->waiting + later)) {
+		if (hawser__map_told_to_stop(memo, stage, memo->waiting + later)) {
 			memo->interrupted = 1;
+			break;
+		}
+		if (hawser__map_ranks_worthwhile(memo, all - at)) {
+			memo->stage = stage;
+			memo->later = later;
+			status = hawser__map_ranks_run(memo, memo->pending + at, all - at, report);
 			break;
 		}
 		status = run_chunk(memo, memo->pending + at, count, worthwhile(memo, count), report);

@@ -40,15 +40,6 @@ enum hawser_status hawser__map_worker_open(void **to, void *context,
 	return HAWSER_OK;
 }
 
-static void merge(struct hawser_map_condensed *all, const struct hawser_map_condensed *part)
-{
-	if (part->points == 0)
-		return;
-	all->kept = all->points && all->kept < part->kept ? all->kept : part->kept;
-	all->neglected = fmax(all->neglected, part->neglected);
-	all->points += part->points;
-}
-
 void hawser__map_condensed_note(struct hawser_map_condensed *condensed,
                                 const struct hawser__map_room *room)
 {
@@ -57,7 +48,7 @@ void hawser__map_condensed_note(struct hawser_map_condensed *condensed,
 	if (room->linear)
 		one.kept = hawser__linear_kept(room->linear, &one.neglected);
 	if (one.neglected > 0.0)
-		merge(condensed, &one);
+		hawser__map_condensed_merge(condensed, &one);
 }
 
 static void release_point(struct worker *worker)
@@ -74,7 +65,7 @@ void hawser__map_worker_close(void *context)
 
 	if (!worker)
 		return;
-	merge(&worker->cable->condensed, &worker->condensed);
+	hawser__map_condensed_merge(&worker->cable->condensed, &worker->condensed);
 	release_point(worker);
 	hawser__map_room_clear(&worker->room);
 	free(worker->numbers);

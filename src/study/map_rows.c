@@ -8,8 +8,6 @@
 #include "config.h"
 
 #include <math.h>
-#include <pthread.h>
-#include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -17,35 +15,13 @@
 #include "core/progress.h"
 #include "core/report.h"
 #include "core/share.h"
-#include "study/map_rows_file.h"
+#include "study/map_rows_mapper.h"
 
 #define LEAST_SECS 0.1 /* of rows that are computed together; chosen */
 #define SURE_SECS 1.0  /* shortest time from which the remaining time is estimated; chosen */
-enum { MOST_CHUNK = 256 };
+enum { MOST_CHUNK = 256, SETTINGS = 320 };
 
-struct mapper {
-	struct hawser_map *map;
-	const struct hawser_map_field *field;
-	const struct hawser_map_options *options;
-	struct hawser__map_row *row; /* [rows] */
-	int rows, along;
-	double *x, *y;               /* [rows] for the field's `prepare` */
-	void **worker;               /* [threads] */
-	int threads;
-	struct hawser__map_rows_file file;
-	double began;
-	long done, fresh;
-	pthread_t caller;
-	atomic_int stop;
-	/* of the rows that are computed now */
-	int from;
-	pthread_mutex_t lock;
-	int failed;                  /* the first row that failed */
-	enum hawser_status status;
-	struct hawser_report report;
-};
-
-static int told_to_stop(struct mapper *mapper)
+int hawser__rows_told_to_stop(struct hawser__rows_mapper *mapper)
 {
 	struct hawser_progress_state state =
 		hawser__progress_state("rows of the map", "rows", mapper->done, mapper->began);
@@ -63,16 +39,17 @@ static int told_to_stop(struct mapper *mapper)
 /* Asked by the traces of rows. The caller's function is called in its own thread only. */
 static int asked(void *data, const struct hawser_progress_state *state)
 {
-	struct mapper *mapper = data;
+	struct hawser__rows_mapper *mapper = data;
 
 	(void)state;
-	return pthread_equal(pthread_self(), mapper->caller) ? told_to_stop(mapper)
+	return pthread_equal(pthread_self(), mapper->caller) ? hawser__rows_told_to_stop(mapper)
 	                                                     : atomic_load(&mapper->stop);
 }
 
 /* The status of a row in which a point has no value, if the map is strict. */
-static enum hawser_status refuse(const struct mapper *mapper, const struct hawser__map_row *row,
-                                 struct hawser_report *report)
+enum hawser_status hawser__rows_refuse(const struct hawser__rows_mapper *mapper,
+                                       const struct hawser__map_row *row,
+                                       struct hawser_report *report)
 {
 	for (int i = 0; i < row->count && mapper->options->strict && row->ready; i++) {
 		enum hawser_map_code code = row->answer[i].sample.code;
@@ -90,22 +67,27 @@ static enum hawser_status refuse(const struct mapper *mapper, const struct hawse
 	return HAWSER_OK;
 }
 
+int hawser__rows_has(const struct hawser__rows_mapper *mapper, int j)
+{
+	return mapper->options->parts == 0 || j%mapper->options->parts == mapper->options->part - 1;
+}
+
 static void one_row(void *context, long item, int thread)
 {
-	struct mapper *mapper = context;
+	struct hawser__rows_mapper *mapper = context;
 	int j = mapper->from + (int)item;
 	struct hawser__map_row *row = &mapper->row[j];
 	const struct hawser_progress progress = {asked, mapper};
 	struct hawser_report local = {.status = HAWSER_OK};
 	enum hawser_status status;
 
-	if (row->ready || atomic_load(&mapper->stop))
+	if (row->ready || !hawser__rows_has(mapper, j) || atomic_load(&mapper->stop))
 		return;
 	row->progress = &progress;
 	status = mapper->field->row(mapper->worker[thread], row, &local);
 	row->progress = NULL;
 	if (!status)
-		status = refuse(mapper, row, &local);
+		status = hawser__rows_refuse(mapper, row, &local);
 	if (!status)
 		return;
 	pthread_mutex_lock(&mapper->lock);
@@ -117,7 +99,7 @@ static void one_row(void *context, long item, int thread)
 	pthread_mutex_unlock(&mapper->lock);
 }
 
-static enum hawser_status compute(struct mapper *mapper, int from, int count,
+static enum hawser_status compute(struct hawser__rows_mapper *mapper, int from, int count,
                                   struct hawser_report *report)
 {
 	const struct hawser_map_field *field = mapper->field;
@@ -127,7 +109,7 @@ static enum hawser_status compute(struct mapper *mapper, int from, int count,
 
 	for (int j = from; j < from + count; j++) {
 		had[j - from] = (unsigned char)mapper->row[j].ready;
-		if (mapper->row[j].ready)
+		if (mapper->row[j].ready || !hawser__rows_has(mapper, j))
 			continue;
 		mapper->x[wanted] = mapper->along == 0 ? mapper->map->x[0] : mapper->row[j].fixed;
 		mapper->y[wanted++] = mapper->along == 1 ? mapper->map->y[0] : mapper->row[j].fixed;
@@ -159,12 +141,15 @@ static enum hawser_status compute(struct mapper *mapper, int from, int count,
 	return status;
 }
 
-static enum hawser_status compute_all(struct mapper *mapper, struct hawser_report *report)
+static enum hawser_status compute_all(struct hawser__rows_mapper *mapper, const char *settings,
+                                      struct hawser_report *report)
 {
 	int chunk = mapper->threads < MOST_CHUNK ? mapper->threads : MOST_CHUNK;
 	enum hawser_status status = HAWSER_OK;
 
-	for (int at = 0; at < mapper->rows && !status && !told_to_stop(mapper);) {
+	if (mapper->options->ranks)
+		return hawser__rows_by_ranks(mapper, settings, report);
+	for (int at = 0; at < mapper->rows && !status && !hawser__rows_told_to_stop(mapper);) {
 		int count = mapper->rows - at < chunk ? mapper->rows - at : chunk;
 		double began = hawser__wall_seconds();
 
@@ -177,7 +162,7 @@ static enum hawser_status compute_all(struct mapper *mapper, struct hawser_repor
 	return status;
 }
 
-static enum hawser_status open_results(struct mapper *mapper, struct hawser_report *report)
+static enum hawser_status open_results(struct hawser__rows_mapper *mapper, struct hawser_report *report)
 {
 	struct hawser_map *map = mapper->map;
 	size_t points = (size_t)map->nx*(size_t)map->ny;
@@ -202,17 +187,17 @@ static enum hawser_status open_results(struct mapper *mapper, struct hawser_repo
 	return HAWSER_OK;
 }
 
-static enum hawser_status open_mapper(struct mapper *mapper, struct hawser_report *report)
+static enum hawser_status open_mapper(struct hawser__rows_mapper *mapper, char settings[SETTINGS],
+                                      struct hawser_report *report)
 {
 	const struct hawser_map_options *options = mapper->options;
 	const struct hawser_map_field *field = mapper->field;
-	char settings[320];
 	enum hawser_status status = open_results(mapper, report);
 
-	snprintf(settings, sizeof settings, "rows %a %a %d %a %a %d only stable %d", options->from[0],
+	snprintf(settings, SETTINGS, "rows %a %a %d %a %a %d only stable %d", options->from[0],
 	         options->to[0], options->points[0], options->from[1], options->to[1],
 	         options->points[1], options->only_stable);
-	if (!status)
+	if (!status && (!options->ranks || options->ranks->rank == 0))
 		status = hawser__map_rows_file_open(&mapper->file, options->checkpoint, field->identity,
 		                                    settings, mapper->row, mapper->rows, report);
 	for (int t = 0; t < mapper->threads && !status; t++)
@@ -220,13 +205,14 @@ static enum hawser_status open_mapper(struct mapper *mapper, struct hawser_repor
 	return status;
 }
 
-static void close_mapper(struct mapper *mapper)
+static void close_mapper(struct hawser__rows_mapper *mapper)
 {
 	for (int t = 0; mapper->worker && t < mapper->threads; t++)
 		mapper->field->close(mapper->worker[t]);
 	for (int j = 0; mapper->row && j < mapper->rows; j++)
 		hawser__map_row_clear(&mapper->row[j]);
 	free(mapper->worker);
+	free(mapper->pending);
 	free(mapper->row);
 	free(mapper->x);
 	hawser__map_checkpoint_close(&mapper->file.checkpoint);
@@ -253,7 +239,7 @@ static void collect_row(struct hawser_map *map, const struct hawser__map_row *ro
 	}
 }
 
-static void collect(struct mapper *mapper)
+static void collect(struct hawser__rows_mapper *mapper)
 {
 	struct hawser_map *map = mapper->map;
 
@@ -276,16 +262,17 @@ enum hawser_status hawser__map_rows(struct hawser_map *map, const struct hawser_
                                     const struct hawser_map_options *options,
                                     struct hawser_report *report)
 {
-	struct mapper mapper = {.map = map, .field = field, .options = options, .along = field->along,
-		.rows = field->along ? map->nx : map->ny, .caller = pthread_self(),
+	struct hawser__rows_mapper mapper = {.map = map, .field = field, .options = options,
+		.along = field->along, .rows = field->along ? map->nx : map->ny, .caller = pthread_self(),
 		.threads = options->threads > 0 ? options->threads : hawser__processors(),
 		.lock = PTHREAD_MUTEX_INITIALIZER, .began = hawser__wall_seconds(),
 		.file = {.checkpoint = {.fd = -1}}};
-	enum hawser_status status = open_mapper(&mapper, report);
+	char settings[SETTINGS];
+	enum hawser_status status = open_mapper(&mapper, settings, report);
 
 	if (!status)
-		status = compute_all(&mapper, report);
-	if (!status) {
+		status = compute_all(&mapper, settings, report);
+	if (!status && !(options->ranks && options->ranks->rank > 0)) {
 		collect(&mapper);
 		status = hawser__map_rows_lines(map, mapper.row, mapper.rows, mapper.along, report);
 	}

@@ -84,12 +84,16 @@ static enum hawser_status first_cells(struct hawser__map_cells *cells,
 {
 	int nx = mapper->nx, ny = mapper->ny, coarse = mapper->options->coarse;
 	int columns = parts(nx, coarse), rows = parts(ny, coarse);
+	int part = mapper->options->part, each = mapper->options->parts;
 	enum hawser_status status = HAWSER_OK;
 
 	for (int b = 0; b < rows && !status; b++)
-		for (int a = 0; a < columns && !status; a++)
+		for (int a = 0; a < columns && !status; a++) {
+			if (each > 0 && hawser__map_part_of(a, b, columns, rows, each) != part)
+				continue;
 			status = push(cells, cut(a, columns, nx), cut(a + 1, columns, nx),
 			              cut(b, rows, ny), cut(b + 1, rows, ny), report);
+		}
 	return status;
 }
 

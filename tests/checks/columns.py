@@ -8,7 +8,7 @@ import os
 import re
 import sys
 
-WITHOUT = ("check", "completion", "init", "schema")  # they have no table
+WITHOUT = ("check", "completion", "init", "merge", "schema")  # they have no table
 UNITS = ("rad_s_m2", "rad_s", "m_s", "1_s", "m", "N", "s", "J", "Hz", "rad", "bytes")
 
 

@@ -19,7 +19,7 @@ options_of_page() {
 
 # init, check, schema and completion have no table, so that they have few options
 least() {
-	case $1 in init | check | schema | completion) echo 1 ;; *) echo 7 ;; esac
+	case $1 in init | check | schema | completion | merge) echo 1 ;; *) echo 7 ;; esac
 }
 
 commands >commands

@@ -99,8 +99,8 @@ static enum hawser_status work_on(void *context, struct hawser__bytes *answer,
                                   struct hawser_report *report)
 {
 	struct work *work = context;
-	struct hawser__view question = task->question;
-	double x = hawser__view_double(&question);
+	struct hawser__extract question = task->question;
+	double x = hawser__extract_double(&question);
 
 	if (work->fails && task->number >= work->fails && task->number % 10 == 0)
 		return hawser__fail(report, HAWSER_ERR_NAN, "test", "task %ld failed", task->number);
@@ -109,14 +109,14 @@ static enum hawser_status work_on(void *context, struct hawser__bytes *answer,
 	return HAWSER_OK;
 }
 
-static enum hawser_status take(void *context, long number, struct hawser__view *answer,
+static enum hawser_status take(void *context, long number, struct hawser__extract *answer,
                                struct hawser_report *report)
 {
 	struct work *work = context;
 	char text[20];
 
-	work->result[number] = hawser__view_double(answer);
-	hawser__view_text(text, sizeof text, answer);
+	work->result[number] = hawser__extract_double(answer);
+	hawser__extract_text(text, sizeof text, answer);
 	work->taken[number]++;
 	return strcmp(text, "ok") == 0 ? HAWSER_OK
 	       : hawser__fail(report, HAWSER_ERR_ARGUMENT, "test", "%s", text);
@@ -135,9 +135,9 @@ static void leave(void *context, struct hawser__bytes *last)
 	hawser__bytes_add_long(last, 1);
 }
 
-static void take_last(void *context, struct hawser__view *last)
+static void take_last(void *context, struct hawser__extract *last)
 {
-	((struct work *)context)->last += hawser__view_long(last);
+	((struct work *)context)->last += hawser__extract_long(last);
 }
 
 static struct work works;

@@ -1,0 +1,24 @@
+/* cli/map_part.h - parts of maps, and maps that are shared among ranks.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_CLI_MAP_PART_H
+#define HAWSER_CLI_MAP_PART_H
+
+#include "cli/cli.h"
+#include "cli/ranks.h"
+
+/* --part K/N, of which no result is written; NULL: the whole map. */
+enum hawser_status cli_map_part(struct hawser_map_options *to, const char *part,
+                                const struct cli_common *common, const char *boundary,
+                                struct hawser_report *report) HAWSER_MUST_CHECK;
+/* What a part tells in place of a result. */
+void cli_map_part_done(const struct hawser_map_options *options, const struct hawser_map *map,
+                       int quiet);
+/* With other ranks: what can't be shared is refused; a worker has no files to write. */
+enum hawser_status cli_map_ranks(struct hawser_map_options *to, struct cli_common *common,
+                                 struct hawser__ranks *ranks, struct hawser_report *report)
+	HAWSER_MUST_CHECK;
+/* After a failure: what the user can do if a rank was lost. */
+void cli_map_lost(struct hawser_report *report, const struct hawser__ranks *ranks,
+                  const char *checkpoint);
+
+#endif
