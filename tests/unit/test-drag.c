@@ -127,6 +127,18 @@ static void ring_closed_forms(void)
 	hawser_ring_drag(&out, &ring, down, axis, still);
 	close_to(-out.force[1], 2.0*acos(-1.0)*11.0*1.2*0.07*1.2*25.74*25.74, 1e-13,
 	         "flow along the axis: all of the ring across it");
+	/* D 5.3: the tube's radius of which the drag is 5051.74 N, to the digits of 0.0766 and 0.0707 m */
+	for (int other = 0; other < 2; other++) {
+		double cn = other ? 1.3 : 1.2, tube = other ? 0.0707 : 0.0766;
+
+		ring.drag.radius = tube;
+		ring.drag.normal = cn;
+		hawser_ring_drag(&out, &ring, down, axis, still);
+		ok(fabs(5051.74/-out.force[1]*tube - tube) < 5e-5, "cn = %g: %.5f m", cn,
+		   5051.74/-out.force[1]*tube);
+	}
+	ring.drag.radius = 0.07;
+	ring.drag.normal = 1.2;
 	for (int segments = 32; segments <= 128; segments *= 2) {
 		ring.segments = segments;
 		hawser_ring_drag(&out, &ring, wind, axis, still);
