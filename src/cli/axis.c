@@ -55,6 +55,9 @@ static const struct {
 	{"damping.rayleigh.stiffness", "Rayleigh damping, stiffness factor", ""},
 	{"damping.ratio", "Damping ratio", ""},
 	{"damping.drag", "Quadratic drag", "{/:Italic c}"},
+	{"load.per_length[0]", "Load per length, first axis", ""},
+	{"load.per_length[1]", "Load per length, second axis", ""},
+	{"load.per_length[2]", "Load per length, third axis", ""},
 	{"load.static.mass", "Mass of ice per length", ""},
 	{"temperature.change", "Change of temperature", ""},
 	{"temperature.expansion", "Thermal expansion", ""},
@@ -159,12 +162,26 @@ void cli_axis_value(char *text, size_t size, const char *key, double value)
 	         *axis.unit ? " " : "", axis.unit);
 }
 
+void cli_key_title(char *text, size_t size, const char *key)
+{
+	size_t k = 0;
+
+	for (const char *c = key; *c && k + 2 < size; c++) {
+		if (*c == '_')
+			text[k++] = '\\';
+		text[k++] = *c == '\'' ? ' ' : *c;
+	}
+	text[k] = '\0';
+}
+
 struct hawser__axis cli_axis(const char *key, const char *unit, double largest)
 {
 	const char *quantity, *symbol;
 	char label[80];
 
-	cli_axis_quantity(&quantity, &symbol, key);
-	snprintf(label, sizeof label, "%s%s%s", quantity, *symbol ? " " : "", symbol);
+	if (cli_axis_quantity(&quantity, &symbol, key))
+		snprintf(label, sizeof label, "%s%s%s", quantity, *symbol ? " " : "", symbol);
+	else
+		cli_key_title(label, sizeof label, key);
 	return hawser__axis_of(label, *unit || strcmp(key, "Omega") == 0 ? unit : "1", largest);
 }

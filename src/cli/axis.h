@@ -29,5 +29,7 @@ const char *cli_key_unit(const char *key);
 /* Words and symbol ("": none) of the key, in gnuplot's markup. Returns 0, with the key itself, if
  * the table has no row for it. */
 int cli_axis_quantity(const char **quantity, const char **symbol, const char *key);
+/* The key as the title of an axis, in gnuplot's markup. */
+void cli_key_title(char *text, size_t size, const char *key);
 
 #endif

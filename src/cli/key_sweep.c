@@ -102,15 +102,3 @@ enum hawser_status cli_key_sweep_blame(struct hawser_report *report, enum hawser
 	         set + strlen(of->key) + 1, message + 6 + length);
 	return status;
 }
-
-void cli_key_sweep_title(char *text, size_t size, const char *key)
-{
-	size_t k = 0;
-
-	for (const char *c = key; *c && k + 2 < size; c++) {
-		if (*c == '_')
-			text[k++] = '\\';
-		text[k++] = *c == '\'' ? ' ' : *c;
-	}
-	text[k] = '\0';
-}

@@ -32,7 +32,5 @@ void cli_key_sweep_at(struct cli_common *common, char set[CLI_KEY_SWEEP_SET],
 /* A message about the override `set` becomes one about --over. Returns `status`. */
 enum hawser_status cli_key_sweep_blame(struct hawser_report *report, enum hawser_status status,
                                        const struct cli_key_sweep *sweep, const char *set);
-/* The key as the title of an axis, in gnuplot's markup. */
-void cli_key_sweep_title(char *text, size_t size, const char *key);
 
 #endif

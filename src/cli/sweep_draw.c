@@ -153,7 +153,7 @@ struct hawser__axis cli_sweep_column_axis(const char *column, double largest)
 		}
 	}
 	snprintf(bare, sizeof bare, "%.*s", (int)(length - best), column);
-	cli_key_sweep_title(shown, sizeof shown, bare);
+	cli_key_title(shown, sizeof shown, bare);
 	return hawser__axis_of(shown, best ? unit : "", largest);
 }
 
@@ -230,7 +230,7 @@ static void curve_label(char label[LABEL], const struct drawing *of, long line)
 	if (of->places > 1 && used + 1 < sizeof text)
 		snprintf(text + used, sizeof text - used, "%s%ld%s%s", used ? ", " : "", of->place[line] + 1,
 		         *word_of(row) ? ": " : "", word_of(row));
-	cli_key_sweep_title(name, sizeof name, text);
+	cli_key_title(name, sizeof name, text);
 	snprintf(label, LABEL, "%.119s", name);
 }
 
@@ -276,7 +276,7 @@ struct hawser__axis cli_sweep_key_axis(const struct cli_sweep_key *key, double l
 	char title[256];
 
 	if (!cli_axis_quantity(&quantity, &symbol, key->key))
-		cli_key_sweep_title(title, sizeof title, key->key);
+		cli_key_title(title, sizeof title, key->key);
 	else
 		snprintf(title, sizeof title, "%s%s%s", quantity, *symbol ? " " : "", symbol);
 	return hawser__axis_of(title, strcmp(unit, "1") == 0 ? "" : unit, largest);

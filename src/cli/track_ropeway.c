@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/axis.h"
 #include "cli/progress.h"
 #include "cli/track_ropeway.h"
 #include "core/report.h"
@@ -214,7 +215,7 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 	double largest = fmax(fabs(t->sweep.value[0]), fabs(t->sweep.value[t->sweep.points - 1]));
 
 	if (t->swept == CLI_SWEPT_KEY) {
-		cli_key_sweep_title(label, sizeof label, t->sweep.key);
+		cli_key_title(label, sizeof label, t->sweep.key);
 		what = label;
 	}
 	x = hawser__axis_of(what, t->sweep.si, largest);

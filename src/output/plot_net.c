@@ -176,7 +176,7 @@ enum hawser_status hawser__plot_net(const char *path, const struct hawser_net *n
 		joints += !net->node[i].support;
 	if (st->nodes <= NAMED && joints > 0)
 		fputs(", $joints using 1:2:3 with labels offset 0.9, 0.6 font ',9' notitle", script);
-	if (st->nodes <= NAMED)
+	if (st->nodes <= NAMED && joints < st->nodes)
 		fputs(", $supports using 1:2:3 with labels offset 0.9, 0.6 font ',9' notitle",
 		      script);
 	if (st->contacts)

@@ -97,6 +97,7 @@ refused 'obstacles={name: s, segment: {from: [0, -1], to: [9, -1]}, side: around
 
 run plan "$scenes/net-belt-driven.yaml" --set dynamics.surfaces=now
 try "surfaces that move or start" grep -q "not now" "$scratch/err"
+works "the picture of a belt, which has no support" statics "$scenes/net-belt.yaml" --plot belt.svg -q
 run integrate "$scenes/net-belt.yaml" --until "1 ms" --set obstacles.s0.rotation=free --set obstacles.s0.friction=0.1 -q
 try "a circle that turns, in time" grep -q 'rotation: free is not yet' "$scratch/err"
 run integrate "$scenes/net-belt.yaml" --until "1 ms" --set 'loads={P: [0, 0, 1 N]}' -q
