@@ -36,16 +36,23 @@ messages:
 
 # The tests that take more than 3 s of processor time (`make times`). ./quickstart check leaves them out, so that its verdict comes
 # soon; make check has them, and .ci/run runs each of them once more: under the sanitizers, or without where those leave it out.
-LONGER = %D%/checks/compilable.sh %D%/checks/installed.sh %D%/checks/shown.sh %D%/checks/site.sh %D%/cli/attach.sh %D%/cli/bad-input.sh \
-	%D%/cli/beam.sh %D%/cli/bending.sh %D%/cli/branches.sh %D%/cli/choice.sh %D%/cli/disk.sh %D%/cli/files.sh %D%/cli/folds.sh \
-	%D%/cli/full.sh %D%/cli/help-vs-man.sh %D%/cli/identify.sh %D%/cli/irvine.sh %D%/cli/label.sh %D%/cli/library.sh \
-	%D%/cli/locus-exact.sh %D%/cli/locus.sh %D%/cli/long.sh %D%/cli/map.sh %D%/cli/own.sh %D%/cli/pairs.sh %D%/cli/pictures.sh \
-	%D%/cli/plausible.sh %D%/cli/python.sh %D%/cli/refusals.sh %D%/cli/report.sh %D%/cli/results.sh %D%/cli/ropeway-modes.sh %D%/cli/ropeway-sweeps.sh \
-	%D%/cli/same-bytes.sh %D%/cli/scales.sh %D%/cli/signals.sh %D%/cli/static-load.sh %D%/cli/stiff.sh %D%/cli/study.sh \
-	%D%/cli/travel-motion.sh %D%/cli/travel.sh %D%/cli/units-plot.sh %D%/cli/usage.sh %D%/property/test-campbell \
-	%D%/property/test-combined %D%/property/test-estimates %D%/property/test-hill-boundaries %D%/property/test-modes \
-	%D%/property/test-study %D%/property/test-study-chosen %D%/extremes/test-alloc %D%/extremes/test-beam-sweep \
-	%D%/extremes/test-gyroscopic-sweep %D%/extremes/test-irvine %D%/extremes/test-modes-sweep %D%/extremes/test-sweep-curves
+LONGER = %D%/checks/bindings.sh %D%/checks/compilable.sh %D%/checks/docs.sh %D%/checks/installed.sh \
+	%D%/checks/messages.sh %D%/checks/shown.sh %D%/checks/site.sh %D%/cli/attach.sh %D%/cli/bad-input.sh %D%/cli/beam.sh \
+	%D%/cli/bending.sh %D%/cli/branches.sh %D%/cli/choice.sh %D%/cli/disk.sh %D%/cli/fe.sh %D%/cli/files.sh \
+	%D%/cli/folds.sh %D%/cli/full.sh %D%/cli/help-vs-man.sh %D%/cli/identify.sh %D%/cli/interrupt.sh %D%/cli/irvine.sh \
+	%D%/cli/label.sh %D%/cli/library.sh %D%/cli/loads.sh %D%/cli/locus-exact.sh %D%/cli/locus.sh %D%/cli/long.sh \
+	%D%/cli/map.sh %D%/cli/motion.sh %D%/cli/net-contact.sh %D%/cli/net-motion.sh %D%/cli/net-plan.sh %D%/cli/net.sh \
+	%D%/cli/nnm.sh %D%/cli/obstacles.sh %D%/cli/over.sh %D%/cli/own.sh %D%/cli/pairs.sh %D%/cli/peaks.sh \
+	%D%/cli/pictures.sh %D%/cli/plausible.sh %D%/cli/published.sh %D%/cli/python.sh %D%/cli/ranks.sh %D%/cli/ratios.sh \
+	%D%/cli/refusals.sh %D%/cli/report.sh %D%/cli/results.sh %D%/cli/rod-motion.sh %D%/cli/ropeway-modes.sh \
+	%D%/cli/ropeway-rom.sh %D%/cli/ropeway-sweeps.sh %D%/cli/ropeway.sh %D%/cli/same-bytes.sh %D%/cli/scales.sh \
+	%D%/cli/signals.sh %D%/cli/slack.sh %D%/cli/static-load.sh %D%/cli/stiff.sh %D%/cli/study.sh %D%/cli/sweep.sh \
+	%D%/cli/tori.sh %D%/cli/tow.sh %D%/cli/transient.sh %D%/cli/travel-motion.sh %D%/cli/travel.sh %D%/cli/units-plot.sh \
+	%D%/cli/usage.sh %D%/property/test-campbell %D%/property/test-combined %D%/property/test-estimates \
+	%D%/property/test-hill-boundaries %D%/property/test-identify %D%/property/test-identify-bending \
+	%D%/property/test-modes %D%/property/test-study %D%/property/test-study-chosen %D%/reference/rom-export.sh \
+	%D%/extremes/test-alloc %D%/extremes/test-beam-sweep %D%/extremes/test-gyroscopic-sweep %D%/extremes/test-irvine \
+	%D%/extremes/test-modes-sweep %D%/extremes/test-sweep-curves
 quick_tests = $(filter-out $(LONGER),$(TESTS:$(EXEEXT)=))
 rest_of_tests = $(filter $(SANITIZERS_OUT),$(filter $(LONGER),$(TESTS:$(EXEEXT)=)))
 check-quick:
@@ -64,11 +71,12 @@ check-sanitizers:
 		$(abs_top_srcdir)/configure -q --enable-sanitizers --disable-shared CC='$(CC)' CFLAGS='-O1 -g'; }
 	cd sanitizers && $(MAKE) && $(MAKE) check
 
-# What .ci/run takes of it. Left out are the tests that take longest and whose code others run as well; check-long has them.
+# What .ci/run takes of it. Left out are the tests that take longest and whose code others run as well (check-long has them), and the
+# ranks, since Open MPI leaks.
 SANITIZERS_OUT = %D%/checks/% %-sweep %-estimates %-estimate %/test-sweep-curves %/test-sweep-mms %/test-study \
 	%/test-study-chosen %/test-accuracy %/test-campbell %/test-irvine %/test-modes %/test-map-threads %/test-frf-full \
 	%/test-map-mathieu %/same-bytes.sh %/study.sh %/beam.sh %/pictures.sh %/long.sh %/scales.sh %/travel.sh %/disk.sh %/irvine.sh \
-	%/locus-exact.sh %/units-plot.sh %/plausible.sh %/travel-motion.sh
+	%/locus-exact.sh %/units-plot.sh %/plausible.sh %/travel-motion.sh %/ranks.sh
 check-sanitizers-sample:
 	$(MAKE) check-sanitizers TESTS='$(filter-out $(SANITIZERS_OUT),$(TESTS:$(EXEEXT)=))'
 

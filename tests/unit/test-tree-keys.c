@@ -47,13 +47,14 @@ static const struct scene {
 	              "obstacles:\n  - {circle: {centre: [150, 8], radius: 6}, rotation: free}\n"
 	              "contact: {sliding: none}\n", 's'},
 	{"rod", "kind: rod\nrod: {length: 10, EA: 1e6, GA: 1e6, EI: 40, GJ: 30, rho: 2}\n"
-	        "start: {hold: clamped}\nend: {hold: clamped, tangent: [1, 0, 0]}\n"
+	        "start: {hold: clamped, winch: {speed: 1}}\n"
+	        "end: {hold: clamped, tangent: [1, 0, 0]}\n"
 	        "loads:\n  - {at: end, force: [0, -20, 5]}\n"
 	        "damping: {alpha: 1}\ndynamics: {step: 1}\n", 'i'},
 	{"tow", "tow: {orbit: {radius: 100, speed: 20}}\n"
 	        "cable:\n  segments:\n    - {length: 14, rho: 1, diameter: 0.1, drag: {normal: 1}}\n"
 	        "air: {density: 1.2}\nbody:\n  ring: {radius: 11, tube: 0.1, mass: 400, offset: 16, "
-	        "drag: {normal: 1}}\n  joint: {torsion: 1}\n", 'p'},
+	        "drag: {normal: 1}}\n  joint: {torsion: 1}\nwinch: {speed: 1}\n", 'p'},
 };
 
 static enum hawser_status read_it(const char *kind, const char *set, struct hawser_report *report)
@@ -113,7 +114,8 @@ static int is_left_out(const struct hawser__tree_key *row)
 		"spin", "obstacles.cable.elements", "drive.brake.", ".shedding.", "net.obstacles[].inertia",
 		"rod.loads[].to", "rod.loads[].moment", "ropeway.ropeway.bottom.tension.", "net.cables[].t",
 		"net.cables[].f", "net.cables[].s",
-		"ropeway.ropeway.cases[]", "obstacles.tension.", "net.loads.*"};
+		"ropeway.ropeway.cases[]", "obstacles.tension.", "net.loads.*", "winch.times", "winch.speeds",
+		"winch.lengths"};
 	size_t i = 0;
 
 	while (i < sizeof part/sizeof *part && !strstr(row->path, part[i]))
