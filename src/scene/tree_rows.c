@@ -109,8 +109,8 @@
 	VECTOR(path ".spin.axis", 3, REQUIRED, "1", ANY, "direction of the axis") \
 	NUMBER(path ".spin.speed", OPTIONAL, "rad/s", ANY, "angular velocity") \
 	NUMBER(path ".spin.rise", OPTIONAL, "s", NOT_NEGATIVE, "time in which it grows from 0 (0)") \
-	LIST(path ".path", OPTIONAL, "the end is moved: [t, x, y, z]") \
-	VECTOR(path ".path[]", 4, OPTIONAL, "s, m, m, m", ANY, "[t, x, y, z]")
+	TEXT(path ".path", OPTIONAL, \
+	     "the end is moved: file of rows t x y z (s, m), in motions")
 #define WINCH(path) \
 	MAPPING(path, OPTIONAL, "the first segment is paid out or hauled in, in motions") \
 	NUMBER(path ".speed", ONE_OF, "m/s", ANY, "paid out in this time; negative: hauled in") \

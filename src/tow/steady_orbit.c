@@ -71,15 +71,15 @@ static double reach(const struct hawser_tow *tow)
 	return tow->path.radius + STRETCHED*length;
 }
 
-/* All solutions on the grid, in ascending order. */
-static int all(double *root, const struct hawser__tow_frame *frame)
+/* All solutions on the grid, in ascending order, on a mesh of half the elements times `parts`. */
+static int seen(double *root, const struct hawser__tow_frame *frame, int parts)
 {
 	struct hawser__tow_end end = {.residual = 0.0};
-	double far = reach(frame->tow), before = 0.0, value = miss(frame, 0.0, &end, 1);
+	double far = reach(frame->tow), before = 0.0, value = miss(frame, 0.0, &end, parts);
 	int found = 0;
 
 	for (int i = 1; i <= GRID; i++) {
-		double r = far*i/GRID, next = miss(frame, r, &end, 1);
+		double r = far*i/GRID, next = miss(frame, r, &end, parts);
 
 		if (value == value && next == next && (value < 0.0) != (next < 0.0) &&
 		    found < HAWSER_TOW_STATES) {
@@ -90,6 +90,14 @@ static int all(double *root, const struct hawser__tow_frame *frame)
 		value = next;
 	}
 	return found;
+}
+
+/* Where elements are longer than the orbit is wide, the coarse mesh sees none that is there. */
+static int all(double *root, const struct hawser__tow_frame *frame)
+{
+	int found = seen(root, frame, 1);
+
+	return found ? found : seen(root, frame, PARTS);
 }
 
 /* The solution to which the state at rest leads: the nearest to the one before, as the speed grows. */
@@ -143,8 +151,8 @@ enum hawser_status hawser__tow_orbit(struct hawser_tow_steady *steady,
 	if (!roots)
 		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, where, "no steady state was found in "
 		                    "the orbit of %.6g m at %.6g m/s, among radii of the free end up to "
-		                    "%.6g m: is the speed plausible?", frame->tow->path.radius,
-		                    frame->tow->path.speed, reach(frame->tow));
+		                    "%.6g m: give cable.segments.elements more; is the speed plausible?",
+		                    frame->tow->path.radius, frame->tow->path.speed, reach(frame->tow));
 	chosen = roots > 1 ? from_rest(root, roots, frame) : 0;
 	for (int i = 0; i < roots; i++)
 		if (i != chosen)

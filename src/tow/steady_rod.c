@@ -37,6 +37,9 @@ enum { ITERATIONS = 40,  /* of Newton's method: 5 to 12 are usual */
                          * stiffness is 0 */
 #define SOFT 1e-4       /* part of GJ and EI with which they begin to grow */
 #define STIFFER 4.0     /* factor of a stage, less after one that fails */
+#define COIL 10.0       /* rad that a string turns in all; those of 15 and more that were tried are
+                         * not found with 3200 elements either */
+#define BEND 0.03       /* rad that it may turn in an element: with 0.1 to 0.25 some are not found */
 #define THIN 1e-2       /* least EI over T h^2: layers below a tenth of an element are not resolved, and
                          * would let rotations alternate from node to node */
 
@@ -377,6 +380,32 @@ static void lay(struct hawser_tow_point *point, const struct hawser__tow_rod *b,
 	point->curvature = hypot(f[6*side + 4]/el->EI[1], f[6*side + 5]/el->EI[2]);
 }
 
+/* What to do where no equilibrium was found, by how much the string turns. */
+static enum hawser_status lost(const struct hawser__tow_rod *b, const struct hawser_tow_point *string,
+                               double size, struct hawser_report *report)
+{
+	int elements = hawser__tow_elements(b->frame->tow);
+	double most = 0.0, all = 0.0;
+
+	for (int i = 0; i < elements; i++) {
+		double sine[3], angle;
+
+		hawser__cross(sine, string[i].along, string[i + 1].along);
+		angle = atan2(hawser__norm(sine), hawser__dot(string[i].along, string[i + 1].along));
+		most = fmax(most, angle);
+		all += angle;
+	}
+	if (all > COIL)
+		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, where, ITERATIONS, size,
+		                       "the bent cable was not found: as a string it is a coil that turns by "
+		                       "%.3g rad, where small forces move the free end far; lower the speed, "
+		                       "widen the orbit or shorten the cable", all);
+	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, where, ITERATIONS, size,
+	                       "the bent cable was not found: as a string it turns by up to %.2g rad in "
+	                       "an element; give cable.segments.elements more, for example %d, or a "
+	                       "smaller EI", most, (int)ceil(elements*fmax(most/BEND, 2.0)));
+}
+
 static enum hawser_status find(struct hawser__tow_rod *b, const struct hawser_tow_point *string,
                                int parts, const struct hawser__tow_end *body, double tension,
                                struct hawser_report *report)
@@ -396,11 +425,7 @@ static enum hawser_status find(struct hawser__tow_rod *b, const struct hawser_to
 		start(b, string, parts, body);
 		found = hawser__rod_strains(&b->mesh) < 0 && settle(b, tension, &size) && newton(b, &size);
 	}
-	if (found)
-		return HAWSER_OK;
-	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, where, ITERATIONS, size,
-	                       "the bent cable was not found (last increment %.1e of its length or rad): "
-	                       "give cable.segments.elements more, or a smaller EI", size);
+	return found ? HAWSER_OK : lost(b, string, size, report);
 }
 
 enum hawser_status hawser__tow_rod_solve(struct hawser__tow_rod *b,

@@ -40,6 +40,13 @@ assert cable["additionalProperties"] is False and set(cable["required"]) == {"fr
 assert cable["properties"]["EA"]["description"] == "axial stiffness [N]"
 assert {"required": ["sag"]} in cable["oneOf"]
 END
+works "schema of rods" schema rod
+cp "$scratch/out" rod.json
+python "the path of an end is a file's name" <<'END'
+import json
+rod = json.load(open("rod.json"))
+assert all(rod["properties"][end]["properties"]["path"]["type"] == "string" for end in ("start", "end"))
+END
 # the validator takes a second to start
 if [ -n "${HAWSER_LONG-}" ] && python3 -c 'import jsonschema, yaml' 2>/dev/null; then
 	cat >validate.py <<'END'

@@ -67,4 +67,17 @@ air: {density: 1.2}
 body: {ring: {radius: 0.3257 m, tube: 3.183 cm, mass: 1.393 kg, offset: 0.3327 m, drag: {normal: 1.2}}}
 END
 works "a light ring on a long stiff cable in a tight orbit" tow steady light.yaml -q
+# elements that are longer than the orbit is wide; none that is bent is found: what to do
+long='rho: 0.52251 kg/m, diameter: 0.020342 m, EA: 2.0868e+06 N, elements: 20, drag: {normal: 1.2, tangential: 0.02}'
+tight="tow: {orbit: {radius: 5.4152 m, speed: 16.862 m/s}}
+air: {density: 1.2}
+body: {joint: free, ring: {radius: 1.565 m, tube: 0.006892 m, mass: 19.13 kg, offset: 0.3899 m, drag: {normal: 1.2}}}"
+printf '%s\n' "$tight" "cable: {segments: [{length: 291.92 m, $long}]}" >string.yaml
+refuses_like 3 '20 elements are too few: halving them moves a point by' tow steady string.yaml
+printf '%s\n' "$tight" "cable: {segments: [{length: 291.92 m, EI: 54, $long}]}" >bent.yaml
+refuses_like 3 'as a string it turns by up to 0.96 rad in an element; give cable.segments.elements more, for example 637, or' \
+	tow steady bent.yaml
+printf '%s\n' "tow: {orbit: {radius: 5.1328 m, speed: 47.685 m/s}}" "air: {density: 1.2}" \
+	"cable: {segments: [{length: 174.79 m, EI: 20, $long}]}" >coil.yaml
+refuses_like 3 'as a string it is a coil that turns by' tow steady coil.yaml
 done_testing
