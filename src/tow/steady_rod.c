@@ -39,7 +39,7 @@ enum { ITERATIONS = 40,  /* of Newton's method: 5 to 12 are usual */
 #define STIFFER 4.0     /* factor of a stage, less after one that fails */
 #define COIL 10.0       /* rad that a string turns in all; those of 15 and more that were tried are
                          * not found with 3200 elements either */
-#define BEND 0.03       /* rad that it may turn in an element: with 0.1 to 0.25 some are not found */
+#define BEND 0.03       /* rad that it may turn in an element: with 0.07 one was not found */
 #define THIN 1e-2       /* least EI over T h^2: layers below a tenth of an element are not resolved, and
                          * would let rotations alternate from node to node */
 
