@@ -18,4 +18,4 @@ tests_unit_test_rod_winch_LDADD = $(UPTO_ROD)
 tests_reference_test_rod_motion_SOURCES = tests/reference/test-rod-motion.c
 tests_reference_test_rod_motion_LDADD = $(UPTO_ROD)
 tests_property_test_rod_cvode_SOURCES = tests/property/test-rod-cvode.c
-tests_property_test_rod_cvode_LDADD = $(UPTO_ROD)
+tests_property_test_rod_cvode_LDADD = $(UPTO_ROD) $(SUNDIALS_LIBS) -lsundials_sunlinsolband -lsundials_sunmatrixband

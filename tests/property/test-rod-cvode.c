@@ -1,14 +1,15 @@
 /* Motions of rods against another route: the chain of lumped masses as an ordinary differential
- * equation in places, quaternions, velocities and spins, by CVODE's BDF. It shares the elements'
- * forces with the scheme, and neither steps, nor rates, nor rotations as increments.
+ * equation in places, quaternions, velocities and spins, by CVODE's BDF with a
+ * banded matrix. It shares the elements' forces with the scheme, and neither steps, nor rates, nor
+ * rotations as increments.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <string.h>
 
 #include <cvode/cvode.h>
 #include <nvector/nvector_serial.h>
-#include <sunlinsol/sunlinsol_dense.h>
-#include <sunmatrix/sunmatrix_dense.h>
+#include <sunlinsol/sunlinsol_band.h>
+#include <sunmatrix/sunmatrix_band.h>
 
 #include <hawser/rod_motion.h>
 
@@ -106,8 +107,8 @@ static int other(double x[3], struct chain *chain, double until)
 	struct hawser__sundials sundials;
 	int n = NODE*chain->mesh.nodes, good = hawser__sundials_open(&sundials);
 	N_Vector y = N_VNew_Serial(n, sundials.context);
-	SUNMatrix matrix = SUNDenseMatrix(n, n, sundials.context);
-	SUNLinearSolver solver = SUNLinSol_Dense(y, matrix, sundials.context);
+	SUNMatrix matrix = SUNBandMatrix(n, 2*NODE - 1, 2*NODE - 1, sundials.context);
+	SUNLinearSolver solver = SUNLinSol_Band(y, matrix, sundials.context);
 	void *cvode = CVodeCreate(CV_BDF, sundials.context);
 	double t = 0.0, *value = N_VGetArrayPointer(y);
 

@@ -228,6 +228,56 @@ static void rigid(void)
 	ok(worst < 3e-13, "rigid turns change w and k by %.1e", worst);
 }
 
+/* Curvature in the middle of two rotation vectors that are interpolated, D 2 to 4. */
+static double curvature(const double q[4], const double p[4])
+{
+	double a[3], b[3], middle[3], J[9], K[3];
+	struct hawser__so3 at;
+
+	hawser__quaternion_log(a, q);
+	hawser__quaternion_log(b, p);
+	for (int i = 0; i < 3; i++) {
+		middle[i] = 0.5*(a[i] + b[i]);
+		b[i] -= a[i];
+	}
+	hawser__so3_at(&at, middle);
+	hawser__so3_jr(J, &at);
+	hawser__apply(K, J, b);
+	return sqrt(hawser__dot(K, K));
+}
+
+/* What the errata say of D's interpolation: a rigid turn of 1.5 rad changes its curvature. That of
+ * the element, log(q^-1 p), stays. */
+static void interpolated(void)
+{
+	static const double apart[] = {1.8, 0.054}, least[] = {0.05, 1e-5}, most[] = {0.07, 1e-4};
+
+	for (int k = 0; k < 2; k++) {
+		double worst = 0.0, own = 0.0;
+
+		for (int c = 0; c < 200; c++) {
+			double v[3], w[3], start[3], back[3], turn[4], q[4], p[4], a[4], b[4];
+
+			vector(start, 1.6);
+			vector(v, apart[k]);
+			vector(w, 1.5);
+			hawser__quaternion_exp(q, start);
+			hawser__quaternion_exp(a, v);
+			hawser__quaternion_mul(p, q, a);
+			hawser__quaternion_exp(turn, w);
+			hawser__quaternion_mul(a, turn, q);
+			hawser__quaternion_mul(b, turn, p);
+			worst = fmax(worst, fabs(curvature(a, b)/curvature(q, p) - 1.0));
+			hawser__quaternion_between(turn, a, b);
+			hawser__quaternion_log(back, turn);
+			own = fmax(own, difference(back, v, 3));
+		}
+		ok(worst > least[k] && worst < most[k] && own < 1e-14, "nodes %g rad apart: a rigid turn "
+		   "changes an interpolated rotation's curvature by up to %.2g, the element's by %.1e",
+		   apart[k], worst, own);
+	}
+}
+
 /* Beyond pi the element says so. */
 static void too_far(void)
 {
@@ -252,6 +302,7 @@ int main(void)
 	jacobians();
 	gradients();
 	rigid();
+	interpolated();
 	too_far();
 	return done_testing();
 }
