@@ -99,6 +99,8 @@ struct cli_common {
 	int reproducible; /* 1: omit from results what differs between runs */
 	int delivered;    /* 1: another option has written files, so that the table is not printed */
 	double started; /* monotonic clock, s */
+	char *const *word; /* [words] of the command line, after the command's name */
+	int words;
 };
 
 struct cli_listing; /* view.h */
@@ -493,7 +495,6 @@ struct cli_map_result {
 /* Unit of the mapped value; "1" for a beam without dimensions. */
 const char *cli_map_value_unit(const struct cli_map_result *result);
 extern const struct cli_showing cli_map_showing;
-void cli_map_boundary(struct hawser__table *table, const struct cli_map_result *result);
 enum hawser_status cli_map_draw(const char *path, const void *result, struct hawser_report *report);
 
 #endif

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "cli/axis.h"
+#include "cli/hdf5.h"
 #include "cli/map_part.h"
 #include "cli/progress.h"
 #include "cli/view.h"
@@ -16,7 +17,7 @@
 
 struct settings {
 	struct cli_common common;
-	const char *x, *y, *points, *quantity, *omega, *checkpoint, *boundary, *part;
+	const char *x, *y, *points, *quantity, *omega, *checkpoint, *boundary, *part, *hdf5;
 	double jump, tolerance;
 	int n, depth, coarse, threads, full, partial, stable;
 };
@@ -44,6 +45,7 @@ static const struct cli_option options[] = {
 	{"part", 0, "K/N", "compute part K of N into the checkpoint; hawser merge joins them",
 	 CLI_TEXT(part)},
 	{"boundary", 0, "FILE", "write the points of the boundaries as a table", CLI_TEXT(boundary)},
+	{"hdf5", 0, "FILE", "write points and boundaries as HDF5, for millions of rows", CLI_TEXT(hdf5)},
 	{"stable", 0, "", "amplitude: min, max and branches of stable responses only", CLI_FLAG(stable)},
 	{"full", 0, "", "write interpolated points to the table too", CLI_FLAG(full)},
 	{"partial", 0, "", "leave points empty that cannot be computed, and warn", CLI_FLAG(partial)},
@@ -301,16 +303,19 @@ static enum hawser_status trace(struct hawser_map *map, struct cli_map_result *r
 	return status;
 }
 
-static enum hawser_status write_result(const struct cli_map_result *result, const char *boundary,
+static enum hawser_status write_result(const struct cli_map_result *result,
+                                       const struct settings *settings,
                                        struct hawser_report *report)
 {
 	struct hawser__table lines = {0};
 	enum hawser_status status = HAWSER_OK;
 
-	if (boundary) {
+	if (settings->boundary || settings->hdf5)
 		cli_map_boundary(&lines, result);
-		status = hawser__table_write(&lines, boundary, report);
-	}
+	if (settings->boundary)
+		status = hawser__table_write(&lines, settings->boundary, report);
+	if (!status && settings->hdf5)
+		status = cli_map_hdf5(settings->hdf5, result, &lines, report);
 	hawser__table_clear(&lines);
 	return status ? status : cli_show(result->common, &cli_map_showing, result, report);
 }
@@ -336,7 +341,8 @@ static enum hawser_status check(struct cli_map_result *result, struct settings *
                                 struct hawser__ranks *ranks, struct hawser_report *report)
 {
 	const struct cli_output more[] = {{"checkpoint", settings->checkpoint},
-	                                  {"boundary", settings->boundary}};
+	                                  {"boundary", settings->boundary},
+	                                  {"hdf5", settings->hdf5}};
 	enum hawser_status status = read_quantity(result, settings->quantity, report);
 
 	if (!status && strcmp(result->quantity->name, "amplitude") == 0)
@@ -348,14 +354,18 @@ static enum hawser_status check(struct cli_map_result *result, struct settings *
 	if (!status)
 		status = read_points(result->options.points, settings, report);
 	read_numbers(&result->options, settings);
+	settings->common.delivered = settings->hdf5 != NULL;
 	if (!status)
 		status = cli_map_part(&result->options, settings->part, &settings->common,
-		                      settings->boundary, report);
+		                      settings->boundary ? "boundary" : settings->hdf5 ? "hdf5" : NULL,
+		                      report);
 	if (!status)
 		status = cli_map_ranks(&result->options, &settings->common, ranks, report);
 	if (status || is_worker(ranks))
 		return status;
-	status = cli_outputs_check_with(&settings->common, more, 2, report);
+	status = cli_outputs_check_with(&settings->common, more, 3, report);
+	if (!status)
+		status = cli_hdf5_check(settings->hdf5, report);
 	return status ? status : hawser__file_check(settings->boundary, report);
 }
 
@@ -389,7 +399,7 @@ static enum hawser_status make(struct settings *settings, struct hawser__ranks *
 	if (!status && result.options.parts > 0)
 		cli_map_part_done(&result.options, &map, settings->common.quiet || is_worker(ranks));
 	else if (!status && !is_worker(ranks))
-		status = write_result(&result, settings->boundary, report);
+		status = write_result(&result, settings, report);
 	if (!status && !is_worker(ranks))
 		warn_uncomputed(&map);
 	hawser_map_clear(&map);

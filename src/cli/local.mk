@@ -181,6 +181,7 @@ hawser_SOURCES = \
 	%D%/load_history.h \
 	%D%/main.c \
 	%D%/map_draw.c \
+	%D%/map_hdf5.c \
 	%D%/map_result.c \
 	%D%/mms_marks.c \
 	%D%/mms_options.c \
@@ -233,5 +234,5 @@ hawser_LDADD = src/cli/libloaded.la src/output/liboutput.la libhawser.la src/cor
 
 # Libraries that are loaded at run time: their headers are all that is needed here.
 noinst_LTLIBRARIES += %D%/libloaded.la
-%C%_libloaded_la_SOURCES = %D%/mpi.c
-%C%_libloaded_la_CFLAGS = $(AM_CFLAGS) $(OPENMPI_CFLAGS)
+%C%_libloaded_la_SOURCES = %D%/hdf5.c %D%/hdf5.h %D%/mpi.c
+%C%_libloaded_la_CFLAGS = $(AM_CFLAGS) $(OPENMPI_CFLAGS) $(HDF5_CFLAGS)

@@ -111,6 +111,8 @@ static enum hawser_status execute(const struct cli_command *command, int argc, c
 	memcpy(common, command->defaults, command->size);
 	cli_ranks_silence(command->name);
 	common->started = cli_seconds();
+	common->word = argv;
+	common->words = argc;
 	status = cli_parse(common, command, argc, argv, report);
 	if (!status && common->help)
 		cli_print_help(command, stdout);

@@ -12,11 +12,11 @@
 enum { MOST_PARTS = 10000 }; /* chosen: more than the tiles of any map that is worth it */
 
 enum hawser_status cli_map_part(struct hawser_map_options *to, const char *part,
-                                const struct cli_common *common, const char *boundary,
+                                const struct cli_common *common, const char *other,
                                 struct hawser_report *report)
 {
 	const char *writes = common->json ? "json" : common->tsv ? "tsv" : common->plot ? "plot"
-	                     : common->gp ? "gp" : boundary ? "boundary" : NULL;
+	                     : common->gp ? "gp" : other;
 	char *end;
 	long number, parts;
 

@@ -6,9 +6,10 @@
 #include "cli/cli.h"
 #include "cli/ranks.h"
 
-/* --part K/N, of which no result is written; NULL: the whole map. */
+/* --part K/N, of which no result is written; NULL: the whole map. other: the name of another option
+ * that writes a result, or NULL. */
 enum hawser_status cli_map_part(struct hawser_map_options *to, const char *part,
-                                const struct cli_common *common, const char *boundary,
+                                const struct cli_common *common, const char *other,
                                 struct hawser_report *report) HAWSER_MUST_CHECK;
 /* What a part tells in place of a result. */
 void cli_map_part_done(const struct hawser_map_options *options, const struct hawser_map *map,
@@ -20,5 +21,12 @@ enum hawser_status cli_map_ranks(struct hawser_map_options *to, struct cli_commo
 /* After a failure: what the user can do if a rank was lost. */
 void cli_map_lost(struct hawser_report *report, const struct hawser__ranks *ranks,
                   const char *checkpoint);
+
+/* map_result.c: the table of the points of the boundaries. */
+void cli_map_boundary(struct hawser__table *table, const struct cli_map_result *result);
+/* map_hdf5.c: points and boundaries as HDF5. */
+enum hawser_status cli_map_hdf5(const char *path, const struct cli_map_result *result,
+                                const struct hawser__table *boundaries,
+                                struct hawser_report *report) HAWSER_MUST_CHECK;
 
 #endif

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "cli/condensed.h"
+#include "cli/map_part.h"
 #include "cli/view.h"
 
 const char *cli_map_value_unit(const struct cli_map_result *result)

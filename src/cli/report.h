@@ -30,6 +30,9 @@ struct cli_report_page {
 /* *text: the whole file; owned by the caller. */
 enum hawser_status cli_report_text(char **text, size_t *size, const char *path,
                                    struct hawser_report *report) HAWSER_MUST_CHECK;
+/* "hawser statics 'a scene.yaml'": the command `name` with word [words]; NULL without memory. Owned by
+ * the caller. */
+char *cli_report_command(const char *name, int words, char *const *word);
 /* Options of the report that are passed on; NULL and 0: not given. */
 struct cli_report_given {
 	const char *from, *to;

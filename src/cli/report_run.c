@@ -148,8 +148,7 @@ static void compose(struct line *line, const struct cli_report_part *part,
 		add(line, "--reproducible");
 }
 
-/* "hawser statics 'a scene.yaml'"; NULL without memory. */
-static char *shown(const struct line *line)
+char *cli_report_command(const char *name, int words, char *const *word)
 {
 	static const char unquoted[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
 	                               "_-+=.,:/%^@";
@@ -159,11 +158,11 @@ static char *shown(const struct line *line)
 
 	if (!to)
 		return NULL;
-	fputs("hawser", to);
-	for (int i = 0; i < line->words; i++) {
-		int plain = line->word[i][strspn(line->word[i], unquoted)] == '\0';
+	fprintf(to, "hawser %s", name);
+	for (int i = 0; i < words; i++) {
+		int plain = word[i][strspn(word[i], unquoted)] == '\0';
 
-		fprintf(to, plain ? " %s" : " '%s'", line->word[i]);
+		fprintf(to, plain ? " %s" : " '%s'", word[i]);
 	}
 	return fclose(to) ? (free(text), NULL) : text;
 }
@@ -215,7 +214,8 @@ enum hawser_status cli_report_run(struct cli_report_result *result,
 
 	result->part = part;
 	compose(&line, part, common, given);
-	result->command = shown(&line);
+	if (!line.failed)
+		result->command = cli_report_command(line.word[0], line.words - 1, line.word + 1);
 	status = line.failed || !result->command ? hawser__no_memory(&why, "report")
 	                                         : execute(result, &line, &why);
 	for (int i = 0; i < line.words; i++)

@@ -317,9 +317,13 @@ enum hawser_status cli_sweep_merge(long *results, const char *to, const char *co
 	struct hawser__file file;
 	char head[HEAD] = "", *seen = NULL;
 	long variations = 0;
-	enum hawser_status status = hawser__file_begin(&file, to, report);
+	enum hawser_status status;
 
 	*results = 0;
+	if (access(to, F_OK) == 0) /* the results of another sweep, or one of the parts */
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "sweep",
+		                    "the checkpoint %s exists: name a new file, or remove it", to);
+	status = hawser__file_begin(&file, to, report);
 	if (status)
 		return status;
 	for (int k = 0; k < count && !status; k++)

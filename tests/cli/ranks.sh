@@ -80,6 +80,49 @@ refuses 1 'other.map belongs to another map than part1.map: another scene, quant
 refuses 4 'the checkpoint damaged.map is damaged in line 3: compute this part again' merge damaged.map --checkpoint b
 try "nothing is left of a join that failed" test ! -e b
 
+# --- HDF5
+# has FILE TABLE GROUP: each column of the table, bit by bit, since 17 digits name a double
+has() {
+	grep -v '^#' "$2" >rows
+	head -n 1 rows | tr '\t' '\n' >columns
+	k=0
+	while read -r column; do
+		k=$((k + 1))
+		tail -n +2 rows | cut -f $k >want
+		h5dump -y -w 1 -m %.17g -d "/$3/$column" "$1" | sed -n '/DATA {/,$ s/^ *"\{0,1\}\([^ "},]*\)"\{0,1\},\{0,1\}$/\1/p' |
+			sed 's/^nan$//' | head -n "$(wc -l <want)" >got
+		cmp want got || diff want got | head -n 3
+	done <columns >"$scratch/hdf5" 2>&1
+	test -s columns && nothing "HDF5 has the table $2" <"$scratch/hdf5"
+}
+# shellcheck disable=SC2086
+{
+	refuses 1 '--hdf5: a part has no result: join the checkpoints of all parts with hawser merge, and give this option to the map that continues from that' \
+		$stability --part 1/3 --checkpoint a --hdf5 b
+	run $stability --tsv points.tsv --boundary lines.tsv --hdf5 points.h5
+}
+if grep -q 'built without HDF5\|be loaded' "$scratch/err" || ! command -v h5dump >/dev/null; then
+	skip "HDF5 or h5dump is not there"
+else
+	try "HDF5 is written" said 0
+	has points.h5 points.tsv points
+	has points.h5 lines.tsv boundaries
+	# shellcheck disable=SC2086
+	run $amplitude --boundary events.tsv --hdf5 rows.h5
+	try "with --hdf5 no table is printed" test ! -s "$scratch/out"
+	has rows.h5 events.tsv boundaries
+	for fact in "x.to=4" "x.key=\"Omega\"" "scene.sha256=\"$(sha256sum hill.json | cut -d' ' -f1)\"" "command=\"hawser $stability --tsv points.tsv --boundary lines.tsv --hdf5 points.h5\""; do
+		h5dump -a "${fact%%=*}" points.h5 | tr -d '\n' | grep -qF "(0): ${fact#*=}"
+		try "HDF5 states ${fact%%=*}" test $? = 0
+	done
+	# shellcheck disable=SC2086
+	(trap '' XFSZ; ulimit -f 20; exec "$HAWSER" $stability --hdf5 full.h5) >"$scratch/out" 2>"$scratch/err"
+	try "no room: status 4, a message, no file" test "$? $(cat "$scratch/err") $(ls full.h5* 2>/dev/null)" = \
+		"4 hawser: cannot write full.h5 as HDF5: is there room on the disk? "
+	# shellcheck disable=SC2086
+	refuses 1 '--hdf5 -: HDF5 is written to a regular file only' $stability --hdf5 -
+fi
+
 # --- ranks
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_btl_base_warn_component_unused=0
 with() {
@@ -122,6 +165,7 @@ half=${HAWSER_LONG:+50}3000
 		--checkpoint slow.map --tsv killed.tsv >"$scratch/out" 2>"$scratch/err" &
 	mpi=$!
 	while kill -0 $mpi 2>/dev/null; do
+		[ ! -e slow.map ] || kill -STOP "$(cat rank.1)" # the map does not end without its points
 		[ ! -e slow.map ] || [ "$(wc -l <slow.map)" -lt $half ] || break
 		sleep 0.05
 	done

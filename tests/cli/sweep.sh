@@ -49,6 +49,26 @@ EOF
 
 run sweep chairlift.yaml --over "tension.T0=60 kN:100 kN:5" --over span.h=0,10 --part 2/3 --checkpoint second -- statics
 try "part 2 of 3 has its variations in a checkpoint" test "$status $(cat "$scratch/out")" = "0 part 2 of 3: 3 variations in second"
+grid="sweep chairlift.yaml --over tension.T0=60kN:100kN:5 --over span.h=0,10 --reproducible"
+# shellcheck disable=SC2086 # words
+{
+	for k in 1 2 3; do
+		"$HAWSER" $grid --part $k/3 --checkpoint part$k -q -- statics
+	done
+	run merge part3 part1 part2 --checkpoint joined
+	try "parts are joined" test "$status $(cat "$scratch/out")" = "0 10 results of 3 checkpoints are in joined"
+	cp joined before
+	"$HAWSER" $grid --checkpoint joined -- statics >parts.tsv 2>"$scratch/err"
+	try "  same bytes" cmp one.tsv parts.tsv
+	try "  nothing was left to compute" cmp before joined
+	refuses 1 "the checkpoint joined exists: name a new file, or remove it" merge part1 part2 --checkpoint joined
+	"$HAWSER" merge part1 part3 --checkpoint lacking -q
+	"$HAWSER" $grid --checkpoint lacking -- statics >parts.tsv 2>"$scratch/err"
+	try "  same bytes where a part is missing" cmp one.tsv parts.tsv
+	"$HAWSER" sweep chairlift.yaml --over span.h=0,10 --part 1/2 --checkpoint other -q -- statics
+	refuses 1 "part1 is the checkpoint of another sweep than the first file: scene, command, variations or columns differ" \
+		merge other part1 --checkpoint x
+}
 if [ -n "${HAWSER_LONG-}" ] && command -v mpirun >/dev/null; then
 	export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 	mpirun -n 3 --oversubscribe "$HAWSER" sweep chairlift.yaml --over "tension.T0=60 kN:100 kN:5" --over span.h=0,10 \
