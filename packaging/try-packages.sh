@@ -24,6 +24,8 @@ done
 [ ! -f /usr/share/bash-completion/completions/hawser ] || echo "completion for bash: installed"
 cd /
 apt-get purge -y -q python3-hawser hawser libhawser0 libhawser-dev hawser-doc >/dev/null
+# man keeps pages that it has shown; they are no files of the packages
+rm -f /var/cache/man/cat*/hawser* /var/cache/man/*/cat*/hawser*
 found >"$work/after"
 if ! cmp -s "$work/before" "$work/after"; then
 	echo "left after the removal:" >&2
