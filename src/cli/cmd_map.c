@@ -11,6 +11,7 @@
 #include "cli/axis.h"
 #include "cli/hdf5.h"
 #include "cli/map_part.h"
+#include "cli/part.h"
 #include "cli/progress.h"
 #include "cli/view.h"
 #include "core/report.h"
@@ -356,9 +357,10 @@ static enum hawser_status check(struct cli_map_result *result, struct settings *
 	read_numbers(&result->options, settings);
 	settings->common.delivered = settings->hdf5 != NULL;
 	if (!status)
-		status = cli_map_part(&result->options, settings->part, &settings->common,
-		                      settings->boundary ? "boundary" : settings->hdf5 ? "hdf5" : NULL,
-		                      report);
+		status = cli_part_read(&result->options.part, &result->options.parts, settings->part, "map",
+		                       result->options.checkpoint, &settings->common,
+		                       settings->boundary ? "boundary" : settings->hdf5 ? "hdf5" : NULL,
+		                       report);
 	if (!status)
 		status = cli_map_ranks(&result->options, &settings->common, ranks, report);
 	if (status || is_worker(ranks))

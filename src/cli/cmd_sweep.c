@@ -7,6 +7,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "cli/part.h"
 #include "cli/picture.h"
 #include "cli/sweep.h"
 #include "cli/view.h"
@@ -290,36 +291,6 @@ static enum hawser_status check(const struct settings *settings, int worker,
 	return worker ? HAWSER_OK : cli_outputs_check_with(common, &checkpoint, 1, report);
 }
 
-/* --part K/N: each Nth variation; they are left in the checkpoint. */
-static enum hawser_status read_part(struct cli_study *sweep, const struct settings *settings,
-                                    struct hawser_report *report)
-{
-	const struct cli_common *common = &settings->common;
-	const char *text = settings->part, *file = common->json ? "json" : common->tsv ? "tsv"
-	                   : common->plot ? "plot" : NULL;
-	char *end;
-	long part, parts;
-
-	if (!text)
-		return HAWSER_OK;
-	part = strtol(text, &end, 10);
-	parts = *end == '/' ? strtol(end + 1, &end, 10) : 0;
-	if (*end || part < 1 || parts < part || parts > CLI_SWEEP_MOST)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "sweep", "--part %s: write K/N, such as 2/8: "
-		                    "part 2 of 8", text);
-	if (!settings->checkpoint)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "sweep", "--part %s: the results of a part "
-		                    "are kept in a checkpoint: write --checkpoint FILE, a file of its own for "
-		                    "each part", text);
-	if (file)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "sweep", "--%s: a part has no table: join the "
-		                    "checkpoints of all parts with hawser merge, and give this option to the "
-		                    "sweep that continues from that", file);
-	sweep->part = (int)part;
-	sweep->parts = (int)parts;
-	return HAWSER_OK;
-}
-
 /* What the exit status says of variations without result. */
 static enum hawser_status judge(const struct cli_sweep_result *result, struct hawser_report *report)
 {
@@ -403,7 +374,8 @@ static enum hawser_status prepare(struct cli_study *sweep, const struct settings
 	if (!status)
 		status = read_choice(&sweep->choice, settings, keep, report);
 	if (!status)
-		status = read_part(sweep, settings, report);
+		status = cli_part_read(&sweep->part, &sweep->parts, settings->part, "sweep",
+		                       settings->checkpoint, &settings->common, NULL, report);
 	if (!status)
 		status = cli_sweep_plan_open(&sweep->plan, settings->over.text, settings->over.count,
 		                             settings->list, report);

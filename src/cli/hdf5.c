@@ -9,11 +9,11 @@
 
 #include "cli/hdf5.h"
 #include "core/file.h"
+#include "core/loaded.h"
 #include "core/report.h"
 #include "output/fields_value.h"
 
 #ifdef HAVE_HDF5
-#include <dlfcn.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -44,13 +44,7 @@ static struct {
 	const hid_t *real, *text, *set_creation, *group_creation;
 } h5;
 
-static int find(void *to, size_t size, const char *name)
-{
-	void *at = dlsym(h5.library, name);
-
-	memcpy(to, &at, size); /* ISO C has no conversion of an object's pointer to a function's */
-	return at != NULL;
-}
+#define LOADED(member, name) hawser__loaded(&h5.member, sizeof h5.member, h5.library, name)
 
 static int load(void)
 {
@@ -62,12 +56,12 @@ static int load(void)
 	h5.library = dlopen(HDF5_LIBRARY, RTLD_LAZY | RTLD_LOCAL);
 	if (!h5.library)
 		return 0;
-#define FIND(name) all = all && find(&h5.name, sizeof h5.name, #name);
+#define FIND(name) all = all && LOADED(name, #name);
 	FUNCTIONS(FIND)
-	all = all && find(&h5.real, sizeof h5.real, "H5T_NATIVE_DOUBLE_g") &&
-	      find(&h5.text, sizeof h5.text, "H5T_C_S1_g") &&
-	      find(&h5.set_creation, sizeof h5.set_creation, "H5P_CLS_DATASET_CREATE_ID_g") &&
-	      find(&h5.group_creation, sizeof h5.group_creation, "H5P_CLS_GROUP_CREATE_ID_g");
+	all = all && LOADED(real, "H5T_NATIVE_DOUBLE_g") &&
+	      LOADED(text, "H5T_C_S1_g") &&
+	      LOADED(set_creation, "H5P_CLS_DATASET_CREATE_ID_g") &&
+	      LOADED(group_creation, "H5P_CLS_GROUP_CREATE_ID_g");
 	/* After a disk that was full, its own work at exit() would end in a segmentation fault: all is
 	 * closed here. The constants are those of the headers' version. */
 	all = all && h5.H5dont_atexit() >= 0 && h5.H5get_libversion(&major, &minor, &release) >= 0 &&

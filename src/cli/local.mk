@@ -27,6 +27,8 @@ hawser_SOURCES = \
 	%D%/cmd_schema.c \
 	%D%/init_scenes.c \
 	%D%/input.h \
+	%D%/part.c \
+	%D%/part.h \
 	%D%/picture.c \
 	%D%/picture.h \
 	%D%/scene_kinds.c \

@@ -3,44 +3,10 @@
 #include "config.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "cli/map_part.h"
 #include "core/report.h"
-
-enum { MOST_PARTS = 10000 }; /* chosen: more than the tiles of any map that is worth it */
-
-enum hawser_status cli_map_part(struct hawser_map_options *to, const char *part,
-                                const struct cli_common *common, const char *other,
-                                struct hawser_report *report)
-{
-	const char *writes = common->json ? "json" : common->tsv ? "tsv" : common->plot ? "plot"
-	                     : common->gp ? "gp" : other;
-	char *end;
-	long number, parts;
-
-	if (!part)
-		return HAWSER_OK;
-	number = strtol(part, &end, 10);
-	parts = *end == '/' ? strtol(end + 1, &end, 10) : 0;
-	if (*end || number < 1 || parts < number || parts > MOST_PARTS)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
-		                    "--part %s: write K/N, such as 2/8: part 2 of 8; N is at most %d", part,
-		                    MOST_PARTS);
-	if (!to->checkpoint)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
-		                    "--part %s: the points of a part are kept in a checkpoint: write "
-		                    "--checkpoint FILE, a file of its own for each part", part);
-	if (writes)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
-		                    "--%s: a part has no result: join the checkpoints of all parts with "
-		                    "hawser merge, and give this option to the map that continues from "
-		                    "that", writes);
-	to->part = (int)number;
-	to->parts = (int)parts;
-	return HAWSER_OK;
-}
 
 void cli_map_part_done(const struct hawser_map_options *options, const struct hawser_map *map,
                        int quiet)

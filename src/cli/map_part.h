@@ -6,11 +6,6 @@
 #include "cli/cli.h"
 #include "cli/ranks.h"
 
-/* --part K/N, of which no result is written; NULL: the whole map. other: the name of another option
- * that writes a result, or NULL. */
-enum hawser_status cli_map_part(struct hawser_map_options *to, const char *part,
-                                const struct cli_common *common, const char *other,
-                                struct hawser_report *report) HAWSER_MUST_CHECK;
 /* What a part tells in place of a result. */
 void cli_map_part_done(const struct hawser_map_options *options, const struct hawser_map *map,
                        int quiet);

@@ -11,10 +11,10 @@
 #include "config.h"
 
 #include "cli/ranks.h"
+#include "core/loaded.h"
 #include "core/report.h"
 
 #ifdef HAVE_MPI
-#include <dlfcn.h>
 #include <errno.h>
 #include <signal.h>
 #include <stdio.h>
@@ -23,23 +23,6 @@
 #include <unistd.h>
 
 #include <mpi.h>
-
-/* MPI's memory is its own affair: not for LeakSanitizer to report. */
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define LEAKS
-#endif
-#elif defined(__SANITIZE_ADDRESS__)
-#define LEAKS
-#endif
-#ifdef LEAKS
-#include <sanitizer/lsan_interface.h>
-#define leaks_begin() __lsan_disable()
-#define leaks_end() __lsan_enable()
-#else
-#define leaks_begin() ((void)0)
-#define leaks_end() ((void)0)
-#endif
 
 enum { TAG = 1, HOST_SIZE = 64 };
 
@@ -78,14 +61,7 @@ struct link {
 	struct sent *sent;
 };
 
-static int find(void *to, size_t size, const char *name)
-{
-	void *at = dlsym(mpi.library, name);
-
-	memcpy(to, &at, size); /* ISO C has no conversion of an object's pointer to a function's */
-	return at != NULL;
-}
-#define FIND(member, name) find(&mpi.member, sizeof mpi.member, name)
+#define FIND(member, name) hawser__loaded(&mpi.member, sizeof mpi.member, mpi.library, name)
 
 /* Its own modules look for its functions among those of the program: RTLD_GLOBAL. */
 static int load(void)
@@ -129,9 +105,9 @@ static enum hawser_status send(void *context, int to, const void *message, size_
 	memcpy(sent->message, message, length);
 	sent->next = link->sent;
 	link->sent = sent;
-	leaks_begin();
+	hawser__leaks_begin();
 	mpi.send(sent->message, (int)length, mpi.byte, to, TAG, mpi.world, &sent->request);
-	leaks_end();
+	hawser__leaks_end();
 	return HAWSER_OK;
 }
 
@@ -140,7 +116,7 @@ static int receive(void *context, int *from, struct hawser__bytes *message)
 	MPI_Status about;
 	int is_there = 0, length = 0;
 
-	leaks_begin();
+	hawser__leaks_begin();
 	if (((struct link *)context)->sent)
 		clean(context);
 	mpi.probe(MPI_ANY_SOURCE, TAG, mpi.world, &is_there, &about);
@@ -156,7 +132,7 @@ static int receive(void *context, int *from, struct hawser__bytes *message)
 		message->used = (size_t)length;
 		*from = about.MPI_SOURCE;
 	}
-	leaks_end();
+	hawser__leaks_end();
 	return is_there;
 }
 
@@ -180,11 +156,11 @@ enum hawser_status cli_mpi_open(struct hawser__ranks *ranks, struct hawser_repor
 
 	if (!link)
 		return hawser__no_memory(report, "mpi");
-	leaks_begin();
+	hawser__leaks_begin();
 	if (!load()) {
 		const char *why = dlerror();
 
-		leaks_end();
+		hawser__leaks_end();
 		free(link);
 		return hawser__fail(report, HAWSER_ERR_PROGRAM, "mpi", "there are several ranks, but the "
 		                    "library of Open MPI can't be loaded (%.200s): install libopenmpi3, or use "
@@ -199,7 +175,7 @@ enum hawser_status cli_mpi_open(struct hawser__ranks *ranks, struct hawser_repor
 	if (link->process)
 		mpi.allgather(&link->own, (int)sizeof link->own, mpi.byte, link->process,
 		              (int)sizeof link->own, mpi.byte, mpi.world);
-	leaks_end();
+	hawser__leaks_end();
 	ranks->by = (struct hawser__transport){link, send, receive, lost};
 	if (!link->process)
 		return hawser__no_memory(report, "mpi");
@@ -213,9 +189,9 @@ void cli_mpi_close(struct hawser__ranks *ranks, int in_order)
 	if (in_order) {
 		while (link->sent)
 			clean(link);
-		leaks_begin();
+		hawser__leaks_begin();
 		mpi.finalize();
-		leaks_end();
+		hawser__leaks_end();
 	}
 	free(link->process);
 	free(link);

@@ -12,6 +12,7 @@
 
 #include "cli/report.h"
 #include "cli/within.h"
+#include "core/file.h"
 #include "core/report.h"
 
 /* --- files between the commands --- */
@@ -36,17 +37,10 @@ void cli_report_folder_close(void)
 
 enum hawser_status cli_report_folder_open(struct hawser_report *report)
 {
-	const char *where = getenv("TMPDIR");
-
-	snprintf(folder, sizeof folder, "%s/hawser-XXXXXX", where && *where ? where : "/tmp");
-	if (!mkdtemp(folder)) {
-		enum hawser_status status = hawser__fail(report, HAWSER_ERR_IO, "report",
-		                                         "cannot write the temporary folder %s: %s", folder,
-		                                         strerror(errno));
-
-		folder[0] = '\0';
-		return status;
-	}
+	if (!hawser__temporary_folder(folder, sizeof folder))
+		return hawser__fail(report, HAWSER_ERR_IO, "report",
+		                    "cannot make a folder for temporary files below TMPDIR, or /tmp: %s",
+		                    strerror(errno));
 	for (int i = 0; i < FILES; i++)
 		snprintf(file_path[i], sizeof file_path[i], "%s/part.%s", folder, file_names[i]);
 	cli_temporary(cli_report_folder_close);

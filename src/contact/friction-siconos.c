@@ -16,10 +16,10 @@
 #include <string.h>
 
 #include "contact/friction.h"
+#include "core/loaded.h"
 #include "core/report.h"
 
 #ifdef HAVE_SICONOS
-#include <dlfcn.h>
 
 #include <FrictionContactProblem.h>
 #include <Friction_cst.h>
@@ -35,23 +35,6 @@ static const double stricter = 0.01;
 /* Iterations allowed, of Gauss and Seidel's method and of the others. */
 enum { SWEEPS = 200000, STEPS = 2000 };
 
-/* Its matrices of work space leak, within its driver: not for LeakSanitizer to report. */
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define LEAKS
-#endif
-#elif defined(__SANITIZE_ADDRESS__)
-#define LEAKS
-#endif
-#ifdef LEAKS
-#include <sanitizer/lsan_interface.h>
-#define leaks_begin() __lsan_disable()
-#define leaks_end() __lsan_enable()
-#else
-#define leaks_begin() ((void)0)
-#define leaks_end() ((void)0)
-#endif
-
 /* Its functions, of the types that its headers declare. */
 struct siconos {
 	void *library;
@@ -64,15 +47,8 @@ struct siconos {
 	__typeof__(&fc3d_driver) fc3d;
 };
 
-static int find(void *to, size_t size, void *library, const char *name)
-{
-	void *at = dlsym(library, name);
-
-	memcpy(to, &at, size); /* ISO C has no conversion of an object's pointer to a function's */
-	return at != NULL;
-}
-
-#define FIND(member, name) find(&siconos->member, sizeof siconos->member, siconos->library, #name)
+#define FIND(member, name) \
+	hawser__loaded(&siconos->member, sizeof siconos->member, siconos->library, #name)
 
 static int load(struct siconos *siconos)
 {
@@ -217,7 +193,7 @@ static enum hawser_status by(struct hawser_friction *of, double (*u)[3],
 		                    "contact: the library libsiconos_numerics cannot be loaded; install the "
 		                    "Debian package libsiconos-numerics-dev, or take the method newton");
 	}
-	leaks_begin();
+	hawser__leaks_begin();
 	siconos.verbose(0);
 	frictions(mu, q, of);
 	good = delassus(W, r, of);
@@ -226,7 +202,7 @@ static enum hawser_status by(struct hawser_friction *of, double (*u)[3],
 		info = id == SICONOS_LCP_LEMKE ? lemke(&siconos, r, W, q, of->of->contacts, mu + n)
 			: coulomb(&siconos, r, w, W, q, mu, of->of->contacts, id, stricter*options->tolerance,
 			          &counts->iterations);
-	leaks_end();
+	hawser__leaks_end();
 	good = good && apply(of, u, r);
 	free(W);
 	if (!good)

@@ -10,6 +10,7 @@
 
 #include <errno.h>
 #include <pthread.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -197,4 +198,17 @@ enum hawser_status hawser__file_put(const char *path, const char *text, size_t s
 	/* the stream records a short write; the commit reports it */
 	(void)!fwrite(text, 1, size, file.stream);
 	return hawser__file_commit(&file, report);
+}
+
+int hawser__temporary_folder(char *folder, size_t size)
+{
+	const char *parent = getenv("TMPDIR");
+	int length = snprintf(folder, size, "%s/hawser-XXXXXX", parent && *parent ? parent : "/tmp");
+
+	if (length < 0 || (size_t)length >= size)
+		errno = ENAMETOOLONG;
+	else if (mkdtemp(folder))
+		return 1;
+	*folder = '\0';
+	return 0;
 }

@@ -33,5 +33,8 @@ enum hawser_status hawser__file_check(const char *path,
 /* Begin, write text [size], commit: HAWSER_ERR_IO names the file and the cause. */
 enum hawser_status hawser__file_put(const char *path, const char *text, size_t size,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Make a new folder for temporary files, below TMPDIR or /tmp; its path is in folder [size]. 0: errno
+ * says why there is none, and folder is "". */
+int hawser__temporary_folder(char *folder, size_t size);
 
 #endif

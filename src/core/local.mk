@@ -7,6 +7,7 @@ noinst_LTLIBRARIES += %D%/libcore.la
 	%D%/file.c \
 	%D%/file.h \
 	%D%/hot.h \
+	%D%/loaded.h \
 	%D%/paths.c \
 	%D%/paths.h \
 	%D%/progress.c \

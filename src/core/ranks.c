@@ -12,7 +12,6 @@
 #include "config.h"
 
 #include <pthread.h>
-#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
@@ -20,6 +19,7 @@
 #include "core/progress.h"
 #include "core/ranks_packet.h"
 #include "core/report.h"
+#include "core/share.h"
 
 #define PACKET_SECS 0.05   /* work of a packet; chosen: a message takes 25 us (bench/ranks), and on a
                             * busy machine a process may wait for milliseconds before it runs */
@@ -140,17 +140,13 @@ static void *compute(void *of)
 
 static int start(struct thread *thread, int most, struct run *run)
 {
-	sigset_t all, before;
 	int count = 0;
 
-	sigfillset(&all);
-	pthread_sigmask(SIG_BLOCK, &all, &before);
 	for (; count < most; count++) {
 		thread[count] = (struct thread){.run = run, .number = count};
-		if (pthread_create(&thread[count].thread, NULL, compute, &thread[count]) != 0)
+		if (!hawser__thread_start(&thread[count].thread, compute, &thread[count]))
 			break;
 	}
-	pthread_sigmask(SIG_SETMASK, &before, NULL);
 	return count;
 }
 

@@ -49,20 +49,28 @@ static void *begin(void *of)
 	return NULL;
 }
 
-/* Start up to `most` threads; returns the number started. */
-static int start(struct worker *worker, int most, struct share *share)
+int hawser__thread_start(pthread_t *thread, void *(*run)(void *of), void *of)
 {
 	sigset_t all, before;
-	int count = 0;
+	int started;
 
 	sigfillset(&all);
 	pthread_sigmask(SIG_BLOCK, &all, &before);
+	started = pthread_create(thread, NULL, run, of) == 0;
+	pthread_sigmask(SIG_SETMASK, &before, NULL);
+	return started;
+}
+
+/* Start up to `most` threads; returns the number started. */
+static int start(struct worker *worker, int most, struct share *share)
+{
+	int count = 0;
+
 	for (; count < most; count++) {
 		worker[count] = (struct worker){.share = share, .number = count + 1};
-		if (pthread_create(&worker[count].thread, NULL, begin, &worker[count]) != 0)
+		if (!hawser__thread_start(&worker[count].thread, begin, &worker[count]))
 			break;
 	}
-	pthread_sigmask(SIG_SETMASK, &before, NULL);
 	return count;
 }
 

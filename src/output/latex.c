@@ -298,17 +298,11 @@ enum hawser_status hawser__latex_check(const char *path, struct hawser_report *r
 enum hawser_status hawser__latex_begin(struct hawser__latex *latex, FILE *script,
                                        struct hawser_report *report)
 {
-	const char *parent = getenv("TMPDIR");
 	int c, last = 0, lines = 0;
 
 	latex->script = tmpfile();
-	if ((size_t)snprintf(latex->folder, sizeof latex->folder, "%s/hawser-XXXXXX",
-	                     parent && *parent ? parent : "/tmp") >= sizeof latex->folder)
-		strcpy(latex->folder, "/tmp/hawser-XXXXXX");
-	if (!latex->script || !mkdtemp(latex->folder)) {
-		*latex->folder = '\0';
+	if (!hawser__temporary_folder(latex->folder, sizeof latex->folder) || !latex->script)
 		return no_file(report);
-	}
 	while ((c = getc(script)) != EOF) {
 		if ((last == '\'' || last == '"') && (c == '{' || c == '['))
 			putc(MARK, latex->script);

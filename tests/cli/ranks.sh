@@ -64,7 +64,7 @@ same "files in any order, twice, one cut" basin parted
 # shellcheck disable=SC2086
 {
 refuses 1 '--part 0/3: write K/N, such as 2/8: part 2 of 8; N is at most 10000' $stability --part 0/3 --checkpoint a
-refuses 1 '--part 1/3: the points of a part are kept in a checkpoint: write --checkpoint FILE, a file of its own for each part' \
+refuses 1 '--part 1/3: the results of a part are kept in a checkpoint: write --checkpoint FILE, a file of its own for each part' \
 	$stability --part 1/3
 refuses 1 '--tsv: a part has no result: join the checkpoints of all parts with hawser merge, and give this option to the map that continues from that' \
 	$stability --part 1/3 --checkpoint a --tsv b
