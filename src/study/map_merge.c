@@ -41,7 +41,7 @@ static enum hawser_status take_head(struct merge *merge, const char *path, FILE 
 
 	if (got <= 0 || !hawser__map_checkpoint_is_head(merge->line))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "merge",
-		                    "%s is no checkpoint of a map: name files that hawser map --checkpoint "
+		                    "%s is no checkpoint: name files that hawser map or sweep --checkpoint "
 		                    "wrote", path);
 	if (merge->head)
 		return strcmp(merge->head, merge->line) == 0 ? HAWSER_OK
