@@ -318,6 +318,35 @@ static int is_useless(const struct cli_sweep_result *result)
 	return 1;
 }
 
+/* What a part tells in place of a result. */
+static void end_part(const struct cli_study *sweep, int quiet)
+{
+	const char *first = NULL;
+	char name[300], text[1024];
+	long failed = 0, which = 0;
+	int length = 0, more;
+
+	for (long i = sweep->plan.count - 1; i >= 0; i--) {
+		const char *why = cli_sweep_why(&sweep->packed[i], &more);
+
+		if (!why)
+			continue;
+		failed++;
+		first = why;
+		length = more;
+		which = i;
+	}
+	if (!quiet)
+		printf("part %d of %d: %ld variation%s in %s\n", sweep->part, sweep->parts, sweep->done,
+		       sweep->done == 1 ? "" : "s", sweep->checkpoint);
+	if (!first)
+		return;
+	cli_sweep_name(name, sizeof name, &sweep->plan, which);
+	snprintf(text, sizeof text, "no result of %ld of %ld variations of this part; the first, %s: %.*s",
+	         failed, sweep->done, name, length, first);
+	cli_warn(text);
+}
+
 static enum hawser_status compute(struct cli_study *sweep, const struct cli_common *own,
                                   struct hawser_report *report)
 {
@@ -327,9 +356,7 @@ static enum hawser_status compute(struct cli_study *sweep, const struct cli_comm
 	struct cli_common again = *own;
 
 	if (!status && sweep->parts > 0) {
-		if (!own->quiet)
-			printf("part %d of %d: %ld variations in %s\n", sweep->part, sweep->parts, sweep->done,
-			       sweep->checkpoint);
+		end_part(sweep, own->quiet);
 		return HAWSER_OK;
 	}
 	if (!status)

@@ -78,6 +78,9 @@ enum hawser_status cli_sweep_pack_failure(struct cli_sweep_packed *packed,
                                           const char *message, struct hawser_report *report)
 	HAWSER_MUST_CHECK;
 
+/* The message of a variation without result, or NULL; its length in *length. */
+const char *cli_sweep_why(const struct cli_sweep_packed *packed, int *length);
+
 /* --- sweep_take.c: columns and rows of a result --- */
 
 /* A column: its name, and the same without unit. */

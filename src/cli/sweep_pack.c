@@ -122,3 +122,15 @@ enum hawser_status cli_sweep_pack_failure(struct cli_sweep_packed *packed,
 
 	return write_packed(packed, status, message, NULL, &none, report);
 }
+
+const char *cli_sweep_why(const struct cli_sweep_packed *packed, int *length)
+{
+	const char *message = packed->text && strncmp(packed->text, "S 0\n", 4) != 0
+	                      ? strstr(packed->text, "\nM ") : NULL;
+
+	if (!message)
+		return NULL;
+	message += 3;
+	*length = (int)strcspn(message, "\n");
+	return message;
+}

@@ -49,6 +49,8 @@ EOF
 
 run sweep chairlift.yaml --over "tension.T0=60 kN:100 kN:5" --over span.h=0,10 --part 2/3 --checkpoint second -- statics
 try "part 2 of 3 has its variations in a checkpoint" test "$status $(cat "$scratch/out")" = "0 part 2 of 3: 3 variations in second"
+run sweep chairlift.yaml --over "tension.T0=1 kN,80 kN" --part 1/2 --checkpoint failing -q -- statics
+try "a part tells what has no result" grep -q "warning: no result of 1 of 1 variations of this part; the first, tension.T0 = 1 kN: the tension T0" "$scratch/err"
 grid="sweep chairlift.yaml --over tension.T0=60kN:100kN:5 --over span.h=0,10 --reproducible"
 # shellcheck disable=SC2086 # words
 {
