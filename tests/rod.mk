@@ -1,8 +1,10 @@
 # tests of geometrically exact rods
-ROD_TESTS = tests/unit/test-rod-element tests/unit/test-rod-motion tests/unit/test-rod-winch tests/reference/test-rod-motion \
+ROD_TESTS = tests/unit/test-rod-band tests/unit/test-rod-element tests/unit/test-rod-motion tests/unit/test-rod-winch tests/reference/test-rod-motion \
 	tests/reference/test-rod-statics tests/property/test-rod tests/property/test-rod-winch tests/property/test-rod-cvode
 check_PROGRAMS += $(ROD_TESTS)
 TESTS += $(ROD_TESTS)
+tests_unit_test_rod_band_SOURCES = tests/unit/test-rod-band.c
+tests_unit_test_rod_band_LDADD = $(UPTO_ROD)
 tests_unit_test_rod_element_SOURCES = tests/unit/test-rod-element.c
 tests_unit_test_rod_element_LDADD = $(UPTO_ROD)
 tests_reference_test_rod_statics_SOURCES = tests/reference/test-rod-statics.c

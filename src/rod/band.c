@@ -1,6 +1,7 @@
 /* rod/band.c - see band.h. Elimination with row exchanges: away from equilibrium, and with loads that
- * follow the rod, the matrix is not symmetric. The algorithm is that of LAPACK's dgbtf2 and dgbtrs,
- * whose calls of the BLAS with 11 numbers each took a quarter of the time of a motion.
+ * follow the rod, the matrix is not symmetric. Algorithm and storage are those of LAPACK's dgbtf2
+ * and dgbtrs, with which motions take 1.3 to 1.9 times as long, since they call the BLAS for a dozen
+ * numbers at a time (HACKING.md, Dependencies; bench/rod-motion).
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
