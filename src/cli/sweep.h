@@ -211,8 +211,6 @@ extern const struct cli_showing cli_sweep_showing;
 /* Check, before the computation, that the variations can be drawn. */
 enum hawser_status cli_sweep_draw_check(const struct cli_sweep_plan *plan,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
-/* *largest: the largest modulus in a column. Returns 0 if it does not vary by more than round-off. */
-int cli_sweep_varies(double *largest, const struct cli_sweep_result *result, int column);
 /* Axes of a column and of a key, in gnuplot's markup. */
 struct hawser__axis cli_sweep_column_axis(const char *column, double largest);
 struct hawser__axis cli_sweep_key_axis(const struct cli_sweep_key *key, double largest);

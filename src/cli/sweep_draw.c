@@ -105,7 +105,7 @@ static int is_logarithmic(const struct drawing *of)
 
 /* largest: the largest modulus in a column. Returns 0 if it does not vary by more than
  * round-off. */
-int cli_sweep_varies(double *largest, const struct cli_sweep_result *result, int column)
+static int varies(double *largest, const struct cli_sweep_result *result, int column)
 {
 	double low = INFINITY, high = -INFINITY;
 
@@ -127,7 +127,7 @@ static void choose_columns(struct drawing *of)
 	const struct cli_sweep_result *result = of->result;
 
 	for (int c = 0; c < result->columns && of->panels < PANELS; c++)
-		if (cli_sweep_varies(&of->largest[of->panels], result, c) &&
+		if (varies(&of->largest[of->panels], result, c) &&
 		    strcmp(result->column[c], "index") != 0)
 			of->column[of->panels++] = c;
 }

@@ -56,7 +56,8 @@ void hawser__bytes_clear(struct hawser__bytes *bytes)
 	*bytes = (struct hawser__bytes){.at = NULL};
 }
 
-const void *hawser__extract_next(struct hawser__extract *view, size_t length)
+/* The next `length` bytes, or NULL. */
+static const void *next(struct hawser__extract *view, size_t length)
 {
 	const unsigned char *at = view->at;
 
@@ -71,7 +72,7 @@ const void *hawser__extract_next(struct hawser__extract *view, size_t length)
 
 void hawser__extract_read(void *to, struct hawser__extract *view, size_t length)
 {
-	const void *from = hawser__extract_next(view, length);
+	const void *from = next(view, length);
 
 	if (from && length > 0)
 		memcpy(to, from, length);
@@ -98,7 +99,7 @@ double hawser__extract_double(struct hawser__extract *view)
 struct hawser__extract hawser__extract_part(struct hawser__extract *view)
 {
 	long length = hawser__extract_long(view);
-	const void *at = hawser__extract_next(view, length >= 0 ? (size_t)length : view->left + 1);
+	const void *at = next(view, length >= 0 ? (size_t)length : view->left + 1);
 
 	return (struct hawser__extract){at, at ? (size_t)length : 0, view->bad};
 }

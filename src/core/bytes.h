@@ -27,8 +27,6 @@ struct hawser__extract {
 	size_t left;
 	int bad;
 };
-/* The next `length` bytes, or NULL. */
-const void *hawser__extract_next(struct hawser__extract *view, size_t length);
 void hawser__extract_read(void *to, struct hawser__extract *view, size_t length);
 long hawser__extract_long(struct hawser__extract *view);
 double hawser__extract_double(struct hawser__extract *view);

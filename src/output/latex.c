@@ -176,7 +176,8 @@ static int put_number(FILE *to, const char *text)
 	return 1;
 }
 
-void hawser__latex_text(FILE *to, const char *text)
+/* Write a text with gnuplot's markup ("{/:Italic u}_{3} (rad/s²)") as LaTeX sets it. */
+static void put_text(FILE *to, const char *text)
 {
 	struct writer w = {.to = to};
 
@@ -221,7 +222,7 @@ static void copy_line(FILE *to, char *line, const char *drawing)
 
 		fwrite(line, 1, (size_t)(text - line), to);
 		text[length] = '\0';
-		hawser__latex_text(to, text + (*text == MARK));
+		put_text(to, text + (*text == MARK));
 		text[length] = last;
 		fputs(text + length, to);
 	} else {

@@ -7,9 +7,6 @@
 
 #include <hawser/status.h>
 
-/* Write a text with gnuplot's markup ("{/:Italic u}_{3} (rad/s²)") as LaTeX sets it. */
-void hawser__latex_text(FILE *to, const char *text);
-
 /* A picture of gnuplot's terminal cairolatex, which writes two files, in a folder of its own. */
 struct hawser__latex {
 	FILE *script;     /* for gnuplot */
