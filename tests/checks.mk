@@ -181,7 +181,7 @@ check-compilers:
 # The compiler reads several files in one process: that many at most. Examples and fuzz targets are compiled in their own ways by
 # other checks.
 SYNTAX_FILES = 40
-check-syntax:
+check-syntax: $(BUILT_SOURCES)
 	@cd $(srcdir) && find src tests bench -name '*.c' ! -path 'tests/fuzz/*' | sort | xargs -P 2 -n $(SYNTAX_FILES) $(CC) $(DEFS) -I$(abs_builddir) \
 		-I$(abs_top_builddir)/src -Iinclude -Isrc -I. $(AM_CFLAGS) $(SICONOS_CFLAGS) $(CFLAGS) -fsyntax-only
 
