@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include <limits.h>
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -116,12 +116,20 @@ static enum hawser_status write_pdf(const char *path, const struct cli_report_pa
 		return status;
 	from = fopen(pdf, "rb");
 	if (!from)
-		return hawser__fail(report, HAWSER_ERR_IO, "report", "cannot read the PDF %s", pdf);
+		return hawser__fail(report, HAWSER_ERR_IO, "report", "cannot read %s: %s", pdf,
+		                    strerror(errno));
 	status = hawser__file_begin(&file, path, report);
 	while (!status && (got = fread(piece, 1, sizeof piece, from)) > 0)
 		fwrite(piece, 1, got, file.stream);
+	if (!status && ferror(from)) {
+		status = hawser__fail(report, HAWSER_ERR_IO, "report", "cannot read %s: %s", pdf,
+		                      strerror(errno));
+		hawser__file_abort(&file);
+	} else if (!status) {
+		status = hawser__file_commit(&file, report);
+	}
 	fclose(from);
-	return status ? status : hawser__file_commit(&file, report);
+	return status;
 }
 
 static enum hawser_status run(void *context, struct hawser_report *report)

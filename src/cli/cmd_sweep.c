@@ -96,8 +96,8 @@ static const struct {
 
 /* --- the command --- */
 
-/* The option of a word that writes a file, or NULL. */
-static const struct cli_option *writes(const struct cli_command *command, const char *word)
+/* The name of the option in a word, if it writes a file; or NULL. */
+static const char *writes(const struct cli_command *command, const char *word)
 {
 	const struct cli_option *row = command->options;
 	size_t length = strncmp(word, "--", 2) == 0 ? strcspn(word + 2, "=") : 0;
@@ -105,7 +105,7 @@ static const struct cli_option *writes(const struct cli_command *command, const 
 	for (; length > 0 && row->name; row++)
 		if (strlen(row->name) == length && strncmp(row->name, word + 2, length) == 0 &&
 		    *row->arguments && (strstr(row->doc, "write ") || strstr(row->doc, "save ")))
-			return row;
+			return row->name;
 	return NULL;
 }
 
@@ -125,7 +125,7 @@ static enum hawser_status check_command(const struct cli_study *sweep, int words
 	file = common->json ? "json" : common->tsv ? "tsv" : common->plot ? "plot"
 	       : common->gp ? "gp" : NULL;
 	for (int i = words; i < sweep->words && !file; i++)
-		file = writes(command, sweep->word[i]) ? writes(command, sweep->word[i])->name : NULL;
+		file = writes(command, sweep->word[i]);
 	if (!status && common->help)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "sweep",
 		                      "--help: hawser %s --help lists the "
@@ -366,12 +366,10 @@ static enum hawser_status compute(struct cli_study *sweep, const struct cli_comm
 		status = hawser__units_choose(own->units, report);
 	if (!status)
 		status = cli_picture_choose(&again, report);
-	judged = status ? status : judge(&result, &failed);
-	if (!status && judged && is_useless(&result))
-		status = judged;
-	else if (!status)
+	judged = status ? HAWSER_OK : judge(&result, &failed);
+	if (!status && !(judged && is_useless(&result)))
 		status = cli_show(sweep->common, &cli_sweep_showing, &result, report);
-	if (!status || failed.status == status) {
+	if (!status && judged) {
 		status = judged;
 		*report = failed;
 	}

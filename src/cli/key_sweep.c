@@ -28,6 +28,7 @@ static enum hawser_status split(double *from, double *to, struct cli_key_sweep *
 	const char *equals = strchr(of->over, '='), *colon, *second;
 	char *end;
 	size_t length, unit;
+	long points;
 
 	if (!equals || (length = (size_t)(equals - of->over)) == 0 || length >= sizeof of->key)
 		return wrong(of, report);
@@ -48,9 +49,12 @@ static enum hawser_status split(double *from, double *to, struct cli_key_sweep *
 	end += strspn(end, " ");
 	if ((size_t)(second - end) != unit || strncmp(end, of->si, unit) != 0)
 		return wrong(of, report);
-	of->points = (int)strtol(second + 1, &end, 10);
-	return end == second + 1 || *end || of->points < 2 || of->points > most(of) ||
-		!isfinite(*from) || !isfinite(*to) || *from == *to ? wrong(of, report) : HAWSER_OK;
+	points = strtol(second + 1, &end, 10);
+	if (end == second + 1 || *end || points < 2 || points > most(of) || !isfinite(*from) ||
+	    !isfinite(*to) || *from == *to)
+		return wrong(of, report);
+	of->points = (int)points;
+	return HAWSER_OK;
 }
 
 enum hawser_status cli_key_sweep_place(struct cli_key_sweep *of, double from, double to,

@@ -16,6 +16,7 @@
 
 #ifdef HAVE_MPI
 #include <errno.h>
+#include <limits.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -97,9 +98,13 @@ static enum hawser_status send(void *context, int to, const void *message, size_
                                struct hawser_report *report)
 {
 	struct link *link = context;
-	struct sent *sent = malloc(sizeof *sent + length);
+	struct sent *sent;
 
+	if (length > INT_MAX) /* MPI counts by int */
+		return hawser__fail(report, HAWSER_ERR_PROGRAM, "mpi", "a message of %zu bytes is more than "
+		                    "MPI sends at once: use --part in place of ranks", length);
 	clean(link);
+	sent = malloc(sizeof *sent + length);
 	if (!sent)
 		return hawser__no_memory(report, "mpi");
 	memcpy(sent->message, message, length);
@@ -122,7 +127,7 @@ static int receive(void *context, int *from, struct hawser__bytes *message)
 	mpi.probe(MPI_ANY_SOURCE, TAG, mpi.world, &is_there, &about);
 	if (is_there) {
 		mpi.count(&about, mpi.byte, &length);
-		message->used = 0;
+		hawser__bytes_empty(message); /* without memory now, it is tried again */
 		hawser__bytes_reserve(message, (size_t)length);
 		is_there = !message->short_of_memory;
 	}

@@ -154,9 +154,15 @@ char *cli_report_command(const char *name, int words, char *const *word)
 		return NULL;
 	fprintf(to, "hawser %s", name);
 	for (int i = 0; i < words; i++) {
-		int plain = word[i][strspn(word[i], unquoted)] == '\0';
+		int plain = *word[i] && word[i][strspn(word[i], unquoted)] == '\0';
 
-		fprintf(to, plain ? " %s" : " '%s'", word[i]);
+		fputs(plain ? " " : " '", to);
+		for (const char *c = word[i]; *c; c++)
+			if (*c == '\'')
+				fputs("'\\''", to);
+			else
+				putc(*c, to);
+		fputs(plain ? "" : "'", to);
 	}
 	return fclose(to) ? (free(text), NULL) : text;
 }

@@ -99,7 +99,7 @@ static void checksum(char check[CHECK + 1], const char *text, size_t size)
 }
 
 /* One result at text [size]: its place is *at, *length long. Returns what it takes, 0 if it is
- * incomplete. */
+ * incomplete; then *variation is not set. */
 static size_t find_one(long *variation, const char **at, size_t *length, const char *text,
                        size_t size)
 {
@@ -109,7 +109,7 @@ static size_t find_one(long *variation, const char **at, size_t *length, const c
 
 	snprintf(line, sizeof line, "%.*s", (int)head, text);
 	if (!head || sscanf(line, "%ld %zu %8s", variation, length, was) != 3 || *variation < 0 ||
-	    *length > size - head)
+	    *length < sizeof "S 0" || *length > size - head)
 		return 0;
 	checksum(check, text + head, *length);
 	*at = text + head;
@@ -153,7 +153,7 @@ static enum hawser_status read_all(struct cli_sweep_file *file, struct cli_study
 		                    : "no checkpoint of a sweep");
 	while (taken > 0 && at < size) {
 		taken = find_one(&variation, &found, &length, text + at, size - at);
-		if (variation >= sweep->plan.count)
+		if (taken > 0 && variation >= sweep->plan.count)
 			taken = 0;
 		if (taken > 0 && !is_to_repeat(found) && !keep_one(sweep, variation, found, length))
 			return hawser__no_memory(report, "sweep");
@@ -279,29 +279,39 @@ static void join(FILE *to, char *seen, long count, long *results, const char *te
 	}
 }
 
+/* The number of variations in the first line of a checkpoint; 0: it is none. */
+static long count_in(const char *head)
+{
+	const char *last = strrchr(head, ' ');
+	long count = last && strncmp(head, magic, strlen(magic)) == 0 ? strtol(last, NULL, 10) : 0;
+
+	return count > 0 && count <= CLI_SWEEP_MOST ? count : 0;
+}
+
 /* *head: that of the first file, with the number of variations in it, which all must have. */
 static enum hawser_status join_file(FILE *to, char head[HEAD], char **seen, long *count,
                                     long *results, const char *path, struct hawser_report *report)
 {
 	char *text, own[HEAD];
 	size_t size;
+	long variations;
 	enum hawser_status status = cli_report_text(&text, &size, path, report);
 
 	if (status)
 		return status;
 	snprintf(own, sizeof own, "%.*s", (int)strcspn(text, "\n"), text);
-	if (strncmp(text, magic, strlen(magic)) != 0 || (*head && strcmp(own, head) != 0))
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "merge", "%s is %s", path, *head &&
-		                      strncmp(text, magic, strlen(magic)) == 0
+	variations = count_in(own);
+	if (!variations || (*head && strcmp(own, head) != 0))
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "merge", "%s is %s", path, variations
 		                      ? "the checkpoint of another sweep than the first file: scene, "
 		                        "command, variations or columns differ"
-		                      : "no checkpoint of a sweep, as the first file is");
+		                      : *head ? "no checkpoint of a sweep, as the first file is"
+		                      : "no checkpoint of a sweep: its first line is damaged");
 	if (!status && !*head) {
 		strcpy(head, own);
 		fprintf(to, "%s\n", head);
-		*count = strtol(strrchr(head, ' '), NULL, 10);
-		*count = *count > 0 && *count <= CLI_SWEEP_MOST ? *count : 0;
-		*seen = calloc((size_t)*count + 1, 1);
+		*count = variations;
+		*seen = calloc((size_t)*count, 1);
 	}
 	if (!status && !*seen)
 		status = hawser__no_memory(report, "merge");

@@ -51,6 +51,11 @@ static enum hawser_status read_numbers(struct cli_sweep_key *key, long values, c
 	key->number = calloc((size_t)values, sizeof *key->number);
 	if (!key->number)
 		return hawser__no_memory(report, "sweep");
+	for (long i = 0; i < values; i++)
+		if (strlen(key->key) + 1 + strlen(key->text[i]) >= CLI_SWEEP_SET)
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "sweep", "--%s: value %ld of %s has more "
+			                    "than %d characters: put it into the scene", option, i + 1, key->key,
+			                    CLI_SWEEP_SET - 2 - (int)strlen(key->key));
 	key->numbers = 1;
 	for (long i = 0; i < values && key->numbers; i++) {
 		key->numbers = number_of(&key->number[i], &unit, key->text[i]);

@@ -91,17 +91,19 @@ static void begin_work(const struct cli_study *sweep, int from, int to)
 static enum hawser_status begin(struct process *process, const struct process *all, int count,
                                 const struct cli_study *sweep, struct hawser_report *report)
 {
-	int down[2], up[2];
+	int down[2] = {-1, -1}, up[2] = {-1, -1};
 
 	*process = (struct process){.to = -1, .from = -1, .variation = -1};
-	if (pipe(down) != 0)
-		return hawser__fail(report, HAWSER_ERR_IO, "sweep",
-		                    "cannot make a pipe: %s", strerror(errno));
-	if (pipe(up) != 0 || (fflush(NULL), process->pid = fork()) < 0) {
-		close(down[0]);
-		close(down[1]);
-		return hawser__fail(report, HAWSER_ERR_IO, "sweep", "cannot start a process: %s",
-		                    strerror(errno));
+	fflush(NULL); /* what is buffered would be written by both */
+	if (pipe(down) != 0 || pipe(up) != 0 || (process->pid = fork()) < 0) {
+		enum hawser_status status = hawser__fail(report, HAWSER_ERR_IO, "sweep",
+		                                         "cannot start a process: %s", strerror(errno));
+
+		for (int i = 0; i < 2; i++) {
+			close(down[i]);
+			close(up[i]);
+		}
+		return status;
 	}
 	if (process->pid == 0) {
 		for (int i = 0; i < count; i++) {
@@ -178,6 +180,7 @@ static enum hawser_status receive(struct cli_sweep_run *run, struct process *pro
 	struct cli_sweep_packed *got = &process->got;
 	enum hawser_status status;
 	ssize_t more;
+	char *cut;
 
 	if (got->size + 65536 > process->room) {
 		size_t room = 2*process->room + 131072;
@@ -203,7 +206,8 @@ static enum hawser_status receive(struct cli_sweep_run *run, struct process *pro
 	got->size -= sizeof process->wanted;
 	memmove(got->text, got->text + sizeof process->wanted, got->size);
 	got->text[got->size] = '\0';
-	got->text = realloc(got->text, got->size + 1);
+	cut = realloc(got->text, got->size + 1);
+	got->text = cut ? cut : got->text;
 	status = cli_sweep_finish(run, process->variation, *got, report);
 	*got = (struct cli_sweep_packed){NULL, 0};
 	hand_out(run, process);

@@ -131,10 +131,8 @@ enum hawser_status cli_sweep_ranks_close(struct cli_study *sweep, enum hawser_st
 {
 	if (status) {
 		size_t used = strlen(report->message);
-		const struct hawser__tasks none = {.what = "sweep"};
 
-		if (cli_sweep_is_worker(sweep) && !sweep->ranks->ended)
-			hawser__ranks_serve(sweep->ranks, &none, status, report);
+		cli_ranks_fail(sweep->ranks, status, report);
 		if (sweep->ranks && sweep->ranks->rank == 0 && sweep->ranks->lost)
 			snprintf(report->message + used, sizeof report->message - used, "%s",
 			         sweep->checkpoint ? "; the checkpoint has the results so far"

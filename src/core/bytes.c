@@ -26,8 +26,8 @@ void hawser__bytes_reserve(struct hawser__bytes *bytes, size_t length)
 void hawser__bytes_add(struct hawser__bytes *bytes, const void *from, size_t length)
 {
 	hawser__bytes_reserve(bytes, bytes->used + length);
-	if (bytes->used + length > bytes->room || length == 0)
-		return;
+	if (bytes->short_of_memory || length == 0)
+		return; /* nothing behind a gap: a reader would take it for what is missing */
 	memcpy(bytes->at + bytes->used, from, length);
 	bytes->used += length;
 }
@@ -48,6 +48,12 @@ void hawser__bytes_add_text(struct hawser__bytes *bytes, const char *text)
 
 	hawser__bytes_add_long(bytes, (long)length);
 	hawser__bytes_add(bytes, text, length);
+}
+
+void hawser__bytes_empty(struct hawser__bytes *bytes)
+{
+	bytes->used = 0;
+	bytes->short_of_memory = 0;
 }
 
 void hawser__bytes_clear(struct hawser__bytes *bytes)

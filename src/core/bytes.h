@@ -5,8 +5,8 @@
 
 #include <stddef.h>
 
-/* All zero: empty. Without memory it stays as it is and `short_of_memory` is set, so that a writer
- * asks once, at the end. */
+/* All zero: empty. Without memory it stays as it is and `short_of_memory` is set, after which nothing
+ * is added, so that a writer asks once, at the end. */
 struct hawser__bytes {
 	unsigned char *at; /* [used] */
 	size_t used, room;
@@ -19,6 +19,8 @@ void hawser__bytes_add_long(struct hawser__bytes *bytes, long number);
 void hawser__bytes_add_double(struct hawser__bytes *bytes, double number);
 /* The length, then the characters without '\0'; NULL as an empty text. */
 void hawser__bytes_add_text(struct hawser__bytes *bytes, const char *text);
+/* Nothing in it, with the same room: for the next message. */
+void hawser__bytes_empty(struct hawser__bytes *bytes);
 void hawser__bytes_clear(struct hawser__bytes *bytes);
 
 /* What is left to be read. Beyond the end numbers are 0, and `bad` is set. */

@@ -162,6 +162,8 @@ static void take(struct run *run, const struct hawser__bytes *message)
 	struct hawser_report report = {.status = HAWSER_OK};
 
 	(void)kind;
+	if (view.bad) /* which tasks it was about is not known */
+		fail(run, 0, hawser__no_memory(&report, run->tasks->what), &report);
 	run->cost = run->cost > 0.0 ? 0.5*(run->cost + secs) : secs;
 	for (long k = first; k < first + count; k++) {
 		struct hawser__extract answer = hawser__extract_part(&view);

@@ -15,18 +15,19 @@ enum hawser_status hawser__packet_ask(struct hawser__bytes *message, const struc
 	struct hawser__bytes question = {.at = NULL};
 	enum hawser_status status = HAWSER_OK;
 
-	message->used = 0;
+	hawser__bytes_empty(message);
 	hawser__bytes_add_long(message, HAWSER__WORK);
 	hawser__bytes_add_long(message, first);
 	hawser__bytes_add_long(message, count);
 	for (long k = first; k < first + count && !status; k++) {
-		question.used = 0;
+		hawser__bytes_empty(&question);
 		if (tasks->ask)
 			status = tasks->ask(tasks->context, &question, k, report);
 		hawser__bytes_add_long(message, (long)question.used);
 		hawser__bytes_add(message, question.at, question.used);
+		message->short_of_memory |= question.short_of_memory;
 	}
-	if (!status && (message->short_of_memory || question.short_of_memory))
+	if (!status && message->short_of_memory)
 		status = hawser__no_memory(report, tasks->what);
 	hawser__bytes_clear(&question);
 	return status;
@@ -41,7 +42,7 @@ struct packet {
 
 static void put(struct hawser__bytes *to, enum hawser_status status, const struct hawser_report *report)
 {
-	to->used = 0;
+	hawser__bytes_empty(to);
 	hawser__bytes_add_long(to, (long)status);
 	if (status)
 		hawser__bytes_add_text(to, report->message);
@@ -108,7 +109,7 @@ void hawser__packet_work(struct hawser__bytes *answers, const struct hawser__byt
 		packet.task[k] = (struct hawser__task){first + k, hawser__extract_part(&view)};
 	if (packet.task && packet.answer)
 		compute(&packet, count, threads);
-	answers->used = 0;
+	hawser__bytes_empty(answers);
 	hawser__bytes_add_long(answers, HAWSER__ANSWER);
 	hawser__bytes_add_long(answers, first);
 	hawser__bytes_add_long(answers, count);

@@ -75,7 +75,7 @@ void hawser__ranks_serve(struct hawser__ranks *ranks, const struct hawser__tasks
 		hawser__packet_work(&answers, &message, tasks, tasks->threads, 0);
 		answer(ranks, &answers);
 	}
-	answers.used = 0;
+	hawser__bytes_empty(&answers);
 	hawser__bytes_add_long(&answers, HAWSER__LAST);
 	if (!status && tasks->leave)
 		tasks->leave(tasks->context, &answers);

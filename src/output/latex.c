@@ -267,11 +267,6 @@ static const char *name_in(const char *path)
 	return slash ? slash + 1 : path;
 }
 
-static enum hawser_status no_memory(struct hawser_report *report)
-{
-	return hawser__fail(report, HAWSER_ERR_MEMORY, "picture", "out of memory");
-}
-
 static enum hawser_status no_file(struct hawser_report *report)
 {
 	return hawser__fail(report, HAWSER_ERR_IO, "picture",
@@ -290,7 +285,7 @@ enum hawser_status hawser__latex_check(const char *path, struct hawser_report *r
 			                    "digits and . - + _ =", path);
 	drawing = drawing_of(path);
 	if (!drawing)
-		return no_memory(report);
+		return hawser__no_memory(report, "picture");
 	status = hawser__file_check(drawing, report);
 	free(drawing);
 	return status;
@@ -317,7 +312,7 @@ enum hawser_status hawser__latex_begin(struct hawser__latex *latex, FILE *script
 		last = c;
 	}
 	fputs("set output\n", latex->script);
-	if (ferror(script) || fflush(latex->script) != 0)
+	if (ferror(script) || fflush(latex->script) != 0 || ferror(latex->script))
 		return no_file(report);
 	rewind(latex->script);
 	return HAWSER_OK;
@@ -357,7 +352,8 @@ enum hawser_status hawser__latex_write(struct hawser__latex *latex, FILE *to, co
                                        double size, struct hawser_report *report)
 {
 	char *drawing = drawing_of(path);
-	enum hawser_status status = drawing ? write_drawing(latex, drawing, report) : no_memory(report);
+	enum hawser_status status = drawing ? write_drawing(latex, drawing, report)
+	                                    : hawser__no_memory(report, "picture");
 	FILE *from = status ? NULL : open_one(latex, "picture.tex");
 
 	if (from) {

@@ -57,12 +57,11 @@ static int segment_of(const struct hawser_rod *rod, double s)
 }
 
 /* Elements between two breaks: their part of those of the segment. */
-static int elements_of(const struct hawser_rod *rod, double from, double to, int refine)
+static double elements_of(const struct hawser_rod *rod, double from, double to, int refine)
 {
 	const struct hawser_rod_segment *segment = &rod->segment[segment_of(rod, 0.5*(from + to))];
-	double count = floor(segment->elements*(to - from)/segment->length + 0.5);
 
-	return (count > 1.0 ? (int)count : 1)*refine;
+	return fmax(floor(segment->elements*(to - from)/segment->length + 0.5), 1.0)*refine;
 }
 
 static void make_element(struct hawser__rod_mesh *mesh, int e, double h, int segment)
@@ -195,7 +194,7 @@ static void fill(struct hawser__rod_mesh *mesh, const double *at, int breaks, in
 	memcpy(mesh->rest[0].x, rod->at, sizeof rod->at);
 	axes(mesh->rest[0].q, rod->tangent, rod->normal);
 	for (int i = 0; i < breaks - 1; i++) {
-		int parts = elements_of(rod, at[i], at[i + 1], refine);
+		int parts = (int)elements_of(rod, at[i], at[i + 1], refine);
 		int segment = segment_of(rod, 0.5*(at[i] + at[i + 1]));
 
 		for (int k = 0; k < parts; k++, e++) {

@@ -39,7 +39,8 @@ static double size(const double v[3])
 	return sqrt(hawser__dot(v, v));
 }
 
-static void probe(struct hawser_rod_motion *to, int at, const struct hawser__rod_twin *twin, double s)
+static void probe(struct hawser_rod_motion *to, size_t at, const struct hawser__rod_twin *twin,
+                  double s)
 {
 	const struct hawser__rod_mesh *mesh = &twin->mesh;
 	const double (*v)[6] = (const double (*)[6])twin->motion.velocity;
@@ -120,7 +121,7 @@ enum hawser_status hawser__rod_row(struct hawser_rod_motion *to, struct hawser__
 		memcpy(to->shape[(size_t)i*(size_t)mesh->nodes + (size_t)n], mesh->node[n].x,
 		       sizeof *to->shape);
 	for (int p = 0; p < to->probes; p++)
-		probe(to, i*to->probes + p, twin, options->probe[p]);
+		probe(to, (size_t)i*(size_t)to->probes + (size_t)p, twin, options->probe[p]);
 	for (int e = 0; e < mesh->elements; e++)
 		for (int k = 0; k < 3; k++)
 			to->strain_most = fmax(to->strain_most,

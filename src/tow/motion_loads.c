@@ -25,14 +25,20 @@ enum { FREE = HAWSER__ROD_FREE };
 
 void hawser__tow_wind(double wind[3], const struct hawser_tow *tow, double t)
 {
-	int i = 0;
+	int i = 0, end = tow->gusts - 1;
 	double part;
 
 	memcpy(wind, tow->wind, 3*sizeof *wind);
 	if (!tow->gusts)
 		return;
-	while (i < tow->gusts - 2 && tow->gust[i + 1].t < t)
-		i++;
+	while (end - i > 1) {
+		int middle = (i + end)/2;
+
+		if (tow->gust[middle].t < t)
+			i = middle;
+		else
+			end = middle;
+	}
 	part = fmin(fmax((t - tow->gust[i].t)/(tow->gust[i + 1].t - tow->gust[i].t), 0.0), 1.0);
 	for (int k = 0; k < 3; k++)
 		wind[k] = tow->gust[i].at[0][k] + part*(tow->gust[i + 1].at[0][k] - tow->gust[i].at[0][k]);

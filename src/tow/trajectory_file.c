@@ -94,7 +94,7 @@ static enum hawser_status read_numbers(struct table *table, const char *line,
 		if (!table->named && number == COLUMNS)
 			return hawser__fail(report, HAWSER_ERR_SCENE, where, "%s:%d: more than the four "
 			                    "columns t x y z: name them in a first line t_s x_m y_m z_m",
-			                    table->path,			                    table->line);
+			                    table->path, table->line);
 		for (int c = 0; c < COLUMNS; c++) {
 			if (table->column[c] != number)
 				continue;

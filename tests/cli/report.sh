@@ -30,16 +30,17 @@ works "two parts" report chairlift.yaml --parts "statics, modes" -n 3 --reproduc
 mv report.html first.html
 works "to standard output" report chairlift.yaml --parts "statics, modes" -n 3 --reproducible --title 'A <span> & "more"' -o - -q
 try "  the same bytes" cmp "$scratch/out" first.html
-cat >slack.yaml <<'END2'
+cat >"it's slack.yaml" <<'END2'
 cable: {EA: .inf, rho: 6 kg/m}
 span: {d: 250 m, h: 0}
 tension: {T0: 80 kN}
 damping: {alpha: 0.08}
 load: {frame: local, per_length: [0, 0, 1 N/m]}
 END2
-run report slack.yaml --parts "statics, frf" -o slack.html
+run report "it's slack.yaml" --parts "statics, frf" -o slack.html
 try "a part that fails is told" grep -q "^hawser: warning: the report has no frf: " "$scratch/err"
 try "  and stands in the report" grep -q 'role="note">Not computed: ' slack.html
+try "commands are quoted as a shell reads them" grep -qF "hawser statics 'it'\\''s slack.yaml'" slack.html
 try "no temporary file is left" test -z "$(ls -A left)"
 digest=$( (sha256sum chairlift.yaml 2>/dev/null || echo none) | cut -d ' ' -f 1)
 

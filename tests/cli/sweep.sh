@@ -70,6 +70,10 @@ grid="sweep chairlift.yaml --over tension.T0=60kN:100kN:5 --over span.h=0,10 --r
 	"$HAWSER" sweep chairlift.yaml --over span.h=0,10 --part 1/2 --checkpoint other -q -- statics
 	refuses 1 "part1 is the checkpoint of another sweep than the first file: scene, command, variations or columns differ" \
 		merge other part1 --checkpoint x
+	echo hawser-sweep-1 >damaged
+	refuses 1 "damaged is no checkpoint of a sweep: its first line is damaged" merge damaged --checkpoint x
+	echo hawser-sweep-1 "$(printf %064d 0)" 99999999999 >damaged
+	refuses 1 "damaged is no checkpoint of a sweep: its first line is damaged" merge damaged --checkpoint x
 }
 if [ -n "${HAWSER_LONG-}" ] && command -v mpirun >/dev/null; then
 	export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
@@ -93,6 +97,9 @@ refuses_like 1 '^hawser: --keep sga: the result of statics has no such column; i
 refuses_like 1 'it has no|has no such list; there is table, modes' sweep b-table-5.4.yaml --over travel.speed=1 --rows mode -- modes -n 1
 refuses_like 1 "--tsv: each variation would write this file again" $sweep -- statics --tsv x
 refuses_like 1 "write KEY=FROM:TO:POINTS" sweep chairlift.yaml --over "tension.T0=60:100 kN:3" -- statics
+refuses_like 1 "with 2 to 10000000 points" sweep chairlift.yaml --over "tension.T0=60 kN:100 kN:4294967298" -- statics
+refuses 1 "--over: value 2 of tension.T0 has more than 308 characters: put it into the scene" \
+	sweep chairlift.yaml --over "tension.T0=1,$(printf %0320d 0)" -- statics
 refuses_like 1 "some values of tension.T0 have a unit" sweep chairlift.yaml --over "tension.T0=60,100 kN" -- statics
 refuses_like 1 "tension.T0 is varied twice" $sweep --over tension.T0=1,2 -- statics
 refuses_like 1 "the command is missing" $sweep

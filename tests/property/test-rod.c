@@ -1,6 +1,7 @@
 /* Random rods in space: supports balance the loads, errors of order h^2 as they are stated, a turned
  * scene has a turned solution, equilibria found by load steps and from near; refusals.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <limits.h>
 #include <math.h>
 #include <string.h>
 
@@ -247,6 +248,8 @@ static void refused(void)
 	scene.load[0].force[1] = NAN;
 	ok(hawser_rod_solve(&st, &scene.rod, NULL, &report) == HAWSER_ERR_NAN, "not a number: %s",
 	   report.message);
+	ok(hawser_rod_solve(&st, &scene.rod, &(struct hawser_rod_options){.refine = INT_MAX}, &report) ==
+	   HAWSER_ERR_ARGUMENT, "more elements than an int counts: %s", report.message);
 }
 
 int main(void)

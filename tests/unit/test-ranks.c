@@ -216,6 +216,21 @@ static void is_complete(int count, int threads, int with_prepare)
 	   with_prepare ? "prepared" : "each", wrong, report.message);
 }
 
+/* Behind what did not find room nothing is added: what follows would be read in its place. */
+static void gap(void)
+{
+	struct hawser__bytes bytes = {.at = NULL};
+
+	hawser__bytes_add_long(&bytes, 7);
+	bytes.short_of_memory = 1;
+	hawser__bytes_add_long(&bytes, 8);
+	ok(bytes.used == sizeof(long) && bytes.short_of_memory, "nothing is added behind a gap");
+	hawser__bytes_empty(&bytes);
+	hawser__bytes_add_long(&bytes, 9);
+	ok(bytes.used == sizeof(long) && !bytes.short_of_memory, "an emptied sequence is filled again");
+	hawser__bytes_clear(&bytes);
+}
+
 int main(void)
 {
 	struct hawser_report report = {.status = HAWSER_OK};
@@ -245,5 +260,6 @@ int main(void)
 	status = run(3, 1, 1, "the same", HAWSER_ERR_SCENE, &stopped, &report);
 	ok(!status || (status == HAWSER_ERR_SCENE && strstr(report.message, ": no scene here")),
 	   "a worker without the scene: %s", report.message);
+	gap();
 	return done_testing();
 }
