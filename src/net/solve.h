@@ -23,6 +23,10 @@ struct hawser__net_work {
 	double (*residual)[3];   /* [nodes] */
 	double *bound;           /* [nodes] round-off of the forces N there, N */
 	double (*start)[3];      /* [nodes] positions of the start */
+	double (*near)[3];       /* [nodes] with obstacles: the positions nearest to balance so far, */
+	double rest;             /* with residual/weight + apart/reach there, */
+	double residual_near;    /* N, its largest force that is not balanced, */
+	double apart_near;       /* m, and its largest penetration or gap of a node that touches */
 	const double *first;     /* [elements] tensions of the start, or NULL */
 	double weight;           /* W: sum of the forces on the nodes, N */
 	double reach;            /* m: sum of the unstretched lengths */

@@ -372,6 +372,7 @@ static void clear(struct hawser__net_work *work)
 	free(work->x);
 	free(work->residual);
 	free(work->start);
+	free(work->near);
 	free(work->bound);
 	hawser__sparse_clear(work->sparse);
 }
@@ -387,8 +388,11 @@ static enum hawser_status open(struct hawser__net_work *work, struct hawser__mes
 	work->x = calloc((size_t)mesh->unknowns + 1, sizeof *work->x);
 	work->residual = calloc((size_t)mesh->nodes, sizeof *work->residual);
 	work->start = calloc((size_t)mesh->nodes, sizeof *work->start);
+	work->near = calloc((size_t)mesh->nodes, sizeof *work->near);
 	work->bound = calloc((size_t)mesh->nodes, sizeof *work->bound);
-	if (!work->N || !work->e || !work->x || !work->residual || !work->start || !work->bound)
+	work->rest = INFINITY;
+	if (!work->N || !work->e || !work->x || !work->residual || !work->start || !work->near ||
+	    !work->bound)
 		return hawser__no_memory(report, "net");
 	work->s = work->N + elements;
 	work->a = work->s + elements;
@@ -438,6 +442,8 @@ static enum hawser_status solve(struct hawser__net_work *work, struct hawser__eq
 		done = hawser__touch_settled(&found->apart, work) && done;
 	found->method = method->shown.name;
 	found->iterations = work->iterations;
+	if (!status && !done && mesh->touches)
+		return hawser__touch_lost(found, work, report);
 	found->compressed = status || method->one_sided ? 0 : compressed(work);
 	if (found->compressed > 0) {
 		found->residual = work->left;
@@ -448,12 +454,6 @@ static enum hawser_status solve(struct hawser__net_work *work, struct hawser__eq
 	}
 	if (status || (done && isfinite(found->residual)))
 		return status;
-	if (mesh->touches)
-		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "net", work->iterations, found->residual,
-		                       "the equilibrium with obstacles was not found: after %d iterations the "
-		                       "largest force that is not balanced is %.3g N, and nodes that touch are "
-		                       "up to %.3g m off: try more elements, or smaller steps (contact.steps)",
-		                       work->iterations, found->residual, found->apart);
 	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "net", work->iterations, found->residual,
 	                       "the equilibrium was not found by the method %s: after %d iterations the "
 	                       "largest force that is not balanced is %.3g N, and round-off allows %.3g N",

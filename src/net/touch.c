@@ -232,6 +232,13 @@ void hawser__touch_follow(struct hawser__mesh *mesh)
 
 /* --- Newton's method --- */
 
+/* 1 if the node is past an end of a segment: the nearest point is the end, a circle of radius 0. No
+ * node stays on it, since it slides off to one of its sides. */
+static int past(const struct hawser__touch *touch)
+{
+	return touch->surface->kind == HAWSER_SURFACE_SEGMENT && touch->H[0][0] + touch->H[1][1] > 0.0;
+}
+
 /* The slip: how far the node is from where it was, along the surface. */
 static void slip_of(double d[3], const struct hawser__mesh *mesh, const struct hawser__touch *touch)
 {
@@ -309,7 +316,7 @@ void hawser__touch_linear(struct hawser__net_work *work, double curved)
 		force = touch->r - touch->stiff*touch->g;
 		memset(touch->block, 0, sizeof touch->block);
 		memset(touch->push, 0, sizeof touch->push);
-		if (!(touch->r - soft*touch->g > 0.0)) {
+		if (!(touch->r - soft*touch->g > 0.0) || past(touch)) {
 			touch->stiff = touch->r = touch->aside = 0.0;
 			continue;
 		}

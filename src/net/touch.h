@@ -41,9 +41,14 @@ enum hawser_status hawser__net_history(struct hawser__mesh *mesh, double *T,
                                        struct hawser__equilibrium *found, const struct hawser_net *net,
                                        const struct hawser__mesh_options *options,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
-/* touched.c: fail where the net passes a circle on the other side than the scene says. */
+/* touched.c: fail where the net passes a circle on the other side than the scene says, or cuts a
+ * segment. */
 enum hawser_status hawser__touch_sides(const struct hawser__mesh *mesh, const struct hawser_net *net,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Fail without an equilibrium: mesh->q gets the state nearest to balance, which the message tells
+ * about; found its residual. */
+enum hawser_status hawser__touch_lost(struct hawser__equilibrium *found, struct hawser__net_work *work,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
 /* Coefficient of friction, 0 of a circle that turns freely: it takes no moment. */
 double hawser__touch_friction(const struct hawser__touch *touch);
 /* 1 if friction holds the node where it is; of a node that touches. */

@@ -1,5 +1,11 @@
-/* net/touched.c - the contacts of a result, and whether the net is on the side of the obstacles that
- * the scene says. SPDX-License-Identifier: GPL-3.0-or-later */
+/* net/touched.c - the contacts of a result, whether the net is on the side of the obstacles that
+ * the scene says, and what is said where no equilibrium was found.
+ *
+ * A node that slides over the end of a segment leaves it, so that an element cuts the end: the tensions
+ * on its two sides are then as 1 to the cosine of the angle there, also without friction and with any
+ * number of elements. Such a result is refused; circles round an edge.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <math.h>
@@ -8,6 +14,11 @@
 
 #include "core/report.h"
 #include "net/touch.h"
+
+/* Of an element: a node is no further behind a surface that holds it. */
+static const double ROUND = 1e-9;
+/* Of an element: without an equilibrium, ends of segments within it are named as the reason. */
+static const double NEAR = 2.0;
 
 double hawser__touch_friction(const struct hawser__touch *touch)
 {
@@ -109,12 +120,111 @@ static enum hawser_status fail(const struct hawser__mesh *mesh, const struct haw
 	                    surface->radius);
 }
 
+/* 1 if an element goes from the free side of a segment to the other one between its ends, at the point
+ * x. Where the crossing is at an end to round-off, a node is on it. */
+static int cuts(double x[2], const struct hawser__mesh *mesh, int element,
+                const struct hawser_surface *segment)
+{
+	const double *a = mesh->q[mesh->end[element][0]], *b = mesh->q[mesh->end[element][1]];
+	double least = ROUND*mesh->length0[element], l, along, side[2] = {0.0, 0.0}, part;
+	double way[2] = {segment->to[0] - segment->at[0], segment->to[1] - segment->at[1]};
+
+	for (int k = 0; k < 2; k++) {
+		side[0] += segment->normal[k]*(a[k] - segment->at[k]);
+		side[1] += segment->normal[k]*(b[k] - segment->at[k]);
+	}
+	if ((side[0] < -least) == (side[1] < -least))
+		return 0;
+	part = fmin(fmax(side[0]/(side[0] - side[1]), 0.0), 1.0);
+	for (int k = 0; k < 2; k++)
+		x[k] = a[k] + part*(b[k] - a[k]);
+	l = hypot(way[0], way[1]);
+	along = ((x[0] - segment->at[0])*way[0] + (x[1] - segment->at[1])*way[1])/l;
+	return along > least && along < l - least;
+}
+
+static enum hawser_status cut(const struct hawser__mesh *mesh, const struct hawser_net *net, int s,
+                              int e, const double x[2], struct hawser_report *report)
+{
+	return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "net", "%s: cable %s goes through obstacle %s "
+	                    "at (%.6g, %.6g) m: nodes do not stay on the sharp end of a segment, whatever "
+	                    "their number: where the cable bends over it, end the segment on a circle with "
+	                    "a radius above the elements' %.3g m; otherwise correct its side", net->name,
+	                    net->cable[mesh->cable[e]].name, net->surface[s].name, x[0], x[1],
+	                    mesh->length0[e]);
+}
+
 enum hawser_status hawser__touch_sides(const struct hawser__mesh *mesh, const struct hawser_net *net,
                                        struct hawser_report *report)
 {
+	double x[2];
+
 	for (int s = 0; s < net->surfaces; s++)
-		for (int e = 0; e < mesh->elements; e++)
+		for (int e = 0; e < mesh->elements; e++) {
 			if (across(mesh, e, &net->surface[s]))
 				return fail(mesh, net, s, e, report);
+			if (net->surface[s].kind == HAWSER_SURFACE_SEGMENT &&
+			    cuts(x, mesh, e, &net->surface[s]))
+				return cut(mesh, net, s, e, x, report);
+		}
 	return HAWSER_OK;
+}
+
+/* The end of a segment that is nearest to an element, within NEAR of its length; NULL if none is.
+ * *surface, *element: of which. */
+static const double *end_near(const struct hawser_surface **surface, int *element,
+                              const struct hawser__mesh *mesh)
+{
+	const double *found = NULL;
+	double least = NEAR;
+
+	for (int i = 0; i < mesh->touches && mesh->touch[i].node == mesh->touch[0].node; i++) {
+		const struct hawser_surface *of = mesh->touch[i].surface;
+		const double *end[] = {of->at, of->to};
+
+		for (int e = 0; e < 2*mesh->elements && of->kind == HAWSER_SURFACE_SEGMENT; e++) {
+			const int *node = mesh->end[e/2];
+			double off = distance(end[e % 2], mesh->q[node[0]], mesh->q[node[1]])/mesh->length0[e/2];
+
+			if (!(off < least))
+				continue;
+			least = off;
+			found = end[e % 2];
+			*surface = of;
+			*element = e/2;
+		}
+	}
+	return found;
+}
+
+enum hawser_status hawser__touch_lost(struct hawser__equilibrium *found, struct hawser__net_work *work,
+                                      struct hawser_report *report)
+{
+	struct hawser__mesh *mesh = work->mesh;
+	const struct hawser_surface *surface = NULL;
+	const double *at;
+	int e = 0;
+
+	if (!isfinite(work->rest))
+		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "net", work->iterations, found->residual,
+		                       "the equilibrium with obstacles was not found: the iteration left the "
+		                       "range of numbers: check EA, rho, lengths and loads, and their units");
+	memcpy(mesh->q, work->near, (size_t)mesh->nodes*sizeof *mesh->q);
+	hawser__touch_measure(mesh);
+	found->residual = work->residual_near;
+	found->apart = work->apart_near;
+	at = end_near(&surface, &e, mesh);
+	if (at)
+		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "net", work->iterations, found->residual,
+		                       "the equilibrium with obstacles was not found: the net is at the end "
+		                       "(%.6g, %.6g) m of obstacle %s, and nodes do not stay on the sharp end "
+		                       "of a segment: end it on a circle with a radius above the elements' "
+		                       "%.3g m",
+		                       at[0], at[1], surface->name, mesh->length0[e]);
+	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "net", work->iterations, found->residual,
+	                       "the equilibrium with obstacles was not found: where it came nearest in %d "
+	                       "iterations, the largest force that is not balanced is %.3g N, and nodes "
+	                       "that touch are up to %.3g m off: %s", work->iterations, found->residual,
+	                       found->apart, work->rubs ? "try smaller steps (contact.steps)"
+	                                                : "try more elements");
 }

@@ -56,6 +56,27 @@ static enum hawser_status step(struct hawser__net_work *work, int *definite, int
 	return HAWSER_OK;
 }
 
+/* Keep the state nearest to balance: where no start converges, later ones may be far off. */
+static void keep_near(struct hawser__net_work *work, double rest, double residual, double gap)
+{
+	if (!(rest < work->rest))
+		return;
+	memcpy(work->near, work->mesh->q, (size_t)work->mesh->nodes*sizeof *work->near);
+	work->rest = rest;
+	work->residual_near = residual;
+	work->apart_near = gap;
+}
+
+/* The interior point's, on the free side of all obstacles. */
+static void keep_interior(struct hawser__net_work *work)
+{
+	double residual = hawser__net_residual(work), gap = 0.0;
+
+	for (int i = 0; i < work->mesh->touches; i++)
+		gap = fmax(gap, -work->mesh->touch[i].g);
+	keep_near(work, residual/work->weight + gap/work->reach, residual, gap);
+}
+
 static enum hawser_status newton(struct hawser__net_work *work, int *done, struct hawser_report *report)
 {
 	double best = INFINITY, residual, floor, gap;
@@ -74,6 +95,7 @@ static enum hawser_status newton(struct hawser__net_work *work, int *done, struc
 		*done = hawser__net_settled(work, &residual, &floor);
 		*done = hawser__touch_settled(&gap, work) && *done;
 		rest = residual/work->weight + gap/work->reach;
+		keep_near(work, rest, residual, gap);
 		descents += descends;
 		worse = rest < 0.5*best || slides != work->slides || (descends && descents <= DESCENT)
 			? 0 : worse + 1;
@@ -122,6 +144,7 @@ enum hawser_status hawser__net_touching(struct hawser__net_work *work, int *done
 	for (int round = 0; round < ROUNDS && !status && !*done; round++) {
 		again(work, round);
 		status = hawser__net_interior(work, done, report);
+		keep_interior(work);
 		slacken(work);
 		if (!status)
 			status = newton(work, done, report);
