@@ -209,6 +209,23 @@ static void add_shared(struct cli_study *sweep, const struct cli_common *common)
 	}
 }
 
+/* A key that is varied and set by words of the command: one of the two is a mistake. */
+static enum hawser_status check_sets(const struct cli_study *sweep, struct hawser_report *report)
+{
+	for (int i = 0; i < sweep->words; i++)
+		for (int k = 0; k < sweep->plan.keys; k++) {
+			const char *key = sweep->plan.key[k].key, *set = sweep->word[i];
+			size_t length = strlen(key);
+
+			set = strcmp(set, "--set") == 0 && i + 1 < sweep->words ? sweep->word[i + 1]
+			      : strncmp(set, "--set=", 6) == 0 ? set + 6 : "";
+			if (strncmp(set, key, length) == 0 && set[length] == '=')
+				return hawser__fail(report, HAWSER_ERR_ARGUMENT, "sweep",
+				                    "--set %s: the sweep varies this key: give it once", set);
+		}
+	return HAWSER_OK;
+}
+
 /* "statics --points 11" for comments. */
 static char *line_of(const struct cli_common *common)
 {
@@ -291,11 +308,13 @@ static enum hawser_status check(const struct settings *settings, int worker,
 	return worker ? HAWSER_OK : cli_outputs_check_with(common, &checkpoint, 1, report);
 }
 
+/* By the exit status of a variation. */
+static const enum hawser_status as[] = {HAWSER_OK, HAWSER_ERR_ARGUMENT, HAWSER_ERR_NO_SOLUTION,
+                                        HAWSER_ERR_CONVERGENCE, HAWSER_ERR_PROGRAM};
+
 /* What the exit status says of variations without result. */
 static enum hawser_status judge(const struct cli_sweep_result *result, struct hawser_report *report)
 {
-	static const enum hawser_status as[] = {HAWSER_OK, HAWSER_ERR_ARGUMENT, HAWSER_ERR_NO_SOLUTION,
-	                                        HAWSER_ERR_CONVERGENCE, HAWSER_ERR_PROGRAM};
 	long first = 0;
 	char name[300];
 
@@ -318,11 +337,12 @@ static int is_useless(const struct cli_sweep_result *result)
 	return 1;
 }
 
-/* What a part tells in place of a result. */
-static void end_part(const struct cli_study *sweep, int quiet)
+/* What a part tells in place of a result; its exit status is as of a whole sweep. */
+static enum hawser_status end_part(const struct cli_study *sweep, int quiet,
+                                   struct hawser_report *report)
 {
 	const char *first = NULL;
-	char name[300], text[1024];
+	char name[300];
 	long failed = 0, which = 0;
 	int length = 0, more;
 
@@ -340,11 +360,11 @@ static void end_part(const struct cli_study *sweep, int quiet)
 		printf("part %d of %d: %ld variation%s in %s\n", sweep->part, sweep->parts, sweep->done,
 		       sweep->done == 1 ? "" : "s", sweep->checkpoint);
 	if (!first)
-		return;
+		return HAWSER_OK;
 	cli_sweep_name(name, sizeof name, &sweep->plan, which);
-	snprintf(text, sizeof text, "no result of %ld of %ld variations of this part; the first, %s: %.*s",
-	         failed, sweep->done, name, length, first);
-	cli_warn(text);
+	return hawser__fail(report, as[hawser_status_exit(cli_sweep_status(sweep->packed[which].text))],
+	                    "sweep", "no result of %ld of %ld variations of this part; the first, %s: %.*s",
+	                    failed, sweep->done, name, length, first);
 }
 
 static enum hawser_status compute(struct cli_study *sweep, const struct cli_common *own,
@@ -355,10 +375,8 @@ static enum hawser_status compute(struct cli_study *sweep, const struct cli_comm
 	enum hawser_status judged, status = cli_sweep_run(sweep, report);
 	struct cli_common again = *own;
 
-	if (!status && sweep->parts > 0) {
-		end_part(sweep, own->quiet);
-		return HAWSER_OK;
-	}
+	if (!status && sweep->parts > 0)
+		return end_part(sweep, own->quiet, report);
 	if (!status)
 		status = cli_sweep_result_open(&result, sweep, report);
 	/* the commands have chosen theirs in between */
@@ -409,6 +427,9 @@ static enum hawser_status prepare(struct cli_study *sweep, const struct settings
 	if (status)
 		return status;
 	add_shared(sweep, &settings->common);
+	status = check_sets(sweep, report);
+	if (status)
+		return status;
 	sweep->line = line_of(&settings->common);
 	return sweep->line ? HAWSER_OK : hawser__no_memory(report, "sweep");
 }

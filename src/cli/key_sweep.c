@@ -61,8 +61,9 @@ enum hawser_status cli_key_sweep_place(struct cli_key_sweep *of, double from, do
                                        struct hawser_report *report)
 {
 	if (of->logarithmic && !(from > 0.0 && to > 0.0))
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, of->command, "--log: from %.9g to %.9g there "
-		                    "are no equal ratios: give values above 0", from, to);
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, of->command, "%s%s: from %.9g to %.9g "
+		                    "there are no equal ratios: give values above 0",
+		                    of->over ? "--over " : "--log", of->over ? of->over : "", from, to);
 	of->value = calloc((size_t)of->points, sizeof *of->value);
 	if (!of->value)
 		return hawser__no_memory(report, of->command);

@@ -257,7 +257,7 @@ static enum hawser_status positional(struct reader *reader, const char *text,
 	}
 	if (common->input && strstr(reader->command->input, "...")) {
 		if (common->mores == CLI_MORE_INPUTS)
-			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "options", "%s takes at most %d scenes",
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "options", "%s takes at most %d files",
 			                    reader->command->name, CLI_MORE_INPUTS + 1);
 		common->more[common->mores++] = text;
 		return HAWSER_OK;

@@ -78,6 +78,8 @@ enum hawser_status cli_sweep_pack_failure(struct cli_sweep_packed *packed,
                                           const char *message, struct hawser_report *report)
 	HAWSER_MUST_CHECK;
 
+/* The status in a packed result. */
+enum hawser_status cli_sweep_status(const char *packed);
 /* The message of a variation without result, or NULL; its length in *length. */
 const char *cli_sweep_why(const struct cli_sweep_packed *packed, int *length);
 

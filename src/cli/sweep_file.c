@@ -99,7 +99,7 @@ static void checksum(char check[CHECK + 1], const char *text, size_t size)
 }
 
 /* One result at text [size]: its place is *at, *length long. Returns what it takes, 0 if it is
- * incomplete; then *variation is not set. */
+ * incomplete or not a result. */
 static size_t find_one(long *variation, const char **at, size_t *length, const char *text,
                        size_t size)
 {
@@ -107,19 +107,44 @@ static size_t find_one(long *variation, const char **at, size_t *length, const c
 	char check[CHECK + 1], line[HEAD], was[CHECK + 1];
 	size_t head = end ? (size_t)(end - text) + 1 : 0;
 
+	*variation = -1;
 	snprintf(line, sizeof line, "%.*s", (int)head, text);
 	if (!head || sscanf(line, "%ld %zu %8s", variation, length, was) != 3 || *variation < 0 ||
 	    *length < sizeof "S 0" || *length > size - head)
 		return 0;
 	checksum(check, text + head, *length);
 	*at = text + head;
-	return strcmp(check, was) == 0 ? head + *length : 0;
+	return strcmp(check, was) == 0 && strncmp(*at, "S ", 2) == 0 ? head + *length : 0;
+}
+
+/* Whether a result stands anywhere behind the first line of text [size], which is none: so it is not
+ * the last one, of a program that was killed, but damaged. */
+static int goes_on(const char *text, size_t size)
+{
+	const char *end, *found;
+	size_t length;
+	long variation;
+
+	for (; (end = memchr(text, '\n', size)); text = end + 1) {
+		size -= (size_t)(end - text) + 1;
+		if (find_one(&variation, &found, &length, end + 1, size) > 0)
+			return 1;
+	}
+	return 0;
+}
+
+static enum hawser_status damaged(const char *command, const char *path, size_t at,
+                                  struct hawser_report *report)
+{
+	return hawser__fail(report, HAWSER_ERR_IO, command, "the checkpoint %s is damaged at byte %zu, and "
+	                    "has results behind it: remove it, or cut it off there to keep those before",
+	                    path, at);
 }
 
 /* 1 if there is no result because of the system (a crash, no memory): it is computed again. */
 static int is_to_repeat(const char *text)
 {
-	return hawser_status_exit((enum hawser_status)atoi(text + 2)) == 4;
+	return hawser_status_exit(cli_sweep_status(text)) == 4;
 }
 
 /* Returns 0 without memory. */
@@ -137,6 +162,20 @@ static int keep_one(struct cli_study *sweep, long variation, const char *at, siz
 	return 1;
 }
 
+static enum hawser_status put_all(const struct cli_sweep_file *file, const char *text, size_t size,
+                                  struct hawser_report *report)
+{
+	while (size > 0) {
+		ssize_t put = write(file->fd, text, size);
+
+		if (put < 0 && errno != EINTR)
+			return fail_io(file, "write", report);
+		text += put > 0 ? put : 0;
+		size -= put > 0 ? (size_t)put : 0;
+	}
+	return HAWSER_OK;
+}
+
 static enum hawser_status read_all(struct cli_sweep_file *file, struct cli_study *sweep,
                                    const char *head, const char *text, size_t size,
                                    struct hawser_report *report)
@@ -145,6 +184,9 @@ static enum hawser_status read_all(struct cli_sweep_file *file, struct cli_study
 	const char *found;
 	long variation;
 
+	if (size < at && strncmp(text, head, size) == 0) /* killed before the first result */
+		return ftruncate(file->fd, 0) != 0 || lseek(file->fd, 0, SEEK_SET) < 0
+			? fail_io(file, "continue", report) : put_all(file, head, at, report);
 	if (size < at || strncmp(text, head, at) != 0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "sweep", "the checkpoint %s is %s: remove "
 		                    "it, or name another file", file->path,
@@ -159,6 +201,8 @@ static enum hawser_status read_all(struct cli_sweep_file *file, struct cli_study
 			return hawser__no_memory(report, "sweep");
 		at += taken;
 	}
+	if (at < size && goes_on(text + at, size - at))
+		return damaged("sweep", file->path, at, report);
 	if (ftruncate(file->fd, (off_t)at) != 0 || lseek(file->fd, 0, SEEK_END) < 0)
 		return fail_io(file, "continue", report);
 	return HAWSER_OK;
@@ -184,20 +228,6 @@ static enum hawser_status slurp(char **text, size_t *size, const struct cli_swee
 	}
 	(*text)[*size] = '\0';
 	return got < 0 ? fail_io(file, "read", report) : HAWSER_OK;
-}
-
-static enum hawser_status put_all(const struct cli_sweep_file *file, const char *text, size_t size,
-                                  struct hawser_report *report)
-{
-	while (size > 0) {
-		ssize_t put = write(file->fd, text, size);
-
-		if (put < 0 && errno != EINTR)
-			return fail_io(file, "write", report);
-		text += put > 0 ? put : 0;
-		size -= put > 0 ? (size_t)put : 0;
-	}
-	return HAWSER_OK;
 }
 
 enum hawser_status cli_sweep_file_open(struct cli_sweep_file *file, struct cli_study *sweep,
@@ -261,63 +291,82 @@ int cli_sweep_file_is(const char *path)
 	return strcmp(begin, magic) == 0;
 }
 
-/* Append the results in text [size] that are not yet there; seen [count] of them. */
-static void join(FILE *to, char *seen, long count, long *results, const char *text, size_t size)
+struct join {
+	FILE *to;
+	char head[HEAD]; /* of the first file; "": none yet */
+	char *seen;      /* [count] 1: this result is there */
+	long count, results;
+};
+
+/* Append the results in text [size] that are not yet there. */
+static enum hawser_status join(struct join *join, const char *text, size_t size, const char *path,
+                               struct hawser_report *report)
 {
-	size_t at = strcspn(text, "\n") + 1, taken = 1, length;
+	size_t at = strlen(join->head), taken = 1, length;
 	const char *found;
 	long variation;
 
 	while (taken > 0 && at < size) {
 		taken = find_one(&variation, &found, &length, text + at, size - at);
-		if (taken > 0 && variation < count && !seen[variation] && !is_to_repeat(found)) {
-			fwrite(text + at, 1, taken, to);
-			seen[variation] = 1;
-			++*results;
+		if (taken > 0 && variation < join->count && !join->seen[variation] && !is_to_repeat(found)) {
+			fwrite(text + at, 1, taken, join->to);
+			join->seen[variation] = 1;
+			join->results++;
 		}
 		at += taken;
 	}
+	return at < size && goes_on(text + at, size - at) ? damaged("merge", path, at, report)
+	                                                  : HAWSER_OK;
 }
 
-/* The number of variations in the first line of a checkpoint; 0: it is none. */
-static long count_in(const char *head)
+/* The first line of the text must be that of the first file; it has the number of variations. */
+static enum hawser_status join_head(struct join *join, const char *text, const char *path,
+                                    struct hawser_report *report)
 {
-	const char *last = strrchr(head, ' ');
-	long count = last && strncmp(head, magic, strlen(magic)) == 0 ? strtol(last, NULL, 10) : 0;
+	char digest[HAWSER__SHA256_SIZE], own[HEAD];
+	size_t length = strcspn(text, "\n");
+	long count = 0;
 
-	return count > 0 && count <= CLI_SWEEP_MOST ? count : 0;
+	snprintf(own, sizeof own, "%.*s\n", (int)(length < HEAD ? length : 0), text);
+	if (text[length] != '\n' || strncmp(own, magic, strlen(magic)) != 0 ||
+	    sscanf(own + strlen(magic), " %64s %ld", digest, &count) != 2 || count < 1 ||
+	    count > CLI_SWEEP_MOST)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "merge", "%s is no checkpoint of a sweep%s",
+		                    path, *join->head ? ", as the first file is"
+		                                      : ": its first line is damaged");
+	if (*join->head)
+		return strcmp(own, join->head) == 0 ? HAWSER_OK
+			: hawser__fail(report, HAWSER_ERR_ARGUMENT, "merge", "%s is the checkpoint of another "
+			               "sweep than the first file: scene, command, variations or columns differ",
+			               path);
+	strcpy(join->head, own);
+	fputs(own, join->to);
+	join->count = count;
+	join->seen = calloc((size_t)count, 1);
+	return join->seen ? HAWSER_OK : hawser__no_memory(report, "merge");
 }
 
-/* *head: that of the first file, with the number of variations in it, which all must have. */
-static enum hawser_status join_file(FILE *to, char head[HEAD], char **seen, long *count,
-                                    long *results, const char *path, struct hawser_report *report)
+static enum hawser_status join_file(struct join *to, const char *path, struct hawser_report *report)
 {
-	char *text, own[HEAD];
+	struct cli_sweep_file file = {open(path, O_RDONLY | O_CLOEXEC), path};
+	char *text = NULL;
 	size_t size;
-	long variations;
-	enum hawser_status status = cli_report_text(&text, &size, path, report);
+	enum hawser_status status;
 
-	if (status)
-		return status;
-	snprintf(own, sizeof own, "%.*s", (int)strcspn(text, "\n"), text);
-	variations = count_in(own);
-	if (!variations || (*head && strcmp(own, head) != 0))
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "merge", "%s is %s", path, variations
-		                      ? "the checkpoint of another sweep than the first file: scene, "
-		                        "command, variations or columns differ"
-		                      : *head ? "no checkpoint of a sweep, as the first file is"
-		                      : "no checkpoint of a sweep: its first line is damaged");
-	if (!status && !*head) {
-		strcpy(head, own);
-		fprintf(to, "%s\n", head);
-		*count = variations;
-		*seen = calloc((size_t)*count, 1);
-	}
-	if (!status && !*seen)
-		status = hawser__no_memory(report, "merge");
+	if (file.fd < 0)
+		return hawser__fail(report, hawser__unreadable(errno), "merge",
+		                    "cannot open the checkpoint %s: %s", path, strerror(errno));
+	if (flock(file.fd, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "merge", "the checkpoint %s is in use by a "
+		                      "sweep that is being computed: wait for it", path);
+	else
+		status = slurp(&text, &size, &file, report);
 	if (!status)
-		join(to, *seen, *count, results, text, size);
+		status = join_head(to, text, path, report);
+	if (!status)
+		status = join(to, text, size, path, report);
 	free(text);
+	close(file.fd);
 	return status;
 }
 
@@ -325,8 +374,7 @@ enum hawser_status cli_sweep_merge(long *results, const char *to, const char *co
                                    struct hawser_report *report)
 {
 	struct hawser__file file;
-	char head[HEAD] = "", *seen = NULL;
-	long variations = 0;
+	struct join join = {.count = 0};
 	enum hawser_status status;
 
 	*results = 0;
@@ -336,9 +384,11 @@ enum hawser_status cli_sweep_merge(long *results, const char *to, const char *co
 	status = hawser__file_begin(&file, to, report);
 	if (status)
 		return status;
+	join.to = file.stream;
 	for (int k = 0; k < count && !status; k++)
-		status = join_file(file.stream, head, &seen, &variations, results, from[k], report);
-	free(seen);
+		status = join_file(&join, from[k], report);
+	free(join.seen);
+	*results = join.results;
 	if (!status)
 		return hawser__file_commit(&file, report);
 	hawser__file_abort(&file);

@@ -123,6 +123,11 @@ enum hawser_status cli_sweep_pack_failure(struct cli_sweep_packed *packed,
 	return write_packed(packed, status, message, NULL, &none, report);
 }
 
+enum hawser_status cli_sweep_status(const char *packed)
+{
+	return (enum hawser_status)atoi(packed + 2);
+}
+
 const char *cli_sweep_why(const struct cli_sweep_packed *packed, int *length)
 {
 	const char *message = packed->text && strncmp(packed->text, "S 0\n", 4) != 0

@@ -88,7 +88,7 @@ static enum hawser_status take_apart(struct cli_sweep_result *result, long varia
 		if (end)
 			*end = '\0';
 		if (*line == 'S')
-			result->status[variation] = hawser_status_exit((enum hawser_status)atoi(line + 2));
+			result->status[variation] = hawser_status_exit(cli_sweep_status(line));
 		else if (*line == 'M')
 			result->message[variation] = line + 2;
 		else if (*line == 'W' && !result->warning[variation])

@@ -277,15 +277,25 @@ static enum hawser_status put(struct hawser__tree *root, struct hawser__reader *
 	return HAWSER_OK;
 }
 
-/* "segments[0].EA" as "segments.0.EA". */
-static void without_brackets(char *path)
+/* "segments[0].EA" as "segments.0.EA". Returns 0 if a bracket has no other one, or nothing in it. */
+static int without_brackets(char *path)
 {
 	char *to = path;
+	int open = 0;
 
-	for (; *path; path++)
-		if (*path != ']')
-			*to++ = *path == '[' ? '.' : *path;
+	for (const char *at = path; *at; at++) {
+		if ((*at == '[') == open && (*at == '[' || *at == ']'))
+			return 0;
+		if ((*at == ']' && to[-1] == '.') || (open && *at == '.'))
+			return 0;
+		if (*at == ']' && at[1] && at[1] != '.' && at[1] != '[')
+			return 0;
+		open = *at == '[' || (open && *at != ']');
+		if (*at != ']')
+			*to++ = *at == '[' ? '.' : *at;
+	}
 	*to = '\0';
+	return !open;
 }
 
 static enum hawser_status override(struct hawser__tree *root, struct hawser__reader *reader,
@@ -304,7 +314,10 @@ static enum hawser_status override(struct hawser__tree *root, struct hawser__rea
 		                           "write KEY=VALUE, such as %s", words->set);
 	memcpy(path, set, length);
 	path[length] = '\0';
-	without_brackets(path);
+	if (!without_brackets(path))
+		return hawser__reader_fail(reader, &(struct hawser__place){.set = set},
+		                           "a bracket of the key is open or empty: write names and "
+		                           "numbers joined by dots, such as %s", words->set);
 	status = document(&fresh, reader, equals + 1, strlen(equals + 1));
 	if (!status && !fresh)
 		status = hawser__reader_fail(reader, &(struct hawser__place){.set = set},

@@ -50,7 +50,8 @@ EOF
 run sweep chairlift.yaml --over "tension.T0=60 kN:100 kN:5" --over span.h=0,10 --part 2/3 --checkpoint second -- statics
 try "part 2 of 3 has its variations in a checkpoint" test "$status $(cat "$scratch/out")" = "0 part 2 of 3: 3 variations in second"
 run sweep chairlift.yaml --over "tension.T0=1 kN,80 kN" --part 1/2 --checkpoint failing -q -- statics
-try "a part tells what has no result" grep -q "warning: no result of 1 of 1 variations of this part; the first, tension.T0 = 1 kN: the tension T0" "$scratch/err"
+try "a part tells what has no result, and ends as a whole sweep does" test "$status $(grep -c \
+	"no result of 1 of 1 variations of this part; the first, tension.T0 = 1 kN: the tension T0" "$scratch/err")" = "2 1"
 grid="sweep chairlift.yaml --over tension.T0=60kN:100kN:5 --over span.h=0,10 --reproducible"
 # shellcheck disable=SC2086 # words
 {
@@ -68,6 +69,12 @@ grid="sweep chairlift.yaml --over tension.T0=60kN:100kN:5 --over span.h=0,10 --r
 	"$HAWSER" $grid --checkpoint lacking -- statics >parts.tsv 2>"$scratch/err"
 	try "  same bytes where a part is missing" cmp one.tsv parts.tsv
 	"$HAWSER" sweep chairlift.yaml --over span.h=0,10 --part 1/2 --checkpoint other -q -- statics
+	head -c 14 part1 >begun
+	refuses 1 "begun is no checkpoint of a sweep: its first line is damaged" merge begun part2 --checkpoint x
+	sed '3s/^S 0/S 1/' part1 >damaged # the first result
+	refuses_like 4 "the checkpoint damaged is damaged at byte 83, and has results behind it" merge part2 damaged --checkpoint x
+	# shellcheck disable=SC2086 # words
+	refuses_like 4 "the checkpoint damaged is damaged at byte 83" $grid --part 1/3 --checkpoint damaged -- statics
 	refuses 1 "part1 is the checkpoint of another sweep than the first file: scene, command, variations or columns differ" \
 		merge other part1 --checkpoint x
 	echo hawser-sweep-1 >damaged
@@ -101,6 +108,9 @@ refuses_like 1 "with 2 to 10000000 points" sweep chairlift.yaml --over "tension.
 refuses 1 "--over: value 2 of tension.T0 has more than 308 characters: put it into the scene" \
 	sweep chairlift.yaml --over "tension.T0=1,$(printf %0320d 0)" -- statics
 refuses_like 1 "some values of tension.T0 have a unit" sweep chairlift.yaml --over "tension.T0=60,100 kN" -- statics
+refuses_like 1 "--over tension.T0=0:1:3: from 0 to 1 there are no equal ratios" sweep chairlift.yaml --over tension.T0=0:1:3:log -- statics
+refuses 1 "--set tension.T0=7: the sweep varies this key: give it once" $sweep -- statics --set tension.T0=7
+refuses_like 1 "a bracket of the key is open or empty" sweep rod-bend.yaml --over "loads[0.force[2]=1,2" -- statics
 refuses_like 1 "tension.T0 is varied twice" $sweep --over tension.T0=1,2 -- statics
 refuses_like 1 "the command is missing" $sweep
 refuses 1 "report has no result of one scene to put into a table" $sweep -- report
