@@ -41,16 +41,14 @@ static enum hawser_status check(const struct hawser_tow *tow, struct hawser_repo
 }
 
 static enum hawser_status straight(struct hawser__tow_frame *frame, double end[3],
-                                   struct hawser_report *report)
+                                   struct hawser__tow_end *body, struct hawser_report *report)
 {
-	struct hawser__tow_end body;
-
 	memcpy(frame->velocity, frame->tow->path.velocity, sizeof frame->velocity);
 	memset(end, 0, 3*sizeof *end);
-	if (!hawser__tow_body_at(&body, frame, end))
-		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, where, 0, body.residual,
+	if (!hawser__tow_body_at(body, frame, end))
+		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, where, 0, body->residual,
 		                       "the attitude of the ring was not found (moment %.1e of offset "
-		                       "times force): give body.ring.segments more than %d", body.residual,
+		                       "times force): give body.ring.segments more than %d", body->residual,
 		                       frame->tow->body.ring.segments ? frame->tow->body.ring.segments
 		                                                      : HAWSER_RING_SEGMENTS);
 	return HAWSER_OK;
@@ -148,10 +146,9 @@ static enum hawser_status judge(struct hawser_tow_steady *steady,
 }
 
 static enum hawser_status shape(struct hawser_tow_steady *steady, const struct hawser__tow_frame *frame,
-                                const double end[3], struct hawser_report *report)
+                                const double end[3], struct hawser__tow_end *body,
+                                struct hawser_report *report)
 {
-	struct hawser__tow_end body;
-	int found = hawser__tow_body_at(&body, frame, end);
 	struct hawser_tow_point *coarse;
 	enum hawser_status status = HAWSER_OK;
 
@@ -160,13 +157,10 @@ static enum hawser_status shape(struct hawser_tow_steady *steady, const struct h
 	coarse = calloc((size_t)steady->points, sizeof *coarse);
 	if (!steady->point || !coarse)
 		status = hawser__no_memory(report, where);
-	else if (!found)
-		status = hawser__fail(report, HAWSER_ERR_CONVERGENCE, where,
-		                      "the attitude of the ring was not found");
 	else
-		status = meshes(steady, coarse, &body, frame, end, report);
+		status = meshes(steady, coarse, body, frame, end, report);
 	free(coarse);
-	return status ? status : judge(steady, frame, &body, report);
+	return status ? status : judge(steady, frame, body, report);
 }
 
 /* Turn about y, x toward z by -angle, then move. */
@@ -262,21 +256,16 @@ enum hawser_status hawser__tow_rod_start(struct hawser__tow_rod *b, struct hawse
 	*b = (struct hawser__tow_rod){.frame = frame, .moves = 1,
 	                              .hung = hawser__tow_hangs(tow) ? body : NULL};
 	if (!status && tow->path.kind == HAWSER_PATH_ORBIT && tow->path.speed != 0.0)
-		status = hawser__tow_orbit(&orbit, frame, end, report);
+		status = hawser__tow_orbit(&orbit, frame, end, body, report);
 	else if (!status)
-		status = straight(frame, end, report);
+		status = straight(frame, end, body, report);
 	if (status)
 		return status;
 	string = calloc((size_t)hawser__tow_elements(tow) + 1, sizeof *string);
 	if (!string)
 		return hawser__no_memory(report, where);
-	if (!hawser__tow_body_at(body, frame, end))
-		status = hawser__fail(report, HAWSER_ERR_CONVERGENCE, where,
-		                      "the attitude of the ring was not found");
-	if (!status) {
-		hawser__tow_string(top, n, string, frame, end, body, 2);
-		status = hawser__tow_rod_solve(b, string, parts, body, report);
-	}
+	hawser__tow_string(top, n, string, frame, end, body, 2);
+	status = hawser__tow_rod_solve(b, string, parts, body, report);
 	free(string);
 	return status;
 }
@@ -285,17 +274,18 @@ enum hawser_status hawser_tow_steady_solve(struct hawser_tow_steady *steady,
                                            const struct hawser_tow *tow, struct hawser_report *report)
 {
 	struct hawser__tow_frame frame = {.tow = tow};
+	struct hawser__tow_end body;
 	double end[3];
 	enum hawser_status status;
 
 	memset(steady, 0, sizeof *steady);
 	status = check(tow, report);
 	if (!status && tow->path.kind == HAWSER_PATH_ORBIT && tow->path.speed != 0.0)
-		status = hawser__tow_orbit(steady, &frame, end, report);
+		status = hawser__tow_orbit(steady, &frame, end, &body, report);
 	else if (!status)
-		status = straight(&frame, end, report);
+		status = straight(&frame, end, &body, report);
 	if (!status)
-		status = shape(steady, &frame, end, report);
+		status = shape(steady, &frame, end, &body, report);
 	if (!status) {
 		move(steady, &frame);
 		turned(steady, &frame);

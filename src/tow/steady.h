@@ -28,7 +28,8 @@ void hawser__tow_direction(double t[3], const double weight[3], const double u[3
 enum { HAWSER__BISECTIONS = 60 /* of an angle of at most pi: to 3e-18 of it, less than round-off */ };
 
 /* steady_body.c: the force of the body on the cable if its free end is at x, and its axis; the
- * moment that is left over offset times force. Returns 0 if the attitude of a ring was not found. */
+ * moment that is left over offset times force. Returns 0 if the attitude of a ring was not found. Of
+ * several attitudes one that is stable is taken. */
 struct hawser__tow_end {
 	double force[3], axis[3], centre[3], residual;
 	int raised; /* of the cable as a rod: elements whose EI was raised */
@@ -68,9 +69,9 @@ enum hawser_status hawser__tow_bend(struct hawser_tow_point *point, struct hawse
                                     const struct hawser_tow_point *string, int parts,
                                     struct hawser_report *report);
 
-/* steady_orbit.c */
+/* steady_orbit.c: the free end and the body there. */
 enum hawser_status hawser__tow_orbit(struct hawser_tow_steady *steady,
                                      struct hawser__tow_frame *frame, double end[3],
-                                     struct hawser_report *report);
+                                     struct hawser__tow_end *body, struct hawser_report *report);
 
 #endif

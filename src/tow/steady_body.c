@@ -9,7 +9,12 @@
  * all is in one plane, tan(tilt) = F_h/(W + F_v), one equation in one angle. In an orbit this
  * state, with the local flow and gravity, is where Newton's method in two angles begins, with the
  * exact derivatives; in straight flight it removes the moment that the segments of the ring leave
- * (1e-9).
+ * (1e-9). With l = 0 nothing but M - spin x J spin is left in an orbit; in straight flight the attitude
+ * is the limit of small offsets.
+ *
+ * Of several attitudes one is taken that hangs, a.n > 0, and is stable: the moment turns the ring back,
+ * its derivatives by two angles across a have a negative trace and a positive determinant. A vertical
+ * pendulum that turns fast is not stable. One that only hangs is preferred to one that is only stable.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -21,16 +26,20 @@
 #include "tow/steady.h"
 
 enum { ITERATIONS = 50, /* of Newton's method: it needs 4 */
-       NEAR = 10        /* bisections of the angle before it: to 3 mrad */ };
+       NEAR = 10,       /* bisections of the angle before it: to 3 mrad */
+       STARTS = 6,      /* further ones: along the axes, both ways */
+       OTHERS = 16      /* iterations from these: half a turn takes 11, see attitude */ };
 #define TOLERANCE 1e-13 /* of the moment over offset times force; round-off is 1e-15 */
 #define COARSE 1e-5     /* the same where a sign is looked for: the end of the cable moves by so much of
                          * its offset */
+#define ENOUGH 1e-9     /* the same of a result, a rotation: a thousandth of what a user reads */
 #define CLOSE 0.98      /* cosine of the turn between two places: beyond it is another attitude */
 
 struct ring {
 	const struct hawser__tow_frame *frame;
 	const struct hawser_tow_body *body;
 	const double *x;   /* of the hinge */
+	double arm;        /* m, offset, or a length in its place by which moments are measured */
 	double flow[3];    /* there */
 };
 
@@ -174,13 +183,15 @@ static double quadratic(double (*A)[3], const double *left, const double *right)
 	return sum;
 }
 
-/* Newton's method from the axis a; returns the moment that is left over offset times force. */
-static double attitude(double a[3], struct hawser__tow_ring *b, const struct ring *of,
-                       double tolerance)
+/* Newton's method from the axis a; returns the moment that is left over arm times force. */
+static double attitude(double a[3], struct hawser__tow_ring *b, int *stable, const struct ring *of,
+                       double tolerance, int iterations)
 {
 	double left = INFINITY;
 
-	for (int i = 0; i < ITERATIONS; i++) {
+	*stable = 0;
+
+	for (int i = 0; i < iterations; i++) {
 		double e[2][3], g[2], A[2][2], det, step[3], turn[2], size, scale;
 
 		hawser__tow_ring_at(b, of->frame, of->x, a);
@@ -190,8 +201,9 @@ static double attitude(double a[3], struct hawser__tow_ring *b, const struct rin
 			for (int j = 0; j < 2; j++)
 				A[k][j] = quadratic(b->moment_turn, e[k], e[j]);
 		}
-		left = hypot(g[0], g[1])/(of->body->offset*hawser__norm(b->n) + DBL_MIN);
+		left = hypot(g[0], g[1])/(of->arm*hawser__norm(b->n) + DBL_MIN);
 		det = A[0][0]*A[1][1] - A[0][1]*A[1][0];
+		*stable = det > 0.0 && A[0][0] + A[1][1] < 0.0;
 		if (left < tolerance || !(fabs(det) > 0.0))
 			break;
 		turn[0] = (A[0][1]*g[1] - A[1][1]*g[0])/det;
@@ -210,52 +222,99 @@ static double attitude(double a[3], struct hawser__tow_ring *b, const struct rin
 	return left;
 }
 
+/* What the ring pulls with at this attitude; its centre is in the hinge if the arm stands for 0. */
+static void take(struct hawser__tow_end *end, const struct hawser__tow_ring *b, const double a[3],
+                 const struct ring *of)
+{
+	memcpy(end->force, b->n, sizeof b->n);
+	memcpy(end->axis, a, sizeof end->axis);
+	for (int i = 0; i < 3; i++)
+		end->centre[i] = of->x[i] + of->body->offset*a[i];
+}
+
+/* 3: hangs and is stable, 2: hangs, 1: stable, 0: neither. */
+static int merit(const struct hawser__tow_ring *b, const double a[3], int stable)
+{
+	return 2*(hawser__dot(a, b->n) >= 0.0) + stable;
+}
+
+/* From the direction between weight and flow; as long as none is found that hangs and is stable, from
+ * others. */
 static int ring_at(struct hawser__tow_end *end, const struct ring *of)
 {
+	static const double other[STARTS][3] = {{0.0, -1.0, 0.0}, {1.0, 0.0, 0.0}, {-1.0, 0.0, 0.0},
+	                                        {0.0, 0.0, 1.0}, {0.0, 0.0, -1.0}, {0.0, 1.0, 0.0}};
 	struct hawser__tow_ring b;
-	double w[3], a[3];
+	double w[3], a[3], left;
+	int best = -1;
 
 	hawser__tow_gravity(w, of->frame, of->x);
 	for (int i = 0; i < 3; i++)
 		w[i] *= of->body->mass;
-	if (of->body->offset > 0.0) {
-		hawser__tow_direction(a, w, of->flow, ring_drag, of, NEAR);
-		end->residual = attitude(a, &b, of, TOLERANCE);
-	} else { /* its centre is in the hinge: along the force, as the limit of small offsets */
-		hawser__tow_direction(a, w, of->flow, ring_drag, of, HAWSER__BISECTIONS);
-		hawser__tow_ring_at(&b, of->frame, of->x, a);
+	hawser__tow_direction(a, w, of->flow, ring_drag, of, NEAR);
+	for (int i = 0; i <= STARTS && best < 3; i++) {
+		int stable;
+
+		if (i)
+			memcpy(a, other[i - 1], sizeof a);
+		left = attitude(a, &b, &stable, of, TOLERANCE, i ? OTHERS : ITERATIONS);
+		if (best < 0)
+			end->residual = left;
+		if (!(left < ENOUGH) || merit(&b, a, stable) <= best)
+			continue;
+		best = merit(&b, a, stable);
+		end->residual = left;
+		take(end, &b, a, of);
 	}
-	memcpy(end->force, b.n, sizeof b.n);
-	memcpy(end->axis, a, sizeof a);
-	memcpy(end->centre, b.centre, sizeof b.centre);
-	return end->residual < 1e-9; /* of a rotation: a thousandth of what a user reads */
+	return best >= 0;
 }
 
-/* From the attitude that it has; 1: it is near. */
+/* From the attitude that it has; 1: it is near, hangs and is stable. */
 static int ring_near(struct hawser__tow_end *end, const struct ring *of, double tolerance)
 {
 	struct hawser__tow_ring b;
 	double a[3];
+	int stable;
 
 	memcpy(a, end->axis, sizeof a);
-	end->residual = attitude(a, &b, of, tolerance);
-	if (!(end->residual < fmax(tolerance, 1e-9)) || hawser__dot(a, end->axis) < CLOSE)
+	end->residual = attitude(a, &b, &stable, of, tolerance, ITERATIONS);
+	if (merit(&b, a, stable) < 3 || !(end->residual < fmax(tolerance, ENOUGH)) ||
+	    hawser__dot(a, end->axis) < CLOSE)
 		return 0;
-	memcpy(end->force, b.n, sizeof b.n);
-	memcpy(end->axis, a, sizeof a);
-	memcpy(end->centre, b.centre, sizeof b.centre);
+	take(end, &b, a, of);
 	return 1;
+}
+
+/* At x, in a frame with a tow of its own: where the offset is 0, straight flight has in its place the
+ * ring's radius, which changes no force there. */
+static void ring_of(struct ring *of, struct hawser_tow *own, struct hawser__tow_frame *frame,
+                    const struct hawser__tow_frame *from, const double x[3])
+{
+	const struct hawser_tow_body *body = &from->tow->body;
+
+	*frame = *from;
+	*of = (struct ring){.frame = frame, .body = body, .x = x,
+	                    .arm = body->offset > 0.0 ? body->offset : body->ring.radius};
+	hawser__tow_flow(of->flow, from, x);
+	if (body->offset > 0.0 || from->spin != 0.0)
+		return;
+	*own = *from->tow;
+	own->body.offset = of->arm;
+	frame->tow = own;
 }
 
 int hawser__tow_body_near(struct hawser__tow_end *end, const struct hawser__tow_frame *frame,
                           const double x[3], int coarse)
 {
-	const struct hawser_tow_body *body = &frame->tow->body;
-	struct ring ring = {frame, body, x, {0.0}};
+	struct hawser__tow_frame within;
+	struct hawser_tow own;
+	struct ring ring;
 
-	if (body->kind == HAWSER_TOW_RING && body->offset > 0.0 &&
-	    hawser__dot(end->axis, end->axis) > 0.0 && ring_near(end, &ring, coarse ? COARSE : TOLERANCE))
-		return 1;
+	if (frame->tow->body.kind == HAWSER_TOW_RING && hawser__dot(end->axis, end->axis) > 0.0) {
+		ring_of(&ring, &own, &within, frame, x);
+		if (ring_near(end, &ring, coarse ? COARSE : TOLERANCE))
+			return 1;
+	}
 	return hawser__tow_body_at(end, frame, x);
 }
 
@@ -263,18 +322,20 @@ int hawser__tow_body_at(struct hawser__tow_end *end, const struct hawser__tow_fr
                         const double x[3])
 {
 	const struct hawser_tow_body *body = &frame->tow->body;
-	struct ring ring = {frame, body, x, {0.0}};
+	struct hawser__tow_frame within;
+	struct hawser_tow own;
+	struct ring ring;
 	double w[3], u[3], speed;
 
 	memset(end, 0, sizeof *end);
 	memcpy(end->centre, x, sizeof end->centre);
 	if (body->kind == HAWSER_TOW_NO_BODY)
 		return 1;
-	hawser__tow_flow(u, frame, x);
 	if (body->kind == HAWSER_TOW_RING) {
-		memcpy(ring.flow, u, sizeof u);
+		ring_of(&ring, &own, &within, frame, x);
 		return ring_at(end, &ring);
 	}
+	hawser__tow_flow(u, frame, x);
 	hawser__tow_gravity(w, frame, x);
 	speed = hawser__norm(u);
 	for (int i = 0; i < 3; i++)

@@ -14,6 +14,7 @@
 #include "config.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "continuation/false_position.h"
 #include "core/report.h"
@@ -24,6 +25,9 @@ enum { GRID = 96,      /* places at which g is looked at first */
        SPEEDS = 24,    /* from rest to the speed */
        PARTS = 4 };    /* the mesh of the result: twice the elements */
 #define TOLERANCE 1e-13 /* of the radius, relative */
+#define JUMP 1e-6       /* the same: more at a zero is a jump to another attitude of a ring */
+#define NARROW 1e-3     /* the same: within it a ring that keeps its attitude does not turn */
+#define CLOSE 0.98      /* cosine of a turn that it does not make there */
 #define STRETCHED 1.2  /* the cable is at most so much longer than unstretched */
 
 static const char where[] = "tow steady";
@@ -40,26 +44,31 @@ static double miss(const struct hawser__tow_frame *frame, double r, struct hawse
 	return hypot(top[0], top[2]) - frame->tow->path.radius;
 }
 
-/* Between two places of different signs. */
-static double zero(const struct hawser__tow_frame *frame, double a, double b)
+/* Between two places of different signs; *end is the body at a, and becomes that at the zero. */
+static double zero(const struct hawser__tow_frame *frame, double a, double b,
+                   struct hawser__tow_end *end)
 {
-	struct hawser__tow_end end = {.residual = 0.0};
-	struct hawser__bracketed in = {.a = a, .b = b, .fa = miss(frame, a, &end, PARTS),
-	                               .fb = miss(frame, b, &end, PARTS)};
-	double scale = frame->tow->path.radius, r = a;
+	struct hawser__bracketed in = {.a = a, .b = b};
+	double scale = frame->tow->path.radius, r = a, f;
 
+	in.fa = f = miss(frame, a, end, PARTS);
+	in.fb = miss(frame, b, end, PARTS);
 	if ((in.fa < 0.0) == (in.fb < 0.0)) /* the coarse mesh of the grid saw one that is not there */
 		return NAN;
 	for (int i = 0; i < TRIES && in.b - in.a > TOLERANCE*scale; i++) {
-		double f;
+		double before[3];
 
+		memcpy(before, end->axis, sizeof before);
 		r = hawser__false_position(&in, i);
-		f = miss(frame, r, &end, PARTS);
+		f = miss(frame, r, end, PARTS);
+		if (in.b - in.a < NARROW*scale && frame->tow->body.kind == HAWSER_TOW_RING &&
+		    hawser__dot(before, end->axis) < CLOSE)
+			return NAN;
 		if (!(fabs(f) > TOLERANCE*scale))
 			return f == f ? r : NAN;
 		hawser__false_position_take(&in, r, f);
 	}
-	return r;
+	return fabs(f) < JUMP*scale ? r : NAN;
 }
 
 static double reach(const struct hawser_tow *tow)
@@ -71,20 +80,29 @@ static double reach(const struct hawser_tow *tow)
 	return tow->path.radius + STRETCHED*length;
 }
 
+/* A solution: the radius, and the body there. */
+struct root {
+	double r;
+	struct hawser__tow_end end;
+};
+
 /* All solutions on the grid, in ascending order, on a mesh of half the elements times `parts`. */
-static int seen(double *root, const struct hawser__tow_frame *frame, int parts)
+static int seen(struct root *root, const struct hawser__tow_frame *frame, int parts)
 {
-	struct hawser__tow_end end = {.residual = 0.0};
+	struct hawser__tow_end end = {.residual = 0.0}, last;
 	double far = reach(frame->tow), before = 0.0, value = miss(frame, 0.0, &end, parts);
 	int found = 0;
 
 	for (int i = 1; i <= GRID; i++) {
-		double r = far*i/GRID, next = miss(frame, r, &end, parts);
+		double r = far*i/GRID, next;
 
+		last = end;
+		next = miss(frame, r, &end, parts);
 		if (value == value && next == next && (value < 0.0) != (next < 0.0) &&
 		    found < HAWSER_TOW_STATES) {
-			root[found] = zero(frame, before, r);
-			found += root[found] == root[found];
+			root[found] = (struct root){.end = last};
+			root[found].r = zero(frame, before, r, &root[found].end);
+			found += root[found].r == root[found].r;
 		}
 		before = r;
 		value = next;
@@ -93,7 +111,7 @@ static int seen(double *root, const struct hawser__tow_frame *frame, int parts)
 }
 
 /* Where elements are longer than the orbit is wide, the coarse mesh sees none that is there. */
-static int all(double *root, const struct hawser__tow_frame *frame)
+static int all(struct root *root, const struct hawser__tow_frame *frame)
 {
 	int found = seen(root, frame, 1);
 
@@ -101,48 +119,47 @@ static int all(double *root, const struct hawser__tow_frame *frame)
 }
 
 /* The solution to which the state at rest leads: the nearest to the one before, as the speed grows. */
-static int from_rest(const double *root, int roots, const struct hawser__tow_frame *frame)
+static int from_rest(const struct root *root, int roots, const struct hawser__tow_frame *frame)
 {
 	struct hawser__tow_frame slow = *frame;
 	double r = frame->tow->path.radius;
 	int best = 0;
 
 	for (int k = 1; k < SPEEDS; k++) {
-		double other[HAWSER_TOW_STATES], nearest = NAN;
+		struct root other[HAWSER_TOW_STATES];
+		double nearest = NAN;
 		int count;
 
 		slow.spin = frame->spin*k/SPEEDS;
 		count = all(other, &slow);
 		for (int i = 0; i < count; i++)
-			if (!(fabs(other[i] - r) >= fabs(nearest - r)))
-				nearest = other[i];
+			if (!(fabs(other[i].r - r) >= fabs(nearest - r)))
+				nearest = other[i].r;
 		if (nearest == nearest)
 			r = nearest;
 	}
 	for (int i = 1; i < roots; i++)
-		if (fabs(root[i] - r) < fabs(root[best] - r))
+		if (fabs(root[i].r - r) < fabs(root[best].r - r))
 			best = i;
 	return best;
 }
 
-static struct hawser_tow_state describe(const struct hawser__tow_frame *frame, double r)
+static struct hawser_tow_state describe(const struct hawser__tow_frame *frame, const struct root *root)
 {
-	double x[3] = {r, 0.0, 0.0}, top[3], n[3], angle;
-	struct hawser__tow_end end;
+	double x[3] = {root->r, 0.0, 0.0}, top[3], n[3], angle;
 
-	if (!hawser__tow_body_at(&end, frame, x))
-		return (struct hawser_tow_state){.radius = r};
-	hawser__tow_string(top, n, NULL, frame, x, &end, PARTS);
+	hawser__tow_string(top, n, NULL, frame, x, &root->end, PARTS);
 	angle = atan2(top[2], top[0]);
-	return (struct hawser_tow_state){.radius = r, .depth = top[1], .tension_top = hawser__norm(n),
+	return (struct hawser_tow_state){.radius = root->r, .depth = top[1],
+	                                 .tension_top = hawser__norm(n),
 	                                 .lag = frame->tow->path.speed < 0.0 ? -angle : angle};
 }
 
 enum hawser_status hawser__tow_orbit(struct hawser_tow_steady *steady,
                                      struct hawser__tow_frame *frame, double end[3],
-                                     struct hawser_report *report)
+                                     struct hawser__tow_end *body, struct hawser_report *report)
 {
-	double root[HAWSER_TOW_STATES];
+	struct root root[HAWSER_TOW_STATES];
 	int roots, chosen;
 
 	/* a positive speed turns x toward z, which is a negative rotation about y */
@@ -156,9 +173,10 @@ enum hawser_status hawser__tow_orbit(struct hawser_tow_steady *steady,
 	chosen = roots > 1 ? from_rest(root, roots, frame) : 0;
 	for (int i = 0; i < roots; i++)
 		if (i != chosen)
-			steady->other[steady->others++] = describe(frame, root[i]);
-	steady->state = describe(frame, root[chosen]);
-	end[0] = root[chosen];
+			steady->other[steady->others++] = describe(frame, &root[i]);
+	steady->state = describe(frame, &root[chosen]);
+	*body = root[chosen].end;
+	end[0] = root[chosen].r;
 	end[1] = end[2] = 0.0;
 	return HAWSER_OK;
 }

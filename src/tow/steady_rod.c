@@ -11,7 +11,7 @@
  * from the string with damping and without inertia, as rods do (rod/solve.c).
  *
  * A ring is clamped to the last node, or to a node of its own with a torsional spring between both, or
- * hangs on a joint without moment; then its attitude is that of hawser__tow_body_at. A hinge at the
+ * hangs on a joint without moment; then its attitude is that of hawser__tow_body_near. A hinge at the
  * towing point leaves bending free and holds the twist, which nothing else holds.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -436,6 +436,7 @@ enum hawser_status hawser__tow_rod_solve(struct hawser__tow_rod *b,
 	double tension = strongest(string, hawser__tow_elements(b->frame->tow) + 1);
 	enum hawser_status status = open_rod(b, parts, tension, report);
 
+	b->now = *body;
 	if (!status)
 		status = find(b, string, parts, body, tension, report);
 	if (!status)

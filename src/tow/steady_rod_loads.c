@@ -151,7 +151,7 @@ static void load_body(struct hawser__tow_rod *b)
 	int row = FREE*b->end;
 
 	if (spin != 0.0)
-		(void)hawser__tow_body_at(&b->now, b->frame, b->mesh.node[b->end].x);
+		(void)hawser__tow_body_near(&b->now, b->frame, b->mesh.node[b->end].x, 0);
 	else
 		b->now = *b->hung;
 	hawser__tow_body_slope(n_x, b->frame, b->mesh.node[b->end].x, &b->now);
