@@ -9,7 +9,15 @@
 #include "output/style.h"
 
 #define WIDTH 16.0 /* cm */
-#define HEIGHT 9.5 /* cm */
+#define HEIGHT 9.5 /* cm, at most */
+#define LEAST 6.0  /* cm: height that the colours and the axes need */
+#define LEFT 0.04  /* of the width */
+#define RIGHT 0.86 /* of the width: colours and their title are beside */
+#define BOTTOM 0.5 /* cm below the net */
+#define TOP 0.4    /* cm above it */
+#define KEY 0.6    /* cm more above it: a line of symbols, where there are obstacles */
+#define ARROWS 2.3 /* cm below the colours: arrows along the axes */
+#define EVEN 0.01  /* of the largest tension: ranges of colour are no smaller */
 enum { NAMED = 30, FEW = 300 }; /* most nodes whose names are shown; that are drawn large */
 
 static struct hawser__eye eye_of(struct hawser__box *box, const struct hawser_net_statics *st)
@@ -63,17 +71,33 @@ static void node_data(FILE *script, const struct hawser_net *net, const struct h
 
 enum { ROUND = 96 }; /* sides of a circle */
 
-static void corner(FILE *script, const struct hawser__eye *eye, double x, double y, double z)
+/* Draws lines, or (script is NULL) adds what it would draw to a box. */
+struct pen {
+	FILE *script;
+	struct hawser__box *seen;
+	const struct hawser__eye *eye;
+};
+
+static void corner(const struct pen *pen, double x, double y, double z)
 {
 	double to[2];
 
-	hawser__eye_see(to, eye, (double[3]){x, y, z});
-	fprintf(script, "%.7g %.7g\n", to[0], to[1]);
+	hawser__eye_see(to, pen->eye, (double[3]){x, y, z});
+	if (pen->script)
+		fprintf(pen->script, "%.7g %.7g\n", to[0], to[1]);
+	else
+		hawser__box_add(pen->seen, to, 2);
+}
+
+static void up(const struct pen *pen)
+{
+	if (pen->script)
+		fputs("\n", pen->script);
 }
 
 /* A plane: its part above the box's base or, of a steep one, beside the box's height. */
-static void plane_data(FILE *script, const struct hawser_surface *of, const struct hawser__box *box,
-                       const struct hawser__eye *eye)
+static void plane_data(const struct pen *pen, const struct hawser_surface *of,
+                       const struct hawser__box *box)
 {
 	const double *n = of->normal, *low = box->low, *high = box->high;
 	int upright = fabs(n[1]) < 0.3, flat = low[2] == high[2];
@@ -86,18 +110,18 @@ static void plane_data(FILE *script, const struct hawser_surface *of, const stru
 		if (upright && fabs(n[0]) < 0.3)
 			return;
 		if (upright)
-			corner(script, eye, (rest - n[1]*y)/n[0], y, z);
+			corner(pen, (rest - n[1]*y)/n[0], y, z);
 		else
-			corner(script, eye, x, (rest - n[0]*x)/n[1], z);
+			corner(pen, x, (rest - n[0]*x)/n[1], z);
 	}
-	fputs("\n", script);
+	up(pen);
 }
 
-static void surface_data(FILE *script, const struct hawser_surface *of, const struct hawser__box *box,
-                         const struct hawser__eye *eye)
+static void surface_data(const struct pen *pen, const struct hawser_surface *of,
+                         const struct hawser__box *box)
 {
 	if (of->kind == HAWSER_SURFACE_PLANE) {
-		plane_data(script, of, box, eye);
+		plane_data(pen, of, box);
 		return;
 	}
 	for (int side = 0; side < (box->low[2] == box->high[2] ? 1 : 2); side++) {
@@ -108,12 +132,12 @@ static void surface_data(FILE *script, const struct hawser_surface *of, const st
 			double angle = 2.0*acos(-1.0)*i/ROUND;
 
 			if (circle)
-				corner(script, eye, of->at[0] + of->radius*cos(angle),
+				corner(pen, of->at[0] + of->radius*cos(angle),
 				       of->at[1] + of->radius*sin(angle), z);
 			else
-				corner(script, eye, i ? of->to[0] : of->at[0], i ? of->to[1] : of->at[1], z);
+				corner(pen, i ? of->to[0] : of->at[0], i ? of->to[1] : of->at[1], z);
 		}
-		fputs("\n", script);
+		up(pen);
 	}
 }
 
@@ -121,49 +145,88 @@ static void contact_data(FILE *script, const struct hawser_net *net,
                          const struct hawser_net_statics *st, const struct hawser__box *box,
                          const struct hawser__eye *eye)
 {
+	const struct pen pen = {script, NULL, eye};
+
 	fputs("$obstacles << END\n", script);
 	for (int i = 0; i < net->surfaces; i++)
-		surface_data(script, &net->surface[i], box, eye);
+		surface_data(&pen, &net->surface[i], box);
 	fputs("NaN NaN\nEND\n", script);
 	for (int sticks = 0; sticks < 2; sticks++) {
 		fprintf(script, "$%s << END\n", sticks ? "stick" : "slip");
 		for (int i = 0; i < st->contacts; i++)
 			if (st->contact[i].sticks == sticks)
-				corner(script, eye, st->contact[i].x[0], st->contact[i].x[1], st->contact[i].x[2]);
+				corner(&pen, st->contact[i].x[0], st->contact[i].x[1], st->contact[i].x[2]);
 		fputs("NaN NaN\nEND\n", script);
 	}
+}
+
+/* All that is drawn, as it is seen; returns the height of the picture that it fills, cm. */
+static double see_all(struct hawser__box *seen, const struct hawser_net *net,
+                      const struct hawser_net_statics *st, const struct hawser__box *box,
+                      const struct hawser__eye *eye)
+{
+	const struct pen pen = {NULL, seen, eye};
+	double wide, tall;
+
+	for (int i = 0; i < st->nodes; i++)
+		corner(&pen, st->x[i][0], st->x[i][1], st->x[i][2]);
+	for (int i = 0; i < st->points; i++)
+		corner(&pen, st->point[i].x[0], st->point[i].x[1], st->point[i].x[2]);
+	for (int i = 0; i < net->surfaces; i++)
+		surface_data(&pen, &net->surface[i], box);
+	wide = seen->high[0] - seen->low[0];
+	tall = seen->high[1] - seen->low[1];
+	return fmin(fmax((wide > 0.0 ? tall/wide : HEIGHT)*(RIGHT - LEFT)*WIDTH + BOTTOM + TOP +
+	                 (net->surfaces ? KEY : 0.0), LEAST), HEIGHT);
+}
+
+/* Colours over the tensions; where these are all but equal, over a part of them. */
+static void colours(FILE *script, const struct hawser_net_statics *st, double most, double per,
+                    double height)
+{
+	double least = most;
+
+	for (int c = 0; c < st->cables; c++)
+		least = fmin(least, st->member[c].T_min);
+	if (most - least < EVEN*most)
+		fprintf(script, "set cbrange [%.7g:%.7g]\n", (1.0 - EVEN)*most/per, (1.0 + EVEN)*most/per);
+	fprintf(script, "set cblabel 'Tension {/:Italic T} (%s)' offset 1, 0\n"
+	        "set palette defined (0 '#4575B4', 1 '#91BFDB', 2 '#FEE090', 3 '#FC8D59', 4 '#D73027')\n"
+	        "set colorbox user origin 0.88, %.4f size 0.02, %.4f\n", per > 1.0 ? "kN" : "N",
+	        ARROWS/height, 1.0 - (ARROWS + KEY)/height);
 }
 
 enum hawser_status hawser__plot_net(const char *path, const struct hawser_net *net,
                                     const struct hawser_net_statics *st, struct hawser_report *report)
 {
+	struct hawser__box box, seen = {.any = 0};
+	struct hawser__eye eye = eye_of(&box, st);
+	double height = see_all(&seen, net, st, &box, &eye), most = 0.0, bottom, top, per;
 	struct hawser__picture picture;
-	enum hawser_status status = hawser__picture_begin(&picture, path, WIDTH, HEIGHT, report);
+	enum hawser_status status = hawser__picture_begin(&picture, path, WIDTH, height, report);
 	FILE *script = picture.script;
 	int few = st->nodes <= FEW, joints = 0;
-	double most = 0.0;
-	struct hawser__box box;
-	struct hawser__eye eye;
 
 	if (status)
 		return status;
-	eye = eye_of(&box, st);
 	for (int c = 0; c < st->cables; c++)
 		most = fmax(most, st->member[c].T_max);
-	cable_data(script, st, &eye, most >= 1e4 ? 1e3 : 1.0);
+	per = most >= 1e4 ? 1e3 : 1.0;
+	cable_data(script, st, &eye, per);
 	node_data(script, net, st, &eye, 1);
 	node_data(script, net, st, &eye, 0);
 	if (net->surfaces)
 		contact_data(script, net, st, &box, &eye);
-	hawser__picture_panel(&picture, 0.04, 0.86, 0.06, 0.96);
-	fprintf(script, "set cblabel 'Tension {/:Italic T} (%s)' offset 1, 0\n", most >= 1e4 ? "kN" : "N");
-	fputs("set size ratio -1\nunset border\nunset xtics\nunset ytics\nunset grid\nunset key\n"
-	      "set offsets graph 0.05, graph 0.05, graph 0.05, graph 0.05\n"
-	      "set palette defined (0 '#4575B4', 1 '#91BFDB', 2 '#FEE090', 3 '#FC8D59', 4 '#D73027')\n"
-	      "set colorbox user origin 0.88, 0.22 size 0.02, 0.66\n", script);
-	hawser__eye_axes(script, &eye, &(struct hawser__corner){14.6, 0.8, WIDTH, HEIGHT});
+	bottom = BOTTOM/height;
+	top = 1.0 - (net->surfaces ? TOP + KEY : TOP)/height;
+	hawser__picture_panel(&picture, LEFT, RIGHT, bottom, top);
+	fputs("unset border\nunset xtics\nunset ytics\nunset grid\nunset key\n", script);
+	colours(script, st, most, per, height);
+	hawser__eye_fit(script, &seen, (RIGHT - LEFT)*WIDTH, (top - bottom)*height);
+	hawser__eye_axes(script, &eye, &(struct hawser__corner){14.6, 0.8, WIDTH, height});
 	if (net->surfaces)
-		fputs("set key at screen 0.84, 0.98 right top horizontal font ',9'\n", script);
+		fprintf(script, "set key at screen 0.84, screen %.4f right center horizontal font ',9'\n",
+		        1.0 - 0.5*KEY/height);
 	fprintf(script, "plot %s$cables using 1:2:3 with lines lw %g lc palette notitle, "
 	        "$supports using 1:2 with points pt 9 ps %g lc rgb 'black' notitle", net->surfaces
 	        ? "$obstacles using 1:2 with lines lw 2.5 lc rgb '#999999' title 'obstacles', " : "",
