@@ -57,7 +57,7 @@ static const struct cli_option options[] = {
 	 CLI_TEXT(net.probe)},
 	{"state", 0, "FILE", "nets, rods: write the last state, for --initial", CLI_TEXT(net.state)},
 	{"vtk", 0, "STEM", "nets, rods: write STEM-00000.vtk and so on, one a row", CLI_TEXT(net.vtk)},
-	{"animate", 0, "FILE.gif", "rods: write an animation", CLI_TEXT(net.animate)},
+	{"animate", 0, "FILE.gif", "nets, rods: write an animation", CLI_TEXT(net.animate)},
 	{"frames", 0, "N", "of the animation, at most (100)", CLI_COUNT(net.frames)},
 	{"no-error", 0, "", "rods: without the two runs for the errors", CLI_FLAG(net.skip_error)},
 	{"partial", 0, "", "write what was computed also if the run fails", CLI_FLAG(partial)},
@@ -286,9 +286,6 @@ static enum hawser_status run_kind(const struct settings *settings, int rod,
 			                      "their errors are computed unless --no-error is given"
 			                    : "--%s is not for nets: loads and motions of supports are in the "
 			                      "scene", other[i].name);
-	if (!rod && settings->net.animate)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate", "--animate is for rods: of a net "
-		                    "--vtk writes files that ParaView plays");
 	net.until = settings->until != defaults.until ? settings->until : NULL;
 	net.every = settings->every != defaults.every ? settings->every : NULL;
 	net.scheme = settings->method;

@@ -9,11 +9,14 @@
 #include <string.h>
 
 #include "cli/contacts_net.h"
+#include "cli/film_net.h"
 #include "cli/integrate_net.h"
 #include "cli/progress.h"
 #include "core/report.h"
+#include "output/animate.h"
 
 enum { PROBES = 64, NAME = HAWSER_NET_NAME + 24, PATH = 4096, DRAWN = 3 };
+enum { ROWS = 200 }; /* of a run without --every */
 
 struct result {
 	const struct cli_common *common;
@@ -24,6 +27,7 @@ struct result {
 	char name[PROBES][NAME];
 	int probes, failed; /* failed: errno of a frame that could not be written */
 	char path[PATH];    /* of that frame */
+	struct cli_film film;
 };
 
 /* --- probes: J, or c1:0.25 --- */
@@ -113,6 +117,10 @@ static int frame(void *data, const struct hawser_net_frame *frame)
 	FILE *file;
 	int bad;
 
+	if (result->settings->animate && (result->failed = cli_film_shoot(&result->film, frame)) != 0) {
+		snprintf(result->path, sizeof result->path, "%s", result->settings->animate);
+		return result->failed;
+	}
 	if (!result->settings->vtk)
 		return 0;
 	snprintf(result->path, sizeof result->path, "%s-%05d.vtk", result->settings->vtk, frame->row);
@@ -368,21 +376,30 @@ static enum hawser_status solve(struct result *result, struct hawser_report *rep
 		.initial = result->settings->initial, .tolerance = result->settings->tolerance,
 		.check = result->settings->error, .probe = result->probe, .frame = frame, .data = result,
 		.progress = {cli_watch, &watch}};
-	enum hawser_status status = hawser_net_open(&result->net, result->common->input,
-	                                            result->common->set, (size_t)result->common->sets,
-	                                            report);
+	enum hawser_status status = hawser__animate_check(result->settings->animate, "integrate", report);
 
+	if (!status)
+		status = hawser_net_open(&result->net, result->common->input, result->common->set,
+		                         (size_t)result->common->sets, report);
 	if (!status)
 		status = probes(result, report);
 	options.probes = result->probes;
 	if (!status)
 		status = options_of(&options, result, report);
+	result->film.room = result->settings->frames > 0 ? result->settings->frames
+	                                                 : HAWSER__ANIMATE_FRAMES;
+	result->film.last = options.every > 0.0 ? floor(options.until/options.every + 1e-9) : ROWS;
+	if (result->film.room > result->film.last + 1.0)
+		result->film.room = (int)result->film.last + 1;
 	if (!status)
 		status = hawser_net_integrate(&result->motion, &result->net, &options, report);
 	cli_progress_end(&watch.progress);
 	if (!status && result->failed)
 		status = hawser__fail(report, HAWSER_ERR_IO, "integrate", "cannot write %s: %s", result->path,
 		                      strerror(result->failed));
+	if (!status && result->settings->animate)
+		status = cli_film_write(result->settings->animate, &result->film, &result->net, &result->motion,
+		                        report);
 	return status;
 }
 
@@ -404,6 +421,7 @@ enum hawser_status cli_integrate_net(const struct cli_common *common,
 		status = cli_show(common, &showing, result, report);
 	hawser_net_motion_clear(&result->motion);
 	hawser_net_clear(&result->net);
+	cli_film_clear(&result->film);
 	free(result);
 	return status;
 }

@@ -132,6 +132,8 @@ hawser_SOURCES = \
 	%D%/compare_result.h \
 	%D%/deliver.c \
 	%D%/echo.c \
+	%D%/film_net.c \
+	%D%/film_net.h \
 	%D%/fixed.c \
 	%D%/folds_draw.c \
 	%D%/folds_result.c \

@@ -10,6 +10,7 @@
 
 #include "core/report.h"
 #include "output/animate.h"
+#include "output/outline.h"
 #include "output/output.h"
 #include "output/perspective.h"
 #include "output/picture_choice.h"
@@ -41,7 +42,7 @@ enum hawser_status hawser__animate_check(const char *path, const char *command,
 struct view {
 	const struct hawser__animation *of;
 	struct hawser__eye eye;
-	struct hawser__box seen;
+	struct hawser__box box, seen;
 	int flat; /* 1: x and y are coordinates */
 };
 
@@ -52,21 +53,43 @@ static void see(double to[2], const struct view *view, const double x[3])
 		to[k] += view->eye.middle[k];
 }
 
+static const double *place(const struct hawser__animation *of, int row, int point)
+{
+	return of->x[(long)row*of->points + point];
+}
+
+/* What has the mark and the trail. */
+static const double *mark(const struct hawser__animation *of, int row)
+{
+	return of->mark ? of->mark[row] : place(of, row, of->points - 1);
+}
+
+/* Lines of the obstacles: into the script or, if it is NULL, into the box of what is seen. */
+static void obstacles(FILE *script, struct view *view)
+{
+	struct hawser__pen pen = {script, &view->seen, &view->eye, {0.0, 0.0}};
+
+	for (int k = 0; k < 2 && view->flat; k++)
+		pen.shift[k] = view->eye.middle[k];
+	for (int i = 0; i < view->of->surfaces; i++)
+		hawser__pen_surface(&pen, &view->of->surface[i], &view->box);
+}
+
 static void look(struct view *view)
 {
 	const struct hawser__animation *of = view->of;
-	struct hawser__box box = {.any = 0};
 	long all = (long)of->rows*of->points;
 	double to[2];
 
 	for (long i = 0; i < all; i++)
-		hawser__box_add(&box, of->x[i], 3);
-	hawser__eye_look(&view->eye, &box, HAWSER__IN_SPACE, NULL);
+		hawser__box_add(&view->box, of->x[i], 3);
+	hawser__eye_look(&view->eye, &view->box, HAWSER__IN_SPACE, NULL);
 	view->flat = view->eye.elevation == 0.0;
 	for (long i = 0; i < all; i++) {
 		see(to, view, of->x[i]);
 		hawser__box_add(&view->seen, to, 2);
 	}
+	obstacles(NULL, view);
 }
 
 /* A bar of 1, 2 or 5 times a power of ten, below the panel, for what is seen in perspective. */
@@ -86,21 +109,52 @@ static void bar(FILE *script, const struct view *view)
 	        end - length, end, length, end - 0.5*length);
 }
 
+static void put(FILE *script, const struct view *view, const double x[3])
+{
+	double to[2];
+
+	see(to, view, x);
+	fprintf(script, "%.6g %.6g\n", to[0], to[1]);
+}
+
+/* The line, or the elements of a net, those that follow each other as one line; supports. */
+static void shape(FILE *script, const struct view *view, int row)
+{
+	const struct hawser__animation *of = view->of;
+
+	fputs("$line << END\n", script);
+	for (int i = 0; i < of->points && !of->end; i++)
+		put(script, view, place(of, row, i));
+	for (int e = 0; e < of->elements; e++) {
+		if (e == 0 || of->end[e][0] != of->end[e - 1][1]) {
+			fputs(e > 0 ? "\n" : "", script);
+			put(script, view, place(of, row, of->end[e][0]));
+		}
+		put(script, view, place(of, row, of->end[e][1]));
+	}
+	fputs("END\n", script);
+	if (!of->helds)
+		return;
+	fputs("$supports << END\n", script);
+	for (int i = 0; i < of->helds; i++)
+		put(script, view, place(of, row, of->held[i]));
+	fputs("END\n", script);
+}
+
 static void frame(FILE *script, const struct view *view, int row, int digits)
 {
 	const struct hawser__animation *of = view->of;
 	double to[2];
 
-	fputs("$line << END\n", script);
-	for (int i = 0; i < of->points; i++) {
-		see(to, view, of->x[(long)row*of->points + i]);
-		fprintf(script, "%.6g %.6g\n", to[0], to[1]);
-	}
-	fprintf(script, "END\nset label 901 '{/:Italic t} = %.*f s%s%s' at screen 0.5, screen 0.955 "
+	shape(script, view, row);
+	see(to, view, mark(of, row));
+	fprintf(script, "set label 901 '{/:Italic t} = %.*f s%s%s' at screen 0.5, screen 0.955 "
 	        "center\n", digits, of->time[row], of->note ? ", " : "", of->note ? of->note : "");
-	fprintf(script, "plot $trail every ::0::%d using 1:2 with lines lc rgb '#c0c0c0' lw 1, "
-	        "$line using 1:2 with lines lt 1 lw 2, '+' using (%.6g):(%.6g) every ::0::0 with points "
-	        "pt 7 ps 1 lc rgb '#D55E00'\n", row, to[0], to[1]);
+	fprintf(script, "plot %s$trail every ::0::%d using 1:2 with lines lc rgb '#c0c0c0' lw 1, "
+	        "$line using 1:2 with lines lt 1 lw 2, %s'+' using (%.6g):(%.6g) every ::0::0 with points "
+	        "pt 7 ps 1 lc rgb '#D55E00'\n", of->surfaces
+	        ? "$obstacles using 1:2 with lines lw 2 lc rgb '#999999', " : "", row, of->helds
+	        ? "$supports using 1:2 with points pt 9 ps 1.2 lc rgb 'black', " : "", to[0], to[1]);
 }
 
 static int row_of(const struct hawser__animation *of, int index, int frames)
@@ -129,7 +183,7 @@ enum hawser_status hawser__animate(const char *path, const struct hawser__animat
 	struct hawser__picture picture;
 	int most = of->frames > 0 ? of->frames : HAWSER__ANIMATE_FRAMES, digits;
 	int frames = of->rows < most ? of->rows : most;
-	double all = of->time[of->rows - 1] - of->time[0], play, each, to[2], size[2];
+	double all = of->time[of->rows - 1] - of->time[0], play, each, size[2];
 	enum hawser_status status = hawser__picture_begin(&picture, path, WIDTH, HEIGHT, report);
 
 	if (status)
@@ -146,11 +200,14 @@ enum hawser_status hawser__animate(const char *path, const struct hawser__animat
 	hawser__picture_panel(&picture, LEFT, RIGHT, BOTTOM, TOP);
 	axes(picture.script, &view);
 	fputs("$trail << END\n", picture.script);
-	for (int row = 0; row < of->rows; row++) {
-		see(to, &view, of->x[(long)(row + 1)*of->points - 1]);
-		fprintf(picture.script, "%.6g %.6g\n", to[0], to[1]);
-	}
+	for (int row = 0; row < of->rows; row++)
+		put(picture.script, &view, mark(of, row));
 	fputs("END\n", picture.script);
+	if (of->surfaces) {
+		fputs("$obstacles << END\n", picture.script);
+		obstacles(picture.script, &view);
+		fputs("END\n", picture.script);
+	}
 	for (int i = 0; i < frames; i++)
 		frame(picture.script, &view, row_of(of, i, frames), digits);
 	return hawser__picture_finish(&picture, report);

@@ -1,18 +1,27 @@
-/* output/animate.h - lines that move, as an animated GIF.
+/* output/animate.h - lines and nets that move, as an animated GIF.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_OUTPUT_ANIMATE_H
 #define HAWSER_OUTPUT_ANIMATE_H
 
 #include <hawser/status.h>
+#include <hawser/surface.h>
 
 enum { HAWSER__ANIMATE_FRAMES = 100 }; /* if the user does not say: smooth, some hundred kB */
 
 struct hawser__animation {
 	const double *time;    /* [rows] s */
-	const double (*x)[3];  /* [rows][points] m: of a line; the last point has a mark and a trail */
+	const double (*x)[3];  /* [rows][points] m: of a line, or of a net */
 	int rows, points;
 	int frames;            /* at most; 0: HAWSER__ANIMATE_FRAMES */
 	const char *note;      /* after the time in the title; or NULL */
+	const double (*mark)[3]; /* [rows] m: what has a mark and a trail; NULL: the last point */
+	/* Of a net: */
+	const int (*end)[2];   /* [elements] the points that each joins; NULL: a line */
+	int elements;
+	const int *held;       /* [helds] points at supports; NULL if there are none */
+	int helds;
+	const struct hawser_surface *surface; /* [surfaces] obstacles; NULL if there are none */
+	int surfaces;
 };
 
 /* That the name says GIF, gnuplot is there and the file can be written; path may be NULL. */

@@ -26,6 +26,8 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/picture_choice.c \
 	%D%/picture_choice.h \
 	%D%/panels.h \
+	%D%/outline.c \
+	%D%/outline.h \
 	%D%/perspective.c \
 	%D%/perspective.h \
 	%D%/plot_beam.c \

@@ -4,6 +4,7 @@
 
 #include <math.h>
 
+#include "output/outline.h"
 #include "output/perspective.h"
 #include "output/plot_net.h"
 #include "output/style.h"
@@ -67,95 +68,21 @@ static void node_data(FILE *script, const struct hawser_net *net, const struct h
 	fputs("NaN NaN x\nEND\n", script);
 }
 
-/* --- obstacles: outlines within the box of the net --- */
-
-enum { ROUND = 96 }; /* sides of a circle */
-
-/* Draws lines, or (script is NULL) adds what it would draw to a box. */
-struct pen {
-	FILE *script;
-	struct hawser__box *seen;
-	const struct hawser__eye *eye;
-};
-
-static void corner(const struct pen *pen, double x, double y, double z)
-{
-	double to[2];
-
-	hawser__eye_see(to, pen->eye, (double[3]){x, y, z});
-	if (pen->script)
-		fprintf(pen->script, "%.7g %.7g\n", to[0], to[1]);
-	else
-		hawser__box_add(pen->seen, to, 2);
-}
-
-static void up(const struct pen *pen)
-{
-	if (pen->script)
-		fputs("\n", pen->script);
-}
-
-/* A plane: its part above the box's base or, of a steep one, beside the box's height. */
-static void plane_data(const struct pen *pen, const struct hawser_surface *of,
-                       const struct hawser__box *box)
-{
-	const double *n = of->normal, *low = box->low, *high = box->high;
-	int upright = fabs(n[1]) < 0.3, flat = low[2] == high[2];
-
-	for (int i = 0; i < (flat ? 2 : 5); i++) {
-		double one = i == 1 || i == 2 ? 1.0 : 0.0, z = i == 2 || i == 3 ? high[2] : low[2];
-		double x = low[0] + one*(high[0] - low[0]), y = low[1] + one*(high[1] - low[1]);
-		double rest = n[0]*of->at[0] + n[1]*of->at[1] + n[2]*of->at[2] - n[2]*z;
-
-		if (upright && fabs(n[0]) < 0.3)
-			return;
-		if (upright)
-			corner(pen, (rest - n[1]*y)/n[0], y, z);
-		else
-			corner(pen, x, (rest - n[0]*x)/n[1], z);
-	}
-	up(pen);
-}
-
-static void surface_data(const struct pen *pen, const struct hawser_surface *of,
-                         const struct hawser__box *box)
-{
-	if (of->kind == HAWSER_SURFACE_PLANE) {
-		plane_data(pen, of, box);
-		return;
-	}
-	for (int side = 0; side < (box->low[2] == box->high[2] ? 1 : 2); side++) {
-		double z = side ? box->high[2] : box->low[2];
-		int circle = of->kind == HAWSER_SURFACE_CIRCLE;
-
-		for (int i = 0; i <= (circle ? ROUND : 1); i++) {
-			double angle = 2.0*acos(-1.0)*i/ROUND;
-
-			if (circle)
-				corner(pen, of->at[0] + of->radius*cos(angle),
-				       of->at[1] + of->radius*sin(angle), z);
-			else
-				corner(pen, i ? of->to[0] : of->at[0], i ? of->to[1] : of->at[1], z);
-		}
-		up(pen);
-	}
-}
-
 static void contact_data(FILE *script, const struct hawser_net *net,
                          const struct hawser_net_statics *st, const struct hawser__box *box,
                          const struct hawser__eye *eye)
 {
-	const struct pen pen = {script, NULL, eye};
+	const struct hawser__pen pen = {script, NULL, eye, {0.0, 0.0}};
 
 	fputs("$obstacles << END\n", script);
 	for (int i = 0; i < net->surfaces; i++)
-		surface_data(&pen, &net->surface[i], box);
+		hawser__pen_surface(&pen, &net->surface[i], box);
 	fputs("NaN NaN\nEND\n", script);
 	for (int sticks = 0; sticks < 2; sticks++) {
 		fprintf(script, "$%s << END\n", sticks ? "stick" : "slip");
 		for (int i = 0; i < st->contacts; i++)
 			if (st->contact[i].sticks == sticks)
-				corner(&pen, st->contact[i].x[0], st->contact[i].x[1], st->contact[i].x[2]);
+				hawser__pen_put(&pen, st->contact[i].x);
 		fputs("NaN NaN\nEND\n", script);
 	}
 }
@@ -165,15 +92,15 @@ static double see_all(struct hawser__box *seen, const struct hawser_net *net,
                       const struct hawser_net_statics *st, const struct hawser__box *box,
                       const struct hawser__eye *eye)
 {
-	const struct pen pen = {NULL, seen, eye};
+	const struct hawser__pen pen = {NULL, seen, eye, {0.0, 0.0}};
 	double wide, tall;
 
 	for (int i = 0; i < st->nodes; i++)
-		corner(&pen, st->x[i][0], st->x[i][1], st->x[i][2]);
+		hawser__pen_put(&pen, st->x[i]);
 	for (int i = 0; i < st->points; i++)
-		corner(&pen, st->point[i].x[0], st->point[i].x[1], st->point[i].x[2]);
+		hawser__pen_put(&pen, st->point[i].x);
 	for (int i = 0; i < net->surfaces; i++)
-		surface_data(&pen, &net->surface[i], box);
+		hawser__pen_surface(&pen, &net->surface[i], box);
 	wide = seen->high[0] - seen->low[0];
 	tall = seen->high[1] - seen->low[1];
 	return fmin(fmax((wide > 0.0 ? tall/wide : HEIGHT)*(RIGHT - LEFT)*WIDTH + BOTTOM + TOP +

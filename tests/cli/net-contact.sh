@@ -78,8 +78,10 @@ try "a method that knows none" grep -q 'the method cone does not know obstacles'
 run integrate "$scenes/net-impact.yaml" --until 1 --method theta -q
 try "a scheme that knows none" grep -q 'the scheme theta does not know obstacles' "$scratch/err"
 works "a mass that bounces" integrate "$scenes/net-impact.yaml" --until "0.6 s" --every "0.1 s" --json hit.json --tsv hit.tsv \
-	--vtk hit --plot hit.svg -q
+	--vtk hit --plot hit.svg --animate hit.gif --frames 3 -q
 try "  columns" grep -q 'slack	touching	sliding	friction_J	impacts_J	apart_m$' hit.tsv
+try "  three frames" python3 -S -c 'import sys; d = open("hit.gif", "rb").read()
+sys.exit(d[:6] != b"GIF89a" or d.count(bytes([0x21, 0xf9, 4])) != 3)'
 try "  states of nodes" grep -q '^SCALARS contact int 1$' hit-00006.vtk
 python "  JSON" <<'END'
 import json

@@ -49,8 +49,6 @@ try "  three frames" python3 -S -c 'import sys; d = open("turn.gif", "rb").read(
 sys.exit(d[:6] != b"GIF89a" or d.count(bytes([0x21, 0xf9, 4])) != 3)'
 refuses 1 "--animate turn.png: an animation is a GIF, whose name must end in .gif" \
 	tow shed.yaml --until 1 --animate turn.png
-refuses 1 "--animate is for rods: of a net --vtk writes files that ParaView plays" \
-	integrate "$SRCDIR/notebooks-data/scenes/net-bars.yaml" --until 1 --animate turn.gif
 
 # bad MESSAGE SCENE [OPTION ...]: a scene given as text
 bad() {
