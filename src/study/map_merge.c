@@ -41,8 +41,8 @@ static enum hawser_status take_head(struct merge *merge, const char *path, FILE 
 
 	if (got <= 0 || !hawser__map_checkpoint_is_head(merge->line))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "merge",
-		                    "%s is no checkpoint: name files that hawser map or sweep --checkpoint "
-		                    "wrote", path);
+		                    "%s is no checkpoint%s: name files that hawser map or sweep --checkpoint "
+		                    "wrote", path, merge->head ? " of a map, as the first file is" : "");
 	if (merge->head)
 		return strcmp(merge->head, merge->line) == 0 ? HAWSER_OK
 			: hawser__fail(report, HAWSER_ERR_ARGUMENT, "merge",

@@ -72,6 +72,8 @@ refuses 1 '--tsv: a part has no result: join the checkpoints of all parts with h
 refuses 1 '--checkpoint is missing: write --checkpoint FILE, the new file' merge part1.map
 refuses 1 'the checkpoint all.map exists: name a new file, or remove it' merge part1.map --checkpoint all.map
 refuses 1 'hill.json is no checkpoint: name files that hawser map or sweep --checkpoint wrote' merge hill.json --checkpoint b
+refuses 1 'hill.json is no checkpoint of a map, as the first file is: name files that hawser map or sweep --checkpoint wrote' \
+	merge part1.map hill.json --checkpoint b
 refuses 1 'cannot open the checkpoint none.map: No such file or directory' merge none.map --checkpoint b
 "$HAWSER" map hill.json --x Omega=0.8:4 --y factor.load=0:0.5 --points 4x4 -q --checkpoint other.map >/dev/null
 refuses 1 'other.map belongs to another map than part1.map: another scene, quantity, range or setting; name the parts of one map' \
