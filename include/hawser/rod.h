@@ -39,15 +39,15 @@ struct hawser_rod_load {
 	int factors;         /* 0: constant */
 };
 
-/* How an end moves: it spins about its place, and goes along a path. */
+/* How an end moves: it rotates about its position, and follows a path. */
 struct hawser_rod_drive {
 	double axis[3], speed, rise; /* of length 1; rad/s, 0: no spin; s, from 0 to the full speed:
 	                              * (t - sin(2 pi t/rise) rise/(2 pi))/rise of it; 0: at once */
 	char *path;                  /* file of displacements over time: lines t x y z; NULL: none */
 };
 
-/* The start is a winch: the first segment lengthens, its elements together. The length at time t is
- * that of the segment at t = 0 and what is paid out. */
+/* The start is a winch: the first segment lengthens, all its elements in proportion. The length at time
+ * t is that of the segment at t = 0 plus the length paid out. */
 struct hawser_rod_winch {
 	int on;               /* 0: there is none */
 	double speed, rise;   /* m/s paid out, without rows; s, from 0 to the speed, as those of spins */
@@ -67,7 +67,7 @@ struct hawser_rod {
 	int loads;
 	enum hawser_rod_hold hold[2];       /* of start and end */
 	double at[3], tangent[3], normal[3]; /* m, 1, 1: start at rest: place, e1, e2 */
-	int placed, turned;                 /* of the end: 1, it is brought there from its place at rest */
+	int placed, turned;                 /* 1: the end is moved, or turned, to the next three */
 	double end_at[3], end_tangent[3], end_normal[3];
 	double alpha;                       /* 1/s: damping force per mass and velocity */
 	double rho_inf, step;               /* of time integration; step in s; 0 (rho_inf: -1): not given */

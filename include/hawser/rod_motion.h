@@ -1,8 +1,8 @@
 /* hawser/rod_motion.h - motion of a geometrically exact rod: time integration.
  *
- * A rod that is held begins at rest, at its equilibrium under weight and the loads at t = 0 (before a
- * jump at that time); one that is free, or whose scene says so, in its shape at rest. Ends may move. A
- * run can go on from the last state of another one.
+ * A rod with a held end begins at rest, in its equilibrium under weight and the loads at t = 0 (before
+ * a jump of a load at that time). A free rod, or one whose scene says so, begins at rest in its unloaded
+ * shape. Held ends may move. A run can continue from the last state of another one.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_ROD_MOTION_H
 #define HAWSER_ROD_MOTION_H
@@ -63,9 +63,9 @@ struct hawser_rod_motion {
 	double (*force)[3], (*moment)[3];     /* [rows] N, N m: of what holds the start, scene's axes */
 	int nodes;
 	double (*shape)[3];  /* [rows*nodes] m */
-	double *winch;       /* [rows] J, of the winch with that of the material that comes in */
+	double *winch;       /* [rows] J, work of the winch, with the energy of the material that enters */
 	double *length;      /* [rows] m, unstretched */
-	double *turned;      /* [rows] mean turn of the rod about z since the beginning, revolutions */
+	double *turned;      /* [rows] mean rotation of the rod about z since the beginning, revolutions */
 	double closure;      /* largest |lost|, over the largest term of the ledger */
 	double momentum_gap, angular_gap; /* N s, N m s: largest error of the ledgers of momentum */
 	double local_error;  /* m, sum of the local errors of all steps */

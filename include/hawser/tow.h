@@ -30,11 +30,11 @@ struct hawser_tow_segment {
 };
 enum { HAWSER_TOW_ELEMENTS = 100 };
 
-/* How a ring is held by a cable with EI; where the cable has none, it is a joint. */
+/* How the end of a cable with EI holds a ring; a cable without EI holds it by a joint. */
 enum hawser_tow_joint {
-	HAWSER_TOW_CLAMPED = 0, /* to its end */
+	HAWSER_TOW_CLAMPED = 0, /* to the end of the cable */
 	HAWSER_TOW_JOINT,       /* without moment */
-	HAWSER_TOW_SPRING       /* a moment `torsion` times the angle between both */
+	HAWSER_TOW_SPRING       /* moment: `torsion` times the angle between ring and cable */
 };
 
 enum hawser_tow_body_kind { HAWSER_TOW_NO_BODY = 0, HAWSER_TOW_MASS, HAWSER_TOW_RING };
@@ -56,7 +56,7 @@ struct hawser_tow {
 	struct hawser_path path;            /* of the towing point */
 	struct hawser_waypoint *waypoint;   /* [waypoints] of the path, with what is given; owned */
 	int waypoints;                      /* 0: straight flight or orbit */
-	int clamped;                        /* 1: with EI, the cable leaves the towing point downwards */
+	int clamped;                        /* 1: the towing point clamps a cable with EI, downwards */
 	double g;                           /* m/s^2 */
 	double density, wind[3];            /* kg/m^3 and m/s, of the air */
 	struct hawser_waypoint *gust;       /* [gusts] wind in time, m/s in at[0], linear
@@ -121,10 +121,10 @@ struct hawser_tow_steady {
 	                       * forces and moments, over the largest force and that times the length */
 	double mesh_error;    /* m, largest change of a point if the number of elements is halved */
 	int bent;             /* 1: a rod, 0: a string */
-	int raised;           /* elements, of twice those of the scene, whose EI is below 1 % of the tension
-	                       * times the square of their length and was raised to that */
-	double bending;       /* m, sqrt(EI/T) where it is largest: bending matters within a few of it from
-	                       * the ends, and is left out of a string; 0 without EI */
+	int raised;           /* elements of the finer mesh, which has twice those of the scene, whose EI is
+	                       * below 1 % of the tension times their squared length and was raised to that */
+	double bending;       /* m, largest sqrt(EI/T): bending matters within a few times this length of
+	                       * the ends (a string has no bending); 0 without EI */
 };
 
 /* Solve. *steady is overwritten; release it with hawser_tow_steady_clear. HAWSER_ERR_ARGUMENT: a
@@ -157,16 +157,16 @@ struct hawser_tow_sample {
 	double attitude[4];  /* quaternion (w, x, y, z) that turns -y into the body's axis, by its axes */
 	double tilt;         /* rad, angle of the body's axis to the vertical */
 	double tension_top, tension_end; /* N */
-	double kinetic, strain, height; /* J, energies; height: of the weight */
-	double towed, air;   /* J, done by the towing point and by the air since the beginning */
-	double winch;        /* J, done by the winch, with the energy of what it pays out */
+	double kinetic, strain, height; /* J, energies; height: potential energy of the weight */
+	double towed, air;   /* J, work of the towing point and of the air since the beginning */
+	double winch;        /* J, work of the winch, with the energy of the material paid out */
 	double length;       /* m, unstretched length of the cable */
 };
 /* At the middle of an element. */
 struct hawser_tow_range {
 	double s;            /* m */
 	double least, mean, most; /* N, tension over the time */
-	double bent;         /* 1/m, largest curvature at its ends' mean */
+	double bent;         /* 1/m, mean curvature of its two nodes, largest over the time */
 };
 
 struct hawser_tow_motion {
@@ -176,10 +176,10 @@ struct hawser_tow_motion {
 	int elements;
 	double (*shape)[3];  /* [samples][elements+1] m, places of the nodes */
 	long steps, rejected, iterations;
-	double shortest;     /* s, shortest step but those that end at a sample */
+	double shortest;     /* s, shortest step, except those shortened to end at a sample */
 	double step_error;   /* m, sum of the local errors of the steps, largest of all points */
-	double closure;      /* J, energy that the steps have lost or made, over the largest energy */
-	double momentum;     /* N s, largest gap of the momentum over the largest momentum */
+	double closure;      /* energy lost or gained by the steps, over the largest energy */
+	double momentum;     /* largest error of the balance of momentum, over the largest momentum */
 	double frequency;    /* Hz, largest of vortex shedding; 0: none */
 	int interrupted;     /* 1: progress ended it */
 	double *state;       /* [states] for hawser_tow_state_write: the last one */

@@ -27,7 +27,7 @@ static const struct cli_report_part table[] = {
 	 "What the model of this line contains, what it leaves out and why, and which settings are "
 	 "defaults.",
 	 {"plan"}, ROPEWAY, 0, 1, 0, 0},
-	{"statics", "Static shape", "The equilibrium, from which all that follows departs.",
+	{"statics", "Static shape", "The static equilibrium, about which modes and motions are computed.",
 	 {"statics"}, AT_REST | TRAVELS | OBSTACLES | NET | ROPEWAY | ROD, 1, 0, 0, 0},
 	{"worst", "Worst values", "The largest and smallest values over all places of the carriers.",
 	 {"statics", "--worst"}, ROPEWAY, 0, 0, 0, 0},
