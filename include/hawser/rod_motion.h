@@ -1,8 +1,8 @@
 /* hawser/rod_motion.h - motion of a geometrically exact rod: time integration.
  *
  * A rod with a held end begins at rest, in its equilibrium under weight and the loads at t = 0 (before
- * a jump of a load at that time). A free rod, or one whose scene says so, begins at rest in its unloaded
- * shape. Held ends may move. A run can continue from the last state of another one.
+ * a jump of a load at that time). A free rod, or one whose scene says so, begins at rest in its
+ * unloaded shape. Held ends may move. A run can continue from the last state of another one.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_ROD_MOTION_H
 #define HAWSER_ROD_MOTION_H

@@ -122,7 +122,7 @@ struct hawser_tow_steady {
 	double mesh_error;    /* m, largest change of a point if the number of elements is halved */
 	int bent;             /* 1: a rod, 0: a string */
 	int raised;           /* elements of the finer mesh, which has twice those of the scene, whose EI is
-	                       * below 1 % of the tension times their squared length and was raised to that */
+	                       * below 1 % of the tension times their squared length and was raised to it */
 	double bending;       /* m, largest sqrt(EI/T): bending matters within a few times this length of
 	                       * the ends (a string has no bending); 0 without EI */
 };

@@ -127,5 +127,6 @@ const char hawser__manpage_tow[] =
 	"names a file of the wind over time, in place of wind: lines t wx wy wz (s, m/s), linear in\n"
 	"between; a steady state has the wind of the first line.\n"
 	".B winch\n"
-	"pays out or hauls in the first segment, with the keys of the winch of a rod: {speed: 1 m/s, rise:\n"
-	"2 s}, or times with speeds or lengths. It starts at the first time of the path, with speed 0.\n";
+	"pays out or hauls in the first segment, with the keys of the winch of a rod: {speed: 1 m/s,\n"
+	"rise: 2 s}, or times with speeds or lengths. It starts at the first time of the path, with speed\n"
+	"0.\n";
