@@ -164,7 +164,8 @@ struct hawser_tow_sample {
 };
 /* At the middle of an element. */
 struct hawser_tow_range {
-	double s;            /* m */
+	double s;            /* m, unstretched length from the towing point; with a winch its mean over
+	                      * the time */
 	double least, mean, most; /* N, tension over the time */
 	double bent;         /* 1/m, mean curvature of its two nodes, largest over the time */
 };

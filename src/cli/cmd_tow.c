@@ -84,7 +84,8 @@ static const struct hawser__list energy_list =
 
 #define OF(member) HAWSER__AT(struct hawser_tow_range, member)
 static const struct hawser__field range_field[] = {
-	{"s", NULL, "unstretched length from the towing point", OF(s), .unit = HAWSER__METRE},
+	{"s", NULL, "unstretched length from the towing point; with a winch its mean over the time", OF(s),
+	 .unit = HAWSER__METRE},
 	{"least", NULL, "tension over the time", OF(least), .unit = HAWSER__NEWTON},
 	{"mean", NULL, "tension over the time", OF(mean), .unit = HAWSER__NEWTON},
 	{"most", NULL, "tension over the time", OF(most), .unit = HAWSER__NEWTON},

@@ -96,10 +96,13 @@ static void take_sample(struct hawser_tow_motion *out, const struct hawser__tow_
 
 static void take_ranges(struct hawser_tow_motion *out, const struct hawser__tow_run *run, double h)
 {
+	const double *s = run->motion.mesh->s;
+
 	for (int e = 0; e < out->elements; e++) {
 		const struct hawser__rod_strain *at = &run->motion.mesh->strain[e];
 		struct hawser_tow_range *to = &out->range[e];
 
+		to->s += run->motion.winch.as ? h*0.5*(s[e] + s[e + 1]) : 0.0;
 		to->least = fmin(to->least, at->N[0]);
 		to->most = fmax(to->most, at->N[0]);
 		to->mean += h*at->N[0];
@@ -157,8 +160,8 @@ static void clear_ranges(struct hawser_tow_motion *out, const struct hawser__tow
 {
 	for (int e = 0; e < out->elements; e++)
 		out->range[e] = (struct hawser_tow_range){
-			.s = 0.5*(run->rod.mesh.s[e] + run->rod.mesh.s[e + 1]), .least = INFINITY,
-			.most = -INFINITY};
+			.s = run->motion.winch.as ? 0.0 : 0.5*(run->rod.mesh.s[e] + run->rod.mesh.s[e + 1]),
+			.least = INFINITY, .most = -INFINITY};
 }
 
 /* The first state; *h is the first step. */
@@ -205,8 +208,10 @@ static enum hawser_status go(struct hawser_tow_motion *out, struct hawser__tow_r
 		out->interrupted = options->progress &&
 		                   options->progress(options->data, run->motion.t, options->until);
 	}
-	for (int e = 0; e < out->elements; e++)
+	for (int e = 0; e < out->elements; e++) {
 		out->range[e].mean /= run->motion.t - from;
+		out->range[e].s /= run->motion.winch.as ? run->motion.t - from : 1.0;
+	}
 	return HAWSER_OK;
 }
 
