@@ -13,6 +13,8 @@
 #include "output/vtk.h"
 
 #define STRAINED 0.05 /* strain beyond which forces that are linear in it are doubtful */
+#define NO_STRAIN 1e-12 /* strains of a rod at rest: rounding */
+#define ROUGH 0.2     /* mesh error of forces, of the largest, with which they mean little */
 #define COARSE 0.02   /* mesh error, in lengths of the rod, that is visible in a picture */
 
 static struct cli_head head(const void *of)
@@ -72,6 +74,18 @@ static const struct cli_showing showing = {.head = head, .comments = comments,
                                            .rows = &cli_rod_point_list, .fields = cli_rod_field,
                                            .draw = draw};
 
+static double largest_force(const struct hawser_rod_statics *st)
+{
+	double most = 0.0;
+
+	for (int i = 0; i < st->points; i++) {
+		const double *N = st->point[i].N;
+
+		most = fmax(most, sqrt(N[0]*N[0] + N[1]*N[1] + N[2]*N[2]));
+	}
+	return most;
+}
+
 static void judge(struct cli_rod *result)
 {
 	const struct hawser_rod_statics *st = &result->st;
@@ -93,6 +107,14 @@ static void judge(struct cli_rod *result)
 		snprintf(result->warning, sizeof result->warning,
 		         "the mesh error of places is %.2g m, or %.2g %% of the length: give more elements",
 		         st->error_x, 100.0*st->error_x/result->scene.length);
+	else if (!st->checked)
+		snprintf(result->warning, sizeof result->warning,
+		         "mesh errors are not known, since twice as many elements have no equilibrium near "
+		         "this one: give more elements");
+	else if (st->strain > NO_STRAIN && st->error_N > ROUGH*largest_force(st))
+		snprintf(result->warning, sizeof result->warning,
+		         "the mesh error of forces is %.2g N, of %.2g N at most: give more elements, above "
+		         "all where the rod bends most", st->error_N, largest_force(st));
 }
 
 /* The nodes, and of each element the mean tension and moment. */

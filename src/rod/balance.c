@@ -148,6 +148,39 @@ void hawser__rod_move(struct hawser__rod_mesh *mesh, const double *step, double 
 	}
 }
 
+void hawser__rod_place(struct hawser__rod_mesh *mesh)
+{
+	for (int e = 0; e < mesh->elements; e++) {
+		struct hawser__rod_strain now;
+		double d[3];
+
+		(void)hawser__rod_strain(&now, &mesh->element[e], &mesh->node[e]);
+		hawser__apply(d, now.R, mesh->strain[e].w);
+		for (int k = 0; k < 3; k++)
+			mesh->node[e + 1].x[k] = mesh->node[e].x[k] + mesh->element[e].h*d[k];
+	}
+}
+
+void hawser__rod_follow(struct hawser__rod_mesh *mesh, const double *step)
+{
+	for (int e = 0; e < mesh->elements; e++) {
+		const double *by = step + (long)HAWSER__ROD_FREE*e;
+		struct hawser__rod_strain unit = mesh->strain[e];
+		double f[HAWSER__ROD_PAIR];
+
+		memset(unit.M, 0, sizeof unit.M);
+		for (int k = 0; k < 3; k++) { /* with N = e_k and no M, forces are derivatives of h w_k */
+			for (int i = 0; i < 3; i++)
+				unit.N[i] = i == k;
+			hawser__rod_forces(f, NULL, &mesh->element[e], &unit);
+			for (int i = 0; i < HAWSER__ROD_PAIR; i++)
+				mesh->strain[e].w[k] += f[i]*by[i]/mesh->element[e].h;
+		}
+	}
+	hawser__rod_move(mesh, step, 1.0);
+	hawser__rod_place(mesh);
+}
+
 double hawser__rod_strain_energy(const struct hawser__rod_mesh *mesh)
 {
 	double sum = 0.0;

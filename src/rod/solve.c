@@ -13,6 +13,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -29,6 +30,8 @@ enum {
 };
 #define FAR 100.0     /* lengths or rad: an increment that is larger has nothing to do with the rod */
 #define NEAR 1e-6     /* increments that are smaller and do not fall are round-off */
+#define LEFT 1e-2      /* of loads and bending: 1e-6 and less where EA is not too large */
+#define ASIDE 0.3     /* of the way: width of a detour */
 #define CALM 0.1      /* lengths or rad: a step of the motion may be this large, and */
 #define WILD 0.3      /* no larger */
 #define GROWTH 3.0    /* of the motion's steps */
@@ -51,9 +54,40 @@ static double largest(const struct hawser__rod_mesh *mesh, const double *step)
 	return most;
 }
 
+/* How far aside the end is at a part of a way with a detour: an end that comes straight towards the
+ * start presses on the rod along its axis, and the rod gives way late, by a jump. */
+static void aside(double by[3], const struct hawser__rod_mesh *mesh, double part)
+{
+	const double pi = acos(-1.0);
+	double R[9], way[3], square, along, length, best = 0.0;
+
+	hawser__quaternion_matrix(R, mesh->rest[0].q);
+	for (int i = 0; i < 3; i++)
+		way[i] = mesh->goal[1].x[i] - mesh->rest[mesh->nodes - 1].x[i];
+	square = hawser__dot(way, way);
+	memset(by, 0, 3*sizeof *by);
+	for (int e = 1; e < 3 && square > 0.0 && best < 0.25; e++) { /* e2, or e3 if that is the way */
+		double across[3];
+
+		along = (R[e]*way[0] + R[3 + e]*way[1] + R[6 + e]*way[2])/square;
+		for (int i = 0; i < 3; i++)
+			across[i] = R[3*i + e] - along*way[i];
+		length = sqrt(hawser__dot(across, across));
+		if (length <= best)
+			continue;
+		best = length;
+		for (int i = 0; i < 3; i++)
+			by[i] = ASIDE*sin(pi*part)*sqrt(square)*across[i]/length;
+	}
+}
+
 /* Where the ends are held: their increments to the part of the way to their goals. */
 static void hold(struct hawser__rod_mesh *mesh, double part)
 {
+	double detour[3] = {0.0};
+
+	if (mesh->detour)
+		aside(detour, mesh, part);
 	for (int end = 0; end < 2; end++) {
 		int at = end ? mesh->nodes - 1 : 0;
 		const struct hawser__rod_node *rest = &mesh->rest[at];
@@ -66,7 +100,8 @@ static void hold(struct hawser__rod_mesh *mesh, double part)
 		(void)hawser__quaternion_log(turn, between);
 		for (int i = 0; i < 3; i++) {
 			turn[i] *= part;
-			by[i] = rest->x[i] + part*(mesh->goal[end].x[i] - rest->x[i]) - mesh->node[at].x[i];
+			by[i] = rest->x[i] + part*(mesh->goal[end].x[i] - rest->x[i]) + end*detour[i] -
+			        mesh->node[at].x[i];
 		}
 		memcpy(goal, rest->q, sizeof goal);
 		hawser__quaternion_turn(goal, turn);
@@ -90,6 +125,15 @@ static int solve(struct hawser__rod_mesh *mesh, double part)
 	return 0;
 }
 
+/* Whether an element is turned inside out: balanced by numbers only. */
+static int inside_out(const struct hawser__rod_mesh *mesh)
+{
+	for (int e = 0; e < mesh->elements; e++)
+		if (!(mesh->strain[e].w[0] > 0.0))
+			return 1;
+	return 0;
+}
+
 /* Newton's method at this part of the load; 1: it has converged. */
 static int newton(struct hawser__rod_mesh *mesh, struct hawser__rod_effort *effort, double part,
                   double tolerance)
@@ -106,10 +150,13 @@ static int newton(struct hawser__rod_mesh *mesh, struct hawser__rod_effort *effo
 		effort->increment = size;
 		if (!(size < FAR))
 			return 0;
-		hawser__rod_move(mesh, mesh->r, 1.0);
+		if (size > NEAR)
+			hawser__rod_follow(mesh, mesh->r);
+		else
+			hawser__rod_move(mesh, mesh->r, 1.0);
 		effort->bent = hawser__rod_strains(mesh);
 		if (size <= tolerance || (size < NEAR && size > 0.5*before))
-			return effort->bent < 0;
+			return effort->bent < 0 && !inside_out(mesh);
 		before = size;
 	}
 	return 0;
@@ -148,9 +195,8 @@ static int steps(struct hawser__rod_mesh *mesh, struct hawser__rod_effort *effor
 	return 1;
 }
 
-/* D: per unit of length, such that the whole load moves the rod by its length in a unit of time; turns
- * of a node are damped as the motion of what is at an element's length. */
-static double unit(const struct hawser__rod_mesh *mesh)
+/* N: all loads, moments as forces at the rod's length. */
+static double loads(const struct hawser__rod_mesh *mesh)
 {
 	double force = 0.0;
 
@@ -161,6 +207,15 @@ static double unit(const struct hawser__rod_mesh *mesh)
 		         (sqrt(hawser__dot(of->moment, of->moment)) + sqrt(hawser__dot(of->turn, of->turn)))/
 		         mesh->rod->length;
 	}
+	return force;
+}
+
+/* D: per unit of length, such that the whole load moves the rod by its length in a unit of time; turns
+ * of a node are damped as the motion of what is at an element's length. */
+static double unit(const struct hawser__rod_mesh *mesh)
+{
+	double force = loads(mesh);
+
 	for (int e = 0; e < mesh->elements && force == 0.0; e++)
 		force = fmax(force, mesh->element[e].EI[1]/(mesh->rod->length*mesh->rod->length));
 	return force/(mesh->rod->length*mesh->rod->length);
@@ -180,10 +235,12 @@ static void damp(struct hawser__rod_mesh *mesh, double d)
 }
 
 /* The damped motion from rest; 1: it has ended. */
-int hawser__rod_flow(struct hawser__rod_mesh *mesh, struct hawser__rod_effort *effort, double tolerance)
+static int flow(struct hawser__rod_mesh *mesh, struct hawser__rod_effort *effort, double tolerance,
+                void (*advance)(struct hawser__rod_mesh *, const double *))
 {
 	double d = unit(mesh), t = 0.01, part = 0.0, before = INFINITY;
 	int potential = hawser__rod_potential(mesh->rod), still = 0;
+	int moved = mesh->rod->placed || mesh->rod->turned;
 
 	effort->flow = 1;
 	effort->steps = 0;
@@ -198,12 +255,13 @@ int hawser__rod_flow(struct hawser__rod_mesh *mesh, struct hawser__rod_effort *e
 		hawser__rod_tangent(mesh);
 		damp(mesh, d/t);
 		effort->iterations++;
-		if (potential && hawser__band_negative(&mesh->band, mesh->held, mesh->work)) {
+		if (potential && (!moved || part == 1.0) &&
+		    hawser__band_negative(&mesh->band, mesh->held, mesh->work)) {
 			t *= 0.5;
 			continue;
 		}
 		if (!solve(mesh, to) && (size = largest(mesh, mesh->r)) < WILD) {
-			hawser__rod_move(mesh, mesh->r, 1.0);
+			advance(mesh, mesh->r);
 			if (hawser__rod_strains(mesh) < 0) {
 				part = to;
 				effort->increment = size;
@@ -214,7 +272,7 @@ int hawser__rod_flow(struct hawser__rod_mesh *mesh, struct hawser__rod_effort *e
 				before = size;
 				still = size <= tolerance && part == 1.0 && t < NEWTON ? still + 1 : 0;
 				if (still > SADDLE + 60)
-					return 0;
+					return newton(mesh, effort, 1.0, tolerance);
 				t *= size < CALM ? GROWTH : 1.0;
 				continue;
 			}
@@ -225,6 +283,69 @@ int hawser__rod_flow(struct hawser__rod_mesh *mesh, struct hawser__rod_effort *e
 			return 0;
 	}
 	return 0;
+}
+
+static void straight(struct hawser__rod_mesh *mesh, const double *step)
+{
+	hawser__rod_move(mesh, step, 1.0);
+}
+
+/* With strains to first order steps are longer; ends that press may need those of places. */
+int hawser__rod_flow(struct hawser__rod_mesh *mesh, struct hawser__rod_effort *effort, double tolerance)
+{
+	return flow(mesh, effort, tolerance, hawser__rod_follow) ||
+	       flow(mesh, effort, tolerance, straight);
+}
+
+/* N: what of the forces is left without balance, and what it must be small against: loads, and what
+ * bends the rod. With a large EA what is left is the rounding of places, and then forces and stability
+ * mean nothing. */
+static double left_over(struct hawser__rod_mesh *mesh, double *scale, double *stiff)
+{
+	double left = 0.0, bends = INFINITY;
+
+	*stiff = 0.0;
+	(void)hawser__rod_strains(mesh);
+	hawser__rod_residual(mesh);
+	for (int i = 0; i < mesh->nodes; i++)
+		left = fmax(left, hawser__norm(mesh->r + (long)HAWSER__ROD_FREE*i));
+	for (int e = 0; e < mesh->elements; e++) {
+		const struct hawser__rod_element *el = &mesh->element[e];
+
+		*stiff = fmax(*stiff, fmax(el->EA[0], fmax(el->EA[1], el->EA[2])));
+		bends = fmin(bends, fmin(el->EI[1], el->EI[2]));
+	}
+	*scale = loads(mesh) + bends/(mesh->rod->length*mesh->rod->length);
+	return left;
+}
+
+/* Whether it is one, or why there is none. */
+static enum hawser_status found(struct hawser__rod_mesh *mesh, const struct hawser__rod_effort *effort,
+                                int done, struct hawser_report *report)
+{
+	double scale, stiff, left = left_over(mesh, &scale, &stiff);
+
+	if (done && left <= LEFT*scale)
+		return HAWSER_OK;
+	if (stiff*DBL_EPSILON > 0.01*LEFT*scale) {
+		left = done ? left : stiff*DBL_EPSILON;
+		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "statics", "EA and GA, of up to %.2g N, "
+		                    "are too large for numbers of 16 digits: rounding is worth forces of "
+		                    "%.2g N, and loads and bending are of %.2g N. Give at most %.0e N, with "
+		                    "which the rod stretches by %.0e of its length", stiff, left, scale,
+		                    0.1*stiff*LEFT*scale/left, 10.0*left/(LEFT*stiff));
+	}
+	if (effort->bent >= 0)
+		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "statics", effort->iterations,
+		                       effort->increment, "no equilibrium found: the element from %.6g m to "
+		                       "%.6g m turns by pi or more: give more elements, or smaller loads",
+		                       mesh->s[effort->bent], mesh->s[effort->bent + 1]);
+	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "statics", effort->iterations,
+	                       effort->increment, "no equilibrium found: neither load steps nor a damped "
+	                       "motion under the full load came to one (last increment %.2e of the length, "
+	                       "or rad): are ends held so that the rod cannot move away? Check the loads "
+	                       "and their units; more elements help if one turns by pi or more",
+	                       effort->increment);
 }
 
 enum hawser_status hawser__rod_equilibrium(struct hawser__rod_mesh *mesh,
@@ -257,15 +378,15 @@ enum hawser_status hawser__rod_equilibrium(struct hawser__rod_mesh *mesh,
 	if (!done)
 		done = steps(mesh, effort, factor, count, tolerance);
 	hawser__rod_loads(mesh, factor, 1.0);
-	free(factor);
 	if (!done)
 		done = hawser__rod_flow(mesh, effort, tolerance);
-	if (done)
-		return HAWSER_OK;
-	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "statics", effort->iterations,
-	                       effort->increment, "no equilibrium found: neither load steps nor a damped "
-	                       "motion under the full load came to one (last increment %.2e of the length, "
-	                       "or rad): are ends held so that the rod cannot move away? Check the loads "
-	                       "and their units; more elements help if one turns by pi or more",
-	                       effort->increment);
+	if (!done && (rod->placed || rod->turned)) {
+		mesh->detour = 1;
+		memcpy(mesh->node, mesh->rest, (size_t)mesh->nodes*sizeof *mesh->node);
+		done = steps(mesh, effort, factor, count, tolerance) ||
+		       (hawser__rod_loads(mesh, factor, 1.0), hawser__rod_flow(mesh, effort, tolerance));
+		mesh->detour = 0;
+	}
+	free(factor);
+	return found(mesh, effort, done, report);
 }

@@ -45,6 +45,7 @@ static void judge(struct hawser_rod_statics *st, struct hawser__rod_mesh *mesh,
                   struct hawser__rod_effort *effort, double tolerance)
 {
 	struct hawser__rod_effort other = {.bent = -1};
+	int left;
 	size_t size = (size_t)mesh->nodes*sizeof *mesh->node;
 
 	st->judged = hawser__rod_potential(mesh->rod);
@@ -55,15 +56,15 @@ static void judge(struct hawser_rod_statics *st, struct hawser__rod_mesh *mesh,
 		return;
 	memcpy(mesh->found, mesh->node, size);
 	other.iterations = effort->iterations;
-	if (hawser__rod_flow(mesh, &other, tolerance)) {
+	if (hawser__rod_flow(mesh, &other, tolerance) && (left = negative(mesh)) < st->negative) {
 		*effort = other;
-		st->negative = negative(mesh);
+		st->negative = left;
 	} else {
 		memcpy(mesh->node, mesh->found, size);
 	}
 }
 
-/* The state of `from` on a mesh with every element halved. */
+/* The state of `from` on a mesh with every element halved, with its strains. */
 static void refine(struct hawser__rod_mesh *to, const struct hawser__rod_mesh *from)
 {
 	for (int e = 0; e < from->elements; e++) {
@@ -72,13 +73,16 @@ static void refine(struct hawser__rod_mesh *to, const struct hawser__rod_mesh *f
 		double half[3];
 
 		to->node[2*e] = *middle = *a;
+		to->node[2*e + 2] = *b;
 		for (int k = 0; k < 3; k++) {
 			half[k] = 0.5*from->strain[e].psi[k];
-			middle->x[k] = 0.5*(a->x[k] + b->x[k]);
+			for (int part = 0; part < 2; part++)
+				to->strain[2*e + part].w[k] = to->element[2*e + part].w0[k] + from->strain[e].w[k] -
+				                              from->element[e].w0[k];
 		}
 		hawser__quaternion_turn(middle->q, half);
 	}
-	to->node[to->nodes - 1] = from->node[from->nodes - 1];
+	hawser__rod_place(to);
 }
 
 /* Errors of order h^2: 4/3 of the largest difference from twice as many elements. */

@@ -228,6 +228,51 @@ static void brought(void)
 	close_to(st.point[20].x[0], 2.0/pi, 1e-3, "its farthest point");
 	close_to(st.energy, 0.5*3.0*0.25*pi*pi*2.0, 2e-3, "its energy");
 	hawser_rod_statics_clear(&st);
+	rod.turned = 0;
+	rod.end_at[0] = -1.4;
+	rod.end_at[1] = 0.2;
+	if (!ok(hawser_rod_solve(&st, &rod, NULL, &report) == HAWSER_OK, "an end beyond the start"))
+		return;
+	ok(st.strain < 0.1 && st.error_x < 0.02, "its strain %.1e, mesh error %.1e m", st.strain,
+	   st.error_x);
+	hawser_rod_statics_clear(&st);
+}
+
+/* Nearly inextensible rods: as those that stretch a little, with as many iterations, or refused. */
+static void stiff(void)
+{
+	struct hawser_rod_segment segment = {.length = 1.0, .EI = {1.0, 2.0}, .GJ = 0.5, .elements = 40,
+	                                     .curvature = {0.5, 0.0, 2.0}};
+	struct hawser_rod_load load[2] = {{.from = 1.0, .to = 1.0, .force = {20.0, -15.0, 10.0}},
+	                                  {.to = 1.0, .distributed = 1, .moment = {0.0, 0.3, 0.5}}};
+	struct hawser_rod rod = {.segment = &segment, .segments = 1, .length = 1.0, .tangent = {1.0},
+		.normal = {0.0, 1.0}, .hold = {HAWSER_ROD_CLAMPED, HAWSER_ROD_FREE}, .load = load,
+		.loads = 2};
+	struct hawser_report report = {0};
+	double tip[2][3];
+	int most = 0;
+
+	for (int i = 0; i < 4; i++) {
+		struct hawser_rod_statics st;
+		enum hawser_status status;
+
+		segment.EA = pow(10.0, (double[]){6.0, 9.0, 11.0, 30.0}[i]);
+		segment.GA[0] = segment.GA[1] = segment.EA;
+		status = hawser_rod_solve(&st, &rod, NULL, &report);
+		if (i == 3) {
+			ok(status == HAWSER_ERR_CONVERGENCE && strstr(report.message, "Give at most"),
+			   "EA 1e30: %s", report.message);
+		} else if (!ok(status == HAWSER_OK, "EA %.0e: %d iterations", segment.EA, st.iterations)) {
+			return;
+		} else {
+			most = st.iterations > most ? st.iterations : most;
+			memcpy(tip[i > 0], st.point[st.points - 1].x, sizeof tip[0]);
+			ok(distance(tip[0], tip[i > 0]) < 1e-4, "its tip moves by %.1e m",
+			   distance(tip[0], tip[i > 0]));
+		}
+		hawser_rod_statics_clear(&st);
+	}
+	ok(most <= 40, "at most %d iterations", most);
 }
 
 static void refused(void)
@@ -257,6 +302,7 @@ int main(void)
 	random_rods();
 	turned();
 	brought();
+	stiff();
 	refused();
 	return done_testing();
 }
