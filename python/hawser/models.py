@@ -9,6 +9,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 from __future__ import annotations
 
 import ctypes
+import os
 from typing import Any, Callable, Mapping, Optional, Sequence, Union
 
 import numpy as np
@@ -44,7 +45,7 @@ class Scene:
         texts = (ctypes.c_char_p * len(changes))(*(c.encode() for c in changes))
         self._owner = Owner("hawser_scene", "hawser_scene_clear")
         with scenes.as_file(source) as path:
-            call("hawser_scene_open", self._owner, path.encode(), texts if changes else None, len(changes))
+            call("hawser_scene_open", self._owner, os.fsencode(path), texts if changes else None, len(changes))
         if self._owner.beam.form != 0:
             raise error(Status.ARGUMENT, "this scene describes a travelling beam or string: use "
                                          "hawser.run(\"beam\", ...)")
@@ -159,11 +160,11 @@ class Model:
         made = cls.__new__(cls)
         made.modes = None
         made._owner = Owner("hawser_rom", "hawser_rom_clear")
-        call("hawser_rom_open", made._owner, path.encode())
+        call("hawser_rom_open", made._owner, os.fsencode(path))
         return made
 
     def save(self, path: str) -> None:
-        call("hawser_rom_save", self._owner, path.encode())
+        call("hawser_rom_save", self._owner, os.fsencode(path))
 
     @property
     def n(self) -> int:
@@ -253,9 +254,11 @@ class Response:
         if progress:
             options.progress.function = ctypes.cast(callback, ctypes.c_void_p).value
         self._owner = Owner("hawser_frf", "hawser_frf_clear")
-        call("hawser_frf_trace", self._owner, model._owner, ctypes.addressof(options))
-        if raised:
-            raise raised[0]
+        try:
+            call("hawser_frf_trace", self._owner, model._owner, ctypes.addressof(options))
+        finally:
+            if raised:
+                raise raised[0]  # and not the failure to which the stop may have led
 
     def _rows(self, member: str, *shape: int) -> "np.ndarray[Any, Any]":
         return self._owner.view(getattr(self._owner.memory, member), (self._owner.points,) + shape)

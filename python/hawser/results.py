@@ -34,6 +34,13 @@ def _options(given: Mapping[str, Any]) -> List[str]:
     return words
 
 
+def _number(word: str) -> float:
+    """The number in a cell; none is NaN. Python would take the name 1_2 for 12."""
+    if "_" in word:
+        raise ValueError(word)
+    return float(word) if word else np.nan
+
+
 def _table(text: str) -> "tuple[List[str], np.ndarray[Any, Any]]":
     """Comments without "# ", and the rows as records: numbers where all are numbers, else words."""
     lines = text.split("\n")
@@ -48,7 +55,7 @@ def _table(text: str) -> "tuple[List[str], np.ndarray[Any, Any]]":
         words = [row[index] for row in cells]
         column: Any
         try:
-            column = np.array([float(word) if word else np.nan for word in words])
+            column = np.array([_number(word) for word in words])
         except ValueError:
             column = np.array(words, dtype=str)
         columns.append(column)

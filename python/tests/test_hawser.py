@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import hawser
-from hawser import scenes as forms
+from hawser import results, scenes as forms
 
 SPAN = {"cable": {"EA": "400 MN", "rho": 6.0}, "span": {"d": "250 m", "h": 10}, "tension": {"T0": "80 kN"},
         "damping": {"alpha": 0.08}, "load": {"frame": "local", "per_length": [0.8, 0.8, 0.8]},
@@ -105,6 +105,11 @@ def test_scene_forms(scenes):
     assert forms.text({"cable": {"EA": float("inf"), "rho": 1e-3}, "attach": [{"at": 0.5, "mass": "2 kg"}]}) == (
         'cable:\n  EA: .inf\n  rho: 0.001\nattach:\n  - {at: 0.5, mass: "2 kg"}\n')
     assert len(hawser.run("tow steady", scenes / "tow-orbit.yaml").table) > 2
+
+
+def test_names_are_no_numbers():
+    _, table = results._table("node\tT_N\n1_2\t3.5\n1_3\t\n")
+    assert list(table["node"]) == ["1_2", "1_3"] and table["T_N"][0] == 3.5 and np.isnan(table["T_N"][1])
 
 
 @pytest.mark.skipif(not os.environ.get("HAWSER_LONG"), reason="their import takes seconds: HAWSER_LONG=1")
