@@ -35,16 +35,17 @@ struct result {
 static enum hawser_status add(struct result *result, const char *text, size_t length,
                               struct hawser_report *report)
 {
-	char *name = result->name[result->probes];
-	double *s = &result->probe[result->probes];
+	char *name;
+	double *s;
 	enum hawser_status status = HAWSER_OK;
 
 	if (result->probes == PROBES || length >= NAME || length == 0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate", "--probe: at most %d places, "
 		                    "with commas between them, of at most %d characters", PROBES, NAME - 1);
+	name = result->name[result->probes];
+	s = &result->probe[result->probes++];
 	memcpy(name, text, length);
 	name[length] = '\0';
-	result->probes++;
 	if (!strcmp(name, "start"))
 		*s = 0.0;
 	else if (!strcmp(name, "end"))

@@ -207,7 +207,8 @@ static enum hawser_status receive(struct cli_sweep_run *run, struct process *pro
 	memmove(got->text, got->text + sizeof process->wanted, got->size);
 	got->text[got->size] = '\0';
 	cut = realloc(got->text, got->size + 1);
-	got->text = cut ? cut : got->text;
+	if (cut)
+		got->text = cut;
 	status = cli_sweep_finish(run, process->variation, *got, report);
 	*got = (struct cli_sweep_packed){NULL, 0};
 	hand_out(run, process);

@@ -144,7 +144,7 @@ static void shape(FILE *script, const struct view *view, int row)
 static void frame(FILE *script, const struct view *view, int row, int digits)
 {
 	const struct hawser__animation *of = view->of;
-	double to[2];
+	double to[2] = {0.0};
 
 	shape(script, view, row);
 	see(to, view, mark(of, row));

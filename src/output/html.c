@@ -221,7 +221,7 @@ int hawser__html_comments(FILE *to, const char *tsv, const char *caption)
 
 static void cell(FILE *to, const char *text, size_t length)
 {
-	char number[64], *end = number;
+	char number[64] = "", *end = number;
 	double value = 0.0;
 
 	if (length > 0 && length < sizeof number) {

@@ -101,6 +101,7 @@ static void assemble(struct hawser__rod_mesh *mesh, int tangent)
 	for (int e = 0; e < mesh->elements; e++) {
 		int at = HAWSER__ROD_FREE*e;
 
+		/* cppcheck-suppress legacyUninitvar ; it is filled there */
 		hawser__rod_forces(f, tangent ? K : NULL, &mesh->element[e], &mesh->strain[e]);
 		for (int i = 0; i < HAWSER__ROD_PAIR; i++)
 			mesh->r[at + i] -= f[i];

@@ -24,6 +24,7 @@ enum hawser_status hawser__rod_motion_open(struct hawser__rod_motion *motion,
                                            struct hawser_report *report)
 {
 	size_t nodes = (size_t)mesh->nodes;
+	/* cppcheck-suppress uninitvar ; sizeof of its elements alone */
 	double (**const six[])[6] = {
 		&motion->velocity, &motion->rate, &motion->mean, &motion->step, &motion->past, &motion->past2,
 		&motion->velocity0, &motion->rate0, &motion->mean0, &motion->applied, &motion->applied0,

@@ -289,6 +289,7 @@ static int forces(struct hawser__rod_motion *motion, double t, int tangent)
 	for (int e = 0; e < mesh->elements; e++) {
 		int at = HAWSER__ROD_FREE*e, matrix = tangent && motion->by_place != 0.0;
 
+		/* cppcheck-suppress legacyUninitvar ; it is filled there */
 		hawser__rod_forces(f, matrix ? K : NULL, &mesh->element[e], &mesh->strain[e]);
 		for (int i = 0; i < HAWSER__ROD_PAIR; i++)
 			mesh->r[at + i] -= f[i];

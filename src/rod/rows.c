@@ -16,6 +16,7 @@ enum hawser_status hawser__rod_rows_open(struct hawser_rod_motion *to, size_t ro
 	double **const plain[] = {&to->time, &to->kinetic, &to->strain, &to->height, &to->work,
 	                          &to->support, &to->damped, &to->lost, &to->turned,
 	                          &to->winch, &to->length};
+	/* cppcheck-suppress uninitvar ; sizeof of its elements alone */
 	double (**const three[])[3] = {&to->momentum, &to->angular, &to->force, &to->moment};
 	int good = 1;
 

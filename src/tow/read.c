@@ -10,23 +10,6 @@
 #include "rod/read.h"
 #include "tow/read.h"
 
-enum hawser_status hawser__tow_number(struct hawser__reader *reader, double *value,
-                                      const struct hawser__tree *tree, const char *section,
-                                      const char *key, const char *unit,
-                                      enum hawser__tree_range range, int required)
-{
-	const struct hawser__tree *one = hawser__tree_find(tree, key);
-	int pure = !strcmp(unit, "1");
-	char what[HAWSER__TOW_WHAT];
-
-	snprintf(what, sizeof what, "%.60s.%s", section, key);
-	if (one)
-		return hawser__tree_number(reader, value, one, what, unit, range);
-	return required ? hawser__reader_fail(reader, &tree->at, "%s is missing: give it%s%s", what,
-	                                      pure ? "" : " in ", pure ? "" : unit)
-	                : HAWSER_OK;
-}
-
 #define STRAIN 0.2 /* of the cable by its load at rest: more is no small strain */
 
 /* Drag coefficients ask for the density of the air. */

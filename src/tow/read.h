@@ -8,11 +8,6 @@
 
 enum { HAWSER__TOW_WHAT = 96 }; /* size of "tow.waypoints[999999].velocity" */
 
-/* The number section.key of the mapping; unchanged if it is not given and not required. */
-enum hawser_status hawser__tow_number(struct hawser__reader *reader, double *value,
-                                      const struct hawser__tree *tree, const char *section,
-                                      const char *key, const char *unit,
-                                      enum hawser__tree_range range, int required) HAWSER_MUST_CHECK;
 /* read_cable.c: the other sections; NULL: the scene does not have it. */
 enum hawser_status hawser__tow_cable(struct hawser__reader *reader, struct hawser_tow *tow,
                                      const struct hawser__tree *tree) HAWSER_MUST_CHECK;

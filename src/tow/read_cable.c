@@ -20,8 +20,8 @@ static enum hawser_status whole(struct hawser__reader *reader, int *to, const st
 {
 	const struct hawser__tree *one = hawser__tree_find(tree, key);
 	double number = 0.0;
-	enum hawser_status status = hawser__tow_number(reader, &number, tree, section, key, "1",
-	                                               HAWSER__TREE_ANY, 0);
+	enum hawser_status status = hawser__tree_number_of(reader, &number, tree, section, key, "1",
+	                                                   HAWSER__TREE_ANY, 0);
 
 	if (status || !one)
 		return status;
@@ -44,10 +44,10 @@ static enum hawser_status drag(struct hawser__reader *reader, double *normal, do
 		return HAWSER_OK;
 	status = hawser__tree_keys(reader, one, what, "tow.body.ring.drag");
 	if (!status)
-		status = hawser__tow_number(reader, normal, one, what, "normal", "1", HAWSER__TREE_NOT_NEGATIVE,
-		                            1);
-	return status ? status : hawser__tow_number(reader, tangential, one, what, "tangential", "1",
-	                                            HAWSER__TREE_NOT_NEGATIVE, 0);
+		status = hawser__tree_number_of(reader, normal, one, what, "normal", "1",
+		                                HAWSER__TREE_NOT_NEGATIVE, 1);
+	return status ? status : hawser__tree_number_of(reader, tangential, one, what, "tangential", "1",
+	                                                HAWSER__TREE_NOT_NEGATIVE, 0);
 }
 
 static enum hawser_status shedding(struct hawser__reader *reader, struct hawser_tow_segment *to,
@@ -64,10 +64,10 @@ static enum hawser_status shedding(struct hawser__reader *reader, struct hawser_
 		return hawser__reader_fail(reader, &one->at, "%s needs the diameter, which is not given", what);
 	status = hawser__tree_keys(reader, one, what, "tow.cable.segments[].shedding");
 	if (!status)
-		status = hawser__tow_number(reader, &to->lift, one, what, "lift", "1",
-		                            HAWSER__TREE_NOT_NEGATIVE, 1);
-	return status ? status : hawser__tow_number(reader, &to->strouhal, one, what, "strouhal", "1",
-	                                            HAWSER__TREE_POSITIVE, 1);
+		status = hawser__tree_number_of(reader, &to->lift, one, what, "lift", "1",
+		                                HAWSER__TREE_NOT_NEGATIVE, 1);
+	return status ? status : hawser__tree_number_of(reader, &to->strouhal, one, what, "strouhal", "1",
+	                                                HAWSER__TREE_POSITIVE, 1);
 }
 
 /* EA, which may be .inf, and is where it is not given. */
@@ -79,7 +79,7 @@ static enum hawser_status stiffness(struct hawser__reader *reader, double *EA,
 	*EA = INFINITY;
 	if (one && one->text && !strcmp(one->text, ".inf"))
 		return HAWSER_OK;
-	return hawser__tow_number(reader, EA, tree, section, "EA", "N", HAWSER__TREE_POSITIVE, 0);
+	return hawser__tree_number_of(reader, EA, tree, section, "EA", "N", HAWSER__TREE_POSITIVE, 0);
 }
 
 static enum hawser_status segment(struct hawser__reader *reader, struct hawser_tow_segment *to,
@@ -88,22 +88,23 @@ static enum hawser_status segment(struct hawser__reader *reader, struct hawser_t
 	enum hawser_status status = hawser__tree_keys(reader, tree, section, "tow.cable.segments[]");
 
 	if (!status)
-		status = hawser__tow_number(reader, &to->length, tree, section, "length", "m",
-		                            HAWSER__TREE_POSITIVE, 1);
+		status = hawser__tree_number_of(reader, &to->length, tree, section, "length", "m",
+		                                HAWSER__TREE_POSITIVE, 1);
 	if (!status)
-		status = hawser__tow_number(reader, &to->rho, tree, section, "rho", "kg/m",
-		                            HAWSER__TREE_NOT_NEGATIVE, 1);
+		status = hawser__tree_number_of(reader, &to->rho, tree, section, "rho", "kg/m",
+		                                HAWSER__TREE_NOT_NEGATIVE, 1);
 	if (!status)
-		status = hawser__tow_number(reader, &to->diameter, tree, section, "diameter", "m",
-		                            HAWSER__TREE_NOT_NEGATIVE, hawser__tree_find(tree, "drag") != NULL);
+		status = hawser__tree_number_of(reader, &to->diameter, tree, section, "diameter", "m",
+		                                HAWSER__TREE_NOT_NEGATIVE,
+		                                hawser__tree_find(tree, "drag") != NULL);
 	if (!status)
 		status = stiffness(reader, &to->EA, tree, section);
 	if (!status)
-		status = hawser__tow_number(reader, &to->EI, tree, section, "EI", "N.m^2",
-		                            HAWSER__TREE_NOT_NEGATIVE, 0);
+		status = hawser__tree_number_of(reader, &to->EI, tree, section, "EI", "N.m^2",
+		                                HAWSER__TREE_NOT_NEGATIVE, 0);
 	for (int k = 0; k < 2 && !status; k++) /* without bending they have no effect */
-		status = hawser__tow_number(reader, k ? &to->GA : &to->GJ, tree, section, k ? "GA" : "GJ",
-		                            k ? "N" : "N.m^2", HAWSER__TREE_POSITIVE, 0);
+		status = hawser__tree_number_of(reader, k ? &to->GA : &to->GJ, tree, section, k ? "GA" : "GJ",
+		                                k ? "N" : "N.m^2", HAWSER__TREE_POSITIVE, 0);
 	if (!status)
 		status = whole(reader, &to->elements, tree, section, "elements", 1, ELEMENTS);
 	if (!status)
@@ -166,8 +167,8 @@ enum hawser_status hawser__tow_air(struct hawser__reader *reader, struct hawser_
 	if (status || !tree)
 		return status;
 	if (!status)
-		status = hawser__tow_number(reader, &tow->density, tree, "air", "density", "kg/m^3",
-		                            HAWSER__TREE_NOT_NEGATIVE, 1);
+		status = hawser__tree_number_of(reader, &tow->density, tree, "air", "density", "kg/m^3",
+		                                HAWSER__TREE_NOT_NEGATIVE, 1);
 	if (!status && wind)
 		status = hawser__tree_vector(reader, tow->wind, 3, wind, "air.wind", "m/s");
 	if (!status)
@@ -186,20 +187,20 @@ static enum hawser_status ring(struct hawser__reader *reader, struct hawser_tow_
 
 	body->kind = HAWSER_TOW_RING;
 	if (!status)
-		status = hawser__tow_number(reader, &body->ring.radius, tree, "body.ring", "radius", "m",
-		                            HAWSER__TREE_POSITIVE, 1);
+		status = hawser__tree_number_of(reader, &body->ring.radius, tree, "body.ring", "radius", "m",
+		                                HAWSER__TREE_POSITIVE, 1);
 	if (!status)
-		status = hawser__tow_number(reader, &body->ring.drag.radius, tree, "body.ring", "tube", "m",
-		                            HAWSER__TREE_POSITIVE, 1);
+		status = hawser__tree_number_of(reader, &body->ring.drag.radius, tree, "body.ring", "tube", "m",
+		                                HAWSER__TREE_POSITIVE, 1);
 	if (!status && body->ring.drag.radius >= body->ring.radius)
 		status = hawser__reader_fail(reader, &tree->at, "body.ring.tube, the radius of the tube, "
 		                             "must be less than the radius of the ring");
 	if (!status)
-		status = hawser__tow_number(reader, &body->mass, tree, "body.ring", "mass", "kg",
-		                            HAWSER__TREE_POSITIVE, 1);
+		status = hawser__tree_number_of(reader, &body->mass, tree, "body.ring", "mass", "kg",
+		                                HAWSER__TREE_POSITIVE, 1);
 	if (!status)
-		status = hawser__tow_number(reader, &body->offset, tree, "body.ring", "offset", "m",
-		                            HAWSER__TREE_NOT_NEGATIVE, 1);
+		status = hawser__tree_number_of(reader, &body->offset, tree, "body.ring", "offset", "m",
+		                                HAWSER__TREE_NOT_NEGATIVE, 1);
 	if (!status)
 		status = whole(reader, &body->ring.segments, tree, "body.ring", "segments", 8, ELEMENTS);
 	return status ? status : drag(reader, &body->ring.drag.normal, &body->ring.drag.tangential, tree,
@@ -223,8 +224,8 @@ static enum hawser_status joint(struct hawser__reader *reader, struct hawser_tow
 	if (one->kind == HAWSER__MAPPING) {
 		body->joint = HAWSER_TOW_SPRING;
 		status = hawser__tree_keys(reader, one, "body.joint", "tow.body.joint");
-		return status ? status : hawser__tow_number(reader, &body->torsion, one, "body.joint",
-		                                            "torsion", "N.m/rad", HAWSER__TREE_POSITIVE, 1);
+		return status ? status : hawser__tree_number_of(reader, &body->torsion, one, "body.joint",
+		                                                "torsion", "N.m/rad", HAWSER__TREE_POSITIVE, 1);
 	}
 	status = hawser__tree_word(reader, &word, one, "body.joint", words, 2);
 	body->joint = word ? HAWSER_TOW_JOINT : HAWSER_TOW_CLAMPED;
@@ -254,11 +255,11 @@ enum hawser_status hawser__tow_body(struct hawser__reader *reader, struct hawser
 	if (status || of_ring)
 		return status ? status : ring(reader, body, of_ring);
 	body->kind = HAWSER_TOW_MASS;
-	status = hawser__tow_number(reader, &body->mass, tree, "body", "mass", "kg", HAWSER__TREE_POSITIVE,
-	                            1);
+	status = hawser__tree_number_of(reader, &body->mass, tree, "body", "mass", "kg",
+	                                HAWSER__TREE_POSITIVE, 1);
 	if (!status)
-		status = hawser__tow_number(reader, &body->inertia, tree, "body", "inertia", "kg.m^2",
-		                            HAWSER__TREE_NOT_NEGATIVE, 0);
-	return status ? status : hawser__tow_number(reader, &body->CdA, tree, "body", "CdA", "m^2",
-	                                            HAWSER__TREE_NOT_NEGATIVE, 0);
+		status = hawser__tree_number_of(reader, &body->inertia, tree, "body", "inertia", "kg.m^2",
+		                                HAWSER__TREE_NOT_NEGATIVE, 0);
+	return status ? status : hawser__tree_number_of(reader, &body->CdA, tree, "body", "CdA", "m^2",
+	                                                HAWSER__TREE_NOT_NEGATIVE, 0);
 }

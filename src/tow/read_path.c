@@ -72,8 +72,8 @@ static enum hawser_status ramp_of(struct hawser__reader *reader, double *time,
 	static const char *const words[] = {"smooth", "erf"};
 	const struct hawser__tree *law = hawser__tree_find(tree, "law");
 	int index = 0;
-	enum hawser_status status = hawser__tow_number(reader, time, tree, "tow", "ramp", "s",
-	                                               HAWSER__TREE_NOT_NEGATIVE, 0);
+	enum hawser_status status = hawser__tree_number_of(reader, time, tree, "tow", "ramp", "s",
+	                                                   HAWSER__TREE_NOT_NEGATIVE, 0);
 
 	if (!status && law)
 		status = hawser__tree_word(reader, &index, law, "tow.law", words, 2);
@@ -115,11 +115,11 @@ static enum hawser_status orbit(struct hawser__reader *reader, struct hawser_tow
 	if (!status)
 		status = hawser__tree_keys(reader, section, "tow.orbit", "tow.tow.orbit");
 	if (!status)
-		status = hawser__tow_number(reader, &radius, section, "tow.orbit", "radius", "m",
-		                            HAWSER__TREE_POSITIVE, 1);
+		status = hawser__tree_number_of(reader, &radius, section, "tow.orbit", "radius", "m",
+		                                HAWSER__TREE_POSITIVE, 1);
 	if (!status)
-		status = hawser__tow_number(reader, &speed, section, "tow.orbit", "speed", "m/s",
-		                            HAWSER__TREE_ANY, 1);
+		status = hawser__tree_number_of(reader, &speed, section, "tow.orbit", "speed", "m/s",
+		                                HAWSER__TREE_ANY, 1);
 	middle = hawser__tree_find(section, "centre");
 	if (!status && middle)
 		status = hawser__tree_vector(reader, centre, 3, middle, "tow.orbit.centre", "m");

@@ -48,8 +48,8 @@ static enum hawser_status flat(struct hawser__reader *reader, struct hawser_wayp
 {
 	const struct hawser__tree *one = hawser__tree_find(tree, "flat");
 	double number = 0.0;
-	enum hawser_status status = hawser__tow_number(reader, &number, tree, section, "flat", "1",
-	                                               HAWSER__TREE_NOT_NEGATIVE, 0);
+	enum hawser_status status = hawser__tree_number_of(reader, &number, tree, section, "flat", "1",
+	                                                   HAWSER__TREE_NOT_NEGATIVE, 0);
 
 	if (status)
 		return status;
@@ -70,7 +70,8 @@ static enum hawser_status mapping(struct hawser__reader *reader, struct hawser_w
 	enum hawser_status status = hawser__tree_keys(reader, tree, section, "tow.tow.waypoints[]");
 
 	if (!status)
-		status = hawser__tow_number(reader, &point->t, tree, section, "t", "s", HAWSER__TREE_ANY, 1);
+		status = hawser__tree_number_of(reader, &point->t, tree, section, "t", "s", HAWSER__TREE_ANY,
+		                                1);
 	if (!status && !at)
 		status = hawser__reader_fail(reader, &tree->at, "%s.at is missing: give [x, y, z] in m",
 		                             section);

@@ -259,14 +259,13 @@ static void piece_at(double (*state)[3], const struct hawser_path *of, double t)
 
 static void straight_at(double (*state)[3], const struct hawser_path *of, double t)
 {
-	double s[HAWSER_PATH_ORDERS], T = of->ramp_time, per = T;
+	double s[HAWSER_PATH_ORDERS] = {t, 1.0}, T = of->ramp_time, per = T > 0.0 ? T : 1.0;
 
 	if (T > 0.0)
 		hawser__ramp(s, of->ramp, t/T);
 	for (int k = 0; k < HAWSER_PATH_ORDERS; k++, per /= T > 0.0 ? T : 1.0)
 		for (int axis = 0; axis < 3; axis++)
-			state[k][axis] = (k ? 0.0 : of->origin[axis]) + of->velocity[axis]*
-			                 (T > 0.0 ? s[k]*per : k == 0 ? t : k == 1 ? 1.0 : 0.0);
+			state[k][axis] = (k ? 0.0 : of->origin[axis]) + of->velocity[axis]*(s[k]*per);
 }
 
 /* With e = (cos, sin) of the angle and n its derivative by the angle; w: derivatives of the angle. */
