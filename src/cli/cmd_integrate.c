@@ -347,8 +347,11 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	struct cli_model model = {0};
 	struct cli_integrate_result result = {.common = &settings->common, .model = &model,
 	                                      .spectrum = settings->spectrum};
-	enum hawser_status status = cli_outputs_check(&settings->common, report);
+	const struct cli_output state = {"state", net->state};
+	enum hawser_status status = cli_outputs_check_with(&settings->common, &state, 1, report);
 
+	if (!status)
+		status = hawser__file_check(net->state, report);
 	if (!status)
 		status = cli_rom_ropeway_check(&settings->common, report);
 	if (!status && (hawser_net_is(settings->common.input) || hawser_rod_is(settings->common.input)))

@@ -353,8 +353,11 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	struct result result = {.settings = s, .progress = {.quiet = s->common.quiet}};
 	struct hawser_tow_options set = {.refine = s->refine, .rho_inf = s->rho_inf, .progress = progress,
 	                                 .data = &result, .initial = s->initial};
-	enum hawser_status status = cli_outputs_check(&s->common, report);
+	const struct cli_output state = {"state", s->state};
+	enum hawser_status status = cli_outputs_check_with(&s->common, &state, 1, report);
 
+	if (!status)
+		status = hawser__file_check(s->state, report);
 	if (!status)
 		status = hawser__animate_check(s->animate, "tow", report);
 	if (!status)

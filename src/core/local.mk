@@ -8,6 +8,7 @@ noinst_LTLIBRARIES += %D%/libcore.la
 	%D%/file.h \
 	%D%/hot.h \
 	%D%/loaded.h \
+	%D%/locale.h \
 	%D%/paths.c \
 	%D%/paths.h \
 	%D%/progress.c \

@@ -113,7 +113,7 @@ const double *hawser__motion_place(const double *state, int node)
 enum hawser_status hawser_net_state_write(const struct hawser_net_motion *motion, const char *path,
                                           struct hawser_report *report)
 {
-	return hawser__state_write(motion->state, motion->states, kind, path, "net", report);
+	return hawser__state_write(motion->state, motion->states, kind, path, report);
 }
 
 enum hawser_status hawser__motion_read(double **state, const char *path,

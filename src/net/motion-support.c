@@ -12,6 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/locale.h"
 #include "core/report.h"
 #include "net/motion.h"
 
@@ -221,13 +222,16 @@ enum hawser_status hawser__support_read(struct hawser__support_table *table, con
                                       struct hawser_report *report)
 {
 	FILE *file = fopen(path, "r");
+	struct hawser__locale locale;
 	double *work = NULL;
 	enum hawser_status status;
 
 	if (!file)
 		return hawser__fail(report, hawser__unreadable(errno), "net", "%s: %s: the table with the "
 		                    "motion of a support cannot be read", path, strerror(errno));
+	hawser__locale_begin(&locale);
 	status = rows(table, file, path, report);
+	hawser__locale_end(&locale);
 	fclose(file);
 	if (!status) {
 		table->curve = calloc((size_t)table->rows, sizeof *table->curve);

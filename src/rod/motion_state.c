@@ -135,5 +135,5 @@ enum hawser_status hawser__rod_state_read(struct hawser__rod_motion *motion, dou
 enum hawser_status hawser_rod_state_write(const struct hawser_rod_motion *motion, const char *path,
                                           struct hawser_report *report)
 {
-	return hawser__state_write(motion->state, motion->states, kind, path, "rod", report);
+	return hawser__state_write(motion->state, motion->states, kind, path, report);
 }

@@ -16,6 +16,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/locale.h"
 #include "rom/formula.h"
 
 #define DEEPEST 50 /* brackets and signs */
@@ -162,8 +163,11 @@ int hawser__formula(double *value, const char *text, const struct hawser_paramet
 {
 	struct formula formula = {.text = text, .at = text, .parameter = parameter, .count = count,
 		.wrong = wrong, .size = size};
+	struct hawser__locale locale;
 
+	hawser__locale_begin(&locale);
 	*value = sum(&formula);
+	hawser__locale_end(&locale);
 	if (!formula.failed && next(&formula))
 		fail(&formula, "\"%.*s\" is unexpected", formula.at, 1);
 	if (!formula.failed && !isfinite(*value))

@@ -14,7 +14,6 @@
 #include "config.h"
 
 #include <ctype.h>
-#include <locale.h>
 #include <math.h>
 #include <pthread.h>
 #include <stdio.h>
@@ -23,6 +22,7 @@
 #include <udunits2.h>
 
 #include <hawser/scene.h>
+#include "core/locale.h"
 #include "core/report.h"
 #include "scene/units.h"
 
@@ -34,23 +34,19 @@ static const double two_pi = 6.283185307179586476925;
  * message, and the locale has a decimal point. */
 struct entry {
 	ut_error_message_handler handler;
-	locale_t own, c;
+	struct hawser__locale locale;
 };
 
 static void enter(struct entry *entry)
 {
 	pthread_mutex_lock(&gate);
 	entry->handler = ut_set_error_message_handler(ut_ignore);
-	entry->c = newlocale(LC_ALL_MASK, "C", (locale_t)0);
-	entry->own = entry->c ? uselocale(entry->c) : (locale_t)0;
+	hawser__locale_begin(&entry->locale);
 }
 
 static void leave(struct entry *entry)
 {
-	if (entry->c) {
-		uselocale(entry->own);
-		freelocale(entry->c);
-	}
+	hawser__locale_end(&entry->locale);
 	ut_set_error_message_handler(entry->handler);
 	pthread_mutex_unlock(&gate);
 }

@@ -3,11 +3,11 @@
 #include "config.h"
 
 #include <errno.h>
-#include <locale.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/locale.h"
 #include "core/report.h"
 #include "scene/keys.h"
 
@@ -184,18 +184,14 @@ static void cases(FILE *stream, const struct hawser_scene *scene)
 enum hawser_status hawser_scene_write(const struct hawser_scene *scene, FILE *stream,
                                       struct hawser_report *report)
 {
-	locale_t c = newlocale(LC_ALL_MASK, "C", (locale_t)0);
-	locale_t own;
+	struct hawser__locale locale;
 
-	if (!c)
-		return hawser__no_memory(report, "scene");
-	own = uselocale(c); /* with a decimal point */
+	hawser__locale_begin(&locale);
 	errno = 0;
 	whole(stream, scene);
 	items(stream, scene);
 	cases(stream, scene);
-	uselocale(own);
-	freelocale(c);
+	hawser__locale_end(&locale);
 	if (fflush(stream) || ferror(stream))
 		return hawser__fail(report, HAWSER_ERR_IO, "scene", "cannot write the scene: %s",
 		                    strerror(errno));

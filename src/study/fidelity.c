@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/locale.h"
 #include "core/report.h"
 #include "study/respond.h"
 #include "study/survey.h"
@@ -129,9 +130,12 @@ static enum hawser_status percent(double *number, const struct hawser_fidelity *
                                   const char *text, const char *entry,
                                   struct hawser_report *report)
 {
+	struct hawser__locale locale;
 	char *end;
 
+	hawser__locale_begin(&locale);
 	*number = strtod(text, &end);
+	hawser__locale_end(&locale);
 	end += strspn(end, " ");
 	if (end == text || strcmp(end + (*end == '%'), "") != 0 || !(*number >= 0.001) || *number > 50.0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "study",

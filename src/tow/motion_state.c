@@ -55,5 +55,5 @@ enum hawser_status hawser__tow_state_read(struct hawser__tow_run *run, double *h
 enum hawser_status hawser_tow_state_write(const struct hawser_tow_motion *motion, const char *path,
                                           struct hawser_report *report)
 {
-	return hawser__state_write(motion->state, motion->states, kind, path, where, report);
+	return hawser__state_write(motion->state, motion->states, kind, path, report);
 }

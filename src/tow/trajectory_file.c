@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/locale.h"
 #include "core/report.h"
 #include "tow/trajectory.h"
 
@@ -144,6 +145,7 @@ enum hawser_status hawser_path_read(struct hawser_waypoint **point, int *count,
 {
 	struct table table = {.path = path, .column = {0, 1, 2, 3}};
 	FILE *stream = fopen(path, "r");
+	struct hawser__locale locale;
 	char line[LINE];
 	enum hawser_status status = HAWSER_OK;
 
@@ -152,10 +154,12 @@ enum hawser_status hawser_path_read(struct hawser_waypoint **point, int *count,
 	if (!stream)
 		return hawser__fail(report, hawser__unreadable(errno), where, "cannot open %s: %s", path,
 		                    strerror(errno));
+	hawser__locale_begin(&locale);
 	while (!status && fgets(line, sizeof line, stream)) {
 		table.line++;
 		status = read_line(&table, line, report);
 	}
+	hawser__locale_end(&locale);
 	if (!status && ferror(stream))
 		status = hawser__fail(report, hawser__unreadable(errno), where, "cannot read %s: %s", path,
 		                      strerror(errno));

@@ -68,5 +68,5 @@ refused "rows without end" 1 "rows are more than" '' --until 1 --every 1e-9
 refused "an element that folds" 2 "turns by pi or more" 's/2 N, 0 N, 1 N\], factor: .*/0 N, 0 N, 0 N], moment: [0 N.m, 0 N.m, 90 N.m], factor: [[0 s, 0], [1 s, 1]]}/; s/elements: 6/elements: 2/' --until 1 --no-error
 refused "a node that turns too far in a step" 3 "turns by more than 2 rad in a step" 's/hinged, path: path.txt/clamped, spin: {axis: [1, 0, 0], speed: 1e9 rad\/s}/; s/^damping/g: 0 m\/s^2\ndamping/' --until 0.1 --step 0.01 --no-error
 denies "an option of rods" 1 "is for nets and rods" integrate "$SRCDIR/notebooks-data/scenes/chairlift.yaml" --no-error
-denies "another state file" 4 "cannot write the state" $run --state none/state --no-error
+denies "another state file, before the run" 4 "cannot write none/state: No such file" $run --state none/state --until 1e9 --no-error
 done_testing

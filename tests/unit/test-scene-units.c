@@ -6,10 +6,13 @@
 #include <locale.h>
 #include <math.h>
 #include <pthread.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <udunits2.h>
+#include <unistd.h>
 
 #include <hawser/scene.h>
+#include "scene/state_file.h"
 #include "tests/tap.h"
 
 static void conversions(void)
@@ -142,6 +145,30 @@ static void no_trace(void)
 	ok(ut_set_error_message_handler(ut_ignore) == spy, "and is in place again");
 }
 
+/* Files of states have points, too. */
+static void state(void)
+{
+	const double given[] = {0.5, -2.385e-7};
+	char path[] = "/tmp/hawser-state-XXXXXX", text[80] = "";
+	double *read = NULL;
+	int fd = mkstemp(path);
+	enum hawser_status status = hawser__state_write(given, 2, "state", path, NULL);
+	FILE *file = fopen(path, "r");
+
+	if (!status)
+		status = hawser__state_read(&read, 2, "state", path, "test", NULL);
+	if (file) {
+		(void)!fread(text, 1, sizeof text - 1, file);
+		fclose(file);
+	}
+	ok(!status && strstr(text, "\n0.5\n") && read && memcmp(read, given, sizeof given) == 0,
+	   "a state is written and read with points");
+	free(read);
+	if (fd >= 0)
+		close(fd);
+	unlink(path);
+}
+
 static void comma(void)
 {
 	static const char *const names[] = {"de_DE.UTF-8", "fr_FR.UTF-8", "de_DE", "fr_FR"};
@@ -151,6 +178,7 @@ static void comma(void)
 		if (setlocale(LC_ALL, names[i])) {
 			ok(hawser_unit_parse(&value, "0.5 m", "m", NULL) == HAWSER_OK && value == 0.5,
 			   "a point is a point in %s", names[i]);
+			state();
 			setlocale(LC_ALL, "C");
 			return;
 		}
@@ -213,6 +241,7 @@ int main(void)
 	common();
 	refusals();
 	no_trace();
+	state();
 	comma();
 	database();
 	threads();
