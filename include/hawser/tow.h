@@ -119,7 +119,8 @@ struct hawser_tow_steady {
 	double residual;      /* largest of: distance of the end of the cable from the towing point over the
 	                       * length, moment on the body over offset times force; of a rod: of its
 	                       * forces and moments, over the largest force and that times the length */
-	double mesh_error;    /* m, largest change of a point if the number of elements is halved */
+	double mesh_error;    /* m, largest change of a point if the number of elements is halved; without
+	                       * that of more segments of the ring */
 	int bent;             /* 1: a rod, 0: a string */
 	int raised;           /* elements of the finer mesh, which has twice those of the scene, whose EI is
 	                       * below 1 % of the tension times their squared length and was raised to it */
