@@ -100,6 +100,9 @@ bench: $(BENCHES) %D%/frf %D%/peak %D%/plan hawser
 BENCHES += %D%/rod-motion
 %C%_rod_motion_SOURCES = %D%/rod-motion.c
 %C%_rod_motion_LDADD = $(UPTO_ROD)
+BENCHES += %D%/rod-band
+%C%_rod_band_SOURCES = %D%/rod-band.c
+%C%_rod_band_LDADD = $(UPTO_ROD)
 
 # a time step of a mesh
 BENCHES += %D%/net-motion

@@ -24,7 +24,7 @@ static int begin(struct cli_film *film, const struct hawser_net_frame *frame)
 	return 0;
 }
 
-int cli_film_shoot(struct cli_film *film, const struct hawser_net_frame *frame)
+int cli_film_add(struct cli_film *film, const struct hawser_net_frame *frame)
 {
 	double due = film->room > 1 ? film->last*film->rows/(film->room - 1) : 0.0;
 	int bad = film->x ? 0 : begin(film, frame);

@@ -16,7 +16,7 @@ struct cli_film {
 };
 
 /* Take the row if it is the next one to be shown. Returns errno. */
-int cli_film_shoot(struct cli_film *film, const struct hawser_net_frame *frame);
+int cli_film_add(struct cli_film *film, const struct hawser_net_frame *frame);
 /* With a mark and a trail of the first probe. */
 enum hawser_status cli_film_write(const char *path, const struct cli_film *film,
                                   const struct hawser_net *net, const struct hawser_net_motion *motion,

@@ -16,7 +16,7 @@
 #include "output/animate.h"
 
 enum { PROBES = 64, NAME = HAWSER_NET_NAME + 24, PATH = 4096, DRAWN = 3 };
-enum { ROWS = 200 }; /* of a run without --every */
+enum { ROWS = 200 }; /* of a run without --every, as hawser_net_integrate has (net_motion.h) */
 
 struct result {
 	const struct cli_common *common;
@@ -117,7 +117,7 @@ static int frame(void *data, const struct hawser_net_frame *frame)
 	FILE *file;
 	int bad;
 
-	if (result->settings->animate && (result->failed = cli_film_shoot(&result->film, frame)) != 0) {
+	if (result->settings->animate && (result->failed = cli_film_add(&result->film, frame)) != 0) {
 		snprintf(result->path, sizeof result->path, "%s", result->settings->animate);
 		return result->failed;
 	}

@@ -13,8 +13,8 @@
 #include "output/vtk.h"
 
 #define STRAINED 0.05 /* strain beyond which forces that are linear in it are doubtful */
-#define NO_STRAIN 1e-12 /* strains of a rod at rest: rounding */
-#define ROUGH 0.2     /* mesh error of forces, of the largest, with which they mean little */
+#define NO_STRAIN 1e-12 /* strains of an unloaded rod are rounding */
+#define ROUGH 0.2     /* mesh error of forces over the largest force: a warning */
 #define COARSE 0.02   /* mesh error, in lengths of the rod, that is visible in a picture */
 
 static struct cli_head head(const void *of)

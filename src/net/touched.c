@@ -1,9 +1,9 @@
 /* net/touched.c - the contacts of a result, whether the net is on the side of the obstacles that
  * the scene says, and what is said where no equilibrium was found.
  *
- * A node that slides over the end of a segment leaves it, so that an element cuts the end: the tensions
- * on its two sides are then as 1 to the cosine of the angle there, also without friction and with any
- * number of elements. Such a result is refused; circles round an edge.
+ * A node that slides over the end of a segment leaves it, so that an element cuts the end. The ratio of
+ * the tensions on both sides is then the cosine of the angle there, also without friction and with any
+ * number of elements. Such a result is refused: the edge should be a circle.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

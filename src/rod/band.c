@@ -1,7 +1,7 @@
 /* rod/band.c - see band.h. Elimination with row exchanges: away from equilibrium, and with loads that
  * follow the rod, the matrix is not symmetric. Algorithm and storage are those of LAPACK's dgbtf2
- * and dgbtrs, with which motions take 1.3 to 1.9 times as long, since they call the BLAS for a dozen
- * numbers at a time (HACKING.md, Dependencies; bench/rod-motion).
+ * and dgbtrs, which take 1.6 to 2.7 times as long, since they call the BLAS for a dozen numbers at a
+ * time (bench/rod-band).
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 

@@ -25,7 +25,7 @@ struct hawser__rod_mesh {
 	struct hawser__rod_node *rest, *node;      /* [nodes] at rest, the state */
 	struct hawser__rod_node *kept, *found;     /* [nodes] to return to: before a step, a solution */
 	struct hawser__rod_node goal[2];   /* of start and end under full load */
-	int detour;                        /* the end goes there in a curve */
+	int detour;                        /* 1: the end is moved there in a curve */
 	struct hawser__rod_force *line, *point, *sum; /* [elements] per length, [nodes], [nodes] together */
 	unsigned char *held;               /* [n] */
 	double *r;                         /* [n] forces that are not balanced, then increments */
@@ -53,12 +53,12 @@ void hawser__rod_residual(struct hawser__rod_mesh *mesh);
 void hawser__rod_tangent(struct hawser__rod_mesh *mesh);
 /* Move the state by `step` [n] times `part`. */
 void hawser__rod_move(struct hawser__rod_mesh *mesh, const double *step, double part);
-/* Places of nodes, from the first and the turns, such that each strain has the w it has been given. */
+/* Set the positions of the nodes from that of the first, the rotations, and the w of each strain. */
 void hawser__rod_place(struct hawser__rod_mesh *mesh);
-/* Turn the state by `step` [n] and place its nodes so that each w changes as it does to first order:
- * with a large EA, places that move by `step` itself give forces that have nothing to do with the rod,
- * since a turn changes w by its square. A held end is off by the same square, and comes back in the
- * next step. The strains must be those of the state. */
+/* Turn the nodes by `step` [n], and place them so that each w changes to first order in `step`. If
+ * nodes were moved by `step` itself, w would also change by the square of the turns, and with a
+ * large EA the forces of that exceed all others. The position of a held end is wrong by the same
+ * square until the next step. The strains must be those of the state. */
 void hawser__rod_follow(struct hawser__rod_mesh *mesh, const double *step);
 /* J, of strain. */
 double hawser__rod_strain_energy(const struct hawser__rod_mesh *mesh);

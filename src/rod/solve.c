@@ -30,8 +30,8 @@ enum {
 };
 #define FAR 100.0     /* lengths or rad: an increment that is larger has nothing to do with the rod */
 #define NEAR 1e-6     /* increments that are smaller and do not fall are round-off */
-#define LEFT 1e-2      /* of loads and bending: 1e-6 and less where EA is not too large */
-#define ASIDE 0.3     /* of the way: width of a detour */
+#define LEFT 1e-2     /* largest unbalanced force over loads and EI/L^2: 1e-6 if EA is not too large */
+#define ASIDE 0.3     /* width of the curve in which an end is moved, over the straight distance */
 #define CALM 0.1      /* lengths or rad: a step of the motion may be this large, and */
 #define WILD 0.3      /* no larger */
 #define GROWTH 3.0    /* of the motion's steps */
@@ -54,8 +54,9 @@ static double largest(const struct hawser__rod_mesh *mesh, const double *step)
 	return most;
 }
 
-/* How far aside the end is at a part of a way with a detour: an end that comes straight towards the
- * start presses on the rod along its axis, and the rod gives way late, by a jump. */
+/* The offset of the end from the straight line to its goal, when it is moved in a curve. An end that
+ * moves straight towards the start compresses the rod along its axis, and the rod buckles late, by a
+ * jump. part: 0 to 1, of the way. */
 static void aside(double by[3], const struct hawser__rod_mesh *mesh, double part)
 {
 	const double pi = acos(-1.0);
@@ -125,7 +126,7 @@ static int solve(struct hawser__rod_mesh *mesh, double part)
 	return 0;
 }
 
-/* Whether an element is turned inside out: balanced by numbers only. */
+/* 1 if an element is turned inside out: it solves the equations, but no rod does this. */
 static int inside_out(const struct hawser__rod_mesh *mesh)
 {
 	for (int e = 0; e < mesh->elements; e++)
@@ -290,17 +291,18 @@ static void straight(struct hawser__rod_mesh *mesh, const double *step)
 	hawser__rod_move(mesh, step, 1.0);
 }
 
-/* With strains to first order steps are longer; ends that press may need those of places. */
+/* hawser__rod_follow allows longer steps; if an end compresses the rod, hawser__rod_move may be
+ * needed. */
 int hawser__rod_flow(struct hawser__rod_mesh *mesh, struct hawser__rod_effort *effort, double tolerance)
 {
 	return flow(mesh, effort, tolerance, hawser__rod_follow) ||
 	       flow(mesh, effort, tolerance, straight);
 }
 
-/* N: what of the forces is left without balance, and what it must be small against: loads, and what
- * bends the rod. With a large EA what is left is the rounding of places, and then forces and stability
- * mean nothing. */
-static double left_over(struct hawser__rod_mesh *mesh, double *scale, double *stiff)
+/* The largest unbalanced force of a node, N. scale: the loads and EI/L^2, against which it must be
+ * small. stiff: the largest of EA and GA. With a very large EA rounded positions leave large
+ * unbalanced forces, and section forces and stability are meaningless. */
+static double unbalanced(struct hawser__rod_mesh *mesh, double *scale, double *stiff)
 {
 	double left = 0.0, bends = INFINITY;
 
@@ -319,19 +321,19 @@ static double left_over(struct hawser__rod_mesh *mesh, double *scale, double *st
 	return left;
 }
 
-/* Whether it is one, or why there is none. */
+/* Accept the equilibrium, or fail with the reason. done: the iteration converged. */
 static enum hawser_status found(struct hawser__rod_mesh *mesh, const struct hawser__rod_effort *effort,
                                 int done, struct hawser_report *report)
 {
-	double scale, stiff, left = left_over(mesh, &scale, &stiff);
+	double scale, stiff, left = unbalanced(mesh, &scale, &stiff);
 
 	if (done && left <= LEFT*scale)
 		return HAWSER_OK;
 	if (stiff*DBL_EPSILON > 0.01*LEFT*scale) {
 		left = done ? left : stiff*DBL_EPSILON;
-		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "statics", "EA and GA, of up to %.2g N, "
-		                    "are too large for numbers of 16 digits: rounding is worth forces of "
-		                    "%.2g N, and loads and bending are of %.2g N. Give at most %.0e N, with "
+		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "statics", "EA and GA (up to %.2g N) "
+		                    "are too large for double precision: rounding causes forces of "
+		                    "%.2g N, and loads and EI/L^2 are %.2g N. Give at most %.0e N, with "
 		                    "which the rod stretches by %.0e of its length", stiff, left, scale,
 		                    0.1*stiff*LEFT*scale/left, 10.0*left/(LEFT*stiff));
 	}

@@ -28,18 +28,18 @@
 enum { ITERATIONS = 50, /* of Newton's method: it needs 4 */
        NEAR = 10,       /* bisections of the angle before it: to 3 mrad */
        STARTS = 6,      /* further ones: along the axes, both ways */
-       OTHERS = 16      /* iterations from these: half a turn takes 11, see attitude */ };
+       OTHERS = 16      /* iterations from each: a turn by pi takes 11 */ };
 #define TOLERANCE 1e-13 /* of the moment over offset times force; round-off is 1e-15 */
 #define COARSE 1e-5     /* the same where a sign is looked for: the end of the cable moves by so much of
                          * its offset */
-#define ENOUGH 1e-9     /* the same of a result, a rotation: a thousandth of what a user reads */
+#define ENOUGH 1e-9     /* the same, with which an attitude is accepted: far below the digits shown */
 #define CLOSE 0.98      /* cosine of the turn between two places: beyond it is another attitude */
 
 struct ring {
 	const struct hawser__tow_frame *frame;
 	const struct hawser_tow_body *body;
 	const double *x;   /* of the hinge */
-	double arm;        /* m, offset, or a length in its place by which moments are measured */
+	double arm;        /* m: the offset; if that is 0, the ring's radius; moments are divided by it */
 	double flow[3];    /* there */
 };
 
@@ -222,7 +222,8 @@ static double attitude(double a[3], struct hawser__tow_ring *b, int *stable, con
 	return left;
 }
 
-/* What the ring pulls with at this attitude; its centre is in the hinge if the arm stands for 0. */
+/* Copy force, axis and centre of the ring at this attitude. The scene's offset places the centre, since
+ * ring_of may have replaced an offset of 0. */
 static void take(struct hawser__tow_end *end, const struct hawser__tow_ring *b, const double a[3],
                  const struct ring *of)
 {
@@ -285,8 +286,9 @@ static int ring_near(struct hawser__tow_end *end, const struct ring *of, double 
 	return 1;
 }
 
-/* At x, in a frame with a tow of its own: where the offset is 0, straight flight has in its place the
- * ring's radius, which changes no force there. */
+/* The ring with its joint at x. In straight flight an offset of 0 is replaced by the ring's radius, in
+ * the copies `own` and `frame`: the force on the ring does not depend on the offset there, and the
+ * moment determines the attitude. */
 static void ring_of(struct ring *of, struct hawser_tow *own, struct hawser__tow_frame *frame,
                     const struct hawser__tow_frame *from, const double x[3])
 {

@@ -25,9 +25,9 @@ enum { GRID = 96,      /* places at which g is looked at first */
        SPEEDS = 24,    /* from rest to the speed */
        PARTS = 4 };    /* the mesh of the result: twice the elements */
 #define TOLERANCE 1e-13 /* of the radius, relative */
-#define JUMP 1e-6       /* the same: more at a zero is a jump to another attitude of a ring */
-#define NARROW 1e-3     /* the same: within it a ring that keeps its attitude does not turn */
-#define CLOSE 0.98      /* cosine of a turn that it does not make there */
+#define JUMP 1e-6       /* the same: with more, a zero is a jump between attitudes of a ring */
+#define NARROW 1e-3     /* the same: over a shorter interval of radii the ring hardly turns, and */
+#define CLOSE 0.98      /* a turn with a smaller cosine is a jump to another attitude */
 #define STRETCHED 1.2  /* the cable is at most so much longer than unstretched */
 
 static const char where[] = "tow steady";

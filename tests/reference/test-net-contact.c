@@ -174,9 +174,9 @@ static void turned(void)
 }
 
 /* A rope without weight and friction is drawn over the edge of a table. Nodes do not stay on the end of
- * the segment: without the refusal the tensions on its sides would be 285.0 and 393.4 N (43 elements;
- * 285.3 and 394.0 N with 160). Round, the edge leaves them equal but for the corners of the mesh, whose
- * angles are h/R = 0.15: less than 0.15^2/8 of the tension. */
+ * the segment, and an element that cuts it has different tensions on both sides. Round, the edge leaves
+ * them equal but for the corners of the mesh, whose angles are h/R = 0.15: less than 0.15^2/8 of the
+ * tension. */
 static void edge(void)
 {
 	static const char *const set[] = {
