@@ -1,15 +1,20 @@
 #!/bin/sh
 # deb.sh TARBALL FOLDER: the Debian packages of a tarball of `make dist`, in FOLDER, and what lintian says of
-# them. DEB_BUILD_OPTIONS as dpkg-buildpackage has it, such as "nocheck parallel=2".
+# them. deb.sh --needs: only whether the packages that this takes are there. DEB_BUILD_OPTIONS as dpkg-buildpackage has it, such as "nocheck parallel=2".
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -eu
-tarball=$1 folder=$2
-for program in dpkg-buildpackage dh lintian; do
-	command -v $program >/dev/null || {
-		echo "deb: $program is not found: apt-get install dpkg-dev debhelper lintian" >&2
+if [ "$1" = --needs ]; then
+	top=$(cd "$(dirname "$0")/.." && pwd)
+	missing=$(sed -n 's/^\(build\|deb\): //p' "$top/packages.txt" | tr ' ' '\n' | while read -r package; do
+		dpkg-query -W -f='${db:Status-Status}\n' "$package" 2>/dev/null | grep -qx installed || echo "$package"
+	done | tr '\n' ' ')
+	[ -z "$missing" ] || {
+		echo "deb: apt-get install --no-install-recommends $missing" >&2
 		exit 1
 	}
-done
+	exit 0
+fi
+tarball=$1 folder=$2
 name=$(basename "$tarball" .tar.gz)
 rm -rf "$folder"
 mkdir -p "$folder"

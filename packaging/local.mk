@@ -23,15 +23,20 @@ uninstall-hook:
 	@$(RUN_LOADER) '$(libdir)'
 
 # Debian packages of the tarball, in deb/; and these in a bare Debian (both need root's tools: see the scripts)
-EXTRA_DIST += %D%/deb.sh %D%/try-packages.sh %D%/bare-root.sh %D%/static.sh %D%/try-static.sh \
+EXTRA_DIST += %D%/deb.sh %D%/check-roots.sh %D%/try-packages.sh %D%/bare-root.sh %D%/static.sh %D%/try-static.sh \
 	debian/changelog debian/control debian/copyright debian/hawser.install debian/hawser-doc.docs \
 	debian/hawser-doc.install debian/libhawser0.install debian/libhawser-dev.examples \
 	debian/libhawser-dev.install debian/rules debian/source/format debian/tests/control \
 	debian/tests/library debian/tests/main-job debian/tests/python
-.PHONY: deb deb-try
+.PHONY: deb deb-try check-roots
 deb:
+	@$(SHELL) $(srcdir)/%D%/deb.sh --needs
 	$(MAKE) $(AM_MAKEFLAGS) dist
 	$(SHELL) $(srcdir)/%D%/deb.sh $(distdir).tar.gz deb
+# As root, and from a clone: the two commands of README.md in bare Debians; logs in roots/.
+ROOTS = bookworm trixie
+check-roots:
+	@$(SHELL) $(srcdir)/%D%/check-roots.sh roots $(ROOTS)
 deb-try:
 	$(SHELL) $(srcdir)/%D%/bare-root.sh deb
 

@@ -1,5 +1,6 @@
 # Checks of the repository itself, and the suite run in other ways.
 REPO_CHECKS = \
+	%D%/checks/awks.sh \
 	%D%/checks/bindings.sh \
 	%D%/checks/columns.sh \
 	%D%/checks/compilable.sh \
@@ -16,16 +17,17 @@ REPO_CHECKS = \
 	%D%/checks/size.sh \
 	%D%/checks/symbols.sh \
 	%D%/checks/targets.sh
-dist_check_SCRIPTS = $(REPO_CHECKS)
 EXTRA_DIST += %D%/checks/bindings/frf.cpp %D%/checks/bindings/frf.py %D%/checks/columns.py %D%/checks/lib.sh %D%/checks/messages.py %D%/checks/shapes.awk %D%/checks/shown.py examples/duffing.c examples/frf.c examples/statics.c
 
 # They look at sources and at a plain build; one run of them is enough.
-if !SANITIZERS
-TESTS += $(REPO_CHECKS)
+if SANITIZERS
+EXTRA_DIST += $(REPO_CHECKS)
+else
+test_scripts += $(REPO_CHECKS)
 endif
 
 # What the checks need to know about the build.
-AM_TESTS_ENVIRONMENT += \
+TEST_ENVIRONMENT += \
 	CC='$(CC)'; NM='$(NM)'; PKG_CONFIG='$(PKG_CONFIG)'; MAKE='$(MAKE)'; \
 	LIBDIR='$(libdir)'; INCLUDEDIR='$(includedir)'; BINDIR='$(bindir)'; \
 	export CC NM PKG_CONFIG MAKE LIBDIR INCLUDEDIR BINDIR;
@@ -34,78 +36,66 @@ AM_TESTS_ENVIRONMENT += \
 messages:
 	cd $(srcdir) && python3 tests/checks/messages.py list >doc/messages.md
 
-# The tests that take more than 3 s of processor time (`make times`). ./quickstart check leaves them out, so that its verdict comes
-# soon; make check has them, and .ci/run runs each of them once more: under the sanitizers, or without where those leave it out.
-LONGER = %D%/checks/bindings.sh %D%/checks/compilable.sh %D%/checks/docs.sh %D%/checks/installed.sh \
-	%D%/checks/messages.sh %D%/checks/shown.sh %D%/checks/site.sh %D%/cli/attach.sh %D%/cli/bad-input.sh %D%/cli/beam.sh \
-	%D%/cli/bending.sh %D%/cli/branches.sh %D%/cli/choice.sh %D%/cli/disk.sh %D%/cli/fe.sh %D%/cli/files.sh \
-	%D%/cli/folds.sh %D%/cli/full.sh %D%/cli/help-vs-man.sh %D%/cli/identify.sh %D%/cli/interrupt.sh %D%/cli/irvine.sh \
-	%D%/cli/label.sh %D%/cli/library.sh %D%/cli/loads.sh %D%/cli/locus-exact.sh %D%/cli/locus.sh %D%/cli/long.sh \
-	%D%/cli/map.sh %D%/cli/motion.sh %D%/cli/net-contact.sh %D%/cli/net-motion.sh %D%/cli/net-plan.sh %D%/cli/net.sh \
-	%D%/cli/nnm.sh %D%/cli/obstacles.sh %D%/cli/over.sh %D%/cli/own.sh %D%/cli/pairs.sh %D%/cli/peaks.sh \
-	%D%/cli/pictures.sh %D%/cli/plausible.sh %D%/cli/published.sh %D%/cli/python.sh %D%/cli/ranks.sh %D%/cli/ratios.sh \
-	%D%/cli/refusals.sh %D%/cli/report.sh %D%/cli/results.sh %D%/cli/rod-motion.sh %D%/cli/ropeway-modes.sh \
-	%D%/cli/ropeway-rom.sh %D%/cli/ropeway-sweeps.sh %D%/cli/ropeway.sh %D%/cli/same-bytes.sh %D%/cli/scales.sh \
-	%D%/cli/signals.sh %D%/cli/slack.sh %D%/cli/static-load.sh %D%/cli/stiff.sh %D%/cli/study.sh %D%/cli/sweep.sh \
-	%D%/cli/tori.sh %D%/cli/tow.sh %D%/cli/transient.sh %D%/cli/travel-motion.sh %D%/cli/travel.sh %D%/cli/units-plot.sh \
-	%D%/cli/usage.sh %D%/property/test-campbell %D%/property/test-combined %D%/property/test-estimates \
-	%D%/property/test-hill-boundaries %D%/property/test-identify %D%/property/test-identify-bending \
-	%D%/property/test-modes %D%/property/test-study %D%/property/test-study-chosen %D%/reference/rom-export.sh \
-	%D%/extremes/test-alloc %D%/extremes/test-beam-sweep %D%/extremes/test-gyroscopic-sweep %D%/extremes/test-irvine \
-	%D%/extremes/test-modes-sweep %D%/extremes/test-sweep-curves
-quick_tests = $(filter-out $(LONGER),$(TESTS:$(EXEEXT)=))
-rest_of_tests = $(filter $(SANITIZERS_OUT),$(filter $(LONGER),$(TESTS:$(EXEEXT)=)))
-check-quick:
-	$(MAKE) check TESTS='$(quick_tests)'
-check-rest:
-	$(MAKE) check TESTS='$(rest_of_tests)' TEST_SUITE_LOG=test-rest.log
+# What ./quickstart check runs: all tests but those of longer.txt, which has the reason for each. A test that takes more than
+# QUICK_SECS of processor time fails, unless it is in slow.txt with a reason. Memory that is read before it is written has another
+# content than 0 in them.
+QUICK_SECS = 3
+check-quick: all-am $(check_PROGRAMS) $(check_DATA)
+	@MALLOC_PERTURB_=165 $(MAKE) --no-print-directory check-local \
+		RUN_FLAGS='-X $(srcdir)/%D%/longer.txt -s $(QUICK_SECS) -r $(srcdir)/%D%/slow.txt'
+# The tests of longer.txt, and these alone.
+check-longer: all-am $(check_PROGRAMS) $(check_DATA)
+	@$(MAKE) --no-print-directory check-local RUN_RESULTS=tests/longer.tsv RUN_FLAGS='-T $(srcdir)/%D%/longer.txt'
 
-.PHONY: messages check-quick check-rest check-analyzers check-kernels check-kernel-sample check-provoked check-sanitizers check-sanitizers-sample check-valgrind check-valgrind-all check-long check-more \
+.PHONY: messages check-quick check-longer check-analyzers check-kernels check-kernel-sample check-provoked check-sanitizers check-sanitizers-sample check-valgrind check-valgrind-all check-long check-more \
 	check-compilers check-syntax
 
-# The suite under AddressSanitizer (with its leak check) and UBSan, in a build of its own. CC may be
-# clang; make check-sanitizers TESTS=... runs less.
-check-sanitizers:
+# The program and the tests under AddressSanitizer (with its leak check) and UBSan, by clang, in a build of their own, which fuzzing
+# uses as well. clang's warnings are errors there. make check-sanitizers TESTS=... runs less.
+SANITIZERS_CC = clang
+sanitizers/config.status:
 	@$(MKDIR_P) sanitizers
-	@test -f sanitizers/config.status || { cd sanitizers && \
-		$(abs_top_srcdir)/configure -q --enable-sanitizers --disable-shared CC='$(CC)' CFLAGS='-O1 -g'; }
-	cd sanitizers && $(MAKE) && $(MAKE) check
+	cd sanitizers && $(abs_top_srcdir)/configure -q --enable-sanitizers --enable-werror --disable-shared CC='$(SANITIZERS_CC)' \
+		CFLAGS='-O1 -g1 -fsanitize=fuzzer-no-link'
+check-sanitizers: sanitizers/config.status
+	$(MAKE) -C sanitizers check-programs
+	$(MAKE) -C sanitizers check-local
 
-# What .ci/run takes of it. Left out are the tests that take longest and whose code others run as well (check-long has them), and the
-# ranks, since Open MPI leaks.
-SANITIZERS_OUT = %D%/checks/% %-sweep %-estimates %-estimate %/test-sweep-curves %/test-sweep-mms %/test-study \
-	%/test-study-chosen %/test-accuracy %/test-campbell %/test-irvine %/test-modes %/test-map-threads %/test-frf-full \
-	%/test-map-mathieu %/same-bytes.sh %/study.sh %/beam.sh %/pictures.sh %/long.sh %/scales.sh %/travel.sh %/disk.sh %/irvine.sh \
-	%/locus-exact.sh %/units-plot.sh %/plausible.sh %/travel-motion.sh %/ranks.sh
-check-sanitizers-sample:
-	$(MAKE) check-sanitizers TESTS='$(filter-out $(SANITIZERS_OUT),$(TESTS:$(EXEEXT)=))'
+# What .ci/run takes of it. Left out are the tests whose results take longest and whose code others run as well (check-long has them),
+# and the ranks, since Open MPI leaks.
+SANITIZERS_OUT = '*-sweep' '*-estimates' '*-estimate' '*/sweep-*' '*/study' property/study-chosen '*/accuracy' property/campbell \
+	property/irvine property/modes property/map-threads property/frf-full reference/map-mathieu cli/same-bytes cli/study \
+	cli/beam cli/pictures cli/long cli/scales cli/travel cli/disk cli/irvine cli/locus-exact cli/units-plot cli/plausible \
+	cli/travel-motion cli/ranks
+check-sanitizers-sample: sanitizers/config.status
+	$(MAKE) -C sanitizers check-programs
+	$(MAKE) -C sanitizers check-local RUN_FLAGS="$(addprefix -x ,$(SANITIZERS_OUT)) -X $(abs_top_srcdir)/%D%/longer.txt"
 
-# The unit tests under valgrind. The leaks that count are definite ones: udunits2 keeps tables that
-# valgrind finds possibly lost.
-RUN_VALGRIND = $(SHELL) $(abs_top_builddir)/libtool --mode=execute $(VALGRIND) -q --leak-check=full --show-leak-kinds=definite \
-	--errors-for-leak-kinds=definite --error-exitcode=9
-VALGRIND_TESTS = $(filter-out %-fuzz %-memory,$(filter tests/unit/%,$(check_PROGRAMS:$(EXEEXT)=)))
-check-valgrind:
+# Valgrind sees what the sanitizers don't: values that were never written, also on their way through BLAS, LAPACK and SuiteSparse,
+# which are not compiled with MemorySanitizer. The leaks that count are definite ones: udunits2 keeps tables that
+# valgrind finds possibly lost. A cheap test of each stage.
+RUN_VALGRIND = $(VALGRIND) -q --leak-check=full --show-leak-kinds=definite --errors-for-leak-kinds=definite --error-exitcode=9
+VALGRIND_TESTS = 'unit/*'
+VALGRIND_OUT = 'unit/*-fuzz' 'unit/*-memory'
+check-valgrind: all-am $(check_PROGRAMS)
 	@test '$(VALGRIND)' != no || { echo 'valgrind is not installed'; exit 1; }
-	$(MAKE) check TESTS='$(VALGRIND_TESTS)' TEST_SUITE_LOG=test-valgrind.log \
-		LOG_COMPILER='$(RUN_VALGRIND)'
+	@$(MAKE) --no-print-directory check-local TESTS= RUN_RESULTS=tests/valgrind.tsv \
+		RUN_FLAGS="-w '$(RUN_VALGRIND)' -l tests/valgrind $(addprefix -t ,$(VALGRIND_TESTS)) $(addprefix -x ,$(VALGRIND_OUT))"
 
-# All programs of the suite, and the program itself in the tests of the command line, under valgrind.
-# Left out are: test-alloc, whose library stands in for the allocator, as valgrind does; the sweeps of
+# All test programs, and the program itself in the tests of the command line, under valgrind.
+# Left out are: extremes/alloc, whose library stands in for the allocator, as valgrind does; the sweeps of
 # parameters, whose oracles need a long double, which valgrind computes as a double; tests of the memory
 # that a run takes, and of how long an interrupt or a full disk may take, since valgrind's own counts; the
-# checks of the repository; and what starts the program from Python. It takes hours: VALGRIND_ALL=... runs less.
-VALGRIND_OUT = %-fuzz %-sweep tests/extremes/test-sweep-% %-alloc %-memory %/test-map-threads
-VALGRIND_CLI_OUT = %/disk.sh %/full.sh %/files.sh %/interrupt.sh %/help-vs-man.sh
-VALGRIND_ALL = $(filter-out $(VALGRIND_OUT),$(filter tests/%,$(check_PROGRAMS:$(EXEEXT)=))) \
-	$(filter-out $(VALGRIND_CLI_OUT),$(filter tests/cli/%.sh,$(TESTS)))
-check-valgrind-all: all-am
+# checks of the repository; and what starts the program from Python. It takes hours: make check-valgrind-all TESTS=... runs less.
+VALGRIND_ALL_OUT = '*-fuzz' '*-sweep' '*/sweep-*' '*/alloc' '*-memory' '*/map-threads' 'checks/*' cli/disk cli/full cli/files cli/interrupt \
+	cli/help-vs-man
+check-valgrind-all: all-am $(check_PROGRAMS)
 	@test '$(VALGRIND)' != no || { echo 'valgrind is not installed'; exit 1; }
-	@printf '#!/bin/sh\nexec %s "$$@"\n' "$(RUN_VALGRIND) $(abs_top_builddir)/hawser" >hawser-valgrind
+	@printf '#!/bin/sh\nexec %s "$$@"\n' "$(SHELL) $(abs_top_builddir)/libtool --mode=execute $(RUN_VALGRIND) \
+		$(abs_top_builddir)/hawser" >hawser-valgrind
 	@chmod +x hawser-valgrind
-	$(MAKE) check TESTS='$(VALGRIND_ALL)' TEST_SUITE_LOG=test-valgrind-all.log \
-		LOG_COMPILER='$(RUN_VALGRIND)' \
-		TESTS_ENVIRONMENT='HAWSER=$(abs_top_builddir)/hawser-valgrind; export HAWSER;'
+	@$(MAKE) --no-print-directory check-local TEST_HAWSER=hawser-valgrind RUN_RESULTS=tests/valgrind.tsv \
+		RUN_FLAGS="-w '$(RUN_VALGRIND)' -l tests/valgrind $(addprefix -x ,$(VALGRIND_ALL_OUT))"
 
 # gcc -fanalyzer, clang-tidy (.clang-tidy) and cppcheck; what is no mistake is annotated with why.
 EXTRA_DIST += .clang-tidy %D%/analyzers/run.sh %D%/analyzers/gcc.txt
@@ -132,31 +122,27 @@ check-provoked:
 KERNELS_X86 = Prescott Core2 Penryn Dunnington Atom Nehalem Nano Opteron Opteron_SSE3 Barcelona Bobcat Bulldozer Piledriver \
 	Steamroller Excavator Sandybridge Haswell Zen SkylakeX Cooperlake SapphireRapids
 KERNELS = $(KERNELS_X86) reference
-KERNEL_OUT = %D%/checks/% %D%/unit/test-scene% %D%/unit/test-status %-memory %/disk.sh %/files.sh %/full.sh \
-	%/help-vs-man.sh %/interrupt.sh %/pictures.sh %/usage.sh %/bad-input.sh
-KERNEL_TESTS = $(filter-out $(KERNEL_OUT),$(TESTS))
+KERNEL_OUT = 'checks/*' 'unit/scene*' unit/status '*-memory' cli/disk cli/files cli/full cli/help-vs-man cli/interrupt cli/pictures \
+	cli/usage cli/bad-input
 EXTRA_DIST += %D%/kernels/run.sh
 check_PROGRAMS += %D%/kernels/probe
 %C%_kernels_probe_SOURCES = %D%/kernels/probe.c
 %C%_kernels_probe_LDADD = $(LAPACKE_LIBS) $(BLAS_LIBS)
-check-kernels: all-am %D%/kernels/probe$(EXEEXT)
-	@MAKE='$(MAKE)' KERNELS='$(KERNELS)' KERNEL_TESTS='$(KERNEL_TESTS:$(EXEEXT)=)' \
-		$(SHELL) $(srcdir)/%D%/kernels/run.sh
+check-kernels: all-am $(check_PROGRAMS)
+	@MAKE='$(MAKE)' KERNELS='$(KERNELS)' KERNEL_FLAGS="$(addprefix -x ,$(KERNEL_OUT)) $(KERNEL_SAMPLE_FLAGS)" \
+		KERNEL_TESTS='$(TESTS)' $(SHELL) $(srcdir)/%D%/kernels/run.sh
 
-# What .ci/run takes of it, three minutes of two processors at most: an old kernel, two with AVX, one with AVX-512 and the
-# reference; the tests that have failed under some kernel, and cheap ones of each stage.
+# What .ci/run takes of it: an old kernel, two with AVX, one with AVX-512 and the reference; the tests that have failed under some
+# kernel, and cheap ones of each stage.
 KERNEL_SAMPLE = Prescott Sandybridge Haswell SkylakeX reference
-KERNEL_SAMPLE_TESTS = \
-	$(filter-out %/test-map %/test-map-mathieu %/rom-auto.sh %/rom-export.sh,$(filter %D%/unit/% %D%/reference/%,$(KERNEL_TESTS))) \
-	$(filter %/test-choose %/test-folds %/test-frf %/test-gyroscopic %/test-modes-basis %/test-modes-chain \
-		%/test-modes-compare %/test-primary %/test-quadratic %/test-rom-auto %/test-rom-condense %/test-rom-inertia \
-		%/test-scales %/test-travel,\
-		$(filter %D%/property/%,$(KERNEL_TESTS))) \
-	$(filter %-alloc %/test-folds-extremes %/test-modes-extremes %/test-sweep-folds %/test-sweep-hill %/test-sweep-load \
-		%/test-sweep-rom,$(KERNEL_TESTS)) \
-	%D%/cli/refusals.sh
+KERNEL_SAMPLE_TESTS = 'unit/*' 'reference/*' property/choose property/folds property/frf property/gyroscopic property/modes-basis \
+	property/modes-chain property/modes-compare property/primary property/quadratic property/rom-auto property/rom-condense \
+	property/rom-inertia property/scales property/travel extremes/alloc extremes/folds-extremes extremes/modes-extremes \
+	extremes/sweep-folds extremes/sweep-hill extremes/sweep-load extremes/sweep-rom cli/refusals
+KERNEL_SAMPLE_OUT = unit/map reference/map-mathieu reference/rom-auto reference/rom-export
 check-kernel-sample:
-	$(MAKE) check-kernels KERNELS='$(KERNEL_SAMPLE)' TESTS='$(KERNEL_SAMPLE_TESTS:$(EXEEXT)=)'
+	@$(MAKE) --no-print-directory check-kernels KERNELS='$(KERNEL_SAMPLE)' \
+		KERNEL_SAMPLE_FLAGS="$(addprefix -t ,$(KERNEL_SAMPLE_TESTS)) $(addprefix -x ,$(KERNEL_SAMPLE_OUT))"
 
 # All that takes longer than a coffee break, one after another: the analyzers, the suite with
 # HAWSER_LONG=1, by which tests with more to try know it, the suite under sanitizers and under valgrind. Each goes on to the next; what failed is said at the end.
@@ -190,4 +176,4 @@ AM_DISTCHECK_CONFIGURE_FLAGS = --enable-werror
 
 clean-local: clean-checks
 clean-checks:
-	rm -rf analyzers fuzzing kernels provoked sanitizers werror-gcc werror-clang test-rest.log test-valgrind.log test-valgrind-all.log hawser-valgrind site site-work
+	rm -rf analyzers fuzzing kernels provoked sanitizers werror-gcc werror-clang tests/log tests/valgrind hawser-valgrind tests/*.tsv site site-work

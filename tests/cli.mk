@@ -1,4 +1,4 @@
-# tests of the program and of its output
+# tests of the program
 CLI_TESTS = \
 	%D%/cli/bad-input.sh \
 	%D%/cli/beam.sh \
@@ -70,32 +70,9 @@ CLI_TESTS = \
 	%D%/cli/published.sh \
 	%D%/cli/published-forced.sh \
 	%D%/cli/unstable.sh \
+	%D%/cli/tow-steady.sh \
+	%D%/cli/tow.sh \
+	%D%/cli/trajectory.sh \
 	%D%/cli/usage.sh
-TESTS += $(CLI_TESTS)
-dist_check_SCRIPTS += $(CLI_TESTS)
+test_scripts += $(CLI_TESTS)
 EXTRA_DIST += %D%/cli/lib.sh
-
-check_PROGRAMS += %D%/unit/test-output
-TESTS += %D%/unit/test-output
-tests_unit_test_output_SOURCES = %D%/unit/test-output.c
-tests_unit_test_output_LDADD = src/output/.libs/liboutput.a $(UPTO_RESPONSE)
-
-check_PROGRAMS += %D%/unit/test-fields
-TESTS += %D%/unit/test-fields
-tests_unit_test_fields_SOURCES = %D%/unit/test-fields.c
-tests_unit_test_fields_LDADD = src/output/.libs/liboutput.a $(UPTO_RESPONSE)
-
-check_PROGRAMS += %D%/unit/test-fields-read
-TESTS += %D%/unit/test-fields-read
-tests_unit_test_fields_read_SOURCES = %D%/unit/test-fields-read.c
-tests_unit_test_fields_read_LDADD = src/output/.libs/liboutput.a $(UPTO_RESPONSE)
-
-check_PROGRAMS += %D%/unit/test-fields-computed
-TESTS += %D%/unit/test-fields-computed
-tests_unit_test_fields_computed_SOURCES = %D%/unit/test-fields-computed.c
-tests_unit_test_fields_computed_LDADD = src/output/.libs/liboutput.a $(UPTO_RESPONSE)
-
-check_PROGRAMS += %D%/unit/test-axis
-TESTS += %D%/unit/test-axis
-tests_unit_test_axis_SOURCES = %D%/unit/test-axis.c src/cli/axis.c
-tests_unit_test_axis_LDADD = src/output/.libs/liboutput.a $(UPTO_SCENE) $(JANSSON_LIBS)

@@ -1,5 +1,5 @@
-# Fuzzing: `make fuzz` builds the targets with clang's libFuzzer, AddressSanitizer and UBSan in
-# fuzzing/ and runs each for FUZZ_SECONDS, or FUZZ_RUNS inputs if that is set, from the
+# Fuzzing: `make fuzz` builds the targets with clang's libFuzzer in the tree of make check-sanitizers,
+# sanitizers/, and runs each in fuzzing/ for FUZZ_SECONDS, or FUZZ_RUNS inputs if that is set, from the
 # committed seeds. What it finds stays in fuzzing/findings/.
 FUZZ_TARGETS = tests/fuzz/fuzz-scene tests/fuzz/fuzz-set tests/fuzz/fuzz-model tests/fuzz/fuzz-state \
 	tests/fuzz/fuzz-checkpoint
@@ -34,21 +34,20 @@ FUZZ_JOBS = 1
 FUZZ_SEED = 0
 # Seconds from which one input counts as a hang.
 FUZZ_TIMEOUT = 1
-FUZZ_CFLAGS = -O1 -g -fno-omit-frame-pointer -fno-sanitize-recover=undefined \
-	-fsanitize=fuzzer-no-link,address,undefined
 EXTRA_DIST += tests/fuzz/run.sh tests/fuzz/leaks.supp tests/fuzz/corpus
 .PHONY: fuzz
 fuzz:
-	@SRCDIR='$(abs_top_srcdir)' FUZZ_CFLAGS='$(FUZZ_CFLAGS)' FUZZ_SECONDS='$(FUZZ_SECONDS)' \
+	@SRCDIR='$(abs_top_srcdir)' FUZZ_SECONDS='$(FUZZ_SECONDS)' \
 		FUZZ_JOBS='$(FUZZ_JOBS)' FUZZ_RUNS='$(FUZZ_RUNS)' FUZZ_SEED='$(FUZZ_SEED)' FUZZ_TIMEOUT='$(FUZZ_TIMEOUT)' \
 		FUZZ_TARGETS='$(FUZZ_TARGETS)' MAKE='$(MAKE)' \
 		$(SHELL) $(srcdir)/tests/fuzz/run.sh
 
 # Allocations that fail: the program under a library that refuses one of them. It is compiled by
 # itself, since the program's own sanitizers are none of its business.
-check_PROGRAMS += tests/extremes/test-alloc
-TESTS += tests/extremes/test-alloc
-tests_extremes_test_alloc_SOURCES = tests/extremes/test-alloc.c
+test_programs += tests/memory
+tests_memory_SOURCES = tests/cases.c \
+	tests/extremes/test-alloc.c
+nodist_tests_memory_SOURCES = tests/memory-cases.c
 EXTRA_DIST += tests/fuzz/alloc.c
 check_DATA = tests/fuzz/alloc.so
 CLEANFILES += tests/fuzz/alloc.so
@@ -56,7 +55,7 @@ tests/fuzz/alloc.so: tests/fuzz/alloc.c
 	@$(MKDIR_P) tests/fuzz
 	$(AM_V_CCLD)$(CC) $(CPPFLAGS) -std=c11 -O1 -g -fPIC -shared -o $@ $(srcdir)/tests/fuzz/alloc.c -ldl
 # The program itself, not libtool's script in front of it.
-AM_TESTS_ENVIRONMENT += \
+TEST_ENVIRONMENT += \
 	HAWSER_PRELOAD='$(abs_top_builddir)/tests/fuzz/alloc.so'; export HAWSER_PRELOAD; \
 	HAWSER_REAL='$(abs_top_builddir)/hawser'; \
 	test ! -x '$(abs_top_builddir)/.libs/hawser' || HAWSER_REAL='$(abs_top_builddir)/.libs/hawser'; \

@@ -1,31 +1,13 @@
-# Every test speaks TAP. Each program links its own stage and the stages upstream of it, so that an
-# upward call does not link.
-TEST_EXTENSIONS = .sh
-LOG_DRIVER = env AM_TAP_AWK='$(AWK)' $(SHELL) $(top_srcdir)/build-aux/tap-driver.sh
-SH_LOG_DRIVER = $(LOG_DRIVER)
-# Each test's log ends with its processor time; `make times` lists them.
-LOG_COMPILER = $(top_srcdir)/%D%/timed.sh
-SH_LOG_COMPILER = $(LOG_COMPILER)
-EXTRA_DIST += %D%/timed.sh %D%/times.sh
-.PHONY: times
-times:
-	@$(SHELL) $(srcdir)/%D%/times.sh
-
-# Automake takes tests/cli/units, without .sh, for a test that has passed if the log of tests/cli/units.sh
-# is there. A name that is none of a test fails instead.
-check-local:
-	@for test in $(TESTS); do \
-		test -f $$test || test -f $(srcdir)/$$test || { \
-			echo "TESTS: $$test is no test; write its path with its suffix, such as" \
-			     "tests/cli/units.sh" >&2; exit 1; }; \
-	done
-
-# Tests run side by side: the BLAS's threads must leave the processors to the others.
-AM_TESTS_ENVIRONMENT = \
-	HAWSER='$(abs_top_builddir)/hawser'; export HAWSER; \
-	SRCDIR='$(abs_top_srcdir)'; export SRCDIR; \
-	OPENBLAS_NUM_THREADS=1; export OPENBLAS_NUM_THREADS;
-noinst_HEADERS += %D%/tap.h %D%/balance-model.h %D%/gsl_mathieu.h %D%/fields-text.h
+# The tests: a program a stage, whose cases are the sources tests/KIND/test-NAME.c, and scripts. All speak TAP, and tests/run runs
+# them. A program links its own stage and the stages upstream of it, so that an upward call does not link.
+test_programs =
+test_scripts =
+test_helpers =
+TEST_ENVIRONMENT =
+EXTRA_DIST += %D%/cases.sh %D%/longer.txt %D%/slow.txt
+noinst_HEADERS += %D%/tap.h %D%/cases.h %D%/balance-model.h %D%/gsl_mathieu.h %D%/fields-text.h
+check_PROGRAMS += %D%/run
+tests_run_SOURCES = %D%/run.c
 
 # The stages' archives, which need no libtool to link (see only.mk).
 UPTO_CORE = src/core/.libs/libcore.a
@@ -74,8 +56,8 @@ src/study/.libs/libstudy.a: src/study/libstudy.la
 src/output/.libs/liboutput.a: src/output/liboutput.la
 	@:
 
-include %D%/checks.mk
 include %D%/core.mk
+include %D%/continuation.mk
 include %D%/scene.mk
 include %D%/statics.mk
 include %D%/modes.mk
@@ -87,11 +69,42 @@ include %D%/rod.mk
 include %D%/tow.mk
 include %D%/rom.mk
 include %D%/response.mk
-include %D%/integrate.mk
 include %D%/study.mk
+include %D%/output.mk
 include %D%/cli.mk
 include %D%/fuzz.mk
-include %D%/sweeps.mk
+include %D%/checks.mk
+check_PROGRAMS += $(test_programs) $(test_helpers)
+dist_check_SCRIPTS = $(test_scripts)
+
+# The table of a program's cases, from the names of its sources.
+test_tables = $(test_programs:=-cases.c)
+MOSTLYCLEANFILES += $(test_tables)
+$(test_tables): tests/%-cases.c: Makefile $(srcdir)/tests/cases.sh
+	$(AM_V_GEN)$(MKDIR_P) tests && $(SHELL) $(srcdir)/tests/cases.sh $(tests_$*_SOURCES) >$@.tmp && mv -f $@.tmp $@
+
+# What tests get to know. Tests run side by side: the BLAS's threads must leave the processors to the others.
+TEST_ENVIRONMENT += \
+	HAWSER='$(abs_top_builddir)/$(TEST_HAWSER)'; export HAWSER; \
+	SRCDIR='$(abs_top_srcdir)'; export SRCDIR; \
+	OPENBLAS_NUM_THREADS=1; export OPENBLAS_NUM_THREADS; $(KERNEL_SETTING)
+
+# make check runs all tests, make check TESTS="property/frf tests/cli/net.sh tests/rom" those; RUN_FLAGS are further options of
+# tests/run, and RUN_RESULTS is where the results go. JOBS is how many run at the same time: by default as many as make
+# would, which it does not tell, so the processors' number.
+JOBS =
+TEST_HAWSER = hawser
+RUN_RESULTS = tests/results.tsv
+RUN_FLAGS =
+RUN_TESTS = unset MAKEFLAGS MFLAGS MAKELEVEL; $(TEST_ENVIRONMENT) jobs='$(JOBS)'; \
+	%D%/run -j "$${jobs:-`nproc 2>/dev/null || echo 1`}" -o $(RUN_RESULTS) $(RUN_FLAGS)
+RUN_ALL = $(RUN_TESTS) $(patsubst %,-t '%',$(TESTS)) $(test_programs) $(addprefix $(srcdir)/,$(test_scripts))
+check-local: all-am
+	@$(RUN_ALL)
+# The processor time of each test of the last run, longest first.
+.PHONY: times
+times:
+	@sort -t "`printf '\t'`" -k 6,6nr $(RUN_RESULTS) | awk -F '\t' 'NR > 1 && NR <= 31 { print $$6, $$1 } NR > 1 { s += $$6; n++ } END { print s, "all", n }'
 
 # make check TESTS=... builds what it runs; make check-programs builds all test programs and runs none.
 # It waits for all-am, not for all: all starts a second make in the same folder, and with make -j both would write the
@@ -100,6 +113,3 @@ include %D%/sweeps.mk
 EXTRA_DIST += %D%/only.mk
 .PHONY: check-programs
 check-programs: all-am $(check_PROGRAMS) $(check_DATA)
-# This test needs a program beside its own.
-%D%/reference/rom-auto.log: %D%/reference/rom-auto-export$(EXEEXT)
-%D%/reference/rom-export.log: %D%/reference/rom-export-values$(EXEEXT)

@@ -1,11 +1,15 @@
-# With TESTS=... on the command line, make check builds the programs among them and no others. automake does not
-# understand conditions of make, so make includes this file itself. The targets of make check are read before it; so the
-# shorter list is passed on to the makes that make check starts.
+# With TESTS=... on the command line, make check builds the programs that have these cases and no others. automake does not
+# understand conditions of make, so make includes this file itself.
 ifeq ($(origin TESTS),command line)
-check_PROGRAMS := $(filter $(TESTS) $(TESTS:=$(EXEEXT)),$(check_PROGRAMS))
-AM_MAKEFLAGS = check_PROGRAMS='$(check_PROGRAMS)'
+ifeq (,$(findstring *,$(TESTS)))
+wanted_cases = $(subst /test-,/,$(patsubst tests/%,%,$(TESTS:.c=)))
+cases_of = $(subst /test-,/,$(patsubst tests/%.c,%,$(tests_$(notdir $(1))_SOURCES)))
+test_programs := $(foreach program,$(test_programs),$(if $(filter $(TESTS),$(program))$(filter $(wanted_cases),$(call \
+	cases_of,$(program))),$(program)))
+check_PROGRAMS := tests/run $(test_programs) $(if $(filter tests/reference/%.sh reference/%,$(TESTS)),$(test_helpers))
+endif
 endif
 
-# libtool's script takes three times as long as the link that it starts, and there are a hundred test programs. They
-# link the archives that libtool made. (private: the archives themselves are made as before.)
+# libtool's script takes three times as long as the link that it starts. The test programs link the archives that libtool made.
+# (private: the archives themselves are made as before.)
 $(check_PROGRAMS): private LINK = $(CC) $(AM_CFLAGS) $(CFLAGS) $(AM_LDFLAGS) $(LDFLAGS) -o $@

@@ -1,98 +1,36 @@
-# tests of the study stage: fidelities, plans and comparisons
-STUDY_TESTS = tests/unit/test-study-landmarks tests/property/test-study tests/property/test-study-scales
-check_PROGRAMS += $(STUDY_TESTS)
-TESTS += $(STUDY_TESTS)
-tests_unit_test_study_landmarks_SOURCES = tests/unit/test-study-landmarks.c
-tests_unit_test_study_landmarks_LDADD = $(UPTO_STUDY)
-STUDY_TESTS += tests/property/test-fixed
-tests_property_test_fixed_SOURCES = tests/property/test-fixed.c
-tests_property_test_fixed_LDADD = $(UPTO_STUDY)
-STUDY_TESTS += tests/property/test-plan
-tests_property_test_plan_SOURCES = tests/property/test-plan.c
-tests_property_test_plan_LDADD = $(UPTO_STUDY)
-tests_property_test_study_SOURCES = tests/property/test-study.c
-tests_property_test_study_LDADD = $(UPTO_STUDY)
-tests_property_test_study_scales_SOURCES = tests/property/test-study-scales.c
-tests_property_test_study_scales_LDADD = $(UPTO_STUDY)
-
-check_PROGRAMS += tests/property/test-accuracy
-TESTS += tests/property/test-accuracy
-tests_property_test_accuracy_SOURCES = tests/property/test-accuracy.c
-tests_property_test_accuracy_LDADD = $(UPTO_STUDY)
-check_PROGRAMS += tests/reference/test-accuracy
-TESTS += tests/reference/test-accuracy
-tests_reference_test_accuracy_SOURCES = tests/reference/test-accuracy.c
-tests_reference_test_accuracy_LDADD = $(UPTO_STUDY)
-
-check_PROGRAMS += tests/property/test-rom-known
-TESTS += tests/property/test-rom-known
-tests_property_test_rom_known_SOURCES = tests/property/test-rom-known.c tests/velocity.h
-tests_property_test_rom_known_LDADD = $(UPTO_STUDY)
-
-check_PROGRAMS += tests/property/test-study-chosen
-TESTS += tests/property/test-study-chosen
-tests_property_test_study_chosen_SOURCES = tests/property/test-study-chosen.c
-tests_property_test_study_chosen_LDADD = $(UPTO_STUDY)
-check_PROGRAMS += tests/property/test-estimates
-TESTS += tests/property/test-estimates
-tests_property_test_estimates_SOURCES = tests/property/test-estimates.c $(ESTIMATES_SOURCES)
-tests_property_test_estimates_LDADD = $(UPTO_STUDY)
-
-check_PROGRAMS += tests/unit/test-estimate-truth
-TESTS += tests/unit/test-estimate-truth
-tests_unit_test_estimate_truth_SOURCES = tests/unit/test-estimate-truth.c $(ESTIMATES_SOURCES)
-tests_unit_test_estimate_truth_LDADD = $(UPTO_STUDY)
-MAP_TESTS = tests/property/test-basins tests/property/test-map-rows tests/unit/test-guards tests/unit/test-guards-branches tests/unit/test-linear tests/unit/test-map tests/property/test-map-threads tests/reference/test-map-mathieu
+# tests of the stage study
+test_programs += tests/study
+tests_study_SOURCES = tests/cases.c \
+	tests/extremes/taylor.c \
+	tests/extremes/test-sweep-hill.c \
+	tests/property/test-accuracy.c \
+	tests/property/test-basins.c \
+	tests/property/test-decay.c \
+	tests/property/test-estimates.c \
+	tests/property/test-family.c \
+	tests/property/test-fixed.c \
+	tests/property/test-hill-boundaries.c \
+	tests/property/test-identify-bending.c \
+	tests/property/test-identify.c \
+	tests/property/test-map-rows.c \
+	tests/property/test-map-threads.c \
+	tests/property/test-plan.c \
+	tests/property/test-primary.c \
+	tests/property/test-rom-known.c \
+	tests/property/test-same-stability.c \
+	tests/property/test-study-chosen.c \
+	tests/property/test-study-scales.c \
+	tests/property/test-study.c \
+	tests/reference/test-accuracy.c \
+	tests/reference/test-hill.c \
+	tests/reference/test-map-mathieu.c \
+	tests/reference/test-span-motion.c \
+	tests/unit/test-estimate-truth.c \
+	tests/unit/test-guards-branches.c \
+	tests/unit/test-guards.c \
+	tests/unit/test-map.c \
+	tests/unit/test-study-landmarks.c \
+	$(ESTIMATES_SOURCES)
+nodist_tests_study_SOURCES = tests/study-cases.c
+tests_study_LDADD = $(UPTO_STUDY)
 noinst_HEADERS += tests/map-fields.h tests/map-responses.h
-tests_property_test_basins_SOURCES = tests/property/test-basins.c
-tests_property_test_basins_LDADD = $(UPTO_STUDY)
-tests_property_test_map_rows_SOURCES = tests/property/test-map-rows.c
-tests_property_test_map_rows_LDADD = $(UPTO_STUDY)
-check_PROGRAMS += $(MAP_TESTS)
-TESTS += $(MAP_TESTS)
-tests_unit_test_linear_SOURCES = tests/unit/test-linear.c
-tests_unit_test_linear_LDADD = $(UPTO_RESPONSE)
-tests_unit_test_guards_SOURCES = tests/unit/test-guards.c
-tests_unit_test_guards_LDADD = $(UPTO_STUDY)
-tests_unit_test_guards_branches_SOURCES = tests/unit/test-guards-branches.c
-tests_unit_test_guards_branches_LDADD = $(UPTO_STUDY)
-tests_unit_test_map_SOURCES = tests/unit/test-map.c
-tests_unit_test_map_LDADD = $(UPTO_STUDY)
-tests_property_test_map_threads_SOURCES = tests/property/test-map-threads.c
-tests_property_test_map_threads_LDADD = $(UPTO_STUDY)
-tests_reference_test_map_mathieu_SOURCES = tests/reference/test-map-mathieu.c
-tests_reference_test_map_mathieu_LDADD = $(UPTO_STUDY)
-# boundaries of stability
-check_PROGRAMS += tests/reference/test-hill tests/property/test-hill-boundaries
-TESTS += tests/reference/test-hill tests/property/test-hill-boundaries
-tests_property_test_hill_boundaries_SOURCES = tests/property/test-hill-boundaries.c
-tests_property_test_hill_boundaries_LDADD = $(UPTO_STUDY)
-tests_reference_test_hill_SOURCES = tests/reference/test-hill.c
-tests_reference_test_hill_LDADD = $(UPTO_STUDY)
-check_PROGRAMS += tests/property/test-primary
-TESTS += tests/property/test-primary
-tests_property_test_primary_SOURCES = tests/property/test-primary.c
-tests_property_test_primary_LDADD = $(UPTO_STUDY)
-check_PROGRAMS += tests/property/test-decay
-TESTS += tests/property/test-decay
-tests_property_test_decay_SOURCES = tests/property/test-decay.c
-tests_property_test_decay_LDADD = $(UPTO_STUDY)
-# map, hill, frf: the same answers
-check_PROGRAMS += tests/property/test-same-stability
-TESTS += tests/property/test-same-stability
-tests_property_test_same_stability_SOURCES = tests/property/test-same-stability.c
-tests_property_test_same_stability_LDADD = $(UPTO_STUDY)
-check_PROGRAMS += tests/property/test-identify
-TESTS += tests/property/test-identify
-tests_property_test_identify_SOURCES = tests/property/test-identify.c
-tests_property_test_identify_LDADD = $(UPTO_STUDY)
-check_PROGRAMS += tests/property/test-identify-bending
-TESTS += tests/property/test-identify-bending
-tests_property_test_identify_bending_SOURCES = tests/property/test-identify-bending.c
-tests_property_test_identify_bending_LDADD = $(UPTO_STUDY)
-
-SPAN_MOTION_TESTS = tests/reference/test-span-motion
-check_PROGRAMS += $(SPAN_MOTION_TESTS)
-TESTS += $(SPAN_MOTION_TESTS)
-tests_reference_test_span_motion_SOURCES = tests/reference/test-span-motion.c
-tests_reference_test_span_motion_LDADD = $(UPTO_STUDY)

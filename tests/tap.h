@@ -10,6 +10,12 @@
 
 static int tap_count, tap_failed;
 
+/* The function of a case, KIND_NAME in the file tests/KIND/test-NAME.c: its checks, then
+ * `return done_testing();`. */
+#define CASE(name)  \
+	int name(void); \
+	int name(void)
+
 /* One check. Returns the condition, so that a test can stop early. */
 static inline int ok(int condition, const char *format, ...)
 {
@@ -34,7 +40,7 @@ static inline int close_to(double got, double want, double tolerance, const char
 	          got, want, error, tolerance);
 }
 
-/* Last line of main: the plan. Returns the exit status. */
+/* Last line of a case: the plan. Returns the exit status. */
 static inline int done_testing(void)
 {
 	printf("1..%d\n", tap_count);

@@ -1,25 +1,11 @@
 # tests of towed bodies
-TOW_TESTS = tests/reference/test-trajectory tests/reference/test-tow-steady tests/unit/test-drag tests/unit/test-tree-keys
-check_PROGRAMS += $(TOW_TESTS)
-TESTS += $(TOW_TESTS)
-tests_reference_test_trajectory_SOURCES = tests/reference/test-trajectory.c
-tests_reference_test_trajectory_LDADD = $(UPTO_TOW)
-tests_unit_test_tree_keys_SOURCES = tests/unit/test-tree-keys.c
-tests_unit_test_tree_keys_LDADD = $(UPTO_TOW)
-tests_unit_test_drag_SOURCES = tests/unit/test-drag.c
-tests_unit_test_drag_LDADD = $(UPTO_TOW)
-tests_reference_test_tow_steady_SOURCES = tests/reference/test-tow-steady.c
-tests_reference_test_tow_steady_LDADD = $(UPTO_TOW)
-TESTS += tests/cli/tow-steady.sh
-EXTRA_DIST += tests/cli/tow-steady.sh
-TESTS += tests/cli/trajectory.sh
-EXTRA_DIST += tests/cli/trajectory.sh
-TOW_MOTION_TESTS = tests/reference/test-tow-motion tests/property/test-tow-loads
-check_PROGRAMS += $(TOW_MOTION_TESTS)
-TESTS += $(TOW_MOTION_TESTS)
-tests_reference_test_tow_motion_SOURCES = tests/reference/test-tow-motion.c
-tests_reference_test_tow_motion_LDADD = $(UPTO_TOW)
-tests_property_test_tow_loads_SOURCES = tests/property/test-tow-loads.c
-tests_property_test_tow_loads_LDADD = $(UPTO_TOW)
-TESTS += tests/cli/tow.sh
-EXTRA_DIST += tests/cli/tow.sh
+test_programs += tests/tow
+tests_tow_SOURCES = tests/cases.c \
+	tests/property/test-tow-loads.c \
+	tests/reference/test-tow-motion.c \
+	tests/reference/test-tow-steady.c \
+	tests/reference/test-trajectory.c \
+	tests/unit/test-drag.c \
+	tests/unit/test-tree-keys.c
+nodist_tests_tow_SOURCES = tests/tow-cases.c
+tests_tow_LDADD = $(UPTO_TOW)

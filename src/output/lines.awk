@@ -3,9 +3,9 @@
 BEGIN { print "static const char *const " name "[] = {" }
 /^[ \t]*$/ || /^[ \t]*\/\// { next }
 {
-	gsub(/\\/, "\\\\\\\\")
-	gsub(/"/, "\\\\\"")
-	gsub(/\t/, "\\\\t")
+	# "\\\\&" is a backslash and what matched in every awk; other numbers of backslashes are read differently.
+	gsub(/[\\"]/, "\\\\&")
+	gsub(/\t/, "\\t")
 	print "\t\"" $0 "\\n\","
 }
 END { print "\t0\n};" }

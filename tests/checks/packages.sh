@@ -10,17 +10,17 @@ group() {
 awk '/apt-get install/ { on = 1; sub(/.*apt-get install/, "") }
 	on { more = sub(/\\$/, ""); for (i = 1; i <= NF; i++) if ($i !~ /^-/) print $i; on = more }
 ' README.md | sort >"$scratch/readme"
-{ group build; group check; } | sort >"$scratch/list"
+{ group build; group check; group optional; } | sort >"$scratch/list"
 
-try "packages.txt has both groups" test -n "$(group build)" -a -n "$(group check)"
+try "packages.txt has the groups" test -n "$(group build)" -a -n "$(group check)" -a -n "$(group optional)"
 uniq -d "$scratch/list" | nothing "no package is listed twice"
 comm -23 "$scratch/list" "$scratch/readme" | sed 's/$/: not in README.md/' |
 	nothing "README.md names every package"
 comm -13 "$scratch/list" "$scratch/readme" | sed 's/$/: not in packages.txt/' |
 	nothing "README.md names no other package"
-for package in $(group analyzers) $(group site); do
+for package in $(group analyzers) $(group site) $(group deb); do
 	grep -qw -- "$package" README.md || echo "$package: not in README.md"
-done | nothing "README.md names what looks at the sources and what makes the site"
+done | nothing "README.md names what looks at the sources, and what makes the site and packages"
 if [ -f configure.ac ]; then
 	grep -o 'HAWSER_NEED(\[[^]]*\], \[[^]]*\]' configure.ac | sed 's/.*\[\(.*\)\]/\1/' | sort -u |
 		comm -23 - "$scratch/list" | sed 's/$/: advised by configure, not in packages.txt/' |

@@ -25,7 +25,7 @@ for job in run check; do
 	find "$clone" -mindepth 1 ! -name quickstart ! -name packages.txt |
 		nothing "$job: nothing is left in the folder"
 done
-awk '$1 == "check:" { for (i = 2; i <= NF; i++) print $i }' packages.txt |
+awk '$1 == "check:" || $1 == "optional:" { for (i = 2; i <= NF; i++) print $i }' packages.txt |
 	while read -r package; do
 		grep -qw -- "$package" "$scratch/err" || echo "$package: not asked for"
 	done | nothing "check asks for the tests' packages"

@@ -7,7 +7,7 @@ function shaped(comment, name,    word) {
 	word = "(^|[^A-Za-z0-9_])"
 	if (comment ~ word "\\*" name "([^A-Za-z0-9_]|$)")
 		return 1
-	return comment ~ word name "([^A-Za-z0-9_]|$)" && comment ~ /\[[^\]]+\]/
+	return comment ~ word name "([^A-Za-z0-9_]|$)" && comment ~ /\[[^]]+\]/
 }
 
 # Every "double *name" and "int *name" of a declaration.
@@ -49,7 +49,7 @@ in_comment || /^\/\*/ {
 /^struct [a-z_]+ \{/ { in_struct = 1; next }
 /^\}/ { in_struct = 0; next }
 in_struct && /(^|[^a-z])(double|int|long) \*/ && !/\(\*/ {
-	if ($0 !~ /\/\*.*\[[^\]]+\]/)
+	if ($0 !~ /\/\*.*\[[^]]+\]/)
 		print FILENAME ":" FNR ": no shape for the field: " $0
 }
 in_struct { next }

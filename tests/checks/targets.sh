@@ -26,7 +26,7 @@ second_make() {
 	line ~ /^[^ #=:]+( [^ #=:]+)*:([^=]|$)/ { rule(line) }
 	END {
 		for (i = 1; i <= waits; i++)
-			if (on[i] in starts || on[i] ~ /^(all|check|check-am|check-TESTS|recheck|dist[a-z]*|(un)?install[a-z-]*)$/)
+			if (on[i] in starts || on[i] ~ /^(all|check|check-am|check-local|dist[a-z]*|(un)?install[a-z-]*)$/)
 				print where[i] ": " who[i] " waits for " on[i] ", which starts a second make: wait for all-am"
 	}' "$@"
 }
@@ -52,7 +52,7 @@ printf '2 programs all\n4 longer check\n5 twice own-make\n' | diff - "$scratch/f
 # make -n starts recipes that have $(MAKE): of check-kernels it removes no logs.
 kernels=$PWD/tests/kernels/run.sh
 mkdir "$scratch/kernels" && : >"$scratch/kernels/Zen.log"
-(cd "$scratch" && MAKEFLAGS=kn KERNELS=Zen KERNEL_TESTS=tests/unit/test-status sh "$kernels") >"$scratch/why" 2>&1
+(cd "$scratch" && MAKEFLAGS=kn KERNELS=Zen KERNEL_TESTS=unit/status KERNEL_FLAGS= sh "$kernels") >"$scratch/why" 2>&1
 test -f "$scratch/kernels/Zen.log"
 verdict $? "make -n check-kernels keeps the logs of the last run"
 done_testing

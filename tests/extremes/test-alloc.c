@@ -296,7 +296,7 @@ static int works(void)
 	return WIFEXITED(status) && WEXITSTATUS(status) == 0 && count > 0;
 }
 
-int main(void)
+CASE(extremes_alloc)
 {
 	char folder[] = "alloc-XXXXXX", clean[64], libraries[4096];
 

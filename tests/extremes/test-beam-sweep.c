@@ -324,7 +324,7 @@ static void upright(struct sweep_point *point, const double *x, void *rows)
 	}
 }
 
-int main(void)
+CASE(extremes_beam_sweep)
 {
 	const struct sweep_axis axis[] = {{"theta", 1.0, thetas, COUNT(thetas), 1},
 	                                  {"drag", 0.0, drags, COUNT(drags), 1},

@@ -209,7 +209,7 @@ static void failures(void)
 	hawser_beam_integrals_clear(&is);
 }
 
-int main(void)
+CASE(extremes_beam)
 {
 	rigidities();
 	sizes();

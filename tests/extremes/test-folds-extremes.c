@@ -272,7 +272,7 @@ static void check_refusals(void)
 	   !strcmp(hawser_folds_end_name((enum hawser_folds_end)99), "unknown"), "unknown names");
 }
 
-int main(void)
+CASE(extremes_folds_extremes)
 {
 	check_none();
 	check_weak();

@@ -51,7 +51,7 @@ static void check_stage(const struct hawser_rom *rom, char *stage)
 	hawser_folds_clear(&folds);
 }
 
-int main(void)
+CASE(extremes_folds_memory)
 {
 	static char curve[] = "fold curve", response[] = "response";
 	struct hawser_rom rom;

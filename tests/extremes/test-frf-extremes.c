@@ -238,7 +238,7 @@ static void check_nan(void)
 	}
 }
 
-int main(void)
+CASE(extremes_frf_extremes)
 {
 	for (int i = 0; hawser_frf_method(i); i++) {
 		if (hawser_frf_method(i)->approximate)

@@ -189,7 +189,7 @@ static void sizes(void)
 	refused(HAWSER_OK, "", NULL);
 }
 
-int main(void)
+CASE(extremes_friction_extremes)
 {
 	numbers();
 	shapes();

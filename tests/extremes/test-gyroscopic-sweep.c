@@ -93,7 +93,7 @@ static void other(struct sweep_point *point, const double *x, void *method)
 	hawser_modes_clear(&exact);
 }
 
-int main(void)
+CASE(extremes_gyroscopic_sweep)
 {
 	char analytic[] = "analytic", source[] = "fdm-source";
 	const struct sweep_axis axis[] = {

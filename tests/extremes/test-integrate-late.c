@@ -89,7 +89,7 @@ static void odd_begins(void)
 	hawser_rom_clear(&rom);
 }
 
-int main(void)
+CASE(extremes_integrate_late)
 {
 	double off;
 

@@ -15,7 +15,7 @@
 #define SANITIZED 0
 #endif
 
-int main(void)
+CASE(extremes_integrate_memory)
 {
 	struct rlimit limit = {1u << 29, 1u << 29};
 	struct hawser_rom rom = model_oscillator(0.1, 1.0, 0.0, 0.0);

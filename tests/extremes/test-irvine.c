@@ -140,7 +140,7 @@ static void hard(void)
 	}
 }
 
-int main(void)
+CASE(extremes_irvine)
 {
 	failures();
 	on_a_crossing();

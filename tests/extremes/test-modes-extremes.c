@@ -107,7 +107,7 @@ static void every_method(void)
 	}
 }
 
-int main(void)
+CASE(extremes_modes_extremes)
 {
 	corner(1e-14, 1e-7, 0.0, 10, 20);
 	corner(1e-14, 1e-7, 20.0, 10, 20);

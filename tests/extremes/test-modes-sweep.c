@@ -214,7 +214,7 @@ static void crossing(struct sweep_point *point, const double *x, void *unused)
 	hawser_modes_clear(&m);
 }
 
-int main(void)
+CASE(extremes_modes_sweep)
 {
 	char analytic[] = "analytic", fdm[] = "fdm", chain[] = "chain";
 	struct sweep_axis axis[] = {{"epsilon", 1e-4, epsilons, COUNT(epsilons), 2},

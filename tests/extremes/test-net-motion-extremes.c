@@ -325,7 +325,7 @@ static void endless(void)
 	hawser_net_motion_clear(&motion);
 }
 
-int main(void)
+CASE(extremes_net_motion_extremes)
 {
 	plane();
 	no_mass();

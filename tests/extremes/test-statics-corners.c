@@ -145,7 +145,7 @@ static void around_the_minimum(void)
 	ok(wrong_side == 0.0, "two above the minimum and none below, down to a billionth");
 }
 
-int main(void)
+CASE(extremes_statics_corners)
 {
 	double EA[] = {1e4, 1e9, 1e14, INFINITY}, wildEA[] = {1e-200, 1e-3, 1e30, 1e300, INFINITY};
 	double rho[] = {1e-4, 1.0, 1e3}, wild_rho[] = {1e-200, 1e-12, 1e150};

@@ -151,7 +151,7 @@ static void travels(void)
 		sweep_pairs(names[given], axis, COUNT(axis), travelling, &given);
 }
 
-int main(void)
+CASE(extremes_statics_sweep)
 {
 	rest();
 	travels();

@@ -171,7 +171,7 @@ static void closed_curve(struct sweep_point *point, const double *x, void *conte
 	hawser_rom_clear(&rom);
 }
 
-int main(void)
+CASE(extremes_sweep_curves)
 {
 	struct sweep_tally tally;
 

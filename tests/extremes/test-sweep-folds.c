@@ -171,7 +171,7 @@ static void beside(struct sweep_point *point, const double *x, void *context)
 	hawser_rom_clear(&rom);
 }
 
-int main(void)
+CASE(extremes_sweep_folds)
 {
 	sweep_pairs("folds, cusp", cusp_axis, CUSP_AXES, meet, NULL);
 	for (int i = 0; hawser_frf_method(i); i++) {

@@ -170,7 +170,7 @@ static void lengthen(struct sweep_axis *at, const double *value, size_t count)
 	at->count = (int)count;
 }
 
-int main(void)
+CASE(extremes_sweep_frf)
 {
 	if (sweep_long()) {
 		lengthen(&line[MODES], modes_long, sizeof modes_long/sizeof *modes_long);

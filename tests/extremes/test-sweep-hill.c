@@ -258,7 +258,7 @@ static void mathieu(struct sweep_point *point, const double *x, void *context)
 	hawser_rom_clear(&rom);
 }
 
-int main(void)
+CASE(extremes_sweep_hill)
 {
 	struct sweep_tally tally;
 

@@ -149,7 +149,7 @@ static struct hawser_rom duffing(double damping, double load)
 	return model_oscillator(2.0*damping, 1.0, 1.0, load);
 }
 
-int main(void)
+CASE(extremes_sweep_integrate)
 {
 	if (sweep_long()) {
 		axis[DAMPING].value = dampings_long;

@@ -182,7 +182,7 @@ static void solve(struct sweep_point *point, const double *x, void *context)
 	hawser_rom_clear(&rom);
 }
 
-int main(void)
+CASE(extremes_sweep_load)
 {
 	static struct cable cables[] = {{5.0, 100.0, 5, 0}, {0.6, 100.0, 5, 0},
 	                                {5.0, 100.0, 0, 4}, {0.6, 100.0, 0, 4}};

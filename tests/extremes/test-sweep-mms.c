@@ -98,7 +98,7 @@ static void solve(struct sweep_point *point, const double *x, void *context)
 	hawser_rom_clear(&rom);
 }
 
-int main(void)
+CASE(extremes_sweep_mms)
 {
 	struct sweep_tally tally = sweep_pairs("mms", axis, AXES, solve, NULL);
 

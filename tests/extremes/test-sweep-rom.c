@@ -153,7 +153,7 @@ static void solve(struct sweep_point *point, const double *x, void *context)
 	hawser_modes_clear(&modes);
 }
 
-int main(void)
+CASE(extremes_sweep_rom)
 {
 	struct sweep_tally tally;
 

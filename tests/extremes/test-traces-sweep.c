@@ -267,7 +267,7 @@ static void pairs(const char *stage, const struct sweep_axis *axis, int axes, sw
 		}
 }
 
-int main(void)
+CASE(extremes_traces_sweep)
 {
 	double few = sweep_long() ? 5.0 : 3.0, far = sweep_long() ? 0.9 : 0.5;
 	const struct sweep_axis meetings[] = {

@@ -1,10 +1,10 @@
 #!/bin/sh
-# tests/fuzz/run.sh - build the fuzz targets in fuzzing/ and run them; `make fuzz` calls it. One line a
+# tests/fuzz/run.sh - build the fuzz targets in sanitizers/ and run them in fuzzing/; `make fuzz` calls it. One line a
 # target: inputs tried, edges covered, how it ended. The status is 0 where nothing was found, and
 # where there is no libFuzzer, which is said.
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -u
-: "${SRCDIR:?}" "${FUZZ_TARGETS:?}" "${FUZZ_CFLAGS:?}"
+: "${SRCDIR:?}" "${FUZZ_TARGETS:?}"
 clang=${FUZZ_CC:-clang}
 mkdir -p fuzzing/findings || exit 1
 echo 'int LLVMFuzzerTestOneInput(const char *d, unsigned long n) { (void)d; (void)n; return 0; }' \
@@ -13,9 +13,9 @@ if ! $clang -fsanitize=fuzzer,address,undefined -o fuzzing/try fuzzing/try.c 2>/
 	echo "fuzzing skipped: $clang has no libFuzzer (Debian: clang and libclang-rt-dev)"
 	exit 0
 fi
-[ -f fuzzing/config.status ] || (cd fuzzing && "$SRCDIR/configure" -q --disable-shared \
-	CC="$clang" CFLAGS="$FUZZ_CFLAGS" >configure.log 2>&1) || { tail -n 20 fuzzing/configure.log; exit 1; }
-${MAKE:-make} -C fuzzing $FUZZ_TARGETS >fuzzing/build.log 2>&1 || { tail -n 20 fuzzing/build.log; exit 1; }
+# The objects are those of make check-sanitizers.
+${MAKE:-make} sanitizers/config.status >fuzzing/build.log 2>&1 &&
+	${MAKE:-make} -C sanitizers $FUZZ_TARGETS >>fuzzing/build.log 2>&1 || { tail -n 20 fuzzing/build.log; exit 1; }
 
 cd fuzzing || exit 1
 export ASAN_OPTIONS=detect_leaks=1:quarantine_size_mb=16:allocator_may_return_null=1
@@ -33,7 +33,7 @@ one() {
 		rm -rf "$found"
 	fi
 	mkdir -p "$found"
-	$fixed "./$1" "$found" "$SRCDIR/tests/fuzz/corpus/$name" \
+	$fixed "../sanitizers/$1" "$found" "$SRCDIR/tests/fuzz/corpus/$name" \
 		-dict="$SRCDIR/tests/fuzz/corpus/$name.dict" -artifact_prefix="findings/$name-" \
 		-max_total_time="$FUZZ_SECONDS" -runs="$FUZZ_RUNS" -seed="$FUZZ_SEED" \
 		-timeout="$FUZZ_TIMEOUT" -rss_limit_mb=2048 -max_len=4096 -print_final_stats=1 >"$name.log" 2>&1

@@ -1,5 +1,5 @@
 #!/bin/sh
-# tests/kernels/run.sh: `make check-kernels`. Runs KERNEL_TESTS once under each of KERNELS: names of
+# tests/kernels/run.sh: `make check-kernels`. Runs the tests that KERNEL_TESTS and KERNEL_FLAGS choose (tests/run) once under each of KERNELS: names of
 # OpenBLAS's kernels, and "reference" for Debian's reference BLAS and LAPACK. A kernel runs only if the probe,
 # a small program, ends well under it and tells its name; otherwise the line says why it is left out. Logs stay in
 # kernels/; the exit status is 1 if a test failed or if nothing ran.
@@ -11,7 +11,7 @@ first=${MAKEFLAGS-}
 case ${first%% *} in
 	*[-=]*) ;;
 	*n*)
-		echo "check-kernels: would run under $KERNELS: $KERNEL_TESTS"
+		echo "check-kernels: would run under $KERNELS: $KERNEL_TESTS $KERNEL_FLAGS"
 		exit 0 ;;
 esac
 probe=tests/kernels/probe
@@ -80,38 +80,32 @@ children_time() {
 		NR == 2 { print int(seconds($1) + seconds($2) + 0.5) }' kernels/times)
 }
 
-# count NAMES LOG
-count() {
-	awk -v names="^# ($1): " '$0 ~ names { n += $3 } END { print n + 0 }' "$2"
-}
-
 # The tests under one kernel. The preloaded libraries are for the tests alone, not for make.
 run_tests() {
-	log=kernels/$1.log
 	children_time
 	before=$seconds
 	case $1 in
-		reference) setting="LD_PRELOAD=$preload; export LD_PRELOAD;" ;;
+		reference) setting="LD_PRELOAD='$preload'; export LD_PRELOAD;" ;;
 		*) setting="OPENBLAS_CORETYPE=$1; export OPENBLAS_CORETYPE;" ;;
 	esac
-	"$MAKE" -k check-TESTS TESTS="$KERNEL_TESTS" TEST_SUITE_LOG="$log" TESTS_ENVIRONMENT="$setting" \
-		>"kernels/$1.out" 2>&1
+	"$MAKE" --no-print-directory check-local TESTS="$KERNEL_TESTS" RUN_RESULTS="kernels/$1.tsv" KERNEL_SETTING="$setting" \
+		RUN_FLAGS="$KERNEL_FLAGS -l kernels/$1" >"kernels/$1.out" 2>&1
 	status=$?
 	children_time
 	spent=$((seconds - before))
-	if [ ! -s "$log" ]; then
+	if [ ! -s "kernels/$1.tsv" ]; then
 		result="FAILED: no test ran"
 		set -- "$1" 0 1 0
 	else
-		set -- "$1" "$(count PASS "$log")" "$(count 'FAIL|XPASS|ERROR' "$log")" "$(count SKIP "$log")"
+		# shellcheck disable=SC2046 # words
+		set -- "$1" $(awk -F '\t' 'NR > 1 { p += $3; f += $4; s += $5 } END { print p + 0, f + 0, s + 0 }' "kernels/$1.tsv")
 		result=passed
 		[ "$status" -eq 0 ] && [ "$3" -eq 0 ] && [ "$2" -gt 0 ] || result=FAILED
 	fi
 	printf '%-14s %s: %s passed, %s failed, %s skipped, %s s of processor time\n' "$1" "$result" "$2" "$3" \
 		"$4" "$spent"
 	printf '%s\t%s\t%s\t%s\t%s\t%s\n' "$1" "$2" "$3" "$4" "$spent" "$result" >>kernels/table
-	sed -n 's/^\(FAIL\|ERROR\|XPASS\): \(tests[^ ]*\) *\([0-9]*\).*/\2 \3/p' "kernels/$1.out" |
-		sed "s|^|$1 |" >>kernels/failures
+	sed -n "s|^FAIL: |under $1: |p" "kernels/$1.out" >>kernels/failures
 }
 
 for kernel in $KERNELS; do
@@ -125,11 +119,7 @@ done
 echo
 awk -F '\t' 'BEGIN { printf "%-14s %7s %7s %7s %7s  %s\n", "kernel", "passed", "failed", "skipped", "s", "result" }
 	{ printf "%-14s %7s %7s %7s %7s  %s\n", $1, $2, $3, $4, $5, $6 }' kernels/table
-sort -k 2,2 -k 1,1 -k 3,3n kernels/failures | awk '
-	{ key = $2 " under " $1 }
-	key != last { if (last) print line; line = "  " key ":"; last = key }
-	{ line = line " " $3 }
-	END { if (last) print line }'
+cat kernels/failures
 if [ "$default" = none ] && ! grep -qw passed kernels/table; then
 	echo "check-kernels: skipped, since this BLAS has no kernels to choose from"
 	exit 0

@@ -221,7 +221,7 @@ static double apart(const double *a, const double *b)
 	return hypot(hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
 }
 
-int main(void)
+CASE(property_absorber_motion)
 {
 	double coarse[5], fine[5], few[5], full[5], size;
 	struct hawser_statics st;

@@ -353,7 +353,7 @@ static void sink(void)
 	hawser_rom_clear(&rom);
 }
 
-int main(void)
+CASE(property_absorber_response)
 {
 	equal_peaks(0.05, 6, 1e-3);
 	equal_peaks(0.01, 6, 1e-3);

@@ -323,7 +323,7 @@ static void check_errors(void)
 	hawser_scene_clear(&scene);
 }
 
-int main(void)
+CASE(property_accuracy)
 {
 	static const double fine[] = {0.01, 0.0005}, coarse[] = {0.01, 0.001};
 

@@ -132,7 +132,7 @@ static void refusals(void)
 	hawser_rom_clear(&rom);
 }
 
-int main(void)
+CASE(property_backbone)
 {
 	against_closed_form();
 	stability(1e-2, 1e-9, 1);

@@ -200,7 +200,7 @@ static void check_chain(int n)
 	hawser_rom_clear(&rom);
 }
 
-int main(void)
+CASE(property_balance_terms)
 {
 	int more = getenv("HAWSER_LONG") ? 60 : 3;
 

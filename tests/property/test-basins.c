@@ -235,7 +235,7 @@ static void refused(void)
 	   "without damping nothing is an end: %s", report.message);
 }
 
-int main(void)
+CASE(property_basins)
 {
 	gsl_set_error_handler_off();
 	duffing();

@@ -180,7 +180,7 @@ static double balance(struct hawser_beam beam, int size)
 	return off;
 }
 
-int main(void)
+CASE(property_beam_motion)
 {
 	static const struct {
 		const char *name;

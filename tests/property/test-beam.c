@@ -283,7 +283,7 @@ static void located(void)
 	hawser_beam_integrals_clear(&is);
 }
 
-int main(void)
+CASE(property_beam)
 {
 	located();
 	closed_forms();

@@ -163,7 +163,7 @@ static void check_whirling(const char *method)
 	hawser_rom_clear(&rom);
 }
 
-int main(void)
+CASE(property_branches)
 {
 	int more = getenv("HAWSER_LONG") ? 2 : 0;
 

@@ -375,7 +375,7 @@ static void refusals(void)
 	   "kinds have names");
 }
 
-int main(void)
+CASE(property_campbell)
 {
 	rest();
 	taut();

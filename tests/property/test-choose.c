@@ -299,7 +299,7 @@ static void check_errors(void)
 	hawser_modes_clear(&modes);
 }
 
-int main(void)
+CASE(property_choose)
 {
 	check_subsets();
 	check_ratios();

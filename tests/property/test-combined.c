@@ -487,7 +487,7 @@ static void check(const struct combined *row)
 	hawser_scene_clear(&scene);
 }
 
-int main(void)
+CASE(property_combined)
 {
 	for (size_t i = 0; i < sizeof table/sizeof *table; i++)
 		if (!table[i].full || getenv("HAWSER_LONG"))

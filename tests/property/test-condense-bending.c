@@ -56,7 +56,7 @@ static void check_span(double epsilon, double delta, double hs, double xi, doubl
 	hawser_modes_clear(&many);
 }
 
-int main(void)
+CASE(property_condense_bending)
 {
 	check_span(0.05, 0.2, 0.0, 31.0, INFINITY, INFINITY, 1e-10);
 	check_span(0.05, 0.2, 0.3, 5.3, INFINITY, 0.0, 1e-10);

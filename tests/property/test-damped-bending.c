@@ -209,7 +209,7 @@ static void optimum(double xi, double a)
 	hawser_damped_sweep_clear(&sweep);
 }
 
-int main(void)
+CASE(property_damped_bending)
 {
 	check(17.3, 0.31, 0.7, 0.0, 0.0, 1);
 	check(61.0, 0.043, 9.2, 0.03, 0.0, 1);

@@ -242,7 +242,7 @@ static void refusals(void)
 	   report.message);
 }
 
-int main(void)
+CASE(property_decay)
 {
 	exact(truth);
 	exact(0.15);

@@ -276,7 +276,7 @@ static void check_refusals(const struct hawser_modes *modes)
 	hawser_rom_clear(&rom);
 }
 
-int main(void)
+CASE(property_drag)
 {
 	struct hawser_modes modes;
 

@@ -41,7 +41,7 @@ static const struct estimate *find(const char *name)
 	return NULL;
 }
 
-int main(void)
+CASE(property_estimates)
 {
 	int more = getenv("HAWSER_LONG") ? 10 : 1;
 

@@ -192,7 +192,7 @@ static void check_cable(void)
 	hawser_scene_clear(&scene);
 }
 
-int main(void)
+CASE(property_event_errors)
 {
 	for (int m = 0; m < 2; m++) {
 		check_rest(both[m], 1e-9);

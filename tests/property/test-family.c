@@ -171,7 +171,7 @@ done:
 	hawser_scene_clear(&scene);
 }
 
-int main(void)
+CASE(property_family)
 {
 	follow_factor("duffing-nlvib-01", HAWSER_FACTOR_LOAD, 1.2, 0.05, 4.0, 2);
 	follow_factor("pair-2to1", HAWSER_FACTOR_LOAD, 1.01, 0.05, 1.5, 3);

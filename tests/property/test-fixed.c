@@ -58,7 +58,7 @@ static void check(int n, double error)
 	hawser_scene_clear(&scene);
 }
 
-int main(void)
+CASE(property_fixed)
 {
 	check(7, 2.45e-2);
 	check(9, 2.45e-2);

@@ -278,7 +278,7 @@ static void check_random(int i)
 	hawser_rom_clear(&rom);
 }
 
-int main(void)
+CASE(property_folds_least)
 {
 	int more = getenv("HAWSER_LONG") != NULL;
 

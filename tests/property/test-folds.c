@@ -214,7 +214,7 @@ static void check_reverse(void)
 	hawser_rom_clear(&rom);
 }
 
-int main(void)
+CASE(property_folds)
 {
 	check_nominal("duffing-nlvib-01", 0.8, 1.8);
 	check_nominal("pair-2to1", 0.55, 1.3);

@@ -143,7 +143,7 @@ static void check_deep(void)
 	hawser_rom_clear(&rom);
 }
 
-int main(void)
+CASE(property_frf_full)
 {
 	struct hawser_frf_options options = {.method = NULL};
 	struct hawser_report report = {0};

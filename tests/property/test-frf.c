@@ -393,7 +393,7 @@ static void check_narrow_doublings(void)
 	hawser_scene_clear(&scene);
 }
 
-int main(void)
+CASE(property_frf)
 {
 	for (int i = 0; hawser_frf_method(i); i++) {
 		if (hawser_frf_method(i)->approximate)

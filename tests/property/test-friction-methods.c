@@ -102,9 +102,9 @@ static void nets(int count)
 	   "difference %.1e", solved, failed, states, most);
 }
 
-int main(int argc, char **argv)
+CASE(property_friction_methods)
 {
-	int count = argc > 1 ? atoi(argv[1]) : getenv("HAWSER_LONG") ? 1000 : 100;
+	int count = getenv("HAWSER_LONG") ? 1000 : 100;
 
 	for (int i = 1; hawser_friction_method(i); i++)
 		compare(hawser_friction_method(i), count, hawser_friction_method(i)->friction ? 0.6 : 0.0);

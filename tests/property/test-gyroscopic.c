@@ -316,7 +316,7 @@ static void test_limit(double share)
 	}
 }
 
-int main(void)
+CASE(property_gyroscopic)
 {
 	/* the fictitious cable of B Table 5.1, on the span of Table 5.3, soft: EA 1 MN, rho 3 kg/m */
 	const struct hawser_span soft = {1e6, 3.0, 9.81, 100.0, 33.0}, deep = {40e6, 6.0, 9.81, 100.0,

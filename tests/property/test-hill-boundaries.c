@@ -233,7 +233,7 @@ static void stiff(enum kind kind)
 	close_chart(&chart);
 }
 
-int main(void)
+CASE(property_hill_boundaries)
 {
 	compare(DAMPED, 3);
 	compare(GYROSCOPIC, 3);

@@ -134,7 +134,7 @@ static void refused(void)
 	hawser_rom_clear(&unit);
 }
 
-int main(void)
+CASE(property_history)
 {
 	double coarse, fine;
 

@@ -146,7 +146,7 @@ static void unseen(void)
 	hawser_scene_clear(&scene);
 }
 
-int main(void)
+CASE(property_identify_bending)
 {
 	int runs = getenv("HAWSER_LONG") ? 1000 : 0;
 

@@ -209,7 +209,7 @@ static void refused(void)
 	hawser_scene_clear(&scene);
 }
 
-int main(void)
+CASE(property_identify)
 {
 	int runs = getenv("HAWSER_LONG") ? 1000 : 16;
 

@@ -146,7 +146,7 @@ static void check_restart(void)
 	hawser_rom_clear(&rom);
 }
 
-int main(void)
+CASE(property_integrate_long)
 {
 	check_duffing("gauss", 1e-12, 1e-11);
 	check_duffing("adams", 1e-12, 1e-8);

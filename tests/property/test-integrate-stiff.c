@@ -146,7 +146,7 @@ static void check_rest(void)
 	hawser_rom_clear(&rom);
 }
 
-int main(void)
+CASE(property_integrate_stiff)
 {
 	check_followed();
 	check_resolved();

@@ -64,7 +64,7 @@ static double passes(double from, double to, double level, int last)
 	return at;
 }
 
-int main(void)
+CASE(property_integrate_swept)
 {
 	static const char *const method[] = {"gauss", "radau", "adams", "bdf"};
 	struct hawser_rom rom = model_oscillator(0.04, 1.0, 0.7, 0.05);

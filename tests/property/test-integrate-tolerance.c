@@ -102,7 +102,7 @@ static void check_output(const struct hawser_rom *rom)
 	}
 }
 
-int main(void)
+CASE(property_integrate_tolerance)
 {
 	struct hawser_rom rom = model_cable(0.05, 0.0012);
 

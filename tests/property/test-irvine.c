@@ -277,7 +277,7 @@ static void quantities(void)
 	hawser_irvine_clear(&irvine);
 }
 
-int main(void)
+CASE(property_irvine)
 {
 	level_crossover();
 	slopes();

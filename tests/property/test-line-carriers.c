@@ -185,7 +185,7 @@ static double build(double v, int smeared, double *rest)
 	return omega;
 }
 
-int main(void)
+CASE(property_line_carriers)
 {
 	for (int i = 0; i < 2; i++) {
 		double v = i ? 10.0 : 5.0, rest, even;

@@ -296,7 +296,7 @@ static int seek(const struct hawser_line *line, struct hawser_line_mass *mass, d
 	return has_state(line, mass, from + step*(k - 0.5*run), state);
 }
 
-int main(void)
+CASE(property_line_expand)
 {
 	struct hawser_line_sheave sheave[3] = {{.centre = {80.0, 5.0}, .radius = 12.0, .side = 1},
 	                                       {.centre = {190.0, 28.0}, .radius = 12.0, .side = 1}};

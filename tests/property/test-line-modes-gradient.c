@@ -153,7 +153,7 @@ static void compare(const struct hawser_line *line, double carriage, const char 
 	hawser_line_statics_clear(&st);
 }
 
-int main(void)
+CASE(property_line_modes_gradient)
 {
 	struct hawser_line_sheave sheave[3] = {{.centre = {80.0, 5.0}, .radius = 12.0, .side = 1},
 	                                       {.centre = {190.0, 28.0}, .radius = 12.0, .side = 1}};

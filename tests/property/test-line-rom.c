@@ -390,7 +390,7 @@ static void refusals(struct hawser_line line)
 	refused(&line, &o, HAWSER_ERR_ARGUMENT, "hangs 4 m");
 }
 
-int main(void)
+CASE(property_line_rom)
 {
 	struct hawser_line_sheave sheave[2] = {{.centre = {80.0, 5.0}, .radius = 12.0, .side = 1},
 	                                       {.centre = {190.0, 28.0}, .radius = 12.0, .side = 1}};

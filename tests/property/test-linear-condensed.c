@@ -117,7 +117,7 @@ static void creeping(void)
 	hawser_rom_clear(&rom);
 }
 
-int main(void)
+CASE(property_linear_condensed)
 {
 	compare();
 	creeping();

@@ -410,7 +410,7 @@ static void check_full(void)
 	hawser_scene_clear(&scene);
 }
 
-int main(void)
+CASE(property_loads)
 {
 	check_forces();
 	check_written();

@@ -156,7 +156,7 @@ static void refused(void)
 	hawser_rom_clear(&rom);
 }
 
-int main(void)
+CASE(property_lyapunov)
 {
 	linear();
 	periodic(0.2, 0.4, 0.5, 1.1);

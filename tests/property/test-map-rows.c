@@ -286,7 +286,7 @@ static void refused(const struct hawser_rom *rom)
 	hawser_map_clear(&map);
 }
 
-int main(void)
+CASE(property_map_rows)
 {
 	struct hawser_map_options options = range(0);
 	struct hawser_report report = {.status = HAWSER_OK};

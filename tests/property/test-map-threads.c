@@ -268,7 +268,7 @@ static void guards(const struct hawser_map *whole)
 	unlink(file);
 }
 
-int main(void)
+CASE(property_map_threads)
 {
 	struct hawser_map_options options = range(1);
 	struct hawser_map one;

@@ -98,7 +98,7 @@ static void check(const char *method)
 		   "and %.2e", method, name[i], coarse[i], fine[i]);
 }
 
-int main(void)
+CASE(property_mathieu_duffing)
 {
 	check("shooting");
 	check("balance");

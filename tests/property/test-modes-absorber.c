@@ -333,7 +333,7 @@ static void refusals(void)
 	   strstr(report.message, "without bending stiffness"), "%s", report.message);
 }
 
-int main(void)
+CASE(property_modes_absorber)
 {
 	const struct hawser_held held[2] = {{{2e5, 3e5, INFINITY}, 40.0, 0.0},
 	                                    {{4e5, INFINITY, 9e4}, 15.0, 0.0}};

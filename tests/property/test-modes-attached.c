@@ -268,7 +268,7 @@ static void limits(void)
 	   strstr(report.message, "spectral"), "other methods refuse: %s", report.message);
 }
 
-int main(void)
+CASE(property_modes_attached)
 {
 	string(0.3, 0.0);
 	string(23.85, 0.0);

@@ -146,7 +146,7 @@ static void check_statuses(void)
 	check_status(HAWSER_ERR_ARGUMENT, &bad, 4, 4, "l = L/d");
 }
 
-int main(void)
+CASE(property_modes_basis)
 {
 	check_span(3.1e-2, 0.93, 0.27, 12, "soft inclined");
 	check_span(2.0e-4, 0.18, 0.04, 20, "chairlift");

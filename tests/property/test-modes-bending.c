@@ -377,7 +377,7 @@ static void check_refusals(void)
 	st.elastic = 0;
 }
 
-int main(void)
+CASE(property_modes_bending)
 {
 	const double xi[] = {5.0, 17.3, 61.0, 238.5, 1000.0};
 

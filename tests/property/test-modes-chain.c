@@ -92,7 +92,7 @@ static void compare(double epsilon, double delta, double hs)
 	hawser_modes_clear(&m);
 }
 
-int main(void)
+CASE(property_modes_chain)
 {
 	compare(0.0238, 0.4, 0.0);
 	compare(0.01, 1.3, 0.7);

@@ -199,7 +199,7 @@ static void coarse(const struct hawser_statics *st)
 	ok(shapes[0] > 1e-4 && shapes[0] < 0.1 && shapes[1] < 0.05*shapes[0], "and it converges");
 }
 
-int main(void)
+CASE(property_modes_compare)
 {
 	struct hawser_statics st = scaled_span(2.385e-4, 0.21, 0.3);
 

@@ -387,7 +387,7 @@ static void refusals(void)
 	   strstr(report.message, "tolerance"), "%s", report.message);
 }
 
-int main(void)
+CASE(property_modes_damped)
 {
 	string(0.02, 15.0, 0.0, 0.0);
 	string(0.37, 2.385, 0.0, 0.0);

@@ -327,7 +327,7 @@ static void not_travelling(void)
 	           strstr(report.message, "the supports are elastic"), "%s", report.message);
 }
 
-int main(void)
+CASE(property_modes_elastic)
 {
 	string(3.7, 0.0, 2.385, 0.0);
 	string(0.31, 1.9, 12.0, 0.2);
@@ -338,5 +338,5 @@ int main(void)
 	effective();
 	refused();
 	not_travelling();
-	done_testing();
+	return done_testing();
 }

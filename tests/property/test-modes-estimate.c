@@ -52,7 +52,7 @@ static struct hawser_statics random_span(double deepest)
 	return scaled_span(epsilon, delta, hs*fabs(hs)*5.0);
 }
 
-int main(void)
+CASE(property_modes_estimate)
 {
 	struct tally converged = {.ratio = HUGE_VAL}, coarse = {.ratio = HUGE_VAL};
 	struct hawser_modes m;

@@ -245,7 +245,7 @@ static void few_points(double epsilon, double delta, int points)
 	hawser_modes_clear(&right);
 }
 
-int main(void)
+CASE(property_modes_methods)
 {
 	few_points(2e-4, 0.184, 12);
 	few_points(2e-4, 0.184, 20);

@@ -96,7 +96,7 @@ static void sums(double epsilon, double delta, double hs)
 	}
 }
 
-int main(void)
+CASE(property_modes_participation)
 {
 	struct hawser_statics st = scaled_span(2.385e-3, 0.147, 0.3), soft = scaled_span(0.2, 0.3, 0.1);
 	const struct hawser_modes_method *row;

@@ -322,7 +322,7 @@ static void basis(void)
 	hawser_scene_clear(&scene);
 }
 
-int main(void)
+CASE(property_modes_space)
 {
 	planes();
 	chains();

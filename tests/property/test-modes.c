@@ -418,7 +418,7 @@ static void spectral_convergence(void)
 	hawser_modes_clear(&exact);
 }
 
-int main(void)
+CASE(property_modes)
 {
 	const struct hawser_modes_method *row;
 	struct hawser_statics st = scaled_span(1e-4, 0.1, 0.2);

@@ -388,7 +388,7 @@ static const struct variant {
 	{"a wind", "model: {inertia: none}\nload: {static: {per_length: [0, -10, 25]}}\n", ""},
 };
 
-int main(void)
+CASE(property_motion)
 {
 	double coarse, fine;
 

@@ -174,7 +174,7 @@ static void cut(void)
 	}
 }
 
-int main(void)
+CASE(property_net_catenary)
 {
 	int factor = getenv("HAWSER_LONG") ? 50 : 1;
 

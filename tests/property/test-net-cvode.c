@@ -203,7 +203,7 @@ static void refused(void)
 	   strstr(report.message, "node B has none"), "%s", report.message);
 }
 
-int main(void)
+CASE(property_net_cvode)
 {
 	newton();
 	agree(0);

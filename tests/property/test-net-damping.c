@@ -175,7 +175,7 @@ static double ratio(double complex z)
 	return -log(cabs(z))/cabs(clog(z));
 }
 
-int main(void)
+CASE(property_net_damping)
 {
 	static const struct {
 		const char *scheme;

@@ -185,7 +185,7 @@ static void strings(int count, int n)
 	   tally.worst < 1e-7, "%d equal strings, %d modes: none is missed", count, n);
 }
 
-int main(void)
+CASE(property_net_eigen)
 {
 	random_nets(getenv("HAWSER_LONG") ? 3000 : 100);
 	strings(13, 1);

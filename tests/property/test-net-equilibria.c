@@ -196,7 +196,7 @@ static void refusals(void)
 	hawser_net_equilibria_clear(NULL);
 }
 
-int main(void)
+CASE(property_net_equilibria)
 {
 	two_bars();
 	chains();

@@ -102,7 +102,7 @@ static void compare(const struct random_net *r, int number)
 	hawser_net_motion_clear(&judge);
 }
 
-int main(void)
+CASE(property_net_error)
 {
 	uint64_t state = 2385;
 

@@ -160,7 +160,7 @@ static void steps(void)
 	hawser_net_motion_clear(&motion);
 }
 
-int main(void)
+CASE(property_net_impact_order)
 {
 	bead();
 	curve();

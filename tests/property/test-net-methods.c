@@ -125,7 +125,7 @@ static int row(const char *name)
 	return k;
 }
 
-int main(void)
+CASE(property_net_methods)
 {
 	struct score taut[MOST] = {{0}}, slack[MOST] = {{0}};
 	const struct score *two = &taut[row("two-sided")], *regular = &taut[row("regularised")];

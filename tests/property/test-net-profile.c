@@ -228,7 +228,7 @@ static void all(void)
 	}
 }
 
-int main(void)
+CASE(property_net_profile)
 {
 	struct hawser_net_comparison of;
 	struct hawser_net_comparison_options options = {.nets = FEW, .seed = 3, .steps = 2000,

@@ -116,7 +116,7 @@ static void converges(const char *what, const char *text)
 	hawser_scene_clear(&scene);
 }
 
-int main(void)
+CASE(property_net_span_modes)
 {
 	published();
 	converges("T0", CABLE "tension: {T0: 80 kN}\n");

@@ -210,7 +210,7 @@ static void refused(const char *what, const char *text, int still, const char *m
 	hawser_scene_clear(&scene);
 }
 
-int main(void)
+CASE(property_net_span)
 {
 	refused("no frequency", CABLE "tension: {T0: 80 kN}\nload: {frame: local, per_length: [0, 1, 0]}\n",
 	        0, "test: the load or the motion of the ends needs a positive frequency Omega");

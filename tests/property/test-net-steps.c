@@ -209,7 +209,7 @@ static void tangents(void)
 	}
 }
 
-int main(void)
+CASE(property_net_steps)
 {
 	flight();
 	orders();

@@ -382,7 +382,7 @@ static void held(void)
 	}
 }
 
-int main(void)
+CASE(property_net_symmetry)
 {
 	turned("a web of 5 spokes", web, 5, 1, 5);
 	turned("a web of 6 spokes", web, 6, 2, 6);

@@ -326,7 +326,7 @@ static void check_circle(void)
 	hawser_rom_clear(&rom);
 }
 
-int main(void)
+CASE(property_nnm_whirl)
 {
 	int count = getenv("HAWSER_LONG") ? 60 : 6;
 

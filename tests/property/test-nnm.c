@@ -165,7 +165,7 @@ static void check_duffing(void)
 	hawser_rom_clear(&rom);
 }
 
-int main(void)
+CASE(property_nnm)
 {
 	struct hawser_nnm nnm;
 

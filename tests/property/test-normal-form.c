@@ -171,7 +171,7 @@ static void check_refusals(void)
 	       HAWSER_FOLD, 1.0, "takes more than 4000 steps");
 }
 
-int main(void)
+CASE(property_normal_form)
 {
 	check_refusals();
 	check_torus(0.3, 1.385, 2.1);

@@ -421,7 +421,7 @@ static void check_periods(void)
 	}
 }
 
-int main(void)
+CASE(property_own)
 {
 	gsl_set_error_handler_off();
 	differentiated("{\"n\": 2, \"M\": [[2, 0.3], [0.1, 1]], \"K\": [[1, 0.2], [0.4, 3]], "

@@ -202,7 +202,7 @@ static void check_course(void)
 	ok(hawser__accuracy_course(&a, &options) == HAWSER__LAST, "nothing more, and no mode to leave out");
 }
 
-int main(void)
+CASE(property_plan)
 {
 	check_bound();
 	check_course();

@@ -231,7 +231,7 @@ static void check_pendulum(void)
 	hawser_rom_source_clear(&source);
 }
 
-int main(void)
+CASE(property_plugin)
 {
 	gsl_set_error_handler_off();
 	check_refusals();

@@ -235,7 +235,7 @@ static void refusals(void)
 	unmake(&rom);
 }
 
-int main(void)
+CASE(property_primary)
 {
 	closed_form(0.0, 0.3);
 	closed_form(0.5, 0.05);

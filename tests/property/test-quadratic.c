@@ -260,7 +260,7 @@ static void test_failures(void)
 	                           0.0, N, &report) == HAWSER_ERR_ARGUMENT, "%s", report.message);
 }
 
-int main(void)
+CASE(property_quadratic)
 {
 	test_routes(0.0, 0.0, 0);
 	test_routes(0.613, 0.0, 0);

@@ -356,7 +356,7 @@ static void refusals(void)
 	hawser_rom_clear(&rom);
 }
 
-int main(void)
+CASE(property_resonance)
 {
 	struct hawser_locus_options options = {.kind = HAWSER_RESONANCE, .from = 0.6, .to = 1.7,
 		.parameter_from = 0.2, .parameter_to = 2.0, .at = 0.5};

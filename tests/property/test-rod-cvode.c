@@ -174,7 +174,7 @@ static struct hawser_rod rod_of(double EA, double GA, double EI, double rho, dou
 		.normal = {0.0, 1.0, 0.0}, .rho_inf = 0.8};
 }
 
-int main(void)
+CASE(property_rod_cvode)
 {
 	static double ramp[3][2] = {{0.0, 0.0}, {0.25, 1.0}, {0.5, 0.0}};
 	struct hawser_rod rod = rod_of(1e6, 1e6, 1e3, 1.0, 10.0, 4);

@@ -200,7 +200,7 @@ static void chains(void)
 	}
 }
 
-int main(void)
+CASE(property_rod_winch)
 {
 	strings();
 	chains();

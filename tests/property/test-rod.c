@@ -297,7 +297,7 @@ static void refused(void)
 	   HAWSER_ERR_ARGUMENT, "more elements than an int counts: %s", report.message);
 }
 
-int main(void)
+CASE(property_rod)
 {
 	random_rods();
 	turned();

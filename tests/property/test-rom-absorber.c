@@ -232,7 +232,7 @@ static void refusals(void)
 	hawser_modes_clear(&modes);
 }
 
-int main(void)
+CASE(property_rom_absorber)
 {
 	linear((struct hawser_scene){.damping = {.kind = HAWSER_DAMPING_NONE}}, "only dampers", 1e-5);
 	linear((struct hawser_scene){.damping = {.kind = HAWSER_DAMPING_ALPHA, .alpha = 0.4}}, "alpha",

@@ -122,7 +122,7 @@ static void check(double h, double T0, double EA, enum hawser_frame frame, const
 	hawser_modes_clear(&many);
 }
 
-int main(void)
+CASE(property_rom_answer)
 {
 	check(0.0, 9.1e3, 4e6, HAWSER_FRAME_LOCAL, (const double[3]){0.0, 0.8, 0.5}, 0.0, 1.0);
 	check(31.0, 9.1e3, 4e6, HAWSER_FRAME_GLOBAL, (const double[3]){0.0, 0.8, 0.5}, 0.0, 1.0);

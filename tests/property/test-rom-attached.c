@@ -319,7 +319,7 @@ static void refusals(void)
 	hawser_modes_clear(&modes);
 }
 
-int main(void)
+CASE(property_rom_attached)
 {
 	dampers();
 	converges();

@@ -331,7 +331,7 @@ static void check_errors(struct hawser_rom *rom)
 	   "no equations without constants: %s", report.message);
 }
 
-int main(void)
+CASE(property_rom_auto)
 {
 	const double from = 0.83;
 	struct hawser_auto_options options = {.ntst = 0};

@@ -139,7 +139,7 @@ static void check(double h, double weight, double EI, double A, double B)
 	hawser_modes_clear(&modes);
 }
 
-int main(void)
+CASE(property_rom_bending)
 {
 	check(61.7, 605.0, 2.385e7, INFINITY, INFINITY);
 	check(-23.0, 1605.0, 2.385e8, INFINITY, 0.0);

@@ -147,7 +147,7 @@ static void check_file(void)
 	hawser_modes_clear(&modes);
 }
 
-int main(void)
+CASE(property_rom_condense)
 {
 	check_span(0.05, 0.2, 0.0, 1e-5);
 	check_span(0.05, 0.2, 0.3, 1e-5);

@@ -231,7 +231,7 @@ static void refused(struct hawser_scene *scene)
 	hawser_modes_clear(&modes);
 }
 
-int main(void)
+CASE(property_rom_elastic)
 {
 	static struct hawser_scene scene = {.model = {.condense = HAWSER_CONDENSE_NONE, .modes = 5}};
 
@@ -239,5 +239,5 @@ int main(void)
 	damping(&scene);
 	condensed(&scene);
 	refused(&scene);
-	done_testing();
+	return done_testing();
 }

@@ -369,7 +369,7 @@ static void check_carrier(void)
 	hawser_modes_clear(&modes);
 }
 
-int main(void)
+CASE(property_rom_energy)
 {
 	srand(2385);
 	check_span("soft inclined", 0.031, 0.93, 0.27, 9, 1e-11);

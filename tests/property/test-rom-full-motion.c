@@ -43,7 +43,7 @@ static int swing(double *xyz, double *drift, const struct hawser_statics *st, in
 	return done;
 }
 
-int main(void)
+CASE(property_rom_full_motion)
 {
 	static const int functions[3] = {8, 12, 16};
 	struct hawser_span span = {1e8, 5.56, 9.81, 300.0, 15.0}; /* B Table 4.4, line 2 */

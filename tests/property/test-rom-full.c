@@ -351,7 +351,7 @@ static void check_static(struct hawser_span span, enum hawser_given given, doubl
 	}
 }
 
-int main(void)
+CASE(property_rom_full)
 {
 	struct hawser_statics st = span_of(3.1e-3, 0.93, 0.27);
 

@@ -285,10 +285,10 @@ static void check_count(void)
 	hawser_rom_clear(&rom);
 }
 
-int main(void)
+CASE(property_rom_functions)
 {
 	check_examples();
 	check_choice();
 	check_count();
-	done_testing();
+	return done_testing();
 }

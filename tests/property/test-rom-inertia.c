@@ -189,7 +189,7 @@ static void check_taut(void)
 	hawser_modes_clear(&modes);
 }
 
-int main(void)
+CASE(property_rom_inertia)
 {
 	check_deep();
 	check_taut();

@@ -330,7 +330,7 @@ static void check_harmonics(double speed, double swing)
 	hawser_modes_clear(&subset);
 }
 
-int main(void)
+CASE(property_rom_known)
 {
 	int spans = getenv("HAWSER_LONG") ? 40 : 3;
 

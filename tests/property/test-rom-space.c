@@ -106,7 +106,7 @@ static void derivatives(const char *what, const struct hawser_rom *rom)
 	free(work);
 }
 
-int main(void)
+CASE(property_rom_space)
 {
 	struct hawser_report report = {.message = ""};
 	struct hawser_modes_options options = {.n = MODES};

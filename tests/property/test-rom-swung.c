@@ -261,7 +261,7 @@ static void file(void)
 	hawser_rom_clear(&rom);
 }
 
-int main(void)
+CASE(property_rom_swung)
 {
 	against_chain();
 	against_upright();

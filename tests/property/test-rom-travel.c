@@ -369,7 +369,7 @@ static void check_condensed(double h)
 	hawser_modes_clear(&few);
 }
 
-int main(void)
+CASE(property_rom_travel)
 {
 	check_condensed(0.0);
 	check_condensed(11.0);

@@ -305,7 +305,7 @@ static void stations(void)
 	   strstr(report.message, "slips"), "one just below it slips: %s", report.message);
 }
 
-int main(void)
+CASE(property_ropeway)
 {
 	random_lines(getenv("HAWSER_LONG") ? 10000 : 60);
 	sweeps();

@@ -351,7 +351,7 @@ static void refused(void)
 	hawser_scene_clear(&scene);
 }
 
-int main(void)
+CASE(property_same_stability)
 {
 	/* full order with the exact energy, about the response: 1.01965; the model neglects terms
 	 * quadratic in the load */

@@ -244,7 +244,7 @@ static void refusals(void)
 	hawser_modulation_clear(NULL);
 }
 
-int main(void)
+CASE(property_scales)
 {
 	coefficients();
 	orders();

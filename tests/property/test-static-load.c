@@ -353,7 +353,7 @@ static void refusals(void)
 	refused(&scene, HAWSER_ERR_ARGUMENT, "no change of temperature");
 }
 
-int main(void)
+CASE(property_static_load)
 {
 	downwards();
 	wind_alone();

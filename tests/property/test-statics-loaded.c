@@ -182,7 +182,7 @@ static void refusals(void)
 	ok(status == HAWSER_ERR_ARGUMENT, "too many: %s", report.message);
 }
 
-int main(void)
+CASE(property_statics_loaded)
 {
 	published();
 	random_spans(40);

@@ -186,7 +186,7 @@ static void refusals(void)
 	refused(PARABOLA, span, HAWSER_GIVEN_H, 1e4, (enum hawser_branch)7, wrong, "branch");
 }
 
-int main(void)
+CASE(property_statics_models)
 {
 	const struct hawser_statics_model *row;
 

@@ -189,7 +189,7 @@ static void orders(void)
 	close_to(log(error[0]/error[1])/log(4.0), 2.0, 1e-3, "parabola: order");
 }
 
-int main(void)
+CASE(property_statics_random)
 {
 	round_trips();
 	symmetries();

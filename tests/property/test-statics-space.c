@@ -472,7 +472,7 @@ static void refused(void)
 	   strstr(report.message, "attach[0]"), "%s", report.message);
 }
 
-int main(void)
+CASE(property_statics_space)
 {
 	random_spans();
 	string();

@@ -411,7 +411,7 @@ static void aside(void)
 		ok(differ(&before, &after) < 1e-12, "a span of that length");
 }
 
-int main(void)
+CASE(property_statics_yield)
 {
 	chains();
 	taut();

@@ -182,7 +182,7 @@ static void check_plan(void)
 	close_scene();
 }
 
-int main(void)
+CASE(property_study_chosen)
 {
 	check_first();
 	check_unexcited();

@@ -108,7 +108,7 @@ static void check_closed(double cubic, double f)
 	   "the larger first: %g, %g, peak %g", scales.fold[0], scales.fold[1], scales.peak);
 }
 
-int main(void)
+CASE(property_study_scales)
 {
 	/* 2 Gamma F^2/delta^3 = 16/(3 sqrt 3): slightly above there are folds, slightly below none */
 	double delta = 0.0155, w = 2.385, Gamma = 0.375*0.9/w;

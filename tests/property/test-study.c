@@ -294,7 +294,7 @@ static void check_refusals(void)
 	hawser_study_error_clear(NULL);
 }
 
-int main(void)
+CASE(property_study)
 {
 	int more = getenv("HAWSER_LONG") != NULL;
 

@@ -393,7 +393,7 @@ static void check_full(void)
 	}
 }
 
-int main(void)
+CASE(property_support)
 {
 	check_orders(INCLINED MOVING);
 	check_orders(INCLINED MOVING "attach: [{at: 30 %, mass: 40, spring: [2 kN/m, 9 kN/m, 5 kN/m]},\n"

@@ -200,7 +200,7 @@ static void refused(const struct hawser_rom *rom, struct hawser_frf *frf, int ev
 	hawser_tori_clear(NULL);
 }
 
-int main(void)
+CASE(property_tori)
 {
 	struct hawser_frf_options options = {.from = 0.72, .to = 1.3};
 	struct hawser_rom rom;

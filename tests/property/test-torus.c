@@ -76,7 +76,7 @@ static void refused(const struct hawser_rom *rom, const struct hawser_frf *frf, 
 	hawser__torus_clear(&torus);
 }
 
-int main(void)
+CASE(property_torus)
 {
 	struct hawser_frf_options options = {.from = 0.8, .to = 1.3};
 	char path[] = "/tmp/hawser-torus-XXXXXX";

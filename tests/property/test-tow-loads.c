@@ -107,7 +107,7 @@ static void loads(struct hawser_tow *tow, const char *what)
 	hawser__tow_run_close(&run);
 }
 
-int main(void)
+CASE(property_tow_loads)
 {
 	static struct hawser_waypoint gust[3] = {{.t = 0.0, .at = {{1.0, 0.0, 2.0}}},
 	                                         {.t = 2.0, .at = {{3.0, 4.0, 2.0}}},

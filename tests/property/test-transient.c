@@ -327,7 +327,7 @@ static void passing(void)
 	}
 }
 
-int main(void)
+CASE(property_transient)
 {
 	modes();
 	rigid();

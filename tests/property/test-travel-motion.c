@@ -288,7 +288,7 @@ static void check_response(void)
 	hawser_rom_clear(&rom);
 }
 
-int main(void)
+CASE(property_travel_motion)
 {
 	check_energy();
 	check_braking();

@@ -329,7 +329,7 @@ static void check_refusals(void)
 	ok(status == HAWSER_ERR_NO_SOLUTION, "nothing at rest: %s", report.message);
 }
 
-int main(void)
+CASE(property_travel)
 {
 	const struct hawser_span below = {40e6, 6.0, 9.81, 100.0, -33.0};
 

@@ -273,7 +273,7 @@ static void check_random(int first, int count)
 	ok(events > count - first, "%d events of %d random models", events, count - first);
 }
 
-int main(void)
+CASE(property_undamped)
 {
 	check_duffing(0.0, "Duffing");
 	check_duffing(1e-12, "Duffing, damping 1e-12");

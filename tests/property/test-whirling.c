@@ -138,7 +138,7 @@ static void check_places(double over)
 	}
 }
 
-int main(void)
+CASE(property_whirling)
 {
 	check_threshold("shooting");
 	check_threshold("balance");

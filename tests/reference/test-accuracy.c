@@ -141,7 +141,7 @@ static void check_folds(void)
 	clear();
 }
 
-int main(void)
+CASE(reference_accuracy)
 {
 	static const double near_end[] = {2.95773, 3.43475}, first[] = {0.771126, 1.088649};
 

@@ -108,7 +108,7 @@ static void growth(void)
 	hawser_beam_integrals_clear(&is);
 }
 
-int main(void)
+CASE(reference_beam)
 {
 	dehadrai();
 	second_stable_region();

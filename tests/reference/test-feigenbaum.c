@@ -63,7 +63,7 @@ static double doubling(const struct hawser_rom *rom, const double *start, double
 	return found;
 }
 
-int main(void)
+CASE(reference_feigenbaum)
 {
 	double x[2] = {0.0}, at[8] = {0.0}, gap = 0.05, ratio = 0.0;
 	int last = getenv("HAWSER_LONG") ? 6 : 4;

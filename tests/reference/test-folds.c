@@ -114,7 +114,7 @@ static void check_absorber(void)
 	hawser_rom_clear(&rom);
 }
 
-int main(void)
+CASE(reference_folds)
 {
 	check_duffing();
 	check_absorber();

@@ -172,7 +172,7 @@ static void check_cases(const char *folder)
 	finish(&curve);
 }
 
-int main(void)
+CASE(reference_frf_published)
 {
 	const char *folder = getenv("SRCDIR") ? getenv("SRCDIR") : ".";
 

@@ -221,7 +221,7 @@ static void corner(void)
 	close_to(reply[1].impulse[0], 1.7, 1e-14, "impulse of the wall");
 }
 
-int main(void)
+CASE(reference_friction)
 {
 	polygons();
 	floors();

@@ -412,7 +412,7 @@ static void characteristic_values(void)
 	ok(worst[1] < 1e-3, "distances of points beside them are right within %.1e", worst[1]);
 }
 
-int main(void)
+CASE(reference_hill)
 {
 	characteristic_values();
 	meissner(0.0, 1.3, 4.7);

@@ -165,7 +165,7 @@ static void pulley(void)
 	hawser_line_statics_clear(&st);
 }
 
-int main(void)
+CASE(reference_line_closed)
 {
 	capstan();
 	heavy();

@@ -481,7 +481,7 @@ static void refusals(void)
 	hawser_line_statics_clear(&st);
 }
 
-int main(void)
+CASE(reference_line_modes)
 {
 	one_span(4e8, 250.0, 10.0, 8e4, "taut span");
 	one_span(4e8, 250.0, -140.0, 4e4, "steep span");

@@ -290,7 +290,7 @@ static void bouquet(void)
 	hawser_line_statics_clear(&st);
 }
 
-int main(void)
+CASE(reference_line)
 {
 	small_ropeway();
 	bouquet();

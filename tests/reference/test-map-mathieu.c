@@ -180,7 +180,7 @@ static void damped(double c)
 	hawser_map_clear(&map);
 }
 
-int main(void)
+CASE(reference_map_mathieu)
 {
 	undamped(1, 1.2, 2.9);
 	undamped(2, 0.85, 1.08);

@@ -146,7 +146,7 @@ static void source_tables(void)
 	hawser_modes_clear(&m);
 }
 
-int main(void)
+CASE(reference_modes)
 {
 	straight();
 	irvine("spectral");

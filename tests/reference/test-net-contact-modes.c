@@ -276,7 +276,7 @@ static void floors(void)
 	hawser_net_modes_clear(&modes);
 }
 
-int main(void)
+CASE(reference_net_contact_modes)
 {
 	floors();
 	belts();

@@ -200,7 +200,7 @@ static void edge(void)
 	hawser_net_clear(&net);
 }
 
-int main(void)
+CASE(reference_net_contact)
 {
 	seabed();
 	capstan();

@@ -167,7 +167,7 @@ static void falls(void)
 	hawser_net_clear(&net);
 }
 
-int main(void)
+CASE(reference_net_impact)
 {
 	bounces(0.7);
 	bounces(0.0);

@@ -69,7 +69,7 @@ static void string(void)
 	hawser_net_modes_clear(&modes);
 }
 
-int main(void)
+CASE(reference_net_modes)
 {
 	double coarse = chairlift(25), fine = chairlift(100);
 

@@ -235,7 +235,7 @@ static void undamped(void)
 		}
 }
 
-int main(void)
+CASE(reference_net_motion)
 {
 	horizontal();
 	lossy();

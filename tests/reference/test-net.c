@@ -57,7 +57,7 @@ static void whole(const struct hawser_net *net, const struct hawser_net_statics 
 	   st->unknowns, st->residual, st->floor);
 }
 
-int main(void)
+CASE(reference_net)
 {
 	const char *top = getenv("SRCDIR");
 	struct hawser_report report = {0};

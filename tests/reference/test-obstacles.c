@@ -429,7 +429,7 @@ static void refused(void)
 	}
 }
 
-int main(void)
+CASE(reference_obstacles)
 {
 	int file = mkstemp(path);
 

@@ -284,7 +284,7 @@ static void stiff_rotors(void)
 	digits(1e4*stretch, 5.143, 5e-4, "stretch at 6 rad/s, 1e-4 m");
 }
 
-int main(void)
+CASE(reference_rod_motion)
 {
 	cantilever();
 	period();

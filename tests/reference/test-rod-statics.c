@@ -270,7 +270,7 @@ static void elastica(void)
 	hawser_rod_statics_clear(&st);
 }
 
-int main(void)
+CASE(reference_rod_statics)
 {
 	roll_up();
 	glauert();

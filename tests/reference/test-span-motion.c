@@ -260,7 +260,7 @@ static void refused(void)
 	hawser_scene_clear(&scene);
 }
 
-int main(void)
+CASE(reference_span_motion)
 {
 	int whole = getenv("HAWSER_LONG") != NULL;
 

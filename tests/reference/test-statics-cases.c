@@ -95,7 +95,7 @@ static void light_cord(void)
 	         "lambda^2 = (w cos c/Tc)^2 c EA/(Tc L0)");
 }
 
-int main(void)
+CASE(reference_statics_cases)
 {
 	mooring();
 	ropeway();

@@ -78,7 +78,7 @@ static int invert(const struct row *row, const struct hawser_statics *st, enum h
 	return 1;
 }
 
-int main(void)
+CASE(reference_statics_spans)
 {
 	const char *folder = getenv("SRCDIR");
 	char path[4096], line[512];

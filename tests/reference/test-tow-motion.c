@@ -205,7 +205,7 @@ static void shedding(double frequency, double shown)
 	hawser_tow_motion_clear(&motion);
 }
 
-int main(void)
+CASE(reference_tow_motion)
 {
 	turns();
 	forward(27.8, 5752.0);

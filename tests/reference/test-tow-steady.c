@@ -439,7 +439,7 @@ static void refusals(void)
 	refused(&tow, 5.0, 10.0, "horizontal wind");
 }
 
-int main(void)
+CASE(reference_tow_steady)
 {
 	tilts();
 	wanted_drag();

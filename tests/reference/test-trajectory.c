@@ -407,7 +407,7 @@ static void refusals(void)
 	refused("not determined", u, 2, HAWSER_MINIMISE_SNAP, "do not determine");
 }
 
-int main(void)
+CASE(reference_trajectory)
 {
 	published();
 	repaired();

@@ -38,7 +38,7 @@ static void value_is(const char *key, double value, const char *shown)
 	ok(!strcmp(text, shown), "%s: %s", key, text);
 }
 
-int main(void)
+CASE(unit_axis)
 {
 	const struct hawser_scene_key *key;
 	size_t numeric = 0;

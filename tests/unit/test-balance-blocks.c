@@ -131,7 +131,7 @@ static void check_blocks(double fast, const char *what)
 	hawser_rom_clear(&rom);
 }
 
-int main(void)
+CASE(unit_balance_blocks)
 {
 	check_substitution(8);
 	check_substitution(24);

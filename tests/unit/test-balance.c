@@ -392,7 +392,7 @@ static void check_rest(void)
 	hawser_rom_clear(&rom);
 }
 
-int main(void)
+CASE(unit_balance)
 {
 	check_jacobian();
 	check_aliasing();

@@ -116,7 +116,7 @@ static void nature(const struct hawser_beam_method *row)
 	hawser_beam_integrals_clear(&is);
 }
 
-int main(void)
+CASE(unit_beam_integrals)
 {
 	const struct hawser_beam_method *row;
 	struct hawser_beam_integrals is;

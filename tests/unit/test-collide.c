@@ -95,7 +95,7 @@ static void check_condensed(int marked)
 	   marked ? "left out where it is condensed" : "looked at");
 }
 
-int main(void)
+CASE(unit_collide)
 {
 	check_passing();
 	check_collision(0.0101, 2, 1, "two pairs that collide and grow between two stations are found");

@@ -334,7 +334,7 @@ static void check_ends(void)
 	   "lost where the corrector fails, at %.3f", owner.u[0]);
 }
 
-int main(void)
+CASE(unit_continuation)
 {
 	check_battery();
 	check_arcs();

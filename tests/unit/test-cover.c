@@ -142,7 +142,7 @@ static void test_between(void)
 	hawser_rom_clear(&rom);
 }
 
-int main(void)
+CASE(unit_cover)
 {
 	test_returned();
 	test_between();

@@ -62,7 +62,7 @@ static uint64_t random_bits(void)
 	return state;
 }
 
-int main(void)
+CASE(unit_digits)
 {
 	hawser__powers_make(&powers);
 	for (int k = -323; k <= 308; k++) {

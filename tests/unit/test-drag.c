@@ -154,7 +154,7 @@ static void ring_closed_forms(void)
 	   "nor with a tilt, by symmetry");
 }
 
-int main(void)
+CASE(unit_drag)
 {
 	line();
 	ring_derivatives();

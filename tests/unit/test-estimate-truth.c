@@ -152,7 +152,7 @@ static void check_judged(void)
 		}
 }
 
-int main(void)
+CASE(unit_estimate_truth)
 {
 	check_coarse();
 	if (getenv("HAWSER_LONG")) {

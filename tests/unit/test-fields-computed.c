@@ -176,7 +176,7 @@ static void test_axis(void)
 	axis_is(axes, "height", &view, 1.0, "", "", 1.0);
 }
 
-int main(void)
+CASE(unit_fields_computed)
 {
 	close(mkstemp(path));
 	test_computed();

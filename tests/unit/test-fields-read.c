@@ -160,7 +160,7 @@ static void test_other(void)
 	json_decref(root);
 }
 
-int main(void)
+CASE(unit_fields_read)
 {
 	struct hawser__json json;
 

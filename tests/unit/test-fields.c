@@ -373,7 +373,7 @@ static void test_print(void)
 	     "the list of fields");
 }
 
-int main(void)
+CASE(unit_fields)
 {
 	close(mkstemp(path));
 	test_table();

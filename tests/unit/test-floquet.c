@@ -199,7 +199,7 @@ static void check_errors(void)
 	   report.message);
 }
 
-int main(void)
+CASE(unit_floquet)
 {
 	double turn[4] = {0.6, -0.8, 0.8, 0.6}, lm[2], arg[2];
 

@@ -272,7 +272,7 @@ static void check_textbook(int what, const char *name)
 	hawser_rom_clear(&rom);
 }
 
-int main(void)
+CASE(unit_flow)
 {
 	struct hawser_rom rom;
 	struct hawser__flow flow;

@@ -189,7 +189,7 @@ static void check_between(struct hawser__fold_walk *walk, const struct hawser_ro
 	free(z);
 }
 
-int main(void)
+CASE(unit_folds)
 {
 	struct hawser_folds_options options = {.method = NULL};
 	struct hawser__fold_walk walk;

@@ -206,7 +206,7 @@ static void check_jump(void)
 	hawser_scene_clear(&scene);
 }
 
-int main(void)
+CASE(unit_frf_events)
 {
 	const double near[] = {1.0, 1.00001}, nearer[] = {1.0, 1.0000001}, three[] = {1.0, 1.0007, 1.004};
 	const double meet[] = {1.10071, 1.697124};

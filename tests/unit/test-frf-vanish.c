@@ -111,7 +111,7 @@ static void check(const struct example *e, const char *method)
 	hawser_rom_clear(&rom);
 }
 
-int main(void)
+CASE(unit_frf_vanish)
 {
 	for (size_t i = 0; i < sizeof example/sizeof *example; i++) {
 		check(&example[i], "shooting");

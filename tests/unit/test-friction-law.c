@@ -113,7 +113,7 @@ static void zeros(void)
 	}
 }
 
-int main(void)
+CASE(unit_friction_law)
 {
 	derivatives();
 	zeros();

@@ -179,7 +179,7 @@ static void points(void)
 	hawser_scene_clear(&scene);
 }
 
-int main(void)
+CASE(unit_guards_branches)
 {
 	struct hawser_beam_integrals is;
 

@@ -269,7 +269,7 @@ static void without_shapes(struct hawser_modes *modes)
 	modes->slope[1] = keep;
 }
 
-int main(void)
+CASE(unit_guards_response)
 {
 	struct hawser_statics statics = scaled_span(1e-3, 0.3, 0.0);
 	struct hawser_modes_options options = {.n = 8};

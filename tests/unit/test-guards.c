@@ -159,7 +159,7 @@ static void closed_forms(void)
 	hawser_rom_clear(&rom);
 }
 
-int main(void)
+CASE(unit_guards)
 {
 	struct hawser_beam_integrals is;
 

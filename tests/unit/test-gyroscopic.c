@@ -214,7 +214,7 @@ static void test_failures(void)
 	hawser_modes_clear(NULL);
 }
 
-int main(void)
+CASE(unit_gyroscopic)
 {
 	test_waves();
 	test_no_tension();

@@ -163,7 +163,7 @@ static void random_models(void)
 	ok(found.zero < 1e-10, "zeros are exponents within %.1e Omega", found.zero);
 }
 
-int main(void)
+CASE(unit_hill_matrix)
 {
 	random_models();
 	return done_testing();

@@ -178,7 +178,7 @@ static void check_run(void)
 	hawser_rom_clear(&rom);
 }
 
-int main(void)
+CASE(unit_integrate_spectrum)
 {
 	check_tones();
 	check_mean();

@@ -277,7 +277,7 @@ static void check_edges(void)
 	hawser_rom_clear(&stiff);
 }
 
-int main(void)
+CASE(unit_integrate)
 {
 	check_edges();
 	check_free();

@@ -107,7 +107,7 @@ static void scenes(void)
 	fclose(stream);
 }
 
-int main(void)
+CASE(unit_linear)
 {
 	struct hawser_linear *linear;
 

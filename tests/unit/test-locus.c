@@ -20,7 +20,7 @@ static void refused(const struct hawser_rom_family *family, const struct hawser_
 	hawser_locus_clear(&locus);
 }
 
-int main(void)
+CASE(unit_locus)
 {
 	const struct hawser_locus_options good = {.kind = HAWSER_FOLD, .from = 0.8, .to = 1.8,
 		.parameter_from = 0.5, .parameter_to = 2.0, .at = 1.0};

@@ -260,7 +260,7 @@ static void refusals(void)
 	   strcmp(hawser_map_code_name((enum hawser_map_code)99), "unknown") == 0, "codes have names");
 }
 
-int main(void)
+CASE(unit_map)
 {
 	circles(65, 65, 8);
 	circles(65, 65, 1);

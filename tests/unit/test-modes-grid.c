@@ -72,7 +72,7 @@ static void running(void)
 	ok(grid.points == 0, "clearing twice is legal");
 }
 
-int main(void)
+CASE(unit_modes_grid)
 {
 	exactness();
 	running();

@@ -154,7 +154,7 @@ static void check_overdamped(void)
 	hawser_rom_clear(&rom);
 }
 
-int main(void)
+CASE(unit_monodromy)
 {
 	check_condensed();
 	check_slow_manifold();

@@ -291,7 +291,7 @@ static void test_labels(void)
 	hawser__picture_abort(&picture);
 }
 
-int main(void)
+CASE(unit_output)
 {
 	if (!mkdtemp(folder))
 		return 1;

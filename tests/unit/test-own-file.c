@@ -50,7 +50,7 @@ static void deep_formula(void)
 	refused(text, "nested too deeply");
 }
 
-int main(void)
+CASE(unit_own_file)
 {
 	refused(MODEL(", \"terms\": 1"), "terms: a list of entries");
 	refused(MODEL(", \"terms\": [[0, [1], 2]]"), "terms[0]: [j, [coordinates], [velocities], value]");

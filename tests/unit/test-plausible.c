@@ -133,7 +133,7 @@ static void both(void)
 	ok(hawser_plausible_rule(0)->low > 0.0 && rules <= HAWSER_DOUBTS, "%d rules", rules);
 }
 
-int main(void)
+CASE(unit_plausible)
 {
 	slips();
 	real();

@@ -18,7 +18,7 @@ static int answer(void *data, const struct hawser_progress_state *state)
 	return state->done >= *(const long *)data;
 }
 
-int main(void)
+CASE(unit_progress)
 {
 	double began = hawser__wall_seconds();
 	struct hawser_progress_state state = hawser__progress_state("sweep", "frequencies", 3, began);

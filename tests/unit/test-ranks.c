@@ -231,7 +231,7 @@ static void gap(void)
 	hawser__bytes_clear(&bytes);
 }
 
-int main(void)
+CASE(unit_ranks)
 {
 	struct hawser_report report = {.status = HAWSER_OK};
 	int stopped;

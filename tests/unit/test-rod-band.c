@@ -95,7 +95,7 @@ static void singular(void)
 	hawser__band_clear(&band);
 }
 
-int main(void)
+CASE(unit_rod_band)
 {
 	solutions();
 	singular();

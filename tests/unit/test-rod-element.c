@@ -296,7 +296,7 @@ static void too_far(void)
 	close_to(at.k[2], 3.15, 1e-14, "but are measured");
 }
 
-int main(void)
+CASE(unit_rod_element)
 {
 	logarithms();
 	jacobians();

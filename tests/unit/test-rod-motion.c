@@ -251,7 +251,7 @@ static void body(void)
 	ok(gap[1] < 1e-3 && gap[0] > 2.5*gap[1], "angular momentum to %.1e, %.1e", gap[0], gap[1]);
 }
 
-int main(void)
+CASE(unit_rod_motion)
 {
 	tangent();
 	order();

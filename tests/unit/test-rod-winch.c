@@ -254,7 +254,7 @@ static void no_speed(void)
 	ok(worst < 1e-10, "a winch at rest changes nothing: %.1e m", worst);
 }
 
-int main(void)
+CASE(unit_rod_winch)
 {
 	tangent();
 	pendulums();

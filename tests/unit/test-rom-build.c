@@ -290,7 +290,7 @@ static void check_errors(struct hawser_modes *modes)
 	   report.message);
 }
 
-int main(void)
+CASE(unit_rom_build)
 {
 	struct hawser_statics statics;
 	struct hawser_modes modes;

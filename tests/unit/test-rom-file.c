@@ -354,11 +354,10 @@ static void check_files(void)
 	hawser_rom_clear(&rom);
 }
 
-int main(int count, char **word)
+CASE(unit_rom_file)
 {
-	(void)count;
 	srand(2385);
-	ok(mkdtemp(folder) != NULL, "folder for %s", word[0]);
+	ok(mkdtemp(folder) != NULL, "a folder %s", folder);
 	snprintf(path, sizeof path, "%s/model.json", folder);
 	check_messages();
 	check_layout();

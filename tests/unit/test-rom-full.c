@@ -158,7 +158,7 @@ static void check_default(void)
 	hawser_rom_clear(&rom);
 }
 
-int main(void)
+CASE(unit_rom_full)
 {
 	check_alike();
 	check_plane(7, 0, "in the plane");

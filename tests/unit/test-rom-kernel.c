@@ -244,7 +244,7 @@ static void check_errors(void)
 	hawser_rom_clear(NULL);
 }
 
-int main(void)
+CASE(unit_rom_kernel)
 {
 	srand(2385);
 	for (int n = 1; n <= 12; n += n < 3 ? 1 : 3) {

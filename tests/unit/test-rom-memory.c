@@ -14,7 +14,7 @@ enum { INFLATED = 1 };
 enum { INFLATED = 0 };
 #endif
 
-int main(void)
+CASE(unit_rom_memory)
 {
 	/* 18 MB of memory, of which 11 MB are the program with its libraries; with trees of the model
 	 * it was 135 MB. The file has 9.6 MB. */

@@ -85,7 +85,7 @@ static void load_cases(void)
 	hawser_scene_clear(&scene);
 }
 
-int main(void)
+CASE(unit_scene_cases)
 {
 	refuse();
 	load_cases();

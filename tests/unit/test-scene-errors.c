@@ -483,7 +483,7 @@ static void hostile(void)
 	free(text);
 }
 
-int main(void)
+CASE(unit_scene_errors)
 {
 	for (size_t i = 0; i < sizeof table/sizeof *table; i++)
 		refused(table[i].text, table[i].set, table[i].message);

@@ -83,7 +83,7 @@ static void check(int i)
 	hawser_scene_clear(&scene);
 }
 
-int main(void)
+CASE(unit_scene_files)
 {
 	if (!getenv("SRCDIR")) {
 		ok(0, "SRCDIR names the source directory");

@@ -93,7 +93,7 @@ static void removed_and_doubled(const char *text)
 	free(copy);
 }
 
-int main(void)
+CASE(unit_scene_fuzz)
 {
 	static const char many[] = "\0\n \"#&'*,-0:?[]{|\xff";
 

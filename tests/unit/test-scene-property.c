@@ -195,7 +195,7 @@ static int survives_writing(void)
 	return equal;
 }
 
-int main(void)
+CASE(unit_scene_property)
 {
 	int edits = 0, writings = 0;
 

@@ -193,7 +193,7 @@ static void sentences(void)
 	ok(strlen(hint) == 7, "a short buffer is filled, not overrun");
 }
 
-int main(void)
+CASE(unit_scene_suggest)
 {
 	distances();
 	nearest();

@@ -235,7 +235,7 @@ static void threads(void)
 	ok(sum == 0.0, "%d threads at once, %g wrong answers", N, sum);
 }
 
-int main(void)
+CASE(unit_scene_units)
 {
 	conversions();
 	common();

@@ -377,7 +377,7 @@ static void table_of_keys(void)
 	ok(count > 0 && !hawser_scene_key(-1) && !hawser_scene_key(count + 1), "%d keys", count);
 }
 
-int main(void)
+CASE(unit_scene)
 {
 	table_of_keys();
 	static_loads();

@@ -142,7 +142,7 @@ static void wrap_scene(void)
 	   "no solution, and no report wanted");
 }
 
-int main(void)
+CASE(unit_statics)
 {
 	struct hawser_span falls = chairlift, rigid = chairlift, soft = chairlift;
 	struct hawser_statics st;

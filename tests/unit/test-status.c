@@ -3,7 +3,7 @@
 #include "core/report.h"
 #include "tests/tap.h"
 
-int main(void)
+CASE(unit_status)
 {
 	static const int want_exit[HAWSER_STATUS_COUNT] = {0, 1, 1, 2, 3, 3, 4, 4, 4};
 	struct hawser_report report = {.message = ""};

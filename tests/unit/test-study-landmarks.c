@@ -221,7 +221,7 @@ static void check_crossing(void)
 	   partner[1]);
 }
 
-int main(void)
+CASE(unit_study_landmarks)
 {
 	check_order();
 	check_choice();

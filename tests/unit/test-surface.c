@@ -133,7 +133,7 @@ static void refusals(void)
 	refused(&circle, "no room");
 }
 
-int main(void)
+CASE(unit_surface)
 {
 	for (int i = 0; i < SHAPES; i++)
 		shape(&shapes[i]);

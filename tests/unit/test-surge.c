@@ -267,7 +267,7 @@ static void check_refused(void)
 	   "nothing to look at: %s", report.message);
 }
 
-int main(void)
+CASE(unit_surge)
 {
 	check_guy();
 	check_modes();

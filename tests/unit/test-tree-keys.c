@@ -143,7 +143,7 @@ static int compare(const struct scene *scene, const struct hawser__tree_key *row
 	return 0;
 }
 
-int main(void)
+CASE(unit_tree_keys)
 {
 	int handle = mkstemp(file);
 	const struct hawser__tree_key *row;

@@ -223,7 +223,7 @@ static void check_load(const struct hawser_rom *rom)
 	hawser__load_clear(&load);
 }
 
-int main(void)
+CASE(unit_varying)
 {
 	struct hawser_rom rom;
 
