@@ -12,7 +12,7 @@ tests_run_SOURCES = %D%/run.c
 # The stages' archives, which need no libtool to link (see only.mk).
 UPTO_CORE = src/core/.libs/libcore.a
 UPTO_CONTINUATION = src/continuation/.libs/libcontinuation.a $(UPTO_CORE) -lm
-UPTO_SCENE = src/scene/.libs/libscene.a $(UPTO_CONTINUATION) $(YAML_LIBS) $(UDUNITS_LIBS)
+UPTO_SCENE = src/scene/.libs/libscene.a $(UPTO_CONTINUATION) $(YAML_LIBS) $(JANSSON_LIBS) $(UDUNITS_LIBS)
 UPTO_STATICS = src/statics/.libs/libstatics.a $(UPTO_SCENE) $(GSL_LIBS)
 UPTO_MODES = src/modes/.libs/libmodes.a $(UPTO_STATICS) $(SLICOT_LIBS) $(LAPACKE_LIBS) $(BLAS_LIBS)
 UPTO_BEAM = src/beam/.libs/libbeam.a $(UPTO_MODES)

@@ -7,7 +7,7 @@
 
 /* What is evaluated: a force, or a force with its tangent; at one state, or at each of several in
  * one call. */
-enum hawser__task {
+enum hawser__effort_task {
 	HAWSER__FORCE,
 	HAWSER__TANGENT,
 	HAWSER__FORCES,

@@ -3,8 +3,8 @@
  * All is scaled: lengths by `length`, forces by `force`, times by length*sqrt(rho/force).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HAWSER_ROPEWAY_MODES_H
-#define HAWSER_ROPEWAY_MODES_H
+#ifndef HAWSER_ROPEWAY_SPAN_MODES_H
+#define HAWSER_ROPEWAY_SPAN_MODES_H
 
 #include <hawser/line_modes.h>
 

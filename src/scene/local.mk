@@ -45,4 +45,4 @@ CLEANFILES += %D%/manpage$(EXEEXT)
 	%D%/manpage_rod.c \
 	%D%/manpage_ropeway.c \
 	%D%/manpage_tow.c
-%C%_manpage_LDADD = %D%/libscene.la src/core/libcore.la $(YAML_LIBS) $(UDUNITS_LIBS)
+%C%_manpage_LDADD = %D%/libscene.la src/core/libcore.la $(YAML_LIBS) $(JANSSON_LIBS) $(UDUNITS_LIBS)

@@ -444,7 +444,7 @@ static int calls_for_full(const struct hawser_accuracy *a,
 	       options->most == 0 && a->choice.exact.n > 0;
 }
 
-static enum hawser_status raise(struct hawser_accuracy *a, const struct hawser_scene *scene,
+static enum hawser_status raise_modes(struct hawser_accuracy *a, const struct hawser_scene *scene,
                                 const struct hawser_accuracy_options *options,
                                 struct hawser_report *report)
 {
@@ -483,7 +483,7 @@ enum hawser_status hawser_accuracy_trace(struct hawser_accuracy *accuracy,
 	status = hawser_accuracy_choose(&accuracy->choice, &accuracy->modes, statics, scene,
 	                                options->frf.from, options->frf.to, accuracy->asked, report);
 	if (!status)
-		status = raise(accuracy, scene, options, report);
+		status = raise_modes(accuracy, scene, options, report);
 	accuracy->seconds = now() - start;
 	return status;
 }

@@ -23,6 +23,7 @@ writes() {
 	for page in "$scratch/lists.in" man/hawser-frf.1.in; do
 		"$@" -v hawser="$scratch/hawser" -v shared=man/shared -f man/page.awk "$page"
 	done
+	"$@" -f src/batches.awk src/rom/*.c tests/unit/*.c
 	printf '/* A comment. */\nint hawser_x(double *value);\nstruct s {\n\tdouble *y;\n};\n' >"$scratch/wrong.h"
 	"$@" -f tests/checks/shapes.awk "$scratch/wrong.h" include/hawser/*.h
 }

@@ -21,7 +21,7 @@
 enum { PROBES = HAWSER_SPAN_PROBES };
 static struct hawser_report report;
 
-static int open(struct hawser_scene *scene, struct hawser_statics *statics, const char *name)
+static int open_span(struct hawser_scene *scene, struct hawser_statics *statics, const char *name)
 {
 	const char *folder = getenv("SRCDIR");
 	char path[1024];
@@ -119,7 +119,7 @@ static void nonlinear(int whole)
 	struct hawser_statics statics;
 	struct hawser_motions motions;
 
-	if (!open(&scene, &statics, "b-table-4.3-line-2.yaml") ||
+	if (!open_span(&scene, &statics, "b-table-4.3-line-2.yaml") ||
 	    !compare(&motions, &scene, &statics, &options, "condensed 20, raw 5"))
 		return;
 	for (int r = 0; r < motions.runs; r++)
@@ -154,7 +154,7 @@ static void linear(void)
 	struct hawser_statics statics;
 	struct hawser_motions motions;
 
-	if (!open(&scene, &statics, "b-table-4.3-line-1.yaml") ||
+	if (!open_span(&scene, &statics, "b-table-4.3-line-1.yaml") ||
 	    !compare(&motions, &scene, &statics, &options, "condensed 12"))
 		return;
 	show(&motions.run[1]);
@@ -173,7 +173,7 @@ static void steady(void)
 	struct hawser_statics statics;
 	struct hawser_motions motions;
 
-	if (!open(&scene, &statics, "b-table-4.4-line-2.yaml") ||
+	if (!open_span(&scene, &statics, "b-table-4.4-line-2.yaml") ||
 	    !compare(&motions, &scene, &statics, &options, "condensed 12, raw 5"))
 		return;
 	for (int r = 0; r < motions.runs; r++)
@@ -197,7 +197,7 @@ static void estimate(void)
 
 	fine.elements = 160;
 	fine.step = 0.003125;
-	if (!open(&scene, &statics, "b-table-4.3-line-2.yaml") ||
+	if (!open_span(&scene, &statics, "b-table-4.3-line-2.yaml") ||
 	    !ok(!hawser_motions_compare(&a, &scene, &statics, &coarse, &report) &&
 	        !hawser_motions_compare(&b, &scene, &statics, &fine, &report), "meshes %s",
 	        report.message))
@@ -251,7 +251,7 @@ static void refused(void)
 	struct hawser_statics statics;
 	struct hawser_motions motions;
 
-	if (!open(&scene, &statics, "b-table-4.3-line-2.yaml"))
+	if (!open_span(&scene, &statics, "b-table-4.3-line-2.yaml"))
 		return;
 	ok(hawser_motions_compare(&motions, &scene, &statics, &options, &report) == HAWSER_ERR_ARGUMENT &&
 	   strcmp(report.message, "rows every 0.1 s from 2 s to 2 s: give positive times, with an end "
