@@ -56,7 +56,7 @@ batch() {
 		batch "am_src_${stage}_lib${stage}_la_OBJECTS" lo lo "src/$stage"
 	done
 	mkdir -p "$build/src/cli/.deps"
-	batch am_hawser_OBJECTS '$(OBJEXT)' o src/cli
+	batch am_src_cli_libcli_a_OBJECTS '$(OBJEXT)' o src/cli
 	for stage in core continuation scene statics modes beam contact net ropeway rod tow rom response study output; do
 		mkdir -p "$build/tests/$stage-batches/.deps"
 		batch "am_tests_${stage}_OBJECTS" '$(OBJEXT)' o "tests/$stage-batches"

@@ -44,7 +44,6 @@ CLI_TESTS = \
 	%D%/cli/plausible.sh \
 	%D%/cli/python.sh \
 	%D%/cli/ranks.sh \
-	%D%/cli/refusals.sh \
 	%D%/cli/report.sh \
 	%D%/cli/ratios.sh \
 	%D%/cli/results.sh \
@@ -76,3 +75,10 @@ CLI_TESTS = \
 	%D%/cli/usage.sh
 test_scripts += $(CLI_TESTS)
 EXTRA_DIST += %D%/cli/lib.sh
+
+# Tables of command lines, run in forks of one program.
+CLI_TABLES = %D%/cli/refusals.table
+EXTRA_DIST += $(CLI_TABLES)
+test_programs += tests/commands
+tests_commands_SOURCES = %D%/commands.c
+tests_commands_LDADD = src/cli/libcli.a src/cli/.libs/libloaded.a src/output/.libs/liboutput.a $(UPTO_STUDY)

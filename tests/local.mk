@@ -55,6 +55,8 @@ src/study/.libs/libstudy.a: src/study/libstudy.la
 	@:
 src/output/.libs/liboutput.a: src/output/liboutput.la
 	@:
+src/cli/.libs/libloaded.a: src/cli/libloaded.la
+	@:
 
 include %D%/core.mk
 include %D%/continuation.mk
@@ -78,7 +80,7 @@ check_PROGRAMS += $(test_programs) $(test_helpers)
 dist_check_SCRIPTS = $(test_scripts)
 
 # The table of a program's cases, from the names of its sources.
-test_tables = $(test_programs:=-cases.c)
+test_tables = $(patsubst %,%-cases.c,$(filter-out tests/commands,$(test_programs:$(EXEEXT)=)))
 MOSTLYCLEANFILES += $(test_tables)
 $(test_tables): tests/%-cases.c: Makefile $(srcdir)/tests/cases.sh
 	$(AM_V_GEN)$(MKDIR_P) tests && $(SHELL) $(srcdir)/tests/cases.sh $(tests_$*_SOURCES) >$@.tmp && mv -f $@.tmp $@

@@ -3,7 +3,8 @@
 ifeq ($(origin TESTS),command line)
 ifeq (,$(findstring *,$(TESTS)))
 wanted_cases = $(subst /test-,/,$(patsubst tests/%,%,$(TESTS:.c=)))
-cases_of = $(subst /test-,/,$(patsubst tests/%.c,%,$(tests_$(notdir $(1))_SOURCES)))
+cases_of = $(subst /test-,/,$(patsubst tests/%.c,%,$(tests_$(notdir $(1))_SOURCES)) \
+	$(if $(filter tests/commands,$(1)),$(patsubst tests/%.table,%,$(CLI_TABLES))))
 test_programs := $(foreach program,$(test_programs),$(if $(filter $(TESTS),$(program))$(filter $(wanted_cases),$(call \
 	cases_of,$(program))),$(program)))
 check_PROGRAMS := tests/run $(test_programs) $(if $(filter tests/reference/%.sh reference/%,$(TESTS)),$(test_helpers))

@@ -1,5 +1,8 @@
 bin_PROGRAMS += hawser
-hawser_SOURCES = \
+hawser_SOURCES = %D%/hawser.c
+# All but main(), for the program and for the tests of the command line.
+noinst_LIBRARIES += %D%/libcli.a
+%C%_libcli_a_SOURCES = \
 	%D%/axis.c \
 	%D%/axis.h \
 	%D%/beam_boundary.c \
@@ -233,7 +236,7 @@ hawser_SOURCES = \
 	%D%/within.h \
 	%D%/words.c
 # libcore brings the report's functions, which libhawser does not export
-hawser_LDADD = src/cli/libloaded.la src/output/liboutput.la libhawser.la src/core/libcore.la $(JANSSON_LIBS) \
+hawser_LDADD = src/cli/libcli.a src/cli/libloaded.la src/output/liboutput.la libhawser.la src/core/libcore.la $(JANSSON_LIBS) \
 	$(LAPACKE_LIBS) $(BLAS_LIBS)
 
 # Libraries that are loaded at run time: their headers are all that is needed here.

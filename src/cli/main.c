@@ -1,4 +1,5 @@
-/* cli/main.c - the hawser program: find the command, read its options, run it, report a failure.
+/* cli/main.c - the hawser program but for main(): find the command, read its options, run it, report
+ * a failure.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -208,7 +209,7 @@ static enum hawser_status dispatch(int argc, char **argv, struct hawser_report *
 	return cli_execute(argc - 1, argv + 1, report);
 }
 
-int main(int argc, char **argv)
+int cli_main(int argc, char **argv)
 {
 	struct hawser_report report = {0};
 	enum hawser_status status;

@@ -7,6 +7,8 @@
 
 /* --- main.c --- */
 
+/* The program: argv [argc] as main() has it. Returns its exit status. */
+int cli_main(int argc, char **argv);
 /* Run the command that argv [argc] begins with, as the program does. */
 enum hawser_status cli_execute(int argc, char **argv, struct hawser_report *report)
 	HAWSER_MUST_CHECK;
