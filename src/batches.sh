@@ -63,8 +63,8 @@ batch() {
 	done
 	echo "include Makefile"
 	echo "batches := \$(patsubst %.c,%,\$(wildcard src/*/batch-*.c tests/*-batches/batch-*.c))"
-	# Names of one file may be those of local variables in another.
-	echo "\$(batches:=.lo) \$(batches:=.o): private AM_CFLAGS += -Wno-shadow"
+	# Names of one file may be those of local variables in another. gcc can tell these from the others.
+	echo "\$(batches:=.lo) \$(batches:=.o): private AM_CFLAGS += -Wno-shadow \$(if \$(findstring gcc,\$(CC)),-Wshadow=local)"
 	echo "\$(filter src/output/%,\$(batches:=.lo)): \$(BUILT_SOURCES)"
 	echo "-include \$(wildcard src/*/.deps/batch-*.P*o tests/*-batches/.deps/batch-*.Po)"
 } >"$makefile"

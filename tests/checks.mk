@@ -57,6 +57,7 @@ sanitizers/config.status:
 	@$(MKDIR_P) sanitizers
 	cd sanitizers && $(abs_top_srcdir)/configure -q --enable-sanitizers --enable-werror --disable-shared CC='$(SANITIZERS_CC)' \
 		CFLAGS='-O1 -g1 -fsanitize=fuzzer-no-link'
+	$(SHELL) $(abs_top_srcdir)/src/batches.sh sanitizers
 check-sanitizers: sanitizers/config.status
 	$(MAKE) -C sanitizers check-programs
 	$(MAKE) -C sanitizers check-local

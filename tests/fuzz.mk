@@ -5,8 +5,6 @@ FUZZ_TARGETS = tests/fuzz/fuzz-scene tests/fuzz/fuzz-set tests/fuzz/fuzz-model t
 	tests/fuzz/fuzz-checkpoint
 EXTRA_PROGRAMS += $(FUZZ_TARGETS)
 noinst_HEADERS += tests/fuzz/fuzz.h
-# What reads models calls neither beams nor nets nor what is built on them: they need not be compiled.
-FUZZ_ROM = src/rom/.libs/librom.a src/modes/.libs/libmodes.a $(UPTO_STATICS) $(SLICOT_LIBS) $(LAPACKE_LIBS) $(BLAS_LIBS) $(JANSSON_LIBS) -lm
 FUZZER_LINK = $(AM_LDFLAGS) -fsanitize=fuzzer -Wl,--wrap=ut_read_xml -Wl,--wrap=ut_free_system
 tests_fuzz_fuzz_scene_SOURCES = tests/fuzz/fuzz-scene.c tests/fuzz/units.c
 tests_fuzz_fuzz_scene_LDADD = $(UPTO_STATICS) -lm
@@ -15,14 +13,14 @@ tests_fuzz_fuzz_set_SOURCES = tests/fuzz/fuzz-set.c tests/fuzz/units.c
 tests_fuzz_fuzz_set_LDADD = $(UPTO_SCENE) -lm
 tests_fuzz_fuzz_set_LDFLAGS = $(FUZZER_LINK)
 tests_fuzz_fuzz_model_SOURCES = tests/fuzz/fuzz-model.c tests/fuzz/units.c
-tests_fuzz_fuzz_model_LDADD = $(FUZZ_ROM)
+tests_fuzz_fuzz_model_LDADD = $(UPTO_ROM) -lm
 tests_fuzz_fuzz_model_LDFLAGS = $(FUZZER_LINK)
 # states are read by the program alone; the units in which they are written stand in for its model's
 tests_fuzz_fuzz_state_SOURCES = tests/fuzz/fuzz-state.c src/cli/state.c
 tests_fuzz_fuzz_state_LDADD = $(UPTO_CORE) $(JANSSON_LIBS) -lm
 tests_fuzz_fuzz_state_LDFLAGS = $(AM_LDFLAGS) -fsanitize=fuzzer
 tests_fuzz_fuzz_checkpoint_SOURCES = tests/fuzz/fuzz-checkpoint.c
-tests_fuzz_fuzz_checkpoint_LDADD = src/study/.libs/libstudy.a src/response/.libs/libresponse.a $(FUZZ_ROM) $(SUNDIALS_LIBS) $(FFTW_LIBS)
+tests_fuzz_fuzz_checkpoint_LDADD = $(UPTO_STUDY) -lm
 tests_fuzz_fuzz_checkpoint_LDFLAGS = $(AM_LDFLAGS) -fsanitize=fuzzer
 CLEANFILES += $(FUZZ_TARGETS)
 
