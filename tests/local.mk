@@ -115,3 +115,8 @@ times:
 EXTRA_DIST += %D%/only.mk
 .PHONY: check-programs
 check-programs: all-am $(check_PROGRAMS) $(check_DATA)
+
+# make test-response: the tests of one stage, without the program and its manual pages. This is the shortest way from an edit to
+# its tests.
+test-%: tests/% tests/run
+	@$(RUN_TESTS) -X $(srcdir)/tests/longer.txt $<
