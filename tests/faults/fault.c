@@ -1,8 +1,9 @@
-/* tests/faults/fault.c - which of the seeded faults is active: the one whose number is in HAWSER_FAULT.
+/* tests/faults/fault.c - which of the seeded faults is active: HAWSER_FAULT has its number.
  *
- * seed.sh copies this file to src/core of the tree with faults. If HAWSER_FAULTS_REACHED names a file, the number of
- * each place is appended to it when the place is reached for the first time. No stdio and no memory of malloc: tests
- * replace the allocator and fill disks. Threads may both write a number, which does no harm.
+ * seed.sh copies this file to src/core of the tree with faults. If HAWSER_FAULTS_REACHED names a
+ * file, the number of each place is appended to it when the place is reached for the first time.
+ * Neither stdio nor malloc: tests replace the allocator and fill disks. Two threads may both write
+ * a number, which does no harm.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -19,8 +20,10 @@ int hawser__fault(int number);
 static void note(int number)
 {
 	const char *path = getenv("HAWSER_FAULTS_REACHED");
-	int error = errno, file = path ? open(path, O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0666) : -1;
-	char line[] = {(char)('0' + number/100), (char)('0' + number/10%10), (char)('0' + number%10), '\n'};
+	int error = errno;
+	int file = path ? open(path, O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0666) : -1;
+	const char line[] = {(char)('0' + number/100), (char)('0' + number/10%10),
+		(char)('0' + number%10), '\n'};
 
 	if (file >= 0) {
 		if (write(file, line, sizeof line) != (ssize_t)sizeof line)

@@ -2,6 +2,7 @@
 # tests/faults/suite.sh - what run.sh has to know of the suite. In a build folder:
 #   suite.sh list           lines of a set (quick, longer) and a case, with a tab between
 #   suite.sh run CASE       run a case; it speaks TAP
+#   suite.sh make CASE      make what the case needs
 #   suite.sh sources        the cases that read the sources; they count as reached by every fault
 #   suite.sh flags          the compiler's flags, with the warnings that are errors in .ci/run
 # SRCDIR may name another tree than the build's, for what the cases read.
@@ -44,6 +45,8 @@ run)
 		*.sh) exec sh "$SRCDIR/$2" ;;
 		*) exec "./$2" ;;
 	esac ;;
+make)
+	case $2 in *.sh) ;; *) make -s "$2" ;; esac ;;
 sources)
 	for name in includes messages shapes size; do
 		echo "tests/checks/$name.sh"
