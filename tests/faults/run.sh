@@ -171,11 +171,13 @@ touch "$scratch/found.tsv" "$scratch/unsure"
 build build check-programs --disable-static
 cd "$scratch/build" || exit 1
 flags=$(sh "$here/suite.sh" flags)
-for fault in $faults; do
-	known "$fault" warnings && continue
-	plain "$fault"
-	record "$fault" warnings "$(warned "$fault")"
-done
+warnings() {
+	for fault in $faults; do
+		known "$fault" warnings && continue
+		plain "$fault"
+		record "$fault" warnings "$(warned "$fault")"
+	done
+}
 for set in quick longer; do
 	cd "$scratch/build" || exit 1
 	plain 0
@@ -186,6 +188,7 @@ for set in quick longer; do
 		plain "$fault"
 		record "$fault" "$set" "$(caught "$fault" "$set")"
 	done
+	warnings
 done
 
 # The sanitizers run the cases of .ci/run, whatever their set; what they reach is known from above. Programs of tests are
