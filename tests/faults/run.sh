@@ -3,8 +3,8 @@
 # faults". In SCRATCH are then results.tsv, a row a fault, and sums.txt. What is there already is not made again, so that
 # a run that was ended goes on.
 #
-# A fault is caught by a set of cases if one of those that reach it fails, or takes ten times as long, and passes
-# without the fault. The rest of the set is then not run, nor the sets after it (ALL=1: all sets). The sanitizers are for
+# A fault is caught by a set of cases if one of those that reach it fails, or takes ten times as long, passes without the
+# fault, and fails again with it. The rest of the set is then not run, nor the sets after it (ALL=1: all sets). The sanitizers are for
 # what the others have not caught and for faults of memory.
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -u
@@ -116,12 +116,14 @@ caught() {
 		! HAWSER_FAULT=$1 passes "$case" "$limit" || continue
 		cp "$scratch/output" "$scratch/caught-$1-$2.log"
 		plain 0
-		if passes "$case" "$limit"; then
-			plain "$1"
+		without=1
+		passes "$case" "$limit" || without=0
+		plain "$1"
+		if [ $without = 1 ]; then
+			HAWSER_FAULT=$1 passes "$case" "$limit" && continue
 			echo "$case"
 			return
 		fi
-		plain "$1"
 		echo "faults: $case fails without a fault too and is left out" >&2
 		echo "$case" >>"$scratch/unsure"
 	done <"$scratch/list"
