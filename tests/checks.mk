@@ -184,4 +184,4 @@ AM_DISTCHECK_CONFIGURE_FLAGS = --enable-werror
 
 clean-local: clean-checks
 clean-checks:
-	rm -rf analyzers fuzzing kernels provoked sanitizers werror-gcc werror-clang tests/log tests/valgrind hawser-valgrind tests/*.tsv site site-work
+	rm -rf analyzers faults fuzzing kernels provoked sanitizers werror-gcc werror-clang tests/log tests/valgrind hawser-valgrind tests/*.tsv site site-work

@@ -32,15 +32,15 @@ field() {
 
 # --- the trees and the builds ---
 
-# build FOLDER TARGET ARGUMENTS OF CONFIGURE: from the tree with faults.
+# build FOLDER ARGUMENTS OF CONFIGURE: the program and the tests, from the tree with faults.
 build() {
-	folder=$scratch/$1 target=$2
-	shift 2
+	folder=$scratch/$1
+	shift
 	[ ! -f "$folder/complete" ] || return 0
 	echo "faults: building in $folder"
 	mkdir -p "$folder"
 	(cd "$folder" && { [ -f config.status ] || ../seeded/configure -q "$@"; } &&
-		make -j "${JOBS-2}" && make -j "${JOBS-2}" "$target") >"$folder/build.log" 2>&1 ||
+		make -j "${JOBS-2}" && make -j "${JOBS-2}" check-programs) >"$folder/build.log" 2>&1 ||
 		die "the build failed, see $folder/build.log"
 	touch "$folder/complete"
 }
@@ -111,7 +111,6 @@ caught() {
 	cases "$1" "$2" >"$scratch/list"
 	while read -r took case; do
 		! grep -qx "$case" "$scratch/unsure" || continue
-		[ "$2" != sanitizers ] || sh "$here/suite.sh" make "$case" >"$scratch/output" 2>&1
 		limit=$($AWK -v took="$took" 'BEGIN { print int(10*took) + 20 }')
 		! HAWSER_FAULT=$1 passes "$case" "$limit" || continue
 		cp "$scratch/output" "$scratch/caught-$1-$2.log"
@@ -170,7 +169,7 @@ of_memory() {
 }
 
 touch "$scratch/found.tsv" "$scratch/unsure"
-build build check-programs --disable-static
+build build --disable-static
 cd "$scratch/build" || exit 1
 flags=$(sh "$here/suite.sh" flags)
 warnings() {
@@ -193,9 +192,8 @@ for set in quick longer; do
 	warnings
 done
 
-# The sanitizers run the cases of .ci/run, whatever their set; what they reach is known from above. Programs of tests are
-# made when they are needed.
-build sanitizers all --enable-sanitizers --disable-shared CC="${SANITIZERS_CC-clang}" CFLAGS='-O1 -g'
+# The sanitizers run the cases of .ci/run, whatever their set; what they reach is known from above.
+build sanitizers --enable-sanitizers --disable-shared CC="${SANITIZERS_CC-clang}" CFLAGS='-O1 -g'
 cd "$scratch/sanitizers" || exit 1
 plain 0
 sh "$here/suite.sh" list | cut -f 2 >"$scratch/cases-sanitizers"
