@@ -5,6 +5,7 @@ REPO_CHECKS = \
 	%D%/checks/columns.sh \
 	%D%/checks/compilable.sh \
 	%D%/checks/docs.sh \
+	%D%/checks/faults.sh \
 	%D%/checks/includes.sh \
 	%D%/checks/installed.sh \
 	%D%/checks/man.sh \
