@@ -5,6 +5,7 @@ REPO_CHECKS = \
 	%D%/checks/columns.sh \
 	%D%/checks/compilable.sh \
 	%D%/checks/docs.sh \
+	%D%/checks/faults.sh \
 	%D%/checks/includes.sh \
 	%D%/checks/installed.sh \
 	%D%/checks/man.sh \
@@ -47,7 +48,7 @@ check-quick: all-am $(check_PROGRAMS) $(check_DATA)
 check-longer: all-am $(check_PROGRAMS) $(check_DATA)
 	@$(MAKE) --no-print-directory check-local RUN_RESULTS=tests/longer.tsv RUN_FLAGS='-T $(srcdir)/%D%/longer.txt'
 
-.PHONY: messages check-quick check-longer check-analyzers check-kernels check-kernel-sample check-provoked check-sanitizers check-sanitizers-sample check-valgrind check-valgrind-all check-long check-more \
+.PHONY: messages check-quick check-longer check-analyzers check-kernels check-kernel-sample check-provoked check-sanitizers check-sanitizers-sample check-valgrind check-valgrind-all check-faults check-long check-more \
 	check-compilers check-syntax
 
 # The program and the tests under AddressSanitizer (with its leak check) and UBSan, by clang, in a build of their own, which fuzzing
@@ -172,9 +173,16 @@ check-syntax: $(BUILT_SOURCES)
 	@cd $(srcdir) && find src tests bench -name '*.c' ! -path 'tests/fuzz/*' | sort | xargs -P 2 -n $(SYNTAX_FILES) $(CC) $(DEFS) -I$(abs_builddir) \
 		-I$(abs_top_builddir)/src -Iinclude -Isrc -I. $(AM_CFLAGS) $(SICONOS_CFLAGS) $(CFLAGS) -fsyntax-only
 
+# Which step of the checks catches each of the seeded faults: a tree with all of them, two builds and the suite, in faults/. FAULTS=... are
+# the numbers of those that are tried.
+EXTRA_DIST += %D%/faults/fault.c %D%/faults/faults.tsv %D%/faults/run.sh %D%/faults/seed.awk %D%/faults/seed.sh %D%/faults/suite.sh \
+	%D%/faults/sums.awk
+check-faults:
+	CC='$(CC)' AWK='$(AWK)' $(SHELL) $(srcdir)/%D%/faults/run.sh faults $(FAULTS)
+
 # A read-only tree is checked by distcheck itself; warnings count there too.
 AM_DISTCHECK_CONFIGURE_FLAGS = --enable-werror
 
 clean-local: clean-checks
 clean-checks:
-	rm -rf analyzers fuzzing kernels provoked sanitizers werror-gcc werror-clang tests/log tests/valgrind hawser-valgrind tests/*.tsv site site-work
+	rm -rf analyzers faults fuzzing kernels provoked sanitizers werror-gcc werror-clang tests/log tests/valgrind hawser-valgrind tests/*.tsv site site-work

@@ -151,7 +151,7 @@ static enum hawser_status help(int argc, char **argv, struct hawser_report *repo
 	const struct cli_command *command;
 
 	argc -= columns;
-	argv += columns;
+	argv = columns ? argv + 1 : argv; /* NULL where argc is 0 */
 	if (columns && argc < 1)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "main",
 		                    "help columns needs a COMMAND, such as frf (hawser --help lists the "
