@@ -44,7 +44,7 @@ static struct {
 	int judged;                      /* 1: its status was compared */
 } run;
 
-static void give_up(const char *what, const char *name)
+static _Noreturn void give_up(const char *what, const char *name)
 {
 	printf("Bail out! %s %s\n", what, name);
 	exit(1);

@@ -72,7 +72,7 @@ static double now(void)
 	return (double)t.tv_sec + 1e-9*(double)t.tv_nsec;
 }
 
-static void stop(const char *what, const char *name)
+static _Noreturn void stop(const char *what, const char *name)
 {
 	fprintf(stderr, "tests/run: %s %s%s%s\n", what, name, errno ? ": " : "",
 	        errno ? strerror(errno) : "");
