@@ -65,7 +65,7 @@ check-sanitizers: sanitizers/config.status
 
 # What .ci/run takes of it. Left out are the tests whose results take longest and whose code others run as well (check-long has them),
 # and the ranks, since Open MPI leaks.
-SANITIZERS_OUT = '*-sweep' '*-estimates' '*-estimate' '*/sweep-*' '*/study' property/study-chosen '*/accuracy' property/campbell \
+SANITIZERS_OUT = '*-memory' '*-sweep' '*-estimates' '*-estimate' '*/sweep-*' '*/study' property/study-chosen '*/accuracy' property/campbell \
 	property/irvine property/modes property/map-threads property/frf-full reference/map-mathieu cli/same-bytes cli/study \
 	cli/beam cli/pictures cli/long cli/scales cli/travel cli/disk cli/irvine cli/locus-exact cli/units-plot cli/plausible \
 	cli/travel-motion cli/ranks
@@ -75,14 +75,17 @@ check-sanitizers-sample: sanitizers/config.status
 
 # Valgrind sees what the sanitizers don't: values that were never written, also on their way through BLAS, LAPACK and SuiteSparse,
 # which are not compiled with MemorySanitizer. The leaks that count are definite ones: udunits2 keeps tables that
-# valgrind finds possibly lost. A cheap test of each stage.
+# valgrind finds possibly lost. A cheap test or two of each stage.
 RUN_VALGRIND = $(VALGRIND) -q --leak-check=full --show-leak-kinds=definite --errors-for-leak-kinds=definite --error-exitcode=9
-VALGRIND_TESTS = 'unit/*'
-VALGRIND_OUT = 'unit/*-fuzz' 'unit/*-memory'
+VALGRIND_TESTS = unit/status unit/scene-cases unit/scene-files reference/statics-cases reference/statics-spans unit/modes-grid \
+	reference/modes unit/gyroscopic unit/beam-integrals unit/friction-law reference/friction reference/net-modes reference/line \
+	reference/line-closed unit/rod-element unit/rod-band unit/drag unit/rom-file unit/rom-full unit/rom-kernel unit/own-file \
+	unit/floquet unit/flow unit/balance unit/balance-blocks unit/folds unit/locus unit/frf-vanish unit/guards unit/linear unit/map \
+	unit/hill-matrix unit/integrate-spectrum unit/study-landmarks unit/fields unit/output
 check-valgrind: all-am $(check_PROGRAMS)
 	@test '$(VALGRIND)' != no || { echo 'valgrind is not installed'; exit 1; }
 	@$(MAKE) --no-print-directory check-local TESTS= RUN_RESULTS=tests/valgrind.tsv \
-		RUN_FLAGS="-w '$(RUN_VALGRIND)' -l tests/valgrind $(addprefix -t ,$(VALGRIND_TESTS)) $(addprefix -x ,$(VALGRIND_OUT))"
+		RUN_FLAGS="-w '$(RUN_VALGRIND)' -l tests/valgrind $(addprefix -t ,$(VALGRIND_TESTS))"
 
 # All test programs, and the program itself in the tests of the command line, under valgrind.
 # Left out are: extremes/alloc, whose library stands in for the allocator, as valgrind does; the sweeps of

@@ -121,7 +121,8 @@ static enum hawser_status piece(int *found, double *low, double *high,
 	}
 	for (int side = 0; !status && side < 2; side++) {
 		if (side == 1) {
-			reverse(boundary->point + first, boundary->points - first);
+			if (boundary->points > first)
+				reverse(boundary->point + first, boundary->points - first);
 			status = hawser__boundary_keep(work, &point, report);
 			if (!status)
 				status = begin(u, found, work, p, report);
