@@ -13,4 +13,4 @@ endif
 
 # libtool's script takes three times as long as the link that it starts. The test programs link the archives that libtool made.
 # (private: the archives themselves are made as before.)
-$(check_PROGRAMS): private LINK = $(CC) $(AM_CFLAGS) $(CFLAGS) $(AM_LDFLAGS) $(LDFLAGS) -o $@
+$(check_PROGRAMS): private LINK = $(CC) $(AM_CFLAGS) $(CFLAGS) $(AM_LDFLAGS) $(FAST_LINK) $(LDFLAGS) -o $@
