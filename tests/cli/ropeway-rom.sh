@@ -46,6 +46,26 @@ END2
 try "the load is told" grep -q '^# load: weights of 3924 N that pass at 36.6 m' passing.tsv
 try "  and where the rope leaves a sheave" grep -q '^# mode 1: .*in-plane; the rope leaves p0 at u = ' passing.tsv
 
+# The Coriolis forces are a damping that grows with Omega and does not vary in time: harmonic 0 of the model.
+for name in bouquet gondola small transient; do
+	works "a model of ropeway-$name" rom "$scenes/ropeway-$name.yaml" -n 4 --damping 0.02 --json m.json -q
+	for method in balance shooting; do
+		works "multipliers by $method" frf m.json --method "$method" --from 0.6w1 --to 2w1 --step 1e-6 --max-points 2 \
+			--tolerance 1e-11 --multipliers --json "$name-$method.json" -q
+	done
+done
+python "multipliers by balance are those by shooting" <<'END2'
+import json, cmath, math
+for name in "bouquet", "gondola", "small", "transient":
+    m = [[cmath.rect(math.exp(m["log_modulus"]), m["argument"]) for m in
+          json.load(open(f"{name}-{method}.json"))["points"][0]["multipliers"]] for method in ("balance", "shooting")]
+    assert len(m[0]) == 8
+    for z in m[0]:
+        near = min(m[1], key=lambda other: abs(other - z))
+        assert abs(near - z) < 1e-8, (name, z, near)
+        m[1].remove(near)
+END2
+
 denies "a drive without amplitude" 1 "give the amplitude of the rope's motion" rom "$small" --load drive
 denies "an amplitude without drive" 1 "leave out one of --ripple and --load passing" rom "$small" --ripple 0.01 --load passing
 denies "an unknown load" 1 "must be one of passing, drive" rom "$small" --load pasing
