@@ -77,6 +77,7 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/known_below.c \
 	%D%/line.c \
 	%D%/line.h \
+	%D%/line_answer.c \
 	%D%/line_lift.c \
 	%D%/line_load.c \
 	%D%/linear.c \
