@@ -13,6 +13,8 @@ works "smeared carriers" rom "$small" -n 1 --carriers smeared --json smeared.jso
 works "a response" frf passing.json --from 0.95w1 --to 1.02w1 --json frf.json -q
 works "the same of the scene, with more modes" frf "$small" -n 6 --damping 0.02 --from 0.95w1 --to 1.02w1 \
 	--json scene.json --tsv scene.tsv --plot frf.svg -q
+works "a motion of the scene, by the name of the load" integrate "$small" -n 6 --damping 0.02 --load drive --ripple 0.01 \
+	--Omega 2.5 --until 20 --every 1 --json named.json -q
 works "a motion" integrate drive.json --Omega 2.5 --until 20 --every 1 --json run.json -q
 python "models of a lane" <<'END2'
 import json, math
@@ -36,6 +38,8 @@ assert stick["n"] == 4
 points = json.load(open("frf.json"))["points"]
 assert len(points) > 5 and all(p["amplitude"]["y_span_1"] > 0 for p in points)
 scene = json.load(open("scene.json"))
+named, run = json.load(open("named.json")), json.load(open("run.json"))
+assert len(run["states"]) == 21 and named["states"] == run["states"] and named["probes"] == run["probes"]
 for a, b in zip(points, scene["points"], strict=True): # the file has the tensions of its shape points only
     assert a["Omega"] == b["Omega"] and a["amplitude"] == b["amplitude"] and a["contact"] == b["contact"]
 assert scene["sheaves"] == ["p0", "p1"] and 0.0 < scene["model_error"]["estimated"] < 0.2
@@ -72,6 +76,9 @@ denies "an unknown load" 1 "must be one of passing, drive" rom "$small" --load p
 denies "an unknown lane" 1 "must be one of up, down" rom "$small" --lane dwn
 denies "a lane that is not there" 1 "this ropeway has lane up only" rom "$small" --lane down --set ropeway.down=off
 denies "no carriers" 1 "lane up has no carriers that pass" rom "$small" --case empty --set ropeway.carriers.empty=0
+denies "a table of its load" 1 "must be one of passing, drive" integrate "$small" --load "$small" --Omega 1
+denies "a table of its ends" 1 "does not go with a ropeway" integrate "$small" --motion "$small" --Omega 1
+denies "a key of its scene as a parameter" 1 "a ropeway has the parameters factor.load" frf "$small" --over rope.rho=1:2 --Omega 1
 denies "rolling sheaves" 1 "contact roll" rom "$small" --contact roll
 denies "too large a damping" 1 "the damping ratio is 2" rom "$small" --damping 2
 denies "too many modes" 1 "41 modes asked" rom "$small" -n 41
