@@ -2,6 +2,7 @@ noinst_LTLIBRARIES += %D%/librom.la
 %C%_librom_la_SOURCES = \
 	%D%/answer.c \
 	%D%/answer.h \
+	%D%/answer_freeze.c \
 	%D%/answer_make.c \
 	%D%/auto.c \
 	%D%/auto_text.c \

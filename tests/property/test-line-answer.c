@@ -10,6 +10,7 @@
 
 #include <hawser/line_rom.h>
 
+#include "rom/answer.h"
 #include "tests/tap.h"
 
 enum { SPANS = 3, PHASES = 256, WAVES = 3 };
@@ -169,6 +170,34 @@ static void standing_weights(const struct hawser_line *line, const struct hawser
 	hawser_line_modes_clear(&modes);
 }
 
+/* The answers at one frequency are those of the model, to round-off. */
+static void frozen_answers(const struct hawser_rom *rom, double omega, const char *what)
+{
+	const double u[HAWSER_LINE_ROM_MODES] = {0.0};
+	struct hawser__frozen frozen = {.room = 0};
+	const struct hawser_rom *one = NULL;
+	double worst = 0.0, most = 0.0;
+
+	for (int pass = 0; pass < 2; pass++) /* the second one has the room of the first */
+		one = hawser__rom_freeze(&frozen, rom, (1 + pass)*omega);
+	for (int i = 0; one && i < 5*SPANS; i++) {
+		const struct hawser_rom_moment moment = {.tau = 0.3 + 1.1*i, .omega = 2.0*omega};
+		double a[5], b[5];
+
+		hawser_rom_displacement_at(rom, a, i%SPANS, u, &moment);
+		hawser_rom_displacement_at(one, b, i%SPANS, u, &moment);
+		(void)hawser_rom_tensions_at(rom, &a[3], &a[4], u, &moment);
+		(void)hawser_rom_tensions_at(one, &b[3], &b[4], u, &moment);
+		for (int k = 0; k < 5; k++) {
+			worst = fmax(worst, fabs(a[k] - b[k])/(k < 3 ? 1.0 : rom->force));
+			most = fmax(most, k < 3 ? fabs(a[k]) : 0.0);
+		}
+	}
+	ok(one && one != rom && worst < 1e-13 && most > 1e3*worst, "%s at one frequency: to %.1e of %.1e",
+	   what, worst, most);
+	hawser__rom_frozen_release(&frozen);
+}
+
 /* At frequencies up to far above the modes of the smaller model. */
 static void more_modes(const struct hawser_line_statics *st, struct hawser_line_rom_options o,
                        const char *what)
@@ -195,6 +224,7 @@ static void more_modes(const struct hawser_line_statics *st, struct hawser_line_
 		}
 	ok(good && worst < 1e-4, "%s: 3 modes and what follows are 20 modes to %.1e; known up to %.3g times "
 	   "the lowest", what, worst, rom[0].known.reach/lowest);
+	frozen_answers(&rom[0], 0.9*lowest, what);
 	for (int k = 0; k < 2; k++) {
 		hawser_rom_clear(&rom[k]);
 		hawser_line_modes_clear(&modes[k]);
