@@ -15,8 +15,8 @@ static const double above = 4.0;
  * static response; for lower modes it grows without limit. */
 static const double part = 0.5;
 
-/* The highest multiple of the forcing frequency at which a force drives modes that are not kept; 0: none
- * does. */
+/* The highest multiple of the forcing frequency at which a force drives modes that are not kept;
+ * 0: none does. */
 static int multiple(const struct hawser_rom *rom)
 {
 	int k = 0;
@@ -36,8 +36,8 @@ enum hawser_status cli_known(struct cli_model *model, double omega, struct hawse
 	return hawser_rom_know_below(&model->rom, &model->modes, &model->scene, top, report);
 }
 
-/* Of a rope over sheaves: above `reach` known motions stand for the modes that are not known, so that no
- * series diverges there (ropeway/expand_answer.c). */
+/* Of a rope over sheaves: above `reach` known motions stand for the modes that are not known, so
+ * that no series diverges there (ropeway/expand_answer.c). */
 static int stands_for_more(const struct hawser_rom_known *known)
 {
 	return known->modes > 0 && known->K[known->modes - 1] > known->reach*known->reach;

@@ -47,7 +47,8 @@ struct hawser__variational {
 };
 
 /* Row of such a series to which a harmonic of the model belongs, and what its D or K is multiplied by
- * there. A constant term (k = 0) has the phase cos, so that 2 k - 1 would be the row before the first. */
+ * there. A constant term (k = 0) has the phase cos, so that 2 k - 1 would be the row before the
+ * first. */
 static inline size_t hawser__series_row(const struct hawser_harmonic *harmonic)
 {
 	return harmonic->k ? 2*(size_t)harmonic->k - (harmonic->phase == HAWSER_COS) : 0;

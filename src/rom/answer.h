@@ -13,8 +13,8 @@ enum hawser_status hawser__rom_answers(struct hawser_rom *rom, const struct haws
                                        struct hawser_report *report);
 
 /* A model whose answers are those at one frequency, for displacements and tensions at many instants of
- * that frequency: it has no other forces. The rom itself if it has no known modes; NULL when out of memory.
- * It is valid until the next call, and refers to the rom. answer_freeze.c. */
+ * that frequency: it has no other forces. The rom itself if it has no known modes; NULL when out
+ * of memory. It is valid until the next call, and refers to the rom. answer_freeze.c. */
 struct hawser__frozen {
 	struct hawser_rom rom;
 	struct hawser_harmonic *harmonic; /* [2 highest] */

@@ -1,9 +1,9 @@
-/* rom/answer_freeze.c - displacement and strain of the modes that are not kept at one frequency, for many
- * instants: see answer.h.
+/* rom/answer_freeze.c - displacement and strain of the modes that are not kept at one frequency,
+ * for many instants: see answer.h.
  *
- * A harmonic with the amplitude A at a point, of its series and of all known modes, is Re(A exp(i k tau)) =
- * Re A cos(k tau) - Im A sin(k tau). The harmonics of equal k are added, so that an instant takes as many
- * terms as there are multiples of the frequency, and not as many as known modes.
+ * A harmonic with the amplitude A at a point, of its series and of all known modes, is Re(A exp(i
+ * k tau)) = Re A cos(k tau) - Im A sin(k tau). The harmonics of equal k are added, so that an
+ * instant takes as many terms as there are multiples of the frequency, and not as many as known modes.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -16,8 +16,8 @@
 #include "rom/kernel.h"
 #include "rom/known.h"
 
-/* to[0] and to[1] [count]: cosine and sine += those of a harmonic; from: its series, `apart` numbers from
- * one term to the other; known: the shapes of known modes. */
+/* to[0] and to[1] [count]: cosine and sine += those of a harmonic; from: its series, `apart`
+ * numbers from one term to the other; known: the shapes of known modes. */
 static void add(double *const to[2], const struct hawser_rom *rom, const struct hawser_harmonic *h,
                 double omega, const double *from, const double *known, size_t count)
 {

@@ -253,7 +253,8 @@ struct hawser__line_place hawser__line_shape_place(const struct hawser_rom *rom,
 		atan2(shapes->tangent[2*p + 1], shapes->tangent[2*p])};
 }
 
-int hawser__line_next_place(struct hawser__line_place *place, int *next, const struct hawser__lexpand *t)
+int hawser__line_next_place(struct hawser__line_place *place, int *next,
+                            const struct hawser__lexpand *t)
 {
 	int i = *next/3;
 

@@ -31,10 +31,12 @@ struct hawser__line_place {
 	int piece;
 	double s, angle;
 };
-/* Of shape point p, and of the points of rom->line from that with the index *next = 0 on; 0: no more. */
+/* Of shape point p, and of the points of rom->line from that with the index *next = 0 on; 0: no
+ * more. */
 struct hawser__line_place hawser__line_shape_place(const struct hawser_rom *rom,
                                                    const struct hawser__lmode *rope, int p);
-int hawser__line_next_place(struct hawser__line_place *place, int *next, const struct hawser__lexpand *t);
+int hawser__line_next_place(struct hawser__line_place *place, int *next,
+                            const struct hawser__lexpand *t);
 
 /* `answer` of the harmonics of a load and the known motions. line_answer.c. */
 enum hawser_status hawser__line_answers(struct hawser_rom *rom, const struct hawser__lexpand *t,

@@ -1,5 +1,5 @@
-/* rom/line_answer.c - what the modes that a model of a rope over sheaves does not keep do under its load
- * (ropeway/expand_answer.c), at the shape points and along the line.
+/* rom/line_answer.c - what the modes that a model of a rope over sheaves does not keep do under
+ * its load (ropeway/expand_answer.c), at the shape points and along the line.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 

@@ -92,7 +92,8 @@ static double vertical(const struct field *field, int piece, double s)
 }
 
 /* add[waves] += the integral of y times each wave over a piece. */
-static void integrate(double *sum, const struct field *field, int piece, const struct hawser__line_wave *wave,
+static void integrate(double *sum, const struct field *field, int piece,
+                      const struct hawser__line_wave *wave,
                       int waves)
 {
 	const struct hawser_grid *grid = &field->modes->piece[piece].grid;
@@ -113,7 +114,8 @@ static void integrate(double *sum, const struct field *field, int piece, const s
 	}
 }
 
-static void project(double *sum, const struct field *field, int lane, const struct hawser__line_wave *wave,
+static void project(double *sum, const struct field *field, int lane,
+                    const struct hawser__line_wave *wave,
                     int waves)
 {
 	for (int k = 0; k < waves; k++)

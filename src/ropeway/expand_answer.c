@@ -32,8 +32,8 @@
 
 enum { STEPS = 40 }; /* vectors; chosen: they find what a span does up to ten times its lowest
                        * frequency, and thirteen spans up to five times theirs */
-static const double found = 1e-2; /* residual of an eigenvector relative to its eigenvalue, which then has
-                                   * an error of 1e-4; chosen */
+/* Residual of an eigenvector relative to its eigenvalue, which then has an error of 1e-4; chosen. */
+static const double found = 1e-2;
 static const double nothing = 1e-10; /* what is left of a vector when there is no further one */
 
 struct work {

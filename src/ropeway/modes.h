@@ -207,9 +207,9 @@ struct hawser__lmode_search {
 /* Pairs of each system such that the n lowest are among them, and choice. */
 enum hawser_status hawser__lmode_find(struct hawser__lmode_search *search,
                                       struct hawser_report *report);
-/* Refine the n lowest modes on grids for `wider` times the highest frequency, and for `least`, and choose
- * again; *omega is what the grids resolve. Short spans may have modes far above, which those grids would
- * not resolve. */
+/* Refine the n lowest modes on grids for `wider` times the highest frequency, and for `least`,
+ * and choose again; *omega is what the grids resolve. Short spans may have modes far above, which those
+ * grids would not resolve. */
 enum hawser_status hawser__lmode_refine_all(double *omega, struct hawser__lmode_search *search,
                                             double wider, double least,
                                             struct hawser_report *report);

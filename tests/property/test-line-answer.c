@@ -107,7 +107,8 @@ static void moved_end(const struct hawser_line *line, const struct hawser_line_s
 		(&want[0][0])[i] = 0.5*((&side[0][0][0])[i] - (&side[1][0][0])[i]);
 	}
 	compare(worst, &own[0][0], &want[0][0], 3*SPANS);
-	ok(good && worst[0] < 1e-5, "an end that moves: displacements of the exact statics to %.1e", worst[0]);
+	ok(good && worst[0] < 1e-5, "an end that moves: displacements of the exact statics to %.1e",
+	   worst[0]);
 	ok(good && worst[1] < 1e-4, "  their tensions to %.1e", worst[1]);
 	hawser_rom_clear(&rom);
 	hawser_line_modes_clear(&modes);
@@ -222,8 +223,8 @@ static void more_modes(const struct hawser_line_statics *st, struct hawser_line_
 			compare(off, &out[0][0][0], &out[1][0][0], 3*SPANS);
 			worst = fmax(worst, off[0]);
 		}
-	ok(good && worst < 1e-4, "%s: 3 modes and what follows are 20 modes to %.1e; known up to %.3g times "
-	   "the lowest", what, worst, rom[0].known.reach/lowest);
+	ok(good && worst < 1e-4, "%s: 3 modes and what follows are 20 modes to %.1e; known up to %.3g "
+	   "times the lowest", what, worst, rom[0].known.reach/lowest);
 	frozen_answers(&rom[0], 0.9*lowest, what);
 	for (int k = 0; k < 2; k++) {
 		hawser_rom_clear(&rom[k]);
