@@ -6,6 +6,7 @@ CLI_TESTS = \
 	%D%/cli/travel-motion.sh \
 	%D%/cli/disk.sh \
 	%D%/cli/editors.sh \
+	%D%/cli/every-scene.sh \
 	%D%/cli/colour.sh \
 	%D%/cli/picture-choice.sh \
 	%D%/cli/files.sh \

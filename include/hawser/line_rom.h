@@ -4,8 +4,9 @@
  *
  * The strain energy of spans and arcs, the motion of the points at which the rope leaves the
  * sheaves, and the static response of the modes that are not kept are in the tensors Q and C
- * (doc/theory-ropeway-response.md). A model is that of contacts that stay: hawser_line_rom_lift
- * says up to which amplitude they do.
+ * (doc/theory-ropeway-response.md); what the load makes of these modes is in `answer` and `known`
+ * of its harmonics, and changes displacements and tensions only. A model is that of contacts that stay:
+ * hawser_line_rom_lift says up to which amplitude they do.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_LINE_ROM_H

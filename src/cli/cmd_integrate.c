@@ -9,6 +9,7 @@
 #include "cli/integrate_net.h"
 #include "cli/integrate_result.h"
 #include "cli/integrate_span.h"
+#include "cli/kinds.h"
 #include "cli/label.h"
 #include "cli/load_history.h"
 #include "cli/progress.h"
@@ -32,7 +33,8 @@ static const struct cli_option options[] = {
 	{"Omega", 0, "FREQUENCY", "forcing frequency; required if there is a load", CLI_TEXT(omega)},
 	{"Omega-to", 0, "FREQUENCY", "slow sweep: the frequency changes linearly to this one",
 	 CLI_TEXT(omega_to)},
-	CLI_TEXT_OPTION(load, "FILE", "table of the load over time, in place of the section load"),
+	CLI_TEXT_OPTION(load, "FILE", "table of the load over time, in place of the section load; of "
+	                "ropeways: passing or drive"),
 	CLI_TEXT_OPTION(motion, "FILE", "table of the displacements of the ends over time"),
 	{"until", 0, "TIME", "end of the run (100T)", CLI_TEXT(until)},
 	{"every", 0, "TIME", "interval between output rows (0.01T)", CLI_TEXT(every)},
@@ -339,9 +341,22 @@ static enum hawser_status check_model(const struct settings *settings, struct ha
 	return status;
 }
 
+/* The load of a ropeway has a name. */
+static struct settings with_lane(const struct settings *given)
+{
+	struct settings settings = *given;
+
+	if (given->load && given->common.input &&
+	    cli_kind_of(given->common.input, CLI_ROPEWAY) == CLI_ROPEWAY) {
+		settings.common.lane.load = given->load;
+		settings.load = NULL;
+	}
+	return settings;
+}
+
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
-	const struct settings *settings = context;
+	const struct settings own = with_lane(context), *settings = &own;
 	const struct cli_integrate_net *net = &settings->net;
 	struct hawser_report second = {0};
 	struct cli_model model = {0};

@@ -34,6 +34,10 @@ static enum hawser_status open_family(struct cli_over *over, struct cli_model *m
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
 		                    "--over %s: write factor.load, factor.damping or a key of the scene; "
 		                    "Omega is followed without --over", key);
+	if (model->ropeway)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
+		                    "--over %s: a ropeway has the parameters factor.load and factor.damping "
+		                    "only", key);
 	if (!model->has_scene && model->source.parameters == 0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
 		                    "--over %s: this reduced-model file has the parameters factor.load and "

@@ -54,7 +54,9 @@ static enum hawser_status check_both(const struct cli_model *model, const char *
 	const struct hawser_scene *scene = &model->scene;
 	const char *not_with = NULL;
 
-	if (!model->has_scene)
+	if (model->ropeway)
+		not_with = "a ropeway, whose ends do not move by a table: its drive does, as --load drive";
+	else if (!model->has_scene)
 		not_with = "a reduced-model file, which does not tell where it acts: give a scene";
 	else if (model->automatic)
 		not_with = "modes: auto, which chooses for a frequency: give a number of modes (-n)";

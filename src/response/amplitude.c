@@ -18,6 +18,7 @@
 
 #include "response/amplitude.h"
 #include "response/planner.h"
+#include "rom/answer.h"
 #include "rom/kernel.h"
 
 #define REFINE 4   /* least number of fine grid points per sample: with 4, the grid misses the
@@ -35,6 +36,7 @@ struct plans {
 
 struct hawser__amplitude {
 	const struct hawser_rom *rom;
+	struct hawser__frozen frozen;
 	int capacity;      /* number of rows for which the arrays are large enough */
 	double *signal, *fine;
 	double *xyz;       /* [capacity][3] displacement of one probe */
@@ -85,7 +87,7 @@ static void drop(struct hawser__amplitude *amplitude)
 	free(amplitude->contact);
 	fftw_free(amplitude->coarse_c);
 	fftw_free(amplitude->fine_c);
-	*amplitude = (struct hawser__amplitude){.rom = amplitude->rom};
+	*amplitude = (struct hawser__amplitude){.rom = amplitude->rom, .frozen = amplitude->frozen};
 }
 
 void hawser__amplitude_free(struct hawser__amplitude *amplitude)
@@ -93,6 +95,7 @@ void hawser__amplitude_free(struct hawser__amplitude *amplitude)
 	if (!amplitude)
 		return;
 	drop(amplitude);
+	hawser__rom_frozen_release(&amplitude->frozen);
 	free(amplitude);
 }
 
@@ -219,10 +222,10 @@ static struct hawser_rom_moment moment_at(int i, int rows, double omega)
 int hawser__amplitude_find(struct hawser__amplitude *amplitude, double *coordinate, double *probe,
                            const double *samples, int rows, double omega)
 {
-	const struct hawser_rom *rom = amplitude->rom;
-	int n = rom->n;
+	const struct hawser_rom *rom = hawser__rom_freeze(&amplitude->frozen, amplitude->rom, omega);
+	int n = amplitude->rom->n;
 
-	if (prepare(amplitude, rows))
+	if (!rom || prepare(amplitude, rows))
 		return 1;
 	for (int j = 0; j < n; j++) {
 		for (int i = 0; i < rows; i++)
@@ -306,13 +309,13 @@ static double extreme_near(struct hawser__amplitude *amplitude, const double *te
 int hawser__amplitude_tension(struct hawser__amplitude *amplitude, double extreme[2],
                               const double *samples, int rows, double omega)
 {
-	const struct hawser_rom *rom = amplitude->rom;
-	int places = hawser__rom_tension_places(rom);
+	const struct hawser_rom *rom = hawser__rom_freeze(&amplitude->frozen, amplitude->rom, omega);
+	int places = hawser__rom_tension_places(amplitude->rom);
 	double *extra; /* [HAWSER__EXTRA(places)] */
 
 	if (places == 0)
 		return -1;
-	if (prepare(amplitude, rows))
+	if (!rom || prepare(amplitude, rows))
 		return 1;
 	if (!amplitude->tension)
 		amplitude->tension = malloc(((size_t)amplitude->capacity*(size_t)places +

@@ -77,13 +77,13 @@ void hawser__blocks_evaluate(struct hawser__blocks *blocks, const struct hawser_
 			damp[e] = (float)rom->D[e] + (blocks->more ? damp[e] : 0.0F);
 		for (int p = 0; p < rom->harmonics; p++) {
 			const struct hawser_harmonic *harmonic = &rom->harmonic[p];
-			int at = 2*harmonic->k - (harmonic->phase == HAWSER_COS);
+			size_t at = hawser__series_row(harmonic);
 
 			if (!harmonic->D || harmonic->k > blocks->width)
 				continue;
 			for (int e = 0; e < n2; e++)
 				damp[e] += (float)(pow(blocks->omega, harmonic->omega_power)*
-				                   table[i*columns + at]*harmonic->D[e]);
+				                   table[(size_t)(i*columns) + at]*harmonic->D[e]);
 		}
 	}
 }

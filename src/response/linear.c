@@ -263,10 +263,8 @@ static enum hawser_status collect(struct hawser_linear *l, int *order, const str
 		l->series[e] = 2.0*rom->K[e];
 	for (int h = 0; h < rom->harmonics; h++) {
 		const struct hawser_harmonic *harmonic = &rom->harmonic[h];
-		int sine = harmonic->phase == HAWSER_SIN;
-		size_t row = harmonic->k ? 2*(size_t)harmonic->k - 1 + (size_t)sine : 0;
-		/* twice the mean, as of K */
-		double factor = pow(omega, harmonic->omega_power)*(harmonic->k ? 1.0 : 2.0);
+		size_t row = hawser__series_row(harmonic);
+		double factor = hawser__series_factor(harmonic, omega);
 
 		for (size_t e = 0; harmonic->K && e < n2; e++)
 			l->series[row*n2 + e] += factor*harmonic->K[e];

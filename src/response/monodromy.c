@@ -330,11 +330,11 @@ enum hawser_status hawser__monodromy_damping(struct hawser__monodromy *monodromy
 	cblas_daxpy((int)n2, 2.0, rom->D, 1, monodromy->damping, 1);
 	for (int p = 0; p < rom->harmonics; p++) {
 		const struct hawser_harmonic *harmonic = &rom->harmonic[p];
-		int row = 2*harmonic->k - (harmonic->phase == HAWSER_COS);
+		double factor = hawser__series_factor(harmonic, system->omega);
 
 		if (harmonic->D)
-			cblas_daxpy((int)n2, pow(system->omega, harmonic->omega_power), harmonic->D, 1,
-			            monodromy->damping + (size_t)row*n2, 1);
+			cblas_daxpy((int)n2, factor, harmonic->D, 1,
+			            monodromy->damping + hawser__series_row(harmonic)*n2, 1);
 	}
 	for (int row = 0; monodromy->resist && row <= 2*monodromy->resist_order; row++)
 		cblas_daxpy((int)n2, 1.0, monodromy->resist + (size_t)row*n2, 1,

@@ -32,6 +32,8 @@
 
 #include <hawser/orbit.h>
 
+#include <math.h>
+
 #include "response/collocation.h"
 #include "response/differentiate.h"
 
@@ -43,6 +45,18 @@ struct hawser__variational {
 	const double *D; /* [2 order_d + 1][n][n] */
 	double omega;
 };
+
+/* Row of such a series to which a harmonic of the model belongs, and what its D or K is multiplied by
+ * there. A constant term (k = 0) has the phase cos, so that 2 k - 1 would be the row before the
+ * first. */
+static inline size_t hawser__series_row(const struct hawser_harmonic *harmonic)
+{
+	return harmonic->k ? 2*(size_t)harmonic->k - (harmonic->phase == HAWSER_COS) : 0;
+}
+static inline double hawser__series_factor(const struct hawser_harmonic *harmonic, double omega)
+{
+	return (harmonic->k ? 1.0 : 2.0)*pow(omega, harmonic->omega_power);
+}
 
 /* A model is stiff if it has coordinates faster than this multiple of Omega. */
 #define HAWSER__FOLLOW 20.0

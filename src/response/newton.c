@@ -99,7 +99,7 @@ void hawser__orbit_free(struct hawser__orbit *orbit)
 	free(orbit->condensed);
 }
 
-/* The mean of the oscillating parts of D is 0. */
+/* Of the harmonics' D only those that are constant have a mean. */
 double hawser__orbit_liouville(const struct hawser__orbit *orbit, double omega)
 {
 	const struct hawser_rom *rom = orbit->rom;
@@ -107,6 +107,9 @@ double hawser__orbit_liouville(const struct hawser__orbit *orbit, double omega)
 
 	for (int j = 0; j < rom->n; j++)
 		trace += rom->D[j*rom->n + j];
+	for (int p = 0; p < rom->harmonics; p++)
+		for (int j = 0; rom->harmonic[p].D && rom->harmonic[p].k == 0 && j < rom->n; j++)
+			trace += pow(omega, rom->harmonic[p].omega_power)*rom->harmonic[p].D[j*rom->n + j];
 	for (int i = 0; i < orbit->m; i++)
 		sum += orbit->log_modulus[i];
 	return fabs(sum + trace*2.0*M_PI/omega + orbit->drained);

@@ -36,28 +36,22 @@ static void slope_factors(double s[HAWSER_RAMP_TERMS], const struct hawser_ramp 
 	s[HAWSER_RAMP_RATE] = 0.0;
 }
 
-/* The factor of the shape of known mode s that the series omits (known.c). */
-static double lacks(const struct hawser_rom *rom, const struct hawser_harmonic *h, int s,
-                    const struct hawser_rom_moment *moment, int rate)
-{
-	double complex turn = cexp(I*h->k*moment->tau)*(h->phase == HAWSER_SIN ? -I : 1.0);
-	double W = h->k*moment->omega;
-
-	if (rate)
-		turn *= I*W;
-	return h->known[s]*pow(moment->omega, h->omega_power)*
-	       creal(turn*hawser__rom_known_lacks(&rom->known, s, W));
-}
-
-/* out[count] += the same for all known modes, whose values at one point are `apart` numbers from
- * one mode to the next. */
+/* out[count] += what the series of known modes omits (known.c): their shapes, whose values at one
+ * point are `apart` numbers from one mode to the next. */
 static void add_known(double *out, const struct hawser_rom *rom, const struct hawser_harmonic *h,
                       const double *from, size_t apart, int count,
                       const struct hawser_rom_moment *moment, int rate)
 {
-	for (int s = 0; s < rom->known.modes; s++) {
-		double factor = lacks(rom, h, s, moment, rate);
+	double W = h->k*moment->omega;
+	double complex turn = cexp(I*h->k*moment->tau)*(h->phase == HAWSER_SIN ? -I : 1.0)*
+	                      pow(moment->omega, h->omega_power)*(rate ? I*W : 1.0);
 
+	for (int s = 0; s < rom->known.modes; s++) {
+		double factor;
+
+		if (h->known[s] == 0.0)
+			continue;
+		factor = h->known[s]*creal(turn*hawser__rom_known_lacks(&rom->known, s, W));
 		for (int i = 0; i < count; i++)
 			out[i] += factor*from[(size_t)s*apart + (size_t)i];
 	}

@@ -12,4 +12,18 @@ enum hawser_status hawser__rom_answers(struct hawser_rom *rom, const struct haws
                                        int moving, const struct hawser_scene *scene,
                                        struct hawser_report *report);
 
+/* A model whose answers are those at one frequency, for displacements and tensions at many instants of
+ * that frequency: it has no other forces. The rom itself if it has no known modes; NULL when out
+ * of memory. It is valid until the next call, and refers to the rom. answer_freeze.c. */
+struct hawser__frozen {
+	struct hawser_rom rom;
+	struct hawser_harmonic *harmonic; /* [2 highest] */
+	double *memory;
+	size_t room;
+	int highest;
+};
+const struct hawser_rom *hawser__rom_freeze(struct hawser__frozen *frozen, const struct hawser_rom *rom,
+                                            double omega);
+void hawser__rom_frozen_release(struct hawser__frozen *frozen);
+
 #endif

@@ -242,6 +242,32 @@ static enum hawser_status set_line(struct hawser_rom *rom, const struct hawser__
 	return status;
 }
 
+struct hawser__line_place hawser__line_shape_place(const struct hawser_rom *rom,
+                                                   const struct hawser__lmode *rope, int p)
+{
+	const struct hawser_rom_shapes *shapes = &rom->shapes;
+	double s0, length;
+	int piece = piece_at(rope, run_of(rope, p, &s0, &length), shapes->s[p]);
+
+	return (struct hawser__line_place){piece, shapes->s[p] - rope->piece[piece].s0,
+		atan2(shapes->tangent[2*p + 1], shapes->tangent[2*p])};
+}
+
+int hawser__line_next_place(struct hawser__line_place *place, int *next,
+                            const struct hawser__lexpand *t)
+{
+	int i = *next/3;
+
+	while (i < t->rope->pieces && t->first[i] < 0)
+		i++;
+	if (i == t->rope->pieces)
+		return 0;
+	*next = *next/3 < i ? 3*i : *next;
+	*place = (struct hawser__line_place){.piece = i, .s = t->rope->piece[i].length*(*next%3)/2.0};
+	(*next)++;
+	return 1;
+}
+
 static enum hawser_status set_second(struct hawser_rom *rom, const struct hawser__lexpand *t,
                                      struct hawser_report *report)
 {
@@ -250,23 +276,21 @@ static enum hawser_status set_second(struct hawser_rom *rom, const struct hawser
 	enum hawser_status status = hawser__rom_init_second(rom, report);
 
 	for (int pair = 0; pair < rom->n*(rom->n + 1)/2 && !status; pair++) {
-		size_t q = 0;
+		struct hawser__line_place at;
+		double shape[3];
+		size_t q = (size_t)pair*along;
+		int next = 0;
 
 		for (int p = 0; p < shapes->points; p++) {
-			double s0, length, *to = shapes->second_shape + 3*((size_t)pair*points + (size_t)p);
-			int lane = run_of(t->rope, p, &s0, &length), piece = piece_at(t->rope, lane, shapes->s[p]);
+			size_t to = 3*((size_t)pair*points + (size_t)p);
 
-			hawser__lexpand_second_at(to, shapes->second_slope + 3*((size_t)pair*points + (size_t)p), t,
-			                          pair, piece, shapes->s[p] - t->rope->piece[piece].s0,
-			                          atan2(shapes->tangent[2*p + 1], shapes->tangent[2*p]));
+			at = hawser__line_shape_place(rom, t->rope, p);
+			hawser__lexpand_second_at(shapes->second_shape + to, shapes->second_slope + to, t, pair,
+			                          at.piece, at.s, at.angle);
 		}
-		for (int i = 0; i < t->rope->pieces; i++)
-			for (int k = 0; k < 3 && t->first[i] >= 0; k++, q++) {
-				double shape[3];
-
-				hawser__lexpand_second_at(shape, rom->line.second_slope + 3*((size_t)pair*along + q), t,
-				                          pair, i, t->rope->piece[i].length*k/2.0, 0.0);
-			}
+		for (; hawser__line_next_place(&at, &next, t); q++)
+			hawser__lexpand_second_at(shape, rom->line.second_slope + 3*q, t, pair, at.piece, at.s,
+			                          0.0);
 	}
 	return status;
 }
@@ -274,6 +298,7 @@ static enum hawser_status set_second(struct hawser_rom *rom, const struct hawser
 /* --- build --- */
 
 static enum hawser_status fill(struct hawser_rom *rom, const struct hawser__lexpand *t,
+                               const struct hawser__lexpand_modes *own,
                                const struct hawser_line_modes *modes,
                                const struct hawser_line_rom_options *o, const double *pull,
                                struct hawser_report *report)
@@ -305,6 +330,8 @@ static enum hawser_status fill(struct hawser_rom *rom, const struct hawser__lexp
 		status = hawser__line_contacts(rom, modes, report);
 	if (!status)
 		status = hawser__line_load(rom, t, modes, o, pull, report);
+	if (!status)
+		status = hawser__line_answers(rom, t, own, modes, o, report);
 	return status ? status : hawser_rom_compile(rom, report);
 }
 
@@ -316,7 +343,7 @@ enum hawser_status hawser_line_rom_build(struct hawser_rom *rom, struct hawser_l
 	struct hawser_line_rom_options o = *options;
 	struct hawser__lexpand_modes own = {.shape = NULL};
 	struct hawser__lexpand t = {.rope = NULL};
-	double pull[HAWSER_LINE_ROM_MODES];
+	double pull[HAWSER_LINE_ROM_MODES], wave;
 	int drive = o.load == HAWSER_LINE_LOAD_DRIVE;
 	enum hawser_status status;
 
@@ -326,13 +353,14 @@ enum hawser_status hawser_line_rom_build(struct hawser_rom *rom, struct hawser_l
 	status = check(&o, lanes, report);
 	if (status)
 		return status;
-	status = hawser__lexpand_modes_open(&own, modes, lane, lanes, &o.modes, report);
+	wave = o.load == HAWSER_LINE_LOAD_PASSING ? 2.0*M_PI*o.harmonics/o.spacing : 0.0;
+	status = hawser__lexpand_modes_open(&own, modes, lane, lanes, &o.modes, wave, report);
 	if (!status && drive)
 		status = hawser__lexpand_drive(&own, pull, o.lane, o.end, report);
 	if (!status)
 		status = hawser__lexpand_open(&t, &own.rope, own.shape, modes->n + drive, o.held, report);
 	if (!status)
-		status = fill(rom, &t, modes, &o, pull, report);
+		status = fill(rom, &t, &own, modes, &o, pull, report);
 	hawser__lexpand_clear(&t);
 	hawser__lexpand_modes_clear(&own);
 	if (status) {

@@ -46,15 +46,20 @@ static struct hawser_harmonic *add(struct hawser_rom *rom, int k, enum hawser_ph
 
 /* --- passing --- */
 
-struct wave {
-	double number;    /* of the wave, scaled */
-	int sine;
-	double scale;
-};
-
-static double wave_at(const struct wave *wave, double s)
+double hawser__line_pull(const void *wave, double s)
 {
-	return wave->scale*(wave->sine ? sin(wave->number*s) : cos(wave->number*s));
+	const struct hawser__line_wave *w = wave;
+
+	return w->scale*(w->sine ? sin(w->number*s) : cos(w->number*s));
+}
+
+struct hawser__line_wave hawser__line_wave(const struct hawser_line_modes *modes,
+                                           const struct hawser_line_rom_options *o, int i)
+{
+	double per = modes->length_unit/o->spacing;
+
+	return (struct hawser__line_wave){2.0*M_PI*(i/2 + 1)*per, i%2,
+		-2.0*o->weight/modes->force_unit*per*(i%2 && o->modes.backward[o->lane] ? -1.0 : 1.0)};
 }
 
 /* Gauss rules of the modes' grids on parts of elements on which the wave turns by at most this
@@ -87,7 +92,8 @@ static double vertical(const struct field *field, int piece, double s)
 }
 
 /* add[waves] += the integral of y times each wave over a piece. */
-static void integrate(double *sum, const struct field *field, int piece, const struct wave *wave,
+static void integrate(double *sum, const struct field *field, int piece,
+                      const struct hawser__line_wave *wave,
                       int waves)
 {
 	const struct hawser_grid *grid = &field->modes->piece[piece].grid;
@@ -103,12 +109,13 @@ static void integrate(double *sum, const struct field *field, int piece, const s
 				double y = grid->weight[e*grid->order + i]/parts*vertical(field, piece, s);
 
 				for (int k = 0; k < waves; k++)
-					sum[k] += y*wave_at(&wave[k], s0 + s);
+					sum[k] += y*hawser__line_pull(&wave[k], s0 + s);
 			}
 	}
 }
 
-static void project(double *sum, const struct field *field, int lane, const struct wave *wave,
+static void project(double *sum, const struct field *field, int lane,
+                    const struct hawser__line_wave *wave,
                     int waves)
 {
 	for (int k = 0; k < waves; k++)
@@ -169,7 +176,7 @@ static enum hawser_status passing(struct hawser_rom *rom, const struct hawser__l
                                   const struct hawser_line_rom_options *o,
                                   struct hawser_report *report)
 {
-	struct wave wave[WAVES_MOST];
+	struct hawser__line_wave wave[WAVES_MOST];
 	struct hawser_harmonic *h[WAVES_MOST];
 	struct field field = {.t = t, .modes = modes, .pair = -1};
 	double sum[WAVES_MOST];
@@ -179,9 +186,7 @@ static enum hawser_status passing(struct hawser_rom *rom, const struct hawser__l
 	if (!rom->harmonic)
 		return hawser__no_memory(report, "line rom");
 	for (int k = 0; k < waves; k++) {
-		wave[k] = (struct wave){2.0*M_PI*(k/2 + 1)*modes->length_unit/o->spacing, k%2,
-			-2.0*o->weight/modes->force_unit*modes->length_unit/o->spacing*
-			(k%2 && o->modes.backward[o->lane] ? -1.0 : 1.0)};
+		wave[k] = hawser__line_wave(modes, o, k);
 		h[k] = add(rom, k/2 + 1, k%2 ? HAWSER_SIN : HAWSER_COS, report);
 		if (!h[k])
 			return HAWSER_ERR_MEMORY;

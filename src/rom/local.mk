@@ -2,6 +2,7 @@ noinst_LTLIBRARIES += %D%/librom.la
 %C%_librom_la_SOURCES = \
 	%D%/answer.c \
 	%D%/answer.h \
+	%D%/answer_freeze.c \
 	%D%/answer_make.c \
 	%D%/auto.c \
 	%D%/auto_text.c \
@@ -77,6 +78,7 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/known_below.c \
 	%D%/line.c \
 	%D%/line.h \
+	%D%/line_answer.c \
 	%D%/line_lift.c \
 	%D%/line_load.c \
 	%D%/linear.c \

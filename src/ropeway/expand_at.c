@@ -1,4 +1,4 @@
-/* ropeway/expand_at.c - the second-order displacement at a point of the rope.
+/* ropeway/expand_at.c - a displacement of the whole rope at a point of it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -40,22 +40,47 @@ static void add_segment(double shape[3], double *slope, const struct hawser__lmo
 		slope[s->sb ? 2 : 0] += slope_at(s, strain, 0, at);
 }
 
-void hawser__lexpand_second_at(double shape[3], double slope[3], const struct hawser__lexpand *t,
-                               int pair, int piece, double s, double angle)
+/* Add the part of one system. */
+static void add_system(double shape[3], double *slope, const struct hawser__lmode_system *system,
+                       const double *x, const double *strain, int piece, double s, double angle)
+{
+	for (int k = 0; k < system->segments; k++)
+		if (system->segment[k].index == piece)
+			add_segment(shape, slope, &system->segment[k], x + system->segment[k].at,
+			            strain + system->segment[k].strain, s, angle);
+}
+
+static void none(double shape[3], double *slope)
 {
 	for (int c = 0; c < 3; c++) {
 		shape[c] = 0.0;
 		if (slope)
 			slope[c] = 0.0;
 	}
+}
+
+void hawser__lexpand_second_at(double shape[3], double slope[3], const struct hawser__lexpand *t,
+                               int pair, int piece, double s, double angle)
+{
+	none(shape, slope);
 	for (int i = 0; i < t->rope->systems; i++) {
 		const struct hawser__lmode_system *system = &t->rope->system[i];
-		const double *x = t->second[i] + (size_t)pair*(size_t)system->size;
-		const double *strain = t->second_strain[i] + (size_t)pair*(size_t)system->strains;
 
-		for (int k = 0; k < system->segments; k++)
-			if (system->segment[k].index == piece)
-				add_segment(shape, slope, &system->segment[k], x + system->segment[k].at,
-				            strain + system->segment[k].strain, s, angle);
+		add_system(shape, slope, system, t->second[i] + (size_t)pair*(size_t)system->size,
+		           t->second_strain[i] + (size_t)pair*(size_t)system->strains, piece, s, angle);
+	}
+}
+
+void hawser__lexpand_field_at(double shape[3], double slope[3], const struct hawser__lmode *rope,
+                              const struct hawser__lexpand_field *field, int piece, double s,
+                              double angle)
+{
+	const double *x = field->x, *strain = field->strain;
+
+	none(shape, slope);
+	for (int i = 0; i < rope->systems; i++) {
+		add_system(shape, slope, &rope->system[i], x, strain, piece, s, angle);
+		x += rope->system[i].size;
+		strain += rope->system[i].strains;
 	}
 }

@@ -4,6 +4,7 @@
 #include "config.h"
 
 #include <cblas.h>
+#include <math.h>
 #include <stdlib.h>
 
 #include "core/report.h"
@@ -38,10 +39,26 @@ static double sign_of(const double *x, const struct hawser__lmode_system *system
 	return sum < 0.0 ? -1.0 : 1.0;
 }
 
+/* Largest speed of waves across the rope. */
+static double fastest(const struct hawser__lmode *rope)
+{
+	double most = 0.0;
+
+	for (int i = 0; i < rope->systems; i++)
+		for (int k = 0; k < rope->system[i].segments; k++) {
+			const struct hawser__lmode_segment *s = &rope->system[i].segment[k];
+
+			if (!s->arc && s->piece->length > 0.0)
+				most = fmax(most, s->piece->length/hawser__lmode_phase(s, rope));
+		}
+	return most;
+}
+
 enum hawser_status hawser__lexpand_modes_open(struct hawser__lexpand_modes *t,
                                               struct hawser_line_modes *modes,
                                               const struct hawser_line_statics *const *lane, int lanes,
                                               const struct hawser_line_modes_options *options,
+                                              double wave,
                                               struct hawser_report *report)
 {
 	struct hawser_line_modes_options o = *options;
@@ -63,7 +80,8 @@ enum hawser_status hawser__lexpand_modes_open(struct hawser__lexpand_modes *t,
 		return hawser__no_memory(report, "line rom");
 	status = hawser__lmode_find(&t->search, report);
 	if (!status)
-		status = hawser__lmode_refine_all(&omega, &t->search, wider, report);
+		status = hawser__lmode_refine_all(&omega, &t->search, wider,
+		                                  wave*t->rope.length*fastest(&t->rope), report);
 	if (!status && hawser__lmode_worst(&t->search) > o.tolerance)
 		status = hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "line rom", 0,
 		                         hawser__lmode_worst(&t->search), "the first %d frequencies have an "

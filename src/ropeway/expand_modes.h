@@ -12,12 +12,13 @@ struct hawser__lexpand_modes {
 	double *end_x, *end_strain;            /* of that one, or NULL */
 };
 
-/* The lowest modes, and the same in the public structure. Both are to be cleared after a failure
- * too. */
+/* The lowest modes, and the same in the public structure, on grids that also resolve a wave of the
+ * number `wave` (1/m) along the rope. Both are to be cleared after a failure too. */
 enum hawser_status hawser__lexpand_modes_open(struct hawser__lexpand_modes *t,
                                               struct hawser_line_modes *modes,
                                               const struct hawser_line_statics *const *lane, int lanes,
                                               const struct hawser_line_modes_options *options,
+                                              double wave,
                                               struct hawser_report *report);
 void hawser__lexpand_modes_clear(struct hawser__lexpand_modes *t);
 
@@ -30,5 +31,31 @@ enum hawser_status hawser__lexpand_drive(struct hawser__lexpand_modes *t, double
  * at s from the beginning of a piece where the rope has the slope `angle`; slope may be NULL. */
 void hawser__lexpand_second_at(double shape[3], double slope[3], const struct hawser__lexpand *t,
                                int pair, int piece, double s, double angle);
+
+/* A displacement of the whole rope: states and strains of all systems, one after the other. */
+struct hawser__lexpand_field {
+	double *x, *strain;
+};
+/* The same of such a field. */
+void hawser__lexpand_field_at(double shape[3], double slope[3], const struct hawser__lmode *rope,
+                              const struct hawser__lexpand_field *field, int piece, double s,
+                              double angle);
+
+/* expand_answer.c: what the modes that are not kept do under a force that oscillates at the
+ * frequency W:  field[0] + W^2 field[1] + sum_s force[s] H_s(W) field[2 + s]  (rom/known.c). */
+struct hawser__lexpand_answer {
+	int known;                  /* motions s, of frequencies omega2^(1/2), ascending */
+	double *omega2, *force;     /* [known] */
+	struct hawser__lexpand_field *field; /* [2 + known] */
+	double *memory;
+	double reach;               /* below this frequency they are modes, all that the force drives */
+};
+/* Of a force per length along y, wave*pull(s) at the scaled arclength s of a lane; or of the motion of
+ * the end (hawser__lexpand_drive) if pull is NULL. */
+enum hawser_status hawser__lexpand_answer(struct hawser__lexpand_answer *answer,
+                                          const struct hawser__lexpand_modes *t,
+                                          double (*pull)(const void *wave, double s),
+                                          const void *wave, int lane, struct hawser_report *report);
+void hawser__lexpand_answer_clear(struct hawser__lexpand_answer *answer);
 
 #endif

@@ -6,6 +6,7 @@ noinst_LTLIBRARIES += %D%/libropeway.la
 	%D%/check.c \
 	%D%/expand.c \
 	%D%/expand.h \
+	%D%/expand_answer.c \
 	%D%/expand_ends.c \
 	%D%/expand_follow.c \
 	%D%/expand_at.c \

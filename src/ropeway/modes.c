@@ -118,13 +118,13 @@ enum hawser_status hawser__lmode_find(struct hawser__lmode_search *t, struct haw
 }
 
 enum hawser_status hawser__lmode_refine_all(double *omega, struct hawser__lmode_search *t, double wider,
-                                            struct hawser_report *report)
+                                            double least, struct hawser_report *report)
 {
 	struct hawser__lmode *rope = t->rope;
 	enum hawser_status status = HAWSER_OK;
 	double most = margin*omega_of(t, t->n - 1);
 
-	*omega = wider*most;
+	*omega = fmax(wider*most, least);
 	for (int i = 0; i < rope->systems && !status; i++) {
 		while (t->pairs[i].n > 0 && t->pairs[i].omega[t->pairs[i].n - 1] > most)
 			t->pairs[i].n--;
@@ -161,7 +161,7 @@ static enum hawser_status solve(struct hawser_line_modes *modes, struct hawser__
 	for (;;) {
 		status = hawser__lmode_find(t, report);
 		if (!status)
-			status = hawser__lmode_refine_all(&omega, t, 1.0, report);
+			status = hawser__lmode_refine_all(&omega, t, 1.0, 0.0, report);
 		if (status)
 			return status;
 		worst = hawser__lmode_worst(t);

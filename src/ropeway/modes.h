@@ -207,11 +207,12 @@ struct hawser__lmode_search {
 /* Pairs of each system such that the n lowest are among them, and choice. */
 enum hawser_status hawser__lmode_find(struct hawser__lmode_search *search,
                                       struct hawser_report *report);
-/* Refine the n lowest modes on grids for `wider` times the highest frequency, and choose again;
- * *omega is what the grids resolve. Short spans may have modes far above, which those grids would
- * not resolve. */
+/* Refine the n lowest modes on grids for `wider` times the highest frequency, and for `least`,
+ * and choose again; *omega is what the grids resolve. Short spans may have modes far above, which those
+ * grids would not resolve. */
 enum hawser_status hawser__lmode_refine_all(double *omega, struct hawser__lmode_search *search,
-                                            double wider, struct hawser_report *report);
+                                            double wider, double least,
+                                            struct hawser_report *report);
 /* Largest estimated error of the n modes. */
 double hawser__lmode_worst(const struct hawser__lmode_search *search);
 /* Check lanes and options, whose zeros are replaced by defaults. */

@@ -97,7 +97,7 @@ fi
 weak='--set load.per_length=[0.0004,0.0005,0.0005] --set model.condense=static'
 run frf "$chairlift" $weak --set model.modes=3 --from 35w1 --to 35.02w1 --json far.json
 try "a forcing frequency far above all known modes is warned of" \
-	grep -q '^hawser: warning: the forcing frequency reaches .* the model knows no modes above' "$scratch/err"
+	grep -q '^hawser: warning: the frequency of the forces reaches .* the model knows no modes above' "$scratch/err"
 try "and the error of the model is not known" grep -q '"estimated": null' far.json
 run rom "$chairlift" $weak --set model.modes=3 --json three.json
 run frf three.json --from 9w1 --to 9.02w1 --json file.json

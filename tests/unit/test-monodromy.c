@@ -1,5 +1,5 @@
 /* Multipliers of a linear equation with periodic coefficients: fast coordinates condensed or
- * integrated, an overdamped coordinate, an oscillating damping matrix.
+ * integrated, an overdamped coordinate, damping matrices that oscillate or grow with Omega.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -154,10 +154,55 @@ static void check_overdamped(void)
 	hawser_rom_clear(&rom);
 }
 
+/* A damping that is proportional to a power of Omega, as the Coriolis forces of a rope that runs with
+ * the load: the multipliers are those of the model whose constant D has that damping. */
+static void check_constant(void)
+{
+	double log_modulus[2][6], argument[2][6], T[5*9] = {0.0}, worst = 0.0, liouville = 0.0;
+	const double omega = 1.37, constant[9] = {0.11, 0.8, -0.3, -0.7, 0.05, 0.4, 0.3, -0.4, 0.02};
+	struct hawser__monodromy monodromy;
+	struct hawser_rom rom;
+
+	if (hawser__rom_init(&rom, 3, NULL) || hawser__monodromy_init(&monodromy, 3, NULL))
+		return;
+	rom.harmonics = 2;
+	rom.harmonic = calloc(2, sizeof *rom.harmonic);
+	rom.harmonic[0] = (struct hawser_harmonic){.omega_power = 2, .D = calloc(9, sizeof(double))};
+	rom.harmonic[1] = (struct hawser_harmonic){.k = 2, .phase = HAWSER_COS,
+		.D = calloc(9, sizeof(double))};
+	for (int e = 0; e < 9; e++) {
+		rom.D[e] = 0.01*(e%4 == 0);
+		rom.harmonic[0].D[e] = constant[e]/(omega*omega);
+		rom.harmonic[1].D[e] = 0.2*constant[8 - e];
+		T[e] = e%4 == 0 ? 2.0*(1.0 + e) : 0.1;
+		T[9 + e] = e%4 == 0 ? 0.3 : 0.05;
+	}
+	for (int i = 0; i < 2; i++) {
+		if (!ok(!hawser__monodromy_multipliers(&monodromy, log_modulus[i], argument[i], &rom, T, 2,
+		                                       omega, NULL), "%s", i ? "in D" : "as a harmonic"))
+			return;
+		for (int e = 0; e < 9; e++) {
+			rom.D[e] += constant[e];
+			rom.harmonic[0].D[e] = 0.0;
+		}
+	}
+	for (int i = 0; i < 6; i++) {
+		worst = fmax(worst, fabs(log_modulus[0][i] - log_modulus[1][i]));
+		worst = fmax(worst, fabs(fabs(argument[0][i]) - fabs(argument[1][i])));
+		liouville += log_modulus[0][i];
+	}
+	liouville += 2.0*M_PI/omega*(0.03 + 0.11 + 0.05 + 0.02);
+	ok(worst < 1e-10 && fabs(liouville) < 1e-11 && fabs(argument[0][0]) > 0.1,
+	   "constant damping times Omega^2: multipliers to %.1e, Liouville's sum %.1e", worst, liouville);
+	hawser__monodromy_release(&monodromy);
+	hawser_rom_clear(&rom);
+}
+
 CASE(unit_monodromy)
 {
 	check_condensed();
 	check_slow_manifold();
 	check_overdamped();
+	check_constant();
 	return done_testing();
 }

@@ -1,0 +1,92 @@
+#!/bin/sh
+# Responses by both methods, folds and motions of every scene that is shipped and that these commands take: a few points of few
+# modes each, for the sanitizers, which see what a result does not show. A scene that the table lacks fails.
+# SPDX-License-Identifier: GPL-3.0-or-later
+. "$SRCDIR/tests/cli/lib.sh"
+
+scenes=$top/notebooks-data/scenes
+# A report of a sanitizer has an exit status of its own; without these it has that of a refusal.
+ASAN_OPTIONS=${ASAN_OPTIONS:+$ASAN_OPTIONS:}exitcode=99
+UBSAN_OPTIONS=${UBSAN_OPTIONS:+$UBSAN_OPTIONS:}exitcode=99
+export ASAN_OPTIONS UBSAN_OPTIONS
+
+# ends STATUS: so, without a report of a sanitizer.
+ends() {
+	! grep -E 'Sanitizer|runtime error' "$scratch/err" || return 1
+	[ "$status" -eq "$1" ] || { echo "exit status $status, not $1"; cat "$scratch/err"; return 1; }
+}
+
+# takes STATUS ARGUMENTS
+takes() {
+	want=$1
+	shift
+	run "$@" -q
+	called "$want" "$@"
+	try "$words" ends "$want"
+}
+
+# A search for folds ends at three points, before it is done: status 3.
+response() {
+	for method in shooting balance; do
+		takes 0 frf "$@" --method $method --from 0.9w1 --to 1.1w1 --step 1e-4 --max-points 2
+	done
+	takes "${folds:-3}" folds "$@" --from 0.97w1 --to 0.98w1 --max-points 3
+}
+motion() {
+	takes 0 integrate "$@" --until 1T --every 0.5T
+}
+
+# Forced spans.
+for name in b-table-4.2 b-table-4.3-line-1 b-table-4.3-line-2 b-table-4.4-line-1 b-table-4.4-line-2 b-table-4.5 b-table-4.6-in-plane \
+	b-table-4.6-out-of-plane b-table-5.4 b-table-5.4-at-rest b-table-5.6 bridge-stay chairlift conductor conductor-spacers \
+	conductor-towers deep-sag deep-sag-light guide-rope inclined level-two-to-one rope ropeway-carriers stay-anchorage stay-clamped \
+	stay-mast stay-sink; do
+	response "$scenes/$name.yaml" -n 2
+	motion "$scenes/$name.yaml" -n 2 --Omega 0.9w1
+	echo "$name.yaml" >>seen
+done
+# Spans on which nothing acts, or a speed that changes once.
+for name in b-table-4.1-case-1 b-table-4.1-case-2 b-table-4.1-case-3 b-table-5.1-fictitious b-table-5.1-hauling-rope b-table-5.1-ropeway \
+	b-table-5.2 b-table-5.3 b-table-5.5 stay-absorber stay-damper; do
+	motion "$scenes/$name.yaml" -n 2
+	echo "$name.yaml" >>seen
+done
+# Models; a search for folds does not take those with further terms.
+for name in duffing parametric-amplifier parametric-duffing rayleigh; do
+	folds=1
+	[ $name != duffing ] || folds=3
+	response "$scenes/$name.json"
+	motion "$scenes/$name.json" --Omega 0.9w1
+	echo "$name.json" >>seen
+done
+folds=3
+motion "$scenes/two-masses.json"
+echo two-masses.json >>seen
+# Ropeways, under both loads but for the longest.
+for name in ropeway-bouquet ropeway-gondola ropeway-small ropeway-transient; do
+	for load in "--load passing" "--load drive --ripple 0.01"; do
+		[ $name != ropeway-gondola ] || [ "$load" = "--load passing" ] || continue
+		# shellcheck disable=SC2086 # words
+		response "$scenes/$name.yaml" -n 2 --damping 0.02 $load
+		# shellcheck disable=SC2086
+		motion "$scenes/$name.yaml" -n 2 --damping 0.02 $load --Omega 0.9w1
+	done
+	echo "$name.yaml" >>seen
+done
+# Nets and rods.
+cp "$scenes/net-dragged.txt" .
+for name in net-belt net-belt-driven net-capstan net-drag net-dragged net-impact net-pendulum net-seabed net-table-3-1 net-table-3-6 \
+	rod-hoist rod-tether d-section-5.1.2 d-section-5.1.3 d-section-5.1.4; do
+	takes 0 integrate "$scenes/$name.yaml" --until "20 ms" --every "10 ms"
+	echo "$name.yaml" >>seen
+done
+# These commands do not take: a net without masses, rods without inertia, beams, towed bodies, spans over obstacles, a ropeway whose
+# sheaves are points. tests/cli/refusals.sh and others have the reasons.
+for name in net-bars rod-bend rod-pipe rod-roll b-table-2.1 b-table-3.5 b-table-6.3 d-section-5.2.2 d-section-5.2.3 d-section-5.2.4 \
+	d-section-5.2.5 d-section-5.2.6 d-section-5.3 tow-orbit tow-u-turn span-seabed second-stable-region hoist-rope d-figure-9.1 \
+	d-figure-9.2 d-figure-9.3 d-figure-9.4 d-figure-9.5 d-figure-9.7 d-figure-9.8 d-figure-9.9 d-figure-9.10 d-figure-9.11; do
+	echo "$name.yaml" >>seen
+done
+(cd "$scenes" && ls -- *.yaml *.json) | sort >shipped
+try "every scene is in the table" sh -c 'sort seen | diff - shipped'
+done_testing
