@@ -10,6 +10,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/half.c \
 	%D%/half.h \
 	%D%/half_class.c \
+	%D%/half_multipliers.c \
 	%D%/signs.c \
 	%D%/signs.h \
 	%D%/automatic.c \
