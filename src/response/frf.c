@@ -334,6 +334,8 @@ static enum hawser_status open_trace(struct hawser__trace *trace, struct hawser_
 		return status;
 	trace->account.tolerance = trace->options.tolerance;
 	trace->account.event_tolerance = trace->options.event_tolerance;
+	trace->account.lo = trace->lo;
+	trace->account.hi = trace->hi;
 	if (trace->watch) {
 		trace->account.watch = trace->watch->event;
 		trace->account.context = trace->watch->context;
@@ -391,6 +393,7 @@ static enum hawser_status trace_once(int *jumped, struct hawser_frf *frf,
 		.length = rom->length, .time = rom->time};
 	if (!(status = open_trace(&trace, report)) && !(status = hawser__trace_begin(&trace)))
 		status = follow(&trace);
+	hawser__record_order(frf);
 	*jumped = trace.jumped;
 	close_trace(&trace);
 	return status;

@@ -5,6 +5,8 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/amplitude.c \
 	%D%/amplitude.h \
 	%D%/bracket.c \
+	%D%/crossing.c \
+	%D%/crossing.h \
 	%D%/bracket.h \
 	%D%/backbone.c %D%/backbone.h %D%/backbone_begin.c %D%/backbone_branch.c %D%/nnm.c \
 	%D%/half.c \

@@ -17,4 +17,8 @@ enum hawser_status hawser__record_event(struct hawser_frf *frf,
                                         const struct hawser_frf_event *event, const double *state,
                                         const struct hawser_rom *rom, struct hawser_report *report);
 
+/* At the end of a trace: events in the order of the curve, since one that a multiplier's error hides is
+ * located beside the step that shows it; without those beyond the last point. */
+void hawser__record_order(struct hawser_frf *frf);
+
 #endif

@@ -104,9 +104,9 @@ enum hawser_status hawser__trace_settle(struct hawser__trace *trace,
                                         struct hawser__station *station, double side,
                                         const double *along, int *failed);
 
-/* judge.c: whether next is certainly on the same branch as here, and the events between are
- * separated; angle is that between the two tangents. */
-int hawser__trace_trusted(const struct hawser__trace *trace, double angle);
+/* judge.c: whether a corrected point is certainly on the same branch as the one before; angle is that
+ * between the two tangents. And whether the events between here and next are not separated. */
+int hawser__trace_trusted(const struct hawser__correction *correction, double angle);
 int hawser__trace_hides(const struct hawser__trace *trace);
 /* judge.c: whether the step from prev to here, seen from next, may hide events. */
 int hawser__trace_hid(const struct hawser__trace *trace);
