@@ -21,8 +21,8 @@
 #include "response/locate.h"
 #include "response/trace.h"
 
-/* Arclength of the first step at least; the last one is 2^8 times as long, 0.26, which is a long step of
- * a branch (step.c). Chosen. */
+/* Arclength of the first step at least; the last one is 2^8 times as long, 0.26, which is a long
+ * step of a branch (step.c). Chosen. */
 #define FIRST 1e-3
 
 void hawser__crossing_clear(struct hawser__crossing *crossing)
@@ -83,8 +83,8 @@ static void look(struct pair *pair, const struct hawser__station *from,
 	pair->count++;
 }
 
-/* Follow the curve to the station at which the multiplier is certainly inside, *end; NULL: there is none.
- * `out` and `edge` are the ends of the step. */
+/* Follow the curve to the station at which the multiplier is certainly inside, *end; NULL: there
+ * is none. `out` and `edge` are the ends of the step. */
 static enum hawser_status follow(struct hawser__crossing *crossing, struct pair *pair,
                                  const struct hawser__station **end, struct hawser__orbit *orbit,
                                  const struct hawser__station *out,

@@ -13,9 +13,10 @@ struct hawser__crossing {
 
 void hawser__crossing_clear(struct hawser__crossing *crossing);
 
-/* `event` was located between a and b by a sure test (station.h): where a multiplier leaves its error
- * bound. If it passes through all of that bound on the curve near by, *found becomes 1, *event the place
- * where its modulus is 1, which need not lie between a and b, and crossing->scratch that orbit. */
+/* `event` was located between a and b by a sure test (station.h): where a multiplier leaves its
+ * error bound. If it passes through all of that bound on the curve near by, *found becomes 1,
+ * *event the place where its modulus is 1, which need not lie between a and b, and
+ * crossing->scratch that orbit. */
 enum hawser_status hawser__crossing_find(struct hawser__crossing *crossing,
                                          struct hawser_frf_event *event, int *found,
                                          struct hawser__orbit *orbit,

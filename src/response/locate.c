@@ -17,9 +17,9 @@ int hawser__event_width(enum hawser_event_kind kind)
 	return kind == HAWSER_TORUS ? 2 : kind == HAWSER_UNEXPLAINED ? 0 : 1;
 }
 
-/* Whether the multiplier that was followed to the unit circle is there what an event of this kind has:
- * one at -1 or 1, or a complex pair. Where a bracket has two events, the test function of one may change
- * its sign while the modulus of the other is followed. */
+/* Whether the multiplier that was followed to the unit circle is there what an event of this kind
+ * has: one at -1 or 1, or a complex pair. Where a bracket has two events, the test function of one
+ * may change its sign while the modulus of the other is followed. */
 static int is_claimed(const struct hawser__bracket *bracket)
 {
 	const struct hawser__station *at = bracket->at;

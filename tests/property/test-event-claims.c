@@ -1,8 +1,9 @@
 /* What located events claim, by another route: the period map of the event's orbit by Runge and Kutta's
  * formula on a fine mesh, and its eigenvalues. Two models in which users found wrong events:
  *
- *    torus-as-doubling   ten coordinates; a period doubling and a torus point 1.8e-4 apart, between which
- *                        the number of unstable multipliers changes as by the doubling alone: 5, 6, 4
+ *    torus-as-doubling   ten coordinates; a period doubling and a torus point 1.8e-4 apart, between
+ *                        which the number of unstable multipliers changes as by the doubling alone:
+ *                        5, 6, 4
  *    beam-1to3           six modes of a beam; a torus point beside which the moduli are within their
  *                        error over several steps, the more of them, the smaller the steps are
  *
@@ -146,8 +147,8 @@ static void two_in_a_step(void)
 	hawser_rom_clear(&rom);
 }
 
-/* From one end of a short range, with at most `step` of it a step, to the one torus point in it: below it
- * the motion is unstable. */
+/* From one end of a short range, with at most `step` of it a step, to the one torus point in it:
+ * below it the motion is unstable. */
 static void small_steps(double begin, const double *start, int way, double step)
 {
 	struct hawser_frf_options options = {.method = "balance", .from = way > 0 ? 15.85 : 15.87,

@@ -60,9 +60,10 @@ static int slope(double t, const double y[], double dy[], void *unused)
 	return GSL_SUCCESS;
 }
 
-/* Multipliers are wrong at single motions, so that all of them are integrated, which takes a second.
- * The action over a period from u0, and the distance of its end from its start, relative. Two of the four
- * multipliers are 1, and `trace` becomes the sum of the others, whose product is 1. */
+/* Multipliers are wrong at single motions, so that all of them are integrated, which takes a
+ * second. The action over a period from u0, and the distance of its end from its start, relative.
+ * Two of the four multipliers are 1, and `trace` becomes the sum of the others, whose product is
+ * 1. */
 static double action(double *gap, double *trace, const double *u0, double omega)
 {
 	gsl_odeiv2_system system = {slope, NULL, ALL, NULL};
