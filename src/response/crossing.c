@@ -94,7 +94,7 @@ static enum hawser_status follow(struct hawser__crossing *crossing, struct pair 
 {
 	const struct hawser__station *before = out, *last = edge;
 	int goal = inside(out, orbit->m) + hawser__event_width(kind);
-	double step = fmax(fabs(edge->arc - out->arc), FIRST);
+	double first = fmax(fabs(edge->arc - out->arc), FIRST);
 
 	*end = NULL;
 	look(pair, out, edge, way, kind);
@@ -104,13 +104,13 @@ static enum hawser_status follow(struct hawser__crossing *crossing, struct pair 
 		enum hawser_status status = HAWSER_OK;
 
 		if (i < HAWSER__CROSSING)
-			status = walk_on(next, &failed, orbit, before, last, way, step, tolerance, report);
+			status = walk_on(next, &failed, orbit, before, last, way, ldexp(first, i), tolerance,
+			                 report);
 		if (status || failed || next->circle.unstable != edge->circle.unstable)
 			return status;
 		look(pair, last, next, way, kind);
 		before = last;
 		last = next;
-		step *= 2.0;
 	}
 	*end = last;
 	return HAWSER_OK;
