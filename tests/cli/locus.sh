@@ -108,4 +108,18 @@ for name in "up", "down":
     found = cusps(name)
     assert len(found) == 2 and all(abs(a[i]/b[i] - 1) < 1e-6 for a, b in zip(found, right) for i in (0, 1)), (name, found, right)
 END
+# an outside program found that the start depended on the tolerance
+for tolerance in 1e-7 1e-9 1e-10 1e-11; do
+	works "branch points with tolerance $tolerance" locus "$SRCDIR/tests/reference/one-to-three.json" --from 0.7 --to 1.8 \
+		--kind branch-point --over factor.load=0.5:2 --tolerance $tolerance --json "points-$tolerance.json" -q
+done
+python "the branch points do not depend on the tolerance" <<'END'
+import json
+ends = []
+for tolerance in "1e-7", "1e-9", "1e-10", "1e-11":
+    result = json.load(open("points-%s.json" % tolerance))
+    assert len(result["curves"]) == 1 and result["not_followed"] == 0, tolerance
+    ends.append([e["Omega"] for e in result["curves"][0]["events"] if e["kind"] in ("start", "degenerate-branch-point")])
+    assert len(ends[-1]) == 2 and max(abs(a/b - 1) for a, b in zip(ends[0], ends[-1])) < 1e-6, ends
+END
 done_testing
