@@ -173,7 +173,7 @@ static void small_steps(double begin, const double *start, int way, double step)
 	hawser_rom_clear(&rom);
 }
 
-int main(void)
+CASE(property_event_claims)
 {
 	static const double below[] = {
 		0.0852717638631588, -0.007166286550373236, -0.00016780227578806992, 3.904555577656096e-05,
