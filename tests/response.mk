@@ -21,6 +21,7 @@ tests_response_SOURCES = tests/cases.c \
 	tests/property/test-branches.c \
 	tests/property/test-combined.c \
 	tests/property/test-drag.c \
+	tests/property/test-event-claims.c \
 	tests/property/test-event-errors.c \
 	tests/property/test-folds-least.c \
 	tests/property/test-folds.c \
@@ -77,6 +78,6 @@ tests_response_LDADD = $(UPTO_RESPONSE) $(GSL_LIBS)
 noinst_HEADERS += tests/folds-duffing.h
 EXTRA_DIST += tests/reference/absorber.json tests/reference/frf-cases.txt tests/reference/duffing-nlvib-01.json \
 	tests/reference/pair-2to1.json tests/reference/springs-nlvib-06-f1e-3.json \
-	tests/reference/springs-nlvib-06-f3e-3.json tests/reference/pair-quintic.json
+	tests/reference/springs-nlvib-06-f3e-3.json tests/reference/pair-quintic.json tests/reference/one-to-three.json tests/reference/two-masses-nes.json tests/reference/beam-1to3.json tests/reference/torus-as-doubling.json
 noinst_HEADERS += tests/integrate-models.h
 noinst_HEADERS += tests/extremes/taylor.h tests/extremes/reflect.h

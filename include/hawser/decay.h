@@ -35,6 +35,9 @@ struct hawser_half_power {
 	double ratio_error; /* the larger of the half width of its confidence interval and the
 	                     * difference from the ratio that other points of the table give */
 	double peak_error;  /* the same for `peak` */
+	int modes;          /* 2: the points are certainly those of two modes within each other's width,
+	                     * and `ratio` is their mean; peak and half-power points are those of their
+	                     * sum */
 };
 /* Find the points from the amplitudes a [count] at ascending frequencies omega [count];
  * `confidence` such as 0.95. HAWSER_ERR_ARGUMENT (too few points, frequencies not ascending),

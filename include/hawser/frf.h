@@ -27,8 +27,8 @@ enum hawser_event_kind {
 const char *hawser_event_name(enum hawser_event_kind kind);
 
 enum hawser_frf_end {
-	HAWSER_END_RANGE = 0,   /* Omega left [from, to] at the end opposite to the start */
-	HAWSER_END_RETURNED,    /* Omega left [from, to] at the end at which the branch entered it */
+	HAWSER_END_RANGE = 0,   /* Omega left [from, to], but not where the branch began */
+	HAWSER_END_RETURNED,    /* Omega left [from, to] at `from`, where the branch began */
 	HAWSER_END_CLOSED,      /* the curve returned to its start */
 	HAWSER_END_MAX_POINTS,
 	HAWSER_END_INTERRUPTED, /* progress.function asked for it */
@@ -36,8 +36,10 @@ enum hawser_frf_end {
 	HAWSER_END_AT_REST,     /* the motion vanishes at the branch point that is the last event */
 	HAWSER_END_SLACK,       /* the cable goes slack at the last event, or is slack at the first orbit */
 	HAWSER_END_UNSTABLE,    /* the last point has more unstable multipliers than `most_unstable` */
-	HAWSER_END_LOST         /* unstable motions, and the next one is not found within the limits of the
+	HAWSER_END_LOST,        /* unstable motions, and the next one is not found within the limits of the
 	                         * method; `lost` says why */
+	HAWSER_END_MEETS        /* a branch of branches.h meets another one, in the last event: what follows
+	                         * is its own image, shifted in time or reflected */
 };
 const char *hawser_frf_end_name(enum hawser_frf_end end);
 

@@ -91,7 +91,9 @@ struct hawser_locus {
 	double at;                        /* the parameter at which the curves begin */
 	int lost;                         /* events of the response from which no curve could be begun */
 	double *lost_at;                  /* [lost] their Omega */
-	struct hawser_frf response;       /* at the parameter `at` */
+	struct hawser_frf response;       /* at the parameter `at`, from `from`. Curves begin at those
+	                                   * from the other end of the range, and in parts of the range
+	                                   * that neither covers, as well */
 	int interrupted;
 	long solves;                      /* number of linear systems factorised */
 };

@@ -105,6 +105,8 @@ static const struct hawser__field half_field[] = {
 	{BOTH("peak_low"), "lower end of the interval of the peak's frequency", HAWSER__BY(peak_low),
 	 .si = rad_s},
 	{BOTH("peak_high"), "upper end", HAWSER__BY(peak_high), .si = rad_s},
+	{BOTH("modes"), "2: two close modes; ratio is the mean of both, and peak and half-power "
+	 "frequencies are those of their sum", OF(modes)},
 	HAWSER__END,
 };
 #undef OF

@@ -186,6 +186,7 @@ static enum hawser_status choose_start(struct hawser_frf_options *choice, struct
 		return status;
 	if (last->end == HAWSER_END_RANGE || last->end == HAWSER_END_RETURNED ||
 	    last->end == HAWSER_END_AT_REST || last->end == HAWSER_END_CLOSED ||
+	    last->end == HAWSER_END_MEETS ||
 	    (last->end == HAWSER_END_SLACK && choice->end_at_slack))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
 		                    "--continue %s: that curve is complete (%s): begin another one", path,

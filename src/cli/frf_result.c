@@ -43,6 +43,7 @@ static const char *sentence(enum hawser_frf_end end)
 		                      "cable's (--slack follow shows it)";
 	case HAWSER_END_UNSTABLE: return "more multipliers are unstable than --unstable allows";
 	case HAWSER_END_LOST: return "unstable motions that could not be followed further";
+	case HAWSER_END_MEETS: return "the branch meets another one; beyond, it repeats itself in reverse";
 	case HAWSER_END_FAILED: return "the corrector failed; the curve is incomplete";
 	}
 	return "";

@@ -8,7 +8,9 @@
 #include "continuation/metric.h"
 
 #define HALVINGS 60 /* of the unit interval: to round-off */
-#define FEET 3      /* iterations for the foot of a perpendicular: the curve bends little in a step */
+#define FEET 4      /* iterations for the foot of a perpendicular: the curve bends little in a step */
+#define BESIDE 1.5  /* distance from the middle of a step up to which they may begin; chosen */
+#define SLACK 1e-3  /* part of a step by which steps overlap, above the error of a foot; chosen */
 
 double hawser__metric_dot(const struct hawser__metric *metric, const double *a, const double *b)
 {
@@ -131,12 +133,16 @@ int hawser__curve_passes(double *share, const double *goal, const struct hawser_
 	for (int k = 0; k < FEET; k++) {
 		double foot = 0.0;
 
-		if (!(*share > 0.0 && *share <= 1.0))
+		/* the foot on the tangent may be beyond the step where that on the curve is within it */
+		if (!(fabs(*share - 0.5) <= BESIDE))
 			return 0;
 		hawser__curve_between(y, direction, a, b, *share, metric);
 		for (int i = 0; i < metric->size; i++)
 			foot += metric->weight[i]*(goal[i] - y[i])*direction[i];
 		*share += k + 1 < FEET ? foot/step : 0.0;
 	}
+	if (!(*share > -SLACK && *share <= 1.0 + SLACK))
+		return 0;
+	*share = fmin(fmax(*share, SLACK), 1.0);
 	return sqrt(hawser__metric_distance2(metric, y, goal)) < near*step;
 }

@@ -16,6 +16,7 @@
 
 #include "core/report.h"
 #include "response/account.h"
+#include "response/bracket.h"
 #include "response/locate.h"
 
 #define ONE_PLACE 0.02 /* distance, in parts of the bracket, within which a fold and a branch point are
@@ -71,6 +72,7 @@ void hawser__account_clear(struct hawser__account *account)
 	for (int i = 0; i < HAWSER__DEEPEST; i++)
 		hawser__station_clear(&account->station[i]);
 	hawser__station_clear(&account->scratch);
+	hawser__crossing_clear(&account->crossing);
 	free(account->event);
 	free(account->state);
 	free(account->remainder);
@@ -131,6 +133,27 @@ static enum hawser_status add_remainder(struct hawser__account *account,
 	return HAWSER_OK;
 }
 
+/* Move an event that was located by a sure test to the place where the multiplier crosses the unit
+ * circle, if there is one in the range. *y is its orbit. */
+static enum hawser_status cross(struct hawser__account *account, struct hawser_frf_event *event,
+                                const double **y, struct hawser__orbit *orbit,
+                                const struct hawser__station *a, const struct hawser__station *b,
+                                struct hawser_report *report)
+{
+	struct hawser_frf_event crossed = *event;
+	int found;
+	enum hawser_status status = hawser__crossing_find(&account->crossing, &crossed, &found, orbit, a,
+	                                                  b, account->tolerance,
+	                                                  account->event_tolerance, report);
+
+	if (status || !found || crossed.arc < 0.0 || crossed.omega < account->lo ||
+	    crossed.omega > account->hi)
+		return status;
+	*event = crossed;
+	*y = account->crossing.scratch.y;
+	return HAWSER_OK;
+}
+
 /* Locate the event of one kind between a and b if its test function changes sign. */
 static enum hawser_status add_located(struct hawser__account *account, struct hawser__orbit *orbit,
                                       const struct hawser__station *a,
@@ -138,6 +161,7 @@ static enum hawser_status add_located(struct hawser__account *account, struct ha
                                       struct hawser_report *report)
 {
 	int found, last = orbit->size - 1;
+	const double *y;
 	struct hawser_frf_event event;
 	enum hawser_status status = hawser__locate(&event, &found, orbit, &account->scratch, a, b,
 	                                           kind, account->sure, account->tolerance,
@@ -153,10 +177,14 @@ static enum hawser_status add_located(struct hawser__account *account, struct ha
 	event.bracket[1] = b->y[last];
 	event.unstable[0] = hawser__station_circle(a, account->sure).unstable;
 	event.unstable[1] = hawser__station_circle(b, account->sure).unstable;
-	if ((status = add_event(account, orbit, &event, account->scratch.y, report)))
+	y = account->scratch.y;
+	if (account->sure && hawser__bracket_needs_sure(a, b, kind) &&
+	    (status = cross(account, &event, &y, orbit, a, b, report)))
+		return status;
+	if ((status = add_event(account, orbit, &event, y, report)))
 		return status;
 	if (account->watch)
-		account->watch(account->context, &event, orbit, account->scratch.y);
+		account->watch(account->context, &event, orbit, y);
 	return HAWSER_OK;
 }
 

@@ -10,6 +10,7 @@
 #ifndef HAWSER_RESPONSE_ACCOUNT_H
 #define HAWSER_RESPONSE_ACCOUNT_H
 
+#include "response/crossing.h"
 #include "response/station.h"
 
 #define HAWSER__DEEPEST 24 /* halvings of a step: 0.4 becomes 2e-8 */
@@ -25,6 +26,7 @@ struct hawser__remainder {
 struct hawser__account {
 	double tolerance;       /* of the corrector */
 	double event_tolerance; /* relative, in Omega */
+	double lo, hi;          /* range of the parameter: events are within it */
 	/* Called for every located event, y [size] its orbit; or NULL. */
 	void (*watch)(void *context, const struct hawser_frf_event *event,
 	              const struct hawser__orbit *orbit, const double *y);
@@ -42,6 +44,7 @@ struct hawser__account {
 	struct hawser__remainder *remainder; /* [remainders] */
 	int remainders, remainder_capacity;
 	struct hawser__station station[HAWSER__DEEPEST], scratch;
+	struct hawser__crossing crossing;
 };
 
 /* Allocate the first workspace; all other members but tolerances and watch must be zero. */
@@ -50,7 +53,8 @@ enum hawser_status hawser__account_init(struct hawser__account *account,
                                         struct hawser_report *report);
 void hawser__account_clear(struct hawser__account *account);
 
-/* Locate all events between a and b. If the corrector fails, account->gaps is increased, and the
+/* Locate all events between a and b; one that a multiplier's error hides may lie beside them
+ * (crossing.h). If the corrector fails, account->gaps is increased, and the
  * call does not fail. */
 enum hawser_status hawser__account_step(struct hawser__account *account, struct hawser__orbit *orbit,
                                         const struct hawser__station *a,

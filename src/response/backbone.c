@@ -122,7 +122,7 @@ static enum hawser_status record(struct hawser__free_walk *walk,
 	                           half->base.rows, 0.0))
 		return hawser__no_memory(report, where);
 	backbone->points++;
-	return hawser__half_unstable(half, &point->unstable, report);
+	return hawser__half_unstable(half, &point->unstable, walk->t, report);
 }
 
 /* --- the curve --- */

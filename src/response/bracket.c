@@ -36,10 +36,8 @@ static const struct hawser__test *test_of(const struct hawser__bracket *bracket,
 	return bracket->sure ? &station->sure[bracket->kind] : &station->test[bracket->kind];
 }
 
-/* Whether the sign of the test function does not identify the event. For a period doubling it does,
- * with and without damping, unless an undecided multiplier near -1 has changed its sign. */
-static int needs_sure(const struct hawser__station *a, const struct hawser__station *b,
-                      enum hawser_event_kind kind)
+int hawser__bracket_needs_sure(const struct hawser__station *a, const struct hawser__station *b,
+                               enum hawser_event_kind kind)
 {
 	return kind == HAWSER_TORUS ||
 	       (kind == HAWSER_PERIOD_DOUBLING && a->test[kind].sign*b->test[kind].sign > 0.0);
@@ -77,7 +75,7 @@ enum hawser_status hawser__bracket_init(struct hawser__bracket *bracket, struct 
 
 	*bracket = (struct hawser__bracket){.orbit = orbit, .at = scratch, .a = a, .b = b, .kind = kind,
 		.in = {.b = 1.0}};
-	bracket->sure = sure && needs_sure(a, b, kind);
+	bracket->sure = sure && hawser__bracket_needs_sure(a, b, kind);
 	bracket->watched = crossing(bracket);
 	bracket->scale = bracket->watched < 0
 	                 ? fmax(test_of(bracket, a)->log, test_of(bracket, b)->log)

@@ -49,6 +49,11 @@ enum hawser_status hawser__bracket_init(struct hawser__bracket *bracket, struct 
                                         const struct hawser__station *b,
                                         enum hawser_event_kind kind, int sure,
                                         struct hawser_report *report);
+/* Whether the sign of the test function does not identify the event between a and b, one of which has
+ * undecided multipliers. For a period doubling it does, with and without damping, unless an undecided
+ * multiplier near -1 has changed its sign. */
+int hawser__bracket_needs_sure(const struct hawser__station *a, const struct hawser__station *b,
+                               enum hawser_event_kind kind);
 void hawser__bracket_clear(struct hawser__bracket *bracket);
 
 /* The scaled test function of a station; where a multiplier is watched, the logarithm of its modulus

@@ -230,7 +230,7 @@ static enum hawser_status arrive(void *owner, enum hawser__arrival *arrival, dou
 {
 	struct hawser__trace *trace = owner;
 	double omega = hawser__trace_parameter(trace, &trace->next), share;
-	int outside = omega >= trace->hi || omega <= trace->lo, round, again;
+	int outside = omega >= trace->hi || omega <= trace->lo, round, again, met = 0;
 	enum hawser_status status;
 
 	(void)taken;
@@ -247,13 +247,16 @@ static enum hawser_status arrive(void *owner, enum hawser__arrival *arrival, dou
 	if (round && (status = hawser__trace_close(trace, share)))
 		return status;
 	trace->frf->end = round ? HAWSER_END_CLOSED
-	                  : (omega > trace->lo) == (trace->options.to > trace->options.from)
+	                  : trace->options.begin != trace->options.from ||
+	                    (omega > trace->lo) == (trace->options.to > trace->options.from)
 	                          ? HAWSER_END_RANGE : HAWSER_END_RETURNED;
 	if ((status = accept(trace, &again, ds)))
 		return status;
 	if (trace->slack)
 		trace->frf->end = HAWSER_END_SLACK;
-	outside |= round | trace->slack;
+	if (!again && !round && (status = hawser__trace_meet(trace, &met)))
+		return status;
+	outside |= round | trace->slack | met;
 	*arrival = again ? HAWSER__AGAIN : outside ? HAWSER__AT_END : HAWSER__GO_ON;
 	if (*arrival != HAWSER__GO_ON)
 		return HAWSER_OK;
@@ -334,6 +337,8 @@ static enum hawser_status open_trace(struct hawser__trace *trace, struct hawser_
 		return status;
 	trace->account.tolerance = trace->options.tolerance;
 	trace->account.event_tolerance = trace->options.event_tolerance;
+	trace->account.lo = trace->lo;
+	trace->account.hi = trace->hi;
 	if (trace->watch) {
 		trace->account.watch = trace->watch->event;
 		trace->account.context = trace->watch->context;
@@ -391,6 +396,7 @@ static enum hawser_status trace_once(int *jumped, struct hawser_frf *frf,
 		.length = rom->length, .time = rom->time};
 	if (!(status = open_trace(&trace, report)) && !(status = hawser__trace_begin(&trace)))
 		status = follow(&trace);
+	hawser__record_order(frf);
 	*jumped = trace.jumped;
 	close_trace(&trace);
 	return status;
@@ -444,23 +450,6 @@ static enum hawser_status trace_own(struct hawser_frf *frf, const struct hawser_
 	if (status && report)
 		*report = local;
 	return status;
-}
-
-void hawser__frf_in_loads(struct hawser_frf *frf, int periods, int family)
-{
-	double parameter = family ? 1.0 : periods;
-
-	for (int p = 0; p < frf->points; p++) {
-		frf->point[p].omega *= periods;
-		frf->point[p].parameter *= parameter;
-	}
-	for (int e = 0; e < frf->events; e++) {
-		frf->event[e].omega *= periods;
-		frf->event[e].parameter *= parameter;
-		frf->event[e].bracket[0] *= parameter;
-		frf->event[e].bracket[1] *= parameter;
-	}
-	frf->period = periods;
 }
 
 enum hawser_status hawser__frf_trace(struct hawser_frf *frf, const struct hawser_rom *rom,

@@ -1,8 +1,7 @@
 /* response/half.c - see half.h.
  *
  * With R the change of sign of the velocities, and of the coordinates whose sign is -1, the flow
- * backwards in time is R times the flow times R. The second half period therefore has the matrix
- * R A^-1 R, and the monodromy matrix is R A^-1 R A. A motion that R reverses has R x = x at phase 0 and
+ * backwards in time is R times the flow times R. A motion that R reverses has R x = x at phase 0 and
  * at half the period: the velocities of coordinates with sign 1, and the displacements of the others,
  * vanish there ("bound"). The others ("open") are unknown; velocities are divided by Omega.
  *
@@ -15,14 +14,10 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "response/circle.h"
 #include "response/half.h"
 
 static const char where[] = "backbone";
 
-/* Error of the derivatives of the half-period map over that of its orbit; an estimate. */
-#define DERIVATIVES 10.0
-#define ROUND_OFF 1e-13 /* of the entries of the monodromy matrix */
 #define FIRST_STEPS_A_PERIOD 8 /* per period of the fastest coordinate, and least number of steps;
                                 * chosen */
 #define MOST_STEPS 20000 /* enough for a coordinate 2500 times as fast as the motion */
@@ -368,70 +363,4 @@ enum hawser_status hawser__half_refine(struct hawser__half *half, struct hawser_
 		                    "%d integration steps in half a period are not enough: give a larger "
 		                    "tolerance, or fewer modes", half->steps);
 	return arrange(half, 2*half->steps, report);
-}
-
-static void reflect(const struct hawser__half *half, double *whole)
-{
-	int n = half->base.n, m = 2*n;
-
-	for (int j = 0; j < m; j++)
-		for (int k = 0; k < m; k++)
-			whole[(size_t)j*m + k] *= j < n ? half->sign[j] : -half->sign[j - n];
-}
-
-/* whole [m][m] = R A^-1 R A, row-major. Returns LAPACK's info. */
-static int monodromy(const struct hawser__half *half, double *whole, double *factors, int *pivot)
-{
-	int m = 2*half->base.n, info;
-
-	memcpy(factors, half->A, (size_t)m*(size_t)m*sizeof *factors);
-	memcpy(whole, half->A, (size_t)m*(size_t)m*sizeof *factors);
-	reflect(half, whole);
-	info = LAPACKE_dgesv(LAPACK_ROW_MAJOR, m, m, factors, m, pivot, whole, m);
-	reflect(half, whole);
-	return info;
-}
-
-/* Multipliers re + i im [m], overwritten, that are outside by more than their error. Two are 1 (a shift
- * in time, another energy), so that an error of the matrix moves them by its square root. */
-static int count_outside(double *re, double *im, int m, double loss)
-{
-	for (int i = 0; i < m; i++) {
-		double angle = atan2(im[i], re[i]);
-
-		re[i] = log(hypot(re[i], im[i]));
-		im[i] = angle;
-	}
-	return hawser__circle_count(NULL, re, im, m, loss, 0.0).unstable;
-}
-
-enum hawser_status hawser__half_unstable(struct hawser__half *half, int *unstable,
-                                         struct hawser_report *report)
-{
-	double loss = DERIVATIVES*half->base.mesh/half->base.X + ROUND_OFF;
-	int m = 2*half->base.n, info;
-	size_t square = (size_t)m*(size_t)m;
-	double *room = malloc((2*square + 2*(size_t)m)*sizeof *room), *re, *im;
-	int *pivot = malloc((size_t)m*sizeof *pivot);
-
-	*unstable = 0;
-	if (!room || !pivot) {
-		free(room);
-		free(pivot);
-		return hawser__no_memory(report, where);
-	}
-	re = room + 2*square;
-	im = re + m;
-	info = monodromy(half, room, room + square, pivot);
-	if (!info)
-		info = LAPACKE_dgeev(LAPACK_ROW_MAJOR, 'N', 'N', m, room, m, re, im, NULL, m, NULL, m);
-	if (!info)
-		*unstable = count_outside(re, im, m, loss);
-	free(room);
-	free(pivot);
-	if (hawser__lapack_starved(info))
-		return hawser__no_memory(report, where);
-	return info ? hawser__fail(report, HAWSER_ERR_CONVERGENCE, where,
-	                           "the multipliers of a free motion were not found")
-	            : HAWSER_OK;
 }

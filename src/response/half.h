@@ -33,10 +33,11 @@ void hawser__half_release(struct hawser__half *half);
 /* Double the number of steps. */
 enum hawser_status hawser__half_refine(struct hawser__half *half, struct hawser_report *report);
 
-/* Multipliers outside the unit circle by more than their error, which follows from the error of
- * integration; at the last derived defects. */
-enum hawser_status hawser__half_unstable(struct hawser__half *half, int *unstable,
-                                         struct hawser_report *report);
+/* half_multipliers.c: multipliers outside the unit circle by more than their error, which follows
+ * from the error of integration, without the two that are 1 in every free motion; at the last
+ * derived defects, where the curve has the tangent t [n + 1]. */
+enum hawser_status hawser__half_unstable(const struct hawser__half *half, int *unstable,
+                                         const double *t, struct hawser_report *report);
 
 /* Sign and logarithm of the determinant of the factors, scaled. */
 double hawser__half_determinant(const struct hawser__half *half, double *sign);

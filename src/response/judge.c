@@ -173,11 +173,9 @@ int hawser__trace_hid(const struct hawser__trace *trace)
 	       (collided(trace, 1) || hides(trace, &trace->next, &trace->here, &trace->prev));
 }
 
-/* Whether the corrector had so little work that next must be on the same branch as here. */
-int hawser__trace_trusted(const struct hawser__trace *trace, double angle)
+/* Whether the corrector had so little work that the point must be on the same branch. */
+int hawser__trace_trusted(const struct hawser__correction *correction, double angle)
 {
-	const struct hawser__correction *correction = &trace->next.correction;
-
 	return angle <= WORST_ANGLE && correction->first <= WORST_DISTANCE &&
 	       correction->contraction <= WORST_CONTRACTION &&
 	       correction->iterations <= WORST_ITERATIONS;

@@ -5,11 +5,14 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/amplitude.c \
 	%D%/amplitude.h \
 	%D%/bracket.c \
+	%D%/crossing.c \
+	%D%/crossing.h \
 	%D%/bracket.h \
 	%D%/backbone.c %D%/backbone.h %D%/backbone_begin.c %D%/backbone_branch.c %D%/nnm.c \
 	%D%/half.c \
 	%D%/half.h \
 	%D%/half_class.c \
+	%D%/half_multipliers.c \
 	%D%/signs.c \
 	%D%/signs.h \
 	%D%/automatic.c \

@@ -6,13 +6,17 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <hawser/cover.h>
+
 #include "core/report.h"
 #include "core/settle.h"
+#include "response/folds_known.h"
 #include "response/locus_walk.h"
 #include "rom/drag.h"
 #include "rom/terms.h"
 
 #define SAME 1e-6 /* distance in Omega of an event that a curve passes, relative to the range; chosen */
+#define SAME_ORBIT 1e-5 /* relative distance of states that are one; chosen, above their errors */
 
 const char *hawser_locus_special_name(enum hawser_event_kind kind, enum hawser_locus_special special)
 {
@@ -193,16 +197,17 @@ static enum hawser_status add_lost(struct hawser_locus *locus, double omega,
 	return HAWSER_OK;
 }
 
-/* The curve through an event of the response. */
+/* The curve through an event of a response. */
 static enum hawser_status trace_from(struct hawser_locus *locus, struct hawser__locus_walk *walk,
-                                     int event, struct hawser_report *report)
+                                     const struct hawser_frf *frf, int event,
+                                     struct hawser_report *report)
 {
 	struct hawser__locus_list part[2] = {{.points = 0}, {.points = 0}};
 	int failed;
-	enum hawser_status status = hawser__locus_begin(walk, &locus->response, event, &failed);
+	enum hawser_status status = hawser__locus_begin(walk, frf, event, &failed);
 
 	if (status || failed)
-		return status ? status : add_lost(locus, locus->response.event[event].parameter, report);
+		return status ? status : add_lost(locus, frf->event[event].parameter, report);
 	if (is_known(locus, walk->start.z[LOCUS_OMEGA], walk->locus->extent))
 		return HAWSER_OK; /* a resonance, which was interpolated before */
 	status = hawser__locus_follow(walk, &part[0], 1);
@@ -215,35 +220,125 @@ static enum hawser_status trace_from(struct hawser_locus *locus, struct hawser__
 	return status;
 }
 
-/* The event of that kind next to `near`, or -1 for all. */
-static int nearest(const struct hawser_frf *frf, const struct hawser_locus_options *options)
-{
-	int best = -1;
+/* --- the responses --- */
 
-	for (int e = 0; options->near != 0.0 && e < frf->events; e++)
-		if (frf->event[e].kind == options->kind &&
-		    (best < 0 || fabs(frf->event[e].parameter - options->near) <
-		                 fabs(frf->event[best].parameter - options->near)))
-			best = e;
+/* The first response, and those that it does not lead to: one from the other end of the range, and
+ * others where parts of the range have none (cover.h). */
+struct responses {
+	struct hawser_frf *first;
+	struct hawser_cover cover;
+};
+
+static struct hawser_frf *response(const struct responses *all, int k)
+{
+	return k ? &all->cover.branch[k - 1] : all->first;
+}
+
+/* A response that reaches the other end of the range need not be the one that begins there: *other. */
+static enum hawser_status look_back(const struct responses *all, int *other,
+                                    const struct hawser_rom *rom,
+                                    const struct hawser_frf_options *back)
+{
+	struct hawser_frf_options choice = *back;
+	const struct hawser_frf *first = all->first;
+	int m = 2*first->n;
+	struct hawser_frf frf;
+	enum hawser_status status;
+
+	choice.max_points = 1;
+	choice.skip_events = 1;
+	status = hawser_frf_trace(&frf, rom, &choice, NULL);
+	*other = frf.points > 0 && first->end == HAWSER_END_RANGE &&
+	         !hawser__same_state(first->state + (size_t)m*(size_t)(first->points - 1), frf.state, m,
+	                             SAME_ORBIT);
+	hawser_frf_clear(&frf);
+	return status == HAWSER_ERR_MEMORY ? status : HAWSER_OK;
+}
+
+static enum hawser_status trace_others(struct responses *all, const struct hawser_rom *rom,
+                                       const struct hawser_frf_options *choice,
+                                       struct hawser_report *report)
+{
+	struct hawser_frf_options back = *choice;
+	struct hawser_cover *cover = &all->cover;
+	int other;
+	enum hawser_status status;
+
+	if (hawser_cover_needed(all->first, choice))
+		return hawser_cover_trace(cover, all->first, rom, choice, report);
+	if (all->first->end != HAWSER_END_RANGE)
+		return HAWSER_OK;
+	back.from = choice->to;
+	back.to = choice->from;
+	status = look_back(all, &other, rom, &back);
+	if (status || !other)
+		return status;
+	cover->branch = malloc(sizeof *cover->branch);
+	if (!cover->branch)
+		return hawser__no_memory(report, "locus");
+	cover->branches = 1;
+	status = hawser_frf_trace(cover->branch, rom, &back, report);
+	return status == HAWSER_ERR_CONVERGENCE ? HAWSER_OK : status;
+}
+
+/* --- their events --- */
+
+struct start {
+	int response, event; /* -1: none */
+};
+
+/* The event of that kind next to `near`, if only one is asked for. */
+static struct start nearest(const struct responses *all, const struct hawser_locus_options *options)
+{
+	struct start best = {-1, -1};
+	double least = INFINITY;
+
+	for (int k = 0; options->near != 0.0 && k <= all->cover.branches; k++) {
+		const struct hawser_frf *frf = response(all, k);
+
+		for (int e = 0; e < frf->events; e++) {
+			double away = fabs(frf->event[e].parameter - options->near);
+
+			if (frf->event[e].kind == options->kind && away < least) {
+				best = (struct start){k, e};
+				least = away;
+			}
+		}
+	}
 	return best;
 }
 
-static enum hawser_status trace_all(struct hawser_locus *locus, struct hawser__locus_walk *walk,
-                                    struct hawser_report *report)
+static enum hawser_status trace_events(struct hawser_locus *locus, struct hawser__locus_walk *walk,
+                                       const struct hawser_frf *frf, int only, int *any,
+                                       struct hawser_report *report)
 {
-	const struct hawser_frf *frf = &locus->response;
-	const struct hawser_locus_options *o = walk->options;
-	int only = nearest(frf, o), any = 0;
-
 	for (int e = 0; e < frf->events && !walk->stopped; e++) {
 		enum hawser_status status;
 
-		if (frf->event[e].kind != o->kind || (only >= 0 && e != only))
+		if (frf->event[e].kind != walk->options->kind || (only >= 0 && e != only))
 			continue;
-		any = 1;
+		*any = 1;
 		if (is_known(locus, frf->event[e].parameter, walk->locus->extent))
 			continue;
-		if ((status = trace_from(locus, walk, e, report)))
+		if ((status = trace_from(locus, walk, frf, e, report)))
+			return status;
+	}
+	return HAWSER_OK;
+}
+
+static enum hawser_status trace_all(struct hawser_locus *locus, struct hawser__locus_walk *walk,
+                                    const struct responses *all, struct hawser_report *report)
+{
+	const struct hawser_locus_options *o = walk->options;
+	struct start only = nearest(all, o);
+	int any = 0;
+
+	for (int k = 0; k <= all->cover.branches; k++) {
+		enum hawser_status status = HAWSER_OK;
+
+		if (only.response < 0 || only.response == k)
+			status = trace_events(locus, walk, response(all, k), only.event, &any, report);
+		if (status)
 			return status;
 	}
 	locus->interrupted = walk->stopped;
@@ -288,6 +383,7 @@ enum hawser_status hawser_locus_trace(struct hawser_locus *locus,
 	struct hawser_rom_family across = {own.plane ? own.plane->omega : 0.0, model_across, &line};
 	struct hawser__locus system = {.n = 0};
 	struct hawser__locus_walk walk = {.locus = NULL};
+	struct responses all = {.first = &locus->response};
 	enum hawser_status status;
 
 	*locus = (struct hawser_locus){.kind = own.kind, .at = own.at};
@@ -313,16 +409,19 @@ enum hawser_status hawser_locus_trace(struct hawser_locus *locus,
 		status = hawser_frf_trace(&locus->response, system.rom, &choice, report);
 	if (status == HAWSER_ERR_CONVERGENCE && locus->response.points > 0)
 		status = HAWSER_OK;
+	if (!status)
+		status = trace_others(&all, system.rom, &choice, report);
 	system.extent[0] = fabs(own.to - own.from);
 	system.extent[1] = fabs(own.parameter_to - own.parameter_from);
 	if (!status)
 		status = hawser__locus_walk_open(&walk, &system, &own, report);
-	if (!status && own.kind == HAWSER_RESONANCE)
-		status = hawser__locus_find_resonances(&walk, &locus->response);
+	for (int k = 0; !status && own.kind == HAWSER_RESONANCE && k <= all.cover.branches; k++)
+		status = hawser__locus_find_resonances(&walk, response(&all, k));
 	if (!status && locus->response.end != HAWSER_END_INTERRUPTED)
-		status = trace_all(locus, &walk, report);
+		status = trace_all(locus, &walk, &all, report);
 	locus->interrupted |= locus->response.end == HAWSER_END_INTERRUPTED;
 	locus->solves = system.solves;
+	hawser_cover_clear(&all.cover);
 	hawser__locus_walk_close(&walk);
 	hawser__locus_close(&system);
 	return status;

@@ -22,6 +22,7 @@
 #define ELSEWHERE 1e-3 /* distance in Omega at which the bifurcation found is another one, relative to
                         * the range; chosen, far above the errors of events */
 #define SKEW 1e-6      /* relative size of what is absent by symmetry; chosen */
+#define MIXED 1e-3     /* the same before the branch point is known exactly; chosen */
 enum { FIRST_ORDER = 12, ITERATIONS = 12, INVERSE = 4 };
 
 enum hawser_status hawser__locus_orbit_through(struct hawser__locus_walk *walk, double *z,
@@ -153,19 +154,51 @@ static enum hawser_status null_vectors(struct hawser__locus_walk *walk, int *fai
 	return HAWSER_OK;
 }
 
-/* Bar the kinds of coefficients that v has. Returns 1 where the orbit has some of them too: v then does
- * not break a symmetry. */
-static int bar(struct hawser__locus *locus, const double *z)
+/* Bar the kinds of coefficients that v has rather than the orbit, and set those of the orbit to
+ * zero: near a branch point an orbit is determined badly in the direction of v. Returns 1 where
+ * both have the same kinds: v then does not break a symmetry. */
+static int bar(struct hawser__locus *locus, double *z)
 {
 	int n = locus->n, overlap = 0;
-	double all = cblas_dnrm2(locus->coefficients, z + LOCUS_FIRST, 1);
+	double *own = locus->rhs, all = cblas_dnrm2(locus->coefficients, z + LOCUS_FIRST, 1);
+	double *of_v = own + 2*n;
 
-	for (int k = 0; k < locus->wide; k++)
-		if (cabs(locus->c[k]) > SKEW) /* of length 1 */
-			locus->barred[2*(k%n) + abs(locus->low + k/n)%2] = 1;
+	memset(own, 0, 4*(size_t)n*sizeof *own);
+	for (int k = 0; k < locus->wide; k++) { /* c has length 1 */
+		int kind = 2*(k%n) + abs(locus->low + k/n)%2;
+
+		of_v[kind] = fmax(of_v[kind], cabs(locus->c[k]));
+	}
+	for (int i = 0; i < locus->coefficients && all > 0.0; i++) {
+		int kind = 2*(i%n) + (i/n + 1)/2%2;
+
+		own[kind] = fmax(own[kind], fabs(z[LOCUS_FIRST + i])/all);
+	}
+	for (int kind = 0; kind < 2*n; kind++) {
+		locus->barred[kind] = of_v[kind] > own[kind] && of_v[kind] > SKEW;
+		overlap |= fmin(of_v[kind], own[kind]) > MIXED;
+	}
 	for (int i = 0; i < locus->coefficients; i++)
-		overlap |= hawser__locus_is_barred(locus, i) && fabs(z[LOCUS_FIRST + i]) > SKEW*all;
+		z[LOCUS_FIRST + i] *= !hawser__locus_is_barred(locus, i);
 	return overlap;
+}
+
+/* Whether what is barred needs no force: the orbit without it solves all equations. */
+static int is_symmetric(const struct hawser__locus *locus)
+{
+	double barred = 0.0, forces = 0.0;
+
+	for (int i = 0; i < locus->coefficients; i++) {
+		const double *row = locus->J + i;
+		double size = 0.0;
+
+		for (int j = 0; j < locus->coefficients; j++)
+			size = fmax(size, fabs(row[(size_t)j*(size_t)locus->coefficients]));
+		forces = fmax(forces, size);
+		if (hawser__locus_is_barred(locus, i))
+			barred = fmax(barred, fabs(locus->F[i]));
+	}
+	return barred <= SKEW*forces;
 }
 
 static enum hawser_status between(struct hawser__locus_walk *walk, const struct hawser_frf *frf,
@@ -197,7 +230,13 @@ static enum hawser_status between(struct hawser__locus_walk *walk, const struct 
 	if (isfinite(x[0]) && (status = hawser__locus_orbit_through(walk, z, x, event->parameter)))
 		return status;
 	z[LOCUS_PARAMETER] = walk->options->at;
+	memcpy(walk->here.z, z, (size_t)walk->room*sizeof *z);
 	status = settle(walk, z, chord, failed);
+	/* the matrix is singular there */
+	if (!status && *failed && walk->locus->kind == HAWSER_BRANCH_POINT) {
+		memcpy(z, walk->here.z, (size_t)walk->room*sizeof *z);
+		*failed = 0;
+	}
 	if (cblas_dnrm2(walk->locus->coefficients, z + LOCUS_FIRST, 1) <= 1e-12)
 		memset(z + LOCUS_FIRST, 0, (size_t)walk->locus->coefficients*sizeof *z);
 	return status;
@@ -247,7 +286,7 @@ enum hawser_status hawser__locus_begin(struct hawser__locus_walk *walk, const st
 	walk->spare[LOCUS_PARAMETER] = 1.0;
 	if ((status = hawser__locus_correct(walk, start, walk->spare, failed)) || *failed)
 		return status;
-	*failed = fabs(start->z[LOCUS_OMEGA] - from->parameter) > elsewhere;
+	*failed = fabs(start->z[LOCUS_OMEGA] - from->parameter) > elsewhere || !is_symmetric(locus);
 	if (*failed)
 		return HAWSER_OK;
 	start->arc = 0.0;

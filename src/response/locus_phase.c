@@ -170,7 +170,7 @@ enum hawser_status hawser__locus_find_resonances(struct hawser__locus_walk *walk
                                                  struct hawser_frf *frf)
 {
 	struct hawser__locus *locus = walk->locus;
-	double value[2] = {NAN, NAN}, sign = walk->options->from < walk->options->to ? 1.0 : -1.0;
+	double value[2] = {NAN, NAN}, sign = frf->points > 0 ? frf->point[0].direction : 1.0;
 	enum hawser_status status = hawser__locus_first_order(locus);
 
 	for (int i = 0; !status && i < frf->points; i++) {

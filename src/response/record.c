@@ -160,6 +160,69 @@ enum hawser_status hawser__record_event(struct hawser_frf *frf,
 	return HAWSER_OK;
 }
 
+/* Index of the last point before the event. */
+static int point_before(const struct hawser_frf *frf, const struct hawser_frf_event *event)
+{
+	int p = event->after;
+
+	while (p > 0 && frf->point[p].arc > event->arc)
+		p--;
+	while (p + 1 < frf->points && frf->point[p + 1].arc < event->arc)
+		p++;
+	return p;
+}
+
+static void swap_events(struct hawser_frf *frf, int a, int b)
+{
+	struct hawser_frf_event event = frf->event[a];
+	double *x = frf->event_state + 2*(size_t)frf->n*(size_t)a;
+	double *y = frf->event_state + 2*(size_t)frf->n*(size_t)b;
+
+	frf->event[a] = frf->event[b];
+	frf->event[b] = event;
+	for (int i = 0; i < 2*frf->n; i++) {
+		double value = x[i];
+
+		x[i] = y[i];
+		y[i] = value;
+	}
+}
+
+void hawser__record_order(struct hawser_frf *frf)
+{
+	int kept = 0;
+
+	for (int e = 0; e < frf->events; e++) {
+		struct hawser_frf_event *event = &frf->event[e];
+		int last = frf->points - 1, ends = event->after == last;
+
+		event->after = point_before(frf, event);
+		if (!ends && event->after == last && event->arc > frf->point[last].arc)
+			continue; /* the curve ended before it got there */
+		swap_events(frf, kept, e);
+		for (int i = kept++; i > 0 && frf->event[i].arc < frf->event[i - 1].arc; i--)
+			swap_events(frf, i, i - 1);
+	}
+	frf->events = kept;
+}
+
+void hawser__frf_in_loads(struct hawser_frf *frf, int periods, int family)
+{
+	double parameter = family ? 1.0 : periods;
+
+	for (int p = 0; p < frf->points; p++) {
+		frf->point[p].omega *= periods;
+		frf->point[p].parameter *= parameter;
+	}
+	for (int e = 0; e < frf->events; e++) {
+		frf->event[e].omega *= periods;
+		frf->event[e].parameter *= parameter;
+		frf->event[e].bracket[0] *= parameter;
+		frf->event[e].bracket[1] *= parameter;
+	}
+	frf->period = periods;
+}
+
 void hawser_frf_clear(struct hawser_frf *frf)
 {
 	if (!frf)
@@ -187,7 +250,7 @@ const char *hawser_frf_end_name(enum hawser_frf_end end)
 {
 	static const char *const name[] = {"end of the range", "returned", "curve closed",
 		"max-points", "interrupted", "failed", "at rest", "slack", "unstable",
-		"lost"};
+		"lost", "meets a branch"};
 
 	return (unsigned)end < sizeof name/sizeof *name ? name[end] : "unknown";
 }

@@ -17,4 +17,12 @@ enum hawser_status hawser__record_event(struct hawser_frf *frf,
                                         const struct hawser_frf_event *event, const double *state,
                                         const struct hawser_rom *rom, struct hawser_report *report);
 
+/* At the end of a trace: events in the order of the curve, since one that a multiplier's error hides is
+ * located beside the step that shows it; without those beyond the last point. */
+void hawser__record_order(struct hawser_frf *frf);
+
+/* Frequencies of the model become `periods` times as large, and motions are of so many periods.
+ * `family`: they belong to a family, whose parameters stay. */
+void hawser__frf_in_loads(struct hawser_frf *frf, int periods, int family);
+
 #endif

@@ -165,7 +165,7 @@ enum hawser_status hawser__trace_refine(void *owner, double ds, double *factor)
 /* Whether a step is refused whatever its multipliers are. */
 static int refused(const struct hawser__trace *trace, double angle, double ds)
 {
-	return ds > TRUSTED_STEP && !hawser__trace_trusted(trace, angle);
+	return ds > TRUSTED_STEP && !hawser__trace_trusted(&trace->next.correction, angle);
 }
 
 enum hawser_status hawser__trace_finish(void *owner, double ds, double *angle)

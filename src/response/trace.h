@@ -76,10 +76,6 @@ enum hawser_status hawser__frf_trace(struct hawser_frf *frf, const struct hawser
                                      const struct hawser__trace_watch *watch,
                                      struct hawser_report *report);
 
-/* frf.c: frequencies of the model become `periods` times as large, and motions are of so many periods.
- * `family`: they belong to a family, whose parameters stay. */
-void hawser__frf_in_loads(struct hawser_frf *frf, int periods, int family);
-
 /* frf.c: whether the caller's progress function ends the trace. */
 int hawser__trace_told_to_stop(const struct hawser__trace *trace);
 
@@ -104,9 +100,9 @@ enum hawser_status hawser__trace_settle(struct hawser__trace *trace,
                                         struct hawser__station *station, double side,
                                         const double *along, int *failed);
 
-/* judge.c: whether next is certainly on the same branch as here, and the events between are
- * separated; angle is that between the two tangents. */
-int hawser__trace_trusted(const struct hawser__trace *trace, double angle);
+/* judge.c: whether a corrected point is certainly on the same branch as the one before; angle is that
+ * between the two tangents. And whether the events between here and next are not separated. */
+int hawser__trace_trusted(const struct hawser__correction *correction, double angle);
 int hawser__trace_hides(const struct hawser__trace *trace);
 /* judge.c: whether the step from prev to here, seen from next, may hide events. */
 int hawser__trace_hid(const struct hawser__trace *trace);
@@ -139,6 +135,9 @@ enum hawser_status hawser__trace_close(struct hawser__trace *trace, double share
 int hawser__trace_came_back(const struct hawser__trace *trace);
 enum hawser_status hawser__trace_jumped(struct hawser__trace *trace);
 void hawser__trace_mark(struct hawser__trace *trace);
+/* closure.c: whether a branch has met another one in the step that was just recorded; if so, it ends
+ * there. */
+enum hawser_status hawser__trace_meet(struct hawser__trace *trace, int *met);
 
 /* slack.c: replace next by the point where the least tension, `from` >= 0 at here and `to` < 0 at next
  * (N), is zero; its event, but for `after`. */

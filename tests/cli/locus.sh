@@ -94,4 +94,32 @@ refuses 1 "--kind hopf: write fold, period-doubling, torus, branch-point or reso
 refuses 1 "--at big: write a number, in SI units" locus "$duffing" --from 0.8 --to 1.8 --at big
 refuses_like 1 "outside its range" locus "$duffing" --from 0.8 --to 1.8 --at 3
 refuses_like 2 "has no torus in this range" locus "$duffing" --from 0.8 --to 1.8 --kind torus
+pair=$SRCDIR/tests/reference/pair-2to1.json
+works "folds of two curves" folds "$pair" --from 0.9 --to 1.1 --load-to 1 --json folds.json -q
+works "as loci" locus "$pair" --from 0.9 --to 1.1 --over factor.load=0.01:1 --json up.json -q
+works "as loci from the other end" locus "$pair" --from 1.1 --to 0.9 --over factor.load=0.01:1 --json down.json -q
+python "folds and locus find the same cusps, whichever end the response begins at" <<'END'
+import json
+cusps = lambda name: sorted((e["Omega"], e.get("load", e.get("parameter"))) for c in json.load(open(name + ".json"))["curves"]
+                            for e in c["events"] if e["kind"] == "cusp")
+right = cusps("folds")
+assert len(right) == 2, right
+for name in "up", "down":
+    found = cusps(name)
+    assert len(found) == 2 and all(abs(a[i]/b[i] - 1) < 1e-6 for a, b in zip(found, right) for i in (0, 1)), (name, found, right)
+END
+# an outside program found that the start depended on the tolerance
+for tolerance in 1e-7 1e-9 1e-10 1e-11; do
+	works "branch points with tolerance $tolerance" locus "$SRCDIR/tests/reference/one-to-three.json" --from 0.7 --to 1.8 \
+		--kind branch-point --over factor.load=0.5:2 --tolerance $tolerance --json "points-$tolerance.json" -q
+done
+python "the branch points do not depend on the tolerance" <<'END'
+import json
+ends = []
+for tolerance in "1e-7", "1e-9", "1e-10", "1e-11":
+    result = json.load(open("points-%s.json" % tolerance))
+    assert len(result["curves"]) == 1 and result["not_followed"] == 0, tolerance
+    ends.append([e["Omega"] for e in result["curves"][0]["events"] if e["kind"] in ("start", "degenerate-branch-point")])
+    assert len(ends[-1]) == 2 and max(abs(a/b - 1) for a, b in zip(ends[0], ends[-1])) < 1e-6, ends
+END
 done_testing

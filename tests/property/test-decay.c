@@ -3,6 +3,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <complex.h>
+
 #include <stdint.h>
 #include <stdlib.h>
 
@@ -203,6 +205,26 @@ static void bent_tables(int points)
 	   "stated errors hold", refused, held);
 }
 
+/* Two modes as close as a seventh of their width, whose sum has a peak that is 5 % wider than that
+ * of each (a user's cable, 4.8832 and 4.8988 rad/s, ratio 0.00983); and one mode, which is not
+ * taken for two. */
+static void close_modes(int points, double other)
+{
+	double ratio = 0.00983, w1 = 4.8832, w2 = 4.8988, w[COUNT], a[COUNT];
+	struct hawser_half_power half;
+
+	for (int i = 0; i < points; i++) {
+		w[i] = 4.89*(1.0 + 5.0*ratio*(2.0*i/(points - 1) - 1.0));
+		a[i] = cabs(1.0/(w1*w1 - w[i]*w[i] + 2.0*I*ratio*w1*w[i]) +
+		            other/(w2*w2 - w[i]*w[i] + 2.0*I*ratio*w2*w[i]));
+	}
+	if (!ok(!hawser_half_power_find(&half, w, a, points, 0.95, NULL), "two modes by %d points", points))
+		return;
+	ok(half.modes == (other > 0.0 ? 2 : 1) && fabs(half.ratio - ratio) <= half.ratio_error + 1e-9 &&
+	   fabs(half.ratio - ratio) < 1e-3*ratio, "%d modes: ratio %.6g +- %.1e", half.modes, half.ratio,
+	   half.ratio_error);
+}
+
 static void refusals(void)
 {
 	double t[COUNT], x[COUNT];
@@ -255,6 +277,10 @@ CASE(property_decay)
 	impure_tables();
 	bent_tables(41);
 	bent_tables(399);
+	close_modes(25, 1.0);
+	close_modes(200, 1.0);
+	close_modes(60, 0.6);
+	close_modes(60, 0.0);
 	refusals();
 	return done_testing();
 }

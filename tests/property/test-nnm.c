@@ -1,6 +1,6 @@
 /* Nonlinear normal modes: Duffing's equation against its elliptic integral; the two masses of Kerschen
- * et al. (2009): closure and action by integration in time, the tongue of the 3:1 resonance, which
- * reaches the other mode's motions, branches of three periods, refusals.
+ * et al. (2009): closure, action and stability by integration in time, the tongue of the 3:1 resonance,
+ * which reaches the other mode's motions, branches of three periods, refusals.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -38,9 +38,11 @@ static int two_masses(void)
 	return hawser_rom_compile(&rom, &report) != HAWSER_OK;
 }
 
+enum { STATE = 5, ALL = STATE + 16 }; /* the motion and its action; then four neighbouring motions */
+
 static int slope(double t, const double y[], double dy[], void *unused)
 {
-	double x = (y[0] + y[1])*M_SQRT1_2, f = 0.5*x*x*x*M_SQRT1_2;
+	double x = (y[0] + y[1])*M_SQRT1_2, f = 0.5*x*x*x*M_SQRT1_2, stiff = 0.75*x*x;
 
 	(void)t;
 	(void)unused;
@@ -49,22 +51,36 @@ static int slope(double t, const double y[], double dy[], void *unused)
 	dy[2] = -y[0] - f;
 	dy[3] = -3.0*y[1] - f;
 	dy[4] = y[2]*y[2] + y[3]*y[3];
+	for (int i = STATE; i < ALL; i += 4) {
+		dy[i] = y[i + 2];
+		dy[i + 1] = y[i + 3];
+		dy[i + 2] = -y[i] - stiff*(y[i] + y[i + 1]);
+		dy[i + 3] = -3.0*y[i + 1] - stiff*(y[i] + y[i + 1]);
+	}
 	return GSL_SUCCESS;
 }
 
-/* The action over a period from u0, and the distance of its end from its start, relative. */
-static double action(double *gap, const double *u0, double omega)
+/* Multipliers are wrong at single motions, so that all of them are integrated, which takes a
+ * second. The action over a period from u0, and the distance of its end from its start, relative.
+ * Two of the four multipliers are 1, and `trace` becomes the sum of the others, whose product is
+ * 1. */
+static double action(double *gap, double *trace, const double *u0, double omega)
 {
-	gsl_odeiv2_system system = {slope, NULL, 5, NULL};
+	gsl_odeiv2_system system = {slope, NULL, ALL, NULL};
 	gsl_odeiv2_driver *driver =
 		gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, 1e-3, 1e-11, 1e-12);
-	double t = 0.0, y[5] = {u0[0], u0[1]};
+	double t = 0.0, y[ALL] = {u0[0], u0[1]};
 
 	*gap = INFINITY;
+	for (int i = 0; i < 4; i++)
+		y[STATE + 5*i] = 1.0;
 	if (driver && gsl_odeiv2_driver_apply(driver, &t, 2.0*M_PI/omega, y) == GSL_SUCCESS)
 		*gap = hypot(hypot(y[0] - u0[0], y[1] - u0[1]), hypot(y[2], y[3])/omega)/
 		       hypot(u0[0], u0[1]);
 	gsl_odeiv2_driver_free(driver);
+	*trace = -2.0;
+	for (int i = 0; i < 4; i++)
+		*trace += y[STATE + 5*i];
 	return y[4]/(2.0*M_PI);
 }
 
@@ -72,24 +88,31 @@ static void check_tongue(void)
 {
 	struct hawser_nnm nnm;
 	struct hawser_nnm_options options = {.mode = 0, .energy = 1e4};
-	double gap, worst = 0.0, sum = 0.0, before, start, most = 0.0;
+	double gap, worst = 0.0, sum = 0.0, before, start, most = 0.0, trace;
+	int wrong = 0, both[2] = {0, 0};
 	const struct hawser_backbone *motion;
 
 	if (!ok(hawser_nnm_trace(&nnm, &rom, &options, &report) == HAWSER_OK, "the first mode %s",
 	        report.message))
 		return;
 	motion = &nnm.curve[0].motion;
-	start = before = action(&gap, motion->start, motion->point[0].omega);
+	start = before = action(&gap, &trace, motion->start, motion->point[0].omega);
 	for (int i = 1; i < motion->points; i++) {
 		const struct hawser_backbone_point *p = &motion->point[i];
-		double here = action(&gap, motion->start + 2*(size_t)i, p->omega);
+		double here = action(&gap, &trace, motion->start + 2*(size_t)i, p->omega);
 
 		worst = fmax(worst, gap);
+		if (fabs(fabs(trace) - 2.0) > 1e-6) { /* otherwise within the error of the integration */
+			both[fabs(trace) > 2.0]++;
+			wrong += p->unstable != (fabs(trace) > 2.0);
+		}
 		sum += 0.5*(p->omega + p[-1].omega)*(here - before);
 		before = here;
 		most = fmax(most, p[-1].energy - p->energy);
 	}
 	ok(worst < 1e-7, "every motion closes in time: %.1e", worst);
+	ok(wrong == 0 && both[0] > 400 && both[1] > 200,
+	   "of %d stable and %d unstable motions %d have another count", both[0], both[1], wrong);
 	ok(fabs(sum/(motion->point[motion->points - 1].energy - motion->point[0].energy) - 1.0) < 1e-4 &&
 	   start > 0.0, "the energy is the integral of the frequency over the action: %.1e",
 	   sum/(motion->point[motion->points - 1].energy - motion->point[0].energy) - 1.0);
@@ -105,7 +128,7 @@ static void check_branches(void)
 	struct hawser_nnm nnm;
 	struct hawser_nnm_options options = {.mode = 1, .energy = 400.0, .periods = 3, .depth = 1};
 	const struct hawser_backbone_branch *meets;
-	double gap, worst = 0.0, alone = INFINITY;
+	double gap, trace, worst = 0.0, alone = INFINITY;
 
 	if (!ok(hawser_nnm_trace(&nnm, &rom, &options, &report) == HAWSER_OK && nnm.lost == 0,
 	        "the second mode, three periods %s", report.message))
@@ -121,10 +144,10 @@ static void check_branches(void)
 		const struct hawser_backbone *motion = &nnm.curve[c].motion;
 
 		for (int i = 0; i < motion->points; i += 17) {
-			action(&gap, motion->start + 2*(size_t)i, motion->point[i].omega/3.0);
+			action(&gap, &trace, motion->start + 2*(size_t)i, motion->point[i].omega/3.0);
 			worst = fmax(worst, gap);
 		}
-		action(&gap, motion->start + 2*(size_t)(motion->points/2),
+		action(&gap, &trace, motion->start + 2*(size_t)(motion->points/2),
 		       motion->point[motion->points/2].omega);
 		alone = fmin(alone, gap);
 		ok(nnm.curve[c].born > 1 || motion->end == HAWSER_BACKBONE_MEETS,

@@ -114,9 +114,38 @@ static void check_absorber(void)
 	hawser_rom_clear(&rom);
 }
 
+/* Two masses, the second one a nonlinear energy sink. The isola begins beside a fold, where a step
+ * turns by so much that its tangent passes the first point beyond it. */
+static void check_sink(void)
+{
+	struct hawser_folds_options options = {.from = 0.6, .to = 1.6};
+	struct hawser_folds folds;
+	struct hawser_rom rom;
+	int closed = 0;
+
+	if (!open_model(&rom, "two-masses-nes"))
+		return;
+	ok(!hawser_folds_trace(&folds, &rom, &options, NULL), "sink: traced");
+	for (int i = 0; i < folds.isolas; i++) {
+		const struct hawser_frf *isola = &folds.isola[i];
+		int again = 0;
+
+		for (int e = 0; e < isola->events; e++)
+			for (int k = 0; k < e; k++)
+				again += isola->event[e].kind == isola->event[k].kind &&
+				         fabs(isola->event[e].omega/isola->event[k].omega - 1.0) < 1e-8;
+		closed += isola->end == HAWSER_END_CLOSED && isola->events == 3;
+		ok(again == 0, "%d events, each once", isola->events);
+	}
+	ok(closed == 1, "one isola, closed, with two folds and a torus point");
+	hawser_folds_clear(&folds);
+	hawser_rom_clear(&rom);
+}
+
 CASE(reference_folds)
 {
 	check_duffing();
 	check_absorber();
+	check_sink();
 	return done_testing();
 }

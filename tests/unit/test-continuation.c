@@ -334,10 +334,46 @@ static void check_ends(void)
 	   "lost where the corrector fails, at %.3f", owner.u[0]);
 }
 
+/* A point of a curve lies in one of two steps that follow each other, wherever it is, whatever the
+ * curve turns in a step; a point beside them in none. On a circle. */
+static void check_passage(void)
+{
+	static const double turn[] = {0.05, 0.4, 0.7};
+	int lost = 0, false_ones = 0;
+	double off = 0.0;
+
+	for (int k = 0; k < 3; k++)
+		for (int i = -40; i <= 240; i++) {
+			double at = 0.01*i, angle = turn[k]*at, goal[2] = {cos(angle), sin(angle)};
+			double arc[3] = {0.0, turn[k], 2.0*turn[k]}, y[3][2], t[3][2], share, here[2], d[2];
+			int found = 0;
+
+			for (int e = 0; e < 3; e++) {
+				y[e][0] = t[e][1] = cos(arc[e]);
+				y[e][1] = sin(arc[e]);
+				t[e][0] = -y[e][1];
+			}
+			for (int e = 0; e < 2; e++) {
+				const struct hawser__node a = {y[e], t[e]}, b = {y[e + 1], t[e + 1]};
+
+				if (hawser__curve_passes(&share, goal, &a, &b, turn[k], 0.02, here, d, &plane)) {
+					found = 1;
+					off = fmax(off, fabs(e + share - at));
+				}
+			}
+			lost += i >= 0 && i <= 200 && !found;
+			false_ones += (i < 0 || i > 200) && found;
+		}
+	ok(lost == 0 && false_ones == 0 && off < 0.01,
+	   "points on steps are found: %d of them not, %d beside them, places to %.1e", lost, false_ones,
+	   off);
+}
+
 CASE(unit_continuation)
 {
 	check_battery();
 	check_arcs();
 	check_ends();
+	check_passage();
 	return done_testing();
 }
