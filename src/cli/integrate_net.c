@@ -11,6 +11,7 @@
 #include "cli/contacts_net.h"
 #include "cli/film_net.h"
 #include "cli/integrate_net.h"
+#include "cli/mesh_net.h"
 #include "cli/progress.h"
 #include "core/report.h"
 #include "output/animate.h"
@@ -23,6 +24,7 @@ struct result {
 	const struct cli_integrate_net *settings;
 	struct hawser_net net;
 	struct hawser_net_motion motion;
+	struct hawser_net_mesh_error error; /* of the equilibrium */
 	struct hawser_net_probe probe[PROBES];
 	char name[PROBES][NAME];
 	int probes, failed; /* failed: errno of a frame that could not be written */
@@ -201,6 +203,7 @@ static void table(struct hawser__table *table, const void *of)
 	hawser__table_comment(table, "positions to some %.1e m: %s", motion->error, motion->checked
 	                      ? "from another, coarser run"
 	                      : "the local errors of all steps, if they do not grow (--error looks)");
+	cli_mesh_comment(table, &result->net, &result->error);
 	if (result->net.surfaces)
 		hawser__table_comment(table, "contacts: penetration, and gap of what touches, at most %.1e m; "
 		                      "laws of contact and friction to %.1e", apart(motion), motion->laws);
@@ -268,6 +271,7 @@ static void json(struct hawser__json *json, const void *of)
 	into = hawser__json_object(json, json->root, "error");
 	hawser__json_number(json, into, "position", motion->error);
 	hawser__json_text(json, into, "from", motion->checked ? "another run" : "local errors");
+	cli_mesh_json(json, json->root, &result->net, &result->error);
 	into = hawser__json_array(json, json->root, "slack");
 	for (int i = 0; i < motion->rows; i++)
 		hawser__json_integer(json, into, NULL, motion->slack[i]);
@@ -379,8 +383,7 @@ static enum hawser_status solve(struct result *result, struct hawser_report *rep
 	enum hawser_status status = hawser__animate_check(result->settings->animate, "integrate", report);
 
 	if (!status)
-		status = hawser_net_open(&result->net, result->common->input, result->common->set,
-		                         (size_t)result->common->sets, report);
+		status = cli_mesh_open(&result->net, result->common, report);
 	if (!status)
 		status = probes(result, report);
 	options.probes = result->probes;
@@ -394,6 +397,8 @@ static enum hawser_status solve(struct result *result, struct hawser_report *rep
 	if (!status)
 		status = hawser_net_integrate(&result->motion, &result->net, &options, report);
 	cli_progress_end(&watch.progress);
+	if (!status)
+		status = hawser_net_mesh_error(&result->error, &result->net, NULL, report);
 	if (!status && result->failed)
 		status = hawser__fail(report, HAWSER_ERR_IO, "integrate", "cannot write %s: %s", result->path,
 		                      strerror(result->failed));
@@ -415,6 +420,13 @@ enum hawser_status cli_integrate_net(const struct cli_common *common,
 	result->common = common;
 	result->settings = settings;
 	status = solve(result, report);
+	if (!status) {
+		char text[CLI_WARNING_SIZE];
+
+		cli_mesh_warning(text, &result->net, &result->error);
+		if (*text)
+			cli_warn(text);
+	}
 	if (!status && settings->state)
 		status = hawser_net_state_write(&result->motion, settings->state, report);
 	if (!status)

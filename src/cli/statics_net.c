@@ -8,6 +8,7 @@
 #include <hawser/net.h>
 
 #include "cli/contacts_net.h"
+#include "cli/mesh_net.h"
 #include "cli/statics_net.h"
 #include "core/report.h"
 #include "output/plot_net.h"
@@ -19,6 +20,7 @@ struct result {
 	int profile;
 	struct hawser_net net;
 	struct hawser_net_statics st;
+	struct hawser_net_mesh_error error;
 	char warning[CLI_WARNING_SIZE]; /* "": none */
 };
 
@@ -57,7 +59,9 @@ static void warn(struct result *result)
 
 	if (count == 0)
 		warn_of_strain(result);
-	else
+	if (count == 0 && !*result->warning)
+		cli_mesh_warning(result->warning, &result->net, &result->error);
+	if (count > 0)
 		snprintf(result->warning, sizeof result->warning,
 		         "%d of %d elements %s compressed: the method %s has found an equilibrium of bars, "
 		         "not of cables, and there is no certificate; --method automatic finds that of the "
@@ -127,6 +131,7 @@ static void comments(struct hawser__table *table, const struct result *result)
 		                      st->gap);
 	hawser__table_comment(table, "forces balance to %.1e N; round-off allows %.1e N", st->residual,
 	                      st->floor);
+	cli_mesh_comment(table, &result->net, &result->error);
 	cli_contacts_comments(table, &result->net, st);
 	if (*result->warning)
 		hawser__table_comment(table, "%s", result->warning);
@@ -227,6 +232,7 @@ static void json(struct hawser__json *json, const void *of)
 	hawser__json_integer(json, json->root, "compressed", st->compressed);
 	hawser__json_number(json, json->root, "residual", st->residual);
 	hawser__json_number(json, json->root, "floor", st->floor);
+	cli_mesh_json(json, json->root, &result->net, &result->error);
 	hawser__json_integer(json, json->root, "unknowns", st->unknowns);
 	hawser__json_integer(json, json->root, "iterations", st->iterations);
 	cli_contacts_json(json, &result->net, st);
@@ -267,9 +273,11 @@ enum hawser_status cli_statics_net(const struct cli_common *common, const char *
 	if (!status)
 		status = cli_vtk_check(vtk, "statics", report);
 	if (!status)
-		status = hawser_net_open(&result.net, common->input, common->set, (size_t)common->sets, report);
+		status = cli_mesh_open(&result.net, common, report);
 	if (!status)
 		status = hawser_net_solve(&result.st, &result.net, &options, report);
+	if (!status)
+		status = hawser_net_mesh_error(&result.error, &result.net, &result.st, report);
 	if (!status)
 		warn(&result);
 	if (!status && vtk)

@@ -367,8 +367,22 @@ int hawser__motion_tensions(double *T, const struct hawser__motion *motion)
 			d[k] = el->D[k] + delta[k];
 		}
 		(void)stretch(&p, el, delta, d);
-		T[e] = el->k*larger(p, 0.0);
-		slack += p < 0.0;
+		T[e] = hawser__motion_tension(motion, e, d, p);
+		slack += p < 0.0 || (p > 0.0 && T[e] == 0.0);
 	}
 	return slack;
+}
+
+double hawser__motion_tension(const struct hawser__motion *motion, int number, const double d[3],
+                              double p)
+{
+	const struct hawser__motion_element *el = &motion->element[number];
+	const double *va = motion->v[el->a], *vb = motion->v[el->b], l = sqrt(dot(d, d));
+	double rate = 0.0;
+
+	if (!(p > 0.0))
+		return 0.0;
+	for (int k = 0; k < 3 && el->c > 0.0 && l > 0.0; k++)
+		rate += d[k]/l*(vb[k] - va[k]);
+	return larger(el->k*p + el->c*rate, 0.0);
 }

@@ -186,18 +186,18 @@ static enum hawser_status accelerate(struct hawser__motion *motion, struct hawse
 	return status;
 }
 
-void hawser__motion_watch(struct hawser__motion *motion, const struct hawser__motion_element *el,
-                          double p, double t)
+void hawser__motion_watch(struct hawser__motion *motion, int element, const double d[3], double p,
+                          double t)
 {
-	double T = p > 0.0 ? el->k*p : 0.0;
+	double T = hawser__motion_tension(motion, element, d, p);
 
 	if (T < motion->least) {
 		motion->least = T;
 		motion->least_at = t;
 	}
-	if (p < 0.0 && isnan(motion->slack_at)) {
+	if ((p < 0.0 || (p > 0.0 && T == 0.0)) && isnan(motion->slack_at)) {
 		motion->slack_at = t;
-		motion->slack_element = (int)(el - motion->element);
+		motion->slack_element = element;
 	}
 }
 
@@ -220,7 +220,7 @@ enum hawser_status hawser__motion_begin(struct hawser__motion *motion, struct ha
 	motion->least = INFINITY;
 	motion->slack_at = NAN;
 	for (int e = 0; e < motion->elements; e++)
-		hawser__motion_watch(motion, &motion->element[e], motion->element[e].p, motion->t);
+		hawser__motion_watch(motion, e, motion->element[e].d, motion->element[e].p, motion->t);
 	return HAWSER_OK;
 }
 
@@ -294,7 +294,7 @@ static void finish(struct hawser__motion *motion, const struct hawser__motion_ru
 		const struct hawser__motion_element *el = &motion->element[e];
 
 		motion->switches += (el->p > 0.0) != (el->p1 > 0.0);
-		hawser__motion_watch(motion, el, el->p1, motion->t + h);
+		hawser__motion_watch(motion, e, el->d1, el->p1, motion->t + h);
 	}
 	hawser__motion_account(motion, rule, h);
 	motion->past2 = motion->past;
