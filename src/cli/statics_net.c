@@ -28,6 +28,9 @@ struct result {
  * wrong, or a law that is not linear: 1.5, where a chord between supports is refused (hawser-
  * scene(5)). */
 static const double FAR = 1.5;
+/* Part of a given tension below which a cable does not have it: tensions of form finding are right to
+ * 1e-6 then (net/form.c). */
+static const double LESS = 1.0 - 1e-4;
 
 static void warn_of_strain(struct result *result)
 {
@@ -52,6 +55,28 @@ static void warn_of_strain(struct result *result)
 		         100.0*(most->length/most->length0 - 1.0));
 }
 
+/* Cables of given tension whose ends came to one place: they hold less there. */
+static void warn_of_nothing(struct result *result)
+{
+	const struct hawser_net *net = &result->net;
+	int count = 0, first = 0;
+
+	for (int c = 0; c < result->st.cables; c++) {
+		const struct hawser_net_member *m = &result->st.member[c];
+
+		if (net->cable[c].given != HAWSER_NET_TENSION || m->T_max >= LESS*net->cable[c].value)
+			continue;
+		first = count++ ? first : c;
+	}
+	if (count > 0)
+		snprintf(result->warning, sizeof result->warning, "%d cable%s with a given tension ha%s no "
+		         "length in this shape, first %s: its ends %s and %s come to one place, where it "
+		         "holds %.6g N of %.6g N; make them one node, or give less tension", count, count == 1 ? "" : "s",
+		         count == 1 ? "s" : "ve", net->cable[first].name,
+		         net->node[net->cable[first].from].name, net->node[net->cable[first].to].name,
+		         result->st.member[first].T_max, net->cable[first].value);
+}
+
 /* A method with the law of bars has found compressed elements; or cables are much too short. */
 static void warn(struct result *result)
 {
@@ -59,6 +84,8 @@ static void warn(struct result *result)
 
 	if (count == 0)
 		warn_of_strain(result);
+	if (count == 0 && !*result->warning)
+		warn_of_nothing(result);
 	if (count == 0 && !*result->warning)
 		cli_mesh_warning(result->warning, &result->net, &result->error);
 	if (count > 0)

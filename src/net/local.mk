@@ -20,6 +20,8 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/exact_solution.c \
 	%D%/finish.c \
 	%D%/form.c \
+	%D%/form.h \
+	%D%/form-tension.c \
 	%D%/interior.c \
 	%D%/lanczos.c \
 	%D%/loads.c \

@@ -7,8 +7,8 @@
  * F is constant along an element, and equals t at its middle to second order: at a node it is off by
  * half an element's load, of first order. The balance of the half element gives t = F + f at the end
  * `from` of a cable, t = F - f at the end `to`, and the mean of both elements at nodes between: second
- * order everywhere, and without a jump at a joint of two cables. On an obstacle, where F turns by the angle
- * between two elements without a change of |F|, it is the mean of the two |F|.
+ * order everywhere, and without a jump at a joint of two cables. On an obstacle, where F turns by the
+ * angle between two elements without a change of |F|, it is the mean of the two |F|.
  *
  * A node that a support holds on an obstacle has no contact of its own: the half element there is
  * carried as the other half next to it is, with the force per length of the next node. So an anchor on
