@@ -71,8 +71,8 @@ static void warn_of_nothing(struct result *result)
 	if (count > 0)
 		snprintf(result->warning, sizeof result->warning, "%d cable%s with a given tension ha%s no "
 		         "length in this shape, first %s: its ends %s and %s come to one place, where it "
-		         "holds %.6g N of %.6g N; make them one node, or give less tension", count, count == 1 ? "" : "s",
-		         count == 1 ? "s" : "ve", net->cable[first].name,
+		         "holds %.6g N of %.6g N; make them one node, or give less tension", count,
+		         count == 1 ? "" : "s", count == 1 ? "s" : "ve", net->cable[first].name,
 		         net->node[net->cable[first].from].name, net->node[net->cable[first].to].name,
 		         result->st.member[first].T_max, net->cable[first].value);
 }

@@ -1,9 +1,10 @@
 /* net/motion-probe.c - places, velocities and tensions at the probes of a motion.
  *
  * Tensions at nodes are by the balance of the halves of elements there, inertia and drag included
- * (net/tension.c). The accelerations are those of the equations of motion at that time: what schemes
- * have beside it is a mean over a step. With obstacles, whose forces are means over the step, it is the
- * mean.
+ * (net/tension.c). The accelerations are differences of the mean velocities of the last two steps, since
+ * the velocities of schemes without numerical damping alternate where axial damping is strong; with
+ * obstacles, whose forces are means over a step and may be impacts, the mean over the last step; and of
+ * CVODE, which has steps of its own, those of the equations of motion.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -40,20 +41,27 @@ enum hawser_status hawser__probes_open(struct hawser__probes *probes, struct haw
 		.mesh = motion->mesh, .net = net, .x = x, .T = T, .far = motion->far,
 		.obstacle = motion->contact ? (const double (*)[3])probes->obstacle : NULL,
 		.v = (const double (*)[3])motion->v, .a = (const double (*)[3])probes->a};
-	return motion->contact ? HAWSER_OK : hawser__ode_open(&probes->ode, motion, report);
+	return motion->scheme->advance ? hawser__ode_open(&probes->ode, motion, report) : HAWSER_OK;
 }
 
-/* Means over the last step: with obstacles. */
-static void mean(struct hawser__probes *probes)
+static double acceleration(const struct hawser__motion *motion, int i, int k)
+{
+	double h = motion->past_h, h2 = motion->past2_h;
+
+	if (motion->contact && h > 0.0)
+		return (motion->v[i][k] - motion->v0[i][k])/h;
+	if (h <= 0.0 || h2 <= 0.0)
+		return motion->a[i][k];
+	return 2.0*(motion->past[i][k]/h - motion->past2[i][k]/h2)/(h + h2);
+}
+
+/* The mean forces of obstacles over the last step. */
+static void touched(struct hawser__probes *probes)
 {
 	const struct hawser__motion *motion = probes->motion;
 	const struct hawser__motion_contact *contact = motion->contact;
 
 	memset(probes->obstacle, 0, (size_t)motion->nodes*sizeof *probes->obstacle);
-	for (int i = 0; i < motion->nodes; i++)
-		for (int k = 0; k < 3; k++)
-			probes->a[i][k] = motion->past_h > 0.0 ? (motion->v[i][k] - motion->v0[i][k])/motion->past_h
-			                                       : motion->a[i][k];
 	for (int i = 0; i < contact->touches; i++) {
 		const struct hawser__touch *touch = &motion->mesh->touch[i];
 		double n[3];
@@ -70,13 +78,17 @@ enum hawser_status hawser__probes_state(struct hawser__probes *probes, struct ha
 {
 	const struct hawser__motion *motion = probes->motion;
 	size_t n = (size_t)motion->mesh->unknowns;
-	enum hawser_status status;
+	enum hawser_status status = HAWSER_OK;
 
 	probes->tensions.t = motion->t;
-	if (motion->contact) {
-		mean(probes);
+	hawser__motion_support_accelerations(probes->a, motion, motion->t);
+	if (motion->contact)
+		touched(probes);
+	for (int i = 0; i < 3*motion->nodes && !motion->scheme->advance; i++)
+		if (motion->mesh->unknown[i/3][i%3] >= 0)
+			probes->a[i/3][i%3] = acceleration(motion, i/3, i%3);
+	if (!motion->scheme->advance)
 		return HAWSER_OK;
-	}
 	for (int i = 0; i < 3*motion->nodes; i++) {
 		int j = motion->mesh->unknown[i/3][i%3];
 
@@ -87,7 +99,6 @@ enum hawser_status hawser__probes_state(struct hawser__probes *probes, struct ha
 	}
 	status = hawser__ode_accelerate(probes->state + 2*n, &probes->ode, motion->t, probes->state,
 	                                probes->state + n, report);
-	hawser__motion_support_accelerations(probes->a, motion, motion->t);
 	for (int i = 0; i < 3*motion->nodes; i++) {
 		int j = motion->mesh->unknown[i/3][i%3];
 

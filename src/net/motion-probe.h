@@ -8,7 +8,7 @@
 
 struct hawser__probes {
 	struct hawser__motion *motion;
-	struct hawser__ode ode;      /* for accelerations; without obstacles */
+	struct hawser__ode ode;      /* of the scheme cvode, for accelerations */
 	double (*a)[3];              /* [nodes] m/s^2 */
 	double (*obstacle)[3];       /* [nodes] N */
 	double *state;               /* [3*unknowns] u, v and u'' */

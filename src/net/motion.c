@@ -290,18 +290,18 @@ static void finish(struct hawser__motion *motion, const struct hawser__motion_ru
 		}
 	if (motion->contact)
 		hawser__contact_finish(motion);
-	for (int e = 0; e < motion->elements; e++) {
-		const struct hawser__motion_element *el = &motion->element[e];
-
-		motion->switches += (el->p > 0.0) != (el->p1 > 0.0);
-		hawser__motion_watch(motion, e, el->d1, el->p1, motion->t + h);
-	}
 	hawser__motion_account(motion, rule, h);
 	motion->past2 = motion->past;
 	motion->past = swap;
 	memcpy(motion->past, motion->x, (size_t)motion->nodes*sizeof *motion->x);
 	motion->past2_h = motion->past_h;
 	motion->past_h = h;
+	for (int e = 0; e < motion->elements; e++) {
+		const struct hawser__motion_element *el = &motion->element[e];
+
+		motion->switches += (el->p > 0.0) != (el->p1 > 0.0);
+		hawser__motion_watch(motion, e, el->d1, el->p1, motion->t + h);
+	}
 	motion->drift += motion->contact ? fmax(motion->error, motion->contact->jump_error) : motion->error;
 	motion->t += h;
 	motion->steps++;
