@@ -15,6 +15,9 @@
 #include "core/hot.h"
 #include "net/motion.h"
 
+/* Of a force, what its round-off is as a part of the residual's scale, whose tolerance is 5000 ulps. */
+static const double ROUND = 1e-3;
+
 static inline double dot(const double a[3], const double b[3])
 {
 	return a[0]*b[0] + a[1]*b[1] + a[2]*b[2];
@@ -196,7 +199,8 @@ void hawser__motion_residual(struct hawser__motion *motion, const struct hawser_
 		move(&motion->element[e], motion->x[motion->element[e].a], motion->x[motion->element[e].b]);
 	for (int e = 0; e < motion->elements; e++)
 		most = larger(element(motion, e, rule, h, tangent), most);
-	motion->scale = most;
+	/* a rate is the difference of two stretches over h, with the round-off of displacements */
+	motion->scale = larger(most, ROUND*motion->damps/h*motion->reach);
 }
 
 /* Force of the beginning of the step, of the part 1 - weight, added to the load. */
@@ -229,6 +233,10 @@ void hawser__motion_prepare(struct hawser__motion *motion, const struct hawser__
 		}
 		el->l = stretch(&el->p, el, el->delta, el->d);
 	}
+	motion->reach = 0.0;
+	for (int i = 0; i < motion->nodes && motion->damps > 0.0; i++)
+		for (int k = 0; k < 3; k++)
+			motion->reach = fmax(motion->reach, fabs(motion->u0[i][k]));
 	memset(motion->wave, 0, size);
 	if (rule->weight < 0.0) {
 		hawser__motion_waves(motion->wave, motion->mesh, motion->t + h/2.0, 1.0);

@@ -129,6 +129,7 @@ struct hawser__motion {
 	double (*load)[3];           /* [nodes] constant part of the step's right side, N */
 	double (*wave)[3];           /* [nodes] harmonic loads of the step, N */
 	double (*r)[3];              /* [nodes] residual, then correction */
+	double (*move)[3];           /* [nodes] m, the last correction */
 	double (*past)[3], (*past2)[3]; /* [nodes] increments of the last two steps */
 	double past_h, past2_h;      /* their lengths; 0: there was none */
 	double (*B)[9], (*mass)[2], *point; /* the matrix */
@@ -138,6 +139,7 @@ struct hawser__motion {
 	struct hawser__support_table *table; /* [tables] */
 	int tables;
 	double scale;                /* N, of the terms of the residual */
+	double damps, reach;         /* N s/m, largest c of an element; m, largest displacement */
 	struct hawser__motion_energy energy;
 	double start_energy;         /* J */
 	double most_energy;          /* J, largest of the ledger's terms */

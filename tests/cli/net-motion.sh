@@ -80,4 +80,24 @@ printf '0 0 0\n' >C.txt
 denies "three numbers" 1 "a line must have 4 numbers" integrate net.yaml --until "1 s"
 rm C.txt
 denies "no table" 1 "the table with the motion of a support cannot be read" integrate net.yaml --until "1 s"
+# Strong axial damping from a state in motion: forces of damping have the round-off of displacements over
+# the step, c ulp(u)/h, below which no step comes. CVODE is the judge.
+cat >whip.yaml <<'END'
+kind: net
+nodes: {A: [0 m, 0 m, 0 m], B: [1.5 m, 0 m, 0 m]}
+cables: [{name: c, from: A, to: B, EA: 750.77 N, rho: 0.03324 kg/m, length0: 1.8 m, elements: 20}]
+supports: {A: fixed, B: fixed}
+dynamics: {release: [B]}
+END
+works "a cable let go" integrate whip.yaml --until "0.5 s" --state whip.state -q
+for scheme in energy alpha theta cvode; do
+	works "then damped by 10 s, $scheme" integrate whip.yaml --until "0.55 s" --every "0.05 s" --initial whip.state \
+		--set 'damping={axial: 10}' --method $scheme --json whip-$scheme.json -q
+done
+python "all at one place" <<'END'
+import json
+x = {s: json.load(open(f"whip-{s}.json"))["probes"]["B"]["x"][-1] for s in ("energy", "alpha", "theta", "cvode")}
+assert all(abs(a - b) < 2e-4 for s in x for a, b in zip(x[s], x["cvode"])), x
+END
+
 done_testing
