@@ -1,10 +1,10 @@
 /* net/motion-probe.c - places, velocities and tensions at the probes of a motion.
  *
  * Tensions at nodes are by the balance of the halves of elements there, inertia and drag included
- * (net/tension.c). The accelerations are differences of the mean velocities of the last two steps, since
- * the velocities of schemes without numerical damping alternate where axial damping is strong; with
- * obstacles, whose forces are means over a step and may be impacts, the mean over the last step; and of
- * CVODE, which has steps of its own, those of the equations of motion.
+ * (net/tension.c). The accelerations are differences of the mean velocities of the last two steps,
+ * since the velocities of schemes without numerical damping alternate where axial damping is strong;
+ * with obstacles, whose forces are means over a step and may be impacts, the mean over the last step;
+ * and of CVODE, which has steps of its own, those of the equations of motion.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

@@ -249,9 +249,9 @@ static void move(struct hawser__motion *motion, double part)
 			motion->x[n][k] += part*motion->move[n][k];
 }
 
-/* Newton's method for the increment; *done is 0 if it fails. `careful`: a correction is halved while the
- * residual grows. Between slack and taut, and where damping ends to pull, the law has corners, about
- * which whole corrections can go to and fro for ever. */
+/* Newton's method for the increment; *done is 0 if it fails. `careful`: a correction is halved while
+ * the residual grows. Between slack and taut, and where damping ends to pull, the law has corners,
+ * about which whole corrections can go to and fro for ever. */
 static enum hawser_status solve(struct hawser__motion *motion, int *done, int careful,
                                 const struct hawser__motion_rule *rule, double h,
                                 struct hawser_report *report)
