@@ -109,7 +109,8 @@ cables: [{name: c, from: A, to: B, EA: 1 MN, rho: 2 kg/m, length0: 110 m, elemen
 supports: {A: fixed, B: fixed}
 dynamics: {release: [B]}
 END
-works "recoil" integrate recoil.yaml --until "0.1 s" --json recoil.json --tsv recoil.tsv
+"$HAWSER" integrate recoil.yaml --until "0.1 s" --json recoil.json --tsv recoil.tsv 2>recoil.err
+try "recoil warns" grep -q 'waves that make the cable slack have no damping: give damping.axial' recoil.err
 try "  its fronts are named" grep -q '^# fronts behind which the cable is slack: with damping.axial = 0.00194' recoil.tsv
 works "damped recoil" integrate recoil.yaml --until "0.1 s" --set cables.c.elements=160 --set 'damping={axial: 0.002}' --json damped.json
 python "the error is stated" <<'END'
