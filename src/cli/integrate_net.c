@@ -204,9 +204,9 @@ static void table(struct hawser__table *table, const void *of)
 	                      ? "from another, coarser run"
 	                      : "the local errors of all steps, if they do not grow (--error looks)");
 	if (!isnan(motion->shock))
-		hawser__table_comment(table, "fronts behind which the cable is slack: with damping.axial = %.3g "
-		                      "s, positions differ by up to %.1e m; without, their energy stays in the "
-		                      "mesh", motion->shock_axial, motion->shock);
+		hawser__table_comment(table, "fronts behind which the cable is slack: with damping.axial = "
+		                      "%.3g s, positions differ by up to %.1e m; without, their energy "
+		                      "stays in the mesh", motion->shock_axial, motion->shock);
 	cli_mesh_comment(table, &result->net, &result->error);
 	if (result->net.surfaces)
 		hawser__table_comment(table, "contacts: penetration, and gap of what touches, at most %.1e m; "
@@ -426,9 +426,9 @@ static int shock_warning(char *text, const struct hawser_net_motion *motion)
 			most = fmax(most, fabs(motion->x[i][k] - motion->x[i%motion->probes][k]));
 	if (!(motion->shock > 0.1*most))
 		return 0;
-	snprintf(text, CLI_WARNING_SIZE, "positions are wrong by up to %.2g m, as axial waves that make the "
-	         "cable slack have no damping: give damping.axial, such as %.3g s, the time in which a wave "
-	         "passes an element", motion->shock, motion->shock_axial);
+	snprintf(text, CLI_WARNING_SIZE, "positions are wrong by up to %.2g m, as axial waves that make "
+	         "the cable slack have no damping: give damping.axial, such as %.3g s, the time in which a "
+	         "wave passes an element", motion->shock, motion->shock_axial);
 	return 1;
 }
 
