@@ -8,12 +8,14 @@ tests_net_SOURCES = tests/cases.c \
 	tests/property/test-net-eigen.c \
 	tests/property/test-net-equilibria.c \
 	tests/property/test-net-error.c \
+	tests/property/test-net-form.c \
 	tests/property/test-net-impact-order.c \
 	tests/property/test-net-methods.c \
 	tests/property/test-net-profile.c \
 	tests/property/test-net-span-modes.c \
 	tests/property/test-net-steps.c \
 	tests/property/test-net-symmetry.c \
+	tests/property/test-net-tension.c \
 	tests/reference/test-net-belt.c \
 	tests/reference/test-net-contact-modes.c \
 	tests/reference/test-net-contact.c \
@@ -24,3 +26,4 @@ tests_net_SOURCES = tests/cases.c \
 nodist_tests_net_SOURCES = tests/net-cases.c
 tests_net_LDADD = $(UPTO_NET)
 noinst_HEADERS += tests/net-random.h
+EXTRA_DIST += tests/reference/net-bight.yaml tests/reference/net-damped.yaml

@@ -141,7 +141,9 @@ struct hawser_net_options {
 
 /* What a cable has come to. */
 struct hawser_net_member {
-	double T_min, T_max, T_from, T_to; /* N: of its elements, and of the first and last */
+	/* N, along the cable; and at its ends `from` and `to`. Tensions of nodes follow from the balance of
+	 * the halves of elements there: their error is of second order in the length of elements. */
+	double T_min, T_max, T_from, T_to;
 	double length0, length;            /* m */
 	int slack;                         /* number of elements without tension */
 };
@@ -151,7 +153,7 @@ struct hawser_net_point {
 	int cable;
 	double S;    /* m, unstretched length from the end `from` */
 	double x[3]; /* m */
-	double T;    /* N: mean of both elements */
+	double T;    /* N */
 };
 
 /* A node of the mesh that touches an obstacle. */
@@ -191,6 +193,24 @@ enum hawser_status hawser_net_solve(struct hawser_net_statics *st, const struct 
                                     const struct hawser_net_options *options /* or NULL */,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_net_statics_clear(struct hawser_net_statics *st);
+
+/* Error of the tensions by the mesh: of those at the ends of cables, and of the largest ones. */
+struct hawser_net_mesh_error {
+	double tension; /* over T_max of the cable, or 0.01 of the largest T_max if that is more; NAN: not
+	                 * known */
+	int cable;      /* with the largest error; -1: none has one */
+	int exact;      /* 1: against exact catenaries; 0: by meshes with fewer elements */
+};
+/* st: the equilibrium of the net, or NULL: it is found here. Where there is none, tension is NAN, and
+ * the status HAWSER_OK. */
+enum hawser_status hawser_net_mesh_error(struct hawser_net_mesh_error *error,
+                                         const struct hawser_net *net,
+                                         const struct hawser_net_statics *st /* or NULL */,
+                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Choose the elements of cables whose number is not given, so that this error is below 1e-3, at most
+ * 400 a cable. A net without equilibrium stays as it is. */
+enum hawser_status hawser_net_refine(struct hawser_net *net, struct hawser_report *report)
+	HAWSER_MUST_CHECK;
 
 struct hawser_net_method {
 	const char *name, *summary, *source;

@@ -80,6 +80,7 @@ struct hawser_net_modes {
 	int doubtful;         /* touches without gap and without force: the modes are those without them,
 	                       * and others with them */
 	int barely;           /* a point with one, if doubtful is above 0 */
+	const char *method;       /* "block Lanczos"; of a mesh with few unknowns "dense" */
 	int unknowns, iterations; /* iterations: solutions with the factors of K */
 };
 /* The first n modes; 0: 6, or all if there are fewer. Of two equal frequencies the modes are chosen

@@ -32,7 +32,7 @@ struct hawser_net_plan_cable {
 	double T_min, T_max;      /* N */
 	double strain;            /* largest */
 	double error;             /* m, of positions, against exact catenaries */
-	double tension_error;     /* of tensions at inner nodes, over T_max */
+	double tension_error;     /* of tensions at nodes, over T_max */
 	int wanted;               /* elements for an error of 1e-3 of the reach; 0: not known */
 };
 

@@ -183,6 +183,8 @@ static enum hawser_status read_scene(struct cli_compare_statics *result, const c
 		status = hawser_net_open(net, path, common->set, (size_t)common->sets, report);
 		*least = fmin(*least, cli_processor_seconds() - began);
 	}
+	if (!status)
+		status = hawser_net_refine(net, report);
 	for (int c = 0; c < net->cables && !status; c++)
 		if (net->cable[c].given != HAWSER_NET_LENGTH0)
 			status = hawser__fail(report, HAWSER_ERR_SCENE, "compare statics", "%s: cable %s has no "

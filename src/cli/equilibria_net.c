@@ -4,6 +4,7 @@
 
 #include <hawser/net_equilibria.h>
 
+#include "cli/mesh_net.h"
 #include "cli/statics_net.h"
 #include "core/report.h"
 #include "output/plot_equilibria.h"
@@ -106,8 +107,7 @@ enum hawser_status cli_equilibria_net(const struct cli_common *common, int start
 {
 	struct result result = {.common = common};
 	struct hawser_net_equilibria_options options = {.starts = starts};
-	enum hawser_status status =
-		hawser_net_open(&result.net, common->input, common->set, (size_t)common->sets, report);
+	enum hawser_status status = cli_mesh_open(&result.net, common, report);
 
 	if (!status)
 		status = hawser_net_equilibria_find(&result.found, &result.net, &options, report);

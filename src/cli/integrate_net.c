@@ -11,6 +11,7 @@
 #include "cli/contacts_net.h"
 #include "cli/film_net.h"
 #include "cli/integrate_net.h"
+#include "cli/mesh_net.h"
 #include "cli/progress.h"
 #include "core/report.h"
 #include "output/animate.h"
@@ -23,6 +24,7 @@ struct result {
 	const struct cli_integrate_net *settings;
 	struct hawser_net net;
 	struct hawser_net_motion motion;
+	struct hawser_net_mesh_error error; /* of the equilibrium */
 	struct hawser_net_probe probe[PROBES];
 	char name[PROBES][NAME];
 	int probes, failed; /* failed: errno of a frame that could not be written */
@@ -201,6 +203,11 @@ static void table(struct hawser__table *table, const void *of)
 	hawser__table_comment(table, "positions to some %.1e m: %s", motion->error, motion->checked
 	                      ? "from another, coarser run"
 	                      : "the local errors of all steps, if they do not grow (--error looks)");
+	if (!isnan(motion->shock))
+		hawser__table_comment(table, "fronts behind which the cable is slack: with damping.axial = "
+		                      "%.3g s, positions differ by up to %.1e m; without, their energy "
+		                      "stays in the mesh", motion->shock_axial, motion->shock);
+	cli_mesh_comment(table, &result->net, &result->error);
 	if (result->net.surfaces)
 		hawser__table_comment(table, "contacts: penetration, and gap of what touches, at most %.1e m; "
 		                      "laws of contact and friction to %.1e", apart(motion), motion->laws);
@@ -268,6 +275,11 @@ static void json(struct hawser__json *json, const void *of)
 	into = hawser__json_object(json, json->root, "error");
 	hawser__json_number(json, into, "position", motion->error);
 	hawser__json_text(json, into, "from", motion->checked ? "another run" : "local errors");
+	if (isnan(motion->shock))
+		hawser__json_null(json, into, "shock");
+	else
+		hawser__json_number(json, into, "shock", motion->shock);
+	cli_mesh_json(json, json->root, &result->net, &result->error);
 	into = hawser__json_array(json, json->root, "slack");
 	for (int i = 0; i < motion->rows; i++)
 		hawser__json_integer(json, into, NULL, motion->slack[i]);
@@ -379,8 +391,7 @@ static enum hawser_status solve(struct result *result, struct hawser_report *rep
 	enum hawser_status status = hawser__animate_check(result->settings->animate, "integrate", report);
 
 	if (!status)
-		status = hawser_net_open(&result->net, result->common->input, result->common->set,
-		                         (size_t)result->common->sets, report);
+		status = cli_mesh_open(&result->net, result->common, report);
 	if (!status)
 		status = probes(result, report);
 	options.probes = result->probes;
@@ -394,6 +405,8 @@ static enum hawser_status solve(struct result *result, struct hawser_report *rep
 	if (!status)
 		status = hawser_net_integrate(&result->motion, &result->net, &options, report);
 	cli_progress_end(&watch.progress);
+	if (!status)
+		status = hawser_net_mesh_error(&result->error, &result->net, NULL, report);
 	if (!status && result->failed)
 		status = hawser__fail(report, HAWSER_ERR_IO, "integrate", "cannot write %s: %s", result->path,
 		                      strerror(result->failed));
@@ -401,6 +414,22 @@ static enum hawser_status solve(struct result *result, struct hawser_report *rep
 		status = cli_film_write(result->settings->animate, &result->film, &result->net, &result->motion,
 		                        report);
 	return status;
+}
+
+/* The error of fronts, if it is more than a tenth of the way of the probes; returns 0 if it is not. */
+static int shock_warning(char *text, const struct hawser_net_motion *motion)
+{
+	double most = 0.0;
+
+	for (int i = 0; i < motion->rows*motion->probes; i++)
+		for (int k = 0; k < 3; k++)
+			most = fmax(most, fabs(motion->x[i][k] - motion->x[i%motion->probes][k]));
+	if (!(motion->shock > 0.1*most))
+		return 0;
+	snprintf(text, CLI_WARNING_SIZE, "positions are wrong by up to %.2g m, as axial waves that make "
+	         "the cable slack have no damping: give damping.axial, such as %.3g s, the time in which a "
+	         "wave passes an element", motion->shock, motion->shock_axial);
+	return 1;
 }
 
 enum hawser_status cli_integrate_net(const struct cli_common *common,
@@ -415,6 +444,15 @@ enum hawser_status cli_integrate_net(const struct cli_common *common,
 	result->common = common;
 	result->settings = settings;
 	status = solve(result, report);
+	if (!status) {
+		char text[CLI_WARNING_SIZE];
+
+		cli_mesh_warning(text, &result->net, &result->error);
+		if (*text)
+			cli_warn(text);
+		if (shock_warning(text, &result->motion))
+			cli_warn(text);
+	}
 	if (!status && settings->state)
 		status = hawser_net_state_write(&result->motion, settings->state, report);
 	if (!status)

@@ -115,6 +115,8 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/track_ropeway.h \
 	%D%/contacts_net.c \
 	%D%/contacts_net.h \
+	%D%/mesh_net.c \
+	%D%/mesh_net.h \
 	%D%/statics_net.c \
 	%D%/statics_net.h \
 	%D%/statics_cases.c \

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "cli/contacts_net.h"
+#include "cli/mesh_net.h"
 #include "cli/modes_net.h"
 #include "cli/view.h"
 #include "core/report.h"
@@ -17,6 +18,7 @@ struct result {
 	const struct cli_common *common;
 	struct hawser_net net;
 	struct hawser_net_modes modes;
+	struct hawser_net_mesh_error error; /* of the equilibrium */
 	const char *method;
 	int shapes;
 };
@@ -116,6 +118,7 @@ static void comments(struct hawser__table *table, const void *of)
 		                      modes->below, modes->counted, modes->counted == 1 ? "" : "s");
 	else if (modes->below < 0.0)
 		hawser__table_comment(table, "round-off prevents a count of the modes below the last one");
+	cli_mesh_comment(table, &result->net, &result->error);
 	contact_comments(table, modes);
 	corner_comment(table, modes);
 	symmetry_comments(table, &modes->symmetry);
@@ -281,6 +284,13 @@ static const char *how_of(const void *of)
 	return modes->state ? names[modes->how] : NULL;
 }
 
+static void mesh_json(struct hawser__json *json, json_t *into, const void *of)
+{
+	const struct result *result = of;
+
+	cli_mesh_json(json, into, &result->net, &result->error);
+}
+
 static void contacts_json(struct hawser__json *json, json_t *into, const void *of)
 {
 	const struct result *result = of;
@@ -304,6 +314,9 @@ const struct hawser__field cli_modes_net_member[] = {
 	 HAWSER__AT(struct result, modes.slack)},
 	{"certificate", NULL, "omega (rad/s) below which there are so many modes, by the inertia of K - "
 	 "omega^2 M (null: all of the mesh); complete: none is missed", HAWSER__CALLS(certificate_json)},
+	{"mesh_error", NULL, "relative error of the tensions of the equilibrium by the mesh: tension "
+	 "(null: not known), cable with the largest one, from: what it is compared with",
+	 HAWSER__CALLS(mesh_json)},
 	{"symmetry", NULL, "plane (or null), mirrors: point, normal, how well they hold (places, m; "
 	 "elements, relative); turns: 1/turns of a circle about axis through centre",
 	 HAWSER__CALLS(symmetry_json)},
@@ -406,6 +419,9 @@ static void doubts(const struct result *result)
 	const struct hawser_net_modes *modes = &result->modes;
 	char text[CLI_WARNING_SIZE];
 
+	cli_mesh_warning(text, &result->net, &result->error);
+	if (*text)
+		cli_warn(text);
 	if (modes->doubtful == 0)
 		return;
 	snprintf(text, sizeof text, "%s: %d node%s touch an obstacle without force (first: cable %s, S = "
@@ -425,16 +441,17 @@ enum hawser_status cli_modes_net(const struct cli_common *common, int n, int sha
 	if (!result)
 		return hawser__no_memory(report, "modes");
 	result->common = common;
-	result->method = "block Lanczos";
 	result->shapes = shapes;
 	status = cli_vtk_check(vtk, "modes", report);
 	if (!status)
-		status = hawser_net_open(&result->net, common->input, common->set, (size_t)common->sets,
-		                         report);
+		status = cli_mesh_open(&result->net, common, report);
 	if (!status)
 		status = choose(&result->net, contact, report);
 	if (!status)
 		status = hawser_net_modes_solve(&result->modes, &result->net, n > 0 ? n : 0, report);
+	result->method = result->modes.method;
+	if (!status)
+		status = hawser_net_mesh_error(&result->error, &result->net, NULL, report);
 	if (!status)
 		doubts(result);
 	if (!status && vtk)

@@ -10,6 +10,7 @@
 
 #include <hawser/net_plan.h>
 
+#include "cli/mesh_net.h"
 #include "cli/plan_net.h"
 #include "cli/plan_result.h"
 #include "cli/view.h"
@@ -172,7 +173,8 @@ static void elements(struct cli_plan_net_result *result)
 		most = cable->elements > most ? cable->elements : most;
 		given = given && cable->elements_given;
 	}
-	now = setting(result, "cables.*.elements", given, "", "of each cable, without which 20 are taken");
+	now = setting(result, "cables.*.elements", given, "", "of each cable; "
+	              "without it at least 20, and as many as tensions to 1e-3 need");
 	if (least == most)
 		VALUE(now, "%d", most);
 	else
@@ -322,8 +324,7 @@ enum hawser_status cli_plan_net(const struct cli_common *common, const struct cl
 	result->given = given;
 	status = options_of(result, report);
 	if (!status)
-		status = hawser_net_open(&result->net, common->input, common->set, (size_t)common->sets,
-		                         report);
+		status = cli_mesh_open(&result->net, common, report);
 	if (!status)
 		status = hawser_net_plan_make(&result->plan, &result->net, &result->options, report);
 	if (!status)

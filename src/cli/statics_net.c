@@ -8,6 +8,7 @@
 #include <hawser/net.h>
 
 #include "cli/contacts_net.h"
+#include "cli/mesh_net.h"
 #include "cli/statics_net.h"
 #include "core/report.h"
 #include "output/plot_net.h"
@@ -19,6 +20,7 @@ struct result {
 	int profile;
 	struct hawser_net net;
 	struct hawser_net_statics st;
+	struct hawser_net_mesh_error error;
 	char warning[CLI_WARNING_SIZE]; /* "": none */
 };
 
@@ -26,6 +28,9 @@ struct result {
  * wrong, or a law that is not linear: 1.5, where a chord between supports is refused (hawser-
  * scene(5)). */
 static const double FAR = 1.5;
+/* Part of a given tension below which a cable does not have it: tensions of form finding are right to
+ * 1e-6 then (net/form.c). */
+static const double LESS = 1.0 - 1e-4;
 
 static void warn_of_strain(struct result *result)
 {
@@ -50,6 +55,28 @@ static void warn_of_strain(struct result *result)
 		         100.0*(most->length/most->length0 - 1.0));
 }
 
+/* Cables of given tension whose ends came to one place: they hold less there. */
+static void warn_of_nothing(struct result *result)
+{
+	const struct hawser_net *net = &result->net;
+	int count = 0, first = 0;
+
+	for (int c = 0; c < result->st.cables; c++) {
+		const struct hawser_net_member *m = &result->st.member[c];
+
+		if (net->cable[c].given != HAWSER_NET_TENSION || m->T_max >= LESS*net->cable[c].value)
+			continue;
+		first = count++ ? first : c;
+	}
+	if (count > 0)
+		snprintf(result->warning, sizeof result->warning, "%d cable%s with a given tension ha%s no "
+		         "length in this shape, first %s: its ends %s and %s come to one place, where it "
+		         "holds %.6g N of %.6g N; make them one node, or give less tension", count,
+		         count == 1 ? "" : "s", count == 1 ? "s" : "ve", net->cable[first].name,
+		         net->node[net->cable[first].from].name, net->node[net->cable[first].to].name,
+		         result->st.member[first].T_max, net->cable[first].value);
+}
+
 /* A method with the law of bars has found compressed elements; or cables are much too short. */
 static void warn(struct result *result)
 {
@@ -57,7 +84,11 @@ static void warn(struct result *result)
 
 	if (count == 0)
 		warn_of_strain(result);
-	else
+	if (count == 0 && !*result->warning)
+		warn_of_nothing(result);
+	if (count == 0 && !*result->warning)
+		cli_mesh_warning(result->warning, &result->net, &result->error);
+	if (count > 0)
 		snprintf(result->warning, sizeof result->warning,
 		         "%d of %d elements %s compressed: the method %s has found an equilibrium of bars, "
 		         "not of cables, and there is no certificate; --method automatic finds that of the "
@@ -127,6 +158,7 @@ static void comments(struct hawser__table *table, const struct result *result)
 		                      st->gap);
 	hawser__table_comment(table, "forces balance to %.1e N; round-off allows %.1e N", st->residual,
 	                      st->floor);
+	cli_mesh_comment(table, &result->net, &result->error);
 	cli_contacts_comments(table, &result->net, st);
 	if (*result->warning)
 		hawser__table_comment(table, "%s", result->warning);
@@ -227,6 +259,7 @@ static void json(struct hawser__json *json, const void *of)
 	hawser__json_integer(json, json->root, "compressed", st->compressed);
 	hawser__json_number(json, json->root, "residual", st->residual);
 	hawser__json_number(json, json->root, "floor", st->floor);
+	cli_mesh_json(json, json->root, &result->net, &result->error);
 	hawser__json_integer(json, json->root, "unknowns", st->unknowns);
 	hawser__json_integer(json, json->root, "iterations", st->iterations);
 	cli_contacts_json(json, &result->net, st);
@@ -267,9 +300,11 @@ enum hawser_status cli_statics_net(const struct cli_common *common, const char *
 	if (!status)
 		status = cli_vtk_check(vtk, "statics", report);
 	if (!status)
-		status = hawser_net_open(&result.net, common->input, common->set, (size_t)common->sets, report);
+		status = cli_mesh_open(&result.net, common, report);
 	if (!status)
 		status = hawser_net_solve(&result.st, &result.net, &options, report);
+	if (!status)
+		status = hawser_net_mesh_error(&result.error, &result.net, &result.st, report);
 	if (!status)
 		warn(&result);
 	if (!status && vtk)

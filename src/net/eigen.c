@@ -27,7 +27,8 @@
 #include "core/report.h"
 #include "net/eigen.h"
 
-enum { DEFAULT = 6, SWEEPS = 6, LIFTS = 6, COLUMN = 102 /* LAPACK_COL_MAJOR */ };
+enum { DENSE = 60, DENSE_AT_MOST = 1000, /* unknowns; a thousand take 2 s */
+       DEFAULT = 6, SWEEPS = 6, LIFTS = 6, COLUMN = 102 /* LAPACK_COL_MAJOR */ };
 static const double good = 1e-11;  /* bound at which a mode needs no more improvement */
 static const double usable = 1e-4; /* bound above which there is no answer: four digits */
 static const double edge = 1e-12;  /* strain at which an element is neither slack nor taut */
@@ -343,10 +344,27 @@ static enum hawser_status improve(struct hawser__eigen *eigen, struct sweep *swe
 		               "for its tension", eigen->name, worst(eigen));
 }
 
+/* The first vectors: by dense matrices if there are few unknowns, and where a Lanczos basis of not too
+ * many is exhausted by round-off. */
+static enum hawser_status vectors(struct hawser__eigen *eigen, struct hawser_report *report)
+{
+	int unknowns = eigen->mesh->unknowns;
+	struct hawser_report unused = {0};
+	enum hawser_status status;
+
+	if (unknowns <= DENSE)
+		return hawser__eigen_dense(eigen, report);
+	status = hawser__eigen_lanczos(eigen, unknowns > DENSE_AT_MOST ? report : &unused);
+	if (unknowns > DENSE_AT_MOST || !status)
+		return status;
+	return status == HAWSER_ERR_CONVERGENCE ? hawser__eigen_dense(eigen, report)
+	                                        : hawser__no_memory(report, "net");
+}
+
 enum hawser_status hawser__eigen_solve(struct hawser__eigen *eigen, struct hawser_report *report)
 {
 	struct sweep sweep = {0};
-	enum hawser_status status = hawser__eigen_lanczos(eigen, report);
+	enum hawser_status status = vectors(eigen, report);
 	size_t q = (size_t)eigen->found, n = (size_t)eigen->mesh->unknowns;
 
 	if (status)

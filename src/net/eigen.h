@@ -25,10 +25,13 @@ struct hawser__eigen {
 	double *x;        /* [found][unknowns] x'*M*x = 1 */
 	double *value;    /* [found] omega^2, ascending */
 	double *error;    /* [found] bound of the relative error of omega */
-	double shift;     /* rad^2/s^2: as many modes as `found` lie below, by the inertia of K - shift*M;
-	                   * 0 if all modes are found */
+	double shift;     /* rad^2/s^2: as many modes as `found` lie below, by the inertia of K - shift*M
+	                   * or since all modes are known; 0 if all modes are found */
 	int iterations;   /* solutions with the factors of K */
+	int dense;        /* 1: found by dense matrices */
 };
+#define HAWSER__EIGEN_EQUAL 1e-7 /* relative gap of omega^2 up to which modes belong together */
+#define HAWSER__EIGEN_ABOVE 0.01 /* relative distance of the shift from the last mode, at most */
 /* n: 0 for the default, 6. Refuses more than there are, and an equilibrium without stiffness. */
 enum hawser_status hawser__eigen_open(struct hawser__eigen *eigen, const struct hawser__mesh *mesh,
                                       const double *T, const struct hawser_net *net, int n,
@@ -53,6 +56,9 @@ enum hawser_status hawser__eigen_count(int *below, int *sure, const struct hawse
 /* Displacement of a node of the mesh. */
 void hawser__eigen_place(double x[3], const double *phi, const struct hawser__mesh *mesh, int node);
 
+/* eigen-dense.c: the same as the next function for few unknowns. */
+enum hawser_status hawser__eigen_dense(struct hawser__eigen *eigen, struct hawser_report *report)
+	HAWSER_MUST_CHECK;
 /* lanczos.c: the first found eigenvectors, to the accuracy of the factors. */
 enum hawser_status hawser__eigen_lanczos(struct hawser__eigen *eigen, struct hawser_report *report)
 	HAWSER_MUST_CHECK;

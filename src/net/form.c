@@ -3,10 +3,11 @@
  * density  tension over length, the same in all elements of such a cable
  *
  * With given force densities the shape is the solution of a linear problem; beside cables of a given
- * length, of a convex one, since density*l^2/2 is convex. What changes from one solution to the next is
- * the weight, by the unstretched length l/(1 + T/EA) of each element, and the force density of a cable
- * whose tension or sag is given: it is scaled by the ratio of what is given to what was found. The
- * equilibrium is then solved again with the unstretched lengths as given.
+ * length, of a convex one, since density*l^2/2 is convex. With given tensions the densities are those
+ * of a convex problem too (net/form-tension.c). What changes from one solution to the next is the
+ * weight, by the unstretched length l/(1 + T/EA) of each element, and the force density of a cable
+ * whose sag is given: it is scaled by the ratio of what is given to what was found. The equilibrium is
+ * then solved again with the unstretched lengths as given.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -14,9 +15,12 @@
 #include <math.h>
 
 #include "core/report.h"
-#include "net/net.h"
+#include "net/form.h"
 
 enum { MOST = 500 };
+/* Relative changes of tensions, sags and lengths: at which the iteration ends, and that will do. Where
+ * cables have no length, positions give their forces to 1e-7 only. */
+static const double WELL = 1e-12, ENOUGH = 1e-9, NEARLY = 1e-6;
 
 /* Largest vertical distance of the nodes of a cable from its chord. */
 static double sag_of(const struct hawser__mesh *mesh, int cable)
@@ -77,8 +81,10 @@ static void begin(struct hawser__mesh *mesh, const struct hawser_net *net)
 }
 
 /* New force densities and unstretched lengths; returns the largest relative change. */
-static double revise(struct hawser__mesh *mesh, const struct hawser_net *net)
+static double revise(struct hawser__form *form)
 {
+	struct hawser__mesh *mesh = form->mesh;
+	const struct hawser_net *net = form->net;
 	double most = 0.0, e[3];
 
 	for (int c = 0; c < net->cables; c++) {
@@ -90,18 +96,17 @@ static double revise(struct hawser__mesh *mesh, const struct hawser_net *net)
 		has = found_of(mesh, cable, c);
 		ratio = cable->given == HAWSER_NET_SAG ? has/cable->value : cable->value/has;
 		ratio = isfinite(ratio) && ratio > 0.0 ? fmin(fmax(ratio, 0.1), 10.0) : 10.0;
-		most = fmax(most, fabs(ratio - 1.0));
+		most = form->gone[c] ? most : fmax(most, fabs(ratio - 1.0));
 		for (int i = mesh->first[c]; i < mesh->first[c + 1]; i++) {
 			double l = hawser__mesh_direction(e, mesh, i);
 			double length0 = l/(1.0 + mesh->density[i]*l/mesh->EA[i]);
 
 			if (length0 > 0.0) {
-				most = fmax(most, fabs(length0/mesh->length0[i] - 1.0));
+				most = form->gone[c] ? most : fmax(most, fabs(length0/mesh->length0[i] - 1.0));
 				mesh->length0[i] = length0;
 			}
-			mesh->density[i] *= ratio;
-			if (cable->given == HAWSER_NET_SAG) /* a strain of 1: no sag that can be had */
-				mesh->density[i] = fmin(mesh->density[i], mesh->EA[i]/fmax(l, 1e-300));
+			if (cable->given == HAWSER_NET_SAG) /* at most a strain of 1: no sag that can be had */
+				mesh->density[i] = fmin(mesh->density[i]*ratio, mesh->EA[i]/fmax(l, 1e-300));
 		}
 	}
 	return most;
@@ -137,32 +142,47 @@ static enum hawser_status no_form(const struct hawser__mesh *mesh, const struct 
 	                    worst ? worst->name : "a cable", has, worst ? worst->value : 0.0);
 }
 
+/* Whether a cable of given tension has no length in the shape. */
+static int gone(const struct hawser__form *form)
+{
+	for (int i = 0; i < form->count; i++)
+		if (form->gone[form->cable[i]])
+			return 1;
+	return 0;
+}
+
 enum hawser_status hawser__mesh_form(struct hawser__mesh *mesh, double *T,
                                      struct hawser__equilibrium *found, const struct hawser_net *net,
                                      const struct hawser__mesh_options *options,
                                      struct hawser_report *report)
 {
 	struct hawser__mesh_options again = options ? *options : (struct hawser__mesh_options){0};
+	struct hawser__form form = {0};
 	enum hawser_status status = HAWSER_OK;
 	double change = INFINITY;
-	int form = 0;
+	int any = 0, known;
 
 	for (int c = 0; c < net->cables; c++)
-		form |= net->cable[c].given != HAWSER_NET_LENGTH0;
-	if (!form)
+		any |= net->cable[c].given != HAWSER_NET_LENGTH0;
+	if (!any)
 		return hawser__mesh_statics(mesh, T, found, options, report);
 	begin(mesh, net);
-	for (int i = 0; i < MOST && change > 1e-12 && !status; i++) {
+	status = hawser__form_open(&form, mesh, net, &again, report);
+	for (int i = 0; i < MOST && change > (gone(&form) ? NEARLY : WELL) && !status; i++) {
 		hawser__mesh_load(mesh, net);
-		status = hawser__mesh_statics(mesh, T, found, &again, report);
-		change = status ? 1.0 : revise(mesh, net);
+		status = hawser__form_balance(&form, report);
+		if (!status)
+			status = hawser__form_step(&form, report);
+		change = status ? 1.0 : revise(&form);
 		if (i > 0 && (status == HAWSER_ERR_CONVERGENCE || status == HAWSER_ERR_NAN))
 			status = hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "net",
 			                      "no shape was found in which the cables have what is given: it "
 			                      "grows beyond all bounds. Give tensions and sags that loads and "
 			                      "supports allow, or force_density");
 	}
-	if (!status && !(change <= 1e-9))
+	known = change <= (gone(&form) ? NEARLY : ENOUGH);
+	hawser__form_clear(&form);
+	if (!status && !known)
 		status = no_form(mesh, net, report);
 	for (int i = 0; i < mesh->elements; i++)
 		mesh->density[i] = 0.0;

@@ -10,7 +10,7 @@
 #include "core/progress.h"
 #include "core/report.h"
 #include "net/motion-contact.h"
-#include "net/motion-ode.h"
+#include "net/motion-probe.h"
 #include "net/solution.h"
 #include "net/touch.h"
 
@@ -27,6 +27,7 @@ struct run {
 	double *state;           /* from a file, or NULL */
 	double h, step, every, tolerance; /* step 0: by the error */
 	double (*x)[3], *T;      /* [nodes], [elements] of a row */
+	struct hawser__probes probes;
 	struct hawser__net_touched touched; /* of a row, with obstacles */
 	struct hawser__support_table *table; /* [tables], until the motion owns them */
 	int tables;
@@ -44,6 +45,7 @@ static void clear(struct run *run)
 	free(run->state);
 	free(run->x);
 	free(run->T);
+	hawser__probes_clear(&run->probes);
 	free(run->touched.r_N); /* with r_T */
 	free(run->touched.state);
 	hawser__motion_clear(&run->motion);
@@ -261,47 +263,24 @@ static enum hawser_status prepare(struct run *run, struct hawser_report *report)
 	run->T = calloc((size_t)run->mesh.elements, sizeof *run->T);
 	if (!run->x || !run->T)
 		return hawser__no_memory(report, "net");
-	return run->motion.contact ? hawser__contact_room(&run->touched, run->mesh.nodes, report)
-	                           : HAWSER_OK;
+	if (run->motion.contact)
+		status = hawser__contact_room(&run->touched, run->mesh.nodes, report);
+	return status ? status : hawser__probes_open(&run->probes, &run->motion, run->net,
+	                                             (const double (*)[3])run->x, run->T, report);
 }
 
 /* --- rows --- */
 
-static void probe(double x[3], double v[3], double *T, const struct run *run,
-                  const struct hawser_net_probe *at)
-{
-	const struct hawser__mesh *mesh = &run->mesh;
-	const double (*rate)[3] = (const double (*)[3])run->motion.v;
-	int first = at->cable < 0 ? 0 : mesh->first[at->cable];
-	int n = at->cable < 0 ? 0 : mesh->first[at->cable + 1] - first;
-	double along = fmin(fmax(at->part, 0.0), 1.0)*n, part;
-	int e = first + (int)fmin(along, fmax(n - 1, 0));
-
-	*T = 0.0;
-	if (n == 0) {
-		memcpy(x, run->x[at->node], 3*sizeof *x);
-		memcpy(v, rate[at->node], 3*sizeof *v);
-		for (int i = 0; i < mesh->elements; i++)
-			if (mesh->end[i][0] == at->node || mesh->end[i][1] == at->node)
-				*T = fmax(*T, run->T[i]);
-		return;
-	}
-	part = along - (e - first);
-	*T = run->T[e];
-	for (int k = 0; k < 3; k++) {
-		x[k] = (1.0 - part)*run->x[mesh->end[e][0]][k] + part*run->x[mesh->end[e][1]][k];
-		v[k] = (1.0 - part)*rate[mesh->end[e][0]][k] + part*rate[mesh->end[e][1]][k];
-	}
-}
-
-/* Positions and tensions as they are, into the next row; returns what the caller's function does. */
-static int row(struct hawser_net_motion *to, struct run *run)
+/* Positions and tensions as they are, into the next row; *stop: what the caller's function returns. */
+static enum hawser_status row(int *stop, struct hawser_net_motion *to, struct run *run,
+                              struct hawser_report *report)
 {
 	const struct hawser__motion *motion = &run->motion;
 	const struct hawser_net_motion_options *options = run->options;
 	struct hawser_net_frame frame = {.t = motion->t, .row = to->rows, .nodes = motion->nodes,
 	                                 .elements = motion->elements, .x = (const double (*)[3])run->x,
 	                                 .end = (const int (*)[2])run->mesh.end, .T = run->T};
+	enum hawser_status status;
 	int i = to->rows++;
 
 	for (int n = 0; n < motion->nodes; n++)
@@ -319,12 +298,14 @@ static int row(struct hawser_net_motion *to, struct run *run)
 		frame.r_N = run->touched.r_N;
 		frame.r_T = run->touched.r_T;
 	}
-	for (int p = 0; p < options->probes; p++) {
+	status = options->probes ? hawser__probes_state(&run->probes, report) : HAWSER_OK;
+	for (int p = 0; p < options->probes && !status; p++) {
 		int at = i*options->probes + p;
 
-		probe(to->x[at], to->v[at], &to->T[at], run, &options->probe[p]);
+		hawser__probe(to->x[at], to->v[at], &to->T[at], &run->probes, &options->probe[p]);
 	}
-	return options->frame ? options->frame(options->data, &frame) : 0;
+	*stop = !status && options->frame && options->frame(options->data, &frame) != 0;
+	return status;
 }
 
 /* Whether the caller ends the run: asked after each row, and within rows after some time. */
@@ -399,15 +380,15 @@ static enum hawser_status rows(struct hawser_net_motion *to, struct run *run,
 	run->from = run->motion.t;
 	run->motion.stop = hawser__is_watched(&run->options->progress) ? stop : NULL;
 	run->motion.data = run;
-	to->interrupted = row(to, run) != 0;
+	status = row(&to->interrupted, to, run, report);
 	for (double i = first + 1.0; i <= last*(1.0 + 1e-12) && !status && !to->interrupted; i++) {
 		status = advance(run, i*run->every, report);
 		to->interrupted = run->motion.stopped;
 		if (status || to->interrupted)
 			break;
-		to->interrupted = row(to, run) != 0;
+		status = row(&to->interrupted, to, run, report);
 		run->rows = to->rows;
-		if (ask(run))
+		if (!status && ask(run))
 			to->interrupted = 1;
 	}
 	to->reached = run->motion.t;

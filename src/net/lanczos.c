@@ -31,8 +31,6 @@ enum { FEW = 16, SMALL = 4, LARGE = 8, /* columns of a block: of fewer modes tha
        COLUMN = 102 /* LAPACK_COL_MAJOR */ };
 static const double converged = 1e-9;  /* residual of B over mu */
 static const double roundoff = 1e-14;  /* of A, over its largest eigenvalue */
-static const double equal = 1e-7;      /* relative gap of omega^2 up to which modes belong together */
-static const double above = 0.01;      /* relative distance of the shift from the last mode, at most */
 static const double dependent = 1e-10; /* part of a vector outside the others that is round-off */
 
 struct basis {
@@ -214,29 +212,35 @@ static int is_found(const struct basis *basis, int j)
 static int up_to_gap(const struct basis *basis, int n)
 {
 	for (int j = n; j < basis->done; j++)
-		if (basis->mu[basis->done - 1 - j]*value(basis, j - 1) < 1.0/(1.0 + equal))
+		if (basis->mu[basis->done - 1 - j]*value(basis, j - 1) < 1.0/(1.0 + HAWSER__EIGEN_EQUAL))
 			return j;
 	return basis->done == basis->eigen->massive ? basis->done : 0;
+}
+
+/* One more vector at least: images of the last ones, or random ones; *more is 0 where all that is left
+ * outside the basis is round-off. */
+static enum hawser_status extend(int *more, struct basis *basis, struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+
+	if (basis->done == basis->columns && basis->columns < basis->eigen->massive)
+		status = join(basis, basis->block, report);
+	*more = basis->done < basis->columns;
+	return status || !*more ? status : step(basis, report);
 }
 
 /* Go on until `n` modes and those of the same frequency are found: *found. */
 static enum hawser_status find(int *found, struct basis *basis, int n, struct hawser_report *report)
 {
-	int most = MORE*basis->eigen->n + LEAST;
+	int most = MORE*basis->eigen->n + LEAST, more = 1;
 
-	for (*found = 0;;) {
-		enum hawser_status status = HAWSER_OK;
+	for (*found = 0; more && basis->done <= most;) {
+		enum hawser_status status = extend(&more, basis, report);
 
-		if (basis->done == basis->columns && basis->columns < basis->eigen->massive)
-			status = join(basis, basis->block, report);
-		if (!status && basis->done < basis->columns)
-			status = step(basis, report);
-		if (!status && basis->done > n)
-			status = ritz(basis, report);
-		else if (!status && basis->done == basis->eigen->massive)
-			status = ritz(basis, report);
-		else if (!status)
+		if (!status && more && basis->done <= n && basis->done < basis->eigen->massive)
 			continue;
+		if (!status && basis->done > 0)
+			status = ritz(basis, report);
 		if (status)
 			return status;
 		*found = up_to_gap(basis, n);
@@ -245,11 +249,11 @@ static enum hawser_status find(int *found, struct basis *basis, int n, struct ha
 				*found = 0;
 		if (*found)
 			return HAWSER_OK;
-		if (basis->done > most || basis->done == basis->eigen->massive)
-			return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "net", "%s: the modes were not found "
-			                    "with %d vectors: ask for fewer than %d", basis->eigen->name,
-			                    basis->done, basis->eigen->n);
 	}
+	return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "net", "%s: the modes were not found with %d "
+	                    "vectors%s: ask for fewer than %d", basis->eigen->name, basis->done,
+	                    more ? "" : ", and others are not independent of these to double precision",
+	                    basis->eigen->n);
 }
 
 static void vector(double *x, const struct basis *basis, int j)
@@ -264,7 +268,7 @@ static enum hawser_status count(int *below, struct basis *basis, int found,
 {
 	double gap = found < basis->done ? fmin(value(basis, found)/value(basis, found - 1) - 1.0, 1.0)
 		: 1.0;
-	double distance = fmin(0.5*gap, above);
+	double distance = fmin(0.5*gap, HAWSER__EIGEN_ABOVE);
 	enum hawser_status status = HAWSER_OK;
 	int sure = 0;
 

@@ -10,6 +10,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/dual.h \
 	%D%/eigen.c \
 	%D%/eigen.h \
+	%D%/eigen-dense.c \
 	%D%/eigen-matrix.c \
 	%D%/elimination.c \
 	%D%/elimination.h \
@@ -19,12 +20,15 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/exact_solution.c \
 	%D%/finish.c \
 	%D%/form.c \
+	%D%/form.h \
+	%D%/form-tension.c \
 	%D%/interior.c \
 	%D%/lanczos.c \
 	%D%/loads.c \
 	%D%/history.c \
 	%D%/integrate.c \
 	%D%/mesh.c \
+	%D%/mesh-error.c \
 	%D%/mixed.c \
 	%D%/modes.c \
 	%D%/modes-label.c \
@@ -37,6 +41,8 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/motion-error.c \
 	%D%/motion-impact.c \
 	%D%/motion-klu.c \
+	%D%/motion-probe.c \
+	%D%/motion-probe.h \
 	%D%/motion-law.c \
 	%D%/motion-ode.c \
 	%D%/motion-ode.h \
@@ -77,6 +83,8 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/symmetry.h \
 	%D%/symmetry-map.c \
 	%D%/symmetry-map.h \
+	%D%/tension.c \
+	%D%/tension.h \
 	%D%/touch.c \
 	%D%/touch.h \
 	%D%/touch-hold.c \

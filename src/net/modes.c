@@ -222,6 +222,7 @@ static enum hawser_status solve(struct hawser_net_modes *modes, struct hawser__e
 	modes->below = eigen->shift > 0.0 ? sqrt(fmax(eigen->shift - eigen->lift, 0.0)) : eigen->shift;
 	modes->counted = eigen->found;
 	modes->iterations = eigen->iterations;
+	modes->method = eigen->dense ? "dense" : "block Lanczos";
 	hawser__net_maps_clear(&maps);
 	free(y);
 	return status;

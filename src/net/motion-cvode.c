@@ -166,7 +166,7 @@ static void look(struct hawser__cvode *cvode)
 		taut = sqrt(l) > motion->mesh->length0[e];
 		motion->switches += taut != cvode->taut[e];
 		cvode->taut[e] = (unsigned char)taut;
-		hawser__motion_watch(motion, el, sqrt(l) - motion->mesh->length0[e], motion->t);
+		hawser__motion_watch(motion, e, d, sqrt(l) - motion->mesh->length0[e], motion->t);
 	}
 }
 

@@ -50,6 +50,41 @@ static enum hawser_status check(struct hawser_net_motion *motion, const struct h
 	return HAWSER_OK;
 }
 
+/* The time in which an axial wave passes the longest element, s. */
+static double transit(const struct hawser_net *net)
+{
+	double most = 0.0;
+
+	for (int c = 0; c < net->cables; c++) {
+		const struct hawser_net_cable *cable = &net->cable[c];
+
+		if (cable->given == HAWSER_NET_LENGTH0)
+			most = fmax(most, cable->value/cable->elements*sqrt(cable->rho/cable->EA));
+	}
+	return most;
+}
+
+/* The motion again with the least axial damping that a front within elements can have. */
+static enum hawser_status shocks(struct hawser_net_motion *motion, const struct hawser_net *net,
+                                 const struct hawser_net_motion_options *options,
+                                 struct hawser_report *report)
+{
+	struct hawser_net_motion_options again = *options;
+	struct hawser_net damped = *net;
+	struct hawser_net_motion other;
+	enum hawser_status status;
+
+	damped.axial = motion->shock_axial = transit(net);
+	again.frame = NULL;
+	status = hawser__net_integrate(&other, &damped, &again, report);
+	if (status)
+		return status;
+	motion->shock = distance(motion, &other);
+	motion->interrupted |= other.interrupted;
+	hawser_net_motion_clear(&other);
+	return HAWSER_OK;
+}
+
 /* Fail for circles that turn freely, and for grooves where something may move the net along z. */
 static enum hawser_status not_in_time(const struct hawser_net *net,
                                       const struct hawser_net_motion_options *options,
@@ -84,6 +119,10 @@ enum hawser_status hawser_net_integrate(struct hawser_net_motion *to, const stru
 	memset(to, 0, sizeof *to);
 	if (!status)
 		status = hawser__net_integrate(to, net, options, report);
+	to->shock = NAN;
+	if (!status && net->dynamics.releases && net->axial == 0.0 && to->switches > 0 && to->probes > 0 &&
+	    !to->interrupted && transit(net) > 0.0)
+		status = shocks(to, net, options, report);
 	if (!status && options->check && !to->interrupted)
 		status = check(to, net, options, report);
 	if (status)

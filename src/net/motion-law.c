@@ -15,6 +15,9 @@
 #include "core/hot.h"
 #include "net/motion.h"
 
+/* Of a force, what its round-off is as a part of the residual's scale, whose tolerance is 5000 ulps. */
+static const double ROUND = 1e-3;
+
 static inline double dot(const double a[3], const double b[3])
 {
 	return a[0]*b[0] + a[1]*b[1] + a[2]*b[2];
@@ -196,7 +199,8 @@ void hawser__motion_residual(struct hawser__motion *motion, const struct hawser_
 		move(&motion->element[e], motion->x[motion->element[e].a], motion->x[motion->element[e].b]);
 	for (int e = 0; e < motion->elements; e++)
 		most = larger(element(motion, e, rule, h, tangent), most);
-	motion->scale = most;
+	/* a rate is the difference of two stretches over h, with the round-off of displacements */
+	motion->scale = larger(most, ROUND*motion->damps/h*motion->reach);
 }
 
 /* Force of the beginning of the step, of the part 1 - weight, added to the load. */
@@ -229,6 +233,10 @@ void hawser__motion_prepare(struct hawser__motion *motion, const struct hawser__
 		}
 		el->l = stretch(&el->p, el, el->delta, el->d);
 	}
+	motion->reach = 0.0;
+	for (int i = 0; i < motion->nodes && motion->damps > 0.0; i++)
+		for (int k = 0; k < 3; k++)
+			motion->reach = fmax(motion->reach, fabs(motion->u0[i][k]));
 	memset(motion->wave, 0, size);
 	if (rule->weight < 0.0) {
 		hawser__motion_waves(motion->wave, motion->mesh, motion->t + h/2.0, 1.0);
@@ -367,8 +375,54 @@ int hawser__motion_tensions(double *T, const struct hawser__motion *motion)
 			d[k] = el->D[k] + delta[k];
 		}
 		(void)stretch(&p, el, delta, d);
-		T[e] = el->k*larger(p, 0.0);
-		slack += p < 0.0;
+		T[e] = hawser__motion_tension(motion, e, d, p);
+		slack += p < 0.0 || (p > 0.0 && T[e] == 0.0);
 	}
 	return slack;
+}
+
+/* Change of the length of an element in a step that has brought its vector to d, by increments x; d
+ * becomes the vector before. */
+static double longer(double d[3], const struct hawser__motion_element *el, const double (*x)[3])
+{
+	double before[3], more = 0.0, sum;
+
+	for (int k = 0; k < 3; k++)
+		before[k] = d[k] - (x[el->b][k] - x[el->a][k]);
+	sum = sqrt(dot(d, d)) + sqrt(dot(before, before));
+	for (int k = 0; k < 3; k++) {
+		more += (d[k] + before[k])*(d[k] - before[k]);
+		d[k] = before[k];
+	}
+	return sum > 0.0 ? more/sum : 0.0;
+}
+
+/* The rate of the length: from the mean rates of the last two steps, of second order. The velocities of
+ * schemes without numerical damping alternate from step to step where axial damping is strong. */
+static double rate_of(const struct hawser__motion *motion, const struct hawser__motion_element *el,
+                      const double d[3])
+{
+	const double *va = motion->v[el->a], *vb = motion->v[el->b];
+	double at[3] = {d[0], d[1], d[2]}, l = sqrt(dot(d, d)), rate = 0.0, before;
+
+	for (int k = 0; k < 3 && motion->past_h <= 0.0; k++)
+		rate += l > 0.0 ? d[k]/l*(vb[k] - va[k]) : 0.0;
+	if (motion->past_h <= 0.0)
+		return rate;
+	rate = longer(at, el, (const double (*)[3])motion->past)/motion->past_h;
+	if (motion->past2_h <= 0.0)
+		return rate;
+	before = longer(at, el, (const double (*)[3])motion->past2)/motion->past2_h;
+	return rate + (rate - before)*motion->past_h/(motion->past_h + motion->past2_h);
+}
+
+double hawser__motion_tension(const struct hawser__motion *motion, int number, const double d[3],
+                              double p)
+{
+	const struct hawser__motion_element *el = &motion->element[number];
+	double T = p > 0.0 ? el->k*p : 0.0;
+
+	if (p > 0.0 && el->c > 0.0)
+		T = larger(T + el->c*rate_of(motion, el, d), 0.0);
+	return T;
 }

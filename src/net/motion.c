@@ -17,7 +17,8 @@
 #include "core/report.h"
 #include "net/motion-contact.h"
 
-enum { ITERATIONS = 30, SPLITS = 12 };
+enum { ITERATIONS = 30, CAREFUL = 100, SPLITS = 12 };
+static const double SMALLEST = 1.0/256.0; /* part of a correction */
 /* Of the tensions and weights times lengths: less energy than this is round-off. */
 static const double LEAST = 1e-12;
 /* Of the control of steps: as is usual; the shortest step over the whole time. */
@@ -48,7 +49,7 @@ static enum hawser_status allocate(struct hawser__motion *motion, struct hawser_
 	double (**part[])[3] = {&motion->reference, &motion->base, &motion->u, &motion->v, &motion->a,
 	                        &motion->u0, &motion->v0, &motion->a0, &motion->x, &motion->acc,
 	                        &motion->vel, &motion->load, &motion->wave, &motion->r, &motion->past,
-	                        &motion->past2};
+	                        &motion->past2, &motion->move};
 	size_t parts = sizeof part/sizeof *part, nodes = (size_t)motion->nodes,
 	       elements = (size_t)motion->elements + 1;
 	double (*all)[3] = calloc(parts*nodes + 1, sizeof *all);
@@ -82,6 +83,7 @@ static void refer(struct hawser__motion *motion, int balanced, const unsigned ch
 		el->p_ref = el->l_ref - L0;
 		el->k = mesh->EA[e]/L0;
 		el->c = el->k*mesh->axial;
+		motion->damps = fmax(motion->damps, el->c);
 		el->m = mesh->rho[e]*L0;
 		el->drag = mesh->alpha*L0;
 		T = fmax(el->p_ref, 0.0)*el->k;
@@ -186,18 +188,18 @@ static enum hawser_status accelerate(struct hawser__motion *motion, struct hawse
 	return status;
 }
 
-void hawser__motion_watch(struct hawser__motion *motion, const struct hawser__motion_element *el,
-                          double p, double t)
+void hawser__motion_watch(struct hawser__motion *motion, int element, const double d[3], double p,
+                          double t)
 {
-	double T = p > 0.0 ? el->k*p : 0.0;
+	double T = hawser__motion_tension(motion, element, d, p);
 
 	if (T < motion->least) {
 		motion->least = T;
 		motion->least_at = t;
 	}
-	if (p < 0.0 && isnan(motion->slack_at)) {
+	if ((p < 0.0 || (p > 0.0 && T == 0.0)) && isnan(motion->slack_at)) {
 		motion->slack_at = t;
-		motion->slack_element = (int)(el - motion->element);
+		motion->slack_element = element;
 	}
 }
 
@@ -220,7 +222,7 @@ enum hawser_status hawser__motion_begin(struct hawser__motion *motion, struct ha
 	motion->least = INFINITY;
 	motion->slack_at = NAN;
 	for (int e = 0; e < motion->elements; e++)
-		hawser__motion_watch(motion, &motion->element[e], motion->element[e].p, motion->t);
+		hawser__motion_watch(motion, e, motion->element[e].d, motion->element[e].p, motion->t);
 	return HAWSER_OK;
 }
 
@@ -240,15 +242,24 @@ static void predict(struct hawser__motion *motion, double h)
 		}
 }
 
-/* Newton's method for the increment; *done is 0 if it fails. */
-static enum hawser_status solve(struct hawser__motion *motion, int *done,
+static void move(struct hawser__motion *motion, double part)
+{
+	for (int n = 0; n < motion->nodes; n++)
+		for (int k = 0; k < 3; k++)
+			motion->x[n][k] += part*motion->move[n][k];
+}
+
+/* Newton's method for the increment; *done is 0 if it fails. `careful`: a correction is halved while
+ * the residual grows. Between slack and taut, and where damping ends to pull, the law has corners,
+ * about which whole corrections can go to and fro for ever. */
+static enum hawser_status solve(struct hawser__motion *motion, int *done, int careful,
                                 const struct hawser__motion_rule *rule, double h,
                                 struct hawser_report *report)
 {
-	double last = INFINITY;
+	double last = INFINITY, part = 1.0;
 
 	*done = 0;
-	for (int i = 0; i < ITERATIONS; i++) {
+	for (int i = 0; i < (careful ? CAREFUL : ITERATIONS); i++) {
 		double rest, tolerance;
 		int good;
 		enum hawser_status status;
@@ -261,15 +272,20 @@ static enum hawser_status solve(struct hawser__motion *motion, int *done,
 		motion->singular = i == 1 && !isfinite(rest);
 		if (*done || !isfinite(rest))
 			return HAWSER_OK;
+		if (careful && rest >= last && part > SMALLEST) {
+			part *= 0.5;
+			move(motion, -part);
+			continue;
+		}
 		last = rest;
+		part = 1.0;
 		status = correct(motion, &good, report);
 		motion->singular = !good && i == 0;
 		if (status || !good)
 			return status;
 		motion->iterations++;
-		for (int n = 0; n < motion->nodes; n++)
-			for (int k = 0; k < 3; k++)
-				motion->x[n][k] += motion->r[n][k];
+		memcpy(motion->move, motion->r, (size_t)motion->nodes*sizeof *motion->r);
+		move(motion, 1.0);
 	}
 	return HAWSER_OK;
 }
@@ -290,18 +306,18 @@ static void finish(struct hawser__motion *motion, const struct hawser__motion_ru
 		}
 	if (motion->contact)
 		hawser__contact_finish(motion);
-	for (int e = 0; e < motion->elements; e++) {
-		const struct hawser__motion_element *el = &motion->element[e];
-
-		motion->switches += (el->p > 0.0) != (el->p1 > 0.0);
-		hawser__motion_watch(motion, el, el->p1, motion->t + h);
-	}
 	hawser__motion_account(motion, rule, h);
 	motion->past2 = motion->past;
 	motion->past = swap;
 	memcpy(motion->past, motion->x, (size_t)motion->nodes*sizeof *motion->x);
 	motion->past2_h = motion->past_h;
 	motion->past_h = h;
+	for (int e = 0; e < motion->elements; e++) {
+		const struct hawser__motion_element *el = &motion->element[e];
+
+		motion->switches += (el->p > 0.0) != (el->p1 > 0.0);
+		hawser__motion_watch(motion, e, el->d1, el->p1, motion->t + h);
+	}
 	motion->drift += motion->contact ? fmax(motion->error, motion->contact->jump_error) : motion->error;
 	motion->t += h;
 	motion->steps++;
@@ -343,7 +359,11 @@ static enum hawser_status attempt(struct hawser__motion *motion, int *done, doub
 	predict(motion, h);
 	hawser__motion_prepare(motion, &rule, h);
 	status = motion->contact ? hawser__contact_solve(motion, done, &rule, h, report)
-	                         : solve(motion, done, &rule, h, report);
+	                         : solve(motion, done, 0, &rule, h, report);
+	if (!status && !*done && !motion->contact) {
+		predict(motion, h);
+		status = solve(motion, done, 1, &rule, h, report);
+	}
 	motion->error = !status && *done ? local_error(motion, h) : 0.0;
 	if (!status && *done && motion->contact) {
 		hawser__contact_jump(motion, &rule, h);

@@ -129,6 +129,7 @@ struct hawser__motion {
 	double (*load)[3];           /* [nodes] constant part of the step's right side, N */
 	double (*wave)[3];           /* [nodes] harmonic loads of the step, N */
 	double (*r)[3];              /* [nodes] residual, then correction */
+	double (*move)[3];           /* [nodes] m, the last correction */
 	double (*past)[3], (*past2)[3]; /* [nodes] increments of the last two steps */
 	double past_h, past2_h;      /* their lengths; 0: there was none */
 	double (*B)[9], (*mass)[2], *point; /* the matrix */
@@ -138,6 +139,7 @@ struct hawser__motion {
 	struct hawser__support_table *table; /* [tables] */
 	int tables;
 	double scale;                /* N, of the terms of the residual */
+	double damps, reach;         /* N s/m, largest c of an element; m, largest displacement */
 	struct hawser__motion_energy energy;
 	double start_energy;         /* J */
 	double most_energy;          /* J, largest of the ledger's terms */
@@ -177,14 +179,17 @@ const double *hawser__motion_place(const double *state /* [states] */, int node)
 enum hawser_status hawser__motion_read(double **state /* [states] */, const char *path,
                                        const struct hawser__mesh *mesh, struct hawser_report *report)
 	HAWSER_MUST_CHECK;
-/* Tensions T [elements] of the state, without damping; returns the number of slack elements. */
+/* Tensions T [elements] of the state, with damping; returns the number of elements without. */
 int hawser__motion_tensions(double *T, const struct hawser__motion *motion);
+/* That of an element with the vector d (m) and the stretch p (m), and the velocities of the state. */
+double hawser__motion_tension(const struct hawser__motion *motion, int element, const double d[3],
+                              double p);
 /* After a change of u, v or t by the caller: energies and accelerations anew. */
 enum hawser_status hawser__motion_begin(struct hawser__motion *motion, struct hawser_report *report)
 	HAWSER_MUST_CHECK;
-/* Note the least tension and the first slack element: the stretch p of an element at time t. */
-void hawser__motion_watch(struct hawser__motion *motion, const struct hawser__motion_element *el,
-                          double p, double t);
+/* Note the least tension and the first slack element: d and p of an element at time t. */
+void hawser__motion_watch(struct hawser__motion *motion, int element, const double d[3], double p,
+                          double t);
 /* One step of length h; it is split where Newton's method fails. */
 enum hawser_status hawser__motion_step(struct hawser__motion *motion, double h,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;

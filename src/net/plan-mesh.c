@@ -8,11 +8,9 @@
 #include "config.h"
 
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
-#include "core/report.h"
 #include "net/plan.h"
+#include "net/solution.h"
 
 /* Error of positions over the sag, which a drawing does not show; the sag counts as a tenth of the
  * largest one of all cables at least, since a taut cable is displaced by the errors of the others.
@@ -51,11 +49,10 @@ static void compare(struct hawser_net_plan_cable *cable, const struct hawser_net
 		for (int k = 0; k < 3; k++)
 			square += (mesh[i].x[k] - exact[i].x[k])*(mesh[i].x[k] - exact[i].x[k]);
 		off = fmax(off, sqrt(square));
-		if (i > 0 && i < n)
-			other = fmax(other, fabs(mesh[i].T - exact[i].T));
+		other = fmax(other, fabs(mesh[i].T - exact[i].T));
 	}
 	cable->error = off;
-	cable->tension_error = n > 1 && cable->T_max > 0.0 ? other/cable->T_max : NAN;
+	cable->tension_error = cable->T_max > 0.0 ? other/cable->T_max : NAN;
 }
 
 static void want(struct hawser_net_plan *plan)
@@ -75,37 +72,14 @@ static void want(struct hawser_net_plan *plan)
 	}
 }
 
-/* A scene of the lengths that were found, by exact catenaries; *found is 0 if there is no solution. */
-static enum hawser_status exact(struct hawser_net_statics *st, int *found,
-                                const struct hawser__net_planner *planner,
-                                struct hawser_report *report)
-{
-	const struct hawser_net_options options = {.method = "catenary"};
-	struct hawser_net net = *planner->net;
-	struct hawser_report unused = {0};
-	enum hawser_status status;
-
-	net.cable = malloc((size_t)net.cables*sizeof *net.cable);
-	if (!net.cable)
-		return hawser__no_memory(report, "net");
-	memcpy(net.cable, planner->net->cable, (size_t)net.cables*sizeof *net.cable);
-	for (int c = 0; c < net.cables; c++) {
-		net.cable[c].given = HAWSER_NET_LENGTH0;
-		net.cable[c].value = planner->st.member[c].length0;
-	}
-	status = hawser_net_solve(st, &net, &options, &unused);
-	free(net.cable);
-	*found = status == HAWSER_OK;
-	return status == HAWSER_ERR_MEMORY ? hawser__no_memory(report, "net") : HAWSER_OK;
-}
-
 enum hawser_status hawser__plan_mesh(struct hawser__net_planner *planner, struct hawser_report *report)
 {
 	struct hawser_net_plan *plan = planner->plan;
 	const struct hawser_net_statics *st = &planner->st;
 	struct hawser_net_statics by = {0};
 	int found = 0, at = 0;
-	enum hawser_status status = st->x ? exact(&by, &found, planner, report) : HAWSER_OK;
+	enum hawser_status status = st->x ? hawser__net_exact(&by, &found, planner->net, st, report)
+	                                  : HAWSER_OK;
 
 	for (int c = 0; c < plan->cables; c++) {
 		struct hawser_net_plan_cable *cable = &plan->cable[c];

@@ -10,6 +10,7 @@
 #include "core/report.h"
 #include "net/exact.h"
 #include "net/solution.h"
+#include "net/tension.h"
 #include "net/touch.h"
 
 void hawser_net_statics_clear(struct hawser_net_statics *st)
@@ -52,29 +53,29 @@ enum hawser_status hawser__net_supported(const struct hawser__mesh *mesh, const 
 	                    count == 1 ? "" : "s", names, count > 4 ? ", ..." : "", "xyz"[direction]);
 }
 
-static void member(struct hawser_net_statics *st, int c, const struct hawser__mesh *mesh,
-                   const double *T)
+static void member(struct hawser_net_statics *st, int c, const struct hawser__tensions *of)
 {
+	const struct hawser__mesh *mesh = of->mesh;
 	struct hawser_net_member *m = &st->member[c];
-	int first = mesh->first[c], last = mesh->first[c + 1] - 1;
+	int first = mesh->first[c], n = mesh->first[c + 1] - first;
 
-	*m = (struct hawser_net_member){.T_min = INFINITY, .T_from = T[first], .T_to = T[last]};
-	for (int i = first; i <= last; i++) {
+	*m = (struct hawser_net_member){.T_min = INFINITY, .T_max = -INFINITY};
+	for (int i = 0; i <= n; i++) {
 		struct hawser_net_point *point = &st->point[st->points++];
-		double e[3], l = hawser__mesh_direction(e, mesh, i);
+		double e[3], l = i < n ? hawser__mesh_direction(e, mesh, first + i) : 0.0;
 
-		point->cable = c;
-		point->S = m->length0;
-		memcpy(point->x, mesh->q[mesh->end[i][0]], sizeof point->x);
-		point->T = (T[i] + T[i > first ? i - 1 : i])/2.0;
-		m->T_min = fmin(m->T_min, T[i]);
-		m->T_max = fmax(m->T_max, T[i]);
-		m->slack += l < mesh->length0[i];
-		m->length0 += mesh->length0[i];
+		*point = (struct hawser_net_point){.cable = c, .S = m->length0,
+		                                   .T = hawser__tension_at(of, c, i)};
+		memcpy(point->x, mesh->q[i < n ? mesh->end[first + i][0] : mesh->end[first + n - 1][1]],
+		       sizeof point->x);
+		m->T_from = i == 0 ? point->T : m->T_from;
+		m->T_to = point->T;
+		m->T_max = fmax(m->T_max, point->T);
+		m->T_min = fmin(m->T_min, i < n ? fmin(point->T, of->T[first + i]) : point->T);
+		m->slack += i < n && l < mesh->length0[first + i];
+		m->length0 += i < n ? mesh->length0[first + i] : 0.0;
 		m->length += l;
 	}
-	st->point[st->points] = (struct hawser_net_point){.cable = c, .S = m->length0, .T = T[last]};
-	memcpy(st->point[st->points++].x, mesh->q[mesh->end[last][1]], sizeof st->point->x);
 }
 
 enum hawser_status hawser__net_statics_open(struct hawser_net_statics *st, size_t elements,
@@ -111,19 +112,60 @@ static void reactions(struct hawser_net_statics *st, const struct hawser__mesh *
 	}
 }
 
-static enum hawser_status fill(struct hawser_net_statics *st, const struct hawser__mesh *mesh,
-                               const double *T, struct hawser_report *report)
-{
-	enum hawser_status status = hawser__net_statics_open(st, (size_t)mesh->elements, report);
+/* Of its bound: friction that is less holds by itself. */
+static const double SLIDES = 1e-9;
 
-	if (status)
-		return status;
-	for (int i = 0; i < st->nodes; i++)
-		memcpy(st->x[i], mesh->q[i], sizeof st->x[i]);
-	reactions(st, mesh, T);
-	for (int c = 0; c < st->cables; c++)
-		member(st, c, mesh, T);
-	return HAWSER_OK;
+/* Supports on obstacles: what the obstacle carries is a contact, and not of the support. */
+static void rests(struct hawser_net_statics *st, const struct hawser__tensions *of)
+{
+	for (int i = 0; i < st->nodes; i++) {
+		struct hawser_net_contact *contact = &st->contact[st->contacts];
+		double f[3], H[3][3], n[3], length0;
+		int surface = hawser__tension_rests(f, &length0, of, i);
+
+		if (surface < 0)
+			continue;
+		hawser_surface_gap(n, H, &of->net->surface[surface], st->x[i]);
+		*contact = (struct hawser_net_contact){
+			.surface = surface, .node = i, .cable = -1, .length0 = length0,
+			.r = f[0]*n[0] + f[1]*n[1] + f[2]*n[2]};
+		memcpy(contact->x, st->x[i], sizeof contact->x);
+		for (int k = 0; k < 3; k++) {
+			contact->friction[k] = f[k] - contact->r*n[k];
+			st->reaction[i][k] -= f[k];
+		}
+		contact->sticks = hypot(hypot(contact->friction[0], contact->friction[1]),
+		                        contact->friction[2]) <
+		                  of->net->surface[surface].friction*contact->r*(1.0 - SLIDES);
+		st->contacts++;
+	}
+}
+
+static enum hawser_status fill(struct hawser_net_statics *st, const struct hawser__mesh *mesh,
+                               const struct hawser_net *net, const double *T,
+                               struct hawser_report *report)
+{
+	double (*obstacle)[3] = calloc((size_t)mesh->nodes + 1, sizeof *obstacle);
+	const struct hawser__tensions of = {.mesh = mesh, .net = net, .T = T,
+	                                    .x = (const double (*)[3])mesh->q,
+	                                    .obstacle = mesh->touches ? (const double (*)[3])obstacle
+	                                                              : NULL};
+	enum hawser_status status = obstacle ? hawser__net_statics_open(st, (size_t)mesh->elements, report)
+	                                     : hawser__no_memory(report, "net");
+
+	if (!status)
+		status = hawser__touch_list(&st->contact, &st->contacts, mesh, st->nodes, report);
+	if (!status) {
+		hawser__tension_obstacles(obstacle, mesh);
+		for (int i = 0; i < st->nodes; i++)
+			memcpy(st->x[i], mesh->q[i], sizeof st->x[i]);
+		reactions(st, mesh, T);
+		rests(st, &of);
+		for (int c = 0; c < st->cables; c++)
+			member(st, c, &of);
+	}
+	free(obstacle);
+	return status;
 }
 
 static enum hawser_status of_mesh(struct hawser_net_statics *st, const struct hawser_net *net,
@@ -160,9 +202,7 @@ static enum hawser_status of_mesh(struct hawser_net_statics *st, const struct ha
 			.energy = found.energy, .gap = found.gap, .residual = found.residual,
 			.floor = found.floor, .method = found.method, .iterations = found.iterations,
 			.compressed = found.compressed, .apart = found.apart};
-		status = fill(st, &mesh, T, report);
-		if (!status)
-			status = hawser__touch_list(&st->contact, &st->contacts, &mesh, st->nodes, report);
+		status = fill(st, &mesh, net, T, report);
 	}
 	free(T);
 	hawser__mesh_clear(&mesh);

@@ -15,5 +15,10 @@ enum hawser_status hawser__net_statics_open(struct hawser_net_statics *st, size_
 enum hawser_status hawser__exact_statics(struct hawser_net_statics *st, const struct hawser_net *net,
                                          const struct hawser_net_options *options,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
+/* By exact catenaries, with the unstretched lengths of `st`; *found is 0 if there is no solution, or if
+ * there are obstacles. */
+enum hawser_status hawser__net_exact(struct hawser_net_statics *exact, int *found,
+                                     const struct hawser_net *net, const struct hawser_net_statics *st,
+                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 
 #endif

@@ -63,7 +63,7 @@ enum hawser_status hawser__touch_hold(unsigned char *state, struct hawser__mesh 
 /* Number of touches without gap and without force, as far as round-off tells; *node: the first.
  * They are open from then on. */
 int hawser__touch_doubtful(int *node, struct hawser__mesh *mesh, const double *T);
-/* The contacts of a result: list [*count], of a net with so many nodes. */
+/* The contacts of a result: list [*count], of a net with so many nodes, with room for one more each. */
 enum hawser_status hawser__touch_list(struct hawser_net_contact **list, int *count,
                                       const struct hawser__mesh *mesh, int nodes,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;

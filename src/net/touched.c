@@ -61,7 +61,7 @@ enum hawser_status hawser__touch_list(struct hawser_net_contact **list, int *cou
 	for (int i = 0; i < mesh->touches; i++)
 		most += mesh->touch[i].r > 0.0;
 	*count = 0;
-	*list = calloc((size_t)most + 1, sizeof **list);
+	*list = calloc((size_t)(most + nodes) + 1, sizeof **list);
 	for (int e = 0; half && e < 2*mesh->elements; e++)
 		half[mesh->end[e/2][e%2]] += mesh->length0[e/2]/2.0;
 	for (int i = 0; half && *list && i < mesh->touches; i++)

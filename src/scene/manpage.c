@@ -418,7 +418,7 @@ static const char net_keys[] =
 	".BR sag ,\n"
 	"from which its unstretched length is found, and the number of its\n"
 	".B elements\n"
-	"(20).\n"
+	"(at least 20, and as many, up to 400, as an error of the tensions of 1e\\-3 needs).\n"
 	".B supports\n"
 	"hold a node (fixed), or some of its directions (fixed: [y, z]), and may have a motion:\n"
 	"harmonic (amplitude, Omega, phase) in directions that it holds, or a\n"

@@ -145,7 +145,7 @@ static const struct hawser__tree_key rows[] = {
 	       "mean tension, from which the length follows")
 	NUMBER("net.cables[].force_density", ONE_OF, "N/m", POSITIVE, "tension over length")
 	NUMBER("net.cables[].sag", ONE_OF, "m", POSITIVE, "sag, from which the length follows")
-	INTEGER("net.cables[].elements", OPTIONAL, "number of elements (20)")
+	INTEGER("net.cables[].elements", OPTIONAL, "number of elements (20 to 400, by their error)")
 	MAPPING("net.supports", OPTIONAL, "nodes that are held")
 	WORD("net.supports.*", OPTIONAL, "fixed", "held in all directions")
 	MAPPING("net.supports.*", OPTIONAL, "held in some directions, or moved")

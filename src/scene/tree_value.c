@@ -44,6 +44,12 @@ enum hawser_status hawser__tree_number(struct hawser__reader *reader, double *va
 	    !(range == HAWSER__TREE_POSITIVE && *value < 1e-100) &&
 	    !(range == HAWSER__TREE_NOT_NEGATIVE && *value < 0.0))
 		return HAWSER_OK;
+	if (range && !isfinite(*value))
+		return hawser__reader_fail(reader, &tree->at, "%s: \"%s\" is not finite: give a number that is "
+		                           "%s%s%s%s", what, shown, rule, strcmp(unit, "1") ? ", in " : "",
+		                           strcmp(unit, "1") ? unit : "", isinf(*value) && *value > 0.0 &&
+		                           !strcmp(unit, "N") ? "; of a cable that hardly stretches, an EA of "
+		                           "1e6 times its tension" : "");
 	return hawser__reader_fail(reader, &tree->at, "%s: \"%s\" is out of range: it must be %s%s%s", what,
 	                           shown, rule, strcmp(unit, "1") ? ", in " : "",
 	                           strcmp(unit, "1") ? unit : "");

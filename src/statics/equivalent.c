@@ -119,6 +119,37 @@ static enum hawser_status refuse_attached(const struct hawser_scene *scene,
 	return HAWSER_OK;
 }
 
+/* Whether the static load balances the weight, as of a cable that floats in water. */
+static int balanced(const struct hawser_scene *scene)
+{
+	const double *p = scene->static_load.per_length;
+	double weight = (scene->cable.rho + scene->static_load.mass)*scene->g;
+	double force = hypot(hypot(p[0], p[1] - weight), p[2]);
+
+	return scene->static_load.present && !(force > nothing*(weight + norm(p)));
+}
+
+/* Without any force, a cable that is not taut by itself has no shape. */
+static enum hawser_status determined(const struct hawser_equivalent *equal,
+                                     const struct hawser_scene *scene, struct hawser_report *report)
+{
+	double chord = hypot(equal->span.d, equal->span.h);
+
+	if (!balanced(scene) || scene->attachments > 0)
+		return HAWSER_OK;
+	if (equal->given == HAWSER_GIVEN_SAG)
+		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, where,
+		                    "load.static balances the weight, so that the cable is straight: it has no "
+		                    "sag; give H, T0, T1 or length0 in place of tension.sag");
+	if (equal->given == HAWSER_GIVEN_LENGTH0 && equal->value >= chord)
+		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, where,
+		                    "load.static balances the weight, and the unstretched length of %.9g m is "
+		                    "not below the distance of %.9g m of the ends: without tension and force "
+		                    "the shape is not determined; give a shorter length0 or another load",
+		                    equal->value, chord);
+	return HAWSER_OK;
+}
+
 /* The span between ends with the given chord, with the static load of the scene, without what gives
  * its tension. */
 static enum hawser_status apply(struct hawser_equivalent *equal, const struct hawser_scene *scene,
@@ -137,11 +168,14 @@ static enum hawser_status apply(struct hawser_equivalent *equal, const struct ha
 	equal->span.h = chord[1];
 	if (status)
 		return status;
-	if (!(isfinite(force) && force > nothing*(weight + norm(p))) && loaded)
+	if (!isfinite(force))
 		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, where,
 		                    "load.static and the weight of %g N/m leave a force of %g N/m on the "
-		                    "cable: without any force its shape is not determined; change the load",
-		                    weight, force);
+		                    "cable: change the load", weight, force);
+	if (loaded && balanced(scene)) { /* straight: what is left of the weight bends it by round-off */
+		equal->span.g = nothing*scene->g;
+		return HAWSER_OK;
+	}
 	if (loaded)
 		equal->span.g = force/rho;
 	if (p[0] == 0.0 && p[2] == 0.0 && w[1] < 0.0 && chord[2] == 0.0)
@@ -262,9 +296,8 @@ static enum hawser_status placed(struct hawser_equivalent *equal, const struct h
 	return give_way(equal, scene, rest, report);
 }
 
-enum hawser_status hawser_statics_equivalent(struct hawser_equivalent *equal,
-                                             const struct hawser_scene *scene,
-                                             struct hawser_report *report)
+static enum hawser_status equivalent(struct hawser_equivalent *equal, const struct hawser_scene *scene,
+                                     struct hawser_report *report)
 {
 	struct hawser_span span;
 	struct hawser_statics reference;
@@ -291,6 +324,15 @@ enum hawser_status hawser_statics_equivalent(struct hawser_equivalent *equal,
 		return given_again(equal, scene, report);
 	hawser__end_forces(rest, &reference);
 	return give_way(equal, scene, rest, report);
+}
+
+enum hawser_status hawser_statics_equivalent(struct hawser_equivalent *equal,
+                                             const struct hawser_scene *scene,
+                                             struct hawser_report *report)
+{
+	enum hawser_status status = equivalent(equal, scene, report);
+
+	return status ? status : determined(equal, scene, report);
 }
 
 /* *st: the span of *equal at rest. */

@@ -6,7 +6,7 @@
 scenes=$SRCDIR/notebooks-data/scenes
 sea=$scenes/net-seabed.yaml
 works "a mooring line" statics "$sea" --set cables.line.elements=50 --profile --vtk sea.vtk --json sea.json --tsv sea.tsv --plot sea.svg -q
-try "  a comment for the obstacle" grep -q '^# seabed: 20 nodes touch, 200 m of unstretched length, .*; 0 stick, 20 slide$' sea.tsv
+try "  a comment for the obstacle" grep -q '^# seabed: 21 nodes touch, 205 m of unstretched length, .*; 0 stick, 21 slide$' sea.tsv
 try "  columns of contact" grep -q '^cable	S_m	x_m	y_m	z_m	T_N	obstacle	r_N_N	r_T_N	contact$' sea.tsv
 try "  a node that slides" grep -q '^line	10	.*	seabed	.*	slip$' sea.tsv
 try "  the end is open" grep -q '^line	500	.*	-	0	0	open$' sea.tsv
@@ -16,9 +16,9 @@ python "JSON" <<'END'
 import json
 r = json.load(open("sea.json"))
 c = r["contacts"]
-assert len(c) == 20 and r["complementarity"] < 1e-12 and 0 <= r["gap"] < 1e-3
+assert len(c) == 21 and c[-1]["node"] == "A" and r["complementarity"] < 1e-12 and 0 <= r["gap"] < 1e-3
 for one in c:
-    assert one["obstacle"] == "seabed" and one["cable"] == "line" and one["state"] == "slip"
+    assert one["obstacle"] == "seabed" and one.get("cable", "line") == "line" and one["state"] == "slip"
     assert abs(one["r_T"][0] + 0.1*one["r_N"]) < 1e-6 and one["position"][1] < 1e-12
 A, B = r["reactions"]["A"], r["reactions"]["B"]
 assert abs(A[1] + B[1] + sum(one["r_N"] for one in c) - 500*81.549439*9.81) < 1e-3
@@ -26,10 +26,10 @@ assert abs(A[0] + B[0] + sum(one["r_T"][0] for one in c)) < 1e-3
 END
 works "a drum" statics "$scenes/net-capstan.yaml" --json drum.json -q
 python "  has no gap" <<'END'
-import json
+import json, math
 r = json.load(open("drum.json"))
-assert r["gap"] is None and [c["state"] for c in r["contacts"]] == 10*["slip"]
-assert abs(r["cables"][0]["T_to"]/r["cables"][0]["T_from"] - 2.588356) < 1e-6
+assert r["gap"] is None and [c["state"] for c in r["contacts"]] == 12*["slip"]
+assert abs(math.log(r["cables"][0]["T_to"]/r["cables"][0]["T_from"])/(1.1*math.log(2.588356)) - 1) < 1e-3
 END
 
 # a mass on top of a circle, which soft ropes do not hold there
@@ -159,7 +159,7 @@ python "  what touches" <<'END'
 import json
 p = json.load(open("plan.json"))
 say = {d["subject"]: d["why"] for d in p["decisions"]}
-assert "seabed (20 nodes)" in say["contact"] and "contact.path" in say["friction"]
+assert "seabed (21 nodes)" in say["contact"] and "contact.path" in say["friction"]
 END
 run statics "$sea" --equilibria 3 -q
 try "equilibria: not yet" grep -q 'does not know obstacles in nets yet' "$scratch/err"

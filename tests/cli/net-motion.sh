@@ -80,4 +80,45 @@ printf '0 0 0\n' >C.txt
 denies "three numbers" 1 "a line must have 4 numbers" integrate net.yaml --until "1 s"
 rm C.txt
 denies "no table" 1 "the table with the motion of a support cannot be read" integrate net.yaml --until "1 s"
+# Strong axial damping from a state in motion: forces of damping have the round-off of displacements over
+# the step, c ulp(u)/h, below which no step comes. CVODE is the judge.
+cat >whip.yaml <<'END'
+kind: net
+nodes: {A: [0 m, 0 m, 0 m], B: [1.5 m, 0 m, 0 m]}
+cables: [{name: c, from: A, to: B, EA: 750.77 N, rho: 0.03324 kg/m, length0: 1.8 m, elements: 20}]
+supports: {A: fixed, B: fixed}
+dynamics: {release: [B]}
+END
+works "a cable let go" integrate whip.yaml --until "0.5 s" --state whip.state -q
+for scheme in energy alpha theta cvode; do
+	works "then damped by 10 s, $scheme" integrate whip.yaml --until "0.55 s" --every "0.05 s" --initial whip.state \
+		--set 'damping={axial: 10}' --method $scheme --json whip-$scheme.json -q
+done
+python "all at one place" <<'END'
+import json
+x = {s: json.load(open(f"whip-{s}.json"))["probes"]["B"]["x"][-1] for s in ("energy", "alpha", "theta", "cvode")}
+assert all(abs(a - b) < 2e-4 for s in x for a, b in zip(x[s], x["cvode"])), x
+END
+
+# Recoil: the end that is let go has moved by 0.090 m after 0.1 s (outside program), with axial damping of
+# 0.002 s by 0.085 m. A mesh without damping has 0.12 m, and states so.
+cat >recoil.yaml <<'END'
+kind: net
+nodes: {A: [0 m, 0 m, 0 m], B: [100 m, 0 m, 0 m]}
+cables: [{name: c, from: A, to: B, EA: 1 MN, rho: 2 kg/m, length0: 110 m, elements: 80}]
+supports: {A: fixed, B: fixed}
+dynamics: {release: [B]}
+END
+"$HAWSER" integrate recoil.yaml --until "0.1 s" --json recoil.json --tsv recoil.tsv 2>recoil.err
+try "recoil warns" grep -q 'waves that make the cable slack have no damping: give damping.axial' recoil.err
+try "  its fronts are named" grep -q '^# fronts behind which the cable is slack: with damping.axial = 0.00194' recoil.tsv
+works "damped recoil" integrate recoil.yaml --until "0.1 s" --set cables.c.elements=160 --set 'damping={axial: 0.002}' --json damped.json
+python "the error is stated" <<'END'
+import json
+one, damped = json.load(open("recoil.json")), json.load(open("damped.json"))
+x = 100 - one["probes"]["B"]["x"][-1][0]
+assert abs(x - 0.090) < 1.1*one["error"]["shock"] and one["error"]["shock"] < 0.05
+assert abs(100 - damped["probes"]["B"]["x"][-1][0] - 0.085) < 1e-3 and damped["error"]["shock"] is None
+END
+
 done_testing

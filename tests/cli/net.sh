@@ -65,7 +65,7 @@ stretched = 6*(1 + slack["cables"][0]["T_max"]/1e6)
 assert abs(math.hypot(5, y) - stretched) < 1e-12 and slack["cables"][2]["T_max"] == 0
 load = 1000 + 9.81
 assert abs(2*slack["cables"][0]["T_max"]*(-y)/stretched - load) < 1e-8
-assert abs(slack["cables"][3]["T_from"] - 9.81*(1 - 0.5/20)) < 1e-6
+assert abs(slack["cables"][3]["T_from"] - 9.81) < 1e-6 and slack["mesh_error"]["tension"] < 1e-3
 found = json.load(open("density.json"))
 cable = found["cables"][0]
 assert abs(cable["T_from"]/math.hypot(*found["nodes"]["J"]) - 90) < 1e-7
@@ -86,7 +86,7 @@ denies "form finding by catenaries" 1 "takes cables with length0 only, and cable
 	--method catenary --set 'cables.a={name: a, from: A, to: J, EA: 1 MN, rho: 0, tension: 5 N}'
 denies "a density that no length has" 2 "the lengths that go with the given force densities" statics slack.yaml \
 	--set 'cables.c={name: c, from: J, to: K, EA: 1 MN, rho: 1 kg/m, force_density: 0.25 N/m}'
-denies "a tension that no shape has" 2 "it grows beyond all bounds" statics slack.yaml \
+denies "a tension that no shape has" 2 "the tension of c came to 100, and 5 is given" statics slack.yaml \
 	--set 'cables.c={name: c, from: J, to: K, EA: 1 MN, rho: 0, tension: 5 N}' --set 'loads.K=[0 N, -100 N, 0 N]'
 denies "a sag that no shape has" 2 "the sag of tie came to" statics slack.yaml \
 	--set 'cables.tie={name: tie, from: A, to: B, EA: 1 MN, rho: 0, sag: 1 m}'
@@ -180,8 +180,8 @@ works "a rigid cable that is longer than the taut one beside it" statics beside.
 python "its last element is slack, so that the taut one has all of the mass" <<'END2'
 import json
 taut, longer = json.load(open("beside.json"))["cables"]
-assert longer["T_to"] == 0 and longer["slack"] == 1
-assert abs(taut["T_to"] - 9.81*(4.7 + (4.6*1.29 + 0.11*1.225)/16)) < 1e-8
+assert abs(longer["T_to"] - 4.6*1.29/16*9.81) < 1e-6 and longer["slack"] == 1
+assert abs(taut["T_to"] - 9.81*(4.7 + 4.6*1.29/16)) < 1e-8
 END2
 
 bars=$SRCDIR/notebooks-data/scenes/net-bars.yaml

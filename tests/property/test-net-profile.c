@@ -104,6 +104,7 @@ static void certified(unsigned number, double *off, double *force, double *sharp
 	struct hawser_net_certificate before, after;
 	struct hawser_net_statics st;
 	struct hawser_net net;
+	double half = cable.rho*cable.g*cable.length0/cable.elements/2.0;
 	long double n[2];
 	int bounded = 1, refused = 1;
 
@@ -116,7 +117,8 @@ static void certified(unsigned number, double *off, double *force, double *sharp
 	}
 	for (int i = 0; i <= cable.elements; i++)
 		*off = fmax(*off, hypot(st.point[i].x[0] - x[i][0], st.point[i].x[1] - x[i][1])/size);
-	*force = fmax(*force, fabs(st.member[0].T_from/(double)hypotl(n[0], n[1]) - 1.0));
+	/* at the end half an element of weight is added to its force */
+	*force = fmax(*force, fabs(st.member[0].T_from/(double)hypotl(n[0], n[1] - half) - 1.0));
 	energy = energy_of(&cable, &st);
 	for (double part = 1e-1; part > 1e-3; part /= 7.0) {
 		int i = 1 + (int)(number % (unsigned)(cable.elements - 1));

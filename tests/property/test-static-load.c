@@ -336,12 +336,36 @@ static void refused(struct hawser_scene *scene, enum hawser_status want, const c
 	   words, report.message);
 }
 
+/* A load that balances the weight, as buoyancy: the cable is straight, T = EA*(chord/length0 - 1), or
+ * has the tension that is given. */
+static void afloat(void)
+{
+	struct hawser_scene scene = scene_of(31.7);
+	double chord = hypot(387.3, 31.7), length0 = 385.9;
+	struct hawser_statics st;
+
+	load(&scene, 0.0, (1.571 + 0.2)*9.81, 0.0, 0.2);
+	scene.tension.given = HAWSER_GIVEN_LENGTH0;
+	scene.tension.value = length0;
+	st = solved(&scene);
+	close_to(st.T0, 2.17e7*(chord/length0 - 1.0), 1e-10, "tension of a straight cable, N");
+	close_to(st.T1, st.T0, 1e-10, "the same at both ends, N");
+	ok(st.sag < 1e-9*chord, "without sag: %.1e m", st.sag);
+	scene.tension.value = chord;
+	refused(&scene, HAWSER_ERR_NO_SOLUTION, "the shape is not determined");
+	scene.tension.given = HAWSER_GIVEN_SAG;
+	refused(&scene, HAWSER_ERR_NO_SOLUTION, "it has no sag");
+	scene.tension.given = HAWSER_GIVEN_T1;
+	scene.tension.value = 2.385e4;
+	st = solved(&scene);
+	close_to(st.T0, 2.385e4, 1e-10, "tension of a straight cable that is given, N");
+	close_to(st.length0, chord/(1.0 + 2.385e4/2.17e7), 1e-10, "and its length, m");
+}
+
 static void refusals(void)
 {
 	struct hawser_scene scene = scene_of(31.7);
 
-	load(&scene, 0.0, 1.571*9.81, 0.0, 0.0);
-	refused(&scene, HAWSER_ERR_NO_SOLUTION, "without any force");
 	load(&scene, 2.0*387.3, 1.571*9.81 + 2.0*31.7, 0.0, 0.0);
 	refused(&scene, HAWSER_ERR_ARGUMENT, "act along the chord");
 	load(&scene, 0.0, INFINITY, 0.0, 0.0);
@@ -355,6 +379,7 @@ static void refusals(void)
 
 CASE(property_static_load)
 {
+	afloat();
 	downwards();
 	wind_alone();
 	upwards();
