@@ -109,6 +109,9 @@ static void drags(void)
 	if (!ok(hawser_beam_method(0)->fill(&is, HAWSER_ENDS_SIMPLE, 28, &report) == HAWSER_OK, "drag"))
 		return;
 	for (int i = 0; i < 5; i++) {
+		if (c[i] == 300.0 && !getenv("HAWSER_LONG"))
+			continue;
+
 		struct hawser_beam beam = {.theta = 1.0, .tension = 1.0, .weight = 10.0, .drag = c[i]};
 		struct hawser_beam_limits limits;
 		enum hawser_status status = hawser_beam_limits(&limits, &is, &beam, 3, &report);

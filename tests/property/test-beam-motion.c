@@ -201,9 +201,12 @@ CASE(property_beam_motion)
 	struct hawser_report report = {0};
 	enum hawser_status status;
 
+	/* without HAWSER_LONG: upright, all, balanced and clamped */
 	for (size_t i = 0; i < sizeof row/sizeof *row; i++) {
 		double few, many;
 
+		if (i%2 == 0 && i < 4 && !getenv("HAWSER_LONG"))
+			continue;
 		against_exponential(row[i].name, row[i].beam);
 		rates(row[i].name, row[i].beam);
 		few = balance(row[i].beam, 6);

@@ -284,9 +284,9 @@ CASE(property_folds_least)
 
 	check_duffing();
 	check_large();
-	for (int i = 0; i < (more ? 200 : 12); i++)
+	for (int i = 0; i < (more ? 200 : 8); i++)
 		check_rotating(i);
-	for (int i = 0; i < (more ? 200 : 4); i++)
+	for (int i = 0; i < (more ? 200 : 2); i++)
 		check_random(i);
 	return done_testing();
 }

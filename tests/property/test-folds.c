@@ -56,35 +56,39 @@ static int count(const struct hawser_folds *folds, enum hawser_folds_kind kind)
 
 /* Every fold of the response lies on a curve, and every crossing of the nominal load is a fold of
  * the response or of a detached curve, as located by hawser_frf_trace. */
-static void check_nominal(const char *name, double from, double to)
+static void check_nominal(const struct hawser_folds *folds, const char *name)
 {
-	struct hawser_folds folds;
-	struct hawser_rom rom;
 	int all = 0;
 	double worst = 0.0;
 
-	if (!open_model(&rom, name))
-		return;
-	if (!trace(&folds, &rom, from, to))
-		goto done;
-	for (int k = -1; k < folds.isolas; k++) {
-		const struct hawser_frf *frf = k < 0 ? &folds.response : &folds.isola[k];
+	for (int k = -1; k < folds->isolas; k++) {
+		const struct hawser_frf *frf = k < 0 ? &folds->response : &folds->isola[k];
 
 		for (int e = 0; e < frf->events; e++)
 			if (frf->event[e].kind == HAWSER_FOLD) {
-				worst = fmax(worst, passage(&folds, frf->event[e].omega));
+				worst = fmax(worst, passage(folds, frf->event[e].omega));
 				all++;
 			}
 	}
 	ok(worst < 1e-8, "%s: %d folds of responses are on the curves: %.1e", name, all, worst);
-	ok(count(&folds, HAWSER_FOLDS_NOMINAL) == all && folds.lost == 0,
-	   "%s: %d passages", name, count(&folds, HAWSER_FOLDS_NOMINAL));
-	for (int e = 0; e < folds.events; e++)
-		ok(folds.event[e].kind == HAWSER_FOLDS_NOMINAL || (folds.event[e].minimum != 0 &&
-		   folds.event[e].residual < 1e-8), "%s: %s at load %.9g located to %.1e", name,
-		   hawser_folds_kind_name(folds.event[e].kind), folds.event[e].load,
-		   folds.event[e].residual);
-done:
+	ok(count(folds, HAWSER_FOLDS_NOMINAL) == all && folds->lost == 0,
+	   "%s: %d passages", name, count(folds, HAWSER_FOLDS_NOMINAL));
+	for (int e = 0; e < folds->events; e++)
+		ok(folds->event[e].kind == HAWSER_FOLDS_NOMINAL || (folds->event[e].minimum != 0 &&
+		   folds->event[e].residual < 1e-8), "%s: %s at load %.9g located to %.1e", name,
+		   hawser_folds_kind_name(folds->event[e].kind), folds->event[e].load,
+		   folds->event[e].residual);
+}
+
+static void check_curves(const char *name, double from, double to)
+{
+	struct hawser_folds folds;
+	struct hawser_rom rom;
+
+	if (!open_model(&rom, name))
+		return;
+	if (trace(&folds, &rom, from, to))
+		check_nominal(&folds, name);
 	hawser_folds_clear(&folds);
 	hawser_rom_clear(&rom);
 }
@@ -141,87 +145,89 @@ static void check_jumps(void)
 }
 
 /* A stable motion on the isola remains there, and differs from the main one. */
-static void check_isola(void)
+static void check_isola(const struct hawser_folds *folds, const struct hawser_rom *rom)
+{
+	const struct hawser_frf *isola = folds->isola, *main = &folds->response;
+	struct hawser_integrate_options options = {0};
+	struct hawser_trajectory run;
+	int stable = -1;
+	double omega, end = 0.0, lower = INFINITY;
+
+	if (!ok(folds->isolas == 1, "an isola"))
+		return;
+	/* the point where a disturbance decays fastest: its largest multiplier is smallest */
+	for (int i = 0; i < isola->points; i++)
+		if (isola->point[i].unstable == 0 && (stable < 0 ||
+		    isola->multiplier[8*(size_t)i] < isola->multiplier[8*(size_t)stable]))
+			stable = i;
+	if (!ok(stable >= 0, "with a stable part"))
+		return;
+	omega = isola->point[stable].omega;
+	options.omega = omega;
+	options.until = 400.0*2.0*M_PI/omega;
+	options.every = 2.0*M_PI/omega;
+	options.initial = isola->state + 4*(size_t)stable;
+	ok(!hawser_integrate(&run, rom, &options, NULL), "400 periods");
+	for (int i = 0; i < 4; i++)
+		end = fmax(end, fabs(run.state[4*(size_t)(run.rows - 1) + (size_t)i] -
+		                     options.initial[i]));
+	ok(end < 1e-6, "the motion stays on the isola: %.1e", end);
+	for (int i = 0; i < main->points; i++)
+		if (fabs(main->point[i].omega - omega) < 0.02)
+			lower = fmin(lower, fabs(main->coordinate[2*(size_t)i] -
+			                         isola->coordinate[2*(size_t)stable]));
+	ok(lower > 0.1, "the main response is %.2g away", lower);
+	hawser_trajectory_clear(&run);
+}
+
+/* From the other end of the range: the same special points. (At twice the load the response that
+ * begins at Omega 3 is another one, with a fold of a curve that lies above the nominal load.) */
+static void check_reverse(const struct hawser_folds *a, const struct hawser_rom *rom)
+{
+	struct hawser_folds b;
+
+	if (trace(&b, rom, 3.0, 0.5)) {
+		double worst = 0.0;
+
+		ok(count(a, HAWSER_FOLDS_NOMINAL) == 6 && count(&b, HAWSER_FOLDS_NOMINAL) == 6 &&
+		   a->events == 11 && b.events == 11, "%d and %d events", a->events, b.events);
+		for (int i = 0; i < b.events; i++) {
+			double best = INFINITY;
+
+			for (int k = 0; k < a->events; k++)
+				if (a->event[k].kind == b.event[i].kind)
+					best = fmin(best, hypot(a->event[k].omega - b.event[i].omega,
+					                        a->event[k].load - b.event[i].load));
+			worst = fmax(worst, best);
+		}
+		ok(worst < 1e-8, "they are the same: %.1e", worst);
+	}
+	hawser_folds_clear(&b);
+}
+
+/* All of it for one model, traced once. */
+static void check_absorber(void)
 {
 	struct hawser_folds folds;
 	struct hawser_rom rom;
 
 	if (!open_model(&rom, "absorber"))
 		return;
-	if (trace(&folds, &rom, 0.5, 3.0) && ok(folds.isolas == 1, "an isola")) {
-		const struct hawser_frf *isola = &folds.isola[0], *main = &folds.response;
-		struct hawser_integrate_options options = {0};
-		struct hawser_trajectory run;
-		int stable = -1;
-		double omega, end = 0.0, lower = INFINITY;
-
-		/* the point where a disturbance decays fastest: its largest multiplier is smallest */
-		for (int i = 0; i < isola->points; i++)
-			if (isola->point[i].unstable == 0 && (stable < 0 ||
-			    isola->multiplier[8*(size_t)i] < isola->multiplier[8*(size_t)stable]))
-				stable = i;
-		if (!ok(stable >= 0, "with a stable part"))
-			goto done;
-		omega = isola->point[stable].omega;
-		options.omega = omega;
-		options.until = 400.0*2.0*M_PI/omega;
-		options.every = 2.0*M_PI/omega;
-		options.initial = isola->state + 4*(size_t)stable;
-		ok(!hawser_integrate(&run, &rom, &options, NULL), "400 periods");
-		for (int i = 0; i < 4; i++)
-			end = fmax(end, fabs(run.state[4*(size_t)(run.rows - 1) + (size_t)i] -
-			                     options.initial[i]));
-		ok(end < 1e-6, "the motion stays on the isola: %.1e", end);
-		for (int i = 0; i < main->points; i++)
-			if (fabs(main->point[i].omega - omega) < 0.02)
-				lower = fmin(lower, fabs(main->coordinate[2*(size_t)i] -
-				                         isola->coordinate[2*(size_t)stable]));
-		ok(lower > 0.1, "the main response is %.2g away", lower);
-		hawser_trajectory_clear(&run);
+	if (trace(&folds, &rom, 0.5, 3.0)) {
+		check_nominal(&folds, "absorber");
+		check_isola(&folds, &rom);
+		check_reverse(&folds, &rom);
 	}
-done:
 	hawser_folds_clear(&folds);
-	hawser_rom_clear(&rom);
-}
-
-/* From the other end of the range: the same special points. (At twice the load the response that
- * begins at Omega 3 is another one, with a fold of a curve that lies above the nominal load.) */
-static void check_reverse(void)
-{
-	struct hawser_folds a, b;
-	struct hawser_rom rom;
-
-	if (!open_model(&rom, "absorber"))
-		return;
-	if (trace(&a, &rom, 0.5, 3.0) && trace(&b, &rom, 3.0, 0.5)) {
-		double worst = 0.0;
-
-		ok(count(&a, HAWSER_FOLDS_NOMINAL) == 6 && count(&b, HAWSER_FOLDS_NOMINAL) == 6 &&
-		   a.events == 11 && b.events == 11, "%d and %d events", a.events, b.events);
-		for (int i = 0; i < b.events; i++) {
-			double best = INFINITY;
-
-			for (int k = 0; k < a.events; k++)
-				if (a.event[k].kind == b.event[i].kind)
-					best = fmin(best, hypot(a.event[k].omega - b.event[i].omega,
-					                        a.event[k].load - b.event[i].load));
-			worst = fmax(worst, best);
-		}
-		ok(worst < 1e-8, "they are the same: %.1e", worst);
-		hawser_folds_clear(&b);
-	}
-	hawser_folds_clear(&a);
 	hawser_rom_clear(&rom);
 }
 
 CASE(property_folds)
 {
-	check_nominal("duffing-nlvib-01", 0.8, 1.8);
-	check_nominal("pair-2to1", 0.55, 1.3);
-	check_nominal("absorber", 0.5, 3.0);
+	check_curves("duffing-nlvib-01", 0.8, 1.8);
+	check_curves("pair-2to1", 0.55, 1.3);
 	check_scaling();
 	check_jumps();
-	check_isola();
-	check_reverse();
+	check_absorber();
 	return done_testing();
 }

@@ -17,7 +17,7 @@
 
 static int functions(void)
 {
-	return getenv("HAWSER_LONG") ? 10 : 6;
+	return getenv("HAWSER_LONG") ? 10 : 4;
 }
 
 /* The model, and its first frequency. */
@@ -158,6 +158,7 @@ CASE(property_frf_full)
 	options.to = (getenv("HAWSER_LONG") ? 1.2 : 1.08)*sqrt(rom.K[0]);
 	options.step_max = getenv("HAWSER_LONG") ? 0.1 : 0.3;
 	options.tolerance = 1e-8;
+	options.samples = HAWSER_NONE; /* time integration is the check */
 	stable = hawser_frf_trace(&frf, &rom, &options, &report) != HAWSER_OK;
 	ok(!stable, "traced: %d points, %d events %s", frf.points, frf.events, report.message);
 	ok(frf.events >= 2, "it folds");

@@ -5,6 +5,7 @@
 
 #include <gsl/gsl_sf_ellint.h>
 #include <gsl/gsl_sf_elljac.h>
+#include <stdlib.h>
 
 #include "tests/integrate-models.h"
 
@@ -45,7 +46,8 @@ static double drift(const struct hawser_rom *rom, const char *method, double unt
 	return worst;
 }
 
-/* The required bound is 1e-10; measured are 1e-13 to 2e-12. */
+/* The required bound is 1e-10; measured are 1e-13 to 2e-12. The two models that take long have fewer
+ * periods without HAWSER_LONG. */
 static void check_energy(void)
 {
 	const double swing[2] = {1.3, 0.0}, both[4] = {0.31, -0.17, 0.05, 0.22};
@@ -58,9 +60,10 @@ static void check_energy(void)
 	const double slowest[4] = {3.4, 2.0*M_PI, 2.0*M_PI, 2.0}; /* period */
 
 	for (int i = 0; i < 4; i++) {
-		double worst = drift(&models[i], NULL, 1000.0*slowest[i], 1e-13, initial[i]);
+		int periods = i < 2 || getenv("HAWSER_LONG") ? 1000 : 150;
+		double worst = drift(&models[i], NULL, periods*slowest[i], 1e-13, initial[i]);
 
-		ok(worst < 1e-11, "%s: energy kept to %.1e over 1000 periods", name[i], worst);
+		ok(worst < 1e-11, "%s: energy kept to %.1e over %d periods", name[i], worst, periods);
 	}
 	for (int i = 0; i < 4; i++)
 		hawser_rom_clear(&models[i]);

@@ -220,7 +220,7 @@ static void same_crossovers(const struct hawser_irvine *a, const struct hawser_i
 
 static void one_case(struct hawser_span span, double slope)
 {
-	struct hawser_irvine_options options = {.points = getenv("HAWSER_LONG") ? 400 : 50};
+	struct hawser_irvine_options options = {.points = getenv("HAWSER_LONG") ? 400 : 40};
 	struct hawser_irvine down, up, coarse;
 	clock_t start = clock();
 
@@ -282,8 +282,10 @@ CASE(property_irvine)
 	level_crossover();
 	slopes();
 	for (int i = 0; i < 3; i++) {
-		one_case(table41[i], 0.0);
-		one_case(table41[i], 1.0/3.0);
+		if (i == 0 || getenv("HAWSER_LONG"))
+			one_case(table41[i], 0.0);
+		if (i > 0 || getenv("HAWSER_LONG"))
+			one_case(table41[i], 1.0/3.0);
 	}
 	quantities();
 	return done_testing();

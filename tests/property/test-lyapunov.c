@@ -96,7 +96,7 @@ static void ueda(void)
 {
 	struct hawser_rom rom = model_oscillator(0.05, 0.0, 1.0, 7.5);
 	const double start[2] = {2.9974942784243939, -1.5124807139220722};
-	struct hawser_lyapunov_options options = {.omega = 1.0, .initial = start, .periods = 8000,
+	struct hawser_lyapunov_options options = {.omega = 1.0, .initial = start, .periods = 4000,
 	                                          .rtol = 1e-7};
 	struct hawser_lyapunov found;
 
@@ -113,7 +113,7 @@ static void free_pair(void)
 {
 	struct hawser_rom rom = model_pair();
 	const double start[4] = {0.1, 0.05, 0.0, 0.02};
-	struct hawser_lyapunov_options options = {.omega = 1.0, .initial = start, .periods = 2000};
+	struct hawser_lyapunov_options options = {.omega = 1.0, .initial = start, .periods = 1200};
 	struct hawser_lyapunov found;
 	double sum = 0.0;
 

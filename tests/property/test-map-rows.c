@@ -71,14 +71,16 @@ static enum hawser_status trace(struct hawser_map *map, const struct hawser_rom 
 static void every_cell(const struct hawser_map *map)
 {
 	double worst = 0.0;
-	int compared = 0, several = 0, wrong = 0;
+	int compared = 0, several = 0, wrong = 0, cells = 0, step = getenv("HAWSER_LONG") ? 1 : 2;
 
+	/* without HAWSER_LONG as on a chessboard */
 	for (int j = 0; j < NY; j++)
-		for (int i = 0; i < NX; i++) {
+		for (int i = j%step; i < NX; i += step) {
 			struct oscillator of = asymmetric;
 			double least, most, apart;
 			int count, place = j*NX + i;
 
+			cells++;
 			of.f *= map->y[j];
 			count = responses(&least, &most, &apart, &of, map->x[i]);
 			if (apart < 0.03)
@@ -91,7 +93,7 @@ static void every_cell(const struct hawser_map *map)
 			worst = fmax(worst, fmax(fabs(map->least[place]/least - 1.0),
 			                         fabs(map->most[place]/most - 1.0)));
 		}
-	ok(compared >= NX*NY - 4, "%d of %d cells are away from folds", compared, NX*NY);
+	ok(compared >= cells - 4, "%d of %d cells are away from folds", compared, cells);
 	ok(several > 10, "%d cells have three responses", several);
 	ok(wrong == 0, "the numbers of responses and of stable ones are those of harmonic balance (%d "
 	   "are not)", wrong);

@@ -35,8 +35,8 @@ static struct hawser_map_options range(int threads)
 	options.to[0] = 5.0;
 	options.from[1] = 0.0;
 	options.to[1] = 0.6;
-	options.points[0] = 60;
-	options.points[1] = 45;
+	options.points[0] = 28;
+	options.points[1] = 22;
 	options.threads = threads;
 	return options;
 }
@@ -56,9 +56,9 @@ static int trace(struct hawser_map *map, const struct hawser_map_options *option
 
 static void threads(const struct hawser_map *one)
 {
-	const int counts[] = {2, 3, 7};
+	const int counts[] = {2, 7};
 
-	for (int k = 0; k < 3; k++) {
+	for (int k = 0; k < 2; k++) {
 		struct hawser_map_options options = range(counts[k]);
 		struct hawser_map map;
 		int status = trace(&map, &options, NULL);
@@ -124,7 +124,7 @@ static int stop_after(void *data, const struct hawser_progress_state *state)
 static void interrupted(const struct hawser_map *whole)
 {
 	struct hawser_map_options options = range(2);
-	const long limit[] = {1, 300, 1500};
+	const long limit[] = {1, 300, 1200};
 	struct hawser_map map;
 	int status;
 

@@ -25,7 +25,7 @@ static void straight(const char *method, double tolerance)
 	int seen[3] = {0};
 	struct hawser_modes m;
 
-	if (!solve(&m, &st, method, 20))
+	if (!solve(&m, &st, method, getenv("HAWSER_LONG") ? 20 : 18))
 		return;
 	for (int i = 0; i < m.n; i++) {
 		const struct hawser_mode *mode = m.mode + i;

@@ -196,7 +196,7 @@ static void refused(const struct hawser_modes *modes, const struct hawser_scene 
 /* --- against a chain of rods --- */
 
 enum { SEEN = 40 };
-static const double until = 8.0; /* s */
+static const double until = 4.0; /* s */
 
 static void path(double moved[2][3], double t)
 {

@@ -145,8 +145,8 @@ CASE(reference_accuracy)
 {
 	static const double near_end[] = {2.95773, 3.43475}, first[] = {0.771126, 1.088649};
 
-	check_peak("deep sag", deep, NULL, near_end, 3.4075, 0.02149, 0.0);
-	if (getenv("HAWSER_LONG")) {
+	if (getenv("HAWSER_LONG")) { /* property/accuracy has a deep sag of its own */
+		check_peak("deep sag", deep, NULL, near_end, 3.4075, 0.02149, 0.0);
 		check_peak("deep sag, exact energy", deep, "model.energy=exact", near_end, 3.4075, 0.02149,
 		           0.0);
 		check_peak("deeper sag", deeper, NULL, first, 0.9032, 3.435, 258.0);

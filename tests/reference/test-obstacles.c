@@ -240,7 +240,7 @@ static void mirrored(void)
 	struct hawser_obstacles_statics st[2];
 	double worst = 0.0, force = 0.0;
 	unsigned seed = 2107;
-	int count = getenv("HAWSER_LONG") ? 2000 : 40, touching = 0, limits = 0, n = 0, none = 0;
+	int count = getenv("HAWSER_LONG") ? 2000 : 12, touching = 0, limits = 0, n = 0, none = 0;
 	int paths = 0, wrong = 0, slips = 0;
 	char text[2048];
 

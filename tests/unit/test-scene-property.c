@@ -8,7 +8,7 @@
 #include "tests/tap.h"
 #include "tests/unit/scene-text.h"
 
-enum { PAIRS = 25, SCENES = 150 };
+enum { PAIRS = 25, SCENES = 40 };
 
 /* A scene as a list of keys and values. */
 struct listing {
