@@ -355,7 +355,8 @@ static void sink(void)
 
 CASE(property_absorber_response)
 {
-	equal_peaks(0.05, 6, 1e-3);
+	if (getenv("HAWSER_LONG"))
+		equal_peaks(0.05, 6, 1e-3);
 	equal_peaks(0.01, 6, 1e-3);
 	if (getenv("HAWSER_LONG"))
 		equal_peaks(0.01, 16, 1e-5);
