@@ -106,12 +106,12 @@ END
 sed 's/^  fluctuation:.*//' "$top/notebooks-data/scenes/b-table-5.4.yaml" >../brake.yaml
 run="integrate ../brake.yaml --set travel.braking=8 --every 0.5 --Omega 1 -n 3"
 # shellcheck disable=SC2086 # words
-works "braking, through" $run --until 14 --json whole.json
-for cut in 5 11; do
+works "braking, through" $run --until 10 --json whole.json
+for cut in 5 9; do
 	# shellcheck disable=SC2086 # words
 	{
 	works "braking, to $cut s" $run --until $cut --json part.json
-	works "braking, on" $run --until 14 --json rest.json --continue part.json
+	works "braking, on" $run --until 10 --json rest.json --continue part.json
 	}
 	refuses 1 "--continue part.json: that is a result of another scene, with another value of \
 travel.braking; --initial begins anew from its last state" $run --set travel.braking=7 --continue part.json

@@ -21,7 +21,7 @@ sed 's/8e-1/8e5/' >loads.yaml <<END
 END
 run statics loads.yaml -q
 try "a load of a list" grep -q 'loads.1.per_length = 800000 N/m looks wrong: .* plausible with 0.8 N/m' "$scratch/err"
-run beam "$top/notebooks-data/scenes/d-figure-9.10.yaml" --set beam.v=1e6 -q
+run beam "$top/notebooks-data/scenes/d-figure-9.10.yaml" --set beam.v=1e6 --basis 8 -n 1 -q
 try "a beam without dimensions has none" test -z "$(grep 'looks* wrong' "$scratch/err")"
 
 for scene in "$top"/notebooks-data/scenes/*.yaml; do

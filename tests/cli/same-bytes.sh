@@ -53,8 +53,8 @@ drawn() {
 }
 
 try "hawser --help" three --help
-try "hawser plan, for people" three plan "$scenes/b-table-4.4-line-2.yaml" --fidelities "raw 3"
-same plan "$scenes/b-table-4.4-line-2.yaml" --fidelities "raw 3"
+try "hawser plan, for people" three plan "$scenes/b-table-4.4-line-2.yaml" --fidelities "raw 1"
+same plan "$scenes/b-table-4.4-line-2.yaml" --fidelities "raw 1"
 pictured statics "$chairlift"
 drawn statics "$travelling" --speeds --points 5
 drawn modes "$chairlift" --shapes
@@ -66,25 +66,25 @@ try "hawser rom --export" three rom "$chairlift" --export auto span
 drawn integrate "$chairlift" --Omega 0.9w1 --until 5T
 same integrate "$chairlift" --Omega 0.9w1 --until 2T --method adams
 same integrate "$chairlift" --Omega 0.9w1 --until 2T --method bdf
-drawn frf "$chairlift" --from 0.9w1 --to 1.1w1 --multipliers --sweep up --sweep-points 2 --backbone 1
+drawn frf "$chairlift" -n 2 --from 0.95w1 --to 1.05w1 --multipliers --sweep up --sweep-points 2 --backbone 1
 same frf "$chairlift" --to 0.8w1 -n 2 --method balance
 same frf "$scenes/b-table-4.4-line-2.yaml" --from 0.95w1 --to 0.96w1 --set model.modes=auto --set model.accuracy=0.05 \
 	--set model.condense=static
-pictured folds "$duffing" --from 0.5 --to 2
+pictured folds "$duffing" --from 0.9 --to 1.5
 drawn mms "$duffing"
 same hill "$duffing" --Omega 0.9 --orbit
 drawn hill ../hill.json --x Omega=1.8:2.2 --y factor.load=0:0.5 --lines 5 --samples 60
 drawn hill --mathieu --x delta=0:2 --y epsilon=0:1 --lines 5 --samples 60
 same damping ../decay.csv
 same beam "$scenes/d-figure-9.9.yaml"
-drawn beam "$scenes/second-stable-region.yaml" --from 19 --to 21 --points 5 -n 4
+drawn beam "$scenes/second-stable-region.yaml" --from 19 --to 21 --points 2 -n 4
 drawn beam "$scenes/d-figure-9.10.yaml" --until 1 --every 0.1
 pictured map ../hill.json --x Omega=0.8:4 --y factor.load=0:0.5 --points 41x31 --quantity multiplier \
 	--boundary edge.tsv
-drawn map "$chairlift" --x Omega=0.9w1:1.1w1 --y factor.load=0.1:1 --points 3x3 --quantity amplitude
+drawn map "$chairlift" -n 2 --x Omega=0.9w1:1.1w1 --y factor.load=0.1:1 --points 3x3 --quantity amplitude
 same map "$travelling" -n 3 --x travel.speed=0:20 --y "tension.H=50 kN:90 kN" --points 9x9
 same map "$scenes/d-figure-9.2.yaml" --x beam.mu=0.9:1.1 --y beam.v=0.5:4 --points 3x5
-same compare "$scenes/b-table-4.4-line-2.yaml" --from 0.9w1 --to 0.95w1 --fidelities "multiple-scales, raw 3, condensed 3"
+same compare "$scenes/b-table-4.4-line-2.yaml" --from 0.9w1 --to 0.92w1 --step 0.05 --fidelities "multiple-scales 2, raw 2, condensed 1"
 same compare modes "$chairlift" -n 3 --method analytic --to 6
-drawn compare mms "$duffing" --levels 2
+drawn compare mms "$duffing" --levels 2 --step 0.05
 done_testing

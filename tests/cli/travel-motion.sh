@@ -7,14 +7,14 @@ brake=$top/notebooks-data/scenes/b-table-5.5.yaml
 load=$top/notebooks-data/scenes/b-table-5.6.yaml
 light='damping.rayleigh={mass: 0.04550184, stiffness: 0.0014065365}'
 
-works "a response to the speed alone" frf "$speed" --from 1.05w1 --to 1.2w1 --json frf.json
+works "a response to the speed alone" frf "$speed" --from 1.05w1 --to 1.2w1 --step 0.02 --json frf.json
 works "with modes to be chosen" frf "$speed" --set model.condense=static --set model.modes=auto \
-	--from 1.05w1 --to 1.2w1 --json auto.json
+	--from 1.05w1 --to 1.2w1 --step 0.02 --json auto.json
 works "a model" rom "$speed" --json rom.json
-works "which is one for other commands" frf rom.json --from 1.05w1 --to 1.2w1 --json file.json
-works "braking" integrate "$brake" --until 14 --every 0.5 --json brake.json
+works "which is one for other commands" frf rom.json --from 1.05w1 --to 1.2w1 --step 0.02 --json file.json
+works "braking" integrate "$brake" --until 7 --every 0.5 --json brake.json
 works "a model that brakes" rom "$brake" --json ramp.json
-works "of which a file tells all" integrate ramp.json --until 14 --every 0.5 --json ramped.json
+works "of which a file tells all" integrate ramp.json --until 7 --every 0.5 --json ramped.json
 refuses_like 1 'changes once and for all' frf "$brake"
 refuses_like 1 'changes once and for all' frf ramp.json
 refuses_like 1 'travel.braking contradicts' frf "$speed" --set travel.braking=3

@@ -118,14 +118,14 @@ refuses_like 1 '--speeds' irvine "$scene" --speeds "0,,2"
 
 # --- pictures
 if command -v gnuplot >/dev/null; then
-	works "a Campbell picture" campbell "$scene" --points 8 -n 2 --spacing "30 m" --plot campbell.svg -q
+	works "a Campbell picture" campbell "$scene" --points 4 --to 60 -n 2 --spacing "30 m" --plot campbell.svg -q
 	try "it says what it shows" sh -c 'for w in "in plane" "out of plane" "Imaginary part (rad/s)" \
-		"all real parts 0" excitation "limit speed"; do
+		"all real parts 0" excitation; do
 		grep -q "$w" campbell.svg || exit 1; done'
 	works "a picture of both holds" statics "$scene" --speeds --points 21 --plot speeds.svg -q
 	try "it says what it shows" sh -c 'for w in "length held" slack limit Sag; do
 		grep -q "$w" speeds.svg || exit 1; done'
-	works "a panel a speed" irvine "$scene" --speeds "0, 5, 36 km/h" --points 12 -n 4 --plot irvine.svg -q
+	works "a panel a speed" irvine "$scene" --speeds "0, 5, 36 km/h" --points 4 -n 2 --plot irvine.svg -q
 	try "each with its speed" sh -c 'for w in "= 0 m/s" "= 5 m/s" "= 10 m/s"; do
 		grep -q "$w" irvine.svg || exit 1; done'
 else
