@@ -262,7 +262,8 @@ def run(command, folder, path, seconds, started=False):
 def check(name, number, command, shown, folder, path):
     """Runs one command; returns the folder for the next."""
     text = "%s:%d: %s" % (name, number, " ".join(command.split())[:100])
-    started = not long_run and bool(re.search(LONG, command) or name == "gallery.md")
+    started = not long_run and bool(re.search(LONG, command) or name == "gallery.md"
+                                   or "hawser identify" in command and not any(line.strip() for line in shown))
     if unwritten.intersection(word.split("#")[0] for word in command.split()):
         print("ok %d # SKIP %s" % (len(verdicts) + 1, text))
         verdicts.append(True)
