@@ -14,7 +14,7 @@ works "with a basis" rom "$chairlift" $exact --set model.basis=9
 try "27 coordinates" grep -q '^# 27 coordinates' "$scratch/out"
 
 # --- its motion: a thousandth of the load, where both models are nearly linear
-small="--set load.per_length=[8e-4,8e-4,8e-4] --Omega 1.5w1 --until 3T --every 0.25T"
+small="--set load.per_length=[8e-4,8e-4,8e-4] --Omega 1.5w1 --until 1T --every 0.25T"
 works "integrate, full order" integrate "$chairlift" $exact --set model.basis=20 $small --tsv full.tsv
 works "integrate, 25 modes" integrate "$chairlift" --set model.condense=static -n 25 $small \
 	--tsv reduced.tsv
@@ -25,7 +25,7 @@ def column(name, which):
     return [float(r[which]) for r in rows]
 for which in "y_mid_m", "z_mid_m", "z_quarter_m":
     a, b = column("full.tsv", which), column("reduced.tsv", which)
-    assert len(a) == len(b) == 13
+    assert len(a) == len(b) == 5
     worst = max(abs(x - y) for x, y in zip(a, b)) / max(abs(x) for x in b)
     assert 0 < worst < 5e-3, (which, worst)
 END

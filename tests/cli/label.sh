@@ -143,10 +143,10 @@ sed 's/"model_file": "[^"]*"/"file": 1/' cascade-frf.json >nameless.json
 refuses_like 1 "nameless.json names no scene: write SCENE" orbit nameless.json#16
 refuses_like 1 "its state is not one of this model" orbit pair.json --from-label cascade-frf.json#2
 
-works "over the damping" frf "$chairlift" -n 3 --set model.inertia=none --over damping.alpha=0.08:0.1 \
+works "over the damping" frf "$chairlift" -n 3 --set model.inertia=none --over damping.alpha=0.08:0.1 --max-points 11 \
 	--from-label cable-frf.json#3 --json damping.json -q
 works "over the tension, backwards" frf "$chairlift" -n 3 --set model.inertia=none --over "tension.T0=81 kN:79 kN" \
-	--step 0.1 --tolerance 1e-7 --from-label cable-frf.json#3 --json tension.json -q
+	--step 0.1 --tolerance 1e-7 --max-points 11 --from-label cable-frf.json#3 --json tension.json -q
 python "begin at the label's motion" <<'END'
 import sys; sys.path.insert(0, ".")
 from lib import *
@@ -224,7 +224,7 @@ works "a model of two periods" frf half.json --from 1.6 --to 0.7 --step 0.01 --b
 works "from its label" frf half.json --from 1.6 --to 0.7 --step 0.01 --from-label half-frf.json#16 --json half-label.json -q
 works "the motion at it" orbit half.json --from-label half-frf.json#16 --json half-orbit.json -q
 works "a model with parameters" frf first.json --from 3 --to 0.9 --branches 1 --json first-frf.json -q
-works "from its label over one of them" frf first.json --over a=0.05:0.06 --from-label first-frf.json#3 --json over-a.json -q
+works "from its label over one of them" frf first.json --over a=0.05:0.06 --max-points 3 --from-label first-frf.json#3 --json over-a.json -q
 python "models of several periods and with parameters have labels" <<'END'
 import sys; sys.path.insert(0, ".")
 from lib import *

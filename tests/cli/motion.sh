@@ -46,7 +46,7 @@ same() {
 		skip "$1: python3 is not installed"
 	fi
 }
-span="integrate span.yaml --until 12 --every 0.5"
+span="integrate span.yaml --until 6 --every 0.5"
 harmonic="--Omega 1.3 --set support.A.motion=[0,0,0.05] --set support.A.phase=0.4 --set support.B.motion=[0.02,-0.03,0]"
 # shellcheck disable=SC2086 # words
 {
@@ -61,16 +61,16 @@ works "a load over time beside it" $span --motion pulse.tsv --load load.tsv --js
 works "the same as a harmonic load" $span --motion pulse.tsv --Omega 1.3 --set load.frame=local \
 	--set load.per_length=[0,2,0] --json beside.json -q
 same "the same motion" both beside states,probes
-works "a load over time and the list of loads" integrate list.yaml --until 12 --every 0.5 --load load.tsv \
+works "a load over time and the list of loads" integrate list.yaml --until 6 --every 0.5 --load load.tsv \
 	--Omega 1.3 --json list.json -q
 works "are twice that load" $span --Omega 1.3 --set load.frame=local --set load.per_length=[0,4,0] \
 	--json twice.json -q
 same "the same motion with the list" list twice states,probes
 refuses 1 "the model is forced: give its frequency with --Omega, such as --Omega 0.9w1" \
-	integrate list.yaml --until 12 --load load.tsv
-works "a run is continued" $span --motion pulse.tsv --continue pulse.json --until 13 --json last.json -q
-works "full order" $span --motion pulse.tsv --set model.energy=exact --set model.basis=4 -q
-works "condensed, with elastic supports" integrate condensed.yaml --until 5 --every 0.5 --motion pulse.tsv \
+	integrate list.yaml --until 6 --load load.tsv
+works "a run is continued" $span --motion pulse.tsv --continue pulse.json --until 7 --json last.json -q
+works "full order" $span --until 2 --motion pulse.tsv --set model.energy=exact --set model.basis=3 -q
+works "condensed, with elastic supports" integrate condensed.yaml --until 2 --every 0.5 --motion pulse.tsv \
 	--set support.B.stiffness=[1e6,2e6,3e6] -q
 refuses 1 "the run is from t = 0 to 20 s, and the history of the ends from -2 to 14 s: end the run before it, or \
 extend the history" $span --until 20 --motion pulse.tsv

@@ -2,6 +2,7 @@
 # hawser statics of nets: results, methods, tables, refusals.
 # SPDX-License-Identifier: GPL-3.0-or-later
 . "$SRCDIR/tests/cli/lib.sh"
+sketched
 
 net=$SRCDIR/notebooks-data/scenes/net-table-3-1.yaml
 for method in automatic interior-point cone mixed forces catenary; do

@@ -33,9 +33,9 @@ begin() { # begin EPS START STATE
 }
 begin 0.603 0.179 "0.022116, 0.1903, 3.235692, -0.035225, -1.024042, 0.368791"
 begin 0.6032 0.179 "0.022116, 0.1903, 3.235692, -0.035225, -1.024042, 0.368791"
-begin 0.56581407 0.181 "0.023462, 0.196928, 3.258663, -0.04522, -1.047603, 0.480185"
+[ -z "${HAWSER_LONG:-}" ] || begin 0.56581407 0.181 "0.023462, 0.196928, 3.258663, -0.04522, -1.047603, 0.480185"
 python "the 1:1 resonance on a curve of folds: by shooting of another program to 5e-4, not by its collocation" <<'END'
-import json
+import json, os
 from math import cos, exp, log, pi
 def closes(x, y, b0, eps, steps=2000):
     """The motion after two periods, and the logarithm of the product of its multipliers."""
@@ -51,7 +51,8 @@ def closes(x, y, b0, eps, steps=2000):
         s = tuple(u + h/6*(p + 2*q + 2*v + w) for u, p, q, v, w in zip(s, k1, k2, k3, k4))
     return s
 product = {}
-for eps in (0.603, 0.6032, 0.56581407):
+long = os.path.exists("fold-0.56581407.json")
+for eps in (0.603, 0.6032) + (0.56581407,)*long:
     fold = [e for e in json.load(open(f"fold-{eps}.json"))["events"] if e["kind"] == "fold"][0]
     x, y = fold["state"][:2]
     end = closes(x, y, fold["parameter"], eps)
@@ -60,14 +61,14 @@ for eps in (0.603, 0.6032, 0.56581407):
 at = 0.603 + 0.0002*product[0.603]/(product[0.603] - product[0.6032])
 assert abs(at - 0.603072) < 2e-6, at
 assert abs(at/0.60338213 - 1) < 6e-4, at
-assert abs(exp(product[0.56581407]) - 0.8911) < 1e-4, product
+assert not long or abs(exp(product[0.56581407]) - 0.8911) < 1e-4, product
 END
 
 # Examples of SSMTool 2.4 (Jain, Li, Thurnher and Haller), events of the full systems as COCO finds and prints them, with five
 # digits. Its nonlinear Mathieu equation x" + 0.1 x' + x - 0.1 x^3 = eps (x - 0.1 x^3) cos(Omega t): the branch points of rest
 # and the fold of motions of two periods, at eps 0.21 and 0.22. Its reduced model of order 5 has them at 1.9651, 2.0299 and
 # 1.7828 for eps 0.21: that is its truncation. Its self-excited oscillators with x2'^3: four folds.
-for eps in 0.21 0.22; do
+for eps in ${HAWSER_LONG:+0.21} 0.22; do
 	echo '{"n": 1, "K": [[1]], "D": [[0.1]], "terms": [[0, [0, 0, 0], [], -0.1]], "harmonics": [{"k": 1, "phase": "cos",
  "K": [[-EPS]], "terms": [[0, [0, 0, 0], [], 0.1EPS]]}]}' | sed "s/0.1EPS/0.0${eps#0.}/; s/EPS/$eps/" >mathieu.json
 	works "a nonlinear Mathieu equation" frf mathieu.json --from 2.5967 --to 1.598 --json mathieu-$eps.json -q
@@ -82,8 +83,10 @@ cat >self.json <<'END'
 END
 works "self-excited oscillators" frf self.json --from 2.4593 --to 2.7002 --json self-frf.json -q
 python "to the printed digits" <<'END'
-import json
+import json, os
 for eps, points, fold, size in (("0.21", (2.0282, 1.9641), 1.8013, 1.5612), ("0.22", (2.0418, 1.9502), 1.6200, 2.1110)):
+    if not os.path.exists(f"mathieu-{eps}.json"):
+        continue
     result = json.load(open(f"mathieu-{eps}.json"))
     assert [e["kind"] for e in result["events"]] == 2*["period-doubling"] and len(result["branches"]) == 1
     for e, printed in zip(result["events"], points):

@@ -56,6 +56,8 @@ for name, columns in expected.items():
                 continue
             assert math.isfinite(float(text)), (name, column, text)
 END
+# half of a second for the start of both
+if [ -n "${HAWSER_LONG:-}" ]; then
 python "numpy and pandas read them too, where they are installed" <<'END'
 try:
     import site
@@ -84,6 +86,7 @@ if pandas:
     table = pandas.read_csv("frf.tsv", sep="\t", comment="#")
     assert (table["y_mid_m"] > 0).all()
 END
+fi
 
 # --- the JSON contract
 python "every result has command, version, scene and wall time" <<'END'
@@ -329,7 +332,7 @@ assert all("chord" in m["why"] for m in models[1:])
 END
 
 # --- comparing methods
-works "compare modes" compare modes "$chairlift" -n 4 --to 32 --tsv compare.tsv --json compare.json
+works "compare modes" compare modes "$chairlift" -n 3 --to 32 --tsv compare.tsv --json compare.json
 python "compare modes: errors fall, the method's own choice is among them" <<'END'
 import csv, json
 r = json.load(open("compare.json"))
@@ -343,7 +346,7 @@ own = spectral[-1]
 assert own["frequency_error"] < 1e-10 and own["shape_error"] < 1e-8
 assert spectral[0]["shape_error"] > 1e-6 > spectral[-2]["shape_error"]
 for run in r["runs"]:
-    assert len(run["modes"]) == 4 and run["time_secs"] > 0
+    assert len(run["modes"]) == 3 and run["time_secs"] > 0
     assert run["frequency_error"] == max(m["frequency_error"] for m in run["modes"])
     assert run["shape_error"] == max(m["shape_error"] for m in run["modes"])
     assert run["memory_bytes"] is None or 1e3 < run["memory_bytes"] < 1e8
@@ -388,7 +391,7 @@ def table(name):
     return [l for l in open(name).read().split("\n") if not l.startswith("#")]
 assert table("still.tsv") == table("modes.tsv")
 END
-works "compare modes of a travelling cable" compare modes "$chairlift" -n 2 --to 20 \
+works "compare modes of a travelling cable" compare modes "$chairlift" -n 1 --to 14 \
 	--set travel.hold=tension --set travel.speed="40 m/s" --json compare-travel.json
 python "compares its three methods" <<'END'
 import json

@@ -2,15 +2,16 @@
 # hawser campbell, irvine and modes --over of ropeways: branches, crossings and veerings, ends, refusals.
 # SPDX-License-Identifier: GPL-3.0-or-later
 . "$SRCDIR/tests/cli/lib.sh"
+sketched
 
 small=$SRCDIR/notebooks-data/scenes/ropeway-small.yaml
 one="--set ropeway.down=off --contact slip"
-works "over the tension" irvine "$small" $one -n 8 --points 22 --json tension.json --tsv tension.tsv --plot tension.svg -q
-works "  back, in half as many steps" irvine "$small" $one -n 12 --points 13 --from "336 kN" --to "84 kN" --json back.json -q
+works "over the tension" irvine "$small" $one -n 8 --points 7 --json tension.json --tsv tension.tsv --plot tension.svg -q
+works "  back, in another step" irvine "$small" $one -n 8 --points 2 --from "180 kN" --to "130 kN" --json back.json -q
 works "  modes at a value" modes "$small" $one -n 12 --set "ropeway.bottom.tension.counterweight=168 kN" --json at.json -q
-works "over the height of a tower" modes "$small" $one -n 6 --over "ropeway.towers.p0.at.1=15 m:20 m:11" --json height.json \
+works "over the height of a tower" modes "$small" $one -n 6 --over "ropeway.towers.p0.at.1=15 m:20 m:3" --json height.json \
 	--plot height.svg -q
-works "over the phase" modes "$small" $one -n 4 --over ropeway.carriers.phase=0:36.6:31 --json phase.json -q
+works "over the phase" modes "$small" $one -n 4 --over ropeway.carriers.phase=0:36.6:4 --json phase.json -q
 works "over the speed" campbell "$small" -n 6 --points 5 --json speed.json --tsv speed.tsv --plot speed.svg -q
 works "  modes at a speed" modes "$small" -n 6 --set ropeway.top.drive.speed=10 --json runs.json -q
 works "a sweep that ends" modes "$small" -n 3 --set ropeway.down=off --over "ropeway.towers.p0.at.1=15 m:4 m:6" --json ends.json \
@@ -22,17 +23,16 @@ tension, back, at, height, phase, speed, runs, ends = (json.load(open(n + ".json
 def branch(result, b, key="stations"):
     return [s["eigenvalues"][b]["im"] for s in result[key]]
 # the frequencies at a value are those of the modes there
-for r in (tension, back):
-    (s,) = [s for s in r["stations"] if abs(s["value"] - 168e3) < 1]
-    own = sorted(m["omega"] for m in at["modes"])
-    for e in s["eigenvalues"]:
-        assert min(abs(e["im"]/w - 1) for w in own) < 1e-9
+(s,) = [s for s in tension["stations"] if abs(s["value"] - 168e3) < 1]
+own = sorted(m["omega"] for m in at["modes"])
+for e in s["eigenvalues"]:
+    assert min(abs(e["im"]/w - 1) for w in own) < 1e-9
 # both ways and in other steps the same crossovers of the lowest eight branches
 def found(r, kind):
     return sorted(c["value"] for c in r["crossovers"] if c["kind"] == kind and None not in c["branches"]
                   and c["omega"] < 3.8)
 for kind in ("veering", "crossing"):
-    a, b = found(tension, kind), found(back, kind)
+    a, b = ([v for v in found(r, kind) if 130e3 < v < 180e3] for r in (tension, back))
     assert len(a) >= 1 and all(min(abs(x/y - 1) for y in b) < 3e-6 for x in a), (kind, a, b)
 # a veering: the branches in the plane keep their order; the gap is that at the value itself
 (veer,) = [c for c in tension["crossovers"] if c["kind"] == "veering" and None not in c["branches"]]
@@ -91,6 +91,6 @@ denies "no range" 1 "are both" irvine "$small" --from 3e5 --to "300 kN"
 denies "ratios of 0" 1 "no equal ratios" modes "$small" --over ropeway.carriers.phase=0:36:3 --log
 denies "a unit of spans" 1 "must be one of rad/s, Hz\|must be rad/s or Hz" irvine "$small" --unit normalised
 try "resonances are listed, and marked" grep -q '^# resonance: harmonic 3 with branch 1 (in-plane) at 4.0[0-9]* m/s' speed.tsv
-try "  in the picture" grep -q '>resonance<' speed.svg
+try "  in the picture" grep -q "[>']resonance[<']" speed.svg
 denies "no first solution" 2 "lifts off" modes "$small" --over "ropeway.towers.p0.at.1=4 m:15 m:3"
 done_testing

@@ -2,6 +2,7 @@
 # hawser mms, hill, compare mms and frf --backbone: results, refusals, pictures.
 # SPDX-License-Identifier: GPL-3.0-or-later
 . "$SRCDIR/tests/cli/lib.sh"
+sketched
 pair=$top/tests/reference/pair-2to1.json
 
 works "mms" mms "$duffing" --json mms.json --tsv mms.tsv -q
@@ -33,18 +34,18 @@ refuses_like 1 "write mode:order" mms "$pair" --resonant 1:1,3:2
 refuses_like 1 "write mode:order" mms "$pair" --resonant 1:1,2:4294967298
 refuses 1 "--mode and --resonant both name resonant modes: write one of them" \
 	mms "$pair" --mode 1 --resonant 1:1
-works "mms picture" mms "$chairlift" --plot mms.svg -q
+works "mms picture" mms "$chairlift" -n 2 --max-points 20 --plot mms.svg -q
 
-works "compare mms" compare mms "$duffing" --levels 5 --json compare.json --tsv compare.tsv -q
+works "compare mms" compare mms "$duffing" --levels 4 --json compare.json --tsv compare.tsv --plot compare.svg
+cp "$scratch/out" figures
 python "compare mms: the fold's distance falls with the fourth power" <<'END'
 import json
 r = json.load(open("compare.json"))
-last = [m for m in r["marks"] if m["mark"] == "fold" and m["e"] == 1/16]
+last = [m for m in r["marks"] if m["mark"] == "fold" and m["e"] == 1/8]
 assert len(last) == 2 and all(abs(m["slope"] - 4) < 0.2 for m in last), last
 END
 refuses_like 1 "at most 10" compare mms "$duffing" --levels 11
-works "compare mms picture" compare mms "$duffing" --levels 5 --plot compare.svg
-cp "$scratch/out" figures
+try "compare mms picture" test -s compare.svg
 python "prints the errors of the table besides" <<'END'
 import csv
 rows = list(csv.DictReader((l for l in open("compare.tsv") if l[0] != "#"), delimiter="\t"))
@@ -56,7 +57,7 @@ assert all(w in said for w in want), said
 END
 rm figures
 
-works "frf --backbone" frf "$duffing" --from 0.8 --to 1.5 --backbone 1 --json backbone.json --tsv backbone.tsv -q
+works "frf --backbone" frf "$duffing" --from 0.8 --to 1.5 --backbone 1 --energy --json backbone.json --tsv backbone.tsv --plot energy.svg -q
 python "frf --backbone: Duffing's backbone between both orders" <<'END'
 import json
 b = json.load(open("backbone.json"))["backbone"]
@@ -69,7 +70,6 @@ assert b["points"][-1]["energy"] > 0.1
 END
 refuses 1 "--energy draws a backbone: name its mode with --backbone" frf "$duffing" --energy
 refuses_like 1 "backbone 2: the model has modes 1 to 1" frf "$duffing" --from 0.8 --to 0.9 --backbone 2
-works "energy picture" frf "$duffing" --from 0.8 --to 1.5 --backbone 1 --energy --plot energy.svg -q
 
 works "hill --mathieu" hill --mathieu --x delta=0:5 --y epsilon=0:2 --json mathieu.json --tsv mathieu.tsv -q
 python "hill --mathieu: within 1e-10 of the characteristic values" <<'END'
@@ -85,7 +85,7 @@ assert {r[0] for r in rows} == {"1", "2"} and max(abs(float(r[-1])) for r in row
 tongue = json.load(open("narrow.json"))["tongues"]
 assert len(tongue) == 1 and tongue[0]["tongue"] == 13 and tongue[0]["width"][1] < 1e-6
 END
-works "a tongue closed by damping" hill --mathieu --damping 0.001 --x delta=170.4:171.4 --y epsilon=24.5:25.5 \
+works "a tongue closed by damping" hill --mathieu --damping 0.001 --x delta=170.8:171 --y epsilon=24.9:25.1 \
 	--tsv closed.tsv -q
 try "is named" grep -q "tongue 13: closed by the damping in this plane" closed.tsv
 cat >combination.json <<'END'
@@ -110,8 +110,8 @@ r = json.load(open("orbit.json"))
 total = sum(m["log_modulus"] for m in r["multipliers"])
 assert abs(total + 0.05*2*math.pi/0.9) < 1e-9 and r["about"] == "orbit"
 END
-works "hill --forced" hill "$duffing" --forced --from 0.8 --to 1.3 --tsv forced.tsv -q
-works "hill picture" hill --mathieu --damping 0.1 --x delta=0:5 --y epsilon=0:2 --plot mathieu.svg -q
+works "hill --forced" hill "$duffing" --forced --from 0.8 --to 1 --tsv forced.tsv -q
+works "hill picture" hill --mathieu --damping 0.1 --x delta=0:2 --y epsilon=0:1 --plot mathieu.svg -q
 refuses 1 "hill needs a SCENE|MODEL, or --mathieu (hawser hill --help)" hill
 refuses 1 "give --Omega for multipliers, or --x and --y for boundaries" hill "$duffing"
 refuses_like 1 "leave .* out" hill "$duffing" --mathieu
@@ -133,7 +133,7 @@ import json
 r = json.load(open("decay.json"))
 assert abs(r["ratio"] - 0.03) < 1e-9 and abs(r["omega_rad_s"] - 2) < 1e-9 and r["samples"] == 300
 END
-works "a response" frf combination-load.json --from 0.5 --to 1.5 --tsv response.tsv -q
+works "a response" frf combination-load.json --from 0.8 --to 1.2 --tsv response.tsv -q
 works "damping --half-power" damping response.tsv --half-power --y 4 --json half.json -q
 python "damping --half-power: of the model" <<'END'
 import json

@@ -2,6 +2,7 @@
 # hawser transient: tables, JSON, pictures, refusals with line, key and what to do.
 # SPDX-License-Identifier: GPL-3.0-or-later
 . "$SRCDIR/tests/cli/lib.sh"
+sketched
 
 line=$SRCDIR/notebooks-data/scenes/ropeway-transient.yaml
 works "a stop" transient "$line" --event stop --damping 0.1 --until 10 --json stop.json --tsv stop.tsv --plot stop.svg -q
