@@ -158,6 +158,8 @@ works "the same, with a factor of the damping" locus "$jump" $fold --over factor
 	--and tension.T0=80.3kN:80.5kN --json factor-l.json -q
 works "the scene with the other damping" frf "$chairlift" --set damping.alpha="0.085 kg/m/s" \
 	--over factor.load=0.1:1.3 --Omega 2.915 --json alpha.json -q
+works "its response from the other end" frf "$chairlift" --set damping.alpha="0.085 kg/m/s" \
+	--over factor.load=1.3:0.83 --Omega 2.915 --json beyond.json -q
 works "tori" locus soft.json --kind torus --from 3 --to 0.5 --over factor.load=0.05:5 --json soft-l.json -q
 works "folds beside a torus" locus both.json --from 2 --to 1.2 --over factor.load=1:2 --at 1.7 --json both-f.json -q
 works "tori beside a fold" locus both.json --kind torus --from 2 --to 1.2 --over factor.load=1:2 --at 1.7 \
@@ -209,9 +211,10 @@ for p in named.points:
 END
 python "a torus of a scene" <<'END'
 from result import *
-torus = [e["parameter"] for e in json.load(open("alpha.json"))["events"] if e["kind"] == "torus"]
+torus = [e["parameter"] for name in ("alpha", "beyond") for e in json.load(open(name + ".json"))["events"]
+         if e["kind"] == "torus"]
 ends = [p["first"] for p in Locus("alpha-l").points if p["parameter"] == 0.085]
-assert len(ends) >= 1 and all(min(abs(x/t - 1) for t in torus) < 1e-8 for x in ends), (ends, torus)
+assert len(ends) == 2 and all(min(abs(x/t - 1) for t in torus) < 1e-8 for x in ends), (ends, torus)
 END
 python "a fold over two keys of a scene" <<'END'
 from result import *

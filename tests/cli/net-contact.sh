@@ -60,7 +60,7 @@ refused() {
 }
 refused 'obstacles=[{plane: {point: [0, 1], normal: [0, 1]}}]' 'support A is 1 m inside obstacle s0'
 refused 'obstacles=[{plane: {point: [0, -1], normal: [0, 1]}}, {plane: {point: [0, -2], normal: [0, -1]}}]' 'leave no room'
-refused 'obstacles.seabed.friction=.inf' 'out of range'
+refused 'obstacles.seabed.friction=.inf' 'is not finite'
 refused 'obstacles.seabed.friction=.nan' 'obstacles.seabed.friction'
 refused 'obstacles.seabed.friction=-1' 'must be >= 0'
 refused 'obstacles.seabed.frictoin=1' 'did you mean friction'

