@@ -71,7 +71,8 @@ SANITIZERS_OUT = '*-memory' '*-sweep' '*-estimates' '*-estimate' '*/sweep-*' '*/
 	cli/travel-motion cli/ranks
 check-sanitizers-sample: sanitizers/config.status
 	$(MAKE) -C sanitizers check-programs
-	$(MAKE) -C sanitizers check-local RUN_FLAGS="$(addprefix -x ,$(SANITIZERS_OUT)) -X $(abs_top_srcdir)/%D%/longer.txt"
+	$(MAKE) -C sanitizers check-local RUN_FLAGS="$(addprefix -x ,$(SANITIZERS_OUT) \
+		$(filter-out cli/every-scene,$(shell cut -d ' ' -f 1 $(srcdir)/%D%/longer.txt)))"
 
 # Valgrind sees what the sanitizers don't: values that were never written, also on their way through BLAS, LAPACK and SuiteSparse,
 # which are not compiled with MemorySanitizer. The leaks that count are definite ones: udunits2 keeps tables that
