@@ -202,6 +202,9 @@ enum hawser_status hawser__beam_change(struct hawser__beam_change *change,
 	before = side_of(&search, a);
 	beyond = side_of(&search, b);
 	status = enclose(&before, &beyond, &search, report);
+	/* A pair that passes zero is real: so near the change its imaginary part may be round-off. */
+	if (search.indicator == ZERO)
+		beyond.im = 0.0;
 	*change = (struct hawser__beam_change){0.5*(before.speed + beyond.speed), beyond.speed,
 	                                       before.number, beyond.number, beyond.im};
 	return status;

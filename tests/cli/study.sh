@@ -42,7 +42,7 @@ assert plan["fidelities"][0]["Omega_error"] < 1e-6, plan["fidelities"][0]
 END
 sed '/^load:/,/per_length/d' "$scene" >unloaded.yaml
 works "a curve of many folds, and little time" plan "$scene" --from 0.6w1 --to 3.3w1 --limit 0.05 \
-	--fidelities "condensed 2" --json bound.json
+	--fidelities "condensed 4" --json bound.json
 python "a bound, and why" <<'END'
 import json
 row = json.load(open("bound.json"))["fidelities"][0]
