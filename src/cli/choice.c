@@ -28,13 +28,7 @@ enum hawser_status cli_choice_prepare(struct cli_model *model, struct hawser_rep
 	model->rom.scaled = 1;
 	/* no load yet: the model counts as not forced */
 	model->rom.harmonics = 0;
-	model->natural = calloc((size_t)model->modes.n, sizeof *model->natural);
-	if (!model->natural)
-		return hawser__no_memory(report, "model");
-	for (int k = 0; k < model->modes.n; k++)
-		model->natural[k] = model->modes.mode[k].omega;
-	model->naturals = model->modes.n;
-	return HAWSER_OK;
+	return cli_natural(model, report);
 }
 
 enum hawser_status cli_choice_build(struct cli_model *model, double from, double to,

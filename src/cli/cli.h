@@ -161,7 +161,7 @@ struct cli_model {
 	int reproducible; /* 1: no times in the results */
 	int automatic;   /* 1: modes are to be chosen; until then rom contains its units only */
 	struct hawser_accuracy accuracy; /* the choice, if automatic; not to be moved in memory */
-	double *natural; /* [naturals] natural frequencies of the model, scaled, ascending */
+	double *natural; /* [naturals] natural.c: natural frequencies, scaled, ascending */
 	int naturals;
 	struct cli_basis {
 		int functions;  /* functions per component; 0: no full-order model, or not checked */
@@ -225,8 +225,9 @@ void cli_choice_comments(struct hawser__table *table, const struct cli_model *mo
 
 /* A comment about the scene's quadratic drag, if it has any, and `how` it is computed. choice.c. */
 void cli_drag_comment(struct hawser__table *table, const struct cli_model *model, const char *how);
-/* natural.c: undamped natural frequencies, from the eigenvalues of K. */
-enum hawser_status cli_natural(double *omega, int *count, const struct hawser_rom *rom,
+/* natural.c: sets `natural` and `naturals` of a model with its scene, if it has one: undamped, and with
+ * the gyroscopic forces of a travelling cable, as hawser modes prints them. */
+enum hawser_status cli_natural(struct cli_model *model,
                                struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* quantity.c: parse "80 kN", or a number in `unit`, to that unit. NULL does not change *value. */

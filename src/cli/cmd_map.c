@@ -132,11 +132,7 @@ static enum hawser_status natural(struct cli_model *model, struct hawser_report 
 		status = hawser_modes_solve(&model->modes, &model->statics, &choice, report);
 	if (!status)
 		status = hawser_rom_build_linear(&model->rom, &model->modes, &model->scene, report);
-	if (status)
-		return status;
-	model->natural = calloc((size_t)model->rom.n, sizeof *model->natural);
-	return model->natural ? cli_natural(model->natural, &model->naturals, &model->rom, report)
-	                      : hawser__no_memory(report, "map");
+	return status ? status : cli_natural(model, report);
 }
 
 /* In rad/s, or the model's own unit. */

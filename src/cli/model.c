@@ -326,13 +326,6 @@ static enum hawser_status from_library(struct cli_model *model, const struct cli
 	return status ? status : hawser_rom_source_model(&model->rom, &model->source, report);
 }
 
-static enum hawser_status naturals(struct cli_model *model, struct hawser_report *report)
-{
-	model->natural = calloc((size_t)model->rom.n, sizeof *model->natural);
-	return model->natural ? cli_natural(model->natural, &model->naturals, &model->rom, report)
-	                      : hawser__no_memory(report, "model");
-}
-
 static enum hawser_status from_scene_or_ropeway(struct cli_model *model, FILE *stream,
                                                 const struct cli_common *common, int n,
                                                 enum extent extent, struct hawser_report *report)
@@ -356,7 +349,7 @@ static enum hawser_status load(struct cli_model *model, const struct cli_common 
 	if (common->library) {
 		status = from_library(model, common, n, report);
 		if (!status)
-			status = naturals(model, report);
+			status = cli_natural(model, report);
 		if (status)
 			cli_model_clear(model);
 		return status;
@@ -372,7 +365,7 @@ static enum hawser_status load(struct cli_model *model, const struct cli_common 
 	}
 	fclose(stream);
 	if (!status && !model->automatic && model->rom.n > 0)
-		status = naturals(model, report);
+		status = cli_natural(model, report);
 	if (status)
 		cli_model_clear(model);
 	return status;
