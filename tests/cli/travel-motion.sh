@@ -131,7 +131,7 @@ assert abs(json.load(open("auto.json"))["Omega"]/w - 1) < 1e-10
 END
 # Files of two coordinates. With a skew D (entries +-g): w^4 - (K1 + K2 + g^2) w^2 + K1 K2 = 0. A damper between
 # unequal masses, D = inv(M) C, changes nothing, and the same skew forces between such masses as g1, -g2 have g^2 = g1 g2.
-for D in "0.01,0.5;-0.5,0.01" "0.3,-0.3;-0.1,0.1" "0,0.5;-0.25,0"; do
+for D in "0.01,0.5;-0.5,0.01" "0.3,-0.3;-0.1,0.1" "0.01,0.5;-0.25,0.01"; do
 	D=$(printf %s "$D" | sed 's/;/],[/')
 	echo "{\"hawser_rom\": 1, \"n\": 2, \"D\": [[$D]], \"K\": [[1, 0], [0, 2]],
 		\"harmonics\": [{\"k\": 1, \"phase\": \"cos\", \"omega_power\": 0, \"f\": [0.01, 0]}]}" >turn.json
