@@ -225,8 +225,7 @@ void cli_choice_comments(struct hawser__table *table, const struct cli_model *mo
 
 /* A comment about the scene's quadratic drag, if it has any, and `how` it is computed. choice.c. */
 void cli_drag_comment(struct hawser__table *table, const struct cli_model *model, const char *how);
-/* natural.c: sets `natural` and `naturals` of a model with its scene, if it has one: undamped, and with
- * the gyroscopic forces of a travelling cable, as hawser modes prints them. */
+/* natural.c: sets `natural`: undamped, with gyroscopic forces, as hawser modes prints them. */
 enum hawser_status cli_natural(struct cli_model *model,
                                struct hawser_report *report) HAWSER_MUST_CHECK;
 

@@ -11,7 +11,9 @@ works "a response to the speed alone" frf "$speed" --from 1.05w1 --to 1.2w1 --st
 works "with modes to be chosen" frf "$speed" --set model.condense=static --set model.modes=auto \
 	--from 1.05w1 --to 1.2w1 --step 0.02 --json auto.json
 works "a model" rom "$speed" --json rom.json
-works "which is one for other commands" frf rom.json --from 1.05w1 --to 1.2w1 --step 0.02 --json file.json
+# The frequencies of a file are those of its few coordinates: its w1 is another.
+range=$(python3 -c 'import json; print("--from %.17g --to %.17g" % tuple(json.load(open("frf.json"))["range"]))')
+works "which is one for other commands" frf rom.json $range --step 0.02 --json file.json
 works "braking" integrate "$brake" --until 7 --every 0.5 --json brake.json
 works "a model that brakes" rom "$brake" --json ramp.json
 works "of which a file tells all" integrate ramp.json --until 7 --every 0.5 --json ramped.json
@@ -87,6 +89,62 @@ assert max(abs(x) for x in a[0]) == 0 and 1e-4 < max(abs(x) for x in a[-1]) < 1e
 decided = {d["subject"]: d["modelled"] for d in load("plan")["decisions"]}
 assert decided["gyroscopic terms"] and decided["harmonics of the speed"], decided
 END
+
+# Multiples of natural frequencies are those of hawser modes: a belt at 60 m/s (an outside program: 3.969
+# rad/s, where the apparent cable at rest has 5.309), at rest.
+cat >belt.yaml <<'END'
+cable: {EA: 2.4 MN, rho: 1.1 kg/m}
+span: {d: 40 m, h: 3 m}
+tension: {T0: 9 kN}
+travel: {speed: 60 m/s, hold: tension}
+damping: {ratio: 0.5 %}
+load: {frame: local, per_length: [0, 0.02, 0]}
+model: {modes: 2}
+END
+for set in travel.speed=0 travel.speed=60; do
+	run modes belt.yaml --set $set --json modes.json
+	run frf belt.yaml --set $set --from 0.99w1 --to 1w2 --json f.json
+	run integrate belt.yaml --set $set --Omega 1w1 --until 1T --json i.json
+	run plan belt.yaml --set $set --from 1w1 --to 1w2 --fidelities "raw 2" --json p.json
+	run hill belt.yaml --set $set --Omega 1w2 --json h.json
+	run map belt.yaml --set $set --x Omega=1w1:1w2 --y travel.speed=10:20 --points 2x2 --json m.json
+	python "w1 and w2 with $set" <<'END'
+import json
+def load(name): return json.load(open(name + ".json"))
+w = [m["omega"] for m in load("modes")["modes"]]
+def same(*pairs):
+    for a, b in pairs:
+        assert abs(a/b - 1) < 1e-10, (a, b)
+f, p, x = load("f"), load("p"), load("m")["x"]
+assert len(f["natural_frequencies"]) == len(w)
+same(*zip(f["natural_frequencies"], w), (f["range"][0], 0.99*w[0]), (f["range"][1], w[1]))
+same((load("i")["Omega"], w[0]), (load("h")["Omega"], w[1]))
+same((p["from"], w[0]), (p["to"], w[1]), (x["from"], w[0]), (x["to"], w[1]))
+END
+done
+run integrate belt.yaml --set model.condense=static --set model.modes=auto --Omega 1w1 --until 1T --json auto.json
+python "the figure of the belt, and with modes to be chosen" <<'END'
+import json
+w = json.load(open("modes.json"))["modes"][0]["omega"] # at 60 m/s
+assert abs(w - 3.969) < 5e-4, w
+assert abs(json.load(open("auto.json"))["Omega"]/w - 1) < 1e-10
+END
+# Files of two coordinates. With a skew D (entries +-g): w^4 - (K1 + K2 + g^2) w^2 + K1 K2 = 0. A damper between
+# unequal masses, D = inv(M) C, changes nothing, and the same skew forces between such masses as g1, -g2 have g^2 = g1 g2.
+for D in "0.01,0.5;-0.5,0.01" "0.3,-0.3;-0.1,0.1" "0.01,0.5;-0.25,0.01"; do
+	D=$(printf %s "$D" | sed 's/;/],[/')
+	echo "{\"hawser_rom\": 1, \"n\": 2, \"D\": [[$D]], \"K\": [[1, 0], [0, 2]],
+		\"harmonics\": [{\"k\": 1, \"phase\": \"cos\", \"omega_power\": 0, \"f\": [0.01, 0]}]}" >turn.json
+	run frf turn.json --from 0.99w1 --to 1w1 --json turned.json
+	python "the file with D = $D" <<'END'
+import json
+D, got = json.load(open("turn.json"))["D"], json.load(open("turned.json"))["natural_frequencies"]
+b = 3 + max(0, -D[0][1]*D[1][0])
+for w, sign in zip(got, (-1, 1)):
+    assert abs(w/((b + sign*(b*b - 8)**0.5)/2)**0.5 - 1) < 1e-9, (w, sign)
+assert len(got) == 2
+END
+done
 
 # Two solutions at one frequency, each found again in time.
 works "coexisting solutions" frf "$load" --set "$light" --from 0.9w1 --to 1.4w1 --json two.json
