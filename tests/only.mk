@@ -1,6 +1,7 @@
 # With TESTS=... on the command line, make check builds the programs that have these cases and no others. automake does not
 # understand conditions of make, so make includes this file itself.
 ifeq ($(origin TESTS),command line)
+ifneq (,$(strip $(TESTS)))
 ifeq (,$(findstring *,$(TESTS)))
 wanted_cases = $(subst /test-,/,$(patsubst tests/%,%,$(TESTS:.c=)))
 cases_of = $(subst /test-,/,$(patsubst tests/%.c,%,$(tests_$(notdir $(1))_SOURCES)) \
@@ -8,6 +9,7 @@ cases_of = $(subst /test-,/,$(patsubst tests/%.c,%,$(tests_$(notdir $(1))_SOURCE
 test_programs := $(foreach program,$(test_programs),$(if $(filter $(TESTS),$(program))$(filter $(wanted_cases),$(call \
 	cases_of,$(program))),$(program)))
 check_PROGRAMS := tests/run $(test_programs) $(if $(filter tests/reference/%.sh reference/%,$(TESTS)),$(test_helpers))
+endif
 endif
 endif
 
