@@ -1,6 +1,6 @@
 # libtool's script starts some forty processes for each object that it compiles, which together take longer than the compiler.
-# Where one kind of library is made, on Linux, src/compile.sh does the same, and src/archive.sh what libtool does for an archive. automake does not understand conditions of make, so
-# make includes this file itself. LTCOMPILE is libtool's command; what stands after --mode=compile is the compiler's.
+# Where one kind of library is made, on Linux, src/compile.sh does the same, and src/archive.sh what libtool does for an archive.
+# automake does not understand conditions of make, so make includes this file itself. LTCOMPILE is libtool's command; what stands after --mode=compile is the compiler's.
 libraries_made = $(host_os) $(enable_shared) $(enable_static)
 ifeq ($(libraries_made),linux-gnu yes no)
 kind_made = shared
