@@ -1,6 +1,7 @@
 #!/bin/sh
 # deb.sh TARBALL FOLDER: the Debian packages of a tarball of `make dist`, in FOLDER, and what lintian says of
-# them. deb.sh --needs: only whether the packages that this takes are there. DEB_BUILD_OPTIONS as dpkg-buildpackage has it, such as "nocheck parallel=2".
+# them. deb.sh --needs: only whether the packages that this takes are there. DEB_BUILD_OPTIONS as
+# dpkg-buildpackage has it, such as "nocheck parallel=2".
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -eu
 if [ "$1" = --needs ]; then
