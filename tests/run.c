@@ -487,6 +487,7 @@ static void gather(struct run *run, int count, char **argument)
 int main(int argc, char **argv)
 {
 	struct run run = {.jobs = 1, .logs = "tests/log"};
+	int failed;
 
 	options(&run, argc, argv);
 	gather(&run, argc - optind, argv + optind);
@@ -495,5 +496,7 @@ int main(int argc, char **argv)
 	handle_signals(&run);
 	run_all(&run);
 	write_results(&run);
-	return summary(&run) != 0;
+	failed = summary(&run) != 0;
+	free(run.tests);
+	return failed;
 }
