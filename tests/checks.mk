@@ -48,7 +48,7 @@ check-quick: all-am $(check_PROGRAMS) $(check_DATA)
 check-longer: all-am $(check_PROGRAMS) $(check_DATA)
 	@$(MAKE) --no-print-directory check-local RUN_RESULTS=tests/longer.tsv RUN_FLAGS='-T $(srcdir)/%D%/longer.txt'
 
-.PHONY: messages check-quick check-longer check-analyzers check-kernels check-kernel-sample check-provoked check-sanitizers check-sanitizers-sample check-valgrind check-valgrind-all check-faults check-long check-more \
+.PHONY: messages check-quick check-longer check-analyzers check-kernels check-kernel-sample check-provoked check-sanitizers check-sanitizers-sample check-cover check-valgrind check-valgrind-all check-faults check-long check-more \
 	check-compilers check-syntax
 
 # The program and the tests under AddressSanitizer (with its leak check) and UBSan, by clang, in a build of their own, which fuzzing
@@ -58,22 +58,19 @@ SANITIZERS_CC = clang
 sanitizers/config.status:
 	@$(MKDIR_P) sanitizers
 	cd sanitizers && $(abs_top_srcdir)/configure -q --enable-sanitizers --enable-werror --disable-shared CC='$(SANITIZERS_CC)' \
-		CFLAGS='-O1 -g1 -fsanitize=fuzzer-no-link -fno-sanitize=pointer-overflow'
+		CFLAGS='-O1 -g1 -fsanitize-coverage=inline-8bit-counters,pc-table -fno-sanitize=pointer-overflow'
 	$(SHELL) $(abs_top_srcdir)/src/batches.sh sanitizers
 check-sanitizers: sanitizers/config.status
 	$(MAKE) -C sanitizers check-programs
 	$(MAKE) -C sanitizers check-local
 
-# What .ci/run takes of it. Left out are the tests whose results take longest and whose code others run as well (check-long has them),
-# and the ranks, since Open MPI leaks.
-SANITIZERS_OUT = '*-memory' '*-sweep' '*-estimates' '*-estimate' '*/sweep-*' '*/study' property/study-chosen '*/accuracy' property/campbell \
-	property/irvine property/modes property/map-threads property/frf-full reference/map-mathieu cli/same-bytes cli/study \
-	cli/beam cli/pictures cli/long cli/scales cli/travel cli/disk cli/irvine cli/locus-exact cli/units-plot cli/plausible \
-	cli/travel-motion cli/ranks
+# What .ci/run takes of it: the tests that reach most of the sources in the least time, and every command with every scene. Left out
+# are those of unsanitized.txt, which check-cover writes; there are the ranks too, since Open MPI leaks.
+EXTRA_DIST += %D%/unsanitized.txt
+WITHOUT_LONGER = $(addprefix -x ,$(filter-out cli/every-scene,$(shell cut -d ' ' -f 1 $(srcdir)/%D%/longer.txt)))
 check-sanitizers-sample: sanitizers/config.status
 	$(MAKE) -C sanitizers check-programs
-	$(MAKE) -C sanitizers check-local RUN_FLAGS="$(addprefix -x ,$(SANITIZERS_OUT) \
-		$(filter-out cli/every-scene,$(shell cut -d ' ' -f 1 $(srcdir)/%D%/longer.txt)))"
+	$(MAKE) -C sanitizers check-local RUN_FLAGS="-X $(abs_srcdir)/%D%/unsanitized.txt $(WITHOUT_LONGER)"
 
 # Valgrind sees what the sanitizers don't: values that were never written, also on their way through BLAS, LAPACK and SuiteSparse,
 # which are not compiled with MemorySanitizer. The leaks that count are definite ones: udunits2 keeps tables that
@@ -117,12 +114,22 @@ check-analyzers:
 # Which messages no test provokes: the suite where lines are counted, in provoked/, then gcov. A test that
 # fails because counts are written at the end of a program is no matter here.
 EXTRA_DIST += %D%/checks/provoked.py %D%/checks/provoked.txt
-check-provoked:
+provoked/config.status:
 	@$(MKDIR_P) provoked
-	@test -f provoked/config.status || { cd provoked && \
-		$(abs_top_srcdir)/configure -q --disable-shared CC=gcc CFLAGS='-O1 -g --coverage'; }
+	cd provoked && $(abs_top_srcdir)/configure -q --disable-shared CC=gcc CFLAGS='-O1 -g --coverage'
+check-provoked: provoked/config.status
 	cd provoked && $(MAKE) && find . -name '*.gcda' -exec rm -f {} + && { $(MAKE) -k check; :; }
 	cd $(srcdir) && python3 tests/checks/provoked.py $(abs_top_builddir)/provoked
+
+# Which tests reach what cheaper ones don't, from the same tree: the list for the sanitizers, in provoked/unsanitized.txt. It takes
+# twenty minutes; make it anew when the sanitizers' step of .ci/run takes too long.
+EXTRA_DIST += %D%/checks/cover.py
+check-cover: provoked/config.status
+	$(MAKE) -C provoked all
+	$(MAKE) -C provoked check-programs
+	rm -rf provoked/cover
+	-$(MAKE) -C provoked -k check-local RUN_FLAGS="-g $(abs_builddir)/provoked/cover $(WITHOUT_LONGER)"
+	python3 $(srcdir)/%D%/checks/cover.py provoked/cover provoked/tests/results.tsv cli/every-scene >provoked/unsanitized.txt
 
 # The numerical tests under every kernel of OpenBLAS that the processor runs, and with Debian's reference BLAS and
 # LAPACK; logs in kernels/. KERNELS=... and TESTS=... run less. Left out are tests without numbers.

@@ -7,10 +7,11 @@
  *                 is all cases of this program
  *   -T FILE       only those whose names are the first words of its lines
  *   -x PATTERN    without these
- *   -X FILE       without those whose names are the first words of its lines
+ *   -X FILE       without those whose names are the first words of its lines; up to 4 files
  *   -w COMMAND    words before the name of a program, such as valgrind's; scripts run as they are
  *   -s SECONDS    a test that takes more processor time, on a machine that is not busy, fails,
  *   -r FILE       unless its name is the first word of a line here, with the reason behind it
+ *   -g FOLDER     what a build with --coverage counts goes to FOLDER/NAME, test by test (absolute)
  *   -l FOLDER     of the logs (tests/log)
  *   -o FILE       a row a test: result, checks, times. What took longest by this file is started first
  *
@@ -21,7 +22,6 @@
 
 #include <errno.h>
 #include <fcntl.h>
-#include <fnmatch.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -33,36 +33,12 @@
 #include <time.h>
 #include <unistd.h>
 
-enum { NAME = 128, PATTERNS = 1000, JOBS = 64 };
+#include "tests/run.h"
 
 /* Seconds of the clock after which a test counts as one that does not end. */
 static const int patience_secs = 1800;
 /* Seconds between lines of progress where standard output is no terminal. */
 static const double silence_secs = 10;
-
-struct test {
-	char name[NAME];          /* KIND/NAME */
-	const char *program;      /* its path; a script's own */
-	int script;               /* 1: no argument */
-	double expected_secs;     /* processor time in the last run, or -1 */
-	pid_t pid;                /* while it runs */
-	double began;             /* clock, s */
-	double processor, clock;  /* s, when it has run */
-	int passed, failed, skipped, planned, status, done;
-};
-
-struct run {
-	struct test *tests;          /* [count] */
-	int count, ran, broken;
-	const char *only[PATTERNS], *without[PATTERNS];
-	int only_count, without_count;
-	int jobs;
-	const char *results, *logs, *wrapper;
-	double limit_secs;        /* processor time above which a test fails, or 0 */
-	const char *exceptions;   /* file: names of tests that may take longer, each with the reason */
-	const char *chosen, *longer; /* files: names of the only tests, and of tests to leave out */
-	double began, told;
-};
 
 static double now(void)
 {
@@ -70,97 +46,6 @@ static double now(void)
 
 	clock_gettime(CLOCK_MONOTONIC, &t);
 	return (double)t.tv_sec + 1e-9*(double)t.tv_nsec;
-}
-
-static _Noreturn void stop(const char *what, const char *name)
-{
-	fprintf(stderr, "tests/run: %s %s%s%s\n", what, name, errno ? ": " : "",
-	        errno ? strerror(errno) : "");
-	exit(2);
-}
-
-/* Path of a source or a script, as people write it, to the name of a test: tests/property/test-frf
- * to property/frf. */
-static void plain_name(char name[NAME], const char *path)
-{
-	const char *kind = strncmp(path, "./", 2) == 0 ? path + 2 : path, *base;
-	size_t length;
-
-	if (strstr(kind, "tests/"))
-		kind = strstr(kind, "tests/") + 6;
-	base = strrchr(kind, '/') ? strrchr(kind, '/') + 1 : kind;
-	snprintf(name, NAME, "%.*s%s", (int)(base - kind), kind,
-	         strncmp(base, "test-", 5) == 0 ? base + 5 : base);
-	length = strlen(name);
-	if (length > 3 && strcmp(name + length - 3, ".sh") == 0)
-		name[length - 3] = '\0';
-}
-
-/* Does a pattern name this test: its name, its path, or the program of all its cases? */
-static int is_named(const struct test *test, const char *const *patterns, int count)
-{
-	char name[NAME];
-
-	for (int i = 0; i < count; i++) {
-		plain_name(name, patterns[i]);
-		if (fnmatch(name, test->name, 0) == 0 ||
-		    (!test->script && strcmp(patterns[i], test->program) == 0))
-			return 1;
-	}
-	return 0;
-}
-
-/* Is the name the first word of a line of the file? */
-static int is_listed(const char *path, const char *name)
-{
-	char line[512], first[NAME];
-	FILE *file = path ? fopen(path, "r") : NULL;
-	int found = 0;
-
-	if (path && !file)
-		stop("cannot read", path);
-	while (file && !found && fgets(line, sizeof line, file))
-		found = sscanf(line, "%127s", first) == 1 && strcmp(first, name) == 0;
-	if (file)
-		fclose(file);
-	return found;
-}
-
-static void add(struct run *run, const char *name, const char *program, int script)
-{
-	struct test test = {.program = program, .script = script, .expected_secs = -1, .planned = -1};
-
-	if (strlen(name) >= NAME) {
-		errno = 0;
-		stop("too long a name:", name);
-	}
-	strcpy(test.name, name);
-	if ((run->only_count && !is_named(&test, run->only, run->only_count)) ||
-	    (run->chosen && !is_listed(run->chosen, name)) ||
-	    is_named(&test, run->without, run->without_count) || is_listed(run->longer, name))
-		return;
-	run->tests = realloc(run->tests, (size_t)(run->count + 1)*sizeof *run->tests);
-	if (!run->tests)
-		stop("no memory for", name);
-	run->tests[run->count++] = test;
-}
-
-static void add_program(struct run *run, const char *program)
-{
-	char name[NAME], command[2*NAME];
-	FILE *list;
-
-	snprintf(command, sizeof command, "%s list", program);
-	list = popen(command, "r");
-	if (!list)
-		stop("cannot start", program);
-	while (fgets(name, sizeof name, list)) {
-		name[strcspn(name, "\n")] = '\0';
-		add(run, name, program, 0);
-	}
-	errno = 0;
-	if (pclose(list) != 0)
-		stop("cannot list the cases of", program);
 }
 
 /* --- the last run's times, and those of this one */
@@ -244,6 +129,10 @@ static void become(const struct run *run, const struct test *test, const char *l
 	close(file);
 	close(null);
 	setpgid(0, 0);
+	if (run->counts) {
+		snprintf(words, sizeof words, "%s/%s", run->counts, test->name);
+		setenv("GCOV_PREFIX", words, 1);
+	}
 	snprintf(words, sizeof words, "%s", run->wrapper && !test->script ? run->wrapper : "");
 	for (char *w = strtok(words, " "); w && n < 28; w = strtok(NULL, " "))
 		word[n++] = w;
@@ -443,7 +332,7 @@ static int summary(const struct run *run)
 
 static void options(struct run *run, int argc, char **argv)
 {
-	for (int option; (option = getopt(argc, argv, "j:o:l:x:X:t:T:w:s:r:")) != -1;)
+	for (int option; (option = getopt(argc, argv, "j:o:l:x:X:t:T:w:s:r:g:")) != -1;)
 		switch (option) {
 		case 'j': run->jobs = atoi(optarg); break;
 		case 'o': run->results = optarg; break;
@@ -452,36 +341,14 @@ static void options(struct run *run, int argc, char **argv)
 		case 's': run->limit_secs = atof(optarg); break;
 		case 'r': run->exceptions = optarg; break;
 		case 'T': run->chosen = optarg; break;
-		case 'X': run->longer = optarg; break;
+		case 'X': run->out[run->out_count++%FILES] = optarg; break;
+		case 'g': run->counts = optarg; break;
 		case 'x': run->without[run->without_count++%PATTERNS] = optarg; break;
 		case 't': run->only[run->only_count++%PATTERNS] = optarg; break;
 		default: exit(2);
 		}
 	if (run->jobs < 1 || run->jobs > JOBS)
 		run->jobs = 1;
-}
-
-/* The tests of the programs and the scripts that are named. */
-static void gather(struct run *run, int count, char **argument)
-{
-	char name[NAME];
-
-	for (int i = 0; i < count; i++)
-		if (strlen(argument[i]) > 3 && strcmp(argument[i] + strlen(argument[i]) - 3, ".sh") == 0) {
-			plain_name(name, argument[i]);
-			add(run, name, argument[i], 1);
-		} else {
-			add_program(run, argument[i]);
-		}
-	errno = 0;
-	for (int i = 0; i < run->only_count; i++) {
-		int named = 0;
-
-		for (int k = 0; k < run->count; k++)
-			named |= is_named(&run->tests[k], &run->only[i], 1);
-		if (!named)
-			stop("no test is named", run->only[i]);
-	}
 }
 
 int main(int argc, char **argv)
