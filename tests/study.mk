@@ -4,6 +4,7 @@ tests_study_SOURCES = tests/cases.c \
 	tests/extremes/taylor.c \
 	tests/extremes/test-sweep-hill.c \
 	tests/property/test-accuracy.c \
+	tests/property/test-accuracy-once.c \
 	tests/property/test-basins.c \
 	tests/property/test-decay.c \
 	tests/property/test-estimates.c \

@@ -334,6 +334,8 @@ static enum hawser_status write_result(struct cli_frf_result *result, int energy
 		cli_basis_warn(result->model);
 	if (!status)
 		cli_known_warn(result->model, fmax(result->from, result->to));
+	if (!status)
+		cli_fixed_warn(&result->error);
 	if (!status && cli_frf_slack(text, sizeof text, result))
 		cli_warn(text);
 	if (!status && cli_frf_lift(text, sizeof text, result))

@@ -257,6 +257,8 @@ static enum hawser_status write_result(struct cli_integrate_result *result,
 		status = cli_show(result->common, &cli_integrate_showing, result, report);
 	if (!status)
 		cli_known_warn(result->model, result->omega);
+	if (!status)
+		cli_fixed_warn(&result->model_error);
 	if (!status && cli_integrate_slack(text, sizeof text, result))
 		cli_warn(text);
 	if (!status && cli_integrate_moves(text, sizeof text, result))

@@ -11,15 +11,17 @@
 #include "cli/rom_ropeway.h"
 #include "cli/view.h"
 
-static enum hawser_status not_known(struct cli_frf_result *result, const char *why)
+static enum hawser_status not_known(struct cli_model_error *error, const char *why)
 {
-	snprintf(result->unknown, sizeof result->unknown, "%s", why);
+	snprintf(error->unknown, sizeof error->unknown, "%s", why);
 	return HAWSER_OK;
 }
 
 /* Of a ropeway: the distance from the response of a model with half as many modes more, at least
  * MORE, which was chosen: in lines of two spans one of each in both planes. */
 enum { MORE = 4 };
+/* An error of the model above this is said on standard error. */
+static const double much = 0.1;
 
 static enum hawser_status against_more(struct hawser_accuracy_fixed *fixed,
                                        const struct cli_frf_result *result,
@@ -51,91 +53,131 @@ static enum hawser_status against_more(struct hawser_accuracy_fixed *fixed,
 	return status;
 }
 
+/* What is known after an estimate of that status. */
+static enum hawser_status conclude(struct cli_model_error *error, enum hawser_status status,
+                                   const struct hawser_report *why, struct hawser_report *report)
+{
+	if (!status)
+		return HAWSER_OK;
+	error->fixed.estimated = NAN;
+	if (status != HAWSER_ERR_MEMORY)
+		return not_known(error, why->message);
+	if (report)
+		*report = *why;
+	return status;
+}
+
 enum hawser_status cli_fixed_estimate(struct cli_frf_result *result, struct hawser_report *report)
 {
 	const struct cli_model *model = result->model;
+	struct cli_model_error *error = &result->error;
 	struct hawser_report why = {.message = ""};
 	enum hawser_status status;
 
 	if (result->frf->branch > 1 ? !model->has_scene : model->automatic) /* of ropeways: the first */
 		return HAWSER_OK;
-	result->stated = 1;
-	result->fixed = (struct hawser_accuracy_fixed){.estimated = NAN};
+	*error = (struct cli_model_error){.stated = 1, .compared = model->ropeway != NULL,
+	                                  .timed = !result->common->reproducible,
+	                                  .about = "folds and peaks", .fixed = {.estimated = NAN}};
 	if (model->automatic)
-		return not_known(result, "the accuracy of model.modes: auto is that of the first branch");
+		return not_known(error, "the accuracy of model.modes: auto is that of the first branch");
 	if (!model->has_scene && !model->ropeway)
-		return not_known(result, "a model file does not say what it leaves out of its scene: give "
-		                         "the scene");
+		return not_known(error, "a model file does not say what it leaves out of its scene: give "
+		                        "the scene");
 	if (model->ropeway && model->rom.n == HAWSER_LINE_ROM_MODES)
-		return not_known(result, "no model of a ropeway has more modes to compare with");
+		return not_known(error, "no model of a ropeway has more modes to compare with");
 	if (result->frf->period > 1)
-		return not_known(result, "that of motions of several periods is not");
+		return not_known(error, "that of motions of several periods is not");
 	if (cli_interrupted())
-		return not_known(result, "the response was interrupted");
-	if (cli_known_lacks(result->unknown, sizeof result->unknown, model,
+		return not_known(error, "the response was interrupted");
+	if (cli_known_lacks(error->unknown, sizeof error->unknown, model,
 	                    fmax(result->from, result->to)))
 		return HAWSER_OK;
 	status = model->ropeway
-	         ? against_more(&result->fixed, result, &why)
-	         : hawser_accuracy_fixed(&result->fixed, &model->rom, result->frf, model->modes.n,
+	         ? against_more(&error->fixed, result, &why)
+	         : hawser_accuracy_fixed(&error->fixed, &model->rom, result->frf, model->modes.n,
 	                                 &model->statics, &model->scene, result->from, result->to, &why);
-	if (!status)
-		return HAWSER_OK;
-	result->fixed.estimated = NAN;
-	if (status != HAWSER_ERR_MEMORY)
-		return not_known(result, why.message);
-	if (report)
-		*report = why;
-	return status;
+	return conclude(error, status, &why, report);
 }
 
-void cli_fixed_comments(struct hawser__table *table, const struct cli_frf_result *result)
+enum hawser_status cli_fixed_once(struct cli_model_error *error, const struct cli_model *model,
+                                  const struct cli_common *common,
+                                  const struct hawser_accuracy_motion *motion,
+                                  struct hawser_report *report)
 {
-	const struct hawser_accuracy_fixed *fixed = &result->fixed;
+	struct hawser_report why = {.message = ""};
+	enum hawser_status status;
+
+	*error = (struct cli_model_error){.stated = 1, .timed = !common->reproducible,
+	                                  .about = "amplitudes and the frequency",
+	                                  .fixed = {.estimated = NAN}};
+	if (cli_known_lacks(error->unknown, sizeof error->unknown, model, motion->omega))
+		return HAWSER_OK;
+	status = hawser_accuracy_once(&error->fixed, &model->rom, motion, model->modes.n, &model->statics,
+	                              &model->scene, &why);
+	return conclude(error, status, &why, report);
+}
+
+void cli_fixed_comments(struct hawser__table *table, const struct cli_model_error *error, int number)
+{
+	const struct hawser_accuracy_fixed *fixed = &error->fixed;
 	char branch[24] = "";
 
-	if (!result->stated)
+	if (!error->stated)
 		return;
-	if (result->frf->branch > 1)
-		snprintf(branch, sizeof branch, "branch %d: ", result->frf->branch);
+	if (number > 1)
+		snprintf(branch, sizeof branch, "branch %d: ", number);
 	if (!isfinite(fixed->estimated)) {
 		hawser__table_comment(table, "%serror of the model: not estimated: %s", branch,
-		                      result->unknown);
+		                      error->unknown);
 		return;
 	}
-	if (result->model->ropeway) {
-		hawser__table_comment(table, "error of the model: about %.2g of folds and peaks: so far is the "
-		                      "response with %d modes from this one", fixed->estimated,
+	if (error->compared) {
+		hawser__table_comment(table, "error of the model: about %.2g of %s: so far is the "
+		                      "response with %d modes from this one", fixed->estimated, error->about,
 		                      fixed->looked_at);
 		return;
 	}
-	hawser__table_comment(table, "%serror of the model: %s%.2g of folds and peaks, to first order "
+	hawser__table_comment(table, "%serror of the model: %s%.2g of %s, to first order "
 	                      "(modes left out: %.1e, of %d looked at; their effect on the kept: %.1e; "
 	                      "others: %.1e; beyond modes: %.1e)",
 	                      branch, fixed->estimated < 1.0 ? "" : "more than ", fixed->estimated,
-	                      fixed->rest, fixed->looked_at, fixed->followed, fixed->beyond,
+	                      error->about, fixed->rest, fixed->looked_at, fixed->followed, fixed->beyond,
 	                      fixed->truncation);
 	if (fixed->at_risk > 0)
 		hawser__table_comment(table, "%sthe motion can make mode w%d unstable, which the model "
 		                      "leaves out", branch, fixed->at_risk);
 }
 
+void cli_fixed_warn(const struct cli_model_error *error)
+{
+	char text[CLI_WARNING_SIZE];
+
+	if (!error->stated || !(error->fixed.estimated > much))
+		return;
+	snprintf(text, sizeof text, "%s may be off by %s%.0f %% because of what the model leaves out, by an "
+	         "estimate to first order: hawser plan compares models; more modes (-n), model.modes: auto or "
+	         "model.energy: exact may be closer", error->about,
+	         error->fixed.estimated < 1.0 ? "" : "more than ", 100.0*error->fixed.estimated);
+	cli_warn(text);
+}
+
 static int is_stated(const void *row, const void *parent)
 {
 	(void)parent;
-	return ((const struct cli_frf_result *)row)->stated;
+	return ((const struct cli_model_error *)row)->stated;
 }
 
 static int is_known(const void *row, const void *parent)
 {
 	return is_stated(row, parent) &&
-	       isfinite(((const struct cli_frf_result *)row)->fixed.estimated);
+	       isfinite(((const struct cli_model_error *)row)->fixed.estimated);
 }
 
 /* Whether it was found mode by mode. */
 static int is_weighed(const void *row, const void *parent)
 {
-	return is_known(row, parent) && !((const struct cli_frf_result *)row)->model->ropeway;
+	return is_known(row, parent) && !((const struct cli_model_error *)row)->compared;
 }
 
 static int is_unknown(const void *row, const void *parent)
@@ -145,27 +187,27 @@ static int is_unknown(const void *row, const void *parent)
 
 static int has_times(const void *row, const void *parent)
 {
-	return is_known(row, parent) && !((const struct cli_frf_result *)row)->common->reproducible;
+	return is_known(row, parent) && ((const struct cli_model_error *)row)->timed;
 }
 
 static int is_at_risk(const void *row, const void *parent)
 {
-	return is_known(row, parent) && ((const struct cli_frf_result *)row)->fixed.at_risk > 0;
+	return is_known(row, parent) && ((const struct cli_model_error *)row)->fixed.at_risk > 0;
 }
 
 static double left_out(const void *row)
 {
-	return fmin(((const struct cli_frf_result *)row)->fixed.rest, 1e300);
+	return fmin(((const struct cli_model_error *)row)->fixed.rest, 1e300);
 }
 
 static double others(const void *row)
 {
-	return fmin(((const struct cli_frf_result *)row)->fixed.beyond, 1e300);
+	return fmin(((const struct cli_model_error *)row)->fixed.beyond, 1e300);
 }
 
-#define OF(member) HAWSER__AT(struct cli_frf_result, member)
+#define OF(member) HAWSER__AT(struct cli_model_error, member)
 const struct hawser__field cli_fixed_field[] = {
-	{"model_error.estimated", NULL, "error of folds and peaks, relative, 1 at most; null: not known",
+	{"model_error.estimated", NULL, "error of folds and peaks, or of one motion, relative, 1 at most; null: not known",
 	 OF(fixed.estimated), .flags = HAWSER__NULL, .given = is_stated},
 	{"model_error.reason", NULL, "why it is not known", OF(unknown), .given = is_unknown},
 	{"model_error.left_out", NULL, "what modes that are not kept do beside following",

@@ -313,7 +313,7 @@ static int is_slower(const void *row, const void *parent)
 /* A further branch is a result with its own curve. */
 static const struct hawser__field branch_field[] = {
 	{"", NULL, "", HAWSER__THROUGH(struct cli_frf_result, frf, born_field), .given = is_born},
-	{"", NULL, "", HAWSER__OBJECT_OF(cli_fixed_field)},
+	{"", NULL, "", HAWSER__PART_OF(struct cli_frf_result, error, cli_fixed_field)},
 	THROUGH(frf, curve_field),
 	{"peaks", NULL, "see PEAKS", HAWSER__OBJECTS_OF(cli_frf_peak_list), .when = PEAKS},
 	THROUGH(frf, end_field),
@@ -349,7 +349,7 @@ static const struct hawser__field result_field[] = {
 	{"", NULL, "", HAWSER__THROUGH(struct cli_frf_result, frf, period_field), .given = is_slower},
 	THROUGH(model, cli_naturals_field),
 	THROUGH(model, cli_choice_field),
-	{"", NULL, "", HAWSER__OBJECT_OF(cli_fixed_field)},
+	{"", NULL, "", HAWSER__PART_OF(struct cli_frf_result, error, cli_fixed_field)},
 	THROUGH(frf, curve_field),
 	{"sheaves", NULL, "of ropeways: names of the sheaves of contact.sheave",
 	 HAWSER__CALLS(cli_frf_sheaves_json), .when = CONTACT},

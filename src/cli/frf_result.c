@@ -229,7 +229,7 @@ static void comment_branch(struct hawser__table *table, const struct cli_frf_res
 		hawser__table_comment(table, "branch %d: of period %d, from branch %d at Omega = %.12g%s",
 		                      frf->branch, frf->period, frf->parent, frf->born*per_omega,
 		                      cli_unit(result->model, " rad/s"));
-	cli_fixed_comments(table, result);
+	cli_fixed_comments(table, &result->error, result->frf->branch);
 	for (int k = 0; k < frf->events; k++)
 		comment_event(table, result, k);
 	cli_frf_peak_comments(table, result);
@@ -257,7 +257,7 @@ void cli_frf_comments(struct hawser__table *table, const void *of)
 	cli_choice_comments(table, model);
 	cli_basis_comment(table, model);
 	cli_drag_comment(table, model, "at every instant, by shooting; no describing function");
-	cli_fixed_comments(table, result);
+	cli_fixed_comments(table, &result->error, result->frf->branch);
 	if (result->scales)
 		cli_mms_equations(table, result->scales);
 	for (k = 0; k < model->naturals; k++)

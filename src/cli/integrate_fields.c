@@ -7,8 +7,8 @@
 #include "cli/integrate_result.h"
 #include "cli/integrate_span.h"
 
-enum { PROBED = 1, TENSIONS = 2, ERROR = 4, SPECTRUM = 8, KNOWN = 16, SURGES = 32, UNKNOWN = 64,
-       SWEPT = 128, EXPONENTS = 256 };
+enum { PROBED = 1, TENSIONS = 2, ERROR = 4, SPECTRUM = 8, KNOWN = 16, SURGES = 32, SWEPT = 64,
+       EXPONENTS = 128 };
 
 static double signal_at(const void *context, const void *parent, size_t row, int k)
 {
@@ -251,9 +251,7 @@ static const struct hawser__field orbit_field[] = {
 static const struct hawser__field integrate_field[] = {
 	{"", NULL, "", HAWSER__THROUGH(struct cli_integrate_result, model, cli_si_field)},
 	{"", NULL, "", HAWSER__THROUGH(struct cli_integrate_result, model, cli_choice_field)},
-	{"model_error.estimated", NULL, "null: a run states no error of the model",
-	 HAWSER__CONSTANT_IS(HAWSER__NO_INTEGER), .when = UNKNOWN},
-	{"model_error.reason", NULL, "why", HAWSER__TEXT_BY(cli_integrate_unknown), .when = UNKNOWN},
+	{"", NULL, "", HAWSER__PART_OF(struct cli_integrate_result, model_error, cli_fixed_field)},
 	{"method", NULL, "integrator", OF(run.method)},
 	{"Omega", NULL, "forcing frequency; 0: none", OF(omega), .unit = HAWSER__RAD_S},
 	{"Omega_to", NULL, "with --Omega-to: that at the end", OF(forcing.omega_to),
@@ -306,7 +304,6 @@ static struct cli_head head(const void *of)
 		(result->probed ? PROBED : 0u) | (result->tensions ? TENSIONS : 0u) |
 		(result->error ? ERROR : 0u) | (result->spectrum ? SPECTRUM : 0u) |
 		(isfinite(result->least) ? KNOWN : 0u) | (result->surges ? SURGES : 0u) |
-		(cli_integrate_unknown(result) ? UNKNOWN : 0u) |
 		(result->forcing.omega_to > 0.0 ? SWEPT : 0u) |
 		(result->lyapunov.averaged > 0 ? EXPONENTS : 0u));
 

@@ -152,6 +152,63 @@ int cli_integrate_moves(char *text, size_t size, const struct cli_integrate_resu
 	       cli_motion_warning(text, size, result->model, result->forcing.begin);
 }
 
+/* --- the error of the model --- */
+
+/* The frequency of the mode that has most of the energy in a state. */
+static double strongest(const struct cli_model *model, const double *state)
+{
+	double most = -1.0, omega = 0.0;
+
+	for (int j = 0; j < model->modes.n && j < model->rom.n; j++) {
+		double w = model->modes.mode[j].omega;
+		double energy = pow(w*state[j], 2) + pow(state[model->rom.n + j], 2);
+
+		if (energy > most) {
+			most = energy;
+			omega = w;
+		}
+	}
+	return omega;
+}
+
+/* Why no period of the run stands for it, or NULL. */
+static const char *irregular(const struct cli_integrate_result *result)
+{
+	const struct hawser_rom *rom = &result->model->rom;
+
+	if (result->failed || result->run.interrupted)
+		return "the run did not come to its end";
+	if (rom->history || rom->ramp || result->forcing.omega_to > 0.0)
+		return "no period of a run with a changing excitation stands for the others; hawser frf, over "
+		       "a range about a frequency, states how far periodic motions are off";
+	if (result->orbit && result->orbit->period > 1)
+		return "that of motions of several periods is not";
+	return NULL;
+}
+
+/* From the last period of the forcing, or where nothing drives the model from the first period of the
+ * strongest mode, which is the largest motion. */
+static enum hawser_status judge(struct cli_integrate_result *result, struct hawser_report *report)
+{
+	const struct cli_model *model = result->model;
+	const char *why = irregular(result);
+	int driven = result->omega > 0.0, row = driven ? result->run.rows - 1 : 0;
+	struct hawser_accuracy_motion motion = {.omega = result->omega, .driven = driven};
+
+	if (!model->has_scene || model->automatic || model->rom.exact || result->run.rows == 0)
+		return HAWSER_OK;
+	motion.time = result->run.time[row];
+	motion.state = result->run.state + 2*(size_t)row*(size_t)model->rom.n;
+	if (!driven)
+		motion.omega = strongest(model, motion.state);
+	if (!why && motion.omega > 0.0)
+		return cli_fixed_once(&result->model_error, model, result->common, &motion, report);
+	result->model_error = (struct cli_model_error){.stated = 1, .fixed = {.estimated = NAN}};
+	snprintf(result->model_error.unknown, sizeof result->model_error.unknown, "%s",
+	         why ? why : "nothing moves");
+	return HAWSER_OK;
+}
+
 enum hawser_status cli_integrate_fill(struct cli_integrate_result *result,
                                       struct hawser_report *report)
 {
@@ -166,6 +223,8 @@ enum hawser_status cli_integrate_fill(struct cli_integrate_result *result,
 	for (row = 0; row < rows; row++)
 		fill_extremes(result, (int)row);
 	status = cli_surge_look(result, report);
+	if (!status)
+		status = judge(result, report);
 	if (status)
 		return status;
 	if (!result->spectrum && !result->common->plot)
@@ -227,17 +286,6 @@ static void window_comments(struct hawser__table *table, const struct cli_integr
 		                      "%.4gT", k, 0.5/k);
 }
 
-/* For a time response no error of the model is estimated: the motion is periodic only at the end, if at
- * all. */
-const char *cli_integrate_unknown(const void *of)
-{
-	const struct cli_model *model = ((const struct cli_integrate_result *)of)->model;
-
-	return !model->has_scene || model->automatic || model->rom.exact
-	       ? NULL : "this run tells nothing of the modes left out; hawser frf, over a range about the "
-	                "frequency, states how far its periodic motions are off";
-}
-
 void cli_integrate_comments(struct hawser__table *table, const void *of)
 {
 	const struct cli_integrate_result *result = of;
@@ -247,9 +295,7 @@ void cli_integrate_comments(struct hawser__table *table, const void *of)
 
 	cli_choice_comments(table, result->model);
 	cli_drag_comment(table, result->model, "at every instant");
-	if (cli_integrate_unknown(result))
-		hawser__table_comment(table, "error of the model: not estimated: %s",
-		                      cli_integrate_unknown(result));
+	cli_fixed_comments(table, &result->model_error, 0);
 	if (result->omega > 0.0)
 		hawser__table_comment(table, "Omega = %.12g%s", result->omega*per_omega,
 		                      cli_unit(result->model, " rad/s"));

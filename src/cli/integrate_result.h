@@ -29,6 +29,7 @@ struct cli_integrate_result {
 	double omega, every; /* scaled */
 	struct hawser_integrate_options forcing; /* omega, omega_to, begin and until of the run */
 	struct hawser_lyapunov lyapunov; /* m 0: not computed */
+	struct cli_model_error model_error;
 	double *error;       /* [rows] of hawser_integrate_error, or NULL */
 	double period;       /* scaled, of the forcing or the first natural frequency */
 	int signals, probed; /* probed: displacement components at probes; else coordinates */
@@ -56,8 +57,6 @@ double cli_integrate_signal(const struct cli_integrate_result *result, int k, si
 /* N, at probe p. */
 double cli_integrate_tension(const struct cli_integrate_result *result, int p, size_t row);
 const char *cli_integrate_end(const void *result); /* "complete" */
-/* The reason why no error of the model is stated, or NULL. */
-const char *cli_integrate_unknown(const void *result);
 /* integrate_exponents.c: run from choice->begin to `after`; the state there replaces *state, and the
  * rest of the run begins with it. */
 enum hawser_status cli_integrate_settle(double **state, struct hawser_integrate_options *choice,

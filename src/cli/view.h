@@ -50,8 +50,9 @@ extern const struct hawser__vector cli_axes;
 /* Fields of a struct cli_model, as members of the result. */
 extern const struct hawser__field cli_si_field[], cli_naturals_field[], cli_choice_field[],
                                   cli_basis_field[];
-/* Of a struct cli_frf_result: the error of its model, and its peaks. */
+/* Of a struct cli_model_error. */
 extern const struct hawser__field cli_fixed_field[];
+/* Of a struct cli_frf_result: its peaks. */
 extern const struct hawser__list cli_frf_peak_list;
 
 /* Axes: Omega of a response; Omega or energy of a backbone. */

@@ -246,6 +246,28 @@ static enum hawser_status respond(struct hawser__begun *begun, struct hawser_pla
 	                                           options, report);
 }
 
+/* The error of a condensed model as hawser frf states it, from the motions that were traced; of a part of
+ * the response it is at least that of small motions, which row->omega_error has. */
+static void judge(struct hawser_plan_row *row, const struct hawser__begun *begun, int whole,
+                  const struct hawser_survey *survey)
+{
+	const struct hawser_plan *plan = survey->plan;
+	struct hawser_scene scene = *survey->scene; /* its `name` is owned by the caller */
+	struct hawser_accuracy_fixed fixed;
+
+	scene.model.condense = HAWSER_CONDENSE_STATIC;
+	if (!row->choice.fidelity->build || !row->choice.fidelity->converges || isinf(row->omega_error) ||
+	    begun->curve.frf.points < 2 ||
+	    hawser_accuracy_fixed(&fixed, &begun->rom, &begun->curve.frf, (int)row->choice.number,
+	                          &plan->modes.statics, &scene, plan->from, plan->to, NULL) ||
+	    (!whole && !(fixed.estimated > row->omega_error)))
+		return;
+	row->omega_error = fixed.estimated;
+	snprintf(row->why, sizeof row->why, "%sof folds and peaks, as hawser frf states it, from %s",
+	         fixed.estimated < 1.0 ? "" : "more than 1 ",
+	         whole ? "the whole response" : "a part of it: at least this");
+}
+
 static void measure(struct hawser_plan_row *row, const struct hawser_survey *survey,
                     hawser__further_function *further)
 {
@@ -284,6 +306,8 @@ static void measure(struct hawser_plan_row *row, const struct hawser_survey *sur
 		row->cubics = begun->rom.cubics;
 	}
 	hawser__trial_end(&trial, survey->allowance);
+	if (!status || trial.stopped)
+		judge(row, begun, !trial.stopped, survey);
 	hawser_accuracy_clear(&begun->accuracy);
 	hawser_rom_clear(&begun->rom);
 	hawser_study_clear(&begun->curve);

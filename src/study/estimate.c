@@ -220,9 +220,9 @@ static void estimate_modes(struct hawser_plan_row *row, const struct hawser_surv
 	hawser__count_entries(row, survey, NULL, (int)row->choice.number);
 	if (!hawser__scene_driven(survey->scene))
 		return;
-	hawser__estimate_cost(row, survey);
 	worst_of(row, survey, condensed);
 	explain(row, survey, condensed);
+	hawser__estimate_cost(row, survey);
 }
 
 void hawser__estimate_raw(struct hawser_plan_row *row, const struct hawser_survey *survey)

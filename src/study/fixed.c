@@ -41,6 +41,9 @@ enum { MORE = 6, FEWEST = 12 };        /* fewest candidates beyond the kept mode
 enum { BETWEEN = 8 };                  /* number of further motions, which are examined for
                                         * instability only; chosen */
 
+/* half the range about the frequency of a single motion; chosen */
+static const double around = 1.05;
+
 static double now(void)
 {
 	struct timespec time;
@@ -49,8 +52,8 @@ static double now(void)
 	return (double)time.tv_sec + 1e-9*(double)time.tv_nsec;
 }
 
-static enum hawser_status check(const struct hawser_rom *rom, const struct hawser_frf *frf,
-                                const struct hawser_scene *scene, struct hawser_report *report)
+static enum hawser_status check(const struct hawser_rom *rom, const struct hawser_scene *scene,
+                                struct hawser_report *report)
 {
 	if (rom->exact)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "accuracy",
@@ -60,20 +63,34 @@ static enum hawser_status check(const struct hawser_rom *rom, const struct hawse
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "accuracy",
 		                    "modes that are not kept are at rest (model.condense: none), which is "
 		                    "a large error: use static");
-	if (frf->points < 2)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "accuracy",
-		                    "a response of %d points has no motions to examine", frf->points);
 	return HAWSER_OK;
 }
 
+/* Candidates for a range, and the choice that keeps the lowest ones. */
+static enum hawser_status begin(struct hawser_choice *choice, struct hawser_modes *modes, int kept,
+                                const struct hawser_statics *statics,
+                                const struct hawser_scene *scene, double from, double to,
+                                struct hawser_report *report)
+{
+	int fewest = kept + MORE > FEWEST ? kept + MORE : FEWEST;
+	enum hawser_status status = hawser__accuracy_candidates(modes, statics, scene, from, to, looked_for,
+	                                                        fewest, report);
+
+	if (!status)
+		status = hawser__choice_begin(choice, modes, scene, from, to, looked_for, 0, report);
+	for (int j = 0; !status && j < choice->n; j++)
+		choice->mode[j].kept = j < kept;
+	return status;
+}
+
 static void add_up(struct hawser_accuracy_fixed *fixed, const struct hawser_choice *choice,
-                   const struct hawser__marks *marks)
+                   double located)
 {
 	fixed->rest = hawser_choice_rest(choice);
 	fixed->beyond = hawser_choice_beyond(choice);
 	fixed->truncation = choice->truncation;
 	fixed->followed = choice->followed;
-	fixed->located = hawser__marks_located(marks);
+	fixed->located = located;
 	fixed->looked_at = choice->n;
 	for (int j = choice->n - 1; j >= 0; j--)
 		if (!choice->mode[j].kept && choice->mode[j].reason == HAWSER_PARAMETRIC &&
@@ -94,25 +111,48 @@ enum hawser_status hawser_accuracy_fixed(struct hawser_accuracy_fixed *fixed,
 	struct hawser_choice choice = {.n = 0};
 	struct hawser_modes modes = {.n = 0};
 	struct hawser__marks marks = {.count = 0};
-	int fewest = kept + MORE > FEWEST ? kept + MORE : FEWEST;
-	enum hawser_status status = check(rom, frf, scene, report);
+	enum hawser_status status = check(rom, scene, report);
 
 	*fixed = (struct hawser_accuracy_fixed){.estimated = NAN};
+	if (!status && frf->points < 2)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "accuracy",
+		                      "a response of %d points has no motions to examine", frf->points);
 	if (!status)
-		status = hawser__accuracy_candidates(&modes, statics, scene, from, to, looked_for, fewest,
-		                                     report);
-	if (!status)
-		status = hawser__choice_begin(&choice, &modes, scene, from, to, looked_for, 0, report);
-	for (int j = 0; !status && j < choice.n; j++)
-		choice.mode[j].kept = j < kept;
+		status = begin(&choice, &modes, kept, statics, scene, from, to, report);
 	if (!status)
 		status = hawser__marks_find(&marks, frf, NULL, NULL, 0.0, report);
 	if (!status)
 		status = hawser__weigh_response(&choice, rom, frf, &marks, BETWEEN, report);
 	if (!status)
-		add_up(fixed, &choice, &marks);
+		add_up(fixed, &choice, hawser__marks_located(&marks));
 	fixed->seconds = now() - start;
 	hawser__marks_clear(&marks);
+	hawser_choice_clear(&choice);
+	hawser_modes_clear(&modes);
+	return status;
+}
+
+enum hawser_status hawser_accuracy_once(struct hawser_accuracy_fixed *fixed,
+                                        const struct hawser_rom *rom,
+                                        const struct hawser_accuracy_motion *motion, int kept,
+                                        const struct hawser_statics *statics,
+                                        const struct hawser_scene *scene,
+                                        struct hawser_report *report)
+{
+	double start = now(), omega = motion->omega;
+	struct hawser_choice choice = {.n = 0};
+	struct hawser_modes modes = {.n = 0};
+	enum hawser_status status = check(rom, scene, report);
+
+	*fixed = (struct hawser_accuracy_fixed){.estimated = NAN};
+	if (!status)
+		status = begin(&choice, &modes, kept, statics, scene, omega/around, omega*around, report);
+	if (!status)
+		status = hawser__weigh_motion(&choice, rom, motion, 1, HAWSER__BY_PLANE, HAWSER__BY_PLANE,
+		                              report);
+	if (!status)
+		add_up(fixed, &choice, 0.0);
+	fixed->seconds = now() - start;
 	hawser_choice_clear(&choice);
 	hawser_modes_clear(&modes);
 	return status;

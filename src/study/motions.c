@@ -23,15 +23,15 @@ int hawser__nearest_point(const struct hawser_frf *frf, double arc)
 	return best;
 }
 
-enum hawser_status hawser__weigh_orbit(struct hawser_choice *choice, const struct hawser_rom *rom,
-                                       const struct hawser_frf *frf, int i, int whole,
-                                       unsigned counted, unsigned peaks,
-                                       struct hawser_report *report)
+enum hawser_status hawser__weigh_motion(struct hawser_choice *choice, const struct hawser_rom *rom,
+                                        const struct hawser_accuracy_motion *start, int whole,
+                                        unsigned counted, unsigned peaks,
+                                        struct hawser_report *report)
 {
-	double omega = frf->point[i].omega, period = 2.0*M_PI/omega, *u, *state;
+	double omega = start->omega, period = 2.0*M_PI/omega, *u, *state;
 	struct hawser_integrate_options options = {
-		.omega = omega, .until = period, .every = period/rows, .rtol = 1e-7, .atol = 1e-12,
-		.initial = frf->state + (size_t)i*2*(size_t)frf->n,
+		.omega = start->driven ? omega : 0.0, .begin = start->time, .until = start->time + period,
+		.every = period/rows, .rtol = 1e-7, .atol = 1e-12, .initial = start->state,
 	};
 	size_t n = (size_t)rom->n, kept = (size_t)(rom->n - rom->inertia.shapes);
 	struct hawser__orbit_of orbit = {.model = rom};
@@ -54,6 +54,17 @@ enum hawser_status hawser__weigh_orbit(struct hawser_choice *choice, const struc
 	free(u);
 	hawser_trajectory_clear(&run);
 	return status;
+}
+
+enum hawser_status hawser__weigh_orbit(struct hawser_choice *choice, const struct hawser_rom *rom,
+                                       const struct hawser_frf *frf, int i, int whole,
+                                       unsigned counted, unsigned peaks,
+                                       struct hawser_report *report)
+{
+	const struct hawser_accuracy_motion start = {.omega = frf->point[i].omega, .driven = 1,
+	                                    .state = frf->state + (size_t)i*2*(size_t)frf->n};
+
+	return hawser__weigh_motion(choice, rom, &start, whole, counted, peaks, report);
 }
 
 /* Points of the branch whose motions weigh the modes: value 2 at landmarks and ends, 1 at equal

@@ -3,6 +3,7 @@
 #ifndef HAWSER_STUDY_MOTIONS_H
 #define HAWSER_STUDY_MOTIONS_H
 
+#include <hawser/accuracy.h>
 #include <hawser/frf.h>
 
 #include "rom/weigh.h"
@@ -11,8 +12,14 @@
 /* Index of the traced point nearest to an arclength. */
 int hawser__nearest_point(const struct hawser_frf *frf, double arc);
 
-/* Weigh the modes of the choice by the orbit at point i of the response of `rom`, which keeps the
- * modes of the choice: hawser__choice_weigh. Statuses of hawser_integrate and of that function. */
+/* Weigh the modes of the choice by one period of the motion of `rom`, which keeps the modes of the
+ * choice: hawser__choice_weigh. Statuses of hawser_integrate and of that function. */
+enum hawser_status hawser__weigh_motion(struct hawser_choice *choice, const struct hawser_rom *rom,
+                                        const struct hawser_accuracy_motion *start, int whole,
+                                        unsigned counted, unsigned peaks,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* The same by the orbit at point i of the response of `rom`. */
 enum hawser_status hawser__weigh_orbit(struct hawser_choice *choice, const struct hawser_rom *rom,
                                        const struct hawser_frf *frf, int i, int whole,
                                        unsigned counted, unsigned peaks,

@@ -71,6 +71,7 @@ static const struct row {
 } rows[] = {
 	ROW(hawser_accuracy),
 	ROW(hawser_accuracy_fixed),
+	ROW(hawser_accuracy_motion),
 	ROW(hawser_accuracy_options),
 	ROW(hawser_accuracy_try),
 	ROW(hawser_answer),

@@ -103,5 +103,5 @@ run rom "$chairlift" $weak --set model.modes=1 --json one.json
 run frf one.json --from 5w1 --to 5.02w1 --max-points 2 --json file.json
 try "the same of a model file" grep -q 'give the scene in place of its model$' "$scratch/err"
 works "and not within its reach" frf one.json --from 2w1 --to 2.02w1 --max-points 2 --json near.json
-works "of the scene neither" frf "$chairlift" $weak --set model.modes=1 --from 5w1 --to 5.02w1 --max-points 2 --json scene.json
+rough "of the scene neither" frf "$chairlift" $weak --set model.modes=1 --from 5w1 --to 5.02w1 --max-points 2 --json scene.json
 done_testing
