@@ -7,6 +7,7 @@
 #include <stddef.h>
 
 #include <hawser/hawser.h>
+#include "cli/fixed.h"
 #include "cli/lane.h"
 #include "output/output.h"
 #include "output/picture_choice.h"
@@ -428,15 +429,6 @@ struct cli_overlay {
 	int beside; /* see struct hawser__response_overlay */
 };
 enum { CLI_OVERLAYS = 4 };
-/* The error of a model with a given number of modes. */
-struct cli_model_error {
-	int stated;        /* 1: it, or why it is not known, belongs to the result */
-	int compared;      /* 1: by the response of a model with more modes, else mode by mode */
-	int timed;         /* 1: with the time that the estimate took */
-	const char *about; /* "folds and peaks" */
-	struct hawser_accuracy_fixed fixed; /* estimated: NAN if it is not known */
-	char unknown[640]; /* why: a report's message */
-};
 struct cli_frf_result {
 	const struct cli_common *common;
 	const char *command;  /* name of the command for the head of the result; NULL: frf */
@@ -466,21 +458,6 @@ struct cli_place {
 	char text[120];
 };
 struct cli_place cli_frf_place(const struct cli_frf_result *result, double omega, double parameter);
-/* --- fixed.c: the error of the model --- */
-
-/* Does nothing for the first branch with modes: auto. Status: HAWSER_ERR_MEMORY. */
-enum hawser_status cli_fixed_estimate(struct cli_frf_result *result,
-                                      struct hawser_report *report) HAWSER_MUST_CHECK;
-/* The same for one motion of a model of a scene. */
-enum hawser_status cli_fixed_once(struct cli_model_error *error, const struct cli_model *model,
-                                  const struct cli_common *common,
-                                  const struct hawser_accuracy_motion *motion,
-                                  struct hawser_report *report) HAWSER_MUST_CHECK;
-/* branch: its number, if it is not the first. */
-void cli_fixed_comments(struct hawser__table *table, const struct cli_model_error *error, int branch);
-/* Says on standard error that the error is more than a tenth. */
-void cli_fixed_warn(const struct cli_model_error *error);
-
 /* The value of the member `direction` of a result. */
 int cli_frf_direction(const struct hawser_frf *frf);
 /* Returns 1 if the tension is negative at a point, or a branch ends where it becomes zero; text

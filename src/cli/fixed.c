@@ -155,9 +155,9 @@ void cli_fixed_warn(const struct cli_model_error *error)
 
 	if (!error->stated || !(error->fixed.estimated > much))
 		return;
-	snprintf(text, sizeof text, "%s may be off by %s%.0f %% because of what the model leaves out, by an "
-	         "estimate to first order: hawser plan compares models; more modes (-n), model.modes: auto or "
-	         "model.energy: exact may be closer", error->about,
+	snprintf(text, sizeof text, "%s may be off by %s%.0f %% because of what the model leaves out, "
+	         "by an estimate to first order: hawser plan compares models; more modes (-n), "
+	         "model.modes: auto or model.energy: exact may be closer", error->about,
 	         error->fixed.estimated < 1.0 ? "" : "more than ", 100.0*error->fixed.estimated);
 	cli_warn(text);
 }
@@ -207,7 +207,8 @@ static double others(const void *row)
 
 #define OF(member) HAWSER__AT(struct cli_model_error, member)
 const struct hawser__field cli_fixed_field[] = {
-	{"model_error.estimated", NULL, "error of folds and peaks, or of one motion, relative, 1 at most; null: not known",
+	{"model_error.estimated", NULL,
+	 "error of folds and peaks, or of one motion, relative, 1 at most; null: not known",
 	 OF(fixed.estimated), .flags = HAWSER__NULL, .given = is_stated},
 	{"model_error.reason", NULL, "why it is not known", OF(unknown), .given = is_unknown},
 	{"model_error.left_out", NULL, "what modes that are not kept do beside following",

@@ -140,6 +140,7 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/film_net.c \
 	%D%/film_net.h \
 	%D%/fixed.c \
+	%D%/fixed.h \
 	%D%/folds_draw.c \
 	%D%/folds_result.c \
 	%D%/folds_result.h \
