@@ -256,8 +256,8 @@ static void judge(struct hawser_plan_row *row, const struct hawser__begun *begun
 	struct hawser_accuracy_fixed fixed;
 
 	scene.model.condense = HAWSER_CONDENSE_STATIC;
-	if (!row->choice.fidelity->build || !row->choice.fidelity->converges || isinf(row->omega_error) ||
-	    begun->curve.frf.points < 2 ||
+	if (!row->choice.fidelity->build || !row->choice.fidelity->converges ||
+	    isinf(row->omega_error) || begun->curve.frf.points < 2 ||
 	    hawser_accuracy_fixed(&fixed, &begun->rom, &begun->curve.frf, (int)row->choice.number,
 	                          &plan->modes.statics, &scene, plan->from, plan->to, NULL) ||
 	    (!whole && !(fixed.estimated > row->omega_error)))

@@ -17,7 +17,7 @@ enum { MANY = 14, STEPS = 64 };
 
 static struct hawser_report report;
 
-/* Sag over span 0.008, 0.03 and, in the plane, 0.02; loads that move the middle by 2 to 8 % of the sag. */
+/* A taut span and a conductor, with loads across their planes, and a sagging cable in its plane. */
 static const char *const scenes[] = {
 	"cable: {EA: 40 MN, rho: 1.5}\nspan: {d: 100 m, h: 10 m}\ntension: {H: 22 kN}\n"
 	"damping: {ratio: 1 %}\nload: {frame: global, per_length: [0, 0, 0.4]}\n"
@@ -55,7 +55,7 @@ static void clear(struct solved *it)
 	hawser_scene_clear(&it->scene);
 }
 
-/* Half the range of each component over all shape points in the last period, the largest of the three. */
+/* Half the range of a component at a shape point in the last period, the largest of all. */
 static double size(const struct solved *it, double omega, double periods, struct hawser_trajectory *run)
 {
 	struct hawser_integrate_options options = {.omega = omega, .until = periods*2.0*M_PI/omega,
