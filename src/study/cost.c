@@ -246,8 +246,8 @@ static enum hawser_status respond(struct hawser__begun *begun, struct hawser_pla
 	                                           options, report);
 }
 
-/* The error of a condensed model as hawser frf states it, from the motions that were traced; of a part of
- * the response it is at least that of small motions, which row->omega_error has. */
+/* The error of a condensed model as hawser frf states it, from the motions that were traced; of a part
+ * of the response it is at least that of small motions, which row->omega_error has. */
 static void judge(struct hawser_plan_row *row, const struct hawser__begun *begun, int whole,
                   const struct hawser_survey *survey)
 {

@@ -1,0 +1,36 @@
+/* cli/fixed.h - the error of a model with a given number of modes: an estimate, what is said of it, and
+ * its members in JSON (cli_fixed_field in view.h).
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_CLI_FIXED_H
+#define HAWSER_CLI_FIXED_H
+
+#include <hawser/accuracy.h>
+
+struct cli_common;
+struct cli_frf_result;
+struct cli_model;
+struct hawser__table;
+
+struct cli_model_error {
+	int stated;        /* 1: it, or why it is not known, belongs to the result */
+	int compared;      /* 1: by the response of a model with more modes, else mode by mode */
+	int timed;         /* 1: with the time that the estimate took */
+	const char *about; /* "folds and peaks" */
+	struct hawser_accuracy_fixed fixed; /* estimated: NAN if it is not known */
+	char unknown[640]; /* why: a report's message */
+};
+
+/* Does nothing for the first branch with modes: auto. Status: HAWSER_ERR_MEMORY. */
+enum hawser_status cli_fixed_estimate(struct cli_frf_result *result,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+/* The same for one motion of a model of a scene. */
+enum hawser_status cli_fixed_once(struct cli_model_error *error, const struct cli_model *model,
+                                  const struct cli_common *common,
+                                  const struct hawser_accuracy_motion *motion,
+                                  struct hawser_report *report) HAWSER_MUST_CHECK;
+/* branch: its number, if it is not the first. */
+void cli_fixed_comments(struct hawser__table *table, const struct cli_model_error *error, int branch);
+/* Says on standard error that the error is more than a tenth. */
+void cli_fixed_warn(const struct cli_model_error *error);
+
+#endif
