@@ -74,6 +74,8 @@ struct hawser_plan_row {
 	double omega_error;  /* estimated relative error of the frequencies of folds and peaks, for the
 	                      * worst resonance; NAN: not known, INFINITY: a mode in the range is
 	                      * missing */
+	double foretold;     /* the same before a response was traced: on every machine the same, however
+	                      * much of the response it traces in the time for it */
 	int worst;           /* index of this resonance, or -1 */
 	char why[200];       /* basis of the error estimate */
 };

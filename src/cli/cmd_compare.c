@@ -298,7 +298,7 @@ static void plan(struct cli_compare_result *result)
 		for (int k = 0; k < made.rows; k++) {
 			result->estimate[at[k]] = made.row[k].seconds;
 			result->bound[at[k]] = made.row[k].bound;
-			error[at[k]] = made.row[k].omega_error;
+			error[at[k]] = made.row[k].foretold;
 		}
 	hawser_plan_clear(&made);
 	if (result->reference < 0)

@@ -262,6 +262,7 @@ static void judge(struct hawser_plan_row *row, const struct hawser__begun *begun
 	                          &plan->modes.statics, &scene, plan->from, plan->to, NULL) ||
 	    (!whole && !(fixed.estimated > row->omega_error)))
 		return;
+	row->foretold = row->omega_error;
 	row->omega_error = fixed.estimated;
 	snprintf(row->why, sizeof row->why, "%sof folds and peaks, as hawser frf states it, from %s",
 	         fixed.estimated < 1.0 ? "" : "more than 1 ",

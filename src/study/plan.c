@@ -151,8 +151,11 @@ static enum hawser_status fill_rows(struct hawser_plan *plan, const struct hawse
 		struct hawser_plan_row *row = &plan->row[plan->rows++];
 
 		*row = (struct hawser_plan_row){.choice = choice[i], .points = NAN, .seconds = NAN,
-		                                .least = NAN, .most = NAN, .omega_error = NAN, .worst = -1};
+		                                .least = NAN, .most = NAN, .omega_error = NAN,
+		                                .foretold = NAN, .worst = -1};
 		choice[i].fidelity->estimate(row, survey);
+		if (isnan(row->foretold))
+			row->foretold = row->omega_error;
 	}
 	return HAWSER_OK;
 }
