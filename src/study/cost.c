@@ -262,7 +262,6 @@ static void judge(struct hawser_plan_row *row, const struct hawser__begun *begun
 	                          &plan->modes.statics, &scene, plan->from, plan->to, NULL) ||
 	    (!whole && !(fixed.estimated > row->omega_error)))
 		return;
-	row->foretold = row->omega_error;
 	row->omega_error = fixed.estimated;
 	snprintf(row->why, sizeof row->why, "%sof folds and peaks, as hawser frf states it, from %s",
 	         fixed.estimated < 1.0 ? "" : "more than 1 ",
@@ -282,6 +281,7 @@ static void measure(struct hawser_plan_row *row, const struct hawser_survey *sur
 	char why[HAWSER__WHY] = "how the curve goes on is not known: it has many events, is unstable or "
 		"turns where its trace was cut, or meets a resonance that bends it far";
 
+	row->foretold = row->omega_error;
 	if (!begun)
 		return; /* the row states that nothing is known */
 	options.from = plan->from;

@@ -154,8 +154,6 @@ static enum hawser_status fill_rows(struct hawser_plan *plan, const struct hawse
 		                                .least = NAN, .most = NAN, .omega_error = NAN,
 		                                .foretold = NAN, .worst = -1};
 		choice[i].fidelity->estimate(row, survey);
-		if (isnan(row->foretold))
-			row->foretold = row->omega_error;
 	}
 	return HAWSER_OK;
 }
