@@ -53,6 +53,7 @@ CLI_TESTS = \
 	%D%/cli/scales.sh \
 	%D%/cli/signals.sh \
 	%D%/cli/slack.sh \
+	%D%/cli/standard-input.sh \
 	%D%/cli/stiff.sh \
 	%D%/cli/study.sh \
 	%D%/cli/sweep.sh \

@@ -37,7 +37,7 @@ static const struct cli_scene_kind *kind_named(const char *name)
 
 static void print_good(const struct cli_common *common, const struct cli_scene_kind *kind)
 {
-	printf("%s%s:%s %s, %swithout errors%s\n", cli_colour(stdout, CLI_PLACE), common->input,
+	printf("%s%s:%s %s, %swithout errors%s\n", cli_colour(stdout, CLI_PLACE), cli_input_name(common),
 	       cli_colour(stdout, CLI_PLAIN), kind->one, cli_colour(stdout, CLI_GOOD),
 	       cli_colour(stdout, CLI_PLAIN));
 }

@@ -121,8 +121,10 @@ static enum hawser_status plan_beam(int *done, const struct cli_common *common,
 	enum hawser_status status;
 
 	*done = 0;
-	if (strcmp(common->input, "-") == 0 || common->json || common->tsv ||
-	    hawser_scene_open(&scene, common->input, common->set, (size_t)common->sets, NULL))
+	if (common->json || common->tsv)
+		return HAWSER_OK;
+	status = hawser_scene_open(&scene, common->input, common->set, (size_t)common->sets, NULL);
+	if (status)
 		return HAWSER_OK; /* the error is found again and reported below */
 	if (scene.beam.form) {
 		*done = 1;

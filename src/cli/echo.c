@@ -23,6 +23,11 @@ static const char *other_kind(const struct cli_common *common)
 	       : hawser_net_is(common->input) ? "net" : NULL;
 }
 
+const char *cli_input_name(const struct cli_common *common)
+{
+	return common->input && strcmp(common->input, "-") == 0 ? "<stdin>" : common->input;
+}
+
 void cli_echo_table(struct hawser__table *table, const struct cli_common *common,
                     const char *command, const struct hawser_scene *scene, const char *method)
 {
@@ -32,7 +37,7 @@ void cli_echo_table(struct hawser__table *table, const struct cli_common *common
 	hawser__table_comment(table, "hawser %s %s", hawser_version(), command);
 	if (scene || common->input)
 		hawser__table_remark(table, "%s: %s", scene || kind ? "scene" : "model",
-		                     scene && scene->name ? scene->name : common->input);
+		                     scene && scene->name ? scene->name : cli_input_name(common));
 	for (i = 0; i < common->mores; i++)
 		hawser__table_remark(table, "scene: %s", common->more[i]);
 	for (i = 0; i < common->sets; i++)
@@ -234,7 +239,7 @@ void cli_echo_json(struct hawser__json *json, const struct cli_common *common,
 	}
 	echo = hawser__json_object(json, json->root, "scene");
 	hawser__json_text(json, echo, scene || kind ? "name" : "model_file",
-	                  scene && scene->name ? scene->name : common->input);
+	                  scene && scene->name ? scene->name : cli_input_name(common));
 	if (kind)
 		echo_other(json, echo, common, kind);
 	if (!scene)

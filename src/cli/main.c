@@ -126,6 +126,8 @@ static enum hawser_status execute(const struct cli_command *command, int argc, c
 	if (!status && !common->help)
 		status = cli_picture_choose(common, report);
 	if (!status && !common->help)
+		status = cli_hold_input(common->input, report);
+	if (!status && !common->help)
 		status = command->run(common, report);
 	free(common);
 	return status;

@@ -99,6 +99,24 @@ static FILE *copy_of(FILE *stream)
 	return NULL;
 }
 
+enum hawser_status cli_hold_input(const char *path, struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+	FILE *copy;
+
+	if (!path || strcmp(path, "-") != 0 || lseek(STDIN_FILENO, 0, SEEK_CUR) == 0)
+		return HAWSER_OK;
+	errno = 0;
+	copy = copy_of(stdin);
+	if (!copy)
+		return refuse(report, path, errno ? errno : EIO);
+	if (dup2(fileno(copy), STDIN_FILENO) < 0 || fseek(stdin, 0, SEEK_SET) != 0)
+		status = refuse(report, path, errno);
+	fclose(copy);
+	clearerr(stdin);
+	return status;
+}
+
 static enum hawser_status open_input(FILE **input, int *copied, const char *path,
                                      struct hawser_report *report)
 {
@@ -128,7 +146,7 @@ static enum hawser_status load_scene(struct hawser_scene *scene, FILE *stream,
                                      const struct cli_common *common, int n,
                                      struct hawser_report *report)
 {
-	const char *name = strcmp(common->input, "-") == 0 ? "<stdin>" : common->input;
+	const char *name = cli_input_name(common);
 	const char *set[CLI_SETS + 1];
 	char modes[32];
 	int sets = common->sets;
@@ -150,7 +168,7 @@ static enum hawser_status load_scene(struct hawser_scene *scene, FILE *stream,
 static enum hawser_status refuse_beam(struct hawser_scene *scene, const struct cli_common *common,
                                       struct hawser_report *report)
 {
-	const char *name = strcmp(common->input, "-") == 0 ? "<stdin>" : common->input;
+	const char *name = cli_input_name(common);
 
 	if (!scene->beam.form)
 		return HAWSER_OK;

@@ -147,6 +147,20 @@ enum hawser_status hawser__parse_unknown(struct hawser__reader *reader,
 	                           *path ? hawser__shown(shown, path) : "\"\"", hint);
 }
 
+/* The kind of scene: this reader is for spans, which need not say so. */
+static enum hawser_status kind(struct hawser__reader *reader, const struct hawser__place *place)
+{
+	yaml_event_t event;
+	enum hawser_status status = hawser__event_next(reader, &event);
+
+	if (status != HAWSER_OK)
+		return status;
+	if (event.type != YAML_SCALAR_EVENT || strcmp((const char *)event.data.scalar.value, "span"))
+		status = hawser__parse_unknown(reader, place, "kind");
+	yaml_event_delete(&event);
+	return status;
+}
+
 /* Read the value of `path`, whose name is at `place`: the value of a key or the mapping of a
  * section. */
 enum hawser_status hawser__parse_value(struct hawser__reader *reader, const char *path,
@@ -159,6 +173,8 @@ enum hawser_status hawser__parse_value(struct hawser__reader *reader, const char
 
 	if (list >= 0 && !strchr(path, '.'))
 		return hawser__items_read(reader, list, place);
+	if (!strcmp(path, "kind") && reader->pass == 1)
+		return kind(reader, place);
 	if (key < 0 && section < 0)
 		return hawser__parse_unknown(reader, place, path);
 	status = key >= 0 ? claim(reader, key, place) : claim_section(reader, section, place);

@@ -90,8 +90,13 @@ enum hawser_status hawser_scene_open(struct hawser_scene *scene, const char *pat
 	enum hawser_status status;
 	FILE *stream;
 
-	if (!strcmp(path, "-"))
-		return hawser_scene_read(scene, stdin, "<stdin>", set, nset, report);
+	if (!strcmp(path, "-")) {
+		off_t from = ftello(stdin);
+
+		status = hawser_scene_read(scene, stdin, "<stdin>", set, nset, report);
+		(void)fseeko(stdin, from, SEEK_SET); /* a file can be read again */
+		return status;
+	}
 	memset(scene, 0, sizeof *scene);
 	stream = fopen(path, "r");
 	if (!stream)

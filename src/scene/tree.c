@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "core/report.h"
 #include "scene/tree.h"
@@ -334,6 +335,7 @@ static enum hawser_status slurp(char **text, size_t *length, const char *path,
                                 struct hawser_report *report)
 {
 	FILE *stream = strcmp(path, "-") ? fopen(path, "r") : stdin;
+	off_t from = stream == stdin ? ftello(stdin) : 0;
 	size_t capacity = 0, got = 1;
 
 	*text = NULL;
@@ -356,7 +358,9 @@ static enum hawser_status slurp(char **text, size_t *length, const char *path,
 		*length += got;
 	}
 	got = (size_t)ferror(stream);
-	if (stream != stdin)
+	if (stream == stdin)
+		(void)fseeko(stdin, from, SEEK_SET); /* a file can be read again */
+	else
 		fclose(stream);
 	return got ? hawser__fail(report, HAWSER_ERR_IO, "scene", "cannot read %s: %s", path,
 	                          strerror(errno))
@@ -418,26 +422,43 @@ static int line_has(const char *line, const char *text)
 	return at && !memchr(line, '#', (size_t)(at - line));
 }
 
+/* A file that can be read again, at its beginning, or NULL; *back is where to go back in standard input. */
+static FILE *seekable(const char *path, off_t *back)
+{
+	struct stat file;
+	int standard = !strcmp(path, "-") || !strcmp(path, "<stdin>"); /* as messages name it */
+	int whole = standard ? !fstat(STDIN_FILENO, &file) : !stat(path, &file);
+
+	if (!whole || !S_ISREG(file.st_mode))
+		return NULL;
+	if (!standard)
+		return fopen(path, "r");
+	*back = ftello(stdin);
+	return *back >= 0 && !fseeko(stdin, 0, SEEK_SET) ? stdin : NULL;
+}
+
 /* 1 if a line of this file begins with the text; with `within`, has it. */
 static int begins(const char *path, const char *text, int within)
 {
-	struct stat file;
-	int found = 0, fresh = 1, whole = !stat(path, &file) && S_ISREG(file.st_mode);
-	FILE *stream = whole ? fopen(path, "r") : NULL;
+	int found = 0, fresh = 1;
+	off_t back = 0;
+	FILE *stream = seekable(path, &back);
 	char line[256];
 
 	while (stream && !found && fgets(line, sizeof line, stream)) {
 		found = within ? line_has(line, text) : fresh && line_begins(line, text);
 		fresh = strchr(line, '\n') != NULL;
 	}
-	if (stream)
+	if (stream == stdin)
+		(void)fseeko(stdin, back, SEEK_SET);
+	else if (stream)
 		fclose(stream);
 	return found;
 }
 
 /* In this order: a net may have obstacles. */
 static const struct hawser__tree_sign signs[] = {
-	{"tow:", "tow"}, {"kind: tow", "tow"}, {"ropeway:", "ropeway"}, {"kind: ropeway", "ropeway"},
+	{"kind: span", "span"}, {"tow:", "tow"}, {"kind: tow", "tow"}, {"ropeway:", "ropeway"}, {"kind: ropeway", "ropeway"},
 	{"nodes:", "net"}, {"obstacles:", "obstacles"}, {"contact:", "obstacles"}, {"rod:", "rod"},
 	{"kind: rod", "rod"}, {"kind:", "net"}};
 

@@ -31,7 +31,7 @@ void hawser__tree_clear(struct hawser__tree *tree);
 /* Entry of a mapping, or NULL. */
 struct hawser__tree *hawser__tree_find(const struct hawser__tree *tree, const char *name);
 /* 1 if this file is a scene of this kind, "net", "ropeway", "rod", "tow" or "obstacles", by what its
- * lines begin with. "-" and pipes, which can be read once only, are none. */
+ * lines begin with. What can be read once only, as a pipe, is none; "-" is standard input. */
 int hawser__tree_is(const char *path, const char *kind);
 /* What a line of such a scene begins with, and the kind, in the order in which they are looked for;
  * NULL beyond the last. */
