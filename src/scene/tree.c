@@ -422,11 +422,13 @@ static int line_has(const char *line, const char *text)
 	return at && !memchr(line, '#', (size_t)(at - line));
 }
 
-/* A file that can be read again, at its beginning, or NULL; *back is where to go back in standard input. */
+/* A file that can be read again, at its beginning, or NULL; *back is where to go back in standard
+ * input. */
 static FILE *seekable(const char *path, off_t *back)
 {
 	struct stat file;
-	int standard = !strcmp(path, "-") || !strcmp(path, "<stdin>"); /* as messages name it */
+	/* messages name it so */
+	int standard = !strcmp(path, "-") || !strcmp(path, "<stdin>");
 	int whole = standard ? !fstat(STDIN_FILENO, &file) : !stat(path, &file);
 
 	if (!whole || !S_ISREG(file.st_mode))
@@ -458,7 +460,8 @@ static int begins(const char *path, const char *text, int within)
 
 /* In this order: a net may have obstacles. */
 static const struct hawser__tree_sign signs[] = {
-	{"kind: span", "span"}, {"tow:", "tow"}, {"kind: tow", "tow"}, {"ropeway:", "ropeway"}, {"kind: ropeway", "ropeway"},
+	{"kind: span", "span"}, {"tow:", "tow"}, {"kind: tow", "tow"},
+	{"ropeway:", "ropeway"}, {"kind: ropeway", "ropeway"},
 	{"nodes:", "net"}, {"obstacles:", "obstacles"}, {"contact:", "obstacles"}, {"rod:", "rod"},
 	{"kind: rod", "rod"}, {"kind:", "net"}};
 
