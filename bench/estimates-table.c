@@ -23,6 +23,7 @@ const struct estimate estimates[] = {
 	{"hill", "error", "monodromy matrix in extended precision; eight times the steps",
 	 estimate_hill},
 	{"map", "width", "the same, bisected to 1e-13", estimate_map},
+	{"net", "error of tensions", "meshes of sixteen times as many elements", estimate_net},
 	{"beam", "discretisation_error", "twice as many Legendre functions", estimate_beam},
 };
 const int estimates_count = (int)(sizeof estimates/sizeof *estimates);

@@ -83,6 +83,7 @@ int estimate_integrate(struct tally *tally, struct chance *chance);
 int estimate_folds(struct tally *tally, struct chance *chance);
 int estimate_hill(struct tally *tally, struct chance *chance);
 int estimate_map(struct tally *tally, struct chance *chance);
+int estimate_net(struct tally *tally, struct chance *chance);
 int estimate_beam(struct tally *tally, struct chance *chance);
 int estimate_beam_value(struct tally *tally, struct chance *chance);
 

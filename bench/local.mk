@@ -74,7 +74,8 @@ ESTIMATES_SOURCES = bench/estimates-tally.c bench/estimates-table.c bench/estima
 	bench/estimates-modes.c bench/estimates-campbell.c \
 	bench/estimates-models.c bench/estimates-frf.c bench/estimates-integrate.c \
 	bench/estimates-hill.c bench/estimates-beam.c bench/estimates-landmarks.c \
-	bench/estimates-accuracy.c bench/estimates-spans.c bench/estimates-reference.c
+	bench/estimates-accuracy.c bench/estimates-spans.c bench/estimates-reference.c \
+	bench/estimates-net.c
 %C%_estimates_SOURCES = %D%/estimates.c $(ESTIMATES_SOURCES)
 %C%_estimates_LDADD = $(UPTO_STUDY)
 
