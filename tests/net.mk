@@ -8,6 +8,7 @@ tests_net_SOURCES = tests/cases.c \
 	tests/property/test-net-eigen.c \
 	tests/property/test-net-equilibria.c \
 	tests/property/test-net-error.c \
+	tests/property/test-net-floor.c \
 	tests/property/test-net-form.c \
 	tests/property/test-net-impact-order.c \
 	tests/property/test-net-methods.c \

@@ -87,6 +87,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/tension.h \
 	%D%/touch.c \
 	%D%/touch.h \
+	%D%/touch-drag.c \
 	%D%/touch-hold.c \
 	%D%/touch-start.c \
 	%D%/touched.c \

@@ -13,6 +13,7 @@
 struct hawser__net_work {
 	struct hawser__mesh *mesh;
 	struct hawser__sparse *sparse;
+	struct hawser__klu *klu; /* touch-drag.c: for friction; NULL: not needed yet */
 	double *N;               /* [elements] forces, where the method has them beside the positions */
 	double *s;               /* [elements] slack of the interior point */
 	int own;                 /* 1: the result's tensions are N (net/finish.c), not of the positions */

@@ -20,6 +20,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "net/motion.h"
 #include "net/solve.h"
 #include "net/touch.h"
 
@@ -375,6 +376,7 @@ static void clear(struct hawser__net_work *work)
 	free(work->near);
 	free(work->bound);
 	hawser__sparse_clear(work->sparse);
+	hawser__klu_clear(work->klu);
 }
 
 static enum hawser_status open(struct hawser__net_work *work, struct hawser__mesh *mesh,

@@ -10,6 +10,11 @@ void hawser__touch_forces(double (*residual)[3], const struct hawser__mesh *mesh
 /* Blocks and right sides of all touches, where these are set; x [unknowns]. */
 void hawser__touch_matrix(struct hawser__sparse *sparse, const struct hawser__mesh *mesh);
 void hawser__touch_right(double *x, const struct hawser__mesh *mesh);
+/* touch-drag.c: work->x, a right side, becomes the step. Without friction that slides the factors of
+ * hawser__net_factor are used; with it the matrix is not symmetric, and is made and factored here. *good
+ * is 0 if it is singular. */
+enum hawser_status hawser__touch_divide(struct hawser__net_work *work, int *good,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 /* No blocks; the right sides are the forces as they are. */
 void hawser__touch_fixed(struct hawser__mesh *mesh);
 /* 1 if the obstacles leave a convex space. */
