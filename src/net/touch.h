@@ -20,7 +20,8 @@ void hawser__touch_fixed(struct hawser__mesh *mesh);
 /* 1 if the obstacles leave a convex space. */
 int hawser__touch_convex(const struct hawser__mesh *mesh);
 /* Bring the nodes of a start to the free side of all obstacles. */
-void hawser__touch_start(struct hawser__mesh *mesh);
+enum hawser_status hawser__touch_start(struct hawser__mesh *mesh,
+                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* The interior point: r*t = mu, t = g. _begin: from a mean of the products; _mean: adds the products
  * and their number; _interior: blocks and right sides; _limit: *step so that r and t stay positive;
