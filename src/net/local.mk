@@ -88,6 +88,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/touch.c \
 	%D%/touch.h \
 	%D%/touch-drag.c \
+	%D%/touch-flow.c \
 	%D%/touch-hold.c \
 	%D%/touch-start.c \
 	%D%/touched.c \

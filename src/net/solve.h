@@ -31,6 +31,7 @@ struct hawser__net_work {
 	const double *first;     /* [elements] tensions of the start, or NULL */
 	double weight;           /* W: sum of the forces on the nodes, N */
 	double reach;            /* m: sum of the unstretched lengths */
+	double damp;             /* N/m, of each node: in the matrix alone (net/touch-flow.c); usually 0 */
 	double left;             /* N: residual of a law that is not one-sided */
 	double wanted;           /* N, of the residual: the tolerance that is asked for */
 	double tolerance;        /* N, the same, at least what round-off allows for forces of positions */

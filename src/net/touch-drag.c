@@ -18,7 +18,7 @@
 static void assemble(struct hawser__net_work *work)
 {
 	const struct hawser__mesh *mesh = work->mesh;
-	const double none[2] = {0.0, 0.0};
+	const double damp[2] = {0.5*work->damp, 0.0}; /* of both elements of a node */
 
 	hawser__klu_zero(work->klu);
 	for (int i = 0; i < mesh->elements; i++) {
@@ -27,7 +27,7 @@ static void assemble(struct hawser__net_work *work)
 
 		for (int k = 0; k < 9; k++)
 			B[k] = work->b[i]*e[k/3]*e[k%3] + (k%4 == 0 ? work->a[i] : 0.0);
-		hawser__klu_element(work->klu, i, B, none);
+		hawser__klu_element(work->klu, i, B, damp);
 	}
 	for (int i = 0; i < mesh->touches; i++) {
 		const struct hawser__touch *touch = &mesh->touch[i];

@@ -10,6 +10,14 @@ void hawser__touch_forces(double (*residual)[3], const struct hawser__mesh *mesh
 /* Blocks and right sides of all touches, where these are set; x [unknowns]. */
 void hawser__touch_matrix(struct hawser__sparse *sparse, const struct hawser__mesh *mesh);
 void hawser__touch_right(double *x, const struct hawser__mesh *mesh);
+/* touching.c: a step of Newton's method for positions and forces, with work->damp; *definite 0: none,
+ * *descends 1: without a part of the curvature of obstacles. Whether its result is the equilibrium. */
+enum hawser_status hawser__touch_step(struct hawser__net_work *work, int *definite, int *descends,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+int hawser__touch_done(struct hawser__net_work *work);
+/* touch-flow.c: a damped motion from the positions and forces that there are. */
+enum hawser_status hawser__touch_flow(struct hawser__net_work *work, int *done,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
 /* touch-drag.c: work->x, a right side, becomes the step. Without friction that slides the factors of
  * hawser__net_factor are used; with it the matrix is not symmetric, and is made and factored here. *good
  * is 0 if it is singular. */
