@@ -2,7 +2,7 @@
  *
  * D     damping of a node, N s/m, and t the length of a step: D q' = the forces that are not balanced,
  *       by implicit Euler, (K + D/t) d = r with the matrix K of Newton's method
- * size  largest step of a node over the mean length of elements
+ * size  largest turn of an element in a step, rad, or step of a node over FAR elements
  *
  * Where Newton's method goes to and fro between slack and taut, open and closed, each of its steps is too
  * long for the law of a step. With friction of surfaces that move there is no energy that a line search
@@ -23,6 +23,7 @@
 enum { MOST = 1000 };
 /* A step of this size may be followed by a longer one; a larger one than WILD is taken back. */
 static const double CALM = 0.1, WILD = 0.5;
+static const double FAR = 4.0;
 static const double GROWTH = 3.0, BACK = 8.0; /* of t */
 static const double LONGEST = 1e-12, SHORTEST = 1e12; /* of D/t over that of the first step */
 
@@ -44,19 +45,25 @@ static void keep(struct flow *flow, int back)
 	memcpy(back ? mesh->touch : flow->touch, back ? flow->touch : mesh->touch, touches);
 }
 
-static double size_of(const struct flow *flow)
+/* Of the step work->x. */
+static double size_of(const struct hawser__net_work *work)
 {
-	const struct hawser__mesh *mesh = flow->work->mesh;
+	const struct hawser__mesh *mesh = work->mesh;
 	double most = 0.0;
 
-	for (int i = 0; i < mesh->nodes; i++) {
-		double square = 0.0;
+	for (int i = 0; i < mesh->elements; i++) {
+		double d[3], size;
 
-		for (int k = 0; k < 3; k++)
-			square += pow(mesh->q[i][k] - flow->q[i][k], 2.0);
-		most = square <= most ? most : square; /* a step that is not a number is the largest */
+		hawser__net_stretch(d, work, i);
+		size = sqrt(d[0]*d[0] + d[1]*d[1] + d[2]*d[2])/mesh->length0[i];
+		most = fmax(most, isnan(size) ? INFINITY : size);
 	}
-	return sqrt(most)*mesh->elements/flow->work->reach;
+	for (int i = 0; i < mesh->unknowns; i++) {
+		double size = fabs(work->x[i])*mesh->elements/(FAR*work->reach);
+
+		most = fmax(most, isnan(size) ? INFINITY : size);
+	}
+	return most;
 }
 
 static enum hawser_status move(struct flow *flow, int *done, struct hawser_report *report)
@@ -73,7 +80,7 @@ static enum hawser_status move(struct flow *flow, int *done, struct hawser_repor
 
 		keep(flow, 0);
 		status = hawser__touch_step(work, &definite, &descends, report);
-		size = status || !definite ? INFINITY : size_of(flow);
+		size = status || !definite ? INFINITY : size_of(work);
 		if (!(size <= WILD)) {
 			keep(flow, 1);
 			work->damp *= BACK;

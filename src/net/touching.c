@@ -141,8 +141,13 @@ static void again(struct hawser__net_work *work, int round)
 	hawser__net_start_forces(work);
 	for (int i = 0; i < mesh->elements; i++)
 		work->N[i] *= parts[round];
-	for (int i = 0; i < mesh->touches; i++)
-		memset(mesh->touch[i].friction, 0, sizeof mesh->touch[i].friction);
+	for (int i = 0; i < mesh->touches; i++) {
+		struct hawser__touch *touch = &mesh->touch[i];
+
+		touch->r = touch->aside = 0.0;
+		touch->slides = 0;
+		memset(touch->friction, 0, sizeof touch->friction);
+	}
 	hawser__touch_measure(mesh);
 }
 
