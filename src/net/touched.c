@@ -252,5 +252,5 @@ enum hawser_status hawser__touch_lost(struct hawser__equilibrium *found, struct 
 	                       "iterations, the largest force that is not balanced is %.3g N, and nodes "
 	                       "that touch are up to %.3g m off: %s", work->iterations, found->residual,
 	                       found->apart, work->rubs ? "try smaller steps (contact.steps)"
-	                                                : "try more elements");
+	                                                : "try another number of elements");
 }
