@@ -51,6 +51,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/motion-state.c \
 	%D%/motion-support.c \
 	%D%/motion-touched.c \
+	%D%/motion-wedge.c \
 	%D%/names.c \
 	%D%/obstacles.c \
 	%D%/plane.c \
