@@ -222,7 +222,8 @@ static int frame(struct hawser__motion *motion, int number, double h)
 		return 0;
 	hawser_surface_velocity(v, of->surface, middle);
 	contact->node = of->node;
-	contact->friction = touch->closed || shared(all, motion->mesh, number) ? of->surface->friction : 0.0;
+	contact->friction = touch->closed || shared(all, motion->mesh, number) ? of->surface->friction
+	                                                                       : 0.0;
 	contact->gap_rate = touch->g0/scale;
 	for (int k = 0; k < 3; k++)
 		contact->surface[k] = h*v[k] - x[k];

@@ -1,13 +1,13 @@
-/* net/motion-wedge.c - a node in the wedge between two obstacles, drawn into it by a surface that moves.
+/* net/motion-wedge.c - a node that a surface which moves draws into the wedge of two obstacles.
  *
  * n, m  normals of the two contacts
- * f, g  their forces over the normal parts: friction of a surface that moves is along its velocity, and that
- *       of one at rest holds the node back as much as it can
+ * f, g  their forces over the normal parts: friction of a surface that moves is along its
+ *       velocity, and that of one at rest holds the node back as much as it can
  *
- * Forces a*f + b*g, a >= 0 and b >= 0, hold a node against a drive into the wedge as those along n and m do
- * if the turn from f to g is that from n to m. With more friction of the moving surface than
- * tan(angle of the wedge + atan(friction of the other)) it is the opposite one: the larger the forces, the
- * more they draw, and a step with rigid obstacles has no solution, however short it is.
+ * Forces a*f + b*g, a >= 0 and b >= 0, hold a node against a drive into the wedge as those along n
+ * and m do if the turn from f to g is that from n to m. With more friction of the moving surface
+ * than tan(angle of the wedge + atan(friction of the other)) it is the opposite one: the larger the
+ * forces, the more they draw, and a step with rigid obstacles has no solution, however short it is.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -17,8 +17,8 @@
 #include "core/report.h"
 #include "net/motion-contact.h"
 
-/* The force of a contact that slides, over its normal part, along x and y; of one at rest against `to`, the
- * direction in which the node is drawn. */
+/* The force of a contact that slides, over its normal part, along x and y; of one at rest against
+ * `to`, the direction in which the node is drawn. */
 static double pushes(double f[2], const struct hawser__motion *motion, int number, const double to[2])
 {
 	const struct hawser_contact *contact = &motion->contact->contact[number];
@@ -53,10 +53,10 @@ void hawser__contact_wedged(struct hawser__motion *motion)
 		if (!moves || turn*(f[0]*g[1] - f[1]*g[0]) > 0.0)
 			continue;
 		(void)hawser__fail(&all->refusal, HAWSER_ERR_NO_SOLUTION, "net", "at %.6g s the friction of a "
-		                   "surface that moves draws a node between the obstacles %s and %s, which meet "
-		                   "there at %.3g degrees, with forces that nothing balances: give the surface "
-		                   "less friction than tan(this angle + atan(friction of the other obstacle)), or "
-		                   "leave room between the obstacles", motion->t,
+		                   "surface that moves draws a node between the obstacles %s and %s, which "
+		                   "meet there at %.3g degrees, with forces that nothing balances: give the "
+		                   "surface less friction than tan(this angle + atan(friction of the other "
+		                   "obstacle)), or leave room between the obstacles", motion->t,
 		                   motion->mesh->touch[all->which[c]].surface->name,
 		                   motion->mesh->touch[all->which[c + 1]].surface->name,
 		                   57.29577951308232*asin(fmin(fabs(turn), 1.0)));

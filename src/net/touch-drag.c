@@ -1,12 +1,13 @@
-/* net/touch-drag.c - the linear equations of statics where nodes slide: friction follows the normal force.
+/* net/touch-drag.c - linear equations of statics where nodes slide: friction follows the force r.
  *
  * r     force of the obstacle along n, which a step d changes to r - k*(g + n.d)
  * drag  friction over r, along the surface: that of a node that slides is r*drag
  *
- * With k*n*n' the matrix has k*drag*n' as well, and is not symmetric. Without this term the friction of a
- * step is that of the last r, and the iteration has the ratio of what the tension gives back to r and
- * the friction: it was 0.57 for a cable that touches a floor with two of its nodes, above 1 for others,
- * and for a rope on a circle the errors are the terms of the series of e^(friction*angle).
+ * With k*n*n' the matrix has k*drag*n' as well, and is not symmetric. Without this term the
+ * friction of a step is that of the last r, and the iteration has the ratio of what the tension
+ * gives back to r and the friction: it was 0.57 for a cable that touches a floor with two of its
+ * nodes, above 1 for others, and for a rope on a circle the errors are the terms of the series of
+ * e^(friction*angle).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

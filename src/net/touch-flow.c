@@ -1,14 +1,14 @@
 /* net/touch-flow.c - equilibrium of a net with obstacles by a damped motion from the start.
  *
- * D     damping of a node, N s/m, and t the length of a step: D q' = the forces that are not balanced,
+ * D     damping of a node, N s/m, and t the length of a step: D q' = the unbalanced forces r,
  *       by implicit Euler, (K + D/t) d = r with the matrix K of Newton's method
  * size  largest turn of an element in a step, rad, or step of a node over FAR elements
  *
- * Where Newton's method goes to and fro between slack and taut, open and closed, each of its steps is too
- * long for the law of a step. With friction of surfaces that move there is no energy that a line search
- * could lower. The motion takes steps in which little changes; t grows as the motion ends, and the last
- * steps are Newton's (pseudo-transient continuation, Kelley and Keyes 1998). What it finds is stable
- * against motions without inertia.
+ * Where Newton's method goes to and fro between slack and taut, open and closed, each of its steps
+ * is too long for the law of a step. With friction of surfaces that move there is no energy that a
+ * line search could lower. The motion takes steps in which little changes; t grows as the motion
+ * ends, and the last steps are Newton's (pseudo-transient continuation, Kelley and Keyes 1998).
+ * What it finds is stable against motions without inertia.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

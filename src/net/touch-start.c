@@ -109,7 +109,7 @@ static void lift(struct hawser__mesh *mesh, const struct hawser__touch *touch)
 
 static double chord(const double a[3], const double b[3])
 {
-	return sqrt((a[0] - b[0])*(a[0] - b[0]) + (a[1] - b[1])*(a[1] - b[1]) + (a[2] - b[2])*(a[2] - b[2]));
+	return hypot(hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
 }
 
 /* Nodes of a cable along its polygon `way` [n + 1], so that all elements have the same part of it. */
@@ -135,8 +135,8 @@ static void spread(struct hawser__mesh *mesh, int cable, const double (*way)[3],
 	}
 }
 
-/* A straight cable that was lifted over an obstacle has long elements beside it, from which the interior
- * point would draw the others at an element's length a step. */
+/* A straight cable that was lifted over an obstacle has long elements beside it, from which the
+ * interior point would draw the others at an element's length a step. */
 static enum hawser_status spread_all(struct hawser__mesh *mesh, struct hawser_report *report)
 {
 	double (*way)[3] = malloc(((size_t)mesh->elements + 1)*sizeof *way);

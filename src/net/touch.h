@@ -19,8 +19,8 @@ int hawser__touch_done(struct hawser__net_work *work);
 enum hawser_status hawser__touch_flow(struct hawser__net_work *work, int *done,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 /* touch-drag.c: work->x, a right side, becomes the step. Without friction that slides the factors of
- * hawser__net_factor are used; with it the matrix is not symmetric, and is made and factored here. *good
- * is 0 if it is singular. */
+ * hawser__net_factor are used; with it the matrix is not symmetric, and is made and factored here.
+ * *good is 0 if it is singular. */
 enum hawser_status hawser__touch_divide(struct hawser__net_work *work, int *good,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 /* No blocks; the right sides are the forces as they are. */

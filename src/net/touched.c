@@ -3,8 +3,9 @@
  *
  * A node that slides over the end of a segment leaves it, so that an element cuts the end. The ratio of
  * the tensions on both sides is then the cosine of the angle there, also without friction and with any
- * number of elements. Such a result is refused: the edge should be a circle. Where a circle goes on from
- * the end, an element from the segment to the circle cuts it by no more than others cut the circle.
+ * number of elements. Such a result is refused: the edge should be a circle. Where a circle goes on
+ * from the end, an element from the segment to it cuts the end by no more than others cut the
+ * circle.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

@@ -1,5 +1,5 @@
-/* Cables held at both ends over a floor that moves: random ones against the laws of each node, from the
- * positions alone, and one against an outside program.
+/* Cables held at both ends over a floor that moves: random ones against the laws of each node, from
+ * the positions alone, and one against an outside program.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -65,8 +65,8 @@ static int solve(struct hawser_net_statics *st, const struct floor *of, struct h
 	return !status;
 }
 
-/* The largest defect of the nodes' balance over the weight: what is not carried off the floor; on it,
- * the force along the floor that is not friction*r, a force r < 0, and a node below the floor. */
+/* The largest defect of the nodes' balance over the weight: what is not carried off the floor; on
+ * it, the force along the floor that is not friction*r, a force r < 0, and a node below it. */
 static double defect(const struct hawser_net_statics *st, const struct floor *of)
 {
 	double h = of->length0/of->elements, weight = 9.81*of->rho*h, worst = 0.0;
@@ -118,7 +118,7 @@ static void random_ones(void)
 	ok(touch > CABLES/2 && slack > CABLES/10, "%d touch, %d have slack elements", touch, slack);
 }
 
-/* By a relaxation, of an outside program. Tensions of elements, of which the points have the means. */
+/* By a relaxation, of an outside program. Tensions of elements; the points have their means. */
 static void outside(void)
 {
 	static const double T[] = {3.5804, 2.0317, 1.1772, 0.0, 1.962};

@@ -1,4 +1,4 @@
-/* Ropes over round obstacles on fine meshes: a drum far above both ends, and the convex corner of a bed.
+/* Ropes over round obstacles on fine meshes: a drum above both ends, and a bed's convex corner.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -22,9 +22,9 @@ static int solved(struct hawser_net_statics *st, const char *path, const char *c
 	return ok(!status, "%s: %s", path, status ? report.message : "solved");
 }
 
-/* Outside use: works with 40 to 160 elements, and failed from 200 on. Of a mesh that is taut the polygon of
- * 1 m + 3 m and half a turn, pi*R*(1 - (h/R)^2/24), has the mean tension; the weight changes tensions by
- * 1.5 N at most. */
+/* Outside use: works with 40 to 160 elements, and failed from 200 on. Of a mesh that is taut the
+ * polygon of 1 m + 3 m and half a turn, pi*R*(1 - (h/R)^2/24), has the mean tension; the weight
+ * changes tensions by 1.5 N at most. */
 static void drum(void)
 {
 	static const int elements[] = {200, 400, 1000, 2000};
@@ -39,8 +39,8 @@ static void drum(void)
 		double h = L/elements[i], taut = EA*((4.0 + M_PI*R*(1.0 - h*h/(24.0*R*R)))/L - 1.0);
 		struct hawser_net_statics st = {0};
 
-		snprintf(cables, sizeof cables, "cables=[{name: c, from: A, to: B, EA: 3 MN, rho: 0.05, length0: "
-		         "4.78535, elements: %d}]", elements[i]);
+		snprintf(cables, sizeof cables, "cables=[{name: c, from: A, to: B, EA: 3 MN, rho: 0.05, "
+		         "length0: 4.78535, elements: %d}]", elements[i]);
 		if (solved(&st, path, set, 5) && taut > 2.0)
 			ok(fabs(0.5*(st.member[0].T_from + st.member[0].T_to) - taut) < 0.75,
 			   "%d elements: T %.6g and %.6g N, mean %.6g N", elements[i], st.member[0].T_from,
@@ -49,8 +49,8 @@ static void drum(void)
 	}
 }
 
-/* A bed of two segments with a circle between them, as the message for sharp ends advises: T_A 650.4,
- * H 634.9, V 485.9 kN by an outside program. */
+/* A bed of two segments with a circle between them, as the message for sharp ends advises: T_A
+ * 650.4, H 634.9, V 485.9 kN by an outside program. */
 static void corner(void)
 {
 	static const char *const fine[] = {"cables.line.elements=800"};
