@@ -11,8 +11,10 @@
 #include "config.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "core/report.h"
 #include "net/touch.h"
 
 enum { MOST = 60, WORSE = 10, ROUNDS = 5, CURVED = 5, DESCENT = 300 };
@@ -151,6 +153,29 @@ static void again(struct hawser__net_work *work, int round)
 	hawser__touch_measure(mesh);
 }
 
+/* A step along the way of the supports: from the forces of the last one. */
+static enum hawser_status history(struct hawser__net_work *work, int *done,
+                                  struct hawser_report *report)
+{
+	struct hawser__mesh *mesh = work->mesh;
+	size_t size = (size_t)mesh->touches*sizeof *mesh->touch;
+	struct hawser__touch *touch = malloc(size);
+	enum hawser_status status;
+
+	if (!touch)
+		return hawser__no_memory(report, "net");
+	memcpy(touch, mesh->touch, size);
+	status = newton(work, done, report);
+	if (!status && !*done) {
+		memcpy(mesh->touch, touch, size);
+		memcpy(mesh->q, work->start, (size_t)mesh->nodes*sizeof *mesh->q);
+		hawser__net_start_forces(work);
+		status = hawser__touch_flow(work, done, report);
+	}
+	free(touch);
+	return status;
+}
+
 enum hawser_status hawser__net_touching(struct hawser__net_work *work, int *done,
                                         struct hawser_report *report)
 {
@@ -159,7 +184,7 @@ enum hawser_status hawser__net_touching(struct hawser__net_work *work, int *done
 	*done = 0;
 	hawser__touch_measure(work->mesh);
 	if (work->first)
-		return newton(work, done, report);
+		return history(work, done, report);
 	for (int round = 0; round < ROUNDS && !status && !*done; round++) {
 		again(work, round);
 		status = hawser__net_interior(work, done, report);
