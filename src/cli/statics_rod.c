@@ -105,8 +105,8 @@ static void judge(struct cli_rod *result)
 		         "as the load grows: it would move to another one, and this is one of them", st->jump);
 	else if (st->other > 0.0)
 		snprintf(result->warning, sizeof result->warning,
-		         "there are several equilibria: this is the one that the rod comes to as the load grows "
-		         "from none, and in another one a point is %.3g m away", st->other);
+		         "there are several equilibria: this is the one that the rod comes to as the load "
+		         "grows from none, and in another one a point is %.3g m away", st->other);
 	else if (st->strain > STRAINED)
 		snprintf(result->warning, sizeof result->warning,
 		         "strains of up to %.3g %%: forces are linear in the strains, which holds for small "

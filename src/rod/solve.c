@@ -1,9 +1,10 @@
 /* rod/solve.c - the equilibrium of a mesh: Newton's method, load steps, and a damped motion.
  *
- * First the whole load at once; a step whose iteration fails, takes long or ends where the rod gives way
- * in more directions than before, as it may have gone to another equilibrium, is halved, one that goes
- * well doubled. So the equilibrium is the one that the rod comes to as the load grows: by the whole load
- * at once, a tenth of random cantilevers under a force and a moment of fixed directions came to others. The
+ * First the whole load at once; a step whose iteration fails, takes long or ends where the rod gives
+ * way in more directions than before, as it may have gone to another equilibrium, is halved, one that
+ * goes well doubled. So the equilibrium is the one that the rod comes to as the load grows: by the
+ * whole load at once, some of random cantilevers under a force and a moment of fixed directions come
+ * to others. The
  * iteration ends by its increment: forces of elements of 1e7 N are balanced no better than to 1e-9 N
  * times their number, so that a limit of the residual would be one of round-off. If the steps become
  * too short, as with a rod that hangs from a hinge and begins without stiffness, the rod moves under
@@ -213,7 +214,7 @@ static int raise(struct hawser__rod_mesh *mesh, struct hawser__rod_effort *effor
                  const double *factor, int count, double tolerance, int any)
 {
 	double part = 0.0, by = 1.0/count;
-	int other = 0, last = 0; /* 1: mesh->found is an equilibrium under the whole load; negative pivots */
+	int other = 0, last = 0; /* 1: mesh->found is one under the whole load; negative pivots */
 
 	while (part < 1.0) {
 		double to = part + by > 1.0 - 1e-9 ? 1.0 : part + by;
