@@ -247,7 +247,7 @@ static int raise(struct hawser__rod_mesh *mesh, struct hawser__rod_effort *effor
 	return 1;
 }
 
-/* Where the load cannot be raised to the full one so that the rod follows, any equilibria on the way. */
+/* Where the load cannot be raised so that the rod follows, any equilibria on the way. */
 static int steps(struct hawser__rod_mesh *mesh, struct hawser__rod_effort *effort,
                  const double *factor, int count, double tolerance)
 {

@@ -297,8 +297,8 @@ static enum hawser_status solve(struct hawser_tow_steady *steady, const struct h
 	return status;
 }
 
-/* What twice the segments of a ring change: points, the body's force and its axis. The drag of a ring is
- * of order 3 in them, which leaves 1/7 of the change. */
+/* What twice the segments of a ring change: points, the body's force and its axis. The drag of a
+ * ring is of order 3 in them, which leaves 1/7 of the change. */
 static enum hawser_status ring(struct hawser_tow_steady *steady, const struct hawser_tow *tow,
                                struct hawser_report *report)
 {

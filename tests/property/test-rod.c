@@ -166,8 +166,9 @@ static void random_rods(void)
 	ok(stated < 1.02, "error of places at the tip: at most %.3f of what is stated", stated);
 }
 
-/* A force and a moment of fixed directions: the equilibrium is that of 50 load steps. The whole load at once
- * leads the first of the rods, of the outside program's kind, to another one, where it gives way. */
+/* A force and a moment of fixed directions: the equilibrium is that of 50 load steps. The whole load
+ * at once leads the first of the rods, of the outside program's kind, to another one, where it gives
+ * way. */
 static void grown(void)
 {
 	double worst = 0.0, other = 0.0;

@@ -447,7 +447,8 @@ static void ring_errors(void)
 
 	for (int i = 0; i < 8; i++) {
 		struct hawser_tow_segment cable;
-		struct hawser_tow tow = with_ring(&cable, 14.0, 0.004, 1.3, 60.0, 1.0 + 0.1*i, 0.05, 0.6 + 0.1*i);
+		double part = 0.1*i;
+		struct hawser_tow tow = with_ring(&cable, 14.0, 0.004, 1.3, 60.0, 1.0 + part, 0.05, 0.6 + part);
 		struct hawser_tow_steady st[2] = {{.points = 0}};
 		struct hawser_report report;
 		double centre[3], force[3], axis[3], off;
@@ -473,8 +474,7 @@ static void ring_errors(void)
 		for (int k = 0; k < 2; k++)
 			hawser_tow_steady_clear(&st[k]);
 	}
-	ok(points < 1.0 && body < 1.0, "errors by 32 segments of rings: %.2f and %.2f of the stated ones", points,
-	   body);
+	ok(points < 1.0 && body < 1.0, "32 segments: %.2f, %.2f of the stated errors", points, body);
 	ok(least > 0.3, "and at least %.2f of them", least);
 }
 
