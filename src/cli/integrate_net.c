@@ -437,8 +437,8 @@ static int shock_warning(char *text, const struct hawser_net_motion *motion)
 		         "long for fronts behind which the cable is slack: give more elements", motion->shock);
 	else
 		snprintf(text, CLI_WARNING_SIZE, "positions are wrong by up to %.2g m, as axial waves that "
-		         "make the cable slack have no damping: give damping.axial, such as %.3g s, the time in "
-		         "which a wave passes an element", motion->shock, motion->shock_axial);
+		         "make the cable slack have no damping: give damping.axial, such as %.3g s, the time "
+		         "in which a wave passes an element", motion->shock, motion->shock_axial);
 	return 1;
 }
 
