@@ -8,6 +8,7 @@ tests_net_SOURCES = tests/cases.c \
 	tests/property/test-net-eigen.c \
 	tests/property/test-net-equilibria.c \
 	tests/property/test-net-error.c \
+	tests/property/test-net-floor.c \
 	tests/property/test-net-form.c \
 	tests/property/test-net-impact-order.c \
 	tests/property/test-net-methods.c \
@@ -22,8 +23,9 @@ tests_net_SOURCES = tests/cases.c \
 	tests/reference/test-net-impact.c \
 	tests/reference/test-net-modes.c \
 	tests/reference/test-net-motion.c \
+	tests/reference/test-net-round.c \
 	tests/reference/test-net.c
 nodist_tests_net_SOURCES = tests/net-cases.c
 tests_net_LDADD = $(UPTO_NET)
 noinst_HEADERS += tests/net-random.h
-EXTRA_DIST += tests/reference/net-bight.yaml tests/reference/net-damped.yaml
+EXTRA_DIST += tests/reference/net-bed-corner.yaml tests/reference/net-bight.yaml tests/reference/net-damped.yaml

@@ -105,6 +105,7 @@ struct hawser_net {
 	                     * the net is not from a scene of its kind */
 	double alpha;       /* viscous force per unstretched length and velocity, kg/(m s) */
 	double axial;       /* Kelvin-Voigt: T = EA*(strain + axial*its rate), s */
+	int axial_given;    /* 1 if the scene has it, if 0 */
 	struct hawser_net_dynamics dynamics;
 	struct hawser_surface *surface; /* [surfaces] the obstacles */
 	int surfaces;

@@ -91,11 +91,12 @@ struct hawser_net_motion {
 	 * errors do not grow; or, with the option check, that of the probes, from another run. */
 	double error;
 	int checked;         /* 1: from another run */
-	/* Of a net that lets go of supports without damping.axial: m, how far the probes are from where
-	 * they are with `shock_axial` (s), the time in which a wave passes an element. A front behind which
+	/* Of a net that lets go of supports without damping.axial, and becomes slack. A front behind which
 	 * the cable is slack loses energy, which a mesh without damping keeps as vibration of its elements,
-	 * however fine it is: this is the error. NAN: not computed. */
-	double shock, shock_axial;
+	 * however fine it is. So the motion has the damping `front_axial` (s), half the time in which a
+	 * wave passes an element, unless the scene has damping.axial: 0 s. shock: m, how far the probes
+	 * are from where they are with `shock_axial` (s), that time; NAN: not computed. */
+	double shock, shock_axial, front_axial;
 	int unknowns;        /* of the positions */
 	int still[3];        /* 1: nothing moves the net along this axis,
 	so that the model has no motion there */

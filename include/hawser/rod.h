@@ -116,6 +116,10 @@ struct hawser_rod_statics {
 	double increment;      /* the last one, see tolerance */
 	int elements, steps, iterations;
 	int flow;              /* 1: by damped motion, since Newton's method failed */
+	double jump;           /* part of the load up to which it can be raised from none, where the rod
+	                        * has no equilibrium near by, and this one is another; 0: all of it */
+	double other;          /* m: how far a point is in another equilibrium, to which the whole load
+	                        * at once leads; 0: none is known */
 	int judged, negative;  /* judged: 1, the loads have a potential; negative: directions that lower
 	                        * the energy: 0 is a stable equilibrium */
 	int checked;           /* 1: mesh errors are estimated, from twice as many elements: */

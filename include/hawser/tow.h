@@ -119,8 +119,10 @@ struct hawser_tow_steady {
 	double residual;      /* largest of: distance of the end of the cable from the towing point over the
 	                       * length, moment on the body over offset times force; of a rod: of its
 	                       * forces and moments, over the largest force and that times the length */
-	double mesh_error;    /* m, largest change of a point if the number of elements is halved; without
-	                       * that of more segments of the ring */
+	double mesh_error;    /* m, largest change of a point if the number of elements is halved, and the
+	                       * error of a point and of the body's centre by the segments of a ring */
+	double ring_error;    /* error by the segments of a ring: of its force, relative, and of its axis,
+	                       * rad, the larger; 0 without a ring, NAN: not known */
 	int bent;             /* 1: a rod, 0: a string */
 	int raised;           /* elements of the finer mesh, which has twice those of the scene, whose EI is
 	                       * below 1 % of the tension times their squared length and was raised to it */

@@ -159,8 +159,8 @@ static const struct hawser__field field[] = {
 	 OF(motion.momentum)},
 	{"step_error", NULL, "sum of the local errors of all steps", OF(motion.step_error),
 	 .unit = HAWSER__METRE},
-	{"mesh_error", NULL, "with --check: largest change of the body's place with twice the elements",
-	 OF(mesh_error), .unit = HAWSER__METRE, .given = was_checked},
+	{"mesh_error", NULL, "with --check: largest change of the body's place with twice the elements "
+	 "and segments of a ring", OF(mesh_error), .unit = HAWSER__METRE, .given = was_checked},
 	{"interrupted", NULL, "whether the user ended the run",
 	 HAWSER__FLAG_AT(struct result, motion.interrupted)},
 	{"raised", NULL, "elements whose EI was raised to 1 % of T h^2, as it is below that",
@@ -306,15 +306,18 @@ static int progress(void *data, double t, double until)
 	return cli_interrupted();
 }
 
-/* Again with twice the elements, and the largest change of the body's place. */
+/* Again with twice the elements and segments of a ring, and the largest change of the body's place. */
 static enum hawser_status check(struct result *result, struct hawser_tow_options set,
                                 struct hawser_report *report)
 {
 	struct hawser_tow_motion fine;
+	struct hawser_tow twice = result->tow;
 	enum hawser_status status;
 
 	set.refine *= 2;
-	status = hawser_tow_move(&fine, &result->tow, &set, report);
+	twice.body.ring.segments = 2*(twice.body.ring.segments > 0 ? twice.body.ring.segments
+	                                                           : HAWSER_RING_SEGMENTS);
+	status = hawser_tow_move(&fine, &twice, &set, report);
 	for (int i = 0; !status && i < fine.samples; i++) {
 		const double *a = fine.sample[i].body, *b = result->motion.sample[i].body;
 		double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2], off = sqrt(x*x + y*y + z*z);

@@ -66,6 +66,14 @@ static void tension_json(struct hawser__json *json, json_t *into, const void *of
 		hawser__json_number(json, list, NULL, steady->point[i].tension);
 }
 
+static int has_ring(const void *row, const void *parent)
+{
+	const struct result *result = row;
+
+	(void)parent;
+	return result->tow.body.kind == HAWSER_TOW_RING;
+}
+
 static int in_orbit(const void *row, const void *parent)
 {
 	const struct result *result = row;
@@ -111,8 +119,10 @@ static const struct hawser__field field[] = {
 	{"body", NULL, "at the end", HAWSER__OBJECT_OF(body_field)},
 	{"residual", NULL, "largest of the distance of the cable's end from the towing point over its "
 	 "length, and the moment on the body over offset times force", OF(residual)},
-	{"mesh_error", NULL, "largest change of a point if the number of elements is halved",
-	 OF(mesh_error), .unit = HAWSER__METRE},
+	{"mesh_error", NULL, "largest change of a point if the number of elements is halved, and error "
+	 "of a point by the segments of a ring", OF(mesh_error), .unit = HAWSER__METRE},
+	{"ring_error", NULL, "error by the segments of a ring: of its force, relative, and of its axis "
+	 "(rad), the larger; null: not known", OF(ring_error), .given = has_ring},
 	{"bent", NULL, "whether the cable is a rod (EI), not a string",
 	 HAWSER__FLAG_AT(struct result, steady.bent)},
 	{"raised", NULL, "elements, of twice those of the scene, whose EI was raised to 1 % of T h^2",
@@ -167,6 +177,9 @@ static void comments(struct hawser__table *table, const void *of)
 		hawser__table_comment(table, "body at [%.9g, %.9g, %.9g] m", s->centre[0], s->centre[1],
 		                      s->centre[2]);
 	hawser__table_comment(table, "residual %.1e, mesh error %.1e m", s->residual, s->mesh_error);
+	if (result->tow.body.kind == HAWSER_TOW_RING)
+		hawser__table_comment(table, "segments of the ring: error %.1e of its force, and rad of its "
+		                      "axis: body.ring.segments makes it smaller", s->ring_error);
 	if (s->bent)
 		hawser__table_comment(table, "bending matters most within some %.3g m of the ends", s->bending);
 	if (s->raised)

@@ -203,7 +203,11 @@ static void table(struct hawser__table *table, const void *of)
 	hawser__table_comment(table, "positions to some %.1e m: %s", motion->error, motion->checked
 	                      ? "from another, coarser run"
 	                      : "the local errors of all steps, if they do not grow (--error looks)");
-	if (!isnan(motion->shock))
+	if (motion->front_axial > 0.0 && !isnan(motion->shock))
+		hawser__table_comment(table, "fronts behind which the cable is slack: damping.axial is %.3g "
+		                      "s, half the time in which a wave passes an element; with all of it, "
+		                      "positions differ by up to %.1e m", motion->front_axial, motion->shock);
+	else if (!isnan(motion->shock))
 		hawser__table_comment(table, "fronts behind which the cable is slack: with damping.axial = "
 		                      "%.3g s, positions differ by up to %.1e m; without, their energy "
 		                      "stays in the mesh", motion->shock_axial, motion->shock);
@@ -279,6 +283,8 @@ static void json(struct hawser__json *json, const void *of)
 		hawser__json_null(json, into, "shock");
 	else
 		hawser__json_number(json, into, "shock", motion->shock);
+	if (motion->front_axial > 0.0)
+		hawser__json_number(json, into, "front_axial", motion->front_axial);
 	cli_mesh_json(json, json->root, &result->net, &result->error);
 	into = hawser__json_array(json, json->root, "slack");
 	for (int i = 0; i < motion->rows; i++)
@@ -426,9 +432,13 @@ static int shock_warning(char *text, const struct hawser_net_motion *motion)
 			most = fmax(most, fabs(motion->x[i][k] - motion->x[i%motion->probes][k]));
 	if (!(motion->shock > 0.1*most))
 		return 0;
-	snprintf(text, CLI_WARNING_SIZE, "positions are wrong by up to %.2g m, as axial waves that make "
-	         "the cable slack have no damping: give damping.axial, such as %.3g s, the time in which a "
-	         "wave passes an element", motion->shock, motion->shock_axial);
+	if (motion->front_axial > 0.0)
+		snprintf(text, CLI_WARNING_SIZE, "positions are wrong by up to %.2g m, as elements are too "
+		         "long for fronts behind which the cable is slack: give more elements", motion->shock);
+	else
+		snprintf(text, CLI_WARNING_SIZE, "positions are wrong by up to %.2g m, as axial waves that "
+		         "make the cable slack have no damping: give damping.axial, such as %.3g s, the time "
+		         "in which a wave passes an element", motion->shock, motion->shock_axial);
 	return 1;
 }
 

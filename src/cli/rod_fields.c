@@ -62,6 +62,10 @@ static const struct hawser__field count_field[] = {
 	{"iterations", NULL, "iterations of all steps", OF(iterations)},
 	{"flow", NULL, "whether a damped motion has led to the equilibrium",
 	 HAWSER__FLAG_AT(struct hawser_rod_statics, flow)},
+	{"other", NULL, "how far a point is in another equilibrium, to which the whole load at once "
+	 "leads; 0: none is known", OF(other), METRE},
+	{"jump", NULL, "part of the load up to which it can be raised from none without a jump to this "
+	 "equilibrium; 0: the whole load", OF(jump)},
 	HAWSER__END,
 };
 #undef OF

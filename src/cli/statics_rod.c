@@ -99,6 +99,14 @@ static void judge(struct cli_rod *result)
 		         "the equilibrium is unstable, in %d direction%s: --load-steps 50 follows the rod as "
 		         "the load grows, and a small load in the direction in which it gives way selects "
 		         "what it does then", st->negative, st->negative == 1 ? "" : "s");
+	else if (st->jump > 0.0)
+		snprintf(result->warning, sizeof result->warning,
+		         "from %.3g of the load on there is no equilibrium near the one that the rod comes to "
+		         "as the load grows: it would move to another one, and this is one of them", st->jump);
+	else if (st->other > 0.0)
+		snprintf(result->warning, sizeof result->warning,
+		         "there are several equilibria: this is the one that the rod comes to as the load "
+		         "grows from none, and in another one a point is %.3g m away", st->other);
 	else if (st->strain > STRAINED)
 		snprintf(result->warning, sizeof result->warning,
 		         "strains of up to %.3g %%: forces are linear in the strains, which holds for small "

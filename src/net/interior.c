@@ -167,8 +167,8 @@ enum hawser_status hawser__net_interior(struct hawser__net_work *work, int *done
 		status = hawser__net_factor(work, &definite, report);
 		if (status || !definite)
 			break;
-		status = hawser__sparse_solve(work->x, work->sparse, report);
-		if (status)
+		status = hawser__touch_divide(work, &definite, report);
+		if (status || !definite)
 			break;
 		step = advance(work, mu);
 		work->factored = 0;

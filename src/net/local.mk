@@ -51,6 +51,7 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/motion-state.c \
 	%D%/motion-support.c \
 	%D%/motion-touched.c \
+	%D%/motion-wedge.c \
 	%D%/names.c \
 	%D%/obstacles.c \
 	%D%/plane.c \
@@ -87,6 +88,8 @@ noinst_LTLIBRARIES += %D%/libnet.la
 	%D%/tension.h \
 	%D%/touch.c \
 	%D%/touch.h \
+	%D%/touch-drag.c \
+	%D%/touch-flow.c \
 	%D%/touch-hold.c \
 	%D%/touch-start.c \
 	%D%/touched.c \

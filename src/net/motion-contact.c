@@ -189,6 +189,16 @@ static void gradient(double n[3], const struct hawser_surface *surface, const do
 	n[2] = 0.0;
 }
 
+/* 1 if its node has another contact in the list, which is in the order of the nodes. What comes to rest
+ * between two obstacles is held by the friction of both. */
+static int shared(const struct hawser__motion_contact *all, const struct hawser__mesh *mesh, int number)
+{
+	int node = mesh->touch[all->which[number]].node;
+
+	return (number > 0 && mesh->touch[all->which[number - 1]].node == node) ||
+	       (number + 1 < all->candidates && mesh->touch[all->which[number + 1]].node == node);
+}
+
 /* The frame and the gap of a contact of the list, for motion->x; 0 if it has no normal, or has turned
  * too far. */
 static int frame(struct hawser__motion *motion, int number, double h)
@@ -212,7 +222,8 @@ static int frame(struct hawser__motion *motion, int number, double h)
 		return 0;
 	hawser_surface_velocity(v, of->surface, middle);
 	contact->node = of->node;
-	contact->friction = touch->closed ? of->surface->friction : 0.0;
+	contact->friction = touch->closed || shared(all, motion->mesh, number) ? of->surface->friction
+	                                                                       : 0.0;
 	contact->gap_rate = touch->g0/scale;
 	for (int k = 0; k < 3; k++)
 		contact->surface[k] = h*v[k] - x[k];
@@ -358,6 +369,8 @@ static enum hawser_status solve_laws(struct hawser__motion *motion, int *done,
 	}
 	if (status == HAWSER_ERR_NO_SOLUTION)
 		all->refusal = own;
+	else if (status == HAWSER_ERR_CONVERGENCE)
+		hawser__contact_wedged(motion);
 	if (status == HAWSER_ERR_NO_SOLUTION || status == HAWSER_ERR_CONVERGENCE ||
 	    status == HAWSER_ERR_NAN)
 		return HAWSER_OK; /* a shorter step may have a solution */

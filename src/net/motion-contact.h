@@ -71,6 +71,9 @@ void hawser__contact_begin(struct hawser__motion *motion);
 enum hawser_status hawser__contact_solve(struct hawser__motion *motion, int *done,
                                          const struct hawser__motion_rule *rule, double h,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
+/* motion-wedge.c: set the refusal where no step has a solution, since a surface that moves draws a node
+ * between two obstacles. */
+void hawser__contact_wedged(struct hawser__motion *motion);
 /* The end part: jumps of the velocities, and energies. */
 void hawser__contact_jump(struct hawser__motion *motion, const struct hawser__motion_rule *rule,
                           double h);

@@ -64,7 +64,7 @@ static double transit(const struct hawser_net *net)
 	return most;
 }
 
-/* The motion again with the least axial damping that a front within elements can have. */
+/* The motion again with the axial damping with which a front is as long as an element or two. */
 static enum hawser_status shocks(struct hawser_net_motion *motion, const struct hawser_net *net,
                                  const struct hawser_net_motion_options *options,
                                  struct hawser_report *report)
@@ -83,6 +83,31 @@ static enum hawser_status shocks(struct hawser_net_motion *motion, const struct 
 	motion->interrupted |= other.interrupted;
 	hawser_net_motion_clear(&other);
 	return HAWSER_OK;
+}
+
+/* The motion without damping, from which is seen whether anything becomes slack; where it does, with
+ * half the damping of shocks: *net has it then. */
+static enum hawser_status released(struct hawser_net_motion *to, struct hawser_net *net,
+                                   const struct hawser_net_motion_options *options,
+                                   struct hawser_report *report)
+{
+	struct hawser_net_motion_options trial = *options;
+	enum hawser_status status;
+	int ends;
+
+	trial.frame = NULL;
+	status = hawser__net_integrate(to, net, &trial, report);
+	if (status)
+		return status;
+	ends = to->interrupted || (to->switches == 0 && !options->frame);
+	if (ends)
+		return HAWSER_OK;
+	if (to->switches > 0)
+		net->axial = 0.5*transit(net);
+	hawser_net_motion_clear(to);
+	status = hawser__net_integrate(to, net, options, report);
+	to->front_axial = status ? 0.0 : net->axial;
+	return status;
 }
 
 /* Fail for circles that turn freely, and for grooves where something may move the net along z. */
@@ -114,17 +139,19 @@ enum hawser_status hawser_net_integrate(struct hawser_net_motion *to, const stru
                                         const struct hawser_net_motion_options *options,
                                         struct hawser_report *report)
 {
+	struct hawser_net own = *net;
+	int fronts = net->dynamics.releases && net->axial == 0.0 && transit(net) > 0.0;
 	enum hawser_status status = not_in_time(net, options, report);
 
 	memset(to, 0, sizeof *to);
 	if (!status)
-		status = hawser__net_integrate(to, net, options, report);
+		status = fronts && !net->axial_given ? released(to, &own, options, report)
+		                                     : hawser__net_integrate(to, net, options, report);
 	to->shock = NAN;
-	if (!status && net->dynamics.releases && net->axial == 0.0 && to->switches > 0 && to->probes > 0 &&
-	    !to->interrupted && transit(net) > 0.0)
+	if (!status && fronts && to->switches > 0 && to->probes > 0 && !to->interrupted)
 		status = shocks(to, net, options, report);
 	if (!status && options->check && !to->interrupted)
-		status = check(to, net, options, report);
+		status = check(to, &own, options, report);
 	if (status)
 		hawser_net_motion_clear(to);
 	return status;

@@ -195,37 +195,50 @@ enum hawser_status hawser__klu_open(struct hawser__klu **made, const struct haws
 	return status;
 }
 
+void hawser__klu_zero(struct hawser__klu *klu)
+{
+	memset(klu->x, 0, (size_t)klu->p[klu->unknowns]*sizeof *klu->x);
+}
+
+void hawser__klu_element(struct hawser__klu *klu, int element, const double B[9], const double mass[2])
+{
+	for (int k = 0; k < ENTRIES; k++) {
+		int row = k/6, column = k%6, same = row/3 == column/3, at = klu->at[element][k];
+		double value = same ? B[3*(row%3) + column%3] : -B[3*(row%3) + column%3];
+
+		if (at >= 0)
+			klu->x[at] += value + (row%3 == column%3 ? mass[!same] : 0.0);
+	}
+}
+
+void hawser__klu_node(struct hawser__klu *klu, int element, int end, const double block[3][3])
+{
+	for (int k = 0; k < 9; k++) {
+		int at = klu->at[element][6*(3*end + k/3) + 3*end + k%3];
+
+		if (at >= 0)
+			klu->x[at] += block[k/3][k%3];
+	}
+}
+
 static void assemble(struct hawser__klu *klu, const double (*B)[9], const double (*mass)[2],
                      const double *point)
 {
-	memset(klu->x, 0, (size_t)klu->p[klu->unknowns]*sizeof *klu->x);
+	hawser__klu_zero(klu);
 	for (int i = 0; i < klu->nodes; i++)
 		for (int k = 0; k < 3; k++)
 			if (klu->diagonal[i][k] >= 0)
 				klu->x[klu->diagonal[i][k]] += point[i];
 	for (int e = 0; e < klu->elements; e++)
-		for (int k = 0; k < ENTRIES; k++) {
-			int row = k/6, column = k%6, same = row/3 == column/3, at = klu->at[e][k];
-			double value = same ? B[e][3*(row%3) + column%3] : -B[e][3*(row%3) + column%3];
-
-			if (at >= 0)
-				klu->x[at] += value + (row%3 == column%3 ? mass[e][!same] : 0.0);
-		}
+		hawser__klu_element(klu, e, B[e], mass[e]);
 }
 
-enum hawser_status hawser__klu_solve(double (*r)[3], int *good, struct hawser__klu *klu,
-                                     const double (*B)[9], const double (*mass)[2], const double *point,
-                                     struct hawser_report *report)
+enum hawser_status hawser__klu_divide(double *x, int *good, struct hawser__klu *klu,
+                                      struct hawser_report *report)
 {
-	int done;
+	int done = klu->numeric && klu_refactor(klu->p, klu->i, klu->x, klu->symbolic, klu->numeric,
+	                                        &klu->common) && klu->common.status == KLU_OK;
 
-	assemble(klu, B, mass, point);
-	for (int i = 0; i < klu->nodes; i++)
-		for (int k = 0; k < 3; k++)
-			if (klu->unknown[i][k] >= 0)
-				klu->right[klu->unknown[i][k]] = r[i][k];
-	done = klu->numeric && klu_refactor(klu->p, klu->i, klu->x, klu->symbolic, klu->numeric,
-	                                    &klu->common) && klu->common.status == KLU_OK;
 	if (!done) {
 		klu_free_numeric(&klu->numeric, &klu->common);
 		klu->numeric = klu_factor(klu->p, klu->i, klu->x, klu->symbolic, &klu->common);
@@ -234,10 +247,24 @@ enum hawser_status hawser__klu_solve(double (*r)[3], int *good, struct hawser__k
 	*good = done;
 	if (!done)
 		return klu->common.status == KLU_SINGULAR ? HAWSER_OK : failed(klu, report);
-	if (!klu_solve(klu->symbolic, klu->numeric, klu->unknowns, 1, klu->right, &klu->common))
-		return failed(klu, report);
+	return klu_solve(klu->symbolic, klu->numeric, klu->unknowns, 1, x, &klu->common)
+	       ? HAWSER_OK : failed(klu, report);
+}
+
+enum hawser_status hawser__klu_solve(double (*r)[3], int *good, struct hawser__klu *klu,
+                                     const double (*B)[9], const double (*mass)[2], const double *point,
+                                     struct hawser_report *report)
+{
+	enum hawser_status status;
+
+	assemble(klu, B, mass, point);
 	for (int i = 0; i < klu->nodes; i++)
 		for (int k = 0; k < 3; k++)
+			if (klu->unknown[i][k] >= 0)
+				klu->right[klu->unknown[i][k]] = r[i][k];
+	status = hawser__klu_divide(klu->right, good, klu, report);
+	for (int i = 0; !status && *good && i < klu->nodes; i++)
+		for (int k = 0; k < 3; k++)
 			r[i][k] = klu->unknown[i][k] >= 0 ? klu->right[klu->unknown[i][k]] : 0.0;
-	return HAWSER_OK;
+	return status;
 }

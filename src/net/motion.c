@@ -402,7 +402,8 @@ static enum hawser_status split(struct hawser__motion *motion, double h, int dep
 	if (depth == 0)
 		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "net", ITERATIONS, rest_of(motion),
 		                       "at %.9g s no step of %.3g s or longer has a solution: begin from "
-		                       "another state, or with a step that is shorter", motion->t, h);
+		                       "another state, or change loads, damping or what meets there",
+		                       motion->t, h);
 	motion->splits++;
 	status = split(motion, h/2.0, depth - 1, report);
 	return status ? status : split(motion, h/2.0, depth - 1, report);

@@ -85,6 +85,14 @@ void hawser__klu_clear(struct hawser__klu *klu);
 double hawser__klu_bytes(const struct hawser__klu *klu); /* with the factors to come, about */
 /* Choose new pivots for the next matrix: the pivots of a matrix serve others that differ little. */
 void hawser__klu_forget(struct hawser__klu *klu);
+/* A matrix by its parts: blocks [B, -B; -B, B] with near and far masses of elements, and blocks at the
+ * node that is end 0 or 1 of an element. _divide: factors, and x [unknowns] becomes the solution; *good
+ * is 0 where the matrix is singular. */
+void hawser__klu_zero(struct hawser__klu *klu);
+void hawser__klu_element(struct hawser__klu *klu, int element, const double B[9], const double mass[2]);
+void hawser__klu_node(struct hawser__klu *klu, int element, int end, const double block[3][3]);
+enum hawser_status hawser__klu_divide(double *x, int *good, struct hawser__klu *klu,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
 enum hawser_status hawser__klu_solve(double (*r)[3], int *good, struct hawser__klu *klu,
                                      const double (*B)[9] /* [elements] */,
                                      const double (*mass)[2] /* [elements] near, far */,

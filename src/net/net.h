@@ -69,6 +69,8 @@ struct hawser__touch {
 	double from[3];        /* m: the place where the node stuck or slid from */
 	double stiff;          /* N/m, of the linear equations */
 	double block[3][3], push[3]; /* what it gives to the matrix, and to the right side */
+	double drag[3];        /* friction of one that slides over r: follows r within a step */
+	double turn[3][3];     /* N/m: the derivative of its direction by the place, times friction*r */
 };
 
 /* value*cos(Omega*t + phase) at a node: a force, N, or a displacement, m. */

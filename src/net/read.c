@@ -378,6 +378,7 @@ static enum hawser_status common(struct hawser__reader *reader, struct hawser_ne
 			                  HAWSER__TREE_NOT_NEGATIVE);
 		if (!status)
 			status = optional(reader, &net->axial, damping, "axial", "s", HAWSER__TREE_NOT_NEGATIVE);
+		net->axial_given = hawser__tree_find(damping, "axial") != NULL;
 	}
 	return status ? status : hawser__net_room(reader, net, root);
 }

@@ -13,6 +13,7 @@
 struct hawser__net_work {
 	struct hawser__mesh *mesh;
 	struct hawser__sparse *sparse;
+	struct hawser__klu *klu; /* touch-drag.c: for friction; NULL: not needed yet */
 	double *N;               /* [elements] forces, where the method has them beside the positions */
 	double *s;               /* [elements] slack of the interior point */
 	int own;                 /* 1: the result's tensions are N (net/finish.c), not of the positions */
@@ -30,6 +31,7 @@ struct hawser__net_work {
 	const double *first;     /* [elements] tensions of the start, or NULL */
 	double weight;           /* W: sum of the forces on the nodes, N */
 	double reach;            /* m: sum of the unstretched lengths */
+	double damp;             /* N/m, of each node: in the matrix alone (net/touch-flow.c); usually 0 */
 	double left;             /* N: residual of a law that is not one-sided */
 	double wanted;           /* N, of the residual: the tolerance that is asked for */
 	double tolerance;        /* N, the same, at least what round-off allows for forces of positions */

@@ -138,11 +138,11 @@ enum hawser_status hawser__net_begin(struct hawser__net_work *work,
 		status = densities(work, report);
 	if (!options->keep_start && start == HAWSER_NET_START_CHORD)
 		straighten(mesh, noise, options->seed);
-	if (!options->keep_start && mesh->touches) {
+	if (!status && !options->keep_start && mesh->touches) {
 		/* a cable that hangs low would have circles between its nodes */
 		if (!hawser__touch_convex(mesh))
 			straighten(mesh, 0.0, 0);
-		hawser__touch_start(mesh);
+		status = hawser__touch_start(mesh, report);
 	}
 	memcpy(work->start, mesh->q, (size_t)mesh->nodes*sizeof *mesh->q);
 	return status;

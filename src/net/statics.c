@@ -20,6 +20,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "net/motion.h"
 #include "net/solve.h"
 #include "net/touch.h"
 
@@ -83,6 +84,8 @@ enum hawser_status hawser__net_factor(struct hawser__net_work *work, int *defini
 		hawser__sparse_add(work->sparse, i, work->a[i], work->b[i], work->e[i]);
 	}
 	hawser__touch_matrix(work->sparse, mesh);
+	for (int i = 0; work->damp > 0.0 && i < mesh->unknowns; i++)
+		hawser__sparse_diagonal(work->sparse, i, work->damp);
 	status = hawser__sparse_factor(work->sparse, definite, report);
 	work->factored = !status && *definite;
 	return status;
@@ -375,6 +378,7 @@ static void clear(struct hawser__net_work *work)
 	free(work->near);
 	free(work->bound);
 	hawser__sparse_clear(work->sparse);
+	hawser__klu_clear(work->klu);
 }
 
 static enum hawser_status open(struct hawser__net_work *work, struct hawser__mesh *mesh,

@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -106,21 +107,96 @@ static void lift(struct hawser__mesh *mesh, const struct hawser__touch *touch)
 			mesh->q[touch->node][k] += off*n[k];
 }
 
-void hawser__touch_start(struct hawser__mesh *mesh)
+static double chord(const double a[3], const double b[3])
 {
-	for (int pass = 0; pass < 2; pass++) /* twice, since obstacles may overlap */
-		for (int i = 0; i < mesh->touches; i++) {
-			const int *unknown = mesh->unknown[mesh->touch[i].node];
-			double x[3];
+	return hypot(hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
+}
 
-			memcpy(x, mesh->q[mesh->touch[i].node], sizeof x);
-			if (!hawser_surface_clear_of(x, mesh->touch[i].surface))
-				continue;
-			for (int k = 0; k < 3; k++)
-				if (unknown[k] >= 0)
-					mesh->q[mesh->touch[i].node][k] = x[k];
+/* Nodes of a cable along its polygon `way` [n + 1], so that all elements have the same part of it. */
+static void spread(struct hawser__mesh *mesh, int cable, const double (*way)[3], int n)
+{
+	double length = 0.0, begin = 0.0, next;
+	int at = 0;
+
+	for (int i = 0; i < n; i++)
+		length += chord(way[i], way[i + 1]);
+	next = chord(way[0], way[1]);
+	for (int i = 1; i < n; i++) {
+		double want = length*i/n, part, *q = mesh->q[mesh->inner[cable] + i - 1];
+
+		while (at < n - 1 && begin + next < want) {
+			begin += next;
+			at++;
+			next = chord(way[at], way[at + 1]);
 		}
+		part = next > 0.0 ? fmin((want - begin)/next, 1.0) : 0.0;
+		for (int k = 0; k < 3; k++)
+			q[k] = way[at][k] + part*(way[at + 1][k] - way[at][k]);
+	}
+}
+
+/* A straight cable that was lifted over an obstacle has long elements beside it, from which the
+ * interior point would draw the others at an element's length a step. */
+static enum hawser_status spread_all(struct hawser__mesh *mesh, struct hawser_report *report)
+{
+	double (*way)[3] = malloc(((size_t)mesh->elements + 1)*sizeof *way);
+
+	if (!way)
+		return hawser__no_memory(report, "net");
+	for (int c = 0; c < mesh->cables; c++) {
+		int first = mesh->first[c], n = mesh->first[c + 1] - first;
+
+		for (int i = 0; i <= n; i++)
+			memcpy(way[i], mesh->q[i < n ? mesh->end[first + i][0] : mesh->end[first + n - 1][1]],
+			       sizeof *way);
+		spread(mesh, c, (const double (*)[3])way, n);
+	}
+	free(way);
+	return HAWSER_OK;
+}
+
+/* Out of the obstacles that chords between nodes cut, by the shortest way. */
+static void out(struct hawser__mesh *mesh)
+{
+	for (int i = 0; i < mesh->touches; i++) {
+		const int *unknown = mesh->unknown[mesh->touch[i].node];
+		double n[3], *q = mesh->q[mesh->touch[i].node];
+		double g = hawser_surface_gap(n, NULL, mesh->touch[i].surface, q);
+
+		for (int k = 0; g < 0.0 && k < 3; k++)
+			if (unknown[k] >= 0)
+				q[k] -= g*n[k];
+	}
+}
+
+/* Twice, since obstacles may overlap. */
+static void clear(struct hawser__mesh *mesh)
+{
+	for (int i = 0; i < 2*mesh->touches; i++) {
+		const struct hawser__touch *touch = &mesh->touch[i % mesh->touches];
+		const int *unknown = mesh->unknown[touch->node];
+		double x[3];
+
+		memcpy(x, mesh->q[touch->node], sizeof x);
+		if (!hawser_surface_clear_of(x, touch->surface))
+			continue;
+		for (int k = 0; k < 3; k++)
+			if (unknown[k] >= 0)
+				mesh->q[touch->node][k] = x[k];
+	}
+}
+
+enum hawser_status hawser__touch_start(struct hawser__mesh *mesh, struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+
+	clear(mesh);
+	if (!hawser__touch_convex(mesh) && !mesh->around) {
+		status = spread_all(mesh, report);
+		out(mesh);
+	}
 	for (int i = 0; i < mesh->touches; i++)
 		lift(mesh, &mesh->touch[i]);
 	hawser__touch_measure(mesh);
+	return status;
 }

@@ -11,8 +11,7 @@
  * f follow from the step. So the matrix stays positive definite and keeps its pattern, whatever
  * touches, and each step leaves of the error the part K/(k + K), K the stiffness of the net.
  *
- * The bound friction*r of a step is that of the last one, which keeps the matrix symmetric: along a
- * rope on a circle the errors are the terms of the series of e^(friction*angle).
+ * Friction at its bound follows r within a step (net/touch-drag.c).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -136,14 +135,37 @@ static double moving(double v[3], const struct hawser__mesh *mesh, const struct 
 	return mesh->surfaces_rest ? 0.0 : norm(v);
 }
 
+/* The derivative of the direction of a circle's velocity, which is n turned by a right angle. */
+static void turn(struct hawser__touch *touch)
+{
+	double side = touch->drag[1]*touch->n[0] - touch->drag[0]*touch->n[1]; /* drag = side*(-n1, n0) */
+
+	for (int j = 0; j < 3; j++) {
+		touch->turn[0][j] = touch->r*side*touch->H[1][j];
+		touch->turn[1][j] = -touch->r*side*touch->H[0][j];
+		touch->turn[2][j] = 0.0;
+	}
+}
+
 /* Friction of a surface that moves: along its velocity. Returns 0 if it is at rest. */
 static int dragged(const struct hawser__mesh *mesh, struct hawser__touch *touch)
 {
 	double v[3], size = hawser__touch_friction(touch) > 0.0 ? moving(v, mesh, touch) : 0.0;
 
-	for (int k = 0; size > 0.0 && k < 3; k++)
-		touch->friction[k] = hawser__touch_friction(touch)*fmax(touch->r, 0.0)*v[k]/size;
+	for (int k = 0; size > 0.0 && k < 3; k++) {
+		touch->drag[k] = hawser__touch_friction(touch)*v[k]/size;
+		touch->friction[k] = touch->drag[k]*fmax(touch->r, 0.0);
+	}
+	if (size > 0.0)
+		turn(touch);
 	return size > 0.0;
+}
+
+/* No friction that follows r, before it is set. */
+static void rest(struct hawser__touch *touch)
+{
+	memset(touch->drag, 0, sizeof touch->drag);
+	memset(touch->turn, 0, sizeof touch->turn);
 }
 
 void hawser__touch_begin(struct hawser__mesh *mesh, double product, double force)
@@ -173,9 +195,10 @@ void hawser__touch_interior(struct hawser__mesh *mesh, double mu)
 		touch->stiff = touch->r/touch->t;
 		memset(touch->block, 0, sizeof touch->block);
 		add(touch, touch->stiff, 0.0);
+		rest(touch);
 		dragged(mesh, touch);
 		for (int k = 0; k < 3; k++)
-			touch->push[k] = force*touch->n[k] + touch->friction[k];
+			touch->push[k] = force*(touch->n[k] + touch->drag[k]);
 		touch->aside = 0.0;
 		guide(mesh, touch);
 	}
@@ -227,6 +250,7 @@ void hawser__touch_follow(struct hawser__mesh *mesh)
 
 		if (!hawser_surface_convex(touch->surface))
 			touch->t = fmax(touch->g, TINY*mesh->length0[touch->element]);
+		dragged(mesh, touch);
 	}
 }
 
@@ -266,19 +290,18 @@ static double trial_of(double trial[3], const struct hawser__touch *touch, const
 	return norm(trial);
 }
 
-/* Friction of the next step: block and push, for the bound of the last one. */
-static void rub(const struct hawser__net_work *work, struct hawser__touch *touch)
+/* Friction of the next step: block, push and drag. force: r if the node stays where it is. */
+static void rub(const struct hawser__net_work *work, struct hawser__touch *touch, double force)
 {
 	double bound = hawser__touch_friction(touch)*touch->r, d[3], trial[3], size, along;
 
-	if (!(bound > 0.0))
-		return;
+	rest(touch);
 	if (dragged(work->mesh, touch)) {
 		for (int k = 0; k < 3; k++)
-			touch->push[k] += touch->friction[k];
+			touch->push[k] += force*touch->drag[k];
 		return;
 	}
-	if (!work->rubs)
+	if (!(bound > 0.0) || !work->rubs)
 		return;
 	slip_of(d, work->mesh, touch);
 	size = trial_of(trial, touch, d);
@@ -291,9 +314,10 @@ static void rub(const struct hawser__net_work *work, struct hawser__touch *touch
 	along = touch->stiff*bound/size;
 	add(touch, 0.0, along);
 	for (int i = 0; i < 3; i++) {
+		touch->drag[i] = hawser__touch_friction(touch)*trial[i]/size;
 		for (int j = 0; j < 3; j++)
 			touch->block[i][j] -= along*trial[i]*trial[j]/(size*size);
-		touch->push[i] += bound*trial[i]/size;
+		touch->push[i] += force*touch->drag[i];
 	}
 }
 
@@ -324,7 +348,7 @@ void hawser__touch_linear(struct hawser__net_work *work, double curved)
 		for (int k = 0; k < 3; k++)
 			touch->push[k] = force*touch->n[k];
 		guide(mesh, touch);
-		rub(work, touch);
+		rub(work, touch, force);
 		for (int k = 0; k < 9; k++)
 			touch->block[k/3][k%3] -= curved*touch->r*touch->H[k/3][k%3];
 	}

@@ -10,12 +10,26 @@ void hawser__touch_forces(double (*residual)[3], const struct hawser__mesh *mesh
 /* Blocks and right sides of all touches, where these are set; x [unknowns]. */
 void hawser__touch_matrix(struct hawser__sparse *sparse, const struct hawser__mesh *mesh);
 void hawser__touch_right(double *x, const struct hawser__mesh *mesh);
+/* touching.c: a step of Newton's method for positions and forces, with work->damp; *definite 0: none,
+ * *descends 1: without a part of the curvature of obstacles. Whether its result is the equilibrium. */
+enum hawser_status hawser__touch_step(struct hawser__net_work *work, int *definite, int *descends,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+int hawser__touch_done(struct hawser__net_work *work);
+/* touch-flow.c: a damped motion from the positions and forces that there are. */
+enum hawser_status hawser__touch_flow(struct hawser__net_work *work, int *done,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+/* touch-drag.c: work->x, a right side, becomes the step. Without friction that slides the factors of
+ * hawser__net_factor are used; with it the matrix is not symmetric, and is made and factored here.
+ * *good is 0 if it is singular. */
+enum hawser_status hawser__touch_divide(struct hawser__net_work *work, int *good,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 /* No blocks; the right sides are the forces as they are. */
 void hawser__touch_fixed(struct hawser__mesh *mesh);
 /* 1 if the obstacles leave a convex space. */
 int hawser__touch_convex(const struct hawser__mesh *mesh);
 /* Bring the nodes of a start to the free side of all obstacles. */
-void hawser__touch_start(struct hawser__mesh *mesh);
+enum hawser_status hawser__touch_start(struct hawser__mesh *mesh,
+                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* The interior point: r*t = mu, t = g. _begin: from a mean of the products; _mean: adds the products
  * and their number; _interior: blocks and right sides; _limit: *step so that r and t stay positive;

@@ -3,7 +3,9 @@
  *
  * A node that slides over the end of a segment leaves it, so that an element cuts the end. The ratio of
  * the tensions on both sides is then the cosine of the angle there, also without friction and with any
- * number of elements. Such a result is refused: the edge should be a circle.
+ * number of elements. Such a result is refused: the edge should be a circle. Where a circle goes on
+ * from the end, an element from the segment to it cuts the end by no more than others cut the
+ * circle.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -120,14 +122,34 @@ static enum hawser_status fail(const struct hawser__mesh *mesh, const struct haw
 	                    surface->radius);
 }
 
+/* 1 if a circle goes on from this end of a segment, as far as elements of length h tell: the end is no
+ * further out than their sagitta, and the turn there no larger than that of one of them. */
+static int goes_on(const struct hawser__mesh *mesh, const struct hawser_surface *segment,
+                   const double end[3], double h)
+{
+	for (int i = 0; i < mesh->touches && mesh->touch[i].node == mesh->touch[0].node; i++) {
+		const struct hawser_surface *circle = mesh->touch[i].surface;
+		double n[3], cosine, g;
+
+		if (circle->kind != HAWSER_SURFACE_CIRCLE || circle->side == HAWSER_SIDE_INSIDE)
+			continue;
+		g = hawser_surface_gap(n, NULL, circle, end);
+		cosine = n[0]*segment->normal[0] + n[1]*segment->normal[1];
+		if (h < circle->radius && g <= h*h/(8.0*circle->radius) && cosine >= cos(h/circle->radius))
+			return 1;
+	}
+	return 0;
+}
+
 /* 1 if an element goes from the free side of a segment to the other one between its ends, at the point
  * x. Where the crossing is at an end to round-off, a node is on it. */
 static int cuts(double x[2], const struct hawser__mesh *mesh, int element,
                 const struct hawser_surface *segment)
 {
 	const double *a = mesh->q[mesh->end[element][0]], *b = mesh->q[mesh->end[element][1]];
-	double least = ROUND*mesh->length0[element], l, along, side[2] = {0.0, 0.0}, part;
+	double least = ROUND*mesh->length0[element], l, along, side[2] = {0.0, 0.0}, part, beyond;
 	double way[2] = {segment->to[0] - segment->at[0], segment->to[1] - segment->at[1]};
+	int to;
 
 	for (int k = 0; k < 2; k++) {
 		side[0] += segment->normal[k]*(a[k] - segment->at[k]);
@@ -140,7 +162,12 @@ static int cuts(double x[2], const struct hawser__mesh *mesh, int element,
 		x[k] = a[k] + part*(b[k] - a[k]);
 	l = hypot(way[0], way[1]);
 	along = ((x[0] - segment->at[0])*way[0] + (x[1] - segment->at[1])*way[1])/l;
-	return along > least && along < l - least;
+	if (!(along > least && along < l - least))
+		return 0;
+	to = along > l/2.0;
+	beyond = to ? l - along : along;
+	return beyond > mesh->length0[element] ||
+	       !goes_on(mesh, segment, to ? segment->to : segment->at, mesh->length0[element]);
 }
 
 static enum hawser_status cut(const struct hawser__mesh *mesh, const struct hawser_net *net, int s,
@@ -186,7 +213,7 @@ static const double *end_near(const struct hawser_surface **surface, int *elemen
 			const int *node = mesh->end[e/2];
 			double off = distance(end[e % 2], mesh->q[node[0]], mesh->q[node[1]])/mesh->length0[e/2];
 
-			if (!(off < least))
+			if (!(off < least) || goes_on(mesh, of, end[e % 2], mesh->length0[e/2]))
 				continue;
 			least = off;
 			found = end[e % 2];
@@ -226,5 +253,5 @@ enum hawser_status hawser__touch_lost(struct hawser__equilibrium *found, struct 
 	                       "iterations, the largest force that is not balanced is %.3g N, and nodes "
 	                       "that touch are up to %.3g m off: %s", work->iterations, found->residual,
 	                       found->apart, work->rubs ? "try smaller steps (contact.steps)"
-	                                                : "try more elements");
+	                                                : "try another number of elements");
 }

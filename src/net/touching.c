@@ -11,8 +11,10 @@
 #include "config.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "core/report.h"
 #include "net/touch.h"
 
 enum { MOST = 60, WORSE = 10, ROUNDS = 5, CURVED = 5, DESCENT = 300 };
@@ -26,8 +28,8 @@ static const double curved[CURVED] = {1.0, 0.999, 0.99, 0.9, 0.0};
 static const double parts[ROUNDS] = {1.0, 10.0, 0.1, 100.0, 0.01};
 
 /* *descends: 1 if a part of the curvature was left out. */
-static enum hawser_status step(struct hawser__net_work *work, int *definite, int *descends,
-                               struct hawser_report *report)
+enum hawser_status hawser__touch_step(struct hawser__net_work *work, int *definite, int *descends,
+                                      struct hawser_report *report)
 {
 	const struct hawser__mesh *mesh = work->mesh;
 	enum hawser_status status = HAWSER_OK;
@@ -43,8 +45,8 @@ static enum hawser_status step(struct hawser__net_work *work, int *definite, int
 	}
 	if (status || !*definite)
 		return status;
-	status = hawser__sparse_solve(work->x, work->sparse, report);
-	if (status)
+	status = hawser__touch_divide(work, definite, report);
+	if (status || !*definite)
 		return status;
 	for (int i = 0; i < mesh->elements; i++)
 		work->N[i] = hawser__net_force_after(work, i);
@@ -77,9 +79,28 @@ static void keep_interior(struct hawser__net_work *work)
 	keep_near(work, residual/work->weight + gap/work->reach, residual, gap);
 }
 
+/* Whether this is the equilibrium; *rest: how far it is off. */
+static int settled(struct hawser__net_work *work, double *rest)
+{
+	double residual, floor, gap;
+	int done = hawser__net_settled(work, &residual, &floor);
+
+	done = hawser__touch_settled(&gap, work) && done;
+	*rest = residual/work->weight + gap/work->reach;
+	keep_near(work, *rest, residual, gap);
+	return done;
+}
+
+int hawser__touch_done(struct hawser__net_work *work)
+{
+	double rest;
+
+	return settled(work, &rest);
+}
+
 static enum hawser_status newton(struct hawser__net_work *work, int *done, struct hawser_report *report)
 {
-	double best = INFINITY, residual, floor, gap;
+	double best = INFINITY;
 	enum hawser_status status = HAWSER_OK;
 	int worse = 0, definite = 1, slides = -1, most = MOST + work->mesh->touches, descents = 0;
 
@@ -89,13 +110,10 @@ static enum hawser_status newton(struct hawser__net_work *work, int *done, struc
 		double rest;
 		int descends = 0;
 
-		status = step(work, &definite, &descends, report);
+		status = hawser__touch_step(work, &definite, &descends, report);
 		if (status || !definite)
 			break;
-		*done = hawser__net_settled(work, &residual, &floor);
-		*done = hawser__touch_settled(&gap, work) && *done;
-		rest = residual/work->weight + gap/work->reach;
-		keep_near(work, rest, residual, gap);
+		*done = settled(work, &rest);
 		descents += descends;
 		worse = rest < 0.5*best || slides != work->slides || (descends && descents <= DESCENT)
 			? 0 : worse + 1;
@@ -121,15 +139,41 @@ static void again(struct hawser__net_work *work, int round)
 	struct hawser__mesh *mesh = work->mesh;
 
 	work->own = 0;
-	if (round == 0)
-		return;
 	memcpy(mesh->q, work->start, (size_t)mesh->nodes*sizeof *mesh->q);
 	hawser__net_start_forces(work);
 	for (int i = 0; i < mesh->elements; i++)
 		work->N[i] *= parts[round];
-	for (int i = 0; i < mesh->touches; i++)
-		memset(mesh->touch[i].friction, 0, sizeof mesh->touch[i].friction);
+	for (int i = 0; i < mesh->touches; i++) {
+		struct hawser__touch *touch = &mesh->touch[i];
+
+		touch->r = touch->aside = 0.0;
+		touch->slides = 0;
+		memset(touch->friction, 0, sizeof touch->friction);
+	}
 	hawser__touch_measure(mesh);
+}
+
+/* A step along the way of the supports: from the forces of the last one. */
+static enum hawser_status history(struct hawser__net_work *work, int *done,
+                                  struct hawser_report *report)
+{
+	struct hawser__mesh *mesh = work->mesh;
+	size_t size = (size_t)mesh->touches*sizeof *mesh->touch;
+	struct hawser__touch *touch = malloc(size);
+	enum hawser_status status;
+
+	if (!touch)
+		return hawser__no_memory(report, "net");
+	memcpy(touch, mesh->touch, size);
+	status = newton(work, done, report);
+	if (!status && !*done) {
+		memcpy(mesh->touch, touch, size);
+		memcpy(mesh->q, work->start, (size_t)mesh->nodes*sizeof *mesh->q);
+		hawser__net_start_forces(work);
+		status = hawser__touch_flow(work, done, report);
+	}
+	free(touch);
+	return status;
 }
 
 enum hawser_status hawser__net_touching(struct hawser__net_work *work, int *done,
@@ -140,7 +184,7 @@ enum hawser_status hawser__net_touching(struct hawser__net_work *work, int *done
 	*done = 0;
 	hawser__touch_measure(work->mesh);
 	if (work->first)
-		return newton(work, done, report);
+		return history(work, done, report);
 	for (int round = 0; round < ROUNDS && !status && !*done; round++) {
 		again(work, round);
 		status = hawser__net_interior(work, done, report);
@@ -149,5 +193,8 @@ enum hawser_status hawser__net_touching(struct hawser__net_work *work, int *done
 		if (!status)
 			status = newton(work, done, report);
 	}
-	return status;
+	if (status || *done)
+		return status;
+	again(work, 0);
+	return hawser__touch_flow(work, done, report);
 }

@@ -1,6 +1,10 @@
 /* rod/solve.c - the equilibrium of a mesh: Newton's method, load steps, and a damped motion.
  *
- * First the whole load at once; a step whose iteration fails is halved, one that goes well doubled. The
+ * First the whole load at once; a step whose iteration fails, takes long or ends where the rod gives
+ * way in more directions than before, as it may have gone to another equilibrium, is halved, one that
+ * goes well doubled. So the equilibrium is the one that the rod comes to as the load grows: by the
+ * whole load at once, some of random cantilevers under a force and a moment of fixed directions come
+ * to others. The
  * iteration ends by its increment: forces of elements of 1e7 N are balanced no better than to 1e-9 N
  * times their number, so that a limit of the residual would be one of round-off. If the steps become
  * too short, as with a rod that hangs from a hinge and begins without stiffness, the rod moves under
@@ -24,10 +28,13 @@
 
 enum {
 	ITERATIONS = 30,   /* of a load step: those that converge take 4 to 10 */
-	QUICK = 7,         /* a step with no more is followed by a longer one */
+	QUICK = 7,         /* a step with no more is followed by a longer one, while the rod is stable, */
+	LINEAR = 3,        /* as many as an equilibrium takes to which all is linear, as a moment alone; */
+	LONG = 9,          /* and one with more is not taken: it may have gone to another equilibrium */
 	MOTION = 3000,     /* steps of the damped motion */
 	HALVINGS = 12      /* the shortest load step: 2^-12 of the load */
 };
+#define PATIENT 0.01  /* of the load: with steps so short the rod follows the load */
 #define FAR 100.0     /* lengths or rad: an increment that is larger has nothing to do with the rod */
 #define NEAR 1e-6     /* increments that are smaller and do not fall are round-off */
 #define LEFT 1e-2     /* largest unbalanced force over loads and EI/L^2: 1e-6 if EA is not too large */
@@ -169,31 +176,85 @@ static void keep(struct hawser__rod_mesh *mesh, int back)
 	       (size_t)mesh->nodes*sizeof *mesh->node);
 }
 
-/* The load in steps; 1: done. */
-static int steps(struct hawser__rod_mesh *mesh, struct hawser__rod_effort *effort,
-                 const double *factor, int count, double tolerance)
+/* The load cannot be raised further: back to the equilibrium of the whole load, if it led to one. */
+static int jumped(struct hawser__rod_mesh *mesh, struct hawser__rod_effort *effort, double part,
+                  int other)
+{
+	effort->jump = effort->jump > 0.0 ? effort->jump : part;
+	if (!other)
+		return 0;
+	memcpy(mesh->node, mesh->found, (size_t)mesh->nodes*sizeof *mesh->node);
+	(void)hawser__rod_strains(mesh);
+	return 1;
+}
+
+/* m: how far the node that is farthest from its place in mesh->found. */
+static double apart(const struct hawser__rod_mesh *mesh)
+{
+	double most = 0.0;
+
+	for (int i = 0; i < mesh->nodes; i++) {
+		const double *a = mesh->node[i].x, *b = mesh->found[i].x;
+
+		most = fmax(most, hypot(hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]));
+	}
+	return most;
+}
+
+/* Directions in which the rod gives way: of the symmetric part of the tangent, where loads have no
+ * potential. */
+static int negative(struct hawser__rod_mesh *mesh)
+{
+	hawser__rod_tangent(mesh);
+	return hawser__band_negative(&mesh->band, mesh->held, mesh->work);
+}
+
+/* The load in steps; 1: done. any: 1, take whatever equilibrium a step leads to. */
+static int raise(struct hawser__rod_mesh *mesh, struct hawser__rod_effort *effort,
+                 const double *factor, int count, double tolerance, int any)
 {
 	double part = 0.0, by = 1.0/count;
+	int other = 0, last = 0; /* 1: mesh->found is one under the whole load; negative pivots */
 
 	while (part < 1.0) {
 		double to = part + by > 1.0 - 1e-9 ? 1.0 : part + by;
-		int before = effort->iterations;
+		int before = effort->iterations, good, took, ways;
 
 		keep(mesh, 0);
 		hawser__rod_loads(mesh, factor, to);
-		if (newton(mesh, effort, to, tolerance)) {
+		good = newton(mesh, effort, to, tolerance);
+		took = effort->iterations - before;
+		ways = good ? negative(mesh) : 0;
+		if (good && (any || took <= LINEAR ||
+		             (took <= LONG && (ways <= last || by*count < PATIENT)))) {
 			part = to;
+			last = ways;
 			effort->steps++;
-			if (effort->iterations - before <= QUICK && by < 1.0/count)
+			if (took <= QUICK && (any || !ways) && by < 1.0/count)
 				by *= 2.0;
 			continue;
+		}
+		if (good && to == 1.0 && !other) {
+			memcpy(mesh->found, mesh->node, (size_t)mesh->nodes*sizeof *mesh->node);
+			other = 1;
 		}
 		keep(mesh, 1);
 		by *= 0.5;
 		if (by*count < ldexp(1.0, -HALVINGS))
-			return 0;
+			return jumped(mesh, effort, part, other);
 	}
+	effort->other = other ? apart(mesh) : 0.0;
 	return 1;
+}
+
+/* Where the load cannot be raised so that the rod follows, any equilibria on the way. */
+static int steps(struct hawser__rod_mesh *mesh, struct hawser__rod_effort *effort,
+                 const double *factor, int count, double tolerance)
+{
+	if (raise(mesh, effort, factor, count, tolerance, 0))
+		return 1;
+	memcpy(mesh->node, mesh->rest, (size_t)mesh->nodes*sizeof *mesh->node);
+	return raise(mesh, effort, factor, count, tolerance, 1);
 }
 
 /* N: all loads, moments as forces at the rod's length. */

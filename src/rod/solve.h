@@ -8,6 +8,7 @@
 struct hawser__rod_effort {
 	int steps, iterations, flow; /* flow: 1, by damped motion */
 	double increment;            /* the last one */
+	double jump, other;          /* see struct hawser_rod_statics */
 	int bent;                    /* element that turned by pi or more when it failed last; -1: none */
 };
 

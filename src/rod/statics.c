@@ -11,6 +11,8 @@
 #include "rod/solve.h"
 #include "rod/so3.h"
 
+#define ALIKE 1e-6 /* of the length: an equilibrium that is nearer is the same one */
+
 void hawser_rod_settle(struct hawser_rod_options *options)
 {
 	hawser__settle_count(&options->refine, 1);
@@ -147,6 +149,8 @@ static enum hawser_status solve(struct hawser_rod_statics *st, struct hawser__ro
 	st->steps = effort.steps;
 	st->iterations = effort.iterations;
 	st->flow = effort.flow;
+	st->jump = effort.flow ? 0.0 : effort.jump;
+	st->other = effort.other > ALIKE*mesh->rod->length ? effort.other : 0.0;
 	st->increment = effort.increment;
 	status = hawser__rod_points(st, mesh, report);
 	return status || options->skip_error ? status : check(st, mesh, options, report);

@@ -10,7 +10,7 @@
 #include "rod/so3.h"
 #include "tests/tap.h"
 
-enum { LOADS = 5, RODS = 12 };
+enum { LOADS = 5, RODS = 12, GROWN = 6 };
 
 static unsigned long seed = 2385;
 
@@ -166,6 +166,44 @@ static void random_rods(void)
 	ok(stated < 1.02, "error of places at the tip: at most %.3f of what is stated", stated);
 }
 
+/* A force and a moment of fixed directions: the equilibrium is that of 50 load steps. The whole load
+ * at once leads the first of the rods, of the outside program's kind, to another one, where it gives
+ * way. */
+static void grown(void)
+{
+	double worst = 0.0, other = 0.0;
+
+	for (int c = 0; c < GROWN; c++) {
+		struct hawser_rod_segment segment = {.length = 4.607, .EA = 25180.0, .GA = {12590.0, 12590.0},
+		                                     .EI = {5.3446, 5.3446}, .GJ = 3.6617, .elements = 20};
+		struct hawser_rod_load load[2] = {
+			{.from = 4.607, .to = 4.607, .force = {-1.28575, 0.49626, 0.0}},
+			{.from = 4.607, .to = 4.607, .moment = {0.0, 0.0, -0.47477}}};
+		struct hawser_rod rod = {.segment = &segment, .segments = 1, .length = 4.607, .load = load,
+			.loads = 2, .hold = {HAWSER_ROD_CLAMPED, HAWSER_ROD_FREE}, .tangent = {1.0},
+			.normal = {0.0, 1.0}};
+		struct hawser_rod_statics st[2];
+		struct hawser_report report;
+
+		for (int k = 0; k < 3 && c > 0; k++) {
+			load[0].force[k] = number();
+			load[1].moment[k] = 2.0*number();
+		}
+		for (int i = 0; i < 2; i++) {
+			struct hawser_rod_options options = {.skip_error = 1, .steps = i ? 50 : 0};
+
+			if (hawser_rod_solve(&st[i], &rod, &options, &report))
+				return (void)ok(0, "rod %d: %s", c, report.message);
+		}
+		worst = fmax(worst, distance(st[0].point[20].x, st[1].point[20].x));
+		other = c == 0 ? st[0].other : other;
+		for (int i = 0; i < 2; i++)
+			hawser_rod_statics_clear(&st[i]);
+	}
+	ok(worst < 1e-6, "as the load grows: tips of %d rods within %.1e m", GROWN, worst);
+	ok(other > 4.607, "and that another equilibrium of the first is %.3g m away is stated", other);
+}
+
 /* The whole scene turned. */
 static void turned(void)
 {
@@ -301,6 +339,7 @@ CASE(property_rod)
 {
 	random_rods();
 	turned();
+	grown();
 	brought();
 	stiff();
 	refused();

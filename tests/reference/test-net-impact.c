@@ -168,6 +168,50 @@ static void falls(void)
 	hawser_net_clear(&net);
 }
 
+/* A mass on a floor that moves comes to the wedge of the floor and a circle, where normals meet at
+ * asin(0.6), 36.9 degrees. At rest there, with a force A of the circle, its friction b*A and N of
+ * the floor: A*0.8 - b*A*0.6 + w = N, mu*N = A*0.6 + b*A*0.8, where |b| may be less than the
+ * coefficient. With b = 0 none is positive beyond mu = 0.75 = tan(angle), as tan(angle + atan(b))
+ * tells for any b. */
+static void wedge(double mu, double most, int held)
+{
+	const struct hawser_net_probe at = {.node = 1, .cable = -1};
+	const struct hawser_net_motion_options options = {.until = 2.5, .every = 0.1, .probe = &at,
+	                                                  .probes = 1};
+	char obstacles[300], path[4096];
+	const char *const set[] = {"nodes={A: [0, 3, 0], B: [1, 0, 0]}", obstacles,
+	                           "contact={restitution: 0}"};
+	struct hawser_net net;
+	struct hawser_net_motion motion = {0};
+	struct hawser_report report;
+	enum hawser_status status;
+
+	snprintf(path, sizeof path, "%s/notebooks-data/scenes/net-impact.yaml", getenv("SRCDIR"));
+	snprintf(obstacles, sizeof obstacles, "obstacles=[{name: floor, plane: {point: [0, 0], normal: "
+	         "[0, 1]}, friction: %g, velocity: [-0.5, 0]}, {name: k, circle: {centre: [0, 0.4], "
+	         "radius: 0.5}, "
+	         "friction: %g}]", mu, most);
+	status = hawser_net_open(&net, path, set, 3, &report);
+	if (!status)
+		status = hawser_net_integrate(&motion, &net, &options, &report);
+	if (!held)
+		ok(status == HAWSER_ERR_NO_SOLUTION && strstr(report.message, "floor and k"), "refused: %s",
+		   report.message);
+	else if (ok(!status && motion.contacts == 2, "mu %g and %g: %s", mu, most,
+	            status ? report.message : "moves")) {
+		const struct hawser_net_contact *floor = &motion.contact[0], *k = &motion.contact[1];
+		double b = hypot(k->friction[0], k->friction[1])/k->r;
+		double A = mu*2.0*9.81/(0.6 + 0.8*b - mu*(0.8 - 0.6*b));
+
+		close_to(motion.x[motion.rows - 1][0], 0.3, 1e-9, "x where the mass is held, m");
+		ok(b <= most*(1.0 + 1e-9), "friction %g of the circle", b);
+		close_to(k->r, A, 1e-9, "force of the circle, N");
+		close_to(floor->r, 2.0*9.81 + A*(0.8 - 0.6*b), 1e-9, "force of the floor, N");
+	}
+	hawser_net_motion_clear(&motion);
+	hawser_net_clear(&net);
+}
+
 CASE(reference_net_impact)
 {
 	bounces(0.7);
@@ -176,5 +220,8 @@ CASE(reference_net_impact)
 	slides();
 	dragged();
 	falls();
+	wedge(0.5, 0.0, 1);
+	wedge(0.9, 0.3, 1);
+	wedge(0.9, 0.0, 0);
 	return done_testing();
 }

@@ -12,6 +12,7 @@
 
 #include <hawser/tow.h>
 
+#include "rod/so3.h"
 #include "tests/tap.h"
 
 #define PI 3.14159265358979323846 /* to the digits of a double */
@@ -439,6 +440,44 @@ static void refusals(void)
 	refused(&tow, 5.0, 10.0, "horizontal wind");
 }
 
+/* What 32 segments of a ring leave, against 1024: stated, and no more than it is. */
+static void ring_errors(void)
+{
+	double points = 0.0, body = 0.0, least = INFINITY;
+
+	for (int i = 0; i < 8; i++) {
+		struct hawser_tow_segment cable;
+		double part = 0.1*i;
+		struct hawser_tow tow = with_ring(&cable, 14.0, 0.004, 1.3, 60.0, 1.0 + part, 0.05, 0.6 + part);
+		struct hawser_tow_steady st[2] = {{.points = 0}};
+		struct hawser_report report;
+		double centre[3], force[3], axis[3], off;
+
+		cable.elements = 30;
+		tow.path = (struct hawser_path){.kind = i < 6 ? HAWSER_PATH_STRAIGHT : HAWSER_PATH_ORBIT,
+			.speed = 13.0, .velocity = {13.0 + i, 0.0, 0.0}, .radius = 60.0};
+		tow.body.ring.drag.tangential = 0.02;
+		for (int k = 0; k < 2; k++) {
+			tow.body.ring.segments = k ? 1024 : 32;
+			if (hawser_tow_steady_solve(&st[k], &tow, &report))
+				return (void)ok(0, "ring %d: %s", i, report.message);
+		}
+		for (int k = 0; k < 3; k++) {
+			centre[k] = st[0].centre[k] - st[1].centre[k];
+			force[k] = st[0].body_force[k] - st[1].body_force[k];
+			axis[k] = st[0].axis[k] - st[1].axis[k];
+		}
+		off = fmax(hawser__norm(force)/hawser__norm(st[1].body_force), hawser__norm(axis));
+		points = fmax(points, hawser__norm(centre)/st[0].mesh_error);
+		body = fmax(body, off/st[0].ring_error);
+		least = fmin(least, off/st[0].ring_error);
+		for (int k = 0; k < 2; k++)
+			hawser_tow_steady_clear(&st[k]);
+	}
+	ok(points < 1.0 && body < 1.0, "32 segments: %.2f, %.2f of the stated errors", points, body);
+	ok(least > 0.3, "and at least %.2f of them", least);
+}
+
 CASE(reference_tow_steady)
 {
 	tilts();
@@ -455,6 +494,7 @@ CASE(reference_tow_steady)
 	nearly_borne();
 	spring(0.0);
 	spring(60.0);
+	ring_errors();
 	refusals();
 	return done_testing();
 }
