@@ -3,7 +3,7 @@
  * cells (map_edges.c).
  *
  *    node    a point of the grid of the requested resolution: (x[i], y[j])
- *    probe   a point on an edge of a cell at which a line of the field crosses it
+ *    probe   a point between two nodes of a line of the grid
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_STUDY_MAP_H
@@ -154,6 +154,10 @@ struct hawser__mapper {
 	struct hawser__map_cells leaf;
 	struct hawser__map_probe *probe; /* [probes] inside edges between neighbouring nodes */
 	size_t probes, probe_room;
+	int searched;             /* 1: map_ridges.c has been called */
+	struct hawser_tongue *unresolved; /* [unresolveds] as in struct hawser_map */
+	size_t unresolveds, unresolved_room;
+	int above;
 	double low, high;         /* range of the values at nodes */
 };
 
@@ -164,11 +168,11 @@ int hawser__map_differ(const struct hawser_map_sample *a, const struct hawser_ma
 const struct hawser_map_sample *hawser__map_sample(const struct hawser__mapper *mapper, long index);
 const double *hawser__map_marks(const struct hawser__mapper *mapper, long index);
 
-/* --- map_probes.c --- */
+/* --- map_ridges.c --- */
 
-/* Examine the lines that cross the edges of the cells: hot[c] is set if there is a narrow
- * instability on an edge of cell c. */
-enum hawser_status hawser__map_probes(struct hawser__mapper *mapper, unsigned char *hot,
+/* Search for tongues that cross the edges of the first cells, and follow those that are narrower
+ * than a smallest cell: sets mapper->hot and adds probes. */
+enum hawser_status hawser__map_ridges(struct hawser__mapper *mapper,
                                       const struct hawser__map_cells *cells,
                                       struct hawser_report *report);
 

@@ -1,7 +1,7 @@
 /* study/map_tree.c - refinement of the cells.
  *
- * A cell is split if its corners differ (in number or code), if its value varies much, or if there
- * is a narrow instability on one of its edges. It is split at the middle node of each side; the
+ * A cell is split if its corners differ (in number or code), if its value varies much, or if a
+ * boundary or a narrow instability crosses one of its edges. It is split at the middle node of each side; the
  * halves need not be equal. All cells of a level are split together, so that the criterion for the
  * variation, which is relative to all nodes so far, does not depend on the order.
  *
@@ -198,47 +198,6 @@ static long expect(const struct hawser__mapper *mapper, const struct hawser__map
 	return later;
 }
 
-static enum hawser_status level(struct hawser__mapper *mapper, struct hawser__map_cells *next,
-                                const struct hawser__map_cells *cells, struct hawser_report *report)
-{
-	enum hawser_status status = want_corners(mapper, cells, report);
-	unsigned char *hot = calloc(cells->count, 1);
-
-	if (!hot)
-		status = hawser__no_memory(report, "map");
-	if (!status)
-		status = hawser__map_run(&mapper->memo, "map: cells", expect(mapper, cells), report);
-	if (!status && !mapper->memo.interrupted) {
-		widen(mapper, cells);
-		status = hawser__map_probes(mapper, hot, cells, report);
-	}
-	for (size_t c = 0; c < cells->count && !status && !mapper->memo.interrupted; c++) {
-		const struct hawser__map_cell *cell = &cells->cell[c];
-
-		if (!small(cell) && (hot[c] || varied(mapper, cell)))
-			status = split(next, cell, report);
-		else
-			status = push(&mapper->leaf, cell->i0, cell->i1, cell->j0, cell->j1, report);
-	}
-	free(hot);
-	return status;
-}
-
-static enum hawser_status descend(struct hawser__mapper *mapper, struct hawser__map_cells *cells,
-                                  struct hawser_report *report)
-{
-	enum hawser_status status = HAWSER_OK;
-
-	while (cells->count > 0 && !status && !mapper->memo.interrupted) {
-		struct hawser__map_cells next = {0};
-
-		status = level(mapper, &next, cells, report);
-		free(cells->cell);
-		*cells = next;
-	}
-	return status;
-}
-
 /* Whether a node on the edge of the cell differs from its corner, or there is a narrow instability
  * beside it. */
 static int stands_out(const struct hawser__mapper *mapper, const struct hawser__map_cell *cell, int i,
@@ -260,6 +219,45 @@ static int entered(const struct hawser__mapper *mapper, const struct hawser__map
 		if (stands_out(mapper, cell, cell->i0, j, 1) || stands_out(mapper, cell, cell->i1, j, 1))
 			return 1;
 	return 0;
+}
+
+static enum hawser_status level(struct hawser__mapper *mapper, struct hawser__map_cells *next,
+                                const struct hawser__map_cells *cells, struct hawser_report *report)
+{
+	enum hawser_status status = want_corners(mapper, cells, report);
+
+	if (!status)
+		status = hawser__map_run(&mapper->memo, "map: cells", expect(mapper, cells), report);
+	if (!status && !mapper->memo.interrupted) {
+		widen(mapper, cells);
+		if (!mapper->searched)
+			status = hawser__map_ridges(mapper, cells, report);
+		mapper->searched = 1;
+	}
+	for (size_t c = 0; c < cells->count && !status && !mapper->memo.interrupted; c++) {
+		const struct hawser__map_cell *cell = &cells->cell[c];
+
+		if (!small(cell) && (varied(mapper, cell) || entered(mapper, cell)))
+			status = split(next, cell, report);
+		else
+			status = push(&mapper->leaf, cell->i0, cell->i1, cell->j0, cell->j1, report);
+	}
+	return status;
+}
+
+static enum hawser_status descend(struct hawser__mapper *mapper, struct hawser__map_cells *cells,
+                                  struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+
+	while (cells->count > 0 && !status && !mapper->memo.interrupted) {
+		struct hawser__map_cells next = {0};
+
+		status = level(mapper, &next, cells, report);
+		free(cells->cell);
+		*cells = next;
+	}
+	return status;
 }
 
 /* Move the large cells that a boundary enters from the list to `cells`, to be split. */
