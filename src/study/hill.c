@@ -146,7 +146,7 @@ static int secant(struct hawser__hill *hill, struct hawser__track *track, double
 
 		if (!isfinite(g))
 			return 0;
-		floor = track->by == HAWSER__BY_DETERMINANT
+		floor = track->by == HAWSER__BY_DETERMINANT || track->by == HAWSER__BY_EXTREMUM
 		        ? fmax(LEAST_NOISE, slope > 0.0 ? 4.0*track->noise/slope : 0.0) : NOISE;
 		if (fabs(now - before) > floor) {
 			double next = (g - g_before)/(now - before);

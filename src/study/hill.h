@@ -41,7 +41,8 @@ struct hawser__hill {
 enum hawser__track_by {
 	HAWSER__BY_MULTIPLIERS, /* hill_test.c */
 	HAWSER__BY_DETERMINANT, /* of the Hill matrix, of multipliers +1 and -1 */
-	HAWSER__BY_GROWTH       /* the real part of an exponent: torus, with damping */
+	HAWSER__BY_GROWTH,      /* the real part of an exponent: torus, with damping */
+	HAWSER__BY_EXTREMUM     /* the determinant between two exponents: torus, without damping */
 };
 
 struct hawser__track {
@@ -64,9 +65,13 @@ struct hawser__track {
 double hawser__hill_test(struct hawser__hill_worker *worker, int kind);
 /* Number of complex multipliers outside the unit circle. */
 int hawser__hill_outside(const struct hawser__hill_worker *worker);
-/* *argument of the complex pair that is nearest to the unit circle. Returns 0 if there is none. */
+/* *argument of the complex pair that is nearest to the unit circle, without damping of those off it.
+ * Returns 0 if there is none. */
 int hawser__hill_pair(const struct hawser__hill_worker *worker, double *argument);
 int hawser__hill_undamped(const struct hawser__hill_worker *worker);
+/* Whether the two exponents of this pair have left each other by far less than their distance from all
+ * others; 1 with damping. */
+int hawser__hill_alone(const struct hawser__hill_worker *worker);
 
 /* --- hill_track.c: at a point of the rectangle, 0 to 1 --- */
 
@@ -83,8 +88,8 @@ double hawser__hill_value(struct hawser__hill *hill, struct hawser__track *track
  * the track is then as before. */
 int hawser__hill_newton(struct hawser__hill *hill, struct hawser__track *track, double *s,
                         const double from[2], const double along[2], double reach);
-/* Choose the test function of the boundary near `at`; the strict multipliers if no determinant can
- * be used. Returns 0 if there is no boundary, since the product of two real multipliers is 1; or if
+/* Choose the test function of the boundary near `at`, for a torus on its unstable side; the strict
+ * multipliers if no determinant can be used. Returns 0 if there is no boundary, since the product of two real multipliers is 1; or if
  * hill->status is set. */
 int hawser__hill_choose(struct hawser__hill *hill, struct hawser__track *track, int kind,
                         const double at[2]);

@@ -20,6 +20,7 @@
                          * at the ends, that is examined further; chosen */
 #define CLOSE 1e-12     /* last step of a secant iteration, relative to the line; chosen */
 enum { HALVINGS = 5, LOOKS = 60, SECANTS = 10 };
+enum { MOST_HALVINGS = 12 };
 
 static void place(double at[2], const struct hawser__hill_line *line, double s)
 {
@@ -144,27 +145,33 @@ static void follow_from(struct hawser__hill *hill, const struct hawser__track *t
 	}
 }
 
-/* Bisect a sign change of the rough multipliers until the pair that causes it is known. Returns 0
- * if no complex pair leaves the circle, since the product of two real multipliers becomes 1. */
+/* Bisect a sign change of the rough multipliers until the pair that causes it is known: it is outside
+ * at *more. Returns 0 if no complex pair leaves the circle, since the product of two real multipliers
+ * becomes 1. */
 static int narrow(struct hawser__hill *hill, int kind, const struct hawser__hill_line *line, double *lo,
-                  double *hi)
+                  double *hi, double *more)
 {
 	double g_lo = test(hill, kind, line, *lo, 1), g_hi;
-	int left = hawser__hill_outside(hill->worker), right;
+	int left = hawser__hill_outside(hill->worker), right, alone = hawser__hill_alone(hill->worker);
 
 	g_hi = test(hill, kind, line, *hi, 1);
 	right = hawser__hill_outside(hill->worker);
-	for (int i = 0; i < HALVINGS && !hill->status && (g_lo < 0.0) != (g_hi < 0.0); i++) {
+	alone = right > left ? hawser__hill_alone(hill->worker) : alone;
+	for (int i = 0; (i < HALVINGS || (i < MOST_HALVINGS && !alone)) && !hill->status &&
+	                (g_lo < 0.0) != (g_hi < 0.0); i++) {
 		double middle = 0.5*(*lo + *hi), g = test(hill, kind, line, middle, 1);
 
 		if ((g < 0.0) == (g_lo < 0.0)) {
 			*lo = middle;
 			left = hawser__hill_outside(hill->worker);
+			alone = left > right ? hawser__hill_alone(hill->worker) : alone;
 		} else {
 			*hi = middle;
 			right = hawser__hill_outside(hill->worker);
+			alone = right > left ? hawser__hill_alone(hill->worker) : alone;
 		}
 	}
+	*more = left > right ? *lo : *hi;
 	return left != right;
 }
 
@@ -212,12 +219,12 @@ static int beside(struct hawser__hill *hill, struct hawser__track *track, double
 static int find(struct hawser__hill *hill, struct hawser__track *track, double *s, int kind,
                 const struct hawser__hill_line *line, double lo, double hi)
 {
-	double at[2], from = lo, to = hi, half = 0.5/line->samples;
+	double at[2], from = lo, to = hi, half = 0.5/line->samples, more = 0.5*(lo + hi);
 
 	if (kind == HAWSER_HILL_TORUS && hill->worker->linear &&
-	    !narrow(hill, kind, line, &from, &to))
+	    !narrow(hill, kind, line, &from, &to, &more))
 		return 0;
-	place(at, line, 0.5*(from + to));
+	place(at, line, more);
 	if (!hawser__hill_choose(hill, track, kind, at))
 		return 0;
 	if (track->by != HAWSER__BY_MULTIPLIERS) {

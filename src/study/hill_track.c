@@ -6,11 +6,12 @@
  *    growth   real part of the exponent lambda, F(lambda) = 0, by secants in the complex plane from the
  *             exponent of the previous point; along a boundary Re lambda = 0 and F = 0 are solved
  *             together (hawser__hill_newton)
+ *    extremum  without damping all exponents are imaginary, F(i nu) is real, and between two of them
+ *             it has an extremum in nu, which is 0 as they collide: its value there
  *
  * A determinant takes a tenth of the time of the multipliers, does not require condensation, and is
  * as accurate as its coefficients. The multipliers are used if the field has no models, if a
- * determinant would need too many harmonics, and for tori without damping, whose exponents are
- * imaginary until two of them collide.
+ * determinant would need too many harmonics.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -31,6 +32,12 @@
 #define FAR_SCALE 900  /* largest exponent of 2, with a margin to the range of double (1023) */
 #define ROUND_OFF 1e-10 /* corrections below this, relative to the rectangle and to Omega, that do not
                          * become smaller are round-off */
+#define APART 1e-4     /* increment for derivatives by nu, relative to Omega: their error is its square;
+                        * chosen */
+#define AT_EXTREMUM 0.03 /* last correction of nu, relative to this increment: the value changes by its
+                          * square, which is subtracted, and by its cube */
+#define FARTHER 0.005  /* longest correction of nu, relative to Omega: a longer one may lead to another
+                        * extremum; chosen */
 enum { CORRECTIONS = 12 };
 
 static void to_caller(double out[2], const struct hawser__hill *hill, const double at[2])
@@ -114,7 +121,7 @@ static double complex determinant(struct hill_equation *equation, double complex
 		track->slope[0] = track->slope[1] = track->rise = 0.0;
 	}
 	exponent -= track->exponent;
-	track->noise = track->by == HAWSER__BY_DETERMINANT ? ldexp(value[2], exponent) : 0.0;
+	track->noise = track->by != HAWSER__BY_GROWTH ? ldexp(value[2], exponent) : 0.0;
 	return ldexp(value[0], exponent) + I*ldexp(value[1], exponent);
 }
 
@@ -148,6 +155,29 @@ static double growth(struct hill_equation *equation)
 	return NAN;
 }
 
+static double extremum(struct hill_equation *equation)
+{
+	struct hawser__track *track = equation->track;
+	double nu = track->lambda[1] + track->ahead;
+
+	track->ahead = 0.0;
+	for (int i = 0; i < CORRECTIONS; i++) {
+		double up = creal(determinant(equation, I*(nu + APART)));
+		double down = creal(determinant(equation, I*(nu - APART)));
+		double f = creal(determinant(equation, I*nu)), slope = (up - down)/(2.0*APART);
+		double bend = (up - 2.0*f + down)/(APART*APART), step = -slope/bend;
+
+		if (!(fabs(step) < FARTHER))
+			return NAN;
+		if (fabs(step) < AT_EXTREMUM*APART) {
+			track->lambda[1] = nu;
+			return f + 0.5*slope*step;
+		}
+		nu += step;
+	}
+	return NAN;
+}
+
 static double of_matrix(struct hawser__hill *hill, struct hawser__track *track, const double at[2],
                         int *lost)
 {
@@ -162,6 +192,7 @@ static double of_matrix(struct hawser__hill *hill, struct hawser__track *track, 
 		                                       &worker->report);
 	if (!worker->status)
 		value = track->by == HAWSER__BY_GROWTH ? growth(&equation)
+		        : track->by == HAWSER__BY_EXTREMUM ? extremum(&equation)
 		        : creal(determinant(&equation, 0.0));
 	*lost = equation.lost;
 	return worker->status ? NAN : value;
@@ -294,9 +325,7 @@ int hawser__hill_choose(struct hawser__hill *hill, struct hawser__track *track, 
 		}
 		if (!hawser__hill_pair(worker, &argument))
 			return 0;
-		if (hawser__hill_undamped(worker))
-			return 1;
-		track->by = HAWSER__BY_GROWTH;
+		track->by = hawser__hill_undamped(worker) ? HAWSER__BY_EXTREMUM : HAWSER__BY_GROWTH;
 		track->lambda[1] = argument/(2.0*M_PI);
 	}
 	keep = of_matrix(hill, track, at, &lost);
