@@ -80,6 +80,8 @@ struct hawser_hill_chart {
 	struct hawser_hill_boundary *boundary; /* [boundaries] */
 	long evaluations;
 	int interrupted;
+	struct hawser_tongue *unresolved;  /* [unresolveds], and `above`: as in struct hawser_map */
+	int unresolveds, above;
 	int tongues;
 	struct hawser_hill_tongue *tongue; /* [tongues] by order; of hawser_mathieu_trace only */
 	double truncation;                 /* relative truncation error of delta; likewise */

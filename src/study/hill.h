@@ -9,6 +9,7 @@
 
 #include "continuation/false_position.h"
 #include "response/hill_matrix.h"
+#include "study/ridge.h"
 
 /* The workspace of a thread. */
 struct hawser__hill_worker {
@@ -33,6 +34,7 @@ struct hawser__hill {
 	int threads;
 	int backwards;                  /* 1: the boundary is followed in reverse */
 	double began;                   /* start time, s, hawser__wall_seconds */
+	struct hawser__ridge_log tongues;
 	enum hawser_status status;      /* first status that is not HAWSER_OK */
 	struct hawser_report *report;
 };
@@ -80,6 +82,13 @@ int hawser__hill_alone(const struct hawser__hill_worker *worker);
 enum hawser_status hawser__hill_multipliers(struct hawser__hill *hill,
                                             struct hawser__hill_worker *worker,
                                             const double at[2], int rough);
+/* What ridge.h reads of a point, [HAWSER__EXPONENTS(n)], and the number of multipliers outside the
+ * unit circle; only if the field has models. */
+enum hawser_status hawser__hill_exponents(struct hawser__hill *hill,
+                                          struct hawser__hill_worker *worker, int *unstable,
+                                          double *to, const double at[2]);
+/* From the rectangle to the parameters of the caller. */
+void hawser__hill_to_caller(double out[2], const struct hawser__hill *hill, const double at[2]);
 /* The test function of a track; NAN if it is not defined there or hill->status is set. */
 double hawser__hill_value(struct hawser__hill *hill, struct hawser__track *track,
                           const double at[2]);
@@ -118,6 +127,9 @@ struct hawser__hill_line {
 	double *g; /* [samples + 1][HAWSER_HILL_KINDS] */
 };
 
+/* Prepare what all points of a line have in common. */
+enum hawser_status hawser__hill_prepare(struct hawser__hill *hill,
+                                        const struct hawser__hill_line *line);
 /* Allocate the workers of hill->field; a field without models has one. */
 enum hawser_status hawser__hill_open(struct hawser__hill *hill);
 void hawser__hill_close(struct hawser__hill *hill);
@@ -136,9 +148,18 @@ enum hawser_status hawser__hill_check(const struct hawser_hill_options *options,
 /* A change of sign between lo and hi: find its boundary. */
 void hawser__hill_try(struct hawser__hill *hill, int kind, const struct hawser__hill_line *line,
                       double lo, double hi);
+/* The same between s, where a multiplier with the exponent lambda Omega is outside the circle, and
+ * `out`, where it is inside. Returns 0 if there is none. */
+int hawser__hill_side(struct hawser__hill *hill, int kind, const double lambda[2],
+                      const struct hawser__hill_line *line, double s, double out);
 /* The middle of three samples of the same sign is the smallest: find a pair of roots between them,
  * if there is one. */
 void hawser__hill_between(struct hawser__hill *hill, int kind, const struct hawser__hill_line *line,
                           double lo, double hi, double sign);
+
+/* --- hill_ridges.c --- */
+
+/* Find the tongues on a line that its samples do not show, and follow their boundaries. */
+void hawser__hill_ridges(struct hawser__hill *hill, const struct hawser__hill_line *line);
 
 #endif

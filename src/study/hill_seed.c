@@ -245,18 +245,44 @@ static int find(struct hawser__hill *hill, struct hawser__track *track, double *
 	return !hill->status && root(hill, track, s, line, lo, hi);
 }
 
+/* Follow the boundary through a root, unless it is known. */
+static void start(struct hawser__hill *hill, struct hawser__track *track,
+                  const struct hawser__hill_line *line, double s)
+{
+	double at[2], way[2];
+
+	place(at, line, s);
+	if (direction(hill, track, way, at) && !hawser__hill_known(hill, track->kind, at, way) &&
+	    genuine(hill, track, at) && hawser__hill_real(hill, track, at, way, BESIDE))
+		follow_from(hill, track, at, way);
+}
+
 void hawser__hill_try(struct hawser__hill *hill, int kind, const struct hawser__hill_line *line,
                       double lo, double hi)
 {
 	struct hawser__track track;
-	double s, at[2], way[2];
+	double s;
 
-	if (!find(hill, &track, &s, kind, line, lo, hi))
-		return;
-	place(at, line, s);
-	if (direction(hill, &track, way, at) && !hawser__hill_known(hill, kind, at, way) &&
-	    genuine(hill, &track, at) && hawser__hill_real(hill, &track, at, way, BESIDE))
-		follow_from(hill, &track, at, way);
+	if (find(hill, &track, &s, kind, line, lo, hi))
+		start(hill, &track, line, s);
+}
+
+int hawser__hill_side(struct hawser__hill *hill, int kind, const double lambda[2],
+                      const struct hawser__hill_line *line, double s, double out)
+{
+	struct hawser__track track = {.kind = kind, .by = kind != HAWSER_HILL_TORUS ?
+	                              HAWSER__BY_DETERMINANT : hawser__hill_undamped(hill->worker)
+	                              ? HAWSER__BY_EXTREMUM : HAWSER__BY_GROWTH};
+	double at;
+
+	if (kind == HAWSER_HILL_TORUS) {
+		track.lambda[0] = track.by == HAWSER__BY_GROWTH ? lambda[0] : 0.0;
+		track.lambda[1] = lambda[1];
+	}
+	if (!root(hill, &track, &at, line, fmin(s, out), fmax(s, out)))
+		return 0;
+	start(hill, &track, line, at);
+	return 1;
 }
 
 /* --- minima --- */

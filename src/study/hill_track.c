@@ -38,9 +38,11 @@
                           * square, which is subtracted, and by its cube */
 #define FARTHER 0.005  /* longest correction of nu, relative to Omega: a longer one may lead to another
                         * extremum; chosen */
+#define REAL 1e-6      /* F is even about nu = 0 and Omega/2, where its extremum tells nothing of a torus;
+                        * chosen above round-off */
 enum { CORRECTIONS = 12 };
 
-static void to_caller(double out[2], const struct hawser__hill *hill, const double at[2])
+void hawser__hill_to_caller(double out[2], const struct hawser__hill *hill, const double at[2])
 {
 	const struct hawser_hill_options *options = hill->options;
 
@@ -54,7 +56,7 @@ static enum hawser_status model_of(const struct hawser_rom **rom, double *omega,
 {
 	double xy[2];
 
-	to_caller(xy, hill, at);
+	hawser__hill_to_caller(xy, hill, at);
 	return hill->field->model(hill->field->context, rom, omega, worker->number, xy[0], xy[1],
 	                          &worker->report);
 }
@@ -79,9 +81,34 @@ enum hawser_status hawser__hill_multipliers(struct hawser__hill *hill,
 			return worker->status;
 		worker->m = field->m;
 	}
-	to_caller(xy, hill, at);
+	hawser__hill_to_caller(xy, hill, at);
 	return worker->status = field->multipliers(field->context, worker->log_modulus,
 	                                           worker->argument, xy[0], xy[1], &worker->report);
+}
+
+enum hawser_status hawser__hill_exponents(struct hawser__hill *hill,
+                                          struct hawser__hill_worker *worker, int *unstable,
+                                          double *to, const double at[2])
+{
+	const struct hawser_rom *rom;
+	double omega;
+
+	if (worker->status)
+		return worker->status;
+	worker->evaluations++;
+	worker->m = hill->field->m;
+	worker->status = model_of(&rom, &omega, hill, worker, at);
+	if (worker->status)
+		return worker->status;
+	hawser__linear_haste(worker->linear, 1);
+	worker->status = hawser_linear_multipliers(worker->linear, worker->log_modulus,
+	                                           worker->argument, NULL, rom, omega,
+	                                           &worker->report);
+	hawser__linear_haste(worker->linear, 0);
+	if (!worker->status)
+		worker->status = hawser__linear_exponents(worker->linear, to, rom, omega, &worker->report);
+	*unstable = hawser__linear_circle(worker->linear).unstable;
+	return worker->status;
 }
 
 /* --- the Hill matrix --- */
@@ -171,7 +198,7 @@ static double extremum(struct hill_equation *equation)
 			return NAN;
 		if (fabs(step) < AT_EXTREMUM*APART) {
 			track->lambda[1] = nu;
-			return f + 0.5*slope*step;
+			return fabs(remainder(nu, 0.5)) > REAL ? f + 0.5*slope*step : NAN;
 		}
 		nu += step;
 	}

@@ -95,6 +95,7 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/hill_count.c \
 	%D%/hill_field.c \
 	%D%/hill_lines.c \
+	%D%/hill_ridges.c \
 	%D%/hill_seed.c \
 	%D%/hill_test.c \
 	%D%/hill_track.c \

@@ -122,7 +122,8 @@ static void close_mapper(struct hawser__mapper *mapper)
 	free(mapper->hot);
 	free(mapper->leaf.cell);
 	free(mapper->probe);
-	free(mapper->unresolved);
+	free(mapper->tongues.item);
+	free(mapper->tongues.found);
 }
 
 static double mix(const struct hawser__mapper *mapper, const struct hawser__map_cell *cell, int i,
@@ -179,10 +180,8 @@ static void collect(struct hawser_map *map, struct hawser__mapper *mapper)
 	map->visited = memo->visited;
 	map->restored = memo->restored;
 	map->interrupted = memo->interrupted;
-	map->unresolved = mapper->unresolved;
-	map->unresolveds = (int)mapper->unresolveds;
-	map->above = mapper->above;
-	mapper->unresolved = NULL;
+	map->above = mapper->tongues.above;
+	map->unresolved = hawser__ridge_unresolved(&map->unresolveds, &mapper->tongues);
 }
 
 /* Messages for the codes without a value: the first point of each code is computed again for its

@@ -12,6 +12,7 @@
 #include <hawser/map.h>
 
 #include "core/ranks.h"
+#include "study/ridge.h"
 
 /* --- map_checkpoint.c --- */
 
@@ -155,9 +156,7 @@ struct hawser__mapper {
 	struct hawser__map_probe *probe; /* [probes] inside edges between neighbouring nodes */
 	size_t probes, probe_room;
 	int searched;             /* 1: map_ridges.c has been called */
-	struct hawser_tongue *unresolved; /* [unresolveds] as in struct hawser_map */
-	size_t unresolveds, unresolved_room;
-	int above;
+	struct hawser__ridge_log tongues;
 	double low, high;         /* range of the values at nodes */
 };
 

@@ -144,22 +144,6 @@ static enum hawser_status follow(struct searches *list, const struct search *fro
 	return known(list, &item) ? HAWSER_OK : push(list, &item, report);
 }
 
-static enum hawser_status unresolved(struct hawser__mapper *mapper, const struct search *item,
-                                     struct hawser_report *report)
-{
-	const struct hawser__map_record *record = &mapper->memo.record[item->index[item->seen - 1]];
-	void *larger = hawser__map_room(mapper->unresolved, &mapper->unresolved_room,
-	                                mapper->unresolveds, sizeof *mapper->unresolved);
-
-	if (!larger)
-		return hawser__no_memory(report, "map");
-	mapper->unresolved = larger;
-	mapper->unresolved[mapper->unresolveds++] = (struct hawser_tongue){
-		.of = {item->ridge.of.j, item->ridge.of.k}, .sign = item->ridge.of.sign,
-		.order = item->ridge.of.m, .at = {record->x, record->y}};
-	return HAWSER_OK;
-}
-
 static enum hawser_status judge(struct searches *list, size_t c, struct hawser_report *report)
 {
 	struct hawser__mapper *mapper = list->mapper;
@@ -175,7 +159,13 @@ static enum hawser_status judge(struct searches *list, size_t c, struct hawser_r
 	item.done = sample->code == HAWSER_MAP_OK && sample->number > item.least ? 2
 	            : state != HAWSER__RIDGE_GOES_ON || item.seen == MOST_SEEN;
 	list->item[c] = item;
-	if (item.done > 1) {
+	if (item.done > 1 || (item.done && state == HAWSER__RIDGE_UNRESOLVED)) {
+		const struct hawser__map_record *record = &mapper->memo.record[item.index[item.seen - 1]];
+		const double at[2] = {record->x, record->y};
+
+		status = hawser__ridge_note(&mapper->tongues, &item.ridge.of, item.done > 1, at, report);
+	}
+	if (item.done > 1 && !status) {
 		double half = hawser__ridge_half(&item.ridge);
 		int turns = half < NARROW ? 2 : 0;
 
@@ -183,8 +173,6 @@ static enum hawser_status judge(struct searches *list, size_t c, struct hawser_r
 		for (int k = 0; k < turns && !status; k++)
 			if (item.turn == 0 || item.turn == 1 - 2*k)
 				status = follow(list, &item, 1 - 2*k, report);
-	} else if (item.done && state == HAWSER__RIDGE_UNRESOLVED) {
-		status = unresolved(mapper, &item, report);
 	}
 	return status;
 }
@@ -222,7 +210,7 @@ static enum hawser_status edge(struct searches *list, int i, int j, int along, i
 	list->length = length;
 	return hawser__ridge_find(hawser__map_marks(mapper, a) + HAWSER__MARGINS,
 	                          hawser__map_marks(mapper, b) + HAWSER__MARGINS,
-	                          mapper->field->exponents, &mapper->above, &taker, report);
+	                          mapper->field->exponents, &mapper->tongues.above, &taker, report);
 }
 
 static enum hawser_status edges(struct searches *list, const struct hawser__map_cells *cells,
@@ -258,28 +246,6 @@ static void sort_out(struct searches *list)
 		}
 }
 
-/* Tongues that were found elsewhere are not unresolved, and each is told once. */
-static void drop_found(struct hawser__mapper *mapper, const struct searches *list)
-{
-	size_t kept = 0;
-
-	for (size_t u = 0; u < mapper->unresolveds; u++) {
-		const struct hawser_tongue *tongue = &mapper->unresolved[u];
-		const struct hawser__resonance of = {tongue->of[0], tongue->of[1], tongue->sign,
-		                                     tongue->order};
-		int found = 0;
-
-		for (size_t c = 0; c < list->count && !found; c++)
-			found = list->item[c].done > 1 && same(&list->item[c].ridge.of, &of);
-		for (size_t v = 0; v < kept && !found; v++)
-			found = mapper->unresolved[v].of[0] == of.j && mapper->unresolved[v].of[1] == of.k &&
-			        mapper->unresolved[v].sign == of.sign && mapper->unresolved[v].order == of.m;
-		if (!found)
-			mapper->unresolved[kept++] = *tongue;
-	}
-	mapper->unresolveds = kept;
-}
-
 enum hawser_status hawser__map_ridges(struct hawser__mapper *mapper,
                                       const struct hawser__map_cells *cells,
                                       struct hawser_report *report)
@@ -301,8 +267,6 @@ enum hawser_status hawser__map_ridges(struct hawser__mapper *mapper,
 			status = judge(&list, c, report);
 		sort_out(&list);
 	}
-	if (!status)
-		drop_found(mapper, &list);
 	free(list.item);
 	return status;
 }

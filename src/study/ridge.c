@@ -3,7 +3,9 @@
 #include "config.h"
 
 #include <math.h>
+#include <stdlib.h>
 
+#include "core/report.h"
 #include "study/ridge.h"
 
 #define PART 0.2      /* largest distance from the vertex at which a point counts as the least stable
@@ -108,7 +110,7 @@ enum hawser__ridge_state hawser__ridge_take(struct hawser__ridge *ridge, const d
 	const double *modulus = exponents + 1 + 2*n, *argument = modulus + 2*n;
 	double rate = exponents[0]/(2.0*M_PI), real, imaginary;
 	enum hawser__ridge_state state = HAWSER__RIDGE_GOES_ON;
-	int pair[2];
+	int pair[2] = {0, 0}, worse;
 
 	if (!pick(pair, &ridge->of, exponents, n))
 		return HAWSER__RIDGE_CLOSED;
@@ -120,6 +122,9 @@ enum hawser__ridge_state hawser__ridge_take(struct hawser__ridge *ridge, const d
 	}
 	ridge->place[0] = ridge->at;
 	ridge->Q[0] = real*real - imaginary*imaginary;
+	worse = modulus[pair[0]] > modulus[pair[1]] ? pair[0] : pair[1];
+	ridge->growth = rate*modulus[worse];
+	ridge->angle = argument[worse];
 	ridge->mean = 0.5*rate*(modulus[pair[0]] + modulus[pair[1]]);
 	if (++ridge->points == 1)
 		begin(ridge, real, imaginary);
@@ -185,4 +190,47 @@ enum hawser_status hawser__ridge_find(const double *a, const double *b, int n, i
 				                 report);
 		}
 	return status;
+}
+
+/* --- what became of them --- */
+
+enum hawser_status hawser__ridge_note(struct hawser__ridge_log *log,
+                                      const struct hawser__resonance *of, int found,
+                                      const double at[2], struct hawser_report *report)
+{
+	size_t c = 0;
+
+	for (; c < log->count; c++)
+		if (log->item[c].of[0] == of->j && log->item[c].of[1] == of->k &&
+		    log->item[c].sign == of->sign && log->item[c].order == of->m) {
+			log->found[c] |= found != 0;
+			return HAWSER_OK;
+		}
+	if (log->count == log->room) {
+		size_t more = log->room ? 2*log->room : 64;
+		void *item = realloc(log->item, more*sizeof *log->item), *known;
+
+		log->item = item ? item : log->item;
+		known = realloc(log->found, more);
+		log->found = known ? known : log->found;
+		if (!item || !known)
+			return hawser__no_memory(report, "map");
+		log->room = more;
+	}
+	log->item[c] = (struct hawser_tongue){{of->j, of->k}, of->sign, of->m, {at[0], at[1]}};
+	log->found[log->count++] = found != 0;
+	return HAWSER_OK;
+}
+
+struct hawser_tongue *hawser__ridge_unresolved(int *count, struct hawser__ridge_log *log)
+{
+	struct hawser_tongue *item = log->item;
+
+	*count = 0;
+	for (size_t c = 0; c < log->count; c++)
+		if (!log->found[c])
+			item[(*count)++] = item[c];
+	free(log->found);
+	*log = (struct hawser__ridge_log){.item = NULL};
+	return item;
 }

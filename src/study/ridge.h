@@ -24,6 +24,8 @@
 #ifndef HAWSER_STUDY_RIDGE_H
 #define HAWSER_STUDY_RIDGE_H
 
+#include <hawser/map.h>
+
 #include "response/linear_margin.h"
 
 /* w_j + sign w_k = m Omega, coordinates j <= k. */
@@ -39,6 +41,7 @@ struct hawser__ridge {
 	double place[3], Q[3];  /* the last points, the latest first */
 	int points;
 	double mean;            /* (log |a b|)/(2 T) at the latest */
+	double growth, angle;   /* of the less stable of a and b there: (log |a|)/T and its argument */
 	double centre, top;     /* vertex of the parabola, and Q there */
 	int clamped;
 };
@@ -70,5 +73,19 @@ enum hawser__ridge_state hawser__ridge_take(struct hawser__ridge *ridge, const d
                                             int n);
 /* Half the width of the unstable part by the parabola; 0: there is none. */
 double hawser__ridge_half(const struct hawser__ridge *ridge);
+
+/* The resonances of a plane whose tongue was found, or could not be told from round-off. */
+struct hawser__ridge_log {
+	struct hawser_tongue *item; /* [count] each resonance once */
+	unsigned char *found;       /* [count] */
+	size_t count, room;
+	int above;                  /* 1: there are others with m > HAWSER__RIDGE_HIGHEST */
+};
+/* `at`: x and y. HAWSER_ERR_MEMORY. */
+enum hawser_status hawser__ridge_note(struct hawser__ridge_log *log,
+                                      const struct hawser__resonance *of, int found,
+                                      const double at[2], struct hawser_report *report);
+/* The resonances that were not found; the caller frees the array. Clears the log. */
+struct hawser_tongue *hawser__ridge_unresolved(int *count, struct hawser__ridge_log *log);
 
 #endif
