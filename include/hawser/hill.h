@@ -61,6 +61,7 @@ struct hawser_hill_boundary {
 	enum hawser_hill_kind kind;
 	int points, capacity;
 	double *at; /* [points][2] x, y */
+	int limited; /* 1: it was not followed to its end: options.max_points */
 	int named;  /* 1: `order` and `upper` are known (hawser_mathieu_trace) */
 	int order;  /* order of the tongue that this boundary limits */
 	int upper;  /* without damping: 1: the side of larger delta, 0: that of smaller delta */

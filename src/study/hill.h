@@ -26,6 +26,16 @@ struct hawser__hill_worker {
 	struct hawser_report report;
 };
 
+enum { HAWSER__TRAIL = 32 };
+
+/* The last points of the boundary that was followed last, in turn, with the imaginary part of their
+ * exponent. */
+struct hawser__hill_trail {
+	double at[HAWSER__TRAIL][2], nu[HAWSER__TRAIL];
+	int count; /* all points so far */
+	int ended; /* 1: inside the rectangle */
+};
+
 struct hawser__hill {
 	const struct hawser_hill_field *field;
 	const struct hawser_hill_options *options;
@@ -35,6 +45,7 @@ struct hawser__hill {
 	int backwards;                  /* 1: the boundary is followed in reverse */
 	double began;                   /* start time, s, hawser__wall_seconds */
 	struct hawser__ridge_log tongues;
+	struct hawser__hill_trail trail;
 	enum hawser_status status;      /* first status that is not HAWSER_OK */
 	struct hawser_report *report;
 };

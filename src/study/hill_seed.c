@@ -20,6 +20,9 @@
                          * at the ends, that is examined further; chosen */
 #define CLOSE 1e-12     /* last step of a secant iteration, relative to the line; chosen */
 enum { HALVINGS = 5, LOOKS = 60, SECANTS = 10 };
+#define BEFORE_CUSP 1e-4   /* distance from a cusp at which its other branch is looked for, relative to the
+                            * rectangle: the branches are its power of 1.5 apart; chosen */
+#define FAR_FROM_CUSP 0.05 /* the same at most; chosen */
 enum { MOST_HALVINGS = 12 };
 
 static void place(double at[2], const struct hawser__hill_line *line, double s)
@@ -92,6 +95,10 @@ static int genuine(struct hawser__hill *hill, const struct hawser__track *track,
 	return 0;
 }
 
+/* Follow the boundary through a root, unless it is known. */
+static void start(struct hawser__hill *hill, struct hawser__track *track,
+                  const struct hawser__hill_line *line, double s);
+
 static void reverse(struct hawser_hill_boundary *boundary)
 {
 	for (int i = 0, j = boundary->points - 1; i < j; i++, j--)
@@ -101,48 +108,6 @@ static void reverse(struct hawser_hill_boundary *boundary)
 			boundary->at[2*i + k] = boundary->at[2*j + k];
 			boundary->at[2*j + k] = keep;
 		}
-}
-
-/* Follow a boundary from a point in the middle. First it is followed in reverse to one end, with
- * the sign of the function changed so that g > 0 is on the left; from that end it is followed as a
- * whole. */
-static void follow_from(struct hawser__hill *hill, const struct hawser__track *track,
-                        const double at[2], const double way[2])
-{
-	struct hawser_hill_chart *chart = hill->chart;
-	struct hawser_hill_boundary *larger = realloc(chart->boundary,
-	                                              ((size_t)chart->boundaries + 1)*sizeof *larger);
-	struct hawser_hill_boundary *boundary, back = {.kind = track->kind};
-	struct hawser__track own = *track;
-	double ahead[2] = {way[0], way[1]}, behind[2] = {-way[0], -way[1]};
-
-	if (!larger) {
-		hill->status = hawser__no_memory(hill->report, "hill");
-		return;
-	}
-	chart->boundary = larger;
-	boundary = &chart->boundary[chart->boundaries];
-	*boundary = (struct hawser_hill_boundary){.kind = track->kind};
-	back.at = malloc(2*sizeof *back.at);
-	if (!back.at) {
-		hill->status = hawser__no_memory(hill->report, "hill");
-		return;
-	}
-	back.points = back.capacity = 1;
-	memcpy(back.at, at, 2*sizeof *at);
-	hill->backwards = 1;
-	hawser__hill_follow(hill, &back, &own, behind);
-	hill->backwards = 0;
-	reverse(&back);
-	*boundary = back;
-	chart->boundaries++;
-	own = *track;
-	if (!hill->status && !chart->interrupted)
-		hawser__hill_follow(hill, boundary, &own, ahead);
-	if (boundary->points < 2) { /* the two sides of a tongue that is narrower than round-off */
-		free(boundary->at);
-		chart->boundaries--;
-	}
 }
 
 /* Bisect a sign change of the rough multipliers until the pair that causes it is known: it is outside
@@ -245,7 +210,85 @@ static int find(struct hawser__hill *hill, struct hawser__track *track, double *
 	return !hill->status && root(hill, track, s, line, lo, hi);
 }
 
-/* Follow the boundary through a root, unless it is known. */
+/* Without damping three exponents may meet: there the boundary has a cusp, and another branch begins.
+ * Beside the end it lies next to the first one, with its extremum on the other side of that at the
+ * cusp. */
+static void turn_round(struct hawser__hill *hill, const struct hawser__track *track,
+                       const struct hawser__hill_trail *trail)
+{
+	int last = trail->count - 1, first = last >= HAWSER__TRAIL ? last - HAWSER__TRAIL + 1 : 0, k = last;
+	const double *end = trail->at[last > 0 ? last%HAWSER__TRAIL : 0], *at = end;
+	struct hawser__track other = *track;
+	struct hawser__hill_line line = {.samples = 1};
+	double far = 0.0, s;
+
+	if (track->by != HAWSER__BY_EXTREMUM || !trail->ended || hill->status || hill->chart->interrupted)
+		return;
+	while (k > first && far < BEFORE_CUSP) {
+		at = trail->at[--k%HAWSER__TRAIL];
+		far = hypot(at[0] - end[0], at[1] - end[1]);
+	}
+	if (!(far > 0.0 && far < FAR_FROM_CUSP))
+		return;
+	other.ahead = 0.0;
+	other.lambda[1] = 2.0*trail->nu[last%HAWSER__TRAIL] - trail->nu[k%HAWSER__TRAIL];
+	line.along[0] = -2.0*(at[1] - end[1]);
+	line.along[1] = 2.0*(at[0] - end[0]);
+	line.from[0] = at[0] - 0.5*line.along[0];
+	line.from[1] = at[1] - 0.5*line.along[1];
+	if (beside(hill, &other, &s, &line, 0.49, 0.51))
+		start(hill, &other, &line, s);
+}
+
+/* Follow a boundary from a point in the middle. First it is followed in reverse to one end, with
+ * the sign of the function changed so that g > 0 is on the left; from that end it is followed as a
+ * whole. */
+static void follow_from(struct hawser__hill *hill, const struct hawser__track *track,
+                        const double at[2], const double way[2])
+{
+	struct hawser_hill_chart *chart = hill->chart;
+	struct hawser_hill_boundary *larger = realloc(chart->boundary,
+	                                              ((size_t)chart->boundaries + 1)*sizeof *larger);
+	struct hawser_hill_boundary *boundary, back = {.kind = track->kind};
+	struct hawser__track own = *track;
+	struct hawser__hill_trail first, second;
+	double ahead[2] = {way[0], way[1]}, behind[2] = {-way[0], -way[1]};
+
+	if (!larger) {
+		hill->status = hawser__no_memory(hill->report, "hill");
+		return;
+	}
+	chart->boundary = larger;
+	boundary = &chart->boundary[chart->boundaries];
+	*boundary = (struct hawser_hill_boundary){.kind = track->kind};
+	back.at = malloc(2*sizeof *back.at);
+	if (!back.at) {
+		hill->status = hawser__no_memory(hill->report, "hill");
+		return;
+	}
+	back.points = back.capacity = 1;
+	memcpy(back.at, at, 2*sizeof *at);
+	hill->backwards = 1;
+	hawser__hill_follow(hill, &back, &own, behind);
+	hill->backwards = 0;
+	first = hill->trail;
+	hill->trail.ended = 0;
+	reverse(&back);
+	*boundary = back;
+	chart->boundaries++;
+	own = *track;
+	if (!hill->status && !chart->interrupted)
+		hawser__hill_follow(hill, boundary, &own, ahead);
+	second = hill->trail;
+	if (boundary->points < 2) { /* the two sides of a tongue that is narrower than round-off */
+		free(boundary->at);
+		chart->boundaries--;
+		return;
+	}
+	turn_round(hill, track, &first);
+	turn_round(hill, track, &second);
+}
+
 static void start(struct hawser__hill *hill, struct hawser__track *track,
                   const struct hawser__hill_line *line, double s)
 {
