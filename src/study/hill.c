@@ -329,7 +329,6 @@ void hawser__hill_follow(struct hawser__hill *hill, struct hawser_hill_boundary 
 	double step = 0.3*hill->options->step;
 	struct hawser__track keep;
 
-	hill->trail.count = hill->trail.ended = 0;
 	while (boundary->points < hill->options->max_points && !hill->status && step > SMALLEST_STEP) {
 		const double *last = boundary->at + 2*(size_t)(boundary->points - 1);
 		double from[2] = {last[0], last[1]}, next[2], turned, length, chord[2];
@@ -365,8 +364,6 @@ void hawser__hill_follow(struct hawser__hill *hill, struct hawser_hill_boundary 
 			return;
 		}
 		hill->status = hawser__hill_append(boundary, next, hill->report);
-		memcpy(hill->trail.at[hill->trail.count%HAWSER__TRAIL], next, sizeof next);
-		hill->trail.nu[hill->trail.count++%HAWSER__TRAIL] = track->lambda[1];
 		/* extrapolates the direction: the tangent at the end is the chord turned further by the
 		 * same angle */
 		for (int k = 0; k < 2; k++)
@@ -385,7 +382,6 @@ void hawser__hill_follow(struct hawser__hill *hill, struct hawser_hill_boundary 
 		                                  next[1] - boundary->at[1]) < 0.6*step)
 			return; /* the boundary is closed */
 	}
-	hill->trail.ended = !hill->status && step <= SMALLEST_STEP;
 	boundary->limited |= boundary->points >= hill->options->max_points;
 }
 

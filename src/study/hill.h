@@ -21,19 +21,11 @@ struct hawser__hill_worker {
 	double *memory;
 	struct hawser_linear *linear;   /* NULL: the field has no models */
 	struct hawser__hill_matrix matrix;
+	double *part;                   /* K and D of a part of the model */
+	size_t part_room;
 	long evaluations;
 	enum hawser_status status;      /* first status that is not HAWSER_OK */
 	struct hawser_report report;
-};
-
-enum { HAWSER__TRAIL = 32 };
-
-/* The last points of the boundary that was followed last, in turn, with the imaginary part of their
- * exponent. */
-struct hawser__hill_trail {
-	double at[HAWSER__TRAIL][2], nu[HAWSER__TRAIL];
-	int count; /* all points so far */
-	int ended; /* 1: inside the rectangle */
 };
 
 struct hawser__hill {
@@ -45,7 +37,6 @@ struct hawser__hill {
 	int backwards;                  /* 1: the boundary is followed in reverse */
 	double began;                   /* start time, s, hawser__wall_seconds */
 	struct hawser__ridge_log tongues;
-	struct hawser__hill_trail trail;
 	enum hawser_status status;      /* first status that is not HAWSER_OK */
 	struct hawser_report *report;
 };
@@ -61,6 +52,8 @@ enum hawser__track_by {
 struct hawser__track {
 	int kind;
 	enum hawser__track_by by;
+	int part;         /* a coordinate of the part of the model whose determinant it is: coordinates that
+	                   * are not coupled do not disturb each other then */
 	double lambda[2]; /* the exponent divided by Omega */
 	double slope[2];  /* derivative of the determinant by lambda/Omega; 0: not known */
 	int exponent;     /* determinants are divided by 2 to this power */
@@ -111,8 +104,10 @@ int hawser__hill_newton(struct hawser__hill *hill, struct hawser__track *track, 
 /* Choose the test function of the boundary near `at`, for a torus on its unstable side; the strict
  * multipliers if no determinant can be used. Returns 0 if there is no boundary, since the product of two real multipliers is 1; or if
  * hill->status is set. */
-int hawser__hill_choose(struct hawser__hill *hill, struct hawser__track *track, int kind,
+int hawser__hill_choose(struct hawser__hill *hill, struct hawser__track *track, int kind, int part,
                         const double at[2]);
+/* Whether no coordinate before `part` is coupled to it. */
+int hawser__hill_is_first(struct hawser__hill *hill, int part, const double at[2]);
 
 /* --- hill.c --- */
 
@@ -159,11 +154,11 @@ enum hawser_status hawser__hill_check(const struct hawser_hill_options *options,
 /* A change of sign between lo and hi: find its boundary. */
 void hawser__hill_try(struct hawser__hill *hill, int kind, const struct hawser__hill_line *line,
                       double lo, double hi);
-/* The same between s, where a multiplier with the exponent lambda Omega is outside the circle, and
+/* The same in the part of the model with coordinate `part`, between s, where a multiplier with the exponent lambda Omega is outside the circle, and
  * `out`, where it is inside. Returns 0 if there is none. */
-int hawser__hill_side(struct hawser__hill *hill, int kind, const double lambda[2],
+int hawser__hill_side(struct hawser__hill *hill, int kind, int part, const double lambda[2],
                       const struct hawser__hill_line *line, double s, double out);
-/* The middle of three samples of the same sign is the smallest: find a pair of roots between them,
+/* Without models: the middle of three samples of the same sign is the smallest: find a pair of roots between them,
  * if there is one. */
 void hawser__hill_between(struct hawser__hill *hill, int kind, const struct hawser__hill_line *line,
                           double lo, double hi, double sign);

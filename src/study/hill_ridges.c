@@ -71,7 +71,7 @@ static void both_sides(const struct walk *walk, const struct hawser__ridge *ridg
 		for (int i = 0; i < TRIES; i++) {
 			double out = fmin(fmax(s + side*half*OUTSIDE*(1 << i), 0.0), 1.0);
 
-			if (hawser__hill_side(walk->hill, kind, lambda, walk->line, s, out))
+			if (hawser__hill_side(walk->hill, kind, ridge->of.j, lambda, walk->line, s, out))
 				break;
 		}
 }

@@ -113,6 +113,108 @@ enum hawser_status hawser__hill_exponents(struct hawser__hill *hill,
 
 /* --- the Hill matrix --- */
 
+static int coupled(const struct hawser__variational *system, int j, int k)
+{
+	size_t n = (size_t)system->n;
+
+	for (int side = 0; side < 2; side++) {
+		size_t e = side ? (size_t)k*n + (size_t)j : (size_t)j*n + (size_t)k;
+
+		for (int r = 0; r <= 2*system->order; r++)
+			if (system->K[(size_t)r*n*n + e] != 0.0)
+				return 1;
+		for (int r = 0; r <= 2*system->order_d; r++)
+			if (system->D[(size_t)r*n*n + e] != 0.0)
+				return 1;
+	}
+	return 0;
+}
+
+/* The coordinates, ascending, that are coupled to `part`: member [n]. Returns their number. */
+static int members(int *member, const struct hawser__variational *system, int part)
+{
+	int count = 1;
+
+	member[0] = part;
+	for (int i = 0; i < count; i++)
+		for (int j = 0; j < system->n; j++) {
+			int known = 0;
+
+			for (int k = 0; k < count; k++)
+				known |= member[k] == j;
+			if (!known && coupled(system, member[i], j))
+				member[count++] = j;
+		}
+	return count;
+}
+
+static void take_part(double *to, const double *series, int order, int n, const int *member, int w)
+{
+	for (int r = 0; r <= 2*order; r++)
+		for (int i = 0; i < w; i++)
+			for (int j = 0; j < w; j++)
+				*to++ = series[((size_t)r*(size_t)n + (size_t)member[i])*(size_t)n +
+				               (size_t)member[j]];
+}
+
+/* The equations of the part of the model that contains coordinate `part`. */
+static enum hawser_status restrict_to(struct hawser__variational *system,
+                                      struct hawser__hill_worker *worker, int part)
+{
+	int *member = worker->used, w = members(member, system, part);
+	size_t wide = 2*(size_t)system->order + 1, wide_d = 2*(size_t)system->order_d + 1;
+	size_t need = (wide + wide_d)*(size_t)w*(size_t)w;
+
+	if (w == system->n)
+		return HAWSER_OK;
+	if (need > worker->part_room) {
+		free(worker->part);
+		worker->part = malloc(need*sizeof(double));
+		worker->part_room = worker->part ? need : 0;
+		if (!worker->part)
+			return hawser__no_memory(&worker->report, "hill");
+	}
+	take_part(worker->part, system->K, system->order, system->n, member, w);
+	take_part(worker->part + wide*(size_t)w*(size_t)w, system->D, system->order_d, system->n, member,
+	          w);
+	system->n = w;
+	system->K = worker->part;
+	system->D = worker->part + wide*(size_t)w*(size_t)w;
+	return HAWSER_OK;
+}
+
+/* The equations at a point that the track's determinant is of. */
+static enum hawser_status equations(struct hawser__variational *system, struct hawser__hill *hill,
+                                    int part, const double at[2])
+{
+	struct hawser__hill_worker *worker = hill->worker;
+	const struct hawser_rom *rom;
+	double omega;
+
+	worker->status = model_of(&rom, &omega, hill, worker, at);
+	if (!worker->status)
+		worker->status = hawser__linear_series(worker->linear, system, rom, omega, &worker->report);
+	if (!worker->status && part >= 0)
+		worker->status = restrict_to(system, worker, part);
+	return worker->status;
+}
+
+int hawser__hill_is_first(struct hawser__hill *hill, int part, const double at[2])
+{
+	struct hawser__variational system;
+	int *member = hill->worker->used, count, first = part;
+
+	if (equations(&system, hill, -1, at)) {
+		hill->status = hill->worker->status;
+		*hill->report = hill->worker->report;
+		return 0;
+	}
+	count = members(member, &system, part);
+	for (int k = 0; k < count; k++)
+		first = member[k] < first ? member[k] : first;
+	return first == part;
+}
+
 struct hill_equation {
 	struct hawser__hill_worker *worker;
 	struct hawser__track *track;
@@ -210,14 +312,9 @@ static double of_matrix(struct hawser__hill *hill, struct hawser__track *track, 
 {
 	struct hawser__hill_worker *worker = hill->worker;
 	struct hill_equation equation = {.worker = worker, .track = track};
-	const struct hawser_rom *rom;
-	double omega, value = NAN;
+	double value = NAN;
 
-	worker->status = model_of(&rom, &omega, hill, worker, at);
-	if (!worker->status)
-		worker->status = hawser__linear_series(worker->linear, &equation.system, rom, omega,
-		                                       &worker->report);
-	if (!worker->status)
+	if (!equations(&equation.system, hill, track->part, at))
 		value = track->by == HAWSER__BY_GROWTH ? growth(&equation)
 		        : track->by == HAWSER__BY_EXTREMUM ? extremum(&equation)
 		        : creal(determinant(&equation, 0.0));
@@ -234,15 +331,9 @@ static double complex beside(struct hawser__hill *hill, struct hawser__track *tr
 	const double at[2] = {from[0] + s*along[0], from[1] + s*along[1]};
 	struct hawser__hill_worker *worker = hill->worker;
 	struct hill_equation equation = {.worker = worker, .track = track};
-	const struct hawser_rom *rom;
 	double complex f = NAN;
-	double omega;
 
-	worker->status = model_of(&rom, &omega, hill, worker, at);
-	if (!worker->status)
-		worker->status = hawser__linear_series(worker->linear, &equation.system, rom, omega,
-		                                       &worker->report);
-	if (!worker->status)
+	if (!equations(&equation.system, hill, track->part, at))
 		f = determinant(&equation, I*nu);
 	if (worker->status) {
 		hill->status = worker->status;
@@ -332,14 +423,14 @@ double hawser__hill_value(struct hawser__hill *hill, struct hawser__track *track
 	return value;
 }
 
-int hawser__hill_choose(struct hawser__hill *hill, struct hawser__track *track, int kind,
+int hawser__hill_choose(struct hawser__hill *hill, struct hawser__track *track, int kind, int part,
                         const double at[2])
 {
 	struct hawser__hill_worker *worker = hill->worker;
 	double argument = 0.0, keep = 0.0;
 	int lost = 1;
 
-	*track = (struct hawser__track){.kind = kind, .by = HAWSER__BY_MULTIPLIERS};
+	*track = (struct hawser__track){.kind = kind, .by = HAWSER__BY_MULTIPLIERS, .part = part};
 	if (!worker->linear || hill->status)
 		return !hill->status;
 	if (kind != HAWSER_HILL_TORUS) {
