@@ -52,7 +52,7 @@ struct hawser_hill_options {
 	int lines, samples;    /* search lines in each direction, and intervals on each; 0: 9 and 240 */
 	double step;           /* longest step, relative to the rectangle; 0: 0.01 */
 	double tolerance;      /* error of a point, relative to the rectangle; 0: 1e-14 */
-	int max_points;        /* of a boundary; 0: 2000 */
+	int max_points;        /* of a boundary; 0: 20/step, at least 2000 */
 	struct hawser_progress progress; /* called after each point or tongue */
 };
 void hawser_hill_settle(struct hawser_hill_options *options);
@@ -81,8 +81,7 @@ struct hawser_hill_chart {
 	struct hawser_hill_boundary *boundary; /* [boundaries] */
 	long evaluations;
 	int interrupted;
-	struct hawser_tongue *unresolved;  /* [unresolveds], and `above`: as in struct hawser_map */
-	int unresolveds, above;
+	struct hawser_tongues narrow;
 	int tongues;
 	struct hawser_hill_tongue *tongue; /* [tongues] by order; of hawser_mathieu_trace only */
 	double truncation;                 /* relative truncation error of delta; likewise */

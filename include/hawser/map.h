@@ -130,6 +130,12 @@ struct hawser_tongue {
 	int sign, order; /* +-1; m */
 	double at[2]; /* where it was met */
 };
+/* What the search for parametric instabilities could not tell. */
+struct hawser_tongues {
+	int count;
+	struct hawser_tongue *item; /* [count] nowhere wider than round-off of the multipliers */
+	int beyond; /* 1: tongues of an order above 12, which are not searched, may lie in the plane */
+};
 
 /* A change of the number or of the code along an edge of the grid of the requested resolution. */
 struct hawser_map_boundary {
@@ -163,10 +169,7 @@ struct hawser_map {
 	int incomplete;                 /* number of rows in which a curve could not be followed to its
 	                                 * end: responses may be missing */
 	char broken[320];               /* why, in the first of them */
-	struct hawser_tongue *unresolved; /* [unresolveds] tongues that are nowhere wider than round-off
-	                                 * of the multipliers allows to tell */
-	int unresolveds, above;         /* above: 1: tongues of an order above 12, which are not searched,
-	                                 * may lie in the map */
+	struct hawser_tongues narrow;
 	long visited;                   /* number of points evaluated, including those on edges */
 	long restored;                  /* how many of these were read from the checkpoint */
 	int count[HAWSER_MAP_CODES];    /* number of evaluated points of each code */

@@ -58,7 +58,7 @@ void hawser_hill_settle(struct hawser_hill_options *options)
 	hawser__settle_count(&options->samples, 240);
 	hawser__settle(&options->step, 0.01);
 	hawser__settle(&options->tolerance, 1e-14);
-	hawser__settle_count(&options->max_points, 2000);
+	hawser__settle_count(&options->max_points, (int)fmax(2000.0, fmin(20.0/options->step, 1e9)));
 }
 
 const char *hawser_hill_kind_name(enum hawser_hill_kind kind)

@@ -208,8 +208,7 @@ enum hawser_status hawser_hill_trace(struct hawser_hill_chart *chart,
 	if (!hill.status) {
 		all_lines(&hill, g);
 		scale(chart, options);
-		chart->above = hill.tongues.above;
-		chart->unresolved = hawser__ridge_unresolved(&chart->unresolveds, &hill.tongues);
+		hawser__ridge_unresolved(&chart->narrow, &hill.tongues);
 	}
 	hawser__hill_close(&hill);
 	free(hill.tongues.item);
@@ -228,6 +227,6 @@ void hawser_hill_clear(struct hawser_hill_chart *chart)
 		free(chart->boundary[b].at);
 	free(chart->boundary);
 	free(chart->tongue);
-	free(chart->unresolved);
+	free(chart->narrow.item);
 	memset(chart, 0, sizeof *chart);
 }

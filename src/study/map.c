@@ -180,8 +180,7 @@ static void collect(struct hawser_map *map, struct hawser__mapper *mapper)
 	map->visited = memo->visited;
 	map->restored = memo->restored;
 	map->interrupted = memo->interrupted;
-	map->above = mapper->tongues.above;
-	map->unresolved = hawser__ridge_unresolved(&map->unresolveds, &mapper->tongues);
+	hawser__ridge_unresolved(&map->narrow, &mapper->tongues);
 }
 
 /* Messages for the codes without a value: the first point of each code is computed again for its
@@ -282,6 +281,6 @@ void hawser_map_clear(struct hawser_map *map)
 	free(map->segment);
 	free(map->least);
 	free(map->branches);
-	free(map->unresolved);
+	free(map->narrow.item);
 	*map = (struct hawser_map){.nx = 0};
 }

@@ -28,10 +28,10 @@ enum { MOST_SEEN = 12 };
 struct search {
 	struct hawser__ridge ridge;
 	int along, line, turn;    /* turn: +-1: follows a tongue; 0: begins at a resonance */
-	int least;                /* number of instabilities beside it */
 	int done;
 	double last;              /* turn: t on the line before */
-	int seen;
+	int seen, best;           /* best: the least stable of its unstable points, or -1 */
+	double growth;            /* there */
 	double t[MOST_SEEN];      /* its points, and their records */
 	long index[MOST_SEEN];
 };
@@ -99,7 +99,7 @@ static enum hawser_status keep(struct hawser__mapper *mapper, const struct searc
 		mapper->probe = larger;
 		mapper->probe[mapper->probes++] =
 			(struct hawser__map_probe){2*place + item->along, part, item->index[k]};
-		if (k == item->seen - 1)
+		if (k == item->best)
 			mapper->hot[place] |= (unsigned char)(1 << item->along);
 	}
 	return HAWSER_OK;
@@ -118,7 +118,7 @@ static int known(const struct searches *list, const struct search *item)
 
 		if (other->turn == 0 && other->done > 1 && other->along == item->along &&
 		    other->line == item->line && same(&other->ridge.of, &item->ridge.of) &&
-		    fabs(other->t[other->seen - 1] - item->ridge.at) < BESIDE)
+		    fabs(other->t[other->best] - item->ridge.at) < BESIDE)
 			return 1;
 	}
 	return 0;
@@ -129,9 +129,9 @@ static enum hawser_status follow(struct searches *list, const struct search *fro
                                  struct hawser_report *report)
 {
 	const struct hawser__mapper *mapper = list->mapper;
-	double here = from->t[from->seen - 1], step = from->turn ? here - from->last : 0.0, reach;
+	double here = from->t[from->best], step = from->turn ? here - from->last : 0.0, reach;
 	struct search item = {.along = from->along, .line = from->line + turn, .turn = turn,
-		.least = from->least, .last = here};
+		.last = here, .best = -1};
 
 	if (item.line < 0 || item.line >= nodes(mapper, 1 - item.along))
 		return HAWSER_OK;
@@ -153,11 +153,16 @@ static enum hawser_status judge(struct searches *list, size_t c, struct hawser_r
 	enum hawser__ridge_state state = HAWSER__RIDGE_LOST;
 	enum hawser_status status = HAWSER_OK;
 
-	item.seen++;
 	if (sample->code == HAWSER_MAP_OK)
 		state = hawser__ridge_take(&item.ridge, marks + HAWSER__MARGINS, mapper->field->exponents);
-	item.done = sample->code == HAWSER_MAP_OK && sample->number > item.least ? 2
-	            : state != HAWSER__RIDGE_GOES_ON || item.seen == MOST_SEEN;
+	if (sample->code == HAWSER_MAP_OK && sample->number > 0 && item.ridge.growth > 0.0 &&
+	    (item.best < 0 || item.ridge.growth > item.growth)) {
+		item.best = item.seen;
+		item.growth = item.ridge.growth;
+	}
+	item.seen++;
+	if (state != HAWSER__RIDGE_GOES_ON || item.seen == MOST_SEEN)
+		item.done = item.best >= 0 ? 2 : 1;
 	list->item[c] = item;
 	if (item.done > 1 || (item.done && state == HAWSER__RIDGE_UNRESOLVED)) {
 		const struct hawser__map_record *record = &mapper->memo.record[item.index[item.seen - 1]];
@@ -198,14 +203,13 @@ static enum hawser_status edge(struct searches *list, int i, int j, int along, i
 	struct hawser__mapper *mapper = list->mapper;
 	long nx = mapper->nx, a = mapper->node[j*nx + i];
 	long b = mapper->node[along == 0 ? j*nx + i + length : (j + length)*nx + i];
-	const struct hawser_map_sample *from = hawser__map_sample(mapper, a);
-	const struct hawser_map_sample *to = hawser__map_sample(mapper, b);
 	const struct hawser__ridge_taker taker = {begin, list};
 
-	if (from->code != HAWSER_MAP_OK || to->code != HAWSER_MAP_OK)
+	if (hawser__map_sample(mapper, a)->code != HAWSER_MAP_OK ||
+	    hawser__map_sample(mapper, b)->code != HAWSER_MAP_OK)
 		return HAWSER_OK;
 	list->next = (struct search){.along = along, .line = along == 0 ? j : i,
-		.least = from->number < to->number ? from->number : to->number};
+		.best = -1};
 	list->from = along == 0 ? i : j;
 	list->length = length;
 	return hawser__ridge_find(hawser__map_marks(mapper, a) + HAWSER__MARGINS,

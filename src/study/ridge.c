@@ -222,15 +222,12 @@ enum hawser_status hawser__ridge_note(struct hawser__ridge_log *log,
 	return HAWSER_OK;
 }
 
-struct hawser_tongue *hawser__ridge_unresolved(int *count, struct hawser__ridge_log *log)
+void hawser__ridge_unresolved(struct hawser_tongues *to, struct hawser__ridge_log *log)
 {
-	struct hawser_tongue *item = log->item;
-
-	*count = 0;
+	*to = (struct hawser_tongues){0, log->item, log->above};
 	for (size_t c = 0; c < log->count; c++)
 		if (!log->found[c])
-			item[(*count)++] = item[c];
+			to->item[to->count++] = to->item[c];
 	free(log->found);
 	*log = (struct hawser__ridge_log){.item = NULL};
-	return item;
 }

@@ -85,7 +85,7 @@ struct hawser__ridge_log {
 enum hawser_status hawser__ridge_note(struct hawser__ridge_log *log,
                                       const struct hawser__resonance *of, int found,
                                       const double at[2], struct hawser_report *report);
-/* The resonances that were not found; the caller frees the array. Clears the log. */
-struct hawser_tongue *hawser__ridge_unresolved(int *count, struct hawser__ridge_log *log);
+/* Move the resonances that were not found to *to, whose array the caller frees. Clears the log. */
+void hawser__ridge_unresolved(struct hawser_tongues *to, struct hawser__ridge_log *log);
 
 #endif
