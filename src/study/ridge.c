@@ -17,7 +17,7 @@
 #define CLEAR 0.3     /* decay at the vertex, relative to the mean decay, above which a prediction
                        * closes a tongue; chosen */
 #define ROUND_OFF 1e-9 /* of the exponents, relative to Omega */
-#define TOUCHING 1e-7 /* smallest growth, relative to Omega, that is told: beneath it round-off of two
+#define TOUCHING 2e-8 /* smallest growth, relative to Omega, that is told: beneath it round-off of two
                        * multipliers that meet is as large */
 #define SPREAD 1e-3   /* weight of the moduli against arguments where several multipliers are
                        * candidates: of equal arguments the pair that differs the most */
