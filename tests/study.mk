@@ -22,6 +22,7 @@ tests_study_SOURCES = tests/cases.c \
 	tests/property/test-study-chosen.c \
 	tests/property/test-study-scales.c \
 	tests/property/test-study.c \
+	tests/property/test-tongues.c \
 	tests/reference/test-accuracy.c \
 	tests/reference/test-hill.c \
 	tests/reference/test-map-mathieu.c \
