@@ -162,8 +162,9 @@ struct hawser__mapper {
 
 /* Evaluate nodes and split cells until each is small or has corners that agree. */
 enum hawser_status hawser__map_grow(struct hawser__mapper *mapper, struct hawser_report *report);
-/* Whether two samples lie on different sides of a boundary. */
-int hawser__map_differ(const struct hawser_map_sample *a, const struct hawser_map_sample *b);
+/* Whether two records lie on different sides of a boundary; or in different tongues with the same
+ * number of instabilities, between which there are two boundaries. */
+int hawser__map_differ(const struct hawser__mapper *mapper, long a, long b);
 const struct hawser_map_sample *hawser__map_sample(const struct hawser__mapper *mapper, long index);
 const double *hawser__map_marks(const struct hawser__mapper *mapper, long index);
 

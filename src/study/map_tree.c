@@ -20,6 +20,7 @@
 #include "core/report.h"
 #include "study/map.h"
 
+#define REAL 1e-3     /* largest sine of the argument of a multiplier that counts as real; chosen */
 #define ROUND_OFF 1e-9 /* variation over the map, relative to the values, that is round-off */
 
 void *hawser__map_room(void *array, size_t *room, size_t count, size_t size)
@@ -45,9 +46,34 @@ const double *hawser__map_marks(const struct hawser__mapper *mapper, long index)
 	return mapper->memo.mark + index*mapper->memo.marks;
 }
 
-int hawser__map_differ(const struct hawser_map_sample *a, const struct hawser_map_sample *b)
+/* What the unstable multipliers of a point are: 64 p + q for p at +1 and q at -1; the rest are
+ * complex. */
+static int kinds(const struct hawser__mapper *mapper, long index)
 {
-	return a->code != b->code || (a->code == HAWSER_MAP_OK && a->number != b->number);
+	int n = mapper->field->exponents, number = hawser__map_sample(mapper, index)->number, found = 0;
+	const double *modulus = hawser__map_marks(mapper, index) + HAWSER__MARGINS + 1 + 2*n;
+
+	for (int i = 0; i < 2*n; i++) {
+		double angle = fabs(modulus[2*n + i]);
+		int larger = 0;
+
+		for (int k = 0; k < 2*n; k++)
+			larger += modulus[k] > modulus[i];
+		if (larger < number && fabs(sin(angle)) < REAL)
+			found += angle < 1.0 ? 64 : 1;
+	}
+	return found;
+}
+
+int hawser__map_differ(const struct hawser__mapper *mapper, long a, long b)
+{
+	const struct hawser_map_sample *s = hawser__map_sample(mapper, a);
+	const struct hawser_map_sample *t = hawser__map_sample(mapper, b);
+
+	if (s->code != t->code || (s->code == HAWSER_MAP_OK && s->number != t->number))
+		return 1;
+	return s->code == HAWSER_MAP_OK && s->number > 0 && mapper->field->exponents > 0 &&
+	       mapper->memo.marks > HAWSER__MARGINS && kinds(mapper, a) != kinds(mapper, b);
 }
 
 static enum hawser_status push(struct hawser__map_cells *cells, int i0, int i1, int j0, int j1,
@@ -138,9 +164,14 @@ static enum hawser_status want_corners(struct hawser__mapper *mapper,
 	return status;
 }
 
+static long node_of(const struct hawser__mapper *mapper, int i, int j)
+{
+	return mapper->node[(long)j*mapper->nx + i];
+}
+
 static const struct hawser_map_sample *at(const struct hawser__mapper *mapper, int i, int j)
 {
-	return hawser__map_sample(mapper, mapper->node[(long)j*mapper->nx + i]);
+	return hawser__map_sample(mapper, node_of(mapper, i, j));
 }
 
 static double measure(const struct hawser__mapper *mapper, double value)
@@ -173,7 +204,9 @@ static int varied(const struct hawser__mapper *mapper, const struct hawser__map_
 	double jump = mapper->options->jump, low = INFINITY, high = -INFINITY;
 
 	for (int k = 1; k < 4; k++)
-		if (hawser__map_differ(corner[0], corner[k]))
+		if (hawser__map_differ(mapper, node_of(mapper, cell->i0, cell->j0),
+		                       node_of(mapper, k & 1 ? cell->i1 : cell->i0,
+		                               k & 2 ? cell->j1 : cell->j0)))
 			return 1;
 	if (corner[0]->code != HAWSER_MAP_OK || !(jump > 0.0))
 		return 0;
@@ -207,7 +240,7 @@ static int stands_out(const struct hawser__mapper *mapper, const struct hawser__
 
 	return (mapper->hot[place] & (1 << along)) ||
 	       (mapper->node[place] >= 0 &&
-	        hawser__map_differ(at(mapper, cell->i0, cell->j0), at(mapper, i, j)));
+	        hawser__map_differ(mapper, node_of(mapper, cell->i0, cell->j0), node_of(mapper, i, j)));
 }
 
 static int entered(const struct hawser__mapper *mapper, const struct hawser__map_cell *cell)

@@ -123,7 +123,7 @@ static void compare(int damped)
 	struct hawser_map_source source = {.rom = &model.rom, .key = {"Omega", "factor.load"},
 		.quantity = "multiplier"};
 	struct hawser_map_options options = {.from = {low, 0.0}, .to = {high, 2.0*row},
-		.points = {57, 17}};
+		.points = {57, 17}, .threads = 1};
 	struct hawser_hill_options choice = {.from = {low, 0.0}, .to = {high, 2.0*row}, .lines = 4,
 		.samples = 80};
 	struct hawser_map_field field = {.name = NULL};

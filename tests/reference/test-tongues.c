@@ -83,7 +83,7 @@ static int open_plane(struct plane *plane, const char *text)
 
 static enum hawser_status map_of(struct hawser_map *map, const struct plane *plane)
 {
-	struct hawser_map_options options = {.coarse = 0};
+	struct hawser_map_options options = {.threads = 1};
 	struct hawser_map_field field;
 	enum hawser_status status = hawser_map_cable_open(&field, &plane->source, NULL);
 
