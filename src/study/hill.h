@@ -87,10 +87,10 @@ enum hawser_status hawser__hill_multipliers(struct hawser__hill *hill,
                                             struct hawser__hill_worker *worker,
                                             const double at[2], int rough);
 /* What ridge.h reads of a point, [HAWSER__EXPONENTS(n)], and the number of multipliers outside the
- * unit circle; only if the field has models. */
+ * unit circle, strict or rough; only if the field has models. */
 enum hawser_status hawser__hill_exponents(struct hawser__hill *hill,
                                           struct hawser__hill_worker *worker, int *unstable,
-                                          double *to, const double at[2]);
+                                          double *to, const double at[2], int rough);
 /* From the rectangle to the parameters of the caller. */
 void hawser__hill_to_caller(double out[2], const struct hawser__hill *hill, const double at[2]);
 /* The test function of a track; NAN if it is not defined there or hill->status is set. */

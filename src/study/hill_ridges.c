@@ -11,7 +11,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <stdio.h>
 
 #include "core/report.h"
 #include "core/share.h"
@@ -23,6 +22,9 @@
 #define LEAST 1e-13   /* smallest half-width, relative to the line: round-off */
 #define REACH 1.0     /* distance from its resonance at rest at which a tongue is looked for, in
                        * intervals; chosen */
+#define CLEAR 0.3     /* decay at the least stable point, relative to the mean one, with which a tongue is
+                       * clearly closed; chosen */
+#define ROUGH 1e-3    /* the same relative to Omega: above the error of rough multipliers */
 enum { EVERY = 8, TRIES = 4 };
 
 struct walk {
@@ -56,7 +58,7 @@ static void node(void *context, long i, int number)
 
 	place(at, walk->line, node_at(walk, i));
 	hawser__hill_exponents(walk->hill, &walk->hill->worker[number], &walk->unstable[i],
-	                       walk->exponents + i*HAWSER__EXPONENTS(walk->n), at);
+	                       walk->exponents + i*HAWSER__EXPONENTS(walk->n), at, 1);
 }
 
 /* The boundary on each side of the tongue, whose least stable point is s. */
@@ -76,41 +78,72 @@ static void both_sides(const struct walk *walk, const struct hawser__ridge *ridg
 		}
 }
 
-/* Search the least stable point of a resonance. */
+/* Search the least stable point of a resonance: *s becomes that of the unstable ones, with its growth
+ * and angle, or -1. */
+static enum hawser__ridge_state descend(struct hawser__ridge *ridge, double *s, struct walk *walk,
+                                        int rough)
+{
+	struct hawser__hill *hill = walk->hill;
+	enum hawser__ridge_state state = HAWSER__RIDGE_GOES_ON;
+	double growth = 0.0, angle = 0.0, at[2];
+	int unstable;
+
+	*s = -1.0;
+	while (state == HAWSER__RIDGE_GOES_ON) {
+		double here = ridge->at;
+
+		place(at, walk->line, here);
+		if (hawser__hill_exponents(hill, hill->worker, &unstable, walk->own, at, rough)) {
+			hill->status = hill->worker->status;
+			*hill->report = hill->worker->report;
+			return HAWSER__RIDGE_LOST;
+		}
+		state = hawser__ridge_take(ridge, walk->own, walk->n);
+		if (unstable > 0 && ridge->growth > growth) {
+			*s = here;
+			growth = ridge->growth;
+			angle = ridge->angle;
+		}
+	}
+	ridge->growth = growth;
+	ridge->angle = angle;
+	return state;
+}
+
+/* With damping rough multipliers suffice where the least stable point is clearly stable. */
+static int clearly_closed(const struct hawser__ridge *ridge, enum hawser__ridge_state state,
+                          double omega)
+{
+	double least = ridge->mean + 0.5*sqrt(fmax(ridge->top, 0.0));
+
+	return state == HAWSER__RIDGE_CLOSED && least < CLEAR*ridge->mean && least < -ROUGH*omega;
+}
+
 static enum hawser_status look(void *context, const struct hawser__resonance *of, double t,
                                double slope, struct hawser_report *report)
 {
 	struct walk *walk = context;
 	struct hawser__hill *hill = walk->hill;
 	double from = node_at(walk, walk->at), length = node_at(walk, walk->at + 1) - from;
-	struct hawser__ridge ridge = {.of = *of, .slope = slope/length,
+	const struct hawser__ridge begin = {.of = *of, .slope = slope/length,
 		.low = fmax(0.0, from - REACH*length), .high = fmin(1.0, from + (1.0 + REACH)*length),
-		.at = from + t*length}, best = ridge;
-	enum hawser__ridge_state state = HAWSER__RIDGE_GOES_ON;
-	double s = -1.0, at[2];
-	int unstable;
+		.at = from + t*length};
+	struct hawser__ridge ridge = begin;
+	enum hawser__ridge_state state;
+	double s, at[2];
 
 	(void)report;
-	while (state == HAWSER__RIDGE_GOES_ON) {
-		double here = ridge.at;
-
-		place(at, walk->line, here);
-		if (hawser__hill_exponents(hill, hill->worker, &unstable, walk->own, at))
-			return hill->worker->status;
-		state = hawser__ridge_take(&ridge, walk->own, walk->n);
-		if (unstable > 0 && ridge.growth > 0.0 && (s < 0.0 || ridge.growth > best.growth)) {
-			s = here;
-			best = ridge;
-		}
-	}
+	state = descend(&ridge, &s, walk, 1);
+	if (hill->status || (s < 0.0 && clearly_closed(&ridge, state, walk->own[0])))
+		return hill->status;
+	ridge = begin;
+	state = descend(&ridge, &s, walk, 0);
+	place(at, walk->line, s < 0.0 ? ridge.place[0] : s);
 	hawser__hill_to_caller(at, hill, at);
-	if (s >= 0.0 || state == HAWSER__RIDGE_UNRESOLVED)
+	if (!hill->status && (s >= 0.0 || state == HAWSER__RIDGE_UNRESOLVED))
 		hill->status = hawser__ridge_note(&hill->tongues, of, s >= 0.0, at, hill->report);
-	if (s >= 0.0 && !hill->status) {
-		ridge.growth = best.growth;
-		ridge.angle = best.angle;
+	if (s >= 0.0 && !hill->status)
 		both_sides(walk, &ridge, s);
-	}
 	return hill->status;
 }
 
@@ -134,8 +167,6 @@ static void all_intervals(struct walk *walk)
 		hill->status = hawser__ridge_find(a, a + size, walk->n, &hill->tongues.above, &taker,
 		                                  hill->report);
 	}
-	if (hill->worker->status && hill->worker->status == hill->status)
-		*hill->report = hill->worker->report;
 }
 
 void hawser__hill_ridges(struct hawser__hill *hill, const struct hawser__hill_line *line)

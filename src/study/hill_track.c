@@ -88,10 +88,11 @@ enum hawser_status hawser__hill_multipliers(struct hawser__hill *hill,
 
 enum hawser_status hawser__hill_exponents(struct hawser__hill *hill,
                                           struct hawser__hill_worker *worker, int *unstable,
-                                          double *to, const double at[2])
+                                          double *to, const double at[2], int rough)
 {
 	const struct hawser_rom *rom;
 	double omega;
+	int m;
 
 	if (worker->status)
 		return worker->status;
@@ -101,9 +102,11 @@ enum hawser_status hawser__hill_exponents(struct hawser__hill *hill,
 	if (worker->status)
 		return worker->status;
 	hawser__linear_haste(worker->linear, 1);
-	worker->status = hawser_linear_multipliers(worker->linear, worker->log_modulus,
-	                                           worker->argument, NULL, rom, omega,
-	                                           &worker->report);
+	worker->status = rough
+		? hawser__linear_rough(worker->linear, worker->log_modulus, worker->argument, &m, rom,
+		                       omega, &worker->report)
+		: hawser_linear_multipliers(worker->linear, worker->log_modulus, worker->argument, NULL,
+		                            rom, omega, &worker->report);
 	hawser__linear_haste(worker->linear, 0);
 	if (!worker->status)
 		worker->status = hawser__linear_exponents(worker->linear, to, rom, omega, &worker->report);
