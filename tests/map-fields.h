@@ -48,33 +48,35 @@ static inline struct hawser_map_field circle(void)
 		.close = field_close, .point = circle_point};
 }
 
-/* A wedge |x - 0.311| < 0.002 y^2, which is nowhere as wide as a cell of the tests; a line through
- * it is given as a place to search. */
+/* A wedge |x - 0.311| < 0.002 y^2, which is nowhere as wide as a cell of the tests: the damped tongue of
+ * one coordinate at 2 w = Omega = 1, w = 1/2 + r/2 with the detuning r = 0.1 (x - 0.311). Its
+ * multipliers have equal arguments up to 0.03 from the middle, where growth is less than the decay d. */
 static inline enum hawser_status wedge_point(void *worker, struct hawser_map_sample *sample,
                                              double *marks, double x, double y,
                                              struct hawser_report *report)
 {
-	double inside = 0.002*y*y - fabs(x - 0.311);
+	double half = 0.002*y*y, r = 0.1*(x - 0.311), c2 = 0.003*0.003 - r*r;
+	double d = 0.5*sqrt(0.003*0.003 - 0.01*half*half), apart = 0.5*sqrt(fabs(c2));
+	double inside = half - fabs(x - 0.311), more = c2 > 0.0 ? apart : 0.0;
+	const double exponents[7] = {1.0, 0.5 + 0.5*r, 0.0, 2.0*M_PI*(more - d), -2.0*M_PI*(more + d),
+		M_PI + (c2 > 0.0 ? 0.0 : copysign(2.0*M_PI*apart, r)),
+		-M_PI - (c2 > 0.0 ? 0.0 : copysign(2.0*M_PI*apart, r))};
 
 	(void)worker;
 	(void)report;
 	*sample = (struct hawser_map_sample){inside, inside > 0.0, HAWSER_MAP_OK};
-	if (marks)
-		marks[0] = x;
+	if (marks) {
+		marks[0] = inside > 0.0 ? inside : INFINITY;
+		marks[1] = inside > 0.0 ? -INFINITY : inside;
+		memcpy(marks + 2, exponents, sizeof exponents);
+	}
 	return HAWSER_OK;
-}
-
-static inline double wedge_line(const void *context, int line, const double *marks)
-{
-	(void)context;
-	(void)line;
-	return marks[0] - 0.311 + 0.3*(marks[0] - 0.311)*(marks[0] - 0.311);
 }
 
 static inline struct hawser_map_field wedge(void)
 {
-	return (struct hawser_map_field){.name = "wedge", .identity = "wedge", .marks = 1, .lines = 1,
-		.open = field_open, .close = field_close, .point = wedge_point, .line = wedge_line};
+	return (struct hawser_map_field){.name = "wedge", .identity = "wedge", .marks = 9, .margins = 1,
+		.exponents = 1, .open = field_open, .close = field_close, .point = wedge_point};
 }
 
 /* Options over [-1, 1]^2. */

@@ -22,10 +22,12 @@ tests_study_SOURCES = tests/cases.c \
 	tests/property/test-study-chosen.c \
 	tests/property/test-study-scales.c \
 	tests/property/test-study.c \
+	tests/property/test-tongues.c \
 	tests/reference/test-accuracy.c \
 	tests/reference/test-hill.c \
 	tests/reference/test-map-mathieu.c \
 	tests/reference/test-span-motion.c \
+	tests/reference/test-tongues.c \
 	tests/unit/test-estimate-truth.c \
 	tests/unit/test-guards-branches.c \
 	tests/unit/test-guards.c \

@@ -52,7 +52,7 @@ struct hawser_hill_options {
 	int lines, samples;    /* search lines in each direction, and intervals on each; 0: 9 and 240 */
 	double step;           /* longest step, relative to the rectangle; 0: 0.01 */
 	double tolerance;      /* error of a point, relative to the rectangle; 0: 1e-14 */
-	int max_points;        /* of a boundary; 0: 2000 */
+	int max_points;        /* of a boundary; 0: 20/step, at least 2000 */
 	struct hawser_progress progress; /* called after each point or tongue */
 };
 void hawser_hill_settle(struct hawser_hill_options *options);
@@ -61,6 +61,7 @@ struct hawser_hill_boundary {
 	enum hawser_hill_kind kind;
 	int points, capacity;
 	double *at; /* [points][2] x, y */
+	int limited; /* 1: it was not followed to its end: options.max_points */
 	int named;  /* 1: `order` and `upper` are known (hawser_mathieu_trace) */
 	int order;  /* order of the tongue that this boundary limits */
 	int upper;  /* without damping: 1: the side of larger delta, 0: that of smaller delta */
@@ -80,6 +81,7 @@ struct hawser_hill_chart {
 	struct hawser_hill_boundary *boundary; /* [boundaries] */
 	long evaluations;
 	int interrupted;
+	struct hawser_tongues narrow;
 	int tongues;
 	struct hawser_hill_tongue *tongue; /* [tongues] by order; of hawser_mathieu_trace only */
 	double truncation;                 /* relative truncation error of delta; likewise */

@@ -64,8 +64,12 @@ struct hawser_map_field {
 	                       * the boundary: the smallest growth among the counted instabilities, minus
 	                       * its error; and the largest growth among all else, plus its error. Errors
 	                       * and growth below the limit of counting then widen the bracket */
-	int lines;            /* number of functions of the marks whose change of sign indicates that an
-	                       * instability narrower than a cell may lie between two points */
+	int exponents;        /* n: the marks behind the margins are the frequency of excitation and, of n
+	                       * coordinates, a frequency at rest [n], the number of the part of the
+	                       * model [n] whose coordinates are coupled, and the logarithms of the moduli
+	                       * [2n] and arguments [2n] of the multipliers; those of a part belong to
+	                       * its coordinates together. Parametric instabilities narrower than a cell
+	                       * are then searched; 0: they are not */
 	const struct hawser_map_condensed *condensed; /* statistics of all points of workers that are
 	                                               * closed; or NULL */
 	void *context;
@@ -80,8 +84,6 @@ struct hawser_map_field {
 	 * sample->code says which case it is, and the report has the reason. */
 	enum hawser_status (*point)(void *worker, struct hawser_map_sample *sample, double *marks,
 	                            double x, double y, struct hawser_report *report);
-	/* Function `line` of marks [marks]. */
-	double (*line)(const void *context, int line, const double *marks);
 	/* If not NULL, the map consists of rows along coordinate `along` (0: x, 1: y), each
 	 * computed at once, and `point` is not called: the responses at each point are those of
 	 * curves that are followed along the row. Statuses as of `point`. */
@@ -121,6 +123,20 @@ struct hawser_map_point {
 	               * code */
 };
 
+/* A parametric resonance of the frequencies at rest: w_j + w_k = m Omega, or with sign -1 their
+ * difference. */
+struct hawser_tongue {
+	int of[2]; /* j and k, from 0 */
+	int sign, order; /* +-1; m */
+	double at[2]; /* where it was met */
+};
+/* What the search for parametric instabilities could not tell. */
+struct hawser_tongues {
+	int count;
+	struct hawser_tongue *item; /* [count] nowhere wider than round-off of the multipliers */
+	int beyond; /* 1: tongues of an order above 12, which are not searched, may lie in the plane */
+};
+
 /* A change of the number or of the code along an edge of the grid of the requested resolution. */
 struct hawser_map_boundary {
 	double x, y;
@@ -153,6 +169,7 @@ struct hawser_map {
 	int incomplete;                 /* number of rows in which a curve could not be followed to its
 	                                 * end: responses may be missing */
 	char broken[320];               /* why, in the first of them */
+	struct hawser_tongues narrow;
 	long visited;                   /* number of points evaluated, including those on edges */
 	long restored;                  /* how many of these were read from the checkpoint */
 	int count[HAWSER_MAP_CODES];    /* number of evaluated points of each code */

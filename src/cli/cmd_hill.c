@@ -3,12 +3,14 @@
 #include "config.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "cli/axis.h"
 #include "cli/hill_result.h"
 #include "cli/progress.h"
+#include "cli/tongues.h"
 #include "cli/view.h"
 #include "core/report.h"
 
@@ -81,6 +83,22 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 
 /* --- boundaries --- */
 
+/* What the chart lacks. */
+static void warn(const struct hawser_hill_chart *chart)
+{
+	char text[CLI_WARNING_SIZE];
+	int count = 0;
+
+	for (int b = 0; b < chart->boundaries; b++)
+		count += chart->boundary[b].limited;
+	if (count > 0) {
+		snprintf(text, sizeof text, "%d boundaries were not followed to their end, since they have the "
+		         "largest number of points: a longer --step needs fewer", count);
+		cli_warn(text);
+	}
+	cli_tongues_warn(&chart->narrow);
+}
+
 /* The boundaries of the field; for Mathieu's equation (result->model is NULL) computed by tongues. */
 static enum hawser_status trace(struct cli_hill_result *result,
                                 const struct hawser_hill_field *field,
@@ -103,6 +121,8 @@ static enum hawser_status trace(struct cli_hill_result *result,
 	         ? hawser_hill_trace(&result->chart, field, &choice, report)
 	         : hawser_mathieu_trace(&result->chart, settings->damping, &choice, report);
 	cli_progress_end(&watch.progress);
+	if (!status)
+		warn(&result->chart);
 	return status;
 }
 

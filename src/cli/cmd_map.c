@@ -14,6 +14,7 @@
 #include "cli/part.h"
 #include "cli/progress.h"
 #include "cli/view.h"
+#include "cli/tongues.h"
 #include "core/report.h"
 
 struct settings {
@@ -399,7 +400,10 @@ static enum hawser_status make(struct settings *settings, struct hawser__ranks *
 	else if (!status && !is_worker(ranks))
 		status = write_result(&result, settings, report);
 	if (!status && !is_worker(ranks))
+	{
 		warn_uncomputed(&map);
+		cli_tongues_warn(&map.narrow);
+	}
 	hawser_map_clear(&map);
 	hawser_basins_clear(&result.basins);
 	cli_model_clear(&model);

@@ -9,6 +9,7 @@
 #include "cli/axis.h"
 #include "cli/condensed.h"
 #include "cli/hill_result.h"
+#include "cli/tongues.h"
 #include "cli/view.h"
 #include "core/report.h"
 
@@ -84,7 +85,7 @@ static void tongues(struct hawser__table *table, const struct cli_hill_result *r
 
 HAWSER__LABELS(kind_name, hawser_hill_kind_name, enum hawser_hill_kind)
 
-enum { CHARACTERISTIC = 1, MATHIEU = 2, CONDENSED = 4 };
+enum { CHARACTERISTIC = 1, MATHIEU = 2, CONDENSED = 4, NARROW = 8 };
 
 static void axis_name(char *text, size_t size, const struct cli_map_axis *axis)
 {
@@ -174,6 +175,8 @@ static const struct hawser__field boundary_field[] = {
 	 HAWSER__LABEL_AT(struct hawser_hill_boundary, kind, kind_name)},
 	{"tongue", NULL, "order of its tongue, where that is known", HAWSER__COUNT_BY(order_of),
 	 .flags = HAWSER__OMIT},
+	{"limited", NULL, "whether it was not followed to its end, since it has the most points",
+	 HAWSER__FLAG_AT(struct hawser_hill_boundary, limited)},
 	{"", NULL, "", HAWSER__ARRAYS_OF(pair_list)},
 	HAWSER__END,
 };
@@ -203,6 +206,8 @@ static const struct hawser__field boundaries_field[] = {
 	 .when = MATHIEU},
 	{"", NULL, "", HAWSER__THROUGH(struct cli_hill_result, field, condensing_field),
 	 .when = CONDENSED},
+	{"", NULL, "", HAWSER__PART_OF(struct cli_hill_result, chart.narrow, cli_tongues_field),
+	 .when = NARROW},
 	{"interrupted", NULL, "whether boundaries are missing",
 	 HAWSER__FLAG_AT(struct cli_hill_result, chart.interrupted)},
 	{"evaluations", NULL, "points of the plane, or eigenvalue problems", OF(chart.evaluations)},
@@ -217,7 +222,13 @@ static struct hawser__view boundaries_view(const struct cli_hill_result *result)
 	return (struct hawser__view){
 		hawser__si, result, (characteristic(result) ? CHARACTERISTIC : 0u) |
 		(result->model ? 0u : MATHIEU) |
+		(result->chart.narrow.count > 0 || result->chart.narrow.beyond ? NARROW : 0u) |
 		(result->model && condensed && condensed->points > 0 ? CONDENSED : 0u)};
+}
+
+static const char *limited(const struct hawser_hill_boundary *boundary)
+{
+	return boundary->limited ? ", the most: not followed to its end" : "";
 }
 
 static void boundaries_table(struct hawser__table *table, const void *of)
@@ -230,17 +241,19 @@ static void boundaries_table(struct hawser__table *table, const void *of)
 	                                  : "boundaries of stability by the Hill matrices");
 	for (int b = 0; b < chart->boundaries; b++)
 		if (chart->boundary[b].named)
-			hawser__table_comment(table, "boundary %d: %s, tongue %d, %d points", b + 1,
+			hawser__table_comment(table, "boundary %d: %s, tongue %d, %d points%s", b + 1,
 			                      hawser_hill_kind_name(chart->boundary[b].kind),
-			                      chart->boundary[b].order, chart->boundary[b].points);
+			                      chart->boundary[b].order, chart->boundary[b].points,
+			                      limited(&chart->boundary[b]));
 		else
-			hawser__table_comment(table, "boundary %d: %s, %d points", b + 1,
+			hawser__table_comment(table, "boundary %d: %s, %d points%s", b + 1,
 			                      hawser_hill_kind_name(chart->boundary[b].kind),
-			                      chart->boundary[b].points);
+			                      chart->boundary[b].points, limited(&chart->boundary[b]));
 	if (!result->model)
 		tongues(table, result);
 	else if (result->field->condensed)
 		cli_condensed_comment(table, result->field->condensed);
+	cli_tongues_comment(table, &chart->narrow);
 	if (chart->interrupted)
 		hawser__table_comment(table, "interrupted: boundaries are missing");
 	hawser__table_comment(table, result->model ? "%ld points of the plane"

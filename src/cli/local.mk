@@ -133,6 +133,8 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/compare_modes.c \
 	%D%/condensed.c \
 	%D%/condensed.h \
+	%D%/tongues.c \
+	%D%/tongues.h \
 	%D%/compare_result.c \
 	%D%/compare_result.h \
 	%D%/deliver.c \

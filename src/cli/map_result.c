@@ -8,6 +8,7 @@
 
 #include "cli/condensed.h"
 #include "cli/map_part.h"
+#include "cli/tongues.h"
 #include "cli/view.h"
 
 const char *cli_map_value_unit(const struct cli_map_result *result)
@@ -141,6 +142,7 @@ static void comments(struct hawser__table *table, const void *of)
 		                      "first: %s", map->incomplete, map->broken);
 	hawser__table_comment(table, "boundaries: %d points", map->boundaries);
 	cli_condensed_comment(table, &map->condensed);
+	cli_tongues_comment(table, &map->narrow);
 	for (int k = 1; k < HAWSER_MAP_CODES; k++)
 		if (map->count[k] > 0)
 			hawser__table_comment(table, "%s: %d points%s%s",
@@ -163,7 +165,7 @@ static int shown(const struct cli_map_result *result, const struct hawser_map_po
 	return point->computed || (result->full && point->sample.code != HAWSER_MAP_LEFT);
 }
 
-enum { OMEGA = 1, CONDENSED = 2, TIMES = 4, ROWS = 8, BASINS = 16 };
+enum { OMEGA = 1, CONDENSED = 2, TIMES = 4, ROWS = 8, BASINS = 16, NARROW = 32 };
 
 HAWSER__LABELS(code_name, hawser_map_code_name, enum hawser_map_code)
 
@@ -298,6 +300,7 @@ static const struct hawser__field map_field[] = {
 	 HAWSER__CALLS(counts_json)},
 	{"", NULL, "", HAWSER__PART_OF(struct hawser_map, condensed, cli_condensed_field),
 	 .when = CONDENSED},
+	{"", NULL, "", HAWSER__PART_OF(struct hawser_map, narrow, cli_tongues_field), .when = NARROW},
 	{"incomplete.rows", NULL, "amplitude: number of rows in which responses may be missing",
 	 OF(incomplete), .when = ROWS},
 	{"incomplete.first", NULL, "why, in the first of them; empty: there is none", OF(broken),
@@ -396,6 +399,7 @@ static struct cli_head head(const void *of)
 		 .options = (result->omega > 0.0 ? OMEGA : 0u) |
 		            (result->map->condensed.points > 0 ? CONDENSED : 0u) |
 		            (result->map->branches ? ROWS : 0u) |
+		            (result->map->narrow.count > 0 || result->map->narrow.beyond ? NARROW : 0u) |
 		            (result->basins.count > 0 ? BASINS : 0u) |
 		            (result->common->reproducible ? 0u : TIMES)}, NULL, NULL};
 }

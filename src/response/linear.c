@@ -291,6 +291,76 @@ enum hawser_status hawser__linear_series(struct hawser_linear *linear,
 	return status;
 }
 
+/* The frequencies at rest of a component of w coordinates, ascending. */
+static enum hawser_status rest_of(struct hawser_linear *l, double *frequency, const int *member,
+                                  int w, struct hawser_report *report)
+{
+	int n = l->n, m = 2*w, coupled = 0, info;
+	double unused;
+
+	memset(l->matrix, 0, (size_t)m*m*sizeof *l->matrix);
+	for (int q = 0; q < w; q++) {
+		double own = 0.5*fabs(l->series[member[q]*(n + 1)]), scale = own > 0.0 ? sqrt(own) : 1.0;
+
+		l->matrix[(size_t)(w + q)*m + q] = scale;
+		for (int p = 0; p < w; p++) {
+			size_t e = (size_t)member[p]*n + member[q];
+			double k = 0.5*l->series[e], d = 0.5*l->monodromy.damping[e];
+
+			coupled |= p != q && (k != 0.0 || d != 0.0);
+			l->matrix[(size_t)q*m + w + p] = -k/scale;
+			l->matrix[(size_t)(w + q)*m + w + p] = -d;
+		}
+	}
+	for (int q = 0; q < w && !coupled; q++) {
+		size_t e = (size_t)member[q]*(n + 1);
+		double d = 0.25*l->monodromy.damping[e];
+
+		frequency[q] = sqrt(fmax(0.5*l->series[e] - d*d, 0.0));
+	}
+	if (!coupled)
+		return HAWSER_OK;
+	info = LAPACKE_dgeev_work(LAPACK_COL_MAJOR, 'N', 'N', m, l->matrix, m, l->re, l->im, &unused, 1,
+	                          &unused, 1, l->work, BLOCK*2*n);
+	if (info)
+		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "linear", info, 0.0,
+		                       "the QR algorithm for the frequencies at rest did not converge "
+		                       "(order %d, info %d)", m, info);
+	qsort(l->im, (size_t)m, sizeof *l->im, ascending);
+	for (int q = 0; q < w; q++)
+		frequency[q] = fmax(l->im[w + q], 0.0);
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser__linear_exponents(struct hawser_linear *linear, double *to,
+                                            const struct hawser_rom *rom, double omega,
+                                            struct hawser_report *report)
+{
+	struct hawser__monodromy *monodromy = &linear->monodromy;
+	int n = linear->n, begin = 0, w;
+	double *part = to + 1 + n;
+	struct hawser__variational system;
+	enum hawser_status status;
+
+	to[0] = omega;
+	memcpy(to + 1 + 2*n, monodromy->grouped, 4*(size_t)n*sizeof *to);
+	status = hawser__linear_series(linear, &system, rom, omega, report);
+	if (!status)
+		hawser__monodromy_parts(monodromy, &system);
+	for (; begin < n && !status; begin += w) {
+		const int *member = monodromy->member + begin;
+
+		for (w = 0; begin + w < n && monodromy->part[member[w]] == monodromy->part[*member]; w++)
+			;
+		status = rest_of(linear, linear->frequency, member, w, report);
+		for (int q = 0; q < w; q++) {
+			to[1 + member[q]] = linear->frequency[q];
+			part[member[q]] = *member;
+		}
+	}
+	return status;
+}
+
 static enum hawser_status multipliers(struct hawser_linear *linear, double *log_modulus,
                                       double *argument, const struct hawser_rom *rom, double omega,
                                       int order, struct hawser_report *report)

@@ -16,6 +16,17 @@ void hawser__linear_margin(const struct hawser_linear *linear, double margin[2])
 /* Numbers of the last multipliers that count as outside and that are undecided. */
 struct hawser__circle hawser__linear_circle(const struct hawser_linear *linear);
 
+/* What the search for tongues reads of a point (study/ridge.h): Omega, then of each coordinate a
+ * frequency at rest [n], its component [n], and of the multipliers the logarithms [2n] and
+ * arguments [2n]. Frequencies and multipliers of a component belong to its coordinates together,
+ * in no order. */
+#define HAWSER__EXPONENTS(n) (1 + 6*(n))
+/* After hawser_linear_multipliers of the same model and Omega: to [HAWSER__EXPONENTS(n)].
+ * HAWSER_ERR_CONVERGENCE: the eigenvalues at rest. */
+enum hawser_status hawser__linear_exponents(struct hawser_linear *linear, double *to,
+                                            const struct hawser_rom *rom, double omega,
+                                            struct hawser_report *report);
+
 /* The equation about rest as series: *system points into *linear, until the next call with it.
  * HAWSER_ERR_MEMORY. */
 enum hawser_status hawser__linear_series(struct hawser_linear *linear,

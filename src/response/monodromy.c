@@ -21,6 +21,10 @@ enum hawser_status hawser__monodromy_init(struct hawser__monodromy *monodromy, i
                                           struct hawser_report *report)
 {
 	size_t n2 = (size_t)n*n, wide = (size_t)S*n;
+	size_t room = (size_t)n + 2*S*n2 + wide*wide + 2*(size_t)n*wide + 8*n2 +
+	              8*n2*hawser__monodromy_factors(n) +
+	              hawser__floquet_work(hawser__monodromy_factors(n), 2*n) +
+	              (HAWSER__EIGEN_WORK + 4)*2*(size_t)n;
 	double *next;
 
 	memset(monodromy, 0, sizeof *monodromy);
@@ -32,11 +36,7 @@ enum hawser_status hawser__monodromy_init(struct hawser__monodromy *monodromy, i
 	hawser__collocation_indirect(&monodromy->gauss);
 	monodromy->part = calloc(2*(size_t)n, sizeof(int));
 	monodromy->pivot = calloc(wide, sizeof(int));
-	monodromy->memory = next = calloc((size_t)n + 2*S*n2 + wide*wide + 2*(size_t)n*wide + 8*n2 +
-	                                  8*n2*hawser__monodromy_factors(n) +
-	                                  hawser__floquet_work(hawser__monodromy_factors(n), 2*n) +
-	                                  (HAWSER__EIGEN_WORK + 2)*2*(size_t)n,
-	                                  sizeof *next);
+	monodromy->memory = next = calloc(room, sizeof *next);
 	monodromy->slow = calloc(2*(size_t)n, sizeof(int));
 	monodromy->frequency = calloc(2*(size_t)n, sizeof(double));
 	if (!monodromy->part || !monodromy->pivot || !next || !monodromy->slow ||
@@ -56,6 +56,7 @@ enum hawser_status hawser__monodromy_init(struct hawser__monodromy *monodromy, i
 	monodromy->product = next += 4*n2;
 	monodromy->factor = next += 4*n2;
 	monodromy->floquet_work = next + 8*n2*hawser__monodromy_factors(n);
+	monodromy->grouped = monodromy->memory + room - 4*(size_t)n;
 	return HAWSER_OK;
 }
 
@@ -97,7 +98,8 @@ static void join(int *part, int n, int a, int b)
 			part[j] = to;
 }
 
-static void find_parts(struct hawser__monodromy *monodromy, const struct hawser__variational *system)
+void hawser__monodromy_parts(struct hawser__monodromy *monodromy,
+                             const struct hawser__variational *system)
 {
 	int n = system->n, *part = monodromy->part, count = 0;
 
@@ -265,7 +267,7 @@ static enum hawser_status solve_finely(struct hawser__monodromy *monodromy, doub
 	int stiff = monodromy->fastest < INFINITY && !monodromy->haste, before = monodromy->steps, steps;
 	enum hawser_status status;
 
-	find_parts(monodromy, system);
+	hawser__monodromy_parts(monodromy, system);
 	if (monodromy->finer)
 		hawser__monodromy_afford(monodromy, widest(monodromy, system->n));
 	for (int j = 0; j < system->n; j++)
@@ -356,6 +358,21 @@ void hawser__monodromy_free_motion(double *log_modulus, double *argument,
 	*argument = half > w ? 0.0 : fabs(remainder(sqrt(w*w - half*half)*period, 2.0*M_PI));
 }
 
+/* The multipliers, still by components, to monodromy->grouped. */
+static void group(struct hawser__monodromy *monodromy, const double *log_modulus,
+                  const double *argument, int n, int kept)
+{
+	for (int i = 0; i < n; i++) {
+		int own = i < kept ? monodromy->member[i] : i - kept;
+		int j = kept == n ? own : i < kept ? monodromy->slow[own] : monodromy->fast[own];
+
+		for (int k = 0; k < 2; k++) {
+			monodromy->grouped[2*j + k] = log_modulus[2*i + k];
+			monodromy->grouped[2*(n + j) + k] = argument[2*i + k];
+		}
+	}
+}
+
 enum hawser_status hawser__monodromy_multipliers(struct hawser__monodromy *monodromy,
                                                  double *log_modulus, double *argument,
                                                  const struct hawser_rom *rom, const double *T,
@@ -368,7 +385,7 @@ enum hawser_status hawser__monodromy_multipliers(struct hawser__monodromy *monod
 
 	if (status)
 		return status;
-	find_parts(monodromy, &system);
+	hawser__monodromy_parts(monodromy, &system);
 	hawser__monodromy_limits(monodromy, &system, widest(monodromy, n));
 	status = hawser__monodromy_condense(monodromy, &system, &kept, report);
 	if (!status)
@@ -386,6 +403,7 @@ enum hawser_status hawser__monodromy_multipliers(struct hawser__monodromy *monod
 		hawser__monodromy_free_motion(log_modulus + at, argument + at, monodromy, rom, f, omega);
 		argument[at + 1] = -argument[at];
 	}
+	group(monodromy, log_modulus, argument, n, kept);
 	hawser__floquet_sort(log_modulus, argument, monodromy->rough ? 2*kept : 2*n);
 	return HAWSER_OK;
 }

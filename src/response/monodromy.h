@@ -109,6 +109,8 @@ struct hawser__monodromy {
 	double *step, *product; /* [2n][2n] */
 	double *factor;         /* [2 factors][2n][2n] */
 	double *floquet_work;
+	double *grouped;        /* [2][2n] logarithms and arguments of the last multipliers: those of a
+	                         * component at 2 j and 2 j + 1 of its coordinates j */
 	double *memory;
 	double *damping;        /* D of the model, as a series */
 	size_t damping_room;
@@ -221,6 +223,10 @@ enum hawser_status hawser__monodromy_damping(struct hawser__monodromy *monodromy
                                              struct hawser__variational *system,
                                              const struct hawser_rom *rom,
                                              struct hawser_report *report);
+
+/* Set part and member: the components of the equations, and its coordinates by components. */
+void hawser__monodromy_parts(struct hawser__monodromy *monodromy,
+                             const struct hawser__variational *system);
 
 /* log_modulus and argument [2n] of the orbit whose tangent has the Fourier coefficients T
  * [2 order + 1][n][n] (the constant one twice); rom gives D and its harmonics. */

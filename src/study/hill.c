@@ -47,6 +47,8 @@
 #define LESS 0.1      /* largest ratio of successive values in a secant iteration that counts as
                        * convergent; chosen */
 enum { SECANTS = 12 };
+#define APART 1e-3 /* largest round-off relative to the dip between two roots that are told apart; chosen */
+#define FIRST 1e-2  /* distance of the first points, relative to the reach; chosen */
 #define SEPARATE 1e-3 /* distance, in steps, below which a point is on a boundary that is already
                        * known; chosen */
 
@@ -56,7 +58,7 @@ void hawser_hill_settle(struct hawser_hill_options *options)
 	hawser__settle_count(&options->samples, 240);
 	hawser__settle(&options->step, 0.01);
 	hawser__settle(&options->tolerance, 1e-14);
-	hawser__settle_count(&options->max_points, 2000);
+	hawser__settle_count(&options->max_points, (int)fmax(2000.0, fmin(20.0/options->step, 1e9)));
 }
 
 const char *hawser_hill_kind_name(enum hawser_hill_kind kind)
@@ -146,7 +148,7 @@ static int secant(struct hawser__hill *hill, struct hawser__track *track, double
 
 		if (!isfinite(g))
 			return 0;
-		floor = track->by == HAWSER__BY_DETERMINANT
+		floor = track->by == HAWSER__BY_DETERMINANT || track->by == HAWSER__BY_EXTREMUM
 		        ? fmax(LEAST_NOISE, slope > 0.0 ? 4.0*track->noise/slope : 0.0) : NOISE;
 		if (fabs(now - before) > floor) {
 			double next = (g - g_before)/(now - before);
@@ -171,6 +173,54 @@ static int secant(struct hawser__hill *hill, struct hawser__track *track, double
 		}
 		last = fabs(step);
 		least = fmin(least, fabs(g));
+	}
+	return 0;
+}
+
+/* The root of the parabola through three points at which it increases, its slope there, and the
+ * round-off relative to its dip between two roots; without roots its vertex, and 0. */
+static double increasing(double *slope, double *doubt, const double s[3], const double g[3],
+                         double noise)
+{
+	double left = (g[1] - g[0])/(s[1] - s[0]), bend = ((g[2] - g[1])/(s[2] - s[1]) - left)/(s[2] - s[0]);
+	double tilt = left + bend*(s[0] - s[1]), square = tilt*tilt - 4.0*bend*g[0];
+
+	/* g = g[0] + tilt (t - s[0]) + bend (t - s[0])^2 */
+	*slope = sqrt(fmax(square, 0.0));
+	*doubt = square > 0.0 ? fabs(bend)*noise/square : INFINITY;
+	return s[0] + (tilt > 0.0 ? -2.0*g[0]/(tilt + *slope) : (*slope - tilt)/(2.0*bend));
+}
+
+/* The same in a narrow tongue, whose other side is a root as well, at which g decreases: by the
+ * parabola through three points (Muller's method). */
+static int beside_other(struct hawser__hill *hill, struct hawser__track *track, double *s,
+                        const double from[2], const double along[2], double reach)
+{
+	double at[3] = {-FIRST*reach, FIRST*reach, 0.0}, g[3], last = INFINITY, slope, doubt;
+
+	for (int k = 0; k < 3; k++)
+		g[k] = value_at(hill, track, from, along, at[k]);
+	for (int i = 0; i < SECANTS && !hill->status; i++) {
+		/* the latest point comes last */
+		double next = increasing(&slope, &doubt, (double[]){at[2], at[1], at[0]},
+		                         (double[]){g[2], g[1], g[0]}, track->noise);
+		double step = fabs(next - at[2]);
+		double floor = fmax(track->by == HAWSER__BY_MULTIPLIERS ? NOISE : LEAST_NOISE,
+		                    slope > 0.0 ? 4.0*track->noise/slope : 0.0);
+
+		if (!(fabs(next) <= reach))
+			return 0;
+		if (i > 0 && slope > 0.0 && (step*fmin(1.0, step/last) <= hill->options->tolerance ||
+		                    (step < floor && step >= 0.5*last))) {
+			track->rise = slope;
+			*s = next;
+			return track->noise <= UNSURE*slope && doubt < APART;
+		}
+		last = step;
+		memmove(at, at + 1, 2*sizeof *at);
+		memmove(g, g + 1, 2*sizeof *g);
+		at[2] = next;
+		g[2] = value_at(hill, track, from, along, next);
 	}
 	return 0;
 }
@@ -209,6 +259,7 @@ static int correct(struct hawser__hill *hill, struct hawser__track *track, doubl
 	track->harmonics = 0;
 	if (!hawser__hill_newton(hill, track, &s, at, along, reach) &&
 	    !secant(hill, track, &s, at, along, reach) &&
+	    !beside_other(hill, track, &s, at, along, reach) &&
 	    !bracketed(hill, track, &s, at, along, reach))
 		return 0;
 	at[0] += s*along[0];
@@ -335,6 +386,7 @@ void hawser__hill_follow(struct hawser__hill *hill, struct hawser_hill_boundary 
 		                                  next[1] - boundary->at[1]) < 0.6*step)
 			return; /* the boundary is closed */
 	}
+	boundary->limited |= boundary->points >= hill->options->max_points;
 }
 
 /* Whether a point lies on a boundary of this kind that is already known: near it, and with the same

@@ -9,6 +9,7 @@
 
 #include "continuation/false_position.h"
 #include "response/hill_matrix.h"
+#include "study/ridge.h"
 
 /* The workspace of a thread. */
 struct hawser__hill_worker {
@@ -20,6 +21,8 @@ struct hawser__hill_worker {
 	double *memory;
 	struct hawser_linear *linear;   /* NULL: the field has no models */
 	struct hawser__hill_matrix matrix;
+	double *part;                   /* K and D of a part of the model */
+	size_t part_room;
 	long evaluations;
 	enum hawser_status status;      /* first status that is not HAWSER_OK */
 	struct hawser_report report;
@@ -33,6 +36,7 @@ struct hawser__hill {
 	int threads;
 	int backwards;                  /* 1: the boundary is followed in reverse */
 	double began;                   /* start time, s, hawser__wall_seconds */
+	struct hawser__ridge_log tongues;
 	enum hawser_status status;      /* first status that is not HAWSER_OK */
 	struct hawser_report *report;
 };
@@ -41,12 +45,15 @@ struct hawser__hill {
 enum hawser__track_by {
 	HAWSER__BY_MULTIPLIERS, /* hill_test.c */
 	HAWSER__BY_DETERMINANT, /* of the Hill matrix, of multipliers +1 and -1 */
-	HAWSER__BY_GROWTH       /* the real part of an exponent: torus, with damping */
+	HAWSER__BY_GROWTH,      /* the real part of an exponent: torus, with damping */
+	HAWSER__BY_EXTREMUM     /* the determinant between two exponents: torus, without damping */
 };
 
 struct hawser__track {
 	int kind;
 	enum hawser__track_by by;
+	int part;         /* a coordinate of the part of the model whose determinant it is: coordinates that
+	                   * are not coupled do not disturb each other then */
 	double lambda[2]; /* the exponent divided by Omega */
 	double slope[2];  /* derivative of the determinant by lambda/Omega; 0: not known */
 	int exponent;     /* determinants are divided by 2 to this power */
@@ -64,9 +71,13 @@ struct hawser__track {
 double hawser__hill_test(struct hawser__hill_worker *worker, int kind);
 /* Number of complex multipliers outside the unit circle. */
 int hawser__hill_outside(const struct hawser__hill_worker *worker);
-/* *argument of the complex pair that is nearest to the unit circle. Returns 0 if there is none. */
+/* *argument of the complex pair that is nearest to the unit circle, without damping of those off it.
+ * Returns 0 if there is none. */
 int hawser__hill_pair(const struct hawser__hill_worker *worker, double *argument);
 int hawser__hill_undamped(const struct hawser__hill_worker *worker);
+/* Whether the two exponents of this pair have left each other by far less than their distance from all
+ * others; 1 with damping. */
+int hawser__hill_alone(const struct hawser__hill_worker *worker);
 
 /* --- hill_track.c: at a point of the rectangle, 0 to 1 --- */
 
@@ -75,6 +86,13 @@ int hawser__hill_undamped(const struct hawser__hill_worker *worker);
 enum hawser_status hawser__hill_multipliers(struct hawser__hill *hill,
                                             struct hawser__hill_worker *worker,
                                             const double at[2], int rough);
+/* What ridge.h reads of a point, [HAWSER__EXPONENTS(n)], and the number of multipliers outside the
+ * unit circle, strict or rough; only if the field has models. */
+enum hawser_status hawser__hill_exponents(struct hawser__hill *hill,
+                                          struct hawser__hill_worker *worker, int *unstable,
+                                          double *to, const double at[2], int rough);
+/* From the rectangle to the parameters of the caller. */
+void hawser__hill_to_caller(double out[2], const struct hawser__hill *hill, const double at[2]);
 /* The test function of a track; NAN if it is not defined there or hill->status is set. */
 double hawser__hill_value(struct hawser__hill *hill, struct hawser__track *track,
                           const double at[2]);
@@ -83,11 +101,13 @@ double hawser__hill_value(struct hawser__hill *hill, struct hawser__track *track
  * the track is then as before. */
 int hawser__hill_newton(struct hawser__hill *hill, struct hawser__track *track, double *s,
                         const double from[2], const double along[2], double reach);
-/* Choose the test function of the boundary near `at`; the strict multipliers if no determinant can
- * be used. Returns 0 if there is no boundary, since the product of two real multipliers is 1; or if
+/* Choose the test function of the boundary near `at`, for a torus on its unstable side; the strict
+ * multipliers if no determinant can be used. Returns 0 if there is no boundary, since the product of two real multipliers is 1; or if
  * hill->status is set. */
-int hawser__hill_choose(struct hawser__hill *hill, struct hawser__track *track, int kind,
+int hawser__hill_choose(struct hawser__hill *hill, struct hawser__track *track, int kind, int part,
                         const double at[2]);
+/* Whether no coordinate before `part` is coupled to it. */
+int hawser__hill_is_first(struct hawser__hill *hill, int part, const double at[2]);
 
 /* --- hill.c --- */
 
@@ -113,6 +133,9 @@ struct hawser__hill_line {
 	double *g; /* [samples + 1][HAWSER_HILL_KINDS] */
 };
 
+/* Prepare what all points of a line have in common. */
+enum hawser_status hawser__hill_prepare(struct hawser__hill *hill,
+                                        const struct hawser__hill_line *line);
 /* Allocate the workers of hill->field; a field without models has one. */
 enum hawser_status hawser__hill_open(struct hawser__hill *hill);
 void hawser__hill_close(struct hawser__hill *hill);
@@ -131,9 +154,18 @@ enum hawser_status hawser__hill_check(const struct hawser_hill_options *options,
 /* A change of sign between lo and hi: find its boundary. */
 void hawser__hill_try(struct hawser__hill *hill, int kind, const struct hawser__hill_line *line,
                       double lo, double hi);
-/* The middle of three samples of the same sign is the smallest: find a pair of roots between them,
+/* The same in the part of the model with coordinate `part`, between s, where a multiplier with the exponent lambda Omega is outside the circle, and
+ * `out`, where it is inside. Returns 0 if there is none. */
+int hawser__hill_side(struct hawser__hill *hill, int kind, int part, const double lambda[2],
+                      const struct hawser__hill_line *line, double s, double out);
+/* Without models: the middle of three samples of the same sign is the smallest: find a pair of roots between them,
  * if there is one. */
 void hawser__hill_between(struct hawser__hill *hill, int kind, const struct hawser__hill_line *line,
                           double lo, double hi, double sign);
+
+/* --- hill_ridges.c --- */
+
+/* Find the tongues on a line that its samples do not show, and follow their boundaries. */
+void hawser__hill_ridges(struct hawser__hill *hill, const struct hawser__hill_line *line);
 
 #endif

@@ -38,8 +38,8 @@ static void sample(void *context, long i, int number)
 		line->g[i*HAWSER_HILL_KINDS + kind] = hawser__hill_test(worker, kind);
 }
 
-/* Prepare what all points of a line have in common. */
-static enum hawser_status prepare(struct hawser__hill *hill, const struct hawser__hill_line *line)
+enum hawser_status hawser__hill_prepare(struct hawser__hill *hill,
+                                        const struct hawser__hill_line *line)
 {
 	const struct hawser_hill_options *options = hill->options;
 	size_t count = (size_t)line->samples + 1;
@@ -70,7 +70,7 @@ static void search(struct hawser__hill *hill, const struct hawser__hill_line *li
 	double ds = 1.0/line->samples;
 	struct scan scan = {hill, line, hill->field->m > 2 ? HAWSER_HILL_KINDS : HAWSER_HILL_TORUS};
 
-	if ((hill->status = prepare(hill, line)))
+	if ((hill->status = hawser__hill_prepare(hill, line)))
 		return;
 	hawser__share((long)line->samples + 1, hill->threads, sample, &scan);
 	for (int t = 0; t < hill->threads && !hill->status; t++)
@@ -83,9 +83,10 @@ static void search(struct hawser__hill *hill, const struct hawser__hill_line *li
 
 			if (sign*next < 0.0)
 				hawser__hill_try(hill, kind, line, i*ds, (i + 1)*ds);
-			else if (i > 0 && sign*g[-HAWSER_HILL_KINDS] > fabs(*g) && sign*next > fabs(*g))
+			else if (!hill->worker->linear && i > 0 && sign*g[-HAWSER_HILL_KINDS] > fabs(*g) && sign*next > fabs(*g))
 				hawser__hill_between(hill, kind, line, (i - 1)*ds, (i + 1)*ds, sign);
 		}
+	hawser__hill_ridges(hill, line);
 }
 
 static void all_lines(struct hawser__hill *hill, double *g)
@@ -146,6 +147,7 @@ void hawser__hill_close(struct hawser__hill *hill)
 		hawser__hill_matrix_release(&worker->matrix);
 		free(worker->memory);
 		free(worker->used);
+		free(worker->part);
 	}
 	free(hill->worker);
 	hill->worker = NULL;
@@ -206,8 +208,11 @@ enum hawser_status hawser_hill_trace(struct hawser_hill_chart *chart,
 	if (!hill.status) {
 		all_lines(&hill, g);
 		scale(chart, options);
+		hawser__ridge_unresolved(&chart->narrow, &hill.tongues);
 	}
 	hawser__hill_close(&hill);
+	free(hill.tongues.item);
+	free(hill.tongues.found);
 	free(g);
 	if (hill.status)
 		hawser_hill_clear(chart);
@@ -222,5 +227,6 @@ void hawser_hill_clear(struct hawser_hill_chart *chart)
 		free(chart->boundary[b].at);
 	free(chart->boundary);
 	free(chart->tongue);
+	free(chart->narrow.item);
 	memset(chart, 0, sizeof *chart);
 }

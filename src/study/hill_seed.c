@@ -16,10 +16,9 @@
 #define NUDGE 1e-6      /* increment for the gradient, relative to the rectangle; chosen */
 #define NARROW 1e-9     /* narrowest tongue that is looked for, relative to the line; chosen */
 #define BESIDE 1e-4     /* distance on the unstable side, relative to the rectangle; chosen */
-#define PROMISING 0.05  /* largest minimum of the rough multipliers, relative to the smaller value
-                         * at the ends, that is examined further; chosen */
 #define CLOSE 1e-12     /* last step of a secant iteration, relative to the line; chosen */
 enum { HALVINGS = 5, LOOKS = 60, SECANTS = 10 };
+enum { MOST_HALVINGS = 12 };
 
 static void place(double at[2], const struct hawser__hill_line *line, double s)
 {
@@ -102,69 +101,33 @@ static void reverse(struct hawser_hill_boundary *boundary)
 		}
 }
 
-/* Follow a boundary from a point in the middle. First it is followed in reverse to one end, with
- * the sign of the function changed so that g > 0 is on the left; from that end it is followed as a
- * whole. */
-static void follow_from(struct hawser__hill *hill, const struct hawser__track *track,
-                        const double at[2], const double way[2])
-{
-	struct hawser_hill_chart *chart = hill->chart;
-	struct hawser_hill_boundary *larger = realloc(chart->boundary,
-	                                              ((size_t)chart->boundaries + 1)*sizeof *larger);
-	struct hawser_hill_boundary *boundary, back = {.kind = track->kind};
-	struct hawser__track own = *track;
-	double ahead[2] = {way[0], way[1]}, behind[2] = {-way[0], -way[1]};
-
-	if (!larger) {
-		hill->status = hawser__no_memory(hill->report, "hill");
-		return;
-	}
-	chart->boundary = larger;
-	boundary = &chart->boundary[chart->boundaries];
-	*boundary = (struct hawser_hill_boundary){.kind = track->kind};
-	back.at = malloc(2*sizeof *back.at);
-	if (!back.at) {
-		hill->status = hawser__no_memory(hill->report, "hill");
-		return;
-	}
-	back.points = back.capacity = 1;
-	memcpy(back.at, at, 2*sizeof *at);
-	hill->backwards = 1;
-	hawser__hill_follow(hill, &back, &own, behind);
-	hill->backwards = 0;
-	reverse(&back);
-	*boundary = back;
-	chart->boundaries++;
-	own = *track;
-	if (!hill->status && !chart->interrupted)
-		hawser__hill_follow(hill, boundary, &own, ahead);
-	if (boundary->points < 2) { /* the two sides of a tongue that is narrower than round-off */
-		free(boundary->at);
-		chart->boundaries--;
-	}
-}
-
-/* Bisect a sign change of the rough multipliers until the pair that causes it is known. Returns 0
- * if no complex pair leaves the circle, since the product of two real multipliers becomes 1. */
+/* Bisect a sign change of the rough multipliers until the pair that causes it is known: it is outside
+ * at *more. Returns 0 if no complex pair leaves the circle, since the product of two real multipliers
+ * becomes 1. */
 static int narrow(struct hawser__hill *hill, int kind, const struct hawser__hill_line *line, double *lo,
-                  double *hi)
+                  double *hi, double *more)
 {
 	double g_lo = test(hill, kind, line, *lo, 1), g_hi;
-	int left = hawser__hill_outside(hill->worker), right;
+	int left = hawser__hill_outside(hill->worker), right, alone = hawser__hill_alone(hill->worker);
 
 	g_hi = test(hill, kind, line, *hi, 1);
 	right = hawser__hill_outside(hill->worker);
-	for (int i = 0; i < HALVINGS && !hill->status && (g_lo < 0.0) != (g_hi < 0.0); i++) {
+	alone = right > left ? hawser__hill_alone(hill->worker) : alone;
+	for (int i = 0; (i < HALVINGS || (i < MOST_HALVINGS && !alone)) && !hill->status &&
+	                (g_lo < 0.0) != (g_hi < 0.0); i++) {
 		double middle = 0.5*(*lo + *hi), g = test(hill, kind, line, middle, 1);
 
 		if ((g < 0.0) == (g_lo < 0.0)) {
 			*lo = middle;
 			left = hawser__hill_outside(hill->worker);
+			alone = left > right ? hawser__hill_alone(hill->worker) : alone;
 		} else {
 			*hi = middle;
 			right = hawser__hill_outside(hill->worker);
+			alone = right > left ? hawser__hill_alone(hill->worker) : alone;
 		}
 	}
+	*more = left > right ? *lo : *hi;
 	return left != right;
 }
 
@@ -207,66 +170,147 @@ static int beside(struct hawser__hill *hill, struct hawser__track *track, double
 	return 0;
 }
 
-/* The root of the exact function of a boundary; of the strict multipliers if that function has none
- * there. */
+/* The root of the exact function of a boundary in the part of the model with coordinate `part`, near a
+ * place of the line on its unstable side. */
+static int find_in(struct hawser__hill *hill, struct hawser__track *track, double *s, int part,
+                   const struct hawser__hill_line *line, const double bracket[3])
+{
+	double at[2], half = 0.5/line->samples;
+	struct hawser__track keep;
+
+	place(at, line, bracket[2]);
+	if (!hawser__hill_choose(hill, track, track->kind, part, at) ||
+	    track->by == HAWSER__BY_MULTIPLIERS)
+		return 0;
+	keep = *track;
+	if (root(hill, track, s, line, bracket[0], bracket[1]))
+		return 1;
+	*track = keep;
+	if (!hill->status && beside(hill, track, s, line, bracket[0], bracket[1]))
+		return 1;
+	*track = keep;
+	return !hill->status &&
+	       root(hill, track, s, line, fmax(0.0, bracket[0] - half), bracket[1] + half);
+}
+
+/* The root of the exact function of a boundary; of the strict multipliers if it has none and could
+ * not be computed, or if the field has no models. */
 static int find(struct hawser__hill *hill, struct hawser__track *track, double *s, int kind,
                 const struct hawser__hill_line *line, double lo, double hi)
 {
-	double at[2], from = lo, to = hi, half = 0.5/line->samples;
+	double bracket[3] = {lo, hi, 0.5*(lo + hi)}, at[2];
+	int lost = kind == HAWSER_HILL_TORUS || !hill->worker->linear;
 
 	if (kind == HAWSER_HILL_TORUS && hill->worker->linear &&
-	    !narrow(hill, kind, line, &from, &to))
+	    !narrow(hill, kind, line, &bracket[0], &bracket[1], &bracket[2]))
 		return 0;
-	place(at, line, 0.5*(from + to));
-	if (!hawser__hill_choose(hill, track, kind, at))
-		return 0;
-	if (track->by != HAWSER__BY_MULTIPLIERS) {
-		struct hawser__track keep = *track;
-
-		if (root(hill, track, s, line, from, to))
+	for (int part = 0; part < hill->field->m/2 && hill->worker->linear && !hill->status; part++) {
+		place(at, line, bracket[2]);
+		if (!hawser__hill_is_first(hill, part, at))
+			continue;
+		*track = (struct hawser__track){.kind = kind};
+		if (find_in(hill, track, s, part, line, bracket))
 			return 1;
-		*track = keep;
-		if (!hill->status && beside(hill, track, s, line, from, to))
-			return 1;
-		*track = keep;
-		if (!hill->status && root(hill, track, s, line, fmax(0.0, from - half), to + half))
-			return 1;
-		if (keep.by == HAWSER__BY_DETERMINANT)
-			return 0; /* the root of the rough multipliers does not exist */
-		*track = (struct hawser__track){.kind = kind, .by = HAWSER__BY_MULTIPLIERS};
+		lost |= track->by == HAWSER__BY_MULTIPLIERS;
 	}
-	return !hill->status && root(hill, track, s, line, lo, hi);
+	*track = (struct hawser__track){.kind = kind, .by = HAWSER__BY_MULTIPLIERS};
+	return lost && !hill->status && root(hill, track, s, line, lo, hi);
+}
+
+/* Follow a boundary from a point in the middle. First it is followed in reverse to one end, with
+ * the sign of the function changed so that g > 0 is on the left; from that end it is followed as a
+ * whole. */
+static void follow_from(struct hawser__hill *hill, const struct hawser__track *track,
+                        const double at[2], const double way[2])
+{
+	struct hawser_hill_chart *chart = hill->chart;
+	struct hawser_hill_boundary *larger = realloc(chart->boundary,
+	                                              ((size_t)chart->boundaries + 1)*sizeof *larger);
+	struct hawser_hill_boundary *boundary, back = {.kind = track->kind};
+	struct hawser__track own = *track;
+	double ahead[2] = {way[0], way[1]}, behind[2] = {-way[0], -way[1]};
+
+	if (!larger) {
+		hill->status = hawser__no_memory(hill->report, "hill");
+		return;
+	}
+	chart->boundary = larger;
+	boundary = &chart->boundary[chart->boundaries];
+	*boundary = (struct hawser_hill_boundary){.kind = track->kind};
+	back.at = malloc(2*sizeof *back.at);
+	if (!back.at) {
+		hill->status = hawser__no_memory(hill->report, "hill");
+		return;
+	}
+	back.points = back.capacity = 1;
+	memcpy(back.at, at, 2*sizeof *at);
+	hill->backwards = 1;
+	hawser__hill_follow(hill, &back, &own, behind);
+	hill->backwards = 0;
+	reverse(&back);
+	*boundary = back;
+	chart->boundaries++;
+	own = *track;
+	if (!hill->status && !chart->interrupted)
+		hawser__hill_follow(hill, boundary, &own, ahead);
+	if (boundary->points < 2) { /* the two sides of a tongue that is narrower than round-off */
+		free(boundary->at);
+		chart->boundaries--;
+	}
+}
+
+/* Follow the boundary through a root, unless it is known. */
+static void start(struct hawser__hill *hill, struct hawser__track *track,
+                  const struct hawser__hill_line *line, double s)
+{
+	double at[2], way[2];
+
+	place(at, line, s);
+	if (direction(hill, track, way, at) && !hawser__hill_known(hill, track->kind, at, way) &&
+	    genuine(hill, track, at) && hawser__hill_real(hill, track, at, way, BESIDE))
+		follow_from(hill, track, at, way);
 }
 
 void hawser__hill_try(struct hawser__hill *hill, int kind, const struct hawser__hill_line *line,
                       double lo, double hi)
 {
 	struct hawser__track track;
-	double s, at[2], way[2];
+	double s;
 
-	if (!find(hill, &track, &s, kind, line, lo, hi))
-		return;
-	place(at, line, s);
-	if (direction(hill, &track, way, at) && !hawser__hill_known(hill, kind, at, way) &&
-	    genuine(hill, &track, at) && hawser__hill_real(hill, &track, at, way, BESIDE))
-		follow_from(hill, &track, at, way);
+	if (find(hill, &track, &s, kind, line, lo, hi))
+		start(hill, &track, line, s);
+}
+
+int hawser__hill_side(struct hawser__hill *hill, int kind, int part, const double lambda[2],
+                      const struct hawser__hill_line *line, double s, double out)
+{
+	struct hawser__track track = {.kind = kind, .part = part, .by = kind != HAWSER_HILL_TORUS ?
+	                              HAWSER__BY_DETERMINANT : hawser__hill_undamped(hill->worker)
+	                              ? HAWSER__BY_EXTREMUM : HAWSER__BY_GROWTH};
+	double at;
+
+	if (kind == HAWSER_HILL_TORUS) {
+		track.lambda[0] = track.by == HAWSER__BY_GROWTH ? lambda[0] : 0.0;
+		track.lambda[1] = lambda[1];
+	}
+	if (!root(hill, &track, &at, line, fmin(s, out), fmax(s, out)))
+		return 0;
+	start(hill, &track, line, at);
+	return 1;
 }
 
 /* --- minima --- */
 
-/* The function to be minimised: sign times the function of a track, or the test function of the
- * multipliers. */
+/* The function to be minimised: sign times the test function of the multipliers. */
 struct minimum {
-	struct hawser__track *track; /* NULL: the multipliers */
-	int kind, rough;
+	int kind;
 	double sign;
 };
 
 static double modulus(struct hawser__hill *hill, const struct minimum *of,
                       const struct hawser__hill_line *line, double s)
 {
-	return of->sign*(of->track ? value(hill, of->track, line, s)
-	                 : test(hill, of->kind, line, s, of->rough));
+	return of->sign*test(hill, of->kind, line, s, 0);
 }
 
 /* Position of the minimum of the parabola through three points; NAN if it has none. */
@@ -320,55 +364,19 @@ static void descend(struct hawser__hill *hill, const struct minimum *of,
 	}
 }
 
-/* *ends: the smaller of the values at the ends. */
-static int look(struct hawser__hill *hill, const struct minimum *of,
-                const struct hawser__hill_line *line, double s[3], double g[3], double *ends)
-{
-	for (int k = 0; k < 3; k++)
-		g[k] = modulus(hill, of, line, s[k]);
-	*ends = fmin(g[0], g[2]);
-	if (hill->status || !(g[1] < *ends))
-		return 0;
-	descend(hill, of, line, s, g);
-	return !hill->status;
-}
-
 void hawser__hill_between(struct hawser__hill *hill, int kind, const struct hawser__hill_line *line,
                           double lo, double hi, double sign)
 {
-	double s[3] = {lo, 0.5*(lo + hi), hi}, g[3], at[2], least, ends;
-	struct minimum of = {.kind = kind, .rough = hill->worker->linear != NULL, .sign = sign};
-	struct hawser__track track;
+	double s[3] = {lo, 0.5*(lo + hi), hi}, g[3];
+	const struct minimum of = {kind, sign};
 
-	if (kind != HAWSER_HILL_TORUS) {
-		place(at, line, s[1]);
-		if (!hawser__hill_choose(hill, &track, kind, at))
-			return;
-		if (track.by == HAWSER__BY_DETERMINANT) {
-			of.track = &track;
-			g[0] = value(hill, &track, line, s[1]);
-			of.sign = g[0] < 0.0 ? -1.0 : 1.0;
-		}
-	}
-	if (!look(hill, &of, line, s, g, &ends))
+	for (int k = 0; k < 3; k++)
+		g[k] = modulus(hill, &of, line, s[k]);
+	if (hill->status || !(g[1] < fmin(g[0], g[2])))
 		return;
-	least = g[1];
-	if (!of.track && of.rough) {
-		double wide = fmax(s[2] - s[0], 0.05*(hi - lo));
-
-		if (least > PROMISING*ends)
-			return;
-		of.rough = 0;
-		s[0] = fmax(lo, s[1] - wide);
-		s[2] = fmin(hi, s[1] + wide);
-		if (!look(hill, &of, line, s, g, &ends))
-			return;
-		least = g[1];
-	}
-	if (least < -ROUND_OFF*(of.track ? 0.0 : 1.0)) {
-		double middle = s[1];
-
-		hawser__hill_try(hill, kind, line, lo, middle);
-		hawser__hill_try(hill, kind, line, middle, hi);
+	descend(hill, &of, line, s, g);
+	if (!hill->status && g[1] < -ROUND_OFF) {
+		hawser__hill_try(hill, kind, line, lo, s[1]);
+		hawser__hill_try(hill, kind, line, s[1], hi);
 	}
 }

@@ -23,6 +23,7 @@
                            * multipliers is then 1 */
 #define OFF_CIRCLE 1e-7   /* smallest logarithm of a modulus off the unit circle, without damping:
                            * above round-off */
+#define ALONE 0.3         /* largest ratio of the two distances; chosen */
 #define REAL 1e-3         /* largest sine of the argument of a multiplier that may be real; chosen */
 
 static double complex multiplier(const struct hawser__hill_worker *worker, int i)
@@ -128,13 +129,30 @@ int hawser__hill_outside(const struct hawser__hill_worker *worker)
 
 int hawser__hill_pair(const struct hawser__hill_worker *worker, double *argument)
 {
-	double best = INFINITY;
+	double best = INFINITY, least = hawser__hill_undamped(worker) ? OFF_CIRCLE : -INFINITY;
 
 	for (int i = 0; i < worker->m; i++)
 		if (worker->argument[i] > 0.0 && fabs(sin(worker->argument[i])) > REAL &&
-		    fabs(worker->log_modulus[i]) < best) {
+		    worker->log_modulus[i] > least && fabs(worker->log_modulus[i]) < best) {
 			best = fabs(worker->log_modulus[i]);
 			*argument = worker->argument[i];
 		}
 	return isfinite(best);
+}
+
+int hawser__hill_alone(const struct hawser__hill_worker *worker)
+{
+	double least = INFINITY, gap = INFINITY, argument = 0.0;
+
+	if (!hawser__hill_undamped(worker) || !hawser__hill_pair(worker, &argument))
+		return 1;
+	for (int i = 0; i < worker->m; i++) {
+		double off = fabs(remainder(worker->argument[i] - argument, 2.0*M_PI));
+
+		if (off > 0.0)
+			gap = fmin(gap, off);
+		else if (worker->log_modulus[i] > OFF_CIRCLE)
+			least = fmin(least, worker->log_modulus[i]);
+	}
+	return least <= ALONE*gap;
 }

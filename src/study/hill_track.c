@@ -6,11 +6,12 @@
  *    growth   real part of the exponent lambda, F(lambda) = 0, by secants in the complex plane from the
  *             exponent of the previous point; along a boundary Re lambda = 0 and F = 0 are solved
  *             together (hawser__hill_newton)
+ *    extremum  without damping all exponents are imaginary, F(i nu) is real, and between two of them
+ *             it has an extremum in nu, which is 0 as they collide: its value there
  *
  * A determinant takes a tenth of the time of the multipliers, does not require condensation, and is
  * as accurate as its coefficients. The multipliers are used if the field has no models, if a
- * determinant would need too many harmonics, and for tori without damping, whose exponents are
- * imaginary until two of them collide.
+ * determinant would need too many harmonics.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -31,9 +32,17 @@
 #define FAR_SCALE 900  /* largest exponent of 2, with a margin to the range of double (1023) */
 #define ROUND_OFF 1e-10 /* corrections below this, relative to the rectangle and to Omega, that do not
                          * become smaller are round-off */
+#define APART 1e-4     /* increment for derivatives by nu, relative to Omega: their error is its square;
+                        * chosen */
+#define AT_EXTREMUM 0.03 /* last correction of nu, relative to this increment: the value changes by its
+                          * square, which is subtracted, and by its cube */
+#define FARTHER 0.005  /* longest correction of nu, relative to Omega: a longer one may lead to another
+                        * extremum; chosen */
+#define REAL 1e-5      /* F is even about nu = 0 and Omega/2, where its extremum tells nothing of a torus;
+                        * chosen above the last correction */
 enum { CORRECTIONS = 12 };
 
-static void to_caller(double out[2], const struct hawser__hill *hill, const double at[2])
+void hawser__hill_to_caller(double out[2], const struct hawser__hill *hill, const double at[2])
 {
 	const struct hawser_hill_options *options = hill->options;
 
@@ -47,7 +56,7 @@ static enum hawser_status model_of(const struct hawser_rom **rom, double *omega,
 {
 	double xy[2];
 
-	to_caller(xy, hill, at);
+	hawser__hill_to_caller(xy, hill, at);
 	return hill->field->model(hill->field->context, rom, omega, worker->number, xy[0], xy[1],
 	                          &worker->report);
 }
@@ -72,12 +81,142 @@ enum hawser_status hawser__hill_multipliers(struct hawser__hill *hill,
 			return worker->status;
 		worker->m = field->m;
 	}
-	to_caller(xy, hill, at);
+	hawser__hill_to_caller(xy, hill, at);
 	return worker->status = field->multipliers(field->context, worker->log_modulus,
 	                                           worker->argument, xy[0], xy[1], &worker->report);
 }
 
+enum hawser_status hawser__hill_exponents(struct hawser__hill *hill,
+                                          struct hawser__hill_worker *worker, int *unstable,
+                                          double *to, const double at[2], int rough)
+{
+	const struct hawser_rom *rom;
+	double omega;
+	int m;
+
+	if (worker->status)
+		return worker->status;
+	worker->evaluations++;
+	worker->m = hill->field->m;
+	worker->status = model_of(&rom, &omega, hill, worker, at);
+	if (worker->status)
+		return worker->status;
+	hawser__linear_haste(worker->linear, 1);
+	worker->status = rough
+		? hawser__linear_rough(worker->linear, worker->log_modulus, worker->argument, &m, rom,
+		                       omega, &worker->report)
+		: hawser_linear_multipliers(worker->linear, worker->log_modulus, worker->argument, NULL,
+		                            rom, omega, &worker->report);
+	hawser__linear_haste(worker->linear, 0);
+	if (!worker->status)
+		worker->status = hawser__linear_exponents(worker->linear, to, rom, omega, &worker->report);
+	*unstable = hawser__linear_circle(worker->linear).unstable;
+	return worker->status;
+}
+
 /* --- the Hill matrix --- */
+
+static int coupled(const struct hawser__variational *system, int j, int k)
+{
+	size_t n = (size_t)system->n;
+
+	for (int side = 0; side < 2; side++) {
+		size_t e = side ? (size_t)k*n + (size_t)j : (size_t)j*n + (size_t)k;
+
+		for (int r = 0; r <= 2*system->order; r++)
+			if (system->K[(size_t)r*n*n + e] != 0.0)
+				return 1;
+		for (int r = 0; r <= 2*system->order_d; r++)
+			if (system->D[(size_t)r*n*n + e] != 0.0)
+				return 1;
+	}
+	return 0;
+}
+
+/* The coordinates, ascending, that are coupled to `part`: member [n]. Returns their number. */
+static int members(int *member, const struct hawser__variational *system, int part)
+{
+	int count = 1;
+
+	member[0] = part;
+	for (int i = 0; i < count; i++)
+		for (int j = 0; j < system->n; j++) {
+			int known = 0;
+
+			for (int k = 0; k < count; k++)
+				known |= member[k] == j;
+			if (!known && coupled(system, member[i], j))
+				member[count++] = j;
+		}
+	return count;
+}
+
+static void take_part(double *to, const double *series, int order, int n, const int *member, int w)
+{
+	for (int r = 0; r <= 2*order; r++)
+		for (int i = 0; i < w; i++)
+			for (int j = 0; j < w; j++)
+				*to++ = series[((size_t)r*(size_t)n + (size_t)member[i])*(size_t)n +
+				               (size_t)member[j]];
+}
+
+/* The equations of the part of the model that contains coordinate `part`. */
+static enum hawser_status restrict_to(struct hawser__variational *system,
+                                      struct hawser__hill_worker *worker, int part)
+{
+	int *member = worker->used, w = members(member, system, part);
+	size_t wide = 2*(size_t)system->order + 1, wide_d = 2*(size_t)system->order_d + 1;
+	size_t need = (wide + wide_d)*(size_t)w*(size_t)w;
+
+	if (w == system->n)
+		return HAWSER_OK;
+	if (need > worker->part_room) {
+		free(worker->part);
+		worker->part = malloc(need*sizeof(double));
+		worker->part_room = worker->part ? need : 0;
+		if (!worker->part)
+			return hawser__no_memory(&worker->report, "hill");
+	}
+	take_part(worker->part, system->K, system->order, system->n, member, w);
+	take_part(worker->part + wide*(size_t)w*(size_t)w, system->D, system->order_d, system->n, member,
+	          w);
+	system->n = w;
+	system->K = worker->part;
+	system->D = worker->part + wide*(size_t)w*(size_t)w;
+	return HAWSER_OK;
+}
+
+/* The equations at a point that the track's determinant is of. */
+static enum hawser_status equations(struct hawser__variational *system, struct hawser__hill *hill,
+                                    int part, const double at[2])
+{
+	struct hawser__hill_worker *worker = hill->worker;
+	const struct hawser_rom *rom;
+	double omega;
+
+	worker->status = model_of(&rom, &omega, hill, worker, at);
+	if (!worker->status)
+		worker->status = hawser__linear_series(worker->linear, system, rom, omega, &worker->report);
+	if (!worker->status && part >= 0)
+		worker->status = restrict_to(system, worker, part);
+	return worker->status;
+}
+
+int hawser__hill_is_first(struct hawser__hill *hill, int part, const double at[2])
+{
+	struct hawser__variational system;
+	int *member = hill->worker->used, count, first = part;
+
+	if (equations(&system, hill, -1, at)) {
+		hill->status = hill->worker->status;
+		*hill->report = hill->worker->report;
+		return 0;
+	}
+	count = members(member, &system, part);
+	for (int k = 0; k < count; k++)
+		first = member[k] < first ? member[k] : first;
+	return first == part;
+}
 
 struct hill_equation {
 	struct hawser__hill_worker *worker;
@@ -114,7 +253,7 @@ static double complex determinant(struct hill_equation *equation, double complex
 		track->slope[0] = track->slope[1] = track->rise = 0.0;
 	}
 	exponent -= track->exponent;
-	track->noise = track->by == HAWSER__BY_DETERMINANT ? ldexp(value[2], exponent) : 0.0;
+	track->noise = track->by != HAWSER__BY_GROWTH ? ldexp(value[2], exponent) : 0.0;
 	return ldexp(value[0], exponent) + I*ldexp(value[1], exponent);
 }
 
@@ -148,20 +287,39 @@ static double growth(struct hill_equation *equation)
 	return NAN;
 }
 
+static double extremum(struct hill_equation *equation)
+{
+	struct hawser__track *track = equation->track;
+	double nu = track->lambda[1] + track->ahead;
+
+	track->ahead = 0.0;
+	for (int i = 0; i < CORRECTIONS; i++) {
+		double up = creal(determinant(equation, I*(nu + APART)));
+		double down = creal(determinant(equation, I*(nu - APART)));
+		double f = creal(determinant(equation, I*nu)), slope = (up - down)/(2.0*APART);
+		double bend = (up - 2.0*f + down)/(APART*APART), step = -slope/bend;
+
+		if (!(fabs(step) < FARTHER))
+			return NAN;
+		if (fabs(step) < AT_EXTREMUM*APART) {
+			track->lambda[1] = nu;
+			return fabs(remainder(nu, 0.5)) > REAL ? f + 0.5*slope*step : NAN;
+		}
+		nu += step;
+	}
+	return NAN;
+}
+
 static double of_matrix(struct hawser__hill *hill, struct hawser__track *track, const double at[2],
                         int *lost)
 {
 	struct hawser__hill_worker *worker = hill->worker;
 	struct hill_equation equation = {.worker = worker, .track = track};
-	const struct hawser_rom *rom;
-	double omega, value = NAN;
+	double value = NAN;
 
-	worker->status = model_of(&rom, &omega, hill, worker, at);
-	if (!worker->status)
-		worker->status = hawser__linear_series(worker->linear, &equation.system, rom, omega,
-		                                       &worker->report);
-	if (!worker->status)
+	if (!equations(&equation.system, hill, track->part, at))
 		value = track->by == HAWSER__BY_GROWTH ? growth(&equation)
+		        : track->by == HAWSER__BY_EXTREMUM ? extremum(&equation)
 		        : creal(determinant(&equation, 0.0));
 	*lost = equation.lost;
 	return worker->status ? NAN : value;
@@ -176,15 +334,9 @@ static double complex beside(struct hawser__hill *hill, struct hawser__track *tr
 	const double at[2] = {from[0] + s*along[0], from[1] + s*along[1]};
 	struct hawser__hill_worker *worker = hill->worker;
 	struct hill_equation equation = {.worker = worker, .track = track};
-	const struct hawser_rom *rom;
 	double complex f = NAN;
-	double omega;
 
-	worker->status = model_of(&rom, &omega, hill, worker, at);
-	if (!worker->status)
-		worker->status = hawser__linear_series(worker->linear, &equation.system, rom, omega,
-		                                       &worker->report);
-	if (!worker->status)
+	if (!equations(&equation.system, hill, track->part, at))
 		f = determinant(&equation, I*nu);
 	if (worker->status) {
 		hill->status = worker->status;
@@ -274,14 +426,14 @@ double hawser__hill_value(struct hawser__hill *hill, struct hawser__track *track
 	return value;
 }
 
-int hawser__hill_choose(struct hawser__hill *hill, struct hawser__track *track, int kind,
+int hawser__hill_choose(struct hawser__hill *hill, struct hawser__track *track, int kind, int part,
                         const double at[2])
 {
 	struct hawser__hill_worker *worker = hill->worker;
 	double argument = 0.0, keep = 0.0;
 	int lost = 1;
 
-	*track = (struct hawser__track){.kind = kind, .by = HAWSER__BY_MULTIPLIERS};
+	*track = (struct hawser__track){.kind = kind, .by = HAWSER__BY_MULTIPLIERS, .part = part};
 	if (!worker->linear || hill->status)
 		return !hill->status;
 	if (kind != HAWSER_HILL_TORUS) {
@@ -294,9 +446,7 @@ int hawser__hill_choose(struct hawser__hill *hill, struct hawser__track *track, 
 		}
 		if (!hawser__hill_pair(worker, &argument))
 			return 0;
-		if (hawser__hill_undamped(worker))
-			return 1;
-		track->by = HAWSER__BY_GROWTH;
+		track->by = hawser__hill_undamped(worker) ? HAWSER__BY_EXTREMUM : HAWSER__BY_GROWTH;
 		track->lambda[1] = argument/(2.0*M_PI);
 	}
 	keep = of_matrix(hill, track, at, &lost);

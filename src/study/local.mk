@@ -30,6 +30,8 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/primary.h \
 	%D%/primary_curve.c \
 	%D%/respond.h \
+	%D%/ridge.c \
+	%D%/ridge.h \
 	%D%/run.c \
 	%D%/scales.c \
 	%D%/scales.h \
@@ -64,7 +66,7 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/map_lines.c \
 	%D%/map_memo.c \
 	%D%/map_point.c \
-	%D%/map_probes.c \
+	%D%/map_ridges.c \
 	%D%/map_merge.c \
 	%D%/map_quantity.c \
 	%D%/map_ranks.c \
@@ -93,6 +95,7 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/hill_count.c \
 	%D%/hill_field.c \
 	%D%/hill_lines.c \
+	%D%/hill_ridges.c \
 	%D%/hill_seed.c \
 	%D%/hill_test.c \
 	%D%/hill_track.c \

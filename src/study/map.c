@@ -122,6 +122,8 @@ static void close_mapper(struct hawser__mapper *mapper)
 	free(mapper->hot);
 	free(mapper->leaf.cell);
 	free(mapper->probe);
+	free(mapper->tongues.item);
+	free(mapper->tongues.found);
 }
 
 static double mix(const struct hawser__mapper *mapper, const struct hawser__map_cell *cell, int i,
@@ -157,7 +159,7 @@ static void fill_cell(struct hawser_map *map, const struct hawser__mapper *mappe
 		}
 }
 
-static void collect(struct hawser_map *map, const struct hawser__mapper *mapper)
+static void collect(struct hawser_map *map, struct hawser__mapper *mapper)
 {
 	const struct hawser__map_memo *memo = &mapper->memo;
 	long nodes = (long)map->nx*map->ny;
@@ -178,6 +180,7 @@ static void collect(struct hawser_map *map, const struct hawser__mapper *mapper)
 	map->visited = memo->visited;
 	map->restored = memo->restored;
 	map->interrupted = memo->interrupted;
+	hawser__ridge_unresolved(&map->narrow, &mapper->tongues);
 }
 
 /* Messages for the codes without a value: the first point of each code is computed again for its
@@ -278,5 +281,6 @@ void hawser_map_clear(struct hawser_map *map)
 	free(map->segment);
 	free(map->least);
 	free(map->branches);
+	free(map->narrow.item);
 	*map = (struct hawser_map){.nx = 0};
 }

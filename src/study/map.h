@@ -3,7 +3,7 @@
  * cells (map_edges.c).
  *
  *    node    a point of the grid of the requested resolution: (x[i], y[j])
- *    probe   a point on an edge of a cell at which a line of the field crosses it
+ *    probe   a point between two nodes of a line of the grid
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_STUDY_MAP_H
@@ -12,6 +12,7 @@
 #include <hawser/map.h>
 
 #include "core/ranks.h"
+#include "study/ridge.h"
 
 /* --- map_checkpoint.c --- */
 
@@ -154,21 +155,24 @@ struct hawser__mapper {
 	struct hawser__map_cells leaf;
 	struct hawser__map_probe *probe; /* [probes] inside edges between neighbouring nodes */
 	size_t probes, probe_room;
+	int searched;             /* 1: map_ridges.c has been called */
+	struct hawser__ridge_log tongues;
 	double low, high;         /* range of the values at nodes */
 };
 
 /* Evaluate nodes and split cells until each is small or has corners that agree. */
 enum hawser_status hawser__map_grow(struct hawser__mapper *mapper, struct hawser_report *report);
-/* Whether two samples lie on different sides of a boundary. */
-int hawser__map_differ(const struct hawser_map_sample *a, const struct hawser_map_sample *b);
+/* Whether two records lie on different sides of a boundary; or in different tongues with the same
+ * number of instabilities, between which there are two boundaries. */
+int hawser__map_differ(const struct hawser__mapper *mapper, long a, long b);
 const struct hawser_map_sample *hawser__map_sample(const struct hawser__mapper *mapper, long index);
 const double *hawser__map_marks(const struct hawser__mapper *mapper, long index);
 
-/* --- map_probes.c --- */
+/* --- map_ridges.c --- */
 
-/* Examine the lines that cross the edges of the cells: hot[c] is set if there is a narrow
- * instability on an edge of cell c. */
-enum hawser_status hawser__map_probes(struct hawser__mapper *mapper, unsigned char *hot,
+/* Search for tongues that cross the edges of the first cells, and follow those that are narrower
+ * than a smallest cell: sets mapper->hot and adds probes. */
+enum hawser_status hawser__map_ridges(struct hawser__mapper *mapper,
                                       const struct hawser__map_cells *cells,
                                       struct hawser_report *report);
 

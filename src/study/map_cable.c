@@ -24,22 +24,6 @@
 #include "study/map_cable.h"
 #include "study/map_rows.h"
 
-enum { HARMONICS = 2 }; /* frequencies are compared with this number of multiples of Omega at least:
-                         * primary and principal parametric resonances */
-
-/* w_j + w_k - m Omega; line = (m - 1) pairs + the pair. */
-static double line(const void *context, int index, const double *marks)
-{
-	const struct hawser__map_cable *cable = context;
-	int pairs = cable->n*(cable->n + 1)/2, pair = index%pairs, k = 0;
-
-	marks += HAWSER__MARGINS;
-	while ((k + 1)*(k + 2)/2 <= pair)
-		k++;
-	/* NOLINTNEXTLINE(bugprone-integer-division): the whole part is meant */
-	return marks[pair - k*(k + 1)/2] + marks[k] - (index/pairs + 1)*marks[cable->n];
-}
-
 int hawser__map_cable_cheap(const void *context)
 {
 	const struct hawser__map_cable *cable = context;
@@ -171,7 +155,6 @@ static enum hawser_status first_structure(struct hawser__map_cable *cable, struc
 static void set_marks(struct hawser_map_field *field, struct hawser__map_cable *cable)
 {
 	const struct hawser_map_source *source = &cable->source;
-	const struct hawser_rom *rom = source->rom ? source->rom : cable->count ? &cable->kept->rom : NULL;
 	int excited = source->omega > 0.0 || hawser__map_omega_is_axis(cable);
 
 	if (!cable->quantity->about.nonlinear) {
@@ -182,12 +165,8 @@ static void set_marks(struct hawser_map_field *field, struct hawser__map_cable *
 	    strcmp(source->key[1], "model.modes") == 0)
 		return;
 	cable->n = source->rom ? source->rom->n : source->scene->model.modes;
-	cable->multiples = HARMONICS;
-	for (int h = 0; rom && h < rom->harmonics; h++)
-		if (rom->harmonic[h].k > cable->multiples)
-			cable->multiples = rom->harmonic[h].k;
-	field->marks = HAWSER__MARGINS + cable->n + 1;
-	field->lines = cable->multiples*cable->n*(cable->n + 1)/2;
+	field->marks = HAWSER__MARGINS + HAWSER__EXPONENTS(cable->n);
+	field->exponents = cable->n;
 }
 
 enum hawser_status hawser_map_cable_open(struct hawser_map_field *field,
@@ -224,7 +203,7 @@ enum hawser_status hawser_map_cable_open(struct hawser_map_field *field,
 	*field = (struct hawser_map_field){.name = source->quantity, .context = cable,
 		.identity = cable->identity, .open = hawser__map_worker_open,
 		.close = hawser__map_worker_close,
-		.prepare = hawser__structure_prepare, .point = hawser__map_worker_point, .line = line};
+		.prepare = hawser__structure_prepare, .point = hawser__map_worker_point};
 	if (status) {
 		hawser_map_cable_close(field);
 		return status;

@@ -31,8 +31,8 @@ struct hawser__map_cable {
 	int varies;     /* the parameter on which structures depend: 0, 1; 2: both, -1: none */
 	int models;     /* 1: a parameter changes the model that is made from the same modes */
 	int damps;      /* 1: a parameter changes only D of a linear model */
-	int n, multiples; /* for the lines: number of frequencies and of multiples of Omega; 0: none */
-	int marks;        /* of a point: margins, and for the lines the frequencies and Omega */
+	int n;            /* coordinates with exponents among the marks; 0: none */
+	int marks;        /* of a point: margins and exponents */
 	struct hawser__structure *kept; /* [count] ascending value */
 	size_t count, room;
 	char *identity;

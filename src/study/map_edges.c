@@ -91,7 +91,7 @@ static enum hawser_status bracket_edge(const struct hawser__mapper *mapper,
 		double next = more ? mapper->probe[p].t : 1.0;
 
 		if (next > t &&
-		    hawser__map_differ(hawser__map_sample(mapper, a), hawser__map_sample(mapper, b)))
+		    hawser__map_differ(mapper, a, b))
 			status = add_bracket(mapper, list, edge, t, next, a, b, report);
 		if (!more)
 			break;
@@ -191,14 +191,12 @@ static enum hawser_status narrow(struct hawser__mapper *mapper, struct hawser__m
 
 	for (size_t c = 0; c < count && !status; c++) {
 		struct hawser__map_bracket *item = &list->item[c];
-		const struct hawser_map_sample *middle;
 		int first, second;
 
 		if (item->done)
 			continue;
-		middle = hawser__map_sample(mapper, item->middle);
-		first = hawser__map_differ(middle, hawser__map_sample(mapper, item->index[0]));
-		second = hawser__map_differ(middle, hawser__map_sample(mapper, item->index[1]));
+		first = hawser__map_differ(mapper, item->middle, item->index[0]);
+		second = hawser__map_differ(mapper, item->middle, item->index[1]);
 		if (first && second) {
 			struct hawser__map_bracket old = *item;
 
@@ -222,6 +220,21 @@ static int by_place(const void *a, const void *b)
 	return (x->t[0] > y->t[0]) - (x->t[0] < y->t[0]);
 }
 
+/* Only the kind of the instabilities changes there: no boundary. */
+static void drop_equal(const struct hawser__mapper *mapper, struct hawser__map_brackets *list)
+{
+	size_t kept = 0;
+
+	for (size_t c = 0; c < list->count; c++) {
+		const struct hawser_map_sample *a = hawser__map_sample(mapper, list->item[c].index[0]);
+		const struct hawser_map_sample *b = hawser__map_sample(mapper, list->item[c].index[1]);
+
+		if (a->code != b->code || a->number != b->number)
+			list->item[kept++] = list->item[c];
+	}
+	list->count = kept;
+}
+
 enum hawser_status hawser__map_boundaries(struct hawser_map *map, struct hawser__mapper *mapper,
                                           struct hawser_report *report)
 {
@@ -239,6 +252,7 @@ enum hawser_status hawser__map_boundaries(struct hawser_map *map, struct hawser_
 		if (!status && active > 0 && !mapper->memo.interrupted)
 			status = narrow(mapper, &list, report);
 	}
+	drop_equal(mapper, &list);
 	if (!status && list.count > 0)
 		qsort(list.item, list.count, sizeof *list.item, by_place);
 	if (!status)

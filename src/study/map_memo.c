@@ -135,7 +135,7 @@ enum hawser_status hawser__map_memo_open(struct hawser__map_memo *memo,
 	*memo = (struct hawser__map_memo){.field = field, .options = options,
 		.began = hawser__wall_seconds(),
 		.threads = options->threads > 0 ? options->threads : hawser__processors(), .chunk = FIRST_CHUNK,
-		.marks = field->lines > 0 && options->coarse > 1 ? field->marks
+		.marks = field->exponents > 0 && options->coarse > 1 ? field->marks
 		         : field->margins ? HAWSER__MARGINS : 0,
 		.checkpoint = {.fd = -1}};
 	memo->worker = calloc((size_t)memo->threads, sizeof *memo->worker);

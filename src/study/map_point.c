@@ -278,31 +278,44 @@ int hawser__map_worker_prepared(void *context, double x, double y)
 	       : hawser__structure_find(worker->cable, at[varies]) != NULL;
 }
 
-/* The model may have further coordinates behind its modes (dampers of attachments), at some points
- * only: the lines are those of the first cable->n frequencies. */
+/* The exponents of the first cable->n coordinates: the model may have further ones behind its modes
+ * (dampers of attachments). */
+static enum hawser_status exponents(struct worker *worker, double *to, const struct hawser_rom *rom,
+                                    double omega, struct hawser_report *report)
+{
+	int n = worker->cable->n, all = rom->n;
+	const double *from = worker->room.exponents + 1;
+	enum hawser_status status = hawser__linear_exponents(worker->room.linear, worker->room.exponents,
+	                                                     rom, omega, report);
+
+	if (status || all < n)
+		return status;
+	to[0] = omega;
+	memcpy(to + 1, from, (size_t)n*sizeof *to);
+	memcpy(to + 1 + n, from + all, (size_t)n*sizeof *to);
+	memcpy(to + 1 + 2*n, from + 2*all, 2*(size_t)n*sizeof *to);
+	memcpy(to + 1 + 4*n, from + 4*all, 2*(size_t)n*sizeof *to);
+	return HAWSER_OK;
+}
+
 static enum hawser_status measure(struct worker *worker, struct hawser_map_sample *sample,
                                   double *marks, const struct hawser_rom *rom, double omega,
                                   struct hawser_report *report)
 {
 	const struct hawser__map_cable *cable = worker->cable;
 	enum hawser_status status = hawser__map_room_fit(&worker->room, rom->n, report);
-	double *frequency;
 
 	if (status)
 		return status;
-	frequency = marks && cable->n > 0 ? worker->room.frequency : NULL;
-	status = cable->quantity->measure(&worker->room, sample, frequency, rom, omega*rom->time, report);
+	status = cable->quantity->measure(&worker->room, sample, rom, omega*rom->time, report);
 	if (!status)
 		hawser__map_condensed_note(&worker->condensed, &worker->room);
 	if (status || !marks)
 		return status;
 	if (!cable->quantity->about.nonlinear)
 		hawser__linear_margin(worker->room.linear, marks);
-	for (int j = 0; frequency && j < cable->n && j < rom->n; j++)
-		marks[HAWSER__MARGINS + j] = frequency[j];
-	if (frequency)
-		marks[HAWSER__MARGINS + cable->n] = omega*rom->time;
-	return status;
+	return cable->n > 0 ? exponents(worker, marks + HAWSER__MARGINS, rom, omega*rom->time, report)
+	                    : HAWSER_OK;
 }
 
 enum hawser_status hawser__map_worker_point(void *context, struct hawser_map_sample *sample,

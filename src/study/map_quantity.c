@@ -32,11 +32,12 @@ enum hawser_status hawser__map_room_fit(struct hawser__map_room *room, int n,
 	status = hawser_linear_open(&room->linear, n, report);
 	if (status)
 		return status;
-	room->log_modulus = malloc(5*(size_t)n*sizeof(double));
+	room->log_modulus = malloc((5*(size_t)n + HAWSER__EXPONENTS((size_t)n))*sizeof(double));
 	if (!room->log_modulus)
 		return hawser__no_memory(report, "map");
 	room->argument = room->log_modulus + 2*(size_t)n;
 	room->frequency = room->argument + 2*(size_t)n;
+	room->exponents = room->frequency + n;
 	room->n = n;
 	hawser__linear_haste(room->linear, 1);
 	if (room->finer > 1)
@@ -44,74 +45,20 @@ enum hawser_status hawser__map_room_fit(struct hawser__map_room *room, int n,
 	return HAWSER_OK;
 }
 
-/* Whether K and D are diagonal: the frequencies then need no eigenvalue solution. */
-static int diagonal(const struct hawser_rom *rom)
-{
-	for (int j = 0; j < rom->n; j++)
-		for (int k = 0; k < rom->n; k++)
-			if (j != k && (rom->K[j*rom->n + k] != 0.0 || rom->D[j*rom->n + k] != 0.0))
-				return 0;
-	return 1;
-}
-
-static enum hawser_status frequencies(struct hawser__map_room *room, double *frequency,
-                                      const struct hawser_rom *rom, struct hawser_report *report)
-{
-	double growth;
-	int growing;
-
-	if (!diagonal(rom))
-		return hawser_linear_growth(room->linear, &growth, &growing, frequency, rom, report);
-	for (int j = 0; j < rom->n; j++) {
-		double d = rom->D[j*(rom->n + 1)];
-
-		frequency[j] = sqrt(fmax(rom->K[j*(rom->n + 1)] - 0.25*d*d, 0.0));
-	}
-	return HAWSER_OK;
-}
-
-/* The value nearest to w among +-v plus multiples of 2 pi, over the period. */
-static double nearest(double w, double argument, double omega)
-{
-	double part = argument/(2.0*M_PI), up = w/omega - part, down = w/omega + part;
-
-	up = omega*(part + nearbyint(up));
-	down = omega*(nearbyint(down) - part);
-	return fabs(up - w) < fabs(down - w) ? up : down;
-}
-
-/* Parametric excitation changes the frequencies, and with them the position of the tongues.
- * Therefore the frequencies at rest are replaced by the nearest characteristic exponents. */
-static void move(double *frequency, const struct hawser__map_room *room, double omega)
-{
-	for (int j = 0; j < room->n; j++) {
-		double best = INFINITY;
-
-		for (int i = 0; i < 2*room->n; i++) {
-			double w = nearest(frequency[j], room->argument[i], omega);
-
-			if (fabs(w - frequency[j]) < fabs(best - frequency[j]))
-				best = w;
-		}
-		frequency[j] = best;
-	}
-}
-
 static enum hawser_status growth(struct hawser__map_room *room, struct hawser_map_sample *sample,
-                                 double *frequency, const struct hawser_rom *rom, double omega,
+                                 const struct hawser_rom *rom, double omega,
                                  struct hawser_report *report)
 {
 	enum hawser_status status = hawser_linear_growth(room->linear, &sample->value, &sample->number,
 	                                                 room->frequency, rom, report);
 
 	(void)omega;
-	(void)frequency;
 	sample->value /= rom->time;
 	return status;
 }
 
 static enum hawser_status multiplier(struct hawser__map_room *room, struct hawser_map_sample *sample,
-                                     double *frequency, const struct hawser_rom *rom, double omega,
+                                     const struct hawser_rom *rom, double omega,
                                      struct hawser_report *report)
 {
 	enum hawser_status status = hawser_linear_multipliers(room->linear, room->log_modulus,
@@ -119,12 +66,8 @@ static enum hawser_status multiplier(struct hawser__map_room *room, struct hawse
 	                                                      report);
 	struct hawser__circle circle;
 
-	if (!status && frequency)
-		status = frequencies(room, frequency, rom, report);
 	if (status)
 		return status;
-	if (frequency)
-		move(frequency, room, omega);
 	circle = hawser__linear_circle(room->linear);
 	/* if the largest multiplier is undecided, its value is only an error; a map would show a
 	 * picture of errors */
@@ -135,11 +78,10 @@ static enum hawser_status multiplier(struct hawser__map_room *room, struct hawse
 }
 
 static enum hawser_status unstable(struct hawser__map_room *room, struct hawser_map_sample *sample,
-                                   double *frequency, const struct hawser_rom *rom, double omega,
+                                   const struct hawser_rom *rom, double omega,
                                    struct hawser_report *report)
 {
-	enum hawser_status status = (omega > 0.0 ? multiplier : growth)(room, sample, frequency, rom,
-	                                                                omega, report);
+	enum hawser_status status = (omega > 0.0 ? multiplier : growth)(room, sample, rom, omega, report);
 
 	sample->value = sample->number;
 	return status;
@@ -159,7 +101,7 @@ static double largest(const struct hawser_frf *frf)
 
 /* The first orbit of a frequency response that starts at this frequency. */
 static enum hawser_status amplitude(struct hawser__map_room *room, struct hawser_map_sample *sample,
-                                    double *frequency, const struct hawser_rom *rom, double omega,
+                                    const struct hawser_rom *rom, double omega,
                                     struct hawser_report *report)
 {
 	struct hawser_frf_options options = {.method = NULL};
@@ -167,7 +109,6 @@ static enum hawser_status amplitude(struct hawser__map_room *room, struct hawser
 	enum hawser_status status;
 
 	(void)room;
-	(void)frequency;
 	options.from = omega;
 	options.to = 2.0*omega;
 	options.max_points = 1;

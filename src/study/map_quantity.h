@@ -13,6 +13,7 @@ struct hawser__map_room {
 	struct hawser_linear *linear;
 	double *log_modulus, *argument; /* [2n] */
 	double *frequency;              /* [n] */
+	double *exponents;              /* [HAWSER__EXPONENTS(n)] */
 };
 enum hawser_status hawser__map_room_fit(struct hawser__map_room *room, int n,
                                         struct hawser_report *report);
@@ -21,11 +22,10 @@ void hawser__map_room_clear(struct hawser__map_room *room);
 struct hawser__map_quantity {
 	struct hawser_map_quantity about;
 	double threshold;
-	/* Computes value and number of the sample, and the frequencies [n] unless NULL, of a model at
-	 * the scaled omega (0: none). A failure is that of the point, except for lack of memory and the
-	 * like. */
+	/* Computes value and number of the sample of a model at the scaled omega (0: none). A failure is
+	 * that of the point, except for lack of memory and the like. */
 	enum hawser_status (*measure)(struct hawser__map_room *room, struct hawser_map_sample *sample,
-	                              double *frequency, const struct hawser_rom *rom, double omega,
+	                              const struct hawser_rom *rom, double omega,
 	                              struct hawser_report *report);
 	int resonant; /* parametric: 1: instabilities lie where sums of frequencies are multiples of
 	               * Omega */

@@ -1,7 +1,7 @@
 /* study/map_tree.c - refinement of the cells.
  *
- * A cell is split if its corners differ (in number or code), if its value varies much, or if there
- * is a narrow instability on one of its edges. It is split at the middle node of each side; the
+ * A cell is split if its corners differ (in number or code), if its value varies much, or if a
+ * boundary or a narrow instability crosses one of its edges. It is split at the middle node of each side; the
  * halves need not be equal. All cells of a level are split together, so that the criterion for the
  * variation, which is relative to all nodes so far, does not depend on the order.
  *
@@ -20,6 +20,7 @@
 #include "core/report.h"
 #include "study/map.h"
 
+#define REAL 1e-3     /* largest sine of the argument of a multiplier that counts as real; chosen */
 #define ROUND_OFF 1e-9 /* variation over the map, relative to the values, that is round-off */
 
 void *hawser__map_room(void *array, size_t *room, size_t count, size_t size)
@@ -45,9 +46,34 @@ const double *hawser__map_marks(const struct hawser__mapper *mapper, long index)
 	return mapper->memo.mark + index*mapper->memo.marks;
 }
 
-int hawser__map_differ(const struct hawser_map_sample *a, const struct hawser_map_sample *b)
+/* What the unstable multipliers of a point are: 64 p + q for p at +1 and q at -1; the rest are
+ * complex. */
+static int kinds(const struct hawser__mapper *mapper, long index)
 {
-	return a->code != b->code || (a->code == HAWSER_MAP_OK && a->number != b->number);
+	int n = mapper->field->exponents, number = hawser__map_sample(mapper, index)->number, found = 0;
+	const double *modulus = hawser__map_marks(mapper, index) + HAWSER__MARGINS + 1 + 2*n;
+
+	for (int i = 0; i < 2*n; i++) {
+		double angle = fabs(modulus[2*n + i]);
+		int larger = 0;
+
+		for (int k = 0; k < 2*n; k++)
+			larger += modulus[k] > modulus[i];
+		if (larger < number && fabs(sin(angle)) < REAL)
+			found += angle < 1.0 ? 64 : 1;
+	}
+	return found;
+}
+
+int hawser__map_differ(const struct hawser__mapper *mapper, long a, long b)
+{
+	const struct hawser_map_sample *s = hawser__map_sample(mapper, a);
+	const struct hawser_map_sample *t = hawser__map_sample(mapper, b);
+
+	if (s->code != t->code || (s->code == HAWSER_MAP_OK && s->number != t->number))
+		return 1;
+	return s->code == HAWSER_MAP_OK && s->number > 0 && mapper->field->exponents > 0 &&
+	       mapper->memo.marks > HAWSER__MARGINS && kinds(mapper, a) != kinds(mapper, b);
 }
 
 static enum hawser_status push(struct hawser__map_cells *cells, int i0, int i1, int j0, int j1,
@@ -138,9 +164,14 @@ static enum hawser_status want_corners(struct hawser__mapper *mapper,
 	return status;
 }
 
+static long node_of(const struct hawser__mapper *mapper, int i, int j)
+{
+	return mapper->node[(long)j*mapper->nx + i];
+}
+
 static const struct hawser_map_sample *at(const struct hawser__mapper *mapper, int i, int j)
 {
-	return hawser__map_sample(mapper, mapper->node[(long)j*mapper->nx + i]);
+	return hawser__map_sample(mapper, node_of(mapper, i, j));
 }
 
 static double measure(const struct hawser__mapper *mapper, double value)
@@ -173,7 +204,9 @@ static int varied(const struct hawser__mapper *mapper, const struct hawser__map_
 	double jump = mapper->options->jump, low = INFINITY, high = -INFINITY;
 
 	for (int k = 1; k < 4; k++)
-		if (hawser__map_differ(corner[0], corner[k]))
+		if (hawser__map_differ(mapper, node_of(mapper, cell->i0, cell->j0),
+		                       node_of(mapper, k & 1 ? cell->i1 : cell->i0,
+		                               k & 2 ? cell->j1 : cell->j0)))
 			return 1;
 	if (corner[0]->code != HAWSER_MAP_OK || !(jump > 0.0))
 		return 0;
@@ -198,29 +231,50 @@ static long expect(const struct hawser__mapper *mapper, const struct hawser__map
 	return later;
 }
 
+/* Whether a node on the edge of the cell differs from its corner, or there is a narrow instability
+ * beside it. */
+static int stands_out(const struct hawser__mapper *mapper, const struct hawser__map_cell *cell, int i,
+                      int j, int along)
+{
+	long place = (long)j*mapper->nx + i;
+
+	return (mapper->hot[place] & (1 << along)) ||
+	       (mapper->node[place] >= 0 &&
+	        hawser__map_differ(mapper, node_of(mapper, cell->i0, cell->j0), node_of(mapper, i, j)));
+}
+
+static int entered(const struct hawser__mapper *mapper, const struct hawser__map_cell *cell)
+{
+	for (int i = cell->i0; i < cell->i1; i++)
+		if (stands_out(mapper, cell, i, cell->j0, 0) || stands_out(mapper, cell, i, cell->j1, 0))
+			return 1;
+	for (int j = cell->j0; j < cell->j1; j++)
+		if (stands_out(mapper, cell, cell->i0, j, 1) || stands_out(mapper, cell, cell->i1, j, 1))
+			return 1;
+	return 0;
+}
+
 static enum hawser_status level(struct hawser__mapper *mapper, struct hawser__map_cells *next,
                                 const struct hawser__map_cells *cells, struct hawser_report *report)
 {
 	enum hawser_status status = want_corners(mapper, cells, report);
-	unsigned char *hot = calloc(cells->count, 1);
 
-	if (!hot)
-		status = hawser__no_memory(report, "map");
 	if (!status)
 		status = hawser__map_run(&mapper->memo, "map: cells", expect(mapper, cells), report);
 	if (!status && !mapper->memo.interrupted) {
 		widen(mapper, cells);
-		status = hawser__map_probes(mapper, hot, cells, report);
+		if (!mapper->searched)
+			status = hawser__map_ridges(mapper, cells, report);
+		mapper->searched = 1;
 	}
 	for (size_t c = 0; c < cells->count && !status && !mapper->memo.interrupted; c++) {
 		const struct hawser__map_cell *cell = &cells->cell[c];
 
-		if (!small(cell) && (hot[c] || varied(mapper, cell)))
+		if (!small(cell) && (varied(mapper, cell) || entered(mapper, cell)))
 			status = split(next, cell, report);
 		else
 			status = push(&mapper->leaf, cell->i0, cell->i1, cell->j0, cell->j1, report);
 	}
-	free(hot);
 	return status;
 }
 
@@ -237,29 +291,6 @@ static enum hawser_status descend(struct hawser__mapper *mapper, struct hawser__
 		*cells = next;
 	}
 	return status;
-}
-
-/* Whether a node on the edge of the cell differs from its corner, or there is a narrow instability
- * beside it. */
-static int stands_out(const struct hawser__mapper *mapper, const struct hawser__map_cell *cell, int i,
-                      int j, int along)
-{
-	long place = (long)j*mapper->nx + i;
-
-	return (mapper->hot[place] & (1 << along)) ||
-	       (mapper->node[place] >= 0 &&
-	        hawser__map_differ(at(mapper, cell->i0, cell->j0), at(mapper, i, j)));
-}
-
-static int entered(const struct hawser__mapper *mapper, const struct hawser__map_cell *cell)
-{
-	for (int i = cell->i0; i < cell->i1; i++)
-		if (stands_out(mapper, cell, i, cell->j0, 0) || stands_out(mapper, cell, i, cell->j1, 0))
-			return 1;
-	for (int j = cell->j0; j < cell->j1; j++)
-		if (stands_out(mapper, cell, cell->i0, j, 1) || stands_out(mapper, cell, cell->i1, j, 1))
-			return 1;
-	return 0;
 }
 
 /* Move the large cells that a boundary enters from the list to `cells`, to be split. */

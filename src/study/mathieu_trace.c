@@ -107,7 +107,9 @@ static enum hawser_status write_point(struct walk *walk, const double point[2])
 	struct hawser_hill_chart *chart = walk->chart;
 	enum hawser_status status = walk->begun ? HAWSER_OK : begin(walk);
 
-	if (status || chart->boundary[chart->boundaries - 1].points >= walk->options->max_points)
+	if (!status && chart->boundary[chart->boundaries - 1].points >= walk->options->max_points)
+		chart->boundary[chart->boundaries - 1].limited = 1;
+	if (status || chart->boundary[chart->boundaries - 1].limited)
 		return status;
 	return hawser__hill_append(&chart->boundary[chart->boundaries - 1], point, walk->report);
 }

@@ -226,6 +226,8 @@ static const struct row {
 	ROW(hawser_lyapunov_options),
 	ROW(hawser_map),
 	ROW(hawser_map_boundary),
+	ROW(hawser_tongue),
+	ROW(hawser_tongues),
 	ROW(hawser_map_condensed),
 	ROW(hawser_map_field),
 	ROW(hawser_map_options),

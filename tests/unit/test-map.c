@@ -140,9 +140,9 @@ static void narrow(void)
 	   "its tip: %d points", across);
 	ok(worst < 1e-9, "and its sides are placed: %g", worst);
 	hawser_map_clear(&map);
-	field.lines = 0;
+	field.exponents = 0;
 	status = hawser_map_trace(&map, &field, &options, NULL);
-	ok(!status && map.boundaries == 0, "without the line it would have been missed");
+	ok(!status && map.boundaries == 0, "without its exponents it would have been missed");
 	hawser_map_clear(&map);
 }
 

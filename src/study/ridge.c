@@ -1,0 +1,233 @@
+/* study/ridge.c - see ridge.h.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "core/report.h"
+#include "study/ridge.h"
+
+#define PART 0.2      /* largest distance from the vertex at which a point counts as the least stable
+                       * one, relative to half the locked part: growth differs by 2 %; chosen */
+#define WITHIN 0.3    /* the same relative to half the unstable part; chosen */
+#define ASIDE 0.3     /* second point from a first one in the locked part, relative to its half;
+                       * chosen */
+#define UNLIKE 10.0   /* largest ratio of the measured to the expected curvature that is used */
+#define CLEAR 0.3     /* decay at the vertex, relative to the mean decay, above which a prediction
+                       * closes a tongue; chosen */
+#define ROUND_OFF 1e-9 /* of the exponents, relative to Omega */
+#define TOUCHING 2e-8 /* smallest growth, relative to Omega, that is told: beneath it round-off of two
+                       * multipliers that meet is as large */
+#define SPREAD 1e-3   /* weight of the moduli against arguments where several multipliers are
+                       * candidates: of equal arguments the pair that differs the most */
+enum { MOST = 12 };   /* points; chosen: six are usual, and more mean another shape */
+
+static double wrapped(double angle)
+{
+	return remainder(angle, 2.0*M_PI);
+}
+
+/* The two multipliers of the resonance: those of its component with the arguments that the
+ * frequencies at rest suggest. Returns 0 if the coordinates are not coupled. */
+static int pick(int pair[2], const struct hawser__resonance *of, const double *exponents, int n)
+{
+	const double *frequency = exponents + 1, *part = frequency + n, *modulus = part + n;
+	const double *argument = modulus + 2*n;
+	double first = 2.0*M_PI*frequency[of->j]/exponents[0], best = INFINITY;
+	double second = -of->sign*2.0*M_PI*frequency[of->k]/exponents[0];
+
+	if (part[of->j] != part[of->k])
+		return 0;
+	for (int a = 0; a < 2*n; a++)
+		for (int b = 0; b < 2*n; b++) {
+			double off;
+
+			if (a == b || part[a/2] != part[of->j] || part[b/2] != part[of->j])
+				continue;
+			off = fabs(wrapped(argument[a] - first)) + fabs(wrapped(argument[b] - second)) -
+			      SPREAD*fmin(fabs(modulus[a] - modulus[b]), 1.0);
+			if (off < best) {
+				best = off;
+				pair[0] = a;
+				pair[1] = b;
+			}
+		}
+	return isfinite(best);
+}
+
+/* The vertex of the parabola through the points, of curvature slope^2 unless three points tell
+ * another one. */
+static void fit(struct hawser__ridge *ridge)
+{
+	const double *t = ridge->place, *Q = ridge->Q;
+	double bend = ridge->slope*ridge->slope, tilt = (Q[0] - Q[1])/(t[0] - t[1]);
+
+	if (ridge->points > 2) {
+		double own = -(tilt - (Q[1] - Q[2])/(t[1] - t[2]))/(t[0] - t[2]);
+
+		if (own > bend/UNLIKE && own < bend*UNLIKE)
+			bend = own;
+	}
+	ridge->centre = 0.5*(t[0] + t[1]) + 0.5*tilt/bend;
+	ridge->top = Q[0] + bend*(t[0] - ridge->centre)*(t[0] - ridge->centre);
+}
+
+/* With one point: r and the slope tell where r is 0, or its growth how wide the locked part is. */
+static void begin(struct hawser__ridge *ridge, double real, double imaginary)
+{
+	ridge->top = 0.0;
+	ridge->centre = fabs(imaginary) > fabs(real)
+	                ? ridge->place[0] - imaginary/ridge->slope
+	                : ridge->place[0] + ASIDE*fabs(real/ridge->slope);
+}
+
+double hawser__ridge_half(const struct hawser__ridge *ridge)
+{
+	double above = ridge->top - 4.0*ridge->mean*ridge->mean*(ridge->mean < 0.0);
+
+	return ridge->points > 1 ? sqrt(fmax(above, 0.0))/fabs(ridge->slope) : 0.0;
+}
+
+static enum hawser__ridge_state judge(struct hawser__ridge *ridge, double omega)
+{
+	double locked = sqrt(fmax(ridge->top, 0.0))/fabs(ridge->slope);
+	double growth = ridge->mean + 0.5*sqrt(fmax(ridge->top, 0.0));
+	double off = fabs(ridge->place[0] - ridge->centre), half = hawser__ridge_half(ridge);
+	double closest = ROUND_OFF*omega/fabs(ridge->slope);
+
+	if (off <= closest || (off <= PART*locked && (growth <= 0.0 || off <= WITHIN*half)))
+		return growth > TOUCHING*omega ? HAWSER__RIDGE_UNRESOLVED : HAWSER__RIDGE_CLOSED;
+	if (ridge->points > 2 && growth < CLEAR*ridge->mean && ridge->clamped == 0)
+		return HAWSER__RIDGE_CLOSED;
+	return ridge->points >= MOST || ridge->clamped > 1 ? HAWSER__RIDGE_LOST
+	                                                  : HAWSER__RIDGE_GOES_ON;
+}
+
+enum hawser__ridge_state hawser__ridge_take(struct hawser__ridge *ridge, const double *exponents,
+                                            int n)
+{
+	const double *modulus = exponents + 1 + 2*n, *argument = modulus + 2*n;
+	double rate = exponents[0]/(2.0*M_PI), real, imaginary;
+	enum hawser__ridge_state state = HAWSER__RIDGE_GOES_ON;
+	int pair[2] = {0, 0}, worse;
+
+	if (!pick(pair, &ridge->of, exponents, n))
+		return HAWSER__RIDGE_CLOSED;
+	real = rate*(modulus[pair[0]] - modulus[pair[1]]);
+	imaginary = rate*wrapped(argument[pair[0]] - argument[pair[1]]);
+	for (int i = 2; i > 0; i--) {
+		ridge->place[i] = ridge->place[i - 1];
+		ridge->Q[i] = ridge->Q[i - 1];
+	}
+	ridge->place[0] = ridge->at;
+	ridge->Q[0] = real*real - imaginary*imaginary;
+	worse = modulus[pair[0]] > modulus[pair[1]] ? pair[0] : pair[1];
+	ridge->growth = rate*modulus[worse];
+	ridge->angle = argument[worse];
+	ridge->mean = 0.5*rate*(modulus[pair[0]] + modulus[pair[1]]);
+	if (++ridge->points == 1)
+		begin(ridge, real, imaginary);
+	else
+		fit(ridge);
+	if (!isfinite(ridge->centre))
+		return HAWSER__RIDGE_LOST;
+	ridge->clamped += ridge->centre < ridge->low || ridge->centre > ridge->high;
+	if (ridge->points > 1)
+		state = judge(ridge, exponents[0]);
+	ridge->at = fmin(fmax(ridge->centre, ridge->low), ridge->high);
+	if (state == HAWSER__RIDGE_GOES_ON && ridge->at == ridge->place[0])
+		return ridge->points > 1 ? HAWSER__RIDGE_LOST : HAWSER__RIDGE_CLOSED;
+	return state;
+}
+
+/* --- resonances between two points --- */
+
+static enum hawser_status pair_of(const struct hawser__resonance *pair, const double *a,
+                                  const double *b, int *above,
+                                  const struct hawser__ridge_taker *taker,
+                                  struct hawser_report *report)
+{
+	double sum[2] = {a[1 + pair->j] + pair->sign*a[1 + pair->k],
+		b[1 + pair->j] + pair->sign*b[1 + pair->k]};
+	double low = fmin(fabs(sum[0])/a[0], fabs(sum[1])/b[0]);
+	double high = fmax(fabs(sum[0])/a[0], fabs(sum[1])/b[0]);
+	enum hawser_status status = HAWSER_OK;
+
+	*above |= floor(high) > HAWSER__RIDGE_HIGHEST;
+	if (sum[0]*sum[1] <= 0.0)
+		return HAWSER_OK;
+	for (int m = (int)fmax(ceil(low), 1.0); m <= high && m <= HAWSER__RIDGE_HIGHEST && !status; m++) {
+		struct hawser__resonance of = *pair;
+		double r[2];
+
+		if (sum[0] < 0.0) {
+			of.j = pair->k;
+			of.k = pair->j;
+		}
+		of.m = m;
+		r[0] = fabs(sum[0]) - m*a[0];
+		r[1] = fabs(sum[1]) - m*b[0];
+		if (r[0] != r[1])
+			status = taker->found(taker->context, &of, r[0]/(r[0] - r[1]), r[1] - r[0], report);
+	}
+	return status;
+}
+
+enum hawser_status hawser__ridge_find(const double *a, const double *b, int n, int *above,
+                                      const struct hawser__ridge_taker *taker,
+                                      struct hawser_report *report)
+{
+	const double *part[2] = {a + 1 + n, b + 1 + n};
+	enum hawser_status status = HAWSER_OK;
+
+	for (int j = 0; j < n; j++)
+		for (int k = j; k < n; k++) {
+			if (part[0][j] != part[0][k] && part[1][j] != part[1][k])
+				continue;
+			for (int sign = 1; sign >= (j == k ? 1 : -1) && !status; sign -= 2)
+				status = pair_of(&(struct hawser__resonance){j, k, sign, 0}, a, b, above, taker,
+				                 report);
+		}
+	return status;
+}
+
+/* --- what became of them --- */
+
+enum hawser_status hawser__ridge_note(struct hawser__ridge_log *log,
+                                      const struct hawser__resonance *of, int found,
+                                      const double at[2], struct hawser_report *report)
+{
+	size_t c = 0;
+
+	for (; c < log->count; c++)
+		if (log->item[c].of[0] == of->j && log->item[c].of[1] == of->k &&
+		    log->item[c].sign == of->sign && log->item[c].order == of->m) {
+			log->found[c] |= found != 0;
+			return HAWSER_OK;
+		}
+	if (log->count == log->room) {
+		size_t more = log->room ? 2*log->room : 64;
+		void *item = realloc(log->item, more*sizeof *log->item), *known;
+
+		log->item = item ? item : log->item;
+		known = realloc(log->found, more);
+		log->found = known ? known : log->found;
+		if (!item || !known)
+			return hawser__no_memory(report, "map");
+		log->room = more;
+	}
+	log->item[c] = (struct hawser_tongue){{of->j, of->k}, of->sign, of->m, {at[0], at[1]}};
+	log->found[log->count++] = found != 0;
+	return HAWSER_OK;
+}
+
+void hawser__ridge_unresolved(struct hawser_tongues *to, struct hawser__ridge_log *log)
+{
+	*to = (struct hawser_tongues){0, log->item, log->above};
+	for (size_t c = 0; c < log->count; c++)
+		if (!log->found[c])
+			to->item[to->count++] = to->item[c];
+	free(log->found);
+	*log = (struct hawser__ridge_log){.item = NULL};
+}
