@@ -44,6 +44,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/collocation.h \
 	%D%/cover.c \
 	%D%/cvode.c \
+	%D%/detour.c \
 	%D%/floquet.c \
 	%D%/floquet.h \
 	%D%/factor.c \
