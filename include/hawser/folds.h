@@ -150,7 +150,7 @@ struct hawser_folds_options {
 	double step_max;           /* largest change of Omega in a step, relative to the range; 0: 0.02 */
 	int skip_isolas;           /* 1: do not trace detached curves at the nominal load */
 	int starts;                /* number of pseudo-random motions from which detached curves are looked
-	                            * for as well; 0: 48; or HAWSER_NONE */
+	                            * for as well; 0: 96; or HAWSER_NONE */
 	const char *method;        /* of the responses (hawser_frf_options); NULL: "balance", whose
 	                            * orbits at folds start the curves without conversion; "auto": the
 	                            * method that suits the model */

@@ -20,7 +20,7 @@ struct settings {
 };
 static const struct settings defaults = {
 	.from = "0.6w1", .to = "3.3w1", .method = "balance", .load_from = 0.01, .load_to = 2.0,
-	.starts = 48,
+	.starts = 96,
 };
 
 static const struct cli_option options[] = {
@@ -37,7 +37,7 @@ static const struct cli_option options[] = {
 	CLI_POINTS_OPTION("end a curve or response after this many points (5000)"),
 	{"no-isolas", 0, "", "do not trace detached curves at the model's own load",
 	 CLI_FLAG(no_isolas)},
-	{"starts", 0, "N", "look for detached curves from N pseudo-random motions too; 0: none (48)",
+	{"starts", 0, "N", "look for detached curves from N pseudo-random motions too; 0: none (96)",
 	 CLI_STORED(cli_store_every, starts)},
 	CLI_LANE_LOAD_OPTION,
 	CLI_LANE_OPTIONS,

@@ -1,16 +1,16 @@
 /* response/detour.c - ways to the first orbit of a branch that pass other orbits.
  *
- * Newton's method finds an orbit from a guess that is near. Where neither the linear response, nor loads
- * that increase, nor the motion from rest is, an orbit that is found elsewhere is followed to the place
- * where the branch begins:
+ * Newton's method finds an orbit from a guess that is near. Where neither the linear response, nor
+ * loads that increase, nor the motion from rest is, an orbit that is found elsewhere is followed to
+ * the place where the branch begins:
  *
- *   over the load       from the greatest load that could be reached. Loads that increase end at a fold,
- *                       which a curve by arclength passes
+ *   over the load       from the greatest load that could be reached. Loads that increase end at a
+ *                       fold, which a curve by arclength passes
  *   over the parameter  from the other end of the range
  *
- * Neither need lead there: a model that softens without bound may have no orbit at this load. So a curve
- * is given up after some work, more than those that arrive need. What a way leads to is an orbit of the
- * model itself, with its whole load, and is corrected by the method of the branch.
+ * Neither need lead there: a model that softens without bound may have no orbit at this load. So a
+ * curve is given up after some work, more than those that arrive need. What a way leads to is an
+ * orbit of the model itself, with its whole load, and is corrected by the method of the branch.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -23,10 +23,10 @@
 #include "response/start.h"
 #include "response/trace.h"
 
-/* Work of a way: the sum of the steps of its orbits (shooting; coefficients of harmonic balance) times the
- * number of coordinates or MANY, whichever is less. Those of 50 random strongly forced oscillators and spans
- * that arrived over the load needed 900 to 165 000, but one 260 000; over the frequency, up to 10 000. With
- * 12 coordinates it is some 400 points. */
+/* Work of a way: the sum of the steps of its orbits (shooting; coefficients of harmonic balance) times
+ * the number of coordinates or MANY, whichever is less. Those of 50 random strongly forced oscillators
+ * and spans that arrived over the load needed 900 to 165 000, but one 260 000; over the frequency, up
+ * to 10 000. With 12 coordinates it is some 400 points. */
 #define MANY 4
 static const double most_work[HAWSER__WAYS] = {1.7e5, 4e4};
 

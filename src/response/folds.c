@@ -35,7 +35,7 @@ void hawser_folds_settle(struct hawser_folds_options *options)
 	hawser__settle(&options->event_tolerance, 1e-10);
 	hawser__settle(&options->step_max, 0.02);
 	hawser__settle_count(&options->max_points, 5000);
-	hawser__settle_count(&options->starts, 48);
+	hawser__settle_count(&options->starts, 96);
 	if (!options->method)
 		options->method = "balance";
 }

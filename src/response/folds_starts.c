@@ -1,9 +1,9 @@
 /* response/folds_starts.c - detached response curves from pseudo-random motions.
  *
- * A closed curve that has no fold on a curve through the folds of responses is connected to nothing that
- * is followed. Here motions from pseudo-random states settle at frequencies of a coarse grid, and Newton's
- * method turns each into an orbit. An orbit that is on no known curve at this frequency begins a new one.
- * The states are the same in each run and on every machine.
+ * A closed curve that has no fold on a curve through the folds of responses is connected to nothing
+ * that is followed. Here motions from pseudo-random states settle at frequencies of a coarse grid, and
+ * Newton's method turns each into an orbit. An orbit that is on no known curve at this frequency begins
+ * a new one. The states are the same in each run and on every machine.
  *
  *    s_j    largest amplitude of coordinate j on the known curves, at least LEAST times that of all
  *    a, b   pseudo-random: u_j = r s_j cos b_j, du_j/dt = -r s_j w_j sin b_j, with log r uniform
@@ -29,16 +29,16 @@
 
 #define AT_EACH 4     /* starts at a frequency; chosen */
 #define LEAST 0.3     /* see s_j; chosen */
-#define SMALL 0.2     /* range of r; chosen */
-#define LARGE 4.0
+#define SMALL 0.2     /* range of r; chosen, as is the other end: */
+#define LARGE 4.0     /* detached curves have several times the amplitude of the others */
 #define PERIODS 60    /* largest number of periods in which a motion settles; chosen */
 #define TRY 10        /* periods between looks at it; chosen */
-#define SETTLED 1e-3  /* relative change over a period of a settled motion: Newton's method does the rest */
+#define SETTLED 1e-3  /* relative change over a period of a settled motion: Newton's method goes on */
 #define FINER 2       /* steps of a period relative to those of small motions; chosen */
-#define ALIKE 1e-4    /* largest relative difference of the amplitudes of an orbit on a known curve; chosen,
-                       * above the errors of orbits and below their distances */
+#define ALIKE 1e-4    /* largest relative difference of amplitudes of the same orbit; chosen, above the
+                       * errors of orbits and below their distances */
 #define SAME_POINT 1e-6 /* relative difference of Omega of two branch points that are one; chosen */
-#define MOST_NEW 8    /* curves after which the search ends, since each may take as long as a response */
+#define MOST_NEW 8    /* curves after which the search ends: each may take as long as a response */
 
 struct hunt {
 	struct hawser__fold_search *search;
@@ -280,13 +280,18 @@ static enum hawser_status follow(struct hunt *hunt, double omega)
 	return HAWSER_OK;
 }
 
+static int ended(const struct hunt *hunt)
+{
+	return hunt->search->folds->starts.fresh >= MOST_NEW || hunt->search->folds->interrupted;
+}
+
 static enum hawser_status at_frequency(struct hunt *hunt, double omega)
 {
 	struct hawser_folds *folds = hunt->search->folds;
 	int curves = -1;
 	enum hawser_status status = HAWSER_OK;
 
-	for (int i = 0; !status && i < AT_EACH && folds->starts.fresh < MOST_NEW && !folds->interrupted; i++) {
+	for (int i = 0; !status && i < AT_EACH && !ended(hunt); i++) {
 		if (curves != folds->isolas + hunt->besides) {
 			hunt->count = 0;
 			curves = folds->isolas + hunt->besides;
@@ -318,10 +323,11 @@ enum hawser_status hawser__fold_starts(struct hawser__fold_search *search)
 		hunt.before = hunt.x + 2*n;
 		amplitudes(&hunt);
 	}
-	for (int g = 0; !status && g < grid && folds->starts.fresh < MOST_NEW && !folds->interrupted; g++) {
+	for (int g = 0; !status && g < grid && !ended(&hunt); g++) {
+		double lo = search->walk.omega_lo, hi = search->walk.omega_hi;
+
 		folds->starts.frequencies++;
-		status = at_frequency(&hunt, search->walk.omega_lo + (search->walk.omega_hi -
-		                                                      search->walk.omega_lo)*(g + 0.5)/grid);
+		status = at_frequency(&hunt, lo + (hi - lo)*(g + 0.5)/grid);
 	}
 	for (int i = 0; i < hunt.besides; i++)
 		hawser_frf_clear(&hunt.beside[i]);

@@ -89,7 +89,8 @@ double hawser__trace_longest(void *owner)
 	const struct hawser__orbit *orbit = trace->orbit;
 	double extent = hawser__orbit_extent(orbit, trace->here.y);
 	int coarse = trace->watch && trace->watch->coarse;
-	double turn = fmin((coarse ? COARSE_TURN : LARGEST_TURN)*extent, trace->options.step_max*(trace->hi - trace->lo));
+	double turn = fmin((coarse ? COARSE_TURN : LARGEST_TURN)*extent,
+	                   trace->options.step_max*(trace->hi - trace->lo));
 	/* Omega changes by |t_Omega| ds; if the branch is steep, only the change of the orbit limits
 	 * the step */
 	double share = fabs(trace->here.t[orbit->size - 1]);
