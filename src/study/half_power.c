@@ -5,8 +5,8 @@
  *    zp, m, D    y = m (1 + (z - zp)^2/D^2): m at the peak, 2 m at the half-power points zp -+ D
  *    p, x, h     y = p0 + p1 x + p2 x^2 with x = (z - zc)/h, zc and h of the points that are fitted
  *    R           triangular factor of the fit's equations, with their right side as a last column
- *    e           (d/D)^2 for two equal modes at zp -+ d; g1 g2/(g1 + g2)^2 (2 d/D)^2 where their
- *                parts of the response are as g1 to g2
+ *    q           unknowns of two modes, relative to the parabola's wp and xi: w1, w2 = wp (1 + xi (q0
+ *                -+ q1)), ratio xi exp(q2), g1 and g2 = q3 and q4 times 2 xi wp^2 a at the peak
  *
  * zp = w0^2 (1 - 2 xi^2) and D = 2 xi sqrt(1 - xi^2) w0^2, so that D/zp = tan(2 asin xi).
  *
@@ -21,20 +21,20 @@
  * but the outer points. If other modes or a nonlinear response make 1/a^2 deviate smoothly from a
  * parabola, only the second shows it.
  *
- * Two modes within each other's width look like a single one with more damping: with x = (z - zp)/D
- * their sum is (1 + e/(x + i)^2)/(x + i) to second order in their distance, and
+ * Two modes within each other's width look like a single one with more damping or, where their parts
+ * have different signs, with less. The points down to half of the peak are therefore fitted twice more:
+ * by the sum of two modes of one ratio, exactly,
  *
- *      1/a^2 = x^2 + 1 - 2 e (x^2 - 1)/(x^2 + 1)
+ *      H = g1/(w1^2 - w^2 + 2 i xi w1 w) + g2/(w2^2 - w^2 + 2 i xi w2 w),    a = |H|
  *
- * whose half-power points are at x^2 = 1 + 4 e, while 1/12 of that is left where a parabola is
- * fitted. The points down to half of the peak are therefore fitted twice more, with x^3, and with
- * this term or with x^4. Modes farther away contribute the powers. If the fit with this term is the
- * better one, and its ratio differs from the first by more than its own confidence interval, it is
- * taken: its parabola has the mean damping of both modes.
+ * and by a parabola with x^3 and x^4, to which modes farther away contribute. If the sum is the better
+ * one, and its ratio differs from the first by more than its own confidence interval, it is taken, with
+ * the difference as its error: a response that bends a little may look like two modes as well.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <complex.h>
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -44,17 +44,30 @@
 #include <hawser/decay.h>
 
 #include "core/report.h"
+#include "study/least_squares.h"
 
 /* P: unknowns of the parabola. FEWEST: points of a fit, so that two degrees of freedom remain for
  * the estimate of the scatter. */
 enum { P = 3, FEWEST = 5, ITERATIONS = 20 };
-/* SHAPES: unknowns with those of two modes, LEAST_OF_TWO: points; CLOSE_FITS: until zp and D settle. */
-enum { SHAPES = 5, LEAST_OF_TWO = SHAPES + FEWEST - P, CLOSE_FITS = 6 };
+/* EQUAL: unknowns with those of other modes, or of two modes of one ratio; SHAPES: of two modes with two
+ * ratios; LEAST_OF_TWO: points; STEPS: of the fit of two modes, the first ones from each
+ * beginning. */
+enum { EQUAL = 5, SHAPES = 6, LEAST_OF_TWO = EQUAL + FEWEST - P, FIRST_STEPS = 30, STEPS = 200, MANY = 20 };
 
 static const char where[] = "half-power";
 
 /* Largest error relative to the ratio: with a larger one no digit of the ratio is known; chosen. */
 static const double too_far = 0.1;
+
+/* Confidence with which a pair has to fit better than one mode; chosen. */
+static const double SURE = 0.99;
+
+/* Scatter of one mode relative to its peak, that of amplitudes with 11 digits; chosen. */
+static const double EXACT = 1e-11;
+
+/* Factor on the difference of the two ratios: it exceeds the error of both for a peak that bends by up to
+ * 2 %, since the ratio refers to a frequency that the bend changes. */
+static const double MARGIN = 1.1;
 
 struct table {
 	const double *omega, *a; /* [count] */
@@ -69,6 +82,7 @@ struct span {
 struct fit {
 	double zp, D, ratio;
 	double zp_error, ratio_error;
+	double apart;   /* half the difference of the ratios of two modes */
 	double scatter; /* standard deviation of a point, relative to the largest amplitude */
 };
 
@@ -95,13 +109,13 @@ static void join(double R[SHAPES][SHAPES + 1], double row[SHAPES + 1], int count
 	}
 }
 
-/* |R^-T g|: the standard deviation of a quantity with the gradient g if that of the points is 1. */
-static double spread(const double R[SHAPES][SHAPES + 1], const double g[P], int count)
+/* |R^-T g|: the standard deviation of a quantity with the gradient g [count] if that of the points is 1. */
+static double spread(const double R[SHAPES][SHAPES + 1], const double *g, int count)
 {
 	double v[SHAPES], sum = 0.0;
 
 	for (int j = 0; j < count; j++) {
-		v[j] = j < P ? g[j] : 0.0;
+		v[j] = g[j];
 		for (int i = 0; i < j; i++)
 			v[j] -= R[i][j]*v[i];
 		v[j] /= R[j][j];
@@ -131,47 +145,63 @@ static int of_parabola(struct fit *fit, double by_zp[P], double by_ratio[P], con
 	return 1;
 }
 
-/* What adds to the parabola: nothing, modes farther away, or a close one. */
-enum others { NONE, FAR, CLOSE };
+/* What adds to the parabola: nothing, or modes farther away. */
+enum others { NONE, FAR };
 
 static int shapes_of(enum others others)
 {
-	return others == NONE ? P : SHAPES;
+	return others == NONE ? P : EQUAL;
 }
 
 /* The functions of x of which 1/a^2 is a sum. */
-static void shapes_at(double f[SHAPES], double x, enum others others)
+static void shapes_at(double f[SHAPES], double x)
 {
 	f[0] = 1.0;
 	f[1] = x;
 	f[2] = x*x;
 	f[3] = x*x*x;
-	f[4] = others == FAR ? x*x*x*x : (x*x - 1.0)/(x*x + 1.0);
+	f[4] = x*x*x*x;
 }
 
-/* Standard deviation of a point, from the residuals r. With a correlation rho of neighbours, n
- * points count as n (1 - rho)/(1 + rho), but at least FEWEST: smooth residuals, which a curve that
- * is not a parabola causes, do not average out. */
+/* Sums of the residuals r, and of products of neighbours. */
+struct residuals {
+	double sum, lag, before;
+};
+
+static void add(struct residuals *residuals, double r)
+{
+	residuals->sum += r*r;
+	residuals->lag += r*residuals->before;
+	residuals->before = r;
+}
+
+/* Standard deviation of a point. With a correlation rho of neighbours, n points count as n (1 -
+ * rho)/(1 + rho), but at least FEWEST: smooth residuals, which a curve that is not of the fitted kind
+ * causes, do not average out. */
+static double deviation_of(const struct residuals *residuals, int count, int unknowns)
+{
+	double rho = residuals->sum > 0.0 ? fmax(residuals->lag/residuals->sum, 0.0) : 0.0;
+	double loss = fmin((1.0 + rho)/(1.0 - rho), (double)count/FEWEST);
+
+	return sqrt(residuals->sum*loss/(count - unknowns));
+}
+
 static double scatter(const struct table *table, struct span span, const double *p,
                       enum others others, double zc, double h)
 {
-	double sum = 0.0, lag = 0.0, before = 0.0, rho, loss, f[SHAPES];
+	struct residuals residuals = {0.0, 0.0, 0.0};
+	double f[SHAPES];
 	int count = span.last - span.first + 1, shapes = shapes_of(others);
 
 	for (int i = span.first; i <= span.last; i++) {
-		double a = table->a[i]/table->a[table->best], r, y = 0.0;
+		double a = table->a[i]/table->a[table->best], y = 0.0;
 
-		shapes_at(f, (square(table->omega[i]) - zc)/h, others);
+		shapes_at(f, (square(table->omega[i]) - zc)/h);
 		for (int j = 0; j < shapes; j++)
 			y += p[j]*f[j];
-		r = 0.5*a*(a*a*y - 1.0);
-		sum += r*r;
-		lag += r*before;
-		before = r;
+		add(&residuals, 0.5*a*(a*a*y - 1.0));
 	}
-	rho = sum > 0.0 ? fmax(lag/sum, 0.0) : 0.0;
-	loss = fmin((1.0 + rho)/(1.0 - rho), (double)count/FEWEST);
-	return sqrt(sum*loss/(count - shapes));
+	return deviation_of(&residuals, count, shapes);
 }
 
 /* With the functions of x = (z - zc)/h. */
@@ -180,13 +210,13 @@ static int fit_shapes(struct fit *fit, const struct table *table, struct span sp
 {
 	int shapes = shapes_of(others);
 	double most = table->a[table->best], R[SHAPES][SHAPES + 1] = {{0.0}}, p[SHAPES];
-	double f[SHAPES], by_zp[P], by_ratio[P], deviation;
+	double f[SHAPES], by_zp[SHAPES] = {0.0}, by_ratio[SHAPES] = {0.0}, deviation;
 	int free_points = span.last - span.first + 1 - shapes;
 
 	for (int i = span.first; i <= span.last; i++) {
 		double a = table->a[i]/most, w = 0.5*a*a*a, row[SHAPES + 1];
 
-		shapes_at(f, (square(table->omega[i]) - zc)/h, others);
+		shapes_at(f, (square(table->omega[i]) - zc)/h);
 		for (int j = 0; j < shapes; j++)
 			row[j] = w*f[j];
 		row[shapes] = w/(a*a);
@@ -252,11 +282,163 @@ static struct span second(const struct table *table, struct span span, const str
 	return (struct span){span.first + 1, span.last - 1};
 }
 
-/* The ratio becomes that of the fit with two modes where it certainly differs, with the difference
- * as its error: terms of third order in the modes' distance, which are left out, are up to as
- * large where one mode is weaker than the other. If the fit needs points beyond half of the peak,
- * or that with modes farther away is better, only the error is taken. Returns the number of modes.
- */
+/* --- two modes --- */
+
+struct pair {
+	const struct table *table;
+	struct span span;
+	double wp, ratio; /* of the parabola */
+	int unknowns;     /* EQUAL or SHAPES */
+};
+
+/* The sum H of two modes at w, relative to the largest amplitude, and its derivatives by q. */
+static double complex pair_at(double complex by[SHAPES], const struct pair *pair,
+                              const double *q, double w)
+{
+	double scale = 2.0*pair->ratio*pair->wp*pair->wp;
+	double complex H = 0.0;
+
+	by[0] = by[1] = by[2] = by[EQUAL] = 0.0;
+	for (int k = 0; k < 2; k++) {
+		double side = k ? 1.0 : -1.0, wk = pair->wp*(1.0 + pair->ratio*(q[0] + side*q[1]));
+		double xi = pair->ratio*exp(q[2] + (pair->unknowns > EQUAL ? side*q[EQUAL] : 0.0));
+		double re = wk*wk - w*w, im = 2.0*xi*wk*w, size = re*re + im*im;
+		double complex by_xi, inverse = re/size - I*im/size, part = scale*inverse;
+		double complex slope = -q[3 + k]*part*inverse;
+		double complex by_w = slope*(2.0*wk + 2.0*I*xi*w)*pair->wp*pair->ratio;
+
+		by[3 + k] = part;
+		by[0] += by_w;
+		by[1] += side*by_w;
+		by_xi = slope*I*im;
+		by[2] += by_xi;
+		by[EQUAL] += side*by_xi;
+		H += q[3 + k]*part;
+	}
+	return H;
+}
+
+static enum hawser_status pair_residuals(void *context, double *r, double *J, const double *q)
+{
+	const struct pair *pair = context;
+	const struct table *table = pair->table;
+	int count = pair->span.last - pair->span.first + 1;
+
+	for (int i = 0; i < count; i++) {
+		double complex by[SHAPES];
+		int at = pair->span.first + i;
+		double complex H = pair_at(by, pair, q, table->omega[at]);
+
+		if (r)
+			r[i] = cabs(H) - table->a[at]/table->a[table->best];
+		for (int j = 0; !r && j < pair->unknowns; j++)
+			J[j*count + i] = creal(conj(H)*by[j])/fmax(cabs(H), DBL_MIN);
+	}
+	return HAWSER_OK;
+}
+
+/* Confidence interval and scatter of the pair q. */
+static void judge_pair(struct fit *two, const struct pair *pair, const double *q, double confidence)
+{
+	const struct table *table = pair->table;
+	int count = pair->span.last - pair->span.first + 1;
+	int m = pair->unknowns;
+	double R[SHAPES][SHAPES + 1] = {{0.0}}, apart = m > EQUAL ? q[EQUAL] : 0.0, mean, deviation;
+	struct residuals residuals = {0.0, 0.0, 0.0};
+
+	mean = pair->ratio*exp(q[2])*cosh(apart);
+	for (int i = pair->span.first; i <= pair->span.last; i++) {
+		double complex by[SHAPES], H = pair_at(by, pair, q, table->omega[i]);
+		double row[SHAPES + 1] = {0.0};
+
+		for (int j = 0; j < m; j++)
+			row[j] = creal(conj(H)*by[j])/fmax(cabs(H), DBL_MIN);
+		join(R, row, m);
+		add(&residuals, cabs(H) - table->a[i]/table->a[table->best]);
+	}
+	two->scatter = deviation_of(&residuals, count, m);
+	deviation = fmax(8.0*DBL_EPSILON*(1.0 + 1.0/pair->ratio), two->scatter)*
+	            gsl_cdf_tdist_Pinv(0.5 + 0.5*confidence, count - m);
+	two->ratio = mean;
+	two->ratio_error = deviation*spread((const double (*)[SHAPES + 1])R, (double[SHAPES]){
+		[2] = mean, [EQUAL] = mean*tanh(apart)}, m);
+	two->apart = fabs(mean*tanh(apart));
+}
+
+/* The best of the fits from several pairs with one ratio. Returns 0 if there is none. */
+static int begin_pair(double q[SHAPES], const struct hawser__least_squares *problem)
+{
+	/* equal parts, unequal ones, and of different signs */
+	static const double begin[][SHAPES] = {{0.0, 0.3, -0.05, 0.5, 0.5}, {0.0, 0.7, -0.3, 0.6, 0.5},
+		{0.1, 0.5, -0.1, 0.8, 0.2}, {-0.1, 0.5, -0.1, 0.2, 0.8}, {0.1, 0.4, 0.1, 1.2, -0.15},
+		{-0.1, 0.4, 0.1, -0.15, 1.2}, {0.2, 0.5, 0.1, 1.7, -0.7}, {-0.2, 0.5, 0.1, -0.7, 1.7},
+		{0.4, 0.3, 0.2, 2.8, -2.0}, {-0.4, 0.3, 0.2, -2.0, 2.8}};
+	double least = INFINITY;
+
+	for (size_t k = 0; k < sizeof begin/sizeof *begin; k++) {
+		double from[SHAPES], sum;
+		int steps;
+
+		memcpy(from, begin[k], sizeof from);
+		if (hawser__least_squares(from, &sum, &steps, problem) || !(sum < least))
+			continue;
+		least = sum;
+		memcpy(q, from, sizeof from);
+	}
+	return isfinite(least);
+}
+
+/* From q, or, with `unknowns` EQUAL, from anywhere. Returns 0 if there is no fit. */
+static int fit_pair(double q[SHAPES], struct fit *two, struct pair *pair, int unknowns)
+{
+	struct hawser__least_squares problem = {.unknowns = unknowns,
+		.count = pair->span.last - pair->span.first + 1, .residuals = pair_residuals,
+		.context = pair, .least_step = 1e-10, .steps = FIRST_STEPS};
+	double sum;
+	int steps;
+
+	pair->unknowns = unknowns;
+	if (unknowns == EQUAL && !begin_pair(q, &problem))
+		return 0;
+	problem.steps = STEPS;
+	if (hawser__least_squares(q, &sum, &steps, &problem))
+		return 0;
+	judge_pair(two, pair, q, pair->table->confidence);
+	return isfinite(two->ratio) && isfinite(two->ratio_error);
+}
+
+/* Whether a fit with more unknowns is better than one with fewer by more than chance. */
+static int is_better(const struct fit *more, int unknowns, const struct fit *fewer, int less, int count)
+{
+	return more->scatter*sqrt(gsl_cdf_fdist_Pinv(SURE, count - less, count - unknowns)) <
+	       fewer->scatter;
+}
+
+/* Two modes, with two ratios if that is better. Returns 0 where one mode will do. */
+static int find_pair(struct fit *two, const struct table *table, struct span span,
+                     const struct fit *fit)
+{
+	struct pair pair = {table, span, sqrt(fit->zp), fit->ratio, EQUAL};
+	struct fit one = *fit, apart = *fit, far = *fit;
+	int count = span.last - span.first + 1;
+	double q[SHAPES];
+
+	/* nothing is looked for where one mode fits to round-off, or where its residuals, if they are many,
+	 * have no smooth part */
+	if (!fit_span(&one, table, span) || one.scatter < EXACT ||
+	    (count >= MANY && fit_shapes(&far, table, span, FAR, fit->zp, fit->D) && !is_better(&far, EQUAL, &one, P, count)))
+		return 0;
+	if (!fit_pair(q, two, &pair, EQUAL) || !is_better(two, EQUAL, &one, P, count))
+		return 0;
+	if (count - SHAPES >= FEWEST - P && fit_pair(q, &apart, &pair, SHAPES) &&
+	    is_better(&apart, SHAPES, two, EQUAL, count))
+		*two = apart;
+	return 1;
+}
+
+/* The ratio becomes that of two modes where it certainly differs, with the difference as its error. If
+ * that needs points beyond half of the peak, or modes farther away fit better, only the error is taken.
+ * Returns the number of modes. */
 static int close_modes(struct fit *fit, const struct table *table)
 {
 	double reach = sqrt(3.0)*fit->D, off;
@@ -266,23 +448,18 @@ static int close_modes(struct fit *fit, const struct table *table)
 
 	while (span.last - span.first + 1 < LEAST_OF_TWO && (reach *= 1.25) < 4.0*fit->zp)
 		span = around(table, fit->zp, reach);
-	if (span.last - span.first + 1 < LEAST_OF_TWO)
+	if (span.last - span.first + 1 < LEAST_OF_TWO || !find_pair(&two, table, span, fit))
 		return 1;
-	for (int i = 0; i < CLOSE_FITS; i++)
-		if (!fit_shapes(&two, table, span, CLOSE, two.zp, two.D)) {
-			fit->ratio_error = INFINITY;
-			return 1;
-		}
-	off = fabs(two.ratio - fit->ratio);
+	off = fmax(fabs(two.ratio - fit->ratio), two.apart);
 	if (!(off > two.ratio_error))
 		return 1;
 	enough &= !fit_shapes(&far, table, span, FAR, fit->zp, fit->D) || two.scatter < far.scatter;
 	if (!enough || !(off < too_far*fit->ratio)) {
-		fit->ratio_error = fmax(fit->ratio_error, off);
+		fit->ratio_error = fmax(fit->ratio_error, MARGIN*off);
 		return 1;
 	}
 	fit->ratio = two.ratio;
-	fit->ratio_error = fmax(two.ratio_error, off);
+	fit->ratio_error = fmax(two.ratio_error, MARGIN*off);
 	return 2;
 }
 
