@@ -34,7 +34,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include <complex.h>
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -44,15 +43,14 @@
 #include <hawser/decay.h>
 
 #include "core/report.h"
-#include "study/least_squares.h"
+#include "study/half_power.h"
 
 /* P: unknowns of the parabola. FEWEST: points of a fit, so that two degrees of freedom remain for
  * the estimate of the scatter. */
 enum { P = 3, FEWEST = 5, ITERATIONS = 20 };
-/* EQUAL: unknowns with those of other modes, or of two modes of one ratio; SHAPES: of two modes with two
- * ratios; LEAST_OF_TWO: points; STEPS: of the fit of two modes, the first ones from each
- * beginning. */
-enum { EQUAL = 5, SHAPES = 6, LEAST_OF_TWO = EQUAL + FEWEST - P, FIRST_STEPS = 30, STEPS = 200, MANY = 20 };
+/* LEAST_OF_TWO: points of a fit of two modes; MANY: of which their scatter is an estimate. */
+enum { EQUAL = HAWSER__HALF_EQUAL, SHAPES = HAWSER__HALF_SHAPES,
+       LEAST_OF_TWO = HAWSER__HALF_EQUAL + FEWEST - P, MANY = 20 };
 
 static const char where[] = "half-power";
 
@@ -65,26 +63,9 @@ static const double SURE = 0.99;
 /* Scatter of one mode relative to its peak, that of amplitudes with 11 digits; chosen. */
 static const double EXACT = 1e-11;
 
-/* Factor on the difference of the two ratios: it exceeds the error of both for a peak that bends by up to
- * 2 %, since the ratio refers to a frequency that the bend changes. */
+/* Factor on the difference of the two ratios: it exceeds the error of both for a peak that bends by
+ * up to 2 %, since the ratio refers to a frequency that the bend changes. */
 static const double MARGIN = 1.1;
-
-struct table {
-	const double *omega, *a; /* [count] */
-	int count, best;         /* best: index of the largest amplitude */
-	double confidence;
-};
-
-struct span {
-	int first, last;
-};
-
-struct fit {
-	double zp, D, ratio;
-	double zp_error, ratio_error;
-	double apart;   /* half the difference of the ratios of two modes */
-	double scatter; /* standard deviation of a point, relative to the largest amplitude */
-};
 
 static double square(double x)
 {
@@ -93,48 +74,17 @@ static double square(double x)
 
 /* --- one fit --- */
 
-/* Adds a row, its right side last, to R [count][count + 1] by Givens rotations. */
-static void join(double R[SHAPES][SHAPES + 1], double row[SHAPES + 1], int count)
-{
-	for (int j = 0; j < count; j++) {
-		double r = hypot(R[j][j], row[j]), c = r > 0.0 ? R[j][j]/r : 1.0;
-		double s = r > 0.0 ? row[j]/r : 0.0;
-
-		for (int k = j; k <= count; k++) {
-			double upper = c*R[j][k] + s*row[k];
-
-			row[k] = c*row[k] - s*R[j][k];
-			R[j][k] = upper;
-		}
-	}
-}
-
-/* |R^-T g|: the standard deviation of a quantity with the gradient g [count] if that of the points is 1. */
-static double spread(const double R[SHAPES][SHAPES + 1], const double *g, int count)
-{
-	double v[SHAPES], sum = 0.0;
-
-	for (int j = 0; j < count; j++) {
-		v[j] = g[j];
-		for (int i = 0; i < j; i++)
-			v[j] -= R[i][j]*v[i];
-		v[j] /= R[j][j];
-		sum += v[j]*v[j];
-	}
-	return sqrt(sum);
-}
-
 /* The result and its gradients with respect to p [P]; returns 0 if the parabola is not that of an
  * oscillator. */
-static int of_parabola(struct fit *fit, double by_zp[P], double by_ratio[P], const double p[P],
-                       double zc, double h)
+static int of_parabola(struct hawser__half_fit *fit, double by_zp[P], double by_ratio[P],
+                       const double p[P], double zc, double h)
 {
 	double b = p[1]/(2.0*p[2]), m = p[0] - b*p[1]/2.0, D = h*sqrt(m/p[2]), zp = zc - h*b, t, slope;
 
 	if (!(p[2] > 0.0) || !(m > 0.0) || !(zp > 0.0) || !isfinite(D))
 		return 0;
 	t = D/zp;
-	*fit = (struct fit){.zp = zp, .D = D, .ratio = sin(0.5*atan(t))};
+	*fit = (struct hawser__half_fit){.zp = zp, .D = D, .ratio = sin(0.5*atan(t))};
 	slope = 0.5*cos(0.5*atan(t))/(1.0 + t*t)*t;
 	for (int i = 0; i < P; i++) {
 		double by_m = (const double[P]){1.0, -b, b*b}[i];
@@ -163,33 +113,11 @@ static void shapes_at(double f[SHAPES], double x)
 	f[4] = x*x*x*x;
 }
 
-/* Sums of the residuals r, and of products of neighbours. */
-struct residuals {
-	double sum, lag, before;
-};
-
-static void add(struct residuals *residuals, double r)
-{
-	residuals->sum += r*r;
-	residuals->lag += r*residuals->before;
-	residuals->before = r;
-}
-
-/* Standard deviation of a point. With a correlation rho of neighbours, n points count as n (1 -
- * rho)/(1 + rho), but at least FEWEST: smooth residuals, which a curve that is not of the fitted kind
- * causes, do not average out. */
-static double deviation_of(const struct residuals *residuals, int count, int unknowns)
-{
-	double rho = residuals->sum > 0.0 ? fmax(residuals->lag/residuals->sum, 0.0) : 0.0;
-	double loss = fmin((1.0 + rho)/(1.0 - rho), (double)count/FEWEST);
-
-	return sqrt(residuals->sum*loss/(count - unknowns));
-}
-
-static double scatter(const struct table *table, struct span span, const double *p,
+static double scatter(const struct hawser__half_table *table, struct hawser__half_span span,
+                      const double *p,
                       enum others others, double zc, double h)
 {
-	struct residuals residuals = {0.0, 0.0, 0.0};
+	struct hawser__half_residuals residuals = {0.0, 0.0, 0.0};
 	double f[SHAPES];
 	int count = span.last - span.first + 1, shapes = shapes_of(others);
 
@@ -199,13 +127,14 @@ static double scatter(const struct table *table, struct span span, const double 
 		shapes_at(f, (square(table->omega[i]) - zc)/h);
 		for (int j = 0; j < shapes; j++)
 			y += p[j]*f[j];
-		add(&residuals, 0.5*a*(a*a*y - 1.0));
+		hawser__half_add(&residuals, 0.5*a*(a*a*y - 1.0));
 	}
-	return deviation_of(&residuals, count, shapes);
+	return hawser__half_deviation(&residuals, count, shapes);
 }
 
 /* With the functions of x = (z - zc)/h. */
-static int fit_shapes(struct fit *fit, const struct table *table, struct span span,
+static int fit_shapes(struct hawser__half_fit *fit, const struct hawser__half_table *table,
+                      struct hawser__half_span span,
                       enum others others, double zc, double h)
 {
 	int shapes = shapes_of(others);
@@ -220,7 +149,7 @@ static int fit_shapes(struct fit *fit, const struct table *table, struct span sp
 		for (int j = 0; j < shapes; j++)
 			row[j] = w*f[j];
 		row[shapes] = w/(a*a);
-		join(R, row, shapes);
+		hawser__half_join(R, row, shapes);
 	}
 	for (int j = shapes - 1; j >= 0; j--) {
 		p[j] = R[j][shapes];
@@ -236,12 +165,13 @@ static int fit_shapes(struct fit *fit, const struct table *table, struct span sp
 	if (free_points > 0)
 		deviation = fmax(deviation, fit->scatter)*
 		            gsl_cdf_tdist_Pinv(0.5 + 0.5*table->confidence, free_points);
-	fit->zp_error = deviation*spread(R, by_zp, shapes);
-	fit->ratio_error = deviation*spread(R, by_ratio, shapes);
+	fit->zp_error = deviation*hawser__half_spread(R, by_zp, shapes);
+	fit->ratio_error = deviation*hawser__half_spread(R, by_ratio, shapes);
 	return isfinite(fit->ratio_error);
 }
 
-static int fit_span(struct fit *fit, const struct table *table, struct span span)
+static int fit_span(struct hawser__half_fit *fit, const struct hawser__half_table *table,
+                    struct hawser__half_span span)
 {
 	double z0 = square(table->omega[span.first]), z1 = square(table->omega[span.last]);
 
@@ -252,9 +182,9 @@ static int fit_span(struct fit *fit, const struct table *table, struct span span
 
 /* The points from the last one below zp - reach to the first one above zp + reach, if the table has
  * them. */
-static struct span around(const struct table *table, double zp, double reach)
+static struct hawser__half_span around(const struct hawser__half_table *table, double zp, double reach)
 {
-	struct span span = {0, table->count - 1};
+	struct hawser__half_span span = {0, table->count - 1};
 
 	while (span.first < span.last && square(table->omega[span.first + 1]) <= zp - reach)
 		span.first++;
@@ -273,164 +203,45 @@ static struct span around(const struct table *table, double zp, double reach)
 
 /* The second fit: to the points down to half of the peak or, if there are no more, to all but the
  * outer ones. */
-static struct span second(const struct table *table, struct span span, const struct fit *fit)
+static struct hawser__half_span second(const struct hawser__half_table *table,
+                                       struct hawser__half_span span,
+                                       const struct hawser__half_fit *fit)
 {
-	struct span wider = around(table, fit->zp, sqrt(3.0)*fit->D);
+	struct hawser__half_span wider = around(table, fit->zp, sqrt(3.0)*fit->D);
 
 	if (wider.first < span.first || wider.last > span.last)
 		return wider;
-	return (struct span){span.first + 1, span.last - 1};
+	return (struct hawser__half_span){span.first + 1, span.last - 1};
 }
 
 /* --- two modes --- */
 
-struct pair {
-	const struct table *table;
-	struct span span;
-	double wp, ratio; /* of the parabola */
-	int unknowns;     /* EQUAL or SHAPES */
-};
-
-/* The sum H of two modes at w, relative to the largest amplitude, and its derivatives by q. */
-static double complex pair_at(double complex by[SHAPES], const struct pair *pair,
-                              const double *q, double w)
-{
-	double scale = 2.0*pair->ratio*pair->wp*pair->wp;
-	double complex H = 0.0;
-
-	by[0] = by[1] = by[2] = by[EQUAL] = 0.0;
-	for (int k = 0; k < 2; k++) {
-		double side = k ? 1.0 : -1.0, wk = pair->wp*(1.0 + pair->ratio*(q[0] + side*q[1]));
-		double xi = pair->ratio*exp(q[2] + (pair->unknowns > EQUAL ? side*q[EQUAL] : 0.0));
-		double re = wk*wk - w*w, im = 2.0*xi*wk*w, size = re*re + im*im;
-		double complex by_xi, inverse = re/size - I*im/size, part = scale*inverse;
-		double complex slope = -q[3 + k]*part*inverse;
-		double complex by_w = slope*(2.0*wk + 2.0*I*xi*w)*pair->wp*pair->ratio;
-
-		by[3 + k] = part;
-		by[0] += by_w;
-		by[1] += side*by_w;
-		by_xi = slope*I*im;
-		by[2] += by_xi;
-		by[EQUAL] += side*by_xi;
-		H += q[3 + k]*part;
-	}
-	return H;
-}
-
-static enum hawser_status pair_residuals(void *context, double *r, double *J, const double *q)
-{
-	const struct pair *pair = context;
-	const struct table *table = pair->table;
-	int count = pair->span.last - pair->span.first + 1;
-
-	for (int i = 0; i < count; i++) {
-		double complex by[SHAPES];
-		int at = pair->span.first + i;
-		double complex H = pair_at(by, pair, q, table->omega[at]);
-
-		if (r)
-			r[i] = cabs(H) - table->a[at]/table->a[table->best];
-		for (int j = 0; !r && j < pair->unknowns; j++)
-			J[j*count + i] = creal(conj(H)*by[j])/fmax(cabs(H), DBL_MIN);
-	}
-	return HAWSER_OK;
-}
-
-/* Confidence interval and scatter of the pair q. */
-static void judge_pair(struct fit *two, const struct pair *pair, const double *q, double confidence)
-{
-	const struct table *table = pair->table;
-	int count = pair->span.last - pair->span.first + 1;
-	int m = pair->unknowns;
-	double R[SHAPES][SHAPES + 1] = {{0.0}}, apart = m > EQUAL ? q[EQUAL] : 0.0, mean, deviation;
-	struct residuals residuals = {0.0, 0.0, 0.0};
-
-	mean = pair->ratio*exp(q[2])*cosh(apart);
-	for (int i = pair->span.first; i <= pair->span.last; i++) {
-		double complex by[SHAPES], H = pair_at(by, pair, q, table->omega[i]);
-		double row[SHAPES + 1] = {0.0};
-
-		for (int j = 0; j < m; j++)
-			row[j] = creal(conj(H)*by[j])/fmax(cabs(H), DBL_MIN);
-		join(R, row, m);
-		add(&residuals, cabs(H) - table->a[i]/table->a[table->best]);
-	}
-	two->scatter = deviation_of(&residuals, count, m);
-	deviation = fmax(8.0*DBL_EPSILON*(1.0 + 1.0/pair->ratio), two->scatter)*
-	            gsl_cdf_tdist_Pinv(0.5 + 0.5*confidence, count - m);
-	two->ratio = mean;
-	two->ratio_error = deviation*spread((const double (*)[SHAPES + 1])R, (double[SHAPES]){
-		[2] = mean, [EQUAL] = mean*tanh(apart)}, m);
-	two->apart = fabs(mean*tanh(apart));
-}
-
-/* The best of the fits from several pairs with one ratio. Returns 0 if there is none. */
-static int begin_pair(double q[SHAPES], const struct hawser__least_squares *problem)
-{
-	/* equal parts, unequal ones, and of different signs */
-	static const double begin[][SHAPES] = {{0.0, 0.3, -0.05, 0.5, 0.5}, {0.0, 0.7, -0.3, 0.6, 0.5},
-		{0.1, 0.5, -0.1, 0.8, 0.2}, {-0.1, 0.5, -0.1, 0.2, 0.8}, {0.1, 0.4, 0.1, 1.2, -0.15},
-		{-0.1, 0.4, 0.1, -0.15, 1.2}, {0.2, 0.5, 0.1, 1.7, -0.7}, {-0.2, 0.5, 0.1, -0.7, 1.7},
-		{0.4, 0.3, 0.2, 2.8, -2.0}, {-0.4, 0.3, 0.2, -2.0, 2.8}};
-	double least = INFINITY;
-
-	for (size_t k = 0; k < sizeof begin/sizeof *begin; k++) {
-		double from[SHAPES], sum;
-		int steps;
-
-		memcpy(from, begin[k], sizeof from);
-		if (hawser__least_squares(from, &sum, &steps, problem) || !(sum < least))
-			continue;
-		least = sum;
-		memcpy(q, from, sizeof from);
-	}
-	return isfinite(least);
-}
-
-/* From q, or, with `unknowns` EQUAL, from anywhere. Returns 0 if there is no fit. */
-static int fit_pair(double q[SHAPES], struct fit *two, struct pair *pair, int unknowns)
-{
-	struct hawser__least_squares problem = {.unknowns = unknowns,
-		.count = pair->span.last - pair->span.first + 1, .residuals = pair_residuals,
-		.context = pair, .least_step = 1e-10, .steps = FIRST_STEPS};
-	double sum;
-	int steps;
-
-	pair->unknowns = unknowns;
-	if (unknowns == EQUAL && !begin_pair(q, &problem))
-		return 0;
-	problem.steps = STEPS;
-	if (hawser__least_squares(q, &sum, &steps, &problem))
-		return 0;
-	judge_pair(two, pair, q, pair->table->confidence);
-	return isfinite(two->ratio) && isfinite(two->ratio_error);
-}
-
 /* Whether a fit with more unknowns is better than one with fewer by more than chance. */
-static int is_better(const struct fit *more, int unknowns, const struct fit *fewer, int less, int count)
+static int is_better(const struct hawser__half_fit *more, int unknowns,
+                     const struct hawser__half_fit *fewer, int less, int count)
 {
 	return more->scatter*sqrt(gsl_cdf_fdist_Pinv(SURE, count - less, count - unknowns)) <
 	       fewer->scatter;
 }
 
 /* Two modes, with two ratios if that is better. Returns 0 where one mode will do. */
-static int find_pair(struct fit *two, const struct table *table, struct span span,
-                     const struct fit *fit)
+static int find_pair(struct hawser__half_fit *two, const struct hawser__half_table *table,
+                     struct hawser__half_span span, const struct hawser__half_fit *fit)
 {
-	struct pair pair = {table, span, sqrt(fit->zp), fit->ratio, EQUAL};
-	struct fit one = *fit, apart = *fit, far = *fit;
+	struct hawser__half_pair_of pair = {table, span, sqrt(fit->zp), fit->ratio, EQUAL};
+	struct hawser__half_fit one = *fit, apart = *fit, far = *fit;
 	int count = span.last - span.first + 1;
 	double q[SHAPES];
 
 	/* nothing is looked for where one mode fits to round-off, or where its residuals, if they are many,
 	 * have no smooth part */
 	if (!fit_span(&one, table, span) || one.scatter < EXACT ||
-	    (count >= MANY && fit_shapes(&far, table, span, FAR, fit->zp, fit->D) && !is_better(&far, EQUAL, &one, P, count)))
+	    (count >= MANY && fit_shapes(&far, table, span, FAR, fit->zp, fit->D) &&
+	     !is_better(&far, EQUAL, &one, P, count)))
 		return 0;
-	if (!fit_pair(q, two, &pair, EQUAL) || !is_better(two, EQUAL, &one, P, count))
+	if (!hawser__half_pair(q, two, &pair, EQUAL) || !is_better(two, EQUAL, &one, P, count))
 		return 0;
-	if (count - SHAPES >= FEWEST - P && fit_pair(q, &apart, &pair, SHAPES) &&
+	if (count - SHAPES >= FEWEST - P && hawser__half_pair(q, &apart, &pair, SHAPES) &&
 	    is_better(&apart, SHAPES, two, EQUAL, count))
 		*two = apart;
 	return 1;
@@ -439,11 +250,11 @@ static int find_pair(struct fit *two, const struct table *table, struct span spa
 /* The ratio becomes that of two modes where it certainly differs, with the difference as its error. If
  * that needs points beyond half of the peak, or modes farther away fit better, only the error is taken.
  * Returns the number of modes. */
-static int close_modes(struct fit *fit, const struct table *table)
+static int close_modes(struct hawser__half_fit *fit, const struct hawser__half_table *table)
 {
 	double reach = sqrt(3.0)*fit->D, off;
-	struct span span = around(table, fit->zp, reach);
-	struct fit two = *fit, far = *fit;
+	struct hawser__half_span span = around(table, fit->zp, reach);
+	struct hawser__half_fit two = *fit, far = *fit;
 	int enough = span.last - span.first + 1 >= LEAST_OF_TWO;
 
 	while (span.last - span.first + 1 < LEAST_OF_TWO && (reach *= 1.25) < 4.0*fit->zp)
@@ -464,11 +275,12 @@ static int close_modes(struct fit *fit, const struct table *table)
 }
 
 /* Iterates until the fitted points are those that the half-power points of the parabola require. */
-static int settle(struct fit *fit, struct span *span, const struct table *table)
+static int settle(struct hawser__half_fit *fit, struct hawser__half_span *span,
+                  const struct hawser__half_table *table)
 {
 	double level = table->a[table->best]*M_SQRT1_2;
 
-	*span = (struct span){table->best, table->best};
+	*span = (struct hawser__half_span){table->best, table->best};
 	while (span->first > 0 && table->a[span->first] > level)
 		span->first--;
 	while (span->last < table->count - 1 && table->a[span->last] > level)
@@ -476,7 +288,7 @@ static int settle(struct fit *fit, struct span *span, const struct table *table)
 	*span = around(table, 0.5*(square(table->omega[span->first]) + square(table->omega[span->last])),
 	               0.5*(square(table->omega[span->last]) - square(table->omega[span->first])));
 	for (int i = 0; i < ITERATIONS; i++) {
-		struct span now;
+		struct hawser__half_span now;
 
 		if (!fit_span(fit, table, *span))
 			return 0;
@@ -490,7 +302,7 @@ static int settle(struct fit *fit, struct span *span, const struct table *table)
 
 /* --- the table --- */
 
-static enum hawser_status check(struct table *table, struct hawser_report *report)
+static enum hawser_status check(struct hawser__half_table *table, struct hawser_report *report)
 {
 	const double *omega = table->omega, *a = table->a;
 
@@ -527,10 +339,10 @@ enum hawser_status hawser_half_power_find(struct hawser_half_power *half, const 
                                           const double *a, int count, double confidence,
                                           struct hawser_report *report)
 {
-	struct table table = {omega, a, count, 0, confidence};
+	struct hawser__half_table table = {omega, a, count, 0, confidence};
 	enum hawser_status status = check(&table, report);
-	struct fit fit = {.zp = 0.0}, other = {.zp = 0.0};
-	struct span span = {0, 0};
+	struct hawser__half_fit fit = {.zp = 0.0}, other = {.zp = 0.0};
+	struct hawser__half_span span = {0, 0};
 	int modes;
 
 	*half = (struct hawser_half_power){.ratio = 0.0};

@@ -227,8 +227,8 @@ static void close_modes(int points, double other)
 }
 
 /* Random pairs of one ratio, up to one width apart, whose parts have any sizes and signs: each stated
- * error holds, or the table is refused. (Before the sum of two modes was fitted, 39 of 93 did not, by up
- * to 2.7 times.) */
+ * error holds, or the table is refused. (Before the sum of two modes was fitted, 39 of 93 did not, by
+ * up to 2.7 times.) */
 static void random_pairs(void)
 {
 	int stated = 0, held = 0, pairs = 0;
