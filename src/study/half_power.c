@@ -63,6 +63,10 @@ static const double SURE = 0.99;
 /* Scatter of one mode relative to its peak, that of amplitudes with 11 digits; chosen. */
 static const double EXACT = 1e-11;
 
+/* Scatter of two modes relative to that of one with modes farther away: above it, a peak that bends a
+ * little explains the points as well; chosen. */
+static const double CLEARLY = 0.1;
+
 /* Factor on the difference of the two ratios: it exceeds the error of both for a peak that bends by
  * up to 2 %, since the ratio refers to a frequency that the bend changes. */
 static const double MARGIN = 1.1;
@@ -248,7 +252,7 @@ static int find_pair(struct hawser__half_fit *two, const struct hawser__half_tab
 }
 
 /* The ratio becomes that of two modes where it certainly differs, with the difference as its error. If
- * that needs points beyond half of the peak, or modes farther away fit better, only the error is taken.
+ * that needs points beyond half of the peak, or is not clearly the best, only the error is taken.
  * Returns the number of modes. */
 static int close_modes(struct hawser__half_fit *fit, const struct hawser__half_table *table)
 {
@@ -264,7 +268,8 @@ static int close_modes(struct hawser__half_fit *fit, const struct hawser__half_t
 	off = fmax(fabs(two.ratio - fit->ratio), two.apart);
 	if (!(off > two.ratio_error))
 		return 1;
-	enough &= !fit_shapes(&far, table, span, FAR, fit->zp, fit->D) || two.scatter < far.scatter;
+	enough &= !fit_shapes(&far, table, span, FAR, fit->zp, fit->D) ||
+	          two.scatter < CLEARLY*far.scatter;
 	if (!enough || !(off < too_far*fit->ratio)) {
 		fit->ratio_error = fmax(fit->ratio_error, MARGIN*off);
 		return 1;
