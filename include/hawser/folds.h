@@ -88,6 +88,16 @@ struct hawser_folds_lost {
 	double omega, load;
 };
 
+/* The search for detached curves from pseudo-random motions. */
+struct hawser_folds_starts {
+	int starts, frequencies; /* number of motions, at so many frequencies equally spaced in the range */
+	int known;    /* of them: that settled on a known curve, */
+	int lost;     /* that led to no orbit */
+	int fresh;    /* number of curves found by them, which are among the isolas */
+	int attached; /* number of curves found that begin at a branch point of a known one; not among the
+	               * isolas */
+};
+
 struct hawser_folds {
 	int n, probes;
 	int points;
@@ -123,6 +133,7 @@ struct hawser_folds {
 	                                   * folds could be traced, and of folds on detached response
 	                                   * curves that could not be traced */
 	struct hawser_folds_lost *lost_at; /* [lost] */
+	struct hawser_folds_starts starts;
 	int interrupted;
 	char note[240];                   /* which parts of the search are incomplete, or "" */
 	long solves;                      /* number of linear systems factorised */
@@ -138,6 +149,8 @@ struct hawser_folds_options {
 	                            * response reaches this number, `note` says so */
 	double step_max;           /* largest change of Omega in a step, relative to the range; 0: 0.02 */
 	int skip_isolas;           /* 1: do not trace detached curves at the nominal load */
+	int starts;                /* number of pseudo-random motions from which detached curves are looked
+	                            * for as well; 0: 96; or HAWSER_NONE */
 	const char *method;        /* of the responses (hawser_frf_options); NULL: "balance", whose
 	                            * orbits at folds start the curves without conversion; "auto": the
 	                            * method that suits the model */

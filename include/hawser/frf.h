@@ -167,7 +167,8 @@ struct hawser_frf_options {
 	const double *along;   /* [2n] or NULL: the first orbit is then not one at `begin`, but one that is
 	                        * this far from `start` in this direction, at its own Omega; the curve is
 	                        * followed onwards from there */
-	struct hawser_progress progress; /* called after each point, with `frf` */
+	struct hawser_progress progress; /* called after each point, with `frf`, which has none while the
+	                        * first orbit is looked for */
 };
 
 void hawser_frf_settle(struct hawser_frf_options *options);

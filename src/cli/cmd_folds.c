@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "cli/folds_result.h"
+#include "cli/label.h"
 #include "cli/progress.h"
 #include "cli/view.h"
 #include "core/report.h"
@@ -15,10 +16,11 @@ struct settings {
 	struct cli_common common;
 	const char *from, *to, *method;
 	double load_from, load_to, tolerance;
-	int n, points, no_isolas;
+	int n, points, no_isolas, starts;
 };
 static const struct settings defaults = {
 	.from = "0.6w1", .to = "3.3w1", .method = "balance", .load_from = 0.01, .load_to = 2.0,
+	.starts = 96,
 };
 
 static const struct cli_option options[] = {
@@ -35,6 +37,8 @@ static const struct cli_option options[] = {
 	CLI_POINTS_OPTION("end a curve or response after this many points (5000)"),
 	{"no-isolas", 0, "", "do not trace detached curves at the model's own load",
 	 CLI_FLAG(no_isolas)},
+	{"starts", 0, "N", "look for detached curves from N pseudo-random motions too; 0: none (96)",
+	 CLI_STORED(cli_store_every, starts)},
 	CLI_LANE_LOAD_OPTION,
 	CLI_LANE_OPTIONS,
 	CLI_NO_OPTION,
@@ -66,6 +70,7 @@ static enum hawser_status trace(struct hawser_folds *folds, const struct setting
 	if (settings->points > 0)
 		choice.max_points = settings->points;
 	choice.skip_isolas = settings->no_isolas;
+	choice.starts = settings->starts > 0 ? settings->starts : HAWSER_NONE;
 	choice.progress = (struct hawser_progress){cli_watch, &watch};
 	status = hawser_folds_trace(folds, &result->model->rom, &choice, report);
 	cli_progress_end(&watch.progress);

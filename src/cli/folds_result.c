@@ -119,6 +119,22 @@ static void comment_lost(struct hawser__table *table, const struct cli_folds_res
 		                      folds->lost_at[i].load == 1.0 ? "--tolerance" : "--load-to");
 }
 
+/* What was done to find detached curves that no fold curve shows. */
+static void comment_starts(struct hawser__table *table, const struct hawser_folds *folds)
+{
+	const struct hawser_folds_starts *starts = &folds->starts;
+
+	if (starts->starts == 0)
+		hawser__table_comment(table, "isolas: not looked for by pseudo-random motions (--starts), only "
+		                      "through the folds above");
+	else
+		hawser__table_comment(table, "isolas: looked for by %d pseudo-random motions at %d frequencies "
+		                      "of the range at the model's load: %d on known curves, %d on no orbit, "
+		                      "%d curves found%s; others may exist (--starts)", starts->starts,
+		                      starts->frequencies, starts->known, starts->lost, starts->fresh,
+		                      starts->attached ? ", besides those that begin at branch points" : "");
+}
+
 static void comments(struct hawser__table *table, const void *of)
 {
 	const struct cli_folds_result *result = of;
@@ -146,6 +162,7 @@ static void comments(struct hawser__table *table, const void *of)
 			                      i + 1, hawser_event_name(frf->event[e].kind),
 			                      frf->event[e].omega*per_omega, rad_s);
 	}
+	comment_starts(table, folds);
 	comment_lost(table, result);
 	if (folds->note[0])
 		hawser__table_comment(table, "note: %s", folds->note);
@@ -333,6 +350,18 @@ static const struct hawser__field lost_field[] = {
 	HAWSER__END,
 };
 
+#define OF(member) HAWSER__AT(struct hawser_folds_starts, member)
+static const struct hawser__field starts_field[] = {
+	{"starts", NULL, "number of pseudo-random motions", OF(starts)},
+	{"frequencies", NULL, "number of frequencies at which they settled", OF(frequencies)},
+	{"known", NULL, "of them: on known curves", OF(known)},
+	{"lost", NULL, "of them: on no orbit", OF(lost)},
+	{"found", NULL, "detached curves found by them", OF(fresh)},
+	{"attached", NULL, "curves found that begin at a branch point of a known one", OF(attached)},
+	HAWSER__END,
+};
+#undef OF
+
 enum { CURVES = 1 };
 #define OF(member) HAWSER__AT(struct hawser_folds, member)
 static const struct hawser__field folds_field[] = {
@@ -350,6 +379,8 @@ static const struct hawser__field folds_field[] = {
 	{"isolas", NULL, "detached response curves at that load, with the keys of response",
 	 HAWSER__STORED(struct hawser_folds, isola, isolas, response_field),
 	 .flags = HAWSER__BRIEF},
+	{"isola_search", NULL, "the search for detached curves that no fold curve shows",
+	 HAWSER__PART_OF(struct hawser_folds, starts, starts_field)},
 	{"not_followed", NULL, "folds from which no curve was found",
 	 HAWSER__STORED(struct hawser_folds, lost_at, lost, lost_field)},
 	{"note", NULL, "what could not be looked at", OF(note), .flags = HAWSER__OMIT},

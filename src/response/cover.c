@@ -15,6 +15,7 @@
 #include <hawser/cover.h>
 
 #include "core/report.h"
+#include "response/trace.h"
 
 #define MOST_STARTS 8 /* in gaps; a start may take as long as a branch */
 static const double narrow = 0.002;      /* of the range: a gap that is not looked into */
@@ -94,6 +95,7 @@ static enum hawser_status add(struct hawser_cover *cover, struct hawser_frf **fr
                               struct hawser_report *report)
 {
 	struct hawser_frf *larger = realloc(cover->branch, ((size_t)cover->branches + 1)*sizeof *larger);
+	const struct hawser__trace_watch watch = {.direct = 1}; /* many starts */
 	struct hawser_report local = {.status = HAWSER_OK};
 	enum hawser_status status;
 
@@ -101,7 +103,7 @@ static enum hawser_status add(struct hawser_cover *cover, struct hawser_frf **fr
 	if (!larger)
 		return hawser__no_memory(report, "frf");
 	cover->branch = larger;
-	status = hawser_frf_trace(&larger[cover->branches], rom, options, &local);
+	status = hawser__frf_trace(&larger[cover->branches], rom, options, &watch, &local);
 	if (status && status != HAWSER_ERR_CONVERGENCE) {
 		hawser_frf_clear(&larger[cover->branches]);
 		if (report)

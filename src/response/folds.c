@@ -35,6 +35,7 @@ void hawser_folds_settle(struct hawser_folds_options *options)
 	hawser__settle(&options->event_tolerance, 1e-10);
 	hawser__settle(&options->step_max, 0.02);
 	hawser__settle_count(&options->max_points, 5000);
+	hawser__settle_count(&options->starts, 96);
 	if (!options->method)
 		options->method = "balance";
 }
@@ -340,6 +341,10 @@ static enum hawser_status search_curves(struct hawser__fold_search *search)
 		status = hawser__fold_level(search, search->options->load_to, 0, &level);
 	if (!status && !folds->interrupted)
 		status = hawser__fold_levels(search);
+	if (!status && !search->options->skip_isolas && !folds->interrupted)
+		status = hawser__fold_isolas(search);
+	if (!status && !search->options->skip_isolas && !folds->interrupted)
+		status = hawser__fold_starts(search);
 	if (status || folds->interrupted)
 		return status;
 	if (folds->curves == 0)
@@ -376,9 +381,7 @@ enum hawser_status hawser_folds_trace(struct hawser_folds *folds, const struct h
 		search.walk.passages = &search.passages;
 		search.walk.window_lo = search.window[0];
 		search.walk.window_hi = search.window[1];
-		if (!(status = search_curves(&search)) && !options->skip_isolas && !folds->interrupted)
-			status = hawser__fold_isolas(&search);
-		if (!status)
+		if (!(status = search_curves(&search)))
 			hawser__fold_least(&search);
 	}
 	folds->solves = search.fold.solves;

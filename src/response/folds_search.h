@@ -56,6 +56,9 @@ enum hawser_status hawser__fold_seed(struct hawser__fold_search *search,
  * response. */
 enum hawser_status hawser__fold_isolas(struct hawser__fold_search *search);
 
+/* folds_starts.c: look for detached curves at the nominal load from pseudo-random motions. */
+enum hawser_status hawser__fold_starts(struct hawser__fold_search *search);
+
 /* folds_isola.c: add a response at the nominal load to the detached ones; *frf is moved. The curves
  * through its folds are followed and may lead to further ones. */
 enum hawser_status hawser__fold_keep(struct hawser__fold_search *search, struct hawser_frf *frf);

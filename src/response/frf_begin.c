@@ -3,6 +3,7 @@
 #include "config.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "core/report.h"
@@ -13,9 +14,10 @@
 #define FIRST_STEP 0.05 /* relative to the orbit's size; short, since the first prediction has one
                          * tangent only; chosen */
 
-/* If the mesh is too coarse for the first orbit, Newton's method fails even for a good initial
- * value: refine it and try again. */
-static enum hawser_status first_orbit(struct hawser__trace *trace)
+/* From a state [m], or NULL. If the mesh is too coarse for the first orbit, Newton's method fails even
+ * for a good initial value: refine it and try again. */
+static enum hawser_status start(struct hawser__trace *trace, const double *x,
+                                struct hawser__raised *raised)
 {
 	const struct hawser_rom_family *family = trace->options.family;
 	struct hawser__orbit *orbit = trace->orbit;
@@ -29,9 +31,8 @@ static enum hawser_status first_orbit(struct hawser__trace *trace)
 			return status;
 		if (family)
 			omega = family->omega*orbit->rom->time;
-		status = hawser__start(trace->here.y, orbit, &trace->here.correction,
-		                       trace->options.start, omega, trace->options.tolerance,
-		                       trace->report);
+		status = hawser__start(trace->here.y, orbit, &trace->here.correction, x, omega,
+		                       trace->options.tolerance, raised, trace->report);
 		orbit->family = family;
 		if (family)
 			trace->here.y[orbit->size - 1] = trace->options.begin;
@@ -40,6 +41,50 @@ static enum hawser_status first_orbit(struct hawser__trace *trace)
 		if ((status = orbit->ops->enrich(orbit, trace->report)))
 			return status;
 	}
+}
+
+/* No way led to an orbit; tried[] is empty where a way was not tried. */
+static enum hawser_status no_orbit(const struct hawser__trace *trace, double load,
+                                   char tried[HAWSER__WAYS][80])
+{
+	const struct hawser__orbit *orbit = trace->orbit;
+	const struct hawser_rom_family *family = trace->options.family;
+	double omega = family ? family->omega*orbit->rom->time : trace->options.begin;
+	char ways[240] = "";
+
+	if (tried[0][0])
+		snprintf(ways, sizeof ways, ", nor did curves lead there: over the load (%s)%s%s%s", tried[0],
+		         *tried[1] ? " or from the other end of the range (" : "", tried[1],
+		         *tried[1] ? ")" : "");
+	return hawser__fail_at(trace->report, HAWSER_ERR_CONVERGENCE, "frf",
+	                       trace->here.correction.iterations, trace->here.correction.residual,
+	                       "no periodic orbit found at Omega %.9g%s: the load could be raised to %.3g "
+	                       "of its value only, and the motion from rest did not settle%s; start at "
+	                       "another frequency, or from a state of your own",
+	                       HAWSER_SHOWN(orbit->rom, omega), load, ways);
+}
+
+static enum hawser_status first_orbit(struct hawser__trace *trace)
+{
+	int ways = trace->watch && trace->watch->direct ? 0 : HAWSER__WAYS, found;
+	char tried[HAWSER__WAYS][80] = {"", ""};
+	struct hawser__raised raised = {.x = trace->start_y};
+	double *x = trace->mark_y;
+	enum hawser_status status = start(trace, trace->options.start, &raised);
+
+	if (status != HAWSER_ERR_CONVERGENCE || raised.load < 0.0)
+		return status;
+	for (int way = 0; way < ways; way++) {
+		if ((status = hawser__detour(x, &found, tried[way], trace, way, &raised)))
+			return status;
+		if (!found)
+			continue;
+		status = start(trace, x, &(struct hawser__raised){.load = 0.0});
+		if (status != HAWSER_ERR_CONVERGENCE)
+			return status;
+		snprintf(tried[way], sizeof tried[way], "its last orbit could not be taken over");
+	}
+	return no_orbit(trace, raised.load, tried);
 }
 
 /* The point to which a closed curve returns: the point of the curve nearest to the first orbit.

@@ -44,6 +44,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/collocation.h \
 	%D%/cover.c \
 	%D%/cvode.c \
+	%D%/detour.c \
 	%D%/floquet.c \
 	%D%/floquet.h \
 	%D%/factor.c \
@@ -66,6 +67,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/folds_search.h \
 	%D%/folds_second.c \
 	%D%/folds_seed.c \
+	%D%/folds_starts.c \
 	%D%/folds_store.c \
 	%D%/folds_store.h \
 	%D%/folds_system.c \

@@ -16,6 +16,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "response/load.h"
 #include "response/shooting.h"
 #include "response/start.h"
 
@@ -127,58 +128,28 @@ static int correct_at(double *y, struct hawser__orbit *orbit,
 	return 0;
 }
 
-/* f [harmonics][n] = the model's loads. */
-static void copy_loads(double *f, const struct hawser_rom *rom)
-{
-	for (int h = 0; h < rom->harmonics; h++)
-		if (rom->harmonic[h].f)
-			memcpy(f + (size_t)h*rom->n, rom->harmonic[h].f,
-			       (size_t)rom->n*sizeof *f);
-}
-
-/* scaled = the model's harmonics with their loads, in f, multiplied by `factor`. */
-static void scale_loads(struct hawser_harmonic *scaled, double *f, const double *full,
-                        const struct hawser_rom *rom, double factor)
-{
-	for (int h = 0; h < rom->harmonics; h++) {
-		scaled[h] = rom->harmonic[h];
-		if (!scaled[h].f)
-			continue;
-		scaled[h].f = f + (size_t)h*rom->n;
-		for (int j = 0; j < rom->n; j++)
-			/* copy_loads() filled it */
-			/* NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult) */
-			scaled[h].f[j] = factor*full[(size_t)h*rom->n + j];
-	}
-}
-
 /* Increase the load from zero to its value, in steps that grow while Newton's method converges.
  * *failed is that of correct_at. */
 static enum hawser_status raise_load(double *y, struct hawser__orbit *orbit, int *failed,
                                      struct hawser__correction *correction, double omega,
-                                     double tolerance, struct hawser_report *report)
+                                     double tolerance, struct hawser__raised *raised,
+                                     struct hawser_report *report)
 {
 	const struct hawser_rom *rom = orbit->rom;
-	size_t loads = (size_t)rom->harmonics*(size_t)rom->n, size = (size_t)orbit->size;
-	double *f = malloc((loads + 1)*sizeof *f), *full = malloc((loads + 1)*sizeof *full);
-	double *good = malloc(size*sizeof *good);
-	struct hawser_harmonic *scaled = malloc((size_t)rom->harmonics*sizeof *scaled);
-	struct hawser_rom weak = *rom;
-	double load = 0.0, step = 0.1;
-	enum hawser_status status = HAWSER_OK;
+	size_t size = (size_t)orbit->size;
+	double *good = calloc(size, sizeof *good), load = 0.0, step = 0.1;
+	struct hawser__load weak;
+	enum hawser_status status = hawser__load_open(&weak, rom, report);
 
-	if (!f || !full || !good || !scaled) {
+	if (!status && !good)
 		status = hawser__no_memory(report, "frf");
+	if (status)
 		goto done;
-	}
-	copy_loads(full, rom);
-	memset(good, 0, size*sizeof *good);
-	weak.harmonic = scaled;
-	orbit->rom = &weak;
+	orbit->rom = &weak.rom;
 	while (load < 1.0) {
 		double next = fmin(1.0, load + step);
 
-		scale_loads(scaled, f, full, rom, next);
+		hawser__load_set(&weak, next);
 		for (size_t i = 0; i + 1 < size; i++)
 			y[i] = load > 0.0 ? good[i]*next/load : 0.0;
 		if (load == 0.0 && (status = linear_response(y, orbit, omega, report)))
@@ -193,19 +164,15 @@ static enum hawser_status raise_load(double *y, struct hawser__orbit *orbit, int
 			break;
 		}
 	}
-	if (status == HAWSER_ERR_CONVERGENCE && *failed == 1)
-		status = hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "frf",
-		                         correction->iterations, correction->residual,
-		                         "no periodic orbit found at Omega %.9g%s: the load could be "
-		                         "raised to %.3g of its value only, and the motion from rest "
-		                         "did not settle; start at another frequency, or from a state "
-		                         "of your own", HAWSER_SHOWN(rom, omega), load);
+	if (status == HAWSER_ERR_CONVERGENCE && *failed == 1) {
+		raised->load = load;
+		if (load > 0.0)
+			orbit->ops->state(orbit, raised->x, good);
+	}
 	orbit->rom = rom;
 done:
-	free(f);
-	free(full);
+	hawser__load_clear(&weak);
 	free(good);
-	free(scaled);
 	return status;
 }
 
@@ -242,11 +209,13 @@ static enum hawser_status settle(double *y, struct hawser__orbit *orbit,
 
 enum hawser_status hawser__start(double *y, struct hawser__orbit *orbit,
                                  struct hawser__correction *correction, const double *start,
-                                 double omega, double tolerance, struct hawser_report *report)
+                                 double omega, double tolerance, struct hawser__raised *raised,
+                                 struct hawser_report *report)
 {
 	enum hawser_status status;
 	int failed;
 
+	raised->load = -1.0;
 	status = start ? orbit->ops->from_state(orbit, y, start, omega, report)
 	               : linear_response(y, orbit, omega, report);
 	if (status)
@@ -262,9 +231,8 @@ enum hawser_status hawser__start(double *y, struct hawser__orbit *orbit,
 		                       "the given start does not lead to a periodic orbit at Omega "
 		                       "%.9g%s (residual %.2g)",
 		                       HAWSER_SHOWN(orbit->rom, omega), correction->residual);
-	status = raise_load(y, orbit, &failed, correction, omega, tolerance, report);
+	status = raise_load(y, orbit, &failed, correction, omega, tolerance, raised, report);
 	if (status != HAWSER_ERR_CONVERGENCE || failed == 2)
 		return status;
-	/* if this fails as well, the report keeps the failure of the load steps */
 	return settle(y, orbit, correction, omega, tolerance, report);
 }

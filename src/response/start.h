@@ -5,10 +5,18 @@
 
 #include "response/method.h"
 
+/* How far the load could be raised. */
+struct hawser__raised {
+	double load; /* factor of the load; -1: that was not tried, or other loads would not help */
+	double *x;   /* [m] state of the orbit at this load, where it is above 0 */
+};
+
 /* Find the orbit y [size] at Omega = omega: from `start` [m] (state at phase 0) or, if that is
- * NULL, from the linear response. If Newton's method fails, the load is increased from zero. */
+ * NULL, from the linear response. If Newton's method fails, the load is increased from zero. With
+ * HAWSER_ERR_CONVERGENCE and raised->load >= 0, the report is left to the caller. */
 enum hawser_status hawser__start(double *y, struct hawser__orbit *orbit,
                                  struct hawser__correction *correction, const double *start,
-                                 double omega, double tolerance, struct hawser_report *report);
+                                 double omega, double tolerance, struct hawser__raised *raised,
+                                 struct hawser_report *report);
 
 #endif

@@ -33,6 +33,8 @@ struct hawser__trace_watch {
 	void *context;
 	enum hawser_status (*step)(void *context, struct hawser__trace *trace);
 	void (*back)(void *context);
+	int direct; /* 1: no detours are tried for the first orbit */
+	int coarse; /* 1: longer steps: the trace is a detour itself (detour.c) */
 };
 
 struct hawser__trace {
@@ -143,6 +145,14 @@ enum hawser_status hawser__trace_meet(struct hawser__trace *trace, int *met);
  * (N), is zero; its event, but for `after`. */
 enum hawser_status hawser__trace_slacken(struct hawser__trace *trace, double from, double to,
                                          struct hawser_frf_event *event);
+
+/* detour.c: the ways to a first orbit that pass other orbits. */
+enum { HAWSER__WAYS = 2 };
+struct hawser__raised;
+/* Follow way `way`, given how far the load could be raised. *found: 1: x [m] is the state of an
+ * orbit where the trace begins; 0: `tried` says what became of it. */
+enum hawser_status hawser__detour(double *x, int *found, char tried[80], struct hawser__trace *trace,
+                                  int way, const struct hawser__raised *raised);
 
 /* frf_begin.c: the first orbit, which is recorded. */
 enum hawser_status hawser__trace_begin(struct hawser__trace *trace);

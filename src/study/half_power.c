@@ -5,8 +5,8 @@
  *    zp, m, D    y = m (1 + (z - zp)^2/D^2): m at the peak, 2 m at the half-power points zp -+ D
  *    p, x, h     y = p0 + p1 x + p2 x^2 with x = (z - zc)/h, zc and h of the points that are fitted
  *    R           triangular factor of the fit's equations, with their right side as a last column
- *    e           (d/D)^2 for two equal modes at zp -+ d; g1 g2/(g1 + g2)^2 (2 d/D)^2 where their
- *                parts of the response are as g1 to g2
+ *    q           unknowns of two modes, relative to the parabola's wp and xi: w1, w2 = wp (1 + xi (q0
+ *                -+ q1)), ratio xi exp(q2), g1 and g2 = q3 and q4 times 2 xi wp^2 a at the peak
  *
  * zp = w0^2 (1 - 2 xi^2) and D = 2 xi sqrt(1 - xi^2) w0^2, so that D/zp = tan(2 asin xi).
  *
@@ -21,16 +21,15 @@
  * but the outer points. If other modes or a nonlinear response make 1/a^2 deviate smoothly from a
  * parabola, only the second shows it.
  *
- * Two modes within each other's width look like a single one with more damping: with x = (z - zp)/D
- * their sum is (1 + e/(x + i)^2)/(x + i) to second order in their distance, and
+ * Two modes within each other's width look like a single one with more damping or, where their parts
+ * have different signs, with less. The points down to half of the peak are therefore fitted twice more:
+ * by the sum of two modes of one ratio, exactly,
  *
- *      1/a^2 = x^2 + 1 - 2 e (x^2 - 1)/(x^2 + 1)
+ *      H = g1/(w1^2 - w^2 + 2 i xi w1 w) + g2/(w2^2 - w^2 + 2 i xi w2 w),    a = |H|
  *
- * whose half-power points are at x^2 = 1 + 4 e, while 1/12 of that is left where a parabola is
- * fitted. The points down to half of the peak are therefore fitted twice more, with x^3, and with
- * this term or with x^4. Modes farther away contribute the powers. If the fit with this term is the
- * better one, and its ratio differs from the first by more than its own confidence interval, it is
- * taken: its parabola has the mean damping of both modes.
+ * and by a parabola with x^3 and x^4, to which modes farther away contribute. If the sum is the better
+ * one, and its ratio differs from the first by more than its own confidence interval, it is taken, with
+ * the difference as its error: a response that bends a little may look like two modes as well.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -44,33 +43,33 @@
 #include <hawser/decay.h>
 
 #include "core/report.h"
+#include "study/half_power.h"
 
 /* P: unknowns of the parabola. FEWEST: points of a fit, so that two degrees of freedom remain for
  * the estimate of the scatter. */
 enum { P = 3, FEWEST = 5, ITERATIONS = 20 };
-/* SHAPES: unknowns with those of two modes, LEAST_OF_TWO: points; CLOSE_FITS: until zp and D settle. */
-enum { SHAPES = 5, LEAST_OF_TWO = SHAPES + FEWEST - P, CLOSE_FITS = 6 };
+/* LEAST_OF_TWO: points of a fit of two modes; MANY: of which their scatter is an estimate. */
+enum { EQUAL = HAWSER__HALF_EQUAL, SHAPES = HAWSER__HALF_SHAPES,
+       LEAST_OF_TWO = HAWSER__HALF_EQUAL + FEWEST - P, MANY = 20 };
 
 static const char where[] = "half-power";
 
 /* Largest error relative to the ratio: with a larger one no digit of the ratio is known; chosen. */
 static const double too_far = 0.1;
 
-struct table {
-	const double *omega, *a; /* [count] */
-	int count, best;         /* best: index of the largest amplitude */
-	double confidence;
-};
+/* Confidence with which a pair has to fit better than one mode; chosen. */
+static const double SURE = 0.99;
 
-struct span {
-	int first, last;
-};
+/* Scatter of one mode relative to its peak, that of amplitudes with 11 digits; chosen. */
+static const double EXACT = 1e-11;
 
-struct fit {
-	double zp, D, ratio;
-	double zp_error, ratio_error;
-	double scatter; /* standard deviation of a point, relative to the largest amplitude */
-};
+/* Scatter of two modes relative to that of one with modes farther away: above it, a peak that bends a
+ * little explains the points as well; chosen. */
+static const double CLEARLY = 0.1;
+
+/* Factor on the difference of the two ratios: it exceeds the error of both for a peak that bends by
+ * up to 2 %, since the ratio refers to a frequency that the bend changes. */
+static const double MARGIN = 1.1;
 
 static double square(double x)
 {
@@ -79,48 +78,17 @@ static double square(double x)
 
 /* --- one fit --- */
 
-/* Adds a row, its right side last, to R [count][count + 1] by Givens rotations. */
-static void join(double R[SHAPES][SHAPES + 1], double row[SHAPES + 1], int count)
-{
-	for (int j = 0; j < count; j++) {
-		double r = hypot(R[j][j], row[j]), c = r > 0.0 ? R[j][j]/r : 1.0;
-		double s = r > 0.0 ? row[j]/r : 0.0;
-
-		for (int k = j; k <= count; k++) {
-			double upper = c*R[j][k] + s*row[k];
-
-			row[k] = c*row[k] - s*R[j][k];
-			R[j][k] = upper;
-		}
-	}
-}
-
-/* |R^-T g|: the standard deviation of a quantity with the gradient g if that of the points is 1. */
-static double spread(const double R[SHAPES][SHAPES + 1], const double g[P], int count)
-{
-	double v[SHAPES], sum = 0.0;
-
-	for (int j = 0; j < count; j++) {
-		v[j] = j < P ? g[j] : 0.0;
-		for (int i = 0; i < j; i++)
-			v[j] -= R[i][j]*v[i];
-		v[j] /= R[j][j];
-		sum += v[j]*v[j];
-	}
-	return sqrt(sum);
-}
-
 /* The result and its gradients with respect to p [P]; returns 0 if the parabola is not that of an
  * oscillator. */
-static int of_parabola(struct fit *fit, double by_zp[P], double by_ratio[P], const double p[P],
-                       double zc, double h)
+static int of_parabola(struct hawser__half_fit *fit, double by_zp[P], double by_ratio[P],
+                       const double p[P], double zc, double h)
 {
 	double b = p[1]/(2.0*p[2]), m = p[0] - b*p[1]/2.0, D = h*sqrt(m/p[2]), zp = zc - h*b, t, slope;
 
 	if (!(p[2] > 0.0) || !(m > 0.0) || !(zp > 0.0) || !isfinite(D))
 		return 0;
 	t = D/zp;
-	*fit = (struct fit){.zp = zp, .D = D, .ratio = sin(0.5*atan(t))};
+	*fit = (struct hawser__half_fit){.zp = zp, .D = D, .ratio = sin(0.5*atan(t))};
 	slope = 0.5*cos(0.5*atan(t))/(1.0 + t*t)*t;
 	for (int i = 0; i < P; i++) {
 		double by_m = (const double[P]){1.0, -b, b*b}[i];
@@ -131,66 +99,61 @@ static int of_parabola(struct fit *fit, double by_zp[P], double by_ratio[P], con
 	return 1;
 }
 
-/* What adds to the parabola: nothing, modes farther away, or a close one. */
-enum others { NONE, FAR, CLOSE };
+/* What adds to the parabola: nothing, or modes farther away. */
+enum others { NONE, FAR };
 
 static int shapes_of(enum others others)
 {
-	return others == NONE ? P : SHAPES;
+	return others == NONE ? P : EQUAL;
 }
 
 /* The functions of x of which 1/a^2 is a sum. */
-static void shapes_at(double f[SHAPES], double x, enum others others)
+static void shapes_at(double f[SHAPES], double x)
 {
 	f[0] = 1.0;
 	f[1] = x;
 	f[2] = x*x;
 	f[3] = x*x*x;
-	f[4] = others == FAR ? x*x*x*x : (x*x - 1.0)/(x*x + 1.0);
+	f[4] = x*x*x*x;
 }
 
-/* Standard deviation of a point, from the residuals r. With a correlation rho of neighbours, n
- * points count as n (1 - rho)/(1 + rho), but at least FEWEST: smooth residuals, which a curve that
- * is not a parabola causes, do not average out. */
-static double scatter(const struct table *table, struct span span, const double *p,
+static double scatter(const struct hawser__half_table *table, struct hawser__half_span span,
+                      const double *p,
                       enum others others, double zc, double h)
 {
-	double sum = 0.0, lag = 0.0, before = 0.0, rho, loss, f[SHAPES];
+	struct hawser__half_residuals residuals = {0.0, 0.0, 0.0};
+	double f[SHAPES];
 	int count = span.last - span.first + 1, shapes = shapes_of(others);
 
 	for (int i = span.first; i <= span.last; i++) {
-		double a = table->a[i]/table->a[table->best], r, y = 0.0;
+		double a = table->a[i]/table->a[table->best], y = 0.0;
 
-		shapes_at(f, (square(table->omega[i]) - zc)/h, others);
+		shapes_at(f, (square(table->omega[i]) - zc)/h);
 		for (int j = 0; j < shapes; j++)
 			y += p[j]*f[j];
-		r = 0.5*a*(a*a*y - 1.0);
-		sum += r*r;
-		lag += r*before;
-		before = r;
+		hawser__half_add(&residuals, 0.5*a*(a*a*y - 1.0));
 	}
-	rho = sum > 0.0 ? fmax(lag/sum, 0.0) : 0.0;
-	loss = fmin((1.0 + rho)/(1.0 - rho), (double)count/FEWEST);
-	return sqrt(sum*loss/(count - shapes));
+	return hawser__half_deviation(&residuals, count, shapes);
 }
 
 /* With the functions of x = (z - zc)/h. */
-static int fit_shapes(struct fit *fit, const struct table *table, struct span span,
+static int fit_shapes(struct hawser__half_fit *fit, const struct hawser__half_table *table,
+                      struct hawser__half_span span,
                       enum others others, double zc, double h)
 {
 	int shapes = shapes_of(others);
 	double most = table->a[table->best], R[SHAPES][SHAPES + 1] = {{0.0}}, p[SHAPES];
-	double f[SHAPES], by_zp[P], by_ratio[P], deviation;
+	double f[SHAPES], by_zp[SHAPES] = {0.0}, by_ratio[SHAPES] = {0.0}, deviation;
 	int free_points = span.last - span.first + 1 - shapes;
 
 	for (int i = span.first; i <= span.last; i++) {
 		double a = table->a[i]/most, w = 0.5*a*a*a, row[SHAPES + 1];
 
-		shapes_at(f, (square(table->omega[i]) - zc)/h, others);
+		shapes_at(f, (square(table->omega[i]) - zc)/h);
 		for (int j = 0; j < shapes; j++)
 			row[j] = w*f[j];
 		row[shapes] = w/(a*a);
-		join(R, row, shapes);
+		hawser__half_join(R, row, shapes);
 	}
 	for (int j = shapes - 1; j >= 0; j--) {
 		p[j] = R[j][shapes];
@@ -206,12 +169,13 @@ static int fit_shapes(struct fit *fit, const struct table *table, struct span sp
 	if (free_points > 0)
 		deviation = fmax(deviation, fit->scatter)*
 		            gsl_cdf_tdist_Pinv(0.5 + 0.5*table->confidence, free_points);
-	fit->zp_error = deviation*spread(R, by_zp, shapes);
-	fit->ratio_error = deviation*spread(R, by_ratio, shapes);
+	fit->zp_error = deviation*hawser__half_spread(R, by_zp, shapes);
+	fit->ratio_error = deviation*hawser__half_spread(R, by_ratio, shapes);
 	return isfinite(fit->ratio_error);
 }
 
-static int fit_span(struct fit *fit, const struct table *table, struct span span)
+static int fit_span(struct hawser__half_fit *fit, const struct hawser__half_table *table,
+                    struct hawser__half_span span)
 {
 	double z0 = square(table->omega[span.first]), z1 = square(table->omega[span.last]);
 
@@ -222,9 +186,9 @@ static int fit_span(struct fit *fit, const struct table *table, struct span span
 
 /* The points from the last one below zp - reach to the first one above zp + reach, if the table has
  * them. */
-static struct span around(const struct table *table, double zp, double reach)
+static struct hawser__half_span around(const struct hawser__half_table *table, double zp, double reach)
 {
-	struct span span = {0, table->count - 1};
+	struct hawser__half_span span = {0, table->count - 1};
 
 	while (span.first < span.last && square(table->omega[span.first + 1]) <= zp - reach)
 		span.first++;
@@ -243,55 +207,85 @@ static struct span around(const struct table *table, double zp, double reach)
 
 /* The second fit: to the points down to half of the peak or, if there are no more, to all but the
  * outer ones. */
-static struct span second(const struct table *table, struct span span, const struct fit *fit)
+static struct hawser__half_span second(const struct hawser__half_table *table,
+                                       struct hawser__half_span span,
+                                       const struct hawser__half_fit *fit)
 {
-	struct span wider = around(table, fit->zp, sqrt(3.0)*fit->D);
+	struct hawser__half_span wider = around(table, fit->zp, sqrt(3.0)*fit->D);
 
 	if (wider.first < span.first || wider.last > span.last)
 		return wider;
-	return (struct span){span.first + 1, span.last - 1};
+	return (struct hawser__half_span){span.first + 1, span.last - 1};
 }
 
-/* The ratio becomes that of the fit with two modes where it certainly differs, with the difference
- * as its error: terms of third order in the modes' distance, which are left out, are up to as
- * large where one mode is weaker than the other. If the fit needs points beyond half of the peak,
- * or that with modes farther away is better, only the error is taken. Returns the number of modes.
- */
-static int close_modes(struct fit *fit, const struct table *table)
+/* --- two modes --- */
+
+/* Whether a fit with more unknowns is better than one with fewer by more than chance. */
+static int is_better(const struct hawser__half_fit *more, int unknowns,
+                     const struct hawser__half_fit *fewer, int less, int count)
+{
+	return more->scatter*sqrt(gsl_cdf_fdist_Pinv(SURE, count - less, count - unknowns)) <
+	       fewer->scatter;
+}
+
+/* Two modes, with two ratios if that is better. Returns 0 where one mode will do. */
+static int find_pair(struct hawser__half_fit *two, const struct hawser__half_table *table,
+                     struct hawser__half_span span, const struct hawser__half_fit *fit)
+{
+	struct hawser__half_pair_of pair = {table, span, sqrt(fit->zp), fit->ratio, EQUAL};
+	struct hawser__half_fit one = *fit, apart = *fit, far = *fit;
+	int count = span.last - span.first + 1;
+	double q[SHAPES];
+
+	/* nothing is looked for where one mode fits to round-off, or where its residuals, if they are many,
+	 * have no smooth part */
+	if (!fit_span(&one, table, span) || one.scatter < EXACT ||
+	    (count >= MANY && fit_shapes(&far, table, span, FAR, fit->zp, fit->D) &&
+	     !is_better(&far, EQUAL, &one, P, count)))
+		return 0;
+	if (!hawser__half_pair(q, two, &pair, EQUAL) || !is_better(two, EQUAL, &one, P, count))
+		return 0;
+	if (count - SHAPES >= FEWEST - P && hawser__half_pair(q, &apart, &pair, SHAPES) &&
+	    is_better(&apart, SHAPES, two, EQUAL, count))
+		*two = apart;
+	return 1;
+}
+
+/* The ratio becomes that of two modes where it certainly differs, with the difference as its error. If
+ * that needs points beyond half of the peak, or is not clearly the best, only the error is taken.
+ * Returns the number of modes. */
+static int close_modes(struct hawser__half_fit *fit, const struct hawser__half_table *table)
 {
 	double reach = sqrt(3.0)*fit->D, off;
-	struct span span = around(table, fit->zp, reach);
-	struct fit two = *fit, far = *fit;
+	struct hawser__half_span span = around(table, fit->zp, reach);
+	struct hawser__half_fit two = *fit, far = *fit;
 	int enough = span.last - span.first + 1 >= LEAST_OF_TWO;
 
 	while (span.last - span.first + 1 < LEAST_OF_TWO && (reach *= 1.25) < 4.0*fit->zp)
 		span = around(table, fit->zp, reach);
-	if (span.last - span.first + 1 < LEAST_OF_TWO)
+	if (span.last - span.first + 1 < LEAST_OF_TWO || !find_pair(&two, table, span, fit))
 		return 1;
-	for (int i = 0; i < CLOSE_FITS; i++)
-		if (!fit_shapes(&two, table, span, CLOSE, two.zp, two.D)) {
-			fit->ratio_error = INFINITY;
-			return 1;
-		}
-	off = fabs(two.ratio - fit->ratio);
+	off = fmax(fabs(two.ratio - fit->ratio), two.apart);
 	if (!(off > two.ratio_error))
 		return 1;
-	enough &= !fit_shapes(&far, table, span, FAR, fit->zp, fit->D) || two.scatter < far.scatter;
+	enough &= !fit_shapes(&far, table, span, FAR, fit->zp, fit->D) ||
+	          two.scatter < CLEARLY*far.scatter;
 	if (!enough || !(off < too_far*fit->ratio)) {
-		fit->ratio_error = fmax(fit->ratio_error, off);
+		fit->ratio_error = fmax(fit->ratio_error, MARGIN*off);
 		return 1;
 	}
 	fit->ratio = two.ratio;
-	fit->ratio_error = fmax(two.ratio_error, off);
+	fit->ratio_error = fmax(two.ratio_error, MARGIN*off);
 	return 2;
 }
 
 /* Iterates until the fitted points are those that the half-power points of the parabola require. */
-static int settle(struct fit *fit, struct span *span, const struct table *table)
+static int settle(struct hawser__half_fit *fit, struct hawser__half_span *span,
+                  const struct hawser__half_table *table)
 {
 	double level = table->a[table->best]*M_SQRT1_2;
 
-	*span = (struct span){table->best, table->best};
+	*span = (struct hawser__half_span){table->best, table->best};
 	while (span->first > 0 && table->a[span->first] > level)
 		span->first--;
 	while (span->last < table->count - 1 && table->a[span->last] > level)
@@ -299,7 +293,7 @@ static int settle(struct fit *fit, struct span *span, const struct table *table)
 	*span = around(table, 0.5*(square(table->omega[span->first]) + square(table->omega[span->last])),
 	               0.5*(square(table->omega[span->last]) - square(table->omega[span->first])));
 	for (int i = 0; i < ITERATIONS; i++) {
-		struct span now;
+		struct hawser__half_span now;
 
 		if (!fit_span(fit, table, *span))
 			return 0;
@@ -313,7 +307,7 @@ static int settle(struct fit *fit, struct span *span, const struct table *table)
 
 /* --- the table --- */
 
-static enum hawser_status check(struct table *table, struct hawser_report *report)
+static enum hawser_status check(struct hawser__half_table *table, struct hawser_report *report)
 {
 	const double *omega = table->omega, *a = table->a;
 
@@ -350,10 +344,10 @@ enum hawser_status hawser_half_power_find(struct hawser_half_power *half, const 
                                           const double *a, int count, double confidence,
                                           struct hawser_report *report)
 {
-	struct table table = {omega, a, count, 0, confidence};
+	struct hawser__half_table table = {omega, a, count, 0, confidence};
 	enum hawser_status status = check(&table, report);
-	struct fit fit = {.zp = 0.0}, other = {.zp = 0.0};
-	struct span span = {0, 0};
+	struct hawser__half_fit fit = {.zp = 0.0}, other = {.zp = 0.0};
+	struct hawser__half_span span = {0, 0};
 	int modes;
 
 	*half = (struct hawser_half_power){.ratio = 0.0};

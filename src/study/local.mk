@@ -5,6 +5,8 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/closed.c \
 	%D%/decay.c \
 	%D%/half_power.c \
+	%D%/half_power.h \
+	%D%/half_power_pair.c \
 	%D%/cost.c \
 	%D%/cost.h \
 	%D%/cost_auto.c \

@@ -138,6 +138,7 @@ static const struct row {
 	ROW(hawser_folds_lost),
 	ROW(hawser_folds_options),
 	ROW(hawser_folds_point),
+	ROW(hawser_folds_starts),
 	ROW(hawser_frame_point),
 	ROW(hawser_cover),
 	ROW(hawser_frf),

@@ -125,7 +125,7 @@ static int is_response(const struct hawser__trial *trial, const struct hawser_fr
 
 static void note_point(struct hawser__trial *trial, const struct hawser_frf *frf, double now)
 {
-	if (!is_response(trial, frf))
+	if (frf->points == 0 || !is_response(trial, frf))
 		return;
 	if (frf->points == 1 || frf->points < trial->points) {
 		trial->before = trial->points;
@@ -228,6 +228,8 @@ static int watch_coarse(void *data, const struct hawser_progress_state *state)
 	struct coarse *coarse = data;
 	double now = hawser__processor_seconds(), omega;
 
+	if (frf->points == 0) /* on the way to the first point */
+		return is_over(coarse->trial, now, 0.0, 1.0, 0.0);
 	if (coarse->points == 0)
 		coarse->began = now;
 	else if (frf->points > coarse->points && coarse->points <= ENOUGH)

@@ -152,7 +152,7 @@ static void impure_tables(void)
 {
 	int held[2] = {0}, stated[2] = {0};
 
-	for (int r = 0; r < 2*RUNS/5; r++) {
+	for (int r = 0; r < RUNS/10; r++) {
 		double ratio = 0.005 + 0.05*uniform(), w[60], a[60], peak = 0.5/ratio;
 		double other = r % 2 == 1 ? 2.0 + 3.0*uniform() : 0.0;
 		struct hawser_half_power half;
@@ -174,7 +174,7 @@ static void impure_tables(void)
 		held[r % 2] += fabs(half.ratio - ratio) <= half.ratio_error;
 	}
 	for (int k = 0; k < 2; k++)
-		ok(stated[k] > 300 && held[k] >= 0.93*stated[k], "%s: %d of %d stated errors hold",
+		ok(stated[k] > 75 && held[k] >= 0.93*stated[k], "%s: %d of %d stated errors hold",
 		   k ? "a second mode" : "noise", held[k], stated[k]);
 }
 
@@ -224,6 +224,36 @@ static void close_modes(int points, double other)
 	ok(half.modes == (other > 0.0 ? 2 : 1) && fabs(half.ratio - ratio) <= half.ratio_error + 1e-9 &&
 	   fabs(half.ratio - ratio) < 2e-3*ratio, "%d modes: ratio %.6g +- %.1e", half.modes, half.ratio,
 	   half.ratio_error);
+}
+
+/* Random pairs of one ratio, up to one width apart, whose parts have any sizes and signs: each stated
+ * error holds, or the table is refused. (Before the sum of two modes was fitted, 39 of 93 did not, by
+ * up to 2.7 times.) */
+static void random_pairs(void)
+{
+	int stated = 0, held = 0, pairs = 0;
+
+	for (int r = 0; r < 60; r++) {
+		double ratio = pow(10.0, -2.5 + 1.2*uniform()), w1 = 1.0 + 19.0*uniform();
+		double apart = 0.02 + 0.98*uniform(), w2 = w1*(1.0 + 2.0*ratio*apart);
+		double other = (0.1 + 0.9*uniform())*(uniform() < 0.33 ? -1.0 : 1.0);
+		double width = (3.0 + 9.0*uniform())*ratio, w[80], a[80];
+		int points = r % 2 ? 80 : 25;
+		struct hawser_half_power half;
+
+		for (int i = 0; i < points; i++) {
+			w[i] = 0.5*(w1 + w2)*(1.0 + width*(2.0*i/(points - 1) - 1.0));
+			a[i] = cabs(1.0/(w1*w1 - w[i]*w[i] + 2.0*I*ratio*w1*w[i]) +
+			            other/(w2*w2 - w[i]*w[i] + 2.0*I*ratio*w2*w[i]));
+		}
+		if (hawser_half_power_find(&half, w, a, points, 0.95, NULL))
+			continue;
+		stated++;
+		pairs += half.modes == 2;
+		held += fabs(half.ratio - ratio) <= half.ratio_error;
+	}
+	ok(stated >= 20 && pairs >= 10 && held == stated, "of 60 pairs %d are stated, %d as two modes, "
+	   "%d within the error", stated, pairs, held);
 }
 
 static void refusals(void)
@@ -277,11 +307,12 @@ CASE(property_decay)
 	random_tables();
 	impure_tables();
 	bent_tables(41);
-	bent_tables(399);
+	bent_tables(199);
 	close_modes(25, 1.0);
 	close_modes(200, 1.0);
 	close_modes(60, 0.6);
 	close_modes(60, 0.0);
+	random_pairs();
 	refusals();
 	return done_testing();
 }

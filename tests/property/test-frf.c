@@ -351,6 +351,70 @@ static void check_ends_and_errors(void)
 	hawser_rom_clear(&rom);
 }
 
+/* One period from the state x of Duffing's equation by Runge and Kutta's method; the largest |u|. */
+static double duffing_period(double x[2], double W, double f)
+{
+	enum { STEPS = 4000 };
+	double h = 2.0*M_PI/W/STEPS, top = 0.0;
+
+	for (int i = 0; i < STEPS; i++) {
+		double k[4][2], sum[2] = {0.0, 0.0};
+
+		for (int s = 0; s < 4; s++) {
+			double c = s == 0 ? 0.0 : s == 3 ? h : 0.5*h;
+			double u = x[0] + (s ? c*k[s - 1][0] : 0.0), v = x[1] + (s ? c*k[s - 1][1] : 0.0);
+
+			k[s][0] = v;
+			k[s][1] = f*cos(W*(i*h + c)) - 0.1*v - u - u*u*u;
+			for (int j = 0; j < 2; j++)
+				sum[j] += (s == 0 || s == 3 ? 1.0 : 2.0)*h/6.0*k[s][j];
+		}
+		x[0] += sum[0];
+		x[1] += sum[1];
+		top = fmax(top, fabs(x[0]));
+	}
+	return top;
+}
+
+/* First orbits that lie beyond folds in the load, which can be raised to 0.84 of 20 and 0.012 of 200.
+ * The amplitude is that of a shooting program of its own (Runge and Kutta, differences for Newton's
+ * method), which begins elsewhere. */
+static void check_beyond_folds(void)
+{
+	static const double load[] = {20.0, 200.0}, begin[] = {1.0, 2.0};
+
+	for (int i = 0; i < 2; i++) {
+		struct hawser_frf_options options = {.method = NULL};
+		struct hawser_report report = {.message = ""};
+		struct hawser_rom rom;
+		struct hawser_frf frf;
+
+		if (hawser__rom_init(&rom, 1, NULL))
+			return;
+		rom.K[0] = 1.0;
+		rom.D[0] = 0.1;
+		add_cubic(&rom, 1.0);
+		set_load(&rom, 1, &load[i]);
+		options.from = begin[i];
+		options.to = 4.0;
+		options.max_points = 2;
+		options.samples = HAWSER_NONE;
+		if (ok(!hawser_rom_compile(&rom, NULL) &&
+		       !hawser_frf_trace(&frf, &rom, &options, &report) && frf.points > 0,
+		       "load %g: a first orbit %s", load[i], report.message)) {
+			double x[2] = {frf.state[0], frf.state[1]}, top = duffing_period(x, begin[i], load[i]);
+
+			ok(hypot(x[0] - frf.state[0], x[1] - frf.state[1]) < 1e-6,
+			   "which is periodic, by Runge and Kutta's method");
+			close_to(frf.coordinate[0], top, 1e-5, "its amplitude");
+			if (i == 0)
+				close_to(frf.coordinate[0], 3.216813, 2e-6, "that of another program");
+		}
+		hawser_frf_clear(&frf);
+		hawser_rom_clear(&rom);
+	}
+}
+
 /* B Table 4.5 with six raw modes: a pair of multipliers leaves the unit circle through -1 and
  * returns within 0.1 % of Omega, twice. The result must not depend on the positions of the points. */
 static void check_narrow_doublings(void)
@@ -408,6 +472,7 @@ CASE(property_frf)
 	}
 	check_sweep();
 	check_zeros();
+	check_beyond_folds();
 	check_narrow_doublings();
 	return done_testing();
 }

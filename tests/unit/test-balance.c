@@ -141,8 +141,10 @@ static int correct(struct hawser__balance *balance, double *y, double omega)
 static int solve(struct hawser__balance *balance, double *y, double omega, double tolerance)
 {
 	struct hawser__correction correction;
+	double x[8];
+	struct hawser__raised raised = {.x = x};
 
-	return hawser__start(y, &balance->base, &correction, NULL, omega, tolerance, NULL) !=
+	return hawser__start(y, &balance->base, &correction, NULL, omega, tolerance, &raised, NULL) !=
 	       HAWSER_OK;
 }
 

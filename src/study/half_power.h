@@ -1,0 +1,62 @@
+/* study/half_power.h - what the fits of half_power.c and of half_power_pair.c share; its glossary is in
+ * half_power.c.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_STUDY_HALF_POWER_H
+#define HAWSER_STUDY_HALF_POWER_H
+
+/* Unknowns: of other modes that add to a parabola, or of two modes of one ratio; of two modes with two
+ * ratios. */
+enum { HAWSER__HALF_EQUAL = 5, HAWSER__HALF_SHAPES = 6 };
+
+struct hawser__half_table {
+	const double *omega, *a; /* [count] */
+	int count, best;         /* best: index of the largest amplitude */
+	double confidence;
+};
+
+struct hawser__half_span {
+	int first, last;
+};
+
+struct hawser__half_fit {
+	double zp, D, ratio;
+	double zp_error, ratio_error;
+	double apart;   /* half the difference of the ratios of two modes */
+	double scatter; /* standard deviation of a point, relative to the largest amplitude */
+};
+
+/* Adds a row, its right side last, to R by Givens rotations. */
+void hawser__half_join(double R[HAWSER__HALF_SHAPES][HAWSER__HALF_SHAPES + 1],
+                       double row[HAWSER__HALF_SHAPES + 1], int count);
+/* |R^-T g|: the standard deviation of a quantity with the gradient g [count] if that of the points is
+ * 1. */
+double hawser__half_spread(const double R[HAWSER__HALF_SHAPES][HAWSER__HALF_SHAPES + 1],
+                           const double *g, int count);
+
+/* Sums of the residuals r, and of products of neighbours. */
+struct hawser__half_residuals {
+	double sum, lag, before;
+};
+
+static inline void hawser__half_add(struct hawser__half_residuals *residuals, double r)
+{
+	residuals->sum += r*r;
+	residuals->lag += r*residuals->before;
+	residuals->before = r;
+}
+
+/* Standard deviation of a point of `count`. */
+double hawser__half_deviation(const struct hawser__half_residuals *residuals, int count, int unknowns);
+
+struct hawser__half_pair_of {
+	const struct hawser__half_table *table;
+	struct hawser__half_span span;
+	double wp, ratio; /* of the parabola */
+	int unknowns;     /* HAWSER__HALF_EQUAL or HAWSER__HALF_SHAPES */
+};
+
+/* Fit two modes: from q or, with the fewer unknowns, from anywhere. Returns 0 if there is no fit. */
+int hawser__half_pair(double q[HAWSER__HALF_SHAPES], struct hawser__half_fit *two,
+                      struct hawser__half_pair_of *pair, int unknowns);
+
+#endif
