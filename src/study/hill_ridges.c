@@ -119,7 +119,7 @@ static int clearly_closed(const struct hawser__ridge *ridge, enum hawser__ridge_
 	return state == HAWSER__RIDGE_CLOSED && least < CLEAR*ridge->mean && least < -ROUGH*omega;
 }
 
-static enum hawser_status look(void *context, const struct hawser__resonance *of, double t,
+static enum hawser_status look(void *context, const struct hawser__combination *of, double t,
                                double slope, struct hawser_report *report)
 {
 	struct walk *walk = context;

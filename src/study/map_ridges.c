@@ -105,7 +105,7 @@ static enum hawser_status keep(struct hawser__mapper *mapper, const struct searc
 	return HAWSER_OK;
 }
 
-static int same(const struct hawser__resonance *a, const struct hawser__resonance *b)
+static int same(const struct hawser__combination *a, const struct hawser__combination *b)
 {
 	return a->j == b->j && a->k == b->k && a->sign == b->sign && a->m == b->m;
 }
@@ -184,7 +184,7 @@ static enum hawser_status judge(struct searches *list, size_t c, struct hawser_r
 
 /* --- where to search --- */
 
-static enum hawser_status begin(void *context, const struct hawser__resonance *of, double t,
+static enum hawser_status begin(void *context, const struct hawser__combination *of, double t,
                                 double slope, struct hawser_report *report)
 {
 	struct searches *list = context;

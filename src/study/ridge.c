@@ -30,7 +30,7 @@ static double wrapped(double angle)
 
 /* The two multipliers of the resonance: those of its component with the arguments that the
  * frequencies at rest suggest. Returns 0 if the coordinates are not coupled. */
-static int pick(int pair[2], const struct hawser__resonance *of, const double *exponents, int n)
+static int pick(int pair[2], const struct hawser__combination *of, const double *exponents, int n)
 {
 	const double *frequency = exponents + 1, *part = frequency + n, *modulus = part + n;
 	const double *argument = modulus + 2*n;
@@ -143,7 +143,7 @@ enum hawser__ridge_state hawser__ridge_take(struct hawser__ridge *ridge, const d
 
 /* --- resonances between two points --- */
 
-static enum hawser_status pair_of(const struct hawser__resonance *pair, const double *a,
+static enum hawser_status pair_of(const struct hawser__combination *pair, const double *a,
                                   const double *b, int *above,
                                   const struct hawser__ridge_taker *taker,
                                   struct hawser_report *report)
@@ -158,7 +158,7 @@ static enum hawser_status pair_of(const struct hawser__resonance *pair, const do
 	if (sum[0]*sum[1] <= 0.0)
 		return HAWSER_OK;
 	for (int m = (int)fmax(ceil(low), 1.0); m <= high && m <= HAWSER__RIDGE_HIGHEST && !status; m++) {
-		struct hawser__resonance of = *pair;
+		struct hawser__combination of = *pair;
 		double r[2];
 
 		if (sum[0] < 0.0) {
@@ -186,7 +186,7 @@ enum hawser_status hawser__ridge_find(const double *a, const double *b, int n, i
 			if (part[0][j] != part[0][k] && part[1][j] != part[1][k])
 				continue;
 			for (int sign = 1; sign >= (j == k ? 1 : -1) && !status; sign -= 2)
-				status = pair_of(&(struct hawser__resonance){j, k, sign, 0}, a, b, above, taker,
+				status = pair_of(&(struct hawser__combination){j, k, sign, 0}, a, b, above, taker,
 				                 report);
 		}
 	return status;
@@ -195,7 +195,7 @@ enum hawser_status hawser__ridge_find(const double *a, const double *b, int n, i
 /* --- what became of them --- */
 
 enum hawser_status hawser__ridge_note(struct hawser__ridge_log *log,
-                                      const struct hawser__resonance *of, int found,
+                                      const struct hawser__combination *of, int found,
                                       const double at[2], struct hawser_report *report)
 {
 	size_t c = 0;

@@ -29,12 +29,12 @@
 #include "response/linear_margin.h"
 
 /* w_j + sign w_k = m Omega, coordinates j <= k. */
-struct hawser__resonance {
+struct hawser__combination {
 	int j, k, sign, m;
 };
 
 struct hawser__ridge {
-	struct hawser__resonance of;
+	struct hawser__combination of;
 	double slope;           /* of the detuning r by t */
 	double low, high;       /* range of t */
 	double at;              /* the next point */
@@ -59,7 +59,7 @@ enum { HAWSER__RIDGE_HIGHEST = 12 }; /* largest m that is searched; chosen */
  * [HAWSER__EXPONENTS(n)], with its t and the slope of its detuning. Returns the first status other
  * than HAWSER_OK. *above: set to 1 if there are others with m > HAWSER__RIDGE_HIGHEST. */
 struct hawser__ridge_taker {
-	enum hawser_status (*found)(void *context, const struct hawser__resonance *of, double t,
+	enum hawser_status (*found)(void *context, const struct hawser__combination *of, double t,
 	                            double slope, struct hawser_report *report);
 	void *context;
 };
@@ -83,7 +83,7 @@ struct hawser__ridge_log {
 };
 /* `at`: x and y. HAWSER_ERR_MEMORY. */
 enum hawser_status hawser__ridge_note(struct hawser__ridge_log *log,
-                                      const struct hawser__resonance *of, int found,
+                                      const struct hawser__combination *of, int found,
                                       const double at[2], struct hawser_report *report);
 /* Move the resonances that were not found to *to, whose array the caller frees. Clears the log. */
 void hawser__ridge_unresolved(struct hawser_tongues *to, struct hawser__ridge_log *log);
