@@ -48,9 +48,10 @@ static inline struct hawser_map_field circle(void)
 		.close = field_close, .point = circle_point};
 }
 
-/* A wedge |x - 0.311| < 0.002 y^2, which is nowhere as wide as a cell of the tests: the damped tongue of
- * one coordinate at 2 w = Omega = 1, w = 1/2 + r/2 with the detuning r = 0.1 (x - 0.311). Its
- * multipliers have equal arguments up to 0.03 from the middle, where growth is less than the decay d. */
+/* A wedge |x - 0.311| < 0.002 y^2, which is nowhere as wide as a cell of the tests: the damped
+ * tongue of one coordinate at 2 w = Omega = 1, w = 1/2 + r/2 with the detuning r = 0.1 (x - 0.311).
+ * Its multipliers have equal arguments up to 0.03 from the middle, where growth is less than the
+ * decay d. */
 static inline enum hawser_status wedge_point(void *worker, struct hawser_map_sample *sample,
                                              double *marks, double x, double y,
                                              struct hawser_report *report)

@@ -47,7 +47,8 @@
 #define LESS 0.1      /* largest ratio of successive values in a secant iteration that counts as
                        * convergent; chosen */
 enum { SECANTS = 12 };
-#define APART 1e-3 /* largest round-off relative to the dip between two roots that are told apart; chosen */
+#define APART 1e-3 /* largest round-off relative to the dip between two roots that are told apart;
+                    * chosen */
 #define FIRST 1e-2  /* distance of the first points, relative to the reach; chosen */
 #define SEPARATE 1e-3 /* distance, in steps, below which a point is on a boundary that is already
                        * known; chosen */
@@ -182,7 +183,8 @@ static int secant(struct hawser__hill *hill, struct hawser__track *track, double
 static double increasing(double *slope, double *doubt, const double s[3], const double g[3],
                          double noise)
 {
-	double left = (g[1] - g[0])/(s[1] - s[0]), bend = ((g[2] - g[1])/(s[2] - s[1]) - left)/(s[2] - s[0]);
+	double left = (g[1] - g[0])/(s[1] - s[0]), right = (g[2] - g[1])/(s[2] - s[1]);
+	double bend = (right - left)/(s[2] - s[0]);
 	double tilt = left + bend*(s[0] - s[1]), square = tilt*tilt - 4.0*bend*g[0];
 
 	/* g = g[0] + tilt (t - s[0]) + bend (t - s[0])^2 */

@@ -102,8 +102,8 @@ double hawser__hill_value(struct hawser__hill *hill, struct hawser__track *track
 int hawser__hill_newton(struct hawser__hill *hill, struct hawser__track *track, double *s,
                         const double from[2], const double along[2], double reach);
 /* Choose the test function of the boundary near `at`, for a torus on its unstable side; the strict
- * multipliers if no determinant can be used. Returns 0 if there is no boundary, since the product of two real multipliers is 1; or if
- * hill->status is set. */
+ * multipliers if no determinant can be used. Returns 0 if there is no boundary, since the product of
+ * two real multipliers is 1; or if hill->status is set. */
 int hawser__hill_choose(struct hawser__hill *hill, struct hawser__track *track, int kind, int part,
                         const double at[2]);
 /* Whether no coordinate before `part` is coupled to it. */
@@ -154,12 +154,13 @@ enum hawser_status hawser__hill_check(const struct hawser_hill_options *options,
 /* A change of sign between lo and hi: find its boundary. */
 void hawser__hill_try(struct hawser__hill *hill, int kind, const struct hawser__hill_line *line,
                       double lo, double hi);
-/* The same in the part of the model with coordinate `part`, between s, where a multiplier with the exponent lambda Omega is outside the circle, and
- * `out`, where it is inside. Returns 0 if there is none. */
+/* The same in the part of the model with coordinate `part`, between s, where a multiplier with the
+ * exponent lambda Omega is outside the circle, and `out`, where it is inside. Returns 0 if there is
+ * none. */
 int hawser__hill_side(struct hawser__hill *hill, int kind, int part, const double lambda[2],
                       const struct hawser__hill_line *line, double s, double out);
-/* Without models: the middle of three samples of the same sign is the smallest: find a pair of roots between them,
- * if there is one. */
+/* Without models: the middle of three samples of the same sign is the smallest: find a pair of roots
+ * between them, if there is one. */
 void hawser__hill_between(struct hawser__hill *hill, int kind, const struct hawser__hill_line *line,
                           double lo, double hi, double sign);
 

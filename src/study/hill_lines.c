@@ -83,7 +83,8 @@ static void search(struct hawser__hill *hill, const struct hawser__hill_line *li
 
 			if (sign*next < 0.0)
 				hawser__hill_try(hill, kind, line, i*ds, (i + 1)*ds);
-			else if (!hill->worker->linear && i > 0 && sign*g[-HAWSER_HILL_KINDS] > fabs(*g) && sign*next > fabs(*g))
+			else if (!hill->worker->linear && i > 0 && sign*g[-HAWSER_HILL_KINDS] > fabs(*g) &&
+			         sign*next > fabs(*g))
 				hawser__hill_between(hill, kind, line, (i - 1)*ds, (i + 1)*ds, sign);
 		}
 	hawser__hill_ridges(hill, line);

@@ -22,8 +22,8 @@
 #define LEAST 1e-13   /* smallest half-width, relative to the line: round-off */
 #define REACH 1.0     /* distance from its resonance at rest at which a tongue is looked for, in
                        * intervals; chosen */
-#define CLEAR 0.3     /* decay at the least stable point, relative to the mean one, with which a tongue is
-                       * clearly closed; chosen */
+#define CLEAR 0.3     /* decay at the least stable point, relative to the mean one, with which a
+                       * tongue is clearly closed; chosen */
 #define ROUGH 1e-3    /* the same relative to Omega: above the error of rough multipliers */
 enum { EVERY = 8, TRIES = 4 };
 

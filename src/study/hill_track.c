@@ -38,8 +38,8 @@
                           * square, which is subtracted, and by its cube */
 #define FARTHER 0.005  /* longest correction of nu, relative to Omega: a longer one may lead to another
                         * extremum; chosen */
-#define REAL 1e-5      /* F is even about nu = 0 and Omega/2, where its extremum tells nothing of a torus;
-                        * chosen above the last correction */
+#define REAL 1e-5      /* F is even about nu = 0 and Omega/2, where its extremum tells nothing of a
+                        * torus; chosen above the last correction */
 enum { CORRECTIONS = 12 };
 
 void hawser__hill_to_caller(double out[2], const struct hawser__hill *hill, const double at[2])

@@ -1,9 +1,9 @@
 /* study/map_tree.c - refinement of the cells.
  *
  * A cell is split if its corners differ (in number or code), if its value varies much, or if a
- * boundary or a narrow instability crosses one of its edges. It is split at the middle node of each side; the
- * halves need not be equal. All cells of a level are split together, so that the criterion for the
- * variation, which is relative to all nodes so far, does not depend on the order.
+ * boundary or a narrow instability crosses one of its edges. It is split at the middle node of each
+ * side; the halves need not be equal. All cells of a level are split together, so that the criterion
+ * for the variation, which is relative to all nodes so far, does not depend on the order.
  *
  * A boundary may then enter a large cell from a smaller neighbour without a difference of the
  * corners of the large cell. Such a cell is split as well, repeatedly, until no boundary ends at a

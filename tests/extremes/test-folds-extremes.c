@@ -150,6 +150,10 @@ static void check_limit(void)
 	   limited);
 	hawser_folds_clear(&folds);
 	options.max_points = 7;
+	ok(!hawser_folds_trace(&folds, &rom, &options, &report) && strstr(folds.note, "--max-points"),
+	   "seen by other motions, told: %s", folds.note);
+	hawser_folds_clear(&folds);
+	options.starts = HAWSER_NONE;
 	status = hawser_folds_trace(&folds, &rom, &options, &report);
 	ok(status == HAWSER_ERR_CONVERGENCE && strstr(report.message, "--max-points"),
 	   "none seen is not none there: %s", report.message);
