@@ -16,7 +16,7 @@ trap 'exit 130' INT TERM
 
 clean() {
 	[ -n "$root" ] || return
-	umount "$root/proc" "$root/dev" 2>/dev/null
+	umount "$root/proc" "$root/dev" "$root/sys" 2>/dev/null
 	rm -rf --one-file-system "$root"
 	root=
 }
@@ -30,7 +30,8 @@ bare() {
 	# how this machine reaches its sources
 	grep -l '^ *Acquire::' /etc/apt/apt.conf.d/* 2>/dev/null | xargs -r cp -t "$root/etc/apt/apt.conf.d/"
 	cp /etc/resolv.conf "$root/etc/" 2>/dev/null
-	mount --bind /dev "$root/dev" && mount -t proc proc "$root/proc" || return 1
+	mount --bind /dev "$root/dev" && mount -t proc proc "$root/proc" &&
+		mount -t sysfs -o ro sysfs "$root/sys" || return 1
 	mkdir "$root/clone"
 	(cd "$top" && git ls-files -z | tar --null -cf - -T -) | tar -xf - -C "$root/clone"
 }

@@ -32,6 +32,8 @@
 #define CLOSE 1e-11       /* width of a bracket, relative to the step */
 #define FAR 0.03          /* largest distance of kappa from its end in the extrapolation */
 #define NEARBY 0.002      /* distance at which the equations are too nearly singular to begin there */
+#define DOUBLE 1e-4       /* distance below which round-off decides the sign of the normal form: it grows
+                           * with the third power of 1/distance; chosen */
 enum { MOST = 60, NODES = 4 };
 
 static const enum hawser_locus_special special[LOCUS_TESTS] = {
@@ -114,6 +116,13 @@ void hawser__locus_test_angle(const struct hawser__locus *locus,
 	station->test[LOCUS_TEST_QUARTER] = kappa - 0.25;
 }
 
+/* So near 1:1 or 1:2 the multiplier is nearly double: the coefficient is divided by a rate that vanishes
+ * there, and its sign is that of round-off. */
+static int beside_end(double kappa)
+{
+	return fmin(fabs(kappa), fabs(fabs(kappa) - 0.5)) < DOUBLE;
+}
+
 enum hawser_status hawser__locus_test(struct hawser__locus_walk *walk,
                                       struct hawser__locus_station *station)
 {
@@ -142,6 +151,8 @@ enum hawser_status hawser__locus_test(struct hawser__locus_walk *walk,
 	hawser__locus_test_angle(locus, station);
 	if (kind != HAWSER_FOLD) {
 		test[LOCUS_TEST_DEGENERATE] = hawser__locus_normal_form(locus, &sign, &size);
+		if (kind == HAWSER_TORUS && beside_end(station->z[LOCUS_KAPPA]))
+			test[LOCUS_TEST_DEGENERATE] = NAN;
 		if (sign != 0.0)
 			test[LOCUS_TEST_FOLD] = relative(sign, size, &walk->reference[0]);
 	}
