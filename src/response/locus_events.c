@@ -32,8 +32,8 @@
 #define CLOSE 1e-11       /* width of a bracket, relative to the step */
 #define FAR 0.03          /* largest distance of kappa from its end in the extrapolation */
 #define NEARBY 0.002      /* distance at which the equations are too nearly singular to begin there */
-#define DOUBLE 1e-4       /* distance below which round-off decides the sign of the normal form: it grows
-                           * with the third power of 1/distance; chosen */
+#define DOUBLE 1e-4       /* distance below which round-off decides the sign of the normal form: it
+                           * grows with the third power of 1/distance; chosen */
 enum { MOST = 60, NODES = 4 };
 
 static const enum hawser_locus_special special[LOCUS_TESTS] = {
@@ -116,8 +116,8 @@ void hawser__locus_test_angle(const struct hawser__locus *locus,
 	station->test[LOCUS_TEST_QUARTER] = kappa - 0.25;
 }
 
-/* So near 1:1 or 1:2 the multiplier is nearly double: the coefficient is divided by a rate that vanishes
- * there, and its sign is that of round-off. */
+/* So near 1:1 or 1:2 the multiplier is nearly double: the coefficient is divided by a rate that
+ * vanishes there, and its sign is that of round-off. */
 static int beside_end(double kappa)
 {
 	return fmin(fabs(kappa), fabs(fabs(kappa) - 0.5)) < DOUBLE;
