@@ -148,6 +148,7 @@ static void principal(void)
 	   by_map.x[1] - by_map.x[0]);
 	hawser_map_clear(&map);
 	hawser_hill_clear(&chart);
+	hawser_scene_clear(&plane.scene);
 }
 
 /* Two in-plane tongues within 0.1 rad/s, and a combination tongue. */
@@ -174,6 +175,7 @@ static void others(void)
 	ok(!failed && has(&found, 13.66, 13.69, 5e-3), "map: the combination tongue at 1.25 m/s, 13.66 to "
 	   "13.69");
 	hawser_map_clear(&map);
+	hawser_scene_clear(&plane.scene);
 }
 
 /* Tongues of 0.001 rad/s: each crossing by hill is one by map. */
@@ -201,6 +203,7 @@ static void nested(void)
 	ok(!failed, "no boundary was left before its end");
 	hawser_map_clear(&map);
 	hawser_hill_clear(&chart);
+	hawser_scene_clear(&plane.scene);
 }
 
 CASE(reference_tongues)
