@@ -124,6 +124,7 @@ static size_t gather(char *text)
 	unlink("o.check");
 	text[size] = '\0';
 	hide_times(text, "_secs\": ");
+	hide_times(text, "\"seconds\": ");
 	return strlen(text);
 }
 
