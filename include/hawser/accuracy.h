@@ -109,12 +109,12 @@ enum hawser_status hawser_accuracy_fixed(struct hawser_accuracy_fixed *fixed,
                                          const struct hawser_scene *scene, double from, double to,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* The same for one motion of such a model, of which the period from `state` on is examined: relative
- * error of its amplitudes and of the frequency at which it occurs. What does not repeat itself with the
- * period counts as a jump at its end. Statuses: those of hawser_accuracy_fixed and hawser_integrate. */
+/* The same for one forced motion of such a model, of which the period from `state` on is examined:
+ * relative error of its amplitudes and of the frequency at which it occurs. What does not repeat itself
+ * with the period counts as a jump at its end. Statuses: those of hawser_accuracy_fixed and
+ * hawser_integrate. */
 struct hawser_accuracy_motion {
-	double omega;        /* scaled; 2 pi/omega is the period */
-	int driven;          /* 1: omega is the forcing frequency; 0: nothing drives the model */
+	double omega;        /* scaled, of the forcing */
 	double time;         /* scaled; the phase of the forcing is omega*time */
 	const double *state; /* [2n] u, then u' */
 };

@@ -172,9 +172,9 @@ struct cli_model {
 		int number;
 	} basis;
 };
+const char *cli_input_name(const struct cli_common *common); /* "<stdin>" for "-" */
 /* Where the path is "-", standard input becomes a file that can be read again: what kind of scene it is
  * is read first. */
-const char *cli_input_name(const struct cli_common *common); /* "<stdin>" for "-" */
 enum hawser_status cli_hold_input(const char *path, struct hawser_report *report) HAWSER_MUST_CHECK;
 /* n > 0 overrides the scene's modes. With modes: auto the model is made later, for the range of
  * frequencies, by cli_choice_build or _trace. _entries: only written (hawser_rom_build_entries). */

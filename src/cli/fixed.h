@@ -28,7 +28,7 @@ enum hawser_status cli_fixed_once(struct cli_model_error *error, const struct cl
                                   const struct cli_common *common,
                                   const struct hawser_accuracy_motion *motion,
                                   struct hawser_report *report) HAWSER_MUST_CHECK;
-/* branch: its number, if it is not the first. */
+/* number: of the branch; from the second on it is named. */
 void cli_fixed_comments(struct hawser__table *table, const struct cli_model_error *error, int branch);
 /* Says on standard error that the error is more than a tenth. */
 void cli_fixed_warn(const struct cli_model_error *error);

@@ -154,23 +154,6 @@ int cli_integrate_moves(char *text, size_t size, const struct cli_integrate_resu
 
 /* --- the error of the model --- */
 
-/* The frequency of the mode that has most of the energy in a state. */
-static double strongest(const struct cli_model *model, const double *state)
-{
-	double most = -1.0, omega = 0.0;
-
-	for (int j = 0; j < model->modes.n && j < model->rom.n; j++) {
-		double w = model->modes.mode[j].omega;
-		double energy = pow(w*state[j], 2) + pow(state[model->rom.n + j], 2);
-
-		if (energy > most) {
-			most = energy;
-			omega = w;
-		}
-	}
-	return omega;
-}
-
 /* Why no period of the run stands for it, or NULL. */
 static const char *irregular(const struct cli_integrate_result *result)
 {
@@ -178,6 +161,8 @@ static const char *irregular(const struct cli_integrate_result *result)
 
 	if (result->failed || result->run.interrupted)
 		return "the run did not come to its end";
+	if (!(result->omega > 0.0))
+		return "nothing drives the model; compare with a run of more modes (-n)";
 	if (rom->history || rom->ramp || result->forcing.omega_to > 0.0)
 		return "no period of a run with a changing excitation stands for the others; hawser frf, over "
 		       "a range about a frequency, states how far periodic motions are off";
@@ -186,26 +171,22 @@ static const char *irregular(const struct cli_integrate_result *result)
 	return NULL;
 }
 
-/* From the last period of the forcing, or where nothing drives the model from the first period of the
- * strongest mode, which is the largest motion. */
+/* From the last period of the forcing. */
 static enum hawser_status judge(struct cli_integrate_result *result, struct hawser_report *report)
 {
 	const struct cli_model *model = result->model;
 	const char *why = irregular(result);
-	int driven = result->omega > 0.0, row = driven ? result->run.rows - 1 : 0;
-	struct hawser_accuracy_motion motion = {.omega = result->omega, .driven = driven};
+	int last = result->run.rows - 1;
+	struct hawser_accuracy_motion motion = {.omega = result->omega};
 
-	if (!model->has_scene || model->automatic || model->rom.exact || result->run.rows == 0)
+	if (!model->has_scene || model->automatic || model->rom.exact || last < 0)
 		return HAWSER_OK;
-	motion.time = result->run.time[row];
-	motion.state = result->run.state + 2*(size_t)row*(size_t)model->rom.n;
-	if (!driven)
-		motion.omega = strongest(model, motion.state);
-	if (!why && motion.omega > 0.0)
+	motion.time = result->run.time[last];
+	motion.state = result->run.state + 2*(size_t)last*(size_t)model->rom.n;
+	if (!why)
 		return cli_fixed_once(&result->model_error, model, result->common, &motion, report);
 	result->model_error = (struct cli_model_error){.stated = 1, .fixed = {.estimated = NAN}};
-	snprintf(result->model_error.unknown, sizeof result->model_error.unknown, "%s",
-	         why ? why : "nothing moves");
+	snprintf(result->model_error.unknown, sizeof result->model_error.unknown, "%s", why);
 	return HAWSER_OK;
 }
 

@@ -30,7 +30,7 @@ enum hawser_status hawser__weigh_motion(struct hawser_choice *choice, const stru
 {
 	double omega = start->omega, period = 2.0*M_PI/omega, *u, *state;
 	struct hawser_integrate_options options = {
-		.omega = start->driven ? omega : 0.0, .begin = start->time, .until = start->time + period,
+		.omega = omega, .begin = start->time, .until = start->time + period,
 		.every = period/rows, .rtol = 1e-7, .atol = 1e-12, .initial = start->state,
 	};
 	size_t n = (size_t)rom->n, kept = (size_t)(rom->n - rom->inertia.shapes);
@@ -61,8 +61,9 @@ enum hawser_status hawser__weigh_orbit(struct hawser_choice *choice, const struc
                                        unsigned counted, unsigned peaks,
                                        struct hawser_report *report)
 {
-	const struct hawser_accuracy_motion start = {.omega = frf->point[i].omega, .driven = 1,
-	                                    .state = frf->state + (size_t)i*2*(size_t)frf->n};
+	const struct hawser_accuracy_motion start = {.omega = frf->point[i].omega,
+	                                             .state = frf->state +
+	                                                      (size_t)i*2*(size_t)frf->n};
 
 	return hawser__weigh_motion(choice, rom, &start, whole, counted, peaks, report);
 }

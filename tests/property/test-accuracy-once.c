@@ -1,5 +1,5 @@
 /* The error that is stated of one motion (hawser_accuracy_once) against the difference from a model of
- * many more modes, whose motion is computed by itself: forced, at rest, and swinging freely.
+ * many more modes, whose motion is computed by itself.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -84,7 +84,7 @@ static void check(const char *text, int few, double ratio, const char *name)
 {
 	struct hawser_trajectory run[2] = {{0}, {0}};
 	struct hawser_accuracy_fixed stated;
-	struct hawser_accuracy_motion motion = {.driven = 1};
+	struct hawser_accuracy_motion motion;
 	struct solved it[2];
 	double periods = 40.0, off;
 
