@@ -81,6 +81,14 @@ enum hawser_status hawser_accuracy_trace(struct hawser_accuracy *accuracy,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_accuracy_clear(struct hawser_accuracy *accuracy);
 
+/* The same by full-order models alone, of increasing bases: where a response of a reduced model is not
+ * good enough. HAWSER_ERR_ARGUMENT: accuracy; an inextensible cable, which has no such models. */
+enum hawser_status hawser_accuracy_exact(struct hawser_accuracy *accuracy,
+                                         const struct hawser_statics *statics,
+                                         const struct hawser_scene *scene,
+                                         const struct hawser_accuracy_options *options,
+                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+
 /* The estimated error of a response, to first order, that is due to the modes that its model does
  * not keep: relative error of folds and peaks. */
 struct hawser_accuracy_fixed {

@@ -46,8 +46,9 @@ enum hawser_condensation { HAWSER_CONDENSE_STATIC = 0, HAWSER_CONDENSE_NONE };
 enum hawser_inertia { HAWSER_INERTIA_AUTO = 0, HAWSER_INERTIA_NONE };
 
 /* Strain energy: a polynomial of degree 4 in the coordinates of a few modes, or the exact one, with
- * all functions of the basis as coordinates. */
-enum hawser_energy { HAWSER_ENERGY_QUARTIC = 0, HAWSER_ENERGY_EXACT };
+ * all functions of the basis as coordinates. AUTO: quartic, and exact where a response shows that
+ * the polynomial is not good enough; builders of models take it as quartic. */
+enum hawser_energy { HAWSER_ENERGY_QUARTIC = 0, HAWSER_ENERGY_EXACT, HAWSER_ENERGY_AUTO };
 
 enum { HAWSER_RATIOS = 32 }; /* most values of damping.ratio */
 

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "cli/backbone.h"
+#include "cli/exact.h"
 #include "cli/frf_beside.h"
 #include "cli/frf_cover.h"
 #include "cli/frf_lift.h"
@@ -247,6 +248,26 @@ static enum hawser_status trace_curve(struct hawser_frf *frf, struct hawser_frf_
 	return status;
 }
 
+/* The whole response anew where the modes asked for are not good enough; not if the user says more
+ * about the curve or the method than its range. */
+static enum hawser_status better(struct hawser_frf *frf, struct hawser_frf_options *choice,
+                                 struct cli_model *model, const struct settings *settings,
+                                 struct cli_frf_result *result, struct hawser_report *report)
+{
+	int given = settings->start || settings->resume || settings->label || settings->switched ||
+	            settings->period > 1 || settings->over || settings->method || settings->segments;
+	enum hawser_status status;
+
+	if (given || frf->points < 2 || frf->end == HAWSER_END_MAX_POINTS || cli_interrupted())
+		return HAWSER_OK;
+	status = cli_fixed_estimate(result, report);
+	if (status || !cli_exact_calls(model, &result->error))
+		return status;
+	status = cli_exact_trace(frf, choice, model, &result->error, settings->step > 0.0, report);
+	return status || !model->exact.functions ? status
+	       : cli_basis_check(model, fmax(result->from, result->to), report);
+}
+
 static enum hawser_status trace(struct hawser_frf *frf, struct hawser_landmark **peak,
                                 struct cli_cover *cover, const struct cli_label *label,
                                 struct cli_model *model,
@@ -282,6 +303,8 @@ static enum hawser_status trace(struct hawser_frf *frf, struct hawser_landmark *
 	}
 	if (!status && !automatic)
 		status = trace_curve(frf, &choice, result, settings, label, report);
+	if (!status && !automatic)
+		status = better(frf, &choice, model, settings, result, report);
 	if (frf->points > 0 && cli_label_plain(frf, model) && !result->over) {
 		enum hawser_status located = locate_peaks(peak, result, &watch.progress, &choice,
 		                                          status != HAWSER_OK, status ? &second : report);

@@ -74,13 +74,13 @@ enum hawser_status cli_fixed_estimate(struct cli_frf_result *result, struct haws
 	struct hawser_report why = {.message = ""};
 	enum hawser_status status;
 
-	if (result->frf->branch > 1 ? !model->has_scene : model->automatic) /* of ropeways: the first */
-		return HAWSER_OK;
+	if (result->frf->branch > 1 ? !model->has_scene : model->automatic || error->stated)
+		return HAWSER_OK; /* of ropeways: the first */
 	*error = (struct cli_model_error){.stated = 1, .compared = model->ropeway != NULL,
 	                                  .timed = !result->common->reproducible,
 	                                  .about = "folds and peaks", .fixed = {.estimated = NAN}};
-	if (model->automatic)
-		return not_known(error, "the accuracy of model.modes: auto is that of the first branch");
+	if (model->automatic || model->exact.functions)
+		return not_known(error, "the accuracy that is stated is that of the first branch");
 	if (!model->has_scene && !model->ropeway)
 		return not_known(error, "a model file does not say what it leaves out of its scene: give "
 		                        "the scene");

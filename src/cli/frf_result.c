@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "cli/backbone.h"
+#include "cli/exact.h"
 #include "cli/frf_cover.h"
 #include "cli/frf_lift.h"
 #include "cli/frf_over.h"
@@ -256,6 +257,7 @@ void cli_frf_comments(struct hawser__table *table, const void *of)
 		hawser__table_comment(table, "motions of %d periods of the load", frf->period);
 	cli_choice_comments(table, model);
 	cli_basis_comment(table, model);
+	cli_exact_comment(table, model);
 	cli_drag_comment(table, model, "at every instant, by shooting; no describing function");
 	cli_fixed_comments(table, &result->error, result->frf->branch);
 	if (result->scales)

@@ -141,6 +141,8 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/echo.c \
 	%D%/film_net.c \
 	%D%/film_net.h \
+	%D%/exact.c \
+	%D%/exact.h \
 	%D%/fixed.c \
 	%D%/fixed.h \
 	%D%/folds_draw.c \

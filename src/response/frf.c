@@ -314,6 +314,7 @@ static enum hawser_status open_orbit(struct hawser__trace *trace, struct hawser_
 	if (status || (status = method->open(&trace->orbit, trace->rom, &options, report)))
 		return status;
 	trace->frf->method = method->about.name;
+	trace->orbit->unjudged = options.unjudged;
 	if (options.family)
 		trace->orbit->floor = HAWSER_OMEGA_WIDTH*(trace->hi - trace->lo);
 	return HAWSER_OK;

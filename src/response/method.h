@@ -70,6 +70,7 @@ struct hawser__orbit {
 	                       * examined */
 	double goal;          /* largest relative residual of the next solutions, where the method solves by
 	                       * iteration; 0: what a step of the corrector needs */
+	int unjudged;         /* 1: no multipliers are wanted: each orbit counts as stable */
 	double rate;          /* factor by which a step with a guessed Jacobian reduces the defects */
 	double *step, *spare; /* [size] workspace of the corrector and of the metric */
 	struct hawser_orbit_cost cost;

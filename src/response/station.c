@@ -11,6 +11,8 @@
 
 /* Round-off of the logarithm of a product of multipliers. */
 #define NEUTRAL 1e-12
+/* Logarithm of a multiplier that is not computed. */
+#define INSIDE (-1.0)
 
 enum hawser_status hawser__station_init(struct hawser__station *station,
                                         const struct hawser__orbit *orbit,
@@ -202,11 +204,26 @@ void hawser__station_turn(struct hawser__station *station, struct hawser__orbit 
 	station->sure[HAWSER_FOLD] = station->test[HAWSER_FOLD];
 }
 
+/* In place of multipliers that are not wanted: all of them far inside the unit circle. */
+static enum hawser_status count_as_stable(struct hawser__orbit *orbit)
+{
+	for (int i = 0; i < orbit->m; i++) {
+		orbit->log_modulus[i] = INSIDE;
+		orbit->argument[i] = 0.0;
+		orbit->condensed[i] = 0;
+	}
+	orbit->product_error = orbit->product_round_off = orbit->multiplier_error = 0.0;
+	orbit->det_sign = 1.0;
+	orbit->det_log = 0.0;
+	return HAWSER_OK;
+}
+
 enum hawser_status hawser__station_judge(struct hawser__station *station,
                                          struct hawser__orbit *orbit, struct hawser_report *report)
 {
 	int m = orbit->m;
-	enum hawser_status status = orbit->ops->multipliers(orbit, report);
+	enum hawser_status status = orbit->unjudged ? count_as_stable(orbit)
+	                                            : orbit->ops->multipliers(orbit, report);
 
 	if (status)
 		return status;
@@ -218,7 +235,8 @@ enum hawser_status hawser__station_judge(struct hawser__station *station,
 	station->outside = 0;
 	for (int i = 0; i < m; i++)
 		station->outside += station->log_modulus[i] > 0.0;
-	station->liouville = hawser__orbit_liouville(orbit, hawser__orbit_omega(orbit, station->y));
+	station->liouville = orbit->unjudged ? 0.0
+	                     : hawser__orbit_liouville(orbit, hawser__orbit_omega(orbit, station->y));
 	station->product_error = orbit->product_error;
 	station->product_round_off = orbit->product_round_off;
 	station->multiplier_error = orbit->multiplier_error;

@@ -460,6 +460,26 @@ static enum hawser_status raise_modes(struct hawser_accuracy *a, const struct ha
 	return status;
 }
 
+/* What both searches begin with. */
+static enum hawser_status begin(struct hawser_accuracy *a, const struct hawser_statics *statics,
+                                const struct hawser_scene *scene,
+                                const struct hawser_accuracy_options *options,
+                                struct hawser_report *report)
+{
+	*a = (struct hawser_accuracy){
+		.asked = options->accuracy > 0.0 ? options->accuracy : scene->model.accuracy,
+		.estimated = 1.0};
+	if (!(a->asked > 0.0 && a->asked < 1.0))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "accuracy",
+		                    "accuracy %g: it is a part, between 0 and 1 (0.01 is 1 %%)", a->asked);
+	if (scene->model.condense != HAWSER_CONDENSE_STATIC)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "accuracy",
+		                    "model.modes: auto chooses the modes to keep and condenses the others: "
+		                    "it goes with model.condense: static, not none");
+	return hawser_accuracy_choose(&a->choice, &a->modes, statics, scene, options->frf.from,
+	                              options->frf.to, a->asked, report);
+}
+
 enum hawser_status hawser_accuracy_trace(struct hawser_accuracy *accuracy,
                                          const struct hawser_statics *statics,
                                          const struct hawser_scene *scene,
@@ -467,24 +487,32 @@ enum hawser_status hawser_accuracy_trace(struct hawser_accuracy *accuracy,
                                          struct hawser_report *report)
 {
 	double start = now();
-	enum hawser_status status;
+	enum hawser_status status = begin(accuracy, statics, scene, options, report);
 
-	*accuracy = (struct hawser_accuracy){
-		.asked = options->accuracy > 0.0 ? options->accuracy : scene->model.accuracy,
-		.estimated = 1.0};
-	if (!(accuracy->asked > 0.0 && accuracy->asked < 1.0))
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "accuracy",
-		                    "accuracy %g: it is a part, between 0 and 1 (0.01 is 1 %%)",
-		                    accuracy->asked);
-	if (scene->model.condense != HAWSER_CONDENSE_STATIC)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "accuracy",
-		                    "model.modes: auto chooses the modes to keep and condenses the others: "
-		                    "it goes with model.condense: static, not none");
-	status = hawser_accuracy_choose(&accuracy->choice, &accuracy->modes, statics, scene,
-	                                options->frf.from, options->frf.to, accuracy->asked, report);
 	if (!status)
 		status = raise_modes(accuracy, scene, options, report);
 	accuracy->seconds = now() - start;
+	return status;
+}
+
+enum hawser_status hawser_accuracy_exact(struct hawser_accuracy *accuracy,
+                                         const struct hawser_statics *statics,
+                                         const struct hawser_scene *scene,
+                                         const struct hawser_accuracy_options *options,
+                                         struct hawser_report *report)
+{
+	double start = now();
+	struct hawser__marks marks = {0};
+	enum hawser_status status = begin(accuracy, statics, scene, options, report);
+
+	if (!status && accuracy->choice.exact.n == 0)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "accuracy",
+		                      "an inextensible cable has no full-order model");
+	if (!status)
+		status = hawser__accuracy_full(accuracy, &marks, scene, options, report);
+	accuracy->reached = accuracy->estimated <= accuracy->asked && !hawser__accuracy_cut(accuracy);
+	accuracy->seconds = now() - start;
+	hawser__marks_clear(&marks);
 	return status;
 }
 

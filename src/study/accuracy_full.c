@@ -109,6 +109,14 @@ static enum hawser_status build(struct hawser_accuracy *a, const struct hawser_s
 	return hawser_rom_build_full(&a->rom, &a->modes.statics, scene, functions, report);
 }
 
+/* Of a curve without multipliers, if it should be the last. */
+static void leave_undecided(struct hawser_frf *frf)
+{
+	for (int i = 0; i < frf->points; i++)
+		frf->point[i].undecided = 2*frf->n;
+	frf->undecided = frf->points;
+}
+
 enum hawser_status hawser__accuracy_full(struct hawser_accuracy *a, struct hawser__marks *marks,
                                          const struct hawser_scene *scene,
                                          const struct hawser_accuracy_options *options,
@@ -124,13 +132,17 @@ enum hawser_status hawser__accuracy_full(struct hawser_accuracy *a, struct hawse
 		status = build(a, scene, bases[i], report);
 		if (status || a->rom.n <= tried || (!resolves(a) && i + 1 < BASES))
 			continue;
-		/* the first response only serves for comparison and needs no points by a second method */
+		/* the first response only serves for comparison: it needs no points by a second method, and
+		 * no multipliers unless they end it */
 		frf.samples = marks->curve.points > 0 ? options->frf.samples : HAWSER_NONE;
+		frf.unjudged = marks->curve.points == 0 && options->frf.most_unstable == 0;
 		status = hawser__accuracy_attempt(a, marks, scene, bases[i], &frf, report);
 		if (retry(status, &i, &frf, options)) {
 			status = HAWSER_OK;
 			continue;
 		}
+		if (frf.unjudged)
+			leave_undecided(&a->frf);
 		if (status || hawser__accuracy_cut(a))
 			break;
 		tried = a->rom.n;

@@ -1,0 +1,21 @@
+/* cli/exact.h - a response with the exact energy, where the reduced model is not good enough.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_CLI_EXACT_H
+#define HAWSER_CLI_EXACT_H
+
+#include "cli/cli.h"
+
+/* Whether model.energy: auto calls for it: a span of condensed modes with this error. */
+int cli_exact_calls(const struct cli_model *model, const struct cli_model_error *error);
+
+/* Replace the curve, the model and its error by those of the exact energy, and the options by those
+ * with which it was traced; the scene then has the keys model.energy and model.basis that give this
+ * model. step: 1: the longest step of the options is the user's. If there is no such response, everything stays, and model->exact says why.
+ * HAWSER_ERR_MEMORY. */
+enum hawser_status cli_exact_trace(struct hawser_frf *frf, struct hawser_frf_options *options,
+                                   struct cli_model *model, struct cli_model_error *error, int step,
+                                   struct hawser_report *report) HAWSER_MUST_CHECK;
+/* What was done, and why. */
+void cli_exact_comment(struct hawser__table *table, const struct cli_model *model);
+
+#endif
