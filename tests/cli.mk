@@ -14,6 +14,7 @@ CLI_TESTS = \
 	%D%/cli/locus.sh \
 	%D%/cli/nnm.sh \
 	%D%/cli/locus-exact.sh \
+	%D%/cli/exact.sh \
 	%D%/cli/full.sh \
 	%D%/cli/help-vs-man.sh \
 	%D%/cli/identify.sh \

@@ -49,6 +49,7 @@ struct hawser_accuracy {
 struct hawser_accuracy_options {
 	double accuracy;         /* in (0, 1); 0: the scene's */
 	int most;                /* largest number of kept modes; 0: 40 */
+	int most_functions;      /* of full-order models, per component; 0: 24 */
 	struct hawser_frf_options frf; /* range and method as in frf.h. tolerance, event_tolerance and
 	                                * step_max: 0: chosen for the accuracy. max_points: at most 2500;
 	                                * 0: 2500. progress is called for each model in turn */

@@ -174,7 +174,7 @@ struct cli_model {
 	struct cli_exact {
 		int modes;      /* asked for, where the exact energy took their place (exact.h) */
 		int functions;  /* per component of the model that did; 0: none */
-		double before;  /* estimated error with the modes */
+		double before;  /* error with the modes that no number of them makes up for, estimated */
 		char failed[640]; /* why there is none though it was called for */
 	} exact;
 };

@@ -435,6 +435,10 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 
 	if (!status)
 		status = load(&model, settings, report);
+	if (!status)
+		status = cli_exact_as(&model, settings->label ? settings->label
+		                      : cli_switch_elsewhere(settings->switched) ? settings->switched
+		                      : settings->resume ? settings->resume : settings->start, report);
 	if (!status && (settings->label || cli_switch_elsewhere(settings->switched)))
 		status = open_label(&label, &over, settings, &model, report);
 	if (!status)

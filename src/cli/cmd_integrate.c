@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/exact.h"
 #include "cli/integrate_net.h"
 #include "cli/integrate_result.h"
 #include "cli/integrate_span.h"
@@ -398,6 +399,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		                      "them", settings->resume);
 	if (!status)
 		status = cli_model_load(&model, &settings->common, settings->n, report);
+	if (!status)
+		status = cli_exact_as(&model, settings->initial ? settings->initial : settings->resume, report);
 	if (!status && (settings->load || settings->motion))
 		status = cli_load_history(&model, settings->load, settings->motion, report);
 	if (!status && settings->load && settings->omega && model.rom.harmonics == 0)

@@ -14,6 +14,7 @@
 #include <hawser/normal_form.h>
 
 #include "cli/integrate_result.h"
+#include "cli/exact.h"
 #include "cli/label.h"
 #include "cli/progress.h"
 #include "core/report.h"
@@ -223,6 +224,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		                      "result of hawser frf");
 	if (!status)
 		status = cli_model_load(&model, &settings->common, settings->n, report);
+	if (!status)
+		status = cli_exact_as(&model, settings->label, report);
 	if (!status)
 		status = cli_label_open(&label, "from-label", settings->label, NULL, &model,
 		                        &settings->common, report);

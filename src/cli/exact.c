@@ -2,9 +2,9 @@
  * enough (model.energy: auto).
  *
  * A polynomial of degree 4 on a few modes is right for taut cables and small motions. Where a cable
- * swings and sags, no number of modes makes it right (doc/theory-rom.md). The estimate from the
- * motions of its own response tells (fixed.h); then full-order models of increasing bases follow,
- * until two agree.
+ * swings and sags, no number of modes makes it right (doc/theory-rom.md). The estimate of its
+ * truncation error from the motions of its own response tells (fixed.h); then full-order models of
+ * increasing bases follow, until two agree.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -12,20 +12,26 @@
 #include <string.h>
 
 #include "cli/exact.h"
+#include "cli/label.h"
+#include "cli/state.h"
 #include "core/report.h"
 
-/* Estimated error from which on the reduced model is not good enough. With its factor of safety, the
- * true error is below half of it in nearly all scenes (bench/estimates fixed). */
-static const double enough = 0.02;
-/* What is asked of the full-order models if the scene does not say it. */
+/* The part of the estimated error that no number of modes makes up for, and its factor of safety: from
+ * which on the reduced model is not good enough. Modes that are missing are no reason for the exact
+ * energy: more modes cost less. */
+static const double enough = 0.01, safety = 1.5;
+/* What is asked of the full-order models if the scene does not say it, and their largest basis: where
+ * a range reaches modes that need more functions, the modes that are missing are the larger error,
+ * and more modes cost less. */
 static const double accuracy = 0.01;
+enum { FUNCTIONS = 12 };
 
 int cli_exact_calls(const struct cli_model *model, const struct cli_model_error *error)
 {
 	return model->has_scene && !model->ropeway && !model->automatic &&
 	       model->scene.model.energy == HAWSER_ENERGY_AUTO &&
 	       model->scene.model.condense == HAWSER_CONDENSE_STATIC && error->stated &&
-	       error->fixed.estimated > enough;
+	       safety*error->fixed.truncation > enough;
 }
 
 /* The model is now what the scene would be with these keys. */
@@ -35,7 +41,7 @@ static void take(struct cli_model *model, struct hawser_accuracy *better,
 	const struct hawser_accuracy_try *last = &better->attempt[better->tries - 1];
 
 	model->exact = (struct cli_exact){.modes = model->modes.n, .functions = last->functions,
-	                                  .before = error->fixed.estimated};
+	                                  .before = error->fixed.truncation};
 	hawser_rom_clear(&model->rom);
 	model->rom = better->rom;
 	better->rom = (struct hawser_rom){0};
@@ -61,7 +67,8 @@ enum hawser_status cli_exact_trace(struct hawser_frf *frf, struct hawser_frf_opt
 {
 	struct hawser_accuracy better = {.tries = 0};
 	struct hawser_accuracy_options choice = {.frf = *options,
-		.accuracy = hawser_scene_written(&model->scene, "model.accuracy") ? 0.0 : accuracy};
+		.accuracy = hawser_scene_written(&model->scene, "model.accuracy") ? 0.0 : accuracy,
+		.most_functions = FUNCTIONS};
 	struct hawser_report why = {.message = ""};
 	enum hawser_status status;
 
@@ -83,11 +90,48 @@ enum hawser_status cli_exact_trace(struct hawser_frf *frf, struct hawser_frf_opt
 	} else {
 		snprintf(model->exact.failed, sizeof model->exact.failed, "%s", status ? why.message
 		         : better.slack ? "the cable goes slack in much of this response"
-		         : "two bases do not agree");
+		         : better.tries == 0 ? "the range reaches modes that need a larger basis"
+		         : "no two bases agree");
 		status = HAWSER_OK;
 	}
 	hawser_accuracy_clear(&better);
 	return status;
+}
+
+/* Functions a component of the full-order model of a JSON result; 0: none, or no such file. */
+static int functions_of(const char *path)
+{
+	json_t *root = NULL;
+	const json_t *keys, *energy;
+	int functions = 0;
+
+	if (cli_state_root(&root, path, NULL))
+		return 0;
+	keys = json_object_get(json_object_get(root, "scene"), "model");
+	energy = json_object_get(keys, "energy");
+	if (json_is_string(energy) && strcmp(json_string_value(energy), "exact") == 0)
+		functions = (int)json_integer_value(json_object_get(keys, "basis"));
+	json_decref(root);
+	return functions;
+}
+
+enum hawser_status cli_exact_as(struct cli_model *model, const char *text, struct hawser_report *report)
+{
+	char path[4096];
+	int functions;
+
+	if (!text || strcmp(text, "-") == 0 || !model->has_scene || model->automatic ||
+	    model->scene.model.energy != HAWSER_ENERGY_AUTO)
+		return HAWSER_OK;
+	if (!cli_label_split(path, sizeof path, text))
+		snprintf(path, sizeof path, "%s", text);
+	functions = functions_of(path);
+	if (functions <= 0)
+		return HAWSER_OK;
+	model->scene.model.energy = HAWSER_ENERGY_EXACT;
+	model->scene.model.basis = functions;
+	hawser_rom_clear(&model->rom);
+	return hawser_rom_build_full(&model->rom, &model->statics, &model->scene, functions, report);
 }
 
 void cli_exact_comment(struct hawser__table *table, const struct cli_model *model)
@@ -95,10 +139,10 @@ void cli_exact_comment(struct hawser__table *table, const struct cli_model *mode
 	const struct cli_exact *exact = &model->exact;
 
 	if (exact->functions)
-		hawser__table_comment(table, "exact energy on %d functions a component, %d coordinates: with %d "
-		                      "modes, folds and peaks are off by %s%.2g by an estimate to first order "
-		                      "(model.energy: quartic takes them as they are)", exact->functions,
-		                      model->rom.n, exact->modes, exact->before < 1.0 ? "" : "more than ",
+		hawser__table_comment(table, "exact energy on %d functions a component, %d coordinates, in place "
+		                      "of the %d modes asked for: with an energy of degree 4, folds and peaks "
+		                      "are off by about %.2g with any number of modes (model.energy: quartic "
+		                      "takes it all the same)", exact->functions, model->rom.n, exact->modes,
 		                      exact->before);
 	if (exact->failed[0])
 		hawser__table_comment(table, "the exact energy was tried and gives no answer: %s",

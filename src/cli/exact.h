@@ -15,6 +15,10 @@ int cli_exact_calls(const struct cli_model *model, const struct cli_model_error 
 enum hawser_status cli_exact_trace(struct hawser_frf *frf, struct hawser_frf_options *options,
                                    struct cli_model *model, struct cli_model_error *error, int step,
                                    struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Where a result (TEXT: FILE or FILE#LABEL, or NULL) is of the exact energy and the scene leaves the
+ * energy open, make the model of the result: its states are of that one. */
+enum hawser_status cli_exact_as(struct cli_model *model, const char *text,
+                                struct hawser_report *report) HAWSER_MUST_CHECK;
 /* What was done, and why. */
 void cli_exact_comment(struct hawser__table *table, const struct cli_model *model);
 

@@ -17,6 +17,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <limits.h>
 #include <math.h>
 #include <string.h>
 
@@ -125,12 +126,16 @@ enum hawser_status hawser__accuracy_full(struct hawser_accuracy *a, struct hawse
 	struct hawser_frf_options frf = settle(options, a->asked);
 	enum hawser_status status = HAWSER_OK;
 	int tried = 0; /* coordinates of the last model with a response */
+	int last = options->most_functions > 0 ? INT_MAX : BASES; /* the largest basis of all is tried anyway */
 
 	for (int i = 0; !status && i < BASES && a->tries < HAWSER_ACCURACY_TRIES; i++) {
 		double moved;
 
+		if (options->most_functions > 0 && bases[i] > options->most_functions)
+			break;
+
 		status = build(a, scene, bases[i], report);
-		if (status || a->rom.n <= tried || (!resolves(a) && i + 1 < BASES))
+		if (status || a->rom.n <= tried || (!resolves(a) && i + 1 < last))
 			continue;
 		/* the first response only serves for comparison: it needs no points by a second method, and
 		 * no multipliers unless they end it */

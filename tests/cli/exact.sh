@@ -1,0 +1,48 @@
+#!/bin/sh
+# model.energy: auto: a response for which an energy of degree 4 is not good enough is that of the exact
+# energy, whatever number of modes is asked for.
+# SPDX-License-Identifier: GPL-3.0-or-later
+. "$SRCDIR/tests/cli/lib.sh"
+
+# A footbridge cable (sag over span 0.079) that swings by 1.09 m.
+cat >footbridge.yaml <<'END'
+cable: {EA: 280 MN, rho: 28 kg/m}
+span: {d: 104 m, h: 2.5 m}
+tension: {sag: 8.2 m}
+damping: {ratio: 0.8 %}
+load: {frame: global, per_length: [0, 0.7 N/m, 0.6 N/m]}
+END
+range="--from 0.97w1 --to 1.001w1 --step 0.2"
+
+works "frf takes the exact energy" frf footbridge.yaml $range --json exact.json --tsv exact.tsv --label-every 1
+try "says so, and how wrong the modes are" grep -q \
+	'^# exact energy on 8 functions a component, 24 coordinates, in place of the 5 modes .* off by about 0.0[56]' exact.tsv
+python "its peak is that of an outside chain of 64 exact bars" <<'END'
+import json
+of = json.load(open("exact.json"))
+peak = next(p for p in of["peaks"] if p["probe"] == "mid" and p["component"] == "z")
+assert abs(peak["size"]/1.0901 - 1) < 2e-3, peak
+assert abs(peak["Omega"]/1.2144 - 1) < 3e-4, peak
+assert of["scene"]["model"]["energy"] == "exact" and of["scene"]["model"]["basis"] == 8
+assert 0 < of["model_error"]["estimated"] < 0.01
+END
+if [ -n "${HAWSER_LONG:-}" ]; then
+	works "orbit takes a label of it" orbit "exact.json#2" --tsv orbit.tsv
+	try "by the same model" grep -q '24 coordinates\|u_24' orbit.tsv
+	# an energy of degree 4 is further off with 16 modes than with 5
+	works "with 16 modes" frf footbridge.yaml -n 16 $range --json more.json
+	python "the response is the same" <<'END'
+import json
+a, b = (json.load(open(name))["peaks"] for name in ("exact.json", "more.json"))
+assert len(a) == len(b) and all(abs(p["size"]/q["size"] - 1) < 1e-3 for p, q in zip(a, b)), (a, b)
+END
+fi
+
+rough "model.energy: quartic" frf footbridge.yaml $range --set model.energy=quartic --json quartic.json
+python "stays, is off by 4 %, and says that it may be" <<'END'
+import json
+of = json.load(open("quartic.json"))
+peak = max(p["amplitude"]["z_mid"] for p in of["points"])
+assert abs(peak/1.0901 - 1) > 0.03 and of["model_error"]["estimated"] > 0.05, (peak, of["model_error"])
+END
+done_testing
