@@ -171,12 +171,7 @@ struct cli_model {
 		enum hawser_plane plane; /* of the mode with the largest error */
 		int number;
 	} basis;
-	struct cli_exact {
-		int modes;      /* asked for, where the exact energy took their place (exact.h) */
-		int functions;  /* per component of the model that did; 0: none */
-		double before;  /* error with the modes that no number of them makes up for, estimated */
-		char failed[640]; /* why there is none though it was called for */
-	} exact;
+	struct cli_exact exact;
 };
 const char *cli_input_name(const struct cli_common *common); /* "<stdin>" for "-" */
 /* Where the path is "-", standard input becomes a file that can be read again: what kind of scene it is

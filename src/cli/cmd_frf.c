@@ -248,24 +248,11 @@ static enum hawser_status trace_curve(struct hawser_frf *frf, struct hawser_frf_
 	return status;
 }
 
-/* The whole response anew where the modes asked for are not good enough; not if the user says more
- * about the curve or the method than its range. */
-static enum hawser_status better(struct hawser_frf *frf, struct hawser_frf_options *choice,
-                                 struct cli_model *model, const struct settings *settings,
-                                 struct cli_frf_result *result, struct hawser_report *report)
+/* Whether the user says more about the curve or the method than its range. */
+static int is_special(const struct settings *settings)
 {
-	int given = settings->start || settings->resume || settings->label || settings->switched ||
-	            settings->period > 1 || settings->over || settings->method || settings->segments;
-	enum hawser_status status;
-
-	if (given || frf->points < 2 || frf->end == HAWSER_END_MAX_POINTS || cli_interrupted())
-		return HAWSER_OK;
-	status = cli_fixed_estimate(result, report);
-	if (status || !cli_exact_calls(model, &result->error))
-		return status;
-	status = cli_exact_trace(frf, choice, model, &result->error, settings->step > 0.0, report);
-	return status || !model->exact.functions ? status
-	       : cli_basis_check(model, fmax(result->from, result->to), report);
+	return settings->start || settings->resume || settings->label || settings->switched ||
+	       settings->period > 1 || settings->over || settings->method || settings->segments;
 }
 
 static enum hawser_status trace(struct hawser_frf *frf, struct hawser_landmark **peak,
@@ -303,8 +290,8 @@ static enum hawser_status trace(struct hawser_frf *frf, struct hawser_landmark *
 	}
 	if (!status && !automatic)
 		status = trace_curve(frf, &choice, result, settings, label, report);
-	if (!status && !automatic)
-		status = better(frf, &choice, model, settings, result, report);
+	if (!automatic && !is_special(settings))
+		status = cli_exact_response(frf, &choice, model, result, settings->step > 0.0, status, report);
 	if (frf->points > 0 && cli_label_plain(frf, model) && !result->over) {
 		enum hawser_status located = locate_peaks(peak, result, &watch.progress, &choice,
 		                                          status != HAWSER_OK, status ? &second : report);
@@ -359,6 +346,8 @@ static enum hawser_status write_result(struct cli_frf_result *result, int energy
 		cli_known_warn(result->model, fmax(result->from, result->to));
 	if (!status)
 		cli_fixed_warn(&result->error);
+	if (!status)
+		cli_exact_warn(result->model);
 	if (!status && cli_frf_slack(text, sizeof text, result))
 		cli_warn(text);
 	if (!status && cli_frf_lift(text, sizeof text, result))

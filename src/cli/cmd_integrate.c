@@ -194,12 +194,38 @@ static enum hawser_status choose_start(struct hawser_integrate_options *choice,
 	return HAWSER_OK;
 }
 
+/* With the exact energy, where the modes asked for are not good enough or fail (so_far: their status):
+ * only a run from rest under the load of the scene, at one frequency. */
+static enum hawser_status better(struct cli_integrate_result *result, struct cli_model *model,
+                                 struct hawser_integrate_options *choice,
+                                 const struct hawser_integrate_options *fresh, double **state,
+                                 double after, const struct settings *settings,
+                                 enum hawser_status so_far, struct hawser_report *report)
+{
+	struct hawser_integrate_options begin = *fresh;
+	enum hawser_status status;
+
+	if (settings->initial || settings->resume || settings->load || settings->motion ||
+	    settings->omega_to || cli_interrupted() || !(fresh->omega > 0.0) ||
+	    (so_far && so_far != HAWSER_ERR_CONVERGENCE))
+		return so_far;
+	if (!so_far && (status = cli_integrate_judge(result, report)))
+		return status;
+	if (!cli_exact_calls(model, so_far ? NULL : &result->model_error))
+		return so_far;
+	status = cli_integrate_exact(result, model, &begin, state, after, report);
+	if (status || !model->exact.functions)
+		return status ? status : so_far;
+	*choice = begin;
+	return HAWSER_OK;
+}
+
 static enum hawser_status solve(struct hawser_trajectory *run, struct cli_integrate_result *result,
                                 struct cli_model *model, const struct settings *settings,
                                 struct hawser_report *report)
 {
 	struct cli_watch watch = {{.quiet = settings->common.quiet}, "integrate"};
-	struct hawser_integrate_options choice = {0};
+	struct hawser_integrate_options choice = {0}, fresh;
 	struct cli_last last = {.state = NULL};
 	double after = 0.0;
 	struct cli_label label = {.state = NULL};
@@ -233,11 +259,13 @@ static enum hawser_status solve(struct hawser_trajectory *run, struct cli_integr
 	result->every = choice.every;
 	if (settings->after)
 		status = cli_time(&after, settings->after, "after", result->period, model, report);
+	fresh = choice;
 	if (!status && settings->after)
 		status = cli_integrate_settle(&last.state, &choice, after, &model->rom, report);
 	result->forcing = choice;
 	if (!status)
 		status = hawser_integrate(run, &model->rom, &choice, report);
+	status = better(result, model, &choice, &fresh, &last.state, after, settings, status, report);
 	if (!status && settings->error && !run->interrupted)
 		status = look_again(result, run, &model->rom, &choice, report);
 	if (!status && settings->lyapunov && !run->interrupted)
@@ -260,6 +288,8 @@ static enum hawser_status write_result(struct cli_integrate_result *result,
 		cli_known_warn(result->model, result->omega);
 	if (!status)
 		cli_fixed_warn(&result->model_error);
+	if (!status)
+		cli_exact_warn(result->model);
 	if (!status && cli_integrate_slack(text, sizeof text, result))
 		cli_warn(text);
 	if (!status && cli_integrate_moves(text, sizeof text, result))

@@ -9,6 +9,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "cli/exact.h"
@@ -25,13 +26,16 @@ static const double enough = 0.01, safety = 1.5;
  * and more modes cost less. */
 static const double accuracy = 0.01;
 enum { FUNCTIONS = 12 };
+/* A point of the exact energy takes some ten times as long. Ranges with more natural frequencies than
+ * this, or responses with more points, are left to the user, who asks for them with model.energy. */
+enum { RESONANCES = 3, LISTED = 12, POINTS = 500 };
 
 int cli_exact_calls(const struct cli_model *model, const struct cli_model_error *error)
 {
 	return model->has_scene && !model->ropeway && !model->automatic &&
 	       model->scene.model.energy == HAWSER_ENERGY_AUTO &&
-	       model->scene.model.condense == HAWSER_CONDENSE_STATIC && error->stated &&
-	       safety*error->fixed.truncation > enough;
+	       model->scene.model.condense == HAWSER_CONDENSE_STATIC &&
+	       (!error || (error->stated && safety*error->fixed.truncation > enough));
 }
 
 /* The model is now what the scene would be with these keys. */
@@ -41,7 +45,7 @@ static void take(struct cli_model *model, struct hawser_accuracy *better,
 	const struct hawser_accuracy_try *last = &better->attempt[better->tries - 1];
 
 	model->exact = (struct cli_exact){.modes = model->modes.n, .functions = last->functions,
-	                                  .before = error->fixed.truncation};
+	                                  .before = error->stated ? error->fixed.truncation : NAN};
 	hawser_rom_clear(&model->rom);
 	model->rom = better->rom;
 	better->rom = (struct hawser_rom){0};
@@ -61,9 +65,25 @@ static void state(struct cli_model_error *error, const struct hawser_accuracy *b
 	error->fixed.seconds = better->seconds;
 }
 
-enum hawser_status cli_exact_trace(struct hawser_frf *frf, struct hawser_frf_options *options,
-                                   struct cli_model *model, struct cli_model_error *error, int step,
-                                   struct hawser_report *report)
+/* Natural frequencies in the range, of the lowest LISTED; *status: of their computation. */
+static int resonances(const struct cli_model *model, const struct hawser_frf_options *options,
+                      enum hawser_status *status, struct hawser_report *report)
+{
+	double lowest = fmin(options->from, options->to), highest = fmax(options->from, options->to);
+	struct hawser_modes_options choice = {.n = LISTED};
+	struct hawser_modes modes;
+	int count = 0;
+
+	*status = hawser_modes_solve(&modes, &model->statics, &choice, report);
+	for (int j = 0; !*status && j < modes.n; j++)
+		count += modes.mode[j].omega >= lowest && modes.mode[j].omega <= highest;
+	hawser_modes_clear(&modes);
+	return count;
+}
+
+static enum hawser_status trace(struct hawser_frf *frf, struct hawser_frf_options *options,
+                                struct cli_model *model, struct cli_model_error *error, int step,
+                                struct hawser_report *report)
 {
 	struct hawser_accuracy better = {.tries = 0};
 	struct hawser_accuracy_options choice = {.frf = *options,
@@ -71,7 +91,16 @@ enum hawser_status cli_exact_trace(struct hawser_frf *frf, struct hawser_frf_opt
 		.most_functions = FUNCTIONS};
 	struct hawser_report why = {.message = ""};
 	enum hawser_status status;
+	int count = resonances(model, options, &status, report);
 
+	if (status || count > RESONANCES) {
+		snprintf(model->exact.failed, sizeof model->exact.failed, "the range has %d natural "
+		         "frequencies: narrow it to %d or fewer, or ask for model.energy: exact", count,
+		         RESONANCES);
+		return status;
+	}
+	if (choice.frf.max_points == 0 || choice.frf.max_points > POINTS)
+		choice.frf.max_points = POINTS;
 	if (!step)
 		choice.frf.step_max = 0.0; /* that of the search: longer, as each point costs more */
 	status = hawser_accuracy_exact(&better, &model->statics, &model->scene, &choice,
@@ -90,12 +119,34 @@ enum hawser_status cli_exact_trace(struct hawser_frf *frf, struct hawser_frf_opt
 	} else {
 		snprintf(model->exact.failed, sizeof model->exact.failed, "%s", status ? why.message
 		         : better.slack ? "the cable goes slack in much of this response"
+		         : better.frf.end == HAWSER_END_MAX_POINTS
+		         ? "it takes too many points: narrow the range, or ask for it by model.energy: exact"
 		         : better.tries == 0 ? "the range reaches modes that need a larger basis"
 		         : "no two bases agree");
 		status = HAWSER_OK;
 	}
 	hawser_accuracy_clear(&better);
 	return status;
+}
+
+enum hawser_status cli_exact_response(struct hawser_frf *frf, struct hawser_frf_options *options,
+                                      struct cli_model *model, struct cli_frf_result *result, int step,
+                                      enum hawser_status so_far, struct hawser_report *report)
+{
+	enum hawser_status status;
+
+	if (frf->end == HAWSER_END_MAX_POINTS || cli_interrupted() ||
+	    (so_far && so_far != HAWSER_ERR_CONVERGENCE))
+		return so_far;
+	/* the points so far tell whether the energy is the reason of a failure */
+	if (frf->points > 1 && (status = cli_fixed_estimate(result, so_far ? NULL : report)))
+		return so_far ? so_far : status;
+	if (!cli_exact_calls(model, so_far && frf->points < 2 ? NULL : &result->error))
+		return so_far;
+	status = trace(frf, options, model, &result->error, step, report);
+	if (status || !model->exact.functions)
+		return status ? status : so_far;
+	return cli_basis_check(model, fmax(result->from, result->to), report);
 }
 
 /* Functions a component of the full-order model of a JSON result; 0: none, or no such file. */
@@ -138,13 +189,28 @@ void cli_exact_comment(struct hawser__table *table, const struct cli_model *mode
 {
 	const struct cli_exact *exact = &model->exact;
 
-	if (exact->functions)
-		hawser__table_comment(table, "exact energy on %d functions a component, %d coordinates, in place "
-		                      "of the %d modes asked for: with an energy of degree 4, folds and peaks "
-		                      "are off by about %.2g with any number of modes (model.energy: quartic "
-		                      "takes it all the same)", exact->functions, model->rom.n, exact->modes,
-		                      exact->before);
 	if (exact->failed[0])
-		hawser__table_comment(table, "the exact energy was tried and gives no answer: %s",
+		hawser__table_comment(table, "the exact energy was called for, and not taken: %s",
 		                      exact->failed);
+	if (!exact->functions)
+		return;
+	hawser__table_comment(table, "exact energy on %d functions a component, %d coordinates, in place "
+	                      "of the %d modes asked for", exact->functions, model->rom.n, exact->modes);
+	if (isnan(exact->before))
+		hawser__table_comment(table, "with an energy of degree 4 and these modes there is no answer");
+	else
+		hawser__table_comment(table, "with an energy of degree 4 the motion is off by about %.2g with "
+		                      "any number of modes (model.energy: quartic takes it all the same)",
+		                      exact->before);
+}
+
+void cli_exact_warn(const struct cli_model *model)
+{
+	char text[CLI_WARNING_SIZE];
+
+	if (!model->exact.failed[0])
+		return;
+	snprintf(text, sizeof text, "the exact energy was called for, and not taken: %s",
+	         model->exact.failed);
+	cli_warn(text);
 }

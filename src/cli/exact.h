@@ -5,20 +5,25 @@
 
 #include "cli/cli.h"
 
-/* Whether model.energy: auto calls for it: a span of condensed modes with this error. */
+/* Whether model.energy: auto calls for it: a span of condensed modes with this error, or (NULL) one
+ * whose modes give no answer. */
 int cli_exact_calls(const struct cli_model *model, const struct cli_model_error *error);
 
-/* Replace the curve, the model and its error by those of the exact energy, and the options by those
- * with which it was traced; the scene then has the keys model.energy and model.basis that give this
- * model. step: 1: the longest step of the options is the user's. If there is no such response, everything stays, and model->exact says why.
- * HAWSER_ERR_MEMORY. */
-enum hawser_status cli_exact_trace(struct hawser_frf *frf, struct hawser_frf_options *options,
-                                   struct cli_model *model, struct cli_model_error *error, int step,
-                                   struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Where the modes of a curve are not good enough or fail (so_far: its status): replace curve, model and
+ * error by those of the exact energy, and the options by those with which it was traced; the scene
+ * then has the keys model.energy and model.basis that give this model. step: 1: the longest step of
+ * the options is the user's. If there is no such response, everything stays, and model->exact says
+ * why. Returns so_far or HAWSER_OK; HAWSER_ERR_MEMORY. */
+enum hawser_status cli_exact_response(struct hawser_frf *frf, struct hawser_frf_options *options,
+                                      struct cli_model *model, struct cli_frf_result *result, int step,
+                                      enum hawser_status so_far,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
 /* Where a result (TEXT: FILE or FILE#LABEL, or NULL) is of the exact energy and the scene leaves the
  * energy open, make the model of the result: its states are of that one. */
 enum hawser_status cli_exact_as(struct cli_model *model, const char *text,
                                 struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Says on standard error why the exact energy was not taken where it was called for. */
+void cli_exact_warn(const struct cli_model *model);
 /* What was done, and why. */
 void cli_exact_comment(struct hawser__table *table, const struct cli_model *model);
 

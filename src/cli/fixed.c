@@ -155,10 +155,15 @@ void cli_fixed_warn(const struct cli_model_error *error)
 
 	if (!error->stated || !(error->fixed.estimated > much))
 		return;
-	snprintf(text, sizeof text, "%s may be off by %s%.0f %% because of what the model leaves out, "
-	         "by an estimate to first order: hawser plan compares models; more modes (-n), "
-	         "model.modes: auto or model.energy: exact may be closer", error->about,
-	         error->fixed.estimated < 1.0 ? "" : "more than ", 100.0*error->fixed.estimated);
+	if (error->compared)
+		snprintf(text, sizeof text, "%s may be off by %.0f %%: so far is the model of another size: a "
+		         "larger one (model.basis, or -n of a ropeway) may be closer", error->about,
+		         100.0*error->fixed.estimated);
+	else
+		snprintf(text, sizeof text, "%s may be off by %s%.0f %% because of what the model leaves out, "
+		         "by an estimate to first order: hawser plan compares models; more modes (-n), "
+		         "model.modes: auto or model.energy: exact may be closer", error->about,
+		         error->fixed.estimated < 1.0 ? "" : "more than ", 100.0*error->fixed.estimated);
 	cli_warn(text);
 }
 

@@ -20,6 +20,14 @@ struct cli_model_error {
 	char unknown[640]; /* why: a report's message */
 };
 
+/* The exact energy in place of modes that are not good enough (exact.h). */
+struct cli_exact {
+	int modes;        /* asked for */
+	int functions;    /* per component of the model that took their place; 0: none */
+	double before;    /* error with the modes that no number of them makes up for; NAN: no answer */
+	char failed[640]; /* why there is none though it was called for; "": it was not */
+};
+
 /* Does nothing for the first branch with modes: auto. Status: HAWSER_ERR_MEMORY. */
 enum hawser_status cli_fixed_estimate(struct cli_frf_result *result,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;

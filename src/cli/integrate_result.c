@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/exact.h"
 #include "cli/integrate_result.h"
 #include "cli/load_history.h"
 #include "cli/view.h"
@@ -171,15 +172,16 @@ static const char *irregular(const struct cli_integrate_result *result)
 	return NULL;
 }
 
-/* From the last period of the forcing. */
-static enum hawser_status judge(struct cli_integrate_result *result, struct hawser_report *report)
+enum hawser_status cli_integrate_judge(struct cli_integrate_result *result,
+                                       struct hawser_report *report)
 {
 	const struct cli_model *model = result->model;
 	const char *why = irregular(result);
 	int last = result->run.rows - 1;
 	struct hawser_accuracy_motion motion = {.omega = result->omega};
 
-	if (!model->has_scene || model->automatic || model->rom.exact || last < 0)
+	if (!model->has_scene || model->automatic || model->rom.exact || last < 0 ||
+	    result->model_error.stated)
 		return HAWSER_OK;
 	motion.time = result->run.time[last];
 	motion.state = result->run.state + 2*(size_t)last*(size_t)model->rom.n;
@@ -205,7 +207,7 @@ enum hawser_status cli_integrate_fill(struct cli_integrate_result *result,
 		fill_extremes(result, (int)row);
 	status = cli_surge_look(result, report);
 	if (!status)
-		status = judge(result, report);
+		status = cli_integrate_judge(result, report);
 	if (status)
 		return status;
 	if (!result->spectrum && !result->common->plot)
@@ -276,6 +278,7 @@ void cli_integrate_comments(struct hawser__table *table, const void *of)
 
 	cli_choice_comments(table, result->model);
 	cli_drag_comment(table, result->model, "at every instant");
+	cli_exact_comment(table, result->model);
 	cli_fixed_comments(table, &result->model_error, 0);
 	if (result->omega > 0.0)
 		hawser__table_comment(table, "Omega = %.12g%s", result->omega*per_omega,

@@ -47,6 +47,15 @@ struct cli_integrate_result {
 	double *frequency;   /* [bins] Hz */
 	double *amplitude;   /* [signals][bins] m */
 };
+/* The error of the model, from the last period of the forcing, unless it is stated already. */
+enum hawser_status cli_integrate_judge(struct cli_integrate_result *result,
+                                       struct hawser_report *report) HAWSER_MUST_CHECK;
+/* integrate_exact.c: replace run, model and error by those of the exact energy, and *choice and *state
+ * (of choice->initial, or NULL) by those with which the run began. after: scaled, see
+ * cli_integrate_settle; 0: none. Without an answer everything stays, and model->exact says why. */
+enum hawser_status cli_integrate_exact(struct cli_integrate_result *result, struct cli_model *model,
+                                       struct hawser_integrate_options *choice, double **state,
+                                       double after, struct hawser_report *report) HAWSER_MUST_CHECK;
 enum hawser_status cli_integrate_fill(struct cli_integrate_result *result,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 /* "y_mid" or "u_1", the name of signal k. */

@@ -178,6 +178,7 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/hill_result.h \
 	%D%/hill_sides.c \
 	%D%/integrate_draw.c \
+	%D%/integrate_exact.c \
 	%D%/integrate_exponents.c \
 	%D%/integrate_fields.c \
 	%D%/integrate_net.c \

@@ -23,7 +23,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #include "core/progress.h"
 #include "core/report.h"
@@ -52,14 +51,6 @@
 #define SAFETY_ORDER 1.5 /* the same on the truncation error, which is known to a tenth there */
 #define MOVES 2.0     /* factor on `rest`: largest expected change by the next model */
 #define CONDENSED_TRIES 7 /* most condensed models; full-order ones have the remaining tries */
-
-static double now(void)
-{
-	struct timespec time;
-
-	clock_gettime(CLOCK_MONOTONIC, &time);
-	return (double)time.tv_sec + 1e-9*(double)time.tv_nsec;
-}
 
 /* --- candidates --- */
 
@@ -234,7 +225,7 @@ enum hawser_status hawser__accuracy_attempt(struct hawser_accuracy *a, struct ha
 {
 	struct hawser_accuracy_try *this = &a->attempt[a->tries];
 	struct hawser_frf_options watched = a->traced = *options;
-	double start = now();
+	double start = hawser__wall_seconds();
 	enum hawser_status status = HAWSER_OK;
 
 	*this = (struct hawser_accuracy_try){.functions = functions, .moved = NAN};
@@ -252,7 +243,7 @@ enum hawser_status hawser__accuracy_attempt(struct hawser_accuracy *a, struct ha
 	a->slack = !status && mostly_slack(&a->frf);
 	this->modes = a->rom.n - a->rom.inertia.shapes;
 	count_landmarks(this, &a->frf);
-	this->seconds = now() - start;
+	this->seconds = hawser__wall_seconds() - start;
 	a->tries++;
 	return status;
 }
@@ -460,11 +451,11 @@ static enum hawser_status raise_modes(struct hawser_accuracy *a, const struct ha
 	return status;
 }
 
-/* What both searches begin with. */
-static enum hawser_status begin(struct hawser_accuracy *a, const struct hawser_statics *statics,
-                                const struct hawser_scene *scene,
-                                const struct hawser_accuracy_options *options,
-                                struct hawser_report *report)
+enum hawser_status hawser__accuracy_begin(struct hawser_accuracy *a,
+                                          const struct hawser_statics *statics,
+                                          const struct hawser_scene *scene,
+                                          const struct hawser_accuracy_options *options,
+                                          struct hawser_report *report)
 {
 	*a = (struct hawser_accuracy){
 		.asked = options->accuracy > 0.0 ? options->accuracy : scene->model.accuracy,
@@ -486,33 +477,12 @@ enum hawser_status hawser_accuracy_trace(struct hawser_accuracy *accuracy,
                                          const struct hawser_accuracy_options *options,
                                          struct hawser_report *report)
 {
-	double start = now();
-	enum hawser_status status = begin(accuracy, statics, scene, options, report);
+	double start = hawser__wall_seconds();
+	enum hawser_status status = hawser__accuracy_begin(accuracy, statics, scene, options, report);
 
 	if (!status)
 		status = raise_modes(accuracy, scene, options, report);
-	accuracy->seconds = now() - start;
-	return status;
-}
-
-enum hawser_status hawser_accuracy_exact(struct hawser_accuracy *accuracy,
-                                         const struct hawser_statics *statics,
-                                         const struct hawser_scene *scene,
-                                         const struct hawser_accuracy_options *options,
-                                         struct hawser_report *report)
-{
-	double start = now();
-	struct hawser__marks marks = {0};
-	enum hawser_status status = begin(accuracy, statics, scene, options, report);
-
-	if (!status && accuracy->choice.exact.n == 0)
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "accuracy",
-		                      "an inextensible cable has no full-order model");
-	if (!status)
-		status = hawser__accuracy_full(accuracy, &marks, scene, options, report);
-	accuracy->reached = accuracy->estimated <= accuracy->asked && !hawser__accuracy_cut(accuracy);
-	accuracy->seconds = now() - start;
-	hawser__marks_clear(&marks);
+	accuracy->seconds = hawser__wall_seconds() - start;
 	return status;
 }
 

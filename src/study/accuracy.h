@@ -10,6 +10,13 @@
 /* Factor on first-order measures for the terms of higher order; calibrated by bench/accuracy.c. */
 #define HAWSER__SAFETY 3.0
 
+/* What every search begins with: the accuracy that is asked for, and the candidates. */
+enum hawser_status hawser__accuracy_begin(struct hawser_accuracy *a,
+                                          const struct hawser_statics *statics,
+                                          const struct hawser_scene *scene,
+                                          const struct hawser_accuracy_options *options,
+                                          struct hawser_report *report) HAWSER_MUST_CHECK;
+
 /* Range, tolerances and steps of the responses for an accuracy. */
 struct hawser_frf_options
 hawser__accuracy_settle(const struct hawser_accuracy_options *options, double accuracy);

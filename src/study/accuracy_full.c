@@ -21,6 +21,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/progress.h"
 #include "core/report.h"
 #include "study/accuracy.h"
 
@@ -126,7 +127,8 @@ enum hawser_status hawser__accuracy_full(struct hawser_accuracy *a, struct hawse
 	struct hawser_frf_options frf = settle(options, a->asked);
 	enum hawser_status status = HAWSER_OK;
 	int tried = 0; /* coordinates of the last model with a response */
-	int last = options->most_functions > 0 ? INT_MAX : BASES; /* the largest basis of all is tried anyway */
+	/* the largest basis of all is tried whatever it resolves */
+	int last = options->most_functions > 0 ? INT_MAX : BASES;
 
 	for (int i = 0; !status && i < BASES && a->tries < HAWSER_ACCURACY_TRIES; i++) {
 		double moved;
@@ -158,4 +160,25 @@ enum hawser_status hawser__accuracy_full(struct hawser_accuracy *a, struct hawse
 			break;
 	}
 	return status == HAWSER_ERR_CONVERGENCE ? lost(a, report) : status;
+}
+
+enum hawser_status hawser_accuracy_exact(struct hawser_accuracy *accuracy,
+                                         const struct hawser_statics *statics,
+                                         const struct hawser_scene *scene,
+                                         const struct hawser_accuracy_options *options,
+                                         struct hawser_report *report)
+{
+	double start = hawser__wall_seconds();
+	struct hawser__marks marks = {0};
+	enum hawser_status status = hawser__accuracy_begin(accuracy, statics, scene, options, report);
+
+	if (!status && accuracy->choice.exact.n == 0)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "accuracy",
+		                      "an inextensible cable has no full-order model");
+	if (!status)
+		status = hawser__accuracy_full(accuracy, &marks, scene, options, report);
+	accuracy->reached = accuracy->estimated <= accuracy->asked && !hawser__accuracy_cut(accuracy);
+	accuracy->seconds = hawser__wall_seconds() - start;
+	hawser__marks_clear(&marks);
+	return status;
 }

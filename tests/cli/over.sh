@@ -27,7 +27,7 @@ assert "Tension at end A" in open("tension.svg").read()
 fold = tension["events"][0]["parameter"]
 open("fold", "w").write(f"tension.T0={fold!r}")
 END
-rough "the response at the tension of the fold" frf "$chairlift" -n 3 --set "$(cat fold)" --set model.condense=static --set model.inertia=none \
+rough "the response at the tension of the fold" frf "$chairlift" -n 3 --set "$(cat fold)" --set model.condense=static --set model.inertia=none --set model.energy=quartic \
 	--from 1.48 --to 1.41 --json response.json -q
 python "has a fold at this frequency" <<'END'
 import json
