@@ -243,6 +243,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	showing.comments = comments;
 	if (!status)
 		status = cli_show(&settings->common, &showing, &result, report);
+	if (!status)
+		cli_fixed_warn(&result.model_error);
 	if (!status && cli_integrate_slack(text, sizeof text, &result))
 		cli_warn(text);
 	free(orbit.k);
