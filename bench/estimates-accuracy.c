@@ -128,7 +128,8 @@ static int trace_lowest(struct hawser_frf *frf, struct hawser_rom *rom, struct h
 	options.to = range->to;
 	options.samples = HAWSER_NONE;
 	options.max_points = POINTS;
-	return hawser_modes_solve(modes, st, &lowest, report) || hawser_rom_build(rom, modes, scene, report) ||
+	return hawser_modes_solve(modes, st, &lowest, report) ||
+	       hawser_rom_build(rom, modes, scene, report) ||
 	       hawser_rom_know_below(rom, modes, scene, known_to*range->to, report) ||
 	       hawser_frf_trace(frf, rom, &options, report) || frf->end == HAWSER_END_MAX_POINTS;
 }

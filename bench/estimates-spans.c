@@ -2,8 +2,9 @@
  * real spans have: masses, springs, wind and ice, and ends that move.
  *
  * Commands of one term each have short ranges about one of the lowest modes, few modes and motions so
- * small that a full-order response takes seconds; `spans` has wide ranges and models with modes: auto too.
- * With dampers of attachments, ends on springs, or motions of ends without a load no error is stated.
+ * small that a full-order response takes seconds; `spans` has wide ranges and models with modes: auto
+ * too. With dampers of attachments, ends on springs, or motions of ends without a load no error is
+ * stated.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -80,8 +81,8 @@ static void draw_load(struct drawn *drawn, struct chance *chance, double omega)
 		scene->load.per_length[i] = force*chance_between(chance, 0.2, 1.0);
 }
 
-/* Beside the load, in half the scenes, a motion of end B, which acts on the mode by its acceleration, f =
- * W^2 A, with an effect of about the same size. */
+/* Beside the load, in half the scenes, a motion of end B, which acts on the mode by its acceleration,
+ * f = W^2 A, with an effect of about the same size. */
 static void draw_excitation(struct drawn *drawn, struct chance *chance, double omega)
 {
 	struct hawser_scene *scene = &drawn->scene;
@@ -135,7 +136,8 @@ static void draw_springs(struct hawser_scene *scene, struct chance *chance)
 	}
 }
 
-/* Motions of one end or both along all axes, at up to the third multiple of the frequency, beside a load. */
+/* Motions of one end or both along all axes, at up to the third multiple of the frequency, beside a
+ * load. */
 static void draw_ends(struct drawn *drawn, struct chance *chance)
 {
 	double size = drawn->st.span.d*chance_log(chance, 1e-6, 1e-4);
@@ -147,7 +149,8 @@ static void draw_ends(struct drawn *drawn, struct chance *chance)
 			for (int i = 0; i < 3; i++)
 				drawn->scene.support[end].motion[i] = size*chance_between(chance, -1.0, 1.0);
 			drawn->scene.support[end].phase = chance_between(chance, -3.0, 3.0);
-			drawn->scene.support[end].harmonic = chance_unit(chance) < 0.7 ? 1 : chance_int(chance, 2, 3);
+			drawn->scene.support[end].harmonic =
+				chance_unit(chance) < 0.7 ? 1 : chance_int(chance, 2, 3);
 		}
 }
 

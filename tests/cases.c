@@ -7,8 +7,8 @@
 
 #include "tests/cases.h"
 
-/* Of OpenBLAS, whose threads wait for each other where a test has threads of its own: with more threads than
- * processors a test of 3 s took minutes. Another BLAS has no such function, nor has a program without one. */
+/* Of OpenBLAS, whose threads wait for each other where a test has threads of its own: with more threads
+ * than processors a test of 3 s took minutes. Another BLAS has no such function. */
 void openblas_set_num_threads(int threads) __attribute__((weak));
 
 static const struct test_case *find(const char *name)

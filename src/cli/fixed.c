@@ -24,9 +24,9 @@ static const double much = 0.1;
  * many more than the model has, and that of a response with three fifths of them from it, which
  * stands for its own error. A few modes more than the kept ones are no measure: most have no part in
  * the response, and the inertia of those that have it, which are far above, comes late. */
-#define SURE 3.0 /* chosen: holds in 41 of 42 random ropeways against 40 modes, 1.35 at most */
+#define SURE 3.0 /* chosen: enough for 41 of 42 random ropeways against 40 modes */
 enum { MANY = 24 };
-static const double near = 1e-6; /* tolerance of these responses; chosen, far below the errors looked for */
+static const double near = 1e-6; /* tolerance of these responses; chosen, far below the errors */
 
 static int many(int n)
 {

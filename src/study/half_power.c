@@ -68,8 +68,8 @@ static const double EXACT = 1e-11;
  * little explains the points as well; chosen. */
 static const double CLEARLY = 0.1;
 
-/* Half the distance of two modes with two ratios over half the width of the peak: a mode farther away has
- * no part in its ratio; chosen. */
+/* Half the distance of two modes with two ratios over half the width of the peak: a mode farther away
+ * has no part in its ratio; chosen. */
 static const double WIDE = 2.0;
 
 /* Factor on the difference of the two ratios: it exceeds the error of both for a peak that bends by

@@ -5,12 +5,12 @@
  *    N, D     n0 + n1 x + n2 x^2, and x^4 + d3 x^3 + d2 x^2 + d1 x + d0
  *
  * The sum of two modes, |g1/(w1^2 - z + 2 i xi1 w1 omega) + g2/(...)|^2, z = omega^2, is such a
- * quotient: each |w^2 - z + 2 i xi w omega|^2 is of second degree in z, and so is the numerator. A D = N
- * is linear in the seven coefficients, so that its least squares have one solution; a fit of the
- * amplitudes by the frequencies, ratios and parts has many local ones. Each row is divided by 2 a D of
- * the last solution, which makes it the difference of amplitudes (Sanathanan and Koerner 1963). A root z
- * of D has |z| = w^2 and the angle 2 asin(xi). The parts follow from A, which is linear in g1^2, g1 g2
- * and g2^2.
+ * quotient: each |w^2 - z + 2 i xi w omega|^2 is of second degree in z, and so is the numerator.
+ * A D = N is linear in the seven coefficients, so that its least squares have one solution; a fit of
+ * the amplitudes by the frequencies, ratios and parts has many local ones. Each row is divided by
+ * 2 a D of the last solution, which makes it the difference of amplitudes (Sanathanan and Koerner
+ * 1963). A root z of D has |z| = w^2 and the angle 2 asin(xi). The parts follow from A, which is
+ * linear in g1^2, g1 g2 and g2^2.
  *
  * Noise disturbs D more than the modes: the result is where their fit begins (half_power_pair.c).
  *

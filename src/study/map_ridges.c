@@ -23,9 +23,9 @@
                     * nodes in them; chosen */
 #define BESIDE 2.0 /* least half of the range, in cells, in which it is searched on the next line;
                     * chosen */
-#define WINDOW 0.04 /* distance from its resonance at rest at which a tongue is looked for, relative to the
-                     * range: a fluctuation displaces it, however fine the grid is; that of the first cells
-                     * at the default resolution; chosen */
+#define WINDOW 0.04 /* distance from its resonance at rest at which a tongue is looked for, relative
+                     * to the range: a fluctuation displaces it, however fine the grid is; that of
+                     * the first cells at the default resolution; chosen */
 enum { MOST_SEEN = 12 };
 
 struct search {

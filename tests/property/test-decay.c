@@ -226,10 +226,10 @@ static void close_modes(int points, double other)
 	   half.ratio_error);
 }
 
-/* Random pairs, up to one width apart, whose parts have any sizes and signs, of one ratio or of two that
- * differ by up to 40 %: each stated error contains both ratios, or the table is refused. (Before the sum
- * of two modes was fitted, 39 of 93 of one ratio did not, by up to 2.7 times; before the quotient of
- * polynomials 31 of 59 of two, by up to 27 times.) */
+/* Random pairs, up to one width apart, whose parts have any sizes and signs, of one ratio or of two
+ * that differ by up to 40 %: each stated error contains both ratios, or the table is refused. (Before
+ * the sum of two modes was fitted, 39 of 93 of one ratio did not, by up to 2.7 times; before the
+ * quotient of polynomials 31 of 59 of two, by up to 27 times.) */
 static void random_pairs(double differ)
 {
 	int stated = 0, held = 0, pairs = 0, all = getenv("HAWSER_LONG") ? 200 : differ > 0.0 ? 40 : 24;

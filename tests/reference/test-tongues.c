@@ -206,8 +206,9 @@ static void nested(void)
 	hawser_scene_clear(&plane.scene);
 }
 
-/* The fluctuation displaces a tongue from its resonance at rest: cells that are narrower than that must not
- * hide it. Multipliers at 501 points from 11.024 to 11.029: unstable from 11.02616 to 11.0271. */
+/* The fluctuation displaces a tongue from its resonance at rest: cells that are narrower than that
+ * must not hide it. Multipliers at 501 points from 11.024 to 11.029: unstable from 11.02616 to
+ * 11.0271. */
 static void fine(void)
 {
 	for (int points = 201; points < 3000; points = 10*points - 9) {
