@@ -119,7 +119,7 @@ int estimate_accuracy(struct tally *tally, struct chance *chance)
 /* The response of the lowest n modes. */
 static int trace_lowest(struct hawser_frf *frf, struct hawser_rom *rom, struct hawser_modes *modes,
                         const struct hawser_statics *st, const struct hawser_scene *scene, int n,
-                        const struct hawser_frf_options *range)
+                        const struct hawser_frf_options *range, struct hawser_report *report)
 {
 	struct hawser_modes_options lowest = {.n = n};
 	struct hawser_frf_options options = {.method = NULL};
@@ -128,9 +128,10 @@ static int trace_lowest(struct hawser_frf *frf, struct hawser_rom *rom, struct h
 	options.to = range->to;
 	options.samples = HAWSER_NONE;
 	options.max_points = POINTS;
-	return hawser_modes_solve(modes, st, &lowest, NULL) || hawser_rom_build(rom, modes, scene, NULL) ||
-	       hawser_rom_know_below(rom, modes, scene, known_to*range->to, NULL) ||
-	       hawser_frf_trace(frf, rom, &options, NULL) || frf->end == HAWSER_END_MAX_POINTS;
+	return hawser_modes_solve(modes, st, &lowest, report) ||
+	       hawser_rom_build(rom, modes, scene, report) ||
+	       hawser_rom_know_below(rom, modes, scene, known_to*range->to, report) ||
+	       hawser_frf_trace(frf, rom, &options, report) || frf->end == HAWSER_END_MAX_POINTS;
 }
 
 /* Loads along the axes of the cable, on a part of it, and also damping by air. */
@@ -163,13 +164,14 @@ int estimate_kept(struct tally *tally, const struct hawser_statics *st,
 		.from = from, .to = to};
 	struct estimate_truth truth;
 	double traced, told;
+	struct hawser_report why = {.message = "the reference has no response"};
 	int refused;
 
 	traced = cpu_secs();
-	refused = trace_lowest(&frf, &rom, &kept, st, scene, n, &range);
+	refused = trace_lowest(&frf, &rom, &kept, st, scene, n, &range, &why);
 	traced = cpu_secs() - traced;
 	told = cpu_secs();
-	refused = refused || hawser_accuracy_fixed(&fixed, &rom, &frf, n, st, scene, from, to, NULL);
+	refused = refused || hawser_accuracy_fixed(&fixed, &rom, &frf, n, st, scene, from, to, &why);
 	told = cpu_secs() - told;
 	refused = refused || estimate_truth(&truth, &response, 0, fixed.estimated);
 	if (!refused)
@@ -180,6 +182,8 @@ int estimate_kept(struct tally *tally, const struct hawser_statics *st,
 		           st->sag/st->span.d, st->hs, st->epsilon, from, to, fixed.rest, fixed.beyond,
 		           fixed.truncation, fixed.followed, fixed.located, 100.0*told/traced,
 		           truth.functions, truth.move);
+	else if (tally->show > 0.0)
+		printf("  scene %d: refused: %s%s\n", tally->scene, why.message, what);
 	hawser_modes_clear(&kept);
 	hawser_frf_clear(&frf);
 	hawser_rom_clear(&rom);

@@ -345,7 +345,7 @@ static enum hawser_status write_result(struct cli_frf_result *result, int energy
 	if (!status)
 		cli_known_warn(result->model, fmax(result->from, result->to));
 	if (!status)
-		cli_fixed_warn(&result->error);
+		cli_fixed_warn_worst(result);
 	if (!status)
 		cli_exact_warn(result->model);
 	if (!status && cli_frf_slack(text, sizeof text, result))

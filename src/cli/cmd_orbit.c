@@ -229,6 +229,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!status)
 		status = cli_label_open(&label, "from-label", settings->label, NULL, &model,
 		                        &settings->common, report);
+	if (!status)
+		status = cli_known(&model, label.omega, report);
 	orbit.k = calloc(HARMONICS, sizeof *orbit.k);
 	orbit.amplitude = calloc(HARMONICS*((size_t)model.rom.n + 1), sizeof *orbit.amplitude);
 	if (!status && (!orbit.k || !orbit.amplitude))
@@ -246,6 +248,10 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	showing.comments = comments;
 	if (!status)
 		status = cli_show(&settings->common, &showing, &result, report);
+	if (!status)
+		cli_known_warn(&model, label.omega);
+	if (!status)
+		cli_fixed_warn(&result.model_error);
 	if (!status && cli_integrate_slack(text, sizeof text, &result))
 		cli_warn(text);
 	free(orbit.k);

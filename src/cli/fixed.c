@@ -17,39 +17,64 @@ static enum hawser_status not_known(struct cli_model_error *error, const char *w
 	return HAWSER_OK;
 }
 
-/* Of a ropeway: the distance from the response of a model with half as many modes more, at least
- * MORE, which was chosen: in lines of two spans one of each in both planes. */
-enum { MORE = 4 };
 /* An error of the model above this is said on standard error. */
 static const double much = 0.1;
+
+/* Of a ropeway: SURE times the sum of the distance from the response with MANY modes, or half as
+ * many more than the model has, and that of a response with three fifths of them from it, which
+ * stands for its own error. A few modes more than the kept ones are no measure: most have no part in
+ * the response, and the inertia of those that have it, which are far above, comes late. */
+#define SURE 3.0 /* chosen: enough for 41 of 42 random ropeways against 40 modes */
+enum { MANY = 24 };
+static const double near = 1e-6; /* tolerance of these responses; chosen, far below the errors */
+
+static int many(int n)
+{
+	int more = n + n/2 > MANY ? n + n/2 : MANY;
+
+	return more < HAWSER_LINE_ROM_MODES ? more : HAWSER_LINE_ROM_MODES;
+}
+
+static enum hawser_status with_modes(struct hawser_frf *frf, const struct cli_frf_result *result,
+                                     int modes, struct hawser_progress progress,
+                                     struct hawser_report *report)
+{
+	struct hawser_frf_options choice = {.method = "balance", .from = result->from, .to = result->to,
+		.tolerance = near, .step_max = CLI_STEP, .skip_events = 1, .end_at_slack = 1,
+		.samples = HAWSER_NONE, .progress = progress};
+	struct hawser_rom rom = {.n = 0};
+	enum hawser_status status = cli_rom_ropeway_again(&rom, result->model->ropeway, modes, report);
+
+	*frf = (struct hawser_frf){.n = 0};
+	if (!status)
+		status = hawser_frf_trace(frf, &rom, &choice, report);
+	hawser_rom_clear(&rom);
+	return status;
+}
 
 static enum hawser_status against_more(struct hawser_accuracy_fixed *fixed,
                                        const struct cli_frf_result *result,
                                        struct hawser_report *report)
 {
-	const struct hawser_rom *rom = &result->model->rom;
-	struct hawser_frf_options choice = {.from = result->from, .to = result->to, .step_max = CLI_STEP,
-	                                    .end_at_slack = 1, .samples = HAWSER_NONE};
 	struct cli_watch watch = {{.quiet = result->common->quiet}, "frf: with more modes"};
-	int modes = rom->n + (rom->n/2 > MORE ? rom->n/2 : MORE);
-	struct hawser_rom more = {.n = 0};
-	struct hawser_frf other = {.n = 0};
-	double start = cli_seconds();
-	enum hawser_status status;
+	const struct hawser_progress progress = {cli_watch, &watch};
+	struct hawser_frf most = {.n = 0}, fewer = {.n = 0};
+	double start = cli_seconds(), own = NAN, other = NAN;
+	int modes = many(result->model->rom.n);
+	enum hawser_status status = with_modes(&most, result, modes, progress, report);
 
-	modes = modes < HAWSER_LINE_ROM_MODES ? modes : HAWSER_LINE_ROM_MODES;
-	choice.progress = (struct hawser_progress){cli_watch, &watch};
-	status = cli_rom_ropeway_again(&more, result->model->ropeway, modes, report);
 	if (!status)
-		status = hawser_frf_trace(&other, &more, &choice, report);
+		status = with_modes(&fewer, result, 3*modes/5, progress, report);
 	if (!status)
-		status = hawser_accuracy_distance(&fixed->estimated, result->frf, NULL, &other, NULL, 0.0,
-		                                  report);
+		status = hawser_accuracy_distance(&own, result->frf, NULL, &most, NULL, 0.0, report);
+	if (!status)
+		status = hawser_accuracy_distance(&other, &fewer, NULL, &most, NULL, 0.0, report);
 	cli_progress_end(&watch.progress);
+	fixed->estimated = fmin(SURE*(own + other), 1.0);
 	fixed->looked_at = modes;
 	fixed->seconds = cli_seconds() - start;
-	hawser_frf_clear(&other);
-	hawser_rom_clear(&more);
+	hawser_frf_clear(&most);
+	hawser_frf_clear(&fewer);
 	return status;
 }
 
@@ -118,7 +143,8 @@ enum hawser_status cli_fixed_once(struct cli_model_error *error, const struct cl
 	return conclude(error, status, &why, report);
 }
 
-void cli_fixed_comments(struct hawser__table *table, const struct cli_model_error *error, int number)
+void cli_fixed_comments(struct hawser__table *table, const struct cli_model_error *error,
+                        int number)
 {
 	const struct hawser_accuracy_fixed *fixed = &error->fixed;
 	char branch[24] = "";
@@ -133,9 +159,9 @@ void cli_fixed_comments(struct hawser__table *table, const struct cli_model_erro
 		return;
 	}
 	if (error->compared) {
-		hawser__table_comment(table, "error of the model: about %.2g of %s: so far is the "
-		                      "response with %d modes from this one", fixed->estimated, error->about,
-		                      fixed->looked_at);
+		hawser__table_comment(table, "error of the model: about %.2g of %s, from responses with %d "
+		                      "and %d modes", fixed->estimated, error->about, fixed->looked_at,
+		                      3*fixed->looked_at/5);
 		return;
 	}
 	hawser__table_comment(table, "%serror of the model: %s%.2g of %s, to first order "
@@ -149,22 +175,49 @@ void cli_fixed_comments(struct hawser__table *table, const struct cli_model_erro
 		                      "leaves out", branch, fixed->at_risk);
 }
 
-void cli_fixed_warn(const struct cli_model_error *error)
+static int is_much(const struct cli_model_error *error)
 {
-	char text[CLI_WARNING_SIZE];
+	return error->stated && error->fixed.estimated > much;
+}
 
-	if (!error->stated || !(error->fixed.estimated > much))
+/* number: of the branch, as in cli_fixed_comments. */
+static void warn(const struct cli_model_error *error, int number)
+{
+	char text[CLI_WARNING_SIZE], branch[24] = "";
+
+	if (!is_much(error))
 		return;
+	if (number > 1)
+		snprintf(branch, sizeof branch, "branch %d: ", number);
 	if (error->compared)
-		snprintf(text, sizeof text, "%s may be off by %.0f %%: so far is the model of another size: a "
-		         "larger one (model.basis, or -n of a ropeway) may be closer", error->about,
+		snprintf(text, sizeof text, "%s%s may be off by %.0f %%: so far is the model of another size: a "
+		         "larger one (model.basis, or -n of a ropeway) may be closer", branch, error->about,
 		         100.0*error->fixed.estimated);
 	else
-		snprintf(text, sizeof text, "%s may be off by %s%.0f %% because of what the model leaves out, "
-		         "by an estimate to first order: hawser plan compares models; more modes (-n), "
-		         "model.modes: auto or model.energy: exact may be closer", error->about,
+		snprintf(text, sizeof text, "%s%s may be off by %s%.0f %% because of what the model leaves "
+		         "out, by an estimate to first order: hawser plan compares models; more modes (-n), "
+		         "model.modes: auto or model.energy: exact may be closer", branch, error->about,
 		         error->fixed.estimated < 1.0 ? "" : "more than ", 100.0*error->fixed.estimated);
 	cli_warn(text);
+}
+
+void cli_fixed_warn(const struct cli_model_error *error)
+{
+	warn(error, 1);
+}
+
+void cli_fixed_warn_worst(const struct cli_frf_result *result)
+{
+	const struct cli_frf_result *worst = result;
+
+	for (int k = 0; k < result->others; k++) {
+		const struct cli_frf_result *other = &result->other[k];
+
+		if (is_much(&other->error) &&
+		    !(other->error.fixed.estimated <= worst->error.fixed.estimated && is_much(&worst->error)))
+			worst = other;
+	}
+	warn(&worst->error, worst->frf->branch);
 }
 
 static int is_stated(const void *row, const void *parent)

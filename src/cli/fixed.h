@@ -40,5 +40,7 @@ enum hawser_status cli_fixed_once(struct cli_model_error *error, const struct cl
 void cli_fixed_comments(struct hawser__table *table, const struct cli_model_error *error, int branch);
 /* Says on standard error that the error is more than a tenth. */
 void cli_fixed_warn(const struct cli_model_error *error);
+/* The same of the branch of a response with the largest error. */
+void cli_fixed_warn_worst(const struct cli_frf_result *result);
 
 #endif

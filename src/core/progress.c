@@ -23,7 +23,9 @@ double hawser__processor_seconds(void)
 {
 	struct timespec now;
 
-	clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+	/* not that of the process, which Linux brings up to date at its ticks alone, some ms apart, where
+	 * the processor time is limited (ulimit -t, batch systems): short work would take 0 s */
+	clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
 	return (double)now.tv_sec + 1e-9*(double)now.tv_nsec;
 }
 

@@ -7,7 +7,7 @@
 
 /* Wall time, s, of a clock that nobody sets. */
 double hawser__wall_seconds(void);
-/* Processor time of this process, s. */
+/* Processor time of the calling thread, s. */
 double hawser__processor_seconds(void);
 
 /* A state with these members and `seconds` since `began`; all others say "unknown". */

@@ -13,8 +13,8 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
+#include "core/progress.h"
 #include "core/report.h"
 #include "net/span.h"
 
@@ -72,14 +72,6 @@ static void clear(struct level *level)
 	hawser_net_clear(&level->net);
 }
 
-static double processor(void)
-{
-	struct timespec now;
-
-	clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-	return (double)now.tv_sec + 1e-9*(double)now.tv_nsec;
-}
-
 /* Where the probes are in the equilibrium, with ends that do not move. */
 static enum hawser_status rest(struct level *level, struct hawser_report *report)
 {
@@ -110,7 +102,7 @@ static enum hawser_status run_level(struct level *level, const struct hawser_sce
 {
 	struct hawser_net_motion_options choice = *options;
 	enum hawser_status status = hawser__net_span(&level->net, scene, st, mesh, halved, report);
-	double began = processor();
+	double began = hawser__processor_seconds();
 
 	if (status)
 		return status;
@@ -129,7 +121,7 @@ static enum hawser_status run_level(struct level *level, const struct hawser_sce
 		status = hawser_net_integrate(&level->motion, &level->net, &choice, report);
 	for (int p = 0; p < PROBES && !status && !level->net.motions; p++)
 		memcpy(level->rest[p], level->motion.x[p], sizeof level->rest[p]);
-	level->seconds = processor() - began;
+	level->seconds = hawser__processor_seconds() - began;
 	return status;
 }
 

@@ -27,9 +27,10 @@
  *
  *      H = g1/(w1^2 - w^2 + 2 i xi w1 w) + g2/(w2^2 - w^2 + 2 i xi w2 w),    a = |H|
  *
- * and by a parabola with x^3 and x^4, to which modes farther away contribute. If the sum is the better
- * one, and its ratio differs from the first by more than its own confidence interval, it is taken, with
- * the difference as its error: a response that bends a little may look like two modes as well.
+ * again with a ratio each, and by a parabola with x^3 and x^4, to which modes farther away contribute.
+ * If the sum is the better one, and its ratio differs from the first by more than its own confidence
+ * interval, it is taken, with the difference as its error: a response that bends a little may look like
+ * two modes as well.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -49,8 +50,8 @@
  * the estimate of the scatter. */
 enum { P = 3, FEWEST = 5, ITERATIONS = 20 };
 /* LEAST_OF_TWO: points of a fit of two modes; MANY: of which their scatter is an estimate. */
-enum { EQUAL = HAWSER__HALF_EQUAL, SHAPES = HAWSER__HALF_SHAPES,
-       LEAST_OF_TWO = HAWSER__HALF_EQUAL + FEWEST - P, MANY = 20 };
+enum { EQUAL = HAWSER__HALF_EQUAL, SHAPES = HAWSER__HALF_SHAPES, MOST = HAWSER__HALF_MOST,
+       LEAST_OF_TWO = HAWSER__HALF_SHAPES + FEWEST - P, MANY = 20 };
 
 static const char where[] = "half-power";
 
@@ -66,6 +67,10 @@ static const double EXACT = 1e-11;
 /* Scatter of two modes relative to that of one with modes farther away: above it, a peak that bends a
  * little explains the points as well; chosen. */
 static const double CLEARLY = 0.1;
+
+/* Half the distance of two modes with two ratios over half the width of the peak: a mode farther away
+ * has no part in its ratio; chosen. */
+static const double WIDE = 2.0;
 
 /* Factor on the difference of the two ratios: it exceeds the error of both for a peak that bends by
  * up to 2 %, since the ratio refers to a frequency that the bend changes. */
@@ -142,12 +147,12 @@ static int fit_shapes(struct hawser__half_fit *fit, const struct hawser__half_ta
                       enum others others, double zc, double h)
 {
 	int shapes = shapes_of(others);
-	double most = table->a[table->best], R[SHAPES][SHAPES + 1] = {{0.0}}, p[SHAPES];
+	double most = table->a[table->best], R[MOST][MOST + 1] = {{0.0}}, p[SHAPES];
 	double f[SHAPES], by_zp[SHAPES] = {0.0}, by_ratio[SHAPES] = {0.0}, deviation;
 	int free_points = span.last - span.first + 1 - shapes;
 
 	for (int i = span.first; i <= span.last; i++) {
-		double a = table->a[i]/most, w = 0.5*a*a*a, row[SHAPES + 1];
+		double a = table->a[i]/most, w = 0.5*a*a*a, row[MOST + 1];
 
 		shapes_at(f, (square(table->omega[i]) - zc)/h);
 		for (int j = 0; j < shapes; j++)
@@ -155,12 +160,7 @@ static int fit_shapes(struct hawser__half_fit *fit, const struct hawser__half_ta
 		row[shapes] = w/(a*a);
 		hawser__half_join(R, row, shapes);
 	}
-	for (int j = shapes - 1; j >= 0; j--) {
-		p[j] = R[j][shapes];
-		for (int k = j + 1; k < shapes; k++)
-			p[j] -= R[j][k]*p[k];
-		p[j] /= R[j][j];
-	}
+	hawser__half_solve(p, (const double (*)[MOST + 1])R, shapes);
 	if (!of_parabola(fit, by_zp, by_ratio, p, zc, h))
 		return 0;
 	/* round-off of the amplitudes, and of x through omega */
@@ -169,8 +169,8 @@ static int fit_shapes(struct hawser__half_fit *fit, const struct hawser__half_ta
 	if (free_points > 0)
 		deviation = fmax(deviation, fit->scatter)*
 		            gsl_cdf_tdist_Pinv(0.5 + 0.5*table->confidence, free_points);
-	fit->zp_error = deviation*hawser__half_spread(R, by_zp, shapes);
-	fit->ratio_error = deviation*hawser__half_spread(R, by_ratio, shapes);
+	fit->zp_error = deviation*hawser__half_spread((const double (*)[MOST + 1])R, by_zp, shapes);
+	fit->ratio_error = deviation*hawser__half_spread((const double (*)[MOST + 1])R, by_ratio, shapes);
 	return isfinite(fit->ratio_error);
 }
 
@@ -233,22 +233,33 @@ static int find_pair(struct hawser__half_fit *two, const struct hawser__half_tab
                      struct hawser__half_span span, const struct hawser__half_fit *fit)
 {
 	struct hawser__half_pair_of pair = {table, span, sqrt(fit->zp), fit->ratio, EQUAL};
-	struct hawser__half_fit one = *fit, apart = *fit, far = *fit;
+	struct hawser__half_fit one = *fit, apart = *fit, other = *fit, far = *fit;
 	int count = span.last - span.first + 1;
 	double q[SHAPES];
 
-	/* nothing is looked for where one mode fits to round-off, or where its residuals, if they are many,
-	 * have no smooth part */
-	if (!fit_span(&one, table, span) || one.scatter < EXACT ||
-	    (count >= MANY && fit_shapes(&far, table, span, FAR, fit->zp, fit->D) &&
-	     !is_better(&far, EQUAL, &one, P, count)))
+	/* nothing is looked for where one mode fits to round-off */
+	if (!fit_span(&one, table, span) || one.scatter < EXACT)
 		return 0;
-	if (!hawser__half_pair(q, two, &pair, EQUAL) || !is_better(two, EQUAL, &one, P, count))
+	if (!hawser__half_quotient(q, &pair) || !hawser__half_pair(q, &apart, &pair, SHAPES) ||
+	    fabs(q[1]) > WIDE)
+		apart.scatter = INFINITY;
+	/* nor where its residuals, if they are many, have no smooth part */
+	if (!(apart.scatter < CLEARLY*one.scatter) && count >= MANY &&
+	    fit_shapes(&far, table, span, FAR, fit->zp, fit->D) && !is_better(&far, EQUAL, &one, P, count))
 		return 0;
-	if (count - SHAPES >= FEWEST - P && hawser__half_pair(q, &apart, &pair, SHAPES) &&
-	    is_better(&apart, SHAPES, two, EQUAL, count))
+	if (!hawser__half_pair(q, two, &pair, EQUAL))
+		two->scatter = INFINITY;
+	else if (hawser__half_pair(q, &other, &pair, SHAPES) && !(fabs(q[1]) > WIDE) &&
+	         other.scatter < apart.scatter)
+		apart = other;
+	if (is_better(&apart, SHAPES, two, EQUAL, count)) {
 		*two = apart;
-	return 1;
+		return is_better(two, SHAPES, &one, P, count);
+	}
+	/* two ratios that noise hides are an error of the one */
+	if (isfinite(apart.scatter))
+		two->hidden = fabs(apart.ratio - two->ratio) + apart.apart + apart.ratio_error;
+	return is_better(two, EQUAL, &one, P, count);
 }
 
 /* The ratio becomes that of two modes where it certainly differs, with the difference as its error. If
@@ -256,7 +267,7 @@ static int find_pair(struct hawser__half_fit *two, const struct hawser__half_tab
  * Returns the number of modes. */
 static int close_modes(struct hawser__half_fit *fit, const struct hawser__half_table *table)
 {
-	double reach = sqrt(3.0)*fit->D, off;
+	double reach = sqrt(3.0)*fit->D, shift, off;
 	struct hawser__half_span span = around(table, fit->zp, reach);
 	struct hawser__half_fit two = *fit, far = *fit;
 	int enough = span.last - span.first + 1 >= LEAST_OF_TWO;
@@ -265,17 +276,18 @@ static int close_modes(struct hawser__half_fit *fit, const struct hawser__half_t
 		span = around(table, fit->zp, reach);
 	if (span.last - span.first + 1 < LEAST_OF_TWO || !find_pair(&two, table, span, fit))
 		return 1;
-	off = fmax(fabs(two.ratio - fit->ratio), two.apart);
+	shift = fabs(two.ratio - fit->ratio);
+	off = fmax(shift, two.apart);
 	if (!(off > two.ratio_error))
 		return 1;
 	enough &= !fit_shapes(&far, table, span, FAR, fit->zp, fit->D) ||
 	          two.scatter < CLEARLY*far.scatter;
 	if (!enough || !(off < too_far*fit->ratio)) {
-		fit->ratio_error = fmax(fit->ratio_error, MARGIN*off);
+		fit->ratio_error = fmax(fit->ratio_error, MARGIN*(shift + two.apart) + two.ratio_error);
 		return 1;
 	}
 	fit->ratio = two.ratio;
-	fit->ratio_error = fmax(two.ratio_error, MARGIN*off);
+	fit->ratio_error = fmax(fmax(two.apart + two.ratio_error, two.hidden), MARGIN*off);
 	return 2;
 }
 

@@ -4,9 +4,11 @@
 #ifndef HAWSER_STUDY_HALF_POWER_H
 #define HAWSER_STUDY_HALF_POWER_H
 
+#include <complex.h>
+
 /* Unknowns: of other modes that add to a parabola, or of two modes of one ratio; of two modes with two
- * ratios. */
-enum { HAWSER__HALF_EQUAL = 5, HAWSER__HALF_SHAPES = 6 };
+ * ratios; of a quotient of polynomials. */
+enum { HAWSER__HALF_EQUAL = 5, HAWSER__HALF_SHAPES = 6, HAWSER__HALF_MOST = 7 };
 
 struct hawser__half_table {
 	const double *omega, *a; /* [count] */
@@ -22,15 +24,18 @@ struct hawser__half_fit {
 	double zp, D, ratio;
 	double zp_error, ratio_error;
 	double apart;   /* half the difference of the ratios of two modes */
+	double hidden;  /* what the difference may be that noise hides, of two modes of one ratio */
 	double scatter; /* standard deviation of a point, relative to the largest amplitude */
 };
 
 /* Adds a row, its right side last, to R by Givens rotations. */
-void hawser__half_join(double R[HAWSER__HALF_SHAPES][HAWSER__HALF_SHAPES + 1],
-                       double row[HAWSER__HALF_SHAPES + 1], int count);
+void hawser__half_join(double R[HAWSER__HALF_MOST][HAWSER__HALF_MOST + 1],
+                       double row[HAWSER__HALF_MOST + 1], int count);
+/* The solution p [count] of these rows. */
+void hawser__half_solve(double *p, const double R[HAWSER__HALF_MOST][HAWSER__HALF_MOST + 1], int count);
 /* |R^-T g|: the standard deviation of a quantity with the gradient g [count] if that of the points is
  * 1. */
-double hawser__half_spread(const double R[HAWSER__HALF_SHAPES][HAWSER__HALF_SHAPES + 1],
+double hawser__half_spread(const double R[HAWSER__HALF_MOST][HAWSER__HALF_MOST + 1],
                            const double *g, int count);
 
 /* Sums of the residuals r, and of products of neighbours. */
@@ -58,5 +63,12 @@ struct hawser__half_pair_of {
 /* Fit two modes: from q or, with the fewer unknowns, from anywhere. Returns 0 if there is no fit. */
 int hawser__half_pair(double q[HAWSER__HALF_SHAPES], struct hawser__half_fit *two,
                       struct hawser__half_pair_of *pair, int unknowns);
+
+/* Where to fit two modes from, by a quotient of polynomials, which needs no guess
+ * (half_power_quotient.c). Returns 0 if the quotient has not two resonances. */
+int hawser__half_quotient(double q[HAWSER__HALF_SHAPES], const struct hawser__half_pair_of *pair);
+/* The sum of two modes at w, relative to the largest amplitude, and its derivatives by q. */
+double complex hawser__half_pair_at(double complex by[HAWSER__HALF_SHAPES],
+                                    const struct hawser__half_pair_of *pair, const double *q, double w);
 
 #endif

@@ -12,14 +12,14 @@
 #include "study/half_power.h"
 #include "study/least_squares.h"
 
-enum { EQUAL = HAWSER__HALF_EQUAL, SHAPES = HAWSER__HALF_SHAPES };
+enum { EQUAL = HAWSER__HALF_EQUAL, SHAPES = HAWSER__HALF_SHAPES, MOST = HAWSER__HALF_MOST };
 /* FEWEST: points that correlated ones count as at least. Steps of the fit, the first ones from each
  * beginning. */
 enum { FEWEST = 5, FIRST_STEPS = 30, STEPS = 200 };
 
 /* --- what all fits share --- */
 
-void hawser__half_join(double R[SHAPES][SHAPES + 1], double row[SHAPES + 1], int count)
+void hawser__half_join(double R[MOST][MOST + 1], double row[MOST + 1], int count)
 {
 	for (int j = 0; j < count; j++) {
 		double r = hypot(R[j][j], row[j]), c = r > 0.0 ? R[j][j]/r : 1.0;
@@ -34,9 +34,19 @@ void hawser__half_join(double R[SHAPES][SHAPES + 1], double row[SHAPES + 1], int
 	}
 }
 
-double hawser__half_spread(const double R[SHAPES][SHAPES + 1], const double *g, int count)
+void hawser__half_solve(double *p, const double R[MOST][MOST + 1], int count)
 {
-	double v[SHAPES], sum = 0.0;
+	for (int j = count - 1; j >= 0; j--) {
+		p[j] = R[j][count];
+		for (int k = j + 1; k < count; k++)
+			p[j] -= R[j][k]*p[k];
+		p[j] /= R[j][j];
+	}
+}
+
+double hawser__half_spread(const double R[MOST][MOST + 1], const double *g, int count)
+{
+	double v[MOST], sum = 0.0;
 
 	for (int j = 0; j < count; j++) {
 		v[j] = g[j];
@@ -61,9 +71,8 @@ double hawser__half_deviation(const struct hawser__half_residuals *residuals, in
 
 /* --- two modes --- */
 
-/* The sum H of two modes at w, relative to the largest amplitude, and its derivatives by q. */
-static double complex pair_at(double complex by[SHAPES], const struct hawser__half_pair_of *pair,
-                              const double *q, double w)
+double complex hawser__half_pair_at(double complex by[SHAPES],
+                                    const struct hawser__half_pair_of *pair, const double *q, double w)
 {
 	double scale = 2.0*pair->ratio*pair->wp*pair->wp;
 	double complex H = 0.0;
@@ -97,7 +106,7 @@ static enum hawser_status pair_residuals(void *context, double *r, double *J, co
 	for (int i = 0; i < count; i++) {
 		double complex by[SHAPES];
 		int at = pair->span.first + i;
-		double complex H = pair_at(by, pair, q, table->omega[at]);
+		double complex H = hawser__half_pair_at(by, pair, q, table->omega[at]);
 
 		if (r)
 			r[i] = cabs(H) - table->a[at]/table->a[table->best];
@@ -114,13 +123,13 @@ static void judge_pair(struct hawser__half_fit *two, const struct hawser__half_p
 	const struct hawser__half_table *table = pair->table;
 	int count = pair->span.last - pair->span.first + 1;
 	int m = pair->unknowns;
-	double R[SHAPES][SHAPES + 1] = {{0.0}}, apart = m > EQUAL ? q[EQUAL] : 0.0, mean, deviation;
+	double R[MOST][MOST + 1] = {{0.0}}, apart = m > EQUAL ? q[EQUAL] : 0.0, mean, deviation;
 	struct hawser__half_residuals residuals = {0.0, 0.0, 0.0};
 
 	mean = pair->ratio*exp(q[2])*cosh(apart);
 	for (int i = pair->span.first; i <= pair->span.last; i++) {
-		double complex by[SHAPES], H = pair_at(by, pair, q, table->omega[i]);
-		double row[SHAPES + 1] = {0.0};
+		double complex by[SHAPES], H = hawser__half_pair_at(by, pair, q, table->omega[i]);
+		double row[MOST + 1] = {0.0};
 
 		for (int j = 0; j < m; j++)
 			row[j] = creal(conj(H)*by[j])/fmax(cabs(H), DBL_MIN);
@@ -131,7 +140,7 @@ static void judge_pair(struct hawser__half_fit *two, const struct hawser__half_p
 	deviation = fmax(8.0*DBL_EPSILON*(1.0 + 1.0/pair->ratio), two->scatter)*
 	            gsl_cdf_tdist_Pinv(0.5 + 0.5*confidence, count - m);
 	two->ratio = mean;
-	two->ratio_error = deviation*hawser__half_spread((const double (*)[SHAPES + 1])R, (double[SHAPES]){
+	two->ratio_error = deviation*hawser__half_spread((const double (*)[MOST + 1])R, (double[SHAPES]){
 		[2] = mean, [EQUAL] = mean*tanh(apart)}, m);
 	two->apart = fabs(mean*tanh(apart));
 }

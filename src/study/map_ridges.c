@@ -23,6 +23,9 @@
                     * nodes in them; chosen */
 #define BESIDE 2.0 /* least half of the range, in cells, in which it is searched on the next line;
                     * chosen */
+#define WINDOW 0.04 /* distance from its resonance at rest at which a tongue is looked for, relative
+                     * to the range: a fluctuation displaces it, however fine the grid is; that of
+                     * the first cells at the default resolution; chosen */
 enum { MOST_SEEN = 12 };
 
 struct search {
@@ -190,10 +193,19 @@ static enum hawser_status begin(void *context, const struct hawser__combination 
 	struct searches *list = context;
 	struct search item = list->next;
 	int last = nodes(list->mapper, item.along) - 1;
+	double reach = list->length;
+	enum hawser_status status;
 
 	item.ridge = (struct hawser__ridge){.of = *of, .slope = slope/list->length,
-		.at = list->from + t*list->length, .low = fmax(0.0, list->from - list->length),
-		.high = fmin(last, list->from + 2*list->length)};
+		.at = list->from + t*list->length, .low = fmax(0.0, list->from - reach),
+		.high = fmin(last, list->from + list->length + reach)};
+	status = push(list, &item, report);
+	if (status || reach >= WINDOW*last)
+		return status;
+	/* on a fine grid farther away too; others may be near */
+	reach = WINDOW*last;
+	item.ridge.low = fmax(0.0, list->from - reach);
+	item.ridge.high = fmin(last, list->from + list->length + reach);
 	return push(list, &item, report);
 }
 

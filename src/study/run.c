@@ -6,8 +6,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
+#include "core/progress.h"
 #include "core/report.h"
 #include "hawser/accuracy.h"
 #include "rom/drag.h"
@@ -16,14 +16,6 @@
 #include "study/respond.h"
 
 static const struct hawser__sharpening sharpening = {.wanted = 2e-6};
-
-static double seconds(clockid_t clock)
-{
-	struct timespec now;
-
-	clock_gettime(clock, &now);
-	return (double)now.tv_sec + 1e-9*(double)now.tv_nsec;
-}
 
 /* Extremes of the tension over all points of the curve. */
 static void find_tension(struct hawser_study_curve *curve)
@@ -149,7 +141,7 @@ enum hawser_status hawser_study_run(struct hawser_study_curve *curve,
 	struct hawser_frf_options settled = *options, again;
 	struct hawser_rom rom = {.n = 0};
 	enum hawser_status status;
-	double start = seconds(CLOCK_MONOTONIC), busy = seconds(CLOCK_PROCESS_CPUTIME_ID), built;
+	double start = hawser__wall_seconds(), busy = hawser__processor_seconds(), built;
 
 	hawser_frf_settle(&settled);
 	options = &settled;
@@ -162,7 +154,7 @@ enum hawser_status hawser_study_run(struct hawser_study_curve *curve,
 	status = choice->fidelity->build
 	         ? choice->fidelity->build(&rom, statics, scene, choice->number, &curve->report)
 	         : HAWSER_OK;
-	built = seconds(CLOCK_MONOTONIC);
+	built = hawser__wall_seconds();
 	curve->build_seconds = built - start;
 	if (!status) {
 		status = choice->fidelity->respond(curve, &rom, statics, scene, options, &curve->report);
@@ -170,8 +162,8 @@ enum hawser_status hawser_study_run(struct hawser_study_curve *curve,
 		curve->quads = rom.quads;
 		curve->cubics = rom.cubics;
 		take_names(curve, &rom);
-		curve->respond_seconds = seconds(CLOCK_MONOTONIC) - built;
-		curve->processor_seconds = seconds(CLOCK_PROCESS_CPUTIME_ID) - busy;
+		curve->respond_seconds = hawser__wall_seconds() - built;
+		curve->processor_seconds = hawser__processor_seconds() - busy;
 	}
 	/* part of the comparison, not of the cost of the response; omitted if the run was interrupted */
 	again.method = curve->frf.method;

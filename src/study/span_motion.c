@@ -11,11 +11,11 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #include <hawser/integrate.h>
 #include <hawser/span_motion.h>
 
+#include "core/progress.h"
 #include "core/report.h"
 
 enum { PROBES = HAWSER_SPAN_PROBES, MOST_POINTS = 50, MOST_ROWS = 1000000, MOST_STEPS = 100000,
@@ -35,14 +35,6 @@ void hawser_motions_clear(struct hawser_motions *motions)
 	free(motions->off);
 	hawser_net_motion_clear(&motions->motion);
 	memset(motions, 0, sizeof *motions);
-}
-
-static double processor(void)
-{
-	struct timespec now;
-
-	clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-	return (double)now.tv_sec + 1e-9*(double)now.tv_nsec;
 }
 
 /* --- the mesh --- */
@@ -173,14 +165,14 @@ static void model(struct hawser_motions_run *to, const struct hawser_motions *mo
                   const struct hawser_fidelity_choice *choice)
 {
 	struct hawser_rom rom = {0};
-	double began = processor();
+	double began = hawser__processor_seconds();
 
 	memcpy(to->name, choice->name, sizeof to->name);
 	to->least = to->least_at = to->slack_at = to->slack_S = NAN;
 	to->status = choice->fidelity->build(&rom, st, scene, choice->number, &to->report);
 	if (!to->status)
 		to->status = integrate(to, motions, &rom, st, options, &to->report);
-	to->seconds = processor() - began;
+	to->seconds = hawser__processor_seconds() - began;
 	hawser_rom_clear(&rom);
 }
 

@@ -104,4 +104,14 @@ run frf one.json --from 5w1 --to 5.02w1 --max-points 2 --json file.json
 try "the same of a model file" grep -q 'give the scene in place of its model$' "$scratch/err"
 works "and not within its reach" frf one.json --from 2w1 --to 2.02w1 --max-points 2 --json near.json
 rough "of the scene neither" frf "$chairlift" $weak --set model.modes=1 --from 5w1 --to 5.02w1 --max-points 2 --json scene.json
+rough "nor of a motion of it" orbit "$chairlift" $weak --set model.modes=1 --from-label scene.json#1 --json orbit.json -q
+python "which moves as the response does" <<'END'
+import json
+size = json.load(open("scene.json"))["points"][0]["amplitude"]
+run = json.load(open("orbit.json"))["probes"]
+for name in "quarter", "mid":
+    for axis in "yz":
+        own = max(map(abs, run[name][axis]))
+        assert abs(own/size[f"{axis}_{name}"] - 1) < 1e-3, (name, axis, own)
+END
 done_testing

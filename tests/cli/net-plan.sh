@@ -3,6 +3,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 . "$SRCDIR/tests/cli/lib.sh"
 
+# As in a batch system: with it, the clock of a process (not that of a thread) stands still between ticks.
+ulimit -S -t 1000
+
 # A net in the plane x, y under a load in it; with an axis for z it is in space.
 scene() {
 	cat <<END

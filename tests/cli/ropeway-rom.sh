@@ -11,7 +11,7 @@ works "the other lane, stuck" rom "$small" -n 4 --lane down --contact stick --js
 works "the modes of the lane" modes "$small" --set ropeway.down=off --contact slip -n 6 --json modes.json -q
 works "smeared carriers" rom "$small" -n 1 --carriers smeared --json smeared.json -q
 works "a response" frf passing.json --from 0.95w1 --to 1.02w1 --json frf.json -q
-works "the same of the scene, with more modes" frf "$small" -n 6 --damping 0.02 --from 0.95w1 --to 1.02w1 \
+rough "the same of the scene, with more modes" frf "$small" -n 6 --damping 0.02 --from 0.95w1 --to 1.02w1 \
 	--json scene.json --tsv scene.tsv --plot frf.svg -q
 works "a motion of the scene, by the name of the load" integrate "$small" -n 6 --damping 0.02 --load drive --ripple 0.01 \
 	--Omega 2.5 --until 20 --every 1 --json named.json -q
@@ -42,8 +42,9 @@ named, run = json.load(open("named.json")), json.load(open("run.json"))
 assert len(run["states"]) == 21 and named["states"] == run["states"] and named["probes"] == run["probes"]
 for a, b in zip(points, scene["points"], strict=True): # the file has the tensions of its shape points only
     assert a["Omega"] == b["Omega"] and a["amplitude"] == b["amplitude"] and a["contact"] == b["contact"]
-assert scene["sheaves"] == ["p0", "p1"] and 0.0 < scene["model_error"]["estimated"] < 0.2
-assert scene["model_error"]["looked_at"] == 10
+assert scene["sheaves"] == ["p0", "p1"] and scene["model_error"]["looked_at"] == 24
+# with 40 modes the peaks of the last span are 13 % lower
+assert 0.13 < scene["model_error"]["estimated"] <= 1.0
 c = [p["contact"]["least"] for p in scene["points"]]
 assert max(c) < 1.0 and (min(c) < 0.0) == ("lift" in scene)
 END2

@@ -206,10 +206,30 @@ static void nested(void)
 	hawser_scene_clear(&plane.scene);
 }
 
+/* The fluctuation displaces a tongue from its resonance at rest: cells that are narrower than that
+ * must not hide it. Multipliers at 501 points from 11.024 to 11.029: unstable from 11.02616 to
+ * 11.0271. */
+static void fine(void)
+{
+	for (int points = 201; points < 3000; points = 10*points - 9) {
+		struct plane plane = {.from = {10.0, 12.6491}, .to = {12.0, 12.65}, .points = {points, 2}};
+		struct hawser_map map = {.nx = 0};
+		struct crossings found;
+		int failed = open_plane(&plane, undamped) || map_of(&map, &plane);
+
+		found = of_map(&map, 12.6491);
+		ok(!failed && has(&found, 11.02616, 11.0271, 3e-4), "a map with %d points a row has the tongue "
+		   "at 11.026", points);
+		hawser_map_clear(&map);
+		hawser_scene_clear(&plane.scene);
+	}
+}
+
 CASE(reference_tongues)
 {
 	principal();
 	others();
 	nested();
+	fine();
 	return done_testing();
 }

@@ -1,6 +1,8 @@
-/* Progress: the line of text for a state, omission of unknown members, and truncation of the line.
+/* Progress: the line of text for a state, omission of unknown members, and truncation of the line; the
+ * processor's clock.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
+#include <sys/resource.h>
 
 #include "core/progress.h"
 #include "tests/tap.h"
@@ -16,6 +18,27 @@ static void says(const struct hawser_progress_state *state, const char *want)
 static int answer(void *data, const struct hawser_progress_state *state)
 {
 	return state->done >= *(const long *)data;
+}
+
+/* Where the processor time of a process is limited, Linux brings the clock of the process up to date at
+ * its ticks alone, 1 to 10 ms apart. */
+static void clock_of_limited(void)
+{
+	struct rlimit before, limited;
+	double least = 1.0, began, now;
+	int limits = getrlimit(RLIMIT_CPU, &before);
+
+	limited = before;
+	limited.rlim_cur = limited.rlim_cur < 100000 ? limited.rlim_cur : 100000;
+	limits |= setrlimit(RLIMIT_CPU, &limited);
+	for (int i = 0; i < 10; i++, least = fmin(least, now - began)) {
+		began = hawser__processor_seconds();
+		do
+			now = hawser__processor_seconds();
+		while (!(now > began));
+	}
+	limits |= setrlimit(RLIMIT_CPU, &before);
+	ok(!limits && least < 1e-4, "with limited processor time its clock moves on after %.1e s", least);
 }
 
 CASE(unit_progress)
@@ -53,5 +76,6 @@ CASE(unit_progress)
 	   "7 of at most 4 points: the function ends it");
 	state.done = 2;
 	ok(!hawser__told_to_stop(&progress, &state), "2 of at most 4: it goes on");
+	clock_of_limited();
 	return done_testing();
 }
