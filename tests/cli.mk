@@ -82,5 +82,5 @@ EXTRA_DIST += %D%/cli/lib.sh
 CLI_TABLES = %D%/cli/refusals.table
 EXTRA_DIST += $(CLI_TABLES)
 test_programs += tests/commands
-tests_commands_SOURCES = %D%/commands.c
+tests_commands_SOURCES = %D%/commands.c %D%/serve.c %D%/serve.h
 tests_commands_LDADD = src/cli/libcli.a src/cli/.libs/libloaded.a src/output/.libs/liboutput.a $(UPTO_STUDY)

@@ -60,6 +60,7 @@ refuses 4 "$scratch/gnuplot was ended by signal 9; no picture is written" \
 try "nor a killed one" holds ""
 unset HAWSER_GNUPLOT
 
+unserved
 umask 027
 works "a new file" statics "$chairlift" --tsv out.tsv
 try "has the mode of the umask" test "$(stat -c %a out.tsv)" = 640

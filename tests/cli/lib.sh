@@ -16,11 +16,32 @@ duffing=$top/tests/reference/duffing-nlvib-01.json
 mkdir "$scratch/work"
 cd "$scratch/work" || exit 1
 
+# The commands of run() are run by a program that is loaded once a script (tests/serve.c), where make check names it.
+serving=${HAWSER_SERVER:+yes}
+if [ "$serving" ]; then
+	mkfifo "$scratch/asks" "$scratch/answers"
+	"$HAWSER_SERVER" serve <"$scratch/asks" >"$scratch/answers" &
+	server=$!
+	exec 8>"$scratch/asks" 9<"$scratch/answers"
+	trap 'printf "%s\0" -1 >&8; wait "$server"; rm -rf "$scratch"' EXIT
+fi
+
 # run ARGUMENTS: leaves $status, $scratch/out and $scratch/err; the input is $scratch/in, if any.
 : >"$scratch/in"
 run() {
+	if [ "$serving" ]; then
+		export -p >"$scratch/env"
+		printf '%s\0' $# "$PWD" "$scratch" "$@" >&8
+		read -r status <&9 || status="no answer"
+		return
+	fi
 	"$HAWSER" "$@" <"$scratch/in" >"$scratch/out" 2>"$scratch/err"
 	status=$?
+}
+
+# unserved: from here on each run starts the program, with what the shell has set (its umask).
+unserved() {
+	serving=
 }
 
 # commands: the names that hawser --help lists, one a line; some have two words.
