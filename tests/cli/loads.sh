@@ -32,9 +32,9 @@ refuses_like 1 "loads.0.harmonic is 2: modes are weighed with loads of the frequ
 	frf s.yaml --set model.modes=auto --from 1 --to 1.2
 
 works "model" rom s.yaml --json rom.json -q
-works "response" frf s.yaml --from 2.6 --to 2.4 --max-points 5 --json frf.json -q
-works "in time" integrate s.yaml --Omega 2.4 --until 1 --json run.json -q
-run plan s.yaml --limit 0.1 --fidelities "raw 1, condensed 2" --json plan.json -q
+works "response" frf rom.json --from 2.6 --to 2.4 --max-points 5 --json frf.json -q
+works "in time" integrate rom.json --Omega 2.4 --until 1 --json run.json -q
+run plan s.yaml --limit 0.1 --fidelities "raw 1" --json plan.json -q
 try "plan" test "$status" -eq 0
 try "says what it does not foresee" grep -q "harmonic is 2: the plan foresees resonances of loads of the frequency" \
 	"$scratch/err"
