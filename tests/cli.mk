@@ -76,7 +76,7 @@ CLI_TESTS = \
 	%D%/cli/trajectory.sh \
 	%D%/cli/usage.sh
 test_scripts += $(CLI_TESTS)
-EXTRA_DIST += %D%/cli/lib.sh
+EXTRA_DIST += %D%/cli/lib.sh %D%/cli/serve.py
 
 # Tables of command lines, run in forks of one program.
 CLI_TABLES = %D%/cli/refusals.table

@@ -176,7 +176,7 @@ third = run()
 assert third.returncode == 0, third.stderr
 END
 	# shellcheck disable=SC2086 # words
-	try "a checkpoint that is in use is refused; a killed owner's is not" python3 ../lock.py "$HAWSER" $map \
+	try "a checkpoint that is in use is refused; a killed owner's is not" python3 -S ../lock.py "$HAWSER" $map \
 		--tsv again.tsv
 	try "and the map is the same" cmp whole.tsv again.tsv
 	# progress where standard error is a terminal, and nothing where it is not
@@ -202,7 +202,7 @@ END
 	for command in "$curve" "integrate ../two.json --Omega 1.1" "$map"; do
 		if terminals; then
 			# shellcheck disable=SC2086 # words
-			try "${command%% *}: progress on a terminal" python3 ../terminal.py "$HAWSER" $command
+			try "${command%% *}: progress on a terminal" python3 -S ../terminal.py "$HAWSER" $command
 		else
 			skip "${command%% *}: progress on a terminal: $no_terminal"
 		fi

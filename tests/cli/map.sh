@@ -214,7 +214,7 @@ END
 if command -v python3 >/dev/null; then
 	# shellcheck disable=SC2086 # words
 	for signal in SIGKILL SIGINT SIGTERM; do
-		try "$signal" python3 ../kill.py "$HAWSER" $signal map hill.json $axes $wide --threads 1 --json part.json
+		try "$signal" python3 -S ../kill.py "$HAWSER" $signal map hill.json $axes $wide --threads 1 --json part.json
 	done
 	rm -f part.json
 	# shellcheck disable=SC2086 # words
@@ -232,7 +232,7 @@ END
 	refuses 1 'whole.tsv is no checkpoint of a map: name another file' \
 		map hill.json --x Omega=0.8:4 --y factor.load=0:0.5 --quantity multiplier --checkpoint whole.tsv
 	# ten coordinates, seven of them far faster than the excitation: the map says what leaving them out costs
-	python3 - >stiff.json <<'END'
+	python3 -S - >stiff.json <<'END'
 import json
 n = 10
 square = [[(4*(j + 1)**4*(1 if j < 3 else 1e8))*(j == k) for k in range(n)] for j in range(n)]
