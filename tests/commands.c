@@ -1,7 +1,7 @@
 /* tests/commands.c - tests of the command line by tables, tests/cli/NAME.table: `tests/commands list`
- * prints their names, `tests/commands cli/NAME` runs one, `tests/commands serve` runs the commands of
- * scripts (tests/serve.c). Commands run in processes forked from this
- * one, which has the program in it: nothing is loaded, and what a command leaves ends with it.
+ * prints their names, `tests/commands cli/NAME` runs one, `tests/commands serve` runs the commands
+ * of scripts (tests/serve.c). Commands run in processes forked from this one, which has the program
+ * in it: nothing is loaded, and what a command leaves ends with it.
  *
  *   hawser WORDS [<FILE]  a command, with quotes and these variables as in a shell: $top, the source
  *                         tree; $scenes, $chairlift, $reference, $duffing in it; $work, the folder

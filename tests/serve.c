@@ -1,9 +1,11 @@
-/* tests/serve.c - the program for the scripts of tests/cli: `tests/commands serve` reads command lines and
- * runs each in a process forked from this one. Loading the program with its libraries takes ten times as long.
+/* tests/serve.c - the program for the scripts of tests/cli: `tests/commands serve` reads command lines
+ * and runs each in a process forked from this one. Loading the program with its libraries takes ten
+ * times as long.
  *
- * A request is words, each with a null byte behind it: the number of arguments (-1 ends the server), the folder
- * to run in, the script's scratch folder, the arguments. In the scratch folder are the files in, out, err and env, the
- * environment as `export -p` prints it. The answer is a line with the status as a shell has it.
+ * A request is words, each with a null byte behind it: the number of arguments (-1 ends the server),
+ * the folder to run in, the script's scratch folder, the arguments. In the scratch folder are the
+ * files in, out, err and env, the environment as `export -p` prints it. The answer is a line with the
+ * status as a shell has it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 

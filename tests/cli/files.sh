@@ -122,17 +122,17 @@ grep -v '^#' "$scratch/out" >rows
 mkfifo ../pipe
 printf '%s' "$plain" >../pipe &
 works "a model out of a pipe" frf ../pipe --from 0.5 --to 2
-wait
+wait $!
 grep -v '^#' "$scratch/out" | try "gives the same rows" diff rows -
 cat "$chairlift" >../pipe &
 works "a scene out of a pipe" integrate ../pipe --Omega 0.9w1 --until 1 --every 0.5
-wait
+wait $!
 echo '{"n": 1, "K": [[1, 2]]}' >../pipe &
 refuses_like 1 '^hawser: \.\./pipe: K\[0\]' frf ../pipe
-wait
+wait $!
 cat "$chairlift" >../pipe &
 works "for statics too" statics ../pipe --points 2
-wait
+wait $!
 cat "$chairlift" >"$scratch/in"
 run frf /dev/stdin --to 0.7w1
 try "and a scene as /dev/stdin" said 0

@@ -57,8 +57,8 @@ static void exact(double ratio)
 	   decay.log_decrement, ratio);
 }
 
-/* Of n intervals with a confidence of 90 % about 0.9 n contain the true ratio, with a standard deviation
- * of sqrt(0.09 n). */
+/* Of n intervals with a confidence of 90 % about 0.9 n contain the true ratio, with a standard
+ * deviation of sqrt(0.09 n). */
 static void coverage(double noise)
 {
 	double t[COUNT], x[COUNT];
