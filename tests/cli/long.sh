@@ -102,16 +102,16 @@ states = json.load(open("on.json"))["states"]
 assert max(abs(a - b) for s in states for a, b in zip(s, states[0])) < 1e-7
 END
 
-# a cable that is slowed down for 8 s: cut before that is over, and after
+# a cable that is slowed down for 4 s: cut before that is over, and after
 sed 's/^  fluctuation:.*//' "$top/notebooks-data/scenes/b-table-5.4.yaml" >../brake.yaml
-run="integrate ../brake.yaml --set travel.braking=8 --every 0.5 --Omega 1 -n 3"
+run="integrate ../brake.yaml --set travel.braking=4 --every 0.5 --Omega 1 -n 3"
 # shellcheck disable=SC2086 # words
-works "braking, through" $run --until 10 --json whole.json
-for cut in 5 9; do
+works "braking, through" $run --until 5 --json whole.json
+for cut in 2.5 4.5; do
 	# shellcheck disable=SC2086 # words
 	{
 	works "braking, to $cut s" $run --until $cut --json part.json
-	works "braking, on" $run --until 10 --json rest.json --continue part.json
+	works "braking, on" $run --until 5 --json rest.json --continue part.json
 	}
 	refuses 1 "--continue part.json: that is a result of another scene, with another value of \
 travel.braking; --initial begins anew from its last state" $run --set travel.braking=7 --continue part.json
