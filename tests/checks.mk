@@ -98,7 +98,7 @@ check-valgrind-all: all-am $(check_PROGRAMS)
 	@printf '#!/bin/sh\nexec %s "$$@"\n' "$(SHELL) $(abs_top_builddir)/libtool --mode=execute $(RUN_VALGRIND) \
 		$(abs_top_builddir)/hawser" >hawser-valgrind
 	@chmod +x hawser-valgrind
-	@$(MAKE) --no-print-directory check-local TEST_HAWSER=hawser-valgrind RUN_RESULTS=tests/valgrind.tsv \
+	@$(MAKE) --no-print-directory check-local TEST_HAWSER=hawser-valgrind SERVER_SETTING= RUN_RESULTS=tests/valgrind.tsv \
 		RUN_FLAGS="-w '$(RUN_VALGRIND)' -l tests/valgrind $(addprefix -x ,$(VALGRIND_ALL_OUT))"
 
 # gcc -fanalyzer, clang-tidy (.clang-tidy) and cppcheck; what is no mistake is annotated with why.

@@ -77,11 +77,11 @@ CLI_TESTS = \
 	%D%/cli/trajectory.sh \
 	%D%/cli/usage.sh
 test_scripts += $(CLI_TESTS)
-EXTRA_DIST += %D%/cli/lib.sh
+EXTRA_DIST += %D%/cli/lib.sh %D%/cli/serve.py
 
 # Tables of command lines, run in forks of one program.
 CLI_TABLES = %D%/cli/refusals.table
 EXTRA_DIST += $(CLI_TABLES)
 test_programs += tests/commands
-tests_commands_SOURCES = %D%/commands.c
+tests_commands_SOURCES = %D%/commands.c %D%/serve.c %D%/serve.h
 tests_commands_LDADD = src/cli/libcli.a src/cli/.libs/libloaded.a src/output/.libs/liboutput.a $(UPTO_STUDY)

@@ -1,6 +1,7 @@
 /* tests/commands.c - tests of the command line by tables, tests/cli/NAME.table: `tests/commands list`
- * prints their names, `tests/commands cli/NAME` runs one. Commands run in processes forked from this
- * one, which has the program in it: nothing is loaded, and what a command leaves ends with it.
+ * prints their names, `tests/commands cli/NAME` runs one, `tests/commands serve` runs the commands
+ * of scripts (tests/serve.c). Commands run in processes forked from this one, which has the program
+ * in it: nothing is loaded, and what a command leaves ends with it.
  *
  *   hawser WORDS [<FILE]  a command, with quotes and these variables as in a shell: $top, the source
  *                         tree; $scenes, $chairlift, $reference, $duffing in it; $work, the folder
@@ -30,6 +31,7 @@
 #include <unistd.h>
 
 #include "cli/within.h"
+#include "tests/serve.h"
 #include "tests/tap.h"
 
 enum { LINE = 4096, WORDS = 256, NAME_SIZE = 300 };
@@ -107,15 +109,6 @@ static int split(char **word, char *text, const char *line)
 	}
 	word[count] = NULL;
 	return count;
-}
-
-static void redirect(int to, const char *name, int flags)
-{
-	int from = open(name, flags, 0666);
-
-	if (from < 0 || dup2(from, to) < 0)
-		_exit(126);
-	close(from);
 }
 
 static void slurp(char *text, size_t size, const char *name)
@@ -343,5 +336,7 @@ int main(int argc, char **argv)
 	}
 	if (argc != 2)
 		return 2;
+	if (strcmp(argv[1], "serve") == 0)
+		return serve();
 	return strcmp(argv[1], "list") == 0 ? list() : run_table(argv[1]);
 }

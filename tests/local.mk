@@ -85,10 +85,16 @@ MOSTLYCLEANFILES += $(test_tables)
 $(test_tables): tests/%-cases.c: Makefile $(srcdir)/tests/cases.sh
 	$(AM_V_GEN)$(MKDIR_P) tests && $(SHELL) $(srcdir)/tests/cases.sh $(tests_$*_SOURCES) >$@.tmp && mv -f $@.tmp $@
 
+# python3 may be a script that looks for the python to start (pyenv), which takes ten times as long as that: tests start it.
+PYTHON_SETTING = python=`python3 -S -c 'import os, sys; print(os.path.realpath(sys.executable))' 2>/dev/null`; \
+	if test -x "$$python" && $(MKDIR_P) %D%/bin && ln -sf "$$python" %D%/bin/python3; then \
+		PATH=$(abs_top_builddir)/%D%/bin:$$PATH; export PATH; fi;
+MOSTLYCLEANFILES += %D%/bin/python3
+
 # What tests get to know. Tests run side by side: the BLAS's threads must leave the processors to the others.
-TEST_ENVIRONMENT += \
+TEST_ENVIRONMENT += $(PYTHON_SETTING) \
 	HAWSER='$(abs_top_builddir)/$(TEST_HAWSER)'; export HAWSER; \
-	SRCDIR='$(abs_top_srcdir)'; export SRCDIR; \
+	$(SERVER_SETTING) SRCDIR='$(abs_top_srcdir)'; export SRCDIR; \
 	OPENBLAS_NUM_THREADS=1; export OPENBLAS_NUM_THREADS; $(KERNEL_SETTING)
 
 # make check runs all tests, make check TESTS="property/frf tests/cli/net.sh tests/rom" those; RUN_FLAGS are further options of
@@ -96,6 +102,8 @@ TEST_ENVIRONMENT += \
 # would, which it does not tell, so the processors' number.
 JOBS =
 TEST_HAWSER = hawser
+# The scripts' commands run in forks of one program (tests/serve.c). make check builds it, so that it is never an old one.
+SERVER_SETTING = HAWSER_SERVER='$(abs_top_builddir)/tests/commands$(EXEEXT)'; export HAWSER_SERVER;
 RUN_RESULTS = tests/results.tsv
 RUN_FLAGS =
 RUN_TESTS = unset MAKEFLAGS MFLAGS MAKELEVEL; $(TEST_ENVIRONMENT) jobs='$(JOBS)'; \

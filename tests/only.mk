@@ -8,7 +8,7 @@ cases_of = $(subst /test-,/,$(patsubst tests/%.c,%,$(tests_$(notdir $(1))_SOURCE
 	$(if $(filter tests/commands,$(1)),$(patsubst tests/%.table,%,$(CLI_TABLES))))
 test_programs := $(foreach program,$(test_programs),$(if $(filter $(TESTS),$(program))$(filter $(wanted_cases),$(call \
 	cases_of,$(program))),$(program)))
-check_PROGRAMS := tests/run $(test_programs) $(if $(filter tests/reference/%.sh reference/%,$(TESTS)),$(test_helpers))
+check_PROGRAMS := tests/run $(test_programs) $(if $(filter tests/cli/%.sh cli/%,$(TESTS)),tests/commands) $(if $(filter tests/reference/%.sh reference/%,$(TESTS)),$(test_helpers))
 endif
 endif
 endif

@@ -33,7 +33,7 @@ static enum hawser_status name_of(struct hawser__reader *reader, struct hawser_c
 		return hawser__reader_fail(reader, place, "cases[%d].name must be a word or a few, of at "
 		                           "most %d characters, without quotes, tabs and \\ # { } [ ] , :",
 		                           number, HAWSER_NAME_SIZE - 1);
-	snprintf(to->name, sizeof to->name, "%s", text);
+	memcpy(to->name, text, strlen(text) + 1);
 	return HAWSER_OK;
 }
 

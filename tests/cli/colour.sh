@@ -18,8 +18,9 @@ run check "$chairlift"
 try "what is good is green" grep -q "$escape\[32mwithout errors$escape\[0m" "$scratch/out"
 run statics "$chairlift"
 try "a table has no colour" sh -c "! grep -q '$escape' '$scratch/out'"
-NO_COLOR=1 run check bad.yaml
-unset CLICOLOR_FORCE
+export NO_COLOR=1
+run check bad.yaml
+unset NO_COLOR CLICOLOR_FORCE
 try "NO_COLOR is kept" sh -c "! grep -q '$escape' '$scratch/err'"
 # a terminal needs /dev/pts
 if script -qec true /dev/null </dev/null >/dev/null 2>&1; then

@@ -137,9 +137,9 @@ if run.returncode not in (-signal.SIGTERM, 128 + signal.SIGTERM, 4):
     sys.exit("status %d, %s" % (run.returncode, err.decode()))
 END
 	try "a write to a pipe that nobody reads is interrupted" \
-		python3 ../check.py "$HAWSER" statics "$chairlift" $big
+		python3 -S ../check.py "$HAWSER" statics "$chairlift" $big
 	rm -f ../slow
-	try "and one of a command that minds Ctrl-C" python3 ../check.py "$HAWSER" \
+	try "and one of a command that minds Ctrl-C" python3 -S ../check.py "$HAWSER" \
 		frf "$duffing" --from 0.5 --to 1.4 --step 3e-4
 else
 	skip "python3 is not installed"

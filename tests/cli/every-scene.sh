@@ -2,13 +2,13 @@
 # Responses by both methods, folds and motions of every scene that is shipped and that these commands take: a few points of few
 # modes each, for the sanitizers, which see what a result does not show. A scene that the table lacks fails.
 # SPDX-License-Identifier: GPL-3.0-or-later
-. "$SRCDIR/tests/cli/lib.sh"
-
-scenes=$top/notebooks-data/scenes
 # A report of a sanitizer has an exit status of its own; without these it has that of a refusal.
 ASAN_OPTIONS=${ASAN_OPTIONS:+$ASAN_OPTIONS:}exitcode=99
 UBSAN_OPTIONS=${UBSAN_OPTIONS:+$UBSAN_OPTIONS:}exitcode=99
 export ASAN_OPTIONS UBSAN_OPTIONS
+. "$SRCDIR/tests/cli/lib.sh"
+
+scenes=$top/notebooks-data/scenes
 
 # ends STATUS: so, without a report of a sanitizer.
 ends() {

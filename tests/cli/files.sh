@@ -60,6 +60,7 @@ refuses 4 "$scratch/gnuplot was ended by signal 9; no picture is written" \
 try "nor a killed one" holds ""
 unset HAWSER_GNUPLOT
 
+unserved
 umask 027
 works "a new file" statics "$chairlift" --tsv out.tsv
 try "has the mode of the umask" test "$(stat -c %a out.tsv)" = 640
@@ -121,17 +122,17 @@ grep -v '^#' "$scratch/out" >rows
 mkfifo ../pipe
 printf '%s' "$plain" >../pipe &
 works "a model out of a pipe" frf ../pipe --from 0.5 --to 2
-wait
+wait $!
 grep -v '^#' "$scratch/out" | try "gives the same rows" diff rows -
 cat "$chairlift" >../pipe &
 works "a scene out of a pipe" integrate ../pipe --Omega 0.9w1 --until 1 --every 0.5
-wait
+wait $!
 echo '{"n": 1, "K": [[1, 2]]}' >../pipe &
 refuses_like 1 '^hawser: \.\./pipe: K\[0\]' frf ../pipe
-wait
+wait $!
 cat "$chairlift" >../pipe &
 works "for statics too" statics ../pipe --points 2
-wait
+wait $!
 cat "$chairlift" >"$scratch/in"
 run frf /dev/stdin --to 0.7w1
 try "and a scene as /dev/stdin" said 0

@@ -26,16 +26,19 @@ damping: {ratio: 0.4 %}
 load: {frame: local, per_length: [0, 0.03, 0.02]}
 END
 works "a stay" folds stay.yaml -n 5 --from 0.9w1 --to 1.1w2 --no-isolas --json stay.json -q
-works "a fibre rope" folds fibre.yaml -n 6 --from 0.9w1 --to 1.15w2 --no-isolas -q \
-	--json fibre.json --tsv fibre.tsv
-works "a short span" folds short.yaml -n 4 --from 0.9w1 --to 1.08w2 --no-isolas --json short.json -q
+# the third of a kind takes as long as the other two
+[ -z "${HAWSER_LONG:-}" ] || works "a fibre rope" folds fibre.yaml -n 6 --from 0.9w1 --to 1.15w2 --no-isolas -q --json fibre.json
+works "a short span" folds short.yaml -n 4 --from 0.9w1 --to 1.08w2 --no-isolas --json short.json --tsv short.tsv -q
 works "a short span, from the other end" folds short.yaml -n 4 --from 1.08w2 --to 0.9w1 \
 	--no-isolas --json trohs.json -q
 python "the least loads, whichever end comes first" <<'END'
-import json
-r = {name: json.load(open(name + ".json")) for name in ("stay", "fibre", "short", "trohs")}
+import json, os
+r = {name: json.load(open(name + ".json")) for name in ("stay", "fibre", "short", "trohs") if os.path.exists(name + ".json")}
+assert len(r) == 3 + bool(os.environ.get("HAWSER_LONG"))
 for name, load, omega in (("stay", 0.10928966, 4.129865), ("fibre", 0.1779702, 9.6095665),
                           ("short", 0.15484598, 546.28084), ("trohs", 0.15484598, 546.28084)):
+    if name not in r:
+        continue
     assert abs(r[name]["least_load"] - load) < 1e-6*load, (name, r[name]["least_load"])
     assert abs(r[name]["least_Omega"] - omega) < 1e-6*omega, (name, r[name]["least_Omega"])
     assert r[name]["least_kind"] == "cusp" and r[name]["nearly_linear"], name
@@ -45,8 +48,8 @@ for name, load, omega in (("stay", 0.10928966, 4.129865), ("fibre", 0.1779702, 9
 assert sorted(round(c["least_load"], 6) for c in r["stay"]["curves"]) == [0.10929, 0.148698]
 END
 try "the table says what was searched" \
-	grep -q '^# searched: load factor 0.172631, Omega .* rad/s, from both ends: 0 folds$' fibre.tsv
-try "and where jumps begin" grep -q '^# jumps begin at load factor 0.17797.*(cusp)$' fibre.tsv
+	grep -q '^# searched: load factor 0.150201, Omega .* rad/s, from both ends: 0 folds$' short.tsv
+try "and where jumps begin" grep -q '^# jumps begin at load factor 0.154845.*(cusp)$' short.tsv
 # the response at 0.4 of the load, to compare: the folds that the stay's curves pass there
 works "the stay at 0.4 of its load" frf stay.yaml -n 5 --from 0.9w1 --to 1.1w2 --json frf.json -q \
 	--set 'load.per_length=[0, 10, 7.2]'

@@ -43,9 +43,9 @@ assert os.listdir(".") == [output], os.listdir(".")
 os.remove(output)
 END
 	for signal in SIGINT SIGTERM; do
-		try "frf, $signal" python3 ../check.py "$HAWSER" $signal out.json \
+		try "frf, $signal" python3 -S ../check.py "$HAWSER" $signal out.json \
 			frf "$chairlift" --step 1e-6 --max-points 100000000
-		try "integrate, $signal" python3 ../check.py "$HAWSER" $signal out.json \
+		try "integrate, $signal" python3 -S ../check.py "$HAWSER" $signal out.json \
 			integrate "$chairlift" --Omega 0.9w1 --until 1e6T --every 1T
 	done
 else

@@ -185,7 +185,7 @@ refuses 1 "--from-label pair.json#1: that is no result of hawser frf with labels
 refuses 1 "--from-label pair-frf.json#2 says where to start, and so does --at: give one of them" \
 	frf pair.json --from-label pair-frf.json#2 --at 1
 refuses_like 1 "its state is not one of this model" frf cascade.json --from-label pair-frf.json#2
-refuses 1 "--from-label pair-frf.json#2: that motion is at Omega = $(python3 - <<'END'
+refuses 1 "--from-label pair-frf.json#2: that motion is at Omega = $(python3 -S - <<'END'
 import sys; sys.path.insert(0, ".")
 from lib import *
 print("%.9g" % labels(load("pair-frf"))[2]["Omega"])

@@ -16,11 +16,38 @@ duffing=$top/tests/reference/duffing-nlvib-01.json
 mkdir "$scratch/work"
 cd "$scratch/work" || exit 1
 
+# The commands of run() are run by a program that is loaded once a script (tests/serve.c), where make check names it.
+HAWSER_SERVER=${HAWSER_SERVER:-}
+serving=$HAWSER_SERVER
+if [ "$serving" ]; then
+	mkfifo "$scratch/asks" "$scratch/answers"
+	"$HAWSER_SERVER" serve <"$scratch/asks" >"$scratch/answers" &
+	server=$!
+	exec 8>"$scratch/asks" 9<"$scratch/answers"
+fi
+judge=
+trap 'end_servers; rm -rf "$scratch"' EXIT
+end_servers() {
+	[ -z "$HAWSER_SERVER" ] || { printf '%s\0' -1 >&8; wait "$server"; }
+	[ -z "$judge" ] || { printf '\n\n' >&6; wait "$judge"; }
+}
+
 # run ARGUMENTS: leaves $status, $scratch/out and $scratch/err; the input is $scratch/in, if any.
 : >"$scratch/in"
 run() {
+	if [ "$serving" ]; then
+		export -p >"$scratch/env"
+		printf '%s\0' $# "$PWD" "$scratch" "$@" >&8
+		read -r status <&9 || status="no answer"
+		return
+	fi
 	"$HAWSER" "$@" <"$scratch/in" >"$scratch/out" 2>"$scratch/err"
 	status=$?
+}
+
+# unserved: from here on each run starts the program, with what the shell has set (its umask).
+unserved() {
+	serving=
 }
 
 # commands: the names that hawser --help lists, one a line; some have two words.
@@ -118,20 +145,33 @@ holds() {
 }
 
 # python TEXT: passes when the program on standard input does; it may import json, csv, math, sys (-S: no
-# packages of the site, whose search takes half of the start).
+# packages of the site, whose search takes half of the start). A python started once forks for each.
 python() {
 	if command -v python3 >/dev/null; then
 		cat >"$scratch/check.py"
-		try "$1" python3 -S "$scratch/check.py"
+		[ -n "$judge" ] || start_judge
+		try "$1" judged
 	else
 		cat >/dev/null
 		skip "$1: python3 is not installed"
 	fi
 }
 
+start_judge() {
+	mkfifo "$scratch/cases" "$scratch/verdicts" || exit 1
+	python3 -S "$SRCDIR/tests/cli/serve.py" <"$scratch/cases" >"$scratch/verdicts" &
+	judge=$!
+	exec 6>"$scratch/cases" 7<"$scratch/verdicts"
+}
+
+judged() {
+	printf '%s\n' "$PWD" "$scratch" >&6
+	read -r answer <&7 && return "$answer"
+}
+
 # terminals: whether a pseudo-terminal can be opened, which needs Python and a mounted /dev/pts.
 terminals() {
-	python3 -c 'import pty; pty.openpty()' >/dev/null 2>&1
+	python3 -S -c 'import pty; pty.openpty()' >/dev/null 2>&1
 }
 no_terminal="no pseudo-terminal can be opened (no python3, or /dev/pts is not mounted)"
 

@@ -19,7 +19,7 @@ model() {
 	"Q": [[0, 0, 1, 2], [1, 0, 0, 1]], "harmonics": [{"k": 1, "f": [0.01*p, 0]}]}' ;;
 	mathieu) echo '{"n": 1, "D": [[0.05*d]], "K": [[1]], "C": [[0, 0, 0, 0, 0.5]],
 	"harmonics": [{"k": 1, "phase": "cos", "K": [[0.3*p]]}]}' ;;
-	esac | python3 -c "import re, sys
+	esac | python3 -S -c "import re, sys
 print(re.sub(r'([0-9.]+)\*([pd])', lambda m: repr(float(m[1])*{'p': $2, 'd': $3}[m[2]]), sys.stdin.read()))"
 }
 for name in cascade string pair mathieu; do model $name 1 1 >$name.json; done

@@ -102,16 +102,16 @@ states = json.load(open("on.json"))["states"]
 assert max(abs(a - b) for s in states for a, b in zip(s, states[0])) < 1e-7
 END
 
-# a cable that is slowed down for 8 s: cut before that is over, and after
+# a cable that is slowed down for 4 s: cut before that is over, and after
 sed 's/^  fluctuation:.*//' "$top/notebooks-data/scenes/b-table-5.4.yaml" >../brake.yaml
-run="integrate ../brake.yaml --set travel.braking=8 --every 0.5 --Omega 1 -n 3"
+run="integrate ../brake.yaml --set travel.braking=4 --every 0.5 --Omega 1 -n 3"
 # shellcheck disable=SC2086 # words
-works "braking, through" $run --until 10 --json whole.json
-for cut in 5 9; do
+works "braking, through" $run --until 5 --json whole.json
+for cut in 2.5 4.5; do
 	# shellcheck disable=SC2086 # words
 	{
 	works "braking, to $cut s" $run --until $cut --json part.json
-	works "braking, on" $run --until 10 --json rest.json --continue part.json
+	works "braking, on" $run --until 5 --json rest.json --continue part.json
 	}
 	refuses 1 "--continue part.json: that is a result of another scene, with another value of \
 travel.braking; --initial begins anew from its last state" $run --set travel.braking=7 --continue part.json
@@ -176,7 +176,7 @@ third = run()
 assert third.returncode == 0, third.stderr
 END
 	# shellcheck disable=SC2086 # words
-	try "a checkpoint that is in use is refused; a killed owner's is not" python3 ../lock.py "$HAWSER" $map \
+	try "a checkpoint that is in use is refused; a killed owner's is not" python3 -S ../lock.py "$HAWSER" $map \
 		--tsv again.tsv
 	try "and the map is the same" cmp whole.tsv again.tsv
 	# progress where standard error is a terminal, and nothing where it is not
@@ -202,7 +202,7 @@ END
 	for command in "$curve" "integrate ../two.json --Omega 1.1" "$map"; do
 		if terminals; then
 			# shellcheck disable=SC2086 # words
-			try "${command%% *}: progress on a terminal" python3 ../terminal.py "$HAWSER" $command
+			try "${command%% *}: progress on a terminal" python3 -S ../terminal.py "$HAWSER" $command
 		else
 			skip "${command%% *}: progress on a terminal: $no_terminal"
 		fi

@@ -41,7 +41,7 @@ for key in sys.argv[3].split(","):
 END
 same() {
 	if command -v python3 >/dev/null; then
-		try "$1" python3 same.py "$2" "$3" "$4"
+		try "$1" python3 -S same.py "$2" "$3" "$4"
 	else
 		skip "$1: python3 is not installed"
 	fi

@@ -73,7 +73,7 @@ works "doublings that change from sub- to supercritical" locus general.json --ki
 for a in -0.029054276161 -0.027054276161; do
 	[ -n "${HAWSER_LONG:-}" ] || continue
 	works "its response" frf general.json --set a=$a --from 1.6 --to 2 --json general-frf.json -q
-	label=$(python3 -c "import json; print([e['label'] for e in json.load(open('general-frf.json'))['events']][0])")
+	label=$(python3 -S -c "import json; print([e['label'] for e in json.load(open('general-frf.json'))['events']][0])")
 	works "the normal form" orbit general.json --from-label "general-frf.json#$label" --set a=$a --json form$a.json -q
 done
 if [ -n "${HAWSER_LONG:-}" ]; then
@@ -81,10 +81,10 @@ if [ -n "${HAWSER_LONG:-}" ]; then
 	works "tori that change from super- to subcritical" locus "$duffing" --kind torus --over mu=0.01:0.3 --at 0.3 \
 		--from 1.3851 --to 2.2507 --json chenciner.json -q
 	for at in 0.99 1.01; do
-		mu=$(python3 -c "import json
+		mu=$(python3 -S -c "import json
 print([repr($at*e['parameter']) for c in json.load(open('chenciner.json'))['curves'] for e in c['events'] if e['kind'] == 'chenciner'][0])")
 		works "a response beside it" frf "$duffing" --set "mu=$mu" --from 1.7 --to 1.8 --json beside.json -q
-		label=$(python3 -c "import json
+		label=$(python3 -S -c "import json
 print([e['label'] for e in json.load(open('beside.json'))['events'] if e['kind'] == 'torus'][0])")
 		works "its normal form" orbit "$duffing" --from-label "beside.json#$label" --set "mu=$mu" --json "torus-$at.json" -q
 	done

@@ -217,9 +217,9 @@ sound irvine
 
 # without growth the Campbell diagram has no panels of zeros, and its colours are told
 scenes=$top/notebooks-data/scenes
-works "a Campbell diagram" campbell "$scenes/b-table-5.3.yaml" -n 3 --points 3 --spacing "60 m" \
+works "a Campbell diagram" campbell "$scenes/b-table-5.3.yaml" -n 2 --points 2 --spacing "60 m" \
 	--set damping.ratio=0.01 --plot campbell.svg -q
-shows campbell "in plane, no damping: all real parts 0" "mode 1" "mode 2" excitation "limit speed"
+shows campbell "in plane, no damping: all real parts 0" "mode 1" excitation "limit speed"
 try "no panel of zeros" sh -c '! grep -q "Real part" campbell.svg'
 sound campbell
 

@@ -21,12 +21,15 @@ sed 's/8e-1/8e5/' >loads.yaml <<END
 END
 run statics loads.yaml -q
 try "a load of a list" grep -q 'loads.1.per_length = 800000 N/m looks wrong: .* plausible with 0.8 N/m' "$scratch/err"
-run beam "$top/notebooks-data/scenes/d-figure-9.10.yaml" --set beam.v=1e6 --basis 8 -n 1 -q
-try "a beam without dimensions has none" test -z "$(grep 'looks* wrong' "$scratch/err")"
+run beam "$top/notebooks-data/scenes/d-figure-9.10.yaml" --set beam.v=1e6 --to 1 --until 1
+try "a beam without dimensions has none" test "$(grep -c 'different questions' "$scratch/err")" -eq 1 -a -z "$(grep 'looks* wrong' "$scratch/err")"
 
 for scene in "$top"/notebooks-data/scenes/*.yaml; do
-	run statics "$scene" -q
-	[ "$status" -eq 0 ] || run plan "$scene" -q
+	case ${scene##*/} in
+		net-*|rod-*|ropeway-*) run check "$scene" ;; # statics computes for seconds
+		*) run statics "$scene" -q ;;
+	esac
+	[ "$status" -eq 0 ] || run check "$scene"
 	[ -z "$(grep 'looks* wrong' "$scratch/err")" ] || echo "${scene##*/}: $(cat "$scratch/err")"
 done | nothing "no scene of the tables has a warning"
 done_testing

@@ -34,14 +34,14 @@ if [ -n "${HAWSER_LONG:-}" ]; then
 			"$scenes/parametric-amplifier.json" --set mu=0.11666666666666667 --from 0.9 --to 1.2 --method $method
 	done
 	# the isola at eps 0.2: a motion of eps 0.5 is followed there
-	label=$(python3 -c "import json
+	label=$(python3 -S -c "import json
 print(max((p['label'] for p in json.load(open('duffing-0.5.json'))['points'] if p.get('label') and
            p['coordinates'][0] > 2.8 and p['Omega'] < 1.85 and p['coordinates'][1] > 2.9)))")
 	works "towards the isola" frf "$duffing" --from-label "duffing-0.5.json#$label" --over eps=0.5:0.2 --json over.json -q
-	label=$(python3 -c "import json; print(json.load(open('over.json'))['points'][-1]['label'])")
+	label=$(python3 -S -c "import json; print(json.load(open('over.json'))['points'][-1]['label'])")
 	response isola "fold 1.8801 fold 1.7660 torus 1.7706 fold 1.8472 fold 1.8038" "$duffing" --from-label "over.json#$label" \
 		--set eps=0.2 --from 1.3851 --to 2.2507
-	python3 - <<'END'
+	python3 -S - <<'END'
 import json
 from math import pi
 # Coupled Mathieu equations, eps 0.265 and 0.275

@@ -26,7 +26,7 @@ json.dump({"hawser_rom": 1, "n": 3, "first_order": True, "parameters": {"b0": 0.
           open("prey.json", "w"))
 END
 begin() { # begin EPS START STATE
-	python3 model.py "$1"
+	python3 -S model.py "$1"
 	echo "{\"state\": [$3]}" >start.json
 	works "eps $1" frf prey.json --over b0="$2":0.174 --Omega 3.141592653589793 --start start.json --step 0.2 \
 		--max-points 30 --json "fold-$1.json" -q
@@ -72,7 +72,7 @@ for eps in ${HAWSER_LONG:+0.21} 0.22; do
 	echo '{"n": 1, "K": [[1]], "D": [[0.1]], "terms": [[0, [0, 0, 0], [], -0.1]], "harmonics": [{"k": 1, "phase": "cos",
  "K": [[-EPS]], "terms": [[0, [0, 0, 0], [], 0.1EPS]]}]}' | sed "s/0.1EPS/0.0${eps#0.}/; s/EPS/$eps/" >mathieu.json
 	works "a nonlinear Mathieu equation" frf mathieu.json --from 2.5967 --to 1.598 --json mathieu-$eps.json -q
-	label=$(python3 -c "import json
+	label=$(python3 -S -c "import json
 print([e['label'] for e in json.load(open('mathieu-$eps.json'))['branches'][0]['events'] if e['kind'] == 'fold'][0])")
 	works "the motion at its fold" orbit mathieu.json --from-label mathieu-$eps.json#$label --json fold-$eps.json -q
 done

@@ -64,7 +64,7 @@ assert branch(speed, 0, "speeds")[-1] < branch(speed, 0, "speeds")[0]
 assert height["stations"][0]["value"] == 15 and height["swept"] == "ropeway.towers.p0.at.1" and height["unit"] == "m"
 assert 4 < ends["ended"]["value"] < 10 and "lifts off" in ends["ended"]["why"] and len(ends["stations"]) == 3
 END2
-value=$(python3 -c 'import json; print(repr(json.load(open("veer"))[0]))' 2>/dev/null)
+value=$(python3 -S -c 'import json; print(repr(json.load(open("veer"))[0]))' 2>/dev/null)
 works "the modes at a veering" modes "$small" $one -n 12 --set "ropeway.bottom.tension.counterweight=$value" --json veered.json -q
 python "  have its gap" <<'END2'
 import json

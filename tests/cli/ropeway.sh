@@ -111,7 +111,7 @@ try "  of both lanes" test "$(grep -c ' to ' spans.tsv)" -ge 6
 works "a profile" statics "$small" --profile --tsv profile.tsv -q
 
 # fixed carriages: the same rope length as the empty loop at this tension
-python3 - "$small" >fixed.yaml <<'END2'
+python3 -S - "$small" >fixed.yaml <<'END2'
 import sys
 print(open(sys.argv[1]).read().replace("counterweight: 168 kN", "T_empty: 84 kN"))
 END2
@@ -124,7 +124,7 @@ assert abs(fixed["loop0"] - again["loop0"]) < 1e-6 and abs(again["counterweight"
 assert fixed["counterweight"]["T0"] > 90000 and fixed["counterweight"]["travel"] == 0
 END2
 works "  by its length" statics fixed.yaml --json length.json -q \
-	--set "ropeway.bottom.tension={length0: $(python3 -c 'import json; print(repr(json.load(open("again.json"))["loop0"]))')}"
+	--set "ropeway.bottom.tension={length0: $(python3 -S -c 'import json; print(repr(json.load(open("again.json"))["loop0"]))')}"
 python "  the same state" <<'END2'
 import json
 a, b = json.load(open("fixed.json")), json.load(open("length.json"))

@@ -72,7 +72,7 @@ ends() {
 	after=$2
 	files=$3
 	shift 3
-	try "$signal: $(echo "$*" | sed "s|$top/||g")" python3 ../send.py "$signal" "$after" "$files" "$HAWSER" "$@"
+	try "$signal: $(echo "$*" | sed "s|$top/||g")" python3 -S ../send.py "$signal" "$after" "$files" "$HAWSER" "$@"
 }
 scenes=$top/notebooks-data/scenes
 

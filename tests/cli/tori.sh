@@ -42,13 +42,13 @@ assert sides.count("1") == sides.count("-1") == len(curve["points"])
 assert any("tori 1: end: range" in line for line in open("tori.tsv"))
 assert ">tori<" in open("tori.svg").read()
 END
-label=$(python3 -c "import json; print([e['label'] for e in json.load(open('tori.json'))['events'] if e['kind'] == 'torus'][0])")
+label=$(python3 -S -c "import json; print([e['label'] for e in json.load(open('tori.json'))['events'] if e['kind'] == 'torus'][0])")
 works "its torus point" orbit "$rayleigh" --from-label "tori.json#$label" --json point.json -q
 if [ -n "${HAWSER_LONG:-}" ]; then
 	for eps in 0.5 0.8; do
 		works "unstable tori" frf "$top/notebooks-data/scenes/parametric-duffing.json" --set eps=$eps --from 1.3851 --to 1.75 --tori \
 			--json hard.json -q
-		label=$(python3 -c "import json; print([e['label'] for e in json.load(open('hard.json'))['events'] if e['kind'] == 'torus'][0])")
+		label=$(python3 -S -c "import json; print([e['label'] for e in json.load(open('hard.json'))['events'] if e['kind'] == 'torus'][0])")
 		works "their torus point" orbit "$top/notebooks-data/scenes/parametric-duffing.json" --set eps=$eps \
 			--from-label "hard.json#$label" --json hard-point.json -q
 		python "is subcritical" <<'END'

@@ -12,7 +12,7 @@ works "with modes to be chosen" frf "$speed" --set model.condense=static --set m
 	--from 1.05w1 --to 1.2w1 --step 0.02 --json auto.json
 works "a model" rom "$speed" --json rom.json
 # The frequencies of a file are those of its few coordinates: its w1 is another.
-range=$(python3 -c 'import json; print("--from %.17g --to %.17g" % tuple(json.load(open("frf.json"))["range"]))')
+range=$(python3 -S -c 'import json; print("--from %.17g --to %.17g" % tuple(json.load(open("frf.json"))["range"]))')
 works "which is one for other commands" frf rom.json $range --step 0.02 --json file.json
 works "braking" integrate "$brake" --until 7 --every 0.5 --json brake.json
 works "a model that brakes" rom "$brake" --json ramp.json

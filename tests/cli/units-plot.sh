@@ -163,11 +163,10 @@ same() {
 	name=$1
 	units=$2
 	shift 2
-	"$HAWSER" "$@" --plot "$name.png" -q >"$scratch/out" 2>"$scratch/err" &&
-		"$HAWSER" "$@" --units "$units" --plot "$name-us.png" -q >"$scratch/out" 2>"$scratch/err"
-	status=$?
+	run "$@" --plot "$name.png" -q
+	[ "$status" -ne 0 ] || run "$@" --units "$units" --plot "$name-us.png" -q
 	called 0 "$@"
-	verdict $status "$words draws"
+	verdict "$status" "$words draws"
 	printf '%s\t%s\n' "$name" "$units" >>pictures
 }
 

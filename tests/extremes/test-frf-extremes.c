@@ -211,10 +211,12 @@ static void check_escape(void)
 	struct hawser_rom rom;
 	struct hawser_frf frf;
 	struct hawser_report report = {.message = ""};
+	/* the search for an orbit integrates many periods, which are long at low frequencies */
+	double from = getenv("HAWSER_LONG") ? 0.05 : 0.5;
 
 	if (make(&rom, 1, 0.05, -1.0, 10.0))
 		return;
-	ok(trace(&frf, &rom, 0.05, 2.0, 1e-9, &report) == HAWSER_ERR_CONVERGENCE &&
+	ok(trace(&frf, &rom, from, 2.0, 1e-9, &report) == HAWSER_ERR_CONVERGENCE &&
 	   report.message[0], "no bounded orbit: %s", report.message);
 	hawser_frf_clear(&frf);
 	hawser_rom_clear(&rom);

@@ -168,7 +168,7 @@ static void solve(struct sweep_point *point, const double *x, void *context)
 	const struct cable *cable = context;
 	double rest, w1;
 
-	point->skip = cable->modes ? sweep_left_out(5, 1) : sweep_left_out(1, 5);
+	point->skip = cable->modes ? sweep_left_out(7, 1) : sweep_left_out(1, 5);
 	if (point->skip)
 		return;
 	point->status = model(&rom, &rest, cable, x[LOAD], &point->report);
