@@ -190,8 +190,8 @@ static void warn(const struct cli_model_error *error, int number)
 	if (number > 1)
 		snprintf(branch, sizeof branch, "branch %d: ", number);
 	if (error->compared)
-		snprintf(text, sizeof text, "%s%s may be off by %.0f %%: so far is the model of another size: a "
-		         "larger one (model.basis, or -n of a ropeway) may be closer", branch, error->about,
+		snprintf(text, sizeof text, "%s%s may be off by %.0f %%: so far is the model of another size: "
+		         "a larger one (model.basis, or -n of a ropeway) may be closer", branch, error->about,
 		         100.0*error->fixed.estimated);
 	else
 		snprintf(text, sizeof text, "%s%s may be off by %s%.0f %% because of what the model leaves "

@@ -452,7 +452,7 @@ works "a small response" frf "$chairlift" --set 'load.per_length=[0, 0, 0.001]' 
 works "its half-power points" damping small.tsv --half-power --json largest.json -q
 works "of the column by its name" damping small.tsv --half-power --x Omega_rad_s --y z_mid_m --json name.json -q
 works "and by its number" damping small.tsv --half-power --y 9 --json number.json -q
-works "of another" damping small.tsv --half-power --y u_1_m --json other.json -q
+works "of another" damping small.tsv --half-power --y z_quarter_m --json other.json -q
 python "the ratio is that of the scene, alpha over twice rho omega" <<'END'
 import json
 largest, name, number, other = (json.load(open(n + ".json")) for n in ("largest", "name", "number", "other"))
