@@ -52,19 +52,22 @@ static enum hawser_status with_modes(struct hawser_frf *frf, const struct cli_fr
 	return status;
 }
 
-static enum hawser_status against_more(struct hawser_accuracy_fixed *fixed,
+static enum hawser_status against_more(struct cli_model_error *error,
                                        const struct cli_frf_result *result,
                                        struct hawser_report *report)
 {
 	struct cli_watch watch = {{.quiet = result->common->quiet}, "frf: with more modes"};
 	const struct hawser_progress progress = {cli_watch, &watch};
+	struct hawser_accuracy_fixed *fixed = &error->fixed;
 	struct hawser_frf most = {.n = 0}, fewer = {.n = 0};
 	double start = cli_seconds(), own = NAN, other = NAN;
 	int modes = many(result->model->rom.n);
 	enum hawser_status status = with_modes(&most, result, modes, progress, report);
 
+	error->second = 3*modes/5;
+
 	if (!status)
-		status = with_modes(&fewer, result, 3*modes/5, progress, report);
+		status = with_modes(&fewer, result, error->second, progress, report);
 	if (!status)
 		status = hawser_accuracy_distance(&own, result->frf, NULL, &most, NULL, 0.0, report);
 	if (!status)
@@ -119,7 +122,7 @@ enum hawser_status cli_fixed_estimate(struct cli_frf_result *result, struct haws
 	                    fmax(result->from, result->to)))
 		return HAWSER_OK;
 	status = model->ropeway
-	         ? against_more(&error->fixed, result, &why)
+	         ? against_more(error, result, &why)
 	         : hawser_accuracy_fixed(&error->fixed, &model->rom, result->frf, model->modes.n,
 	                                 &model->statics, &model->scene, result->from, result->to, &why);
 	return conclude(error, status, &why, report);
@@ -159,9 +162,13 @@ void cli_fixed_comments(struct hawser__table *table, const struct cli_model_erro
 		return;
 	}
 	if (error->compared) {
-		hawser__table_comment(table, "error of the model: about %.2g of %s, from responses with %d "
-		                      "and %d modes", fixed->estimated, error->about, fixed->looked_at,
-		                      3*fixed->looked_at/5);
+		char second[32] = "";
+
+		if (error->second > 0)
+			snprintf(second, sizeof second, " and %d", error->second);
+		hawser__table_comment(table, "error of the model: about %.2g of %s, by comparison with models "
+		                      "of %d%s coordinates", fixed->estimated, error->about,
+		                      fixed->looked_at, second);
 		return;
 	}
 	hawser__table_comment(table, "%serror of the model: %s%.2g of %s, to first order "

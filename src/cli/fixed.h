@@ -13,7 +13,8 @@ struct hawser__table;
 
 struct cli_model_error {
 	int stated;        /* 1: it, or why it is not known, belongs to the result */
-	int compared;      /* 1: by the response of a model with more modes, else mode by mode */
+	int compared;      /* 1: by the motion of a model of another size, else mode by mode */
+	int second;        /* coordinates of a second such model, beside fixed.looked_at; 0: none */
 	int timed;         /* 1: with the time that the estimate took */
 	const char *about; /* "folds and peaks" */
 	struct hawser_accuracy_fixed fixed; /* estimated: NAN if it is not known */
