@@ -91,6 +91,7 @@ static _Noreturn void run_here(int count, char **word)
 	redirect(2, "err", O_WRONLY | O_CREAT | O_TRUNC);
 	if (chdir(word[0]))
 		_exit(126);
+	free(word[1]); /* else it would count as leaked */
 	argument[-1] = (char[]){"hawser"};
 	exit(cli_main(count + 1, argument - 1));
 }
