@@ -91,13 +91,15 @@ static enum hawser_status trace(struct hawser_frf *frf, struct hawser_frf_option
 		.most_functions = FUNCTIONS};
 	struct hawser_report why = {.message = ""};
 	enum hawser_status status;
-	int count = resonances(model, options, &status, report);
+	int count = resonances(model, options, &status, &why);
 
 	if (status || count > RESONANCES) {
 		snprintf(model->exact.failed, sizeof model->exact.failed, "the range has %d natural "
 		         "frequencies: narrow it to %d or fewer, or ask for model.energy: exact", count,
 		         RESONANCES);
-		return status;
+		if (status)
+			snprintf(model->exact.failed, sizeof model->exact.failed, "%s", why.message);
+		return HAWSER_OK;
 	}
 	if (choice.frf.max_points == 0 || choice.frf.max_points > POINTS)
 		choice.frf.max_points = POINTS;
@@ -121,6 +123,7 @@ static enum hawser_status trace(struct hawser_frf *frf, struct hawser_frf_option
 		         : better.slack ? "the cable goes slack in much of this response"
 		         : better.frf.end == HAWSER_END_MAX_POINTS
 		         ? "it takes too many points: narrow the range, or ask for it by model.energy: exact"
+		         : better.frf.end == HAWSER_END_INTERRUPTED ? "it was interrupted"
 		         : better.tries == 0 ? "the range reaches modes that need a larger basis"
 		         : "no two bases agree");
 		status = HAWSER_OK;
