@@ -5,8 +5,9 @@
  *   low       e(low) <= LIMIT, 0 at first;  high  e(high) > LIMIT, or the cable is slack there
  *
  * e grows with a power of a, which two errors give, so that interpolation in the logarithms of both
- * finds e = LIMIT in a few steps; where e is not finite, the interval is halved. The largest
- * amplitude comes first: most models of taut cables are right there, and nothing is sought.
+ * finds e = LIMIT in a few steps; where e is not finite, the interval is halved. The first guess is
+ * the largest amplitude, where most models of taut cables are right, and then twice the range of the
+ * mode before, since ranges fall with the frequency.
  * What is found with one basis is confirmed with the next one, or sought again with that.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -19,7 +20,8 @@
 #include "rom/law.h"
 
 #define LIMIT HAWSER_LAW_LIMIT
-#define FIRST 0.25   /* factor on the amplitude until an error is below the limit; chosen */
+#define LESS 0.25    /* factors on the amplitude until an error is below the limit, or above; chosen */
+#define MORE 2.0
 #define CLOSE 1.03   /* high/low at the end: the range is known to 3 %; chosen */
 #define SURE 0.2     /* part of the limit that the exact law may move with a larger basis; chosen */
 #define LEAST 1e-6   /* smallest amplitude that is tried, of the largest one; chosen */
@@ -110,22 +112,27 @@ static double between(const struct trial *low, const struct trial *high)
 	return exp(fmin(fmax(at, log(low->a) + 0.05*width), log(high->a) - 0.05*width));
 }
 
-/* The range up to `most`, with the present basis: *low is the last trial within the limit. */
-static struct trial search(struct trial *low, struct hawser__law *law, double most)
+/* The range up to `most`, with the present basis, from a guess on: *low is the last trial within the
+ * limit. */
+static struct trial search(struct trial *low, struct hawser__law *law, double most, double guess)
 {
-	struct trial high = try(law, most);
+	struct trial next = try(law, guess), high = next;
 
-	*low = within(&high) ? high : (struct trial){.a = 0.0};
-	for (int i = 0; low->a == 0.0 && high.a > LEAST*most && i < TRIES; i++) {
-		struct trial next = try(law, FIRST*high.a);
-
+	*low = within(&next) ? next : (struct trial){.a = 0.0};
+	while (within(&high) && high.a < most) {
+		*low = high;
+		high = try(law, fmin(MORE*high.a, most));
+	}
+	while (low->a == 0.0 && high.a > LEAST*most) {
+		next = try(law, LESS*high.a);
 		*(within(&next) ? low : &high) = next;
 	}
-	for (int i = 0; low->a > 0.0 && high.a > CLOSE*low->a && i < TRIES; i++) {
-		struct trial next = try(law, between(low, &high));
-
+	for (int i = 0; !within(&high) && low->a > 0.0 && high.a > CLOSE*low->a && i < TRIES; i++) {
+		next = try(law, between(low, &high));
 		*(within(&next) ? low : &high) = next;
 	}
+	if (within(&high))
+		*low = high;
 	return high;
 }
 
@@ -150,8 +157,14 @@ static enum hawser_range_end end_of(const struct trial *low, const struct trial 
 	return within(high) ? HAWSER_RANGE_AT_LEAST : HAWSER_RANGE_FORCE;
 }
 
+/* Two laws that share nothing but the cable agree well: no larger basis is needed. */
+static int clear_of_limit(const struct trial *high)
+{
+	return within(high) && high->error < SURE*LIMIT;
+}
+
 static enum hawser_status find(struct hawser_rom_range *range, struct hawser__law *law, int j,
-                               double most, struct hawser_report *report)
+                               double most, double guess, struct hawser_report *report)
 {
 	struct trial low = {.a = 0.0}, high = low;
 	enum hawser_status status;
@@ -160,12 +173,12 @@ static enum hawser_status find(struct hawser_rom_range *range, struct hawser__la
 	status = hawser__law_hold(law, &found, j, 0, report);
 	if (status || !found)
 		return status;
-	high = search(&low, law, most);
-	while (low.a > 0.0 && law->basis + 1 < HAWSER__LAW_BASES) {
+	high = search(&low, law, most, guess);
+	while (low.a > 0.0 && !clear_of_limit(&high) && law->basis + 1 < HAWSER__LAW_BASES) {
 		status = hawser__law_hold(law, &found, j, law->basis + 1, report);
 		if (status || !found || confirmed(law, &low))
 			break;
-		high = search(&low, law, most);
+		high = search(&low, law, most, low.a);
 	}
 	range->end = found ? end_of(&low, &high) : HAWSER_RANGE_UNKNOWN;
 	range->amplitude = range->end ? low.a : 0.0;
@@ -175,7 +188,7 @@ static enum hawser_status find(struct hawser_rom_range *range, struct hawser__la
 enum hawser_status hawser_law_range(struct hawser_rom *rom, const struct hawser_statics *statics,
                                     const double *reached, struct hawser_report *report)
 {
-	double most = fmax(0.5*statics->sag, 0.05*statics->span.d);
+	double most = fmax(0.5*statics->sag, 0.05*statics->span.d), guess = most;
 	struct hawser__law law;
 	enum hawser_status status = hawser__law_open(&law, rom, statics, report);
 
@@ -187,7 +200,9 @@ enum hawser_status hawser_law_range(struct hawser_rom *rom, const struct hawser_
 		if (reached)
 			most = fabs(reached[j])*range->largest;
 		if (most > 0.0 && hawser__law_is_mode(rom, j))
-			status = find(range, &law, j, most, report);
+			status = find(range, &law, j, most, reached ? most : fmin(guess, most), report);
+		if (range->end)
+			guess = MORE*range->amplitude;
 	}
 	hawser__law_close(&law);
 	return status;
