@@ -72,8 +72,9 @@ enum hawser_status hawser_law_range(struct hawser_rom *rom, const struct hawser_
                                     const double *reached,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* The coordinate of a motion that exceeds its range by the largest factor, -1 if none does or none is
- * known, for reached[n] as above. */
+/* The coordinate of a motion that exceeds its range by the largest factor, -1 if none does; for
+ * reached[n] as above. Ranges that are not known, that are at least what was sought, or that end where
+ * the cable is slack, are not exceeded. */
 int hawser_law_exceeded(const struct hawser_rom *rom, const double *reached);
 
 #ifdef __cplusplus

@@ -328,8 +328,22 @@ static enum hawser_status backbone(struct cli_backbone *to, const struct setting
 	                          result->to, settings->common.quiet, report);
 }
 
-static enum hawser_status write_result(struct cli_frf_result *result, int energy,
-                                       struct hawser_report *report)
+/* A curve over a key of the scene has other models than that of the scene. */
+static void warn_range(struct cli_model *model, const struct cli_frf_result *result)
+{
+	double *reached;
+
+	if (result->over && cli_over_needs_scene(result->over->axis.key))
+		return;
+	reached = cli_range_reach(NULL, model, result->frf->coordinate, result->frf->points, model->rom.n);
+	for (int k = 0; k < result->others; k++)
+		reached = cli_range_reach(reached, model, result->other[k].frf->coordinate,
+		                          result->other[k].frf->points, model->rom.n);
+	cli_range_warn(model, reached);
+}
+
+static enum hawser_status write_result(struct cli_frf_result *result, struct cli_model *model,
+                                       int energy, struct hawser_report *report)
 {
 	struct cli_showing showing = cli_frf_showing;
 	enum hawser_status status;
@@ -348,6 +362,8 @@ static enum hawser_status write_result(struct cli_frf_result *result, int energy
 		cli_fixed_warn_worst(result);
 	if (!status)
 		cli_exact_warn(result->model);
+	if (!status)
+		warn_range(model, result);
 	if (!status && cli_frf_slack(text, sizeof text, result))
 		cli_warn(text);
 	if (!status && cli_frf_lift(text, sizeof text, result))
@@ -472,7 +488,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		result.overlays += more;
 	}
 	if (!written && (!status || (settings->partial && frf.points > 0)))
-		written = write_result(&result, settings->energy, status ? &second : report);
+		written = write_result(&result, &model, settings->energy, status ? &second : report);
 	if (status && written)
 		cli_report_also(report, &second);
 	if (!status)

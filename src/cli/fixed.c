@@ -5,6 +5,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "cli/progress.h"
@@ -218,6 +219,44 @@ void cli_fixed_warn_worst(const struct cli_frf_result *result)
 			worst = other;
 	}
 	warn(&worst->error, worst->frf->branch);
+}
+
+double *cli_range_reach(double *reached, const struct cli_model *model, const double *u, int rows,
+                        int stride)
+{
+	size_t n = (size_t)model->rom.n;
+
+	if (model->rom.exact || !model->rom.range)
+		return NULL;
+	if (!reached)
+		reached = calloc(n, sizeof *reached);
+	for (int i = 0; reached && i < rows; i++)
+		for (size_t j = 0; j < n; j++)
+			reached[j] = fmax(reached[j], fabs(u[(size_t)i*(size_t)stride + j]));
+	return reached;
+}
+
+void cli_range_warn(struct cli_model *model, double *reached)
+{
+	struct hawser_rom *rom = &model->rom;
+	char text[CLI_WARNING_SIZE];
+	int j = -1;
+
+	/* what cannot be judged is not known, and nothing is said */
+	if (reached && !cli_interrupted() &&
+	    (!model->has_scene || !hawser_law_range(rom, &model->statics, reached, NULL)))
+		j = hawser_law_exceeded(rom, reached);
+	if (j < 0) {
+		free(reached);
+		return;
+	}
+	snprintf(text, sizeof text, "coordinate u_%d (%s) moves by up to %.3g m: the force that holds it "
+	         "there at rest, all others relaxed, is that of the cable within %.0f %% up to %.3g m "
+	         "only, and what moves further may be off: take model.energy: exact, or other modes "
+	         "(hawser rom prints the range of each)", j + 1, rom->label ? rom->label[j] : "mode",
+	         reached[j]*rom->range[j].largest, 100.0*HAWSER_LAW_LIMIT, rom->range[j].amplitude);
+	free(reached);
+	cli_warn(text);
 }
 
 static int is_stated(const void *row, const void *parent)

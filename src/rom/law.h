@@ -42,6 +42,10 @@ int hawser__law_even(const struct hawser__law *law);
 /* A coordinate that is a mode of the cable, not a shape of a damper or of second order. */
 int hawser__law_is_mode(const struct hawser_rom *rom, int j);
 
+/* The words of the reduced-model file for enum hawser_range_end, NULL at the end.
+ * read_range.c. */
+extern const char *const hawser__range_ends[];
+
 /* rom->range of a model of `modes`, without amplitudes. HAWSER_ERR_MEMORY. */
 enum hawser_status hawser__range_make(struct hawser_rom *rom, const struct hawser_modes *modes,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;

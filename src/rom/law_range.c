@@ -25,7 +25,8 @@
 #define CLOSE 1.03   /* high/low at the end: the range is known to 3 %; chosen */
 #define SURE 0.2     /* part of the limit that the exact law may move with a larger basis; chosen */
 #define LEAST 1e-6   /* smallest amplitude that is tried, of the largest one; chosen */
-enum { TRIES = 40 }; /* more than the intervals above allow */
+enum { TRIES = 40,   /* more than the intervals above allow */
+       DIGITS = 3 };
 
 /* Largest displacement of mode j along the cable: its square at the points of the grid, and near the
  * largest one a parabola, since the points are off the true largest by up to half their distance. */
@@ -163,6 +164,14 @@ static int clear_of_limit(const struct trial *high)
 	return within(high) && high->error < SURE*LIMIT;
 }
 
+/* Down to DIGITS significant digits, so that round-off, which is that of the processor, is not told. */
+static double rounded(double a)
+{
+	double unit = pow(10.0, floor(log10(a)) - (DIGITS - 1));
+
+	return unit*floor(a/unit);
+}
+
 static enum hawser_status find(struct hawser_rom_range *range, struct hawser__law *law, int j,
                                double most, double guess, struct hawser_report *report)
 {
@@ -182,6 +191,8 @@ static enum hawser_status find(struct hawser_rom_range *range, struct hawser__la
 	}
 	range->end = found ? end_of(&low, &high) : HAWSER_RANGE_UNKNOWN;
 	range->amplitude = range->end ? low.a : 0.0;
+	if (range->end == HAWSER_RANGE_FORCE || range->end == HAWSER_RANGE_SLACK)
+		range->amplitude = rounded(low.a);
 	return status;
 }
 
@@ -217,8 +228,7 @@ int hawser_law_exceeded(const struct hawser_rom *rom, const double *reached)
 		const struct hawser_rom_range *range = &rom->range[j];
 		double times = fabs(reached[j])*range->largest/range->amplitude;
 
-		if (range->end == HAWSER_RANGE_UNKNOWN || range->end == HAWSER_RANGE_AT_LEAST ||
-		    !(times > worst))
+		if (range->end != HAWSER_RANGE_FORCE || !(times > worst))
 			continue;
 		worst = times;
 		which = j;

@@ -107,6 +107,7 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/read.h \
 	%D%/read_ends.c \
 	%D%/read_known.c \
+	%D%/read_range.c \
 	%D%/shapes.c \
 	%D%/support.c \
 	%D%/support.h \
