@@ -29,7 +29,9 @@
 /* Functions per component of the bases; chosen. The largest that a model may have is 33. */
 static const int functions[HAWSER__LAW_BASES] = {16, 24, 32};
 enum { FIRST_BENT = 1, /* with bending stiffness: its layers at held ends need more */
-       PARTS = 8 };    /* steps to the amplitude where one step finds no minimum; chosen */
+       PARTS = 16 };   /* steps to the amplitude where one step finds no minimum; chosen */
+#define LOOSE 0.05     /* least tension, of the largest one, of a cable that is slack elsewhere or nearly
+                        * so, where no minimum is found; chosen */
 #define SETTLED 1e-3   /* `exact` may still move by this with a larger basis, of the force */
 
 void hawser__law_close(struct hawser__law *law)
@@ -38,6 +40,7 @@ void hawser__law_close(struct hawser__law *law)
 	for (int b = 0; b < HAWSER__LAW_BASES; b++) {
 		hawser__relax_clear(&law->exact[b]);
 		hawser_rom_clear(&law->full[b]);
+		free(law->strain[b]);
 	}
 }
 
@@ -75,9 +78,11 @@ static enum hawser_status make_basis(struct hawser__law *law, int b, struct haws
 	if (law->full[b].n > 0)
 		return HAWSER_OK;
 	status = hawser_rom_build_full(&law->full[b], law->statics, NULL, functions[b], report);
-	if (!status && hawser__relax_new(&law->exact[b], &law->full[b]))
-		status = hawser__no_memory(report, "law");
-	return status;
+	if (status)
+		return status;
+	law->strain[b] = malloc((size_t)law->full[b].exact->points*sizeof *law->strain[b]);
+	return hawser__relax_new(&law->exact[b], &law->full[b]) || !law->strain[b]
+	       ? hawser__no_memory(report, "law") : HAWSER_OK;
 }
 
 static void free_others(struct hawser__relax *relax, int held)
@@ -129,36 +134,37 @@ enum hawser_status hawser__law_hold(struct hawser__law *law, int *found, int j, 
 	return HAWSER_OK;
 }
 
-/* From the second-order state, or else in PARTS steps. */
-static int relax_to(struct hawser__relax *relax, int held, double u)
+/* In equal steps of the coordinate. */
+static int walk(struct hawser__relax *relax, int held, double u, int parts)
 {
-	relax->y[held] = u;
-	hawser__relax_place(relax);
-	if (hawser__relax(relax, fabs(u)))
-		return 1;
-	relax->y[held] = u/PARTS;
+	relax->y[held] = u/parts;
 	hawser__relax_place(relax);
 	for (int k = 1; hawser__relax(relax, fabs(u)); k++) {
-		double grows = (k + 1.0)/k;
-
-		if (k == PARTS)
+		if (k == parts)
 			return 1;
-		for (int i = 0; i < relax->frees; i++)
-			relax->y[relax->freed[i]] *= grows*grows;
-		relax->y[held] = u*(k + 1)/PARTS;
+		hawser__relax_along(relax, held, u/parts);
 	}
 	return 0;
 }
 
-/* The law, and the tensions; NAN and 0 if there is no minimum. */
+/* From the second-order state, or else in steps. */
+static int relax_to(struct hawser__relax *relax, int held, double u)
+{
+	return walk(relax, held, u, 1) || walk(relax, held, u, PARTS);
+}
+
+/* The law, and the tensions; NAN and 0 if there is no minimum: then the tensions are those where it was
+ * sought last. */
 static int hold(double *law, double tension[2], struct hawser__relax *relax, int held, double u)
 {
 	const double *T = relax->T + (size_t)held*(size_t)relax->N;
 	double K = relax->rom->K[(size_t)held*((size_t)relax->N + 1)], R;
 
 	*law = tension[0] = tension[1] = NAN;
-	if (!relax_to(relax, held, u))
+	if (!relax_to(relax, held, u)) {
+		(void)hawser_rom_tensions(relax->rom, &tension[0], &tension[1], relax->y);
 		return 0;
+	}
 	R = relax->R[held];
 	for (int i = 0; i < relax->frees; i++) {
 		R += T[relax->freed[i]]*relax->step[i];
@@ -169,15 +175,30 @@ static int hold(double *law, double tension[2], struct hawser__relax *relax, int
 	return isfinite(*law);
 }
 
+/* In the state of the present basis, also one that is no minimum. */
+static int slack(const struct hawser__law *law)
+{
+	const struct hawser_rom_exact *exact = law->full[law->basis].exact;
+	double *strain = law->strain[law->basis], least = 0.0;
+
+	hawser__exact_strain(exact, strain, law->exact[law->basis].y, NULL);
+	for (int p = 0; p < exact->points; p++)
+		least = fmin(least, strain[p]);
+	return least < 0.0;
+}
+
 void hawser__law_exact(struct hawser__law *law, struct hawser_law_point *point)
 {
 	double u = law->sign*point->u;
 
+	int found = hold(&point->exact, point->tension, &law->exact[law->basis], law->twin, u);
+
 	point->functions = functions[law->basis];
-	if (!hold(&point->exact, point->tension, &law->exact[law->basis], law->twin, u))
-		point->end = HAWSER_LAW_NO_EXACT;
-	else if (point->tension[0] < 0.0)
+	/* in tension there is always a minimum, and it is found */
+	if (slack(law) || point->tension[0] < (found ? 0.0 : LOOSE*point->tension[1]))
 		point->end = HAWSER_LAW_SLACK;
+	else if (!found)
+		point->end = HAWSER_LAW_NO_EXACT;
 }
 
 void hawser__law_at(struct hawser__law *law, struct hawser_law_point *point)

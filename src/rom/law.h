@@ -19,6 +19,7 @@ struct hawser__law {
 	struct hawser__relax model;  /* of `rom` */
 	struct hawser_rom full[HAWSER__LAW_BASES];
 	struct hawser__relax exact[HAWSER__LAW_BASES];
+	double *strain[HAWSER__LAW_BASES]; /* at the quadrature points of the full-order model */
 };
 
 enum hawser_status hawser__law_open(struct hawser__law *law, const struct hawser_rom *rom,

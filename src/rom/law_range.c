@@ -151,11 +151,10 @@ static enum hawser_range_end end_of(const struct trial *low, const struct trial 
 {
 	if (low->a == 0.0)
 		return HAWSER_RANGE_UNKNOWN;
-	if (high->end == HAWSER_LAW_NO_EXACT)
-		return HAWSER_RANGE_UNKNOWN;
 	if (high->end == HAWSER_LAW_SLACK)
 		return HAWSER_RANGE_SLACK;
-	return within(high) ? HAWSER_RANGE_AT_LEAST : HAWSER_RANGE_FORCE;
+	return within(high) || high->end == HAWSER_LAW_NO_EXACT ? HAWSER_RANGE_AT_LEAST
+	                                                         : HAWSER_RANGE_FORCE;
 }
 
 /* Two laws that share nothing but the cable agree well: no larger basis is needed. */

@@ -138,3 +138,19 @@ int hawser__relax(struct hawser__relax *w, double size)
 	}
 	return 0;
 }
+
+void hawser__relax_along(struct hawser__relax *w, int held, double du)
+{
+	const double *T = w->T + (size_t)held*(size_t)w->N;
+	int m = w->frees, lda = m > 0 ? m : 1;
+
+	for (int i = 0; i < m; i++) {
+		w->y[w->freed[i]] += w->step[i];
+		w->step[i] = -du*T[w->freed[i]];
+	}
+	w->y[held] += du;
+	/* with a factor of the right size this cannot fail */
+	if (LAPACKE_dpotrs(LAPACK_COL_MAJOR, 'L', m, 1, w->matrix, lda, w->step, lda) == 0)
+		for (int i = 0; i < m; i++)
+			w->y[w->freed[i]] += w->step[i];
+}

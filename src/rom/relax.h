@@ -24,6 +24,10 @@ void hawser__relax_clear(struct hawser__relax *relax);
  * of the motion; the last Newton step, which is not made, is 1e-9 of it or less. 0: no minimum found. */
 int hawser__relax(struct hawser__relax *relax, double size);
 
+/* From a minimum that hawser__relax has found on: move coordinate `held` by du, and the relaxed ones along
+ * the tangent of the minima. */
+void hawser__relax_along(struct hawser__relax *relax, int held, double du);
+
 /* The relaxed coordinates to second order in the held ones, which relax->y has: those that balance the
  * quadratic part of the force, each with its own stiffness (K is diagonal). */
 void hawser__relax_place(struct hawser__relax *relax);
