@@ -291,23 +291,18 @@ static enum hawser_status export(const struct settings *settings, const struct c
 	return status;
 }
 
-enum { JUDGED = 40 }; /* most coordinates of a model whose ranges are sought: half a second; chosen */
-
-/* The ranges of a model of a scene, whose forces are needed for that. */
+/* The ranges of a model of a scene. */
 static enum hawser_status judge(struct cli_model *model, struct hawser_report *report)
 {
 	struct hawser_rom *rom = &model->rom;
-	enum hawser_status status = HAWSER_OK;
 
-	if (!model->has_scene || rom->exact || rom->n > JUDGED)
+	if (!model->has_scene || rom->exact || rom->n - rom->inertia.shapes > CLI_JUDGED)
 		return HAWSER_OK;
-	if (!rom->kernel)
-		status = hawser_rom_compile(rom, report);
-	return status ? status : hawser_law_range(rom, &model->statics, NULL, report);
+	return hawser_law_range(rom, &model->statics, NULL, report);
 }
 
-/* The forces of a model of which only the file is wanted are not needed: without a table or comments,
- * which tell the asymmetry, and without an export, which contains a computed orbit. */
+/* The forces of a model of many modes of which only the file is wanted are not needed: without a table or
+ * comments, which tell the asymmetry, and without an export, which contains a computed orbit. */
 static enum hawser_status load(struct cli_model *model, const struct settings *settings,
                                struct hawser_report *report)
 {
