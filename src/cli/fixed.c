@@ -242,9 +242,11 @@ void cli_range_warn(struct cli_model *model, double *reached)
 	char text[CLI_WARNING_SIZE];
 	int j = -1;
 
-	/* what cannot be judged is not known, and nothing is said */
+	/* who asks for modes at rest, to repeat a source, knows that the model is too stiff; what cannot
+	 * be judged is not known, and nothing is said */
 	if (reached && !cli_interrupted() &&
-	    (!model->has_scene || !hawser_law_range(rom, &model->statics, reached, NULL)))
+	    (!model->has_scene || (model->scene.model.condense == HAWSER_CONDENSE_STATIC &&
+	                           !hawser_law_range(rom, &model->statics, reached, NULL))))
 		j = hawser_law_exceeded(rom, reached);
 	if (j < 0) {
 		free(reached);
