@@ -83,7 +83,8 @@ static int draw(struct cable *cable, struct chance *chance)
 	         hawser_modes_solve(&cable->modes, &cable->st, &options, NULL);
 	snprintf(cable->what, sizeof cable->what, "d %.4g m, h %.4g m, sag/d %.3g, EA/H %.3g, %d %s",
 	         scene->span.d, scene->span.h, cable->st.sag/scene->span.d, scene->cable.EA/H,
-	         scene->attachments, scene->attachments && scene->attach[0].mass > 0.0 ? "masses" : "springs");
+	         scene->attachments,
+	         scene->attachments && scene->attach[0].mass > 0.0 ? "masses" : "springs");
 	return failed;
 }
 
@@ -295,7 +296,8 @@ static void compare(struct ratios size[FEW], struct ratios omega[FEW], struct ca
 			struct hawser_rom rom = {.n = 0};
 
 			if (!build(&rom, cable, 1, few[k]) && !peak_of(&found, &axis, &rom, from, to)) {
-				double off = fabs(found.size/truth.size - 1.0), shift = fabs(found.omega/truth.omega - 1.0);
+				double off = fabs(found.size/truth.size - 1.0);
+				double shift = fabs(found.omega/truth.omega - 1.0);
 
 				add(&size[k], off);
 				add(&omega[k], shift);
@@ -325,9 +327,9 @@ static void judge_backbones(int count, uint64_t seed, double show)
 			}
 		clear(&cable);
 	}
-	printf("peaks of the first %d modes, %d cables, seed %llu\n%5s %6s | %8s %8s %8s | %8s %8s %8s\n", HELD,
-	       count, (unsigned long long)seed, "modes", "peaks", "size 50", "90 %", "largest", "Omega 50",
-	       "90 %", "largest");
+	printf("peaks of the first %d modes, %d cables, seed %llu\n"
+	       "%5s %6s | %8s %8s %8s | %8s %8s %8s\n", HELD, count, (unsigned long long)seed,
+	       "modes", "peaks", "size 50", "90 %", "largest", "Omega 50", "90 %", "largest");
 	for (int k = 0; k < FEW; k++) {
 		printf("%5d %6d | %8.1e %8.1e %8.1e | %8.1e %8.1e %8.1e\n", few[k], size[k].count,
 		       tally_quantile(&size[k], 0.5), tally_quantile(&size[k], 0.9),

@@ -30,16 +30,17 @@ struct hawser_law_point {
 	double model, exact; /* force over (stiffness times coordinate), minus 1; NAN if not found */
 	double error;     /* estimated absolute error of `exact`: how far it moved with the last larger
 	                   * basis */
-	double tension[2], model_tension[2]; /* smallest and largest on the cable, N; NAN if not found */
+	double tension[2], model_tension[2]; /* smallest and largest on the cable, N; without a
+	                                     * minimum, where it was sought last */
 	int functions;    /* per component, of the basis of `exact` */
 	enum hawser_law_end end;
 };
 
-/* Fill point[count], whose amplitudes are given, for coordinate j of a model of these statics. Bases grow
- * until `exact` moves by less than a thousandth of
- * the force, or have 32 functions a component. Statuses: HAWSER_ERR_ARGUMENT (a coordinate that is
- * no mode of the cable, a model with exact energy or without modes, an amplitude that is 0 or not
- * finite), HAWSER_ERR_CONVERGENCE (no basis resolves the mode), those of hawser_rom_build_full. */
+/* Fill point[count], whose amplitudes are given, for coordinate j of a model of these statics. Bases
+ * grow until `exact` moves by less than a thousandth of the force, or have 32 functions a component.
+ * Statuses: HAWSER_ERR_ARGUMENT (a coordinate that is no mode of the cable, a model with exact energy or
+ * without modes, an amplitude that is 0 or not finite), HAWSER_ERR_CONVERGENCE (no basis resolves the
+ * mode), those of hawser_rom_build_full. */
 enum hawser_status hawser_law_trace(struct hawser_law_point *point, int count,
                                     const struct hawser_rom *rom,
                                     const struct hawser_statics *statics, int j,

@@ -133,7 +133,8 @@ static void range_comment(struct hawser__table *table, const struct hawser_rom *
 {
 	static const char *const beyond[] = {
 		[HAWSER_RANGE_FORCE] = "beyond, its force at rest is off by more",
-		[HAWSER_RANGE_AT_LEAST] = "not sought further", [HAWSER_RANGE_SLACK] = "the cable is slack beyond"};
+		[HAWSER_RANGE_AT_LEAST] = "not sought further",
+		[HAWSER_RANGE_SLACK] = "the cable is slack beyond"};
 	const struct hawser_rom_range *range = &rom->range[j];
 
 	if (range->end != HAWSER_RANGE_UNKNOWN)
@@ -301,8 +302,8 @@ static enum hawser_status judge(struct cli_model *model, struct hawser_report *r
 	return hawser_law_range(rom, &model->statics, NULL, report);
 }
 
-/* The forces of a model of many modes of which only the file is wanted are not needed: without a table or
- * comments, which tell the asymmetry, and without an export, which contains a computed orbit. */
+/* The forces of a model of many modes of which only the file is wanted are not needed: without a table
+ * or comments, which tell the asymmetry, and without an export, which contains a computed orbit. */
 static enum hawser_status load(struct cli_model *model, const struct settings *settings,
                                struct hawser_report *report)
 {

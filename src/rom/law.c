@@ -30,8 +30,8 @@
 static const int functions[HAWSER__LAW_BASES] = {16, 24, 32};
 enum { FIRST_BENT = 1, /* with bending stiffness: its layers at held ends need more */
        PARTS = 16 };   /* steps to the amplitude where one step finds no minimum; chosen */
-#define LOOSE 0.05     /* least tension, of the largest one, of a cable that is slack elsewhere or nearly
-                        * so, where no minimum is found; chosen */
+#define LOOSE 0.05     /* least tension, of the largest one, of a cable that is slack elsewhere or
+                        * nearly so, where no minimum is found; chosen */
 #define SETTLED 1e-3   /* `exact` may still move by this with a larger basis, of the force */
 
 void hawser__law_close(struct hawser__law *law)

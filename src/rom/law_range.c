@@ -20,8 +20,8 @@
 #include "rom/law.h"
 
 #define LIMIT HAWSER_LAW_LIMIT
-#define LESS 0.25    /* factors on the amplitude until an error is below the limit, or above; chosen */
-#define MORE 2.0
+#define LESS 0.25    /* factor on the amplitude until an error is below the limit; chosen */
+#define MORE 2.0     /* the same until it is above; chosen */
 #define CLOSE 1.03   /* high/low at the end: the range is known to 3 %; chosen */
 #define SURE 0.2     /* part of the limit that the exact law may move with a larger basis; chosen */
 #define LEAST 1e-6   /* smallest amplitude that is tried, of the largest one; chosen */

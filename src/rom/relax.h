@@ -20,12 +20,13 @@ struct hawser__relax {
 int hawser__relax_new(struct hawser__relax *relax, const struct hawser_rom *rom);
 void hawser__relax_clear(struct hawser__relax *relax);
 
-/* Minimise the energy over the relaxed coordinates, from relax->y on, which has the held ones. size > 0:
- * of the motion; the last Newton step, which is not made, is 1e-9 of it or less. 0: no minimum found. */
+/* Minimise the energy over the relaxed coordinates, from relax->y on, which has the held ones. size > 0
+ * is that of the motion; the last Newton step, which is not made, is 1e-9 of it or less. 0: no minimum
+ * found. */
 int hawser__relax(struct hawser__relax *relax, double size);
 
-/* From a minimum that hawser__relax has found on: move coordinate `held` by du, and the relaxed ones along
- * the tangent of the minima. */
+/* From a minimum that hawser__relax has found on: move coordinate `held` by du, and the relaxed ones
+ * along the tangent of the minima. */
 void hawser__relax_along(struct hawser__relax *relax, int held, double du);
 
 /* The relaxed coordinates to second order in the held ones, which relax->y has: those that balance the

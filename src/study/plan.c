@@ -113,8 +113,8 @@ static enum hawser_status judge(char *text, size_t size, struct hawser_rom *rom,
 	return status;
 }
 
-/* The effect of the inertia of condensed modes on the scene's own model, its ranges, and how its forces are
- * evaluated. */
+/* The effect of the inertia of condensed modes on the scene's own model, its ranges, and how its forces
+ * are evaluated. */
 static enum hawser_status weigh_own(struct hawser_survey *survey, const struct hawser_plan *plan,
                                         struct hawser_report *report)
 {

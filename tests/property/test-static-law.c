@@ -354,7 +354,8 @@ static void check_reached(void)
 	u[0] = 0.7/span.rom.range[0].largest;
 	u[3] = 0.9/span.rom.range[3].largest;
 	ok(!hawser_law_range(&span.rom, &span.st, u, NULL) &&
-	   span.rom.range[0].end == HAWSER_RANGE_AT_LEAST && span.rom.range[1].end == HAWSER_RANGE_UNKNOWN &&
+	   span.rom.range[0].end == HAWSER_RANGE_AT_LEAST &&
+	   span.rom.range[1].end == HAWSER_RANGE_UNKNOWN &&
 	   span.rom.range[3].end == HAWSER_RANGE_FORCE && span.rom.range[3].amplitude < 0.9,
 	   "in-plane 2 at 0.9 m: %g m", span.rom.range[3].amplitude);
 	ok(hawser_law_exceeded(&span.rom, u) == 3, "exceeded");
