@@ -38,8 +38,8 @@ struct hawser_law_point {
 
 /* Fill point[count], whose amplitudes are given, for coordinate j of a model of these statics. Bases
  * grow until `exact` moves by less than a thousandth of the force, or have 32 functions a component.
- * Statuses: HAWSER_ERR_ARGUMENT (a coordinate that is no mode of the cable, a model with exact energy or
- * without modes, an amplitude that is 0 or not finite), HAWSER_ERR_CONVERGENCE (no basis resolves the
+ * Statuses: HAWSER_ERR_ARGUMENT (a coordinate that is no mode of the cable, a model with exact energy
+ * or without modes, an amplitude that is 0 or not finite), HAWSER_ERR_CONVERGENCE (no basis resolves the
  * mode), those of hawser_rom_build_full. */
 enum hawser_status hawser_law_trace(struct hawser_law_point *point, int count,
                                     const struct hawser_rom *rom,
