@@ -24,8 +24,8 @@ enum hawser_law_end {
 };
 
 struct hawser_law_point {
-	double amplitude; /* given, m: the coordinate times the largest displacement of its shape along
-	                   * the cable; its sign is that of the coordinate */
+	double amplitude; /* given, m: the coordinate times the largest displacement of its shape (`largest`
+	                   * below); its sign is that of the coordinate */
 	double u;         /* the coordinate, scaled */
 	double model, exact; /* force over (stiffness times coordinate), minus 1; NAN if not found */
 	double error;     /* estimated absolute error of `exact`: how far it moved with the last larger
@@ -39,8 +39,8 @@ struct hawser_law_point {
 /* Fill point[count], whose amplitudes are given, for coordinate j of a model of these statics. Bases
  * grow until `exact` moves by less than a thousandth of the force, or have 32 functions a component.
  * Statuses: HAWSER_ERR_ARGUMENT (a coordinate that is no mode of the cable, a model with exact energy
- * or without modes, an amplitude that is 0 or not finite), HAWSER_ERR_CONVERGENCE (no basis resolves the
- * mode), those of hawser_rom_build_full. */
+ * or without modes, an amplitude that is 0 or not finite), HAWSER_ERR_CONVERGENCE (no basis resolves
+ * the mode), those of hawser_rom_build_full. */
 enum hawser_status hawser_law_trace(struct hawser_law_point *point, int count,
                                     const struct hawser_rom *rom,
                                     const struct hawser_statics *statics, int j,
@@ -57,8 +57,8 @@ enum hawser_range_end {
 };
 
 struct hawser_rom_range {
-	double largest;   /* largest displacement of the coordinate's shape along the cable, m for a
-	                   * coordinate of 1 (scaled) */
+	double largest;   /* largest displacement of the coordinate's shape along the cable, or stroke of
+	                   * an absorber, m for a coordinate of 1 (scaled) */
 	double amplitude; /* m: up to this displacement the static law is within HAWSER_LAW_LIMIT; 0 if
 	                   * not known. Divided by `largest` it is |u_j| */
 	enum hawser_range_end end;

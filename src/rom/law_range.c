@@ -17,6 +17,7 @@
 #include <stdlib.h>
 
 #include "core/report.h"
+#include "modes/label.h"
 #include "rom/law.h"
 
 #define LIMIT HAWSER_LAW_LIMIT
@@ -51,6 +52,16 @@ static double largest(const struct hawser_modes *modes, int j)
 	return sqrt(bend < 0.0 ? y[1] - slope*slope/(4.0*bend) : y[1]);
 }
 
+/* Largest stroke of an absorber: where one moves by itself, the cable hardly does. */
+static double stroke(const struct hawser_modes *modes, int j)
+{
+	double most = 0.0;
+
+	for (int i = 0; modes->stroke && i < modes->statics.attachments; i++)
+		most = fmax(most, fabs(hawser__stroke(modes, j, i)));
+	return most;
+}
+
 enum hawser_status hawser__range_make(struct hawser_rom *rom, const struct hawser_modes *modes,
                                       struct hawser_report *report)
 {
@@ -59,7 +70,7 @@ enum hawser_status hawser__range_make(struct hawser_rom *rom, const struct hawse
 		return hawser__no_memory(report, "rom");
 	for (int j = 0; j < rom->n; j++)
 		if (modes->mode[j].number > 0)
-			rom->range[j].largest = rom->length*largest(modes, j);
+			rom->range[j].largest = rom->length*fmax(largest(modes, j), stroke(modes, j));
 	return HAWSER_OK;
 }
 
