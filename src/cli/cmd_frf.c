@@ -328,20 +328,6 @@ static enum hawser_status backbone(struct cli_backbone *to, const struct setting
 	                          result->to, settings->common.quiet, report);
 }
 
-/* A curve over a key of the scene has other models than that of the scene. */
-static void warn_range(struct cli_model *model, const struct cli_frf_result *result)
-{
-	double *reached;
-
-	if (result->over && cli_over_needs_scene(result->over->axis.key))
-		return;
-	reached = cli_range_reach(NULL, model, result->frf->coordinate, result->frf->points, model->rom.n);
-	for (int k = 0; k < result->others; k++)
-		reached = cli_range_reach(reached, model, result->other[k].frf->coordinate,
-		                          result->other[k].frf->points, model->rom.n);
-	cli_range_warn(model, reached);
-}
-
 static enum hawser_status write_result(struct cli_frf_result *result, struct cli_model *model,
                                        int energy, struct hawser_report *report)
 {
@@ -363,7 +349,7 @@ static enum hawser_status write_result(struct cli_frf_result *result, struct cli
 	if (!status)
 		cli_exact_warn(result->model);
 	if (!status)
-		warn_range(model, result);
+		cli_range_warn_frf(model, result);
 	if (!status && cli_frf_slack(text, sizeof text, result))
 		cli_warn(text);
 	if (!status && cli_frf_lift(text, sizeof text, result))

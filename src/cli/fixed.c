@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/frf_over.h"
 #include "cli/progress.h"
 #include "cli/rom_ropeway.h"
 #include "cli/view.h"
@@ -259,6 +260,20 @@ void cli_range_warn(struct cli_model *model, double *reached)
 	         reached[j]*rom->range[j].largest, 100.0*HAWSER_LAW_LIMIT, rom->range[j].amplitude);
 	free(reached);
 	cli_warn(text);
+}
+
+/* A curve over a key of the scene has other models than that of the scene. */
+void cli_range_warn_frf(struct cli_model *model, const struct cli_frf_result *result)
+{
+	double *reached;
+
+	if (result->over && cli_over_needs_scene(result->over->axis.key))
+		return;
+	reached = cli_range_reach(NULL, model, result->frf->coordinate, result->frf->points, model->rom.n);
+	for (int k = 0; k < result->others; k++)
+		reached = cli_range_reach(reached, model, result->other[k].frf->coordinate,
+		                          result->other[k].frf->points, model->rom.n);
+	cli_range_warn(model, reached);
 }
 
 static int is_stated(const void *row, const void *parent)

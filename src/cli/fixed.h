@@ -51,5 +51,7 @@ double *cli_range_reach(double *reached, const struct cli_model *model, const do
 /* Says on standard error that a coordinate moves beyond its range (law.h), and frees `reached`. The
  * ranges of a model of a scene are sought up to there. */
 void cli_range_warn(struct cli_model *model, double *reached);
+/* The same for the curves of a response. */
+void cli_range_warn_frf(struct cli_model *model, const struct cli_frf_result *result);
 
 #endif
