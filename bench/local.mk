@@ -60,6 +60,12 @@ CLEANFILES += %D%/plan-times
 %C%_plan_times_SOURCES = %D%/plan-times.c %D%/estimates-tally.c
 %C%_plan_times_LDADD = $(UPTO_STUDY)
 
+# static laws and peaks of reduced models of random cables against exact energy; it takes minutes
+EXTRA_PROGRAMS += %D%/judge
+CLEANFILES += %D%/judge
+%C%_judge_SOURCES = %D%/judge.c %D%/estimates-tally.c
+%C%_judge_LDADD = $(UPTO_STUDY)
+
 # events of random models, traced both ways; a thousand take some minutes
 EXTRA_PROGRAMS += %D%/events
 CLEANFILES += %D%/events

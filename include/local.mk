@@ -24,6 +24,7 @@ pkginclude_HEADERS = \
 	%D%/hawser/irvine.h \
 	%D%/hawser/line.h \
 	%D%/hawser/line_modes.h \
+	%D%/hawser/law.h \
 	%D%/hawser/line_rom.h \
 	%D%/hawser/linear.h \
 	%D%/hawser/locus.h \

@@ -21,6 +21,7 @@ tests_rom_SOURCES = tests/cases.c \
 	tests/property/test-rom-space.c \
 	tests/property/test-rom-swung.c \
 	tests/property/test-rom-travel.c \
+	tests/property/test-static-law.c \
 	tests/unit/test-own-file.c \
 	tests/unit/test-rom-build.c \
 	tests/unit/test-rom-file.c \

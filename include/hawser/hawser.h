@@ -38,6 +38,7 @@
 #include <hawser/tow.h>
 #include <hawser/plugin.h>
 #include <hawser/rom.h>
+#include <hawser/law.h>
 #include <hawser/line_rom.h>
 #include <hawser/choose.h>
 #include <hawser/integrate.h>

@@ -204,6 +204,7 @@ struct hawser_rom {
 	struct hawser_rom_contacts contacts;
 	struct hawser_rom_known known;
 	struct hawser_rom_inertia inertia;
+	struct hawser_rom_range *range; /* [n], found by hawser_law_range; NULL of models that have none */
 	struct hawser_rom_kernel *kernel; /* compiled form for the hot loops; made by _compile */
 	struct hawser_rom_drag *drag;     /* quadratic drag, only for integration and shooting; or NULL */
 	double *mass;              /* [n][n] by whose inverse the equations of a file were multiplied, for

@@ -177,8 +177,11 @@ const char *cli_input_name(const struct cli_common *common); /* "<stdin>" for "-
 /* Where the path is "-", standard input becomes a file that can be read again: what kind of scene it is
  * is read first. */
 enum hawser_status cli_hold_input(const char *path, struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Most modes of a model whose ranges (hawser/law.h) are sought unasked: half a second; chosen. */
+enum { CLI_JUDGED = 40 };
 /* n > 0 overrides the scene's modes. With modes: auto the model is made later, for the range of
- * frequencies, by cli_choice_build or _trace. _entries: only written (hawser_rom_build_entries). */
+ * frequencies, by cli_choice_build or _trace. _entries: one of more than CLI_JUDGED modes is only
+ * written (hawser_rom_build_entries). */
 enum hawser_status cli_model_load(struct cli_model *model, const struct cli_common *common, int n,
                                   struct hawser_report *report) HAWSER_MUST_CHECK;
 enum hawser_status cli_model_entries(struct cli_model *model, const struct cli_common *common, int n,

@@ -101,6 +101,9 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	}
 	if (!status)
 		status = cli_show(&settings->common, &cli_folds_showing, &result, report);
+	if (!status)
+		cli_range_warn(&model, cli_range_reach(NULL, &model, folds.coordinate, folds.points,
+		                                       model.rom.n));
 	hawser_folds_clear(&folds);
 	cli_model_clear(&model);
 	return status;

@@ -328,8 +328,8 @@ static enum hawser_status backbone(struct cli_backbone *to, const struct setting
 	                          result->to, settings->common.quiet, report);
 }
 
-static enum hawser_status write_result(struct cli_frf_result *result, int energy,
-                                       struct hawser_report *report)
+static enum hawser_status write_result(struct cli_frf_result *result, struct cli_model *model,
+                                       int energy, struct hawser_report *report)
 {
 	struct cli_showing showing = cli_frf_showing;
 	enum hawser_status status;
@@ -348,6 +348,8 @@ static enum hawser_status write_result(struct cli_frf_result *result, int energy
 		cli_fixed_warn_worst(result);
 	if (!status)
 		cli_exact_warn(result->model);
+	if (!status)
+		cli_range_warn_frf(model, result);
 	if (!status && cli_frf_slack(text, sizeof text, result))
 		cli_warn(text);
 	if (!status && cli_frf_lift(text, sizeof text, result))
@@ -472,7 +474,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		result.overlays += more;
 	}
 	if (!written && (!status || (settings->partial && frf.points > 0)))
-		written = write_result(&result, settings->energy, status ? &second : report);
+		written = write_result(&result, &model, settings->energy, status ? &second : report);
 	if (status && written)
 		cli_report_also(report, &second);
 	if (!status)

@@ -276,7 +276,7 @@ static enum hawser_status solve(struct hawser_trajectory *run, struct cli_integr
 	return status;
 }
 
-static enum hawser_status write_result(struct cli_integrate_result *result,
+static enum hawser_status write_result(struct cli_integrate_result *result, struct cli_model *model,
                                        struct hawser_report *report)
 {
 	enum hawser_status status = cli_integrate_fill(result, report);
@@ -290,6 +290,9 @@ static enum hawser_status write_result(struct cli_integrate_result *result,
 		cli_fixed_warn(&result->model_error);
 	if (!status)
 		cli_exact_warn(result->model);
+	if (!status)
+		cli_range_warn(model, cli_range_reach(NULL, model, result->run.state, result->run.rows,
+		                                      2*result->run.n));
 	if (!status && cli_integrate_slack(text, sizeof text, result))
 		cli_warn(text);
 	if (!status && cli_integrate_moves(text, sizeof text, result))
@@ -440,10 +443,10 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!status)
 		status = solve(&result.run, &result, &model, settings, report);
 	if (!status)
-		status = write_result(&result, report);
+		status = write_result(&result, &model, report);
 	else if (settings->partial && result.run.rows > 1) {
 		result.failed = 1;
-		if (write_result(&result, &second))
+		if (write_result(&result, &model, &second))
 			cli_report_also(report, &second);
 	}
 	cli_integrate_free(&result);

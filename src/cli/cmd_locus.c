@@ -198,6 +198,9 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		status = trace(&locus, settings, &result, &over, settings->and ? &plane : NULL, &model, report);
 	if (!status)
 		status = cli_show(&settings->common, &cli_locus_showing, &result, report);
+	if (!status)
+		cli_range_warn(&model, cli_range_reach(NULL, &model, locus.coordinate, locus.points,
+		                                       model.rom.n));
 	hawser_locus_clear(&locus);
 	hawser_plane_close(&plane);
 	cli_over_clear(&other);

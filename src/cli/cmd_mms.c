@@ -118,7 +118,7 @@ static enum hawser_status load_model(struct cli_model *model, const struct setti
 /* --- results --- */
 
 
-static enum hawser_status closed_form(struct cli_mms_result *result,
+static enum hawser_status closed_form(struct cli_mms_result *result, struct cli_model *model,
                                       const struct settings *settings,
                                       struct hawser_report *report)
 {
@@ -143,6 +143,9 @@ static enum hawser_status closed_form(struct cli_mms_result *result,
 	result->modulation = &primary.modulation;
 	if (!status)
 		status = cli_show(result->common, &cli_mms_showing, result, report);
+	if (!status)
+		cli_range_warn(model, cli_range_reach(NULL, model, curve.frf.coordinate, curve.frf.points,
+		                                      model->rom.n));
 	result->primary = NULL;
 	result->curve = NULL;
 	result->modulation = NULL;
@@ -203,9 +206,10 @@ static enum hawser_status follow(struct hawser_frf *frf, const struct cli_mms_re
 	return status;
 }
 
-static enum hawser_status equilibria(struct cli_mms_result *result, struct hawser_rom *rom,
+static enum hawser_status equilibria(struct cli_mms_result *result, struct cli_model *model,
                                      const struct settings *settings, struct hawser_report *report)
 {
+	struct hawser_rom *rom = &model->rom;
 	struct hawser_resonance resonance = {.count = 1};
 	struct hawser_modulation modulation = {.rom = NULL};
 	struct hawser_frf frf = {0};
@@ -240,6 +244,8 @@ static enum hawser_status equilibria(struct cli_mms_result *result, struct hawse
 		cli_label_all(&drawn);
 	if (!status)
 		status = cli_show(result->common, &cli_frf_showing, &drawn, report);
+	if (!status)
+		cli_range_warn(model, cli_range_reach(NULL, model, frf.coordinate, frf.points, model->rom.n));
 	result->modulation = NULL;
 	hawser_frf_clear(&frf);
 	hawser_modulation_clear(&modulation);
@@ -258,9 +264,9 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (status)
 		goto done;
 	if (settings->resonant || settings->superharmonic || settings->subharmonic)
-		status = equilibria(&result, &model.rom, settings, report);
+		status = equilibria(&result, &model, settings, report);
 	else
-		status = closed_form(&result, settings, report);
+		status = closed_form(&result, &model, settings, report);
 done:
 	cli_model_clear(&model);
 	return status;

@@ -98,6 +98,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		.mode = settings->mode - 1, .depth = settings->branches,
 		.periods = settings->periods > 0 ? settings->periods : 1};
 	enum hawser_status status = cli_outputs_check_scales(&settings->common, "x", report);
+	double *reached = NULL;
 
 	if (!status)
 		status = cli_model_load(&model, &settings->common, settings->n, report);
@@ -105,6 +106,10 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		status = trace(&nnm, settings, &model, report);
 	if (!status)
 		status = cli_show(&settings->common, &cli_nnm_showing, &result, report);
+	for (int k = 0; !status && k < nnm.curves; k++)
+		reached = cli_range_reach(reached, &model, nnm.curve[k].motion.coordinate,
+		                          nnm.curve[k].motion.points, model.rom.n);
+	cli_range_warn(&model, reached);
 	hawser_nnm_clear(&nnm);
 	cli_model_clear(&model);
 	return status;

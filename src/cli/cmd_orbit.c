@@ -252,6 +252,9 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		cli_known_warn(&model, label.omega);
 	if (!status)
 		cli_fixed_warn(&result.model_error);
+	if (!status)
+		cli_range_warn(&model, cli_range_reach(NULL, &model, result.run.state, result.run.rows,
+		                                       2*result.run.n));
 	if (!status && cli_integrate_slack(text, sizeof text, &result))
 		cli_warn(text);
 	free(orbit.k);

@@ -128,6 +128,21 @@ static struct cli_head head(const void *of)
 	                      result->model, 0);
 }
 
+/* Up to where the static law of a coordinate holds. */
+static void range_comment(struct hawser__table *table, const struct hawser_rom *rom, int j)
+{
+	static const char *const beyond[] = {
+		[HAWSER_RANGE_FORCE] = "beyond, its force at rest is off by more",
+		[HAWSER_RANGE_AT_LEAST] = "not sought further",
+		[HAWSER_RANGE_SLACK] = "the cable is slack beyond"};
+	const struct hawser_rom_range *range = &rom->range[j];
+
+	if (range->end != HAWSER_RANGE_UNKNOWN)
+		hawser__table_comment(table, "range of u_%d (%s): %.3g m within %.0f %%; %s", j + 1,
+		                      rom->label ? rom->label[j] : "mode", range->amplitude,
+		                      100.0*HAWSER_LAW_LIMIT, beyond[range->end]);
+}
+
 static void comments(struct hawser__table *table, const void *of)
 {
 	const struct cli_model *model = ((const struct result *)of)->model;
@@ -135,6 +150,8 @@ static void comments(struct hawser__table *table, const void *of)
 	char forces[240];
 
 	cli_choice_comments(table, model);
+	for (int j = 0; rom->range && j < rom->n; j++)
+		range_comment(table, rom, j);
 	if (rom->exact)
 		hawser__table_comment(table, "%d coordinates, %d harmonics; scaled; the restoring force "
 		                             "is no polynomial, K is its linear part; model.modes "
@@ -275,8 +292,18 @@ static enum hawser_status export(const struct settings *settings, const struct c
 	return status;
 }
 
-/* The forces of a model of which only the file is wanted are not needed: without a table or comments,
- * which tell the asymmetry, and without an export, which contains a computed orbit. */
+/* The ranges of a model of a scene. */
+static enum hawser_status judge(struct cli_model *model, struct hawser_report *report)
+{
+	struct hawser_rom *rom = &model->rom;
+
+	if (!model->has_scene || rom->exact || rom->n - rom->inertia.shapes > CLI_JUDGED)
+		return HAWSER_OK;
+	return hawser_law_range(rom, &model->statics, NULL, report);
+}
+
+/* The forces of a model of many modes of which only the file is wanted are not needed: without a table
+ * or comments, which tell the asymmetry, and without an export, which contains a computed orbit. */
 static enum hawser_status load(struct cli_model *model, const struct settings *settings,
                                struct hawser_report *report)
 {
@@ -298,6 +325,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		status = load(&model, settings, report);
 	if (!status && model.automatic)
 		status = choose(&model, settings, report);
+	if (!status)
+		status = judge(&model, report);
 	if (!status && settings->export[0])
 		status = export(settings, &model, report);
 	settings->common.delivered = settings->export[0] != NULL;

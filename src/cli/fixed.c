@@ -5,8 +5,10 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "cli/frf_over.h"
 #include "cli/progress.h"
 #include "cli/rom_ropeway.h"
 #include "cli/view.h"
@@ -225,6 +227,60 @@ void cli_fixed_warn_worst(const struct cli_frf_result *result)
 			worst = other;
 	}
 	warn(&worst->error, worst->frf->branch);
+}
+
+double *cli_range_reach(double *reached, const struct cli_model *model, const double *u, int rows,
+                        int stride)
+{
+	size_t n = (size_t)model->rom.n;
+
+	if (model->rom.exact || !model->rom.range)
+		return NULL;
+	if (!reached)
+		reached = calloc(n, sizeof *reached);
+	for (int i = 0; reached && i < rows; i++)
+		for (size_t j = 0; j < n; j++)
+			reached[j] = fmax(reached[j], fabs(u[(size_t)i*(size_t)stride + j]));
+	return reached;
+}
+
+void cli_range_warn(struct cli_model *model, double *reached)
+{
+	struct hawser_rom *rom = &model->rom;
+	char text[CLI_WARNING_SIZE];
+	int j = -1;
+
+	/* who asks for modes at rest, to repeat a source, knows that the model is too stiff; what cannot
+	 * be judged is not known, and nothing is said */
+	if (reached && !cli_interrupted() &&
+	    (!model->has_scene || (model->scene.model.condense == HAWSER_CONDENSE_STATIC &&
+	                           !hawser_law_range(rom, &model->statics, reached, NULL))))
+		j = hawser_law_exceeded(rom, reached);
+	if (j < 0) {
+		free(reached);
+		return;
+	}
+	snprintf(text, sizeof text, "coordinate u_%d (%s) moves by up to %.3g m: the force that holds it "
+	         "there at rest, all others relaxed, is that of the cable within %.0f %% up to %.3g m "
+	         "only, and what moves further may be off: take model.energy: exact, or other modes "
+	         "(hawser rom prints the range of each)", j + 1, rom->label ? rom->label[j] : "mode",
+	         reached[j]*rom->range[j].largest, 100.0*HAWSER_LAW_LIMIT, rom->range[j].amplitude);
+	free(reached);
+	cli_warn(text);
+}
+
+/* A curve over a key of the scene has other models than that of the scene. */
+void cli_range_warn_frf(struct cli_model *model, const struct cli_frf_result *result)
+{
+	double *reached;
+
+	if (result->over && cli_over_needs_scene(result->over->axis.key))
+		return;
+	reached = cli_range_reach(NULL, model, result->frf->coordinate, result->frf->points, model->rom.n);
+	for (int k = 0; k < result->others; k++)
+		reached = cli_range_reach(reached, model, result->other[k].frf->coordinate,
+		                          result->other[k].frf->points, model->rom.n);
+	cli_range_warn(model, reached);
 }
 
 static int is_stated(const void *row, const void *parent)

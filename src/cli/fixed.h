@@ -5,6 +5,7 @@
 #define HAWSER_CLI_FIXED_H
 
 #include <hawser/accuracy.h>
+#include <hawser/law.h>
 
 struct cli_common;
 struct cli_frf_result;
@@ -43,5 +44,15 @@ void cli_fixed_comments(struct hawser__table *table, const struct cli_model_erro
 void cli_fixed_warn(const struct cli_model_error *error);
 /* The same of the branch of a response with the largest error. */
 void cli_fixed_warn_worst(const struct cli_frf_result *result);
+
+/* Largest |u_j| [n] of the coordinates u[rows][stride], the first n of each row, and of `reached`,
+ * which is NULL or what this returned before; NULL if the model has no ranges. */
+double *cli_range_reach(double *reached, const struct cli_model *model, const double *u, int rows,
+                        int stride);
+/* Says on standard error that a coordinate moves beyond its range (law.h), and frees `reached`. The
+ * ranges of a model of a scene are sought up to there. */
+void cli_range_warn(struct cli_model *model, double *reached);
+/* The same for the curves of a response. */
+void cli_range_warn_frf(struct cli_model *model, const struct cli_frf_result *result);
 
 #endif

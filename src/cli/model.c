@@ -236,7 +236,7 @@ static enum hawser_status from_scene(struct cli_model *model, FILE *stream,
 	if (!status)
 		status = hawser_modes_solve(&model->modes, &model->statics, &options, report);
 	if (!status)
-		status = extent == WHOLE
+		status = extent == WHOLE || model->modes.n <= CLI_JUDGED
 		         ? hawser_rom_build(&model->rom, &model->modes, &model->scene, report)
 		         : hawser_rom_build_entries(&model->rom, &model->modes, &model->scene,
 		                                    report);

@@ -27,6 +27,7 @@
 #include "rom/inertia.h"
 #include "rom/model.h"
 #include "rom/kernel.h"
+#include "rom/law.h"
 #include "rom/load.h"
 #include "rom/project.h"
 #include "rom/support.h"
@@ -349,6 +350,8 @@ enum hawser_status hawser__rom_finish(struct hawser_rom *rom, const struct hawse
 		status = set_labels(rom, modes, report);
 	if (!status)
 		status = set_shapes(rom, modes, scene, report);
+	if (!status)
+		status = hawser__range_make(rom, modes, report);
 	return status ? status : set_line(rom, modes, report);
 }
 

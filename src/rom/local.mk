@@ -74,6 +74,9 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/kernel.c \
 	%D%/kernel.h \
 	%D%/known.c \
+	%D%/law.c \
+	%D%/law_range.c \
+	%D%/law.h \
 	%D%/known.h \
 	%D%/known_below.c \
 	%D%/line.c \
@@ -98,10 +101,13 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/quartic_make.c \
 	%D%/quartic_tangent.c \
 	%D%/ramp.h \
+	%D%/relax.c \
+	%D%/relax.h \
 	%D%/read.c \
 	%D%/read.h \
 	%D%/read_ends.c \
 	%D%/read_known.c \
+	%D%/read_range.c \
 	%D%/shapes.c \
 	%D%/support.c \
 	%D%/support.h \
@@ -112,6 +118,8 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/support_shape.c \
 	%D%/travel.c \
 	%D%/travel.h \
+	%D%/twin.c \
+	%D%/twin.h \
 	%D%/vary.c \
 	%D%/vary.h \
 	%D%/weigh.c \

@@ -148,6 +148,7 @@ void hawser_rom_clear(struct hawser_rom *rom)
 	free_words(rom->label, rom->n);
 	clear_shapes(&rom->shapes);
 	clear_line(&rom->line);
+	free(rom->range);
 	hawser__rom_contacts_clear(&rom->contacts);
 	hawser__kernel_free(rom->kernel);
 	hawser__exact_free(rom->exact);

@@ -207,6 +207,8 @@ enum hawser_status hawser__read_extras(const struct hawser__reader *reader, stru
 		status = hawser__read_ends(reader, rom, json_object_get(root, "ends"));
 	if (!status && json_object_get(root, "contacts"))
 		status = hawser__read_contacts(reader, rom, json_object_get(root, "contacts"));
+	if (!status && json_object_get(root, "range"))
+		status = hawser__read_range(reader, rom, json_object_get(root, "range"));
 	return status ? status : hawser__read_known(reader, rom, root);
 }
 

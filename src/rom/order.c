@@ -46,40 +46,25 @@
 #include "config.h"
 
 #include <cblas.h>
-#include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "core/report.h"
 #include "rom/order.h"
+#include "rom/twin.h"
 #include "rom/weigh.h"
 
-#define STEPS 40      /* Newton steps for one phase; chosen */
-#define SMALL 1e-9    /* last Newton step, relative to the size of the motion; chosen */
-#define HALVINGS 12 /* halvings of a step that does not reduce the energy; chosen */
-#define SURE 1e-4     /* smaller steps, relative, are accepted without a check of the energy, which
-                       * is then round-off */
-#define SAME 1e-3     /* largest difference of shapes and frequencies of a mode in the two models;
-                       * chosen */
 #define RESOLVED 0.6  /* fraction of the candidates that the full-order model must resolve; chosen */
 #define ROWS_LEAST 24 /* least number of rows per period; chosen */
-#define PART 0.02     /* fraction of a motion at which the quadratic terms are measured; chosen
-                       * small */
 
 static void clear(struct hawser__omitted *w)
 {
-	free(w->freed);
+	hawser__relax_clear(&w->relax);
 	free(w->mode);
 	free(w->place);
 	free(w->beyond);
 	free(w->u);
-	free(w->y);
-	free(w->trial);
-	free(w->R);
-	free(w->T);
-	free(w->step);
-	free(w->matrix);
 	free(w->plus);
 	free(w->minus);
 	free(w->J);
@@ -106,17 +91,10 @@ static int make(struct hawser__omitted *w)
 {
 	size_t n = (size_t)w->n, N = (size_t)w->N, rows = (size_t)w->rows;
 
-	w->freed = calloc(N, sizeof *w->freed);
 	w->mode = calloc(n, sizeof *w->mode);
 	w->place = calloc(n, sizeof *w->place);
 	w->beyond = calloc(N, 1);
 	w->u = array(n, 1);
-	w->y = array(N, 1);
-	w->trial = array(N, 1);
-	w->R = array(N, 1);
-	w->T = array(N, N);
-	w->step = array(N, 1);
-	w->matrix = array(N, N);
 	w->plus = array(n, 1);
 	w->minus = array(n, 1);
 	w->J = array(n, n);
@@ -132,38 +110,19 @@ static int make(struct hawser__omitted *w)
 	w->spin = array(rows, 2);
 	w->wave = array(rows, 2*HAWSER__OMITTED_WAVES + 1);
 	w->turn = array(rows, 2);
-	return w->freed && w->mode && w->place && w->beyond && w->u && w->y && w->trial && w->R && w->T &&
-	       w->step && w->matrix && w->plus && w->minus && w->J && w->J_minus &&
-	       w->led && w->motion && w->force && w->pull && w->rate && w->G && w->kept && w->off &&
-	       w->spin && w->wave && w->turn;
+	return !hawser__relax_new(&w->relax, w->exact) && w->mode && w->place && w->beyond && w->u &&
+	       w->plus && w->minus && w->J && w->J_minus && w->led && w->motion && w->force && w->pull &&
+	       w->rate && w->G && w->kept && w->off && w->spin && w->wave && w->turn;
 }
 
 /* --- the same mode in both models --- */
 
-/* Cosine of the angle between the slopes of mode j and coordinate i along the cable. */
-static double likeness(const struct hawser_choice *choice, int j, int i)
-{
-	int count = 3*choice->all.line.points;
-	const double *a = choice->all.line.slope + (size_t)j*count;
-	const double *b = choice->exact.line.slope + (size_t)i*count;
-
-	return cblas_ddot(count, a, 1, b, 1)/(cblas_dnrm2(count, a, 1)*cblas_dnrm2(count, b, 1));
-}
-
 static int find_twins(struct hawser_choice *choice)
 {
-	int N = choice->exact.n, found = 0;
+	int found = 0;
 
 	for (int j = 0; j < choice->n; j++) {
-		double w = choice->modes->mode[j].omega;
-
-		choice->twin[j] = 0;
-		for (int i = 0; i < N && !choice->twin[j]; i++) {
-			double like = likeness(choice, j, i);
-
-			if (fabs(sqrt(choice->exact.K[i*N + i])/w - 1.0) < SAME && 1.0 - fabs(like) < SAME)
-				choice->twin[j] = like > 0.0 ? i + 1 : -(i + 1);
-		}
+		choice->twin[j] = hawser__twin(&choice->all, j, &choice->exact);
 		found += choice->twin[j] != 0;
 	}
 	return found;
@@ -234,108 +193,36 @@ static void divide(struct hawser__omitted *w)
 		}
 		if (held)
 			continue;
-		w->beyond[w->frees] = (char)!looked_at;
-		w->freed[w->frees++] = i;
+		w->beyond[w->relax.frees] = (char)!looked_at;
+		w->relax.freed[w->relax.frees++] = i;
 	}
 }
 
 /* --- relaxation of the other coordinates --- */
 
-/* y: the kept modes at u, the others condensed to second order. */
-static void place(struct hawser__omitted *w)
+/* Minimise the energy with the kept modes at u. 0: no convergence. */
+static int relax(struct hawser__omitted *w)
 {
-	int N = w->N;
-
-	memset(w->trial, 0, (size_t)N*sizeof *w->trial);
 	for (int k = 0; k < w->held; k++)
-		w->trial[index_of(w, k)] = PART*sign_of(w, k)*w->u[w->mode[k]];
-	hawser_rom_restoring(w->exact, w->R, w->trial);
-	cblas_dscal(N, -1.0, w->trial, 1);
-	hawser_rom_restoring(w->exact, w->step, w->trial);
-	for (int i = 0; i < N; i++)
-		w->y[i] = -0.5*(w->R[i] + w->step[i])/(PART*PART*w->exact->K[i*N + i]);
-	for (int k = 0; k < w->held; k++)
-		w->y[index_of(w, k)] = sign_of(w, k)*w->u[w->mode[k]];
+		w->relax.y[index_of(w, k)] = sign_of(w, k)*w->u[w->mode[k]];
+	hawser__relax_place(&w->relax);
+	return hawser__relax(&w->relax, cblas_dnrm2(w->n, w->u, 1));
 }
 
-/* -(T + more K)^-1 R of the relaxed coordinates; returns 0 if the matrix is not positive definite.
- * It is stored by columns, since for rows LAPACKE allocates a transposed copy and prints to
- * standard output if it gets no memory. */
-static int solve(struct hawser__omitted *w, double more)
-{
-	int m = w->frees;
-
-	for (int i = 0; i < m; i++) {
-		int row = w->freed[i]*w->N;
-
-		w->step[i] = -w->R[w->freed[i]];
-		for (int k = 0; k <= i; k++)
-			w->matrix[k*m + i] = w->T[row + w->freed[k]];
-		w->matrix[i*m + i] += more*w->exact->K[row + w->freed[i]];
-	}
-	return LAPACKE_dpotrf(LAPACK_COL_MAJOR, 'L', m, w->matrix, m) == 0 &&
-	       LAPACKE_dpotrs(LAPACK_COL_MAJOR, 'L', m, 1, w->matrix, m, w->step, m) == 0;
-}
-
-/* A Newton step; if T is not positive definite, a shorter descent step with a shifted T. Returns 1
- * for a Newton step, -1 for a shifted one, 0 for none. */
-static int newton(struct hawser__omitted *w)
-{
-	hawser_rom_tangent(w->exact, w->R, w->T, w->y);
-	if (solve(w, 0.0))
-		return 1;
-	for (double more = 0.01; more < 100.0; more *= 10.0)
-		if (solve(w, more))
-			return -1;
-	return 0;
-}
-
-/* Line search: halve the step until the energy decreases. */
-static void go(struct hawser__omitted *w, const double *rest, double size)
-{
-	double before = hawser_rom_energy(w->exact, w->y, rest), part = 1.0;
-
-	for (int i = 0; i < HALVINGS; i++, part *= 0.5) {
-		memcpy(w->trial, w->y, (size_t)w->N*sizeof *w->trial);
-		for (int k = 0; k < w->frees; k++)
-			w->trial[w->freed[k]] += part*w->step[k];
-		if (cblas_dnrm2(w->frees, w->step, 1) < SURE*size ||
-		    hawser_rom_energy(w->exact, w->trial, rest) < before)
-			break;
-	}
-	memcpy(w->y, w->trial, (size_t)w->N*sizeof *w->y);
-}
-
-/* Minimise the energy over the relaxed coordinates. 0: no convergence. */
-static int relax(struct hawser__omitted *w, const double *rest)
-{
-	double size = cblas_dnrm2(w->n, w->u, 1);
-
-	for (int i = 0; i < STEPS; i++) {
-		int way = newton(w);
-
-		if (way == 0)
-			return 0;
-		if (way > 0 && !(cblas_dnrm2(w->frees, w->step, 1) > SMALL*size))
-			return 1;
-		go(w, rest, size);
-	}
-	return 0;
-}
-
-/* W at the minimum, from the last w->T and its factorisation. */
+/* W at the minimum, from the last tangent and its factor. */
 static void lead(struct hawser__omitted *w, double *led)
 {
-	int m = w->frees, held = w->held;
+	const struct hawser__relax *relax = &w->relax;
+	int m = relax->frees, held = w->held;
 
 	for (int i = 0; i < m; i++)
 		for (int k = 0; k < held; k++)
-			led[i*held + k] = sign_of(w, k)*w->T[w->freed[i]*w->N + index_of(w, k)];
+			led[i*held + k] = sign_of(w, k)*relax->T[relax->freed[i]*w->N + index_of(w, k)];
 	/* the factor is by columns: by rows, it is the transposed one */
 	cblas_dtrsm(CblasRowMajor, CblasLeft, CblasUpper, CblasTrans, CblasNonUnit, m, held, 1.0,
-	            w->matrix, m, led, held);
+	            relax->matrix, m, led, held);
 	cblas_dtrsm(CblasRowMajor, CblasLeft, CblasUpper, CblasNoTrans, CblasNonUnit, m, held, -1.0,
-	            w->matrix, m, led, held);
+	            relax->matrix, m, led, held);
 }
 
 /* --- one phase --- */
@@ -370,7 +257,7 @@ void hawser__omitted_displace(double *xyz, const struct hawser_rom *rom, const d
 		hawser_rom_displacement(rom, xyz + 3*p, p, u);
 }
 
-static int one_phase(struct hawser__omitted *w, int t, const double *rest)
+static int one_phase(struct hawser__omitted *w, int t)
 {
 	int held = w->held;
 	double *off = w->off + (size_t)t*w->places, all[HAWSER__COUNTED];
@@ -378,15 +265,14 @@ static int one_phase(struct hawser__omitted *w, int t, const double *rest)
 	memset(w->u, 0, (size_t)w->n*sizeof *w->u);
 	for (int k = 0; k < held; k++)
 		w->u[w->mode[k]] = w->kept[(size_t)t*held + k];
-	place(w);
-	if (!relax(w, rest))
+	if (!relax(w))
 		return 0;
-	lead(w, w->led + (size_t)t*w->frees*held);
-	memcpy(w->motion + (size_t)t*w->N, w->y, (size_t)w->N*sizeof *w->y);
+	lead(w, w->led + (size_t)t*w->relax.frees*held);
+	memcpy(w->motion + (size_t)t*w->N, w->relax.y, (size_t)w->N*sizeof *w->relax.y);
 	hawser__omitted_condensed(w);
 	for (int k = 0; k < held; k++)
-		w->G[(size_t)t*held + k] = sign_of(w, k)*w->R[index_of(w, k)] - w->plus[w->mode[k]];
-	hawser__omitted_displace(off, w->exact, w->y);
+		w->G[(size_t)t*held + k] = sign_of(w, k)*w->relax.R[index_of(w, k)] - w->plus[w->mode[k]];
+	hawser__omitted_displace(off, w->exact, w->relax.y);
 	hawser__omitted_displace(all, w->all, w->u);
 	for (int i = 0; i < w->places; i++)
 		/* NOLINTNEXTLINE(clang-analyzer-core.uninitialized.Assign): both models have the same places */
@@ -402,7 +288,6 @@ enum hawser_status hawser__order(double omitted[HAWSER__OMITTED], const struct h
 		.n = choice->n, .N = choice->exact.n, .stride = 1, .omega = omega,
 		.orbit = orbit ? *orbit : (struct hawser__orbit_of){&choice->all, u},
 		.places = 3*choice->all.shapes.points};
-	double *rest = array((size_t)choice->exact.n, 1);
 	enum hawser_status status = HAWSER_OK;
 	int found = 1;
 
@@ -410,7 +295,7 @@ enum hawser_status hawser__order(double omitted[HAWSER__OMITTED], const struct h
 		w.stride = rows%k == 0 ? k : w.stride;
 	w.rows = rows/w.stride;
 	omitted[0] = omitted[1] = omitted[2] = 0.0;
-	if (!make(&w) || !rest) {
+	if (!make(&w)) {
 		status = hawser__no_memory(report, "choose");
 		goto done;
 	}
@@ -420,13 +305,12 @@ enum hawser_status hawser__order(double omitted[HAWSER__OMITTED], const struct h
 	for (int t = 0; found && t < w.rows; t++) {
 		for (int k = 0; k < w.held; k++)
 			w.kept[(size_t)t*w.held + k] = u[(size_t)t*w.stride*w.n + w.mode[k]];
-		found = one_phase(&w, t, rest);
+		found = one_phase(&w, t);
 	}
 	omitted[0] = omitted[1] = omitted[2] = 1.0;
 	if (found)
 		status = hawser__omitted_effect(omitted, &w, peaks, report);
 done:
-	free(rest);
 	clear(&w);
 	return status;
 }

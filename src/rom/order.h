@@ -5,6 +5,7 @@
 
 #include <hawser/choose.h>
 
+#include "rom/relax.h"
 #include "rom/weigh.h"
 
 enum { HAWSER__OMITTED_WAVES = 5 }; /* number of harmonics of dx; chosen */
@@ -13,16 +14,15 @@ struct hawser__omitted {
 	const struct hawser_choice *choice;
 	const struct hawser_rom *exact, *all;
 	struct hawser__orbit_of orbit; /* of `rows`*`stride` rows */
-	int n, N, rows, stride, frees, held, functions, places;
+	struct hawser__relax relax;     /* of `exact`: all but the kept modes */
+	int n, N, rows, stride, held, functions, places;
 	double omega;
-	int *freed, *mode;      /* [frees] relaxed coordinates of `exact`, [held] the kept modes */
+	int *mode;              /* [held] the kept modes */
 	int *place;             /* [held] index of a kept mode in the model of the orbit */
-	char *beyond;           /* [frees] 1: not a candidate */
-	double *u, *y, *trial;  /* [n], [N], [N] */
-	double *R, *T, *step;   /* [N], [N][N], [N] */
-	double *matrix;         /* [frees][frees] */
+	char *beyond;           /* [relax.frees] 1: not a candidate */
+	double *u;              /* [n] */
 	double *plus, *minus, *J, *J_minus; /* [n], [n], [n][n], [n][n], of `all` */
-	double *led;            /* [rows][frees][held] W */
+	double *led;            /* [rows][relax.frees][held] W */
 	double *motion;         /* [rows][N] y */
 	double *force;          /* [rows][N] r of relaxed coordinates, a_full of kept modes */
 	double *pull;           /* [rows][N] r without inertia and damping: the load */

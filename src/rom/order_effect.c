@@ -53,7 +53,7 @@ static double turned(const struct hawser__omitted *w, const double *x, int strid
 static void set_forces(struct hawser__omitted *w)
 {
 	int N = w->N;
-	double *bend = w->R, *zero = w->step;
+	double *bend = w->relax.R, *zero = w->relax.step;
 
 	memset(zero, 0, (size_t)N*sizeof *zero);
 	for (int t = 0; t < w->rows; t++) {
@@ -62,13 +62,13 @@ static void set_forces(struct hawser__omitted *w)
 		double tau = 2.0*M_PI*t/w->rows;
 
 		for (int i = 0; i < N; i++) {
-			w->trial[i] = w->omega*turned(w, w->motion + i, N, t, 0);
+			w->relax.trial[i] = w->omega*turned(w, w->motion + i, N, t, 0);
 			bend[i] = w->omega*w->omega*turned(w, w->motion + i, N, t, 1);
 		}
 		hawser_rom_acceleration(w->exact, pull, y, zero, tau, w->omega);
-		hawser_rom_acceleration(w->exact, force, y, w->trial, tau, w->omega);
-		for (int i = 0; i < w->frees; i++)
-			force[w->freed[i]] -= bend[w->freed[i]];
+		hawser_rom_acceleration(w->exact, force, y, w->relax.trial, tau, w->omega);
+		for (int i = 0; i < w->relax.frees; i++)
+			force[w->relax.freed[i]] -= bend[w->relax.freed[i]];
 	}
 }
 
@@ -101,14 +101,14 @@ static void set_omitted(struct hawser__omitted *w, const double *a, int all_of_t
 		for (int k = 0; k < held; k++)
 			w->G[(size_t)t*held + k] = a[(size_t)t*n + w->place[k]] -
 			                           hawser__omitted_twin(w, k, w->force + (size_t)t*N);
-	for (int i = 0; i < w->frees; i++) {
-		int s = w->freed[i], moves = all_of_them || w->beyond[i];
+	for (int i = 0; i < w->relax.frees; i++) {
+		int s = w->relax.freed[i], moves = all_of_them || w->beyond[i];
 
 		if (moves)
 			resonate(w, s);
 		for (int t = 0; t < w->rows; t++)
 			cblas_daxpy(held, -(moves ? w->rate[t] : w->pull[(size_t)t*N + s]),
-			            w->led + ((size_t)t*w->frees + i)*held, 1, w->G + (size_t)t*held, 1);
+			            w->led + ((size_t)t*w->relax.frees + i)*held, 1, w->G + (size_t)t*held, 1);
 	}
 }
 

@@ -56,7 +56,10 @@ enum hawser_status hawser__read_known(const struct hawser__reader *reader, struc
 enum hawser_status hawser__read_ends(const struct hawser__reader *reader, struct hawser_rom *rom,
                                      json_t *object);
 
-/* labels, scale, shapes, answers and known modes. */
+enum hawser_status hawser__read_range(const struct hawser__reader *reader, struct hawser_rom *rom,
+                                      const json_t *list);
+
+/* labels, scale, shapes, answers, ranges and known modes. */
 enum hawser_status hawser__read_extras(const struct hawser__reader *reader, struct hawser_rom *rom,
                                        const json_t *root);
 

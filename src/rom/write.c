@@ -14,6 +14,7 @@
 #include "core/report.h"
 #include "rom/drag.h"
 #include "rom/ends.h"
+#include "rom/law.h"
 #include "rom/read.h"
 #include "rom/terms.h"
 #include "rom/writer.h"
@@ -254,6 +255,30 @@ static void ends(struct hawser__writer *to, const struct hawser_rom *rom)
 	hawser__write_end(to);
 }
 
+static void ranges(struct hawser__writer *to, const struct hawser_rom *rom)
+{
+	int known = 0;
+
+	for (int j = 0; j < rom->n; j++)
+		known |= rom->range[j].end != HAWSER_RANGE_UNKNOWN;
+	if (!known)
+		return;
+	hawser__write_key(to, "range");
+	hawser__write_begin(to, '[', 1);
+	for (int j = 0; j < rom->n; j++) {
+		if (rom->range[j].end == HAWSER_RANGE_UNKNOWN)
+			continue;
+		hawser__write_begin(to, '{', 0);
+		integer(to, "coordinate", j);
+		number(to, "amplitude", rom->range[j].amplitude);
+		number(to, "largest", rom->range[j].largest);
+		hawser__write_key(to, "end");
+		hawser__write_word(to, hawser__range_ends[rom->range[j].end]);
+		hawser__write_end(to);
+	}
+	hawser__write_end(to);
+}
+
 static void members(struct hawser__writer *to, const struct hawser_rom *rom)
 {
 	integer(to, "hawser_rom", 1);
@@ -276,6 +301,8 @@ static void members(struct hawser__writer *to, const struct hawser_rom *rom)
 		scale(to, rom);
 	if (rom->shapes.points > 0)
 		shapes(to, rom);
+	if (rom->range)
+		ranges(to, rom);
 	if (rom->contacts.count > 0)
 		contacts(to, rom);
 	if (rom->known.reach > 0.0)

@@ -184,9 +184,9 @@
 	    "with condense: static, inertia of the condensed modes: auto adds shapes that represent it " \
 	    "as coordinates if it changes a resonance frequency by more than 2e-4; none neglects it") \
 	ROW("model.energy", "", WORD, "quartic|exact|auto", WORDS, "auto", model.energy, FREE, 0, \
-	    "strain energy: quartic, a polynomial of degree 4; exact, a full-order model with all " \
-	    "basis functions; or auto, quartic, and exact where the response shows that the polynomial " \
-	    "is not good enough (hawser-frf(1))") \
+	    "strain energy: quartic, a polynomial of degree 4, right up to the amplitudes that hawser " \
+	    "rom tells; exact, a full-order model with all basis functions; or auto, quartic, and exact " \
+	    "where the response shows that the polynomial is not good enough (hawser-frf(1))") \
 	ROW("beam.mu", "1", NUMBER, NULL, POSITIVE, NULL, beam.mu, BEAM, HAWSER_BEAM_MU, \
 	    "L sqrt(T/EI) with the tension T at the outlet; the units are L for lengths and " \
 	    "L^2 sqrt(rhoA/EI) for times, so that rigidity and mass are 1 (Dehadrai 2018, 8.3.1)") \

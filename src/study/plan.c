@@ -89,8 +89,32 @@ static enum hawser_status choose(struct hawser_plan *plan, const struct hawser_s
 	return status;
 }
 
-/* The effect of the inertia of condensed modes on the scene's own model, and how its forces are
- * evaluated. */
+enum { JUDGED = 40, /* most coordinates whose ranges are sought: half a second; chosen */
+       TOLD = 4 };  /* ranges in the text */
+
+/* "2.5 m out-of-plane 1, 1.2 m in-plane 1 (antisymmetric)" */
+static enum hawser_status judge(char *text, size_t size, struct hawser_rom *rom,
+                                const struct hawser_statics *statics, struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+	size_t used = 0;
+
+	if (rom->n <= JUDGED)
+		status = hawser_law_range(rom, statics, NULL, report);
+	for (int j = 0, told = 0; !status && j < rom->n && told < TOLD && used < size; j++) {
+		const struct hawser_rom_range *range = &rom->range[j];
+
+		if (range->end != HAWSER_RANGE_UNKNOWN)
+			used += (size_t)snprintf(text + used, size - used, "%s%.3g m%s %s", told++ ? ", " : "",
+			                         range->amplitude,
+			                         range->end == HAWSER_RANGE_AT_LEAST ? " or more" : "",
+			                         rom->label[j]);
+	}
+	return status;
+}
+
+/* The effect of the inertia of condensed modes on the scene's own model, its ranges, and how its forces
+ * are evaluated. */
 static enum hawser_status weigh_own(struct hawser_survey *survey, const struct hawser_plan *plan,
                                         struct hawser_report *report)
 {
@@ -108,6 +132,8 @@ static enum hawser_status weigh_own(struct hawser_survey *survey, const struct h
 	                   : HAWSER_OK;
 	if (!status && count > 0)
 		status = hawser_rom_build(&rom, &subset, survey->scene, report);
+	if (!status && count > 0)
+		status = judge(survey->range, sizeof survey->range, &rom, &plan->modes.statics, report);
 	if (!status && count > 0)
 		hawser_rom_forces_text(&rom, survey->forces, sizeof survey->forces);
 	survey->inertia = rom.inertia;

@@ -53,6 +53,7 @@
 #include <hawser/plausible.h>
 #include <hawser/primary.h>
 #include <hawser/progress.h>
+#include <hawser/law.h>
 #include <hawser/rom.h>
 #include <hawser/scales.h>
 #include <hawser/scene.h>
@@ -340,6 +341,8 @@ static const struct row {
 	ROW(hawser_rom_history),
 	ROW(hawser_rom_inertia),
 	ROW(hawser_rom_known),
+	ROW(hawser_rom_range),
+	ROW(hawser_law_point),
 	ROW(hawser_rom_line),
 	ROW(hawser_rom_moment),
 	ROW(hawser_rom_motion),

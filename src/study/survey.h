@@ -4,6 +4,7 @@
 #ifndef HAWSER_STUDY_SURVEY_H
 #define HAWSER_STUDY_SURVEY_H
 
+#include <hawser/law.h>
 #include <hawser/plan.h>
 
 #include "rom/support.h"
@@ -16,6 +17,7 @@ struct hawser_survey {
 	struct hawser_rom raw;          /* with all modes of the plan */
 	struct hawser_rom condensed;
 	struct hawser_rom_inertia inertia; /* of the condensed modes of the scene's own model */
+	char range[160];                /* of its coordinates (law.h); "" if not sought */
 	char forces[240];               /* what its forces are evaluated from; "" without modes */
 	struct hawser__allowance *allowance; /* time for runs; the only member that rows change */
 };
