@@ -32,19 +32,19 @@ static const double uneven = 100.0; /* ratio of successive steps above which the
 static const double faintest = 0.5; /* smallest relevant component, relative to the largest one:
                                      * peaks are compared down to the same size */
 
-void hawser__curve_clear(struct hawser__curve *curve)
+void hawser__curve_clear(struct hawser__drawn_curve *curve)
 {
 	free(curve->arc);
 	free(curve->value);
-	*curve = (struct hawser__curve){0};
+	*curve = (struct hawser__drawn_curve){0};
 }
 
-enum hawser_status hawser__curve_copy(struct hawser__curve *curve, const struct hawser_frf *frf,
+enum hawser_status hawser__curve_copy(struct hawser__drawn_curve *curve, const struct hawser_frf *frf,
                                       struct hawser_report *report)
 {
 	size_t points = (size_t)frf->points, width = 3*(size_t)frf->probes;
 
-	*curve = (struct hawser__curve){.points = frf->points, .width = (int)width};
+	*curve = (struct hawser__drawn_curve){.points = frf->points, .width = (int)width};
 	curve->arc = malloc((points + 1)*sizeof *curve->arc);
 	curve->value = malloc((points*(width + 1) + 1)*sizeof *curve->value);
 	if (!curve->arc || !curve->value)
@@ -59,12 +59,12 @@ enum hawser_status hawser__curve_copy(struct hawser__curve *curve, const struct 
 	return HAWSER_OK;
 }
 
-static double at(const struct hawser__curve *curve, int i, int column)
+static double at(const struct hawser__drawn_curve *curve, int i, int column)
 {
 	return curve->value[(size_t)i*((size_t)curve->width + 1) + (size_t)column];
 }
 
-static double largest(const struct hawser__curve *curve, int column)
+static double largest(const struct hawser__drawn_curve *curve, int column)
 {
 	double most = 0.0;
 
@@ -75,7 +75,7 @@ static double largest(const struct hawser__curve *curve, int column)
 
 /* Derivative by arc at point i of the parabola through it and its neighbours; at an end, through the
  * next two. Where steps are too uneven, the slope of the longer one. */
-static double slope(const struct hawser__curve *curve, int i, int column)
+static double slope(const struct hawser__drawn_curve *curve, int i, int column)
 {
 	const double *s = curve->arc;
 	int k = i < 1 ? 1 : i > curve->points - 2 ? curve->points - 2 : i;
@@ -90,7 +90,7 @@ static double slope(const struct hawser__curve *curve, int i, int column)
 }
 
 /* Cubic interpolation between points i and i + 1, at the fraction x. */
-static double between(const struct hawser__curve *curve, int i, double x, int column)
+static double between(const struct hawser__drawn_curve *curve, int i, double x, int column)
 {
 	double step = curve->arc[i + 1] - curve->arc[i], y = 1.0 - x;
 	double a = at(curve, i, column), b = at(curve, i + 1, column);
@@ -107,7 +107,7 @@ struct line {
 	double *wa;
 };
 
-static int refine(struct line *line, const struct hawser__curve *curve, int column, double scale)
+static int refine(struct line *line, const struct hawser__drawn_curve *curve, int column, double scale)
 {
 	int count = (curve->points - 1)*PARTS + 1;
 
@@ -172,7 +172,7 @@ static double to_line(const struct line *line, double w, double a, double least)
 }
 
 /* Largest distance of the points of one component of `a` from the curve `b`; ends [2]: range of w. */
-static double one_way(const struct hawser__curve *a, const struct line *b, int column, double scale,
+static double one_way(const struct hawser__drawn_curve *a, const struct line *b, int column, double scale,
                       const double *ends)
 {
 	double most = 0.0;
@@ -186,7 +186,7 @@ static double one_way(const struct hawser__curve *a, const struct line *b, int c
 	return most;
 }
 
-static void range(double *ends, const struct hawser__curve *curve)
+static void range(double *ends, const struct hawser__drawn_curve *curve)
 {
 	for (int i = 0; i < curve->points; i++) {
 		ends[0] = fmin(ends[0], at(curve, i, 0));
@@ -194,8 +194,8 @@ static void range(double *ends, const struct hawser__curve *curve)
 	}
 }
 
-static enum hawser_status compare(double *distance, const struct hawser__curve *a,
-                                  const struct hawser__curve *b, int column, double scale,
+static enum hawser_status compare(double *distance, const struct hawser__drawn_curve *a,
+                                  const struct hawser__drawn_curve *b, int column, double scale,
                                   struct hawser_report *report)
 {
 	double ends[2] = {HUGE_VAL, -HUGE_VAL};
@@ -215,8 +215,8 @@ static enum hawser_status compare(double *distance, const struct hawser__curve *
 	return status;
 }
 
-enum hawser_status hawser__curve_distance(double *distance, const struct hawser__curve *a,
-                                          const struct hawser__curve *b,
+enum hawser_status hawser__curve_distance(double *distance, const struct hawser__drawn_curve *a,
+                                          const struct hawser__drawn_curve *b,
                                           struct hawser_report *report)
 {
 	int width = a->width < b->width ? a->width : b->width;

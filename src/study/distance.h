@@ -14,7 +14,7 @@ struct hawser__marks {
 	struct hawser_landmark *item;
 	char *strong;
 	int count;
-	struct hawser__curve curve;
+	struct hawser__drawn_curve curve;
 };
 
 /* Find them. If rom is not NULL, peaks are located to `wanted` (study/landmark.h). */
