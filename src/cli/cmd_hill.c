@@ -18,7 +18,7 @@ struct settings {
 	struct cli_common common;
 	const char *x, *y, *omega, *start, *from, *to;
 	double step, damping;
-	int n, lines, samples, mathieu, orbit, forced, mode;
+	int n, lines, samples, mathieu, orbit, rest, forced, mode;
 };
 static const struct settings defaults = {.lines = 9, .samples = 240, .step = 0.01};
 
@@ -26,7 +26,9 @@ static const struct cli_option options[] = {
 	CLI_TEXT_OPTION(x, "KEY=FROM:TO", "horizontal axis: a key of the scene, or Omega"),
 	CLI_TEXT_OPTION(y, "KEY=FROM:TO", "vertical axis"),
 	{"Omega", 0, "FREQUENCY", "frequency of the excitation, if it is no axis", CLI_TEXT(omega)},
-	{"orbit", 0, "", "multipliers about the periodic response, not about rest", CLI_FLAG(orbit)},
+	{"orbit", 0, "", "multipliers about the periodic response, also where nothing moves the model",
+	 CLI_FLAG(orbit)},
+	{"rest", 0, "", "multipliers about rest, also where a load moves the model", CLI_FLAG(rest)},
 	CLI_TEXT_OPTION(start, "FILE", "state from which that response is computed"),
 	{"mathieu", 0, "", "boundaries of Mathieu's equation; no SCENE", CLI_FLAG(mathieu)},
 	{"damping", 0, "C", "damping c of Mathieu's equation (none)", CLI_POSITIVE(damping)},
@@ -45,7 +47,8 @@ static const struct cli_option options[] = {
 
 static const char *const notes[] = {
 	"--x and --y: boundaries of stability about rest over two parameters, followed as curves.",
-	"--Omega alone: Floquet multipliers and exponents about rest or (--orbit) the periodic response.",
+	"--Omega alone: Floquet multipliers and exponents of the motion: the periodic response,",
+	"or rest where nothing moves the model.",
 	"--mathieu: boundaries of x'' + 2 c x' + (delta + 2 epsilon cos 2t) x = 0 over delta and epsilon.",
 	"KEY: a numeric key of the scene (man hawser-scene), Omega, factor.load or factor.damping.",
 	NULL,
@@ -55,9 +58,10 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 {
 	int plane = settings->x || settings->y || settings->mathieu;
 
-	if (settings->mathieu + settings->forced + settings->orbit > 1)
+	if (settings->mathieu + settings->forced + settings->orbit + settings->rest > 1)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hill",
-		                    "--mathieu, --forced and --orbit are different questions: choose one");
+		                    "--mathieu, --forced, --orbit and --rest are different questions: choose "
+		                    "one");
 	if (settings->damping > 0.0 && !settings->mathieu)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hill",
 		                    "--damping is that of Mathieu's equation (--mathieu); a scene has its own");
@@ -220,9 +224,6 @@ static enum hawser_status about_rest(struct cli_hill_result *result, double *log
 		result->outside += log_modulus[i] > result->error;
 		result->undecided += fabs(log_modulus[i]) <= result->error;
 	}
-	if (!status && hawser_rom_loaded(rom))
-		cli_warn("a load acts, so rest is no motion of the model: these are multipliers of the "
-		         "linear model; --orbit gives those of its response");
 	return status;
 }
 
@@ -260,19 +261,20 @@ static enum hawser_status about_orbit(struct cli_hill_result *result, double *lo
 static enum hawser_status multipliers(struct cli_hill_result *result, const struct cli_model *model,
                                       const struct settings *settings, struct hawser_report *report)
 {
-	int m = 2*model->rom.n;
+	int m = 2*model->rom.n, orbit = settings->orbit || settings->start ||
+	                                (!settings->rest && hawser_rom_loaded(&model->rom));
 	double *numbers = malloc(2*(size_t)m*sizeof *numbers), omega;
 	enum hawser_status status = numbers ? HAWSER_OK : hawser__no_memory(report, "hill");
 
 	if (!status)
 		status = cli_frequency(&omega, settings->omega, "Omega", model, report);
-	if (!status && settings->orbit)
+	if (!status && orbit)
 		status = about_orbit(result, numbers, numbers + m, model, omega, settings->start, report);
 	else if (!status)
 		status = about_rest(result, numbers, numbers + m, &model->rom, omega, report);
 	if (!status) {
 		result->m = m;
-		result->orbit = settings->orbit;
+		result->orbit = orbit;
 		result->log_modulus = numbers;
 		result->argument = numbers + m;
 		result->omega = omega*cli_per_omega(model);

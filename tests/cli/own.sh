@@ -55,7 +55,7 @@ assert len(a) == 2 and all(k == l and abs(x/y - 1) < 1e-8 for (k, x), (l, y) in 
 PY
 refuses 1 "a map or the stability of rest $only" hill terms.json --x Omega=1:2 --y factor.load=0.5:1
 refuses 1 "a map or the stability of rest $only" map terms.json --x Omega=1:2 --y factor.load=0.5:1
-refuses 1 "the stability of rest $only" hill terms.json --Omega 1.1
+refuses 1 "the stability of rest $only" hill terms.json --Omega 1.1 --rest
 for model in named terms; do
 	works "locus of $model" locus $model.json --kind fold --over F=0.01:0.3 --at 0.18 --from 0.8 --to 2.2 --json $model-locus.json -q
 done
@@ -164,7 +164,7 @@ refuses 1 "the method of multiple scales $more" mms half.json --mode 1
 refuses 1 "an export $more" rom half.json --export auto x
 refuses 1 "an export $more" rom half.json --export coco x
 refuses 1 "a map or the stability of rest $more" map half.json --x Omega=1:2 --y factor.load=0.5:1
-refuses 1 "the stability of rest $more" hill half.json --Omega 1.1
+refuses 1 "the stability of rest $more" hill half.json --Omega 1.1 --rest
 refuses 1 "the search for Lyapunov exponents $more" \
 	integrate half.json --Omega 1.1 --until 200T --every 1T --lyapunov
 done_testing

@@ -103,7 +103,7 @@ low = min(float(r[3]) for r in rows if r[1] == "torus")
 assert abs(low/(4*0.01*2.2**0.5) - 1) < 1e-3, low
 END
 works "hill --Omega" hill combination.json --Omega 3.2 --tsv multipliers.tsv -q
-works "hill --orbit" hill "$duffing" --Omega 0.9 --orbit --json orbit.json -q
+works "hill of what a load moves" hill "$duffing" --Omega 0.9 --json orbit.json -q
 python "hill --orbit: Liouville" <<'END'
 import json, math
 r = json.load(open("orbit.json"))
