@@ -17,7 +17,10 @@ struct hawser_accuracy_try {
 	int modes;
 	int functions;  /* per component, of the full-order model; 0: condensed model */
 	double moved;   /* hawser_accuracy_distance from the response of the previous model; NAN for the
-	                 * first model */
+	                 * first model. Of the full-order model the distance from `checked` if that is
+	                 * not 0 */
+	int checked;    /* coordinates of the next full-order model, along whose curve this one was
+	                 * compared; 0: none */
 	double rest;    /* sum of the measures of the omitted modes (choose.h) in this model's motions;
 	                 * 0 of the full-order model */
 	double truncation; /* error in these motions that further modes do not reduce (choose.h); 0 of

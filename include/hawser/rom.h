@@ -279,6 +279,14 @@ enum hawser_status hawser_rom_build_full(struct hawser_rom *rom,
                                          const struct hawser_scene *scene, int functions,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* The part of the static response to the scene's varying load that the basis of a full-order model lacks:
+ * of its energy, compared with that of the largest basis; 0 without such a load. A basis that lacks much
+ * of a load of several waves does not hold what that load does. Statuses of hawser_modes_basis, and those
+ * of a load that is not on the cable. */
+enum hawser_status hawser_rom_full_lacks(double *lacks, const struct hawser_statics *statics,
+                                         const struct hawser_scene *scene, int functions,
+                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+
 /* Largest relative error of the natural frequencies of the full-order model `full`, due to its
  * basis. `modes` are reference modes of the same statics by a method that converges. Compared are
  * the modes up to the scaled frequency `to`, and at least the first of each plane; *worst is the

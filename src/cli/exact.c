@@ -53,15 +53,16 @@ static void take(struct cli_model *model, struct hawser_accuracy *better,
 	model->scene.model.basis = last->functions;
 }
 
-/* The distance from the response of the last model but one. */
+/* The distance from the response of the basis that it was checked with, or of the one before. */
 static void state(struct cli_model_error *error, const struct hawser_accuracy *better)
 {
+	const struct hawser_accuracy_try *last = &better->attempt[better->tries - 1];
 	int timed = error->timed;
 
 	*error = (struct cli_model_error){.stated = 1, .compared = 1, .timed = timed,
 	                                  .about = "folds and peaks"};
 	error->fixed.estimated = better->estimated;
-	error->fixed.looked_at = better->attempt[better->tries - 2].modes;
+	error->fixed.looked_at = last->checked || better->tries < 2 ? last->checked : (last - 1)->modes;
 	error->fixed.seconds = better->seconds;
 }
 
@@ -108,7 +109,7 @@ static enum hawser_status trace(struct hawser_frf *frf, struct hawser_frf_option
 	status = hawser_accuracy_exact(&better, &model->statics, &model->scene, &choice,
 	                               &why);
 
-	if (!status && better.reached && better.tries > 1) {
+	if (!status && better.reached) {
 		take(model, &better, error);
 		state(error, &better);
 		*options = better.traced;

@@ -15,7 +15,8 @@
 #define LARGEST_STEP 0.4       /* largest relative change of the orbit in one step; chosen */
 #define LARGEST_TURN 0.01      /* largest relative change of Omega in a step: resonances are this
                                 * narrow; chosen */
-#define COARSE_TURN 0.1        /* the same on a detour, whose points are of no interest; chosen */
+#define COARSE_TURN 0.1        /* the same on a detour, whose points are of no interest, and for a
+                                * curve of which only the shape matters; chosen */
 #define TRUSTED_STEP 1e-6      /* a step as short as this is accepted in any case; chosen */
 #define COARSE_STEP 1e-5       /* if a step of this length fails, the discretisation is considered
                                 * too coarse; chosen */
@@ -88,7 +89,7 @@ double hawser__trace_longest(void *owner)
 	const struct hawser__trace *trace = owner;
 	const struct hawser__orbit *orbit = trace->orbit;
 	double extent = hawser__orbit_extent(orbit, trace->here.y);
-	int coarse = trace->watch && trace->watch->coarse;
+	int coarse = (trace->watch && trace->watch->coarse) || trace->options.unjudged;
 	double turn = fmin((coarse ? COARSE_TURN : LARGEST_TURN)*extent,
 	                   trace->options.step_max*(trace->hi - trace->lo));
 	/* Omega changes by |t_Omega| ds; if the branch is steep, only the change of the orbit limits

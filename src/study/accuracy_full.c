@@ -9,6 +9,9 @@
  * to 14 functions, 1.5e-4 from 14 to 16). Therefore the estimated error is a multiple of the
  * difference.
  *
+ * The curve for comparison has few points and no multipliers: each point of either curve is compared with
+ * the curve through the others, not with points (curve.c).
+ *
  * The agreement of two bases that do not resolve the linear modes of the range means nothing. Such
  * a basis is skipped without a response. So is one with as many coordinates as the last: attachments
  * divide the cable into elements, which share the functions out, so that 6 and 8 of them may give the
@@ -32,6 +35,7 @@
 #define RESOLVED 0.1     /* largest error of the frequencies in the range, relative to the accuracy;
                           * chosen */
 #define ROUGHLY 1.0      /* the same for modes up to REACH times the upper end of the range; chosen */
+#define LONG 0.2         /* largest step of a curve for comparison, relative to the range; chosen */
 #define REACH 2.0        /* 2: the second harmonic of the response may be in resonance with them */
 
 /* Numbers of functions per component, in the order in which they are tried. */
@@ -111,12 +115,47 @@ static enum hawser_status build(struct hawser_accuracy *a, const struct hawser_s
 	return hawser_rom_build_full(&a->rom, &a->modes.statics, scene, functions, report);
 }
 
-/* Of a curve without multipliers, if it should be the last. */
-static void leave_undecided(struct hawser_frf *frf)
+/* The next basis that has more coordinates: its curve is traced with long steps and without multipliers,
+ * and its distance from that of the last attempt, which *marks describes, is the result; infinite if it
+ * has none. */
+static enum hawser_status check(struct hawser_accuracy *a, const struct hawser__marks *marks,
+                                const struct hawser_scene *scene, int i, int most,
+                                const struct hawser_frf_options *traced, struct hawser_report *report)
 {
-	for (int i = 0; i < frf->points; i++)
-		frf->point[i].undecided = 2*frf->n;
-	frf->undecided = frf->points;
+	struct hawser_accuracy_try *this = &a->attempt[a->tries - 1];
+	struct hawser_frf_options frf = *traced;
+	struct hawser__drawn_curve curve = {.points = 0};
+	struct hawser_rom rom = {.n = 0};
+	struct hawser_frf found = {.points = 0};
+	double start = hawser__wall_seconds();
+	enum hawser_status status = HAWSER_OK;
+
+	while (!status && rom.n <= a->rom.n && ++i < BASES && bases[i] <= most) {
+		hawser_rom_clear(&rom);
+		status = hawser_rom_build_full(&rom, &a->modes.statics, scene, bases[i], report);
+	}
+	if (status || rom.n <= a->rom.n) {
+		hawser_rom_clear(&rom);
+		return status;
+	}
+	frf.unjudged = frf.skip_events = 1;
+	frf.samples = HAWSER_NONE;
+	frf.most_unstable = 0;
+	frf.step_max = LONG;
+	status = hawser_frf_trace(&found, &rom, &frf, report);
+	this->moved = INFINITY;
+	if (!status)
+		status = hawser__curve_copy(&curve, &found, report);
+	if (!status && found.end == a->frf.end)
+		status = hawser__curve_distance(&this->moved, &marks->curve, &curve, report);
+	if (status == HAWSER_ERR_CONVERGENCE)
+		status = HAWSER_OK;
+	this->checked = rom.n;
+	this->seconds += hawser__wall_seconds() - start;
+	hawser__curve_clear(&curve);
+	hawser_frf_clear(&found);
+	hawser_rom_clear(&rom);
+	return status;
 }
 
 enum hawser_status hawser__accuracy_full(struct hawser_accuracy *a, struct hawser__marks *marks,
@@ -127,36 +166,32 @@ enum hawser_status hawser__accuracy_full(struct hawser_accuracy *a, struct hawse
 	struct hawser_frf_options frf = settle(options, a->asked);
 	enum hawser_status status = HAWSER_OK;
 	int tried = 0; /* coordinates of the last model with a response */
+	int most = options->most_functions > 0 ? options->most_functions : INT_MAX;
 	/* the largest basis of all is tried whatever it resolves */
 	int last = options->most_functions > 0 ? INT_MAX : BASES;
 
 	for (int i = 0; !status && i < BASES && a->tries < HAWSER_ACCURACY_TRIES; i++) {
-		double moved;
+		struct hawser_accuracy_try *this;
 
-		if (options->most_functions > 0 && bases[i] > options->most_functions)
+		if (bases[i] > most)
 			break;
-
 		status = build(a, scene, bases[i], report);
 		if (status || a->rom.n <= tried || (!resolves(a) && i + 1 < last))
 			continue;
-		/* the first response only serves for comparison: it needs no points by a second method, and
-		 * no multipliers unless they end it */
-		frf.samples = marks->curve.points > 0 ? options->frf.samples : HAWSER_NONE;
-		frf.unjudged = marks->curve.points == 0 && options->frf.most_unstable == 0;
 		status = hawser__accuracy_attempt(a, marks, scene, bases[i], &frf, report);
 		if (retry(status, &i, &frf, options)) {
 			status = HAWSER_OK;
 			continue;
 		}
-		if (frf.unjudged)
-			leave_undecided(&a->frf);
 		if (status || hawser__accuracy_cut(a))
 			break;
 		tried = a->rom.n;
-		moved = a->attempt[a->tries - 1].moved;
-		if (isfinite(moved))
-			hawser__accuracy_claim(a, SAFETY_BASIS*moved, marks);
-		if (isfinite(moved) && a->estimated <= a->asked)
+		this = &a->attempt[a->tries - 1];
+		if (!(SAFETY_BASIS*this->moved <= a->asked))
+			status = check(a, marks, scene, i, most, &frf, report);
+		if (isfinite(this->moved))
+			hawser__accuracy_claim(a, SAFETY_BASIS*this->moved, marks);
+		if (isfinite(this->moved) && a->estimated <= a->asked)
 			break;
 	}
 	return status == HAWSER_ERR_CONVERGENCE ? lost(a, report) : status;
