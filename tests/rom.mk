@@ -18,6 +18,7 @@ tests_rom_SOURCES = tests/cases.c \
 	tests/property/test-rom-full.c \
 	tests/property/test-rom-functions.c \
 	tests/property/test-rom-inertia.c \
+	tests/property/test-rom-loaded.c \
 	tests/property/test-rom-space.c \
 	tests/property/test-rom-swung.c \
 	tests/property/test-rom-travel.c \

@@ -270,8 +270,9 @@ enum hawser_status hawser_rom_build_exact(struct hawser_rom *rom, const struct h
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* The full-order model: the same with all modes of a basis of `functions` functions per component,
- * about 3*functions coordinates by ascending omega. functions is 1 to 33; 0: 16, or 24 with bending
- * stiffness, whose elements resolve the layers at held ends. For a model of the plane only, or with
+ * about 3*functions coordinates by ascending omega. functions is 1 to 33; 0: 16, up to 24 where the load
+ * needs them (hawser_rom_full_lacks), or 24 with bending stiffness, whose elements resolve the layers at
+ * held ends. For a model of the plane only, or with
  * different numbers of functions in and out of the plane, call hawser_modes_basis
  * and hawser_rom_build_exact. Statuses of these two. */
 enum hawser_status hawser_rom_build_full(struct hawser_rom *rom,

@@ -13,7 +13,7 @@ enum { FEWEST = 12, MOST = 48 }; /* largest number of modes computed: beyond the
 
 /* Quadratic terms cause motions at twice the forcing frequency. */
 static const double reach = 2.0;
-/* Larger errors of a frequency are a warning: the response's width is of that order or less. */
+/* Larger errors of a frequency, or a larger lack of the load, are a warning: the response's width is of that order or less. */
 static const double coarse = 0.01;
 
 /* Modes up to `to`, by the spectral method's own choice of its basis. */
@@ -64,18 +64,23 @@ enum hawser_status cli_basis_check(struct cli_model *model, double omega, struct
 			status = refuse(basis, &modes.mode[worst], modes.mode[worst].omega/modes.time_unit, report);
 	}
 	hawser_modes_clear(&modes);
-	return status;
+	return status ? status : hawser_rom_full_lacks(&basis->lacks, &model->statics, &model->scene,
+	                                               basis->functions, report);
 }
 
 static int basis_says(char *text, size_t size, const struct cli_model *model)
 {
 	const struct cli_basis *basis = &model->basis;
+	char load[80] = "";
 
 	if (basis->functions == 0)
 		return 0;
+	if (basis->lacks > coarse)
+		snprintf(load, sizeof load, ", and lack %.1e of the static response to the load",
+		         basis->lacks);
 	snprintf(text, size, "%d functions a component are off by %.1e at most in the natural frequencies "
-	                     "up to %.6g rad/s (%s mode %d)", basis->functions, basis->error,
-	         basis->to*cli_per_omega(model), hawser_plane_name(basis->plane), basis->number);
+	                     "up to %.6g rad/s (%s mode %d)%s", basis->functions, basis->error,
+	         basis->to*cli_per_omega(model), hawser_plane_name(basis->plane), basis->number, load);
 	return 1;
 }
 
@@ -91,7 +96,7 @@ void cli_basis_warn(const struct cli_model *model)
 {
 	char text[CLI_WARNING_SIZE];
 
-	if (model->basis.error > coarse && basis_says(text, sizeof text, model))
+	if (fmax(model->basis.error, model->basis.lacks) > coarse && basis_says(text, sizeof text, model))
 		cli_warn(text);
 }
 
@@ -106,6 +111,7 @@ static const struct hawser__field basis_field[] = {
 	{"functions", NULL, "functions a component", OF(functions)},
 	{"frequency_error", NULL, "largest error of a natural frequency, relative", OF(error)},
 	{"up_to", NULL, "frequency up to which they were looked at", OF(to), .unit = HAWSER__RAD_S},
+	{"load_lacking", NULL, "part of the static response to the load that the basis lacks", OF(lacks)},
 	HAWSER__END,
 };
 #undef OF

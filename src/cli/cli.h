@@ -170,6 +170,7 @@ struct cli_model {
 		double to;
 		enum hawser_plane plane; /* of the mode with the largest error */
 		int number;
+		double lacks; /* part of the static response to the load (hawser_rom_full_lacks) */
 	} basis;
 	struct cli_exact exact;
 };

@@ -93,7 +93,8 @@ static enum hawser_status try_basis(struct attempt *attempt, int *coarse,
 	model.rom = attempt->rom;
 	model.scene.model.energy = HAWSER_ENERGY_EXACT;
 	status = cli_basis_check(&model, choice->omega, report);
-	*coarse = status == HAWSER_ERR_CONVERGENCE || model.basis.error > resolved;
+	*coarse = status == HAWSER_ERR_CONVERGENCE ||
+	          fmax(model.basis.error, model.basis.lacks) > resolved;
 	if (status || *coarse)
 		return *coarse ? HAWSER_OK : status;
 	if (after > 0.0)

@@ -445,7 +445,7 @@ static enum hawser_status build_with(struct hawser_rom *rom, const struct hawser
 		status = hawser__rom_answers(rom, modes, modes->n, scene, report);
 	if (!status && hawser__support_moves(scene))
 		status = hawser__support_forces(rom, modes, kept->n, condensed != NULL, scene, report);
-	if (!status && hawser__support_moves(scene))
+	if (!status && (condensed || hawser__support_moves(scene)))
 		status = hawser__support_energy(rom, modes, kept->n, condensed != NULL, scene, report);
 	if (!status)
 		status = compile ? hawser__rom_compile_cable(rom, modes, condensed, report)

@@ -41,6 +41,12 @@ enum hawser_status hawser__follow_load(double *T, int *any, const struct hawser_
                                        int moving, const struct hawser__loads *loads, int h,
                                        struct hawser_report *report);
 
+/* Strains [points of the grid][3] of the static response of the condensed modes to harmonic h of the
+ * loads. condense_load.c. */
+enum hawser_status hawser__follow_strains(double *strain, const struct hawser_modes *modes, int moving,
+                                          const struct hawser__loads *loads, int h,
+                                          struct hawser_report *report);
+
 /* --- the condition that both ends are fixed --- */
 
 /* The cable at a quadrature node. */

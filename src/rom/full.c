@@ -22,6 +22,10 @@
  * ends, share the functions. */
 enum { COMPONENTS = 3, FUNCTIONS_DEFAULT = 16, FUNCTIONS_BENT = 24 };
 
+/* A default basis that lacks more than this part of the static response to the load becomes the next
+ * larger one; chosen. */
+static const double lacking = 0.01;
+
 static int all_finite(const struct hawser_rom_exact *exact)
 {
 	double sum = 0.0;
@@ -74,18 +78,36 @@ static int polynomials(const struct hawser_modes *modes)
 	return (modes->basis + 1)/modes->grid.elements;
 }
 
+static enum hawser_status by_default(int *each, const struct hawser_statics *statics,
+                                     const struct hawser_scene *scene, struct hawser_report *report)
+{
+	static const int larger[] = {FUNCTIONS_DEFAULT, 18, 20, FUNCTIONS_BENT};
+	double lacks = 1.0;
+	enum hawser_status status = HAWSER_OK;
+
+	*each = FUNCTIONS_BENT;
+	if (statics->bending.EI > 0.0)
+		return HAWSER_OK;
+	for (size_t i = 0; !status && lacks > lacking && i < sizeof larger/sizeof *larger; i++) {
+		*each = larger[i];
+		status = hawser_rom_full_lacks(&lacks, statics, scene, *each, report);
+	}
+	return status;
+}
+
 enum hawser_status hawser_rom_build_full(struct hawser_rom *rom,
                                          const struct hawser_statics *statics,
                                          const struct hawser_scene *scene, int functions,
                                          struct hawser_report *report)
 {
-	int bent = statics->bending.EI > 0.0;
-	int each = functions ? functions : bent ? FUNCTIONS_BENT : FUNCTIONS_DEFAULT;
+	int each = functions;
 	int most = HAWSER_ROM_MAX/COMPONENTS;
 	struct hawser_modes modes;
-	enum hawser_status status;
+	enum hawser_status status = functions ? HAWSER_OK : by_default(&each, statics, scene, report);
 
 	*rom = (struct hawser_rom){0};
+	if (status)
+		return status;
 	if (each < 1 || each > most)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
 		                    "a full-order model of %d functions a component: give 1 to %d, "

@@ -1,4 +1,5 @@
-/* rom/support_energy.c - terms of the strain energy that contain the motion of the supports.
+/* rom/support_energy.c - terms of the strain energy that contain the motion of the supports, or the static
+ * response to the load.
  *
  *    s_x    displacement of end B relative to end A along axis x, a periodic function of the phase; of
  *           a cable with springs, also that of end A
@@ -13,6 +14,13 @@
  * psi_x is orthogonal in the stiffness to everything that vanishes at the ends (with springs: together
  * with theirs, which have no terms of higher degree). Products of the signals
  * are sums of harmonics, the constant one among them.
+ *
+ * The static response of the condensed modes to a harmonic of the load (follow.h) is one more such field,
+ * with the signal cos(k tau) or sin(k tau): what follows moves with the load, and the tension that it
+ * causes acts on the modes. Its terms of degree 2 vanish as well: it is orthogonal in the stiffness to the
+ * modes, and along the response to pairs the load does the work that it takes. Its K (s u) is that of
+ * condense_load.c and is left out here. Its inertia is neglected here. Fields that change the tension by
+ * less than a part of FAINT are left out.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -29,9 +37,12 @@
 #include "rom/project.h"
 #include "rom/support.h"
 
+#define FAINT 1e-3 /* of the tension; chosen */
+
 enum {
 	TOP = 3*HAWSER__SUPPORT_TOP,
-	MOST = HAWSER__SUPPORT_MOST,
+	LOADS = 6, /* most fields of the load, one of a harmonic in each plane; further ones are left out */
+	MOST = HAWSER__SUPPORT_MOST + LOADS,
 	PAIRS = MOST*(MOST + 1)/2,
 	TRIPLES = MOST*(MOST + 1)*(MOST + 2)/6
 };
@@ -45,7 +56,10 @@ struct share {
 
 struct work {
 	int n, m, moving;
-	int number[MOST];                    /* [m] of the shapes (support.h) */
+	int ends;                            /* of the m fields, those of the supports: the first ones */
+	int number[MOST];                    /* [ends] of the shapes (support.h) */
+	double *answer;                      /* [m - ends][points][3] strains of the others */
+	enum hawser_plane plane[LOADS];      /* of them */
 	struct hawser__signal signal[MOST];  /* [m] */
 	struct hawser_modes wide;            /* the first `moving` modes, psi [m], the other modes */
 	struct hawser__condensed condensed;
@@ -69,6 +83,7 @@ static void work_clear(struct work *work)
 	for (int i = 0; i < TRIPLES; i++)
 		share_clear(&work->three[i]);
 	hawser__condensed_clear(&work->condensed);
+	free(work->answer);
 	free(work->big.Q);
 	free(work->big.C);
 	free(work->wide.mode);
@@ -78,6 +93,16 @@ static void work_clear(struct work *work)
 }
 
 /* --- the tensors --- */
+
+static void add_answer(struct work *work, int i)
+{
+	struct hawser_modes *wide = &work->wide;
+	size_t each = 3*(size_t)wide->grid.points, at = (size_t)(work->moving + i);
+
+	memcpy(wide->slope + at*each, work->answer + (size_t)(i - work->ends)*each, each*sizeof(double));
+	wide->mode[at] = (struct hawser_mode){.omega = INFINITY, .plane = work->plane[i - work->ends],
+		.symmetry = HAWSER_MIXED};
+}
 
 static void add_psi(struct work *work, int i, const struct hawser__support_shapes *shapes)
 {
@@ -133,8 +158,10 @@ static enum hawser_status widen(struct work *work, const struct hawser_modes *mo
 		memcpy(wide->stroke + (moving + m)*marks, modes->stroke + moving*marks,
 		       (n - moving)*marks*sizeof *wide->stroke);
 	}
-	for (int i = 0; i < work->m; i++)
+	for (int i = 0; i < work->ends; i++)
 		add_psi(work, i, shapes);
+	for (int i = work->ends; i < work->m; i++)
+		add_answer(work, i);
 	return HAWSER_OK;
 }
 
@@ -196,6 +223,8 @@ static int sort_in(struct work *work, int e, const int *index, int count, double
 	}
 	if (!room(us ? &share->K : &share->f, us ? (size_t)n*(size_t)n : (size_t)n))
 		return 0;
+	if (us && psis == 1 && psi[0] >= work->ends)
+		return 1; /* condense_load.c */
 	if (us)
 		share->K[equation*n + u[0]] += value;
 	else
@@ -368,13 +397,91 @@ static int spread_all(struct hawser_rom *rom, const struct work *work)
 }
 
 /* The shapes that move. */
-static void list_shapes(struct work *work, const struct hawser_scene *scene,
-                        const struct hawser__support_shapes *shapes,
-                        const struct hawser_statics *statics)
+static enum hawser_status list_shapes(struct work *work, const struct hawser_modes *modes,
+                                      const struct hawser_scene *scene,
+                                      struct hawser__support_shapes *shapes,
+                                      struct hawser_report *report)
 {
-	for (int i = 0; i < shapes->count; i++)
-		if (hawser__support_factor(&work->signal[work->m], scene, i, statics))
+	enum hawser_status status = HAWSER_OK;
+
+	if (!hawser__support_moves(scene))
+		return HAWSER_OK;
+	status = hawser__support_shapes_make(shapes, modes, report);
+	for (int i = 0; !status && i < shapes->count; i++)
+		if (hawser__support_factor(&work->signal[work->m], scene, i, &modes->statics))
 			work->number[work->m++] = i;
+	work->ends = work->m;
+	return status;
+}
+
+/* Change of the tension, relative, by the slopes of a field whose ends are fixed. */
+static double tightens(const double *strain, const struct hawser_modes *modes)
+{
+	double sum = 0.0;
+
+	for (int p = 0; p < modes->grid.points; p++)
+		sum += 0.5*modes->grid.weight[p]*(pow(strain[3*p + 1], 2) + pow(strain[3*p + 2], 2));
+	return sum/(modes->statics.l*modes->statics.epsilon);
+}
+
+/* The response to harmonic h of the load, a field in each plane. */
+static enum hawser_status list_answer(struct work *work, const struct hawser_modes *modes,
+                                      const struct hawser__loads *loads, int h,
+                                      struct hawser_report *report)
+{
+	size_t points = (size_t)modes->grid.points;
+	double *both = malloc(3*points*sizeof *both);
+	enum hawser_status status = both ? hawser__follow_strains(both, modes, work->moving, loads, h, report)
+	                                 : hawser__no_memory(report, "rom");
+
+	for (int plane = 0; !status && plane < (modes->statics.space ? 1 : 2); plane++) {
+		double *own = work->answer + 3*points*(size_t)(work->m - work->ends);
+
+		if (work->m - work->ends == LOADS)
+			break;
+		for (size_t i = 0; i < 3*points; i++)
+			own[i] = modes->statics.space || (i%3 == 2) == (plane == 1) ? both[i] : 0.0;
+		if (tightens(own, modes) < FAINT)
+			continue;
+		work->plane[work->m - work->ends] = plane ? HAWSER_OUT_OF_PLANE : HAWSER_IN_PLANE;
+		work->signal[work->m] = (struct hawser__signal){{0.0}, {0.0}};
+		*(loads->sine[h] ? &work->signal[work->m].s[loads->k[h]]
+		  : &work->signal[work->m].c[loads->k[h]]) = 1.0;
+		work->m++;
+	}
+	free(both);
+	return status;
+}
+
+/* The responses to the load that matter. A table that moves the ends leaves no room for them. */
+static enum hawser_status list_answers(struct work *work, const struct hawser_modes *modes,
+                                       const struct hawser_scene *scene, struct hawser_report *report)
+{
+	struct hawser__loads loads = {.count = 0};
+	enum hawser_status status = HAWSER_OK;
+
+	if (!hawser__loaded(scene) || hawser__support_given(scene))
+		return HAWSER_OK;
+	status = hawser__loads_make(&loads, &modes->statics, scene, report);
+	work->answer = malloc(LOADS*3*(size_t)modes->grid.points*sizeof *work->answer);
+	if (!status && !work->answer)
+		status = hawser__no_memory(report, "rom");
+	for (int h = 0; !status && h < loads.harmonics; h++)
+		if (loads.k[h] <= HAWSER__SUPPORT_TOP)
+			status = list_answer(work, modes, &loads, h, report);
+	hawser__loads_clear(&loads);
+	return status;
+}
+
+/* The second-order response to the motion of the supports, without that to the load. */
+static enum hawser_status condensed_ends(struct hawser_rom *rom, const struct work *work,
+                                         struct hawser_report *report)
+{
+	struct hawser__condensed own = work->condensed;
+
+	own.n = work->moving + work->ends;
+	own.pairs = own.n*(own.n + 1)/2;
+	return hawser__ends_condensed(rom, &work->wide, &own, report);
 }
 
 enum hawser_status hawser__support_energy(struct hawser_rom *rom, const struct hawser_modes *modes,
@@ -383,15 +490,15 @@ enum hawser_status hawser__support_energy(struct hawser_rom *rom, const struct h
                                           struct hawser_report *report)
 {
 	struct work work = {.n = rom->n, .moving = moving};
-	struct hawser__support_shapes shapes;
-	enum hawser_status status = hawser__support_shapes_make(&shapes, modes, report);
+	struct hawser__support_shapes shapes = {.count = 0};
+	enum hawser_status status = list_shapes(&work, modes, scene, &shapes, report);
 
-	if (status)
-		return status;
-	list_shapes(&work, scene, &shapes, &modes->statics);
-	if (work.m == 0) {
+	if (!status && condensed)
+		status = list_answers(&work, modes, scene, report);
+	if (status || work.m == 0) {
 		hawser__support_shapes_clear(&shapes);
-		return HAWSER_OK;
+		work_clear(&work);
+		return status;
 	}
 	status = widen(&work, modes, &shapes, report);
 	if (!status && condensed)
@@ -399,8 +506,8 @@ enum hawser_status hawser__support_energy(struct hawser_rom *rom, const struct h
 	if (!status)
 		status = hawser__rom_tensors(&work.big, &work.wide, condensed ? &work.condensed : NULL,
 		                             report);
-	if (!status && condensed && rom->shapes.second_slope)
-		status = hawser__ends_condensed(rom, &work.wide, &work.condensed, report);
+	if (!status && condensed && rom->shapes.second_slope && work.ends > 0)
+		status = condensed_ends(rom, &work, report);
 	if (!status && !sort_all(&work))
 		status = hawser__no_memory(report, "rom");
 	if (!status && hawser__support_given(scene))

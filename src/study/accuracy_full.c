@@ -12,7 +12,7 @@
  * The curve for comparison has few points and no multipliers: each point of either curve is compared with
  * the curve through the others, not with points (curve.c).
  *
- * The agreement of two bases that do not resolve the linear modes of the range means nothing. Such
+ * The agreement of two bases that do not resolve the linear modes of the range, or the load, means nothing. Such
  * a basis is skipped without a response. So is one with as many coordinates as the last: attachments
  * divide the cable into elements, which share the functions out, so that 6 and 8 of them may give the
  * same model. The first response is compared with that of the last condensed model.
@@ -35,6 +35,7 @@
 #define RESOLVED 0.1     /* largest error of the frequencies in the range, relative to the accuracy;
                           * chosen */
 #define ROUGHLY 1.0      /* the same for modes up to REACH times the upper end of the range; chosen */
+#define LACKS 0.02       /* largest part of the static response to the load that a basis lacks; chosen */
 #define LONG 0.2         /* largest step of a curve for comparison, relative to the range; chosen */
 #define REACH 2.0        /* 2: the second harmonic of the response may be in resonance with them */
 
@@ -54,7 +55,7 @@ static double frequency_error(const struct hawser_accuracy *a, int j)
 	return 1.0;
 }
 
-static int resolves(const struct hawser_accuracy *a)
+static int resolves_modes(const struct hawser_accuracy *a)
 {
 	for (int j = 0; j < a->choice.n; j++) {
 		double omega = a->modes.mode[j].omega, to = a->choice.to;
@@ -64,6 +65,21 @@ static int resolves(const struct hawser_accuracy *a)
 			return 0;
 	}
 	return 1;
+}
+
+/* Whether the basis of the model holds the linear modes and the load. */
+static enum hawser_status resolves(int *good, const struct hawser_accuracy *a,
+                                   const struct hawser_scene *scene, int functions,
+                                   struct hawser_report *report)
+{
+	double lacks = 0.0;
+	enum hawser_status status = HAWSER_OK;
+
+	*good = resolves_modes(a);
+	if (*good)
+		status = hawser_rom_full_lacks(&lacks, &a->modes.statics, scene, functions, report);
+	*good &= lacks <= LACKS;
+	return status;
 }
 
 /* In harmonic balance, the tolerance limits the error of every orbit, which is larger than that of
@@ -172,11 +188,14 @@ enum hawser_status hawser__accuracy_full(struct hawser_accuracy *a, struct hawse
 
 	for (int i = 0; !status && i < BASES && a->tries < HAWSER_ACCURACY_TRIES; i++) {
 		struct hawser_accuracy_try *this;
+		int good = 0;
 
 		if (bases[i] > most)
 			break;
 		status = build(a, scene, bases[i], report);
-		if (status || a->rom.n <= tried || (!resolves(a) && i + 1 < last))
+		if (!status)
+			status = resolves(&good, a, scene, bases[i], report);
+		if (status || a->rom.n <= tried || (!good && i + 1 < last))
 			continue;
 		status = hawser__accuracy_attempt(a, marks, scene, bases[i], &frf, report);
 		if (retry(status, &i, &frf, options)) {
