@@ -97,8 +97,8 @@ double complex hawser__half_pair_at(double complex by[SHAPES],
 	return H;
 }
 
-/* Unknowns but the ratio, and their places in q. */
-enum { REST = HAWSER__HALF_EQUAL - 1 };
+/* Unknowns but the ratio, and their places in q. OTHERS: beginnings. */
+enum { REST = HAWSER__HALF_EQUAL - 1, OTHERS = 7 };
 static const int rest[REST] = {0, 1, 3, 4};
 
 static enum hawser_status pair_residuals(void *context, double *r, double *J, const double *x)
@@ -212,11 +212,12 @@ int hawser__half_pair(double q[SHAPES], struct hawser__half_fit *two,
 /* --- pairs that noise hides --- */
 
 /* Whether pairs with the ratio of `held` have a sum of squares below `limit`: from the last ones x, or
- * from others. */
-static int reaches(double x[REST], struct hawser__half_pair_of *pair, double held, double limit)
+ * from `others`. */
+static int reaches(double x[REST], struct hawser__half_pair_of *pair, double held, double limit,
+                   int others)
 {
 	/* equal parts, unequal ones, and of different signs; the distance follows the ratio */
-	static const double begin[][REST] = {{0.0, 1.0, 0.5, 0.5}, {0.5, 1.0, 0.8, 0.2},
+	static const double begin[OTHERS][REST] = {{0.0, 1.0, 0.5, 0.5}, {0.5, 1.0, 0.8, 0.2},
 		{-0.5, 1.0, 0.2, 0.8}, {0.5, 1.0, 1.2, -0.15}, {-0.5, 1.0, -0.15, 1.2},
 		{1.0, 1.0, 2.8, -2.0}, {-1.0, 1.0, -2.0, 2.8}};
 	struct hawser__least_squares problem = {.unknowns = REST,
@@ -226,7 +227,7 @@ static int reaches(double x[REST], struct hawser__half_pair_of *pair, double hel
 	int steps;
 
 	pair->held = &held;
-	for (int k = -1; k < (int)(sizeof begin/sizeof *begin) && !(sum <= limit); k++) {
+	for (int k = -1; k < others && !(sum <= limit); k++) {
 		for (int j = 0; j < REST; j++)
 			from[j] = k < 0 ? x[j] : begin[k][j]*(j < 2 ? apart : 1.0);
 		if (hawser__least_squares(from, &sum, &steps, &problem))
@@ -254,11 +255,11 @@ void hawser__half_reach(double reach[2], const double q[SHAPES], double sum,
 
 		for (int j = 0; j < REST; j++)
 			x[j] = q[rest[j]];
-		for (int i = 0; i < MARCH && reaches(x, &pair, inside + change, limit); i++)
+		for (int i = 0; i < MARCH && reaches(x, &pair, inside + change, limit, OTHERS); i++)
 			inside += change;
 		for (int i = 0; i < HALVE; i++) {
 			change *= 0.5;
-			if (reaches(x, &pair, inside + change, limit))
+			if (reaches(x, &pair, inside + change, limit, 0))
 				inside += change;
 		}
 		reach[k] = pair.ratio*exp(inside + change);
