@@ -38,6 +38,9 @@ struct hawser_half_power {
 	int modes;          /* 2: the points are certainly those of two modes within each other's width,
 	                     * and `ratio` is their mean; peak and half-power points are those of their
 	                     * sum */
+	double noise;       /* standard deviation of the points, relative to the peak, where they scatter
+	                     * at random; else 0. With modes 1, ratio_error leaves out pairs of two
+	                     * ratios that this noise hides */
 };
 /* Find the points from the amplitudes a [count] at ascending frequencies omega [count];
  * `confidence` such as 0.95. HAWSER_ERR_ARGUMENT (too few points, frequencies not ascending),

@@ -27,10 +27,18 @@
  *
  *      H = g1/(w1^2 - w^2 + 2 i xi w1 w) + g2/(w2^2 - w^2 + 2 i xi w2 w),    a = |H|
  *
- * again with a ratio each, and by a parabola with x^3 and x^4, to which modes farther away contribute.
- * If the sum is the better one, and its ratio differs from the first by more than its own confidence
- * interval, it is taken, with the difference as its error: a response that bends a little may look like
- * two modes as well.
+ * again with a ratio each, and smoothly: by a parabola with x^3, x^4 and a^2 x. Modes farther away
+ * contribute to the powers, and a peak that bends, y = m (1 + (z - zp - b a^2)^2/D^2), to a^2 x.
+ * If a sum is the better one, and its ratio differs from the first by more than its own confidence
+ * interval, it is taken, with the difference as its error.
+ *
+ * Points that scatter at random about any smooth curve have noise, which says how large residuals are.
+ * All of them down to a fifth of the peak are fitted then, by one mode and by pairs of two ratios, whose
+ * parts the flanks tell apart better than the peak does. If a pair fits better, the interval is that of
+ * both ratios at once. Otherwise it contains the ratios of all pairs of one ratio whose sum fits as
+ * well as one mode. Pairs of two ratios are left out then: a part of any ratio that is small enough is
+ * below any noise, and even two equal parts whose ratios differ by a tenth are below one of 0.1 %, so
+ * that an interval that contains all of them says nothing.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -58,15 +66,20 @@ static const char where[] = "half-power";
 /* Largest error relative to the ratio: with a larger one no digit of the ratio is known; chosen. */
 static const double too_far = 0.1;
 
-/* Confidence with which a pair has to fit better than one mode; chosen. */
-static const double SURE = 0.99;
+/* Confidence with which a pair has to fit better than one mode, and where there is noise, so that fewer
+ * pairs are taken for one; chosen. */
+static const double SURE = 0.99, LIKELY = 0.9;
 
 /* Scatter of one mode relative to its peak, that of amplitudes with 11 digits; chosen. */
 static const double EXACT = 1e-11;
 
-/* Scatter of two modes relative to that of one with modes farther away: above it, a peak that bends a
- * little explains the points as well; chosen. */
+/* Scatter of two modes relative to that of a smooth deviation: above it, that explains the points as
+ * well; above its inverse it explains them alone; chosen. */
 static const double CLEARLY = 0.1;
+
+/* Scatter of one mode that is slight: every response bends a little, and other modes follow the load;
+ * chosen. */
+static const double SLIGHT = 1e-3;
 
 /* Half the distance of two modes with two ratios over half the width of the peak: a mode farther away
  * has no part in its ratio; chosen. */
@@ -75,6 +88,10 @@ static const double WIDE = 2.0;
 /* Factor on the difference of the two ratios: it exceeds the error of both for a peak that bends by
  * up to 2 %, since the ratio refers to a frequency that the bend changes. */
 static const double MARGIN = 1.1;
+
+/* Correlation of neighbours below which residuals are noise, and how far points with noise are fitted,
+ * in half the width of the peak: down to a fifth of it; chosen. */
+static const double WHITE = 0.3, FAR = 4.9;
 
 static double square(double x)
 {
@@ -104,27 +121,28 @@ static int of_parabola(struct hawser__half_fit *fit, double by_zp[P], double by_
 	return 1;
 }
 
-/* What adds to the parabola: nothing, or modes farther away. */
-enum others { NONE, FAR };
+/* What adds to the parabola: nothing, or modes farther away and a bend. */
+enum others { NONE, SMOOTH };
 
 static int shapes_of(enum others others)
 {
-	return others == NONE ? P : EQUAL;
+	return others == NONE ? P : SHAPES;
 }
 
-/* The functions of x of which 1/a^2 is a sum. */
-static void shapes_at(double f[SHAPES], double x)
+/* The functions of x, and of a, of which 1/a^2 is a sum. */
+static void shapes_at(double f[SHAPES], double x, double a)
 {
 	f[0] = 1.0;
 	f[1] = x;
 	f[2] = x*x;
 	f[3] = x*x*x;
 	f[4] = x*x*x*x;
+	f[5] = a*a*x;
 }
 
-static double scatter(const struct hawser__half_table *table, struct hawser__half_span span,
-                      const double *p,
-                      enum others others, double zc, double h)
+static double scatter(double *lag, const struct hawser__half_table *table,
+                      struct hawser__half_span span, const double *p, enum others others, double zc,
+                      double h)
 {
 	struct hawser__half_residuals residuals = {0.0, 0.0, 0.0};
 	double f[SHAPES];
@@ -133,11 +151,12 @@ static double scatter(const struct hawser__half_table *table, struct hawser__hal
 	for (int i = span.first; i <= span.last; i++) {
 		double a = table->a[i]/table->a[table->best], y = 0.0;
 
-		shapes_at(f, (square(table->omega[i]) - zc)/h);
+		shapes_at(f, (square(table->omega[i]) - zc)/h, a);
 		for (int j = 0; j < shapes; j++)
 			y += p[j]*f[j];
 		hawser__half_add(&residuals, 0.5*a*(a*a*y - 1.0));
 	}
+	*lag = residuals.lag/fmax(residuals.sum, DBL_MIN);
 	return hawser__half_deviation(&residuals, count, shapes);
 }
 
@@ -154,7 +173,7 @@ static int fit_shapes(struct hawser__half_fit *fit, const struct hawser__half_ta
 	for (int i = span.first; i <= span.last; i++) {
 		double a = table->a[i]/most, w = 0.5*a*a*a, row[MOST + 1];
 
-		shapes_at(f, (square(table->omega[i]) - zc)/h);
+		shapes_at(f, (square(table->omega[i]) - zc)/h, a);
 		for (int j = 0; j < shapes; j++)
 			row[j] = w*f[j];
 		row[shapes] = w/(a*a);
@@ -165,7 +184,7 @@ static int fit_shapes(struct hawser__half_fit *fit, const struct hawser__half_ta
 		return 0;
 	/* round-off of the amplitudes, and of x through omega */
 	deviation = 8.0*DBL_EPSILON*(1.0 + zc/h);
-	fit->scatter = free_points > 0 ? scatter(table, span, p, others, zc, h) : 0.0;
+	fit->scatter = free_points > 0 ? scatter(&fit->lag, table, span, p, others, zc, h) : 0.0;
 	if (free_points > 0)
 		deviation = fmax(deviation, fit->scatter)*
 		            gsl_cdf_tdist_Pinv(0.5 + 0.5*table->confidence, free_points);
@@ -220,46 +239,131 @@ static struct hawser__half_span second(const struct hawser__half_table *table,
 
 /* --- two modes --- */
 
-/* Whether a fit with more unknowns is better than one with fewer by more than chance. */
+/* Whether the first fit's scatter is less by more than chance. */
+static int is_less(const struct hawser__half_fit *fit, int free_points,
+                   const struct hawser__half_fit *than, int free_of_that, double sure)
+{
+	return fit->scatter*sqrt(gsl_cdf_fdist_Pinv(sure, free_of_that, free_points)) < than->scatter;
+}
+
+/* Whether a fit with more unknowns is better than one with fewer. */
 static int is_better(const struct hawser__half_fit *more, int unknowns,
                      const struct hawser__half_fit *fewer, int less, int count)
 {
-	return more->scatter*sqrt(gsl_cdf_fdist_Pinv(SURE, count - less, count - unknowns)) <
-	       fewer->scatter;
+	return is_less(more, count - unknowns, fewer, count - less, SURE);
 }
 
-/* Two modes, with two ratios if that is better. Returns 0 where one mode will do. */
-static int find_pair(struct hawser__half_fit *two, const struct hawser__half_table *table,
-                     struct hawser__half_span span, const struct hawser__half_fit *fit)
+/* What the points may be other than one mode. */
+enum seen { ONE, HIDDEN, SUSPECTED, CLEAR };
+
+/* Fits of the points of a span: one mode, the best pair of one ratio, with its unknowns, and of two. */
+struct fits {
+	struct hawser__half_pair_of pair;
+	struct hawser__half_fit one, same, apart;
+	double equal[SHAPES];
+	int count;
+};
+
+/* Returns 0 where one mode fits to round-off, or does not fit at all. */
+static int fit_all(struct fits *all, const struct hawser__half_table *table,
+                   struct hawser__half_span span, const struct hawser__half_fit *fit)
 {
-	struct hawser__half_pair_of pair = {table, span, sqrt(fit->zp), fit->ratio, EQUAL};
-	struct hawser__half_fit one = *fit, apart = *fit, other = *fit, far = *fit;
-	int count = span.last - span.first + 1;
+	struct hawser__half_fit other = *fit;
 	double q[SHAPES];
 
-	/* nothing is looked for where one mode fits to round-off */
-	if (!fit_span(&one, table, span) || one.scatter < EXACT)
+	*all = (struct fits){{table, span, sqrt(fit->zp), fit->ratio, EQUAL, NULL}, *fit, *fit, *fit,
+		{0.0, 0.0, 0.0, 0.5, 0.5}, span.last - span.first + 1};
+	if (!fit_span(&all->one, table, span) || all->one.scatter < EXACT)
 		return 0;
-	if (!hawser__half_quotient(q, &pair) || !hawser__half_pair(q, &apart, &pair, SHAPES) ||
-	    fabs(q[1]) > WIDE)
-		apart.scatter = INFINITY;
-	/* nor where its residuals, if they are many, have no smooth part */
-	if (!(apart.scatter < CLEARLY*one.scatter) && count >= MANY &&
-	    fit_shapes(&far, table, span, FAR, fit->zp, fit->D) && !is_better(&far, EQUAL, &one, P, count))
+	if (!hawser__half_quotient(q, &all->pair) ||
+	    !hawser__half_pair(q, &all->apart, &all->pair, SHAPES) || fabs(q[1]) > WIDE)
+		all->apart.scatter = INFINITY;
+	if (!hawser__half_pair(all->equal, &all->same, &all->pair, EQUAL))
+		all->same.scatter = INFINITY;
+	memcpy(q, all->equal, sizeof q);
+	if (isfinite(all->same.scatter) && hawser__half_pair(q, &other, &all->pair, SHAPES) &&
+	    !(fabs(q[1]) > WIDE) && other.scatter < all->apart.scatter)
+		all->apart = other;
+	return 1;
+}
+
+static int reach_of(double reach[2], const struct fits *all)
+{
+	if (!isfinite(all->same.scatter))
 		return 0;
-	if (!hawser__half_pair(q, two, &pair, EQUAL))
-		two->scatter = INFINITY;
-	else if (hawser__half_pair(q, &other, &pair, SHAPES) && !(fabs(q[1]) > WIDE) &&
-	         other.scatter < apart.scatter)
-		apart = other;
-	if (is_better(&apart, SHAPES, two, EQUAL, count)) {
-		*two = apart;
-		return is_better(two, SHAPES, &one, P, count);
+	hawser__half_reach(reach, all->equal, all->same.sum, &all->pair);
+	return 1;
+}
+
+/* Two modes, with two ratios if that is better. */
+static enum seen find_pair(struct hawser__half_fit *two, double reach[2],
+                           const struct hawser__half_table *table, struct hawser__half_span span,
+                           const struct hawser__half_fit *fit)
+{
+	struct hawser__half_fit smooth = *fit;
+	struct fits all;
+	int unknowns = EQUAL, is_smooth, white;
+
+	if (!fit_all(&all, table, span, fit))
+		return ONE;
+	is_smooth = all.count > SHAPES && fit_shapes(&smooth, table, span, SMOOTH, fit->zp, fit->D);
+	white = is_smooth && all.count >= MANY && !is_better(&smooth, SHAPES, &all.one, P, all.count);
+	*two = all.same;
+	if (!white && is_better(&all.apart, SHAPES, two, EQUAL, all.count)) {
+		*two = all.apart;
+		unknowns = SHAPES;
+	} else if (isfinite(all.apart.scatter)) {
+		/* two ratios that noise hides are an error of the one */
+		two->hidden = fabs(all.apart.ratio - two->ratio) + all.apart.apart + all.apart.ratio_error;
 	}
-	/* two ratios that noise hides are an error of the one */
-	if (isfinite(apart.scatter))
-		two->hidden = fabs(apart.ratio - two->ratio) + apart.apart + apart.ratio_error;
-	return is_better(two, EQUAL, &one, P, count);
+	if (is_smooth && two->scatter > smooth.scatter/CLEARLY)
+		return ONE;
+	if (is_smooth && all.one.scatter < SLIGHT && !(two->scatter < CLEARLY*smooth.scatter))
+		white = 1;
+	if (white || !is_better(two, unknowns, &all.one, P, all.count))
+		return reach_of(reach, &all) ? HIDDEN : ONE;
+	return is_smooth && !(two->scatter < CLEARLY*smooth.scatter) ? SUSPECTED : CLEAR;
+}
+
+/* Whether the points of the span scatter at random about any smooth curve. */
+static int is_noise(struct hawser__half_fit *smooth, const struct hawser__half_table *table,
+                    struct hawser__half_span span, const struct hawser__half_fit *fit)
+{
+	return span.last - span.first + 1 >= MANY &&
+	       fit_shapes(smooth, table, span, SMOOTH, fit->zp, fit->D) &&
+	       smooth->scatter > EXACT && smooth->lag < WHITE;
+}
+
+/* Points with noise: one mode or two, from all points down to a fifth of the peak. Returns the number of
+ * modes, or 0 if neither leaves only the noise. */
+static int among_noise(struct hawser__half_fit *fit, const struct hawser__half_table *table,
+                       const struct hawser__half_fit *smooth, int count)
+{
+	struct hawser__half_fit *two;
+	struct fits all;
+	double reach[2] = {0.0, 0.0};
+	int free_points;
+
+	if (!fit_all(&all, table, around(table, fit->zp, FAR*fit->D), fit))
+		return 0;
+	two = &all.apart;
+	free_points = all.count - SHAPES;
+	if (!isfinite(two->scatter) || is_less(smooth, count - SHAPES, two, free_points, SURE))
+		return 0;
+	if (is_less(two, free_points, &all.one, all.count - P, LIKELY) ||
+	    is_less(&all.same, all.count - EQUAL, &all.one, all.count - P, LIKELY)) {
+		fit->ratio = two->ratio;
+		fit->ratio_error = two->both;
+		fit->noise = two->scatter;
+		return 2;
+	}
+	if (!reach_of(reach, &all))
+		return 0;
+	*fit = all.one;
+	fit->noise = fit->scatter;
+	for (int k = 0; k < 2; k++)
+		fit->ratio_error = fmax(fit->ratio_error, fabs(reach[k] - fit->ratio));
+	return 1;
 }
 
 /* The ratio becomes that of two modes where it certainly differs, with the difference as its error. If
@@ -267,23 +371,32 @@ static int find_pair(struct hawser__half_fit *two, const struct hawser__half_tab
  * Returns the number of modes. */
 static int close_modes(struct hawser__half_fit *fit, const struct hawser__half_table *table)
 {
-	double reach = sqrt(3.0)*fit->D, shift, off;
-	struct hawser__half_span span = around(table, fit->zp, reach);
-	struct hawser__half_fit two = *fit, far = *fit;
-	int enough = span.last - span.first + 1 >= LEAST_OF_TWO;
+	double beyond = sqrt(3.0)*fit->D, shift, off, reach[2];
+	struct hawser__half_span span = around(table, fit->zp, beyond);
+	struct hawser__half_fit two = *fit, smooth = *fit;
+	int enough = span.last - span.first + 1 >= LEAST_OF_TWO, modes;
+	enum seen seen = ONE;
 
-	while (span.last - span.first + 1 < LEAST_OF_TWO && (reach *= 1.25) < 4.0*fit->zp)
-		span = around(table, fit->zp, reach);
-	if (span.last - span.first + 1 < LEAST_OF_TWO || !find_pair(&two, table, span, fit))
+	while (span.last - span.first + 1 < LEAST_OF_TWO && (beyond *= 1.25) < 4.0*fit->zp)
+		span = around(table, fit->zp, beyond);
+	modes = is_noise(&smooth, table, span, fit) ?
+	        among_noise(fit, table, &smooth, span.last - span.first + 1) : 0;
+	if (modes > 0)
+		return modes;
+	if (span.last - span.first + 1 >= LEAST_OF_TWO)
+		seen = find_pair(&two, reach, table, span, fit);
+	if (seen == HIDDEN)
+		for (int k = 0; k < 2; k++)
+			fit->ratio_error = fmax(fit->ratio_error, fabs(reach[k] - fit->ratio));
+	if (seen == ONE || seen == HIDDEN)
 		return 1;
 	shift = fabs(two.ratio - fit->ratio);
-	off = fmax(shift, two.apart);
+	off = fmax(shift, two.apart) + (seen == SUSPECTED ? two.hidden : 0.0);
 	if (!(off > two.ratio_error))
 		return 1;
-	enough &= !fit_shapes(&far, table, span, FAR, fit->zp, fit->D) ||
-	          two.scatter < CLEARLY*far.scatter;
-	if (!enough || !(off < too_far*fit->ratio)) {
-		fit->ratio_error = fmax(fit->ratio_error, MARGIN*(shift + two.apart) + two.ratio_error);
+	if (seen == SUSPECTED || !enough || !(off < too_far*fit->ratio)) {
+		fit->ratio_error = fmax(fit->ratio_error, MARGIN*(shift + fmax(two.apart, two.hidden)) +
+		                        two.ratio_error);
 		return 1;
 	}
 	fit->ratio = two.ratio;
@@ -388,6 +501,6 @@ enum hawser_status hawser_half_power_find(struct hawser_half_power *half, const 
 		                    "steps, of one mode",
 		                    omega[table.best], fit.ratio, fit.ratio_error);
 	*half = (struct hawser_half_power){sqrt(fit.zp), sqrt(fit.zp - fit.D), sqrt(fit.zp + fit.D),
-		fit.ratio, fit.ratio_error, 0.5*fit.zp_error/sqrt(fit.zp), modes};
+		fit.ratio, fit.ratio_error, 0.5*fit.zp_error/sqrt(fit.zp), modes, fit.noise};
 	return HAWSER_OK;
 }

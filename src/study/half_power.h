@@ -25,6 +25,10 @@ struct hawser__half_fit {
 	double zp_error, ratio_error;
 	double apart;   /* half the difference of the ratios of two modes */
 	double hidden;  /* what the difference may be that noise hides, of two modes of one ratio */
+	double sum;     /* of the squares of a pair's residuals */
+	double both;    /* error of the mean that contains both ratios of two modes with their intervals */
+	double lag;     /* correlation of neighbouring residuals */
+	double noise;   /* `scatter` where it is random, or 0 */
 	double scatter; /* standard deviation of a point, relative to the largest amplitude */
 };
 
@@ -58,11 +62,17 @@ struct hawser__half_pair_of {
 	struct hawser__half_span span;
 	double wp, ratio; /* of the parabola */
 	int unknowns;     /* HAWSER__HALF_EQUAL or HAWSER__HALF_SHAPES */
+	const double *held; /* where q2 does not vary, its value; the unknowns are then q0, q1, q3, q4 */
 };
 
 /* Fit two modes: from q or, with the fewer unknowns, from anywhere. Returns 0 if there is no fit. */
 int hawser__half_pair(double q[HAWSER__HALF_SHAPES], struct hawser__half_fit *two,
                       struct hawser__half_pair_of *pair, int unknowns);
+
+/* The least and the greatest ratio of pairs of one ratio that fit as well as q, the best one, with the
+ * sum of squares `sum`; up to a distance that is more than an error may be. */
+void hawser__half_reach(double reach[2], const double q[HAWSER__HALF_SHAPES], double sum,
+                        const struct hawser__half_pair_of *pair);
 
 /* Where to fit two modes from, by a quotient of polynomials, which needs no guess
  * (half_power_quotient.c). Returns 0 if the quotient has not two resonances. */

@@ -97,12 +97,21 @@ double complex hawser__half_pair_at(double complex by[SHAPES],
 	return H;
 }
 
-static enum hawser_status pair_residuals(void *context, double *r, double *J, const double *q)
+/* Unknowns but the ratio, and their places in q. OTHERS: beginnings. */
+enum { REST = HAWSER__HALF_EQUAL - 1, OTHERS = 7 };
+static const int rest[REST] = {0, 1, 3, 4};
+
+static enum hawser_status pair_residuals(void *context, double *r, double *J, const double *x)
 {
 	const struct hawser__half_pair_of *pair = context;
+	double from_rest[SHAPES] = {0.0};
+	const double *q = pair->held ? from_rest : x;
 	const struct hawser__half_table *table = pair->table;
 	int count = pair->span.last - pair->span.first + 1;
 
+	for (int j = 0; pair->held && j < REST; j++)
+		from_rest[rest[j]] = x[j];
+	from_rest[2] = pair->held ? *pair->held : 0.0;
 	for (int i = 0; i < count; i++) {
 		double complex by[SHAPES];
 		int at = pair->span.first + i;
@@ -110,8 +119,8 @@ static enum hawser_status pair_residuals(void *context, double *r, double *J, co
 
 		if (r)
 			r[i] = cabs(H) - table->a[at]/table->a[table->best];
-		for (int j = 0; !r && j < pair->unknowns; j++)
-			J[j*count + i] = creal(conj(H)*by[j])/fmax(cabs(H), DBL_MIN);
+		for (int j = 0; !r && j < (pair->held ? REST : pair->unknowns); j++)
+			J[j*count + i] = creal(conj(H)*by[pair->held ? rest[j] : j])/fmax(cabs(H), DBL_MIN);
 	}
 	return HAWSER_OK;
 }
@@ -123,7 +132,8 @@ static void judge_pair(struct hawser__half_fit *two, const struct hawser__half_p
 	const struct hawser__half_table *table = pair->table;
 	int count = pair->span.last - pair->span.first + 1;
 	int m = pair->unknowns;
-	double R[MOST][MOST + 1] = {{0.0}}, apart = m > EQUAL ? q[EQUAL] : 0.0, mean, deviation;
+	double R[MOST][MOST + 1] = {{0.0}}, apart = m > EQUAL ? q[EQUAL] : 0.0;
+	double mean, deviation, joint;
 	struct hawser__half_residuals residuals = {0.0, 0.0, 0.0};
 
 	mean = pair->ratio*exp(q[2])*cosh(apart);
@@ -137,12 +147,23 @@ static void judge_pair(struct hawser__half_fit *two, const struct hawser__half_p
 		hawser__half_add(&residuals, cabs(H) - table->a[i]/table->a[table->best]);
 	}
 	two->scatter = hawser__half_deviation(&residuals, count, m);
-	deviation = fmax(8.0*DBL_EPSILON*(1.0 + 1.0/pair->ratio), two->scatter)*
-	            gsl_cdf_tdist_Pinv(0.5 + 0.5*confidence, count - m);
+	two->sum = residuals.sum;
+	deviation = fmax(8.0*DBL_EPSILON*(1.0 + 1.0/pair->ratio), two->scatter);
+	/* both ratios at once: Scheffe's factor */
+	joint = deviation*sqrt(2.0*gsl_cdf_fdist_Pinv(confidence, 2, count - m));
+	deviation *= gsl_cdf_tdist_Pinv(0.5 + 0.5*confidence, count - m);
 	two->ratio = mean;
+	two->both = 0.0;
 	two->ratio_error = deviation*hawser__half_spread((const double (*)[MOST + 1])R, (double[SHAPES]){
 		[2] = mean, [EQUAL] = mean*tanh(apart)}, m);
 	two->apart = fabs(mean*tanh(apart));
+	for (int k = 0; k < 2; k++) {
+		double side = k ? 1.0 : -1.0, xi = pair->ratio*exp(q[2] + side*apart);
+
+		two->both = fmax(two->both, fabs(xi - mean) +
+			joint*hawser__half_spread((const double (*)[MOST + 1])R, (double[SHAPES]){
+				[2] = xi, [EQUAL] = side*xi}, m));
+	}
 }
 
 /* The best of the fits from several pairs with one ratio. Returns 0 if there is none. */
@@ -188,3 +209,59 @@ int hawser__half_pair(double q[SHAPES], struct hawser__half_fit *two,
 	return isfinite(two->ratio) && isfinite(two->ratio_error);
 }
 
+/* --- pairs that noise hides --- */
+
+/* Whether pairs with the ratio of `held` have a sum of squares below `limit`: from the last ones x, or
+ * from `others`. */
+static int reaches(double x[REST], struct hawser__half_pair_of *pair, double held, double limit,
+                   int others)
+{
+	/* equal parts, unequal ones, and of different signs; the distance follows the ratio */
+	static const double begin[OTHERS][REST] = {{0.0, 1.0, 0.5, 0.5}, {0.5, 1.0, 0.8, 0.2},
+		{-0.5, 1.0, 0.2, 0.8}, {0.5, 1.0, 1.2, -0.15}, {-0.5, 1.0, -0.15, 1.2},
+		{1.0, 1.0, 2.8, -2.0}, {-1.0, 1.0, -2.0, 2.8}};
+	struct hawser__least_squares problem = {.unknowns = REST,
+		.count = pair->span.last - pair->span.first + 1, .residuals = pair_residuals,
+		.context = pair, .least_step = 1e-6, .steps = FIRST_STEPS};
+	double sum = INFINITY, apart = sqrt(2.0*fabs(held)), from[REST];
+	int steps;
+
+	pair->held = &held;
+	for (int k = -1; k < others && !(sum <= limit); k++) {
+		for (int j = 0; j < REST; j++)
+			from[j] = k < 0 ? x[j] : begin[k][j]*(j < 2 ? apart : 1.0);
+		if (hawser__least_squares(from, &sum, &steps, &problem))
+			sum = INFINITY;
+	}
+	pair->held = NULL;
+	if (!(sum <= limit))
+		return 0;
+	memcpy(x, from, sizeof from);
+	return 1;
+}
+
+void hawser__half_reach(double reach[2], const double q[SHAPES], double sum,
+                        const struct hawser__half_pair_of *of)
+{
+	enum { MARCH = 12, HALVE = 4 };
+	static const double step = 0.015; /* of the logarithm of the ratio; chosen */
+	struct hawser__half_pair_of pair = *of;
+	int free_points = pair.span.last - pair.span.first + 1 - EQUAL;
+	double t = gsl_cdf_tdist_Pinv(0.5 + 0.5*pair.table->confidence, free_points);
+	double limit = sum*(1.0 + t*t/free_points);
+
+	for (int k = 0; k < 2; k++) {
+		double x[REST], inside = q[2], change = k ? step : -step;
+
+		for (int j = 0; j < REST; j++)
+			x[j] = q[rest[j]];
+		for (int i = 0; i < MARCH && reaches(x, &pair, inside + change, limit, OTHERS); i++)
+			inside += change;
+		for (int i = 0; i < HALVE; i++) {
+			change *= 0.5;
+			if (reaches(x, &pair, inside + change, limit, 0))
+				inside += change;
+		}
+		reach[k] = pair.ratio*exp(inside + change);
+	}
+}

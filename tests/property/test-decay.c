@@ -154,7 +154,7 @@ static void impure_tables(void)
 {
 	int held[2] = {0}, stated[2] = {0};
 
-	for (int r = 0; r < RUNS/10; r++) {
+	for (int r = 0; r < RUNS/20; r++) {
 		double ratio = 0.005 + 0.05*uniform(), w[60], a[60], peak = 0.5/ratio;
 		double other = r % 2 == 1 ? 2.0 + 3.0*uniform() : 0.0;
 		struct hawser_half_power half;
@@ -176,7 +176,7 @@ static void impure_tables(void)
 		held[r % 2] += fabs(half.ratio - ratio) <= half.ratio_error;
 	}
 	for (int k = 0; k < 2; k++)
-		ok(stated[k] > 75 && held[k] >= 0.93*stated[k], "%s: %d of %d stated errors hold",
+		ok(stated[k] > 37 && held[k] >= 0.93*stated[k], "%s: %d of %d stated errors hold",
 		   k ? "a second mode" : "noise", held[k], stated[k]);
 }
 
@@ -260,6 +260,57 @@ static void random_pairs(double differ)
 	   "modes, %d within the error", all, stated, pairs, held);
 }
 
+/* Pairs with noise, at most half a width apart, of one ratio or of two: each stated error contains the
+ * ratio, and those of two that are found, or the table is refused. (Before the interval contained the
+ * pairs of one ratio that noise hides, 30 of 80 did not, by up to 5.4 times.) */
+static void noisy_pairs(double differ)
+{
+	int stated = 0, held = 0, all = getenv("HAWSER_LONG") ? 300 : differ > 0.0 ? 32 : 16;
+
+	for (int r = 0; r < all; r++) {
+		double ratio = pow(10.0, -2.5 + uniform()), apart = 0.5*uniform(), w[60], a[60], peak = 0.0;
+		double other = (0.1 + 0.9*uniform())*(uniform() < 0.33 ? -0.5 : 1.0);
+		double noise = (differ > 0.0 ? 0.0001 : 0.001)*pow(10.0, uniform()), w2 = 1.0 + 2.0*ratio*apart;
+		double second = ratio*(1.0 + differ*(2.0*uniform() - 1.0));
+		struct hawser_half_power half;
+
+		for (int i = 0; i < 60; i++) {
+			w[i] = 0.5*(1.0 + w2)*(1.0 + 6.0*ratio*(2.0*i/59.0 - 1.0));
+			a[i] = cabs(1.0/(1.0 - w[i]*w[i] + 2.0*I*ratio*w[i]) +
+			            other/(w2*w2 - w[i]*w[i] + 2.0*I*second*w2*w[i]));
+			peak = fmax(peak, a[i]);
+		}
+		for (int i = 0; i < 60; i++)
+			a[i] = fabs(a[i] + noise*peak*normal());
+		if (hawser_half_power_find(&half, w, a, 60, 0.95, NULL) || (differ > 0.0 && half.modes == 1))
+			continue;
+		stated++;
+		held += fmax(fabs(half.ratio - ratio), fabs(half.ratio - second)) <= half.ratio_error;
+	}
+	ok(8*stated >= all && 20*held >= 19*stated, "of %d pairs with noise, %g apart, %d are stated, %d "
+	   "within the error", all, differ, stated, held);
+}
+
+/* One mode that bends by 6e-4 and -6e-4 of half its width is one mode (u_1 of a small response of the
+ * chairlift was taken for two modes, with an error of 7 %, or refused). */
+static void slight_bend(double bend)
+{
+	double ratio = 0.0046, w[46], a[46];
+	struct hawser_half_power half;
+	struct hawser_report report = {.message = ""};
+
+	for (int i = 0; i < 46; i++) {
+		double k = (2.0*i - 45.0)/45.0*1.8, side = 2.0*ratio*sqrt(1.0 - ratio*ratio);
+
+		a[i] = 1.0/sqrt(1.0 + k*k);
+		w[i] = sqrt(1.0 - 2.0*ratio*ratio + side*(k + bend*a[i]*a[i]));
+	}
+	if (ok(!hawser_half_power_find(&half, w, a, 46, 0.95, &report), "a slight bend: %s", report.message))
+		ok(half.modes == 1 && fabs(half.ratio - ratio) <= half.ratio_error &&
+		   half.ratio_error < 0.003*ratio, "%d mode: %.6g +- %.1e", half.modes, half.ratio,
+		   half.ratio_error);
+}
+
 static void refusals(void)
 {
 	double t[COUNT], x[COUNT];
@@ -318,6 +369,11 @@ CASE(property_decay)
 	close_modes(60, 0.0);
 	random_pairs(0.0);
 	random_pairs(0.4);
+	noisy_pairs(0.0);
+	noisy_pairs(0.1);
+	slight_bend(6e-4);
+	slight_bend(-6e-4);
+	slight_bend(1e-5);
 	refusals();
 	return done_testing();
 }
