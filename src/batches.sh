@@ -67,8 +67,12 @@ batch() {
 	echo "\$(batches:=.lo) \$(batches:=.o): private AM_CFLAGS += -Wno-shadow \$(if \$(findstring gcc,\$(CC)),-Wshadow=local)"
 	# What reads scenes and arguments and writes text computes next to nothing, and tests spend 3 % of their time outside the
 	# libraries: gcc needs two thirds of the time for -O1, with which it can't tell of each value that it is set.
-	echo "\$(filter src/cli/% tests/%,\$(batches:=.o)) \$(filter src/scene/% src/output/%,\$(batches:=.lo)): \\
+	echo "\$(filter src/cli/%,\$(batches:=.o)) \$(filter src/scene/% src/output/%,\$(batches:=.lo)): \\
 		private override CFLAGS := \$(subst -O2,-O1,\$(CFLAGS)) \
+		\$(if \$(findstring gcc,\$(CC)),-Wno-maybe-uninitialized)"
+	# Sanitizers judge the sources. Instrumented, the tests themselves would take ten times as long to compile.
+	echo "\$(filter tests/%,\$(batches:=.o)): private override CFLAGS := \$(if \$(strip \$(SANITIZE_FLAGS)), \\
+		\$(filter-out -fsanitize%,\$(CFLAGS)) -O0 -fno-sanitize=all,\$(subst -O2,-O1,\$(CFLAGS))) \
 		\$(if \$(findstring gcc,\$(CC)),-Wno-maybe-uninitialized)"
 	echo "\$(filter src/output/%,\$(batches:=.lo)): \$(BUILT_SOURCES)"
 	echo "-include \$(wildcard src/*/.deps/batch-*.P*o tests/*-batches/.deps/batch-*.Po)"
