@@ -122,15 +122,19 @@ check-provoked: provoked/config.status
 	cd provoked && $(MAKE) && find . -name '*.gcda' -exec rm -f {} + && { $(MAKE) -k check; :; }
 	cd $(srcdir) && python3 tests/checks/provoked.py $(abs_top_builddir)/provoked
 
-# Which tests reach what cheaper ones don't, from the same tree: the list for the sanitizers, in provoked/unsanitized.txt. It takes
-# twenty minutes; make it anew when the sanitizers' step of .ci/run takes too long.
-EXTRA_DIST += %D%/checks/cover.py
-check-cover: provoked/config.status
-	$(MAKE) -C provoked all
-	$(MAKE) -C provoked check-programs
-	rm -rf provoked/cover
-	-$(MAKE) -C provoked -k check-local RUN_FLAGS="-g $(abs_builddir)/provoked/cover $(WITHOUT_LONGER)"
-	python3 $(srcdir)/%D%/checks/cover.py provoked/cover provoked/tests/results.tsv cli/every-scene >provoked/unsanitized.txt
+# Which tests reach what cheaper ones don't: all tests under the sanitizers, with programs that write down what they reach (clang counts
+# it for fuzzing anyway). The list is sanitizers/unsanitized.txt; make it anew when the sanitizers' step of .ci/run takes too long.
+EXTRA_DIST += %D%/checks/cover.py %D%/checks/cover.c
+COVERED = $(addprefix sanitizers/,hawser $(check_PROGRAMS))
+check-cover: sanitizers/config.status
+	$(MAKE) -C sanitizers check-programs
+	$(SANITIZERS_CC) -O1 -c -o sanitizers/cover.o $(srcdir)/%D%/checks/cover.c
+	rm -rf sanitizers/cover $(COVERED)
+	$(MAKE) -C sanitizers check-programs LDFLAGS=$(abs_builddir)/sanitizers/cover.o
+	-$(MAKE) -C sanitizers -k check-local LDFLAGS=$(abs_builddir)/sanitizers/cover.o \
+		RUN_FLAGS="-g $(abs_builddir)/sanitizers/cover $(WITHOUT_LONGER)"
+	cd sanitizers && python3 $(abs_srcdir)/%D%/checks/cover.py cover tests/results.tsv cli/every-scene >unsanitized.txt
+	rm -f $(COVERED)
 
 # The numerical tests under every kernel of OpenBLAS that the processor runs, and with Debian's reference BLAS and
 # LAPACK; logs in kernels/. KERNELS=... and TESTS=... run less. Left out are tests without numbers.
