@@ -1,6 +1,8 @@
-/* checks/cover.c - what a program of the sanitizers' tree reaches, for make check-cover: linked into it, it adds at the end of each
- * process to the files PROGRAM and PROGRAM.pcs in the folder $GCOV_PREFIX (tests/run -g): a byte a block of code, not 0 where it
- * was reached; and twice the place of each block in the program, plus 1 where a function begins.
+/* checks/cover.c - what a program of the sanitizers' tree reaches, for make check-cover.
+ *
+ * Linked into a program, it adds at the end of each process to the files PROGRAM and PROGRAM.pcs in
+ * the folder $GCOV_PREFIX (tests/run -g): a byte a block of code, not 0 where it was reached; and
+ * twice the place of each block in the program, plus 1 where a function begins.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #define _GNU_SOURCE
 #include <errno.h>
@@ -59,7 +61,8 @@ static void write_places(const char *path, size_t count)
 	snprintf(name, sizeof name, "%s.pcs", path);
 	file = fopen(name, "w");
 	for (size_t i = 0; i < count; i++)
-		place[i] = (uint32_t)(2*(block[i].at - (uintptr_t)&__executable_start) + (block[i].entry & 1));
+		place[i] = (uint32_t)(2*(block[i].at - (uintptr_t)&__executable_start) +
+		                      (block[i].entry & 1));
 	if (file) {
 		fwrite(place, sizeof *place, count, file);
 		fclose(file);
