@@ -54,7 +54,7 @@ check-longer: all-am $(check_PROGRAMS) $(check_DATA)
 # The program and the tests under AddressSanitizer (with its leak check) and UBSan, by clang, in a build of their own, which fuzzing
 # uses as well. clang's warnings are errors there. Not an error is NULL + 0, which clang counts as one and C2y defines; other
 # pointers beyond an array, or to nothing, are AddressSanitizer's. The checks of null pointers and sizes besides, and of alignment,
-# which no processor that runs the checks needs, take 40 % of the compilation. make check-sanitizers TESTS=... runs less.
+# which src/batches.sh asks for where it may go wrong, take 40 % of the compilation. make check-sanitizers TESTS=... runs less.
 SANITIZERS_CC = clang
 sanitizers/config.status:
 	@$(MKDIR_P) sanitizers
