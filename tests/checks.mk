@@ -44,9 +44,10 @@ QUICK_SECS = 3
 check-quick: all-am $(check_PROGRAMS) $(check_DATA)
 	@MALLOC_PERTURB_=165 $(MAKE) --no-print-directory check-local \
 		RUN_FLAGS='-X $(srcdir)/%D%/longer.txt -s $(QUICK_SECS) -r $(srcdir)/%D%/slow.txt'
-# The tests of longer.txt, and these alone.
+# The tests of longer.txt, and these alone; LONGER_FLAGS are further options of tests/run.
+LONGER_FLAGS =
 check-longer: all-am $(check_PROGRAMS) $(check_DATA)
-	@$(MAKE) --no-print-directory check-local RUN_RESULTS=tests/longer.tsv RUN_FLAGS='-T $(srcdir)/%D%/longer.txt'
+	@$(MAKE) --no-print-directory check-local RUN_RESULTS=tests/longer.tsv RUN_FLAGS='-T $(srcdir)/%D%/longer.txt $(LONGER_FLAGS)'
 
 .PHONY: messages check-quick check-longer check-analyzers check-kernels check-kernel-sample check-provoked check-sanitizers check-sanitizers-sample check-cover check-valgrind check-valgrind-all check-faults check-long check-more \
 	check-compilers check-syntax
