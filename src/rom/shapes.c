@@ -142,13 +142,50 @@ static struct table table_of(const struct hawser_rom *rom, int line)
 		.ends_second = ends ? ends->second_slope : NULL};
 }
 
-/* At point p; `extra` is a strain that is not in u, s are the factors of the ends or NULL. For a
- * travelling cable, stretch and strains are per length of the apparent one, which is 1/(1 - m) of the
- * actual length: EA (|q'|/(1 - m) - 1). */
-static double tension(const struct hawser_rom *rom, const struct table *at, int p, const double *u,
-                      double extra, const double *s)
+/* along[count] of the points from `first`: the strain of second order from the condensed modes. There
+ * are more pairs of modes than points: one pair after another, in the order of memory. */
+static void add_pairs(double *along, const struct hawser_rom *rom, const struct table *at, int first,
+                      int count, const double *u)
 {
-	double d[3] = {0.0}, second[3] = {0.0}, more, g = at->stretch[p];
+	int modes = modes_of(rom);
+
+	for (int k = 0; k < modes; k++)
+		for (int j = 0; j <= k; j++) {
+			const double *row = at->second + (((size_t)k*(k + 1)/2 + j)*at->points + first)*3;
+			double factor = j == k ? 0.5*u[j]*u[k] : u[j]*u[k];
+
+			for (int p = 0; factor != 0.0 && p < count; p++)
+				along[p] += factor*row[3*p];
+		}
+}
+
+/* Points whose strains of second order are computed together. */
+enum { AT_ONCE = 64 };
+
+/* along[] of the points from `first`, `left` or AT_ONCE of them: the strain of second order. */
+static void bend(double *along, const struct hawser_rom *rom, const struct table *at, int first,
+                 int left, const double *u)
+{
+	int count = left < AT_ONCE ? left : AT_ONCE;
+
+	for (int p = 0; p < count; p++) {
+		double local[3] = {0.0};
+
+		if (at->second)
+			combine(local, at->slope, modes_of(rom), rom->n, at->points, first + p, u);
+		along[p] = local[0];
+	}
+	if (at->second)
+		add_pairs(along, rom, at, first, count, u);
+}
+
+/* At point p; `extra` is a strain that is not in u, s are the factors of the ends or NULL; `along`
+ * is that of bend(). For a travelling cable, stretch and strains are per length of the apparent one,
+ * which is 1/(1 - m) of the actual length: EA (|q'|/(1 - m) - 1). */
+static double tension(const struct hawser_rom *rom, const struct table *at, int p, const double *u,
+                      double extra, const double *s, double along)
+{
+	double d[3] = {0.0}, more, g = at->stretch[p];
 	int modes = modes_of(rom), points = at->points;
 	double m = rom->shapes.mach2;
 
@@ -156,8 +193,8 @@ static double tension(const struct hawser_rom *rom, const struct table *at, int 
 	if (s)
 		combine(d, at->ends, 0, rom->ends->count, points, p, s);
 	if (at->second) {
-		combine(second, at->slope, modes, rom->n, points, p, u);
-		combine_second(second, at->second, modes, points, p, u);
+		double second[3] = {along};
+
 		if (s && at->ends_second)
 			hawser__ends_second(rom->ends, second, at->ends_second, points, p, u, s);
 		more = (d[1]*d[1] + d[2]*d[2])/(2.0*g) + second[0];
@@ -193,7 +230,8 @@ double hawser_rom_tension_at(const struct hawser_rom *rom, int p, const double *
 
 	if (!collocated(rom)) {
 		extra = moment && !rom->exact ? hawser__rom_answer_slope(rom, p, moment) : 0.0;
-		return tension(rom, &table, p, u, extra, factors(rom, s, moment));
+		bend(&here, rom, &table, p, 1, u);
+		return tension(rom, &table, p, u, extra, factors(rom, s, moment), here);
 	}
 	exact_tensions(all, rom, u, factors(rom, s, moment));
 	hawser__grid_at(&here, &rom->exact->grid, all, 1, 1, rom->shapes.s[p]);
@@ -229,20 +267,24 @@ void hawser__rom_tensions_all(const struct hawser_rom *rom, double *all, const d
 	int places = hawser__rom_tension_places(rom);
 	struct table table = table_of(rom, rom->line.points > 0);
 	const double *s = extra && rom->ends ? extra + places : NULL;
+	double along[AT_ONCE];
 
 	if (places > 0 && collocated(rom)) {
 		exact_all(all, rom, u, s);
 		return;
 	}
-	for (int p = 0; p < places; p++)
-		all[p] = tension(rom, &table, p, u, extra ? extra[p] : 0.0, s);
+	for (int p = 0; p < places; p++) {
+		if (p%AT_ONCE == 0)
+			bend(along, rom, &table, p, places - p, u);
+		all[p] = tension(rom, &table, p, u, extra ? extra[p] : 0.0, s, along[p%AT_ONCE]);
+	}
 }
 
 int hawser_rom_tensions_at(const struct hawser_rom *rom, double *least, double *most,
                            const double *u, const struct hawser_rom_moment *moment)
 {
 	int places = hawser__rom_tension_places(rom);
-	double all[2*HAWSER_ROM_MAX], here, extra, factor[HAWSER__SUPPORT_MOST];
+	double all[2*HAWSER_ROM_MAX], here, extra, factor[HAWSER__SUPPORT_MOST], along[AT_ONCE];
 	const double *s = factors(rom, factor, moment);
 	struct table table = table_of(rom, rom->line.points > 0);
 
@@ -254,7 +296,9 @@ int hawser_rom_tensions_at(const struct hawser_rom *rom, double *least, double *
 		exact_all(all, rom, u, s);
 	for (int p = 0; p < places; p++) {
 		extra = moment && !rom->exact ? hawser__rom_answer_strain(rom, p, moment) : 0.0;
-		here = collocated(rom) ? all[p] : tension(rom, &table, p, u, extra, s);
+		if (!collocated(rom) && p%AT_ONCE == 0)
+			bend(along, rom, &table, p, places - p, u);
+		here = collocated(rom) ? all[p] : tension(rom, &table, p, u, extra, s, along[p%AT_ONCE]);
 		*least = fmin(*least, here);
 		*most = fmax(*most, here);
 	}

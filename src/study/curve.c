@@ -172,8 +172,8 @@ static double to_line(const struct line *line, double w, double a, double least)
 }
 
 /* Largest distance of the points of one component of `a` from the curve `b`; ends [2]: range of w. */
-static double one_way(const struct hawser__drawn_curve *a, const struct line *b, int column, double scale,
-                      const double *ends)
+static double one_way(const struct hawser__drawn_curve *a, const struct line *b, int column,
+                      double scale, const double *ends)
 {
 	double most = 0.0;
 

@@ -416,7 +416,9 @@ static void check_file(void)
 	ok(!hawser_law_range(&span.rom, &span.st, NULL, NULL) && !hawser_rom_save(&span.rom, path, NULL) &&
 	   !hawser_rom_open(&copy, path, &report) && copy.range, "the file %s", report.message);
 	for (int j = 0; copy.range && j < 4; j++)
-		same &= memcmp(&copy.range[j], &span.rom.range[j], sizeof *copy.range) == 0;
+		same &= copy.range[j].largest == span.rom.range[j].largest &&
+		        copy.range[j].amplitude == span.rom.range[j].amplitude &&
+		        copy.range[j].end == span.rom.range[j].end;
 	ok(same, "the same ranges");
 	hawser_rom_clear(&copy);
 	clear(&span);
