@@ -270,20 +270,18 @@ enum hawser_status hawser_rom_build_exact(struct hawser_rom *rom, const struct h
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* The full-order model: the same with all modes of a basis of `functions` functions per component,
- * about 3*functions coordinates by ascending omega. functions is 1 to 33; 0: 16, up to 24 where the load
- * needs them (hawser_rom_full_lacks), or 24 with bending stiffness, whose elements resolve the layers at
- * held ends. For a model of the plane only, or with
- * different numbers of functions in and out of the plane, call hawser_modes_basis
- * and hawser_rom_build_exact. Statuses of these two. */
+ * about 3*functions coordinates by ascending omega. functions is 1 to 33; 0: 16, up to 24 where the
+ * load needs them (hawser_rom_full_lacks), or 24 with bending stiffness, whose elements resolve the
+ * layers at held ends. For a model of the plane only, or with different numbers of functions in and
+ * out of the plane, call hawser_modes_basis and hawser_rom_build_exact. Statuses of these two. */
 enum hawser_status hawser_rom_build_full(struct hawser_rom *rom,
                                          const struct hawser_statics *statics,
                                          const struct hawser_scene *scene, int functions,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* The part of the static response to the scene's varying load that the basis of a full-order model lacks:
- * of its energy, compared with that of the largest basis; 0 without such a load. A basis that lacks much
- * of a load of several waves does not hold what that load does. Statuses of hawser_modes_basis, and those
- * of a load that is not on the cable. */
+/* *lacks (scalar): the part of the static response to the scene's varying load, of its energy, that the
+ * basis of a full-order model lacks against the largest; 0 without a load. Statuses of
+ * hawser_modes_basis; HAWSER_ERR_SCENE. */
 enum hawser_status hawser_rom_full_lacks(double *lacks, const struct hawser_statics *statics,
                                          const struct hawser_scene *scene, int functions,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;

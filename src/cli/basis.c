@@ -13,7 +13,8 @@ enum { FEWEST = 12, MOST = 48 }; /* largest number of modes computed: beyond the
 
 /* Quadratic terms cause motions at twice the forcing frequency. */
 static const double reach = 2.0;
-/* Larger errors of a frequency, or a larger lack of the load, are a warning: the response's width is of that order or less. */
+/* Larger errors of a frequency are a warning, since the response's width is of that order or less; so
+ * is a larger lack of the load. */
 static const double coarse = 0.01;
 
 /* Modes up to `to`, by the spectral method's own choice of its basis. */

@@ -167,10 +167,9 @@ struct cli_model {
 	struct cli_basis {
 		int functions;  /* functions per component; 0: no full-order model, or not checked */
 		double error;   /* largest relative error of a natural frequency up to `to` (scaled) */
-		double to;
+		double to, lacks; /* lacks: hawser_rom_full_lacks */
 		enum hawser_plane plane; /* of the mode with the largest error */
 		int number;
-		double lacks; /* part of the static response to the load (hawser_rom_full_lacks) */
 	} basis;
 	struct cli_exact exact;
 };

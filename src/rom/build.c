@@ -445,8 +445,8 @@ static enum hawser_status build_with(struct hawser_rom *rom, const struct hawser
 		status = hawser__rom_answers(rom, modes, modes->n, scene, report);
 	if (!status && hawser__support_moves(scene))
 		status = hawser__support_forces(rom, modes, kept->n, condensed != NULL, scene, report);
-	if (!status && (condensed || hawser__support_moves(scene)))
-		status = hawser__support_energy(rom, modes, kept->n, condensed != NULL, scene, report);
+	if (!status)
+		status = hawser__support_energy(rom, modes, kept, condensed != NULL, scene, report);
 	if (!status)
 		status = compile ? hawser__rom_compile_cable(rom, modes, condensed, report)
 		                 : hawser__entries_check(rom, report);

@@ -6,9 +6,9 @@
  * and its tensions are meaningless, although its orbits converge. Only the frequencies show the
  * error.
  *
- * Nor does a basis hold the response to a load that changes along the cable faster than its functions. A
- * static response u has the energy f.u/2, the sum of f_j^2/(2 w_j^2) over all motions of the basis, which
- * grows with the basis and is compared with that of the largest.
+ * Nor does a basis hold the response to a load that changes along the cable faster than its
+ * functions. A static response u has the energy f.u/2, the sum of f_j^2/(2 w_j^2) over all motions of
+ * the basis, which grows with the basis and is compared with that of the largest.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

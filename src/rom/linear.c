@@ -23,7 +23,7 @@ void hawser__rom_held(double *K, const struct hawser_rom *rom, const double *f, 
 	}
 }
 
-/* `energy`: with the stiffness that the motion of supports adds. */
+/* `energy`: with the stiffness that the motion of supports and what follows the load add. */
 static enum hawser_status build(struct hawser_rom *rom, const struct hawser_modes *modes,
                                 const struct hawser_scene *scene, int energy,
                                 struct hawser_report *report)
@@ -38,8 +38,8 @@ static enum hawser_status build(struct hawser_rom *rom, const struct hawser_mode
 		status = hawser__rom_vary(rom, modes, modes->n, scene, report);
 	if (!status && hawser__support_moves(scene))
 		status = hawser__support_forces(rom, modes, modes->n, condensed, scene, report);
-	if (!status && energy && hawser__support_moves(scene))
-		status = hawser__support_energy(rom, modes, modes->n, condensed, scene, report);
+	if (!status && energy)
+		status = hawser__support_energy(rom, modes, modes, condensed, scene, report);
 	if (!status)
 		status = hawser_rom_compile(rom, report);
 	if (status)

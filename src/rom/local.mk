@@ -87,6 +87,8 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/linear.c \
 	%D%/load.c \
 	%D%/load.h \
+	%D%/load_fields.c \
+	%D%/load_fields.h \
 	%D%/model.c \
 	%D%/model.h \
 	%D%/open.c \

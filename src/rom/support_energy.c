@@ -1,5 +1,5 @@
-/* rom/support_energy.c - terms of the strain energy that contain the motion of the supports, or the static
- * response to the load.
+/* rom/support_energy.c - terms of the strain energy that contain the motion of the supports, or the
+ * static response to the load.
  *
  *    s_x    displacement of end B relative to end A along axis x, a periodic function of the phase; of
  *           a cable with springs, also that of end A
@@ -15,12 +15,11 @@
  * with theirs, which have no terms of higher degree). Products of the signals
  * are sums of harmonics, the constant one among them.
  *
- * The static response of the condensed modes to a harmonic of the load (follow.h) is one more such field,
- * with the signal cos(k tau) or sin(k tau): what follows moves with the load, and the tension that it
- * causes acts on the modes. Its terms of degree 2 vanish as well: it is orthogonal in the stiffness to the
- * modes, and along the response to pairs the load does the work that it takes. Its K (s u) is that of
- * condense_load.c and is left out here. Its inertia is neglected here. Fields that change the tension by
- * less than a part of FAINT are left out.
+ * The static response of the condensed modes to a harmonic of the load (follow.h) is one more such
+ * field, with the signal cos(k tau) or sin(k tau): what follows moves with the load, and the tension
+ * that it causes acts on the modes. Its terms of degree 2 vanish as well: it is orthogonal in the
+ * stiffness to the modes, and along the response to pairs the load does the work that it takes. Its
+ * K (s u) is that of condense_load.c and is left out here. Its inertia is neglected.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -34,15 +33,14 @@
 #include "rom/ends.h"
 #include "rom/history.h"
 #include "rom/kernel.h"
+#include "rom/load_fields.h"
 #include "rom/project.h"
 #include "rom/support.h"
 
-#define FAINT 1e-3 /* of the tension; chosen */
-
 enum {
 	TOP = 3*HAWSER__SUPPORT_TOP,
-	LOADS = 6, /* most fields of the load, one of a harmonic in each plane; further ones are left out */
-	MOST = HAWSER__SUPPORT_MOST + LOADS,
+	MOST = HAWSER__SUPPORT_MOST + HAWSER__LOAD_FIELDS,
+	ENDS = 1, LOAD = 2, /* fields */
 	PAIRS = MOST*(MOST + 1)/2,
 	TRIPLES = MOST*(MOST + 1)*(MOST + 2)/6
 };
@@ -55,11 +53,11 @@ struct share {
 };
 
 struct work {
-	int n, m, moving;
+	int n, m, moving;                    /* modes and shapes; fields; modes */
+	int size;                            /* coordinates of the model */
 	int ends;                            /* of the m fields, those of the supports: the first ones */
 	int number[MOST];                    /* [ends] of the shapes (support.h) */
-	double *answer;                      /* [m - ends][points][3] strains of the others */
-	enum hawser_plane plane[LOADS];      /* of them */
+	struct hawser__load_fields loads;    /* the others */
 	struct hawser__signal signal[MOST];  /* [m] */
 	struct hawser_modes wide;            /* the first `moving` modes, psi [m], the other modes */
 	struct hawser__condensed condensed;
@@ -83,7 +81,7 @@ static void work_clear(struct work *work)
 	for (int i = 0; i < TRIPLES; i++)
 		share_clear(&work->three[i]);
 	hawser__condensed_clear(&work->condensed);
-	free(work->answer);
+	hawser__load_fields_clear(&work->loads);
 	free(work->big.Q);
 	free(work->big.C);
 	free(work->wide.mode);
@@ -99,8 +97,9 @@ static void add_answer(struct work *work, int i)
 	struct hawser_modes *wide = &work->wide;
 	size_t each = 3*(size_t)wide->grid.points, at = (size_t)(work->moving + i);
 
-	memcpy(wide->slope + at*each, work->answer + (size_t)(i - work->ends)*each, each*sizeof(double));
-	wide->mode[at] = (struct hawser_mode){.omega = INFINITY, .plane = work->plane[i - work->ends],
+	i -= work->ends;
+	memcpy(wide->slope + at*each, work->loads.strain + (size_t)i*each, each*sizeof(double));
+	wide->mode[at] = (struct hawser_mode){.omega = INFINITY, .plane = work->loads.plane[i],
 		.symmetry = HAWSER_MIXED};
 }
 
@@ -197,7 +196,7 @@ static double *room(double **array, size_t count)
  * 0 when out of memory. */
 static int sort_in(struct work *work, int e, const int *index, int count, double value)
 {
-	int equation = coordinate(work, e), psi[3], psis = 0, u[3], us = 0, n = work->n;
+	int equation = coordinate(work, e), psi[3], psis = 0, u[3], us = 0, n = work->size;
 	struct share *share;
 
 	for (int i = 0; i < count; i++) {
@@ -414,62 +413,20 @@ static enum hawser_status list_shapes(struct work *work, const struct hawser_mod
 	return status;
 }
 
-/* Change of the tension, relative, by the slopes of a field whose ends are fixed. */
-static double tightens(const double *strain, const struct hawser_modes *modes)
-{
-	double sum = 0.0;
-
-	for (int p = 0; p < modes->grid.points; p++)
-		sum += 0.5*modes->grid.weight[p]*(pow(strain[3*p + 1], 2) + pow(strain[3*p + 2], 2));
-	return sum/(modes->statics.l*modes->statics.epsilon);
-}
-
-/* The response to harmonic h of the load, a field in each plane. */
-static enum hawser_status list_answer(struct work *work, const struct hawser_modes *modes,
-                                      const struct hawser__loads *loads, int h,
-                                      struct hawser_report *report)
-{
-	size_t points = (size_t)modes->grid.points;
-	double *both = malloc(3*points*sizeof *both);
-	enum hawser_status status = both ? hawser__follow_strains(both, modes, work->moving, loads, h, report)
-	                                 : hawser__no_memory(report, "rom");
-
-	for (int plane = 0; !status && plane < (modes->statics.space ? 1 : 2); plane++) {
-		double *own = work->answer + 3*points*(size_t)(work->m - work->ends);
-
-		if (work->m - work->ends == LOADS)
-			break;
-		for (size_t i = 0; i < 3*points; i++)
-			own[i] = modes->statics.space || (i%3 == 2) == (plane == 1) ? both[i] : 0.0;
-		if (tightens(own, modes) < FAINT)
-			continue;
-		work->plane[work->m - work->ends] = plane ? HAWSER_OUT_OF_PLANE : HAWSER_IN_PLANE;
-		work->signal[work->m] = (struct hawser__signal){{0.0}, {0.0}};
-		*(loads->sine[h] ? &work->signal[work->m].s[loads->k[h]]
-		  : &work->signal[work->m].c[loads->k[h]]) = 1.0;
-		work->m++;
-	}
-	free(both);
-	return status;
-}
-
 /* The responses to the load that matter. A table that moves the ends leaves no room for them. */
 static enum hawser_status list_answers(struct work *work, const struct hawser_modes *modes,
                                        const struct hawser_scene *scene, struct hawser_report *report)
 {
-	struct hawser__loads loads = {.count = 0};
+	const struct hawser__load_fields *loads = &work->loads;
 	enum hawser_status status = HAWSER_OK;
 
-	if (!hawser__loaded(scene) || hawser__support_given(scene))
-		return HAWSER_OK;
-	status = hawser__loads_make(&loads, &modes->statics, scene, report);
-	work->answer = malloc(LOADS*3*(size_t)modes->grid.points*sizeof *work->answer);
-	if (!status && !work->answer)
-		status = hawser__no_memory(report, "rom");
-	for (int h = 0; !status && h < loads.harmonics; h++)
-		if (loads.k[h] <= HAWSER__SUPPORT_TOP)
-			status = list_answer(work, modes, &loads, h, report);
-	hawser__loads_clear(&loads);
+	if (hawser__loaded(scene) && !hawser__support_given(scene))
+		status = hawser__load_fields_make(&work->loads, modes, work->moving, scene, report);
+	for (int i = 0; i < loads->count; i++, work->m++) {
+		work->signal[work->m] = (struct hawser__signal){{0.0}, {0.0}};
+		*(loads->sine[i] ? &work->signal[work->m].s[loads->k[i]]
+		  : &work->signal[work->m].c[loads->k[i]]) = 1.0;
+	}
 	return status;
 }
 
@@ -484,16 +441,18 @@ static enum hawser_status condensed_ends(struct hawser_rom *rom, const struct wo
 	return hawser__ends_condensed(rom, &work->wide, &own, report);
 }
 
-enum hawser_status hawser__support_energy(struct hawser_rom *rom, const struct hawser_modes *modes,
-                                          int moving, int condensed,
-                                          const struct hawser_scene *scene,
-                                          struct hawser_report *report)
+/* Terms of some of the fields, of the first `moving` modes. */
+static enum hawser_status add_fields(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                     int moving, int condensed, int fields,
+                                     const struct hawser_scene *scene, struct hawser_report *report)
 {
-	struct work work = {.n = rom->n, .moving = moving};
+	struct work work = {.n = modes->n, .moving = moving, .size = rom->n};
 	struct hawser__support_shapes shapes = {.count = 0};
-	enum hawser_status status = list_shapes(&work, modes, scene, &shapes, report);
+	enum hawser_status status = HAWSER_OK;
 
-	if (!status && condensed)
+	if (fields & ENDS)
+		status = list_shapes(&work, modes, scene, &shapes, report);
+	if (!status && condensed && (fields & LOAD))
 		status = list_answers(&work, modes, scene, report);
 	if (status || work.m == 0) {
 		hawser__support_shapes_clear(&shapes);
@@ -517,4 +476,17 @@ enum hawser_status hawser__support_energy(struct hawser_rom *rom, const struct h
 	hawser__support_shapes_clear(&shapes);
 	work_clear(&work);
 	return status;
+}
+
+enum hawser_status hawser__support_energy(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                          const struct hawser_modes *kept, int condensed,
+                                          const struct hawser_scene *scene,
+                                          struct hawser_report *report)
+{
+	int together = modes == kept;
+	enum hawser_status status = add_fields(rom, modes, kept->n, condensed,
+	                                       together ? ENDS | LOAD : ENDS, scene, report);
+
+	return status || together ? status
+	       : add_fields(rom, kept, kept->n, condensed, LOAD, scene, report);
 }

@@ -9,13 +9,14 @@
  * to 14 functions, 1.5e-4 from 14 to 16). Therefore the estimated error is a multiple of the
  * difference.
  *
- * The curve for comparison has few points and no multipliers: each point of either curve is compared with
- * the curve through the others, not with points (curve.c).
+ * Each basis is checked with the next, whose curve has long steps and no multipliers: each point of
+ * either curve is compared with the curve through the others, not with points (curve.c).
  *
- * The agreement of two bases that do not resolve the linear modes of the range, or the load, means nothing. Such
- * a basis is skipped without a response. So is one with as many coordinates as the last: attachments
- * divide the cable into elements, which share the functions out, so that 6 and 8 of them may give the
- * same model. The first response is compared with that of the last condensed model.
+ * The agreement of two bases that do not resolve the linear modes of the range, or the load, means
+ * nothing. Such a basis is skipped without a response. So is one with as many coordinates as the
+ * last: attachments divide the cable into elements, which share the functions out, so that 6 and 8
+ * of them may give the same model. The first response is compared with that of the last condensed
+ * model.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
