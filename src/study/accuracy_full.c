@@ -36,7 +36,8 @@
 #define RESOLVED 0.1     /* largest error of the frequencies in the range, relative to the accuracy;
                           * chosen */
 #define ROUGHLY 1.0      /* the same for modes up to REACH times the upper end of the range; chosen */
-#define LACKS 0.02       /* largest part of the static response to the load that a basis lacks; chosen */
+#define LACKS 0.02       /* largest part of the static response to the load that a basis lacks;
+                          * chosen */
 #define LONG 0.2         /* largest step of a curve for comparison, relative to the range; chosen */
 #define REACH 2.0        /* 2: the second harmonic of the response may be in resonance with them */
 
@@ -132,9 +133,9 @@ static enum hawser_status build(struct hawser_accuracy *a, const struct hawser_s
 	return hawser_rom_build_full(&a->rom, &a->modes.statics, scene, functions, report);
 }
 
-/* The next basis that has more coordinates: its curve is traced with long steps and without multipliers,
- * and its distance from that of the last attempt, which *marks describes, is the result; infinite if it
- * has none. */
+/* The next basis that has more coordinates: its curve is traced with long steps and without
+ * multipliers, and its distance from that of the last attempt, which *marks describes, is the result;
+ * infinite if it has none. */
 static enum hawser_status check(struct hawser_accuracy *a, const struct hawser__marks *marks,
                                 const struct hawser_scene *scene, int i, int most,
                                 const struct hawser_frf_options *traced, struct hawser_report *report)

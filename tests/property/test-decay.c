@@ -305,7 +305,8 @@ static void slight_bend(double bend)
 		a[i] = 1.0/sqrt(1.0 + k*k);
 		w[i] = sqrt(1.0 - 2.0*ratio*ratio + side*(k + bend*a[i]*a[i]));
 	}
-	if (ok(!hawser_half_power_find(&half, w, a, 46, 0.95, &report), "a slight bend: %s", report.message))
+	if (ok(!hawser_half_power_find(&half, w, a, 46, 0.95, &report), "a slight bend: %s",
+	       report.message))
 		ok(half.modes == 1 && fabs(half.ratio - ratio) <= half.ratio_error &&
 		   half.ratio_error < 0.003*ratio, "%d mode: %.6g +- %.1e", half.modes, half.ratio,
 		   half.ratio_error);

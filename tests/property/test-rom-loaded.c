@@ -77,8 +77,7 @@ static int exact_force(double *value, const struct hawser_rom *full, const doubl
 	return moved <= 1e-13;
 }
 
-/* Largest difference of the forces at a few states and phases, relative to the largest force that is not
- * linear. */
+/* Largest difference of the forces at a few states and phases. */
 static double difference(const struct hawser_scene *scene, const double *state, double factor)
 {
 	struct hawser_statics st;
