@@ -107,8 +107,8 @@ static const struct hawser__field half_field[] = {
 	{BOTH("peak_high"), "upper end", HAWSER__BY(peak_high), .si = rad_s},
 	{BOTH("modes"), "2: two close modes; ratio is the mean of both, and peak and half-power "
 	 "frequencies are those of their sum", OF(modes)},
-	{BOTH("noise"), "random scatter of the points relative to the peak, or 0. With modes 1 the interval "
-	 "leaves out two modes of different ratios that it hides", OF(noise)},
+	{BOTH("noise"), "random scatter of the points relative to the peak, or 0. With modes 1 the "
+	 "interval leaves out two modes of different ratios that it hides", OF(noise)},
 	HAWSER__END,
 };
 #undef OF
