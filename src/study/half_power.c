@@ -56,7 +56,7 @@
 
 /* P: unknowns of the parabola. FEWEST: points of a fit, so that two degrees of freedom remain for
  * the estimate of the scatter. */
-enum { P = 3, FEWEST = 5, ITERATIONS = 20 };
+enum { P = HAWSER__HALF_PARABOLA, FEWEST = 5, ITERATIONS = 20 };
 /* LEAST_OF_TWO: points of a fit of two modes; MANY: of which their scatter is an estimate. */
 enum { EQUAL = HAWSER__HALF_EQUAL, SHAPES = HAWSER__HALF_SHAPES, MOST = HAWSER__HALF_MOST,
        LEAST_OF_TWO = HAWSER__HALF_SHAPES + FEWEST - P, MANY = 20 };
@@ -98,110 +98,15 @@ static double square(double x)
 	return x*x;
 }
 
-/* --- one fit --- */
-
-/* The result and its gradients with respect to p [P]; returns 0 if the parabola is not that of an
- * oscillator. */
-static int of_parabola(struct hawser__half_fit *fit, double by_zp[P], double by_ratio[P],
-                       const double p[P], double zc, double h)
-{
-	double b = p[1]/(2.0*p[2]), m = p[0] - b*p[1]/2.0, D = h*sqrt(m/p[2]), zp = zc - h*b, t, slope;
-
-	if (!(p[2] > 0.0) || !(m > 0.0) || !(zp > 0.0) || !isfinite(D))
-		return 0;
-	t = D/zp;
-	*fit = (struct hawser__half_fit){.zp = zp, .D = D, .ratio = sin(0.5*atan(t))};
-	slope = 0.5*cos(0.5*atan(t))/(1.0 + t*t)*t;
-	for (int i = 0; i < P; i++) {
-		double by_m = (const double[P]){1.0, -b, b*b}[i];
-
-		by_zp[i] = (const double[P]){0.0, -h/(2.0*p[2]), h*b/p[2]}[i];
-		by_ratio[i] = slope*(0.5*by_m/m - (i == 2 ? 0.5/p[2] : 0.0) - by_zp[i]/zp);
-	}
-	return 1;
-}
-
-/* What adds to the parabola: nothing, or modes farther away and a bend. */
-enum others { NONE, SMOOTH };
-
-static int shapes_of(enum others others)
-{
-	return others == NONE ? P : SHAPES;
-}
-
-/* The functions of x, and of a, of which 1/a^2 is a sum. */
-static void shapes_at(double f[SHAPES], double x, double a)
-{
-	f[0] = 1.0;
-	f[1] = x;
-	f[2] = x*x;
-	f[3] = x*x*x;
-	f[4] = x*x*x*x;
-	f[5] = a*a*x;
-}
-
-static double scatter(double *lag, const struct hawser__half_table *table,
-                      struct hawser__half_span span, const double *p, enum others others, double zc,
-                      double h)
-{
-	struct hawser__half_residuals residuals = {0.0, 0.0, 0.0};
-	double f[SHAPES];
-	int count = span.last - span.first + 1, shapes = shapes_of(others);
-
-	for (int i = span.first; i <= span.last; i++) {
-		double a = table->a[i]/table->a[table->best], y = 0.0;
-
-		shapes_at(f, (square(table->omega[i]) - zc)/h, a);
-		for (int j = 0; j < shapes; j++)
-			y += p[j]*f[j];
-		hawser__half_add(&residuals, 0.5*a*(a*a*y - 1.0));
-	}
-	*lag = residuals.lag/fmax(residuals.sum, DBL_MIN);
-	return hawser__half_deviation(&residuals, count, shapes);
-}
-
-/* With the functions of x = (z - zc)/h. */
-static int fit_shapes(struct hawser__half_fit *fit, const struct hawser__half_table *table,
-                      struct hawser__half_span span,
-                      enum others others, double zc, double h)
-{
-	int shapes = shapes_of(others);
-	double most = table->a[table->best], R[MOST][MOST + 1] = {{0.0}}, p[SHAPES];
-	double f[SHAPES], by_zp[SHAPES] = {0.0}, by_ratio[SHAPES] = {0.0}, deviation;
-	int free_points = span.last - span.first + 1 - shapes;
-
-	for (int i = span.first; i <= span.last; i++) {
-		double a = table->a[i]/most, w = 0.5*a*a*a, row[MOST + 1];
-
-		shapes_at(f, (square(table->omega[i]) - zc)/h, a);
-		for (int j = 0; j < shapes; j++)
-			row[j] = w*f[j];
-		row[shapes] = w/(a*a);
-		hawser__half_join(R, row, shapes);
-	}
-	hawser__half_solve(p, (const double (*)[MOST + 1])R, shapes);
-	if (!of_parabola(fit, by_zp, by_ratio, p, zc, h))
-		return 0;
-	/* round-off of the amplitudes, and of x through omega */
-	deviation = 8.0*DBL_EPSILON*(1.0 + zc/h);
-	fit->scatter = free_points > 0 ? scatter(&fit->lag, table, span, p, others, zc, h) : 0.0;
-	if (free_points > 0)
-		deviation = fmax(deviation, fit->scatter)*
-		            gsl_cdf_tdist_Pinv(0.5 + 0.5*table->confidence, free_points);
-	fit->zp_error = deviation*hawser__half_spread((const double (*)[MOST + 1])R, by_zp, shapes);
-	fit->ratio_error = deviation*hawser__half_spread((const double (*)[MOST + 1])R, by_ratio, shapes);
-	return isfinite(fit->ratio_error);
-}
+/* --- one fit, and its points --- */
 
 static int fit_span(struct hawser__half_fit *fit, const struct hawser__half_table *table,
                     struct hawser__half_span span)
 {
 	double z0 = square(table->omega[span.first]), z1 = square(table->omega[span.last]);
 
-	return fit_shapes(fit, table, span, NONE, 0.5*(z0 + z1), 0.5*(z1 - z0));
+	return hawser__half_shapes(fit, table, span, HAWSER__HALF_NONE, 0.5*(z0 + z1), 0.5*(z1 - z0));
 }
-
-/* --- the points of a fit --- */
 
 /* The points from the last one below zp - reach to the first one above zp + reach, if the table has
  * them. */
@@ -306,7 +211,7 @@ static enum seen find_pair(struct hawser__half_fit *two, double reach[2],
 
 	if (!fit_all(&all, table, span, fit))
 		return ONE;
-	is_smooth = all.count > SHAPES && fit_shapes(&smooth, table, span, SMOOTH, fit->zp, fit->D);
+	is_smooth = all.count > SHAPES && hawser__half_shapes(&smooth, table, span, HAWSER__HALF_SMOOTH, fit->zp, fit->D);
 	white = is_smooth && all.count >= MANY && !is_better(&smooth, SHAPES, &all.one, P, all.count);
 	*two = all.same;
 	if (!white && is_better(&all.apart, SHAPES, two, EQUAL, all.count)) {
@@ -330,7 +235,7 @@ static int is_noise(struct hawser__half_fit *smooth, const struct hawser__half_t
                     struct hawser__half_span span, const struct hawser__half_fit *fit)
 {
 	return span.last - span.first + 1 >= MANY &&
-	       fit_shapes(smooth, table, span, SMOOTH, fit->zp, fit->D) &&
+	       hawser__half_shapes(smooth, table, span, HAWSER__HALF_SMOOTH, fit->zp, fit->D) &&
 	       smooth->scatter > EXACT && smooth->lag < WHITE;
 }
 

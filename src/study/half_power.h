@@ -1,4 +1,4 @@
-/* study/half_power.h - what the fits of half_power.c and of half_power_pair.c share; its glossary is in
+/* study/half_power.h - what half_power.c and the fits of half_power_one.c and half_power_pair.c share; its glossary is in
  * half_power.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_STUDY_HALF_POWER_H
@@ -6,9 +6,10 @@
 
 #include <complex.h>
 
-/* Unknowns: of other modes that add to a parabola, or of two modes of one ratio; of two modes with two
- * ratios; of a quotient of polynomials. */
-enum { HAWSER__HALF_EQUAL = 5, HAWSER__HALF_SHAPES = 6, HAWSER__HALF_MOST = 7 };
+/* Unknowns: of a parabola; of two modes of one ratio; of two modes with two ratios, or of what adds to a
+ * parabola; of a quotient of polynomials. */
+enum { HAWSER__HALF_PARABOLA = 3, HAWSER__HALF_EQUAL = 5, HAWSER__HALF_SHAPES = 6,
+       HAWSER__HALF_MOST = 7 };
 
 struct hawser__half_table {
 	const double *omega, *a; /* [count] */
@@ -41,6 +42,14 @@ void hawser__half_solve(double *p, const double R[HAWSER__HALF_MOST][HAWSER__HAL
  * 1. */
 double hawser__half_spread(const double R[HAWSER__HALF_MOST][HAWSER__HALF_MOST + 1],
                            const double *g, int count);
+
+/* What adds to the parabola: nothing, or modes farther away and a bend. */
+enum hawser__half_others { HAWSER__HALF_NONE, HAWSER__HALF_SMOOTH };
+
+/* Fit 1/a^2 by functions of x = (z - zc)/h. Returns 0 if the parabola is not that of an oscillator. */
+int hawser__half_shapes(struct hawser__half_fit *fit, const struct hawser__half_table *table,
+                        struct hawser__half_span span, enum hawser__half_others others, double zc,
+                        double h);
 
 /* Sums of the residuals r, and of products of neighbours. */
 struct hawser__half_residuals {

@@ -6,7 +6,7 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/decay.c \
 	%D%/half_power.c \
 	%D%/half_power.h \
-	%D%/half_power_pair.c %D%/half_power_quotient.c \
+	%D%/half_power_one.c %D%/half_power_pair.c %D%/half_power_quotient.c \
 	%D%/cost.c \
 	%D%/cost.h \
 	%D%/cost_auto.c \
