@@ -2,7 +2,7 @@
 """cover.py COUNTS RESULTS [ALWAYS...]: which tests reach what no cheaper ones reach; for `make check-cover`.
 
 COUNTS has a folder for each test, with what its programs reached (cover.c); RESULTS is the table of tests/run, with their times;
-the programs are in the current folder and in tests. Tests are taken in the order of new blocks of the sources a second, those of
+the programs are below the current folder. Tests are taken in the order of new blocks of the sources a second, those of
 ALWAYS first, until REACHED of all blocks that any test reaches are reached. Of the others, those that take time go to standard
 output, as the list tests/unsanitized.txt: the name, its seconds, and how many blocks no chosen test reaches. The sum goes to standard error.
 """
@@ -10,6 +10,7 @@ output, as the list tests/unsanitized.txt: the name, its seconds, and how many b
 
 import array
 import bisect
+import glob
 import os
 import subprocess
 import sys
@@ -23,7 +24,8 @@ START_SECS = 0.03
 
 def functions(program):
     """Addresses and names of a program's functions, in order."""
-    path = os.path.join("tests", program) if os.path.exists(os.path.join("tests", program)) else program
+    places = [program, *glob.glob(os.path.join("tests", program)), *glob.glob(os.path.join("tests", "*", program))]
+    path = next(filter(os.path.isfile, places))
     lines = subprocess.run(["nm", path], check=True, capture_output=True, text=True).stdout.split("\n")
     return sorted((int(row[0], 16), row[2]) for row in map(str.split, lines) if len(row) == 3 and row[1] in "tT")
 
