@@ -32,13 +32,13 @@
  * If a sum is the better one, and its ratio differs from the first by more than its own confidence
  * interval, it is taken, with the difference as its error.
  *
- * Points that scatter at random about any smooth curve have noise, which says how large residuals are.
- * All of them down to a fifth of the peak are fitted then, by one mode and by pairs of two ratios, whose
- * parts the flanks tell apart better than the peak does. If a pair fits better, the interval is that of
- * both ratios at once. Otherwise it contains the ratios of all pairs of one ratio whose sum fits as
- * well as one mode. Pairs of two ratios are left out then: a part of any ratio that is small enough is
- * below any noise, and even two equal parts whose ratios differ by a tenth are below one of 0.1 %, so
- * that an interval that contains all of them says nothing.
+ * Points that scatter at random about any smooth curve have noise, which says how large residuals
+ * are. All of them down to a fifth of the peak are fitted then, by one mode and by pairs of two
+ * ratios, whose parts the flanks tell apart better than the peak does. If a pair fits better, the
+ * interval is that of both ratios at once. Otherwise it contains the ratios of all pairs of one ratio
+ * whose sum fits as well as one mode. Pairs of two ratios are left out then: a part of any ratio that
+ * is small enough is below any noise, and even two equal parts whose ratios differ by a tenth are
+ * below one of 0.1 %, so that an interval that contains all of them says nothing.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
@@ -66,8 +66,8 @@ static const char where[] = "half-power";
 /* Largest error relative to the ratio: with a larger one no digit of the ratio is known; chosen. */
 static const double too_far = 0.1;
 
-/* Confidence with which a pair has to fit better than one mode, and where there is noise, so that fewer
- * pairs are taken for one; chosen. */
+/* Confidence with which a pair has to fit better than one mode, and where there is noise, so that
+ * fewer pairs are taken for one; chosen. */
 static const double SURE = 0.99, LIKELY = 0.9;
 
 /* Scatter of one mode relative to its peak, that of amplitudes with 11 digits; chosen. */
@@ -211,7 +211,8 @@ static enum seen find_pair(struct hawser__half_fit *two, double reach[2],
 
 	if (!fit_all(&all, table, span, fit))
 		return ONE;
-	is_smooth = all.count > SHAPES && hawser__half_shapes(&smooth, table, span, HAWSER__HALF_SMOOTH, fit->zp, fit->D);
+	is_smooth = all.count > SHAPES &&
+	            hawser__half_shapes(&smooth, table, span, HAWSER__HALF_SMOOTH, fit->zp, fit->D);
 	white = is_smooth && all.count >= MANY && !is_better(&smooth, SHAPES, &all.one, P, all.count);
 	*two = all.same;
 	if (!white && is_better(&all.apart, SHAPES, two, EQUAL, all.count)) {
@@ -239,8 +240,8 @@ static int is_noise(struct hawser__half_fit *smooth, const struct hawser__half_t
 	       smooth->scatter > EXACT && smooth->lag < WHITE;
 }
 
-/* Points with noise: one mode or two, from all points down to a fifth of the peak. Returns the number of
- * modes, or 0 if neither leaves only the noise. */
+/* Points with noise: one mode or two, from all points down to a fifth of the peak. Returns the number
+ * of modes, or 0 if neither leaves only the noise. */
 static int among_noise(struct hawser__half_fit *fit, const struct hawser__half_table *table,
                        const struct hawser__half_fit *smooth, int count)
 {

@@ -1,5 +1,5 @@
-/* study/half_power_one.c - the amplitudes of one mode: 1/a^2 by a parabola, and by what adds to it. The
- * glossary is in half_power.c.
+/* study/half_power_one.c - the amplitudes of one mode: 1/a^2 by a parabola, and by what adds to it.
+ * The glossary is in half_power.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -51,8 +51,8 @@ static void shapes_at(double f[SHAPES], double x, double a)
 }
 
 static double scatter(double *lag, const struct hawser__half_table *table,
-                      struct hawser__half_span span, const double *p, enum hawser__half_others others, double zc,
-                      double h)
+                      struct hawser__half_span span, const double *p,
+                      enum hawser__half_others others, double zc, double h)
 {
 	struct hawser__half_residuals residuals = {0.0, 0.0, 0.0};
 	double f[SHAPES];
