@@ -179,8 +179,8 @@ static void use(const struct between *of, int n, int point, int c)
 	of->used[point][other] = 1.0;
 }
 
-/* The multipliers c of mode j: of those not used, those whose displacements from its frequency at rest
- * are the most alike at both points, and the smallest. Returns their measure, of angles off. */
+/* The multipliers c of mode j: of those not used, those whose displacements from its frequency at
+ * rest are the most alike at both points, and the smallest. Returns their measure, of angles off. */
 static double choose(int c[2], double off[2], const struct between *of, int n, int j)
 {
 	double least = INFINITY;
@@ -208,8 +208,8 @@ static double choose(int c[2], double off[2], const struct between *of, int n, i
 	return least;
 }
 
-/* Frequencies of the motion: those at rest, displaced to arguments of multipliers of their component,
- * the surest first; a pair of multipliers belongs to one of them. */
+/* Frequencies of the motion: those at rest, displaced to arguments of multipliers of their
+ * component, the surest first; a pair of multipliers belongs to one of them. */
 static void displace(struct between *of, int n)
 {
 	for (int k = 0; k < 2; k++)
@@ -243,10 +243,10 @@ static void displace(struct between *of, int n)
 			of->w[k][j] = of->exponents[k][1 + j];
 }
 
-/* Where a resonance is between the points: by the frequencies u there and v here. Returns the number
- * of those in it, with m from *first on; 0: none. */
-static int orders(int *first, double sum[2], const struct hawser__combination *pair, const double *a,
-                  const double *b, const double *u, const double *v)
+/* Resonances between the points, by the frequencies u at the one and v at the other. Returns their
+ * number, with m from *first on, and the sums at both. */
+static int orders(int *first, double sum[2], const struct hawser__combination *pair,
+                  const double *a, const double *b, const double *u, const double *v)
 {
 	double low, high;
 
@@ -271,8 +271,9 @@ static double zero(const double r[2])
 }
 
 /* By the frequencies at rest, and by those of the motion where these tell another place. */
-static enum hawser_status pair_of(const struct hawser__combination *pair, const struct between *of_it,
-                                  int *above, const struct hawser__ridge_taker *taker,
+static enum hawser_status pair_of(const struct hawser__combination *pair,
+                                  const struct between *of_it, int *above,
+                                  const struct hawser__ridge_taker *taker,
                                   struct hawser_report *report)
 {
 	const double *a = of_it->exponents[0], *b = of_it->exponents[1];
