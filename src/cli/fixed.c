@@ -28,6 +28,7 @@ static const double much = 0.1;
  * the response, and the inertia of those that have it, which are far above, comes late. */
 #define SURE 3.0 /* chosen: enough for 41 of 42 random ropeways against 40 modes */
 enum { MANY = 24 };
+#define AROUND 1.002 /* end of a response of which the first point is wanted, over it; chosen */
 static const double near = 1e-6; /* tolerance of these responses; chosen, far below the errors */
 
 static int many(int n)
@@ -37,49 +38,100 @@ static int many(int n)
 	return more < HAWSER_LINE_ROM_MODES ? more : HAWSER_LINE_ROM_MODES;
 }
 
-static enum hawser_status with_modes(struct hawser_frf *frf, const struct cli_frf_result *result,
-                                     int modes, struct hawser_progress progress,
-                                     struct hawser_report *report)
+/* once: 1 for the first point alone. */
+static enum hawser_status trace(struct hawser_frf *frf, const struct hawser_rom *rom, double from,
+                                double to, int once, struct hawser_progress progress,
+                                struct hawser_report *report)
 {
-	struct hawser_frf_options choice = {.method = "balance", .from = result->from, .to = result->to,
-		.tolerance = near, .step_max = CLI_STEP, .skip_events = 1, .end_at_slack = 1,
-		.samples = HAWSER_NONE, .progress = progress};
-	struct hawser_rom rom = {.n = 0};
-	enum hawser_status status = cli_rom_ropeway_again(&rom, result->model->ropeway, modes, report);
+	struct hawser_frf_options choice = {.method = "balance", .from = from, .to = to,
+		.tolerance = near, .step_max = CLI_STEP, .skip_events = 1, .unjudged = 1,
+		.end_at_slack = 1, .max_points = once ? 2 : 0, .samples = HAWSER_NONE,
+		.progress = progress};
 
-	*frf = (struct hawser_frf){.n = 0};
-	if (!status)
-		status = hawser_frf_trace(frf, &rom, &choice, report);
-	hawser_rom_clear(&rom);
+	return hawser_frf_trace(frf, rom, &choice, report);
+}
+
+/* The largest difference of the amplitudes of probes of the first points of both, relative to the
+ * largest amplitude. */
+static double beside(const struct hawser_frf *a, const struct hawser_frf *b)
+{
+	double most = 0.0, off = 0.0;
+
+	if (a->points < 1 || b->points < 1)
+		return NAN;
+	for (int k = 0; k < 3*a->probes; k++) {
+		double one = a->probe[k]*a->length, other = b->probe[k]*b->length;
+
+		most = fmax(most, fmax(one, other));
+		off = fmax(off, fabs(one - other));
+	}
+	return off > 0.0 ? off/most : 0.0;
+}
+
+/* own: the response of the model itself, from..to; once: 1 for its first point alone. */
+static enum hawser_status against_more(struct cli_model_error *error, const struct cli_model *model,
+                                       const struct hawser_frf *own, double from, double to, int once,
+                                       struct hawser_progress progress,
+                                       struct hawser_report *report)
+{
+	struct hawser_accuracy_fixed *fixed = &error->fixed;
+	const int modes = many(model->rom.n), with[2] = {modes, 3*modes/5};
+	struct hawser_frf other[2] = {{.n = 0}, {.n = 0}};
+	double start = cli_seconds(), off[2] = {NAN, NAN};
+	enum hawser_status status = HAWSER_OK;
+
+	for (int k = 0; !status && k < 2; k++) {
+		struct hawser_rom rom = {.n = 0};
+
+		status = cli_rom_ropeway_again(&rom, model->ropeway, with[k], report);
+		if (!status)
+			status = trace(&other[k], &rom, from, to, once, progress, report);
+		hawser_rom_clear(&rom);
+	}
+	for (int k = 0; !status && k < 2; k++) {
+		const struct hawser_frf *from_it = k ? &other[1] : own;
+
+		if (once)
+			off[k] = beside(from_it, &other[0]);
+		else
+			status = hawser_accuracy_distance(&off[k], from_it, NULL, &other[0], NULL, 0.0, report);
+	}
+	error->second = with[1];
+	fixed->estimated = fmin(SURE*(off[0] + off[1]), 1.0);
+	fixed->looked_at = modes;
+	fixed->seconds = cli_seconds() - start;
+	hawser_frf_clear(&other[0]);
+	hawser_frf_clear(&other[1]);
 	return status;
 }
 
-static enum hawser_status against_more(struct cli_model_error *error,
-                                       const struct cli_frf_result *result,
-                                       struct hawser_report *report)
+static enum hawser_status of_response(struct cli_model_error *error,
+                                      const struct cli_frf_result *result,
+                                      struct hawser_report *report)
 {
 	struct cli_watch watch = {{.quiet = result->common->quiet}, "frf: with more modes"};
 	const struct hawser_progress progress = {cli_watch, &watch};
-	struct hawser_accuracy_fixed *fixed = &error->fixed;
-	struct hawser_frf most = {.n = 0}, fewer = {.n = 0};
-	double start = cli_seconds(), own = NAN, other = NAN;
-	int modes = many(result->model->rom.n);
-	enum hawser_status status = with_modes(&most, result, modes, progress, report);
+	enum hawser_status status = against_more(error, result->model, result->frf, result->from,
+	                                         result->to, 0, progress, report);
 
-	error->second = 3*modes/5;
-
-	if (!status)
-		status = with_modes(&fewer, result, error->second, progress, report);
-	if (!status)
-		status = hawser_accuracy_distance(&own, result->frf, NULL, &most, NULL, 0.0, report);
-	if (!status)
-		status = hawser_accuracy_distance(&other, &fewer, NULL, &most, NULL, 0.0, report);
 	cli_progress_end(&watch.progress);
-	fixed->estimated = fmin(SURE*(own + other), 1.0);
-	fixed->looked_at = modes;
-	fixed->seconds = cli_seconds() - start;
-	hawser_frf_clear(&most);
-	hawser_frf_clear(&fewer);
+	return status;
+}
+
+/* Of the steady motion at the frequency omega: the first points of responses that begin there. */
+static enum hawser_status of_steady(struct cli_model_error *error, const struct cli_model *model,
+                                    double omega, int quiet, struct hawser_report *report)
+{
+	struct cli_watch watch = {{.quiet = quiet}, "the motion with more modes"};
+	const struct hawser_progress progress = {cli_watch, &watch};
+	struct hawser_frf own = {.n = 0};
+	enum hawser_status status = trace(&own, &model->rom, omega, omega*AROUND, 1, progress,
+	                                  report);
+
+	if (!status)
+		status = against_more(error, model, &own, omega, omega*AROUND, 1, progress, report);
+	cli_progress_end(&watch.progress);
+	hawser_frf_clear(&own);
 	return status;
 }
 
@@ -95,6 +147,13 @@ static enum hawser_status conclude(struct cli_model_error *error, enum hawser_st
 	if (report)
 		*report = *why;
 	return status;
+}
+
+static const char none_larger[] = "no model of a ropeway has more modes to compare with";
+
+static int has_most(const struct cli_model *model)
+{
+	return model->ropeway && model->rom.n == HAWSER_LINE_ROM_MODES;
 }
 
 enum hawser_status cli_fixed_estimate(struct cli_frf_result *result, struct hawser_report *report)
@@ -114,8 +173,8 @@ enum hawser_status cli_fixed_estimate(struct cli_frf_result *result, struct haws
 	if (!model->has_scene && !model->ropeway)
 		return not_known(error, "a model file does not say what it leaves out of its scene: give "
 		                        "the scene");
-	if (model->ropeway && model->rom.n == HAWSER_LINE_ROM_MODES)
-		return not_known(error, "no model of a ropeway has more modes to compare with");
+	if (has_most(model))
+		return not_known(error, none_larger);
 	if (result->frf->period > 1)
 		return not_known(error, "that of motions of several periods is not");
 	if (cli_interrupted())
@@ -124,7 +183,7 @@ enum hawser_status cli_fixed_estimate(struct cli_frf_result *result, struct haws
 	                    fmax(result->from, result->to)))
 		return HAWSER_OK;
 	status = model->ropeway
-	         ? against_more(error, result, &why)
+	         ? of_response(error, result, &why)
 	         : hawser_accuracy_fixed(&error->fixed, &model->rom, result->frf, model->modes.n,
 	                                 &model->statics, &model->scene, result->from, result->to, &why);
 	return conclude(error, status, &why, report);
@@ -138,13 +197,20 @@ enum hawser_status cli_fixed_once(struct cli_model_error *error, const struct cl
 	struct hawser_report why = {.message = ""};
 	enum hawser_status status;
 
-	*error = (struct cli_model_error){.stated = 1, .timed = !common->reproducible,
-	                                  .about = "amplitudes and the frequency",
+	*error = (struct cli_model_error){.stated = 1, .compared = model->ropeway != NULL,
+	                                  .timed = !common->reproducible,
+	                                  .about = model->ropeway
+	                                           ? "the steady motion's largest amplitude"
+	                                           : "amplitudes and the frequency",
 	                                  .fixed = {.estimated = NAN}};
+	if (has_most(model))
+		return not_known(error, none_larger);
 	if (cli_known_lacks(error->unknown, sizeof error->unknown, model, motion->omega))
 		return HAWSER_OK;
-	status = hawser_accuracy_once(&error->fixed, &model->rom, motion, model->modes.n, &model->statics,
-	                              &model->scene, &why);
+	status = model->ropeway
+	         ? of_steady(error, model, motion->omega, common->quiet, &why)
+	         : hawser_accuracy_once(&error->fixed, &model->rom, motion, model->modes.n,
+	                                &model->statics, &model->scene, &why);
 	return conclude(error, status, &why, report);
 }
 

@@ -33,7 +33,7 @@ struct cli_exact {
 /* Does nothing for the first branch with modes: auto. Status: HAWSER_ERR_MEMORY. */
 enum hawser_status cli_fixed_estimate(struct cli_frf_result *result,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
-/* The same for one motion of a model of a scene. */
+/* The same for one motion of a model of a scene; of a ropeway, for its steady motion. */
 enum hawser_status cli_fixed_once(struct cli_model_error *error, const struct cli_model *model,
                                   const struct cli_common *common,
                                   const struct hawser_accuracy_motion *motion,

@@ -4,6 +4,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "core/report.h"
 #include "study/ridge.h"
@@ -21,6 +22,9 @@
                        * multipliers that meet is as large */
 #define SPREAD 1e-3   /* weight of the moduli against arguments where several multipliers are
                        * candidates: of equal arguments the pair that differs the most */
+#define UNEQUAL 5.0   /* weight of the difference of two displacements against their sizes: at
+                       * neighbouring points they are alike; chosen */
+#define ALIKE 0.1     /* distance of two places that are one, relative to the points'; chosen */
 enum { MOST = 12 };   /* points; chosen: six are usual, and more mean another shape */
 
 static double wrapped(double angle)
@@ -34,8 +38,9 @@ static int pick(int pair[2], const struct hawser__combination *of, const double 
 {
 	const double *frequency = exponents + 1, *part = frequency + n, *modulus = part + n;
 	const double *argument = modulus + 2*n;
-	double first = 2.0*M_PI*frequency[of->j]/exponents[0], best = INFINITY;
-	double second = -of->sign*2.0*M_PI*frequency[of->k]/exponents[0];
+	double first = 2.0*M_PI*(frequency[of->j] + of->moved[0])/exponents[0];
+	double second = -of->sign*2.0*M_PI*(frequency[of->k] + of->moved[1])/exponents[0];
+	double best = INFINITY;
 
 	if (part[of->j] != part[of->k])
 		return 0;
@@ -143,34 +148,163 @@ enum hawser__ridge_state hawser__ridge_take(struct hawser__ridge *ridge, const d
 
 /* --- resonances between two points --- */
 
-static enum hawser_status pair_of(const struct hawser__combination *pair, const double *a,
-                                  const double *b, int *above,
+/* Two points, and the frequencies of the motion at both. */
+struct between {
+	const double *exponents[2];
+	double *w[2];    /* [n] */
+	double *used[2]; /* [2n] multipliers that belong to one of them */
+};
+
+static double argument(const struct between *of, int n, int point, int c)
+{
+	return of->exponents[point][1 + 4*n + c];
+}
+
+/* The pair of multipliers to which c belongs is taken. */
+static void use(const struct between *of, int n, int point, int c)
+{
+	const double *part = of->exponents[point] + 1 + n;
+	double closest = INFINITY;
+	int other = c;
+
+	of->used[point][c] = 1.0;
+	for (int k = 0; k < 2*n; k++) {
+		double off = fabs(wrapped(argument(of, n, point, k) + argument(of, n, point, c)));
+
+		if (of->used[point][k] > 0.0 || part[k/2] != part[c/2] || !(off < closest))
+			continue;
+		closest = off;
+		other = k;
+	}
+	of->used[point][other] = 1.0;
+}
+
+/* The multipliers c of mode j: of those not used, those whose displacements from its frequency at
+ * rest are the most alike at both points, and the smallest. Returns their measure, of angles off. */
+static double choose(int c[2], double off[2], const struct between *of, int n, int j)
+{
+	double least = INFINITY;
+
+	for (int a = 0; a < 2*n; a++) {
+		const double *e = of->exponents[0], *f = of->exponents[1];
+		double first = wrapped(argument(of, n, 0, a) - 2.0*M_PI*e[1 + j]/e[0]);
+
+		if (of->used[0][a] > 0.0 || e[1 + n + a/2] != e[1 + n + j])
+			continue;
+		for (int b = 0; b < 2*n; b++) {
+			double second, measure;
+
+			if (of->used[1][b] > 0.0 || f[1 + n + b/2] != f[1 + n + j])
+				continue;
+			second = wrapped(argument(of, n, 1, b) - 2.0*M_PI*f[1 + j]/f[0]);
+			measure = UNEQUAL*fabs(first - second) + fabs(first) + fabs(second);
+			if (!(measure < least))
+				continue;
+			least = measure;
+			memcpy(c, (int[2]){a, b}, 2*sizeof *c);
+			memcpy(off, (double[2]){first, second}, 2*sizeof *off);
+		}
+	}
+	return least;
+}
+
+/* Frequencies of the motion: those at rest, displaced to arguments of multipliers of their
+ * component, the surest first; a pair of multipliers belongs to one of them. */
+static void displace(struct between *of, int n)
+{
+	for (int k = 0; k < 2; k++)
+		for (int j = 0; j < n; j++)
+			of->w[k][j] = NAN;
+	for (int round = 0; round < n; round++) {
+		double least = INFINITY, off[2] = {0.0, 0.0}, best_off[2] = {0.0, 0.0};
+		int mode = -1, c[2] = {0, 0}, best[2] = {0, 0};
+
+		for (int j = 0; j < n; j++) {
+			double measure = isnan(of->w[0][j]) ? choose(c, off, of, n, j) : INFINITY;
+
+			if (!(measure < least))
+				continue;
+			least = measure;
+			mode = j;
+			memcpy(best, c, sizeof best);
+			memcpy(best_off, off, sizeof best_off);
+		}
+		if (mode < 0)
+			break;
+		for (int k = 0; k < 2; k++) {
+			const double *e = of->exponents[k];
+
+			of->w[k][mode] = e[1 + mode] + best_off[k]*e[0]/(2.0*M_PI);
+			use(of, n, k, best[k]);
+		}
+	}
+	for (int j = 0; j < n; j++)
+		for (int k = 0; k < 2 && isnan(of->w[k][j]); k++)
+			of->w[k][j] = of->exponents[k][1 + j];
+}
+
+/* Resonances between the points, by the frequencies u at the one and v at the other. Returns their
+ * number, with m from *first on, and the sums at both. */
+static int orders(int *first, double sum[2], const struct hawser__combination *pair,
+                  const double *a, const double *b, const double *u, const double *v)
+{
+	double low, high;
+
+	sum[0] = u[pair->j] + pair->sign*u[pair->k];
+	sum[1] = v[pair->j] + pair->sign*v[pair->k];
+	low = fmin(fabs(sum[0])/a[0], fabs(sum[1])/b[0]);
+	high = fmax(fabs(sum[0])/a[0], fabs(sum[1])/b[0]);
+	*first = (int)fmax(ceil(low), 1.0);
+	return sum[0]*sum[1] > 0.0 ? (int)fmax(floor(high) - *first + 1.0, 0.0) : 0;
+}
+
+/* What the motion adds to the frequency of mode j between the points. */
+static double moved_at(const struct between *of, int j)
+{
+	return 0.5*(of->w[0][j] - of->exponents[0][1 + j] + of->w[1][j] - of->exponents[1][1 + j]);
+}
+
+/* Where a detuning that changes linearly is 0. */
+static double zero(const double r[2])
+{
+	return r[0]/(r[0] - r[1]);
+}
+
+/* By the frequencies at rest, and by those of the motion where these tell another place. */
+static enum hawser_status pair_of(const struct hawser__combination *pair,
+                                  const struct between *of_it, int *above,
                                   const struct hawser__ridge_taker *taker,
                                   struct hawser_report *report)
 {
-	double sum[2] = {a[1 + pair->j] + pair->sign*a[1 + pair->k],
-		b[1 + pair->j] + pair->sign*b[1 + pair->k]};
-	double low = fmin(fabs(sum[0])/a[0], fabs(sum[1])/b[0]);
-	double high = fmax(fabs(sum[0])/a[0], fabs(sum[1])/b[0]);
+	const double *a = of_it->exponents[0], *b = of_it->exponents[1];
 	enum hawser_status status = HAWSER_OK;
+	int first[2], count[2];
+	double sum[2][2];
 
-	*above |= floor(high) > HAWSER__RIDGE_HIGHEST;
-	if (sum[0]*sum[1] <= 0.0)
-		return HAWSER_OK;
-	for (int m = (int)fmax(ceil(low), 1.0); m <= high && m <= HAWSER__RIDGE_HIGHEST && !status; m++) {
-		struct hawser__combination of = *pair;
-		double r[2];
+	count[0] = orders(&first[0], sum[0], pair, a, b, a + 1, b + 1);
+	count[1] = orders(&first[1], sum[1], pair, a, b, of_it->w[0], of_it->w[1]);
+	for (int way = 0; way < 2; way++)
+		for (int m = first[way]; m < first[way] + count[way] && !status; m++) {
+			struct hawser__combination of = *pair;
+			double r[2], other[2] = {fabs(sum[0][0]) - m*a[0], fabs(sum[0][1]) - m*b[0]};
 
-		if (sum[0] < 0.0) {
-			of.j = pair->k;
-			of.k = pair->j;
+			*above |= m > HAWSER__RIDGE_HIGHEST;
+			if (m > HAWSER__RIDGE_HIGHEST)
+				break;
+			r[0] = fabs(sum[way][0]) - m*a[0];
+			r[1] = fabs(sum[way][1]) - m*b[0];
+			if (r[0] == r[1] || (way > 0 && m >= first[0] && m < first[0] + count[0] &&
+			                     fabs(zero(r) - zero(other)) < ALIKE))
+				continue;
+			if (sum[way][0] < 0.0) {
+				of.j = pair->k;
+				of.k = pair->j;
+			}
+			of.m = m;
+			for (int k = 0; k < 2 && way > 0; k++)
+				of.moved[k] = moved_at(of_it, k ? of.k : of.j);
+			status = taker->found(taker->context, &of, zero(r), r[1] - r[0], report);
 		}
-		of.m = m;
-		r[0] = fabs(sum[0]) - m*a[0];
-		r[1] = fabs(sum[1]) - m*b[0];
-		if (r[0] != r[1])
-			status = taker->found(taker->context, &of, r[0]/(r[0] - r[1]), r[1] - r[0], report);
-	}
 	return status;
 }
 
@@ -179,16 +313,21 @@ enum hawser_status hawser__ridge_find(const double *a, const double *b, int n, i
                                       struct hawser_report *report)
 {
 	const double *part[2] = {a + 1 + n, b + 1 + n};
-	enum hawser_status status = HAWSER_OK;
+	double *room = calloc(6*(size_t)n, sizeof *room);
+	struct between of = {{a, b}, {room, room + n}, {room + 2*n, room + 4*n}};
+	enum hawser_status status = room ? HAWSER_OK : hawser__no_memory(report, "hill");
 
+	if (room)
+		displace(&of, n);
 	for (int j = 0; j < n; j++)
 		for (int k = j; k < n; k++) {
 			if (part[0][j] != part[0][k] && part[1][j] != part[1][k])
 				continue;
 			for (int sign = 1; sign >= (j == k ? 1 : -1) && !status; sign -= 2)
-				status = pair_of(&(struct hawser__combination){j, k, sign, 0}, a, b, above, taker,
-				                 report);
+				status = pair_of(&(struct hawser__combination){j, k, sign, 0, {0.0, 0.0}}, &of,
+				                 above, taker, report);
 		}
+	free(room);
 	return status;
 }
 

@@ -18,6 +18,10 @@
  * damping the unstable part is narrower than the locked part, or empty: it is found or excluded by
  * a few points wherever these lie, and however narrow it is.
  *
+ * Where the motion is large it displaces the frequencies: a resonance is also looked for by the
+ * arguments of the multipliers at two points, each pair of which is given to the frequency at rest from
+ * which it is displaced alike at both, and the least.
+ *
  * Reference: Yakubovich and Starzhinskii, Linear Differential Equations with Periodic Coefficients.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -31,6 +35,7 @@
 /* w_j + sign w_k = m Omega, coordinates j <= k. */
 struct hawser__combination {
 	int j, k, sign, m;
+	double moved[2]; /* what the motion adds to w_j and w_k near the line; 0: not known */
 };
 
 struct hawser__ridge {

@@ -81,8 +81,11 @@ for name in ropeway-bouquet ropeway-gondola ropeway-small ropeway-transient; do
 		[ $name != ropeway-small ] || at_once $method "$scenes/$name.yaml" -n 2 --damping 0.02 $load
 		# shellcheck disable=SC2086
 		search "$scenes/$name.yaml" -n 2 --damping 0.02 $load
+		# so does a motion at one frequency, but for a sweep
+		sweeps=
+		[ $name = ropeway-small ] || sweeps="--Omega-to 0.95w1"
 		# shellcheck disable=SC2086
-		motion "$scenes/$name.yaml" -n 2 --damping 0.02 $load --Omega 0.9w1
+		motion "$scenes/$name.yaml" -n 2 --damping 0.02 $load --Omega 0.9w1 $sweeps
 	done
 	echo "$name.yaml" >>seen
 done
