@@ -33,11 +33,12 @@
  * interval, it is taken, with the difference as its error.
  *
  * Points that scatter at random about any smooth curve have noise, which says how large residuals are.
- * All of them down to a fifth of the peak are fitted then, by one mode and by pairs of two ratios, whose
- * parts the flanks tell apart better than the peak does. If a pair fits better, the interval is that of
- * both ratios at once. Otherwise it contains the ratios of all pairs of one ratio whose sum fits as
- * well as one mode. Pairs of two ratios are left out then: a part of any ratio that is small enough is
- * below any noise, and even two equal parts whose ratios differ by a tenth are below one of 0.1 %, so
+ * All of them down to a fifth of the peak are fitted then, by one mode and by pairs of two ratios,
+ * whose parts the flanks tell apart better than the peak does. If a pair fits better, the
+ * interval is that of both ratios at once. Otherwise it contains the ratios of all pairs of one
+ * ratio whose sum fits as well as one mode. Pairs of two ratios are left out then: a part of any
+ * ratio that is small enough is below any noise, and even two equal parts whose ratios differ by a
+ * tenth are below one of 0.1 %, so
  * that an interval that contains all of them says nothing.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -211,7 +212,8 @@ static enum seen find_pair(struct hawser__half_fit *two, double reach[2],
 
 	if (!fit_all(&all, table, span, fit))
 		return ONE;
-	is_smooth = all.count > SHAPES && hawser__half_shapes(&smooth, table, span, HAWSER__HALF_SMOOTH, fit->zp, fit->D);
+	is_smooth = all.count > SHAPES && hawser__half_shapes(&smooth, table, span,
+	                                                            HAWSER__HALF_SMOOTH, fit->zp, fit->D);
 	white = is_smooth && all.count >= MANY && !is_better(&smooth, SHAPES, &all.one, P, all.count);
 	*two = all.same;
 	if (!white && is_better(&all.apart, SHAPES, two, EQUAL, all.count)) {
@@ -239,8 +241,8 @@ static int is_noise(struct hawser__half_fit *smooth, const struct hawser__half_t
 	       smooth->scatter > EXACT && smooth->lag < WHITE;
 }
 
-/* Points with noise: one mode or two, from all points down to a fifth of the peak. Returns the number of
- * modes, or 0 if neither leaves only the noise. */
+/* Points with noise: one mode or two, from all points down to a fifth of the peak. Returns the number
+ * of modes, or 0 if neither leaves only the noise. */
 static int among_noise(struct hawser__half_fit *fit, const struct hawser__half_table *table,
                        const struct hawser__half_fit *smooth, int count)
 {

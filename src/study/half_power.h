@@ -1,13 +1,13 @@
-/* study/half_power.h - what half_power.c and the fits of half_power_one.c and half_power_pair.c share; its glossary is in
- * half_power.c.
+/* study/half_power.h - what half_power.c and the fits of half_power_one.c and half_power_pair.c share;
+ * its glossary is in half_power.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_STUDY_HALF_POWER_H
 #define HAWSER_STUDY_HALF_POWER_H
 
 #include <complex.h>
 
-/* Unknowns: of a parabola; of two modes of one ratio; of two modes with two ratios, or of what adds to a
- * parabola; of a quotient of polynomials. */
+/* Unknowns: of a parabola; of two modes of one ratio; of two modes with two ratios, or of what adds to
+ * a parabola; of a quotient of polynomials. */
 enum { HAWSER__HALF_PARABOLA = 3, HAWSER__HALF_EQUAL = 5, HAWSER__HALF_SHAPES = 6,
        HAWSER__HALF_MOST = 7 };
 

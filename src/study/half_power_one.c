@@ -51,8 +51,8 @@ static void shapes_at(double f[SHAPES], double x, double a)
 }
 
 static double scatter(double *lag, const struct hawser__half_table *table,
-                      struct hawser__half_span span, const double *p, enum hawser__half_others others, double zc,
-                      double h)
+                      struct hawser__half_span span, const double *p,
+                      enum hawser__half_others others, double zc, double h)
 {
 	struct hawser__half_residuals residuals = {0.0, 0.0, 0.0};
 	double f[SHAPES];
