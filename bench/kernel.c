@@ -333,7 +333,7 @@ static double rate(void (*call)(const struct sides *, const double *), const str
 /* Number of multiplications and additions of a tangent, without those of the products u_l u_m. */
 static double entries(const struct hawser_rom *rom)
 {
-	const struct hawser__panels *panels = rom->kernel->panels;
+	const struct hawser__kernel_panels *panels = rom->kernel->panels;
 	double sum = 0;
 
 	for (int p = 0; p < panels->count; p++)

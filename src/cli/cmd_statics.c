@@ -45,7 +45,7 @@ struct result {
 	struct hawser_statics actual;  /* the actual ones */
 	double limit;                  /* m/s, if the cable travels */
 	struct cli_loaded loaded;
-	struct hawser__place *profile; /* [points] */
+	struct hawser__spot *profile; /* [points] */
 	int points;
 	struct cli_mark mark[HAWSER_ATTACH_MAX]; /* [marks] */
 	int marks;
@@ -57,7 +57,7 @@ struct result {
 enum { TRAVELS = 1, MODELS = 2, COMPATIBILITY = 4, SPEEDS = 8, ATTACHED = 16, LOADED = 32,
        TURNED = 64, CASES = 128, MESH = 256 };
 
-#define OF(member) HAWSER__AT(struct hawser__place, member)
+#define OF(member) HAWSER__AT(struct hawser__spot, member)
 static const struct hawser__field profile_field[] = {
 	{"S", "S", "unstretched arclength from end A", OF(S), .unit = HAWSER__METRE},
 	{"x", "x", "distance from end A", OF(x), .unit = HAWSER__METRE,
@@ -122,8 +122,8 @@ static void columns_json(struct hawser__json *json, json_t *into, const void *ro
 
 static const struct hawser__field point_field[] = {
 	{"profile", NULL, "points: lists of the columns",
-	 HAWSER__PAIR_AT(struct hawser__place, S, T)},
-	{"profile_z", NULL, "z of these points, under a static load", HAWSER__AT(struct hawser__place, z),
+	 HAWSER__PAIR_AT(struct hawser__spot, S, T)},
+	{"profile_z", NULL, "z of these points, under a static load", HAWSER__AT(struct hawser__spot, z),
 	 .unit = HAWSER__METRE, .when = TURNED},
 	HAWSER__END,
 };
@@ -254,7 +254,7 @@ static enum hawser_status draw(const char *path, const void *context, struct haw
 	for (int i = 0; i < result->cases.rows; i++)
 		most = fmax(most, fmax(result->cases.row[i].T0, result->cases.row[i].T1));
 	const struct hawser__axis highest = hawser__fields_axis(profile_field, "T", &view, most);
-	struct hawser__place kink[2*HAWSER_ATTACH_MAX];
+	struct hawser__spot kink[2*HAWSER_ATTACH_MAX];
 	const struct hawser__span_picture picture = {
 		&result->scene, result->profile, kink, result->points, result->marks,
 		aside(&result->statics)};
@@ -355,7 +355,7 @@ static enum hawser_status limit_of(struct result *result, const struct hawser_eq
 	return status;
 }
 
-static struct hawser__place point(const struct result *result, double S)
+static struct hawser__spot point(const struct result *result, double S)
 {
 	const struct hawser_statics *st = &result->statics;
 	struct hawser_profile_point in = result->scene.travel.present ? hawser_statics_actual_at(st, S)

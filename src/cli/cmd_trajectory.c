@@ -72,7 +72,7 @@ static const struct hawser__field waypoint_field[] = {
 #undef OF
 
 /* Largest norms of derivatives, and when. */
-#define PLACE(member, order) .kind = HAWSER__NUMBER, .size = sizeof(double), \
+#define PLACE(member, order) .kind = HAWSER__REAL, .size = sizeof(double), \
 	.offset = offsetof(struct hawser_path_largest, member) + (order)*sizeof(double)
 static const struct hawser__field largest_field[] = {
 	{"speed", NULL, "norm of the velocity", PLACE(value, 1), .unit = HAWSER__METRE_S},

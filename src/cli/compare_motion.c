@@ -173,7 +173,7 @@ static void signal_name(char *text, size_t size, const void *context, int k)
 	char name[64];
 
 	axis_name(name, sizeof name, NULL, k % (3*PROBES));
-	snprintf(text, size, "%s%c%s", run->name, HAWSER__WITHIN, name);
+	snprintf(text, size, "%s%c%s", run->name, HAWSER__NESTED, name);
 }
 static const struct hawser__vector signal_vector = {
 	.count = signals, .name = signal_name, .number = signal_at, .object = 1};

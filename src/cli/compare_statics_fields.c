@@ -50,7 +50,7 @@ static const void *score_row(void *to, const void *parent, size_t index)
 #define OF(member) HAWSER__AT(struct score, member)
 #define MAYBE(member) OF(member), .flags = HAWSER__NULL
 #define NUMBER(member) \
-	.kind = HAWSER__NUMBER, HAWSER__PLACE(struct score, member), .flags = HAWSER__NULL
+	.kind = HAWSER__REAL, HAWSER__PLACE(struct score, member), .flags = HAWSER__NULL
 static const struct hawser__field score_field[] = {
 	{"name", "method", "with /chord or /density if it begins elsewhere than by itself", OF(name)},
 	{"method", NULL, "as in hawser statics --method", OF(method)},
@@ -152,7 +152,7 @@ static void key_name(char *text, size_t size, const void *context, int k)
 	const struct cli_compare_statics *result = context;
 	int ways = result->of.ways;
 
-	snprintf(text, size, "%s%c%s", k < ways ? "time" : "iterations", HAWSER__WITHIN,
+	snprintf(text, size, "%s%c%s", k < ways ? "time" : "iterations", HAWSER__NESTED,
 	         result->of.score[k % ways].way->name);
 }
 static const struct hawser__vector
@@ -160,7 +160,7 @@ static const struct hawser__vector
 	key_vector = {.shown = "METHOD", .count = curves, .name = key_name, .number = part_at, .object = 1};
 static const struct hawser__field step_field[] = {
 	{"within", "within", "ratio of times, and number of iterations",
-	 .kind = HAWSER__NUMBER, .offset = 0, .size = sizeof(double)},
+	 .kind = HAWSER__REAL, .offset = 0, .size = sizeof(double)},
 	{NULL, "", "part of the nets solved within this multiple of the least time of all methods; "
 	 "iterations_METHOD: within this number of iterations", HAWSER__VECTOR_OF(column_vector),
 	 .flags = HAWSER__NULL},
@@ -168,7 +168,7 @@ static const struct hawser__field step_field[] = {
 };
 static const struct hawser__field curve_field[] = {
 	{"within", NULL, "ratios of times, and numbers of iterations",
-	 .kind = HAWSER__NUMBER, .offset = 0, .size = sizeof(double)},
+	 .kind = HAWSER__REAL, .offset = 0, .size = sizeof(double)},
 	{"time", NULL, "time.METHOD: part of the nets solved within this multiple of the least time of all "
 	 "methods; iterations.METHOD: within this number of iterations", HAWSER__VECTOR_OF(key_vector),
 	 .flags = HAWSER__NULL},

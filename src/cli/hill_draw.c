@@ -22,7 +22,7 @@ static int first_order(const struct hawser_hill_chart *chart)
 }
 
 /* Characteristic values (kind -1) and expansions (-2), [SAMPLES][2] each. */
-static int compared(struct hawser__hill_line *line, double *at,
+static int compared(struct hawser__hill_boundary *line, double *at,
                     const struct cli_hill_result *result)
 {
 	int count = 0, first = first_order(&result->chart);
@@ -44,7 +44,7 @@ static int compared(struct hawser__hill_line *line, double *at,
 				own[2*k] = value;
 				own[2*k++ + 1] = e;
 			}
-			line[count++] = (struct hawser__hill_line){expansion ? -2 : -1, k, own};
+			line[count++] = (struct hawser__hill_boundary){expansion ? -2 : -1, k, own};
 		}
 	return count;
 }
@@ -57,7 +57,7 @@ enum hawser_status cli_hill_draw(const char *path, const void *context,
 {
 	const struct cli_hill_result *result = context;
 	const struct hawser_hill_chart *chart = &result->chart;
-	struct hawser__hill_line *line = calloc((size_t)chart->boundaries + OVER, sizeof *line);
+	struct hawser__hill_boundary *line = calloc((size_t)chart->boundaries + OVER, sizeof *line);
 	double *at = malloc((size_t)OVER*SAMPLES*2*sizeof *at);
 	double *box = NULL;
 	struct hawser__hill_picture picture = {.line = line};
@@ -69,7 +69,7 @@ enum hawser_status cli_hill_draw(const char *path, const void *context,
 		return hawser__no_memory(report, "hill");
 	}
 	for (int b = 0; b < chart->boundaries; b++)
-		line[picture.lines++] = (struct hawser__hill_line){(int)chart->boundary[b].kind,
+		line[picture.lines++] = (struct hawser__hill_boundary){(int)chart->boundary[b].kind,
 			chart->boundary[b].points, chart->boundary[b].at};
 	if (!result->model)
 		picture.lines += compared(line + picture.lines, at, result);

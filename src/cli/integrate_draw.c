@@ -82,7 +82,7 @@ enum hawser_status cli_integrate_draw(const char *path, const void *context,
 	const struct cli_integrate_result *result = context;
 	struct hawser__axis axis = cli_integrate_axis(result);
 	char label[2][label_size];
-	struct hawser__signal signal[2];
+	struct hawser__plot_signal signal[2];
 	struct hawser__history history = {0};
 	double *time;
 	int chosen[2], count = choose(chosen, result), i;

@@ -59,7 +59,7 @@ static void probed_name(char *text, size_t size, const void *context, int k)
 	const struct cli_integrate_result *result = context;
 	int p = k/shown_of(context), c = k % shown_of(context);
 
-	snprintf(text, size, "%s%c%s", result->model->rom.shapes.name[p], HAWSER__WITHIN, name[c]);
+	snprintf(text, size, "%s%c%s", result->model->rom.shapes.name[p], HAWSER__NESTED, name[c]);
 }
 
 static int probed(const void *context)

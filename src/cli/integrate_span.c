@@ -48,7 +48,7 @@ static void probed_name(char *text, size_t size, const void *context, int k)
 	static const char *const name[SHOWN] = {"x", "vx", "y", "vy", "z", "vz", "T"};
 
 	(void)context;
-	snprintf(text, size, "%s%c%s", hawser_net_span_probe(k/SHOWN), HAWSER__WITHIN, name[k % SHOWN]);
+	snprintf(text, size, "%s%c%s", hawser_net_span_probe(k/SHOWN), HAWSER__NESTED, name[k % SHOWN]);
 }
 
 static void column_name(char *text, size_t size, const void *context, int k)

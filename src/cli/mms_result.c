@@ -316,8 +316,8 @@ static void part_path(char *text, size_t size, const void *context, int k)
 {
 	const struct cli_model *model = context;
 
-	snprintf(text, size, "%s%c%c%c%s", model->rom.shapes.name[k/9], HAWSER__WITHIN, axis[k/3 % 3],
-	         HAWSER__WITHIN, part_name[k % 3]);
+	snprintf(text, size, "%s%c%c%c%s", model->rom.shapes.name[k/9], HAWSER__NESTED, axis[k/3 % 3],
+	         HAWSER__NESTED, part_name[k % 3]);
 }
 static const struct hawser__vector
 	parts_vector = {.shown = "x_PROBE", .count = parts, .name = part_column, .number = part_at},

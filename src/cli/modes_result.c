@@ -281,7 +281,7 @@ static void part_name(char *text, size_t size, const void *context, int k)
 {
 	int parts = parts_of(context);
 
-	snprintf(text, size, "%c%c%s", components[k/parts], parts == 1 ? '\0' : HAWSER__WITHIN,
+	snprintf(text, size, "%c%c%s", components[k/parts], parts == 1 ? '\0' : HAWSER__NESTED,
 	         k % parts ? "im" : "re");
 }
 

@@ -172,7 +172,7 @@ static void part_name(char *text, size_t size, const void *context, int k)
 {
 	int parts = parts_of(context);
 
-	snprintf(text, size, "%c%c%s", "PQB"[k % 3], parts == 1 ? '\0' : HAWSER__WITHIN,
+	snprintf(text, size, "%c%c%s", "PQB"[k % 3], parts == 1 ? '\0' : HAWSER__NESTED,
 	         k >= 3 ? "im" : "re");
 }
 

@@ -27,14 +27,14 @@ enum hawser_status cli_loaded_fill(struct cli_loaded *loaded, const struct hawse
 	HAWSER_MUST_CHECK;
 
 /* A point of the profile along the axes of the scene. */
-struct hawser__place cli_place(const struct hawser_statics *st,
-                               const struct hawser_profile_point *in);
+struct hawser__spot cli_place(const struct hawser_statics *st,
+                              const struct hawser_profile_point *in);
 
 /* An attachment: at a mass the tension has two values. */
 struct cli_mark {
 	const char *name;
 	double mass, kink; /* kg; rad, angle between the tangents on both sides */
-	struct hawser__place before, after;
+	struct hawser__spot before, after;
 };
 extern const struct hawser__field cli_mark_field[];
 /* Fills mark[attachments] and returns their number. */

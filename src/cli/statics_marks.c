@@ -7,7 +7,7 @@
 
 #include "cli/statics_loaded.h"
 
-struct hawser__place cli_place(const struct hawser_statics *st, const struct hawser_profile_point *in)
+struct hawser__spot cli_place(const struct hawser_statics *st, const struct hawser_profile_point *in)
 {
 	const double at[3] = {in->x, in->y, in->z}, along[3] = {1.0, in->slope, 0.0};
 	double place[3], tangent[3];
@@ -16,7 +16,7 @@ struct hawser__place cli_place(const struct hawser_statics *st, const struct haw
 	for (int c = 0; c < 3; c++)
 		place[c] += st->moved[0][c];
 	hawser_statics_to_global(st, tangent, st->space ? in->tangent : along);
-	return (struct hawser__place){in->S, place[0], place[1], in->T, tangent[1]/tangent[0], place[2]};
+	return (struct hawser__spot){in->S, place[0], place[1], in->T, tangent[1]/tangent[0], place[2]};
 }
 
 static const char *mark_name(const void *of)

@@ -54,7 +54,7 @@ enum hawser_status cli_statics_mesh_check(const char *model, int elements, int p
 		               "--elements", points);
 }
 
-enum hawser_status cli_statics_mesh(struct hawser__place **profile,
+enum hawser_status cli_statics_mesh(struct hawser__spot **profile,
                                     struct hawser_net_span_statics *mesh,
                                     const struct hawser_scene *scene,
                                     const struct hawser_statics *statics, int elements,

@@ -12,7 +12,7 @@ void cli_statics_mesh_comments(struct hawser__table *table,
 enum hawser_status cli_statics_mesh_check(const char *model, int elements, int points, int usual,
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
 /* The mesh; its nodes are the *profile [mesh->points], which the caller frees. */
-enum hawser_status cli_statics_mesh(struct hawser__place **profile,
+enum hawser_status cli_statics_mesh(struct hawser__spot **profile,
                                     struct hawser_net_span_statics *mesh,
                                     const struct hawser_scene *scene,
                                     const struct hawser_statics *statics, int elements,

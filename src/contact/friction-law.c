@@ -51,7 +51,7 @@ static void slopes(double D[9], const double z[3], double mu, double dp, double 
 }
 
 /* F at z, whose r is given; with D not NULL also the derivatives of r - F by z. */
-static void law(double F[3], double *D, const struct hawser__touch *touch, double sigma,
+static void law(double F[3], double *D, const struct hawser__friction_touch *touch, double sigma,
                 const double r[3], const double z[3])
 {
 	double dp, by_kappa, p = maximum(&dp, z[0], 0.0, sigma), kappa, m;
@@ -67,7 +67,7 @@ static void law(double F[3], double *D, const struct hawser__touch *touch, doubl
 		slopes(D, z, touch->mu, dp, kappa, m, by_kappa);
 }
 
-double hawser__touch_law(double F[3], const struct hawser__touch *touch, double sigma)
+double hawser__touch_law(double F[3], const struct hawser__friction_touch *touch, double sigma)
 {
 	double z[3];
 
@@ -78,7 +78,7 @@ double hawser__touch_law(double F[3], const struct hawser__touch *touch, double 
 }
 
 /* Cr and Cu of D. */
-static void derivatives(struct hawser__touch_rows *rows, const struct hawser__touch *touch,
+static void derivatives(struct hawser__touch_rows *rows, const struct hawser__friction_touch *touch,
                         const double D[9])
 {
 	for (int i = 0; i < 9; i++) {
@@ -92,7 +92,8 @@ static void derivatives(struct hawser__touch_rows *rows, const struct hawser__to
 		}
 }
 
-void hawser__touch_linearise(struct hawser__touch_rows *rows, const struct hawser__touch *touch,
+void hawser__touch_linearise(struct hawser__touch_rows *rows,
+                             const struct hawser__friction_touch *touch,
                              double sigma, const double *from)
 {
 	const double *r = from ? from : touch->r, *w = from ? from + 3 : touch->w;
@@ -125,7 +126,7 @@ const double *hawser__step_from(const struct hawser__step_law *law, const struct
 	return law->elsewhere ? of->from[contact] : NULL;
 }
 
-enum hawser_contact_state hawser__touch_state(const struct hawser__touch *touch)
+enum hawser_contact_state hawser__touch_state(const struct hawser__friction_touch *touch)
 {
 	const double rho = touch->rho, kappa = touch->mu*(touch->r[0] - rho*touch->w[0]);
 	double tangent = hypot(touch->r[1] - rho*touch->w[1], touch->r[2] - rho*touch->w[2]);

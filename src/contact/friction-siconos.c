@@ -67,7 +67,7 @@ static int respond(struct hawser_friction *of, const double *r)
 {
 	memset(of->R, 0, (size_t)of->nodes*sizeof *of->R);
 	for (int c = 0; c < of->of->contacts; c++) {
-		const struct hawser__touch *touch = &of->touch[c];
+		const struct hawser__friction_touch *touch = &of->touch[c];
 
 		for (int k = 0; k < 3; k++)
 			for (int i = 0; i < 3; i++)
@@ -91,7 +91,7 @@ static int delassus(double *W, double *e, struct hawser_friction *of)
 		if (!respond(of, e))
 			return 0;
 		for (int i = 0; i < n; i++) {
-			const struct hawser__touch *row = &of->touch[i/3];
+			const struct hawser__friction_touch *row = &of->touch[i/3];
 			const double *x = of->du[row->node], *h = row->H + 3*(i%3);
 
 			W[n*j + i] = h[0]*x[0] + h[1]*x[1] + h[2]*x[2];

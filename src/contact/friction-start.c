@@ -13,7 +13,7 @@ static const double digits = 1e-15;
 static void weigh(struct hawser_friction *of)
 {
 	for (int c = 0; c < of->of->contacts; c++) {
-		struct hawser__touch *touch = &of->touch[c];
+		struct hawser__friction_touch *touch = &of->touch[c];
 		const double *n = touch->H, *A = of->inverse[touch->node];
 		double inverse = 0.0;
 

@@ -45,7 +45,7 @@ double hawser__friction_balance(double *size, struct hawser_friction *of, const 
 	*size = 0.0;
 	hawser__friction_defect(of, u);
 	for (int c = 0; c < of->of->contacts; c++) {
-		const struct hawser__touch *touch = &of->touch[c];
+		const struct hawser__friction_touch *touch = &of->touch[c];
 
 		for (int i = 0; i < 3; i++)
 			for (int k = 0; k < 3; k++)
@@ -70,13 +70,14 @@ static void rotate(double to[3], const double H[9], const double x[3])
 }
 
 /* r of the first contact of a node from the force s on it and those of the others. */
-static void share(double r[3], const struct hawser_friction *of, const struct hawser__touch *first,
+static void share(double r[3], const struct hawser_friction *of,
+                  const struct hawser__friction_touch *first,
                   const double s[3])
 {
 	double left[3] = {s[0], s[1], s[2]};
 
 	for (int c = first->next; c >= 0; c = of->touch[c].next) {
-		const struct hawser__touch *other = &of->touch[c];
+		const struct hawser__friction_touch *other = &of->touch[c];
 
 		for (int k = 0; k < 3; k++)
 			for (int i = 0; i < 3; i++)
@@ -88,7 +89,7 @@ static void share(double r[3], const struct hawser_friction *of, const struct ha
 			r[k] = 0.0;
 }
 
-static void follow(struct hawser__touch *touch, const struct hawser_friction *of, int contact,
+static void follow(struct hawser__friction_touch *touch, const struct hawser_friction *of, int contact,
                    const double (*u)[3])
 {
 	const int node = touch->node;
@@ -108,7 +109,8 @@ void hawser__friction_follow(struct hawser_friction *of, const double (*u)[3])
 }
 
 /* Add a contact; error and scale are squares here. */
-static void look(struct hawser__friction_where *where, const struct hawser__touch *touch, double sigma)
+static void look(struct hawser__friction_where *where, const struct hawser__friction_touch *touch,
+                 double sigma)
 {
 	const double *r = touch->r, *w = touch->w, rho = touch->rho;
 	double F[3], one = hawser__touch_law(F, touch, 0.0);

@@ -143,7 +143,7 @@ static void place(struct hawser_friction *solver, const struct hawser_friction_p
 		solver->first[n] = -1;
 	for (int c = problem->contacts - 1; c >= 0; c--) {
 		const struct hawser_contact *contact = &problem->contact[c];
-		struct hawser__touch *touch = &solver->touch[c];
+		struct hawser__friction_touch *touch = &solver->touch[c];
 
 		touch->node = contact->node;
 		touch->next = solver->first[contact->node];
@@ -206,7 +206,7 @@ static void reply_all(struct hawser_contact_reply *reply, struct hawser_friction
 	int *const count[] = {&counts->open, &counts->stick, &counts->slip};
 
 	for (int c = 0; c < solver->of->contacts; c++) {
-		struct hawser__touch *touch = &solver->touch[c];
+		struct hawser__friction_touch *touch = &solver->touch[c];
 		double F[3];
 
 		(void)hawser__touch_law(F, touch, 0.0);

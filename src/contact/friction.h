@@ -13,7 +13,7 @@
 #include <hawser/friction.h>
 
 /* A contact while it is solved. Matrices are row-major. Small, as each iteration passes over all. */
-struct hawser__touch {
+struct hawser__friction_touch {
 	int node, next;      /* next: contact of the same node; -1: none */
 	unsigned fixed;      /* bit k: tangent k (1, 2) is a held direction */
 	double H[9];
@@ -51,7 +51,7 @@ struct hawser_friction {
 	struct hawser__contact_chain *chain; /* NULL: a net */
 	struct hawser__contact_net *net; /* NULL: chains */
 	int *first;                  /* [nodes] first contact; -1: none */
-	struct hawser__touch *touch; /* [most] */
+	struct hawser__friction_touch *touch; /* [most] */
 	struct hawser__touch_second *second; /* [most] */
 	double (*from)[6];           /* [most] r and w at which the law of a first warm step is taken */
 	double (*R)[3], (*du)[3];    /* [nodes] R = p - M u; at held directions p - u */
@@ -71,11 +71,12 @@ enum hawser_status hawser__friction_room(const struct hawser_friction *solver, i
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* friction-law.c: F at r and w; sigma >= 0 smooths the law. Returns |F|^2. */
-double hawser__touch_law(double F[3], const struct hawser__touch *touch, double sigma);
+double hawser__touch_law(double F[3], const struct hawser__friction_touch *touch, double sigma);
 /* The rows of a step from the touch's r and w, where the law is taken there, or at `from` (r, w). */
-void hawser__touch_linearise(struct hawser__touch_rows *rows, const struct hawser__touch *touch,
+void hawser__touch_linearise(struct hawser__touch_rows *rows,
+                             const struct hawser__friction_touch *touch,
                              double sigma, const double *from /* [6], or NULL */);
-enum hawser_contact_state hawser__touch_state(const struct hawser__touch *touch);
+enum hawser_contact_state hawser__touch_state(const struct hawser__friction_touch *touch);
 
 /* The law of a Newton step. */
 struct hawser__step_law {

@@ -9,7 +9,7 @@
 #include "contact/surface_read.h"
 #include "core/report.h"
 
-enum { CALLED = HAWSER__TEXT + 64, MOST = 100 }; /* obstacles: each node may touch each of them */
+enum { CALLED = HAWSER__TEXT_ROOM + 64, MOST = 100 }; /* obstacles: each node may touch each of them */
 
 static enum hawser_status name_of(struct hawser__reader *reader, struct hawser_surface *all, int number,
                                   const struct hawser__tree *tree)

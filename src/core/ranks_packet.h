@@ -12,7 +12,7 @@
 
 #include "core/ranks.h"
 
-enum { HAWSER__WORK = 1, HAWSER__ANSWER, HAWSER__READY, HAWSER__END, HAWSER__LAST };
+enum { HAWSER__WORK = 1, HAWSER__ANSWER, HAWSER__READY, HAWSER__END, HAWSER__LAST_PACKET };
 
 /* *message becomes the packet of tasks first to first + count - 1. */
 enum hawser_status hawser__packet_ask(struct hawser__bytes *message, const struct hawser__tasks *tasks,

@@ -76,7 +76,7 @@ void hawser__ranks_serve(struct hawser__ranks *ranks, const struct hawser__tasks
 		answer(ranks, &answers);
 	}
 	hawser__bytes_empty(&answers);
-	hawser__bytes_add_long(&answers, HAWSER__LAST);
+	hawser__bytes_add_long(&answers, HAWSER__LAST_PACKET);
 	if (!status && tasks->leave)
 		tasks->leave(tasks->context, &answers);
 	answer(ranks, &answers);
@@ -104,7 +104,7 @@ void hawser__ranks_end(struct hawser__ranks *ranks, const struct hawser__tasks *
 		if (!await(ranks, &from, &message, ranks->hurried ? HURRIED_SECS : END_SECS))
 			ranks->lost = 1;
 		view = (struct hawser__extract){message.at, message.used, 0};
-		if (ranks->lost || hawser__extract_long(&view) != HAWSER__LAST)
+		if (ranks->lost || hawser__extract_long(&view) != HAWSER__LAST_PACKET)
 			continue;
 		left--;
 		if (tasks && tasks->take_last && view.left > 0)

@@ -55,7 +55,7 @@ struct work {
 	double *x;      /* [n - held] columns of n; V, then Z V */
 	double *S;      /* [n] */
 	double *scratch; /* [points] and [n] */
-	double tau[HAWSER__FORCES];
+	double tau[HAWSER__MAX_FORCES];
 };
 
 static double *array(size_t a, size_t b)

@@ -88,7 +88,7 @@ static void joints_of(double *strain, double end[2][HAWSER__MAX_D], int increase
 static void balance_springs(double *force, double end[2][HAWSER__MAX_D], double *strain,
                             const struct hawser__plane *plane, const struct hawser_grid *grid)
 {
-	double b[HAWSER__FORCES], z[HAWSER__FORCES];
+	double b[HAWSER__MAX_FORCES], z[HAWSER__MAX_FORCES];
 
 	hawser__spring_work(b, force, end, plane, grid);
 	hawser__spring_solve(z, b, plane, grid);
@@ -153,7 +153,7 @@ static void hold_springs(double *strain, const double *displacement, const doubl
                          double *work)
 {
 	int D = plane->D, points = grid->points;
-	double r[HAWSER__FORCES], z[HAWSER__FORCES], joint[2][HAWSER__MAX_D] = {{0.0}};
+	double r[HAWSER__MAX_FORCES], z[HAWSER__MAX_FORCES], joint[2][HAWSER__MAX_D] = {{0.0}};
 
 	for (int c = 0; c < D; c++)
 		r[c] = end[c];

@@ -118,7 +118,7 @@ static void assemble(double *A, int size, const struct hawser__plane *plane,
 void hawser__spring_solve(double *z, const double *b, const struct hawser__plane *plane,
                           const struct hawser_grid *grid)
 {
-	double A[HAWSER__FORCES*HAWSER__FORCES];
+	double A[HAWSER__MAX_FORCES*HAWSER__MAX_FORCES];
 	int size = plane->D + plane->springs;
 
 	assemble(A, size, plane, grid);

@@ -5,7 +5,7 @@
 
 #include "modes/compliance.h"
 
-enum { HAWSER__FORCES = HAWSER__MAX_D + HAWSER__MAX_SPRINGS }; /* most constants z */
+enum { HAWSER__MAX_FORCES = HAWSER__MAX_D + HAWSER__MAX_SPRINGS }; /* most constants z */
 
 /* Solve A z = b, z and b [D + springs]. */
 void hawser__spring_solve(double *z, const double *b, const struct hawser__plane *plane,

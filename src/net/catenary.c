@@ -55,7 +55,7 @@ static void directions(struct parts *s, const double p[3], const double F[3])
 		s->across[k] = ((k == axis) - least*s->along[k])/sqrt(1.0 - least*least);
 }
 
-static void integrals(struct parts *s, const struct hawser__catenary *cable, const double F[3])
+static void integrals(struct parts *s, const struct hawser__net_catenary *cable, const double F[3])
 {
 	double L = cable->length0, e, u, v, x, z, X, sum, product;
 
@@ -91,7 +91,7 @@ static double spring(double chord[3], double (*flexibility)[3], double density, 
 }
 
 double hawser__catenary(double chord[3], double (*flexibility)[3],
-                        const struct hawser__catenary *cable, const double F[3])
+                        const struct hawser__net_catenary *cable, const double F[3])
 {
 	double L = cable->length0, e = sqrt(dot(cable->p, cable->p))*L/2.0, sum;
 	struct parts s;
@@ -110,7 +110,7 @@ double hawser__catenary(double chord[3], double (*flexibility)[3],
 	return L*(s.u*(s.u/sum) + sum/4.0) + s.k2*s.a/2.0 + L/(2.0*cable->EA)*(dot(F, F) + e*e/3.0);
 }
 
-double hawser__catenary_stretch(const struct hawser__catenary *cable, const double F[3])
+double hawser__catenary_stretch(const struct hawser__net_catenary *cable, const double F[3])
 {
 	struct parts s;
 
@@ -118,7 +118,7 @@ double hawser__catenary_stretch(const struct hawser__catenary *cable, const doub
 	return (cable->length0*(s.u*(s.u/(s.T1 + s.T2)) + (s.T1 + s.T2)/4.0) + s.k2*s.a/2.0)/cable->EA;
 }
 
-void hawser__catenary_stiffness(double stiffness[3][3], const struct hawser__catenary *cable,
+void hawser__catenary_stiffness(double stiffness[3][3], const struct hawser__net_catenary *cable,
                                 const double F[3])
 {
 	double c = cable->length0/cable->EA, most, determinant, n, A, B, C;
@@ -146,10 +146,10 @@ void hawser__catenary_stiffness(double stiffness[3][3], const struct hawser__cat
 				B*(s.along[i]*s.across[j] + s.across[i]*s.along[j]);
 }
 
-void hawser__catenary_point(double x[3], double t[3], const struct hawser__catenary *cable,
+void hawser__catenary_point(double x[3], double t[3], const struct hawser__net_catenary *cable,
                             const double F[3], double S)
 {
-	struct hawser__catenary part = *cable;
+	struct hawser__net_catenary part = *cable;
 	double mean[3];
 
 	part.length0 = S;

@@ -10,7 +10,7 @@
 #ifndef HAWSER_NET_CATENARY_H
 #define HAWSER_NET_CATENARY_H
 
-struct hawser__catenary {
+struct hawser__net_catenary {
 	double p[3];    /* N/m */
 	double length0; /* m */
 	double EA;      /* N */
@@ -20,14 +20,14 @@ struct hawser__catenary {
 
 /* W at F, J; chord [3] and flexibility [3][3], m/N, if not NULL. */
 double hawser__catenary(double chord[3], double (*flexibility)[3],
-                        const struct hawser__catenary *cable, const double F[3]);
+                        const struct hawser__net_catenary *cable, const double F[3]);
 /* Its inverse, the stiffness, N/m: positive definite whatever round-off does. */
-void hawser__catenary_stiffness(double stiffness[3][3], const struct hawser__catenary *cable,
+void hawser__catenary_stiffness(double stiffness[3][3], const struct hawser__net_catenary *cable,
                                 const double F[3]);
 /* Stretched length minus L, m: the integral of |t|/EA. */
-double hawser__catenary_stretch(const struct hawser__catenary *cable, const double F[3]);
+double hawser__catenary_stretch(const struct hawser__net_catenary *cable, const double F[3]);
 /* Place of the point S, from the end S = 0, and tension vector there. */
-void hawser__catenary_point(double x[3], double t[3], const struct hawser__catenary *cable,
+void hawser__catenary_point(double x[3], double t[3], const struct hawser__net_catenary *cable,
                             const double F[3], double S);
 
 #endif

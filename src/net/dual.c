@@ -39,8 +39,8 @@ enum hawser_status hawser__dual_open(struct hawser__dual *dual, struct hawser__m
 	if (!dual->cable || !dual->F || !dual->step || !dual->x)
 		return hawser__no_memory(report, "net");
 	for (int i = 0; i < mesh->elements; i++)
-		dual->cable[i] = (struct hawser__catenary){.length0 = mesh->length0[i], .EA = mesh->EA[i],
-		                                           .density = mesh->density[i]};
+		dual->cable[i] = (struct hawser__net_catenary){.length0 = mesh->length0[i], .EA = mesh->EA[i],
+		                                               .density = mesh->density[i]};
 	return HAWSER_OK;
 }
 
@@ -240,7 +240,7 @@ static void begin(struct hawser__dual *dual)
 static void soften(struct hawser__dual *dual, double part)
 {
 	for (int c = 0; c < dual->mesh->elements; c++) {
-		struct hawser__catenary *cable = &dual->cable[c];
+		struct hawser__net_catenary *cable = &dual->cable[c];
 		double own = sqrt(dot(cable->p, cable->p))*cable->length0;
 
 		cable->soft = part > LEAST || own < 1e-12*dual->weight ? part*dual->weight : 0.0;

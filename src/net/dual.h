@@ -9,7 +9,7 @@
 struct hawser__dual {
 	struct hawser__mesh *mesh;
 	struct hawser__sparse *sparse;  /* of the mesh; NULL if every node is held */
-	struct hawser__catenary *cable; /* [elements] */
+	struct hawser__net_catenary *cable; /* [elements] */
 	double (*F)[3], (*step)[3];     /* [elements] */
 	double *x;                      /* [unknowns] */
 	double weight;                  /* N, sum of the forces on the nodes */

@@ -16,7 +16,8 @@ static double size_of(const double t[3])
 }
 
 /* Least tension: where t is across p, if that is within the cable. */
-static double least(const struct hawser__catenary *cable, const double F[3], double T_from, double T_to)
+static double least(const struct hawser__net_catenary *cable, const double F[3], double T_from,
+                    double T_to)
 {
 	double w2 = 0.0, along = 0.0, x[3], t[3], S;
 
@@ -34,7 +35,7 @@ static double least(const struct hawser__catenary *cable, const double F[3], dou
 static void member(struct hawser_net_statics *st, int c, const struct hawser__exact *exact,
                    int elements)
 {
-	const struct hawser__catenary *cable = &exact->dual.cable[c];
+	const struct hawser__net_catenary *cable = &exact->dual.cable[c];
 	const double *from = exact->mesh.q[exact->mesh.end[c][0]];
 	struct hawser_net_member *m = &st->member[c];
 

@@ -9,7 +9,7 @@
 #include "core/report.h"
 #include "net/read.h"
 
-enum { CALLED = HAWSER__TEXT + 64 };
+enum { CALLED = HAWSER__TEXT_ROOM + 64 };
 
 static enum hawser_status more(struct hawser_net_load **list, int count, struct hawser_report *report)
 {

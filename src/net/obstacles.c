@@ -13,7 +13,7 @@
 #include "net/net.h"
 #include "net/read.h"
 
-enum { CALLED = HAWSER__TEXT + 64, STEPS = 20, STEPS_MOST = 100000 };
+enum { CALLED = HAWSER__TEXT_ROOM + 64, STEPS = 20, STEPS_MOST = 100000 };
 
 /* Of the distance of a place from the origin: a support may touch an obstacle, whose gap is then
  * round-off of units and of normals. */
@@ -138,7 +138,7 @@ enum hawser_status hawser__net_contact(struct hawser__reader *reader, struct haw
 }
 
 static enum hawser_status outside(struct hawser__reader *reader, const struct hawser_net *net,
-                                  const struct hawser__place *at, const char *what, const double x[3])
+                                  const struct hawser__mark *at, const char *what, const double x[3])
 {
 	double reach = fabs(x[0]) + fabs(x[1]) + fabs(x[2]);
 

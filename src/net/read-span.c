@@ -32,7 +32,7 @@ static enum hawser_status section(struct hawser__reader *reader, const struct ha
 {
 	*found = hawser__tree_find(root, name);
 	if (!*found)
-		return hawser__reader_fail(reader, &(struct hawser__place){.pass = 1}, "%s is missing: the "
+		return hawser__reader_fail(reader, &(struct hawser__mark){.pass = 1}, "%s is missing: the "
 		                           "scene of a span needs cable, span and tension (see "
 		                           "hawser-scene(5))", name);
 	return hawser__tree_keys(reader, *found, name, keys);

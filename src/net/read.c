@@ -13,7 +13,7 @@
 #include "core/report.h"
 #include "net/read.h"
 
-enum { CALLED = HAWSER__TEXT + 64, ELEMENTS = 20 };
+enum { CALLED = HAWSER__TEXT_ROOM + 64, ELEMENTS = 20 };
 
 static enum hawser_status nodes(struct hawser__reader *reader, struct hawser_net *net,
                                 const struct hawser__tree *tree)
@@ -366,7 +366,7 @@ static enum hawser_status common(struct hawser__reader *reader, struct hawser_ne
 		if (tree)
 			status = part[i].read(reader, net, tree);
 		else if (part[i].required && !(i == 2 && hawser__tree_find(root, "obstacles")))
-			status = hawser__reader_fail(reader, &(struct hawser__place){.pass = 1},
+			status = hawser__reader_fail(reader, &(struct hawser__mark){.pass = 1},
 			                             "a net needs %s (see hawser-scene(5))", part[i].name);
 		if (!status && i < 2)
 			status = hawser__net_index(reader, net);

@@ -166,13 +166,13 @@ struct hawser__value hawser__value_of(const struct hawser__field *field,
 		                    : integer_value(field->item, 0);
 	case HAWSER__INDEX:
 		return integer_value((long)(at->inner ? at->index % at->inner : at->index) + 1, 0);
-	case HAWSER__NUMBER:
+	case HAWSER__REAL:
 		if (field->number)
 			number = field->number(at->row);
 		else
 			memcpy(&number, member, sizeof number);
 		return number_value(hawser__in_unit(number, field->unit, &view->scale), field->flags);
-	case HAWSER__INTEGER:
+	case HAWSER__INT:
 		if (field->number)
 			return integer_value((long)field->number(at->row), field->flags);
 		return integer_value(integer_at(field, member), field->flags);

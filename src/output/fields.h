@@ -62,7 +62,7 @@ const char *hawser__unit_suffix(enum hawser__unit unit, const struct hawser__sca
 const char *hawser__unit_name(enum hawser__unit unit);
 
 enum hawser__kind {
-	HAWSER__NUMBER, HAWSER__INTEGER, HAWSER__FLAG, HAWSER__NOT, /* NOT: true if the member is 0 */
+	HAWSER__REAL, HAWSER__INT, HAWSER__FLAG, HAWSER__NOT, /* NOT: true if the member is 0 */
 	HAWSER__TEXT, HAWSER__CHARS, HAWSER__LABEL, HAWSER__CONSTANT,
 	HAWSER__INDEX,   /* index of the inner row of a matrix, from 1 */
 	HAWSER__NUMBERS, HAWSER__INTEGERS, /* double [], int [] in the row: an array in JSON, and with a
@@ -89,7 +89,7 @@ enum {
 	                       * until then */
 };
 enum { HAWSER__NO_INTEGER = INT_MIN };
-enum { HAWSER__WITHIN = '\n' }; /* separator of the names of nested objects */
+enum { HAWSER__NESTED = '\n' }; /* separator of the names of nested objects */
 
 struct hawser__view;
 struct hawser__field;
@@ -196,9 +196,9 @@ struct hawser__field {
 #define HAWSER__END {.key = NULL, .doc = NULL}
 
 /* Location of a value. Its kind follows from its C type; integers may have any size. */
-#define HAWSER__KIND_OF(value) _Generic((value), double: HAWSER__NUMBER, int: HAWSER__INTEGER, \
-	unsigned: HAWSER__INTEGER, long: HAWSER__INTEGER, unsigned char: HAWSER__INTEGER, \
-	signed char: HAWSER__INTEGER, size_t: HAWSER__INTEGER, const char *: HAWSER__TEXT, \
+#define HAWSER__KIND_OF(value) _Generic((value), double: HAWSER__REAL, int: HAWSER__INT, \
+	unsigned: HAWSER__INT, long: HAWSER__INT, unsigned char: HAWSER__INT, \
+	signed char: HAWSER__INT, size_t: HAWSER__INT, const char *: HAWSER__TEXT, \
 	char *: HAWSER__CHARS, double *: HAWSER__NUMBERS, int *: HAWSER__INTEGERS, \
 	const double *: HAWSER__VECTOR)
 #define HAWSER__PLACE(type, member) \
@@ -243,10 +243,10 @@ struct hawser__field {
 #define HAWSER__NOT_AT(type, member) .kind = HAWSER__NOT, HAWSER__PLACE(type, member)
 /* A number that a function computes from the row. HAWSER__NUMBERS_BY defines such a function from
  * one of a pointer to a structure. */
-#define HAWSER__BY(function) .kind = HAWSER__NUMBER, .number = (function)
+#define HAWSER__BY(function) .kind = HAWSER__REAL, .number = (function)
 #define HAWSER__TEXT_BY(function) .kind = HAWSER__TEXT, .word = (function)
 #define HAWSER__FLAG_BY(function) .kind = HAWSER__FLAG, .number = (function)
-#define HAWSER__COUNT_BY(function) .kind = HAWSER__INTEGER, .number = (function)
+#define HAWSER__COUNT_BY(function) .kind = HAWSER__INT, .number = (function)
 #define HAWSER__NUMBERS_BY(name, function) \
 	static double name(const void *of) { return function(of); }
 /* A text that a function returns for the integer. HAWSER__LABELS defines such a function from one

@@ -107,7 +107,7 @@ static void vector_json(struct hawser__json *json, json_t *into, const char *key
 
 		if (vector->object)
 			vector->name(name, sizeof name, view->context, k);
-		place = holder(json, list, &last, HAWSER__WITHIN);
+		place = holder(json, list, &last, HAWSER__NESTED);
 		value_json(json, place, last,
 		           hawser__vector_at(field, at, values, count, k, view), field->flags,
 		           hawser__vector_unit(field, count, k, view), view);
@@ -270,7 +270,7 @@ static void vector_arrays(struct hawser__json *json, json_t *into,
 		json_t *place;
 
 		vector->name(name, sizeof name, maker->view.context, k);
-		place = holder(json, into, &last, HAWSER__WITHIN);
+		place = holder(json, into, &last, HAWSER__NESTED);
 		elements_json(json, place, last, maker, part + HAWSER__COLUMNS*(k + 1), streamed);
 	}
 }

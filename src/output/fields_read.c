@@ -60,7 +60,7 @@ static void put_vector(const struct hawser__field *field, double *to, int count,
 
 		if (json_is_object(value)) {
 			field->vector->name(name, sizeof name, view->context, k);
-			item = find(value, name, HAWSER__WITHIN);
+			item = find(value, name, HAWSER__NESTED);
 		}
 		to[k] = number_of(fits ? item : NULL, hawser__vector_unit(field, count, k, view),
 		                  &view->scale);
@@ -83,11 +83,11 @@ static void put_value(const struct hawser__field *field, const struct hawser__at
 	if (!to)
 		return;
 	switch (field->kind) {
-	case HAWSER__NUMBER:
+	case HAWSER__REAL:
 		number = number_of(value, field->unit, &view->scale);
 		memcpy(to, &number, sizeof number);
 		break;
-	case HAWSER__INTEGER:
+	case HAWSER__INT:
 		if (json_is_integer(value))
 			put_integer(field, to, (long)json_integer_value(value) -
 			                       ((field->flags & HAWSER__FROM_1) != 0));

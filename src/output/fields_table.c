@@ -218,7 +218,7 @@ void hawser__fields_comments(struct hawser__table *table, const struct hawser__f
 	for (; !hawser__is_end(field); field++) {
 		const char *unit = hawser__unit_name(field->unit);
 
-		if (hawser__is_shown(field, view) && field->kind == HAWSER__NUMBER)
+		if (hawser__is_shown(field, view) && field->kind == HAWSER__REAL)
 			hawser__table_comment(table, "%s = %.12g%s%s", field->key,
 			                      hawser__value_of(field, &at, view).number, *unit ? " " : "",
 			                      unit);

@@ -168,13 +168,13 @@ void hawser__picture_log_tics(struct hawser__picture *picture, const char *axis,
  * the comment says in the units of the titles --- */
 
 /* A point of a profile in global axes; slope is dy/dx. */
-struct hawser__place {
+struct hawser__spot {
 	double S, x, y, T, slope, z;
 };
 struct hawser__span_picture {
 	const struct hawser_scene *scene;
-	const struct hawser__place *profile; /* [points] */
-	const struct hawser__place *kink;    /* [kinks][2], both sides of each attachment, by S */
+	const struct hawser__spot *profile; /* [points] */
+	const struct hawser__spot *kink;    /* [kinks][2], both sides of each attachment, by S */
 	int points, kinks;
 	int turned; /* 1: the cable hangs in another plane, and a panel shows it from above */
 };
@@ -300,7 +300,7 @@ enum hawser_status hawser__plot_precision(const char *path, const struct hawser_
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* One curve of a history: a probe's displacement component, or a coordinate. */
-struct hawser__signal {
+struct hawser__plot_signal {
 	const char *label;   /* "y, mid" */
 	const double *value; /* [rows] */
 	const double *rate;  /* [rows] its time derivative */
@@ -316,7 +316,7 @@ struct hawser__history {
 	const char *time_title;
 	struct hawser__axis y, rate, amplitude, spectrum; /* displacement, velocity, and of the spectra */
 	int scaled;          /* 1: displacements may be in mm or µm; in SI */
-	const struct hawser__signal *signal; /* [signals], at most three */
+	const struct hawser__plot_signal *signal; /* [signals], at most three */
 };
 enum hawser_status hawser__plot_integrate(const char *path, const struct hawser__history *history,
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
@@ -463,14 +463,14 @@ enum hawser_status hawser__plot_map(const char *path, const struct hawser__map_p
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* Boundaries of stability in a plane of two parameters. */
-struct hawser__hill_line {
+struct hawser__hill_boundary {
 	int kind;            /* enum hawser_hill_kind; -1: a characteristic value, -2: an expansion */
 	int points;
 	const double *at;    /* [points][2] */
 };
 struct hawser__hill_picture {
 	int lines;
-	const struct hawser__hill_line *line; /* [lines] */
+	const struct hawser__hill_boundary *line; /* [lines] */
 	struct hawser__axis axis[2];
 	int boxes;           /* where it is unstable: */
 	const double *box;   /* [boxes][4] x and y of the lower left and the upper right corner */

@@ -32,7 +32,7 @@ static void data(FILE *script, const struct hawser__hill_picture *hill, int row)
 {
 	fprintf(script, "$kind%d << END\n", row);
 	for (int k = 0; k < hill->lines; k++) {
-		const struct hawser__hill_line *line = &hill->line[k];
+		const struct hawser__hill_boundary *line = &hill->line[k];
 
 		for (int i = 0; line->kind == rows[row].kind && i < line->points; i++)
 			fprintf(script, "%.12g %.12g\n", line->at[2*i]/hill->axis[0].per,

@@ -60,7 +60,7 @@ static void data(FILE *script, const struct hawser__history *history)
 	int i, k;
 
 	for (k = 0; k < history->signals; k++) {
-		const struct hawser__signal *signal = &history->signal[k];
+		const struct hawser__plot_signal *signal = &history->signal[k];
 		const struct unit unit = unit_of(history, k);
 
 		fprintf(script, "$history%d << END\n", k);
@@ -125,7 +125,7 @@ static void style(char *how, size_t size, const struct hawser__history *history,
 static void time_panel(struct hawser__picture *picture, const struct hawser__history *history,
                        int k)
 {
-	const struct hawser__signal *signal = &history->signal[k];
+	const struct hawser__plot_signal *signal = &history->signal[k];
 	int last = k + 1 == history->signals;
 	FILE *script = picture->script;
 	char how[HAWSER__MARKUP_SIZE];

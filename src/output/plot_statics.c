@@ -8,7 +8,7 @@
 
 #define MARK "pt 7 ps 0.7 lc rgb 'black'"
 
-static void line(FILE *script, const struct hawser__place *at, const struct hawser__axis *axis)
+static void line(FILE *script, const struct hawser__spot *at, const struct hawser__axis *axis)
 {
 	fprintf(script, "%.9g %.9g %.12g %.9g\n", at->x/axis[0].per, at->y/axis[1].per, at->T/axis[2].per,
 	        at->z/axis[3].per);

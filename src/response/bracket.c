@@ -111,7 +111,7 @@ static void record(struct hawser__bracket *bracket, const struct hawser__station
                    double f)
 {
 	int m = bracket->orbit->m, last = bracket->orbit->size - 1;
-	struct hawser__trial *row = &bracket->trial[bracket->trials++];
+	struct hawser__bracket_trial *row = &bracket->trial[bracket->trials++];
 
 	row->s = s;
 	row->f = f;
@@ -150,9 +150,10 @@ static enum hawser_status trial(double *value, int *failed, struct hawser__brack
 	return status;
 }
 
-static const struct hawser__trial *nearest_trial(const struct hawser__bracket *bracket, double s)
+static const struct hawser__bracket_trial *nearest_trial(const struct hawser__bracket *bracket,
+                                                         double s)
 {
-	const struct hawser__trial *best = NULL;
+	const struct hawser__bracket_trial *best = NULL;
 
 	for (int i = 0; i < bracket->trials; i++)
 		if (!best || fabs(bracket->trial[i].s - s) < fabs(best->s - s))
@@ -164,7 +165,7 @@ static const struct hawser__trial *nearest_trial(const struct hawser__bracket *b
  * trial. */
 static double omega_at(const struct hawser__bracket *bracket, double s)
 {
-	const struct hawser__trial *near = nearest_trial(bracket, s);
+	const struct hawser__bracket_trial *near = nearest_trial(bracket, s);
 	double *y = bracket->at->y, *direction = bracket->at->t, moved = 0.0;
 	int last = bracket->orbit->size - 1;
 
@@ -202,7 +203,7 @@ static enum hawser_status pass_failure(struct hawser__bracket *bracket, int *don
                                        double *share, double tolerance,
                                        struct hawser_report *report)
 {
-	const struct hawser__trial *near = nearest_trial(bracket, s);
+	const struct hawser__bracket_trial *near = nearest_trial(bracket, s);
 	double omega = omega_at(bracket, s), f;
 	int failed;
 	enum hawser_status status;
@@ -244,7 +245,7 @@ static int has_more(const struct hawser__bracket *bracket)
  * last two trials; it would be the next trial's change of Omega. */
 static int reached(const struct hawser__bracket *bracket, double near)
 {
-	const struct hawser__trial *last = &bracket->trial[bracket->trials - 1], *other = last - 1;
+	const struct hawser__bracket_trial *last = &bracket->trial[bracket->trials - 1], *other = last - 1;
 
 	return bracket->trials > 1 && fabs(last->f) < SMALL && fabs(last->f) < fabs(other->f) &&
 	       SECANT*fabs((last->omega - other->omega)*last->f) <= near*fabs(last->f - other->f);

@@ -15,7 +15,7 @@
  * halved seven times at least. */
 #define HAWSER__MOST_TRIALS (60 + HAWSER__MOST_FAILURES)
 
-struct hawser__trial {
+struct hawser__bracket_trial {
 	double s, f, omega;
 	double error, round_off;        /* of the orbit, as in a station */
 	double product_error, product_round_off, multiplier_error; /* as in a station */
@@ -37,7 +37,7 @@ struct hawser__bracket {
 	double uncertain;      /* relative uncertainty of Omega if the result is interpolated */
 	int several;           /* 1: the search ended, since the bracket has more events than one */
 	int failures, trials;
-	struct hawser__trial trial[HAWSER__MOST_TRIALS]; /* [trials] */
+	struct hawser__bracket_trial trial[HAWSER__MOST_TRIALS]; /* [trials] */
 	double *multipliers;   /* memory of the multipliers of the trials */
 };
 

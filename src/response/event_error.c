@@ -67,10 +67,10 @@ static struct slope slope_at(const struct hawser__bracket *bracket, double s, do
 
 	for (int side = 0; side < 2; side++) {
 		const struct hawser__station *end = side ? bracket->b : bracket->a;
-		const struct hawser__trial *best = NULL;
+		const struct hawser__bracket_trial *best = NULL;
 
 		for (int i = 0; i < bracket->trials; i++) {
-			const struct hawser__trial *trial = &bracket->trial[i];
+			const struct hawser__bracket_trial *trial = &bracket->trial[i];
 
 			if ((trial->s > s) == side && trial->s != s && fabs(trial->f - f) >= SLOPE &&
 			    (!best || fabs(trial->s - s) < fabs(best->s - s)))
@@ -106,7 +106,7 @@ static int critical(const double *log_modulus, const double *argument, int m,
 }
 
 /* Index of the multiplier of a trial that is nearest to one on the unit circle at `argument`. */
-static int nearest(const struct hawser__trial *trial, double argument, int m)
+static int nearest(const struct hawser__bracket_trial *trial, double argument, int m)
 {
 	double least = INFINITY;
 	int best = 0;
@@ -130,7 +130,7 @@ static double slowness(const struct hawser__bracket *bracket, double s, double o
 	double near[2] = {INFINITY, INFINITY}, slow[2] = {-1.0, -1.0};
 
 	for (int i = 0; i < bracket->trials; i++) {
-		const struct hawser__trial *trial = &bracket->trial[i];
+		const struct hawser__bracket_trial *trial = &bracket->trial[i];
 		int side = trial->s > s;
 		double change = fabs(trial->log_modulus[nearest(trial, argument, bracket->orbit->m)]);
 
@@ -150,7 +150,7 @@ static double end_slowness(const struct hawser__bracket *bracket, double omega, 
 	double slow = 0.0;
 
 	for (int i = 0; i < 2; i++) {
-		struct hawser__trial trial = {.log_modulus = end[i]->log_modulus,
+		struct hawser__bracket_trial trial = {.log_modulus = end[i]->log_modulus,
 			.argument = end[i]->argument};
 		int k = nearest(&trial, argument, bracket->orbit->m);
 
@@ -165,13 +165,14 @@ static double end_slowness(const struct hawser__bracket *bracket, double omega, 
  * another multiplier is. */
 /* Index of the multiplier that an event of this kind moves outside the unit circle, and *at, the
  * nearest trial that shows it; -1 if no trial does. */
-static int leaving(const struct hawser__trial **at, const struct hawser__bracket *bracket, double s)
+static int leaving(const struct hawser__bracket_trial **at, const struct hawser__bracket *bracket,
+                   double s)
 {
 	int m = bracket->orbit->m, best = -1;
 	double near = INFINITY;
 
 	for (int t = 0; t < bracket->trials; t++) {
-		const struct hawser__trial *trial = &bracket->trial[t];
+		const struct hawser__bracket_trial *trial = &bracket->trial[t];
 		int found = -1;
 
 		for (int i = 0; i < m; i++) {
@@ -195,8 +196,8 @@ static int leaving(const struct hawser__trial **at, const struct hawser__bracket
 static double by_multiplier(const struct hawser__bracket *bracket, double s, double omega, double far,
                             double loss)
 {
-	const struct hawser__trial *last = &bracket->trial[bracket->trials - 1];
-	const struct hawser__trial *at = NULL;
+	const struct hawser__bracket_trial *last = &bracket->trial[bracket->trials - 1];
+	const struct hawser__bracket_trial *at = NULL;
 	int k, m = bracket->orbit->m, i = critical(last->log_modulus, last->argument, m, bracket->kind);
 	double argument = i < 0 ? bracket->kind == HAWSER_PERIOD_DOUBLING ? M_PI : 0.0
 	                        : last->argument[i];
@@ -257,13 +258,13 @@ static void prefer(struct outside *best, double omega, double growth, double e)
 static double beyond_collision(const struct hawser__bracket *bracket, double omega)
 {
 	const struct hawser__station *end[2] = {bracket->a, bracket->b};
-	const struct hawser__trial *last = &bracket->trial[bracket->trials - 1];
+	const struct hawser__bracket_trial *last = &bracket->trial[bracket->trials - 1];
 	double e = sqrt(last->product_error) + last->multiplier_error;
 	struct outside best = {0.0, 0.0};
 	int m = bracket->orbit->m;
 
 	for (int i = 0; i < bracket->trials; i++) {
-		const struct hawser__trial *at = &bracket->trial[i];
+		const struct hawser__bracket_trial *at = &bracket->trial[i];
 
 		prefer(&best, fabs(at->omega/omega - 1.0),
 		       growth(at->log_modulus, at->argument, m, bracket->kind), e);
@@ -289,7 +290,7 @@ static double orbit_error(const struct hawser__bracket *bracket)
 static double bound(const struct hawser__bracket *bracket, double s, double omega)
 {
 	struct hawser__orbit *orbit = bracket->orbit;
-	const struct hawser__trial *last = &bracket->trial[bracket->trials - 1];
+	const struct hawser__bracket_trial *last = &bracket->trial[bracket->trials - 1];
 	double far, beyond = 0.0;
 
 	if (bracket->kind == HAWSER_FOLD)
@@ -330,7 +331,7 @@ static double beside(const struct hawser__bracket *bracket, double s)
 	double best = s < 0.5 ? s + BESIDE : s - BESIDE, least = INFINITY;
 
 	for (int i = 0; i < bracket->trials; i++) {
-		const struct hawser__trial *trial = &bracket->trial[i];
+		const struct hawser__bracket_trial *trial = &bracket->trial[i];
 
 		if (fabs(trial->f) >= BESIDE && fabs(trial->s - s) < least) {
 			least = fabs(trial->s - s);
@@ -399,7 +400,7 @@ static double estimate(const struct hawser__bracket *bracket, double s, double f
                        double round_off, const struct place *difference)
 {
 	const struct hawser__station *at = bracket->at;
-	const struct hawser__trial *last = &bracket->trial[bracket->trials - 1];
+	const struct hawser__bracket_trial *last = &bracket->trial[bracket->trials - 1];
 	struct slope slope = slope_at(bracket, s, f, omega);
 	double left_out;
 

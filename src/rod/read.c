@@ -282,7 +282,7 @@ static enum hawser_status interpret(struct hawser__reader *reader, struct hawser
 	if (!status && kind && (!kind->text || strcmp(kind->text, "rod") != 0))
 		status = hawser__reader_fail(reader, &kind->at, "kind must be rod");
 	if (!status && !tree)
-		status = hawser__reader_fail(reader, &(struct hawser__place){.pass = 1}, "the section rod is "
+		status = hawser__reader_fail(reader, &(struct hawser__mark){.pass = 1}, "the section rod is "
 		                             "missing: give its %s (see hawser-scene(5))", keys);
 	if (!status && hawser__tree_find(root, "g"))
 		status = hawser__tree_number(reader, &rod->g, hawser__tree_find(root, "g"), "g", "m/s^2",

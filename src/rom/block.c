@@ -29,7 +29,8 @@ HAWSER_PART void multiply_pairs(hawser__vec *pair, const hawser__vec *u, int n, 
 }
 
 /* sum [rows][vecs] = entries [begin, end) of a panel's rows times their columns of x. */
-HAWSER_PART void sum_up(hawser__vec *sum, const hawser__vec *x, const struct hawser__panels *panels,
+HAWSER_PART void sum_up(hawser__vec *sum, const hawser__vec *x,
+                        const struct hawser__kernel_panels *panels,
                         int begin, int end, const int rows, const int vecs)
 {
 	const double *value = panels->value + 4*begin;
@@ -51,7 +52,7 @@ HAWSER_PART void sum_up(hawser__vec *sum, const hawser__vec *x, const struct haw
 
 /* Adds the force [n][vecs] of a panel and stores its tangents, [n][n][vecs], unless NULL. */
 HAWSER_PART void add_panel(hawser__vec *force, hawser__vec *tangent, const hawser__vec *u,
-                           const hawser__vec *pair, const struct hawser__panels *panels,
+                           const hawser__vec *pair, const struct hawser__kernel_panels *panels,
                            const struct hawser__panel *panel, int n, int symmetric, const int rows,
                            const int vecs)
 {
@@ -79,7 +80,7 @@ HAWSER_PART void add_panel(hawser__vec *force, hawser__vec *tangent, const hawse
 HAWSER_PART void evaluate(const struct hawser_rom *rom, hawser__vec *force, hawser__vec *tangent,
                           const hawser__vec *u, hawser__vec *pair, const int vecs)
 {
-	const struct hawser__panels *panels = rom->kernel->panels;
+	const struct hawser__kernel_panels *panels = rom->kernel->panels;
 	int n = rom->n, symmetric = rom->kernel->symmetric;
 
 	multiply_pairs(pair, u, n, vecs);
@@ -106,7 +107,8 @@ HAWSER_PART void evaluate(const struct hawser_rom *rom, hawser__vec *force, haws
 }
 
 /* y[row] += a panel's rows times z. */
-HAWSER_PART void add_rows(hawser__vec *y, const hawser__vec *z, const struct hawser__panels *panels,
+HAWSER_PART void add_rows(hawser__vec *y, const hawser__vec *z,
+                          const struct hawser__kernel_panels *panels,
                           const struct hawser__panel *panel, const int rows, const int vecs)
 {
 	hawser__vec sum[4*WIDE];
@@ -122,7 +124,7 @@ HAWSER_PART void add_rows(hawser__vec *y, const hawser__vec *z, const struct haw
 HAWSER_PART void derive(const struct hawser_rom *rom, hawser__vec *force, hawser__vec *z,
                         hawser__vec *y, const int vecs)
 {
-	const struct hawser__panels *panels = rom->kernel->gradient;
+	const struct hawser__kernel_panels *panels = rom->kernel->gradient;
 	int n = rom->n;
 	const hawser__vec *slope = y + n*vecs;
 
@@ -279,7 +281,7 @@ void hawser__rom_tangents(const struct hawser_rom *rom, double *restoring, doubl
 double hawser__rom_flops(const struct hawser_rom *rom, int tangent)
 {
 	int form = !tangent && rom->kernel->gradient, n = rom->n;
-	const struct hawser__panels *panels = form ? rom->kernel->gradient : rom->kernel->panels;
+	const struct hawser__kernel_panels *panels = form ? rom->kernel->gradient : rom->kernel->panels;
 	/* operations of a row besides its sums: g, the tangent and the force; or the sum of the parts */
 	double row = form ? 1.0 : (tangent ? 4.0 : 2.0) + (rom->kernel->symmetric ? 4.0 : 2.0);
 	/* NOLINTNEXTLINE(bugprone-integer-division): the whole part is meant */

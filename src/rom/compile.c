@@ -291,7 +291,7 @@ static void fill_rows(struct hawser_rom_kernel *kernel, const struct hawser_rom 
 	int n = rom->n, next = 0;
 
 	for (int place = 0; place < n*n; place++) {
-		struct hawser__row row = {.j = place/n, .k = place%n, .constant = rom->K[place]};
+		struct hawser__kernel_row row = {.j = place/n, .k = place%n, .constant = rom->K[place]};
 
 		row.a = kernel->runs;
 		next = take(kernel, builder, next, place, 0);

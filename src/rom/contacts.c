@@ -30,7 +30,7 @@ void hawser__rom_contacts_clear(struct hawser_rom_contacts *contacts)
 	*contacts = (struct hawser_rom_contacts){.count = 0};
 }
 
-enum hawser_status hawser__read_contacts(const struct hawser__reader *reader, struct hawser_rom *rom,
+enum hawser_status hawser__read_contacts(const struct hawser__parser *reader, struct hawser_rom *rom,
                                          json_t *object)
 {
 	static const char *const keys[] = {"names", "turn", NULL};

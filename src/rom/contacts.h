@@ -12,7 +12,7 @@ enum hawser_status hawser__rom_init_contacts(struct hawser_rom *rom, int count,
                                              struct hawser_report *report);
 void hawser__rom_contacts_clear(struct hawser_rom_contacts *contacts);
 /* The member `contacts` of a reduced-model file. */
-enum hawser_status hawser__read_contacts(const struct hawser__reader *reader, struct hawser_rom *rom,
+enum hawser_status hawser__read_contacts(const struct hawser__parser *reader, struct hawser_rom *rom,
                                          json_t *object);
 
 #endif

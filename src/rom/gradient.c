@@ -64,7 +64,7 @@ static int place(int n, int l, int m)
 /* The entries of row (j, k), k <= j, of A and B that represent their monomial: no index but k is
  * below j. */
 static void take_row(struct items *items, const struct hawser_rom_kernel *kernel,
-                     const struct hawser__row *row, int n)
+                     const struct hawser__kernel_row *row, int n)
 {
 	int j = row->j, k = row->k;
 
@@ -126,7 +126,7 @@ static int length(const struct items *items, int a)
 }
 
 /* Panels of up to four rows. The row number of a row in a panel is made negative. */
-static void fill(struct hawser__panels *panels, struct items *items)
+static void fill(struct hawser__kernel_panels *panels, struct items *items)
 {
 	int next = 0;
 
@@ -157,10 +157,10 @@ static void fill(struct hawser__panels *panels, struct items *items)
 	}
 }
 
-struct hawser__panels *hawser__gradient_new(const struct hawser_rom_kernel *kernel, int n)
+struct hawser__kernel_panels *hawser__gradient_new(const struct hawser_rom_kernel *kernel, int n)
 {
 	size_t most = 2*(size_t)kernel->values + 2*(size_t)kernel->rows + 1;
-	struct hawser__panels *panels = calloc(1, sizeof *panels);
+	struct hawser__kernel_panels *panels = calloc(1, sizeof *panels);
 	struct items items = {0, malloc(most*sizeof *items.item)};
 	int good = 0;
 

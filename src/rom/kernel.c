@@ -67,7 +67,7 @@ static void restore(const struct hawser_rom *rom, double *restoring, const doubl
 
 	prepare(&x, kernel, u, rom->n);
 	memset(restoring, 0, (size_t)rom->n*sizeof *restoring);
-	for (const struct hawser__row *row = kernel->row; row < kernel->row + kernel->rows; row++) {
+	for (const struct hawser__kernel_row *row = kernel->row; row < kernel->row + kernel->rows; row++) {
 		double g = row->constant + gather(kernel, row->a, row->a_end, x.single) +
 		           gather(kernel, row->b, row->b_end, x.pair);
 
@@ -88,7 +88,7 @@ static void differentiate(const struct hawser_rom *rom, double *restoring, doubl
 	prepare(&x, kernel, u, n);
 	memset(restoring, 0, (size_t)n*sizeof *restoring);
 	memset(tangent, 0, (size_t)n*n*sizeof *tangent);
-	for (const struct hawser__row *row = kernel->row; row < kernel->row + kernel->rows; row++) {
+	for (const struct hawser__kernel_row *row = kernel->row; row < kernel->row + kernel->rows; row++) {
 		double a = gather(kernel, row->a, row->a_end, x.single);
 		double b = gather(kernel, row->b, row->b_end, x.pair);
 		double g = row->constant + a + b, t = row->constant + 2.0*a + 3.0*b;
@@ -150,7 +150,7 @@ double hawser_rom_energy(const struct hawser_rom *rom, const double *u, const do
 	if (kernel->by_function[HAWSER__FORCE])
 		return energy + hawser__quartic_potential(kernel->quartic, u);
 	prepare(&x, kernel, u, rom->n);
-	for (const struct hawser__row *row = kernel->row; row < kernel->row + kernel->rows; row++) {
+	for (const struct hawser__kernel_row *row = kernel->row; row < kernel->row + kernel->rows; row++) {
 		double a = gather(kernel, row->a, row->a_end, x.single);
 		double b = gather(kernel, row->b, row->b_end, x.pair);
 		double twice = kernel->symmetric && row->j != row->k ? 2.0 : 1.0;

@@ -39,7 +39,7 @@ struct hawser__run {
 };
 
 /* Row r of G: the entry (j, k), its constant part, and its runs in A and in B. */
-struct hawser__row {
+struct hawser__kernel_row {
 	int j, k;
 	int a, a_end, b, b_end; /* ranges in run */
 	double constant;        /* K_jk */
@@ -57,7 +57,7 @@ struct hawser__panel {
 struct hawser__condensed;
 struct hawser__quartic;
 
-struct hawser__panels {
+struct hawser__kernel_panels {
 	int count;
 	struct hawser__panel *panel;
 	int *column;
@@ -67,13 +67,13 @@ struct hawser__panels {
 struct hawser_rom_kernel {
 	int symmetric;        /* rows have k <= j and stand for (k, j) too */
 	int rows, runs, values;
-	struct hawser__row *row;
+	struct hawser__kernel_row *row;
 	struct hawser__run *run;
 	double *value;
 	int *single;          /* [n] coordinate of column c of A */
 	int *pair_l, *pair_m; /* [n(n+1)/2] coordinates of the product in column c of B */
-	struct hawser__panels *panels;
-	struct hawser__panels *gradient; /* for forces without tangents (gradient.c); NULL if not
+	struct hawser__kernel_panels *panels;
+	struct hawser__kernel_panels *gradient; /* for forces without tangents (gradient.c); NULL if not
 	                                  * symmetric, or if the panels are as fast */
 	int d_entries;        /* nonzeros of D */
 	int *d_j, *d_k;
@@ -106,11 +106,11 @@ void hawser__rom_lanes(const struct hawser_rom *rom, double *restoring, double *
 double hawser__rom_flops(const struct hawser_rom *rom, int tangent);
 
 /* panel.c: the panels of a finished kernel; NULL when out of memory. */
-struct hawser__panels *hawser__panels_new(const struct hawser_rom_kernel *kernel);
+struct hawser__kernel_panels *hawser__panels_new(const struct hawser_rom_kernel *kernel);
 /* gradient.c: the same of a symmetric kernel's potential as a quadratic form of coordinates and their
  * products: row j[r] of it, columns from a to b_end. */
-struct hawser__panels *hawser__gradient_new(const struct hawser_rom_kernel *kernel, int n);
-void hawser__panels_free(struct hawser__panels *panels);
+struct hawser__kernel_panels *hawser__gradient_new(const struct hawser_rom_kernel *kernel, int n);
+void hawser__panels_free(struct hawser__kernel_panels *panels);
 
 /* _places: number of points of the cable at which the tension is evaluated, 0 if the model has
  * none. The tensions there, all [places], N (SI), with `extra` [HAWSER__EXTRA(places)] (NULL: none):

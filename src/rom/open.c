@@ -15,7 +15,7 @@
 #include "rom/plug.h"
 #include "rom/read.h"
 
-enum hawser_status hawser__read_positive(const struct hawser__reader *reader, double *number,
+enum hawser_status hawser__read_positive(const struct hawser__parser *reader, double *number,
                                          const json_t *object, const char *key, const char *where)
 {
 	char place[48];
@@ -28,7 +28,7 @@ enum hawser_status hawser__read_positive(const struct hawser__reader *reader, do
 	return status;
 }
 
-static enum hawser_status read_scale(const struct hawser__reader *reader, struct hawser_rom *rom,
+static enum hawser_status read_scale(const struct hawser__parser *reader, struct hawser_rom *rom,
                                      json_t *object)
 {
 	static const char *const keys[] = {"length", "time", "force", NULL};
@@ -45,7 +45,7 @@ static enum hawser_status read_scale(const struct hawser__reader *reader, struct
 }
 
 /* The contribution of condensed modes; both members or none. */
-static enum hawser_status read_second(const struct hawser__reader *reader, struct hawser_rom *rom,
+static enum hawser_status read_second(const struct hawser__parser *reader, struct hawser_rom *rom,
                                       json_t *object)
 {
 	const size_t n = (size_t)rom->n, points = (size_t)rom->shapes.points;
@@ -63,7 +63,7 @@ static enum hawser_status read_second(const struct hawser__reader *reader, struc
 	return status;
 }
 
-static enum hawser_status read_mach2(const struct hawser__reader *reader, struct hawser_rom *rom,
+static enum hawser_status read_mach2(const struct hawser__parser *reader, struct hawser_rom *rom,
                                      const json_t *object)
 {
 	double *m = &rom->shapes.mach2;
@@ -77,7 +77,7 @@ static enum hawser_status read_mach2(const struct hawser__reader *reader, struct
 }
 
 /* The axes of the cable's plane: three orthogonal unit vectors. */
-static enum hawser_status read_axes(const struct hawser__reader *reader,
+static enum hawser_status read_axes(const struct hawser__parser *reader,
                                     struct hawser_rom_shapes *shapes, const json_t *object)
 {
 	static const size_t shape[2] = {3, 3};
@@ -98,7 +98,7 @@ static enum hawser_status read_axes(const struct hawser__reader *reader,
 	return status;
 }
 
-static enum hawser_status read_shapes(const struct hawser__reader *reader, struct hawser_rom *rom,
+static enum hawser_status read_shapes(const struct hawser__parser *reader, struct hawser_rom *rom,
                                       json_t *object)
 {
 	static const char *const keys[] = {"names", "s", "tangent", "axes", "stretch", "shape", "slope",
@@ -144,7 +144,7 @@ static enum hawser_status read_shapes(const struct hawser__reader *reader, struc
 }
 
 /* The `answer` of one force, [orders][points][4], if the object has it. */
-static enum hawser_status read_answer(const struct hawser__reader *reader, double **answer,
+static enum hawser_status read_answer(const struct hawser__parser *reader, double **answer,
                                       const struct hawser_rom *rom, const json_t *object, int orders,
                                       const char *where)
 {
@@ -166,7 +166,7 @@ static enum hawser_status read_answer(const struct hawser__reader *reader, doubl
 }
 
 /* Those of the harmonics and of the ramp, after the points have been read. */
-static enum hawser_status read_answers(const struct hawser__reader *reader, struct hawser_rom *rom,
+static enum hawser_status read_answers(const struct hawser__parser *reader, struct hawser_rom *rom,
                                        const json_t *root)
 {
 	const json_t *list = json_object_get(root, "harmonics"), *ramp = json_object_get(root, "ramp");
@@ -186,7 +186,7 @@ static enum hawser_status read_answers(const struct hawser__reader *reader, stru
 	return status;
 }
 
-enum hawser_status hawser__read_extras(const struct hawser__reader *reader, struct hawser_rom *rom,
+enum hawser_status hawser__read_extras(const struct hawser__parser *reader, struct hawser_rom *rom,
                                        const json_t *root)
 {
 	const json_t *labels = json_object_get(root, "labels");

@@ -42,7 +42,7 @@ static void list_rows(struct lists *lists, const struct hawser_rom_kernel *kerne
 	int next = 0;
 
 	for (int r = 0; r < kernel->rows; r++) {
-		const struct hawser__row *row = &kernel->row[r];
+		const struct hawser__kernel_row *row = &kernel->row[r];
 
 		lists->a[r] = next;
 		next = take(lists, next, kernel, row->a, row->a_end, 0);
@@ -64,7 +64,7 @@ static int alike(const struct lists *lists, int r, int s)
 }
 
 /* The panel that begins with row `first`; *next is the first free entry. */
-static void fill(struct hawser__panels *panels, int *next, struct lists *lists,
+static void fill(struct hawser__kernel_panels *panels, int *next, struct lists *lists,
                  const struct hawser_rom_kernel *kernel, int first)
 {
 	struct hawser__panel *panel = &panels->panel[panels->count++];
@@ -100,9 +100,9 @@ static int list_new(struct lists *lists, const struct hawser_rom_kernel *kernel)
 	return lists->column && lists->value && lists->a && lists->b && lists->taken;
 }
 
-struct hawser__panels *hawser__panels_new(const struct hawser_rom_kernel *kernel)
+struct hawser__kernel_panels *hawser__panels_new(const struct hawser_rom_kernel *kernel)
 {
-	struct hawser__panels *panels = calloc(1, sizeof *panels);
+	struct hawser__kernel_panels *panels = calloc(1, sizeof *panels);
 	struct lists lists = {0};
 	int next = 0, good = 0;
 
@@ -130,7 +130,7 @@ done:
 	return NULL;
 }
 
-void hawser__panels_free(struct hawser__panels *panels)
+void hawser__panels_free(struct hawser__kernel_panels *panels)
 {
 	if (!panels)
 		return;

@@ -9,7 +9,7 @@
 #include "rom/read.h"
 
 /* *root is to be released. */
-static enum hawser_status load(json_t **root, const struct hawser__reader *reader, const char *text,
+static enum hawser_status load(json_t **root, const struct hawser__parser *reader, const char *text,
                                size_t size)
 {
 	json_error_t error;
@@ -32,7 +32,7 @@ enum hawser_status hawser__rom_parse(struct hawser_rom *rom, const char *text, s
                                      struct hawser_report *report)
 {
 	struct hawser_parameter parameter[HAWSER_PARAMETERS];
-	struct hawser__reader reader = {.name = name, .report = report};
+	struct hawser__parser reader = {.name = name, .report = report};
 	enum hawser_status status;
 	json_t *root;
 
@@ -53,7 +53,7 @@ enum hawser_status hawser__parse_parameters(struct hawser_parameter *parameter, 
                                             const char *text, size_t size, const char *name,
                                             struct hawser_report *report)
 {
-	struct hawser__reader reader = {.name = name, .report = report};
+	struct hawser__parser reader = {.name = name, .report = report};
 	json_t *root;
 	enum hawser_status status = load(&root, &reader, text, size);
 

@@ -19,7 +19,7 @@
 #include "rom/model.h"
 #include "rom/read.h"
 
-enum hawser_status hawser__wrong(const struct hawser__reader *reader, const char *format, ...)
+enum hawser_status hawser__wrong(const struct hawser__parser *reader, const char *format, ...)
 {
 	char text[480];
 	va_list args;
@@ -45,7 +45,7 @@ static const char *describe(char *out, size_t size, const json_t *value)
 	return out;
 }
 
-static enum hawser_status unwanted(const struct hawser__reader *reader, const char *where,
+static enum hawser_status unwanted(const struct hawser__parser *reader, const char *where,
                                    const json_t *value, const char *wanted)
 {
 	char text[64];
@@ -54,7 +54,7 @@ static enum hawser_status unwanted(const struct hawser__reader *reader, const ch
 	                     describe(text, sizeof text, value), wanted);
 }
 
-enum hawser_status hawser__read_number(const struct hawser__reader *reader, double *number,
+enum hawser_status hawser__read_number(const struct hawser__parser *reader, double *number,
                                        const json_t *value, const char *where)
 {
 	const char *formula = json_string_value(value);
@@ -71,7 +71,7 @@ enum hawser_status hawser__read_number(const struct hawser__reader *reader, doub
 	return HAWSER_OK;
 }
 
-enum hawser_status hawser__read_integer(const struct hawser__reader *reader, int *number,
+enum hawser_status hawser__read_integer(const struct hawser__parser *reader, int *number,
                                         const json_t *value, int low, int high, const char *where)
 {
 	double x = json_number_value(value), top = high < low ? 1e9 : high;
@@ -90,7 +90,7 @@ enum hawser_status hawser__read_integer(const struct hawser__reader *reader, int
 	return unwanted(reader, where, value, wanted);
 }
 
-enum hawser_status hawser__read_array(const struct hawser__reader *reader, double *out,
+enum hawser_status hawser__read_array(const struct hawser__parser *reader, double *out,
                                       const json_t *value, const size_t *shape, int rank,
                                       const char *where)
 {
@@ -116,7 +116,7 @@ enum hawser_status hawser__read_array(const struct hawser__reader *reader, doubl
 	return status;
 }
 
-enum hawser_status hawser__read_words(const struct hawser__reader *reader, char **word,
+enum hawser_status hawser__read_words(const struct hawser__parser *reader, char **word,
                                       const json_t *value, size_t count, const char *where)
 {
 	char text[96];
@@ -153,7 +153,7 @@ static const char *nearest(const char *key, const char *const *keys)
 	return best;
 }
 
-enum hawser_status hawser__read_keys(const struct hawser__reader *reader, json_t *object,
+enum hawser_status hawser__read_keys(const struct hawser__parser *reader, json_t *object,
                                      const char *const *keys, const char *where)
 {
 	const char *key, *near;
@@ -184,7 +184,7 @@ enum hawser_status hawser__read_keys(const struct hawser__reader *reader, json_t
 
 /* --- the parts of a model --- */
 
-static enum hawser_status read_matrix(const struct hawser__reader *reader, double **matrix, int n,
+static enum hawser_status read_matrix(const struct hawser__parser *reader, double **matrix, int n,
                                       const json_t *value, const char *where)
 {
 	if (!*matrix)
@@ -196,7 +196,7 @@ static enum hawser_status read_matrix(const struct hawser__reader *reader, doubl
 }
 
 /* [j, k, l, value] or [j, k, l, m, value]: `count` indices, then the value. */
-static enum hawser_status read_entry(const struct hawser__reader *reader, int *index, double *value,
+static enum hawser_status read_entry(const struct hawser__parser *reader, int *index, double *value,
                                      int count, int n, const json_t *entry, const char *where)
 {
 	static const char letters[] = "jklm";
@@ -218,7 +218,7 @@ static enum hawser_status read_entry(const struct hawser__reader *reader, int *i
 	return hawser__read_number(reader, value, json_array_get(entry, (size_t)count), place);
 }
 
-static enum hawser_status read_quads(const struct hawser__reader *reader, struct hawser_quad **Q,
+static enum hawser_status read_quads(const struct hawser__parser *reader, struct hawser_quad **Q,
                                      int *quads, int n, const json_t *list, const char *name)
 {
 	enum hawser_status status = HAWSER_OK;
@@ -241,7 +241,7 @@ static enum hawser_status read_quads(const struct hawser__reader *reader, struct
 	return status;
 }
 
-static enum hawser_status read_cubics(const struct hawser__reader *reader, struct hawser_cubic **C,
+static enum hawser_status read_cubics(const struct hawser__parser *reader, struct hawser_cubic **C,
                                       int *cubics, int n, const json_t *list, const char *name)
 {
 	enum hawser_status status = HAWSER_OK;
@@ -264,7 +264,7 @@ static enum hawser_status read_cubics(const struct hawser__reader *reader, struc
 	return status;
 }
 
-static enum hawser_status read_phase(const struct hawser__reader *reader, enum hawser_phase *phase,
+static enum hawser_status read_phase(const struct hawser__parser *reader, enum hawser_phase *phase,
                                      const json_t *value, const char *where)
 {
 	const char *word = json_string_value(value);
@@ -278,7 +278,7 @@ static enum hawser_status read_phase(const struct hawser__reader *reader, enum h
 }
 
 /* The terms f, D and K of a harmonic or a ramp, if present. */
-static enum hawser_status read_term(const struct hawser__reader *reader, double **f, double **D,
+static enum hawser_status read_term(const struct hawser__parser *reader, double **f, double **D,
                                     double **K, int n, const json_t *object, const char *where)
 {
 	const json_t *load = json_object_get(object, "f"), *damping = json_object_get(object, "D");
@@ -301,7 +301,7 @@ static enum hawser_status read_term(const struct hawser__reader *reader, double 
 }
 
 /* C and terms of a harmonic, and a Q with a power of Omega: they become terms. */
-static enum hawser_status read_harmonic_terms(const struct hawser__reader *reader,
+static enum hawser_status read_harmonic_terms(const struct hawser__parser *reader,
                                               struct hawser_harmonic *h, int n, json_t *object,
                                               const char *where)
 {
@@ -323,7 +323,7 @@ static enum hawser_status read_harmonic_terms(const struct hawser__reader *reade
 	return status || !terms ? status : hawser__read_terms(reader, &h->term, &h->terms, n, terms, place);
 }
 
-static enum hawser_status read_harmonic(const struct hawser__reader *reader,
+static enum hawser_status read_harmonic(const struct hawser__parser *reader,
                                         struct hawser_harmonic *h, int n, json_t *object,
                                         const char *where)
 {
@@ -359,7 +359,7 @@ static enum hawser_status read_harmonic(const struct hawser__reader *reader,
 	return status ? status : read_harmonic_terms(reader, h, n, object, where);
 }
 
-static enum hawser_status read_harmonics(const struct hawser__reader *reader,
+static enum hawser_status read_harmonics(const struct hawser__parser *reader,
                                          struct hawser_rom *rom, const json_t *list)
 {
 	enum hawser_status status = HAWSER_OK;
@@ -382,7 +382,7 @@ static enum hawser_status read_harmonics(const struct hawser__reader *reader,
 
 const char *const hawser__ramp_names[HAWSER_RAMP_TERMS] = {"linear", "square", "rate"};
 
-static enum hawser_status read_ramp(const struct hawser__reader *reader, struct hawser_rom *rom,
+static enum hawser_status read_ramp(const struct hawser__parser *reader, struct hawser_rom *rom,
                                     json_t *object)
 {
 	static const char *const keys[] = {"time", "linear", "square", "rate", NULL};
@@ -410,7 +410,7 @@ static enum hawser_status read_ramp(const struct hawser__reader *reader, struct 
 }
 
 /* n and K, which every model has. */
-static enum hawser_status read_size(const struct hawser__reader *reader, struct hawser_rom *rom,
+static enum hawser_status read_size(const struct hawser__parser *reader, struct hawser_rom *rom,
                                     const json_t *root)
 {
 	const json_t *version = json_object_get(root, "hawser_rom");
@@ -429,7 +429,7 @@ static enum hawser_status read_size(const struct hawser__reader *reader, struct 
 }
 
 /* Errors that only the complete model shows are reported as errors of the file as well. */
-static enum hawser_status compile(const struct hawser__reader *reader, struct hawser_rom *rom)
+static enum hawser_status compile(const struct hawser__parser *reader, struct hawser_rom *rom)
 {
 	struct hawser_report report = {.message = ""};
 	enum hawser_status status = hawser_rom_compile(rom, &report);
@@ -441,7 +441,7 @@ static enum hawser_status compile(const struct hawser__reader *reader, struct ha
 	return status;
 }
 
-enum hawser_status hawser__read_model(const struct hawser__reader *reader, struct hawser_rom *rom,
+enum hawser_status hawser__read_model(const struct hawser__parser *reader, struct hawser_rom *rom,
                                       json_t *root)
 {
 	static const char *const keys[] = {"hawser_rom", "n", "D", "K", "Q", "C", "harmonics", "ramp",

@@ -7,7 +7,7 @@
 #include "rom/ends.h"
 #include "rom/read.h"
 
-static enum hawser_status read_harmonics(const struct hawser__reader *reader,
+static enum hawser_status read_harmonics(const struct hawser__parser *reader,
                                          struct hawser_rom_ends *ends, json_t *object)
 {
 	const size_t shape[2] = {(size_t)ends->terms, (size_t)ends->count};
@@ -32,7 +32,7 @@ static enum hawser_status read_harmonics(const struct hawser__reader *reader,
 	                                            shape, 2, "ends.sin");
 }
 
-enum hawser_status hawser__read_ends(const struct hawser__reader *reader, struct hawser_rom *rom,
+enum hawser_status hawser__read_ends(const struct hawser__parser *reader, struct hawser_rom *rom,
                                      json_t *object)
 {
 	static const char *const keys[] = {"k", "cos", "sin", "slope", "second_shape", "second_slope",

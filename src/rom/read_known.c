@@ -11,7 +11,7 @@
 
 enum { MOST = 10000 }; /* modes in a file */
 
-static enum hawser_status read_modes(const struct hawser__reader *reader, struct hawser_rom *rom,
+static enum hawser_status read_modes(const struct hawser__parser *reader, struct hawser_rom *rom,
                                      const json_t *object, size_t modes)
 {
 	const size_t shape[3] = {modes, (size_t)rom->shapes.points, 4};
@@ -34,7 +34,7 @@ static enum hawser_status read_modes(const struct hawser__reader *reader, struct
 	return status;
 }
 
-static enum hawser_status read_force(const struct hawser__reader *reader, struct hawser_rom *rom,
+static enum hawser_status read_force(const struct hawser__parser *reader, struct hawser_rom *rom,
                                      int h, const json_t *force)
 {
 	const size_t modes = (size_t)rom->known.modes;
@@ -49,7 +49,7 @@ static enum hawser_status read_force(const struct hawser__reader *reader, struct
 	return hawser__read_array(reader, rom->harmonic[h].known, force, &modes, 1, where);
 }
 
-enum hawser_status hawser__read_known(const struct hawser__reader *reader, struct hawser_rom *rom,
+enum hawser_status hawser__read_known(const struct hawser__parser *reader, struct hawser_rom *rom,
                                       const json_t *root)
 {
 	static const char *const keys[] = {"reach", "K", "D", "shape", NULL};

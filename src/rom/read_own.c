@@ -26,7 +26,7 @@
 /* --- terms --- */
 
 /* [j, [k, ...], [l, ...], value] */
-static enum hawser_status read_term(const struct hawser__reader *reader, struct hawser_term *term,
+static enum hawser_status read_term(const struct hawser__parser *reader, struct hawser_term *term,
                                     int n,
                                     const json_t *entry, const char *where)
 {
@@ -75,7 +75,7 @@ static struct hawser_term *extend(struct hawser_term **term, const int *terms, s
 	return larger + *terms;
 }
 
-enum hawser_status hawser__read_terms(const struct hawser__reader *reader, struct hawser_term **term,
+enum hawser_status hawser__read_terms(const struct hawser__parser *reader, struct hawser_term **term,
                                       int *terms, int n, const json_t *list, const char *name)
 {
 	enum hawser_status status = HAWSER_OK;
@@ -185,7 +185,7 @@ static enum hawser_status divide_model(struct hawser_rom *rom, const double *inv
 	return HAWSER_OK;
 }
 
-static enum hawser_status read_mass(const struct hawser__reader *reader, struct hawser_rom *rom,
+static enum hawser_status read_mass(const struct hawser__parser *reader, struct hawser_rom *rom,
                                     const json_t *value)
 {
 	lapack_int n = rom->n, info;
@@ -315,7 +315,7 @@ static int raise_harmonic(struct hawser_harmonic *h, struct hawser_harmonic *rat
 	return failed;
 }
 
-static enum hawser_status check_first(const struct hawser__reader *reader, const struct hawser_rom *rom)
+static enum hawser_status check_first(const struct hawser__parser *reader, const struct hawser_rom *rom)
 {
 	for (int i = 0; i < rom->n*rom->n; i++)
 		if (rom->D[i] != 0.0)
@@ -355,7 +355,7 @@ static double norm_of(const double *K, int n)
 	return largest > 0.0 ? largest : 1.0;
 }
 
-static enum hawser_status raise_order(const struct hawser__reader *reader, struct hawser_rom *rom,
+static enum hawser_status raise_order(const struct hawser__parser *reader, struct hawser_rom *rom,
                                       double r)
 {
 	int n = rom->n, count = rom->quads + rom->cubics + rom->terms, given = rom->harmonics;
@@ -395,10 +395,10 @@ static enum hawser_status raise_order(const struct hawser__reader *reader, struc
 }
 
 /* rom->first becomes the model as it stands, with x'' for x'. */
-static enum hawser_status keep_first(const struct hawser__reader *reader, struct hawser_rom *rom,
+static enum hawser_status keep_first(const struct hawser__parser *reader, struct hawser_rom *rom,
                                      json_t *root)
 {
-	const struct hawser__reader again = {.name = reader->name, .report = reader->report,
+	const struct hawser__parser again = {.name = reader->name, .report = reader->report,
 		.parameter = reader->parameter, .parameters = reader->parameters, .plain = 1};
 
 	if (!(rom->first = calloc(1, sizeof *rom->first)))
@@ -406,7 +406,7 @@ static enum hawser_status keep_first(const struct hawser__reader *reader, struct
 	return hawser__read_model(&again, rom->first, root);
 }
 
-enum hawser_status hawser__read_own(const struct hawser__reader *reader, struct hawser_rom *rom,
+enum hawser_status hawser__read_own(const struct hawser__parser *reader, struct hawser_rom *rom,
                                     json_t *root)
 {
 	const json_t *terms = json_object_get(root, "terms"), *M = json_object_get(root, "M");
@@ -440,7 +440,7 @@ enum hawser_status hawser__read_own(const struct hawser__reader *reader, struct 
 
 /* --- parameters --- */
 
-enum hawser_status hawser__read_parameters(struct hawser__reader *reader,
+enum hawser_status hawser__read_parameters(struct hawser__parser *reader,
                                            struct hawser_parameter *parameter, const json_t *root,
                                            const struct hawser_parameter *set, int sets)
 {

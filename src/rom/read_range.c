@@ -14,7 +14,7 @@ const char *const hawser__range_ends[] = {
 	[HAWSER_RANGE_UNKNOWN] = "unknown", [HAWSER_RANGE_FORCE] = "force",
 	[HAWSER_RANGE_AT_LEAST] = "at least", [HAWSER_RANGE_SLACK] = "slack", NULL};
 
-static enum hawser_status read_end(const struct hawser__reader *reader, enum hawser_range_end *end,
+static enum hawser_status read_end(const struct hawser__parser *reader, enum hawser_range_end *end,
                                    const json_t *value, const char *where)
 {
 	const char *word = json_string_value(value);
@@ -28,7 +28,7 @@ static enum hawser_status read_end(const struct hawser__reader *reader, enum haw
 	                     where, word ? "\"" : "", word ? word : "no text", word ? "\"" : "");
 }
 
-static enum hawser_status read_one(const struct hawser__reader *reader, struct hawser_rom *rom,
+static enum hawser_status read_one(const struct hawser__parser *reader, struct hawser_rom *rom,
                                    json_t *object, const char *where)
 {
 	static const char *const keys[] = {"coordinate", "amplitude", "largest", "end", NULL};
@@ -52,7 +52,7 @@ static enum hawser_status read_one(const struct hawser__reader *reader, struct h
 	return status;
 }
 
-enum hawser_status hawser__read_range(const struct hawser__reader *reader, struct hawser_rom *rom,
+enum hawser_status hawser__read_range(const struct hawser__parser *reader, struct hawser_rom *rom,
                                       const json_t *list)
 {
 	enum hawser_status status = HAWSER_OK;

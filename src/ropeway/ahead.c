@@ -104,7 +104,7 @@ int hawser__march_ahead(struct hawser__march *march, double P)
 
 int hawser__march_clearances(struct hawser__march *march)
 {
-	const struct hawser__station *from = &march->begin, *to;
+	const struct hawser__rope_point *from = &march->begin, *to;
 	int worst = -1;
 
 	for (int k = 0; k < march->sheaves; k++) {

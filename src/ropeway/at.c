@@ -52,7 +52,7 @@ void hawser_line_at(const struct hawser_line_statics *st, double x[2], double *a
 	double s = (fmax(piece->S0, fmin(S, piece->S1)) - piece->S0)*rope.stretch;
 
 	if (piece->sheave < 0) {
-		struct hawser__station at = {{piece->x0[0], piece->x0[1]}, {P*cos(a), P*sin(a)}, 0.0, 0};
+		struct hawser__rope_point at = {{piece->x0[0], piece->x0[1]}, {P*cos(a), P*sin(a)}, 0.0, 0};
 
 		hawser__fly(&at, NULL, &rope, s);
 		P = hypot(at.P[0], at.P[1]);

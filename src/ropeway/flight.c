@@ -20,10 +20,11 @@
 #include "net/catenary.h"
 #include "ropeway/rope.h"
 
-void hawser__fly(struct hawser__station *at, double flexibility[3], const struct hawser__rope *rope,
+void hawser__fly(struct hawser__rope_point *at, double flexibility[3], const struct hawser__rope *rope,
                  double S)
 {
-	struct hawser__catenary piece = {.p = {0.0, -rope->w, 0.0}, .length0 = S - at->S, .EA = rope->EA};
+	struct hawser__net_catenary piece = {.p = {0.0, -rope->w, 0.0}, .length0 = S - at->S,
+	                                     .EA = rope->EA};
 	double F[3] = {at->P[0], at->P[1] + rope->w*piece.length0/2.0, 0.0}, chord[3], change[3][3];
 
 	if (!(piece.length0 > 0.0))
@@ -42,18 +43,18 @@ void hawser__fly(struct hawser__station *at, double flexibility[3], const struct
 
 double hawser__fly_stretch(const struct hawser__rope *rope, const double P[2], double L)
 {
-	struct hawser__catenary piece = {.p = {0.0, -rope->w, 0.0}, .length0 = L, .EA = rope->EA};
+	struct hawser__net_catenary piece = {.p = {0.0, -rope->w, 0.0}, .length0 = L, .EA = rope->EA};
 	double F[3] = {P[0], P[1] + rope->w*L/2.0, 0.0};
 
 	return hawser__catenary_stretch(&piece, F);
 }
 
-void hawser__pass(struct hawser__station *at, const struct hawser__rope *rope)
+void hawser__pass(struct hawser__rope_point *at, const struct hawser__rope *rope)
 {
 	at->P[1] += rope->weight[at->mass++];
 }
 
-static double along(const struct hawser__station *at, const double c[2])
+static double along(const struct hawser__rope_point *at, const double c[2])
 {
 	double T = hypot(at->P[0], at->P[1]);
 
@@ -61,7 +62,7 @@ static double along(const struct hawser__station *at, const double c[2])
 }
 
 /* The nearest point is at the station: a tangent point or a mass. */
-static void settle(struct hawser__meet *meet, const struct hawser__station *at, const double c[2],
+static void settle(struct hawser__meet *meet, const struct hawser__rope_point *at, const double c[2],
                    int vertex)
 {
 	double r[2] = {at->x[0] - c[0], at->x[1] - c[1]}, T = hypot(at->P[0], at->P[1]), far;
@@ -82,11 +83,12 @@ static void settle(struct hawser__meet *meet, const struct hawser__station *at, 
 
 /* g = 0 between two stations of the same smooth piece, by Newton's method in a bracket. */
 static void foot(struct hawser__meet *meet, const struct hawser__rope *rope,
-                 const struct hawser__station *a, const struct hawser__station *b, double ga, double gb,
+                 const struct hawser__rope_point *a, const struct hawser__rope_point *b,
+                 double ga, double gb,
                  const double c[2])
 {
 	double lo = a->S, hi = b->S, S = lo - ga/(gb - ga)*(hi - lo), flexibility[3];
-	struct hawser__station at;
+	struct hawser__rope_point at;
 
 	memcpy(flexibility, meet->flexibility, sizeof flexibility);
 	for (int i = 0; i < 100; i++) {
@@ -121,11 +123,11 @@ static void foot(struct hawser__meet *meet, const struct hawser__rope *rope,
 }
 
 /* Is c below the rope? `a`, `b`: ends of a piece between which c[0] is. */
-static int is_above(const struct hawser__rope *rope, const struct hawser__station *a,
-                    const struct hawser__station *b, const double c[2])
+static int is_above(const struct hawser__rope *rope, const struct hawser__rope_point *a,
+                    const struct hawser__rope_point *b, const double c[2])
 {
 	double lo = a->S, hi = b->S;
-	struct hawser__station at = *a;
+	struct hawser__rope_point at = *a;
 
 	for (int i = 0; i < 60; i++) {
 		double S = lo + (hi - lo)/2.0;
@@ -142,7 +144,8 @@ static int is_above(const struct hawser__rope *rope, const struct hawser__statio
 
 /* How far the next piece goes at most: a mass, the lowest point of the rope, or the largest
  * turning. INFINITY: no end. */
-static double piece_end(const struct hawser__rope *rope, const struct hawser__station *a, double turn)
+static double piece_end(const struct hawser__rope *rope, const struct hawser__rope_point *a,
+                        double turn)
 {
 	double mass = a->mass < rope->masses ? rope->S[a->mass] : INFINITY, end = INFINITY;
 
@@ -162,8 +165,9 @@ static double piece_end(const struct hawser__rope *rope, const struct hawser__st
 }
 
 /* A station of the last piece, which has no end, with g >= 0. */
-static int reach_out(struct hawser__station *b, double flexibility[3], const struct hawser__rope *rope,
-                     const struct hawser__station *a, double g, const double c[2])
+static int reach_out(struct hawser__rope_point *b, double flexibility[3],
+                     const struct hawser__rope *rope,
+                     const struct hawser__rope_point *a, double g, const double c[2])
 {
 	double step = -g*(1.0 + 1e-6) + 4.0*DBL_EPSILON*fabs(a->S), from[3];
 
@@ -179,10 +183,10 @@ static int reach_out(struct hawser__station *b, double flexibility[3], const str
 }
 
 void hawser__meet(struct hawser__meet *meet, const struct hawser__rope *rope,
-                  const struct hawser__station *from, const double c[2], double turn, double reach,
+                  const struct hawser__rope_point *from, const double c[2], double turn, double reach,
                   int leaving)
 {
-	struct hawser__station a = *from, b, span[2] = {{{0.0, 0.0}, {0.0, 0.0}, 0.0, 0}};
+	struct hawser__rope_point a = *from, b, span[2] = {{{0.0, 0.0}, {0.0, 0.0}, 0.0, 0}};
 	double g = along(&a, c), gb, flexibility[3] = {0.0, 0.0, 0.0}, before[3];
 	int spans = 0, above;
 
@@ -222,7 +226,7 @@ void hawser__meet(struct hawser__meet *meet, const struct hawser__rope *rope,
 				return;
 		}
 		if (b.mass < rope->masses && b.S >= rope->S[b.mass]) {
-			struct hawser__station mass = b;
+			struct hawser__rope_point mass = b;
 			double g1;
 
 			hawser__pass(&b, rope);

@@ -25,7 +25,7 @@
 /* One span: from the path of the last sheave to the target; the path of the next begins there. */
 static enum hawser__search span(struct hawser__march *march, struct hawser__path *path, int to)
 {
-	struct hawser__station leave;
+	struct hawser__rope_point leave;
 	struct hawser__meet meet;
 	double q, change[2];
 	int from = path->from.index;

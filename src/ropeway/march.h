@@ -23,13 +23,13 @@ struct hawser__march {
 	                                   1] its sheave; pieces laid before; mass pending there */
 	char *off;                   /* [sheaves] 1: the rope passes this sheave without contact */
 	char *kept;                  /* [sheaves] another such set */
-	struct hawser__trace trace;
+	struct hawser__rope_trace trace;
 	int sheaves;
 	int slack_behind;            /* the span behind this sheave (-1: A) is slack; -2: none is */
 	enum hawser__fault fault;
 	int from, to;                /* sheaves of a fault */
 	int iterations;              /* ropes laid */
-	struct hawser__station begin, end; /* ends A and B */
+	struct hawser__rope_point begin, end; /* ends A and B */
 	double miss;                 /* m, how far from B the rope ends */
 };
 

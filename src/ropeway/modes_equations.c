@@ -40,7 +40,7 @@ static double *array(size_t n)
 
 static void add(struct hawser__lmode_system *t, int row, int column, double value)
 {
-	t->band[(size_t)column*HAWSER__BAND_ROWS + (size_t)(2*HAWSER__BAND + row - column)] += value;
+	t->band[(size_t)column*HAWSER__FACTOR_ROWS + (size_t)(2*HAWSER__BAND + row - column)] += value;
 }
 
 /* The equations of segment s: E1 z1 - P00 E0 z0 - P01 F0 = x; and its part in those of its nodes:
@@ -174,7 +174,7 @@ static enum hawser_status arrange(struct hawser__lmode_system *t, struct hawser_
 	t->circulates = 0;
 	t->work_size = HAWSER__SEGMENT_FIELDS*2*largest;
 	t->weight = array((size_t)t->size);
-	t->band = array((size_t)t->rows*HAWSER__BAND_ROWS);
+	t->band = array((size_t)t->rows*HAWSER__FACTOR_ROWS);
 	t->pivot = calloc((size_t)t->rows + 1, sizeof *t->pivot);
 	t->response = array(borders*(size_t)t->rows);
 	t->schur = array(borders*borders);
@@ -238,7 +238,7 @@ static enum hawser_status factor_borders(struct hawser__lmode_system *t, struct 
 	for (int b = 0; b < n; b++) {
 		border_column(t->response + (size_t)b*(size_t)t->rows, t, b);
 		(void)LAPACKE_dgbtrs_work(LAPACK_COL_MAJOR, 'N', t->rows, HAWSER__BAND, HAWSER__BAND, 1,
-		                          t->band, HAWSER__BAND_ROWS,
+		                          t->band, HAWSER__FACTOR_ROWS,
 		                          t->pivot,
 		                          t->response + (size_t)b*(size_t)t->rows, t->rows);
 	}
@@ -280,12 +280,12 @@ enum hawser_status hawser__lmode_factor(struct hawser__lmode_system *t, struct h
 	if (status)
 		return status;
 	assemble(t);
-	for (int i = 0; i < t->rows*HAWSER__BAND_ROWS; i++)
+	for (int i = 0; i < t->rows*HAWSER__FACTOR_ROWS; i++)
 		if (!isfinite(t->band[i]))
 			return hawser__fail(report, HAWSER_ERR_NAN, "line modes", "the stiffness of the rope came "
 			                    "out as not a number: check EA, rho and the tension of the line");
 	if (LAPACKE_dgbtrf(LAPACK_COL_MAJOR, t->rows, t->rows, HAWSER__BAND, HAWSER__BAND, t->band,
-	                   HAWSER__BAND_ROWS, t->pivot) != 0)
+	                   HAWSER__FACTOR_ROWS, t->pivot) != 0)
 		return singular(t, report);
 	return factor_borders(t, report);
 }

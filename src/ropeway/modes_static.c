@@ -50,7 +50,7 @@ static void solve(const struct hawser__lmode_system *t, const struct spaces *p, 
 
 	memcpy(p->unknown, p->right, (size_t)t->rows*sizeof *p->unknown);
 	(void)LAPACKE_dgbtrs_work(LAPACK_COL_MAJOR, 'N', t->rows, HAWSER__BAND, HAWSER__BAND, 1, t->band,
-	                          HAWSER__BAND_ROWS, t->pivot,
+	                          HAWSER__FACTOR_ROWS, t->pivot,
 	                     p->unknown, t->rows);
 	if (n == 0)
 		return;

@@ -120,7 +120,7 @@ void hawser__path_arrive(struct hawser__path *path, const struct hawser__rope *r
 	set_arc(path, hypot(meet->at.P[0], meet->at.P[1]));
 }
 
-void hawser__path_at(struct hawser__station *at, double slope[2], const struct hawser__path *path,
+void hawser__path_at(struct hawser__rope_point *at, double slope[2], const struct hawser__path *path,
                      double q)
 {
 	double m = path->arc.friction, T, S, a, N, side = path->arc.side;
@@ -158,9 +158,9 @@ void hawser__path_at(struct hawser__station *at, double slope[2], const struct h
 	slope[1] = N*(-side*cos(a) + m*sin(a));
 }
 
-void hawser__path_next(struct hawser__path *path, struct hawser__trace *trace)
+void hawser__path_next(struct hawser__path *path, struct hawser__rope_trace *trace)
 {
-	struct hawser__station at;
+	struct hawser__rope_point at;
 	double slope[2], T;
 
 	hawser__path_at(&at, slope, path, path->end);
@@ -180,10 +180,10 @@ void hawser__path_next(struct hawser__path *path, struct hawser__trace *trace)
 	set_arc(path, T);
 }
 
-void hawser__path_again(struct hawser__path *path, struct hawser__trace *trace, double q,
+void hawser__path_again(struct hawser__path *path, struct hawser__rope_trace *trace, double q,
                         const struct hawser__meet *meet)
 {
-	struct hawser__station at;
+	struct hawser__rope_point at;
 	double slope[2];
 
 	hawser__path_at(&at, slope, path, q);

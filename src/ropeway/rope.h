@@ -22,7 +22,7 @@ struct hawser__rope {
 };
 
 /* A point of the rope. */
-struct hawser__station {
+struct hawser__rope_point {
 	double x[2], P[2];     /* m, N: P behind the point */
 	double S;
 	int mass;              /* the first mass that is not yet passed */
@@ -30,19 +30,19 @@ struct hawser__station {
 
 /* Move along the free rope to S, between two masses. Adds the flexibility of this part, that is
  * the change of its chord with P: xx, xy, yy, m/N. */
-void hawser__fly(struct hawser__station *at, double flexibility[3], const struct hawser__rope *rope,
+void hawser__fly(struct hawser__rope_point *at, double flexibility[3], const struct hawser__rope *rope,
                  double S);
 /* Stretch of the free rope of unstretched length L that begins with P, m. */
 double hawser__fly_stretch(const struct hawser__rope *rope, const double P[2], double L);
 /* Pass the mass at which the station is. */
-void hawser__pass(struct hawser__station *at, const struct hawser__rope *rope);
+void hawser__pass(struct hawser__rope_point *at, const struct hawser__rope *rope);
 
 /* Where the free rope comes nearest to a point c. The rope is the lower boundary of a convex set. */
 struct hawser__meet {
 	double distance;       /* m, of c from this set: negative if c is in it, above the rope */
 	double normal[2];      /* of the set's boundary, into the set */
 	double flexibility[3]; /* from the start to the nearest point, m/N */
-	struct hawser__station at; /* the nearest point, before its mass */
+	struct hawser__rope_point at; /* the nearest point, before its mass */
 	int vertex;            /* 1: the nearest point is the mass at.mass */
 	int found;             /* 0: the start is nearest; only `distance` is set */
 };
@@ -51,7 +51,7 @@ struct hawser__meet {
  * needs that is curved more than a circle about c. `reach`: places beyond c[0] + reach do not
  * matter. `leaving`: the start is the place at which the rope leaves a circle about c. */
 void hawser__meet(struct hawser__meet *meet, const struct hawser__rope *rope,
-                  const struct hawser__station *from, const double c[2], double turn, double reach,
+                  const struct hawser__rope_point *from, const double c[2], double turn, double reach,
                   int leaving);
 
 /* Rope in contact with a circle, from a slope angle0 and a tension T0 on. */
@@ -93,7 +93,7 @@ struct hawser__path {
 	struct hawser__arc arc;
 	enum hawser__segment kind;
 	int count;             /* segments before this one */
-	struct hawser__station at; /* where the segment begins; P before the mass's normal force */
+	struct hawser__rope_point at; /* where the segment begins; P before the mass's normal force */
 	double angle;          /* slope of the tangent of the circle there */
 	double end;            /* q at its end */
 	int last;              /* 1: nothing follows, and `end` itself is not reached */
@@ -107,28 +107,31 @@ void hawser__path_open(struct hawser__path *path, const struct hawser__rope *rop
 void hawser__path_arrive(struct hawser__path *path, const struct hawser__rope *rope,
                          const struct hawser__target *sheave, const struct hawser__meet *meet);
 /* Where the rope leaves at q, and the change of P with q. */
-void hawser__path_at(struct hawser__station *at, double slope[2], const struct hawser__path *path,
+void hawser__path_at(struct hawser__rope_point *at, double slope[2], const struct hawser__path *path,
                      double q);
 
 /* Receives the rope as it is laid; NULL: nothing is recorded. */
-struct hawser__trace {
+struct hawser__rope_trace {
 	struct hawser_line_statics *st;
 	int room;              /* pieces that fit */
 	int pending;           /* mass at the beginning of the next piece, or -1 */
-	struct hawser__station *arrive, *leave; /* [sheaves] before and behind the contact */
+	struct hawser__rope_point *arrive, *leave; /* [sheaves] before and behind the contact */
 	double *tangent;       /* [masses] slope of the circle at a mass in contact */
 };
-void hawser__trace_free(struct hawser__trace *trace, const struct hawser__rope *rope,
-                        const struct hawser__station *from, const struct hawser__station *to);
-void hawser__trace_arc(struct hawser__trace *trace, const struct hawser__path *path, double q);
-void hawser__trace_mass(struct hawser__trace *trace, const struct hawser__path *path, double carried);
-void hawser__trace_arrive(struct hawser__trace *trace, int sheave, const struct hawser__meet *meet);
-void hawser__trace_leave(struct hawser__trace *trace, int sheave, const struct hawser__station *at);
+void hawser__trace_free(struct hawser__rope_trace *trace, const struct hawser__rope *rope,
+                        const struct hawser__rope_point *from, const struct hawser__rope_point *to);
+void hawser__trace_arc(struct hawser__rope_trace *trace, const struct hawser__path *path, double q);
+void hawser__trace_mass(struct hawser__rope_trace *trace, const struct hawser__path *path,
+                        double carried);
+void hawser__trace_arrive(struct hawser__rope_trace *trace, int sheave,
+                          const struct hawser__meet *meet);
+void hawser__trace_leave(struct hawser__rope_trace *trace, int sheave,
+                         const struct hawser__rope_point *at);
 
 /* Go to the next segment. */
-void hawser__path_next(struct hawser__path *path, struct hawser__trace *trace);
+void hawser__path_next(struct hawser__path *path, struct hawser__rope_trace *trace);
 /* From q of an arc below a circle, over the free rope, to the next contact with the same circle. */
-void hawser__path_again(struct hawser__path *path, struct hawser__trace *trace, double q,
+void hawser__path_again(struct hawser__path *path, struct hawser__rope_trace *trace, double q,
                         const struct hawser__meet *meet);
 
 enum hawser__search {
@@ -139,7 +142,8 @@ enum hawser__search {
 /* The first place on the path from which the rope meets the target; moves the path to its
  * segment. `slack`: the second place, from which the rope comes up to the target. */
 enum hawser__search hawser__path_find(struct hawser__path *path, double *q, struct hawser__meet *meet,
-                                      struct hawser__trace *trace, const struct hawser__target *target,
+                                      struct hawser__rope_trace *trace,
+                                      const struct hawser__target *target,
                                       int slack);
 
 #endif

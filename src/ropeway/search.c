@@ -39,7 +39,7 @@ struct probe {
 	struct hawser__meet meet;
 };
 
-static double turning(const struct hawser__rope *rope, const struct hawser__station *at, double R)
+static double turning(const struct hawser__rope *rope, const struct hawser__rope_point *at, double R)
 {
 	return rope->w*R > 0.1*at->P[0] ? 0.1 : 2.0;
 }
@@ -48,7 +48,7 @@ static void look(struct probe *probe, const struct hawser__path *path,
                  const struct hawser__target *target,
                  double q)
 {
-	struct hawser__station at;
+	struct hawser__rope_point at;
 	double slope[2], h;
 	struct hawser__meet *meet = &probe->meet;
 
@@ -174,7 +174,7 @@ static enum outcome segment(struct probe *probe, const struct hawser__path *path
 /* Does the rope that leaves a compression sheave at q come back to it? */
 static int comes_back(struct probe *probe, const struct hawser__path *path, double q)
 {
-	struct hawser__station at;
+	struct hawser__rope_point at;
 	double slope[2];
 	const double *f = probe->meet.flexibility, *n = probe->meet.normal;
 
@@ -231,7 +231,8 @@ static int again(struct probe *probe, const struct hawser__path *path, double q)
 }
 
 enum hawser__search hawser__path_find(struct hawser__path *path, double *q, struct hawser__meet *meet,
-                                      struct hawser__trace *trace, const struct hawser__target *target,
+                                      struct hawser__rope_trace *trace,
+                                      const struct hawser__target *target,
                                       int slack)
 {
 	struct probe probe, other;

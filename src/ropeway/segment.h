@@ -37,7 +37,7 @@ static inline int hawser__segment_dofs(const struct hawser__lmode_system *t,
 }
 
 /* modes_equations.c: the band of the factors, for LAPACK. */
-enum { HAWSER__BAND = 3, HAWSER__BAND_ROWS = 3*HAWSER__BAND + 1, HAWSER__SEGMENT_FIELDS = 6 };
+enum { HAWSER__BAND = 3, HAWSER__FACTOR_ROWS = 3*HAWSER__BAND + 1, HAWSER__SEGMENT_FIELDS = 6 };
 /* What the rope pulls at border b: E0' F0 - E1' F(end), where F(end) = P10 X0 + P11 F0 + f. X0 is by
  * the unknowns and by the border values w, f [segments][2] by the load; each may be NULL. */
 double hawser__lmode_pull(const struct hawser__lmode_system *t, int b, const double *unknown,

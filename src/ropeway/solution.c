@@ -148,7 +148,7 @@ static double real(const struct hawser__rope *rope, double P)
 static double close_contact(struct hawser_line_contact *contact, const double force[2],
                             const struct hawser__march *march, int k)
 {
-	const struct hawser__station *in = &march->trace.arrive[k], *out = &march->trace.leave[k];
+	const struct hawser__rope_point *in = &march->trace.arrive[k], *out = &march->trace.leave[k];
 	const struct hawser__rope *rope = &march->rope;
 	double between = rope->w*(out->S - in->S), friction = march->line->sheave[k].friction;
 

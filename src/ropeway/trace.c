@@ -20,7 +20,7 @@ static double slope(const double P[2])
 	return atan2(P[1], P[0]);
 }
 
-static void add(struct hawser__trace *trace, const struct hawser_line_piece *piece)
+static void add(struct hawser__rope_trace *trace, const struct hawser_line_piece *piece)
 {
 	struct hawser_line_statics *st = trace->st;
 
@@ -31,8 +31,8 @@ static void add(struct hawser__trace *trace, const struct hawser_line_piece *pie
 	trace->pending = -1;
 }
 
-static void smooth(struct hawser__trace *trace, const struct hawser__station *a,
-                   const struct hawser__station *b)
+static void smooth(struct hawser__rope_trace *trace, const struct hawser__rope_point *a,
+                   const struct hawser__rope_point *b)
 {
 	struct hawser_line_piece piece = {.sheave = -1, .S0 = a->S, .S1 = b->S, .angle0 = slope(a->P),
 	                                  .angle1 = slope(b->P), .T0 = size(a->P), .T1 = size(b->P)};
@@ -42,10 +42,10 @@ static void smooth(struct hawser__trace *trace, const struct hawser__station *a,
 	add(trace, &piece);
 }
 
-void hawser__trace_free(struct hawser__trace *trace, const struct hawser__rope *rope,
-                        const struct hawser__station *from, const struct hawser__station *to)
+void hawser__trace_free(struct hawser__rope_trace *trace, const struct hawser__rope *rope,
+                        const struct hawser__rope_point *from, const struct hawser__rope_point *to)
 {
-	struct hawser__station a = *from, b;
+	struct hawser__rope_point a = *from, b;
 
 	if (!trace)
 		return;
@@ -69,12 +69,12 @@ void hawser__trace_free(struct hawser__trace *trace, const struct hawser__rope *
 	smooth(trace, &a, &b);
 }
 
-void hawser__trace_arc(struct hawser__trace *trace, const struct hawser__path *path, double q)
+void hawser__trace_arc(struct hawser__rope_trace *trace, const struct hawser__path *path, double q)
 {
 	struct hawser_line_piece piece = {.sheave = path->from.index, .S0 = path->at.S,
 	                                  .angle0 = path->angle,
 	                                  .angle1 = path->angle - path->arc.side*q, .T0 = path->arc.T0};
-	struct hawser__station at;
+	struct hawser__rope_point at;
 	double change[2];
 
 	if (!trace)
@@ -88,10 +88,11 @@ void hawser__trace_arc(struct hawser__trace *trace, const struct hawser__path *p
 	add(trace, &piece);
 }
 
-void hawser__trace_mass(struct hawser__trace *trace, const struct hawser__path *path, double carried)
+void hawser__trace_mass(struct hawser__rope_trace *trace, const struct hawser__path *path,
+                        double carried)
 {
 	struct hawser_line_carrier *carrier;
-	struct hawser__station at;
+	struct hawser__rope_point at;
 	double change[2], before[2];
 
 	if (!trace)
@@ -111,7 +112,7 @@ void hawser__trace_mass(struct hawser__trace *trace, const struct hawser__path *
 	trace->pending = path->at.mass;
 }
 
-void hawser__trace_arrive(struct hawser__trace *trace, int sheave, const struct hawser__meet *meet)
+void hawser__trace_arrive(struct hawser__rope_trace *trace, int sheave, const struct hawser__meet *meet)
 {
 	struct hawser_line_contact *contact = &trace->st->contact[sheave];
 
@@ -120,7 +121,8 @@ void hawser__trace_arrive(struct hawser__trace *trace, int sheave, const struct 
 	trace->arrive[sheave] = meet->at;
 }
 
-void hawser__trace_leave(struct hawser__trace *trace, int sheave, const struct hawser__station *at)
+void hawser__trace_leave(struct hawser__rope_trace *trace, int sheave,
+                         const struct hawser__rope_point *at)
 {
 	struct hawser_line_contact *contact = &trace->st->contact[sheave];
 

@@ -50,7 +50,7 @@ static void flexibility(double F[3], const struct hawser_line_statics *st, doubl
 	F[0] = F[1] = F[2] = 0.0;
 	for (int i = 0; i < st->pieces; i++) {
 		const struct hawser_line_piece *piece = &st->piece[i];
-		struct hawser__station at = {.x = {piece->x0[0], piece->x0[1]}, .S = fmax(piece->S0, S0)};
+		struct hawser__rope_point at = {.x = {piece->x0[0], piece->x0[1]}, .S = fmax(piece->S0, S0)};
 		double end = fmin(piece->S1, S1), angle = piece->angle0, T = piece->T0;
 
 		if (piece->sheave >= 0 || !(end > at.S))

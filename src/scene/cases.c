@@ -16,9 +16,9 @@
 
 /* The text of a case's name, which follows its key. */
 static enum hawser_status name_of(struct hawser__reader *reader, struct hawser_case *to, int number,
-                                  const struct hawser__place *place)
+                                  const struct hawser__mark *place)
 {
-	char text[HAWSER__TEXT] = "";
+	char text[HAWSER__TEXT_ROOM] = "";
 	yaml_event_t event;
 	enum hawser_status status = hawser__event_next(reader, &event);
 
@@ -41,8 +41,8 @@ static enum hawser_status name_of(struct hawser__reader *reader, struct hawser_c
 static enum hawser_status pair(struct hawser__reader *reader, int *end, struct hawser_case *to,
                                int number)
 {
-	char key[HAWSER__TEXT] = "", shown[HAWSER__SHOWN];
-	struct hawser__place place;
+	char key[HAWSER__TEXT_ROOM] = "", shown[HAWSER__SHOWN];
+	struct hawser__mark place;
 	yaml_event_t event;
 	enum hawser_status status = hawser__event_next(reader, &event);
 
@@ -67,7 +67,7 @@ static enum hawser_status pair(struct hawser__reader *reader, int *end, struct h
 
 /* Keep what the scene of an item has. */
 static enum hawser_status keep(struct hawser__reader *reader, struct hawser_case *to, int number,
-                               const struct hawser__place *place)
+                               const struct hawser__mark *place)
 {
 	const struct hawser_scene *scene = reader->scene;
 

@@ -40,7 +40,7 @@ static int present(const struct hawser__reader *reader, int section)
 
 /* The place to report if a key of a section is missing: the section, the override that created it,
  * or the whole scene. */
-static const struct hawser__place *near(const struct hawser__reader *reader, int section)
+static const struct hawser__mark *near(const struct hawser__reader *reader, int section)
 {
 	size_t count;
 	const char *path = hawser__sections(&count)[section].path;
@@ -249,7 +249,7 @@ static enum hawser_status supports(struct hawser__reader *reader)
 static enum hawser_status bending(struct hawser__reader *reader)
 {
 	const struct hawser_scene *scene = reader->scene;
-	const struct hawser__place *at = &reader->key[hawser__key_find("cable.EI")];
+	const struct hawser__mark *at = &reader->key[hawser__key_find("cable.EI")];
 	int ends = hawser__section_find("ends");
 	const char *other = scene->travel.present ? "travel"
 	                    : gives(reader, "support.A", "stiffness") ? "support.A.stiffness"

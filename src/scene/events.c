@@ -13,7 +13,7 @@
 #include "scene/reader.h"
 
 enum hawser_status hawser__reader_fail(struct hawser__reader *reader,
-                                       const struct hawser__place *place, const char *format,
+                                       const struct hawser__mark *place, const char *format,
                                        ...)
 {
 	char text[512], shown[HAWSER__SHOWN];
@@ -32,16 +32,16 @@ enum hawser_status hawser__reader_fail(struct hawser__reader *reader,
 	                    reader->name, place->line, place->column, text);
 }
 
-static struct hawser__place at(const struct hawser__reader *reader, const yaml_mark_t *mark)
+static struct hawser__mark at(const struct hawser__reader *reader, const yaml_mark_t *mark)
 {
-	return (struct hawser__place){.pass = reader->pass,
-	                              .set = reader->set,
-	                              .line = mark->line + 1,
-	                              .column = mark->column + 1};
+	return (struct hawser__mark){.pass = reader->pass,
+	                             .set = reader->set,
+	                             .line = mark->line + 1,
+	                             .column = mark->column + 1};
 }
 
-struct hawser__place hawser__event_place(const struct hawser__reader *reader,
-                                         const yaml_event_t *event)
+struct hawser__mark hawser__event_place(const struct hawser__reader *reader,
+                                        const yaml_event_t *event)
 {
 	return at(reader, &event->start_mark);
 }
@@ -51,7 +51,7 @@ static enum hawser_status broken(struct hawser__reader *reader)
 {
 	const yaml_parser_t *yaml = reader->yaml;
 	const char *problem = yaml->problem ? yaml->problem : "unreadable";
-	struct hawser__place place = at(reader, &yaml->problem_mark);
+	struct hawser__mark place = at(reader, &yaml->problem_mark);
 
 	if (yaml->error == YAML_MEMORY_ERROR)
 		return hawser__no_memory(reader->report, "scene");
@@ -68,7 +68,7 @@ static enum hawser_status broken(struct hawser__reader *reader)
 
 static enum hawser_status refuse_extras(struct hawser__reader *reader, const yaml_event_t *event)
 {
-	struct hawser__place place = hawser__event_place(reader, event);
+	struct hawser__mark place = hawser__event_place(reader, event);
 	const yaml_char_t *anchor = NULL, *tag = NULL;
 
 	switch (event->type) {
@@ -116,16 +116,16 @@ enum hawser_status hawser__event_next(struct hawser__reader *reader, yaml_event_
 	return status;
 }
 
-enum hawser_status hawser__event_text(struct hawser__reader *reader, char text[HAWSER__TEXT],
+enum hawser_status hawser__event_text(struct hawser__reader *reader, char text[HAWSER__TEXT_ROOM],
                                       const yaml_event_t *event, const char *what)
 {
-	struct hawser__place place = hawser__event_place(reader, event);
+	struct hawser__mark place = hawser__event_place(reader, event);
 	size_t length = event->data.scalar.length;
 
-	if (length >= HAWSER__TEXT)
+	if (length >= HAWSER__TEXT_ROOM)
 		return hawser__reader_fail(reader, &place,
 		                           "%s is %zu characters long; %d is the most",
-		                           what, length, HAWSER__TEXT - 1);
+		                           what, length, HAWSER__TEXT_ROOM - 1);
 	if (event->end_mark.line > event->start_mark.line)
 		return hawser__reader_fail(reader, &place,
 		                           "%s runs over several lines, up to line %zu: is "

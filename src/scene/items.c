@@ -15,8 +15,8 @@
 #include "scene/reader.h"
 
 /* Read the value of `path` in an item of a list or, if it is NULL, all keys of the item. */
-static enum hawser_status within(struct hawser__reader *reader, const struct hawser__list *list,
-                                 int item, const char *path, const struct hawser__place *place)
+static enum hawser_status within(struct hawser__reader *reader, const struct hawser__items *list,
+                                 int item, const char *path, const struct hawser__mark *place)
 {
 	int pass = reader->pass;
 	enum hawser_status status;
@@ -31,10 +31,10 @@ static enum hawser_status within(struct hawser__reader *reader, const struct haw
 }
 
 /* Read the item that begins with `event`. */
-static enum hawser_status item(struct hawser__reader *reader, const struct hawser__list *list,
+static enum hawser_status item(struct hawser__reader *reader, const struct hawser__items *list,
                                const yaml_event_t *event)
 {
-	struct hawser__place place = hawser__event_place(reader, event);
+	struct hawser__mark place = hawser__event_place(reader, event);
 	int *count = hawser__list_count(list, reader->scene), number = *count;
 	int needed = list->required ? hawser__key_find(list->required) : -1;
 	char *fresh = (char *)reader->scene + list->first + (size_t)number*list->size;
@@ -50,7 +50,7 @@ static enum hawser_status item(struct hawser__reader *reader, const struct hawse
 	if (list->fresh)
 		memcpy(fresh, list->fresh, list->size);
 	if (needed >= 0)
-		reader->key[needed] = (struct hawser__place){0};
+		reader->key[needed] = (struct hawser__mark){0};
 	status = list->read ? list->read(reader, number) : within(reader, list, number, NULL, NULL);
 	if (status != HAWSER_OK)
 		return status;
@@ -60,7 +60,7 @@ static enum hawser_status item(struct hawser__reader *reader, const struct hawse
 	return HAWSER_OK;
 }
 
-static enum hawser_status items(struct hawser__reader *reader, const struct hawser__list *list)
+static enum hawser_status items(struct hawser__reader *reader, const struct hawser__items *list)
 {
 	enum hawser_status status = HAWSER_OK;
 
@@ -79,10 +79,10 @@ static enum hawser_status items(struct hawser__reader *reader, const struct haws
 }
 
 enum hawser_status hawser__items_read(struct hawser__reader *reader, int index,
-                                      const struct hawser__place *place)
+                                      const struct hawser__mark *place)
 {
-	const struct hawser__list *list = hawser__list_row(index);
-	struct hawser__place here;
+	const struct hawser__items *list = hawser__list_row(index);
+	struct hawser__mark here;
 	yaml_event_t event;
 	enum hawser_status status;
 
@@ -105,7 +105,7 @@ enum hawser_status hawser__items_read(struct hawser__reader *reader, int index,
 
 int hawser__item_key(int *number, const struct hawser_scene *scene, const char *path)
 {
-	const struct hawser__list *list = hawser__list_row(hawser__list_find(path));
+	const struct hawser__items *list = hawser__list_row(hawser__list_find(path));
 	const char *name = path + strcspn(path, "."), *dot = *name ? strchr(++name, '.') : NULL;
 	size_t length = dot ? (size_t)(dot - name) : 0;
 	int count = list ? *hawser__list_count(list, scene) : 0;
@@ -132,9 +132,9 @@ int hawser__item_key(int *number, const struct hawser_scene *scene, const char *
 }
 
 enum hawser_status hawser__items_set(struct hawser__reader *reader, int index, const char *path,
-                                     const struct hawser__place *place)
+                                     const struct hawser__mark *place)
 {
-	const struct hawser__list *list = hawser__list_row(index);
+	const struct hawser__items *list = hawser__list_row(index);
 	int number, key = hawser__item_key(&number, reader->scene, path);
 	int count = *hawser__list_count(list, reader->scene);
 	char shown[HAWSER__SHOWN];
@@ -153,8 +153,8 @@ enum hawser_status hawser__items_set(struct hawser__reader *reader, int index, c
 /* Rules of every list. */
 static enum hawser_status common(struct hawser__reader *reader, int index)
 {
-	const struct hawser__list *list = hawser__list_row(index);
-	const struct hawser__place *here = &reader->list[index];
+	const struct hawser__items *list = hawser__list_row(index);
+	const struct hawser__mark *here = &reader->list[index];
 
 	if (reader->scene->beam.form)
 		return hawser__reader_fail(reader, here, "%s contradicts beam: a scene is of a cable or of a "
@@ -173,7 +173,7 @@ static enum hawser_status common(struct hawser__reader *reader, int index)
 
 enum hawser_status hawser__items_check(struct hawser__reader *reader)
 {
-	const struct hawser__list *list;
+	const struct hawser__items *list;
 	enum hawser_status status = HAWSER_OK;
 
 	for (int l = 0; !status && (list = hawser__list_row(l)); l++) {

@@ -464,7 +464,7 @@ int hawser__place_in(int index, double value, int by_length)
 
 void *hawser__field(const struct hawser_scene *scene, int index, int item)
 {
-	const struct hawser__list *list = hawser__list_of(index);
+	const struct hawser__items *list = hawser__list_of(index);
 
 	return (char *)(uintptr_t)scene + rows[index].offset + (list ? (size_t)item*list->size : 0);
 }

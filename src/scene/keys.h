@@ -70,7 +70,7 @@ struct hawser__reader;
 /* A list of the scene, whose items are mappings: a row of the table in lists.c. Keys "attach.KEY" of
  * the table of keys belong to each item of the list `attach`; their offset is that in the first item,
  * and a name is the last member of an item. items.c reads and finds items. */
-struct hawser__list {
+struct hawser__items {
 	const char *name;        /* "attach" */
 	const char *one;         /* of an item: "attachment" */
 	const char *keys;        /* "at, mass, spring, damper or name"; NULL if the items have no keys in
@@ -86,14 +86,14 @@ struct hawser__list {
 	enum hawser_status (*check)(struct hawser__reader *reader); /* of all items of a scene */
 };
 enum { HAWSER__ATTACH, HAWSER__LOADS, HAWSER__CASES, HAWSER__LISTS };
-const struct hawser__list *hawser__list_row(int index);  /* NULL beyond the last */
-const struct hawser__list *hawser__list_of(int key); /* the list of the key of this row, or NULL */
+const struct hawser__items *hawser__list_row(int index);  /* NULL beyond the last */
+const struct hawser__items *hawser__list_of(int key); /* the list of the key of this row, or NULL */
 
 /* Index of the list "attach" or of the key "attach..." of its items, or -1. */
 int hawser__list_find(const char *path);
-int *hawser__list_count(const struct hawser__list *list, const struct hawser_scene *scene);
+int *hawser__list_count(const struct hawser__items *list, const struct hawser_scene *scene);
 /* The name of an item. */
-const char *hawser__item_name(const struct hawser__list *list, const struct hawser_scene *scene,
+const char *hawser__item_name(const struct hawser__items *list, const struct hawser_scene *scene,
                               int item);
 
 /* The place in a scene of the value of row `index`; of a key of a list, in item `item`. */

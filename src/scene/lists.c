@@ -17,7 +17,7 @@ static const struct hawser_attachment attachment = {.absorber_direction = {0.0, 
 
 #define OF(member) offsetof(struct hawser_scene, member)
 
-static const struct hawser__list table[HAWSER__LISTS] = {
+static const struct hawser__items table[HAWSER__LISTS] = {
 	[HAWSER__ATTACH] = {.name = "attach", .one = "attachment",
 		.keys = "at, mass, spring, damper, absorber_... or name", .example = "{at: 40 %, mass: 20 kg}",
 		.required = "attach.at", .missing = "has no position: give at, such as at: 40 % or at: 12 m",
@@ -39,7 +39,7 @@ static const struct hawser__list table[HAWSER__LISTS] = {
 		.read = hawser__case_read, .check = hawser__cases_check},
 };
 
-const struct hawser__list *hawser__list_row(int index)
+const struct hawser__items *hawser__list_row(int index)
 {
 	return index >= 0 && index < HAWSER__LISTS ? &table[index] : NULL;
 }
@@ -54,17 +54,17 @@ int hawser__list_find(const char *path)
 	return -1;
 }
 
-const struct hawser__list *hawser__list_of(int key)
+const struct hawser__items *hawser__list_of(int key)
 {
 	return hawser__list_row(hawser__list_find(hawser_scene_key(key)->path));
 }
 
-int *hawser__list_count(const struct hawser__list *list, const struct hawser_scene *scene)
+int *hawser__list_count(const struct hawser__items *list, const struct hawser_scene *scene)
 {
 	return (int *)(void *)((char *)(uintptr_t)scene + list->count);
 }
 
-const char *hawser__item_name(const struct hawser__list *list, const struct hawser_scene *scene,
+const char *hawser__item_name(const struct hawser__items *list, const struct hawser_scene *scene,
                               int item)
 {
 	return (const char *)scene + list->first + (size_t)item*list->size + list->called;
@@ -86,7 +86,7 @@ enum hawser_status hawser__attach_check(struct hawser__reader *reader)
 {
 	const struct hawser_scene *scene = reader->scene;
 	const struct hawser_attachment *a = scene->attach;
-	const struct hawser__place *here = &reader->list[HAWSER__ATTACH];
+	const struct hawser__mark *here = &reader->list[HAWSER__ATTACH];
 
 	if (scene->travel.present)
 		return hawser__reader_fail(reader, here, "attach contradicts travel: attachments "
@@ -123,7 +123,7 @@ static int any(const double *vector)
 static enum hawser_status piece(struct hawser__reader *reader, const struct hawser_load_piece *one,
                                 int i)
 {
-	const struct hawser__place *here = &reader->list[HAWSER__LOADS];
+	const struct hawser__mark *here = &reader->list[HAWSER__LOADS];
 
 	if (any(one->force) && any(one->per_length))
 		return hawser__reader_fail(reader, here, "loads[%d] has both per_length and force: make two "

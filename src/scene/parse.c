@@ -33,7 +33,7 @@ static void forget(struct hawser__reader *reader, int index)
 	const struct hawser__row *row = &hawser__rows()[index];
 
 	memset((char *)reader->scene + row->offset, 0, size_of(row)); /* never of an item */
-	reader->key[index] = (struct hawser__place){0};
+	reader->key[index] = (struct hawser__mark){0};
 	reader->scene->written[index] = 0;
 }
 
@@ -62,7 +62,7 @@ static int rival(const struct hawser__reader *reader, enum hawser__group group, 
 }
 
 /* The place of the earlier of two keys, for a message about the later one. */
-static const char *earlier(char *text, size_t size, const struct hawser__place *first)
+static const char *earlier(char *text, size_t size, const struct hawser__mark *first)
 {
 	if (first->set)
 		snprintf(text, size, "in the same override");
@@ -71,8 +71,8 @@ static const char *earlier(char *text, size_t size, const struct hawser__place *
 	return text;
 }
 
-static enum hawser_status twice(struct hawser__reader *reader, const struct hawser__place *place,
-                                const struct hawser__place *first, const char *path)
+static enum hawser_status twice(struct hawser__reader *reader, const struct hawser__mark *place,
+                                const struct hawser__mark *first, const char *path)
 {
 	char where[48];
 
@@ -82,10 +82,10 @@ static enum hawser_status twice(struct hawser__reader *reader, const struct haws
 
 /* Record that a key is given; fail if it is a duplicate or contradicts another key. */
 static enum hawser_status claim(struct hawser__reader *reader, int index,
-                                const struct hawser__place *place)
+                                const struct hawser__mark *place)
 {
 	const struct hawser__row *row = &hawser__rows()[index];
-	struct hawser__place *mine = &reader->key[index];
+	struct hawser__mark *mine = &reader->key[index];
 	int other = row->group ? rival(reader, row->group, row->member) : -1;
 	char where[48];
 
@@ -106,9 +106,9 @@ static enum hawser_status claim(struct hawser__reader *reader, int index,
 }
 
 static enum hawser_status claim_section(struct hawser__reader *reader, int index,
-                                        const struct hawser__place *place)
+                                        const struct hawser__mark *place)
 {
-	struct hawser__place *mine = &reader->section[index];
+	struct hawser__mark *mine = &reader->section[index];
 	size_t count;
 
 	if (mine->pass == reader->pass)
@@ -118,7 +118,7 @@ static enum hawser_status claim_section(struct hawser__reader *reader, int index
 }
 
 enum hawser_status hawser__parse_unknown(struct hawser__reader *reader,
-                                         const struct hawser__place *place, const char *path)
+                                         const struct hawser__mark *place, const char *path)
 {
 	char hint[256], shown[HAWSER__SHOWN];
 
@@ -148,7 +148,7 @@ enum hawser_status hawser__parse_unknown(struct hawser__reader *reader,
 }
 
 /* The kind of scene: this reader is for spans, which need not say so. */
-static enum hawser_status kind(struct hawser__reader *reader, const struct hawser__place *place)
+static enum hawser_status kind(struct hawser__reader *reader, const struct hawser__mark *place)
 {
 	yaml_event_t event;
 	enum hawser_status status = hawser__event_next(reader, &event);
@@ -164,7 +164,7 @@ static enum hawser_status kind(struct hawser__reader *reader, const struct hawse
 /* Read the value of `path`, whose name is at `place`: the value of a key or the mapping of a
  * section. */
 enum hawser_status hawser__parse_value(struct hawser__reader *reader, const char *path,
-                                       const struct hawser__place *place)
+                                       const struct hawser__mark *place)
 {
 	int key = hawser__key_find(path), section = hawser__section_find(path);
 	int list = hawser__list_find(path);
@@ -189,7 +189,7 @@ enum hawser_status hawser__parse_value(struct hawser__reader *reader, const char
 		status = hawser__parse_mapping(reader, path);
 	} else {
 		char hint[256];
-		struct hawser__place here = hawser__event_place(reader, &event);
+		struct hawser__mark here = hawser__event_place(reader, &event);
 
 		hawser__list(hint, sizeof hint, path);
 		status = hawser__reader_fail(reader, &here,
@@ -203,7 +203,7 @@ enum hawser_status hawser__parse_value(struct hawser__reader *reader, const char
 
 /* Fail for a name with a dot, which must not be looked up in the table. */
 static enum hawser_status dotted(struct hawser__reader *reader,
-                                 const struct hawser__place *place, const char *path)
+                                 const struct hawser__mark *place, const char *path)
 {
 	if (hawser__key_find(path) < 0)
 		return hawser__parse_unknown(reader, place, path);
@@ -215,8 +215,8 @@ static enum hawser_status dotted(struct hawser__reader *reader,
 /* Read one "key: value" of a section; *end is 1 at the end of the mapping. */
 static enum hawser_status pair(struct hawser__reader *reader, int *end, const char *section)
 {
-	char name[HAWSER__TEXT], path[2*HAWSER__TEXT];
-	struct hawser__place place;
+	char name[HAWSER__TEXT_ROOM], path[2*HAWSER__TEXT_ROOM];
+	struct hawser__mark place;
 	yaml_event_t event;
 	enum hawser_status status = hawser__event_next(reader, &event);
 
@@ -249,7 +249,7 @@ enum hawser_status hawser__parse_mapping(struct hawser__reader *reader, const ch
 
 /* Skip the next event, which must be of this type; *here is its place. */
 static enum hawser_status step(struct hawser__reader *reader, int *found, yaml_event_type_t type,
-                               struct hawser__place *here)
+                               struct hawser__mark *here)
 {
 	yaml_event_t event;
 	enum hawser_status status = hawser__event_next(reader, &event);
@@ -262,7 +262,7 @@ static enum hawser_status step(struct hawser__reader *reader, int *found, yaml_e
 	return HAWSER_OK;
 }
 
-static enum hawser_status empty(struct hawser__reader *reader, const struct hawser__place *place)
+static enum hawser_status empty(struct hawser__reader *reader, const struct hawser__mark *place)
 {
 	return hawser__reader_fail(reader, place, "the scene is empty: it needs at least cable, "
 	                                          "span and tension (see hawser-scene(5))");
@@ -292,7 +292,7 @@ static enum hawser_status top(struct hawser__reader *reader)
 /* Read the end of the document and of the stream. */
 static enum hawser_status finish(struct hawser__reader *reader)
 {
-	struct hawser__place here;
+	struct hawser__mark here;
 	int found;
 	enum hawser_status status = step(reader, &found, YAML_DOCUMENT_END_EVENT, &here);
 
@@ -308,7 +308,7 @@ static enum hawser_status finish(struct hawser__reader *reader)
 static enum hawser_status start(struct hawser__reader *reader, int *any, yaml_parser_t *yaml,
                                 const char *text, size_t length)
 {
-	struct hawser__place here;
+	struct hawser__mark here;
 	enum hawser_status status;
 
 	if (!yaml_parser_initialize(yaml))
@@ -333,7 +333,7 @@ enum hawser_status hawser__parse_file(struct hawser__reader *reader, const char 
 	reader->pass = 1;
 	status = start(reader, &any, &yaml, text, length);
 	if (status == HAWSER_OK && !any)
-		status = empty(reader, &(struct hawser__place){.pass = 1});
+		status = empty(reader, &(struct hawser__mark){.pass = 1});
 	if (status == HAWSER_OK)
 		status = top(reader);
 	if (status == HAWSER_OK)
@@ -347,7 +347,7 @@ enum hawser_status hawser__parse_file(struct hawser__reader *reader, const char 
 static enum hawser_status assign(struct hawser__reader *reader, const char *path,
                                  const char *text)
 {
-	const struct hawser__place place = {.pass = reader->pass, .set = reader->set, .line = 1};
+	const struct hawser__mark place = {.pass = reader->pass, .set = reader->set, .line = 1};
 	yaml_parser_t yaml;
 	int any = 0, list = hawser__list_find(path);
 	int item = list >= 0 && hawser__list_row(list)->keys && strchr(path, '.');
@@ -376,12 +376,12 @@ enum hawser_status hawser__parse_override(struct hawser__reader *reader, const c
 	const char *equals = strchr(set, '=');
 	const char *first = set + strspn(set, " ");
 	size_t length;
-	char path[HAWSER__TEXT];
-	struct hawser__place place;
+	char path[HAWSER__TEXT_ROOM];
+	struct hawser__mark place;
 
 	reader->set = set;
 	reader->pass++;
-	place = (struct hawser__place){.pass = reader->pass, .set = set, .line = 1};
+	place = (struct hawser__mark){.pass = reader->pass, .set = set, .line = 1};
 	if (!equals)
 		return hawser__reader_fail(reader, &place,
 		                           "write KEY=VALUE, such as cable.EA=400 MN");

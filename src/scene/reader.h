@@ -14,10 +14,10 @@
 #include "scene/keys.h"
 #include "scene/units.h"
 
-enum { HAWSER__SECTIONS_MAX = 16, HAWSER__TEXT = 256 };
+enum { HAWSER__SECTIONS_MAX = 16, HAWSER__TEXT_ROOM = 256 };
 
 /* A place in the file or in an override. */
-struct hawser__place {
+struct hawser__mark {
 	int pass;             /* 0: nowhere */
 	const char *set;      /* the override's text; NULL in the file */
 	size_t line, column;  /* from 1; 0: the whole file */
@@ -32,13 +32,13 @@ struct hawser__reader {
 	int item, items; /* the item being read; a count of all that were read, in all passes */
 	yaml_parser_t *yaml;
 	struct hawser__units units;
-	struct hawser__place key[HAWSER_SCENE_KEYS], section[HAWSER__SECTIONS_MAX];
-	struct hawser__place root, list[HAWSER__LISTS];
+	struct hawser__mark key[HAWSER_SCENE_KEYS], section[HAWSER__SECTIONS_MAX];
+	struct hawser__mark root, list[HAWSER__LISTS];
 };
 
 /* Fail with HAWSER_ERR_SCENE; the message begins with the place. */
 enum hawser_status hawser__reader_fail(struct hawser__reader *reader,
-                                       const struct hawser__place *place, const char *format,
+                                       const struct hawser__mark *place, const char *format,
                                        ...) HAWSER_PRINTF(3, 4);
 
 /* events.c: the next event of libyaml; fails for features that a scene must not use. */
@@ -46,11 +46,11 @@ enum hawser_status hawser__event_next(struct hawser__reader *reader, yaml_event_
 	HAWSER_MUST_CHECK;
 /* Text of a scalar event; fails if it is too long, has several lines or contains a NUL. `what`
  * names it in messages. */
-enum hawser_status hawser__event_text(struct hawser__reader *reader, char text[HAWSER__TEXT],
+enum hawser_status hawser__event_text(struct hawser__reader *reader, char text[HAWSER__TEXT_ROOM],
                                       const yaml_event_t *event, const char *what)
 	HAWSER_MUST_CHECK;
-struct hawser__place hawser__event_place(const struct hawser__reader *reader,
-                                         const yaml_event_t *event);
+struct hawser__mark hawser__event_place(const struct hawser__reader *reader,
+                                        const yaml_event_t *event);
 
 /* value.c: read the value that begins with `event` and store it in the scene for key `index`. */
 enum hawser_status hawser__value_read(struct hawser__reader *reader, yaml_event_t *event,
@@ -66,18 +66,18 @@ enum hawser_status hawser__parse_defaults(struct hawser__reader *reader) HAWSER_
 
 /* parse.c: the value of `path`, whose name is at `place`; a mapping of `section` up to its end. */
 enum hawser_status hawser__parse_value(struct hawser__reader *reader, const char *path,
-                                       const struct hawser__place *place) HAWSER_MUST_CHECK;
+                                       const struct hawser__mark *place) HAWSER_MUST_CHECK;
 enum hawser_status hawser__parse_mapping(struct hawser__reader *reader, const char *section)
 	HAWSER_MUST_CHECK;
 enum hawser_status hawser__parse_unknown(struct hawser__reader *reader,
-                                         const struct hawser__place *place, const char *path);
+                                         const struct hawser__mark *place, const char *path);
 
 /* items.c: read a list, whose name is at `place`; an override "attach.0.mass", whose text is the
  * current document; check the items of all lists. */
 enum hawser_status hawser__items_read(struct hawser__reader *reader, int list,
-                                      const struct hawser__place *place) HAWSER_MUST_CHECK;
+                                      const struct hawser__mark *place) HAWSER_MUST_CHECK;
 enum hawser_status hawser__items_set(struct hawser__reader *reader, int list, const char *path,
-                                     const struct hawser__place *place) HAWSER_MUST_CHECK;
+                                     const struct hawser__mark *place) HAWSER_MUST_CHECK;
 enum hawser_status hawser__items_check(struct hawser__reader *reader) HAWSER_MUST_CHECK;
 
 /* Rules of single lists: lists.c; cases.c, which also reads an item after its begin. */

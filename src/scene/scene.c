@@ -111,7 +111,7 @@ enum hawser_status hawser_scene_open(struct hawser_scene *scene, const char *pat
  * -1. *item is the number of the item of a list, -1 if it does not exist; 0 for other keys. */
 static int locate(const struct hawser_scene *scene, const char *path, int *element, int *item)
 {
-	char name[HAWSER__TEXT];
+	char name[HAWSER__TEXT_ROOM];
 	size_t length = strcspn(path, "[");
 
 	*element = -1;

@@ -226,7 +226,7 @@ static json_t *load_case(struct hawser__schema *schema)
 	return mapping;
 }
 
-static json_t *list_of(struct hawser__schema *schema, const struct hawser__list *list)
+static json_t *list_of(struct hawser__schema *schema, const struct hawser__items *list)
 {
 	json_t *value = hawser__schema_type(schema, "array"), *item;
 
@@ -248,7 +248,7 @@ static json_t *list_of(struct hawser__schema *schema, const struct hawser__list 
 json_t *hawser__schema_cable(struct hawser__schema *schema)
 {
 	json_t *mapping = hawser__schema_mapping(schema);
-	const struct hawser__list *list;
+	const struct hawser__items *list;
 	size_t sections;
 	const struct hawser__section *section = hawser__sections(&sections);
 

@@ -51,7 +51,7 @@ static enum hawser_status value(struct hawser__tree **made, struct hawser__reade
                                 const yaml_event_t *event, int depth);
 
 /* The name of an entry; *end is 1 at the end of the mapping. */
-static enum hawser_status name_of(char name[HAWSER__TEXT], struct hawser__place *place, int *end,
+static enum hawser_status name_of(char name[HAWSER__TEXT_ROOM], struct hawser__mark *place, int *end,
                                   struct hawser__reader *reader)
 {
 	yaml_event_t event;
@@ -105,8 +105,8 @@ static enum hawser_status entries(struct hawser__tree *tree, struct hawser__read
 	enum hawser_status status = HAWSER_OK;
 
 	for (int end = 0; !status && !end;) {
-		char name[HAWSER__TEXT];
-		struct hawser__place place;
+		char name[HAWSER__TEXT_ROOM];
+		struct hawser__mark place;
 		struct hawser__tree *child = NULL;
 		yaml_event_t event;
 
@@ -154,7 +154,7 @@ static enum hawser_status value(struct hawser__tree **made, struct hawser__reade
                                 const yaml_event_t *event, int depth)
 {
 	struct hawser__tree *tree = calloc(1, sizeof *tree);
-	char text[HAWSER__TEXT];
+	char text[HAWSER__TEXT_ROOM];
 	enum hawser_status status;
 
 	*made = tree;
@@ -193,7 +193,7 @@ static enum hawser_status document(struct hawser__tree **tree, struct hawser__re
 	yaml_parser_set_input_string(&yaml, (const unsigned char *)text, length);
 	for (int ended = 0; !status && !ended;) {
 		yaml_event_t event;
-		struct hawser__place here;
+		struct hawser__mark here;
 
 		status = hawser__event_next(reader, &event);
 		if (status)
@@ -237,7 +237,7 @@ static enum hawser_status put(struct hawser__tree *root, struct hawser__reader *
                               struct hawser__tree *fresh, char *path,
                               const struct hawser__tree_words *words)
 {
-	const struct hawser__place here = fresh->at;
+	const struct hawser__mark here = fresh->at;
 	struct hawser__tree *tree = root, *old;
 	char *dot, shown[HAWSER__SHOWN];
 
@@ -304,24 +304,24 @@ static enum hawser_status override(struct hawser__tree *root, struct hawser__rea
 {
 	const char *equals = strchr(set, '=');
 	struct hawser__tree *fresh = NULL;
-	char path[HAWSER__TEXT];
+	char path[HAWSER__TEXT_ROOM];
 	size_t length = equals ? (size_t)(equals - set) : 0;
 	enum hawser_status status;
 
 	reader->set = set;
 	reader->pass++;
 	if (!equals || length >= sizeof path)
-		return hawser__reader_fail(reader, &(struct hawser__place){.set = set},
+		return hawser__reader_fail(reader, &(struct hawser__mark){.set = set},
 		                           "write KEY=VALUE, such as %s", words->set);
 	memcpy(path, set, length);
 	path[length] = '\0';
 	if (!without_brackets(path))
-		return hawser__reader_fail(reader, &(struct hawser__place){.set = set},
+		return hawser__reader_fail(reader, &(struct hawser__mark){.set = set},
 		                           "a bracket of the key is open or empty: write names and "
 		                           "numbers joined by dots, such as %s", words->set);
 	status = document(&fresh, reader, equals + 1, strlen(equals + 1));
 	if (!status && !fresh)
-		status = hawser__reader_fail(reader, &(struct hawser__place){.set = set},
+		status = hawser__reader_fail(reader, &(struct hawser__mark){.set = set},
 		                             "there is no value after =");
 	if (status) {
 		hawser__tree_clear(fresh);
@@ -378,7 +378,7 @@ static enum hawser_status read_text(struct hawser__tree **tree, struct hawser__r
 	reader->pass = 1;
 	status = document(tree, reader, text, length);
 	if (!status && (!*tree || (*tree)->kind != HAWSER__MAPPING))
-		status = hawser__reader_fail(reader, &(struct hawser__place){.pass = 1}, "%s", words->scene);
+		status = hawser__reader_fail(reader, &(struct hawser__mark){.pass = 1}, "%s", words->scene);
 	for (size_t i = 0; i < nset && !status; i++)
 		status = override(*tree, reader, set[i], words);
 	return status;

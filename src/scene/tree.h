@@ -11,7 +11,7 @@ enum hawser__tree_kind { HAWSER__SCALAR, HAWSER__MAPPING, HAWSER__SEQUENCE };
 struct hawser__tree {
 	enum hawser__tree_kind kind;
 	char *name, *text;           /* of an entry of a mapping; of a scalar */
-	struct hawser__place at;     /* of the name or, without one, of the value */
+	struct hawser__mark at;     /* of the name or, without one, of the value */
 	struct hawser__tree *child, *last, *next;
 	int children;
 };

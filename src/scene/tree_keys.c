@@ -36,21 +36,21 @@ void hawser__tree_key_list(char *text, size_t size, const char *of)
 }
 
 /* The key of the list nearest to `name`, "" if none is near. */
-static void nearest(char best[HAWSER__TEXT], const char *name, const char *keys)
+static void nearest(char best[HAWSER__TEXT_ROOM], const char *name, const char *keys)
 {
 	int least = hawser__edit_limit(strlen(name)) + 1;
 
 	*best = '\0';
 	while (*keys) {
 		size_t length = strcspn(keys, ",");
-		char key[HAWSER__TEXT];
+		char key[HAWSER__TEXT_ROOM];
 		int distance;
 
 		snprintf(key, sizeof key, "%.*s", (int)length, keys);
 		distance = hawser__edit_distance(name, key);
 		if (distance < least) {
 			least = distance;
-			snprintf(best, HAWSER__TEXT, "%s", key);
+			snprintf(best, HAWSER__TEXT_ROOM, "%s", key);
 		}
 		keys += length;
 		keys += strspn(keys, ", ");
@@ -75,7 +75,7 @@ static int among(const char *name, const char *keys)
 enum hawser_status hawser__tree_keys(struct hawser__reader *reader, const struct hawser__tree *tree,
                                      const char *what, const char *of)
 {
-	char shown[HAWSER__SHOWN], best[HAWSER__TEXT], keys[HAWSER__TREE_LIST_SIZE];
+	char shown[HAWSER__SHOWN], best[HAWSER__TEXT_ROOM], keys[HAWSER__TREE_LIST_SIZE];
 
 	if (strchr(of, ',')) /* a list */
 		snprintf(keys, sizeof keys, "%s", of);

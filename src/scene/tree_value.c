@@ -62,7 +62,7 @@ enum hawser_status hawser__tree_number_of(struct hawser__reader *reader, double 
 {
 	const struct hawser__tree *one = hawser__tree_find(tree, key);
 	int pure = !strcmp(unit, "1");
-	char what[HAWSER__TEXT];
+	char what[HAWSER__TEXT_ROOM];
 
 	snprintf(what, sizeof what, "%.100s.%.60s", section, key);
 	if (one)
@@ -91,7 +91,7 @@ enum hawser_status hawser__tree_word(struct hawser__reader *reader, int *index,
                                      const struct hawser__tree *tree, const char *what,
                                      const char *const *words, int count)
 {
-	char list[HAWSER__TEXT] = "", shown[HAWSER__SHOWN];
+	char list[HAWSER__TEXT_ROOM] = "", shown[HAWSER__SHOWN];
 	const char *text;
 	enum hawser_status status = hawser__tree_text(reader, &text, tree, what);
 

@@ -15,7 +15,7 @@
 struct item {
 	int index;
 	char called[96];
-	struct hawser__place place;
+	struct hawser__mark place;
 };
 
 static const struct hawser_scene_key *key_of(const struct item *item)
@@ -198,7 +198,7 @@ static enum hawser_status name(struct hawser__reader *reader, const struct item 
 static enum hawser_status scalar(struct hawser__reader *reader, const struct item *item,
                                  const yaml_event_t *event)
 {
-	char text[HAWSER__TEXT], want[96];
+	char text[HAWSER__TEXT_ROOM], want[96];
 	double value = 0.0;
 	enum hawser_status status = hawser__event_text(reader, text, event, item->called);
 
@@ -253,7 +253,7 @@ static enum hawser_status element(struct hawser__reader *reader, double *value, 
                                   const struct item *list, int i)
 {
 	struct item item = *list;
-	char text[HAWSER__TEXT], want[96];
+	char text[HAWSER__TEXT_ROOM], want[96];
 	yaml_event_t event;
 	enum hawser_status status = hawser__event_next(reader, &event);
 

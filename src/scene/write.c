@@ -93,7 +93,7 @@ static void whole(FILE *stream, const struct hawser_scene *scene)
 }
 
 /* Of the keys of a load, those of a force are not written beside those of a force per length. */
-static int told(const struct hawser_scene *scene, const struct hawser__list *list, int index,
+static int told(const struct hawser_scene *scene, const struct hawser__items *list, int index,
                 int item)
 {
 	static const char *const lengthwise[] = {"per_length", "from", "to", "wave"};
@@ -112,7 +112,7 @@ static int told(const struct hawser_scene *scene, const struct hawser__list *lis
 }
 
 /* The keys of an item, as a mapping in a list. */
-static void one(FILE *stream, const struct hawser_scene *scene, const struct hawser__list *list,
+static void one(FILE *stream, const struct hawser_scene *scene, const struct hawser__items *list,
                 int item)
 {
 	const struct hawser_scene_key *key;
@@ -141,7 +141,7 @@ static void one(FILE *stream, const struct hawser_scene *scene, const struct haw
 
 static void items(FILE *stream, const struct hawser_scene *scene)
 {
-	const struct hawser__list *list;
+	const struct hawser__items *list;
 
 	for (int l = 0; (list = hawser__list_row(l)); l++) {
 		int count = list->keys ? *hawser__list_count(list, scene) : 0;

@@ -71,27 +71,27 @@ double hawser__catenary_sag(const struct hawser__catenary *cat, const struct haw
                             double *derivative);
 
 /* Result of a search. */
-enum hawser__outcome {
+enum hawser__found {
 	HAWSER__FOUND = 0,
-	HAWSER__NONE,  /* there is no such equilibrium */
+	HAWSER__NOT_FOUND,  /* there is no such equilibrium */
 	HAWSER__RANGE  /* the result or an intermediate value exceeds the range of double */
 };
 
-/* Search for a given tension at an end. On HAWSER__NONE *cat is the equilibrium with the least
+/* Search for a given tension at an end. On HAWSER__NOT_FOUND *cat is the equilibrium with the least
  * tension. */
-enum hawser__outcome hawser__from_tension(struct hawser__catenary *cat,
-                                          const struct hawser__chord *chord,
-                                          enum hawser__end end, double T,
-                                          enum hawser_branch branch);
+enum hawser__found hawser__from_tension(struct hawser__catenary *cat,
+                                        const struct hawser__chord *chord,
+                                        enum hawser__end end, double T,
+                                        enum hawser_branch branch);
 /* Least tension at an end, N, with its equilibrium in *cat; 0 if it exceeds the range of double. */
 double hawser__least_tension(struct hawser__catenary *cat, const struct hawser__chord *chord,
                              enum hawser__end end);
-enum hawser__outcome hawser__from_sag(struct hawser__catenary *cat,
-                                      const struct hawser__chord *chord, double sag);
-/* Search for a given unstretched length. HAWSER__NONE: the cable is inextensible and no longer than
- * the chord. */
-enum hawser__outcome hawser__from_length(struct hawser__catenary *cat,
-                                         const struct hawser__chord *chord, double length0);
+enum hawser__found hawser__from_sag(struct hawser__catenary *cat,
+                                    const struct hawser__chord *chord, double sag);
+/* Search for a given unstretched length. HAWSER__NOT_FOUND: the cable is inextensible and no longer
+ * than the chord. */
+enum hawser__found hawser__from_length(struct hawser__catenary *cat,
+                                       const struct hawser__chord *chord, double length0);
 
 /* Irvine's lambda, classical and by B (4.60). */
 double hawser__irvine(const struct hawser__catenary *cat, const struct hawser__chord *chord);

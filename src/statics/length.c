@@ -105,7 +105,7 @@ static double guess(const struct problem *at)
 	return a;
 }
 
-static enum hawser__outcome find_width(struct hawser__catenary *cat, const struct problem *at)
+static enum hawser__found find_width(struct hawser__catenary *cat, const struct problem *at)
 {
 	struct hawser__search search = {.x = guess(at), .hi = INFINITY, .step = INFINITY};
 	double F, derivative;
@@ -123,17 +123,17 @@ static enum hawser__outcome find_width(struct hawser__catenary *cat, const struc
 	return search.x >= DBL_MIN && search.x < 710.0 ? HAWSER__FOUND : HAWSER__RANGE;
 }
 
-enum hawser__outcome hawser__from_length(struct hawser__catenary *cat,
-                                         const struct hawser__chord *chord, double length0)
+enum hawser__found hawser__from_length(struct hawser__catenary *cat,
+                                       const struct hawser__chord *chord, double length0)
 {
 	double ratio = length0/chord->d;
 	struct problem at = {0.5*chord->w*(length0/chord->EA), chord->slope*chord->slope,
 	                     ratio*ratio, beyond_chord(length0, chord->d, chord->h)};
-	enum hawser__outcome outcome;
+	enum hawser__found outcome;
 
 	cat->iterations = 0;
 	if (at.B == 0.0 && at.beyond <= 0.0)
-		return isinf(chord->EA) ? HAWSER__NONE : HAWSER__RANGE;
+		return isinf(chord->EA) ? HAWSER__NOT_FOUND : HAWSER__RANGE;
 	if (!(at.ratio2 <= DBL_MAX && at.slope2 <= DBL_MAX && at.ratio2 >= DBL_MIN))
 		return HAWSER__RANGE;
 	outcome = find_width(cat, &at);

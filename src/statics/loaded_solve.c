@@ -72,8 +72,8 @@ static void lift(struct hawser__loaded *cable, struct hawser__reach *r)
 }
 
 /* Search for x = d with y = h: over H at the given length, or over L at the given H. */
-static enum hawser__outcome close_span(struct hawser__loaded *cable, struct hawser__reach *r,
-                                       int over_H)
+static enum hawser__found close_span(struct hawser__loaded *cable, struct hawser__reach *r,
+                                     int over_H)
 {
 	double *unknown = over_H ? &cable->H : &cable->L;
 	struct hawser__search search = {.x = *unknown, .hi = INFINITY, .step = INFINITY};
@@ -125,7 +125,7 @@ static double quantity(const struct hawser__loaded *cable, const struct hawser__
 }
 
 /* Move to the least tension, where its derivative changes its sign. */
-static enum hawser__outcome least(struct hawser__loaded *cable, enum hawser_given given)
+static enum hawser__found least(struct hawser__loaded *cable, enum hawser_given given)
 {
 	struct hawser__search search = {.x = cable->H, .hi = INFINITY, .step = INFINITY};
 	struct hawser__reach r;
@@ -137,13 +137,13 @@ static enum hawser__outcome least(struct hawser__loaded *cable, enum hawser_give
 			return HAWSER__RANGE;
 		quantity(cable, &r, given, &slope);
 	} while (hawser__search_next(&search, slope > 0.0, 0.0));
-	return HAWSER__NONE;
+	return HAWSER__NOT_FOUND;
 }
 
 /* Search over H for a tension or the sag. */
-static enum hawser__outcome over_H(struct hawser__loaded *cable, struct hawser__reach *r,
-                                   enum hawser_given given, double wanted,
-                                   enum hawser_branch branch)
+static enum hawser__found over_H(struct hawser__loaded *cable, struct hawser__reach *r,
+                                 enum hawser_given given, double wanted,
+                                 enum hawser_branch branch)
 {
 	int sag = given == HAWSER_GIVEN_SAG, taut = branch == HAWSER_BRANCH_TAUT, below;
 	struct hawser__search search = {.x = cable->H, .hi = sag ? INFINITY : wanted*(1.0 + 1e-15),
@@ -222,10 +222,10 @@ static int sorted(const struct hawser__loaded *cable)
 	return 1;
 }
 
-static enum hawser__outcome search(struct hawser__loaded *cable, int *order, struct hawser__reach *r,
-                                   enum hawser_given given, double value, enum hawser_branch branch)
+static enum hawser__found search(struct hawser__loaded *cable, int *order, struct hawser__reach *r,
+                                 enum hawser_given given, double value, enum hawser_branch branch)
 {
-	enum hawser__outcome outcome = HAWSER__RANGE;
+	enum hawser__found outcome = HAWSER__RANGE;
 
 	for (int i = 0; i <= HAWSER_ATTACH_MAX; i++) {
 		if (given == HAWSER_GIVEN_LENGTH0 || given == HAWSER_GIVEN_H)
@@ -355,12 +355,12 @@ static enum hawser_status fill(struct hawser_statics *st, const struct hawser__l
 	return HAWSER_OK;
 }
 
-static enum hawser_status failed(const struct hawser__loaded *cable, enum hawser__outcome outcome,
+static enum hawser_status failed(const struct hawser__loaded *cable, enum hawser__found outcome,
                                  enum hawser_given given, double value, struct hawser_report *report)
 {
 	double V1 = cable->V0 + cable->w*cable->L + cable->weight;
 
-	if (outcome == HAWSER__NONE)
+	if (outcome == HAWSER__NOT_FOUND)
 		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, where,
 		                    "the tension %s = %.10g N is below the least one with which this span "
 		                    "and its attachments can hang, %.10g N (at H = %.10g N, length0 = %.10g "
@@ -402,7 +402,7 @@ static enum hawser_status solve_plane(struct hawser_statics *st, struct hawser__
                                       struct hawser_report *report)
 {
 	struct hawser__reach reach;
-	enum hawser__outcome outcome;
+	enum hawser__found outcome;
 	enum hawser_status status = spread(cable, of->span, of->given, of->value, of->branch, report);
 
 	if (status)

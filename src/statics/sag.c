@@ -32,8 +32,8 @@ static double guess(const struct hawser__chord *chord, double sag)
 	return 2.0*chord->force/(a + sqrt(a*a + 4.0*chord->force*ratio/chord->EA));
 }
 
-enum hawser__outcome hawser__from_sag(struct hawser__catenary *cat,
-                                      const struct hawser__chord *chord, double sag)
+enum hawser__found hawser__from_sag(struct hawser__catenary *cat,
+                                    const struct hawser__chord *chord, double sag)
 {
 	struct hawser__search search = {.x = guess(chord, sag), .hi = INFINITY, .step = INFINITY};
 	double stretch = 0.0, F, slope = 1.0, tolerance = 0.0, newton;

@@ -81,7 +81,7 @@ static enum hawser_status out_of_range(enum hawser_given given, double value,
 	                    value, given_names[given].unit);
 }
 
-/* The message for HAWSER__NONE. If a tension is given, *cat is the equilibrium of the least
+/* The message for HAWSER__NOT_FOUND. If a tension is given, *cat is the equilibrium of the least
  * tension. */
 static enum hawser_status none(const struct hawser__catenary *cat,
                                const struct hawser__chord *chord, enum hawser_given given,
@@ -102,9 +102,9 @@ static enum hawser_status none(const struct hawser__catenary *cat,
 	                    chord->d*(cat->coshm*cat->sinha/cat->b));
 }
 
-static enum hawser__outcome search(struct hawser__catenary *cat, const struct hawser__chord *chord,
-                                   enum hawser_given given, enum hawser__end end, double value,
-                                   enum hawser_branch branch)
+static enum hawser__found search(struct hawser__catenary *cat, const struct hawser__chord *chord,
+                                 enum hawser_given given, enum hawser__end end, double value,
+                                 enum hawser_branch branch)
 {
 	switch (given) {
 	case HAWSER_GIVEN_T0:
@@ -206,7 +206,7 @@ enum hawser_status hawser_statics_solve(struct hawser_statics *st, const struct 
 	enum hawser_status status = hawser__statics_check(span, given, value, branch, report);
 	struct hawser__catenary cat;
 	struct hawser__chord chord;
-	enum hawser__outcome outcome;
+	enum hawser__found outcome;
 
 	if (status)
 		return status;
@@ -214,7 +214,7 @@ enum hawser_status hawser_statics_solve(struct hawser_statics *st, const struct 
 	if (!(chord.force >= DBL_MIN && chord.force <= DBL_MAX))
 		return out_of_range(given, value, report);
 	outcome = search(&cat, &chord, given, end, value, branch);
-	if (outcome == HAWSER__NONE)
+	if (outcome == HAWSER__NOT_FOUND)
 		return none(&cat, &chord, given, end, value, report);
 	if (outcome == HAWSER__RANGE)
 		return out_of_range(given, value, report);

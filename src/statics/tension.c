@@ -63,9 +63,9 @@ static int too_large(double F, double slope, enum hawser_branch branch)
 }
 
 /* Move *cat to the minimum of T(H), the only change of sign of the slope. */
-static enum hawser__outcome least_tension(struct hawser__catenary *cat,
-                                          const struct hawser__chord *chord,
-                                          enum hawser__end end)
+static enum hawser__found least_tension(struct hawser__catenary *cat,
+                                        const struct hawser__chord *chord,
+                                        enum hawser__end end)
 {
 	struct hawser__search search = {.x = cat->H, .hi = INFINITY, .step = INFINITY};
 	double slope;
@@ -74,7 +74,7 @@ static enum hawser__outcome least_tension(struct hawser__catenary *cat,
 		hawser__catenary_at(cat, chord, search.x, 0.0);
 		hawser__catenary_tension(cat, end, &slope);
 	} while (hawser__search_next(&search, slope > 0.0, 0.0));
-	return isnan(cat->a) ? HAWSER__RANGE : HAWSER__NONE;
+	return isnan(cat->a) ? HAWSER__RANGE : HAWSER__NOT_FOUND;
 }
 
 double hawser__least_tension(struct hawser__catenary *cat, const struct hawser__chord *chord,
@@ -84,15 +84,15 @@ double hawser__least_tension(struct hawser__catenary *cat, const struct hawser__
 
 	cat->iterations = 0;
 	cat->H = 0.5*chord->force;
-	if (least_tension(cat, chord, end) != HAWSER__NONE)
+	if (least_tension(cat, chord, end) != HAWSER__NOT_FOUND)
 		return 0.0;
 	return hawser__catenary_tension(cat, end, &unused);
 }
 
-enum hawser__outcome hawser__from_tension(struct hawser__catenary *cat,
-                                          const struct hawser__chord *chord,
-                                          enum hawser__end end, double T,
-                                          enum hawser_branch branch)
+enum hawser__found hawser__from_tension(struct hawser__catenary *cat,
+                                        const struct hawser__chord *chord,
+                                        enum hawser__end end, double T,
+                                        enum hawser_branch branch)
 {
 	int taut = branch == HAWSER_BRANCH_TAUT, below;
 	double stretch = 0.0, F, slope = 0.0, tolerance = 0.0, newton;

@@ -118,7 +118,7 @@ struct hawser__outlook hawser__plan_outlook(const struct hawser_survey *survey)
 
 /* --- estimates for the rest of an interrupted response --- */
 
-static void further_curve(struct hawser__cost *cost, struct hawser__trial *trial,
+static void further_curve(struct hawser__trial_cost *cost, struct hawser__trial *trial,
                           struct hawser__begun *begun, char *why,
                           const struct hawser_survey *survey)
 {
@@ -130,18 +130,18 @@ static void further_curve(struct hawser__cost *cost, struct hawser__trial *trial
 	hawser_frf_clear(&left);
 }
 
-void hawser__count_curves(struct hawser__cost *cost, const struct hawser__trial *trial)
+void hawser__count_curves(struct hawser__trial_cost *cost, const struct hawser__trial *trial)
 {
 	double points = fmax(trial->before, trial->points);
 
-	*cost = (struct hawser__cost){
+	*cost = (struct hawser__trial_cost){
 		.seconds = trial->began - trial->start + (trial->last - trial->began)*points/trial->points,
 		.seen = trial->last - trial->start, .points = points, .complete = 1, .omega = NAN};
 }
 
 /* The second curve of `chosen`, of another model and with another tolerance, is assumed to have as
  * many points as the first. */
-static void further_chosen(struct hawser__cost *cost, struct hawser__trial *trial,
+static void further_chosen(struct hawser__trial_cost *cost, struct hawser__trial *trial,
                            struct hawser__begun *begun, char *why,
                            const struct hawser_survey *survey)
 {
@@ -151,7 +151,7 @@ static void further_chosen(struct hawser__cost *cost, struct hawser__trial *tria
 	struct hawser__chosen begin;
 	struct hawser_rom own = {.n = 0};
 	struct hawser_frf frf = {.n = 0};
-	struct hawser__cost second;
+	struct hawser__trial_cost second;
 	double point;
 
 	(void)why;
@@ -206,7 +206,7 @@ static void take_run(struct hawser_plan_row *row, const struct hawser__trial *tr
 		row->points = points;
 }
 
-static void take_estimate(struct hawser_plan_row *row, const struct hawser__cost *cost,
+static void take_estimate(struct hawser_plan_row *row, const struct hawser__trial_cost *cost,
                           const char *why)
 {
 	row->seconds = cost->seconds;
@@ -275,7 +275,7 @@ static void measure(struct hawser_plan_row *row, const struct hawser_survey *sur
 	struct hawser_frf_options options = {.method = NULL};
 	struct hawser__begun *begun = calloc(1, sizeof *begun);
 	struct hawser_report report = {.message = ""};
-	struct hawser__cost cost = {.seconds = NAN, .omega = NAN};
+	struct hawser__trial_cost cost = {.seconds = NAN, .omega = NAN};
 	struct hawser__trial trial;
 	enum hawser_status status;
 	char why[HAWSER__WHY] = "how the curve goes on is not known: it has many events, is unstable or "

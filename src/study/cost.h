@@ -24,11 +24,11 @@ struct hawser__outlook hawser__plan_outlook(const struct hawser_survey *survey);
 
 /* Sum the curves before the interruption, and the interrupted one, which is assumed to have as many
  * points as the previous one. */
-void hawser__count_curves(struct hawser__cost *cost, const struct hawser__trial *trial);
+void hawser__count_curves(struct hawser__trial_cost *cost, const struct hawser__trial *trial);
 
 /* Estimates what follows the interrupted curve. `why` [HAWSER__WHY] becomes the reason of a bound,
  * unless the interrupted curve itself is the reason. */
-typedef void hawser__further_function(struct hawser__cost *cost, struct hawser__trial *trial,
+typedef void hawser__further_function(struct hawser__trial_cost *cost, struct hawser__trial *trial,
                                       struct hawser__begun *begun, char *why,
                                       const struct hawser_survey *survey);
 hawser__further_function hawser__further_auto;

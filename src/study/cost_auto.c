@@ -34,7 +34,7 @@ static double ratio_of(struct hawser__trial *trial, const struct hawser_rom *rom
 {
 	double first = hawser__trial_point(trial), ratio = 1.0;
 	struct hawser_frf frf = {.n = 0};
-	struct hawser__cost second;
+	struct hawser__trial_cost second;
 
 	if (!hawser__trial_points(&second, &frf, trial, rom, options, HAWSER__FIRST_POINTS, NULL) &&
 	    frf.points > 2 && first > 0.0)
@@ -56,7 +56,7 @@ static const struct hawser_frf *larger(const struct hawser_frf *a, const struct 
 	return most[0] > most[1] ? a : b;
 }
 
-static void explain(struct hawser__cost *cost, char *why, size_t size)
+static void explain(struct hawser__trial_cost *cost, char *why, size_t size)
 {
 	cost->bound = 1;
 	snprintf(why, size, "the motions call for more than two models, or for the full-order one: their "
@@ -64,7 +64,7 @@ static void explain(struct hawser__cost *cost, char *why, size_t size)
 }
 
 /* Interrupted in the first curve. */
-static void first_curve(struct hawser__cost *cost, struct hawser__trial *trial,
+static void first_curve(struct hawser__trial_cost *cost, struct hawser__trial *trial,
                         struct hawser_accuracy *a, char *why,
                         const struct hawser_accuracy_options *settings,
                         const struct hawser_scene *scene, const struct hawser_survey *survey)
@@ -92,7 +92,7 @@ static void first_curve(struct hawser__cost *cost, struct hawser__trial *trial,
 }
 
 /* Interrupted in a later curve, whose model is a->rom: as many points as the previous curve. */
-static void later_curve(struct hawser__cost *cost, struct hawser__trial *trial,
+static void later_curve(struct hawser__trial_cost *cost, struct hawser__trial *trial,
                         struct hawser_accuracy *a, char *why,
                         const struct hawser_accuracy_options *settings)
 {
@@ -104,7 +104,7 @@ static void later_curve(struct hawser__cost *cost, struct hawser__trial *trial,
 		hawser__count_curves(cost, trial);
 		curve = cost->seconds - (trial->began - trial->start);
 	} else {
-		*cost = (struct hawser__cost){.points = trial->points, .complete = 1, .omega = NAN};
+		*cost = (struct hawser__trial_cost){.points = trial->points, .complete = 1, .omega = NAN};
 		curve *= full ? 1.0 : ratio_of(trial, &a->rom, trial->options);
 		cost->seconds = so_far + curve;
 	}
@@ -114,7 +114,7 @@ static void later_curve(struct hawser__cost *cost, struct hawser__trial *trial,
 		explain(cost, why, HAWSER__WHY);
 }
 
-void hawser__further_auto(struct hawser__cost *cost, struct hawser__trial *trial,
+void hawser__further_auto(struct hawser__trial_cost *cost, struct hawser__trial *trial,
                           struct hawser__begun *begun, char *why,
                           const struct hawser_survey *survey)
 {

@@ -82,7 +82,8 @@ int hawser__hill_told_to_stop(const struct hawser_hill_options *options, int bou
 	return hawser__told_to_stop(&options->progress, &state);
 }
 
-static double value_at(struct hawser__hill *hill, struct hawser__track *track, const double from[2],
+static double value_at(struct hawser__hill *hill, struct hawser__hill_track *track,
+                       const double from[2],
                        const double along[2], double s)
 {
 	const double at[2] = {from[0] + s*along[0], from[1] + s*along[1]};
@@ -91,7 +92,7 @@ static double value_at(struct hawser__hill *hill, struct hawser__track *track, c
 }
 
 /* The root of g on from + s*along in a bracket of s. */
-double hawser__hill_root(struct hawser__hill *hill, struct hawser__track *track,
+double hawser__hill_root(struct hawser__hill *hill, struct hawser__hill_track *track,
                          const double from[2], const double along[2], struct hawser__bracketed in)
 {
 	for (int i = 0; i < 100 && !hill->status && in.b - in.a > hill->options->tolerance; i++) {
@@ -134,7 +135,7 @@ static int inside(const double at[2])
 
 /* The root *s on from + s*along within `reach` at which g increases, by secants; returns 0 if none
  * is found. */
-static int secant(struct hawser__hill *hill, struct hawser__track *track, double *s,
+static int secant(struct hawser__hill *hill, struct hawser__hill_track *track, double *s,
                   const double from[2], const double along[2], double reach)
 {
 	double before = 0.0, g_before = value_at(hill, track, from, along, 0.0), slope = track->rise;
@@ -195,7 +196,7 @@ static double increasing(double *slope, double *doubt, const double s[3], const 
 
 /* The same in a narrow tongue, whose other side is a root as well, at which g decreases: by the
  * parabola through three points (Muller's method). */
-static int beside_other(struct hawser__hill *hill, struct hawser__track *track, double *s,
+static int beside_other(struct hawser__hill *hill, struct hawser__hill_track *track, double *s,
                         const double from[2], const double along[2], double reach)
 {
 	double at[3] = {-FIRST*reach, FIRST*reach, 0.0}, g[3], last = INFINITY, slope, doubt;
@@ -228,7 +229,7 @@ static int beside_other(struct hawser__hill *hill, struct hawser__track *track, 
 }
 
 /* The same by bracketing with increasing width. */
-static int bracketed(struct hawser__hill *hill, struct hawser__track *track, double *s,
+static int bracketed(struct hawser__hill *hill, struct hawser__hill_track *track, double *s,
                      const double from[2], const double along[2], double reach)
 {
 	for (double w = fmax(1e-3*reach, 1e-9); w <= reach && !hill->status; w *= 4.0) {
@@ -247,7 +248,7 @@ static int bracketed(struct hawser__hill *hill, struct hawser__track *track, dou
 
 /* The root near `at` at which g increases to the left of `way`, on the normal or along the cheap
  * parameter; returns 0 if there is none within `reach`. */
-static int correct(struct hawser__hill *hill, struct hawser__track *track, double at[2],
+static int correct(struct hawser__hill *hill, struct hawser__hill_track *track, double at[2],
                    const double way[2], double reach)
 {
 	double sense = hill->backwards ? -1.0 : 1.0, s;
@@ -269,7 +270,7 @@ static int correct(struct hawser__hill *hill, struct hawser__track *track, doubl
 	return !hill->status;
 }
 
-int hawser__hill_real(struct hawser__hill *hill, const struct hawser__track *track,
+int hawser__hill_real(struct hawser__hill *hill, const struct hawser__hill_track *track,
                       const double at[2], const double way[2], double beside)
 {
 	struct hawser__hill_worker *worker = hill->worker;
@@ -289,7 +290,8 @@ int hawser__hill_real(struct hawser__hill *hill, const struct hawser__track *tra
 
 /* Whether g changes sign at a point of an edge, along axis k. Where two boundaries end at the same
  * point of an edge, g has a double root there, which does not count. */
-static int crosses(struct hawser__hill *hill, struct hawser__track *track, const double at[2], int k)
+static int crosses(struct hawser__hill *hill, struct hawser__hill_track *track, const double at[2],
+                   int k)
 {
 	const double along[2] = {k == 0, k == 1};
 
@@ -300,7 +302,7 @@ static int crosses(struct hawser__hill *hill, struct hawser__track *track, const
 /* The end of the boundary on an edge of the rectangle: the root on the edge near the point at which
  * the step crosses it. Returns 0 if there is none. */
 static int finish(struct hawser__hill *hill, struct hawser_hill_boundary *boundary,
-                  struct hawser__track *track, const double from[2], const double way[2])
+                  struct hawser__hill_track *track, const double from[2], const double way[2])
 {
 	double reach = INFINITY, at[2], out[2] = {0.0, 0.0}; /* where the step leaves the rectangle */
 	int side = 0;
@@ -330,10 +332,10 @@ static int finish(struct hawser__hill *hill, struct hawser_hill_boundary *bounda
 
 /* Step from the last point of the boundary in the direction `way`. */
 void hawser__hill_follow(struct hawser__hill *hill, struct hawser_hill_boundary *boundary,
-                         struct hawser__track *track, double way[2])
+                         struct hawser__hill_track *track, double way[2])
 {
 	double step = 0.3*hill->options->step;
-	struct hawser__track keep;
+	struct hawser__hill_track keep;
 
 	while (boundary->points < hill->options->max_points && !hill->status && step > SMALLEST_STEP) {
 		const double *last = boundary->at + 2*(size_t)(boundary->points - 1);

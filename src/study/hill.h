@@ -49,7 +49,7 @@ enum hawser__track_by {
 	HAWSER__BY_EXTREMUM     /* the determinant between two exponents: torus, without damping */
 };
 
-struct hawser__track {
+struct hawser__hill_track {
 	int kind;
 	enum hawser__track_by by;
 	int part;         /* a coordinate of the part of the model whose determinant it is: coordinates that
@@ -94,31 +94,31 @@ enum hawser_status hawser__hill_exponents(struct hawser__hill *hill,
 /* From the rectangle to the parameters of the caller. */
 void hawser__hill_to_caller(double out[2], const struct hawser__hill *hill, const double at[2]);
 /* The test function of a track; NAN if it is not defined there or hill->status is set. */
-double hawser__hill_value(struct hawser__hill *hill, struct hawser__track *track,
+double hawser__hill_value(struct hawser__hill *hill, struct hawser__hill_track *track,
                           const double at[2]);
 /* The root *s on from + s*along, within `reach`, of a track with HAWSER__BY_GROWTH at which the
  * function increases, together with the imaginary part of the exponent. Returns 0 if none is found:
  * the track is then as before. */
-int hawser__hill_newton(struct hawser__hill *hill, struct hawser__track *track, double *s,
+int hawser__hill_newton(struct hawser__hill *hill, struct hawser__hill_track *track, double *s,
                         const double from[2], const double along[2], double reach);
 /* Choose the test function of the boundary near `at`, for a torus on its unstable side; the strict
  * multipliers if no determinant can be used. Returns 0 if there is no boundary, since the product of
  * two real multipliers is 1; or if hill->status is set. */
-int hawser__hill_choose(struct hawser__hill *hill, struct hawser__track *track, int kind, int part,
+int hawser__hill_choose(struct hawser__hill *hill, struct hawser__hill_track *track, int kind, int part,
                         const double at[2]);
 /* Whether no coordinate before `part` is coupled to it. */
 int hawser__hill_is_first(struct hawser__hill *hill, int part, const double at[2]);
 
 /* --- hill.c --- */
 
-double hawser__hill_root(struct hawser__hill *hill, struct hawser__track *track,
+double hawser__hill_root(struct hawser__hill *hill, struct hawser__hill_track *track,
                          const double from[2], const double along[2], struct hawser__bracketed in);
 void hawser__hill_follow(struct hawser__hill *hill, struct hawser_hill_boundary *boundary,
-                         struct hawser__track *track, double way[2]);
+                         struct hawser__hill_track *track, double way[2]);
 /* Without damping the discriminant is also 0 where two pairs pass each other on the circle without
  * leaving it. Returns whether multipliers leave the circle on the right of a boundary, at the
  * distance `beside`; 1 for all other kinds. */
-int hawser__hill_real(struct hawser__hill *hill, const struct hawser__track *track,
+int hawser__hill_real(struct hawser__hill *hill, const struct hawser__hill_track *track,
                       const double at[2], const double way[2], double beside);
 int hawser__hill_known(const struct hawser__hill *hill, int kind, const double at[2],
                        const double way[2]);

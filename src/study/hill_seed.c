@@ -26,7 +26,7 @@ static void place(double at[2], const struct hawser__hill_line *line, double s)
 	at[1] = line->from[1] + s*line->along[1];
 }
 
-static double value(struct hawser__hill *hill, struct hawser__track *track,
+static double value(struct hawser__hill *hill, struct hawser__hill_track *track,
                     const struct hawser__hill_line *line, double s)
 {
 	double at[2];
@@ -53,7 +53,7 @@ static double test(struct hawser__hill *hill, int kind, const struct hawser__hil
 }
 
 /* *way becomes the direction of the boundary with g > 0 on its left. */
-static int direction(struct hawser__hill *hill, struct hawser__track *track, double way[2],
+static int direction(struct hawser__hill *hill, struct hawser__hill_track *track, double way[2],
                      const double at[2])
 {
 	double slope[2], length;
@@ -74,7 +74,8 @@ static int direction(struct hawser__hill *hill, struct hawser__track *track, dou
 
 /* Whether the multipliers of a torus boundary are a complex pair on the unit circle: the product of
  * two real ones may also be 1. */
-static int genuine(struct hawser__hill *hill, const struct hawser__track *track, const double at[2])
+static int genuine(struct hawser__hill *hill, const struct hawser__hill_track *track,
+                   const double at[2])
 {
 	const struct hawser__hill_worker *worker = hill->worker;
 
@@ -132,7 +133,7 @@ static int narrow(struct hawser__hill *hill, int kind, const struct hawser__hill
 }
 
 /* The root *s of the exact function between lo and hi; returns 0 if it has the same sign at both. */
-static int root(struct hawser__hill *hill, struct hawser__track *track, double *s,
+static int root(struct hawser__hill *hill, struct hawser__hill_track *track, double *s,
                 const struct hawser__hill_line *line, double lo, double hi)
 {
 	struct hawser__bracketed in = {.a = lo, .b = hi};
@@ -147,7 +148,7 @@ static int root(struct hawser__hill *hill, struct hawser__track *track, double *
 
 /* The root *s near lo and hi by secants: it may be outside, since rough multipliers are not exact.
  * Returns 0 if it is more than a sample away. */
-static int beside(struct hawser__hill *hill, struct hawser__track *track, double *s,
+static int beside(struct hawser__hill *hill, struct hawser__hill_track *track, double *s,
                   const struct hawser__hill_line *line, double lo, double hi)
 {
 	double before = lo, now = hi, middle = 0.5*(lo + hi);
@@ -172,11 +173,11 @@ static int beside(struct hawser__hill *hill, struct hawser__track *track, double
 
 /* The root of the exact function of a boundary in the part of the model with coordinate `part`, near a
  * place of the line on its unstable side. */
-static int find_in(struct hawser__hill *hill, struct hawser__track *track, double *s, int part,
+static int find_in(struct hawser__hill *hill, struct hawser__hill_track *track, double *s, int part,
                    const struct hawser__hill_line *line, const double bracket[3])
 {
 	double at[2], half = 0.5/line->samples;
-	struct hawser__track keep;
+	struct hawser__hill_track keep;
 
 	place(at, line, bracket[2]);
 	if (!hawser__hill_choose(hill, track, track->kind, part, at) ||
@@ -195,7 +196,7 @@ static int find_in(struct hawser__hill *hill, struct hawser__track *track, doubl
 
 /* The root of the exact function of a boundary; of the strict multipliers if it has none and could
  * not be computed, or if the field has no models. */
-static int find(struct hawser__hill *hill, struct hawser__track *track, double *s, int kind,
+static int find(struct hawser__hill *hill, struct hawser__hill_track *track, double *s, int kind,
                 const struct hawser__hill_line *line, double lo, double hi)
 {
 	double bracket[3] = {lo, hi, 0.5*(lo + hi)}, at[2];
@@ -208,26 +209,26 @@ static int find(struct hawser__hill *hill, struct hawser__track *track, double *
 		place(at, line, bracket[2]);
 		if (!hawser__hill_is_first(hill, part, at))
 			continue;
-		*track = (struct hawser__track){.kind = kind};
+		*track = (struct hawser__hill_track){.kind = kind};
 		if (find_in(hill, track, s, part, line, bracket))
 			return 1;
 		lost |= track->by == HAWSER__BY_MULTIPLIERS;
 	}
-	*track = (struct hawser__track){.kind = kind, .by = HAWSER__BY_MULTIPLIERS};
+	*track = (struct hawser__hill_track){.kind = kind, .by = HAWSER__BY_MULTIPLIERS};
 	return lost && !hill->status && root(hill, track, s, line, lo, hi);
 }
 
 /* Follow a boundary from a point in the middle. First it is followed in reverse to one end, with
  * the sign of the function changed so that g > 0 is on the left; from that end it is followed as a
  * whole. */
-static void follow_from(struct hawser__hill *hill, const struct hawser__track *track,
+static void follow_from(struct hawser__hill *hill, const struct hawser__hill_track *track,
                         const double at[2], const double way[2])
 {
 	struct hawser_hill_chart *chart = hill->chart;
 	struct hawser_hill_boundary *larger = realloc(chart->boundary,
 	                                              ((size_t)chart->boundaries + 1)*sizeof *larger);
 	struct hawser_hill_boundary *boundary, back = {.kind = track->kind};
-	struct hawser__track own = *track;
+	struct hawser__hill_track own = *track;
 	double ahead[2] = {way[0], way[1]}, behind[2] = {-way[0], -way[1]};
 
 	if (!larger) {
@@ -260,7 +261,7 @@ static void follow_from(struct hawser__hill *hill, const struct hawser__track *t
 }
 
 /* Follow the boundary through a root, unless it is known. */
-static void start(struct hawser__hill *hill, struct hawser__track *track,
+static void start(struct hawser__hill *hill, struct hawser__hill_track *track,
                   const struct hawser__hill_line *line, double s)
 {
 	double at[2], way[2];
@@ -274,7 +275,7 @@ static void start(struct hawser__hill *hill, struct hawser__track *track,
 void hawser__hill_try(struct hawser__hill *hill, int kind, const struct hawser__hill_line *line,
                       double lo, double hi)
 {
-	struct hawser__track track;
+	struct hawser__hill_track track;
 	double s;
 
 	if (find(hill, &track, &s, kind, line, lo, hi))
@@ -284,7 +285,7 @@ void hawser__hill_try(struct hawser__hill *hill, int kind, const struct hawser__
 int hawser__hill_side(struct hawser__hill *hill, int kind, int part, const double lambda[2],
                       const struct hawser__hill_line *line, double s, double out)
 {
-	struct hawser__track track = {.kind = kind, .part = part, .by = kind != HAWSER_HILL_TORUS ?
+	struct hawser__hill_track track = {.kind = kind, .part = part, .by = kind != HAWSER_HILL_TORUS ?
 	                              HAWSER__BY_DETERMINANT : hawser__hill_undamped(hill->worker)
 	                              ? HAWSER__BY_EXTREMUM : HAWSER__BY_GROWTH};
 	double at;

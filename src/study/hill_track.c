@@ -220,14 +220,14 @@ int hawser__hill_is_first(struct hawser__hill *hill, int part, const double at[2
 
 struct hill_equation {
 	struct hawser__hill_worker *worker;
-	struct hawser__track *track;
+	struct hawser__hill_track *track;
 	struct hawser__variational system;
 	int lost; /* 1: the determinant could not be computed */
 };
 
 static double complex determinant(struct hill_equation *equation, double complex lambda)
 {
-	struct hawser__track *track = equation->track;
+	struct hawser__hill_track *track = equation->track;
 	struct hawser__hill_worker *worker = equation->worker;
 	double omega = equation->system.omega, at[2] = {creal(lambda)*omega, cimag(lambda)*omega};
 	double value[3];
@@ -259,7 +259,7 @@ static double complex determinant(struct hill_equation *equation, double complex
 
 static double growth(struct hill_equation *equation)
 {
-	struct hawser__track *track = equation->track;
+	struct hawser__hill_track *track = equation->track;
 	double complex lambda = track->lambda[0] + I*track->lambda[1], f = determinant(equation, lambda);
 	double complex slope = track->slope[0] + I*track->slope[1];
 
@@ -289,7 +289,7 @@ static double growth(struct hill_equation *equation)
 
 static double extremum(struct hill_equation *equation)
 {
-	struct hawser__track *track = equation->track;
+	struct hawser__hill_track *track = equation->track;
 	double nu = track->lambda[1] + track->ahead;
 
 	track->ahead = 0.0;
@@ -310,7 +310,7 @@ static double extremum(struct hill_equation *equation)
 	return NAN;
 }
 
-static double of_matrix(struct hawser__hill *hill, struct hawser__track *track, const double at[2],
+static double of_matrix(struct hawser__hill *hill, struct hawser__hill_track *track, const double at[2],
                         int *lost)
 {
 	struct hawser__hill_worker *worker = hill->worker;
@@ -328,7 +328,7 @@ static double of_matrix(struct hawser__hill *hill, struct hawser__track *track, 
 /* --- growth 0: a point of the boundary --- */
 
 /* F at from + s*along and the exponent i nu. */
-static double complex beside(struct hawser__hill *hill, struct hawser__track *track,
+static double complex beside(struct hawser__hill *hill, struct hawser__hill_track *track,
                              const double from[2], const double along[2], double s, double nu)
 {
 	const double at[2] = {from[0] + s*along[0], from[1] + s*along[1]};
@@ -349,7 +349,7 @@ static double complex beside(struct hawser__hill *hill, struct hawser__track *tr
  * seen as vectors of two components the unknowns are s and nu, both of the size of the rectangle or
  * of Omega. A step and the one before tell what is left: the method converges superlinearly, so that
  * the next step is smaller by more than their ratio. */
-static int newton(struct hawser__hill *hill, struct hawser__track *track, double *s,
+static int newton(struct hawser__hill *hill, struct hawser__hill_track *track, double *s,
                   const double from[2], const double along[2], double reach)
 {
 	double complex slope = track->slope[0] + I*track->slope[1];
@@ -393,10 +393,10 @@ static int newton(struct hawser__hill *hill, struct hawser__track *track, double
 	return 0;
 }
 
-int hawser__hill_newton(struct hawser__hill *hill, struct hawser__track *track, double *s,
+int hawser__hill_newton(struct hawser__hill *hill, struct hawser__hill_track *track, double *s,
                         const double from[2], const double along[2], double reach)
 {
-	struct hawser__track keep = *track;
+	struct hawser__hill_track keep = *track;
 
 	if (track->by != HAWSER__BY_GROWTH || !(track->rise > 0.0) || !track->known ||
 	    (track->slope[0] == 0.0 && track->slope[1] == 0.0))
@@ -407,7 +407,8 @@ int hawser__hill_newton(struct hawser__hill *hill, struct hawser__track *track, 
 	return 0;
 }
 
-double hawser__hill_value(struct hawser__hill *hill, struct hawser__track *track, const double at[2])
+double hawser__hill_value(struct hawser__hill *hill, struct hawser__hill_track *track,
+                          const double at[2])
 {
 	struct hawser__hill_worker *worker = hill->worker;
 	double value = NAN;
@@ -426,14 +427,14 @@ double hawser__hill_value(struct hawser__hill *hill, struct hawser__track *track
 	return value;
 }
 
-int hawser__hill_choose(struct hawser__hill *hill, struct hawser__track *track, int kind, int part,
+int hawser__hill_choose(struct hawser__hill *hill, struct hawser__hill_track *track, int kind, int part,
                         const double at[2])
 {
 	struct hawser__hill_worker *worker = hill->worker;
 	double argument = 0.0, keep = 0.0;
 	int lost = 1;
 
-	*track = (struct hawser__track){.kind = kind, .by = HAWSER__BY_MULTIPLIERS, .part = part};
+	*track = (struct hawser__hill_track){.kind = kind, .by = HAWSER__BY_MULTIPLIERS, .part = part};
 	if (!worker->linear || hill->status)
 		return !hill->status;
 	if (kind != HAWSER_HILL_TORUS) {
@@ -451,7 +452,7 @@ int hawser__hill_choose(struct hawser__hill *hill, struct hawser__track *track, 
 	}
 	keep = of_matrix(hill, track, at, &lost);
 	if (lost || !isfinite(keep))
-		*track = (struct hawser__track){.kind = kind, .by = HAWSER__BY_MULTIPLIERS};
+		*track = (struct hawser__hill_track){.kind = kind, .by = HAWSER__BY_MULTIPLIERS};
 	if (worker->status) {
 		hill->status = worker->status;
 		*hill->report = worker->report;

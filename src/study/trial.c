@@ -161,7 +161,7 @@ int hawser__trial_watch(void *data, const struct hawser_progress_state *state)
 
 struct coarse {
 	struct hawser__trial *trial;
-	const struct hawser__cost *before;
+	const struct hawser__trial_cost *before;
 	double point;      /* time of a point of the run */
 	double per_event;  /* s */
 	double began, last, early[ENOUGH];
@@ -259,7 +259,7 @@ static int count_slack(const struct hawser_frf *frf)
 }
 
 /* Add the part after the interruption of the coarse trace at omega. */
-static void add_rest(struct hawser__cost *cost, const struct coarse *coarse, double omega)
+static void add_rest(struct hawser__trial_cost *cost, const struct coarse *coarse, double omega)
 {
 	const struct hawser__outlook *outlook = coarse->outlook;
 	double each = cost->seconds/cost->points, more = left_over(coarse, omega);
@@ -274,7 +274,7 @@ static void add_rest(struct hawser__cost *cost, const struct coarse *coarse, dou
 	cost->points += more;
 }
 
-void hawser__trial_finish(struct hawser__cost *cost, struct hawser_frf *left,
+void hawser__trial_finish(struct hawser__trial_cost *cost, struct hawser_frf *left,
                           struct hawser__trial *trial, const struct hawser_rom *rom,
                           const struct hawser_frf *frf, const struct hawser__outlook *outlook)
 {
@@ -287,8 +287,8 @@ void hawser__trial_finish(struct hawser__cost *cost, struct hawser_frf *left,
 	enum hawser_status status;
 
 	*left = (struct hawser_frf){.n = 0};
-	*cost = (struct hawser__cost){.seconds = trial->last - trial->start, .points = frf->points,
-	                              .traced = frf->points, .slack = count_slack(frf), .omega = NAN};
+	*cost = (struct hawser__trial_cost){.seconds = trial->last - trial->start, .points = frf->points,
+	                                    .traced = frf->points, .slack = count_slack(frf), .omega = NAN};
 	options.method = frf->method;
 	options.tolerance = fmax(coarse_tolerance, options.tolerance);
 	options.skip_events = 1;
@@ -326,7 +326,7 @@ static int few(void *data, const struct hawser_progress_state *state)
 	return 0;
 }
 
-enum hawser_status hawser__trial_points(struct hawser__cost *cost, struct hawser_frf *frf,
+enum hawser_status hawser__trial_points(struct hawser__trial_cost *cost, struct hawser_frf *frf,
                                         struct hawser__trial *trial, const struct hawser_rom *rom,
                                         const struct hawser_frf_options *options, int points,
                                         struct hawser_report *report)
@@ -344,14 +344,14 @@ enum hawser_status hawser__trial_points(struct hawser__cost *cost, struct hawser
 	first.samples = HAWSER_NONE;
 	first.progress = (struct hawser_progress){few, trial};
 	status = hawser_frf_trace(frf, rom, &first, report);
-	*cost = (struct hawser__cost){
+	*cost = (struct hawser__trial_cost){
 		.seconds = trial->last - now, .seen = trial->last - now, .points = frf->points,
 		.complete = frf->end != HAWSER_END_MAX_POINTS, .slack = count_slack(frf),
 		.traced = frf->points, .omega = NAN};
 	return status;
 }
 
-enum hawser_status hawser__trial_curve(struct hawser__cost *cost, struct hawser__trial *trial,
+enum hawser_status hawser__trial_curve(struct hawser__trial_cost *cost, struct hawser__trial *trial,
                                        const struct hawser_rom *rom,
                                        const struct hawser_frf_options *options, int points,
                                        const struct hawser__outlook *outlook,

@@ -34,7 +34,7 @@ struct hawser__trial {
 };
 
 /* The resulting cost. */
-struct hawser__cost {
+struct hawser__trial_cost {
 	double seconds; /* processor time */
 	double seen;    /* part of it for points that were traced, accurately or coarsely */
 	double points;
@@ -73,21 +73,21 @@ struct hawser__outlook {
 /* The cost of a curve that begins with `frf`, traced with trial->options: the rest is traced
  * coarsely within the allowance, and predicted from there on. *left becomes the coarse trace; the
  * caller clears it. */
-void hawser__trial_finish(struct hawser__cost *cost, struct hawser_frf *left,
+void hawser__trial_finish(struct hawser__trial_cost *cost, struct hawser_frf *left,
                           struct hawser__trial *trial, const struct hawser_rom *rom,
                           const struct hawser_frf *frf, const struct hawser__outlook *outlook);
 
 /* Compute the first points of a curve, for hawser__trial_point. *cost gets their time, and complete
  * = 1 if the curve ends before. *frf becomes the trace; the caller clears it. Statuses of
  * hawser_frf_trace. */
-enum hawser_status hawser__trial_points(struct hawser__cost *cost, struct hawser_frf *frf,
+enum hawser_status hawser__trial_points(struct hawser__trial_cost *cost, struct hawser_frf *frf,
                                         struct hawser__trial *trial, const struct hawser_rom *rom,
                                         const struct hawser_frf_options *options, int points,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* The cost of a curve of which nothing is traced: its first points are computed. Statuses of
  * hawser_frf_trace. */
-enum hawser_status hawser__trial_curve(struct hawser__cost *cost, struct hawser__trial *trial,
+enum hawser_status hawser__trial_curve(struct hawser__trial_cost *cost, struct hawser__trial *trial,
                                        const struct hawser_rom *rom,
                                        const struct hawser_frf_options *options, int points,
                                        const struct hawser__outlook *outlook,

@@ -128,7 +128,7 @@ static enum hawser_status orbit(struct hawser__reader *reader, struct hawser_tow
 }
 
 /* The places of waypoints, for what the path says of one of them. */
-static const struct hawser__place *place_of(const struct hawser__tree *tree, int index)
+static const struct hawser__mark *place_of(const struct hawser__tree *tree, int index)
 {
 	const struct hawser__tree *list = hawser__tree_find(tree, "waypoints");
 	const struct hawser__tree *one = list ? list->child : NULL;

@@ -43,4 +43,14 @@ awk 'FNR == 1 { if (file && first != want) print file ":1: config.h is not first
 awk 'FNR == 1 { above = 0 }
 	/^#define [A-Z_0-9]+ +[-(]?[0-9.]/ { if (!/\/\*/ && !above) print FILENAME ":" FNR ": " $0; next }
 	{ above = /^( \*|\/\*).*\*\/[ \t]*$/ }' $(find src -name '*.[ch]' | sort) | nothing "every numeric constant has its reason"
+# Several sources are compiled as one (src/batches.sh): a tag or an enumerator is one thing in all headers.
+awk '/^enum( [a-z_0-9]+)? \{/ { inside = 1 }
+	{ line = $0; gsub(/\/\*.*\*\//, "", line); sub(/\/\*.*/, "", line) }
+	/^(struct|enum|union) [a-z_0-9]+ \{/ { see($1 " " $2) }
+	inside { rest = line; sub(/^enum[^{]*\{/, "", rest)
+		while (match(rest, /(^|,)[ \t]*HAWSER__[A-Z_0-9]+/)) {
+			word = substr(rest, RSTART, RLENGTH); sub(/^[, \t]*/, "", word); see(word); rest = substr(rest, RSTART + RLENGTH) } }
+	line ~ /\}/ { inside = 0 }
+	function see(what) { if ((what in seen) && seen[what] != FILENAME) print FILENAME ":" FNR ": " what " is in " seen[what] " too"; seen[what] = FILENAME }
+' $(find src include -name '*.h' | sort) | nothing "a tag or an enumerator has one header"
 done_testing

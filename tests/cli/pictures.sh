@@ -16,7 +16,7 @@ draw() {
 	shift
 	works "$name.svg" "$@" --plot "$name.svg" -q
 	case $name in
-		statics|folds) kinds="png pdf" ;;
+		statics|modes) kinds="png pdf" ;;
 		*) kinds=${HAWSER_LONG:+png pdf} ;;
 	esac
 	for kind in $kinds; do
@@ -27,7 +27,7 @@ draw() {
 		esac
 	done
 	case $name in
-		statics|modes|waves|frf|integrate|folds) ;;
+		statics|modes|waves|duffing) ;;
 		*) [ -n "${HAWSER_LONG-}" ] || return 0 ;;
 	esac
 	works "$name to standard output" "$@" --plot -

@@ -26,7 +26,7 @@ for method in shooting balance; do
 	run frf $scene --from 1w2 --to 1.1w2 --method $method --slack follow --step 0.002 --json "$method-follow.json"
 	try "$method: the model's curve goes on" test "$status" = 0
 done
-run frf $scene -n 8 --from 0.9w2 --to 1.6w2 --method balance --step 0.05 -q
+run frf $scene -n 4 --from 0.9w2 --to 1.6w2 --method balance --step 0.05 -q
 try "of errors of the model the largest is told, and its branch" \
 	grep -q '^hawser: warning: branch 2: folds and peaks may be off by' "$scratch/err"
 python "the end is where the tension of the model's own curve is zero" <<'END'

@@ -12,7 +12,7 @@
 #include "tests/tap.h"
 
 /* Chord by Simpson's rule. */
-static void quadrature(double sum[3], const struct hawser__catenary *cable, const double F[3])
+static void quadrature(double sum[3], const struct hawser__net_catenary *cable, const double F[3])
 {
 	enum { N = 2000 };
 
@@ -38,8 +38,8 @@ static void element(void)
 	double worst[3] = {0.0, 0.0, 0.0};
 
 	for (int round = 0; round < 600; round++) {
-		struct hawser__catenary cable = {.length0 = pow(10.0, 4.0*uniform(&state) - 2.0),
-		                                 .EA = pow(10.0, 2.0 + 6.0*uniform(&state))};
+		struct hawser__net_catenary cable = {.length0 = pow(10.0, 4.0*uniform(&state) - 2.0),
+		                                     .EA = pow(10.0, 2.0 + 6.0*uniform(&state))};
 		double F[3], chord[3], sum[3], H[3][3], K[3][3], size = pow(10.0, 4.0*uniform(&state) - 2.0);
 		double w = round%3 ? size*pow(10.0, 3.0*uniform(&state) - 3.0)/cable.length0 : 0.0;
 

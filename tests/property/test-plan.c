@@ -68,7 +68,7 @@ static void check_points(const char *name, int n, double from, double to)
 	struct hawser_rom rom = {.n = 0};
 	struct hawser_frf frf = {.n = 0};
 	struct hawser__trial trial;
-	struct hawser__cost cost = {.points = 0.0};
+	struct hawser__trial_cost cost = {.points = 0.0};
 	double density, took = 0.0, whole;
 	struct hawser__outlook known = {even, half, always, &density}, open = {even, half, never, &density};
 	enum hawser_status status;

@@ -89,7 +89,8 @@ static double difference(const struct hawser_scene *scene, const double *state, 
 	if (ok(!hawser_statics_scene(&st, scene, &report) &&
 	       !hawser_modes_solve(&few, &st, &options, &report) &&
 	       !hawser_rom_build(&rom, &few, scene, &report) &&
-	       !hawser_rom_build_full(&full, &st, scene, FUNCTIONS, &report), "models %s", report.message)) {
+	       !hawser_rom_build_full(&full, &st, scene, FUNCTIONS, &report), "models %s",
+	        report.message)) {
 		off = 0.0;
 		for (int p = 0; p < 3; p++) {
 			double u[KEPT], own[KEPT], exact[KEPT], tau = 0.4 + 1.9*p, mirrored[KEPT];
@@ -126,8 +127,8 @@ static void check(double h, double wave, const double load[3])
 
 		off[i] = difference(&scene, state, factor);
 	}
-	ok(off[1] < off[0]/12.0, "h %g, wave %g m: off by %.2e, and %.2e at half: order %.1f", h, wave, off[0],
-	   off[1], log2(off[0]/off[1]));
+	ok(off[1] < off[0]/12.0, "h %g, wave %g m: off by %.2e, and %.2e at half: order %.1f", h, wave,
+	   off[0], off[1], log2(off[0]/off[1]));
 }
 
 CASE(property_rom_loaded)

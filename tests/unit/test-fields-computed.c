@@ -79,7 +79,7 @@ static enum hawser__unit unit_of(const void *of, int k)
 static void path_of(char *text, size_t size, const void *of, int k)
 {
 	(void)of;
-	snprintf(text, size, "a.b%c%d", HAWSER__WITHIN, k + 1);
+	snprintf(text, size, "a.b%c%d", HAWSER__NESTED, k + 1);
 }
 static const struct hawser__vector
 	made_vector = {.count = three, .name = name_of, .number = computed, .unit = unit_of},

@@ -42,7 +42,7 @@ static int three(const void *context)
 static void name_of(char *text, size_t size, const void *context, int k)
 {
 	(void)context;
-	snprintf(text, size, "mid%c%c", HAWSER__WITHIN, "xyz"[k]);
+	snprintf(text, size, "mid%c%c", HAWSER__NESTED, "xyz"[k]);
 }
 
 static double computed(const void *row)

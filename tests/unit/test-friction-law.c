@@ -8,7 +8,7 @@
 #include "tests/tap.h"
 
 /* Largest difference of Cr and Cu from central differences of F. */
-static double slopes(struct hawser__touch *touch, double sigma)
+static double slopes(struct hawser__friction_touch *touch, double sigma)
 {
 	const double step = 1e-6;
 	double most = 0.0, high[3], low[3];
@@ -36,7 +36,7 @@ static void derivatives(void)
 {
 	static struct friction_case of = {.state = 2385};
 	static const double sigma[] = {0.0, 1e-3, 0.3};
-	struct hawser__touch touch = {.next = -1};
+	struct hawser__friction_touch touch = {.next = -1};
 	int state[3] = {0};
 
 	for (int s = 0; s < 3; s++) {
@@ -62,7 +62,7 @@ static void derivatives(void)
 }
 
 /* |r - P_K(r - rho*(w + mu |w_T| n))|, P_K: projection on Coulomb's cone |r_T| <= mu r_N. */
-static double saxce(const struct hawser__touch *touch)
+static double saxce(const struct hawser__friction_touch *touch)
 {
 	const double mu = touch->mu, rho = touch->rho;
 	double v[3], tangent, along;
@@ -100,7 +100,7 @@ static void zeros(void)
 	};
 
 	for (int i = 0; i < (int)(sizeof point/sizeof *point); i++) {
-		struct hawser__touch touch = {.mu = 0.5, .rho = 1.7, .next = -1};
+		struct hawser__friction_touch touch = {.mu = 0.5, .rho = 1.7, .next = -1};
 		double law[3], F, error;
 
 		memcpy(touch.r, point[i].r, sizeof touch.r);

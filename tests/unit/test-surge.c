@@ -101,7 +101,7 @@ static void check_guy(void)
 	struct hawser_statics st;
 
 	if (!ok(predict(&got, &st, &scene, 8, 4.0), "the guy, braked in 3 s%s", report.message) ||
-	    !ok(truth(&want, &scene, &st, 160, 4.0), "as a chain"))
+	    !ok(truth(&want, &scene, &st, 100, 4.0), "as a chain"))
 		return;
 	(void)check_chain(&scene, &st);
 	close_to(got.least, want.least, 0.01, "its least tension");
@@ -215,8 +215,8 @@ static void check_random(int count)
 		double until = scene.travel.braking + 0.5, off, fall;
 		int n = 2 + (int)lot(0.0, 14.0);
 
-		if (!predict(&got, &st, &scene, n, until) || !truth(&half, &scene, &st, 60, until) ||
-		    !truth(&want, &scene, &st, 120, until)) {
+		if (!predict(&got, &st, &scene, n, until) || !truth(&half, &scene, &st, 40, until) ||
+		    !truth(&want, &scene, &st, 80, until)) {
 			ok(0, "a scene by lot%s", report.message);
 			return;
 		}
