@@ -164,7 +164,6 @@ static enum hawser_status judge(struct searches *list, size_t c, struct hawser_r
 		item.best = item.seen;
 		item.growth = item.ridge.growth;
 	}
-	if (getenv("DBG")) fprintf(stderr, "DBG x %.6f y %.4f along %d line %d of %d %d %+d m %d low %.3g high %.3g growth %.3g n %d state %d top %.3g\n", mapper->memo.record[item.index[item.seen]].x, mapper->memo.record[item.index[item.seen]].y, item.along, item.line, item.ridge.of.j, item.ridge.of.k, item.ridge.of.sign, item.ridge.of.m, item.ridge.low, item.ridge.high, item.ridge.growth, sample->number, (int)state, item.ridge.top);
 	item.seen++;
 	if (state != HAWSER__RIDGE_GOES_ON || item.seen == MOST_SEEN)
 		item.done = item.best >= 0 ? 2 : 1;
