@@ -46,9 +46,9 @@ static const struct cli_option options[] = {
 };
 
 static const char *const notes[] = {
-	"--x and --y: boundaries of stability about rest over two parameters, followed as curves.",
-	"--Omega alone: Floquet multipliers and exponents of the motion: the periodic response,",
-	"or rest where nothing moves the model.",
+	"--x and --y: boundaries of stability over two parameters, followed as curves.",
+	"--Omega alone: Floquet multipliers and exponents of the motion.",
+	"Both are of the periodic response, or of rest where nothing moves the model, or with --rest.",
 	"--mathieu: boundaries of x'' + 2 c x' + (delta + 2 epsilon cos 2t) x = 0 over delta and epsilon.",
 	"KEY: a numeric key of the scene (man hawser-scene), Omega, factor.load or factor.damping.",
 	NULL,
@@ -77,8 +77,8 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 		                    "give --Omega for multipliers, or --x and --y for boundaries");
 	if (plane && (settings->orbit || settings->forced))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hill",
-		                    "boundaries are about rest: those of a response are its folds and tori "
-		                    "(hawser folds, hawser frf)");
+		                    "boundaries are those of the response that grows out of rest; others have "
+		                    "folds and tori (hawser folds, hawser frf)");
 	if (!plane && settings->common.plot)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hill",
 		                    "--plot draws boundaries: give --x and --y");
@@ -178,7 +178,7 @@ static enum hawser_status mathieu(struct cli_hill_result *result, const struct s
 static enum hawser_status boundaries(struct cli_hill_result *result, struct cli_model *model,
                                      const struct settings *settings, struct hawser_report *report)
 {
-	struct hawser_map_source source = {.scene = NULL};
+	struct hawser_map_source source = {.scene = NULL, .rest = settings->rest};
 	struct hawser_hill_field field = {.m = 0};
 	enum hawser_status status = cli_map_axis(&result->axis[0], "x", settings->x, model, report);
 

@@ -85,7 +85,7 @@ static void tongues(struct hawser__table *table, const struct cli_hill_result *r
 
 HAWSER__LABELS(kind_name, hawser_hill_kind_name, enum hawser_hill_kind)
 
-enum { CHARACTERISTIC = 1, MATHIEU = 2, CONDENSED = 4, NARROW = 8 };
+enum { CHARACTERISTIC = 1, MATHIEU = 2, CONDENSED = 4, NARROW = 8, MODEL = 16 };
 
 static void axis_name(char *text, size_t size, const struct cli_map_axis *axis)
 {
@@ -194,9 +194,19 @@ static const struct hawser__field condensing_field[] = {
 	{"", NULL, "", HAWSER__THROUGH(struct hawser_hill_field, condensed, cli_condensed_field)},
 	HAWSER__END,
 };
+static const char *about_name(int orbit)
+{
+	return orbit ? "orbit" : "rest";
+}
+static const struct hawser__field about_field[] = {
+	{"about", NULL, "of the periodic response (orbit) or of rest",
+	 HAWSER__LABEL_AT(struct hawser_hill_field, responds, about_name)},
+	HAWSER__END,
+};
 #define OF(member) HAWSER__AT(struct cli_hill_result, member)
 static const struct hawser__field boundaries_field[] = {
 	{"damping", NULL, "of Mathieu's equation", OF(damping), .when = MATHIEU},
+	{"", NULL, "", HAWSER__THROUGH(struct cli_hill_result, field, about_field), .when = MODEL},
 	{"axes.x", NULL, "first parameter", OF(axis[0].key)},
 	{"axes.y", NULL, "second parameter", OF(axis[1].key)},
 	{"boundaries", NULL, "of stability",
@@ -221,7 +231,7 @@ static struct hawser__view boundaries_view(const struct cli_hill_result *result)
 
 	return (struct hawser__view){
 		hawser__si, result, (characteristic(result) ? CHARACTERISTIC : 0u) |
-		(result->model ? 0u : MATHIEU) |
+		(result->model ? MODEL : MATHIEU) |
 		(result->chart.narrow.count > 0 || result->chart.narrow.beyond ? NARROW : 0u) |
 		(result->model && condensed && condensed->points > 0 ? CONDENSED : 0u)};
 }
@@ -239,6 +249,9 @@ static void boundaries_table(struct hawser__table *table, const void *of)
 
 	head(table, result, result->model ? "boundaries of stability by continuation"
 	                                  : "boundaries of stability by the Hill matrices");
+	if (result->model)
+		hawser__table_comment(table, result->field->responds ? "about: the periodic response, or rest "
+		                      "where nothing moves the model" : "about: rest");
 	for (int b = 0; b < chart->boundaries; b++)
 		if (chart->boundary[b].named)
 			hawser__table_comment(table, "boundary %d: %s, tongue %d, %d points%s", b + 1,
@@ -341,10 +354,6 @@ static const struct hawser__field multiplier_field[] = {
 static const struct hawser__list multiplier_list = HAWSER__MADE_ROWS(
 	struct multiplier, multiplier_field, struct cli_hill_result, m, multiplier_row);
 
-static const char *about_name(int orbit)
-{
-	return orbit ? "orbit" : "rest";
-}
 #define OF(member) HAWSER__AT(struct cli_hill_result, member)
 static const struct hawser__field multipliers_field[] = {
 	{"Omega", NULL, "frequency of the excitation", OF(omega), .unit = HAWSER__RADIAN_S},

@@ -24,6 +24,8 @@
                                  * fold in the load; chosen */
 #define SETTLE_PERIODS 400 /* periods of the motion from rest before the attempt ends; chosen */
 #define SETTLE_TRY 20 /* periods between two attempts of Newton's method; chosen */
+#define FAR 0.2 /* distance from the linear response, relative to it, from which on another orbit may
+                 * have been found; chosen */
 #define LOST 0.01 /* largest relative effect of round-off on the forces; chosen */
 
 /* Fill matrix [2n][2n] row-major and pq [2n] for one harmonic. */
@@ -207,13 +209,31 @@ static enum hawser_status settle(double *y, struct hawser__orbit *orbit,
 	return status || found ? status : HAWSER_ERR_CONVERGENCE;
 }
 
+/* Whether y is far from the linear response. */
+static enum hawser_status strayed(int *far, const double *y, struct hawser__orbit *orbit, double omega,
+                                  struct hawser_report *report)
+{
+	size_t size = (size_t)orbit->size;
+	double *linear = calloc(size, sizeof *linear), length;
+	enum hawser_status status = linear ? linear_response(linear, orbit, omega, report)
+	                                   : hawser__no_memory(report, "frf");
+
+	if (!status) {
+		length = cblas_dnrm2((int)size - 1, linear, 1);
+		cblas_daxpy((int)size - 1, -1.0, y, 1, linear, 1);
+		*far = !(cblas_dnrm2((int)size - 1, linear, 1) <= FAR*length);
+	}
+	free(linear);
+	return status;
+}
+
 enum hawser_status hawser__start(double *y, struct hawser__orbit *orbit,
                                  struct hawser__correction *correction, const double *start,
                                  double omega, double tolerance, struct hawser__raised *raised,
                                  struct hawser_report *report)
 {
 	enum hawser_status status;
-	int failed;
+	int failed, far = 0;
 
 	raised->load = -1.0;
 	status = start ? orbit->ops->from_state(orbit, y, start, omega, report)
@@ -223,7 +243,9 @@ enum hawser_status hawser__start(double *y, struct hawser__orbit *orbit,
 	failed = correct_at(y, orbit, correction, omega, tolerance, report);
 	if (failed == 3)
 		return HAWSER_ERR_MEMORY;
-	if (failed != 1)
+	if (!failed && raised->lone && (status = strayed(&far, y, orbit, omega, report)))
+		return status;
+	if (failed != 1 && !far)
 		return failed ? HAWSER_ERR_CONVERGENCE : HAWSER_OK;
 	if (start)
 		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "frf",
@@ -232,7 +254,7 @@ enum hawser_status hawser__start(double *y, struct hawser__orbit *orbit,
 		                       "%.9g%s (residual %.2g)",
 		                       HAWSER_SHOWN(orbit->rom, omega), correction->residual);
 	status = raise_load(y, orbit, &failed, correction, omega, tolerance, raised, report);
-	if (status != HAWSER_ERR_CONVERGENCE || failed == 2)
+	if (status != HAWSER_ERR_CONVERGENCE || failed == 2 || raised->lone)
 		return status;
 	return settle(y, orbit, correction, omega, tolerance, report);
 }

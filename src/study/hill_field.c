@@ -99,6 +99,25 @@ static enum hawser_status open_workers(struct cable *cable, int threads,
 	return status;
 }
 
+/* The number of multipliers: models may have coordinates beyond their modes. Where there is no model in
+ * the middle, it is that of the modes. */
+static enum hawser_status count(struct hawser_hill_field *field,
+                                const struct hawser_map_source *source,
+                                struct hawser_report *report)
+{
+	double x = 0.5*(source->from[0] + source->to[0]), y = 0.5*(source->from[1] + source->to[1]);
+	struct hawser_report local;
+	const struct hawser_rom *rom;
+	double omega;
+	enum hawser_status status = model_of_cable(field->context, &rom, &omega, 0, x, y, &local);
+
+	if (!status)
+		field->m = 2*rom->n;
+	else if (status != HAWSER_ERR_NO_SOLUTION && report)
+		*report = local;
+	return status == HAWSER_ERR_NO_SOLUTION ? HAWSER_OK : status;
+}
+
 enum hawser_status hawser_hill_cable_open(struct hawser_hill_field *field,
                                           const struct hawser_map_source *source,
                                           struct hawser_report *report)
@@ -117,7 +136,10 @@ enum hawser_status hawser_hill_cable_open(struct hawser_hill_field *field,
 	if (!status)
 		status = open_workers(cable, hawser__processors(), report);
 	field->m = source->rom ? 2*source->rom->n : 2*source->scene->model.modes;
+	field->responds = cable->map.responds;
 	field->workers = cable->workers;
+	if (!status)
+		status = count(field, source, report);
 	if (!status)
 		field->cheap = hawser__map_cable_cheap(cable->map.context);
 	if (status)
