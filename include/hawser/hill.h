@@ -28,7 +28,6 @@ const char *hawser_hill_kind_name(enum hawser_hill_kind kind); /* "plus", "minus
 struct hawser_hill_field {
 	int m; /* number of multipliers: 2n for n coordinates */
 	int responds; /* 1: about the periodic response, where something moves the model; 0: about rest */
-	double error; /* relative error of the models below, apart from round-off; 0: none */
 	const struct hawser_map_condensed *condensed; /* statistics of all calls so far; or NULL */
 	void *context;
 	/* Computes the logarithm of the modulus and the argument of each multiplier, [m], at (x, y). */

@@ -27,7 +27,8 @@
 #include "rom/terms.h"
 
 #define TOLERANCE 1e-11 /* of the orbit: well below the 1e-10 of multipliers; chosen */
-#define NOTHING 1e-15   /* harmonics of T below this, relative to the largest, are round-off */
+#define NOTHING 1e-13   /* harmonics of T below this times Omega^2 change no exponent by more than the
+                         * error of the orbit; chosen */
 
 void hawser__about_clear(struct hawser__about *about)
 {
@@ -55,16 +56,14 @@ static double largest(const double *x, size_t count)
 	return most;
 }
 
-/* The highest harmonic of T that is not round-off. */
-static int highest(const struct hawser__balance *balance)
+/* The highest harmonic of T that counts. */
+static int highest(const struct hawser__balance *balance, double omega)
 {
 	size_t n2 = (size_t)balance->base.n*(size_t)balance->base.n;
-	double all = 0.0;
 	int order = balance->spread;
 
-	for (int r = 1; r <= 2*order; r++)
-		all = fmax(all, largest(balance->T + (size_t)r*n2, n2));
-	while (order > 0 && largest(balance->T + (2*(size_t)order - 1)*n2, 2*n2) <= NOTHING*all)
+	while (order > 0 &&
+	       largest(balance->T + (2*(size_t)order - 1)*n2, 2*n2) <= NOTHING*omega*omega)
 		order--;
 	return order;
 }
@@ -86,9 +85,10 @@ static int make_room(struct hawser__about *about, size_t numbers, size_t harmoni
 
 /* The model from T; the D of the harmonics remain. */
 static enum hawser_status take(struct hawser__about *about, const struct hawser_rom *rom,
-                               const struct hawser__balance *balance, struct hawser_report *report)
+                               const struct hawser__balance *balance, double omega,
+                               struct hawser_report *report)
 {
-	int order = highest(balance), count = 0;
+	int order = highest(balance, omega), count = 0;
 	size_t n2 = (size_t)rom->n*(size_t)rom->n, numbers = (2*(size_t)order + 1)*n2;
 
 	if (!make_room(about, numbers, 2*(size_t)order + (size_t)rom->harmonics + 1))
@@ -131,7 +131,7 @@ static enum hawser_status solve(struct hawser__about *about, struct hawser__orbi
 		                      HAWSER_SHOWN(rom, omega), raised.load);
 	if (!status) {
 		about->error = orbit->ops->error(orbit, correction.residual);
-		status = take(about, rom, (const struct hawser__balance *)orbit, report);
+		status = take(about, rom, (const struct hawser__balance *)orbit, omega, report);
 	}
 	free(raised.x);
 	free(y);

@@ -33,6 +33,9 @@ int hawser__map_cable_cheap(const void *context)
 	return cable->varies == 0 ? 2 : cable->varies == 1 ? 1 : 0;
 }
 
+enum { LISTED = 8 }; /* coordinates of a full-order model whose tongues are searched, the slowest;
+                      * chosen */
+
 /* --- opening --- */
 
 static enum hawser_status reach_of(enum hawser__reach *reach,
@@ -179,10 +182,11 @@ static void set_marks(struct hawser_map_field *field, struct hawser__map_cable *
 		field->marks = HAWSER__MARGINS;
 	}
 	if (!cable->quantity->resonant || !excited || strcmp(source->key[0], "model.modes") == 0 ||
-	    strcmp(source->key[1], "model.modes") == 0 ||
-	    (source->scene && source->scene->model.energy == HAWSER_ENERGY_EXACT))
+	    strcmp(source->key[1], "model.modes") == 0)
 		return;
-	cable->n = source->rom ? source->rom->n : source->scene->model.modes;
+	cable->n = source->rom ? source->rom->n
+	           : source->scene->model.energy == HAWSER_ENERGY_EXACT ? LISTED
+	           : source->scene->model.modes;
 	field->marks = HAWSER__MARGINS + HAWSER__EXPONENTS(cable->n);
 	field->exponents = cable->n;
 }
@@ -212,7 +216,7 @@ enum hawser_status hawser_map_cable_open(struct hawser_map_field *field,
 		               cable->reach[1] == HAWSER__REACH_RATES;
 		cable->models = cable->reach[0] == HAWSER__REACH_MODEL ||
 		                cable->reach[1] == HAWSER__REACH_MODEL ||
-		                (cable->quantity->about.nonlinear && cable->damps);
+		                (hawser__map_cable_whole(cable) && cable->damps);
 		cable->damps = cable->damps && !cable->models;
 		status = describe(cable, report);
 	}
