@@ -218,6 +218,8 @@ static const struct hawser__field boundaries_field[] = {
 	 .when = CONDENSED},
 	{"", NULL, "", HAWSER__PART_OF(struct cli_hill_result, chart.narrow, cli_tongues_field),
 	 .when = NARROW},
+	{"missed", NULL, "points at which no response was found: boundaries may be missing there",
+	 OF(chart.missed), .when = MODEL},
 	{"interrupted", NULL, "whether boundaries are missing",
 	 HAWSER__FLAG_AT(struct cli_hill_result, chart.interrupted)},
 	{"evaluations", NULL, "points of the plane, or eigenvalue problems", OF(chart.evaluations)},
@@ -267,6 +269,9 @@ static void boundaries_table(struct hawser__table *table, const void *of)
 	else if (result->field->condensed)
 		cli_condensed_comment(table, result->field->condensed);
 	cli_tongues_comment(table, &chart->narrow);
+	if (chart->missed > 0)
+		hawser__table_comment(table, "at %ld points no response was found, and boundaries may be missing "
+		                      "there: %s", chart->missed, chart->why);
 	if (chart->interrupted)
 		hawser__table_comment(table, "interrupted: boundaries are missing");
 	hawser__table_comment(table, result->model ? "%ld points of the plane"

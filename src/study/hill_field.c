@@ -35,6 +35,13 @@ static enum hawser_status refuse(double x, double y, enum hawser_map_code code,
 	                    x, y, hawser_map_code_name(code));
 }
 
+/* Where there is no response, the report says why. */
+static enum hawser_status failed_at(double x, double y, enum hawser_map_code code,
+                                    struct hawser_report *report)
+{
+	return code == HAWSER_MAP_NO_RESPONSE ? HAWSER_ERR_CONVERGENCE : refuse(x, y, code, report);
+}
+
 static enum hawser_status of_cable(void *context, double *log_modulus, double *argument, double x,
                                    double y, struct hawser_report *report)
 {
@@ -46,7 +53,7 @@ static enum hawser_status of_cable(void *context, double *log_modulus, double *a
 	if (!status)
 		status = cable->map.point(cable->worker[0], &sample, NULL, x, y, report);
 	if (!status && sample.code != HAWSER_MAP_OK)
-		status = refuse(x, y, sample.code, report);
+		status = failed_at(x, y, sample.code, report);
 	for (int i = 0; !status && i < 2*room->n; i++) {
 		log_modulus[i] = room->log_modulus[i];
 		argument[i] = room->argument[i];
@@ -72,7 +79,7 @@ static enum hawser_status model_of_cable(void *context, const struct hawser_rom 
 		return status;
 	status = hawser__map_worker_model(cable->worker[worker], rom, omega, &steady, x, y, report);
 	if (status && hawser__map_own_failure(&sample, status, steady))
-		return refuse(x, y, sample.code, report);
+		return failed_at(x, y, sample.code, report);
 	if (!status)
 		*omega *= (*rom)->time;
 	return status;
@@ -113,9 +120,9 @@ static enum hawser_status count(struct hawser_hill_field *field,
 
 	if (!status)
 		field->m = 2*rom->n;
-	else if (status != HAWSER_ERR_NO_SOLUTION && report)
+	else if (status != HAWSER_ERR_NO_SOLUTION && status != HAWSER_ERR_CONVERGENCE && report)
 		*report = local;
-	return status == HAWSER_ERR_NO_SOLUTION ? HAWSER_OK : status;
+	return status == HAWSER_ERR_NO_SOLUTION || status == HAWSER_ERR_CONVERGENCE ? HAWSER_OK : status;
 }
 
 enum hawser_status hawser_hill_cable_open(struct hawser_hill_field *field,
