@@ -180,6 +180,17 @@ static enum hawser_status mathieu(struct cli_hill_result *result, const struct s
 	return status;
 }
 
+/* That of the model of a travelling cable, over the plane's frequencies. */
+static enum hawser_status state_error(struct cli_hill_result *result, struct cli_model *model,
+                                      struct hawser_report *report)
+{
+	double top = result->omega;
+
+	for (int k = 0; k < 2; k++)
+		top = strcmp(result->axis[k].key, "Omega") == 0 ? result->axis[k].to : top;
+	return cli_judged_plane(&result->judged, model, top, report);
+}
+
 static enum hawser_status boundaries(struct cli_hill_result *result, struct cli_model *model,
                                      const struct settings *settings, struct hawser_report *report)
 {
@@ -191,6 +202,8 @@ static enum hawser_status boundaries(struct cli_hill_result *result, struct cli_
 		status = cli_map_axis(&result->axis[1], "y", settings->y, model, report);
 	if (!status && settings->omega)
 		status = cli_map_frequency(&result->omega, settings->omega, "Omega", model, report);
+	if (!status && !settings->rest)
+		status = state_error(result, model, report);
 	if (status)
 		return status;
 	source.scene = model->has_scene ? &model->scene : NULL;
@@ -263,16 +276,21 @@ static enum hawser_status about_orbit(struct cli_hill_result *result, double *lo
 	return status;
 }
 
-static enum hawser_status multipliers(struct cli_hill_result *result, const struct cli_model *model,
+static enum hawser_status multipliers(struct cli_hill_result *result, struct cli_model *model,
                                       const struct settings *settings, struct hawser_report *report)
 {
-	int m = 2*model->rom.n, orbit = settings->orbit || settings->start ||
-	                                (!settings->rest && hawser_rom_loaded(&model->rom));
-	double *numbers = malloc(2*(size_t)m*sizeof *numbers), omega;
-	enum hawser_status status = numbers ? HAWSER_OK : hawser__no_memory(report, "hill");
+	int m, orbit = settings->orbit || settings->start ||
+	               (!settings->rest && hawser_rom_loaded(&model->rom));
+	double *numbers = NULL, omega;
+	enum hawser_status status = cli_frequency(&omega, settings->omega, "Omega", model, report);
 
 	if (!status)
-		status = cli_frequency(&omega, settings->omega, "Omega", model, report);
+		status = cli_judged_choose(&result->judged, model, orbit && !settings->start &&
+		                           cli_judged_free(model, settings->n),
+		                           omega*cli_per_omega(model), report);
+	m = 2*model->rom.n;
+	if (!status && !(numbers = malloc(2*(size_t)m*sizeof *numbers)))
+		status = hawser__no_memory(report, "hill");
 	if (!status && orbit)
 		status = about_orbit(result, numbers, numbers + m, model, omega, settings->start, report);
 	else if (!status)

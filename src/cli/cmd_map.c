@@ -10,6 +10,7 @@
 
 #include "cli/axis.h"
 #include "cli/hdf5.h"
+#include "cli/judged.h"
 #include "cli/map_part.h"
 #include "cli/part.h"
 #include "cli/progress.h"
@@ -377,10 +378,26 @@ static enum hawser_status check(struct cli_map_result *result, struct settings *
 	return status ? status : hawser__file_check(settings->boundary, report);
 }
 
+/* The error of the model of a travelling cable, where stability is that of a response. */
+static enum hawser_status judge(struct cli_map_result *result, struct cli_judged *judged,
+                                const struct cli_model *model, struct hawser_report *report)
+{
+	double top = result->omega;
+
+	for (int k = 0; k < 2; k++)
+		if (strcmp(result->key[k], "Omega") == 0)
+			top = fmax(result->options.from[k], result->options.to[k]);
+	if (!(top > 0.0) || result->quantity->nonlinear)
+		return HAWSER_OK;
+	result->judged = judged;
+	return cli_judged_plane(judged, model, top, report);
+}
+
 static enum hawser_status make(struct settings *settings, struct hawser__ranks *ranks,
                                struct hawser_report *report)
 {
 	struct cli_model model = {0};
+	struct cli_judged judged = {.stated = 0};
 	struct hawser_map map = {0};
 	struct cli_map_result result = {.common = &settings->common, .model = &model, .map = &map,
 	                                .full = settings->full};
@@ -400,6 +417,8 @@ static enum hawser_status make(struct settings *settings, struct hawser__ranks *
 		status = axis(&result, 1, "y", y, &model, report);
 	if (!status && settings->omega)
 		status = frequency(&result.omega, settings->omega, "Omega", &model, report);
+	if (!status && !settings->rest && !is_worker(ranks))
+		status = judge(&result, &judged, &model, report);
 	if (!status && model.has_scene && model.scene.travel.braking > 0.0)
 		cli_warn("travel.braking is left out: the map is of travel.speed, the speed before");
 	if (!status)

@@ -269,6 +269,7 @@ static void boundaries_table(struct hawser__table *table, const void *of)
 	else if (result->field->condensed)
 		cli_condensed_comment(table, result->field->condensed);
 	cli_tongues_comment(table, &chart->narrow);
+	cli_judged_comment(table, &result->judged);
 	if (chart->missed > 0)
 		hawser__table_comment(table, "at %ld points no response was found, and boundaries may be missing "
 		                      "there: %s", chart->missed, chart->why);
@@ -325,6 +326,7 @@ static void multiplier_comments(struct hawser__table *table, const void *of)
 	                      "Omega = %.12g%s: %s, %d of %d multipliers outside the unit circle%s",
 	                      result->omega, cli_unit(result->model, " rad/s"), verdict(result),
 	                      result->outside, result->m, more);
+	cli_judged_comment(table, &result->judged);
 	hawser__table_comment(table, "sum of the logarithms: %.15g; estimated error of one: %.1e", sum,
 	                      result->error);
 }
@@ -359,11 +361,18 @@ static const struct hawser__field multiplier_field[] = {
 static const struct hawser__list multiplier_list = HAWSER__MADE_ROWS(
 	struct multiplier, multiplier_field, struct cli_hill_result, m, multiplier_row);
 
+static int is_judged(const void *row, const void *parent)
+{
+	(void)parent;
+	return ((const struct cli_hill_result *)row)->judged.stated;
+}
 #define OF(member) HAWSER__AT(struct cli_hill_result, member)
 static const struct hawser__field multipliers_field[] = {
 	{"Omega", NULL, "frequency of the excitation", OF(omega), .unit = HAWSER__RADIAN_S},
 	{"about", NULL, "orbit or rest", HAWSER__LABEL_AT(struct cli_hill_result, orbit, about_name)},
 	{"error", NULL, "estimated error of log_modulus", OF(error)},
+	{"frequency_error", NULL, "largest relative error of a natural frequency of the travelling cable",
+	 OF(judged.error), .given = is_judged},
 	{"multipliers", NULL, "Floquet multipliers", HAWSER__OBJECTS_OF(multiplier_list)},
 	HAWSER__END,
 };

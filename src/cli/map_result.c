@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "cli/condensed.h"
+#include "cli/judged.h"
 #include "cli/map_part.h"
 #include "cli/tongues.h"
 #include "cli/view.h"
@@ -146,6 +147,8 @@ static void comments(struct hawser__table *table, const void *of)
 	hawser__table_comment(table, "boundaries: %d points", map->boundaries);
 	cli_condensed_comment(table, &map->condensed);
 	cli_tongues_comment(table, &map->narrow);
+	if (result->judged)
+		cli_judged_comment(table, result->judged);
 	for (int k = 1; k < HAWSER_MAP_CODES; k++)
 		if (map->count[k] > 0)
 			hawser__table_comment(table, "%s: %d points%s%s",
