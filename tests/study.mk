@@ -27,6 +27,7 @@ tests_study_SOURCES = tests/cases.c \
 	tests/reference/test-hill.c \
 	tests/reference/test-map-mathieu.c \
 	tests/reference/test-span-motion.c \
+	tests/reference/test-response-edges.c \
 	tests/reference/test-tongues.c \
 	tests/unit/test-estimate-truth.c \
 	tests/unit/test-guards-branches.c \

@@ -27,9 +27,12 @@ const char *hawser_hill_kind_name(enum hawser_hill_kind kind); /* "plus", "minus
 /* The multipliers as functions of the two parameters x and y. */
 struct hawser_hill_field {
 	int m; /* number of multipliers: 2n for n coordinates */
+	int responds; /* 1: about the periodic response, where something moves the model; 0: about rest */
 	const struct hawser_map_condensed *condensed; /* statistics of all calls so far; or NULL */
 	void *context;
-	/* Computes the logarithm of the modulus and the argument of each multiplier, [m], at (x, y). */
+	/* If `responds`, HAWSER_ERR_CONVERGENCE of `multipliers` and `model` is that of the point: the search
+	 * goes on beside it.
+	 * Computes the logarithm of the modulus and the argument of each multiplier, [m], at (x, y). */
 	enum hawser_status (*multipliers)(void *context, double *log_modulus, double *argument,
 	                                  double x,
 	                                  double y, struct hawser_report *report);
@@ -81,6 +84,8 @@ struct hawser_hill_chart {
 	struct hawser_hill_boundary *boundary; /* [boundaries] */
 	long evaluations;
 	int interrupted;
+	long missed;    /* points at which no response was found: it has a fold, or was lost */
+	char why[320];  /* at one of them */
 	struct hawser_tongues narrow;
 	int tongues;
 	struct hawser_hill_tongue *tongue; /* [tongues] by order; of hawser_mathieu_trace only */

@@ -28,12 +28,14 @@ enum hawser_map_code {
 	HAWSER_MAP_NOT_CONVERGED, /* an iteration did not reach its tolerance */
 	HAWSER_MAP_NOT_FINITE,    /* infinite, or not a number */
 	HAWSER_MAP_REFUSED,       /* a parameter out of its range, or a model that cannot be made */
+	HAWSER_MAP_NO_RESPONSE,   /* the response that grows out of rest has a fold before the whole
+	                           * excitation is reached, and jumps */
 	HAWSER_MAP_LEFT,          /* not visited: the map was interrupted */
 	HAWSER_MAP_CODES
 };
 const char *hawser_map_code_name(enum hawser_map_code code); /* "ok", "no-state", ... */
-/* 1 for _NOT_CONVERGED, _NOT_FINITE and _REFUSED: the value could not be computed. _NO_STATE, in
- * contrast, is a result: the cable has no such state. */
+/* 1 for _NOT_CONVERGED, _NOT_FINITE and _REFUSED: the value could not be computed. _NO_STATE and
+ * _NO_RESPONSE, in contrast, are results: the cable has no such state. */
 int hawser_map_uncomputed(enum hawser_map_code code);
 
 struct hawser_map_sample {
@@ -58,6 +60,8 @@ struct hawser_map_field {
 	const char *name;     /* of the quantity */
 	const char *identity; /* text that identifies the field, for checkpoints */
 	double threshold;     /* value at which the number of instabilities becomes positive */
+	int responds;         /* 1: multipliers and growth are about the periodic response, where something
+	                       * moves the model; 0: about rest */
 	int logarithmic;      /* 1: values are compared by their ratio; 0: by their difference */
 	int marks;            /* number of further results of `point`, the marks */
 	int margins;          /* 1: the first two marks are margins, in a measure of growth that is 0 on
@@ -218,6 +222,9 @@ struct hawser_map_source {
 	double from[2], to[2]; /* [2] their ranges */
 	double omega;          /* forcing frequency, unless "Omega" is one of the keys; 0: none */
 	const char *quantity;
+	int rest;              /* 1: stability is that of rest. 0: with a forcing frequency it is that of
+	                        * the periodic response that grows out of rest with the excitation,
+	                        * where a load, moving ends or a fluctuating speed move the model */
 };
 /* The field of a scene with a travelling beam, over two numeric keys of its section: the quantity
  * "growth" or "unstable" of the `modes` eigenvalues of least modulus, with `functions` Legendre
@@ -230,7 +237,8 @@ enum hawser_status hawser_map_beam_open(struct hawser_map_field *field,
 void hawser_map_beam_close(struct hawser_map_field *field);
 
 /* The field of a cable or a model. The source must outlive it; release with hawser_map_cable_close.
- * HAWSER_ERR_ARGUMENT (quantity, key, missing Omega, multipliers of a model with the exact energy),
+ * HAWSER_ERR_ARGUMENT (quantity, key, missing Omega, multipliers about rest of a model with the exact
+ * energy),
  * HAWSER_ERR_SCENE, HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_map_cable_open(struct hawser_map_field *field,
                                          const struct hawser_map_source *source,

@@ -46,9 +46,9 @@ static const struct cli_option options[] = {
 };
 
 static const char *const notes[] = {
-	"--x and --y: boundaries of stability about rest over two parameters, followed as curves.",
-	"--Omega alone: Floquet multipliers and exponents of the motion: the periodic response,",
-	"or rest where nothing moves the model.",
+	"--x and --y: boundaries of stability over two parameters, followed as curves.",
+	"--Omega alone: Floquet multipliers and exponents of the motion.",
+	"Both are of the periodic response, or of rest where nothing moves the model, or with --rest.",
 	"--mathieu: boundaries of x'' + 2 c x' + (delta + 2 epsilon cos 2t) x = 0 over delta and epsilon.",
 	"KEY: a numeric key of the scene (man hawser-scene), Omega, factor.load or factor.damping.",
 	NULL,
@@ -77,8 +77,8 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 		                    "give --Omega for multipliers, or --x and --y for boundaries");
 	if (plane && (settings->orbit || settings->forced))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hill",
-		                    "boundaries are about rest: those of a response are its folds and tori "
-		                    "(hawser folds, hawser frf)");
+		                    "boundaries are those of the response that grows out of rest; others have "
+		                    "folds and tori (hawser folds, hawser frf)");
 	if (!plane && settings->common.plot)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hill",
 		                    "--plot draws boundaries: give --x and --y");
@@ -98,6 +98,11 @@ static void warn(const struct hawser_hill_chart *chart)
 	if (count > 0) {
 		snprintf(text, sizeof text, "%d boundaries were not followed to their end, since they have the "
 		         "largest number of points: a longer --step needs fewer", count);
+		cli_warn(text);
+	}
+	if (chart->missed > 0) {
+		snprintf(text, sizeof text, "at %ld points no response was found, and boundaries may be missing "
+		         "there: %.300s", chart->missed, chart->why);
 		cli_warn(text);
 	}
 	cli_tongues_warn(&chart->narrow);
@@ -175,10 +180,21 @@ static enum hawser_status mathieu(struct cli_hill_result *result, const struct s
 	return status;
 }
 
+/* That of the model of a travelling cable, over the plane's frequencies. */
+static enum hawser_status state_error(struct cli_hill_result *result, struct cli_model *model,
+                                      struct hawser_report *report)
+{
+	double top = result->omega;
+
+	for (int k = 0; k < 2; k++)
+		top = strcmp(result->axis[k].key, "Omega") == 0 ? result->axis[k].to : top;
+	return cli_judged_plane(&result->judged, model, top, report);
+}
+
 static enum hawser_status boundaries(struct cli_hill_result *result, struct cli_model *model,
                                      const struct settings *settings, struct hawser_report *report)
 {
-	struct hawser_map_source source = {.scene = NULL};
+	struct hawser_map_source source = {.scene = NULL, .rest = settings->rest};
 	struct hawser_hill_field field = {.m = 0};
 	enum hawser_status status = cli_map_axis(&result->axis[0], "x", settings->x, model, report);
 
@@ -186,6 +202,8 @@ static enum hawser_status boundaries(struct cli_hill_result *result, struct cli_
 		status = cli_map_axis(&result->axis[1], "y", settings->y, model, report);
 	if (!status && settings->omega)
 		status = cli_map_frequency(&result->omega, settings->omega, "Omega", model, report);
+	if (!status && !settings->rest)
+		status = state_error(result, model, report);
 	if (status)
 		return status;
 	source.scene = model->has_scene ? &model->scene : NULL;
@@ -258,16 +276,21 @@ static enum hawser_status about_orbit(struct cli_hill_result *result, double *lo
 	return status;
 }
 
-static enum hawser_status multipliers(struct cli_hill_result *result, const struct cli_model *model,
+static enum hawser_status multipliers(struct cli_hill_result *result, struct cli_model *model,
                                       const struct settings *settings, struct hawser_report *report)
 {
-	int m = 2*model->rom.n, orbit = settings->orbit || settings->start ||
-	                                (!settings->rest && hawser_rom_loaded(&model->rom));
-	double *numbers = malloc(2*(size_t)m*sizeof *numbers), omega;
-	enum hawser_status status = numbers ? HAWSER_OK : hawser__no_memory(report, "hill");
+	int m, orbit = settings->orbit || settings->start ||
+	               (!settings->rest && hawser_rom_loaded(&model->rom));
+	double *numbers = NULL, omega;
+	enum hawser_status status = cli_frequency(&omega, settings->omega, "Omega", model, report);
 
 	if (!status)
-		status = cli_frequency(&omega, settings->omega, "Omega", model, report);
+		status = cli_judged_choose(&result->judged, model, orbit && !settings->start &&
+		                           cli_judged_free(model, settings->n),
+		                           omega*cli_per_omega(model), report);
+	m = 2*model->rom.n;
+	if (!status && !(numbers = malloc(2*(size_t)m*sizeof *numbers)))
+		status = hawser__no_memory(report, "hill");
 	if (!status && orbit)
 		status = about_orbit(result, numbers, numbers + m, model, omega, settings->start, report);
 	else if (!status)

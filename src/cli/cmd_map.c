@@ -10,6 +10,7 @@
 
 #include "cli/axis.h"
 #include "cli/hdf5.h"
+#include "cli/judged.h"
 #include "cli/map_part.h"
 #include "cli/part.h"
 #include "cli/progress.h"
@@ -21,7 +22,7 @@ struct settings {
 	struct cli_common common;
 	const char *x, *y, *points, *quantity, *omega, *checkpoint, *boundary, *part, *hdf5;
 	double jump, tolerance;
-	int n, depth, coarse, threads, full, partial, stable;
+	int n, depth, coarse, threads, full, partial, stable, rest;
 };
 static const struct settings defaults = {.quantity = "growth"};
 
@@ -48,6 +49,7 @@ static const struct cli_option options[] = {
 	 CLI_TEXT(part)},
 	{"boundary", 0, "FILE", "write the points of the boundaries as a table", CLI_TEXT(boundary)},
 	{"hdf5", 0, "FILE", "write points and boundaries as HDF5, for millions of rows", CLI_TEXT(hdf5)},
+	{"rest", 0, "", "stability of rest, whatever moves the model", CLI_FLAG(rest)},
 	{"stable", 0, "", "amplitude: min, max and branches of stable responses only", CLI_FLAG(stable)},
 	{"full", 0, "", "write interpolated points to the table too", CLI_FLAG(full)},
 	{"partial", 0, "", "leave points empty that cannot be computed, and warn", CLI_FLAG(partial)},
@@ -59,6 +61,8 @@ static const char *const notes[] = {
 	"resolution, and the boundary is then bracketed on their edges.",
 	"KEY: a numeric key of the scene (man hawser-scene), Omega, factor.load (of all excitation) or",
 	"factor.damping. FROM and TO: numbers in SI, or with a unit; for Omega also 0.6w1.",
+	"With a forcing frequency stability is that of the periodic response, or of rest where nothing",
+	"moves the model, or with --rest.",
 	NULL,
 };
 
@@ -269,27 +273,29 @@ static void warn_uncomputed(const struct hawser_map *map)
 }
 
 static enum hawser_status trace(struct hawser_map *map, struct cli_map_result *result,
-                                const struct cli_model *model, int n, struct hawser_report *report)
+                                const struct cli_model *model, const struct settings *settings, struct hawser_report *report)
 {
 	const struct hawser_map_source source = {
 		.scene = model->has_scene ? &model->scene : NULL,
 		.rom = model->has_scene ? NULL : &model->rom, .key = {result->key[0], result->key[1]},
 		.from = {result->options.from[0], result->options.from[1]},
 		.to = {result->options.to[0], result->options.to[1]}, .omega = result->omega,
-		.quantity = result->quantity->name};
+		.quantity = result->quantity->name, .rest = settings->rest};
 	struct cli_watch watch = {.progress = {.quiet = result->common->quiet}};
 	struct hawser_map_options choice = result->options;
 	struct hawser_map_field field;
 	int beam = model->has_scene && model->scene.beam.form;
 	int basin = strcmp(result->quantity->name, "basin") == 0;
 	enum hawser_status status = basin ? hawser_map_basin_open(&field, &source, report)
-	                            : beam ? hawser_map_beam_open(&field, &source, n, 0, report)
+	                            : beam ? hawser_map_beam_open(&field, &source, settings->n, 0,
+	                                                          report)
 	                                   : hawser_map_cable_open(&field, &source, report);
 
 	choice.progress = (struct hawser_progress){cli_watch, &watch};
 	if (status)
 		return status;
 	result->along = field.along;
+	result->responds = field.responds;
 	status = hawser_map_trace(map, &field, &choice, report);
 	cli_progress_end(&watch.progress);
 	if (status == HAWSER_ERR_CONVERGENCE && choice.strict)
@@ -349,6 +355,10 @@ static enum hawser_status check(struct cli_map_result *result, struct settings *
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
 		                      "--stable: only the responses of the quantity amplitude are stable or "
 		                      "not: the number of instabilities is a column of every map");
+	if (!status && settings->rest && result->quantity->nonlinear)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
+		                      "--rest is for growth, multiplier and unstable: the quantity %s is of "
+		                      "responses", result->quantity->name);
 	if (!status)
 		status = read_points(result->options.points, settings, report);
 	read_numbers(&result->options, settings);
@@ -368,10 +378,26 @@ static enum hawser_status check(struct cli_map_result *result, struct settings *
 	return status ? status : hawser__file_check(settings->boundary, report);
 }
 
+/* The error of the model of a travelling cable, where stability is that of a response. */
+static enum hawser_status judge(struct cli_map_result *result, struct cli_judged *judged,
+                                const struct cli_model *model, struct hawser_report *report)
+{
+	double top = result->omega;
+
+	for (int k = 0; k < 2; k++)
+		if (strcmp(result->key[k], "Omega") == 0)
+			top = fmax(result->options.from[k], result->options.to[k]);
+	if (!(top > 0.0) || result->quantity->nonlinear)
+		return HAWSER_OK;
+	result->judged = judged;
+	return cli_judged_plane(judged, model, top, report);
+}
+
 static enum hawser_status make(struct settings *settings, struct hawser__ranks *ranks,
                                struct hawser_report *report)
 {
 	struct cli_model model = {0};
+	struct cli_judged judged = {.stated = 0};
 	struct hawser_map map = {0};
 	struct cli_map_result result = {.common = &settings->common, .model = &model, .map = &map,
 	                                .full = settings->full};
@@ -391,10 +417,12 @@ static enum hawser_status make(struct settings *settings, struct hawser__ranks *
 		status = axis(&result, 1, "y", y, &model, report);
 	if (!status && settings->omega)
 		status = frequency(&result.omega, settings->omega, "Omega", &model, report);
+	if (!status && !settings->rest && !is_worker(ranks))
+		status = judge(&result, &judged, &model, report);
 	if (!status && model.has_scene && model.scene.travel.braking > 0.0)
 		cli_warn("travel.braking is left out: the map is of travel.speed, the speed before");
 	if (!status)
-		status = trace(&map, &result, &model, settings->n, report);
+		status = trace(&map, &result, &model, settings, report);
 	if (!status && result.options.parts > 0)
 		cli_map_part_done(&result.options, &map, settings->common.quiet || is_worker(ranks));
 	else if (!status && !is_worker(ranks))

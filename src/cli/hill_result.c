@@ -85,7 +85,7 @@ static void tongues(struct hawser__table *table, const struct cli_hill_result *r
 
 HAWSER__LABELS(kind_name, hawser_hill_kind_name, enum hawser_hill_kind)
 
-enum { CHARACTERISTIC = 1, MATHIEU = 2, CONDENSED = 4, NARROW = 8 };
+enum { CHARACTERISTIC = 1, MATHIEU = 2, CONDENSED = 4, NARROW = 8, MODEL = 16 };
 
 static void axis_name(char *text, size_t size, const struct cli_map_axis *axis)
 {
@@ -194,9 +194,19 @@ static const struct hawser__field condensing_field[] = {
 	{"", NULL, "", HAWSER__THROUGH(struct hawser_hill_field, condensed, cli_condensed_field)},
 	HAWSER__END,
 };
+static const char *about_name(int orbit)
+{
+	return orbit ? "orbit" : "rest";
+}
+static const struct hawser__field about_field[] = {
+	{"about", NULL, "of the periodic response (orbit) or of rest",
+	 HAWSER__LABEL_AT(struct hawser_hill_field, responds, about_name)},
+	HAWSER__END,
+};
 #define OF(member) HAWSER__AT(struct cli_hill_result, member)
 static const struct hawser__field boundaries_field[] = {
 	{"damping", NULL, "of Mathieu's equation", OF(damping), .when = MATHIEU},
+	{"", NULL, "", HAWSER__THROUGH(struct cli_hill_result, field, about_field), .when = MODEL},
 	{"axes.x", NULL, "first parameter", OF(axis[0].key)},
 	{"axes.y", NULL, "second parameter", OF(axis[1].key)},
 	{"boundaries", NULL, "of stability",
@@ -208,6 +218,8 @@ static const struct hawser__field boundaries_field[] = {
 	 .when = CONDENSED},
 	{"", NULL, "", HAWSER__PART_OF(struct cli_hill_result, chart.narrow, cli_tongues_field),
 	 .when = NARROW},
+	{"missed", NULL, "points at which no response was found: boundaries may be missing there",
+	 OF(chart.missed), .when = MODEL},
 	{"interrupted", NULL, "whether boundaries are missing",
 	 HAWSER__FLAG_AT(struct cli_hill_result, chart.interrupted)},
 	{"evaluations", NULL, "points of the plane, or eigenvalue problems", OF(chart.evaluations)},
@@ -221,7 +233,7 @@ static struct hawser__view boundaries_view(const struct cli_hill_result *result)
 
 	return (struct hawser__view){
 		hawser__si, result, (characteristic(result) ? CHARACTERISTIC : 0u) |
-		(result->model ? 0u : MATHIEU) |
+		(result->model ? MODEL : MATHIEU) |
 		(result->chart.narrow.count > 0 || result->chart.narrow.beyond ? NARROW : 0u) |
 		(result->model && condensed && condensed->points > 0 ? CONDENSED : 0u)};
 }
@@ -239,6 +251,9 @@ static void boundaries_table(struct hawser__table *table, const void *of)
 
 	head(table, result, result->model ? "boundaries of stability by continuation"
 	                                  : "boundaries of stability by the Hill matrices");
+	if (result->model)
+		hawser__table_comment(table, result->field->responds ? "about: the periodic response, or rest "
+		                      "where nothing moves the model" : "about: rest");
 	for (int b = 0; b < chart->boundaries; b++)
 		if (chart->boundary[b].named)
 			hawser__table_comment(table, "boundary %d: %s, tongue %d, %d points%s", b + 1,
@@ -254,6 +269,10 @@ static void boundaries_table(struct hawser__table *table, const void *of)
 	else if (result->field->condensed)
 		cli_condensed_comment(table, result->field->condensed);
 	cli_tongues_comment(table, &chart->narrow);
+	cli_judged_comment(table, &result->judged);
+	if (chart->missed > 0)
+		hawser__table_comment(table, "at %ld points no response was found, and boundaries may be missing "
+		                      "there: %s", chart->missed, chart->why);
 	if (chart->interrupted)
 		hawser__table_comment(table, "interrupted: boundaries are missing");
 	hawser__table_comment(table, result->model ? "%ld points of the plane"
@@ -307,6 +326,7 @@ static void multiplier_comments(struct hawser__table *table, const void *of)
 	                      "Omega = %.12g%s: %s, %d of %d multipliers outside the unit circle%s",
 	                      result->omega, cli_unit(result->model, " rad/s"), verdict(result),
 	                      result->outside, result->m, more);
+	cli_judged_comment(table, &result->judged);
 	hawser__table_comment(table, "sum of the logarithms: %.15g; estimated error of one: %.1e", sum,
 	                      result->error);
 }
@@ -341,15 +361,18 @@ static const struct hawser__field multiplier_field[] = {
 static const struct hawser__list multiplier_list = HAWSER__MADE_ROWS(
 	struct multiplier, multiplier_field, struct cli_hill_result, m, multiplier_row);
 
-static const char *about_name(int orbit)
+static int is_judged(const void *row, const void *parent)
 {
-	return orbit ? "orbit" : "rest";
+	(void)parent;
+	return ((const struct cli_hill_result *)row)->judged.stated;
 }
 #define OF(member) HAWSER__AT(struct cli_hill_result, member)
 static const struct hawser__field multipliers_field[] = {
 	{"Omega", NULL, "frequency of the excitation", OF(omega), .unit = HAWSER__RADIAN_S},
 	{"about", NULL, "orbit or rest", HAWSER__LABEL_AT(struct cli_hill_result, orbit, about_name)},
 	{"error", NULL, "estimated error of log_modulus", OF(error)},
+	{"frequency_error", NULL, "largest relative error of a natural frequency of the travelling cable",
+	 OF(judged.error), .given = is_judged},
 	{"multipliers", NULL, "Floquet multipliers", HAWSER__OBJECTS_OF(multiplier_list)},
 	HAWSER__END,
 };

@@ -5,6 +5,7 @@
 
 #include "cli/axis.h"
 #include "cli/cli.h"
+#include "cli/judged.h"
 
 enum { CLI_HILL_ORDERS = 12 };
 
@@ -19,6 +20,7 @@ struct cli_hill_result {
 	double omega;                  /* rad/s, if it is not an axis */
 	/* multipliers [m], in the model's scale */
 	int m, orbit;
+	struct cli_judged judged;
 	const double *log_modulus, *argument;
 	double error;
 	int outside, undecided;        /* multipliers outside the unit circle; on it within the error */

@@ -175,6 +175,8 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/gauge.h \
 	%D%/hill_draw.c \
 	%D%/hill_result.c \
+	%D%/judged.c \
+	%D%/judged.h \
 	%D%/hill_result.h \
 	%D%/hill_sides.c \
 	%D%/integrate_draw.c \

@@ -58,7 +58,7 @@ static const char *quantity_title(const struct hawser_map_quantity *quantity)
 
 /* What changes on the map's boundary lines: whether there is a value, stability, or the number of
  * instabilities where some remain on both sides. */
-static const char *line_title(const struct hawser_map *map, int basins)
+static const char *line_title(const struct hawser_map *map, int basins, int responds)
 {
 	int code = 0, stability = 0, number = 0;
 
@@ -82,7 +82,7 @@ static const char *line_title(const struct hawser_map *map, int basins)
 	if (number)
 		return stability ? "stability or number of instabilities changes"
 		                 : "number of instabilities changes";
-	return "boundary of stability";
+	return responds ? "boundary of stability of the response" : "boundary of stability";
 }
 
 /* The axis of a parameter, or of a component of the initial state. */
@@ -121,7 +121,7 @@ enum hawser_status cli_map_draw(const char *path, const void *context, struct ha
 	fill(&picture, x, x + nx, x + nx + ny, map, axis.per);
 	picture.x_axis = axis_of(result, 0, map->x[map->nx - 1]);
 	picture.y_axis = axis_of(result, 1, map->y[map->ny - 1]);
-	picture.line_title = line_title(map, picture.basins > 0);
+	picture.line_title = line_title(map, picture.basins > 0, result->responds);
 	picture.border = border_of(result->quantity->name);
 	picture.title = axis.title;
 	status = hawser__plot_map(path, &picture, report);

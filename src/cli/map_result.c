@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "cli/condensed.h"
+#include "cli/judged.h"
 #include "cli/map_part.h"
 #include "cli/tongues.h"
 #include "cli/view.h"
@@ -109,6 +110,9 @@ static void comments(struct hawser__table *table, const void *of)
 
 	hawser__table_comment(table, "quantity: %s; number: %s", result->quantity->summary,
 	                      result->quantity->counts);
+	if (!result->quantity->nonlinear)
+		hawser__table_comment(table, result->responds ? "about: the periodic response, or rest where "
+		                      "nothing moves the model" : "about: rest");
 	for (int k = 0; k < 2; k++)
 		hawser__table_comment(table, "%c: %s from %.12g to %.12g%s%s, %d points", "xy"[k],
 		                      result->key[k], options->from[k], options->to[k],
@@ -143,6 +147,8 @@ static void comments(struct hawser__table *table, const void *of)
 	hawser__table_comment(table, "boundaries: %d points", map->boundaries);
 	cli_condensed_comment(table, &map->condensed);
 	cli_tongues_comment(table, &map->narrow);
+	if (result->judged)
+		cli_judged_comment(table, result->judged);
 	for (int k = 1; k < HAWSER_MAP_CODES; k++)
 		if (map->count[k] > 0)
 			hawser__table_comment(table, "%s: %d points%s%s",
@@ -165,7 +171,7 @@ static int shown(const struct cli_map_result *result, const struct hawser_map_po
 	return point->computed || (result->full && point->sample.code != HAWSER_MAP_LEFT);
 }
 
-enum { OMEGA = 1, CONDENSED = 2, TIMES = 4, ROWS = 8, BASINS = 16, NARROW = 32 };
+enum { OMEGA = 1, CONDENSED = 2, TIMES = 4, ROWS = 8, BASINS = 16, NARROW = 32, LINEAR = 64 };
 
 HAWSER__LABELS(code_name, hawser_map_code_name, enum hawser_map_code)
 
@@ -357,6 +363,10 @@ static const struct hawser__field counts_field[] = {
 	 HAWSER__AT(struct hawser_map_quantity, counts)},
 	HAWSER__END,
 };
+static const char *about_name(int responds)
+{
+	return responds ? "orbit" : "rest";
+}
 #define OF(member) HAWSER__AT(struct cli_map_result, member)
 #define AXIS(name, k) \
 	{name ".key", NULL, "parameter", OF(key[k])}, {name ".unit", NULL, "its unit", OF(unit[k])}, \
@@ -367,6 +377,8 @@ static const struct hawser__field result_field[] = {
 	{"", NULL, "", HAWSER__THROUGH(struct cli_map_result, quantity, quantity_field)},
 	{"quantity.unit", NULL, "its unit", HAWSER__TEXT_BY(value_unit)},
 	{"", NULL, "", HAWSER__THROUGH(struct cli_map_result, quantity, counts_field)},
+	{"about", NULL, "growth, multipliers: of motions about the periodic response (orbit) or rest",
+	 HAWSER__LABEL_AT(struct cli_map_result, responds, about_name), .when = LINEAR},
 	AXIS("x", 0), AXIS("y", 1),
 	{"Omega", NULL, "frequency of the excitation, if it is no parameter", OF(omega),
 	 .unit = HAWSER__RADIAN_S, .when = OMEGA},
@@ -399,6 +411,7 @@ static struct cli_head head(const void *of)
 		 .options = (result->omega > 0.0 ? OMEGA : 0u) |
 		            (result->map->condensed.points > 0 ? CONDENSED : 0u) |
 		            (result->map->branches ? ROWS : 0u) |
+		            (result->quantity->nonlinear ? 0u : LINEAR) |
 		            (result->map->narrow.count > 0 || result->map->narrow.beyond ? NARROW : 0u) |
 		            (result->basins.count > 0 ? BASINS : 0u) |
 		            (result->common->reproducible ? 0u : TIMES)}, NULL, NULL};

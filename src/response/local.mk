@@ -1,5 +1,7 @@
 noinst_LTLIBRARIES += %D%/libresponse.la
 %C%_libresponse_la_SOURCES = \
+	%D%/about.c \
+	%D%/about.h \
 	%D%/account.c \
 	%D%/account.h \
 	%D%/amplitude.c \

@@ -22,8 +22,13 @@
 
 #define SMALLEST_LOAD_STEP 1e-4 /* fraction of the load: if a smaller step is needed, there is a
                                  * fold in the load; chosen */
+#define LEAP 0.01  /* fraction of the load over which a narrow resonance is passed, and */
+#define CLOSE 0.05 /* largest distance of the orbit beyond it from the scaled one; chosen */
 #define SETTLE_PERIODS 400 /* periods of the motion from rest before the attempt ends; chosen */
 #define SETTLE_TRY 20 /* periods between two attempts of Newton's method; chosen */
+#define FAR 0.2 /* distance from the linear response, relative to it, from which on another orbit may
+                 * have been found; chosen */
+enum { LEAPS = 6 };
 #define LOST 0.01 /* largest relative effect of round-off on the forces; chosen */
 
 /* Fill matrix [2n][2n] row-major and pq [2n] for one harmonic. */
@@ -128,6 +133,33 @@ static int correct_at(double *y, struct hawser__orbit *orbit,
 	return 0;
 }
 
+/* Past a resonance of a high harmonic, narrow where nothing damps it, which the load displaces across
+ * this frequency: the orbit beyond it is the one before, scaled. From `good` at *load; returns whether
+ * there is one. */
+static int leap(double *y, double *good, double *load, struct hawser__orbit *orbit,
+                struct hawser__correction *correction, struct hawser__load *weak, double omega,
+                double tolerance, struct hawser_report *report)
+{
+	int count = orbit->size - 1, beyond = 0;
+
+	for (int k = 1; k <= LEAPS && !beyond && *load > 0.0 && *load < 1.0; k++) {
+		double next = fmin(1.0, *load + k*LEAP), factor = next / *load, off = 0.0, all = 0.0;
+
+		hawser__load_set(weak, next);
+		memcpy(y, good, (size_t)count*sizeof *y);
+		cblas_dscal(count, factor, y, 1);
+		if (correct_at(y, orbit, correction, omega, tolerance, report))
+			continue;
+		for (int i = 0; i < count; i++) {
+			off += pow(y[i] - factor*good[i], 2);
+			all += y[i]*y[i];
+		}
+		beyond = off <= CLOSE*CLOSE*all;
+		*load = beyond ? next : *load;
+	}
+	return beyond;
+}
+
 /* Increase the load from zero to its value, in steps that grow while Newton's method converges.
  * *failed is that of correct_at. */
 static enum hawser_status raise_load(double *y, struct hawser__orbit *orbit, int *failed,
@@ -159,7 +191,11 @@ static enum hawser_status raise_load(double *y, struct hawser__orbit *orbit, int
 			memcpy(good, y, size*sizeof *good);
 			load = next;
 			step *= 1.5;
-		} else if (*failed >= 2 || (step *= 0.5) < SMALLEST_LOAD_STEP) {
+		} else if (*failed == 1 && raised->lone && step < LEAP &&
+		           leap(y, good, &load, orbit, correction, &weak, omega, tolerance, report)) {
+			memcpy(good, y, size*sizeof *good);
+			*failed = 0;
+		} else if (*failed >= 2 || (step *= 0.5) < (raised->lone ? LEAP/8.0 : SMALLEST_LOAD_STEP)) {
 			status = *failed == 3 ? HAWSER_ERR_MEMORY : HAWSER_ERR_CONVERGENCE;
 			break;
 		}
@@ -207,13 +243,31 @@ static enum hawser_status settle(double *y, struct hawser__orbit *orbit,
 	return status || found ? status : HAWSER_ERR_CONVERGENCE;
 }
 
+/* Whether y is far from the linear response. */
+static enum hawser_status strayed(int *far, const double *y, struct hawser__orbit *orbit, double omega,
+                                  struct hawser_report *report)
+{
+	size_t size = (size_t)orbit->size;
+	double *linear = calloc(size, sizeof *linear), length;
+	enum hawser_status status = linear ? linear_response(linear, orbit, omega, report)
+	                                   : hawser__no_memory(report, "frf");
+
+	if (!status) {
+		length = cblas_dnrm2((int)size - 1, linear, 1);
+		cblas_daxpy((int)size - 1, -1.0, y, 1, linear, 1);
+		*far = !(cblas_dnrm2((int)size - 1, linear, 1) <= FAR*length);
+	}
+	free(linear);
+	return status;
+}
+
 enum hawser_status hawser__start(double *y, struct hawser__orbit *orbit,
                                  struct hawser__correction *correction, const double *start,
                                  double omega, double tolerance, struct hawser__raised *raised,
                                  struct hawser_report *report)
 {
 	enum hawser_status status;
-	int failed;
+	int failed, far = 0;
 
 	raised->load = -1.0;
 	status = start ? orbit->ops->from_state(orbit, y, start, omega, report)
@@ -223,7 +277,9 @@ enum hawser_status hawser__start(double *y, struct hawser__orbit *orbit,
 	failed = correct_at(y, orbit, correction, omega, tolerance, report);
 	if (failed == 3)
 		return HAWSER_ERR_MEMORY;
-	if (failed != 1)
+	if (!failed && raised->lone && (status = strayed(&far, y, orbit, omega, report)))
+		return status;
+	if (failed != 1 && !far)
 		return failed ? HAWSER_ERR_CONVERGENCE : HAWSER_OK;
 	if (start)
 		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "frf",
@@ -232,7 +288,7 @@ enum hawser_status hawser__start(double *y, struct hawser__orbit *orbit,
 		                       "%.9g%s (residual %.2g)",
 		                       HAWSER_SHOWN(orbit->rom, omega), correction->residual);
 	status = raise_load(y, orbit, &failed, correction, omega, tolerance, raised, report);
-	if (status != HAWSER_ERR_CONVERGENCE || failed == 2)
+	if (status != HAWSER_ERR_CONVERGENCE || failed == 2 || raised->lone)
 		return status;
 	return settle(y, orbit, correction, omega, tolerance, report);
 }

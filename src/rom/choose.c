@@ -227,8 +227,8 @@ static enum hawser_status driven(struct hawser_choice *choice, struct hawser_rep
 	if (any)
 		return HAWSER_OK;
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "choose",
-	                    "the load drives none of the lowest %d modes: give it another direction or "
-	                    "extent", choice->n);
+	                    "neither the load nor the changes of speed drive any of the lowest %d "
+	                    "modes: give the load another direction or extent", choice->n);
 }
 
 static int rank(const struct hawser_choice *choice, int a, int b)

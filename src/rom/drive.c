@@ -88,8 +88,12 @@ enum hawser_status hawser__drives(const struct hawser_rom *rom, double *load,
 		if (!couples(rom))
 			continue;
 		status = hawser__respond(rom, a, w, report);
-		if (!status)
+		/* by the amplitude at w; where nothing damps the mode, that says what drives it, and how
+		 * strongly its own force, or the static force of this amplitude */
+		if (!status && rom->D[j*(n + 1)] != 0.0)
 			load[j] = cabs(a[j])*w*rom->D[j*(n + 1)];
+		else if (!status && load[j] == 0.0)
+			load[j] = cabs(a[j])*w*w;
 	}
 	free(a);
 	return status;

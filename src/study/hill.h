@@ -23,7 +23,8 @@ struct hawser__hill_worker {
 	struct hawser__hill_matrix matrix;
 	double *part;                   /* K and D of a part of the model */
 	size_t part_room;
-	long evaluations;
+	long evaluations, missed;
+	char why[320];                  /* where a response was missed */
 	enum hawser_status status;      /* first status that is not HAWSER_OK */
 	struct hawser_report report;
 };

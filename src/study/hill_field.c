@@ -35,6 +35,13 @@ static enum hawser_status refuse(double x, double y, enum hawser_map_code code,
 	                    x, y, hawser_map_code_name(code));
 }
 
+/* Where there is no response, the report says why. */
+static enum hawser_status failed_at(double x, double y, enum hawser_map_code code,
+                                    struct hawser_report *report)
+{
+	return code == HAWSER_MAP_NO_RESPONSE ? HAWSER_ERR_CONVERGENCE : refuse(x, y, code, report);
+}
+
 static enum hawser_status of_cable(void *context, double *log_modulus, double *argument, double x,
                                    double y, struct hawser_report *report)
 {
@@ -46,7 +53,7 @@ static enum hawser_status of_cable(void *context, double *log_modulus, double *a
 	if (!status)
 		status = cable->map.point(cable->worker[0], &sample, NULL, x, y, report);
 	if (!status && sample.code != HAWSER_MAP_OK)
-		status = refuse(x, y, sample.code, report);
+		status = failed_at(x, y, sample.code, report);
 	for (int i = 0; !status && i < 2*room->n; i++) {
 		log_modulus[i] = room->log_modulus[i];
 		argument[i] = room->argument[i];
@@ -72,7 +79,7 @@ static enum hawser_status model_of_cable(void *context, const struct hawser_rom 
 		return status;
 	status = hawser__map_worker_model(cable->worker[worker], rom, omega, &steady, x, y, report);
 	if (status && hawser__map_own_failure(&sample, status, steady))
-		return refuse(x, y, sample.code, report);
+		return failed_at(x, y, sample.code, report);
 	if (!status)
 		*omega *= (*rom)->time;
 	return status;
@@ -99,6 +106,25 @@ static enum hawser_status open_workers(struct cable *cable, int threads,
 	return status;
 }
 
+/* The number of multipliers: models may have coordinates beyond their modes. Where there is no model in
+ * the middle, it is that of the modes. */
+static enum hawser_status count(struct hawser_hill_field *field,
+                                const struct hawser_map_source *source,
+                                struct hawser_report *report)
+{
+	double x = 0.5*(source->from[0] + source->to[0]), y = 0.5*(source->from[1] + source->to[1]);
+	struct hawser_report local;
+	const struct hawser_rom *rom;
+	double omega;
+	enum hawser_status status = model_of_cable(field->context, &rom, &omega, 0, x, y, &local);
+
+	if (!status)
+		field->m = 2*rom->n;
+	else if (status != HAWSER_ERR_NO_SOLUTION && status != HAWSER_ERR_CONVERGENCE && report)
+		*report = local;
+	return status == HAWSER_ERR_NO_SOLUTION || status == HAWSER_ERR_CONVERGENCE ? HAWSER_OK : status;
+}
+
 enum hawser_status hawser_hill_cable_open(struct hawser_hill_field *field,
                                           const struct hawser_map_source *source,
                                           struct hawser_report *report)
@@ -117,7 +143,10 @@ enum hawser_status hawser_hill_cable_open(struct hawser_hill_field *field,
 	if (!status)
 		status = open_workers(cable, hawser__processors(), report);
 	field->m = source->rom ? 2*source->rom->n : 2*source->scene->model.modes;
+	field->responds = cable->map.responds;
 	field->workers = cable->workers;
+	if (!status)
+		status = count(field, source, report);
 	if (!status)
 		field->cheap = hawser__map_cable_cheap(cable->map.context);
 	if (status)

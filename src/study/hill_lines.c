@@ -32,6 +32,8 @@ static void sample(void *context, long i, int number)
 	double s = (double)i/line->samples;
 	double at[2] = {line->from[0] + s*line->along[0], line->from[1] + s*line->along[1]};
 
+	for (int kind = 0; kind < scan->kinds; kind++)
+		line->g[i*HAWSER_HILL_KINDS + kind] = NAN;
 	if (hawser__hill_multipliers(scan->hill, worker, at, 1))
 		return;
 	for (int kind = 0; kind < scan->kinds; kind++)
@@ -142,8 +144,12 @@ void hawser__hill_close(struct hawser__hill *hill)
 	for (int t = 0; hill->worker && t < hill->threads; t++) {
 		struct hawser__hill_worker *worker = &hill->worker[t];
 
-		if (hill->chart)
+		if (hill->chart) {
 			hill->chart->evaluations += worker->evaluations;
+			if (worker->missed > 0 && hill->chart->missed == 0)
+				memcpy(hill->chart->why, worker->why, sizeof worker->why);
+			hill->chart->missed += worker->missed;
+		}
 		hawser_linear_free(worker->linear);
 		hawser__hill_matrix_release(&worker->matrix);
 		free(worker->memory);

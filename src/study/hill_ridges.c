@@ -164,6 +164,8 @@ static void all_intervals(struct walk *walk)
 	     walk->at++) {
 		const double *a = walk->exponents + walk->at*size;
 
+		if (!(a[0] > 0.0 && a[size] > 0.0)) /* no response there */
+			continue;
 		hill->status = hawser__ridge_find(a, a + size, walk->n, &hill->tongues.above, &taker,
 		                                  hill->report);
 	}

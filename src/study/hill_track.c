@@ -18,6 +18,7 @@
 
 #include <complex.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "core/report.h"
@@ -61,6 +62,18 @@ static enum hawser_status model_of(const struct hawser_rom **rom, double *omega,
 	                          &worker->report);
 }
 
+/* The status of a point, which becomes the worker's unless the point only has no response. */
+static enum hawser_status passed(struct hawser__hill *hill, struct hawser__hill_worker *worker,
+                                 enum hawser_status status)
+{
+	int missed = status == HAWSER_ERR_CONVERGENCE && hill->field->responds;
+
+	if (missed && worker->missed++ == 0)
+		snprintf(worker->why, sizeof worker->why, "%.300s", worker->report.message);
+	worker->status = missed ? HAWSER_OK : status;
+	return status;
+}
+
 enum hawser_status hawser__hill_multipliers(struct hawser__hill *hill,
                                             struct hawser__hill_worker *worker,
                                             const double at[2], int rough)
@@ -68,22 +81,23 @@ enum hawser_status hawser__hill_multipliers(struct hawser__hill *hill,
 	const struct hawser_hill_field *field = hill->field;
 	const struct hawser_rom *rom;
 	double xy[2], omega;
+	enum hawser_status status;
 
 	if (worker->status)
 		return worker->status;
 	worker->evaluations++;
 	worker->m = field->m;
 	if (rough && worker->linear) {
-		worker->status = model_of(&rom, &omega, hill, worker, at);
-		if (worker->status || !hawser__linear_rough(worker->linear, worker->log_modulus,
-		                                            worker->argument, &worker->m, rom, omega,
-		                                            &worker->report))
-			return worker->status;
+		status = passed(hill, worker, model_of(&rom, &omega, hill, worker, at));
+		if (status || !hawser__linear_rough(worker->linear, worker->log_modulus, worker->argument,
+		                                    &worker->m, rom, omega, &worker->report))
+			return status;
 		worker->m = field->m;
 	}
 	hawser__hill_to_caller(xy, hill, at);
-	return worker->status = field->multipliers(field->context, worker->log_modulus,
-	                                           worker->argument, xy[0], xy[1], &worker->report);
+	status = field->multipliers(field->context, worker->log_modulus, worker->argument, xy[0], xy[1],
+	                            &worker->report);
+	return passed(hill, worker, status);
 }
 
 enum hawser_status hawser__hill_exponents(struct hawser__hill *hill,
@@ -91,6 +105,7 @@ enum hawser_status hawser__hill_exponents(struct hawser__hill *hill,
                                           double *to, const double at[2], int rough)
 {
 	const struct hawser_rom *rom;
+	enum hawser_status status;
 	double omega;
 	int m;
 
@@ -98,9 +113,10 @@ enum hawser_status hawser__hill_exponents(struct hawser__hill *hill,
 		return worker->status;
 	worker->evaluations++;
 	worker->m = hill->field->m;
-	worker->status = model_of(&rom, &omega, hill, worker, at);
-	if (worker->status)
-		return worker->status;
+	status = passed(hill, worker, model_of(&rom, &omega, hill, worker, at));
+	to[0] = 0.0;
+	if (status)
+		return status;
 	hawser__linear_haste(worker->linear, 1);
 	worker->status = rough
 		? hawser__linear_rough(worker->linear, worker->log_modulus, worker->argument, &m, rom,
@@ -192,11 +208,13 @@ static enum hawser_status equations(struct hawser__variational *system, struct h
 {
 	struct hawser__hill_worker *worker = hill->worker;
 	const struct hawser_rom *rom;
+	enum hawser_status status;
 	double omega;
 
-	worker->status = model_of(&rom, &omega, hill, worker, at);
-	if (!worker->status)
-		worker->status = hawser__linear_series(worker->linear, system, rom, omega, &worker->report);
+	status = passed(hill, worker, model_of(&rom, &omega, hill, worker, at));
+	if (status)
+		return status;
+	worker->status = hawser__linear_series(worker->linear, system, rom, omega, &worker->report);
 	if (!worker->status && part >= 0)
 		worker->status = restrict_to(system, worker, part);
 	return worker->status;

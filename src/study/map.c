@@ -21,6 +21,7 @@ const char *hawser_map_code_name(enum hawser_map_code code)
 		[HAWSER_MAP_OK] = "ok", [HAWSER_MAP_NO_STATE] = "no-state",
 		[HAWSER_MAP_SLACK] = "slack", [HAWSER_MAP_NOT_CONVERGED] = "not-converged",
 		[HAWSER_MAP_NOT_FINITE] = "not-finite", [HAWSER_MAP_REFUSED] = "refused",
+		[HAWSER_MAP_NO_RESPONSE] = "no-response",
 		[HAWSER_MAP_LEFT] = "left",
 	};
 

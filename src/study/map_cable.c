@@ -19,6 +19,8 @@
 #include "core/report.h"
 #include "response/linear_margin.h"
 #include "rom/build.h"
+#include "rom/load.h"
+#include "rom/support.h"
 #include "rom/terms.h"
 #include "study/map.h"
 #include "study/map_cable.h"
@@ -30,6 +32,9 @@ int hawser__map_cable_cheap(const void *context)
 
 	return cable->varies == 0 ? 2 : cable->varies == 1 ? 1 : 0;
 }
+
+enum { LISTED = 8 }; /* coordinates of a full-order model whose tongues are searched, the slowest;
+                      * chosen */
 
 /* --- opening --- */
 
@@ -65,6 +70,20 @@ static enum hawser_status reach_of(enum hawser__reach *reach,
 	       : hawser_scene_get(source->scene, &unused, key, report);
 }
 
+/* Whether something moves the model somewhere in the plane: a load, ends, a fluctuating speed. */
+static int driven(const struct hawser_map_source *source)
+{
+	static const char *const moving[] = {"load.", "loads.", "support.", "travel.fluctuation"};
+	int any = source->rom ? hawser_rom_loaded(source->rom)
+	          : hawser__loaded(source->scene) || hawser__support_moves(source->scene) ||
+	            source->scene->travel.fluctuation > 0.0;
+
+	for (int k = 0; k < 2 && source->scene; k++)
+		for (size_t i = 0; i < sizeof moving/sizeof *moving; i++)
+			any |= strncmp(source->key[k], moving[i], strlen(moving[i])) == 0;
+	return any;
+}
+
 static enum hawser_status check(struct hawser__map_cable *cable, struct hawser_report *report)
 {
 	const struct hawser_map_source *source = &cable->source;
@@ -82,6 +101,7 @@ static enum hawser_status check(struct hawser__map_cable *cable, struct hawser_r
 	if (status)
 		return status;
 	excited = source->omega > 0.0 || hawser__map_omega_is_axis(cable);
+	cable->moves = cable->quantity->resonant && excited && !source->rest && driven(source);
 	if (strcmp(source->key[0], source->key[1]) == 0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map", "both axes are %s",
 		                    source->key[0]);
@@ -95,12 +115,11 @@ static enum hawser_status check(struct hawser__map_cable *cable, struct hawser_r
 		                    "factor.damping is for linear quantities: for the %s give a key of "
 		                    "the scene's damping", name);
 	if (source->scene && source->scene->model.energy == HAWSER_ENERGY_EXACT &&
-	    cable->quantity->resonant && excited)
+	    cable->quantity->resonant && excited && !cable->moves)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
-		                    "the quantity %s is about rest, where the full-order model "
-		                    "(model.energy: exact) is not excited: set model.energy=quartic, or "
-		                    "map the amplitude, whose number counts multipliers of the response",
-		                    name);
+		                    "the quantity %s about rest is not that of the full-order model "
+		                    "(model.energy: exact), which is not excited there: leave --rest out, "
+		                    "or set model.energy=quartic", name);
 	if (source->scene && source->scene->model.modes == HAWSER_MODES_AUTO)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
 		                    "model.modes: auto chooses for one response, not for a map: give a "
@@ -123,8 +142,9 @@ static enum hawser_status describe(struct hawser__map_cable *cable, struct hawse
 		free(model);
 		return hawser__no_memory(report, "map");
 	}
-	fprintf(stream, "hawser %s, %s over %s and %s, Omega %a\n%s", hawser_version(),
-	        source->quantity, source->key[0], source->key[1], source->omega, model ? model : "");
+	fprintf(stream, "hawser %s, %s%s over %s and %s, Omega %a\n%s", hawser_version(),
+	        source->quantity, cable->moves ? " of the response" : "", source->key[0],
+	        source->key[1], source->omega, model ? model : "");
 	if (source->scene)
 		status = hawser_scene_write(source->scene, stream, report);
 	/* when memory is short, glibc's fclose returns 0 but sets no text */
@@ -164,7 +184,9 @@ static void set_marks(struct hawser_map_field *field, struct hawser__map_cable *
 	if (!cable->quantity->resonant || !excited || strcmp(source->key[0], "model.modes") == 0 ||
 	    strcmp(source->key[1], "model.modes") == 0)
 		return;
-	cable->n = source->rom ? source->rom->n : source->scene->model.modes;
+	cable->n = source->rom ? source->rom->n
+	           : source->scene->model.energy == HAWSER_ENERGY_EXACT ? LISTED
+	           : source->scene->model.modes;
 	field->marks = HAWSER__MARGINS + HAWSER__EXPONENTS(cable->n);
 	field->exponents = cable->n;
 }
@@ -194,7 +216,7 @@ enum hawser_status hawser_map_cable_open(struct hawser_map_field *field,
 		               cable->reach[1] == HAWSER__REACH_RATES;
 		cable->models = cable->reach[0] == HAWSER__REACH_MODEL ||
 		                cable->reach[1] == HAWSER__REACH_MODEL ||
-		                (cable->quantity->about.nonlinear && cable->damps);
+		                (hawser__map_cable_whole(cable) && cable->damps);
 		cable->damps = cable->damps && !cable->models;
 		status = describe(cable, report);
 	}
@@ -209,6 +231,7 @@ enum hawser_status hawser_map_cable_open(struct hawser_map_field *field,
 		return status;
 	}
 	field->threshold = cable->quantity->threshold;
+	field->responds = cable->moves;
 	field->logarithmic = cable->quantity->about.logarithmic;
 	field->condensed = &cable->condensed;
 	set_marks(field, cable);

@@ -31,6 +31,7 @@ struct hawser__map_cable {
 	int varies;     /* the parameter on which structures depend: 0, 1; 2: both, -1: none */
 	int models;     /* 1: a parameter changes the model that is made from the same modes */
 	int damps;      /* 1: a parameter changes only D of a linear model */
+	int moves;      /* 1: a linear quantity, about the periodic response */
 	int n;            /* coordinates with exponents among the marks; 0: none */
 	int marks;        /* of a point: margins and exponents */
 	struct hawser__structure *kept; /* [count] ascending value */
@@ -60,6 +61,11 @@ enum hawser_status hawser__map_cable_axes(struct hawser_scene *scene,
                                           const struct hawser__map_cable *cable,
                                           const double at[2], enum hawser__reach least,
                                           struct hawser_report *report);
+/* Whether the quantity takes a model with its tensors. */
+static inline int hawser__map_cable_whole(const struct hawser__map_cable *cable)
+{
+	return cable->quantity->about.nonlinear || cable->moves;
+}
 /* Build the model that the quantity requires. */
 enum hawser_status hawser__map_cable_model(struct hawser_rom *rom,
                                            const struct hawser__map_cable *cable,
@@ -84,7 +90,7 @@ enum hawser_status hawser__structure_prepare(void *context, const double *x, con
 const struct hawser__map_room *hawser__map_worker_room(void *worker, int finer);
 
 /* The model at a point and the forcing frequency in SI units; both are valid until the next point
- * or call of the worker. *steady: 1: statics or modes failed. Statuses of the statics, the modes
+ * or call of the worker. *steady: 1: statics or modes failed; 2: the response. Statuses of the statics, the modes
  * and the model. */
 enum hawser_status hawser__map_worker_model(void *worker, const struct hawser_rom **rom,
                                             double *omega, int *steady, double x, double y,

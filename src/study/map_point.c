@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "response/about.h"
 #include "response/linear_margin.h"
 #include "response/load.h"
 #include "rom/build.h"
@@ -25,6 +26,7 @@ struct worker {
 	double *D;
 	struct hawser__structure own; /* structure of the last point, if it is not stored */
 	struct hawser_rom built;      /* model of the last point, likewise */
+	struct hawser__about about;   /* of the last point */
 	struct hawser_map_condensed condensed;
 };
 
@@ -72,6 +74,7 @@ void hawser__map_worker_close(void *context)
 	free(worker->quad);
 	free(worker->harmonic);
 	free(worker->D);
+	hawser__about_clear(&worker->about);
 	free(worker);
 }
 
@@ -151,7 +154,8 @@ int hawser__map_own_failure(struct hawser_map_sample *sample, enum hawser_status
 {
 	switch (status) {
 	case HAWSER_ERR_NO_SOLUTION:
-		sample->code = steady ? HAWSER_MAP_NO_STATE : HAWSER_MAP_NOT_FINITE;
+		sample->code = steady == 2 ? HAWSER_MAP_NO_RESPONSE
+		               : steady ? HAWSER_MAP_NO_STATE : HAWSER_MAP_NOT_FINITE;
 		return 1;
 	case HAWSER_ERR_CONVERGENCE: sample->code = HAWSER_MAP_NOT_CONVERGED; return 1;
 	case HAWSER_ERR_NAN: sample->code = HAWSER_MAP_NOT_FINITE; return 1;
@@ -229,8 +233,21 @@ static enum hawser_status apply(const struct hawser_rom **rom, double *omega, st
 	return status;
 }
 
+/* In place of a model that something moves: that of motions about its response. */
+static enum hawser_status respond(const struct hawser_rom **rom, double omega, struct worker *worker,
+                                  struct hawser_report *report)
+{
+	enum hawser_status status;
+
+	if (!worker->cable->moves || !(omega > 0.0) || !hawser_rom_loaded(*rom))
+		return HAWSER_OK;
+	status = hawser__about_response(&worker->about, *rom, omega*(*rom)->time, report);
+	*rom = &worker->about.rom;
+	return status;
+}
+
 /* The model at a point and the frequency, valid until the next point of the worker. *steady: 1: the
- * structure failed. */
+ * structure failed, 2: the response. */
 static enum hawser_status model_at(const struct hawser_rom **rom, double *omega, int *steady,
                                    struct worker *worker, const double at[2],
                                    struct hawser_report *report)
@@ -256,7 +273,13 @@ static enum hawser_status model_at(const struct hawser_rom **rom, double *omega,
 		if (!status)
 			status = of_structure(rom, worker, structure, at, report);
 	}
-	return status ? status : apply(rom, omega, worker, at, report);
+	if (!status)
+		status = apply(rom, omega, worker, at, report);
+	if (status)
+		return status;
+	status = respond(rom, *omega, worker, report);
+	*steady = status ? 2 : 0;
+	return status;
 }
 
 enum hawser_status hawser__map_worker_model(void *context, const struct hawser_rom **rom,

@@ -57,6 +57,31 @@ static enum hawser_status growth(struct hawser__map_room *room, struct hawser_ma
 	return status;
 }
 
+/* That of motions about a response, or of a parametrically excited model: with its sign. */
+static enum hawser_status floquet(struct hawser__map_room *room, struct hawser_map_sample *sample,
+                                  const struct hawser_rom *rom, double omega,
+                                  struct hawser_report *report)
+{
+	enum hawser_status status = hawser_linear_multipliers(room->linear, room->log_modulus,
+	                                                      room->argument, NULL, rom, omega, report);
+	struct hawser__circle circle;
+
+	if (status)
+		return status;
+	circle = hawser__linear_circle(room->linear);
+	sample->value = circle.undecided > 0 && circle.unstable == 0
+		? 0.0 : room->log_modulus[0]*omega/(2.0*M_PI*rom->time);
+	sample->number = circle.unstable;
+	return HAWSER_OK;
+}
+
+static enum hawser_status any_growth(struct hawser__map_room *room, struct hawser_map_sample *sample,
+                                     const struct hawser_rom *rom, double omega,
+                                     struct hawser_report *report)
+{
+	return (omega > 0.0 ? floquet : growth)(room, sample, rom, omega, report);
+}
+
 static enum hawser_status multiplier(struct hawser__map_room *room, struct hawser_map_sample *sample,
                                      const struct hawser_rom *rom, double omega,
                                      struct hawser_report *report)
@@ -129,9 +154,9 @@ static enum hawser_status amplitude(struct hawser__map_room *room, struct hawser
 }
 
 static const struct hawser__map_quantity rows[] = {
-	{{"growth", "largest growth rate about the static or steady state", "1/s", "growing modes", 0, 0,
-	  0}, 0.0, growth, 0},
-	{{"multiplier", "largest modulus of a Floquet multiplier about rest", "1",
+	{{"growth", "largest growth rate, negative where all motions decay", "1/s",
+	  "growing modes, or multipliers outside the unit circle", 0, 0, 0}, 0.0, any_growth, 1},
+	{{"multiplier", "largest modulus of a Floquet multiplier", "1",
 	  "multipliers outside the unit circle", 1, 0, 1}, 1.0, multiplier, 1},
 	{{"unstable", "number of unstable multipliers, or of growing modes without Omega",
 	  "1", "the same", 0, 0, 0}, 0.5, unstable, 1},

@@ -44,14 +44,14 @@ enum hawser_status hawser__map_cable_model(struct hawser_rom *rom,
 {
 	enum hawser_status status;
 
-	if (cable->quantity->about.nonlinear && scene->damping.drag > 0.0)
+	if (hawser__map_cable_whole(cable) && scene->damping.drag > 0.0)
 		return hawser__drag_refuse(NULL, "a map of responses", report);
-	if (!cable->quantity->about.nonlinear)
+	if (!hawser__map_cable_whole(cable))
 		return hawser_rom_build_linear(rom, modes, scene, report);
 	if (scene->model.energy == HAWSER_ENERGY_EXACT)
 		return hawser_rom_build_full(rom, &modes->statics, scene, scene->model.basis, report);
 	status = hawser_rom_build(rom, modes, scene, report);
-	if (!status)
+	if (!status && cable->quantity->about.nonlinear)
 		status = hawser_rom_know_below(rom, modes, scene,
 		                               known_to*modes->mode[modes->n - 1].omega, report);
 	if (status)
@@ -70,7 +70,7 @@ static enum hawser_status solve(struct hawser__structure *to, const struct hawse
 		options.tolerance = scene->model.tolerance;
 	if (status)
 		return status;
-	if (cable->quantity->about.nonlinear && scene->model.energy == HAWSER_ENERGY_EXACT)
+	if (hawser__map_cable_whole(cable) && scene->model.energy == HAWSER_ENERGY_EXACT)
 		to->modes.statics = statics; /* such a model needs nothing else */
 	else
 		status = hawser_modes_solve(&to->modes, &statics, &options, report);

@@ -91,7 +91,7 @@ static void source_of(struct hawser_map_source *source, const struct hawser_scen
                       const struct hawser_rom *rom, const char *key)
 {
 	*source = (struct hawser_map_source){.scene = scene, .rom = rom, .key = {"Omega", key},
-		.quantity = "multiplier"};
+		.quantity = "multiplier", .rest = 1};
 }
 
 static int by_map(struct answer *answer, const struct hawser_map_source *source, double omega,

@@ -1,7 +1,7 @@
 /* Tongues of a damped travelling cable whose speed fluctuates, by map and by hill: the principal one
  * begins at 3.458 m/s, far above where its multipliers have met; and the same cable without damping
- * at rest on average, whose tongues are 1e-3 rad/s wide and lie in each other. The figures are those
- * of an outside program (multipliers on a fine grid, bisection).
+ * at rest on average, whose tongues are 1e-3 rad/s wide and lie in each other. All are about rest. The
+ * figures are those of an outside program (multipliers on a fine grid, bisection).
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -77,7 +77,7 @@ struct plane {
 static int open_plane(struct plane *plane, const char *text)
 {
 	plane->source = (struct hawser_map_source){.scene = &plane->scene, .quantity = "multiplier",
-		.key = {"Omega", "travel.fluctuation"}};
+		.key = {"Omega", "travel.fluctuation"}, .rest = 1};
 	return read_text(&plane->scene, text, NULL, NULL) != HAWSER_OK;
 }
 
