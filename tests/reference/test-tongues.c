@@ -194,8 +194,8 @@ static void nested(void)
 	by_hill = of_chart(&chart, 11.0 - 1e-9);
 	for (int k = 0; k < by_map.count && k < by_hill.count; k++)
 		apart = fmax(apart, fabs(by_map.x[k] - by_hill.x[k]));
-	ok(!failed && by_map.count == 10 && by_hill.count == 10, "undamped, at 11 m/s five tongues: map %d, "
-	   "hill %d crossings", by_map.count, by_hill.count);
+	ok(!failed && by_map.count == 10 && by_hill.count == 10, "undamped, at 11 m/s five tongues: "
+	   "map %d, hill %d crossings", by_map.count, by_hill.count);
 	ok(apart < 3e-4, "at the same places within %.1e", apart);
 	ok(has(&by_hill, 9.8843, 9.8855, 2e-4) && has(&by_map, 9.8843, 9.8855, 2e-4), "one of them in "
 	   "another, from 9.8843 to 9.8855");
