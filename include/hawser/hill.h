@@ -30,8 +30,8 @@ struct hawser_hill_field {
 	int responds; /* 1: about the periodic response, where something moves the model; 0: about rest */
 	const struct hawser_map_condensed *condensed; /* statistics of all calls so far; or NULL */
 	void *context;
-	/* If `responds`, HAWSER_ERR_CONVERGENCE of `multipliers` and `model` is that of the point: the search
-	 * goes on beside it.
+	/* If `responds`, HAWSER_ERR_CONVERGENCE of `multipliers` and `model` is that of the point: the
+	 * search goes on beside it.
 	 * Computes the logarithm of the modulus and the argument of each multiplier, [m], at (x, y). */
 	enum hawser_status (*multipliers)(void *context, double *log_modulus, double *argument,
 	                                  double x,

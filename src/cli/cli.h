@@ -481,22 +481,4 @@ enum hawser_status cli_frf_draw(const char *path, const void *result, struct haw
 /* Write "Amplitude of z, mid-span (m)" in gnuplot's markup; probes may have any name. */
 void cli_probe_label(char *label, size_t size, char component, const char *probe, const char *unit);
 
-struct cli_map_result {
-	const struct cli_common *common;
-	const struct cli_model *model;
-	const struct hawser_map *map;
-	const struct hawser_map_quantity *quantity;
-	struct hawser_map_options options;
-	const char *key[2], *unit[2]; /* [2] */
-	double omega; /* 0: none */
-	int responds; /* 1: stability is that of the periodic response */
-	const struct cli_judged *judged; /* judged.h, or NULL */
-	int full, along; /* 1: write rows of interpolated points too; by rows: the axis that is followed */
-	struct hawser_basins basins; /* or count 0 */
-};
-/* Unit of the mapped value; "1" for a beam without dimensions. */
-const char *cli_map_value_unit(const struct cli_map_result *result);
-extern const struct cli_showing cli_map_showing;
-enum hawser_status cli_map_draw(const char *path, const void *result, struct hawser_report *report);
-
 #endif

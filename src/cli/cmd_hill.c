@@ -101,8 +101,8 @@ static void warn(const struct hawser_hill_chart *chart)
 		cli_warn(text);
 	}
 	if (chart->missed > 0) {
-		snprintf(text, sizeof text, "at %ld points no response was found, and boundaries may be missing "
-		         "there: %.300s", chart->missed, chart->why);
+		snprintf(text, sizeof text, "at %ld points no response was found, and boundaries may be "
+		         "missing there: %.300s", chart->missed, chart->why);
 		cli_warn(text);
 	}
 	cli_tongues_warn(&chart->narrow);

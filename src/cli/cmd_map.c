@@ -273,7 +273,8 @@ static void warn_uncomputed(const struct hawser_map *map)
 }
 
 static enum hawser_status trace(struct hawser_map *map, struct cli_map_result *result,
-                                const struct cli_model *model, const struct settings *settings, struct hawser_report *report)
+                                const struct cli_model *model, const struct settings *settings,
+                                struct hawser_report *report)
 {
 	const struct hawser_map_source source = {
 		.scene = model->has_scene ? &model->scene : NULL,

@@ -271,8 +271,8 @@ static void boundaries_table(struct hawser__table *table, const void *of)
 	cli_tongues_comment(table, &chart->narrow);
 	cli_judged_comment(table, &result->judged);
 	if (chart->missed > 0)
-		hawser__table_comment(table, "at %ld points no response was found, and boundaries may be missing "
-		                      "there: %s", chart->missed, chart->why);
+		hawser__table_comment(table, "at %ld points no response was found, and boundaries may be "
+		                      "missing there: %s", chart->missed, chart->why);
 	if (chart->interrupted)
 		hawser__table_comment(table, "interrupted: boundaries are missing");
 	hawser__table_comment(table, result->model ? "%ld points of the plane"

@@ -131,8 +131,8 @@ enum hawser_status cli_judged_choose(struct cli_judged *judged, struct cli_model
 	return status;
 }
 
-enum hawser_status cli_judged_plane(struct cli_judged *judged, const struct cli_model *model, double top,
-                                    struct hawser_report *report)
+enum hawser_status cli_judged_plane(struct cli_judged *judged, const struct cli_model *model,
+                                    double top, struct hawser_report *report)
 {
 	struct cli_model own = {.has_scene = model->has_scene, .ropeway = model->ropeway};
 	struct hawser_modes modes = {.n = 0};
@@ -158,8 +158,8 @@ enum hawser_status cli_judged_plane(struct cli_judged *judged, const struct cli_
 	status = cli_judged_choose(judged, &own, 0, top, report);
 	hawser_rom_clear(&own.rom);
 	if (!status && judged->stated && judged->error > ROUGH) {
-		snprintf(text, sizeof text, "natural frequencies of the travelling cable are off by %.1e with %d "
-		         "coordinates, and boundaries by as much: take more modes (-n), or --set "
+		snprintf(text, sizeof text, "natural frequencies of the travelling cable are off by %.1e with "
+		         "%d coordinates, and boundaries by as much: take more modes (-n), or --set "
 		         "model.energy=exact", judged->error, judged->coordinates);
 		cli_warn(text);
 	}

@@ -18,10 +18,10 @@ struct cli_judged {
  * model->scene then asks for it, and model->rom is it. */
 enum hawser_status cli_judged_choose(struct cli_judged *judged, struct cli_model *model, int free,
                                      double top, struct hawser_report *report);
-/* The error of a plane of parameters, whose model is made from the scene, with a warning where it is not
- * small. */
-enum hawser_status cli_judged_plane(struct cli_judged *judged, const struct cli_model *model, double top,
-                                    struct hawser_report *report);
+/* The error of a plane of parameters, whose model is made from the scene, with a warning where it is
+ * not small. */
+enum hawser_status cli_judged_plane(struct cli_judged *judged, const struct cli_model *model,
+                                    double top, struct hawser_report *report);
 /* Whether the user has left the model to the program: n is the option --modes. */
 int cli_judged_free(const struct cli_model *model, int n);
 void cli_judged_comment(struct hawser__table *table, const struct cli_judged *judged);

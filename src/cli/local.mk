@@ -200,6 +200,7 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/map_draw.c \
 	%D%/map_hdf5.c \
 	%D%/map_result.c \
+	%D%/map_result.h \
 	%D%/mms_marks.c \
 	%D%/mms_options.c \
 	%D%/mms_result.c \

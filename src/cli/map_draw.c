@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "cli/axis.h"
+#include "cli/map_result.h"
 #include "core/report.h"
 
 enum { MOST_PIXELS = 500 }; /* along an axis */

@@ -4,6 +4,7 @@
 #define HAWSER_CLI_MAP_PART_H
 
 #include "cli/cli.h"
+#include "cli/map_result.h"
 #include "cli/ranks.h"
 
 /* What a part tells in place of a result. */

@@ -90,8 +90,8 @@ enum hawser_status hawser__structure_prepare(void *context, const double *x, con
 const struct hawser__map_room *hawser__map_worker_room(void *worker, int finer);
 
 /* The model at a point and the forcing frequency in SI units; both are valid until the next point
- * or call of the worker. *steady: 1: statics or modes failed; 2: the response. Statuses of the statics, the modes
- * and the model. */
+ * or call of the worker. *steady: 1: statics or modes failed; 2: the response. Statuses of the
+ * statics, the modes and the model. */
 enum hawser_status hawser__map_worker_model(void *worker, const struct hawser_rom **rom,
                                             double *omega, int *steady, double x, double y,
                                             struct hawser_report *report);
