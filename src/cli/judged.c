@@ -1,7 +1,8 @@
 /* cli/judged.c - the model by which the response of a travelling cable is judged.
  *
  *   w_j     natural frequencies of the cable as it travels, with gyroscopic forces (gyroscopic.h)
- *   error   the largest relative distance of a w_j from the nearest one of the model
+ *   error   the largest relative distance of a w_j from the nearest one of the model, for as many w_j
+ *           as the model has coordinates
  *
  * Modes of the apparent cable are coupled by the speed with all others, and the frequencies of a model
  * of n of them converge like 1/n^3: at a third of the wave speed, those of five modes are off by 4e-3,
@@ -70,7 +71,8 @@ static enum hawser_status measure(struct cli_judged *judged, const struct hawser
 	                            : hawser__no_memory(report, "hill");
 
 	judged->error = 0.0;
-	for (int j = 0; !status && j < exact->n; j++) {
+	/* modes beyond those of the model are missing, which the number of modes says */
+	for (int j = 0; !status && j < exact->n && j < rom->n; j++) {
 		double omega = exact->mode[j].omega, nearest = INFINITY;
 
 		if (omega > top*exact->time_unit && j > 0)

@@ -225,7 +225,7 @@ sound campbell
 
 # a map's colours turn at the border of stability, and its axes name quantities
 works "a map" map "$scenes/b-table-5.4.yaml" -n 3 --x Omega=14:16 --y travel.fluctuation=0:8 \
-	--quantity multiplier --points 12x12 --plot map.svg -q
+	--quantity multiplier --points 12x12 --rest --plot map.svg -q
 shows map "Amplitude of speed fluctuation V (m/s)" "Largest modulus of a multiplier (–)" stable unstable \
 	"boundary of stability"
 try "no raw key" sh -c '! grep -q "travel.fluctuation" map.svg'
@@ -233,7 +233,7 @@ sound map
 try "browsers do not blur the colours" grep -q "<image style='image-rendering:pixelated' " map.svg
 
 works "a map of whole numbers" map "$scenes/b-table-5.4.yaml" -n 3 --x Omega=14:16 \
-	--y travel.fluctuation=0:8 --quantity unstable --points 12x12 --plot whole.svg -q
+	--y travel.fluctuation=0:8 --quantity unstable --points 12x12 --rest --plot whole.svg -q
 shows whole "Number of unstable multipliers (–)" unstable
 try "the legend has the colour of the bar" sh -c \
 	'[ "$(grep -ciE "fill *[=:] *.?rgb\( *241, *105, *19\)" whole.svg)" -ge 2 ]'
