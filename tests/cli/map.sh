@@ -7,7 +7,7 @@ cat >hill.json <<'END'
 {"hawser_rom": 1, "n": 2, "D": [[0.02, 0], [0, 0.03]], "K": [[1, 0], [0, 2.3]],
  "harmonics": [{"k": 1, "phase": "cos", "K": [[1, 0.2], [0.2, 1.1]], "f": [0.1, 0.2]}]}
 END
-axes="--x Omega=0.8:4 --y factor.load=0:0.5"
+axes="--x Omega=0.8:4 --y factor.load=0:0.5 --rest"
 
 # shellcheck disable=SC2086 # words
 {
@@ -226,11 +226,11 @@ stats = json.load(open("after.json"))["stats"]
 assert 0 < stats["restored"] < stats["computed"], stats
 END
 	refuses 1 'the checkpoint kept belongs to another map, of other ranges or settings: name another file, or remove it' \
-		map hill.json --x Omega=0.8:4 --y factor.load=0:0.4 --quantity multiplier --checkpoint kept
+		map hill.json --x Omega=0.8:4 --y factor.load=0:0.4 --quantity multiplier --rest --checkpoint kept
 	refuses 1 'the checkpoint kept belongs to another map, of another scene, quantity or pair of axes: name another file, or remove it' \
-		map hill.json --x Omega=0.8:4 --y factor.load=0:0.5 --quantity unstable --checkpoint kept
+		map hill.json --x Omega=0.8:4 --y factor.load=0:0.5 --quantity unstable --rest --checkpoint kept
 	refuses 1 'whole.tsv is no checkpoint of a map: name another file' \
-		map hill.json --x Omega=0.8:4 --y factor.load=0:0.5 --quantity multiplier --checkpoint whole.tsv
+		map hill.json --x Omega=0.8:4 --y factor.load=0:0.5 --quantity multiplier --rest --checkpoint whole.tsv
 	# ten coordinates, seven of them far faster than the excitation: the map says what leaving them out costs
 	python3 -S - >stiff.json <<'END'
 import json
