@@ -77,7 +77,7 @@ CLI_TESTS = \
 	%D%/cli/trajectory.sh \
 	%D%/cli/usage.sh
 test_scripts += $(CLI_TESTS)
-EXTRA_DIST += %D%/cli/lib.sh %D%/cli/serve.py
+EXTRA_DIST += %D%/cli/lib.sh %D%/cli/serve.py %D%/reference/wave.yaml
 
 # Tables of command lines, run in forks of one program.
 CLI_TABLES = %D%/cli/range.table %D%/cli/refusals.table

@@ -47,4 +47,16 @@ of = json.load(open("quartic.json"))
 peak = max(p["amplitude"]["z_mid"] for p in of["points"])
 assert abs(peak/1.0901 - 1) > 0.03 and of["model_error"]["estimated"] > 0.05, (peak, of["model_error"])
 END
+
+# A wave of 60 m is 10 half waves: 6 functions do not hold it, 18 do.
+run frf "$top/tests/reference/wave.yaml" --from 1.3 --to 1.31 --max-points 2 --set model.energy=exact \
+	--set model.basis=6 -q --json wave.json
+try "a basis that lacks the load says so" like 0 \
+	'^hawser: warning: 6 functions a component are off by .*, and lack 8.9e-01 of the static response to the load$'
+python "and the result has the part" <<'END'
+import json
+assert 0.88 < json.load(open("wave.json"))["basis"]["load_lacking"] < 0.9
+END
+works "rom takes what the load needs" rom "$top/tests/reference/wave.yaml" --set model.energy=exact --tsv wave.tsv
+try "18 functions" grep -q '^# 54 coordinates' wave.tsv
 done_testing

@@ -131,8 +131,30 @@ static void check(double h, double wave, const double load[3])
 	   off[0], off[1], log2(off[0]/off[1]));
 }
 
+/* A wave of N half waves needs about 1.6 N functions; a basis holds all of a load that is even. */
+static void check_lacks(void)
+{
+	static const int functions[] = {8, 12, 16, 20, 24};
+	struct hawser_scene scene = scene_of(0.0, 60.0, (const double[3]){0.0, 60.0, 0.0}, 1.0);
+	struct hawser_scene even = scene_of(0.0, 0.0, (const double[3]){0.0, 60.0, 0.0}, 1.0);
+	struct hawser_statics st;
+	double lacks[5] = {0.0}, none = NAN;
+	int good = !hawser_statics_scene(&st, &scene, &report);
+
+	for (int i = 0; i < 5; i++)
+		good &= !hawser_rom_full_lacks(&lacks[i], &st, &scene, functions[i], &report);
+	ok(good && lacks[0] > 0.5 && lacks[1] > 0.3 && lacks[2] < 0.1 && lacks[3] < 1e-3 && lacks[4] == 0.0,
+	   "a wave of 10 half waves, 8 to 24 functions lack %.1e %.1e %.1e %.1e %.1e", lacks[0], lacks[1],
+	   lacks[2], lacks[3], lacks[4]);
+	ok(!hawser_rom_full_lacks(&none, &st, &even, 8, &report) && none < 1e-6,
+	   "of an even load 8 functions lack %.1e", none);
+	even.loads = 0;
+	ok(!hawser_rom_full_lacks(&none, &st, &even, 8, &report) && none == 0.0, "of none, nothing");
+}
+
 CASE(property_rom_loaded)
 {
+	check_lacks();
 	check(0.0, 100.0, (const double[3]){0.0, 60.0, 0.0});
 	check(40.0, 150.0, (const double[3]){0.0, 40.0, 30.0});
 	check(40.0, 0.0, (const double[3]){0.0, 0.0, 50.0});
