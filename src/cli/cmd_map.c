@@ -428,8 +428,7 @@ static enum hawser_status make(struct settings *settings, struct hawser__ranks *
 		cli_map_part_done(&result.options, &map, settings->common.quiet || is_worker(ranks));
 	else if (!status && !is_worker(ranks))
 		status = write_result(&result, settings, report);
-	if (!status && !is_worker(ranks))
-	{
+	if (!status && !is_worker(ranks)) {
 		warn_uncomputed(&map);
 		cli_tongues_warn(&map.narrow);
 	}

@@ -108,6 +108,18 @@ static enum hawser_status choose(struct cli_judged *judged, struct cli_model *mo
 	return status;
 }
 
+static void warn(const struct cli_judged *judged)
+{
+	char text[CLI_WARNING_SIZE];
+
+	if (!judged->stated || judged->error <= ROUGH)
+		return;
+	snprintf(text, sizeof text, "natural frequencies of the travelling cable are off by %.1e with %d "
+	         "coordinates, and boundaries of stability by as much: take more modes (-n), or --set "
+	         "model.energy=exact", judged->error, judged->coordinates);
+	cli_warn(text);
+}
+
 enum hawser_status cli_judged_choose(struct cli_judged *judged, struct cli_model *model, int free,
                                      double top, struct hawser_report *report)
 {
@@ -130,6 +142,8 @@ enum hawser_status cli_judged_choose(struct cli_judged *judged, struct cli_model
 	else if (!status && model->rom.n > 0)
 		status = measure(judged, &model->rom, &exact, top, report);
 	hawser_modes_clear(&exact);
+	if (!status)
+		warn(judged);
 	return status;
 }
 
@@ -140,7 +154,6 @@ enum hawser_status cli_judged_plane(struct cli_judged *judged, const struct cli_
 	struct hawser_modes modes = {.n = 0};
 	struct hawser_modes_options options;
 	struct hawser_statics statics;
-	char text[CLI_WARNING_SIZE];
 	enum hawser_status status;
 
 	*judged = (struct cli_judged){.stated = 0};
@@ -159,12 +172,6 @@ enum hawser_status cli_judged_plane(struct cli_judged *judged, const struct cli_
 		return HAWSER_OK;
 	status = cli_judged_choose(judged, &own, 0, top, report);
 	hawser_rom_clear(&own.rom);
-	if (!status && judged->stated && judged->error > ROUGH) {
-		snprintf(text, sizeof text, "natural frequencies of the travelling cable are off by %.1e with "
-		         "%d coordinates, and boundaries by as much: take more modes (-n), or --set "
-		         "model.energy=exact", judged->error, judged->coordinates);
-		cli_warn(text);
-	}
 	return status;
 }
 

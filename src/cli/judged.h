@@ -13,13 +13,12 @@ struct cli_judged {
 	                   * `to`, rad/s */
 };
 
-/* For a scene with a cable that travels: the error of the model at the frequencies up to `top`, rad/s;
- * with `free` first the smallest full-order model whose error is small takes the place of the modes.
- * model->scene then asks for it, and model->rom is it. */
+/* For a scene with a cable that travels: the error of the model at the frequencies up to `top`, rad/s,
+ * with a warning where it is not small; with `free` first the smallest full-order model whose error is
+ * small takes the place of the modes. model->scene then asks for it, and model->rom is it. */
 enum hawser_status cli_judged_choose(struct cli_judged *judged, struct cli_model *model, int free,
                                      double top, struct hawser_report *report);
-/* The error of a plane of parameters, whose model is made from the scene, with a warning where it is
- * not small. */
+/* The error of a plane of parameters, whose model is made from the scene. */
 enum hawser_status cli_judged_plane(struct cli_judged *judged, const struct cli_model *model,
                                     double top, struct hawser_report *report);
 /* Whether the user has left the model to the program: n is the option --modes. */
