@@ -7,6 +7,7 @@ pkginclude_HEADERS = \
 	%D%/hawser/basin.h \
 	%D%/hawser/campbell.h \
 	%D%/hawser/damped.h \
+	%D%/hawser/document.h \
 	%D%/hawser/drag.h \
 	%D%/hawser/decay.h \
 	%D%/hawser/folds.h \

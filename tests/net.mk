@@ -24,7 +24,8 @@ tests_net_SOURCES = tests/cases.c \
 	tests/reference/test-net-modes.c \
 	tests/reference/test-net-motion.c \
 	tests/reference/test-net-round.c \
-	tests/reference/test-net.c
+	tests/reference/test-net.c \
+	tests/unit/test-document.c
 nodist_tests_net_SOURCES = tests/net-cases.c
 tests_net_LDADD = $(UPTO_NET)
 noinst_HEADERS += tests/net-random.h

@@ -5,6 +5,7 @@
 
 #include <hawser/status.h>
 #include <hawser/progress.h>
+#include <hawser/document.h>
 #include <hawser/scene.h>
 #include <hawser/schema.h>
 #include <hawser/scene_family.h>

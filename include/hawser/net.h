@@ -8,6 +8,7 @@
 #define HAWSER_NET_H
 
 #include <stddef.h>
+#include <hawser/document.h>
 #include <hawser/status.h>
 #include <hawser/surface.h>
 
@@ -116,9 +117,11 @@ struct hawser_net {
 enum hawser_status hawser_net_open(struct hawser_net *net, const char *path,
                                    const char *const *set /* [nset] */, size_t nset,
                                    struct hawser_report *report) HAWSER_MUST_CHECK;
-/* 1 if this file is a scene of kind `net`: a line begins with "kind:" or "nodes:". "-" and pipes, which
- * can be read once only, are none. */
-int hawser_net_is(const char *path);
+/* The same from a document that was read before. */
+enum hawser_status hawser_net_of(struct hawser_net *net,
+                                 const struct hawser_document *from,
+                                 const char *const *set, size_t nset,
+                                 struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_net_clear(struct hawser_net *net);
 
 /* --- statics --- */

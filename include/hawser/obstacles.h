@@ -8,6 +8,7 @@
 #ifndef HAWSER_OBSTACLES_H
 #define HAWSER_OBSTACLES_H
 
+#include <hawser/document.h>
 #include <hawser/line_modes.h>
 
 #ifdef __cplusplus
@@ -71,9 +72,6 @@ struct hawser_obstacles_statics {
 	struct hawser_obstacles_limit slide[2];
 };
 
-/* 1 if this file is the scene of a span with obstacles, by what its lines begin with. "-" and pipes,
- * which can be read once only, are none. */
-int hawser_obstacles_is(const char *path);
 
 /* Read the scene and apply `nset` overrides "path=value"; names of obstacles, or s0, s1 and so on, are
  * in a path such as "obstacles.s0.friction=0.2". *obstacles is overwritten; release it with
@@ -81,6 +79,11 @@ int hawser_obstacles_is(const char *path);
 enum hawser_status hawser_obstacles_open(struct hawser_obstacles *obstacles, const char *path,
                                          const char *const *set, size_t nset,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
+/* The same from a document that was read before. */
+enum hawser_status hawser_obstacles_of(struct hawser_obstacles *obstacles,
+                                       const struct hawser_document *from,
+                                       const char *const *set, size_t nset,
+                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_obstacles_clear(struct hawser_obstacles *obstacles);
 
 /* Solve. *st is overwritten; release it with hawser_obstacles_statics_clear. It has pointers to itself

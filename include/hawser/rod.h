@@ -9,6 +9,7 @@
 #define HAWSER_ROD_H
 
 #include <stddef.h>
+#include <hawser/document.h>
 #include <hawser/status.h>
 
 #ifdef __cplusplus
@@ -80,8 +81,11 @@ struct hawser_rod {
 enum hawser_status hawser_rod_open(struct hawser_rod *rod, const char *path,
                                    const char *const *set /* [nset] */, size_t nset,
                                    struct hawser_report *report) HAWSER_MUST_CHECK;
-/* 1 if this file is a scene of kind `rod`. "-" and pipes, which can be read once only, are none. */
-int hawser_rod_is(const char *path);
+/* The same from a document that was read before. */
+enum hawser_status hawser_rod_of(struct hawser_rod *rod,
+                                 const struct hawser_document *from,
+                                 const char *const *set, size_t nset,
+                                 struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_rod_clear(struct hawser_rod *rod);
 
 /* --- statics --- */

@@ -16,6 +16,7 @@
 
 #include <stdio.h>
 
+#include <hawser/document.h>
 #include <hawser/modes.h>
 #include <hawser/plugin.h>
 
@@ -316,6 +317,10 @@ struct hawser_rom_source {
  * is 0 if the file has none of this name; _model makes the model. Statuses as of hawser_rom_open. */
 enum hawser_status hawser_rom_source_open(struct hawser_rom_source *source, const char *path,
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
+/* The same from a document that was read before; its text is copied. */
+enum hawser_status hawser_rom_source_of(struct hawser_rom_source *source,
+                                        const struct hawser_document *from,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_rom_source_set(struct hawser_rom_source *source, const char *name, double value,
                            int *known);
 enum hawser_status hawser_rom_source_model(struct hawser_rom *rom,

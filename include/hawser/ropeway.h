@@ -13,6 +13,7 @@
 #define HAWSER_ROPEWAY_H
 
 #include <stddef.h>
+#include <hawser/document.h>
 #include <hawser/line.h>
 
 #ifdef __cplusplus
@@ -114,8 +115,11 @@ struct hawser_ropeway {
 enum hawser_status hawser_ropeway_open(struct hawser_ropeway *ropeway, const char *path,
                                        const char *const *set /* [nset] */, size_t nset,
                                        struct hawser_report *report) HAWSER_MUST_CHECK;
-/* 1 if this file is a scene of kind `ropeway`. "-" and pipes, which can be read once only, are none. */
-int hawser_ropeway_is(const char *path);
+/* The same from a document that was read before. */
+enum hawser_status hawser_ropeway_of(struct hawser_ropeway *ropeway,
+                                     const struct hawser_document *from,
+                                     const char *const *set, size_t nset,
+                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_ropeway_clear(struct hawser_ropeway *ropeway);
 
 /* --- statics --- */

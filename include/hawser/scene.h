@@ -11,6 +11,7 @@
 
 #include <stddef.h>
 #include <stdio.h>
+#include <hawser/document.h>
 #include <hawser/status.h>
 
 #ifdef __cplusplus
@@ -277,6 +278,11 @@ const struct hawser_scene_key *hawser_scene_key(int index);
 enum hawser_status hawser_scene_read(struct hawser_scene *scene, FILE *stream, const char *name,
                                      const char *const *set, size_t nset,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* The same from a document that was read before. */
+enum hawser_status hawser_scene_of(struct hawser_scene *scene, const struct hawser_document *from,
+                                   const char *const *set, size_t nset,
+                                   struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* The same from a file name; "-" is standard input. Returns HAWSER_ERR_ARGUMENT if the file does
  * not exist, HAWSER_ERR_IO if it cannot be read. */

@@ -9,6 +9,7 @@
 
 #include <stddef.h>
 
+#include <hawser/document.h>
 #include <hawser/drag.h>
 #include <hawser/rod.h>
 #include <hawser/trajectory.h>
@@ -68,15 +69,17 @@ struct hawser_tow {
 	struct hawser_rod_winch winch;      /* at the towing point: pays out the first segment, in time */
 };
 
-/* 1 if this file is the scene of a towed body, by what its lines begin with. "-" and pipes, which
- * can be read once only, are none. */
-int hawser_tow_is(const char *path);
 
 /* Read the scene and apply `nset` overrides "path=value", such as "tow.orbit.radius=80". *tow is
  * overwritten; release it with hawser_tow_clear. On failure it is all zero. Statuses: as
  * hawser_scene_open, and those of the path. */
 enum hawser_status hawser_tow_open(struct hawser_tow *tow, const char *path, const char *const *set,
                                    size_t nset, struct hawser_report *report) HAWSER_MUST_CHECK;
+/* The same from a document that was read before. */
+enum hawser_status hawser_tow_of(struct hawser_tow *tow,
+                                 const struct hawser_document *from,
+                                 const char *const *set, size_t nset,
+                                 struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_tow_clear(struct hawser_tow *tow);
 
 /* A point of the cable. */

@@ -85,6 +85,7 @@ enum { CLI_SETS = 64, CLI_MORE_INPUTS = 99 }; /* --set options and further input
 /* Settings of every command; the first member of each command's own. */
 struct cli_common {
 	const char *input; /* scene or model; "-" is standard input */
+	struct hawser_document *document; /* its text, read when it is asked for: document.c */
 	const char *library; /* the same as input if that is a shared library (hawser/plugin.h); or NULL */
 	const char *more[CLI_MORE_INPUTS]; /* [mores] after the first, if the command's input has "..." */
 	int mores;
@@ -149,6 +150,22 @@ const struct cli_command *cli_command_row(int index); /* from 0; NULL beyond the
 /* nearest.c: the name that is nearest to a misspelt one, or NULL. */
 const char *cli_nearest(const char *name, const char *const *names, int count);
 
+/* --- document.c: the input of the command, read once --- */
+
+enum hawser_status cli_document(const struct hawser_document **document,
+                                const struct cli_common *common,
+                                struct hawser_report *report) HAWSER_MUST_CHECK;
+/* What the input describes. What cannot be read is taken for a span, whose reader tells why. */
+enum hawser_kind cli_kind(const struct cli_common *common);
+/* cli_read_scene, cli_read_net ... a scene of the kind, with the overrides of the command line. After
+ * a failure it is all zero. */
+#define CLI_KINDS_OF_SCENES(X) X(scene) X(net) X(obstacles) X(ropeway) X(rod) X(tow)
+#define CLI_OPEN(name) \
+	enum hawser_status cli_read_##name(struct hawser_##name *name, const struct cli_common *common, \
+	                                     struct hawser_report *report) HAWSER_MUST_CHECK;
+CLI_KINDS_OF_SCENES(CLI_OPEN)
+#undef CLI_OPEN
+
 /* --- model.c: a model from the scene or model file of the command line --- */
 
 struct cli_model {
@@ -174,9 +191,6 @@ struct cli_model {
 	struct cli_exact exact;
 };
 const char *cli_input_name(const struct cli_common *common); /* "<stdin>" for "-" */
-/* Where the path is "-", standard input becomes a file that can be read again: what kind of scene it is
- * is read first. */
-enum hawser_status cli_hold_input(const char *path, struct hawser_report *report) HAWSER_MUST_CHECK;
 /* Most modes of a model whose ranges (hawser/law.h) are sought unasked: half a second; chosen. */
 enum { CLI_JUDGED = 40 };
 /* n > 0 overrides the scene's modes. With modes: auto the model is made later, for the range of

@@ -149,8 +149,7 @@ static enum hawser_status load(struct cli_beam_result *result, const struct sett
 	if (!status)
 		status = cli_outputs_check(common, report);
 	if (!status)
-		status = hawser_scene_open(&result->scene, common->input, common->set, (size_t)common->sets,
-		                           report);
+		status = cli_read_scene(&result->scene, common, report);
 	if (!status)
 		cli_warn_doubts(&result->scene);
 	result->n = settings->n;

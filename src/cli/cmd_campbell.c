@@ -110,8 +110,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	struct cli_track track = {.common = &s->common, .command = "campbell", .swept = CLI_SWEPT_SPEED,
 		.from = s->from, .to = s->to, .points = s->points, .n = s->n, .unit = s->unit,
 		.spacing = s->spacing, .harmonics = s->harmonics, .choice = s->ropeway};
-	enum cli_kind kind = cli_kind_of(s->common.input, CLI_KINDS);
-	enum hawser_status status = cli_kind_check(kind, given, "campbell", s->common.input, report);
+	enum cli_kind kind = cli_kind_of(&s->common, CLI_KINDS);
+	enum hawser_status status = cli_kind_check(given, "campbell", &s->common, report);
 
 	if (status)
 		return status;

@@ -101,8 +101,7 @@ static enum hawser_status check_beam(const struct cli_common *common, const stru
 static enum hawser_status check_span(const struct cli_common *common, struct hawser_report *report)
 {
 	struct hawser_scene scene;
-	enum hawser_status status = hawser_scene_open(&scene, common->input, common->set,
-	                                              (size_t)common->sets, report);
+	enum hawser_status status = cli_read_scene(&scene, common, report);
 
 	if (status)
 		return status;
@@ -120,7 +119,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	char text[CLI_SCENE_FACTS];
 
 	for (int i = 0; (kind = cli_scene_kind(i)); i++) {
-		if (!kind->is || !kind->is(s->common.input))
+		if (!kind->look || kind->kind != cli_kind(&s->common))
 			continue;
 		status = kind->look(text, &s->common, report);
 		if (status)

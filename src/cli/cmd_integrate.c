@@ -382,8 +382,7 @@ static struct settings with_lane(const struct settings *given)
 {
 	struct settings settings = *given;
 
-	if (given->load && given->common.input &&
-	    cli_kind_of(given->common.input, CLI_ROPEWAY) == CLI_ROPEWAY) {
+	if (given->load && cli_kind(&given->common) == HAWSER_KIND_ROPEWAY) {
 		settings.common.lane.load = given->load;
 		settings.load = NULL;
 	}
@@ -399,14 +398,15 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	struct cli_integrate_result result = {.common = &settings->common, .model = &model,
 	                                      .spectrum = settings->spectrum};
 	const struct cli_output state = {"state", net->state};
+	enum hawser_kind kind = cli_kind(&settings->common);
 	enum hawser_status status = cli_outputs_check_with(&settings->common, &state, 1, report);
 
 	if (!status)
 		status = hawser__file_check(net->state, report);
 	if (!status)
 		status = cli_rom_ropeway_check(&settings->common, report);
-	if (!status && (hawser_net_is(settings->common.input) || hawser_rod_is(settings->common.input)))
-		return run_kind(settings, hawser_rod_is(settings->common.input), report);
+	if (!status && (kind == HAWSER_KIND_NET || kind == HAWSER_KIND_ROD))
+		return run_kind(settings, kind == HAWSER_KIND_ROD, report);
 	if (!status)
 		status = check_model(settings, report);
 	if (!status && settings->model && strcmp(settings->model, "fe") == 0)

@@ -230,8 +230,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	struct cli_track track = {.common = &s->common, .command = "irvine", .swept = CLI_SWEPT_TENSION,
 		.from = s->from, .to = s->to, .points = s->points, .n = s->n, .unit = s->unit,
 		.choice = s->ropeway};
-	enum cli_kind kind = cli_kind_of(s->common.input, CLI_KINDS);
-	enum hawser_status status = cli_kind_check(kind, given, "irvine", s->common.input, report);
+	enum cli_kind kind = cli_kind_of(&s->common, CLI_KINDS);
+	enum hawser_status status = cli_kind_check(given, "irvine", &s->common, report);
 
 	if (status)
 		return status;

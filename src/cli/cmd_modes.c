@@ -241,8 +241,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!s->common.input)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
 		                    "modes needs a SCENE (hawser modes --help)");
-	kind = cli_kind_of(s->common.input, CLI_KINDS | CLI_OBSTACLES);
-	status = cli_kind_check(kind, given, "modes", s->common.input, report);
+	kind = cli_kind_of(&s->common, CLI_KINDS | CLI_OBSTACLES);
+	status = cli_kind_check(given, "modes", &s->common, report);
 	while (table[i].kind != kind)
 		i++;
 	return status ? status : table[i].run(s, report);

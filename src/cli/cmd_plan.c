@@ -123,7 +123,7 @@ static enum hawser_status plan_beam(int *done, const struct cli_common *common,
 	*done = 0;
 	if (common->json || common->tsv)
 		return HAWSER_OK;
-	status = hawser_scene_open(&scene, common->input, common->set, (size_t)common->sets, NULL);
+	status = cli_read_scene(&scene, common, NULL);
 	if (status)
 		return HAWSER_OK; /* the error is found again and reported below */
 	if (scene.beam.form) {
@@ -186,11 +186,12 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	struct cli_model model = {0};
 	struct cli_plan_result result = {.common = &settings->common, .model = &model};
 	enum hawser_status status = choose(&result, settings, report);
+	enum hawser_kind kind = cli_kind(&settings->common);
 	int done = 0;
 
-	if (!status && hawser_net_is(settings->common.input))
+	if (!status && kind == HAWSER_KIND_NET)
 		return run_net(settings, report);
-	if (!status && hawser_ropeway_is(settings->common.input))
+	if (!status && kind == HAWSER_KIND_ROPEWAY)
 		return run_ropeway(settings, report);
 	if (!status && *other(settings, 0))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "plan", "--%s is for nets, and %s is no "

@@ -366,8 +366,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!status)
 		status = quantities(&set, s, report);
 	if (!status)
-		status = hawser_tow_open(&result.tow, s->common.input, s->common.set, (size_t)s->common.sets,
-		                         report);
+		status = cli_read_tow(&result.tow, &s->common, report);
 	if (!status)
 		status = hawser_tow_move(&result.motion, &result.tow, &set, report);
 	if (!status && s->check && !result.motion.interrupted)

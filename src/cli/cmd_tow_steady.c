@@ -209,8 +209,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	enum hawser_status status = cli_outputs_check(&s->common, report);
 
 	if (!status)
-		status = hawser_tow_open(&result.tow, s->common.input, s->common.set, (size_t)s->common.sets,
-		                         report);
+		status = cli_read_tow(&result.tow, &s->common, report);
 	if (!status)
 		status = hawser_tow_steady_solve(&result.steady, &result.tow, report);
 	if (!status)

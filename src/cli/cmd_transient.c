@@ -260,8 +260,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	enum hawser_status status = cli_outputs_check(&s->common, report);
 
 	if (!status)
-		status = hawser_ropeway_open(&result.ropeway, s->common.input, s->common.set,
-		                             (size_t)s->common.sets, report);
+		status = cli_read_ropeway(&result.ropeway, &s->common, report);
 	if (!status)
 		status = s->pass ? pass(&result, s, report) : move(&result, s, report);
 	if (!status) {

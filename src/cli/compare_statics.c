@@ -6,7 +6,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "cli/compare_statics.h"
 #include "cli/label.h"
@@ -164,25 +163,33 @@ static const struct cli_showing
 static enum hawser_status read_scene(struct cli_compare_statics *result, const char *path,
                                      struct hawser_report *report)
 {
-	enum { REPEATS = 5 }; /* of files; pipes are read once */
+	enum { REPEATS = 5 };
 	const struct cli_common *common = result->common;
 	struct hawser_net *net = &result->net[result->nets];
 	double *least = &result->reading[result->nets];
-	int repeats = hawser_net_is(path) ? REPEATS : 1;
-	enum hawser_status status = HAWSER_OK;
-	struct stat info;
+	struct hawser_document document;
+	enum hawser_status status = hawser_document_open(&document, path, report);
 
-	if (stat(path, &info) == 0 && S_ISREG(info.st_mode) && !hawser_net_is(path))
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "compare statics", "%s is no scene of a net: "
-		                    "that is a file with kind: net (man hawser-scene, NETS)", path);
+	if (!status && document.kind != HAWSER_KIND_NET)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "compare statics", "%s is no scene of a net: "
+		                      "that is one with kind: net (man hawser-scene, NETS)", path);
 	*least = INFINITY;
-	for (int i = 0; i < repeats && !status; i++) {
+	for (int i = 0; i < REPEATS && !status; i++) {
 		double began = cli_processor_seconds();
+		FILE *again = fmemopen(document.text, document.length, "r");
+		struct hawser_document twin = {.name = NULL};
 
 		hawser_net_clear(net);
-		status = hawser_net_open(net, path, common->set, (size_t)common->sets, report);
+		status = again ? hawser_document_read(&twin, again, document.name, report)
+		               : hawser__no_memory(report, "compare statics");
+		if (!status)
+			status = hawser_net_of(net, &twin, common->set, (size_t)common->sets, report);
+		hawser_document_clear(&twin);
+		if (again)
+			fclose(again);
 		*least = fmin(*least, cli_processor_seconds() - began);
 	}
+	hawser_document_clear(&document);
 	if (!status)
 		status = hawser_net_refine(net, report);
 	for (int c = 0; c < net->cables && !status; c++)

@@ -16,11 +16,11 @@
 /* Of a scene that the table of keys does not describe; NULL of others. */
 static const char *other_kind(const struct cli_common *common)
 {
-	return !common->input ? NULL : hawser_rod_is(common->input) ? "rod"
-	       : hawser_ropeway_is(common->input) ? "ropeway"
-	       : hawser_obstacles_is(common->input) ? "span"
-	       : hawser_tow_is(common->input) ? "tow"
-	       : hawser_net_is(common->input) ? "net" : NULL;
+	enum hawser_kind kind = cli_kind(common);
+
+	return kind == HAWSER_KIND_SPAN || kind == HAWSER_KIND_MODEL ? NULL
+	       : kind == HAWSER_KIND_OBSTACLES                       ? "span"
+	                                                             : hawser_kind_name(kind);
 }
 
 const char *cli_input_name(const struct cli_common *common)

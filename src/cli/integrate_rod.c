@@ -336,8 +336,7 @@ static enum hawser_status solve(struct result *result, struct hawser_report *rep
 	enum hawser_status status = hawser__animate_check(settings->animate, "integrate", report);
 
 	if (!status)
-		status = hawser_rod_open(&result->rod, result->common->input, result->common->set,
-		                         (size_t)result->common->sets, report);
+		status = cli_read_rod(&result->rod, result->common, report);
 	if (!status)
 		status = probes(result, report);
 	options.probes = result->probes;

@@ -3,58 +3,59 @@
 #include "config.h"
 
 #include <string.h>
-#include <unistd.h>
 
 #include "cli/kinds.h"
 #include "core/report.h"
 
+/* By hawser_kind. */
 static const struct {
-	enum cli_kind kind;
 	const char *one, *many;
-	int (*is)(const char *path);
-} table[] = {
-	{CLI_ROPEWAY, "a ropeway", "ropeways", hawser_ropeway_is},
-	{CLI_NET, "a net", "nets", hawser_net_is},
-	{CLI_OBSTACLES, "a span over obstacles", "spans over obstacles", hawser_obstacles_is},
-	{CLI_SPAN, "a span", "spans", NULL}, /* what is of no other kind */
+} table[HAWSER_KINDS] = {
+	[HAWSER_KIND_SPAN] = {"a span", "spans"},
+	[HAWSER_KIND_NET] = {"a net", "nets"},
+	[HAWSER_KIND_OBSTACLES] = {"a span over obstacles", "spans over obstacles"},
+	[HAWSER_KIND_ROPEWAY] = {"a ropeway", "ropeways"},
+	[HAWSER_KIND_ROD] = {"a rod", "rods"},
+	[HAWSER_KIND_TOW] = {"a towed body", "towed bodies"},
+	[HAWSER_KIND_MODEL] = {"a reduced model", "reduced models"},
 };
-enum { KINDS = sizeof table/sizeof *table };
+static const enum hawser_kind said_in_turn[] = {HAWSER_KIND_ROPEWAY, HAWSER_KIND_NET,
+                                                HAWSER_KIND_OBSTACLES, HAWSER_KIND_SPAN};
 
-enum cli_kind cli_kind_of(const char *path, unsigned kinds)
+enum cli_kind cli_kind_of(const struct cli_common *common, unsigned kinds)
 {
-	for (int i = 0; i < KINDS - 1; i++)
-		if ((kinds & (unsigned)table[i].kind) && table[i].is(path))
-			return table[i].kind;
-	return CLI_SPAN;
+	unsigned bit = 1u << cli_kind(common);
+
+	return kinds & bit ? (enum cli_kind)bit : CLI_SPAN;
 }
 
 /* "nets", "ropeways and nets" */
 static void list_kinds(char *text, size_t size, unsigned kinds)
 {
 	text[0] = '\0';
-	for (int i = 0; i < KINDS; i++)
-		if (kinds & (unsigned)table[i].kind) {
+	for (size_t i = 0; i < sizeof said_in_turn/sizeof *said_in_turn; i++)
+		if (kinds & 1u << said_in_turn[i]) {
 			size_t length = strlen(text);
 
-			snprintf(text + length, size - length, "%s%s", length ? " and " : "", table[i].many);
+			snprintf(text + length, size - length, "%s%s", length ? " and " : "",
+			         table[said_in_turn[i]].many);
 		}
 }
 
-enum hawser_status cli_kind_check(enum cli_kind kind, const struct cli_given *list, const char *command,
-                                  const char *path, struct hawser_report *report)
+enum hawser_status cli_kind_check(const struct cli_given *list, const char *command,
+                                  const struct cli_common *common, struct hawser_report *report)
 {
+	const struct hawser_document *document;
+	enum hawser_status status = cli_document(&document, common, report);
 	char many[64];
-	int own = 0, unknown = kind == CLI_SPAN && strcmp(path, "-") != 0 && access(path, R_OK) != 0;
 
-	while (table[own].kind != kind)
-		own++;
-	for (; list->name && !unknown; list++) { /* what cannot be read is refused where it is read */
-		if (!list->given || (list->kinds & (unsigned)kind))
+	for (; list->name && !status; list++) {
+		if (!list->given || list->kinds & 1u << document->kind)
 			continue;
 		list_kinds(many, sizeof many, list->kinds);
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, command,
-		                    "--%s is for %s, and %s is the scene of %s", list->name, many, path,
-		                    table[own].one);
+		                    "--%s is for %s, and %s is the scene of %s", list->name, many,
+		                    document->name, table[document->kind].one);
 	}
-	return HAWSER_OK;
+	return status;
 }

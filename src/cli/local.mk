@@ -138,6 +138,7 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/compare_result.c \
 	%D%/compare_result.h \
 	%D%/deliver.c \
+	%D%/document.c \
 	%D%/echo.c \
 	%D%/film_net.c \
 	%D%/film_net.h \

@@ -105,12 +105,14 @@ static enum hawser_status execute(const struct cli_command *command, int argc, c
                                   struct hawser_report *report)
 {
 	struct cli_common *common = malloc(command->size);
+	struct hawser_document document = {.name = NULL};
 	enum hawser_status status;
 
 	if (!common)
 		return hawser__no_memory(report, "main");
 	memcpy(common, command->defaults, command->size);
 	cli_ranks_silence(command->name);
+	common->document = &document;
 	common->started = cli_seconds();
 	common->word = argv;
 	common->words = argc;
@@ -126,9 +128,8 @@ static enum hawser_status execute(const struct cli_command *command, int argc, c
 	if (!status && !common->help)
 		status = cli_picture_choose(common, report);
 	if (!status && !common->help)
-		status = cli_hold_input(common->input, report);
-	if (!status && !common->help)
 		status = command->run(common, report);
+	hawser_document_clear(&document);
 	free(common);
 	return status;
 }

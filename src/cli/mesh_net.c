@@ -13,8 +13,7 @@ static const double LARGE = 0.1;
 enum hawser_status cli_mesh_open(struct hawser_net *net, const struct cli_common *common,
                                  struct hawser_report *report)
 {
-	enum hawser_status status = hawser_net_open(net, common->input, common->set, (size_t)common->sets,
-	                                            report);
+	enum hawser_status status = cli_read_net(net, common, report);
 
 	return status ? status : hawser_net_refine(net, report);
 }

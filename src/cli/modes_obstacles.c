@@ -147,8 +147,7 @@ static enum hawser_status solve(struct result *result, const char *contact, int 
 	const struct hawser_line_statics *st = &result->st.st;
 	struct hawser_line_modes_options options = {.n = n};
 	const struct cli_common *common = result->line.common;
-	enum hawser_status status = hawser_obstacles_open(&result->scene, common->input, common->set,
-	                                                  (size_t)common->sets, report);
+	enum hawser_status status = cli_read_obstacles(&result->scene, common, report);
 
 	if (!status && contact)
 		status = cli_choose(&result->scene.modes, "modes", "contact", contact, name, 2, report);

@@ -19,8 +19,7 @@ enum hawser_status cli_ropeway_open(struct hawser_ropeway *rw, int *load_case,
 {
 	const char *list[64];
 	int index = 0, count = 0;
-	enum hawser_status status = hawser_ropeway_open(rw, common->input, common->set,
-	                                                (size_t)common->sets, report);
+	enum hawser_status status = cli_read_ropeway(rw, common, report);
 
 	*load_case = 0;
 	if (!status && choice->contact) {

@@ -145,8 +145,7 @@ static void fill_points(struct cli_obstacles *of, int points)
 enum hawser_status cli_obstacles_fill(struct cli_obstacles *of, int points,
                                       struct hawser_report *report)
 {
-	enum hawser_status status = hawser_obstacles_open(&of->scene, of->common->input, of->common->set,
-	                                                  (size_t)of->common->sets, report);
+	enum hawser_status status = cli_read_obstacles(&of->scene, of->common, report);
 
 	if (!status)
 		status = hawser_obstacles_solve(&of->st, &of->scene, report);

@@ -186,7 +186,7 @@ enum hawser_status cli_plan_ropeway(const struct cli_common *common, struct haws
 		                    "leave --json out (--tsv has it as comments)");
 	status = cli_outputs_check(common, report);
 	if (!status)
-		status = hawser_ropeway_open(&rw, common->input, common->set, (size_t)common->sets, report);
+		status = cli_read_ropeway(&rw, common, report);
 	if (status)
 		return status;
 	before = cli_processor_seconds();

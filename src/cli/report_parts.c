@@ -74,8 +74,7 @@ static enum hawser_status kind_of_tow(unsigned *kind, const struct cli_common *c
                                       struct hawser_report *report)
 {
 	struct hawser_tow tow;
-	enum hawser_status status = hawser_tow_open(&tow, common->input, common->set,
-	                                            (size_t)common->sets, report);
+	enum hawser_status status = cli_read_tow(&tow, common, report);
 
 	if (status)
 		return status;
@@ -87,22 +86,19 @@ static enum hawser_status kind_of_tow(unsigned *kind, const struct cli_common *c
 static enum hawser_status find_kind(unsigned *kind, struct hawser_scene *span, int *scene,
                                     const struct cli_common *common, struct hawser_report *report)
 {
-	static const struct {
-		int (*is)(const char *path);
-		unsigned kind;
-	} by_file[] = {{hawser_ropeway_is, ROPEWAY}, {hawser_net_is, NET}, {hawser_obstacles_is, OBSTACLES},
-	               {hawser_rod_is, ROD}};
+	static const unsigned by_kind[HAWSER_KINDS] = {
+		[HAWSER_KIND_ROPEWAY] = ROPEWAY, [HAWSER_KIND_NET] = NET, [HAWSER_KIND_OBSTACLES] = OBSTACLES,
+		[HAWSER_KIND_ROD] = ROD};
+	enum hawser_kind of = cli_kind(common);
 	enum hawser_status status;
 
 	*scene = 0;
-	for (size_t i = 0; i < sizeof by_file/sizeof *by_file; i++)
-		if (by_file[i].is(common->input)) {
-			*kind = by_file[i].kind;
-			return HAWSER_OK;
-		}
-	if (hawser_tow_is(common->input))
+	*kind = by_kind[of];
+	if (*kind)
+		return HAWSER_OK;
+	if (of == HAWSER_KIND_TOW)
 		return kind_of_tow(kind, common, report);
-	status = hawser_scene_open(span, common->input, common->set, (size_t)common->sets, report);
+	status = cli_read_scene(span, common, report);
 	*scene = !status;
 	if (!status)
 		*kind = kind_of_span(span);

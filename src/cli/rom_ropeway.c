@@ -118,7 +118,7 @@ enum hawser_status cli_rom_ropeway_check(const struct cli_common *common,
 	                    : lane->lane ? "lane"
 	                    : lane->contact ? "contact" : lane->load_case ? "case" : NULL;
 
-	if (!given || (common->input && cli_kind_of(common->input, CLI_ROPEWAY) == CLI_ROPEWAY))
+	if (!given || cli_kind(common) == HAWSER_KIND_ROPEWAY)
 		return HAWSER_OK;
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "model", "--%s is for ropeways, and %s is no "
 	                    "scene of a ropeway", given, common->library ? common->library

@@ -10,8 +10,7 @@ static enum hawser_status net(char *text, const struct cli_common *common,
 	struct hawser_net net;
 	long elements = 0;
 	int supports = 0;
-	enum hawser_status status = hawser_net_open(&net, common->input, common->set,
-	                                            (size_t)common->sets, report);
+	enum hawser_status status = cli_read_net(&net, common, report);
 
 	if (status)
 		return status;
@@ -30,8 +29,7 @@ static enum hawser_status ropeway(char *text, const struct cli_common *common,
                                   struct hawser_report *report)
 {
 	struct hawser_ropeway rw;
-	enum hawser_status status = hawser_ropeway_open(&rw, common->input, common->set,
-	                                                (size_t)common->sets, report);
+	enum hawser_status status = cli_read_ropeway(&rw, common, report);
 
 	if (status)
 		return status;
@@ -45,8 +43,7 @@ static enum hawser_status obstacles(char *text, const struct cli_common *common,
                                     struct hawser_report *report)
 {
 	struct hawser_obstacles of;
-	enum hawser_status status = hawser_obstacles_open(&of, common->input, common->set,
-	                                                  (size_t)common->sets, report);
+	enum hawser_status status = cli_read_obstacles(&of, common, report);
 
 	if (status)
 		return status;
@@ -60,8 +57,7 @@ static enum hawser_status rod(char *text, const struct cli_common *common,
 {
 	struct hawser_rod rod;
 	long elements = 0;
-	enum hawser_status status = hawser_rod_open(&rod, common->input, common->set,
-	                                            (size_t)common->sets, report);
+	enum hawser_status status = cli_read_rod(&rod, common, report);
 
 	if (status)
 		return status;
@@ -78,8 +74,7 @@ static enum hawser_status tow(char *text, const struct cli_common *common,
 {
 	static const char *const body[] = {"none", "a point", "a ring"};
 	struct hawser_tow tow;
-	enum hawser_status status = hawser_tow_open(&tow, common->input, common->set,
-	                                            (size_t)common->sets, report);
+	enum hawser_status status = cli_read_tow(&tow, common, report);
 
 	if (status)
 		return status;
@@ -90,20 +85,38 @@ static enum hawser_status tow(char *text, const struct cli_common *common,
 	return HAWSER_OK;
 }
 
+static enum hawser_status model(char *text, const struct cli_common *common,
+                                struct hawser_report *report)
+{
+	struct cli_model made;
+	enum hawser_status status = cli_model_load(&made, common, 0, report);
+
+	if (status)
+		return status;
+	snprintf(text, CLI_SCENE_FACTS, "  coordinates: %d\n  parameters: %d\n  lowest natural frequency: "
+	         "%.6g%s\n", made.rom.n, made.source.parameters,
+	         made.naturals > 0 ? made.natural[0]*cli_per_omega(&made) : 0.0,
+	         made.rom.scaled ? " rad/s" : "");
+	cli_model_clear(&made);
+	return HAWSER_OK;
+}
+
 #define OF_SPANS "irvine, rom, integrate, frf, orbit, folds, locus, nnm, mms, hill, damping, " \
 	"identify, map, compare, plan"
 static const struct cli_scene_kind kinds[] = {
-	{"cable", "a span of cable", "statics, modes, " OF_SPANS, cli_init_cable, NULL, NULL},
+	{"cable", "a span of cable", "statics, modes, " OF_SPANS, cli_init_cable, NULL, HAWSER_KIND_SPAN},
 	{"travelling", "a travelling cable", "campbell, statics, modes, " OF_SPANS, cli_init_travelling,
-	 NULL, NULL},
-	{"beam", "a travelling beam or string", "beam, map, plan", cli_init_beam, NULL, NULL},
-	{"net", "a net of cables", "statics, modes, integrate, plan", cli_init_net, net, hawser_net_is},
+	 NULL, HAWSER_KIND_SPAN},
+	{"beam", "a travelling beam or string", "beam, map, plan", cli_init_beam, NULL, HAWSER_KIND_SPAN},
+	{"net", "a net of cables", "statics, modes, integrate, plan", cli_init_net, net, HAWSER_KIND_NET},
 	{"obstacles", "a span over obstacles", "statics, modes", cli_init_obstacles, obstacles,
-	 hawser_obstacles_is},
+	 HAWSER_KIND_OBSTACLES},
 	{"ropeway", "a ropeway", "statics, modes, campbell, irvine, rom, integrate, frf, orbit, folds, "
-	 "locus, nnm, mms, transient, plan", cli_init_ropeway, ropeway, hawser_ropeway_is},
-	{"rod", "a rod", "statics, integrate", cli_init_rod, rod, hawser_rod_is},
-	{"tow", "a towed body", "tow steady, tow, trajectory", cli_init_tow, tow, hawser_tow_is},
+	 "locus, nnm, mms, transient, plan", cli_init_ropeway, ropeway, HAWSER_KIND_ROPEWAY},
+	{"rod", "a rod", "statics, integrate", cli_init_rod, rod, HAWSER_KIND_ROD},
+	{"tow", "a towed body", "tow steady, tow, trajectory", cli_init_tow, tow, HAWSER_KIND_TOW},
+	{"model", "a reduced model", "rom, integrate, frf, orbit, folds, locus, nnm, mms, hill, map", NULL,
+	 model, HAWSER_KIND_MODEL},
 };
 
 const struct cli_scene_kind *cli_scene_kind(int index)

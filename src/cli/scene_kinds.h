@@ -10,12 +10,12 @@ struct cli_scene_kind {
 	const char *name;     /* "net" */
 	const char *one;      /* "a net of cables" */
 	const char *commands; /* that take it, the main one first: "statics, modes" */
-	const char *text;     /* a scene with comments */
+	const char *text;     /* a scene with comments; NULL: hawser init has none */
 	/* Read the scene and say what it has, lines in text [CLI_SCENE_FACTS]; NULL: by the reader of
 	 * spans. */
 	enum hawser_status (*look)(char *text, const struct cli_common *common,
 	                           struct hawser_report *report);
-	int (*is)(const char *path); /* or NULL */
+	enum hawser_kind kind;
 };
 /* Row `index`, from 0, in the order of the input of hawser init; NULL beyond the last. */
 const struct cli_scene_kind *cli_scene_kind(int index);

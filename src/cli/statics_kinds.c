@@ -66,9 +66,10 @@ enum hawser_status cli_statics_kinds(int *done, const struct cli_common *common,
 {
 	const char *net = net_option(kinds), *ropeway = ropeway_option(kinds), *rod = rod_option(kinds);
 	const char *profile = kinds->profile ? "profile" : NULL;
+	enum hawser_kind kind = cli_kind(common);
 
 	*done = 1;
-	if (hawser_rod_is(common->input)) {
+	if (kind == HAWSER_KIND_ROD) {
 		const char *other = span_option ? span_option : cases ? "cases" : net ? net : profile;
 
 		if (!other && !ropeway)
@@ -77,22 +78,22 @@ enum hawser_status cli_statics_kinds(int *done, const struct cli_common *common,
 		                    "--%s does not go with a rod, whose options are --load-steps and --vtk",
 		                    other ? other : ropeway);
 	}
-	if (rod && hawser_net_is(common->input) && !kinds->load_steps)
+	if (rod && kind == HAWSER_KIND_NET && !kinds->load_steps)
 		rod = NULL; /* --vtk is for nets, too */
-	if (rod && (hawser_obstacles_is(common->input) || hawser_ropeway_is(common->input) ||
-	            hawser_net_is(common->input)))
+	if (rod && (kind == HAWSER_KIND_OBSTACLES || kind == HAWSER_KIND_ROPEWAY ||
+	            kind == HAWSER_KIND_NET))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
 		                    "--%s is for rods, and %s is no scene of a rod", rod, common->input);
-	if (hawser_obstacles_is(common->input))
+	if (kind == HAWSER_KIND_OBSTACLES)
 		return cli_statics_obstacles(common, kinds, points, cases, span_option, report);
-	if (hawser_ropeway_is(common->input)) {
+	if (kind == HAWSER_KIND_ROPEWAY) {
 		if (!span_option && !net)
 			return cli_statics_ropeway(common, kinds, cases, report);
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
 		                    "--%s is for %s, and this scene is a ropeway",
 		                    span_option ? span_option : net, span_option ? "spans" : "nets");
 	}
-	if (hawser_net_is(common->input))
+	if (kind == HAWSER_KIND_NET)
 		return of_net(common, kinds, cases && !span_option ? "cases" : span_option, report);
 	*done = 0;
 	if (net || kinds->profile)

@@ -166,8 +166,7 @@ enum hawser_status cli_statics_rod(const struct cli_common *common,
 	enum hawser_status status = cli_vtk_check(kinds->vtk, "statics", report);
 
 	if (!status)
-		status = hawser_rod_open(&result.scene, common->input, common->set, (size_t)common->sets,
-		                         report);
+		status = cli_read_rod(&result.scene, common, report);
 	if (!status)
 		status = hawser_rod_solve(&result.st, &result.scene, &options, report);
 	if (!status) {

@@ -217,8 +217,7 @@ enum hawser_status cli_statics_ropeway(const struct cli_common *common,
                                        struct hawser_report *report)
 {
 	struct cli_ropeway result = {.common = common, .kinds = kinds, .show_cases = cases};
-	enum hawser_status status = hawser_ropeway_open(&result.ropeway, common->input, common->set,
-	                                                (size_t)common->sets, report);
+	enum hawser_status status = cli_read_ropeway(&result.ropeway, common, report);
 
 	if (!status && kinds->spans + kinds->worst + kinds->profile + cases > 1)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",

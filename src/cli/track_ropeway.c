@@ -51,8 +51,7 @@ static enum hawser_status open_span(struct hawser_obstacles *span, const struct 
                                     const struct cli_track *t, struct hawser_report *report)
 {
 	static const char *const name[] = {"slip", "stick"};
-	enum hawser_status status = hawser_obstacles_open(span, common->input, common->set,
-	                                                  (size_t)common->sets, report);
+	enum hawser_status status = cli_read_obstacles(span, common, report);
 
 	return status || !t->choice.contact ? status
 		: cli_choose(&span->modes, t->command, "contact", t->choice.contact, name, 2, report);

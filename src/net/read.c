@@ -383,9 +383,10 @@ static enum hawser_status common(struct hawser__reader *reader, struct hawser_ne
 	return status ? status : hawser__net_room(reader, net, root);
 }
 
-static enum hawser_status interpret(struct hawser__reader *reader, struct hawser_net *net,
+static enum hawser_status interpret(struct hawser__reader *reader, void *scene,
                                     const struct hawser__tree *root)
 {
+	struct hawser_net *net = scene;
 	const struct hawser__tree *kind = hawser__tree_find(root, "kind");
 	enum hawser_status status;
 
@@ -402,30 +403,24 @@ static enum hawser_status interpret(struct hawser__reader *reader, struct hawser
 	return status ? status : rules(reader, net, hawser__tree_find(root, "cables"));
 }
 
-int hawser_net_is(const char *path)
+static void clear(void *scene)
 {
-	return hawser__tree_is(path, "net");
+	hawser_net_clear(scene);
 }
 
-enum hawser_status hawser_net_open(struct hawser_net *net, const char *path, const char *const *set,
-                                   size_t nset, struct hawser_report *report)
-{
-	struct hawser__reader reader = {.report = report, .name = path};
-	static const struct hawser__tree_words words = {
-		"a scene of kind net is a mapping with at least nodes, cables and supports (see "
-		"hawser-scene(5))", "cables.c1.EA=100 MN", 'c'};
-	struct hawser__tree *tree = NULL;
-	enum hawser_status status;
+static const struct hawser__tree_form form = {
+	{"a scene of kind net is a mapping with at least nodes, cables and supports (see "
+	"hawser-scene(5))", "cables.c1.EA=100 MN", 'c'},
+	sizeof(struct hawser_net), offsetof(struct hawser_net, name), interpret, clear};
 
-	memset(net, 0, sizeof *net);
-	status = hawser__tree_open(&tree, &reader, path, &words, set, nset);
-	if (!status)
-		status = interpret(&reader, net, tree);
-	if (!status && !(net->name = strdup(path)))
-		status = hawser__no_memory(report, "scene");
-	hawser__tree_clear(tree);
-	hawser__units_clear(&reader.units);
-	if (status)
-		hawser_net_clear(net);
-	return status;
+enum hawser_status hawser_net_of(struct hawser_net *net, const struct hawser_document *from,
+                                 const char *const *set, size_t nset, struct hawser_report *report)
+{
+	return hawser__tree_scene(net, &form, from, set, nset, report);
+}
+
+enum hawser_status hawser_net_open(struct hawser_net *net, const char *path,
+                                   const char *const *set, size_t nset, struct hawser_report *report)
+{
+	return hawser__tree_scene_open(net, &form, path, set, nset, report);
 }

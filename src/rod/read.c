@@ -265,9 +265,10 @@ static enum hawser_status end(struct hawser__reader *reader, struct hawser_rod *
 	return status ? status : hawser__rod_read_drive(reader, rod, 1, tree);
 }
 
-static enum hawser_status interpret(struct hawser__reader *reader, struct hawser_rod *rod,
+static enum hawser_status interpret(struct hawser__reader *reader, void *scene,
                                     const struct hawser__tree *root)
 {
+	struct hawser_rod *rod = scene;
 	const struct hawser__tree *kind = hawser__tree_find(root, "kind");
 	const struct hawser__tree *tree = hawser__tree_find(root, "rod");
 	const struct hawser__tree *last = hawser__tree_find(root, "end");
@@ -301,32 +302,26 @@ static enum hawser_status interpret(struct hawser__reader *reader, struct hawser
 	return status ? status : hawser__rod_read_dynamics(reader, rod, root);
 }
 
-int hawser_rod_is(const char *path)
+static void clear(void *scene)
 {
-	return hawser__tree_is(path, "rod");
+	hawser_rod_clear(scene);
 }
 
-enum hawser_status hawser_rod_open(struct hawser_rod *rod, const char *path, const char *const *set,
-                                   size_t nset, struct hawser_report *report)
-{
-	static const struct hawser__tree_words words = {
-		"a scene of kind rod is a mapping with at least rod (see hawser-scene(5))",
-		"loads.i0.force=[0 N, -5 N, 0 N]", 'i'};
-	struct hawser__reader reader = {.report = report, .name = path};
-	struct hawser__tree *tree = NULL;
-	enum hawser_status status;
+static const struct hawser__tree_form form = {
+	{"a scene of kind rod is a mapping with at least rod (see hawser-scene(5))",
+	"loads.i0.force=[0 N, -5 N, 0 N]", 'i'},
+	sizeof(struct hawser_rod), offsetof(struct hawser_rod, name), interpret, clear};
 
-	memset(rod, 0, sizeof *rod);
-	status = hawser__tree_open(&tree, &reader, path, &words, set, nset);
-	if (!status)
-		status = interpret(&reader, rod, tree);
-	if (!status && !(rod->name = strdup(path)))
-		status = hawser__no_memory(report, "scene");
-	hawser__tree_clear(tree);
-	hawser__units_clear(&reader.units);
-	if (status)
-		hawser_rod_clear(rod);
-	return status;
+enum hawser_status hawser_rod_of(struct hawser_rod *rod, const struct hawser_document *from,
+                                 const char *const *set, size_t nset, struct hawser_report *report)
+{
+	return hawser__tree_scene(rod, &form, from, set, nset, report);
+}
+
+enum hawser_status hawser_rod_open(struct hawser_rod *rod, const char *path,
+                                   const char *const *set, size_t nset, struct hawser_report *report)
+{
+	return hawser__tree_scene_open(rod, &form, path, set, nset, report);
 }
 
 void hawser_rod_clear(struct hawser_rod *rod)

@@ -214,47 +214,23 @@ enum hawser_status hawser__read_extras(const struct hawser__parser *reader, stru
 
 /* --- the file --- */
 
-/* Read the whole file to *text; returns 0 or errno. */
-static int swallow(char **text, size_t *size, FILE *stream)
-{
-	size_t room = 0, got = 0;
-
-	*text = NULL;
-	do {
-		char *more;
-
-		*size += got;
-		room = room < *size + 65536 ? 2*room + 65536 : room;
-		more = realloc(*text, room);
-		if (!more)
-			return ENOMEM;
-		*text = more;
-		errno = 0;
-		got = fread(*text + *size, 1, room - *size, stream);
-	} while (got > 0);
-	return ferror(stream) ? (errno ? errno : EIO) : 0;
-}
-
-enum hawser_status hawser_rom_source_open(struct hawser_rom_source *source, const char *path,
-                                          struct hawser_report *report)
+enum hawser_status hawser_rom_source_of(struct hawser_rom_source *source,
+                                        const struct hawser_document *from,
+                                        struct hawser_report *report)
 {
 	struct hawser_parameter parameter[HAWSER_PARAMETERS];
-	int standard = !strcmp(path, "-"), error, count = 0;
-	const char *name = standard ? "<stdin>" : path;
-	FILE *stream = standard ? stdin : fopen(path, "rb");
 	enum hawser_status status = HAWSER_OK;
+	int count = 0;
 
-	*source = (struct hawser_rom_source){.name = strdup(name)};
-	error = stream ? swallow(&source->text, &source->size, stream) : errno;
-	if (stream && !standard)
-		fclose(stream);
-	if (error)
-		status = hawser__fail(report, hawser__unreadable(error), "rom", "cannot read %s: %s", name,
-		                      strerror(error));
-	else if (!source->name)
+	*source = (struct hawser_rom_source){.name = strdup(from->name), .size = from->length,
+	                                     .text = malloc(from->length + 1)};
+	if (source->text)
+		memcpy(source->text, from->text, from->length);
+	if (!source->name || !source->text)
 		status = hawser__no_memory(report, "rom");
-	if (!status && source->text && memmem(source->text, source->size, "\"parameters\"", 12))
-		status = hawser__parse_parameters(parameter, &count, source->text, source->size, name, report);
+	if (!status && memmem(source->text, source->size, "\"parameters\"", 12))
+		status = hawser__parse_parameters(parameter, &count, source->text, source->size, source->name,
+		                                  report);
 	if (!status && count > 0) {
 		source->parameter = malloc((size_t)count*sizeof *parameter);
 		source->parameters = count;
@@ -265,6 +241,19 @@ enum hawser_status hawser_rom_source_open(struct hawser_rom_source *source, cons
 	}
 	if (status)
 		hawser_rom_source_clear(source);
+	return status;
+}
+
+enum hawser_status hawser_rom_source_open(struct hawser_rom_source *source, const char *path,
+                                          struct hawser_report *report)
+{
+	struct hawser_document from;
+	enum hawser_status status = hawser_document_open(&from, path, report);
+
+	*source = (struct hawser_rom_source){.text = NULL};
+	if (!status)
+		status = hawser_rom_source_of(source, &from, report);
+	hawser_document_clear(&from);
 	return status;
 }
 

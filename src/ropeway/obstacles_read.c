@@ -348,9 +348,10 @@ static enum hawser_status sections(struct hawser__reader *reader, struct hawser_
 	return status || !other ? status : contact(reader, of, other);
 }
 
-static enum hawser_status interpret(struct hawser__reader *reader, struct hawser_obstacles *of,
+static enum hawser_status interpret(struct hawser__reader *reader, void *scene,
                                     const struct hawser__tree *root)
 {
+	struct hawser_obstacles *of = scene;
 	static const struct later later[] = {
 		{"ends", "the cable is without bending stiffness"}, {"travel", "the cable is at rest"},
 		{"support", "the ends are fixed"}, {"damping", "statics and undamped modes need none"},
@@ -375,33 +376,26 @@ static enum hawser_status interpret(struct hawser__reader *reader, struct hawser
 	return status ? status : sections(reader, of, root);
 }
 
-int hawser_obstacles_is(const char *path)
+static void clear(void *scene)
 {
-	return hawser__tree_is(path, "obstacles");
+	hawser_obstacles_clear(scene);
+}
+
+static const struct hawser__tree_form form = {
+	{"the scene of a span with obstacles is a mapping with the sections cable, span, "
+	"tension and obstacles (see hawser-scene(5), OBSTACLES)", "obstacles.s0.friction=0.2", 's'},
+	sizeof(struct hawser_obstacles), offsetof(struct hawser_obstacles, name), interpret, clear};
+
+enum hawser_status hawser_obstacles_of(struct hawser_obstacles *of, const struct hawser_document *from,
+                                       const char *const *set, size_t nset, struct hawser_report *report)
+{
+	return hawser__tree_scene(of, &form, from, set, nset, report);
 }
 
 enum hawser_status hawser_obstacles_open(struct hawser_obstacles *of, const char *path,
-                                         const char *const *set, size_t nset,
-                                         struct hawser_report *report)
+                                         const char *const *set, size_t nset, struct hawser_report *report)
 {
-	static const struct hawser__tree_words said = {
-		"the scene of a span with obstacles is a mapping with the sections cable, span, "
-		"tension and obstacles (see hawser-scene(5), OBSTACLES)", "obstacles.s0.friction=0.2", 's'};
-	struct hawser__reader reader = {.report = report, .name = path};
-	struct hawser__tree *tree = NULL;
-	enum hawser_status status;
-
-	memset(of, 0, sizeof *of);
-	status = hawser__tree_open(&tree, &reader, path, &said, set, nset);
-	if (!status)
-		status = interpret(&reader, of, tree);
-	if (!status && !(of->name = strdup(path)))
-		status = hawser__no_memory(report, "scene");
-	hawser__tree_clear(tree);
-	hawser__units_clear(&reader.units);
-	if (status)
-		hawser_obstacles_clear(of);
-	return status;
+	return hawser__tree_scene_open(of, &form, path, set, nset, report);
 }
 
 void hawser_obstacles_clear(struct hawser_obstacles *of)

@@ -371,9 +371,10 @@ static enum hawser_status contact(struct hawser__reader *reader, struct hawser_r
 	return status;
 }
 
-static enum hawser_status interpret(struct hawser__reader *reader, struct hawser_ropeway *rw,
+static enum hawser_status interpret(struct hawser__reader *reader, void *scene,
                                     const struct hawser__tree *root)
 {
+	struct hawser_ropeway *rw = scene;
 	const struct hawser__tree *kind, *g, *section, *touch;
 	enum hawser_status status = hawser__tree_keys(reader, root, "a scene of kind ropeway", "ropeway");
 
@@ -396,33 +397,26 @@ static enum hawser_status interpret(struct hawser__reader *reader, struct hawser
 	return status ? status : ropeway(reader, rw, section);
 }
 
-int hawser_ropeway_is(const char *path)
+static void clear(void *scene)
 {
-	return hawser__tree_is(path, "ropeway");
+	hawser_ropeway_clear(scene);
+}
+
+static const struct hawser__tree_form form = {
+	{"a scene of kind ropeway is a mapping with the section ropeway (see hawser-scene(5), ROPEWAYS)",
+	"ropeway.towers.p3.friction=0.02", 'p'},
+	sizeof(struct hawser_ropeway), offsetof(struct hawser_ropeway, name), interpret, clear};
+
+enum hawser_status hawser_ropeway_of(struct hawser_ropeway *rw, const struct hawser_document *from,
+                                     const char *const *set, size_t nset, struct hawser_report *report)
+{
+	return hawser__tree_scene(rw, &form, from, set, nset, report);
 }
 
 enum hawser_status hawser_ropeway_open(struct hawser_ropeway *rw, const char *path,
-                                       const char *const *set, size_t nset,
-                                       struct hawser_report *report)
+                                       const char *const *set, size_t nset, struct hawser_report *report)
 {
-	static const struct hawser__tree_words said = {
-		"a scene of kind ropeway is a mapping with the section ropeway (see hawser-scene(5), ROPEWAYS)",
-		"ropeway.towers.p3.friction=0.02", 'p'};
-	struct hawser__reader reader = {.report = report, .name = path};
-	struct hawser__tree *tree = NULL;
-	enum hawser_status status;
-
-	memset(rw, 0, sizeof *rw);
-	status = hawser__tree_open(&tree, &reader, path, &said, set, nset);
-	if (!status)
-		status = interpret(&reader, rw, tree);
-	if (!status && !(rw->name = strdup(path)))
-		status = hawser__no_memory(report, "scene");
-	hawser__tree_clear(tree);
-	hawser__units_clear(&reader.units);
-	if (status)
-		hawser_ropeway_clear(rw);
-	return status;
+	return hawser__tree_scene_open(rw, &form, path, set, nset, report);
 }
 
 void hawser_ropeway_clear(struct hawser_ropeway *rw)

@@ -2,6 +2,7 @@ noinst_LTLIBRARIES += %D%/libscene.la
 %C%_libscene_la_SOURCES = \
 	%D%/cases.c \
 	%D%/check.c \
+	%D%/document.c \
 	%D%/events.c \
 	%D%/items.c \
 	%D%/keys.c \

@@ -22,7 +22,7 @@ const char hawser__manpage_obstacles[] =
 	".BR hawser\\-statics (1)\n"
 	"and\n"
 	".BR hawser\\-modes (1)\n"
-	"take such scenes, from a file in which a line begins with obstacles: (or contact:);\n"
+	"take such scenes;\n"
 	"other commands refuse them. \\-\\-set takes names, as in obstacles.s0.friction=0.2.\n"
 	"The sections are\n"
 	".B cable\n"

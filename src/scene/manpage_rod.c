@@ -22,7 +22,7 @@ const char hawser__manpage_rods[] =
 	".BR hawser\\-statics (1)\n"
 	"and\n"
 	".BR hawser\\-integrate (1)\n"
-	"take such scenes, from a file in which a line begins with rod: (or kind: rod). \\-\\-set takes\n"
+	"take such scenes. \\-\\-set takes\n"
 	"names, as in rod.EI=\"50 N.m^2\"; items of lists are i0, i1 and so on, as in\n"
 	"loads.i0.force.\n"
 	".PP\n"

@@ -19,7 +19,7 @@ const char hawser__manpage_tow[] =
 	".RE\n"
 	".PP\n"
 	".BR hawser\\-trajectory (1)\n"
-	"takes such scenes, from a file in which a line begins with tow:. x and z are horizontal, y is\n"
+	"takes such scenes. x and z are horizontal, y is\n"
 	"upwards. The path is given by one of\n"
 	".TP\n"
 	".B tow.waypoints\n"

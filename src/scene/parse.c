@@ -122,10 +122,9 @@ enum hawser_status hawser__parse_unknown(struct hawser__reader *reader,
 {
 	char hint[256], shown[HAWSER__SHOWN];
 
-	if (!strcmp(path, "rod") || (!strcmp(path, "kind") && hawser__tree_is(reader->name, "rod")))
-		return hawser__reader_fail(reader, place, "this scene is a rod, which hawser statics takes "
-		                           "(from a file in which a line begins with rod: or kind: rod); "
-		                           "this command does not");
+	if (!strcmp(path, "rod") || (!strcmp(path, "kind") && reader->kind == HAWSER_KIND_ROD))
+		return hawser__reader_fail(reader, place, "this scene is a rod, which hawser statics and "
+		                           "integrate take; this command does not");
 	if (!strcmp(path, "kind") || !strcmp(path, "nodes"))
 		return hawser__reader_fail(reader, place, "this is the scene of a net, and the command takes "
 		                           "spans: hawser statics, modes, integrate and plan take nets");
@@ -140,8 +139,7 @@ enum hawser_status hawser__parse_unknown(struct hawser__reader *reader,
 		                           "steady take it");
 	if (!strncmp(path, "obstacles", 9) || !strncmp(path, "contact", 7))
 		return hawser__reader_fail(reader, place, "this span passes over obstacles, and the command "
-		                           "takes spans without: hawser statics and modes take obstacles "
-		                           "(in a file, where the line begins with obstacles: or contact:)");
+		                           "takes spans without: hawser statics and modes take obstacles");
 	hawser__suggest(hint, sizeof hint, path);
 	return hawser__reader_fail(reader, place, "unknown key %s: %s",
 	                           *path ? hawser__shown(shown, path) : "\"\"", hint);

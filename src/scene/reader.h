@@ -27,6 +27,7 @@ struct hawser__reader {
 	struct hawser_scene *scene;
 	struct hawser_report *report;
 	const char *name; /* of the file */
+	enum hawser_kind kind; /* as the whole text says */
 	const char *set;  /* of the current pass, NULL for the file */
 	int pass;
 	int item, items; /* the item being read; a count of all that were read, in all passes */

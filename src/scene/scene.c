@@ -3,7 +3,6 @@
 #include "config.h"
 
 #include <ctype.h>
-#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,36 +12,6 @@
 #include "scene/suggest.h"
 
 enum { SIZE_LIMIT = 1 << 20 };
-
-/* Read the whole stream, at most SIZE_LIMIT bytes. The caller frees *text. */
-static enum hawser_status slurp(char **text, size_t *length, FILE *stream, const char *name,
-                                struct hawser_report *report)
-{
-	size_t capacity = 0, used = 0, got;
-
-	*text = NULL;
-	do {
-		if (used == capacity) {
-			char *more;
-
-			capacity = capacity ? 4*capacity : 4096;
-			more = realloc(*text, capacity);
-			if (!more)
-				return hawser__no_memory(report, "scene");
-			*text = more;
-		}
-		got = fread(*text + used, 1, capacity - used, stream);
-		used += got;
-	} while (got && used <= SIZE_LIMIT);
-	*length = used;
-	if (ferror(stream))
-		return hawser__fail(report, hawser__unreadable(errno), "scene", "cannot read %s: %s",
-		                    name, strerror(errno));
-	if (used > SIZE_LIMIT)
-		return hawser__fail(report, HAWSER_ERR_SCENE, "scene",
-		                    "%s: larger than 1 MiB, so this is not a scene", name);
-	return HAWSER_OK;
-}
 
 static enum hawser_status parse(struct hawser__reader *reader, const char *text, size_t length,
                                 const char *const *set, size_t nset)
@@ -58,53 +27,57 @@ static enum hawser_status parse(struct hawser__reader *reader, const char *text,
 	return status;
 }
 
-enum hawser_status hawser_scene_read(struct hawser_scene *scene, FILE *stream, const char *name,
-                                     const char *const *set, size_t nset,
-                                     struct hawser_report *report)
+enum hawser_status hawser_scene_of(struct hawser_scene *scene, const struct hawser_document *from,
+                                   const char *const *set, size_t nset,
+                                   struct hawser_report *report)
 {
-	struct hawser__reader reader = {.scene = scene, .report = report, .name = name};
-	char *text = NULL;
-	size_t length = 0;
+	struct hawser__reader reader = {.scene = scene, .report = report, .name = from->name,
+	                                .kind = from->kind};
 	enum hawser_status status;
 
 	memset(scene, 0, sizeof *scene);
-	status = slurp(&text, &length, stream, name, report);
-	if (status == HAWSER_OK)
-		status = parse(&reader, text, length, set, nset);
+	status = from->length <= SIZE_LIMIT ? parse(&reader, from->text, from->length, set, nset)
+	         : hawser__fail(report, HAWSER_ERR_SCENE, "scene",
+	                        "%s: larger than 1 MiB, so this is not a scene", from->name);
 	if (status == HAWSER_OK) {
-		scene->name = strdup(name);
+		scene->name = strdup(from->name);
 		if (!scene->name)
 			status = hawser__no_memory(report, "scene");
 	}
 	if (status != HAWSER_OK)
 		hawser_scene_clear(scene);
 	hawser__units_clear(&reader.units);
-	free(text);
 	return status;
+}
+
+/* `status`: whether the document could be read. */
+static enum hawser_status once(struct hawser_scene *scene, enum hawser_status status,
+                               struct hawser_document *from, const char *const *set, size_t nset,
+                               struct hawser_report *report)
+{
+	memset(scene, 0, sizeof *scene);
+	if (!status)
+		status = hawser_scene_of(scene, from, set, nset, report);
+	hawser_document_clear(from);
+	return status;
+}
+
+enum hawser_status hawser_scene_read(struct hawser_scene *scene, FILE *stream, const char *name,
+                                     const char *const *set, size_t nset,
+                                     struct hawser_report *report)
+{
+	struct hawser_document from;
+
+	return once(scene, hawser_document_read(&from, stream, name, report), &from, set, nset, report);
 }
 
 enum hawser_status hawser_scene_open(struct hawser_scene *scene, const char *path,
                                      const char *const *set, size_t nset,
                                      struct hawser_report *report)
 {
-	enum hawser_status status;
-	FILE *stream;
+	struct hawser_document from;
 
-	if (!strcmp(path, "-")) {
-		off_t from = ftello(stdin);
-
-		status = hawser_scene_read(scene, stdin, "<stdin>", set, nset, report);
-		(void)fseeko(stdin, from, SEEK_SET); /* a file can be read again */
-		return status;
-	}
-	memset(scene, 0, sizeof *scene);
-	stream = fopen(path, "r");
-	if (!stream)
-		return hawser__fail(report, hawser__unreadable(errno), "scene", "cannot open %s: %s",
-		                    path, strerror(errno));
-	status = hawser_scene_read(scene, stream, path, set, nset, report);
-	fclose(stream);
-	return status;
+	return once(scene, hawser_document_open(&from, path, report), &from, set, nset, report);
 }
 
 /* Split "load.extent[1]" into the index of its key and the element 1; without brackets *element is

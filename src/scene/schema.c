@@ -155,19 +155,18 @@ static json_t *kind_of(struct hawser__schema *schema, int index)
 	return root;
 }
 
-/* What the first lines of a scene must have (hawser__tree_sign): "rod:" or "kind: rod". */
-static json_t *condition(struct hawser__schema *schema, const char *text)
+/* What the outermost mapping must have (hawser__kind_sign): the key, with this word if there is one. */
+static json_t *condition(struct hawser__schema *schema, const char *key, const char *word)
 {
-	const char *colon = strchr(text, ':');
 	json_t *value = json_object(), *list = json_array(), *properties, *is;
 
-	hawser__schema_add(schema, list, json_stringn(text, (size_t)(colon - text)));
+	hawser__schema_add(schema, list, json_string(key));
 	hawser__schema_put(schema, value, "required", list);
-	if (!colon[1])
+	if (!word)
 		return value;
 	properties = json_object();
 	is = json_object();
-	hawser__schema_put(schema, is, "const", json_string(colon + 2));
+	hawser__schema_put(schema, is, "const", json_string(word));
 	hawser__schema_put(schema, properties, "kind", is);
 	hawser__schema_put(schema, value, "properties", properties);
 	return value;
@@ -184,11 +183,14 @@ static json_t *reference(struct hawser__schema *schema, const char *kind)
 /* {if sign, then kind, else ...}, from sign `index` on; beams and cables have no sign of their own. */
 static json_t *choice(struct hawser__schema *schema, int index)
 {
-	const struct hawser__tree_sign *sign = hawser__tree_sign(index);
+	const struct hawser__kind_sign *sign = hawser__kind_sign(index);
 	json_t *value = json_object();
 
-	hawser__schema_put(schema, value, "if", condition(schema, sign ? sign->text : "beam:"));
-	hawser__schema_put(schema, value, "then", reference(schema, sign ? sign->kind : "beam"));
+	hawser__schema_put(schema, value, "if", sign ? condition(schema, sign->key, sign->word)
+	                                             : condition(schema, "beam", NULL));
+	hawser__schema_put(schema, value, "then",
+	                   reference(schema, !sign ? "beam" : sign->kind == HAWSER_KIND_SPAN ? "cable"
+	                                     : hawser_kind_name(sign->kind)));
 	hawser__schema_put(schema, value, "else", sign ? choice(schema, index + 1)
 	                                               : reference(schema, "cable"));
 	return value;

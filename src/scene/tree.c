@@ -3,12 +3,9 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include "core/report.h"
 #include "scene/tree.h"
@@ -331,52 +328,55 @@ static enum hawser_status override(struct hawser__tree *root, struct hawser__rea
 	return put(root, reader, fresh, path, words);
 }
 
-static enum hawser_status slurp(char **text, size_t *length, const char *path,
-                                struct hawser_report *report)
+int hawser__tree_parse(struct hawser__tree **tree, const char *text, size_t length)
 {
-	FILE *stream = strcmp(path, "-") ? fopen(path, "r") : stdin;
-	off_t from = stream == stdin ? ftello(stdin) : 0;
-	size_t capacity = 0, got = 1;
+	struct hawser__reader reader = {.name = "", .pass = 1};
+	enum hawser_status status = HAWSER_ERR_SCENE;
 
-	*text = NULL;
-	*length = 0;
-	if (!stream)
-		return hawser__fail(report, hawser__unreadable(errno), "scene", "cannot open %s: %s", path,
-		                    strerror(errno));
-	while (got && *length < LARGEST) {
-		if (*length == capacity) {
-			char *longer = realloc(*text, capacity = capacity ? 4*capacity : 65536);
-
-			if (!longer) {
-				if (stream != stdin)
-					fclose(stream);
-				return hawser__no_memory(report, "scene");
-			}
-			*text = longer;
-		}
-		got = fread(*text + *length, 1, capacity - *length, stream);
-		*length += got;
-	}
-	got = (size_t)ferror(stream);
-	if (stream == stdin)
-		(void)fseeko(stdin, from, SEEK_SET); /* a file can be read again */
-	else
-		fclose(stream);
-	return got ? hawser__fail(report, HAWSER_ERR_IO, "scene", "cannot read %s: %s", path,
-	                          strerror(errno))
-	           : HAWSER_OK;
+	*tree = NULL;
+	if (length <= LARGEST)
+		status = document(tree, &reader, text, length);
+	hawser__units_clear(&reader.units);
+	return !status;
 }
 
-static enum hawser_status read_text(struct hawser__tree **tree, struct hawser__reader *reader,
-                                    const char *text, size_t length,
-                                    const struct hawser__tree_words *words, const char *const *set,
-                                    size_t nset)
+static enum hawser_status copy(struct hawser__tree **made, const struct hawser__tree *from)
+{
+	struct hawser__tree *tree = calloc(1, sizeof *tree);
+
+	*made = tree;
+	if (!tree)
+		return HAWSER_ERR_MEMORY;
+	tree->kind = from->kind;
+	tree->at = from->at;
+	if ((from->name && !(tree->name = strdup(from->name))) ||
+	    (from->text && !(tree->text = strdup(from->text))))
+		return HAWSER_ERR_MEMORY;
+	for (const struct hawser__tree *child = from->child; child; child = child->next) {
+		struct hawser__tree *twin;
+		enum hawser_status status = copy(&twin, child); /* at most DEEPEST levels */
+
+		if (twin)
+			append(tree, twin);
+		if (status)
+			return status;
+	}
+	return HAWSER_OK;
+}
+
+/* The tree of a document, or why it has none, with the overrides. */
+static enum hawser_status tree_of(struct hawser__tree **tree, struct hawser__reader *reader,
+                                  const struct hawser_document *from,
+                                  const struct hawser__tree_words *words, const char *const *set,
+                                  size_t nset)
 {
 	enum hawser_status status;
 
 	reader->set = NULL;
 	reader->pass = 1;
-	status = document(tree, reader, text, length);
+	if (from->tree && copy(tree, from->tree))
+		return hawser__no_memory(reader->report, "scene");
+	status = from->tree ? HAWSER_OK : document(tree, reader, from->text, from->length);
 	if (!status && (!*tree || (*tree)->kind != HAWSER__MAPPING))
 		status = hawser__reader_fail(reader, &(struct hawser__mark){.pass = 1}, "%s", words->scene);
 	for (size_t i = 0; i < nset && !status; i++)
@@ -384,103 +384,38 @@ static enum hawser_status read_text(struct hawser__tree **tree, struct hawser__r
 	return status;
 }
 
-enum hawser_status hawser__tree_open(struct hawser__tree **tree, struct hawser__reader *reader,
-                                     const char *path, const struct hawser__tree_words *words,
-                                     const char *const *set, size_t nset)
+enum hawser_status hawser__tree_scene(void *scene, const struct hawser__tree_form *form,
+                                      const struct hawser_document *from, const char *const *set,
+                                      size_t nset, struct hawser_report *report)
 {
-	char *text;
-	size_t length;
-	enum hawser_status status = slurp(&text, &length, path, reader->report);
+	struct hawser__reader reader = {.report = report, .name = from->name};
+	struct hawser__tree *tree = NULL;
+	char **name = (char **)(void *)((char *)scene + form->name);
+	enum hawser_status status;
 
-	*tree = NULL;
+	memset(scene, 0, form->size);
+	status = tree_of(&tree, &reader, from, &form->words, set, nset);
 	if (!status)
-		status = read_text(tree, reader, text, length, words, set, nset);
-	free(text);
+		status = form->interpret(&reader, scene, tree);
+	if (!status && !(*name = strdup(from->name)))
+		status = hawser__no_memory(report, "scene");
+	hawser__tree_clear(tree);
+	hawser__units_clear(&reader.units);
+	if (status)
+		form->clear(scene);
 	return status;
 }
 
-/* 1 if a line begins with the text; or has it as JSON does: in quotation marks, behind blanks. */
-static int line_begins(const char *line, const char *text)
+enum hawser_status hawser__tree_scene_open(void *scene, const struct hawser__tree_form *form,
+                                           const char *path, const char *const *set, size_t nset,
+                                           struct hawser_report *report)
 {
-	const char *at = line + strspn(line, " \t{");
+	struct hawser_document from;
+	enum hawser_status status = hawser_document_open(&from, path, report);
 
-	if (*at != '"')
-		return !strncmp(line, text, strlen(text));
-	while (*text && *at) {
-		at += *at == '"';
-		if (*at++ != *text++)
-			return 0;
-	}
-	return !*text;
-}
-
-/* 1 if a line has the text, before any comment. */
-static int line_has(const char *line, const char *text)
-{
-	const char *at = strstr(line, text);
-
-	return at && !memchr(line, '#', (size_t)(at - line));
-}
-
-/* A file that can be read again, at its beginning, or NULL; *back is where to go back in standard
- * input. */
-static FILE *seekable(const char *path, off_t *back)
-{
-	struct stat file;
-	/* messages name it so */
-	int standard = !strcmp(path, "-") || !strcmp(path, "<stdin>");
-	int whole = standard ? !fstat(STDIN_FILENO, &file) : !stat(path, &file);
-
-	if (!whole || !S_ISREG(file.st_mode))
-		return NULL;
-	if (!standard)
-		return fopen(path, "r");
-	*back = ftello(stdin);
-	return *back >= 0 && !fseeko(stdin, 0, SEEK_SET) ? stdin : NULL;
-}
-
-/* 1 if a line of this file begins with the text; with `within`, has it. */
-static int begins(const char *path, const char *text, int within)
-{
-	int found = 0, fresh = 1;
-	off_t back = 0;
-	FILE *stream = seekable(path, &back);
-	char line[256];
-
-	while (stream && !found && fgets(line, sizeof line, stream)) {
-		found = within ? line_has(line, text) : fresh && line_begins(line, text);
-		fresh = strchr(line, '\n') != NULL;
-	}
-	if (stream == stdin)
-		(void)fseeko(stdin, back, SEEK_SET);
-	else if (stream)
-		fclose(stream);
-	return found;
-}
-
-/* In this order: a net may have obstacles. */
-static const struct hawser__tree_sign signs[] = {
-	{"kind: span", "span"}, {"tow:", "tow"}, {"kind: tow", "tow"},
-	{"ropeway:", "ropeway"}, {"kind: ropeway", "ropeway"},
-	{"nodes:", "net"}, {"obstacles:", "obstacles"}, {"contact:", "obstacles"}, {"rod:", "rod"},
-	{"kind: rod", "rod"}, {"kind:", "net"}};
-
-const struct hawser__tree_sign *hawser__tree_sign(int index)
-{
-	return index >= 0 && index < (int)(sizeof signs/sizeof *signs) ? &signs[index] : NULL;
-}
-
-int hawser__tree_is(const char *path, const char *kind)
-{
-	for (size_t i = 0; i < sizeof signs/sizeof *signs; i++) {
-		const char *found = signs[i].kind;
-
-		if (!begins(path, signs[i].text, 0))
-			continue;
-		/* spans whose obstacles are not all circles are meshes */
-		if (!strcmp(found, "obstacles") && (begins(path, "plane:", 1) || begins(path, "segment:", 1)))
-			found = "net";
-		return !strcmp(found, kind);
-	}
-	return 0;
+	memset(scene, 0, form->size);
+	if (!status)
+		status = hawser__tree_scene(scene, form, &from, set, nset, report);
+	hawser_document_clear(&from);
+	return status;
 }

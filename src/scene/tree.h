@@ -4,6 +4,7 @@
 #ifndef HAWSER_SCENE_TREE_H
 #define HAWSER_SCENE_TREE_H
 
+#include <hawser/document.h>
 #include "scene/reader.h"
 
 enum hawser__tree_kind { HAWSER__SCALAR, HAWSER__MAPPING, HAWSER__SEQUENCE };
@@ -23,22 +24,34 @@ struct hawser__tree_words {
 	char item;         /* of a list, without a name: this letter and their number, c1 */
 };
 
-/* Read a file, then overrides "path=value". The caller clears *tree. */
-enum hawser_status hawser__tree_open(struct hawser__tree **tree, struct hawser__reader *reader,
-                                     const char *path, const struct hawser__tree_words *words,
-                                     const char *const *set, size_t nset) HAWSER_MUST_CHECK;
+/* How scenes of a kind are read from their tree. */
+struct hawser__tree_form {
+	struct hawser__tree_words words;
+	size_t size, name; /* of the structure; where its name is */
+	enum hawser_status (*interpret)(struct hawser__reader *reader, void *scene,
+	                                const struct hawser__tree *root);
+	void (*clear)(void *scene);
+};
+/* Read a scene from a document or a file, then overrides "path=value". After a failure it is all zero. */
+enum hawser_status hawser__tree_scene(void *scene, const struct hawser__tree_form *form,
+                                      const struct hawser_document *from, const char *const *set,
+                                      size_t nset, struct hawser_report *report) HAWSER_MUST_CHECK;
+enum hawser_status hawser__tree_scene_open(void *scene, const struct hawser__tree_form *form,
+                                           const char *path, const char *const *set, size_t nset,
+                                           struct hawser_report *report) HAWSER_MUST_CHECK;
+/* The tree of a text; 0: it is no YAML that a scene may be, and *tree is what comes before the fault. The
+ * caller clears it. */
+int hawser__tree_parse(struct hawser__tree **tree, const char *text, size_t length);
 void hawser__tree_clear(struct hawser__tree *tree);
 /* Entry of a mapping, or NULL. */
 struct hawser__tree *hawser__tree_find(const struct hawser__tree *tree, const char *name);
-/* 1 if this file is a scene of this kind, "net", "ropeway", "rod", "tow" or "obstacles", by what its
- * lines begin with. What can be read once only, as a pipe, is none; "-" is standard input. */
-int hawser__tree_is(const char *path, const char *kind);
-/* What a line of such a scene begins with, and the kind, in the order in which they are looked for;
- * NULL beyond the last. */
-struct hawser__tree_sign {
-	const char *text, *kind; /* "rod:", "rod" */
+/* A name of the outermost mapping, or this value of it, that tells the kind, in the order in which they
+ * are looked for; NULL beyond the last. */
+struct hawser__kind_sign {
+	const char *key, *word; /* word: NULL: any value */
+	enum hawser_kind kind;
 };
-const struct hawser__tree_sign *hawser__tree_sign(int index);
+const struct hawser__kind_sign *hawser__kind_sign(int index);
 
 /* --- tree_value.c: values of a tree. `what` names the value in messages. --- */
 

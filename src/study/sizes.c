@@ -127,6 +127,7 @@ static const struct row {
 	ROW(hawser_damped_sweep),
 	ROW(hawser_damped_sweep_options),
 	ROW(hawser_decay),
+	ROW(hawser_document),
 	ROW(hawser_doubt),
 	ROW(hawser_equivalent),
 	ROW(hawser_fidelity),

@@ -47,9 +47,10 @@ static enum hawser_status borne(struct hawser__reader *reader, const struct haws
 	return HAWSER_OK;
 }
 
-static enum hawser_status interpret(struct hawser__reader *reader, struct hawser_tow *tow,
+static enum hawser_status interpret(struct hawser__reader *reader, void *scene,
                                     const struct hawser__tree *root)
 {
+	struct hawser_tow *tow = scene;
 	const struct hawser__tree *kind = hawser__tree_find(root, "kind");
 	const struct hawser__tree *section = hawser__tree_find(root, "tow");
 	const struct hawser__tree *g = hawser__tree_find(root, "g");
@@ -81,32 +82,26 @@ static enum hawser_status interpret(struct hawser__reader *reader, struct hawser
 	return status ? status : in_air(reader, tow, root);
 }
 
-int hawser_tow_is(const char *path)
+static void clear(void *scene)
 {
-	return hawser__tree_is(path, "tow");
+	hawser_tow_clear(scene);
 }
 
-enum hawser_status hawser_tow_open(struct hawser_tow *tow, const char *path, const char *const *set,
-                                   size_t nset, struct hawser_report *report)
-{
-	static const struct hawser__tree_words said = {
-		"the scene of a towed body is a mapping with the section tow (see hawser-scene(5), TOW)",
-		"tow.orbit.radius=80 m", 'p'};
-	struct hawser__reader reader = {.report = report, .name = strcmp(path, "-") ? path : "<stdin>"};
-	struct hawser__tree *tree = NULL;
-	enum hawser_status status;
+static const struct hawser__tree_form form = {
+	{"the scene of a towed body is a mapping with the section tow (see hawser-scene(5), TOW)",
+	"tow.orbit.radius=80 m", 'p'},
+	sizeof(struct hawser_tow), offsetof(struct hawser_tow, name), interpret, clear};
 
-	memset(tow, 0, sizeof *tow);
-	status = hawser__tree_open(&tree, &reader, path, &said, set, nset);
-	if (!status)
-		status = interpret(&reader, tow, tree);
-	if (!status && !(tow->name = strdup(path)))
-		status = hawser__no_memory(report, "scene");
-	hawser__tree_clear(tree);
-	hawser__units_clear(&reader.units);
-	if (status)
-		hawser_tow_clear(tow);
-	return status;
+enum hawser_status hawser_tow_of(struct hawser_tow *tow, const struct hawser_document *from,
+                                 const char *const *set, size_t nset, struct hawser_report *report)
+{
+	return hawser__tree_scene(tow, &form, from, set, nset, report);
+}
+
+enum hawser_status hawser_tow_open(struct hawser_tow *tow, const char *path,
+                                   const char *const *set, size_t nset, struct hawser_report *report)
+{
+	return hawser__tree_scene_open(tow, &form, path, set, nset, report);
 }
 
 void hawser_tow_clear(struct hawser_tow *tow)

@@ -22,12 +22,62 @@ piped() {
 	diff "$scratch/file.plain" "$scratch/piped.plain"
 }
 
+# flow: a scene in blocks, as init writes it, on one line in flow style.
+flow() {
+	awk '
+		{ sub(/ +#.*/, ""); sub(/^#.*/, ""); sub(/ +$/, "") }
+		$0 == "" { next }
+		{
+			match($0, /^ */)
+			indent = RLENGTH
+			text = substr($0, indent + 1)
+			item = substr(text, 1, 2) == "- "
+			if (item)
+				text = substr(text, 3)
+			while (depth && at[depth] > indent)
+				printf "%s", shut[depth--]
+			if (depth && at[depth] == indent)
+				printf ", "
+			else {
+				at[++depth] = indent
+				shut[depth] = item ? "]" : "}"
+				printf "%s", item ? "[" : "{"
+			}
+			printf "%s%s", text, text ~ /:$/ ? " " : ""
+		}
+		END { while (depth) printf "%s", shut[depth--]; print "" }'
+}
+
 for kind in $kinds; do
-	"$HAWSER" init "$kind" >scene.yaml
+	"$HAWSER" init "$kind" >block.yaml
+	cp block.yaml scene.yaml
 	for command in check statics modes; do
 		try "$kind: $command" piped "$command"
+		"$HAWSER" "$command" scene.yaml >"$scratch/block" 2>/dev/null
+		echo $? >>"$scratch/block"
+		for form in flow indented; do
+			case $form in
+				flow) flow <block.yaml >scene.yaml ;;
+				*) sed 's/^/   /' block.yaml >scene.yaml ;;
+			esac
+			"$HAWSER" "$command" scene.yaml >"$scratch/$form" 2>/dev/null
+			echo $? >>"$scratch/$form"
+			try "$kind: $command, $form" cmp -s "$scratch/block" "$scratch/$form"
+		done
+		cp block.yaml scene.yaml
 	done
 done
+
+# Of any kind, the text is opened once.
+if strace -V >/dev/null 2>&1 && strace -o "$scratch/trace" true 2>/dev/null; then
+	for kind in $kinds; do
+		"$HAWSER" init "$kind" >scene.yaml
+		strace -f -e trace=openat -o "$scratch/trace" "$HAWSER" check scene.yaml >"$scratch/out" 2>&1
+		try "$kind: opened once" test "$(grep -c 'scene\.yaml"' "$scratch/trace")" = 1
+	done
+else
+	skip "opened once" "strace does not work here"
+fi
 
 # a span may name its own kind, and need not be in blocks
 printf 'kind: span\ncable: {EA: 1e7, rho: 1}\nspan: {d: 100, h: 0}\ntension: {H: 1e4}\n' >scene.yaml
