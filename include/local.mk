@@ -48,6 +48,7 @@ pkginclude_HEADERS = \
 	%D%/hawser/rod.h \
 	%D%/hawser/rod_motion.h \
 	%D%/hawser/rom.h \
+	%D%/hawser/rom_source.h \
 	%D%/hawser/ropeway.h \
 	%D%/hawser/ropeway_modes.h \
 	%D%/hawser/choose.h \

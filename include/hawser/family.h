@@ -8,7 +8,7 @@
 #ifndef HAWSER_FAMILY_H
 #define HAWSER_FAMILY_H
 
-#include <hawser/rom.h>
+#include <hawser/rom_source.h>
 
 #ifdef __cplusplus
 extern "C" {

@@ -39,6 +39,7 @@
 #include <hawser/tow.h>
 #include <hawser/plugin.h>
 #include <hawser/rom.h>
+#include <hawser/rom_source.h>
 #include <hawser/law.h>
 #include <hawser/line_rom.h>
 #include <hawser/choose.h>

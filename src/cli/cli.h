@@ -161,8 +161,9 @@ enum hawser_kind cli_kind(const struct cli_common *common);
  * a failure it is all zero. */
 #define CLI_KINDS_OF_SCENES(X) X(scene) X(net) X(obstacles) X(ropeway) X(rod) X(tow)
 #define CLI_OPEN(name) \
-	enum hawser_status cli_read_##name(struct hawser_##name *name, const struct cli_common *common, \
-	                                     struct hawser_report *report) HAWSER_MUST_CHECK;
+	enum hawser_status cli_read_##name(struct hawser_##name *name, \
+	                                   const struct cli_common *common, \
+	                                   struct hawser_report *report) HAWSER_MUST_CHECK;
 CLI_KINDS_OF_SCENES(CLI_OPEN)
 #undef CLI_OPEN
 

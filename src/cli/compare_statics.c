@@ -171,8 +171,8 @@ static enum hawser_status read_scene(struct cli_compare_statics *result, const c
 	enum hawser_status status = hawser_document_open(&document, path, report);
 
 	if (!status && document.kind != HAWSER_KIND_NET)
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "compare statics", "%s is no scene of a net: "
-		                      "that is one with kind: net (man hawser-scene, NETS)", path);
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "compare statics", "%s is no scene of a "
+		                      "net: that is one with kind: net (man hawser-scene, NETS)", path);
 	*least = INFINITY;
 	for (int i = 0; i < REPEATS && !status; i++) {
 		double began = cli_processor_seconds();

@@ -23,8 +23,9 @@ enum hawser_kind cli_kind(const struct cli_common *common)
 }
 
 #define OPEN(name) \
-	enum hawser_status cli_read_##name(struct hawser_##name *name, const struct cli_common *common, \
-	                                     struct hawser_report *report) \
+	enum hawser_status cli_read_##name(struct hawser_##name *name, \
+	                                   const struct cli_common *common, \
+	                                   struct hawser_report *report) \
 	{ \
 		const struct hawser_document *document; \
 		enum hawser_status status = cli_document(&document, common, report); \

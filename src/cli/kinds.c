@@ -46,10 +46,11 @@ enum hawser_status cli_kind_check(const struct cli_given *list, const char *comm
                                   const struct cli_common *common, struct hawser_report *report)
 {
 	const struct hawser_document *document;
-	enum hawser_status status = cli_document(&document, common, report);
 	char many[64];
 
-	for (; list->name && !status; list++) {
+	if (cli_document(&document, common, NULL))
+		return HAWSER_OK; /* it is refused where it is read */
+	for (; list->name; list++) {
 		if (!list->given || list->kinds & 1u << document->kind)
 			continue;
 		list_kinds(many, sizeof many, list->kinds);
@@ -57,5 +58,5 @@ enum hawser_status cli_kind_check(const struct cli_given *list, const char *comm
 		                    "--%s is for %s, and %s is the scene of %s", list->name, many,
 		                    document->name, table[document->kind].one);
 	}
-	return status;
+	return HAWSER_OK;
 }

@@ -14,7 +14,7 @@ enum cli_kind {
 };
 enum { CLI_KINDS = CLI_SPAN | CLI_NET | CLI_ROPEWAY }; /* those that each command tells apart */
 
-/* The kind of the input, of these kinds; one of another is taken for a span, whose reader refuses it. */
+/* The kind of the input, of these; one of another is taken for a span, whose reader refuses it. */
 enum cli_kind cli_kind_of(const struct cli_common *common, unsigned kinds);
 
 /* An option of the command line; a list is ended by a row without name. */

@@ -5,7 +5,7 @@
 
 #include <stddef.h>
 
-#include <hawser/rom.h>
+#include <hawser/rom_source.h>
 
 /* *value of a text such as "1 + 2*eps^2", with the values of parameter [count]. Returns 0, or 1 with
  * the reason in wrong [size]. */

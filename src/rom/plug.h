@@ -3,7 +3,7 @@
 #ifndef HAWSER_ROM_PLUG_H
 #define HAWSER_ROM_PLUG_H
 
-#include <hawser/rom.h>
+#include <hawser/rom_source.h>
 
 #include "rom/terms.h"
 

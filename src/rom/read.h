@@ -6,7 +6,7 @@
 
 #include <jansson.h>
 
-#include <hawser/rom.h>
+#include <hawser/rom_source.h>
 
 struct hawser__parser {
 	const char *name; /* of the file, for messages */

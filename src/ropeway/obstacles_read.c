@@ -386,14 +386,17 @@ static const struct hawser__tree_form form = {
 	"tension and obstacles (see hawser-scene(5), OBSTACLES)", "obstacles.s0.friction=0.2", 's'},
 	sizeof(struct hawser_obstacles), offsetof(struct hawser_obstacles, name), interpret, clear};
 
-enum hawser_status hawser_obstacles_of(struct hawser_obstacles *of, const struct hawser_document *from,
-                                       const char *const *set, size_t nset, struct hawser_report *report)
+enum hawser_status hawser_obstacles_of(struct hawser_obstacles *of,
+                                       const struct hawser_document *from,
+                                       const char *const *set, size_t nset,
+                                       struct hawser_report *report)
 {
 	return hawser__tree_scene(of, &form, from, set, nset, report);
 }
 
 enum hawser_status hawser_obstacles_open(struct hawser_obstacles *of, const char *path,
-                                         const char *const *set, size_t nset, struct hawser_report *report)
+                                         const char *const *set, size_t nset,
+                                         struct hawser_report *report)
 {
 	return hawser__tree_scene_open(of, &form, path, set, nset, report);
 }

@@ -414,7 +414,8 @@ enum hawser_status hawser_ropeway_of(struct hawser_ropeway *rw, const struct haw
 }
 
 enum hawser_status hawser_ropeway_open(struct hawser_ropeway *rw, const char *path,
-                                       const char *const *set, size_t nset, struct hawser_report *report)
+                                       const char *const *set, size_t nset,
+                                       struct hawser_report *report)
 {
 	return hawser__tree_scene_open(rw, &form, path, set, nset, report);
 }

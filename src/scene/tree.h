@@ -32,15 +32,16 @@ struct hawser__tree_form {
 	                                const struct hawser__tree *root);
 	void (*clear)(void *scene);
 };
-/* Read a scene from a document or a file, then overrides "path=value". After a failure it is all zero. */
+/* Read a scene from a document or a file, then overrides "path=value". After a failure it is all
+ * zero. */
 enum hawser_status hawser__tree_scene(void *scene, const struct hawser__tree_form *form,
                                       const struct hawser_document *from, const char *const *set,
                                       size_t nset, struct hawser_report *report) HAWSER_MUST_CHECK;
 enum hawser_status hawser__tree_scene_open(void *scene, const struct hawser__tree_form *form,
                                            const char *path, const char *const *set, size_t nset,
                                            struct hawser_report *report) HAWSER_MUST_CHECK;
-/* The tree of a text; 0: it is no YAML that a scene may be, and *tree is what comes before the fault. The
- * caller clears it. */
+/* The tree of a text; 0: it is no YAML that a scene may be, and *tree is what comes before the fault.
+ * The caller clears it. */
 int hawser__tree_parse(struct hawser__tree **tree, const char *text, size_t length);
 void hawser__tree_clear(struct hawser__tree *tree);
 /* Entry of a mapping, or NULL. */

@@ -48,7 +48,7 @@ printf 'cable: [\n' >../scene.yaml
 bad 1 'scene\.yaml:'
 : >../scene.yaml
 bad 1 'scene\.yaml: the scene is empty'
-refuses_like 1 'cannot open missing\.yaml: No such file or directory' statics missing.yaml
+refuses_like 1 'cannot read missing\.yaml: No such file or directory' statics missing.yaml
 refuses_like 1 'cannot read missing\.yaml: No such file or directory' frf missing.yaml
 refuses_like 1 'cannot read /: Is a directory' statics /
 

@@ -68,7 +68,7 @@ assert [m["name"] for m in load("one.json")["methods"]] == ["mixed"]
 END2
 
 span=$top/notebooks-data/scenes/b-table-4.3-line-2.yaml
-refuses 1 "$span is no scene of a net: that is a file with kind: net (man hawser-scene, NETS)" compare statics "$span"
+refuses 1 "$span is no scene of a net: that is one with kind: net (man hawser-scene, NETS)" compare statics "$span"
 refuses 1 "tension.yaml: cable a has no length0: methods are compared on nets whose lengths are known; hawser statics gives those that go with a tension, a force density or a sag" \
 	compare statics slack.yaml tension.yaml
 refuses 1 "--nets and --seed are of random cables, which are compared without SCENE" compare statics slack.yaml --nets 3
@@ -79,6 +79,6 @@ refuses_like 1 "would overwrite the input" compare statics slack.yaml taut.yaml 
 refuses_like 1 "nets" compare statics --nets 0
 refuses_like 1 "noise" compare statics --nets 2 --noise 0
 refuses 1 "2000000 nets are too many to compare: at most 1000000" compare statics --nets 2000000
-refuses_like 1 "cannot open nosuch.yaml" compare statics nosuch.yaml
+refuses_like 1 "cannot read nosuch.yaml" compare statics nosuch.yaml
 refuses_like 1 "unknown key" compare statics slack.yaml --set cables.a.EE=1
 done_testing

@@ -300,7 +300,7 @@ static void files(void)
 	char text[64];
 
 	ok(hawser_scene_open(&scene, "/nowhere/at/all.yaml", NULL, 0, &report) == HAWSER_ERR_ARGUMENT &&
-	   !strcmp(report.message, "cannot open /nowhere/at/all.yaml: No such file or directory"),
+	   !strcmp(report.message, "cannot read /nowhere/at/all.yaml: No such file or directory"),
 	   "no such file: %s", report.message);
 	ok(hawser_scene_open(&scene, "/", NULL, 0, &report) == HAWSER_ERR_ARGUMENT &&
 	   !strcmp(report.message, "cannot read /: Is a directory"), "a directory: %s",
