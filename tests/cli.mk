@@ -54,6 +54,7 @@ CLI_TESTS = \
 	%D%/cli/scales.sh \
 	%D%/cli/signals.sh \
 	%D%/cli/slack.sh \
+	%D%/cli/kinds.sh \
 	%D%/cli/standard-input.sh \
 	%D%/cli/stiff.sh \
 	%D%/cli/study.sh \

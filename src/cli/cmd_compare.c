@@ -337,10 +337,6 @@ static enum hawser_status range(struct cli_compare_result *result, const struct 
 {
 	const struct cli_model *model = result->model;
 
-	if (!model->has_scene)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "compare",
-		                    "%s is no scene of a span: fidelities are models of one, give "
-		                    "that", settings->common.input);
 	if (!model->scene.load.present && model->scene.loads == 0 && !moves(&model->scene) &&
 	    !(model->scene.travel.fluctuation > 0.0))
 		return hawser__fail(report, HAWSER_ERR_SCENE, "compare",

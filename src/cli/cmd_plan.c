@@ -87,10 +87,6 @@ static enum hawser_status make(struct cli_plan_result *result, const struct sett
 		allowance.seconds = settings->limit;
 		allowance.extra = HAWSER_NONE;
 	}
-	if (!model->has_scene)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "plan",
-		                    "%s is a reduced-model file: a plan is made for a scene, give that",
-		                    settings->common.input);
 	status = cli_range(&from, &to, settings->from, settings->to, "plan", model, report);
 	if (!status)
 		status = hawser_plan_make(&result->plan, &model->statics, &model->scene, result->choice,

@@ -14,6 +14,7 @@
 #include "cli/picture.h"
 #include "cli/progress.h"
 #include "cli/ranks.h"
+#include "cli/scene_kinds.h"
 #include "cli/unpacked.h"
 #include "cli/within.h"
 #include "core/report.h"
@@ -127,6 +128,8 @@ static enum hawser_status execute(const struct cli_command *command, int argc, c
 		status = hawser__units_choose(common->units, report);
 	if (!status && !common->help)
 		status = cli_picture_choose(common, report);
+	if (!status && !common->help && common->input && strncmp(command->input, "SCENE", 5) == 0)
+		status = cli_scene_kind_check(command->name, common, report);
 	if (!status && !common->help)
 		status = command->run(common, report);
 	hawser_document_clear(&document);

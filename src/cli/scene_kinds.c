@@ -2,7 +2,10 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <string.h>
+
 #include "cli/scene_kinds.h"
+#include "core/report.h"
 
 static enum hawser_status net(char *text, const struct cli_common *common,
                               struct hawser_report *report)
@@ -108,16 +111,49 @@ static const struct cli_scene_kind kinds[] = {
 	{"travelling", "a travelling cable", "campbell, statics, modes, " OF_SPANS, cli_init_travelling,
 	 NULL, HAWSER_KIND_SPAN},
 	{"beam", "a travelling beam or string", "beam, map, plan", cli_init_beam, NULL, HAWSER_KIND_SPAN},
-	{"net", "a net of cables", "statics, modes, integrate, plan", cli_init_net, net, HAWSER_KIND_NET},
+	{"net", "a net of cables", "statics, modes, integrate, plan, compare statics", cli_init_net,
+	 net, HAWSER_KIND_NET},
 	{"obstacles", "a span over obstacles", "statics, modes", cli_init_obstacles, obstacles,
 	 HAWSER_KIND_OBSTACLES},
 	{"ropeway", "a ropeway", "statics, modes, campbell, irvine, rom, integrate, frf, orbit, folds, "
-	 "locus, nnm, mms, transient, plan", cli_init_ropeway, ropeway, HAWSER_KIND_ROPEWAY},
+	 "locus, nnm, mms, compare mms, hill, map, transient, plan", cli_init_ropeway, ropeway,
+	 HAWSER_KIND_ROPEWAY},
 	{"rod", "a rod", "statics, integrate", cli_init_rod, rod, HAWSER_KIND_ROD},
 	{"tow", "a towed body", "tow steady, tow, trajectory", cli_init_tow, tow, HAWSER_KIND_TOW},
-	{"model", "a reduced model", "rom, integrate, frf, orbit, folds, locus, nnm, mms, hill, map", NULL,
+	{"model", "a reduced model", "rom, integrate, frf, orbit, folds, locus, nnm, mms, compare mms, "
+	 "hill, map", NULL,
 	 model, HAWSER_KIND_MODEL},
 };
+
+/* 1 if `name` is in a list of names, separated by ", ". */
+static int is_listed(const char *list, const char *name)
+{
+	size_t length = strlen(name);
+
+	for (const char *at = list; *at; at += strspn(at, ", ")) {
+		if (strcspn(at, ",") == length && !strncmp(at, name, length))
+			return 1;
+		at += strcspn(at, ",");
+	}
+	return 0;
+}
+
+enum hawser_status cli_scene_kind_check(const char *command, const struct cli_common *common,
+                                        struct hawser_report *report)
+{
+	static const char every[] = "check, report, sweep"; /* take a scene of any kind */
+	enum hawser_kind kind = cli_kind(common);
+	size_t i = 0;
+
+	while (kinds[i].kind != kind)
+		i++;
+	if (kind == HAWSER_KIND_SPAN || is_listed(every, command) ||
+	    is_listed(kinds[i].commands, command))
+		return HAWSER_OK;
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "main",
+	                    "%s is %s, which hawser %s does not take; these commands do: %s",
+	                    cli_input_name(common), kinds[i].one, command, kinds[i].commands);
+}
 
 const struct cli_scene_kind *cli_scene_kind(int index)
 {

@@ -9,7 +9,7 @@ enum { CLI_SCENE_FACTS = 400 };
 struct cli_scene_kind {
 	const char *name;     /* "net" */
 	const char *one;      /* "a net of cables" */
-	const char *commands; /* that take it, the main one first: "statics, modes" */
+	const char *commands; /* that take it, the main one first: "statics, modes"; others refuse it */
 	const char *text;     /* a scene with comments; NULL: hawser init has none */
 	/* Read the scene and say what it has, lines in text [CLI_SCENE_FACTS]; NULL: by the reader of
 	 * spans. */
@@ -19,6 +19,10 @@ struct cli_scene_kind {
 };
 /* Row `index`, from 0, in the order of the input of hawser init; NULL beyond the last. */
 const struct cli_scene_kind *cli_scene_kind(int index);
+/* Refuse an input of a kind whose row does not list this command. Spans, and what cannot be read, are
+ * left to the command. */
+enum hawser_status cli_scene_kind_check(const char *command, const struct cli_common *common,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* init_scenes.c: the scenes with comments. */
 extern const char cli_init_cable[], cli_init_travelling[], cli_init_beam[], cli_init_net[],

@@ -120,26 +120,16 @@ static enum hawser_status claim_section(struct hawser__reader *reader, int index
 enum hawser_status hawser__parse_unknown(struct hawser__reader *reader,
                                          const struct hawser__mark *place, const char *path)
 {
+	const struct hawser__kind_sign *sign;
+	size_t length = strcspn(path, ".");
 	char hint[256], shown[HAWSER__SHOWN];
 
-	if (!strcmp(path, "rod") || (!strcmp(path, "kind") && reader->kind == HAWSER_KIND_ROD))
-		return hawser__reader_fail(reader, place, "this scene is a rod, which hawser statics and "
-		                           "integrate take; this command does not");
-	if (!strcmp(path, "kind") || !strcmp(path, "nodes"))
-		return hawser__reader_fail(reader, place, "this is the scene of a net, and the command takes "
-		                           "spans: hawser statics, modes, integrate and plan take nets");
-	if (!strcmp(path, "ropeway"))
-		return hawser__reader_fail(reader, place, "this is the scene of a ropeway, and the command "
-		                           "takes spans: hawser statics, modes, campbell, irvine, plan, rom, "
-		                           "frf, integrate, orbit, folds, locus, nnm and mms take "
-		                           "ropeways");
-	if (!strcmp(path, "tow"))
-		return hawser__reader_fail(reader, place, "this is the scene of a towed body, and the command "
-		                           "takes others: hawser trajectory, hawser tow and hawser tow "
-		                           "steady take it");
-	if (!strncmp(path, "obstacles", 9) || !strncmp(path, "contact", 7))
-		return hawser__reader_fail(reader, place, "this span passes over obstacles, and the command "
-		                           "takes spans without: hawser statics and modes take obstacles");
+	for (int i = 0; (sign = hawser__kind_sign(i)); i++)
+		if (!strncmp(path, sign->key, length) && !sign->key[length])
+			return hawser__reader_fail(reader, place, "%s is a key of another kind of scenes (%s), and "
+			                           "this one is read as a span: see hawser-scene(5)", sign->key,
+			                           hawser_kind_name(!strcmp(sign->key, "kind") ? reader->kind
+			                                            : sign->kind));
 	hawser__suggest(hint, sizeof hint, path);
 	return hawser__reader_fail(reader, place, "unknown key %s: %s",
 	                           *path ? hawser__shown(shown, path) : "\"\"", hint);

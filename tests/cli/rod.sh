@@ -63,5 +63,5 @@ refused "a VTK file of another name" "must end in .vtk" '' --vtk rod.vtu
 sed 's/clamped/free/; /^end/d' rod.yaml >bad.yaml
 denies "nothing holds it" 2 "both ends of the rod are free" statics bad.yaml
 denies "an option of rods" 1 "is for rods" statics "$scenes/chairlift.yaml" --load-steps 3
-denies "another command" 1 "this scene is a rod" modes "$scenes/rod-roll.yaml"
+denies "another command" 1 "is a rod, which hawser modes does not take; these commands do: statics, integrate" modes "$scenes/rod-roll.yaml"
 done_testing

@@ -158,7 +158,7 @@ denies "a phase of a sweep" 2 "case full, phase 0 m: the counterweight is at its
 	--set 'ropeway.bottom.tension.travel=[-0.1 m, 0.1 m]'
 denies "too little tension" 2 "lane up: " statics "$small" --set 'ropeway.bottom.tension.counterweight=6 kN'
 denies "a loop that is too long" 2 "the loop is too long" statics "$small" --set 'ropeway.bottom.tension={length0: 900 m}'
-denies "a command of spans" 1 "this is the scene of a ropeway, and the command takes spans" compare modes "$small"
+denies "a command of spans" 1 "is a ropeway, which hawser compare modes does not take" compare modes "$small"
 denies "an option of spans" 1 "\-\-model is for spans, and this scene is a ropeway" statics "$small" --model parabola
 denies "an option of nets" 1 "\-\-method is for nets, and this scene is a ropeway" statics "$small" --method mixed
 denies "an option of ropeways" 1 "\-\-worst is for ropeways, and .* is no scene of a ropeway" statics \

@@ -85,5 +85,5 @@ works "kind: span" statics scene.yaml
 try "through a pipe" piped statics
 printf '{cable: {EA: 1e7, rho: 1}, span: {d: 100, h: 0}, tension: {H: 1e4}}\n' >scene.yaml
 try "in flow style" piped statics
-refuses_like 1 "^hawser: --set kind=net: this is the scene of a net" statics scene.yaml --set kind=net
+refuses_like 1 "^hawser: --set kind=net: kind is a key of another kind of scenes" statics scene.yaml --set kind=net
 done_testing

@@ -52,14 +52,14 @@ refuses 1 '"raw 9-5": write raw with a number of modes from 1 on, or a range suc
 	compare "$chairlift" --fidelities "raw 9-5"
 refuses 1 "more than 63 fidelities: leave some out" compare "$chairlift" --fidelities "raw 1-100"
 refuses 1 "--from 1w1 and --to w1 are the same frequency" compare "$chairlift" --from 1w1 --to w1
-refuses 1 "$duffing is no scene of a span: fidelities are models of one, give that" \
+refuses_like 1 "is a reduced model, which hawser compare does not take; these commands do: rom" \
 	compare "$duffing"
 refuses 1 "there is nothing to compare raw 5 with: name another fidelity" \
 	compare "$chairlift" --fidelities "raw 5, raw:5"
 refuses 1 "plan has no picture; hawser compare --plot draws errors against time" \
 	plan "$chairlift" --plot x.svg
 refuses 1 "plan needs a SCENE (hawser plan --help)" plan
-refuses 1 "$duffing is a reduced-model file: a plan is made for a scene, give that" plan "$duffing"
+refuses_like 1 "is a reduced model, which hawser plan does not take" plan "$duffing"
 refuses 1 "--from 1w1 and --to w1 are the same frequency" plan "$chairlift" --from 1w1 --to w1
 refuses_like 1 'there is no fidelity "row 5"' plan "$chairlift" --fidelities "row 5"
 refuses 1 "--step 1.5: it is a part of the range, at most 1" compare "$chairlift" --step 1.5
