@@ -9,78 +9,13 @@
 #include <hawser/hawser.h>
 #include "cli/fixed.h"
 #include "cli/lane.h"
+#include "cli/option.h"
 #include "output/output.h"
 #include "output/picture_choice.h"
 
-/* --- options.c: parsing and --help follow from one table --- */
-
-/* An option: long name, one letter or 0, names of its arguments ("", "FILE", "FORMAT STEM"), a
- * description of one line, and the function that stores its arguments at `offset` in the settings of
- * the command. */
-struct cli_option {
-	const char *name;
-	char letter;
-	const char *arguments;
-	const char *doc;
-	enum hawser_status (*store)(void *field, const struct cli_option *option,
-	                            const char *const *values, struct hawser_report *report);
-	size_t offset;
-};
-
-enum hawser_status cli_store_flag(void *field, const struct cli_option *option,
-                                  const char *const *values, struct hawser_report *report);
-enum hawser_status cli_store_text(void *field, const struct cli_option *option,
-                                  const char *const *values, struct hawser_report *report);
-/* Into const char *[2]. */
-enum hawser_status cli_store_two(void *field, const struct cli_option *option,
-                                 const char *const *values, struct hawser_report *report);
-/* The option --set, of any command: at offset 0. */
-enum hawser_status cli_store_set(void *field, const struct cli_option *option,
-                                 const char *const *values, struct hawser_report *report);
-enum hawser_status cli_store_library(void *field, const struct cli_option *option,
-                                     const char *const *values, struct hawser_report *report);
-enum hawser_status cli_store_positive(void *field, const struct cli_option *option,
-                                      const char *const *values, struct hawser_report *report);
-/* Integers: any, and >= 2. */
-enum hawser_status cli_store_integer(void *field, const struct cli_option *option,
-                                     const char *const *values, struct hawser_report *report);
-enum hawser_status cli_store_count(void *field, const struct cli_option *option,
-                                   const char *const *values, struct hawser_report *report);
-
-/* The end of a row: the function that stores the argument, and the member of `struct settings` of the
- * command. */
-#define CLI_STORED(store, member) store, offsetof(struct settings, member)
-#define CLI_FLAG(member) CLI_STORED(cli_store_flag, member)
-#define CLI_TEXT(member) CLI_STORED(cli_store_text, member)
-#define CLI_TWO(member) CLI_STORED(cli_store_two, member)
-#define CLI_POSITIVE(member) CLI_STORED(cli_store_positive, member)
-#define CLI_INTEGER(member) CLI_STORED(cli_store_integer, member)
-#define CLI_COUNT(member) CLI_STORED(cli_store_count, member)
-
-/* Options of several commands. The command's `struct settings` has a member of the same name. */
-#define CLI_TEXT_OPTION(name, arguments, doc) \
-	{#name, 0, arguments, doc, CLI_TEXT(name)}
-#define CLI_RANGE_OPTIONS(from_doc, to_doc) \
-	CLI_TEXT_OPTION(from, "FREQUENCY", from_doc), CLI_TEXT_OPTION(to, "FREQUENCY", to_doc)
-#define CLI_LIBRARY_OPTION \
-	{"model-library", 0, "FILE", "a function in C as the model, in place of SCENE", \
-	 CLI_STORED(cli_store_library, common)}
-#define CLI_MODES_OPTION \
-	{"modes", 'n', "N", "number of modes (the scene's model.modes)", CLI_INTEGER(n)}
-#define CLI_TOLERANCE_OPTION(doc) \
-	{"tolerance", 0, "NUMBER", doc, CLI_POSITIVE(tolerance)}
-#define CLI_STEP_OPTION \
-	{"step", 0, "NUMBER", "longest step, as a part of the range (0.005)", CLI_POSITIVE(step)}
-#define CLI_POINTS_OPTION(doc) \
-	{"max-points", 0, "N", doc, CLI_COUNT(points)}
-#define CLI_SET_OPTION \
-	{"set", 0, "KEY=VALUE", "override a key of the scene; may be repeated", cli_store_set, 0}
-#define CLI_HELP_OPTION \
-	{"help", 'h', "", "print this help", cli_store_flag, offsetof(struct cli_common, help)}
-#define CLI_NO_OPTION {NULL, 0, NULL, NULL, NULL, 0}
-
 #define CLI_STEP 0.005 /* longest step of a response, as a part of its range, by default */
-enum { CLI_SETS = 64, CLI_MORE_INPUTS = 99 }; /* --set options and further inputs in one call */
+/* --set options, further inputs, and different options of some kinds of inputs, in one call */
+enum { CLI_SETS = 64, CLI_MORE_INPUTS = 99, CLI_GIVEN = 64 };
 
 /* Settings of every command; the first member of each command's own. */
 struct cli_common {
@@ -97,6 +32,8 @@ struct cli_common {
 	const char *units; /* list of units for tables, or NULL: SI */
 	const char *set[CLI_SETS];
 	int sets;
+	const struct cli_option *given[CLI_GIVEN]; /* [givens] those with kinds, each once */
+	int givens;
 	int quiet, help;
 	int reproducible; /* 1: omit from results what differs between runs */
 	int delivered;    /* 1: another option has written files, so that the table is not printed */

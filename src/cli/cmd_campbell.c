@@ -6,7 +6,6 @@
 #include <stddef.h>
 
 #include "cli/campbell_result.h"
-#include "cli/kinds.h"
 #include "cli/track_ropeway.h"
 #include "cli/view.h"
 #include "core/report.h"
@@ -27,12 +26,12 @@ static const struct cli_option options[] = {
 	{"modes", 'n', "N", "number of branches, the lowest at the first speed (10)", CLI_INTEGER(n)},
 	{"unit", 0, "UNIT", "of eigenvalues: rad/s or Hz (rad/s)", CLI_TEXT(unit)},
 	{"spacing", 0, "LENGTH", "distance of carriers on the cable: draw the lines of their excitation",
-	 cli_store_text, offsetof(struct settings, spacing)},
+	 CLI_TEXT(spacing)},
 	{"harmonics", 0, "N", "number of these lines (3)", CLI_INTEGER(harmonics)},
-	{"method", 0, "NAME", "method for the modes (spectral)", CLI_TEXT(method)},
+	{"method", 0, "NAME", "method for the modes (spectral)", CLI_TEXT_FOR(method, CLI_SPAN)},
 	{"contact", 0, "HOW", "ropeways: slip or roll (the scene's contact.modes)",
-	 CLI_TEXT(ropeway.contact)},
-	{"case", 0, "NAME", "ropeways: the load case (full)", CLI_TEXT(ropeway.load_case)},
+	 CLI_TEXT_FOR(ropeway.contact, CLI_ROPEWAY)},
+	{"case", 0, "NAME", "ropeways: the load case (full)", CLI_TEXT_FOR(ropeway.load_case, CLI_ROPEWAY)},
 	CLI_NO_OPTION,
 };
 
@@ -104,18 +103,12 @@ static enum hawser_status run_span(const struct settings *settings, struct hawse
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	const struct settings *s = context;
-	const struct cli_given given[] = {{"method", s->method != NULL, CLI_SPAN},
-		{"contact", s->ropeway.contact != NULL, CLI_ROPEWAY},
-		{"case", s->ropeway.load_case != NULL, CLI_ROPEWAY}, {NULL, 0, 0}};
 	struct cli_track track = {.common = &s->common, .command = "campbell", .swept = CLI_SWEPT_SPEED,
 		.from = s->from, .to = s->to, .points = s->points, .n = s->n, .unit = s->unit,
 		.spacing = s->spacing, .harmonics = s->harmonics, .choice = s->ropeway};
-	enum cli_kind kind = cli_kind_of(&s->common, CLI_KINDS);
-	enum hawser_status status = cli_kind_check(given, "campbell", &s->common, report);
 
-	if (status)
-		return status;
-	return kind == CLI_ROPEWAY ? cli_track_run(&track, report) : run_span(s, report);
+	return cli_kind(&s->common) == HAWSER_KIND_ROPEWAY ? cli_track_run(&track, report)
+	                                                   : run_span(s, report);
 }
 
 const struct cli_command cli_campbell = {

@@ -31,39 +31,55 @@ static const struct settings defaults = {
 };
 
 static const struct cli_option options[] = {
-	{"Omega", 0, "FREQUENCY", "forcing frequency; required if there is a load", CLI_TEXT(omega)},
+	{"Omega", 0, "FREQUENCY", "forcing frequency; required if there is a load",
+	 CLI_TEXT_FOR(omega, CLI_MODELLED)},
 	{"Omega-to", 0, "FREQUENCY", "slow sweep: the frequency changes linearly to this one",
-	 CLI_TEXT(omega_to)},
-	CLI_TEXT_OPTION(load, "FILE", "table of the load over time, in place of the section load; of "
-	                "ropeways: passing or drive"),
-	CLI_TEXT_OPTION(motion, "FILE", "table of the displacements of the ends over time"),
+	 CLI_TEXT_FOR(omega_to, CLI_MODELLED)},
+	{"load", 0, "FILE", "table of the load over time, in place of the section load; of ropeways: "
+	 "passing or drive", CLI_TEXT_FOR(load, CLI_MODELLED)},
+	{"motion", 0, "FILE", "table of the displacements of the ends over time",
+	 CLI_TEXT_FOR(motion, CLI_MODELLED)},
 	{"until", 0, "TIME", "end of the run (100T)", CLI_TEXT(until)},
 	{"every", 0, "TIME", "interval between output rows (0.01T)", CLI_TEXT(every)},
 	{"after", 0, "TIME", "the rows begin at this time, when the transient has decayed (0)",
-	 CLI_TEXT(after)},
+	 CLI_TEXT_FOR(after, CLI_MODELLED)},
 	{"initial", 0, "FILE",
 	 "state, or FILE#LABEL of a response, to start from (rest)", CLI_TEXT(initial)},
-	{"continue", 0, "FILE", "continue the run whose JSON result this file is", CLI_TEXT(resume)},
-	{"modes", 'n', "N", "number of modes (the scene's model.modes)", CLI_INTEGER(n)},
+	{"continue", 0, "FILE", "continue the run whose JSON result this file is",
+	 CLI_TEXT_FOR(resume, CLI_MODELLED)},
+	{"modes", 'n', "N", "number of modes (the scene's model.modes)",
+	 CLI_INTEGER_FOR(n, CLI_MODELLED)},
 	CLI_LIBRARY_OPTION,
 	{"method", 0, "NAME", "integrator: gauss, radau, adams, bdf or auto (auto)", CLI_TEXT(method)},
 	{"rtol", 0, "NUMBER", "relative tolerance (1e-10)", CLI_POSITIVE(rtol)},
-	{"atol", 0, "NUMBER", "absolute tolerance, scaled (1e-13)", CLI_POSITIVE(atol)},
-	{"spectrum", 0, "", "write the spectrum to the table, and to JSON", CLI_FLAG(spectrum)},
-	{"error", 0, "", "estimate the error by a second run with other tolerances", CLI_FLAG(error)},
+	{"atol", 0, "NUMBER", "absolute tolerance, scaled (1e-13)",
+	 CLI_POSITIVE_FOR(atol, CLI_MODELLED)},
+	{"spectrum", 0, "", "write the spectrum to the table, and to JSON",
+	 CLI_FLAG_FOR(spectrum, CLI_MODELLED)},
+	{"error", 0, "", "estimate the error by a second run with other tolerances",
+	 CLI_FLAG_FOR(error, CLI_MODELLED | CLI_NET)},
 	{"lyapunov", 0, "", "Lyapunov exponents of the motion after --after, with their errors",
-	 CLI_FLAG(lyapunov)},
-	{"model", 0, "NAME", "rom, or fe: a mesh of cable elements (rom)", CLI_TEXT(model)},
-	{"elements", 0, "N", "elements of the mesh of --model fe (120)", CLI_INTEGER(elements)},
-	{"step", 0, "TIME", "nets, rods and --model fe: longest step, or auto", CLI_TEXT(net.step)},
+	 CLI_FLAG_FOR(lyapunov, CLI_MODELLED)},
+	{"model", 0, "NAME", "rom, or fe: a mesh of cable elements (rom)",
+	 CLI_TEXT_FOR(model, CLI_MODELLED)},
+	{"elements", 0, "N", "elements of the mesh of --model fe (120)",
+	 CLI_INTEGER_FOR(elements, CLI_SPAN)},
+	{"step", 0, "TIME", "nets, rods and --model fe: longest step, or auto",
+	 CLI_TEXT_FOR(net.step, CLI_MESHES | CLI_SPAN)},
 	{"probe", 0, "NAMES", "nets: nodes, or cable:part (all free nodes); rods: start, end, lengths",
-	 CLI_TEXT(net.probe)},
-	{"state", 0, "FILE", "nets, rods: write the last state, for --initial", CLI_TEXT(net.state)},
-	{"vtk", 0, "STEM", "nets, rods: write STEM-00000.vtk and so on, one a row", CLI_TEXT(net.vtk)},
-	{"animate", 0, "FILE.gif", "nets, rods: write an animation", CLI_TEXT(net.animate)},
-	{"frames", 0, "N", "of the animation, at most (100)", CLI_COUNT(net.frames)},
-	{"no-error", 0, "", "rods: without the two runs for the errors", CLI_FLAG(net.skip_error)},
-	{"partial", 0, "", "write what was computed also if the run fails", CLI_FLAG(partial)},
+	 CLI_TEXT_FOR(net.probe, CLI_MESHES)},
+	{"state", 0, "FILE", "nets, rods: write the last state, for --initial",
+	 CLI_TEXT_FOR(net.state, CLI_MESHES)},
+	{"vtk", 0, "STEM", "nets, rods: write STEM-00000.vtk and so on, one a row",
+	 CLI_TEXT_FOR(net.vtk, CLI_MESHES)},
+	{"animate", 0, "FILE.gif", "nets, rods: write an animation",
+	 CLI_TEXT_FOR(net.animate, CLI_MESHES)},
+	{"frames", 0, "N", "of the animation, at most (100)",
+	 CLI_COUNT_FOR(net.frames, CLI_MESHES)},
+	{"no-error", 0, "", "rods: without the two runs for the errors",
+	 CLI_FLAG_FOR(net.skip_error, CLI_ROD)},
+	{"partial", 0, "", "write what was computed also if the run fails",
+	 CLI_FLAG_FOR(partial, CLI_MODELLED)},
 	CLI_LANE_OPTIONS,
 	CLI_NO_OPTION,
 };
@@ -300,30 +316,12 @@ static enum hawser_status write_result(struct cli_integrate_result *result, stru
 	return status;
 }
 
-/* A scene of kind net, or rod; an option of the one kind does not go with the other. */
+/* A scene of kind net, or rod. */
 static enum hawser_status run_kind(const struct settings *settings, int rod,
                                    struct hawser_report *report)
 {
-	const struct {
-		const char *name;
-		int given;
-	} other[] = {{"Omega", settings->omega != NULL}, {"Omega-to", settings->omega_to != NULL},
-	             {"load", settings->load != NULL}, {"motion", settings->motion != NULL},
-	             {"after", settings->after != NULL}, {"continue", settings->resume != NULL},
-	             {"modes", settings->n > 0}, {"spectrum", settings->spectrum},
-	             {"lyapunov", settings->lyapunov}, {"partial", settings->partial},
-	             {"atol", settings->atol != defaults.atol}, {"model", settings->model != NULL},
-	             {"elements", settings->elements > 0}, {"error", rod && settings->error},
-	             {"no-error", !rod && settings->net.skip_error}};
 	struct cli_integrate_net net = settings->net;
 
-	for (size_t i = 0; i < sizeof other/sizeof *other; i++)
-		if (other[i].given)
-			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate", rod
-			                    ? "--%s is not for rods: all that moves them is in the scene, and "
-			                      "their errors are computed unless --no-error is given"
-			                    : "--%s is not for nets: loads and motions of supports are in the "
-			                      "scene", other[i].name);
 	net.until = settings->until != defaults.until ? settings->until : NULL;
 	net.every = settings->every != defaults.every ? settings->every : NULL;
 	net.scheme = settings->method;
@@ -346,9 +344,7 @@ static enum hawser_status run_span(const struct settings *settings, struct hawse
 	             {"modes", settings->n > 0}, {"spectrum", settings->spectrum},
 	             {"error", settings->error}, {"lyapunov", settings->lyapunov},
 	             {"partial", settings->partial}, {"atol", settings->atol != defaults.atol},
-	             {"model-library", settings->common.library != NULL},
-	             {"probe", settings->net.probe != NULL}, {"state", settings->net.state != NULL},
-	             {"vtk", settings->net.vtk != NULL}, {"animate", settings->net.animate != NULL}};
+	             {"model-library", settings->common.library != NULL}};
 	const struct cli_integrate_span span = {
 		.texts = {.omega = settings->omega, .until = settings->until, .every = settings->every,
 		          .step = settings->net.step},
@@ -371,9 +367,10 @@ static enum hawser_status check_model(const struct settings *settings, struct ha
 
 	if (settings->model)
 		status = cli_choose(&model, "integrate", "model", settings->model, models, 2, report);
-	if (!status && settings->elements && model == 0)
+	if (!status && model == 0 && (settings->elements || settings->net.step))
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
-		                      "--elements is for the mesh of --model fe: give that");
+		                      "--%s is for the mesh of --model fe: give that",
+		                      settings->elements ? "elements" : "step");
 	return status;
 }
 
@@ -403,21 +400,12 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 
 	if (!status)
 		status = hawser__file_check(net->state, report);
-	if (!status)
-		status = cli_rom_ropeway_check(&settings->common, report);
 	if (!status && (kind == HAWSER_KIND_NET || kind == HAWSER_KIND_ROD))
 		return run_kind(settings, kind == HAWSER_KIND_ROD, report);
 	if (!status)
 		status = check_model(settings, report);
 	if (!status && settings->model && strcmp(settings->model, "fe") == 0)
 		return run_span(settings, report);
-	if (!status && (net->step || net->probe || net->vtk || net->state || net->skip_error ||
-	                net->animate))
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate", "--%s is for nets and rods, and "
-		                    "%s is no scene of one", net->step ? "step" : net->probe ? "probe"
-		                    : net->vtk ? "vtk" : net->state ? "state"
-		                    : net->animate ? "animate" : "no-error",
-		                    settings->common.input);
 	if (!status)
 		status = cli_state_check("initial", settings->initial, &settings->common, report);
 	if (!status)

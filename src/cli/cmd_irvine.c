@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "cli/irvine_result.h"
-#include "cli/kinds.h"
 #include "cli/track_ropeway.h"
 #include "cli/view.h"
 #include "core/report.h"
@@ -21,22 +20,24 @@ static const struct settings defaults = {.n = 10};
 enum { POINTS = 200 }; /* of spans, before refinement */
 
 static const struct cli_option options[] = {
-	{"sweep", 0, "QUANTITY", "swept quantity: H, T0, T1, length0 or sag (H)", CLI_TEXT(sweep)},
+	{"sweep", 0, "QUANTITY", "swept quantity: H, T0, T1, length0 or sag (H)",
+	 CLI_TEXT_FOR(sweep, CLI_SPAN)},
 	{"from", 0, "VALUE", "first value, in N or m or with a unit (lambda = 0.1 pi)", CLI_TEXT(from)},
 	{"to", 0, "VALUE", "last value (lambda = 10 pi)", CLI_TEXT(to)},
 	{"points", 0, "N", "number of samples, before refinement (200)", CLI_COUNT(points)},
 	{"modes", 'n', "N", "number of branches, the lowest at the first value (10)", CLI_INTEGER(n)},
-	{"over", 0, "AXIS", "horizontal axis of the picture: lambda or value (lambda)", CLI_TEXT(over)},
+	{"over", 0, "AXIS", "horizontal axis of the picture: lambda or value (lambda)",
+	 CLI_TEXT_FOR(over, CLI_SPAN)},
 	{"unit", 0, "UNIT", "of frequencies: normalised, rad/s, Hz, or s for periods (normalised)",
 	 CLI_TEXT(unit)},
 	{"speeds", 0, "LIST", "a sweep and a panel for each of these travel speeds: \"0, 5 m/s\"",
-	 CLI_TEXT(speeds)},
-	{"method", 0, "NAME", "method for the modes (spectral)", CLI_TEXT(method)},
+	 CLI_TEXT_FOR(speeds, CLI_SPAN)},
+	{"method", 0, "NAME", "method for the modes (spectral)", CLI_TEXT_FOR(method, CLI_SPAN)},
 	{"contact", 0, "HOW", "ropeways: slip, stick or roll (the scene's contact.modes)",
-	 CLI_TEXT(ropeway.contact)},
-	{"case", 0, "NAME", "ropeways: the load case (full)", CLI_TEXT(ropeway.load_case)},
+	 CLI_TEXT_FOR(ropeway.contact, CLI_ROPEWAY)},
+	{"case", 0, "NAME", "ropeways: the load case (full)", CLI_TEXT_FOR(ropeway.load_case, CLI_ROPEWAY)},
 	{"sliding", 0, "HOW", "ropeways: running, rest or reverse (the scene's ropeway.sliding)",
-	 CLI_TEXT(ropeway.sliding)},
+	 CLI_TEXT_FOR(ropeway.sliding, CLI_ROPEWAY)},
 	CLI_NO_OPTION,
 };
 
@@ -222,20 +223,12 @@ static enum hawser_status run_span(const struct settings *settings, struct hawse
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	const struct settings *s = context;
-	const struct cli_given given[] = {{"sweep", s->sweep != NULL, CLI_SPAN},
-		{"over", s->over != NULL, CLI_SPAN}, {"speeds", s->speeds != NULL, CLI_SPAN},
-		{"method", s->method != NULL, CLI_SPAN}, {"contact", s->ropeway.contact != NULL, CLI_ROPEWAY},
-		{"case", s->ropeway.load_case != NULL, CLI_ROPEWAY},
-		{"sliding", s->ropeway.sliding != NULL, CLI_ROPEWAY}, {NULL, 0, 0}};
 	struct cli_track track = {.common = &s->common, .command = "irvine", .swept = CLI_SWEPT_TENSION,
 		.from = s->from, .to = s->to, .points = s->points, .n = s->n, .unit = s->unit,
 		.choice = s->ropeway};
-	enum cli_kind kind = cli_kind_of(&s->common, CLI_KINDS);
-	enum hawser_status status = cli_kind_check(given, "irvine", &s->common, report);
 
-	if (status)
-		return status;
-	return kind == CLI_ROPEWAY ? cli_track_run(&track, report) : run_span(s, report);
+	return cli_kind(&s->common) == HAWSER_KIND_ROPEWAY ? cli_track_run(&track, report)
+	                                                   : run_span(s, report);
 }
 
 const struct cli_command cli_irvine = {

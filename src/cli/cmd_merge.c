@@ -16,7 +16,7 @@ static const struct cli_option options[] = {
 	{"checkpoint", 0, "FILE", "the new file, which hawser map or sweep --checkpoint FILE continues",
 	 CLI_TEXT(checkpoint)},
 	{"quiet", 'q', "", "print nothing but errors", cli_store_flag,
-	 offsetof(struct cli_common, quiet)},
+	 offsetof(struct cli_common, quiet), 0},
 	CLI_HELP_OPTION,
 	CLI_NO_OPTION,
 };

@@ -25,26 +25,32 @@ static const struct settings defaults = {.points = POINTS};
 
 static const struct cli_option options[] = {
 	{"modes", 'n', "N", "number of modes (the scene's model.modes)", CLI_INTEGER(n)},
-	{"method", 0, "NAME", "method (spectral)", CLI_TEXT(method)},
-	{"model", 0, "NAME", "cable, or fe: a mesh of cable elements (cable)", CLI_TEXT(model)},
-	{"elements", 0, "N", "elements of the mesh of --model fe (120)", CLI_INTEGER(elements)},
+	{"method", 0, "NAME", "method (spectral)", CLI_TEXT_FOR(method, CLI_SPAN)},
+	{"model", 0, "NAME", "cable, or fe: a mesh of cable elements (cable)",
+	 CLI_TEXT_FOR(model, CLI_SPAN)},
+	{"elements", 0, "N", "elements of the mesh of --model fe (120)",
+	 CLI_INTEGER_FOR(elements, CLI_SPAN)},
 	{"basis", 0, "N", "functions per component (as many as the tolerance requires)",
-	 CLI_INTEGER(basis)},
+	 CLI_INTEGER_FOR(basis, CLI_SPAN)},
 	{"shapes", 0, "", "write the shapes and slopes to the table, and to JSON", CLI_FLAG(shapes)},
-	{"points", 0, "N", "number of points of a shape (201)", CLI_COUNT(points)},
+	{"points", 0, "N", "number of points of a shape (201)",
+	 CLI_COUNT_FOR(points, CLI_SPAN | CLI_ROPEWAY | CLI_OBSTACLES)},
 	{"view", 0, "NAME", "contents of the picture: components, profile or waves (components)",
-	 CLI_TEXT(view)},
-	{"damped", 0, "", "damped modes: dampers and damping of the scene", CLI_FLAG(damped)},
+	 CLI_TEXT_FOR(view, CLI_SPAN)},
+	{"damped", 0, "", "damped modes: dampers and damping of the scene",
+	 CLI_FLAG_FOR(damped, CLI_SPAN)},
 	{"over", 0, "KEY=FROM:TO:N", "damped modes, or modes over sheaves, at N values of a key",
-	 CLI_TEXT(over)},
-	{"log", 0, "", "these values at equal ratios", CLI_FLAG(log)},
+	 CLI_TEXT_FOR(over, CLI_SPAN | CLI_ROPEWAY | CLI_OBSTACLES)},
+	{"log", 0, "", "these values at equal ratios",
+	 CLI_FLAG_FOR(log, CLI_SPAN | CLI_ROPEWAY | CLI_OBSTACLES)},
 	{"vtk", 0, "FILE", "nets: write all shapes to FILE.vtk, for programs such as ParaView",
-	 CLI_TEXT(vtk)},
+	 CLI_TEXT_FOR(vtk, CLI_NET)},
 	{"contact", 0, "HOW", "on sheaves and obstacles: slip, stick, roll or statics (contact.modes)",
-	 CLI_TEXT(ropeway.contact)},
-	{"case", 0, "NAME", "ropeways: the load case (full)", CLI_TEXT(ropeway.load_case)},
+	 CLI_TEXT_FOR(ropeway.contact, CLI_NET | CLI_ROPEWAY | CLI_OBSTACLES)},
+	{"case", 0, "NAME", "ropeways: the load case (full)",
+	 CLI_TEXT_FOR(ropeway.load_case, CLI_ROPEWAY)},
 	{"sliding", 0, "HOW", "ropeways: running, rest or reverse (the scene's ropeway.sliding)",
-	 CLI_TEXT(ropeway.sliding)},
+	 CLI_TEXT_FOR(ropeway.sliding, CLI_ROPEWAY)},
 	{"list-methods", 0, "", "list the methods and exit", CLI_FLAG(list)},
 	CLI_NO_OPTION,
 };
@@ -219,19 +225,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	} table[] = {{CLI_SPAN, run_span}, {CLI_NET, run_net}, {CLI_ROPEWAY, run_ropeway},
 	             {CLI_OBSTACLES, run_obstacles}};
 	const struct settings *s = context;
-	const struct cli_given given[] = {
-		{"method", s->method != NULL, CLI_SPAN}, {"model", s->model != NULL, CLI_SPAN},
-		{"elements", s->elements != 0, CLI_SPAN}, {"basis", s->basis > 0, CLI_SPAN},
-		{"view", s->view != NULL, CLI_SPAN}, {"damped", s->damped, CLI_SPAN},
-		{"over", s->over != NULL, CLI_SPAN | CLI_ROPEWAY | CLI_OBSTACLES},
-		{"log", s->log, CLI_SPAN | CLI_ROPEWAY | CLI_OBSTACLES},
-		{"points", s->points != POINTS, CLI_SPAN | CLI_ROPEWAY | CLI_OBSTACLES},
-		{"vtk", s->vtk != NULL, CLI_NET},
-		{"contact", s->ropeway.contact != NULL, CLI_NET | CLI_ROPEWAY | CLI_OBSTACLES},
-		{"case", s->ropeway.load_case != NULL, CLI_ROPEWAY},
-		{"sliding", s->ropeway.sliding != NULL, CLI_ROPEWAY}, {NULL, 0, 0}};
 	enum cli_kind kind;
-	enum hawser_status status;
 	int i = 0;
 
 	if (s->list) {
@@ -242,10 +236,9 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
 		                    "modes needs a SCENE (hawser modes --help)");
 	kind = cli_kind_of(&s->common, CLI_KINDS | CLI_OBSTACLES);
-	status = cli_kind_check(given, "modes", &s->common, report);
 	while (table[i].kind != kind)
 		i++;
-	return status ? status : table[i].run(s, report);
+	return table[i].run(s, report);
 }
 
 const struct cli_command cli_modes = {

@@ -25,18 +25,22 @@ static const struct settings defaults = {
 };
 
 static const struct cli_option options[] = {
-	CLI_RANGE_OPTIONS("one end of the range of the response (0.6w1)", "the other end (3.3w1)"),
-	CLI_TEXT_OPTION(fidelities, "LIST", "what to estimate, separated by commas"),
+	{"from", 0, "FREQUENCY", "one end of the range of the response (0.6w1)",
+	 CLI_TEXT_FOR(from, CLI_SPAN)},
+	{"to", 0, "FREQUENCY", "the other end (3.3w1)", CLI_TEXT_FOR(to, CLI_SPAN)},
+	{"fidelities", 0, "LIST", "what to estimate, separated by commas",
+	 CLI_TEXT_FOR(fidelities, CLI_SPAN)},
 	{"limit", 0, "SECONDS", "processor time for measuring times (1 and a tenth of the estimate)",
-	 CLI_POSITIVE(limit)},
+	 CLI_POSITIVE_FOR(limit, CLI_SPAN | CLI_NET)},
 	{"until", 0, "TIME", "nets: end of the motion (ten periods of the slowest load)",
-	 CLI_TEXT(net.until)},
-	{"step", 0, "TIME", "nets: longest step, or auto (the scene's, or auto)", CLI_TEXT(net.step)},
+	 CLI_TEXT_FOR(net.until, CLI_NET)},
+	{"step", 0, "TIME", "nets: longest step, or auto (the scene's, or auto)",
+	 CLI_TEXT_FOR(net.step, CLI_NET)},
 	{"method", 0, "NAME", "nets: scheme of time integration (the scene's, or energy)",
-	 CLI_TEXT(net.scheme)},
+	 CLI_TEXT_FOR(net.scheme, CLI_NET)},
 	{"rtol", 0, "NUMBER", "nets: local error over the longest cable (1e-7)",
-	 CLI_POSITIVE(net.rtol)},
-	{"modes", 'n', "N", "nets: number of modes (6)", CLI_INTEGER(net.modes)},
+	 CLI_POSITIVE_FOR(net.rtol, CLI_NET)},
+	{"modes", 'n', "N", "nets: number of modes (6)", CLI_INTEGER_FOR(net.modes, CLI_NET)},
 	CLI_NO_OPTION,
 };
 
@@ -135,45 +139,13 @@ static enum hawser_status plan_beam(int *done, const struct cli_common *common,
 	return status;
 }
 
-/* The name of an option that is given and of the other kind of scenes; "" if there is none. */
-static const char *other(const struct settings *settings, int net)
-{
-	const struct {
-		const char *name;
-		int given, net;
-	} option[] = {{"from", settings->from != defaults.from, 0}, {"to", settings->to != defaults.to, 0},
-	              {"fidelities", settings->fidelities != defaults.fidelities, 0},
-	              {"until", settings->net.until != NULL, 1}, {"step", settings->net.step != NULL, 1},
-	              {"method", settings->net.scheme != NULL, 1}, {"rtol", settings->net.rtol > 0.0, 1},
-	              {"modes", settings->net.modes > 0, 1}};
-
-	for (size_t i = 0; i < sizeof option/sizeof *option; i++)
-		if (option[i].given && option[i].net != net)
-			return option[i].name;
-	return "";
-}
-
 static enum hawser_status run_net(const struct settings *settings, struct hawser_report *report)
 {
 	struct cli_plan_net net = settings->net;
-	enum hawser_status status;
+	enum hawser_status status = cli_outputs_check(&settings->common, report);
 
-	if (*other(settings, 1))
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "plan", "--%s is for responses of spans, "
-		                    "and the scene is a net", other(settings, 1));
-	status = cli_outputs_check(&settings->common, report);
 	net.limit = settings->limit;
 	return status ? status : cli_plan_net(&settings->common, &net, report);
-}
-
-static enum hawser_status run_ropeway(const struct settings *settings, struct hawser_report *report)
-{
-	const char *given = settings->limit > 0.0 ? "limit" : other(settings, -1);
-
-	if (*given)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "plan", "--%s is for spans or nets, and "
-		                    "this scene is a ropeway", given);
-	return cli_plan_ropeway(&settings->common, report);
 }
 
 static enum hawser_status run(void *context, struct hawser_report *report)
@@ -188,10 +160,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!status && kind == HAWSER_KIND_NET)
 		return run_net(settings, report);
 	if (!status && kind == HAWSER_KIND_ROPEWAY)
-		return run_ropeway(settings, report);
-	if (!status && *other(settings, 0))
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "plan", "--%s is for nets, and %s is no "
-		                    "scene of a net", other(settings, 0), settings->common.input);
+		return cli_plan_ropeway(&settings->common, report);
 	if (!status)
 		status = plan_beam(&done, &settings->common, report);
 	if (status || done)

@@ -20,17 +20,23 @@ static const struct settings defaults = {.points = 201};
 
 static const struct cli_option options[] = {
 	{"model", 0, "NAME", "static model: catenary, inextensible, parabola or fe (catenary)",
-	 CLI_TEXT(model)},
-	{"elements", 0, "N", "elements of the mesh of --model fe (120)", CLI_INTEGER(elements)},
-	{"models", 0, "", "table of all models and their errors against the catenary", CLI_FLAG(models)},
+	 CLI_TEXT_FOR(model, CLI_SPAN)},
+	{"elements", 0, "N", "elements of the mesh of --model fe (120)",
+	 CLI_INTEGER_FOR(elements, CLI_SPAN)},
+	{"models", 0, "", "table of all models and their errors against the catenary",
+	 CLI_FLAG_FOR(models, CLI_SPAN)},
 	{"compatibility", 0, "", "table of epsilon, delta, eta and more over the tension",
-	 CLI_FLAG(compatibility)},
-	{"speeds", 0, "", "table of the steady state over the speed, for both holds", CLI_FLAG(speeds)},
-	{"cases", 0, "", "table of the load cases of the scene", CLI_FLAG(cases)},
-	{"from", 0, "VALUE", "curves: lowest horizontal tension (delta = 4), or speed (0)", CLI_TEXT(from)},
+	 CLI_FLAG_FOR(compatibility, CLI_SPAN)},
+	{"speeds", 0, "", "table of the steady state over the speed, for both holds",
+	 CLI_FLAG_FOR(speeds, CLI_SPAN)},
+	{"cases", 0, "", "table of the load cases of the scene",
+	 CLI_FLAG_FOR(cases, CLI_SPAN | CLI_ROPEWAY)},
+	{"from", 0, "VALUE", "curves: lowest horizontal tension (delta = 4), or speed (0)",
+	 CLI_TEXT_FOR(from, CLI_SPAN)},
 	{"to", 0, "VALUE", "curves: highest tension (epsilon = 0.02), or speed (past the limit)",
-	 CLI_TEXT(to)},
-	{"points", 0, "N", "number of points of the profile or of the curves (201)", CLI_COUNT(points)},
+	 CLI_TEXT_FOR(to, CLI_SPAN)},
+	{"points", 0, "N", "number of points of the profile or of the curves (201)",
+	 CLI_COUNT_FOR(points, CLI_SPAN | CLI_OBSTACLES)},
 	CLI_STATICS_KINDS_OPTIONS,
 	CLI_NO_OPTION,
 };
@@ -460,16 +466,6 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 static const struct cli_showing showing = {
 	.head = head, .comments = comments, .more = rows, .fields = result_field, .draw = draw};
 
-/* The first option that is for spans only, or NULL. */
-static const char *span_option(const struct settings *settings)
-{
-	return settings->model ? "model" : settings->elements ? "elements"
-	       : settings->models ? "models"
-	       : settings->compatibility ? "compatibility" : settings->speeds ? "speeds"
-	       : settings->from ? "from" : settings->to ? "to"
-	       : settings->points != defaults.points ? "points" : NULL;
-}
-
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	const struct settings *settings = context;
@@ -478,8 +474,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	enum hawser_status status = check(settings, report);
 
 	if (!status)
-		status = cli_statics_kinds(&done, &settings->common, &settings->kinds, span_option(settings),
-		                           settings->points, settings->cases, report);
+		status = cli_statics_kinds(&done, &settings->common, &settings->kinds, settings->points,
+		                           settings->cases, report);
 	if (status || done)
 		return status;
 	status = solve(&result, report);

@@ -18,8 +18,10 @@ enum hawser_kind cli_kind(const struct cli_common *common)
 {
 	const struct hawser_document *document;
 
-	return common->input && !common->library && !cli_document(&document, common, NULL)
-	       ? document->kind : HAWSER_KIND_SPAN;
+	if (common->library)
+		return HAWSER_KIND_MODEL;
+	return common->input && !cli_document(&document, common, NULL) ? document->kind
+	                                                                : HAWSER_KIND_SPAN;
 }
 
 #define OPEN(name) \

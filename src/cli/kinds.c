@@ -19,9 +19,6 @@ static const struct {
 	[HAWSER_KIND_TOW] = {"a towed body", "towed bodies"},
 	[HAWSER_KIND_MODEL] = {"a reduced model", "reduced models"},
 };
-static const enum hawser_kind said_in_turn[] = {HAWSER_KIND_ROPEWAY, HAWSER_KIND_NET,
-                                                HAWSER_KIND_OBSTACLES, HAWSER_KIND_SPAN};
-
 enum cli_kind cli_kind_of(const struct cli_common *common, unsigned kinds)
 {
 	unsigned bit = 1u << cli_kind(common);
@@ -29,34 +26,41 @@ enum cli_kind cli_kind_of(const struct cli_common *common, unsigned kinds)
 	return kinds & bit ? (enum cli_kind)bit : CLI_SPAN;
 }
 
-/* "nets", "ropeways and nets" */
+/* "nets", "nets and ropeways", "spans, nets and rods" */
 static void list_kinds(char *text, size_t size, unsigned kinds)
 {
-	text[0] = '\0';
-	for (size_t i = 0; i < sizeof said_in_turn/sizeof *said_in_turn; i++)
-		if (kinds & 1u << said_in_turn[i]) {
-			size_t length = strlen(text);
+	size_t length = 0;
 
-			snprintf(text + length, size - length, "%s%s", length ? " and " : "",
-			         table[said_in_turn[i]].many);
-		}
+	for (int i = 0, later; i < HAWSER_KINDS && length < size; i++) {
+		if (!(kinds & 1u << i))
+			continue;
+		kinds &= ~(1u << i);
+		for (later = 0; later < HAWSER_KINDS && !(kinds & 1u << later); later++)
+			;
+		length += (size_t)snprintf(text + length, size - length, "%s%s", length == 0 ? ""
+		                           : later < HAWSER_KINDS ? ", " : " and ", table[i].many);
+	}
 }
 
-enum hawser_status cli_kind_check(const struct cli_given *list, const char *command,
-                                  const struct cli_common *common, struct hawser_report *report)
+enum hawser_status cli_kind_check(const char *command, const struct cli_common *common,
+                                  struct hawser_report *report)
 {
-	const struct hawser_document *document;
-	char many[64];
+	const struct hawser_document *document = NULL;
+	enum hawser_kind kind = cli_kind(common);
+	char many[128];
 
-	if (cli_document(&document, common, NULL))
-		return HAWSER_OK; /* it is refused where it is read */
-	for (; list->name; list++) {
-		if (!list->given || list->kinds & 1u << document->kind)
+	/* what cannot be read is refused where it is read */
+	if (!common->library && (cli_document(&document, common, NULL) ||
+	                         (kind == HAWSER_KIND_SPAN && !document->tree)))
+		return HAWSER_OK;
+	for (int i = 0; i < common->givens; i++) {
+		const struct cli_option *option = common->given[i];
+
+		if (option->kinds & 1u << kind)
 			continue;
-		list_kinds(many, sizeof many, list->kinds);
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, command,
-		                    "--%s is for %s, and %s is the scene of %s", list->name, many,
-		                    document->name, table[document->kind].one);
+		list_kinds(many, sizeof many, option->kinds);
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, command, "--%s is for %s, and %s is %s",
+		                    option->name, many, cli_input_name(common), table[kind].one);
 	}
 	return HAWSER_OK;
 }

@@ -215,6 +215,7 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/modes_result.h \
 	%D%/natural.c \
 	%D%/nearest.c \
+	%D%/option.h \
 	%D%/options.c \
 	%D%/plan_fields.c \
 	%D%/plan_net.c \

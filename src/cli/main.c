@@ -11,6 +11,7 @@
 
 #include "cli/cli.h"
 #include "cli/colour.h"
+#include "cli/kinds.h"
 #include "cli/picture.h"
 #include "cli/progress.h"
 #include "cli/ranks.h"
@@ -130,6 +131,8 @@ static enum hawser_status execute(const struct cli_command *command, int argc, c
 		status = cli_picture_choose(common, report);
 	if (!status && !common->help && common->input && strncmp(command->input, "SCENE", 5) == 0)
 		status = cli_scene_kind_check(command->name, common, report);
+	if (!status && !common->help && common->input && common->givens > 0)
+		status = cli_kind_check(command->name, common, report);
 	if (!status && !common->help)
 		status = command->run(common, report);
 	hawser_document_clear(&document);

@@ -187,8 +187,6 @@ static enum hawser_status load(struct cli_model *model, const struct cli_common 
 
 	memset(model, 0, sizeof *model);
 	model->reproducible = common->reproducible;
-	if ((status = cli_rom_ropeway_check(common, report)))
-		return status;
 	if (common->library) {
 		status = from_library(model, common, n, report);
 		if (!status)

@@ -20,28 +20,28 @@ enum { most_arguments = 2, most_names = 64 };
 
 const struct cli_option cli_common_options[] = {
 	{"json", 0, "FILE", "write the result as JSON (- is standard output)", cli_store_text,
-	 offsetof(struct cli_common, json)},
+	 offsetof(struct cli_common, json), 0},
 	{"tsv", 0, "FILE", "write the table to a file", cli_store_text,
-	 offsetof(struct cli_common, tsv)},
+	 offsetof(struct cli_common, tsv), 0},
 	{"plot", 0, "FILE", "draw a picture: .svg, .png, .pdf, .eps or .tex", cli_store_text,
-	 offsetof(struct cli_common, plot)},
+	 offsetof(struct cli_common, plot), 0},
 	{"title", 0, "TEXT", "a title above the picture", cli_store_title,
-	 offsetof(struct cli_common, picture)},
+	 offsetof(struct cli_common, picture), 0},
 	{"xrange", 0, "A:B", "range of its horizontal axis", cli_store_range,
-	 offsetof(struct cli_common, picture.range[0])},
+	 offsetof(struct cli_common, picture.range[0]), 0},
 	{"yrange", 0, "A:B", "range of its vertical axis", cli_store_range,
-	 offsetof(struct cli_common, picture.range[1])},
+	 offsetof(struct cli_common, picture.range[1]), 0},
 	{"size", 0, "WxH", "width and height of the picture in cm", cli_store_size,
-	 offsetof(struct cli_common, picture)},
+	 offsetof(struct cli_common, picture), 0},
 	{"gp", 0, "FILE", "write the picture as a script of gnuplot with its data", cli_store_text,
-	 offsetof(struct cli_common, gp)},
+	 offsetof(struct cli_common, gp), 0},
 	CLI_SET_OPTION,
 	{"quiet", 'q', "", "no progress and no summary", cli_store_flag,
-	 offsetof(struct cli_common, quiet)},
+	 offsetof(struct cli_common, quiet), 0},
 	{"units", 0, "LIST", "units of table and picture, such as \"kN, ft, Hz\" (SI)", cli_store_text,
-	 offsetof(struct cli_common, units)},
+	 offsetof(struct cli_common, units), 0},
 	{"reproducible", 0, "", "no times in results: two runs give the same bytes", cli_store_flag,
-	 offsetof(struct cli_common, reproducible)},
+	 offsetof(struct cli_common, reproducible), 0},
 	CLI_HELP_OPTION,
 	CLI_NO_OPTION,
 };
@@ -204,6 +204,18 @@ static int wanted(const struct cli_option *option)
 	return !*option->arguments ? 0 : strchr(option->arguments, ' ') ? 2 : 1;
 }
 
+/* Remember an option that is not for every kind of input. */
+static void note(struct reader *reader, const struct cli_option *option)
+{
+	struct cli_common *common = (struct cli_common *)reader->settings;
+
+	for (int i = 0; i < common->givens; i++)
+		if (common->given[i] == option)
+			return;
+	if (option->kinds && common->givens < CLI_GIVEN)
+		common->given[common->givens++] = option;
+}
+
 /* `attached`: the text after the = or the letter, or NULL. */
 static enum hawser_status take(struct reader *reader, const struct cli_option *option,
                                const char *attached, struct hawser_report *report)
@@ -221,6 +233,7 @@ static enum hawser_status take(struct reader *reader, const struct cli_option *o
 	if (have < count)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "options", "--%s needs %s", option->name,
 		                    option->arguments);
+	note(reader, option);
 	return option->store(reader->settings + option->offset, option, values, report);
 }
 

@@ -109,22 +109,6 @@ static enum hawser_status choose(struct cli_rom_ropeway *of, int *load, int *loa
 	return status;
 }
 
-enum hawser_status cli_rom_ropeway_check(const struct cli_common *common,
-                                         struct hawser_report *report)
-{
-	const struct cli_lane_choice *lane = &common->lane;
-	const char *given = lane->load ? "load" : lane->ripple > 0.0 ? "ripple"
-	                    : lane->damping > 0.0 ? "damping" : lane->carriers ? "carriers"
-	                    : lane->lane ? "lane"
-	                    : lane->contact ? "contact" : lane->load_case ? "case" : NULL;
-
-	if (!given || cli_kind(common) == HAWSER_KIND_ROPEWAY)
-		return HAWSER_OK;
-	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "model", "--%s is for ropeways, and %s is no "
-	                    "scene of a ropeway", given, common->library ? common->library
-	                    : common->input ? common->input : "the input");
-}
-
 static enum hawser_status make(struct cli_rom_ropeway *of, struct hawser_rom *rom,
                                const struct cli_common *common, int n, struct hawser_report *report)
 {

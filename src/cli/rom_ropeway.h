@@ -26,9 +26,6 @@ enum hawser_status cli_rom_ropeway_load(struct cli_model *model, const struct cl
 /* The same with another number of modes. Release it with hawser_rom_clear. */
 enum hawser_status cli_rom_ropeway_again(struct hawser_rom *rom, const struct cli_rom_ropeway *of,
                                          int modes, struct hawser_report *report) HAWSER_MUST_CHECK;
-/* Refuse options of ropeways that are given with something else. */
-enum hawser_status cli_rom_ropeway_check(const struct cli_common *common,
-                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 /* What the model is, as comments; nothing of models of other scenes. */
 void cli_rom_ropeway_comments(struct hawser__table *table, const struct cli_model *model);
 void cli_rom_ropeway_free(struct cli_rom_ropeway *of);

@@ -21,35 +21,32 @@ extern const char *const cli_statics_notes[];
 /* Their rows in the command's table; its `struct settings` has them as the member `kinds`. */
 #define CLI_STATICS_KINDS_OPTIONS \
 	{"method", 0, "NAME", "nets: how to find the equilibrium (automatic)", \
-	 CLI_TEXT(kinds.method)}, \
+	 CLI_TEXT_FOR(kinds.method, CLI_NET)}, \
 	{"profile", 0, "", "nets and ropeways: table of points along the cables", \
-	 CLI_FLAG(kinds.profile)}, \
+	 CLI_FLAG_FOR(kinds.profile, CLI_NET | CLI_ROPEWAY)}, \
 	{"equilibria", 0, "N", "nets: all equilibria of bars instead of cables, from N random starts", \
-	 CLI_COUNT(kinds.equilibria)}, \
-	{"spans", 0, "", "ropeways, obstacles: table of the spans", CLI_FLAG(kinds.spans)}, \
+	 CLI_COUNT_FOR(kinds.equilibria, CLI_NET)}, \
+	{"spans", 0, "", "ropeways, obstacles: table of the spans", \
+	 CLI_FLAG_FOR(kinds.spans, CLI_ROPEWAY | CLI_OBSTACLES)}, \
 	{"worst", 0, "", "ropeways: table of the worst values over the phases", \
-	 CLI_FLAG(kinds.worst)}, \
+	 CLI_FLAG_FOR(kinds.worst, CLI_ROPEWAY)}, \
 	{"phases", 0, "N", "ropeways: number of phases of the carriers (200)", \
-	 CLI_COUNT(kinds.phases)}, \
-	{"case", 0, "NAME", "ropeways: the load case (full)", CLI_TEXT(kinds.load_case)}, \
+	 CLI_COUNT_FOR(kinds.phases, CLI_ROPEWAY)}, \
+	{"case", 0, "NAME", "ropeways: the load case (full)", CLI_TEXT_FOR(kinds.load_case, CLI_ROPEWAY)}, \
 	{"sliding", 0, "HOW", "ropeways: running, rest or reverse (the scene's ropeway.sliding)", \
-	 CLI_TEXT(kinds.sliding)}, \
+	 CLI_TEXT_FOR(kinds.sliding, CLI_ROPEWAY)}, \
 	{"tolerate", 0, "", "ropeways: report what lifts, slips or is at its stop, and refuse nothing", \
-	 CLI_FLAG(kinds.tolerate)}, \
+	 CLI_FLAG_FOR(kinds.tolerate, CLI_ROPEWAY)}, \
 	{"load-steps", 0, "N", "rods: equal steps in which the load is raised (1)", \
-	 CLI_COUNT(kinds.load_steps)}, \
+	 CLI_COUNT_FOR(kinds.load_steps, CLI_ROD)}, \
 	{"vtk", 0, "FILE", "rods and nets: write the shape to FILE.vtk, for programs such as ParaView", \
-	 CLI_TEXT(kinds.vtk)}
+	 CLI_TEXT_FOR(kinds.vtk, CLI_MESHES)}
 
-/* *done is 0 if the scene is a span without obstacles. span_option: the name of an option for spans
- * that is given, or NULL; points: of a profile; cases: whether --cases is given. */
+/* *done is 0 if the scene is a span without obstacles. points: of a profile; cases: whether --cases is
+ * given. */
 enum hawser_status cli_statics_kinds(int *done, const struct cli_common *common,
-                                     const struct cli_statics_kinds *kinds, const char *span_option,
-                                     int points, int cases,
+                                     const struct cli_statics_kinds *kinds, int points, int cases,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
-
-/* The first option that is given but not one of spans over obstacles, or NULL. */
-const char *cli_statics_kinds_option(const struct cli_statics_kinds *kinds);
 
 /* statics_ropeway.c */
 enum hawser_status cli_statics_ropeway(const struct cli_common *common,

@@ -113,28 +113,13 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 static const struct cli_showing showing = {
 	.head = head, .comments = comments, .more = rows, .fields = cli_obstacles_field, .draw = draw};
 
-/* The first option that is given but is not of such spans, or NULL. */
-static const char *other_option(const struct cli_statics_kinds *kinds, int cases,
-                                const char *span_option)
-{
-	return span_option && strcmp(span_option, "points") != 0 ? span_option
-	       : cases ? "cases" : cli_statics_kinds_option(kinds);
-}
-
 enum hawser_status cli_statics_obstacles(const struct cli_common *common,
-                                         const struct cli_statics_kinds *kinds, int points, int cases,
-                                         const char *span_option, struct hawser_report *report)
+                                         const struct cli_statics_kinds *kinds, int points,
+                                         struct hawser_report *report)
 {
 	struct cli_obstacles result = {.common = common, .spans_wanted = kinds->spans};
-	const char *other = other_option(kinds, cases, span_option);
-	enum hawser_status status = HAWSER_OK;
+	enum hawser_status status = cli_obstacles_fill(&result, points, report);
 
-	if (other)
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
-		                      "--%s does not go with a span over obstacles, whose options are --points "
-		                      "and --spans", other);
-	if (!status)
-		status = cli_obstacles_fill(&result, points, report);
 	if (!status) {
 		cli_obstacles_warn(&result);
 		status = cli_show(common, &showing, &result, report);

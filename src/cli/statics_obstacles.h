@@ -58,11 +58,9 @@ extern const struct hawser__field cli_obstacle_field[], cli_obstacle_span_field[
                                   cli_obstacle_point_field[], cli_obstacles_field[];
 unsigned cli_obstacles_view(const struct cli_obstacles *of);
 
-/* statics_obstacles.c: points: of the profile; cases: whether --cases is given; span_option: the first
- * option of spans that is, or NULL. */
+/* statics_obstacles.c: points: of the profile. */
 enum hawser_status cli_statics_obstacles(const struct cli_common *common,
-                                         const struct cli_statics_kinds *kinds, int points, int cases,
-                                         const char *span_option, struct hawser_report *report)
-	HAWSER_MUST_CHECK;
+                                         const struct cli_statics_kinds *kinds, int points,
+                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 
 #endif

@@ -139,7 +139,7 @@ for name, mass in (("slack.json", 0.001), ("light.json", 0)):
     assert all(abs(mode["omega"]/math.sqrt(T/l/m) - 1) < 1e-9 for mode in slack["modes"][:2])
 END
 
-denies "an option of spans" 1 "\-\-method is for spans, and web.yaml is the scene of a net" modes web.yaml --method spectral
+denies "an option of spans" 1 "\-\-method is for spans, and web.yaml is a net" modes web.yaml --method spectral
 denies "another name for VTK" 1 "must end in .vtk" modes web.yaml --vtk web.vtu
 denies "a span in VTK" 1 "\-\-vtk is for nets" modes "$chairlift" --vtk web.vtk
 denies "too many modes" 1 "the mesh has 123 unknowns with mass: ask for 1 to 123 modes, not 1000" modes web.yaml -n 1000

@@ -60,8 +60,8 @@ try "they are one run" cmp held.state all.state
 sed -e 's/elements: [0-9]*/elements: 1/' -e 's/0.5 kg.m/0/' -e '/^masses/d' net.yaml >massless.yaml
 denies "no end" 1 "give the end of its motion" integrate net.yaml
 denies "no mass" 1 "node J has none" integrate massless.yaml --until "1 s"
-denies "an option of models" 1 "\-\-Omega is not for nets" integrate net.yaml --until "1 s" --Omega 1
-denies "an option of nets" 1 "\-\-step is for nets" integrate "$chairlift" --Omega 1 --step 1
+denies "an option of models" 1 "\-\-Omega is for spans, ropeways and reduced models" integrate net.yaml --until "1 s" --Omega 1
+denies "an option of nets" 1 "\-\-step is for the mesh of --model fe: give that" integrate "$chairlift" --Omega 1 --step 1
 denies "an unknown scheme" 1 "the schemes of nets are" integrate net.yaml --until "1 s" --method gauss
 denies "one in the scene, by its place" 1 "there is no scheme gauss: the schemes are energy, alpha" integrate net.yaml --until "1 s" --set 'dynamics={scheme: gauss}'
 denies "an unknown probe" 1 "neither a node of the net nor a place" integrate net.yaml --until "1 s" --probe c1:2

@@ -89,7 +89,7 @@ done >>slack.yaml
 printf 'supports: {A: fixed, B: fixed}\nmasses: {J: 9 kg}\n' >>slack.yaml
 warns "a slack cable" "slack in the equilibrium: b" slack.yaml
 
-denies "an option of spans" 1 "\-\-fidelities is for responses of spans" plan plane.yaml --fidelities "raw 5"
+denies "an option of spans" 1 "\-\-fidelities is for spans, and .* is a net" plan plane.yaml --fidelities "raw 5"
 denies "an option of nets" 1 "\-\-until is for nets" plan "$chairlift" --until "3 s"
 denies "an unknown scheme" 1 "the schemes of nets are" plan plane.yaml --method gauss
 denies "a negative time" 1 "until" plan plane.yaml --until "-3 s"

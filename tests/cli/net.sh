@@ -76,8 +76,8 @@ assert abs(fine["cables"][0]["T_from"]/cable["T_from"] - 1) < 1e-9
 assert abs(cable["length0"]*(1 + cable["T_from"]/1e6) - cable["length"]) < 1e-9
 END2
 
-denies "an option of spans" 1 "\-\-points is for spans, and this scene is a net" statics "$net" --points 20
-denies "an option of nets" 1 "\-\-profile is for nets and ropeways, and .* is no scene of a net" statics "$chairlift" --profile
+denies "an option of spans" 1 "\-\-points is for spans and spans over obstacles, and .* is a net" statics "$net" --points 20
+denies "an option of nets" 1 "\-\-profile is for nets and ropeways, and .* is a span" statics "$chairlift" --profile
 denies "a command of spans" 1 "is a net of cables, which hawser frf does not take; these commands do: statics, modes" frf "$net"
 denies "an unknown method" 1 "must be one of automatic, interior-point" statics "$net" --method gauss
 denies "a part without support" 2 "the node X has no support in direction x" statics "$net" --set 'nodes.X={}'

@@ -93,8 +93,8 @@ try "the picture has the rope without the obstacles" grep -q "without obstacles"
 
 denies "a misspelt key" 1 "unknown key frction: did you mean friction" statics "$sheave" --set obstacles.s0.frction=1
 denies "a wrong unit" 1 'wrong unit "kg"' statics "$sheave" --set "obstacles.s0.circle.radius=3 kg"
-denies "an option of other scenes" 1 "\-\-models does not go with a span over obstacles" statics "$sheave" --models
-denies "the same of ropeways" 1 "\-\-worst does not go with a span over obstacles" statics "$sheave" --worst
+denies "an option of other scenes" 1 "\-\-models is for spans, and .* is a span over obstacles" statics "$sheave" --models
+denies "the same of ropeways" 1 "\-\-worst is for ropeways, and .* is a span over obstacles" statics "$sheave" --worst
 denies "a rope that is too short" 2 "shorter than the shortest way past the obstacles" statics "$scenes/b-table-2.1.yaml" --set obstacles.s0.side=below
 # --- modes
 works "slip" modes "$sheave" -n 4 --contact slip --json slip.json --tsv slip.tsv --plot modes.svg -q
@@ -166,7 +166,7 @@ denies "a key that is none" 1 "\-\-over obstacles.s0.circle.radus, at 1 m: unkno
 denies "a contact that is none" 1 "must be one of slip, stick" modes "$sheave" --contact roll
 denies "stick without friction" 1 "has no friction, so that the rope does not stick to it" modes "$sheave" --set obstacles.s0.friction=0 --contact stick
 denies "an option of ropeways" 1 "\-\-case is for ropeways" modes "$sheave" --case full
-denies "an option of spans" 1 "is the scene of a span over obstacles" modes "$sheave" --damped
+denies "an option of spans" 1 "is for spans, and .* is a span over obstacles" modes "$sheave" --damped
 for command in "frf" "rom" "integrate" "plan" "irvine" "campbell" "compare modes"; do
 	denies "$command" 1 "b-table-3.5.yaml is a span over obstacles, which hawser .* does not take; these commands do: statics, modes" $command "$sheave"
 done

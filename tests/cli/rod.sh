@@ -58,7 +58,7 @@ refused "a load beyond the end" "loads.i0.to: 5 m is beyond the end of the rod a
 refused "a load without force" "no force and no moment" 's/force: .*]/frame: fixed/'
 refused "a normal along the tangent" "start.normal is along the tangent" 's/1, 0]/1, 0], normal: [2, 2, 0]/'
 refused "a free end with a place" "end.at: the end is free" 's/hinged/free/'
-refused "an option of spans" "--cases does not go with a rod" '' --cases
+refused "an option of spans" "--cases is for spans and ropeways, and .* is a rod" '' --cases
 refused "a VTK file of another name" "must end in .vtk" '' --vtk rod.vtu
 sed 's/clamped/free/; /^end/d' rod.yaml >bad.yaml
 denies "nothing holds it" 2 "both ends of the rod are free" statics bad.yaml

@@ -95,9 +95,9 @@ try "the picture of a rope that runs" grep -q 'a quarter period later' runs.svg
 denies "stick, and a rope that runs" 1 "contact.modes is stick, but the rope runs at 4 m/s (ropeway.top.drive.speed)" modes \
 	"$bouquet" --contact stick
 denies "an unknown contact" 1 "must be one of slip, stick, roll" modes "$bouquet" --contact stik
-denies "an option of spans" 1 "\-\-damped is for spans, and .* is the scene of a ropeway" modes "$small" --damped
-denies "an option of nets" 1 "\-\-vtk is for nets, and .* is the scene of a ropeway" modes "$small" --vtk a.vtk
-denies "an option of ropeways" 1 "\-\-contact is for ropeways and nets and spans over obstacles, and .* is the scene of a span" modes "$chairlift" --contact slip
+denies "an option of spans" 1 "\-\-damped is for spans, and .* is a ropeway" modes "$small" --damped
+denies "an option of nets" 1 "\-\-vtk is for nets, and .* is a ropeway" modes "$small" --vtk a.vtk
+denies "an option of ropeways" 1 "\-\-contact is for nets, spans over obstacles and ropeways, and .* is a span" modes "$chairlift" --contact slip
 denies "too many modes" 1 "ask for 1 to 500" modes "$small" -n 1000
 denies "a tower that is too low" 2 "lifts off the support battery of tower p0 at\|lifts off the support battery of tower p0, line 7" modes "$small" --set 'ropeway.towers.p0.at=[80 m, 5 m]'
 (cat "$small"; echo 'contact: {modes: stuck}') >word.yaml

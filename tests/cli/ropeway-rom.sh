@@ -121,5 +121,5 @@ denies "an option of ropeways" 1 "\-\-ripple is for ropeways" rom "$chairlift" -
 denies "a picture" 1 "rom has no picture" rom "$small" --plot a.svg
 denies "carriers neither here nor there" 1 "must be one of fixed, smeared" frf "$small" --carriers moving
 denies "an option of ropeways, with a model file" 1 "\-\-carriers is for ropeways" frf passing.json --carriers fixed
-denies "a map of a mesh" 1 "is no scene of one" integrate "$small" --ripple 0.01 --vtk x
+denies "a map of a mesh" 1 "\-\-vtk is for nets and rods, and .* is a ropeway" integrate "$small" --ripple 0.01 --vtk x
 done_testing

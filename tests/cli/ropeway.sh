@@ -134,7 +134,7 @@ END2
 works "a plan" plan "$scenes/ropeway-gondola.yaml" --reproducible
 try "  of a train" grep -q '^  trains of sheaves: 96 fixed sheaves$' "$scratch/out"
 try "  and of its carriers" grep -q '^  carriers down: 20 of 650 kg' "$scratch/out"
-denies "an option of the plans of spans" 1 "and this scene is a ropeway" plan "$small" --limit 1
+denies "an option of the plans of spans" 1 "\-\-limit is for spans and nets, and .* is a ropeway" plan "$small" --limit 1
 works "a plan as a table" plan "$small" --reproducible --tsv plan.tsv
 try "the text stands in comments" grep -q '^# left out: bending stiffness of the rope: ' plan.tsv
 try "the table has the lanes" sh -c 'tail -n 1 plan.tsv | grep -q "^down	2	8$"'
@@ -159,9 +159,9 @@ denies "a phase of a sweep" 2 "case full, phase 0 m: the counterweight is at its
 denies "too little tension" 2 "lane up: " statics "$small" --set 'ropeway.bottom.tension.counterweight=6 kN'
 denies "a loop that is too long" 2 "the loop is too long" statics "$small" --set 'ropeway.bottom.tension={length0: 900 m}'
 denies "a command of spans" 1 "is a ropeway, which hawser compare modes does not take" compare modes "$small"
-denies "an option of spans" 1 "\-\-model is for spans, and this scene is a ropeway" statics "$small" --model parabola
-denies "an option of nets" 1 "\-\-method is for nets, and this scene is a ropeway" statics "$small" --method mixed
-denies "an option of ropeways" 1 "\-\-worst is for ropeways, and .* is no scene of a ropeway" statics \
+denies "an option of spans" 1 "\-\-model is for spans, and .* is a ropeway" statics "$small" --model parabola
+denies "an option of nets" 1 "\-\-method is for nets, and .* is a ropeway" statics "$small" --method mixed
+denies "an option of ropeways" 1 "\-\-worst is for ropeways, and .* is a span" statics \
 	"$scenes/chairlift.yaml" --worst
 denies "two tables" 1 "choose one" statics "$small" --worst --spans
 denies "an unknown case" 1 "must be one of full, empty, up, down" statics "$small" --case half
