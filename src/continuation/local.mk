@@ -5,5 +5,7 @@ noinst_LTLIBRARIES += %D%/libcontinuation.la
 	%D%/follow.c \
 	%D%/metric.c \
 	%D%/metric.h \
+	%D%/newton.c \
+	%D%/newton.h \
 	%D%/settings.c \
 	%D%/step.c

@@ -12,14 +12,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "continuation/newton.h"
 #include "core/progress.h"
 #include "core/report.h"
 #include "response/flow.h"
 #include "response/folds_walk.h"
 
-#define MAX_ITERATIONS 10 /* Newton iterations; with the worst contraction, the step is halved
-                           * before */
-#define WORST_CONTRACTION 0.7 /* largest ratio of successive Newton corrections; chosen */
 #define WORST_ANGLE 0.5    /* rad, largest angle between successive tangents; chosen */
 #define WORST_DISTANCE 0.2 /* distance of the prediction from the curve, in steps; chosen */
 #define FIRST_STEP 0.02   /* first step, short since only one tangent is known; chosen */
@@ -109,50 +107,26 @@ void hawser__walk_metric(struct hawser__fold_walk *walk, const double *z)
 	walk->fold->L = fabs(z[walk->fold->size - 1]);
 }
 
-/* Newton's method with the present number of harmonics. */
-static enum hawser_status newton(struct hawser__fold_walk *walk,
-                                 struct hawser__fold_station *station, const double *row,
-                                 int *failed)
+static enum hawser_status evaluate(void *owner, double *residual, double *z)
 {
-	struct hawser__fold *fold = walk->fold;
-	struct hawser__correction *did = &station->correction;
-	const struct hawser__metric metric = hawser__fold_metric(fold);
-	double tolerance = walk->options->tolerance, previous = 0.0, *dz = fold->step;
-	int size = fold->size, done = 0;
+	struct hawser__fold_walk *walk = owner;
 
-	*failed = 1;
-	did->contraction = 0.0;
-	for (int i = 0; i <= MAX_ITERATIONS; i++) {
-		double length, ratio;
-		enum hawser_status status = hawser__fold_evaluate(fold, &did->residual,
-		                                                  station->z, walk->report);
+	return hawser__fold_evaluate(walk->fold, residual, z, walk->report);
+}
 
-		if (status || !isfinite(did->residual))
-			return status;
-		if (done && did->residual <= tolerance) {
-			*failed = 0;
-			return HAWSER_OK;
-		}
-		if (hawser__fold_solve(fold, dz, row, 0, 0.0))
-			return HAWSER_OK;
-		length = hawser__metric_length(&metric, dz);
-		ratio = previous > 0.0 ? length/previous : 0.0;
-		did->iterations = i + 1;
-		if (i == 0)
-			did->first = length;
-		if (i == 1)
-			did->contraction = ratio;
-		if (!isfinite(length) || length > 1.0 ||
-		    (ratio > WORST_CONTRACTION && length > tolerance))
-			return HAWSER_OK;
-		for (int k = 0; k < size; k++)
-			station->z[k] += dz[k];
-		if (station->z[size - 2] <= 0.0 || station->z[size - 1] <= 0.0)
-			return HAWSER_OK;
-		done = length <= 0.1*tolerance || (i > 0 && ratio*length <= 0.1*tolerance);
-		previous = length;
-	}
-	return HAWSER_OK;
+static int solve(void *owner, double *dz, const double *z, const double *row)
+{
+	(void)z;
+	return hawser__fold_solve(((struct hawser__fold_walk *)owner)->fold, dz, row, 0, 0.0);
+}
+
+/* Frequency and load stay positive. */
+static int moved(void *owner, const double *z, double length)
+{
+	int size = ((struct hawser__fold_walk *)owner)->fold->size;
+
+	(void)length;
+	return z[size - 2] <= 0.0 || z[size - 1] <= 0.0;
 }
 
 enum hawser_status hawser__walk_correct(struct hawser__fold_walk *walk,
@@ -160,10 +134,14 @@ enum hawser_status hawser__walk_correct(struct hawser__fold_walk *walk,
                                         int *failed)
 {
 	struct hawser__orbit *orbit = hawser__fold_orbit(walk->fold);
+	const struct hawser__metric metric = hawser__fold_metric(walk->fold);
+	const struct hawser__newton newton = {walk, &metric, walk->options->tolerance, evaluate, solve,
+	                                      moved};
 
 	for (;;) {
 		int again;
-		enum hawser_status status = newton(walk, station, row, failed);
+		enum hawser_status status = hawser__newton_correct(&newton, station->z, walk->fold->step, row,
+		                                                   &station->correction, failed);
 
 		if (status || *failed)
 			return status;

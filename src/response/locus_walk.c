@@ -14,13 +14,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "continuation/newton.h"
 #include "core/progress.h"
 #include "core/report.h"
 #include "response/locus_walk.h"
 
-#define MAX_ITERATIONS 10     /* of Newton's method; chosen */
 #define MOST_ITERATIONS 4      /* of a step that is kept; chosen: two or three are usual */
-#define WORST_CONTRACTION 0.7 /* of successive Newton corrections; chosen */
 #define WORST_ANGLE 0.5       /* rad, between successive tangents; chosen */
 #define WORST_DISTANCE 0.2    /* of the prediction from the curve, in steps; chosen */
 #define FIRST_STEP 0.005      /* chosen */
@@ -117,46 +116,21 @@ enum hawser_status hawser__locus_grow(struct hawser__locus_walk *walk, int order
 	return HAWSER_OK;
 }
 
-static enum hawser_status newton(struct hawser__locus_walk *walk,
-                                 struct hawser__locus_station *station, const double *row,
-                                 int *failed)
+static enum hawser_status evaluate(void *owner, double *residual, double *z)
 {
-	struct hawser__locus *locus = walk->locus;
-	struct hawser__correction *did = &station->correction;
-	double tolerance = walk->options->tolerance, previous = 0.0;
-	struct hawser__metric metric = metric_at(walk, station->z);
-	int done = 0;
+	return hawser__locus_evaluate(((struct hawser__locus_walk *)owner)->locus, residual, z);
+}
 
-	*failed = 1;
-	did->contraction = 0.0;
-	for (int i = 0; i <= MAX_ITERATIONS; i++) {
-		double length, ratio;
-		enum hawser_status status = hawser__locus_evaluate(locus, &did->residual, station->z);
+static int solve(void *owner, double *dz, const double *z, const double *row)
+{
+	return hawser__locus_solve(((struct hawser__locus_walk *)owner)->locus, dz, z, row, 0, 0.0);
+}
 
-		if (status || !isfinite(did->residual))
-			return status;
-		if (done && did->residual <= tolerance) {
-			*failed = 0;
-			return HAWSER_OK;
-		}
-		if (hawser__locus_solve(locus, walk->dz, station->z, row, 0, 0.0))
-			return HAWSER_OK;
-		length = hawser__metric_length(&metric, walk->dz);
-		ratio = previous > 0.0 ? length/previous : 0.0;
-		did->iterations = i + 1;
-		if (i == 0)
-			did->first = length;
-		if (i == 1)
-			did->contraction = ratio;
-		if (!isfinite(length) || length > 1.0 || (ratio > WORST_CONTRACTION && length > tolerance))
-			return HAWSER_OK;
-		for (int k = 0; k < locus->size; k++)
-			station->z[k] += walk->dz[k];
-		done = length <= 0.1*tolerance || (i > 0 && ratio*length <= 0.1*tolerance);
-		locus->closeness = length;
-		previous = length;
-	}
-	return HAWSER_OK;
+static int moved(void *owner, const double *z, double length)
+{
+	(void)z;
+	((struct hawser__locus_walk *)owner)->locus->closeness = length;
+	return 0;
 }
 
 enum hawser_status hawser__locus_correct(struct hawser__locus_walk *walk,
@@ -169,7 +143,11 @@ enum hawser_status hawser__locus_correct(struct hawser__locus_walk *walk,
 		station->z[LOCUS_KAPPA] = locus->kappa;
 	for (;;) {
 		int order = (int)ceil(MORE*locus->order) + 1;
-		enum hawser_status status = newton(walk, station, row, failed);
+		struct hawser__metric metric = metric_at(walk, station->z);
+		const struct hawser__newton newton = {walk, &metric, walk->options->tolerance, evaluate, solve,
+		                                      moved};
+		enum hawser_status status = hawser__newton_correct(&newton, station->z, walk->dz, row,
+		                                                   &station->correction, failed);
 
 		station->order = locus->order;
 		if (status || *failed || locus->mesh <= walk->options->tolerance)
