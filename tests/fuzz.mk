@@ -1,14 +1,17 @@
 # Fuzzing: `make fuzz` builds the targets with clang's libFuzzer in the tree of make check-sanitizers,
 # sanitizers/, and runs each in fuzzing/ for FUZZ_SECONDS, or FUZZ_RUNS inputs if that is set, from the
 # committed seeds. What it finds stays in fuzzing/findings/.
-FUZZ_TARGETS = tests/fuzz/fuzz-scene tests/fuzz/fuzz-set tests/fuzz/fuzz-model tests/fuzz/fuzz-state \
-	tests/fuzz/fuzz-checkpoint
+FUZZ_TARGETS = tests/fuzz/fuzz-scene tests/fuzz/fuzz-document tests/fuzz/fuzz-set tests/fuzz/fuzz-model \
+	tests/fuzz/fuzz-state tests/fuzz/fuzz-checkpoint
 EXTRA_PROGRAMS += $(FUZZ_TARGETS)
 noinst_HEADERS += tests/fuzz/fuzz.h
 FUZZER_LINK = $(AM_LDFLAGS) -fsanitize=fuzzer -Wl,--wrap=ut_read_xml -Wl,--wrap=ut_free_system
 tests_fuzz_fuzz_scene_SOURCES = tests/fuzz/fuzz-scene.c tests/fuzz/units.c
 tests_fuzz_fuzz_scene_LDADD = $(UPTO_STATICS) -lm
 tests_fuzz_fuzz_scene_LDFLAGS = $(FUZZER_LINK)
+tests_fuzz_fuzz_document_SOURCES = tests/fuzz/fuzz-document.c tests/fuzz/units.c
+tests_fuzz_fuzz_document_LDADD = $(UPTO_TOW) -lm
+tests_fuzz_fuzz_document_LDFLAGS = $(FUZZER_LINK)
 tests_fuzz_fuzz_set_SOURCES = tests/fuzz/fuzz-set.c tests/fuzz/units.c
 tests_fuzz_fuzz_set_LDADD = $(UPTO_SCENE) -lm
 tests_fuzz_fuzz_set_LDFLAGS = $(FUZZER_LINK)
