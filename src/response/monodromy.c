@@ -385,6 +385,7 @@ enum hawser_status hawser__monodromy_multipliers(struct hawser__monodromy *monod
 
 	if (status)
 		return status;
+	monodromy->rest = rom->exact && !monodromy->finer ? rom->K : NULL;
 	hawser__monodromy_parts(monodromy, &system);
 	hawser__monodromy_limits(monodromy, &system, widest(monodromy, n));
 	status = hawser__monodromy_condense(monodromy, &system, &kept, report);

@@ -117,6 +117,8 @@ struct hawser__monodromy {
 	const double *resist;   /* [2 resist_order + 1][n][n] further damping of the caller, as a series, or
 	                         * NULL */
 	int resist_order;
+	const double *rest;     /* [n][n] stiffness at rest of a model whose coordinates are its modes at
+	                         * rest in ascending order and move far (monodromy_rest.c), or NULL */
 	/* monodromy_condense.c */
 	double follow;          /* frequency, relative to Omega, up to which no coordinate is condensed */
 	int *slow, *fast;       /* [n] coordinates that are kept, and those that are condensed */
@@ -248,6 +250,20 @@ void hawser__monodromy_free_motion(double *log_modulus, double *argument,
 enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodromy,
                                               struct hawser__variational *system, int *kept,
                                               struct hawser_report *report);
+
+/* The room of the condensation has at least `need` numbers. HAWSER_ERR_MEMORY. */
+enum hawser_status hawser__monodromy_room(struct hawser__monodromy *monodromy, size_t need,
+                                          struct hawser_report *report);
+
+/* --- monodromy_rest.c --- */
+
+/* basis [rows][2 order + 1]: 1/2, cos, sin, ... at equidistant phases. */
+void hawser__monodromy_phases(double *basis, int rows, int order);
+/* Sets system->order and monodromy->fastest from the stiffness with which slow motions move;
+ * monodromy->fastest remains if that of the others is not positive. HAWSER_ERR_MEMORY. */
+enum hawser_status hawser__monodromy_resonances(struct hawser__monodromy *monodromy,
+                                                struct hawser__variational *system,
+                                                struct hawser_report *report);
 
 /* --- monodromy_fast.c --- */
 

@@ -79,6 +79,17 @@ struct work {
 	double last;                /* size of the last harmonic of N, relative as in reduce() */
 };
 
+enum hawser_status hawser__monodromy_room(struct hawser__monodromy *monodromy, size_t need,
+                                          struct hawser_report *report)
+{
+	if (need <= monodromy->room_size)
+		return HAWSER_OK;
+	free(monodromy->room);
+	monodromy->room = malloc(2*need*sizeof(double));
+	monodromy->room_size = monodromy->room ? 2*need : 0;
+	return monodromy->room ? HAWSER_OK : hawser__no_memory(report, "orbit");
+}
+
 static enum hawser_status make_room(struct work *work, struct hawser__monodromy *monodromy,
                                     struct hawser_report *report)
 {
@@ -100,33 +111,13 @@ static enum hawser_status make_room(struct work *work, struct hawser__monodromy 
 
 	for (size_t p = 0; p < count; p++)
 		need += part[p].size;
-	if (need > monodromy->room_size) {
-		free(monodromy->room);
-		monodromy->room = malloc(2*need*sizeof(double));
-		monodromy->room_size = monodromy->room ? 2*need : 0;
-	}
-	if (!monodromy->room ||
-	    hawser__differentiate_prepare(&monodromy->rates, work->rows, 2*work->nf*work->ns))
+	if (hawser__monodromy_room(monodromy, need, report))
+		return HAWSER_ERR_MEMORY;
+	if (hawser__differentiate_prepare(&monodromy->rates, work->rows, 2*work->nf*work->ns))
 		return hawser__no_memory(report, "orbit");
 	for (size_t p = 0, begin = 0; p < count; begin += part[p++].size)
 		*part[p].at = monodromy->room + begin;
 	return HAWSER_OK;
-}
-
-static void make_basis(struct work *work)
-{
-	int rows = work->rows, columns = 2*work->order + 1;
-
-	for (int i = 0; i < rows; i++) {
-		double *row = work->basis + (size_t)i*columns;
-
-		row[0] = 0.5;
-		for (int c = 1; c < columns; c++) {
-			double angle = 2.0*M_PI*(double)((long)i*((c + 1)/2)%rows)/rows;
-
-			row[c] = c%2 ? cos(angle) : sin(angle);
-		}
-	}
 }
 
 /* A series of n by n matrices at `rows` phases, with sorted coordinates. */
@@ -341,7 +332,7 @@ static double transform(const struct work *work, double top)
 static int prepare(struct work *work, const struct hawser__monodromy *monodromy,
                    const struct hawser__variational *system)
 {
-	make_basis(work);
+	hawser__monodromy_phases(work->basis, work->rows, work->order);
 	sample(work, work->K, work->rows, system->K, system->order, monodromy->slow, monodromy->fast);
 	sample(work, work->D, work->next_D ? work->rows : 1, system->D, system->order_d,
 	       monodromy->slow, monodromy->fast);
@@ -419,7 +410,8 @@ enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodrom
 	monodromy->left_out = monodromy->neglected = 0.0;
 	monodromy->fastest = INFINITY;
 	for (int j = 0; j < n; j++) {
-		double w2 = 0.5*system->K[(size_t)j*(n + 1)];
+		double w2 = monodromy->rest ? monodromy->rest[(size_t)j*(n + 1)]
+		                            : 0.5*system->K[(size_t)j*(n + 1)];
 
 		monodromy->frequency[j] = sqrt(fmax(w2, system->omega*system->omega));
 		top = fmax(top, monodromy->frequency[j]);
@@ -427,7 +419,10 @@ enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodrom
 	}
 	if (top < monodromy->follow*system->omega)
 		return HAWSER_OK;
-	hawser__fast_find_range(monodromy, system);
+	if (!monodromy->rest)
+		hawser__fast_find_range(monodromy, system);
+	else if ((status = hawser__monodromy_resonances(monodromy, system, report)))
+		return status;
 	if (monodromy->finer) /* if Omega is far below all coordinates, the slowest are integrated */
 		monodromy->fastest = fmax(monodromy->fastest, slowest);
 	if (monodromy->haste) /* a strict computation includes the inertia of slow motions beyond their

@@ -108,6 +108,22 @@ static double neglects(const struct hawser__monodromy *monodromy,
 	return G*rest + coupled*coupled*pow(fmin((top + d)/w, 1.0), 2*expected);
 }
 
+/* Of a model at rest in ascending order: the coordinates beyond the widest gap of frequencies are fast,
+ * if it lies beyond FAR W. Each may keep the next one otherwise, up to the last. Returns the number
+ * of the others. */
+static int beyond_gap(const struct hawser__monodromy *monodromy, int n)
+{
+	int kept = n;
+	double widest = 1.0;
+
+	for (int j = n - 1; j > 0 && monodromy->frequency[j] >= FAR*monodromy->fastest; j--)
+		if (monodromy->frequency[j]/monodromy->frequency[j - 1] > widest) {
+			widest = monodromy->frequency[j]/monodromy->frequency[j - 1];
+			kept = j;
+		}
+	return kept;
+}
+
 double hawser__fast_split(struct hawser__monodromy *monodromy,
                           const struct hawser__variational *system, double limit,
                           int expected, int *kept)
@@ -125,6 +141,12 @@ double hawser__fast_split(struct hawser__monodromy *monodromy,
 				monodromy->slow[(*kept)++] = j;
 		for (int s = 0; s < *kept; s++)
 			top = fmax(top, monodromy->frequency[monodromy->slow[s]]);
+	}
+	if (monodromy->rest && fast == 0) {
+		*kept = beyond_gap(monodromy, n);
+		for (int f = *kept; f < n; f++)
+			monodromy->fast[f - *kept] = f;
+		return monodromy->frequency[*kept - 1];
 	}
 	*kept = n - fast;
 	return top;
