@@ -124,7 +124,8 @@ static enum hawser_status integrate(struct hawser_frf *frf, const struct hawser_
 {
 	double period = 2.0*M_PI/omega;
 	struct hawser_integrate_options choice = {.omega = omega, .until = period,
-		.every = period, .rtol = fmax(1e-12, 1e-2*options->tolerance), .initial = state};
+		.every = period, .rtol = fmax(1e-12, 0.1*options->tolerance), .initial = state,
+		.method = "radau"};
 	struct hawser_trajectory run;
 	enum hawser_status status = hawser_integrate(&run, rom, &choice, report);
 
