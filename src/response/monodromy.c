@@ -70,6 +70,7 @@ void hawser__monodromy_release(struct hawser__monodromy *monodromy)
 	free(monodromy->slow);
 	free(monodromy->frequency);
 	free(monodromy->room);
+	free(monodromy->reduced);
 	hawser__differentiate_release(&monodromy->rates);
 	memset(monodromy, 0, sizeof *monodromy);
 }

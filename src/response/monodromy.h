@@ -119,6 +119,9 @@ struct hawser__monodromy {
 	int resist_order;
 	const double *rest;     /* [n][n] stiffness at rest of a model whose coordinates are its modes at
 	                         * rest in ascending order and move far (monodromy_rest.c), or NULL */
+	double *reduced;        /* [2 order + 1][reduced_n][reduced_n] S of monodromy_rest.c, if rest */
+	int reduced_n;
+	size_t reduced_room;
 	/* monodromy_condense.c */
 	double follow;          /* frequency, relative to Omega, up to which no coordinate is condensed */
 	int *slow, *fast;       /* [n] coordinates that are kept, and those that are condensed */
@@ -259,8 +262,9 @@ enum hawser_status hawser__monodromy_room(struct hawser__monodromy *monodromy, s
 
 /* basis [rows][2 order + 1]: 1/2, cos, sin, ... at equidistant phases. */
 void hawser__monodromy_phases(double *basis, int rows, int order);
-/* Sets system->order and monodromy->fastest from the stiffness with which slow motions move;
- * monodromy->fastest remains if that of the others is not positive. HAWSER_ERR_MEMORY. */
+/* Sets system->order, monodromy->fastest from the stiffness with which slow motions move, and reduced;
+ * monodromy->fastest remains if the stiffness of the other motions is not positive.
+ * HAWSER_ERR_MEMORY. */
 enum hawser_status hawser__monodromy_resonances(struct hawser__monodromy *monodromy,
                                                 struct hawser__variational *system,
                                                 struct hawser_report *report);

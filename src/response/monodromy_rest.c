@@ -18,6 +18,7 @@
 #include <cblas.h>
 #include <lapacke.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "core/report.h"
@@ -102,36 +103,48 @@ static void collect(double *series, double *K, double *basis, int rows, int orde
 	            columns, K, na*na, 0.0, series, na*na);
 }
 
+static enum hawser_status make_reduced(struct hawser__monodromy *monodromy, size_t need,
+                                       struct hawser_report *report)
+{
+	if (need <= monodromy->reduced_room)
+		return HAWSER_OK;
+	free(monodromy->reduced);
+	monodromy->reduced = malloc(2*need*sizeof(double));
+	monodromy->reduced_room = monodromy->reduced ? 2*need : 0;
+	return monodromy->reduced ? HAWSER_OK : hawser__no_memory(report, "orbit");
+}
+
 enum hawser_status hawser__monodromy_resonances(struct hawser__monodromy *monodromy,
                                                 struct hawser__variational *system,
                                                 struct hawser_report *report)
 {
 	int n = system->n, na = n, order = highest(monodromy, system);
 	int rows = hawser__planner_rows(4*order + 1), columns = 2*order + 1;
-	size_t table = (size_t)rows*columns, samples = (size_t)rows*n*n, series = (size_t)columns*n*n;
-	double *basis, *K, *S, *D;
+	size_t table = (size_t)rows*columns, samples = (size_t)rows*n*n;
+	double *basis, *K, *D;
 	struct hawser__variational slow = {.order = order, .omega = system->omega};
 
 	system->order = order;
 	while (na > 1 && monodromy->frequency[na - 1] > BEYOND*(order + 1)*system->omega)
 		na--;
-	if (hawser__monodromy_room(monodromy, table + samples + series + (size_t)n*n, report))
+	monodromy->reduced_n = 0;
+	if (hawser__monodromy_room(monodromy, table + samples + (size_t)n*n, report) ||
+	    make_reduced(monodromy, (size_t)columns*na*na, report))
 		return HAWSER_ERR_MEMORY;
 	basis = monodromy->room;
 	K = basis + table;
-	S = K + samples;
-	D = S + series;
+	D = K + samples;
 	hawser__monodromy_phases(basis, rows, order);
 	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, rows, n*n, columns, 1.0, basis, columns,
 	            system->K, n*n, 0.0, K, n*n);
 	for (int r = 0; r < rows && na < n; r++)
 		if (follow(K + (size_t)r*n*n, n, na))
 			return HAWSER_OK;
-	collect(S, K, basis, rows, order, n, na);
+	collect(monodromy->reduced, K, basis, rows, order, n, na);
 	for (int j = 0; j < na; j++)
 		D[(size_t)j*(na + 1)] = system->D[(size_t)j*(n + 1)];
-	slow.n = na;
-	slow.K = S;
+	monodromy->reduced_n = slow.n = na;
+	slow.K = monodromy->reduced;
 	slow.D = D;
 	hawser__fast_find_range(monodromy, &slow);
 	return HAWSER_OK;
