@@ -56,6 +56,8 @@
 #define ITERATIONS 12      /* largest number; chosen */
 #define SETTLED 1e-9       /* relative change of N at which the iteration ends; chosen, far below the
                             * errors that are admitted */
+#define SETTLED_FAR 1e-6   /* the same for a model with rest: its iterations are long, and an event has its
+                            * error from sharper multipliers; chosen */
 #define SLIGHT 0.1         /* part of these errors by harmonics of N that are left out; chosen */
 #define MORE 6             /* harmonics of N beyond twice those of K; chosen */
 #define ASIDE 1.0          /* harmonics beyond the highest resonance that a hasty computation
@@ -342,6 +344,11 @@ static int prepare(struct work *work, const struct hawser__monodromy *monodromy,
 	return 0;
 }
 
+static double settled(const struct hawser__monodromy *monodromy)
+{
+	return monodromy->sharper ? 0.1*HAWSER__SHARPER : monodromy->rest ? SETTLED_FAR : SETTLED;
+}
+
 /* Condenses the coordinates that `limit` and the expected number of iterations allow. Sets
  * monodromy->left_out, infinite if nothing can be condensed; *work has the result. */
 static enum hawser_status try_condense(struct work *work, struct hawser__monodromy *monodromy,
@@ -365,8 +372,7 @@ static enum hawser_status try_condense(struct work *work, struct hawser__monodro
 		                    "the stiffness of the fast coordinates is singular at some phase of "
 		                    "the motion at Omega %g: keep fewer modes", system->omega);
 	}
-	monodromy->left_out = settle(work, monodromy, system->omega,
-	                             monodromy->sharper ? 0.1*HAWSER__SHARPER : SETTLED);
+	monodromy->left_out = settle(work, monodromy, system->omega, settled(monodromy));
 	work->last = transform(work, monodromy->top);
 	monodromy->left_out += work->last;
 	return HAWSER_OK;
@@ -388,7 +394,7 @@ static enum hawser_status try_orders(struct work *work, struct hawser__monodromy
 	for (;;) {
 		work->rows = hawser__planner_rows(2*work->order + 1);
 		status = try_condense(work, monodromy, system, limit, expected, report);
-		if (status || work->order >= most || !(work->last > SETTLED))
+		if (status || work->order >= most || !(work->last > fmax(SETTLED, settled(monodromy))))
 			return status;
 		work->order = most;
 	}
@@ -401,6 +407,7 @@ enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodrom
 	int n = system->n;
 	double top = 0.0, slowest = INFINITY;
 	double limit = monodromy->rough ? HAWSER__ROUGHER
+	               : monodromy->rest && monodromy->sharper ? HAWSER__SHARPER
 	               : monodromy->haste ? HAWSER__HASTE : HAWSER__NEGLECTED;
 	double most = monodromy->sharper ? HAWSER__SHARPER : limit;
 	struct work work = {.n = n, .pivot = monodromy->pivot};
@@ -441,7 +448,7 @@ enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodrom
 		return status;
 	*system = (struct hawser__variational){.n = work.ns, .K = work.result[0], .D = work.result[1],
 		.omega = system->omega};
-	most = monodromy->sharper ? SLIGHT*HAWSER__SHARPER : SLIGHT*SETTLED;
+	most = SLIGHT*(monodromy->sharper ? HAWSER__SHARPER : settled(monodromy));
 	system->order = count_harmonics(system->K, &work, monodromy->top*monodromy->top, most,
 	                                &monodromy->left_out);
 	system->order_d = count_harmonics(system->D, &work, monodromy->top, most,
