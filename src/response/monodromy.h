@@ -280,6 +280,9 @@ void hawser__fast_find_range(struct hawser__monodromy *monodromy,
 double hawser__fast_split(struct hawser__monodromy *monodromy,
                           const struct hawser__variational *system, double limit,
                           int expected, int *kept);
+/* Of a model with rest: the number of coordinates below the widest gap of their frequencies above which
+ * all are at least `least`; n if there is none. */
+int hawser__fast_gap(const struct hawser__monodromy *monodromy, int n, double least);
 /* Whether K is symmetric at all phases. */
 int hawser__fast_symmetric(const struct hawser__variational *system);
 /* Whether all combinations of the nf fast coordinates are fast. */

@@ -114,15 +114,12 @@ static double neglects(const struct hawser__monodromy *monodromy,
 	return G*rest + coupled*coupled*pow(fmin((top + d)/w, 1.0), 2*expected);
 }
 
-/* Of a model at rest in ascending order: the coordinates beyond the widest gap of frequencies are fast,
- * if it lies beyond FAR W. Each may keep the next one otherwise, up to the last. Returns the number
- * of the others. */
-static int beyond_gap(const struct hawser__monodromy *monodromy, int n)
+int hawser__fast_gap(const struct hawser__monodromy *monodromy, int n, double least)
 {
 	int kept = n;
 	double widest = 1.0;
 
-	for (int j = n - 1; j > 0 && monodromy->frequency[j] >= FAR*monodromy->fastest; j--)
+	for (int j = n - 1; j > 0 && monodromy->frequency[j] >= least; j--)
 		if (monodromy->frequency[j]/monodromy->frequency[j - 1] > widest) {
 			widest = monodromy->frequency[j]/monodromy->frequency[j - 1];
 			kept = j;
@@ -148,8 +145,8 @@ double hawser__fast_split(struct hawser__monodromy *monodromy,
 		for (int s = 0; s < *kept; s++)
 			top = fmax(top, monodromy->frequency[monodromy->slow[s]]);
 	}
-	if (monodromy->rest && fast == 0) {
-		*kept = beyond_gap(monodromy, n);
+	if (monodromy->rest && fast == 0) { /* each kept the next one, up to the last */
+		*kept = hawser__fast_gap(monodromy, n, FAR*monodromy->fastest);
 		for (int f = *kept; f < n; f++)
 			monodromy->fast[f - *kept] = f;
 		return monodromy->frequency[*kept - 1];

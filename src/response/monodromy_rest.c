@@ -1,7 +1,9 @@
 /* response/monodromy_rest.c - frequencies of variational equations that belong to motions, not to
  * coordinates.
  *
- *    b    coordinates beyond any resonance     a    the others
+ *    b    coordinates beyond any resonance, and beyond the widest gap of frequencies there: the motions
+ *         along the cable
+ *    a    the others
  *    S    stiffness of a if b follows statically, K_aa - K_ab K_bb^-1 K_ba, at each phase
  *    W    see monodromy_condense.c
  *
@@ -118,15 +120,14 @@ enum hawser_status hawser__monodromy_resonances(struct hawser__monodromy *monodr
                                                 struct hawser__variational *system,
                                                 struct hawser_report *report)
 {
-	int n = system->n, na = n, order = highest(monodromy, system);
+	int n = system->n, order = highest(monodromy, system);
+	int na = hawser__fast_gap(monodromy, n, BEYOND*(order + 1)*system->omega);
 	int rows = hawser__planner_rows(4*order + 1), columns = 2*order + 1;
 	size_t table = (size_t)rows*columns, samples = (size_t)rows*n*n;
 	double *basis, *K, *D;
 	struct hawser__variational slow = {.order = order, .omega = system->omega};
 
 	system->order = order;
-	while (na > 1 && monodromy->frequency[na - 1] > BEYOND*(order + 1)*system->omega)
-		na--;
 	monodromy->reduced_n = 0;
 	if (hawser__monodromy_room(monodromy, table + samples + (size_t)n*n, report) ||
 	    make_reduced(monodromy, (size_t)columns*na*na, report))
