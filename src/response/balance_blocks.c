@@ -38,12 +38,13 @@ void hawser__blocks_release(struct hawser__blocks *blocks)
 
 /* --- room --- */
 
-/* A coordinate is fast if its frequency exceeds FAST times that of the highest harmonic; of a model with
- * exact energy that at rest, since the moved cable stretches by a motion across (monodromy_rest.c). */
+/* A coordinate is fast if its frequency exceeds FAST times that of the highest harmonic; of a model
+ * with exact energy that at rest: the moved cable stretches by a motion across (monodromy_rest.c). */
 static int fast(const struct hawser__balance *balance, int j)
 {
 	const struct hawser_rom *rom = balance->base.rom;
-	double stiffness = rom->exact ? rom->K[(size_t)j*((size_t)rom->n + 1)] : balance->stiffness[j];
+	double stiffness = rom->exact ? rom->K[(size_t)j*((size_t)rom->n + 1)]
+	                              : balance->stiffness[j];
 	double top = FAST*fmax(balance->order, 1.0)*balance->derived_at;
 
 	return stiffness > top*top;

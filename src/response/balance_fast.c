@@ -7,8 +7,8 @@
  *   x_f = K_ff^-1 (r_f - K_fs x_s - b_f dOmega)
  *
  * so that the slow coordinates have the stiffness K_ss - K_sf K_ff^-1 K_fs. Its own acceleration is
- * that of G x_s, G = -K_ff^-1 K_fs, of which G x_s'' is the part that does not vanish with the rate of
- * G: the mass 1 + G'G of the slow coordinates. The neglected terms are of the order
+ * that of G x_s, G = -K_ff^-1 K_fs, of which G x_s'' is the part that does not vanish with the rate
+ * of G: the mass 1 + G'G of the slow coordinates. The neglected terms are of the order
  * (H Omega/omega_f)^2. In steps that are long for such a coordinate, collocation would
  * give it free vibrations of wrong frequencies, which resonate, and its equations would enlarge the
  * blocks.

@@ -5,8 +5,8 @@
  * multipliers from its exact derivative. Agreement at a few points is evidence that the
  * approximations of neither method affect the curve. The flow of a stiff model would take minutes;
  * its orbits are integrated over one period by an implicit method instead, and must return to their
- * start. With ROUGH times the tolerance its steps are still right to less than the gap that is found
- * (deep-sag.yaml, 42 coordinates: 7.6e-10 with 1e-11 and with 1e-6, which takes a third of the time).
+ * start. With ROUGH times the tolerance its steps are still right to less than the gap that is
+ * found (deep-sag.yaml, 42 coordinates: 7.6e-10 with 1e-11 and with 1e-6).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

@@ -117,8 +117,8 @@ struct hawser__monodromy {
 	const double *resist;   /* [2 resist_order + 1][n][n] further damping of the caller, as a series, or
 	                         * NULL */
 	int resist_order;
-	const double *rest;     /* [n][n] stiffness at rest of a model whose coordinates are its modes at
-	                         * rest in ascending order and move far (monodromy_rest.c), or NULL */
+	const double *rest;     /* [n][n] stiffness at rest of a model whose coordinates are its modes
+	                         * at rest in ascending order and move far (monodromy_rest.c), or NULL */
 	double *reduced;        /* [2 order + 1][reduced_n][reduced_n] S of monodromy_rest.c, if rest */
 	int reduced_n;
 	size_t reduced_room;
@@ -262,8 +262,8 @@ enum hawser_status hawser__monodromy_room(struct hawser__monodromy *monodromy, s
 
 /* basis [rows][2 order + 1]: 1/2, cos, sin, ... at equidistant phases. */
 void hawser__monodromy_phases(double *basis, int rows, int order);
-/* Sets system->order, monodromy->fastest from the stiffness with which slow motions move, and reduced;
- * monodromy->fastest remains if the stiffness of the other motions is not positive.
+/* Sets system->order, monodromy->fastest from the stiffness with which slow motions move, and
+ * reduced; monodromy->fastest remains if the stiffness of the other motions is not positive.
  * HAWSER_ERR_MEMORY. */
 enum hawser_status hawser__monodromy_resonances(struct hawser__monodromy *monodromy,
                                                 struct hawser__variational *system,
@@ -280,8 +280,8 @@ void hawser__fast_find_range(struct hawser__monodromy *monodromy,
 double hawser__fast_split(struct hawser__monodromy *monodromy,
                           const struct hawser__variational *system, double limit,
                           int expected, int *kept);
-/* Of a model with rest: the number of coordinates below the widest gap of their frequencies above which
- * all are at least `least`; n if there is none. */
+/* Of a model with rest: the number of coordinates below the widest gap of their frequencies above
+ * which all are at least `least`; n if there is none. */
 int hawser__fast_gap(const struct hawser__monodromy *monodromy, int n, double least);
 /* Whether K is symmetric at all phases. */
 int hawser__fast_symmetric(const struct hawser__variational *system);

@@ -81,8 +81,8 @@ static double velocity_coupling(const struct hawser__monodromy *monodromy,
 /* Expected error of the slow stiffness, relative, if coordinate j is condensed; infinite if it is too
  * slow for that. Harmonic k of its stiffness makes it respond to slow motions exp(s t) with
  * frequency s + i k Omega = z, as -G/(1 + (z d + z^2)/w^2) x_s: a series in (z d + z^2)/w^2, which an
- * iteration of the condensation extends by one term. G is the coupling by the reduced stiffness where
- * there is one, since all fast coordinates are condensed together. */
+ * iteration of the condensation extends by one term. G is the coupling by the reduced stiffness
+ * where there is one, since all fast coordinates are condensed together. */
 static double neglects(const struct hawser__monodromy *monodromy,
                        const struct hawser__variational *system, int j, double top,
                        int expected)

@@ -1,8 +1,8 @@
 /* response/monodromy_rest.c - frequencies of variational equations that belong to motions, not to
  * coordinates.
  *
- *    b    coordinates beyond any resonance, and beyond the widest gap of frequencies there: the motions
- *         along the cable
+ *    b    coordinates beyond any resonance, and beyond the widest gap of frequencies there: the
+ *         motions along the cable
  *    a    the others
  *    S    stiffness of a if b follows statically, K_aa - K_ab K_bb^-1 K_ba, at each phase
  *    W    see monodromy_condense.c
@@ -47,7 +47,8 @@ static double size_of(const struct hawser__monodromy *monodromy,
 }
 
 /* The highest harmonic of K that is more than round-off. */
-static int highest(const struct hawser__monodromy *monodromy, const struct hawser__variational *system)
+static int highest(const struct hawser__monodromy *monodromy,
+                   const struct hawser__variational *system)
 {
 	double sum = 0.0;
 
@@ -57,8 +58,8 @@ static int highest(const struct hawser__monodromy *monodromy, const struct hawse
 	return 0;
 }
 
-/* S at one phase, in the place of K_aa; returns 1 if K_bb is not positive. The lower triangle of the
- * symmetric K [n][n] is its upper one by columns. */
+/* S at one phase, in the place of K_aa; returns 1 if K_bb is not positive. Only the lower triangles
+ * of the symmetric matrices are used. */
 static int follow(double *K, int n, int na)
 {
 	int nb = n - na;
@@ -66,8 +67,8 @@ static int follow(double *K, int n, int na)
 
 	if (LAPACKE_dpotrf_work(LAPACK_ROW_MAJOR, 'L', nb, bb, n))
 		return 1;
-	cblas_dtrsm(CblasRowMajor, CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit, nb, na, 1.0, bb, n,
-	            ba, n);
+	cblas_dtrsm(CblasRowMajor, CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit, nb, na, 1.0,
+	            bb, n, ba, n);
 	cblas_dsyrk(CblasRowMajor, CblasLower, CblasTrans, na, nb, -1.0, ba, n, 1.0, K, n);
 	return 0;
 }
@@ -88,8 +89,8 @@ void hawser__monodromy_phases(double *basis, int rows, int order)
 	}
 }
 
-/* The series of S [2 order + 1][na][na] from its values in the places of K_aa [rows][n][n], which are
- * overwritten. */
+/* The series of S [2 order + 1][na][na] from its values in the places of K_aa [rows][n][n], which
+ * are overwritten. */
 static void collect(double *series, double *K, double *basis, int rows, int order, int n, int na)
 {
 	int columns = 2*order + 1;
@@ -136,8 +137,8 @@ enum hawser_status hawser__monodromy_resonances(struct hawser__monodromy *monodr
 	K = basis + table;
 	D = K + samples;
 	hawser__monodromy_phases(basis, rows, order);
-	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, rows, n*n, columns, 1.0, basis, columns,
-	            system->K, n*n, 0.0, K, n*n);
+	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, rows, n*n, columns, 1.0, basis,
+	            columns, system->K, n*n, 0.0, K, n*n);
 	for (int r = 0; r < rows && na < n; r++)
 		if (follow(K + (size_t)r*n*n, n, na))
 			return HAWSER_OK;

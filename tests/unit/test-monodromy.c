@@ -130,10 +130,11 @@ static void check_slow_manifold(void)
 	hawser_rom_clear(&rom);
 }
 
-/* A cable that turns: K = diag w^2 + EA g g', g = (phi_1, phi_2, phi_3, 1), phi = c cos t + d sin t, as
- * strain by the motion along and by the angle of the motion across. The mean of K has the frequency 21
- * for the coordinate of frequency 1.3, and at every phase the last coordinate cancels EA. Only it and
- * the third are condensed, and the multipliers are those of all coordinates to the stated error. */
+/* A cable that turns: K = diag w^2 + EA g g', g = (phi_1, phi_2, phi_3, 1), phi = c cos t + d sin t,
+ * the strain by the motion along and by the angle of the motion across. The mean of K has a frequency
+ * of up to 21 for the coordinate of frequency 1.3, and at every phase the last coordinate cancels EA.
+ * It and the third one are condensed, and the multipliers are those of all coordinates to the stated
+ * error. */
 #define ACROSS 3
 #define TURNED (ACROSS + 1)
 static void turning_cable(double *T, double *rest, double EA)
@@ -150,7 +151,8 @@ static void turning_cable(double *T, double *rest, double EA)
 	for (int i = 0; i < TURNED; i++)
 		for (int j = 0; j < TURNED; j++) {
 			double *at = T + i*TURNED + j;
-			int along = (i == ACROSS) + (j == ACROSS), p = i < j ? i : j, row = TURNED*TURNED;
+			int along = (i == ACROSS) + (j == ACROSS), p = i < j ? i : j;
+			int row = TURNED*TURNED;
 
 			rest[i*TURNED + j] = i == j ? w[i]*w[i] + (along ? EA : 0.0) : 0.0;
 			at[0] = i == j ? 2.0*w[i]*w[i] : 0.0;
@@ -176,7 +178,8 @@ static void check_turning(void)
 	struct hawser_rom rom;
 	int condensed = 0, wrong = 0;
 
-	if (hawser__rom_init(&rom, TURNED, NULL) || hawser__monodromy_init(&monodromy[0], TURNED, NULL) ||
+	if (hawser__rom_init(&rom, TURNED, NULL) ||
+	    hawser__monodromy_init(&monodromy[0], TURNED, NULL) ||
 	    hawser__monodromy_init(&monodromy[1], TURNED, NULL))
 		return;
 	for (int j = 0; j < TURNED; j++)
@@ -186,8 +189,9 @@ static void check_turning(void)
 	for (int k = 0; k < CABLES; k++) {
 		turning_cable(T, rom.K, 1e4);
 		for (int side = 0; side < 2; side++)
-			wrong += hawser__monodromy_multipliers(&monodromy[side], log_modulus[side],
-			                                       argument[side], &rom, T, 2, 1.0, NULL) != 0;
+			if (hawser__monodromy_multipliers(&monodromy[side], log_modulus[side],
+			                                  argument[side], &rom, T, 2, 1.0, NULL))
+				wrong++;
 		condensed += monodromy[1].kept == 2;
 		for (int j = 0; j < 4 && monodromy[1].kept == 2; j++) {
 			double least = INFINITY;
@@ -198,7 +202,8 @@ static void check_turning(void)
 		}
 	}
 	rom.exact = NULL;
-	ok(wrong == 0 && condensed > CABLES/2, "%d of %d cables that turn condensed", condensed, CABLES);
+	ok(wrong == 0 && condensed > CABLES/2, "%d of %d cables that turn condensed", condensed,
+	   CABLES);
 	ok(worst < 1.0, "largest ratio of true and stated error: %g", worst);
 	hawser__monodromy_release(&monodromy[0]);
 	hawser__monodromy_release(&monodromy[1]);
