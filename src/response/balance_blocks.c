@@ -39,7 +39,8 @@ void hawser__blocks_release(struct hawser__blocks *blocks)
 /* --- room --- */
 
 /* A coordinate is fast if its frequency exceeds FAST times that of the highest harmonic; of a model
- * with exact energy that at rest: the moved cable stretches by a motion across (monodromy_rest.c). */
+ * with exact energy that at rest, since the moved cable stretches by a motion across
+ * (monodromy_rest.c). */
 static int fast(const struct hawser__balance *balance, int j)
 {
 	const struct hawser_rom *rom = balance->base.rom;

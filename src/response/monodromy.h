@@ -117,9 +117,10 @@ struct hawser__monodromy {
 	const double *resist;   /* [2 resist_order + 1][n][n] further damping of the caller, as a series, or
 	                         * NULL */
 	int resist_order;
-	const double *rest;     /* [n][n] stiffness at rest of a model whose coordinates are its modes
-	                         * at rest in ascending order and move far (monodromy_rest.c), or NULL */
-	double *reduced;        /* [2 order + 1][reduced_n][reduced_n] S of monodromy_rest.c, if rest */
+	const double *rest;     /* [n][n] stiffness at rest of a model whose coordinates are its
+	                         * modes at rest, ascending, and that moves far
+	                         * (monodromy_rest.c), or NULL */
+	double *reduced;        /* [2 order + 1][reduced_n][reduced_n] S (monodromy_rest.c) */
 	int reduced_n;
 	size_t reduced_room;
 	/* monodromy_condense.c */

@@ -130,11 +130,11 @@ static void check_slow_manifold(void)
 	hawser_rom_clear(&rom);
 }
 
-/* A cable that turns: K = diag w^2 + EA g g', g = (phi_1, phi_2, phi_3, 1), phi = c cos t + d sin t,
- * the strain by the motion along and by the angle of the motion across. The mean of K has a frequency
- * of up to 21 for the coordinate of frequency 1.3, and at every phase the last coordinate cancels EA.
- * It and the third one are condensed, and the multipliers are those of all coordinates to the stated
- * error. */
+/* A cable that turns: K = diag w^2 + EA g g', g = (phi_1, phi_2, phi_3, 1), phi = c cos t +
+ * d sin t, the strain by the motion along and by the angle of the motion across. The mean of K has
+ * a frequency of up to 21 for the coordinate of frequency 1.3, and at every phase the last
+ * coordinate cancels EA. It and the third one are condensed, and the multipliers are those of all
+ * coordinates to the stated error. */
 #define ACROSS 3
 #define TURNED (ACROSS + 1)
 static void turning_cable(double *T, double *rest, double EA)
