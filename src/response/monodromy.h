@@ -264,8 +264,7 @@ enum hawser_status hawser__monodromy_room(struct hawser__monodromy *monodromy, s
 /* basis [rows][2 order + 1]: 1/2, cos, sin, ... at equidistant phases. */
 void hawser__monodromy_phases(double *basis, int rows, int order);
 /* Sets system->order, monodromy->fastest from the stiffness with which slow motions move, and
- * reduced; monodromy->fastest remains if the stiffness of the other motions is not positive.
- * HAWSER_ERR_MEMORY. */
+ * reduced. HAWSER_ERR_MEMORY. */
 enum hawser_status hawser__monodromy_resonances(struct hawser__monodromy *monodromy,
                                                 struct hawser__variational *system,
                                                 struct hawser_report *report);

@@ -56,8 +56,8 @@
 #define ITERATIONS 12      /* largest number; chosen */
 #define SETTLED 1e-9       /* relative change of N at which the iteration ends; chosen, far below the
                             * errors that are admitted */
-#define SETTLED_FAR 1e-6   /* the same for a model with rest: its iterations are long, and the errors
-                            * of events are those of sharper multipliers; chosen */
+#define SETTLED_FAR 1e-6   /* the same for a model with rest: its iterations are long, and the
+                            * errors of events are those of sharper multipliers; chosen */
 #define SLIGHT 0.1         /* part of these errors by harmonics of N that are left out; chosen */
 #define MORE 6             /* harmonics of N beyond twice those of K; chosen */
 #define ASIDE 1.0          /* harmonics beyond the highest resonance that a hasty computation

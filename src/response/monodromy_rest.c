@@ -117,6 +117,7 @@ static enum hawser_status make_reduced(struct hawser__monodromy *monodromy, size
 	return monodromy->reduced ? HAWSER_OK : hawser__no_memory(report, "orbit");
 }
 
+/* If K_bb is not positive at a phase, the resonances are those of K. */
 enum hawser_status hawser__monodromy_resonances(struct hawser__monodromy *monodromy,
                                                 struct hawser__variational *system,
                                                 struct hawser_report *report)
@@ -140,8 +141,10 @@ enum hawser_status hawser__monodromy_resonances(struct hawser__monodromy *monodr
 	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, rows, n*n, columns, 1.0, basis,
 	            columns, system->K, n*n, 0.0, K, n*n);
 	for (int r = 0; r < rows && na < n; r++)
-		if (follow(K + (size_t)r*n*n, n, na))
+		if (follow(K + (size_t)r*n*n, n, na)) { /* in compression */
+			hawser__fast_find_range(monodromy, system);
 			return HAWSER_OK;
+		}
 	collect(monodromy->reduced, K, basis, rows, order, n, na);
 	for (int j = 0; j < na; j++)
 		D[(size_t)j*(na + 1)] = system->D[(size_t)j*(n + 1)];
