@@ -17,8 +17,6 @@
 #define STEPS_PER_HARMONIC 0.8
 #define FAST 3.0      /* at the highest harmonic the static response has an error of 1/9, which
                        * GMRES corrects */
-#define SLIGHT_INERTIA 0.1 /* largest mass of the fast coordinates, relative to that of the slow
-                            * ones, that is neglected */
 #define LEAST_STEPS 4 /* the fundamental then turns by 90 degrees in a step */
 
 void hawser__blocks_init(struct hawser__blocks *blocks)
@@ -40,13 +38,17 @@ void hawser__blocks_release(struct hawser__blocks *blocks)
 
 /* --- room --- */
 
-/* A coordinate is fast if its frequency exceeds FAST times that of the highest harmonic. */
+/* A coordinate is fast if its frequency exceeds FAST times that of the highest harmonic; of a model
+ * with exact energy that at rest, since the moved cable stretches by a motion across
+ * (monodromy_rest.c). */
 static int fast(const struct hawser__balance *balance, int j)
 {
-	double top = balance->blocks.whole ? INFINITY
-	                                   : FAST*fmax(balance->order, 1.0)*balance->derived_at;
+	const struct hawser_rom *rom = balance->base.rom;
+	double stiffness = rom->exact ? rom->K[(size_t)j*((size_t)rom->n + 1)]
+	                              : balance->stiffness[j];
+	double top = FAST*fmax(balance->order, 1.0)*balance->derived_at;
 
-	return balance->stiffness[j] > top*top;
+	return stiffness > top*top;
 }
 
 static int list_members(int *member, const struct hawser__balance *balance, int which)
@@ -102,6 +104,7 @@ static size_t share_out(struct hawser__blocks *blocks, float *memory, size_t n)
 	blocks->stiff = take(&next, memory, S*n*n);
 	blocks->damp = take(&next, memory, S*n*n);
 	blocks->slow = take(&next, memory, S*w*w);
+	blocks->mass = take(&next, memory, S*w*w);
 	blocks->scale = take(&next, memory, w);
 	blocks->series = take(&next, memory, columns*(w + f));
 	blocks->forcing = take(&next, memory, K*wide);
@@ -169,7 +172,7 @@ static void fill_step(struct hawser__blocks *blocks, float *M, float *right, int
 				for (int j = 0; j < S; j++)
 					at[(size_t)j*w*wide] = h*h*blocks->radau.twice[i][j]*k +
 					                        h*blocks->radau.once[i][j]*d;
-				at[(size_t)i*w*wide] += p == q ? 1.0 : 0.0;
+				at[(size_t)i*w*wide] += blocks->mass[((size_t)i*w + p)*w + q];
 				rhs[0] = -k/blocks->scale[q];
 				rhs[(size_t)w*wide] = -blocks->radau.node[i]*h*k - d;
 			}
@@ -325,15 +328,9 @@ int hawser__blocks_factor(struct hawser__blocks *blocks, const struct hawser__ba
 	synthesise(blocks, blocks->column, balance->by_omega, n, blocks->member, blocks->w);
 	synthesise(blocks, blocks->fast_column, balance->by_omega, n, blocks->member + blocks->w,
 	           blocks->f);
-	blocks->inertia = 0.0;
-	for (int k = 0; k < blocks->steps; k++) {
+	for (int k = 0; k < blocks->steps; k++)
 		if (factor_step(blocks, balance, k))
 			return 1;
-		if (blocks->inertia > SLIGHT_INERTIA) {
-			blocks->whole = 1;
-			return hawser__blocks_factor(blocks, balance, row);
-		}
-	}
 	set_plane(blocks, balance, row);
 	return close_period(blocks, balance, row);
 }

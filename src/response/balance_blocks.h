@@ -39,9 +39,6 @@ struct hawser__blocks {
 	double weight[HAWSER__NODES]; /* weights of the quadrature over a step */
 	int steps, w, f, order, width, spread; /* harmonics of the table, and of T */
 	int *member;          /* [w + f] coordinates, the slow ones first */
-	int whole;            /* 1: no coordinate is treated as fast */
-	double inertia;       /* largest |K_ff^-1 K_fs|^2: mass of the fast coordinates relative to that
-	                       * of the slow ones */
 	double h;             /* duration of a step */
 	double omega;
 	int harmonics;        /* of T that are included */
@@ -51,7 +48,7 @@ struct hawser__blocks {
 	float *table;        /* [K][8][2 width + 1] 1, cos, sin, ... at the nodes */
 	float *start;        /* [K][2 width + 1] the same at the starts of the steps */
 	float *stiff, *damp; /* [8][n][n] at the nodes of a step */
-	float *slow;         /* [8][w][w] the condensed stiffness at the nodes of a step */
+	float *slow, *mass;  /* [8][w][w] the condensed stiffness and mass at the nodes of a step */
 	float *scale;        /* [w] frequency that displacements are multiplied by in a state */
 	float *series;       /* [2 order + 1][w + f] scratch: coefficients */
 	float *forcing;      /* [K][8][w] right sides, then accelerations at the nodes */

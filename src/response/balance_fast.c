@@ -6,8 +6,10 @@
  *
  *   x_f = K_ff^-1 (r_f - K_fs x_s - b_f dOmega)
  *
- * so that the slow coordinates have the stiffness K_ss - K_sf K_ff^-1 K_fs. The neglected terms are
- * of the order (H Omega/omega_f)^2. In steps that are long for such a coordinate, collocation would
+ * so that the slow coordinates have the stiffness K_ss - K_sf K_ff^-1 K_fs. Its own acceleration is
+ * that of G x_s, G = -K_ff^-1 K_fs, of which G x_s'' is the part that does not vanish with the rate
+ * of G: the mass 1 + G'G of the slow coordinates. The neglected terms are of the order
+ * (H Omega/omega_f)^2. In steps that are long for such a coordinate, collocation would
  * give it free vibrations of wrong frequencies, which resonate, and its equations would enlarge the
  * blocks.
  *
@@ -54,7 +56,8 @@ static int condense_node(struct hawser__blocks *blocks, float *slow, const float
 	cblas_sgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, f, w, f, 1.0, ff, f, fs, w, 0.0, G, w);
 	cblas_sgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, w, f, f, 1.0, sf, f, ff, f, 0.0, H, f);
 	cblas_sgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, w, w, f, -1.0, sf, f, G, w, 1.0, slow, w);
-	blocks->inertia = fmax(blocks->inertia, pow((double)cblas_snrm2(f*w, G, 1), 2));
+	cblas_sgemm(CblasRowMajor, CblasTrans, CblasNoTrans, w, w, f, 1.0, G, w, G, w, 1.0,
+	            blocks->mass + (size_t)node%S*w*w, w);
 	return 0;
 }
 
@@ -63,6 +66,9 @@ int hawser__blocks_condense(struct hawser__blocks *blocks, float *slow, const fl
 {
 	int w = blocks->w;
 
+	memset(blocks->mass, 0, (size_t)S*w*w*sizeof *blocks->mass);
+	for (int p = 0; p < S*w; p++)
+		blocks->mass[(size_t)p*w + p%w] = 1.0F;
 	for (int i = 0; i < S; i++) {
 		const float *at = K + (size_t)i*n*n;
 

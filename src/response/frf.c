@@ -18,6 +18,10 @@
 /* Relative error of Omega above which an event does not count as located: a step is at most 0.01 of
  * Omega, so that such an error is no better than the step. */
 #define WORST_LOCATED 0.01
+/* Error to which events are located, of Omega. That of a model with exact energy is far larger, by
+ * its basis, and an orbit takes a tenth of a second. */
+#define LOCATED 1e-10
+#define LOCATED_EXACT 1e-7
 #define MOST_RETRIES 3 /* repetitions of a step with an unresolved event, each a quarter as long;
                         * chosen */
 #define SURE_STEP 1e-6 /* arclength; in a shorter step a gap is not resolved further; chosen */
@@ -31,7 +35,6 @@
 void hawser_frf_settle(struct hawser_frf_options *options)
 {
 	hawser__settle(&options->tolerance, 1e-9);
-	hawser__settle(&options->event_tolerance, 1e-10);
 	hawser__settle(&options->step_max, 0.02);
 	hawser__settle_count(&options->max_points, 20000);
 	hawser__settle_count(&options->samples, 5);
@@ -432,6 +435,7 @@ static enum hawser_status trace_own(struct hawser_frf *frf, const struct hawser_
 	if (rom->drag)
 		hawser__settle(&settled.tolerance, HAWSER__DRAG_TOLERANCE);
 	hawser_frf_settle(&settled);
+	hawser__settle(&settled.event_tolerance, rom->exact ? LOCATED_EXACT : LOCATED);
 	if ((status = hawser__frf_check(rom, &settled, report)))
 		return status;
 	shorter = settled;

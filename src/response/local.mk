@@ -126,6 +126,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/monodromy_factors.c \
 	%D%/monodromy_fast.c \
 	%D%/monodromy_plan.c \
+	%D%/monodromy_rest.c \
 	%D%/monodromy_step.c \
 	%D%/newton.c \
 	%D%/normal_form.c \

@@ -70,6 +70,7 @@ void hawser__monodromy_release(struct hawser__monodromy *monodromy)
 	free(monodromy->slow);
 	free(monodromy->frequency);
 	free(monodromy->room);
+	free(monodromy->reduced);
 	hawser__differentiate_release(&monodromy->rates);
 	memset(monodromy, 0, sizeof *monodromy);
 }
@@ -385,6 +386,7 @@ enum hawser_status hawser__monodromy_multipliers(struct hawser__monodromy *monod
 
 	if (status)
 		return status;
+	monodromy->rest = rom->exact && !monodromy->finer ? rom->K : NULL;
 	hawser__monodromy_parts(monodromy, &system);
 	hawser__monodromy_limits(monodromy, &system, widest(monodromy, n));
 	status = hawser__monodromy_condense(monodromy, &system, &kept, report);

@@ -117,6 +117,12 @@ struct hawser__monodromy {
 	const double *resist;   /* [2 resist_order + 1][n][n] further damping of the caller, as a series, or
 	                         * NULL */
 	int resist_order;
+	const double *rest;     /* [n][n] stiffness at rest of a model whose coordinates are its
+	                         * modes at rest, ascending, and that moves far
+	                         * (monodromy_rest.c), or NULL */
+	double *reduced;        /* [2 order + 1][reduced_n][reduced_n] S (monodromy_rest.c) */
+	int reduced_n;
+	size_t reduced_room;
 	/* monodromy_condense.c */
 	double follow;          /* frequency, relative to Omega, up to which no coordinate is condensed */
 	int *slow, *fast;       /* [n] coordinates that are kept, and those that are condensed */
@@ -249,6 +255,20 @@ enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodrom
                                               struct hawser__variational *system, int *kept,
                                               struct hawser_report *report);
 
+/* The room of the condensation has at least `need` numbers. HAWSER_ERR_MEMORY. */
+enum hawser_status hawser__monodromy_room(struct hawser__monodromy *monodromy, size_t need,
+                                          struct hawser_report *report);
+
+/* --- monodromy_rest.c --- */
+
+/* basis [rows][2 order + 1]: 1/2, cos, sin, ... at equidistant phases. */
+void hawser__monodromy_phases(double *basis, int rows, int order);
+/* Sets system->order, monodromy->fastest from the stiffness with which slow motions move, and
+ * reduced. HAWSER_ERR_MEMORY. */
+enum hawser_status hawser__monodromy_resonances(struct hawser__monodromy *monodromy,
+                                                struct hawser__variational *system,
+                                                struct hawser_report *report);
+
 /* --- monodromy_fast.c --- */
 
 /* Sets system->order without negligible harmonics of K, and monodromy->fastest. */
@@ -260,6 +280,9 @@ void hawser__fast_find_range(struct hawser__monodromy *monodromy,
 double hawser__fast_split(struct hawser__monodromy *monodromy,
                           const struct hawser__variational *system, double limit,
                           int expected, int *kept);
+/* Of a model with rest: the number of coordinates below the widest gap of their frequencies above
+ * which all are at least `least`; n if there is none. */
+int hawser__fast_gap(const struct hawser__monodromy *monodromy, int n, double least);
 /* Whether K is symmetric at all phases. */
 int hawser__fast_symmetric(const struct hawser__variational *system);
 /* Whether all combinations of the nf fast coordinates are fast. */

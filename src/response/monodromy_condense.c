@@ -56,6 +56,8 @@
 #define ITERATIONS 12      /* largest number; chosen */
 #define SETTLED 1e-9       /* relative change of N at which the iteration ends; chosen, far below the
                             * errors that are admitted */
+#define SETTLED_FAR 1e-6   /* the same for a model with rest: its iterations are long, and the
+                            * errors of events are those of sharper multipliers; chosen */
 #define SLIGHT 0.1         /* part of these errors by harmonics of N that are left out; chosen */
 #define MORE 6             /* harmonics of N beyond twice those of K; chosen */
 #define ASIDE 1.0          /* harmonics beyond the highest resonance that a hasty computation
@@ -79,6 +81,17 @@ struct work {
 	double last;                /* size of the last harmonic of N, relative as in reduce() */
 };
 
+enum hawser_status hawser__monodromy_room(struct hawser__monodromy *monodromy, size_t need,
+                                          struct hawser_report *report)
+{
+	if (need <= monodromy->room_size)
+		return HAWSER_OK;
+	free(monodromy->room);
+	monodromy->room = malloc(2*need*sizeof(double));
+	monodromy->room_size = monodromy->room ? 2*need : 0;
+	return monodromy->room ? HAWSER_OK : hawser__no_memory(report, "orbit");
+}
+
 static enum hawser_status make_room(struct work *work, struct hawser__monodromy *monodromy,
                                     struct hawser_report *report)
 {
@@ -100,33 +113,13 @@ static enum hawser_status make_room(struct work *work, struct hawser__monodromy 
 
 	for (size_t p = 0; p < count; p++)
 		need += part[p].size;
-	if (need > monodromy->room_size) {
-		free(monodromy->room);
-		monodromy->room = malloc(2*need*sizeof(double));
-		monodromy->room_size = monodromy->room ? 2*need : 0;
-	}
-	if (!monodromy->room ||
-	    hawser__differentiate_prepare(&monodromy->rates, work->rows, 2*work->nf*work->ns))
+	if (hawser__monodromy_room(monodromy, need, report))
+		return HAWSER_ERR_MEMORY;
+	if (hawser__differentiate_prepare(&monodromy->rates, work->rows, 2*work->nf*work->ns))
 		return hawser__no_memory(report, "orbit");
 	for (size_t p = 0, begin = 0; p < count; begin += part[p++].size)
 		*part[p].at = monodromy->room + begin;
 	return HAWSER_OK;
-}
-
-static void make_basis(struct work *work)
-{
-	int rows = work->rows, columns = 2*work->order + 1;
-
-	for (int i = 0; i < rows; i++) {
-		double *row = work->basis + (size_t)i*columns;
-
-		row[0] = 0.5;
-		for (int c = 1; c < columns; c++) {
-			double angle = 2.0*M_PI*(double)((long)i*((c + 1)/2)%rows)/rows;
-
-			row[c] = c%2 ? cos(angle) : sin(angle);
-		}
-	}
 }
 
 /* A series of n by n matrices at `rows` phases, with sorted coordinates. */
@@ -341,7 +334,7 @@ static double transform(const struct work *work, double top)
 static int prepare(struct work *work, const struct hawser__monodromy *monodromy,
                    const struct hawser__variational *system)
 {
-	make_basis(work);
+	hawser__monodromy_phases(work->basis, work->rows, work->order);
 	sample(work, work->K, work->rows, system->K, system->order, monodromy->slow, monodromy->fast);
 	sample(work, work->D, work->next_D ? work->rows : 1, system->D, system->order_d,
 	       monodromy->slow, monodromy->fast);
@@ -349,6 +342,11 @@ static int prepare(struct work *work, const struct hawser__monodromy *monodromy,
 		if (invert(work, monodromy, i))
 			return 1;
 	return 0;
+}
+
+static double settled(const struct hawser__monodromy *monodromy)
+{
+	return monodromy->sharper ? 0.1*HAWSER__SHARPER : monodromy->rest ? SETTLED_FAR : SETTLED;
 }
 
 /* Condenses the coordinates that `limit` and the expected number of iterations allow. Sets
@@ -374,8 +372,7 @@ static enum hawser_status try_condense(struct work *work, struct hawser__monodro
 		                    "the stiffness of the fast coordinates is singular at some phase of "
 		                    "the motion at Omega %g: keep fewer modes", system->omega);
 	}
-	monodromy->left_out = settle(work, monodromy, system->omega,
-	                             monodromy->sharper ? 0.1*HAWSER__SHARPER : SETTLED);
+	monodromy->left_out = settle(work, monodromy, system->omega, settled(monodromy));
 	work->last = transform(work, monodromy->top);
 	monodromy->left_out += work->last;
 	return HAWSER_OK;
@@ -397,7 +394,8 @@ static enum hawser_status try_orders(struct work *work, struct hawser__monodromy
 	for (;;) {
 		work->rows = hawser__planner_rows(2*work->order + 1);
 		status = try_condense(work, monodromy, system, limit, expected, report);
-		if (status || work->order >= most || !(work->last > SETTLED))
+		if (status || work->order >= most ||
+		    !(work->last > fmax(SETTLED, settled(monodromy))))
 			return status;
 		work->order = most;
 	}
@@ -410,6 +408,7 @@ enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodrom
 	int n = system->n;
 	double top = 0.0, slowest = INFINITY;
 	double limit = monodromy->rough ? HAWSER__ROUGHER
+	               : monodromy->rest && monodromy->sharper ? HAWSER__SHARPER
 	               : monodromy->haste ? HAWSER__HASTE : HAWSER__NEGLECTED;
 	double most = monodromy->sharper ? HAWSER__SHARPER : limit;
 	struct work work = {.n = n, .pivot = monodromy->pivot};
@@ -419,7 +418,8 @@ enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodrom
 	monodromy->left_out = monodromy->neglected = 0.0;
 	monodromy->fastest = INFINITY;
 	for (int j = 0; j < n; j++) {
-		double w2 = 0.5*system->K[(size_t)j*(n + 1)];
+		double w2 = monodromy->rest ? monodromy->rest[(size_t)j*(n + 1)]
+		                            : 0.5*system->K[(size_t)j*(n + 1)];
 
 		monodromy->frequency[j] = sqrt(fmax(w2, system->omega*system->omega));
 		top = fmax(top, monodromy->frequency[j]);
@@ -427,7 +427,10 @@ enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodrom
 	}
 	if (top < monodromy->follow*system->omega)
 		return HAWSER_OK;
-	hawser__fast_find_range(monodromy, system);
+	if (!monodromy->rest)
+		hawser__fast_find_range(monodromy, system);
+	else if ((status = hawser__monodromy_resonances(monodromy, system, report)))
+		return status;
 	if (monodromy->finer) /* if Omega is far below all coordinates, the slowest are integrated */
 		monodromy->fastest = fmax(monodromy->fastest, slowest);
 	if (monodromy->haste) /* a strict computation includes the inertia of slow motions beyond their
@@ -446,7 +449,7 @@ enum hawser_status hawser__monodromy_condense(struct hawser__monodromy *monodrom
 		return status;
 	*system = (struct hawser__variational){.n = work.ns, .K = work.result[0], .D = work.result[1],
 		.omega = system->omega};
-	most = monodromy->sharper ? SLIGHT*HAWSER__SHARPER : SLIGHT*SETTLED;
+	most = SLIGHT*(monodromy->sharper ? HAWSER__SHARPER : settled(monodromy));
 	system->order = count_harmonics(system->K, &work, monodromy->top*monodromy->top, most,
 	                                &monodromy->left_out);
 	system->order_d = count_harmonics(system->D, &work, monodromy->top, most,

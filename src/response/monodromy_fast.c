@@ -81,12 +81,14 @@ static double velocity_coupling(const struct hawser__monodromy *monodromy,
 /* Expected error of the slow stiffness, relative, if coordinate j is condensed; infinite if it is too
  * slow for that. Harmonic k of its stiffness makes it respond to slow motions exp(s t) with
  * frequency s + i k Omega = z, as -G/(1 + (z d + z^2)/w^2) x_s: a series in (z d + z^2)/w^2, which an
- * iteration of the condensation extends by one term. */
+ * iteration of the condensation extends by one term. G is the coupling by the reduced stiffness
+ * where there is one, since all fast coordinates are condensed together. */
 static double neglects(const struct hawser__monodromy *monodromy,
                        const struct hawser__variational *system, int j, double top,
                        int expected)
 {
 	int n = system->n;
+	const double *K = system->K;
 	double w = monodromy->frequency[j], W = monodromy->fastest, G = 0.0, d = 0.0, rest = 0.0;
 	double coupled = velocity_coupling(monodromy, system, j, top)/w;
 
@@ -95,8 +97,12 @@ static double neglects(const struct hawser__monodromy *monodromy,
 	/* a strongly damped coordinate decays at the slow rate w^2/d */
 	if (w < FAR*W || w*w < FAR*W*d)
 		return INFINITY;
+	if (monodromy->rest && j < monodromy->reduced_n) {
+		n = monodromy->reduced_n;
+		K = monodromy->reduced;
+	}
 	for (int r = 0; r <= 2*system->order; r++) {
-		const double *row = system->K + (size_t)r*n*n + (size_t)j*n;
+		const double *row = K + (size_t)r*n*n + (size_t)j*n;
 		double most = 0.0, z = (top + (r + 1)/2*system->omega + d)/w;
 
 		for (int i = 0; i < n; i++)
@@ -106,6 +112,19 @@ static double neglects(const struct hawser__monodromy *monodromy,
 		rest += most/(w*w)*pow(fmin(z*z, 1.0), 1 + expected);
 	}
 	return G*rest + coupled*coupled*pow(fmin((top + d)/w, 1.0), 2*expected);
+}
+
+int hawser__fast_gap(const struct hawser__monodromy *monodromy, int n, double least)
+{
+	int kept = n;
+	double widest = 1.0;
+
+	for (int j = n - 1; j > 0 && monodromy->frequency[j] >= least; j--)
+		if (monodromy->frequency[j]/monodromy->frequency[j - 1] > widest) {
+			widest = monodromy->frequency[j]/monodromy->frequency[j - 1];
+			kept = j;
+		}
+	return kept;
 }
 
 double hawser__fast_split(struct hawser__monodromy *monodromy,
@@ -125,6 +144,12 @@ double hawser__fast_split(struct hawser__monodromy *monodromy,
 				monodromy->slow[(*kept)++] = j;
 		for (int s = 0; s < *kept; s++)
 			top = fmax(top, monodromy->frequency[monodromy->slow[s]]);
+	}
+	if (monodromy->rest && fast == 0) { /* each kept the next one, up to the last */
+		*kept = hawser__fast_gap(monodromy, n, FAR*monodromy->fastest);
+		for (int f = *kept; f < n; f++)
+			monodromy->fast[f - *kept] = f;
+		return monodromy->frequency[*kept - 1];
 	}
 	*kept = n - fast;
 	return top;

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 
 #include "response/monodromy.h"
+#include "rom/exact.h"
 #include "rom/model.h"
 #include "tests/tap.h"
 
@@ -129,6 +130,86 @@ static void check_slow_manifold(void)
 	hawser_rom_clear(&rom);
 }
 
+/* A cable that turns: K = diag w^2 + EA g g', g = (phi_1, phi_2, phi_3, 1), phi = c cos t +
+ * d sin t, the strain by the motion along and by the angle of the motion across. The mean of K has
+ * a frequency of up to 21 for the coordinate of frequency 1.3, and at every phase the last
+ * coordinate cancels EA. It and the third one are condensed, and the multipliers are those of all
+ * coordinates to the stated error. */
+#define ACROSS 3
+#define TURNED (ACROSS + 1)
+static void turning_cable(double *T, double *rest, double EA)
+{
+	const double w[TURNED] = {1.3, 2.7, 11.0, 0.0};
+	double c[ACROSS], d[ACROSS];
+
+	for (int i = 0; i < ACROSS; i++) {
+		c[i] = between(-0.3, 0.3);
+		d[i] = between(-0.3, 0.3);
+	}
+	for (int e = 0; e < 5*TURNED*TURNED; e++)
+		T[e] = 0.0;
+	for (int i = 0; i < TURNED; i++)
+		for (int j = 0; j < TURNED; j++) {
+			double *at = T + i*TURNED + j;
+			int along = (i == ACROSS) + (j == ACROSS), p = i < j ? i : j;
+			int row = TURNED*TURNED;
+
+			rest[i*TURNED + j] = i == j ? w[i]*w[i] + (along ? EA : 0.0) : 0.0;
+			at[0] = i == j ? 2.0*w[i]*w[i] : 0.0;
+			if (along == 2)
+				at[0] += 2.0*EA;
+			else if (along == 1) {
+				at[row] = EA*c[p];
+				at[2*row] = EA*d[p];
+			} else {
+				at[0] += EA*(c[i]*c[j] + d[i]*d[j]);
+				at[3*row] = 0.5*EA*(c[i]*c[j] - d[i]*d[j]);
+				at[4*row] = 0.5*EA*(c[i]*d[j] + d[i]*c[j]);
+			}
+		}
+}
+
+static void check_turning(void)
+{
+	enum { CABLES = 12 };
+	double log_modulus[2][2*TURNED], argument[2][2*TURNED], T[5*TURNED*TURNED], worst = 0.0;
+	struct hawser_rom_exact exact = {.n = TURNED};
+	struct hawser__monodromy monodromy[2];
+	struct hawser_rom rom;
+	int condensed = 0, wrong = 0;
+
+	if (hawser__rom_init(&rom, TURNED, NULL) ||
+	    hawser__monodromy_init(&monodromy[0], TURNED, NULL) ||
+	    hawser__monodromy_init(&monodromy[1], TURNED, NULL))
+		return;
+	for (int j = 0; j < TURNED; j++)
+		rom.D[j*(TURNED + 1)] = 0.04;
+	monodromy[0].follow = INFINITY;
+	rom.exact = &exact; /* coordinates are modes at rest */
+	for (int k = 0; k < CABLES; k++) {
+		turning_cable(T, rom.K, 1e4);
+		for (int side = 0; side < 2; side++)
+			if (hawser__monodromy_multipliers(&monodromy[side], log_modulus[side],
+			                                  argument[side], &rom, T, 2, 1.0, NULL))
+				wrong++;
+		condensed += monodromy[1].kept == 2;
+		for (int j = 0; j < 4 && monodromy[1].kept == 2; j++) {
+			double least = INFINITY;
+
+			for (int i = 0; i < 2*TURNED; i++)
+				least = fmin(least, fabs(log_modulus[0][i] - log_modulus[1][j]));
+			worst = fmax(worst, least/(monodromy[1].spread + 1e-8));
+		}
+	}
+	rom.exact = NULL;
+	ok(wrong == 0 && condensed > CABLES/2, "%d of %d cables that turn condensed", condensed,
+	   CABLES);
+	ok(worst < 1.0, "largest ratio of true and stated error: %g", worst);
+	hawser__monodromy_release(&monodromy[0]);
+	hawser__monodromy_release(&monodromy[1]);
+	hawser_rom_clear(&rom);
+}
+
 /* u'' + (24 + 10 sin t) u' + 10 cos t u = 0 has the exponents 0 and -24: u' + (24 + 10 sin t) u is
  * constant. */
 static void check_overdamped(void)
@@ -202,6 +283,7 @@ CASE(unit_monodromy)
 {
 	check_condensed();
 	check_slow_manifold();
+	check_turning();
 	check_overdamped();
 	check_constant();
 	return done_testing();
