@@ -103,6 +103,21 @@ enum hawser_status hawser_accuracy_exact(struct hawser_accuracy *accuracy,
                                          const struct hawser_accuracy_options *options,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* The bases of full-order models that these searches try: those that hold the modes and the load. */
+struct hawser_accuracy_bases {
+	const struct hawser_modes *modes; /* by a method that converges; at least up to 2*to */
+	const struct hawser_scene *scene;
+	double to;       /* scaled: the upper end of the range */
+	double accuracy; /* the frequencies up to `to` are right to a tenth of it, up to 2*to to the whole */
+	int most;        /* largest number of functions; 0: 24, which is tried whatever it resolves */
+};
+/* *rom becomes the first of them with more than *functions functions a component, of which *functions
+ * then is the number, and more than `coordinates`; rom->n is 0 if there is none. Statuses of
+ * hawser_rom_build_full and hawser_rom_full_lacks. */
+enum hawser_status hawser_accuracy_basis(struct hawser_rom *rom, int *functions,
+                                         const struct hawser_accuracy_bases *bases, int coordinates,
+                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+
 /* The estimated error of a response, to first order, that is due to the modes that its model does
  * not keep: relative error of folds and peaks. */
 struct hawser_accuracy_fixed {

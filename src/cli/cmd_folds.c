@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/exact.h"
 #include "cli/folds_result.h"
 #include "cli/label.h"
 #include "cli/progress.h"
@@ -22,6 +23,8 @@ static const struct settings defaults = {
 	.from = "0.6w1", .to = "3.3w1", .method = "balance", .load_from = 0.01, .load_to = 2.0,
 	.starts = 96,
 };
+/* Of cli_exact_range: measured on a footbridge and a conductor. */
+static const double work = 60.0;
 
 static const struct cli_option options[] = {
 	CLI_RANGE_OPTIONS("end of the range at which responses begin (0.6w1)",
@@ -95,12 +98,16 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!status)
 		status = cli_basis_check(&model, fmax(result.from, result.to), report);
 	if (!status)
+		status = cli_exact_range(&model, result.from, result.to, work, &settings->common, report);
+	if (!status)
 		status = cli_choice_build(&model, result.from, result.to, report);
 	if (!status) {
 		status = trace(&folds, settings, &result, report);
 	}
 	if (!status)
 		status = cli_show(&settings->common, &cli_folds_showing, &result, report);
+	if (!status)
+		cli_exact_range_warn(&model);
 	if (!status)
 		cli_range_warn(&model, cli_range_reach(NULL, &model, folds.coordinate, folds.points,
 		                                       model.rom.n));

@@ -14,7 +14,9 @@
 
 #include "cli/exact.h"
 #include "cli/label.h"
+#include "cli/progress.h"
 #include "cli/state.h"
+#include "cli/view.h"
 #include "core/report.h"
 
 /* The part of the estimated error that no number of modes makes up for, and its factor of safety:
@@ -161,6 +163,75 @@ enum hawser_status cli_exact_response(struct hawser_frf *frf, struct hawser_frf_
 		return status ? status : so_far;
 	return cli_basis_check(model, fmax(result->from, result->to), report);
 }
+
+/* The response of the modes over a range, and its error. */
+static enum hawser_status judge(struct cli_model *model, int *points,
+                                const struct hawser_frf_options *options,
+                                struct hawser_report *report)
+{
+	struct hawser_frf frf = {.n = 0};
+	struct hawser_report why = {.message = ""};
+	struct cli_model_error *error = &model->error;
+	enum hawser_status status = hawser_frf_trace(&frf, &model->rom, options, &why);
+
+	*points = frf.points;
+	if (frf.points > 1 && (!status || status == HAWSER_ERR_CONVERGENCE) && !cli_interrupted())
+		status = hawser_accuracy_fixed(&error->fixed, &model->rom, &frf, model->modes.n,
+		                               &model->statics, &model->scene, options->from, options->to,
+		                               &why);
+	hawser_frf_clear(&frf);
+	if (status == HAWSER_ERR_MEMORY && report)
+		*report = why;
+	if (status) {
+		error->fixed.estimated = NAN;
+		snprintf(error->unknown, sizeof error->unknown, "%s", why.message);
+	}
+	return status == HAWSER_ERR_MEMORY ? status : HAWSER_OK;
+}
+
+enum hawser_status cli_exact_range(struct cli_model *model, double from, double to, double after,
+                                   const struct cli_common *common, struct hawser_report *report)
+{
+	struct cli_watch watch = {{.quiet = common->quiet}, "the model's error"};
+	struct hawser_frf_options options = {.method = "balance", .from = from, .to = to,
+		.step_max = CLI_STEP, .skip_events = 1, .unjudged = 1, .end_at_slack = 1,
+		.max_points = POINTS, .samples = HAWSER_NONE, .progress = {cli_watch, &watch}};
+	struct hawser_accuracy better = {.tries = 0};
+	int points = 0;
+	enum hawser_status status;
+
+	if (!cli_exact_calls(model, NULL) || model->rom.harmonics == 0 || from == to)
+		return HAWSER_OK;
+	model->error = (struct cli_model_error){.stated = 1, .timed = !common->reproducible,
+	                                        .about = "folds and peaks", .fixed.estimated = NAN};
+	status = judge(model, &points, &options, report);
+	if (!status && isfinite(model->error.fixed.estimated) && cli_exact_calls(model, &model->error)) {
+		options.step_max = 0.0;
+		status = search(&better, model, &model->error, &options, points, after, report);
+		hawser_accuracy_clear(&better);
+	}
+	cli_progress_end(&watch.progress);
+	if (status || !model->exact.functions)
+		return status;
+	return cli_basis_check(model, fmax(from, to), report);
+}
+
+void cli_exact_range_comments(struct hawser__table *table, const struct cli_model *model)
+{
+	cli_exact_comment(table, model);
+	cli_fixed_comments(table, &model->error, 0);
+}
+
+void cli_exact_range_warn(const struct cli_model *model)
+{
+	cli_fixed_warn(&model->error);
+	cli_exact_warn(model);
+}
+
+const struct hawser__field cli_exact_field[] = {
+	{"", NULL, "", HAWSER__PART_OF(struct cli_model, error, cli_fixed_field)},
+	HAWSER__END,
+};
 
 /* Functions a component of the full-order model of a JSON result; 0: none, or no such file. */
 static int functions_of(const char *path)

@@ -27,7 +27,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include <limits.h>
 #include <math.h>
 #include <string.h>
 
@@ -57,40 +56,45 @@
 static const int bases[] = {6, 8, 10, 12, 14, 16, 20, 24};
 enum { BASES = sizeof bases/sizeof *bases };
 
-/* Relative error of the frequency of candidate j in the full-order model; 1: the model has no such
- * mode. */
-static double frequency_error(const struct hawser_accuracy *a, const struct hawser_rom *full, int j)
-{
-	for (int i = 0; i < full->n; i++)
-		if (strcmp(full->label[i], a->choice.all.label[j]) == 0)
-			return fabs(sqrt(full->K[i*(full->n + 1)])/a->modes.mode[j].omega - 1.0);
-	return 1.0;
-}
-
-static int resolves_modes(const struct hawser_accuracy *a, const struct hawser_rom *full)
-{
-	for (int j = 0; j < a->choice.n; j++) {
-		double omega = a->modes.mode[j].omega, to = a->choice.to;
-
-		if (omega <= REACH*to &&
-		    frequency_error(a, full, j) > (omega <= to ? RESOLVED : ROUGHLY)*a->asked)
-			return 0;
-	}
-	return 1;
-}
-
 /* Whether the basis of the model holds the linear modes and the load. */
-static enum hawser_status resolves(int *good, const struct hawser_accuracy *a,
-                                   const struct hawser_rom *full, const struct hawser_scene *scene,
-                                   int functions, struct hawser_report *report)
+static enum hawser_status resolves(int *good, const struct hawser_rom *full,
+                                   const struct hawser_accuracy_bases *of, int functions,
+                                   struct hawser_report *report)
 {
 	double lacks = 0.0;
 	enum hawser_status status = HAWSER_OK;
+	int worst;
 
-	*good = resolves_modes(a, full);
+	*good = hawser_rom_full_error(&worst, full, of->modes, of->to) <= RESOLVED*of->accuracy &&
+	        hawser_rom_full_error(&worst, full, of->modes, REACH*of->to) <= ROUGHLY*of->accuracy;
 	if (*good)
-		status = hawser_rom_full_lacks(&lacks, &a->modes.statics, scene, functions, report);
+		status = hawser_rom_full_lacks(&lacks, &of->modes->statics, of->scene, functions, report);
 	*good &= lacks <= LACKS;
+	return status;
+}
+
+enum hawser_status hawser_accuracy_basis(struct hawser_rom *rom, int *functions,
+                                         const struct hawser_accuracy_bases *of, int coordinates,
+                                         struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+	int most = of->most > 0 ? of->most : bases[BASES - 1];
+
+	*rom = (struct hawser_rom){.n = 0};
+	for (int i = 0; !status && i < BASES && bases[i] <= most; i++) {
+		int good = 0;
+
+		if (bases[i] <= *functions)
+			continue;
+		*functions = bases[i];
+		status = hawser_rom_build_full(rom, &of->modes->statics, of->scene, bases[i], report);
+		if (!status && rom->n > coordinates)
+			status = resolves(&good, rom, of, bases[i], report);
+		/* the largest basis of all is tried whatever it resolves */
+		if (!status && rom->n > coordinates && (good || (of->most == 0 && i + 1 == BASES)))
+			return HAWSER_OK;
+		hawser_rom_clear(rom);
+	}
 	return status;
 }
 
@@ -120,20 +124,20 @@ static enum hawser_status lost(const struct hawser_accuracy *a, struct hawser_re
 	                       last.message);
 }
 
-/* Decide what follows a trace that failed because the basis is too small for the motion, or the
- * tolerance too large. Returns 1 to go on, with the next basis or with a smaller tolerance and the
- * same basis. */
-static int retry(enum hawser_status status, int *i, struct hawser_frf_options *frf,
+/* Decide what follows a draft that failed because the basis is too small for the motion, or the
+ * tolerance too large. Returns 1 to go on after *functions, with the next basis or with a smaller
+ * tolerance and the same basis. */
+static int retry(enum hawser_status status, int *functions, struct hawser_frf_options *frf,
                  const struct hawser_accuracy_options *options)
 {
 	if (status != HAWSER_ERR_CONVERGENCE)
 		return 0;
-	if (options->frf.tolerance == 0.0 && frf->tolerance > FINEST && bases[*i] >= MIDDLING) {
+	if (options->frf.tolerance == 0.0 && frf->tolerance > FINEST && *functions >= MIDDLING) {
 		frf->tolerance = FINEST;
-		(*i)--;
+		(*functions)--;
 		return 1;
 	}
-	return *i + 1 < BASES;
+	return *functions < (options->most_functions > 0 ? options->most_functions : bases[BASES - 1]);
 }
 
 /* The draft of one basis. */
@@ -232,26 +236,21 @@ static enum hawser_status choose(struct draft *chosen, double *moved, int *check
                                  struct hawser_frf_options *frf, double *work,
                                  struct hawser_report *report)
 {
+	const struct hawser_accuracy_bases of = {&a->modes, scene, a->choice.to, a->asked,
+	                                         options->most_functions};
 	enum hawser_status status = HAWSER_OK;
-	int most = options->most_functions > 0 ? options->most_functions : INT_MAX;
-	/* the largest basis of all is tried whatever it resolves */
-	int last = options->most_functions > 0 ? INT_MAX : BASES;
+	int functions = 0;
 
-	for (int i = 0; !status && i < BASES && bases[i] <= most; i++) {
-		struct draft next = {.functions = bases[i]};
-		int good = 0;
+	while (!status) {
+		struct draft next = {.functions = 0};
 
-		status = hawser_rom_build_full(&next.rom, &a->modes.statics, scene, bases[i], report);
-		if (!status)
-			status = resolves(&good, a, &next.rom, scene, bases[i], report);
-		if (status || next.rom.n <= chosen->rom.n || (!good && i + 1 < last)) {
-			clear(&next);
-			continue;
-		}
-		a->functions = bases[i];
+		status = hawser_accuracy_basis(&next.rom, &functions, &of, chosen->rom.n, report);
+		if (status || next.rom.n == 0)
+			break;
+		a->functions = next.functions = functions;
 		status = draw(&next, a, options, frf, *work, chosen->functions > 0, report);
 		*work += next.work;
-		if (retry(status, &i, frf, options)) {
+		if (retry(status, &functions, frf, options)) {
 			status = HAWSER_OK;
 			clear(&next);
 			continue;
