@@ -14,6 +14,7 @@
 
 #include "cli/exact.h"
 #include "cli/label.h"
+#include "cli/map_result.h"
 #include "cli/progress.h"
 #include "cli/state.h"
 #include "cli/view.h"
@@ -31,6 +32,10 @@ static const double accuracy = 0.01;
 enum { FUNCTIONS = 24, POINTS = 1500 };
 /* Seconds of processor time, as counted, that nobody has to ask for; chosen. */
 static const double bearable = 45.0;
+
+/* Of a map of amplitudes: work of a row over that of a draft (three rows of a footbridge: 2.7), and the
+ * range about one frequency; chosen. */
+static const double row = 3.0, around = 1.05;
 
 static double limit_of(const struct cli_model *model)
 {
@@ -214,6 +219,40 @@ enum hawser_status cli_exact_range(struct cli_model *model, double from, double 
 	if (status || !model->exact.functions)
 		return status;
 	return cli_basis_check(model, fmax(from, to), report);
+}
+
+/* rad/s; there is the scene alone, which then has the keys of the exact energy. */
+static enum hawser_status choose_for(struct cli_model *model, int n, double from, double to, double after,
+                                     const struct cli_common *common, struct hawser_report *report)
+{
+	struct cli_model own = {.has_scene = 0};
+	enum hawser_status status = cli_model_load(&own, common, n, report);
+	double unit = cli_per_omega(&own);
+
+	if (!status)
+		status = cli_exact_range(&own, from/unit, to/unit, after, common, report);
+	if (!status && own.exact.functions) {
+		model->scene.model.energy = HAWSER_ENERGY_EXACT;
+		model->scene.model.basis = own.exact.functions;
+	}
+	model->exact = own.exact;
+	model->error = own.error;
+	cli_model_clear(&own);
+	return status;
+}
+
+enum hawser_status cli_exact_map(const struct cli_map_result *map, struct cli_model *model, int n,
+                                 struct hawser_report *report)
+{
+	int k = strcmp(map->key[1], "Omega") == 0, axis = k || strcmp(map->key[0], "Omega") == 0;
+	double from = axis ? map->options.from[k] : map->omega/around;
+	double to = axis ? map->options.to[k] : map->omega*around;
+	double rows = map->options.points[axis ? 1 - k : 1];
+
+	if (strcmp(map->quantity->name, "amplitude") != 0 || !cli_exact_calls(model, NULL) ||
+	    model->scene.beam.form || !(from > 0.0))
+		return HAWSER_OK;
+	return choose_for(model, n, from, to, row*rows, map->common, report);
 }
 
 void cli_exact_range_comments(struct hawser__table *table, const struct cli_model *model)
