@@ -56,6 +56,7 @@ static void take(struct cli_model *model, struct hawser_accuracy *better,
                  const struct cli_model_error *error)
 {
 	model->exact = (struct cli_exact){.modes = model->modes.n, .functions = better->functions,
+	                                  .coordinates = better->rom.n,
 	                                  .before = error->stated ? error->fixed.estimated : NAN,
 	                                  .beyond = error->stated ? error->fixed.truncation : NAN};
 	hawser_rom_clear(&model->rom);
@@ -318,7 +319,7 @@ void cli_exact_comment(struct hawser__table *table, const struct cli_model *mode
 	if (!exact->functions)
 		return;
 	hawser__table_comment(table, "exact energy on %d functions a component, %d coordinates, in place "
-	                      "of the %d modes asked for", exact->functions, model->rom.n, exact->modes);
+	                      "of the %d modes asked for", exact->functions, exact->coordinates, exact->modes);
 	if (isnan(exact->before))
 		hawser__table_comment(table, "with an energy of degree 4 and these modes there is no answer");
 	else if (!(safety*exact->beyond > enough))

@@ -128,6 +128,7 @@ static void take(struct cli_integrate_result *result, struct cli_model *model, s
 	struct cli_model_error *error = &result->model_error;
 
 	model->exact = (struct cli_exact){.modes = model->modes.n, .functions = last->functions,
+	                                  .coordinates = last->rom.n,
 	                                  .before = error->stated ? error->fixed.estimated : NAN,
 	                                  .beyond = error->stated ? error->fixed.truncation : NAN};
 	model->scene.model.energy = HAWSER_ENERGY_EXACT;
