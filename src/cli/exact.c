@@ -223,8 +223,9 @@ enum hawser_status cli_exact_range(struct cli_model *model, double from, double 
 }
 
 /* rad/s; there is the scene alone, which then has the keys of the exact energy. */
-static enum hawser_status choose_for(struct cli_model *model, int n, double from, double to, double after,
-                                     const struct cli_common *common, struct hawser_report *report)
+static enum hawser_status choose_for(struct cli_model *model, int n, double from, double to,
+                                     double after, const struct cli_common *common,
+                                     struct hawser_report *report)
 {
 	struct cli_model own = {.has_scene = 0};
 	enum hawser_status status = cli_model_load(&own, common, n, report);
