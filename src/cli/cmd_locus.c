@@ -20,7 +20,7 @@ struct settings {
 	int n, points, harmonic;
 };
 static const struct settings defaults = {.from = "0.6w1", .to = "3.3w1", .kind = "fold"};
-static const double work = 10.0; /* of cli_exact_range: measured on a footbridge and a conductor */
+static const double work = 5.0; /* of cli_exact_range; chosen */
 
 static const struct cli_option options[] = {
 	CLI_TEXT_OPTION(kind, "NAME", "fold, period-doubling, torus, branch-point, or resonance (fold)"),

@@ -30,12 +30,19 @@ static const double much = 0.1;
  * load or a mode of the range may need as many. */
 static const double accuracy = 0.01;
 enum { FUNCTIONS = 24, POINTS = 1500 };
-/* Seconds of processor time, as counted, that nobody has to ask for; chosen. */
-static const double bearable = 45.0;
-
+/* Seconds of processor time, as counted, that nobody has to ask for: where no number of modes is good
+ * enough, and where more of them, or model.modes: auto, may be; chosen. */
+static const double bearable = 90.0, bearable_else = 10.0;
 /* Of a map of amplitudes: work of a row over that of a draft (three rows of a footbridge: 2.7), and the
  * range about one frequency; chosen. */
 static const double row = 3.0, around = 1.05;
+
+/* Whether the error is one that no number of modes makes up for, or not known. */
+static int is_beyond(const struct cli_model_error *error)
+{
+	return !error->stated || !isfinite(error->fixed.estimated) ||
+	       safety*error->fixed.truncation > enough;
+}
 
 static double limit_of(const struct cli_model *model)
 {
@@ -108,7 +115,8 @@ static enum hawser_status search(struct hawser_accuracy *better, struct cli_mode
 {
 	struct hawser_accuracy_options choice = {.frf = *options, .expected = points, .agreed = 1,
 		.accuracy = hawser_scene_written(&model->scene, "model.accuracy") ? 0.0 : accuracy,
-		.most_functions = FUNCTIONS, .bearable = bearable, .after = after};
+		.bearable = is_beyond(error) ? bearable : bearable_else,
+		.most_functions = FUNCTIONS, .after = after};
 	struct hawser_report why = {.message = ""};
 	enum hawser_status status;
 
@@ -200,7 +208,7 @@ enum hawser_status cli_exact_range(struct cli_model *model, double from, double 
 {
 	struct cli_watch watch = {{.quiet = common->quiet}, "the model's error"};
 	struct hawser_frf_options options = {.method = "balance", .from = from, .to = to,
-		.step_max = CLI_STEP, .skip_events = 1, .unjudged = 1, .end_at_slack = 1,
+		.step_max = 0.02, .skip_events = 1, .unjudged = 1, .end_at_slack = 1,
 		.max_points = POINTS, .samples = HAWSER_NONE, .progress = {cli_watch, &watch}};
 	struct hawser_accuracy better = {.tries = 0};
 	int points = 0;

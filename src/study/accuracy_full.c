@@ -45,7 +45,9 @@
                           * chosen */
 #define LONG 0.2         /* largest step of a curve for comparison, relative to the range; chosen */
 #define RATE 1e-7       /* s; within a factor 2 of 24 to 42 coordinates on a core of 2 GHz */
-#define JUDGED 5.0      /* work of a response over that of its draft: 4.7 and 5.3 on two spans */
+#define MULTIPLIERS 1.2e-6 /* s of those of a point, over the cube of the number of coordinates: 1.0e-6
+                        * to 1.4e-6 with 30 to 60 of them; strongly damped ones take more */
+#define MORE_POINTS 1.2 /* of a response, over those of its draft or of the modes; chosen */
 #define LARGER 1.5      /* work of the next draft over that of the last; chosen */
 #define DOUBT 2.0       /* factor of what is foreseen of a draft that has not ended; chosen */
 #define SLACK_POINTS 50 /* fewest points of which slackness is judged; chosen */
@@ -145,7 +147,7 @@ struct draft {
 	struct hawser_rom rom;
 	struct hawser__drawn_curve curve;
 	enum hawser_frf_end end;
-	int functions;
+	int functions, points;
 	double work;
 };
 
@@ -154,7 +156,8 @@ struct watch {
 	const struct hawser_accuracy_options *options;
 	struct hawser_accuracy *a;
 	double before; /* work of the traces that have ended */
-	double after;  /* work from the end of this one on, over its own */
+	double next;   /* work of another draft, over that of this one */
+	int n;         /* coordinates of the model whose response follows */
 	double rate;   /* work of a sample */
 	int drafts;    /* 1: it is a draft, which may be given up */
 };
@@ -171,9 +174,12 @@ static double rate(const struct hawser_rom *rom)
 	return RATE*(double)rom->n*rom->n;
 }
 
-static double factor_after(const struct hawser_accuracy_options *options)
+/* Work of what follows the drafts, by one of them. */
+static double follows(const struct hawser_accuracy_options *options, int n, int points, double work)
 {
-	return options->after > 0.0 ? options->after : JUDGED;
+	double all = MORE_POINTS*fmax(points, options->expected);
+
+	return options->after > 0.0 ? options->after*work : work + MULTIPLIERS*all*n*n*n;
 }
 
 /* Ends a draft when the work that is foreseen is more than can be borne, or where the cable is slack
@@ -189,9 +195,11 @@ static int watch_trace(void *data, const struct hawser_progress_state *state)
 	if (most > 0 && points >= FIRST_POINTS) {
 		double whole = work*fmax((double)most/points, 1.0);
 
-		watch->a->foreseen = watch->before + whole*(1.0 + watch->after);
-		shown.fraction = (watch->before + work)/watch->a->foreseen;
-		shown.left = state->seconds*(whole/work*(1.0 + watch->after) - 1.0);
+		if (watch->drafts)
+			watch->a->foreseen = watch->before + whole*(1.0 + watch->next) +
+			                     follows(watch->options, watch->n, points, whole);
+		shown.fraction = fmin((double)points/most, 1.0);
+		shown.left = state->seconds*fmax((double)most/points - 1.0, 0.0);
 	}
 	if (watch->options->bearable > 0.0 && watch->drafts &&
 	    fmax(watch->before + work, watch->a->foreseen/DOUBT) > watch->options->bearable) {
@@ -206,12 +214,12 @@ static int watch_trace(void *data, const struct hawser_progress_state *state)
 /* Trace the draft of the model in *draft; a->frf becomes its curve. */
 static enum hawser_status draw(struct draft *draft, struct hawser_accuracy *a,
                                const struct hawser_accuracy_options *options,
-                               const struct hawser_frf_options *settled, double before, int second,
+                               const struct hawser_frf_options *settled, double before, int smaller,
                                struct hawser_report *report)
 {
 	/* the second may confirm the first, whose response then follows */
-	double after = (second ? 1.0/LARGER : 1.0)*factor_after(options) + (second ? 0.0 : LARGER);
-	struct watch watch = {options, a, before, after, rate(&draft->rom), 1};
+	struct watch watch = {options, a, before, smaller > 0 ? 0.0 : LARGER,
+	                      smaller > 0 ? smaller : draft->rom.n, rate(&draft->rom), 1};
 	struct hawser_frf_options frf = *settled;
 	enum hawser_status status;
 
@@ -223,6 +231,7 @@ static enum hawser_status draw(struct draft *draft, struct hawser_accuracy *a,
 	hawser_frf_clear(&a->frf);
 	status = hawser_frf_trace(&a->frf, &draft->rom, &frf, report);
 	draft->end = a->frf.end;
+	draft->points = a->frf.points;
 	draft->work = watch.rate*(double)a->frf.cost.stages;
 	a->slack = !status && !a->costly && hawser__mostly_slack(&a->frf);
 	return status ? status : hawser__curve_copy(&draft->curve, &a->frf, report);
@@ -248,7 +257,7 @@ static enum hawser_status choose(struct draft *chosen, double *moved, int *check
 		if (status || next.rom.n == 0)
 			break;
 		a->functions = next.functions = functions;
-		status = draw(&next, a, options, frf, *work, chosen->functions > 0, report);
+		status = draw(&next, a, options, frf, *work, chosen->rom.n, report);
 		*work += next.work;
 		if (retry(status, &functions, frf, options)) {
 			status = HAWSER_OK;
@@ -275,7 +284,7 @@ static enum hawser_status follow(struct hawser_accuracy *a, struct hawser__marks
                                  const struct hawser_frf_options *settled, int functions,
                                  double work, struct hawser_report *report)
 {
-	struct watch watch = {options, a, work, 0.0, JUDGED/2.0*rate(&a->rom), 0};
+	struct watch watch = {options, a, work, 0.0, a->rom.n, rate(&a->rom), 0};
 	struct hawser_frf_options frf = *settled;
 	enum hawser_status status;
 
@@ -303,7 +312,7 @@ enum hawser_status hawser__accuracy_full(struct hawser_accuracy *a, struct hawse
 	int ended = status || hawser__accuracy_cut(a) || !chosen.functions;
 
 	if (!ended) {
-		a->foreseen = work + factor_after(options)*chosen.work;
+		a->foreseen = work + follows(options, chosen.rom.n, chosen.points, chosen.work);
 		a->costly = options->bearable > 0.0 && a->foreseen > options->bearable;
 	}
 	if (ended || a->costly || (options->agreed && !(SAFETY_BASIS*moved <= a->asked))) {
