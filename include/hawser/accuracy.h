@@ -17,10 +17,10 @@ struct hawser_accuracy_try {
 	int modes;
 	int functions;  /* per component, of the full-order model; 0: condensed model */
 	double moved;   /* hawser_accuracy_distance from the response of the previous model; NAN for the
-	                 * first model. Of the full-order model the distance from `checked` if that is
-	                 * not 0 */
-	int checked;    /* coordinates of the next full-order model, along whose curve this one was
-	                 * compared; 0: none */
+	                 * first model. Of the full-order model the distance of its draft from that of
+	                 * `checked` */
+	int checked;    /* coordinates of the next full-order model, with whose curve that of this one
+	                 * was compared; 0: a condensed model */
 	double rest;    /* sum of the measures of the omitted modes (choose.h) in this model's motions;
 	                 * 0 of the full-order model */
 	double truncation; /* error in these motions that further modes do not reduce (choose.h); 0 of
@@ -47,12 +47,22 @@ struct hawser_accuracy {
 	struct hawser_accuracy_try attempt[HAWSER_ACCURACY_TRIES];
 	int tries;
 	double seconds;              /* wall time of the whole search */
+	int functions;               /* of the last full-order model that was looked at; 0: none */
+	int checked;                 /* options->after: coordinates of the model that confirms it */
+	double foreseen;             /* s of processor time of full-order models and what follows, as
+	                              * counted: within a factor 2 on a core of 2 GHz */
+	int costly;                  /* 1: that is more than options->bearable, and the search ended */
 };
 
 struct hawser_accuracy_options {
 	double accuracy;         /* in (0, 1); 0: the scene's */
 	int most;                /* largest number of kept modes; 0: 40 */
 	int most_functions;      /* of full-order models, per component; 0: 24 */
+	double bearable;         /* full-order models are given up where `foreseen` is more; 0: never */
+	int expected;            /* points of the response, by a reduced model; 0: not known */
+	int agreed;              /* 1: no response of a full-order model that no other agrees with */
+	double after;            /* over 0: the full-order model is wanted, not its response, and its use
+	                          * takes this many times as long as the coarse curve that chooses it */
 	struct hawser_frf_options frf; /* range and method as in frf.h. tolerance, event_tolerance and
 	                                * step_max: 0: chosen for the accuracy. max_points: at most 2500;
 	                                * 0: 2500. progress is called for each model in turn */
@@ -91,6 +101,21 @@ enum hawser_status hawser_accuracy_exact(struct hawser_accuracy *accuracy,
                                          const struct hawser_statics *statics,
                                          const struct hawser_scene *scene,
                                          const struct hawser_accuracy_options *options,
+                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* The bases of full-order models that these searches try: those that hold the modes and the load. */
+struct hawser_accuracy_bases {
+	const struct hawser_modes *modes; /* by a method that converges; at least up to 2*to */
+	const struct hawser_scene *scene;
+	double to;       /* scaled: the upper end of the range */
+	double accuracy; /* the frequencies up to `to` are right to a tenth of it, up to 2*to to the whole */
+	int most;        /* largest number of functions; 0: 24, which is tried whatever it resolves */
+};
+/* *rom becomes the first of them with more than *functions functions a component, of which *functions
+ * then is the number, and more than `coordinates`; rom->n is 0 if there is none. Statuses of
+ * hawser_rom_build_full and hawser_rom_full_lacks. */
+enum hawser_status hawser_accuracy_basis(struct hawser_rom *rom, int *functions,
+                                         const struct hawser_accuracy_bases *bases, int coordinates,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* The estimated error of a response, to first order, that is due to the modes that its model does

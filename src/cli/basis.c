@@ -17,9 +17,8 @@ static const double reach = 2.0;
  * is a larger lack of the load. */
 static const double coarse = 0.01;
 
-/* Modes up to `to`, by the spectral method's own choice of its basis. */
-static enum hawser_status modes_up_to(struct hawser_modes *modes, const struct hawser_statics *statics,
-                                      double to, struct hawser_report *report)
+enum hawser_status cli_modes_up_to(struct hawser_modes *modes, const struct hawser_statics *statics,
+                                   double to, struct hawser_report *report)
 {
 	struct hawser_modes_options options = {.n = FEWEST};
 	enum hawser_status status = hawser_modes_solve(modes, statics, &options, report);
@@ -54,7 +53,7 @@ enum hawser_status cli_basis_check(struct cli_model *model, double omega, struct
 	if (!model->has_scene || model->automatic ||
 	    model->scene.model.energy != HAWSER_ENERGY_EXACT)
 		return HAWSER_OK;
-	status = modes_up_to(&modes, &model->statics, to, report);
+	status = cli_modes_up_to(&modes, &model->statics, to, report);
 	if (!status) {
 		basis->functions = (model->rom.n + 2)/3; /* three components */
 		basis->to = fmin(to, modes.mode[modes.n - 1].omega);

@@ -127,6 +127,7 @@ struct cli_model {
 		int number;
 	} basis;
 	struct cli_exact exact;
+	struct cli_model_error error; /* of cli_exact_range; of responses, it is in the result */
 };
 const char *cli_input_name(const struct cli_common *common); /* "<stdin>" for "-" */
 /* Most modes of a model whose ranges (hawser/law.h) are sought unasked: half a second; chosen. */
@@ -167,6 +168,9 @@ void cli_known_warn(const struct cli_model *model, double omega);
  * checked or written. */
 enum hawser_status cli_basis_check(struct cli_model *model, double omega,
                                    struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Modes (scaled) up to `to`, by the spectral method's own choice of its basis: at least 12. */
+enum hawser_status cli_modes_up_to(struct hawser_modes *modes, const struct hawser_statics *statics,
+                                   double to, struct hawser_report *report) HAWSER_MUST_CHECK;
 void cli_basis_comment(struct hawser__table *table, const struct cli_model *model);
 void cli_basis_warn(const struct cli_model *model);
 

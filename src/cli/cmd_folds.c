@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/exact.h"
 #include "cli/folds_result.h"
 #include "cli/label.h"
 #include "cli/progress.h"
@@ -20,8 +21,12 @@ struct settings {
 };
 static const struct settings defaults = {
 	.from = "0.6w1", .to = "3.3w1", .method = "balance", .load_from = 0.01, .load_to = 2.0,
-	.starts = 96,
+	.starts = -1,
 };
+enum { STARTS = 96 };
+/* Of cli_exact_range: of a footbridge 9, and 1 or more for each of the starts, which are therefore
+ * left out of a search with the exact energy that nobody asked for. */
+static const double work = 10.0, work_start = 1.0;
 
 static const struct cli_option options[] = {
 	CLI_RANGE_OPTIONS("end of the range at which responses begin (0.6w1)",
@@ -70,7 +75,8 @@ static enum hawser_status trace(struct hawser_folds *folds, const struct setting
 	if (settings->points > 0)
 		choice.max_points = settings->points;
 	choice.skip_isolas = settings->no_isolas;
-	choice.starts = settings->starts > 0 ? settings->starts : HAWSER_NONE;
+	choice.starts = settings->starts > 0 ? settings->starts
+	                : settings->starts < 0 && !result->model->exact.functions ? STARTS : HAWSER_NONE;
 	choice.progress = (struct hawser_progress){cli_watch, &watch};
 	status = hawser_folds_trace(folds, &result->model->rom, &choice, report);
 	cli_progress_end(&watch.progress);
@@ -95,12 +101,18 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!status)
 		status = cli_basis_check(&model, fmax(result.from, result.to), report);
 	if (!status)
+		status = cli_exact_range(&model, result.from, result.to,
+		                         work + work_start*fmax(settings->starts, 0.0), &settings->common,
+		                         report);
+	if (!status)
 		status = cli_choice_build(&model, result.from, result.to, report);
 	if (!status) {
 		status = trace(&folds, settings, &result, report);
 	}
 	if (!status)
 		status = cli_show(&settings->common, &cli_folds_showing, &result, report);
+	if (!status)
+		cli_exact_range_warn(&model);
 	if (!status)
 		cli_range_warn(&model, cli_range_reach(NULL, &model, folds.coordinate, folds.points,
 		                                       model.rom.n));

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/exact.h"
 #include "cli/frf_over.h"
 #include "cli/locus_result.h"
 #include "cli/progress.h"
@@ -19,6 +20,7 @@ struct settings {
 	int n, points, harmonic;
 };
 static const struct settings defaults = {.from = "0.6w1", .to = "3.3w1", .kind = "fold"};
+static const double work = 5.0; /* of cli_exact_range; chosen */
 
 static const struct cli_option options[] = {
 	CLI_TEXT_OPTION(kind, "NAME", "fold, period-doubling, torus, branch-point, or resonance (fold)"),
@@ -172,6 +174,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		                   report);
 	if (!status)
 		status = cli_basis_check(&model, fmax(result.from, result.to), report);
+	if (!status && !settings->and)
+		status = cli_exact_range(&model, result.from, result.to, work, &settings->common, report);
 	if (!status)
 		status = cli_over_open(&over, settings->over ? settings->over : "factor.load=0.5:2",
 		                       settings->Omega ? settings->Omega : "1", &model, report);
@@ -198,6 +202,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		status = trace(&locus, settings, &result, &over, settings->and ? &plane : NULL, &model, report);
 	if (!status)
 		status = cli_show(&settings->common, &cli_locus_showing, &result, report);
+	if (!status)
+		cli_exact_range_warn(&model);
 	if (!status)
 		cli_range_warn(&model, cli_range_reach(NULL, &model, locus.coordinate, locus.points,
 		                                       model.rom.n));

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "cli/axis.h"
+#include "cli/exact.h"
 #include "cli/hdf5.h"
 #include "cli/judged.h"
 #include "cli/map_part.h"
@@ -420,6 +421,8 @@ static enum hawser_status make(struct settings *settings, struct hawser__ranks *
 		status = frequency(&result.omega, settings->omega, "Omega", &model, report);
 	if (!status && !settings->rest && !is_worker(ranks))
 		status = judge(&result, &judged, &model, report);
+	if (!status)
+		status = cli_exact_map(&result, &model, settings->n, report);
 	if (!status && model.has_scene && model.scene.travel.braking > 0.0)
 		cli_warn("travel.braking is left out: the map is of travel.speed, the speed before");
 	if (!status)
@@ -429,6 +432,7 @@ static enum hawser_status make(struct settings *settings, struct hawser__ranks *
 	else if (!status && !is_worker(ranks))
 		status = write_result(&result, settings, report);
 	if (!status && !is_worker(ranks)) {
+		cli_exact_range_warn(&model);
 		warn_uncomputed(&map);
 		cli_tongues_warn(&map.narrow);
 	}

@@ -26,7 +26,9 @@ struct cli_model_error {
 struct cli_exact {
 	int modes;        /* asked for */
 	int functions;    /* per component of the model that took their place; 0: none */
-	double before;    /* error with the modes that no number of them makes up for; NAN: no answer */
+	int coordinates;  /* of that model */
+	double before;    /* error with the modes; NAN: no answer */
+	double beyond;    /* the part that no number of them makes up for */
 	char failed[640]; /* why there is none though it was called for; "": it was not */
 };
 

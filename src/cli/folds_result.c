@@ -4,6 +4,7 @@
 
 #include <stdio.h>
 
+#include "cli/exact.h"
 #include "cli/folds_result.h"
 #include "cli/view.h"
 
@@ -149,6 +150,7 @@ static void comments(struct hawser__table *table, const void *of)
 	                      result->load_from, result->load_to);
 	cli_choice_comments(table, model);
 	cli_basis_comment(table, model);
+	cli_exact_range_comments(table, model);
 	for (c = 0; c < folds->curves; c++)
 		comment_curve(table, result, c);
 	comment_least(table, result);
@@ -401,6 +403,7 @@ static const struct hawser__field stats_field[] = {
 };
 static const struct hawser__field result_field[] = {
 	{"", NULL, "", HAWSER__THROUGH(struct cli_folds_result, model, cli_choice_field)},
+	{"", NULL, "", HAWSER__THROUGH(struct cli_folds_result, model, cli_exact_field)},
 	{"", NULL, "", HAWSER__THROUGH(struct cli_folds_result, model, cli_si_field)},
 	{"range", NULL, "of Omega", HAWSER__PAIR_AT(struct cli_folds_result, from, to),
 	 .unit = HAWSER__RAD_S},

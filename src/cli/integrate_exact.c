@@ -15,9 +15,8 @@
 #include "cli/integrate_result.h"
 #include "core/report.h"
 
-static const int bases[] = {6, 8, 12}; /* functions a component; chosen */
-enum { BASES = sizeof bases/sizeof *bases, COMPARED = 512 /* most rows, chosen */ };
-static const double resolved = 0.01;  /* largest error of the frequencies up to twice the forcing */
+enum { COMPARED = 512, /* most rows, chosen */
+       FUNCTIONS = 24  /* as for responses */ };
 static const double accuracy = 0.01, safety = 3.0; /* as for responses */
 
 /* One basis, its run, and what the run began with. */
@@ -77,26 +76,11 @@ static double distance(const struct attempt *a, const struct attempt *b)
 	return most > 0.0 && a->count == b->count ? off/most : INFINITY;
 }
 
-/* The run on a basis; *coarse is set if the basis does not hold the linear modes. */
-static enum hawser_status try_basis(struct attempt *attempt, int *coarse,
-                                    const struct cli_integrate_result *result,
-                                    const struct hawser_integrate_options *choice, double after,
-                                    int functions, struct hawser_report *report)
+static enum hawser_status run_it(struct attempt *attempt, const struct cli_integrate_result *result,
+                                 double after, struct hawser_report *report)
 {
-	struct cli_model model = *result->model;
-	enum hawser_status status;
+	enum hawser_status status = HAWSER_OK;
 
-	*attempt = (struct attempt){.choice = *choice, .functions = functions, .moved = NAN};
-	status = hawser_rom_build_full(&attempt->rom, &model.statics, &model.scene, functions, report);
-	if (status)
-		return status;
-	model.rom = attempt->rom;
-	model.scene.model.energy = HAWSER_ENERGY_EXACT;
-	status = cli_basis_check(&model, choice->omega, report);
-	*coarse = status == HAWSER_ERR_CONVERGENCE ||
-	          fmax(model.basis.error, model.basis.lacks) > resolved;
-	if (status || *coarse)
-		return *coarse ? HAWSER_OK : status;
 	if (after > 0.0)
 		status = cli_integrate_settle(&attempt->state, &attempt->choice, after, &attempt->rom, report);
 	if (!status)
@@ -109,19 +93,24 @@ static enum hawser_status attempts(struct attempt *last, const struct cli_integr
                                    const struct hawser_integrate_options *choice, double after,
                                    struct hawser_report *report)
 {
-	enum hawser_status status = HAWSER_OK;
+	struct hawser_modes modes;
+	struct hawser_accuracy_bases of = {&modes, &result->model->scene, choice->omega, accuracy,
+	                                   FUNCTIONS};
+	enum hawser_status status = cli_modes_up_to(&modes, &result->model->statics, 2.0*choice->omega,
+	                                            report);
+	int functions = 0, ended = 0;
 
-	for (int i = 0; i < BASES && !(safety*last->moved <= accuracy); i++) {
-		struct attempt next;
-		int coarse = 0;
+	while (!status && !ended && !(safety*last->moved <= accuracy)) {
+		struct attempt next = {.choice = *choice, .moved = NAN};
 
-		status = try_basis(&next, &coarse, result, choice, after, bases[i], report);
-		if (status || next.run.interrupted || coarse) {
-			int ended = status || next.run.interrupted;
-
+		status = hawser_accuracy_basis(&next.rom, &functions, &of, last->rom.n, report);
+		if (status || next.rom.n == 0)
+			break;
+		next.functions = functions;
+		status = run_it(&next, result, after, report);
+		ended = status || next.run.interrupted;
+		if (ended) {
 			clear(&next);
-			if (ended)
-				break;
 			continue;
 		}
 		next.moved = last->functions ? distance(last, &next) : NAN;
@@ -129,6 +118,7 @@ static enum hawser_status attempts(struct attempt *last, const struct cli_integr
 		clear(last);
 		*last = next;
 	}
+	hawser_modes_clear(&modes);
 	return status;
 }
 
@@ -138,7 +128,9 @@ static void take(struct cli_integrate_result *result, struct cli_model *model, s
 	struct cli_model_error *error = &result->model_error;
 
 	model->exact = (struct cli_exact){.modes = model->modes.n, .functions = last->functions,
-	                                  .before = error->stated ? error->fixed.truncation : NAN};
+	                                  .coordinates = last->rom.n,
+	                                  .before = error->stated ? error->fixed.estimated : NAN,
+	                                  .beyond = error->stated ? error->fixed.truncation : NAN};
 	model->scene.model.energy = HAWSER_ENERGY_EXACT;
 	model->scene.model.basis = last->functions;
 	hawser_rom_clear(&model->rom);

@@ -4,6 +4,7 @@
 
 #include <stdio.h>
 
+#include "cli/exact.h"
 #include "cli/locus_result.h"
 #include "cli/view.h"
 
@@ -57,6 +58,7 @@ static void comments(struct hawser__table *table, const void *of)
 		hawser__table_comment(table, "Omega = %.12g%s", result->omega,
 		                      cli_unit(result->model, " rad/s"));
 	cli_basis_comment(table, result->model);
+	cli_exact_range_comments(table, result->model);
 	hawser__table_comment(table, "kind: %s, begun at %s = %.12g", hawser_event_name(locus->kind),
 	                      result->key, locus->at);
 	for (int c = 0; c < locus->curves; c++)
@@ -223,6 +225,7 @@ static const struct hawser__field stats_field[] = {
 	HAWSER__END,
 };
 static const struct hawser__field result_field[] = {
+	{"", NULL, "", HAWSER__THROUGH(struct cli_locus_result, model, cli_exact_field)},
 	{"", NULL, "", HAWSER__THROUGH(struct cli_locus_result, model, cli_si_field)},
 	{"range", NULL, "of Omega", HAWSER__PAIR_AT(struct cli_locus_result, from, to),
 	 .unit = HAWSER__RAD_S, .when = LINE},

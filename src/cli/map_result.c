@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "cli/condensed.h"
+#include "cli/exact.h"
 #include "cli/judged.h"
 #include "cli/map_part.h"
 #include "cli/tongues.h"
@@ -149,6 +150,7 @@ static void comments(struct hawser__table *table, const void *of)
 	cli_tongues_comment(table, &map->narrow);
 	if (result->judged)
 		cli_judged_comment(table, result->judged);
+	cli_exact_range_comments(table, result->model);
 	for (int k = 1; k < HAWSER_MAP_CODES; k++)
 		if (map->count[k] > 0)
 			hawser__table_comment(table, "%s: %d points%s%s",
@@ -374,6 +376,7 @@ static const char *about_name(int responds)
 	{name ".to", NULL, "its range", OF(options.to[k])}, \
 	{name ".points", NULL, "number of values", OF(options.points[k])}
 static const struct hawser__field result_field[] = {
+	{"", NULL, "", HAWSER__THROUGH(struct cli_map_result, model, cli_exact_field)},
 	{"", NULL, "", HAWSER__THROUGH(struct cli_map_result, quantity, quantity_field)},
 	{"quantity.unit", NULL, "its unit", HAWSER__TEXT_BY(value_unit)},
 	{"", NULL, "", HAWSER__THROUGH(struct cli_map_result, quantity, counts_field)},

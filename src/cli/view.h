@@ -49,7 +49,7 @@ extern const struct hawser__vector cli_axes;
 
 /* Fields of a struct cli_model, as members of the result. */
 extern const struct hawser__field cli_si_field[], cli_naturals_field[], cli_choice_field[],
-                                  cli_basis_field[];
+                                  cli_basis_field[], cli_exact_field[];
 /* Of a struct cli_model_error. */
 extern const struct hawser__field cli_fixed_field[];
 /* Of a struct cli_frf_result: its peaks. */

@@ -177,9 +177,7 @@ static void count_landmarks(struct hawser_accuracy_try *attempt, const struct ha
 	attempt->points = frf->points;
 }
 
-/* Whether the tension of the last model is negative at so many points that no model of this kind is
- * valid. */
-static int mostly_slack(const struct hawser_frf *frf)
+int hawser__mostly_slack(const struct hawser_frf *frf)
 {
 	int slack = 0;
 
@@ -194,7 +192,7 @@ static int watch(void *data, const struct hawser_progress_state *state)
 {
 	const struct hawser_frf_options *options = data;
 
-	return (state->frf->points >= SLACK_POINTS && mostly_slack(state->frf)) ||
+	return (state->frf->points >= SLACK_POINTS && hawser__mostly_slack(state->frf)) ||
 	       hawser__told_to_stop(&options->progress, state);
 }
 
@@ -240,7 +238,7 @@ enum hawser_status hawser__accuracy_attempt(struct hawser_accuracy *a, struct ha
 		status = hawser_frf_trace(&a->frf, &a->rom, &watched, report);
 	if (!status)
 		status = compare(a, marks, options, report);
-	a->slack = !status && mostly_slack(&a->frf);
+	a->slack = !status && hawser__mostly_slack(&a->frf);
 	this->modes = a->rom.n - a->rom.inertia.shapes;
 	count_landmarks(this, &a->frf);
 	this->seconds = hawser__wall_seconds() - start;

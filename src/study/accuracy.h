@@ -47,6 +47,9 @@ void hawser__accuracy_claim(struct hawser_accuracy *a, double model,
 /* 1: the last response is incomplete, or its tension is negative at many points. */
 int hawser__accuracy_cut(const struct hawser_accuracy *a);
 
+/* 1: the tension of a response is negative at so many points that no model of this kind is valid. */
+int hawser__mostly_slack(const struct hawser_frf *frf);
+
 /* What follows the response of the last attempt, judged by its own motions. */
 enum hawser__course {
 	HAWSER__LAST,    /* nothing: the estimated error is within the accuracy; */
@@ -62,8 +65,8 @@ enum hawser_status hawser__accuracy_foresee(enum hawser__course *course, struct 
                                             const struct hawser_accuracy_options *options,
                                             struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* Trace full-order models of increasing bases until one agrees with the previous model. Statuses of
- * hawser_rom_build_full and hawser_frf_trace. */
+/* Trace full-order models of increasing bases until two agree, and the response of the smaller one.
+ * Statuses of hawser_rom_build_full and hawser_frf_trace. */
 enum hawser_status hawser__accuracy_full(struct hawser_accuracy *a, struct hawser__marks *marks,
                                          const struct hawser_scene *scene,
                                          const struct hawser_accuracy_options *options,

@@ -71,6 +71,7 @@ static const struct row {
 	size_t size;
 } rows[] = {
 	ROW(hawser_accuracy),
+	ROW(hawser_accuracy_bases),
 	ROW(hawser_accuracy_fixed),
 	ROW(hawser_accuracy_motion),
 	ROW(hawser_accuracy_options),

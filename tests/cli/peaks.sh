@@ -20,7 +20,7 @@ works "in short steps" frf "$duffing" --from 0.5 --to 2 --step 0.001 --json duff
 # With modes: auto, whose curve is one of such a model (choice.sh), in the long run.
 kinds="${HAWSER_LONG:+auto }5"
 for kind in $kinds; do
-	range="--from 0.85w1 --to 1.2w1 --set model.modes=$kind"
+	range="--from 0.85w1 --to 1.2w1 --set model.modes=$kind --set model.energy=quartic"
 	# shellcheck disable=SC2086 # words
 	works "deep sag, $kind modes" frf deep.yaml $range --json "$kind.json" --tsv "$kind.tsv" \
 		--plot "$kind.svg"
