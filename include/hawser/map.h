@@ -222,6 +222,11 @@ struct hawser_map_source {
 	double from[2], to[2]; /* [2] their ranges */
 	double omega;          /* forcing frequency, unless "Omega" is one of the keys; 0: none */
 	const char *quantity;
+	int waves;             /* of a travelling cable: the coordinates are the span of its lowest complex
+	                        * modes, so many (hawser_complex_modes_span); 0: the modes of the scene.
+	                        * About a response, what follows the speed has then the first correction
+	                        * for its inertia */
+	int contrary;          /* 1: that correction about rest only, to see its size */
 	int rest;              /* 1: stability is that of rest. 0: with a forcing frequency it is that of
 	                        * the periodic response that grows out of rest with the excitation,
 	                        * where a load, moving ends or a fluctuating speed move the model */
@@ -244,6 +249,27 @@ enum hawser_status hawser_map_cable_open(struct hawser_map_field *field,
                                          const struct hawser_map_source *source,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_map_cable_close(struct hawser_map_field *field);
+
+/* Where boundaries of stability cross a line along one axis. */
+struct hawser_map_line {
+	double other; /* the other coordinate */
+	int count;
+	double *at;   /* [count] ascending */
+};
+/* Error of boundaries by what their model leaves out. */
+struct hawser_map_shift {
+	int compared;    /* edges of unstable regions; 0: there was none on the lines */
+	double distance; /* largest estimated error of one, in the unit of the axis, and */
+	double share;    /* as a part of the width of its region */
+};
+/* Compare the edges of the widest region on each line [lines] along axis `along` (0: x, 1: y) with
+ * those of the model of another source, of a scene with multipliers; the estimate is 1.5 times the
+ * distance and, where source->waves is set, a part for what both models lack. Statuses of
+ * hawser_map_cable_open and of a field's points. */
+enum hawser_status hawser_map_shift(struct hawser_map_shift *to, const struct hawser_map_source *source,
+                                    const struct hawser_map_source *better, int along,
+                                    const struct hawser_map_line *line, int lines,
+                                    struct hawser_report *report) HAWSER_MUST_CHECK;
 
 #ifdef __cplusplus
 }
