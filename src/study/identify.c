@@ -186,7 +186,7 @@ static enum hawser_status assign(struct hawser__fit *fit, int *skipped, int *cha
 }
 
 /* Fit with the modes assigned now, assign again, until nothing changes. */
-static enum hawser_status settle(struct hawser__outcome *outcome, struct hawser__fit *fit,
+static enum hawser_status settle(struct hawser__identify_end *outcome, struct hawser__fit *fit,
                                  struct hawser_report *report)
 {
 	int changed = 1;
@@ -227,7 +227,7 @@ static void remember(struct tried *tried, const struct hawser__fit *fit)
 }
 
 /* The fit that begins with the assignment at this scale, if it is a new one and ends with a new one. */
-static enum hawser_status attempt(struct hawser__outcome *outcome, int *is_new, struct tried tried[2],
+static enum hawser_status attempt(struct hawser__identify_end *outcome, int *is_new, struct tried tried[2],
                                   struct hawser__fit *fit, double scale,
                                   struct hawser_report *report)
 {
@@ -265,7 +265,7 @@ static enum hawser_status offset(double *octaves, struct hawser__fit *fit,
 }
 
 /* The best fit over all scales; its modes are then assigned. *margin: see the header. */
-static enum hawser_status search(struct hawser__outcome *best, double *margin, struct hawser__fit *fit,
+static enum hawser_status search(struct hawser__identify_end *best, double *margin, struct hawser__fit *fit,
                                  struct hawser_report *report)
 {
 	size_t size = (size_t)fit->count*sizeof *fit->mate;
@@ -285,7 +285,7 @@ static enum hawser_status search(struct hawser__outcome *best, double *margin, s
 	for (int a = 0; a < attempts && status != HAWSER_ERR_MEMORY; a++) {
 		double scale = exp2((double)(a%(2*SCALES + 1) - SCALES)/SCALES +
 		                    (a > 2*SCALES ? octaves : 0.0));
-		struct hawser__outcome outcome = {.chi2 = 0.0};
+		struct hawser__identify_end outcome = {.chi2 = 0.0};
 		int is_new;
 
 		status = attempt(&outcome, &is_new, tried, fit, scale, &last);
@@ -319,7 +319,7 @@ enum hawser_status hawser_identify(struct hawser_identified *identified,
 	struct hawser_identify_options chosen = *options;
 	struct hawser__fit fit = {.scene = scene, .measured = measured, .count = count,
 	                          .key = options->key, .keys = options->keys};
-	struct hawser__outcome best = {.chi2 = 0.0};
+	struct hawser__identify_end best = {.chi2 = 0.0};
 	static const double none[HAWSER_IDENTIFY_KEYS];
 	enum hawser_status status;
 	int unused;

@@ -26,7 +26,7 @@ struct hawser__fit {
 };
 
 /* A fit that has ended. */
-struct hawser__outcome {
+struct hawser__identify_end {
 	double x[HAWSER_IDENTIFY_KEYS], chi2;
 	int skipped;
 	double cost; /* chi2 and what the skipped modes add */
@@ -68,7 +68,7 @@ int hawser__fit_given(const struct hawser_measured *measured);
 
 /* identify_result.c: everything of *identified but `margin`, from the fit that has ended. */
 enum hawser_status hawser__fit_finish(struct hawser_identified *identified, struct hawser__fit *fit,
-                                      const struct hawser__outcome *best, double confidence,
+                                      const struct hawser__identify_end *best, double confidence,
                                       struct hawser_report *report);
 
 #endif

@@ -100,7 +100,7 @@ static void ends(struct hawser_identified_key *key, const struct hawser__fit *fi
 }
 
 static enum hawser_status intervals(struct hawser_identified *identified, struct hawser__fit *fit,
-                                    const struct hawser__outcome *best,
+                                    const struct hawser__identify_end *best,
                                     double confidence,
                                     struct hawser_report *report)
 {
@@ -161,7 +161,7 @@ static void list(struct hawser_identified *identified, const struct hawser__fit 
 }
 
 enum hawser_status hawser__fit_finish(struct hawser_identified *identified, struct hawser__fit *fit,
-                                      const struct hawser__outcome *best, double confidence,
+                                      const struct hawser__identify_end *best, double confidence,
                                       struct hawser_report *report)
 {
 	static const double none[HAWSER_IDENTIFY_KEYS];
