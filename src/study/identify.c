@@ -227,8 +227,8 @@ static void remember(struct tried *tried, const struct hawser__fit *fit)
 }
 
 /* The fit that begins with the assignment at this scale, if it is a new one and ends with a new one. */
-static enum hawser_status attempt(struct hawser__identify_end *outcome, int *is_new, struct tried tried[2],
-                                  struct hawser__fit *fit, double scale,
+static enum hawser_status attempt(struct hawser__identify_end *outcome, int *is_new,
+                                  struct tried tried[2], struct hawser__fit *fit, double scale,
                                   struct hawser_report *report)
 {
 	static const double none[HAWSER_IDENTIFY_KEYS];
@@ -265,8 +265,8 @@ static enum hawser_status offset(double *octaves, struct hawser__fit *fit,
 }
 
 /* The best fit over all scales; its modes are then assigned. *margin: see the header. */
-static enum hawser_status search(struct hawser__identify_end *best, double *margin, struct hawser__fit *fit,
-                                 struct hawser_report *report)
+static enum hawser_status search(struct hawser__identify_end *best, double *margin,
+                                 struct hawser__fit *fit, struct hawser_report *report)
 {
 	size_t size = (size_t)fit->count*sizeof *fit->mate;
 	struct tried tried[2] = {{calloc(ATTEMPTS, size), 0}, {calloc(ATTEMPTS, size), 0}};

@@ -1,5 +1,5 @@
-/* tests/fuzz/fuzz-document.c - any bytes as a scene of any kind: the kind is found, and its reader gives
- * a scene, or a scene error with its place. The same document gives the same answer again.
+/* tests/fuzz/fuzz-document.c - any bytes as a scene of any kind: the kind is found, and its reader
+ * gives a scene, or a scene error with its place. The same document gives the same answer again.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
