@@ -25,8 +25,8 @@ enum hawser_status cli_exact_response(struct hawser_frf *frf, struct hawser_frf_
 enum hawser_status cli_exact_range(struct cli_model *model, double from, double to, double after,
                                    const struct cli_common *common,
                                    struct hawser_report *report) HAWSER_MUST_CHECK;
-/* The same for a map of amplitudes: by the responses of the scene itself over its frequencies. The scene
- * then has the keys of the exact energy. n: of cli_model_load. */
+/* The same for a map of amplitudes: by the responses of the scene itself over its frequencies. The
+ * scene then has the keys of the exact energy. n: of cli_model_load. */
 struct cli_map_result;
 enum hawser_status cli_exact_map(const struct cli_map_result *map, struct cli_model *model, int n,
                                  struct hawser_report *report) HAWSER_MUST_CHECK;
