@@ -108,7 +108,8 @@ struct hawser_accuracy_bases {
 	const struct hawser_modes *modes; /* by a method that converges; at least up to 2*to */
 	const struct hawser_scene *scene;
 	double to;       /* scaled: the upper end of the range */
-	double accuracy; /* frequencies up to `to` are right to a tenth of it, up to 2*to to the whole */
+	double accuracy; /* the frequencies up to `to` are right to a tenth of it, up to 2*to to the
+	                  * whole */
 	int most;        /* largest number of functions; 0: 24, which is tried whatever it resolves */
 };
 /* *rom becomes the first of them with more than *functions functions a component, of which *functions
