@@ -32,6 +32,16 @@ enum hawser_status hawser_complex_modes_solve(struct hawser_modes *modes,
                                               const struct hawser_modes_options *options,
                                               struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* Real coordinates in place of modes at rest, for reduced models: 2 options->n of them, which span both
+ * parts of the options->n lowest complex modes, without longitudinal motion. Shapes are orthonormal
+ * and the energy is diagonal; `omega` is a frequency at rest, ascending, of a mode at rest where
+ * several parts agree on it. A bare cable in its plane. Statuses of hawser_complex_modes_solve and
+ * HAWSER_ERR_ARGUMENT. */
+enum hawser_status hawser_complex_modes_span(struct hawser_modes *modes,
+                                             const struct hawser_statics *statics,
+                                             const struct hawser_modes_options *options,
+                                             struct hawser_report *report) HAWSER_MUST_CHECK;
+
 /* The shape of mode k at s as the sum of a wave running downstream (with the cable) and a wave
  * running upstream, separated by the local wave speeds: downstream[6] and upstream[6], ordered as
  * the shape of hawser_modes_at. The modes are complex ones. */

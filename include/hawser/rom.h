@@ -47,7 +47,7 @@ enum hawser_phase { HAWSER_COS = 0, HAWSER_SIN };
 struct hawser_harmonic {
 	int k; /* >= 0; 0, of phase HAWSER_COS: the term is constant, and has no D if omega_power is 0 */
 	enum hawser_phase phase;
-	int omega_power; /* 0, 1 or 2; 0 if there is a Q */
+	int omega_power; /* 0 to 3; 0 if there is a Q */
 	int load_power;  /* power of the load factor (folds.h, map.h) that multiplies the term; 0: 1 */
 	double *f;       /* [n], or NULL for none */
 	double *D, *K;   /* [n][n] row-major, or NULL */

@@ -34,6 +34,7 @@ noinst_LTLIBRARIES += %D%/libmodes.la
 	%D%/gyroscopic.h \
 	%D%/gyroscopic_analytic.c \
 	%D%/gyroscopic_fdm.c \
+	%D%/gyroscopic_span.c \
 	%D%/gyroscopic_spectral.c \
 	%D%/halving.c \
 	%D%/halving.h \

@@ -26,4 +26,10 @@ const struct hawser_rom *hawser__rom_freeze(struct hawser__frozen *frozen, const
                                             double omega);
 void hawser__rom_frozen_release(struct hawser__frozen *frozen);
 
+/* Add to the K of a model whose speed fluctuates the first correction for the inertia of what follows
+ * the change of speed, W^2 times the stiffness that z_1 adds (answer_make.c), as three harmonics with
+ * powers of Omega. `modes` are all that move. */
+enum hawser_status hawser__rom_travel_lag(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                          struct hawser_report *report);
+
 #endif

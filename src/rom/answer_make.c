@@ -22,6 +22,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <cblas.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -345,5 +346,51 @@ enum hawser_status hawser__rom_answer_field(struct hawser_rom *rom, int harmonic
 	}
 	work_clear(&work);
 	free(T);
+	return status;
+}
+
+/* --- inertia of what follows a change of speed --- */
+
+/* T [n][n] of z_1 (follow.h). */
+static void lag(double *T, struct work *work, int squared)
+{
+	hawser__speed_pull(&work->stations, squared);
+	hawser__follow(&work->stations);
+	integrate(work, work->stations.z);
+	pull_of(work, 1, NULL, NULL);
+	hawser__follow(&work->stations);
+	(void)hawser__follow_stiffness(T, &work->stations);
+}
+
+enum hawser_status hawser__rom_travel_lag(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                          struct hawser_report *report)
+{
+	const double nu = modes->statics.motion.nu, V = modes->statics.motion.swing;
+	/* travel.c, times k^2 */
+	const double factor[] = {2.0*nu*V, -V, -2.0*V*V};
+	size_t n2 = (size_t)rom->n*(size_t)rom->n, count = (size_t)rom->harmonics;
+	struct work work = {.rom = rom};
+	struct hawser_harmonic *h;
+	enum hawser_status status;
+
+	if (V == 0.0)
+		return HAWSER_OK;
+	h = realloc(rom->harmonic, (count + 3)*sizeof *h);
+	if (!h)
+		return hawser__no_memory(report, "rom");
+	rom->harmonic = h;
+	status = work_make(&work, modes, modes->n, NULL, 0, report);
+	for (int i = 0; !status && i < 3; i++) {
+		h = &rom->harmonic[rom->harmonics++];
+		*h = (struct hawser_harmonic){.k = i == 2 ? 2 : 1, .phase = i == 0 ? HAWSER_SIN : HAWSER_COS,
+			.omega_power = i == 1 ? 3 : 2, .K = calloc(n2, sizeof *h->K)};
+		if (!h->K) {
+			status = hawser__no_memory(report, "rom");
+			break;
+		}
+		lag(h->K, &work, i != 1);
+		cblas_dscal((int)n2, factor[i], h->K, 1);
+	}
+	work_clear(&work);
 	return status;
 }

@@ -209,10 +209,10 @@ static enum hawser_status check_harmonic(const struct hawser_harmonic *harmonic,
 	char of[32];
 
 	if (harmonic->k < 0 || harmonic->k > HIGHEST_HARMONIC || harmonic->omega_power < 0 ||
-	    harmonic->omega_power > 2 || harmonic->load_power < 0 || harmonic->load_power > 9)
+	    harmonic->omega_power > 3 || harmonic->load_power < 0 || harmonic->load_power > 9)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
 		                    "harmonic %d: k is %d, omega_power %d and load_power %d; k must "
-		                    "be 0 to %d, omega_power 0, 1 or 2 and load_power 0 to 9", h,
+		                    "be 0 to %d, omega_power 0 to 3 and load_power 0 to 9", h,
 		                    harmonic->k, harmonic->omega_power, harmonic->load_power,
 		                    HIGHEST_HARMONIC);
 	if (harmonic->k == 0 &&

@@ -343,7 +343,7 @@ static enum hawser_status read_harmonic(const struct hawser__parser *reader,
 		status = read_phase(reader, &h->phase, json_object_get(object, "phase"), where);
 	snprintf(place, sizeof place, "%s.omega_power", where);
 	if (!status && power)
-		status = hawser__read_integer(reader, &h->omega_power, power, 0, 2, place);
+		status = hawser__read_integer(reader, &h->omega_power, power, 0, 3, place);
 	snprintf(place, sizeof place, "%s.load_power", where);
 	if (!status && load)
 		status = hawser__read_integer(reader, &h->load_power, load, 1, 9, place);

@@ -142,9 +142,9 @@ static enum hawser_status describe(struct hawser__map_cable *cable, struct hawse
 		free(model);
 		return hawser__no_memory(report, "map");
 	}
-	fprintf(stream, "hawser %s, %s%s over %s and %s, Omega %a\n%s", hawser_version(),
+	fprintf(stream, "hawser %s, %s%s over %s and %s, Omega %a, waves %d\n%s", hawser_version(),
 	        source->quantity, cable->moves ? " of the response" : "", source->key[0],
-	        source->key[1], source->omega, model ? model : "");
+	        source->key[1], source->omega, source->waves, model ? model : "");
 	if (source->scene)
 		status = hawser_scene_write(source->scene, stream, report);
 	/* when memory is short, glibc's fclose returns 0 but sets no text */
@@ -185,6 +185,7 @@ static void set_marks(struct hawser_map_field *field, struct hawser__map_cable *
 	    strcmp(source->key[1], "model.modes") == 0)
 		return;
 	cable->n = source->rom ? source->rom->n
+	           : source->waves > 0 ? source->waves
 	           : source->scene->model.energy == HAWSER_ENERGY_EXACT ? LISTED
 	           : source->scene->model.modes;
 	field->marks = HAWSER__MARGINS + HAWSER__EXPONENTS(cable->n);

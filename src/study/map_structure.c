@@ -6,8 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <hawser/gyroscopic.h>
+
 #include "core/report.h"
 #include "core/share.h"
+#include "rom/answer.h"
 #include "rom/drag.h"
 #include "study/map_cable.h"
 
@@ -37,6 +40,21 @@ enum hawser_status hawser__map_cable_axes(struct hawser_scene *scene,
 	return status;
 }
 
+/* The inertia of what follows, where no modes are said that move instead. */
+static enum hawser_status lag(struct hawser_rom *rom, const struct hawser__map_cable *cable,
+                              const struct hawser_modes *modes, const struct hawser_scene *scene,
+                              struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+
+	if (cable->source.waves > 0 && !cable->source.still &&
+	    scene->model.condense == HAWSER_CONDENSE_STATIC)
+		status = hawser__rom_travel_lag(rom, modes, report);
+	if (status)
+		hawser_rom_clear(rom);
+	return status;
+}
+
 enum hawser_status hawser__map_cable_model(struct hawser_rom *rom,
                                            const struct hawser__map_cable *cable,
                                            const struct hawser_modes *modes,
@@ -46,11 +64,15 @@ enum hawser_status hawser__map_cable_model(struct hawser_rom *rom,
 
 	if (hawser__map_cable_whole(cable) && scene->damping.drag > 0.0)
 		return hawser__drag_refuse(NULL, "a map of responses", report);
-	if (!hawser__map_cable_whole(cable))
-		return hawser_rom_build_linear(rom, modes, scene, report);
+	if (!hawser__map_cable_whole(cable)) {
+		status = hawser_rom_build_linear(rom, modes, scene, report);
+		return status ? status : lag(rom, cable, modes, scene, report);
+	}
 	if (scene->model.energy == HAWSER_ENERGY_EXACT)
 		return hawser_rom_build_full(rom, &modes->statics, scene, scene->model.basis, report);
 	status = hawser_rom_build(rom, modes, scene, report);
+	if (!status)
+		status = lag(rom, cable, modes, scene, report);
 	if (!status && cable->quantity->about.nonlinear)
 		status = hawser_rom_know_below(rom, modes, scene,
 		                               known_to*modes->mode[modes->n - 1].omega, report);
@@ -72,6 +94,10 @@ static enum hawser_status solve(struct hawser__structure *to, const struct hawse
 		return status;
 	if (hawser__map_cable_whole(cable) && scene->model.energy == HAWSER_ENERGY_EXACT)
 		to->modes.statics = statics; /* such a model needs nothing else */
+	else if (cable->source.waves > 0)
+		status = hawser_complex_modes_span(&to->modes, &statics,
+		                                   &(struct hawser_modes_options){.n = cable->source.waves},
+		                                   report);
 	else
 		status = hawser_modes_solve(&to->modes, &statics, &options, report);
 	if (!status && !cable->models)
