@@ -249,6 +249,27 @@ enum hawser_status hawser_map_cable_open(struct hawser_map_field *field,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_map_cable_close(struct hawser_map_field *field);
 
+/* Where boundaries of stability cross a line along one axis. */
+struct hawser_map_line {
+	double other; /* the other coordinate */
+	int count;
+	double *at;   /* [count] ascending */
+};
+/* Error of boundaries by what their model leaves out. */
+struct hawser_map_shift {
+	int compared;    /* edges of unstable regions; 0: there was none on the lines */
+	double distance; /* largest estimated error of one, in the unit of the axis, and */
+	double share;    /* as a part of the width of its region */
+};
+/* Compare the edges of the widest region on each line along axis `along` (0: x, 1: y) with those of the
+ * model of another source, of a scene with multipliers; the estimate is 1.5 times the distance and, where
+ * source->waves is set, a part for what both models lack. Statuses of hawser_map_cable_open and of a
+ * field's points. */
+enum hawser_status hawser_map_shift(struct hawser_map_shift *to, const struct hawser_map_source *source,
+                                    const struct hawser_map_source *better, int along,
+                                    const struct hawser_map_line *line, int lines,
+                                    struct hawser_report *report) HAWSER_MUST_CHECK;
+
 #ifdef __cplusplus
 }
 #endif

@@ -180,17 +180,6 @@ static enum hawser_status mathieu(struct cli_hill_result *result, const struct s
 	return status;
 }
 
-/* That of the model of a travelling cable, over the plane's frequencies. */
-static enum hawser_status state_error(struct cli_hill_result *result, struct cli_model *model,
-                                      struct hawser_report *report)
-{
-	double top = result->omega;
-
-	for (int k = 0; k < 2; k++)
-		top = strcmp(result->axis[k].key, "Omega") == 0 ? result->axis[k].to : top;
-	return cli_judged_plane(&result->judged, model, top, report);
-}
-
 static enum hawser_status boundaries(struct cli_hill_result *result, struct cli_model *model,
                                      const struct settings *settings, struct hawser_report *report)
 {
@@ -202,8 +191,6 @@ static enum hawser_status boundaries(struct cli_hill_result *result, struct cli_
 		status = cli_map_axis(&result->axis[1], "y", settings->y, model, report);
 	if (!status && settings->omega)
 		status = cli_map_frequency(&result->omega, settings->omega, "Omega", model, report);
-	if (!status && !settings->rest)
-		status = state_error(result, model, report);
 	if (status)
 		return status;
 	source.scene = model->has_scene ? &model->scene : NULL;
@@ -214,9 +201,16 @@ static enum hawser_status boundaries(struct cli_hill_result *result, struct cli_
 		source.from[k] = result->axis[k].from;
 		source.to[k] = result->axis[k].to;
 	}
-	status = hawser_hill_cable_open(&field, &source, report);
+	status = cli_judged_plane(&result->judged, &source, model, cli_judged_free(model, settings->n),
+	                          report);
+	if (!status)
+		status = hawser_hill_cable_open(&field, &source, report);
 	if (!status)
 		status = trace(result, &field, settings, report);
+	if (!status)
+		status = cli_judged_chart(&result->judged, &source, &result->chart, report);
+	if (!status)
+		cli_judged_warn(&result->judged);
 	if (!status)
 		status = cli_show(result->common, &cli_hill_boundaries, result, report);
 	hawser_hill_cable_close(&field);
@@ -288,6 +282,8 @@ static enum hawser_status multipliers(struct cli_hill_result *result, struct cli
 		status = cli_judged_choose(&result->judged, model, orbit && !settings->start &&
 		                           cli_judged_free(model, settings->n),
 		                           omega*cli_per_omega(model), report);
+	if (!status)
+		cli_judged_warn(&result->judged);
 	m = 2*model->rom.n;
 	if (!status && !(numbers = malloc(2*(size_t)m*sizeof *numbers)))
 		status = hawser__no_memory(report, "hill");

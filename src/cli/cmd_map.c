@@ -276,7 +276,7 @@ static enum hawser_status trace(struct hawser_map *map, struct cli_map_result *r
                                 const struct cli_model *model, const struct settings *settings,
                                 struct hawser_report *report)
 {
-	const struct hawser_map_source source = {
+	struct hawser_map_source source = {
 		.scene = model->has_scene ? &model->scene : NULL,
 		.rom = model->has_scene ? NULL : &model->rom, .key = {result->key[0], result->key[1]},
 		.from = {result->options.from[0], result->options.from[1]},
@@ -287,10 +287,15 @@ static enum hawser_status trace(struct hawser_map *map, struct cli_map_result *r
 	struct hawser_map_field field;
 	int beam = model->has_scene && model->scene.beam.form;
 	int basin = strcmp(result->quantity->name, "basin") == 0;
-	enum hawser_status status = basin ? hawser_map_basin_open(&field, &source, report)
-	                            : beam ? hawser_map_beam_open(&field, &source, settings->n, 0,
-	                                                          report)
-	                                   : hawser_map_cable_open(&field, &source, report);
+	enum hawser_status status = HAWSER_OK;
+
+	if (!result->quantity->nonlinear)
+		status = cli_judged_plane(&result->judged, &source, model, cli_judged_free(model, settings->n),
+		                          report);
+	if (!status)
+		status = basin ? hawser_map_basin_open(&field, &source, report)
+		         : beam ? hawser_map_beam_open(&field, &source, settings->n, 0, report)
+		                : hawser_map_cable_open(&field, &source, report);
 
 	choice.progress = (struct hawser_progress){cli_watch, &watch};
 	if (status)
@@ -301,6 +306,8 @@ static enum hawser_status trace(struct hawser_map *map, struct cli_map_result *r
 	cli_progress_end(&watch.progress);
 	if (status == HAWSER_ERR_CONVERGENCE && choice.strict)
 		append(report, "; --partial leaves such points empty, and a smaller range may have none");
+	if (!status && map->point)
+		status = cli_judged_map(&result->judged, &source, map, report);
 	if (!status && basin && map->point)
 		status = hawser_basins_count(&result->basins, &field, map, report);
 	basin ? hawser_map_basin_close(&field)
@@ -379,26 +386,10 @@ static enum hawser_status check(struct cli_map_result *result, struct settings *
 	return status ? status : hawser__file_check(settings->boundary, report);
 }
 
-/* The error of the model of a travelling cable, where stability is that of a response. */
-static enum hawser_status judge(struct cli_map_result *result, struct cli_judged *judged,
-                                const struct cli_model *model, struct hawser_report *report)
-{
-	double top = result->omega;
-
-	for (int k = 0; k < 2; k++)
-		if (strcmp(result->key[k], "Omega") == 0)
-			top = fmax(result->options.from[k], result->options.to[k]);
-	if (!(top > 0.0) || result->quantity->nonlinear)
-		return HAWSER_OK;
-	result->judged = judged;
-	return cli_judged_plane(judged, model, top, report);
-}
-
 static enum hawser_status make(struct settings *settings, struct hawser__ranks *ranks,
                                struct hawser_report *report)
 {
 	struct cli_model model = {0};
-	struct cli_judged judged = {.stated = 0};
 	struct hawser_map map = {0};
 	struct cli_map_result result = {.common = &settings->common, .model = &model, .map = &map,
 	                                .full = settings->full};
@@ -418,8 +409,6 @@ static enum hawser_status make(struct settings *settings, struct hawser__ranks *
 		status = axis(&result, 1, "y", y, &model, report);
 	if (!status && settings->omega)
 		status = frequency(&result.omega, settings->omega, "Omega", &model, report);
-	if (!status && !settings->rest && !is_worker(ranks))
-		status = judge(&result, &judged, &model, report);
 	if (!status && model.has_scene && model.scene.travel.braking > 0.0)
 		cli_warn("travel.braking is left out: the map is of travel.speed, the speed before");
 	if (!status)
@@ -430,6 +419,7 @@ static enum hawser_status make(struct settings *settings, struct hawser__ranks *
 		status = write_result(&result, settings, report);
 	if (!status && !is_worker(ranks)) {
 		warn_uncomputed(&map);
+		cli_judged_warn(&result.judged);
 		cli_tongues_warn(&map.narrow);
 	}
 	hawser_map_clear(&map);

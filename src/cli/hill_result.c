@@ -209,6 +209,7 @@ static const struct hawser__field boundaries_field[] = {
 	{"", NULL, "", HAWSER__THROUGH(struct cli_hill_result, field, about_field), .when = MODEL},
 	{"axes.x", NULL, "first parameter", OF(axis[0].key)},
 	{"axes.y", NULL, "second parameter", OF(axis[1].key)},
+	{"", NULL, "", HAWSER__PART_OF(struct cli_hill_result, judged, cli_judged_field)},
 	{"boundaries", NULL, "of stability",
 	 HAWSER__STORED(struct cli_hill_result, chart.boundary, chart.boundaries, boundary_field)},
 	{"tongues", NULL, "of Mathieu's equation",

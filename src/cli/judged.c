@@ -28,6 +28,7 @@
  * thousandth of their frequency, and are placed to a thousandth of that; chosen. */
 static const double enough = 2e-6;
 enum { FEWEST = 6, MOST = 16, MORE = 2 }; /* functions a component */
+static const double WIDE = 0.01;  /* error of an edge, as a part of its region, that is warned of; chosen */
 static const double ROUGH = 1e-4; /* error that is warned of: some tenth of a region's width; chosen */
 enum { LISTED = 16 }; /* natural frequencies that are looked at; chosen */
 
@@ -108,10 +109,21 @@ static enum hawser_status choose(struct cli_judged *judged, struct cli_model *mo
 	return status;
 }
 
-static void warn(const struct cli_judged *judged)
+void cli_judged_warn(const struct cli_judged *judged)
 {
+	const struct hawser_map_shift *edges = &judged->edges;
 	char text[CLI_WARNING_SIZE];
 
+	if (edges->compared > 0 && edges->share > WIDE) {
+		snprintf(text, sizeof text, "boundaries of stability are off by up to %.2g%s%s, %.2g of the "
+		         "width of their region, with %d coordinates: %s", edges->distance,
+		         *judged->unit ? " " : "", judged->unit, edges->share, judged->coordinates,
+		         judged->waves > 0 ? "a smaller fluctuation of the speed has less of it"
+		         : "leave -n and the keys of model out, and they follow from the speed");
+		cli_warn(text);
+	}
+	if (edges->compared > 0)
+		return;
 	if (!judged->stated || judged->error <= ROUGH)
 		return;
 	snprintf(text, sizeof text, "natural frequencies of the travelling cable are off by %.1e with %d "
@@ -142,48 +154,56 @@ enum hawser_status cli_judged_choose(struct cli_judged *judged, struct cli_model
 	else if (!status && model->rom.n > 0)
 		status = measure(judged, &model->rom, &exact, top, report);
 	hawser_modes_clear(&exact);
-	if (!status)
-		warn(judged);
-	return status;
-}
-
-enum hawser_status cli_judged_plane(struct cli_judged *judged, const struct cli_model *model,
-                                    double top, struct hawser_report *report)
-{
-	struct cli_model own = {.has_scene = model->has_scene, .ropeway = model->ropeway};
-	struct hawser_modes modes = {.n = 0};
-	struct hawser_modes_options options;
-	struct hawser_statics statics;
-	enum hawser_status status;
-
-	*judged = (struct cli_judged){.stated = 0};
-	if (!model->has_scene || model->scene.travel.speed == 0.0 || !model->scene.travel.present ||
-	    model->scene.model.modes == HAWSER_MODES_AUTO || model->scene.beam.form)
-		return HAWSER_OK;
-	own.scene = model->scene;
-	options = cli_modes_options(&own.scene);
-	status = hawser_statics_scene(&statics, &own.scene, NULL);
-	if (!status && own.scene.model.energy == HAWSER_ENERGY_EXACT)
-		status = hawser_rom_build_full(&own.rom, &statics, &own.scene, own.scene.model.basis, NULL);
-	else if (!status && !(status = hawser_modes_solve(&modes, &statics, &options, NULL)))
-		status = hawser_rom_build_linear(&own.rom, &modes, &own.scene, NULL);
-	hawser_modes_clear(&modes);
-	if (status) /* the points of the plane tell of it */
-		return HAWSER_OK;
-	status = cli_judged_choose(judged, &own, 0, top, report);
-	hawser_rom_clear(&own.rom);
 	return status;
 }
 
 void cli_judged_comment(struct hawser__table *table, const struct cli_judged *judged)
 {
-	if (!judged->stated)
-		return;
 	if (judged->functions > 0)
 		hawser__table_comment(table, "exact energy on %d functions a component, %d coordinates, as the "
 		                      "speed requires (--modes keeps modes)", judged->functions,
 		                      judged->coordinates);
-	hawser__table_comment(table, "natural frequencies of the travelling cable up to %.6g rad/s: off by "
-	                      "%.1e at most; boundaries in Omega are off by as much, or more", judged->to,
-	                      judged->error);
+	if (judged->waves > 0)
+		hawser__table_comment(table, "model: %d coordinates, the span of the %d lowest complex modes, as "
+		                      "speed and frequencies require (--modes keeps modes)",
+		                      judged->coordinates, judged->waves);
+	if (judged->stated)
+		hawser__table_comment(table, "natural frequencies of the travelling cable up to %.6g rad/s: off "
+		                      "by %.1e at most", judged->to, judged->error);
+	if (judged->edges.compared > 0)
+		hawser__table_comment(table, "boundaries: off by %.2g%s%s at most, %.1e of the width of their "
+		                      "region, by what the model leaves out (%d edges compared)",
+		                      judged->edges.distance, *judged->unit ? " " : "", judged->unit,
+		                      judged->edges.share, judged->edges.compared);
 }
+
+static int is_stated(const void *row, const void *parent)
+{
+	(void)parent;
+	return ((const struct cli_judged *)row)->stated;
+}
+static int is_compared(const void *row, const void *parent)
+{
+	(void)parent;
+	return ((const struct cli_judged *)row)->edges.compared > 0;
+}
+static int has_waves(const void *row, const void *parent)
+{
+	(void)parent;
+	return ((const struct cli_judged *)row)->waves > 0;
+}
+#define OF(member) HAWSER__AT(struct cli_judged, member)
+const struct hawser__field cli_judged_field[] = {
+	{"waves", NULL, "travelling cable: complex modes whose span is the model", OF(waves),
+	 .given = has_waves},
+	{"frequency_error", NULL, "largest relative error of a natural frequency of the travelling cable",
+	 OF(error), .given = is_stated},
+	{"edges.error", NULL, "travelling cable: estimated error of a boundary, along Omega if it is an axis",
+	 OF(edges.distance), .given = is_compared},
+	{"edges.of_width", NULL, "the same as a part of the width of its region", OF(edges.share),
+	 .given = is_compared},
+	{"edges.compared", NULL, "number of edges that were compared with a larger model",
+	 OF(edges.compared), .given = is_compared},
+	HAWSER__END,
+};
+#undef OF

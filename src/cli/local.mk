@@ -178,6 +178,7 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/hill_result.c \
 	%D%/judged.c \
 	%D%/judged.h \
+	%D%/judged_plane.c \
 	%D%/hill_result.h \
 	%D%/hill_sides.c \
 	%D%/integrate_draw.c \

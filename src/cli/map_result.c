@@ -147,8 +147,7 @@ static void comments(struct hawser__table *table, const void *of)
 	hawser__table_comment(table, "boundaries: %d points", map->boundaries);
 	cli_condensed_comment(table, &map->condensed);
 	cli_tongues_comment(table, &map->narrow);
-	if (result->judged)
-		cli_judged_comment(table, result->judged);
+	cli_judged_comment(table, &result->judged);
 	for (int k = 1; k < HAWSER_MAP_CODES; k++)
 		if (map->count[k] > 0)
 			hawser__table_comment(table, "%s: %d points%s%s",
@@ -382,6 +381,7 @@ static const struct hawser__field result_field[] = {
 	AXIS("x", 0), AXIS("y", 1),
 	{"Omega", NULL, "frequency of the excitation, if it is no parameter", OF(omega),
 	 .unit = HAWSER__RADIAN_S, .when = OMEGA},
+	{"", NULL, "", HAWSER__PART_OF(struct cli_map_result, judged, cli_judged_field)},
 	{"points", NULL, "lists by name", HAWSER__ARRAYS_OF(point_list), .flags = HAWSER__STREAM},
 	{"", NULL, "", HAWSER__PART_OF(struct cli_map_result, basins, basins_field), .when = BASINS},
 	{"", NULL, "", HAWSER__THROUGH(struct cli_map_result, map, map_field)},

@@ -14,7 +14,7 @@ struct cli_map_result {
 	const char *key[2], *unit[2]; /* [2] */
 	double omega; /* 0: none */
 	int responds; /* 1: stability is that of the periodic response */
-	const struct cli_judged *judged; /* judged.h, or NULL */
+	struct cli_judged judged;
 	int full, along; /* 1: write rows of interpolated points too; by rows: the axis that is followed */
 	struct hawser_basins basins; /* or count 0 */
 };

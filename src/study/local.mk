@@ -88,6 +88,7 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/map_rows_mapper.h \
 	%D%/map_rows_ranks.c \
 	%D%/map_rows_lines.c \
+	%D%/map_shift.c \
 	%D%/map_structure.c \
 	%D%/map_tree.c
 # boundaries of stability by continuation
