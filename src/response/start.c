@@ -29,6 +29,9 @@
 #define FAR 0.2 /* distance from the linear response, relative to it, from which on another orbit may
                  * have been found; chosen */
 enum { LEAPS = 6 };
+#define BOLD 0.5   /* first step of the load where only the orbit that grows out of rest is wanted, and */
+#define NEAR 0.3   /* largest distance of an orbit from the scaled one before, relative to it, with
+                    * which such a step counts: a larger one may have gone to another orbit; chosen */
 #define LOST 0.01 /* largest relative effect of round-off on the forces; chosen */
 
 /* Fill matrix [2n][2n] row-major and pq [2n] for one harmonic. */
@@ -160,6 +163,18 @@ static int leap(double *y, double *good, double *load, struct hawser__orbit *orb
 	return beyond;
 }
 
+/* Whether y is near `from`, both [count]. */
+static int is_near(const double *y, const double *from, int count)
+{
+	double off = 0.0, all = 0.0;
+
+	for (int i = 0; i < count; i++) {
+		off += pow(y[i] - from[i], 2);
+		all += from[i]*from[i];
+	}
+	return off <= NEAR*NEAR*all;
+}
+
 /* Increase the load from zero to its value, in steps that grow while Newton's method converges.
  * *failed is that of correct_at. */
 static enum hawser_status raise_load(double *y, struct hawser__orbit *orbit, int *failed,
@@ -169,11 +184,12 @@ static enum hawser_status raise_load(double *y, struct hawser__orbit *orbit, int
 {
 	const struct hawser_rom *rom = orbit->rom;
 	size_t size = (size_t)orbit->size;
-	double *good = calloc(size, sizeof *good), load = 0.0, step = 0.1;
+	double *good = calloc(size, sizeof *good), *guess = calloc(size, sizeof *guess);
+	double load = 0.0, step = raised->lone ? BOLD : 0.1, growth = 1.5;
 	struct hawser__load weak;
 	enum hawser_status status = hawser__load_open(&weak, rom, report);
 
-	if (!status && !good)
+	if (!status && (!good || !guess))
 		status = hawser__no_memory(report, "frf");
 	if (status)
 		goto done;
@@ -186,18 +202,24 @@ static enum hawser_status raise_load(double *y, struct hawser__orbit *orbit, int
 			y[i] = load > 0.0 ? good[i]*next/load : 0.0;
 		if (load == 0.0 && (status = linear_response(y, orbit, omega, report)))
 			break;
+		memcpy(guess, y, size*sizeof *guess);
 		*failed = correct_at(y, orbit, correction, omega, tolerance, report);
+		if (!*failed && raised->lone && !is_near(y, guess, (int)size - 1))
+			*failed = 1;
 		if (!*failed) {
 			memcpy(good, y, size*sizeof *good);
 			load = next;
-			step *= 1.5;
+			step *= growth;
 		} else if (*failed == 1 && raised->lone && step < LEAP &&
 		           leap(y, good, &load, orbit, correction, &weak, omega, tolerance, report)) {
 			memcpy(good, y, size*sizeof *good);
 			*failed = 0;
+			step = LEAPS*LEAP;
 		} else if (*failed >= 2 || (step *= 0.5) < (raised->lone ? LEAP/8.0 : SMALLEST_LOAD_STEP)) {
 			status = *failed == 3 ? HAWSER_ERR_MEMORY : HAWSER_ERR_CONVERGENCE;
 			break;
+		} else if (raised->lone) {
+			growth = 1.0; /* near a fold longer steps would fail as well */
 		}
 	}
 	if (status == HAWSER_ERR_CONVERGENCE && *failed == 1) {
@@ -208,6 +230,7 @@ static enum hawser_status raise_load(double *y, struct hawser__orbit *orbit, int
 	orbit->rom = rom;
 done:
 	hawser__load_clear(&weak);
+	free(guess);
 	free(good);
 	return status;
 }
