@@ -29,9 +29,11 @@
 #define FAR 0.2 /* distance from the linear response, relative to it, from which on another orbit may
                  * have been found; chosen */
 enum { LEAPS = 6 };
-#define BOLD 0.5   /* first step of the load where only the orbit that grows out of rest is wanted, and */
-#define NEAR 0.3   /* largest distance of an orbit from the scaled one before, relative to it, with
-                    * which such a step counts: a larger one may have gone to another orbit; chosen */
+/* Where only the orbit that grows out of rest is wanted; chosen: */
+#define BOLD 0.5        /* first step of the load */
+#define ON_THE_WAY 1e-6 /* tolerance of orbits below the whole load, which decides on harmonics too */
+#define NEAR 0.3        /* largest distance of an orbit from the scaled one before, relative to it: one
+                         * that is farther may be another orbit */
 #define LOST 0.01 /* largest relative effect of round-off on the forces; chosen */
 
 /* Fill matrix [2n][2n] row-major and pq [2n] for one harmonic. */
@@ -185,7 +187,7 @@ static enum hawser_status raise_load(double *y, struct hawser__orbit *orbit, int
 	const struct hawser_rom *rom = orbit->rom;
 	size_t size = (size_t)orbit->size;
 	double *good = calloc(size, sizeof *good), *guess = calloc(size, sizeof *guess);
-	double load = 0.0, step = raised->lone ? BOLD : 0.1, growth = 1.5;
+	double load = 0.0, step = raised->lone ? BOLD : 0.1, growth = 1.5, leapt = -1.0;
 	struct hawser__load weak;
 	enum hawser_status status = hawser__load_open(&weak, rom, report);
 
@@ -203,14 +205,15 @@ static enum hawser_status raise_load(double *y, struct hawser__orbit *orbit, int
 		if (load == 0.0 && (status = linear_response(y, orbit, omega, report)))
 			break;
 		memcpy(guess, y, size*sizeof *guess);
-		*failed = correct_at(y, orbit, correction, omega, tolerance, report);
+		*failed = correct_at(y, orbit, correction, omega, raised->lone && next < 1.0
+		                     ? fmax(tolerance, ON_THE_WAY) : tolerance, report);
 		if (!*failed && raised->lone && !is_near(y, guess, (int)size - 1))
 			*failed = 1;
 		if (!*failed) {
 			memcpy(good, y, size*sizeof *good);
 			load = next;
 			step *= growth;
-		} else if (*failed == 1 && raised->lone && step < LEAP &&
+		} else if (*failed == 1 && raised->lone && step < LEAP && load != leapt &&
 		           leap(y, good, &load, orbit, correction, &weak, omega, tolerance, report)) {
 			memcpy(good, y, size*sizeof *good);
 			*failed = 0;
@@ -219,6 +222,7 @@ static enum hawser_status raise_load(double *y, struct hawser__orbit *orbit, int
 			status = *failed == 3 ? HAWSER_ERR_MEMORY : HAWSER_ERR_CONVERGENCE;
 			break;
 		} else if (raised->lone) {
+			leapt = step < 0.5*LEAP ? load : leapt; /* from the same load it fails again */
 			growth = 1.0; /* near a fold longer steps would fail as well */
 		}
 	}
