@@ -223,9 +223,10 @@ struct hawser_map_source {
 	double omega;          /* forcing frequency, unless "Omega" is one of the keys; 0: none */
 	const char *quantity;
 	int waves;             /* of a travelling cable: the coordinates are the span of its lowest complex
-	                        * modes, so many (hawser_complex_modes_span), with the first correction
-	                        * for the inertia of what follows; 0: the modes of the scene */
-	int still;             /* 1: without that correction, to see its size */
+	                        * modes, so many (hawser_complex_modes_span); 0: the modes of the scene.
+	                        * About a response, what follows the speed has then the first correction
+	                        * for its inertia */
+	int contrary;          /* 1: that correction about rest only, to see its size */
 	int rest;              /* 1: stability is that of rest. 0: with a forcing frequency it is that of
 	                        * the periodic response that grows out of rest with the excitation,
 	                        * where a load, moving ends or a fluctuating speed move the model */

@@ -40,14 +40,15 @@ enum hawser_status hawser__map_cable_axes(struct hawser_scene *scene,
 	return status;
 }
 
-/* The inertia of what follows, where no modes are said that move instead. */
+/* The inertia of what follows, where the program chose what moves. About rest what follows is quasi-static
+ * by definition, as in models of modes. */
 static enum hawser_status lag(struct hawser_rom *rom, const struct hawser__map_cable *cable,
                               const struct hawser_modes *modes, const struct hawser_scene *scene,
                               struct hawser_report *report)
 {
 	enum hawser_status status = HAWSER_OK;
 
-	if (cable->source.waves > 0 && !cable->source.still &&
+	if (cable->source.waves > 0 && cable->source.contrary != hawser__map_cable_whole(cable) &&
 	    scene->model.condense == HAWSER_CONDENSE_STATIC)
 		status = hawser__rom_travel_lag(rom, modes, report);
 	if (status)

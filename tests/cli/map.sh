@@ -20,6 +20,8 @@ refuses 1 '--x span.h=5:5: the ends of the range must be finite and different' \
 	map "$chairlift" --x span.h=5:5 --y g=1:2
 refuses 1 'both axes are g' map "$chairlift" --x g=1:5 --y g=1:2
 refuses 1 'there is no key span.q: span takes d, h' map "$chairlift" --x span.q=1:5 --y g=1:2
+refuses 1 'there is no key span.q: span takes d, h' \
+	map "$top/notebooks-data/scenes/b-table-5.4.yaml" -n 2 --x Omega=5:6 --y span.q=1:2 --quantity multiplier
 refuses 1 'this scene does not give tension.H: add it to the scene, or with --set' map "$chairlift" --x tension.H=1e4:2e4 --y g=1:2
 refuses_like 1 '^hawser: load.frame is a word, not a number' map "$chairlift" --x load.frame=1:2 --y g=1:2
 refuses_like 1 '^hawser: --x: .*5 s' map "$chairlift" --x "span.h=5 s:6" --y g=1:2
