@@ -28,7 +28,7 @@
  * thousandth of their frequency, and are placed to a thousandth of that; chosen. */
 static const double enough = 2e-6;
 enum { FEWEST = 6, MOST = 16, MORE = 2 }; /* functions a component */
-static const double WIDE = 0.01;  /* error of an edge, as a part of its region, that is warned of; chosen */
+static const double WIDE = 0.01;  /* error of an edge that is warned of, as a part of its region; chosen */
 static const double ROUGH = 1e-4; /* error that is warned of: some tenth of a region's width; chosen */
 enum { LISTED = 16 }; /* natural frequencies that are looked at; chosen */
 
@@ -159,22 +159,24 @@ enum hawser_status cli_judged_choose(struct cli_judged *judged, struct cli_model
 
 void cli_judged_comment(struct hawser__table *table, const struct cli_judged *judged)
 {
+	const struct hawser_map_shift *edges = &judged->edges;
+
 	if (judged->functions > 0)
 		hawser__table_comment(table, "exact energy on %d functions a component, %d coordinates, as the "
 		                      "speed requires (--modes keeps modes)", judged->functions,
 		                      judged->coordinates);
 	if (judged->waves > 0)
-		hawser__table_comment(table, "model: %d coordinates, the span of the %d lowest complex modes, as "
-		                      "speed and frequencies require (--modes keeps modes)",
+		hawser__table_comment(table, "model: %d coordinates, the span of the %d lowest complex modes, "
+		                      "as speed and frequencies require (--modes keeps modes)",
 		                      judged->coordinates, judged->waves);
 	if (judged->stated)
-		hawser__table_comment(table, "natural frequencies of the travelling cable up to %.6g rad/s: off "
-		                      "by %.1e at most", judged->to, judged->error);
-	if (judged->edges.compared > 0)
+		hawser__table_comment(table, "natural frequencies of the travelling cable up to %.6g rad/s: "
+		                      "off by %.1e at most", judged->to, judged->error);
+	if (edges->compared > 0)
 		hawser__table_comment(table, "boundaries: off by %.2g%s%s at most, %.1e of the width of their "
 		                      "region, by what the model leaves out (%d edges compared)",
-		                      judged->edges.distance, *judged->unit ? " " : "", judged->unit,
-		                      judged->edges.share, judged->edges.compared);
+		                      edges->distance, *judged->unit ? " " : "", judged->unit, edges->share,
+		                      edges->compared);
 }
 
 static int is_stated(const void *row, const void *parent)
@@ -198,8 +200,8 @@ const struct hawser__field cli_judged_field[] = {
 	 .given = has_waves},
 	{"frequency_error", NULL, "largest relative error of a natural frequency of the travelling cable",
 	 OF(error), .given = is_stated},
-	{"edges.error", NULL, "travelling cable: estimated error of a boundary, along Omega if it is an axis",
-	 OF(edges.distance), .given = is_compared},
+	{"edges.error", NULL, "travelling cable: estimated error of a boundary, along Omega if that is an "
+	 "axis", OF(edges.distance), .given = is_compared},
 	{"edges.of_width", NULL, "the same as a part of the width of its region", OF(edges.share),
 	 .given = is_compared},
 	{"edges.compared", NULL, "number of edges that were compared with a larger model",

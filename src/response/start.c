@@ -31,7 +31,8 @@
 enum { LEAPS = 6 };
 /* Where only the orbit that grows out of rest is wanted; chosen: */
 #define BOLD 0.5        /* first step of the load */
-#define ON_THE_WAY 1e-6 /* tolerance of orbits below the whole load, which decides on harmonics too */
+#define ON_THE_WAY 1e-3 /* tolerance of orbits below the whole load, harmonics too: narrow
+                         * resonances of high ones are passed, 1e-6 takes five times as long */
 #define NEAR 0.3        /* largest distance of an orbit from the scaled one before, relative to it: one
                          * that is farther may be another orbit */
 #define LOST 0.01 /* largest relative effect of round-off on the forces; chosen */
