@@ -262,10 +262,10 @@ struct hawser_map_shift {
 	double distance; /* largest estimated error of one, in the unit of the axis, and */
 	double share;    /* as a part of the width of its region */
 };
-/* Compare the edges of the widest region on each line [lines] along axis `along` (0: x, 1: y) with those
- * of the model of another source, of a scene with multipliers; the estimate is 1.5 times the distance
- * and, where source->waves is set, a part for what both models lack. Statuses of hawser_map_cable_open
- * and of a field's points. */
+/* Compare the edges of the widest region on each line [lines] along axis `along` (0: x, 1: y) with
+ * those of the model of another source, of a scene with multipliers; the estimate is 1.5 times the
+ * distance and, where source->waves is set, a part for what both models lack. Statuses of
+ * hawser_map_cable_open and of a field's points. */
 enum hawser_status hawser_map_shift(struct hawser_map_shift *to, const struct hawser_map_source *source,
                                     const struct hawser_map_source *better, int along,
                                     const struct hawser_map_line *line, int lines,

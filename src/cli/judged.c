@@ -28,7 +28,7 @@
  * thousandth of their frequency, and are placed to a thousandth of that; chosen. */
 static const double enough = 2e-6;
 enum { FEWEST = 6, MOST = 16, MORE = 2 }; /* functions a component */
-static const double WIDE = 0.01;  /* error of an edge that is warned of, as a part of its region; chosen */
+static const double WIDE = 0.01;  /* of a region's width: error of an edge, warned of; chosen */
 static const double ROUGH = 1e-4; /* error that is warned of: some tenth of a region's width; chosen */
 enum { LISTED = 16 }; /* natural frequencies that are looked at; chosen */
 

@@ -21,7 +21,7 @@
 #include "cli/judged.h"
 #include "core/report.h"
 
-static const double beyond = 2.05; /* of the largest Omega, up to which complex modes are taken; chosen */
+static const double beyond = 2.05; /* times the largest Omega: complex modes up to there; chosen */
 enum { LEAST = 4, MOST = 14, MORE = 4 }; /* complex modes; and those of a better model more */
 enum { LINES = 3 };
 

@@ -40,8 +40,8 @@ enum hawser_status hawser__map_cable_axes(struct hawser_scene *scene,
 	return status;
 }
 
-/* The inertia of what follows, where the program chose what moves. About rest what follows is quasi-static
- * by definition, as in models of modes. */
+/* The inertia of what follows, where the program chose what moves. About rest what follows is
+ * quasi-static by definition, as in models of modes. */
 static enum hawser_status lag(struct hawser_rom *rom, const struct hawser__map_cable *cable,
                               const struct hawser_modes *modes, const struct hawser_scene *scene,
                               struct hawser_report *report)

@@ -1,7 +1,7 @@
 /* Boundaries of stability of the periodic response of a travelling cable whose speed fluctuates: edges
  * of the region at twice the first in-plane frequency against an outside program (full order, about the
- * moving response), and the error that is stated of them; map, hill and the response's multipliers against each other; a response that
- * jumps.
+ * moving response), and the error that is stated of them; map, hill and the response's multipliers
+ * against each other; a response that jumps.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -146,7 +146,8 @@ static void about_rest(void)
 	ok(fabs(low - 10.3212) < 1e-4 + shift.distance && fabs(high - 10.3449) < 1e-4 + shift.distance,
 	   "alpha 0.1, about rest: %.5f to %.5f rad/s, %.1e stated, for 10.3212 to 10.3449", low, high,
 	   shift.distance);
-	ok(shift.compared == 2 && shift.share < 2e-2, "%.1e of the width, by what follows without inertia", shift.share);
+	ok(shift.compared == 2 && shift.share < 2e-2,
+	   "%.1e of the width, by what follows without inertia", shift.share);
 	field.close(worker);
 	hawser_map_cable_close(&field);
 	hawser_scene_clear(&scene);
