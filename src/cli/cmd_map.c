@@ -306,7 +306,7 @@ static enum hawser_status trace(struct hawser_map *map, struct cli_map_result *r
 	cli_progress_end(&watch.progress);
 	if (status == HAWSER_ERR_CONVERGENCE && choice.strict)
 		append(report, "; --partial leaves such points empty, and a smaller range may have none");
-	if (!status && map->point)
+	if (!status && map->point && choice.parts == 0)
 		status = cli_judged_map(&result->judged, &source, map, report);
 	if (!status && basin && map->point)
 		status = hawser_basins_count(&result->basins, &field, map, report);
