@@ -135,7 +135,7 @@ rough() {
 	text=$1
 	shift
 	run "$@"
-	try "$text" like 0 '^hawser: warning: .* may be off by .* (because of what the model leaves out|so far is the model of another size)'
+	try "$text" like 0 '^hawser: warning: .* (may be|are) off by .* (because of what the model leaves out|so far is the model of another size|of the width of their region)'
 }
 
 # The files here, which a failed run must not have added to.

@@ -224,7 +224,7 @@ try "no panel of zeros" sh -c '! grep -q "Real part" campbell.svg'
 sound campbell
 
 # a map's colours turn at the border of stability, and its axes name quantities
-works "a map" map "$scenes/b-table-5.4.yaml" -n 3 --x Omega=14:16 --y travel.fluctuation=0:8 \
+rough "a map" map "$scenes/b-table-5.4.yaml" -n 3 --x Omega=14:16 --y travel.fluctuation=0:8 \
 	--quantity multiplier --points 12x12 --rest --plot map.svg -q
 shows map "Amplitude of speed fluctuation V (m/s)" "Largest modulus of a multiplier (–)" stable unstable \
 	"boundary of stability"
@@ -232,7 +232,7 @@ try "no raw key" sh -c '! grep -q "travel.fluctuation" map.svg'
 sound map
 try "browsers do not blur the colours" grep -q "<image style='image-rendering:pixelated' " map.svg
 
-works "a map of whole numbers" map "$scenes/b-table-5.4.yaml" -n 3 --x Omega=14:16 \
+rough "a map of whole numbers" map "$scenes/b-table-5.4.yaml" -n 3 --x Omega=14:16 \
 	--y travel.fluctuation=0:8 --quantity unstable --points 12x12 --rest --plot whole.svg -q
 shows whole "Number of unstable multipliers (–)" unstable
 try "the legend has the colour of the bar" sh -c \

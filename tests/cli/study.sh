@@ -71,7 +71,7 @@ command -v gnuplot >/dev/null && picture="--plot work.svg"
 works "compare" compare "$scene" $range --fidelities "multiple-scales, raw 2,condensed 1, condensed:2" \
 	--landmarks --tsv landmarks.tsv --json compare.json $picture
 # shellcheck disable=SC2086
-rough "the same response by frf" frf "$scene" $range -n 2 --set model.condense=static --json frf.json
+rough "the same response by frf" frf "$scene" $range -n 2 --set model.condense=static --set model.energy=quartic --json frf.json
 python "a comparison: counts add up, errors are those of the landmarks, folds those of frf" <<'END'
 import csv, json, math
 result = json.load(open("compare.json"))

@@ -90,8 +90,8 @@ static void check_messages(void)
 	refused(MODEL(", \"harmonics\": [{\"k\": 1}]"), "harmonics[0] has none of f, D, K, Q, C and terms");
 	refused(MODEL(", \"harmonics\": [{\"k\": 1, \"f\": [1, 0], \"phase\": \"tan\"}]"),
 	        "harmonics[0].phase is \"tan\"|\"cos\" or \"sin\"");
-	refused(MODEL(", \"harmonics\": [{\"k\": 1, \"f\": [1, 0], \"omega_power\": 3}]"),
-	        "harmonics[0].omega_power is 3|from 0 to 2");
+	refused(MODEL(", \"harmonics\": [{\"k\": 1, \"f\": [1, 0], \"omega_power\": 4}]"),
+	        "harmonics[0].omega_power is 4|from 0 to 3");
 	refused(MODEL(", \"harmonics\": [{\"k\": 1, \"F\": [1, 0]}]"), "unknown key \"F\"|mean f?");
 	refused(MODEL(", \"harmonics\": [{\"k\": 1, \"D\": [1, 0]}]"), "harmonics[0].D[0] is 1");
 	refused(MODEL(", \"harmonics\": [{\"k\": 1, \"K\": [1]}]"), "harmonics[0].K is a list of 1");
