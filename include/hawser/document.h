@@ -33,7 +33,7 @@ enum hawser_kind {
 
 struct hawser_document {
 	char *name;   /* for messages: of the file, or "<stdin>" */
-	char *text;   /* [length] */
+	char *text;   /* [length + 1], with a zero at the end */
 	size_t length;
 	enum hawser_kind kind;
 	struct hawser__tree *tree; /* internal; NULL for a model, and where the text is no YAML */

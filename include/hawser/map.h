@@ -226,7 +226,8 @@ struct hawser_map_source {
 	                        * modes, so many (hawser_complex_modes_span); 0: the modes of the scene.
 	                        * About a response, what follows the speed has then the first correction
 	                        * for its inertia */
-	int contrary;          /* 1: that correction about rest only, to see its size */
+	int swapped;           /* 1: about a response without that correction, about rest with it: to
+	                        * measure its effect */
 	int rest;              /* 1: stability is that of rest. 0: with a forcing frequency it is that of
 	                        * the periodic response that grows out of rest with the excitation,
 	                        * where a load, moving ends or a fluctuating speed move the model */

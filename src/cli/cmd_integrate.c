@@ -10,7 +10,6 @@
 #include "cli/integrate_net.h"
 #include "cli/integrate_result.h"
 #include "cli/integrate_span.h"
-#include "cli/kinds.h"
 #include "cli/label.h"
 #include "cli/load_history.h"
 #include "cli/progress.h"

@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/kinds.h"
 #include "cli/modes_damped.h"
 #include "cli/modes_net.h"
 #include "cli/modes_obstacles.h"
@@ -219,14 +218,11 @@ static enum hawser_status run_obstacles(const struct settings *settings, struct 
 
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
-	static const struct {
-		enum cli_kind kind;
-		enum hawser_status (*run)(const struct settings *settings, struct hawser_report *report);
-	} table[] = {{CLI_SPAN, run_span}, {CLI_NET, run_net}, {CLI_ROPEWAY, run_ropeway},
-	             {CLI_OBSTACLES, run_obstacles}};
+	static enum hawser_status (*const by_kind[HAWSER_KINDS])(const struct settings *settings,
+	                                                         struct hawser_report *report) = {
+		[HAWSER_KIND_SPAN] = run_span, [HAWSER_KIND_NET] = run_net,
+		[HAWSER_KIND_ROPEWAY] = run_ropeway, [HAWSER_KIND_OBSTACLES] = run_obstacles};
 	const struct settings *s = context;
-	enum cli_kind kind;
-	int i = 0;
 
 	if (s->list) {
 		list_methods();
@@ -235,10 +231,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!s->common.input)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
 		                    "modes needs a SCENE (hawser modes --help)");
-	kind = cli_kind_of(&s->common, CLI_KINDS | CLI_OBSTACLES);
-	while (table[i].kind != kind)
-		i++;
-	return table[i].run(s, report);
+	return by_kind[cli_kind(&s->common)](s, report); /* other kinds are refused before */
 }
 
 const struct cli_command cli_modes = {

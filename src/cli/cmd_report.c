@@ -136,6 +136,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	const struct settings *settings = context;
 	struct cli_report_page page = {.common = &settings->common, .title = settings->title};
+	const struct hawser_document *document;
 	const char *name = strrchr(settings->common.input, '/');
 	char title[300];
 	enum hawser_status status = check(settings, report);
@@ -145,9 +146,12 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	snprintf(title, sizeof title, "Report of %s", name ? name + 1 : settings->common.input);
 	if (!page.title)
 		page.title = title;
-	status = cli_report_text(&page.text, &page.size, settings->common.input, report);
-	if (!status)
-		status = cli_report_folder_open(report);
+	status = cli_document(&document, &settings->common, report);
+	if (status)
+		return status;
+	page.text = document->text;
+	page.size = document->length;
+	status = cli_report_folder_open(report);
 	if (!status)
 		status = run_parts(&page, settings, report);
 	if (!status)
@@ -159,7 +163,6 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		cli_report_result_clear(&page.result[i]);
 	if (page.has_scene)
 		hawser_scene_clear(&page.scene);
-	free(page.text);
 	return status;
 }
 

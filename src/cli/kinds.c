@@ -19,13 +19,6 @@ static const struct {
 	[HAWSER_KIND_TOW] = {"a towed body", "towed bodies"},
 	[HAWSER_KIND_MODEL] = {"a reduced model", "reduced models"},
 };
-enum cli_kind cli_kind_of(const struct cli_common *common, unsigned kinds)
-{
-	unsigned bit = 1u << cli_kind(common);
-
-	return kinds & bit ? (enum cli_kind)bit : CLI_SPAN;
-}
-
 /* "nets", "nets and ropeways", "spans, nets and rods" */
 static void list_kinds(char *text, size_t size, unsigned kinds)
 {

@@ -13,16 +13,13 @@
 #include "output/sha256.h"
 
 /* Of the scene's file; "" if it cannot be read again, as standard input. */
-static void digest_of(char digest[HAWSER__SHA256_SIZE], const char *path)
+static void digest_of(char digest[HAWSER__SHA256_SIZE], const struct cli_common *common)
 {
-	char *text;
-	size_t size;
+	const struct hawser_document *document;
 
 	*digest = '\0';
-	if (strcmp(path, "-") == 0 || cli_report_text(&text, &size, path, NULL) != HAWSER_OK)
-		return;
-	hawser__sha256(digest, text, size);
-	free(text);
+	if (!common->library && !cli_document(&document, common, NULL))
+		hawser__sha256(digest, document->text, document->length);
 }
 
 static void points_of(struct hawser__table *points, const struct cli_map_result *result)
@@ -57,7 +54,7 @@ enum hawser_status cli_map_hdf5(const char *path, const struct cli_map_result *r
 
 	if (!command)
 		return hawser__no_memory(report, "map");
-	digest_of(digest, result->common->input);
+	digest_of(digest, result->common);
 	points_of(&points, result);
 	/* without Omega, the last, where the frequency is an axis or there is none */
 	status = cli_hdf5_write(path, tables, 2, fact,

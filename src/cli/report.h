@@ -17,7 +17,7 @@ struct cli_report_result {
 struct cli_report_page {
 	const struct cli_common *common;
 	const char *title;
-	char *text; /* of the scene's file; owned */
+	const char *text; /* of the scene */
 	size_t size;
 	struct hawser_scene scene; /* if has_scene */
 	int has_scene;

@@ -15,7 +15,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/kinds.h"
 #include "cli/rom_ropeway.h"
 #include "core/report.h"
 

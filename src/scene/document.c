@@ -129,16 +129,17 @@ static enum hawser_status slurp(struct hawser_document *document, FILE *stream,
 	size_t capacity = 0, got = 1;
 
 	while (got && document->length <= largest) {
-		if (document->length == capacity) {
+		if (document->length + 1 >= capacity) { /* room for the zero at the end */
 			char *longer = realloc(document->text, capacity = capacity ? 4*capacity : 65536);
 
 			if (!longer)
 				return hawser__no_memory(report, "scene");
 			document->text = longer;
 		}
-		got = fread(document->text + document->length, 1, capacity - document->length, stream);
+		got = fread(document->text + document->length, 1, capacity - document->length - 1, stream);
 		document->length += got;
 	}
+	document->text[document->length] = '\0';
 	if (ferror(stream))
 		return hawser__fail(report, hawser__unreadable(errno), "scene", "cannot read %s: %s",
 		                    document->name, strerror(errno));

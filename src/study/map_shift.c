@@ -24,7 +24,7 @@ static const double next_terms = 0.25, safety = 1.5;
 enum { MOST = 12, STEPS = 11 }; /* crossings of a line; halvings of a bracket, to 1/2000 of it */
 
 /* The models that are compared. */
-enum { OWN, BETTER, CONTRARY, MODELS };
+enum { OWN, BETTER, SWAPPED, MODELS };
 
 struct shifts {
 	struct hawser_map_field field[MODELS];
@@ -92,8 +92,8 @@ static enum hawser_status compare(struct hawser_map_shift *to, const struct shif
 	if (status || isnan(at[OWN]))
 		return status;
 	shift = safety*(isnan(at[BETTER]) ? edge->reach : fabs(at[BETTER] - at[OWN]));
-	if (s->models > CONTRARY && !isnan(at[CONTRARY]))
-		shift += (s->field[OWN].responds ? next_terms : 1.0)*fabs(at[CONTRARY] - at[OWN]);
+	if (s->models > SWAPPED && !isnan(at[SWAPPED]))
+		shift += (s->field[OWN].responds ? next_terms : 1.0)*fabs(at[SWAPPED] - at[OWN]);
 	to->compared++;
 	to->distance = fmax(to->distance, shift);
 	to->share = fmax(to->share, shift/width);
@@ -146,8 +146,8 @@ static enum hawser_status open_models(struct shifts *s, const struct hawser_map_
 	struct hawser_map_source of[MODELS] = {*source, *better, *source};
 	enum hawser_status status = HAWSER_OK;
 
-	s->models = source->waves > 0 ? MODELS : CONTRARY;
-	of[CONTRARY].contrary = 1;
+	s->models = source->waves > 0 ? MODELS : SWAPPED;
+	of[SWAPPED].swapped = 1;
 	for (int m = 0; m < s->models && !status; m++) {
 		of[m].quantity = "multiplier";
 		status = hawser_map_cable_open(&s->field[m], &of[m], report);

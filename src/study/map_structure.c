@@ -48,7 +48,7 @@ static enum hawser_status lag(struct hawser_rom *rom, const struct hawser__map_c
 {
 	enum hawser_status status = HAWSER_OK;
 
-	if (cable->source.waves > 0 && cable->source.contrary != hawser__map_cable_whole(cable) &&
+	if (cable->source.waves > 0 && cable->source.swapped != hawser__map_cable_whole(cable) &&
 	    scene->model.condense == HAWSER_CONDENSE_STATIC)
 		status = hawser__rom_travel_lag(rom, modes, report);
 	if (status)

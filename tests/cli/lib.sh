@@ -130,7 +130,7 @@ works() {
 	try "$text" said 0
 }
 
-# rough NAME ARGUMENTS: works, and says that its model may be off by more than a tenth, but nothing else.
+# rough NAME ARGUMENTS: works, and says how far its model, or a boundary by it, may be off, but nothing else.
 rough() {
 	text=$1
 	shift

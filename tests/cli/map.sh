@@ -86,7 +86,7 @@ import os, subprocess
 def run(threads):
     before = os.times()
     subprocess.run(["$HAWSER", "map", "$top/notebooks-data/scenes/b-table-5.4.yaml", "-n", "4", "--x", "Omega=0.5w1:5w1", "--y",
-                    "travel.fluctuation=0:8", "--rest", "--quantity", "multiplier", "--points", "40x40", "-q", "--tsv",
+                    "travel.fluctuation=0:8", "--quantity", "multiplier", "--points", "10x10", "-q", "--tsv",
                     "threads-%d.tsv" % threads, "--threads", str(threads)], check=True)
     after = os.times()
     return after.children_user + after.children_system - before.children_user - before.children_system
