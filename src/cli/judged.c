@@ -118,7 +118,7 @@ void cli_judged_warn(const struct cli_judged *judged)
 		snprintf(text, sizeof text, "boundaries of stability are off by up to %.2g%s%s, %.2g of the "
 		         "width of their region, with %d coordinates: %s", edges->distance,
 		         *judged->unit ? " " : "", judged->unit, edges->share, judged->coordinates,
-		         judged->waves > 0 ? "a smaller fluctuation of the speed has less of it"
+		         judged->waves > 0 ? "hawser hill --Omega has a larger model, for single points"
 		         : "leave -n and the keys of model out, and they follow from the speed");
 		cli_warn(text);
 	}
