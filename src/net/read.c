@@ -398,8 +398,9 @@ static enum hawser_status interpret(struct hawser__reader *reader, void *scene,
 	if (status)
 		return status;
 	if (kind && (!kind->text || strcmp(kind->text, "net") != 0))
-		return hawser__reader_fail(reader, &kind->at, "kind must be net here, and span, ropeway, rod or "
-		                           "tow in scenes of other kinds");
+		return hawser__reader_fail(reader, &kind->at,
+		                           "kind must be net here, and span, ropeway, rod or tow "
+		                           "in scenes of other kinds");
 	status = common(reader, net, root, 0);
 	return status ? status : rules(reader, net, hawser__tree_find(root, "cables"));
 }
