@@ -17,7 +17,7 @@ enum { MODES = 6, POINTS = 1000 };
 /* Range of the requested accuracies, as users choose them. */
 static const double finest = 0.003, coarsest = 0.03;
 static const double known_to = 4.0; /* factor on the upper end of the range, as in hawser frf
-                                     * (cli/known.c) */
+                                     * (cli/model/known.c) */
 
 static int draw_span(struct hawser_statics *st, struct chance *chance)
 {

@@ -11,8 +11,8 @@
 #include <string.h>
 
 #include "bench/estimates.h"
-#include "response/amplitude.h"
-#include "response/method.h"
+#include "response/branch/amplitude.h"
+#include "response/orbit/method.h"
 
 enum { POINTS = 160, TRIED = 4 };
 /* Of the corrector. The mesh is finer, since its estimate may be below its error. */

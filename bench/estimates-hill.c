@@ -13,7 +13,7 @@
 #include <string.h>
 
 #include "bench/estimates.h"
-#include "rom/model.h"
+#include "rom/build/model.h"
 
 enum { MOST = 4, COLUMNS = 8, TRIED = 6 };
 typedef long double real;

@@ -7,10 +7,10 @@
 #include <stdlib.h>
 
 #include "bench/estimates.h"
-#include "study/landmark.h"
+#include "study/accuracy/landmark.h"
 
 enum { POINTS = 800, MOST = 2 };
-static const double wanted = 2e-6; /* of peaks, as in src/study/run.c */
+static const double wanted = 2e-6; /* of peaks, as in src/study/accuracy/run.c */
 static const double sharp = 1e-13; /* tolerance of the reference's peaks: as small as possible */
 
 static int landmarks_of(struct hawser_study_curve *curve, const struct hawser_rom *rom,

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 
 #include "bench/estimates.h"
-#include "rom/model.h"
+#include "rom/build/model.h"
 
 enum { MOST = 3, DIRECTIONS = 3 };
 

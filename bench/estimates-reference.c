@@ -15,7 +15,7 @@
 #include "config.h"
 
 #include "bench/estimates.h"
-#include "study/distance.h"
+#include "study/compare/distance.h"
 
 enum { FUNCTIONS = 12, FINER = 4, FUNCTIONS_MOST = 33, POINTS = 2500 };
 static const double settled = 0.1; /* part of d */

@@ -22,7 +22,7 @@
 
 #include <hawser/hawser.h>
 
-#include "rom/model.h"
+#include "rom/build/model.h"
 
 enum { MOST_POINTS = 4000, KINDS = HAWSER_SLACK + 1 };
 static const double times_error = 3.0, least_error = 1e-7;

@@ -1,6 +1,6 @@
-/* bench/kernel-cable.c - forces and tangents of cables from tensors and from functions (rom/quartic.h):
- * measured times, and the estimates by which rom/effort.c chooses between the two.
- * SPDX-License-Identifier: GPL-3.0-or-later */
+/* bench/kernel-cable.c - forces and tangents of cables from tensors and from functions
+ * (rom/energy/quartic.h): measured times, and the estimates by which rom/energy/effort.c chooses
+ * between the two. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <math.h>
@@ -12,8 +12,8 @@
 #include <hawser/rom.h>
 #include "bench/clock.h"
 #include "bench/kernel.h"
-#include "rom/kernel.h"
-#include "rom/quartic.h"
+#include "rom/energy/kernel.h"
+#include "rom/energy/quartic.h"
 
 enum { states = 32, turns = 3 };
 static const double time_limit_secs = 0.02; /* of each timing */

@@ -20,7 +20,7 @@
 #include <hawser/rom.h>
 #include "bench/clock.h"
 #include "bench/kernel.h"
-#include "rom/kernel.h"
+#include "rom/energy/kernel.h"
 
 enum { states = 64 };                  /* different u, so that no loop can be hoisted */
 static const double time_limit_secs = 0.25; /* of each timing */

@@ -153,5 +153,5 @@ BENCHES += %D%/friction
 # what it costs to hand out tasks to ranks; under mpirun or alone
 EXTRA_PROGRAMS += %D%/ranks
 CLEANFILES += %D%/ranks
-%C%_ranks_SOURCES = %D%/ranks.c src/cli/ranks.c
+%C%_ranks_SOURCES = %D%/ranks.c src/cli/frame/ranks.c
 %C%_ranks_LDADD = src/cli/libloaded.la $(UPTO_CORE)

@@ -24,7 +24,7 @@
 
 #include "bench/clock.h"
 #include "core/hot.h"
-#include "response/flow.h"
+#include "response/time/flow.h"
 
 enum { ORDER = 1000, TURNS = 5, SEGMENTS = 4 };
 static const double time_limit_secs = 0.1;

@@ -13,7 +13,7 @@
 #include <string.h>
 #include <time.h>
 
-#include "cli/ranks.h"
+#include "cli/frame/ranks.h"
 #include "core/progress.h"
 
 enum { ANSWER_DOUBLES = 25 };

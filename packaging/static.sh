@@ -6,7 +6,7 @@
 # Fully static, not a program with its shared libraries beside it: it runs on each Linux of the processor's kind
 # (kernel 3.2 and later), whatever its C library is, and nothing has to be found at run time. The price: dlopen() and
 # so --model-library take only libraries of the same C library. Of what hawser links, METIS alone has no static
-# library in Debian. CHOLMOD names it, for orderings that hawser never asks for (src/net/sparse.c: AMD or none);
+# library in Debian. CHOLMOD names it, for orderings that hawser never asks for (src/net/statics/sparse.c: AMD or none);
 # two functions that fail stand in its place.
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -eu
@@ -36,7 +36,7 @@ END
 stages=$(find "$build/src" -name 'lib*.a' -not -name liboutput.a)
 mkdir -p "$root/bin" "$data/licences"
 # shellcheck disable=SC2086 # lists; dlopen is known (above), and its warning is left out
-"$CC" -static -o "$root/bin/hawser" "$build"/src/cli/*.o "$(find "$build/src/output" -name liboutput.a)" \
+"$CC" -static -o "$root/bin/hawser" "$build"/src/cli/*/*.o "$(find "$build/src/output" -name liboutput.a)" \
 	-Wl,--trace -Wl,--start-group $stages "$work/metis.c" -lslicot -llapacke -ltmglib -lklu -lbtf -lcholmod -lamd -lcamd \
 	-lcolamd -lccolamd -lsuitesparseconfig -lgomp -lsundials_cvode -lsundials_nvecserial \
 	-lsundials_sunlinsoldense -lsundials_sunmatrixdense -lfftw3 -lyaml -ljansson -ludunits2 -lexpat -lgsl -llapack \

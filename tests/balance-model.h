@@ -8,8 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "response/balance.h"
-#include "rom/model.h"
+#include "response/orbit/balance.h"
+#include "rom/build/model.h"
 
 static inline void add_harmonic(struct hawser_rom *rom, struct hawser_harmonic harmonic,
                                 const double *f, const double *D, const double *K)

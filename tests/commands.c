@@ -30,7 +30,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "cli/within.h"
+#include "cli/frame/within.h"
 #include "tests/serve.h"
 #include "tests/tap.h"
 

@@ -8,7 +8,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "output/fields.h"
+#include "output/fields/fields.h"
 #include "tests/tap.h"
 
 /* Content of a stream; static. */

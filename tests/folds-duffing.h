@@ -5,7 +5,7 @@
 
 #include <stdlib.h>
 
-#include "rom/model.h"
+#include "rom/build/model.h"
 
 /* u'' + d u' + u + c u^3 = f cos(Omega t) */
 static inline int duffing(struct hawser_rom *rom, double d, double c, double f)

@@ -19,7 +19,7 @@ tests_fuzz_fuzz_model_SOURCES = tests/fuzz/fuzz-model.c tests/fuzz/units.c
 tests_fuzz_fuzz_model_LDADD = $(UPTO_ROM) -lm
 tests_fuzz_fuzz_model_LDFLAGS = $(FUZZER_LINK)
 # states are read by the program alone; the units in which they are written stand in for its model's
-tests_fuzz_fuzz_state_SOURCES = tests/fuzz/fuzz-state.c src/cli/state.c
+tests_fuzz_fuzz_state_SOURCES = tests/fuzz/fuzz-state.c src/cli/model/state.c
 tests_fuzz_fuzz_state_LDADD = $(UPTO_CORE) $(JANSSON_LIBS) -lm
 tests_fuzz_fuzz_state_LDFLAGS = $(AM_LDFLAGS) -fsanitize=fuzzer
 tests_fuzz_fuzz_checkpoint_SOURCES = tests/fuzz/fuzz-checkpoint.c

@@ -9,7 +9,7 @@ tests_scene_SOURCES = tests/cases.c \
 	tests/unit/test-scene-suggest.c \
 	tests/unit/test-scene-units.c \
 	tests/unit/test-scene.c \
-	src/scene/example.c
+	src/scene/page/example.c
 nodist_tests_scene_SOURCES = tests/scene-cases.c
 tests_scene_LDADD = $(UPTO_SCENE)
 noinst_HEADERS += tests/unit/scene-text.h

@@ -17,7 +17,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "cli/within.h"
+#include "cli/frame/within.h"
 #include "tests/serve.h"
 
 enum { WORDS = 1000, ENVIRONMENT = 1 << 17 };

@@ -167,7 +167,8 @@ enum hawser_status hawser_accuracy_once(struct hawser_accuracy_fixed *fixed,
  *    the relative differences of Omega at folds that both have, and of Omega and of the amplitude at
  *      peaks that both have, for components of the probes that reach half of the largest component;
  *    the distance of the two curves as a whole, relative in Omega or in amplitude, whichever is
- *      smaller (study/curve.c). A part that only one curve has counts by its distance from the other.
+ *      smaller (study/compare/curve.c). A part that only one curve has counts by its distance from
+ *      the other.
  * If the models are given (else NULL), peaks that are not located to the relative error `wanted`
  * are traced again in shorter steps. HAWSER_ERR_MEMORY. */
 enum hawser_status hawser_accuracy_distance(double *distance, const struct hawser_frf *a,

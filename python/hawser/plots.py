@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from .models import Response, Statics
     from .results import Result
 
-# The colours of src/output/style.c, in its order, told apart by people who do not see red or green.
+# The colours of src/output/drawing/style.c, in its order, told apart by people who do not see red or green.
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#8a8a8a"]
 STYLE: Dict[str, Any] = {
     "font.family": "sans-serif", "font.size": 9.0, "axes.edgecolor": "#404040", "axes.labelcolor": "#202020",

@@ -6,7 +6,7 @@
  * conjugate pair that is the modulus.
  *
  * A pair is growing if its real part exceeds a round-off threshold. For a gyroscopic system the
- * solver returns a real part of exactly 0 on the imaginary axis (modes/quadratic.h). For a
+ * solver returns a real part of exactly 0 on the imaginary axis (modes/complex/quadratic.h). For a
  * reversible system (invariant under x -> 1 - x, t -> -t) the threshold is of the order of the
  * square root of the round-off, which is the error of two eigenvalues that nearly coincide.
  *
@@ -21,7 +21,7 @@
 
 #include "beam/sample.h"
 #include "core/report.h"
-#include "modes/quadratic.h"
+#include "modes/complex/quadratic.h"
 
 static double modulus(const struct hawser__beam_pair *pair)
 {

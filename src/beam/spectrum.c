@@ -7,7 +7,7 @@
 
 #include "beam/spectrum.h"
 #include "core/report.h"
-#include "modes/quadratic.h"
+#include "modes/complex/quadratic.h"
 
 static const double pi = 3.14159265358979323846;
 

@@ -11,7 +11,7 @@
  * question only, and rank 0 puts it where its number belongs; so results do not depend on the
  * number of ranks and threads. With `ranks` NULL the tasks are computed by the threads of this
  * process. The library knows no MPI: how messages travel is a table of three functions
- * (src/cli/mpi.c has that of MPI).
+ * (src/cli/frame/mpi.c has that of MPI).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_CORE_RANKS_H

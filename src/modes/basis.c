@@ -27,7 +27,7 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "modes/bending.h"
+#include "modes/bending/bending.h"
 #include "modes/cable.h"
 #include "modes/compliance_springs.h"
 #include "modes/label.h"

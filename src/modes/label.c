@@ -16,7 +16,7 @@
 
 #include "core/report.h"
 #include "modes/grid.h"
-#include "modes/gyroscopic.h"
+#include "modes/complex/gyroscopic.h"
 #include "modes/label.h"
 #include "modes/methods.h"
 

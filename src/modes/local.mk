@@ -3,39 +3,39 @@ noinst_LTLIBRARIES += %D%/libmodes.la
 	%D%/analytic.c \
 	%D%/analytic.h \
 	%D%/basis.c \
-	%D%/bending.c \
-	%D%/bending.h \
+	%D%/bending/bending.c \
+	%D%/bending/bending.h \
 	%D%/cable.c \
 	%D%/cable_space.c \
 	%D%/cable.h \
 	%D%/chain.c \
 	%D%/chain.h \
 	%D%/compare.c \
-	%D%/complex_mode.c \
-	%D%/complex_mode.h \
+	%D%/complex/complex_mode.c \
+	%D%/complex/complex_mode.h \
 	%D%/compliance.c \
 	%D%/compliance_refine.c \
 	%D%/compliance_springs.c \
 	%D%/compliance_springs.h \
-	%D%/convection.c \
-	%D%/damped.c \
-	%D%/damped.h \
-	%D%/damped_trace.c \
+	%D%/complex/convection.c \
+	%D%/complex/damped.c \
+	%D%/complex/damped.h \
+	%D%/complex/damped_trace.c \
 	%D%/compliance.h \
 	%D%/fdm.c \
 	%D%/fdm.h \
-	%D%/flexure.c \
-	%D%/flexure.h \
-	%D%/flexure_basis.c \
-	%D%/flexure_solve.c \
+	%D%/bending/flexure.c \
+	%D%/bending/flexure.h \
+	%D%/bending/flexure_basis.c \
+	%D%/bending/flexure_solve.c \
 	%D%/grid.c \
 	%D%/grid.h \
-	%D%/gyroscopic.c \
-	%D%/gyroscopic.h \
-	%D%/gyroscopic_analytic.c \
-	%D%/gyroscopic_fdm.c \
-	%D%/gyroscopic_span.c \
-	%D%/gyroscopic_spectral.c \
+	%D%/complex/gyroscopic.c \
+	%D%/complex/gyroscopic.h \
+	%D%/complex/gyroscopic_analytic.c \
+	%D%/complex/gyroscopic_fdm.c \
+	%D%/complex/gyroscopic_span.c \
+	%D%/complex/gyroscopic_spectral.c \
 	%D%/halving.c \
 	%D%/halving.h \
 	%D%/krylov.c \
@@ -44,22 +44,22 @@ noinst_LTLIBRARIES += %D%/libmodes.la
 	%D%/label.h \
 	%D%/methods.c \
 	%D%/methods.h \
-	%D%/quadratic.c \
-	%D%/quadratic.h \
+	%D%/complex/quadratic.c \
+	%D%/complex/quadratic.h \
 	%D%/select.c \
 	%D%/spectral.c \
 	%D%/spectral.h
 # sweeps
 %C%_libmodes_la_SOURCES += \
-	%D%/branches.h \
-	%D%/branches_crossover.c \
-	%D%/branches_follow.c \
-	%D%/branches_resample.c \
-	%D%/branches_sample.c \
-	%D%/campbell_range.c \
-	%D%/campbell_range.h \
-	%D%/campbell_resonance.c \
-	%D%/campbell_trace.c \
-	%D%/irvine_range.c \
-	%D%/irvine_range.h \
-	%D%/irvine_trace.c
+	%D%/sweep/branches.h \
+	%D%/sweep/branches_crossover.c \
+	%D%/sweep/branches_follow.c \
+	%D%/sweep/branches_resample.c \
+	%D%/sweep/branches_sample.c \
+	%D%/sweep/campbell_range.c \
+	%D%/sweep/campbell_range.h \
+	%D%/sweep/campbell_resonance.c \
+	%D%/sweep/campbell_trace.c \
+	%D%/sweep/irvine_range.c \
+	%D%/sweep/irvine_range.h \
+	%D%/sweep/irvine_trace.c

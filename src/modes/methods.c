@@ -12,11 +12,11 @@
 
 #include "core/report.h"
 #include "modes/analytic.h"
-#include "modes/bending.h"
+#include "modes/bending/bending.h"
 #include "modes/chain.h"
 #include "modes/fdm.h"
 #include "modes/grid.h"
-#include "modes/gyroscopic.h"
+#include "modes/complex/gyroscopic.h"
 #include "modes/label.h"
 #include "modes/methods.h"
 #include "modes/spectral.h"

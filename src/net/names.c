@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "net/read.h"
+#include "net/read/read.h"
 
 /* `first` is the name of item 0, of `size` bytes. */
 static int search(const int *order, const char *first, size_t size, int count, const char *name)

@@ -3,7 +3,7 @@
 #ifndef HAWSER_ROD_DRIVE_H
 #define HAWSER_ROD_DRIVE_H
 
-#include "net/motion.h"
+#include "net/motion/motion.h"
 #include "rod/motion.h"
 
 struct hawser__rod_drive {

@@ -14,10 +14,10 @@ noinst_LTLIBRARIES += %D%/libscene.la
 	%D%/plausible.h \
 	%D%/reader.h \
 	%D%/scene.c \
-	%D%/schema.c \
-	%D%/schema.h \
-	%D%/schema_span.c \
-	%D%/schema_value.c \
+	%D%/page/schema.c \
+	%D%/page/schema.h \
+	%D%/page/schema_span.c \
+	%D%/page/schema_value.c \
 	%D%/state_file.c \
 	%D%/state_file.h \
 	%D%/suggest.c \
@@ -38,12 +38,12 @@ noinst_LTLIBRARIES += %D%/libscene.la
 EXTRA_PROGRAMS += %D%/manpage
 CLEANFILES += %D%/manpage$(EXEEXT)
 %C%_manpage_SOURCES = \
-	%D%/example.c \
-	%D%/example.h \
-	%D%/manpage.c \
-	%D%/manpage_net_obstacles.c \
-	%D%/manpage_obstacles.c \
-	%D%/manpage_rod.c \
-	%D%/manpage_ropeway.c \
-	%D%/manpage_tow.c
+	%D%/page/example.c \
+	%D%/page/example.h \
+	%D%/page/manpage.c \
+	%D%/page/manpage_net_obstacles.c \
+	%D%/page/manpage_obstacles.c \
+	%D%/page/manpage_rod.c \
+	%D%/page/manpage_ropeway.c \
+	%D%/page/manpage_tow.c
 %C%_manpage_LDADD = %D%/libscene.la src/core/libcore.la $(YAML_LIBS) $(JANSSON_LIBS) $(UDUNITS_LIBS)

@@ -36,7 +36,7 @@ verdict() {
 }
 
 annotated() {
-	cat src/*/*.[ch] include/hawser/*.h | grep -c "$1"
+	find src include -name '*.[ch]' -exec cat {} + | grep -c "$1"
 }
 
 # "file function warning" of each finding of gcc's.

@@ -23,10 +23,10 @@ writes() {
 	for page in "$scratch/lists.in" man/hawser-frf.1.in; do
 		"$@" -v hawser="$scratch/hawser" -v shared=man/shared -f man/page.awk "$page"
 	done
-	"$@" -v file=src/cli/cmd_beam.c -v only=0 -f tests/faults/seed.awk tests/faults/faults.tsv src/cli/cmd_beam.c
+	"$@" -v file=src/cli/beam/cmd_beam.c -v only=0 -f tests/faults/seed.awk tests/faults/faults.tsv src/cli/beam/cmd_beam.c
 	"$@" -v file=src/core/ranks.c -v only=17 -f tests/faults/seed.awk tests/faults/faults.tsv src/core/ranks.c
 	printf '9\tquick\tunit/x\n17\twarnings\t-\n' | "$@" -f tests/faults/sums.awk tests/faults/faults.tsv -
-	"$@" -f src/batches.awk src/rom/*.c tests/unit/*.c
+	"$@" -f src/batches.awk src/rom/*/*.c tests/unit/*.c
 	printf '/* A comment. */\nint hawser_x(double *value);\nstruct s {\n\tdouble *y;\n};\n' >"$scratch/wrong.h"
 	"$@" -f tests/checks/shapes.awk "$scratch/wrong.h" include/hawser/*.h
 }

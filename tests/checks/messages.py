@@ -58,7 +58,7 @@ def shown(text):
 
 def messages():
     """(file, line, last line, status, message) of each."""
-    for name in sorted(glob.glob("src/*/*.[ch]")):
+    for name in sorted(glob.glob("src/**/*.[ch]", recursive=True)):
         text = without_comments(open(name, encoding="utf-8").read())
         for hit in re.finditer(r"\b(%s)\(" % "|".join(CALLS), text):
             parts, end = arguments(text, hit.end())

@@ -5,7 +5,7 @@
 . "$(dirname "$0")/lib.sh"
 
 # String literals of the sources, those that stand next to each other joined, % marks as the table has them.
-cat src/*/*.[ch] | tr '\n\t' '  ' | sed 's/" *"//g; s/%%/%/g; s/\\"/"/g' >"$scratch/sources"
+find src -name '*.[ch]' -exec cat {} + | tr '\n\t' '  ' | sed 's/" *"//g; s/%%/%/g; s/\\"/"/g' >"$scratch/sources"
 sed -n '/^## Messages/,$p' doc/robustness.md | sed -n 's/^| `\([^`]*\)` |.*/\1/p' >"$scratch/messages"
 
 try "the table has messages" test "$(wc -l <"$scratch/messages")" -gt 60

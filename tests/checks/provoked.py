@@ -12,7 +12,7 @@ import sys
 build = sys.argv[1]
 here = os.getcwd()
 count = {}
-for data in sorted(glob.glob(build + "/src/*/*.gcda")):
+for data in sorted(glob.glob(build + "/src/**/*.gcda", recursive=True)):
     text = subprocess.run(["gcov", "--json-format", "--stdout", os.path.basename(data)], check=True,
                           cwd=os.path.dirname(data), capture_output=True).stdout
     for line in text.splitlines():

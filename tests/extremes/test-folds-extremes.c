@@ -5,7 +5,7 @@
 
 #include <hawser/folds.h>
 
-#include "response/folds_search.h"
+#include "response/locus/folds_search.h"
 #include "tests/folds-duffing.h"
 #include "tests/tap.h"
 

@@ -8,7 +8,7 @@
 
 #include <hawser/frf.h>
 
-#include "rom/model.h"
+#include "rom/build/model.h"
 #include "tests/tap.h"
 
 static const char *method;

@@ -14,7 +14,7 @@
 
 #include <hawser/hill.h>
 
-#include "rom/model.h"
+#include "rom/build/model.h"
 #include "tests/gsl_mathieu.h"
 #include "tests/extremes/reflect.h"
 #include "tests/extremes/sweep.h"

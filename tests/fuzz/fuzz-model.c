@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include "rom/read.h"
+#include "rom/file/read.h"
 #include "tests/fuzz/fuzz.h"
 
 /* Values may overflow; memory accesses must be valid. */

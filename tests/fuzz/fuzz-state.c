@@ -4,7 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include "cli/cli.h"
+#include "cli/frame/cli.h"
 #include "tests/fuzz/fuzz.h"
 
 enum { MOST = 8 };

@@ -11,7 +11,7 @@
 
 #include <hawser/hawser.h>
 
-#include "rom/model.h"
+#include "rom/build/model.h"
 #include "tests/tap.h"
 
 enum { N = 13 };

@@ -19,7 +19,7 @@
 
 #include <hawser/folds.h>
 
-#include "rom/model.h"
+#include "rom/build/model.h"
 #include "tests/folds-duffing.h"
 #include "tests/tap.h"
 

@@ -12,7 +12,7 @@
 #include <hawser/scene.h>
 #include <hawser/statics.h>
 
-#include "rom/model.h"
+#include "rom/build/model.h"
 #include "tests/tap.h"
 
 static const char *method;

@@ -11,7 +11,7 @@
 
 #include <hawser/hill.h>
 
-#include "rom/model.h"
+#include "rom/build/model.h"
 #include "tests/tap.h"
 
 enum { MOST = 10 };

@@ -4,7 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include "rom/history.h"
+#include "rom/terms/history.h"
 #include "tests/integrate-models.h"
 
 enum { ROWS = 801 };

@@ -4,7 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include "response/rest.h"
+#include "response/orbit/rest.h"
 #include "tests/integrate-models.h"
 
 #define OMEGA 1.385

@@ -10,7 +10,7 @@
 
 #include <hawser/line_rom.h>
 
-#include "rom/answer.h"
+#include "rom/condense/answer.h"
 #include "tests/tap.h"
 
 enum { SPANS = 3, PHASES = 256, WAVES = 3 };

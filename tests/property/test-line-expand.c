@@ -13,7 +13,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "ropeway/expand.h"
+#include "ropeway/expand/expand.h"
 #include "tests/tap.h"
 
 enum { MASSES = 40 };

@@ -9,8 +9,8 @@
 
 #include <hawser/linear.h>
 
-#include "response/linear_margin.h"
-#include "rom/model.h"
+#include "response/floquet/linear_margin.h"
+#include "rom/build/model.h"
 #include "tests/tap.h"
 
 enum { MOST = 9 };

@@ -11,7 +11,7 @@
 #include <hawser/integrate.h>
 #include <hawser/modes.h>
 #include <hawser/scene.h>
-#include "rom/answer.h"
+#include "rom/condense/answer.h"
 #include "tests/tap.h"
 
 static int read(struct hawser_scene *scene, const char *text)

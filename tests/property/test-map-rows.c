@@ -9,7 +9,7 @@
 
 #include <hawser/hawser.h>
 
-#include "rom/model.h"
+#include "rom/build/model.h"
 #include "tests/map-responses.h"
 #include "tests/tap.h"
 

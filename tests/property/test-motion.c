@@ -10,8 +10,8 @@
 #include <hawser/modes.h>
 #include <hawser/scene.h>
 
-#include "rom/history.h"
-#include "rom/kernel.h"
+#include "rom/terms/history.h"
+#include "rom/energy/kernel.h"
 #include "tests/lumped-chain.h"
 #include "tests/tap.h"
 

@@ -7,7 +7,7 @@
 
 #include <hawser/statics.h>
 
-#include "net/catenary.h"
+#include "net/statics/catenary.h"
 #include "tests/net-random.h"
 #include "tests/tap.h"
 

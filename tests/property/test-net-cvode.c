@@ -8,7 +8,7 @@
 
 #include <hawser/net_motion.h>
 
-#include "net/motion-ode.h"
+#include "net/motion/motion-ode.h"
 #include "tests/tap.h"
 
 enum { N = 12, MOST = 3*(N + 20) };

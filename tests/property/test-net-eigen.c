@@ -8,7 +8,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "net/eigen.h"
+#include "net/modes/eigen.h"
 #include "tests/net-random.h"
 #include "tests/tap.h"
 

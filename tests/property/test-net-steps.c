@@ -7,7 +7,7 @@
 
 #include <hawser/net_motion.h>
 
-#include "net/motion.h"
+#include "net/motion/motion.h"
 #include "tests/tap.h"
 
 enum { N = 12 };

@@ -11,8 +11,8 @@
 
 #include <hawser/plan.h>
 
-#include "study/accuracy.h"
-#include "study/trial.h"
+#include "study/accuracy/accuracy.h"
+#include "study/plan/trial.h"
 #include "tests/tap.h"
 
 static struct hawser_scene scene;

@@ -8,7 +8,7 @@
 
 #include <hawser/modes.h>
 
-#include "modes/quadratic.h"
+#include "modes/complex/quadratic.h"
 #include "tests/tap.h"
 
 enum { N = 24 };

@@ -8,8 +8,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "rom/cycle.h"
-#include "rom/model.h"
+#include "rom/choose/cycle.h"
+#include "rom/build/model.h"
 #include "tests/tap.h"
 
 enum { N = 3, SIZE = 2*N + 2 };

@@ -9,8 +9,8 @@
 #include <stdlib.h>
 
 #include "modes/grid.h"
-#include "rom/model.h"
-#include "rom/project.h"
+#include "rom/build/model.h"
+#include "rom/energy/project.h"
 #include "tests/modes-span.h"
 #include "tests/tap.h"
 

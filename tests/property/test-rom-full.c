@@ -12,7 +12,7 @@
 
 #include <hawser/rom.h>
 
-#include "rom/kernel.h"
+#include "rom/energy/kernel.h"
 #include "tests/modes-span.h"
 #include "tests/tap.h"
 

@@ -1,4 +1,4 @@
-/* Forces, tangents and energies from functions (rom/quartic.h) against those from tensors; both
+/* Forces, tangents and energies from functions (rom/energy/quartic.h) against those from tensors; both
  * share the modes and their grid only. Random scenes, level, inclined and deep, at rest and
  * travelling, with condensed modes, second-order shapes, or neither. Then the choice between the two.
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -11,8 +11,8 @@
 #include <string.h>
 
 #include <hawser/rom.h>
-#include "rom/kernel.h"
-#include "rom/quartic.h"
+#include "rom/energy/kernel.h"
+#include "rom/energy/quartic.h"
 #include "tests/tap.h"
 
 #define WITHIN 1e-13 /* of the largest component; tensors themselves are accurate to about 1e-14 */

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 
 #include <hawser/rom.h>
-#include "rom/vary.h"
+#include "rom/terms/vary.h"
 #include "tests/tap.h"
 
 enum { KEPT = 4, FUNCTIONS = 24, N = 3*FUNCTIONS };

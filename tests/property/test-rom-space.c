@@ -10,7 +10,7 @@
 #include <hawser/rom.h>
 #include <hawser/scene.h>
 
-#include "rom/kernel.h"
+#include "rom/energy/kernel.h"
 #include "tests/tap.h"
 
 enum { MODES = 9 };

@@ -13,7 +13,7 @@
 #include <string.h>
 
 #include <hawser/rom.h>
-#include "rom/ramp.h"
+#include "rom/build/ramp.h"
 #include "tests/tap.h"
 
 enum { N = 7 };

@@ -7,7 +7,7 @@
 
 #include <hawser/study.h>
 
-#include "study/scales.h"
+#include "study/accuracy/scales.h"
 #include "tests/tap.h"
 
 /* u'' + c u' + w^2 u + beta u^2 + gamma u^3 + 2 b u v = f cos, v'' + c v' + wv^2 v + b u^2 = 0, with

@@ -11,7 +11,7 @@
 #include <hawser/modes.h>
 #include <hawser/scene.h>
 
-#include "rom/support.h"
+#include "rom/condense/support.h"
 #include "tests/tap.h"
 
 static int read(struct hawser_scene *scene, const char *text)

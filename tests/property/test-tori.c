@@ -11,7 +11,7 @@
 
 #include <hawser/integrate.h>
 
-#include "response/torus.h"
+#include "response/torus/torus.h"
 #include "tests/tap.h"
 
 #define MODEL(D, c) "{\"hawser_rom\": 1, \"n\": 1, \"K\": [[1]], \"D\": [[" D "]], " \

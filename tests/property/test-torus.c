@@ -10,7 +10,7 @@
 #include <hawser/frf.h>
 #include <hawser/integrate.h>
 
-#include "response/torus.h"
+#include "response/torus/torus.h"
 #include "tests/tap.h"
 
 #define RAYLEIGH "{\"hawser_rom\": 1, \"n\": 1, \"K\": [[1]], \"D\": [[-0.2]], " \

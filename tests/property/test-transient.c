@@ -10,7 +10,7 @@
 
 #include <hawser/ropeway_modes.h>
 
-#include "ropeway/transient.h"
+#include "ropeway/transient/transient.h"
 #include "tests/tap.h"
 
 #define PI 3.14159265358979323846

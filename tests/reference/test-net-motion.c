@@ -13,7 +13,7 @@
 
 #include <hawser/net_motion.h>
 
-#include "net/motion.h"
+#include "net/motion/motion.h"
 #include "tests/tap.h"
 
 static const double LENGTH = 1.8, RHO = 0.03324, G = 9.81, STEP = 0.25e-3;

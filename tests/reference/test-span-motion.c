@@ -15,7 +15,7 @@
 
 #include <hawser/span_motion.h>
 
-#include "net/motion.h"
+#include "net/motion/motion.h"
 #include "tests/tap.h"
 
 enum { PROBES = HAWSER_SPAN_PROBES };

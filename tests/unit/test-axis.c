@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "cli/axis.h"
+#include "cli/model/axis.h"
 #include "tests/tap.h"
 
 /* Axes of maps and boundaries (hawser-map(1)): keys with one number, and these. */

@@ -6,8 +6,8 @@
 #include <lapacke.h>
 #include <stdlib.h>
 
-#include "response/balance.h"
-#include "rom/model.h"
+#include "response/orbit/balance.h"
+#include "rom/build/model.h"
 #include "tests/balance-model.h"
 #include "tests/tap.h"
 

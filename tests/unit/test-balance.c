@@ -5,11 +5,11 @@
 
 #include <stdlib.h>
 
-#include "response/balance.h"
-#include "response/floquet.h"
-#include "response/flow.h"
-#include "response/start.h"
-#include "rom/model.h"
+#include "response/orbit/balance.h"
+#include "response/floquet/floquet.h"
+#include "response/time/flow.h"
+#include "response/orbit/start.h"
+#include "rom/build/model.h"
 #include "tests/balance-model.h"
 #include "tests/tap.h"
 

@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "response/collide.h"
+#include "response/branch/collide.h"
 #include "tests/tap.h"
 
 #define PAIRS 3

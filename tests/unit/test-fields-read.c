@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "output/fields.h"
+#include "output/fields/fields.h"
 #include "tests/tap.h"
 
 enum colour { RED, GREEN };

@@ -7,7 +7,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "output/fields.h"
+#include "output/fields/fields.h"
 #include "tests/fields-text.h"
 
 enum { OPTION = 4 };

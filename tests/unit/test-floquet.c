@@ -7,8 +7,8 @@
 
 #include <hawser/orbit.h>
 
-#include "response/shooting.h"
-#include "rom/model.h"
+#include "response/orbit/shooting.h"
+#include "rom/build/model.h"
 #include "tests/tap.h"
 
 static double uniform(void)

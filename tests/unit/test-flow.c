@@ -5,8 +5,8 @@
 
 #include <stdlib.h>
 
-#include "response/flow.h"
-#include "rom/model.h"
+#include "response/time/flow.h"
+#include "rom/build/model.h"
 #include "tests/tap.h"
 
 /* A damped 2:1 pair with a cubic term and a load: all terms of a model except parametric ones. */

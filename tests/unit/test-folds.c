@@ -7,8 +7,8 @@
 
 #include <hawser/folds.h>
 
-#include "response/folds_walk.h"
-#include "rom/model.h"
+#include "response/locus/folds_walk.h"
+#include "rom/build/model.h"
 #include "tests/tap.h"
 
 static double *copy(const double *from, size_t count)

@@ -9,7 +9,7 @@
 #include <hawser/map.h>
 
 #include "beam/boundary.h"
-#include "modes/branches.h"
+#include "modes/sweep/branches.h"
 #include "tests/tap.h"
 
 static struct hawser_report report;

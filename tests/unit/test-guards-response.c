@@ -12,11 +12,11 @@
 #include <hawser/linear.h>
 #include <hawser/scales.h>
 
-#include "response/monodromy.h"
-#include "rom/condense.h"
-#include "rom/drive.h"
-#include "rom/inertia.h"
-#include "rom/travel.h"
+#include "response/floquet/monodromy.h"
+#include "rom/condense/condense.h"
+#include "rom/choose/drive.h"
+#include "rom/condense/inertia.h"
+#include "rom/terms/travel.h"
 #include "tests/modes-span.h"
 #include "tests/tap.h"
 

@@ -11,9 +11,9 @@
 
 #include <hawser/linear.h>
 
-#include "response/hill_matrix.h"
-#include "response/linear_margin.h"
-#include "rom/model.h"
+#include "response/floquet/hill_matrix.h"
+#include "response/floquet/linear_margin.h"
+#include "rom/build/model.h"
 #include "tests/tap.h"
 
 enum { MOST = 6, MODELS = 60 };

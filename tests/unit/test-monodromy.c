@@ -6,9 +6,9 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-#include "response/monodromy.h"
-#include "rom/exact.h"
-#include "rom/model.h"
+#include "response/floquet/monodromy.h"
+#include "rom/energy/exact.h"
+#include "rom/build/model.h"
 #include "tests/tap.h"
 
 /* Two coordinates and a stiff third one: with steps that resolve all of them, and with the third

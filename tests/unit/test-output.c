@@ -9,7 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "output/labels.h"
+#include "output/drawing/labels.h"
 #include "output/output.h"
 #include "tests/tap.h"
 

@@ -3,8 +3,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <stdlib.h>
 
-#include "rom/kernel.h"
-#include "rom/model.h"
+#include "rom/energy/kernel.h"
+#include "rom/build/model.h"
 #include "tests/tap.h"
 
 static double uniform(void)

@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#include "scene/example.h"
+#include "scene/page/example.h"
 #include "tests/tap.h"
 #include "tests/unit/scene-text.h"
 

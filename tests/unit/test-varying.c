@@ -10,8 +10,8 @@
 #include <hawser/frf.h>
 #include <hawser/integrate.h>
 
-#include "response/load.h"
-#include "rom/model.h"
+#include "response/orbit/load.h"
+#include "rom/build/model.h"
 #include "tests/tap.h"
 
 enum { N = 2 };

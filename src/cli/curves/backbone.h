@@ -1,0 +1,29 @@
+/* cli/curves/backbone.h - backbones beside a frequency response (hawser frf --backbone).
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_CLI_BACKBONE_H
+#define HAWSER_CLI_BACKBONE_H
+
+#include "cli/frame/view.h"
+
+struct cli_backbone {
+	int mode;                             /* index */
+	struct hawser_backbone run;
+	struct hawser_primary_curve parabola; /* multiple scales; no points where these fail */
+	double gamma;
+	double *omega;                        /* [run.points], then [parabola points] */
+};
+/* Up to the scaled amplitude `size`, at frequencies from `from` to `to`. */
+enum hawser_status cli_backbone_trace(struct cli_backbone *backbone, const struct cli_model *model,
+                                      int mode, double size, double from, double to, int quiet,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+void cli_backbone_clear(struct cli_backbone *backbone);
+/* overlay [2]; how many there are. */
+int cli_backbone_overlays(struct cli_overlay *overlay, const struct cli_backbone *backbone);
+
+void cli_backbone_comments(struct hawser__table *table, const struct cli_frf_result *result);
+const char *cli_backbone_end(enum hawser_backbone_end end); /* for people */
+/* Energy over frequency; `result` is a cli_frf_result. */
+enum hawser_status cli_backbone_draw(const char *path, const void *result,
+                                     struct hawser_report *report);
+
+#endif

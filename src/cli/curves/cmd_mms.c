@@ -1,0 +1,279 @@
+/* cli/curves/cmd_mms.c - hawser mms: resonances by the method of multiple scales.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/model/label.h"
+#include "cli/curves/mms_result.h"
+#include "cli/frame/progress.h"
+#include "core/report.h"
+
+struct settings {
+	struct cli_common common;
+	const char *from, *to, *resonant;
+	double tolerance, step;
+	int n, points, mode, superharmonic, subharmonic;
+};
+static const struct settings defaults = {.step = CLI_STEP};
+
+static const struct cli_option options[] = {
+	{"mode", 0, "J", "resonant mode (the one that the load drives the most)", CLI_INTEGER(mode)},
+	CLI_TEXT_OPTION(resonant, "LIST", "several resonant modes, as mode:order: 1:1,4:2"),
+	{"superharmonic", 0, "K", "the mode resonates at K (2 or 3) times the load's frequency",
+	 CLI_COUNT(superharmonic)},
+	{"subharmonic", 0, "K", "the mode resonates at 1/K (K: 2 or 3) of the load's frequency",
+	 CLI_COUNT(subharmonic)},
+	CLI_RANGE_OPTIONS("one end of the range (chosen about the resonance)", "the other end"),
+	CLI_MODES_OPTION,
+	CLI_TOLERANCE_OPTION("relative tolerance of equilibria (1e-9)"),
+	CLI_STEP_OPTION,
+	CLI_POINTS_OPTION("points of the closed form (400); most points of other curves (20000)"),
+	CLI_LANE_LOAD_OPTION,
+	CLI_LANE_OPTIONS,
+	CLI_NO_OPTION,
+};
+
+static const char *const notes[] = {
+	"For one mode at primary resonance: response curve, peak, folds and backbone in closed form, with",
+	"the second-order response of all modes (drift, second harmonic). For several modes and for super-",
+	"and subharmonic resonance: the modulation equations of the model, and their equilibria.",
+	"FREQUENCY: a number (rad/s), \"0.3 Hz\", or a multiple of a natural frequency, 0.6w1.",
+	NULL,
+};
+
+static double natural_of(const struct hawser_rom *rom, int j)
+{
+	return sqrt(fmax(rom->K[(size_t)j*((size_t)rom->n + 1)], 0.0));
+}
+
+/* --- what was asked for --- */
+
+static enum hawser_status check(const struct settings *settings, struct hawser_report *report)
+{
+	int kinds =
+	        (settings->superharmonic > 0) + (settings->subharmonic > 0) + (settings->resonant != NULL);
+
+	if (kinds > 1)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "mms",
+		                    "--resonant, --superharmonic and --subharmonic are different resonances: "
+		                    "choose one");
+	if (settings->superharmonic > 3 || settings->subharmonic > 3)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "mms",
+		                    "--%s %d: to second order there are 2 and 3",
+		                    settings->superharmonic ? "superharmonic" : "subharmonic",
+		                    settings->superharmonic ?
+		                    settings->superharmonic : settings->subharmonic);
+	if (settings->resonant && settings->mode)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "mms",
+		                    "--mode and --resonant both name resonant modes: write one of them");
+	if (settings->step > 1.0)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "mms",
+		                    "--step %g: it is a part of the range, at most 1", settings->step);
+	return cli_outputs_check(&settings->common, report);
+}
+
+static enum hawser_status which_mode(int *mode, const struct settings *settings,
+                                     const struct hawser_rom *rom, struct hawser_report *report)
+{
+	*mode = settings->mode ? settings->mode - 1 : hawser_primary_strongest(rom);
+	if (*mode >= rom->n)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "mms",
+		                    "--mode %d: the model has modes 1 to %d",
+		                    settings->mode, rom->n);
+	if (*mode < 0)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "mms",
+		                    "the load drives no mode at its own frequency: name one with --mode");
+	return HAWSER_OK;
+}
+
+static enum hawser_status range(struct cli_mms_result *result, const struct settings *settings,
+                                double centre, double half, struct hawser_report *report)
+{
+	const struct cli_mms_range range = {centre, half, settings->from, settings->to};
+
+	return cli_mms_range(&result->from, &result->to, &range, result->model, report);
+}
+
+static enum hawser_status load_model(struct cli_model *model, const struct settings *settings,
+                                     struct hawser_report *report)
+{
+	enum hawser_status status = cli_model_load(model, &settings->common, settings->n, report);
+	double from = 0.0, to = 0.0;
+
+	if (status || !model->automatic)
+		return status;
+	from = 0.8*model->natural[settings->mode > 0 && settings->mode <= model->naturals
+	                          ? settings->mode - 1 : 0];
+	to = 1.5*from;
+	if (settings->from)
+		status = cli_frequency(&from, settings->from, "from", model, report);
+	if (!status && settings->to)
+		status = cli_frequency(&to, settings->to, "to", model, report);
+	return status ? status : cli_choice_build(model, from, to, report);
+}
+
+/* --- results --- */
+
+
+static enum hawser_status closed_form(struct cli_mms_result *result, struct cli_model *model,
+                                      const struct settings *settings,
+                                      struct hawser_report *report)
+{
+	struct hawser_primary primary = {0};
+	struct hawser_primary_curve curve = {.amplitude = NULL};
+	int mode;
+	enum hawser_status status = which_mode(&mode, settings, &result->model->rom, report);
+
+	if (!status)
+		status = hawser_primary_derive(&primary, &result->model->rom, mode, report);
+	if (!status)
+		status = range(result, settings, primary.omega,
+		               2.0*fabs(primary.peak_omega - primary.omega) + 15.0*primary.damping, report);
+	if (!status)
+		status = hawser_primary_trace(&curve, &primary, result->from, result->to,
+		                              settings->points ? settings->points : 400, report);
+	if (!status && curve.frf.points < 2)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "mms",
+		                      "the range has no point of the curve: widen it");
+	result->primary = &primary;
+	result->curve = &curve;
+	result->modulation = &primary.modulation;
+	if (!status)
+		status = cli_show(result->common, &cli_mms_showing, result, report);
+	if (!status)
+		cli_range_warn(model, cli_range_reach(NULL, model, curve.frf.coordinate, curve.frf.points,
+		                                      model->rom.n));
+	result->primary = NULL;
+	result->curve = NULL;
+	result->modulation = NULL;
+	hawser_primary_curve_clear(&curve);
+	hawser_primary_clear(&primary);
+	return status;
+}
+
+/* Convert frequencies of the motion to those of the load. */
+static void of_the_load(struct hawser_frf *frf, int base)
+{
+	for (int i = 0; i < frf->points; i++)
+		frf->point[i].omega *= base;
+	for (int k = 0; k < frf->events; k++)
+		frf->event[k].omega *= base;
+}
+
+static enum hawser_status follow(struct hawser_frf *frf, const struct cli_mms_result *result,
+                                 const struct hawser_modulation *modulation,
+                                 const struct settings *settings, struct hawser_report *report)
+{
+	const struct hawser_rom *rom = &result->model->rom;
+	struct hawser_frf_options choice = {.method = NULL};
+	double *start = NULL, x[2];
+	enum hawser_status status = HAWSER_OK;
+
+	choice.method = "multiple-scales";
+	choice.resonance = &modulation->resonance;
+	choice.from = result->from/result->base;
+	choice.to = result->to/result->base;
+	choice.step_max = settings->step;
+	choice.progress.function = cli_watch_silently;
+	choice.samples = HAWSER_NONE; /* hawser compare mms states the distances */
+	if (settings->tolerance > 0.0)
+		choice.tolerance = settings->tolerance;
+	if (settings->points > 0)
+		choice.max_points = settings->points;
+	if (result->base > 1) {
+		start = calloc(2*(size_t)rom->n, sizeof *start);
+		status = start ? hawser_subharmonic_start(modulation, x, &choice.begin, choice.from,
+		                                          choice.to,
+		                                          report) : hawser__no_memory(report, "mms");
+		/* to first order: the method reads only the resonant part of a state */
+		if (!status) {
+			start[modulation->resonance.mode[0]] = 2.0*x[0];
+			start[rom->n + modulation->resonance.mode[0]] = -2.0*choice.begin*x[1];
+			if (choice.begin == choice.to) { /* inwards */
+				choice.to = choice.from;
+				choice.from = choice.begin;
+			}
+		}
+		choice.start = start;
+	}
+	if (!status)
+		status = hawser_frf_trace(frf, rom, &choice, report);
+	of_the_load(frf, result->base);
+	free(start);
+	return status;
+}
+
+static enum hawser_status equilibria(struct cli_mms_result *result, struct cli_model *model,
+                                     const struct settings *settings, struct hawser_report *report)
+{
+	struct hawser_rom *rom = &model->rom;
+	struct hawser_resonance resonance = {.count = 1};
+	struct hawser_modulation modulation = {.rom = NULL};
+	struct hawser_frf frf = {0};
+	struct cli_frf_result drawn = {.common = result->common, .model = result->model, .frf = &frf,
+	                               .command = "mms", .scales = result, .scale = "auto"};
+	enum hawser_status status = HAWSER_OK;
+
+	if (settings->resonant)
+		status = cli_mms_read(&resonance, settings->resonant, rom, report);
+	else
+		status = which_mode(&resonance.mode[0], settings, rom, report);
+	if (!settings->resonant) {
+		resonance.order[0] = settings->superharmonic ? settings->superharmonic : 1;
+		resonance.omega0 = status ? 1.0 : natural_of(rom, resonance.mode[0])/resonance.order[0];
+	}
+	result->base = settings->subharmonic ? settings->subharmonic : 1;
+	if (!status)
+		status = hawser_subharmonic_base(rom, result->base, report);
+	if (!status)
+		status = hawser_modulation_derive(&modulation, rom, &resonance, report);
+	if (!status)
+		status = range(result, settings, result->base*resonance.omega0,
+		               0.1*result->base*resonance.omega0, report);
+	if (!status)
+		status = follow(&frf, result, &modulation, settings, report);
+	result->modulation = &modulation;
+	drawn.from = result->from;
+	drawn.to = result->to;
+	drawn.direction = cli_frf_direction(&frf);
+	drawn.label_every = 10;
+	if (!status)
+		cli_label_all(&drawn);
+	if (!status)
+		status = cli_show(result->common, &cli_frf_showing, &drawn, report);
+	if (!status)
+		cli_range_warn(model, cli_range_reach(NULL, model, frf.coordinate, frf.points, model->rom.n));
+	result->modulation = NULL;
+	hawser_frf_clear(&frf);
+	hawser_modulation_clear(&modulation);
+	return status;
+}
+
+static enum hawser_status run(void *context, struct hawser_report *report)
+{
+	const struct settings *settings = context;
+	struct cli_model model = {0};
+	struct cli_mms_result result = {.common = &settings->common, .model = &model, .base = 1};
+	enum hawser_status status = check(settings, report);
+
+	if (!status)
+		status = load_model(&model, settings, report);
+	if (status)
+		goto done;
+	if (settings->resonant || settings->superharmonic || settings->subharmonic)
+		status = equilibria(&result, &model, settings, report);
+	else
+		status = closed_form(&result, &model, settings, report);
+done:
+	cli_model_clear(&model);
+	return status;
+}
+
+const struct cli_command cli_mms = {
+	"mms", "SCENE|MODEL", "Resonances by multiple scales: closed forms, modulation equations",
+	        notes,
+	options, &defaults, sizeof(struct settings), 1, run, cli_mms_listing,
+};

@@ -1,0 +1,91 @@
+/* cli/curves/frf_over.c - see frf_over.h.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/curves/frf_over.h"
+#include "core/report.h"
+
+static const char *const factor[] = {"factor.load", "factor.damping"}; /* enum hawser_factor */
+enum { FACTORS = sizeof factor/sizeof *factor };
+
+int cli_over_needs_scene(const char *text)
+{
+	return strncmp(text, "factor.", 7) != 0;
+}
+
+static enum hawser_status open_family(struct cli_over *over, struct cli_model *model,
+                                      struct hawser_report *report)
+{
+	const char *key = over->axis.key;
+
+	for (int k = 0; k < FACTORS; k++)
+		if (strcmp(key, factor[k]) == 0)
+			return hawser_factor_open(&over->family, &model->rom, (enum hawser_factor)k,
+			                          over->omega, report);
+	if (strncmp(key, "model.", 6) == 0)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
+		                    "--over %s: settings of the model are no parameters of the cable: "
+		                    "hawser compare compares models", key);
+	if (!cli_over_needs_scene(key) || strcmp(key, "Omega") == 0)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
+		                    "--over %s: write factor.load, factor.damping or a key of the scene; "
+		                    "Omega is followed without --over", key);
+	if (model->ropeway)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
+		                    "--over %s: a ropeway has the parameters factor.load and factor.damping "
+		                    "only", key);
+	if (!model->has_scene && model->source.parameters == 0)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
+		                    "--over %s: this reduced-model file has the parameters factor.load and "
+		                    "factor.damping only: give the scene, or name parameters in the file", key);
+	if (!model->has_scene) {
+		over->file = 1;
+		return hawser_parameter_open(&over->family, &model->source, key, over->omega, report);
+	}
+	over->scene = 1;
+	return hawser_scene_family_open(&over->family, &model->scene, key,
+	                                fmin(fmin(over->from, over->to), over->at),
+	                                fmax(fmax(over->from, over->to), over->at),
+	                                isnan(over->at) ? over->from : over->at, over->omega, report);
+}
+
+enum hawser_status cli_over_open(struct cli_over *over, const char *text, const char *frequency,
+                                 struct cli_model *model, struct hawser_report *report)
+{
+	enum hawser_status status;
+
+	if (!frequency && !(over->omega > 0.0))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
+		                    "--over %s follows the motion at one frequency: give it with --Omega",
+		                    text);
+	if (model->automatic)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
+		                    "--over: model.modes: auto chooses for a range of frequencies: give a "
+		                    "number of modes with -n");
+	status = cli_map_axis(&over->axis, "over", text, model, report);
+	if (!status && frequency)
+		status = cli_map_frequency(&over->omega, frequency, "Omega", model, report);
+	if (status)
+		return status;
+	over->from = over->axis.backwards ? over->axis.to : over->axis.from;
+	over->to = over->axis.backwards ? over->axis.from : over->axis.to;
+	status = open_family(over, model, report);
+	over->open = !status;
+	return status;
+}
+
+void cli_over_clear(struct cli_over *over)
+{
+	if (over->open && over->scene)
+		hawser_scene_family_close(&over->family);
+	else if (over->open && over->file)
+		hawser_parameter_close(&over->family);
+	else if (over->open)
+		hawser_factor_close(&over->family);
+	free(over->axis.copy);
+	*over = (struct cli_over){.open = 0};
+}

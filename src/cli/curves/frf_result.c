@@ -1,0 +1,308 @@
+/* cli/curves/frf_result.c - comments of a frequency response, in SI if the model has units.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/curves/backbone.h"
+#include "cli/model/exact.h"
+#include "cli/curves/frf_cover.h"
+#include "cli/curves/frf_lift.h"
+#include "cli/curves/frf_over.h"
+#include "cli/curves/frf_tori.h"
+#include "cli/frame/view.h"
+#include "cli/curves/mms_result.h"
+#include "core/report.h"
+
+struct cli_place cli_frf_place(const struct cli_frf_result *result, double omega, double parameter)
+{
+	struct cli_place place;
+
+	if (result->over)
+		snprintf(place.text, sizeof place.text, "%.60s = %.12g%s%.20s", result->over->axis.key,
+		         parameter, *result->over->axis.unit ? " " : "", result->over->axis.unit);
+	else
+		snprintf(place.text, sizeof place.text, "Omega = %.12g%s",
+		         omega*cli_per_omega(result->model), cli_unit(result->model, " rad/s"));
+	return place;
+}
+
+/* The reason why the curve ended, as text. */
+static const char *sentence(enum hawser_frf_end end)
+{
+	switch (end) {
+	case HAWSER_END_RANGE: return "the curve reached an end of the range";
+	case HAWSER_END_RETURNED: return "the curve came back to the end of the range where it began; "
+		                         "the other end was not reached";
+	case HAWSER_END_CLOSED: return "the curve closed on itself";
+	case HAWSER_END_MAX_POINTS: return "the limit --max-points was reached";
+	case HAWSER_END_INTERRUPTED: return "interrupted; the curve is incomplete";
+	case HAWSER_END_AT_REST: return "the motion shrinks to rest";
+	case HAWSER_END_SLACK: return "the cable goes slack; beyond, the model's motion is not the "
+		                      "cable's (--slack follow shows it)";
+	case HAWSER_END_UNSTABLE: return "more multipliers are unstable than --unstable allows";
+	case HAWSER_END_LOST: return "unstable motions that could not be followed further";
+	case HAWSER_END_MEETS: return "the branch meets another one; beyond, it repeats itself in reverse";
+	case HAWSER_END_FAILED: return "the corrector failed; the curve is incomplete";
+	}
+	return "";
+}
+
+int cli_frf_direction(const struct hawser_frf *frf)
+{
+	return frf->points > 0 ? frf->point[frf->points - 1].direction : 0;
+}
+
+/* Number of branches that end where the cable becomes slack. */
+static int ends_slack(const struct cli_frf_result *result)
+{
+	int count = result->frf->end == HAWSER_END_SLACK;
+
+	for (int k = 0; k < result->others; k++)
+		count += result->other[k].frf->end == HAWSER_END_SLACK;
+	return count;
+}
+
+static double place_of(const struct cli_frf_result *result, const struct hawser_frf_point *point)
+{
+	return result->over ? point->parameter : point->omega*cli_per_omega(result->model);
+}
+
+/* Append to text [size], of which `used` are used. */
+static int append(char *text, size_t size, int used, const struct cli_frf_result *result,
+                  const char *before)
+{
+	const struct hawser_frf *frf = result->frf;
+
+	if (frf->end != HAWSER_END_SLACK || used >= (int)size)
+		return used;
+	return used + snprintf(text + used, size - (size_t)used, "%s%.9g", before,
+	                       place_of(result, &frf->point[frf->points - 1]));
+}
+
+static int slack_ends(char *text, size_t size, const struct cli_frf_result *result)
+{
+	char first[120];
+	int used;
+
+	snprintf(first, sizeof first, "slack: the least tension falls to zero at %.60s = ",
+	         result->over ? result->over->axis.key : "Omega");
+	used = append(text, size, 0, result, first);
+	for (int k = 0; k < result->others; k++)
+		used = append(text, size, used, &result->other[k], used ? ", " : first);
+	if (used < (int)size)
+		snprintf(text + used, size - (size_t)used, "%s%s, where the curve ends: a cable bears no "
+		         "compression, and beyond the model's motion is not the cable's (--slack follow "
+		         "shows it)", result->over ? " " : "",
+		         result->over ? result->over->axis.unit : cli_unit(result->model, " rad/s"));
+	return 1;
+}
+
+int cli_frf_gaps(char *text, size_t size, const struct cli_frf_result *result)
+{
+	const char *taut = ends_slack(result) ? "that keeps the cable taut " : "";
+	double per_omega = cli_per_omega(result->model);
+	int used = 0;
+
+	for (int k = 0; k < result->gaps && used < (int)size; k++)
+		used += snprintf(text + used, size - (size_t)used, "%s%s%s %.9g and %.9g",
+		                 k ? "," : "gaps: no periodic motion ", k ? "" : taut,
+		                 k ? "" : "was found between Omega =", result->gap[2*k]*per_omega,
+		                 result->gap[2*k + 1]*per_omega);
+	if (used > 0 && used < (int)size)
+		snprintf(text + used, size - (size_t)used, "%s: begin one there with --at, or look with "
+		         "--sweep both", cli_unit(result->model, " rad/s"));
+	return result->gaps > 0;
+}
+
+int cli_frf_lost(char *text, size_t size, const struct cli_frf_result *result)
+{
+	const struct hawser_frf *frf = result->frf;
+
+	for (int k = 0; frf->end != HAWSER_END_LOST && k < result->others; k++)
+		frf = result->other[k].frf;
+	if (frf->end != HAWSER_END_LOST)
+		return 0;
+	snprintf(text, size, "branch %d ends at Omega = %.9g%s among unstable motions, which can't be "
+	         "observed (%d unstable multipliers); the next could not be computed: %s", frf->branch,
+	         frf->point[frf->points - 1].omega*cli_per_omega(result->model),
+	         cli_unit(result->model, " rad/s"), frf->point[frf->points - 1].unstable, frf->lost);
+	return 1;
+}
+
+int cli_frf_slack(char *text, size_t size, const struct cli_frf_result *result)
+{
+	const struct hawser_frf *frf = result->frf;
+	int at = 0, count = 0, slower = -1;
+
+	if (!frf->tension)
+		return 0;
+	if (ends_slack(result))
+		return slack_ends(text, size, result);
+	for (int i = 0; i < frf->points; i++) {
+		double missing = cli_speeding_tension(result->model, frf->point[i].omega);
+
+		if (slower < 0 && frf->tension[2*i] < missing)
+			slower = i;
+		count += frf->tension[2*i] < 0.0;
+		if (frf->tension[2*i] < frf->tension[2*at])
+			at = i;
+	}
+	if (count == 0 && slower >= 0)
+		snprintf(text, size, "slack: at Omega = %.9g%s the model's least tension is %.4g N, and the "
+		         "change of speed takes about %.4g N more, which it has not: model.condense: static "
+		         "and model.energy: exact have it",
+		         frf->point[slower].omega*cli_per_omega(result->model),
+		         cli_unit(result->model, " rad/s"),
+		         frf->tension[2*slower],
+		         cli_speeding_tension(result->model, frf->point[slower].omega));
+	if (count == 0)
+		return slower >= 0;
+	snprintf(text, size, "slack: the model's tension falls to %.4g N at %s = %.9g%s%s, and below "
+	         "zero at %d of %d points; a cable bears no compression, so the response there is not "
+	         "that of a cable", frf->tension[2*at], result->over ? result->over->axis.key : "Omega",
+	         place_of(result, &frf->point[at]), result->over ? " " : "",
+	         result->over ? result->over->axis.unit : cli_unit(result->model, " rad/s"), count,
+	         frf->points);
+	return 1;
+}
+
+/* --- table --- */
+
+static double largest_error(const struct hawser_frf *frf)
+{
+	double largest = 0.0;
+	int i;
+
+	for (i = 0; i < frf->points; i++)
+		if (!(frf->point[i].error <= largest))
+			largest = frf->point[i].error;
+	return largest;
+}
+
+/* "branch 2 " for a further branch, else "". */
+static const char *branch_name(char text[24], const struct cli_frf_result *result)
+{
+	text[0] = '\0';
+	if (result->frf->branch > 1)
+		snprintf(text, 24, "branch %d ", result->frf->branch);
+	return text;
+}
+
+static void comment_event(struct hawser__table *table, const struct cli_frf_result *result, int k)
+{
+	char of[24];
+	const struct hawser_frf_event *event = &result->frf->event[k];
+	double per_omega = cli_per_omega(result->model);
+
+	if (event->kind == HAWSER_UNEXPLAINED)
+		hawser__table_comment(table, "%sevent: unexplained between %s and %.12g: the "
+		                      "number of unstable multipliers changes from %d to %d, and no "
+		                      "located event explains it, label %d", branch_name(of, result),
+		                      cli_frf_place(result, event->bracket[0], event->bracket[0]).text,
+		                      event->bracket[1]*(result->over ? 1.0 : per_omega),
+		                      event->unstable[0], event->unstable[1], event->label);
+	else
+		hawser__table_comment(table, "%sevent%s: %s at %s%s (relative error %.1e), label %d",
+		                      branch_name(of, result),
+		                      event->located ? "" : " not located",
+		                      hawser_event_name(event->kind),
+		                      cli_frf_place(result, event->omega, event->parameter).text,
+		                      event->suspected ? " (suspected)" : "", event->error,
+		                      event->label);
+}
+
+/* A further branch. */
+static void comment_branch(struct hawser__table *table, const struct cli_frf_result *result)
+{
+	const struct hawser_frf *frf = result->frf;
+	double per_omega = cli_per_omega(result->model);
+
+	hawser__table_comment(table, "branch %d: from Omega = %.12g to %.12g%s, %d points, "
+	                      "end: %s - %s%s%s", frf->branch, frf->point[0].omega*per_omega,
+	                      frf->point[frf->points - 1].omega*per_omega,
+	                      cli_unit(result->model, " rad/s"), frf->points,
+	                      hawser_frf_end_name(frf->end), sentence(frf->end), *frf->lost ? ": " : "",
+	                      frf->lost);
+	if (frf->parent > 0)
+		hawser__table_comment(table, "branch %d: of period %d, from branch %d at Omega = %.12g%s",
+		                      frf->branch, frf->period, frf->parent, frf->born*per_omega,
+		                      cli_unit(result->model, " rad/s"));
+	cli_fixed_comments(table, &result->error, result->frf->branch);
+	for (int k = 0; k < frf->events; k++)
+		comment_event(table, result, k);
+	cli_frf_peak_comments(table, result);
+}
+
+void cli_frf_comments(struct hawser__table *table, const void *of)
+{
+	const struct cli_frf_result *result = of;
+	char text[CLI_WARNING_SIZE];
+	const struct hawser_frf *frf = result->frf;
+	const struct cli_model *model = result->model;
+	double per_omega = cli_per_omega(model);
+	const char *rad_s = cli_unit(result->model, " rad/s");
+	int k;
+
+	if (result->over)
+		hawser__table_comment(table, "range: %s to %.12g, at Omega = %.12g%s",
+		                      cli_frf_place(result, 0.0, result->over->from).text,
+		                      result->over->to, result->over->omega, rad_s);
+	else
+		hawser__table_comment(table, "range: Omega from %.12g to %.12g%s",
+		                      result->from*per_omega, result->to*per_omega, rad_s);
+	if (frf->period > 1)
+		hawser__table_comment(table, "motions of %d periods of the load", frf->period);
+	cli_choice_comments(table, model);
+	cli_basis_comment(table, model);
+	cli_exact_comment(table, model);
+	cli_drag_comment(table, model, "at every instant, by shooting; no describing function");
+	cli_fixed_comments(table, &result->error, result->frf->branch);
+	if (result->scales)
+		cli_mms_equations(table, result->scales);
+	for (k = 0; k < model->naturals; k++)
+		hawser__table_comment(table, "natural frequency w%d = %.12g%s", k + 1,
+		                      model->natural[k]*per_omega, rad_s);
+	for (k = 0; k < frf->events; k++)
+		comment_event(table, result, k);
+	cli_frf_peak_comments(table, result);
+	for (k = 0; k < result->sweeps; k++)
+		hawser__table_comment(table, "sweep %+d: %d frequencies%s", result->sweep[k].direction,
+		                      result->sweep[k].run.points,
+		                      result->sweep[k].run.interrupted ? ", interrupted" : "");
+	if (frf->points > 0)
+		hawser__table_comment(table, "largest estimated error of a point: %.1e",
+		                      largest_error(frf));
+	if (frf->sampled > 0 && !isfinite(frf->sample_gap))
+		hawser__table_comment(table,
+		                      "%d points computed again by another method: not all were found "
+		                      "again, so far are these from the model's motions", frf->sampled);
+	else if (frf->sampled > 0)
+		hawser__table_comment(table, "%d points computed again by another method: off by %.1e at "
+		                      "most, stability %s", frf->sampled, frf->sample_gap,
+		                      frf->sample_disagreements ? "NOT the same" : "the same");
+	cli_tori_comments(table, result);
+	if (result->backbone)
+		cli_backbone_comments(table, result);
+	cli_speeding_comment(table, model, fmax(result->from, result->to));
+	cli_frf_lift_comment(table, result);
+	if (cli_frf_slack(text, sizeof text, result))
+		hawser__table_comment(table, "warning: %s", text);
+	if (cli_frf_lift(text, sizeof text, result))
+		hawser__table_comment(table, "warning: %s", text);
+	hawser__table_comment(table, "end: %s - %s%s%s", hawser_frf_end_name(frf->end),
+	                      sentence(frf->end), *frf->lost ? ": " : "", frf->lost);
+	hawser__table_comment(table, "%d points", frf->points);
+	for (k = 0; k < result->others; k++)
+		comment_branch(table, &result->other[k]);
+	if (cli_frf_gaps(text, sizeof text, result))
+		hawser__table_comment(table, "warning: %s", text);
+	for (k = 0; k < result->misses; k++)
+		hawser__table_comment(table, "warning: %s", result->missed[k].text);
+	if (frf->undecided > 0)
+		hawser__table_comment(table, "%d of %d points have undecided multipliers: their moduli "
+		                      "differ from 1 by less than their error, as without damping. "
+		                      "They are not in unstable", frf->undecided, frf->points);
+}

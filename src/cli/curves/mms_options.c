@@ -1,0 +1,60 @@
+/* cli/curves/mms_options.c - parse resonant modes and a range about them.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <limits.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/curves/mms_result.h"
+#include "core/report.h"
+
+enum hawser_status cli_mms_read(struct hawser_resonance *resonance, const char *text,
+                                const struct hawser_rom *rom, struct hawser_report *report)
+{
+	const char *rest = text;
+
+	*resonance = (struct hawser_resonance){.count = 0};
+	while (*rest) {
+		char *end;
+		long mode = strtol(rest, &end, 10), order = *end == ':' ? strtol(end + 1, &end, 10) : 0;
+		int at;
+
+		if (resonance->count == HAWSER_RESONANT_MOST || mode < 1 || mode > rom->n || order < 1 ||
+		    order > INT_MAX)
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "mms",
+			                    "--resonant %s: write mode:order, at most %d times, such as 1:1,4:2; "
+			                    "the model has modes 1 to %d", text, HAWSER_RESONANT_MOST, rom->n);
+		for (at = resonance->count++; at > 0 && resonance->mode[at - 1] > mode - 1; at--) {
+			resonance->mode[at] = resonance->mode[at - 1];
+			resonance->order[at] = resonance->order[at - 1];
+		}
+		resonance->mode[at] = (int)mode - 1;
+		resonance->order[at] = (int)order;
+		rest = end + strspn(end, " ,");
+	}
+	for (int r = resonance->count - 1; r >= 0; r--)
+		if (resonance->omega0 == 0.0 || resonance->order[r] == 1)
+			resonance->omega0 =
+			        sqrt(rom->K[(size_t)resonance->mode[r]*((size_t)rom->n + 1)])/resonance->order[r];
+	return HAWSER_OK;
+}
+
+enum hawser_status cli_mms_range(double *from, double *to, const struct cli_mms_range *range,
+                                 const struct cli_model *model, struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+
+	*from = fmax(range->centre - range->half, 0.05*range->centre);
+	*to = range->centre + range->half;
+	if (range->from)
+		status = cli_frequency(from, range->from, "from", model, report);
+	if (!status && range->to)
+		status = cli_frequency(to, range->to, "to", model, report);
+	if (!status && !(fabs(*to - *from) > 1e-9**to))
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "mms",
+		                      "--from %s and --to %s are the same frequency", range->from,
+		                      range->to);
+	return status;
+}

@@ -1,0 +1,39 @@
+/* cli/frame/document.c - the input of a command, which is read once, and scenes of each kind from it.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <string.h>
+
+#include "cli/frame/cli.h"
+
+enum hawser_status cli_document(const struct hawser_document **document,
+                                const struct cli_common *common, struct hawser_report *report)
+{
+	*document = common->document;
+	return common->document->name ? HAWSER_OK
+	       : hawser_document_open(common->document, common->input, report);
+}
+
+enum hawser_kind cli_kind(const struct cli_common *common)
+{
+	const struct hawser_document *document;
+
+	if (common->library)
+		return HAWSER_KIND_MODEL;
+	return common->input && !cli_document(&document, common, NULL) ? document->kind
+	                                                                : HAWSER_KIND_SPAN;
+}
+
+#define OPEN(name) \
+	enum hawser_status cli_read_##name(struct hawser_##name *name, \
+	                                   const struct cli_common *common, \
+	                                   struct hawser_report *report) \
+	{ \
+		const struct hawser_document *document; \
+		enum hawser_status status = cli_document(&document, common, report); \
+	\
+		memset(name, 0, sizeof *name); \
+		return status ? status : hawser_##name##_of(name, document, common->set, \
+		                                            (size_t)common->sets, report); \
+	}
+CLI_KINDS_OF_SCENES(OPEN)

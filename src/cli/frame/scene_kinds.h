@@ -1,0 +1,31 @@
+/* cli/frame/scene_kinds.h - the kinds of scenes, as hawser init writes them and hawser check
+ * tells them. SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_CLI_SCENE_KINDS_H
+#define HAWSER_CLI_SCENE_KINDS_H
+
+#include "cli/frame/cli.h"
+
+enum { CLI_SCENE_FACTS = 400 };
+struct cli_scene_kind {
+	const char *name;     /* "net" */
+	const char *one;      /* "a net of cables" */
+	const char *commands; /* that take it, the main one first: "statics, modes"; others refuse it */
+	const char *text;     /* a scene with comments; NULL: hawser init has none */
+	/* Read the scene and say what it has, lines in text [CLI_SCENE_FACTS]; NULL: by the reader of
+	 * spans. */
+	enum hawser_status (*look)(char *text, const struct cli_common *common,
+	                           struct hawser_report *report);
+	enum hawser_kind kind;
+};
+/* Row `index`, from 0, in the order of the input of hawser init; NULL beyond the last. */
+const struct cli_scene_kind *cli_scene_kind(int index);
+/* Refuse an input of a kind whose row does not list this command. Spans, and what cannot be read, are
+ * left to the command. */
+enum hawser_status cli_scene_kind_check(const char *command, const struct cli_common *common,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* init_scenes.c: the scenes with comments. */
+extern const char cli_init_cable[], cli_init_travelling[], cli_init_beam[], cli_init_net[],
+                  cli_init_obstacles[], cli_init_ropeway[], cli_init_rod[], cli_init_tow[];
+
+#endif

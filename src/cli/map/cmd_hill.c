@@ -1,0 +1,420 @@
+/* cli/map/cmd_hill.c - hawser hill: stability under parametric excitation.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/model/axis.h"
+#include "cli/map/hill_result.h"
+#include "cli/frame/progress.h"
+#include "cli/map/tongues.h"
+#include "cli/frame/view.h"
+#include "core/report.h"
+
+struct settings {
+	struct cli_common common;
+	const char *x, *y, *omega, *start, *from, *to;
+	double step, damping;
+	int n, lines, samples, mathieu, orbit, rest, forced, mode;
+};
+static const struct settings defaults = {.lines = 9, .samples = 240, .step = 0.01};
+
+static const struct cli_option options[] = {
+	CLI_TEXT_OPTION(x, "KEY=FROM:TO", "horizontal axis: a key of the scene, or Omega"),
+	CLI_TEXT_OPTION(y, "KEY=FROM:TO", "vertical axis"),
+	{"Omega", 0, "FREQUENCY", "frequency of the excitation, if it is no axis", CLI_TEXT(omega)},
+	{"orbit", 0, "", "multipliers about the periodic response, also where nothing moves the model",
+	 CLI_FLAG(orbit)},
+	{"rest", 0, "", "multipliers about rest, also where a load moves the model", CLI_FLAG(rest)},
+	CLI_TEXT_OPTION(start, "FILE", "state from which that response is computed"),
+	{"mathieu", 0, "", "boundaries of Mathieu's equation; no SCENE", CLI_FLAG(mathieu)},
+	{"damping", 0, "C", "damping c of Mathieu's equation (none)", CLI_POSITIVE(damping)},
+	{"forced", 0, "", "multipliers along a response, and by its Mathieu equation", CLI_FLAG(forced)},
+	{"mode", 0, "J", "with --forced: mode (the one that the load drives the most)",
+	 CLI_INTEGER(mode)},
+	CLI_RANGE_OPTIONS("with --forced: start of the response (0.9w1)",
+	                  "with --forced: its other end (1.1w1)"),
+	CLI_MODES_OPTION,
+	{"lines", 0, "N", "search lines along each axis (9)", CLI_INTEGER(lines)},
+	{"samples", 0, "N", "points on each search line (240)", CLI_COUNT(samples)},
+	{"step", 0, "NUMBER", "longest step of a boundary, as a part of the plane (0.01)",
+	 CLI_POSITIVE(step)},
+	CLI_NO_OPTION,
+};
+
+static const char *const notes[] = {
+	"--x and --y: boundaries of stability over two parameters, followed as curves.",
+	"--Omega alone: Floquet multipliers and exponents of the motion.",
+	"Both are of the periodic response, or of rest where nothing moves the model, or with --rest.",
+	"--mathieu: boundaries of x'' + 2 c x' + (delta + 2 epsilon cos 2t) x = 0 over delta and epsilon.",
+	"KEY: a numeric key of the scene (man hawser-scene), Omega, factor.load or factor.damping.",
+	NULL,
+};
+
+static enum hawser_status check(const struct settings *settings, struct hawser_report *report)
+{
+	int plane = settings->x || settings->y || settings->mathieu;
+
+	if (settings->mathieu + settings->forced + settings->orbit + settings->rest > 1)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hill",
+		                    "--mathieu, --forced, --orbit and --rest are different questions: choose "
+		                    "one");
+	if (settings->damping > 0.0 && !settings->mathieu)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hill",
+		                    "--damping is that of Mathieu's equation (--mathieu); a scene has its own");
+	if (!settings->mathieu && !settings->common.input)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hill",
+		                    "hill needs a SCENE|MODEL, or --mathieu (hawser hill --help)");
+	if (settings->mathieu && settings->common.input)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hill",
+		                    "--mathieu is an equation of its own: leave %s out",
+		                    settings->common.input);
+	if (!plane && !settings->forced && !settings->omega)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hill",
+		                    "give --Omega for multipliers, or --x and --y for boundaries");
+	if (plane && (settings->orbit || settings->forced))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hill",
+		                    "boundaries are those of the response that grows out of rest; others have "
+		                    "folds and tori (hawser folds, hawser frf)");
+	if (!plane && settings->common.plot)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hill",
+		                    "--plot draws boundaries: give --x and --y");
+	return cli_outputs_check(&settings->common, report);
+}
+
+/* --- boundaries --- */
+
+/* What the chart lacks. */
+static void warn(const struct hawser_hill_chart *chart)
+{
+	char text[CLI_WARNING_SIZE];
+	int count = 0;
+
+	for (int b = 0; b < chart->boundaries; b++)
+		count += chart->boundary[b].limited;
+	if (count > 0) {
+		snprintf(text, sizeof text, "%d boundaries were not followed to their end, since they have the "
+		         "largest number of points: a longer --step needs fewer", count);
+		cli_warn(text);
+	}
+	if (chart->missed > 0) {
+		snprintf(text, sizeof text, "at %ld points no response was found, and boundaries may be "
+		         "missing there: %.300s", chart->missed, chart->why);
+		cli_warn(text);
+	}
+	cli_tongues_warn(&chart->narrow);
+}
+
+/* The boundaries of the field; for Mathieu's equation (result->model is NULL) computed by tongues. */
+static enum hawser_status trace(struct cli_hill_result *result,
+                                const struct hawser_hill_field *field,
+                                const struct settings *settings, struct hawser_report *report)
+{
+	struct hawser_hill_options choice = {.lines = 0};
+	struct cli_watch watch = {.progress = {.quiet = settings->common.quiet}};
+	enum hawser_status status;
+
+	for (int k = 0; k < 2; k++) {
+		choice.from[k] = result->axis[k].from;
+		choice.to[k] = result->axis[k].to;
+	}
+	choice.lines = settings->lines;
+	choice.samples = settings->samples;
+	choice.step = settings->step;
+	choice.progress = (struct hawser_progress){cli_watch, &watch};
+	result->field = field;
+	status = result->model
+	         ? hawser_hill_trace(&result->chart, field, &choice, report)
+	         : hawser_mathieu_trace(&result->chart, settings->damping, &choice, report);
+	cli_progress_end(&watch.progress);
+	if (!status)
+		warn(&result->chart);
+	return status;
+}
+
+/* delta and epsilon are plain numbers. */
+static enum hawser_status plain_axis(struct cli_map_axis *axis, const char *option,
+                                     const char *name,
+                                     const char *text, struct hawser_report *report)
+{
+	size_t length = strlen(name);
+	char *end;
+
+	axis->key = name;
+	axis->unit = "";
+	if (!text)
+		return HAWSER_OK;
+	if (strncmp(text, name, length) == 0 && text[length] == '=') {
+		axis->from = strtod(text + length + 1, &end);
+		axis->to = *end == ':' ? strtod(end + 1, &end) : NAN;
+		if (!*end && isfinite(axis->to - axis->from) && axis->from < axis->to)
+			return HAWSER_OK;
+	}
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hill",
+	                    "--%s %s: of Mathieu's equation write %s=FROM:TO, the smaller number "
+	                    "first", option, text, name);
+}
+
+static enum hawser_status mathieu(struct cli_hill_result *result, const struct settings *settings,
+                                  struct hawser_report *report)
+{
+	struct hawser_hill_field field = {.m = 0};
+	enum hawser_status status;
+
+	result->damping = settings->damping;
+	result->axis[0] = (struct cli_map_axis){.from = -1.0, .to = 10.0};
+	result->axis[1] = (struct cli_map_axis){.from = 0.0, .to = 5.0};
+	status = plain_axis(&result->axis[0], "x", "delta", settings->x, report);
+	if (!status)
+		status = plain_axis(&result->axis[1], "y", "epsilon", settings->y, report);
+	if (!status)
+		status = hawser_mathieu_open(&field, settings->damping, report);
+	if (!status)
+		status = trace(result, &field, settings, report);
+	if (!status)
+		status = cli_show(result->common, &cli_hill_boundaries, result, report);
+	hawser_mathieu_close(&field);
+	return status;
+}
+
+static enum hawser_status boundaries(struct cli_hill_result *result, struct cli_model *model,
+                                     const struct settings *settings, struct hawser_report *report)
+{
+	struct hawser_map_source source = {.scene = NULL, .rest = settings->rest};
+	struct hawser_hill_field field = {.m = 0};
+	enum hawser_status status = cli_map_axis(&result->axis[0], "x", settings->x, model, report);
+
+	if (!status)
+		status = cli_map_axis(&result->axis[1], "y", settings->y, model, report);
+	if (!status && settings->omega)
+		status = cli_map_frequency(&result->omega, settings->omega, "Omega", model, report);
+	if (status)
+		return status;
+	source.scene = model->has_scene ? &model->scene : NULL;
+	source.rom = model->has_scene ? NULL : &model->rom;
+	source.omega = result->omega;
+	for (int k = 0; k < 2; k++) {
+		source.key[k] = result->axis[k].key;
+		source.from[k] = result->axis[k].from;
+		source.to[k] = result->axis[k].to;
+	}
+	status = cli_judged_plane(&result->judged, &source, model, cli_judged_free(model, settings->n),
+	                          report);
+	if (!status)
+		status = hawser_hill_cable_open(&field, &source, report);
+	if (!status)
+		status = trace(result, &field, settings, report);
+	if (!status)
+		status = cli_judged_chart(&result->judged, &source, &result->chart, report);
+	if (!status)
+		cli_judged_warn(&result->judged);
+	if (!status)
+		status = cli_show(result->common, &cli_hill_boundaries, result, report);
+	hawser_hill_cable_close(&field);
+	return status;
+}
+
+/* --- multipliers --- */
+
+static enum hawser_status about_rest(struct cli_hill_result *result, double *log_modulus,
+                                     double *argument, const struct hawser_rom *rom, double omega,
+                                     struct hawser_report *report)
+{
+	struct hawser_linear *linear = NULL;
+	enum hawser_status status = hawser_linear_open(&linear, rom->n, report);
+
+	if (!status) {
+		hawser_linear_refine(linear, 2);
+		status = hawser_linear_multipliers(linear, log_modulus, argument, &result->error, rom,
+		                                   omega, report);
+	}
+	hawser_linear_free(linear);
+	for (int i = 0; !status && i < 2*rom->n; i++) {
+		result->outside += log_modulus[i] > result->error;
+		result->undecided += fabs(log_modulus[i]) <= result->error;
+	}
+	return status;
+}
+
+static enum hawser_status about_orbit(struct cli_hill_result *result, double *log_modulus,
+                                      double *argument, const struct cli_model *model, double omega,
+                                      const char *state,
+                                      struct hawser_report *report)
+{
+	struct hawser_frf_options choice = {.method = NULL};
+	struct hawser_frf frf = {0};
+	double *start = NULL;
+	enum hawser_status status = state ? cli_state_open(&start, state, model, report) : HAWSER_OK;
+
+	choice.from = omega;
+	choice.to = 1.1*omega;
+	choice.max_points = 1;
+	choice.samples = HAWSER_NONE;
+	choice.start = start;
+	if (!status)
+		status = hawser_frf_trace(&frf, &model->rom, &choice, report);
+	for (int i = 0; !status && i < 2*model->rom.n; i++) {
+		log_modulus[i] = frf.multiplier[2*i];
+		argument[i] = frf.multiplier[2*i + 1];
+	}
+	if (!status) {
+		result->error = frf.point[0].liouville;
+		result->outside = frf.point[0].unstable;
+		result->undecided = frf.point[0].undecided;
+	}
+	hawser_frf_clear(&frf);
+	free(start);
+	return status;
+}
+
+static enum hawser_status multipliers(struct cli_hill_result *result, struct cli_model *model,
+                                      const struct settings *settings, struct hawser_report *report)
+{
+	int m, orbit = settings->orbit || settings->start ||
+	               (!settings->rest && hawser_rom_loaded(&model->rom));
+	double *numbers = NULL, omega;
+	enum hawser_status status = cli_frequency(&omega, settings->omega, "Omega", model, report);
+
+	if (!status)
+		status = cli_judged_choose(&result->judged, model, orbit && !settings->start &&
+		                           cli_judged_free(model, settings->n),
+		                           omega*cli_per_omega(model), report);
+	if (!status)
+		cli_judged_warn(&result->judged);
+	m = 2*model->rom.n;
+	if (!status && !(numbers = malloc(2*(size_t)m*sizeof *numbers)))
+		status = hawser__no_memory(report, "hill");
+	if (!status && orbit)
+		status = about_orbit(result, numbers, numbers + m, model, omega, settings->start, report);
+	else if (!status)
+		status = about_rest(result, numbers, numbers + m, &model->rom, omega, report);
+	if (!status) {
+		result->m = m;
+		result->orbit = orbit;
+		result->log_modulus = numbers;
+		result->argument = numbers + m;
+		result->omega = omega*cli_per_omega(model);
+		status = cli_show(result->common, &cli_hill_multipliers, result, report);
+	}
+	free(numbers);
+	return status;
+}
+
+/* --- a forced response as Mathieu's equation --- */
+
+static enum hawser_status largest_of(double *value, double k, double d, double excitation,
+                                     double omega,
+                                     struct hawser_linear *linear, struct hawser_report *report)
+{
+	struct hawser_harmonic harmonic = {.k = 2, .phase = HAWSER_COS, .K = &excitation};
+	struct hawser_rom rom = {.n = 1, .D = &d, .K = &k, .harmonics = 1, .harmonic = &harmonic,
+	                         .length = 1.0, .time = 1.0, .force = 1.0};
+	double log_modulus[2], argument[2], error;
+	enum hawser_status status = hawser_linear_multipliers(linear, log_modulus, argument, &error,
+	                                                      &rom,
+	                                                      omega, report);
+
+	*value = log_modulus[0];
+	return status;
+}
+
+static enum hawser_status compare(double *mathieu, const struct cli_hill_result *result,
+                                  const struct hawser_rom *rom, struct hawser_report *report)
+{
+	const struct hawser_frf *frf = result->frf;
+	size_t diagonal = (size_t)result->mode*((size_t)rom->n + 1);
+	struct hawser_linear *linear = NULL;
+	enum hawser_status status = hawser_linear_open(&linear, 1, report);
+
+	for (int i = 0; !status && i < frf->points; i++)
+		for (int k = 0; !status && k < 2; k++) {
+			double a = frf->coordinate[(size_t)i*(size_t)frf->n + (size_t)result->mode];
+			double part = 1.5*(k ? result->effective : result->own)*a*a;
+
+			status = largest_of(&mathieu[2*i + k], rom->K[diagonal] + part, rom->D[diagonal], part,
+			                    frf->point[i].omega, linear, report);
+		}
+	hawser_linear_free(linear);
+	return status;
+}
+
+static enum hawser_status forced(struct cli_hill_result *result, struct cli_model *model,
+                                 const struct settings *settings, struct hawser_report *report)
+{
+	struct hawser_frf_options choice = {.method = NULL};
+	struct hawser_primary primary = {0};
+	struct hawser_frf frf = {0};
+	double *mathieu = NULL;
+	enum hawser_status status;
+
+	status = cli_range(&choice.from, &choice.to, settings->from ? settings->from : "0.9w1",
+	                   settings->to ? settings->to : "1.1w1", "hill", model, report);
+	if (!status)
+		status = cli_choice_build(model, choice.from, choice.to, report);
+	if (!status)
+		status = hawser_primary_derive(&primary, &model->rom, settings->mode ? settings->mode - 1
+		                               : hawser_primary_strongest(&model->rom), report);
+	choice.step_max = CLI_STEP;
+	choice.samples = HAWSER_NONE;
+	if (!status)
+		status = hawser_frf_trace(&frf, &model->rom, &choice, report);
+	if (!status && !(mathieu = malloc((2*(size_t)frf.points + 1)*sizeof *mathieu)))
+		status = hawser__no_memory(report, "hill");
+	result->frf = &frf;
+	result->mode = primary.mode;
+	result->own = primary.own;
+	result->effective = primary.cubic;
+	result->mathieu = mathieu;
+	if (!status)
+		status = compare(mathieu, result, &model->rom, report);
+	if (!status)
+		status = cli_show(result->common, &cli_hill_forced, result, report);
+	free(mathieu);
+	result->frf = NULL;
+	hawser_frf_clear(&frf);
+	hawser_primary_clear(&primary);
+	return status;
+}
+
+static enum hawser_status run(void *context, struct hawser_report *report)
+{
+	const struct settings *settings = context;
+	struct cli_model model = {0};
+	struct cli_hill_result result = {.common = &settings->common};
+	enum hawser_status status = check(settings, report);
+	int plane = settings->x || settings->y;
+
+	if (status || settings->mathieu) {
+		status = status ? status : mathieu(&result, settings, report);
+		goto done;
+	}
+	result.model = &model;
+	status = plane ? cli_model_or_scene(&model, &settings->common, settings->n, report)
+	         : cli_model_load(&model, &settings->common, settings->n, report);
+	if (!status && model.has_scene && model.scene.beam.form)
+		status = hawser__fail(report, HAWSER_ERR_SCENE, "hill",
+		                      "%s is a scene of a beam: hawser beam tells its stability",
+		                      settings->common.input);
+	if (!status && plane)
+		status = boundaries(&result, &model, settings, report);
+	else if (!status && settings->forced)
+		status = forced(&result, &model, settings, report);
+	else if (!status)
+		status = multipliers(&result, &model, settings, report);
+done:
+	hawser_hill_clear(&result.chart);
+	for (int k = 0; k < 2; k++)
+		free(result.axis[k].copy);
+	cli_model_clear(&model);
+	return status;
+}
+
+const struct cli_command cli_hill = {
+	"hill", "SCENE|MODEL",
+	"Stability under parametric excitation: multipliers, boundaries", notes,
+	        options,
+	&defaults, sizeof(struct settings), 0, run, cli_hill_listing,
+};

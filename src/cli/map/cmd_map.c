@@ -1,0 +1,484 @@
+/* cli/map/cmd_map.c - hawser map: a quantity over two parameters, and where stability changes.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <ctype.h>
+#include <limits.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/model/axis.h"
+#include "cli/model/exact.h"
+#include "cli/frame/hdf5.h"
+#include "cli/model/judged.h"
+#include "cli/map/map_part.h"
+#include "cli/frame/part.h"
+#include "cli/frame/progress.h"
+#include "cli/frame/view.h"
+#include "cli/map/tongues.h"
+#include "core/report.h"
+
+struct settings {
+	struct cli_common common;
+	const char *x, *y, *points, *quantity, *omega, *checkpoint, *boundary, *part, *hdf5;
+	double jump, tolerance;
+	int n, depth, coarse, threads, full, partial, stable, rest;
+};
+static const struct settings defaults = {.quantity = "growth"};
+
+static const struct cli_option options[] = {
+	{"x", 0, "KEY=FROM:TO", "horizontal axis: a key of the scene, or Omega", CLI_TEXT(x)},
+	{"y", 0, "KEY=FROM:TO", "vertical axis", CLI_TEXT(y)},
+	{"points", 0, "NXxNY", "resolution (200x200)", CLI_TEXT(points)},
+	{"depth", 0, "N", "resolution of 2^N cells along each axis, instead of --points",
+	 CLI_INTEGER(depth)},
+	{"quantity", 0, "NAME", "what is mapped: growth, multiplier, unstable, amplitude, basin (growth)",
+	 CLI_TEXT(quantity)},
+	{"Omega", 0, "FREQUENCY", "frequency of the forcing, if it is no axis", CLI_TEXT(omega)},
+	{"modes", 'n', "N", "number of modes (the scene's model.modes)", CLI_INTEGER(n)},
+	{"coarse", 0, "N", "size of the first cells, in smallest cells; 1: every point (8)",
+	 CLI_INTEGER(coarse)},
+	{"jump", 0, "NUMBER", "split cells in which the value varies by this part (0.05)",
+	 CLI_POSITIVE(jump)},
+	{"tolerance", 0, "NUMBER", "width of boundary brackets, as a part of the range (1e-4)",
+	 CLI_POSITIVE(tolerance)},
+	{"threads", 0, "N", "number of threads (all processors)", CLI_INTEGER(threads)},
+	{"checkpoint", 0, "FILE", "save points to this file, and continue from those in it",
+	 CLI_TEXT(checkpoint)},
+	{"part", 0, "K/N", "compute part K of N into the checkpoint; hawser merge joins them",
+	 CLI_TEXT(part)},
+	{"boundary", 0, "FILE", "write the points of the boundaries as a table", CLI_TEXT(boundary)},
+	{"hdf5", 0, "FILE", "write points and boundaries as HDF5, for millions of rows", CLI_TEXT(hdf5)},
+	{"rest", 0, "", "stability of rest, whatever moves the model", CLI_FLAG(rest)},
+	{"stable", 0, "", "amplitude: min, max and branches of stable responses only", CLI_FLAG(stable)},
+	{"full", 0, "", "write interpolated points to the table too", CLI_FLAG(full)},
+	{"partial", 0, "", "leave points empty that cannot be computed, and warn", CLI_FLAG(partial)},
+	CLI_NO_OPTION,
+};
+
+static const char *const notes[] = {
+	"Computes a quantity over two parameters. Cells are split where stability changes, down to the",
+	"resolution, and the boundary is then bracketed on their edges.",
+	"KEY: a numeric key of the scene (man hawser-scene), Omega, factor.load (of all excitation) or",
+	"factor.damping. FROM and TO: numbers in SI, or with a unit; for Omega also 0.6w1.",
+	"With a forcing frequency stability is that of the periodic response, or of rest where nothing",
+	"moves the model, or with --rest.",
+	NULL,
+};
+
+/* --- what the user wrote --- */
+
+static enum hawser_status read_points(int points[2], const struct settings *settings,
+                                      struct hawser_report *report)
+{
+	char *end;
+	long along[2];
+
+	if (settings->depth > 0 && settings->points)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
+		                    "--points and --depth both give the resolution: write one of them");
+	if (settings->depth > 14)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
+		                    "--depth %d: at most 14, which is 16385 points along an axis",
+		                    settings->depth);
+	if (settings->depth > 0)
+		points[0] = points[1] = (1 << settings->depth) + 1;
+	if (!settings->points)
+		return HAWSER_OK;
+	along[0] = strtol(settings->points, &end, 10);
+	along[1] = *end == 'x' ? strtol(end + 1, &end, 10) : 0;
+	for (int k = 0; k < 2; k++)
+		points[k] = along[k] < 0 ? -1 : along[k] > INT_MAX ? INT_MAX : (int)along[k];
+	if (*end || points[0] == 0 || points[1] == 0)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
+		                    "--points %s: write two whole numbers such as 200x100",
+		                    settings->points);
+	return HAWSER_OK;
+}
+
+/* Split KEY=FROM:TO into three texts in *copy, which the caller frees. */
+static enum hawser_status split(char **copy, const char *part[3], const char *option,
+                                const char *text, struct hawser_report *report)
+{
+	char *equals, *colon;
+
+	*copy = text ? strdup(text) : NULL;
+	if (text && !*copy)
+		return hawser__no_memory(report, "map");
+	equals = text ? strchr(*copy, '=') : NULL;
+	colon = equals ? strchr(equals + 1, ':') : NULL;
+	if (!text)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
+		                    "--%s is missing: write --%s KEY=FROM:TO, such as --%s %s", option,
+		                    option, option,
+		                    *option == 'x' ? "Omega=0.5w1:3w1" : "travel.fluctuation=0:5");
+	if (!colon || equals == *copy || colon == equals + 1 || !colon[1])
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
+		                    "--%s %s: write KEY=FROM:TO, such as travel.speed=0:20", option, text);
+	*equals = *colon = '\0';
+	part[0] = *copy;
+	part[1] = equals + 1;
+	part[2] = colon + 1;
+	return HAWSER_OK;
+}
+
+/* Natural frequencies in rad/s (or the model's own unit), for multiples such as 0.6w1. */
+static enum hawser_status natural(struct cli_model *model, struct hawser_report *report)
+{
+	struct hawser_modes_options choice = cli_modes_options(&model->scene);
+	enum hawser_status status = HAWSER_OK;
+
+	if (model->natural)
+		return HAWSER_OK;
+	if (!model->has_scene)
+		return HAWSER_OK;
+	status = hawser_statics_scene(&model->statics, &model->scene, report);
+	if (!status)
+		status = hawser_modes_solve(&model->modes, &model->statics, &choice, report);
+	if (!status)
+		status = hawser_rom_build_linear(&model->rom, &model->modes, &model->scene, report);
+	return status ? status : cli_natural(model, report);
+}
+
+/* In rad/s, or the model's own unit. */
+static enum hawser_status frequency(double *omega, const char *text, const char *option,
+                                    struct cli_model *model, struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+	int multiple = strchr(text, 'w') != NULL;
+
+	if (model->has_scene && !multiple) {
+		struct cli_model plain = {.rom = {.scaled = 1, .time = 1.0}};
+
+		return cli_frequency(omega, text, option, &plain, report);
+	}
+	status = natural(model, report);
+	if (!status)
+		status = cli_frequency(omega, text, option, model, report);
+	if (!status)
+		*omega *= cli_per_omega(model);
+	return status;
+}
+
+/* Unit of a component of the state; NULL: the key is no such component. */
+static const char *component_unit(const char *key, const struct cli_model *model)
+{
+	if ((*key != 'u' && *key != 'v') || !isdigit((unsigned char)key[1]))
+		return NULL;
+	return !model->has_scene && !model->rom.scaled ? "" : *key == 'u' ? "m" : "m/s";
+}
+
+static const char *unit_of(const char *key, const struct cli_model *model)
+{
+	const char *unit = component_unit(key, model);
+
+	if (unit)
+		return unit;
+	if (strcmp(key, "Omega") == 0)
+		return model->has_scene || model->rom.scaled ? "rad/s" : "";
+	return strcmp(cli_key_unit(key), "1") == 0 ? "" : cli_key_unit(key);
+}
+
+static enum hawser_status end_of(double *value, const char *text, const char *option,
+                                 const char *key, struct cli_model *model,
+                                 struct hawser_report *report)
+{
+	const char *unit = component_unit(key, model);
+
+	if (strcmp(key, "Omega") == 0)
+		return frequency(value, text, option, model, report);
+	if (unit)
+		return cli_quantity(value, text, *unit ? unit : "1", CLI_ANY, "map", option, report);
+	return cli_quantity(value, text, cli_key_unit(key), CLI_ANY, "map", option, report);
+}
+
+static enum hawser_status axis(struct cli_map_result *result, int k, const char *option,
+                               const char *part[3], struct cli_model *model,
+                               struct hawser_report *report)
+{
+	double *from = &result->options.from[k], *to = &result->options.to[k];
+	enum hawser_status status;
+
+	result->key[k] = part[0];
+	status = end_of(from, part[1], option, part[0], model, report);
+	if (!status)
+		status = end_of(to, part[2], option, part[0], model, report);
+	result->unit[k] = unit_of(part[0], model);
+	if (!status && (*from == *to || !isfinite(*from) || !isfinite(*to)))
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
+		                      "--%s %s=%s:%s: the ends of the range must be finite and different",
+		                      option, part[0], part[1], part[2]);
+	return status;
+}
+
+static enum hawser_status read_quantity(struct cli_map_result *result, const char *name,
+                                        struct hawser_report *report)
+{
+	const char *words[8];
+	int count = 0, k;
+	enum hawser_status status;
+
+	for (; hawser_map_quantity(count); count++)
+		words[count] = hawser_map_quantity(count)->name;
+	status = cli_choose(&k, "map", "quantity", name, words, count, report);
+	result->quantity = hawser_map_quantity(status ? 0 : k);
+	return status;
+}
+
+static void read_numbers(struct hawser_map_options *to, const struct settings *settings)
+{
+	if (settings->coarse > 0)
+		to->coarse = settings->coarse;
+	if (settings->jump > 0.0)
+		to->jump = settings->jump;
+	if (settings->tolerance > 0.0)
+		to->tolerance = settings->tolerance;
+	hawser_map_settle(to);
+	/* brackets that are narrower than cells would cost as much again as the points of a basin's map */
+	if (strcmp(settings->quantity, "basin") == 0 && !(settings->tolerance > 0.0))
+		to->tolerance = fmin(0.5, 1.0/(fmin(to->points[0], to->points[1]) - 1.0));
+	to->threads = settings->threads;
+	to->strict = !settings->partial;
+	to->only_stable = settings->stable;
+	to->checkpoint = settings->checkpoint;
+}
+
+/* --- work --- */
+
+static void append(struct hawser_report *report, const char *text)
+{
+	size_t used = strlen(report->message);
+
+	snprintf(report->message + used, sizeof report->message - used, "%s", text);
+}
+
+/* Points that --partial has left empty. */
+static void warn_uncomputed(const struct hawser_map *map)
+{
+	char text[CLI_WARNING_SIZE];
+	int count = 0;
+
+	for (int k = 0; k < HAWSER_MAP_CODES; k++)
+		count += hawser_map_uncomputed((enum hawser_map_code)k) ? map->count[k] : 0;
+	if (map->incomplete > 0) {
+		snprintf(text, sizeof text, "in %d rows responses may be missing, since a curve could not be "
+		         "followed to its end; the first: %.300s", map->incomplete, map->broken);
+		cli_warn(text);
+	}
+	if (count == 0)
+		return;
+	snprintf(text, sizeof text, "%d of %ld points could not be computed and are empty; the comments of "
+	         "the table say why", count, map->visited);
+	cli_warn(text);
+}
+
+static enum hawser_status trace(struct hawser_map *map, struct cli_map_result *result,
+                                const struct cli_model *model, const struct settings *settings,
+                                struct hawser_report *report)
+{
+	struct hawser_map_source source = {
+		.scene = model->has_scene ? &model->scene : NULL,
+		.rom = model->has_scene ? NULL : &model->rom, .key = {result->key[0], result->key[1]},
+		.from = {result->options.from[0], result->options.from[1]},
+		.to = {result->options.to[0], result->options.to[1]}, .omega = result->omega,
+		.quantity = result->quantity->name, .rest = settings->rest};
+	struct cli_watch watch = {.progress = {.quiet = result->common->quiet}};
+	struct hawser_map_options choice = result->options;
+	struct hawser_map_field field;
+	int beam = model->has_scene && model->scene.beam.form;
+	int basin = strcmp(result->quantity->name, "basin") == 0;
+	enum hawser_status status = HAWSER_OK;
+
+	if (!result->quantity->nonlinear)
+		status = cli_judged_plane(&result->judged, &source, model, cli_judged_free(model, settings->n),
+		                          report);
+	if (!status)
+		status = basin ? hawser_map_basin_open(&field, &source, report)
+		         : beam ? hawser_map_beam_open(&field, &source, settings->n, 0, report)
+		                : hawser_map_cable_open(&field, &source, report);
+
+	choice.progress = (struct hawser_progress){cli_watch, &watch};
+	if (status)
+		return status;
+	result->along = field.along;
+	result->responds = field.responds;
+	status = hawser_map_trace(map, &field, &choice, report);
+	cli_progress_end(&watch.progress);
+	if (status == HAWSER_ERR_CONVERGENCE && choice.strict)
+		append(report, "; --partial leaves such points empty, and a smaller range may have none");
+	if (!status && map->point && choice.parts == 0)
+		status = cli_judged_map(&result->judged, &source, map, report);
+	if (!status && basin && map->point)
+		status = hawser_basins_count(&result->basins, &field, map, report);
+	basin ? hawser_map_basin_close(&field)
+	      : beam ? hawser_map_beam_close(&field) : hawser_map_cable_close(&field);
+	return status;
+}
+
+static enum hawser_status write_result(const struct cli_map_result *result,
+                                       const struct settings *settings,
+                                       struct hawser_report *report)
+{
+	struct hawser__table lines = {0};
+	enum hawser_status status = HAWSER_OK;
+
+	if (settings->boundary || settings->hdf5)
+		cli_map_boundary(&lines, result);
+	if (settings->boundary)
+		status = hawser__table_write(&lines, settings->boundary, report);
+	if (!status && settings->hdf5)
+		status = cli_map_hdf5(settings->hdf5, result, &lines, report);
+	hawser__table_clear(&lines);
+	return status ? status : cli_show(result->common, &cli_map_showing, result, report);
+}
+
+/* Rows are followed as they are, without cells. */
+static enum hawser_status check_rows(const struct settings *settings, struct hawser_report *report)
+{
+	const char *option = settings->coarse > 0 ? "coarse" : settings->jump > 0.0 ? "jump"
+	                     : settings->tolerance > 0.0 ? "tolerance" : NULL;
+
+	return !option ? HAWSER_OK
+	       : hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
+	                      "--%s: a map of amplitudes has no cells that are split: it follows curves "
+	                      "along one axis, for each of the --points of the other", option);
+}
+
+static int is_worker(const struct hawser__ranks *ranks)
+{
+	return ranks && ranks->rank > 0;
+}
+
+static enum hawser_status check(struct cli_map_result *result, struct settings *settings,
+                                struct hawser__ranks *ranks, struct hawser_report *report)
+{
+	const struct cli_output more[] = {{"checkpoint", settings->checkpoint},
+	                                  {"boundary", settings->boundary},
+	                                  {"hdf5", settings->hdf5}};
+	enum hawser_status status = read_quantity(result, settings->quantity, report);
+
+	if (!status && strcmp(result->quantity->name, "amplitude") == 0)
+		status = check_rows(settings, report);
+	else if (!status && settings->stable)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
+		                      "--stable: only the responses of the quantity amplitude are stable or "
+		                      "not: the number of instabilities is a column of every map");
+	if (!status && settings->rest && result->quantity->nonlinear)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "map",
+		                      "--rest is for growth, multiplier and unstable: the quantity %s is of "
+		                      "responses", result->quantity->name);
+	if (!status)
+		status = read_points(result->options.points, settings, report);
+	read_numbers(&result->options, settings);
+	settings->common.delivered = settings->hdf5 != NULL;
+	if (!status)
+		status = cli_part_read(&result->options.part, &result->options.parts, settings->part, "map",
+		                       result->options.checkpoint, &settings->common,
+		                       settings->boundary ? "boundary" : settings->hdf5 ? "hdf5" : NULL,
+		                       report);
+	if (!status)
+		status = cli_map_ranks(&result->options, &settings->common, ranks, report);
+	if (status || is_worker(ranks))
+		return status;
+	status = cli_outputs_check_with(&settings->common, more, 3, report);
+	if (!status)
+		status = cli_hdf5_check(settings->hdf5, report);
+	return status ? status : hawser__file_check(settings->boundary, report);
+}
+
+static enum hawser_status make(struct settings *settings, struct hawser__ranks *ranks,
+                               struct hawser_report *report)
+{
+	struct cli_model model = {0};
+	struct hawser_map map = {0};
+	struct cli_map_result result = {.common = &settings->common, .model = &model, .map = &map,
+	                                .full = settings->full};
+	const char *x[3], *y[3];
+	char *copy[2] = {NULL, NULL};
+	enum hawser_status status = check(&result, settings, ranks, report);
+
+	if (!status)
+		status = split(&copy[0], x, "x", settings->x, report);
+	if (!status)
+		status = split(&copy[1], y, "y", settings->y, report);
+	if (!status)
+		status = cli_model_or_scene(&model, &settings->common, settings->n, report);
+	if (!status)
+		status = axis(&result, 0, "x", x, &model, report);
+	if (!status)
+		status = axis(&result, 1, "y", y, &model, report);
+	if (!status && settings->omega)
+		status = frequency(&result.omega, settings->omega, "Omega", &model, report);
+	if (!status)
+		status = cli_exact_map(&result, &model, settings->n, report);
+	if (!status && model.has_scene && model.scene.travel.braking > 0.0)
+		cli_warn("travel.braking is left out: the map is of travel.speed, the speed before");
+	if (!status)
+		status = trace(&map, &result, &model, settings, report);
+	if (!status && result.options.parts > 0)
+		cli_map_part_done(&result.options, &map, settings->common.quiet || is_worker(ranks));
+	else if (!status && !is_worker(ranks))
+		status = write_result(&result, settings, report);
+	if (!status && !is_worker(ranks)) {
+		cli_exact_range_warn(&model);
+		warn_uncomputed(&map);
+		cli_judged_warn(&result.judged);
+		cli_tongues_warn(&map.narrow);
+	}
+	hawser_map_clear(&map);
+	hawser_basins_clear(&result.basins);
+	cli_model_clear(&model);
+	free(copy[0]);
+	free(copy[1]);
+	return status;
+}
+
+static enum hawser_status run(void *context, struct hawser_report *report)
+{
+	struct settings *settings = context;
+	struct hawser__ranks *ranks;
+	enum hawser_status status = cli_ranks_open(&ranks, "map", report);
+
+	if (!status)
+		status = make(settings, ranks, report);
+	if (status) {
+		cli_ranks_fail(ranks, status, report);
+		cli_map_lost(report, ranks, settings->checkpoint);
+	}
+	if (is_worker(ranks))
+		status = HAWSER_OK; /* rank 0 tells of it; mpirun ends all as soon as one fails */
+	cli_ranks_close(ranks, NULL);
+	return status;
+}
+
+/* --- axes for other commands --- */
+
+enum hawser_status cli_map_axis(struct cli_map_axis *to, const char *option, const char *text,
+                                struct cli_model *model, struct hawser_report *report)
+{
+	struct cli_map_result result = {.common = NULL};
+	const char *part[3];
+	int k = *option == 'y';
+	enum hawser_status status = split(&to->copy, part, option, text, report);
+
+	if (!status)
+		status = axis(&result, k, option, part, model, report);
+	to->key = result.key[k];
+	to->unit = result.unit[k];
+	to->from = fmin(result.options.from[k], result.options.to[k]);
+	to->to = fmax(result.options.from[k], result.options.to[k]);
+	to->backwards = result.options.from[k] > result.options.to[k];
+	return status;
+}
+
+enum hawser_status cli_map_frequency(double *omega, const char *text, const char *option,
+                                     struct cli_model *model, struct hawser_report *report)
+{
+	return frequency(omega, text, option, model, report);
+}
+
+const struct cli_command cli_map = {
+	"map", "SCENE|MODEL", "Stability and amplitude over two parameters", notes, options, &defaults,
+	sizeof(struct settings), 1, run, cli_map_listing,
+};

@@ -1,0 +1,354 @@
+/* cli/model/exact.c - a response with the exact energy in place of one of a reduced model that is
+ * not good enough (model.energy: auto).
+ *
+ * A polynomial of degree 4 on a few modes is right for taut cables and small motions. Where a cable
+ * swings and sags, no number of modes makes it right (doc/theory-rom.md). The estimate of its
+ * truncation error from the motions of its own response tells (fixed.h); then full-order models of
+ * increasing bases follow, until two agree.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "cli/model/exact.h"
+#include "cli/model/label.h"
+#include "cli/map/map_result.h"
+#include "cli/frame/progress.h"
+#include "cli/model/state.h"
+#include "cli/frame/view.h"
+#include "core/report.h"
+
+/* The part of the estimated error that no number of modes makes up for, and its factor of safety:
+ * from which on the reduced model is not good enough. */
+static const double enough = 0.01, safety = 1.5;
+/* The whole error, modes left out included, from which on it is not, if the scene does not say
+ * model.accuracy: that of which cli_fixed_warn warns. */
+static const double much = 0.1;
+/* What is asked of the full-order models if the scene does not say it, and their largest basis: the
+ * load or a mode of the range may need as many. */
+static const double accuracy = 0.01;
+enum { FUNCTIONS = 24, POINTS = 1500 };
+/* Seconds of processor time, as counted, that nobody has to ask for: where no number of modes is good
+ * enough, and where more of them, or model.modes: auto, may be; chosen. */
+static const double bearable = 90.0, bearable_else = 10.0;
+/* Of a map of amplitudes: work of a row over that of a draft (three rows of a footbridge: 2.7), and the
+ * range about one frequency; chosen. */
+static const double row = 3.0, around = 1.05;
+
+/* Whether the error is one that no number of modes makes up for, or not known. */
+static int is_beyond(const struct cli_model_error *error)
+{
+	return !error->stated || !isfinite(error->fixed.estimated) ||
+	       safety*error->fixed.truncation > enough;
+}
+
+static double limit_of(const struct cli_model *model)
+{
+	return hawser_scene_written(&model->scene, "model.accuracy") ? model->scene.model.accuracy : much;
+}
+
+int cli_exact_calls(const struct cli_model *model, const struct cli_model_error *error)
+{
+	return model->has_scene && !model->ropeway && !model->automatic &&
+	       model->scene.model.energy == HAWSER_ENERGY_AUTO &&
+	       model->scene.model.condense == HAWSER_CONDENSE_STATIC &&
+	       (!error || (error->stated && (safety*error->fixed.truncation > enough ||
+	                                     error->fixed.estimated > limit_of(model))));
+}
+
+/* The model is now what the scene would be with these keys. */
+static void take(struct cli_model *model, struct hawser_accuracy *better,
+                 const struct cli_model_error *error)
+{
+	model->exact = (struct cli_exact){.modes = model->modes.n, .functions = better->functions,
+	                                  .coordinates = better->rom.n,
+	                                  .before = error->stated ? error->fixed.estimated : NAN,
+	                                  .beyond = error->stated ? error->fixed.truncation : NAN};
+	hawser_rom_clear(&model->rom);
+	model->rom = better->rom;
+	better->rom = (struct hawser_rom){0};
+	model->scene.model.energy = HAWSER_ENERGY_EXACT;
+	model->scene.model.basis = better->functions;
+}
+
+/* The distance from the curve of the basis that it was checked with. */
+static void state(struct cli_model_error *error, const struct hawser_accuracy *better)
+{
+	int timed = error->timed;
+
+	*error = (struct cli_model_error){.stated = 1, .compared = 1, .timed = timed,
+	                                  .about = "folds and peaks"};
+	error->fixed.estimated = better->estimated;
+	error->fixed.looked_at = better->tries > 0 ? better->attempt[better->tries - 1].checked
+	                         : better->checked;
+	error->fixed.seconds = better->seconds;
+}
+
+/* Why there is none. */
+static void explain(struct cli_model *model, const struct hawser_accuracy *better,
+                    enum hawser_status status, const char *why)
+{
+	char *text = model->exact.failed;
+	size_t size = sizeof model->exact.failed;
+
+	if (better->costly)
+		snprintf(text, size, "it would take some %.0f s: narrow the range, or ask for it "
+		         "(--set model.energy=exact --set model.basis=%d)", better->foreseen,
+		         better->functions);
+	else
+		snprintf(text, size, "%s", status ? why
+		         : better->slack ? "the cable goes slack in much of this response"
+		         : better->frf.end == HAWSER_END_MAX_POINTS
+		         ? "it takes too many points: narrow the range, or ask for it by model.energy: exact"
+		         : better->frf.end == HAWSER_END_INTERRUPTED ? "it was interrupted"
+		         : better->functions == 0 ? "the range reaches modes that need a larger basis"
+		         : "no two bases agree");
+}
+
+/* Search for the model. points: of the response of the modes; after: hawser_accuracy_options. */
+static enum hawser_status search(struct hawser_accuracy *better, struct cli_model *model,
+                                 struct cli_model_error *error,
+                                 const struct hawser_frf_options *options, int points, double after,
+                                 struct hawser_report *report)
+{
+	struct hawser_accuracy_options choice = {.frf = *options, .expected = points, .agreed = 1,
+		.accuracy = hawser_scene_written(&model->scene, "model.accuracy") ? 0.0 : accuracy,
+		.bearable = is_beyond(error) ? bearable : bearable_else,
+		.most_functions = FUNCTIONS, .after = after};
+	struct hawser_report why = {.message = ""};
+	enum hawser_status status;
+
+	if (choice.frf.max_points == 0 || choice.frf.max_points > POINTS)
+		choice.frf.max_points = POINTS;
+	status = hawser_accuracy_exact(better, &model->statics, &model->scene, &choice, &why);
+	if (status == HAWSER_ERR_MEMORY) {
+		if (report)
+			*report = why;
+		return status;
+	}
+	if (!status && better->reached) {
+		take(model, better, error);
+		state(error, better);
+	} else {
+		explain(model, better, status, why.message);
+	}
+	return HAWSER_OK;
+}
+
+static enum hawser_status trace(struct hawser_frf *frf, struct hawser_frf_options *options,
+                                struct cli_model *model, struct cli_model_error *error, int step,
+                                struct hawser_report *report)
+{
+	struct hawser_accuracy better = {.tries = 0};
+	struct hawser_frf_options choice = *options;
+	enum hawser_status status;
+
+	if (!step)
+		choice.step_max = 0.0; /* that of the search: longer, as each point costs more */
+	status = search(&better, model, error, &choice, frf->points, 0.0, report);
+	if (!status && model->exact.functions) {
+		*options = better.traced;
+		hawser_frf_clear(frf);
+		*frf = better.frf;
+		better.frf = (struct hawser_frf){0};
+	}
+	hawser_accuracy_clear(&better);
+	return status;
+}
+
+enum hawser_status cli_exact_response(struct hawser_frf *frf, struct hawser_frf_options *options,
+                                      struct cli_model *model, struct cli_frf_result *result, int step,
+                                      enum hawser_status so_far, struct hawser_report *report)
+{
+	enum hawser_status status;
+
+	if (frf->end == HAWSER_END_MAX_POINTS || cli_interrupted() ||
+	    (so_far && so_far != HAWSER_ERR_CONVERGENCE))
+		return so_far;
+	/* the points so far tell whether the energy is the reason of a failure */
+	if (frf->points > 1 && (status = cli_fixed_estimate(result, so_far ? NULL : report)))
+		return so_far ? so_far : status;
+	if (!cli_exact_calls(model, so_far && frf->points < 2 ? NULL : &result->error))
+		return so_far;
+	status = trace(frf, options, model, &result->error, step, report);
+	if (status || !model->exact.functions)
+		return status ? status : so_far;
+	return cli_basis_check(model, fmax(result->from, result->to), report);
+}
+
+/* The response of the modes over a range, and its error. */
+static enum hawser_status judge(struct cli_model *model, int *points,
+                                const struct hawser_frf_options *options,
+                                struct hawser_report *report)
+{
+	struct hawser_frf frf = {.n = 0};
+	struct hawser_report why = {.message = ""};
+	struct cli_model_error *error = &model->error;
+	enum hawser_status status = hawser_frf_trace(&frf, &model->rom, options, &why);
+
+	*points = frf.points;
+	if (frf.points > 1 && (!status || status == HAWSER_ERR_CONVERGENCE) && !cli_interrupted())
+		status = hawser_accuracy_fixed(&error->fixed, &model->rom, &frf, model->modes.n,
+		                               &model->statics, &model->scene, options->from, options->to,
+		                               &why);
+	hawser_frf_clear(&frf);
+	if (status == HAWSER_ERR_MEMORY && report)
+		*report = why;
+	if (status) {
+		error->fixed.estimated = NAN;
+		snprintf(error->unknown, sizeof error->unknown, "%s", why.message);
+	}
+	return status == HAWSER_ERR_MEMORY ? status : HAWSER_OK;
+}
+
+enum hawser_status cli_exact_range(struct cli_model *model, double from, double to, double after,
+                                   const struct cli_common *common, struct hawser_report *report)
+{
+	struct cli_watch watch = {{.quiet = common->quiet}, "the model's error"};
+	struct hawser_frf_options options = {.method = "balance", .from = from, .to = to,
+		.step_max = 0.02, .skip_events = 1, .unjudged = 1, .end_at_slack = 1,
+		.max_points = POINTS, .samples = HAWSER_NONE, .progress = {cli_watch, &watch}};
+	struct hawser_accuracy better = {.tries = 0};
+	int points = 0;
+	enum hawser_status status;
+
+	if (!cli_exact_calls(model, NULL) || model->rom.harmonics == 0 || from == to)
+		return HAWSER_OK;
+	model->error = (struct cli_model_error){.stated = 1, .timed = !common->reproducible,
+	                                        .about = "folds and peaks", .fixed.estimated = NAN};
+	status = judge(model, &points, &options, report);
+	if (!status && isfinite(model->error.fixed.estimated) && cli_exact_calls(model, &model->error)) {
+		options.step_max = 0.0;
+		status = search(&better, model, &model->error, &options, points, after, report);
+		hawser_accuracy_clear(&better);
+	}
+	cli_progress_end(&watch.progress);
+	if (status || !model->exact.functions)
+		return status;
+	return cli_basis_check(model, fmax(from, to), report);
+}
+
+/* rad/s; there is the scene alone, which then has the keys of the exact energy. */
+static enum hawser_status choose_for(struct cli_model *model, int n, double from, double to,
+                                     double after, const struct cli_common *common,
+                                     struct hawser_report *report)
+{
+	struct cli_model own = {.has_scene = 0};
+	enum hawser_status status = cli_model_load(&own, common, n, report);
+	double unit = cli_per_omega(&own);
+
+	if (!status)
+		status = cli_exact_range(&own, from/unit, to/unit, after, common, report);
+	if (!status && own.exact.functions) {
+		model->scene.model.energy = HAWSER_ENERGY_EXACT;
+		model->scene.model.basis = own.exact.functions;
+	}
+	model->exact = own.exact;
+	model->error = own.error;
+	cli_model_clear(&own);
+	return status;
+}
+
+enum hawser_status cli_exact_map(const struct cli_map_result *map, struct cli_model *model, int n,
+                                 struct hawser_report *report)
+{
+	int k = strcmp(map->key[1], "Omega") == 0, axis = k || strcmp(map->key[0], "Omega") == 0;
+	double from = axis ? map->options.from[k] : map->omega/around;
+	double to = axis ? map->options.to[k] : map->omega*around;
+	double rows = map->options.points[axis ? 1 - k : 1];
+
+	if (strcmp(map->quantity->name, "amplitude") != 0 || !cli_exact_calls(model, NULL) ||
+	    model->scene.beam.form || !(from > 0.0))
+		return HAWSER_OK;
+	return choose_for(model, n, from, to, row*rows, map->common, report);
+}
+
+void cli_exact_range_comments(struct hawser__table *table, const struct cli_model *model)
+{
+	cli_exact_comment(table, model);
+	cli_fixed_comments(table, &model->error, 0);
+}
+
+void cli_exact_range_warn(const struct cli_model *model)
+{
+	cli_fixed_warn(&model->error);
+	cli_exact_warn(model);
+}
+
+const struct hawser__field cli_exact_field[] = {
+	{"", NULL, "", HAWSER__PART_OF(struct cli_model, error, cli_fixed_field)},
+	HAWSER__END,
+};
+
+/* Functions a component of the full-order model of a JSON result; 0: none, or no such file. */
+static int functions_of(const char *path)
+{
+	json_t *root = NULL;
+	const json_t *keys, *energy;
+	int functions = 0;
+
+	if (cli_state_root(&root, path, NULL))
+		return 0;
+	keys = json_object_get(json_object_get(root, "scene"), "model");
+	energy = json_object_get(keys, "energy");
+	if (json_is_string(energy) && strcmp(json_string_value(energy), "exact") == 0)
+		functions = (int)json_integer_value(json_object_get(keys, "basis"));
+	json_decref(root);
+	return functions;
+}
+
+enum hawser_status cli_exact_as(struct cli_model *model, const char *text, struct hawser_report *report)
+{
+	char path[4096];
+	int functions;
+
+	if (!text || strcmp(text, "-") == 0 || !model->has_scene || model->automatic ||
+	    model->scene.model.energy != HAWSER_ENERGY_AUTO)
+		return HAWSER_OK;
+	if (!cli_label_split(path, sizeof path, text))
+		snprintf(path, sizeof path, "%s", text);
+	functions = functions_of(path);
+	if (functions <= 0)
+		return HAWSER_OK;
+	model->scene.model.energy = HAWSER_ENERGY_EXACT;
+	model->scene.model.basis = functions;
+	hawser_rom_clear(&model->rom);
+	return hawser_rom_build_full(&model->rom, &model->statics, &model->scene, functions, report);
+}
+
+void cli_exact_comment(struct hawser__table *table, const struct cli_model *model)
+{
+	const struct cli_exact *exact = &model->exact;
+
+	if (exact->failed[0])
+		hawser__table_comment(table, "the exact energy was called for, and not taken: %s",
+		                      exact->failed);
+	if (!exact->functions)
+		return;
+	hawser__table_comment(table, "exact energy on %d functions a component, %d coordinates, in place "
+	                      "of the %d modes asked for", exact->functions, exact->coordinates,
+	                      exact->modes);
+	if (isnan(exact->before))
+		hawser__table_comment(table, "with an energy of degree 4 and these modes there is no answer");
+	else if (!(safety*exact->beyond > enough))
+		hawser__table_comment(table, "the modes that are left out make the motion of the others off by "
+		                      "%s%.2g (model.energy: quartic takes it all the same)",
+		                      exact->before < 1.0 ? "about " : "more than ", exact->before);
+	else
+		hawser__table_comment(table, "with an energy of degree 4 the motion is off by about %.2g with "
+		                      "any number of modes (model.energy: quartic takes it all the same)",
+		                      exact->beyond);
+}
+
+void cli_exact_warn(const struct cli_model *model)
+{
+	char text[CLI_WARNING_SIZE];
+
+	if (!model->exact.failed[0])
+		return;
+	snprintf(text, sizeof text, "the exact energy was called for, and not taken: %s",
+	         model->exact.failed);
+	cli_warn(text);
+}

@@ -1,0 +1,44 @@
+/* cli/model/exact.h - a response with the exact energy, where the reduced model is not good enough.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_CLI_EXACT_H
+#define HAWSER_CLI_EXACT_H
+
+#include "cli/frame/cli.h"
+
+/* Whether model.energy: auto calls for it: a span of condensed modes with this error, or (NULL) one
+ * whose modes give no answer. */
+int cli_exact_calls(const struct cli_model *model, const struct cli_model_error *error);
+
+/* Where the modes of a curve are not good enough or fail (so_far: its status): replace curve, model and
+ * error by those of the exact energy, and the options by those with which it was traced; the scene
+ * then has the keys model.energy and model.basis that give this model. step: 1: the longest step of
+ * the options is the user's. If there is no such response, everything stays, and model->exact says
+ * why. Returns so_far or HAWSER_OK; HAWSER_ERR_MEMORY. */
+enum hawser_status cli_exact_response(struct hawser_frf *frf, struct hawser_frf_options *options,
+                                      struct cli_model *model, struct cli_frf_result *result, int step,
+                                      enum hawser_status so_far,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+/* For commands that do not trace that response: model->error becomes the error of the modes in the
+ * response over the range (scaled), and where they are not good enough, the model becomes that of the
+ * exact energy, if two of its bases agree there. after: the time of the command, over that of the curve
+ * with long steps that chooses a basis. Does nothing for other models, or where nothing drives them. */
+enum hawser_status cli_exact_range(struct cli_model *model, double from, double to, double after,
+                                   const struct cli_common *common,
+                                   struct hawser_report *report) HAWSER_MUST_CHECK;
+/* The same for a map of amplitudes: by the responses of the scene itself over its frequencies. The
+ * scene then has the keys of the exact energy. n: of cli_model_load. */
+struct cli_map_result;
+enum hawser_status cli_exact_map(const struct cli_map_result *map, struct cli_model *model, int n,
+                                 struct hawser_report *report) HAWSER_MUST_CHECK;
+void cli_exact_range_comments(struct hawser__table *table, const struct cli_model *model);
+void cli_exact_range_warn(const struct cli_model *model);
+/* Where a result (TEXT: FILE or FILE#LABEL, or NULL) is of the exact energy and the scene leaves the
+ * energy open, make the model of the result: its states are of that one. */
+enum hawser_status cli_exact_as(struct cli_model *model, const char *text,
+                                struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Says on standard error why the exact energy was not taken where it was called for. */
+void cli_exact_warn(const struct cli_model *model);
+/* What was done, and why. */
+void cli_exact_comment(struct hawser__table *table, const struct cli_model *model);
+
+#endif

@@ -1,0 +1,60 @@
+/* cli/model/fixed.h - the error of a model with a given number of modes: an estimate, what is
+ * said of it, and its members in JSON (cli_fixed_field in view.h).
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_CLI_FIXED_H
+#define HAWSER_CLI_FIXED_H
+
+#include <hawser/accuracy.h>
+#include <hawser/law.h>
+
+struct cli_common;
+struct cli_frf_result;
+struct cli_model;
+struct hawser__table;
+
+struct cli_model_error {
+	int stated;        /* 1: it, or why it is not known, belongs to the result */
+	int compared;      /* 1: by the motion of a model of another size, else mode by mode */
+	int second;        /* coordinates of a second such model, beside fixed.looked_at; 0: none */
+	int timed;         /* 1: with the time that the estimate took */
+	const char *about; /* "folds and peaks" */
+	struct hawser_accuracy_fixed fixed; /* estimated: NAN if it is not known */
+	char unknown[640]; /* why: a report's message */
+};
+
+/* The exact energy in place of modes that are not good enough (exact.h). */
+struct cli_exact {
+	int modes;        /* asked for */
+	int functions;    /* per component of the model that took their place; 0: none */
+	int coordinates;  /* of that model */
+	double before;    /* error with the modes; NAN: no answer */
+	double beyond;    /* the part that no number of them makes up for */
+	char failed[640]; /* why there is none though it was called for; "": it was not */
+};
+
+/* Does nothing for the first branch with modes: auto. Status: HAWSER_ERR_MEMORY. */
+enum hawser_status cli_fixed_estimate(struct cli_frf_result *result,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+/* The same for one motion of a model of a scene; of a ropeway, for its steady motion. */
+enum hawser_status cli_fixed_once(struct cli_model_error *error, const struct cli_model *model,
+                                  const struct cli_common *common,
+                                  const struct hawser_accuracy_motion *motion,
+                                  struct hawser_report *report) HAWSER_MUST_CHECK;
+/* number: of the branch; from the second on it is named. */
+void cli_fixed_comments(struct hawser__table *table, const struct cli_model_error *error, int branch);
+/* Says on standard error that the error is more than a tenth. */
+void cli_fixed_warn(const struct cli_model_error *error);
+/* The same of the branch of a response with the largest error. */
+void cli_fixed_warn_worst(const struct cli_frf_result *result);
+
+/* Largest |u_j| [n] of the coordinates u[rows][stride], the first n of each row, and of `reached`,
+ * which is NULL or what this returned before; NULL if the model has no ranges. */
+double *cli_range_reach(double *reached, const struct cli_model *model, const double *u, int rows,
+                        int stride);
+/* Says on standard error that a coordinate moves beyond its range (law.h), and frees `reached`. The
+ * ranges of a model of a scene are sought up to there. */
+void cli_range_warn(struct cli_model *model, double *reached);
+/* The same for the curves of a response. */
+void cli_range_warn_frf(struct cli_model *model, const struct cli_frf_result *result);
+
+#endif

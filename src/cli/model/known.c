@@ -1,0 +1,78 @@
+/* cli/model/known.c - condensed modes near and below the forcing frequency: adding them to the
+ * model, and a warning if the model does not have them.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <stdio.h>
+
+#include "cli/frame/cli.h"
+#include "core/report.h"
+
+/* Modes up to this multiple of the forcing frequency are added. The response of the modes above,
+ * which the model approximates by two terms, has a relative error below (1/4)^4. */
+static const double above = 4.0;
+/* For a mode at 1/part times the forcing frequency the two terms have an error of 0.08 of the
+ * static response; for lower modes it grows without limit. */
+static const double part = 0.5;
+
+/* The highest multiple of the forcing frequency at which a force drives modes that are not kept;
+ * 0: none does. */
+static int multiple(const struct hawser_rom *rom)
+{
+	int k = 0;
+
+	for (int h = 0; h < rom->harmonics; h++)
+		if (rom->harmonic[h].answer && rom->harmonic[h].k > k)
+			k = rom->harmonic[h].k;
+	return k;
+}
+
+enum hawser_status cli_known(struct cli_model *model, double omega, struct hawser_report *report)
+{
+	double top = above*omega*multiple(&model->rom);
+
+	if (!model->has_scene || model->automatic || model->rom.exact || model->rom.known.reach >= top)
+		return HAWSER_OK;
+	return hawser_rom_know_below(&model->rom, &model->modes, &model->scene, top, report);
+}
+
+/* Of a rope over sheaves: above `reach` known motions stand for the modes that are not known, so
+ * that no series diverges there (ropeway/expand/expand_answer.c). */
+static int stands_for_more(const struct hawser_rom_known *known)
+{
+	return known->modes > 0 && known->K[known->modes - 1] > known->reach*known->reach;
+}
+
+int cli_known_lacks(char *text, size_t size, const struct cli_model *model, double omega)
+{
+	const struct hawser_rom *rom = &model->rom;
+	int k = multiple(rom);
+	double reach = rom->known.reach, limit = part*reach;
+
+	if (k == 0)
+		return 0;
+	if (stands_for_more(&rom->known)) {
+		limit = reach;
+		k = 1;
+	}
+	if (!(reach > 0.0) && model->naturals > 0) /* a file that does not state the highest mode */
+		limit = reach = model->natural[model->naturals - 1];
+	omega *= k;
+	if (!(omega > limit))
+		return 0;
+	snprintf(text, size, "the frequency of the forces reaches %.6g rad/s, and the model knows no modes "
+	         "above %.6g rad/s but as they follow the load statically: displacement and tension can "
+	         "be wrong by any factor: %s", omega*cli_per_omega(model), reach*cli_per_omega(model),
+	         model->has_scene ? "lower the frequency, or take model.energy: exact"
+	         : model->ropeway ? "lower the frequency, or keep more modes (-n)"
+	         : "give the scene in place of its model");
+	return 1;
+}
+
+void cli_known_warn(const struct cli_model *model, double omega)
+{
+	char text[CLI_WARNING_SIZE];
+
+	if (cli_known_lacks(text, sizeof text, model, omega))
+		cli_warn(text);
+}

@@ -1,0 +1,54 @@
+/* cli/model/label.h - labels of a frequency response, and runs that begin at one: FILE#LABEL.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_CLI_LABEL_H
+#define HAWSER_CLI_LABEL_H
+
+#include "cli/curves/frf_over.h"
+#include "cli/frame/cli.h"
+
+/* A motion of an earlier result, in the present model's scale. */
+struct cli_label {
+	double *state;  /* [2n] u then u' at the start of a period */
+	double omega;   /* frequency of the load */
+	double parameter, anchor; /* of a result with --over: its value there; at the start of that curve */
+	int number, period; /* label; periods of the load in one of the motion */
+	char kind[24];  /* of an event; "" of a point */
+	char over[96];  /* key of that result's --over, or "" */
+	double least;   /* least tension, N; NAN: not known */
+};
+
+/* Label the branches of a result, one after another; the points by its label_every. */
+void cli_label_all(struct cli_frf_result *result);
+/* Store a whole number, 0 or more, as the functions of cli.h do. */
+enum hawser_status cli_store_every(void *field, const struct cli_option *option,
+                                   const char *const *values, struct hawser_report *report);
+
+/* Whether the motions have the period of the model, not a multiple. */
+int cli_label_plain(const struct hawser_frf *frf, const struct cli_model *model);
+
+/* Split FILE#LABEL, into path [size]. Returns the label, or 0 if the text has none. */
+int cli_label_split(char *path, size_t size, const char *text);
+
+/* Read text, which is FILE#LABEL, given with `option`; the result must be of this model, but for the
+ * value of the key `over` (or NULL). Release by cli_label_clear. HAWSER_ERR_ARGUMENT. */
+enum hawser_status cli_label_open(struct cli_label *label, const char *option, const char *text,
+                                  const char *over, const struct cli_model *model,
+                                  const struct cli_common *common,
+                                  struct hawser_report *report) HAWSER_MUST_CHECK;
+void cli_label_clear(struct cli_label *label);
+/* The file, in scene [size], of the scene or model from which the result in text, FILE#LABEL, was
+ * computed, and its model.modes (0: not known). HAWSER_ERR_ARGUMENT: there is none. */
+enum hawser_status cli_label_scene(char *scene, size_t size, int *modes, const char *text,
+                                   struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* Set the first orbit of a trace. `along` [2n], the caller's, is used at a fold.
+ * HAWSER_ERR_ARGUMENT: no curve begins there. */
+enum hawser_status cli_label_begin(struct hawser_frf_options *choice, double *along,
+                                   const struct cli_label *label, const struct cli_over *over,
+                                   const struct cli_model *model, const char *text,
+                                   struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Check that the first orbit of the trace is that of the label. */
+enum hawser_status cli_label_kept(const struct cli_label *label, const struct hawser_frf *frf,
+                                  const char *text, struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

@@ -1,0 +1,33 @@
+/* cli/model/rom_ropeway.h - the model of a scene of kind `ropeway`.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_CLI_ROM_ROPEWAY_H
+#define HAWSER_CLI_ROM_ROPEWAY_H
+
+#include <hawser/line_rom.h>
+
+#include "cli/modes/modes_ropeway.h"
+
+/* One lane of a ropeway as a model. */
+struct cli_rom_ropeway {
+	struct hawser_ropeway ropeway;
+	struct hawser_ropeway_statics st;
+	int lane, smeared;
+	struct hawser_line line;               /* at rest */
+	struct hawser_line_mass *mass;
+	struct hawser_line_statics line_st;
+	struct hawser_line_rom_options options;
+	struct hawser_line_freedom freedom;    /* the carriage */
+	struct hawser_line_modes modes;
+};
+
+/* model->ropeway and model->rom by common->lane; n: number of modes, 0 for the default. */
+enum hawser_status cli_rom_ropeway_load(struct cli_model *model, const struct cli_common *common, int n,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+/* The same with another number of modes. Release it with hawser_rom_clear. */
+enum hawser_status cli_rom_ropeway_again(struct hawser_rom *rom, const struct cli_rom_ropeway *of,
+                                         int modes, struct hawser_report *report) HAWSER_MUST_CHECK;
+/* What the model is, as comments; nothing of models of other scenes. */
+void cli_rom_ropeway_comments(struct hawser__table *table, const struct cli_model *model);
+void cli_rom_ropeway_free(struct cli_rom_ropeway *of);
+
+#endif

@@ -1,0 +1,274 @@
+/* cli/modes/modes_damped.c - hawser modes --damped and --over: see modes_damped.h.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/model/axis.h"
+#include "cli/modes/modes_damped.h"
+#include "core/report.h"
+#include "output/cable/plot_damped.h"
+
+enum { MOST = 2000 }; /* points of a sweep */
+
+static enum hawser_status wrong(const char *over, struct hawser_report *report)
+{
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+	                    "--over %s: write KEY=FROM:TO:POINTS with 2 to %d points, such as "
+	                    "attach.0.at=0.02:0.1:41", over, MOST);
+}
+
+/* Split KEY=FROM:TO:POINTS. */
+static enum hawser_status read_over(struct hawser_damped_sweep_options *options,
+                                    struct cli_damped_result *result, const char *over,
+                                    struct hawser_report *report)
+{
+	char *equals, *first, *second, *end;
+	enum hawser_status status;
+	long points;
+
+	result->copy = strdup(over);
+	if (!result->copy)
+		return hawser__no_memory(report, "modes");
+	equals = strchr(result->copy, '=');
+	first = equals ? strchr(equals + 1, ':') : NULL;
+	second = first ? strchr(first + 1, ':') : NULL;
+	if (!second || equals == result->copy || first == equals + 1 || second == first + 1)
+		return wrong(over, report);
+	points = strtol(second + 1, &end, 10);
+	if (end == second + 1 || *end || points < 2 || points > MOST)
+		return wrong(over, report);
+	*equals = *first = *second = '\0';
+	result->key = options->key = result->copy;
+	options->points = (int)points;
+	options->logarithmic = result->logarithmic;
+	status = cli_quantity(&options->from, equals + 1, cli_key_unit(result->key), CLI_ANY, "modes",
+	                      "over", report);
+	if (!status)
+		status = cli_quantity(&options->to, first + 1, cli_key_unit(result->key), CLI_ANY, "modes",
+		                      "over", report);
+	return status;
+}
+
+/* A sweep of one point: the scene as it is. */
+static enum hawser_status solve_one(struct cli_damped_result *result, int n,
+                                    struct hawser_report *report)
+{
+	const struct hawser_damped_options options = {.n = n};
+	struct hawser_statics statics;
+	enum hawser_status status = hawser_statics_scene(&statics, &result->scene, report);
+
+	if (status)
+		return status;
+	result->sweep.state = calloc(1, sizeof *result->sweep.state);
+	result->sweep.value = calloc(1, sizeof *result->sweep.value);
+	if (!result->sweep.state || !result->sweep.value)
+		return hawser__no_memory(report, "modes");
+	result->sweep.points = 1;
+	return hawser_damped_solve(result->sweep.state, &statics, &result->scene, &options, report);
+}
+
+enum hawser_status cli_damped_solve(struct cli_damped_result *result, const char *over, int n,
+                                    struct hawser_report *report)
+{
+	struct hawser_damped_sweep_options options = {.modes = {.n = n}};
+	enum hawser_status status;
+
+	if (!over && result->logarithmic)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+		                    "--log is for the points of --over: give --over KEY=FROM:TO:POINTS");
+	if (!over)
+		return solve_one(result, n, report);
+	status = read_over(&options, result, over, report);
+	return status ? status : hawser_damped_trace(&result->sweep, &result->scene, &options, report);
+}
+
+void cli_damped_free(struct cli_damped_result *result)
+{
+	hawser_damped_sweep_clear(&result->sweep);
+	hawser_scene_clear(&result->scene);
+	free(result->copy);
+}
+
+/* --- fields --- */
+
+enum { SWEPT = 1, SINGLE = 2 };
+
+/* A mode at a value of the key. */
+struct row {
+	double value, omega, re, ratio, residual;
+	int index, number;
+	const char *plane;
+};
+
+/* Unit of the values. The place of an attachment is in m where the scene gives it so. */
+static const char *unit_of(const struct cli_damped_result *result)
+{
+	const struct hawser_scene *scene = &result->scene;
+	size_t length = strlen(result->key);
+	double at = NAN;
+
+	if (strncmp(result->key, "attach.", 7) == 0 && strcmp(result->key + length - 3, ".at") == 0 &&
+	    !hawser_scene_get(scene, &at, result->key, NULL))
+		for (int i = 0; i < scene->attachments; i++)
+			if (scene->attach[i].at == at && scene->attach[i].by_length)
+				return "m";
+	return cli_key_unit(result->key);
+}
+
+static const char *per_s(const void *context)
+{
+	(void)context;
+	return "1/s";
+}
+
+static const char *key_unit(const void *context)
+{
+	const struct cli_damped_result *result = context;
+
+	return result ? unit_of(result) : "";
+}
+
+#define OF(member) HAWSER__AT(struct row, member)
+const struct hawser__field cli_damped_field[] = {
+	{"value", "value", "with --over: of the key, in SI", OF(value), .when = SWEPT,
+	 .si = key_unit},
+	{"index", "index", "from 1, by damped frequency", OF(index)},
+	{"omega", "omega", "damped circular frequency: imaginary part of the eigenvalue", OF(omega),
+	 .unit = HAWSER__RADIAN_S},
+	{"frequency", "frequency", "damped frequency", OF(omega), .unit = HAWSER__HERTZ},
+	{"re", "re_per_s", "real part of the eigenvalue (1/s)", OF(re), .si = per_s},
+	{"damping_ratio", "damping_ratio", "fraction of critical damping", OF(ratio),
+	 .axis = "Damping ratio {/:Italic ζ}"},
+	{"plane", "plane", "in-plane or out-of-plane", OF(plane)},
+	{"number", "number", "from 1, by damped frequency, in its plane", OF(number)},
+	{"residual", "residual", "error estimate of the eigenvalue, relative", OF(residual)},
+	HAWSER__END,
+};
+#undef OF
+
+static size_t count_rows(const void *parent)
+{
+	const struct cli_damped_result *result = parent;
+	size_t count = 0;
+
+	for (int i = 0; i < result->sweep.points; i++)
+		count += (size_t)result->sweep.state[i].n;
+	return count;
+}
+
+static const void *row_at(void *to, const void *parent, size_t index)
+{
+	const struct cli_damped_result *result = parent;
+	const struct hawser_damped *state = result->sweep.state;
+	const struct hawser_damped_mode *mode;
+
+	for (; index >= (size_t)state->n; state++)
+		index -= (size_t)state->n;
+	mode = &state->mode[index];
+	*(struct row *)to = (struct row){
+		.value = result->sweep.value[state - result->sweep.state], .index = (int)index + 1,
+		.omega = mode->omega/state->time_unit, .re = mode->re/state->time_unit,
+		.ratio = mode->ratio, .residual = mode->residual, .number = mode->number,
+		.plane = hawser_plane_name(mode->plane)};
+	return to;
+}
+static const struct hawser__list row_list = {
+	.field = cli_damped_field, .size = HAWSER__MADE_SIZE(struct row), .count = count_rows,
+	.row = row_at};
+const struct hawser__field cli_damped_member[] = {
+	{"over", NULL, "with --over: the key", HAWSER__AT(struct cli_damped_result, key),
+	 .flags = HAWSER__OMIT},
+	{"damped", NULL, "with --damped or --over: damped modes", HAWSER__OBJECTS_OF(row_list)},
+	HAWSER__END,
+};
+
+static struct cli_head head(const void *of)
+{
+	const struct cli_damped_result *result = of;
+
+	return (struct cli_head){
+		result->common, "modes", "damped", &result->scene,
+		{.scale = hawser__si, .context = result, .options = result->key ? SWEPT : SINGLE}, NULL, NULL};
+}
+
+static void comments(struct hawser__table *table, const void *of)
+{
+	const struct cli_damped_result *result = of;
+	const struct hawser_damped *state = result->sweep.state;
+
+	if (result->key) {
+		const struct hawser__shown_unit shown = hawser__shown_unit(unit_of(result));
+
+		hawser__table_comment(table, "damped modes over %s, %d values (%s)", result->key,
+		                      result->sweep.points,
+		                      strcmp(unit_of(result), "1") ? shown.name : "-");
+		return;
+	}
+	hawser__table_comment(table, "%d functions a component, time unit %.12g s", state->basis,
+	                      state->time_unit);
+	if (state->overdamped > 0)
+		hawser__table_comment(table, "%d further motion%s of this range, with dampers above the "
+		                      "critical size, creep%s without oscillation, the slowest at %.6g 1/s",
+		                      state->overdamped, state->overdamped == 1 ? "" : "s",
+		                      state->overdamped == 1 ? "s" : "", state->slowest/state->time_unit);
+}
+
+/* --- picture: damping over the key, a curve for each mode that is damped --- */
+
+static double ratio_of(const struct hawser_damped *state, int plane, int number)
+{
+	for (int k = 0; k < state->n; k++)
+		if ((int)state->mode[k].plane == plane && state->mode[k].number == number)
+			return state->mode[k].ratio;
+	return NAN;
+}
+
+static enum hawser_status draw(const char *path, const void *of, struct hawser_report *report)
+{
+	const struct cli_damped_result *result = of;
+	const struct hawser_damped_sweep *sweep = &result->sweep;
+	size_t points = (size_t)sweep->points;
+	struct hawser__damped picture = {.points = sweep->points, .x = sweep->value,
+	                                 .logarithmic = result->logarithmic};
+	double largest = fmax(fabs(sweep->value[0]), fabs(sweep->value[points - 1]));
+	enum hawser_status status;
+
+	if (!result->key)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
+		                    "--plot with --damped shows the damping over a key: give "
+		                    "--over KEY=FROM:TO:POINTS");
+	picture.y = malloc(points*HAWSER__DAMPED_CURVES*sizeof *picture.y);
+	if (!picture.y)
+		return hawser__no_memory(report, "modes");
+	for (int number = 1; picture.curves < HAWSER__DAMPED_CURVES && number <= sweep->state->n; number++)
+		for (int plane = 0; plane < 2 && picture.curves < HAWSER__DAMPED_CURVES; plane++) {
+			double *y = picture.y + points*(size_t)picture.curves, most = 0.0;
+
+			for (size_t i = 0; i < points; i++) {
+				y[i] = ratio_of(&sweep->state[i], plane, number);
+				most = isnan(y[i]) ? most : fmax(most, y[i]);
+			}
+			if (most < 1e-9) /* not damped */
+				continue;
+			snprintf(picture.title[picture.curves], sizeof *picture.title, "%s %d",
+			         hawser_plane_name((enum hawser_plane)plane), number);
+			picture.plane[picture.curves++] = plane;
+		}
+	picture.axis = cli_axis(result->key, unit_of(result), largest);
+	status = hawser__plot_damped(path, &picture, report);
+	free(picture.y);
+	return status;
+}
+
+static void rows(struct hawser__table *table, const void *of)
+{
+	struct hawser__view view = head(of).view;
+
+	hawser__fields_table(table, &row_list, of, &view);
+}
+
+const struct cli_showing cli_damped_showing = {
+	.head = head, .comments = comments, .more = rows, .fields = cli_damped_member, .draw = draw};

@@ -1,0 +1,23 @@
+/* cli/modes/modes_damped.h - damped modes of one span, or over a key of its scene.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_CLI_MODES_DAMPED_H
+#define HAWSER_CLI_MODES_DAMPED_H
+
+#include "cli/frame/view.h"
+
+struct cli_damped_result {
+	const struct cli_common *common;
+	struct hawser_scene scene;
+	struct hawser_damped_sweep sweep; /* without key: one point */
+	const char *key;  /* NULL: none */
+	char *copy;       /* of the option, which holds the key */
+	int logarithmic;
+};
+/* `over`: KEY=FROM:TO:POINTS, or NULL. The scene is loaded. */
+enum hawser_status cli_damped_solve(struct cli_damped_result *result, const char *over, int n,
+                                    struct hawser_report *report) HAWSER_MUST_CHECK;
+void cli_damped_free(struct cli_damped_result *result);
+extern const struct cli_showing cli_damped_showing;
+extern const struct hawser__field cli_damped_field[], cli_damped_member[];
+
+#endif

@@ -1,0 +1,447 @@
+/* cli/motion/cmd_integrate.c - hawser integrate: the response in time.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/model/exact.h"
+#include "cli/motion/integrate_net.h"
+#include "cli/motion/integrate_result.h"
+#include "cli/motion/integrate_span.h"
+#include "cli/model/label.h"
+#include "cli/model/load_history.h"
+#include "cli/frame/progress.h"
+#include "cli/model/rom_ropeway.h"
+#include "cli/frame/view.h"
+#include "core/report.h"
+
+struct settings {
+	struct cli_common common;
+	const char *load, *motion, *omega, *omega_to, *until, *every, *after, *initial, *resume, *method;
+	double rtol, atol;
+	const char *model;
+	int n, spectrum, partial, error, lyapunov, elements;
+	struct cli_integrate_net net; /* of nets only */
+};
+static const struct settings defaults = {
+	.until = "100T", .every = "0.01T", .rtol = 1e-10, .atol = 1e-13,
+};
+
+static const struct cli_option options[] = {
+	{"Omega", 0, "FREQUENCY", "forcing frequency; required if there is a load",
+	 CLI_TEXT_FOR(omega, CLI_MODELLED)},
+	{"Omega-to", 0, "FREQUENCY", "slow sweep: the frequency changes linearly to this one",
+	 CLI_TEXT_FOR(omega_to, CLI_MODELLED)},
+	{"load", 0, "FILE", "table of the load over time, in place of the section load; of ropeways: "
+	 "passing or drive", CLI_TEXT_FOR(load, CLI_MODELLED)},
+	{"motion", 0, "FILE", "table of the displacements of the ends over time",
+	 CLI_TEXT_FOR(motion, CLI_MODELLED)},
+	{"until", 0, "TIME", "end of the run (100T)", CLI_TEXT(until)},
+	{"every", 0, "TIME", "interval between output rows (0.01T)", CLI_TEXT(every)},
+	{"after", 0, "TIME", "the rows begin at this time, when the transient has decayed (0)",
+	 CLI_TEXT_FOR(after, CLI_MODELLED)},
+	{"initial", 0, "FILE",
+	 "state, or FILE#LABEL of a response, to start from (rest)", CLI_TEXT(initial)},
+	{"continue", 0, "FILE", "continue the run whose JSON result this file is",
+	 CLI_TEXT_FOR(resume, CLI_MODELLED)},
+	{"modes", 'n', "N", "number of modes (the scene's model.modes)",
+	 CLI_INTEGER_FOR(n, CLI_MODELLED)},
+	CLI_LIBRARY_OPTION,
+	{"method", 0, "NAME", "integrator: gauss, radau, adams, bdf or auto (auto)", CLI_TEXT(method)},
+	{"rtol", 0, "NUMBER", "relative tolerance (1e-10)", CLI_POSITIVE(rtol)},
+	{"atol", 0, "NUMBER", "absolute tolerance, scaled (1e-13)",
+	 CLI_POSITIVE_FOR(atol, CLI_MODELLED)},
+	{"spectrum", 0, "", "write the spectrum to the table, and to JSON",
+	 CLI_FLAG_FOR(spectrum, CLI_MODELLED)},
+	{"error", 0, "", "estimate the error by a second run with other tolerances",
+	 CLI_FLAG_FOR(error, CLI_MODELLED | CLI_NET)},
+	{"lyapunov", 0, "", "Lyapunov exponents of the motion after --after, with their errors",
+	 CLI_FLAG_FOR(lyapunov, CLI_MODELLED)},
+	{"model", 0, "NAME", "rom, or fe: a mesh of cable elements (rom)",
+	 CLI_TEXT_FOR(model, CLI_MODELLED)},
+	{"elements", 0, "N", "elements of the mesh of --model fe (120)",
+	 CLI_INTEGER_FOR(elements, CLI_SPAN)},
+	{"step", 0, "TIME", "nets, rods and --model fe: longest step, or auto",
+	 CLI_TEXT_FOR(net.step, CLI_MESHES | CLI_SPAN)},
+	{"probe", 0, "NAMES", "nets: nodes, or cable:part (all free nodes); rods: start, end, lengths",
+	 CLI_TEXT_FOR(net.probe, CLI_MESHES)},
+	{"state", 0, "FILE", "nets, rods: write the last state, for --initial",
+	 CLI_TEXT_FOR(net.state, CLI_MESHES)},
+	{"vtk", 0, "STEM", "nets, rods: write STEM-00000.vtk and so on, one a row",
+	 CLI_TEXT_FOR(net.vtk, CLI_MESHES)},
+	{"animate", 0, "FILE.gif", "nets, rods: write an animation",
+	 CLI_TEXT_FOR(net.animate, CLI_MESHES)},
+	{"frames", 0, "N", "of the animation, at most (100)",
+	 CLI_COUNT_FOR(net.frames, CLI_MESHES)},
+	{"no-error", 0, "", "rods: without the two runs for the errors",
+	 CLI_FLAG_FOR(net.skip_error, CLI_ROD)},
+	{"partial", 0, "", "write what was computed also if the run fails",
+	 CLI_FLAG_FOR(partial, CLI_MODELLED)},
+	CLI_LANE_OPTIONS,
+	CLI_NO_OPTION,
+};
+
+static const char *const notes[] = {
+	"FREQUENCY: a number (rad/s), \"0.3 Hz\", or a multiple of a natural frequency, 0.6w1.",
+	"TIME: a number (s), \"3 min\", or periods of the forcing, 50T (without forcing, of w1).",
+	NULL,
+};
+
+/* More rows would not fit in memory as a table. */
+static const double most_rows = 2e7;
+
+/* The end of a sweep, and what does not go with it. */
+static enum hawser_status sweep(struct hawser_integrate_options *choice,
+                                const struct settings *settings, const struct cli_model *model,
+                                struct hawser_report *report)
+{
+	const char *not_with = settings->resume ? "--continue: the phase of the forcing is not known"
+	                       : settings->spectrum ? "--spectrum, which needs a constant frequency"
+	                       : NULL;
+
+	if (model->has_scene && model->scene.travel.present &&
+	    (model->scene.travel.fluctuation > 0.0 || model->scene.travel.braking > 0.0))
+		not_with = "a travel speed that changes";
+	if (not_with)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
+		                    "--Omega-to %s does not go with %s", settings->omega_to, not_with);
+	return cli_frequency(&choice->omega_to, settings->omega_to, "Omega-to", model, report);
+}
+
+static enum hawser_status times(struct hawser_integrate_options *choice, double *period,
+                                const struct settings *settings, const struct cli_model *model,
+                                const struct cli_label *label, struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+
+	choice->omega = label->omega;
+	if (settings->omega)
+		status = cli_frequency(&choice->omega, settings->omega, "Omega", model, report);
+	else if (settings->omega_to)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
+		                      "--Omega-to %s ends a sweep: give its beginning with --Omega",
+		                      settings->omega_to);
+	else if (!label->state && (model->rom.harmonics > 0 || model->automatic))
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
+		                      "the model is forced: give its frequency with --Omega, such as "
+		                      "--Omega 0.9w1");
+	else if (!label->state && model->naturals == 0)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
+		                      "the model has no natural frequency to set the unit of --until and "
+		                      "--every: give --Omega");
+	if (!status && settings->omega_to)
+		status = sweep(choice, settings, model, report);
+	if (status)
+		return status;
+	*period = 2.0*M_PI/(settings->omega || label->state ? choice->omega : model->natural[0]);
+	status = cli_time(&choice->until, settings->until, "until", *period, model, report);
+	if (!status)
+		status = cli_time(&choice->every, settings->every, "every", *period, model, report);
+	if (!status && choice->until/choice->every > most_rows)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
+		                      "--until %s --every %s makes %.3g rows: choose a longer interval",
+		                      settings->until, settings->every, choice->until/choice->every);
+	return status;
+}
+
+/* Computes result->error by a second run; NULL if that was interrupted. */
+static enum hawser_status look_again(struct cli_integrate_result *result,
+                                     const struct hawser_trajectory *run,
+                                     const struct hawser_rom *rom,
+                                     const struct hawser_integrate_options *choice,
+                                     struct hawser_report *report)
+{
+	enum hawser_status status;
+
+	result->error = calloc((size_t)run->rows + 1, sizeof *result->error);
+	if (!result->error)
+		return hawser__no_memory(report, "integrate");
+	status = hawser_integrate_error(result->error, run, rom, choice, report);
+	if (!status && run->rows > 0 && isinf(result->error[run->rows - 1])) {
+		free(result->error);
+		result->error = NULL;
+	}
+	return status;
+}
+
+/* With modes: auto modes are chosen for this range of frequencies, over that of the forcing. */
+static const double around[2] = {0.8, 1.25};
+
+/* Ends of the range of the forcing. */
+static double lowest(const struct hawser_integrate_options *choice)
+{
+	return choice->omega_to > 0.0 ? fmin(choice->omega, choice->omega_to) : choice->omega;
+}
+
+static double highest(const struct hawser_integrate_options *choice)
+{
+	return fmax(choice->omega, choice->omega_to);
+}
+
+/* The initial state, if the user gives one; last->state owns it. */
+static enum hawser_status choose_start(struct hawser_integrate_options *choice,
+                                       struct cli_last *last, const struct settings *settings,
+                                       const struct cli_model *model, const struct cli_label *label,
+                                       struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+
+	if (settings->initial && !label->state)
+		status = cli_state_open(&last->state, settings->initial, model, report);
+	else if (settings->resume)
+		status = cli_last_open(last, settings->resume, "integrate", model,
+		                       &settings->common, report);
+	choice->initial = label->state ? label->state : last->state;
+	if (status || !settings->resume)
+		return status;
+	choice->begin = last->t;
+	if (last->swept)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
+		                    "--continue %s: that run is a sweep, and its phase of the forcing is not "
+		                    "known; --initial starts from its last state anew", settings->resume);
+	if (fabs(choice->omega - last->omega) > 1e-9*last->omega)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
+		                    "--continue %s: that run has Omega = %.12g, and this one would have %.12g; "
+		                    "--initial starts from its last state anew", settings->resume,
+		                    last->omega*cli_per_omega(model), choice->omega*cli_per_omega(model));
+	return HAWSER_OK;
+}
+
+/* With the exact energy, where the modes asked for are not good enough or fail (so_far: their status):
+ * only a run from rest under the load of the scene, at one frequency. */
+static enum hawser_status better(struct cli_integrate_result *result, struct cli_model *model,
+                                 struct hawser_integrate_options *choice,
+                                 const struct hawser_integrate_options *fresh, double **state,
+                                 double after, const struct settings *settings,
+                                 enum hawser_status so_far, struct hawser_report *report)
+{
+	struct hawser_integrate_options begin = *fresh;
+	enum hawser_status status;
+
+	if (settings->initial || settings->resume || settings->load || settings->motion ||
+	    settings->omega_to || cli_interrupted() || !(fresh->omega > 0.0) ||
+	    (so_far && so_far != HAWSER_ERR_CONVERGENCE))
+		return so_far;
+	if (!so_far && (status = cli_integrate_judge(result, report)))
+		return status;
+	if (!cli_exact_calls(model, so_far ? NULL : &result->model_error))
+		return so_far;
+	status = cli_integrate_exact(result, model, &begin, state, after, report);
+	if (status || !model->exact.functions)
+		return status ? status : so_far;
+	*choice = begin;
+	return HAWSER_OK;
+}
+
+static enum hawser_status solve(struct hawser_trajectory *run, struct cli_integrate_result *result,
+                                struct cli_model *model, const struct settings *settings,
+                                struct hawser_report *report)
+{
+	struct cli_watch watch = {{.quiet = settings->common.quiet}, "integrate"};
+	struct hawser_integrate_options choice = {0}, fresh;
+	struct cli_last last = {.state = NULL};
+	double after = 0.0;
+	struct cli_label label = {.state = NULL};
+	enum hawser_status status = HAWSER_OK;
+	char path[4096];
+
+	if (settings->initial && cli_label_split(path, sizeof path, settings->initial))
+		status = cli_label_open(&label, "initial", settings->initial, NULL, model, &settings->common,
+		                        report);
+	if (!status)
+		status = times(&choice, &result->period, settings, model, &label, report);
+
+	if (!status && model->automatic)
+		status = cli_choice_build(model, around[0]*lowest(&choice), around[1]*highest(&choice),
+		                          report);
+	if (!status)
+		status = cli_known(model, highest(&choice), report);
+	if (!status)
+		status = choose_start(&choice, &last, settings, model, &label, report);
+	if (status) {
+		cli_last_clear(&last);
+		cli_label_clear(&label);
+		return status;
+	}
+	choice.rtol = settings->rtol;
+	choice.atol = settings->atol;
+	choice.method = settings->method;
+	choice.progress = (struct hawser_progress){cli_watch, &watch};
+	result->rest = !settings->initial && !settings->resume && !settings->after;
+	result->omega = choice.omega;
+	result->every = choice.every;
+	if (settings->after)
+		status = cli_time(&after, settings->after, "after", result->period, model, report);
+	fresh = choice;
+	if (!status && settings->after)
+		status = cli_integrate_settle(&last.state, &choice, after, &model->rom, report);
+	result->forcing = choice;
+	if (!status)
+		status = hawser_integrate(run, &model->rom, &choice, report);
+	status = better(result, model, &choice, &fresh, &last.state, after, settings, status, report);
+	if (!status && settings->error && !run->interrupted)
+		status = look_again(result, run, &model->rom, &choice, report);
+	if (!status && settings->lyapunov && !run->interrupted)
+		status = cli_integrate_exponents(result, !settings->after, &choice, report);
+	cli_progress_end(&watch.progress);
+	cli_last_clear(&last);
+	cli_label_clear(&label);
+	return status;
+}
+
+static enum hawser_status write_result(struct cli_integrate_result *result, struct cli_model *model,
+                                       struct hawser_report *report)
+{
+	enum hawser_status status = cli_integrate_fill(result, report);
+	char text[CLI_WARNING_SIZE];
+
+	if (!status)
+		status = cli_show(result->common, &cli_integrate_showing, result, report);
+	if (!status)
+		cli_known_warn(result->model, result->omega);
+	if (!status)
+		cli_fixed_warn(&result->model_error);
+	if (!status)
+		cli_exact_warn(result->model);
+	if (!status)
+		cli_range_warn(model, cli_range_reach(NULL, model, result->run.state, result->run.rows,
+		                                      2*result->run.n));
+	if (!status && cli_integrate_slack(text, sizeof text, result))
+		cli_warn(text);
+	if (!status && cli_integrate_moves(text, sizeof text, result))
+		cli_warn(text);
+	return status;
+}
+
+/* A scene of kind net, or rod. */
+static enum hawser_status run_kind(const struct settings *settings, int rod,
+                                   struct hawser_report *report)
+{
+	struct cli_integrate_net net = settings->net;
+
+	net.until = settings->until != defaults.until ? settings->until : NULL;
+	net.every = settings->every != defaults.every ? settings->every : NULL;
+	net.scheme = settings->method;
+	net.initial = settings->initial;
+	net.error = settings->error;
+	net.tolerance = settings->rtol != defaults.rtol ? settings->rtol : 0.0;
+	return rod ? cli_integrate_rod(&settings->common, &net, report)
+	           : cli_integrate_net(&settings->common, &net, report);
+}
+
+/* --model fe; what is of reduced models does not go with it. */
+static enum hawser_status run_span(const struct settings *settings, struct hawser_report *report)
+{
+	const struct {
+		const char *name;
+		int given;
+	} other[] = {{"Omega-to", settings->omega_to != NULL}, {"load", settings->load != NULL},
+	             {"motion", settings->motion != NULL}, {"after", settings->after != NULL},
+	             {"initial", settings->initial != NULL}, {"continue", settings->resume != NULL},
+	             {"modes", settings->n > 0}, {"spectrum", settings->spectrum},
+	             {"error", settings->error}, {"lyapunov", settings->lyapunov},
+	             {"partial", settings->partial}, {"atol", settings->atol != defaults.atol},
+	             {"model-library", settings->common.library != NULL}};
+	const struct cli_integrate_span span = {
+		.texts = {.omega = settings->omega, .until = settings->until, .every = settings->every,
+		          .step = settings->net.step},
+		.scheme = settings->method, .elements = settings->elements,
+		.tolerance = settings->rtol != defaults.rtol ? settings->rtol : 0.0};
+
+	for (size_t i = 0; i < sizeof other/sizeof *other; i++)
+		if (other[i].given)
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
+			                    "--%s does not go with --model fe, a mesh of cable elements: leave "
+			                    "out one of them", other[i].name);
+	return cli_integrate_span(&settings->common, &span, report);
+}
+
+static enum hawser_status check_model(const struct settings *settings, struct hawser_report *report)
+{
+	static const char *const models[] = {"rom", "fe"};
+	int model = 0;
+	enum hawser_status status = HAWSER_OK;
+
+	if (settings->model)
+		status = cli_choose(&model, "integrate", "model", settings->model, models, 2, report);
+	if (!status && model == 0 && (settings->elements || settings->net.step))
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
+		                      "--%s is for the mesh of --model fe: give that",
+		                      settings->elements ? "elements" : "step");
+	return status;
+}
+
+/* The load of a ropeway has a name. */
+static struct settings with_lane(const struct settings *given)
+{
+	struct settings settings = *given;
+
+	if (given->load && cli_kind(&given->common) == HAWSER_KIND_ROPEWAY) {
+		settings.common.lane.load = given->load;
+		settings.load = NULL;
+	}
+	return settings;
+}
+
+static enum hawser_status run(void *context, struct hawser_report *report)
+{
+	const struct settings own = with_lane(context), *settings = &own;
+	const struct cli_integrate_net *net = &settings->net;
+	struct hawser_report second = {0};
+	struct cli_model model = {0};
+	struct cli_integrate_result result = {.common = &settings->common, .model = &model,
+	                                      .spectrum = settings->spectrum};
+	const struct cli_output state = {"state", net->state};
+	enum hawser_kind kind = cli_kind(&settings->common);
+	enum hawser_status status = cli_outputs_check_with(&settings->common, &state, 1, report);
+
+	if (!status)
+		status = hawser__file_check(net->state, report);
+	if (!status && (kind == HAWSER_KIND_NET || kind == HAWSER_KIND_ROD))
+		return run_kind(settings, kind == HAWSER_KIND_ROD, report);
+	if (!status)
+		status = check_model(settings, report);
+	if (!status && settings->model && strcmp(settings->model, "fe") == 0)
+		return run_span(settings, report);
+	if (!status)
+		status = cli_state_check("initial", settings->initial, &settings->common, report);
+	if (!status)
+		status = cli_state_check("load", settings->load, &settings->common, report);
+	if (!status)
+		status = cli_state_check("motion", settings->motion, &settings->common, report);
+	if (!status)
+		status = cli_state_check("continue", settings->resume, &settings->common, report);
+	if (!status && settings->initial && settings->resume)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
+		                      "--continue %s says where to start, and so does --initial: give one of "
+		                      "them", settings->resume);
+	if (!status)
+		status = cli_model_load(&model, &settings->common, settings->n, report);
+	if (!status)
+		status = cli_exact_as(&model, settings->initial ? settings->initial : settings->resume, report);
+	if (!status && (settings->load || settings->motion))
+		status = cli_load_history(&model, settings->load, settings->motion, report);
+	if (!status && settings->load && settings->omega && model.rom.harmonics == 0)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
+		                      "--load %s replaces the harmonic load: leave out --Omega",
+		                      settings->load);
+	if (!status)
+		status = solve(&result.run, &result, &model, settings, report);
+	if (!status)
+		status = write_result(&result, &model, report);
+	else if (settings->partial && result.run.rows > 1) {
+		result.failed = 1;
+		if (write_result(&result, &model, &second))
+			cli_report_also(report, &second);
+	}
+	cli_integrate_free(&result);
+	cli_model_clear(&model);
+	return status;
+}
+
+const struct cli_command cli_integrate = {
+	"integrate", "SCENE|MODEL", "Response in time, from rest or from a given state", notes, options,
+	&defaults, sizeof(struct settings), 1, run, cli_integrate_listing,
+};

@@ -1,0 +1,475 @@
+/* cli/motion/integrate_net.c - hawser integrate of a scene of kind `net`: places in time, and
+ * the energy. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/statics/contacts_net.h"
+#include "cli/motion/film_net.h"
+#include "cli/motion/integrate_net.h"
+#include "cli/frame/mesh_net.h"
+#include "cli/frame/progress.h"
+#include "core/report.h"
+#include "output/drawing/animate.h"
+
+enum { PROBES = 64, NAME = HAWSER_NET_NAME + 24, PATH = 4096, DRAWN = 3 };
+enum { ROWS = 200 }; /* of a run without --every, as hawser_net_integrate has (net_motion.h) */
+
+struct result {
+	const struct cli_common *common;
+	const struct cli_integrate_net *settings;
+	struct hawser_net net;
+	struct hawser_net_motion motion;
+	struct hawser_net_mesh_error error; /* of the equilibrium */
+	struct hawser_net_probe probe[PROBES];
+	char name[PROBES][NAME];
+	int probes, failed; /* failed: errno of a frame that could not be written */
+	char path[PATH];    /* of that frame */
+	struct cli_film film;
+};
+
+/* --- probes: J, or c1:0.25 --- */
+
+static enum hawser_status add(struct result *result, const char *name, size_t length,
+                              struct hawser_report *report)
+{
+	const struct hawser_net *net = &result->net;
+	struct hawser_net_probe *probe = &result->probe[result->probes];
+	char *colon, *end = NULL, *to = result->name[result->probes];
+
+	if (result->probes == PROBES || length >= NAME || length == 0)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate", "--probe: at most %d names, "
+		                    "with commas between them, of at most %d characters", PROBES, NAME - 1);
+	memcpy(to, name, length);
+	to[length] = '\0';
+	*probe = (struct hawser_net_probe){.node = -1, .cable = -1};
+	for (int i = 0; i < net->nodes; i++)
+		if (strcmp(net->node[i].name, to) == 0)
+			probe->node = i;
+	colon = strchr(to, ':');
+	for (int i = 0; i < net->cables && colon; i++)
+		if (strlen(net->cable[i].name) == (size_t)(colon - to) &&
+		    strncmp(net->cable[i].name, to, (size_t)(colon - to)) == 0)
+			probe->cable = i;
+	if (probe->cable >= 0) {
+		probe->part = strtod(colon + 1, &end);
+		if (end == colon + 1 || *end || !(probe->part >= 0.0 && probe->part <= 1.0))
+			probe->cable = -1;
+	}
+	result->probes++;
+	return probe->node >= 0 || probe->cable >= 0 ? HAWSER_OK
+		: hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate", "--probe %s: neither a node of the "
+		               "net nor a place of a cable, such as c1:0.25 for a quarter of the length of "
+		               "cable c1", to);
+}
+
+/* Without --probe: all nodes that are not held. */
+static enum hawser_status probes(struct result *result, struct hawser_report *report)
+{
+	const char *at = result->settings->probe;
+	const struct hawser_net *net = &result->net;
+	enum hawser_status status = HAWSER_OK;
+
+	while (at && !status) {
+		size_t length = strcspn(at, ",");
+
+		status = add(result, at, length, report);
+		at = at[length] ? at + length + 1 : NULL;
+	}
+	for (int i = 0; i < net->nodes && !result->settings->probe && result->probes < PROBES; i++) {
+		int held = net->node[i].held[0] && net->node[i].held[1] && net->node[i].held[2];
+
+		for (int k = 0; k < net->dynamics.releases; k++)
+			held = held && net->dynamics.release[k] != i;
+		if (!held && !status)
+			status = add(result, net->node[i].name, strlen(net->node[i].name), report);
+	}
+	if (!status && result->probes == 0 && net->cables > 0) {
+		char name[NAME];
+
+		snprintf(name, sizeof name, "%s:0.5", net->cable[0].name);
+		status = add(result, name, strlen(name), report);
+	}
+	return status;
+}
+
+/* --- VTK: one file a row --- */
+
+/* contact: 0 open, 1 sticks, 2 slips. */
+static void contacts_vtk(FILE *file, const struct hawser_net_frame *frame)
+{
+	fprintf(file, "POINT_DATA %d\nSCALARS contact int 1\nLOOKUP_TABLE default\n", frame->nodes);
+	for (int i = 0; i < frame->nodes; i++)
+		fprintf(file, "%d\n", frame->state[i]);
+	fputs("SCALARS r_N_N double 1\nLOOKUP_TABLE default\n", file);
+	for (int i = 0; i < frame->nodes; i++)
+		fprintf(file, "%.9g\n", frame->r_N[i]);
+	fputs("SCALARS r_T_N double 1\nLOOKUP_TABLE default\n", file);
+	for (int i = 0; i < frame->nodes; i++)
+		fprintf(file, "%.9g\n", frame->r_T[i]);
+}
+
+static int frame(void *data, const struct hawser_net_frame *frame)
+{
+	struct result *result = data;
+	FILE *file;
+	int bad;
+
+	if (result->settings->animate && (result->failed = cli_film_add(&result->film, frame)) != 0) {
+		snprintf(result->path, sizeof result->path, "%s", result->settings->animate);
+		return result->failed;
+	}
+	if (!result->settings->vtk)
+		return 0;
+	snprintf(result->path, sizeof result->path, "%s-%05d.vtk", result->settings->vtk, frame->row);
+	file = fopen(result->path, "w");
+	if (!file)
+		return result->failed = errno;
+	fprintf(file, "# vtk DataFile Version 3.0\nhawser, t = %.9g s\nASCII\nDATASET POLYDATA\n"
+	        "POINTS %d double\n", frame->t, frame->nodes);
+	for (int i = 0; i < frame->nodes; i++)
+		fprintf(file, "%.9g %.9g %.9g\n", frame->x[i][0], frame->x[i][1], frame->x[i][2]);
+	fprintf(file, "LINES %d %d\n", frame->elements, 3*frame->elements);
+	for (int e = 0; e < frame->elements; e++)
+		fprintf(file, "2 %d %d\n", frame->end[e][0], frame->end[e][1]);
+	fprintf(file, "CELL_DATA %d\nSCALARS tension_N double 1\nLOOKUP_TABLE default\n",
+	        frame->elements);
+	for (int e = 0; e < frame->elements; e++)
+		fprintf(file, "%.9g\n", frame->T[e]);
+	if (frame->state)
+		contacts_vtk(file, frame);
+	bad = ferror(file);
+	if (fclose(file) || bad)
+		result->failed = errno ? errno : EIO;
+	return result->failed;
+}
+
+/* --- results --- */
+
+static void fill_row(struct hawser__table *row, const void *of, size_t index)
+{
+	const struct result *result = of;
+	const struct hawser_net_motion *motion = &result->motion;
+
+	hawser__table_number(row, motion->time[index]);
+	for (int p = 0; p < motion->probes; p++) {
+		size_t at = index*(size_t)motion->probes + (size_t)p;
+
+		for (int k = 0; k < 3; k++)
+			hawser__table_number(row, motion->x[at][k]);
+		hawser__table_number(row, motion->T[at]);
+	}
+	hawser__table_number(row, motion->kinetic[index]);
+	hawser__table_number(row, motion->potential[index]);
+	hawser__table_number(row, motion->work[index]);
+	hawser__table_number(row, motion->dissipated[index]);
+	hawser__table_number(row, motion->slack[index]);
+	if (!result->net.surfaces)
+		return;
+	hawser__table_number(row, motion->touching[index]);
+	hawser__table_number(row, motion->sliding[index]);
+	hawser__table_number(row, motion->friction[index]);
+	hawser__table_number(row, motion->impacts[index]);
+	hawser__table_number(row, motion->apart[index]);
+}
+
+static double apart(const struct hawser_net_motion *motion)
+{
+	double most = 0.0;
+
+	for (int i = 0; i < motion->rows; i++)
+		most = fmax(most, motion->apart[i]);
+	return most;
+}
+
+static void table(struct hawser__table *table, const void *of)
+{
+	static const char *const last[] = {"kinetic_J", "potential_J", "work_J", "dissipated_J", "slack",
+	                                   "touching", "sliding", "friction_J", "impacts_J", "apart_m"};
+	enum { CONTACT = 5 };
+	const struct result *result = of;
+	const struct hawser_net_motion *motion = &result->motion;
+
+	cli_echo_table(table, result->common, "integrate", NULL, motion->scheme);
+	hawser__table_comment(table, "%ld steps, %ld made shorter for their error, %ld halved; %ld "
+	                      "changes of elements between slack and taut", motion->steps,
+	                      motion->rejected, motion->splits, motion->switches);
+	hawser__table_comment(table, "energy ledger closed to %.1e of its largest term",
+	                      motion->closure);
+	hawser__table_comment(table, "positions to some %.1e m: %s", motion->error, motion->checked
+	                      ? "from another, coarser run"
+	                      : "the local errors of all steps, if they do not grow (--error looks)");
+	if (motion->front_axial > 0.0 && !isnan(motion->shock))
+		hawser__table_comment(table, "fronts behind which the cable is slack: damping.axial is %.3g "
+		                      "s, half the time in which a wave passes an element; with all of it, "
+		                      "positions differ by up to %.1e m", motion->front_axial, motion->shock);
+	else if (!isnan(motion->shock))
+		hawser__table_comment(table, "fronts behind which the cable is slack: with damping.axial = "
+		                      "%.3g s, positions differ by up to %.1e m; without, their energy "
+		                      "stays in the mesh", motion->shock_axial, motion->shock);
+	cli_mesh_comment(table, &result->net, &result->error);
+	if (result->net.surfaces)
+		hawser__table_comment(table, "contacts: penetration, and gap of what touches, at most %.1e m; "
+		                      "laws of contact and friction to %.1e", apart(motion), motion->laws);
+	for (int k = 0; k < 3; k++)
+		if (motion->still[k])
+			hawser__table_comment(table, "no motion along %c in the model: nothing drives it",
+			                      "xyz"[k]);
+	if (motion->interrupted)
+		hawser__table_comment(table, "interrupted at %.6g s", motion->reached);
+	hawser__table_column(table, "t_s");
+	for (int p = 0; p < motion->probes; p++) {
+		for (int k = 0; k < 3; k++)
+			hawser__table_column(table, "%s_%c_m", result->name[p], "xyz"[k]);
+		hawser__table_column(table, "%s_T_N", result->name[p]);
+	}
+	for (size_t i = 0; i < sizeof last/sizeof *last - (result->net.surfaces ? 0 : CONTACT); i++)
+		hawser__table_column(table, "%s", last[i]);
+	hawser__table_rows(table, (size_t)motion->rows, fill_row, result);
+}
+
+static void contacts(struct hawser__json *json, const struct result *result, json_t *energy)
+{
+	const struct hawser_net_motion *motion = &result->motion;
+	const struct hawser_net_statics last = {.contact = motion->contact, .contacts = motion->contacts,
+	                                        .apart = apart(motion)};
+	json_t *touching = hawser__json_array(json, json->root, "touching");
+	json_t *sliding = hawser__json_array(json, json->root, "sliding");
+
+	for (int i = 0; i < motion->rows; i++) {
+		hawser__json_integer(json, touching, NULL, motion->touching[i]);
+		hawser__json_integer(json, sliding, NULL, motion->sliding[i]);
+	}
+	hawser__json_numbers(json, json->root, "apart", motion->apart, motion->rows, 1.0);
+	hawser__json_number(json, json->root, "laws", motion->laws);
+	hawser__json_numbers(json, energy, "friction", motion->friction, motion->rows, 1.0);
+	hawser__json_numbers(json, energy, "impacts", motion->impacts, motion->rows, 1.0);
+	cli_contacts_json(json, &result->net, &last);
+}
+
+static void json(struct hawser__json *json, const void *of)
+{
+	const struct result *result = of;
+	const struct hawser_net_motion *motion = &result->motion;
+	json_t *into, *energy;
+
+	cli_echo_json(json, result->common, "integrate", NULL);
+	hawser__json_text(json, json->root, "scheme", motion->scheme);
+	hawser__json_numbers(json, json->root, "times", motion->time, motion->rows, 1.0);
+	into = hawser__json_object(json, json->root, "probes");
+	for (int p = 0; p < motion->probes; p++) {
+		json_t *one = hawser__json_object(json, into, result->name[p]);
+		json_t *x = hawser__json_array(json, one, "x"), *T = hawser__json_array(json, one, "T");
+
+		for (int i = 0; i < motion->rows; i++) {
+			hawser__json_numbers(json, x, NULL, motion->x[i*motion->probes + p], 3, 1.0);
+			hawser__json_number(json, T, NULL, motion->T[i*motion->probes + p]);
+		}
+	}
+	energy = hawser__json_object(json, json->root, "energy");
+	hawser__json_numbers(json, energy, "kinetic", motion->kinetic, motion->rows, 1.0);
+	hawser__json_numbers(json, energy, "potential", motion->potential, motion->rows, 1.0);
+	hawser__json_numbers(json, energy, "work", motion->work, motion->rows, 1.0);
+	hawser__json_numbers(json, energy, "dissipated", motion->dissipated, motion->rows, 1.0);
+	hawser__json_number(json, energy, "closure", motion->closure);
+	into = hawser__json_object(json, json->root, "error");
+	hawser__json_number(json, into, "position", motion->error);
+	hawser__json_text(json, into, "from", motion->checked ? "another run" : "local errors");
+	if (isnan(motion->shock))
+		hawser__json_null(json, into, "shock");
+	else
+		hawser__json_number(json, into, "shock", motion->shock);
+	if (motion->front_axial > 0.0)
+		hawser__json_number(json, into, "front_axial", motion->front_axial);
+	cli_mesh_json(json, json->root, &result->net, &result->error);
+	into = hawser__json_array(json, json->root, "slack");
+	for (int i = 0; i < motion->rows; i++)
+		hawser__json_integer(json, into, NULL, motion->slack[i]);
+	into = hawser__json_array(json, json->root, "still");
+	for (int k = 0; k < 3; k++)
+		if (motion->still[k])
+			hawser__json_text(json, into, NULL, (const char *[]){"x", "y", "z"}[k]);
+	if (result->net.surfaces)
+		contacts(json, result, energy);
+	hawser__json_flag(json, json->root, "interrupted", motion->interrupted);
+	into = cli_stats_json(json, result->common);
+	hawser__json_integer(json, into, "unknowns", motion->unknowns);
+	hawser__json_integer(json, into, "steps", motion->steps);
+	hawser__json_integer(json, into, "iterations", motion->iterations);
+	hawser__json_integer(json, into, "rejected", motion->rejected);
+	hawser__json_integer(json, into, "splits", motion->splits);
+	hawser__json_integer(json, into, "switches", motion->switches);
+}
+
+/* Heights of the first probes over time; below, the energies. */
+static enum hawser_status draw(const char *path, const void *of, struct hawser_report *report)
+{
+	const struct result *result = of;
+	const struct hawser_net_motion *motion = &result->motion;
+	int probes = motion->probes < DRAWN ? motion->probes : DRAWN;
+	struct hawser__picture picture;
+	enum hawser_status status = hawser__picture_begin(&picture, path, 14.0, 12.0, report);
+	FILE *script = picture.script;
+
+	if (status)
+		return status;
+	fputs("$motion << END\n", script);
+	for (int i = 0; i < motion->rows; i++) {
+		fprintf(script, "%.9g %.7g %.7g %.7g", motion->time[i], motion->kinetic[i],
+		        motion->potential[i], motion->kinetic[i] + motion->potential[i]);
+		for (int p = 0; p < probes; p++)
+			fprintf(script, " %.7g", motion->x[i*motion->probes + p][1]);
+		fputs("\n", script);
+	}
+	fputs("END\nset key at graph 1, graph 1.12 right center horizontal\n", script);
+	hawser__picture_panel(&picture, 0.15, 0.95, 0.61, 0.93);
+	hawser__picture_ylabel(&picture, "Height {/:Italic y} (m)");
+	fputs("plot ", script);
+	for (int p = 0; p < probes; p++) {
+		fprintf(script, "%s$motion using 1:%d with lines lt %d title '", p ? ", " : "", p + 5, p + 1);
+		hawser__picture_literal(script, result->name[p], 0);
+		fputc('\'', script);
+	}
+	fputs("\n", script);
+	hawser__picture_panel(&picture, 0.15, 0.95, 0.11, 0.46);
+	hawser__picture_ylabel(&picture, "Energy (J)");
+	fputs("set xlabel 'Time {/:Italic t} (s)'\nplot $motion using 1:2 with lines lt 1 title 'kinetic', "
+	      "$motion using 1:3 with lines lt 2 title 'potential', $motion using 1:4 with lines lt 3 "
+	      "title 'sum'\n", script);
+	return hawser__picture_finish(&picture, report);
+}
+
+static const struct cli_showing showing = {.table = table, .json = json, .draw = draw};
+
+/* --- the run --- */
+
+enum hawser_status cli_integrate_times(double *until, double *every, double *step,
+                                       const struct cli_integrate_net *settings, const char *kind,
+                                       struct hawser_report *report)
+{
+	const int by_error = settings->step && strcmp(settings->step, "auto") == 0;
+	enum hawser_status status;
+
+	if (!settings->until)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate", "the scene is a %s: give the "
+		                    "end of its motion, such as --until \"10 s\"", kind);
+	status = cli_quantity(until, settings->until, "s", CLI_ABOVE_ZERO, "integrate", "until", report);
+	if (!status)
+		status = cli_quantity(every, settings->every, "s", CLI_ABOVE_ZERO, "integrate", "every",
+		                      report);
+	if (by_error)
+		*step = -1.0;
+	else if (!status)
+		status = cli_quantity(step, settings->step, "s", CLI_ABOVE_ZERO, "integrate", "step", report);
+	return status;
+}
+
+static enum hawser_status options_of(struct hawser_net_motion_options *options,
+                                     const struct result *result, struct hawser_report *report)
+{
+	const struct cli_integrate_net *settings = result->settings;
+	enum hawser_status status;
+	int known = 0;
+
+	status = cli_integrate_times(&options->until, &options->every, &options->step, settings, "net",
+	                             report);
+	if (status || !settings->scheme)
+		return status;
+	for (int i = 0; hawser_net_scheme(i); i++)
+		known |= strcmp(hawser_net_scheme(i)->name, settings->scheme) == 0;
+	options->scheme = settings->scheme;
+	return known ? HAWSER_OK
+		: hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate", "--method %s: the schemes of nets "
+		               "are energy, alpha, theta, euler and cvode", settings->scheme);
+}
+
+static enum hawser_status solve(struct result *result, struct hawser_report *report)
+{
+	struct cli_watch watch = {{.quiet = result->common->quiet}, "integrate"};
+	struct hawser_net_motion_options options = {
+		.initial = result->settings->initial, .tolerance = result->settings->tolerance,
+		.check = result->settings->error, .probe = result->probe, .frame = frame, .data = result,
+		.progress = {cli_watch, &watch}};
+	enum hawser_status status = hawser__animate_check(result->settings->animate, "integrate", report);
+
+	if (!status)
+		status = cli_mesh_open(&result->net, result->common, report);
+	if (!status)
+		status = probes(result, report);
+	options.probes = result->probes;
+	if (!status)
+		status = options_of(&options, result, report);
+	result->film.room = result->settings->frames > 0 ? result->settings->frames
+	                                                 : HAWSER__ANIMATE_FRAMES;
+	result->film.last = options.every > 0.0 ? floor(options.until/options.every + 1e-9) : ROWS;
+	if (result->film.room > result->film.last + 1.0)
+		result->film.room = (int)result->film.last + 1;
+	if (!status)
+		status = hawser_net_integrate(&result->motion, &result->net, &options, report);
+	cli_progress_end(&watch.progress);
+	if (!status)
+		status = hawser_net_mesh_error(&result->error, &result->net, NULL, report);
+	if (!status && result->failed)
+		status = hawser__fail(report, HAWSER_ERR_IO, "integrate", "cannot write %s: %s", result->path,
+		                      strerror(result->failed));
+	if (!status && result->settings->animate)
+		status = cli_film_write(result->settings->animate, &result->film, &result->net, &result->motion,
+		                        report);
+	return status;
+}
+
+/* The error of fronts, if it is more than a tenth of the way of the probes; returns 0 if it is not. */
+static int shock_warning(char *text, const struct hawser_net_motion *motion)
+{
+	double most = 0.0;
+
+	for (int i = 0; i < motion->rows*motion->probes; i++)
+		for (int k = 0; k < 3; k++)
+			most = fmax(most, fabs(motion->x[i][k] - motion->x[i%motion->probes][k]));
+	if (!(motion->shock > 0.1*most))
+		return 0;
+	if (motion->front_axial > 0.0)
+		snprintf(text, CLI_WARNING_SIZE, "positions are wrong by up to %.2g m, as elements are too "
+		         "long for fronts behind which the cable is slack: give more elements", motion->shock);
+	else
+		snprintf(text, CLI_WARNING_SIZE, "positions are wrong by up to %.2g m, as axial waves that "
+		         "make the cable slack have no damping: give damping.axial, such as %.3g s, the time "
+		         "in which a wave passes an element", motion->shock, motion->shock_axial);
+	return 1;
+}
+
+enum hawser_status cli_integrate_net(const struct cli_common *common,
+                                     const struct cli_integrate_net *settings,
+                                     struct hawser_report *report)
+{
+	struct result *result = calloc(1, sizeof *result);
+	enum hawser_status status;
+
+	if (!result)
+		return hawser__no_memory(report, "integrate");
+	result->common = common;
+	result->settings = settings;
+	status = solve(result, report);
+	if (!status) {
+		char text[CLI_WARNING_SIZE];
+
+		cli_mesh_warning(text, &result->net, &result->error);
+		if (*text)
+			cli_warn(text);
+		if (shock_warning(text, &result->motion))
+			cli_warn(text);
+	}
+	if (!status && settings->state)
+		status = hawser_net_state_write(&result->motion, settings->state, report);
+	if (!status)
+		status = cli_show(common, &showing, result, report);
+	hawser_net_motion_clear(&result->motion);
+	hawser_net_clear(&result->net);
+	cli_film_clear(&result->film);
+	free(result);
+	return status;
+}

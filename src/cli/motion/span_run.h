@@ -1,0 +1,24 @@
+/* cli/motion/span_run.h - frequency and times of a motion of a span's mesh, from options.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_CLI_SPAN_RUN_H
+#define HAWSER_CLI_SPAN_RUN_H
+
+#include "cli/frame/cli.h"
+
+/* Texts of options; NULL if not given. */
+struct cli_span_texts {
+	const char *omega, *until, *every, *after, *step;
+};
+/* In SI. Without load and moving ends Omega is 0, and the period is that of the first mode. */
+struct cli_span_run {
+	struct cli_model model; /* scene, statics and natural frequencies */
+	double Omega, period, until, every, after, step;
+};
+/* Reads the scene; `command` is for messages. Release by cli_model_clear(&run->model). */
+enum hawser_status cli_span_run(struct cli_span_run *run, const struct cli_common *common,
+                                const struct cli_span_texts *texts, const char *command,
+                                struct hawser_report *report) HAWSER_MUST_CHECK;
+/* 1, and a sentence, if the ends already move when the run begins, which jerks the cable. */
+int cli_span_jerk(char *text, size_t size, const struct cli_span_run *run);
+
+#endif

@@ -1,0 +1,172 @@
+/* cli/report/report_parts.c - see report_parts.h. A new part is a row of the table.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <string.h>
+
+#include "cli/report/report_parts.h"
+#include "core/report.h"
+
+/* Kinds of scenes, bits; a span is one of the first two. */
+enum {
+	AT_REST = 1, TRAVELS = 2, OBSTACLES = 4, NET = 8, ROPEWAY = 16, ROD = 32, TOWED = 64,
+	WAYPOINTS = 128, BEAM = 256, LOADED = 512, CASES = 1024 /* the last two: besides, of spans */
+};
+
+static const struct cli_report_part table[] = {
+	{"plan", "What is modelled",
+	 "What a model of this scene contains, what it leaves out and why, and which settings are "
+	 "defaults.",
+	 {"plan", "--limit", "0.2", "--fidelities", "condensed 5, condensed 9"}, AT_REST | TRAVELS,
+	 0, 1, 0, 1},
+	{"plan", "What is modelled",
+	 "What the model of this net contains, what it leaves out and why, and which settings are "
+	 "defaults.",
+	 {"plan", "--limit", "0.2"}, NET, 0, 1, 0, 0},
+	{"plan", "What is modelled",
+	 "What the model of this line contains, what it leaves out and why, and which settings are "
+	 "defaults.",
+	 {"plan"}, ROPEWAY, 0, 1, 0, 0},
+	{"statics", "Static shape", "The static equilibrium, about which modes and motions are computed.",
+	 {"statics"}, AT_REST | TRAVELS | OBSTACLES | NET | ROPEWAY | ROD, 1, 0, 0, 0},
+	{"worst", "Worst values", "The largest and smallest values over all places of the carriers.",
+	 {"statics", "--worst"}, ROPEWAY, 0, 0, 0, 0},
+	{"cases", "Load cases", "The static shape in each load case.",
+	 {"statics", "--cases"}, CASES, 0, 0, 0, 0},
+	{"modes", "Natural modes",
+	 "Small free vibrations about the static shape, each frequency with its estimated relative error.",
+	 {"modes"}, AT_REST | TRAVELS | OBSTACLES | NET | ROPEWAY, 0, 0, 1, 0},
+	{"irvine", "Frequencies over the tension",
+	 "Where frequencies cross or veer as the horizontal tension changes.",
+	 {"irvine"}, AT_REST, 0, 0, 1, 0},
+	{"campbell", "Frequencies over the speed",
+	 "The natural frequencies as the travel speed increases.", {"campbell"}, TRAVELS, 0, 0, 0, 0},
+	{"frf", "Frequency response",
+	 "Steady motions under the load of the scene: stable ones, and unstable ones, which are not "
+	 "observed; each point with its certificate.",
+	 {"frf"}, LOADED, 0, 0, 1, 1},
+	{"tow", "Steady tow", "The state that does not change in the frame of the towing point.",
+	 {"tow", "steady"}, TOWED, 1, 0, 0, 0},
+	{"trajectory", "Path of the towing point", "Place, speed and acceleration of the towing point.",
+	 {"trajectory"}, WAYPOINTS, 1, 0, 0, 0},
+	{"beam", "Eigenvalues and limit speed",
+	 "Growth and frequency of small motions, and the speed up to which they decay.",
+	 {"beam"}, BEAM, 1, 1, 0, 0},
+};
+enum { ROWS = sizeof table/sizeof *table };
+
+static unsigned kind_of_span(const struct hawser_scene *scene)
+{
+	unsigned kind = scene->travel.present ? TRAVELS : AT_REST;
+	int moves = 0;
+
+	if (scene->beam.form)
+		return BEAM;
+	for (int end = 0; end < 2; end++)
+		for (int axis = 0; axis < 3; axis++)
+			moves = moves || scene->support[end].motion[axis] != 0.0;
+	if (scene->load.present || scene->loads > 0 || moves || scene->travel.fluctuation > 0.0)
+		kind |= LOADED;
+	return kind | (scene->cases > 0 ? CASES : 0);
+}
+
+static enum hawser_status kind_of_tow(unsigned *kind, const struct cli_common *common,
+                                      struct hawser_report *report)
+{
+	struct hawser_tow tow;
+	enum hawser_status status = cli_read_tow(&tow, common, report);
+
+	if (status)
+		return status;
+	*kind = tow.segments > 0 && tow.path.kind != HAWSER_PATH_WAYPOINTS ? TOWED : WAYPOINTS;
+	hawser_tow_clear(&tow);
+	return HAWSER_OK;
+}
+
+static enum hawser_status find_kind(unsigned *kind, struct hawser_scene *span, int *scene,
+                                    const struct cli_common *common, struct hawser_report *report)
+{
+	static const unsigned by_kind[HAWSER_KINDS] = {
+		[HAWSER_KIND_ROPEWAY] = ROPEWAY, [HAWSER_KIND_NET] = NET, [HAWSER_KIND_OBSTACLES] = OBSTACLES,
+		[HAWSER_KIND_ROD] = ROD};
+	enum hawser_kind of = cli_kind(common);
+	enum hawser_status status;
+
+	*scene = 0;
+	*kind = by_kind[of];
+	if (*kind)
+		return HAWSER_OK;
+	if (of == HAWSER_KIND_TOW)
+		return kind_of_tow(kind, common, report);
+	status = cli_read_scene(span, common, report);
+	*scene = !status;
+	if (!status)
+		*kind = kind_of_span(span);
+	return status;
+}
+
+/* 1 if the name is in the list, or there is no list. */
+static int is_wanted(const char *list, const char *name)
+{
+	size_t length = strlen(name);
+
+	if (!list)
+		return 1;
+	for (const char *word = list; *word; word += strcspn(word, ",")) {
+		word += strspn(word, ", ");
+		if (strncmp(word, name, length) == 0 && (!word[length] || strchr(", ", word[length])))
+			return 1;
+	}
+	return 0;
+}
+
+/* Refuse a name of the list that is none of a part of this scene. */
+static enum hawser_status check_list(const char *list, const struct cli_report_part *const part[],
+                                     int count, struct hawser_report *report)
+{
+	char known[200] = "", name[40];
+	size_t used = 0;
+
+	for (int i = 0; i < count; i++)
+		used += (size_t)snprintf(known + used, sizeof known - used, "%s%s", i ? ", " : "",
+		                         part[i]->name);
+	for (const char *word = list; word && *word; word += strcspn(word, ",")) {
+		int found = 0;
+
+		word += strspn(word, ", ");
+		snprintf(name, sizeof name, "%.*s", (int)strcspn(word, ", "), word);
+		for (int i = 0; i < count; i++)
+			found = found || strcmp(part[i]->name, name) == 0;
+		if (!found)
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "report",
+			                    "--parts %s: a report of this scene has no part %s; it has %s", list,
+			                    *name ? name : "without a name", known);
+	}
+	return HAWSER_OK;
+}
+
+enum hawser_status cli_report_choose(const struct cli_report_part *part[], int *count,
+                                     struct hawser_scene *span, int *scene,
+                                     const struct cli_common *common, const char *list,
+                                     struct hawser_report *report)
+{
+	unsigned kind = 0;
+	enum hawser_status status = find_kind(&kind, span, scene, common, report);
+	int all = 0;
+
+	if (status)
+		return status;
+	for (int i = 0; i < ROWS; i++)
+		if (table[i].kinds & kind)
+			part[all++] = &table[i];
+	status = check_list(list, part, all, report);
+	*count = 0;
+	for (int i = 0; i < all; i++)
+		if (is_wanted(list, part[i]->name))
+			part[(*count)++] = part[i];
+	if (status && *scene) {
+		hawser_scene_clear(span);
+		*scene = 0;
+	}
+	return status;
+}

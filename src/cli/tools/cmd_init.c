@@ -1,0 +1,40 @@
+/* cli/tools/cmd_init.c - hawser init: a scene with comments, to begin with.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <string.h>
+
+#include "cli/frame/input.h"
+#include "cli/frame/scene_kinds.h"
+#include "core/file.h"
+
+struct settings {
+	struct cli_common common;
+};
+static const struct settings defaults = {.common = {.input = NULL}};
+
+static const struct cli_option options[] = {
+	CLI_HELP_OPTION,
+	CLI_NO_OPTION,
+};
+static const char *const notes[] = {
+	"A scene of the kind of the argument, or of a span of cable. It is complete, and goes to standard",
+	"output: hawser init net >net.yaml. Its first line says what to try.",
+	NULL,
+};
+
+static enum hawser_status run(void *context, struct hawser_report *report)
+{
+	const struct settings *s = context;
+	int index = 0;
+	enum hawser_status status = cli_choose_input(&index, &cli_init, s->common.input, report);
+
+	return status ? status : hawser__file_put("-", cli_scene_kind(index)->text,
+	                                          strlen(cli_scene_kind(index)->text), report);
+}
+
+const struct cli_command cli_init = {
+	"init", "[cable|travelling|beam|net|obstacles|ropeway|rod|tow]",
+	"A scene with comments, to begin with", notes, options, &defaults, sizeof(struct settings), 0, run,
+	NULL,
+};

@@ -1,0 +1,33 @@
+/* cli/tools/cmd_schema.c - hawser schema: the JSON Schema of scenes, for editors.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include "cli/frame/input.h"
+
+struct settings {
+	struct cli_common common;
+};
+static const struct settings defaults = {.common = {.input = NULL}};
+
+static const struct cli_option options[] = {
+	CLI_HELP_OPTION,
+	CLI_NO_OPTION,
+};
+static const char *const notes[] = {
+	"Of scenes of one kind, or of any. Language servers for YAML complete and check scenes with it.",
+	NULL,
+};
+
+static enum hawser_status run(void *context, struct hawser_report *report)
+{
+	const struct settings *s = context;
+	int index = 0;
+	enum hawser_status status = cli_choose_input(&index, &cli_schema, s->common.input, report);
+
+	return status ? status : hawser_schema_write(stdout, s->common.input, report);
+}
+
+const struct cli_command cli_schema = {
+	"schema", "[cable|beam|net|ropeway|obstacles|rod|tow]", "JSON Schema of scenes, for editors",
+	notes, options, &defaults, sizeof(struct settings), 0, run, NULL,
+};

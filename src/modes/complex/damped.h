@@ -1,0 +1,32 @@
+/* modes/complex/damped.h - eigenvalues of a cable with dampers, between the files of hawser/damped.h.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_MODES_DAMPED_H
+#define HAWSER_MODES_DAMPED_H
+
+#include <hawser/damped.h>
+
+/* Two bases, for results and their errors. They do not depend on dampers. `tries`: how often they were
+ * too small before. */
+struct hawser__damped_pair {
+	int functions; /* of the larger one */
+	struct hawser_modes coarse, fine;
+};
+enum hawser_status hawser__damped_pair(struct hawser__damped_pair *pair,
+                                       const struct hawser_statics *st, int n, int tries,
+                                       struct hawser_report *report);
+/* The same with bending stiffness, whose elements follow the boundary layers; flexure_basis.c. */
+enum hawser_status hawser__damped_bending(struct hawser__damped_pair *pair,
+                                          const struct hawser_statics *st, int n, int tries,
+                                          struct hawser_report *report);
+void hawser__damped_pair_clear(struct hawser__damped_pair *pair);
+
+/* The n modes of lowest damped frequency from two bases; *worst: the largest estimated error. The
+ * dampers are those of st, which is otherwise the span of the bases. The caller clears *damped, also
+ * on failure. */
+enum hawser_status hawser__damped_of(struct hawser_damped *damped, double *worst,
+                                     const struct hawser__damped_pair *pair,
+                                     const struct hawser_statics *st,
+                                     const struct hawser_scene *scene, int n,
+                                     struct hawser_report *report);
+
+#endif

@@ -1,0 +1,233 @@
+/* modes/sweep/campbell_trace.c - sweep the speed: from the options to the result.
+ *
+ * The abscissa is the speed. Shapes are correlated in the inner product of the energy
+ * (branches_sample.c). The theory of branches_crossover.c holds for complex modes too: near the
+ * point where two frequencies are closest they are eigenvalues of a Hermitian 2 x 2 matrix, so that
+ * the square of their gap is a parabola to leading order. The Coriolis force couples even and odd
+ * shapes, so that no symmetry uncouples two in-plane branches of a travelling cable. A level span
+ * therefore has crossings along a sweep of the tension at rest, but veerings along a sweep of the
+ * speed.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "core/report.h"
+#include "modes/sweep/branches.h"
+#include "modes/sweep/campbell_range.h"
+
+static const char where[] = "campbell";
+/* Smallest step relative to the limit. */
+static const double least_step = 1e-11;
+
+const char *hawser_critical_name(enum hawser_critical_kind kind)
+{
+	static const char *const names[] = {"divergence", "flutter", "no-steady-state"};
+
+	return (unsigned)kind < sizeof names/sizeof *names ? names[kind] : "unknown";
+}
+
+void hawser_campbell_clear(struct hawser_campbell *campbell)
+{
+	if (!campbell)
+		return;
+	free(campbell->station);
+	free(campbell->branch);
+	free(campbell->crossover);
+	free(campbell->critical);
+	free(campbell->re);
+	free(campbell->im);
+	free(campbell->residual);
+	free(campbell->downstream);
+	free(campbell->place);
+	free(campbell->family);
+	*campbell = (struct hawser_campbell){0};
+}
+
+/* What a sweep is of. */
+struct source {
+	const struct hawser_scene *scene;
+	struct hawser_equivalent equal;
+};
+
+static enum hawser_status statics_at(struct hawser_statics *st, const struct hawser__branches *all,
+                                double x, struct hawser_report *report)
+{
+	const struct source *source = all->context;
+	const struct hawser_equivalent *equal = &source->equal;
+	const struct hawser_motion motion = {.speed = x,
+	                                     .fluctuation = source->scene->travel.fluctuation,
+	                                     .hold = source->scene->travel.hold};
+
+	return hawser_statics_travel(st, &equal->span, equal->given, equal->value, equal->branch,
+	                             &motion, report);
+}
+
+static void describe(char *text, size_t size, const struct hawser_statics *st)
+{
+	snprintf(text, size, "a speed of %.12g m/s", st->motion.speed);
+}
+
+static const struct hawser__sweep sweep = {where, statics_at, describe, 1, 1, 1};
+
+/* --- from places to branches --- */
+
+static enum hawser_status allocate(struct hawser_campbell *campbell,
+                                   const struct hawser__branches *all, struct hawser_report *report)
+{
+	size_t stations = (size_t)all->samples, branches = (size_t)all->in + (size_t)all->out;
+	size_t size = stations*branches;
+
+	campbell->station = calloc(stations, sizeof *campbell->station);
+	campbell->branch = calloc(branches, sizeof *campbell->branch);
+	campbell->crossover = calloc((size_t)all->crossovers + 1, sizeof *campbell->crossover);
+	campbell->critical = calloc(1, sizeof *campbell->critical);
+	campbell->re = calloc(size, sizeof *campbell->re);
+	campbell->im = calloc(size, sizeof *campbell->im);
+	campbell->residual = calloc(size, sizeof *campbell->residual);
+	campbell->downstream = calloc(size, sizeof *campbell->downstream);
+	campbell->place = calloc(size, sizeof *campbell->place);
+	campbell->family = calloc(size, sizeof *campbell->family);
+	if (!campbell->station || !campbell->branch || !campbell->crossover || !campbell->critical ||
+	    !campbell->re || !campbell->im || !campbell->residual || !campbell->downstream ||
+	    !campbell->place || !campbell->family)
+		return hawser__no_memory(report, where);
+	return HAWSER_OK;
+}
+
+static void fill_branch(struct hawser_campbell *campbell, int i, int b, int k, int at_place,
+                        const struct hawser__sample *sample)
+{
+	size_t at = (size_t)i*(size_t)campbell->branches + (size_t)b;
+
+	campbell->re[at] = sample->mode[k].re;
+	campbell->im[at] = sample->mode[k].omega;
+	campbell->residual[at] = sample->mode[k].residual;
+	campbell->downstream[at] = sample->mode[k].downstream;
+	campbell->family[at] = sample->mode[k].family;
+	campbell->place[at] = at_place;
+}
+
+static void fill_station(struct hawser_campbell *campbell, int i, const struct hawser__branches *all)
+{
+	const struct hawser__sample *sample = all->sample + i;
+
+	campbell->station[i] = (struct hawser_campbell_station){
+		sample->statics, sample->x, sample->moved, sample->inserted, sample->unsure};
+	campbell->unsure += sample->unsure;
+	for (int k = 0; k < sample->in; k++)
+		if (all->at[k] < all->in)
+			fill_branch(campbell, i, all->at[k], k, k, sample);
+	for (int b = 0; b < all->out; b++)
+		fill_branch(campbell, i, all->in + b, sample->in + b, b, sample);
+}
+
+static void fill_crossover(struct hawser_campbell *campbell, struct hawser__branches *all,
+                           const struct hawser__crossover *at)
+{
+	int below, above;
+
+	if (!hawser__branches_pair(&below, &above, all, at))
+		return;
+	campbell->crossover[campbell->crossovers++] = (struct hawser_campbell_crossover){
+		.kind = at->kind, .speed = at->x, .below = below + 1, .above = above + 1,
+		.omega = at->omega, .gap = at->gap*at->omega, .relative_gap = at->gap};
+}
+
+static int ascending(const void *a, const void *b)
+{
+	double x = ((const struct hawser__crossover *)a)->x, y = ((const struct hawser__crossover *)b)->x;
+
+	return (x > y) - (x < y);
+}
+
+static enum hawser_status finish(struct hawser_campbell *campbell, struct hawser__branches *all,
+                                 struct hawser_report *report)
+{
+	enum hawser_status status = allocate(campbell, all, report);
+	int next = 0;
+
+	if (status)
+		return status;
+	campbell->method = all->method;
+	campbell->stations = all->samples;
+	campbell->branches = all->in + all->out;
+	campbell->in_plane = all->in;
+	campbell->solves = all->solves;
+	campbell->basis = all->basis;
+	campbell->least_correlation = all->least_correlation;
+	for (int b = 0; b < campbell->branches; b++)
+		campbell->branch[b] = b < all->in
+			? (struct hawser_irvine_branch){HAWSER_IN_PLANE, b + 1}
+			: (struct hawser_irvine_branch){HAWSER_OUT_OF_PLANE, b - all->in + 1};
+	if (all->crossovers > 0)
+		qsort(all->crossover, (size_t)all->crossovers, sizeof *all->crossover, ascending);
+	for (int k = 0; k < all->at_capacity; k++)
+		all->at[k] = k;
+	for (int i = 0; i < all->samples; i++) {
+		for (; next < all->crossovers && all->crossover[next].x < all->sample[i].x; next++)
+			fill_crossover(campbell, all, all->crossover + next);
+		fill_station(campbell, i, all);
+	}
+	for (; next < all->crossovers; next++)
+		fill_crossover(campbell, all, all->crossover + next);
+	return HAWSER_OK;
+}
+
+/* Stations beyond the last requested one, which approach the limit, count as inserted. */
+static void mark_approach(struct hawser__branches *all, double last)
+{
+	for (int i = all->samples - 1; i >= 0 && all->sample[i].x > last; i--)
+		all->sample[i].inserted = 1;
+}
+
+enum hawser_status hawser_campbell_trace(struct hawser_campbell *campbell,
+                                         const struct hawser_scene *scene,
+                                         const struct hawser_campbell_options *options,
+                                         struct hawser_report *report)
+{
+	struct hawser_campbell_options o = *options;
+	struct source source = {.scene = scene};
+	struct hawser__branches all = {.sweep = &sweep, .context = &source};
+	double *x = NULL;
+	struct hawser_held held[2];
+	int count, asked;
+	enum hawser_status status;
+
+	*campbell = (struct hawser_campbell){0};
+	status = hawser__campbell_settle(&o, &campbell->limit, scene, report);
+	if (!status)
+		status = hawser_statics_equivalent(&source.equal, scene, report);
+	if (!status && hawser_statics_held(held, scene))
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
+		                      "the supports are elastic: travelling cables are modelled between rigid "
+		                      "supports, leave support.A.stiffness and support.B.stiffness out");
+	if (status)
+		return status;
+	all.span = source.equal.span;
+	all.options = (struct hawser__branch_options){o.n, o.method, o.basis, o.tolerance,
+	                                              o.correlation, o.crossing,
+	                                              least_step*campbell->limit};
+	status = hawser__campbell_place(&x, &count, &asked, &o, campbell->limit, report);
+	if (!status)
+		status = hawser__branches_open(&all, report);
+	if (!status)
+		status = hawser__branches_follow(&all, x, count, report);
+	if (!status) {
+		mark_approach(&all, x[asked - 1]);
+		status = hawser__branches_veerings(&all, report);
+	}
+	if (!status)
+		status = finish(campbell, &all, report);
+	if (!status && o.to >= campbell->limit)
+		campbell->critical[campbell->criticals++] = (struct hawser_critical){
+			campbell->limit, HAWSER_CRITICAL_NO_STEADY_STATE, HAWSER_IN_PLANE};
+	if (status)
+		hawser_campbell_clear(campbell);
+	hawser__branches_clear(&all);
+	free(x);
+	return status;
+}

@@ -1,0 +1,271 @@
+/* net/motion/motion-klu.c - unsymmetric sparse matrices over the unknowns of a mesh, by SuiteSparse
+ * KLU.
+ *
+ * The pattern is analysed once and pivots are chosen once; later matrices are factored with the same
+ * pivots, and with new ones where that fails.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <suitesparse/klu.h>
+
+#include "core/report.h"
+#include "net/motion/motion.h"
+
+enum { ENTRIES = 36, DIRECTIONS = 6 };
+
+struct hawser__klu {
+	klu_common common;
+	klu_symbolic *symbolic;
+	klu_numeric *numeric;
+	int unknowns, nodes, elements;
+	int *p, *i;            /* [unknowns + 1], [entries] columns */
+	double *x;             /* [entries] values */
+	int (*at)[ENTRIES];    /* [elements] place of row r, column c of the block, in r*6 + c; -1: held */
+	int (*diagonal)[3];    /* [nodes] -1: held */
+	const int (*unknown)[3]; /* [nodes] of the mesh */
+	double *right;         /* [unknowns] */
+};
+
+void hawser__klu_clear(struct hawser__klu *klu)
+{
+	if (!klu)
+		return;
+	klu_free_numeric(&klu->numeric, &klu->common);
+	klu_free_symbolic(&klu->symbolic, &klu->common);
+	free(klu->p);
+	free(klu->i);
+	free(klu->x);
+	free(klu->at);
+	free(klu->diagonal);
+	free(klu->right);
+	free(klu);
+}
+
+double hawser__klu_bytes(const struct hawser__klu *klu)
+{
+	/* an index and a value for each entry; KLU's estimate of the factors is one of a symmetric
+	 * pattern */
+	double factors = fmax(klu->symbolic->lnz, 0.0) + fmax(klu->symbolic->unz, 0.0);
+
+	return 12.0*(factors + klu->p[klu->unknowns]) + (double)klu->elements*sizeof *klu->at;
+}
+
+void hawser__klu_forget(struct hawser__klu *klu)
+{
+	klu_free_numeric(&klu->numeric, &klu->common);
+}
+
+static int compare(const void *a, const void *b)
+{
+	const int *p = a, *q = b;
+
+	return p[0] != q[0] ? (p[0] > q[0]) - (p[0] < q[0]) : (p[1] > q[1]) - (p[1] < q[1]);
+}
+
+static int find(const struct hawser__klu *klu, int row, int column)
+{
+	int low = klu->p[column], high = klu->p[column + 1] - 1;
+
+	while (low < high) {
+		int mid = low + (high - low)/2;
+
+		if (klu->i[mid] < row)
+			low = mid + 1;
+		else
+			high = mid;
+	}
+	return low;
+}
+
+static void unknowns(int u[DIRECTIONS], const struct hawser__mesh *mesh, int element)
+{
+	for (int k = 0; k < DIRECTIONS; k++)
+		u[k] = mesh->unknown[mesh->end[element][k/3]][k%3];
+}
+
+/* Entries (column, row) of all elements and of the diagonal. */
+static size_t list_entries(int (*list)[2], const struct hawser__mesh *mesh)
+{
+	size_t count = 0;
+
+	for (int j = 0; j < mesh->unknowns; j++, count++)
+		list[count][0] = list[count][1] = j;
+	for (int e = 0; e < mesh->elements; e++) {
+		int u[DIRECTIONS];
+
+		unknowns(u, mesh, e);
+		for (int k = 0; k < ENTRIES; k++)
+			if (u[k/6] >= 0 && u[k%6] >= 0) {
+				list[count][1] = u[k/6];
+				list[count++][0] = u[k%6];
+			}
+	}
+	return count;
+}
+
+static void fill(struct hawser__klu *klu, const int (*list)[2], size_t count)
+{
+	int n = 0, column = -1;
+
+	for (size_t i = 0; i < count; i++) {
+		if (i && list[i][0] == list[i - 1][0] && list[i][1] == list[i - 1][1])
+			continue;
+		while (column < list[i][0])
+			klu->p[++column] = n;
+		klu->i[n++] = list[i][1];
+	}
+	while (column < klu->unknowns)
+		klu->p[++column] = n;
+}
+
+static void locate(struct hawser__klu *klu, const struct hawser__mesh *mesh)
+{
+	for (int i = 0; i < mesh->nodes; i++)
+		for (int k = 0; k < 3; k++)
+			klu->diagonal[i][k] = mesh->unknown[i][k] < 0 ? -1
+				: find(klu, mesh->unknown[i][k], mesh->unknown[i][k]);
+	for (int e = 0; e < mesh->elements; e++) {
+		int u[DIRECTIONS];
+
+		unknowns(u, mesh, e);
+		for (int k = 0; k < ENTRIES; k++)
+			klu->at[e][k] = u[k/6] < 0 || u[k%6] < 0 ? -1 : find(klu, u[k/6], u[k%6]);
+	}
+}
+
+static enum hawser_status failed(const struct hawser__klu *klu, struct hawser_report *report)
+{
+	if (klu->common.status == KLU_OUT_OF_MEMORY || klu->common.status == KLU_TOO_LARGE)
+		return hawser__no_memory(report, "net");
+	return hawser__fail(report, HAWSER_ERR_PROGRAM, "net", "KLU failed with status %d",
+	                    klu->common.status);
+}
+
+static enum hawser_status pattern(struct hawser__klu *klu, const struct hawser__mesh *mesh,
+                                  struct hawser_report *report)
+{
+	size_t most = (size_t)mesh->unknowns + ENTRIES*(size_t)mesh->elements + 1;
+	int (*list)[2] = malloc(most*sizeof *list);
+	size_t count;
+
+	klu->p = calloc((size_t)mesh->unknowns + 1, sizeof *klu->p);
+	klu->i = malloc(most*sizeof *klu->i);
+	klu->x = malloc(most*sizeof *klu->x);
+	klu->at = malloc(((size_t)mesh->elements + 1)*sizeof *klu->at);
+	klu->diagonal = malloc(((size_t)mesh->nodes + 1)*sizeof *klu->diagonal);
+	klu->right = malloc(((size_t)mesh->unknowns + 1)*sizeof *klu->right);
+	if (!list || !klu->p || !klu->i || !klu->x || !klu->at || !klu->diagonal || !klu->right) {
+		free(list);
+		return hawser__no_memory(report, "net");
+	}
+	count = list_entries(list, mesh);
+	qsort(list, count, sizeof *list, compare);
+	fill(klu, (const int (*)[2])list, count);
+	free(list);
+	locate(klu, mesh);
+	klu->symbolic = klu_analyze(klu->unknowns, klu->p, klu->i, &klu->common);
+	return klu->symbolic ? HAWSER_OK : failed(klu, report);
+}
+
+enum hawser_status hawser__klu_open(struct hawser__klu **made, const struct hawser__mesh *mesh,
+                                    struct hawser_report *report)
+{
+	struct hawser__klu *klu = calloc(1, sizeof *klu);
+	enum hawser_status status;
+
+	*made = NULL;
+	if (!klu)
+		return hawser__no_memory(report, "net");
+	klu_defaults(&klu->common);
+	klu->common.scale = 0;
+	klu->common.btf = 0;
+	klu->unknowns = mesh->unknowns;
+	klu->nodes = mesh->nodes;
+	klu->elements = mesh->elements;
+	klu->unknown = (const int (*)[3])mesh->unknown;
+	status = pattern(klu, mesh, report);
+	if (status)
+		hawser__klu_clear(klu);
+	else
+		*made = klu;
+	return status;
+}
+
+void hawser__klu_zero(struct hawser__klu *klu)
+{
+	memset(klu->x, 0, (size_t)klu->p[klu->unknowns]*sizeof *klu->x);
+}
+
+void hawser__klu_element(struct hawser__klu *klu, int element, const double B[9], const double mass[2])
+{
+	for (int k = 0; k < ENTRIES; k++) {
+		int row = k/6, column = k%6, same = row/3 == column/3, at = klu->at[element][k];
+		double value = same ? B[3*(row%3) + column%3] : -B[3*(row%3) + column%3];
+
+		if (at >= 0)
+			klu->x[at] += value + (row%3 == column%3 ? mass[!same] : 0.0);
+	}
+}
+
+void hawser__klu_node(struct hawser__klu *klu, int element, int end, const double block[3][3])
+{
+	for (int k = 0; k < 9; k++) {
+		int at = klu->at[element][6*(3*end + k/3) + 3*end + k%3];
+
+		if (at >= 0)
+			klu->x[at] += block[k/3][k%3];
+	}
+}
+
+static void assemble(struct hawser__klu *klu, const double (*B)[9], const double (*mass)[2],
+                     const double *point)
+{
+	hawser__klu_zero(klu);
+	for (int i = 0; i < klu->nodes; i++)
+		for (int k = 0; k < 3; k++)
+			if (klu->diagonal[i][k] >= 0)
+				klu->x[klu->diagonal[i][k]] += point[i];
+	for (int e = 0; e < klu->elements; e++)
+		hawser__klu_element(klu, e, B[e], mass[e]);
+}
+
+enum hawser_status hawser__klu_divide(double *x, int *good, struct hawser__klu *klu,
+                                      struct hawser_report *report)
+{
+	int done = klu->numeric && klu_refactor(klu->p, klu->i, klu->x, klu->symbolic, klu->numeric,
+	                                        &klu->common) && klu->common.status == KLU_OK;
+
+	if (!done) {
+		klu_free_numeric(&klu->numeric, &klu->common);
+		klu->numeric = klu_factor(klu->p, klu->i, klu->x, klu->symbolic, &klu->common);
+		done = klu->numeric && klu->common.status == KLU_OK;
+	}
+	*good = done;
+	if (!done)
+		return klu->common.status == KLU_SINGULAR ? HAWSER_OK : failed(klu, report);
+	return klu_solve(klu->symbolic, klu->numeric, klu->unknowns, 1, x, &klu->common)
+	       ? HAWSER_OK : failed(klu, report);
+}
+
+enum hawser_status hawser__klu_solve(double (*r)[3], int *good, struct hawser__klu *klu,
+                                     const double (*B)[9], const double (*mass)[2], const double *point,
+                                     struct hawser_report *report)
+{
+	enum hawser_status status;
+
+	assemble(klu, B, mass, point);
+	for (int i = 0; i < klu->nodes; i++)
+		for (int k = 0; k < 3; k++)
+			if (klu->unknown[i][k] >= 0)
+				klu->right[klu->unknown[i][k]] = r[i][k];
+	status = hawser__klu_divide(klu->right, good, klu, report);
+	for (int i = 0; !status && *good && i < klu->nodes; i++)
+		for (int k = 0; k < 3; k++)
+			r[i][k] = klu->unknown[i][k] >= 0 ? klu->right[klu->unknown[i][k]] : 0.0;
+	return status;
+}

@@ -1,0 +1,250 @@
+/* net/motion/motion.h - time steps of a mesh.
+ *
+ * u      displacement of a node from the reference, [nodes][3]; the reference is the initial state
+ * x      its increment in the step, the unknown
+ * D, d   vector along an element in the reference, and now; l = |d|
+ * p      l - length0; T = k*max(p, 0), k = EA/length0
+ *
+ * The stretch is p = p_ref + (2D + delta).delta/(l + l_ref), delta the difference of u over the
+ * element: its round-off is that of u, not that of the positions. The internal force is counted
+ * from the reference's, so that an equilibrium stays at rest exactly.
+ *
+ * The discrete gradient (Gonzalez): with d0, d1 at the ends of the step the force on an element's
+ * end is sigma*(d0 + d1)/(l0 + l1), sigma = (W1 - W0)/(l1 - l0). Its work over the step is the
+ * change of the strain energy W, whatever the step; it has no moment about any point, so that
+ * both energy and angular momentum are kept while elements get slack and taut. Its tangent is
+ * unsymmetric.
+ *
+ * Mass and viscous damping: mean of the consistent and the lumped matrix.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_NET_STEPS_H
+#define HAWSER_NET_STEPS_H
+
+#include <hawser/net_motion.h>
+#include "net/net.h"
+
+struct hawser__motion_element {
+	int a, b;                 /* nodes */
+	double D[3], l_ref, p_ref, F_ref[3]; /* F_ref: force of the reference, N */
+	double k, c, m, drag;     /* N/m; N s/m (Kelvin-Voigt); kg; kg/s */
+	double d[3], delta[3], l, p; /* at the beginning of the step */
+	double l1, p1, T1;        /* at its end; T1 is the mean of the step if the scheme keeps energy */
+	double d1[3], inverse, inverse1; /* at its end: vector; 1/(l + l1) and 1/l1, 0 for length 0 */
+};
+
+/* How a scheme makes a step of length h. With v, a at its beginning:
+ *   0 = M*(m[0]*x + m[1]*v + m[2]*a) + C*(c[0]*x + c[1]*v + c[2]*a)
+ *       + weight*(f_int - load)(end) + (1 - weight)*(f_int - load)(beginning),
+ * or, if weight is negative, the discrete gradient and the load at the middle. At the end the
+ * velocity is to_v[0]*x + to_v[1]*v + to_v[2]*a and the acceleration to_a likewise. */
+struct hawser__motion_rule {
+	double m[3], c[3], to_v[3], to_a[3], weight;
+};
+
+struct hawser__motion;
+struct hawser__motion_scheme {
+	struct hawser_net_scheme shown;
+	void (*rule)(struct hawser__motion_rule *rule, double h, double rho_inf); /* NULL: see advance */
+	/* A scheme with steps of its own, at most `longest` (0: any): to time `end`, with local errors of
+	 * at most `tolerance` (m). NULL: steps by the rule. */
+	enum hawser_status (*advance)(struct hawser__motion *motion, double end, double tolerance,
+	                              double longest, struct hawser_report *report);
+};
+const struct hawser__motion_scheme *hawser__motion_scheme(int index); /* NULL beyond the last */
+
+/* J; work and dissipated since the beginning. */
+struct hawser__motion_energy {
+	double kinetic, potential, work, dissipated;
+};
+
+/* Matrices over the nodes, sums for each element of [B, -B; -B, B] + [near, far; far, near]
+ * (times the unit matrix), and a multiple of it at nodes. The rows of held directions are those
+ * of the unit matrix. */
+struct hawser__blocks;
+enum hawser_status hawser__blocks_open(struct hawser__blocks **blocks, const struct hawser__mesh *mesh,
+                                       struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser__blocks_clear(struct hawser__blocks *blocks);
+/* Solve for r [nodes][3], in place; *good is 0 if the matrix is singular. */
+enum hawser_status hawser__blocks_solve(double (*r)[3], int *good, struct hawser__blocks *blocks,
+                                        const double (*B)[9] /* [elements] */,
+                                        const double (*mass)[2] /* [elements] near, far */,
+                                        const double *point /* [nodes] */,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Memory for the motion of a mesh: states, elements, factors; *chain as the next function. */
+enum hawser_status hawser__blocks_bytes(double *bytes, int *chain, const struct hawser__mesh *mesh,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+/* 1 if this is the elimination along chains. */
+int hawser__blocks_chain(const struct hawser__blocks *blocks);
+
+/* The same by a sparse LU factorization (SuiteSparse KLU), for any graph. */
+struct hawser__klu;
+enum hawser_status hawser__klu_open(struct hawser__klu **klu, const struct hawser__mesh *mesh,
+                                    struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser__klu_clear(struct hawser__klu *klu);
+double hawser__klu_bytes(const struct hawser__klu *klu); /* with the factors to come, about */
+/* Choose new pivots for the next matrix: the pivots of a matrix serve others that differ little. */
+void hawser__klu_forget(struct hawser__klu *klu);
+/* A matrix by its parts: blocks [B, -B; -B, B] with near and far masses of elements, and blocks at the
+ * node that is end 0 or 1 of an element. _divide: factors, and x [unknowns] becomes the solution; *good
+ * is 0 where the matrix is singular. */
+void hawser__klu_zero(struct hawser__klu *klu);
+void hawser__klu_element(struct hawser__klu *klu, int element, const double B[9], const double mass[2]);
+void hawser__klu_node(struct hawser__klu *klu, int element, int end, const double block[3][3]);
+enum hawser_status hawser__klu_divide(double *x, int *good, struct hawser__klu *klu,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+enum hawser_status hawser__klu_solve(double (*r)[3], int *good, struct hawser__klu *klu,
+                                     const double (*B)[9] /* [elements] */,
+                                     const double (*mass)[2] /* [elements] near, far */,
+                                     const double *point /* [nodes] */,
+                                     struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* Displacement and velocity of a support from a table of times, by a natural cubic spline. */
+struct hawser__support_table {
+	int node, rows;
+	double *t;              /* [rows] s */
+	double (*x)[3], (*curve)[3]; /* [rows] m; second derivatives, m/s2 */
+	double from[3];         /* m: displacement of the reference */
+};
+enum hawser_status hawser__support_read(struct hawser__support_table *table, const char *path,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser__support_at(double x[3], double v[3], const struct hawser__support_table *table, double t);
+void hawser__support_acceleration(double a[3], const struct hawser__support_table *table, double t);
+void hawser__support_clear(struct hawser__support_table *table);
+
+/* plane.c: 1 if nothing moves the net along axis k, which all its supports hold at *place (m). */
+int hawser__net_still(double *place, const struct hawser_net *net, int k,
+                      const struct hawser__support_table *table /* [tables] */, int tables);
+/* 1 if supports, loads and motions are in one vertical plane, whose unit normal is `normal`; 2 if
+ * they are on a vertical line; 0 else, and where tables move supports. */
+int hawser__net_plane(double normal[3], const struct hawser_net *net);
+
+struct hawser__motion {
+	struct hawser__mesh *mesh;
+	const struct hawser__motion_scheme *scheme;
+	double rho_inf;
+	double far;                  /* of the mass of an element, what couples its ends: 1/12 is the
+	                              * mean of the consistent (1/6) and the lumped matrix (0) */
+	double t;
+	int nodes, elements;
+	struct hawser__motion_element *element; /* [elements] */
+	double (*reference)[3];      /* [nodes] m */
+	double (*base)[3];           /* [nodes] constant load minus internal force of the reference, N */
+	double (*u)[3], (*v)[3], (*a)[3]; /* [nodes] the state */
+	double (*u0)[3], (*v0)[3], (*a0)[3]; /* [nodes] kept, for a step that is taken again */
+	double (*x)[3];              /* [nodes] increment */
+	double (*acc)[3], (*vel)[3]; /* [nodes] what M and C multiply */
+	double (*load)[3];           /* [nodes] constant part of the step's right side, N */
+	double (*wave)[3];           /* [nodes] harmonic loads of the step, N */
+	double (*r)[3];              /* [nodes] residual, then correction */
+	double (*move)[3];           /* [nodes] m, the last correction */
+	double (*past)[3], (*past2)[3]; /* [nodes] increments of the last two steps */
+	double past_h, past2_h;      /* their lengths; 0: there was none */
+	double (*B)[9], (*mass)[2], *point; /* the matrix */
+	struct hawser__blocks *blocks;
+	struct hawser__cvode *cvode; /* of that scheme, or NULL */
+	struct hawser__motion_contact *contact; /* NULL: no obstacles; see net/motion/motion-contact.h */
+	struct hawser__support_table *table; /* [tables] */
+	int tables;
+	double scale;                /* N, of the terms of the residual */
+	double damps, reach;         /* N s/m, largest c of an element; m, largest displacement */
+	struct hawser__motion_energy energy;
+	double start_energy;         /* J */
+	double most_energy;          /* J, largest of the ledger's terms */
+	double least_energy;         /* J, below which it is round-off */
+	double closure;              /* J, largest error of the ledger */
+	double error;                /* m, local error of the last step that was tried */
+	/* Asked after each step: not 0 ends hawser__motion_adapt and a scheme's own steps. May be NULL. */
+	int (*stop)(void *data);
+	void *data;
+	int stopped;
+	int singular;                /* of the last step: 1, its first equations had no solution */
+	int undefined;               /* 1: its first residual is not a number */
+	double drift;                /* m, sum of the local errors of all steps */
+	double least, least_at;      /* N, s: least tension of an element so far */
+	double slack_at;             /* s: when an element first had none; NAN: never */
+	int slack_element;           /* that element */
+	long steps, iterations, splits, rejected, switches; /* switches: slack to taut and back */
+};
+
+/* Begin at mesh->q, at rest, with the supports where they are at time t. `balanced` is 1 if this
+ * is an equilibrium: what is not balanced is then round-off, except at nodes marked in loose
+ * [nodes] (or NULL). */
+enum hawser_status hawser__motion_open(struct hawser__motion *motion, struct hawser__mesh *mesh,
+                                       const char *scheme, double rho_inf, int balanced,
+                                       const unsigned char *loose, struct hawser_report *report)
+	HAWSER_MUST_CHECK;
+void hawser__motion_clear(struct hawser__motion *motion);
+/* The state as numbers, bit by bit: what the next step needs, its length h too. _read allocates
+ * *state. */
+int hawser__motion_states(const struct hawser__motion *motion);
+void hawser__motion_save(double *state /* [states] */, const struct hawser__motion *motion, double h);
+void hawser__motion_restore(struct hawser__motion *motion, double *h,
+                            const double *state /* [states] */);
+/* 1 if a state moves along axis k. */
+int hawser__motion_moves(const double *state /* [states] */, int nodes, int k);
+const double *hawser__motion_place(const double *state /* [states] */, int node);
+enum hawser_status hawser__motion_read(double **state /* [states] */, const char *path,
+                                       const struct hawser__mesh *mesh, struct hawser_report *report)
+	HAWSER_MUST_CHECK;
+/* Tensions T [elements] of the state, with damping; returns the number of elements without. */
+int hawser__motion_tensions(double *T, const struct hawser__motion *motion);
+/* That of an element with the vector d (m) and the stretch p (m), and the velocities of the state. */
+double hawser__motion_tension(const struct hawser__motion *motion, int element, const double d[3],
+                              double p);
+/* After a change of u, v or t by the caller: energies and accelerations anew. */
+enum hawser_status hawser__motion_begin(struct hawser__motion *motion, struct hawser_report *report)
+	HAWSER_MUST_CHECK;
+/* Note the least tension and the first slack element: d and p of an element at time t. */
+void hawser__motion_watch(struct hawser__motion *motion, int element, const double d[3], double p,
+                          double t);
+/* One step of length h; it is split where Newton's method fails. */
+enum hawser_status hawser__motion_step(struct hawser__motion *motion, double h,
+                                       struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Whether the caller's `stop` ends the run. */
+int hawser__motion_asked(struct hawser__motion *motion);
+/* Steps to time `end`, their lengths from *h on chosen so that the local error of a position is
+ * at most `tolerance` (m); *h is the next one. */
+enum hawser_status hawser__motion_adapt(struct hawser__motion *motion, double *h, double end,
+                                        double tolerance, struct hawser_report *report)
+	HAWSER_MUST_CHECK;
+
+/* motion-law.c: residual r of the step for motion->x; the matrix too if `tangent`. */
+void hawser__motion_residual(struct hawser__motion *motion, const struct hawser__motion_rule *rule,
+                             double h, int tangent);
+/* What does not change within the step: vectors of the elements, loads, motion of supports. */
+void hawser__motion_prepare(struct hawser__motion *motion, const struct hawser__motion_rule *rule,
+                            double h);
+/* Kinetic and potential energy of the state. */
+void hawser__motion_energies(struct hawser__motion *motion);
+/* The error of the ledger: sets energies and closure. */
+void hawser__motion_balance(struct hawser__motion *motion);
+/* The ledger after a step from (u0, v0) to (u, v). */
+void hawser__motion_account(struct hawser__motion *motion, const struct hawser__motion_rule *rule,
+                            double h);
+/* motion-result.c: room for rows. */
+enum hawser_status hawser__motion_rows(struct hawser_net_motion *to, size_t rows, size_t probes,
+                                       struct hawser_report *report) HAWSER_MUST_CHECK;
+/* integrate.c: hawser_net_integrate without the error by another run; the default of its tolerance. */
+enum hawser_status hawser__net_integrate(struct hawser_net_motion *motion,
+                                         const struct hawser_net *net,
+                                         const struct hawser_net_motion_options *options,
+                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+extern const double hawser__motion_tolerance;
+
+/* motion-cvode.c */
+struct hawser__cvode;
+enum hawser_status hawser__cvode_advance(struct hawser__motion *motion, double end, double tolerance,
+                                         double longest, struct hawser_report *report)
+	HAWSER_MUST_CHECK;
+void hawser__cvode_clear(struct hawser__cvode *cvode);
+/* motion-support.c: displacement and velocity of the held directions of all supports at time t. */
+void hawser__motion_supports(double (*x)[3], double (*v)[3], const struct hawser__motion *motion,
+                             double t);
+/* The same for their accelerations; 0 for all other directions. */
+void hawser__motion_support_accelerations(double (*a)[3], const struct hawser__motion *motion,
+                                          double t);
+/* Harmonic loads at time t, times `factor`, added to wave [nodes][3]. */
+void hawser__motion_waves(double (*wave)[3], const struct hawser__mesh *mesh, double t, double factor);
+
+#endif

@@ -1,0 +1,207 @@
+/* net/read/obstacles.c - obstacles of a net's scene, what the scene says of contact, and whether
+ * there is room. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "contact/surface_read.h"
+#include "core/report.h"
+#include "net/net.h"
+#include "net/read/read.h"
+
+enum { CALLED = HAWSER__TEXT_ROOM + 64, STEPS = 20, STEPS_MOST = 100000 };
+
+/* Of the distance of a place from the origin: a support may touch an obstacle, whose gap is then
+ * round-off of units and of normals. */
+static const double TOUCHES = 1e-9;
+
+enum hawser_status hawser__net_obstacles(struct hawser__reader *reader, struct hawser_net *net,
+                                         const struct hawser__tree *tree)
+{
+	for (int c = 0; c < net->cables; c++)
+		if (net->cable[c].given != HAWSER_NET_LENGTH0)
+			return hawser__reader_fail(reader, &tree->at, "obstacles: cable %s has no length0, and "
+			                           "form finding does not know obstacles: give its length0",
+			                           net->cable[c].name);
+	return hawser__surfaces_read(reader, &net->surface, &net->surfaces, tree);
+}
+
+static enum hawser_status whole(struct hawser__reader *reader, int *value,
+                                const struct hawser__tree *tree)
+{
+	double number = *value;
+	enum hawser_status status =
+		tree ? hawser__tree_number(reader, &number, tree, "contact.steps", "1", HAWSER__TREE_POSITIVE)
+		     : HAWSER_OK;
+
+	if (!status && (number != floor(number) || number > STEPS_MOST))
+		return hawser__reader_fail(reader, &tree->at, "contact.steps: %.9g is not a whole number from "
+		                           "1 to %d", number, STEPS_MOST);
+	*value = status ? STEPS : (int)number;
+	return status;
+}
+
+static enum hawser_status way(struct hawser__reader *reader, struct hawser_net *net,
+                              const struct hawser__tree *tree)
+{
+	struct hawser_net_path *path = &net->contact.path[net->contact.paths];
+	char what[CALLED], shown[HAWSER__SHOWN];
+	enum hawser_status status;
+
+	snprintf(what, sizeof what, "contact.path.%s", hawser__shown(shown, tree->name));
+	status = hawser__net_find_node(reader, &path->node, net, tree, tree->name, "contact.path");
+	if (status)
+		return status;
+	if (!net->node[path->node].support)
+		return hawser__reader_fail(reader, &tree->at, "%s: the node is no support: a way is that of a "
+		                           "support", what);
+	if (tree->kind != HAWSER__SEQUENCE || !tree->children)
+		return hawser__reader_fail(reader, &tree->at, "%s must be a list of places, such as "
+		                           "[[380 m, 200 m, 0 m]]; the way ends where nodes has the support",
+		                           what);
+	path->x = calloc((size_t)tree->children, sizeof *path->x);
+	if (!path->x)
+		return hawser__no_memory(reader->report, "scene");
+	net->contact.paths++;
+	for (const struct hawser__tree *one = tree->child; one && !status; one = one->next)
+		status = hawser__tree_vector(reader, path->x[path->points++], 3, one, what, "m");
+	return status;
+}
+
+static enum hawser_status ways(struct hawser__reader *reader, struct hawser_net *net,
+                               const struct hawser__tree *tree)
+{
+	enum hawser_status status = HAWSER_OK;
+
+	if (tree->kind != HAWSER__MAPPING || !tree->children)
+		return hawser__reader_fail(reader, &tree->at, "contact.path must be a mapping of supports to "
+		                           "their ways, such as {B: [[380 m, 200 m, 0 m]]}");
+	net->contact.path = calloc((size_t)tree->children, sizeof *net->contact.path);
+	if (!net->contact.path)
+		return hawser__no_memory(reader->report, "scene");
+	for (const struct hawser__tree *one = tree->child; one && !status; one = one->next)
+		status = way(reader, net, one);
+	for (int i = 1; i < net->contact.paths && !status; i++)
+		if (net->contact.path[i].points != net->contact.path[0].points)
+			status = hawser__reader_fail(reader, &tree->at, "contact.path: %s has %d places and %s "
+			                             "%d: give as many, since the supports go from one to the "
+			                             "next together", net->node[net->contact.path[0].node].name,
+			                             net->contact.path[0].points,
+			                             net->node[net->contact.path[i].node].name,
+			                             net->contact.path[i].points);
+	return status;
+}
+
+enum hawser_status hawser__net_contact(struct hawser__reader *reader, struct hawser_net *net,
+                                       const struct hawser__tree *tree)
+{
+	static const char *const words[] = {"none", "history"}, *const states[] = {"statics", "slip",
+	                                                                           "stick"};
+	const struct hawser__tree *one;
+	int how = 0;
+	enum hawser_status status =
+		hawser__tree_keys(reader, tree, "contact", "net.contact");
+
+	if (!status && !net->surfaces)
+		return hawser__reader_fail(reader, &tree->at, "contact is of obstacles, and the scene has "
+		                           "none: add the section obstacles");
+	one = hawser__tree_find(tree, "restitution");
+	if (!status && one)
+		status = hawser__tree_number(reader, &net->contact.restitution, one, "contact.restitution", "1",
+		                             HAWSER__TREE_NOT_NEGATIVE);
+	if (!status && net->contact.restitution > 1.0)
+		return hawser__reader_fail(reader, &one->at, "contact.restitution: %.9g is above 1: an impact "
+		                           "does not add energy", net->contact.restitution);
+	one = hawser__tree_find(tree, "sliding");
+	if (!status && one)
+		status = hawser__tree_word(reader, &net->contact.history, one, "contact.sliding", words, 2);
+	one = hawser__tree_find(tree, "modes");
+	if (!status && one)
+		status = hawser__tree_word(reader, &how, one, "contact.modes", states, 3);
+	net->contact.modes = (enum hawser_net_contact_modes)how;
+	net->contact.steps = STEPS;
+	if (!status)
+		status = whole(reader, &net->contact.steps, hawser__tree_find(tree, "steps"));
+	one = hawser__tree_find(tree, "path");
+	if (!status && !one && net->contact.history)
+		status = hawser__reader_fail(reader, &tree->at, "contact.sliding: history needs contact.path, "
+		                             "the way of one or more supports to their places, such as path: "
+		                             "{B: [[380 m, 200 m, 0 m]]}");
+	if (!status && one && !net->contact.history)
+		status = hawser__reader_fail(reader, &one->at, "contact.path is of sliding: history: give "
+		                             "that, or leave path out");
+	return status || !one ? status : ways(reader, net, one);
+}
+
+static enum hawser_status outside(struct hawser__reader *reader, const struct hawser_net *net,
+                                  const struct hawser__mark *at, const char *what, const double x[3])
+{
+	double reach = fabs(x[0]) + fabs(x[1]) + fabs(x[2]);
+
+	for (int i = 0; i < net->surfaces; i++) {
+		const struct hawser_surface *surface = &net->surface[i];
+		double g = hawser_surface_gap(NULL, NULL, surface, x);
+		double own = fabs(surface->at[0]) + fabs(surface->at[1]) + fabs(surface->at[2]);
+
+		if (g < -TOUCHES*(reach + own + surface->radius))
+			return hawser__reader_fail(reader, at, "%s is %.6g m inside obstacle %s: move it, or the "
+			                           "obstacle (the free side of a plane is that of its normal)",
+			                           what, -g, surface->name);
+	}
+	return HAWSER_OK;
+}
+
+/* Two planes that face each other and have no room between them. */
+static enum hawser_status facing(struct hawser__reader *reader, const struct hawser_net *net,
+                                 const struct hawser__tree *root)
+{
+	for (int i = 0; i < net->surfaces; i++)
+		for (int j = 0; j < i; j++) {
+			const struct hawser_surface *a = &net->surface[j], *b = &net->surface[i];
+			double along = a->normal[0]*b->normal[0] + a->normal[1]*b->normal[1] +
+			               a->normal[2]*b->normal[2], room;
+
+			if (a->kind != HAWSER_SURFACE_PLANE || b->kind != HAWSER_SURFACE_PLANE ||
+			    along > -1.0 + 1e-12)
+				continue;
+			room = hawser_surface_gap(NULL, NULL, a, b->at);
+			if (room < 0.0)
+				return hawser__reader_fail(reader, &hawser__tree_find(root, "obstacles")->at,
+				                           "obstacles %s and %s leave no room: they face each other, "
+				                           "and overlap by %.6g m: correct a point or a normal",
+				                           a->name, b->name, -room);
+		}
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser__net_room(struct hawser__reader *reader, const struct hawser_net *net,
+                                    const struct hawser__tree *root)
+{
+	const struct hawser__tree *nodes = hawser__tree_find(root, "nodes");
+	const struct hawser__tree *node = nodes ? nodes->child : NULL;
+	const struct hawser__tree *contact = hawser__tree_find(root, "contact");
+	enum hawser_status status = facing(reader, net, root);
+	char what[CALLED];
+
+	for (int i = 0; i < net->nodes && !status; i++, node = node ? node->next : NULL) {
+		if (hawser__touch_around(net) && !net->node[i].support && !net->node[i].placed)
+			return hawser__reader_fail(reader, node ? &node->at : &root->at, "node %s has no place, "
+			                           "and an obstacle has side: around: the places of all nodes say "
+			                           "how the cables go around it: give it one", net->node[i].name);
+		if (!net->node[i].support && !net->node[i].placed)
+			continue;
+		snprintf(what, sizeof what, "%s %s", net->node[i].support ? "support" : "node",
+		         net->node[i].name);
+		status = outside(reader, net, node ? &node->at : &root->at, what, net->node[i].x);
+	}
+	for (int i = 0; i < net->contact.paths && !status; i++)
+		for (int j = 0; j < net->contact.path[i].points && !status; j++) {
+			snprintf(what, sizeof what, "place %d of contact.path.%s", j + 1,
+			         net->node[net->contact.path[i].node].name);
+			status = outside(reader, net, &contact->at, what, net->contact.path[i].x[j]);
+		}
+	return status;
+}

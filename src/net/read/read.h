@@ -1,0 +1,35 @@
+/* net/read/read.h - reading a scene of kind `net`: its parts.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_NET_READ_H
+#define HAWSER_NET_READ_H
+
+#include <hawser/net.h>
+#include "scene/tree.h"
+
+/* loads.c: `loads` and `supports` of the scene, whose nodes and cables are known. */
+enum hawser_status hawser__net_loads(struct hawser__reader *reader, struct hawser_net *net,
+                                     const struct hawser__tree *tree) HAWSER_MUST_CHECK;
+enum hawser_status hawser__net_supports(struct hawser__reader *reader, struct hawser_net *net,
+                                        const struct hawser__tree *tree) HAWSER_MUST_CHECK;
+/* read-span.c: nodes, supports and the cable of a span. */
+enum hawser_status hawser__net_of_span(struct hawser__reader *reader, struct hawser_net *net,
+                                       const struct hawser__tree *root) HAWSER_MUST_CHECK;
+/* obstacles.c: `obstacles` and `contact` of the scene, and whether its supports are outside them. */
+enum hawser_status hawser__net_obstacles(struct hawser__reader *reader, struct hawser_net *net,
+                                         const struct hawser__tree *tree) HAWSER_MUST_CHECK;
+enum hawser_status hawser__net_contact(struct hawser__reader *reader, struct hawser_net *net,
+                                       const struct hawser__tree *tree) HAWSER_MUST_CHECK;
+enum hawser_status hawser__net_room(struct hawser__reader *reader, const struct hawser_net *net,
+                                    const struct hawser__tree *root) HAWSER_MUST_CHECK;
+/* names.c: sort the names, of nodes and of cables if there are any yet. */
+enum hawser_status hawser__net_index(struct hawser__reader *reader, struct hawser_net *net)
+	HAWSER_MUST_CHECK;
+/* The node or cable of this name; fails if there is none. `what` begins the message. */
+int hawser__net_node_of(const struct hawser_net *net, const char *name);
+int hawser__net_cable_of(const struct hawser_net *net, const char *name);
+enum hawser_status hawser__net_find_node(struct hawser__reader *reader, int *node,
+                                         const struct hawser_net *net,
+                                         const struct hawser__tree *tree, const char *name,
+                                         const char *what) HAWSER_MUST_CHECK;
+
+#endif

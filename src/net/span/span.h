@@ -1,0 +1,22 @@
+/* net/span/span.h - spans as nets: what their statics, modes and motions share.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_NET_SPAN_LOADS_H
+#define HAWSER_NET_SPAN_LOADS_H
+
+#include <hawser/net_span.h>
+
+/* Room for constant loads of a part of the cable: of the scene, of the attachment at its end, and two
+ * that hawser__net_span_turn adds. */
+enum { HAWSER__SPAN_LOADS = 4 };
+
+/* hawser_net_span; if `halved` is 1, with half the elements: each is as long as two. */
+enum hawser_status hawser__net_span(struct hawser_net *net, const struct hawser_scene *scene,
+                                    const struct hawser_statics *statics,
+                                    const struct hawser_net_span_options *options, int halved,
+                                    struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* Turn a span's net that has only constant loads into the axes of its statics, so that it hangs in
+ * the plane of the first two; the weights become loads. */
+void hawser__net_span_turn(struct hawser_net *net, const struct hawser_statics *statics);
+
+#endif

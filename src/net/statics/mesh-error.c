@@ -1,0 +1,223 @@
+/* net/statics/mesh-error.c - the error of tensions by the mesh, and the elements that make it small.
+ *
+ * T  tensions of a cable that are compared: at both ends, and the largest
+ *
+ * Without obstacles the judge is the exact catenary of each cable, with the same unstretched lengths
+ * (net/statics/exact.c): it knows only the joints, and costs little. Elsewhere it is a mesh with
+ * half the elements; tensions are of second order, so that with n and m elements the error of the
+ * first is the difference over (n/m)^2 - 1. Where a cable leaves an obstacle within an element, the
+ * error depends on the place as well, and may be small by chance: there it is over n/m - 1, and the
+ * larger one of two meshes, with a half and two thirds of the elements.
+ *
+ * Refinement: a cable that is off may be so because of one that ends at the same joint; both get more
+ * elements. Where a cable folds, the order is 1, so that it takes several rounds.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "net/statics/solution.h"
+
+/* Wanted of the tensions, relative; elements are chosen for half of it. */
+static const double TARGET = 1e-3, SAFE = 0.5;
+/* Tensions below this part of the largest one of the net are compared with that part. */
+static const double SMALL = 0.01;
+/* A round that leaves more of the error has not helped: after two the cause is elsewhere, as in cables
+ * whose elements are given. */
+static const double BETTER = 0.7;
+/* Rounds of refinement, largest factor of a round, and most elements that are chosen for a cable: a
+ * motion with more takes minutes. */
+enum { ROUNDS = 6, FASTER = 4, MOST = 400 };
+
+enum hawser_status hawser__net_exact(struct hawser_net_statics *exact, int *found,
+                                     const struct hawser_net *net, const struct hawser_net_statics *st,
+                                     struct hawser_report *report)
+{
+	const struct hawser_net_options options = {.method = "catenary"};
+	struct hawser_net by = *net;
+	struct hawser_report unused = {0};
+	enum hawser_status status;
+
+	*found = 0;
+	by.cable = malloc((size_t)by.cables*sizeof *by.cable);
+	if (!by.cable)
+		return hawser__no_memory(report, "net");
+	memcpy(by.cable, net->cable, (size_t)net->cables*sizeof *net->cable);
+	for (int c = 0; c < net->cables; c++) {
+		by.cable[c].given = HAWSER_NET_LENGTH0;
+		by.cable[c].value = st->member[c].length0;
+	}
+	status = net->surfaces ? HAWSER_ERR_ARGUMENT : hawser_net_solve(exact, &by, &options, &unused);
+	free(by.cable);
+	*found = status == HAWSER_OK;
+	return status == HAWSER_ERR_MEMORY ? hawser__no_memory(report, "net") : HAWSER_OK;
+}
+
+/* The net with this part of the elements or, where cables have one, with two. */
+static enum hawser_status coarse(struct hawser_net_statics *other, int *found, double *ratio,
+                                 double part, const struct hawser_net *net,
+                                 struct hawser_report *report)
+{
+	struct hawser_net by = *net;
+	struct hawser_report unused = {0};
+	enum hawser_status status = HAWSER_OK;
+
+	*found = 0;
+	if (net->contact.history) /* another mesh may slide at other times */
+		return HAWSER_OK;
+	for (int i = 0; i < net->loads; i++)
+		if (net->load[i].along) /* is of one mesh */
+			return HAWSER_OK;
+	by.cable = malloc((size_t)by.cables*sizeof *by.cable);
+	if (!by.cable)
+		return hawser__no_memory(report, "net");
+	memcpy(by.cable, net->cable, (size_t)net->cables*sizeof *net->cable);
+	for (int c = 0; c < net->cables; c++) {
+		by.cable[c].elements = net->cable[c].elements > 1 ? (int)ceil(part*net->cable[c].elements) : 2;
+		ratio[c] = (double)net->cable[c].elements/by.cable[c].elements;
+	}
+	status = hawser_net_solve(other, &by, NULL, &unused);
+	free(by.cable);
+	*found = status == HAWSER_OK;
+	return status == HAWSER_ERR_MEMORY ? hawser__no_memory(report, "net") : HAWSER_OK;
+}
+
+/* each [cables]: the errors of the cables, if they are larger than what is there. */
+static void compare(struct hawser_net_mesh_error *error, double *each,
+                    const struct hawser_net_statics *st, const struct hawser_net_statics *other,
+                    const double *ratio, int touches)
+{
+	double most = 0.0;
+
+	error->tension = isnan(error->tension) ? 0.0 : error->tension;
+	for (int c = 0; c < st->cables; c++)
+		most = fmax(most, st->member[c].T_max);
+	for (int c = 0; c < st->cables; c++) {
+		const struct hawser_net_member *a = &st->member[c], *b = &other->member[c];
+		double off = fmax(fabs(a->T_max - b->T_max),
+		                  fmax(fabs(a->T_from - b->T_from), fabs(a->T_to - b->T_to)));
+
+		if (!error->exact)
+			off /= fmax(fabs((touches ? ratio[c] : ratio[c]*ratio[c]) - 1.0), 0.1);
+		each[c] = fmax(each[c], off > 0.0 ? off/fmax(a->T_max, SMALL*most) : 0.0);
+		if (each[c] > error->tension) {
+			error->tension = each[c];
+			error->cable = c;
+		}
+	}
+}
+
+static enum hawser_status measure(struct hawser_net_mesh_error *error, double *each,
+                                  const struct hawser_net *net, const struct hawser_net_statics *st,
+                                  struct hawser_report *report)
+{
+	struct hawser_net_statics other = {0};
+	double *ratio = calloc((size_t)net->cables + 1, sizeof *ratio);
+	enum hawser_status status = ratio ? HAWSER_OK : hawser__no_memory(report, "net");
+	int found = 0, tries = net->surfaces ? 2 : 1;
+
+	*error = (struct hawser_net_mesh_error){.tension = NAN, .cable = -1};
+	memset(each, 0, (size_t)net->cables*sizeof *each);
+	if (!status && st->compressed == 0)
+		status = hawser__net_exact(&other, &found, net, st, report);
+	error->exact = found;
+	for (int i = 0; i < tries && !status && st->compressed == 0; i++) {
+		if (!error->exact)
+			status = coarse(&other, &found, ratio, i ? 2.0/3.0 : 0.5, net, report);
+		if (!status && found)
+			compare(error, each, st, &other, ratio, net->surfaces > 0);
+		hawser_net_statics_clear(&other);
+	}
+	free(ratio);
+	return status;
+}
+
+enum hawser_status hawser_net_mesh_error(struct hawser_net_mesh_error *error,
+                                         const struct hawser_net *net,
+                                         const struct hawser_net_statics *st,
+                                         struct hawser_report *report)
+{
+	struct hawser_net_statics own = {0};
+	struct hawser_report unused = {0};
+	double *each = calloc((size_t)net->cables + 1, sizeof *each);
+	enum hawser_status status = each ? HAWSER_OK : hawser__no_memory(report, "net");
+
+	*error = (struct hawser_net_mesh_error){.tension = NAN, .cable = -1};
+	if (!status && !st && hawser_net_solve(&own, net, NULL, &unused) == HAWSER_OK)
+		st = &own;
+	if (!status && st)
+		status = measure(error, each, net, st, report);
+	hawser_net_statics_clear(&own);
+	free(each);
+	return status;
+}
+
+/* The largest error of a cable and of those that end at the same joints. */
+static double around(const struct hawser_net *net, const double *each, int c)
+{
+	const struct hawser_net_cable *a = &net->cable[c];
+	double most = each[c];
+
+	for (int i = 0; i < net->cables; i++) {
+		const struct hawser_net_cable *b = &net->cable[i];
+		int from = !net->node[a->from].support && (b->from == a->from || b->to == a->from);
+		int to = !net->node[a->to].support && (b->from == a->to || b->to == a->to);
+
+		most = from || to ? fmax(most, each[i]) : most;
+	}
+	return most;
+}
+
+/* More elements for the cables whose number is not given; returns 0 if none needs them. */
+static int more(struct hawser_net *net, const double *each)
+{
+	int any = 0;
+
+	for (int c = 0; c < net->cables; c++) {
+		struct hawser_net_cable *cable = &net->cable[c];
+		double off = around(net, each, c), factor = sqrt(off/(SAFE*TARGET));
+		int n = cable->elements;
+
+		if (cable->elements_given || !(off > TARGET) || n >= MOST)
+			continue;
+		n = (int)fmin(ceil(n*fmin(factor, FASTER)), MOST);
+		any |= n > cable->elements;
+		cable->elements = n;
+	}
+	return any;
+}
+
+enum hawser_status hawser_net_refine(struct hawser_net *net, struct hawser_report *report)
+{
+	double *each = calloc((size_t)net->cables + 1, sizeof *each), least = INFINITY;
+	int *best = calloc((size_t)net->cables + 1, sizeof *best), open = 0, idle = 0;
+	enum hawser_status status = each && best ? HAWSER_OK : hawser__no_memory(report, "net");
+
+	for (int c = 0; c < net->cables && !status; c++) {
+		open |= !net->cable[c].elements_given;
+		best[c] = net->cable[c].elements;
+	}
+	for (int round = 0; round < ROUNDS && open && !status; round++) {
+		struct hawser_net_mesh_error error = {.tension = NAN};
+		struct hawser_net_statics st = {0};
+		struct hawser_report unused = {0};
+
+		if (hawser_net_solve(&st, net, NULL, &unused) == HAWSER_OK)
+			status = measure(&error, each, net, &st, report);
+		hawser_net_statics_clear(&st);
+		idle = error.tension < BETTER*least ? 0 : idle + 1;
+		for (int c = 0; c < net->cables && error.tension < least; c++)
+			best[c] = net->cable[c].elements;
+		least = error.tension < least ? error.tension : least;
+		open = !status && idle < 2 && more(net, each);
+	}
+	for (int c = 0; c < net->cables && best; c++)
+		net->cable[c].elements = best[c];
+	free(each);
+	free(best);
+	return status;
+}

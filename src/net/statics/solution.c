@@ -1,0 +1,235 @@
+/* net/statics/solution.c - statics of a net as its user sees it: positions and tensions by name.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "net/statics/exact.h"
+#include "net/statics/solution.h"
+#include "net/statics/tension.h"
+#include "net/touch/touch.h"
+
+void hawser_net_statics_clear(struct hawser_net_statics *st)
+{
+	if (!st)
+		return;
+	free(st->x);
+	free(st->reaction);
+	free(st->member);
+	free(st->point);
+	free(st->contact);
+	memset(st, 0, sizeof *st);
+}
+
+enum hawser_status hawser__net_supported(const struct hawser__mesh *mesh, const struct hawser_net *net,
+                                         struct hawser_report *report)
+{
+	int *part = malloc((size_t)mesh->nodes*sizeof *part), lost = -1, direction = 0, count = 0;
+	enum hawser_status status = part ? hawser__mesh_loose(&lost, &direction, mesh, part, report)
+	                                 : hawser__no_memory(report, "net");
+	char names[160] = "";
+
+	if (mesh->around)
+		lost = -1; /* an obstacle holds it */
+
+	for (int i = 0; lost >= 0 && i < net->nodes; i++) {
+		size_t used = strlen(names);
+
+		if (part[i] == lost && ++count <= 4)
+			snprintf(names + used, sizeof names - used, "%s%s", count > 1 ? ", " : "",
+			         net->node[i].name);
+	}
+	free(part);
+	if (status || lost < 0)
+		return status;
+	return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "net",
+	                    "%s: the part of the net with the node%s %s%s has no support in direction "
+	                    "%c, so that it has no equilibrium: add one of its nodes to supports",
+	                    net->name,
+	                    count == 1 ? "" : "s", names, count > 4 ? ", ..." : "", "xyz"[direction]);
+}
+
+static void member(struct hawser_net_statics *st, int c, const struct hawser__tensions *of)
+{
+	const struct hawser__mesh *mesh = of->mesh;
+	struct hawser_net_member *m = &st->member[c];
+	int first = mesh->first[c], n = mesh->first[c + 1] - first;
+
+	*m = (struct hawser_net_member){.T_min = INFINITY, .T_max = -INFINITY};
+	for (int i = 0; i <= n; i++) {
+		struct hawser_net_point *point = &st->point[st->points++];
+		double e[3], l = i < n ? hawser__mesh_direction(e, mesh, first + i) : 0.0;
+
+		*point = (struct hawser_net_point){.cable = c, .S = m->length0,
+		                                   .T = hawser__tension_at(of, c, i)};
+		memcpy(point->x, mesh->q[i < n ? mesh->end[first + i][0] : mesh->end[first + n - 1][1]],
+		       sizeof point->x);
+		m->T_from = i == 0 ? point->T : m->T_from;
+		m->T_to = point->T;
+		m->T_max = fmax(m->T_max, point->T);
+		m->T_min = fmin(m->T_min, i < n ? fmin(point->T, of->T[first + i]) : point->T);
+		m->slack += i < n && l < mesh->length0[first + i];
+		m->length0 += i < n ? mesh->length0[first + i] : 0.0;
+		m->length += l;
+	}
+}
+
+enum hawser_status hawser__net_statics_open(struct hawser_net_statics *st, size_t elements,
+                                            struct hawser_report *report)
+{
+	size_t nodes = (size_t)st->nodes, cables = (size_t)st->cables;
+
+	st->x = calloc(nodes, sizeof *st->x);
+	st->reaction = calloc(nodes, sizeof *st->reaction);
+	st->member = calloc(cables, sizeof *st->member);
+	st->point = calloc(elements + cables, sizeof *st->point);
+	return st->x && st->reaction && st->member && st->point ? HAWSER_OK
+	                                                        : hawser__no_memory(report, "net");
+}
+
+/* Forces of the supports on the net, from the tensions, whatever their law. */
+static void reactions(struct hawser_net_statics *st, const struct hawser__mesh *mesh, const double *T)
+{
+	for (int i = 0; i < st->nodes; i++)
+		for (int k = 0; k < 3; k++)
+			st->reaction[i][k] = mesh->unknown[i][k] < 0 ? -mesh->force[i][k] : 0.0;
+	for (int i = 0; i < mesh->elements; i++) {
+		double e[3];
+
+		hawser__mesh_direction(e, mesh, i);
+		for (int k = 0; k < 3; k++) {
+			int a = mesh->end[i][0], b = mesh->end[i][1];
+
+			if (a < st->nodes && mesh->unknown[a][k] < 0)
+				st->reaction[a][k] -= T[i]*e[k];
+			if (b < st->nodes && mesh->unknown[b][k] < 0)
+				st->reaction[b][k] += T[i]*e[k];
+		}
+	}
+}
+
+/* Of its bound: friction that is less holds by itself. */
+static const double SLIDES = 1e-9;
+
+/* Supports on obstacles: what the obstacle carries is a contact, and not of the support. */
+static void rests(struct hawser_net_statics *st, const struct hawser__tensions *of)
+{
+	for (int i = 0; i < st->nodes; i++) {
+		struct hawser_net_contact *contact = &st->contact[st->contacts];
+		double f[3], H[3][3], n[3], length0;
+		int surface = hawser__tension_rests(f, &length0, of, i);
+
+		if (surface < 0)
+			continue;
+		hawser_surface_gap(n, H, &of->net->surface[surface], st->x[i]);
+		*contact = (struct hawser_net_contact){
+			.surface = surface, .node = i, .cable = -1, .length0 = length0,
+			.r = f[0]*n[0] + f[1]*n[1] + f[2]*n[2]};
+		memcpy(contact->x, st->x[i], sizeof contact->x);
+		for (int k = 0; k < 3; k++) {
+			contact->friction[k] = f[k] - contact->r*n[k];
+			st->reaction[i][k] -= f[k];
+		}
+		contact->sticks = hypot(hypot(contact->friction[0], contact->friction[1]),
+		                        contact->friction[2]) <
+		                  of->net->surface[surface].friction*contact->r*(1.0 - SLIDES);
+		st->contacts++;
+	}
+}
+
+static enum hawser_status fill(struct hawser_net_statics *st, const struct hawser__mesh *mesh,
+                               const struct hawser_net *net, const double *T,
+                               struct hawser_report *report)
+{
+	double (*obstacle)[3] = calloc((size_t)mesh->nodes + 1, sizeof *obstacle);
+	const struct hawser__tensions of = {.mesh = mesh, .net = net, .T = T,
+	                                    .x = (const double (*)[3])mesh->q,
+	                                    .obstacle = mesh->touches ? (const double (*)[3])obstacle
+	                                                              : NULL};
+	enum hawser_status status = obstacle ? hawser__net_statics_open(st, (size_t)mesh->elements, report)
+	                                     : hawser__no_memory(report, "net");
+
+	if (!status)
+		status = hawser__touch_list(&st->contact, &st->contacts, mesh, st->nodes, report);
+	if (!status) {
+		hawser__tension_obstacles(obstacle, mesh);
+		for (int i = 0; i < st->nodes; i++)
+			memcpy(st->x[i], mesh->q[i], sizeof st->x[i]);
+		reactions(st, mesh, T);
+		rests(st, &of);
+		for (int c = 0; c < st->cables; c++)
+			member(st, c, &of);
+	}
+	free(obstacle);
+	return status;
+}
+
+static enum hawser_status of_mesh(struct hawser_net_statics *st, const struct hawser_net *net,
+                                  const struct hawser_net_options *options,
+                                  struct hawser_report *report)
+{
+	struct hawser__mesh_options settings = {.method = options->method, .tolerance = options->tolerance,
+	                                        .iterations = options->iterations,
+	                                        .start = options->start, .noise = options->noise,
+	                                        .seed = options->seed};
+	struct hawser__mesh mesh = {0};
+	struct hawser__equilibrium found;
+	double *T = NULL;
+	enum hawser_status status;
+
+	status = hawser__mesh_build(&mesh, net, report);
+	if (!status)
+		status = hawser__net_supported(&mesh, net, report);
+	if (!status && !(T = calloc((size_t)mesh.elements, sizeof *T)))
+		status = hawser__no_memory(report, "net");
+	if (!status && !mesh.touches && (!options->method || !strcmp(options->method, "automatic")) &&
+	    hawser__exact_start(&mesh, T, net)) {
+		settings.keep_start = 1;
+		settings.N = T;
+	}
+	if (!status)
+		status = net->contact.history ? hawser__net_history(&mesh, T, &found, net, &settings, report)
+		                              : hawser__mesh_form(&mesh, T, &found, net, &settings, report);
+	if (!status)
+		status = hawser__touch_sides(&mesh, net, report);
+	if (!status) {
+		*st = (struct hawser_net_statics){
+			.nodes = net->nodes, .cables = net->cables, .unknowns = mesh.unknowns,
+			.energy = found.energy, .gap = found.gap, .residual = found.residual,
+			.floor = found.floor, .method = found.method, .iterations = found.iterations,
+			.compressed = found.compressed, .apart = found.apart};
+		status = fill(st, &mesh, net, T, report);
+	}
+	free(T);
+	hawser__mesh_clear(&mesh);
+	return status;
+}
+
+enum hawser_status hawser_net_solve(struct hawser_net_statics *st, const struct hawser_net *net,
+                                    const struct hawser_net_options *options,
+                                    struct hawser_report *report)
+{
+	static const struct hawser_net_options defaults = {0};
+	const struct hawser__net_method *row = NULL;
+	enum hawser_status status;
+
+	if (!options)
+		options = &defaults;
+	for (int i = 0; options->method && (row = hawser__net_method(i)); i++)
+		if (!strcmp(row->shown.name, options->method))
+			break;
+	memset(st, 0, sizeof *st);
+	if (row && net->surfaces && !row->obstacles)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "net", "%s: the method %s does not know "
+		                    "obstacles: give automatic, or leave it out", net->name,
+		                    row->shown.name);
+	status = row && !row->solve ? hawser__exact_statics(st, net, options, report)
+	                            : of_mesh(st, net, options, report);
+	if (status)
+		hawser_net_statics_clear(st);
+	return status;
+}

@@ -1,0 +1,225 @@
+/* output/curves/plot_locus.c - loci of bifurcations in the plane of two parameters; every
+ * special point has its name beside it, where no other name is.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <limits.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "output/curves/plot_locus.h"
+#include "output/drawing/style.h"
+
+static const char start_style[] = "lc rgb '#404040' lw 0.8 dt (4,4)";
+
+static void curve_data(FILE *script, const struct hawser__locus_picture *picture, int c)
+{
+	const struct hawser_locus *locus = picture->locus;
+	const struct hawser_locus_curve *curve = &locus->curve[c];
+
+	fprintf(script, "$curve%d << END\n", c);
+	for (int i = curve->first; i < curve->first + curve->points; i++)
+		fprintf(script, "%.12g %.12g\n", locus->point[i].omega*picture->per_omega,
+		        locus->point[i].parameter/picture->axis[1].per);
+	fputs("NaN NaN\nEND\n", script);
+}
+
+/* A name, in parts of the panel. */
+struct name {
+	const char *text;
+	double x, y, left, low;
+};
+#define LETTER 0.0125 /* width of a letter, in parts of the panel */
+#define LINE 0.036    /* height of a name */
+#define ASIDE 0.009   /* distance of a name from its point */
+enum { PARTS = 6 };   /* of a step of a curve, as points that a name may cover */
+
+static double right_of(const struct name *name)
+{
+	return name->left + LETTER*(double)strlen(name->text);
+}
+
+static int is_free(const struct name *name, const struct name *other, int count)
+{
+	if (name->left < 0.0 || right_of(name) > 1.0 || name->low < 0.0 || name->low + LINE > 1.0)
+		return 0;
+	for (int k = 0; k < count; k++)
+		if (name->left < right_of(&other[k]) && other[k].left < right_of(name) &&
+		    fabs(name->low - other[k].low) < LINE)
+			return 0;
+	return 1;
+}
+
+/* The point in parts of the panel. */
+static void panel_place(double at[2], const struct hawser__locus_picture *picture, double omega,
+                        double parameter)
+{
+	double value[2] = {omega*picture->per_omega, parameter/picture->axis[1].per};
+
+	for (int k = 0; k < 2; k++)
+		at[k] = (value[k] - picture->from[k])/(picture->to[k] - picture->from[k]);
+}
+
+static int is_in(const struct name *name, const double at[2])
+{
+	return at[0] > name->left && at[0] < right_of(name) && at[1] > name->low &&
+	       at[1] < name->low + LINE;
+}
+
+/* From the point to the name. */
+static double distance(const struct name *name, const double at[2])
+{
+	double x = fmax(fmax(name->left - at[0], at[0] - right_of(name)), 0.0);
+	double y = fmax(fmax(name->low - at[1], at[1] - name->low - LINE), 0.0);
+
+	return hypot(x, y);
+}
+
+/* How much of the picture the name covers, and of how many points it may seem to be the name. */
+static int covered(const struct name *name, const struct hawser__locus_picture *picture)
+{
+	const struct hawser_locus *locus = picture->locus;
+	int count = 0;
+
+	for (int c = 0; c < locus->curves; c++)
+		for (int i = 1; i < locus->curve[c].points; i++) {
+			const struct hawser_locus_point *point = &locus->point[locus->curve[c].first + i];
+			double a[2], b[2];
+
+			panel_place(a, picture, point[-1].omega, point[-1].parameter);
+			panel_place(b, picture, point->omega, point->parameter);
+			for (int k = 0; k < PARTS; k++) {
+				double s = (double)k/PARTS;
+				double at[2] = {a[0] + s*(b[0] - a[0]), a[1] + s*(b[1] - a[1])};
+
+				count += is_in(name, at);
+			}
+		}
+	for (int e = 0; e < locus->events; e++) {
+		const double own[2] = {name->x, name->y};
+		double at[2];
+
+		panel_place(at, picture, locus->event[e].omega, locus->event[e].parameter);
+		if (locus->event[e].kind != HAWSER_LOCUS_START)
+			count += PARTS*(is_in(name, at) + 2*(distance(name, at) < distance(name, own)));
+	}
+	return count;
+}
+
+/* Beside the point, above or below it: where it covers least. */
+static void place_name(struct name *name, const struct name *other, int count,
+                       const struct hawser__locus_picture *picture)
+{
+	static const double rise[] = {0.0, -1.0, -0.5, 0.4, -1.4, 1.4, -2.4, 2.4}; /* lines */
+	double width = LETTER*(double)strlen(name->text);
+	struct name best = *name;
+	int least = INT_MAX;
+
+	best.left = name->x + ASIDE;
+	best.low = name->y;
+	for (size_t level = 0; level < sizeof rise/sizeof *rise; level++)
+		for (int side = 0; side < 3; side++) {
+			const double left[] = {name->x + ASIDE, name->x - ASIDE - width, name->x - 0.5*width};
+			int cost;
+
+			name->left = left[side];
+			name->low = name->y + rise[level]*LINE;
+			cost = covered(name, picture) + (int)(2*level) + side;
+			if (cost < least && is_free(name, other, count)) {
+				least = cost;
+				best = *name;
+			}
+		}
+	*name = best;
+}
+
+static enum hawser_status names(FILE *script, const struct hawser__locus_picture *picture,
+                                struct hawser_report *report)
+{
+	const struct hawser_locus *locus = picture->locus;
+	struct name *name = malloc(((size_t)locus->events + 1)*sizeof *name);
+	int count = 0;
+
+	if (!name)
+		return hawser__no_memory(report, "plot");
+	for (int e = 0; e < locus->events; e++) {
+		const struct hawser_locus_event *event = &locus->event[e];
+		struct name *at = &name[count];
+		int again = event->kind == HAWSER_LOCUS_START;
+		double place[2];
+
+		panel_place(place, picture, event->omega, event->parameter);
+		*at = (struct name){.text = hawser_locus_special_name(locus->kind, event->kind),
+			.x = place[0], .y = place[1]};
+		for (int k = 0; k < count; k++) /* the same point of another curve, nearly */
+			again |= at->text == name[k].text &&
+			         hypot(at->x - name[k].x, at->y - name[k].y) < 2.0*ASIDE;
+		if (again)
+			continue;
+		place_name(at, name, count, picture);
+		fprintf(script, "set label \"%s\" at graph %.6g,%.6g left\n", at->text, at->left,
+		        at->low + 0.5*LINE);
+		count++;
+	}
+	free(name);
+	return HAWSER_OK;
+}
+
+static int mark_data(FILE *script, const struct hawser__locus_picture *picture)
+{
+	const struct hawser_locus *locus = picture->locus;
+	int count = 0;
+
+	fputs("$marks << END\n", script);
+	for (int e = 0; e < locus->events; e++) {
+		const struct hawser_locus_event *event = &locus->event[e];
+
+		if (event->kind == HAWSER_LOCUS_START)
+			continue;
+		fprintf(script, "%.12g %.12g\n", event->omega*picture->per_omega,
+		        event->parameter/picture->axis[1].per);
+		count++;
+	}
+	fputs("NaN NaN\nEND\n", script);
+	return count;
+}
+
+enum hawser_status hawser__plot_locus(const char *path, const struct hawser__locus_picture *of,
+                                      struct hawser_report *report)
+{
+	struct hawser__picture picture;
+	struct hawser__legend entries = {0};
+	enum hawser_status status = hawser__picture_begin(&picture, path, 17.0, 12.8, report);
+	FILE *script = picture.script;
+	int marks;
+
+	if (status)
+		return status;
+	for (int c = 0; c < of->locus->curves; c++)
+		curve_data(script, of, c);
+	marks = mark_data(script, of);
+	hawser__picture_panel(&picture, 0.13, 0.965, 0.25, 0.97);
+	fprintf(script, "set xrange [%.12g:%.12g]\nset yrange [%.12g:%.12g]\n", of->from[0], of->to[0],
+	        of->from[1], of->to[1]);
+	hawser__picture_tics(&picture, 'x', of->from[0], of->to[0], 10);
+	hawser__picture_tics(&picture, 'y', of->from[1], of->to[1], 8);
+	fprintf(script, "set xlabel '%s'\n", of->axis[0].title);
+	hawser__picture_ylabel(&picture, "%s", of->axis[1].title);
+	status = names(script, of, report);
+	fprintf(script, "plot %.12g with lines %s", of->locus->at/of->axis[1].per, start_style);
+	for (int c = 0; c < of->locus->curves; c++)
+		fprintf(script, ", $curve%d with lines lt 1", c);
+	fputs(", $marks with points pt 7 ps 0.6 lc rgb '#D55E00'\n", script);
+	if (status) {
+		hawser__picture_abort(&picture);
+		return status;
+	}
+	hawser__legend_add(&entries, hawser_event_name(of->locus->kind), "with lines lt 1");
+	hawser__legend_add(&entries, "begun here", "with lines %s", start_style);
+	if (marks)
+		hawser__legend_add(&entries, "special points", "with points pt 7 ps 0.6 lc rgb '#D55E00'");
+	hawser__legend_draw(&picture, &entries);
+	return hawser__picture_finish(&picture, report);
+}

@@ -1,0 +1,258 @@
+/* output/curves/plot_map.c - a map over two parameters: colours, and the boundaries as lines.
+ *
+ * A quantity that decides stability is blue on the stable side of the boundary and orange on the
+ * unstable side. Other quantities have the colours of viridis, whose lightness is linear. Points
+ * without a value are grey.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+
+#include "output/output.h"
+#include "output/drawing/style.h"
+
+static const char *const colour[] = {"#440154", "#46327e", "#365c8d", "#277f8e", "#1fa187", "#4ac16d",
+                                     "#a0da39", "#fde725"};
+static const char ground[] = "#b4b4b4"; /* colour of points without a value */
+enum { COLOURS = sizeof colour/sizeof *colour };
+
+static void range_of(double *low, double *high, const struct hawser__map_picture *map)
+{
+	long count = (long)map->nx*map->ny;
+
+	*low = INFINITY;
+	*high = -INFINITY;
+	for (long p = 0; p < count; p++)
+		if (isfinite(map->value[p]) && (!map->logarithmic || map->value[p] > 0.0)) {
+			*low = fmin(*low, map->value[p]);
+			*high = fmax(*high, map->value[p]);
+		}
+}
+
+/* Centre of pixel k. The pixels fill the axis exactly, so that a centre is at most half a pixel
+ * from its sample. */
+static double middle(const double *at, int count, int k)
+{
+	return at[0] + (at[count - 1] - at[0])*(k + 0.5)/count;
+}
+
+static void data(FILE *script, const struct hawser__map_picture *map)
+{
+	fputs("$map << END\n", script);
+	for (int j = 0; j < map->ny; j++) {
+		for (int i = 0; i < map->nx; i++) {
+			double value = map->value[(long)j*map->nx + i];
+			double x = middle(map->x, map->nx, i)/map->x_axis.per;
+			double y = middle(map->y, map->ny, j)/map->y_axis.per;
+
+			if (isfinite(value))
+				fprintf(script, "%.9g %.9g %.6g\n", x, y, value);
+			else
+				fprintf(script, "%.9g %.9g NaN\n", x, y);
+		}
+		fputc('\n', script);
+	}
+	fputs("END\n$line << END\n", script);
+	for (int k = 0; k < map->segments; k++)
+		fprintf(script, "%.12g %.12g\n%.12g %.12g\n\n", map->segment[4*k]/map->x_axis.per,
+		        map->segment[4*k + 1]/map->y_axis.per, map->segment[4*k + 2]/map->x_axis.per,
+		        map->segment[4*k + 3]/map->y_axis.per);
+	fputs("NaN NaN\nEND\n", script);
+}
+
+static void even_colours(FILE *script)
+{
+	fputs("set palette defined (", script);
+	for (int k = 0; k < COLOURS; k++)
+		fprintf(script, "%s%d '%s'", k ? ", " : "", k, colour[k]);
+	fputs(")\n", script);
+}
+
+/* Colours of stable values, from far to close to the boundary; colours of unstable values from it
+ * on. */
+static const char *const stable[] = {"#08306b", "#2a7ab9", "#7fb9dc", "#deebf7"};
+static const char *const unstable[] = {"#fdae6b", "#f16913", "#a63603", "#4d1600"};
+enum { SIDE = 4 };
+
+/* Position of the boundary in [low, high], as a fraction of the colour bar. */
+static double border_part(const struct hawser__map_picture *map, double low, double high,
+                          int logarithmic)
+{
+	double part = logarithmic ? log(map->border/low)/log(high/low) : (map->border - low)/(high - low);
+
+	return fmin(fmax(part, 0.0), 1.0);
+}
+
+static void side(FILE *script, const char *const *colours, double from, double to, int *count)
+{
+	for (int k = 0; k < SIDE && to > from; k++)
+		fprintf(script, "%s%.6g '%s'", (*count)++ ? ", " : "", from + (to - from)*k/(SIDE - 1),
+		        colours[k]);
+}
+
+static void sided_colours(FILE *script, double part)
+{
+	int count = 0;
+
+	fputs("set palette maxcolors 0 defined (", script);
+	side(script, stable, 0.0, part, &count);
+	side(script, unstable, part, 1.0, &count);
+	fputs(")\n", script);
+}
+
+/* A colour for each whole number from low to high; 0 is stable. The least one that is not has the
+ * colour that the legend shows. */
+static void whole_colours(FILE *script, const struct hawser__map_picture *map, double low, double high)
+{
+	int levels = (int)(high - low) + 1, least = (int)high;
+	long count = (long)map->nx*map->ny;
+
+	for (long p = 0; p < count; p++)
+		if (map->value[p] >= 1.0 && map->value[p] < least)
+			least = (int)map->value[p];
+	fputs("set palette maxcolors 0 defined (", script);
+	for (int k = 0; k < levels; k++) {
+		int value = (int)low + k, beyond = value > least ? value - least : 0;
+		int deeper = beyond ? 1 + (beyond - 1)*(SIDE - 3)/(levels > 2 ? levels - 2 : 1) : 0;
+		const char *one = value < 1 ? stable[2] : unstable[1 + deeper];
+
+		fprintf(script, "%s%d '%s', %d '%s'", k ? ", " : "", k, one, k + 1, one);
+	}
+	fprintf(script, ")\nset cbrange [%g:%g]\nset cbtics %d\n", low - 0.5, high + 0.5,
+	        levels > 12 ? 5 : 1);
+}
+
+/* Colours of motions without bounds and of those that end at no response; then of responses, again from
+ * the first on after the last. */
+static const char *const basin_colour[] = {"#f0f0f0", "#4d4d4d", "#56b4e9", "#e69f00", "#009e73",
+                                           "#cc79a7", "#f0e442", "#0072b2", "#d55e00"};
+enum { BASIN_COLOURS = sizeof basin_colour/sizeof *basin_colour - 2 };
+
+static const char *colour_of_basin(int number)
+{
+	return basin_colour[number < 1 ? number + 1 : 2 + (number - 1)%BASIN_COLOURS];
+}
+
+static void basin_colours(FILE *script, const struct hawser__map_picture *map)
+{
+	fputs("set palette maxcolors 0 defined (", script);
+	for (int k = -1; k <= map->basins; k++)
+		fprintf(script, "%s%d '%s', %d '%s'", k >= 0 ? ", " : "", k, colour_of_basin(k), k + 1,
+		        colour_of_basin(k));
+	fprintf(script, ")\nset cbrange [-1.5:%g]\n", map->basins + 0.5);
+}
+
+/* An entry for each number that occurs, up to the room of the legend. */
+static void basin_legend(struct hawser__legend *entries, const struct hawser__map_picture *map)
+{
+	static const char box[] = "with boxes fillstyle solid noborder";
+	long count = (long)map->nx*map->ny;
+
+	for (int k = -1; k <= (map->basins < 12 ? map->basins : 12); k++) {
+		char title[40];
+		long p = 0;
+
+		while (p < count && map->value[p] != k)
+			p++;
+		if (p == count)
+			continue;
+		snprintf(title, sizeof title, k > 0 ? "response %d" : k ? "no bounds" : "no periodic response",
+		         k);
+		hawser__legend_add(entries, title, "%s lc rgb '%s'", box, colour_of_basin(k));
+	}
+}
+
+static void colour_bar(struct hawser__picture *picture, const struct hawser__map_picture *map)
+{
+	FILE *script = picture->script;
+	/* relative difference of values that are drawn as one, and of those on both sides of the border */
+	const double same = 1e-3, same_across = 1e-6;
+	double low, high, size, room;
+	int logarithmic, across;
+
+	range_of(&low, &high, map);
+	if (!(low <= high)) {
+		low = 0.0;
+		high = 1.0;
+	}
+	logarithmic = map->logarithmic && high > 5.0*low;
+	size = fmax(fabs(low), fabs(high));
+	across = low < map->border && map->border < high;
+	room = high - low > (across ? same_across : same)*size || logarithmic ? 0.0
+	     : size > 0.0 ? 0.01*size : 1.0;
+	low -= room;
+	high += room;
+	if (logarithmic)
+		hawser__picture_log_tics(picture, "cb", low, high);
+	fprintf(script, "set cbrange [%.9g:%.9g]\n", low, high);
+	if (map->basins > 0) {
+		basin_colours(script, map);
+		fputs("unset colorbox\n", script);
+		return;
+	}
+	if (map->whole)
+		whole_colours(script, map, low + room, high - room);
+	else if (isnan(map->border))
+		even_colours(script);
+	else
+		sided_colours(script, border_part(map, low, high, logarithmic));
+	fprintf(script, "set colorbox user origin screen 0.82, screen 0.26 size screen 0.025, "
+	                "screen 0.70\nset cbtics out scale 0.5\n");
+	fprintf(script, "set label 1001 '%s' at screen 0.97, screen 0.61 center rotate by 90\n",
+	        map->title);
+}
+
+/* Legend: the stable and unstable colours that occur, the boundaries, and grey for missing
+ * values. */
+static void legend(struct hawser__picture *picture, const struct hawser__map_picture *map)
+{
+	static const char box[] = "with boxes fillstyle solid noborder";
+	struct hawser__legend entries = {0};
+	double low, high, border = map->border;
+
+	range_of(&low, &high, map);
+	if (map->basins > 0)
+		basin_legend(&entries, map);
+	if (low < border)
+		hawser__legend_add(&entries, "stable", "%s lc rgb '%s'", box, stable[2]);
+	if (high > border)
+		hawser__legend_add(&entries, "unstable", "%s lc rgb '%s'", box, unstable[1]);
+	if (map->segments > 0)
+		hawser__legend_add(&entries, map->line_title, "with lines lc rgb 'black' lw 0.8");
+	if (map->holes)
+		hawser__legend_add(&entries, "no value", "%s lc rgb '%s'", box, ground);
+	hawser__legend_draw(picture, &entries);
+}
+
+enum hawser_status hawser__plot_map(const char *path, const struct hawser__map_picture *map,
+                                    struct hawser_report *report)
+{
+	const double height = 12.5;
+	struct hawser__picture picture;
+	enum hawser_status status = hawser__picture_begin(&picture, path, 17.0, height, report);
+	FILE *script = picture.script;
+	double x0 = map->x[0]/map->x_axis.per, x1 = map->x[map->nx - 1]/map->x_axis.per;
+	double y0 = map->y[0]/map->y_axis.per, y1 = map->y[map->ny - 1]/map->y_axis.per;
+
+	if (status)
+		return status;
+	data(script, map);
+	hawser__map_tongues(script, map);
+	hawser__picture_panel(&picture, 0.13, 0.80, 0.26, 0.96);
+	fprintf(script, "set xrange [%.12g:%.12g]\nset yrange [%.12g:%.12g]\n", x0, x1, y0, y1);
+	hawser__picture_tics(&picture, 'x', fmin(x0, x1), fmax(x0, x1), 8);
+	hawser__picture_tics(&picture, 'y', fmin(y0, y1), fmax(y0, y1), 8);
+	colour_bar(&picture, map);
+	fprintf(script, "unset grid\nset border 15 front\n"
+	        "set object 1 rectangle from graph 0,0 to graph 1,1 behind fillcolor rgb '%s' "
+	        "fillstyle solid noborder\n", ground);
+	fprintf(script, "set xlabel '%s'\n", map->x_axis.title);
+	hawser__picture_ylabel(&picture, "%s", map->y_axis.title);
+	fprintf(script, "plot $map using 1:2:3 with image, $tongue using 1:2:1:3:2:4 with boxxyerror "
+	                "fillstyle solid noborder lc rgb '%s', "
+	                "$line using 1:2 with lines lc rgb 'black' lw 0.8\n", unstable[1]);
+	fputs("unset colorbox\n", script);
+	legend(&picture, map);
+	return hawser__picture_finish(&picture, report);
+}

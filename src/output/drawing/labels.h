@@ -1,0 +1,32 @@
+/* output/drawing/labels.h - numbers beside the points of a panel that overlap neither each other nor a
+ * line.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_OUTPUT_LABELS_H
+#define HAWSER_OUTPUT_LABELS_H
+
+struct hawser__picture;
+
+/* The axes of a panel, and the rectangles in it that are occupied. */
+struct hawser__labels {
+	double panel[4];        /* left, bottom, right, top (cm) */
+	double low[2], high[2]; /* ranges of both axes */
+	int logarithmic[2];
+	int boxes, labels;
+	double box[1024][4];    /* left, bottom, right, top (cm) */
+};
+
+/* Range of an axis that shows low to high with a margin; low and high may be equal. */
+void hawser__labels_range(struct hawser__labels *labels, int axis, double low, double high,
+                          int logarithmic);
+/* The panel at this position of the picture; to be called after both ranges are set. No labels
+ * yet. */
+void hawser__labels_panel(struct hawser__labels *labels, struct hawser__picture *picture,
+                          double left, double right, double bottom, double top);
+/* Mark the symbol of a point, or the line from `from` to `to` (x, y), as occupied. */
+void hawser__labels_symbol(struct hawser__labels *labels, double x, double y);
+void hawser__labels_line(struct hawser__labels *labels, const double from[2], const double to[2]);
+/* Place the number beside the point, in the colour of that line type, if there is space. */
+void hawser__labels_put(struct hawser__labels *labels, struct hawser__picture *picture, double x,
+                        double y, int number, int colour);
+
+#endif

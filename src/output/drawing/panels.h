@@ -1,0 +1,31 @@
+/* output/drawing/panels.h - layout of pictures with one panel per mode, in rows of up to three.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_OUTPUT_PANELS_H
+#define HAWSER_OUTPUT_PANELS_H
+
+#include <stdio.h>
+
+struct hawser__picture;
+
+enum { HAWSER__PANELS = 12 }; /* at most */
+
+/* Position of panel k. */
+struct hawser__panels {
+	int panels, columns, rows;
+	double height, bottom, top, left, width, tall;
+};
+struct hawser__panels hawser__panels_arrange(int modes);
+/* Its place alone. */
+void hawser__panels_place(struct hawser__picture *picture, const struct hawser__panels *at, int k);
+/* Its place, labels and tics; once for all the title of y. */
+void hawser__panels_open(struct hawser__picture *picture, const struct hawser__panels *at, int k,
+                         const char *xlabel, const char *ylabel);
+
+/* Title of the panel of mode k with this frequency (rad/s). */
+void hawser__panels_frequency(FILE *script, int k, double omega, const char *what);
+
+/* Factor, 1, 2 or 5 times a power of ten, that magnifies a component too small to be visible. */
+double hawser__panels_magnify(double mine, double other);
+
+#endif

@@ -1,0 +1,38 @@
+/* output/drawing/picture_choice.h - what the user has chosen of pictures: size, title, ranges.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_OUTPUT_PICTURE_CHOICE_H
+#define HAWSER_OUTPUT_PICTURE_CHOICE_H
+
+#include <stdio.h>
+
+#include <hawser/status.h>
+
+/* What the user has chosen of all pictures, in place of what a picture has. */
+struct hawser__picture_range {
+	int given;
+	double low, high; /* in the unit of the axis; -INFINITY, INFINITY: as the data are */
+	const char *text; /* as the user wrote it */
+};
+struct hawser__picture_choice {
+	const char *title;    /* above the picture; or NULL */
+	double width, height; /* cm; 0: those of the picture */
+	struct hawser__picture_range range[2]; /* x, y: of the first panel, and of others with its axis */
+};
+void hawser__picture_choose(const struct hawser__picture_choice *choice);
+
+/* Into size [2] the width and height in cm, of a picture that has these itself; with room for a
+ * title. Returns the factor of its letters: 1, or less if it is smaller. */
+double hawser__picture_size(double size[2], double width, double height);
+
+/* Fails with HAWSER_ERR_ARGUMENT if the chosen range of an axis, 'x' or 'y', is none of a logarithmic
+ * one. */
+enum hawser_status hawser__picture_logarithmic(char axis,
+                                               struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* Replace the script, which is at its begin, by one with the chosen title and ranges. `height`: of the
+ * picture itself, cm. Returns HAWSER_ERR_ARGUMENT if a logarithmic axis has no such range, and
+ * HAWSER_ERR_IO. */
+enum hawser_status hawser__picture_adjust(FILE **script, double height,
+                                          struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

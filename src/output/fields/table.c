@@ -1,0 +1,258 @@
+/* output/fields/table.c - tab-separated values that pandas and gnuplot can read directly, and numpy
+ * after the comments are removed (README.md).
+ *
+ * A table is stored until it is complete, so that a failed run prints nothing. Rows that can be
+ * computed from the result are not stored but generated on output (_rows).
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "output/fields/visit.h"
+
+static char *format_text(const char *format, va_list args)
+{
+	va_list again;
+	char *text;
+	int size;
+
+	va_copy(again, args);
+	size = vsnprintf(NULL, 0, format, again);
+	va_end(again);
+	text = size < 0 ? NULL : malloc((size_t)size + 1);
+	if (text)
+		vsnprintf(text, (size_t)size + 1, format, args);
+	return text;
+}
+
+/* Replace tabs and line ends in a name, which comes from a file or a command line. */
+static char *tame(char *text, char instead)
+{
+	char *c;
+
+	for (c = text; c && *c; c++)
+		if ((unsigned char)*c < ' ' || (instead == '_' && (*c == ' ' || *c == '#')))
+			*c = instead;
+	return text;
+}
+
+static void append(struct hawser__table *table, char ***list, int *count, char *text)
+{
+	char **grown = realloc(*list, (size_t)(*count + 1)*sizeof **list);
+
+	if (grown)
+		*list = grown;
+	if (!grown || !text) {
+		free(text);
+		table->failed = 1;
+		return;
+	}
+	grown[(*count)++] = text;
+}
+
+void hawser__table_remark(struct hawser__table *table, const char *format, ...)
+{
+	va_list args;
+
+	va_start(args, format);
+	append(table, &table->comment, &table->comments, tame(format_text(format, args), ' '));
+	va_end(args);
+}
+
+void hawser__table_comment(struct hawser__table *table, const char *format, ...)
+{
+	va_list args;
+	char *text;
+
+	va_start(args, format);
+	text = format_text(format, args);
+	va_end(args);
+	append(table, &table->comment, &table->comments,
+	       text ? tame(hawser__units_text(text), ' ') : NULL);
+	free(text);
+}
+
+void hawser__table_column(struct hawser__table *table, const char *format, ...)
+{
+	va_list args;
+
+	va_start(args, format);
+	append(table, &table->column, &table->columns, tame(format_text(format, args), '_'));
+	va_end(args);
+}
+
+static void put(struct hawser__table *table, struct hawser__cell cell)
+{
+	size_t capacity = table->capacity ? 2*table->capacity : 256;
+	struct hawser__cell *grown;
+
+	if (table->cells == table->capacity) {
+		grown = realloc(table->cell, capacity*sizeof *grown);
+		if (!grown) {
+			table->failed = 1;
+			return;
+		}
+		table->cell = grown;
+		table->capacity = capacity;
+	}
+	table->cell[table->cells++] = cell;
+}
+
+void hawser__table_number(struct hawser__table *table, double number)
+{
+	put(table, (struct hawser__cell){number + 0.0, NULL}); /* -0 becomes 0 */
+}
+
+void hawser__table_word(struct hawser__table *table, const char *word)
+{
+	put(table, (struct hawser__cell){0.0, word});
+}
+
+void hawser__table_rows(struct hawser__table *table, size_t count,
+                        void (*fill)(struct hawser__table *row, const void *context, size_t index),
+                        const void *context)
+{
+	table->rows = count;
+	table->fill = fill;
+	table->context = context;
+}
+
+/* Generate the cells of one row into a separate table; returns 0 if memory ran out. */
+static int make_row(struct hawser__table *row, const struct hawser__table *table, size_t index)
+{
+	row->cells = 0;
+	table->fill(row, table->context, index);
+	return !row->failed;
+}
+
+static enum hawser_status check_cells(const struct hawser__table *table,
+                                      const struct hawser__table *cells, size_t *rows,
+                                      struct hawser_report *report)
+{
+	size_t i;
+
+	for (i = 0; i < cells->cells; i++)
+		if (!cells->cell[i].word && !isfinite(cells->cell[i].number))
+			return hawser__fail(report, HAWSER_ERR_NAN, "table",
+			                    "%s is %g in row %zu: the result is not written",
+			                    table->column[i % (size_t)table->columns], cells->cell[i].number,
+			                    *rows + i/(size_t)table->columns + 1);
+	*rows += table->columns ? cells->cells/(size_t)table->columns : 0;
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser__table_check(const struct hawser__table *table,
+                                       struct hawser_report *report)
+{
+	struct hawser__table row = {0};
+	enum hawser_status status = HAWSER_OK;
+	size_t i, rows = 0;
+
+	if (table->failed)
+		return hawser__no_memory(report, "table");
+	for (i = 0; i < table->rows && !status; i++)
+		status = make_row(&row, table, i) ? check_cells(table, &row, &rows, report)
+		                                  : hawser__no_memory(report, "table");
+	hawser__table_clear(&row);
+	return status ? status : check_cells(table, table, &rows, report);
+}
+
+void hawser__table_print_comments(const struct hawser__table *table, FILE *stream)
+{
+	int i;
+
+	for (i = 0; i < table->comments; i++)
+		fprintf(stream, "# %s\n", table->comment[i]);
+}
+
+static int visit_cells(const struct hawser__table *cells, size_t columns, struct hawser__visitor *by)
+{
+	int stop = 0;
+
+	for (size_t i = 0; i + columns <= cells->cells && !stop && columns; i += columns)
+		stop = by->row(by->to, cells->cell + i, columns);
+	return stop;
+}
+
+int hawser__table_visit(const struct hawser__table *table, struct hawser__visitor *by)
+{
+	struct hawser__table row = {0};
+	size_t columns = (size_t)table->columns;
+	int bad = 0, stop = 0;
+
+	for (size_t i = 0; i < table->rows && !bad && !stop; i++) {
+		bad = !make_row(&row, table, i);
+		stop = !bad && visit_cells(&row, columns, by);
+	}
+	hawser__table_clear(&row);
+	if (!bad && !stop)
+		visit_cells(table, columns, by);
+	return -bad;
+}
+
+static int print_row(void *to, const struct hawser__cell *cell, size_t columns)
+{
+	FILE *stream = to;
+
+	for (size_t i = 0; i < columns; i++) {
+		if (cell[i].word)
+			fputs(cell[i].word, stream);
+		else
+			fprintf(stream, "%.17g", cell[i].number);
+		fputc(i + 1 < columns ? '\t' : '\n', stream);
+	}
+	return ferror(stream);
+}
+
+/* 0, or -1 when memory ran out. */
+static int print(const struct hawser__table *table, FILE *stream)
+{
+	struct hawser__visitor by = {print_row, stream};
+
+	hawser__table_print_comments(table, stream);
+	for (int i = 0; i < table->columns; i++)
+		fprintf(stream, "%s%c", table->column[i], i + 1 < table->columns ? '\t' : '\n');
+	return hawser__table_visit(table, &by);
+}
+
+enum hawser_status hawser__table_write(const struct hawser__table *table, const char *path,
+                                       struct hawser_report *report)
+{
+	struct hawser__file file;
+	enum hawser_status status = hawser__table_check(table, report);
+
+	if (!status)
+		status = hawser__file_begin(&file, path, report);
+	if (status)
+		return status;
+	if (print(table, file.stream)) {
+		hawser__file_abort(&file);
+		return hawser__no_memory(report, "table");
+	}
+	return hawser__file_commit(&file, report);
+}
+
+static void free_list(char **list, int count)
+{
+	int i;
+
+	for (i = 0; i < count; i++)
+		free(list[i]);
+	free(list);
+}
+
+void hawser__table_clear(struct hawser__table *table)
+{
+	if (!table)
+		return;
+	free_list(table->comment, table->comments);
+	free_list(table->column, table->columns);
+	free(table->cell);
+	free(table->owned);
+	memset(table, 0, sizeof *table);
+}

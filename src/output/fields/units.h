@@ -1,0 +1,49 @@
+/* output/fields/units.h - the units in which tables and pictures show results (--units). JSON is in SI.
+ *
+ * What is shown in SI elsewhere asks here, by the text of its SI unit ("N", "rad/s", "m/s^2"), what
+ * the user has chosen instead. A chosen length is also that of speeds, accelerations and 1/m, a
+ * chosen frequency that of (rad/s)/m^2, unless a unit was chosen for these.
+ *
+ * The choice belongs to the program: it is made once, before anything is shown.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_OUTPUT_UNITS_H
+#define HAWSER_OUTPUT_UNITS_H
+
+#include <stddef.h>
+
+#include <hawser/status.h>
+
+struct hawser__table;
+
+/* Choose by a list such as "kN, ft, Hz"; NULL and no call: SI. HAWSER_ERR_ARGUMENT names the word
+ * that is no unit, its dimension if nothing has it, or the two units of one dimension. */
+enum hawser_status hawser__units_choose(const char *list,
+                                        struct hawser_report *report) HAWSER_MUST_CHECK;
+
+enum { HAWSER__UNIT_SIZE = 32 };
+/* Values in the SI unit are divided by `per` to be shown in the unit `name`. */
+struct hawser__shown_unit {
+	double per;
+	char name[HAWSER__UNIT_SIZE];
+	int changed; /* 0: it is the SI unit itself, as it was written */
+	int chosen;  /* 1: the user has chosen this unit, perhaps the SI unit */
+};
+/* `si` may be any text; one that is no unit of results is not changed. */
+struct hawser__shown_unit hawser__shown_unit(const char *si);
+
+/* The end of a column's name for a unit: "_rad_s" for "rad/s"; "" for none. */
+void hawser__unit_end(char *text, size_t size, const char *unit);
+/* Cut the unit off a column's name that ends with it in one of its spellings. */
+void hawser__unit_cut(char *column, const char *si);
+
+/* The text with all numbers that have an SI unit in the chosen units: "12 m", "3 to 5 N", "1, 2 and
+ * 3 rad/s". They get one digit more than they had, and six at least. The caller frees it; NULL if
+ * memory ran out. */
+char *hawser__units_text(const char *text);
+
+/* Another process has shown the values, so that it is not known which units they have. */
+void hawser__units_elsewhere(void);
+/* Add comments: the units chosen, and those that nothing before in this result has. */
+void hawser__units_comments(struct hawser__table *table);
+
+#endif

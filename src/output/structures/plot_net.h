@@ -1,0 +1,14 @@
+/* output/structures/plot_net.h - a net in perspective, its cables coloured by their tension.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_OUTPUT_PLOT_NET_H
+#define HAWSER_OUTPUT_PLOT_NET_H
+
+#include <hawser/net.h>
+
+#include "output/output.h"
+
+enum hawser_status hawser__plot_net(const char *path, const struct hawser_net *net,
+                                    const struct hawser_net_statics *st, struct hawser_report *report)
+	HAWSER_MUST_CHECK;
+
+#endif

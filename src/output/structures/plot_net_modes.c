@@ -1,0 +1,172 @@
+/* output/structures/plot_net_modes.c - see plot_net_modes.h. Each panel has the equilibrium in
+ * grey and the net displaced, in the same perspective and scale. A plane net is seen aslant, so
+ * that motion in its plane and across it are both visible.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+
+#include "output/drawing/panels.h"
+#include "output/drawing/perspective.h"
+#include "output/structures/plot_net_modes.h"
+#include "output/drawing/style.h"
+
+#define LARGEST 0.12 /* of the size of the net: largest displacement drawn */
+#define WIDTH 17.0   /* cm */
+#define TITLE 0.95   /* cm, above a panel */
+#define FOOT 1.5     /* cm, of the legend */
+/* Most points drawn with thick lines; points drawn, about, but for the ends of cables. */
+enum { FEW = 400, DRAWN = 400 };
+
+static size_t index_of(const struct hawser_net_modes *modes, int k, int point)
+{
+	return (size_t)k*(size_t)modes->points + (size_t)point;
+}
+
+/* Place of a point in mode k, or in the equilibrium if k is negative. */
+static void place(double x[3], const struct hawser_net_modes *modes, int k, int point, double scale)
+{
+	for (int i = 0; i < 3; i++) {
+		x[i] = modes->place[point][i];
+		if (k >= 0)
+			x[i] += scale*modes->point[index_of(modes, k, point)][i];
+	}
+}
+
+static void data(FILE *script, struct hawser__box *seen, const struct hawser_net_modes *modes,
+                 const struct hawser__eye *eye, int k, double scale)
+{
+	int apart = 1 + modes->points/DRAWN;
+
+	fprintf(script, "$mode%d << END\n", k + 1);
+	for (int p = 0, along = 0; p < modes->points; p++, along++) {
+		int last = p + 1 == modes->points || modes->cable[p + 1] != modes->cable[p];
+		double x[3], to[2];
+
+		place(x, modes, k, p, scale);
+		hawser__eye_see(to, eye, x);
+		hawser__box_add(seen, to, 2);
+		if (p > 0 && modes->cable[p] != modes->cable[p - 1]) {
+			fputs("\n", script);
+			along = 0;
+		}
+		if (along % apart && !last)
+			continue;
+		fprintf(script, "%.6g %.6g\n", to[0], to[1]);
+	}
+	fputs("END\n", script);
+}
+
+/* What the mode is, in a few words: the title has room for some 12 letters after the frequency. */
+static void describe(char *text, size_t size, const struct hawser_net_modes *modes, int k)
+{
+	const char *plane = hawser_net_plane_side(modes->parity[k][0]);
+	int most = 0;
+
+	for (int i = 1; i < 3; i++)
+		if (modes->share[k][i] > modes->share[k][most])
+			most = i;
+	if (modes->along[k] > 0.5)
+		snprintf(text, size, "longitudinal");
+	else if (plane)
+		snprintf(text, size, "%s", plane);
+	else
+		snprintf(text, size, "%.0f %% {/:Italic %c}", 100.0*modes->share[k][most], "xyz"[most]);
+}
+
+/* Symmetry, waves and pair, below the title: "sym/anti, 1 wave, pair 2", or "symmetric". */
+static void subtitle(FILE *script, const struct hawser_net_modes *modes, int k)
+{
+	const char *comma = "";
+	int mirrors = modes->symmetry.mirrors;
+
+	fputs("set label 1 '", script);
+	for (int i = 0; i < mirrors; i++, comma = i < mirrors ? "/" : ", ") {
+		const char *side = hawser_net_side(modes->parity[k][1 + i]);
+
+		int letters = mirrors == 1 ? 13 : side[0] == 's' ? 3 : side[0] == 'a' ? 4 : 5;
+
+		fprintf(script, "%s%.*s", comma, letters, side);
+	}
+	if (modes->waves[k] >= 0) {
+		fprintf(script, "%s%d wave%s", comma, modes->waves[k], modes->waves[k] == 1 ? "" : "s");
+		comma = ", ";
+	}
+	if (modes->pair[k] >= 0)
+		fprintf(script, "%spair %d", comma, modes->pair[k] + 1);
+	fputs("' at graph 0.5, graph 1.0 center tc rgb '#606060'\n", script);
+}
+
+static void legend(struct hawser__picture *picture, int panels)
+{
+	struct hawser__legend entries = {0};
+	char text[80];
+
+	snprintf(text, sizeof text, "%s, displaced by %.0f %% of the size of the net",
+	         panels > 1 ? "modes" : "mode", 100.0*LARGEST);
+	hawser__legend_add(&entries, "equilibrium", "with lines lw 1.6 lc rgb '#a8a8a8'");
+	hawser__legend_add(&entries, text, "with lines lt 1");
+	hawser__legend_draw(picture, &entries);
+}
+
+/* Without room for the titles of axes. */
+static struct hawser__panels arrange(int modes)
+{
+	struct hawser__panels at = hawser__panels_arrange(modes);
+
+	at.height = FOOT + 4.3*at.rows;
+	at.bottom = FOOT/at.height;
+	at.left = 0.03;
+	at.width = (1.0 - at.left)/at.columns;
+	at.tall = (at.top - at.bottom)/at.rows;
+	return at;
+}
+
+static struct hawser__eye eye_of(const struct hawser_net_modes *modes)
+{
+	struct hawser__box box = {.any = 0};
+	struct hawser__eye eye;
+
+	for (int p = 0; p < modes->points; p++)
+		hawser__box_add(&box, modes->place[p], 3);
+	hawser__eye_look(&eye, &box, HAWSER__ASLANT,
+	                 modes->symmetry.flat ? modes->symmetry.plane.normal : NULL);
+	return eye;
+}
+
+enum hawser_status hawser__plot_net_modes(const char *path, const struct hawser_net_modes *modes,
+                                          struct hawser_report *report)
+{
+	const struct hawser__panels at = arrange(modes->n);
+	struct hawser__picture picture;
+	enum hawser_status status = hawser__picture_begin(&picture, path, WIDTH, at.height, report);
+	FILE *script = picture.script;
+	struct hawser__eye eye = eye_of(modes);
+	struct hawser__box seen = {.any = 0};
+	double width = WIDTH*(at.width - 0.032), height = at.tall*at.height - TITLE;
+	const struct hawser__corner corner = {WIDTH - 1.0, 0.75, WIDTH, at.height};
+	double line = modes->points <= FEW ? 1.6 : modes->points <= 10*FEW ? 0.9 : 0.5;
+
+	if (status)
+		return status;
+	data(script, &seen, modes, &eye, -1, 0.0);
+	for (int k = 0; k < at.panels; k++)
+		data(script, &seen, modes, &eye, k, LARGEST*eye.size);
+	fputs("unset border\nunset xtics\nunset ytics\nunset grid\n", script);
+	hawser__eye_fit(script, &seen, width, height);
+	for (int k = 0; k < at.panels; k++) {
+		char text[80];
+
+		hawser__panels_place(&picture, &at, k);
+		describe(text, sizeof text, modes, k);
+		hawser__panels_frequency(script, k, modes->omega[k], text);
+		fputs("unset label\nunset arrow\n", script);
+		subtitle(script, modes, k);
+		if (k == 0)
+			hawser__eye_axes(script, &eye, &corner);
+		fprintf(script, "plot $mode0 using 1:2 with lines lw %g lc rgb '#a8a8a8', "
+		        "$mode%d using 1:2 with lines lt 1 lw %g\n", line, k + 1, line);
+	}
+	legend(&picture, at.panels);
+	return hawser__picture_finish(&picture, report);
+}

@@ -1,0 +1,16 @@
+/* output/structures/plot_obstacles.h - a span over obstacles: the rope with the circles and the
+ * same rope without them; tensions, with the limits of friction.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_OUTPUT_PLOT_OBSTACLES_H
+#define HAWSER_OUTPUT_PLOT_OBSTACLES_H
+
+#include <hawser/obstacles.h>
+
+#include "output/output.h"
+
+enum hawser_status hawser__plot_obstacles(const char *path, const struct hawser_obstacles *scene,
+                                          const struct hawser_obstacles_statics *st,
+                                          struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

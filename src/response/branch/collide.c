@@ -1,0 +1,219 @@
+/* response/branch/collide.c - see collide.h.
+ *
+ *    lambda   log |mu| + i arg mu, arg mu in (0, pi): a complex pair of multipliers
+ *    D        (lambda_i - lambda_j)^2
+ *    S        Re(lambda_i + lambda_j)
+ *
+ * If the damping is proportional to the mass, all pairs have the same modulus until two of them
+ * collide. They then separate in radial direction; one may leave the unit circle, return and
+ * collide with the other again. This makes two torus points, between which no station need lie, and
+ * the moduli at the stations do not show them. D and S, however, are smooth along the branch even
+ * at the collision, and the larger growth of the two pairs is S/2 + Re sqrt(D)/2. D and S are
+ * therefore interpolated through the last stations. The step is too long if the growth, with the
+ * error of the interpolation, may exceed the error of the multipliers within it.
+ *
+ * The two multipliers of one pair collide at 1 or -1 and then separate along the real axis: two folds,
+ * branch points or period doublings. With damping they do so inside the unit circle. Without it they
+ * are on the circle until they collide, and the same D, of lambda and its conjugate plus 0 or 2 pi i,
+ * shows whether a step passes over it. This is looked at where multipliers are undecided (circle.h).
+ *
+ * Reference: Seyranian and Mailybaev, Multiparameter Stability Theory with Mechanical Applications
+ * (2003), ch. 2: perturbation of double eigenvalues.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <complex.h>
+#include <math.h>
+#include <string.h>
+
+#include "response/branch/collide.h"
+
+#define SAMPLES 8       /* points within a step at which the growth is evaluated; chosen */
+#define TURN 0.5        /* largest change of an argument per step, rad, with which pairs can be
+                         * identified; chosen */
+/* Factor on the error of D of one pair, which was up to 2.1 times the third difference (random undamped
+ * models). */
+#define SAFETY 3.0
+#define CLOSE 1.0       /* distance at both ends, rad, above which pairs do not collide within a
+                         * step; chosen */
+
+/* The complex pairs of one station without those of condensed coordinates; returns their number. */
+static int list(double complex *lambda, const struct hawser__station *station, int m)
+{
+	int count = 0;
+
+	for (int i = 0; i < m; i++)
+		if (station->argument[i] > 0.0 && station->argument[i] < M_PI && !station->condensed[i])
+			lambda[count++] = station->log_modulus[i] + I*station->argument[i];
+	return count;
+}
+
+/* An argument beyond 0 or pi is that of the conjugate. */
+static double complex reflect(double complex lambda)
+{
+	double angle = fabs(cimag(lambda));
+
+	return creal(lambda) + I*(angle > M_PI ? 2.0*M_PI - angle : angle);
+}
+
+/* Order next [count] like expected [count]; room is [count]. Those that are nearest to each other are
+ * identified first: in the order of the list, a pair would take the place of another that it only
+ * passes. Returns the largest distance. */
+static double match(double complex *next, const double complex *expected, double complex *room,
+                    int count)
+{
+	double worst = 0.0;
+
+	for (int i = 0; i < count; i++)
+		room[i] = NAN;
+	for (int k = 0; k < count; k++) {
+		double least = INFINITY;
+		int to = 0, from = 0;
+
+		/* the parts that are identified already are NaN, which is not less than anything */
+		for (int i = 0; i < count; i++)
+			for (int j = 0; j < count && isnan(creal(room[i])); j++) {
+				double complex gap = next[j] - expected[i];
+				double square = creal(gap)*creal(gap) + cimag(gap)*cimag(gap);
+
+				if (square < least) {
+					least = square;
+					to = i;
+					from = j;
+				}
+			}
+		if (isinf(least))
+			return INFINITY;
+		room[to] = next[from];
+		next[from] = NAN;
+		worst = fmax(worst, least);
+	}
+	memcpy(next, room, (size_t)count*sizeof *next);
+	return sqrt(worst);
+}
+
+/* Interpolate values g [4] at the four stations at arclengths s: value at `at`, and *error, the
+ * contribution of the third difference. */
+static double complex interpolate(double *error, const double complex *g, const double *s, double at)
+{
+	double complex d[4] = {g[3], g[2], g[1], g[0]};
+	double x[4] = {s[3], s[2], s[1], s[0]};
+
+	for (int k = 1; k < 4; k++)
+		for (int i = 3; i >= k; i--)
+			d[i] = (d[i] - d[i - 1])/(x[i] - x[i - k]);
+	*error = cabs(d[3]*(at - x[0])*(at - x[1])*(at - x[2]));
+	return d[0] + (at - x[0])*(d[1] + (at - x[1])*d[2]);
+}
+
+/* Position of the extreme of the parabola through the real parts of g at stations b and c, the ends of
+ * a step, and at a, or of the nearer end of the step. */
+static double turning_point(const double complex *g, const double *s, int a, int b, int c)
+{
+	double first = creal(g[b] - g[c])/(s[b] - s[c]);
+	double second = (creal(g[a] - g[b])/(s[a] - s[b]) - first)/(s[a] - s[c]);
+	double at = second != 0.0 ? 0.5*(s[b] + s[c] - first/second) : s[b];
+
+	return fmax(s[b], fmin(s[c], at));
+}
+
+/* Error of pair lambda of the station. */
+static double bound_of(const struct hawser__station *station, int m, double complex lambda)
+{
+	for (int i = 0; i < m; i++)
+		if (station->log_modulus[i] == creal(lambda) && station->argument[i] == cimag(lambda))
+			return station->bound[i];
+	return 0.0;
+}
+
+/* Two multipliers that may collide: of pairs i and j, or, for i = j, both of one pair, at the argument
+ * `centre` (0 or pi). */
+struct couple {
+	int i, j;
+	double centre;
+};
+
+/* Whether two multipliers, which are inside the unit circle at both ends of the step, may be outside
+ * between them; lambda [4][count]. */
+static int grows(const double complex *lambda, int count, struct couple couple, const double *s,
+                 const struct hawser__station *const station[4], int step, int m)
+{
+	double complex D[4], S[4];
+	double bound = 0.0;
+
+	for (int k = 0; k < 4; k++) {
+		double complex a = lambda[k*count + couple.i], own = lambda[k*count + couple.j];
+		double complex b = couple.i == couple.j ? conj(own) + 2.0*I*couple.centre : own;
+
+		D[k] = (a - b)*(a - b);
+		S[k] = creal(a + b);
+		if (k == step || k == step + 1) {
+			double of_a = bound_of(station[k], m, a), of_b = bound_of(station[k], m, own);
+
+			if (creal(a) > of_a || creal(b) > of_b)
+				return 0;
+			bound = fmax(bound, fmax(of_a, of_b));
+		}
+	}
+	for (int e = 0; e < SAMPLES; e++) {
+		double at = e > 0 ? s[step] + (s[step + 1] - s[step])*e/SAMPLES
+		            : turning_point(D, s, step - 1, step, step + 1), off_D, off_S;
+		double complex sum = interpolate(&off_S, S, s, at);
+		double complex difference = interpolate(&off_D, D, s, at);
+
+		off_D *= couple.i == couple.j ? SAFETY : 1.0;
+		if (0.5*(creal(sum) + off_S + creal(csqrt(difference + off_D))) > bound)
+			return 1;
+	}
+	return 0;
+}
+
+/* lambda [2][count]: at both ends of the step. */
+static int near_by(const double complex *lambda, int count, int i, int j)
+{
+	return cabs(lambda[i] - lambda[j]) < CLOSE || cabs(lambda[count + i] - lambda[count + j]) < CLOSE;
+}
+
+/* Whether the multipliers of pair i may have collided with each other and separated. */
+static int grows_alone(const double complex *lambda, int count, int i, const double *s,
+                       const struct hawser__station *const station[4], int step, int m)
+{
+	double argument = cimag(lambda[(step + 1)*count + i]);
+	struct couple couple = {i, i, argument > M_PI_2 ? M_PI : 0.0};
+
+	return station[step]->circle.undecided > 0 && station[step + 1]->circle.undecided > 0 &&
+	       fabs(argument - couple.centre) < 0.5*CLOSE &&
+	       grows(lambda, count, couple, s, station, step, m);
+}
+
+int hawser__collide(const struct hawser__station *const station[4], int step, int m,
+                    double complex *lambda)
+{
+	double complex *expected = lambda + 4*(m/2);
+	double s[4];
+	int count = 0, found = 0;
+
+	for (int k = 0; k < 4 && (k == 0 || count > 0); k++) {
+		double complex *here = lambda + k*count, *before = here - count;
+		int now = list(here, station[k], m);
+
+		s[k] = station[k]->arc;
+		if (k == 0)
+			count = now;
+		else if (now != count)
+			count = 0;
+		for (int i = 0; k > 0 && i < count; i++)
+			expected[i] = k == 1 ? before[i] : reflect(before[i] +
+				(before[i] - before[i - count])*(s[k] - s[k - 1])/(s[k - 1] - s[k - 2]));
+		if (k > 0 && count > 0 && match(here, expected, expected + count, count) > TURN)
+			count = 0;
+	}
+	for (int i = 0; i < count && !found; i++) {
+		found = grows_alone(lambda, count, i, s, station, step, m);
+		for (int j = 0; j < i && !found; j++)
+			found = near_by(lambda + step*count, count, i, j) &&
+			        grows(lambda, count, (struct couple){i, j, 0.0}, s, station, step, m);
+	}
+	return found;
+}

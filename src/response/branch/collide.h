@@ -1,0 +1,16 @@
+/* response/branch/collide.h - multipliers that collide, leave the unit circle and return within
+ * one step of the continuation. SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_RESPONSE_COLLIDE_H
+#define HAWSER_RESPONSE_COLLIDE_H
+
+#include <complex.h>
+
+#include "response/branch/station.h"
+
+/* Whether two complex pairs of the m multipliers, or one of undecided ones, may be outside the unit
+ * circle somewhere between station[step] and station[step + 1] of four successive stations, at which
+ * they are inside. work is [3 m]. */
+int hawser__collide(const struct hawser__station *const station[4], int step, int m,
+                    double complex *work);
+
+#endif

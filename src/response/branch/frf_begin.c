@@ -1,0 +1,196 @@
+/* response/branch/frf_begin.c - the first orbit of a branch.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "response/orbit/start.h"
+#include "response/branch/trace.h"
+
+#define FIRST_REFINEMENTS 3 /* refinements of the mesh at the first orbit; chosen */
+#define FIRST_STEP 0.05 /* relative to the orbit's size; short, since the first prediction has one
+                         * tangent only; chosen */
+
+/* From a state [m], or NULL. If the mesh is too coarse for the first orbit, Newton's method fails even
+ * for a good initial value: refine it and try again. */
+static enum hawser_status start(struct hawser__trace *trace, const double *x,
+                                struct hawser__raised *raised)
+{
+	const struct hawser_rom_family *family = trace->options.family;
+	struct hawser__orbit *orbit = trace->orbit;
+	enum hawser_status status;
+
+	for (int refined = 0;; refined++) {
+		double omega = trace->options.begin;
+
+		orbit->family = NULL; /* at the parameter `begin`, with Omega as the last unknown */
+		if (family && (status = family->model(family->context, &orbit->rom, omega, trace->report)))
+			return status;
+		if (family)
+			omega = family->omega*orbit->rom->time;
+		status = hawser__start(trace->here.y, orbit, &trace->here.correction, x, omega,
+		                       trace->options.tolerance, raised, trace->report);
+		orbit->family = family;
+		if (family)
+			trace->here.y[orbit->size - 1] = trace->options.begin;
+		if (status != HAWSER_ERR_CONVERGENCE || refined == FIRST_REFINEMENTS)
+			return status;
+		if ((status = orbit->ops->enrich(orbit, trace->report)))
+			return status;
+	}
+}
+
+/* No way led to an orbit; tried[] is empty where a way was not tried. */
+static enum hawser_status no_orbit(const struct hawser__trace *trace, double load,
+                                   char tried[HAWSER__WAYS][80])
+{
+	const struct hawser__orbit *orbit = trace->orbit;
+	const struct hawser_rom_family *family = trace->options.family;
+	double omega = family ? family->omega*orbit->rom->time : trace->options.begin;
+	char ways[240] = "";
+
+	if (tried[0][0])
+		snprintf(ways, sizeof ways, ", nor did curves lead there: over the load (%s)%s%s%s", tried[0],
+		         *tried[1] ? " or from the other end of the range (" : "", tried[1],
+		         *tried[1] ? ")" : "");
+	return hawser__fail_at(trace->report, HAWSER_ERR_CONVERGENCE, "frf",
+	                       trace->here.correction.iterations, trace->here.correction.residual,
+	                       "no periodic orbit found at Omega %.9g%s: the load could be raised to %.3g "
+	                       "of its value only, and the motion from rest did not settle%s; start at "
+	                       "another frequency, or from a state of your own",
+	                       HAWSER_SHOWN(orbit->rom, omega), load, ways);
+}
+
+static enum hawser_status first_orbit(struct hawser__trace *trace)
+{
+	int ways = trace->watch && trace->watch->direct ? 0 : HAWSER__WAYS, found;
+	char tried[HAWSER__WAYS][80] = {"", ""};
+	struct hawser__raised raised = {.x = trace->start_y};
+	double *x = trace->mark_y;
+	enum hawser_status status = start(trace, trace->options.start, &raised);
+
+	if (status != HAWSER_ERR_CONVERGENCE || raised.load < 0.0)
+		return status;
+	for (int way = 0; way < ways; way++) {
+		if ((status = hawser__detour(x, &found, tried[way], trace, way, &raised)))
+			return status;
+		if (!found)
+			continue;
+		status = start(trace, x, &(struct hawser__raised){.load = 0.0});
+		if (status != HAWSER_ERR_CONVERGENCE)
+			return status;
+		snprintf(tried[way], sizeof tried[way], "its last orbit could not be taken over");
+	}
+	return no_orbit(trace, raised.load, tried);
+}
+
+/* The point to which a closed curve returns: the point of the curve nearest to the first orbit.
+ * Near a fold Omega determines an orbit badly, and any point nearby serves as well. */
+static enum hawser_status mark_start(struct hawser__trace *trace)
+{
+	int size = trace->orbit->size, failed;
+	enum hawser_status status;
+
+	memcpy(trace->next.y, trace->here.y, (size_t)size*sizeof(double));
+	status = hawser__trace_correct(trace, &trace->next, trace->here.t, &failed);
+	if (!status && !failed)
+		memcpy(trace->start_y, trace->next.y, (size_t)size*sizeof(double));
+	return status;
+}
+
+/* The initial direction of Omega. */
+static double heading(const struct hawser_frf_options *options)
+{
+	if (options->direction)
+		return options->direction < 0 ? -1.0 : 1.0;
+	return options->to > options->from ? 1.0 : -1.0;
+}
+
+/* The initial value at the distance `along` from `start`, and the direction between them, on a
+ * discretisation `refined` times finer than their states alone suggest: what they leave out is small
+ * beside the orbit, but need not be so beside `along`. */
+static enum hawser_status aim(struct hawser__trace *trace, int refined)
+{
+	const struct hawser_frf_options *options = &trace->options;
+	struct hawser__orbit *orbit = trace->orbit;
+	double *x = trace->mark_y, *base = trace->next.y, *y = trace->here.y, length;
+	enum hawser_status status;
+
+	for (int i = 0; i < orbit->m; i++)
+		x[i] = options->start[i] + options->along[i];
+	if ((status = orbit->ops->enrich(orbit, trace->report)) ||
+	    (status = orbit->ops->from_state(orbit, base, options->start, options->begin, trace->report)) ||
+	    (status = orbit->ops->from_state(orbit, y, x, options->begin, trace->report)))
+		return status;
+	for (int i = 0; i < refined && !status; i++)
+		status = orbit->ops->enrich(orbit, trace->report);
+	if (status)
+		return status;
+	y[orbit->size - 1] = base[orbit->size - 1] = options->begin;
+	orbit->ops->metric(orbit, base);
+	for (int i = 0; i < orbit->size; i++)
+		trace->direction[i] = y[i] - base[i];
+	length = sqrt(hawser__orbit_dot(orbit, trace->direction, trace->direction));
+	for (int i = 0; i < orbit->size; i++)
+		trace->direction[i] /= length;
+	return HAWSER_OK;
+}
+
+/* The orbit at the distance `along` from `start`: corrected in the plane through it that is normal to
+ * this direction. */
+static enum hawser_status first_along(struct hawser__trace *trace, int *failed)
+{
+	struct hawser__orbit *orbit = trace->orbit;
+	enum hawser_status status = HAWSER_OK;
+
+	*failed = 1;
+	for (int refined = 1; *failed && refined <= FIRST_REFINEMENTS; refined++) {
+		if (!(status = aim(trace, refined)))
+			status = hawser__trace_correct(trace, &trace->here, trace->direction, failed);
+		if (status)
+			return status;
+	}
+	return *failed ? status
+	       : hawser__station_finish(&trace->here, orbit, trace->direction, trace->report);
+}
+
+enum hawser_status hawser__trace_begin(struct hawser__trace *trace)
+{
+	struct hawser__orbit *orbit = trace->orbit;
+	int failed;
+	enum hawser_status status;
+
+	if (trace->options.along) {
+		status = first_along(trace, &failed);
+	} else {
+		if ((status = first_orbit(trace)))
+			return status;
+		status = hawser__trace_settle(trace, &trace->here, heading(&trace->options), NULL,
+		                              &failed);
+	}
+	if (status)
+		return status;
+	if (failed && trace->options.along)
+		return hawser__fail_at(trace->report, HAWSER_ERR_CONVERGENCE, "frf",
+		                       trace->here.correction.iterations,
+		                       trace->here.correction.residual,
+		                       "no orbit was found at the given distance from that at %s",
+		                       hawser__orbit_where(orbit, trace->options.begin).text);
+	if (failed)
+		return hawser__fail_at(trace->report, HAWSER_ERR_CONVERGENCE, "frf",
+		                       trace->here.correction.iterations,
+		                       trace->here.correction.residual,
+		                       "the first orbit, at %s, was lost when its mesh was refined",
+		                       hawser__orbit_where(orbit, trace->options.begin).text);
+	if ((status = hawser__trace_determined(trace, &trace->here)))
+		return status;
+	memcpy(trace->start_y, trace->here.y, (size_t)orbit->size*sizeof(double));
+	trace->known = 1;
+	trace->curve.ds = fmin(FIRST_STEP, hawser__trace_longest(trace));
+	status = hawser__record_point(trace->frf, trace->amplitude, &trace->here, orbit,
+	                              trace->report);
+	return status || trace->options.begin == trace->options.from ? status : mark_start(trace);
+}

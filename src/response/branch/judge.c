@@ -1,0 +1,214 @@
+/* response/branch/judge.c - whether a step of the continuation is accepted.
+ *
+ * Two errors are possible. First, next may lie on another branch: bifurcations that a small load
+ * has unfolded leave branches close to each other. Limits on the work of the corrector exclude
+ * this. Second, two events in the step may cancel each other and be lost. This is excluded by
+ * counting: the sign changes of the test functions must explain the change of the number of
+ * unstable multipliers, with one event per step.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <complex.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "core/report.h"
+#include "response/branch/collide.h"
+#include "response/branch/trace.h"
+
+#define WORST_ANGLE 0.4        /* largest angle between successive tangents, rad; chosen */
+#define WORST_DISTANCE 5e-2    /* largest distance of the prediction from the branch, relative to
+                                * the orbit; chosen */
+#define WORST_CONTRACTION 0.2 /* largest contraction of Newton's method: with a larger one the curve
+                               * bends within the step; chosen */
+#define WORST_ITERATIONS 5 /* more iterations mean that the prediction is too far from the curve;
+                            * chosen */
+#define SHALLOW 0.1             /* a minimum of more than this fraction of the values at the ends of
+                                 * a step hides no crossing; chosen */
+#define UNSURE 0.5              /* the same for a modulus, which bends sharply where two pairs pass each
+                                 * other; chosen */
+#define NEAR 0.3                /* distance from 1 or -1 below which multipliers are included;
+                                 * chosen */
+
+/* Whether the parabola through g at three stations crosses zero twice between the last two of them,
+ * while g has the same sign at both: a sign of two crossings in one step. The stations follow one
+ * another in either direction. */
+static int hides_crossings(double s0, double g0, double s1, double g1, double s2, double g2)
+{
+	double d01 = (g1 - g0)/(s1 - s0), d12 = (g2 - g1)/(s2 - s1);
+	double curvature = (d12 - d01)/(s2 - s0); /* half the second derivative */
+	double slope = d12 - curvature*(s2 - s1); /* at s1 */
+	double at = curvature != 0.0 ? -slope/(2.0*curvature) : 0.0; /* of the extreme, from s1 */
+
+	if ((g1 < 0.0) != (g2 < 0.0) || at/(s2 - s1) <= 0.0 || at/(s2 - s1) >= 1.0)
+		return 0;
+	return (g1 + 0.5*slope*at < 0.0) != (g1 < 0.0);
+}
+
+/* The same of g less a fraction of its smaller value at b and c, by which the parabola may be wrong. */
+static int approaches_zero(const struct hawser__station *a, const struct hawser__station *b,
+                           const struct hawser__station *c, const double g[3], double fraction)
+{
+	double below = fraction*(g[2] < 0.0 ? -1.0 : 1.0)*fmin(fabs(g[1]), fabs(g[2]));
+
+	return (g[1] < 0.0) == (g[2] < 0.0) &&
+	       hides_crossings(a->arc, g[0] - below, b->arc, g[1] - below, c->arc, g[2] - below);
+}
+
+/* For modulus i, which counts as outside only if it exceeds its error. If it does not at the ends of
+ * the step, the parabola would be round-off, and nothing is concluded. */
+static int hides_modulus(const struct hawser__station *a, const struct hawser__station *b,
+                         const struct hawser__station *c, int i)
+{
+	double bound = fmax(a->bound[i], fmax(b->bound[i], c->bound[i]));
+	double g[3] = {a->log_modulus[i] - bound, b->log_modulus[i] - bound, c->log_modulus[i] - bound};
+
+	return (fabs(b->log_modulus[i]) > bound || fabs(c->log_modulus[i]) > bound) &&
+	       approaches_zero(a, b, c, g, UNSURE);
+}
+
+static int is_near(const struct hawser__station *station, int i, double c)
+{
+	double r = exp(station->log_modulus[i]);
+
+	return !station->condensed[i] && 1.0 - 2.0*c*r*cos(station->argument[i]) + r*r <= NEAR*NEAR;
+}
+
+/* Product of (1 - c mu), c = 1 or -1, over the multipliers near c; returns their number. It is
+ * smooth along the branch, unlike the moduli, which have a kink where a pair meets on the real
+ * axis. */
+static int product_near(double *product, const struct hawser__station *station, int m, double c)
+{
+	int count = 0;
+
+	*product = 1.0;
+	for (int i = 0; i < m; i++) {
+		double r = exp(station->log_modulus[i]), angle = station->argument[i];
+
+		if (!is_near(station, i, c))
+			continue;
+		count++;
+		if (angle == 0.0 || fabs(angle) >= M_PI)
+			*product *= -expm1(station->log_modulus[i]);
+		else if (angle > 0.0)
+			*product *= 1.0 - 2.0*c*r*cos(angle) + r*r;
+	}
+	return count;
+}
+
+/* The same of (1 - mu nu) over all couples of multipliers near c, which is zero at a torus point and
+ * as smooth. Two pairs that collide beside c, of which one has just met on the real axis, may leave
+ * the unit circle and return; there, collide.c has not the same pairs at all stations. Couples of
+ * which one is real are complex, and so are some of two pairs: each comes with its conjugate. */
+static int product_couples(double *product, const struct hawser__station *station, int m, double c)
+{
+	double complex all = 1.0;
+	int count = 0;
+
+	for (int i = 0; i < m; i++) {
+		if (!is_near(station, i, c))
+			continue;
+		count++;
+		for (int j = 0; j < i; j++)
+			if (is_near(station, j, c))
+				all *= 1.0 - cexp(station->log_modulus[i] + station->log_modulus[j] +
+				                  I*(station->argument[i] + station->argument[j]));
+	}
+	*product = creal(all);
+	return count > 2 ? count : 0;
+}
+
+/* A pair may meet on the real axis, leave the unit circle through `centre` and return within one
+ * step; before that, its product approaches zero. A step towards a minimum is halved until its
+ * parabola is reliable. Multipliers of high modes rotate past `centre` from station to station;
+ * they are different ones each time and are not considered. */
+static int hides_excursion(const struct hawser__station *a, const struct hawser__station *b,
+                           const struct hawser__station *c, int m, double centre,
+                           int product(double *, const struct hawser__station *, int, double))
+{
+	double g[3];
+	int count = product(&g[0], a, m, centre);
+
+	return count > 1 && product(&g[1], b, m, centre) == count &&
+	       product(&g[2], c, m, centre) == count && approaches_zero(a, b, c, g, SHALLOW);
+}
+
+/* Two crossings of the unit circle, or two folds, between b and c change neither the signs nor the
+ * count; a is the station beyond b. */
+static int hides(const struct hawser__trace *trace, const struct hawser__station *a,
+                 const struct hawser__station *b, const struct hawser__station *c)
+{
+	int m = trace->orbit->m, last = trace->orbit->size - 1;
+
+	for (int i = 0; i < m; i++)
+		if (hides_modulus(a, b, c, i))
+			return 1;
+	for (int centre = -1; centre <= 1; centre += 2)
+		if (hides_excursion(a, b, c, m, centre, product_near) ||
+		    hides_excursion(a, b, c, m, centre, product_couples))
+			return 1;
+	return hides_crossings(a->arc, a->t[last], b->arc, b->t[last], c->arc, c->t[last]);
+}
+
+static int collided(const struct hawser__trace *trace, int step)
+{
+	const struct hawser__station *all[4] = {&trace->before, &trace->prev, &trace->here, &trace->next};
+
+	return trace->known > 2 && hawser__collide(all, step, trace->orbit->m, trace->pairs);
+}
+
+int hawser__trace_hides(const struct hawser__trace *trace)
+{
+	return trace->known > 1 &&
+	       (collided(trace, 2) || hides(trace, &trace->prev, &trace->here, &trace->next));
+}
+
+/* What lies between two stations looks different from either side: an interval in which the motion is
+ * unstable may be long before a curve of small slope, and short behind it. The step to `here` is
+ * therefore judged again when `next` is known. */
+int hawser__trace_hid(const struct hawser__trace *trace)
+{
+	return trace->known > 1 && trace->here.arc - trace->prev.arc > HAWSER__SORTING_STEP &&
+	       (collided(trace, 1) || hides(trace, &trace->next, &trace->here, &trace->prev));
+}
+
+/* Whether the corrector had so little work that the point must be on the same branch. */
+int hawser__trace_trusted(const struct hawser__correction *correction, double angle)
+{
+	return angle <= WORST_ANGLE && correction->first <= WORST_DISTANCE &&
+	       correction->contraction <= WORST_CONTRACTION &&
+	       correction->iterations <= WORST_ITERATIONS;
+}
+
+/* Size of the orbit at trace->here, whose metric is set; the equilibrium has size 0. */
+static double size_of(const struct hawser__trace *trace)
+{
+	for (int i = 0; i + 1 < trace->orbit->size; i++)
+		if (trace->here.y[i] != 0.0)
+			return trace->orbit->X;
+	return 0.0;
+}
+
+enum hawser_status hawser__trace_vanish(struct hawser__trace *trace, int *vanished)
+{
+	struct hawser_frf *frf = trace->frf;
+	struct hawser_frf_event event;
+	enum hawser_status status;
+
+	*vanished = 0;
+	if (trace->options.family)
+		return HAWSER_OK;
+	status = hawser__vanish(&trace->shrinking, vanished, &event, trace->rom, size_of(trace),
+	                        hawser__trace_parameter(trace, &trace->here), trace->report);
+
+	if (status || !*vanished)
+		return status;
+	frf->end = HAWSER_END_AT_REST;
+	event.arc = trace->here.arc;
+	event.after = frf->points - 1;
+	event.unstable[0] = event.unstable[1] = trace->here.circle.unstable;
+	return trace->options.skip_events ? HAWSER_OK
+	                                  : hawser__record_event(frf, &event, NULL, trace->rom,
+	                                                         trace->report);
+}

@@ -1,0 +1,169 @@
+/* response/branch/trace.h - the state of a continuation of periodic orbits, and the functions that its
+ * files share.
+ *
+ * frf.c starts, follows and ends the branch; step.c has the operations of a step
+ * (continuation/curve.h); judge.c decides whether a step is accepted; closure.c detects closed
+ * curves; slack.c finds where a cable goes slack, which ends its branch.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_RESPONSE_TRACE_H
+#define HAWSER_RESPONSE_TRACE_H
+
+#include <complex.h>
+
+#include "continuation/curve.h"
+#include "response/branch/account.h"
+#include "response/time/flow.h"
+#include "response/branch/record.h"
+#include "response/branch/station.h"
+#include "response/branch/vanish.h"
+
+/* Arclength. In a shorter step, events are not separated further; chosen. */
+#define HAWSER__SORTING_STEP 1e-4
+
+struct hawser__trace;
+
+/* A caller that receives the orbits of located events, y [size] in the unknowns of the method. An
+ * event may be located again when its step is repeated. `step` is called after each accepted step, from
+ * trace->here to trace->next, whose events are in trace->account; it may use the scratch station.
+ * `back` takes the last such step back, which is then made again, shorter. Each may be NULL. */
+struct hawser__trace_watch {
+	void (*event)(void *context, const struct hawser_frf_event *event,
+	              const struct hawser__orbit *orbit, const double *y);
+	void *context;
+	enum hawser_status (*step)(void *context, struct hawser__trace *trace);
+	void (*back)(void *context);
+	int direct; /* 1: no detours are tried for the first orbit */
+	int coarse; /* 1: longer steps: the trace is a detour itself (detour.c) */
+};
+
+struct hawser__trace {
+	const struct hawser_rom *rom;
+	struct hawser_frf_options options;
+	struct hawser_frf *frf;
+	struct hawser__orbit *orbit;
+	const struct hawser__trace_watch *watch; /* or NULL */
+	struct hawser__amplitude *amplitude;
+	struct hawser__station before, prev, here, next, scratch;
+	struct hawser__account account; /* events of the step from here to next */
+	int retries;                    /* repetitions of this step because events did not explain the
+	                                 * count */
+	double *direction, *side; /* [size] */
+	double complex *pairs;  /* [5 m/2] workspace of hawser__collide */
+	double *start_y;        /* [size] first point, to detect a closed curve */
+	double *mark_y, *mark_t; /* [size] a later point and its tangent, to detect a jump */
+	int marked;             /* index of that point; 0: none */
+	int jumped;             /* 1: the curve returned to that point */
+	struct hawser__curve curve;
+	double lo, hi;
+	double began;           /* s, hawser__wall_seconds */
+	int enriched;           /* number of finer discretisations already used in this step */
+	double undetermined;    /* error of the orbit before the last of them */
+	struct hawser__shrinking shrinking;
+	int slack;              /* 1: the curve ends at next, where the cable goes slack */
+	int known; /* number of stations before `here`, and `here` itself */
+	struct hawser_report *report;
+};
+
+/* Omega, or the parameter of the family. */
+static inline double hawser__trace_parameter(const struct hawser__trace *trace,
+                                         const struct hawser__station *station)
+{
+	return station->y[trace->orbit->size - 1];
+}
+
+/* frf.c: hawser_frf_trace with a receiver of events (or NULL). */
+enum hawser_status hawser__frf_trace(struct hawser_frf *frf, const struct hawser_rom *rom,
+                                     const struct hawser_frf_options *options,
+                                     const struct hawser__trace_watch *watch,
+                                     struct hawser_report *report);
+
+/* frf.c: whether the caller's progress function ends the trace. */
+int hawser__trace_told_to_stop(const struct hawser__trace *trace);
+
+/* step.c: correct station->y in the plane of `row`, with a discretisation that is fine enough.
+ * *failed becomes 1 if the corrector fails. */
+enum hawser_status hawser__trace_correct(struct hawser__trace *trace,
+                                         struct hawser__station *station, const double *row,
+                                         int *failed);
+
+/* step.c: whether the error of a corrected orbit is at most 5 % of its size; _determined:
+ * HAWSER_ERR_CONVERGENCE if not. */
+int hawser__trace_is_determined(const struct hawser__station *station);
+enum hawser_status hawser__trace_determined(const struct hawser__trace *trace,
+                                            const struct hawser__station *station);
+/* step.c: a finer discretisation for an orbit that is not determined. Returns 0 where it is not to be
+ * had, or where the last one did not help. */
+int hawser__trace_enrich(struct hawser__trace *trace, const struct hawser__station *station);
+/* step.c: correct a station at its Omega (side: sign of the row's entry for Omega) and compute its
+ * tangent in the direction `along` (NULL: that of the row), with finer discretisations while it is
+ * not determined. *failed becomes 1 if the corrector fails. */
+enum hawser_status hawser__trace_settle(struct hawser__trace *trace,
+                                        struct hawser__station *station, double side,
+                                        const double *along, int *failed);
+
+/* judge.c: whether a corrected point is certainly on the same branch as the one before; angle is that
+ * between the two tangents. And whether the events between here and next are not separated. */
+int hawser__trace_trusted(const struct hawser__correction *correction, double angle);
+int hawser__trace_hides(const struct hawser__trace *trace);
+/* judge.c: whether the step from prev to here, seen from next, may hide events. */
+int hawser__trace_hid(const struct hawser__trace *trace);
+
+/* judge.c: whether the branch ends at rest; this event is then stored. */
+enum hawser_status hawser__trace_vanish(struct hawser__trace *trace, int *vanished);
+
+/* step.c: the operations of a step (continuation/curve.h); `owner` is the trace. */
+int hawser__trace_interrupted(void *owner, int tries);
+int hawser__trace_predict(void *owner, double ds);
+enum hawser_status hawser__trace_correct_next(void *owner, double ds,
+                                              struct hawser__correction *correction, int *failed);
+enum hawser_status hawser__trace_refine(void *owner, double ds, double *factor);
+enum hawser_status hawser__trace_finish(void *owner, double ds, double *angle);
+enum hawser_status hawser__trace_judge(void *owner, double ds, double angle,
+                                       enum hawser__verdict *verdict);
+double hawser__trace_longest(void *owner);
+
+/* climb.c: HAWSER_ERR_CONVERGENCE where the curve climbs without an end that could be reached. */
+enum hawser_status hawser__trace_climbs(const struct hawser__trace *trace);
+/* climb.c: whether multipliers of the last point are undecided. */
+int hawser__trace_undamped(const struct hawser__trace *trace);
+
+/* closure.c: whether the curve passes its first point between here and next, and at which fraction
+ * of the step; `close` moves next to that point. */
+int hawser__trace_closed(const struct hawser__trace *trace, double *share);
+enum hawser_status hawser__trace_close(struct hawser__trace *trace, double share);
+/* closure.c: whether the curve returns to another of its points, which means that a step jumped to
+ * another curve; the failure with this reason; and the storage of the present point for this test. */
+int hawser__trace_came_back(const struct hawser__trace *trace);
+enum hawser_status hawser__trace_jumped(struct hawser__trace *trace);
+void hawser__trace_mark(struct hawser__trace *trace);
+/* closure.c: whether a branch has met another one in the step that was just recorded; if so, it ends
+ * there. */
+enum hawser_status hawser__trace_meet(struct hawser__trace *trace, int *met);
+
+/* slack.c: replace next by the point where the least tension, `from` >= 0 at here and `to` < 0 at next
+ * (N), is zero; its event, but for `after`. */
+enum hawser_status hawser__trace_slacken(struct hawser__trace *trace, double from, double to,
+                                         struct hawser_frf_event *event);
+
+/* detour.c: the ways to a first orbit that pass other orbits. */
+enum { HAWSER__WAYS = 2 };
+struct hawser__raised;
+/* Follow way `way`, given how far the load could be raised. *found: 1: x [m] is the state of an
+ * orbit where the trace begins; 0: `tried` says what became of it. */
+enum hawser_status hawser__detour(double *x, int *found, char tried[80], struct hawser__trace *trace,
+                                  int way, const struct hawser__raised *raised);
+
+/* frf_begin.c: the first orbit, which is recorded. */
+enum hawser_status hawser__trace_begin(struct hawser__trace *trace);
+
+/* frf_check.c: HAWSER_ERR_ARGUMENT: the range, another option, or a model without forcing;
+ * HAWSER_ERR_NAN. */
+enum hawser_status hawser__frf_check(const struct hawser_rom *rom,
+                                     const struct hawser_frf_options *options,
+                                     struct hawser_report *report);
+
+/* step.c: move next to the point at which the branch between here and next has Omega = bound. */
+enum hawser_status hawser__trace_cut(struct hawser__trace *trace, double bound);
+
+#endif

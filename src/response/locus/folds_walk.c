@@ -1,0 +1,381 @@
+/* response/locus/folds_walk.c - continuation of a fold in (orbit, Omega, load): the operations of
+ * continuation/curve.h.
+ *
+ * The metric is that of the orbit (method.h) with the relative change of the load. A step is
+ * predicted on the parabola through the last tangents and corrected by Newton's method, with new
+ * derivatives in every iteration: they need only the factorisation of the iteration.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "continuation/newton.h"
+#include "core/progress.h"
+#include "core/report.h"
+#include "response/time/flow.h"
+#include "response/locus/folds_walk.h"
+
+#define WORST_ANGLE 0.5    /* rad, largest angle between successive tangents; chosen */
+#define WORST_DISTANCE 0.2 /* distance of the prediction from the curve, in steps; chosen */
+#define FIRST_STEP 0.02   /* first step, short since only one tangent is known; chosen */
+#define LARGEST_STEP 0.3 /* longest step, relative to the size of the orbit; chosen */
+#define SURE_STEP 1e-6 /* a shorter step is accepted in any case; chosen */
+#define SORTING_STEP 1e-6 /* in a shorter step, events are not separated further; chosen */
+
+static int init_station(struct hawser__fold_station *station, int size)
+{
+	station->memory = calloc(4*(size_t)size, sizeof(double));
+	if (!station->memory)
+		return 1;
+	station->z = station->memory;
+	station->t = station->z + size;
+	station->b = station->t + size;
+	station->c = station->b + size;
+	return 0;
+}
+
+enum hawser_status hawser__walk_open(struct hawser__fold_walk *walk, struct hawser__fold *fold,
+                                     const struct hawser_folds_options *options,
+                                     struct hawser_report *report)
+{
+	struct hawser__fold_station *all[] = {&walk->start, &walk->prev, &walk->here, &walk->next,
+	                                      &walk->scratch, &walk->lo, &walk->hi};
+	int failed = 0;
+
+	*walk = (struct hawser__fold_walk){.began = hawser__wall_seconds(), .fold = fold,
+		.options = options, .report = report,
+		.omega_lo = fmin(options->from, options->to),
+		.omega_hi = fmax(options->from, options->to)};
+	walk->window_lo = walk->omega_lo;
+	walk->window_hi = walk->omega_hi;
+	for (size_t i = 0; i < sizeof all/sizeof *all; i++)
+		failed |= init_station(all[i], fold->size);
+	walk->direction = calloc((size_t)fold->size, sizeof(double));
+	walk->plane = calloc((size_t)fold->size, sizeof(double));
+	walk->state = calloc(2*(size_t)fold->load.rom.n, sizeof(double));
+	walk->amplitude = hawser__amplitude_new(&fold->load.rom);
+	if (failed || !walk->direction || !walk->plane || !walk->state || !walk->amplitude)
+		return hawser__no_memory(report, "folds");
+	return HAWSER_OK;
+}
+
+void hawser__walk_clear(struct hawser__fold_walk *walk)
+{
+	free(walk->start.memory);
+	free(walk->prev.memory);
+	free(walk->here.memory);
+	free(walk->next.memory);
+	free(walk->scratch.memory);
+	free(walk->lo.memory);
+	free(walk->hi.memory);
+	free(walk->direction);
+	free(walk->plane);
+	free(walk->state);
+	hawser__amplitude_free(walk->amplitude);
+}
+
+void hawser__station_copy(struct hawser__fold_station *to, const struct hawser__fold_station *from,
+                          int size)
+{
+	struct hawser__fold_station own = *to;
+
+	*to = *from;
+	to->memory = own.memory;
+	to->z = own.z;
+	to->t = own.t;
+	to->b = own.b;
+	to->c = own.c;
+	memcpy(to->memory, from->memory, 4*(size_t)size*sizeof(double));
+}
+
+void hawser__fold_swap(struct hawser__fold_station *a, struct hawser__fold_station *b)
+{
+	struct hawser__fold_station keep = *a;
+
+	*a = *b;
+	*b = keep;
+}
+
+void hawser__walk_metric(struct hawser__fold_walk *walk, const double *z)
+{
+	struct hawser__orbit *orbit = hawser__fold_orbit(walk->fold);
+
+	orbit->ops->metric(orbit, z);
+	walk->fold->L = fabs(z[walk->fold->size - 1]);
+}
+
+static enum hawser_status evaluate(void *owner, double *residual, double *z)
+{
+	struct hawser__fold_walk *walk = owner;
+
+	return hawser__fold_evaluate(walk->fold, residual, z, walk->report);
+}
+
+static int solve(void *owner, double *dz, const double *z, const double *row)
+{
+	(void)z;
+	return hawser__fold_solve(((struct hawser__fold_walk *)owner)->fold, dz, row, 0, 0.0);
+}
+
+/* Frequency and load stay positive. */
+static int moved(void *owner, const double *z, double length)
+{
+	int size = ((struct hawser__fold_walk *)owner)->fold->size;
+
+	(void)length;
+	return z[size - 2] <= 0.0 || z[size - 1] <= 0.0;
+}
+
+enum hawser_status hawser__walk_correct(struct hawser__fold_walk *walk,
+                                        struct hawser__fold_station *station, const double *row,
+                                        int *failed)
+{
+	struct hawser__orbit *orbit = hawser__fold_orbit(walk->fold);
+	const struct hawser__metric metric = hawser__fold_metric(walk->fold);
+	const struct hawser__newton newton = {walk, &metric, walk->options->tolerance, evaluate, solve,
+	                                      moved};
+
+	for (;;) {
+		int again;
+		enum hawser_status status = hawser__newton_correct(&newton, station->z, walk->fold->step, row,
+		                                                   &station->correction, failed);
+
+		if (status || *failed)
+			return status;
+		status = orbit->ops->refine(orbit, &again, walk->options->tolerance,
+		                            station->z[walk->fold->size - 2], walk->report);
+		if (status || !again)
+			return status;
+	}
+}
+
+void hawser__walk_finish(struct hawser__fold_walk *walk, struct hawser__fold_station *station,
+                         const double *side)
+{
+	struct hawser__fold *fold = walk->fold;
+	const struct hawser__metric metric = hawser__fold_metric(fold);
+	double *t = station->t, length;
+
+	if (hawser__fold_solve(fold, t, side, 1, 1.0))
+		memcpy(t, side, (size_t)fold->size*sizeof(double));
+	length = hawser__metric_length(&metric, t);
+	for (int i = 0; i < fold->size; i++)
+		t[i] /= length;
+	station->test[HAWSER_FOLD_CUSP] = fold->second;
+	station->test[HAWSER_FOLD_STATIONARY] = fold->F_omega;
+	station->F_load = fold->F_load;
+	station->mesh = fold->balance.base.mesh/fold->balance.base.X;
+	hawser__fold_update(fold);
+	memcpy(station->b, fold->b, (size_t)fold->size*sizeof(double));
+	memcpy(station->c, fold->c, (size_t)fold->size*sizeof(double));
+}
+
+void hawser__walk_orient(struct hawser__fold_walk *walk,
+                         const struct hawser__fold_station *station)
+{
+	memcpy(walk->fold->b, station->b, (size_t)walk->fold->size*sizeof(double));
+	memcpy(walk->fold->c, station->c, (size_t)walk->fold->size*sizeof(double));
+}
+
+/* row = the direction of the load or of Omega. */
+static void along(double *row, int size, int place)
+{
+	memset(row, 0, (size_t)size*sizeof *row);
+	row[place] = 1.0;
+}
+
+/* --- the operations of a step --- */
+
+static enum hawser_status prepare(void *owner, int *ended)
+{
+	struct hawser__fold_walk *walk = owner;
+
+	*ended = walk->list->points >= walk->options->max_points;
+	if (*ended)
+		walk->list->end = HAWSER_FOLDS_MAX_POINTS;
+	hawser__walk_metric(walk, walk->here.z);
+	return HAWSER_OK;
+}
+
+static int interrupted(void *owner, int tries)
+{
+	struct hawser__fold_walk *walk = owner;
+	const struct hawser_progress *progress = &walk->options->progress;
+	struct hawser_progress_state state;
+	int size = walk->fold->size;
+
+	(void)tries;
+	if (!hawser__is_watched(progress))
+		return walk->stopped;
+	state = hawser__progress_state(walk->stage, "points", walk->list->points, walk->began);
+	state.omega = walk->here.z[size - 2]/hawser__fold_orbit(walk->fold)->rom->time;
+	state.load = walk->here.z[size - 1];
+	if (hawser__told_to_stop(progress, &state))
+		walk->stopped = 1;
+	return walk->stopped;
+}
+
+static int predict(void *owner, double ds)
+{
+	struct hawser__fold_walk *walk = owner;
+	const struct hawser__fold_station *here = &walk->here, *prev = &walk->prev;
+	double bend = walk->known > 1 ? 0.5*ds*ds/(here->arc - prev->arc) : 0.0;
+
+	for (int i = 0; i < walk->fold->size; i++)
+		walk->next.z[i] = here->z[i] + ds*here->t[i] + bend*(here->t[i] - prev->t[i]);
+	return walk->next.z[walk->fold->size - 1] <= 0.0;
+}
+
+static enum hawser_status correct(void *owner, double ds, struct hawser__correction *correction,
+                                  int *failed)
+{
+	struct hawser__fold_walk *walk = owner;
+	enum hawser_status status;
+
+	(void)ds;
+	hawser__walk_orient(walk, &walk->here);
+	status = hawser__walk_correct(walk, &walk->next, walk->here.t, failed);
+	*correction = walk->next.correction;
+	return status;
+}
+
+static enum hawser_status finish(void *owner, double ds, double *angle)
+{
+	struct hawser__fold_walk *walk = owner;
+	struct hawser__metric metric;
+
+	hawser__walk_finish(walk, &walk->next, walk->here.t);
+	walk->next.arc = walk->here.arc + ds;
+	metric = hawser__fold_metric(walk->fold);
+	*angle = hawser__metric_angle(&metric, walk->here.t, walk->next.t);
+	return HAWSER_OK;
+}
+
+/* If a step has two kinds of events, it is shortened. */
+static enum hawser_status judge(void *owner, double ds, double angle, enum hawser__verdict *verdict)
+{
+	const struct hawser__fold_walk *walk = owner;
+	int changed = 0;
+
+	for (int k = 0; k < HAWSER_FOLD_TESTS; k++)
+		changed += (walk->here.test[k] < 0.0) != (walk->next.test[k] < 0.0);
+	*verdict = angle > WORST_ANGLE || walk->next.correction.first > WORST_DISTANCE*ds ||
+	           (changed > 1 && ds > SORTING_STEP) ? HAWSER__SHORTEN : HAWSER__KEEP;
+	return HAWSER_OK;
+}
+
+static double longest(void *owner)
+{
+	const struct hawser__fold_walk *walk = owner;
+	double range = walk->omega_hi - walk->omega_lo;
+	double rate = fabs(walk->here.t[walk->fold->size - 2]);
+
+	return fmin(LARGEST_STEP, walk->options->step_max*range/fmax(rate, 1e-300));
+}
+
+static void add_place(struct hawser__fold_walk *walk)
+{
+	int size = walk->fold->size;
+
+	walk->list->end = HAWSER_FOLDS_FAILED;
+	snprintf(walk->list->message, sizeof walk->list->message,
+	         "the corrector failed near Omega %.9g%s, load factor %.9g (residual %.2g)",
+	         HAWSER_SHOWN(walk->fold->load.full, walk->here.z[size - 2]),
+	         walk->here.z[size - 1], walk->next.correction.residual);
+}
+
+/* Store next and the events before it. If an event cannot be located, next probably lies on another
+ * curve nearby: the step is repeated with half the length, down to SURE_STEP. */
+static enum hawser_status accept(struct hawser__fold_walk *walk, int *again, double *ds)
+{
+	struct hawser__fold_list *list = walk->list;
+	double taken = walk->next.arc - walk->here.arc;
+	int points = list->points, events = list->events, missed;
+	enum hawser_status status = hawser__list_point(list, walk, &walk->next);
+
+	*again = 0;
+	if (status || (status = hawser__fold_events(walk, &missed)) || !missed ||
+	    taken < SURE_STEP)
+		return status;
+	list->points = points;
+	list->events = events;
+	list->message[0] = '\0';
+	*ds = 0.5*taken;
+	*again = 1;
+	return HAWSER_OK;
+}
+
+static enum hawser_status arrive(void *owner, enum hawser__arrival *arrival, double taken, double *ds)
+{
+	struct hawser__fold_walk *walk = owner;
+	struct hawser__orbit *orbit = hawser__fold_orbit(walk->fold);
+	int ended, failed, again;
+	enum hawser_status status = hawser__walk_end(walk, &ended, &failed);
+
+	(void)taken;
+	*arrival = HAWSER__AT_END;
+	if (!status && failed)
+		add_place(walk);
+	if (status || failed || (status = accept(walk, &again, ds)))
+		return status;
+	*arrival = again ? HAWSER__AGAIN : ended ? HAWSER__AT_END : HAWSER__GO_ON;
+	if (*arrival != HAWSER__GO_ON)
+		return HAWSER_OK;
+	hawser__fold_swap(&walk->prev, &walk->here);
+	hawser__fold_swap(&walk->here, &walk->next);
+	walk->known++;
+	return orbit->ops->relax(orbit, walk->options->tolerance, walk->report);
+}
+
+static const struct hawser__curve_ops fold_ops = {
+	.prepare = prepare, .interrupted = interrupted, .predict = predict, .correct = correct,
+	.finish = finish, .judge = judge, .longest = longest, .arrive = arrive
+};
+
+static enum hawser_status follow(struct hawser__fold_walk *walk)
+{
+	enum hawser__outcome outcome;
+	enum hawser_status status;
+
+	walk->curve = (struct hawser__curve){.ops = &fold_ops, .settings = &hawser__folds_steps,
+		.owner = walk, .ds = FIRST_STEP};
+	status = hawser__curve_follow(&walk->curve, &outcome);
+	if (!status && outcome == HAWSER__INTERRUPTED)
+		walk->list->end = HAWSER_FOLDS_INTERRUPTED;
+	if (!status && outcome == HAWSER__LOST)
+		add_place(walk);
+	return status;
+}
+
+enum hawser_status hawser__walk_follow(struct hawser__fold_walk *walk,
+                                       struct hawser__fold_list *list, int direction)
+{
+	struct hawser__fold *fold = walk->fold;
+	int size = fold->size, failed;
+	enum hawser_status status;
+
+	walk->list = list;
+	walk->known = 1;
+	walk->ceiling = INFINITY;
+	hawser__station_copy(&walk->here, &walk->start, size);
+	hawser__walk_metric(walk, walk->here.z);
+	/* restore the numbers of harmonics and samples of the start */
+	hawser__walk_orient(walk, &walk->here);
+	along(walk->direction, size, size - 1);
+	status = hawser__walk_correct(walk, &walk->here, walk->direction, &failed);
+	if (status)
+		return status;
+	if (failed) {
+		add_place(walk);
+		return HAWSER_OK;
+	}
+	along(walk->direction, size, size - 1);
+	walk->direction[size - 1] = direction;
+	hawser__walk_finish(walk, &walk->here, walk->direction);
+	if ((status = hawser__list_point(list, walk, &walk->here)))
+		return status;
+	return follow(walk);
+}

@@ -1,0 +1,442 @@
+/* response/locus/locus.c - the loci through the bifurcations of a response; see hawser/locus.h.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <hawser/cover.h>
+
+#include "core/report.h"
+#include "core/settle.h"
+#include "response/locus/folds_known.h"
+#include "response/locus/locus_walk.h"
+#include "rom/terms/drag.h"
+#include "rom/terms/terms.h"
+
+#define SAME 1e-6 /* distance in Omega of an event that a curve passes, relative to the range; chosen */
+#define SAME_ORBIT 1e-5 /* relative distance of states that are one; chosen, above their errors */
+
+const char *hawser_locus_special_name(enum hawser_event_kind kind, enum hawser_locus_special special)
+{
+	static const char *const plain[HAWSER_LOCUS_SPECIALS] = {
+		"cusp", "generalised-period-doubling", "1:1", "1:2", "1:3", "1:4", NULL, NULL, NULL, "start"};
+	static const char *const resonance[HAWSER_LOCUS_SPECIALS] = {
+		[HAWSER_LOCUS_CUSP] = "turning-point", [HAWSER_LOCUS_DEGENERATE] = "branch-point",
+		[HAWSER_LOCUS_WITH_FOLD] = "fold", [HAWSER_LOCUS_WITH_DOUBLING] = "period-doubling",
+		[HAWSER_LOCUS_WITH_TORUS] = "torus", [HAWSER_LOCUS_START] = "start"};
+	static const char *const with[4][3] = { /* enum hawser_event_kind; fold, doubling, torus */
+		{"fold-fold", "fold-flip", "fold-torus"}, {"fold-flip", "flip-flip", "flip-torus"},
+		{"fold-torus", "flip-torus", "torus-torus"}, {"branch-fold", "branch-flip", "branch-torus"}};
+
+	if (kind == HAWSER_RESONANCE && (unsigned)special < HAWSER_LOCUS_SPECIALS && resonance[special])
+		return resonance[special];
+	if ((unsigned)special >= HAWSER_LOCUS_SPECIALS || (unsigned)kind > HAWSER_BRANCH_POINT)
+		return "unknown";
+	if (special == HAWSER_LOCUS_DEGENERATE && kind == HAWSER_BRANCH_POINT)
+		return "degenerate-branch-point";
+	if (special == HAWSER_LOCUS_DEGENERATE && kind == HAWSER_TORUS)
+		return "chenciner";
+	return plain[special] ? plain[special] : with[kind][special - HAWSER_LOCUS_WITH_FOLD];
+}
+
+const char *hawser_locus_end_name(enum hawser_locus_end end)
+{
+	static const char *const name[] = {"end of the frequency range", "end of the parameter's range",
+		"closed", "resonance", "max_points", "interrupted", "failed"};
+
+	return (unsigned)end < sizeof name/sizeof *name ? name[end] : "unknown";
+}
+
+void hawser_locus_settle(struct hawser_locus_options *options)
+{
+	hawser__settle(&options->tolerance, 1e-9);
+	hawser__settle(&options->step_max, 0.02);
+	hawser__settle_count(&options->max_points, 2000);
+}
+
+static enum hawser_status check(const struct hawser_locus_options *o, struct hawser_report *report)
+{
+	int known = (unsigned)o->kind <= HAWSER_BRANCH_POINT || o->kind == HAWSER_RESONANCE;
+
+	if (!known || !(o->plane || (o->from > 0.0 && o->to > 0.0)) ||
+	    o->from == o->to || !isfinite(o->from - o->to) || o->parameter_from == o->parameter_to ||
+	    !isfinite(o->parameter_from - o->parameter_to))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "locus",
+		                    "a locus of kind %d, Omega from %.9g to %.9g, parameter from %.9g to "
+		                    "%.9g: loci are those of folds, period doublings, tori, branch points and "
+		                    "resonances; ranges must be finite and not empty, and frequencies positive",
+		                    (int)o->kind, o->from, o->to, o->parameter_from, o->parameter_to);
+	if (!(o->at >= fmin(o->parameter_from, o->parameter_to) &&
+	      o->at <= fmax(o->parameter_from, o->parameter_to)))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "locus",
+		                    "the curves begin at %.9g of the parameter (--at), outside its range "
+		                    "from %.9g to %.9g: choose a value in the range", o->at,
+		                    o->parameter_from, o->parameter_to);
+	return HAWSER_OK;
+}
+
+static enum hawser_status check_model(const struct hawser_rom *rom, struct hawser_report *report)
+{
+	if (rom->drag)
+		return hawser__drag_refuse(rom, "a locus of bifurcations", report);
+	if (rom->plug)
+		return hawser__more_refuse(rom, "a locus of bifurcations", report);
+	return HAWSER_OK;
+}
+
+void hawser__locus_list_clear(struct hawser__locus_list *list)
+{
+	free(list->point);
+	free(list->coordinate);
+	free(list->state);
+	free(list->event);
+	*list = (struct hawser__locus_list){.points = 0};
+}
+
+/* --- results --- */
+
+static enum hawser_status make_room(struct hawser_locus *to, const struct hawser__locus_list part[2],
+                                    struct hawser_report *report)
+{
+	size_t n = (size_t)to->n, points = (size_t)to->points + part[0].points + part[1].points;
+	size_t events = (size_t)to->events + part[0].events + part[1].events + 1;
+	void *point = realloc(to->point, points*sizeof *to->point), *coordinate, *state, *curve, *event;
+
+	to->point = point ? point : to->point;
+	coordinate = realloc(to->coordinate, points*n*sizeof(double));
+	to->coordinate = coordinate ? coordinate : to->coordinate;
+	state = realloc(to->state, points*2*n*sizeof(double));
+	to->state = state ? state : to->state;
+	curve = realloc(to->curve, ((size_t)to->curves + 1)*sizeof *to->curve);
+	to->curve = curve ? curve : to->curve;
+	event = realloc(to->event, events*sizeof *to->event);
+	to->event = event ? event : to->event;
+	/* cppcheck-suppress memleak ; they are kept in *to */
+	return point && coordinate && state && curve && event ? HAWSER_OK
+	       : hawser__no_memory(report, "locus");
+}
+
+static void copy_point(struct hawser_locus *to, const struct hawser__locus_list *from, int i, int sign)
+{
+	size_t n = (size_t)to->n, k = (size_t)to->points++;
+
+	to->point[k] = from->point[i];
+	to->point[k].arc *= sign;
+	memcpy(to->coordinate + k*n, from->coordinate + (size_t)i*n, n*sizeof(double));
+	memcpy(to->state + k*2*n, from->state + (size_t)i*2*n, 2*n*sizeof(double));
+}
+
+/* The curve of part[1], from its end to the start, and part[0]. */
+static enum hawser_status join(struct hawser_locus *to, const struct hawser__locus_list part[2],
+                               struct hawser_report *report)
+{
+	enum hawser_status status = make_room(to, part, report);
+	struct hawser_locus_curve *curve;
+	int first = to->points;
+
+	if (status)
+		return status;
+	curve = &to->curve[to->curves++];
+	*curve = (struct hawser_locus_curve){.first = first, .first_event = to->events};
+	curve->end[0] = part[1].points ? part[1].end : part[0].end;
+	curve->end[1] = part[0].end;
+	memcpy(curve->message, *part[0].message ? part[0].message : part[1].message,
+	       sizeof curve->message);
+	for (int e = part[1].events - 1; e >= 0; e--) {
+		struct hawser_locus_event *event = &to->event[to->events++];
+
+		*event = part[1].event[e];
+		event->arc = -event->arc;
+		event->after = first + part[1].points - 2 - event->after;
+		event->after = event->after < first ? first : event->after;
+	}
+	for (int i = part[1].points - 1; i > 0; i--)
+		copy_point(to, &part[1], i, -1);
+	for (int e = 0; e < part[0].events; e++) {
+		to->event[to->events] = part[0].event[e];
+		to->event[to->events++].after += to->points;
+	}
+	for (int i = 0; i < part[0].points; i++)
+		copy_point(to, &part[0], i, 1);
+	curve->points = to->points - first;
+	curve->events = to->events - curve->first_event;
+	return HAWSER_OK;
+}
+
+/* Whether a curve passes the start value of the parameter at this Omega, or ends there. */
+static int is_known(const struct hawser_locus *locus, double omega, const double extent[2])
+{
+	for (int e = 0; e < locus->events; e++)
+		if (locus->event[e].kind == HAWSER_LOCUS_START &&
+		    fabs(locus->event[e].omega - omega) < SAME*extent[0])
+			return 1;
+	for (int c = 0; c < locus->curves; c++)
+		for (int side = 0; side < 2; side++) {
+			const struct hawser_locus_curve *curve = &locus->curve[c];
+			const struct hawser_locus_point *end =
+				&locus->point[curve->first + (side ? curve->points - 1 : 0)];
+
+			if (curve->points > 0 && fabs(end->omega - omega) < SAME*extent[0] &&
+			    fabs(end->parameter - locus->at) < SAME*extent[1])
+				return 1;
+		}
+	return 0;
+}
+
+static enum hawser_status add_lost(struct hawser_locus *locus, double omega,
+                                   struct hawser_report *report)
+{
+	double *more = realloc(locus->lost_at, ((size_t)locus->lost + 1)*sizeof *more);
+
+	if (!more)
+		return hawser__no_memory(report, "locus");
+	locus->lost_at = more;
+	more[locus->lost++] = omega;
+	return HAWSER_OK;
+}
+
+/* The curve through an event of a response. */
+static enum hawser_status trace_from(struct hawser_locus *locus, struct hawser__locus_walk *walk,
+                                     const struct hawser_frf *frf, int event,
+                                     struct hawser_report *report)
+{
+	struct hawser__locus_list part[2] = {{.points = 0}, {.points = 0}};
+	int failed;
+	enum hawser_status status = hawser__locus_begin(walk, frf, event, &failed);
+
+	if (status || failed)
+		return status ? status : add_lost(locus, frf->event[event].parameter, report);
+	if (is_known(locus, walk->start.z[LOCUS_OMEGA], walk->locus->extent))
+		return HAWSER_OK; /* a resonance, which was interpolated before */
+	status = hawser__locus_follow(walk, &part[0], 1);
+	if (!status && part[0].end != HAWSER_LOCUS_CLOSED && !walk->stopped)
+		status = hawser__locus_follow(walk, &part[1], -1);
+	if (!status)
+		status = join(locus, part, report);
+	hawser__locus_list_clear(&part[0]);
+	hawser__locus_list_clear(&part[1]);
+	return status;
+}
+
+/* --- the responses --- */
+
+/* The first response, and those that it does not lead to: one from the other end of the range, and
+ * others where parts of the range have none (cover.h). */
+struct responses {
+	struct hawser_frf *first;
+	struct hawser_cover cover;
+};
+
+static struct hawser_frf *response(const struct responses *all, int k)
+{
+	return k ? &all->cover.branch[k - 1] : all->first;
+}
+
+/* A response that reaches the other end of the range need not be the one that begins there: *other. */
+static enum hawser_status look_back(const struct responses *all, int *other,
+                                    const struct hawser_rom *rom,
+                                    const struct hawser_frf_options *back)
+{
+	struct hawser_frf_options choice = *back;
+	const struct hawser_frf *first = all->first;
+	int m = 2*first->n;
+	struct hawser_frf frf;
+	enum hawser_status status;
+
+	choice.max_points = 1;
+	choice.skip_events = 1;
+	status = hawser_frf_trace(&frf, rom, &choice, NULL);
+	*other = frf.points > 0 && first->end == HAWSER_END_RANGE &&
+	         !hawser__same_state(first->state + (size_t)m*(size_t)(first->points - 1), frf.state, m,
+	                             SAME_ORBIT);
+	hawser_frf_clear(&frf);
+	return status == HAWSER_ERR_MEMORY ? status : HAWSER_OK;
+}
+
+static enum hawser_status trace_others(struct responses *all, const struct hawser_rom *rom,
+                                       const struct hawser_frf_options *choice,
+                                       struct hawser_report *report)
+{
+	struct hawser_frf_options back = *choice;
+	struct hawser_cover *cover = &all->cover;
+	int other;
+	enum hawser_status status;
+
+	if (hawser_cover_needed(all->first, choice))
+		return hawser_cover_trace(cover, all->first, rom, choice, report);
+	if (all->first->end != HAWSER_END_RANGE)
+		return HAWSER_OK;
+	back.from = choice->to;
+	back.to = choice->from;
+	status = look_back(all, &other, rom, &back);
+	if (status || !other)
+		return status;
+	cover->branch = malloc(sizeof *cover->branch);
+	if (!cover->branch)
+		return hawser__no_memory(report, "locus");
+	cover->branches = 1;
+	status = hawser_frf_trace(cover->branch, rom, &back, report);
+	return status == HAWSER_ERR_CONVERGENCE ? HAWSER_OK : status;
+}
+
+/* --- their events --- */
+
+struct start {
+	int response, event; /* -1: none */
+};
+
+/* The event of that kind next to `near`, if only one is asked for. */
+static struct start nearest(const struct responses *all, const struct hawser_locus_options *options)
+{
+	struct start best = {-1, -1};
+	double least = INFINITY;
+
+	for (int k = 0; options->near != 0.0 && k <= all->cover.branches; k++) {
+		const struct hawser_frf *frf = response(all, k);
+
+		for (int e = 0; e < frf->events; e++) {
+			double away = fabs(frf->event[e].parameter - options->near);
+
+			if (frf->event[e].kind == options->kind && away < least) {
+				best = (struct start){k, e};
+				least = away;
+			}
+		}
+	}
+	return best;
+}
+
+static enum hawser_status trace_events(struct hawser_locus *locus, struct hawser__locus_walk *walk,
+                                       const struct hawser_frf *frf, int only, int *any,
+                                       struct hawser_report *report)
+{
+	for (int e = 0; e < frf->events && !walk->stopped; e++) {
+		enum hawser_status status;
+
+		if (frf->event[e].kind != walk->options->kind || (only >= 0 && e != only))
+			continue;
+		*any = 1;
+		if (is_known(locus, frf->event[e].parameter, walk->locus->extent))
+			continue;
+		if ((status = trace_from(locus, walk, frf, e, report)))
+			return status;
+	}
+	return HAWSER_OK;
+}
+
+static enum hawser_status trace_all(struct hawser_locus *locus, struct hawser__locus_walk *walk,
+                                    const struct responses *all, struct hawser_report *report)
+{
+	const struct hawser_locus_options *o = walk->options;
+	struct start only = nearest(all, o);
+	int any = 0;
+
+	for (int k = 0; k <= all->cover.branches; k++) {
+		enum hawser_status status = HAWSER_OK;
+
+		if (only.response < 0 || only.response == k)
+			status = trace_events(locus, walk, response(all, k), only.event, &any, report);
+		if (status)
+			return status;
+	}
+	locus->interrupted = walk->stopped;
+	if (!any && !locus->interrupted)
+		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "locus",
+		                    "the response at the parameter %.9g has no %s in this range%s: begin "
+		                    "at another value (--at), or change the range", o->at,
+		                    hawser_event_name(o->kind), o->plane ? "" : " of frequencies");
+	if (locus->curves == 0 && !locus->interrupted)
+		return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "locus",
+		                    "no curve could be begun at the %s of the response%s",
+		                    hawser_event_name(o->kind),
+		                    o->kind == HAWSER_BRANCH_POINT
+		                    ? ": branch points are followed where a symmetry of the motion breaks"
+		                    : "; begin at another value (--at)");
+	return HAWSER_OK;
+}
+
+/* The family over the first parameter of a plane. */
+struct across {
+	const struct hawser_rom_plane *plane;
+	double at;
+};
+
+static enum hawser_status model_across(void *context, const struct hawser_rom **rom, double first,
+                                       struct hawser_report *report)
+{
+	const struct across *across = context;
+	const double p[2] = {first, across->at};
+
+	return across->plane->model(across->plane->context, rom, p, report);
+}
+
+enum hawser_status hawser_locus_trace(struct hawser_locus *locus,
+                                      const struct hawser_rom_family *family,
+                                      const struct hawser_locus_options *options,
+                                      struct hawser_report *report)
+{
+	struct hawser_locus_options own = *options;
+	struct hawser_frf_options choice = {.method = NULL};
+	struct across line = {own.plane, own.at};
+	struct hawser_rom_family across = {own.plane ? own.plane->omega : 0.0, model_across, &line};
+	struct hawser__locus system = {.n = 0};
+	struct hawser__locus_walk walk = {.locus = NULL};
+	struct responses all = {.first = &locus->response};
+	enum hawser_status status;
+
+	*locus = (struct hawser_locus){.kind = own.kind, .at = own.at};
+	hawser_locus_settle(&own);
+	if ((status = check(&own, report)))
+		return status;
+	status = hawser__locus_open(&system, family, &own, report);
+	locus->n = system.n;
+	if (!status)
+		status = check_model(system.rom, report);
+	choice.from = own.from;
+	choice.to = own.to;
+	choice.tolerance = own.tolerance;
+	choice.progress = own.progress;
+	choice.samples = HAWSER_NONE;
+	choice.skip_events = own.kind == HAWSER_RESONANCE;
+	if (!status && own.kind == HAWSER_RESONANCE)
+		status = hawser__locus_choose_harmonic(&system, own.harmonic, report);
+	locus->harmonic = system.harmonic;
+	if (own.plane)
+		choice.family = &across;
+	if (!status)
+		status = hawser_frf_trace(&locus->response, system.rom, &choice, report);
+	if (status == HAWSER_ERR_CONVERGENCE && locus->response.points > 0)
+		status = HAWSER_OK;
+	if (!status)
+		status = trace_others(&all, system.rom, &choice, report);
+	system.extent[0] = fabs(own.to - own.from);
+	system.extent[1] = fabs(own.parameter_to - own.parameter_from);
+	if (!status)
+		status = hawser__locus_walk_open(&walk, &system, &own, report);
+	for (int k = 0; !status && own.kind == HAWSER_RESONANCE && k <= all.cover.branches; k++)
+		status = hawser__locus_find_resonances(&walk, response(&all, k));
+	if (!status && locus->response.end != HAWSER_END_INTERRUPTED)
+		status = trace_all(locus, &walk, &all, report);
+	locus->interrupted |= locus->response.end == HAWSER_END_INTERRUPTED;
+	locus->solves = system.solves;
+	hawser_cover_clear(&all.cover);
+	hawser__locus_walk_close(&walk);
+	hawser__locus_close(&system);
+	return status;
+}
+
+void hawser_locus_clear(struct hawser_locus *locus)
+{
+	if (!locus)
+		return;
+	free(locus->point);
+	free(locus->coordinate);
+	free(locus->state);
+	free(locus->curve);
+	free(locus->event);
+	free(locus->lost_at);
+	hawser_frf_clear(&locus->response);
+	*locus = (struct hawser_locus){.n = 0};
+}

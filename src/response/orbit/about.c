@@ -1,0 +1,156 @@
+/* response/orbit/about.c - see about.h.
+ *
+ *   T     tangent of the restoring force along the orbit, a Fourier series (balance.h)
+ *
+ * The variation of a periodic response obeys v'' + (D + D_h) v' + T(Omega t) v = 0, the equation of a
+ * model that has nothing but K, D and harmonics. Everything that is computed of parametric
+ * excitation about rest (multipliers, determinants, ridges) therefore applies to responses. The orbit
+ * is one of harmonic balance, whose T is exact for a polynomial energy.
+ *
+ * A response is no function of the parameters where several exist. The one that is meant grows out of
+ * rest: Newton's method starts from the linear response and, unless it ends near it, the excitation is
+ * raised from 0 in steps. Where that ends, the response has a fold, and jumps.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "response/orbit/about.h"
+#include "response/orbit/balance.h"
+#include "response/time/flow.h"
+#include "response/orbit/start.h"
+#include "rom/terms/drag.h"
+#include "rom/terms/terms.h"
+
+#define TOLERANCE 1e-11 /* of the orbit: well below the 1e-10 of multipliers; chosen */
+#define NOTHING 1e-13   /* harmonics of T below this times Omega^2 change no exponent by more than the
+                         * error of the orbit; chosen */
+
+void hawser__about_clear(struct hawser__about *about)
+{
+	free(about->K);
+	free(about->harmonic);
+	*about = (struct hawser__about){.room = 0};
+}
+
+static enum hawser_status refuse(const struct hawser_rom *rom, struct hawser_report *report)
+{
+	static const char what[] = "the stability of a response over two parameters";
+	enum hawser_status status = hawser__drag_refuse(rom, what, report);
+
+	if (!status)
+		status = hawser__more_refuse(rom, what, report);
+	return status ? status : hawser__periods_refuse(rom, what, report);
+}
+
+static double largest(const double *x, size_t count)
+{
+	double most = 0.0;
+
+	for (size_t i = 0; i < count; i++)
+		most = fmax(most, fabs(x[i]));
+	return most;
+}
+
+/* The highest harmonic of T that counts. */
+static int highest(const struct hawser__balance *balance, double omega)
+{
+	size_t n2 = (size_t)balance->base.n*(size_t)balance->base.n;
+	int order = balance->spread;
+
+	while (order > 0 &&
+	       largest(balance->T + (2*(size_t)order - 1)*n2, 2*n2) <= NOTHING*omega*omega)
+		order--;
+	return order;
+}
+
+static int make_room(struct hawser__about *about, size_t numbers, size_t harmonics)
+{
+	if (numbers > about->room) {
+		free(about->K);
+		about->K = malloc(numbers*sizeof *about->K);
+		about->room = about->K ? numbers : 0;
+	}
+	if (harmonics > about->room_h) {
+		free(about->harmonic);
+		about->harmonic = malloc(harmonics*sizeof *about->harmonic);
+		about->room_h = about->harmonic ? harmonics : 0;
+	}
+	return about->K && about->harmonic;
+}
+
+/* The model from T; the D of the harmonics remain. */
+static enum hawser_status take(struct hawser__about *about, const struct hawser_rom *rom,
+                               const struct hawser__balance *balance, double omega,
+                               struct hawser_report *report)
+{
+	int order = highest(balance, omega), count = 0;
+	size_t n2 = (size_t)rom->n*(size_t)rom->n, numbers = (2*(size_t)order + 1)*n2;
+
+	if (!make_room(about, numbers, 2*(size_t)order + (size_t)rom->harmonics + 1))
+		return hawser__no_memory(report, "about");
+	memcpy(about->K, balance->T, numbers*sizeof *about->K);
+	for (size_t e = 0; e < n2; e++)
+		about->K[e] *= 0.5; /* T has the constant twice */
+	for (int r = 1; r <= 2*order; r++)
+		about->harmonic[count++] = (struct hawser_harmonic){.k = (r + 1)/2,
+			.phase = r%2 ? HAWSER_COS : HAWSER_SIN, .K = about->K + (size_t)r*n2};
+	for (int h = 0; h < rom->harmonics; h++)
+		if (rom->harmonic[h].D)
+			about->harmonic[count++] = (struct hawser_harmonic){.k = rom->harmonic[h].k,
+				.phase = rom->harmonic[h].phase, .omega_power = rom->harmonic[h].omega_power,
+				.D = rom->harmonic[h].D};
+	about->rom = (struct hawser_rom){.n = rom->n, .length = rom->length, .time = rom->time,
+		.force = rom->force, .scaled = rom->scaled, .D = rom->D, .K = about->K,
+		.harmonics = count, .harmonic = about->harmonic};
+	return HAWSER_OK;
+}
+
+static enum hawser_status solve(struct hawser__about *about, struct hawser__orbit *orbit,
+                                const struct hawser_rom *rom, double omega,
+                                struct hawser_report *report)
+{
+	double *y = calloc((size_t)orbit->size, sizeof *y);
+	struct hawser__correction correction = {.iterations = 0};
+	struct hawser__raised raised = {.lone = 1};
+	enum hawser_status status = HAWSER_OK;
+
+	raised.x = calloc((size_t)orbit->m, sizeof *raised.x);
+	if (!y || !raised.x)
+		status = hawser__no_memory(report, "about");
+	if (!status)
+		status = hawser__start(y, orbit, &correction, NULL, omega, TOLERANCE, &raised, report);
+	if (status == HAWSER_ERR_CONVERGENCE && raised.load >= 0.0)
+		status = hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "about",
+		                      "at Omega %.9g%s the response that grows out of rest has a fold at "
+		                      "%.3g of the excitation, where it jumps: hawser frf follows it",
+		                      HAWSER_SHOWN(rom, omega), raised.load);
+	if (!status) {
+		about->error = orbit->ops->error(orbit, correction.residual);
+		status = take(about, rom, (const struct hawser__balance *)orbit, omega, report);
+	}
+	free(raised.x);
+	free(y);
+	return status;
+}
+
+enum hawser_status hawser__about_response(struct hawser__about *about, const struct hawser_rom *rom,
+                                          double omega, struct hawser_report *report)
+{
+	const struct hawser_frf_options options = {.from = omega, .to = omega};
+	struct hawser__orbit *orbit;
+	enum hawser_status status = refuse(rom, report);
+
+	if (status)
+		return status;
+	status = hawser__balance_method.open(&orbit, rom, &options, report);
+	if (status)
+		return status;
+	status = solve(about, orbit, rom, omega, report);
+	orbit->ops->clear(orbit);
+	return status;
+}

@@ -1,0 +1,120 @@
+/* response/orbit/balance_fast.c - coordinates that are too fast for the steps of balance_blocks.h.
+ *
+ *   s, f   slow and fast coordinates
+ *
+ * A coordinate with a frequency far above all harmonics responds statically at every node:
+ *
+ *   x_f = K_ff^-1 (r_f - K_fs x_s - b_f dOmega)
+ *
+ * so that the slow coordinates have the stiffness K_ss - K_sf K_ff^-1 K_fs. Its own acceleration is
+ * that of G x_s, G = -K_ff^-1 K_fs, of which G x_s'' is the part that does not vanish with the rate
+ * of G: the mass 1 + G'G of the slow coordinates. The neglected terms are of the order
+ * (H Omega/omega_f)^2. In steps that are long for such a coordinate, collocation would
+ * give it free vibrations of wrong frequencies, which resonate, and its equations would enlarge the
+ * blocks.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <cblas.h>
+#include <lapacke.h>
+#include <math.h>
+#include <string.h>
+
+#include "response/orbit/balance.h"
+
+#define S HAWSER__NODES
+
+/* block [rows][columns] of a matrix [n][n] at the coordinates listed. */
+static void gather(float *block, const float *matrix, int n, const int *row, int rows,
+                   const int *column, int columns)
+{
+	for (int i = 0; i < rows; i++)
+		for (int j = 0; j < columns; j++)
+			block[i*columns + j] = matrix[(size_t)row[i]*n + column[j]];
+}
+
+/* At one node: K [n][n]; slow [w][w] receives the condensed stiffness. Returns 1 if K_ff is
+ * singular. */
+static int condense_node(struct hawser__blocks *blocks, float *slow, const float *K, int n, int node)
+{
+	int w = blocks->w, f = blocks->f, *pivot = blocks->last;
+	const int *s = blocks->member, *q = blocks->member + w;
+	float *ff = blocks->inverse + (size_t)node*f*f, *G = blocks->follow + (size_t)node*f*w;
+	float *H = blocks->weigh + (size_t)node*w*f, *fs = blocks->fast_room, *sf = fs + (size_t)f*w;
+
+	if (w == 0)
+		return 1; /* nothing is slow */
+	gather(slow, K, n, s, w, s, w);
+	gather(ff, K, n, q, f, q, f);
+	gather(fs, K, n, q, f, s, w);
+	gather(sf, K, n, s, w, q, f);
+	/* by columns this inverts the transpose, which is the transpose of the inverse */
+	if (LAPACKE_sgetrf_work(LAPACK_COL_MAJOR, f, f, ff, f, pivot) ||
+	    LAPACKE_sgetri_work(LAPACK_COL_MAJOR, f, ff, f, pivot, G, f*w))
+		return 1;
+	cblas_sgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, f, w, f, 1.0, ff, f, fs, w, 0.0, G, w);
+	cblas_sgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, w, f, f, 1.0, sf, f, ff, f, 0.0, H, f);
+	cblas_sgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, w, w, f, -1.0, sf, f, G, w, 1.0, slow, w);
+	cblas_sgemm(CblasRowMajor, CblasTrans, CblasNoTrans, w, w, f, 1.0, G, w, G, w, 1.0,
+	            blocks->mass + (size_t)node%S*w*w, w);
+	return 0;
+}
+
+int hawser__blocks_condense(struct hawser__blocks *blocks, float *slow, const float *K, int n,
+                            int step)
+{
+	int w = blocks->w;
+
+	memset(blocks->mass, 0, (size_t)S*w*w*sizeof *blocks->mass);
+	for (int p = 0; p < S*w; p++)
+		blocks->mass[(size_t)p*w + p%w] = 1.0F;
+	for (int i = 0; i < S; i++) {
+		const float *at = K + (size_t)i*n*n;
+
+		if (blocks->f == 0)
+			gather(slow + (size_t)i*w*w, at, n, blocks->member, w, blocks->member, w);
+		else if (condense_node(blocks, slow + (size_t)i*w*w, at, n, step*S + i))
+			return 1;
+	}
+	return 0;
+}
+
+void hawser__blocks_load_slow(struct hawser__blocks *blocks, float *slow, const float *fast,
+                              int first, int steps)
+{
+	int w = blocks->w, f = blocks->f;
+
+	for (int node = S*first; f > 0 && node < S*(first + steps); node++)
+		for (int p = 0; p < w; p++) {
+			const float *H = blocks->weigh + ((size_t)node*w + p)*f;
+
+			for (int q = 0; q < f; q++)
+				slow[(size_t)node*w + p] -= H[q]*fast[(size_t)node*f + q];
+		}
+}
+
+void hawser__blocks_follow(struct hawser__blocks *blocks, float *fast, const float *slow,
+                           const float *column, double domega)
+{
+	int w = blocks->w, f = blocks->f;
+	float *load = blocks->fast_room;
+
+	for (int node = 0; f > 0 && node < S*blocks->steps; node++) {
+		float *x = fast + (size_t)node*f;
+
+		for (int q = 0; q < f; q++)
+			load[q] = x[q] - column[(size_t)node*f + q]*(float)domega;
+		for (int q = 0; q < f; q++) {
+			const float *inverse = blocks->inverse + ((size_t)node*f + q)*f;
+			const float *G = blocks->follow + ((size_t)node*f + q)*w;
+			float sum = 0.0F;
+
+			for (int r = 0; r < f; r++)
+				sum += inverse[r]*load[r];
+			for (int p = 0; p < w; p++)
+				sum -= G[p]*slow[(size_t)node*w + p];
+			x[q] = sum;
+		}
+	}
+}

@@ -1,0 +1,132 @@
+/* response/orbit/collocation.c - the tables of collocation at Gauss nodes, made when an integration
+ * begins.
+ *
+ * The nodes are computed by Newton's method on P_s from Tricomi's approximation, to the last bit or
+ * two. The integrals of Legendre polynomials have closed forms.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+
+#include "response/orbit/collocation.h"
+
+#define S HAWSER__NODES
+
+void hawser__legendre(double *p, double z, int count)
+{
+	p[0] = 1.0;
+	if (count > 1)
+		p[1] = z;
+	for (int m = 1; m + 1 < count; m++)
+		p[m + 1] = ((2*m + 1)*z*p[m] - m*p[m - 1])/(m + 1);
+}
+
+/* By (2m + 1) P_m = (P_{m+1} - P_{m-1})', once and twice. */
+void hawser__collocation_integrals(double *once, double *twice, double x)
+{
+	double p[S + 2];
+
+	hawser__legendre(p, 2.0*x - 1.0, S + 2);
+	once[0] = x;
+	twice[0] = x*x/2.0;
+	for (int m = 1; m < S; m++)
+		once[m] = (p[m + 1] - p[m - 1])/(2*(2*m + 1));
+	twice[1] = x*x*(x/3.0 - 0.5);
+	for (int m = 2; m < S; m++)
+		twice[m] = ((p[m + 2] - p[m])/(2*(2*m + 3)) - (p[m] - p[m - 2])/(2*(2*m - 1)))/
+		           (2*(2*m + 1));
+}
+
+/* Node i of the Gauss rule on [-1, 1], by Newton from Tricomi's guess, and its weight. */
+static double gauss_node(double *weight, int i)
+{
+	double z = -cos(M_PI*(i + 0.75)/(S + 0.5)), p[S + 1], slope = 1.0;
+
+	for (int k = 0; k < 10; k++) {
+		hawser__legendre(p, z, S + 1);
+		slope = S*(p[S - 1] - z*p[S])/(1.0 - z*z);
+		z -= p[S]/slope;
+	}
+	*weight = 2.0/((1.0 - z*z)*slope*slope);
+	return z;
+}
+
+/* row_j = sum_m integral_m transform[m][j] */
+static void compose(double *row, const double *integral, double (*transform)[S])
+{
+	for (int j = 0; j < S; j++) {
+		row[j] = 0.0;
+		for (int m = 0; m < S; m++)
+			row[j] += integral[m]*transform[m][j];
+	}
+}
+
+/* P_s - P_{s-1} */
+static double radau(double z)
+{
+	double p[S + 1];
+
+	hawser__legendre(p, z, S + 1);
+	return p[S] - p[S - 1];
+}
+
+/* Node i of the Radau rule on [-1, 1] that has 1 as its last, and its weight. The others lie between
+ * those of the Gauss rule. */
+static double radau_node(double *weight, int i)
+{
+	double p[S + 1], low = gauss_node(weight, i), high = i < S - 1 ? gauss_node(weight, i + 1) : 1.0;
+	double sign = radau(low), z = 1.0;
+
+	while (i < S - 1 && (z = 0.5*(low + high), z > low && z < high))
+		*(radau(z)*sign > 0.0 ? &low : &high) = z;
+	hawser__legendre(p, z, S + 1);
+	*weight = (1.0 + z)/(S*p[S - 1]*S*p[S - 1]);
+	return z;
+}
+
+static void make(struct hawser__collocation *table, double (*node)(double *, int))
+{
+	double once[S], twice[S], value[S], weight;
+
+	for (int i = 0; i < S; i++) {
+		double z = node(&weight, i);
+
+		table->node[i] = (1.0 + z)/2.0;
+		hawser__legendre(value, z, S);
+		for (int m = 0; m < S; m++)
+			table->transform[m][i] = (2*m + 1)*weight/2.0*value[m];
+	}
+	for (int i = 0; i < S; i++) {
+		hawser__collocation_integrals(once, twice, table->node[i]);
+		compose(table->once[i], once, table->transform);
+		compose(table->twice[i], twice, table->transform);
+	}
+	hawser__collocation_integrals(once, twice, 1.0);
+	compose(table->end_once, once, table->transform);
+	compose(table->end_twice, twice, table->transform);
+}
+
+void hawser__collocation_make(struct hawser__collocation *table)
+{
+	make(table, gauss_node);
+}
+
+void hawser__collocation_make_radau(struct hawser__collocation *table)
+{
+	make(table, radau_node);
+}
+
+void hawser__collocation_indirect(struct hawser__collocation *table)
+{
+	for (int j = 0; j < S; j++) {
+		table->end_twice[j] = 0.0;
+		for (int k = 0; k < S; k++)
+			table->end_twice[j] += table->end_once[k]*table->once[k][j];
+		for (int i = 0; i < S; i++) {
+			table->twice[i][j] = 0.0;
+			for (int k = 0; k < S; k++)
+				table->twice[i][j] += table->once[i][k]*table->once[k][j];
+		}
+	}
+}

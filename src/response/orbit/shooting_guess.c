@@ -1,0 +1,136 @@
+/* response/orbit/shooting_guess.c - transition matrices near a prediction, extrapolated from earlier
+ * orbits.
+ *
+ *    s       position of an orbit along the plane's normal, 0 at the prediction
+ *    weight  of a stored orbit: Lagrange's polynomial through their s, at 0
+ *
+ * The derivatives of the flow cost several times as much as the flow, and they are smooth along a
+ * branch. A polynomial through those of the last orbits predicts them to three or four digits at
+ * the next orbit, which is enough for the corrector. Only the corrected orbit, whose tangent and
+ * multipliers are results, gets its own derivatives.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "response/orbit/shooting.h"
+
+#define NODES 4              /* largest number of nodes of the polynomial; chosen */
+#define FARTHEST 1.0         /* largest distance of an orbit in the metric; a step is at most 0.4;
+                              * chosen */
+#define APART 0.1            /* least distance of two nodes, relative to that from the prediction;
+                              * chosen */
+#define LARGEST_WEIGHT 40.0  /* larger weights amplify the errors of the matrices too much; chosen */
+
+static size_t record_size(const struct hawser__shooting *shooting)
+{
+	size_t m = (size_t)shooting->base.m, S = (size_t)shooting->segments;
+
+	return S*m*(m + 1) + (size_t)shooting->base.size;
+}
+
+int hawser__shooting_guess_init(struct hawser__shooting *shooting)
+{
+	shooting->memory = calloc(HAWSER_REMEMBERED*record_size(shooting), sizeof(double));
+	return !shooting->memory;
+}
+
+void hawser__shooting_keep(struct hawser__orbit *orbit, const double *y)
+{
+	struct hawser__shooting *shooting = (struct hawser__shooting *)orbit;
+	size_t m = (size_t)orbit->m, S = (size_t)shooting->segments, size = (size_t)orbit->size;
+	double *record = shooting->memory +
+	                 (size_t)(shooting->kept++%HAWSER_REMEMBERED)*record_size(shooting);
+
+	memcpy(record, y, size*sizeof *record);
+	memcpy(record + size, shooting->A, S*m*m*sizeof *record);
+	memcpy(record + size + S*m*m, shooting->b, S*m*sizeof *record);
+}
+
+/* A stored orbit. */
+struct node {
+	double s, weight;
+	const double *record;
+};
+
+/* Insert by falling distance; if the list is full, the farthest orbit is removed. */
+static int insert(struct node *node, int count, struct node new)
+{
+	int at;
+
+	for (int i = 0; i < count; i++)
+		if (fabs(node[i].s - new.s) < APART*(fabs(node[i].s) + fabs(new.s)))
+			return count;
+	if (count == NODES && fabs(new.s) >= fabs(node[NODES - 1].s))
+		return count;
+	at = count < NODES ? count++ : NODES - 1;
+	for (; at > 0 && fabs(node[at - 1].s) > fabs(new.s); at--)
+		node[at] = node[at - 1];
+	node[at] = new;
+	return count;
+}
+
+/* The nearest orbits, latest first: of two that coincide the later one is used. */
+static int choose(struct node *node, const struct hawser__shooting *shooting, const double *y,
+                  const double *row)
+{
+	const struct hawser__metric metric = hawser__orbit_metric(&shooting->base);
+	int kept = shooting->kept < HAWSER_REMEMBERED ? shooting->kept : HAWSER_REMEMBERED;
+	int count = 0;
+
+	for (int i = 1; i <= kept; i++) {
+		const double *record = shooting->memory +
+		                       (size_t)((shooting->kept - i)%HAWSER_REMEMBERED)*
+		                       record_size(shooting);
+		double s = hawser__metric_dot(&metric, row, record) -
+		           hawser__metric_dot(&metric, row, y);
+		double distance2 = hawser__metric_distance2(&metric, record, y);
+
+		/* far from the normal, so that it is on another part of the branch */
+		if (distance2 < FARTHEST*FARTHEST && distance2 < 4.0*s*s)
+			count = insert(node, count, (struct node){s, 0.0, record});
+	}
+	return count;
+}
+
+/* Lagrange's weights; returns the sum of their magnitudes. */
+static double weigh(struct node *node, int count)
+{
+	double sum = 0.0;
+
+	for (int k = 0; k < count; k++) {
+		node[k].weight = 1.0;
+		for (int i = 0; i < count; i++)
+			if (i != k)
+				node[k].weight *= node[i].s/(node[i].s - node[k].s);
+		sum += fabs(node[k].weight);
+	}
+	return sum;
+}
+
+int hawser__shooting_guess(struct hawser__orbit *orbit, const double *y, const double *row)
+{
+	struct hawser__shooting *shooting = (struct hawser__shooting *)orbit;
+	size_t m = (size_t)orbit->m, S = (size_t)shooting->segments, size = (size_t)orbit->size;
+	struct node node[NODES];
+	int count = choose(node, shooting, y, row);
+
+	while (count > 1 && weigh(node, count) > LARGEST_WEIGHT)
+		count--;
+	if (count < 2)
+		return 0;
+	memset(shooting->A, 0, S*m*m*sizeof(double));
+	memset(shooting->b, 0, S*m*sizeof(double));
+	for (int k = 0; k < count; k++) {
+		const double *A = node[k].record + size, *b = A + S*m*m;
+
+		for (size_t i = 0; i < S*m*m; i++)
+			shooting->A[i] += node[k].weight*A[i];
+		for (size_t i = 0; i < S*m; i++)
+			shooting->b[i] += node[k].weight*b[i];
+	}
+	return 1;
+}

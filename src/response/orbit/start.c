@@ -1,0 +1,322 @@
+/* response/orbit/start.c - see start.h.
+ *
+ * The linear response to a harmonic s f cos(k tau) (or sin) is u = p cos(k tau) + q sin(k tau) with
+ *
+ *      [ K - w^2     w D   ] [p]   [f]
+ *      [  -w D     K - w^2 ] [q] = [0]          w = k Omega        (sin: the right side is [0 f])
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <cblas.h>
+#include <float.h>
+#include <lapacke.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "response/orbit/load.h"
+#include "response/orbit/shooting.h"
+#include "response/orbit/start.h"
+
+#define SMALLEST_LOAD_STEP 1e-4 /* fraction of the load: if a smaller step is needed, there is a
+                                 * fold in the load; chosen */
+#define LEAP 0.01  /* fraction of the load over which a narrow resonance is passed, and */
+#define CLOSE 0.05 /* largest distance of the orbit beyond it from the scaled one; chosen */
+#define SETTLE_PERIODS 400 /* periods of the motion from rest before the attempt ends; chosen */
+#define SETTLE_TRY 20 /* periods between two attempts of Newton's method; chosen */
+#define FAR 0.2 /* distance from the linear response, relative to it, from which on another orbit may
+                 * have been found; chosen */
+enum { LEAPS = 6 };
+/* Where only the orbit that grows out of rest is wanted; chosen: */
+#define BOLD 0.5        /* first step of the load */
+#define ON_THE_WAY 1e-3 /* tolerance of orbits below the whole load, harmonics too: narrow
+                         * resonances of high ones are passed, 1e-6 takes five times as long */
+#define NEAR 0.3        /* largest distance of an orbit from the scaled one before, relative to it: one
+                         * that is farther may be another orbit */
+#define LOST 0.01 /* largest relative effect of round-off on the forces; chosen */
+
+/* Fill matrix [2n][2n] row-major and pq [2n] for one harmonic. */
+static void linear_system(double *matrix, double *pq, const struct hawser_rom *rom,
+                          const struct hawser_harmonic *harmonic, double omega)
+{
+	int n = rom->n, m = 2*n, shift = harmonic->phase == HAWSER_COS ? 0 : n;
+	double w = harmonic->k*omega;
+
+	memset(pq, 0, (size_t)m*sizeof *pq);
+	for (int j = 0; j < n; j++) {
+		pq[shift + j] = harmonic->f[j]*pow(omega, harmonic->omega_power);
+		for (int k = 0; k < n; k++) {
+			double stiff = rom->K[j*n + k] - (j == k ? w*w : 0.0), damp = w*rom->D[j*n + k];
+
+			matrix[(size_t)j*m + k] = matrix[(size_t)(n + j)*m + n + k] = stiff;
+			matrix[(size_t)j*m + n + k] = damp;
+			matrix[(size_t)(n + j)*m + k] = -damp;
+		}
+	}
+}
+
+/* Whether the round-off of K - w^2, relative to K and w^2, changes the forces by more than a
+ * hundredth of the loads: w is then an undamped resonance to the last digits. A condition number
+ * would not show this, since stiff coordinates make it large in any case. */
+static int undetermined(const double *pq, const struct hawser_rom *rom,
+                        const struct hawser_harmonic *harmonic, double omega)
+{
+	int n = rom->n;
+	double w = harmonic->k*omega, load = 0.0, lost = 0.0;
+
+	for (int j = 0; j < n; j++) {
+		double sum = w*w*(fabs(pq[j]) + fabs(pq[n + j]));
+
+		for (int k = 0; k < n; k++)
+			sum += fabs(rom->K[j*n + k])*(fabs(pq[k]) + fabs(pq[n + k]));
+		lost = fmax(lost, DBL_EPSILON*sum);
+		load = fmax(load, fabs(harmonic->f[j])*pow(omega, harmonic->omega_power));
+	}
+	return !(lost <= LOST*load);
+}
+
+static enum hawser_status linear_response(double *y, struct hawser__orbit *orbit,
+                                          double omega, struct hawser_report *report)
+{
+	const struct hawser_rom *rom = orbit->rom;
+	int m = orbit->m;
+	double *matrix = malloc((size_t)m*m*sizeof *matrix), *pq = malloc((size_t)m*sizeof *pq);
+	int *pivot = malloc((size_t)m*sizeof *pivot), info;
+	enum hawser_status status = HAWSER_OK;
+
+	if (!matrix || !pq || !pivot)
+		status = hawser__no_memory(report, "frf");
+	memset(y, 0, (size_t)(orbit->size - 1)*sizeof *y);
+	for (int h = 0; !status && h < rom->harmonics; h++) {
+		/* NOLINTNEXTLINE(clang-analyzer-core.uninitialized.Branch): all harmonics are filled */
+		if (!rom->harmonic[h].f)
+			continue;
+		linear_system(matrix, pq, rom, &rom->harmonic[h], omega);
+		info = LAPACKE_dgesv(LAPACK_ROW_MAJOR, m, 1, matrix, m, pivot, pq, 1);
+		if (hawser__lapack_starved(info))
+			status = hawser__no_memory(report, "frf");
+		else if ((info || undetermined(pq, rom, &rom->harmonic[h], omega)) && hawser__rom_more(rom))
+			continue; /* u = 0 need not be near the motion: its linear part says nothing */
+		else if (info || undetermined(pq, rom, &rom->harmonic[h], omega))
+			status = hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "frf",
+			                      "the linear response at Omega %.9g%s is infinite "
+			                      "(undamped resonance): start elsewhere, or add damping",
+			                      HAWSER_SHOWN(rom, omega));
+		else
+			orbit->ops->add_wave(orbit, y, pq, rom->harmonic[h].k, omega);
+	}
+	free(matrix);
+	free(pq);
+	free(pivot);
+	return status;
+}
+
+/* Newton's method at fixed Omega (the border is the direction of Omega), then on a discretisation
+ * that is fine enough for the orbit: with a coarse one, increasing the load could lead to a
+ * spurious orbit. Returns 1 if Newton's method fails, 2 if no discretisation is fine enough (see
+ * the report), 3 when out of memory. */
+static int correct_at(double *y, struct hawser__orbit *orbit,
+                      struct hawser__correction *correction, double omega, double tolerance,
+                      struct hawser_report *report)
+{
+	double *row = orbit->spare;
+	enum hawser_status status;
+	int again = 1;
+
+	y[orbit->size - 1] = omega;
+	while (again) {
+		memset(row, 0, (size_t)orbit->size*sizeof *row);
+		orbit->ops->metric(orbit, y);
+		row[orbit->size - 1] = orbit->W;
+		if (hawser__orbit_correct(orbit, y, correction, row, tolerance))
+			return 1;
+		status = orbit->ops->refine(orbit, &again, tolerance, omega, report);
+		if (status)
+			return status == HAWSER_ERR_MEMORY ? 3 : 2;
+	}
+	return 0;
+}
+
+/* Past a resonance of a high harmonic, narrow where nothing damps it, which the load displaces across
+ * this frequency: the orbit beyond it is the one before, scaled. From `good` at *load; returns whether
+ * there is one. */
+static int leap(double *y, double *good, double *load, struct hawser__orbit *orbit,
+                struct hawser__correction *correction, struct hawser__load *weak, double omega,
+                double tolerance, struct hawser_report *report)
+{
+	int count = orbit->size - 1, beyond = 0;
+
+	for (int k = 1; k <= LEAPS && !beyond && *load > 0.0 && *load < 1.0; k++) {
+		double next = fmin(1.0, *load + k*LEAP), factor = next / *load, off = 0.0, all = 0.0;
+
+		hawser__load_set(weak, next);
+		memcpy(y, good, (size_t)count*sizeof *y);
+		cblas_dscal(count, factor, y, 1);
+		if (correct_at(y, orbit, correction, omega, tolerance, report))
+			continue;
+		for (int i = 0; i < count; i++) {
+			off += pow(y[i] - factor*good[i], 2);
+			all += y[i]*y[i];
+		}
+		beyond = off <= CLOSE*CLOSE*all;
+		*load = beyond ? next : *load;
+	}
+	return beyond;
+}
+
+/* Whether y is near `from`, both [count]. */
+static int is_near(const double *y, const double *from, int count)
+{
+	double off = 0.0, all = 0.0;
+
+	for (int i = 0; i < count; i++) {
+		off += pow(y[i] - from[i], 2);
+		all += from[i]*from[i];
+	}
+	return off <= NEAR*NEAR*all;
+}
+
+/* Increase the load from zero to its value, in steps that grow while Newton's method converges.
+ * *failed is that of correct_at. */
+static enum hawser_status raise_load(double *y, struct hawser__orbit *orbit, int *failed,
+                                     struct hawser__correction *correction, double omega,
+                                     double tolerance, struct hawser__raised *raised,
+                                     struct hawser_report *report)
+{
+	const struct hawser_rom *rom = orbit->rom;
+	size_t size = (size_t)orbit->size;
+	double *good = calloc(size, sizeof *good), *guess = calloc(size, sizeof *guess);
+	double load = 0.0, step = raised->lone ? BOLD : 0.1, growth = 1.5, leapt = -1.0;
+	struct hawser__load weak;
+	enum hawser_status status = hawser__load_open(&weak, rom, report);
+
+	if (!status && (!good || !guess))
+		status = hawser__no_memory(report, "frf");
+	if (status)
+		goto done;
+	orbit->rom = &weak.rom;
+	while (load < 1.0) {
+		double next = fmin(1.0, load + step);
+
+		hawser__load_set(&weak, next);
+		for (size_t i = 0; i + 1 < size; i++)
+			y[i] = load > 0.0 ? good[i]*next/load : 0.0;
+		if (load == 0.0 && (status = linear_response(y, orbit, omega, report)))
+			break;
+		memcpy(guess, y, size*sizeof *guess);
+		*failed = correct_at(y, orbit, correction, omega, raised->lone && next < 1.0
+		                     ? fmax(tolerance, ON_THE_WAY) : tolerance, report);
+		if (!*failed && raised->lone && !is_near(y, guess, (int)size - 1))
+			*failed = 1;
+		if (!*failed) {
+			memcpy(good, y, size*sizeof *good);
+			load = next;
+			step *= growth;
+		} else if (*failed == 1 && raised->lone && step < LEAP && load != leapt &&
+		           leap(y, good, &load, orbit, correction, &weak, omega, tolerance, report)) {
+			memcpy(good, y, size*sizeof *good);
+			*failed = 0;
+			step = LEAPS*LEAP;
+		} else if (*failed >= 2 || (step *= 0.5) < (raised->lone ? LEAP/8.0 : SMALLEST_LOAD_STEP)) {
+			status = *failed == 3 ? HAWSER_ERR_MEMORY : HAWSER_ERR_CONVERGENCE;
+			break;
+		} else if (raised->lone) {
+			leapt = step < 0.5*LEAP ? load : leapt; /* from the same load it fails again */
+			growth = 1.0; /* near a fold longer steps would fail as well */
+		}
+	}
+	if (status == HAWSER_ERR_CONVERGENCE && *failed == 1) {
+		raised->load = load;
+		if (load > 0.0)
+			orbit->ops->state(orbit, raised->x, good);
+	}
+	orbit->rom = rom;
+done:
+	hawser__load_clear(&weak);
+	free(guess);
+	free(good);
+	return status;
+}
+
+/* Integrate from rest until the motion is periodic; start Newton's method from it at intervals. */
+static enum hawser_status settle(double *y, struct hawser__orbit *orbit,
+                                 struct hawser__correction *correction, double omega,
+                                 double tolerance, struct hawser_report *report)
+{
+	const struct hawser_rom *rom = orbit->rom;
+	int m = orbit->m, steps = hawser__shooting_steps(rom, omega, 1);
+	struct hawser__stretch period = {.h = 2.0*M_PI/steps, .steps = steps, .count = 1};
+	struct hawser__flow flow;
+	double *x = calloc((size_t)m, sizeof *x);
+	enum hawser_status status = hawser__flow_init(&flow, rom, report);
+	int found = 0, failed;
+
+	if (!status && !x)
+		status = hawser__no_memory(report, "frf");
+	for (int p = 1; !status && !found && p <= SETTLE_PERIODS; p++) {
+		hawser__flow_map(&flow, x, NULL, &period, omega);
+		if (!isfinite(cblas_dnrm2(m, x, 1)))
+			break;
+		if (p%SETTLE_TRY == 0 &&
+		    !(status = orbit->ops->from_state(orbit, y, x, omega, report))) {
+			failed = correct_at(y, orbit, correction, omega, tolerance, report);
+			found = !failed;
+			status = failed == 3 ? HAWSER_ERR_MEMORY : HAWSER_OK;
+		}
+	}
+	hawser__flow_clear(&flow);
+	free(x);
+	return status || found ? status : HAWSER_ERR_CONVERGENCE;
+}
+
+/* Whether y is far from the linear response. */
+static enum hawser_status strayed(int *far, const double *y, struct hawser__orbit *orbit, double omega,
+                                  struct hawser_report *report)
+{
+	size_t size = (size_t)orbit->size;
+	double *linear = calloc(size, sizeof *linear), length;
+	enum hawser_status status = linear ? linear_response(linear, orbit, omega, report)
+	                                   : hawser__no_memory(report, "frf");
+
+	if (!status) {
+		length = cblas_dnrm2((int)size - 1, linear, 1);
+		cblas_daxpy((int)size - 1, -1.0, y, 1, linear, 1);
+		*far = !(cblas_dnrm2((int)size - 1, linear, 1) <= FAR*length);
+	}
+	free(linear);
+	return status;
+}
+
+enum hawser_status hawser__start(double *y, struct hawser__orbit *orbit,
+                                 struct hawser__correction *correction, const double *start,
+                                 double omega, double tolerance, struct hawser__raised *raised,
+                                 struct hawser_report *report)
+{
+	enum hawser_status status;
+	int failed, far = 0;
+
+	raised->load = -1.0;
+	status = start ? orbit->ops->from_state(orbit, y, start, omega, report)
+	               : linear_response(y, orbit, omega, report);
+	if (status)
+		return status;
+	failed = correct_at(y, orbit, correction, omega, tolerance, report);
+	if (failed == 3)
+		return HAWSER_ERR_MEMORY;
+	if (!failed && raised->lone && (status = strayed(&far, y, orbit, omega, report)))
+		return status;
+	if (failed != 1 && !far)
+		return failed ? HAWSER_ERR_CONVERGENCE : HAWSER_OK;
+	if (start)
+		return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "frf",
+		                       correction->iterations, correction->residual,
+		                       "the given start does not lead to a periodic orbit at Omega "
+		                       "%.9g%s (residual %.2g)",
+		                       HAWSER_SHOWN(orbit->rom, omega), correction->residual);
+	status = raise_load(y, orbit, &failed, correction, omega, tolerance, raised, report);
+	if (status != HAWSER_ERR_CONVERGENCE || failed == 2 || raised->lone)
+		return status;
+	return settle(y, orbit, correction, omega, tolerance, report);
+}

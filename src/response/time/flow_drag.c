@@ -1,0 +1,58 @@
+/* response/time/flow_drag.c - quadratic drag, and the terms of own models, at a stage of the
+ * flow. Since the volume of states contracts by the trace of their derivative, that trace is
+ * summed with the weights of the formula. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include "response/time/flow.h"
+#include "response/time/tableau.h"
+#include "rom/terms/drag.h"
+#include "rom/energy/kernel.h"
+#include "rom/terms/terms.h"
+
+static double trace_of(const double *matrix, int n)
+{
+	double trace = 0.0;
+
+	for (int j = 0; j < n; j++)
+		trace += matrix[(size_t)j*(n + 1)*HAWSER_LANES];
+	return trace;
+}
+
+void hawser__flow_drag(struct hawser__flow *flow, int s, int derive, int live, double omega)
+{
+	const struct hawser_rom_drag *drag = flow->rom->drag;
+	int n = flow->n;
+	double *f = flow->f + (size_t)s*n*HAWSER_LANES, *by_v = flow->by_v + (size_t)s*n*n*HAWSER_LANES;
+
+	for (int lane = 0; lane < HAWSER_LANES; lane++) {
+		double before = derive ? trace_of(by_v + lane, n) : 0.0;
+
+		hawser__drag_add(drag, f + lane, flow->stage_v + lane, HAWSER_LANES);
+		if (!derive)
+			continue;
+		hawser__drag_slope(drag, 1.0, by_v + lane, flow->stage_v + lane, HAWSER_LANES);
+		if (lane < live)
+			flow->drained += hawser__dop853.b[s]*flow->h/omega*
+			                 (trace_of(by_v + lane, n) - before);
+	}
+}
+
+void hawser__flow_more(struct hawser__flow *flow, int s, int derive, int live, double omega)
+{
+	const int n = flow->n, lanes = HAWSER_LANES;
+	double *f = flow->f + (size_t)s*n*lanes, *by_omega = flow->f_omega + (size_t)s*n*lanes;
+	double *by_u = flow->by_u + (size_t)s*n*n*lanes, *by_v = flow->by_v + (size_t)s*n*n*lanes;
+
+	for (int lane = 0; lane < lanes; lane++) {
+		double before = derive ? trace_of(by_v + lane, n) : 0.0;
+		const struct hawser__more to = {.force = f + lane, .by_u = derive ? by_u + lane : NULL,
+			.by_v = derive ? by_v + lane : NULL, .by_omega = derive ? by_omega + lane : NULL,
+			.sign = -1.0, .stride = lanes};
+
+		hawser__rom_more_add(flow->rom, &to, flow->stage_u + lane, flow->stage_v + lane,
+		                     flow->at[lane] + hawser__dop853.c[s]*flow->h, omega);
+		if (derive && lane < live)
+			flow->drained += hawser__dop853.b[s]*flow->h/omega*
+			                 (trace_of(by_v + lane, n) - before);
+	}
+}

@@ -1,0 +1,499 @@
+/* rom/build/build.c - the model of a scene: tensors, damping, load, units, labels, probes.
+ *
+ *   f_j = d/H * integral over the loaded part of Phi_j . f ds,   f in N/m, s scaled arclength
+ *   alpha -> alpha*d/sqrt(rho*H);  rayleigh (mass, stiffness) -> mass*t + stiffness/t*K, t the time
+ *   unit d*sqrt(rho/H);  ratio zeta -> 2*zeta*omega_j, zeta that of mode j in a list
+ *
+ * Of a travelling cable H, rho and S are the apparent ones, but load and alpha are per actual length:
+ * with m of struct hawser_motion, f -> (1 - m) f and alpha -> alpha*t/(actual rho).
+ *
+ * (Bertrand 2022, 2.75-2.77; doc/theory-rom.md.)
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "modes/grid.h"
+#include "modes/label.h"
+#include "rom/condense/answer.h"
+#include "rom/build/build.h"
+#include "rom/terms/drag.h"
+#include "rom/file/entries.h"
+#include "rom/condense/inertia.h"
+#include "rom/build/model.h"
+#include "rom/energy/kernel.h"
+#include "rom/energy/law.h"
+#include "rom/terms/load.h"
+#include "rom/energy/project.h"
+#include "rom/condense/support.h"
+#include "rom/terms/travel.h"
+#include "statics/frame.h"
+
+/* Probes, as fractions of the unstretched length. */
+static const struct {
+	const char *name;
+	double part;
+} probes[] = {{"quarter", 0.25}, {"mid", 0.5}, {"three_quarter", 0.75}};
+enum { PROBES = sizeof probes/sizeof *probes };
+
+/* Points at which the tension is evaluated, including the ends: eight per wave of the 4th mode. */
+enum { LINE = 17 };
+
+static void set_stiffness(struct hawser_rom *rom, const struct hawser_modes *modes)
+{
+	for (int j = 0; j < rom->n; j++)
+		rom->K[j*rom->n + j] = modes->mode[j].omega*modes->mode[j].omega;
+}
+
+/* --- load --- */
+
+static enum hawser_status set_load(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                   const struct hawser__loads *loads, struct hawser_report *report)
+{
+	if (loads->harmonics == 0)
+		return HAWSER_OK;
+	rom->harmonic = calloc((size_t)loads->harmonics, sizeof *rom->harmonic);
+	if (!rom->harmonic)
+		return hawser__no_memory(report, "rom");
+	for (int i = 0; i < loads->harmonics; i++) {
+		struct hawser_harmonic *h = &rom->harmonic[rom->harmonics++];
+
+		h->k = loads->k[i];
+		h->phase = loads->sine[i] ? HAWSER_SIN : HAWSER_COS;
+		h->f = malloc((size_t)rom->n*sizeof *h->f);
+		if (!h->f)
+			return hawser__no_memory(report, "rom");
+		for (int j = 0; j < rom->n; j++) {
+			double f = hawser__loads_work(loads, i, modes, j);
+
+			if (!isfinite(f))
+				return hawser__fail(report, HAWSER_ERR_NAN, "rom",
+				                    "the load on mode %d is %g: its shape or the load is not "
+				                    "finite", j + 1, f);
+			h->f[j] = f;
+		}
+	}
+	return HAWSER_OK;
+}
+
+/* The condensed modes also respond to the load, which thereby varies the stiffness of the kept
+ * modes. */
+static enum hawser_status set_varying(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                      int moving, const struct hawser_scene *scene,
+                                      struct hawser_report *report)
+{
+	struct hawser__loads loads;
+	enum hawser_status status = hawser__loads_make(&loads, &modes->statics, scene, report);
+
+	for (int h = 0; !status && h < loads.harmonics; h++) {
+		double *K = malloc((size_t)rom->n*(size_t)rom->n*sizeof *K);
+		int any = 0;
+
+		status = K ? hawser__follow_load(K, &any, modes, moving, &loads, h, report)
+		         : hawser__no_memory(report, "rom");
+		if (status || !any) {
+			free(K);
+			continue;
+		}
+		/* second-order shapes respond to the load as coordinates */
+		hawser__rom_held(K, rom, rom->harmonic[h].f, -1.0);
+		rom->harmonic[h].K = K;
+	}
+	hawser__loads_clear(&loads);
+	return status;
+}
+
+enum hawser_status hawser__rom_vary(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                    int moving, const struct hawser_scene *scene,
+                                    struct hawser_report *report)
+{
+	enum hawser_status status = hawser__loaded(scene)
+	                            ? set_varying(rom, modes, moving, scene, report) : HAWSER_OK;
+
+	return status ? status : hawser__rom_travel_condensed(rom, modes, moving, scene, report);
+}
+
+/* --- labels and probes --- */
+
+/* "in-plane 2 (antisymmetric)", "in-plane 9 (longitudinal, symmetric)", "out-of-plane 1": numbered
+ * within their plane. */
+static char *label_of(const struct hawser_rom *rom, const struct hawser_modes *modes, int j)
+{
+	const struct hawser_mode *mode = &modes->mode[j];
+	const char *symmetry = mode->symmetry == HAWSER_MIXED ? NULL
+	                       : hawser_symmetry_name(mode->symmetry);
+	int in_plane = mode->plane == HAWSER_IN_PLANE;
+	int along = mode->family == HAWSER_LONGITUDINAL;
+	char text[96], note[48] = "";
+
+	if (mode->number == 0) {
+		snprintf(text, sizeof text, "%s shape, %s",
+		         j < modes->n - rom->inertia.shapes ? "damper" : "second-order",
+		         hawser_plane_name(mode->plane));
+		return strdup(text);
+	}
+	if (in_plane && (along || symmetry))
+		snprintf(note, sizeof note, " (%s%s%s)", along ? hawser_family_name(mode->family) : "",
+		         along && symmetry ? ", " : "", symmetry ? symmetry : "");
+	snprintf(text, sizeof text, "%s %d%s", hawser_plane_name(mode->plane), mode->number, note);
+	return strdup(text);
+}
+
+static enum hawser_status set_labels(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                     struct hawser_report *report)
+{
+	rom->label = calloc((size_t)rom->n, sizeof *rom->label);
+	if (!rom->label)
+		return hawser__no_memory(report, "rom");
+	for (int j = 0; j < rom->n; j++)
+		if (!(rom->label[j] = label_of(rom, modes, j)))
+			return hawser__no_memory(report, "rom");
+	return HAWSER_OK;
+}
+
+int hawser__rom_stroke_point(const struct hawser_statics *st, int p)
+{
+	int left = p - PROBES;
+
+	for (int i = 0; left >= 0 && i < st->attachments; i++)
+		if (st->attached[i].absorber > 0.0 && left-- == 0)
+			return i;
+	return -1;
+}
+
+/* PROBES, and a point for the stroke of every absorber. */
+static int points_of(const struct hawser_statics *st)
+{
+	int points = PROBES;
+
+	for (int i = 0; i < st->attachments; i++)
+		points += st->attached[i].absorber > 0.0;
+	return points;
+}
+
+/* "mid"; "stroke_tmd" or, without a name, "stroke_2" of attachment 2 of the scene. */
+static char *name_of(const struct hawser_modes *modes, const struct hawser_scene *scene, int p)
+{
+	int own = hawser__rom_stroke_point(&modes->statics, p), index;
+	char text[HAWSER_NAME_SIZE + 24];
+
+	if (own < 0)
+		return strdup(probes[p].name);
+	index = modes->statics.attached[own].index;
+	if (scene && index < scene->attachments && *scene->attach[index].name)
+		snprintf(text, sizeof text, "stroke_%s", scene->attach[index].name);
+	else
+		snprintf(text, sizeof text, "stroke_%d", index + 1);
+	return strdup(text);
+}
+
+/* A stroke along the direction of its absorber, as P, Q, B. */
+static void set_stroke(double shape[3], const struct hawser_modes *modes, int i, double stroke)
+{
+	struct hawser_frame_point at = hawser_statics_frame(&modes->statics,
+	                                                    modes->statics.attached[i].s);
+	const double *a = modes->statics.attached[i].absorber_axis;
+
+	shape[0] = stroke*(a[0]*at.ex + a[1]*at.ey);
+	shape[1] = stroke*(a[1]*at.ex - a[0]*at.ey);
+	shape[2] = stroke*a[2];
+}
+
+static void set_probe(struct hawser_rom_shapes *shapes, const struct hawser_modes *modes, int p)
+{
+	int own = hawser__rom_stroke_point(&modes->statics, p);
+	double s = own < 0 ? probes[p].part*modes->statics.l : modes->statics.attached[own].s;
+	struct hawser_frame_point at = hawser_statics_frame(&modes->statics, s);
+
+	shapes->s[p] = s;
+	/* in space displacements are along the axes of the cable */
+	shapes->tangent[2*p] = modes->statics.space ? 1.0 : at.ex;
+	shapes->tangent[2*p + 1] = modes->statics.space ? 0.0 : at.ey;
+	shapes->stretch[p] = 1.0 + at.strain;
+	for (int j = 0; j < modes->n; j++) {
+		size_t place = ((size_t)j*(size_t)shapes->points + (size_t)p)*3;
+
+		hawser_modes_at(modes, shapes->shape + place, shapes->slope + place, j, s);
+		if (own >= 0)
+			set_stroke(shapes->shape + place, modes, own, hawser__stroke(modes, j, own));
+	}
+	for (int j = 0; modes->statics.space && j < modes->n; j++) {
+		double *shape = shapes->shape + ((size_t)j*(size_t)shapes->points + (size_t)p)*3;
+		double local[3];
+
+		memcpy(local, shape, sizeof local);
+		hawser__frame_out(shape, &at, local);
+	}
+}
+
+/* The contribution of the condensed modes at the probes and along the line. */
+static enum hawser_status set_second(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                     const struct hawser__condensed *condensed,
+                                     struct hawser_report *report)
+{
+	struct hawser_rom_shapes *shapes = &rom->shapes;
+	enum hawser_status status = hawser__rom_init_second(rom, report);
+
+	for (int p = 0; !status && p < shapes->points; p++) {
+		int own = hawser__rom_stroke_point(&modes->statics, p);
+
+		status = hawser__condensed_at(condensed, modes, shapes->second_shape + 3*p,
+		                              shapes->second_slope + 3*p, 3*shapes->points,
+		                              shapes->s[p], report);
+		for (int x = 0; !status && own >= 0 && x < condensed->pairs; x++)
+			set_stroke(shapes->second_shape + 3*(x*shapes->points + p), modes, own,
+			           condensed->stroke[x*modes->statics.attachments + own]);
+	}
+	for (int p = 0; !status && p < LINE; p++)
+		for (int x = 0; x < condensed->pairs; x++)
+			hawser__grid_at(rom->line.second_slope + ((size_t)x*LINE + p)*3, &modes->grid,
+			                condensed->strain + (size_t)x*condensed->points*3, 3, 3,
+			                rom->line.s[p]);
+	return status;
+}
+
+static enum hawser_status set_shapes(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                     const struct hawser_scene *scene, struct hawser_report *report)
+{
+	enum hawser_status status = hawser__rom_init_shapes(rom, points_of(&modes->statics), report);
+
+	if (status)
+		return status;
+	rom->shapes.EA = modes->statics.span.EA;
+	rom->shapes.turned = modes->statics.turned;
+	memcpy(rom->shapes.axes, modes->statics.axes, sizeof rom->shapes.axes);
+	for (int p = 0; p < rom->shapes.points; p++) {
+		rom->shapes.name[p] = name_of(modes, scene, p);
+		if (!rom->shapes.name[p])
+			return hawser__no_memory(report, "rom");
+		set_probe(&rom->shapes, modes, p);
+	}
+	return HAWSER_OK;
+}
+
+static enum hawser_status set_line(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                   struct hawser_report *report)
+{
+	struct hawser_rom_line *line = &rom->line;
+	enum hawser_status status = hawser__rom_init_line(rom, LINE, report);
+
+	for (int p = 0; !status && p < LINE; p++) {
+		double shape[3], s = modes->statics.l*p/(LINE - 1);
+
+		line->s[p] = s;
+		line->stretch[p] = 1.0 + hawser_statics_frame(&modes->statics, s).strain;
+		for (int j = 0; j < rom->n; j++)
+			hawser_modes_at(modes, shape, line->slope + ((size_t)j*LINE + p)*3, j, s);
+	}
+	return status;
+}
+
+enum hawser_status hawser__rom_real(const struct hawser_modes *modes, struct hawser_report *report)
+{
+	if (!modes->gyroscopic)
+		return HAWSER_OK;
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+	                    "the modes are complex: a model needs real modes, for a travelling cable "
+	                    "those of the apparent cable (hawser_modes_solve)");
+}
+
+enum hawser_status hawser__rom_begin(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                     const struct hawser_scene *scene,
+                                     struct hawser_report *report)
+{
+	enum hawser_status status;
+
+	memset(rom, 0, sizeof *rom);
+	status = hawser__rom_real(modes, report);
+	if (status)
+		return status;
+	if (modes->statics.space && hawser__support_moves(scene))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+		                    "moving ends (support.A.motion, support.B.motion, --motion) of a cable "
+		                    "that masses or springs in a wind, or attach.force, take out of one plane "
+		                    "are not modelled: leave them out, or set load.static.per_length=[0,0,0] "
+		                    "and forces downwards");
+	if (!(modes->statics.epsilon > 0.0))
+		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "rom",
+		                    "an inextensible cable (EA = %g N) has no strain energy: "
+		                    "give a finite EA", modes->statics.span.EA);
+	status = hawser__rom_init(rom, modes->n, report);
+	if (status)
+		return status;
+	rom->length = modes->statics.span.d;
+	rom->time = modes->time_unit;
+	rom->force = modes->statics.H;
+	rom->scaled = 1;
+	set_stiffness(rom, modes);
+	return scene ? hawser__rom_damping(rom, modes, scene, report) : HAWSER_OK;
+}
+
+enum hawser_status hawser__rom_finish(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                      const struct hawser_scene *scene, struct hawser_report *report)
+{
+	struct hawser__loads loads;
+	enum hawser_status status = hawser__loads_make(&loads, &modes->statics, scene, report);
+
+	if (!status)
+		status = set_load(rom, modes, &loads, report);
+	hawser__loads_clear(&loads);
+	if (!status)
+		status = hawser__drag_make(rom, modes, scene, report);
+	if (!status)
+		status = hawser__rom_travel(rom, modes, scene, report);
+	if (!status)
+		status = set_labels(rom, modes, report);
+	if (!status)
+		status = set_shapes(rom, modes, scene, report);
+	if (!status)
+		status = hawser__range_make(rom, modes, report);
+	return status ? status : set_line(rom, modes, report);
+}
+
+/* --- inertia of the condensed modes --- */
+
+/* The modes followed by the second-order shapes; with->n = 0 if none are needed. */
+static enum hawser_status add_shapes(struct hawser_modes *with, struct hawser_rom *rom,
+                                     const struct hawser_modes *modes,
+                                     const struct hawser__condensed *condensed,
+                                     const struct hawser_scene *scene,
+                                     struct hawser_report *report)
+{
+	size_t n = (size_t)modes->n;
+	struct hawser__loads loads;
+	double *load = malloc(n*sizeof *load), *damping = malloc(n*sizeof *damping);
+	enum hawser_status status = hawser__loads_make(&loads, &modes->statics, scene, report);
+
+	if (!status && (!load || !damping))
+		status = hawser__no_memory(report, "rom");
+	for (int j = 0; !status && j < modes->n; j++) {
+		load[j] = hawser__loads_most(&loads, modes, j);
+		damping[j] = rom->D[(size_t)j*(n + 1)];
+		if (!isfinite(load[j]))
+			load[j] = 0.0; /* reported when the load is set */
+		damping[j] = hawser__drag_equal(modes, scene, j, load[j], damping[j]);
+	}
+	if (!status)
+		status = hawser__inertia_extend(with, &rom->inertia, modes, condensed, load, damping,
+		                                hawser__inertia_allowed(scene), report);
+	if (!status && hawser__drag_alone(scene)) { /* shapes move along the cable: no drag */
+		hawser_modes_clear(with);
+		rom->inertia = (struct hawser_rom_inertia){.shift = rom->inertia.shift,
+		                                           .left = rom->inertia.shift};
+	}
+	hawser__loads_clear(&loads);
+	free(load);
+	free(damping);
+	return status;
+}
+
+/* The response of the other modes; if its inertia matters, *with becomes the modes of a larger
+ * model. */
+static enum hawser_status condense(struct hawser__condensed *condensed, struct hawser_modes *with,
+                                   struct hawser_rom *rom, const struct hawser_modes *modes,
+                                   const struct hawser_scene *scene, struct hawser_report *report)
+{
+	enum hawser_status status = hawser__condense(condensed, modes, modes->n, report);
+	struct hawser_rom_inertia inertia;
+
+	/* with gyroscopic forces, the response also depends on velocities */
+	if (status || !hawser__loaded(scene) || scene->travel.present ||
+	    scene->model.inertia == HAWSER_INERTIA_NONE)
+		return status;
+	status = add_shapes(with, rom, modes, condensed, scene, report);
+	if (status || with->n == 0)
+		return status;
+	inertia = rom->inertia;
+	hawser__condensed_clear(condensed);
+	hawser_rom_clear(rom);
+	status = hawser__rom_begin(rom, with, scene, report);
+	rom->inertia = inertia;
+	return status ? status : hawser__condense(condensed, with, modes->n, report);
+}
+
+/* `compile`: prepare the forces as well. */
+static enum hawser_status build_with(struct hawser_rom *rom, const struct hawser_modes *kept,
+                                     const struct hawser_scene *scene, int compile,
+                                     struct hawser_report *report)
+{
+	struct hawser__condensed others = {0}, *condensed = NULL;
+	enum hawser_status status = hawser__rom_begin(rom, kept, scene, report);
+	const struct hawser_modes *modes = kept;
+	struct hawser_modes with = {.n = 0};
+
+	if (status)
+		return status;
+	if (scene && scene->model.condense == HAWSER_CONDENSE_STATIC) {
+		status = condense(&others, &with, rom, kept, scene, report);
+		condensed = &others;
+		modes = with.n > 0 ? &with : kept;
+	}
+	if (!status)
+		status = hawser__rom_tensors(rom, modes, condensed, report);
+	if (!status)
+		status = hawser__rom_finish(rom, modes, scene, report);
+	if (!status && condensed)
+		status = set_second(rom, modes, condensed, report);
+	if (!status && condensed)
+		status = hawser__rom_vary(rom, modes, kept->n, scene, report);
+	if (!status && condensed)
+		status = hawser__rom_answers(rom, modes, modes->n, scene, report);
+	if (!status && hawser__support_moves(scene))
+		status = hawser__support_forces(rom, modes, kept->n, condensed != NULL, scene, report);
+	if (!status)
+		status = hawser__support_energy(rom, modes, kept, condensed != NULL, scene, report);
+	if (!status)
+		status = compile ? hawser__rom_compile_cable(rom, modes, condensed, report)
+		                 : hawser__entries_check(rom, report);
+	if (!status && !compile)
+		status = hawser__entries_merge(rom, report);
+	hawser__condensed_clear(&others);
+	hawser_modes_clear(&with);
+	if (status)
+		hawser_rom_clear(rom);
+	return status;
+}
+
+static enum hawser_status build(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                const struct hawser_scene *scene, int compile,
+                                struct hawser_report *report)
+{
+	struct hawser_modes with;
+	enum hawser_status status = hawser__rom_attached(&with, modes, scene, report);
+
+	memset(rom, 0, sizeof *rom);
+	if (!status)
+		status = build_with(rom, with.n > 0 ? &with : modes, scene, compile, report);
+	hawser_modes_clear(&with);
+	return status;
+}
+
+enum hawser_status hawser__rom_of_modes(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                        const struct hawser_scene *scene,
+                                        struct hawser_report *report)
+{
+	struct hawser_modes with;
+	enum hawser_status status = hawser__rom_attached(&with, modes, scene, report);
+
+	hawser_modes_clear(&with);
+	memset(rom, 0, sizeof *rom);
+	return status ? status : build_with(rom, modes, scene, 1, report);
+}
+
+enum hawser_status hawser_rom_build_entries(struct hawser_rom *rom, const struct hawser_modes *kept,
+                                            const struct hawser_scene *scene,
+                                            struct hawser_report *report)
+{
+	return build(rom, kept, scene, 0, report);
+}
+
+enum hawser_status hawser_rom_build(struct hawser_rom *rom, const struct hawser_modes *kept,
+                                    const struct hawser_scene *scene, struct hawser_report *report)
+{
+	return build(rom, kept, scene, 1, report);
+}

@@ -1,0 +1,371 @@
+/* rom/build/line.c - the reduced model of a rope over sheaves: tensors of the expanded energy
+ * (ropeway/expand/expand.h), damping, labels and shape points.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "core/settle.h"
+#include "rom/build/line.h"
+#include "rom/build/model.h"
+
+enum { HARMONICS = 3, HARMONICS_MOST = 30 };
+
+void hawser_line_rom_settle(struct hawser_line_rom_options *options)
+{
+	hawser__settle_count(&options->modes.n, 6);
+	hawser__settle_count(&options->harmonics, HARMONICS);
+}
+
+static enum hawser_status refuse(struct hawser_report *report, const char *what, double value,
+                                 const char *want)
+{
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "line rom", "%s is %g: give %s", what, value,
+	                    want);
+}
+
+static enum hawser_status check(const struct hawser_line_rom_options *o, int lanes,
+                                struct hawser_report *report)
+{
+	if (o->modes.n > HAWSER_LINE_ROM_MODES)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "line rom", "%d modes asked: a model of a "
+		                    "rope over sheaves has 1 to %d", o->modes.n, HAWSER_LINE_ROM_MODES);
+	if (!(o->ratio >= 0.0 && o->ratio < 1.0))
+		return refuse(report, "the damping ratio", o->ratio, "0 to 1");
+	if ((unsigned)o->load > HAWSER_LINE_LOAD_DRIVE || (unsigned)o->end > 1)
+		return refuse(report, "an option (load or end)", o->load, "one of its values");
+	if (!(o->running >= 0.0 && isfinite(o->running)))
+		return refuse(report, "the mass per length that runs (kg/m)", o->running,
+		              "0 or a positive one");
+	if (!(o->speed >= 0.0 && isfinite(o->speed)))
+		return refuse(report, "the speed (m/s)", o->speed, "0 or a positive one, and modes.backward");
+	if (o->running > 0.0 && o->modes.contact == HAWSER_LINE_STICK)
+		return refuse(report, "the mass per length that runs (kg/m)", o->running,
+		              "0: the contact is stick, and a rope that sticks does not run");
+	if (o->load != HAWSER_LINE_LOAD_NONE && (o->lane < 0 || o->lane >= lanes))
+		return refuse(report, "the lane of the load", o->lane, "that of a lane, counted from 0");
+	if (o->load == HAWSER_LINE_LOAD_PASSING) {
+		if (!(o->weight > 0.0 && isfinite(o->weight)))
+			return refuse(report, "the weight that passes (N)", o->weight, "a positive one");
+		if (!(o->spacing > 0.0 && isfinite(o->spacing)))
+			return refuse(report, "the spacing (m)", o->spacing, "a positive one");
+		if (o->harmonics < 1 || o->harmonics > HARMONICS_MOST)
+			return refuse(report, "the number of harmonics", o->harmonics, "1 to 30");
+	}
+	if (o->load == HAWSER_LINE_LOAD_DRIVE && !(o->amplitude > 0.0 && isfinite(o->amplitude)))
+		return refuse(report, "the amplitude of the drive (m)", o->amplitude, "a positive one");
+	return HAWSER_OK;
+}
+
+/* --- tensors --- */
+
+static enum hawser_status set_quads(struct hawser_rom *rom, const struct hawser__lexpand *t,
+                                    struct hawser_report *report)
+{
+	int n = rom->n;
+
+	rom->Q = malloc(((size_t)n*(size_t)n*(size_t)(n + 1)/2 + 1)*sizeof *rom->Q);
+	if (!rom->Q)
+		return hawser__no_memory(report, "line rom");
+	for (int j = 0; j < n; j++)
+		for (int k = 0; k < n; k++)
+			for (int l = k; l < n; l++) {
+				double value = t->third[(j*t->n + k)*t->n + l];
+
+				if (value != 0.0)
+					rom->Q[rom->quads++] = (struct hawser_quad){j, k, l, k == l ? 0.5*value : value};
+			}
+	return HAWSER_OK;
+}
+
+/* 6 over the number of orders of three indices. */
+static double share(int k, int l, int m)
+{
+	return k == m ? 6.0 : k == l || l == m ? 2.0 : 1.0;
+}
+
+/* Numbers of planes that occur an odd number of times have no energy. */
+static int even(const struct hawser_line_modes *modes, const int index[4])
+{
+	int out = 0;
+
+	for (int i = 0; i < 4; i++)
+		out += modes->mode[index[i]].plane == HAWSER_OUT_OF_PLANE;
+	return out%2 == 0;
+}
+
+static enum hawser_status set_cubics(struct hawser_rom *rom, const struct hawser__lexpand *t,
+                                     const struct hawser_line_modes *modes,
+                                     struct hawser_report *report)
+{
+	int n = rom->n;
+
+	rom->C = malloc(((size_t)n*(size_t)n*(size_t)(n + 1)*(size_t)(n + 2)/6 + 1)*sizeof *rom->C);
+	if (!rom->C)
+		return hawser__no_memory(report, "line rom");
+	for (int j = 0; j < n; j++)
+		for (int k = 0; k < n; k++)
+			for (int l = k; l < n; l++)
+				for (int m = l; m < n; m++) {
+					int index[4] = {j, k, l, m};
+					double value;
+
+					if (!even(modes, index))
+						continue;
+					/* the same bits for the same derivative */
+					for (int a = 0; a < 3 && index[a] > index[a + 1]; a++) {
+						index[a] = index[a + 1];
+						index[a + 1] = j;
+					}
+					value = hawser__lexpand_fourth(t, index);
+					if (!isfinite(value))
+						return hawser__fail(report, HAWSER_ERR_NAN, "line rom", "the tensor C is %g "
+						                    "for modes %d, %d, %d, %d: their shapes are not finite",
+						                    value, j + 1, k + 1, l + 1, m + 1);
+					value /= share(k, l, m);
+					rom->C[rom->cubics++] = (struct hawser_cubic){j, k, l, m, value};
+				}
+	return HAWSER_OK;
+}
+
+/* --- labels and shape points --- */
+
+/* "in-plane 2 (span 1)": the span with more than half of the energy, if there is one. */
+static enum hawser_status set_labels(struct hawser_rom *rom, const struct hawser_line_modes *modes,
+                                     struct hawser_report *report)
+{
+	rom->label = calloc((size_t)rom->n, sizeof *rom->label);
+	if (!rom->label)
+		return hawser__no_memory(report, "line rom");
+	for (int j = 0; j < rom->n; j++) {
+		char text[96], where[40] = "";
+
+		for (int i = 0; i < modes->spans && modes->spans > 1; i++)
+			if (modes->share[j*modes->spans + i] > 0.5)
+				snprintf(where, sizeof where, " (span %d)", i + 1);
+		snprintf(text, sizeof text, "%s %d%s", hawser_plane_name(modes->mode[j].plane),
+		         modes->mode[j].number, where);
+		rom->label[j] = strdup(text);
+		if (!rom->label[j])
+			return hawser__no_memory(report, "line rom");
+	}
+	return HAWSER_OK;
+}
+
+/* Beginning and length of a run, over its pieces, and its lane. */
+static int run_of(const struct hawser__lmode *rope, int run, double *s0, double *length)
+{
+	int lane = -1;
+
+	*s0 = *length = 0.0;
+	for (int i = 0; i < rope->pieces; i++) {
+		if (rope->piece[i].run != run)
+			continue;
+		if (lane < 0)
+			*s0 = rope->piece[i].s0;
+		lane = rope->piece[i].lane;
+		*length += rope->piece[i].length;
+	}
+	return lane;
+}
+
+static int piece_at(const struct hawser__lmode *rope, int lane, double s)
+{
+	int found = 0;
+
+	for (int i = 0; i < rope->pieces; i++)
+		if (rope->piece[i].lane == lane && rope->piece[i].length > 0.0 && rope->piece[i].s0 <= s)
+			found = i;
+	return found;
+}
+
+static enum hawser_status set_shapes(struct hawser_rom *rom, const struct hawser__lexpand *t,
+                                     const struct hawser_line_modes *modes,
+                                     struct hawser_report *report)
+{
+	struct hawser_rom_shapes *shapes = &rom->shapes;
+	enum hawser_status status = hawser__rom_init_shapes(rom, modes->spans, report);
+
+	shapes->EA = status ? 0.0 : modes->lane[0]->line->EA;
+	for (int p = 0; p < modes->spans && !status; p++) {
+		double s0, length, angle, stretch;
+		char text[32];
+		int lane = run_of(t->rope, p, &s0, &length);
+		double s = s0 + 0.5*length;
+
+		snprintf(text, sizeof text, "span_%d", p + 1);
+		shapes->name[p] = strdup(text);
+		if (!shapes->name[p])
+			return hawser__no_memory(report, "line rom");
+		hawser_line_at(modes->lane[lane], NULL, &angle, NULL, &stretch, NULL, s*modes->length_unit);
+		shapes->s[p] = s;
+		shapes->tangent[2*p] = cos(angle);
+		shapes->tangent[2*p + 1] = sin(angle);
+		shapes->stretch[p] = stretch;
+		for (int j = 0; j < rom->n; j++) {
+			size_t place = 3*((size_t)j*(size_t)shapes->points + (size_t)p);
+
+			hawser_line_modes_at(shapes->shape + place, shapes->slope + place, modes, j, lane, s);
+		}
+	}
+	return status;
+}
+
+/* Ends and middle of every piece of the free rope. */
+static enum hawser_status set_line(struct hawser_rom *rom, const struct hawser__lexpand *t,
+                                   const struct hawser_line_modes *modes, struct hawser_report *report)
+{
+	struct hawser_rom_line *line = &rom->line;
+	int points = 0, p = 0;
+	enum hawser_status status;
+
+	for (int i = 0; i < t->rope->pieces; i++)
+		points += t->first[i] >= 0 ? 3 : 0;
+	status = hawser__rom_init_line(rom, points, report);
+	for (int i = 0; i < t->rope->pieces && !status; i++)
+		for (int k = 0; k < 3 && t->first[i] >= 0; k++, p++) {
+			const struct hawser__lmode_piece *piece = &t->rope->piece[i];
+			const struct hawser_line_modes_piece *on = &modes->piece[i];
+			double V = piece->V + t->rope->delta*piece->length*k/2.0;
+
+			line->s[p] = piece->s0 + piece->length*k/2.0;
+			line->stretch[p] = 1.0 + t->rope->epsilon*hypot(piece->H, V);
+			for (int j = 0; j < rom->n; j++)
+				hawser__grid_at(line->slope + 3*((size_t)j*(size_t)points + (size_t)p), &on->grid,
+				                modes->slope + 3*((size_t)j*(size_t)modes->points + (size_t)on->first),
+				                3, 3, piece->length*k/2.0);
+		}
+	return status;
+}
+
+struct hawser__line_place hawser__line_shape_place(const struct hawser_rom *rom,
+                                                   const struct hawser__lmode *rope, int p)
+{
+	const struct hawser_rom_shapes *shapes = &rom->shapes;
+	double s0, length;
+	int piece = piece_at(rope, run_of(rope, p, &s0, &length), shapes->s[p]);
+
+	return (struct hawser__line_place){piece, shapes->s[p] - rope->piece[piece].s0,
+		atan2(shapes->tangent[2*p + 1], shapes->tangent[2*p])};
+}
+
+int hawser__line_next_place(struct hawser__line_place *place, int *next,
+                            const struct hawser__lexpand *t)
+{
+	int i = *next/3;
+
+	while (i < t->rope->pieces && t->first[i] < 0)
+		i++;
+	if (i == t->rope->pieces)
+		return 0;
+	*next = *next/3 < i ? 3*i : *next;
+	*place = (struct hawser__line_place){.piece = i, .s = t->rope->piece[i].length*(*next%3)/2.0};
+	(*next)++;
+	return 1;
+}
+
+static enum hawser_status set_second(struct hawser_rom *rom, const struct hawser__lexpand *t,
+                                     struct hawser_report *report)
+{
+	struct hawser_rom_shapes *shapes = &rom->shapes;
+	size_t points = (size_t)shapes->points, along = (size_t)rom->line.points;
+	enum hawser_status status = hawser__rom_init_second(rom, report);
+
+	for (int pair = 0; pair < rom->n*(rom->n + 1)/2 && !status; pair++) {
+		struct hawser__line_place at;
+		double shape[3];
+		size_t q = (size_t)pair*along;
+		int next = 0;
+
+		for (int p = 0; p < shapes->points; p++) {
+			size_t to = 3*((size_t)pair*points + (size_t)p);
+
+			at = hawser__line_shape_place(rom, t->rope, p);
+			hawser__lexpand_second_at(shapes->second_shape + to, shapes->second_slope + to, t, pair,
+			                          at.piece, at.s, at.angle);
+		}
+		for (; hawser__line_next_place(&at, &next, t); q++)
+			hawser__lexpand_second_at(shape, rom->line.second_slope + 3*q, t, pair, at.piece, at.s,
+			                          0.0);
+	}
+	return status;
+}
+
+/* --- build --- */
+
+static enum hawser_status fill(struct hawser_rom *rom, const struct hawser__lexpand *t,
+                               const struct hawser__lexpand_modes *own,
+                               const struct hawser_line_modes *modes,
+                               const struct hawser_line_rom_options *o, const double *pull,
+                               struct hawser_report *report)
+{
+	enum hawser_status status = hawser__rom_init(rom, modes->n, report);
+
+	if (status)
+		return status;
+	rom->length = modes->length_unit;
+	rom->time = modes->time_unit;
+	rom->force = modes->force_unit;
+	rom->scaled = 1;
+	for (int j = 0; j < rom->n; j++) {
+		rom->K[j*(rom->n + 1)] = modes->mode[j].omega*modes->mode[j].omega;
+		rom->D[j*(rom->n + 1)] = 2.0*o->ratio*modes->mode[j].omega;
+	}
+	status = set_quads(rom, t, report);
+	if (!status)
+		status = set_cubics(rom, t, modes, report);
+	if (!status)
+		status = set_labels(rom, modes, report);
+	if (!status)
+		status = set_shapes(rom, t, modes, report);
+	if (!status)
+		status = set_line(rom, t, modes, report);
+	if (!status)
+		status = set_second(rom, t, report);
+	if (!status)
+		status = hawser__line_contacts(rom, modes, report);
+	if (!status)
+		status = hawser__line_load(rom, t, modes, o, pull, report);
+	if (!status)
+		status = hawser__line_answers(rom, t, own, modes, o, report);
+	return status ? status : hawser_rom_compile(rom, report);
+}
+
+enum hawser_status hawser_line_rom_build(struct hawser_rom *rom, struct hawser_line_modes *modes,
+                                         const struct hawser_line_statics *const *lane, int lanes,
+                                         const struct hawser_line_rom_options *options,
+                                         struct hawser_report *report)
+{
+	struct hawser_line_rom_options o = *options;
+	struct hawser__lexpand_modes own = {.shape = NULL};
+	struct hawser__lexpand t = {.rope = NULL};
+	double pull[HAWSER_LINE_ROM_MODES], wave;
+	int drive = o.load == HAWSER_LINE_LOAD_DRIVE;
+	enum hawser_status status;
+
+	memset(rom, 0, sizeof *rom);
+	memset(modes, 0, sizeof *modes);
+	hawser_line_rom_settle(&o);
+	status = check(&o, lanes, report);
+	if (status)
+		return status;
+	wave = o.load == HAWSER_LINE_LOAD_PASSING ? 2.0*M_PI*o.harmonics/o.spacing : 0.0;
+	status = hawser__lexpand_modes_open(&own, modes, lane, lanes, &o.modes, wave, report);
+	if (!status && drive)
+		status = hawser__lexpand_drive(&own, pull, o.lane, o.end, report);
+	if (!status)
+		status = hawser__lexpand_open(&t, &own.rope, own.shape, modes->n + drive, o.held, report);
+	if (!status)
+		status = fill(rom, &t, &own, modes, &o, pull, report);
+	hawser__lexpand_clear(&t);
+	hawser__lexpand_modes_clear(&own);
+	if (status) {
+		hawser_rom_clear(rom);
+		hawser_line_modes_clear(modes);
+	}
+	return status;
+}

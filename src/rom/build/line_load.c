@@ -1,0 +1,249 @@
+/* rom/build/line_load.c - loads of a model of a rope over sheaves.
+ *
+ * Passing: weights W at S = v t + i d have on a shape with the vertical displacement y(S) the force
+ *
+ *    sum_i - W y(v t + i d) = a_0 + sum_k [a_k cos(k Omega t) + b_k sin(k Omega t)],
+ *    a_k = - 2 W/d * integral of y cos(2 pi k S/d) dS,    Omega = 2 pi v/d
+ *
+ * (Poisson's sum), b_k with the sine. a_0 is the weight smeared over the rope, which is in the
+ * statics. For w_jk, with which the modes that are not kept follow, it is a force - K_jk u_k.
+ *
+ * Drive: ropeway/expand/expand_drive.c. The shape Z of the modes that are not kept changes the
+ * stiffness by its third derivatives.
+ *
+ * A rope that runs: with the mass r per length of rope and carriers, relative to that of the rope, the
+ * kinetic energy has the term r nu integral of du/dt.u', which gives the gyroscopic forces
+ *
+ *    - r nu (A - A') du/dt,      A_jk = integral of Phi_j.Phi_k'
+ *
+ * and its term in nu^2 makes the apparent tension of the tension, which is that of the statics. If
+ * carriers pass, nu = Omega d/2 pi, so that the forces are a harmonic k = 0 with a factor Omega.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "core/report.h"
+#include "rom/build/line.h"
+
+static struct hawser_harmonic *add(struct hawser_rom *rom, int k, enum hawser_phase phase,
+                                   struct hawser_report *report)
+{
+	struct hawser_harmonic *h = &rom->harmonic[rom->harmonics++];
+	size_t n = (size_t)rom->n;
+
+	h->k = k;
+	h->phase = phase;
+	h->f = calloc(n, sizeof *h->f);
+	h->K = calloc(n*n, sizeof *h->K);
+	if (h->f && h->K)
+		return h;
+	(void)hawser__no_memory(report, "line rom");
+	return NULL;
+}
+
+/* --- passing --- */
+
+double hawser__line_pull(const void *wave, double s)
+{
+	const struct hawser__line_wave *w = wave;
+
+	return w->scale*(w->sine ? sin(w->number*s) : cos(w->number*s));
+}
+
+struct hawser__line_wave hawser__line_wave(const struct hawser_line_modes *modes,
+                                           const struct hawser_line_rom_options *o, int i)
+{
+	double per = modes->length_unit/o->spacing;
+
+	return (struct hawser__line_wave){2.0*M_PI*(i/2 + 1)*per, i%2,
+		-2.0*o->weight/modes->force_unit*per*(i%2 && o->modes.backward[o->lane] ? -1.0 : 1.0)};
+}
+
+/* Gauss rules of the modes' grids on parts of elements on which the wave turns by at most this
+ * phase: with 4 nodes and more its error is below 1e-12. */
+static const double longest = 0.5;
+
+/* Sum over the points of one piece, divided so that the wave is resolved. y: the vertical
+ * displacement of shape `what` at s from the beginning of the piece. */
+struct field {
+	const struct hawser__lexpand *t;
+	const struct hawser_line_modes *modes;
+	int mode, pair; /* the other is -1 */
+};
+
+static double vertical(const struct field *field, int piece, double s)
+{
+	const struct hawser__lmode_piece *at = &field->t->rope->piece[piece];
+	const struct hawser_line_modes_piece *on = &field->modes->piece[piece];
+	double angle, u[3];
+
+	hawser_line_at(field->modes->lane[at->lane], NULL, &angle, NULL, NULL, NULL,
+	               fmin(at->s0 + s, at->s0 + at->length)*field->modes->length_unit);
+	if (field->mode >= 0)
+		hawser__grid_at(u, &on->grid, field->modes->shape +
+		                3*((size_t)field->mode*(size_t)field->modes->points + (size_t)on->first), 3, 3,
+		                s);
+	else
+		hawser__lexpand_second_at(u, NULL, field->t, field->pair, piece, s, angle);
+	return u[0]*sin(angle) + u[1]*cos(angle);
+}
+
+/* add[waves] += the integral of y times each wave over a piece. */
+static void integrate(double *sum, const struct field *field, int piece,
+                      const struct hawser__line_wave *wave,
+                      int waves)
+{
+	const struct hawser_grid *grid = &field->modes->piece[piece].grid;
+	double s0 = field->t->rope->piece[piece].s0;
+
+	for (int e = 0; e < grid->elements; e++) {
+		double length = grid->edge[e + 1] - grid->edge[e];
+		int parts = 1 + (int)(wave[waves - 1].number*length/longest/grid->order);
+
+		for (int p = 0; p < parts; p++)
+			for (int i = 0; i < grid->order; i++) {
+				double s = grid->edge[e] + length/parts*(p + 0.5*(1.0 + grid->node[i]));
+				double y = grid->weight[e*grid->order + i]/parts*vertical(field, piece, s);
+
+				for (int k = 0; k < waves; k++)
+					sum[k] += y*hawser__line_pull(&wave[k], s0 + s);
+			}
+	}
+}
+
+static void project(double *sum, const struct field *field, int lane,
+                    const struct hawser__line_wave *wave,
+                    int waves)
+{
+	for (int k = 0; k < waves; k++)
+		sum[k] = 0.0;
+	for (int i = 0; i < field->t->rope->pieces; i++)
+		if (field->t->rope->piece[i].lane == lane && field->modes->piece[i].grid.points > 0)
+			integrate(sum, field, i, wave, waves);
+}
+
+/* A - A' times r, plus what is in G. */
+static void add_gyroscopic(double *G, const struct hawser_line_modes *modes, double r)
+{
+	int n = modes->n;
+
+	for (int j = 0; j < n; j++)
+		for (int k = 0; k < n; k++) {
+			const double *u = modes->shape + 3*(size_t)j*(size_t)modes->points;
+			const double *slope = modes->slope + 3*(size_t)k*(size_t)modes->points;
+			double sum = 0.0;
+
+			if (modes->mode[j].plane != modes->mode[k].plane)
+				continue;
+			for (int p = 0; p < modes->points; p++, u += 3, slope += 3)
+				sum += modes->weight[p]*(u[0]*slope[0] + u[1]*slope[1] + u[2]*slope[2]);
+			G[j*n + k] += r*sum;
+			G[k*n + j] -= r*sum;
+		}
+}
+
+/* Of the rope's own mass; signed: positive from end A to end B. */
+static double running_of(const struct hawser_line_modes *modes, const struct hawser_line_rom_options *o)
+{
+	return o->running/modes->rho*(o->modes.backward[o->lane] ? -1.0 : 1.0);
+}
+
+static enum hawser_status passing_runs(struct hawser_rom *rom, const struct hawser_line_modes *modes,
+                                       const struct hawser_line_rom_options *o,
+                                       struct hawser_report *report)
+{
+	struct hawser_harmonic *h = &rom->harmonic[rom->harmonics];
+
+	if (!(o->running > 0.0))
+		return HAWSER_OK;
+	h->D = calloc((size_t)rom->n*(size_t)rom->n, sizeof *h->D);
+	if (!h->D)
+		return hawser__no_memory(report, "line rom");
+	rom->harmonics++;
+	h->phase = HAWSER_COS;
+	h->omega_power = 1;
+	add_gyroscopic(h->D, modes, running_of(modes, o)*o->spacing/modes->length_unit/(2.0*M_PI));
+	return HAWSER_OK;
+}
+
+enum { WAVES_MOST = 60 }; /* two of each harmonic */
+
+static enum hawser_status passing(struct hawser_rom *rom, const struct hawser__lexpand *t,
+                                  const struct hawser_line_modes *modes,
+                                  const struct hawser_line_rom_options *o,
+                                  struct hawser_report *report)
+{
+	struct hawser__line_wave wave[WAVES_MOST];
+	struct hawser_harmonic *h[WAVES_MOST];
+	struct field field = {.t = t, .modes = modes, .pair = -1};
+	double sum[WAVES_MOST];
+	int waves = 2*o->harmonics;
+
+	rom->harmonic = calloc((size_t)waves + 1, sizeof *rom->harmonic);
+	if (!rom->harmonic)
+		return hawser__no_memory(report, "line rom");
+	for (int k = 0; k < waves; k++) {
+		wave[k] = hawser__line_wave(modes, o, k);
+		h[k] = add(rom, k/2 + 1, k%2 ? HAWSER_SIN : HAWSER_COS, report);
+		if (!h[k])
+			return HAWSER_ERR_MEMORY;
+	}
+	for (int j = 0; j < rom->n; j++) {
+		field.mode = j;
+		project(sum, &field, o->lane, wave, waves);
+		for (int k = 0; k < waves; k++)
+			h[k]->f[j] = sum[k];
+	}
+	field.mode = -1;
+	for (int j = 0; j < rom->n; j++)
+		for (int l = 0; l <= j; l++) {
+			if (modes->mode[j].plane != modes->mode[l].plane)
+				continue;
+			field.pair = hawser__lexpand_pair(l, j);
+			project(sum, &field, o->lane, wave, waves);
+			for (int k = 0; k < waves; k++)
+				h[k]->K[j*rom->n + l] = h[k]->K[l*rom->n + j] = -sum[k];
+		}
+	return passing_runs(rom, modes, o, report);
+}
+
+/* --- drive --- */
+
+static enum hawser_status drive(struct hawser_rom *rom, const struct hawser__lexpand *t,
+                                const struct hawser_line_modes *modes,
+                                const struct hawser_line_rom_options *o, const double *pull,
+                                struct hawser_report *report)
+{
+	struct hawser_harmonic *h;
+	double r = o->amplitude/modes->length_unit;
+	int n = rom->n;
+
+	if (o->running > 0.0)
+		add_gyroscopic(rom->D, modes, running_of(modes, o)*o->speed*modes->time_unit/
+		               modes->length_unit);
+	rom->harmonic = calloc(1, sizeof *rom->harmonic);
+	if (!rom->harmonic)
+		return hawser__no_memory(report, "line rom");
+	h = add(rom, 1, HAWSER_COS, report);
+	if (!h)
+		return HAWSER_ERR_MEMORY;
+	for (int j = 0; j < n; j++) {
+		h->f[j] = -pull[j]*r;
+		for (int k = 0; k < n; k++)
+			h->K[j*n + k] = r*t->third[(j*t->n + k)*t->n + n];
+	}
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser__line_load(struct hawser_rom *rom, const struct hawser__lexpand *t,
+                                     const struct hawser_line_modes *modes,
+                                     const struct hawser_line_rom_options *o, const double *pull,
+                                     struct hawser_report *report)
+{
+	if (o->load == HAWSER_LINE_LOAD_PASSING)
+		return passing(rom, t, modes, o, report);
+	return o->load == HAWSER_LINE_LOAD_DRIVE ? drive(rom, t, modes, o, pull, report) : HAWSER_OK;
+}

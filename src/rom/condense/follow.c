@@ -1,0 +1,333 @@
+/* rom/condense/follow.c - static displacement of condensed modes by a force: see follow.h.
+ *
+ *   e, n         tangent and normal; eps, k, g of struct hawser__place
+ *   lambda       change of the end force
+ *
+ * As in condense.c, V2 has no derivatives of the strains, so the strains z follow from the force point
+ * by point, with lambda from the condition that the ends stay fixed:
+ *
+ *     a = eps (p_a - lambda.e)      b = (p_b - lambda.n)/k      c = (p_c - lambda_z)/k
+ *
+ * minus the part along the kept modes, Phi_s times the work of p on it over omega_s^2.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <cblas.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "modes/bending/bending.h"
+#include "modes/grid.h"
+#include "modes/label.h"
+#include "rom/terms/absorbers.h"
+#include "rom/condense/follow.h"
+#include "rom/terms/ties.h"
+
+/* Largest entry, relative to the sum of the magnitudes of its terms, that counts as zero by
+ * symmetry. */
+#define ROUND_OFF 1e-11
+
+/* --- nodes --- */
+
+static void add_node(struct hawser__stations *to, double s, double weight)
+{
+	to->s[to->count] = s;
+	to->place[to->count++] = hawser__place_at(to->modes, s, weight);
+}
+
+/* Nodes of a part of element e. */
+static void add_part(struct hawser__stations *stations, int e, double from, double to)
+{
+	const struct hawser_grid *grid = &stations->modes->grid;
+	double shrink = (to - from)/(grid->edge[e + 1] - grid->edge[e]);
+	int whole = from == grid->edge[e] && to == grid->edge[e + 1];
+
+	for (int k = 0; k < grid->order; k++) {
+		int p = e*grid->order + k;
+
+		if (whole)
+			add_node(stations, grid->s[p], grid->weight[p]);
+		else
+			add_node(stations, from + 0.5*(to - from)*(1.0 + grid->node[k]),
+			         shrink*grid->weight[p]);
+	}
+	stations->edge[++stations->parts] = to;
+}
+
+static void set_slopes(struct hawser__stations *to)
+{
+	const struct hawser_modes *modes = to->modes;
+	size_t points = (size_t)modes->grid.points, count = (size_t)to->count;
+
+	for (int j = 0; j < to->moving; j++) {
+		const double *slope = modes->slope + (size_t)j*points*3;
+
+		for (size_t i = 0, p = 0; i < count; i++) {
+			/* NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): count are set */
+			while (p < points && modes->grid.s[p] < to->s[i])
+				p++;
+			if (p < points && modes->grid.s[p] == to->s[i])
+				memcpy(to->slope + ((size_t)j*count + i)*3, slope + 3*p, 3*sizeof *slope);
+			else
+				/* NOLINTNEXTLINE(clang-analyzer-core.CallAndMessage): the same */
+				hawser__grid_at(to->slope + ((size_t)j*count + i)*3, &modes->grid, slope, 3,
+				                3, to->s[i]);
+		}
+	}
+}
+
+static enum hawser_status set_springs(struct hawser__stations *stations, struct hawser_report *report)
+{
+	enum hawser_status status = hawser__springs_make(&stations->springs, stations->modes, report);
+
+	if (!status)
+		status = hawser__bend_make(&stations->bend, &stations->modes->statics, stations->edge,
+		                           stations->parts, stations->modes->grid.order, stations->place,
+		                           report);
+	return status || !stations->springs ? status
+	       : hawser__springs_assemble(stations->springs, stations->bend, stations->place,
+	                                  stations->s, stations->count, report);
+}
+
+/* Add to all [*count] what divides the cable beside a cut, where a force that jumps there makes a
+ * boundary layer, unless an edge is near. */
+static void divide_layers(double *all, int *count, const struct hawser_modes *modes, double cut)
+{
+	const struct hawser_grid *grid = &modes->grid;
+	double wide = hawser__layer_at(&modes->statics, cut)*0.4*grid->order;
+
+	for (int side = -1; side <= 1; side++) {
+		double at = cut + side*wide;
+		int good = at > 0.0 && at < modes->statics.l;
+
+		for (int e = 0; e <= grid->elements && side != 0; e++)
+			good &= fabs(grid->edge[e] - at) > 0.1*wide;
+		if (good || side == 0)
+			all[(*count)++] = at;
+	}
+}
+
+static int ascending(const void *a, const void *b)
+{
+	double x = *(const double *)a, y = *(const double *)b;
+
+	return (x > y) - (x < y);
+}
+
+static enum hawser_status make(struct hawser__stations *stations, const struct hawser_modes *modes,
+                               int moving, const double *cut, int cuts,
+                               struct hawser_report *report)
+{
+	const struct hawser_grid *grid = &modes->grid;
+	size_t parts = (size_t)grid->elements + (size_t)cuts, most = parts*(size_t)grid->order;
+	int next = 0;
+
+	*stations = (struct hawser__stations){.modes = modes, .moving = moving};
+	stations->edge = malloc((parts + 1)*sizeof *stations->edge);
+	stations->s = malloc(most*sizeof *stations->s);
+	stations->place = malloc(most*sizeof *stations->place);
+	stations->slope = malloc((3*most*(size_t)moving + 1)*sizeof *stations->slope);
+	stations->p = malloc(3*most*sizeof *stations->p);
+	stations->z = malloc(3*most*sizeof *stations->z);
+	if (!stations->edge || !stations->s || !stations->place || !stations->slope || !stations->p ||
+	    !stations->z)
+		return hawser__no_memory(report, "rom");
+	stations->edge[0] = grid->edge[0];
+	for (int e = 0; e < grid->elements; e++) {
+		double from = grid->edge[e];
+
+		for (; next < cuts && cut[next] < grid->edge[e + 1]; next++)
+			if (cut[next] > from) {
+				add_part(stations, e, from, cut[next]);
+				from = cut[next];
+			}
+		add_part(stations, e, from, grid->edge[e + 1]);
+	}
+	set_slopes(stations);
+	return set_springs(stations, report);
+}
+
+enum hawser_status hawser__stations_make(struct hawser__stations *stations,
+                                         const struct hawser_modes *modes, int moving,
+                                         const double *cut, int cuts, struct hawser_report *report)
+{
+	double *all;
+	int count = 0;
+	enum hawser_status status;
+
+	if (!(modes->statics.bending.EI > 0.0) || cuts == 0)
+		return make(stations, modes, moving, cut, cuts, report);
+	*stations = (struct hawser__stations){.modes = modes};
+	all = malloc(3*(size_t)cuts*sizeof *all);
+	if (!all)
+		return hawser__no_memory(report, "rom");
+	for (int i = 0; i < cuts; i++)
+		divide_layers(all, &count, modes, cut[i]);
+	qsort(all, (size_t)count, sizeof *all, ascending);
+	status = make(stations, modes, moving, all, count, report);
+	free(all);
+	return status;
+}
+
+void hawser__stations_clear(struct hawser__stations *stations)
+{
+	free(stations->edge);
+	free(stations->s);
+	free(stations->place);
+	free(stations->slope);
+	free(stations->p);
+	free(stations->z);
+	hawser__springs_free(stations->springs);
+	hawser__bend_free(stations->bend);
+	*stations = (struct hawser__stations){.count = 0};
+}
+
+/* --- displacement --- */
+
+/* Work of p on the strains. */
+static double work_on(const struct hawser__stations *stations, const double *strain)
+{
+	double sum = 0.0;
+
+	for (int i = 0; i < stations->count; i++) {
+		const double *p = stations->p + 3*i, *x = strain + 3*i;
+
+		sum += stations->place[i].weight*(p[0]*x[0] + p[1]*x[1] + p[2]*x[2]);
+	}
+	return sum;
+}
+
+/* Strains of the response with springs, before the part along the kept modes is removed. */
+static void follow_springs(struct hawser__stations *stations)
+{
+	struct hawser__springs *springs = stations->springs;
+	double stretch[sizeof springs->spring/sizeof *springs->spring];
+
+	memset(springs->z, 0, sizeof springs->z);
+	memcpy(stations->z, stations->p, 3*(size_t)stations->count*sizeof *stations->z);
+	hawser__comply(stations->bend, stations->z, stations->place, stations->count);
+	for (int i = 0; i < stations->count; i++)
+		hawser__springs_load(springs, &stations->place[i], stations->s[i], stations->z + 3*i);
+	memcpy(springs->beyond, stations->beyond, sizeof springs->beyond);
+	hawser__springs_solve(springs);
+	hawser__springs_release(stations->z, springs, stations->bend, stations->place, stations->s,
+	                        stations->count);
+	for (int m = springs->size - 3; m < springs->size - 3 + springs->joints; m++)
+		stretch[m] = hawser__springs_stretch(springs, m);
+	hawser__springs_start(stations->start, springs, stretch);
+}
+
+static void follow_cable(struct hawser__stations *stations)
+{
+	struct hawser__ties ties = {.mz = 0.0};
+	double r[3] = {0.0}, lambda[3];
+
+	for (int i = 0; i < stations->count; i++) {
+		const struct hawser__place *at = &stations->place[i];
+		const double *p = stations->p + 3*i;
+
+		hawser__ties_add(&ties, at);
+		if (at->space) {
+			const double free[3] = {at->eps*p[0], p[1]/at->k, p[2]/at->k};
+
+			hawser__space_reach(r, at, free, at->weight);
+			continue;
+		}
+		r[0] += at->weight*(at->eps*p[0]*at->ex - p[1]/at->k*at->ey);
+		r[1] += at->weight*(at->eps*p[0]*at->ey + p[1]/at->k*at->ex);
+		r[2] += at->weight*p[2]/at->k;
+	}
+	hawser__ties_solve(lambda, &ties, r);
+	for (int i = 0; i < stations->count; i++) {
+		const struct hawser__place *at = &stations->place[i];
+		const double *p = stations->p + 3*i;
+		double *z = stations->z + 3*i;
+
+		if (at->space) {
+			for (int c = 0; c < 3; c++)
+				z[c] = (p[c] - hawser__space_along(at, lambda, c))*(c == 0 ? at->eps : 1.0/at->k);
+			continue;
+		}
+		z[0] = at->eps*(p[0] - lambda[0]*at->ex - lambda[1]*at->ey);
+		z[1] = (p[1] + lambda[0]*at->ey - lambda[1]*at->ex)/at->k;
+		z[2] = (p[2] - lambda[2])/at->k;
+	}
+}
+
+void hawser__follow(struct hawser__stations *stations)
+{
+	const struct hawser_modes *modes = stations->modes;
+	int width = 3*stations->count;
+
+	if (stations->springs)
+		follow_springs(stations);
+	else
+		follow_cable(stations);
+	/* a spring to a free mass carries no static force of the cable, only that on the stroke itself */
+	for (int i = 0; modes->stroke && i < modes->statics.attachments; i++)
+		stations->stroke[i] = stations->load[i] != 0.0
+			? stations->load[i]/hawser__absorber_stiffness(&modes->statics, i) : 0.0;
+	for (int s = 0; s < stations->moving; s++) {
+		const double *slope = stations->slope + (size_t)s*(size_t)width;
+		double omega = modes->mode[s].omega, part = work_on(stations, slope), u[3];
+
+		if (modes->statics.elastic) {
+			hawser__modes_attached(u, modes, s, modes->statics.attachments + 1);
+			part += cblas_ddot(3, stations->beyond, 1, u, 1);
+			hawser__modes_attached(u, modes, s, modes->statics.attachments);
+			cblas_daxpy(3, -part/(omega*omega), u, 1, stations->start, 1);
+		}
+		for (int i = 0; modes->stroke && i < modes->statics.attachments; i++)
+			part += stations->load[i]*hawser__stroke(modes, s, i);
+		for (int i = 0; modes->stroke && i < modes->statics.attachments; i++)
+			stations->stroke[i] -= part/(omega*omega)*hawser__stroke(modes, s, i);
+		cblas_daxpy(width, -part/(omega*omega), slope, 1, stations->z, 1);
+	}
+}
+
+/* T_jk; *size: the sum of the absolute values of its terms. */
+static double stiffness(double *size, const struct hawser__stations *stations, int j, int k)
+{
+	const double *x = stations->slope + (size_t)j*3*(size_t)stations->count;
+	const double *y = stations->slope + (size_t)k*3*(size_t)stations->count;
+	const double *z = stations->z;
+	double sum = 0.0;
+
+	*size = 0.0;
+	for (int i = 0; i < stations->count; i++, x += 3, y += 3, z += 3) {
+		const struct hawser__place *at = &stations->place[i];
+		double scale = at->weight/(at->g2*at->eps), term[5];
+
+		term[0] = scale*z[0]*(x[1]*y[1] + x[2]*y[2]);
+		term[1] = scale*x[0]*y[1]*z[1];
+		term[2] = scale*x[0]*y[2]*z[2];
+		term[3] = scale*y[0]*x[1]*z[1];
+		term[4] = scale*y[0]*x[2]*z[2];
+		for (int t = 0; t < 5; t++) {
+			sum += term[t];
+			*size += fabs(term[t]);
+		}
+	}
+	return sum;
+}
+
+int hawser__follow_stiffness(double *T, const struct hawser__stations *stations)
+{
+	size_t n = (size_t)stations->modes->n;
+	int any = 0;
+
+	memset(T, 0, n*n*sizeof *T);
+	for (int k = 0; k < stations->moving; k++)
+		for (int j = 0; j <= k; j++) {
+			double size, value = stiffness(&size, stations, j, k);
+
+			if (fabs(value) <= ROUND_OFF*size)
+				value = 0.0;
+			T[j*(int)n + k] = T[k*(int)n + j] = value;
+			any |= value != 0.0;
+		}
+	return any;
+}

@@ -1,0 +1,35 @@
+/* rom/condense/inertia.h - inertia of the condensed modes.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_ROM_INERTIA_H
+#define HAWSER_ROM_INERTIA_H
+
+#include <hawser/rom.h>
+
+#include "rom/condense/condense.h"
+
+/* Number of lowest modes of the cable that are treated by the choice of modes: shapes are
+ * orthogonal to them. */
+enum { HAWSER__LOWEST = 32 };
+
+/* *with becomes the modes of `modes` followed by second-order shapes as further ones (number 0), if
+ * their inertia matters at the amplitudes that load[modes->n] and damping[modes->n] cause;
+ * `condensed` belongs to the same modes. If it does not matter, or a mode has neither load nor
+ * damping, with->n is 0. *inertia has the errors without and with the shapes. Clear *with.
+ * Statuses: HAWSER_ERR_NAN, HAWSER_ERR_MEMORY. */
+enum hawser_status hawser__inertia_extend(struct hawser_modes *with,
+                                          struct hawser_rom_inertia *inertia,
+                                          const struct hawser_modes *modes,
+                                          const struct hawser__condensed *condensed,
+                                          const double *load, const double *damping,
+                                          double allowed, struct hawser_report *report);
+
+/* Amplitude of mode j (the resonance, limited to the validity of the energy), for the modal load and
+ * damping. inertia_amplitude.c. */
+double hawser__inertia_amplitude(const struct hawser_modes *modes, int j, double load,
+                                 double damping);
+
+/* Largest relative error of resonance frequencies by the neglected inertia of condensed modes: a
+ * small part of the accuracy; chosen. inertia_amplitude.c. */
+double hawser__inertia_allowed(const struct hawser_scene *scene);
+
+#endif

@@ -1,0 +1,54 @@
+/* rom/energy/law.h - a coordinate held in a model and in the cable, all others in equilibrium. law.c.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_ROM_LAW_H
+#define HAWSER_ROM_LAW_H
+
+#include <hawser/law.h>
+
+#include "rom/energy/relax.h"
+
+enum { HAWSER__LAW_BASES = 3 };
+
+/* Full-order models of one scene, made as they are needed. */
+struct hawser__law {
+	const struct hawser_rom *rom;
+	const struct hawser_statics *statics;
+	int j, twin;                 /* coordinate of `rom`; that of the present basis, from 0 */
+	double sign;                 /* of the twin */
+	int basis;                   /* index of the present one */
+	struct hawser__relax model;  /* of `rom` */
+	struct hawser_rom full[HAWSER__LAW_BASES];
+	struct hawser__relax exact[HAWSER__LAW_BASES];
+	double *strain[HAWSER__LAW_BASES]; /* at the quadrature points of the full-order model */
+};
+
+enum hawser_status hawser__law_open(struct hawser__law *law, const struct hawser_rom *rom,
+                                    const struct hawser_statics *statics,
+                                    struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser__law_close(struct hawser__law *law);
+
+/* Hold coordinate j from now on, with the first basis from number `first` on that resolves it;
+ * *found = 0: none does. */
+enum hawser_status hawser__law_hold(struct hawser__law *law, int *found, int j, int first,
+                                    struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* Everything of the point but its error, at its amplitude, with the present basis. */
+void hawser__law_at(struct hawser__law *law, struct hawser_law_point *point);
+/* The part that is exact alone. */
+void hawser__law_exact(struct hawser__law *law, struct hawser_law_point *point);
+
+/* 1: the law in the other direction is the same by symmetry: coordinates out of a plane. */
+int hawser__law_even(const struct hawser__law *law);
+
+/* A coordinate that is a mode of the cable, not a shape of a damper or of second order. */
+int hawser__law_is_mode(const struct hawser_rom *rom, int j);
+
+/* The words of the reduced-model file for enum hawser_range_end, NULL at the end.
+ * read_range.c. */
+extern const char *const hawser__range_ends[];
+
+/* rom->range of a model of `modes`, without amplitudes. HAWSER_ERR_MEMORY. */
+enum hawser_status hawser__range_make(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

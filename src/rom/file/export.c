@@ -1,0 +1,244 @@
+/* rom/file/export.c - the equations for COCO, MATCONT and BifurcationKit.
+ *
+ *    x        state (u, v), indices from 1: u_1 ... u_n, v_1 ... v_n
+ *    row      j, h, value, i_1 ... i_d: value * wave_h * x_i1 ... x_id on the right side of equation j,
+ *             with h = 0 for none and i = 0 for no factor
+ *    wave_h   load^load_power Omega^omega_power cos|sin(k theta)
+ *
+ * Every force of a model is such a row. The files have the rows as a table, and loops over it for the
+ * right side and its derivatives, which are the same in all: a loop is shorter than thousands of
+ * products written out, and no compiler has to read those. COCO takes theta = Omega t. The other two
+ * continue autonomous systems only, so that an oscillator with the attracting circle (sin, cos) is
+ * appended, as for AUTO-07p (auto.c).
+ *
+ * H. Dankowicz and F. Schilder, Recipes for Continuation (2013); W. Govaerts, Yu. A. Kuznetsov et al.,
+ * MATCONT; R. Veltz, BifurcationKit.jl (2020).
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <ctype.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/file.h"
+#include "core/report.h"
+#include "rom/terms/drag.h"
+#include "rom/file/export_text.h"
+#include "rom/terms/terms.h"
+
+enum { LONGEST = 60 }; /* of a name of a function in MATLAB, which allows 63 */
+
+static const struct hawser_export_format formats[] = {
+	{"auto", "AUTO-07p", ".f90"},
+	{"coco", "COCO", ".m"},
+	{"matcont", "MATCONT", ".m"},
+	{"bifurcationkit", "BifurcationKit", ".jl"},
+};
+enum { AUTO, COCO, MATCONT, BIFURCATIONKIT, FORMATS };
+
+const struct hawser_export_format *hawser_export_format(int index)
+{
+	return index >= 0 && index < FORMATS ? &formats[index] : NULL;
+}
+
+/* Where rows go. */
+struct table {
+	FILE *out; /* NULL: only `widest` is wanted */
+	int format, n, widest;
+};
+
+/* value, with a decimal point in every locale. */
+static void put_number(FILE *out, double value)
+{
+	char text[40];
+
+	snprintf(text, sizeof text, "%.17e", value);
+	for (char *c = text; *c; c++)
+		if (!isdigit((unsigned char)*c) && !strchr("+-e", *c))
+			*c = '.';
+	fputs(text, out);
+}
+
+static void put_row(struct table *table, int j, int h, double value, const int *index, int count)
+{
+	int julia = table->format == BIFURCATIONKIT;
+
+	if (value == 0.0)
+		return;
+	table->widest = count > table->widest ? count : table->widest;
+	if (!table->out)
+		return;
+	fprintf(table->out, julia ? "    (%d, %d, " : "    %d %d ", j + 1, h);
+	put_number(table->out, value);
+	fputs(julia ? ", [" : "", table->out);
+	for (int i = 0; i < (julia ? count : table->widest); i++)
+		fprintf(table->out, julia ? "%s%d" : "%s %d", julia && i ? ", " : "", i < count ? index[i] : 0);
+	fputs(julia ? "]),\n" : "\n", table->out);
+}
+
+/* - matrix x; `from`: 1 for u, n + 1 for v. */
+static void put_matrix(struct table *table, int h, const double *matrix, int from)
+{
+	int n = table->n;
+
+	for (int i = 0; matrix && i < n*n; i++)
+		put_row(table, i/n, h, -matrix[i], (int[]){from + i%n}, 1);
+}
+
+static void put_terms(struct table *table, int h, const struct hawser_term *term, int terms)
+{
+	for (int e = 0; e < terms; e++) {
+		int index[HAWSER_TERM_FACTORS];
+
+		for (int i = 0; i < term[e].factors; i++)
+			index[i] = 1 + term[e].factor[i] +
+			           (i < term[e].factors - term[e].rates ? 0 : table->n);
+		put_row(table, term[e].j, h, -term[e].value, index, term[e].factors);
+	}
+}
+
+static void put_quads(struct table *table, int h, const struct hawser_quad *Q, int quads)
+{
+	for (int e = 0; e < quads; e++)
+		put_row(table, Q[e].j, h, -Q[e].value, (int[]){Q[e].k + 1, Q[e].l + 1}, 2);
+}
+
+static void put_rows(struct table *table, const struct hawser_rom *rom)
+{
+	put_matrix(table, 0, rom->K, 1);
+	put_matrix(table, 0, rom->D, rom->n + 1);
+	put_quads(table, 0, rom->Q, rom->quads);
+	for (int e = 0; e < rom->cubics; e++)
+		put_row(table, rom->C[e].j, 0, -rom->C[e].value,
+		        (int[]){rom->C[e].k + 1, rom->C[e].l + 1, rom->C[e].m + 1}, 3);
+	put_terms(table, 0, rom->term, rom->terms);
+	for (int h = 0; h < rom->harmonics; h++) {
+		const struct hawser_harmonic *harmonic = &rom->harmonic[h];
+
+		for (int j = 0; harmonic->f && j < rom->n; j++)
+			put_row(table, j, h + 1, harmonic->f[j], NULL, 0);
+		put_matrix(table, h + 1, harmonic->K, 1);
+		put_matrix(table, h + 1, harmonic->D, rom->n + 1);
+		put_quads(table, h + 1, harmonic->Q, harmonic->quads);
+		put_terms(table, h + 1, harmonic->term, harmonic->terms);
+	}
+}
+
+/* The function or constants with the numbers of the model. */
+static void put_model(FILE *out, const struct hawser_rom *rom, int format)
+{
+	struct table table = {.format = format, .n = rom->n};
+	int julia = format == BIFURCATIONKIT;
+
+	put_rows(&table, rom);
+	table.out = out;
+	if (julia)
+		fprintf(out, "const n = %d\n# k, 1 for a sine, power of Omega, power of the load\n"
+		             "const harmonics = NTuple{4,Int}[\n", rom->n);
+	else
+		fprintf(out, "function [n, H, T] = model()\nn = %d;\n%% k, 1 for a sine, power of Omega, "
+		        "power of "
+		             "the load\nH = [\n", rom->n);
+	for (int h = 0; h < rom->harmonics; h++) {
+		const struct hawser_harmonic *harmonic = &rom->harmonic[h];
+		int load = harmonic->load_power > 1 ? harmonic->load_power : 1;
+
+		fprintf(out, julia ? "    (%d, %d, %d, %d),\n" : "    %d %d %d %d\n", harmonic->k,
+		        harmonic->phase == HAWSER_SIN, harmonic->omega_power, load);
+	}
+	fputs(julia ? "]\n# equation, harmonic or 0, value, factors\n"
+	              "const rows = Tuple{Int,Int,Float64,Vector{Int}}[\n"
+	            : "];\n% equation, harmonic or 0, value, factors\nT = [\n", out);
+	put_rows(&table, rom);
+	fputs(julia ? "]\n" : "];\nend\n", out);
+}
+
+/* Text in which every $ stands for the name. */
+static void put_text(FILE *out, const char *text, const char *name)
+{
+	for (; *text; text++)
+		if (*text == '$')
+			fputs(name, out);
+		else
+			fputc(*text, out);
+}
+
+static void put_file(FILE *out, const struct hawser_rom *rom, int format, const char *name)
+{
+	const char *mark = format == BIFURCATIONKIT ? "#" : "%";
+	const char *const *text = hawser__export_text[format - COCO];
+
+	if (format == BIFURCATIONKIT)
+		fprintf(out, "# A reduced model of %d coordinates, written by hawser %s (hawser-rom(5)).\n",
+		        rom->n,
+		        hawser_version());
+	put_text(out, text[0], name);
+	if (format != BIFURCATIONKIT)
+		fprintf(out, "%s A reduced model of %d coordinates, written by hawser %s (hawser-rom(5)).\n",
+		        mark,
+		        rom->n, hawser_version());
+	put_text(out, text[1], name);
+	put_model(out, rom, format);
+	put_text(out, text[2], name);
+}
+
+static enum hawser_status check(const struct hawser_rom *rom, const char *name,
+                                struct hawser_report *report)
+{
+	size_t length = strspn(name, "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_");
+
+	if (rom->drag)
+		return hawser__drag_refuse(rom, "an export", report);
+	if (rom->plug)
+		return hawser__more_refuse(rom, "an export", report);
+	if (rom->periods > 1)
+		return hawser__periods_refuse(rom, "an export", report);
+	if (rom->exact || rom->ramp)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+		                    "only models with polynomial equations and periodic forces are "
+		                    "exported: this one has %s", rom->exact
+		                    ? "the exact strain energy: take model.energy: quartic"
+		                    : "a ramp (travel.braking)");
+	if (!isalpha((unsigned char)name[0]) || name[length] || length > LONGEST)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+		                    "\"%s\" can't name a function: use a letter, then up to %d letters, digits "
+		                    "and _", name, LONGEST - 1);
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser_rom_export(const struct hawser_rom *rom, const char *format, const char *stem,
+                                     struct hawser_report *report)
+{
+	const char *slash = strrchr(stem, '/'), *name = slash ? slash + 1 : stem;
+	enum hawser_status status = check(rom, name, report);
+	char *text = NULL, *path;
+	size_t size = 0;
+	FILE *out;
+	int k = COCO;
+
+	while (k < FORMATS && strcmp(formats[k].name, format) != 0)
+		k++;
+	if (k == FORMATS)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+		                    "%s is no format of hawser_rom_export: write coco, "
+			"matcont or bifurcationkit",
+		                    format);
+	if (status)
+		return status;
+	path = malloc(strlen(stem) + 8);
+	out = open_memstream(&text, &size);
+	if (out)
+		put_file(out, rom, k, name);
+	/* when memory is short, glibc's fclose returns 0 but sets no text */
+	if (!out || fclose(out) != 0 || !text || !path) {
+		status = hawser__no_memory(report, "rom");
+	} else {
+		snprintf(path, strlen(stem) + 8, "%s%s", stem, formats[k].suffix);
+		status = hawser__file_put(path, text, size, report);
+	}
+	free(path);
+	free(text);
+	return status;
+}

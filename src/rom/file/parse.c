@@ -1,0 +1,67 @@
+/* rom/file/parse.c - the JSON text of a reduced-model file, and its parameters.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <jansson.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "rom/file/read.h"
+
+/* *root is to be released. */
+static enum hawser_status load(json_t **root, const struct hawser__parser *reader, const char *text,
+                               size_t size)
+{
+	json_error_t error;
+
+	*root = json_loadb(text, size, JSON_REJECT_DUPLICATES, &error);
+	/* jansson reports a failed allocation as an error in the text; therefore the text is parsed
+	 * again: an error is the same the second time */
+	if (!*root)
+		*root = json_loadb(text, size, JSON_REJECT_DUPLICATES, &error);
+	if (!*root && error.line < 1 && !*error.text)
+		return hawser__no_memory(reader->report, "rom");
+	if (!*root)
+		return hawser__wrong(reader, "line %d, column %d: %s (JSON)", error.line,
+		                     error.column, error.text);
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser__rom_parse(struct hawser_rom *rom, const char *text, size_t size,
+                                     const char *name, const struct hawser_parameter *set, int sets,
+                                     struct hawser_report *report)
+{
+	struct hawser_parameter parameter[HAWSER_PARAMETERS];
+	struct hawser__parser reader = {.name = name, .report = report};
+	enum hawser_status status;
+	json_t *root;
+
+	memset(rom, 0, sizeof *rom);
+	if ((status = load(&root, &reader, text, size)))
+		return status;
+	reader.root = root;
+	status = hawser__read_parameters(&reader, parameter, root, set, sets);
+	if (!status)
+		status = hawser__read_model(&reader, rom, root);
+	json_decref(root);
+	if (status)
+		hawser_rom_clear(rom);
+	return status;
+}
+
+enum hawser_status hawser__parse_parameters(struct hawser_parameter *parameter, int *count,
+                                            const char *text, size_t size, const char *name,
+                                            struct hawser_report *report)
+{
+	struct hawser__parser reader = {.name = name, .report = report};
+	json_t *root;
+	enum hawser_status status = load(&root, &reader, text, size);
+
+	*count = 0;
+	if (status)
+		return status;
+	status = hawser__read_parameters(&reader, parameter, root, NULL, 0);
+	*count = reader.parameters;
+	json_decref(root);
+	return status;
+}

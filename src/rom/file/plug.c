@@ -1,0 +1,331 @@
+/* rom/file/plug.c - a model whose forces are a function of a shared library (hawser/plugin.h).
+ *
+ *    a(u, v, tau, Omega)    acceleration
+ *    K, D      minus its mean derivatives by u and v over a period, at rest and at Omega = 1
+ *    f_k       its Fourier coefficients there, k = 0 to 4
+ *
+ * The model has K, D and harmonics f_k, from which natural frequencies and the first guess of an orbit
+ * follow, and the function adds the rest, a + K u + D v - sum of f_k: the sum is a, whatever K, D and f
+ * are. Its derivatives are compared with differences at random states before anything is computed
+ * with them, since a wrong one would show only as bad convergence and wrong stability.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <hawser/plugin.h>
+
+#include "core/report.h"
+#include "rom/file/formula.h"
+#include "rom/energy/kernel.h"
+#include "rom/build/model.h"
+#include "rom/file/plug.h"
+
+enum { PHASES = 32, TRIALS = 8, MOST = HAWSER_ROM_MAX };
+#define STEP 1e-4  /* of differences, relative to the state or 1e-2; chosen */
+#define WRONG 1e-6 /* relative difference of a derivative that counts as wrong, besides ten times the
+                    * change of the difference in half the step; chosen */
+
+/* The structure of a call at a state. */
+struct at {
+	const struct hawser_plugin *of;
+	const double *parameter;
+	double tau, omega;
+	double *u, *v; /* [n] */
+};
+
+static int call(const struct at *at, double *a, double *by_u, double *by_v, double *by_omega)
+{
+	size_t n = (size_t)at->of->n;
+
+	memset(a, 0, n*sizeof *a);
+	if (by_u) {
+		memset(by_u, 0, n*n*sizeof *by_u);
+		memset(by_v, 0, n*n*sizeof *by_v);
+		memset(by_omega, 0, n*sizeof *by_omega);
+	}
+	return at->of->acceleration(a, by_u, by_v, by_omega, at->u, at->v, at->tau, at->omega,
+	                            at->parameter);
+}
+
+void hawser__plug_add(const struct hawser_rom *rom, const struct hawser__more *to, const double *u,
+                      const double *v, double tau, double omega)
+{
+	const struct hawser_rom_plug *plug = rom->plug;
+	double own_u[MOST], own_v[MOST], a[MOST], by_omega[MOST], by_u[MOST*MOST], by_v[MOST*MOST];
+	int n = rom->n, base = rom->base > 1 ? rom->base : 1, derive = to->by_u != NULL;
+	const struct at at = {plug->of, plug->parameter, base*tau, base*omega, own_u, own_v};
+
+	for (int j = 0; j < n; j++) {
+		own_u[j] = u[j*to->stride];
+		own_v[j] = v[j*to->stride];
+	}
+	if (call(&at, a, derive ? by_u : NULL, derive ? by_v : NULL, derive ? by_omega : NULL))
+		a[0] = NAN;
+	for (int j = 0; j < n; j++) {
+		double rest = a[j];
+
+		for (int k = 0; k < n; k++)
+			rest += plug->K[j*n + k]*own_u[k] + plug->D[j*n + k]*own_v[k];
+		for (int k = 0; k < HAWSER_PLUG_WAVES; k++)
+			rest -= plug->wave[2*k*n + j]*cos(k*at.tau) + plug->wave[(2*k + 1)*n + j]*sin(k*at.tau);
+		to->force[j*to->stride] += rest;
+		if (derive && to->by_omega)
+			to->by_omega[j*to->stride] += base*by_omega[j];
+	}
+	for (int i = 0; derive && i < n*n; i++) {
+		to->by_u[i*to->stride] += to->sign*(by_u[i] + plug->K[i]);
+		to->by_v[i*to->stride] += to->sign*(by_v[i] + plug->D[i]);
+	}
+}
+
+void hawser__plug_free(struct hawser_rom_plug *plug)
+{
+	if (!plug)
+		return;
+	free(plug->parameter);
+	free(plug->K);
+	free(plug->D);
+	free(plug->wave);
+	free(plug);
+}
+
+/* --- examination --- */
+
+static double noise(unsigned *seed)
+{
+	*seed = *seed*1664525u + 1013904223u;
+	return (*seed >> 8)/8388608.0 - 1.0;
+}
+
+/* slope [n] by central differences of width h. */
+static int difference(double *slope, const struct at *at, double *x, double h, double *work)
+{
+	double keep = *x, *back = work + at->of->n;
+	int failed;
+
+	*x = keep + h;
+	failed = call(at, work, NULL, NULL, NULL);
+	*x = keep - h;
+	failed |= call(at, back, NULL, NULL, NULL);
+	*x = keep;
+	for (int j = 0; j < at->of->n; j++)
+		slope[j] = (work[j] - back[j])/(2.0*h);
+	return failed;
+}
+
+static enum hawser_status refuse(const char *name, const char *entry, double given, double found,
+                                 struct hawser_report *report)
+{
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+	                    "%s: %s of its function is %.9g at a random state, and differences of the "
+	                    "acceleration are %.9g: correct the derivative", name, entry, given, found);
+}
+
+/* One state: work [7 n + 2 n^2]. */
+static enum hawser_status examine_at(struct at *at, const char *name, double *work,
+                                     struct hawser_report *report)
+{
+	int n = at->of->n;
+	double *a = work, *again = a + n, *coarse = again + n, *fine = coarse + n, *room = fine + n;
+	double *by_omega = room + 2*n, *by_u = by_omega + n, *by_v = by_u + n*n;
+	char entry[48];
+
+	if (call(at, a, by_u, by_v, by_omega) || call(at, again, NULL, NULL, NULL))
+		return HAWSER_OK; /* no value there */
+	for (int j = 0; j < n; j++)
+		if (!(fabs(a[j] - again[j]) <= 1e-12*(1.0 + fabs(a[j]))) && !isnan(again[j]))
+			return refuse(name, "the acceleration with derivatives", a[j], again[j], report);
+	for (int i = 0; i <= 2*n; i++) {
+		double *x = i < n ? &at->u[i] : i < 2*n ? &at->v[i - n] : &at->omega;
+		double h = STEP*fmax(fabs(*x), 1e-2);
+		const double *given = i < n ? by_u : i < 2*n ? by_v : by_omega;
+
+		if (difference(coarse, at, x, h, room) || difference(fine, at, x, 0.5*h, room))
+			continue;
+		for (int j = 0; j < n; j++) {
+			double is = i < 2*n ? given[j*n + i%n] : given[j];
+			double within = WRONG*(1.0 + fabs(is) + fabs(fine[j])) + 10.0*fabs(fine[j] - coarse[j]) +
+			                1e-14*fabs(a[j])/h;
+
+			if (fabs(is - fine[j]) <= within || isnan(fine[j]))
+				continue;
+			if (i < 2*n)
+				snprintf(entry, sizeof entry, "%s[%d][%d]", i < n ? "by_u" : "by_v", j, i%n);
+			else
+				snprintf(entry, sizeof entry, "by_omega[%d]", j);
+			return refuse(name, entry, is, fine[j], report);
+		}
+	}
+	return HAWSER_OK;
+}
+
+static enum hawser_status examine(const struct hawser_plugin *of, const double *parameter,
+                                  const char *name, double *work, struct hawser_report *report)
+{
+	struct at at = {.of = of, .parameter = parameter, .u = work, .v = work + of->n};
+	enum hawser_status status = HAWSER_OK;
+	unsigned seed = 20u;
+
+	for (int t = 0; t < TRIALS && !status; t++) {
+		double size = pow(10.0, -(t%4));
+
+		for (int j = 0; j < of->n; j++) {
+			at.u[j] = size*noise(&seed);
+			at.v[j] = size*noise(&seed);
+		}
+		at.tau = M_PI*noise(&seed);
+		at.omega = 1.0 + 0.5*noise(&seed);
+		status = examine_at(&at, name, work + 2*of->n, report);
+	}
+	return status;
+}
+
+/* --- the model --- */
+
+/* K, D and the waves, from a period at rest; work [2 n^2 + 4 n]. Returns 1 if a value is missing. */
+static int linearise(struct hawser_rom_plug *plug, int n, double *work)
+{
+	double *rest = work, *a = work + 2*n, *by_omega = a + n, *by_u = by_omega + n, *by_v = by_u + n*n;
+	struct at at = {.of = plug->of, .parameter = plug->parameter, .omega = 1.0, .u = rest,
+		.v = rest + n};
+
+	memset(rest, 0, 2*(size_t)n*sizeof *rest);
+	for (int i = 0; i < PHASES; i++) {
+		at.tau = 2.0*M_PI*i/PHASES;
+		if (call(&at, a, by_u, by_v, by_omega))
+			return 1;
+		for (int e = 0; e < n*n; e++) {
+			plug->K[e] -= by_u[e]/PHASES;
+			plug->D[e] -= by_v[e]/PHASES;
+		}
+		for (int k = 0; k < HAWSER_PLUG_WAVES; k++)
+			for (int j = 0; j < n; j++) {
+				plug->wave[2*k*n + j] += (k ? 2.0 : 1.0)*a[j]*cos(k*at.tau)/PHASES;
+				plug->wave[(2*k + 1)*n + j] += (k ? 2.0 : 0.0)*a[j]*sin(k*at.tau)/PHASES;
+			}
+	}
+	return 0;
+}
+
+static enum hawser_status fill(struct hawser_rom *rom, const struct hawser_rom_plug *plug,
+                               struct hawser_report *report)
+{
+	size_t n = (size_t)rom->n;
+
+	memcpy(rom->K, plug->K, n*n*sizeof *rom->K);
+	memcpy(rom->D, plug->D, n*n*sizeof *rom->D);
+	rom->harmonic = calloc(2*HAWSER_PLUG_WAVES, sizeof *rom->harmonic);
+	if (!rom->harmonic)
+		return hawser__no_memory(report, "rom");
+	for (int i = 0; i < 2*HAWSER_PLUG_WAVES; i++) {
+		struct hawser_harmonic *harmonic = &rom->harmonic[rom->harmonics];
+
+		if (i == 1) /* there is no sine of 0 */
+			continue;
+		*harmonic = (struct hawser_harmonic){.k = i/2, .phase = i%2 ? HAWSER_SIN : HAWSER_COS,
+			.f = malloc(n*sizeof *harmonic->f)};
+		rom->harmonics++;
+		if (!harmonic->f)
+			return hawser__no_memory(report, "rom");
+		memcpy(harmonic->f, plug->wave + (size_t)i*n, n*sizeof *harmonic->f);
+	}
+	return hawser_rom_compile(rom, report);
+}
+
+/* 1 if all of the model at rest are numbers. */
+static int is_finite(const struct hawser_rom_plug *plug, size_t n)
+{
+	double sum = 0.0;
+
+	for (size_t i = 0; i < n*n; i++)
+		sum += 0.0*plug->K[i] + 0.0*plug->D[i];
+	for (size_t i = 0; i < 2*HAWSER_PLUG_WAVES*n; i++)
+		sum += 0.0*plug->wave[i];
+	return sum == 0.0;
+}
+
+enum hawser_status hawser__plug_make(struct hawser_rom *rom, const struct hawser_rom_source *source,
+                                     struct hawser_report *report)
+{
+	const struct hawser_plugin *of = source->plugin;
+	size_t n = (size_t)of->n, count = (size_t)of->parameters;
+	struct hawser_rom_plug *plug;
+	double *work = calloc(2*n*n + 10*n, sizeof *work);
+	enum hawser_status status = hawser__rom_init(rom, of->n, report);
+
+	if (status) {
+		free(work);
+		return status;
+	}
+	plug = rom->plug = calloc(1, sizeof *plug);
+	if (plug) {
+		plug->of = of;
+		plug->parameter = calloc(count + 1, sizeof *plug->parameter);
+		plug->K = calloc(n*n, sizeof *plug->K);
+		plug->D = calloc(n*n, sizeof *plug->D);
+		plug->wave = calloc(2*HAWSER_PLUG_WAVES*n, sizeof *plug->wave);
+	}
+	if (!plug || !plug->parameter || !plug->K || !plug->D || !plug->wave || !work)
+		status = hawser__no_memory(report, "rom");
+	for (size_t i = 0; !status && i < count; i++)
+		plug->parameter[i] = source->parameter[i].value;
+	if (!status)
+		status = examine(of, plug->parameter, source->name, work, report);
+	if (!status && (linearise(plug, of->n, work) || !is_finite(plug, n)))
+		status = hawser__fail(report, HAWSER_ERR_NAN, "rom",
+		                      "%s: its function has no value at rest", source->name);
+	if (!status)
+		status = fill(rom, plug, report);
+	free(work);
+	if (status)
+		hawser_rom_clear(rom);
+	return status;
+}
+
+enum hawser_status hawser_rom_source_plugin(struct hawser_rom_source *source,
+                                            const struct hawser_plugin *plugin, const char *name,
+                                            struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+
+	*source = (struct hawser_rom_source){.plugin = plugin};
+	if (!plugin)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+		                    "%s: its function hawser_plugin returned no struct hawser_plugin", name);
+	if (plugin->version != HAWSER_PLUGIN_VERSION)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+		                    "%s is a library of version %d, and this program takes version "
+		                    "%d: compile it again", name, plugin->version, HAWSER_PLUGIN_VERSION);
+	if (plugin->parameters > 0 && (!plugin->parameter || !plugin->value))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+		                    "%s has %d parameters, and no list of their names or of their values",
+		                    name, plugin->parameters);
+	if (plugin->n < 1 || plugin->n > MOST || plugin->parameters < 0 ||
+	    plugin->parameters > HAWSER_PARAMETERS || !plugin->acceleration)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+		                    "%s has %d coordinates, %d parameters and %s function: 1 to %d, 0 "
+		                    "to %d and one are possible", name, plugin->n, plugin->parameters,
+		                    plugin->acceleration ? "a" : "no", MOST, HAWSER_PARAMETERS);
+	source->name = strdup(name);
+	source->parameter = calloc((size_t)plugin->parameters + 1, sizeof *source->parameter);
+	if (!source->name || !source->parameter)
+		status = hawser__no_memory(report, "rom");
+	for (int i = 0; !status && i < plugin->parameters; i++) {
+		if (!plugin->parameter[i] || !hawser__formula_name(plugin->parameter[i]))
+			status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+			                      "%s: parameter %d has the name \"%.40s\": write a letter, then up "
+			                      "to 30 letters, digits and _, and no name of a function", name, i,
+			                      plugin->parameter[i] ? plugin->parameter[i] : "");
+		else
+			memcpy(source->parameter[i].name, plugin->parameter[i], strlen(plugin->parameter[i]));
+		source->parameter[i].value = plugin->value[i];
+		source->parameters++;
+	}
+	if (status)
+		hawser_rom_source_clear(source);
+	return status;
+}

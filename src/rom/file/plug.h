@@ -1,0 +1,29 @@
+/* rom/file/plug.h - a model whose forces are a function (hawser/plugin.h). See plug.c.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_ROM_PLUG_H
+#define HAWSER_ROM_PLUG_H
+
+#include <hawser/rom_source.h>
+
+#include "rom/terms/terms.h"
+
+enum { HAWSER_PLUG_WAVES = 5 }; /* multiples of the frequency, from 0, whose forces at rest are known */
+
+struct hawser_rom_plug {
+	const struct hawser_plugin *of;
+	double *parameter; /* [of->parameters] */
+	double *K, *D;     /* [n][n] the linear part that the model has */
+	double *wave;      /* [HAWSER_PLUG_WAVES][2][n] cos and sin of the forces that its harmonics have */
+};
+
+/* The model of `of` with the values of parameter [of->parameters]. HAWSER_ERR_ARGUMENT (a wrong
+ * derivative), HAWSER_ERR_NAN, HAWSER_ERR_MEMORY. */
+enum hawser_status hawser__plug_make(struct hawser_rom *rom, const struct hawser_rom_source *source,
+                                     struct hawser_report *report);
+void hawser__plug_free(struct hawser_rom_plug *plug);
+
+/* What the function has beyond the linear part and the harmonics of the model. */
+void hawser__plug_add(const struct hawser_rom *rom, const struct hawser__more *to, const double *u,
+                      const double *v, double tau, double omega);
+
+#endif

@@ -1,0 +1,26 @@
+/* rom/terms/dampers.h - attachments in a reduced model: damping, and shapes of dampers as coordinates.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_ROM_DAMPERS_H
+#define HAWSER_ROM_DAMPERS_H
+
+#include <hawser/rom.h>
+
+/* 1 if an attachment has a damper, or a spring. */
+int hawser__has_dampers(const struct hawser_statics *statics);
+int hawser__has_springs(const struct hawser_statics *statics);
+
+/* Add to D [n][n], n = modes->n, the dampers of the attachments and, with the viscous force per
+ * length `alpha` (scaled), what the point masses take from its diagonal: the modes are orthonormal
+ * with the masses, on which alpha does not act. */
+void hawser__dampers_add(double *D, const struct hawser_modes *modes, double alpha);
+
+/* Stiffness [n][n] of the springs in these modes. */
+void hawser__springs_add(double *K, const struct hawser_modes *modes);
+
+/* The modes, followed by the static shapes of the forces of dampers, also of absorbers and of their
+ * cubic springs (dampers.c). with->n = 0 if there are none, or no shapes beyond the modes. */
+enum hawser_status hawser__dampers_extend(struct hawser_modes *with,
+                                          const struct hawser_modes *modes,
+                                          struct hawser_report *report);
+
+#endif

@@ -1,0 +1,202 @@
+/* rom/terms/drag.c - quadratic drag of air at rest.
+ *
+ *   c      kg/m^2: force per unstretched length over the square of the velocity; density, drag
+ *          coefficient and diameter of the cable multiplied, over 2
+ *   v(s)   velocity normal to the static cable: sum of u_k' (Q_k, B_k), in two components
+ *   force  -c |v| v per length; that along the cable, the friction of the surface, is some hundredths
+ *          of it and is left out (Morison's formula)
+ *
+ *   F_j = -c' integral of |v| (v . Phi_j) ds,   c' = c d/rho   (scaled)
+ *   dF_j/du_k' = -c' integral of [ |v| Phi_j . Phi_k + (v . Phi_j) (v . Phi_k)/|v| ] ds
+ *
+ * In a cos(omega tau) of mode j alone it does the work of the linear damping
+ * d = 8/(3 pi) c'' omega a, c'' = c' integral of |Phi_j|^3 ds (the describing function). At
+ * resonance under the load f, with the linear damping d0 besides, (d0 + d) omega a = |f|, whose
+ * positive root is the amplitude a.
+ *
+ * The integral is a sum over the Gauss points of the modes. |v| v has a continuous first derivative but
+ * no second one where v changes its sign, so that the sum is not exact: its relative error is some 5e-4
+ * if six modes move at random, and 1e-14 if the velocity has one sign (tests/property/test-drag). The
+ * velocity of modes that are not kept is left out.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "core/report.h"
+#include "rom/terms/drag.h"
+#include "rom/condense/support.h"
+
+/* A steady wind w adds c w^2 to the load, and to first order opposes motion by 2 c w v along itself and
+ * c w v across: not the drag of air at rest. The vertical part of the load is taken for a weight. */
+static enum hawser_status wind(const struct hawser_scene *scene, struct hawser_report *report)
+{
+	const double *p = scene->static_load.per_length, c = scene->damping.drag;
+	double q = scene->static_load.present ? hypot(p[0], p[2]) : 0.0;
+
+	if (q == 0.0)
+		return HAWSER_OK;
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+	                    "damping.drag = %g kg/m^2 is for air at rest, and the horizontal part of "
+	                    "load.static.per_length, %g N/m, is a wind, whose damping is linear: give "
+	                    "damping.alpha in place of damping.drag, from %.3g kg/m/s (across a wind of "
+	                    "this force and drag) to %.3g kg/m/s (along it)", c, q, sqrt(c*q),
+	                    2.0*sqrt(c*q));
+}
+
+static enum hawser_status check(const struct hawser_scene *scene, struct hawser_report *report)
+{
+	if (scene->travel.present)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+		                    "damping.drag = %g kg/m^2 is for a cable that does not travel: remove "
+		                    "travel, or give damping.alpha instead", scene->damping.drag);
+	if (hawser__support_moves(scene))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+		                    "damping.drag = %g kg/m^2 is for a cable with supports at rest: remove "
+		                    "the motion of the supports, or give damping.alpha instead",
+		                    scene->damping.drag);
+	return wind(scene, report);
+}
+
+int hawser__drag_alone(const struct hawser_scene *scene)
+{
+	if (!(scene->damping.drag > 0.0))
+		return 0;
+	switch (scene->damping.kind) {
+	case HAWSER_DAMPING_ALPHA:
+		return scene->damping.alpha == 0.0;
+	case HAWSER_DAMPING_RAYLEIGH:
+		return scene->damping.mass == 0.0 && scene->damping.stiffness == 0.0;
+	case HAWSER_DAMPING_RATIO:
+		return (scene->damping.ratios > 1 ? scene->damping.ratio_next[scene->damping.ratios - 2]
+		                                  : scene->damping.ratio) == 0.0;
+	default:
+		return 1;
+	}
+}
+
+double hawser__drag_equal(const struct hawser_modes *modes, const struct hawser_scene *scene, int j,
+                          double load, double damping)
+{
+	const struct hawser_grid *grid = &modes->grid;
+	double cubed = 0.0, q;
+
+	if (!(scene->damping.drag > 0.0) || load == 0.0)
+		return damping;
+	for (int i = 0; i < grid->points; i++) {
+		double at[3];
+
+		hawser_modes_at(modes, at, NULL, j, grid->s[i]);
+		cubed += grid->weight[i]*pow(hypot(at[1], at[2]), 3.0);
+	}
+	q = 8.0/(3.0*M_PI)*scene->damping.drag*modes->statics.span.d/modes->statics.span.rho*cubed;
+	return 0.5*(damping + sqrt(damping*damping + 4.0*q*fabs(load)));
+}
+
+enum hawser_status hawser__drag_make(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                     const struct hawser_scene *scene, struct hawser_report *report)
+{
+	const struct hawser_grid *grid = &modes->grid;
+	size_t n = (size_t)modes->n, points = (size_t)grid->points;
+	struct hawser_rom_drag *drag;
+	enum hawser_status status;
+
+	if (!scene || !(scene->damping.drag > 0.0))
+		return HAWSER_OK;
+	status = check(scene, report);
+	if (status)
+		return status;
+	drag = rom->drag = calloc(1, sizeof *drag);
+	if (!drag)
+		return hawser__no_memory(report, "rom");
+	drag->n = modes->n;
+	drag->points = grid->points;
+	drag->weight = malloc(points*sizeof *drag->weight);
+	drag->shape = malloc(points*2*n*sizeof *drag->shape);
+	if (!drag->weight || !drag->shape)
+		return hawser__no_memory(report, "rom");
+	for (size_t i = 0; i < points; i++) {
+		drag->weight[i] = grid->weight[i]*scene->damping.drag*rom->length/modes->statics.span.rho;
+		for (size_t j = 0; j < n; j++) {
+			double at[3];
+
+			hawser_modes_at(modes, at, NULL, (int)j, grid->s[i]);
+			drag->shape[(2*i)*n + j] = at[1];
+			drag->shape[(2*i + 1)*n + j] = at[2];
+		}
+	}
+	return HAWSER_OK;
+}
+
+void hawser__drag_free(struct hawser_rom_drag *drag)
+{
+	if (!drag)
+		return;
+	free(drag->weight);
+	free(drag->shape);
+	free(drag);
+}
+
+/* The velocity at a point. */
+static double speed_at(double *vq, double *vb, const double *Q, const double *B, const double *v,
+                       int n, int stride)
+{
+	double q = 0.0, b = 0.0;
+
+	for (int k = 0; k < n; k++) {
+		q += Q[k]*v[k*stride];
+		b += B[k]*v[k*stride];
+	}
+	*vq = q;
+	*vb = b;
+	return hypot(q, b);
+}
+
+void hawser__drag_add(const struct hawser_rom_drag *drag, double *force, const double *v, int stride)
+{
+	int n = drag->n;
+
+	for (int i = 0; i < drag->points; i++) {
+		const double *Q = drag->shape + (size_t)2*i*n, *B = Q + n;
+		double q, b, w = drag->weight[i]*speed_at(&q, &b, Q, B, v, n, stride);
+
+		for (int j = 0; j < n; j++)
+			force[j*stride] -= w*(q*Q[j] + b*B[j]);
+	}
+}
+
+void hawser__drag_slope(const struct hawser_rom_drag *drag, double sign, double *matrix,
+                        const double *v, int stride)
+{
+	int n = drag->n;
+
+	for (int i = 0; i < drag->points; i++) {
+		const double *Q = drag->shape + (size_t)2*i*n, *B = Q + n;
+		double q, b, speed = speed_at(&q, &b, Q, B, v, n, stride), w = sign*drag->weight[i];
+
+		if (speed == 0.0)
+			continue; /* the derivative is 0 */
+		q /= speed;
+		b /= speed;
+		for (int j = 0; j < n; j++) {
+			double normal = w*speed*(Q[j] + q*(q*Q[j] + b*B[j]));
+			double binormal = w*speed*(B[j] + b*(q*Q[j] + b*B[j]));
+
+			for (int k = 0; k < n; k++)
+				matrix[(j*n + k)*stride] += normal*Q[k] + binormal*B[k];
+		}
+	}
+}
+
+enum hawser_status hawser__drag_refuse(const struct hawser_rom *rom, const char *what,
+                                       struct hawser_report *report)
+{
+	if (rom && !rom->drag)
+		return HAWSER_OK;
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+	                    "%s has no quadratic drag, which only hawser integrate and hawser frf have "
+	                    "(by shooting): set damping.drag=0, and give a linear damping with the same "
+	                    "loss at the amplitude of interest", what);
+}

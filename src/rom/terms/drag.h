@@ -1,0 +1,42 @@
+/* rom/terms/drag.h - quadratic drag of air at rest. See drag.c.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_ROM_DRAG_H
+#define HAWSER_ROM_DRAG_H
+
+#include <hawser/modes.h>
+#include <hawser/rom.h>
+
+struct hawser_rom_drag {
+	int n, points;
+	double *weight; /* [points] of the quadrature along the cable, times the scaled coefficient */
+	double *shape;  /* [points][2][n] Q, B of each coordinate */
+};
+
+/* Fill rom->drag from the scene; nothing if it has no drag. HAWSER_ERR_ARGUMENT (a cable that travels,
+ * moving supports, a wind), HAWSER_ERR_MEMORY. */
+enum hawser_status hawser__drag_make(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                     const struct hawser_scene *scene,
+                                     struct hawser_report *report);
+void hawser__drag_free(struct hawser_rom_drag *drag);
+
+/* force [n] += the drag at the velocities v [n]. The values of one quantity are `stride` apart. */
+void hawser__drag_add(const struct hawser_rom_drag *drag, double *force, const double *v, int stride);
+
+/* matrix [n][n] += sign times minus the derivative of that force by v, which is not negative. */
+void hawser__drag_slope(const struct hawser_rom_drag *drag, double sign, double *matrix,
+                        const double *v, int stride);
+
+/* 1 if the scene has drag and no other damping of high modes, but for that of attachments. */
+int hawser__drag_alone(const struct hawser_scene *scene);
+
+/* The linear damping (scaled; diagonal entry of D) that has the amplitude of mode j at its resonance
+ * under the modal load `load` with the drag of the scene besides the linear damping `damping`: the
+ * describing function of drag. Without drag: `damping`. */
+double hawser__drag_equal(const struct hawser_modes *modes, const struct hawser_scene *scene, int j,
+                          double load, double damping);
+
+/* HAWSER_ERR_ARGUMENT if the model has drag (rom NULL: it has), which `what` does not take. */
+enum hawser_status hawser__drag_refuse(const struct hawser_rom *rom, const char *what,
+                                       struct hawser_report *report);
+
+#endif

@@ -1,0 +1,173 @@
+/* rom/terms/terms.c - forces that are products of any coordinates and velocities, such as u'^3, u^2
+ * u', u^5.
+ *
+ *    x_i      a coordinate or a velocity
+ *    term     value * product of x_i;  d/dx_i = value * product of the others, once for each occurrence
+ *
+ * The compiled kernel (kernel.h) has the terms of cables, of second and third order in the
+ * coordinates. Terms are the exception, so that they are evaluated one by one, and only where forces
+ * are evaluated at a state: in time integration and shooting.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "core/report.h"
+#include "rom/file/plug.h"
+#include "rom/terms/terms.h"
+
+int hawser__rom_more(const struct hawser_rom *rom)
+{
+	for (int h = 0; h < rom->harmonics; h++)
+		if (rom->harmonic[h].terms > 0)
+			return 1;
+	return rom->terms > 0 || rom->plug;
+}
+
+struct state {
+	const double *u, *v; /* [n] */
+	int n, stride;
+};
+
+static double factor_of(const struct hawser_term *term, int i, const struct state *x)
+{
+	const double *of = i < term->factors - term->rates ? x->u : x->v;
+
+	return of[term->factor[i]*x->stride];
+}
+
+/* Without factor `but`; -1: with all. */
+static double product(const struct hawser_term *term, int but, const struct state *x)
+{
+	double value = term->value;
+
+	for (int i = 0; i < term->factors; i++)
+		value *= i == but ? 1.0 : factor_of(term, i, x);
+	return value;
+}
+
+/* force -= s term, by_omega -= ds term. */
+static void add(const struct hawser__more *to, const struct hawser_term *term, const struct state *x,
+                double s, double ds)
+{
+	double whole = product(term, -1, x);
+
+	to->force[term->j*to->stride] -= s*whole;
+	if (to->by_omega)
+		to->by_omega[term->j*to->stride] -= ds*whole;
+	for (int i = 0; i < term->factors; i++) {
+		double *matrix = i < term->factors - term->rates ? to->by_u : to->by_v;
+
+		if (matrix)
+			matrix[(term->j*x->n + term->factor[i])*to->stride] -= to->sign*s*product(term, i, x);
+	}
+}
+
+void hawser__rom_more_add(const struct hawser_rom *rom, const struct hawser__more *to,
+                          const double *u, const double *v, double tau, double omega)
+{
+	const struct state x = {u, v, rom->n, to->stride};
+
+	if (rom->plug)
+		hawser__plug_add(rom, to, u, v, tau, omega);
+	for (int i = 0; i < rom->terms; i++)
+		add(to, &rom->term[i], &x, 1.0, 0.0);
+	for (int h = 0; h < rom->harmonics; h++) {
+		const struct hawser_harmonic *harmonic = &rom->harmonic[h];
+		double s, ds;
+
+		if (harmonic->terms == 0)
+			continue;
+		s = harmonic->phase == HAWSER_COS ? cos(harmonic->k*tau) : sin(harmonic->k*tau);
+		for (int p = 0; p < harmonic->omega_power; p++)
+			s *= omega;
+		ds = harmonic->omega_power*s/omega;
+		for (int i = 0; i < harmonic->terms; i++)
+			add(to, &harmonic->term[i], &x, s, ds);
+	}
+}
+
+double hawser__rom_weighed(const struct hawser_rom *rom, const double *w, int j)
+{
+	double sum = 0.0;
+
+	if (!rom->mass)
+		return w[j];
+	for (int k = 0; k < rom->n; k++)
+		sum += rom->mass[j*rom->n + k]*w[k];
+	return sum;
+}
+
+/* A term of order d has the integral of u . term(s u) ds from 0 to 1, the term at u over d + 1. */
+double hawser__terms_potential(const struct hawser_rom *rom, const double *u)
+{
+	const struct state x = {u, u, rom->n, 1};
+	double sum = 0.0;
+
+	for (int i = 0; i < rom->terms; i++)
+		if (rom->term[i].rates == 0)
+			sum += hawser__rom_weighed(rom, u, rom->term[i].j)*product(&rom->term[i], -1, &x)/
+			       (rom->term[i].factors + 1);
+	return sum;
+}
+
+enum hawser_status hawser__more_refuse(const struct hawser_rom *rom, const char *what,
+                                       struct hawser_report *report)
+{
+	if (!hawser__rom_more(rom))
+		return HAWSER_OK;
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+	                    "%s takes models with D, K, Q and C only; this one %s, which "
+	                    "hawser frf%s and hawser integrate take", what,
+	                    rom->plug ? "is a function" : "has terms besides",
+	                    rom->plug ? " (by shooting)" : "");
+}
+
+int hawser__rom_periods(const struct hawser_rom *rom)
+{
+	return rom->periods > 1 ? rom->periods : 1;
+}
+
+enum hawser_status hawser__periods_refuse(const struct hawser_rom *rom, const char *what,
+                                          struct hawser_report *report)
+{
+	if (hawser__rom_periods(rom) == 1)
+		return HAWSER_OK;
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+	                    "%s takes models of one period, and this one has periods %d: write the "
+	                    "harmonics as multiples of Omega/%d, and give frequencies of that", what,
+	                    rom->periods, rom->periods);
+}
+
+static enum hawser_status check(const struct hawser_term *term, int count, int n, const char *of,
+                                struct hawser_report *report)
+{
+	for (int i = 0; i < count; i++) {
+		const struct hawser_term *t = &term[i];
+		int wrong = t->j < 0 || t->j >= n || t->factors < 1 || t->factors > HAWSER_TERM_FACTORS ||
+		            t->rates < 0 || t->rates > t->factors || !isfinite(t->value);
+
+		for (int f = 0; !wrong && f < t->factors; f++)
+			wrong = t->factor[f] < 0 || t->factor[f] >= n;
+		if (wrong)
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "rom",
+			                    "%sterms: entry %d of equation %d has %d factors and the value %g; "
+			                    "indices must be 0 to %d, factors 1 to %d and the value finite", of,
+			                    i, t->j, t->factors, t->value, n - 1, HAWSER_TERM_FACTORS);
+	}
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser__terms_check(const struct hawser_rom *rom, struct hawser_report *report)
+{
+	enum hawser_status status = check(rom->term, rom->terms, rom->n, "", report);
+	char of[32];
+
+	for (int h = 0; !status && h < rom->harmonics; h++) {
+		snprintf(of, sizeof of, "harmonics[%d], ", h);
+		status = check(rom->harmonic[h].term, rom->harmonic[h].terms, rom->n, of, report);
+	}
+	return status;
+}

@@ -1,0 +1,90 @@
+/* rom/terms/vary.c - terms of the restoring force that vary with the phase and are not linear: the Q of
+ * harmonics, and the moving supports of a model with the exact energy. See vary.h.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+
+#include "rom/terms/ends.h"
+#include "rom/energy/exact.h"
+#include "rom/energy/kernel.h"
+#include "rom/terms/vary.h"
+
+int hawser__rom_varies(const struct hawser_rom *rom)
+{
+	if (rom->exact)
+		return rom->exact->supports > 0 && !rom->ends->given;
+	for (int h = 0; h < rom->harmonics; h++)
+		if (rom->harmonic[h].quads > 0)
+			return 1;
+	return 0;
+}
+
+/* Add the terms of one harmonic times `wave` to restoring [n] and, unless NULL, to tangent [n][n],
+ * at u [n]. */
+static void vary_by(const struct hawser_harmonic *harmonic, double wave, double *restoring,
+                    double *tangent, const double *u, int n)
+{
+	for (int i = 0; i < harmonic->quads; i++) {
+		const struct hawser_quad *q = &harmonic->Q[i];
+		double value = wave*q->value, x = u[q->k], y = u[q->l];
+
+		restoring[q->j] += value*x*y;
+		if (!tangent)
+			continue;
+		tangent[q->j*n + q->k] += value*y;
+		tangent[q->j*n + q->l] += value*x;
+	}
+}
+
+void hawser__rom_vary_at(const struct hawser_rom *rom, double *restoring, double *tangent,
+                         const double *u, double tau)
+{
+	double s[HAWSER__SUPPORT_MOST];
+
+	/* those of a history: hawser__rom_history */
+	if (rom->exact && rom->exact->supports > 0 && !rom->ends->given) {
+		hawser__ends_at(rom, s, &(struct hawser_rom_moment){.tau = tau});
+		hawser__exact_vary(rom->exact, restoring, tangent, u, s);
+	}
+	for (int h = 0; h < rom->harmonics; h++) {
+		const struct hawser_harmonic *harmonic = &rom->harmonic[h];
+
+		if (harmonic->quads > 0)
+			vary_by(harmonic, harmonic->phase == HAWSER_COS ? cos(harmonic->k*tau)
+			        : sin(harmonic->k*tau), restoring, tangent, u, rom->n);
+	}
+}
+
+void hawser__rom_vary_lane(const struct hawser_rom *rom, double *restoring, double *tangent,
+                           const double *u, double tau, int stride)
+{
+	double own_u[HAWSER_ROM_MAX] = {0.0}, force[HAWSER_ROM_MAX] = {0.0};
+	double T[HAWSER_ROM_MAX*HAWSER_ROM_MAX];
+	int n = rom->n;
+
+	for (int j = 0; j < n; j++)
+		own_u[j] = u[j*stride];
+	for (int i = 0; tangent && i < n*n; i++)
+		T[i] = 0.0;
+	hawser__rom_vary_at(rom, force, tangent ? T : NULL, own_u, tau);
+	for (int j = 0; j < n; j++)
+		restoring[j*stride] += force[j];
+	for (int i = 0; tangent && i < n*n; i++)
+		tangent[i*stride] += T[i];
+}
+
+void hawser__rom_vary_all(const struct hawser_rom *rom, double *restoring, double *tangent,
+                          const double *u, int count)
+{
+	size_t n = (size_t)rom->n;
+
+	if (!hawser__rom_varies(rom))
+		return;
+	for (int i = 0; i < count; i++) {
+		size_t at = (size_t)i*n;
+
+		hawser__rom_vary_at(rom, restoring + at, tangent ? tangent + at*n : NULL, u + at,
+		                    2.0*M_PI*i/count);
+	}
+}

@@ -1,0 +1,105 @@
+/* ropeway/expand/expand.h - the energy of a rope over sheaves to fourth order in given shapes, the rest
+ * of the rope following statically (doc/theory-ropeway-response.md).
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_ROPEWAY_EXPAND_H
+#define HAWSER_ROPEWAY_EXPAND_H
+
+#include "ropeway/modes/modes.h"
+
+/* A shape: a state of one system of the rope, with its strains. */
+struct hawser__lexpand_shape {
+	int system;
+	const double *x, *strain; /* [size], [strains] of the system */
+	double omega;             /* > 0: a mode, along which nothing follows; 0: the energy is that of the
+	                           * rope all of which follows */
+};
+
+/* Forms of an end: what a shape does at the end of a free piece on a circle, in the frame of the
+ * circle's tangent and normal there. */
+enum hawser__lexpand_form {
+	HAWSER__FORM_U = 0,   /* displacement along the circle */
+	HAWSER__FORM_ALONG,   /* change of the force along the tangent */
+	HAWSER__FORM_ACROSS,  /* and along the normal */
+	HAWSER__FORM_OPENING, /* change of slope minus that of the circle: across/T - kappa U */
+	HAWSER__FORM_ASIDE,   /* slope out of the plane */
+	HAWSER__FORMS
+};
+
+/* The end of a free piece at a sheave. */
+struct hawser__lexpand_end {
+	int piece, end;       /* of the rope; 0: the piece begins there, 1: it ends there */
+	int lane, sheave;
+	int smooth;           /* 1: no mass is there, so that the rope leaves the circle tangentially, and
+	                       * the point at which it does moves */
+	int segment[2], system[2]; /* in the plane and out of it; -1: none */
+	int node;             /* of the system in the plane; -1: it does not move */
+	double T, along, across;   /* force of the statics, and in the frame of the circle */
+	double kappa, gap;    /* curvature of the circle, and how much larger than that of the rope it is
+	                       * (signed as kappa) */
+	double turn;          /* angle from the rope to the circle's tangent */
+	double tangent[2];    /* in the frame of the run */
+	double *form[HAWSER__FORMS]; /* [n] each */
+};
+
+/* A mass on a circle, or nothing but its weight. */
+struct hawser__lexpand_weight {
+	int system, node;
+	double third, fourth; /* derivatives of its potential along the circle */
+	double *u;            /* [n] */
+};
+
+struct hawser__lexpand {
+	struct hawser__lmode *rope;
+	const struct hawser__lexpand_shape *shape; /* [n] the caller's */
+	int n, pairs;
+	int held;             /* 1: the rope leaves the circles at material points */
+	int *first;           /* [pieces] first point of a free piece; -1: an arc */
+	int points;           /* of free pieces */
+	double *weight, *stretch, *tau; /* [points]: of the quadrature; |x'|; scaled tension */
+	double *slope;        /* [n][points][3] a, b, c */
+	int ends, weights;
+	struct hawser__lexpand_end *end;       /* [ends] */
+	struct hawser__lexpand_weight *mass;   /* [weights] */
+	double *third;        /* [n][n][n] third derivatives of the energy */
+	double *pairing;      /* [pairs][pairs]: the part of fourth derivatives that one way to pair four
+	                       * indices gives */
+	/* The second-order displacement 1/2 sum u_j u_k w_jk, which follows, of every system:
+	 * [pairs][size] and [pairs][strains], zero where the system has none. */
+	double **second, **second_strain; /* [systems] */
+};
+
+/* Index of the pair j <= k. */
+static inline int hawser__lexpand_pair(int j, int k)
+{
+	return j <= k ? k*(k + 1)/2 + j : j*(j + 1)/2 + k;
+}
+
+/* The systems of the rope must have their grids and factors, and none may circulate. `rope` is
+ * kept, and used for static solutions. HAWSER_ERR_ARGUMENT (what the expansion does not cover),
+ * HAWSER_ERR_MEMORY. */
+enum hawser_status hawser__lexpand_open(struct hawser__lexpand *t, struct hawser__lmode *rope,
+                                        const struct hawser__lexpand_shape *shape, int n, int held,
+                                        struct hawser_report *report);
+void hawser__lexpand_clear(struct hawser__lexpand *t);
+/* Fourth derivative of the energy by four coordinates. */
+double hawser__lexpand_fourth(const struct hawser__lexpand *t, const int index[4]);
+
+/* expand_points.c: points, ends and weights, and what the shapes do there. */
+enum hawser_status hawser__lexpand_points(struct hawser__lexpand *t, struct hawser_report *report);
+/* Derivatives of the potential of an arc's weight along the circle, at point i of its segment:
+ * third and fourth. */
+void hawser__lexpand_arc(double derivative[2], const struct hawser__lexpand *t,
+                         const struct hawser__lmode_segment *s, int i);
+/* expand_ends.c: derivatives of the energy of the ends and of the weights on circles. */
+double hawser__lexpand_ends_third(const struct hawser__lexpand *t, int j, int k, int l);
+double hawser__lexpand_ends_fourth(const struct hawser__lexpand *t, const int index[4]);
+/* Lift along the normal and out of the plane, and force along the circle on what follows, by the
+ * pair j, k. */
+void hawser__lexpand_lift(double lift[2], const struct hawser__lexpand *t,
+                          const struct hawser__lexpand_end *end, int j, int k);
+double hawser__lexpand_push(const struct hawser__lexpand *t, const struct hawser__lexpand_end *end,
+                            int j, int k);
+/* expand_follow.c: second, pairing. */
+enum hawser_status hawser__lexpand_follow(struct hawser__lexpand *t, struct hawser_report *report);
+
+#endif

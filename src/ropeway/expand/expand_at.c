@@ -1,0 +1,86 @@
+/* ropeway/expand/expand_at.c - a displacement of the whole rope at a point of it.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+
+#include "ropeway/expand/expand_modes.h"
+
+/* Strain c of a segment at s, as a slope. */
+static double slope_at(const struct hawser__lmode_segment *s, const double *strain, int c, double at)
+{
+	double value, factor = s->sa;
+
+	hawser__grid_at(&value, &s->grid, strain + c*s->grid.points, 1, 1, at);
+	if (s->sb && (c > 0 || s->D == 1))
+		hawser__grid_at(&factor, &s->grid, s->sb, 1, 1, at);
+	return value*factor;
+}
+
+static void add_segment(double shape[3], double *slope, const struct hawser__lmode_segment *s,
+                        const double *x, const double *strain, double at, double angle)
+{
+	double u[2] = {0.0}, reference = atan2(s->piece->reference[1], s->piece->reference[0]);
+
+	for (int c = 0; c < s->D; c++)
+		hawser__grid_at(&u[c], &s->grid, x + c*s->grid.points, 1, 1, at);
+	if (s->D == 2) {
+		double turn = angle - reference;
+
+		shape[0] += cos(turn)*u[0] + sin(turn)*u[1];
+		shape[1] += cos(turn)*u[1] - sin(turn)*u[0];
+		if (slope) {
+			slope[0] += slope_at(s, strain, 0, at);
+			slope[1] += slope_at(s, strain, 1, at);
+		}
+		return;
+	}
+	shape[s->sb ? 2 : 0] += u[0];
+	if (slope)
+		slope[s->sb ? 2 : 0] += slope_at(s, strain, 0, at);
+}
+
+/* Add the part of one system. */
+static void add_system(double shape[3], double *slope, const struct hawser__lmode_system *system,
+                       const double *x, const double *strain, int piece, double s, double angle)
+{
+	for (int k = 0; k < system->segments; k++)
+		if (system->segment[k].index == piece)
+			add_segment(shape, slope, &system->segment[k], x + system->segment[k].at,
+			            strain + system->segment[k].strain, s, angle);
+}
+
+static void none(double shape[3], double *slope)
+{
+	for (int c = 0; c < 3; c++) {
+		shape[c] = 0.0;
+		if (slope)
+			slope[c] = 0.0;
+	}
+}
+
+void hawser__lexpand_second_at(double shape[3], double slope[3], const struct hawser__lexpand *t,
+                               int pair, int piece, double s, double angle)
+{
+	none(shape, slope);
+	for (int i = 0; i < t->rope->systems; i++) {
+		const struct hawser__lmode_system *system = &t->rope->system[i];
+
+		add_system(shape, slope, system, t->second[i] + (size_t)pair*(size_t)system->size,
+		           t->second_strain[i] + (size_t)pair*(size_t)system->strains, piece, s, angle);
+	}
+}
+
+void hawser__lexpand_field_at(double shape[3], double slope[3], const struct hawser__lmode *rope,
+                              const struct hawser__lexpand_field *field, int piece, double s,
+                              double angle)
+{
+	const double *x = field->x, *strain = field->strain;
+
+	none(shape, slope);
+	for (int i = 0; i < rope->systems; i++) {
+		add_system(shape, slope, &rope->system[i], x, strain, piece, s, angle);
+		x += rope->system[i].size;
+		strain += rope->system[i].strains;
+	}
+}

@@ -1,0 +1,120 @@
+/* ropeway/expand/expand_modes.c - modes as the shapes of an expansion, on grids that resolve
+ * products of four of them. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <cblas.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "core/report.h"
+#include "ropeway/expand/expand_modes.h"
+
+/* Gauss quadrature with the nodes of a grid for twice the frequency integrates products of four
+ * waves. */
+static const double wider = 2.0;
+
+/* Of a state and the shape that was made of it, whose sign may have been changed
+ * (modes_label.c). */
+static double sign_of(const double *x, const struct hawser__lmode_system *system,
+                      const struct hawser_line_modes *modes, int k)
+{
+	double sum = 0.0;
+
+	for (int i = 0; i < system->segments; i++) {
+		const struct hawser__lmode_segment *s = &system->segment[i];
+		const double *u = modes->shape + 3*((size_t)k*(size_t)modes->points +
+		                                    (size_t)modes->piece[s->index].first);
+		const double *v = x + s->at;
+		int points = s->grid.points;
+
+		for (int p = 0; p < points; p++, u += 3) {
+			if (s->D == 2)
+				sum += u[0]*(s->cosine[p]*v[p] + s->sine[p]*v[points + p]) +
+				       u[1]*(s->cosine[p]*v[points + p] - s->sine[p]*v[p]);
+			else
+				sum += v[p]*(s->sb ? u[2] : u[0]);
+		}
+	}
+	return sum < 0.0 ? -1.0 : 1.0;
+}
+
+/* Largest speed of waves across the rope. */
+static double fastest(const struct hawser__lmode *rope)
+{
+	double most = 0.0;
+
+	for (int i = 0; i < rope->systems; i++)
+		for (int k = 0; k < rope->system[i].segments; k++) {
+			const struct hawser__lmode_segment *s = &rope->system[i].segment[k];
+
+			if (!s->arc && s->piece->length > 0.0)
+				most = fmax(most, s->piece->length/hawser__lmode_phase(s, rope));
+		}
+	return most;
+}
+
+enum hawser_status hawser__lexpand_modes_open(struct hawser__lexpand_modes *t,
+                                              struct hawser_line_modes *modes,
+                                              const struct hawser_line_statics *const *lane, int lanes,
+                                              const struct hawser_line_modes_options *options,
+                                              double wave,
+                                              struct hawser_report *report)
+{
+	struct hawser_line_modes_options o = *options;
+	enum hawser_status status;
+	double omega;
+
+	*t = (struct hawser__lexpand_modes){.search = {.rope = &t->rope}};
+	*modes = (struct hawser_line_modes){.n = 0};
+	status = hawser__lmode_settle(&o, lane, lanes, report);
+	t->search.n = o.n;
+	if (!status)
+		status = hawser__lmode_open(&t->rope, lane, lanes, &o, report);
+	if (status)
+		return status;
+	t->search.pairs = calloc((size_t)t->rope.systems + 1, sizeof *t->search.pairs);
+	t->search.choice = calloc((size_t)o.n, sizeof *t->search.choice);
+	t->shape = calloc((size_t)o.n + 1, sizeof *t->shape);
+	if (!t->search.pairs || !t->search.choice || !t->shape)
+		return hawser__no_memory(report, "line rom");
+	status = hawser__lmode_find(&t->search, report);
+	if (!status)
+		status = hawser__lmode_refine_all(&omega, &t->search, wider,
+		                                  wave*t->rope.length*fastest(&t->rope), report);
+	if (!status && hawser__lmode_worst(&t->search) > o.tolerance)
+		status = hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "line rom", 0,
+		                         hawser__lmode_worst(&t->search), "the first %d frequencies have an "
+		                         "estimated relative error of %.1e where %.1e was asked: ask for fewer "
+		                         "modes, or for a larger tolerance", o.n,
+		                         hawser__lmode_worst(&t->search), o.tolerance);
+	if (!status)
+		status = hawser__lmode_fill(modes, &t->rope, t->search.pairs, NULL, t->search.choice, o.n,
+		                            omega, report);
+	for (int k = 0; k < o.n && !status; k++) {
+		const struct hawser__lmode_choice *choice = &t->search.choice[k];
+		const struct hawser__lmode_pairs *pairs = &t->search.pairs[choice->system];
+		const struct hawser__lmode_system *system = &t->rope.system[choice->system];
+		double *x = pairs->x + (size_t)choice->pair*(size_t)system->size;
+		double *strain = pairs->strain + (size_t)choice->pair*(size_t)system->strains;
+		double sign = sign_of(x, system, modes, k);
+
+		cblas_dscal(system->size, sign, x, 1);
+		cblas_dscal(system->strains, sign, strain, 1);
+		t->shape[k] = (struct hawser__lexpand_shape){.system = choice->system, .x = x,
+			.strain = strain, .omega = pairs->omega[choice->pair]};
+	}
+	return status;
+}
+
+void hawser__lexpand_modes_clear(struct hawser__lexpand_modes *t)
+{
+	for (int i = 0; t->search.pairs && i < t->rope.systems; i++)
+		hawser__lmode_pairs_clear(&t->search.pairs[i]);
+	free(t->search.pairs);
+	free(t->search.choice);
+	free(t->shape);
+	free(t->end_x);
+	free(t->end_strain);
+	hawser__lmode_clear(&t->rope);
+	*t = (struct hawser__lexpand_modes){.shape = NULL};
+}

@@ -1,0 +1,62 @@
+/* ropeway/expand/expand_modes.h - modes as the shapes of an expansion.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_ROPEWAY_EXPAND_MODES_H
+#define HAWSER_ROPEWAY_EXPAND_MODES_H
+
+#include "ropeway/expand/expand.h"
+
+struct hawser__lexpand_modes {
+	struct hawser__lmode rope;
+	struct hawser__lmode_search search;    /* which refers to rope: the structure must not be moved */
+	struct hawser__lexpand_shape *shape;   /* [search.n + 1]: the modes; one more may be added */
+	double *end_x, *end_strain;            /* of that one, or NULL */
+};
+
+/* The lowest modes, and the same in the public structure, on grids that also resolve a wave of the
+ * number `wave` (1/m) along the rope. Both are to be cleared after a failure too. */
+enum hawser_status hawser__lexpand_modes_open(struct hawser__lexpand_modes *t,
+                                              struct hawser_line_modes *modes,
+                                              const struct hawser_line_statics *const *lane, int lanes,
+                                              const struct hawser_line_modes_options *options,
+                                              double wave,
+                                              struct hawser_report *report);
+void hawser__lexpand_modes_clear(struct hawser__lexpand_modes *t);
+
+/* expand_drive.c: add, as the last shape, the static response of the modes that are not kept to a
+ * unit motion of an end of a lane along the rope; pull[n] are the forces along the rope that the
+ * modes have there. */
+enum hawser_status hawser__lexpand_drive(struct hawser__lexpand_modes *t, double *pull, int lane,
+                                         int end, struct hawser_report *report);
+/* expand_at.c: displacement P, Q, B and slopes a, b, c of the second-order displacement of a pair,
+ * at s from the beginning of a piece where the rope has the slope `angle`; slope may be NULL. */
+void hawser__lexpand_second_at(double shape[3], double slope[3], const struct hawser__lexpand *t,
+                               int pair, int piece, double s, double angle);
+
+/* A displacement of the whole rope: states and strains of all systems, one after the other. */
+struct hawser__lexpand_field {
+	double *x, *strain;
+};
+/* The same of such a field. */
+void hawser__lexpand_field_at(double shape[3], double slope[3], const struct hawser__lmode *rope,
+                              const struct hawser__lexpand_field *field, int piece, double s,
+                              double angle);
+
+/* expand_answer.c: what the modes that are not kept do under a force that oscillates at the
+ * frequency W:  field[0] + W^2 field[1] + sum_s force[s] H_s(W) field[2 + s]
+ * (rom/condense/known.c). */
+struct hawser__lexpand_answer {
+	int known;                  /* motions s, of frequencies omega2^(1/2), ascending */
+	double *omega2, *force;     /* [known] */
+	struct hawser__lexpand_field *field; /* [2 + known] */
+	double *memory;
+	double reach;               /* below this frequency they are modes, all that the force drives */
+};
+/* Of a force per length along y, wave*pull(s) at the scaled arclength s of a lane; or of the motion of
+ * the end (hawser__lexpand_drive) if pull is NULL. */
+enum hawser_status hawser__lexpand_answer(struct hawser__lexpand_answer *answer,
+                                          const struct hawser__lexpand_modes *t,
+                                          double (*pull)(const void *wave, double s),
+                                          const void *wave, int lane, struct hawser_report *report);
+void hawser__lexpand_answer_clear(struct hawser__lexpand_answer *answer);
+
+#endif

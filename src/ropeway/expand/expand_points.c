@@ -1,0 +1,292 @@
+/* ropeway/expand/expand_points.c - the statics and the shapes at the points of the free rope and
+ * where it meets circles. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "core/report.h"
+#include "ropeway/expand/expand.h"
+
+static double *array(size_t n)
+{
+	return calloc(n + 1, sizeof(double));
+}
+
+static const struct hawser_line_sheave *sheave_of(const struct hawser__lexpand *t, int lane, int sheave)
+{
+	return &t->rope->lane[lane]->line->sheave[sheave];
+}
+
+/* Curvature of a circle, scaled, signed as that of the rope on it. */
+static double curvature(const struct hawser__lexpand *t, const struct hawser_line_sheave *sheave)
+{
+	return -sheave->side*t->rope->length/sheave->radius;
+}
+
+void hawser__lexpand_arc(double derivative[2], const struct hawser__lexpand *t,
+                         const struct hawser__lmode_segment *s, int i)
+{
+	const struct hawser__lmode_piece *piece = s->piece;
+	double angle, kappa = curvature(t, sheave_of(t, piece->lane, piece->sheave));
+
+	hawser_line_at(t->rope->lane[piece->lane], NULL, &angle, NULL, NULL, NULL,
+	               (piece->s0 + s->grid.s[i])*t->rope->length);
+	derivative[0] = -t->rope->delta*sin(angle)*kappa*kappa;
+	derivative[1] = -t->rope->delta*cos(angle)*kappa*kappa*kappa;
+}
+
+/* --- points of the free rope --- */
+
+/* A segment of the piece: in the plane if there is one. */
+static const struct hawser__lmode_segment *segment_of(const struct hawser__lmode *rope, int piece,
+                                                      int *system)
+{
+	for (int i = 0; i < rope->systems; i++)
+		for (int k = 0; k < rope->system[i].segments; k++)
+			if (rope->system[i].segment[k].index == piece) {
+				*system = i;
+				return &rope->system[i].segment[k];
+			}
+	return NULL;
+}
+
+static enum hawser_status place_points(struct hawser__lexpand *t, struct hawser_report *report)
+{
+	const struct hawser__lmode *rope = t->rope;
+
+	t->first = calloc((size_t)rope->pieces + 1, sizeof *t->first);
+	if (!t->first)
+		return hawser__no_memory(report, "line rom");
+	for (int i = 0; i < rope->pieces; i++) {
+		int system;
+		const struct hawser__lmode_segment *s = segment_of(rope, i, &system);
+
+		t->first[i] = s && !s->arc ? t->points : -1;
+		t->points += s && !s->arc ? s->grid.points : 0;
+	}
+	t->weight = array((size_t)t->points);
+	t->stretch = array((size_t)t->points);
+	t->tau = array((size_t)t->points);
+	t->slope = array(3*(size_t)t->points*(size_t)t->n);
+	if (!t->weight || !t->stretch || !t->tau || !t->slope)
+		return hawser__no_memory(report, "line rom");
+	for (int i = 0; i < rope->pieces; i++) {
+		const struct hawser__lmode_piece *piece = &rope->piece[i];
+		int system;
+		const struct hawser__lmode_segment *s = segment_of(rope, i, &system);
+
+		for (int k = 0; t->first[i] >= 0 && k < s->grid.points; k++) {
+			double T, g;
+
+			hawser_line_at(rope->lane[piece->lane], NULL, NULL, &T, &g, NULL,
+			               (piece->s0 + s->grid.s[k])*rope->length);
+			t->weight[t->first[i] + k] = s->grid.weight[k];
+			t->stretch[t->first[i] + k] = g;
+			t->tau[t->first[i] + k] = T/rope->force;
+		}
+	}
+	return HAWSER_OK;
+}
+
+static void fill_slopes(struct hawser__lexpand *t, int j)
+{
+	const struct hawser__lmode_system *system = &t->rope->system[t->shape[j].system];
+	double *slope = t->slope + 3*(size_t)t->points*(size_t)j;
+
+	for (int i = 0; i < system->segments; i++) {
+		const struct hawser__lmode_segment *s = &system->segment[i];
+		const double *strain = t->shape[j].strain + s->strain;
+		int first = t->first[s->index], points = s->grid.points;
+
+		for (int k = 0; first >= 0 && k < points; k++) {
+			double *a = slope + 3*(first + k);
+
+			if (s->D == 2) {
+				a[0] = s->sa*strain[k];
+				a[1] = s->sb[k]*strain[points + k];
+			} else {
+				a[2] = s->sb[k]*strain[k];
+			}
+		}
+	}
+}
+
+/* --- ends at sheaves --- */
+
+/* The segment of a piece in the system of one plane; -1: none. */
+static void find_segment(struct hawser__lexpand_end *end, const struct hawser__lmode *rope,
+                         enum hawser_plane plane)
+{
+	int which = plane == HAWSER_OUT_OF_PLANE;
+
+	end->segment[which] = end->system[which] = -1;
+	for (int i = 0; i < rope->systems; i++)
+		for (int k = 0; rope->system[i].plane == plane && k < rope->system[i].segments; k++)
+			if (rope->system[i].segment[k].index == end->piece) {
+				end->system[which] = i;
+				end->segment[which] = k;
+			}
+}
+
+static enum hawser_status place_end(struct hawser__lexpand_end *to, const struct hawser__lexpand *t,
+                                    const struct hawser__lmode_joint *joint,
+                                    struct hawser_report *report)
+{
+	const struct hawser__lmode *rope = t->rope;
+	const struct hawser__lmode_piece *piece = &rope->piece[to->piece];
+	const struct hawser_line_sheave *sheave = sheave_of(t, to->lane, joint->sheave);
+	int beyond = to->end ? to->piece + 1 : to->piece - 1;
+	double circle = joint->tangent[!to->end], T, g, V = piece->V, across;
+
+	to->sheave = joint->sheave;
+	to->smooth = joint->mass < 0;
+	if (!(sheave->radius > 0.0))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "line rom", "sheave %s has the radius 0: the "
+		                    "rope that leaves a point is no nonlinear model of a battery, give it a "
+		                    "radius", sheave->name);
+	if (to->smooth && rope->piece[beyond].sheave < 0)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "line rom", "the rope touches sheave %s at "
+		                    "one point, which it leaves by any motion: there is no model of small "
+		                    "motions", sheave->name);
+	find_segment(to, rope, HAWSER_IN_PLANE);
+	find_segment(to, rope, HAWSER_OUT_OF_PLANE);
+	to->node = to->system[0] < 0 ? -1
+	           : rope->system[to->system[0]].segment[to->segment[0]].node[to->end];
+	V += to->end ? rope->delta*piece->length : 0.0;
+	T = hypot(piece->H, V);
+	g = 1.0 + rope->epsilon*T;
+	to->T = T;
+	to->kappa = curvature(t, sheave);
+	across = rope->delta*piece->H/T; /* weight along the normal */
+	to->gap = to->kappa - across/(T*g);
+	to->turn = to->smooth ? 0.0 : circle - piece->angle[to->end];
+	to->along = T*cos(to->turn);
+	to->across = -T*sin(to->turn);
+	circle -= atan2(piece->reference[1], piece->reference[0]);
+	to->tangent[0] = cos(circle);
+	to->tangent[1] = sin(circle);
+	if (to->gap*to->kappa <= 0.0)
+		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "line rom", "at sheave %s the free rope is "
+		                    "curved more than the circle: it does not press on it", sheave->name);
+	for (int f = 0; f < HAWSER__FORMS; f++)
+		if (!(to->form[f] = array((size_t)t->n)))
+			return hawser__no_memory(report, "line rom");
+	return HAWSER_OK;
+}
+
+static enum hawser_status place_weight(struct hawser__lexpand *t, int lane,
+                                       const struct hawser__lmode_joint *joint, int system, int node,
+                                       struct hawser_report *report)
+{
+	const struct hawser_line *line = t->rope->lane[lane]->line;
+	struct hawser__lexpand_weight *to = &t->mass[t->weights++];
+	double W = line->mass[joint->mass].mass*line->g/t->rope->force;
+	double kappa = curvature(t, &line->sheave[joint->sheave]), angle = joint->tangent[0];
+
+	*to = (struct hawser__lexpand_weight){.system = system, .node = node,
+		.third = -W*sin(angle)*kappa*kappa, .fourth = -W*cos(angle)*kappa*kappa*kappa};
+	to->u = array((size_t)t->n);
+	return to->u ? HAWSER_OK : hawser__no_memory(report, "line rom");
+}
+
+/* Node of the system in the plane at the beginning of a piece. */
+static int node_before(const struct hawser__lexpand *t, int piece, int *system)
+{
+	for (int i = 0; i < t->rope->systems; i++)
+		for (int k = 0; t->rope->system[i].plane == HAWSER_IN_PLANE && k < t->rope->system[i].segments;
+		     k++) {
+			const struct hawser__lmode_segment *s = &t->rope->system[i].segment[k];
+
+			if (s->index != piece && s->index != piece - 1)
+				continue;
+			*system = i;
+			return s->node[s->index == piece ? 0 : 1];
+		}
+	return -1;
+}
+
+static enum hawser_status place_joint(struct hawser__lexpand *t, int lane, int piece, int i,
+                                      struct hawser_report *report)
+{
+	const struct hawser__lmode *rope = t->rope;
+	struct hawser__lmode_joint joint = hawser__lmode_joint(rope, lane, i);
+	enum hawser_status status = HAWSER_OK;
+	int system = -1, node;
+
+	if (joint.mass >= 0 && rope->lane[lane]->line->mass[joint.mass].hanger > 0.0)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "line rom", "mass %d hangs %g m below the "
+		                    "rope: the kinetic energy of a pendulum has terms of third order, which "
+		                    "these models do not have; set its hanger to 0", joint.mass + 1,
+		                    rope->lane[lane]->line->mass[joint.mass].hanger);
+	if (joint.sheave < 0)
+		return HAWSER_OK;
+	for (int end = 0; end < HAWSER__ENDS && !status; end++) {
+		struct hawser__lexpand_end *to = &t->end[t->ends];
+
+		if (rope->piece[piece - end].sheave >= 0)
+			continue;
+		*to = (struct hawser__lexpand_end){.piece = piece - end, .end = end, .lane = lane};
+		t->ends++;
+		status = place_end(to, t, &joint, report);
+	}
+	node = node_before(t, piece, &system);
+	if (!status && joint.mass >= 0 && node >= 0)
+		status = place_weight(t, lane, &joint, system, node, report);
+	return status;
+}
+
+/* --- forms --- */
+
+static void fill_end(struct hawser__lexpand *t, struct hawser__lexpand_end *end, int j)
+{
+	const struct hawser__lmode *rope = t->rope;
+	const struct hawser__lexpand_shape *shape = &t->shape[j];
+	const struct hawser__lmode_system *system = &rope->system[shape->system];
+	int which = system->plane == HAWSER_OUT_OF_PLANE;
+	const struct hawser__lmode_segment *s;
+	double slope[3], s_end, along, across, g = 1.0 + rope->epsilon*end->T;
+
+	if (end->system[which] != shape->system)
+		return;
+	s = &system->segment[end->segment[which]];
+	s_end = end->end ? s->grid.edge[s->grid.elements] : 0.0;
+	hawser__grid_at(slope, &s->grid, t->slope + 3*((size_t)t->points*(size_t)j +
+	                (size_t)t->first[end->piece]), 3, 3, s_end);
+	if (which) {
+		end->form[HAWSER__FORM_ASIDE][j] = slope[2]/g;
+		return;
+	}
+	along = slope[0]/rope->epsilon;
+	across = slope[1]*end->T/g;
+	if (end->node >= 0)
+		end->form[HAWSER__FORM_U][j] = shape->x[system->node[end->node].at];
+	end->form[HAWSER__FORM_ALONG][j] = along*cos(end->turn) + across*sin(end->turn);
+	end->form[HAWSER__FORM_ACROSS][j] = across*cos(end->turn) - along*sin(end->turn);
+	end->form[HAWSER__FORM_OPENING][j] = end->form[HAWSER__FORM_ACROSS][j]/end->T -
+		end->kappa*end->form[HAWSER__FORM_U][j];
+}
+
+enum hawser_status hawser__lexpand_points(struct hawser__lexpand *t, struct hawser_report *report)
+{
+	const struct hawser__lmode *rope = t->rope;
+	enum hawser_status status = place_points(t, report);
+
+	t->end = calloc(2*(size_t)rope->pieces + 1, sizeof *t->end);
+	t->mass = calloc((size_t)rope->pieces + 1, sizeof *t->mass);
+	if (!status && (!t->end || !t->mass))
+		status = hawser__no_memory(report, "line rom");
+	for (int lane = 0, at = 0; lane < rope->lanes && !status; at += rope->lane[lane++]->pieces)
+		for (int i = 1; i < rope->lane[lane]->pieces && !status; i++)
+			status = place_joint(t, lane, at + i, i, report);
+	for (int j = 0; j < t->n && !status; j++) {
+		fill_slopes(t, j);
+		for (int i = 0; i < t->ends; i++)
+			fill_end(t, &t->end[i], j);
+		for (int i = 0; i < t->weights; i++)
+			if (t->mass[i].system == t->shape[j].system)
+				t->mass[i].u[j] =
+					t->shape[j].x[rope->system[t->mass[i].system].node[t->mass[i].node].at];
+	}
+	return status;
+}

@@ -1,0 +1,232 @@
+/* scene/page/schema.c - the JSON Schema of scenes: those of the table of rows (tree_rows.c), and
+ * which kind a scene is of.
+ *
+ * Draft-07 is what the language servers of editors take. The kinds are told apart by if and else, as
+ * the program does, so that a mistake is reported for one kind and not for all.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <string.h>
+
+#include <hawser/schema.h>
+
+#include "core/report.h"
+#include "scene/page/schema.h"
+#include "scene/tree_keys.h"
+
+#define DRAFT "http://json-schema.org/draft-07/schema#"
+
+static json_t *mapping_of(struct hawser__schema *schema, const char *path);
+static json_t *value_of(struct hawser__schema *schema, const char *path);
+
+/* "axial stiffness (N)" */
+static json_t *described(const struct hawser__tree_key *row)
+{
+	int number = row->type == HAWSER__TREE_NUMBER && row->unit && strcmp(row->unit, "1") != 0;
+
+	return json_sprintf("%s%s%s%s", row->doc, number ? " [" : "", number ? row->unit : "",
+	                    number ? "]" : "");
+}
+
+static json_t *list_of(struct hawser__schema *schema, const char *path)
+{
+	json_t *list = hawser__schema_type(schema, "array");
+	char item[HAWSER__TREE_LIST_SIZE];
+
+	snprintf(item, sizeof item, "%s[]", path);
+	hawser__schema_put(schema, list, "items", value_of(schema, item));
+	return list;
+}
+
+static json_t *form_of(struct hawser__schema *schema, const struct hawser__tree_key *row)
+{
+	const struct hawser__schema_range range = {
+		row->range == HAWSER__TREE_ANY ? -INFINITY : 0.0, INFINITY,
+		row->range == HAWSER__TREE_POSITIVE, row->type == HAWSER__TREE_INTEGER};
+	json_t *form = NULL;
+
+	switch (row->type) {
+	case HAWSER__TREE_NUMBER:
+	case HAWSER__TREE_INTEGER:
+		form = row->count ? hawser__schema_numbers(schema, row->count, row->unit, &range)
+		                  : hawser__schema_number(schema, row->unit, &range);
+		break;
+	case HAWSER__TREE_WORD: form = hawser__schema_words(schema, row->unit); break;
+	case HAWSER__TREE_TEXT: form = hawser__schema_type(schema, "string"); break;
+	case HAWSER__TREE_MAPPING: form = mapping_of(schema, row->path); break;
+	case HAWSER__TREE_LIST: form = list_of(schema, row->path); break;
+	}
+	hawser__schema_put(schema, form, "description", described(row));
+	return form;
+}
+
+/* All forms of the value of this path. */
+static json_t *value_of(struct hawser__schema *schema, const char *path)
+{
+	const struct hawser__tree_key *row;
+	json_t *forms = json_array();
+
+	for (int i = 0; (row = hawser__tree_row(i)); i++)
+		if (!strcmp(row->path, path))
+			hawser__schema_add(schema, forms, form_of(schema, row));
+	return hawser__schema_any(schema, forms);
+}
+
+/* 1 if an earlier row is another form of the same value. */
+static int again(int index)
+{
+	const char *path = hawser__tree_row(index)->path;
+
+	for (int i = 0; i < index; i++)
+		if (!strcmp(hawser__tree_row(i)->path, path))
+			return 1;
+	return 0;
+}
+
+static json_t *mapping_of(struct hawser__schema *schema, const char *path)
+{
+	const struct hawser__tree_key *row;
+	json_t *mapping = hawser__schema_mapping(schema), *names = json_array(), *one = json_array();
+
+	for (int i = 0; (row = hawser__tree_row(i)); i++) {
+		const char *key = hawser__tree_key_of(row->path, path);
+
+		if (!key || again(i) || row->need == HAWSER__TREE_LATER)
+			continue;
+		if (*key == '*') { /* names of the user */
+			hawser__schema_add(schema, names, value_of(schema, row->path));
+			continue;
+		}
+		hawser__schema_key(schema, mapping, key, value_of(schema, row->path),
+		                   row->need == HAWSER__TREE_REQUIRED);
+		if (row->need == HAWSER__TREE_ONE_OF ||
+		    (row->need == HAWSER__TREE_MESH && row->type == HAWSER__TREE_MAPPING))
+			hawser__schema_add(schema, one, hawser__schema_needs(schema, key));
+	}
+	if (json_array_size(names))
+		hawser__schema_put(schema, mapping, "additionalProperties", hawser__schema_any(schema, names));
+	else
+		json_decref(names);
+	if (json_array_size(one))
+		hawser__schema_put(schema, mapping, "oneOf", one);
+	else
+		json_decref(one);
+	return mapping;
+}
+
+static json_t *cable(struct hawser__schema *schema, const char *kind)
+{
+	(void)kind;
+	return hawser__schema_cable(schema);
+}
+
+static json_t *beam(struct hawser__schema *schema, const char *kind)
+{
+	(void)kind;
+	return hawser__schema_beam(schema);
+}
+
+static const struct {
+	const char *name, *title;
+	json_t *(*make)(struct hawser__schema *schema, const char *kind);
+} kinds[] = {
+	{"cable", "A span of cable", cable},
+	{"beam", "A travelling beam or string", beam},
+	{"net", "A net of cables", mapping_of},
+	{"ropeway", "A ropeway", mapping_of},
+	{"obstacles", "A span over obstacles", mapping_of},
+	{"rod", "A geometrically exact rod", mapping_of},
+	{"tow", "A towed body", mapping_of},
+};
+enum { KINDS = sizeof kinds/sizeof *kinds };
+
+const char *hawser_schema_kind(int index)
+{
+	return index >= 0 && index < KINDS ? kinds[index].name : NULL;
+}
+
+static json_t *kind_of(struct hawser__schema *schema, int index)
+{
+	json_t *root = kinds[index].make(schema, kinds[index].name);
+
+	hawser__schema_put(schema, root, "title", json_string(kinds[index].title));
+	return root;
+}
+
+/* What the outermost mapping must have (hawser__kind_sign): the key, with this word if there is one. */
+static json_t *condition(struct hawser__schema *schema, const char *key, const char *word)
+{
+	json_t *value = json_object(), *list = json_array(), *properties, *is;
+
+	hawser__schema_add(schema, list, json_string(key));
+	hawser__schema_put(schema, value, "required", list);
+	if (!word)
+		return value;
+	properties = json_object();
+	is = json_object();
+	hawser__schema_put(schema, is, "const", json_string(word));
+	hawser__schema_put(schema, properties, "kind", is);
+	hawser__schema_put(schema, value, "properties", properties);
+	return value;
+}
+
+static json_t *reference(struct hawser__schema *schema, const char *kind)
+{
+	json_t *value = json_object();
+
+	hawser__schema_put(schema, value, "$ref", json_sprintf("#/definitions/%s", kind));
+	return value;
+}
+
+/* {if sign, then kind, else ...}, from sign `index` on; beams and cables have no sign of their own. */
+static json_t *choice(struct hawser__schema *schema, int index)
+{
+	const struct hawser__kind_sign *sign = hawser__kind_sign(index);
+	json_t *value = json_object();
+
+	hawser__schema_put(schema, value, "if", sign ? condition(schema, sign->key, sign->word)
+	                                             : condition(schema, "beam", NULL));
+	hawser__schema_put(schema, value, "then",
+	                   reference(schema, !sign ? "beam" : sign->kind == HAWSER_KIND_SPAN ? "cable"
+	                                     : hawser_kind_name(sign->kind)));
+	hawser__schema_put(schema, value, "else", sign ? choice(schema, index + 1)
+	                                               : reference(schema, "cable"));
+	return value;
+}
+
+static json_t *all(struct hawser__schema *schema)
+{
+	json_t *root = choice(schema, 0), *definitions = json_object();
+
+	for (int i = 0; i < KINDS; i++)
+		hawser__schema_put(schema, definitions, kinds[i].name, kind_of(schema, i));
+	hawser__schema_put(schema, root, "title", json_string("A scene of hawser"));
+	hawser__schema_put(schema, root, "type", json_string("object"));
+	hawser__schema_put(schema, root, "definitions", definitions);
+	return root;
+}
+
+enum hawser_status hawser_schema_write(FILE *stream, const char *kind, struct hawser_report *report)
+{
+	struct hawser__schema schema = {0};
+	enum hawser_status status = HAWSER_OK;
+	json_t *root;
+	int index = 0;
+
+	while (kind && index < KINDS && strcmp(kinds[index].name, kind) != 0)
+		index++;
+	if (index == KINDS)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "schema", "there is no kind %s of scenes: "
+		                    "give cable, beam, net, ropeway, obstacles, rod or tow", kind);
+	root = kind ? kind_of(&schema, index) : all(&schema);
+	hawser__schema_put(&schema, root, "$schema", json_string(DRAFT));
+	if (schema.failed || !root)
+		status = hawser__no_memory(report, "schema");
+	else if (json_dumpf(root, stream, JSON_INDENT(1) | JSON_REAL_PRECISION(9)) ||
+	         fputc('\n', stream) == EOF)
+		status = hawser__fail(report, HAWSER_ERR_IO, "schema", "cannot write the schema");
+	json_decref(root);
+	return status;
+}

@@ -1,0 +1,496 @@
+/* study/accuracy/accuracy.c - a response to a requested accuracy.
+ *
+ *    measure     estimated effect of the omission of a mode (choose.h)
+ *    rest        sum of the measures of the omitted modes
+ *    truncation  effect of the terms of the energy beyond fourth order, and of the inertia and damping
+ *                of modes that are not candidates (choose.h)
+ *    moved       distance of a response from that of the previous model (distance.c)
+ *
+ * The first model keeps the modes that estimated motions require, at most FIRST, since the cost of
+ * a response grows fast with the number of modes. The motions of its response, at landmarks and
+ * between them, give every mode a new measure. The most important modes are added, a new response
+ * is traced, and so on, until the rest is small enough. If this holds for the first model already,
+ * a second model without its least important modes is traced for comparison. The last model is the
+ * result. Its estimated error is the larger of `moved` and a multiple of `rest`, plus a multiple of
+ * `truncation`, plus the error of the located peaks.
+ *
+ * If the truncation alone exceeds the accuracy, or if adding modes does not reach it, full-order
+ * models follow (accuracy_full.c).
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/progress.h"
+#include "core/report.h"
+#include "study/accuracy/accuracy.h"
+#include "study/accuracy/motions.h"
+
+/* Parts are relative to the accuracy. Where no bench is named, a value was chosen. */
+#define FEWEST 12     /* smallest number of candidate modes */
+#define MANY 48       /* largest number of candidate modes, which limits the cost of their tensors */
+#define KEPT_MOST 40  /* default of the largest number of modes of a model */
+#define FIRST 10      /* most modes of the first model: later models depend on its motions only */
+#define NEXT 0.2      /* rest of the next model; a small one saves a further model */
+#define ROOM 0.25     /* the same, relative to the accuracy less the truncation error */
+#define ADDED 2       /* modes to add if the response moved too much although the rest is small */
+#define LESS 0.1      /* rest of the smaller model that is compared, no larger than LEAST */
+#define BEYOND 0.35   /* largest effect of the modes above the candidates */
+#define WIDER 1.5     /* factor on the number of candidates if their effect is larger */
+#define UNRESOLVED 0.1 /* largest error of a candidate's frequency */
+#define SLACK_PART 0.2 /* part of the points with negative tension that ends the search: a cable
+                        * cannot carry such tensions, so that no such model is valid */
+#define SLACK_POINTS 50 /* fewest points of which this part is judged */
+#define POINTS_MOST 2500 /* most points of a response: a longer one has too many peaks to match */
+#define SHARP 0.2     /* error of located peaks */
+#define LEAST 0.1     /* smallest error that is claimed, for which the tolerances are chosen */
+#define SAFETY HAWSER__SAFETY /* factor on the measures, calibrated by bench/accuracy.c */
+#define SAFETY_ORDER 1.5 /* the same on the truncation error, which is known to a tenth there */
+#define MOVES 2.0     /* factor on `rest`: largest expected change by the next model */
+#define CONDENSED_TRIES 7 /* most condensed models; full-order ones have the remaining tries */
+
+/* --- candidates --- */
+
+/* Frequency up to which modes are candidates. The measure of a mode of frequency w that responds at
+ * 2 Omega is about 0.13 (2 Omega/w)^3 in the scenes of bench/accuracy. */
+static double reach(double to, double accuracy)
+{
+	return 2.0*to*fmax(2.0, cbrt(0.3/accuracy));
+}
+
+static struct hawser_modes_options settings(const struct hawser_scene *scene, int n)
+{
+	struct hawser_modes_options options = {.n = n, .basis = scene->model.basis};
+
+	if (hawser_scene_written(scene, "model.tolerance"))
+		options.tolerance = scene->model.tolerance;
+	return options;
+}
+
+/* The basis that the scene prescribes may be too small for the candidates. */
+static enum hawser_status check_resolved(const struct hawser_modes *modes,
+                                         const struct hawser_scene *scene, double accuracy,
+                                         struct hawser_report *report)
+{
+	int worst = 0;
+
+	for (int j = 1; j < modes->n; j++)
+		if (!(modes->mode[j].residual <= modes->mode[worst].residual))
+			worst = j;
+	if (modes->mode[worst].residual <= UNRESOLVED*accuracy)
+		return HAWSER_OK;
+	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "accuracy", worst + 1,
+	                       modes->mode[worst].residual,
+	                       "an accuracy of %g needs the lowest %d modes here, and a basis of %d "
+	                       "functions leaves an error of %.1e in mode %d: %s", accuracy, modes->n,
+	                       modes->basis, modes->mode[worst].residual, worst + 1,
+	                       scene->model.basis > 0 ? "raise model.basis, or leave it out"
+	                       : "lower the accuracy or narrow the range");
+}
+
+enum hawser_status hawser__accuracy_candidates(struct hawser_modes *modes,
+                                               const struct hawser_statics *statics,
+                                               const struct hawser_scene *scene, double from,
+                                               double to, double accuracy, int fewest,
+                                               struct hawser_report *report)
+{
+	double top = reach(fmax(from, to), accuracy);
+	struct hawser_modes_options options = settings(scene, fewest);
+	enum hawser_status status = hawser_modes_solve(modes, statics, &options, report);
+
+	if (status)
+		return status;
+	if (modes->mode[fewest - 1].omega < top && fewest < MANY) {
+		double wanted = ceil(fewest*top/modes->mode[fewest - 1].omega);
+
+		options.n = (int)fmin(wanted, MANY);
+		hawser_modes_clear(modes);
+		status = hawser_modes_solve(modes, statics, &options, report);
+	}
+	return status ? status : check_resolved(modes, scene, accuracy, report);
+}
+
+enum hawser_status hawser_accuracy_choose(struct hawser_choice *choice, struct hawser_modes *modes,
+                                          const struct hawser_statics *statics,
+                                          const struct hawser_scene *scene, double from, double to,
+                                          double accuracy, struct hawser_report *report)
+{
+	enum hawser_status status;
+
+	*choice = (struct hawser_choice){0};
+	status = hawser__accuracy_candidates(modes, statics, scene, from, to, accuracy, FEWEST, report);
+	return status ? status : hawser_choose(choice, modes, scene, from, to, NEXT*accuracy, report);
+}
+
+enum hawser_status hawser_choice_build(struct hawser_rom *rom, const struct hawser_choice *choice,
+                                       const struct hawser_scene *scene,
+                                       struct hawser_report *report)
+{
+	int *kept = malloc((size_t)choice->n*sizeof *kept), count;
+	struct hawser_modes subset;
+	enum hawser_status status;
+
+	*rom = (struct hawser_rom){0};
+	if (!kept)
+		return hawser__no_memory(report, "accuracy");
+	count = hawser_choice_kept(kept, choice);
+	status = hawser_modes_select(&subset, choice->modes, kept, count, report);
+	if (status) {
+		free(kept);
+		return status;
+	}
+	status = hawser_rom_build(rom, &subset, scene, report);
+	hawser_modes_clear(&subset);
+	if (!status)
+		status = hawser_rom_know(rom, &choice->all, kept, count, report);
+	free(kept);
+	if (status)
+		hawser_rom_clear(rom);
+	return status;
+}
+
+/* --- one model after the other --- */
+
+struct hawser_frf_options hawser__accuracy_settle(const struct hawser_accuracy_options *options,
+                                                  double accuracy)
+{
+	struct hawser_frf_options frf = options->frf;
+
+	if (frf.tolerance == 0.0)
+		frf.tolerance = fmin(fmax(1e-4*accuracy, 1e-9), 1e-7);
+	if (frf.event_tolerance == 0.0)
+		frf.event_tolerance = fmin(fmax(1e-3*accuracy, 1e-10), 1e-6);
+	if (frf.step_max == 0.0)
+		frf.step_max = 0.02;
+	if (frf.max_points == 0 || frf.max_points > POINTS_MOST)
+		frf.max_points = POINTS_MOST;
+	return frf;
+}
+
+static void count_landmarks(struct hawser_accuracy_try *attempt, const struct hawser_frf *frf)
+{
+	for (int i = 0; i < frf->events; i++)
+		attempt->folds += frf->event[i].kind == HAWSER_FOLD;
+	attempt->points = frf->points;
+}
+
+int hawser__mostly_slack(const struct hawser_frf *frf)
+{
+	int slack = 0;
+
+	for (int p = 0; frf->tension && p < frf->points; p++)
+		slack += frf->tension[2*p] < 0.0;
+	return slack > SLACK_PART*frf->points;
+}
+
+/* Interrupts a curve whose tension is negative from early on: it would take long and has no
+ * meaning. */
+static int watch(void *data, const struct hawser_progress_state *state)
+{
+	const struct hawser_frf_options *options = data;
+
+	return (state->frf->points >= SLACK_POINTS && hawser__mostly_slack(state->frf)) ||
+	       hawser__told_to_stop(&options->progress, state);
+}
+
+/* Compare the last response with the previous one; its landmarks and curve then replace those of
+ * the previous one in *marks. */
+static enum hawser_status compare(struct hawser_accuracy *a, struct hawser__marks *marks,
+                                  const struct hawser_frf_options *options,
+                                  struct hawser_report *report)
+{
+	struct hawser_accuracy_try *this = &a->attempt[a->tries];
+	struct hawser__marks found;
+	enum hawser_status status = hawser__marks_find(&found, &a->frf, &a->rom, options,
+	                                               SHARP*a->asked, report);
+
+	if (status)
+		return status;
+	if (marks->curve.points > 0)
+		status = hawser__marks_distance(&this->moved, marks, &found, report);
+	hawser__marks_clear(marks);
+	*marks = found;
+	return status;
+}
+
+enum hawser_status hawser__accuracy_attempt(struct hawser_accuracy *a, struct hawser__marks *marks,
+                                            const struct hawser_scene *scene, int functions,
+                                            const struct hawser_frf_options *options,
+                                            struct hawser_report *report)
+{
+	struct hawser_accuracy_try *this = &a->attempt[a->tries];
+	struct hawser_frf_options watched = a->traced = *options;
+	double start = hawser__wall_seconds();
+	enum hawser_status status = HAWSER_OK;
+
+	*this = (struct hawser_accuracy_try){.functions = functions, .moved = NAN};
+	hawser_frf_clear(&a->frf);
+	if (!functions) {
+		hawser_rom_clear(&a->rom);
+		status = hawser_choice_build(&a->rom, &a->choice, scene, report);
+	}
+	a->full = functions > 0;
+	watched.progress = (struct hawser_progress){watch, (void *)options};
+	if (!status)
+		status = hawser_frf_trace(&a->frf, &a->rom, &watched, report);
+	if (!status)
+		status = compare(a, marks, options, report);
+	a->slack = !status && hawser__mostly_slack(&a->frf);
+	this->modes = a->rom.n - a->rom.inertia.shapes;
+	count_landmarks(this, &a->frf);
+	this->seconds = hawser__wall_seconds() - start;
+	a->tries++;
+	return status;
+}
+
+static int kept(const struct hawser_choice *choice)
+{
+	int count = 0;
+
+	for (int j = 0; j < choice->n; j++)
+		count += choice->mode[j].kept;
+	return count;
+}
+
+/* Increase the number of candidates: the same modes are kept, and the same motions weigh them. */
+static enum hawser_status widen(struct hawser_accuracy *a, const struct hawser__marks *marks,
+                                const struct hawser_scene *scene, struct hawser_report *report)
+{
+	struct hawser_modes_options options = settings(scene, (int)fmin(WIDER*a->modes.n, MANY));
+	struct hawser_modes before = a->modes;
+	struct hawser_choice old = a->choice;
+	enum hawser_status status = hawser_modes_solve(&a->modes, &before.statics, &options, report);
+
+	a->choice = (struct hawser_choice){0};
+	if (!status)
+		status = hawser_choose(&a->choice, &a->modes, scene, old.from, old.to, a->asked, report);
+	for (int j = 0; !status && j < a->choice.n; j++)
+		a->choice.mode[j].kept = j < old.n && old.mode[j].kept;
+	hawser_choice_clear(&old);
+	hawser_modes_clear(&before);
+	return status ? status : hawser__weigh_response(&a->choice, &a->rom, &a->frf, marks,
+	                                                   HAWSER__BETWEEN, report);
+}
+
+void hawser__accuracy_claim(struct hawser_accuracy *a, double model,
+                            const struct hawser__marks *marks)
+{
+	a->estimated = fmax(model + hawser__marks_located(marks), LEAST*a->asked);
+}
+
+/* New measures from the motions of the last response. If modes above the candidates matter, the
+ * number of candidates is increased first. */
+static enum hawser_status judge(struct hawser_accuracy *a, const struct hawser__marks *marks,
+                                const struct hawser_scene *scene, struct hawser_report *report)
+{
+	struct hawser_accuracy_try *this = &a->attempt[a->tries - 1];
+	enum hawser_status status = hawser__weigh_response(&a->choice, &a->rom, &a->frf, marks,
+	                                                   HAWSER__BETWEEN, report);
+
+	while (!status && hawser_choice_beyond(&a->choice) > BEYOND*a->asked && a->modes.n < MANY)
+		status = widen(a, marks, scene, report);
+	this->rest = hawser_choice_rest(&a->choice) + hawser_choice_beyond(&a->choice);
+	this->truncation = a->choice.truncation;
+	this->energy = a->choice.energy;
+	return status;
+}
+
+/* Estimated error of a condensed model by its own motions: due to the omitted candidates, the modes
+ * above the candidates, and the truncation. */
+static double condensed_error(double rest, double beyond, double truncation)
+{
+	return SAFETY*rest + beyond + SAFETY_ORDER*truncation;
+}
+
+/* `moved` is NAN for the first model: then the rest alone is used. */
+static void claim_condensed(struct hawser_accuracy *a, const struct hawser__marks *marks)
+{
+	const struct hawser_accuracy_try *this = &a->attempt[a->tries - 1];
+	double modes = condensed_error(hawser_choice_rest(&a->choice),
+	                               hawser_choice_beyond(&a->choice), 0.0);
+
+	hawser__accuracy_claim(a, fmax(this->moved, modes) +
+	                          condensed_error(0.0, 0.0, this->truncation), marks);
+}
+
+/* Number of modes to add; 0: the truncation error alone is too large, or the limit is reached. */
+static int raised(struct hawser_accuracy *a, const struct hawser_accuracy_options *options)
+{
+	const struct hawser_accuracy_try *this = &a->attempt[a->tries - 1];
+	int most = options->most > 0 ? options->most : KEPT_MOST;
+	double room = a->asked - SAFETY_ORDER*this->truncation;
+
+	if (kept(&a->choice) >= most)
+		return 0;
+	/* while important modes are missing, the motion is wrong, and so is its truncation error */
+	if (!(room > 0.0))
+		return this->rest > a->asked && hawser_choice_raise(&a->choice, NEXT*a->asked);
+	return hawser_choice_raise(&a->choice, fmin(NEXT*a->asked, ROOM*room)) ||
+	       (a->tries > 1 && !(this->moved <= room) && hawser_choice_add(&a->choice, ADDED));
+}
+
+/* Choose the modes of the next model. Returns 0 if no further model can improve the estimate. */
+static int next(struct hawser_accuracy *a, const struct hawser_accuracy_options *options)
+{
+	if (raised(a, options))
+		return 1;
+	return a->tries == 1 && SAFETY_ORDER*a->attempt[0].truncation < a->asked &&
+	       (hawser_choice_lower(&a->choice, LESS*a->asked) ||
+	        hawser_choice_add(&a->choice, 1));
+}
+
+int hawser__accuracy_cut(const struct hawser_accuracy *a)
+{
+	return a->frf.end == HAWSER_END_INTERRUPTED || a->frf.end == HAWSER_END_MAX_POINTS ||
+	       a->slack;
+}
+
+void hawser__accuracy_first(struct hawser_choice *choice)
+{
+	if (kept(choice) > FIRST)
+		hawser_choice_first(choice, FIRST);
+}
+
+/* --- for a plan --- */
+
+enum hawser__course hawser__accuracy_course(struct hawser_accuracy *a,
+                                            const struct hawser_accuracy_options *options)
+{
+	const struct hawser_accuracy_try *this = &a->attempt[a->tries - 1];
+
+	if (this->functions || !(MOVES*this->rest + SAFETY_ORDER*this->truncation < a->asked))
+		return HAWSER__SEVERAL;
+	if (next(a, options))
+		return HAWSER__ANOTHER;
+	return condensed_error(this->rest, 0.0, this->truncation) > a->asked ? HAWSER__SEVERAL
+	                                                                    : HAWSER__LAST;
+}
+
+enum hawser_status hawser__accuracy_foresee(enum hawser__course *course, struct hawser_accuracy *a,
+                                            const struct hawser_frf *frf,
+                                            const struct hawser_accuracy_options *options,
+                                            struct hawser_report *report)
+{
+	struct hawser_accuracy_try *this = &a->attempt[0];
+	struct hawser__marks marks = {0};
+	enum hawser_status status = hawser__marks_find(&marks, frf, NULL, NULL, 0.0, report);
+
+	*course = HAWSER__SEVERAL;
+	a->tries = 1;
+	if (!status)
+		status = hawser__weigh_response(&a->choice, &a->rom, frf, &marks, HAWSER__BETWEEN, report);
+	this->rest = hawser_choice_rest(&a->choice);
+	this->truncation = a->choice.truncation;
+	if (!status)
+		*course = hawser__accuracy_course(a, options);
+	hawser__marks_clear(&marks);
+	return status;
+}
+
+static enum hawser_status condensed(struct hawser_accuracy *a, struct hawser__marks *marks,
+                                    const struct hawser_scene *scene,
+                                    const struct hawser_accuracy_options *options,
+                                    struct hawser_report *report)
+{
+	struct hawser_frf_options frf = hawser__accuracy_settle(options, a->asked);
+	enum hawser_status status = HAWSER_OK;
+
+	hawser__accuracy_first(&a->choice);
+	while (!status && a->tries < CONDENSED_TRIES) {
+		int further;
+
+		status = hawser__accuracy_attempt(a, marks, scene, 0, &frf, report);
+		if (status || hawser__accuracy_cut(a))
+			break;
+		status = judge(a, marks, scene, report);
+		if (status)
+			break;
+		if (a->tries > 1)
+			claim_condensed(a, marks);
+		if (a->estimated <= a->asked)
+			break;
+		further = next(a, options);
+		/* nothing to add and nothing to omit: all modes that move are in the model */
+		if (!further && a->tries == 1)
+			claim_condensed(a, marks);
+		if (!further)
+			break;
+	}
+	return status;
+}
+
+/* Whether full-order models should follow: not after an interruption or a curve that is too long,
+ * since a larger model does not help. A negative tension is a reason for them, since the tension is
+ * a small difference of large terms in a condensed model. There are none for an inextensible cable,
+ * or if the caller limited the number of modes. */
+static int calls_for_full(const struct hawser_accuracy *a,
+                          const struct hawser_accuracy_options *options)
+{
+	return a->estimated > a->asked && (!hawser__accuracy_cut(a) || a->slack) &&
+	       options->most == 0 && a->choice.exact.n > 0;
+}
+
+static enum hawser_status raise_modes(struct hawser_accuracy *a, const struct hawser_scene *scene,
+                                const struct hawser_accuracy_options *options,
+                                struct hawser_report *report)
+{
+	struct hawser__marks marks = {0};
+	enum hawser_status status = HAWSER_OK;
+
+	if (scene->model.energy != HAWSER_ENERGY_EXACT)
+		status = condensed(a, &marks, scene, options, report);
+	if (!status && calls_for_full(a, options))
+		status = hawser__accuracy_full(a, &marks, scene, options, report);
+	a->reached = a->estimated <= a->asked && !hawser__accuracy_cut(a);
+	hawser__marks_clear(&marks);
+	return status;
+}
+
+enum hawser_status hawser__accuracy_begin(struct hawser_accuracy *a,
+                                          const struct hawser_statics *statics,
+                                          const struct hawser_scene *scene,
+                                          const struct hawser_accuracy_options *options,
+                                          struct hawser_report *report)
+{
+	*a = (struct hawser_accuracy){
+		.asked = options->accuracy > 0.0 ? options->accuracy : scene->model.accuracy,
+		.estimated = 1.0};
+	if (!(a->asked > 0.0 && a->asked < 1.0))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "accuracy",
+		                    "accuracy %g: it is a part, between 0 and 1 (0.01 is 1 %%)", a->asked);
+	if (scene->model.condense != HAWSER_CONDENSE_STATIC)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "accuracy",
+		                    "model.modes: auto chooses the modes to keep and condenses the others: "
+		                    "it goes with model.condense: static, not none");
+	return hawser_accuracy_choose(&a->choice, &a->modes, statics, scene, options->frf.from,
+	                              options->frf.to, a->asked, report);
+}
+
+enum hawser_status hawser_accuracy_trace(struct hawser_accuracy *accuracy,
+                                         const struct hawser_statics *statics,
+                                         const struct hawser_scene *scene,
+                                         const struct hawser_accuracy_options *options,
+                                         struct hawser_report *report)
+{
+	double start = hawser__wall_seconds();
+	enum hawser_status status = hawser__accuracy_begin(accuracy, statics, scene, options, report);
+
+	if (!status)
+		status = raise_modes(accuracy, scene, options, report);
+	accuracy->seconds = hawser__wall_seconds() - start;
+	return status;
+}
+
+void hawser_accuracy_clear(struct hawser_accuracy *accuracy)
+{
+	if (!accuracy)
+		return;
+	hawser_frf_clear(&accuracy->frf);
+	hawser_rom_clear(&accuracy->rom);
+	hawser_choice_clear(&accuracy->choice);
+	hawser_modes_clear(&accuracy->modes);
+	memset(accuracy, 0, sizeof *accuracy);
+}

@@ -1,0 +1,75 @@
+/* study/accuracy/accuracy.h - parts of the search for a model of a requested accuracy: see accuracy.c.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_STUDY_ACCURACY_H
+#define HAWSER_STUDY_ACCURACY_H
+
+#include <hawser/accuracy.h>
+
+#include "study/compare/distance.h"
+
+/* Factor on first-order measures for the terms of higher order; calibrated by bench/accuracy.c. */
+#define HAWSER__SAFETY 3.0
+
+/* What every search begins with: the accuracy that is asked for, and the candidates. */
+enum hawser_status hawser__accuracy_begin(struct hawser_accuracy *a,
+                                          const struct hawser_statics *statics,
+                                          const struct hawser_scene *scene,
+                                          const struct hawser_accuracy_options *options,
+                                          struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* Range, tolerances and steps of the responses for an accuracy. */
+struct hawser_frf_options
+hawser__accuracy_settle(const struct hawser_accuracy_options *options, double accuracy);
+
+/* Of the modes that hawser_accuracy_choose keeps, keep only those of the first model. */
+void hawser__accuracy_first(struct hawser_choice *choice);
+
+/* Trace the next response and compute its distance from the previous one, which *marks describes;
+ * *marks then describes the new one. functions = 0: a model of the modes that are kept now is
+ * built; otherwise a->rom is the full-order model with that number of functions. Statuses of
+ * hawser_frf_trace and hawser_rom_build. */
+enum hawser_status hawser__accuracy_attempt(struct hawser_accuracy *a, struct hawser__marks *marks,
+                                            const struct hawser_scene *scene, int functions,
+                                            const struct hawser_frf_options *options,
+                                            struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* Compute the candidates, the modes among which hawser_accuracy_choose chooses: at least `fewest`. */
+enum hawser_status hawser__accuracy_candidates(struct hawser_modes *modes,
+                                               const struct hawser_statics *statics,
+                                               const struct hawser_scene *scene, double from,
+                                               double to, double accuracy, int fewest,
+                                               struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* Set the estimated error: that of the model, `model`, plus the error of the located peaks. */
+void hawser__accuracy_claim(struct hawser_accuracy *a, double model,
+                            const struct hawser__marks *marks);
+
+/* 1: the last response is incomplete, or its tension is negative at many points. */
+int hawser__accuracy_cut(const struct hawser_accuracy *a);
+
+/* 1: the tension of a response is negative at so many points that no model of this kind is valid. */
+int hawser__mostly_slack(const struct hawser_frf *frf);
+
+/* What follows the response of the last attempt, judged by its own motions. */
+enum hawser__course {
+	HAWSER__LAST,    /* nothing: the estimated error is within the accuracy; */
+	HAWSER__ANOTHER, /* one more model, of the modes that a->choice keeps now; */
+	HAWSER__SEVERAL  /* several models, or full-order models */
+};
+enum hawser__course hawser__accuracy_course(struct hawser_accuracy *a,
+                                            const struct hawser_accuracy_options *options);
+/* The same if only the response `frf` of the first model is known, which need not be accurate:
+ * weighs the modes by its motions. Statuses of hawser_choice_weigh. */
+enum hawser_status hawser__accuracy_foresee(enum hawser__course *course, struct hawser_accuracy *a,
+                                            const struct hawser_frf *frf,
+                                            const struct hawser_accuracy_options *options,
+                                            struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* Trace full-order models of increasing bases until two agree, and the response of the smaller one.
+ * Statuses of hawser_rom_build_full and hawser_frf_trace. */
+enum hawser_status hawser__accuracy_full(struct hawser_accuracy *a, struct hawser__marks *marks,
+                                         const struct hawser_scene *scene,
+                                         const struct hawser_accuracy_options *options,
+                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

@@ -1,0 +1,364 @@
+/* study/accuracy/accuracy_full.c - full-order models of increasing bases, for an accuracy that no
+ * condensed model reaches.
+ *
+ * A condensed model lacks terms of the energy that no further modes replace. A full-order model has
+ * all terms; its error is that of its basis. This error mostly decreases so fast that the
+ * difference of two successive bases is far larger than the error of the second. An exception is a
+ * harmonic of the response near resonance with a high mode, whose frequency only a large basis has
+ * accurately. Successive differences are then of similar size (B Table 4.4, line 2: 1.2e-4 from 12
+ * to 14 functions, 1.5e-4 from 14 to 16). Therefore the estimated error is a multiple of the
+ * difference.
+ *
+ * Drafts tell which basis is good: curves with long steps and without multipliers, a fifth of the
+ * time of a response. Of the first two that agree the smaller basis is taken: each point of either
+ * curve is compared with the curve through the others, not with points (curve.c). Its response is
+ * then traced.
+ *
+ * The agreement of two bases that do not resolve the linear modes of the range, or the load, means
+ * nothing. Such a basis is skipped without a draft. So is one with as many coordinates as the
+ * last: attachments divide the cable into elements, which share the functions out, so that 6 and 8
+ * of them may give the same model.
+ *
+ *    work     seconds of a trace: RATE times the square of the number of coordinates, for each
+ *             sample of a period that was evaluated. It is counted, not measured, so that what is
+ *             chosen does not depend on the machine and what else it does
+ *    foreseen work of the whole search and its response; above options->bearable it ends
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "core/progress.h"
+#include "core/report.h"
+#include "study/accuracy/accuracy.h"
+
+#define SAFETY_BASIS 3.0 /* factor on the difference, calibrated by bench/accuracy.c */
+#define FINEST 1e-9      /* smallest tolerance of the orbits; chosen, far below any accuracy */
+#define MIDDLING 12      /* functions per component from which on a failure is attributed to the
+                          * tolerance, not to the basis; chosen */
+#define RESOLVED 0.1     /* largest error of the frequencies in the range, relative to the accuracy;
+                          * chosen */
+#define ROUGHLY 1.0      /* the same for modes up to REACH times the upper end of the range; chosen */
+#define LACKS 0.02       /* largest part of the static response to the load that a basis lacks;
+                          * chosen */
+#define LONG 0.2         /* largest step of a curve for comparison, relative to the range; chosen */
+#define RATE 1e-7       /* s; within a factor 2 of 24 to 42 coordinates on a core of 2 GHz */
+#define MULTIPLIERS 1.2e-6 /* s of those of a point, over the cube of the number of coordinates: 1.0e-6
+                        * to 1.4e-6 with 30 to 60 of them; strongly damped ones take more */
+#define MORE_POINTS 1.2 /* of a response, over those of its draft or of the modes; chosen */
+#define LARGER 1.5      /* work of the next draft over that of the last; chosen */
+#define DOUBT 2.0       /* factor of what is foreseen of a draft that has not ended; chosen */
+#define SLACK_POINTS 50 /* fewest points of which slackness is judged; chosen */
+#define FIRST_POINTS 24 /* of a trace, before anything is foreseen; chosen */
+#define REACH 2.0        /* 2: the second harmonic of the response may be in resonance with them */
+
+/* Numbers of functions per component, in the order in which they are tried. */
+static const int bases[] = {6, 8, 10, 12, 14, 16, 20, 24};
+enum { BASES = sizeof bases/sizeof *bases };
+
+/* Whether the basis of the model holds the linear modes and the load. */
+static enum hawser_status resolves(int *good, const struct hawser_rom *full,
+                                   const struct hawser_accuracy_bases *of, int functions,
+                                   struct hawser_report *report)
+{
+	double lacks = 0.0;
+	enum hawser_status status = HAWSER_OK;
+	int worst;
+
+	*good = hawser_rom_full_error(&worst, full, of->modes, of->to) <= RESOLVED*of->accuracy &&
+	        hawser_rom_full_error(&worst, full, of->modes, REACH*of->to) <= ROUGHLY*of->accuracy;
+	if (*good)
+		status = hawser_rom_full_lacks(&lacks, &of->modes->statics, of->scene, functions, report);
+	*good &= lacks <= LACKS;
+	return status;
+}
+
+enum hawser_status hawser_accuracy_basis(struct hawser_rom *rom, int *functions,
+                                         const struct hawser_accuracy_bases *of, int coordinates,
+                                         struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+	int most = of->most > 0 ? of->most : bases[BASES - 1];
+
+	*rom = (struct hawser_rom){.n = 0};
+	for (int i = 0; !status && i < BASES && bases[i] <= most; i++) {
+		int good = 0;
+
+		if (bases[i] <= *functions)
+			continue;
+		*functions = bases[i];
+		status = hawser_rom_build_full(rom, &of->modes->statics, of->scene, bases[i], report);
+		if (!status && rom->n > coordinates)
+			status = resolves(&good, rom, of, bases[i], report);
+		/* the largest basis of all is tried whatever it resolves */
+		if (!status && rom->n > coordinates && (good || (of->most == 0 && i + 1 == BASES)))
+			return HAWSER_OK;
+		hawser_rom_clear(rom);
+	}
+	return status;
+}
+
+/* In harmonic balance, the tolerance limits the error of every orbit, which is larger than that of
+ * folds and peaks. A larger tolerance is therefore sufficient. */
+static struct hawser_frf_options settle(const struct hawser_accuracy_options *options,
+                                        double accuracy)
+{
+	struct hawser_frf_options frf = hawser__accuracy_settle(options, accuracy);
+
+	if (options->frf.tolerance == 0.0)
+		frf.tolerance = fmin(fmax(1e-3*accuracy, FINEST), 1e-6);
+	return frf;
+}
+
+/* No model reached the accuracy: fail with the reason of the last model. */
+static enum hawser_status lost(const struct hawser_accuracy *a, struct hawser_report *report)
+{
+	struct hawser_report last;
+
+	if (!report)
+		return HAWSER_ERR_CONVERGENCE;
+	last = *report;
+	return hawser__fail_at(report, HAWSER_ERR_CONVERGENCE, "accuracy", last.iteration,
+	                       last.residual, "an accuracy of %g is not reached with condensed models, "
+	                       "and the full-order one that was to replace them fails: %s", a->asked,
+	                       last.message);
+}
+
+/* Decide what follows a draft that failed because the basis is too small for the motion, or the
+ * tolerance too large. Returns 1 to go on after *functions, with the next basis or with a smaller
+ * tolerance and the same basis. */
+static int retry(enum hawser_status status, int *functions, struct hawser_frf_options *frf,
+                 const struct hawser_accuracy_options *options)
+{
+	if (status != HAWSER_ERR_CONVERGENCE)
+		return 0;
+	if (options->frf.tolerance == 0.0 && frf->tolerance > FINEST && *functions >= MIDDLING) {
+		frf->tolerance = FINEST;
+		(*functions)--;
+		return 1;
+	}
+	return *functions < (options->most_functions > 0 ? options->most_functions : bases[BASES - 1]);
+}
+
+/* The draft of one basis. */
+struct draft {
+	struct hawser_rom rom;
+	struct hawser__drawn_curve curve;
+	enum hawser_frf_end end;
+	int functions, points;
+	double work;
+};
+
+/* What a trace is watched for. */
+struct watch {
+	const struct hawser_accuracy_options *options;
+	struct hawser_accuracy *a;
+	double before; /* work of the traces that have ended */
+	double next;   /* work of another draft, over that of this one */
+	int n;         /* coordinates of the model whose response follows */
+	double rate;   /* work of a sample */
+	int drafts;    /* 1: it is a draft, which may be given up */
+};
+
+static void clear(struct draft *draft)
+{
+	hawser_rom_clear(&draft->rom);
+	hawser__curve_clear(&draft->curve);
+	*draft = (struct draft){.functions = 0};
+}
+
+static double rate(const struct hawser_rom *rom)
+{
+	return RATE*(double)rom->n*rom->n;
+}
+
+/* Work of what follows the drafts, by one of them. */
+static double follows(const struct hawser_accuracy_options *options, int n, int points, double work)
+{
+	double all = MORE_POINTS*fmax(points, options->expected);
+
+	return options->after > 0.0 ? options->after*work : work + MULTIPLIERS*all*n*n*n;
+}
+
+/* Ends a draft when the work that is foreseen is more than can be borne, or where the cable is slack
+ * from early on; passes the rest on with the time left. */
+static int watch_trace(void *data, const struct hawser_progress_state *state)
+{
+	struct watch *watch = data;
+	struct hawser_progress_state shown = *state;
+	const struct hawser_frf *frf = state->frf;
+	int points = frf ? frf->points : 0, most = watch->options->expected;
+	double work = points > 0 ? watch->rate*(double)frf->cost.stages : 0.0;
+
+	if (most > 0 && points >= FIRST_POINTS) {
+		double whole = work*fmax((double)most/points, 1.0);
+
+		if (watch->drafts)
+			watch->a->foreseen = watch->before + whole*(1.0 + watch->next) +
+			                     follows(watch->options, watch->n, points, whole);
+		shown.fraction = fmin((double)points/most, 1.0);
+		shown.left = state->seconds*fmax((double)most/points - 1.0, 0.0);
+	}
+	if (watch->options->bearable > 0.0 && watch->drafts &&
+	    fmax(watch->before + work, watch->a->foreseen/DOUBT) > watch->options->bearable) {
+		watch->a->costly = 1;
+		return 1;
+	}
+	if (watch->drafts && points >= SLACK_POINTS && hawser__mostly_slack(frf))
+		return 1;
+	return hawser__told_to_stop(&watch->options->frf.progress, &shown);
+}
+
+/* Trace the draft of the model in *draft; a->frf becomes its curve. */
+static enum hawser_status draw(struct draft *draft, struct hawser_accuracy *a,
+                               const struct hawser_accuracy_options *options,
+                               const struct hawser_frf_options *settled, double before, int smaller,
+                               struct hawser_report *report)
+{
+	/* the second may confirm the first, whose response then follows */
+	struct watch watch = {options, a, before, smaller > 0 ? 0.0 : LARGER,
+	                      smaller > 0 ? smaller : draft->rom.n, rate(&draft->rom), 1};
+	struct hawser_frf_options frf = *settled;
+	enum hawser_status status;
+
+	frf.unjudged = frf.skip_events = 1;
+	frf.samples = HAWSER_NONE;
+	frf.most_unstable = 0;
+	frf.step_max = LONG;
+	frf.progress = (struct hawser_progress){watch_trace, &watch};
+	hawser_frf_clear(&a->frf);
+	status = hawser_frf_trace(&a->frf, &draft->rom, &frf, report);
+	draft->end = a->frf.end;
+	draft->points = a->frf.points;
+	draft->work = watch.rate*(double)a->frf.cost.stages;
+	a->slack = !status && !a->costly && hawser__mostly_slack(&a->frf);
+	return status ? status : hawser__curve_copy(&draft->curve, &a->frf, report);
+}
+
+/* The first bases of which two agree: *chosen is the smaller one, *moved the distance of the two,
+ * and *checked the coordinates of the larger. If no two agree, the last ones. */
+static enum hawser_status choose(struct draft *chosen, double *moved, int *checked,
+                                 struct hawser_accuracy *a, const struct hawser_scene *scene,
+                                 const struct hawser_accuracy_options *options,
+                                 struct hawser_frf_options *frf, double *work,
+                                 struct hawser_report *report)
+{
+	const struct hawser_accuracy_bases of = {&a->modes, scene, a->choice.to, a->asked,
+	                                         options->most_functions};
+	enum hawser_status status = HAWSER_OK;
+	int functions = 0;
+
+	while (!status) {
+		struct draft next = {.functions = 0};
+
+		status = hawser_accuracy_basis(&next.rom, &functions, &of, chosen->rom.n, report);
+		if (status || next.rom.n == 0)
+			break;
+		a->functions = next.functions = functions;
+		status = draw(&next, a, options, frf, *work, chosen->rom.n, report);
+		*work += next.work;
+		if (retry(status, &functions, frf, options)) {
+			status = HAWSER_OK;
+			clear(&next);
+			continue;
+		}
+		if (!status && !hawser__accuracy_cut(a) && chosen->functions && next.end == chosen->end)
+			status = hawser__curve_distance(moved, &chosen->curve, &next.curve, report);
+		*checked = next.rom.n;
+		if (status || hawser__accuracy_cut(a) || SAFETY_BASIS**moved <= a->asked) {
+			clear(&next);
+			break;
+		}
+		clear(chosen);
+		*chosen = next;
+	}
+	return status;
+}
+
+/* The response of the chosen basis. */
+static enum hawser_status follow(struct hawser_accuracy *a, struct hawser__marks *marks,
+                                 const struct hawser_scene *scene,
+                                 const struct hawser_accuracy_options *options,
+                                 const struct hawser_frf_options *settled, int functions,
+                                 double work, struct hawser_report *report)
+{
+	struct watch watch = {options, a, work, 0.0, a->rom.n, rate(&a->rom), 0};
+	struct hawser_frf_options frf = *settled;
+	enum hawser_status status;
+
+	frf.progress = (struct hawser_progress){watch_trace, &watch};
+	status = hawser__accuracy_attempt(a, marks, scene, functions, &frf, report);
+	if (status == HAWSER_ERR_CONVERGENCE && options->frf.tolerance == 0.0 && frf.tolerance > FINEST) {
+		frf.tolerance = FINEST;
+		status = hawser__accuracy_attempt(a, marks, scene, functions, &frf, report);
+	}
+	a->traced.progress = options->frf.progress;
+	return status;
+}
+
+enum hawser_status hawser__accuracy_full(struct hawser_accuracy *a, struct hawser__marks *marks,
+                                         const struct hawser_scene *scene,
+                                         const struct hawser_accuracy_options *options,
+                                         struct hawser_report *report)
+{
+	struct hawser_frf_options frf = settle(options, a->asked);
+	struct draft chosen = {.functions = 0};
+	double moved = INFINITY, work = 0.0, start = hawser__wall_seconds();
+	int checked = 0;
+	enum hawser_status status = choose(&chosen, &moved, &checked, a, scene, options, &frf, &work,
+	                                   report);
+	int ended = status || hawser__accuracy_cut(a) || !chosen.functions;
+
+	if (!ended) {
+		a->foreseen = work + follows(options, chosen.rom.n, chosen.points, chosen.work);
+		a->costly = options->bearable > 0.0 && a->foreseen > options->bearable;
+	}
+	if (ended || a->costly || (options->agreed && !(SAFETY_BASIS*moved <= a->asked))) {
+		clear(&chosen);
+		return status == HAWSER_ERR_CONVERGENCE ? lost(a, report) : status;
+	}
+	hawser_rom_clear(&a->rom);
+	a->rom = chosen.rom;
+	a->functions = chosen.functions;
+	chosen.rom = (struct hawser_rom){.n = 0};
+	if (options->after > 0.0) {
+		a->estimated = fmax(SAFETY_BASIS*moved, 0.1*a->asked);
+		a->checked = checked;
+	} else {
+		status = follow(a, marks, scene, options, &frf, chosen.functions, work, report);
+		if (!status) {
+			struct hawser_accuracy_try *this = &a->attempt[a->tries - 1];
+
+			this->seconds = hawser__wall_seconds() - start;
+			this->moved = moved;
+			this->checked = checked;
+			if (!hawser__accuracy_cut(a) && isfinite(moved))
+				hawser__accuracy_claim(a, SAFETY_BASIS*moved, marks);
+		}
+	}
+	clear(&chosen);
+	return status == HAWSER_ERR_CONVERGENCE ? lost(a, report) : status;
+}
+
+enum hawser_status hawser_accuracy_exact(struct hawser_accuracy *accuracy,
+                                         const struct hawser_statics *statics,
+                                         const struct hawser_scene *scene,
+                                         const struct hawser_accuracy_options *options,
+                                         struct hawser_report *report)
+{
+	double start = hawser__wall_seconds();
+	struct hawser__marks marks = {0};
+	enum hawser_status status = hawser__accuracy_begin(accuracy, statics, scene, options, report);
+
+	if (!status && accuracy->choice.exact.n == 0)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "accuracy",
+		                      "an inextensible cable has no full-order model");
+	if (!status)
+		status = hawser__accuracy_full(accuracy, &marks, scene, options, report);
+	accuracy->reached = accuracy->estimated <= accuracy->asked && !hawser__accuracy_cut(accuracy);
+	accuracy->seconds = hawser__wall_seconds() - start;
+	hawser__marks_clear(&marks);
+	return status;
+}

@@ -1,0 +1,60 @@
+/* study/accuracy/survey.h - the data for estimates: the lowest modes of a scene, their tensors without
+ * condensation, a condensed model, and the time allowed for runs.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_STUDY_SURVEY_H
+#define HAWSER_STUDY_SURVEY_H
+
+#include <hawser/law.h>
+#include <hawser/plan.h>
+
+#include "rom/condense/support.h"
+
+#include "study/plan/trial.h"
+
+struct hawser_survey {
+	const struct hawser_scene *scene;
+	const struct hawser_plan *plan; /* modes, resonances, range */
+	struct hawser_rom raw;          /* with all modes of the plan */
+	struct hawser_rom condensed;
+	struct hawser_rom_inertia inertia; /* of the condensed modes of the scene's own model */
+	char range[160];                /* of its coordinates (law.h); "" if not sought */
+	char forces[240];               /* what its forces are evaluated from; "" without modes */
+	struct hawser__allowance *allowance; /* time for runs; the only member that rows change */
+};
+
+/* Whether the scene has a periodic response: a periodic excitation acts on the cable. */
+static inline int hawser__scene_driven(const struct hawser_scene *scene)
+{
+	return (scene->load.present || scene->loads > 0 || scene->travel.fluctuation > 0.0 ||
+	        hawser__support_moves(scene)) && !(scene->travel.braking > 0.0);
+}
+
+/* Size of a model of the modes at index [n]: number of coordinates, and of tensor entries that are
+ * not zero by the symmetry to the plane. NULL: the first n. */
+void hawser__count_entries(struct hawser_plan_row *row, const struct hawser_survey *survey,
+                           const int *index, int n);
+
+/* Points and seconds of a row, for model and response: one traced curve, a given number of chosen
+ * modes, an accuracy. */
+void hawser__estimate_cost(struct hawser_plan_row *row, const struct hawser_survey *survey);
+void hawser__estimate_chosen_cost(struct hawser_plan_row *row, const struct hawser_survey *survey);
+void hawser__estimate_auto_cost(struct hawser_plan_row *row, const struct hawser_survey *survey);
+
+/* Find the resonances and their effective cubic coefficients. */
+enum hawser_status hawser__find_resonances(struct hawser_plan *plan,
+                                           const struct hawser_survey *survey,
+                                           struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* The estimates of the rows: sizes, and, if the scene has a load, cost and error. */
+void hawser__estimate_raw(struct hawser_plan_row *row, const struct hawser_survey *survey);
+void hawser__estimate_condensed(struct hawser_plan_row *row, const struct hawser_survey *survey);
+void hawser__estimate_chosen(struct hawser_plan_row *row, const struct hawser_survey *survey);
+void hawser__estimate_auto(struct hawser_plan_row *row, const struct hawser_survey *survey);
+void hawser__estimate_full(struct hawser_plan_row *row, const struct hawser_survey *survey);
+void hawser__estimate_scales(struct hawser_plan_row *row, const struct hawser_survey *survey);
+
+/* Which effects are modelled. */
+enum hawser_status hawser__decide(struct hawser_plan *plan, const struct hawser_survey *survey,
+                                  struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

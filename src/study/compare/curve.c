@@ -1,0 +1,238 @@
+/* study/compare/curve.c - the distance of two frequency responses as curves.
+ *
+ *    w, a    log Omega, and the amplitude of one component relative to its maximum along the curve
+ *    d_i     distance from point i of one curve to the other curve, in the norm max(|w|, |a|)
+ *    e_i     distance from that point to the nearer end of the range, in w
+ *
+ * Folds and peaks alone do not show whether two responses agree: both may have none, because a
+ * resonance lies at an end of the range or because both models miss it. Therefore the whole curves
+ * are compared by their Hausdorff distance. It needs no pairing of points and also holds for curves
+ * with folds. It is the error of Omega where the curves are steep and the error of the amplitude
+ * where they are flat.
+ *
+ * The counterpart of a point near an end of the range may lie outside the range. A distance d_i >
+ * e_i is therefore no evidence of a difference, and the result is the maximum of min(d_i, e_i).
+ *
+ * The distance is taken to a refinement of the other curve by cubics in its arclength, so that the
+ * chords between its points do not count as error.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "study/compare/curve.h"
+
+enum { PARTS = 6 };             /* segments into which each segment of a curve is refined; chosen */
+static const double uneven = 100.0; /* ratio of successive steps above which the shorter one has too
+                                     * few digits for a parabola; chosen */
+static const double faintest = 0.5; /* smallest relevant component, relative to the largest one:
+                                     * peaks are compared down to the same size */
+
+void hawser__curve_clear(struct hawser__drawn_curve *curve)
+{
+	free(curve->arc);
+	free(curve->value);
+	*curve = (struct hawser__drawn_curve){0};
+}
+
+enum hawser_status hawser__curve_copy(struct hawser__drawn_curve *curve, const struct hawser_frf *frf,
+                                      struct hawser_report *report)
+{
+	size_t points = (size_t)frf->points, width = 3*(size_t)frf->probes;
+
+	*curve = (struct hawser__drawn_curve){.points = frf->points, .width = (int)width};
+	curve->arc = malloc((points + 1)*sizeof *curve->arc);
+	curve->value = malloc((points*(width + 1) + 1)*sizeof *curve->value);
+	if (!curve->arc || !curve->value)
+		return hawser__no_memory(report, "study");
+	for (size_t i = 0; i < points; i++) {
+		double *row = curve->value + i*(width + 1);
+
+		curve->arc[i] = frf->point[i].arc;
+		row[0] = log(frf->point[i].omega);
+		memcpy(row + 1, frf->probe + i*width, width*sizeof *row);
+	}
+	return HAWSER_OK;
+}
+
+static double at(const struct hawser__drawn_curve *curve, int i, int column)
+{
+	return curve->value[(size_t)i*((size_t)curve->width + 1) + (size_t)column];
+}
+
+static double largest(const struct hawser__drawn_curve *curve, int column)
+{
+	double most = 0.0;
+
+	for (int i = 0; i < curve->points; i++)
+		most = fmax(most, at(curve, i, column));
+	return most;
+}
+
+/* Derivative by arc at point i of the parabola through it and its neighbours; at an end, through the
+ * next two. Where steps are too uneven, the slope of the longer one. */
+static double slope(const struct hawser__drawn_curve *curve, int i, int column)
+{
+	const double *s = curve->arc;
+	int k = i < 1 ? 1 : i > curve->points - 2 ? curve->points - 2 : i;
+	double left = s[k] - s[k - 1], right = s[k + 1] - s[k];
+	double before = (at(curve, k, column) - at(curve, k - 1, column))/left;
+	double after = (at(curve, k + 1, column) - at(curve, k, column))/right;
+	double bend = (after - before)/(left + right);
+
+	if (fmax(left, right) > uneven*fmin(left, right))
+		return left > right ? before : after;
+	return before + bend*(2.0*s[i] - s[k - 1] - s[k]);
+}
+
+/* Cubic interpolation between points i and i + 1, at the fraction x. */
+static double between(const struct hawser__drawn_curve *curve, int i, double x, int column)
+{
+	double step = curve->arc[i + 1] - curve->arc[i], y = 1.0 - x;
+	double a = at(curve, i, column), b = at(curve, i + 1, column);
+
+	if (curve->points < 3)
+		return y*a + x*b;
+	return y*y*(1.0 + 2.0*x)*a + x*x*(3.0 - 2.0*x)*b +
+	       x*y*step*(y*slope(curve, i, column) - x*slope(curve, i + 1, column));
+}
+
+/* The refined curve of one component: (w, a) [count][2]. */
+struct line {
+	int count;
+	double *wa;
+};
+
+static int refine(struct line *line, const struct hawser__drawn_curve *curve, int column, double scale)
+{
+	int count = (curve->points - 1)*PARTS + 1;
+
+	*line = (struct line){.count = count, .wa = malloc(2*(size_t)count*sizeof *line->wa)};
+	if (!line->wa)
+		return 1;
+	for (int k = 0; k < count; k++) {
+		int i = k/PARTS < curve->points - 1 ? k/PARTS : curve->points - 2;
+		double x = (double)(k - i*PARTS)/PARTS;
+
+		if (curve->points == 1) {
+			line->wa[0] = at(curve, 0, 0);
+			line->wa[1] = at(curve, 0, column)/scale;
+			break;
+		}
+		line->wa[2*k] = between(curve, i, x, 0);
+		line->wa[2*k + 1] = between(curve, i, x, column)/scale;
+	}
+	return 0;
+}
+
+/* Distance of the origin from the point p + t (q - p), t limited to [0, 1]. */
+static double reach(const double *p, const double *q, double t)
+{
+	t = fmin(fmax(t, 0.0), 1.0);
+	return fmax(fabs(p[0] + t*(q[0] - p[0])), fabs(p[1] + t*(q[1] - p[1])));
+}
+
+/* Distance of the origin from the segment p q in the maximum norm. The norm is piecewise linear
+ * along the segment, so that its minimum is at an end or at a kink. */
+static double segment(const double *p, const double *q)
+{
+	double dw = q[0] - p[0], da = q[1] - p[1], least = fmin(reach(p, q, 0.0), reach(p, q, 1.0));
+
+	if (dw != 0.0)
+		least = fmin(least, reach(p, q, -p[0]/dw));
+	if (da != 0.0)
+		least = fmin(least, reach(p, q, -p[1]/da));
+	if (dw != da)
+		least = fmin(least, reach(p, q, (p[1] - p[0])/(dw - da)));
+	if (dw != -da)
+		least = fmin(least, reach(p, q, -(p[0] + p[1])/(dw + da)));
+	return least;
+}
+
+/* Distance from (w, a) to the refined curve, or `least` if it is larger. */
+static double to_line(const struct line *line, double w, double a, double least)
+{
+	double p[2] = {line->wa[0] - w, line->wa[1] - a}, q[2];
+
+	least = fmin(least, fmax(fabs(p[0]), fabs(p[1])));
+	for (int k = 1; k < line->count; k++, p[0] = q[0], p[1] = q[1]) {
+		q[0] = line->wa[2*k] - w;
+		q[1] = line->wa[2*k + 1] - a;
+		/* both ends are farther than `least` on one side, and so is the segment */
+		if (fmin(p[0], q[0]) >= least || fmax(p[0], q[0]) <= -least ||
+		    fmin(p[1], q[1]) >= least || fmax(p[1], q[1]) <= -least)
+			continue;
+		least = fmin(least, segment(p, q));
+	}
+	return least;
+}
+
+/* Largest distance of the points of one component of `a` from the curve `b`; ends [2]: range of w. */
+static double one_way(const struct hawser__drawn_curve *a, const struct line *b, int column,
+                      double scale, const double *ends)
+{
+	double most = 0.0;
+
+	for (int i = 0; i < a->points; i++) {
+		double w = at(a, i, 0), end = fmin(w - ends[0], ends[1] - w);
+
+		if (end > most)
+			most = fmax(most, to_line(b, w, at(a, i, column)/scale, end));
+	}
+	return most;
+}
+
+static void range(double *ends, const struct hawser__drawn_curve *curve)
+{
+	for (int i = 0; i < curve->points; i++) {
+		ends[0] = fmin(ends[0], at(curve, i, 0));
+		ends[1] = fmax(ends[1], at(curve, i, 0));
+	}
+}
+
+static enum hawser_status compare(double *distance, const struct hawser__drawn_curve *a,
+                                  const struct hawser__drawn_curve *b, int column, double scale,
+                                  struct hawser_report *report)
+{
+	double ends[2] = {HUGE_VAL, -HUGE_VAL};
+	struct line line_a = {0}, line_b = {0};
+	enum hawser_status status = HAWSER_OK;
+
+	range(ends, a);
+	range(ends, b);
+	if (refine(&line_a, a, column, scale) || refine(&line_b, b, column, scale)) {
+		status = hawser__no_memory(report, "study");
+	} else {
+		*distance = fmax(*distance, one_way(a, &line_b, column, scale, ends));
+		*distance = fmax(*distance, one_way(b, &line_a, column, scale, ends));
+	}
+	free(line_a.wa);
+	free(line_b.wa);
+	return status;
+}
+
+enum hawser_status hawser__curve_distance(double *distance, const struct hawser__drawn_curve *a,
+                                          const struct hawser__drawn_curve *b,
+                                          struct hawser_report *report)
+{
+	int width = a->width < b->width ? a->width : b->width;
+	double most = 0.0;
+	enum hawser_status status = HAWSER_OK;
+
+	*distance = 0.0;
+	if (a->points == 0 || b->points == 0)
+		return HAWSER_OK;
+	for (int c = 1; c <= width; c++)
+		most = fmax(most, fmax(largest(a, c), largest(b, c)));
+	for (int c = 1; !status && c <= width; c++) {
+		double scale = fmax(largest(a, c), largest(b, c));
+
+		if (scale > 0.0 && scale >= faintest*most)
+			status = compare(distance, a, b, c, scale, report);
+	}
+	return status;
+}

@@ -1,0 +1,28 @@
+/* study/compare/curve.h - the distance of two frequency responses as curves: see curve.c.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_STUDY_CURVE_H
+#define HAWSER_STUDY_CURVE_H
+
+#include <hawser/frf.h>
+
+/* The data of a response that are compared; a copy, which may outlive the response. */
+struct hawser__drawn_curve {
+	int points, width; /* width: number of displacement components, 3 for each probe */
+	double *arc;       /* [points] ascending */
+	double *value;     /* [points][1 + width] log Omega, then the amplitudes */
+};
+
+/* Copy a response. HAWSER_ERR_MEMORY. Release with hawser__curve_clear, whatever the status. */
+enum hawser_status hawser__curve_copy(struct hawser__drawn_curve *curve, const struct hawser_frf *frf,
+                                      struct hawser_report *report) HAWSER_MUST_CHECK;
+void hawser__curve_clear(struct hawser__drawn_curve *curve);
+
+/* *distance becomes the least t with this property: every point of either curve that is farther
+ * than t from the ends of the range of Omega has a point of the other curve within t, in Omega
+ * (relative) and in amplitude (relative to the largest amplitude of the component). Only components
+ * that reach half of the largest one count. HAWSER_ERR_MEMORY. */
+enum hawser_status hawser__curve_distance(double *distance, const struct hawser__drawn_curve *a,
+                                          const struct hawser__drawn_curve *b,
+                                          struct hawser_report *report) HAWSER_MUST_CHECK;
+
+#endif

@@ -1,0 +1,356 @@
+/* study/map/map_memo.c - the points of a map: each is computed once, many at a time.
+ *
+ * Points are identified by the bits of their coordinates. The point function of a field is pure, so
+ * that neither the thread nor the run that computes a point matters. A checkpoint is this table in
+ * a file. A map that is continued requests the same points in the same order and finds them here.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <pthread.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/progress.h"
+#include "core/report.h"
+#include "core/share.h"
+#include "study/map/map.h"
+
+/* Points between two calls of the caller's progress function: as many as take about this time;
+ * chosen. */
+#define LEAST_SECS 0.1
+#define MOST_SECS 0.5
+#define SURE_SECS 1.0 /* shortest time from which the remaining time is estimated: in less, too few
+                       * points are computed; chosen */
+/* Least expected wall time for which threads are started: ten times the time of starting one. */
+#define THREADED_SECS 3e-4
+enum { MOST_CHUNK = 4096, FIRST_CHUNK = 16 };
+
+static uint64_t mix(double x, double y)
+{
+	uint64_t a, b;
+
+	memcpy(&a, &x, sizeof a);
+	memcpy(&b, &y, sizeof b);
+	a = (a ^ a >> 31)*UINT64_C(0x9e3779b97f4a7c15);
+	a ^= (b ^ b >> 29)*UINT64_C(0xbf58476d1ce4e5b9);
+	return (a ^ a >> 27)*UINT64_C(0x94d049bb133111eb) >> 20;
+}
+
+static long *find(const struct hawser__map_memo *memo, double x, double y)
+{
+	uint64_t at = mix(x, y);
+
+	for (;; at++) {
+		long *slot = &memo->slot[at & (uint64_t)(memo->slots - 1)];
+		const struct hawser__map_record *record = memo->record + *slot - 1;
+
+		if (!*slot || (record->x == x && record->y == y))
+			return slot;
+	}
+}
+
+static enum hawser_status grow_hash(struct hawser__map_memo *memo, struct hawser_report *report)
+{
+	long *old = memo->slot;
+
+	memo->slots = memo->slots ? 2*memo->slots : 1024;
+	memo->slot = calloc((size_t)memo->slots, sizeof *memo->slot);
+	free(old);
+	if (!memo->slot) {
+		memo->slots = 0;
+		return hawser__no_memory(report, "map");
+	}
+	for (long i = 0; i < memo->count; i++)
+		*find(memo, memo->record[i].x, memo->record[i].y) = i + 1;
+	return HAWSER_OK;
+}
+
+static enum hawser_status grow_records(struct hawser__map_memo *memo, struct hawser_report *report)
+{
+	long capacity = memo->capacity ? 2*memo->capacity : 512;
+	size_t marks = (size_t)capacity*(size_t)memo->marks;
+	struct hawser__map_record *record = realloc(memo->record, (size_t)capacity*sizeof *record);
+	double *mark;
+
+	if (!record)
+		return hawser__no_memory(report, "map");
+	memo->record = record;
+	mark = realloc(memo->mark, (marks + 1)*sizeof *mark);
+	if (!mark)
+		return hawser__no_memory(report, "map");
+	memo->mark = mark;
+	memo->capacity = capacity;
+	return HAWSER_OK;
+}
+
+/* *index becomes that of the record at x, y, which is created if necessary. */
+static enum hawser_status enter(struct hawser__map_memo *memo, long *index, double x, double y,
+                                struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+	long *slot;
+
+	if (2*(memo->count + 1) > memo->slots)
+		status = grow_hash(memo, report);
+	if (!status && memo->count == memo->capacity)
+		status = grow_records(memo, report);
+	if (status)
+		return status;
+	slot = find(memo, x, y);
+	if (!*slot) {
+		memo->record[memo->count] = (struct hawser__map_record){.x = x, .y = y};
+		*slot = ++memo->count;
+	}
+	*index = *slot - 1;
+	return HAWSER_OK;
+}
+
+/* Take over a record of the checkpoint. */
+static enum hawser_status restore(void *context, const struct hawser__map_record *record,
+                                  const double *marks, struct hawser_report *report)
+{
+	struct hawser__map_memo *memo = context;
+	long index;
+	enum hawser_status status = enter(memo, &index, record->x, record->y, report);
+
+	if (status)
+		return status;
+	memo->record[index] = *record;
+	if (memo->marks > 0)
+		memcpy(memo->mark + index*memo->marks, marks, (size_t)memo->marks*sizeof *marks);
+	return HAWSER_OK;
+}
+
+enum hawser_status hawser__map_memo_open(struct hawser__map_memo *memo,
+                                         const struct hawser_map_field *field,
+                                         const struct hawser_map_options *options,
+                                         const char *settings, struct hawser_report *report)
+{
+	struct hawser__map_taker taker = {restore, memo};
+	enum hawser_status status = HAWSER_OK;
+
+	*memo = (struct hawser__map_memo){.field = field, .options = options,
+		.began = hawser__wall_seconds(),
+		.threads = options->threads > 0 ? options->threads : hawser__processors(), .chunk = FIRST_CHUNK,
+		.marks = field->exponents > 0 && options->coarse > 1 ? field->marks
+		         : field->margins ? HAWSER__MARGINS : 0,
+		.checkpoint = {.fd = -1}};
+	memo->worker = calloc((size_t)memo->threads, sizeof *memo->worker);
+	memo->scratch = calloc((size_t)memo->threads*(size_t)field->marks + 1, sizeof(double));
+	if (!memo->worker || !memo->scratch)
+		return hawser__no_memory(report, "map");
+	if (options->ranks)
+		status = hawser__map_ranks_open(memo, settings, report);
+	if (!status && (!options->ranks || options->ranks->rank == 0))
+		status = hawser__map_checkpoint_open(&memo->checkpoint, options->checkpoint, field->identity,
+		                                     settings, memo->marks, &taker, report);
+	for (int t = 0; t < memo->threads && !status; t++)
+		status = field->open(&memo->worker[t], field->context, report);
+	return status;
+}
+
+void hawser__map_memo_close(struct hawser__map_memo *memo)
+{
+	for (int t = 0; memo->worker && t < memo->threads; t++)
+		memo->field->close(memo->worker[t]);
+	free(memo->worker);
+	free(memo->scratch);
+	free(memo->record);
+	free(memo->mark);
+	free(memo->slot);
+	free(memo->pending);
+	free(memo->identity);
+	hawser__map_checkpoint_close(&memo->checkpoint);
+	*memo = (struct hawser__map_memo){.checkpoint = {.fd = -1}};
+}
+
+/* Whether the failure of this point ends a strict map. */
+static int is_refused(const struct hawser__map_memo *memo, const struct hawser__map_record *record)
+{
+	return memo->options->strict && hawser_map_uncomputed(record->sample.code);
+}
+
+enum hawser_status hawser__map_want(struct hawser__map_memo *memo, long *index, double x, double y,
+                                    struct hawser_report *report)
+{
+	enum hawser_status status = enter(memo, index, x + 0.0, y + 0.0, report);
+	struct hawser__map_record *record;
+
+	if (status)
+		return status;
+	record = &memo->record[*index];
+	if (record->visited)
+		return HAWSER_OK;
+	record->visited = 1;
+	memo->visited++;
+	memo->restored += record->ready;
+	/* a point that failed is computed again, since the checkpoint does not store the reason */
+	if (record->ready && !is_refused(memo, record))
+		return HAWSER_OK;
+	if (memo->waiting == memo->room) {
+		long room = memo->room ? 2*memo->room : 512;
+		long *pending = realloc(memo->pending, (size_t)room*sizeof *pending);
+
+		if (!pending)
+			return hawser__no_memory(report, "map");
+		memo->pending = pending;
+		memo->room = room;
+	}
+	memo->pending[memo->waiting++] = *index;
+	return HAWSER_OK;
+}
+
+/* Points that are computed together. If several fail, the report is that of the first in order,
+ * whichever thread was first. */
+struct chunk {
+	struct hawser__map_memo *memo;
+	const long *pending; /* [count] indices of records */
+	pthread_mutex_t lock; /* protects the following members */
+	enum hawser_status status;
+	long failed;
+	struct hawser_report report;
+};
+
+enum hawser_status hawser__map_refuse(const struct hawser__map_memo *memo, struct hawser_report *report,
+                                      const struct hawser__map_record *record)
+{
+	const char *code = hawser_map_code_name(record->sample.code);
+	char reason[400];
+
+	if (!is_refused(memo, record))
+		return HAWSER_OK;
+	snprintf(reason, sizeof reason, "%.399s", report->message);
+	return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "map",
+	                    "the point x = %.9g, y = %.9g could not be computed (%s%s%s)", record->x,
+	                    record->y, code, *reason ? ": " : "", reason);
+}
+
+static void one_point(void *context, long i, int thread)
+{
+	struct chunk *chunk = context;
+	struct hawser__map_memo *memo = chunk->memo;
+	const struct hawser_map_field *field = memo->field;
+	const long *pending = chunk->pending;
+	struct hawser__map_record *record = &memo->record[pending[i]];
+	double *marks = memo->marks > 0 ? memo->scratch + (size_t)thread*(size_t)field->marks : NULL;
+	struct hawser_report local = {.status = HAWSER_OK};
+	enum hawser_status status = field->point(memo->worker[thread], &record->sample, marks, record->x,
+	                                         record->y, &local);
+
+	if (marks)
+		memcpy(memo->mark + pending[i]*memo->marks, marks,
+		       (size_t)memo->marks*sizeof *marks);
+	record->ready = !status;
+	if (!status)
+		status = hawser__map_refuse(memo, &local, record);
+	if (!status)
+		return;
+	pthread_mutex_lock(&chunk->lock);
+	if (!chunk->status || i < chunk->failed) {
+		chunk->status = status;
+		chunk->failed = i;
+		chunk->report = local;
+	}
+	pthread_mutex_unlock(&chunk->lock);
+}
+
+static enum hawser_status prepare(struct hawser__map_memo *memo, const long *pending, int count,
+                                  struct hawser_report *report)
+{
+	const struct hawser_map_field *field = memo->field;
+	double *x = malloc(2*(size_t)count*sizeof *x), *y;
+	enum hawser_status status = HAWSER_OK;
+
+	if (!x)
+		return hawser__no_memory(report, "map");
+	y = x + count;
+	for (int i = 0; i < count; i++) {
+		x[i] = memo->record[pending[i]].x;
+		y[i] = memo->record[pending[i]].y;
+	}
+	if (field->prepare)
+		status = field->prepare(field->context, x, y, count, memo->threads, report);
+	free(x);
+	return status;
+}
+
+static enum hawser_status run_chunk(struct hawser__map_memo *memo, const long *pending, int count,
+                                    int threads, struct hawser_report *report)
+{
+	struct chunk chunk = {.memo = memo, .pending = pending, .lock = PTHREAD_MUTEX_INITIALIZER};
+	enum hawser_status status = prepare(memo, pending, count, report);
+
+	if (status)
+		return status;
+	hawser__share(count, threads, one_point, &chunk);
+	memo->fresh += count;
+	for (int i = 0; i < count && !status; i++)
+		if (memo->record[pending[i]].ready)
+			status = hawser__map_checkpoint_add(&memo->checkpoint, &memo->record[pending[i]],
+			                                    memo->mark + pending[i]*memo->marks, report);
+	if (!status)
+		status = hawser__map_checkpoint_flush(&memo->checkpoint, report);
+	if (!status && chunk.status) {
+		if (report)
+			*report = chunk.report;
+		return chunk.status;
+	}
+	return status;
+}
+
+int hawser__map_told_to_stop(const struct hawser__map_memo *memo, const char *stage, long left)
+{
+	struct hawser_progress_state state =
+		hawser__progress_state(stage, "points", memo->visited - memo->waiting, memo->began);
+
+	state.expected = state.done + left;
+	state.fresh = memo->fresh;
+	if (state.expected > 0)
+		state.fraction = (double)state.done/(double)state.expected;
+	if (state.fresh > 0 && state.seconds > SURE_SECS)
+		state.left = state.seconds*(double)left/(double)state.fresh;
+	return hawser__told_to_stop(&memo->options->progress, &state);
+}
+
+/* Number of threads for so many points, from the time per point of the last computation. */
+static int worthwhile(const struct hawser__map_memo *memo, int count)
+{
+	return memo->cost*count < THREADED_SECS ? 1 : memo->threads;
+}
+
+enum hawser_status hawser__map_run(struct hawser__map_memo *memo, const char *stage, long later,
+                                   struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+	long at = 0, all = memo->waiting;
+
+	while (at < all && !status) {
+		int count = (int)(all - at < memo->chunk ? all - at : memo->chunk);
+		double began = hawser__wall_seconds(), took;
+
+		if (hawser__map_told_to_stop(memo, stage, memo->waiting + later)) {
+			memo->interrupted = 1;
+			break;
+		}
+		if (hawser__map_ranks_worthwhile(memo, all - at)) {
+			memo->stage = stage;
+			memo->later = later;
+			status = hawser__map_ranks_run(memo, memo->pending + at, all - at, report);
+			break;
+		}
+		status = run_chunk(memo, memo->pending + at, count, worthwhile(memo, count), report);
+		at += count;
+		memo->waiting -= count;
+		took = hawser__wall_seconds() - began;
+		memo->cost = took/count;
+		if (took < LEAST_SECS && memo->chunk < MOST_CHUNK)
+			memo->chunk *= 2;
+		else if (took > MOST_SECS && memo->chunk > memo->threads)
+			memo->chunk /= 2;
+	}
+	memo->waiting = 0;
+	return status;
+}

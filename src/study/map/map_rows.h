@@ -1,0 +1,84 @@
+/* study/map/map_rows.h - maps by rows: the responses of a model along one parameter, for each value
+ * of the other. map_row.c computes a row, map_rows.c the map, map_rows_file.c its file,
+ * map_rows_lines.c its boundaries.
+ *
+ * The model of a row is that of map_row_model.c.
+ *
+ *    row      all responses at one value of the parameter that is not followed
+ *    cell     a value of the followed parameter in a row
+ *    along    the coordinate that is followed: 0: x, 1: y
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_STUDY_MAP_ROWS_H
+#define HAWSER_STUDY_MAP_ROWS_H
+
+#include <hawser/frf.h>
+#include <hawser/map.h>
+
+/* What a row has at a value of the parameter. */
+struct hawser__map_answer {
+	struct hawser_map_sample sample; /* value: the largest amplitude */
+	double least, most, tension;     /* tension: least one, N; NaN: none is known */
+	int branches, stable;
+};
+
+/* An event on a curve of a row. */
+struct hawser__map_turn {
+	double at, error;   /* value of the parameter; absolute */
+	enum hawser_event_kind kind;
+	int side;           /* of a fold: the side on which the two responses are, -1 or 1; else 0 */
+};
+
+struct hawser__map_row {
+	/* what is asked for */
+	const double *at;   /* [count] values of the followed parameter, ascending or descending */
+	int count;
+	double fixed;       /* value of the other parameter */
+	int only_stable;    /* 1: only stable responses count */
+	int keeps, keep;    /* 1: the states of the responses at the place `keep` are kept */
+	const struct hawser_progress *progress; /* asked by the traces; may end them */
+	/* results */
+	struct hawser__map_answer *answer; /* [count] */
+	struct hawser__map_turn *turn;     /* [turns] by `at` */
+	int turns, turn_capacity;
+	int ready, interrupted;
+	int incomplete;     /* 1: a curve could not be followed to its end */
+	double *state;      /* [kept][2n] scaled, at phase 0, or NULL */
+	int kept;
+	char *why[HAWSER_MAP_CODES]; /* the reason of the first answer of this code, or NULL */
+	char *broken;       /* why the row is incomplete, or NULL */
+};
+/* map_row_result.c */
+void hawser__map_row_clear(struct hawser__map_row *row);
+/* Replace *text by a copy; without memory it becomes NULL. */
+void hawser__map_note(char **text, const char *message);
+
+/* map_row_result.c: after answers without a value got their code: the reason, of the first of each
+ * code; `message` may be NULL. */
+void hawser__map_row_explain(struct hawser__map_row *row, const struct hawser__map_answer *answer,
+                             const char *message);
+/* map_row_result.c: these answers have no value, for this reason. */
+void hawser__map_row_fill(struct hawser__map_row *row, int from, int to, enum hawser_map_code code,
+                          const char *message);
+/* map_row.c: all responses of a model along Omega or, with a family, along its parameter, of which only
+ * positive values are taken if `positive`. omega: a scaled frequency of the range. Statuses of
+ * hawser_frf_trace but HAWSER_ERR_CONVERGENCE. */
+enum hawser_status hawser__map_row_follow(struct hawser__map_row *row, const struct hawser_rom *rom,
+                                          const struct hawser_rom_family *family, double omega,
+                                          int positive, struct hawser_report *report)
+	HAWSER_MUST_CHECK;
+/* map_row_model.c: the member `row` of the field of a cable; `worker` is that of map_point.c. */
+enum hawser_status hawser__map_worker_row(void *worker, struct hawser__map_row *row,
+                                          struct hawser_report *report);
+/* map_row_model.c: the coordinate that is followed for this source. */
+int hawser__map_row_along(const void *context);
+
+/* map_rows.c */
+enum hawser_status hawser__map_rows(struct hawser_map *map, const struct hawser_map_field *field,
+                                    const struct hawser_map_options *options,
+                                    struct hawser_report *report);
+/* map_rows_lines.c: boundaries and segments from the rows [rows], which are at `fixed` [rows]. */
+enum hawser_status hawser__map_rows_lines(struct hawser_map *map, const struct hawser__map_row *row,
+                                          int rows, int along, struct hawser_report *report);
+
+#endif
