@@ -210,6 +210,8 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/model/model.c \
 	%D%/modes/modes_damped.c \
 	%D%/modes/modes_damped.h \
+	%D%/modes/modes_model.c \
+	%D%/modes/modes_model.h \
 	%D%/modes/modes_net.c \
 	%D%/modes/modes_net.h \
 	%D%/modes/modes_result.c \

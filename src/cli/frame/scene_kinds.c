@@ -7,7 +7,7 @@
 #include "cli/frame/scene_kinds.h"
 #include "core/report.h"
 
-static enum hawser_status net(char *text, const struct cli_common *common,
+static enum hawser_status net(char *text, int *forced, const struct cli_common *common,
                               struct hawser_report *report)
 {
 	struct hawser_net net;
@@ -15,6 +15,7 @@ static enum hawser_status net(char *text, const struct cli_common *common,
 	int supports = 0;
 	enum hawser_status status = cli_read_net(&net, common, report);
 
+	(void)forced;
 	if (status)
 		return status;
 	for (int i = 0; i < net.cables; i++)
@@ -28,12 +29,13 @@ static enum hawser_status net(char *text, const struct cli_common *common,
 	return HAWSER_OK;
 }
 
-static enum hawser_status ropeway(char *text, const struct cli_common *common,
+static enum hawser_status ropeway(char *text, int *forced, const struct cli_common *common,
                                   struct hawser_report *report)
 {
 	struct hawser_ropeway rw;
 	enum hawser_status status = cli_read_ropeway(&rw, common, report);
 
+	(void)forced; /* --load says what acts */
 	if (status)
 		return status;
 	snprintf(text, CLI_SCENE_FACTS, "  lanes: %d; towers: %d\n  load cases: %d\n%s", rw.lanes,
@@ -42,12 +44,13 @@ static enum hawser_status ropeway(char *text, const struct cli_common *common,
 	return HAWSER_OK;
 }
 
-static enum hawser_status obstacles(char *text, const struct cli_common *common,
+static enum hawser_status obstacles(char *text, int *forced, const struct cli_common *common,
                                     struct hawser_report *report)
 {
 	struct hawser_obstacles of;
 	enum hawser_status status = cli_read_obstacles(&of, common, report);
 
+	(void)forced;
 	if (status)
 		return status;
 	snprintf(text, CLI_SCENE_FACTS, "  obstacles: %d\n", of.line.sheaves);
@@ -55,13 +58,14 @@ static enum hawser_status obstacles(char *text, const struct cli_common *common,
 	return HAWSER_OK;
 }
 
-static enum hawser_status rod(char *text, const struct cli_common *common,
+static enum hawser_status rod(char *text, int *forced, const struct cli_common *common,
                               struct hawser_report *report)
 {
 	struct hawser_rod rod;
 	long elements = 0;
 	enum hawser_status status = cli_read_rod(&rod, common, report);
 
+	(void)forced;
 	if (status)
 		return status;
 	for (int i = 0; i < rod.segments; i++)
@@ -72,13 +76,14 @@ static enum hawser_status rod(char *text, const struct cli_common *common,
 	return HAWSER_OK;
 }
 
-static enum hawser_status tow(char *text, const struct cli_common *common,
+static enum hawser_status tow(char *text, int *forced, const struct cli_common *common,
                               struct hawser_report *report)
 {
 	static const char *const body[] = {"none", "a point", "a ring"};
 	struct hawser_tow tow;
 	enum hawser_status status = cli_read_tow(&tow, common, report);
 
+	(void)forced;
 	if (status)
 		return status;
 	snprintf(text, CLI_SCENE_FACTS, "  path: %s\n  parts of the cable: %d\n  body: %s\n",
@@ -88,7 +93,7 @@ static enum hawser_status tow(char *text, const struct cli_common *common,
 	return HAWSER_OK;
 }
 
-static enum hawser_status model(char *text, const struct cli_common *common,
+static enum hawser_status model(char *text, int *forced, const struct cli_common *common,
                                 struct hawser_report *report)
 {
 	struct cli_model made;
@@ -96,6 +101,7 @@ static enum hawser_status model(char *text, const struct cli_common *common,
 
 	if (status)
 		return status;
+	*forced = made.rom.harmonics > 0;
 	snprintf(text, CLI_SCENE_FACTS, "  coordinates: %d\n  parameters: %d\n  lowest natural frequency: "
 	         "%.6g%s\n", made.rom.n, made.source.parameters,
 	         made.naturals > 0 ? made.natural[0]*cli_per_omega(&made) : 0.0,
@@ -120,10 +126,12 @@ static const struct cli_scene_kind kinds[] = {
 	 HAWSER_KIND_ROPEWAY},
 	{"rod", "a rod", "statics, integrate", cli_init_rod, rod, HAWSER_KIND_ROD},
 	{"tow", "a towed body", "tow steady, tow, trajectory", cli_init_tow, tow, HAWSER_KIND_TOW},
-	{"model", "a reduced model", "rom, integrate, frf, orbit, folds, locus, nnm, mms, compare mms, "
-	 "hill, map", NULL,
-	 model, HAWSER_KIND_MODEL},
+	{"model", "a reduced model", "modes, rom, integrate, frf, orbit, folds, locus, nnm, mms, "
+	 "compare mms, hill, map", NULL, model, HAWSER_KIND_MODEL},
 };
+
+/* Those that show what a force does. */
+static const char of_forces[] = "frf, orbit, folds, locus, compare";
 
 /* 1 if `name` is in a list of names, separated by ", ". */
 static int is_listed(const char *list, const char *name)
@@ -153,6 +161,45 @@ enum hawser_status cli_scene_kind_check(const char *command, const struct cli_co
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "main",
 	                    "%s is %s, which hawser %s does not take; these commands do: %s",
 	                    cli_input_name(common), kinds[i].one, command, kinds[i].commands);
+}
+
+int cli_is_forced(const struct hawser_scene *scene)
+{
+	int moves = 0;
+
+	for (int end = 0; end < 2; end++)
+		for (int axis = 0; axis < 3; axis++)
+			moves = moves || scene->support[end].motion[axis] != 0.0;
+	return scene->load.present || scene->loads > 0 || moves || scene->travel.fluctuation > 0.0;
+}
+
+/* The names of the list that need a force, or (needing 0) the others. */
+static void print_commands(FILE *to, const char *list, int forced, int needing)
+{
+	const char *before = "";
+
+	for (const char *at = list; *at; at += strspn(at, ", ")) {
+		char name[32];
+
+		snprintf(name, sizeof name, "%.*s", (int)strcspn(at, ","), at);
+		at += strcspn(at, ",");
+		if ((!forced && is_listed(of_forces, name)) != needing)
+			continue;
+		fprintf(to, "%s%s", before, name);
+		before = ", ";
+	}
+	putc('\n', to);
+}
+
+void cli_scene_kind_print(FILE *to, const struct cli_scene_kind *kind, int forced)
+{
+	fputs("commands that take it: ", to);
+	print_commands(to, kind->commands, forced, 0);
+	if (forced)
+		return;
+	fprintf(to, "those for which it lacks %s: ", kind->kind == HAWSER_KIND_MODEL
+	        ? "a harmonic force" : "a load, a moving end or a travel.fluctuation");
+	print_commands(to, kind->commands, forced, 1);
 }
 
 const struct cli_scene_kind *cli_scene_kind(int index)

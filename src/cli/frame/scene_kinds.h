@@ -11,9 +11,9 @@ struct cli_scene_kind {
 	const char *one;      /* "a net of cables" */
 	const char *commands; /* that take it, the main one first: "statics, modes"; others refuse it */
 	const char *text;     /* a scene with comments; NULL: hawser init has none */
-	/* Read the scene and say what it has, lines in text [CLI_SCENE_FACTS]; NULL: by the reader of
-	 * spans. */
-	enum hawser_status (*look)(char *text, const struct cli_common *common,
+	/* Read the scene and say what it has, lines in text [CLI_SCENE_FACTS], and whether something
+	 * forces it; NULL: by the reader of spans. */
+	enum hawser_status (*look)(char *text, int *forced, const struct cli_common *common,
 	                           struct hawser_report *report);
 	enum hawser_kind kind;
 };
@@ -23,6 +23,11 @@ const struct cli_scene_kind *cli_scene_kind(int index);
  * left to the command. */
 enum hawser_status cli_scene_kind_check(const char *command, const struct cli_common *common,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+
+/* Print the commands of a kind that take this scene and, if nothing forces it, what the others need. */
+void cli_scene_kind_print(FILE *to, const struct cli_scene_kind *kind, int forced);
+/* Whether something forces a span: loads, moving ends, a fluctuating speed. */
+int cli_is_forced(const struct hawser_scene *scene);
 
 /* init_scenes.c: the scenes with comments. */
 extern const char cli_init_cable[], cli_init_travelling[], cli_init_beam[], cli_init_net[],

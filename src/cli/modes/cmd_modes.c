@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "cli/modes/modes_damped.h"
+#include "cli/modes/modes_model.h"
 #include "cli/modes/modes_net.h"
 #include "cli/modes/modes_obstacles.h"
 #include "cli/modes/modes_result.h"
@@ -31,7 +32,8 @@ static const struct cli_option options[] = {
 	 CLI_INTEGER_FOR(elements, CLI_SPAN)},
 	{"basis", 0, "N", "functions per component (as many as the tolerance requires)",
 	 CLI_INTEGER_FOR(basis, CLI_SPAN)},
-	{"shapes", 0, "", "write the shapes and slopes to the table, and to JSON", CLI_FLAG(shapes)},
+	{"shapes", 0, "", "write the shapes and slopes to the table, and to JSON",
+	 CLI_FLAG_FOR(shapes, CLI_SPAN | CLI_NET | CLI_ROPEWAY | CLI_OBSTACLES)},
 	{"points", 0, "N", "number of points of a shape (201)",
 	 CLI_COUNT_FOR(points, CLI_SPAN | CLI_ROPEWAY | CLI_OBSTACLES)},
 	{"view", 0, "NAME", "contents of the picture: components, profile or waves (components)",
@@ -216,12 +218,20 @@ static enum hawser_status run_obstacles(const struct settings *settings, struct 
 		                      settings->shapes ? settings->points : 0, report);
 }
 
+static enum hawser_status run_model(const struct settings *settings, struct hawser_report *report)
+{
+	enum hawser_status status = cli_outputs_check(&settings->common, report);
+
+	return status ? status : cli_modes_model(&settings->common, settings->n, report);
+}
+
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	static enum hawser_status (*const by_kind[HAWSER_KINDS])(const struct settings *settings,
 	                                                         struct hawser_report *report) = {
 		[HAWSER_KIND_SPAN] = run_span, [HAWSER_KIND_NET] = run_net,
-		[HAWSER_KIND_ROPEWAY] = run_ropeway, [HAWSER_KIND_OBSTACLES] = run_obstacles};
+		[HAWSER_KIND_ROPEWAY] = run_ropeway, [HAWSER_KIND_OBSTACLES] = run_obstacles,
+		[HAWSER_KIND_MODEL] = run_model};
 	const struct settings *s = context;
 
 	if (s->list) {

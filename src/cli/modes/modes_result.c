@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "cli/modes/modes_damped.h"
+#include "cli/modes/modes_model.h"
 #include "cli/modes/modes_net.h"
 #include "cli/modes/modes_obstacles.h"
 #include "cli/modes/modes_result.h"
@@ -371,12 +372,14 @@ const struct cli_listing cli_modes_listing[] = {
 	{"Columns of ropeways and of spans over obstacles:", cli_modes_ropeway_field, 0},
 	{"Columns of these with --shapes:", cli_modes_ropeway_point, 0},
 	{"Columns of ropeways and of spans over obstacles with --over:", cli_track_field, 0},
+	{"Columns of reduced models:", cli_modes_model_field, 0},
 	{"Keys of JSON:", result_field, 1},
 	{"Keys of JSON with --damped or --over:", cli_damped_member, 1},
 	{"Keys of JSON of nets:", cli_modes_net_member, 1},
 	{"Keys of JSON of ropeways:", cli_modes_ropeway_member, 1},
 	{"Keys of JSON of spans over obstacles:", cli_modes_obstacles_member, 1},
 	{"Keys of JSON of these with --over:", cli_track_member, 1},
+	{"Keys of JSON of reduced models:", cli_modes_model_member, 1},
 	{NULL, NULL, 0},
 };
 

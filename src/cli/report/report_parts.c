@@ -4,13 +4,15 @@
 
 #include <string.h>
 
+#include "cli/frame/scene_kinds.h"
 #include "cli/report/report_parts.h"
 #include "core/report.h"
 
 /* Kinds of scenes, bits; a span is one of the first two. */
 enum {
 	AT_REST = 1, TRAVELS = 2, OBSTACLES = 4, NET = 8, ROPEWAY = 16, ROD = 32, TOWED = 64,
-	WAYPOINTS = 128, BEAM = 256, LOADED = 512, CASES = 1024 /* the last two: besides, of spans */
+	WAYPOINTS = 128, BEAM = 256, MODEL = 512,
+	LOADED = 1024, CASES = 2048 /* besides, of spans */
 };
 
 static const struct cli_report_part table[] = {
@@ -36,6 +38,8 @@ static const struct cli_report_part table[] = {
 	{"modes", "Natural modes",
 	 "Small free vibrations about the static shape, each frequency with its estimated relative error.",
 	 {"modes"}, AT_REST | TRAVELS | OBSTACLES | NET | ROPEWAY, 0, 0, 1, 0},
+	{"modes", "Natural modes", "Small motions of the model about u = 0, and how they decay.",
+	 {"modes"}, MODEL, 0, 1, 0, 0},
 	{"irvine", "Frequencies over the tension",
 	 "Where frequencies cross or veer as the horizontal tension changes.",
 	 {"irvine"}, AT_REST, 0, 0, 1, 0},
@@ -44,7 +48,7 @@ static const struct cli_report_part table[] = {
 	{"frf", "Frequency response",
 	 "Steady motions under the load of the scene: stable ones, and unstable ones, which are not "
 	 "observed; each point with its certificate.",
-	 {"frf"}, LOADED, 0, 0, 1, 1},
+	 {"frf"}, LOADED | MODEL, 0, 0, 1, 1},
 	{"tow", "Steady tow", "The state that does not change in the frame of the towing point.",
 	 {"tow", "steady"}, TOWED, 1, 0, 0, 0},
 	{"trajectory", "Path of the towing point", "Place, speed and acceleration of the towing point.",
@@ -58,14 +62,10 @@ enum { ROWS = sizeof table/sizeof *table };
 static unsigned kind_of_span(const struct hawser_scene *scene)
 {
 	unsigned kind = scene->travel.present ? TRAVELS : AT_REST;
-	int moves = 0;
 
 	if (scene->beam.form)
 		return BEAM;
-	for (int end = 0; end < 2; end++)
-		for (int axis = 0; axis < 3; axis++)
-			moves = moves || scene->support[end].motion[axis] != 0.0;
-	if (scene->load.present || scene->loads > 0 || moves || scene->travel.fluctuation > 0.0)
+	if (cli_is_forced(scene))
 		kind |= LOADED;
 	return kind | (scene->cases > 0 ? CASES : 0);
 }
@@ -88,7 +88,7 @@ static enum hawser_status find_kind(unsigned *kind, struct hawser_scene *span, i
 {
 	static const unsigned by_kind[HAWSER_KINDS] = {
 		[HAWSER_KIND_ROPEWAY] = ROPEWAY, [HAWSER_KIND_NET] = NET, [HAWSER_KIND_OBSTACLES] = OBSTACLES,
-		[HAWSER_KIND_ROD] = ROD};
+		[HAWSER_KIND_ROD] = ROD, [HAWSER_KIND_MODEL] = MODEL};
 	enum hawser_kind of = cli_kind(common);
 	enum hawser_status status;
 

@@ -78,7 +78,7 @@ static enum hawser_status check_cable(const struct cli_common *common,
 	printf("  H: %.6g N, sag: %.6g m, unstretched length: %.6g m\n", statics.H, statics.sag,
 	       statics.length0);
 	print_models(common);
-	printf("commands that take it: %s\n", kind->commands);
+	cli_scene_kind_print(stdout, kind, cli_is_forced(scene));
 	return HAWSER_OK;
 }
 
@@ -94,7 +94,7 @@ static enum hawser_status check_beam(const struct cli_common *common, const stru
 	cli_warn_doubts(scene);
 	print_good(common, kind);
 	cli_beam_print_scales(stdout, scene, &beam);
-	printf("commands that take it: %s\n", kind->commands);
+	cli_scene_kind_print(stdout, kind, 1);
 	return HAWSER_OK;
 }
 
@@ -117,15 +117,17 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	const struct cli_scene_kind *kind;
 	enum hawser_status status;
 	char text[CLI_SCENE_FACTS];
+	int forced = 1;
 
 	for (int i = 0; (kind = cli_scene_kind(i)); i++) {
 		if (!kind->look || kind->kind != cli_kind(&s->common))
 			continue;
-		status = kind->look(text, &s->common, report);
+		status = kind->look(text, &forced, &s->common, report);
 		if (status)
 			return status;
 		print_good(&s->common, kind);
-		printf("%scommands that take it: %s\n", text, kind->commands);
+		fputs(text, stdout);
+		cli_scene_kind_print(stdout, kind, forced);
 		return HAWSER_OK;
 	}
 	return check_span(&s->common, report);
