@@ -33,10 +33,6 @@ TEST_ENVIRONMENT += \
 	LIBDIR='$(libdir)'; INCLUDEDIR='$(includedir)'; BINDIR='$(bindir)'; \
 	export CC NM PKG_CONFIG MAKE LIBDIR INCLUDEDIR BINDIR;
 
-# The page of all messages, from the sources.
-messages:
-	cd $(srcdir) && python3 tests/checks/messages.py list >doc/messages.md
-
 # What ./quickstart check runs: all tests but those of longer.txt, which has the reason for each. A test that takes more than
 # QUICK_SECS of processor time fails, unless it is in slow.txt with a reason. Memory that is read before it is written has another
 # content than 0 in them.
@@ -49,7 +45,7 @@ LONGER_FLAGS =
 check-longer: all-am $(check_PROGRAMS) $(check_DATA)
 	@$(MAKE) --no-print-directory check-local RUN_RESULTS=tests/longer.tsv RUN_FLAGS='-T $(srcdir)/%D%/longer.txt $(LONGER_FLAGS)'
 
-.PHONY: messages check-quick check-longer check-analyzers check-kernels check-kernel-sample check-provoked check-sanitizers check-sanitizers-sample check-cover check-valgrind check-valgrind-all check-faults check-long check-more \
+.PHONY: check-quick check-longer check-analyzers check-kernels check-kernel-sample check-provoked check-sanitizers check-sanitizers-sample check-cover check-valgrind check-valgrind-all check-faults check-long check-more \
 	check-compilers check-syntax
 
 # The program and the tests under AddressSanitizer (with its leak check) and UBSan, by clang, in a build of their own, which fuzzing

@@ -1,10 +1,11 @@
 """The sources of the documentation site, from the documents, the manual pages and the headers as they are.
 
-    python3 assemble.py --source TREE --man FOLDER --version V --out FOLDER [--pictures FOLDER]
+    python3 assemble.py --source TREE --made FOLDER --man FOLDER --out FOLDER [--pictures FOLDER]
 
 Writes a folder of Markdown that Sphinx (conf.py beside this file) makes HTML of. Nothing is written twice: links between
 the documents of the tree become links of the site, links to other files of the tree become downloads, and below a command
 that a page shows with `--plot NAME.svg` stands the picture it drew, where --pictures has it (tests/checks/shown.py draws).
+Files that the build makes, such as doc/messages.md, are in the folder --made, below their names in the tree.
 A document that PAGES does not name stands at the end of the navigation.
 
 SPDX-License-Identifier: GPL-3.0-or-later
@@ -52,7 +53,8 @@ class Site:
         self.where.update(row for _, rows in self.groups for row in rows)
 
     def read(self, path):
-        with open(os.path.join(self.tree, path), encoding="utf-8") as stream:
+        made = os.path.join(self.options.made, path)
+        with open(made if os.path.isfile(made) else os.path.join(self.tree, path), encoding="utf-8") as stream:
             return stream.read()
 
     def write(self, page, text, suffix=".md"):
@@ -180,7 +182,7 @@ class Site:
 
 def main():
     parser = argparse.ArgumentParser()
-    for name in ("source", "man", "out"):
+    for name in ("source", "made", "man", "out"):
         parser.add_argument("--" + name, required=True)
     parser.add_argument("--pictures")
     Site(parser.parse_args()).build()

@@ -27,8 +27,11 @@ if [ "${PICTURES:-yes}" != no ]; then
 	sh "$here/pictures.sh" "$work/pictures"
 	pictures=$work/pictures
 fi
+# what make makes too, where nothing else of the build is needed
+mkdir -p "$work/made/doc"
+"$python" "$SRCDIR/tests/checks/messages.py" list "$SRCDIR" >"$work/made/doc/messages.md"
 export HAWSER_VERSION="$VERSION" HAWSER_SITE="$work/source" PYTHONDONTWRITEBYTECODE=1
-"$python" "$here/assemble.py" --source "$SRCDIR" --man "${MANDIR:-man}" --out "$work/source" ${pictures:+--pictures "$pictures"}
+"$python" "$here/assemble.py" --source "$SRCDIR" --made "$work/made" --man "${MANDIR:-man}" --out "$work/source" ${pictures:+--pictures "$pictures"}
 rm -rf "$out"
 "$python" -m sphinx -q -W --keep-going -j "${JOBS:-1}" -b html -c "$here" -d "$work/doctrees" "$work/source" "$out"
 rm -rf "$out/.buildinfo" "$out/objects.inv"

@@ -1,10 +1,12 @@
 # tests/checks/messages.py - the messages of all failures, out of the sources.
-#   messages.py list          each once, as the page doc/messages.md (`make messages` writes it)
+#   messages.py list [TREE]   each once, as the page doc/messages.md, which make writes into the build folder
+#   messages.py wrong         those that break a rule of messages
 #   messages.py unexplained   those of the program that have no row in doc/robustness.md
 #   messages.py places        "file:line:last line:message" of each, for what looks whether it was provoked
-# From the top of the source tree.
+# From the top of the source tree, or with its folder as the last argument.
 # SPDX-License-Identifier: GPL-3.0-or-later
 import glob
+import os
 import re
 import sys
 
@@ -14,8 +16,15 @@ CALLS = {"hawser__fail": (3, 1), "hawser__fail_at": (5, 1), "hawser__reader_fail
 HEAD = """# All messages
 
 Every message of a failure, by status; … stands for what varies, and none is here twice. Each says what to do; those
-that users meet are explained in [robustness.md](robustness.md). This page is written by `make messages`.
+that users meet are explained in [robustness.md](robustness.md). This page is made of the sources by `make`.
 """
+LONGEST = 400
+# What no message does. A message follows "hawser: ", or another text and a colon.
+RULES = ((r"[.!]$", "ends without a full stop"), (r"  |^ | $", "has single blanks, and none at its ends"),
+         (r"\w [,;:] ", "has no blank before a comma, semicolon or colon"),
+         (r"^(?!Lyapunov|Omega)[A-Z][a-z]", "begins in lower case, unless with a name"),
+         (r"(?i)\b(please|sorry|oops|illegal|fatal|bad|etc|e\.g|i\.e)\b", "says what happened in plain words"),
+         (r"(?i)\b(we|our|my)\b", "is about the input, not about us"), (".{%d}" % (LONGEST + 1), "has at most %d characters" % LONGEST))
 
 
 def without_comments(text):
@@ -84,6 +93,15 @@ def listed():
             print("- `%s`" % message.replace("`", "'"))
 
 
+def wrong():
+    seen = set()
+    for name, line, _, _, message in messages():
+        for pattern, rule in RULES:
+            if re.search(pattern, message) and (message, rule) not in seen:
+                seen.add((message, rule))
+                print("%s:%d: a message %s: %s" % (name, line, rule, message))
+
+
 def rows():
     table = open("doc/robustness.md", encoding="utf-8").read().partition("## Messages")[2]
     for row in re.findall(r"^\| `([^`]*)` \|", table, flags=re.M):
@@ -105,4 +123,6 @@ def places():
         print("%s:%d:%d:%s" % (name, line, last, message))
 
 
-{"list": listed, "unexplained": unexplained, "places": places}[sys.argv[1]]()
+if len(sys.argv) > 2:
+    os.chdir(sys.argv[2])
+{"list": listed, "wrong": wrong, "unexplained": unexplained, "places": places}[sys.argv[1]]()
