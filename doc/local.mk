@@ -2,10 +2,12 @@
 dist_doc_DATA += \
 	%D%/coming-from.md \
 	%D%/cluster.md \
+	%D%/commands.md \
 	%D%/errata.md \
 	%D%/gallery.md \
 	%D%/glossary.md \
-	%D%/index.md \
+	%D%/install.md \
+	%D%/library.md \
 	%D%/python.md \
 	%D%/theory-beam.md \
 	%D%/theory-net.md %D%/theory-net-motion.md \
@@ -50,7 +52,7 @@ MOSTLYCLEANFILES += %D%/messages.md
 %D%/messages.md: $(srcdir)/tests/checks/messages.py hawser$(EXEEXT)
 	$(AM_V_GEN)$(MKDIR_P) %D% && python3 -S $(srcdir)/tests/checks/messages.py list $(srcdir) >$@.tmp && mv -f $@.tmp $@
 # Figures of the notes: `make figures` draws them into the build folder's figures/, from benches.
-EXTRA_DIST += %D%/campbell.svg %D%/carriers.svg %D%/convergence.svg %D%/damper-place.svg %D%/absorber.svg %D%/spacers.svg %D%/over-tension.svg %D%/loci.svg %D%/net-bars.svg %D%/net-modes.svg %D%/net-profile.svg %D%/nnm-tongue.svg %D%/tori.svg %D%/damper-size.svg %D%/figures-beam.sh %D%/figures-spans.sh %D%/figures-travel.sh %D%/figures-validity.sh %D%/figures.sh \
+EXTRA_DIST += %D%/campbell.svg %D%/carriers.svg %D%/convergence.svg %D%/damper-place.svg %D%/absorber.svg %D%/spacers.svg %D%/over-tension.svg %D%/loci.svg %D%/net-bars.svg %D%/net-modes.svg %D%/net-profile.svg %D%/nnm-tongue.svg %D%/response.svg %D%/tori.svg %D%/damper-size.svg %D%/figures-beam.sh %D%/figures-spans.sh %D%/figures-travel.sh %D%/figures-validity.sh %D%/figures.sh \
 	%D%/stay-map.svg %D%/trade.svg %D%/travel-holds.svg %D%/validity.svg
 .PHONY: figures
 figures: bench/shapes hawser

@@ -23,8 +23,8 @@ import manual
 # Where a file of the tree is in the site, and the group of the navigation that has it.
 PAGES = (
     ("Begin", (("doc/tutorial.md", "tutorial"), ("doc/gallery.md", "gallery"), ("doc/coming-from.md", "coming-from"),
-               ("README.md", "overview"), ("doc/spans.md", "spans"))),
-    ("Reference", (("man", "man/index"), ("notebooks-data/scenes", "scenes"), ("doc/python.md", "python"),
+               ("doc/commands.md", "commands"), ("doc/spans.md", "spans"), ("doc/install.md", "install"))),
+    ("Reference", (("man", "man/index"), ("notebooks-data/scenes", "scenes"), ("doc/python.md", "python"), ("doc/library.md", "library"),
                    ("doc/cluster.md", "cluster"), ("include/hawser", "api/index"), ("doc/messages.md", "messages"),
                    ("doc/glossary.md", "glossary"))),
     ("Theory", (("doc/theory.md", "theory"), ("doc/errata.md", "errata"), ("doc/robustness.md", "robustness"),
@@ -32,8 +32,8 @@ PAGES = (
     ("Project", (("NEWS", "news"), ("HACKING.md", "hacking"))),
 )
 # Titles in the navigation, where that of the page is not one.
-TITLES = {"overview": "All commands (README)", "tutorial": "Ten minutes", "coming-from": "Coming from other programs",
-          "api/index": "C library", "python": "Python", "cluster": "Large maps", "messages": "Messages", "robustness": "Robustness"}
+TITLES = {"tutorial": "Ten minutes", "install": "Installation", "coming-from": "Coming from other programs",
+          "library": "The library", "api/index": "Headers", "python": "Python", "cluster": "Large maps", "messages": "Messages", "robustness": "Robustness"}
 LINK = re.compile(r"(!?)\[((?:[^\[\]]|\[[^\]]*\])*)\]\(([^)\s#]*)(#[^)\s]*)?\)")
 
 
@@ -41,7 +41,7 @@ class Site:
     def __init__(self, options):
         self.tree, self.out, self.pictures = options.source, options.out, options.pictures
         self.options = options
-        self.where = {"doc/index.md": "index"}
+        self.where = {"README.md": "index"}
         self.where.update(row for _, rows in PAGES for row in rows)
         # in the order of the index, then what it does not name
         named = re.findall(r"\]\((theory-[\w-]+\.md)\)", self.read("doc/theory.md"))
@@ -117,9 +117,7 @@ class Site:
 
     def markdown(self, document, page, extra=""):
         text = self.links(document, page, self.read(document))
-        text = self.drawn(document, page, text)
-        if page == "overview":      # whose title is that of the front page
-            text = re.sub(r"\A# .*", "# " + TITLES[page], text)
+        text = text if page == "index" else self.drawn(document, page, text)     # it begins with its picture
         if "<!-- pictures -->" in text:
             text = text.replace("<!-- pictures -->", self.grid(text))
         # a line that begins with % would be a comment
@@ -173,7 +171,7 @@ class Site:
                     self.markdown(document, page, notes if document == "doc/theory.md" else "")
         for document in self.notes:
             self.markdown(document, self.where[document])
-        self.markdown("doc/index.md", "index", self.contents())
+        self.markdown("README.md", "index", self.contents())
         self.scenes()
         self.news()
         manual.pages(self.options.man, self.tree, self.write)

@@ -26,11 +26,12 @@ for f in README.md HACKING.md doc/*.md bench/README.md man/*.[15] "$here"/man/*.
 			if (!known[letter]++) printf "%s:%d: %s has not been explained\n", name, NR, letter
 		}' "$f"
 done | nothing "B and D are explained where they first stand"
-# Pasted line by line, each section of README.md leaves the shell in the folder where the next one expects it: every
-# cd into a folder of the build has its cd .. . (The folder of scenes is that of the rest of the document.)
+# Pasted line by line, each section of doc/install.md leaves the shell in the folder where the next one expects it: every
+# cd into a folder of the build has its cd .. . README.md is a door: it is short.
 awk '/^    / { for (i = 1; i < NF; i++) if ($i == "cd") depth += $(i + 1) == ".." ? -1 : $(i + 1) == "build" }
-	/^## / && depth != 0 { print "README.md:" NR ": the commands above end " depth " folder(s) down"; depth = 0 }
-' README.md | nothing "README.md goes back to the folder where it began"
+	/^## / && depth != 0 { print "doc/install.md:" NR ": the commands above end " depth " folder(s) down"; depth = 0 }
+' doc/install.md | nothing "doc/install.md goes back to the folder where it began"
+try "README.md has at most 120 lines" test "$(wc -l <README.md)" -le 120
 try "hawser(1) and README.md name the glossary" grep -lq glossary.md README.md man/hawser.1.in
 
 version=$(sed -n 's/^AC_INIT(\[hawser\], \[\([^]]*\)\].*/\1/p' configure.ac)

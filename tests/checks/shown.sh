@@ -1,5 +1,5 @@
 #!/bin/sh
-# The commands that README.md and the manual pages show work, and print what is shown (shown.py says how).
+# The commands that README.md, pages of doc and the manual pages show work, and print what is shown (shown.py says how).
 # SPDX-License-Identifier: GPL-3.0-or-later
 BUILDDIR=${BUILDDIR-$PWD} MANDIR=${MANDIR-$PWD/man}
 export BUILDDIR MANDIR

@@ -70,7 +70,7 @@ try:
 except ImportError:
     pandas = None
 if numpy:
-    # as README.md and the manual pages say
+    # as doc/commands.md and the manual pages say
     def read(name, **more):
         return numpy.genfromtxt((r for r in open(name) if r[0] != '#'), delimiter='\t', names=True,
                                 encoding='utf-8', **more)

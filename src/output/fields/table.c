@@ -1,5 +1,5 @@
 /* output/fields/table.c - tab-separated values that pandas and gnuplot can read directly, and numpy
- * after the comments are removed (README.md).
+ * after the comments are removed (doc/commands.md).
  *
  * A table is stored until it is complete, so that a failed run prints nothing. Rows that can be
  * computed from the result are not stored but generated on output (_rows).
