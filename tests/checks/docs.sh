@@ -37,6 +37,8 @@ try "hawser(1) and README.md name the glossary" grep -lq glossary.md README.md m
 version=$(sed -n 's/^AC_INIT(\[hawser\], \[\([^]]*\)\].*/\1/p' configure.ac)
 try "configure.ac states a version" test -n "$version"
 try "NEWS begins with $version" grep -q "^hawser $version" NEWS
+try "NEWS of $version has at most 60 lines" awk -v v="$version" '
+	/^hawser / { on = ($2 == v) } on { n++ } END { exit n > 60 }' NEWS
 try "CITATION.cff has version $version" grep -q "^version: \"\{0,1\}$version\"\{0,1\}$" CITATION.cff
 try "NEWS has an ABI paragraph for $version" awk -v v="$version" '
 	/^hawser / { on = ($2 == v) } on && /^ABI/ { found = 1 } END { exit !found }' NEWS
