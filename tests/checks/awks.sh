@@ -9,18 +9,20 @@ cat >"$scratch/hawser" <<'END'
 #!/bin/sh
 case $1 in
 	--help) printf 'Commands:\n  frf              frequency response\n  compare modes    methods beside each other\nOptions:\n  -h  help\n' ;;
+	frf) printf 'Usage: hawser frf\n\nOptions:\n      --to B      end\n      --json F   file\n\nFurther:\n      --from A   start\n  -h, --help   help\n\nMore: man\n' ;;
 	*) printf 'The table:\n  Omega_rad_s  frequency - of the load\n  a\\b  "quoted"\n    inner  deeper\n\nThe JSON:\n  points  [{...}]\n' ;;
 esac
 END
 chmod +x "$scratch/hawser"
 printf '.\\" @commands\n.\\" @columns frf\n.\\" @columns frf: The JSON\n' >"$scratch/lists.in"
+printf '.TH HAWSER\\-FRF 1\n.SH OPTIONS\n.TP\n.B \\-\\-from \\fIA\nStart.\n.TP\n.B \\-\\-to \\fIB\nEnd.\n.RS\n.TP\n.B x\n.RE\n.TP\n.B \\-h\\fR, \\fB\\-\\-help\nHelp.\n.SH FILES\n' >"$scratch/options.in"
 
 # What each awk makes of the scripts: C, manual pages, findings in headers.
 writes() {
 	for text in report.css report.js; do
 		"$@" -v name=page -f src/output/lines.awk "src/output/$text"
 	done
-	for page in "$scratch/lists.in" man/hawser-frf.1.in; do
+	for page in "$scratch/lists.in" "$scratch/options.in"; do
 		"$@" -v hawser="$scratch/hawser" -v shared=man/shared -f man/page.awk "$page"
 	done
 	"$@" -v file=src/cli/beam/cmd_beam.c -v only=0 -f tests/faults/seed.awk tests/faults/faults.tsv src/cli/beam/cmd_beam.c

@@ -44,7 +44,7 @@ done 3<commands
 
 # the list of commands, with a line about each
 works "hawser --help" --help
-sed -n '/^Commands:/,/^$/{/^  /p;}' "$scratch/out" | sed 's/^  //; s/   */: /; s/$/./' >help
+sed -n '/^Commands:/,/^Options:/{/^  /p;}' "$scratch/out" | sed 's/^  //; s/   */: /; s/$/./' >help
 sed -n '/^\.SH COMMANDS/,/^\.SH OPTIONS/p' "$man/hawser.1" | sed -n '/^\.BR/{N;p;}' |
 	sed 's/\\-/-/g' | sed '/^\.BR/{N;s/^\.BR "*//; s/"* "* - see.*\n/: /;}' >page
 try "hawser(1) lists the commands as --help does" diff help page

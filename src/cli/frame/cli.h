@@ -47,33 +47,33 @@ struct cli_listing; /* view.h */
 struct cli_command {
 	const char *name, *input, *summary;
 	const char *const *notes; /* lines for --help, ended by NULL; may be NULL */
-	const struct cli_option *options; /* ended by a row without name */
+	const struct cli_option *options; /* ended by CLI_NO_OPTION */
 	const void *defaults; /* defaults of the settings */
 	size_t size;          /* of the settings */
 	int needs_input;
 	enum hawser_status (*run)(void *settings, struct hawser_report *report);
 	const struct cli_listing *listing; /* for hawser help columns */
 };
-/* All commands, in the order of hawser --help: X is the row that a new command adds. */
-#define CLI_COMMANDS(X) \
-	X(plan) X(statics) \
-	X(modes) \
-	X(irvine) \
-	X(campbell) \
-	X(rom) \
-	X(integrate) X(transient) \
-	X(frf) X(orbit) \
-	X(folds) X(locus) X(nnm) \
-	X(mms) \
-	X(hill) \
-	X(damping) \
-	X(identify) \
-	X(beam) X(trajectory) X(tow) X(tow_steady) \
-	X(map) X(sweep) X(merge) X(compare) X(compare_modes) \
-	X(compare_mms) X(compare_motion) X(compare_statics) \
-	X(report) X(init) X(check) X(schema) X(completion)
+/* All commands, in the groups and the order of hawser --help: X is the row that a new command adds. */
+#define CLI_COMMANDS(GROUP, X) \
+	GROUP("Scenes") \
+	X(init) X(check) X(plan) X(schema) \
+	GROUP("Statics and modes") \
+	X(statics) X(modes) X(irvine) X(campbell) X(beam) \
+	GROUP("Models and motion in time") \
+	X(rom) X(integrate) X(transient) X(trajectory) X(tow) X(tow_steady) \
+	GROUP("Periodic motions and stability") \
+	X(frf) X(orbit) X(folds) X(locus) X(nnm) X(mms) X(hill) \
+	GROUP("Maps, variations and comparisons") \
+	X(map) X(merge) X(sweep) \
+	X(compare) X(compare_modes) X(compare_mms) X(compare_motion) X(compare_statics) \
+	GROUP("Measurements") \
+	X(damping) X(identify) \
+	GROUP("Reports and shells") \
+	X(report) X(completion)
+#define CLI_NO_GROUP(title)
 #define CLI_DECLARE(command) extern const struct cli_command cli_##command;
-CLI_COMMANDS(CLI_DECLARE)
+CLI_COMMANDS(CLI_NO_GROUP, CLI_DECLARE)
 #undef CLI_DECLARE
 
 enum hawser_status cli_parse(void *settings, const struct cli_command *command, int argc,
@@ -81,6 +81,8 @@ enum hawser_status cli_parse(void *settings, const struct cli_command *command, 
 void cli_print_help(const struct cli_command *command, FILE *stream);
 void cli_print_columns(const struct cli_command *command, FILE *stream);
 extern const struct cli_option cli_common_options[];
+/* The command's own and the common options, without headings; NULL beyond the last. */
+const struct cli_option *cli_option_row(const struct cli_command *command, int index);
 const struct cli_option *cli_common_of(const struct cli_command *command);
 const struct cli_command *cli_command_row(int index); /* from 0; NULL beyond the last */
 

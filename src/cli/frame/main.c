@@ -20,7 +20,7 @@
 #include "core/report.h"
 
 #define ADDRESS(command) &cli_##command,
-static const struct cli_command *const commands[] = {CLI_COMMANDS(ADDRESS)};
+static const struct cli_command *const commands[] = {CLI_COMMANDS(CLI_NO_GROUP, ADDRESS)};
 enum { command_count = sizeof commands/sizeof *commands };
 
 const struct cli_command *cli_command_row(int index)
@@ -28,15 +28,24 @@ const struct cli_command *cli_command_row(int index)
 	return index >= 0 && index < command_count ? commands[index] : NULL;
 }
 
+#define TITLE(text) {text, NULL},
+#define ROW(command) {NULL, &cli_##command},
+/* The lines of the list: a title, or a command. */
+static const struct {
+	const char *title;
+	const struct cli_command *command;
+} listed[] = {CLI_COMMANDS(TITLE, ROW)};
+
 static void print_usage(FILE *stream)
 {
-	int i;
-
 	fputs("Usage: hawser COMMAND SCENE [options]\n\n"
 	      "Linear and nonlinear dynamics of cables: from a scene file to static shape, modes,\n"
 	      "reduced model, time response and certified frequency response.\n\nCommands:\n", stream);
-	for (i = 0; i < command_count; i++)
-		fprintf(stream, "  %-16s %s\n", commands[i]->name, commands[i]->summary);
+	for (size_t i = 0; i < sizeof listed/sizeof *listed; i++)
+		if (listed[i].title)
+			fprintf(stream, "\n %s\n", listed[i].title);
+		else
+			fprintf(stream, "  %-16s %s\n", listed[i].command->name, listed[i].command->summary);
 	fputs("\nOptions:\n"
 	      "  -h, --help     print this help; hawser COMMAND --help, or hawser help COMMAND, prints a\n"
 	      "                 command's options; hawser help columns COMMAND what its results hold\n"

@@ -7,7 +7,11 @@
 
 #include <hawser/document.h>
 
-/* An option: long name, one letter or 0, names of its arguments ("", "FILE", "FORMAT STEM"), a
+/* A row is an option or a heading. --help and the manual page have the options before the first heading
+ * first, the command's and the common ones, and then the others below their headings; a command of more
+ * than 20 options has some ten before it.
+ *
+ * An option: long name, one letter or 0, names of its arguments ("", "FILE", "FORMAT STEM"), a
  * description of one line, and the function that stores its arguments at `offset` in the settings of
  * the command. */
 struct cli_option {
@@ -88,6 +92,8 @@ enum hawser_status cli_store_count(void *field, const struct cli_option *option,
 	{"set", 0, "KEY=VALUE", "override a key of the scene; may be repeated", cli_store_set, 0, 0}
 #define CLI_HELP_OPTION \
 	{"help", 'h', "", "print this help", cli_store_flag, offsetof(struct cli_common, help), 0}
+/* The heading of the rows that follow, up to the next one. */
+#define CLI_HEADING(text) {"", 0, "", text, NULL, 0, 0}
 #define CLI_NO_OPTION {NULL, 0, NULL, NULL, NULL, 0, 0}
 
 #endif

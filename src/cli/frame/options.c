@@ -25,6 +25,8 @@ const struct cli_option cli_common_options[] = {
 	 offsetof(struct cli_common, tsv), 0},
 	{"plot", 0, "FILE", "draw a picture: .svg, .png, .pdf, .eps or .tex", cli_store_text,
 	 offsetof(struct cli_common, plot), 0},
+	CLI_SET_OPTION,
+	CLI_HEADING("Picture"),
 	{"title", 0, "TEXT", "a title above the picture", cli_store_title,
 	 offsetof(struct cli_common, picture), 0},
 	{"xrange", 0, "A:B", "range of its horizontal axis", cli_store_range,
@@ -35,11 +37,11 @@ const struct cli_option cli_common_options[] = {
 	 offsetof(struct cli_common, picture), 0},
 	{"gp", 0, "FILE", "write the picture as a script of gnuplot with its data", cli_store_text,
 	 offsetof(struct cli_common, gp), 0},
-	CLI_SET_OPTION,
-	{"quiet", 'q', "", "no progress and no summary", cli_store_flag,
-	 offsetof(struct cli_common, quiet), 0},
+	CLI_HEADING("Output"),
 	{"units", 0, "LIST", "units of table and picture, such as \"kN, ft, Hz\" (SI)", cli_store_text,
 	 offsetof(struct cli_common, units), 0},
+	{"quiet", 'q', "", "no progress and no summary", cli_store_flag,
+	 offsetof(struct cli_common, quiet), 0},
 	{"reproducible", 0, "", "no times in results: two runs give the same bytes", cli_store_flag,
 	 offsetof(struct cli_common, reproducible), 0},
 	CLI_HELP_OPTION,
@@ -163,8 +165,8 @@ static const struct cli_option *in_table(const struct cli_option *row, const cha
                                          size_t length, char letter)
 {
 	for (; row->name; row++)
-		if (letter ? row->letter == letter
-		           : strlen(row->name) == length && strncmp(row->name, name, length) == 0)
+		if (row->store && (letter ? row->letter == letter : strlen(row->name) == length &&
+		                                                    strncmp(row->name, name, length) == 0))
 			return row;
 	return NULL;
 }
@@ -177,18 +179,28 @@ static const struct cli_option *find(const struct reader *reader, const char *na
 	return row ? row : in_table(cli_common_of(reader->command), name, length, letter);
 }
 
+const struct cli_option *cli_option_row(const struct cli_command *command, int index)
+{
+	const struct cli_option *table[] = {command->options, cli_common_of(command)}, *row;
+
+	for (int k = 0; k < 2; k++)
+		for (row = table[k]; row->name; row++)
+			if (row->store && !(k && in_table(table[0], row->name, strlen(row->name), 0)) &&
+			    index-- == 0)
+				return row;
+	return NULL;
+}
+
 static enum hawser_status unknown(const struct reader *reader, const char *name,
                                   struct hawser_report *report)
 {
-	const struct cli_option *table[] = {reader->command->options,
-	                                    cli_common_of(reader->command)}, *row;
+	const struct cli_option *row;
 	const char *names[most_names], *best;
 	char bare[64];
-	int count = 0, i;
+	int count = 0;
 
-	for (i = 0; i < 2; i++)
-		for (row = table[i]; row->name && count < most_names; row++)
-			names[count++] = row->name;
+	for (; count < most_names && (row = cli_option_row(reader->command, count)); count++)
+		names[count] = row->name;
 	snprintf(bare, sizeof bare, "%s", name + strspn(name, "-"));
 	bare[strcspn(bare, "=")] = '\0';
 	best = cli_nearest(bare, names, count);
@@ -308,26 +320,42 @@ enum hawser_status cli_parse(void *settings, const struct cli_command *command, 
 
 /* --- help --- */
 
-/* `own`: options of the command, which stand in place of common ones of the same name; or NULL. */
-static void print_options(const struct cli_option *row, const struct cli_option *own, FILE *stream)
+static void print_option(const struct cli_option *row, FILE *stream)
 {
-	for (; row->name; row++) {
-		char left[48];
+	char left[48];
 
-		if (own && in_table(own, row->name, strlen(row->name), 0))
-			continue;
-		snprintf(left, sizeof left, "%s%c%s--%s%s%s", row->letter ? "-" : " ",
-		         row->letter ? row->letter : ' ', row->letter ? ", " : "  ", row->name,
-		         *row->arguments ? " " : "", row->arguments);
-		if (strlen(left) > 27)
-			fprintf(stream, "  %s\n%31s%s\n", left, "", row->doc);
-		else
-			fprintf(stream, "  %-27s  %s\n", left, row->doc);
+	snprintf(left, sizeof left, "%s%c%s--%s%s%s", row->letter ? "-" : " ",
+	         row->letter ? row->letter : ' ', row->letter ? ", " : "  ", row->name,
+	         *row->arguments ? " " : "", row->arguments);
+	if (strlen(left) > 27)
+		fprintf(stream, "  %s\n%31s%s\n", left, "", row->doc);
+	else
+		fprintf(stream, "  %-27s  %s\n", left, row->doc);
+}
+
+/* The options up to the next heading; returns that, or the last row. `own`: options of the command,
+ * which stand in place of common ones of the same name; or NULL. */
+static const struct cli_option *print_block(const struct cli_option *row,
+                                            const struct cli_option *own, FILE *stream)
+{
+	for (; row->store; row++)
+		if (!own || !in_table(own, row->name, strlen(row->name), 0))
+			print_option(row, stream);
+	return row;
+}
+
+/* The options behind headings. */
+static void print_headed(const struct cli_option *row, const struct cli_option *own, FILE *stream)
+{
+	while (row->name) {
+		fprintf(stream, "\n%s:\n", row->doc);
+		row = print_block(row + 1, own, stream);
 	}
 }
 
 void cli_print_help(const struct cli_command *command, FILE *stream)
 {
+	const struct cli_option *own, *common;
 	const char *const *note;
 
 	fprintf(stream, "Usage: hawser %s %s [options]\n\n%s.\n", command->name, command->input,
@@ -335,8 +363,10 @@ void cli_print_help(const struct cli_command *command, FILE *stream)
 	for (note = command->notes; note && *note; note++)
 		fprintf(stream, "%s\n", *note);
 	fputs("\nOptions:\n", stream);
-	print_options(command->options, NULL, stream);
-	print_options(cli_common_of(command), command->options, stream);
+	own = print_block(command->options, NULL, stream);
+	common = print_block(cli_common_of(command), command->options, stream);
+	print_headed(own, NULL, stream);
+	print_headed(common, command->options, stream);
 	fprintf(stream, "\nMore: man hawser-%.*s, man hawser-scene\n",
 	        (int)strcspn(command->name, " "), command->name);
 }

@@ -21,6 +21,7 @@ static const struct settings defaults = {
 
 static const struct cli_option options[] = {
 	{"modes", 'n', "N", "number of modes kept (the scene's model.modes)", CLI_INTEGER(n)},
+	CLI_HEADING("Export"),
 	{"export", 0, "FORMAT STEM", "write equations; FORMAT: auto, coco, matcont, bifurcationkit",
 	 CLI_TWO(export)},
 	{"from", 0, "FREQUENCY", "start of the range of the export, and of modes: auto (0.6w1)",

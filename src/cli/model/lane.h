@@ -12,6 +12,7 @@ struct cli_lane_choice {
 
 /* The options. Those that have a --load of their own take the second list alone. */
 #define CLI_LANE_LOAD_OPTION \
+	CLI_HEADING("Ropeways"), \
 	{"load", 0, "NAME", "ropeways: passing (carriers), or drive (passing)", \
 	 CLI_TEXT_FOR(common.lane.load, CLI_ROPEWAY)}
 #define CLI_LANE_OPTIONS \

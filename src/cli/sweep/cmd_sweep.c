@@ -48,9 +48,11 @@ static const struct cli_option options[] = {
 	{"rows", 0, "LIST", "values, table, or a list of the result such as peaks (by command)",
 	 CLI_TEXT(rows)},
 	{"keep", 0, "COLUMNS", "only these columns of the result, separated by commas", CLI_TEXT(keep)},
+	CLI_HEADING("Choice of a row"),
 	{"last", 0, "", "of several rows of a variation the last", CLI_FLAG(last)},
 	{"max", 0, "COLUMN", "the row in which this column is largest", CLI_TEXT(max)},
 	{"min", 0, "COLUMN", "the row in which this column is least", CLI_TEXT(min)},
+	CLI_HEADING("Running"),
 	{"threads", 'j', "N", "variations that are computed at the same time (all processors)",
 	 CLI_INTEGER(threads)},
 	{"checkpoint", 0, "FILE", "save results to this file, and continue from those in it",
@@ -103,7 +105,7 @@ static const char *writes(const struct cli_command *command, const char *word)
 	size_t length = strncmp(word, "--", 2) == 0 ? strcspn(word + 2, "=") : 0;
 
 	for (; length > 0 && row->name; row++)
-		if (strlen(row->name) == length && strncmp(row->name, word + 2, length) == 0 &&
+		if (row->store && strlen(row->name) == length && strncmp(row->name, word + 2, length) == 0 &&
 		    *row->arguments && (strstr(row->doc, "write ") || strstr(row->doc, "save ")))
 			return row->name;
 	return NULL;

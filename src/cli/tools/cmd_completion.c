@@ -71,12 +71,11 @@ static void quoted(FILE *stream, const char *text, const char *special)
  * -1: all. */
 static void names(FILE *stream, const struct cli_command *command, int files)
 {
-	const struct cli_option *table[] = {command->options, cli_common_of(command)}, *row;
+	const struct cli_option *row;
 
-	for (int i = 0; i < 2; i++)
-		for (row = table[i]; row->name; row++)
-			if (files < 0 || (*row->arguments && takes_file(row) == files))
-				fprintf(stream, row->letter ? " --%s -%c" : " --%s", row->name, row->letter);
+	for (int i = 0; (row = cli_option_row(command, i)); i++)
+		if (files < 0 || (*row->arguments && takes_file(row) == files))
+			fprintf(stream, row->letter ? " --%s -%c" : " --%s", row->name, row->letter);
 }
 
 static int takes_word(const struct cli_command *command)
@@ -222,7 +221,7 @@ static void zsh(FILE *stream)
 			        "(( CURRENT-- )) ;;\n", command->name, command->name);
 	fputs("\tesac\n\tshift words\n\t(( CURRENT-- ))\n\tcase $command in\n", stream);
 	for (int i = 0; (command = cli_command_row(i)); i++) {
-		const struct cli_option *table[] = {command->options, cli_common_of(command)};
+		const struct cli_option *row;
 
 		fprintf(stream, "\t('%s')\n", command->name);
 		for (int k = 0; cli_command_row(k); k++)
@@ -235,9 +234,8 @@ static void zsh(FILE *stream)
 				break;
 			}
 		fputs("\t\t_arguments -s", stream);
-		for (int t = 0; t < 2; t++)
-			for (const struct cli_option *row = table[t]; row->name; row++)
-				zsh_option(stream, row);
+		for (int k = 0; (row = cli_option_row(command, k)); k++)
+			zsh_option(stream, row);
 		if (takes_word(command)) {
 			fputs(" \\\n\t\t\t'1:word:(", stream);
 			input_words(stream, command);
@@ -268,7 +266,7 @@ static void fish(FILE *stream)
 	      "complete -c hawser -f\n"
 	      "complete -c hawser -n 'not __fish_use_subcommand' -F\n", stream);
 	for (int i = 0; (command = cli_command_row(i)); i++) {
-		const struct cli_option *table[] = {command->options, cli_common_of(command)};
+		const struct cli_option *row;
 
 		if (!known(i)) {
 			fprintf(stream, "complete -c hawser -n __fish_use_subcommand -a %.*s -d '",
@@ -288,16 +286,15 @@ static void fish(FILE *stream)
 			input_words(stream, command);
 			fputs("'\n", stream);
 		}
-		for (int t = 0; t < 2; t++)
-			for (const struct cli_option *row = table[t]; row->name; row++) {
-				fish_condition(stream, command->name);
-				fprintf(stream, "' -l %s", row->name);
-				if (row->letter)
-					fprintf(stream, " -s %c", row->letter);
-				fprintf(stream, "%s -d '", !*row->arguments ? "" : takes_file(row) ? " -r -F" : " -x");
-				quoted(stream, row->doc, "");
-				fputs("'\n", stream);
-			}
+		for (int k = 0; (row = cli_option_row(command, k)); k++) {
+			fish_condition(stream, command->name);
+			fprintf(stream, "' -l %s", row->name);
+			if (row->letter)
+				fprintf(stream, " -s %c", row->letter);
+			fprintf(stream, "%s -d '", !*row->arguments ? "" : takes_file(row) ? " -r -F" : " -x");
+			quoted(stream, row->doc, "");
+			fputs("'\n", stream);
+		}
 	}
 }
 
