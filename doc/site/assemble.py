@@ -29,7 +29,8 @@ PAGES = (
                    ("doc/glossary.md", "glossary"))),
     ("Theory", (("doc/theory.md", "theory"), ("doc/errata.md", "errata"), ("doc/robustness.md", "robustness"),
                 ("bench/README.md", "benches"))),
-    ("Project", (("NEWS", "news"), ("HACKING.md", "hacking"))),
+    ("Project", (("NEWS", "news"), ("HACKING.md", "hacking"), ("src/README.md", "sources"), ("tests/README.md", "checks"),
+                 ("doc/site/README.md", "site"), ("packaging/README.md", "packaging"))),
 )
 # Titles in the navigation, where that of the page is not one.
 TITLES = {"tutorial": "Ten minutes", "install": "Installation", "coming-from": "Coming from other programs",

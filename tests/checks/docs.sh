@@ -4,7 +4,8 @@
 here=$PWD
 . "$(dirname "$0")/lib.sh"
 
-for f in README.md HACKING.md doc/*.md; do
+pages="README.md HACKING.md src/README.md tests/README.md bench/README.md packaging/README.md doc/*.md doc/site/README.md"
+for f in $pages; do
 	[ -f "$f" ] || continue
 	grep -noE '\]\([^)#]+' "$f" | while IFS= read -r hit; do
 		target=${hit#*\](}
@@ -15,7 +16,7 @@ done | nothing "links between documents hold"
 
 # "B Table 4.1" and "D 9.3.1" say what B and D are before they stand for the first time. In a manual page a line
 # that begins with .B is in bold.
-for f in README.md HACKING.md doc/*.md bench/README.md man/*.[15] "$here"/man/*.[15]; do
+for f in $pages man/*.[15] "$here"/man/*.[15]; do
 	[ -f "$f" ] || continue
 	awk -v name="$f" '
 		/Bertrand/ { known["B"] = 1 } /Dehadrai/ { known["D"] = 1 }
@@ -32,6 +33,7 @@ awk '/^    / { for (i = 1; i < NF; i++) if ($i == "cd") depth += $(i + 1) == "..
 	/^## / && depth != 0 { print "doc/install.md:" NR ": the commands above end " depth " folder(s) down"; depth = 0 }
 ' doc/install.md | nothing "doc/install.md goes back to the folder where it began"
 try "README.md has at most 120 lines" test "$(wc -l <README.md)" -le 120
+try "HACKING.md has at most two pages" test "$(wc -l <HACKING.md)" -le 130
 try "hawser(1) and README.md name the glossary" grep -lq glossary.md README.md man/hawser.1.in
 
 version=$(sed -n 's/^AC_INIT(\[hawser\], \[\([^]]*\)\].*/\1/p' configure.ac)

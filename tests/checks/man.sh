@@ -49,5 +49,5 @@ awk -v pages="$pages" '
 			sub(/\(/, ".", name)
 			if (!(name in there)) print FILENAME ": refers to " to ", which is not there"
 		}
-	}' $pages README.md NEWS HACKING.md include/hawser/*.h | nothing "pages referred to are there"
+	}' $pages README.md NEWS HACKING.md src/README.md doc/*.md include/hawser/*.h | nothing "pages referred to are there"
 done_testing

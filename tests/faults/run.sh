@@ -1,5 +1,5 @@
 #!/bin/sh
-# tests/faults/run.sh SCRATCH [FAULT...]: which step of the checks catches each fault of faults.tsv; HACKING.md, "Seeded
+# tests/faults/run.sh SCRATCH [FAULT...]: which step of the checks catches each fault of faults.tsv; tests/README.md, "Seeded
 # faults". In SCRATCH are then results.tsv, a row a fault, and sums.txt. What is there already is not made again, so that
 # a run that was ended goes on.
 #

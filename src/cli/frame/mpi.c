@@ -1,7 +1,7 @@
 /* cli/frame/mpi.c - messages between ranks by Open MPI.
  *
  * Its library is loaded when a command finds itself among several ranks: linked, it would make each
- * start of the program a sixth longer (HACKING.md), and the program would need it where nobody has
+ * start of the program a sixth longer (src/README.md), and the program would need it where nobody has
  * it. Its headers are needed at compile time only.
  *
  * MPI is called by one thread, and never waits: Open MPI waits by polling, which keeps a processor
