@@ -4,8 +4,7 @@
 . "$SRCDIR/tests/cli/lib.sh"
 
 works "a response with folds" frf "$duffing" --from 0.6 --to 1.8 --json the-same.json -q
-refuses 1 "--beside the-same.json: a second response is drawn in the picture of a response: give --plot, without \
---energy" frf "$duffing" --beside the-same.json
+refuses 1 "--beside needs --plot or --gp: give that" frf "$duffing" --beside the-same.json
 refuses 1 "--beside - and the input - are both standard input: give one of them as a file" \
 	frf - --beside - --plot a.svg
 refuses 1 "--beside $duffing: that is no result of hawser frf with points, as --json writes it" \

@@ -78,7 +78,7 @@ refuses 1 "--period 3: the motion at --from-label cascade-frf.json#16 has 2 peri
 	frf cascade.json --from 1.6 --to 0.7 --from-label cascade-frf.json#16 --period 3
 refuses 1 "--period 2: modes are chosen for motions of one period of the load: give a number of modes" \
 	frf "$chairlift" --set model.modes=auto --period 2
-refuses 1 "--over factor.load=1:2 follows one motion at one frequency: leave out --switch" \
+refuses 1 "--over does not go with --switch: leave out one of them" \
 	frf cascade.json --over factor.load=1:2 --Omega 1 --switch 3
 cat >mathieu.json <<'END'
 {"n": 1, "K": [[1]], "D": [[0.05]], "C": [[0, 0, 0, 0, 0.5]], "harmonics": [{"k": 1, "phase": "cos", "K": [[0.3]]}]}
@@ -103,7 +103,7 @@ for result, name, count, text in ((scales, "scales", 2, "was not found: no orbit
     assert len(result["warnings"]) == count and all(text in w for w in result["warnings"]), result["warnings"]
     assert sum(line.startswith("# warning: ") and text in line for line in open(name + ".tsv")) == count
 END
-refuses 1 "--over factor.load=1:2 follows one motion at one frequency: leave out --branches" \
+refuses 1 "--over does not go with --branches: leave out one of them" \
 	frf cascade.json --over factor.load=1:2 --Omega 1 --branches 1
 refuses_like 1 "--branches" frf cascade.json --branches -1
 done_testing

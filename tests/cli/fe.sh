@@ -95,19 +95,19 @@ assert 0.04 < ends["probes"]["mid"]["y"][0] < 0.3 and abs(ends["probes"]["mid"][
 END
 
 refuses 1 "--model fee: must be one of catenary, inextensible, parabola, fe" statics "$line2" --model fee
-refuses 1 "--elements is for the mesh of --model fe: give that" statics "$line2" --elements 5
-refuses 1 "--elements is for the mesh of --model fe: give that" modes "$line2" --elements 5
-refuses 1 "--elements is for the mesh of --model fe: give that" integrate "$line2" --elements 5
+refuses 1 "--elements needs --model fe: give that" statics "$line2" --elements 5
+refuses 1 "--elements needs --model fe: give that" modes "$line2" --elements 5
+refuses 1 "--elements needs --model fe: give that" integrate "$line2" --elements 5
 refuses 1 "the number of elements of the cable is 2 to 1000000, not 1" statics "$line2" --model fe --elements 1
 refuses 1 "--points 50: the profile of --model fe is that of its nodes; give --elements" statics "$line2" \
 	--model fe --points 50
 refuses 1 "--model fx: must be one of cable, fe" modes "$line2" --model fx
-refuses 1 "--damped does not go with --model fe, a mesh of cable elements: leave out one of them" modes "$line2" \
+refuses 1 "--damped does not go with --model fe: leave out one of them" modes "$line2" \
 	--model fe --damped
 refuses 1 "80 modes of a mesh of 120 elements: ask for 1 to 59, or give 162 elements or more" modes "$line2" \
 	--model fe -n 80
 refuses 1 "--model fx: must be one of rom, fe" integrate "$line2" --model fx
-refuses 1 "--load does not go with --model fe, a mesh of cable elements: leave out one of them" integrate "$line2" \
+refuses 1 "--load does not go with --model fe: leave out one of them" integrate "$line2" \
 	--model fe --load x
 refuses 1 "--method gauss: must be one of energy, alpha, theta, euler, cvode" integrate "$line2" --model fe \
 	--Omega 1w1 --method gauss

@@ -182,7 +182,7 @@ refuses 1 "--from-label pair-frf.json#x: write FILE#LABEL, with a label of that 
 refuses_like 1 "--from-label pair-frf.json#99: that result has the labels 1 to " frf pair.json --from-label pair-frf.json#99
 refuses 1 "--from-label pair.json#1: that is no result of hawser frf with labels, as --json writes it" \
 	frf pair.json --from-label pair.json#1
-refuses 1 "--from-label pair-frf.json#2 says where to start, and so does --at: give one of them" \
+refuses 1 "--from-label does not go with --at: leave out one of them" \
 	frf pair.json --from-label pair-frf.json#2 --at 1
 refuses_like 1 "its state is not one of this model" frf cascade.json --from-label pair-frf.json#2
 refuses 1 "--from-label pair-frf.json#2: that motion is at Omega = $(python3 -S - <<'END'

@@ -25,9 +25,9 @@ works "300 more, with the fold between" $curve --max-points 300 --json 2.json --
 works "and to the end" $curve --json 3.json --continue 2.json
 refuses 1 "--continue 3.json: that curve is complete (end of the range): begin another one" \
 	$curve --continue 3.json
-refuses 1 "--continue 0.json says where to start, and so does --start: give one of them" \
+refuses 1 "--continue does not go with --start: leave out one of them" \
 	$curve --continue 0.json --start 1.json
-refuses 1 "--continue 0.json says where to start, and so does --at: give one of them" \
+refuses 1 "--continue does not go with --at: leave out one of them" \
 	$curve --continue 0.json --at 1
 refuses 1 "--continue - and the input - are both standard input: give one of them as a file" \
 	frf - --continue -
@@ -90,7 +90,7 @@ refuses 1 "--continue part.json: that run has Omega = 1.1, and this one would ha
 its last state anew" integrate ../two.json --Omega 1.2 --continue part.json
 refuses_like 1 'the run begins at t = 131\.[0-9]*: that must not be negative, and before its end' \
 	integrate ../two.json --Omega 1.1 --until 20T --continue part.json
-refuses 1 "--continue part.json says where to start, and so does --initial: give one of them" \
+refuses 1 "--initial does not go with --continue: leave out one of them" \
 	integrate ../two.json --Omega 1.1 --continue part.json --initial part.json
 refuses 1 "--continue 0.json: that is no result of hawser integrate with a state to go on from, as --json \
 writes it" integrate ../two.json --Omega 1.1 --continue 0.json
@@ -223,7 +223,7 @@ END
 refuses 1 "--continue swept.json: that run is a sweep, and its phase of the forcing is not known; --initial starts from its last state anew" \
 	integrate "$chairlift" --Omega 0.8w1 --until 40T --continue swept.json
 refuses 1 "--Omega-to 0.9w1 ends a sweep: give its beginning with --Omega" integrate "$chairlift" --Omega-to 0.9w1
-refuses 1 "--Omega-to 0.9w1 does not go with --spectrum, which needs a constant frequency" \
+refuses 1 "--Omega-to does not go with --spectrum: leave out one of them" \
 	integrate "$chairlift" --Omega 0.8w1 --Omega-to 0.9w1 --spectrum
 refuses 1 "--Omega-to 9 does not go with a travel speed that changes" \
 	integrate "$top/notebooks-data/scenes/b-table-5.4.yaml" --Omega 5 --Omega-to 9

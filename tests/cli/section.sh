@@ -42,7 +42,7 @@ try "half of the run, settled" \
 	grep -q '^# largest Lyapunov exponent -0.\(1\|0999\).* from 1[78][0-9] periods' "$scratch/out"
 refuses_like 1 "over 100 periods or more, and there are 20" integrate duffing.json --Omega 1.1 --until 40T --lyapunov
 refuses_like 1 "before its end, --until" integrate duffing.json --Omega 1.1 --until 40T --after 50T
-refuses_like 1 "has no settled part" integrate duffing.json --Omega 1 --Omega-to 2 --until 40T --after 5T
-refuses_like 1 "those of a constant frequency" integrate duffing.json --Omega 1 --Omega-to 2 --until 400T --lyapunov
+refuses_like 1 "--Omega-to does not go with --after" integrate duffing.json --Omega 1 --Omega-to 2 --until 40T --after 5T
+refuses_like 1 "--Omega-to does not go with --lyapunov" integrate duffing.json --Omega 1 --Omega-to 2 --until 400T --lyapunov
 refuses_like 1 "by a table over time" integrate span.yaml --motion still.tsv --until 800 --every 10 --lyapunov
 done_testing

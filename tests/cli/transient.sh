@@ -46,8 +46,8 @@ refused "--event stop --elements 3 --set ropeway.top.drive.friction=0.02" "yaml:
 refused "--set ropeway.top.drive.ramp=0" "top.drive, line 5, ramp is missing or 0" 1
 refused "--elements 4" "give an odd number" 1
 refused "--lane up" "lane is for --pass" 1
-refused "--pass p1 --until 3" "pass is statics" 1
-refused "--spans --towers" "tables of their own" 1
+refused "--pass p1 --until 3" "does not go with --pass" 1
+refused "--spans --towers" "does not go with --towers" 1
 refused "--until 1 --every 3" "rows must be no further apart" 1
 refused "--set ropeway.top.drive.brake.decelaration=1" "decelaration" 1
 refused "--set ropeway.top.drive.brake.force=1e3" "deceleration and force" 1

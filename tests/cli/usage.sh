@@ -71,9 +71,9 @@ refuses 1 "--method spectra: there is no such method (hawser modes --list-method
 refuses 1 "--view side: must be one of components, profile, waves" modes "$chairlift" --view side
 refuses 1 "--model parabole: must be one of catenary, inextensible, parabola, fe" \
 	statics "$chairlift" --model parabole
-refuses 1 "--models and --compatibility are different tables: choose one" \
+refuses 1 "--models does not go with --compatibility: leave out one of them" \
 	statics "$chairlift" --models --compatibility
-refuses 1 "--model chooses the model of a profile: leave it out with --models" \
+refuses 1 "--models does not go with --model: leave out one of them" \
 	statics "$chairlift" --models --model parabola
 refuses 1 "tensions from 9000 N to 8000 N are no range: give --from and --to, the smaller one first" \
 	statics "$chairlift" --compatibility --from "9 kN" --to 8000
@@ -123,10 +123,10 @@ refuses 1 "this scene is of a cable: hawser beam takes one with a section beam (
 upright=$top/notebooks-data/scenes/d-figure-9.5.yaml
 refuses 1 "$upright is a scene of a beam: that is for hawser beam" modes "$upright"
 refuses 1 "--method cosine: must be one of legendre, sine, hermite" beam "$upright" --method cosine
-refuses 1 "--from 1 goes with --to: say where the sweep ends" beam "$upright" --from 1
-refuses 1 "--until and --to are different questions: choose one" beam "$upright" --until 1 --to 1
-refuses 1 "--boundary beam.c needs --to, and --from where that is not 0" beam "$upright" --boundary beam.c
-refuses 1 "--bifurcation goes with --boundary" beam "$upright" --bifurcation
+refuses 1 "--from needs --to VALUE: give that" beam "$upright" --from 1
+refuses 1 "--until does not go with --to: leave out one of them" beam "$upright" --until 1 --to 1
+refuses 1 "--boundary needs --to VALUE: give that" beam "$upright" --boundary beam.c
+refuses 1 "--bifurcation needs --boundary KEY: give that" beam "$upright" --bifurcation
 refuses 1 "--vary beam.c: write KEY=A,B, such as beam.rho=0,10" beam "$upright" --vary beam.c
 refuses 1 "--modes 101: 1 to 100 modes" beam "$upright" -n 101
 refuses_like 1 "beam.c = -1 is out of range" beam "$upright" --vary beam.c=-1

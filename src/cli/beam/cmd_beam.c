@@ -23,25 +23,32 @@ static const struct settings defaults = {.method = "legendre", .points = 100, .n
 	.integrator = "adams", .coordinates = 12};
 
 static const struct cli_option options[] = {
-	CLI_TEXT_OPTION(from, "VALUE",
-	                "first speed of a sweep, or first value of the boundary's key (0)"),
+	CLI_TEXT_WITH(from, "VALUE",
+	              "first speed of a sweep, or first value of the boundary's key (0)",
+	              .needs = "to"),
 	CLI_TEXT_OPTION(to, "VALUE", "last speed of a sweep, or last value of the boundary's key"),
 	{"points", 0, "N", "samples of a sweep, before refinement (100)", CLI_COUNT(points)},
 	{"modes", 'n', "N", "number of modes, counted from the lowest (6)", CLI_INTEGER(n)},
-	CLI_TEXT_OPTION(boundary, "KEY", "compute v_crit over this key of the scene"),
+	CLI_TEXT_WITH(boundary, "KEY", "compute v_crit over this key of the scene",
+	              .needs = "to"),
 	CLI_TEXT_OPTION(vary, "KEY=A,B", "repeat for up to eight values of a key of the scene"),
 	CLI_HEADING("Boundary"),
-	{"bifurcation", 0, "", "with --boundary: compute v_bif too", CLI_FLAG(bifurcation)},
+	{"bifurcation", 0, "", "with --boundary: compute v_bif too", CLI_FLAG(bifurcation),
+	 .needs = "boundary"},
 	CLI_HEADING("Free motion"),
-	CLI_TEXT_OPTION(until, "TIME", "integrate the free motion up to this time"),
-	CLI_TEXT_OPTION(every, "TIME", "interval between output rows (a 500th of the duration)"),
-	CLI_TEXT_OPTION(initial, "FILE",
-	                "initial shape: lines of x, y and optionally dy/dt (0.01 sin(pi x))"),
+	CLI_TEXT_WITH(until, "TIME", "integrate the free motion up to this time",
+	              .excludes = "to"),
+	CLI_TEXT_WITH(every, "TIME", "interval between output rows (a 500th of the duration)",
+	              .needs = "until"),
+	CLI_TEXT_WITH(initial, "FILE",
+	              "initial shape: lines of x, y and optionally dy/dt (0.01 sin(pi x))",
+	              .needs = "until"),
 	{"x", 0, "NUMBER", "place of the reported deflection, as a part of the length (0.5)",
-	 CLI_POSITIVE(x)},
+	 CLI_POSITIVE(x), .needs = "until"},
 	{"coordinates", 0, "N", "modes at rest that serve as coordinates of the motion (12)",
-	 CLI_INTEGER(coordinates)},
-	CLI_TEXT_OPTION(integrator, "NAME", "of the motion: adams, gauss, radau or bdf (adams)"),
+	 CLI_INTEGER(coordinates), .needs = "until"},
+	CLI_TEXT_WITH(integrator, "NAME", "of the motion: adams, gauss, radau or bdf (adams)",
+	              .needs = "until"),
 	CLI_TOLERANCE_OPTION("relative tolerance of the integrator (1e-11)"),
 	CLI_HEADING("Discretisation"),
 	CLI_TEXT_OPTION(method, "NAME", "discretisation: legendre, sine or hermite (legendre)"),
@@ -139,16 +146,6 @@ static enum hawser_status load(struct cli_beam_result *result, const struct sett
 	if (!status && (settings->n < 1 || settings->n > 100))
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "beam", "--modes %d: 1 to 100 modes",
 		                      settings->n);
-	if (!status && settings->from && !settings->to)
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "beam",
-		                      "--from %s goes with --to: say where the sweep ends", settings->from);
-	if (!status && settings->boundary && !settings->to)
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "beam",
-		                      "--boundary %s needs --to, and --from where that is not 0",
-		                      settings->boundary);
-	if (!status && settings->bifurcation && !settings->boundary)
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "beam",
-		        "--bifurcation goes with --boundary");
 	if (!status)
 		status = cli_outputs_check(common, report);
 	if (!status)
@@ -156,9 +153,6 @@ static enum hawser_status load(struct cli_beam_result *result, const struct sett
 	if (!status)
 		cli_warn_doubts(&result->scene);
 	result->n = settings->n;
-	if (!status && settings->until && settings->to)
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "beam",
-		                      "--until and --to are different questions: choose one");
 	result->boundary = settings->boundary;
 	if (settings->until)
 		result->kind = CLI_BEAM_MOTION;

@@ -48,8 +48,10 @@ static const struct cli_option options[] = {
 	CLI_HEADING("Where the curve begins"),
 	CLI_TEXT_OPTION(start, "FILE", "state to start from (the linear response)"),
 	CLI_TEXT_OPTION(at, "FREQUENCY", "frequency of the first orbit, inside the range"),
-	{"continue", 0, "FILE", "continue the curve whose JSON result this file is", CLI_TEXT(resume)},
-	{"from-label", 0, "FILE#LABEL", "begin at this label of a JSON result of frf", CLI_TEXT(label)},
+	{"continue", 0, "FILE", "continue the curve whose JSON result this file is", CLI_TEXT(resume),
+	 .excludes = "start, at"},
+	{"from-label", 0, "FILE#LABEL", "begin at this label of a JSON result of frf", CLI_TEXT(label),
+	 .excludes = "start, at, continue"},
 	{"label-every", 0, "N", "label every Nth point too; 0: events alone (10)",
 	 CLI_STORED(cli_store_every, label_every)},
 	CLI_HEADING("Other motions"),
@@ -58,27 +60,35 @@ static const struct cli_option options[] = {
 	{"period", 0, "N", "motions of N periods of the load (1)", CLI_INTEGER(period)},
 	{"tori", 0, "", "follow quasi-periodic motions from torus points too", CLI_FLAG(tori)},
 	{"over", 0, "KEY=FROM:TO", "follow the motion in a parameter instead, at the frequency --Omega",
-	 CLI_TEXT(over)},
-	{"Omega", 0, "FREQUENCY", "frequency of the load with --over", CLI_TEXT(omega)},
-	CLI_TEXT_OPTION(sweep, "WHICH", "add a slow sweep, integrated in time: up, down or both"),
-	{"sweep-points", 0, "N", "number of frequencies of a sweep (200)", CLI_COUNT(sweep_points)},
+	 CLI_TEXT(over),
+	 .excludes = "from, to, at, sweep, continue, backbone, beside, branches, switch, period, tori"},
+	{"Omega", 0, "FREQUENCY", "frequency of the load with --over", CLI_TEXT(omega),
+	 .needs = "over"},
+	CLI_TEXT_WITH(sweep, "WHICH", "add a slow sweep, integrated in time: up, down or both",
+	              .words = "up|down|both"),
+	{"sweep-points", 0, "N", "number of frequencies of a sweep (200)", CLI_COUNT(sweep_points),
+	 .needs = "sweep"},
 	{"backbone", 0, "J", "add the backbone of mode J: its free undamped motions",
 	 CLI_INTEGER(backbone)},
-	{"energy", 0, "", "draw the backbone's frequency over its energy instead", CLI_FLAG(energy)},
+	{"energy", 0, "", "draw the backbone's frequency over its energy instead", CLI_FLAG(energy),
+	 .needs = "backbone"},
 	CLI_HEADING("Model, steps and ends"),
 	CLI_LIBRARY_OPTION,
 	CLI_STEP_OPTION,
 	CLI_POINTS_OPTION("end after this many points (20000)"),
 	{"segments", 0, "N", "shooting segments (as many as needed)", CLI_INTEGER(segments)},
-	CLI_TEXT_OPTION(slack, "WHAT",
-	                "where the cable goes slack: end the curve or follow the model's on (end)"),
+	CLI_TEXT_WITH(slack, "WHAT",
+	              "where the cable goes slack: end the curve or follow the model's on (end)",
+	              .words = "end|follow"),
 	{"unstable", 0, "N", "end a branch where more than N multipliers are unstable (no limit; "
 	 "with modes: auto 2)", CLI_INTEGER(unstable)},
 	{"partial", 0, "", "write what was computed also if the run fails", CLI_FLAG(partial)},
 	CLI_HEADING("Contents of results"),
 	{"multipliers", 0, "", "write the Floquet multipliers to JSON too", CLI_FLAG(multipliers)},
-	CLI_TEXT_OPTION(beside, "FILE", "draw the response of this JSON result too, pale and behind"),
-	CLI_TEXT_OPTION(scale, "WHICH", "amplitude axes of the picture: auto, linear or log (auto)"),
+	CLI_TEXT_WITH(beside, "FILE", "draw the response of this JSON result too, pale and behind",
+	              .needs = "plot, gp", .excludes = "energy"),
+	CLI_TEXT_WITH(scale, "WHICH", "amplitude axes of the picture: auto, linear or log (auto)",
+	              .words = "auto|linear|log"),
 	CLI_LANE_LOAD_OPTION,
 	CLI_LANE_OPTIONS,
 	CLI_NO_OPTION,
@@ -91,65 +101,20 @@ static const char *const notes[] = {
 	NULL,
 };
 
-/* --over has its own range, and follows one curve. */
-static enum hawser_status check_over(const struct settings *settings, struct hawser_report *report)
-{
-	const char *other = settings->from != defaults.from ? "from" : settings->to != defaults.to ? "to"
-	                    : settings->at ? "at" : settings->sweep ? "sweep"
-	                    : settings->resume ? "continue" : settings->backbone ? "backbone"
-	                    : settings->beside ? "beside" : settings->branches ? "branches"
-	                    : settings->switched ? "switch" : settings->period ? "period" : NULL;
-
-	if (!settings->over)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
-		                    "--Omega %s is the frequency for --over KEY=FROM:TO, which is missing; a "
-		                    "range of frequencies is given by --from and --to", settings->omega);
-	return other ? hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
-	                            "--over %s follows one motion at one frequency: leave out --%s",
-	                            settings->over, other) : HAWSER_OK;
-}
-
 static enum hawser_status check(const struct settings *settings, struct hawser_report *report)
 {
-	static const char *const sweeps[] = {"up", "down", "both"}, *const scales[] = {"auto", "linear",
-	                                                                              "log"};
-	static const char *const slack[] = {"end", "follow"};
-	int k;
-	enum hawser_status status = settings->sweep ? cli_choose(&k, "frf", "sweep", settings->sweep,
-	                                                         sweeps, 3, report) : HAWSER_OK;
+	enum hawser_status status = HAWSER_OK;
 
-	if (!status)
-		status = cli_choose(&k, "frf", "scale", settings->scale, scales, 3, report);
-	if (!status)
-		status = cli_choose(&k, "frf", "slack", settings->slack, slack, 2, report);
-	if (!status && settings->step > 1.0)
+	if (settings->step > 1.0)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
 		                      "--step %g: it is a part of the range, at most 1", settings->step);
-	if (!status && settings->energy && !settings->backbone)
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
-		                      "--energy draws a backbone: name its mode with --backbone");
-	if (!status && settings->beside && (!settings->common.plot || settings->energy))
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
-		                      "--beside %s: a second response is drawn in the picture of a response: "
-		                      "give --plot, without --energy", settings->beside);
-	if (!status && settings->resume && (settings->start || settings->at))
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
-		                      "--continue %s says where to start, and so does --%s: give one of them",
-		                      settings->resume, settings->start ? "start" : "at");
-	if (!status && settings->label && (settings->start || settings->at || settings->resume))
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
-		                      "--from-label %s says where to start, and so does --%s: give one of them",
-		                      settings->label, settings->start ? "start" : settings->at ? "at"
-		                      : "continue");
 	if (!status && settings->switched)
 		status = cli_switch_check(settings->switched, settings->label ? "from-label"
 		                          : settings->start ? "start" : settings->at ? "at"
 		                          : settings->resume ? "continue" : settings->period ? "period" : NULL,
 		                          report);
 	if (!status && settings->tori)
-		status = cli_tori_check(settings->over, settings->method, report);
-	if (!status && (settings->over || settings->omega))
-		status = check_over(settings, report);
+		status = cli_tori_check(settings->method, report);
 	if (!status)
 		status = cli_state_check("start", settings->start, &settings->common, report);
 	if (!status)

@@ -12,12 +12,8 @@
 
 #define NEAR 1e-6 /* relative distance of two torus points that are the same; chosen */
 
-enum hawser_status cli_tori_check(const char *over, const char *method, struct hawser_report *report)
+enum hawser_status cli_tori_check(const char *method, struct hawser_report *report)
 {
-	if (over)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
-		                    "--tori: tori are followed over the frequency, and --over %s follows a "
-		                    "motion at one frequency: leave one of them out", over);
 	if (method && strcmp(method, "multiple-scales") == 0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "frf",
 		                    "--tori: circles of the model's period map begin at its torus points, and "

@@ -13,7 +13,7 @@
 enum { CLI_TORI_TENSION = 1 }; /* option of a view: the model has tensions, as in frf_fields.c */
 
 /* --tori with these options. HAWSER_ERR_ARGUMENT. */
-enum hawser_status cli_tori_check(const char *over, const char *method,
+enum hawser_status cli_tori_check(const char *method,
                                   struct hawser_report *report) HAWSER_MUST_CHECK;
 /* Sets `tori` and `curves` of the result: a curve from each torus point of all its branches that is not
  * the end of another curve. Those that are not found have no points and say why. *tori owns them, and

@@ -32,7 +32,7 @@ struct cli_common {
 	const char *units; /* list of units for tables, or NULL: SI */
 	const char *set[CLI_SETS];
 	int sets;
-	const struct cli_option *given[CLI_GIVEN]; /* [givens] those with kinds, each once */
+	const struct cli_option *given[CLI_GIVEN]; /* [givens] each once */
 	int givens;
 	int quiet, help;
 	int reproducible; /* 1: omit from results what differs between runs */
@@ -76,6 +76,9 @@ struct cli_command {
 CLI_COMMANDS(CLI_NO_GROUP, CLI_DECLARE)
 #undef CLI_DECLARE
 
+/* What options say of each other (struct cli_option), of those that are given. */
+enum hawser_status cli_rules_check(const struct cli_command *command, const struct cli_common *common,
+                                   struct hawser_report *report) HAWSER_MUST_CHECK;
 enum hawser_status cli_parse(void *settings, const struct cli_command *command, int argc,
                              char **argv, struct hawser_report *report) HAWSER_MUST_CHECK;
 void cli_print_help(const struct cli_command *command, FILE *stream);

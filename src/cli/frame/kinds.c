@@ -39,16 +39,19 @@ enum hawser_status cli_kind_check(const char *command, const struct cli_common *
                                   struct hawser_report *report)
 {
 	const struct hawser_document *document = NULL;
-	enum hawser_kind kind = cli_kind(common);
+	enum hawser_kind kind;
 	char many[128];
 
-	/* what cannot be read is refused where it is read */
-	if (!common->library && (cli_document(&document, common, NULL) ||
-	                         (kind == HAWSER_KIND_SPAN && !document->tree)))
-		return HAWSER_OK;
 	for (int i = 0; i < common->givens; i++) {
 		const struct cli_option *option = common->given[i];
 
+		if (!option->kinds)
+			continue;
+		kind = cli_kind(common);
+		/* what cannot be read is refused where it is read */
+		if (!common->library && (cli_document(&document, common, NULL) ||
+		                         (kind == HAWSER_KIND_SPAN && !document->tree)))
+			return HAWSER_OK;
 		if (option->kinds & 1u << kind)
 			continue;
 		list_kinds(many, sizeof many, option->kinds);

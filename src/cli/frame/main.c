@@ -142,6 +142,8 @@ static enum hawser_status execute(const struct cli_command *command, int argc, c
 	if (!status && !common->help && common->input && common->givens > 0)
 		status = cli_kind_check(command->name, common, report);
 	if (!status && !common->help)
+		status = cli_rules_check(command, common, report);
+	if (!status && !common->help)
 		status = command->run(common, report);
 	hawser_document_clear(&document);
 	free(common);

@@ -23,6 +23,10 @@ struct cli_option {
 	                            const char *const *values, struct hawser_report *report);
 	size_t offset;
 	unsigned kinds; /* bits of enum cli_kind: of the inputs that it is for; 0: of all */
+	const char *words; /* "up|down|both": those that a text may be; NULL: any */
+	/* Other options, "over, model=fe": given, or with this value. One of `needs` must be, none of
+	 * `excludes`; NULL: none. */
+	const char *needs, *excludes;
 };
 /* The kinds of inputs, as bits. */
 enum cli_kind {
@@ -58,7 +62,9 @@ enum hawser_status cli_store_count(void *field, const struct cli_option *option,
 
 /* The end of a row: the function that stores the argument, the member of `struct settings` of the
  * command, and, in those that end in _FOR, the kinds of inputs. */
-#define CLI_STORED_FOR(store, member, kinds) store, offsetof(struct settings, member), kinds
+#define CLI_STORED_FOR(of, member, inputs) \
+	.store = of, .offset = offsetof(struct settings, member), .kinds = inputs
+#define CLI_STORED_IN(type, of, member) .store = of, .offset = offsetof(type, member)
 #define CLI_STORED(store, member) CLI_STORED_FOR(store, member, 0)
 #define CLI_FLAG_FOR(member, kinds) CLI_STORED_FOR(cli_store_flag, member, kinds)
 #define CLI_TEXT_FOR(member, kinds) CLI_STORED_FOR(cli_store_text, member, kinds)
@@ -67,6 +73,8 @@ enum hawser_status cli_store_count(void *field, const struct cli_option *option,
 #define CLI_COUNT_FOR(member, kinds) CLI_STORED_FOR(cli_store_count, member, kinds)
 #define CLI_FLAG(member) CLI_STORED(cli_store_flag, member)
 #define CLI_TEXT(member) CLI_STORED(cli_store_text, member)
+#define CLI_WORD(member, list) CLI_TEXT(member), .words = list
+#define CLI_WORD_FOR(member, list, kinds) CLI_TEXT_FOR(member, kinds), .words = list
 #define CLI_TWO(member) CLI_STORED(cli_store_two, member)
 #define CLI_POSITIVE(member) CLI_STORED(cli_store_positive, member)
 #define CLI_INTEGER(member) CLI_STORED(cli_store_integer, member)
@@ -75,6 +83,8 @@ enum hawser_status cli_store_count(void *field, const struct cli_option *option,
 /* Options of several commands. The command's `struct settings` has a member of the same name. */
 #define CLI_TEXT_OPTION(name, arguments, doc) \
 	{#name, 0, arguments, doc, CLI_TEXT(name)}
+#define CLI_TEXT_WITH(name, arguments, doc, ...) \
+	{#name, 0, arguments, doc, CLI_TEXT(name), __VA_ARGS__}
 #define CLI_RANGE_OPTIONS(from_doc, to_doc) \
 	CLI_TEXT_OPTION(from, "FREQUENCY", from_doc), CLI_TEXT_OPTION(to, "FREQUENCY", to_doc)
 #define CLI_LIBRARY_OPTION \
@@ -89,11 +99,12 @@ enum hawser_status cli_store_count(void *field, const struct cli_option *option,
 #define CLI_POINTS_OPTION(doc) \
 	{"max-points", 0, "N", doc, CLI_COUNT(points)}
 #define CLI_SET_OPTION \
-	{"set", 0, "KEY=VALUE", "override a key of the scene; may be repeated", cli_store_set, 0, 0}
+	{"set", 0, "KEY=VALUE", "override a key of the scene; may be repeated", \
+	 .store = cli_store_set}
 #define CLI_HELP_OPTION \
-	{"help", 'h', "", "print this help", cli_store_flag, offsetof(struct cli_common, help), 0}
+	{"help", 'h', "", "print this help", CLI_STORED_IN(struct cli_common, cli_store_flag, help)}
 /* The heading of the rows that follow, up to the next one. */
-#define CLI_HEADING(text) {"", 0, "", text, NULL, 0, 0}
-#define CLI_NO_OPTION {NULL, 0, NULL, NULL, NULL, 0, 0}
+#define CLI_HEADING(text) {.name = "", .arguments = "", .doc = text}
+#define CLI_NO_OPTION {.name = NULL}
 
 #endif

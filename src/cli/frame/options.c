@@ -19,31 +19,31 @@
 enum { most_arguments = 2, most_names = 64 };
 
 const struct cli_option cli_common_options[] = {
-	{"json", 0, "FILE", "write the result as JSON (- is standard output)", cli_store_text,
-	 offsetof(struct cli_common, json), 0},
-	{"tsv", 0, "FILE", "write the table to a file", cli_store_text,
-	 offsetof(struct cli_common, tsv), 0},
-	{"plot", 0, "FILE", "draw a picture: .svg, .png, .pdf, .eps or .tex", cli_store_text,
-	 offsetof(struct cli_common, plot), 0},
+	{"json", 0, "FILE", "write the result as JSON (- is standard output)",
+	 CLI_STORED_IN(struct cli_common, cli_store_text, json)},
+	{"tsv", 0, "FILE", "write the table to a file",
+	 CLI_STORED_IN(struct cli_common, cli_store_text, tsv)},
+	{"plot", 0, "FILE", "draw a picture: .svg, .png, .pdf, .eps or .tex",
+	 CLI_STORED_IN(struct cli_common, cli_store_text, plot)},
 	CLI_SET_OPTION,
 	CLI_HEADING("Picture"),
-	{"title", 0, "TEXT", "a title above the picture", cli_store_title,
-	 offsetof(struct cli_common, picture), 0},
-	{"xrange", 0, "A:B", "range of its horizontal axis", cli_store_range,
-	 offsetof(struct cli_common, picture.range[0]), 0},
-	{"yrange", 0, "A:B", "range of its vertical axis", cli_store_range,
-	 offsetof(struct cli_common, picture.range[1]), 0},
-	{"size", 0, "WxH", "width and height of the picture in cm", cli_store_size,
-	 offsetof(struct cli_common, picture), 0},
-	{"gp", 0, "FILE", "write the picture as a script of gnuplot with its data", cli_store_text,
-	 offsetof(struct cli_common, gp), 0},
+	{"title", 0, "TEXT", "a title above the picture",
+	 CLI_STORED_IN(struct cli_common, cli_store_title, picture)},
+	{"xrange", 0, "A:B", "range of its horizontal axis",
+	 CLI_STORED_IN(struct cli_common, cli_store_range, picture.range[0])},
+	{"yrange", 0, "A:B", "range of its vertical axis",
+	 CLI_STORED_IN(struct cli_common, cli_store_range, picture.range[1])},
+	{"size", 0, "WxH", "width and height of the picture in cm",
+	 CLI_STORED_IN(struct cli_common, cli_store_size, picture)},
+	{"gp", 0, "FILE", "write the picture as a script of gnuplot with its data",
+	 CLI_STORED_IN(struct cli_common, cli_store_text, gp)},
 	CLI_HEADING("Output"),
-	{"units", 0, "LIST", "units of table and picture, such as \"kN, ft, Hz\" (SI)", cli_store_text,
-	 offsetof(struct cli_common, units), 0},
-	{"quiet", 'q', "", "no progress and no summary", cli_store_flag,
-	 offsetof(struct cli_common, quiet), 0},
-	{"reproducible", 0, "", "no times in results: two runs give the same bytes", cli_store_flag,
-	 offsetof(struct cli_common, reproducible), 0},
+	{"units", 0, "LIST", "units of table and picture, such as \"kN, ft, Hz\" (SI)",
+	 CLI_STORED_IN(struct cli_common, cli_store_text, units)},
+	{"quiet", 'q', "", "no progress and no summary",
+	 CLI_STORED_IN(struct cli_common, cli_store_flag, quiet)},
+	{"reproducible", 0, "", "no times in results: two runs give the same bytes",
+	 CLI_STORED_IN(struct cli_common, cli_store_flag, reproducible)},
 	CLI_HELP_OPTION,
 	CLI_NO_OPTION,
 };
@@ -58,12 +58,43 @@ enum hawser_status cli_store_flag(void *field, const struct cli_option *option,
 	return HAWSER_OK;
 }
 
+/* 1 if the word is in a list, whose words are separated by any of `between`. */
+static int among(const char *list, const char *between, const char *word, size_t length)
+{
+	for (; *list; list += strspn(list, between)) {
+		size_t own = strcspn(list, between);
+
+		if (own == length && strncmp(list, word, own) == 0)
+			return 1;
+		list += own;
+	}
+	return 0;
+}
+
+static enum hawser_status not_among(const struct cli_option *option, const char *text,
+                                    struct hawser_report *report)
+{
+	char list[160];
+	size_t used = 0;
+
+	for (const char *c = option->words; *c && used < sizeof list - 2; c++) {
+		list[used++] = *c == '|' ? ',' : *c;
+		if (*c == '|')
+			list[used++] = ' ';
+	}
+	list[used] = '\0';
+	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "options", "--%s %s: must be one of %s",
+	                    option->name, text, list);
+}
+
 enum hawser_status cli_store_text(void *field, const struct cli_option *option,
                                   const char *const *values, struct hawser_report *report)
 {
 	if (!*values[0])
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "options", "--%s: the %s is empty",
 		                    option->name, option->arguments);
+	if (option->words && !among(option->words, "|", values[0], strlen(values[0])))
+		return not_among(option, values[0], report);
 	*(const char **)field = values[0];
 	return HAWSER_OK;
 }
@@ -216,7 +247,7 @@ static int wanted(const struct cli_option *option)
 	return !*option->arguments ? 0 : strchr(option->arguments, ' ') ? 2 : 1;
 }
 
-/* Remember an option that is not for every kind of input. */
+/* Remember an option that has rules. */
 static void note(struct reader *reader, const struct cli_option *option)
 {
 	struct cli_common *common = (struct cli_common *)reader->settings;
@@ -224,7 +255,7 @@ static void note(struct reader *reader, const struct cli_option *option)
 	for (int i = 0; i < common->givens; i++)
 		if (common->given[i] == option)
 			return;
-	if (option->kinds && common->givens < CLI_GIVEN)
+	if (common->givens < CLI_GIVEN)
 		common->given[common->givens++] = option;
 }
 
@@ -316,6 +347,85 @@ enum hawser_status cli_parse(void *settings, const struct cli_command *command, 
 			status = positional(&reader, text, report);
 	}
 	return status;
+}
+
+/* --- rules between options --- */
+
+/* 1 if an option is given or, "model=fe", has this value. */
+static int holds(const struct cli_command *command, const struct cli_common *common, const char *rule,
+                 size_t length)
+{
+	size_t name = strcspn(rule, "=");
+	const struct cli_option *row;
+	const char *text;
+
+	for (int i = 0; name >= length && i < common->givens; i++)
+		if (strlen(common->given[i]->name) == length && !strncmp(common->given[i]->name, rule, length))
+			return 1;
+	if (name >= length)
+		return 0;
+	row = in_table(command->options, rule, name, 0);
+	text = row ? *(const char *const *)((const char *)common + row->offset) : NULL;
+	length -= name + 1;
+	return text && strlen(text) == length && !strncmp(text, rule + name + 1, length);
+}
+
+/* The first option of a list that holds, or NULL. */
+static const char *first_of(const struct cli_command *command, const struct cli_common *common,
+                            const char *list)
+{
+	for (; *list; list += strspn(list, ", ")) {
+		size_t length = strcspn(list, ",");
+
+		if (holds(command, common, list, length))
+			return list;
+		list += length;
+	}
+	return NULL;
+}
+
+/* "--over KEY=FROM:TO:N or --model fe" */
+static void show_rules(char *text, size_t size, const struct cli_command *command, const char *list)
+{
+	size_t used = 0;
+
+	*text = '\0';
+	for (const char *between = ""; *list && used < size; list += strspn(list, ", "), between = " or ") {
+		size_t length = strcspn(list, ","), name = strcspn(list, "=,");
+		const struct cli_option *row = in_table(command->options, list, name, 0);
+		const char *value = name < length ? list + name + 1 : row ? row->arguments : "";
+		int shown = name < length ? (int)(length - name - 1) : (int)strlen(value);
+
+		used += (size_t)snprintf(text + used, size - used, "%s--%.*s%s%.*s", between, (int)name, list,
+		                         shown ? " " : "", shown, value);
+		list += length;
+	}
+}
+
+enum hawser_status cli_rules_check(const struct cli_command *command, const struct cli_common *common,
+                                   struct hawser_report *report)
+{
+	char text[160];
+
+	for (int i = 0; i < common->givens; i++) {
+		const struct cli_option *option = common->given[i];
+		const char *other = option->excludes ? first_of(command, common, option->excludes) : NULL;
+
+		if (other) {
+			snprintf(text, sizeof text, "%.*s", (int)strcspn(other, ","), other);
+			if (strchr(text, '='))
+				*strchr(text, '=') = ' ';
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, command->name,
+			                    "--%s does not go with --%s: leave out one of them",
+			                    option->name, text);
+		}
+		if (!option->needs || first_of(command, common, option->needs))
+			continue;
+		show_rules(text, sizeof text, command, option->needs);
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, command->name, "--%s needs %s: give that",
+		                    option->name, text);
+	}
+	return HAWSER_OK;
 }
 
 /* --- help --- */

@@ -29,22 +29,27 @@ static const struct cli_option options[] = {
 	CLI_MODES_OPTION,
 	CLI_HEADING("About which motion"),
 	{"orbit", 0, "", "multipliers about the periodic response, also where nothing moves the model",
-	 CLI_FLAG(orbit)},
-	{"rest", 0, "", "multipliers about rest, also where a load moves the model", CLI_FLAG(rest)},
+	 CLI_FLAG(orbit), .excludes = "rest, mathieu, forced"},
+	{"rest", 0, "", "multipliers about rest, also where a load moves the model", CLI_FLAG(rest),
+	 .excludes = "mathieu, forced"},
 	CLI_TEXT_OPTION(start, "FILE", "state from which that response is computed"),
 	CLI_HEADING("Mathieu's equation"),
-	{"mathieu", 0, "", "boundaries of Mathieu's equation; no SCENE", CLI_FLAG(mathieu)},
-	{"damping", 0, "C", "damping c of Mathieu's equation (none)", CLI_POSITIVE(damping)},
+	{"mathieu", 0, "", "boundaries of Mathieu's equation; no SCENE", CLI_FLAG(mathieu),
+	 .excludes = "forced"},
+	{"damping", 0, "C", "damping c of Mathieu's equation (none)", CLI_POSITIVE(damping),
+	 .needs = "mathieu"},
 	{"forced", 0, "", "multipliers along a response, and by its Mathieu equation", CLI_FLAG(forced)},
 	{"mode", 0, "J", "with --forced: mode (the one that the load drives the most)",
-	 CLI_INTEGER(mode)},
+	 CLI_INTEGER(mode), .needs = "forced"},
 	CLI_RANGE_OPTIONS("with --forced: start of the response (0.9w1)",
 	                  "with --forced: its other end (1.1w1)"),
 	CLI_HEADING("Search"),
-	{"lines", 0, "N", "search lines along each axis (9)", CLI_INTEGER(lines)},
-	{"samples", 0, "N", "points on each search line (240)", CLI_COUNT(samples)},
+	{"lines", 0, "N", "search lines along each axis (9)", CLI_INTEGER(lines),
+	 .needs = "x, y, mathieu"},
+	{"samples", 0, "N", "points on each search line (240)", CLI_COUNT(samples),
+	 .needs = "x, y, mathieu"},
 	{"step", 0, "NUMBER", "longest step of a boundary, as a part of the plane (0.01)",
-	 CLI_POSITIVE(step)},
+	 CLI_POSITIVE(step), .needs = "x, y, mathieu"},
 	CLI_NO_OPTION,
 };
 
@@ -61,13 +66,6 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 {
 	int plane = settings->x || settings->y || settings->mathieu;
 
-	if (settings->mathieu + settings->forced + settings->orbit + settings->rest > 1)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hill",
-		                    "--mathieu, --forced, --orbit and --rest are different questions: choose "
-		                    "one");
-	if (settings->damping > 0.0 && !settings->mathieu)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hill",
-		                    "--damping is that of Mathieu's equation (--mathieu); a scene has its own");
 	if (!settings->mathieu && !settings->common.input)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "hill",
 		                    "hill needs a SCENE|MODEL, or --mathieu (hawser hill --help)");

@@ -28,7 +28,7 @@ static const struct cli_option options[] = {
 	{"method", 0, "NAME", "method for the modes (spectral)", CLI_TEXT_FOR(method, CLI_SPAN)},
 	CLI_HEADING("Contents of results"),
 	{"over", 0, "AXIS", "horizontal axis of the picture: lambda or value (lambda)",
-	 CLI_TEXT_FOR(over, CLI_SPAN)},
+	 CLI_TEXT_FOR(over, CLI_SPAN), .words = "lambda|value"},
 	{"unit", 0, "UNIT", "of frequencies: normalised, rad/s, Hz, or s for periods (normalised)",
 	 CLI_TEXT(unit)},
 	{"speeds", 0, "LIST", "a sweep and a panel for each of these travel speeds: \"0, 5 m/s\"",

@@ -25,30 +25,32 @@ static const struct settings defaults = {.points = POINTS};
 
 static const struct cli_option options[] = {
 	{"modes", 'n', "N", "number of modes (the scene's model.modes)", CLI_INTEGER(n)},
-	{"method", 0, "NAME", "method (spectral)", CLI_TEXT_FOR(method, CLI_SPAN)},
+	{"method", 0, "NAME", "method (spectral)", CLI_TEXT_FOR(method, CLI_SPAN),
+	 .excludes = "over, damped, model=fe"},
 	{"over", 0, "KEY=FROM:TO:N", "damped modes, or modes over sheaves, at N values of a key",
-	 CLI_TEXT_FOR(over, CLI_SPAN | CLI_ROPEWAY | CLI_OBSTACLES)},
+	 CLI_TEXT_FOR(over, CLI_SPAN | CLI_ROPEWAY | CLI_OBSTACLES), .excludes = "model=fe"},
 	{"log", 0, "", "these values at equal ratios",
-	 CLI_FLAG_FOR(log, CLI_SPAN | CLI_ROPEWAY | CLI_OBSTACLES)},
+	 CLI_FLAG_FOR(log, CLI_SPAN | CLI_ROPEWAY | CLI_OBSTACLES), .needs = "over"},
 	{"shapes", 0, "", "write the shapes and slopes to the table, and to JSON",
-	 CLI_FLAG_FOR(shapes, CLI_SPAN | CLI_NET | CLI_ROPEWAY | CLI_OBSTACLES)},
+	 CLI_FLAG_FOR(shapes, CLI_SPAN | CLI_NET | CLI_ROPEWAY | CLI_OBSTACLES),
+	 .excludes = "over, damped"},
 	{"damped", 0, "", "damped modes: dampers and damping of the scene",
-	 CLI_FLAG_FOR(damped, CLI_SPAN)},
+	 CLI_FLAG_FOR(damped, CLI_SPAN), .excludes = "model=fe"},
 	CLI_HEADING("Contents of results"),
 	{"view", 0, "NAME", "contents of the picture: components, profile or waves (components)",
-	 CLI_TEXT_FOR(view, CLI_SPAN)},
+	 CLI_TEXT_FOR(view, CLI_SPAN), .words = "components|profile|waves"},
 	{"points", 0, "N", "number of points of a shape (201)",
-	 CLI_COUNT_FOR(points, CLI_SPAN | CLI_ROPEWAY | CLI_OBSTACLES)},
+	 CLI_COUNT_FOR(points, CLI_SPAN | CLI_ROPEWAY | CLI_OBSTACLES), .needs = "shapes"},
 	{"vtk", 0, "FILE", "nets: write all shapes to FILE.vtk, for programs such as ParaView",
 	 CLI_TEXT_FOR(vtk, CLI_NET)},
 	{"list-methods", 0, "", "list the methods and exit", CLI_FLAG(list)},
 	CLI_HEADING("Discretisation"),
 	{"model", 0, "NAME", "cable, or fe: a mesh of cable elements (cable)",
-	 CLI_TEXT_FOR(model, CLI_SPAN)},
+	 CLI_TEXT_FOR(model, CLI_SPAN), .words = "cable|fe"},
 	{"elements", 0, "N", "elements of the mesh of --model fe (120)",
-	 CLI_INTEGER_FOR(elements, CLI_SPAN)},
+	 CLI_INTEGER_FOR(elements, CLI_SPAN), .needs = "model=fe"},
 	{"basis", 0, "N", "functions per component (as many as the tolerance requires)",
-	 CLI_INTEGER_FOR(basis, CLI_SPAN)},
+	 CLI_INTEGER_FOR(basis, CLI_SPAN), .excludes = "over, damped, model=fe"},
 	CLI_HEADING("Sheaves, obstacles and ropeways"),
 	{"contact", 0, "HOW", "on sheaves and obstacles: slip, stick, roll or statics (contact.modes)",
 	 CLI_TEXT_FOR(ropeway.contact, CLI_NET | CLI_ROPEWAY | CLI_OBSTACLES)},
@@ -75,27 +77,6 @@ static void list_methods(void)
 static int fe(const struct settings *settings)
 {
 	return settings->model && strcmp(settings->model, "fe") == 0;
-}
-
-/* What goes with the mesh, and what only with it. */
-static enum hawser_status check_model(const struct settings *settings, struct hawser_report *report)
-{
-	static const char *const models[] = {"cable", "fe"};
-	const char *other = settings->method ? "method" : settings->basis > 0 ? "basis"
-		: settings->damped ? "damped" : settings->over ? "over" : NULL;
-	int model;
-	enum hawser_status status = HAWSER_OK;
-
-	if (settings->model)
-		status = cli_choose(&model, "modes", "model", settings->model, models, 2, report);
-	if (!status && settings->elements && !fe(settings))
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
-		                      "--elements is for the mesh of --model fe: give that");
-	if (!status && fe(settings) && other)
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
-		                      "--%s does not go with --model fe, a mesh of cable elements: leave out "
-		                      "one of them", other);
-	return status;
 }
 
 static enum hawser_status solve(struct cli_modes_result *result, const struct settings *settings,
@@ -131,12 +112,7 @@ static enum hawser_status run_damped(const struct settings *settings, struct haw
 	struct cli_damped_result result = {.common = &settings->common, .logarithmic = settings->log};
 	enum hawser_status status = HAWSER_OK;
 
-	if (settings->shapes || settings->basis > 0 || settings->method)
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
-		                      "--shapes, --basis and --method are for undamped modes: leave out %s",
-		                      settings->over ? "--over" : "--damped");
-	if (!status)
-		status = cli_outputs_check_scales(&settings->common, settings->log ? "x" : "", report);
+	status = cli_outputs_check_scales(&settings->common, settings->log ? "x" : "", report);
 	if (!status)
 		status = cli_scene_load(&result.scene, &settings->common, settings->n, report);
 	if (!status)
@@ -153,10 +129,10 @@ static enum hawser_status run_span(const struct settings *settings, struct hawse
 	static const char *const views[] = {"components", "profile", "waves"};
 	struct cli_modes_result result = {.common = &settings->common,
 	                                  .points = settings->shapes ? settings->points : 0};
-	enum hawser_status status = check_model(settings, report);
+	enum hawser_status status;
 	int view = 0;
 
-	if (!status && (settings->damped || settings->over || settings->log))
+	if (settings->damped || settings->over)
 		return run_damped(settings, report);
 	if (!status && settings->view)
 		status = cli_choose(&view, "modes", "view", settings->view, views, 3, report);
@@ -191,12 +167,6 @@ static enum hawser_status run_track(int *done, const struct settings *settings, 
 	                          .obstacles = obstacles, .choice = settings->ropeway};
 
 	*done = settings->over != NULL;
-	if (settings->over && settings->shapes)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
-		                    "--shapes and --over are tables of their own: choose one");
-	if (!settings->over && settings->log)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
-		                    "--log is for --over KEY=FROM:TO:N: give that");
 	return settings->over ? cli_track_run(&track, report)
 	                      : cli_outputs_check(&settings->common, report);
 }

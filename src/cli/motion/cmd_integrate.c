@@ -35,39 +35,41 @@ static const struct cli_option options[] = {
 	{"until", 0, "TIME", "end of the run (100T)", CLI_TEXT(until)},
 	{"every", 0, "TIME", "interval between output rows (0.01T)", CLI_TEXT(every)},
 	{"modes", 'n', "N", "number of modes (the scene's model.modes)",
-	 CLI_INTEGER_FOR(n, CLI_MODELLED)},
+	 CLI_INTEGER_FOR(n, CLI_MODELLED), .excludes = "model=fe"},
 	{"initial", 0, "FILE",
-	 "state, or FILE#LABEL of a response, to start from (rest)", CLI_TEXT(initial)},
+	 "state, or FILE#LABEL of a response, to start from (rest)", CLI_TEXT(initial),
+	 .excludes = "model=fe, continue"},
 	{"method", 0, "NAME", "integrator: gauss, radau, adams, bdf or auto (auto)", CLI_TEXT(method)},
 	CLI_HEADING("Load and ends"),
 	{"Omega-to", 0, "FREQUENCY", "slow sweep: the frequency changes linearly to this one",
-	 CLI_TEXT_FOR(omega_to, CLI_MODELLED)},
+	 CLI_TEXT_FOR(omega_to, CLI_MODELLED),
+	 .excludes = "model=fe, continue, spectrum, after, lyapunov"},
 	{"load", 0, "FILE", "table of the load over time, in place of the section load; of ropeways: "
-	 "passing or drive", CLI_TEXT_FOR(load, CLI_MODELLED)},
+	 "passing or drive", CLI_TEXT_FOR(load, CLI_MODELLED), .excludes = "model=fe"},
 	{"motion", 0, "FILE", "table of the displacements of the ends over time",
-	 CLI_TEXT_FOR(motion, CLI_MODELLED)},
+	 CLI_TEXT_FOR(motion, CLI_MODELLED), .excludes = "model=fe"},
 	CLI_HEADING("Length of the run"),
 	{"after", 0, "TIME", "the rows begin at this time, when the transient has decayed (0)",
-	 CLI_TEXT_FOR(after, CLI_MODELLED)},
+	 CLI_TEXT_FOR(after, CLI_MODELLED), .excludes = "model=fe"},
 	{"continue", 0, "FILE", "continue the run whose JSON result this file is",
-	 CLI_TEXT_FOR(resume, CLI_MODELLED)},
+	 CLI_TEXT_FOR(resume, CLI_MODELLED), .excludes = "model=fe"},
 	{"partial", 0, "", "write what was computed also if the run fails",
-	 CLI_FLAG_FOR(partial, CLI_MODELLED)},
+	 CLI_FLAG_FOR(partial, CLI_MODELLED), .excludes = "model=fe"},
 	CLI_HEADING("Accuracy"),
 	{"rtol", 0, "NUMBER", "relative tolerance (1e-10)", CLI_POSITIVE(rtol)},
 	{"atol", 0, "NUMBER", "absolute tolerance, scaled (1e-13)",
-	 CLI_POSITIVE_FOR(atol, CLI_MODELLED)},
+	 CLI_POSITIVE_FOR(atol, CLI_MODELLED), .excludes = "model=fe"},
 	{"error", 0, "", "estimate the error by a second run with other tolerances",
-	 CLI_FLAG_FOR(error, CLI_MODELLED | CLI_NET)},
+	 CLI_FLAG_FOR(error, CLI_MODELLED | CLI_NET), .excludes = "model=fe"},
 	{"no-error", 0, "", "rods: without the two runs for the errors",
 	 CLI_FLAG_FOR(net.skip_error, CLI_ROD)},
 	{"step", 0, "TIME", "nets, rods and --model fe: longest step, or auto",
 	 CLI_TEXT_FOR(net.step, CLI_MESHES | CLI_SPAN)},
 	CLI_HEADING("Contents of results"),
 	{"spectrum", 0, "", "write the spectrum to the table, and to JSON",
-	 CLI_FLAG_FOR(spectrum, CLI_MODELLED)},
+	 CLI_FLAG_FOR(spectrum, CLI_MODELLED), .excludes = "model=fe"},
 	{"lyapunov", 0, "", "Lyapunov exponents of the motion after --after, with their errors",
-	 CLI_FLAG_FOR(lyapunov, CLI_MODELLED)},
+	 CLI_FLAG_FOR(lyapunov, CLI_MODELLED), .excludes = "model=fe"},
 	{"probe", 0, "NAMES", "nets: nodes, or cable:part (all free nodes); rods: start, end, lengths",
 	 CLI_TEXT_FOR(net.probe, CLI_MESHES)},
 	{"state", 0, "FILE", "nets, rods: write the last state, for --initial",
@@ -81,9 +83,9 @@ static const struct cli_option options[] = {
 	CLI_HEADING("Models of other kinds"),
 	CLI_LIBRARY_OPTION,
 	{"model", 0, "NAME", "rom, or fe: a mesh of cable elements (rom)",
-	 CLI_TEXT_FOR(model, CLI_MODELLED)},
+	 CLI_TEXT_FOR(model, CLI_MODELLED), .words = "rom|fe"},
 	{"elements", 0, "N", "elements of the mesh of --model fe (120)",
-	 CLI_INTEGER_FOR(elements, CLI_SPAN)},
+	 CLI_INTEGER_FOR(elements, CLI_SPAN), .needs = "model=fe"},
 	CLI_LANE_OPTIONS,
 	CLI_NO_OPTION,
 };
@@ -102,16 +104,11 @@ static enum hawser_status sweep(struct hawser_integrate_options *choice,
                                 const struct settings *settings, const struct cli_model *model,
                                 struct hawser_report *report)
 {
-	const char *not_with = settings->resume ? "--continue: the phase of the forcing is not known"
-	                       : settings->spectrum ? "--spectrum, which needs a constant frequency"
-	                       : NULL;
-
 	if (model->has_scene && model->scene.travel.present &&
 	    (model->scene.travel.fluctuation > 0.0 || model->scene.travel.braking > 0.0))
-		not_with = "a travel speed that changes";
-	if (not_with)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
-		                    "--Omega-to %s does not go with %s", settings->omega_to, not_with);
+		                    "--Omega-to %s does not go with a travel speed that changes",
+		                    settings->omega_to);
 	return cli_frequency(&choice->omega_to, settings->omega_to, "Omega-to", model, report);
 }
 
@@ -339,43 +336,13 @@ static enum hawser_status run_kind(const struct settings *settings, int rod,
 /* --model fe; what is of reduced models does not go with it. */
 static enum hawser_status run_span(const struct settings *settings, struct hawser_report *report)
 {
-	const struct {
-		const char *name;
-		int given;
-	} other[] = {{"Omega-to", settings->omega_to != NULL}, {"load", settings->load != NULL},
-	             {"motion", settings->motion != NULL}, {"after", settings->after != NULL},
-	             {"initial", settings->initial != NULL}, {"continue", settings->resume != NULL},
-	             {"modes", settings->n > 0}, {"spectrum", settings->spectrum},
-	             {"error", settings->error}, {"lyapunov", settings->lyapunov},
-	             {"partial", settings->partial}, {"atol", settings->atol != defaults.atol},
-	             {"model-library", settings->common.library != NULL}};
 	const struct cli_integrate_span span = {
 		.texts = {.omega = settings->omega, .until = settings->until, .every = settings->every,
 		          .step = settings->net.step},
 		.scheme = settings->method, .elements = settings->elements,
 		.tolerance = settings->rtol != defaults.rtol ? settings->rtol : 0.0};
 
-	for (size_t i = 0; i < sizeof other/sizeof *other; i++)
-		if (other[i].given)
-			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
-			                    "--%s does not go with --model fe, a mesh of cable elements: leave "
-			                    "out one of them", other[i].name);
 	return cli_integrate_span(&settings->common, &span, report);
-}
-
-static enum hawser_status check_model(const struct settings *settings, struct hawser_report *report)
-{
-	static const char *const models[] = {"rom", "fe"};
-	int model = 0;
-	enum hawser_status status = HAWSER_OK;
-
-	if (settings->model)
-		status = cli_choose(&model, "integrate", "model", settings->model, models, 2, report);
-	if (!status && model == 0 && (settings->elements || settings->net.step))
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
-		                      "--%s is for the mesh of --model fe: give that",
-		                      settings->elements ? "elements" : "step");
-	return status;
 }
 
 /* The load of a ropeway has a name. */
@@ -406,10 +373,11 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		status = hawser__file_check(net->state, report);
 	if (!status && (kind == HAWSER_KIND_NET || kind == HAWSER_KIND_ROD))
 		return run_kind(settings, kind == HAWSER_KIND_ROD, report);
-	if (!status)
-		status = check_model(settings, report);
 	if (!status && settings->model && strcmp(settings->model, "fe") == 0)
 		return run_span(settings, report);
+	if (!status && net->step)
+		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
+		                      "--step is for the mesh of --model fe: give that");
 	if (!status)
 		status = cli_state_check("initial", settings->initial, &settings->common, report);
 	if (!status)
@@ -418,10 +386,6 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		status = cli_state_check("motion", settings->motion, &settings->common, report);
 	if (!status)
 		status = cli_state_check("continue", settings->resume, &settings->common, report);
-	if (!status && settings->initial && settings->resume)
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
-		                      "--continue %s says where to start, and so does --initial: give one of "
-		                      "them", settings->resume);
 	if (!status)
 		status = cli_model_load(&model, &settings->common, settings->n, report);
 	if (!status)

@@ -20,21 +20,29 @@ struct settings {
 static const struct settings defaults = {.common = {.input = NULL}};
 
 static const struct cli_option options[] = {
-	CLI_TEXT_OPTION(event, "NAME", "start, stop (drive.brake) or run (start)"),
+	CLI_TEXT_WITH(event, "NAME", "start, stop (drive.brake) or run (start)",
+	              .excludes = "pass", .words = "start|stop|run"),
 	CLI_TEXT_OPTION(pass, "TOWER", "instead: a carrier passes the battery of this tower"),
-	CLI_TEXT_OPTION(until, "TIME", "end (20 s after the ramp or the stop; run: two spacings)"),
-	CLI_TEXT_OPTION(every, "TIME", "interval of the rows (a 500th of --until)"),
+	CLI_TEXT_WITH(until, "TIME", "end (20 s after the ramp or the stop; run: two spacings)",
+	              .excludes = "pass"),
+	CLI_TEXT_WITH(every, "TIME", "interval of the rows (a 500th of --until)",
+	              .excludes = "pass"),
 	{"case", 0, "NAME", "load case (full)", CLI_TEXT(load_case)},
 	CLI_HEADING("Of a passing carrier"),
-	CLI_TEXT_OPTION(lane, "NAME", "of --pass: up or down (up)"),
+	CLI_TEXT_WITH(lane, "NAME", "of --pass: up or down (up)",
+	              .needs = "pass", .words = "up|down"),
 	CLI_HEADING("Mesh, steps and damping"),
-	{"elements", 0, "N", "elements of each span, an odd number (7)", CLI_COUNT(elements)},
-	CLI_TEXT_OPTION(step, "TIME", "step (half of a wave's time through a mean element)"),
-	{"damping", 0, "RATIO", "of waves along the rope around the loop (0)", CLI_POSITIVE(damping)},
+	{"elements", 0, "N", "elements of each span, an odd number (7)", CLI_COUNT(elements),
+	 .excludes = "pass"},
+	CLI_TEXT_WITH(step, "TIME", "step (half of a wave's time through a mean element)",
+	              .excludes = "pass"),
+	{"damping", 0, "RATIO", "of waves along the rope around the loop (0)", CLI_POSITIVE(damping),
+	 .excludes = "pass"},
 	CLI_HEADING("Contents of results"),
-	{"spans", 0, "", "table of extremes in each span", CLI_FLAG(spans)},
-	{"towers", 0, "", "table of extremes at each tower", CLI_FLAG(towers)},
-	{"tolerate", 0, "", "warn of slip, lifted batteries and stops, and go on", CLI_FLAG(tolerate)},
+	{"spans", 0, "", "table of extremes in each span", CLI_FLAG(spans), .excludes = "pass, towers"},
+	{"towers", 0, "", "table of extremes at each tower", CLI_FLAG(towers), .excludes = "pass"},
+	{"tolerate", 0, "", "warn of slip, lifted batteries and stops, and go on", CLI_FLAG(tolerate),
+	 .excludes = "pass"},
 	CLI_NO_OPTION,
 };
 static const char *const notes[] = {
@@ -184,10 +192,6 @@ static enum hawser_status pass(struct cli_transient *of, const struct settings *
 		status = cli_choose(&tower, "transient", "pass", s->pass, list, count, report);
 	if (!status && s->lane)
 		status = cli_choose(&lane, "transient", "lane", s->lane, lane_name, 2, report);
-	if (!status && (s->event || s->until || s->every || s->step || s->elements || s->damping > 0.0 ||
-	                s->spans || s->towers || s->tolerate))
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "transient", "--pass is statics, and takes "
-		                      "--lane and --case only");
 	of->event = "pass";
 	of->lane = lane_name[lane];
 	return status ? status : hawser_passing_solve(&of->passing, rw, load_case, lane, tower, 0.0, 0,
@@ -202,14 +206,6 @@ static enum hawser_status move(struct cli_transient *of, const struct settings *
 	int event = 0;
 	enum hawser_status status = choose_case(&o.load_case, s, &of->ropeway, report);
 
-	if (!status && s->lane)
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "transient", "--lane is for --pass: a "
-		                                                                "run has "
-		                      "both lanes");
-	if (!status && s->spans && s->towers)
-		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "transient", "--spans and --towers "
-		                                                                "are tables "
-		                      "of their own: choose one");
 	if (!status && s->elements && s->elements%2 == 0)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "transient", "--elements is %d: give an odd "
 		                      "number, so that a span has a middle element for its sag", s->elements);

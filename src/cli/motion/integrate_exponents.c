@@ -20,9 +20,6 @@ enum hawser_status cli_integrate_settle(double **state, struct hawser_integrate_
 	double *reached;
 	enum hawser_status status;
 
-	if (choice->omega_to > 0.0)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
-		                    "--after does not go with --Omega-to, a sweep, which has no settled part");
 	if (!(after > choice->begin) || !(after < choice->until))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
 		                    "--after is %.9g%s: it must be after the beginning of the run and before "
@@ -58,10 +55,6 @@ enum hawser_status cli_integrate_exponents(struct cli_integrate_result *result, 
 	                                          .rtol = choice->rtol};
 	size_t row = 0;
 
-	if (choice->omega_to > 0.0)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate",
-		                    "--lyapunov does not go with --Omega-to: exponents are those of a constant "
-		                    "frequency");
 	while (half && row + 2 < (size_t)run->rows && run->time[row] < 0.5*(from + until))
 		row++;
 	options.begin = run->time[row];

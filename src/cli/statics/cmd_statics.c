@@ -24,20 +24,20 @@ static const struct cli_option options[] = {
 	{"points", 0, "N", "number of points of the profile or of the curves (201)",
 	 CLI_COUNT_FOR(points, CLI_SPAN | CLI_OBSTACLES)},
 	{"cases", 0, "", "table of the load cases of the scene",
-	 CLI_FLAG_FOR(cases, CLI_SPAN | CLI_ROPEWAY)},
+	 CLI_FLAG_FOR(cases, CLI_SPAN | CLI_ROPEWAY), .excludes = "model"},
 	CLI_HEADING("Tables of a span"),
 	{"models", 0, "", "table of all models and their errors against the catenary",
-	 CLI_FLAG_FOR(models, CLI_SPAN)},
+	 CLI_FLAG_FOR(models, CLI_SPAN), .excludes = "compatibility, speeds, cases, model"},
 	{"compatibility", 0, "", "table of epsilon, delta, eta and more over the tension",
-	 CLI_FLAG_FOR(compatibility, CLI_SPAN)},
+	 CLI_FLAG_FOR(compatibility, CLI_SPAN), .excludes = "speeds, cases, model"},
 	{"speeds", 0, "", "table of the steady state over the speed, for both holds",
-	 CLI_FLAG_FOR(speeds, CLI_SPAN)},
+	 CLI_FLAG_FOR(speeds, CLI_SPAN), .excludes = "cases, model"},
 	{"from", 0, "VALUE", "curves: lowest horizontal tension (delta = 4), or speed (0)",
-	 CLI_TEXT_FOR(from, CLI_SPAN)},
+	 CLI_TEXT_FOR(from, CLI_SPAN), .needs = "models, compatibility, speeds"},
 	{"to", 0, "VALUE", "curves: highest tension (epsilon = 0.02), or speed (past the limit)",
-	 CLI_TEXT_FOR(to, CLI_SPAN)},
+	 CLI_TEXT_FOR(to, CLI_SPAN), .needs = "models, compatibility, speeds"},
 	{"elements", 0, "N", "elements of the mesh of --model fe (120)",
-	 CLI_INTEGER_FOR(elements, CLI_SPAN)},
+	 CLI_INTEGER_FOR(elements, CLI_SPAN), .needs = "model=fe"},
 	CLI_HEADING("Nets, ropeways and obstacles"),
 	CLI_STATICS_KINDS_OPTIONS,
 	CLI_NO_OPTION,
@@ -305,10 +305,6 @@ static enum hawser_status fill_speeds(struct result *result, struct hawser_repor
 	const struct settings *settings = result->settings;
 	enum hawser_status status;
 
-	if (settings->models || settings->compatibility)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
-		                    "--speeds and --%s are different tables: choose one",
-		                    settings->models ? "models" : "compatibility");
 	if (!result->scene.travel.present)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
 		                    "--speeds is for a travelling cable: add travel: {speed: 1 m/s} to the "
@@ -334,13 +330,6 @@ static enum hawser_status fill_curves(struct result *result, struct hawser_repor
 		return fill_speeds(result, report);
 	if (!settings->models && !settings->compatibility)
 		return HAWSER_OK;
-	if (settings->model)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
-		                    "--model chooses the model of a profile: leave it out with --%s",
-		                    settings->models ? "models" : "compatibility");
-	if (settings->models && settings->compatibility)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
-		                    "--models and --compatibility are different tables: choose one");
 	status = cli_quantity(&from, settings->from, "N", CLI_ABOVE_ZERO, "statics", "from", report);
 	if (!status)
 		status = cli_quantity(&to, settings->to, "N", CLI_ABOVE_ZERO, "statics", "to", report);
@@ -455,13 +444,7 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
 		                    "--points %d: at most %d points%s are possible", settings->points,
 		                    most, curves ? " of curves" : "");
-	if (settings->cases && (curves || settings->model))
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
-		                    "--cases is a table of its own: leave --%s out", settings->models
-		                    ? "models" : settings->speeds ? "speeds" : settings->model ? "model"
-		                    : "compatibility");
-	status = cli_statics_mesh_check(settings->model, settings->elements, settings->points,
-	                                defaults.points, report);
+	status = cli_statics_mesh_check(settings->model, settings->points, defaults.points, report);
 	return status ? status : cli_outputs_check_scales(&settings->common, scales, report);
 }
 

@@ -40,14 +40,11 @@ void cli_statics_mesh_comments(struct hawser__table *table,
 	                      error->T1, error->sag, error->place);
 }
 
-enum hawser_status cli_statics_mesh_check(const char *model, int elements, int points, int usual,
+enum hawser_status cli_statics_mesh_check(const char *model, int points, int usual,
                                           struct hawser_report *report)
 {
 	int fe = model && strcmp(model, "fe") == 0;
 
-	if (elements && !fe)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
-		                    "--elements is for the mesh of --model fe: give that");
 	return !fe || points == usual ? HAWSER_OK
 		: hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
 		               "--points %d: the profile of --model fe is that of its nodes; give "

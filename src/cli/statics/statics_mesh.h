@@ -9,7 +9,7 @@ extern const struct hawser__field cli_statics_mesh_field[]; /* of a struct hawse
 void cli_statics_mesh_comments(struct hawser__table *table,
                                const struct hawser_net_span_statics *mesh);
 /* Whether the options --model, --elements and --points go together. */
-enum hawser_status cli_statics_mesh_check(const char *model, int elements, int points, int usual,
+enum hawser_status cli_statics_mesh_check(const char *model, int points, int usual,
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
 /* The mesh; its nodes are the *profile [mesh->points], which the caller frees. */
 enum hawser_status cli_statics_mesh(struct hawser__spot **profile,

@@ -15,8 +15,8 @@ static const struct settings defaults = {.checkpoint = NULL};
 static const struct cli_option options[] = {
 	{"checkpoint", 0, "FILE", "the new file, which hawser map or sweep --checkpoint FILE continues",
 	 CLI_TEXT(checkpoint)},
-	{"quiet", 'q', "", "print nothing but errors", cli_store_flag,
-	 offsetof(struct cli_common, quiet), 0},
+	{"quiet", 'q', "", "print nothing but errors",
+	 CLI_STORED_IN(struct cli_common, cli_store_flag, quiet)},
 	CLI_HELP_OPTION,
 	CLI_NO_OPTION,
 };

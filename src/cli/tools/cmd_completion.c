@@ -78,6 +78,13 @@ static void names(FILE *stream, const struct cli_command *command, int files)
 			fprintf(stream, row->letter ? " --%s -%c" : " --%s", row->name, row->letter);
 }
 
+/* The words that an option may have. */
+static void option_words(FILE *stream, const struct cli_option *option)
+{
+	for (const char *c = option->words; *c; c++)
+		putc(*c == '|' ? ' ' : *c, stream);
+}
+
 static int takes_word(const struct cli_command *command)
 {
 	char word[CLI_INPUT_WORD];
@@ -122,6 +129,25 @@ static void bash_objects(FILE *stream)
 		}
 }
 
+/* Options whose words are known. */
+static void bash_values(FILE *stream)
+{
+	const struct cli_command *command;
+	const struct cli_option *row;
+
+	fputs("\tcase \"$command $prev\" in\n", stream);
+	for (int i = 0; (command = cli_command_row(i)); i++)
+		for (int k = 0; (row = cli_option_row(command, k)); k++) {
+			if (!row->words)
+				continue;
+			fprintf(stream, "\t'%.*s --%s') mapfile -t COMPREPLY < <(compgen -W '",
+			        first(command->name), command->name, row->name);
+			option_words(stream, row);
+			fputs("' -- \"$cur\")\n\t\treturn ;;\n", stream);
+		}
+	fputs("\tesac\n", stream);
+}
+
 static void bash(FILE *stream)
 {
 	const struct cli_command *command;
@@ -151,8 +177,9 @@ static void bash(FILE *stream)
 			names(stream, command, 0);
 			fputs(" ' ;;\n", stream);
 		}
-	fputs("\tesac\n"
-	      "\tcase $with_other in *\" $prev \"*) return ;; esac\n"
+	fputs("\tesac\n", stream);
+	bash_values(stream);
+	fputs("\tcase $with_other in *\" $prev \"*) return ;; esac\n"
 	      "\tcase $cur in\n\t-*) mapfile -t COMPREPLY < <(compgen -W \"$options\" -- \"$cur\")\n"
 	      "\t\treturn ;;\n\tesac\n"
 	      "\tcase $with_file in *\" $prev \"*) objects= files=1 ;; esac\n"
@@ -180,8 +207,12 @@ static void zsh_option(FILE *stream, const struct cli_option *option)
 	while (*argument) { /* one word an argument */
 		int length = (int)strcspn(argument, " ");
 
-		fprintf(stream, ":%.*s:%s", length, argument,
+		fprintf(stream, ":%.*s:%s", length, argument, option->words ? "(" :
 		        strncmp(argument, "FILE", 4) ? " " : "_files");
+		if (option->words) {
+			option_words(stream, option);
+			putc(')', stream);
+		}
 		argument += length + (argument[length] == ' ');
 	}
 	fputc('\'', stream);
@@ -293,6 +324,10 @@ static void fish(FILE *stream)
 				fprintf(stream, " -s %c", row->letter);
 			fprintf(stream, "%s -d '", !*row->arguments ? "" : takes_file(row) ? " -r -F" : " -x");
 			quoted(stream, row->doc, "");
+			if (row->words) {
+				fputs("' -a '", stream);
+				option_words(stream, row);
+			}
 			fputs("'\n", stream);
 		}
 	}
