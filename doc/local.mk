@@ -60,7 +60,7 @@ figures: bench/shapes hawser
 
 # The documentation site in site/: of the documents, manual pages and headers, with the pictures that the commands of its pages draw.
 # SITE_PICTURES=no leaves these out. Sphinx, MyST, furo and mandoc make it (packages.txt).
-EXTRA_DIST += %D%/site/assemble.py %D%/site/build.sh %D%/site/conf.py %D%/site/headers.py %D%/site/manual.py %D%/site/pictures.sh \
+EXTRA_DIST += %D%/site/assemble.py %D%/site/build.sh %D%/site/conf.py %D%/site/equations.py %D%/site/headers.py %D%/site/manual.py %D%/site/pictures.sh \
 	%D%/site/static/hawser.css %D%/site/templates/page.html tests/checks/links.py
 SITE_PICTURES = yes
 .PHONY: site

@@ -17,6 +17,7 @@ import re
 import shutil
 import sys
 
+import equations
 import headers
 import manual
 
@@ -117,7 +118,7 @@ class Site:
                 yield " ".join(line.split())[2:], name[1]
 
     def markdown(self, document, page, extra=""):
-        text = self.links(document, page, self.read(document))
+        text = equations.replaced(self.links(document, page, self.read(document)))
         text = text if page == "index" else self.drawn(document, page, text)     # it begins with its picture
         if "<!-- pictures -->" in text:
             text = text.replace("<!-- pictures -->", self.grid(text))

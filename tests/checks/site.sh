@@ -36,6 +36,16 @@ diff "$scratch/expected" "$scratch/found" | nothing "broken links, anchors and p
 rm "$scratch/wrong/a.css" "$scratch/wrong/c.js" "$scratch/wrong/index.html"
 try "a folder without faults passes" python3 tests/checks/links.py "$scratch/wrong"
 
+try "equations of the documents can be read" test -z "$(python3 doc/site/equations.py check doc/*.md)"
+try "theory pages have equations" test "$(cat doc/theory-*.md | grep -c '^```eq')" -gt 100
+python3 doc/site/equations.py show 'K_ij = a²/(2ε)' 'sinh a/a ≤ √(T/g)·∂²V' >"$scratch/shown"
+for part in '<msub><mi>K</mi><mrow><mi>i</mi><mi>j</mi></mrow></msub>' \
+	'<mfrac><msup><mi>a</mi><mn>2</mn></msup><mrow><mn>2</mn><mi>ε</mi></mrow></mfrac>' \
+	'<mfrac><mrow><mi>sinh</mi><mo>&#8289;</mo><mspace width="0.17em"></mspace><mi>a</mi></mrow><mi>a</mi></mfrac>' \
+	'<msqrt><mfrac><mi>T</mi><mi>g</mi></mfrac></msqrt><mo>·</mo><msup><mi>∂</mi><mn>2</mn></msup><mi>V</mi>'; do
+	grep -qF "$part" "$scratch/shown" || echo "not in the equation: $part"
+done | nothing "indices, exponents, fractions, functions and roots are such in MathML"
+
 version=$(sed -n 's/^AC_INIT(\[hawser\], \[\([^]]*\)\].*/\1/p' configure.ac)
 pictures=no
 [ -z "${HAWSER_LONG-}" ] || pictures=yes
@@ -52,5 +62,6 @@ for page in index tutorial gallery coming-from search man/hawser-frf.1 man/hawse
 	[ -s "$scratch/site/$page.html" ] || echo "$page.html is not there"
 done | nothing "it has the pages"
 try "keys of scenes have anchors" grep -q 'id="cable.EA"' "$scratch/site/man/hawser-scene.5.html"
+try "equations are MathML" grep -q '<math displaystyle="true"' "$scratch/site/theory-rom.html"
 try "the search has functions of the headers" grep -q 'hawser_modes_solv' "$scratch/site/searchindex.js"
 done_testing
