@@ -29,7 +29,7 @@ TOKEN = re.compile("|".join((
     r"(?P<number>\d+(?:\.\d+)?(?:e[-−]?\d+)?|[½¼¾])", r"(?P<letters>(?:%s)+)" % LETTER, r"(?P<primes>[′″‴]+|'+)",
     r"(?P<sup>[%s]+)" % "".join(SUPER), r"(?P<sub>[%s]+)" % "".join(SUB), r"(?P<root>√)", r"(?P<blank> +)",
     r"(?P<relation><=|>=|\+=)", r"(?P<bracket>[()\[\]{}⟨⟩])", r"(?P<sign>[-%s])" % re.escape(OPERATORS))))
-INDEX = re.compile(r"(?:%s|[\d*])+(?:[−+,-](?=[\w])(?:%s|\d)+)*" % (LETTER, LETTER))
+INDEX = re.compile(r"(?:%s|\d)+(?:[−+,-](?=[\w])(?:%s|\d)+)*" % (LETTER, LETTER))
 POWER = re.compile(r"[−-]?(?:%s|[\d.]*\d|½)+" % LETTER)
 
 
@@ -198,9 +198,10 @@ class Reader:
                 self.attach("msub", element("mn", text))
             else:
                 self.add(Node(element("mn", text)))
-        elif kind == "letters":
-            for node in letters(text):
-                self.add(node)
+        elif kind == "letters":     # cosθ is cos and θ
+            for part in re.findall("[A-Za-z]+(?![\u0300-\u036f])|%s" % LETTER, text):
+                for node in letters(part):
+                    self.add(node)
         elif kind == "primes":
             self.attach("msup", element("mo", PRIMES.get(text, text)))
         elif kind == "sup":
