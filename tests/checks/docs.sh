@@ -14,6 +14,15 @@ for f in $pages; do
 	done
 done | nothing "links between documents hold"
 
+# Sources that the documents name; names in capitals stand for others.
+for f in $pages; do
+	grep -noE '`(src|include|man|tests|bench|python|packaging)/[A-Za-z0-9_./-]+\.(c|h|mk|sh|py|awk|txt|table)`' "$f" | tr -d '`' |
+		while IFS=: read -r line named; do
+			case $named in *[A-Z][A-Z]*) continue ;; esac
+			[ -e "$named" ] || echo "$f:$line: $named is not there"
+		done
+done | nothing "sources that documents name are there"
+
 # "B Table 4.1" and "D 9.3.1" say what B and D are before they stand for the first time. In a manual page a line
 # that begins with .B is in bold.
 for f in $pages man/*.[15] "$here"/man/*.[15]; do

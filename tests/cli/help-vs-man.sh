@@ -33,6 +33,9 @@ while read -r command <&3; do
 	options_of_page "$section" <"$page" >page
 	try "$command: there are options" test "$(grep -c '' help)" -ge "$(least "$command")"
 	try "$command: help and page list the same options" diff help page
+	few=$(sed -n '/^Options:/,/^$/p' "$scratch/out" | grep -c '^  \(-\|    --\)')
+	all=$(grep -c '' help)
+	try "$command: of more than 20 options ten or so come first" test "$all" -le 20 -o "$few" -le 12
 	# "(0.6w1)" at the end of a line of help
 	plain=$(sed 's/\\-/-/g' "$page")
 	sed -n 's/.*(\([^ ()]*\))$/\1/p' "$scratch/out" | while read -r default; do

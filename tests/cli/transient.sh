@@ -45,7 +45,7 @@ refused() {
 refused "--event stop --elements 3 --set ropeway.top.drive.friction=0.02" "yaml: t = .* slips on the whole drive bullwheel" 2
 refused "--set ropeway.top.drive.ramp=0" "top.drive, line 5, ramp is missing or 0" 1
 refused "--elements 4" "give an odd number" 1
-refused "--lane up" "lane is for --pass" 1
+refused "--lane up" "lane needs --pass TOWER" 1
 refused "--pass p1 --until 3" "does not go with --pass" 1
 refused "--spans --towers" "does not go with --towers" 1
 refused "--until 1 --every 3" "rows must be no further apart" 1

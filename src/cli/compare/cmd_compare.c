@@ -34,6 +34,7 @@ static const struct cli_option options[] = {
 	                "fidelity to compare with (the most accurate of LIST)"),
 	{"landmarks", 0, "", "print a row for each fold and peak, not for each fidelity",
 	 CLI_FLAG(landmarks)},
+	CLI_HEADING("Steps and limits"),
 	CLI_TOLERANCE_OPTION("residual and integration error, relative to the orbit (1e-9)"),
 	CLI_STEP_OPTION,
 	CLI_POINTS_OPTION("end a curve after this many points (20000)"),

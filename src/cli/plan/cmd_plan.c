@@ -32,6 +32,7 @@ static const struct cli_option options[] = {
 	 CLI_TEXT_FOR(fidelities, CLI_SPAN)},
 	{"limit", 0, "SECONDS", "processor time for measuring times (1 and a tenth of the estimate)",
 	 CLI_POSITIVE_FOR(limit, CLI_SPAN | CLI_NET)},
+	CLI_HEADING("Nets"),
 	{"until", 0, "TIME", "nets: end of the motion (ten periods of the slowest load)",
 	 CLI_TEXT_FOR(net.until, CLI_NET)},
 	{"step", 0, "TIME", "nets: longest step, or auto (the scene's, or auto)",
