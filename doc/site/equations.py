@@ -5,7 +5,7 @@
 
 An equation is a fenced block with the word eq. Its notation is what one would type: Unicode letters and signs, u_j and K_(m−l) for
 indices, ², ᵀ, e^(−q) and primes for exponents, √(...) for roots. a/b without blanks is a fraction, whose numerator and denominator lose
-the parentheses around them; with blanks the slash stays. A letter with digits, V2, is an index; two blanks and more separate equations;
+the parentheses around them; with blanks it is one before a parenthesis. A letter with digits, V2, is an index; two blanks and more separate equations;
 words of four letters and more are text. Browsers show MathML without a script.
 
 SPDX-License-Identifier: GPL-3.0-or-later
@@ -20,8 +20,8 @@ SUB = dict(zip("₀₁₂₃₄₅₆₇₈₉₊₋", "0123456789+−"))
 PRIMES = {"′": "′", "″": "″", "‴": "‴", "'": "′", "''": "″", "'''": "‴", "''''": "⁗"}
 FUNCTIONS = set("sin cos tan sinh cosh tanh coth asinh exp log ln max min diag sqrt det Re Im sym conj".split())
 GREEK = {"alpha": "α", "gamma": "γ", "mu": "μ", "rho": "ρ", "sigma": "σ", "tau": "τ", "theta": "θ", "Pi": "Π", "kappa": "κ"}
-SIGNS = {"int": "∫", "sum": "Σ"}
-WORDS = set("a an or at of to and the for not is in on by out end next over both as it from".split()) - {"a"}
+SIGNS = {"int": "∫"}
+WORDS = set("a an or at of sum to and the for not is in on by out end next over both as it from".split()) - {"a"}
 PAIRS = {"(": ")", "[": "]", "{": "}", "⟨": "⟩"}
 OPERATORS = "=≠≤≥<>+−±∓·×/,;:.→←⊥∂∫Σ…|*?^_↔∞∈≈∝&\"%°~"
 LETTER = r"[A-Za-zα-ωΑ-ΩϑℓħĀ-ſ\u00e0-\u00ff\u1e00-\u1eff][\u0300-\u036f]*"
@@ -264,14 +264,15 @@ def fractions(nodes):
     out, k = [], 0
     while k < len(nodes):
         node, k = nodes[k], k + 1
-        over = node.text == "<mo>/</mo>" and not node.blank and out and k < len(nodes) and not nodes[k].blank
-        if not over or out[-1].kind not in ("atom", "group") or nodes[k].kind not in ("atom", "group"):
+        over = node.text == "<mo>/</mo>" and out and k < len(nodes) and node.blank == nodes[k].blank
+        if not over or node.blank and nodes[k].kind != "group" or out[-1].kind not in ("atom", "group") or nodes[k].kind not in ("atom", "group"):
             out.append(node)
             continue
         above = [out.pop()]
         while out and out[-1].kind in ("atom", "group") and not above[0].blank:
             above.insert(0, out.pop())
         below = [nodes[k]]
+        nodes[k].blank = False
         k += 1
         while k < len(nodes) and nodes[k].kind in ("atom", "group") and not nodes[k].blank and below[-1].kind != "group":
             below.append(nodes[k])
