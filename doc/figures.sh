@@ -74,7 +74,7 @@ span="${SRCDIR:?names the source directory}/notebooks-data/scenes/b-table-4.6-ou
 printf '%s\n' "$target/compare-mms.svg" "$target/backbone.svg" "$target/mathieu.svg"
 
 # Convergence in the number of modes against the full-order model: raw models stall, the lowest modes with
-# the others condensed converge, chosen ones sooner. The picture of README.md; takes some minutes.
+# the others condensed converge, chosen ones sooner. A picture of doc/commands.md; takes some minutes.
 names="b-table-4.4-line-2 b-table-4.5 b-table-5.4-at-rest inclined b-table-4.2 deep-sag"
 : "${SRCDIR:?names the source directory}"
 HAWSER=${BUILD:-.}/hawser sh "$SRCDIR/bench/convergence.sh" "$target/convergence" $names \
@@ -183,7 +183,7 @@ END
 } | gnuplot >"$target/convergence.svg"
 echo "$target/convergence.svg"
 
-# Error over processor time, from the table that bench/trade.py measures in half an hour. The picture of README.md.
+# Error over processor time, from the table that bench/trade.py measures in half an hour. A picture of doc/commands.md.
 python3 "$SRCDIR/bench/trade.py" draw "$SRCDIR/notebooks-data/trade.tsv" "$target/trade.svg"
 echo "$target/trade.svg"
 
@@ -200,6 +200,11 @@ echo "$target/irvine-speeds.svg"
 
 # Travelling cables: response, braking, jumps.
 sh "$SRCDIR/doc/figures-travel.sh" "$target/travel"
+
+# The picture of README.md, by its own scene and command: doc/response.svg is a copy.
+sed -n '/^    \$ cat >stay.yaml/,/^    END/p' "$SRCDIR/README.md" | sed '1d; $d; s/^    //' >"$target/stay.yaml"
+"$hawser" frf "$target/stay.yaml" --from 0.98w1 --to 1.02w1 --branches 1 --scale linear -q --plot "$target/response.svg"
+echo "$target/response.svg"
 
 # Spans with attachments and moving ends.
 sh "$SRCDIR/doc/figures-spans.sh" "$target/spans"
