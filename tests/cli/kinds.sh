@@ -8,7 +8,9 @@ takers=
 for command in $(commands | tr ' ' _); do
 	# shellcheck disable=SC2086 # a name of two words
 	case $command in check | report | sweep) continue ;; esac # of all kinds
-	"$HAWSER" help $(echo "$command" | tr _ ' ') | sed -n 1p | grep -q ' SCENE' && takers="$takers $command"
+	run help $(echo "$command" | tr _ ' ')
+	read -r usage <"$scratch/out"
+	case $usage in *' SCENE'*) takers="$takers $command" ;; esac
 done
 # shellcheck disable=SC2086 # words
 set -- $takers
@@ -26,14 +28,20 @@ kinds=$("$HAWSER" init --help | sed -n '1s/^[^[]*\[\([a-z|]*\)\].*/\1/p' | tr '|
 for kind in $kinds model; do
 	case $kind in
 		model) cp "$duffing" scene.yaml ;;
-		*) "$HAWSER" init "$kind" >scene.yaml ;;
+		*) run init "$kind" && cp "$scratch/out" scene.yaml ;;
 	esac
-	listed=", $("$HAWSER" check scene.yaml 2>/dev/null | sed -n 's/^commands that take it: //p'),"
+	run check scene.yaml
+	listed=", $(sed -n 's/^commands that take it: //p' "$scratch/out"),"
 	for command in $takers; do
-		words=$(echo "$command" | tr _ ' ')
+		case $command in *_*) words="${command%%_*} ${command#*_}" ;; *) words=$command ;; esac
 		# shellcheck disable=SC2086 # a name of two words
 		answered $words
-		refused=$(grep -c "^hawser: scene.yaml is .*, which hawser $words does not take; these commands do: " "$scratch/err")
+		refused=0
+		while IFS= read -r line; do
+			case $line in
+				"hawser: scene.yaml is "*", which hawser $words does not take; these commands do: "*) refused=$((refused + 1)) ;;
+			esac
+		done <"$scratch/err"
 		case $listed in
 			*", $words,"*) try "$kind: $words" test "$refused" = 0 ;;
 			*) case $kind in

@@ -85,8 +85,8 @@ python "two threads do not spin while they wait, and make the same bytes" <<END
 import os, subprocess
 def run(threads):
     before = os.times()
-    subprocess.run(["$HAWSER", "map", "$top/notebooks-data/scenes/b-table-5.4.yaml", "-n", "4", "--x", "Omega=0.5w1:5w1", "--y",
-                    "travel.fluctuation=0:8", "--quantity", "multiplier", "--points", "10x10", "-q", "--tsv",
+    subprocess.run(["$HAWSER", "map", "$top/notebooks-data/scenes/b-table-5.4.yaml", "-n", "3", "--x", "Omega=0.5w1:5w1", "--y",
+                    "travel.fluctuation=0:8", "--quantity", "multiplier", "--points", "20x20", "-q", "--tsv",
                     "threads-%d.tsv" % threads, "--threads", str(threads)], check=True)
     after = os.times()
     return after.children_user + after.children_system - before.children_user - before.children_system
@@ -177,12 +177,12 @@ refuses_like 3 'a period of the motion needs more steps than the integration may
 sed 's/0.063/0/' duffing.json >undamped.json
 refuses_like 2 'basin: no stable periodic response was found' map undamped.json --x u1=0:1 --y v1=0:1 --Omega 3 --points 2x2 \
 	--quantity basin
-works "modes of one solution" map "$chairlift" --x "Omega=0.2 Hz:0.5 Hz" --y damping.alpha=0:1 --points 9x9 \
+works "modes of one solution" map "$chairlift" --x "Omega=0.2 Hz:0.5 Hz" --y damping.alpha=0:1 --points 3x3 \
 	--quantity unstable --tsv none.tsv
 
 # --- the checkpoint ---
-wide="--points 150x150 --coarse 1 --quantity multiplier --checkpoint kept"
-works "an uninterrupted map" map hill.json $axes --points 150x150 --coarse 1 --quantity multiplier --tsv whole.tsv
+wide="--points 80x80 --coarse 1 --quantity multiplier --checkpoint kept"
+works "an uninterrupted map" map hill.json $axes --points 80x80 --coarse 1 --quantity multiplier --tsv whole.tsv
 }
 cat >../kill.py <<'END'
 import os, signal, subprocess, sys, time
@@ -192,8 +192,9 @@ start = lambda: subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subproc
                                  preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
 size = lambda: os.path.getsize("kept") if os.path.exists("kept") else 0
 before, run = size(), start()
-while size() < before + 100000 and run.poll() is None:
+while size() < before + 30000 and run.poll() is None:
     time.sleep(0.002)
+run.send_signal(signal.SIGSTOP) # it keeps its lock, and does not end while others start
 second = start()
 if sys.argv[2] == "SIGKILL":
     err = second.communicate(timeout=60)[1]
@@ -205,6 +206,7 @@ else:
     second.communicate()
 assert run.poll() is None, "it ended by itself"
 run.send_signal(number)
+run.send_signal(signal.SIGCONT)
 out, err = run.communicate(timeout=60)
 want = -number if number == signal.SIGKILL else 128 + number
 assert run.returncode == want, (run.returncode, err)

@@ -1,6 +1,6 @@
 #!/bin/sh
 # hawser map by several processes: ranks of mpirun, parts and merge, give the bytes of one process; so does a map whose rank
-# was killed and that is continued by others. HAWSER_LONG=1: a map of 1000 x 1000
+# was killed and that is continued by others. HAWSER_LONG=1: that map has 1000 x 1000
 # points, of which all are computed.
 # SPDX-License-Identifier: GPL-3.0-or-later
 . "$SRCDIR/tests/cli/lib.sh"
@@ -156,10 +156,11 @@ if [ -n "${HAWSER_LONG:-}" ]; then # each start of MPI takes half a second
 	try "an error is told once" test "$(grep -c '^hawser:' "$scratch/err")" = 1
 fi
 
-# A map that takes seconds; a worker is killed when the checkpoint has some points.
-slow="map hill.json --x Omega=0.8:4 --y factor.load=0:0.5 --points ${HAWSER_LONG:+10}100x${HAWSER_LONG:+10}100
+# A worker is killed when the checkpoint has some points.
+side=40 half=500
+[ -z "${HAWSER_LONG:-}" ] || side=1000 half=503000
+slow="map hill.json --x Omega=0.8:4 --y factor.load=0:0.5 --points ${side}x$side
 	--quantity multiplier --coarse 1 --reproducible -q"
-half=${HAWSER_LONG:+50}3000
 # shellcheck disable=SC2086
 {
 	run $slow --tsv slow.tsv --json slow.json

@@ -10,11 +10,13 @@ try "kinds" test $# -ge 8
 
 # piped COMMAND: of scene.yaml, status and all text but for the name of the scene, and for measured times.
 piped() {
-	"$HAWSER" "$1" scene.yaml >"$scratch/file" 2>&1
-	of_file=$?
+	run "$1" scene.yaml
+	of_file=$status
+	cat "$scratch/out" "$scratch/err" >"$scratch/file"
 	# shellcheck disable=SC2002 # a pipe is what is tested
-	cat scene.yaml | "$HAWSER" "$1" - >"$scratch/piped" 2>&1
+	cat scene.yaml | "$HAWSER" "$1" - >"$scratch/piped" 2>"$scratch/said"
 	of_pipe=$?
+	cat "$scratch/said" >>"$scratch/piped"
 	[ $of_file -eq $of_pipe ] || { echo "status $of_file of the file, $of_pipe of the pipe"; return 1; }
 	for text in file piped; do
 		sed 's/scene\.yaml/<stdin>/; s/^[0-9. ]*s of processor.*//' "$scratch/$text" >"$scratch/$text.plain"
@@ -48,20 +50,26 @@ flow() {
 		END { while (depth) printf "%s", shut[depth--]; print "" }'
 }
 
+# told COMMAND: what it prints of scene.yaml, and its status
+told() {
+	run "$1" scene.yaml
+	cat "$scratch/out"
+	echo "$status"
+}
+
 for kind in $kinds; do
-	"$HAWSER" init "$kind" >block.yaml
+	run init "$kind"
+	cp "$scratch/out" block.yaml
 	cp block.yaml scene.yaml
 	for command in check statics modes; do
 		try "$kind: $command" piped "$command"
-		"$HAWSER" "$command" scene.yaml >"$scratch/block" 2>/dev/null
-		echo $? >>"$scratch/block"
+		told "$command" >"$scratch/block"
 		for form in flow indented; do
 			case $form in
 				flow) flow <block.yaml >scene.yaml ;;
 				*) sed 's/^/   /' block.yaml >scene.yaml ;;
 			esac
-			"$HAWSER" "$command" scene.yaml >"$scratch/$form" 2>/dev/null
-			echo $? >>"$scratch/$form"
+			told "$command" >"$scratch/$form"
 			try "$kind: $command, $form" cmp -s "$scratch/block" "$scratch/$form"
 		done
 		cp block.yaml scene.yaml
@@ -71,7 +79,8 @@ done
 # Of any kind, the text is opened once.
 if strace -V >/dev/null 2>&1 && strace -o "$scratch/trace" true 2>/dev/null; then
 	for kind in $kinds; do
-		"$HAWSER" init "$kind" >scene.yaml
+		run init "$kind"
+		cp "$scratch/out" scene.yaml
 		strace -f -e trace=openat -o "$scratch/trace" "$HAWSER" check scene.yaml >"$scratch/out" 2>&1
 		try "$kind: opened once" test "$(grep -c 'scene\.yaml"' "$scratch/trace")" = 1
 	done

@@ -103,8 +103,8 @@ model: {modes: 2}
 END
 for set in travel.speed=0 travel.speed=60; do
 	run modes belt.yaml --set $set --json modes.json
-	run frf belt.yaml --set $set --from 0.99w1 --to 1w2 --json f.json
-	run integrate belt.yaml --set $set --Omega 1w1 --until 1T --json i.json
+	run frf belt.yaml --set $set --from 0.99w1 --to 1w2 --max-points 2 --json f.json
+	run integrate belt.yaml --set $set --Omega 1w1 --until 0.05T --json i.json
 	run plan belt.yaml --set $set --from 1w1 --to 1w2 --fidelities "raw 2" --json p.json
 	run hill belt.yaml --set $set --Omega 1w2 --json h.json
 	run map belt.yaml --set $set --x Omega=1w1:1w2 --y travel.speed=10:20 --points 2x2 --json m.json
@@ -122,7 +122,7 @@ same((load("i")["Omega"], w[0]), (load("h")["Omega"], w[1]))
 same((p["from"], w[0]), (p["to"], w[1]), (x["from"], w[0]), (x["to"], w[1]))
 END
 done
-run integrate belt.yaml --set model.condense=static --set model.modes=auto --Omega 1w1 --until 1T --json auto.json
+run integrate belt.yaml --set model.condense=static --set model.modes=auto --Omega 1w1 --until 0.05T --json auto.json
 python "the figure of the belt, and with modes to be chosen" <<'END'
 import json
 w = json.load(open("modes.json"))["modes"][0]["omega"] # at 60 m/s

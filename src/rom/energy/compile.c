@@ -305,16 +305,19 @@ static void fill_rows(struct hawser_rom_kernel *kernel, const struct hawser_rom 
 	}
 }
 
+/* By columns: entries that follow each other change different accelerations, and none waits for the one before. */
 static void fill_damping(struct hawser_rom_kernel *kernel, const struct hawser_rom *rom)
 {
 	int n = rom->n;
 
 	for (int i = 0; i < n*n; i++) {
-		if (rom->D[i] == 0.0)
+		int j = i%n, k = i/n;
+
+		if (rom->D[j*n + k] == 0.0)
 			continue;
-		kernel->d_j[kernel->d_entries] = i/n;
-		kernel->d_k[kernel->d_entries] = i%n;
-		kernel->d_val[kernel->d_entries++] = rom->D[i];
+		kernel->d_j[kernel->d_entries] = j;
+		kernel->d_k[kernel->d_entries] = k;
+		kernel->d_val[kernel->d_entries++] = rom->D[j*n + k];
 	}
 }
 

@@ -25,11 +25,11 @@ static double factor(const struct hawser_harmonic *harmonic, double tau, double 
 	return wave;
 }
 
-/* y -= scale * matrix * x, for a dense [n][n] matrix. */
+/* y -= scale * matrix * x, for a dense [n][n] matrix, column by column: then no sum waits for itself. */
 static void subtract_product(double *y, double scale, const double *matrix, const double *x, int n)
 {
-	for (int j = 0; j < n; j++)
-		for (int k = 0; k < n; k++)
+	for (int k = 0; k < n; k++)
+		for (int j = 0; j < n; j++)
 			y[j] -= scale*matrix[j*n + k]*x[k];
 }
 
