@@ -64,7 +64,7 @@ static void check_damping(void)
 		struct hawser_frf frf;
 		struct hawser_report report = {.message = ""};
 		/* beyond critical damping nothing changes with Omega, and orbits are stiff */
-		double to = ratio[i] > 1.0 && !getenv("HAWSER_LONG") ? 0.85 : 2.385;
+		double to = ratio[i] > 1.0 && !getenv("HAWSER_LONG") ? 0.75 : 2.385;
 		double worst = 0.0, stated = 0.0;
 
 		if (make(&rom, 2, ratio[i], 0.0, 0.3))

@@ -81,7 +81,7 @@ static void meet(struct sweep_point *point, const double *x, void *context)
 	struct cusp want = closed_form(x[DAMPING], x[CUBIC]), found;
 
 	(void)context;
-	point->skip = sweep_left_out(5, 1);
+	point->skip = sweep_left_out(7, 1);
 	if (point->skip)
 		return;
 	point->status = find(&found, x[DAMPING], x[CUBIC], &point->stated, &point->report);
@@ -146,7 +146,7 @@ static void beside(struct sweep_point *point, const double *x, void *context)
 	struct hawser_rom rom;
 	int folds = 0;
 
-	point->skip = sweep_left_out(8, 1);
+	point->skip = sweep_left_out(10, 1);
 	if (point->skip)
 		return;
 	point->status = find(&cusp, z, 1.0, &stated, &point->report);

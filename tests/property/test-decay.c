@@ -62,7 +62,7 @@ static void exact(double ratio)
 static void coverage(double noise)
 {
 	double t[COUNT], x[COUNT];
-	int held[2] = {0, 0}, fitted = 0, runs = getenv("HAWSER_LONG") ? RUNS : 700;
+	int held[2] = {0, 0}, fitted = 0, runs = getenv("HAWSER_LONG") ? RUNS : 400;
 
 	for (int r = 0; r < RUNS; r++) {
 		struct hawser_decay decay;
@@ -170,13 +170,15 @@ static void impure_tables(void)
 			if (r % 2 == 0)
 				a[i] = fabs(a[i] + 0.005*peak*normal());
 		}
+		if (r % 4 > 1 && !getenv("HAWSER_LONG")) /* the random numbers that follow stay the same */
+			continue;
 		if (hawser_half_power_find(&half, w, a, 60, 0.95, NULL))
 			continue;
 		stated[r % 2]++;
 		held[r % 2] += fabs(half.ratio - ratio) <= half.ratio_error;
 	}
 	for (int k = 0; k < 2; k++)
-		ok(stated[k] > 37 && held[k] >= 0.93*stated[k], "%s: %d of %d stated errors hold",
+		ok(stated[k] > 18 && held[k] >= 0.93*stated[k], "%s: %d of %d stated errors hold",
 		   k ? "a second mode" : "noise", held[k], stated[k]);
 }
 
@@ -185,8 +187,8 @@ static void bent_tables(int points)
 {
 	int refused = 0, held = 0;
 
-	for (int r = 0; r < 40; r++) {
-		double bend = 0.04*r/40.0, w[COUNT], a[COUNT];
+	for (int r = 0; r < 20; r++) {
+		double bend = 0.04*r/20.0, w[COUNT], a[COUNT];
 		struct hawser_half_power half;
 
 		for (int i = 0; i < points; i++) {
@@ -203,7 +205,7 @@ static void bent_tables(int points)
 		held += fabs(0.5*tan(2.0*asin(half.ratio))*half.peak*half.peak - 0.02) <=
 		        half.ratio_error + 1e-12;
 	}
-	ok(refused > 0 && refused < 40 && held + refused == 40, "of 40 bent peaks %d are refused, %d "
+	ok(refused > 0 && refused < 20 && held + refused == 20, "of 20 bent peaks %d are refused, %d "
 	   "stated errors hold", refused, held);
 }
 

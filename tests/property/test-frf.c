@@ -438,8 +438,8 @@ static void check_narrow_doublings(void)
 	hawser_modes_clear(&modes);
 	if (!ok(fine, "B Table 4.5, six modes"))
 		return;
-	options.from = 0.6*sqrt(rom.K[0]);
-	options.to = 3.3*sqrt(rom.K[0]);
+	options.from = (getenv("HAWSER_LONG") ? 0.6 : 2.4)*sqrt(rom.K[0]);
+	options.to = (getenv("HAWSER_LONG") ? 3.3 : 2.6)*sqrt(rom.K[0]);
 	options.samples = HAWSER_NONE;
 	for (size_t i = 0; i < (getenv("HAWSER_LONG") ? sizeof step/sizeof *step : 2); i++) {
 		struct hawser_frf frf;

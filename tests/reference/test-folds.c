@@ -118,7 +118,7 @@ static void check_absorber(void)
  * turns by so much that its tangent passes the first point beyond it. */
 static void check_sink(void)
 {
-	struct hawser_folds_options options = {.from = 0.6, .to = 1.6};
+	struct hawser_folds_options options = {.from = 0.85, .to = 1.05, .starts = HAWSER_NONE};
 	struct hawser_folds folds;
 	struct hawser_rom rom;
 	int closed = 0;
