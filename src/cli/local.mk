@@ -188,6 +188,7 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/motion/integrate_net.c \
 	%D%/motion/integrate_net.h \
 	%D%/motion/integrate_rod.c \
+	%D%/motion/probes_mesh.c \
 	%D%/motion/integrate_result.c \
 	%D%/motion/integrate_result.h \
 	%D%/modes/irvine_draw.c \

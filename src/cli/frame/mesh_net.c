@@ -18,51 +18,74 @@ enum hawser_status cli_mesh_open(struct hawser_net *net, const struct cli_common
 	return status ? status : hawser_net_refine(net, report);
 }
 
-static const char *from_of(const struct hawser_net_mesh_error *error)
+/* --- its error --- */
+
+static const char *from_of(const void *of)
 {
-	return error->exact ? "exact catenaries" : "meshes with fewer elements";
+	const struct cli_mesh *mesh = of;
+
+	return isnan(mesh->error.tension) ? NULL
+	       : mesh->error.exact ? "exact catenaries" : "meshes with fewer elements";
 }
 
-void cli_mesh_comment(struct hawser__table *table, const struct hawser_net *net,
-                      const struct hawser_net_mesh_error *error)
+static const char *cable_of(const void *of)
 {
-	if (isnan(error->tension))
+	const struct cli_mesh *mesh = of;
+
+	return mesh->error.cable < 0 ? NULL : mesh->net.cable[mesh->error.cable].name;
+}
+
+void cli_mesh_comment(struct hawser__table *table, const struct cli_mesh *mesh)
+{
+	if (!from_of(mesh))
 		hawser__table_comment(table, "error of the mesh: not known");
-	else if (error->cable < 0)
-		hawser__table_comment(table, "error of the mesh: none, by %s", from_of(error));
+	else if (!cable_of(mesh))
+		hawser__table_comment(table, "error of the mesh: none, by %s", from_of(mesh));
 	else
 		hawser__table_comment(table, "error of the mesh: tensions to %.1e (most in %s, of %d "
-		                      "elements), by %s", error->tension, net->cable[error->cable].name,
-		                      net->cable[error->cable].elements, from_of(error));
+		                      "elements), by %s", mesh->error.tension, cable_of(mesh),
+		                      mesh->net.cable[mesh->error.cable].elements, from_of(mesh));
 }
 
-void cli_mesh_json(struct hawser__json *json, json_t *into, const struct hawser_net *net,
-                   const struct hawser_net_mesh_error *error)
-{
-	json_t *to = hawser__json_object(json, into, "mesh_error");
+const struct hawser__field cli_mesh_field[] = {
+	{"mesh_error.tension", NULL, "relative error of the tensions of the equilibrium by the mesh; null: "
+	 "not known", HAWSER__AT(struct cli_mesh, error.tension), .flags = HAWSER__NULL},
+	{"mesh_error.cable", NULL, "the cable with the largest one", HAWSER__TEXT_BY(cable_of),
+	 .flags = HAWSER__NULL},
+	{"mesh_error.from", NULL, "what it is compared with", HAWSER__TEXT_BY(from_of),
+	 .flags = HAWSER__NULL},
+	HAWSER__END,
+};
 
-	if (isnan(error->tension))
-		hawser__json_null(json, to, "tension");
-	else
-		hawser__json_number(json, to, "tension", error->tension);
-	if (error->cable < 0)
-		hawser__json_null(json, to, "cable");
-	else
-		hawser__json_text(json, to, "cable", net->cable[error->cable].name);
-	if (isnan(error->tension))
-		hawser__json_null(json, to, "from");
-	else
-		hawser__json_text(json, to, "from", from_of(error));
-}
-
-void cli_mesh_warning(char *text, const struct hawser_net *net,
-                      const struct hawser_net_mesh_error *error)
+void cli_mesh_warning(char *text, const struct cli_mesh *mesh)
 {
-	const struct hawser_net_cable *cable = &net->cable[error->cable < 0 ? 0 : error->cable];
+	const struct hawser_net_cable *cable = &mesh->net.cable[mesh->error.cable < 0 ? 0 : mesh->error.cable];
 
 	*text = '\0';
-	if (error->tension > LARGE)
+	if (mesh->error.tension > LARGE)
 		snprintf(text, CLI_WARNING_SIZE, "the mesh is coarse: tensions of cable %s are wrong by about "
-		         "%.0f %%; give it more elements than %d", cable->name, 100.0*error->tension,
+		         "%.0f %%; give it more elements than %d", cable->name, 100.0*mesh->error.tension,
 		         cable->elements);
 }
+
+/* --- nodes by name --- */
+
+static int numbers(const void *context)
+{
+	return 3*((const struct hawser_net *)context)->nodes;
+}
+
+static void node_name(char *text, size_t size, const void *context, int k)
+{
+	snprintf(text, size, "%s\n", ((const struct hawser_net *)context)->node[k/3].name);
+}
+
+static void support_name(char *text, size_t size, const void *context, int k)
+{
+	*text = '\0';
+	if (((const struct hawser_net *)context)->node[k/3].support)
+		node_name(text, size, context, k);
+}
+
+const struct hawser__vector cli_nodes = {.count = numbers, .name = node_name, .object = 1};
+const struct hawser__vector cli_supports = {.count = numbers, .name = support_name, .object = 1};

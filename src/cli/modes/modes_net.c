@@ -16,9 +16,9 @@
 
 struct result {
 	const struct cli_common *common;
-	struct hawser_net net;
+	struct cli_mesh mesh;
 	struct hawser_net_modes modes;
-	struct hawser_net_mesh_error error; /* of the equilibrium */
+	struct cli_contacts contacts;
 	const char *method;
 	int shapes;
 };
@@ -118,7 +118,7 @@ static void comments(struct hawser__table *table, const void *of)
 		                      modes->below, modes->counted, modes->counted == 1 ? "" : "s");
 	else if (modes->below < 0.0)
 		hawser__table_comment(table, "round-off prevents a count of the modes below the last one");
-	cli_mesh_comment(table, &result->net, &result->error);
+	cli_mesh_comment(table, &result->mesh);
 	contact_comments(table, modes);
 	corner_comment(table, modes);
 	symmetry_comments(table, &modes->symmetry);
@@ -126,7 +126,7 @@ static void comments(struct hawser__table *table, const void *of)
 
 /* --- fields --- */
 
-enum { TWO = 1, THREE = 2, TURNS = 4 };
+enum { TWO = 1, THREE = 2, TURNS = 4, CONTACTS = 8, SHAPES = 16 };
 
 struct row {
 	const struct result *result;
@@ -143,7 +143,7 @@ static void along(struct hawser__json *json, json_t *into, const struct result *
 
 	for (int p = 0; p < modes->points; p++) {
 		if (p == 0 || modes->cable[p] != modes->cable[p - 1])
-			list = hawser__json_array(json, into, result->net.cable[modes->cable[p]].name);
+			list = hawser__json_array(json, into, result->mesh.net.cable[modes->cable[p]].name);
 		if (j < 0)
 			hawser__json_number(json, list, NULL, modes->S[p]);
 		else
@@ -169,14 +169,8 @@ static void parity_json(struct hawser__json *json, json_t *into, const void *of)
 static void shape_json(struct hawser__json *json, json_t *into, const void *of)
 {
 	const struct row *row = of;
-	const struct result *result = row->result;
-	json_t *nodes = hawser__json_object(json, into, "nodes");
 
-	for (int i = 0; i < result->modes.nodes; i++)
-		hawser__json_numbers(json, nodes, result->net.node[i].name,
-		                     result->modes.shape[(row->index - 1)*result->modes.nodes + i], 3, 1.0);
-	if (result->shapes)
-		along(json, hawser__json_object(json, into, "shape"), result, row->index - 1);
+	along(json, hawser__json_object(json, into, "shape"), row->result, row->index - 1);
 }
 
 #define OF(member) HAWSER__AT(struct row, member)
@@ -202,14 +196,16 @@ const struct hawser__field cli_modes_net_field[] = {
 	 OF(residual)},
 	{"corners", NULL, "with obstacles: frequency whose square the corners of the mesh on circles may "
 	 "add or take off (rad/s)", OF(corners)},
-	{"mass", "mass_kg", "modal mass, of a shape whose largest displacement is 1 (kg)", OF(mass)},
+	{"mass", "mass", "modal mass, of a shape whose largest displacement is 1", OF(mass),
+	 .unit = HAWSER__KILOGRAM},
 	{"along", "along", "share of the kinetic energy of motion along the cables", OF(along)},
 	{"share", "share_", "of the modal mass, that moves along an axis", OF(share),
 	 .vector = &cli_axes},
 	{"parity", NULL, "symmetric part of the kinetic energy minus the antisymmetric one: plane, and the "
 	 "list mirrors", HAWSER__CALLS(parity_json)},
-	{"nodes", NULL, "displacement of each node; with --shapes shape, along each cable",
-	 HAWSER__CALLS(shape_json)},
+	{"nodes", NULL, "displacement of each node",
+	 HAWSER__VECTOR_ALONG(struct result, modes.shape, cli_nodes)},
+	{"shape", NULL, "with --shapes: along each cable", HAWSER__CALLS(shape_json), .when = SHAPES},
 	HAWSER__END,
 };
 #undef OF
@@ -284,28 +280,9 @@ static const char *how_of(const void *of)
 	return modes->state ? names[modes->how] : NULL;
 }
 
-static void mesh_json(struct hawser__json *json, json_t *into, const void *of)
-{
-	const struct result *result = of;
-
-	cli_mesh_json(json, into, &result->net, &result->error);
-}
-
-static void contacts_json(struct hawser__json *json, json_t *into, const void *of)
-{
-	const struct result *result = of;
-
-	(void)into;
-	if (result->modes.state)
-		cli_contacts_list(json, &result->net, result->modes.contact, result->modes.contacts);
-}
-
 static void points_json(struct hawser__json *json, json_t *into, const void *of)
 {
-	const struct result *result = of;
-
-	if (result->shapes)
-		along(json, hawser__json_object(json, into, "S"), result, -1);
+	along(json, hawser__json_object(json, into, "S"), of, -1);
 }
 
 const struct hawser__field cli_modes_net_member[] = {
@@ -314,18 +291,15 @@ const struct hawser__field cli_modes_net_member[] = {
 	 HAWSER__AT(struct result, modes.slack)},
 	{"certificate", NULL, "omega (rad/s) below which there are so many modes, by the inertia of K - "
 	 "omega^2 M (null: all of the mesh); complete: none is missed", HAWSER__CALLS(certificate_json)},
-	{"mesh_error", NULL, "relative error of the tensions of the equilibrium by the mesh: tension "
-	 "(null: not known), cable with the largest one, from: what it is compared with",
-	 HAWSER__CALLS(mesh_json)},
+	{"", NULL, "", HAWSER__PART_OF(struct result, mesh, cli_mesh_field)},
 	{"symmetry", NULL, "plane (or null), mirrors: point, normal, how well they hold (places, m; "
 	 "elements, relative); turns: 1/turns of a circle about axis through centre",
 	 HAWSER__CALLS(symmetry_json)},
 	{"contact", NULL, "with obstacles, about which state of contact: statics, slip or stick",
 	 HAWSER__TEXT_BY(how_of), .flags = HAWSER__NULL},
-	{"contacts", NULL, "with obstacles: nodes of the mesh that touch, as in the statics; state: slip "
-	 "or stick in the modes", HAWSER__CALLS(contacts_json)},
+	{"", NULL, "", HAWSER__PART_OF(struct result, contacts, cli_contacts_field), .when = CONTACTS},
 	{"S", NULL, "with --shapes: unstretched length of the points of each cable",
-	 HAWSER__CALLS(points_json)},
+	 HAWSER__CALLS(points_json), .when = SHAPES},
 	{"modes", NULL, "by frequency", HAWSER__OBJECTS_OF(mode_list)},
 	HAWSER__END,
 };
@@ -344,8 +318,9 @@ static struct cli_head head(const void *of)
 
 	return (struct cli_head){
 		.common = result->common, .command = "modes", .method = result->method,
-		.view = {.scale = hawser__si, .context = result,
+		.view = {.scale = hawser__si, .context = &result->mesh.net,
 		         .options = (waves ? TURNS : 0u) | (symmetry->mirrors == 2 ? TWO : 0u) |
+		                    (result->modes.state ? CONTACTS : 0u) | (result->shapes ? SHAPES : 0u) |
 		                    (symmetry->mirrors > 2 ? THREE : 0u)}};
 }
 
@@ -419,15 +394,15 @@ static void doubts(const struct result *result)
 	const struct hawser_net_modes *modes = &result->modes;
 	char text[CLI_WARNING_SIZE];
 
-	cli_mesh_warning(text, &result->net, &result->error);
+	cli_mesh_warning(text, &result->mesh);
 	if (*text)
 		cli_warn(text);
 	if (modes->doubtful == 0)
 		return;
 	snprintf(text, sizeof text, "%s: %d node%s touch an obstacle without force (first: cable %s, S = "
 	         "%.6g m): the modes are those with these nodes open; with them closed they are others, so "
-	         "that small motions are not linear", result->net.name, modes->doubtful,
-	         modes->doubtful == 1 ? "" : "s", result->net.cable[modes->cable[modes->barely]].name,
+	         "that small motions are not linear", result->mesh.net.name, modes->doubtful,
+	         modes->doubtful == 1 ? "" : "s", result->mesh.net.cable[modes->cable[modes->barely]].name,
 	         modes->S[modes->barely]);
 	cli_warn(text);
 }
@@ -444,14 +419,16 @@ enum hawser_status cli_modes_net(const struct cli_common *common, int n, int sha
 	result->shapes = shapes;
 	status = cli_vtk_check(vtk, "modes", report);
 	if (!status)
-		status = cli_mesh_open(&result->net, common, report);
+		status = cli_mesh_open(&result->mesh.net, common, report);
 	if (!status)
-		status = choose(&result->net, contact, report);
+		status = choose(&result->mesh.net, contact, report);
 	if (!status)
-		status = hawser_net_modes_solve(&result->modes, &result->net, n > 0 ? n : 0, report);
+		status = hawser_net_modes_solve(&result->modes, &result->mesh.net, n > 0 ? n : 0, report);
 	result->method = result->modes.method;
+	result->contacts = (struct cli_contacts){&result->mesh.net, result->modes.contact,
+	                                         result->modes.contacts, 0.0};
 	if (!status)
-		status = hawser_net_mesh_error(&result->error, &result->net, NULL, report);
+		status = hawser_net_mesh_error(&result->mesh.error, &result->mesh.net, NULL, report);
 	if (!status)
 		doubts(result);
 	if (!status && vtk)
@@ -459,7 +436,7 @@ enum hawser_status cli_modes_net(const struct cli_common *common, int n, int sha
 	if (!status)
 		status = cli_show(common, &showing, result, report);
 	hawser_net_modes_clear(&result->modes);
-	hawser_net_clear(&result->net);
+	hawser_net_clear(&result->mesh.net);
 	free(result);
 	return status;
 }

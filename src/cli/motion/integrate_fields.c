@@ -4,6 +4,7 @@
 
 #include <math.h>
 
+#include "cli/motion/integrate_net.h"
 #include "cli/motion/integrate_result.h"
 #include "cli/motion/integrate_span.h"
 
@@ -293,6 +294,10 @@ const struct cli_listing cli_integrate_listing[] = {
 	{"Columns with --model fe:", cli_span_history_field, 0},
 	{"Keys of JSON:", integrate_field, 1},
 	{"Keys of JSON with --model fe:", cli_span_field, 1},
+	{"Columns of a net:", cli_net_motion_field, 0},
+	{"Keys of JSON of a net:", cli_net_motion_field, 1},
+	{"Columns of a rod:", cli_rod_motion_field, 0},
+	{"Keys of JSON of a rod:", cli_rod_motion_field, 1},
 	{NULL, NULL, 0},
 };
 

@@ -16,18 +16,18 @@
 #include "core/report.h"
 #include "output/drawing/animate.h"
 
-enum { PROBES = 64, NAME = HAWSER_NET_NAME + 24, PATH = 4096, DRAWN = 3 };
+enum { PROBES = CLI_PROBES, NAME = CLI_PROBE_NAME, PATH = 4096, DRAWN = 3 };
 enum { ROWS = 200 }; /* of a run without --every, as hawser_net_integrate has (net_motion.h) */
 
 struct result {
 	const struct cli_common *common;
 	const struct cli_integrate_net *settings;
-	struct hawser_net net;
+	struct cli_mesh mesh;
 	struct hawser_net_motion motion;
-	struct hawser_net_mesh_error error; /* of the equilibrium */
+	struct cli_contacts contacts;
 	struct hawser_net_probe probe[PROBES];
-	char name[PROBES][NAME];
-	int probes, failed; /* failed: errno of a frame that could not be written */
+	struct cli_probed probed;
+	int failed;         /* errno of a frame that could not be written */
 	char path[PATH];    /* of that frame */
 	struct cli_film film;
 };
@@ -37,11 +37,11 @@ struct result {
 static enum hawser_status add(struct result *result, const char *name, size_t length,
                               struct hawser_report *report)
 {
-	const struct hawser_net *net = &result->net;
-	struct hawser_net_probe *probe = &result->probe[result->probes];
-	char *colon, *end = NULL, *to = result->name[result->probes];
+	const struct hawser_net *net = &result->mesh.net;
+	struct hawser_net_probe *probe = &result->probe[result->probed.probes];
+	char *colon, *end = NULL, *to = result->probed.name[result->probed.probes];
 
-	if (result->probes == PROBES || length >= NAME || length == 0)
+	if (result->probed.probes == PROBES || length >= NAME || length == 0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate", "--probe: at most %d names, "
 		                    "with commas between them, of at most %d characters", PROBES, NAME - 1);
 	memcpy(to, name, length);
@@ -60,7 +60,7 @@ static enum hawser_status add(struct result *result, const char *name, size_t le
 		if (end == colon + 1 || *end || !(probe->part >= 0.0 && probe->part <= 1.0))
 			probe->cable = -1;
 	}
-	result->probes++;
+	result->probed.probes++;
 	return probe->node >= 0 || probe->cable >= 0 ? HAWSER_OK
 		: hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate", "--probe %s: neither a node of the "
 		               "net nor a place of a cable, such as c1:0.25 for a quarter of the length of "
@@ -71,7 +71,7 @@ static enum hawser_status add(struct result *result, const char *name, size_t le
 static enum hawser_status probes(struct result *result, struct hawser_report *report)
 {
 	const char *at = result->settings->probe;
-	const struct hawser_net *net = &result->net;
+	const struct hawser_net *net = &result->mesh.net;
 	enum hawser_status status = HAWSER_OK;
 
 	while (at && !status) {
@@ -80,7 +80,7 @@ static enum hawser_status probes(struct result *result, struct hawser_report *re
 		status = add(result, at, length, report);
 		at = at[length] ? at + length + 1 : NULL;
 	}
-	for (int i = 0; i < net->nodes && !result->settings->probe && result->probes < PROBES; i++) {
+	for (int i = 0; i < net->nodes && !result->settings->probe && result->probed.probes < PROBES; i++) {
 		int held = net->node[i].held[0] && net->node[i].held[1] && net->node[i].held[2];
 
 		for (int k = 0; k < net->dynamics.releases; k++)
@@ -88,7 +88,7 @@ static enum hawser_status probes(struct result *result, struct hawser_report *re
 		if (!held && !status)
 			status = add(result, net->node[i].name, strlen(net->node[i].name), report);
 	}
-	if (!status && result->probes == 0 && net->cables > 0) {
+	if (!status && result->probed.probes == 0 && net->cables > 0) {
 		char name[NAME];
 
 		snprintf(name, sizeof name, "%s:0.5", net->cable[0].name);
@@ -150,51 +150,24 @@ static int frame(void *data, const struct hawser_net_frame *frame)
 
 /* --- results --- */
 
-static void fill_row(struct hawser__table *row, const void *of, size_t index)
+/* What is shown of the probes, and of the contacts at the end. */
+static void gather(struct result *result)
+{
+	const struct hawser_net_motion *motion = &result->motion;
+
+	result->probed.rows = motion->rows;
+	result->probed.x = (const double (*)[3])motion->x;
+	result->probed.T = motion->T;
+	result->contacts = (struct cli_contacts){&result->mesh.net, motion->contact, motion->contacts, 0.0};
+	for (int i = 0; i < motion->rows && motion->apart; i++)
+		result->contacts.apart = fmax(result->contacts.apart, motion->apart[i]);
+}
+
+static void comments(struct hawser__table *table, const void *of)
 {
 	const struct result *result = of;
 	const struct hawser_net_motion *motion = &result->motion;
 
-	hawser__table_number(row, motion->time[index]);
-	for (int p = 0; p < motion->probes; p++) {
-		size_t at = index*(size_t)motion->probes + (size_t)p;
-
-		for (int k = 0; k < 3; k++)
-			hawser__table_number(row, motion->x[at][k]);
-		hawser__table_number(row, motion->T[at]);
-	}
-	hawser__table_number(row, motion->kinetic[index]);
-	hawser__table_number(row, motion->potential[index]);
-	hawser__table_number(row, motion->work[index]);
-	hawser__table_number(row, motion->dissipated[index]);
-	hawser__table_number(row, motion->slack[index]);
-	if (!result->net.surfaces)
-		return;
-	hawser__table_number(row, motion->touching[index]);
-	hawser__table_number(row, motion->sliding[index]);
-	hawser__table_number(row, motion->friction[index]);
-	hawser__table_number(row, motion->impacts[index]);
-	hawser__table_number(row, motion->apart[index]);
-}
-
-static double apart(const struct hawser_net_motion *motion)
-{
-	double most = 0.0;
-
-	for (int i = 0; i < motion->rows; i++)
-		most = fmax(most, motion->apart[i]);
-	return most;
-}
-
-static void table(struct hawser__table *table, const void *of)
-{
-	static const char *const last[] = {"kinetic_J", "potential_J", "work_J", "dissipated_J", "slack",
-	                                   "touching", "sliding", "friction_J", "impacts_J", "apart_m"};
-	enum { CONTACT = 5 };
-	const struct result *result = of;
-	const struct hawser_net_motion *motion = &result->motion;
-
-	cli_echo_table(table, result->common, "integrate", NULL, motion->scheme);
 	hawser__table_comment(table, "%ld steps, %ld made shorter for their error, %ld halved; %ld "
 	                      "changes of elements between slack and taut", motion->steps,
 	                      motion->rejected, motion->splits, motion->switches);
@@ -211,98 +184,110 @@ static void table(struct hawser__table *table, const void *of)
 		hawser__table_comment(table, "fronts behind which the cable is slack: with damping.axial = "
 		                      "%.3g s, positions differ by up to %.1e m; without, their energy "
 		                      "stays in the mesh", motion->shock_axial, motion->shock);
-	cli_mesh_comment(table, &result->net, &result->error);
-	if (result->net.surfaces)
+	cli_mesh_comment(table, &result->mesh);
+	if (result->mesh.net.surfaces)
 		hawser__table_comment(table, "contacts: penetration, and gap of what touches, at most %.1e m; "
-		                      "laws of contact and friction to %.1e", apart(motion), motion->laws);
+		                      "laws of contact and friction to %.1e", result->contacts.apart, motion->laws);
 	for (int k = 0; k < 3; k++)
 		if (motion->still[k])
 			hawser__table_comment(table, "no motion along %c in the model: nothing drives it",
 			                      "xyz"[k]);
 	if (motion->interrupted)
 		hawser__table_comment(table, "interrupted at %.6g s", motion->reached);
-	hawser__table_column(table, "t_s");
-	for (int p = 0; p < motion->probes; p++) {
-		for (int k = 0; k < 3; k++)
-			hawser__table_column(table, "%s_%c_m", result->name[p], "xyz"[k]);
-		hawser__table_column(table, "%s_T_N", result->name[p]);
-	}
-	for (size_t i = 0; i < sizeof last/sizeof *last - (result->net.surfaces ? 0 : CONTACT); i++)
-		hawser__table_column(table, "%s", last[i]);
-	hawser__table_rows(table, (size_t)motion->rows, fill_row, result);
 }
 
-static void contacts(struct hawser__json *json, const struct result *result, json_t *energy)
+static const char *error_from(const void *of)
 {
-	const struct hawser_net_motion *motion = &result->motion;
-	const struct hawser_net_statics last = {.contact = motion->contact, .contacts = motion->contacts,
-	                                        .apart = apart(motion)};
-	json_t *touching = hawser__json_array(json, json->root, "touching");
-	json_t *sliding = hawser__json_array(json, json->root, "sliding");
-
-	for (int i = 0; i < motion->rows; i++) {
-		hawser__json_integer(json, touching, NULL, motion->touching[i]);
-		hawser__json_integer(json, sliding, NULL, motion->sliding[i]);
-	}
-	hawser__json_numbers(json, json->root, "apart", motion->apart, motion->rows, 1.0);
-	hawser__json_number(json, json->root, "laws", motion->laws);
-	hawser__json_numbers(json, energy, "friction", motion->friction, motion->rows, 1.0);
-	hawser__json_numbers(json, energy, "impacts", motion->impacts, motion->rows, 1.0);
-	cli_contacts_json(json, &result->net, &last);
+	return ((const struct result *)of)->motion.checked ? "another run" : "local errors";
 }
 
-static void json(struct hawser__json *json, const void *of)
+static int fronts(const void *of, const void *parent)
+{
+	(void)parent;
+	return ((const struct result *)of)->motion.front_axial > 0.0;
+}
+
+static void still_json(struct hawser__json *json, json_t *to, const void *of)
+{
+	json_t *into = hawser__json_array(json, to, "still");
+
+	for (int k = 0; k < 3; k++)
+		if (((const struct result *)of)->motion.still[k])
+			hawser__json_text(json, into, NULL, (const char *[]){"x", "y", "z"}[k]);
+}
+
+enum { SURFACES = 1 };
+#define ROWS_OF(member) HAWSER__ALONG(struct result, motion.member)
+#define ONE(member) HAWSER__IN(struct result, motion.member)
+#define PART(member, fields) {"", NULL, "", HAWSER__PART_OF(struct result, member, fields), \
+	.from = HAWSER__IN_PARENT
+#define JOULE .unit = HAWSER__J
+#define TOUCH .when = SURFACES
+const struct hawser__field cli_net_motion_field[] = {
+	{"scheme", NULL, "of time integration", ONE(scheme)},
+	{"times", "t", "time", ROWS_OF(time), .unit = HAWSER__SECOND},
+	PART(probed, cli_probed_field)},
+	{NULL, "", "of each probe: its place, and the largest tension there",
+	 HAWSER__VECTOR_OF(cli_probed_vector)},
+	{"energy.kinetic", "kinetic", "kinetic energy", ROWS_OF(kinetic), JOULE},
+	{"energy.potential", "potential", "of strain, weight and constant loads, since the beginning",
+	 ROWS_OF(potential), JOULE},
+	{"energy.work", "work", "of harmonic loads, moving supports and surfaces, since the beginning",
+	 ROWS_OF(work), JOULE},
+	{"energy.dissipated", "dissipated", "by damping, friction and impacts, since the beginning",
+	 ROWS_OF(dissipated), JOULE},
+	{"energy.closure", NULL, "largest error of this ledger over its largest term", ONE(closure)},
+	{"energy.friction", "friction", "with obstacles: dissipated by friction", ROWS_OF(friction), JOULE,
+	 .place = 1, TOUCH},
+	{"energy.impacts", "impacts", "by impacts", ROWS_OF(impacts), JOULE, .place = 1, TOUCH},
+	{"error.position", NULL, "estimated error of places", ONE(error), .unit = HAWSER__METRE},
+	{"error.from", NULL, "another run or local errors", HAWSER__TEXT_BY(error_from),
+	 .from = HAWSER__IN_PARENT},
+	{"error.shock", NULL, "by fronts behind which the cable is slack; null: none", ONE(shock),
+	 .unit = HAWSER__METRE, .flags = HAWSER__NULL},
+	{"error.front_axial", NULL, "damping.axial of these fronts", ONE(front_axial),
+	 .unit = HAWSER__SECOND, .given = fronts},
+	PART(mesh, cli_mesh_field)},
+	{"slack", "slack", "number of elements without tension", ROWS_OF(slack)},
+	{"still", NULL, "axes along which nothing moves the net", HAWSER__CALLS(still_json),
+	 .from = HAWSER__IN_PARENT},
+	{"touching", "touching", "with obstacles: number of contacts", ROWS_OF(touching), TOUCH},
+	{"sliding", "sliding", "of these, those that slip", ROWS_OF(sliding), TOUCH},
+	{"apart", "apart", "largest penetration, or gap of what touches, since the last row",
+	 ROWS_OF(apart), .unit = HAWSER__METRE, .place = 2, TOUCH},
+	{"laws", NULL, "largest relative residual of the laws of contact and friction", ONE(laws), TOUCH},
+	PART(contacts, cli_apart_field), TOUCH},
+	{"interrupted", NULL, "whether the run ended early",
+	 HAWSER__FLAG_AT(struct result, motion.interrupted), .from = HAWSER__IN_PARENT},
+	HAWSER__END,
+};
+#undef ONE
+static const struct hawser__list row_list = {
+	.field = cli_net_motion_field, .count_at = offsetof(struct result, motion.rows)};
+static const struct hawser__field result_field[] = {
+	{"", NULL, "", HAWSER__ARRAYS_OF(row_list)},
+	HAWSER__END,
+};
+#define OF(member) HAWSER__AT(struct result, motion.member)
+static const struct hawser__field stats_field[] = {
+	{"unknowns", NULL, "of the mesh", OF(unknowns)},
+	{"steps", NULL, "of the scheme", OF(steps)},
+	{"iterations", NULL, "of Newton's method", OF(iterations)},
+	{"rejected", NULL, "steps made shorter for their error", OF(rejected)},
+	{"splits", NULL, "steps made in halves", OF(splits)},
+	{"switches", NULL, "of elements between slack and taut", OF(switches)},
+	HAWSER__END,
+};
+#undef OF
+
+static struct cli_head head(const void *of)
 {
 	const struct result *result = of;
-	const struct hawser_net_motion *motion = &result->motion;
-	json_t *into, *energy;
 
-	cli_echo_json(json, result->common, "integrate", NULL);
-	hawser__json_text(json, json->root, "scheme", motion->scheme);
-	hawser__json_numbers(json, json->root, "times", motion->time, motion->rows, 1.0);
-	into = hawser__json_object(json, json->root, "probes");
-	for (int p = 0; p < motion->probes; p++) {
-		json_t *one = hawser__json_object(json, into, result->name[p]);
-		json_t *x = hawser__json_array(json, one, "x"), *T = hawser__json_array(json, one, "T");
-
-		for (int i = 0; i < motion->rows; i++) {
-			hawser__json_numbers(json, x, NULL, motion->x[i*motion->probes + p], 3, 1.0);
-			hawser__json_number(json, T, NULL, motion->T[i*motion->probes + p]);
-		}
-	}
-	energy = hawser__json_object(json, json->root, "energy");
-	hawser__json_numbers(json, energy, "kinetic", motion->kinetic, motion->rows, 1.0);
-	hawser__json_numbers(json, energy, "potential", motion->potential, motion->rows, 1.0);
-	hawser__json_numbers(json, energy, "work", motion->work, motion->rows, 1.0);
-	hawser__json_numbers(json, energy, "dissipated", motion->dissipated, motion->rows, 1.0);
-	hawser__json_number(json, energy, "closure", motion->closure);
-	into = hawser__json_object(json, json->root, "error");
-	hawser__json_number(json, into, "position", motion->error);
-	hawser__json_text(json, into, "from", motion->checked ? "another run" : "local errors");
-	if (isnan(motion->shock))
-		hawser__json_null(json, into, "shock");
-	else
-		hawser__json_number(json, into, "shock", motion->shock);
-	if (motion->front_axial > 0.0)
-		hawser__json_number(json, into, "front_axial", motion->front_axial);
-	cli_mesh_json(json, json->root, &result->net, &result->error);
-	into = hawser__json_array(json, json->root, "slack");
-	for (int i = 0; i < motion->rows; i++)
-		hawser__json_integer(json, into, NULL, motion->slack[i]);
-	into = hawser__json_array(json, json->root, "still");
-	for (int k = 0; k < 3; k++)
-		if (motion->still[k])
-			hawser__json_text(json, into, NULL, (const char *[]){"x", "y", "z"}[k]);
-	if (result->net.surfaces)
-		contacts(json, result, energy);
-	hawser__json_flag(json, json->root, "interrupted", motion->interrupted);
-	into = cli_stats_json(json, result->common);
-	hawser__json_integer(json, into, "unknowns", motion->unknowns);
-	hawser__json_integer(json, into, "steps", motion->steps);
-	hawser__json_integer(json, into, "iterations", motion->iterations);
-	hawser__json_integer(json, into, "rejected", motion->rejected);
-	hawser__json_integer(json, into, "splits", motion->splits);
-	hawser__json_integer(json, into, "switches", motion->switches);
+	return (struct cli_head){
+		.common = result->common, .command = "integrate", .method = result->motion.scheme,
+		.view = {.scale = hawser__si, .context = &result->probed,
+		         .options = result->mesh.net.surfaces ? SURFACES : 0u}};
 }
 
 /* Heights of the first probes over time; below, the energies. */
@@ -331,7 +316,7 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 	fputs("plot ", script);
 	for (int p = 0; p < probes; p++) {
 		fprintf(script, "%s$motion using 1:%d with lines lt %d title '", p ? ", " : "", p + 5, p + 1);
-		hawser__picture_literal(script, result->name[p], 0);
+		hawser__picture_literal(script, result->probed.name[p], 0);
 		fputc('\'', script);
 	}
 	fputs("\n", script);
@@ -343,7 +328,9 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 	return hawser__picture_finish(&picture, report);
 }
 
-static const struct cli_showing showing = {.table = table, .json = json, .draw = draw};
+static const struct cli_showing showing = {.head = head, .comments = comments, .rows = &row_list,
+                                           .fields = result_field, .stats = stats_field,
+                                           .draw = draw};
 
 /* --- the run --- */
 
@@ -397,10 +384,10 @@ static enum hawser_status solve(struct result *result, struct hawser_report *rep
 	enum hawser_status status = hawser__animate_check(result->settings->animate, "integrate", report);
 
 	if (!status)
-		status = cli_mesh_open(&result->net, result->common, report);
+		status = cli_mesh_open(&result->mesh.net, result->common, report);
 	if (!status)
 		status = probes(result, report);
-	options.probes = result->probes;
+	options.probes = result->probed.probes;
 	if (!status)
 		status = options_of(&options, result, report);
 	result->film.room = result->settings->frames > 0 ? result->settings->frames
@@ -409,15 +396,15 @@ static enum hawser_status solve(struct result *result, struct hawser_report *rep
 	if (result->film.room > result->film.last + 1.0)
 		result->film.room = (int)result->film.last + 1;
 	if (!status)
-		status = hawser_net_integrate(&result->motion, &result->net, &options, report);
+		status = hawser_net_integrate(&result->motion, &result->mesh.net, &options, report);
 	cli_progress_end(&watch.progress);
 	if (!status)
-		status = hawser_net_mesh_error(&result->error, &result->net, NULL, report);
+		status = hawser_net_mesh_error(&result->mesh.error, &result->mesh.net, NULL, report);
 	if (!status && result->failed)
 		status = hawser__fail(report, HAWSER_ERR_IO, "integrate", "cannot write %s: %s", result->path,
 		                      strerror(result->failed));
 	if (!status && result->settings->animate)
-		status = cli_film_write(result->settings->animate, &result->film, &result->net, &result->motion,
+		status = cli_film_write(result->settings->animate, &result->film, &result->mesh.net, &result->motion,
 		                        report);
 	return status;
 }
@@ -457,18 +444,19 @@ enum hawser_status cli_integrate_net(const struct cli_common *common,
 	if (!status) {
 		char text[CLI_WARNING_SIZE];
 
-		cli_mesh_warning(text, &result->net, &result->error);
+		cli_mesh_warning(text, &result->mesh);
 		if (*text)
 			cli_warn(text);
 		if (shock_warning(text, &result->motion))
 			cli_warn(text);
+		gather(result);
 	}
 	if (!status && settings->state)
 		status = hawser_net_state_write(&result->motion, settings->state, report);
 	if (!status)
 		status = cli_show(common, &showing, result, report);
 	hawser_net_motion_clear(&result->motion);
-	hawser_net_clear(&result->net);
+	hawser_net_clear(&result->mesh.net);
 	cli_film_clear(&result->film);
 	free(result);
 	return status;

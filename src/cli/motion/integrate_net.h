@@ -3,7 +3,9 @@
 #ifndef HAWSER_CLI_INTEGRATE_NET_H
 #define HAWSER_CLI_INTEGRATE_NET_H
 
-#include "cli/frame/cli.h"
+#include <hawser/net.h>
+
+#include "cli/frame/view.h"
 
 /* Texts of options; NULL if not given. */
 struct cli_integrate_net {
@@ -13,7 +15,24 @@ struct cli_integrate_net {
 	int error;        /* 1: another run, for the error */
 	int skip_error;   /* of rods, 1: without the runs for the errors */
 };
-/* integrate_rod.c: of a scene of kind `rod`. */
+
+/* --- probes_mesh.c: motions of probes, of nets and rods --- */
+
+enum { CLI_PROBES = 64, CLI_PROBE_NAME = HAWSER_NET_NAME + 24 };
+struct cli_probed {
+	int rows, probes;
+	char name[CLI_PROBES][CLI_PROBE_NAME];
+	const double (*x)[3], (*v)[3], *T, *M; /* [rows*probes] row by row; v, M: of rods, or NULL */
+	const double *s; /* [probes] of rods, or NULL */
+};
+/* Columns, with this as the context; and `probes` of JSON. */
+extern const struct hawser__vector cli_probed_vector;
+extern const struct hawser__field cli_probed_field[];
+
+/* --- integrate_net.c, integrate_rod.c --- */
+
+/* Columns, and keys of JSON. */
+extern const struct hawser__field cli_net_motion_field[], cli_rod_motion_field[];
 /* Times of a run as hawser_net_integrate and hawser_rod_integrate take them (step -1: by the error);
  * kind: the word for the scene. */
 enum hawser_status cli_integrate_times(double *until, double *every, double *step,

@@ -14,7 +14,7 @@
 #include "output/drawing/animate.h"
 #include "output/report/vtk.h"
 
-enum { PROBES = 64, NAME = 32, PATH = 4096 };
+enum { PROBES = CLI_PROBES, NAME = CLI_PROBE_NAME, PATH = 4096 };
 #define STRAINED 0.05 /* strain beyond which forces that are linear in it are doubtful */
 #define COARSE 0.02   /* lengths of the rod: an error of places that is visible in a picture */
 
@@ -24,8 +24,8 @@ struct result {
 	struct hawser_rod rod;
 	struct hawser_rod_motion motion;
 	double probe[PROBES];
-	char name[PROBES][NAME], warning[512];
-	int probes;
+	struct cli_probed probed;
+	char warning[512];
 	enum hawser_status failed; /* of a frame */
 	struct hawser_report of_frame;
 };
@@ -39,11 +39,11 @@ static enum hawser_status add(struct result *result, const char *text, size_t le
 	double *s;
 	enum hawser_status status = HAWSER_OK;
 
-	if (result->probes == PROBES || length >= NAME || length == 0)
+	if (result->probed.probes == PROBES || length >= NAME || length == 0)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate", "--probe: at most %d places, "
 		                    "with commas between them, of at most %d characters", PROBES, NAME - 1);
-	name = result->name[result->probes];
-	s = &result->probe[result->probes++];
+	name = result->probed.name[result->probed.probes];
+	s = &result->probe[result->probed.probes++];
 	memcpy(name, text, length);
 	name[length] = '\0';
 	if (!strcmp(name, "start"))
@@ -77,9 +77,9 @@ static enum hawser_status probes(struct result *result, struct hawser_report *re
 	for (int end = 1; end >= 0 && !result->settings->probe && !status; end--)
 		if (result->rod.hold[end] == HAWSER_ROD_FREE)
 			status = add(result, end ? "end" : "start", end ? 3 : 5, report);
-	if (!status && result->probes == 0) {
+	if (!status && result->probed.probes == 0) {
 		result->probe[0] = 0.5*result->rod.length;
-		snprintf(result->name[result->probes++], NAME, "middle");
+		snprintf(result->probed.name[result->probed.probes++], NAME, "middle");
 	}
 	return status;
 }
@@ -115,35 +115,9 @@ static int frame(void *data, const struct hawser_rod_frame *frame)
 
 /* --- results --- */
 
-static void fill_row(struct hawser__table *row, const void *of, size_t index)
+static void comments(struct hawser__table *table, const void *of)
 {
 	const struct result *result = of;
-	const struct hawser_rod_motion *motion = &result->motion;
-	const double *one[] = {motion->kinetic, motion->strain, motion->height, motion->work,
-	                       motion->support, motion->damped, motion->lost};
-	double (*const three[])[3] = {motion->momentum, motion->angular, motion->force, motion->moment};
-
-	hawser__table_number(row, motion->time[index]);
-	for (int p = 0; p < motion->probes; p++) {
-		size_t at = index*(size_t)motion->probes + (size_t)p;
-
-		for (int k = 0; k < 3; k++)
-			hawser__table_number(row, motion->x[at][k]);
-		hawser__table_number(row, motion->T[at]);
-		hawser__table_number(row, motion->M[at]);
-	}
-	for (size_t i = 0; i < sizeof one/sizeof *one; i++)
-		hawser__table_number(row, one[i][index]);
-	for (size_t i = 0; i < sizeof three/sizeof *three; i++)
-		for (int k = 0; k < 3; k++)
-			hawser__table_number(row, three[i][index][k]);
-	hawser__table_number(row, motion->turned[index]);
-	hawser__table_number(row, motion->winch[index]);
-	hawser__table_number(row, motion->length[index]);
-}
-
-static void comments(struct hawser__table *table, const struct result *result)
-{
 	const struct hawser_rod_motion *motion = &result->motion;
 
 	hawser__table_comment(table, "g = %.10g m/s^2; elements: %d; rho_inf = %.6g; %ld steps, %ld made "
@@ -167,135 +141,112 @@ static void comments(struct hawser__table *table, const struct result *result)
 		hawser__table_comment(table, "%s", result->warning);
 }
 
-static void table(struct hawser__table *table, const void *of)
-{
-	static const char *const last[] = {
-		"kinetic_J", "strain_J", "height_J", "work_J", "support_J", "damped_J", "lost_J", "P_x_Ns",
-		"P_y_Ns", "P_z_Ns", "H_x_Nms", "H_y_Nms", "H_z_Nms", "start_Fx_N", "start_Fy_N", "start_Fz_N",
-		"start_Mx_Nm", "start_My_Nm", "start_Mz_Nm", "turned_rev", "winch_J", "length_m"};
-	const struct result *result = of;
-	const struct hawser_rod_motion *motion = &result->motion;
+#define ROWS_OF(member) HAWSER__ALONG(struct result, motion.member)
+#define AXES_OF(member) HAWSER__VECTOR_ALONG(struct result, motion.member, cli_axes)
+#define ONE(member) HAWSER__IN(struct result, motion.member)
+#define JOULE .unit = HAWSER__J
+const struct hawser__field cli_rod_motion_field[] = {
+	{"scheme", NULL, "of time integration", ONE(scheme)},
+	{"rho_inf", NULL, "its spectral radius at high frequencies", ONE(rho_inf)},
+	{"times", "t", "time", ROWS_OF(time), .unit = HAWSER__SECOND},
+	{"", NULL, "", HAWSER__PART_OF(struct result, probed, cli_probed_field),
+	 .from = HAWSER__IN_PARENT},
+	{NULL, "", "of each probe: its place, tension and moment", HAWSER__VECTOR_OF(cli_probed_vector)},
+	{"energy.kinetic", "kinetic", "kinetic energy", ROWS_OF(kinetic), JOULE},
+	{"energy.strain", "strain", "energy of strain", ROWS_OF(strain), JOULE},
+	{"energy.height", "height", "of the weight, from y = 0", ROWS_OF(height), JOULE},
+	{"energy.work", "work", "of the loads, since the beginning", ROWS_OF(work), JOULE},
+	{"energy.support", "support", "of the ends that are held", ROWS_OF(support), JOULE},
+	{"energy.damped", "damped", "by damping.alpha", ROWS_OF(damped), JOULE},
+	{"energy.lost", "lost", "by the scheme", ROWS_OF(lost), JOULE},
+	{"energy.winch", "winch", "work of the winch, with the energy of the material that enters",
+	 ROWS_OF(winch), JOULE, .place = 1},
+	{"energy.closure", NULL, "largest |lost| over the largest term", ONE(closure)},
+	{"momentum.linear", "P_", "momentum", AXES_OF(momentum), .unit = HAWSER__NEWTON_SECOND},
+	{"momentum.angular", "H_", "angular momentum about the origin", AXES_OF(angular),
+	 .unit = HAWSER__NEWTON_METRE_SECOND},
+	{"momentum.linear_gap", NULL, "largest error of its ledger", ONE(momentum_gap),
+	 .unit = HAWSER__NEWTON_SECOND},
+	{"momentum.angular_gap", NULL, "the same of the angular one", ONE(angular_gap),
+	 .unit = HAWSER__NEWTON_METRE_SECOND},
+	{"start.force", "start_F", "force of what holds the start", AXES_OF(force),
+	 .unit = HAWSER__NEWTON},
+	{"start.moment", "start_M", "its moment", AXES_OF(moment), .unit = HAWSER__NEWTON_METRE},
+	{"turned", "turned_rev", "mean rotation about z since the beginning, revolutions",
+	 ROWS_OF(turned)},
+	{"length", "length", "unstretched length", ROWS_OF(length), .unit = HAWSER__METRE, .place = 1},
+	{"step_error", NULL, "of places, from a run with steps in halves; null: not known",
+	 ONE(step_error), .unit = HAWSER__METRE, .flags = HAWSER__NULL},
+	{"mesh_error", NULL, "the same from a run with twice as many elements", ONE(mesh_error),
+	 .unit = HAWSER__METRE, .flags = HAWSER__NULL},
+	{"local_error", NULL, "sum of the local errors of all steps", ONE(local_error),
+	 .unit = HAWSER__METRE},
+	{"interrupted", NULL, "whether the run ended early",
+	 HAWSER__FLAG_AT(struct result, motion.interrupted), .from = HAWSER__IN_PARENT},
+	{"", NULL, "", HAWSER__PART_OF(struct result, warning, cli_warnings_field),
+	 .from = HAWSER__IN_PARENT},
+	HAWSER__END,
+};
+static const struct hawser__list row_list = {
+	.field = cli_rod_motion_field, .count_at = offsetof(struct result, motion.rows)};
+static const struct hawser__field result_field[] = {
+	{"", NULL, "", HAWSER__ARRAYS_OF(row_list)},
+	HAWSER__END,
+};
+#define OF(member) HAWSER__AT(struct result, motion.member)
+static const struct hawser__field stats_field[] = {
+	{"elements", NULL, "of the mesh", OF(elements)},
+	{"unknowns", NULL, "of the mesh", OF(unknowns)},
+	{"steps", NULL, "of the scheme", OF(steps)},
+	{"iterations", NULL, "of Newton's method", OF(iterations)},
+	{"factorizations", NULL, "of its matrix", OF(factored)},
+	{"rejected", NULL, "steps made shorter for their error", OF(rejected)},
+	{"splits", NULL, "steps made in halves", OF(splits)},
+	HAWSER__END,
+};
+#undef OF
 
-	cli_echo_table(table, result->common, "integrate", NULL, motion->scheme);
-	comments(table, result);
-	hawser__table_column(table, "t_s");
-	for (int p = 0; p < motion->probes; p++) {
-		for (int k = 0; k < 3; k++)
-			hawser__table_column(table, "%s_%c_m", result->name[p], "xyz"[k]);
-		hawser__table_column(table, "%s_T_N", result->name[p]);
-		hawser__table_column(table, "%s_M_Nm", result->name[p]);
-	}
-	for (size_t i = 0; i < sizeof last/sizeof *last; i++)
-		hawser__table_column(table, "%s", last[i]);
-	hawser__table_rows(table, (size_t)motion->rows, fill_row, result);
-}
-
-static void vectors(struct hawser__json *json, json_t *into, const char *key,
-                    double (*const value)[3], int count)
-{
-	json_t *list = hawser__json_array(json, into, key);
-
-	for (int i = 0; i < count; i++)
-		hawser__json_numbers(json, list, NULL, value[i], 3, 1.0);
-}
-
-static void probes_json(struct hawser__json *json, const struct result *result)
-{
-	const struct hawser_rod_motion *motion = &result->motion;
-	json_t *into = hawser__json_object(json, json->root, "probes");
-
-	for (int p = 0; p < motion->probes; p++) {
-		json_t *one = hawser__json_object(json, into, result->name[p]), *x, *v, *T, *M;
-
-		hawser__json_number(json, one, "s", result->probe[p]);
-		x = hawser__json_array(json, one, "x");
-		v = hawser__json_array(json, one, "v");
-		T = hawser__json_array(json, one, "T");
-		M = hawser__json_array(json, one, "M");
-		for (int i = 0; i < motion->rows; i++) {
-			int at = i*motion->probes + p;
-
-			hawser__json_numbers(json, x, NULL, motion->x[at], 3, 1.0);
-			hawser__json_numbers(json, v, NULL, motion->v[at], 3, 1.0);
-			hawser__json_number(json, T, NULL, motion->T[at]);
-			hawser__json_number(json, M, NULL, motion->M[at]);
-		}
-	}
-}
-
-static void energy_json(struct hawser__json *json, const struct hawser_rod_motion *motion)
-{
-	const struct {
-		const char *key;
-		const double *value;
-	} of[] = {{"kinetic", motion->kinetic}, {"strain", motion->strain}, {"height", motion->height},
-	          {"work", motion->work}, {"support", motion->support}, {"damped", motion->damped},
-	          {"lost", motion->lost}, {"winch", motion->winch}};
-	json_t *into = hawser__json_object(json, json->root, "energy");
-
-	for (size_t i = 0; i < sizeof of/sizeof *of; i++)
-		hawser__json_numbers(json, into, of[i].key, of[i].value, motion->rows, 1.0);
-	hawser__json_number(json, into, "closure", motion->closure);
-	into = hawser__json_object(json, json->root, "momentum");
-	vectors(json, into, "linear", motion->momentum, motion->rows);
-	vectors(json, into, "angular", motion->angular, motion->rows);
-	hawser__json_number(json, into, "linear_gap", motion->momentum_gap);
-	hawser__json_number(json, into, "angular_gap", motion->angular_gap);
-	into = hawser__json_object(json, json->root, "start");
-	vectors(json, into, "force", motion->force, motion->rows);
-	vectors(json, into, "moment", motion->moment, motion->rows);
-}
-
-static void json(struct hawser__json *json, const void *of)
+static struct cli_head head(const void *of)
 {
 	const struct result *result = of;
-	const struct hawser_rod_motion *motion = &result->motion;
-	json_t *into;
 
-	cli_echo_json(json, result->common, "integrate", NULL);
-	hawser__json_text(json, json->root, "scheme", motion->scheme);
-	hawser__json_number(json, json->root, "rho_inf", motion->rho_inf);
-	hawser__json_numbers(json, json->root, "times", motion->time, motion->rows, 1.0);
-	probes_json(json, result);
-	energy_json(json, motion);
-	hawser__json_numbers(json, json->root, "turned", motion->turned, motion->rows, 1.0);
-	hawser__json_numbers(json, json->root, "length", motion->length, motion->rows, 1.0);
-	if (motion->checked) {
-		hawser__json_number(json, json->root, "step_error", motion->step_error);
-		hawser__json_number(json, json->root, "mesh_error", motion->mesh_error);
-	} else {
-		hawser__json_null(json, json->root, "step_error");
-		hawser__json_null(json, json->root, "mesh_error");
-	}
-	hawser__json_number(json, json->root, "local_error", motion->local_error);
-	hawser__json_flag(json, json->root, "interrupted", motion->interrupted);
-	cli_warnings_json(json, *result->warning ? result->warning : NULL);
-	into = cli_stats_json(json, result->common);
-	hawser__json_integer(json, into, "elements", motion->elements);
-	hawser__json_integer(json, into, "unknowns", motion->unknowns);
-	hawser__json_integer(json, into, "steps", motion->steps);
-	hawser__json_integer(json, into, "iterations", motion->iterations);
-	hawser__json_integer(json, into, "factorizations", motion->factored);
-	hawser__json_integer(json, into, "rejected", motion->rejected);
-	hawser__json_integer(json, into, "splits", motion->splits);
+	return (struct cli_head){
+		.common = result->common, .command = "integrate", .method = result->motion.scheme,
+		.view = {.scale = hawser__si, .context = &result->probed}};
 }
 
 static enum hawser_status draw(const char *path, const void *of, struct hawser_report *report)
 {
 	const struct result *result = of;
 
-	return hawser__plot_rod_motion(path, &result->motion, result->name[0], report);
+	return hawser__plot_rod_motion(path, &result->motion, result->probed.name[0], report);
 }
 
-static const struct cli_showing showing = {.table = table, .json = json, .draw = draw};
+static const struct cli_showing showing = {.head = head, .comments = comments, .rows = &row_list,
+                                           .fields = result_field, .stats = stats_field,
+                                           .draw = draw};
 
 /* --- the run --- */
 
-static void judge(struct result *result)
+static void gather(struct cli_probed *probed, const struct result *result)
 {
 	const struct hawser_rod_motion *motion = &result->motion;
+
+	probed->rows = motion->rows;
+	probed->x = (const double (*)[3])motion->x;
+	probed->v = (const double (*)[3])motion->v;
+	probed->T = motion->T;
+	probed->M = motion->M;
+	probed->s = result->probe;
+}
+
+static void judge(struct result *result)
+{
+	struct hawser_rod_motion *motion = &result->motion;
 	double error = fmax(motion->step_error, motion->mesh_error);
 
+	if (!motion->checked)
+		motion->step_error = motion->mesh_error = NAN;
 	if (motion->strain_most > STRAINED)
 		snprintf(result->warning, sizeof result->warning,
 		         "strains of up to %.3g %%: forces are linear in the strains, which holds for small "
@@ -339,7 +290,7 @@ static enum hawser_status solve(struct result *result, struct hawser_report *rep
 		status = cli_read_rod(&result->rod, result->common, report);
 	if (!status)
 		status = probes(result, report);
-	options.probes = result->probes;
+	options.probes = result->probed.probes;
 	if (!status)
 		status = options_of(&options, result, report);
 	if (!status)
@@ -375,6 +326,7 @@ enum hawser_status cli_integrate_rod(const struct cli_common *common,
 		status = hawser_rod_state_write(&result->motion, settings->state, report);
 	if (!status) {
 		judge(result);
+		gather(&result->probed, result);
 		status = cli_show(common, &showing, result, report);
 	}
 	if (!status && *result->warning)

@@ -177,6 +177,11 @@ const struct cli_listing cli_statics_listing[] = {
 	{"Columns of a ropeway with --cases:", cli_ropeway_case_field, 0},
 	{"Columns of a ropeway with --profile:", cli_ropeway_point_field, 0},
 	{"Keys of JSON of a ropeway:", cli_ropeway_field, 1},
+	{"Columns of a net:", cli_net_member_field, 0},
+	{"Columns of a net with --profile:", cli_net_point_field, 0},
+	{"Columns of a net with --equilibria:", cli_equilibria_net_field, 0},
+	{"Keys of JSON of a net:", cli_statics_net_field, 1},
+	{"Keys of JSON of a net with --equilibria:", cli_equilibria_net_member, 1},
 	{"Columns of a rod:", cli_rod_point_field, 0}, {"Keys of JSON of a rod:", cli_rod_field, 1},
 	{NULL, NULL, 0},
 };

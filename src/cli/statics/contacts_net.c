@@ -70,37 +70,58 @@ static const char *state(const struct hawser_net_contact *contact)
 	return !contact ? "open" : contact->sticks ? "stick" : "slip";
 }
 
-void cli_contacts_list(struct hawser__json *json, const struct hawser_net *net,
-                       const struct hawser_net_contact *all, int contacts)
+struct row {
+	const char *obstacle, *node, *cable;
+	double S;
+	struct hawser_net_contact of;
+};
+
+static const char *state_of(const void *row)
 {
-	json_t *list = hawser__json_array(json, json->root, "contacts");
-
-	for (int i = 0; i < contacts; i++) {
-		const struct hawser_net_contact *contact = &all[i];
-		json_t *one = hawser__json_object(json, list, NULL);
-
-		hawser__json_text(json, one, "obstacle", net->surface[contact->surface].name);
-		if (contact->node >= 0)
-			hawser__json_text(json, one, "node", net->node[contact->node].name);
-		else
-			hawser__json_text(json, one, "cable", net->cable[contact->cable].name);
-		if (contact->node < 0)
-			hawser__json_number(json, one, "S", contact->S);
-		hawser__json_numbers(json, one, "position", contact->x, 3, 1.0);
-		hawser__json_number(json, one, "r_N", contact->r);
-		hawser__json_numbers(json, one, "r_T", contact->friction, 3, 1.0);
-		hawser__json_text(json, one, "state", state(contact));
-	}
+	return state(&((const struct row *)row)->of);
 }
 
-void cli_contacts_json(struct hawser__json *json, const struct hawser_net *net,
-                       const struct hawser_net_statics *st)
+#define OF(member) HAWSER__AT(struct row, member)
+static const struct hawser__field contact_field[] = {
+	{"obstacle", NULL, "which is touched", OF(obstacle)},
+	{"node", NULL, "the node of the net", OF(node), .flags = HAWSER__OMIT},
+	{"cable", NULL, "or the cable", OF(cable), .flags = HAWSER__OMIT},
+	{"S", NULL, "and the unstretched length there", OF(S), .unit = HAWSER__METRE, .flags = HAWSER__OMIT},
+	{"position", NULL, "the place", OF(of.x), .unit = HAWSER__METRE},
+	{"r_N", NULL, "force of the obstacle along its normal", OF(of.r), .unit = HAWSER__NEWTON},
+	{"r_T", NULL, "its force along the surface", OF(of.friction), .unit = HAWSER__NEWTON},
+	{"state", NULL, "stick or slip", HAWSER__TEXT_BY(state_of)},
+	HAWSER__END,
+};
+#undef OF
+
+static const void *contact_row(void *to, const void *parent, size_t i)
 {
-	if (!net->surfaces)
-		return;
-	cli_contacts_list(json, net, st->contact, st->contacts);
-	hawser__json_number(json, json->root, "complementarity", st->apart);
+	const struct cli_contacts *all = parent;
+	const struct hawser_net_contact *of = &all->contact[i];
+	struct row *row = to;
+
+	*row = (struct row){.obstacle = all->net->surface[of->surface].name, .of = *of,
+	                    .S = of->node < 0 ? of->S : NAN};
+	if (of->node >= 0)
+		row->node = all->net->node[of->node].name;
+	else
+		row->cable = all->net->cable[of->cable].name;
+	return row;
 }
+static const struct hawser__list contact_list = HAWSER__MADE_ROWS(
+	struct row, contact_field, struct cli_contacts, contacts, contact_row);
+
+const struct hawser__field cli_contacts_field[] = {
+	{"contacts", NULL, "with obstacles: nodes of the mesh that touch", HAWSER__OBJECTS_OF(contact_list)},
+	HAWSER__END,
+};
+const struct hawser__field cli_apart_field[] = {
+	{"", NULL, "", HAWSER__OBJECT_OF(cli_contacts_field)},
+	{"complementarity", NULL, "largest penetration of an obstacle, or gap of what touches",
+	 HAWSER__AT(struct cli_contacts, apart), .unit = HAWSER__METRE},
+	HAWSER__END,
+};
 
 /* The first contact of the node of the mesh at a point, or NULL. Those along cables are in the order of
  * cables and S; those of nodes of the net come first, in the order of nodes. */
@@ -132,15 +153,13 @@ static const struct hawser_net_contact *contact_of(const struct hawser_net *net,
 		? &st->contact[low] : NULL;
 }
 
-void cli_contacts_row(struct hawser__table *row, const struct hawser_net *net,
-                      const struct hawser_net_statics *st, const struct hawser_net_point *point)
+struct cli_touch cli_contacts_at(const struct hawser_net *net, const struct hawser_net_statics *st,
+                                 const struct hawser_net_point *point)
 {
-	const struct hawser_net_contact *contact = contact_of(net, st, point);
+	const struct hawser_net_contact *contact = net->surfaces ? contact_of(net, st, point) : NULL;
 
-	hawser__table_word(row, contact ? net->surface[contact->surface].name : "-");
-	hawser__table_number(row, contact ? contact->r : 0.0);
-	hawser__table_number(row, contact ? rubs(contact) : 0.0);
-	hawser__table_word(row, state(contact));
+	return (struct cli_touch){contact ? net->surface[contact->surface].name : "-", state(contact),
+	                          contact ? contact->r : 0.0, contact ? rubs(contact) : 0.0};
 }
 
 enum hawser_status cli_contacts_vtk(const char *path, const struct hawser_net *net,

@@ -5,24 +5,30 @@
 
 #include <hawser/net.h>
 
-#include "output/output.h"
+#include "cli/frame/view.h"
 
 /* A comment for each obstacle, and how well the contacts are solved. */
 void cli_contacts_comments(struct hawser__table *table, const struct hawser_net *net,
                            const struct hawser_net_statics *st);
-/* contacts [{..}]. */
-void cli_contacts_list(struct hawser__json *json, const struct hawser_net *net,
-                       const struct hawser_net_contact *all, int contacts);
-/* The same of a statics, and complementarity. */
-void cli_contacts_json(struct hawser__json *json, const struct hawser_net *net,
-                       const struct hawser_net_statics *st);
+/* `contacts`, a list of objects. */
+struct cli_contacts {
+	const struct hawser_net *net;
+	const struct hawser_net_contact *contact; /* [contacts] */
+	int contacts;
+	double apart;
+};
+extern const struct hawser__field cli_contacts_field[], cli_apart_field[];
 /* The points along the cables, with their tensions and what they touch: contact is an enum
  * hawser_net_contact_state. */
 enum hawser_status cli_contacts_vtk(const char *path, const struct hawser_net *net,
                                     const struct hawser_net_statics *st,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 /* Of a point of the profile: the obstacle, the forces of the contact, and its state. */
-void cli_contacts_row(struct hawser__table *row, const struct hawser_net *net,
-                      const struct hawser_net_statics *st, const struct hawser_net_point *point);
+struct cli_touch {
+	const char *obstacle, *state; /* "-", "open" */
+	double r_N, r_T;
+};
+struct cli_touch cli_contacts_at(const struct hawser_net *net, const struct hawser_net_statics *st,
+                                 const struct hawser_net_point *point);
 
 #endif

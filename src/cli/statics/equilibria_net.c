@@ -5,6 +5,7 @@
 #include <hawser/net_equilibria.h>
 
 #include "cli/frame/mesh_net.h"
+#include "cli/statics/statics_kinds.h"
 #include "cli/statics/statics_net.h"
 #include "core/report.h"
 #include "output/structures/plot_equilibria.h"
@@ -15,32 +16,10 @@ struct result {
 	struct hawser_net_equilibria found;
 };
 
-static void row(struct hawser__table *row, const void *of, size_t i)
+static void comments(struct hawser__table *table, const void *of)
 {
-	const struct result *result = of;
-	const struct hawser_net_equilibrium *one = &result->found.list[i];
+	const struct hawser_net_equilibria *found = &((const struct result *)of)->found;
 
-	hawser__table_number(row, (double)i + 1.0);
-	hawser__table_number(row, one->energy);
-	hawser__table_number(row, one->unstable);
-	hawser__table_number(row, one->compressed);
-	hawser__table_number(row, one->T_min);
-	hawser__table_number(row, one->T_max);
-	hawser__table_number(row, one->stiffness);
-	hawser__table_number(row, one->residual);
-	for (int j = 0; j < result->net.nodes; j++)
-		for (int k = 0; k < 3 && !result->net.node[j].support; k++)
-			hawser__table_number(row, one->x[j][k]);
-}
-
-static void table(struct hawser__table *table, const void *of)
-{
-	static const char *const name[] = {"index", "energy_J", "unstable", "compressed", "T_min_N",
-	                                   "T_max_N", "stiffness_N_m", "residual_N"};
-	const struct result *result = of;
-	const struct hawser_net_equilibria *found = &result->found;
-
-	cli_echo_table(table, result->common, "statics", NULL, "equilibria");
 	hawser__table_comment(table, "bars in place of cables: %d bars that also carry compression, "
 	                      "%d unknowns", found->bars, found->unknowns);
 	hawser__table_comment(table, "%d equilibria from %d random starts, the last one by start %d; "
@@ -53,44 +32,83 @@ static void table(struct hawser__table *table, const void *of)
 		                      found->degenerate);
 	hawser__table_comment(table,
 	                      "cables have one equilibrium only: statics without --equilibria finds it");
-	for (size_t i = 0; i < sizeof name/sizeof *name; i++)
-		hawser__table_column(table, "%s", name[i]);
-	for (int j = 0; j < result->net.nodes; j++)
-		for (int k = 0; k < 3 && !result->net.node[j].support; k++)
-			hawser__table_column(table, "%s_%c_m", result->net.node[j].name, "xyz"[k]);
-	hawser__table_rows(table, (size_t)found->count, row, result);
 }
 
-static void json(struct hawser__json *json, const void *of)
+/* The node that is not held with numbers k to k + 2 of a row. */
+static int node_of(const struct hawser_net *net, int k)
+{
+	int node = 0;
+
+	for (k /= 3; k > 0 || net->node[node].support; node++)
+		k -= !net->node[node].support;
+	return node;
+}
+
+static int free_count(const void *net)
+{
+	const struct hawser_net *of = net;
+	int count = 0;
+
+	for (int i = 0; i < of->nodes; i++)
+		count += 3*!of->node[i].support;
+	return count;
+}
+
+static void free_name(char *text, size_t size, const void *net, int k)
+{
+	const struct hawser_net *of = net;
+
+	snprintf(text, size, "%s_%c", of->node[node_of(of, k)].name, "xyz"[k % 3]);
+}
+
+static double free_place(const void *net, const void *parent, size_t index, int k)
+{
+	return ((const struct result *)parent)->found.list[index].x[node_of(net, k)][k % 3];
+}
+static const struct hawser__vector free_nodes = {
+	.shown = "NODE_AXIS", .count = free_count, .name = free_name, .number = free_place};
+
+#define NEWTON .unit = HAWSER__NEWTON
+#define OF(member) HAWSER__AT(struct hawser_net_equilibrium, member)
+const struct hawser__field cli_equilibria_net_field[] = {
+	{NULL, "index", "from 1, by energy", .kind = HAWSER__INDEX},
+	{"energy", "energy", "strain energy minus loads times places", OF(energy), .unit = HAWSER__J},
+	{"unstable", "unstable", "number of negative eigenvalues; 0: stable", OF(unstable)},
+	{"compressed", "compressed", "number of bars under compression", OF(compressed)},
+	{"T_min", "T_min", "least force in a bar; negative: compression", OF(T_min), NEWTON},
+	{"T_max", "T_max", "largest force in a bar", OF(T_max), NEWTON},
+	{"stiffness", "stiffness", "least eigenvalue of the tangent stiffness", OF(stiffness),
+	 .unit = HAWSER__NEWTON_M},
+	{"residual", "residual", "largest force that is not balanced", OF(residual), NEWTON},
+	{NULL, "", "place of each node that is not held", HAWSER__VECTOR_OF(free_nodes),
+	 .unit = HAWSER__METRE},
+	{"nodes", NULL, "place of each node, by name",
+	 CLI_NODES_AT(struct hawser_net_equilibrium, x, cli_nodes), .unit = HAWSER__METRE},
+	HAWSER__END,
+};
+#undef OF
+static const struct hawser__list found_list =
+	HAWSER__STORED_ROWS(struct result, found.list, found.count, cli_equilibria_net_field);
+
+#define OF(member) HAWSER__AT(struct result, found.member)
+const struct hawser__field cli_equilibria_net_member[] = {
+	{"bars", NULL, "in place of the elements of cables", OF(bars)},
+	{"unknowns", NULL, "of the mesh", OF(unknowns)},
+	{"starts", NULL, "random places from which Newton's method began", OF(starts)},
+	{"last", NULL, "number of the start, from 1, that found the last new one", OF(last)},
+	{"failed", NULL, "starts without convergence", OF(failed)},
+	{"degenerate", NULL, "starts that ended where the tangent stiffness is singular", OF(degenerate)},
+	{"equilibria", NULL, "by energy", HAWSER__OBJECTS_OF(found_list)},
+	HAWSER__END,
+};
+#undef OF
+
+static struct cli_head head(const void *of)
 {
 	const struct result *result = of;
-	const struct hawser_net_equilibria *found = &result->found;
-	json_t *list;
 
-	cli_echo_json(json, result->common, "statics", NULL);
-	hawser__json_integer(json, json->root, "bars", found->bars);
-	hawser__json_integer(json, json->root, "unknowns", found->unknowns);
-	hawser__json_integer(json, json->root, "starts", found->starts);
-	hawser__json_integer(json, json->root, "last", found->last);
-	hawser__json_integer(json, json->root, "failed", found->failed);
-	hawser__json_integer(json, json->root, "degenerate", found->degenerate);
-	list = hawser__json_array(json, json->root, "equilibria");
-	for (int i = 0; i < found->count; i++) {
-		const struct hawser_net_equilibrium *one = &found->list[i];
-		json_t *into = hawser__json_object(json, list, NULL), *nodes;
-
-		hawser__json_number(json, into, "energy", one->energy);
-		hawser__json_integer(json, into, "unstable", one->unstable);
-		hawser__json_integer(json, into, "compressed", one->compressed);
-		hawser__json_number(json, into, "T_min", one->T_min);
-		hawser__json_number(json, into, "T_max", one->T_max);
-		hawser__json_number(json, into, "stiffness", one->stiffness);
-		hawser__json_number(json, into, "residual", one->residual);
-		nodes = hawser__json_object(json, into, "nodes");
-		for (int j = 0; j < result->net.nodes; j++)
-			hawser__json_numbers(json, nodes, result->net.node[j].name, one->x[j], 3, 1.0);
-	}
-	cli_stats_json(json, result->common);
+	return (struct cli_head){.common = result->common, .command = "statics", .method = "equilibria",
+	                         .view = {.scale = hawser__si, .context = &result->net}};
 }
 
 static enum hawser_status draw(const char *path, const void *of, struct hawser_report *report)
@@ -100,7 +118,8 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 	return hawser__plot_equilibria(path, &result->net, &result->found, report);
 }
 
-static const struct cli_showing showing = {.table = table, .json = json, .draw = draw};
+static const struct cli_showing showing = {.head = head, .comments = comments, .rows = &found_list,
+                                           .fields = cli_equilibria_net_member, .draw = draw};
 
 enum hawser_status cli_equilibria_net(const struct cli_common *common, int starts,
                                       struct hawser_report *report)

@@ -113,14 +113,6 @@ static void stable_json(struct hawser__json *json, json_t *into, const void *row
 		hawser__json_null(json, into, "stable");
 }
 
-static void warning_json(struct hawser__json *json, json_t *into, const void *row)
-{
-	const struct cli_rod *of = row;
-
-	(void)into;
-	cli_warnings_json(json, *of->warning ? of->warning : NULL);
-}
-
 #define PART(fields) HAWSER__PART_OF(struct cli_rod, st, fields)
 const struct hawser__field cli_rod_field[] = {
 	{"start", NULL, "the start of the rod", PART(start_field)},
@@ -133,7 +125,7 @@ const struct hawser__field cli_rod_field[] = {
 	{"profile_columns", NULL, "names of the columns of the profile", HAWSER__CALLS(columns_json)},
 	{"profile", NULL, "nodes of the mesh: lists of these columns, in SI units",
 	 HAWSER__CALLS(profile_json)},
-	{"warnings", NULL, "texts", HAWSER__CALLS(warning_json)},
+	{"", NULL, "", HAWSER__PART_OF(struct cli_rod, warning, cli_warnings_field)},
 	HAWSER__END,
 };
 #undef PART

@@ -56,6 +56,8 @@ extern const struct hawser__field cli_ropeway_tower_field[], cli_ropeway_span_fi
                                   cli_ropeway_worst_field[], cli_ropeway_case_field[],
                                   cli_ropeway_point_field[], cli_ropeway_field[];
 /* rod_fields.c */
-extern const struct hawser__field cli_rod_point_field[], cli_rod_field[];
+extern const struct hawser__field cli_rod_point_field[], cli_rod_field[], cli_net_member_field[],
+                                  cli_net_point_field[], cli_statics_net_field[],
+                                  cli_equilibria_net_field[], cli_equilibria_net_member[];
 
 #endif

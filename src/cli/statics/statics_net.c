@@ -9,6 +9,7 @@
 
 #include "cli/statics/contacts_net.h"
 #include "cli/frame/mesh_net.h"
+#include "cli/statics/statics_kinds.h"
 #include "cli/statics/statics_net.h"
 #include "core/report.h"
 #include "output/structures/plot_net.h"
@@ -18,9 +19,9 @@ enum { SHOWN = 40 }; /* names and places in the comments */
 struct result {
 	const struct cli_common *common;
 	int profile;
-	struct hawser_net net;
+	struct cli_mesh mesh;
 	struct hawser_net_statics st;
-	struct hawser_net_mesh_error error;
+	struct cli_contacts contacts;
 	char warning[CLI_WARNING_SIZE]; /* "": none */
 };
 
@@ -51,14 +52,14 @@ static void warn_of_strain(struct result *result)
 		         "%d cable%s stretched by more than %.0f %%, most of all %s, by %.0f %%: the tension "
 		         "EA (length/length0 - 1) holds for small strains; check length0, EA and its unit, and "
 		         "the places of the nodes", count, count == 1 ? " is" : "s are", 100.0*(FAR - 1.0),
-		         result->net.cable[most - result->st.member].name,
+		         result->mesh.net.cable[most - result->st.member].name,
 		         100.0*(most->length/most->length0 - 1.0));
 }
 
 /* Cables of given tension whose ends came to one place: they hold less there. */
 static void warn_of_nothing(struct result *result)
 {
-	const struct hawser_net *net = &result->net;
+	const struct hawser_net *net = &result->mesh.net;
 	int count = 0, first = 0;
 
 	for (int c = 0; c < result->st.cables; c++) {
@@ -87,41 +88,12 @@ static void warn(struct result *result)
 	if (count == 0 && !*result->warning)
 		warn_of_nothing(result);
 	if (count == 0 && !*result->warning)
-		cli_mesh_warning(result->warning, &result->net, &result->error);
+		cli_mesh_warning(result->warning, &result->mesh);
 	if (count > 0)
 		snprintf(result->warning, sizeof result->warning,
 		         "%d of %d elements %s compressed: the method %s has found an equilibrium of bars, "
 		         "not of cables, and there is no certificate; --method automatic finds that of the "
 		         "cables", count, elements, count == 1 ? "is" : "are", result->st.method);
-}
-
-static void member_row(struct hawser__table *row, const void *of, size_t c)
-{
-	const struct result *result = of;
-	const struct hawser_net_member *m = &result->st.member[c];
-
-	hawser__table_word(row, result->net.cable[c].name);
-	hawser__table_number(row, m->T_min);
-	hawser__table_number(row, m->T_max);
-	hawser__table_number(row, m->T_from);
-	hawser__table_number(row, m->T_to);
-	hawser__table_number(row, m->length0);
-	hawser__table_number(row, m->length);
-	hawser__table_number(row, m->slack);
-}
-
-static void point_row(struct hawser__table *row, const void *of, size_t i)
-{
-	const struct result *result = of;
-	const struct hawser_net_point *point = &result->st.point[i];
-
-	hawser__table_word(row, result->net.cable[point->cable].name);
-	hawser__table_number(row, point->S);
-	for (int k = 0; k < 3; k++)
-		hawser__table_number(row, point->x[k]);
-	hawser__table_number(row, point->T);
-	if (result->net.surfaces)
-		cli_contacts_row(row, &result->net, &result->st, point);
 }
 
 static void slack_comment(struct hawser__table *table, const struct result *result)
@@ -134,15 +106,16 @@ static void slack_comment(struct hawser__table *table, const struct result *resu
 
 		if (result->st.member[c].slack > 0 && count++ < SHOWN)
 			snprintf(names + used, sizeof names - used, "%s%s", used ? ", " : "",
-			         result->net.cable[c].name);
+			         result->mesh.net.cable[c].name);
 	}
 	if (count > 0)
 		hawser__table_comment(table, "%d cable%s with elements without tension: %s%s", count,
 		                      count == 1 ? "" : "s", names, count > SHOWN ? ", ..." : "");
 }
 
-static void comments(struct hawser__table *table, const struct result *result)
+static void comments(struct hawser__table *table, const void *of)
 {
+	const struct result *result = of;
 	const struct hawser_net_statics *st = &result->st;
 	int shown = 0;
 
@@ -158,14 +131,14 @@ static void comments(struct hawser__table *table, const struct result *result)
 		                      st->gap);
 	hawser__table_comment(table, "forces balance to %.1e N; round-off allows %.1e N", st->residual,
 	                      st->floor);
-	cli_mesh_comment(table, &result->net, &result->error);
-	cli_contacts_comments(table, &result->net, st);
+	cli_mesh_comment(table, &result->mesh);
+	cli_contacts_comments(table, &result->mesh.net, st);
 	if (*result->warning)
 		hawser__table_comment(table, "%s", result->warning);
 	if (st->compressed == 0)
 		slack_comment(table, result);
 	for (int i = 0; i < st->nodes; i++) {
-		const struct hawser_net_node *node = &result->net.node[i];
+		const struct hawser_net_node *node = &result->mesh.net.node[i];
 		const double *x = st->x[i], *f = st->reaction[i];
 
 		if (shown++ >= SHOWN)
@@ -181,102 +154,128 @@ static void comments(struct hawser__table *table, const struct result *result)
 		hawser__table_comment(table, "the places of %d more nodes are in JSON", shown - SHOWN);
 }
 
-static void table(struct hawser__table *table, const void *of)
+/* --- fields --- */
+
+enum { SURFACES = 1, PROFILE = 2 };
+#define NEWTON .unit = HAWSER__NEWTON
+#define METRE .unit = HAWSER__METRE
+
+#define OF(member) HAWSER__AT(struct hawser_net_member, member)
+const struct hawser__field cli_net_member_field[] = {
+	{"name", "cable", "name of the cable",
+	 HAWSER__OUTER(struct result, mesh.net.cable, struct hawser_net_cable, name)},
+	{"T_min", "T_min", "least tension", OF(T_min), NEWTON},
+	{"T_max", "T_max", "largest tension", OF(T_max), NEWTON},
+	{"T_from", "T_from", "tension at its end `from`", OF(T_from), NEWTON},
+	{"T_to", "T_to", "tension at its end `to`", OF(T_to), NEWTON},
+	{"length0", "length0", "unstretched length", OF(length0), METRE},
+	{"length", "length", "stretched length", OF(length), METRE},
+	{"slack", "slack", "number of elements without tension", OF(slack)},
+	HAWSER__END,
+};
+#undef OF
+static const struct hawser__list member_list =
+	HAWSER__STORED_ROWS(struct result, st.member, st.cables, cli_net_member_field);
+
+struct row {
+	const char *cable;
+	struct hawser_net_point of;
+	struct cli_touch touch;
+};
+#define OF(member) HAWSER__AT(struct row, member)
+const struct hawser__field cli_net_point_field[] = {
+	{NULL, "cable", "name of the cable", OF(cable)},
+	{NULL, "S", "unstretched length from its end `from`", OF(of.S), METRE},
+	{NULL, "", "place", OF(of.x), .vector = &cli_axes, METRE},
+	{NULL, "T", "tension", OF(of.T), NEWTON},
+	{NULL, "obstacle", "with obstacles: the one that is touched", OF(touch.obstacle), .when = SURFACES},
+	{NULL, "r_N", "its force along its normal", OF(touch.r_N), NEWTON, .when = SURFACES},
+	{NULL, "r_T", "its force along the surface", OF(touch.r_T), NEWTON, .when = SURFACES},
+	{NULL, "contact", "open, stick or slip", OF(touch.state), .when = SURFACES},
+	HAWSER__END,
+};
+#undef OF
+
+static const void *point_row(void *to, const void *of, size_t i)
 {
-	static const char *const member[] = {"cable", "T_min_N", "T_max_N", "T_from_N", "T_to_N",
-	                                     "length0_m", "length_m", "slack"};
-	static const char *const point[] = {"cable", "S_m", "x_m", "y_m", "z_m", "T_N", "obstacle", "r_N_N",
-	                                    "r_T_N", "contact"};
 	const struct result *result = of;
-	size_t columns = !result->profile ? sizeof member/sizeof *member
-	                 : result->net.surfaces ? sizeof point/sizeof *point : 6;
+	const struct hawser_net_point *point = &result->st.point[i];
+	struct row *row = to;
 
-	cli_echo_table(table, result->common, "statics", NULL, result->st.method);
-	comments(table, result);
-	for (size_t i = 0; i < columns; i++)
-		hawser__table_column(table, "%s", result->profile ? point[i] : member[i]);
-	if (result->profile)
-		hawser__table_rows(table, (size_t)result->st.points, point_row, result);
-	else
-		hawser__table_rows(table, (size_t)result->st.cables, member_row, result);
+	*row = (struct row){result->mesh.net.cable[point->cable].name, *point,
+	                    cli_contacts_at(&result->mesh.net, &result->st, point)};
+	return row;
 }
+static const struct hawser__list point_list = HAWSER__MADE_ROWS(
+	struct row, cli_net_point_field, struct result, st.points, point_row);
 
-static void members_json(struct hawser__json *json, const struct result *result)
+static void profile_json(struct hawser__json *json, json_t *to, const void *of)
 {
-	json_t *list = hawser__json_array(json, json->root, "cables");
-
-	for (int c = 0; c < result->st.cables; c++) {
-		const struct hawser_net_member *m = &result->st.member[c];
-		json_t *one = hawser__json_object(json, list, NULL);
-
-		hawser__json_text(json, one, "name", result->net.cable[c].name);
-		hawser__json_number(json, one, "T_min", m->T_min);
-		hawser__json_number(json, one, "T_max", m->T_max);
-		hawser__json_number(json, one, "T_from", m->T_from);
-		hawser__json_number(json, one, "T_to", m->T_to);
-		hawser__json_number(json, one, "length0", m->length0);
-		hawser__json_number(json, one, "length", m->length);
-		hawser__json_integer(json, one, "slack", m->slack);
-	}
-}
-
-static void profile_json(struct hawser__json *json, const struct result *result)
-{
-	json_t *into = hawser__json_object(json, json->root, "profile"), *list = NULL;
+	const struct result *result = of;
+	json_t *into = hawser__json_object(json, to, "profile"), *list = NULL;
 
 	for (int i = 0, last = -1; i < result->st.points; i++) {
 		const struct hawser_net_point *p = &result->st.point[i];
 		const double row[] = {p->S, p->x[0], p->x[1], p->x[2], p->T};
 
 		if (p->cable != last)
-			list = hawser__json_array(json, into, result->net.cable[p->cable].name);
+			list = hawser__json_array(json, into, result->mesh.net.cable[p->cable].name);
 		last = p->cable;
 		hawser__json_numbers(json, list, NULL, row, 5, 1.0);
 	}
 }
 
-static void json(struct hawser__json *json, const void *of)
+#define OF(member) HAWSER__AT(struct result, member)
+const struct hawser__field cli_statics_net_field[] = {
+	{"method", NULL, "by which they are computed", OF(st.method)},
+	{"nodes", NULL, "place of each node, by name", CLI_NODES_AT(struct result, st.x, cli_nodes), METRE},
+	{"cables", NULL, "in the order of the scene", HAWSER__OBJECTS_OF(member_list)},
+	{"reactions", NULL, "forces of the supports on the net, by name of the node",
+	 CLI_NODES_AT(struct result, st.reaction, cli_supports), NEWTON},
+	{"energy", NULL, "strain energy minus loads times places", OF(st.energy), .unit = HAWSER__J},
+	{"gap", NULL, "the energy is at most this above the least one; null: not known", OF(st.gap),
+	 .unit = HAWSER__J, .flags = HAWSER__NULL | HAWSER__INFINITE},
+	{"compressed", NULL, "number of elements under compression", OF(st.compressed)},
+	{"residual", NULL, "largest force that is not balanced", OF(st.residual), NEWTON},
+	{"floor", NULL, "what round-off allows", OF(st.floor), NEWTON},
+	{"", NULL, "", HAWSER__PART_OF(struct result, mesh, cli_mesh_field)},
+	{"unknowns", NULL, "of the mesh", OF(st.unknowns)},
+	{"iterations", NULL, "of the method", OF(st.iterations)},
+	{"", NULL, "", HAWSER__PART_OF(struct result, contacts, cli_apart_field), .when = SURFACES},
+	{"profile", NULL, "with --profile, of each cable: [S, x, y, z, T], m and N",
+	 HAWSER__CALLS(profile_json), .when = PROFILE},
+	{"", NULL, "", HAWSER__PART_OF(struct result, warning, cli_warnings_field)},
+	HAWSER__END,
+};
+#undef OF
+
+static struct cli_head head(const void *of)
 {
 	const struct result *result = of;
-	const struct hawser_net_statics *st = &result->st;
-	json_t *into;
 
-	cli_echo_json(json, result->common, "statics", NULL);
-	hawser__json_text(json, json->root, "method", st->method);
-	into = hawser__json_object(json, json->root, "nodes");
-	for (int i = 0; i < st->nodes; i++)
-		hawser__json_numbers(json, into, result->net.node[i].name, st->x[i], 3, 1.0);
-	members_json(json, result);
-	into = hawser__json_object(json, json->root, "reactions");
-	for (int i = 0; i < st->nodes; i++)
-		if (result->net.node[i].support)
-			hawser__json_numbers(json, into, result->net.node[i].name, st->reaction[i], 3, 1.0);
-	hawser__json_number(json, json->root, "energy", st->energy);
-	if (!isfinite(st->gap))
-		hawser__json_null(json, json->root, "gap");
-	else
-		hawser__json_number(json, json->root, "gap", st->gap);
-	hawser__json_integer(json, json->root, "compressed", st->compressed);
-	hawser__json_number(json, json->root, "residual", st->residual);
-	hawser__json_number(json, json->root, "floor", st->floor);
-	cli_mesh_json(json, json->root, &result->net, &result->error);
-	hawser__json_integer(json, json->root, "unknowns", st->unknowns);
-	hawser__json_integer(json, json->root, "iterations", st->iterations);
-	cli_contacts_json(json, &result->net, st);
-	if (result->profile)
-		profile_json(json, result);
-	cli_warnings_json(json, *result->warning ? result->warning : NULL);
-	cli_stats_json(json, result->common);
+	return (struct cli_head){
+		.common = result->common, .command = "statics", .method = result->st.method,
+		.view = {.scale = hawser__si, .context = &result->mesh.net,
+		         .options = (result->mesh.net.surfaces ? SURFACES : 0u) |
+		                    (result->profile ? PROFILE : 0u)}};
+}
+
+static void rows(struct hawser__table *table, const void *of)
+{
+	const struct hawser__view view = head(of).view;
+
+	hawser__fields_table(table, view.options & PROFILE ? &point_list : &member_list, of, &view);
 }
 
 static enum hawser_status draw(const char *path, const void *of, struct hawser_report *report)
 {
 	const struct result *result = of;
 
-	return hawser__plot_net(path, &result->net, &result->st, report);
+	return hawser__plot_net(path, &result->mesh.net, &result->st, report);
 }
 
-static const struct cli_showing showing = {.table = table, .json = json, .draw = draw};
+static const struct cli_showing showing = {.head = head, .comments = comments, .more = rows,
+                                           .fields = cli_statics_net_field, .draw = draw};
 
 static enum hawser_status method_of(const char *name, struct hawser_report *report)
 {
@@ -300,20 +299,22 @@ enum hawser_status cli_statics_net(const struct cli_common *common, const char *
 	if (!status)
 		status = cli_vtk_check(vtk, "statics", report);
 	if (!status)
-		status = cli_mesh_open(&result.net, common, report);
+		status = cli_mesh_open(&result.mesh.net, common, report);
 	if (!status)
-		status = hawser_net_solve(&result.st, &result.net, &options, report);
+		status = hawser_net_solve(&result.st, &result.mesh.net, &options, report);
 	if (!status)
-		status = hawser_net_mesh_error(&result.error, &result.net, &result.st, report);
+		status = hawser_net_mesh_error(&result.mesh.error, &result.mesh.net, &result.st, report);
+	result.contacts = (struct cli_contacts){&result.mesh.net, result.st.contact, result.st.contacts,
+	                                        result.st.apart};
 	if (!status)
 		warn(&result);
 	if (!status && vtk)
-		status = cli_contacts_vtk(vtk, &result.net, &result.st, report);
+		status = cli_contacts_vtk(vtk, &result.mesh.net, &result.st, report);
 	if (!status)
 		status = cli_show(common, &showing, &result, report);
 	if (!status && *result.warning)
 		cli_warn(result.warning);
 	hawser_net_statics_clear(&result.st);
-	hawser_net_clear(&result.net);
+	hawser_net_clear(&result.mesh.net);
 	return status;
 }

@@ -35,6 +35,11 @@ static const struct {
 	[HAWSER__METRE_S3] = {"_m_s3", "m/s^3"},
 	[HAWSER__METRE_S4] = {"_m_s4", "m/s^4"},
 	[HAWSER__NEWTON_METRE] = {"_Nm", "N.m"},
+	[HAWSER__NEWTON_SECOND] = {"_Ns", "N.s"},
+	[HAWSER__NEWTON_METRE_SECOND] = {"_Nms", "N.m.s"},
+	[HAWSER__MOMENT_PER_METRE] = {"_Nm_per_m", "N.m/m"},
+	[HAWSER__KILOGRAM] = {"_kg", "kg"},
+	[HAWSER__KILOGRAM_M] = {"_kg_m", "kg/m"},
 };
 
 const struct hawser__scale hawser__si = {

@@ -41,7 +41,8 @@ enum hawser__unit {
 	HAWSER__HERTZ, /* shows a value in rad/s in Hz */
 	HAWSER__RADIAN, HAWSER__SECOND, HAWSER__BYTE, HAWSER__NEWTON_M,
 	HAWSER__METRE_S2, HAWSER__METRE_S3, HAWSER__METRE_S4, /* acceleration, jerk, snap */
-	HAWSER__NEWTON_METRE,
+	HAWSER__NEWTON_METRE, HAWSER__NEWTON_SECOND, HAWSER__NEWTON_METRE_SECOND, /* moment, impulses */
+	HAWSER__MOMENT_PER_METRE, HAWSER__KILOGRAM, HAWSER__KILOGRAM_M,
 	HAWSER__UNITS
 };
 
@@ -69,7 +70,8 @@ enum hawser__kind {
 	                                    * struct hawser__vector columns too */
 	HAWSER__VECTOR,  /* const double *, with a struct hawser__vector; NULL: not shown */
 	HAWSER__OBJECTS, /* JSON only: a list of objects */
-	HAWSER__ARRAYS,  /* JSON only: an object with an array for each field of a list */
+	HAWSER__ARRAYS,  /* JSON only: an object with an array for each field of a list; what the list has
+	                  * from the parent is no array but one member */
 	HAWSER__OBJECT,  /* JSON only: an object with fields of its own, see `inner` */
 	HAWSER__CALL     /* JSON only: a function writes it */
 };
@@ -102,7 +104,9 @@ struct hawser__vector {
 	void (*name)(char *text, size_t size, const void *context, int k); /* NULL: JSON only */
 	/* Number k of row `index` of `parent` if the vector is not stored; else NULL. */
 	double (*number)(const void *context, const void *parent, size_t index, int k);
-	int object; /* 1: in JSON an object by name, 0: an array; "mid\nx" is `x` of an object `mid` */
+	/* 1: in JSON an object by name, 0: an array; "mid\nx" is `x` of an object `mid`, "mid\n" an element
+	 * of an array `mid`, and "" is left out. */
+	int object;
 	enum hawser__unit rate; /* unit of the second half if it differs; else HAWSER__NONE */
 	enum hawser__unit (*unit)(const void *context, int k); /* unit of each number if they differ; or
 	                                                        * NULL */

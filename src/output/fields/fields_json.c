@@ -9,19 +9,21 @@
 #include "output/fields/fields_units.h"
 #include "output/fields/fields_value.h"
 
-/* The object of which the last part of "certificate.error" is a member; it is created if missing. */
+/* The object of which the last part of "certificate.error" is a member; it is created if missing. A name
+ * that ends with the separator is that of an array: *key NULL, for an element of it. */
 static json_t *holder(struct hawser__json *json, json_t *into, const char **key, char separator)
 {
 	const char *dot;
 
-	for (; *key && (dot = strchr(*key, separator)) != NULL; *key = dot + 1) {
+	for (; *key && (dot = strchr(*key, separator)) != NULL; *key = dot[1] ? dot + 1 : NULL) {
 		json_t *inner = NULL;
-		char name[64];
+		char name[HAWSER__NAME_SIZE];
 
 		snprintf(name, sizeof name, "%.*s", (int)(dot - *key), *key);
 		if (!json->status)
 			inner = json_object_get(into, name);
-		into = inner ? inner : hawser__json_object(json, into, name);
+		into = inner ? inner : dot[1] ? hawser__json_object(json, into, name)
+		                              : hawser__json_array(json, into, name);
 	}
 	return into;
 }
@@ -107,6 +109,8 @@ static void vector_json(struct hawser__json *json, json_t *into, const char *key
 
 		if (vector->object)
 			vector->name(name, sizeof name, view->context, k);
+		if (last && !*last)
+			continue;
 		place = holder(json, list, &last, HAWSER__NESTED);
 		value_json(json, place, last,
 		           hawser__vector_at(field, at, values, count, k, view), field->flags,
@@ -180,8 +184,6 @@ static void member_json(struct hawser__json *json, json_t *into, const char *key
 	}
 }
 
-/* Write one field. If the field is not shown or its value is unknown, nothing is created, not even
- * the object of which it would be a member. */
 static int is_omitted(const struct hawser__field *field, const struct hawser__at *at,
                       const struct hawser__view *view)
 {
@@ -190,19 +192,25 @@ static int is_omitted(const struct hawser__field *field, const struct hawser__at
 	        hawser__value_of(field, at, view).is == HAWSER__IS_UNKNOWN);
 }
 
+/* Write one field. If the field is not shown or its value is unknown, nothing is created, not even
+ * the object of which it would be a member. */
+static void field_json(struct hawser__json *json, json_t *into, const struct hawser__field *field,
+                       const struct hawser__at *at, const struct hawser__view *view)
+{
+	const char *key = field->key;
+
+	if (!key || !hawser__is_shown(field, view) || is_omitted(field, at, view))
+		return;
+	if (field->kind != HAWSER__CALL)
+		into = holder(json, into, &key, '.');
+	member_json(json, into, key, field, at, view);
+}
+
 static void fields_json(struct hawser__json *json, json_t *into, const struct hawser__field *field,
                         const struct hawser__at *at, const struct hawser__view *view)
 {
-	for (; !hawser__is_end(field) && !json->status; field++) {
-		const char *key = field->key;
-		json_t *place = into;
-
-		if (!key || !hawser__is_shown(field, view) || is_omitted(field, at, view))
-			continue;
-		if (field->kind != HAWSER__CALL)
-			place = holder(json, into, &key, '.');
-		member_json(json, place, key, field, at, view);
-	}
+	for (; !hawser__is_end(field) && !json->status; field++)
+		field_json(json, into, field, at, view);
 }
 
 void hawser__fields_json(struct hawser__json *json, json_t *into, const struct hawser__field *field,
@@ -280,6 +288,7 @@ static void list_json(struct hawser__json *json, json_t *into, const char *key,
                       const struct hawser__view *view)
 {
 	const struct hawser__field *inner = field->list->field;
+	const struct hawser__at parent = {at->row, at->row, 0, 0};
 	struct hawser__maker stored = {field->list, *at, *view}, *maker = &stored;
 	int streamed = (field->flags & HAWSER__STREAM) && json->owns < HAWSER__JSON_LISTS;
 
@@ -303,7 +312,9 @@ static void list_json(struct hawser__json *json, json_t *into, const char *key,
 		const char *name = inner[part].key;
 		json_t *place;
 
-		if (!name || !hawser__is_shown(&inner[part], view))
+		if (inner[part].from == HAWSER__IN_PARENT)
+			field_json(json, into, &inner[part], &parent, view);
+		if (!name || !hawser__is_shown(&inner[part], view) || inner[part].from == HAWSER__IN_PARENT)
 			continue;
 		place = holder(json, into, &name, '.');
 		if (inner[part].vector && inner[part].vector->object)

@@ -16,32 +16,36 @@
 #include <hawser/scene.h>
 #include "output/output.h"
 
-/* A dimension: other spellings of its SI unit, and how it follows from a length and a frequency. */
-enum { LENGTH, FREQUENCY, SPELLINGS = 4 };
+/* A dimension: its SI unit, other spellings of that, and a name of its own that the unit has. Units of
+ * compounds follow from chosen ones of their parts, the first four. */
+enum { LENGTH, FREQUENCY, FORCE, MASS, PARTS, SPELLINGS = 2 };
 static const struct {
-	const char *name, *si, *also[SPELLINGS];
-	int length, frequency; /* powers of chosen units */
-	const char *rest;      /* what remains of the unit behind these: "/s" */
+	const char *name, *si, *also[SPELLINGS], *own;
 } dimensions[] = {
-	[LENGTH] = {.name = "length", .si = "m"},
-	[FREQUENCY] = {.name = "frequency", .si = "rad/s", .also = {"Hz"}},
-	{.name = "force", .si = "N"},
-	{.name = "time", .si = "s"},
-	{.name = "speed", .si = "m/s", .length = 1, .rest = "/s"},
-	{.name = "acceleration", .si = "m/s^2", .also = {"m/s²"}, .length = 1, .rest = "/s^2"},
-	{.name = "rate", .si = "1/s", .also = {"per_s"}},
-	{.name = "angle", .si = "rad"},
-	{.name = "mass", .si = "kg"},
-	{.name = "mass per length", .si = "kg/m"},
-	{.name = "force per length or stiffness", .si = "N/m"},
-	{.name = "moment or energy", .si = "J", .also = {"N.m", "N m"}},
-	{.name = "bending stiffness", .si = "N.m^2", .also = {"N m²", "N m^2"}},
-	{.name = "damper", .si = "N.s/m", .also = {"N s/m"}},
-	{.name = "damping per length", .si = "kg/m/s", .also = {"kg/(m s)"}},
-	{.name = "temperature", .si = "K"},
-	{.name = "thermal expansion", .si = "1/K"},
-	{.name = "curvature", .si = "1/m", .length = -1},
-	{.name = "frequency per amplitude squared", .si = "rad/s/m^2", .length = -2, .frequency = 1},
+	[LENGTH] = {"length", "m"},
+	[FREQUENCY] = {"frequency", "rad/s", {"Hz"}},
+	[FORCE] = {"force", "N"},
+	[MASS] = {"mass", "kg"},
+	{"time", "s"},
+	{"speed", "m/s"},
+	{"acceleration", "m/s^2", {"m/s²"}},
+	{"jerk", "m/s^3", {"m/s³"}},
+	{"snap", "m/s^4"},
+	{"rate", "1/s", {"per_s"}},
+	{"angle", "rad"},
+	{"mass per length", "kg/m"},
+	{"force per length or stiffness", "N/m"},
+	{"moment or energy", "N.m", {"N m"}, .own = "J"},
+	{"moment per displacement", "N.m/m"},
+	{"impulse", "N.s", {"N s"}},
+	{"angular momentum", "N.m.s", {"N m s"}},
+	{"bending stiffness", "N.m^2", {"N m²", "N m^2"}},
+	{"damper", "N.s/m", {"N s/m"}},
+	{"damping per length", "kg/m/s", {"kg/(m s)"}},
+	{"temperature", "K"},
+	{"thermal expansion", "1/K"},
+	{"curvature", "1/m"},
+	{"frequency per amplitude squared", "rad/s/m^2"},
 };
 enum { DIMENSIONS = sizeof dimensions/sizeof *dimensions };
 
@@ -114,55 +118,69 @@ enum hawser_status hawser__units_choose(const char *list, struct hawser_report *
 
 /* --- what is shown instead of a unit --- */
 
+/* Spelling k of the SI unit, from 0; NULL: no such one. */
+static const char *spelling(int d, int k)
+{
+	return k == 0 ? dimensions[d].si : k == 1 ? dimensions[d].own : dimensions[d].also[k - 2];
+}
+
 static int is_spelling(int d, const char *si)
 {
-	for (int k = 0; k < SPELLINGS && dimensions[d].also[k]; k++)
-		if (strcmp(dimensions[d].also[k], si) == 0)
+	for (int k = 0; k < SPELLINGS + 2; k++)
+		if (spelling(d, k) && strcmp(spelling(d, k), si) == 0)
 			return 1;
-	return strcmp(dimensions[d].si, si) == 0;
+	return 0;
 }
 
-/* "/ft^2", "ft": a chosen unit to a power; "" for the power 0. */
-static void factor_name(char *text, size_t size, const char *unit, int power)
+/* The dimension of the part of a unit with which the text begins, or -1; its `length`. */
+static int part_at(const char *text, size_t *length)
 {
-	int compound = strpbrk(unit, "/. ") != NULL;
-	const char *open = compound ? "(" : "", *close = compound ? ")" : "";
-
-	if (power == 0)
-		*text = '\0';
-	else if (abs(power) == 1)
-		snprintf(text, size, "%s%s%s%s", power < 0 ? "/" : "", open, unit, close);
-	else
-		snprintf(text, size, "%s%s%s%s^%d", power < 0 ? "/" : "", open, unit, close, abs(power));
+	for (int d = FREQUENCY; d < PARTS; d = d == FREQUENCY ? LENGTH : d == LENGTH ? FORCE : d + 1) {
+		*length = strlen(dimensions[d].si);
+		if (strncmp(text, dimensions[d].si, *length) == 0 && strchr("./^", text[*length]))
+			return d;
+	}
+	*length = strcspn(text, "./^");
+	return -1;
 }
 
-/* A unit that follows from a chosen length or frequency. */
-static void combine(struct hawser__shown_unit *shown, int d)
+/* The unit with chosen units in place of its parts: "kN.ft" for N.m. A unit with a name of its own
+ * is left if one of its parts is. */
+static void combine(struct hawser__shown_unit *shown, int d, int own)
 {
-	int length = *chosen.unit[LENGTH] ? dimensions[d].length : 0;
-	int frequency = *chosen.unit[FREQUENCY] ? dimensions[d].frequency : 0;
-	const char *rest = dimensions[d].rest;
-	char of_length[HAWSER__UNIT_SIZE + 8], first[HAWSER__UNIT_SIZE + 8];
-	char name[3*HAWSER__UNIT_SIZE];
+	const char *si = dimensions[d].si;
+	char name[4*HAWSER__UNIT_SIZE];
+	int taken[PARTS] = {0}, left = 0, any = 0, sign = 1;
+	size_t used = 0, length;
+	double per = 1.0;
 
-	if (length == 0 && frequency == 0)
+	for (; *si && used + HAWSER__UNIT_SIZE + 8 < sizeof name; si += length) {
+		int part = part_at(si, &length), swap = part >= 0 && *chosen.unit[part];
+		const char *text = swap ? chosen.unit[part] : si, *after = si + length;
+		int open = swap && strpbrk(text, "/. ") && (used > 0 || (*after && *after != '/'));
+		int power = *after == '^' ? atoi(after + 1) : 1;
+
+		used += (size_t)snprintf(name + used, sizeof name - used, open ? "(%.*s)" : "%.*s",
+		                         swap ? HAWSER__UNIT_SIZE : (int)length, text);
+		length += strcspn(after, "./");
+		length += si[length] != '\0';
+		used += (size_t)snprintf(name + used, sizeof name - used, "%.*s",
+		                         (int)(si + length - after), after);
+		left |= part >= 0 && !swap;
+		any |= swap;
+		if (swap) {
+			taken[part] = 1;
+			per *= pow(chosen.size[part], sign*power);
+		}
+		sign = si[length - 1] == '/' ? -1 : 1;
+	}
+	if (!any || (own && left) || used >= sizeof shown->name) /* too long a name is of no use */
 		return;
-	factor_name(of_length, sizeof of_length, *chosen.unit[LENGTH] ? chosen.unit[LENGTH] : "m",
-	            dimensions[d].length);
-	factor_name(first, sizeof first, frequency ? chosen.unit[FREQUENCY] : "rad/s",
-	            dimensions[d].frequency ? 1 : 0);
-	if (strchr(first, '(')) /* "rad/s" needs none in front of a quotient */
-		snprintf(first, sizeof first, "%s", frequency ? chosen.unit[FREQUENCY] : "rad/s");
-	snprintf(name, sizeof name, "%s%s%s", *first || *of_length != '/' ? first : "1", of_length,
-	         rest ? rest : "");
-	if (strlen(name) >= sizeof shown->name) /* too long a name to be of use */
-		return;
-	memcpy(shown->name, name, strlen(name) + 1);
-	shown->per = (length ? pow(chosen.size[LENGTH], length) : 1.0)*
-	             (frequency ? pow(chosen.size[FREQUENCY], frequency) : 1.0);
+	memcpy(shown->name, name, used + 1);
+	shown->per = per;
 	shown->changed = 1;
-	chosen.used[LENGTH] |= length != 0;
-	chosen.used[FREQUENCY] |= frequency != 0;
+	for (int part = 0; part < PARTS; part++)
+		chosen.used[part] |= taken[part];
 }
 
 struct hawser__shown_unit hawser__shown_unit(const char *si)
@@ -179,7 +197,7 @@ struct hawser__shown_unit hawser__shown_unit(const char *si)
 	if (d == DIMENSIONS)
 		return shown;
 	if (!*chosen.unit[d]) {
-		combine(&shown, d);
+		combine(&shown, d, dimensions[d].own && strcmp(dimensions[d].own, si) == 0);
 		return shown;
 	}
 	chosen.used[d] = 1;
@@ -273,8 +291,8 @@ static const char *unit_at(const char *text)
 	const char *best = NULL;
 
 	for (int d = 0; d < DIMENSIONS; d++)
-		for (int k = -1; k < SPELLINGS; k++) {
-			const char *si = k < 0 ? dimensions[d].si : dimensions[d].also[k];
+		for (int k = 0; k < SPELLINGS + 2; k++) {
+			const char *si = spelling(d, k);
 			size_t length = si ? strlen(si) : 0;
 			unsigned char after = length && strncmp(text, si, length) == 0
 			                      ? (unsigned char)text[length] : 'x';
@@ -298,11 +316,21 @@ static const char *joined(const char *text)
 	return NULL;
 }
 
+/* The unit of the number, or of the list in brackets, that ends before this text, or NULL; `blank`:
+ * the place of the blank before it. */
+static const char *unit_behind(const char *text, size_t *blank)
+{
+	*blank = strspn(text, ")]");
+	return text[*blank] == ' ' ? unit_at(text + *blank + 1) : NULL;
+}
+
 /* The unit of the number before this text, or NULL. */
 static const char *unit_of(const char *text)
 {
+	size_t blank;
+
 	for (;;) {
-		const char *unit = *text == ' ' ? unit_at(text + 1) : NULL, *next = joined(text);
+		const char *unit = unit_behind(text, &blank), *next = joined(text);
 		size_t length;
 		int digits;
 
@@ -321,7 +349,7 @@ static void convert(FILE *stream, const char *text)
 
 	while (*text) {
 		int digits;
-		size_t length = isalnum((unsigned char)before) || strchr("._^", before)
+		size_t blank, length = isalnum((unsigned char)before) || strchr("._^", before)
 		                ? 0 : number_at(text, &digits);
 		const char *si = length ? unit_of(text + length) : NULL;
 		struct hawser__shown_unit shown = hawser__shown_unit(si ? si : "");
@@ -330,9 +358,9 @@ static void convert(FILE *stream, const char *text)
 			fprintf(stream, "%.*g", (int)fmin(fmax(digits + 1, 6), 17),
 			        strtod(text, NULL)/shown.per);
 			text += length;
-			if (*text == ' ' && unit_at(text + 1) == si) {
-				fprintf(stream, " %s", shown.name);
-				text += 1 + strlen(si);
+			if (unit_behind(text, &blank) == si) {
+				fprintf(stream, "%.*s %s", (int)blank, text, shown.name);
+				text += blank + 1 + strlen(si);
 			}
 			before = '0';
 			continue;

@@ -1,8 +1,8 @@
 /* output/fields/units.h - the units in which tables and pictures show results (--units). JSON is in SI.
  *
  * What is shown in SI elsewhere asks here, by the text of its SI unit ("N", "rad/s", "m/s^2"), what
- * the user has chosen instead. A chosen length is also that of speeds, accelerations and 1/m, a
- * chosen frequency that of (rad/s)/m^2, unless a unit was chosen for these.
+ * the user has chosen instead. Chosen units of length, force, mass and frequency are also those in
+ * compounds ("kN.ft" for N.m), unless a unit was chosen for these.
  *
  * The choice belongs to the program: it is made once, before anything is shown.
  * SPDX-License-Identifier: GPL-3.0-or-later */

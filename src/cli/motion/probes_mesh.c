@@ -1,0 +1,83 @@
+/* cli/motion/probes_mesh.c - places, tensions and moments of probes in time, of nets and rods.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <stdio.h>
+
+#include "cli/motion/integrate_net.h"
+
+enum { PLACE = 3 }; /* numbers of a probe: x, y, z, the tension, of rods the moment */
+
+static int each(const struct cli_probed *of)
+{
+	return of->M ? PLACE + 2 : PLACE + 1;
+}
+
+static int numbers(const void *context)
+{
+	const struct cli_probed *of = context;
+
+	return each(of)*of->probes;
+}
+
+static void name(char *text, size_t size, const void *context, int k)
+{
+	const struct cli_probed *of = context;
+
+	snprintf(text, size, "%s_%c", of->name[k/each(of)], "xyzTM"[k % each(of)]);
+}
+
+static enum hawser__unit unit(const void *context, int k)
+{
+	k %= each(context);
+	return k < PLACE ? HAWSER__METRE : k == PLACE ? HAWSER__NEWTON : HAWSER__NEWTON_METRE;
+}
+
+static double number(const void *context, const void *parent, size_t row, int k)
+{
+	const struct cli_probed *of = context;
+	size_t at = row*(size_t)of->probes + (size_t)(k/each(of));
+
+	(void)parent;
+	k %= each(of);
+	return k < PLACE ? of->x[at][k] : k == PLACE ? of->T[at] : of->M[at];
+}
+
+const struct hawser__vector cli_probed_vector = {
+	.shown = "PROBE_...", .count = numbers, .name = name, .number = number, .unit = unit};
+
+/* The array `key` of probe p: `width` numbers a row, or, with width 0, one that is no array. */
+static void array(struct hawser__json *json, json_t *into, const char *key,
+                  const struct cli_probed *of, int p, const double *value, int width)
+{
+	json_t *list = value ? hawser__json_array(json, into, key) : NULL;
+
+	for (int at = p; value && at < of->rows*of->probes; at += of->probes)
+		if (width)
+			hawser__json_numbers(json, list, NULL, value + width*at, width, 1.0);
+		else
+			hawser__json_number(json, list, NULL, value[at]);
+}
+
+static void probes_json(struct hawser__json *json, json_t *to, const void *row)
+{
+	const struct cli_probed *of = row;
+	json_t *into = hawser__json_object(json, to, "probes");
+
+	for (int p = 0; p < of->probes; p++) {
+		json_t *one = hawser__json_object(json, into, of->name[p]);
+
+		if (of->s)
+			hawser__json_number(json, one, "s", of->s[p]);
+		array(json, one, "x", of, p, of->x[0], PLACE);
+		array(json, one, "v", of, p, of->v ? of->v[0] : NULL, PLACE);
+		array(json, one, "T", of, p, of->T, 0);
+		array(json, one, "M", of, p, of->M, 0);
+	}
+}
+
+const struct hawser__field cli_probed_field[] = {
+	{"probes", NULL, "by name: x (m), T (N); of rods s (m), v (m/s), M (N.m) too",
+	 HAWSER__CALLS(probes_json)},
+	HAWSER__END,
+};
