@@ -49,7 +49,7 @@ static enum hawser_status prepare(struct job *job, const char *path, struct haws
 	status = hawser_fidelities_read(choice, &count, list, rows, report);
 	if (!status)
 		status = hawser_plan_make(&job->plan, &job->statics, &job->scene, choice, count,
-		                          job->options.from, job->options.to, NULL, report);
+		                          job->options.from, job->options.to, report);
 	if (!status)
 		status = hawser_study_run(&job->reference, &job->statics, &job->scene,
 		                          &job->plan.row[rows - 1].choice, &job->options, report);

@@ -1,9 +1,8 @@
 /* hawser/plan.h - a study of a scene before it is run: which effects are modelled and which are not,
  * the sizes of the models, and estimates of the cost and of the error of their responses.
  *
- * Errors are estimated from the modes by formulas (doc/theory-study.md). Times are measured: a part of
- * each response is computed, or all of it if it is short. Quantities are scaled (statics.h) unless the
- * name or the comment says SI.
+ * Errors and times are estimated from the modes by formulas (doc/theory-study.md). Quantities are
+ * scaled (statics.h) unless the name or the comment says SI.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_PLAN_H
@@ -46,36 +45,20 @@ struct hawser_plan_resonance {
 	int order;          /* ratio of the partner's frequency to this one, rounded */
 };
 
-/* How the numbers of points and seconds were obtained. */
-enum hawser_plan_basis {
-	HAWSER_BASIS_NONE = 0, /* there is no response */
-	HAWSER_BASIS_RUN,      /* the whole response was computed and its time measured */
-	HAWSER_BASIS_ESTIMATE, /* its first part was computed, the rest traced with a coarse tolerance or
-	                        * estimated from earlier curves */
-	HAWSER_BASIS_PART      /* as _ESTIMATE, but the coarse trace was incomplete, and the rest follows
-	                        * from a formula */
-};
-const char *hawser_plan_basis_name(enum hawser_plan_basis basis); /* "run", "estimate", "part"; "" */
-
 /* The size of the model of one fidelity, and the estimates for its response. */
 struct hawser_plan_row {
 	struct hawser_fidelity_choice choice;
 	int n;               /* coordinates */
 	long quads, cubics;  /* tensor entries that are not zero by symmetry */
-	double points;       /* of the curve */
-	double seconds;      /* processor time on this machine for model and response: an estimate, or, */
-	int bound;           /* if 1, a lower bound, as is `points`: the number of further models, or of
-	                      * the points of the rest of the curve, is not known */
-	double least, most;  /* the range in which the time should be; most is INFINITY for a bound */
-	enum hawser_plan_basis basis; /* of points and seconds */
-	enum hawser_status status; /* status with which the response ended, if it was computed as a
-	                            * whole */
-	char foreseen[240];  /* why it will fail, or another finding that the user should know; or "" */
+	double points;       /* of the curve; NAN without one */
+	double seconds;      /* processor time on this machine for model and response */
+	double least, most;  /* the range in which nine of ten such times are */
+	int estimated;       /* 1: the scene has a response, and these are known */
+	enum hawser_status status; /* with which the response will end, as far as is foreseen */
+	char foreseen[240];  /* why; or "" */
 	double omega_error;  /* estimated relative error of the frequencies of folds and peaks, for the
 	                      * worst resonance; NAN: not known, INFINITY: a mode in the range is
 	                      * missing */
-	double foretold;     /* the same before a response was traced: on every machine the same, however
-	                      * much of the response it traces in the time for it */
 	int worst;           /* index of this resonance, or -1 */
 	char why[200];       /* basis of the error estimate */
 };
@@ -96,26 +79,14 @@ struct hawser_plan {
 	double seconds;              /* processor time taken by the plan itself */
 };
 
-/* Limits of the processor time for measuring the cost of responses. */
-struct hawser_plan_options {
-	double seconds; /* for all fidelities together, however long their responses take; 0: 1; or
-	                 * HAWSER_NONE */
-	double share;   /* in addition for each fidelity, relative to the estimated time of its
-	                 * response; 0: 0.1; or HAWSER_NONE */
-	double most;    /* limit of this additional time for a fidelity; 0: 3; or HAWSER_NONE */
-	double extra;   /* limit of all additional time together; 0: 8; or HAWSER_NONE */
-};
-void hawser_plan_settle(struct hawser_plan_options *options);
-
-/* Plan the response of a scene over [from, to] (either order) at the fidelities choice [count];
- * options may be NULL. A scene without a load has decisions and sizes, but neither resonances nor
+/* Plan the response of a scene over [from, to] (either order) at the fidelities choice [count].
+ * A scene without a load has decisions and sizes, but neither resonances nor
  * estimates. Release with hawser_plan_clear. HAWSER_ERR_ARGUMENT (range), and the statuses of
- * hawser_modes_solve, hawser_rom_build and hawser_frf_trace. */
+ * hawser_modes_solve and hawser_rom_build. */
 enum hawser_status hawser_plan_make(struct hawser_plan *plan, const struct hawser_statics *statics,
                                     const struct hawser_scene *scene,
                                     const struct hawser_fidelity_choice *choice, int count,
                                     double from, double to,
-                                    const struct hawser_plan_options *options,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 void hawser_plan_clear(struct hawser_plan *plan);
 

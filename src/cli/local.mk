@@ -79,7 +79,6 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/report/report_page.c \
 	%D%/report/report_parts.c \
 	%D%/report/report_parts.h \
-	%D%/report/report_pdf.c \
 	%D%/report/report_run.c \
 	%D%/motion/cmd_transient.c \
 	%D%/motion/transient_fields.c \

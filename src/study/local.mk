@@ -8,8 +8,6 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/identify/half_power.h \
 	%D%/identify/half_power_one.c %D%/identify/half_power_pair.c %D%/identify/half_power_quotient.c \
 	%D%/plan/cost.c \
-	%D%/plan/cost.h \
-	%D%/plan/cost_auto.c \
 	%D%/plan/decide.c \
 	%D%/accuracy/estimate.c \
 	%D%/map/family.c \
@@ -42,9 +40,7 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/sizes.c \
 	%D%/accuracy/stencil.c \
 	%D%/accuracy/stencil.h \
-	%D%/accuracy/survey.h \
-	%D%/plan/trial.c \
-	%D%/plan/trial.h
+	%D%/accuracy/survey.h
 # accuracy asked for
 %C%_libstudy_la_SOURCES += \
 	%D%/accuracy/accuracy.c \

@@ -324,7 +324,6 @@ static const struct row {
 	ROW(hawser_plan),
 	ROW(hawser_plan_decision),
 	ROW(hawser_plan_mode),
-	ROW(hawser_plan_options),
 	ROW(hawser_plan_resonance),
 	ROW(hawser_plan_row),
 	ROW(hawser_plausible_rule),

@@ -185,8 +185,8 @@ refuses_like 1 "has an incomplete absorber: give both" statics "$stay" --set 'at
 refuses_like 1 "absorber without direction" statics "$stay" --set "$tmd" --set 'attach.tmd.absorber_direction=[0, 0, 0]'
 refuses_like 1 "write KEY=FROM:TO:POINTS" modes "$stay" --over attach.0.at=0.1:0.2
 refuses_like 1 "write KEY=FROM:TO:POINTS" modes "$stay" --over attach.0.at=0.1:0.2:1
-refuses_like 1 "log is for the points of --over" modes "$stay" --log
-refuses_like 1 "are for undamped modes" modes "$stay" --damped --shapes
+refuses_like 1 "log needs --over KEY=FROM:TO:N: give that" modes "$stay" --log
+refuses_like 1 "shapes does not go with --damped" modes "$stay" --damped --shapes
 refuses_like 1 "has 3 values" modes "$stay" --over attach.0.damper=1e3:2e3:3
 refuses_like 1 "a logarithmic sweep" modes "$stay" --over attach.0.mass=0:2:3 --log
 refuses_like 1 "two different finite numbers" modes "$stay" --over attach.0.mass=2:2:3

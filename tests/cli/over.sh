@@ -37,9 +37,8 @@ END
 
 refuses 1 "--over factor.load=1:2 follows the motion at one frequency: give it with --Omega" \
 	frf "$pair" --over factor.load=1:2
-refuses 1 "--Omega 1 is the frequency for --over KEY=FROM:TO, which is missing; a range of frequencies is given by \
---from and --to" frf "$pair" --Omega 1
-refuses 1 "--over factor.load=1:2 follows one motion at one frequency: leave out --from" \
+refuses 1 "--Omega needs --over KEY=FROM:TO: give that" frf "$pair" --Omega 1
+refuses 1 "--over does not go with --from: leave out one of them" \
 	frf "$pair" --over factor.load=1:2 --Omega 1 --from 0.5
 refuses 1 "--over factor.size: write factor.load, factor.damping or a key of the scene; Omega is followed without --over" \
 	frf "$pair" --over factor.size=1:2 --Omega 1

@@ -68,7 +68,7 @@ for p in b["points"]:
         assert abs(p["Omega"] - 1 - 0.0375*a*a) < 0.01*a**4
 assert b["points"][-1]["energy"] > 0.1
 END
-refuses 1 "--energy draws a backbone: name its mode with --backbone" frf "$duffing" --energy
+refuses 1 "--energy needs --backbone J: give that" frf "$duffing" --energy
 refuses_like 1 "backbone 2: the model has modes 1 to 1" frf "$duffing" --from 0.8 --to 0.9 --backbone 2
 
 works "hill --mathieu" hill --mathieu --x delta=0:5 --y epsilon=0:2 --json mathieu.json --tsv mathieu.tsv -q

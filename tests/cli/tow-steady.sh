@@ -58,7 +58,7 @@ $cable
 air: {density: 1.2}
 body:      {                  ring: {radius: 1, tube: 2, mass: 3, offset: 1}}"
 printf 'tow: {speed: 3}\n' >bad.yaml
-refuses 1 'bad.yaml is a towed body, which hawser statics does not take; these commands do: tow steady, tow, trajectory' statics bad.yaml
+refuses 1 'bad.yaml is a towed body, which hawser statics does not take; these commands do: trajectory, tow, tow steady' statics bad.yaml
 # Newton's method from the string fails: GJ and EI grow
 cat >light.yaml <<'END'
 tow: {orbit: {radius: 7.2389 m, speed: 7.7826 m/s}}

@@ -46,7 +46,7 @@ assert all(abs(float(r["H_N"]) / 85000 - 1) < 1e-12 for r in H if r["hold"] == "
 END
 refuses_like 2 'at 130 m/s the cable has no steady state.*127\.55' statics "$scene" --set travel.speed=130
 refuses_like 1 'for a travelling cable' statics "$rest" --speeds
-refuses_like 1 'different tables' statics "$scene" --speeds --models
+refuses_like 1 'models does not go with --speeds' statics "$scene" --speeds --models
 refuses_like 1 'catenary' statics "$scene" --model parabola
 refuses_like 1 'no range of steady states' statics "$scene" --speeds --from 128 --to 140
 refuses_like 1 '--to: .*3 N.* wrong' statics "$scene" --speeds --to "3 N"

@@ -167,9 +167,7 @@ static void check_plan(void)
 	if (ok(!hawser_fidelities_read(choice, &count, "chosen, chosen 3-5", 4, &report) && count == 4 &&
 	       choice[0].number == 9, "a list of %d %s", count, report.message) &&
 	    ok(!hawser_plan_make(&plan, &statics, &scene, choice, count, 0.85*w, 1.2*w,
-	                          &(struct hawser_plan_options){.seconds = 0.05,
-	                                                        .extra = HAWSER_NONE},
-	                         &report),
+	                          &report),
 	       "a plan %s", report.message)) {
 		ok(plan.row[0].n == 9 && plan.row[1].n == 3 && plan.row[3].n == 5 &&
 		   plan.row[0].seconds > 0.0 && plan.row[0].cubics > plan.row[3].cubics, "sizes");

@@ -36,8 +36,6 @@ static int open_scene(const char *name)
 /* --- sizes --- */
 
 /* Times are not tested here. */
-static const struct hawser_plan_options brief = {.seconds = 0.05, .extra = HAWSER_NONE};
-
 static void check_size(const struct hawser_plan_row *row)
 {
 	struct hawser_report report = {.message = ""};
@@ -66,8 +64,7 @@ static void check_sizes(const char *name)
 		return;
 	ok(!strcmp(choice[5].name, "raw 11") && choice[5].number == 11, "with a name: %s",
 	   choice[5].name);
-	if (ok(!hawser_plan_make(&plan, &statics, &scene, choice, count, 0.6*w1, 1.4*w1, &brief,
-	                         &report),
+	if (ok(!hawser_plan_make(&plan, &statics, &scene, choice, count, 0.6*w1, 1.4*w1, &report),
 	       "a plan %s", report.message)) {
 		for (int i = 0; i < plan.rows; i++)
 			check_size(&plan.row[i]);
@@ -215,7 +212,7 @@ static void check_estimates(const char *name, double from, double to, int rows, 
 	if (!open_scene(name) || !ok(!hawser_fidelities_read(choice, &count,
 	                             "raw 5, raw 9, condensed 5, condensed 9", 5, &report) &&
 	                             !hawser_plan_make(&plan, &statics, &scene, choice, count, from*w1,
-	                             to*w1, &brief, &report), "a plan %s", report.message))
+	                             to*w1, &report), "a plan %s", report.message))
 		return;
 	if (!run(&reference, getenv("HAWSER_LONG") ? "condensed 11" : "condensed 8", from, to, 0.02))
 		goto done;
@@ -272,9 +269,9 @@ static void check_refusals(void)
 	   "no number: %s", report.message);
 	if (!ok(!hawser_fidelities_read(choice, &count, "multiple-scales", 4, &report), "one"))
 		return;
-	ok(hawser_plan_make(&plan, &statics, &scene, choice, 1, 2.0, 2.0, NULL, &report) ==
+	ok(hawser_plan_make(&plan, &statics, &scene, choice, 1, 2.0, 2.0, &report) ==
 	   HAWSER_ERR_ARGUMENT && plan.rows == 0, "no range: %s", report.message);
-	ok(hawser_plan_make(&plan, &statics, &scene, choice, 1, 2.0, NAN, NULL, &report) ==
+	ok(hawser_plan_make(&plan, &statics, &scene, choice, 1, 2.0, NAN, &report) ==
 	   HAWSER_ERR_ARGUMENT, "no number: %s", report.message);
 	options.from = 0.8*w1;
 	options.to = 1.2*w1;
@@ -284,7 +281,7 @@ static void check_refusals(void)
 	   report.message);
 	hawser_study_clear(&curve);
 	scene.load.present = 0;
-	ok(!hawser_plan_make(&plan, &statics, &scene, choice, 1, 2.0, 5.0, &brief, &report) &&
+	ok(!hawser_plan_make(&plan, &statics, &scene, choice, 1, 2.0, 5.0, &report) &&
 	   plan.resonances == 0 && isnan(plan.row[0].omega_error) && plan.decisions > 5,
 	   "a scene without a load has a plan, and no estimates");
 	hawser_plan_clear(&plan);

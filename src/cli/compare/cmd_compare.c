@@ -282,24 +282,20 @@ static void plan(struct cli_compare_result *result)
 	struct hawser_fidelity_choice choice[CLI_FIDELITIES];
 	double error[CLI_FIDELITIES];
 	int at[CLI_FIDELITIES] = {0}, count = 0;
-	const struct hawser_plan_options brief = {.seconds = 0.3, .share = 0.01, .most = 0.3,
-	                                          .extra = 1.0};
 	struct hawser_plan made = {0};
 
 	for (int i = 0; i < result->count; i++) {
 		result->estimate[i] = error[i] = NAN;
-		result->bound[i] = 0;
 		if (result->curve[i].choice.number > planned_most)
 			continue;
 		at[count] = i;
 		choice[count++] = result->curve[i].choice;
 	}
 	if (count > 0 && !hawser_plan_make(&made, &result->model->statics, &result->model->scene,
-	                                   choice, count, result->from, result->to, &brief, NULL))
+	                                   choice, count, result->from, result->to, NULL))
 		for (int k = 0; k < made.rows; k++) {
 			result->estimate[at[k]] = made.row[k].seconds;
-			result->bound[at[k]] = made.row[k].bound;
-			error[at[k]] = made.row[k].foretold;
+			error[at[k]] = made.row[k].omega_error;
 		}
 	hawser_plan_clear(&made);
 	if (result->reference < 0)
@@ -310,17 +306,13 @@ static void plan(struct cli_compare_result *result)
 static void announce(const struct cli_compare_result *result)
 {
 	double sum = 0.0;
-	int bound = 0;
 
 	for (int i = 0; i < result->count; i++)
-		if (isfinite(result->estimate[i])) {
+		if (isfinite(result->estimate[i]))
 			sum += fmin(result->estimate[i], limit_of(result, i));
-			bound |= result->bound[i] && result->estimate[i] < limit_of(result, i);
-		}
-	cli_progress_note(result->common->quiet, "%d fidelities, reference %s: %s %.2g s by the plan; at "
+	cli_progress_note(result->common->quiet, "%d fidelities, reference %s: some %.2g s by the plan; at "
 	                  "most %.6g s of processor time a curve, %.6g s the reference (--limit)",
-	                  result->count, result->curve[result->reference].choice.name,
-	                  bound ? "at least" : "some", sum,
+	                  result->count, result->curve[result->reference].choice.name, sum,
 	                  result->limit, limit_of(result, result->reference));
 }
 
@@ -402,4 +394,5 @@ done:
 const struct cli_command cli_compare = {
 	"compare", "SCENE", "Fidelities of a scene: errors of folds and peaks against time", notes,
 	options, &defaults, sizeof(struct settings), 1, run, cli_compare_listing,
+	.takes = CLI_TAKES_FORCED | CLI_TAKES_SPANS,
 };

@@ -172,7 +172,7 @@ static const struct hawser__field fidelity_field[] = {
 	{"response_secs", "response_s", "wall time of the response (s)", MAYBE(respond), .place = 7},
 	{"processor_secs", "processor_s", "processor time of both (s)", MAYBE(processor), .place = 7},
 	{"planned_secs", "planned_s", "the plan's estimate of that (s)", MAYBE(planned), .place = 7},
-	{"planned_is", "planned_is", "estimate, or bound: the least time", OF(planned_is), .place = 7},
+	{"planned_is", "planned_is", "estimate", OF(planned_is), .place = 7},
 	{"tension", "tension", "largest tension on the cable, of all orbits",
 	 MAYBE(tension), .unit = HAWSER__NEWTON,
 	 .place = 4},
@@ -254,7 +254,7 @@ static const struct fidelity *fidelity_of(struct fidelity *row,
 	row->respond = measured(result, curve->respond_seconds);
 	row->processor = measured(result, curve->processor_seconds);
 	row->planned = measured(result, result->estimate[i]);
-	row->planned_is = !isfinite(row->planned) ? "" : result->bound[i] ? "bound" : "estimate";
+	row->planned_is = isfinite(row->planned) ? "estimate" : "";
 	row->tension = curve->tension;
 	row->least = curve->least_tension;
 	row->error = result->error[i];

@@ -18,7 +18,6 @@ struct cli_compare_result {
 	int done[CLI_FIDELITIES]; /* 1: computed, and not interrupted by the user */
 	double estimate[CLI_FIDELITIES]; /* processor time, s, estimated by the plan; NAN: not
 	                                  * estimated */
-	int bound[CLI_FIDELITIES];       /* 1: the estimate is a lower bound */
 	double limit;       /* largest processor time of a curve, s; for the reference, `count` times
 	                     * this */
 	int landmarks;      /* 1: the table lists folds and peaks, not fidelities */

@@ -5,12 +5,27 @@
 #include <string.h>
 
 #include "cli/frame/cli.h"
+#include "cli/frame/within.h"
+
+/* Of the command in which others run. */
+static struct {
+	const char *input;
+	const struct hawser_document *document;
+} outer;
+
+void cli_document_within(const char *input, const struct hawser_document *document)
+{
+	outer.input = input;
+	outer.document = document;
+}
 
 enum hawser_status cli_document(const struct hawser_document **document,
                                 const struct cli_common *common, struct hawser_report *report)
 {
-	*document = common->document;
-	return common->document->name ? HAWSER_OK
+	int is_outer = outer.input && common->input && strcmp(outer.input, common->input) == 0;
+
+	*document = is_outer ? outer.document : common->document;
+	return is_outer || common->document->name ? HAWSER_OK
 	       : hawser_document_open(common->document, common->input, report);
 }
 

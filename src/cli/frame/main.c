@@ -138,7 +138,7 @@ static enum hawser_status execute(const struct cli_command *command, int argc, c
 	if (!status && !common->help)
 		status = cli_picture_choose(common, report);
 	if (!status && !common->help && common->input && strncmp(command->input, "SCENE", 5) == 0)
-		status = cli_scene_kind_check(command->name, common, report);
+		status = cli_scene_kind_check(command, common, report);
 	if (!status && !common->help && common->input && common->givens > 0)
 		status = cli_kind_check(command->name, common, report);
 	if (!status && !common->help)

@@ -7,6 +7,8 @@
 #include "cli/frame/scene_kinds.h"
 #include "core/report.h"
 
+enum { COMMANDS = 400 }; /* characters of a list of commands */
+
 static enum hawser_status net(char *text, int *forced, const struct cli_common *common,
                               struct hawser_report *report)
 {
@@ -110,57 +112,53 @@ static enum hawser_status model(char *text, int *forced, const struct cli_common
 	return HAWSER_OK;
 }
 
-#define OF_SPANS "irvine, rom, integrate, frf, orbit, folds, locus, nnm, mms, hill, damping, " \
-	"identify, map, compare, plan"
 static const struct cli_scene_kind kinds[] = {
-	{"cable", "a span of cable", "statics, modes, " OF_SPANS, cli_init_cable, NULL, HAWSER_KIND_SPAN},
-	{"travelling", "a travelling cable", "campbell, statics, modes, " OF_SPANS, cli_init_travelling,
-	 NULL, HAWSER_KIND_SPAN},
-	{"beam", "a travelling beam or string", "beam, map, plan", cli_init_beam, NULL, HAWSER_KIND_SPAN},
-	{"net", "a net of cables", "statics, modes, integrate, plan, compare statics", cli_init_net,
-	 net, HAWSER_KIND_NET},
-	{"obstacles", "a span over obstacles", "statics, modes", cli_init_obstacles, obstacles,
-	 HAWSER_KIND_OBSTACLES},
-	{"ropeway", "a ropeway", "statics, modes, campbell, irvine, rom, integrate, frf, orbit, folds, "
-	 "locus, nnm, mms, compare mms, hill, map, transient, plan", cli_init_ropeway, ropeway,
-	 HAWSER_KIND_ROPEWAY},
-	{"rod", "a rod", "statics, integrate", cli_init_rod, rod, HAWSER_KIND_ROD},
-	{"tow", "a towed body", "tow steady, tow, trajectory", cli_init_tow, tow, HAWSER_KIND_TOW},
-	{"model", "a reduced model", "modes, rom, integrate, frf, orbit, folds, locus, nnm, mms, "
-	 "compare mms, hill, map", NULL, model, HAWSER_KIND_MODEL},
+	{"cable", "a span of cable", cli_init_cable, NULL, HAWSER_KIND_SPAN, CLI_TAKES_CABLE},
+	{"travelling", "a travelling cable", cli_init_travelling, NULL, HAWSER_KIND_SPAN,
+	 CLI_TAKES_TRAVELLING},
+	{"beam", "a travelling beam or string", cli_init_beam, NULL, HAWSER_KIND_SPAN, CLI_TAKES_BEAM},
+	{"net", "a net of cables", cli_init_net, net, HAWSER_KIND_NET, CLI_TAKES_NET},
+	{"obstacles", "a span over obstacles", cli_init_obstacles, obstacles, HAWSER_KIND_OBSTACLES,
+	 CLI_TAKES_OBSTACLES},
+	{"ropeway", "a ropeway", cli_init_ropeway, ropeway, HAWSER_KIND_ROPEWAY, CLI_TAKES_ROPEWAY},
+	{"rod", "a rod", cli_init_rod, rod, HAWSER_KIND_ROD, CLI_TAKES_ROD},
+	{"tow", "a towed body", cli_init_tow, tow, HAWSER_KIND_TOW, CLI_TAKES_TOW},
+	{"model", "a reduced model", NULL, model, HAWSER_KIND_MODEL, CLI_TAKES_MODEL},
 };
 
-/* Those that show what a force does. */
-static const char of_forces[] = "frf, orbit, folds, locus, compare";
-
-/* 1 if `name` is in a list of names, separated by ", ". */
-static int is_listed(const char *list, const char *name)
+/* Names of commands that take the kind. forced: all (-1), or those (1) or all but those (0) that need
+ * a force. Commands that take any kind are not named. */
+static void list_commands(char *text, size_t size, const struct cli_scene_kind *kind, int forced)
 {
-	size_t length = strlen(name);
+	const struct cli_command *command;
+	size_t used = 0;
 
-	for (const char *at = list; *at; at += strspn(at, ", ")) {
-		if (strcspn(at, ",") == length && !strncmp(at, name, length))
-			return 1;
-		at += strcspn(at, ",");
+	*text = '\0';
+	for (int i = 0; (command = cli_command_row(i)) && used < size; i++) {
+		int needs = (command->takes & CLI_TAKES_FORCED) != 0;
+
+		if ((command->takes & CLI_TAKES_ANY) != CLI_TAKES_ANY && command->takes & kind->takes &&
+		    (forced < 0 || forced == needs))
+			used += (size_t)snprintf(text + used, size - used, "%s%s", used ? ", " : "",
+			                         command->name);
 	}
-	return 0;
 }
 
-enum hawser_status cli_scene_kind_check(const char *command, const struct cli_common *common,
-                                        struct hawser_report *report)
+enum hawser_status cli_scene_kind_check(const struct cli_command *command,
+                                        const struct cli_common *common, struct hawser_report *report)
 {
-	static const char every[] = "check, report, sweep"; /* take a scene of any kind */
 	enum hawser_kind kind = cli_kind(common);
+	char others[COMMANDS];
 	size_t i = 0;
 
 	while (kinds[i].kind != kind)
 		i++;
-	if (kind == HAWSER_KIND_SPAN || is_listed(every, command) ||
-	    is_listed(kinds[i].commands, command))
+	if (kind == HAWSER_KIND_SPAN || command->takes & kinds[i].takes)
 		return HAWSER_OK;
+	list_commands(others, sizeof others, &kinds[i], -1);
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "main",
 	                    "%s is %s, which hawser %s does not take; these commands do: %s",
-	                    cli_input_name(common), kinds[i].one, command, kinds[i].commands);
+	                    cli_input_name(common), kinds[i].one, command->name, others);
 }
 
 int cli_is_forced(const struct hawser_scene *scene)
@@ -173,33 +171,17 @@ int cli_is_forced(const struct hawser_scene *scene)
 	return scene->load.present || scene->loads > 0 || moves || scene->travel.fluctuation > 0.0;
 }
 
-/* The names of the list that need a force, or (needing 0) the others. */
-static void print_commands(FILE *to, const char *list, int forced, int needing)
-{
-	const char *before = "";
-
-	for (const char *at = list; *at; at += strspn(at, ", ")) {
-		char name[32];
-
-		snprintf(name, sizeof name, "%.*s", (int)strcspn(at, ","), at);
-		at += strcspn(at, ",");
-		if ((!forced && is_listed(of_forces, name)) != needing)
-			continue;
-		fprintf(to, "%s%s", before, name);
-		before = ", ";
-	}
-	putc('\n', to);
-}
-
 void cli_scene_kind_print(FILE *to, const struct cli_scene_kind *kind, int forced)
 {
-	fputs("commands that take it: ", to);
-	print_commands(to, kind->commands, forced, 0);
+	char names[COMMANDS];
+
+	list_commands(names, sizeof names, kind, forced ? -1 : 0);
+	fprintf(to, "commands that take it: %s\n", names);
 	if (forced)
 		return;
-	fprintf(to, "those for which it lacks %s: ", kind->kind == HAWSER_KIND_MODEL
-	        ? "a harmonic force" : "a load, a moving end or a travel.fluctuation");
-	print_commands(to, kind->commands, forced, 1);
+	list_commands(names, sizeof names, kind, 1);
+	fprintf(to, "those for which it lacks %s: %s\n", kind->kind == HAWSER_KIND_MODEL
+	        ? "a harmonic force" : "a load, a moving end or a travel.fluctuation", names);
 }
 
 const struct cli_scene_kind *cli_scene_kind(int index)

@@ -9,19 +9,20 @@ enum { CLI_SCENE_FACTS = 400 };
 struct cli_scene_kind {
 	const char *name;     /* "net" */
 	const char *one;      /* "a net of cables" */
-	const char *commands; /* that take it, the main one first: "statics, modes"; others refuse it */
 	const char *text;     /* a scene with comments; NULL: hawser init has none */
 	/* Read the scene and say what it has, lines in text [CLI_SCENE_FACTS], and whether something
 	 * forces it; NULL: by the reader of spans. */
 	enum hawser_status (*look)(char *text, int *forced, const struct cli_common *common,
 	                           struct hawser_report *report);
 	enum hawser_kind kind;
+	enum cli_takes takes; /* bit of the commands that take it */
 };
 /* Row `index`, from 0, in the order of the input of hawser init; NULL beyond the last. */
 const struct cli_scene_kind *cli_scene_kind(int index);
-/* Refuse an input of a kind whose row does not list this command. Spans, and what cannot be read, are
- * left to the command. */
-enum hawser_status cli_scene_kind_check(const char *command, const struct cli_common *common,
+/* Refuse an input of a kind that this command does not take. Spans, and what cannot be read, are left
+ * to the command. */
+enum hawser_status cli_scene_kind_check(const struct cli_command *command,
+                                        const struct cli_common *common,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* Print the commands of a kind that take this scene and, if nothing forces it, what the others need. */

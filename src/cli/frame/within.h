@@ -17,6 +17,12 @@ const struct cli_command *cli_find(int *words, int argc, char **argv);
 /* The command that "hawser COMMAND ..." runs, or NULL. */
 const struct cli_command *cli_command_called(const char *line);
 
+/* --- document.c --- */
+
+/* Commands that run in this one and have the same input take this document, which is not read again;
+ * NULL: no longer. */
+void cli_document_within(const char *input, const struct hawser_document *document);
+
 /* --- deliver.c --- */
 
 /* A result, as cli_show would write it. */

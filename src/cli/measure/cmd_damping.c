@@ -187,4 +187,5 @@ const struct cli_command cli_damping = {
 	"damping", "FILE", "Damping ratios from measured decays and responses", notes, options,
 	        &defaults,
 	sizeof(struct settings), 1, run, cli_damping_listing,
+	.takes = 0,
 };

@@ -220,4 +220,5 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 const struct cli_command cli_modes = {
 	"modes", "SCENE", "Natural frequencies and mode shapes", NULL, options, &defaults,
 	sizeof(struct settings), 0, run, cli_modes_listing,
+	.takes = CLI_TAKES_MODELLED | CLI_TAKES_NET | CLI_TAKES_OBSTACLES,
 };

@@ -413,4 +413,5 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 const struct cli_command cli_integrate = {
 	"integrate", "SCENE|MODEL", "Response in time, from rest or from a given state", notes, options,
 	&defaults, sizeof(struct settings), 1, run, cli_integrate_listing,
+	.takes = CLI_TAKES_MODELLED | CLI_TAKES_NET | CLI_TAKES_ROD,
 };

@@ -30,9 +30,9 @@ static const struct cli_option options[] = {
 	{"to", 0, "FREQUENCY", "the other end (3.3w1)", CLI_TEXT_FOR(to, CLI_SPAN)},
 	{"fidelities", 0, "LIST", "what to estimate, separated by commas",
 	 CLI_TEXT_FOR(fidelities, CLI_SPAN)},
-	{"limit", 0, "SECONDS", "processor time for measuring times (1 and a tenth of the estimate)",
-	 CLI_POSITIVE_FOR(limit, CLI_SPAN | CLI_NET)},
 	CLI_HEADING("Nets"),
+	{"limit", 0, "SECONDS", "nets: processor time for measuring times (1 and a tenth of the estimate)",
+	 CLI_POSITIVE_FOR(limit, CLI_SPAN | CLI_NET)},
 	{"until", 0, "TIME", "nets: end of the motion (ten periods of the slowest load)",
 	 CLI_TEXT_FOR(net.until, CLI_NET)},
 	{"step", 0, "TIME", "nets: longest step, or auto (the scene's, or auto)",
@@ -48,7 +48,7 @@ static const struct cli_option options[] = {
 static const char *const notes[] = {
 	"Says what a model of the scene contains, what it leaves out and why; every setting, and whether",
 	"it was given or is a default; and for each fidelity of LIST the size of its model, its processor",
-	"time on this machine and its estimated error. For the times a part of each response is computed.",
+	"time on this machine and its error, estimated by formulas: nothing is run, except for nets.",
 	"LIST: multiple-scales N, raw N, condensed N, chosen N, full N (modes or functions), auto A (%);",
 	"raw 5-9 stands for raw 5, raw 6 and so on. man hawser-compare explains them.",
 	NULL,
@@ -84,18 +84,13 @@ static enum hawser_status make(struct cli_plan_result *result, const struct sett
                                struct hawser_report *report)
 {
 	const struct cli_model *model = result->model;
-	struct hawser_plan_options allowance = {.seconds = 0.0};
 	enum hawser_status status;
 	double from, to;
 
-	if (settings->limit > 0.0) {
-		allowance.seconds = settings->limit;
-		allowance.extra = HAWSER_NONE;
-	}
 	status = cli_range(&from, &to, settings->from, settings->to, "plan", model, report);
 	if (!status)
 		status = hawser_plan_make(&result->plan, &model->statics, &model->scene, result->choice,
-		                          result->choices, from, to, &allowance, report);
+		                          result->choices, from, to, report);
 	if (!status)
 		warn_harmonics(&model->scene);
 	if (settings->common.reproducible)
@@ -182,4 +177,5 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 const struct cli_command cli_plan = {
 	"plan", "SCENE", "What will be modelled, what not and why; cost and error, estimated", notes,
 	options, &defaults, sizeof(struct settings), 1, run, cli_plan_listing,
+	.takes = CLI_TAKES_SPANS | CLI_TAKES_BEAM | CLI_TAKES_NET | CLI_TAKES_ROPEWAY,
 };

@@ -20,7 +20,6 @@ static int is_driven(const struct cli_plan_result *result, int j)
 
 /* --- fields --- */
 
-HAWSER__LABELS(basis_name, hawser_plan_basis_name, enum hawser_plan_basis)
 HAWSER__LABELS(plane_name, hawser_plane_name, enum hawser_plane)
 HAWSER__LABELS(symmetry_name, hawser_symmetry_name, enum hawser_symmetry)
 HAWSER__LABELS(reason_name, hawser_reason_name, enum hawser_reason)
@@ -46,11 +45,9 @@ static const struct hawser__field row_field[] = {
 	{"points", "points", "of the curve", MAYBE(points)},
 	{"time_secs", "time_s", "processor time of model and response (s)", MAYBE(seconds)},
 	{"least_time_secs", "least_time_s", "lower bound of the time (s)", MAYBE(least)},
-	{"most_time_secs", "most_time_s", "upper bound of the time (s); none: not known", OF(most),
-	 .flags = HAWSER__NULL | HAWSER__INFINITE},
-	{"time_by", "time_by", "source of points and time: run, estimate or part",
-	 HAWSER__LABEL_AT(struct row, at.basis, basis_name)},
-	{"time_is", "time_is", "estimate, or bound: the least time", HAWSER__AT(struct row, kind)},
+	{"most_time_secs", "most_time_s", "upper bound of the time (s)", MAYBE(most)},
+	{"time_by", "time_by", "source of points and time: estimate", HAWSER__AT(struct row, kind)},
+	{"time_is", "time_is", "estimate", HAWSER__AT(struct row, kind)},
 	{"fails", NULL, "whether the response ends with an error",
 	 HAWSER__FLAG_AT(struct row, at.status)},
 	{"foreseen", NULL, "why it fails, or what else its user should know", OF(foreseen)},
@@ -64,16 +61,11 @@ static const struct hawser__field row_field[] = {
 };
 #undef MAYBE
 #undef OF
-static const char *kind(const struct hawser_plan_row *row)
-{
-	return row->basis == HAWSER_BASIS_NONE ? "" : row->bound ? "bound" : "estimate";
-}
-
 static const void *fidelity_row(void *to, const void *parent, size_t i)
 {
 	const struct hawser_plan_row *at = &((const struct hawser_plan *)parent)->row[i];
 
-	*(struct row *)to = (struct row){*at, at->choice.name, kind(at)};
+	*(struct row *)to = (struct row){*at, at->choice.name, at->estimated ? "estimate" : ""};
 	return to;
 }
 static const struct hawser__list row_list = HAWSER__MADE_ROWS(
@@ -228,8 +220,7 @@ static struct cli_head head(const void *of)
 	const struct cli_plan_result *result = of;
 	struct cli_head head = cli_model_head(
 		result->common, "plan",
-		"Omega_error is an estimate; time_s is measured where time_by is run, and the least time "
-		"where time_is is bound", result->model, result->plan.chosen ? CHOSEN : 0u);
+		"Omega_error and time_s are estimates", result->model, result->plan.chosen ? CHOSEN : 0u);
 
 	head.rows = &result->plan;
 	return head;

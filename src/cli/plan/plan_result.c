@@ -14,11 +14,7 @@ void cli_plan_forget_times(struct hawser_plan *plan)
 	for (int i = 0; i < plan->rows; i++) {
 		struct hawser_plan_row *row = &plan->row[i];
 
-		row->seconds = row->least = row->most = row->points = NAN;
-		row->basis = HAWSER_BASIS_NONE;
-		row->bound = 0;
-		row->status = HAWSER_OK;
-		row->foreseen[0] = '\0';
+		row->seconds = row->least = row->most = NAN;
 	}
 }
 
@@ -221,15 +217,12 @@ static const char *figure(char text[16], const char *format, double number)
 	return text;
 }
 
-/* "0.2 to 0.8", or "over 0.2" if there is no upper bound. */
+/* "0.2 to 0.8" */
 static const char *span(char text[32], double least, double most)
 {
 	if (isnan(least))
 		return "-";
-	if (isfinite(most))
-		snprintf(text, 32, "%.2g to %.2g", least, most);
-	else
-		snprintf(text, 32, "over %.2g", least);
+	snprintf(text, 32, "%.2g to %.2g", least, most);
 	return text;
 }
 
@@ -249,20 +242,17 @@ static void print_rows(FILE *stream, const struct cli_plan_result *result)
 {
 	const struct hawser_plan *plan = &result->plan;
 
-	fputs("\nFidelities (time of this machine's processor, measured where the response is short, else "
-	      "estimated, or >= what it takes at least; error estimated)\n", stream);
-	fprintf(stream, "  %-20s %8s %8s %9s %7s %9s %-14s %-8s %9s  %s\n", "fidelity", "unknowns", "Q",
-	        "C", "points", "time s", "between", "by", "error", "error of the frequencies, from");
+	fputs("\nFidelities (time of this machine's processor and error, estimated by formulas)\n", stream);
+	fprintf(stream, "  %-20s %8s %8s %9s %7s %7s %-14s %9s  %s\n", "fidelity", "unknowns", "Q", "C",
+	        "points", "time s", "between", "error", "error of the frequencies, from");
 	for (int i = 0; i < plan->rows; i++) {
 		const struct hawser_plan_row *row = &plan->row[i];
 		char text[3][16], between[32];
 
-		fprintf(stream, "  %-20s %8d %8ld %9ld %7s %2s%7s %-14s %-8s %9s  %s\n", row->choice.name,
-		        row->n, row->quads, row->cubics, figure(text[0], "%.0f", row->points),
-		        row->bound ? ">=" : "", figure(text[1], "%.2g", row->seconds),
-		        span(between, row->least, row->most),
-		        hawser_plan_basis_name(row->basis), figure(text[2], "%.1e", row->omega_error),
-		        row->why);
+		fprintf(stream, "  %-20s %8d %8ld %9ld %7s %7s %-14s %9s  %s\n", row->choice.name, row->n,
+		        row->quads, row->cubics, figure(text[0], "%.0f", row->points),
+		        figure(text[1], "%.2g", row->seconds), span(between, row->least, row->most),
+		        figure(text[2], "%.1e", row->omega_error), row->why);
 	}
 	print_foreseen(stream, plan);
 }

@@ -5,6 +5,7 @@
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "cli/frame/progress.h"
 #include "cli/report/report.h"
@@ -20,7 +21,7 @@ struct settings {
 static const struct settings defaults = {.output = "report.html"};
 
 static const struct cli_option options[] = {
-	{"output", 'o', "FILE", "the report: .html or .pdf, - is standard output (report.html)",
+	{"output", 'o', "FILE", "the report in HTML, - is standard output (report.html)",
 	 CLI_TEXT(output)},
 	{"title", 0, "TEXT", "its title (\"Report of\" and the name of the scene)", CLI_TEXT(title)},
 	{"parts", 0, "LIST", "some of its parts only, such as \"statics, modes\"", CLI_TEXT(parts)},
@@ -33,10 +34,17 @@ static const struct cli_option options[] = {
 static const char *const notes[] = {
 	"Runs what the scene calls for and writes one file with pictures, tables, the scene and every",
 	"setting. The page needs no network; values can be read off its curves, which can be enlarged.",
-	"PDF is made by chromium or weasyprint, whichever is installed.",
 	"LIST: plan, statics, worst, cases, modes, irvine, campbell, frf, tow, trajectory, beam.",
 	NULL,
 };
+
+static int is_html(const char *path)
+{
+	size_t length = strlen(path);
+
+	return (length > 5 && strcasecmp(path + length - 5, ".html") == 0) ||
+	       (length > 4 && strcasecmp(path + length - 4, ".htm") == 0);
+}
 
 static enum hawser_status check(const struct settings *settings, struct hawser_report *report)
 {
@@ -49,18 +57,15 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "report",
 		                    "a report is one file, --output: leave --%s out (the commands it shows "
 		                    "have it)", other);
-	if (strcmp(common->input, "-") == 0)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "report",
-		                    "a report reads its scene several times: give a file, not standard input");
-	status = cli_report_name(settings->output, report);
-	if (!status)
-		status = cli_outputs_check_with(common, &output, 1, report);
+	if (strcmp(settings->output, "-") != 0 && !is_html(settings->output))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "report", "--output %s: a report is HTML, "
+		                    "which a browser prints as PDF: write a name that ends in .html, or - for "
+		                    "standard output", settings->output);
+	status = cli_outputs_check_with(common, &output, 1, report);
 	if (!status)
 		status = hawser__file_check(settings->output, report);
 	if (!status)
 		status = hawser__picture_check("report.svg", report);
-	if (!status && cli_report_is_pdf(settings->output))
-		status = cli_report_pdf_check(report);
 	return status;
 }
 
@@ -100,50 +105,18 @@ static enum hawser_status write_page(const char *path, const struct cli_report_p
 	return hawser__file_commit(&file, report);
 }
 
-static enum hawser_status write_pdf(const char *path, const struct cli_report_page *page,
-                                    struct hawser_report *report)
-{
-	const char *html = cli_report_path("html"), *pdf = cli_report_path("pdf");
-	enum hawser_status status = write_page(html, page, report);
-	struct hawser__file file = {0};
-	char piece[4096];
-	size_t got;
-	FILE *from;
-
-	if (!status)
-		status = cli_report_pdf(pdf, html, report);
-	if (status)
-		return status;
-	from = fopen(pdf, "rb");
-	if (!from)
-		return hawser__fail(report, HAWSER_ERR_IO, "report", "cannot read %s: %s", pdf,
-		                    strerror(errno));
-	status = hawser__file_begin(&file, path, report);
-	while (!status && (got = fread(piece, 1, sizeof piece, from)) > 0)
-		fwrite(piece, 1, got, file.stream);
-	if (!status && ferror(from)) {
-		status = hawser__fail(report, HAWSER_ERR_IO, "report", "cannot read %s: %s", pdf,
-		                      strerror(errno));
-		hawser__file_abort(&file);
-	} else if (!status) {
-		status = hawser__file_commit(&file, report);
-	}
-	fclose(from);
-	return status;
-}
-
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	const struct settings *settings = context;
 	struct cli_report_page page = {.common = &settings->common, .title = settings->title};
 	const struct hawser_document *document;
-	const char *name = strrchr(settings->common.input, '/');
+	const char *input = cli_input_name(&settings->common), *name = strrchr(input, '/');
 	char title[300];
 	enum hawser_status status = check(settings, report);
 
 	if (status)
 		return status;
-	snprintf(title, sizeof title, "Report of %s", name ? name + 1 : settings->common.input);
+	snprintf(title, sizeof title, "Report of %s", name ? name + 1 : input);
 	if (!page.title)
 		page.title = title;
 	status = cli_document(&document, &settings->common, report);
@@ -151,12 +124,13 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		return status;
 	page.text = document->text;
 	page.size = document->length;
+	cli_document_within(settings->common.input, document);
 	status = cli_report_folder_open(report);
 	if (!status)
 		status = run_parts(&page, settings, report);
 	if (!status)
-		status = cli_report_is_pdf(settings->output) ? write_pdf(settings->output, &page, report)
-		                                             : write_page(settings->output, &page, report);
+		status = write_page(settings->output, &page, report);
+	cli_document_within(NULL, NULL);
 	cli_report_folder_close();
 	cli_temporary(NULL);
 	for (int i = 0; i < page.results; i++)
@@ -186,4 +160,5 @@ static const struct cli_listing listing[] = {{"Parts:", part_field, 1}, {NULL, N
 const struct cli_command cli_report = {
 	"report", "SCENE", "Pictures, tables and settings of all that a scene calls for, in one page",
 	notes, options, &defaults, sizeof(struct settings), 1, run, listing,
+	.takes = CLI_TAKES_ANY,
 };

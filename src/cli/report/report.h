@@ -41,7 +41,7 @@ struct cli_report_given {
 /* A folder for files between commands, which cli_report_folder_close removes with its files. */
 enum hawser_status cli_report_folder_open(struct hawser_report *report) HAWSER_MUST_CHECK;
 void cli_report_folder_close(void);
-/* The path of a file in it; a static buffer for each of the names "tsv", "svg", "html", "pdf". */
+/* The path of a file in it; a static buffer for each of the names "tsv", "svg". */
 const char *cli_report_path(const char *name);
 /* Run a part. A failure of an essential one, or an interrupt, is returned, another is part of the
  * result. */
@@ -55,18 +55,5 @@ void cli_report_result_clear(struct cli_report_result *result);
 /* --- report_page.c --- */
 
 void cli_report_write(FILE *to, const struct cli_report_page *page);
-
-/* --- report_pdf.c --- */
-
-/* 1 if the name ends with .pdf. */
-int cli_report_is_pdf(const char *path);
-/* HAWSER_ERR_ARGUMENT: the name ends with neither .html, .htm nor .pdf, and is not "-". */
-enum hawser_status cli_report_name(const char *path, struct hawser_report *report);
-/* Check, before a long computation, that a program that makes PDF of HTML is installed:
- * HAWSER_ERR_PROGRAM. */
-enum hawser_status cli_report_pdf_check(struct hawser_report *report) HAWSER_MUST_CHECK;
-/* Make the file `pdf` of the file `html` (absolute paths). */
-enum hawser_status cli_report_pdf(const char *pdf, const char *html,
-                                  struct hawser_report *report) HAWSER_MUST_CHECK;
 
 #endif

@@ -18,7 +18,7 @@
 
 /* --- files between the commands --- */
 
-static const char *const file_names[] = {"tsv", "svg", "html", "pdf"};
+static const char *const file_names[] = {"tsv", "svg"};
 enum { FILES = sizeof file_names/sizeof *file_names };
 static char folder[PATH_MAX - 16], file_path[FILES][PATH_MAX];
 

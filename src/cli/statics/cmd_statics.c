@@ -483,4 +483,5 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 const struct cli_command cli_statics = {
 	"statics", "SCENE", "Static shape and tensions of a span, a net, a ropeway or a rod",
 	cli_statics_notes, options, &defaults, sizeof(struct settings), 1, run, cli_statics_listing,
+	.takes = CLI_TAKES_SPANS | CLI_TAKES_NET | CLI_TAKES_OBSTACLES | CLI_TAKES_ROPEWAY | CLI_TAKES_ROD,
 };

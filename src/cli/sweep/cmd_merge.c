@@ -52,4 +52,5 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 const struct cli_command cli_merge = {
 	"merge", "CHECKPOINT...", "Join the checkpoints of the parts of a map or sweep", notes, options,
 	&defaults, sizeof(struct settings), 1, run, NULL,
+	.takes = 0,
 };

@@ -292,7 +292,7 @@ static enum hawser_status read_choice(struct cli_sweep_choice *choice,
 
 /* --- all --- */
 
-static enum hawser_status check(const struct settings *settings, int worker,
+static enum hawser_status check(const struct settings *settings, int worker, int ranks,
                                 struct hawser_report *report)
 {
 	const struct cli_common *common = &settings->common;
@@ -303,10 +303,10 @@ static enum hawser_status check(const struct settings *settings, int worker,
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "sweep",
 		                    "the command is missing: hawser sweep "
 		                    "SCENE --over KEY=FROM:TO:N -- statics, or another command");
-	if (strcmp(common->input, "-") == 0 ||
-	    (stat(common->input, &info) == 0 && !S_ISREG(info.st_mode)))
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "sweep", "a sweep reads its scene several "
-		                    "times: give a file");
+	if (ranks && (strcmp(common->input, "-") == 0 ||
+	              (stat(common->input, &info) == 0 && !S_ISREG(info.st_mode))))
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "sweep", "each rank reads the scene of the "
+		                    "sweep: give a file");
 	return worker ? HAWSER_OK : cli_outputs_check_with(common, &checkpoint, 1, report);
 }
 
@@ -411,9 +411,15 @@ static void clear(struct cli_study *sweep)
 static enum hawser_status prepare(struct cli_study *sweep, const struct settings *settings,
                                   char *keep, struct hawser_report *report)
 {
-	enum hawser_status status = keep ? check(settings, cli_sweep_is_worker(sweep), report)
+	const struct hawser_document *document;
+	enum hawser_status status = keep ? check(settings, cli_sweep_is_worker(sweep),
+	                                         sweep->ranks != NULL, report)
 	                                 : hawser__no_memory(report, "sweep");
 
+	if (!status)
+		status = cli_document(&document, &settings->common, report);
+	if (!status) /* read once for all variations */
+		cli_document_within(settings->common.input, document);
 	if (!status)
 		status = compose(sweep, &settings->common, report);
 	if (!status)
@@ -452,6 +458,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!status)
 		status = cli_sweep_is_worker(&sweep) ? cli_sweep_serve(&sweep, report)
 		                                     : compute(&sweep, &settings->common, report);
+	cli_document_within(NULL, NULL);
 	status = cli_sweep_ranks_close(&sweep, status, report);
 	clear(&sweep);
 	free(keep);
@@ -462,4 +469,5 @@ const struct cli_command cli_sweep = {
 	"sweep", "SCENE --over KEY=VALUES -- COMMAND ...",
 	"Any command over variations of a scene, results in one table", notes, options,
 	&defaults, sizeof(struct settings), 1, run, listing,
+	.takes = CLI_TAKES_ANY,
 };

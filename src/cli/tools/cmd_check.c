@@ -54,7 +54,7 @@ static void print_models(const struct cli_common *common)
 	if (!status)
 		status = cli_range(&from, &to, "0.6w1", "3.3w1", "check", &model, &report);
 	if (!status)
-		status = hawser_plan_make(&result.plan, &model.statics, &model.scene, NULL, 0, from, to, NULL,
+		status = hawser_plan_make(&result.plan, &model.statics, &model.scene, NULL, 0, from, to,
 		                          &report);
 	if (status)
 		printf("  %sno model of its motions:%s %s\n", cli_colour(stdout, CLI_WARNING),
@@ -136,4 +136,5 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 const struct cli_command cli_check = {
 	"check", "SCENE", "What is wrong with a scene, or what it is", notes, options, &defaults,
 	sizeof(struct settings), 1, run, NULL,
+	.takes = CLI_TAKES_ANY,
 };

@@ -350,4 +350,5 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 const struct cli_command cli_completion = {
 	"completion", "bash|zsh|fish", "Completion of commands and options in bash, zsh and fish", notes,
 	options, &defaults, sizeof(struct settings), 1, run, NULL,
+	.takes = 0,
 };

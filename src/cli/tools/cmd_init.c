@@ -37,4 +37,5 @@ const struct cli_command cli_init = {
 	"init", "[cable|travelling|beam|net|obstacles|ropeway|rod|tow]",
 	"A scene with comments, to begin with", notes, options, &defaults, sizeof(struct settings), 0, run,
 	NULL,
+	.takes = 0,
 };

@@ -30,4 +30,5 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 const struct cli_command cli_schema = {
 	"schema", "[cable|beam|net|ropeway|obstacles|rod|tow]", "JSON Schema of scenes, for editors",
 	notes, options, &defaults, sizeof(struct settings), 0, run, NULL,
+	.takes = 0,
 };

@@ -354,42 +354,6 @@ void hawser__accuracy_first(struct hawser_choice *choice)
 		hawser_choice_first(choice, FIRST);
 }
 
-/* --- for a plan --- */
-
-enum hawser__course hawser__accuracy_course(struct hawser_accuracy *a,
-                                            const struct hawser_accuracy_options *options)
-{
-	const struct hawser_accuracy_try *this = &a->attempt[a->tries - 1];
-
-	if (this->functions || !(MOVES*this->rest + SAFETY_ORDER*this->truncation < a->asked))
-		return HAWSER__SEVERAL;
-	if (next(a, options))
-		return HAWSER__ANOTHER;
-	return condensed_error(this->rest, 0.0, this->truncation) > a->asked ? HAWSER__SEVERAL
-	                                                                    : HAWSER__LAST;
-}
-
-enum hawser_status hawser__accuracy_foresee(enum hawser__course *course, struct hawser_accuracy *a,
-                                            const struct hawser_frf *frf,
-                                            const struct hawser_accuracy_options *options,
-                                            struct hawser_report *report)
-{
-	struct hawser_accuracy_try *this = &a->attempt[0];
-	struct hawser__marks marks = {0};
-	enum hawser_status status = hawser__marks_find(&marks, frf, NULL, NULL, 0.0, report);
-
-	*course = HAWSER__SEVERAL;
-	a->tries = 1;
-	if (!status)
-		status = hawser__weigh_response(&a->choice, &a->rom, frf, &marks, HAWSER__BETWEEN, report);
-	this->rest = hawser_choice_rest(&a->choice);
-	this->truncation = a->choice.truncation;
-	if (!status)
-		*course = hawser__accuracy_course(a, options);
-	hawser__marks_clear(&marks);
-	return status;
-}
-
 static enum hawser_status condensed(struct hawser_accuracy *a, struct hawser__marks *marks,
                                     const struct hawser_scene *scene,
                                     const struct hawser_accuracy_options *options,

@@ -50,21 +50,6 @@ int hawser__accuracy_cut(const struct hawser_accuracy *a);
 /* 1: the tension of a response is negative at so many points that no model of this kind is valid. */
 int hawser__mostly_slack(const struct hawser_frf *frf);
 
-/* What follows the response of the last attempt, judged by its own motions. */
-enum hawser__course {
-	HAWSER__LAST,    /* nothing: the estimated error is within the accuracy; */
-	HAWSER__ANOTHER, /* one more model, of the modes that a->choice keeps now; */
-	HAWSER__SEVERAL  /* several models, or full-order models */
-};
-enum hawser__course hawser__accuracy_course(struct hawser_accuracy *a,
-                                            const struct hawser_accuracy_options *options);
-/* The same if only the response `frf` of the first model is known, which need not be accurate:
- * weighs the modes by its motions. Statuses of hawser_choice_weigh. */
-enum hawser_status hawser__accuracy_foresee(enum hawser__course *course, struct hawser_accuracy *a,
-                                            const struct hawser_frf *frf,
-                                            const struct hawser_accuracy_options *options,
-                                            struct hawser_report *report) HAWSER_MUST_CHECK;
-
 /* Trace full-order models of increasing bases until two agree, and the response of the smaller one.
  * Statuses of hawser_rom_build_full and hawser_frf_trace. */
 enum hawser_status hawser__accuracy_full(struct hawser_accuracy *a, struct hawser__marks *marks,

@@ -290,7 +290,7 @@ void hawser__estimate_full(struct hawser_plan_row *row, const struct hawser_surv
 {
 	row->n = 3*(int)row->choice.number;
 	if (hawser__scene_driven(survey->scene))
-		hawser__estimate_cost(row, survey);
+		hawser__estimate_full_cost(row, survey);
 	snprintf(row->why, sizeof row->why, "reference of the other fidelities");
 }
 
@@ -301,6 +301,7 @@ void hawser__estimate_scales(struct hawser_plan_row *row, const struct hawser_su
 	estimate_modes(row, survey, 1);
 	if (!hawser__scene_driven(survey->scene))
 		return;
+	hawser__estimate_closed_cost(row, survey);
 	for (int i = 0; i < plan->resonances; i++) {
 		const struct hawser_plan_resonance *at = &plan->resonance[i];
 		double bend = fabs(at->peak_omega/at->omega - 1.0);

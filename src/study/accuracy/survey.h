@@ -1,5 +1,5 @@
 /* study/accuracy/survey.h - the data for estimates: the lowest modes of a scene, their tensors without
- * condensation, a condensed model, and the time allowed for runs.
+ * condensation, and a condensed model.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_STUDY_SURVEY_H
 #define HAWSER_STUDY_SURVEY_H
@@ -9,7 +9,6 @@
 
 #include "rom/condense/support.h"
 
-#include "study/plan/trial.h"
 
 struct hawser_survey {
 	const struct hawser_scene *scene;
@@ -19,7 +18,7 @@ struct hawser_survey {
 	struct hawser_rom_inertia inertia; /* of the condensed modes of the scene's own model */
 	char range[160];                /* of its coordinates (law.h); "" if not sought */
 	char forces[240];               /* what its forces are evaluated from; "" without modes */
-	struct hawser__allowance *allowance; /* time for runs; the only member that rows change */
+	double slowness;                /* of this machine, relative to that of the constants of cost.c */
 };
 
 /* Whether the scene has a periodic response: a periodic excitation acts on the cable. */
@@ -34,8 +33,11 @@ static inline int hawser__scene_driven(const struct hawser_scene *scene)
 void hawser__count_entries(struct hawser_plan_row *row, const struct hawser_survey *survey,
                            const int *index, int n);
 
-/* Points and seconds of a row, for model and response: one traced curve, a given number of chosen
- * modes, an accuracy. */
+double hawser__plan_slowness(void);
+/* Points and seconds of a row: one traced curve, of a full-order model, with a given number of chosen
+ * modes, to an accuracy, and closed forms. */
+void hawser__estimate_full_cost(struct hawser_plan_row *row, const struct hawser_survey *survey);
+void hawser__estimate_closed_cost(struct hawser_plan_row *row, const struct hawser_survey *survey);
 void hawser__estimate_cost(struct hawser_plan_row *row, const struct hawser_survey *survey);
 void hawser__estimate_chosen_cost(struct hawser_plan_row *row, const struct hawser_survey *survey);
 void hawser__estimate_auto_cost(struct hawser_plan_row *row, const struct hawser_survey *survey);

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "core/settle.h"
+#include "core/progress.h"
 #include "rom/build/build.h"
 #include "rom/terms/drag.h"
 #include "rom/choose/drive.h"
@@ -18,21 +18,6 @@
  * chosen. */
 enum { least_modes = 16, most_modes = 40 };
 static const double reach = 2.4;
-
-void hawser_plan_settle(struct hawser_plan_options *options)
-{
-	hawser__settle(&options->seconds, 1.0);
-	hawser__settle(&options->share, 0.1);
-	hawser__settle(&options->most, 3.0);
-	hawser__settle(&options->extra, 8.0);
-}
-
-const char *hawser_plan_basis_name(enum hawser_plan_basis basis)
-{
-	static const char *const name[] = {"", "run", "estimate", "part"};
-
-	return basis >= 0 && (size_t)basis < sizeof name/sizeof *name ? name[basis] : "";
-}
 
 static enum hawser_status look(struct hawser_plan *plan, const struct hawser_statics *statics,
                                const struct hawser_scene *scene,
@@ -178,7 +163,7 @@ static enum hawser_status fill_rows(struct hawser_plan *plan, const struct hawse
 
 		*row = (struct hawser_plan_row){.choice = choice[i], .points = NAN, .seconds = NAN,
 		                                .least = NAN, .most = NAN, .omega_error = NAN,
-		                                .foretold = NAN, .worst = -1};
+		                                .worst = -1};
 		choice[i].fidelity->estimate(row, survey);
 	}
 	return HAWSER_OK;
@@ -187,32 +172,22 @@ static enum hawser_status fill_rows(struct hawser_plan *plan, const struct hawse
 enum hawser_status hawser_plan_make(struct hawser_plan *plan, const struct hawser_statics *statics,
                                     const struct hawser_scene *scene,
                                     const struct hawser_fidelity_choice *choice, int count,
-                                    double from, double to,
-                                    const struct hawser_plan_options *options,
-                                    struct hawser_report *report)
+                                    double from, double to, struct hawser_report *report)
 {
-	struct hawser_plan_options own = {.seconds = 0.0};
-	struct hawser__allowance allowance = {.rows = count};
-	struct hawser_survey survey = {.scene = scene, .plan = plan, .allowance = &allowance};
+	struct hawser_survey survey = {.scene = scene, .plan = plan};
 	double start = hawser__processor_seconds();
 	enum hawser_status status;
 
 	memset(plan, 0, sizeof *plan);
 	if (scene->damping.drag > 0.0)
 		return hawser__drag_refuse(NULL, "a plan", report);
-	if (options)
-		own = *options;
-	hawser_plan_settle(&own);
-	allowance.left = fmax(own.seconds, 0.0);
-	allowance.share = fmax(own.share, 0.0);
-	allowance.most = fmax(own.most, 0.0);
-	allowance.extra = fmax(own.extra, 0.0);
 	if (!(from > 0.0) || !(to > 0.0) || from == to || !isfinite(from) || !isfinite(to))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "plan",
 		                    "the range of Omega from %g to %g is none: give two frequencies "
 		                    "greater than zero", from, to);
 	plan->from = from;
 	plan->to = to;
+	survey.slowness = hawser__plan_slowness();
 	status = look(plan, statics, scene, choice, count, report);
 	if (!status)
 		status = build(&survey, plan, report);
