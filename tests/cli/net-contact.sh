@@ -82,7 +82,7 @@ works "a mass that bounces" integrate "$scenes/net-impact.yaml" --until "0.6 s" 
 try "  columns" grep -q 'slack	touching	sliding	friction_J	impacts_J	apart_m$' hit.tsv
 try "  three frames" python3 -S -c 'import sys; d = open("hit.gif", "rb").read()
 sys.exit(d[:6] != b"GIF89a" or d.count(bytes([0x21, 0xf9, 4])) != 3)'
-try "  states of nodes" grep -q '^SCALARS contact int 1$' hit-00006.vtk
+try "  states of nodes" grep -q '^SCALARS contact double 1$' hit-00006.vtk
 python "  JSON" <<'END'
 import json
 r = json.load(open("hit.json"))

@@ -59,7 +59,7 @@ const struct hawser__field cli_mesh_field[] = {
 
 void cli_mesh_warning(char *text, const struct cli_mesh *mesh)
 {
-	const struct hawser_net_cable *cable = &mesh->net.cable[mesh->error.cable < 0 ? 0 : mesh->error.cable];
+	const struct hawser_net_cable *cable = &mesh->net.cable[cable_of(mesh) ? mesh->error.cable : 0];
 
 	*text = '\0';
 	if (mesh->error.tension > LARGE)

@@ -230,47 +230,59 @@ static const void *mode_row(void *to, const void *parent, size_t j)
 static const struct hawser__list mode_list = HAWSER__MADE_ROWS(
 	struct row, cli_modes_net_field, struct result, modes.n, mode_row);
 
-static void plane_json(struct hawser__json *json, json_t *into, const char *key,
-                       const struct hawser_net_plane *plane)
-{
-	json_t *to = hawser__json_object(json, into, key);
+#define OF(member) HAWSER__AT(struct hawser_net_plane, member)
+static const struct hawser__field plane_field[] = {
+	{"point", NULL, "of the plane", OF(point), .unit = HAWSER__METRE},
+	{"normal", NULL, "its normal", OF(normal)},
+	{"places", NULL, "how well it holds for places", OF(places), .unit = HAWSER__METRE},
+	{"elements", NULL, "and for stiffness, tension and mass, relative", OF(elements)},
+	HAWSER__END,
+};
+#undef OF
 
-	hawser__json_numbers(json, to, "point", plane->point, 3, 1.0);
-	hawser__json_numbers(json, to, "normal", plane->normal, 3, 1.0);
-	hawser__json_number(json, to, "places", plane->places);
-	hawser__json_number(json, to, "elements", plane->elements);
+static int is_flat(const void *symmetry, const void *parent)
+{
+	(void)parent;
+	return ((const struct hawser_net_symmetry *)symmetry)->flat;
 }
 
-static void symmetry_json(struct hawser__json *json, json_t *into, const void *of)
-{
-	const struct hawser_net_symmetry *symmetry = &((const struct result *)of)->modes.symmetry;
-	json_t *to = hawser__json_object(json, into, "symmetry"), *list;
+#define OF(member) HAWSER__AT(struct hawser_net_symmetry, member)
+static const struct hawser__field symmetry_field[] = {
+	{"plane", NULL, "in which the net lies, or null",
+	 HAWSER__PART_OF(struct hawser_net_symmetry, plane, plane_field), .given = is_flat,
+	 .flags = HAWSER__NULL},
+	{"straight", NULL, "whether it lies on a line",
+	 HAWSER__FLAG_AT(struct hawser_net_symmetry, straight)},
+	{"mirrors", NULL, "planes of symmetry",
+	 HAWSER__STORED_WITHIN(struct hawser_net_symmetry, mirror, mirrors, plane_field),
+	 .flags = HAWSER__BRIEF},
+	{"turns", NULL, "1/turns of a circle about axis maps the net onto itself", OF(turns)},
+	{"axis", NULL, "its direction", OF(axis)},
+	{"centre", NULL, "a point of it", OF(centre), .unit = HAWSER__METRE},
+	HAWSER__END,
+};
+#undef OF
 
-	if (symmetry->flat)
-		plane_json(json, to, "plane", &symmetry->plane);
-	else
-		hawser__json_null(json, to, "plane");
-	hawser__json_flag(json, to, "straight", symmetry->straight);
-	list = hawser__json_array(json, to, "mirrors");
-	for (int k = 0; k < symmetry->mirrors; k++)
-		plane_json(json, list, NULL, &symmetry->mirror[k]);
-	hawser__json_integer(json, to, "turns", symmetry->turns);
-	hawser__json_numbers(json, to, "axis", symmetry->axis, 3, 1.0);
-	hawser__json_numbers(json, to, "centre", symmetry->centre, 3, 1.0);
+static double certified(const void *of)
+{
+	double below = ((const struct hawser_net_modes *)of)->below;
+
+	return below > 0.0 ? below : NAN;
 }
 
-static void certificate_json(struct hawser__json *json, json_t *into, const void *of)
+static double complete(const void *of)
 {
-	const struct hawser_net_modes *modes = &((const struct result *)of)->modes;
-	json_t *to = hawser__json_object(json, into, "certificate");
-
-	if (modes->below > 0.0)
-		hawser__json_number(json, to, "omega", modes->below);
-	else
-		hawser__json_null(json, to, "omega");
-	hawser__json_integer(json, to, "modes", modes->counted);
-	hawser__json_flag(json, to, "complete", modes->below >= 0.0);
+	return ((const struct hawser_net_modes *)of)->below >= 0.0;
 }
+
+static const struct hawser__field certificate_field[] = {
+	{"omega", NULL, "null: all of the mesh", HAWSER__BY(certified), .unit = HAWSER__RADIAN_S,
+	 .flags = HAWSER__NULL},
+	{"modes", NULL, "below it, by the inertia of K - omega^2 M",
+	 HAWSER__AT(struct hawser_net_modes, counted)},
+	{"complete", NULL, "none is missed", HAWSER__FLAG_BY(complete)},
+	HAWSER__END,
+};
 
 static const char *how_of(const void *of)
 {
@@ -289,12 +301,11 @@ const struct hawser__field cli_modes_net_member[] = {
 	{"method", NULL, "by which they are computed", HAWSER__AT(struct result, method)},
 	{"slack", NULL, "elements without tension, which have no stiffness",
 	 HAWSER__AT(struct result, modes.slack)},
-	{"certificate", NULL, "omega (rad/s) below which there are so many modes, by the inertia of K - "
-	 "omega^2 M (null: all of the mesh); complete: none is missed", HAWSER__CALLS(certificate_json)},
+	{"certificate", NULL, "that no mode is missed",
+	 HAWSER__PART_OF(struct result, modes, certificate_field)},
 	{"", NULL, "", HAWSER__PART_OF(struct result, mesh, cli_mesh_field)},
-	{"symmetry", NULL, "plane (or null), mirrors: point, normal, how well they hold (places, m; "
-	 "elements, relative); turns: 1/turns of a circle about axis through centre",
-	 HAWSER__CALLS(symmetry_json)},
+	{"symmetry", NULL, "of the net",
+	 HAWSER__PART_OF(struct result, modes.symmetry, symmetry_field)},
 	{"contact", NULL, "with obstacles, about which state of contact: statics, slip or stick",
 	 HAWSER__TEXT_BY(how_of), .flags = HAWSER__NULL},
 	{"", NULL, "", HAWSER__PART_OF(struct result, contacts, cli_contacts_field), .when = CONTACTS},

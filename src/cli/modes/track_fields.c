@@ -8,6 +8,9 @@
 #include "cli/modes/track_ropeway.h"
 #include "core/report.h"
 
+/* of the view */
+enum { LANES = 1, SPEEDS = 2, STATIONS = 4, OBSTACLES = 8, SPACED = 16, ENDED = 32 };
+
 struct row {
 	const struct cli_track *of;
 	struct hawser_ropeway_track_point at;
@@ -82,145 +85,130 @@ static const char *value_unit(const void *context)
 	return ((const struct cli_track *)context)->sweep.si;
 }
 
+static double re_of(const void *row)
+{
+	return ((const struct row *)row)->at.span < 0 ? NAN : 0.0;
+}
+
+/* What a branch that is lost does not have. */
+#define MAYBE(member) HAWSER__AT(struct row, member), .flags = HAWSER__OMIT
 #define OF(member) HAWSER__AT(struct row, member)
 const struct hawser__field cli_track_field[] = {
 	{NULL, "KEY", "value of what is swept", OF(value), .named = value_name, .si = value_unit},
-	{NULL, "branch", "from 1, by frequency at the first value", OF(branch)},
-	{NULL, "omega", "circular frequency", OF(at.omega), .unit = HAWSER__RADIAN_S,
-	 .flags = HAWSER__NULL},
-	{NULL, "frequency", "frequency", OF(at.omega), .unit = HAWSER__HERTZ, .flags = HAWSER__NULL},
-	{NULL, "plane", "in-plane or out-of-plane", OF(plane)},
-	{NULL, "lane", "of ropeways: of the span with the largest share", OF(lane),
-	 .flags = HAWSER__NULL, .when = CLI_TRACK_LANES},
-	{NULL, "span", "with the largest share of the kinetic energy", OF(span), .flags = HAWSER__NULL},
-	{NULL, "span_share", "its share", OF(at.share), .flags = HAWSER__NULL},
-	{NULL, "residual", "error estimate of the frequency, relative", OF(at.residual),
-	 .flags = HAWSER__NULL},
+	{"branch", "branch", "from 1, by frequency at the first value", OF(branch)},
+	{"plane", "plane", "in-plane or out-of-plane", OF(plane), .place = 1},
+	{"re", NULL, "real part of the eigenvalue", HAWSER__BY(re_of), .unit = HAWSER__RADIAN_S,
+	 .flags = HAWSER__OMIT},
+	{"im", "omega", "circular frequency", MAYBE(at.omega), .unit = HAWSER__RADIAN_S},
+	{"frequency", "frequency", "frequency", MAYBE(at.omega), .unit = HAWSER__HERTZ},
+	{"lane", "lane", "of ropeways: of the span with the largest share", MAYBE(lane),
+	 .when = LANES, .place = 1},
+	{"span", "span", "with the largest share of the kinetic energy", MAYBE(span), .place = 1},
+	{"share", "span_share", "its share", MAYBE(at.share), .place = 1},
+	{"residual", "residual", "error estimate of the frequency, relative", MAYBE(at.residual),
+	 .place = 1},
 	HAWSER__END,
 };
 #undef OF
 const struct hawser__list cli_track_rows = {
 	.field = cli_track_field, .size = HAWSER__MADE_SIZE(struct row), .count = count_rows,
 	.row = make_row};
+static const struct hawser__list branch_list = {
+	.field = cli_track_field, .size = HAWSER__MADE_SIZE(struct row), .row = make_row, .part = 1,
+	.inner_at = offsetof(struct cli_track, track.branches)};
 
-static void branches_json(struct hawser__json *json, json_t *into, const struct cli_track *t, int i)
+#define OF(member) HAWSER__AT(struct hawser_ropeway_track_sample, member)
+#define FLAG(member) HAWSER__FLAG_AT(struct hawser_ropeway_track_sample, member)
+static const struct hawser__field sample_field[] = {
+	{"speed", NULL, "of campbell: speed of the rope", OF(value), .unit = HAWSER__METRE_S,
+	 .when = SPEEDS},
+	{"value", NULL, "of others: value of what is swept", OF(value), .when = STATIONS},
+	{"T0", NULL, "tension at the bottom, or at end A", OF(T0), .unit = HAWSER__NEWTON},
+	{"inserted", NULL, "whether it is between two of the values asked for", FLAG(inserted)},
+	{"unsure", NULL, "whether branches were continued with shapes that had changed much", FLAG(unsure)},
+	{"touched", NULL, "of a span over obstacles: number of those touched", OF(touched),
+	 .when = OBSTACLES},
+	{"eigenvalues", NULL, "of the branches", HAWSER__OBJECTS_OF(branch_list)},
+	HAWSER__END,
+};
+#undef FLAG
+#undef OF
+
+static const char *crosses(const void *of)
 {
-	json_t *list = hawser__json_array(json, into, "eigenvalues");
-
-	for (int b = 0; b < t->track.branches; b++) {
-		json_t *to = hawser__json_object(json, list, NULL);
-		struct row row;
-
-		fill_row(&row, t, i, b);
-		hawser__json_integer(json, to, "branch", row.branch);
-		hawser__json_text(json, to, "plane", row.plane);
-		if (row.at.span < 0)
-			continue;
-		hawser__json_number(json, to, "re", 0.0);
-		hawser__json_number(json, to, "im", row.at.omega);
-		hawser__json_number(json, to, "frequency", row.at.omega/(2.0*M_PI));
-		if (!t->obstacles)
-			hawser__json_text(json, to, "lane", row.lane);
-		hawser__json_text(json, to, "span", row.span);
-		hawser__json_number(json, to, "share", row.at.share);
-		hawser__json_number(json, to, "residual", row.at.residual);
-	}
+	return ((const struct hawser_ropeway_track_crossover *)of)->veers ? "veering" : "crossing";
 }
 
-static void samples_json(struct hawser__json *json, json_t *into, const void *of)
+#define OF(member) HAWSER__AT(struct hawser_ropeway_track_crossover, member)
+static const struct hawser__field crossover_field[] = {
+	{"kind", NULL, "crossing or veering", HAWSER__TEXT_BY(crosses)},
+	{"value", NULL, "of what is swept", OF(value)},
+	{"omega", NULL, "mean of the two circular frequencies", OF(omega), .unit = HAWSER__RADIAN_S},
+	{"relative_gap", NULL, "their distance over it", OF(gap)},
+	{"branches", NULL, "those two; null: one that is not followed",
+	 HAWSER__INTEGER_PAIR_AT(struct hawser_ropeway_track_crossover, below, above),
+	 .flags = HAWSER__NULL | HAWSER__FROM_1},
+	HAWSER__END,
+};
+#undef OF
+
+struct meeting {
+	struct hawser_campbell_resonance at;
+	const char *plane;
+};
+#define OF(member) HAWSER__AT(struct meeting, member)
+static const struct hawser__field resonance_field[] = {
+	{"harmonic", NULL, "multiple of the passing frequency", OF(at.harmonic)},
+	{"plane", NULL, "in-plane or out-of-plane", OF(plane)},
+	{"branch", NULL, "which it meets", OF(at.branch), .flags = HAWSER__FROM_1},
+	{"speed", NULL, "there", OF(at.speed), .unit = HAWSER__METRE_S},
+	{"omega", NULL, "circular frequency there", OF(at.omega), .unit = HAWSER__RADIAN_S},
+	HAWSER__END,
+};
+#undef OF
+
+static const void *meeting_row(void *row, const void *parent, size_t i)
 {
-	const struct cli_track *t = of;
-	int speeds = t->swept == CLI_SWEPT_SPEED;
-	json_t *list = hawser__json_array(json, into, speeds ? "speeds" : "stations");
+	const struct cli_track *t = parent;
 
-	for (int i = 0; i < t->track.samples; i++) {
-		const struct hawser_ropeway_track_sample *at = &t->track.sample[i];
-		json_t *to = hawser__json_object(json, list, NULL);
-
-		hawser__json_number(json, to, speeds ? "speed" : "value", at->value);
-		hawser__json_number(json, to, "T0", at->T0);
-		hawser__json_flag(json, to, "inserted", at->inserted);
-		hawser__json_flag(json, to, "unsure", at->unsure);
-		if (t->obstacles)
-			hawser__json_integer(json, to, "touched", at->touched);
-		branches_json(json, to, t, i);
-	}
+	*(struct meeting *)row = (struct meeting){
+		t->resonance[i], hawser_plane_name(t->track.plane[t->resonance[i].branch])};
+	return row;
 }
-
-static void crossovers_json(struct hawser__json *json, json_t *into, const void *of)
-{
-	const struct cli_track *t = of;
-	json_t *list = hawser__json_array(json, into, "crossovers");
-
-	for (int i = 0; i < t->track.crossovers; i++) {
-		const struct hawser_ropeway_track_crossover *at = &t->track.crossover[i];
-		json_t *to = hawser__json_object(json, list, NULL), *pair;
-
-		hawser__json_text(json, to, "kind", at->veers ? "veering" : "crossing");
-		hawser__json_number(json, to, "value", at->value);
-		hawser__json_number(json, to, "omega", at->omega);
-		hawser__json_number(json, to, "relative_gap", at->gap);
-		pair = hawser__json_array(json, to, "branches");
-		for (int k = 0; k < 2; k++) {
-			int branch = k ? at->above : at->below;
-
-			if (branch < 0)
-				hawser__json_null(json, pair, NULL);
-			else
-				hawser__json_integer(json, pair, NULL, branch + 1);
-		}
-	}
-}
-
-static void resonances_json(struct hawser__json *json, json_t *into, const void *of)
-{
-	const struct cli_track *t = of;
-	json_t *list;
-
-	if (t->swept != CLI_SWEPT_SPEED || !(t->distance > 0.0))
-		return;
-	hawser__json_number(json, into, "spacing", t->distance);
-	list = hawser__json_array(json, into, "resonances");
-	for (int i = 0; i < t->resonances; i++) {
-		const struct hawser_campbell_resonance *at = &t->resonance[i];
-		json_t *to = hawser__json_object(json, list, NULL);
-
-		hawser__json_integer(json, to, "harmonic", at->harmonic);
-		hawser__json_text(json, to, "plane", hawser_plane_name(t->track.plane[at->branch]));
-		hawser__json_integer(json, to, "branch", at->branch + 1);
-		hawser__json_number(json, to, "speed", at->speed);
-		hawser__json_number(json, to, "omega", at->omega);
-	}
-}
-
-static void ended_json(struct hawser__json *json, json_t *into, const void *of)
-{
-	const struct cli_track *t = of;
-	json_t *to;
-
-	if (!t->track.ended)
-		return;
-	to = hawser__json_object(json, into, "ended");
-	hawser__json_number(json, to, "value", t->track.end);
-	hawser__json_text(json, to, "why", t->track.why.message);
-}
+static const struct hawser__list resonance_list = HAWSER__MADE_ROWS(
+	struct meeting, resonance_field, struct cli_track, resonances, meeting_row);
 
 #define OF(member) HAWSER__AT(struct cli_track, member)
+static const struct hawser__field ended_field[] = {
+	{"value", NULL, "where", OF(track.end)},
+	{"why", NULL, "the reason", OF(track.why.message)},
+	HAWSER__END,
+};
+#define SAMPLES HAWSER__STORED(struct cli_track, track.sample, track.samples, sample_field)
 const struct hawser__field cli_track_member[] = {
 	{"swept", NULL, "what is swept", OF(sweep.key)},
 	{"unit", NULL, "its unit", OF(sweep.si)},
 	{"solves", NULL, "number of modal solutions", OF(track.solves)},
 	{"least_correlation", NULL, "of a branch's shapes at neighbouring values, squared",
 	 OF(track.least_correlation)},
-	{"speeds", NULL, "of campbell; stations of others: speed or value, T0 (N), inserted, unsure, "
-	 "eigenvalues: branch, plane, re, im (rad/s), frequency (Hz), lane, span, share, residual",
-	 HAWSER__CALLS(samples_json)},
-	{"crossovers", NULL, "kind (crossing or veering), value, omega (rad/s), relative_gap, branches "
-	 "(null: one that is not followed)", HAWSER__CALLS(crossovers_json)},
-	{"resonances", NULL, "of campbell, with the spacing (m) of the carriers: where multiples of their "
-	 "passing frequency meet branches: harmonic, plane, branch, speed, omega (rad/s)",
-	 HAWSER__CALLS(resonances_json)},
-	{"ended", NULL, "if the sweep ended before its end: value, why", HAWSER__CALLS(ended_json)},
+	{"speeds", NULL, "of campbell", SAMPLES, .when = SPEEDS},
+	{"stations", NULL, "of other sweeps, the same", SAMPLES, .when = STATIONS, .flags = HAWSER__BRIEF},
+	{"crossovers", NULL, "where branches change their order",
+	 HAWSER__STORED(struct cli_track, track.crossover, track.crossovers, crossover_field)},
+	{"spacing", NULL, "of campbell: distance of the carriers", OF(distance), .unit = HAWSER__METRE,
+	 .when = SPACED},
+	{"resonances", NULL, "where multiples of their passing frequency meet branches",
+	 HAWSER__OBJECTS_OF(resonance_list), .when = SPACED},
+	{"ended", NULL, "if the sweep ended before its end", HAWSER__OBJECT_OF(ended_field), .when = ENDED},
 	HAWSER__END,
 };
 #undef OF
+
+struct hawser__view cli_track_view(const struct cli_track *t)
+{
+	int speeds = t->swept == CLI_SWEPT_SPEED;
+
+	return (struct hawser__view){
+		hawser__si, t, (speeds ? SPEEDS : STATIONS) | (t->obstacles ? OBSTACLES : LANES) |
+		(speeds && t->distance > 0.0 ? SPACED : 0u) | (t->track.ended ? ENDED : 0u)};
+}

@@ -121,8 +121,7 @@ static struct cli_head head(const void *of)
 
 	return (struct cli_head){.common = t->common, .command = t->command,
 	                         .method = "spectral elements, piece by piece",
-	                         .view = {.scale = hawser__si, .context = t,
-	                                  .options = t->obstacles ? 0u : CLI_TRACK_LANES}};
+	                         .view = cli_track_view(t)};
 }
 
 /* Where the rope leaves an obstacle, or comes to touch one. */

@@ -2,7 +2,6 @@
  * the energy. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -14,9 +13,12 @@
 #include "cli/frame/mesh_net.h"
 #include "cli/frame/progress.h"
 #include "core/report.h"
+#include "output/curves/plot_motions.h"
 #include "output/drawing/animate.h"
+#include "output/drawing/style.h"
+#include "output/report/vtk.h"
 
-enum { PROBES = CLI_PROBES, NAME = CLI_PROBE_NAME, PATH = 4096, DRAWN = 3 };
+enum { PATH = 4096, DRAWN = 3 };
 enum { ROWS = 200 }; /* of a run without --every, as hawser_net_integrate has (net_motion.h) */
 
 struct result {
@@ -25,127 +27,104 @@ struct result {
 	struct cli_mesh mesh;
 	struct hawser_net_motion motion;
 	struct cli_contacts contacts;
-	struct hawser_net_probe probe[PROBES];
+	struct hawser_net_probe probe[CLI_PROBES];
 	struct cli_probed probed;
-	int failed;         /* errno of a frame that could not be written */
-	char path[PATH];    /* of that frame */
+	enum hawser_status failed; /* of a frame */
+	struct hawser_report of_frame;
 	struct cli_film film;
 };
 
 /* --- probes: J, or c1:0.25 --- */
 
-static enum hawser_status add(struct result *result, const char *name, size_t length,
-                              struct hawser_report *report)
+static enum hawser_status add(void *to, const char *name, struct hawser_report *report)
 {
+	struct result *result = to;
 	const struct hawser_net *net = &result->mesh.net;
-	struct hawser_net_probe *probe = &result->probe[result->probed.probes];
-	char *colon, *end = NULL, *to = result->probed.name[result->probed.probes];
+	struct hawser_net_probe *probe = &result->probe[result->probed.probes - 1];
+	const char *colon = strchr(name, ':');
+	char *end = NULL;
 
-	if (result->probed.probes == PROBES || length >= NAME || length == 0)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate", "--probe: at most %d names, "
-		                    "with commas between them, of at most %d characters", PROBES, NAME - 1);
-	memcpy(to, name, length);
-	to[length] = '\0';
 	*probe = (struct hawser_net_probe){.node = -1, .cable = -1};
 	for (int i = 0; i < net->nodes; i++)
-		if (strcmp(net->node[i].name, to) == 0)
+		if (strcmp(net->node[i].name, name) == 0)
 			probe->node = i;
-	colon = strchr(to, ':');
 	for (int i = 0; i < net->cables && colon; i++)
-		if (strlen(net->cable[i].name) == (size_t)(colon - to) &&
-		    strncmp(net->cable[i].name, to, (size_t)(colon - to)) == 0)
+		if (strlen(net->cable[i].name) == (size_t)(colon - name) &&
+		    strncmp(net->cable[i].name, name, (size_t)(colon - name)) == 0)
 			probe->cable = i;
 	if (probe->cable >= 0) {
 		probe->part = strtod(colon + 1, &end);
 		if (end == colon + 1 || *end || !(probe->part >= 0.0 && probe->part <= 1.0))
 			probe->cable = -1;
 	}
-	result->probed.probes++;
 	return probe->node >= 0 || probe->cable >= 0 ? HAWSER_OK
 		: hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate", "--probe %s: neither a node of the "
 		               "net nor a place of a cable, such as c1:0.25 for a quarter of the length of "
-		               "cable c1", to);
+		               "cable c1", name);
 }
 
 /* Without --probe: all nodes that are not held. */
 static enum hawser_status probes(struct result *result, struct hawser_report *report)
 {
-	const char *at = result->settings->probe;
+	const char *given = result->settings->probe;
 	const struct hawser_net *net = &result->mesh.net;
-	enum hawser_status status = HAWSER_OK;
+	const struct cli_probe_adder by = {add, &result->probed, result};
+	enum hawser_status status = cli_probes_add(&by, given, report);
 
-	while (at && !status) {
-		size_t length = strcspn(at, ",");
-
-		status = add(result, at, length, report);
-		at = at[length] ? at + length + 1 : NULL;
-	}
-	for (int i = 0; i < net->nodes && !result->settings->probe && result->probed.probes < PROBES; i++) {
+	for (int i = 0; i < net->nodes && !given && result->probed.probes < CLI_PROBES && !status; i++) {
 		int held = net->node[i].held[0] && net->node[i].held[1] && net->node[i].held[2];
 
 		for (int k = 0; k < net->dynamics.releases; k++)
 			held = held && net->dynamics.release[k] != i;
-		if (!held && !status)
-			status = add(result, net->node[i].name, strlen(net->node[i].name), report);
+		if (!held)
+			status = cli_probes_add(&by, net->node[i].name, report);
 	}
 	if (!status && result->probed.probes == 0 && net->cables > 0) {
-		char name[NAME];
+		char name[CLI_PROBE_NAME];
 
 		snprintf(name, sizeof name, "%s:0.5", net->cable[0].name);
-		status = add(result, name, strlen(name), report);
+		status = cli_probes_add(&by, name, report);
 	}
 	return status;
 }
 
 /* --- VTK: one file a row --- */
 
-/* contact: 0 open, 1 sticks, 2 slips. */
-static void contacts_vtk(FILE *file, const struct hawser_net_frame *frame)
+static enum hawser_status write_vtk(const char *stem, const struct hawser_net_frame *frame,
+                                    struct hawser_report *report)
 {
-	fprintf(file, "POINT_DATA %d\nSCALARS contact int 1\nLOOKUP_TABLE default\n", frame->nodes);
-	for (int i = 0; i < frame->nodes; i++)
-		fprintf(file, "%d\n", frame->state[i]);
-	fputs("SCALARS r_N_N double 1\nLOOKUP_TABLE default\n", file);
-	for (int i = 0; i < frame->nodes; i++)
-		fprintf(file, "%.9g\n", frame->r_N[i]);
-	fputs("SCALARS r_T_N double 1\nLOOKUP_TABLE default\n", file);
-	for (int i = 0; i < frame->nodes; i++)
-		fprintf(file, "%.9g\n", frame->r_T[i]);
+	double *state = calloc((size_t)frame->nodes + 1, sizeof *state);
+	const struct hawser__vtk_scalar tension = {"tension_N", frame->T};
+	const struct hawser__vtk_scalar mark[] = {{"contact", state}, {"r_N_N", frame->r_N},
+	                                          {"r_T_N", frame->r_T}};
+	char path[PATH], title[64];
+	enum hawser_status status = state ? HAWSER_OK : hawser__no_memory(report, "integrate");
+
+	for (int i = 0; i < frame->nodes && frame->state && !status; i++)
+		state[i] = frame->state[i];
+	snprintf(path, sizeof path, "%s-%05d.vtk", stem, frame->row);
+	snprintf(title, sizeof title, "hawser, t = %.9g s", frame->t);
+	if (!status)
+		status = hawser__vtk_write(path, &(struct hawser__vtk){
+			.title = title, .points = frame->nodes, .lines = frame->elements, .x = frame->x,
+			.end = frame->end, .scalars = 1, .scalar = &tension, .marks = frame->state ? 3 : 0,
+			.mark = mark}, report);
+	free(state);
+	return status;
 }
 
 static int frame(void *data, const struct hawser_net_frame *frame)
 {
 	struct result *result = data;
-	FILE *file;
-	int bad;
+	const struct cli_integrate_net *settings = result->settings;
+	int wrong = settings->animate ? cli_film_add(&result->film, frame) : 0;
 
-	if (result->settings->animate && (result->failed = cli_film_add(&result->film, frame)) != 0) {
-		snprintf(result->path, sizeof result->path, "%s", result->settings->animate);
-		return result->failed;
-	}
-	if (!result->settings->vtk)
-		return 0;
-	snprintf(result->path, sizeof result->path, "%s-%05d.vtk", result->settings->vtk, frame->row);
-	file = fopen(result->path, "w");
-	if (!file)
-		return result->failed = errno;
-	fprintf(file, "# vtk DataFile Version 3.0\nhawser, t = %.9g s\nASCII\nDATASET POLYDATA\n"
-	        "POINTS %d double\n", frame->t, frame->nodes);
-	for (int i = 0; i < frame->nodes; i++)
-		fprintf(file, "%.9g %.9g %.9g\n", frame->x[i][0], frame->x[i][1], frame->x[i][2]);
-	fprintf(file, "LINES %d %d\n", frame->elements, 3*frame->elements);
-	for (int e = 0; e < frame->elements; e++)
-		fprintf(file, "2 %d %d\n", frame->end[e][0], frame->end[e][1]);
-	fprintf(file, "CELL_DATA %d\nSCALARS tension_N double 1\nLOOKUP_TABLE default\n",
-	        frame->elements);
-	for (int e = 0; e < frame->elements; e++)
-		fprintf(file, "%.9g\n", frame->T[e]);
-	if (frame->state)
-		contacts_vtk(file, frame);
-	bad = ferror(file);
-	if (fclose(file) || bad)
-		result->failed = errno ? errno : EIO;
-	return result->failed;
+	if (wrong)
+		result->failed = hawser__fail(&result->of_frame, HAWSER_ERR_IO, "integrate",
+		                              "cannot write %s: %s", settings->animate, strerror(wrong));
+	else if (settings->vtk)
+		result->failed = write_vtk(settings->vtk, frame, &result->of_frame);
+	return result->failed != HAWSER_OK;
 }
 
 /* --- results --- */
@@ -187,7 +166,8 @@ static void comments(struct hawser__table *table, const void *of)
 	cli_mesh_comment(table, &result->mesh);
 	if (result->mesh.net.surfaces)
 		hawser__table_comment(table, "contacts: penetration, and gap of what touches, at most %.1e m; "
-		                      "laws of contact and friction to %.1e", result->contacts.apart, motion->laws);
+		                      "laws of contact and friction to %.1e", result->contacts.apart,
+		                      motion->laws);
 	for (int k = 0; k < 3; k++)
 		if (motion->still[k])
 			hawser__table_comment(table, "no motion along %c in the model: nothing drives it",
@@ -221,8 +201,8 @@ enum { SURFACES = 1 };
 #define ONE(member) HAWSER__IN(struct result, motion.member)
 #define PART(member, fields) {"", NULL, "", HAWSER__PART_OF(struct result, member, fields), \
 	.from = HAWSER__IN_PARENT
-#define JOULE .unit = HAWSER__J
-#define TOUCH .when = SURFACES
+#define JOULE .unit = HAWSER__J  /* an energy */
+#define TOUCH .when = SURFACES   /* with obstacles */
 const struct hawser__field cli_net_motion_field[] = {
 	{"scheme", NULL, "of time integration", ONE(scheme)},
 	{"times", "t", "time", ROWS_OF(time), .unit = HAWSER__SECOND},
@@ -295,37 +275,33 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 {
 	const struct result *result = of;
 	const struct hawser_net_motion *motion = &result->motion;
-	int probes = motion->probes < DRAWN ? motion->probes : DRAWN;
-	struct hawser__picture picture;
-	enum hawser_status status = hawser__picture_begin(&picture, path, 14.0, 12.0, report);
-	FILE *script = picture.script;
+	const struct hawser__axis y = hawser__axis_of("Height {/:Italic y}", "m", 0.0);
+	const struct hawser__axis energy = hawser__axis_of("Energy", "J", 0.0);
+	struct hawser__motions shown = {
+		motion->rows, 2, motion->time, hawser__axis_of("Time {/:Italic t}", "s", 0.0), {
+		{y.title, y.per, 3*motion->probes, 0, {{0}}},
+		{energy.title, energy.per, 1, 3, {{"kinetic", 4, motion->kinetic},
+		                                  {"potential", 5, motion->potential}, {"sum", 6, NULL}}}}};
+	char label[DRAWN][3*CLI_PROBE_NAME] = {""};
+	double *sum = malloc(((size_t)motion->rows + 1)*sizeof *sum);
+	enum hawser_status status;
 
-	if (status)
-		return status;
-	fputs("$motion << END\n", script);
-	for (int i = 0; i < motion->rows; i++) {
-		fprintf(script, "%.9g %.7g %.7g %.7g", motion->time[i], motion->kinetic[i],
-		        motion->potential[i], motion->kinetic[i] + motion->potential[i]);
-		for (int p = 0; p < probes; p++)
-			fprintf(script, " %.7g", motion->x[i*motion->probes + p][1]);
-		fputs("\n", script);
+	for (int p = 0; p < motion->probes && p < DRAWN && sum; p++) {
+		FILE *to = fmemopen(label[p], sizeof label[p], "w");
+
+		if (to) {
+			hawser__picture_literal(to, result->probed.name[p], 0);
+			fclose(to);
+		}
+		shown.panel[0].curve[shown.panel[0].curves++] = (struct hawser__motion_curve){
+			label[p], p + 1, &motion->x[p][1]};
 	}
-	fputs("END\nset key at graph 1, graph 1.12 right center horizontal\n", script);
-	hawser__picture_panel(&picture, 0.15, 0.95, 0.61, 0.93);
-	hawser__picture_ylabel(&picture, "Height {/:Italic y} (m)");
-	fputs("plot ", script);
-	for (int p = 0; p < probes; p++) {
-		fprintf(script, "%s$motion using 1:%d with lines lt %d title '", p ? ", " : "", p + 5, p + 1);
-		hawser__picture_literal(script, result->probed.name[p], 0);
-		fputc('\'', script);
-	}
-	fputs("\n", script);
-	hawser__picture_panel(&picture, 0.15, 0.95, 0.11, 0.46);
-	hawser__picture_ylabel(&picture, "Energy (J)");
-	fputs("set xlabel 'Time {/:Italic t} (s)'\nplot $motion using 1:2 with lines lt 1 title 'kinetic', "
-	      "$motion using 1:3 with lines lt 2 title 'potential', $motion using 1:4 with lines lt 3 "
-	      "title 'sum'\n", script);
-	return hawser__picture_finish(&picture, report);
+	for (int i = 0; i < motion->rows && sum; i++)
+		sum[i] = motion->kinetic[i] + motion->potential[i];
+	shown.panel[1].curve[2].value = sum;
+	status = sum ? hawser__plot_motions(path, &shown, report) : hawser__no_memory(report, "picture");
+	free(sum);
+	return status;
 }
 
 static const struct cli_showing showing = {.head = head, .comments = comments, .rows = &row_list,
@@ -400,12 +376,13 @@ static enum hawser_status solve(struct result *result, struct hawser_report *rep
 	cli_progress_end(&watch.progress);
 	if (!status)
 		status = hawser_net_mesh_error(&result->mesh.error, &result->mesh.net, NULL, report);
-	if (!status && result->failed)
-		status = hawser__fail(report, HAWSER_ERR_IO, "integrate", "cannot write %s: %s", result->path,
-		                      strerror(result->failed));
+	if (!status && result->failed) {
+		*report = result->of_frame;
+		status = result->failed;
+	}
 	if (!status && result->settings->animate)
-		status = cli_film_write(result->settings->animate, &result->film, &result->mesh.net, &result->motion,
-		                        report);
+		status = cli_film_write(result->settings->animate, &result->film, &result->mesh.net,
+		                        &result->motion, report);
 	return status;
 }
 

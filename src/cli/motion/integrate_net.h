@@ -25,6 +25,15 @@ struct cli_probed {
 	const double (*x)[3], (*v)[3], *T, *M; /* [rows*probes] row by row; v, M: of rods, or NULL */
 	const double *s; /* [probes] of rods, or NULL */
 };
+/* Add the probes in this text (NULL: none), with commas between them; `add` takes the place of the last
+ * one from its name. */
+struct cli_probe_adder {
+	enum hawser_status (*add)(void *result, const char *name, struct hawser_report *report);
+	struct cli_probed *probed;
+	void *result;
+};
+enum hawser_status cli_probes_add(const struct cli_probe_adder *by, const char *text,
+                                  struct hawser_report *report) HAWSER_MUST_CHECK;
 /* Columns, with this as the context; and `probes` of JSON. */
 extern const struct hawser__vector cli_probed_vector;
 extern const struct hawser__field cli_probed_field[];

@@ -14,7 +14,7 @@
 #include "output/drawing/animate.h"
 #include "output/report/vtk.h"
 
-enum { PROBES = CLI_PROBES, NAME = CLI_PROBE_NAME, PATH = 4096 };
+enum { PATH = 4096 };
 #define STRAINED 0.05 /* strain beyond which forces that are linear in it are doubtful */
 #define COARSE 0.02   /* lengths of the rod: an error of places that is visible in a picture */
 
@@ -23,7 +23,7 @@ struct result {
 	const struct cli_integrate_net *settings;
 	struct hawser_rod rod;
 	struct hawser_rod_motion motion;
-	double probe[PROBES];
+	double probe[CLI_PROBES];
 	struct cli_probed probed;
 	char warning[512];
 	enum hawser_status failed; /* of a frame */
@@ -32,29 +32,22 @@ struct result {
 
 /* --- probes: start, end, or m from the start --- */
 
-static enum hawser_status add(struct result *result, const char *text, size_t length,
-                              struct hawser_report *report)
+static enum hawser_status add(void *to, const char *given, struct hawser_report *report)
 {
-	char *name;
-	double *s;
+	struct result *result = to;
+	char *name = result->probed.name[result->probed.probes - 1];
+	double *s = &result->probe[result->probed.probes - 1];
 	enum hawser_status status = HAWSER_OK;
 
-	if (result->probed.probes == PROBES || length >= NAME || length == 0)
-		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate", "--probe: at most %d places, "
-		                    "with commas between them, of at most %d characters", PROBES, NAME - 1);
-	name = result->probed.name[result->probed.probes];
-	s = &result->probe[result->probed.probes++];
-	memcpy(name, text, length);
-	name[length] = '\0';
-	if (!strcmp(name, "start"))
+	if (!strcmp(given, "start"))
 		*s = 0.0;
-	else if (!strcmp(name, "end"))
+	else if (!strcmp(given, "end"))
 		*s = result->rod.length;
 	else
-		status = cli_quantity(s, name, "m", CLI_NOT_NEGATIVE, "integrate", "probe", report);
+		status = cli_quantity(s, given, "m", CLI_NOT_NEGATIVE, "integrate", "probe", report);
 	if (!status && *s > result->rod.length*(1.0 + 1e-12))
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate", "--probe %s: the rod ends at "
-		                      "%.9g m: give start, end, or a length from the start", name,
+		                      "%.9g m: give start, end, or a length from the start", given,
 		                      result->rod.length);
 	for (char *at = name; *at; at++)
 		if (*at == ' ')
@@ -65,21 +58,16 @@ static enum hawser_status add(struct result *result, const char *text, size_t le
 /* Without --probe: the free ends, or the middle. */
 static enum hawser_status probes(struct result *result, struct hawser_report *report)
 {
-	const char *at = result->settings->probe;
-	enum hawser_status status = HAWSER_OK;
+	const char *given = result->settings->probe;
+	const struct cli_probe_adder by = {add, &result->probed, result};
+	enum hawser_status status = cli_probes_add(&by, given, report);
 
-	while (at && !status) {
-		size_t length = strcspn(at, ",");
-
-		status = add(result, at, length, report);
-		at = at[length] ? at + length + 1 : NULL;
-	}
-	for (int end = 1; end >= 0 && !result->settings->probe && !status; end--)
+	for (int end = 1; end >= 0 && !given && !status; end--)
 		if (result->rod.hold[end] == HAWSER_ROD_FREE)
-			status = add(result, end ? "end" : "start", end ? 3 : 5, report);
+			status = cli_probes_add(&by, end ? "end" : "start", report);
 	if (!status && result->probed.probes == 0) {
 		result->probe[0] = 0.5*result->rod.length;
-		snprintf(result->probed.name[result->probed.probes++], NAME, "middle");
+		snprintf(result->probed.name[result->probed.probes++], CLI_PROBE_NAME, "middle");
 	}
 	return status;
 }
@@ -144,7 +132,7 @@ static void comments(struct hawser__table *table, const void *of)
 #define ROWS_OF(member) HAWSER__ALONG(struct result, motion.member)
 #define AXES_OF(member) HAWSER__VECTOR_ALONG(struct result, motion.member, cli_axes)
 #define ONE(member) HAWSER__IN(struct result, motion.member)
-#define JOULE .unit = HAWSER__J
+#define JOULE .unit = HAWSER__J /* an energy */
 const struct hawser__field cli_rod_motion_field[] = {
 	{"scheme", NULL, "of time integration", ONE(scheme)},
 	{"rho_inf", NULL, "its spectral radius at high frequencies", ONE(rho_inf)},

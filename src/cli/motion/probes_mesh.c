@@ -3,8 +3,31 @@
 #include "config.h"
 
 #include <stdio.h>
+#include <string.h>
 
 #include "cli/motion/integrate_net.h"
+#include "core/report.h"
+
+enum hawser_status cli_probes_add(const struct cli_probe_adder *by, const char *text,
+                                  struct hawser_report *report)
+{
+	enum hawser_status status = HAWSER_OK;
+
+	while (text && !status) {
+		size_t length = strcspn(text, ",");
+		char *name = by->probed->name[by->probed->probes];
+
+		if (by->probed->probes == CLI_PROBES || length >= CLI_PROBE_NAME || length == 0)
+			return hawser__fail(report, HAWSER_ERR_ARGUMENT, "integrate", "--probe: at most %d places, "
+			                    "with commas between them, of at most %d characters", CLI_PROBES,
+			                    CLI_PROBE_NAME - 1);
+		snprintf(name, CLI_PROBE_NAME, "%.*s", (int)length, text);
+		by->probed->probes++;
+		status = by->add(by->result, name, report);
+		text = text[length] ? text + length + 1 : NULL;
+	}
+	return status;
+}
 
 enum { PLACE = 3 }; /* numbers of a probe: x, y, z, the tension, of rods the moment */
 

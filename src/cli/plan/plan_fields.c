@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "cli/plan/plan_net.h"
+#include "cli/plan/plan_ropeway.h"
 #include "cli/plan/plan_result.h"
 #include "cli/frame/view.h"
 
@@ -212,6 +213,7 @@ const struct cli_listing cli_plan_listing[] = {
 	{"Keys of JSON:", result_field, 1},
 	{"Columns of the table of a net:", cli_plan_net_row, 0},
 	{"Keys of JSON of a net:", cli_plan_net_fields, 1},
+	{"Columns of the table of a ropeway:", cli_plan_ropeway_row, 0},
 	{NULL, NULL, 0},
 };
 

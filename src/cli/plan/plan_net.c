@@ -136,7 +136,9 @@ static const struct hawser__field own_field[] = {
 };
 #undef MAYBE
 #undef OF
+HAWSER__LABELS(kind_word, hawser_kind_name, enum hawser_kind)
 const struct hawser__field cli_plan_net_fields[] = {
+	{"kind", NULL, "net", HAWSER__WORD_OF(HAWSER_KIND_NET, kind_word)},
 	{"", NULL, "", HAWSER__PART_OF(struct cli_plan_net_result, plan, size_field)},
 	{"cables", NULL, "their meshes", HAWSER__STORED(struct cli_plan_net_result, cable, cables,
 	 cable_field)},
@@ -220,13 +222,11 @@ static void settings(struct cli_plan_net_result *result)
 
 /* --- table and JSON --- */
 
-static void table(struct hawser__table *table, const void *of)
+static void comments(struct hawser__table *table, const void *of)
 {
 	const struct cli_plan_net_result *result = of;
 	const struct hawser_net_plan *plan = &result->plan;
-	struct hawser__view view = cli_si_view(0);
 
-	cli_echo_table(table, result->common, "plan", NULL, "time_s is measured where time_by is run");
 	hawser__table_comment(table, "%d nodes, %d supports, %d cables, %d elements, %d unknowns; "
 	                      "motion until %.6g "
 	                      "s", plan->nodes, plan->supports, plan->cables, plan->elements,
@@ -242,21 +242,17 @@ static void table(struct hawser__table *table, const void *of)
 		hawser__table_comment(table, "%s: %s = %s%s%s", at->written ? "yours" : "default", at->name,
 		                      at->value, *at->unit ? " " : "", at->unit);
 	}
-	hawser__fields_table(table, &jobs_list, result, &view);
 }
 
-static void json(struct hawser__json *json, const void *of)
+static struct cli_head head(const void *of)
 {
-	const struct cli_plan_net_result *result = of;
-	struct hawser__view view = cli_si_view(0);
-
-	cli_echo_json(json, result->common, "plan", NULL);
-	hawser__json_text(json, json->root, "kind", "net");
-	hawser__fields_json(json, json->root, cli_plan_net_fields, result, &view);
-	cli_stats_json(json, result->common);
+	return (struct cli_head){
+		.common = ((const struct cli_plan_net_result *)of)->common, .command = "plan",
+		.method = "time_s is measured where time_by is run", .view = cli_si_view(0)};
 }
 
-static const struct cli_showing showing = {.table = table, .json = json};
+static const struct cli_showing showing = {.head = head, .comments = comments, .rows = &jobs_list,
+                                           .fields = cli_plan_net_fields};
 
 /* --- the command --- */
 

@@ -96,105 +96,121 @@ static void print_settings(FILE *stream, const struct hawser_ropeway *rw)
 	fprintf(stream, "\n  --phases %d\n", options.phases);
 }
 
-static void print_cost(FILE *stream, double seconds, int reproducible)
+struct result {
+	const struct cli_common *common;
+	struct hawser_ropeway rw;
+	struct hawser_ropeway_statics st;
+	double seconds; /* of st */
+	char *text;     /* of the plan, in the user's units */
+};
+
+/* The text in the user's units; times of computation stay in s. */
+static enum hawser_status write_text(struct result *result, struct hawser_report *report)
 {
 	struct hawser_ropeway_options options = {0};
+	char *text = NULL, *shown = NULL;
+	size_t size = 0, most;
+	FILE *stream = open_memstream(&text, &size);
 
+	if (stream) {
+		print_line(stream, &result->rw, &result->st);
+		print_left_out(stream, &result->rw);
+		print_settings(stream, &result->rw);
+	}
+	if (stream && fclose(stream) == 0 && text)
+		shown = hawser__units_text(text);
 	hawser_ropeway_settle(&options);
-	if (reproducible)
-		return;
-	fprintf(stream, "\ncost\n"
-	        "  a state: %.2g s, measured; --worst about %.2g s of processor time; --cases as much for "
-	        "each case\n", seconds, seconds*options.phases);
+	most = (shown ? strlen(shown) : 0) + 200;
+	result->text = shown ? malloc(most) : NULL;
+	if (result->text && result->common->reproducible)
+		snprintf(result->text, most, "%s", shown);
+	else if (result->text)
+		snprintf(result->text, most, "%s\ncost\n"
+		         "  a state: %.2g s, measured; --worst about %.2g s of processor time; --cases as much "
+		         "for each case\n", shown, result->seconds, result->seconds*options.phases);
+	free(shown);
+	free(text);
+	return result->text ? HAWSER_OK : hawser__no_memory(report, "plan");
 }
 
-static void print_all(FILE *stream, const struct hawser_ropeway *rw,
-                      const struct hawser_ropeway_statics *st, double seconds, int reproducible)
+/* A line "  rope: ..." below "modelled" is the comment "modelled: rope: ...". */
+static void comments(struct hawser__table *table, const void *of)
 {
-	print_line(stream, rw, st);
-	print_left_out(stream, rw);
-	print_settings(stream, rw);
-	print_cost(stream, seconds, reproducible);
-}
-
-/* The text as comments of a table of what the line has: a line "  rope: ..." below "modelled" is the
- * comment "modelled: rope: ...". */
-static enum hawser_status write_table(const struct cli_common *common, const char *text,
-                                      const struct hawser_ropeway *rw,
-                                      const struct hawser_ropeway_statics *st,
-                                      struct hawser_report *report)
-{
-	struct hawser__table table = {0};
 	const char *heading = "";
-	enum hawser_status status;
 
-	cli_echo_table(&table, common, "plan", NULL, "statics of a ropeway");
-	for (const char *line = text; *line; line += strcspn(line, "\n") + 1)
+	for (const char *line = ((const struct result *)of)->text; *line; line += strcspn(line, "\n") + 1)
 		if (*line == ' ')
-			hawser__table_remark(&table, "%.*s: %.*s", (int)strcspn(heading, "\n"), heading,
+			hawser__table_remark(table, "%.*s: %.*s", (int)strcspn(heading, "\n"), heading,
 			                     (int)strcspn(line, "\n") - 2, line + 2);
 		else
 			heading = line;
-	hawser__table_column(&table, "lane");
-	hawser__table_column(&table, "towers");
-	hawser__table_column(&table, "carriers");
-	for (int i = 0; i < st->lanes; i++) {
-		hawser__table_word(&table, i ? "down" : "up");
-		hawser__table_number(&table, rw->towers);
-		hawser__table_number(&table, st->lane[i].carriers);
-	}
-	status = cli_deliver(common, &table, NULL, NULL, report);
-	hawser__table_clear(&table);
-	return status;
 }
 
-static enum hawser_status show(const struct cli_common *common, const struct hawser_ropeway *rw,
-                               const struct hawser_ropeway_statics *st, double seconds,
-                               struct hawser_report *report)
-{
-	enum hawser_status status;
-	char *text = NULL;
-	size_t size = 0;
-	FILE *stream;
+struct row {
+	const char *lane;
+	int towers, carriers;
+};
+const struct hawser__field cli_plan_ropeway_row[] = {
+	{NULL, "lane", "up or down", HAWSER__AT(struct row, lane)},
+	{NULL, "towers", "of the line", HAWSER__AT(struct row, towers)},
+	{NULL, "carriers", "on this lane", HAWSER__AT(struct row, carriers)},
+	HAWSER__END,
+};
 
-	if (!common->tsv) {
-		fprintf(stdout, "hawser %s plan: %s\nstatics of a ropeway\n", hawser_version(), common->input);
-		print_all(stdout, rw, st, seconds, common->reproducible);
-		return HAWSER_OK;
-	}
-	stream = open_memstream(&text, &size);
-	if (stream)
-		print_all(stream, rw, st, seconds, common->reproducible);
-	if (!stream || fclose(stream) != 0 || !text)
-		status = hawser__no_memory(report, "plan");
-	else
-		status = write_table(common, text, rw, st, report);
-	free(text);
+static const void *lane_row(void *row, const void *of, size_t i)
+{
+	const struct result *result = of;
+
+	*(struct row *)row = (struct row){i ? "down" : "up", result->rw.towers,
+	                                  result->st.lane[i].carriers};
+	return row;
+}
+static const struct hawser__list lane_list = HAWSER__MADE_ROWS(
+	struct row, cli_plan_ropeway_row, struct result, st.lanes, lane_row);
+
+static struct cli_head head(const void *of)
+{
+	return (struct cli_head){.common = ((const struct result *)of)->common, .command = "plan",
+	                         .method = "statics of a ropeway", .view = cli_si_view(0)};
+}
+
+static const struct cli_showing showing = {.head = head, .comments = comments, .rows = &lane_list};
+
+static enum hawser_status show(struct result *result, struct hawser_report *report)
+{
+	const struct cli_common *common = result->common;
+	enum hawser_status status = write_text(result, report);
+
+	if (!status && common->tsv)
+		status = cli_show(common, &showing, result, report);
+	else if (!status)
+		printf("hawser %s plan: %s\nstatics of a ropeway\n%s", hawser_version(), common->input,
+		       result->text);
+	free(result->text);
 	return status;
 }
 
 enum hawser_status cli_plan_ropeway(const struct cli_common *common, struct hawser_report *report)
 {
 	const struct hawser_ropeway_options options = {.tolerate = 1};
-	struct hawser_ropeway rw;
-	struct hawser_ropeway_statics st;
+	struct result result = {.common = common};
 	enum hawser_status status;
-	double before;
 
 	if (common->json)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "plan", "the plan of a ropeway is a text: "
 		                    "leave --json out (--tsv has it as comments)");
 	status = cli_outputs_check(common, report);
 	if (!status)
-		status = cli_read_ropeway(&rw, common, report);
+		status = cli_read_ropeway(&result.rw, common, report);
 	if (status)
 		return status;
-	before = cli_processor_seconds();
-	status = hawser_ropeway_solve(&st, &rw, &options, rw.phase, report);
+	result.seconds = -cli_processor_seconds();
+	status = hawser_ropeway_solve(&result.st, &result.rw, &options, result.rw.phase, report);
+	result.seconds += cli_processor_seconds();
 	if (!status) {
-		status = show(common, &rw, &st, cli_processor_seconds() - before, report);
-		hawser_ropeway_statics_clear(&st);
+		status = show(&result, report);
+		hawser_ropeway_statics_clear(&result.st);
 	}
-	hawser_ropeway_clear(&rw);
+	hawser_ropeway_clear(&result.rw);
 	return status;
 }

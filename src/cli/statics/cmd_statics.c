@@ -119,18 +119,7 @@ static const struct hawser__field travel_field[] = {
 };
 #undef OF
 
-static void columns_json(struct hawser__json *json, json_t *into, const void *row)
-{
-	json_t *columns = hawser__json_array(json, into, "profile_columns");
-
-	(void)row;
-	for (int k = 0; profile_field[k].key; k++)
-		hawser__json_text(json, columns, NULL, profile_field[k].key);
-}
-
 static const struct hawser__field point_field[] = {
-	{"profile", NULL, "points: lists of the columns",
-	 HAWSER__PAIR_AT(struct hawser__spot, S, T)},
 	{"profile_z", NULL, "z of these points, under a static load", HAWSER__AT(struct hawser__spot, z),
 	 .unit = HAWSER__METRE, .when = TURNED},
 	HAWSER__END,
@@ -151,7 +140,8 @@ static const struct hawser__field result_field[] = {
 	 HAWSER__STORED_WITHIN(struct result, mark, marks, cli_mark_field), .when = ATTACHED},
 	{"loaded", NULL, "with a static load or a change of temperature",
 	 HAWSER__PART_OF(struct result, loaded, cli_loaded_field), .when = LOADED},
-	{"profile_columns", NULL, "S, x, y, T: m, m, m, N", HAWSER__CALLS(columns_json)},
+	{"profile_columns", NULL, "S, x, y, T", HAWSER__KEYS_OF(profile_list)},
+	{"profile", NULL, "points: lists of these", HAWSER__ROWS_OF(profile_list)},
 	{"", NULL, "", HAWSER__ARRAYS_OF(point_list)},
 	PART(curves, cli_models_member), .when = MODELS},
 	PART(speeds, cli_speeds_member), .when = SPEEDS},

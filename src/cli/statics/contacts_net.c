@@ -86,7 +86,7 @@ static const struct hawser__field contact_field[] = {
 	{"obstacle", NULL, "which is touched", OF(obstacle)},
 	{"node", NULL, "the node of the net", OF(node), .flags = HAWSER__OMIT},
 	{"cable", NULL, "or the cable", OF(cable), .flags = HAWSER__OMIT},
-	{"S", NULL, "and the unstretched length there", OF(S), .unit = HAWSER__METRE, .flags = HAWSER__OMIT},
+	{"S", NULL, "unstretched length there", OF(S), .unit = HAWSER__METRE, .flags = HAWSER__OMIT},
 	{"position", NULL, "the place", OF(of.x), .unit = HAWSER__METRE},
 	{"r_N", NULL, "force of the obstacle along its normal", OF(of.r), .unit = HAWSER__NEWTON},
 	{"r_T", NULL, "its force along the surface", OF(of.friction), .unit = HAWSER__NEWTON},
@@ -113,7 +113,7 @@ static const struct hawser__list contact_list = HAWSER__MADE_ROWS(
 	struct row, contact_field, struct cli_contacts, contacts, contact_row);
 
 const struct hawser__field cli_contacts_field[] = {
-	{"contacts", NULL, "with obstacles: nodes of the mesh that touch", HAWSER__OBJECTS_OF(contact_list)},
+	{"contacts", NULL, "with obstacles: nodes that touch", HAWSER__OBJECTS_OF(contact_list)},
 	HAWSER__END,
 };
 const struct hawser__field cli_apart_field[] = {

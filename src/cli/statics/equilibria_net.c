@@ -68,7 +68,7 @@ static double free_place(const void *net, const void *parent, size_t index, int 
 static const struct hawser__vector free_nodes = {
 	.shown = "NODE_AXIS", .count = free_count, .name = free_name, .number = free_place};
 
-#define NEWTON .unit = HAWSER__NEWTON
+#define NEWTON .unit = HAWSER__NEWTON /* a force */
 #define OF(member) HAWSER__AT(struct hawser_net_equilibrium, member)
 const struct hawser__field cli_equilibria_net_field[] = {
 	{NULL, "index", "from 1, by energy", .kind = HAWSER__INDEX},

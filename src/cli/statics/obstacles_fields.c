@@ -83,7 +83,7 @@ const struct hawser__field cli_obstacle_point_field[] = {
 	{"angle", "angle", "slope angle", OF(angle), RADIAN},
 	{"T", "T", "tension", OF(T), NEWTON},
 	{"y_clear", "y_clear", "height of the same rope without obstacles at this x", OF(y_clear), METRE,
-	 .flags = HAWSER__NULL},
+	 .flags = HAWSER__OMIT},
 	HAWSER__END,
 };
 #undef OF
@@ -164,28 +164,6 @@ static void path_json(struct hawser__json *json, json_t *into, const void *row)
 	}
 }
 
-static void columns_json(struct hawser__json *json, json_t *into, const void *row)
-{
-	json_t *columns = hawser__json_array(json, into, "profile_columns");
-
-	(void)row;
-	for (int k = 0; cli_obstacle_point_field[k].key; k++)
-		hawser__json_text(json, columns, NULL, cli_obstacle_point_field[k].key);
-}
-
-static void profile_json(struct hawser__json *json, json_t *into, const void *row)
-{
-	const struct cli_obstacles *of = row;
-	json_t *list = hawser__json_array(json, into, "profile");
-
-	for (int i = 0; i < of->points; i++) {
-		const struct cli_obstacle_point *p = &of->point[i];
-		const double values[] = {p->S, p->x, p->y, p->angle, p->T, p->y_clear};
-
-		hawser__json_numbers(json, list, NULL, values, of->st.clear.status ? 5 : 6, 1.0);
-	}
-}
-
 #define PART(member, fields) HAWSER__PART_OF(struct cli_obstacles, member, fields)
 const struct hawser__field cli_obstacles_field[] = {
 	{"sliding", NULL, "none, toward-A, toward-B or history", HAWSER__TEXT_BY(sliding_word)},
@@ -206,8 +184,8 @@ const struct hawser__field cli_obstacles_field[] = {
 	{"", NULL, "", PART(st.st, defect_field)},
 	{"error", NULL, "estimated relative error of the tensions by round-off",
 	 HAWSER__AT(struct cli_obstacles, st.error)},
-	{"profile_columns", NULL, "names of the columns of the profile", HAWSER__CALLS(columns_json)},
-	{"profile", NULL, "points: lists of these columns, in m, rad and N", HAWSER__CALLS(profile_json)},
+	{"profile_columns", NULL, "columns of the profile", HAWSER__KEYS_OF(cli_obstacle_point_list)},
+	{"profile", NULL, "points: lists of these columns", HAWSER__ROWS_OF(cli_obstacle_point_list)},
 	HAWSER__END,
 };
 #undef PART

@@ -32,6 +32,9 @@ const struct hawser__field cli_rod_point_field[] = {
 };
 #undef OF
 
+const struct hawser__list cli_rod_point_list = HAWSER__STORED_ROWS(
+	struct cli_rod, st.point, st.points, cli_rod_point_field);
+
 #define OF(member) HAWSER__AT(struct hawser_rod_statics, member)
 static const struct hawser__field start_field[] = {
 	{"force", NULL, "force of the support on the rod, [x, y, z]", OF(force[0]), NEWTON},
@@ -79,40 +82,6 @@ static const struct hawser__field error_field[] = {
 };
 #undef OF
 
-static void columns_json(struct hawser__json *json, json_t *into, const void *row)
-{
-	json_t *columns = hawser__json_array(json, into, "profile_columns");
-
-	(void)row;
-	for (int k = 0; cli_rod_point_field[k].key; k++)
-		hawser__json_text(json, columns, NULL, cli_rod_point_field[k].key);
-}
-
-static void profile_json(struct hawser__json *json, json_t *into, const void *row)
-{
-	const struct hawser_rod_statics *st = &((const struct cli_rod *)row)->st;
-	json_t *list = hawser__json_array(json, into, "profile");
-
-	for (int i = 0; i < st->points; i++) {
-		const struct hawser_rod_point *p = &st->point[i];
-		const double values[] = {p->s, p->x[0], p->x[1], p->x[2], p->N[0], p->N[1], p->N[2], p->M[0],
-		                         p->M[1], p->M[2], p->k[0], p->k[1], p->k[2], p->q[0], p->q[1], p->q[2],
-		                         p->q[3]};
-
-		hawser__json_numbers(json, list, NULL, values, (int)(sizeof values/sizeof *values), 1.0);
-	}
-}
-
-static void stable_json(struct hawser__json *json, json_t *into, const void *row)
-{
-	const struct cli_rod *of = row;
-
-	if (of->st.judged)
-		hawser__json_flag(json, into, "stable", of->stable);
-	else
-		hawser__json_null(json, into, "stable");
-}
-
 #define PART(fields) HAWSER__PART_OF(struct cli_rod, st, fields)
 const struct hawser__field cli_rod_field[] = {
 	{"start", NULL, "the start of the rod", PART(start_field)},
@@ -120,27 +89,12 @@ const struct hawser__field cli_rod_field[] = {
 	{"", NULL, "", PART(cli_rod_number_field)},
 	{"", NULL, "", PART(count_field)},
 	{"stable", NULL, "whether the equilibrium is stable; null: loads without a potential, such as "
-	 "moments", HAWSER__CALLS(stable_json)},
+	 "moments", HAWSER__FLAG_AT(struct cli_rod, stable), .flags = HAWSER__NULL},
 	{"mesh_error", NULL, "estimated from twice as many elements", HAWSER__OBJECT_OF(error_field)},
-	{"profile_columns", NULL, "names of the columns of the profile", HAWSER__CALLS(columns_json)},
-	{"profile", NULL, "nodes of the mesh: lists of these columns, in SI units",
-	 HAWSER__CALLS(profile_json)},
+	{"profile_columns", NULL, "columns of the profile", HAWSER__KEYS_OF(cli_rod_point_list)},
+	{"profile", NULL, "nodes of the mesh: lists of these columns",
+	 HAWSER__ROWS_OF(cli_rod_point_list)},
 	{"", NULL, "", HAWSER__PART_OF(struct cli_rod, warning, cli_warnings_field)},
 	HAWSER__END,
 };
 #undef PART
-
-static size_t count(const void *parent)
-{
-	return (size_t)((const struct cli_rod *)parent)->st.points;
-}
-
-static const void *row_of(void *row, const void *parent, size_t index)
-{
-	(void)row;
-	return &((const struct cli_rod *)parent)->st.point[index];
-}
-
-const struct hawser__list cli_rod_point_list = {
-	.field = cli_rod_point_field, .size = sizeof(struct hawser_rod_point), .count = count,
-	.row = row_of};

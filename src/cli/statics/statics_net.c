@@ -157,8 +157,8 @@ static void comments(struct hawser__table *table, const void *of)
 /* --- fields --- */
 
 enum { SURFACES = 1, PROFILE = 2 };
-#define NEWTON .unit = HAWSER__NEWTON
-#define METRE .unit = HAWSER__METRE
+#define NEWTON .unit = HAWSER__NEWTON /* a force */
+#define METRE .unit = HAWSER__METRE   /* a length */
 
 #define OF(member) HAWSER__AT(struct hawser_net_member, member)
 const struct hawser__field cli_net_member_field[] = {

@@ -90,7 +90,7 @@ static void judge(struct cli_rod *result)
 {
 	const struct hawser_rod_statics *st = &result->st;
 
-	result->stable = st->negative == 0;
+	result->stable = st->judged ? st->negative == 0 : HAWSER__NO_INTEGER;
 	result->error_x = st->checked ? st->error_x : NAN;
 	result->error_N = st->checked ? st->error_N : NAN;
 	result->error_M = st->checked ? st->error_M : NAN;

@@ -141,12 +141,18 @@ static struct hawser__value number_value(double number, unsigned flags)
 	return value;
 }
 
-static struct hawser__value integer_value(long integer, unsigned flags)
+struct hawser__value hawser__integer_value(long integer, unsigned flags)
 {
 	if (integer == HAWSER__NO_INTEGER || (integer < 0 && (flags & HAWSER__FROM_1)))
 		return (struct hawser__value){.is = HAWSER__IS_UNKNOWN};
 	return (struct hawser__value){.is = HAWSER__IS_INTEGER,
 	                              .integer = integer + ((flags & HAWSER__FROM_1) != 0)};
+}
+
+static struct hawser__value flag_value(long flag)
+{
+	return (struct hawser__value){
+		.is = flag == HAWSER__NO_INTEGER ? HAWSER__IS_UNKNOWN : HAWSER__IS_FLAG, .integer = flag != 0};
 }
 
 static struct hawser__value word_value(const char *word, unsigned flags)
@@ -168,9 +174,9 @@ struct hawser__value hawser__value_of(const struct hawser__field *field,
 	switch (field->kind) {
 	case HAWSER__CONSTANT:
 		return field->label ? word_value(field->label(field->item), 0)
-		                    : integer_value(field->item, 0);
+		                    : hawser__integer_value(field->item, 0);
 	case HAWSER__INDEX:
-		return integer_value((long)(at->inner ? at->index % at->inner : at->index) + 1, 0);
+		return hawser__integer_value((long)(at->inner ? at->index % at->inner : at->index) + 1, 0);
 	case HAWSER__REAL:
 		if (field->number)
 			number = field->number(at->row);
@@ -179,15 +185,12 @@ struct hawser__value hawser__value_of(const struct hawser__field *field,
 		return number_value(hawser__in_unit(number, field->unit, &view->scale), field->flags);
 	case HAWSER__INT:
 		if (field->number)
-			return integer_value((long)field->number(at->row), field->flags);
-		return integer_value(integer_at(field, member), field->flags);
+			return hawser__integer_value((long)field->number(at->row), field->flags);
+		return hawser__integer_value(integer_at(field, member), field->flags);
 	case HAWSER__FLAG:
-		return (struct hawser__value){.is = HAWSER__IS_FLAG,
-		                              .integer = field->number ? field->number(at->row) != 0.0
-		                                                       : integer_at(field, member) != 0};
+		return flag_value(field->number ? field->number(at->row) != 0.0 : integer_at(field, member));
 	case HAWSER__NOT:
-		return (struct hawser__value){.is = HAWSER__IS_FLAG,
-		                              .integer = integer_at(field, member) == 0};
+		return flag_value(integer_at(field, member) == 0);
 	case HAWSER__LABEL:
 		return word_value(field->label((int)integer_at(field, member)), field->flags);
 	case HAWSER__CHARS:

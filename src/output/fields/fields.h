@@ -70,6 +70,8 @@ enum hawser__kind {
 	                                    * struct hawser__vector columns too */
 	HAWSER__VECTOR,  /* const double *, with a struct hawser__vector; NULL: not shown */
 	HAWSER__OBJECTS, /* JSON only: a list of objects */
+	HAWSER__ROWS,    /* JSON only: a list of arrays, of the values of the fields that have keys */
+	HAWSER__KEYS,    /* JSON only: a list of these keys */
 	HAWSER__ARRAYS,  /* JSON only: an object with an array for each field of a list; what the list has
 	                  * from the parent is no array but one member */
 	HAWSER__OBJECT,  /* JSON only: an object with fields of its own, see `inner` */
@@ -177,8 +179,8 @@ struct hawser__field {
 	size_t step, within; /* for elements that are structures: their size, offset of the member */
 	unsigned flags;
 	unsigned when;      /* shown if one of these options is set; 0: always */
-	int (*given)(const void *row, const void *parent); /* in JSON only if this returns nonzero; or
-	                                                    * NULL */
+	int (*given)(const void *row, const void *parent); /* in JSON only if this returns nonzero (an
+	                                                    * object with HAWSER__NULL: null); or NULL */
 	int place;          /* columns are sorted by this number, then in the order of the fields */
 	const char *(*label)(int value);
 	double (*number)(const void *row); /* for a number that is not stored; else NULL */
@@ -260,6 +262,8 @@ struct hawser__field {
 #define HAWSER__LABELS(name, function, type) \
 	static const char *name(int value) { return function((type)value); }
 #define HAWSER__OBJECTS_OF(of) .kind = HAWSER__OBJECTS, .list = &(of)
+#define HAWSER__ROWS_OF(of) .kind = HAWSER__ROWS, .list = &(of)
+#define HAWSER__KEYS_OF(of) .kind = HAWSER__KEYS, .list = &(of), .flags = HAWSER__BRIEF
 #define HAWSER__ARRAYS_OF(of) .kind = HAWSER__ARRAYS, .list = &(of)
 /* A list of objects for the stored rows member[number]. */
 #define HAWSER__STORED(type, member, number, of) .kind = HAWSER__OBJECTS, \

@@ -9,8 +9,8 @@
 #include "output/fields/fields_units.h"
 #include "output/fields/fields_value.h"
 
-/* The object of which the last part of "certificate.error" is a member; it is created if missing. A name
- * that ends with the separator is that of an array: *key NULL, for an element of it. */
+/* The object of which the last part of "certificate.error" is a member; it is created if missing. A
+ * name that ends with the separator is that of an array: *key NULL, for an element of it. */
 static json_t *holder(struct hawser__json *json, json_t *into, const char **key, char separator)
 {
 	const char *dot;
@@ -119,13 +119,26 @@ static void vector_json(struct hawser__json *json, json_t *into, const char *key
 }
 
 static void integers_json(struct hawser__json *json, json_t *into, const char *key,
-                          const struct hawser__field *field, const struct hawser__at *at)
+                          const struct hawser__field *field, const struct hawser__at *at,
+                          const struct hawser__view *view)
 {
 	const int *integers = hawser__member(field, at, 0);
 	json_t *list = hawser__json_array(json, into, key);
 
 	for (size_t k = 0; k < field->size/sizeof *integers; k++)
-		hawser__json_integer(json, list, NULL, integers[k]);
+		value_json(json, list, NULL, hawser__integer_value(integers[k], field->flags), field->flags,
+		           HAWSER__NONE, view);
+}
+
+/* The keys of the fields that are shown. */
+static void keys_json(struct hawser__json *json, json_t *into, const char *key,
+                      const struct hawser__field *field, const struct hawser__view *view)
+{
+	json_t *list = hawser__json_array(json, into, key);
+
+	for (; !hawser__is_end(field); field++)
+		if (field->key && hawser__is_shown(field, view))
+			hawser__json_text(json, list, NULL, field->key);
 }
 
 static void fields_json(struct hawser__json *json, json_t *into, const struct hawser__field *field,
@@ -166,9 +179,13 @@ static void member_json(struct hawser__json *json, json_t *into, const char *key
 		                     hawser__in_unit(1.0, field->unit, &view->scale));
 		break;
 	case HAWSER__INTEGERS:
-		integers_json(json, into, key, field, at);
+		integers_json(json, into, key, field, at, view);
+		break;
+	case HAWSER__KEYS:
+		keys_json(json, into, key, field->list->field, view);
 		break;
 	case HAWSER__OBJECTS:
+	case HAWSER__ROWS:
 	case HAWSER__ARRAYS:
 		list_json(json, into, key, field, at, view);
 		break;
@@ -198,12 +215,21 @@ static void field_json(struct hawser__json *json, json_t *into, const struct haw
                        const struct hawser__at *at, const struct hawser__view *view)
 {
 	const char *key = field->key;
+	int omitted;
 
-	if (!key || !hawser__is_shown(field, view) || is_omitted(field, at, view))
+	if (!key || !hawser__is_shown(field, view))
 		return;
-	if (field->kind != HAWSER__CALL)
+	omitted = is_omitted(field, at, view);
+	if (omitted && !(field->kind == HAWSER__OBJECT && (field->flags & HAWSER__NULL)))
+		return;
+	if (json_is_array(into))
+		key = NULL; /* an element of a row */
+	else if (field->kind != HAWSER__CALL)
 		into = holder(json, into, &key, '.');
-	member_json(json, into, key, field, at, view);
+	if (omitted)
+		hawser__json_null(json, into, key);
+	else
+		member_json(json, into, key, field, at, view);
 }
 
 static void fields_json(struct hawser__json *json, json_t *into, const struct hawser__field *field,
@@ -221,8 +247,9 @@ void hawser__fields_json(struct hawser__json *json, json_t *into, const struct h
 	fields_json(json, into, field, &at, view);
 }
 
-/* Element `index` of a list: an object (part < 0), a value of that field, or number k of its vector
- * (part: the field's index + HAWSER__COLUMNS*(k + 1)). */
+enum { WHOLE = -1, ROW = -2 };
+/* Element `index` of a list: an object (part WHOLE), an array of its values (ROW), a value of that
+ * field, or number k of its vector (part: the field's index + HAWSER__COLUMNS*(k + 1)). */
 static void element_json(struct hawser__json *json, json_t *list, const void *context, int part,
                          size_t index)
 {
@@ -235,7 +262,8 @@ static void element_json(struct hawser__json *json, json_t *list, const void *co
 	if (!hawser__make_row(&at, &room, maker->list, &maker->at, index))
 		return;
 	if (part < 0) {
-		fields_json(json, hawser__json_object(json, list, NULL), field, &at, view);
+		fields_json(json, part == WHOLE ? hawser__json_object(json, list, NULL)
+		                                : hawser__json_array(json, list, NULL), field, &at, view);
 	} else if (part < HAWSER__COLUMNS) {
 		member_json(json, list, NULL, &field[part], &at, view);
 	} else {
@@ -302,8 +330,8 @@ static void list_json(struct hawser__json *json, json_t *into, const char *key,
 		*maker = stored;
 		json->owned[json->owns++] = maker;
 	}
-	if (field->kind == HAWSER__OBJECTS) {
-		elements_json(json, into, key, maker, -1, streamed);
+	if (field->kind != HAWSER__ARRAYS) {
+		elements_json(json, into, key, maker, field->kind == HAWSER__ROWS ? ROW : WHOLE, streamed);
 		return;
 	}
 	if (*key)

@@ -21,6 +21,7 @@ struct hawser__value {
 };
 struct hawser__value hawser__value_of(const struct hawser__field *field,
                                       const struct hawser__at *at, const struct hawser__view *view);
+struct hawser__value hawser__integer_value(long integer, unsigned flags);
 /* Number k of the `count` numbers of a vector, in its unit. */
 struct hawser__value hawser__vector_at(const struct hawser__field *field,
                                        const struct hawser__at *at, const double *values, int count,
