@@ -55,6 +55,7 @@ CLI_TESTS = \
 	%D%/cli/signals.sh \
 	%D%/cli/slack.sh \
 	%D%/cli/kinds.sh \
+	%D%/cli/kinds-units.sh \
 	%D%/cli/standard-input.sh \
 	%D%/cli/stiff.sh \
 	%D%/cli/study.sh \

@@ -228,7 +228,7 @@ static const struct hawser__field each_field[] = {
 	{"d", "d", "horizontal distance of its supports", MAYBE(d), .unit = HAWSER__METRE},
 	{"h", "h", "vertical distance", MAYBE(h), .unit = HAWSER__METRE},
 	{"length0", "length0", "unstretched length", MAYBE(length0), .unit = HAWSER__METRE},
-	{"rho", "rho_kg_m", "mass per unstretched length, kg/m", MAYBE(rho)},
+	{"rho", "rho", "mass per unstretched length", MAYBE(rho), .unit = HAWSER__KILOGRAM_M},
 	{"EA", "EA", "stiffness", MAYBE(EA), .unit = HAWSER__NEWTON},
 	{"elements", "elements", "of the mesh", MAYBE(elements)},
 	{"method", "method", "as in the table of methods", OF(name)},

@@ -236,9 +236,10 @@ static const struct hawser__field mode_field[] = {
 	 .vector = &cli_axes, .when = REST},
 	{"stroke", "stroke_", "with absorbers: displacement of each relative to the cable, along its "
 	 "direction, in the scale of the shape", HAWSER__VECTOR_OF(absorber_vector), .when = ABSORBS},
-	{"moment_A", "moment_A_Nm_per_m", "with cable.EI: bending moment at end A (N.m) over the largest "
-	 "displacement (m)", OF(moment[0]), .when = BENDS},
-	{"moment_B", "moment_B_Nm_per_m", "with cable.EI: at end B", OF(moment[1]), .when = BENDS},
+	{"moment_A", "moment_A", "with cable.EI: bending moment at end A over the largest displacement",
+	 OF(moment[0]), .unit = HAWSER__MOMENT_PER_METRE, .when = BENDS},
+	{"moment_B", "moment_B", "with cable.EI: at end B", OF(moment[1]),
+	 .unit = HAWSER__MOMENT_PER_METRE, .when = BENDS},
 	{"moment_error", "moment_error", "with cable.EI: error estimate of the moments, relative to the "
 	 "larger one", OF(moment_error), .when = BENDS},
 	{"downstream", "downstream",

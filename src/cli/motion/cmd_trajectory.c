@@ -141,18 +141,19 @@ static void comments(struct hawser__table *table, const void *of)
 	static const char *const unit[] = {"m", "m/s", "m/s^2", "m/s^3", "m/s^4"};
 	const struct result *result = of;
 	const struct hawser_path *path = &result->tow.path;
-	static const int power[] = {7, 5, 3, 7};
+	static const char *const squared[] = {"m^2/s^7", "m^2/s^5", "m^2/s^3", "m^2/s^7"};
+	const struct hawser__shown_unit cost = hawser__shown_unit(squared[path->minimise]);
 
 	if (path->kind == HAWSER_PATH_WAYPOINTS)
 		hawser__table_comment(table, "%d waypoints from t = %.10g s to %.10g s; minimised: %s",
 		                      result->tow.waypoints, path->from, path->to,
 		                      hawser_minimise_name(path->minimise));
 	if (path->kind == HAWSER_PATH_WAYPOINTS)
-		hawser__table_comment(table, "integral of the squared %s = %.10g m^2/s^%d; derivatives are "
+		hawser__table_comment(table, "integral of the squared %s = %.10g %s; derivatives are "
 		                      "continuous up to order %d; estimated relative error %.1e",
 		                      path->minimise == HAWSER_MINIMISE_NOTHING ? "snap"
-		                      : hawser_minimise_name(path->minimise), path->cost,
-		                      power[path->minimise], path->smooth, path->error);
+		                      : hawser_minimise_name(path->minimise), path->cost/cost.per, cost.name,
+		                      path->smooth, path->error);
 	if (path->kind == HAWSER_PATH_ORBIT)
 		hawser__table_comment(table, "radius = %.10g m, speed = %.10g m/s, a lap in %.10g s",
 		                      path->radius, path->speed,

@@ -29,7 +29,7 @@ static const struct {
 	{"time", "s"},
 	{"speed", "m/s"},
 	{"acceleration", "m/s^2", {"m/s²"}},
-	{"jerk", "m/s^3", {"m/s³"}},
+	{"jerk", "m/s^3"},
 	{"snap", "m/s^4"},
 	{"rate", "1/s", {"per_s"}},
 	{"angle", "rad"},
@@ -37,6 +37,9 @@ static const struct {
 	{"force per length or stiffness", "N/m"},
 	{"moment or energy", "N.m", {"N m"}, .own = "J"},
 	{"moment per displacement", "N.m/m"},
+	{"power", "N.m/s", .own = "W"},
+	{"density", "kg/m^3"},
+	{"drag", "kg/m^2"},
 	{"impulse", "N.s", {"N s"}},
 	{"angular momentum", "N.m.s", {"N m s"}},
 	{"bending stiffness", "N.m^2", {"N m²", "N m^2"}},
@@ -59,19 +62,19 @@ static struct {
 
 static enum hawser_status not_shown(const char *unit, struct hawser_report *report)
 {
-	char base[128], possible[640] = "";
+	char base[128], possible[320] = "";
 	size_t used = 0;
 	enum hawser_status status = hawser_unit_base(base, sizeof base, unit, report);
 
 	if (status)
 		return hawser__fail(report, status, "units", "--units: \"%s\" is no unit; write a list such as "
 		                    "\"kN, ft, Hz\"", unit);
-	for (int d = 0; d < DIMENSIONS; d++)
-		used += (size_t)snprintf(possible + used, sizeof possible - used, "%s%s (%s)", d ? ", " : "",
-		                         dimensions[d].name, dimensions[d].si);
+	for (int d = 0; d < DIMENSIONS && used < sizeof possible; d++)
+		used += (size_t)snprintf(possible + used, sizeof possible - used, "%s%s", d ? ", " : "",
+		                         dimensions[d].si);
 	return hawser__fail(report, HAWSER_ERR_ARGUMENT, "units",
 	                    "--units: \"%s\" has the dimension of %s, and no result has that; possible "
-	                    "are units of %s", unit, base, possible);
+	                    "are those of %s", unit, base, possible);
 }
 
 static enum hawser_status choose(const char *unit, struct hawser_report *report)
@@ -146,9 +149,8 @@ static int part_at(const char *text, size_t *length)
 
 /* The unit with chosen units in place of its parts: "kN.ft" for N.m. A unit with a name of its own
  * is left if one of its parts is. */
-static void combine(struct hawser__shown_unit *shown, int d, int own)
+static void combine(struct hawser__shown_unit *shown, const char *si, int own)
 {
-	const char *si = dimensions[d].si;
 	char name[4*HAWSER__UNIT_SIZE];
 	int taken[PARTS] = {0}, left = 0, any = 0, sign = 1;
 	size_t used = 0, length;
@@ -194,10 +196,9 @@ struct hawser__shown_unit hawser__shown_unit(const char *si)
 		return shown;
 	while (d < DIMENSIONS && !is_spelling(d, si))
 		d++;
-	if (d == DIMENSIONS)
-		return shown;
-	if (!*chosen.unit[d]) {
-		combine(&shown, d, dimensions[d].own && strcmp(dimensions[d].own, si) == 0);
+	if (d == DIMENSIONS || !*chosen.unit[d]) {
+		combine(&shown, d < DIMENSIONS ? dimensions[d].si : si,
+		        d < DIMENSIONS && dimensions[d].own && strcmp(dimensions[d].own, si) == 0);
 		return shown;
 	}
 	chosen.used[d] = 1;
