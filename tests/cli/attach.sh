@@ -86,7 +86,7 @@ picture=
 command -v gnuplot >/dev/null && picture="--plot size.svg"
 works "damped modes" modes "$stay" --damped -n 6 --json damped-modes.json --tsv damped-modes.tsv -q
 # shellcheck disable=SC2086 # words
-works "over the size" modes "$stay" -n 2 --over 'attach.damper.damper[2]=3 kN.s/m:300 kN.s/m:21' --log \
+works "over the size" modes "$stay" -n 2 --over 'attach.damper.damper[2]=3 kN.s/m:300 kN.s/m:11' --log \
 	$picture --json size.json --tsv size.tsv -q
 works "over the place" modes "$stay" -n 2 --over attach.0.at=0.01:0.05:3 --json place.json -q
 works "with uniform damping" modes "$stay" --damped -n 2 --set damping.ratio=0.004 --json ratio.json -q
@@ -99,11 +99,11 @@ assert all(m["damping_ratio"] > 0.005 for m in out) and all(abs(m["damping_ratio
 assert all(abs(m["damping_ratio"] + m["re"]/abs(complex(m["re"], m["omega"]))) < 1e-12 for m in out)
 assert "creeps without oscillation" in open("damped-modes.tsv").read()
 size = json.load(open("size.json"))
-assert size["over"] == "attach.damper.damper[2]" and len(size["damped"]) == 42
+assert size["over"] == "attach.damper.damper[2]" and len(size["damped"]) == 22
 first = [(m["damping_ratio"], m["value"]) for m in size["damped"] if m["plane"] == "out-of-plane" and m["number"] == 1]
-assert len(first) == 21 and abs(max(first)[0]/0.02 - 1) < 0.08, max(first)
-assert abs(first[1][1]/first[0][1] - 100**0.05) < 1e-9
-assert "damped modes over attach.damper.damper[2], 21 values (N.s/m)" in open("size.tsv").read()
+assert len(first) == 11 and abs(max(first)[0]/0.02 - 1) < 0.08, max(first)
+assert abs(first[1][1]/first[0][1] - 100**0.1) < 1e-9
+assert "damped modes over attach.damper.damper[2], 11 values (N.s/m)" in open("size.tsv").read()
 place = [m["damping_ratio"] for m in json.load(open("place.json"))["damped"] if m["plane"] == "out-of-plane" and m["number"] == 1]
 assert len(place) == 3 and place[0] < 0.006
 plain = [m["damping_ratio"] for m in json.load(open("ratio.json"))["damped"] if m["plane"] == "in-plane"]
@@ -248,9 +248,9 @@ for p, q in ((a[0], b[0]), (a[-1], b[-1])):
         assert abs(p["amplitude"][key]/q["amplitude"][key] - 1) < 1e-3, (key, p["amplitude"][key], q["amplitude"][key])
 END
 # the coordinates of dampers have no lines of parametric resonance
-works "a map over Omega with a damper" map "$scene" --quantity multiplier --points 4x3 -n 3 \
+works "a map over Omega with a damper" map "$scene" --quantity multiplier --points 3x2 -n 3 \
 	--set 'attach.0.damper=[0, 8 kN.s/m, 8 kN.s/m]' --x Omega=1:4 --y factor.load=1:20 --json lines.json -q
-works "where the damper vanishes" map "$scene" --quantity growth --points 3x2 -n 3 --x Omega=1:4 \
+works "where the damper vanishes" map "$scene" --quantity growth --points 2x2 -n 2 --x Omega=1:4 \
 	--set 'attach.0.damper=[0, 8 kN.s/m, 0]' --y 'attach.0.damper[1]=0:9e3' -q
 works "not condensed" rom "$scene" --set 'attach.0.spring=[0, 1e4, 0]' --set model.condense=none --json s.json -q
 works "plan with a damper" plan "$scene" --fidelities "auto 5" --set 'attach.0.damper=[0, 1e3, 1e3]' --json damper.json -q

@@ -47,7 +47,7 @@ if [ -w /dev/full ]; then
 		rom "$chairlift" -n 2
 		integrate "$duffing" --Omega 1 --until 1 --every 0.5
 		frf "$duffing" $short
-		folds "$duffing"
+		folds "$duffing" --starts 0
 		map "$duffing" --x Omega=1:2 --y factor.load=1:2 --points 3x3 --threads 1
 		plan "$chairlift" --fidelities "raw 1"
 	END
@@ -58,7 +58,7 @@ fi
 try "and leaves nothing" holds ""
 
 # a checkpoint on a full disk: what it has is good
-map="map $duffing --x Omega=1:2 --y factor.load=1:2 --points 21x21 --coarse 1 --threads 1"
+map="map $duffing --x Omega=1:2 --y factor.load=1:2 --points 13x13 --coarse 1 --threads 1"
 works "a map" $map --tsv whole.tsv -q
 limited 8 $map --checkpoint check --tsv out.tsv -q
 try "a checkpoint beyond the limit" like 4 "cannot write the checkpoint check: File too large"

@@ -127,7 +127,7 @@ END
 done
 
 # --- a checkpoint in wrong hands
-map="map ../hill.json --x Omega=0.8:4 --y factor.load=0:0.5 --points 41x31 --quantity multiplier --reproducible"
+map="map ../hill.json --x Omega=0.8:4 --y factor.load=0:0.5 --points 25x19 --quantity multiplier --reproducible"
 # shellcheck disable=SC2086 # words
 {
 works "a map" $map --tsv whole.tsv --json whole.json

@@ -177,7 +177,7 @@ refuses_like 3 'a period of the motion needs more steps than the integration may
 sed 's/0.063/0/' duffing.json >undamped.json
 refuses_like 2 'basin: no stable periodic response was found' map undamped.json --x u1=0:1 --y v1=0:1 --Omega 3 --points 2x2 \
 	--quantity basin
-works "modes of one solution" map "$chairlift" --x "Omega=0.2 Hz:0.5 Hz" --y damping.alpha=0:1 --points 3x3 \
+works "modes of one solution" map "$chairlift" --x "Omega=0.2 Hz:0.5 Hz" --y damping.alpha=0:1 -n 2 --points 3x2 \
 	--quantity unstable --tsv none.tsv
 
 # --- the checkpoint ---

@@ -31,7 +31,7 @@ FEATURES = {
     "exact": {"model": ["energy: exact", "basis: 6"]},
 }
 QUICK = {
-    "statics": "statics S", "modes": "modes S", "irvine": "irvine S -n 2 --points 2", "rom": "rom S",
+    "statics": "statics S", "modes": "modes S", "irvine": "irvine S -n 1 --points 2", "rom": "rom S",
     "hill": "hill S --Omega 2w1", "map": "map S --x Omega=1.9w1:2.1w1 --y factor.load=0:1 --points 2x2",
     "integrate": "integrate S --Omega 1.02w1 --until 1", "plan": 'plan S --limit 0.05 --fidelities "raw 1"',
     "frf": "frf S -n 2 --from 0.9w1 --to 0.91w1 --step 0.3 --tolerance 1e-5",

@@ -197,11 +197,11 @@ shows crowd "grey part, enlarged" fold torus peak
 sound crowd
 symbols crowd
 try "a response without a crowd has no enlarged part" sh -c '! grep -q enlarged duffing.svg'
-draw folds folds "$duffing" --from 0.8 --to 1.8
+draw folds folds "$duffing" --from 0.8 --to 1.8 --starts 0
 shows folds "Load, as a factor of the given one" "Forcing frequency Ω" "Amplitude of u1" cusp folds \
 	"given load" stable unstable
 try "no isola, none in the legend" sh -c '! grep -qE "isola|detached" folds.svg'
-works "an isola" folds "$SRCDIR/tests/reference/absorber.json" --from 0.5 --to 3 --plot isola.svg
+works "an isola" folds "$SRCDIR/tests/reference/absorber.json" --from 0.5 --to 3 --starts 0 --plot isola.svg
 shows isola detached "isola centre" "curves join or part"
 
 for name in modes displaced turning waves passing frf folds isola; do
@@ -291,7 +291,7 @@ try "but not run" test ! -e pwned
 run integrate evil.json --Omega 1 --plot evil2.svg
 try "nor by integrate" test ! -e pwned
 sed -e 's/"harmonics"/"C": [[0, 0, 0, 0, 0.1]], &/' -e 's/"name"/"names"/' evil.json >worse.json
-run folds worse.json --from 0.8 --to 1.8 --plot evil3.svg
+run folds worse.json --from 0.8 --to 1.8 --starts 0 --plot evil3.svg
 try "folds draws it (status $status)" test "$status" -eq 0
 try "and does not run it either" test ! -e pwned
 look

@@ -12,7 +12,7 @@ cat >duffing.json <<'END'
 {"hawser_rom": 1, "n": 1, "D": [[0.1]], "K": [[1]], "C": [[0, 0, 0, 0, 0.5]],
  "harmonics": [{"k": 1, "phase": "cos", "f": [0.4]}]}
 END
-stability="map hill.json --x Omega=0.8:4 --y factor.load=0:0.5 --points 40x30 --quantity multiplier --reproducible -q"
+stability="map hill.json --x Omega=0.8:4 --y factor.load=0:0.5 --points 30x22 --quantity multiplier --reproducible -q"
 amplitude="map duffing.json --x Omega=0.5:2 --y factor.load=0.5:2 --points 8x5 --quantity amplitude --reproducible -q"
 basin="map duffing.json --x u1=-2:2 --y v1=-2:2 --Omega 1.4 --points 10x8 --quantity basin --reproducible -q"
 

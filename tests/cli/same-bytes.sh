@@ -70,7 +70,7 @@ drawn frf "$chairlift" -n 2 --from 0.95w1 --to 1.05w1 --multipliers --sweep up -
 same frf "$chairlift" --to 0.8w1 -n 2 --method balance
 same frf "$scenes/b-table-4.4-line-2.yaml" --from 0.95w1 --to 0.96w1 --set model.modes=auto --set model.accuracy=0.05 \
 	--set model.condense=static
-pictured folds "$duffing" --from 0.9 --to 1.5
+pictured folds "$duffing" --from 0.9 --to 1.5 --starts 6
 drawn mms "$duffing"
 same hill "$duffing" --Omega 0.9 --orbit
 drawn hill ../hill.json --x Omega=1.8:2.2 --y factor.load=0:0.5 --lines 5 --samples 60
@@ -79,10 +79,10 @@ same damping ../decay.csv
 same beam "$scenes/d-figure-9.9.yaml"
 drawn beam "$scenes/second-stable-region.yaml" --from 19 --to 21 --points 2 -n 4
 drawn beam "$scenes/d-figure-9.10.yaml" --until 1 --every 0.1
-pictured map ../hill.json --x Omega=0.8:4 --y factor.load=0:0.5 --points 41x31 --quantity multiplier \
+pictured map ../hill.json --x Omega=0.8:4 --y factor.load=0:0.5 --points 21x17 --quantity multiplier \
 	--boundary edge.tsv
 drawn map "$chairlift" -n 2 --x Omega=0.9w1:1.1w1 --y factor.load=0.1:1 --points 3x3 --quantity amplitude
-same map "$travelling" -n 3 --x travel.speed=0:20 --y "tension.H=50 kN:90 kN" --points 9x9
+same map "$travelling" -n 3 --x travel.speed=0:20 --y "tension.H=50 kN:90 kN" --points 5x5
 same map "$scenes/d-figure-9.2.yaml" --x beam.mu=0.9:1.1 --y beam.v=0.5:4 --points 3x5
 same compare "$scenes/b-table-4.4-line-2.yaml" --from 0.9w1 --to 0.92w1 --step 0.05 --fidelities "multiple-scales 2, raw 2, condensed 1"
 same compare modes "$chairlift" -n 3 --method analytic --to 6

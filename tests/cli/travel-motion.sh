@@ -7,9 +7,9 @@ brake=$top/notebooks-data/scenes/b-table-5.5.yaml
 load=$top/notebooks-data/scenes/b-table-5.6.yaml
 light='damping.rayleigh={mass: 0.04550184, stiffness: 0.0014065365}'
 
-works "a response to the speed alone" frf "$speed" --from 1.05w1 --to 1.2w1 --step 0.02 --json frf.json
+works "a response to the speed alone" frf "$speed" --from 1.08w1 --to 1.16w1 --step 0.02 --json frf.json
 works "with modes to be chosen" frf "$speed" --set model.condense=static --set model.modes=auto \
-	--from 1.05w1 --to 1.2w1 --step 0.02 --json auto.json
+	--from 1.08w1 --to 1.16w1 --step 0.02 --json auto.json
 works "a model" rom "$speed" --json rom.json
 # The frequencies of a file are those of its few coordinates: its w1 is another.
 range=$(python3 -S -c 'import json; print("--from %.17g --to %.17g" % tuple(json.load(open("frf.json"))["range"]))')

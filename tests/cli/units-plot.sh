@@ -188,7 +188,7 @@ same periods "ft/s, min" irvine "$scenes/b-table-5.3.yaml" -n 1 --points 2 --spe
 same campbell "ft/s, rpm" campbell "$scenes/b-table-5.3.yaml" -n 1 --points 3 --to 20 --spacing "60 m"
 same frf "ft, rpm" frf "$chairlift" --to 1.1w1 --max-points 6
 same energy "ft.lbf, rpm" frf "$chairlift" --to 1.1w1 -n 2 --max-points 6 --backbone 1 --energy
-same folds "ft, rpm" folds "$scenes/b-table-4.5.yaml" --set model.modes=1 --from 0.9w1 --to 1.1w1
+same folds "ft, rpm" folds "$scenes/b-table-4.5.yaml" --set model.modes=1 --from 0.9w1 --to 1.1w1 --starts 0
 same integrate "ft, rpm, min" integrate "$chairlift" --Omega 0.9w1 --until 1T
 same map "rpm, ft/s, 1/min" map "$scenes/b-table-5.4.yaml" -n 2 --x Omega=14:16 --y travel.fluctuation=0:8 --points 3x3
 same hill "rpm, ft/s" hill "$scenes/b-table-5.4.yaml" --set model.modes=1 --x Omega=14:16 --y travel.fluctuation=0:8 \

@@ -106,7 +106,7 @@ static void drags(void)
 	struct hawser_report report = {0};
 	double before = 0.0;
 
-	if (!ok(hawser_beam_method(0)->fill(&is, HAWSER_ENDS_SIMPLE, 28, &report) == HAWSER_OK, "drag"))
+	if (!ok(hawser_beam_method(0)->fill(&is, HAWSER_ENDS_SIMPLE, 22, &report) == HAWSER_OK, "drag"))
 		return;
 	for (int i = 0; i < 5; i++) {
 		if (c[i] == 300.0 && !getenv("HAWSER_LONG"))
@@ -116,7 +116,7 @@ static void drags(void)
 		struct hawser_beam_limits limits;
 		enum hawser_status status = hawser_beam_limits(&limits, &is, &beam, 3, &report);
 
-		/* at c = 1000 the growing waves are shorter than 28 functions resolve: none is found */
+		/* at c = 1000 the growing waves are shorter than 22 functions resolve: none is found */
 		ok(status == HAWSER_OK && (c[i] == 1000.0 || limits.v_crit >= 2.3871197) &&
 		   !(limits.v_crit < before - 1e-9),
 		   "c = %g: %.8g (%s) %s", c[i], limits.v_crit, hawser_beam_cause_name(limits.cause),

@@ -11,7 +11,7 @@
 
 static struct hawser_folds_options between(double from, double to)
 {
-	struct hawser_folds_options options = {.method = NULL};
+	struct hawser_folds_options options = {.starts = HAWSER_NONE};
 
 	options.from = from;
 	options.to = to;
@@ -150,6 +150,7 @@ static void check_limit(void)
 	   limited);
 	hawser_folds_clear(&folds);
 	options.max_points = 7;
+	options.starts = 0;
 	ok(!hawser_folds_trace(&folds, &rom, &options, &report) && strstr(folds.note, "--max-points"),
 	   "seen by other motions, told: %s", folds.note);
 	hawser_folds_clear(&folds);

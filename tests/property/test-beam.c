@@ -196,7 +196,7 @@ static void boundary(double drag)
 			least = curve.point[i].speed;
 			end = curve.point[i].parameter;
 		}
-		if (i%(getenv("HAWSER_LONG") ? 7 : 14) || curve.point[i].speed < 0.1)
+		if (i%(getenv("HAWSER_LONG") ? 7 : 28) || curve.point[i].speed < 0.1)
 			continue;
 		here.weight = curve.point[i].parameter;
 		worst = fmax(worst, fabs(curve.point[i].speed/limits(here, LEGENDRE, 24).v_crit - 1.0));

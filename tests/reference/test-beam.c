@@ -69,7 +69,7 @@ static void second_stable_region(void)
 		struct hawser_beam_sweep sweep;
 		enum hawser_status status;
 
-		if (!open(&is, row, row ? 60 : 28))
+		if (!open(&is, row, row ? 44 : 28))
 			continue;
 		status = hawser_beam_sweep(&sweep, &is, &beam, &options, &report);
 		if (ok(status == HAWSER_OK && sweep.events == 3, "%s: three changes %s",

@@ -182,7 +182,7 @@ static void others(void)
  * 9.92931): each crossing by hill is one by map. */
 static void nested(void)
 {
-	struct plane plane = {.from = {9.85, 9.0}, .to = {9.93, 11.0}, .points = {17, 9}, .lines = 1,
+	struct plane plane = {.from = {9.85, 10.5}, .to = {9.93, 11.0}, .points = {17, 3}, .lines = 1,
 		.samples = 16};
 	struct hawser_hill_chart chart = {.boundaries = 0};
 	struct hawser_map map = {.nx = 0};
