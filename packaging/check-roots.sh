@@ -16,7 +16,10 @@ trap 'exit 130' INT TERM
 
 clean() {
 	[ -n "$root" ] || return
-	umount "$root/proc" "$root/dev" "$root/sys" 2>/dev/null
+	# What a process of the root still has open keeps a mount busy: it is then detached, and is gone with that process.
+	for at in proc dev sys; do
+		umount "$root/$at" 2>/dev/null || umount --lazy "$root/$at" 2>/dev/null
+	done
 	rm -rf --one-file-system "$root"
 	root=
 }
