@@ -19,8 +19,10 @@ static int open_model(struct hawser_rom *rom, const char *name)
 	return ok(!hawser_rom_open(rom, path, NULL), "%s read", path);
 }
 
-/* starts: pseudo-random motions, 0 for as many as by default, HAWSER_NONE where the curves are found without. */
-static int trace(struct hawser_folds *folds, const struct hawser_rom *rom, double from, double to, int starts)
+/* starts: pseudo-random motions, 0 for as many as by default, HAWSER_NONE where the curves are
+ * found without. */
+static int trace(struct hawser_folds *folds, const struct hawser_rom *rom, double from, double to,
+                 int starts)
 {
 	struct hawser_folds_options options = {.method = NULL};
 	struct hawser_report report = {.message = ""};

@@ -305,7 +305,8 @@ static void fill_rows(struct hawser_rom_kernel *kernel, const struct hawser_rom 
 	}
 }
 
-/* By columns: entries that follow each other change different accelerations, and none waits for the one before. */
+/* By columns: entries that follow each other change different accelerations, so none waits for
+ * the one before. */
 static void fill_damping(struct hawser_rom_kernel *kernel, const struct hawser_rom *rom)
 {
 	int n = rom->n;

@@ -25,7 +25,7 @@ static double factor(const struct hawser_harmonic *harmonic, double tau, double 
 	return wave;
 }
 
-/* y -= scale * matrix * x, for a dense [n][n] matrix, column by column: then no sum waits for itself. */
+/* y -= scale * matrix * x, for a dense [n][n] matrix, column by column: no sum waits for itself. */
 static void subtract_product(double *y, double scale, const double *matrix, const double *x, int n)
 {
 	for (int k = 0; k < n; k++)
