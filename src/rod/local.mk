@@ -21,7 +21,6 @@ noinst_LTLIBRARIES += %D%/librod.la
 	%D%/points.c \
 	%D%/read.c \
 	%D%/read.h \
-	%D%/read_dynamics.c \
 	%D%/read_loads.c \
 	%D%/read_winch.c \
 	%D%/rows.c \

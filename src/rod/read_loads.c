@@ -72,9 +72,10 @@ static enum hawser_status vector(struct hawser__reader *reader, double *value,
 	snprintf(what, sizeof what, "%s.%s", section, key);
 	if (!one)
 		return HAWSER_OK;
-	return load->follower
-		? hawser__rod_numbers(reader, value, 3, one, what, unit[load->distributed], HAWSER__TREE_ANY)
-		: hawser__tree_vector(reader, value, 3, one, what, unit[load->distributed]);
+	if (load->follower && one->children != 3)
+		return hawser__reader_fail(reader, &one->at, "%s must be a list of 3 numbers for e1, e2 and e3 "
+		                           "in %s", what, unit[load->distributed]);
+	return hawser__tree_vector(reader, value, 3, one, what, unit[load->distributed]);
 }
 
 /* [[t, factor], ..]: t does not fall. */
@@ -113,21 +114,16 @@ static enum hawser_status load(struct hawser__reader *reader, struct hawser_rod 
                                const struct hawser__tree *tree)
 {
 	static const char *const force[] = {"N", "N/m"}, *const moment[] = {"N.m", "N"};
-	static const char *const frames[] = {"fixed", "follower"};
 	struct hawser_rod_load *to = &rod->load[rod->loads];
-	const struct hawser__tree *frame, *history;
-	char section[32], what[HAWSER__ROD_CALLED];
+	const struct hawser__tree *history;
+	char section[32];
 	enum hawser_status status;
 
 	snprintf(section, sizeof section, "loads.i%d", rod->loads);
 	rod->loads++; /* cleared with what it has */
-	status = hawser__tree_keys(reader, tree, section, "rod.loads[]");
+	status = hawser__tree_fill(reader, to, tree, section, "rod.loads[]");
 	if (!status)
 		status = where(reader, to, rod, tree, section);
-	frame = hawser__tree_find(tree, "frame");
-	snprintf(what, sizeof what, "%s.frame", section);
-	if (!status && frame)
-		status = hawser__tree_word(reader, &to->follower, frame, what, frames, 2);
 	if (!status)
 		status = vector(reader, to->force, to, tree, section, "force", force);
 	if (!status)
@@ -145,13 +141,10 @@ enum hawser_status hawser__rod_read_loads(struct hawser__reader *reader, struct 
 {
 	enum hawser_status status = HAWSER_OK;
 
-	if (tree->kind != HAWSER__SEQUENCE)
-		return hawser__reader_fail(reader, &tree->at, "loads must be a list of mappings, such as [{at: "
-		                           "end, force: [0 N, -5 N, 0 N]}]");
-	rod->load = calloc((size_t)tree->children + 1, sizeof *rod->load);
-	if (!rod->load)
-		return hawser__no_memory(reader->report, "scene");
-	for (const struct hawser__tree *one = tree->child; one && !status; one = one->next)
+	rod->load = hawser__tree_items(reader, &status, tree, "loads", sizeof *rod->load, 0, 0,
+	                               "{at: end, force: [0 N, -5 N, 0 N]}");
+	for (const struct hawser__tree *one = status ? NULL : tree->child; one && !status;
+	     one = one->next)
 		status = load(reader, rod, one);
 	return status;
 }

@@ -63,12 +63,9 @@ enum hawser_status hawser__rod_read_winch(struct hawser__reader *reader, struct 
                                           const char *of)
 {
 	static const char *const other[] = {"times", "speeds", "lengths"};
-	enum hawser_status status = hawser__tree_keys(reader, tree, section, of);
+	enum hawser_status status = hawser__tree_fill(reader, winch, tree, section, of);
 
 	winch->on = 1;
-	if (!status)
-		status = hawser__tree_number_of(reader, &winch->least, tree, section, "least", "m",
-		                                HAWSER__TREE_POSITIVE, 0);
 	if (status)
 		return status;
 	if (!hawser__tree_find(tree, "speed") && !hawser__tree_find(tree, "rise"))
@@ -78,9 +75,6 @@ enum hawser_status hawser__rod_read_winch(struct hawser__reader *reader, struct 
 			return hawser__reader_fail(reader, &hawser__tree_find(tree, other[i])->at, "%s.%s: the "
 			                           "speed is given by %s.speed: leave out one of them", section,
 			                           other[i], section);
-	status = hawser__tree_number_of(reader, &winch->speed, tree, section, "speed", "m/s",
-	                                HAWSER__TREE_ANY, 1);
-	return status ? status
-		: hawser__tree_number_of(reader, &winch->rise, tree, section, "rise", "s",
-		                         HAWSER__TREE_NOT_NEGATIVE, 0);
+	return hawser__tree_find(tree, "speed") ? status
+		: hawser__reader_fail(reader, &tree->at, "%s.speed is missing: give it in m/s", section);
 }

@@ -52,7 +52,6 @@ noinst_LTLIBRARIES += %D%/libropeway.la
 	%D%/transient/passing.c \
 	%D%/read/read.c \
 	%D%/read/read.h \
-	%D%/read/read_drive.c \
 	%D%/statics/state.c \
 	%D%/statics/sweep.c \
 	%D%/read/towers.c \

@@ -26,13 +26,19 @@ noinst_LTLIBRARIES += %D%/libscene.la
 	%D%/tree.h \
 	%D%/tree_keys.c \
 	%D%/tree_keys.h \
-	%D%/tree_rows.c \
+	%D%/tree_fill.c \
+	%D%/tree_rows.h \
 	%D%/tree_value.c \
 	%D%/units.c \
 	%D%/units_common.c \
 	%D%/units.h \
 	%D%/value.c \
-	%D%/write.c
+	%D%/write.c \
+	src/net/read/net_rows.c \
+	src/rod/rod_rows.c \
+	src/ropeway/read/obstacles_rows.c \
+	src/ropeway/read/ropeway_rows.c \
+	src/tow/tow_rows.c
 
 # Writes hawser-scene(5) from the table of keys; man/local.mk runs it.
 EXTRA_PROGRAMS += %D%/manpage

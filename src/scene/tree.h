@@ -56,11 +56,12 @@ const struct hawser__kind_sign *hawser__kind_sign(int index);
 
 /* --- tree_value.c: values of a tree. `what` names the value in messages. --- */
 
-enum hawser__tree_range { HAWSER__TREE_ANY, HAWSER__TREE_POSITIVE, HAWSER__TREE_NOT_NEGATIVE };
+enum hawser__tree_range { HAWSER__TREE_ANY, HAWSER__TREE_POSITIVE, HAWSER__TREE_NOT_NEGATIVE,
+                          HAWSER__TREE_POSITIVE_OR_INF };
 enum { HAWSER__TREE_NAME = 32 }; /* size of a name, with the NUL at its end */
 
 /* tree_keys.c: a tree must be a mapping whose keys are those of the mapping `of` in the table of
- * keys (tree_rows.c), such as "net.cables[]", or of a list such as "d, h". */
+ * keys (tree_keys.h), such as "net.cables[]", or of a list such as "d, h". */
 enum hawser_status hawser__tree_keys(struct hawser__reader *reader, const struct hawser__tree *tree,
                                      const char *what, const char *of) HAWSER_MUST_CHECK;
 enum hawser_status hawser__tree_number(struct hawser__reader *reader, double *value,
@@ -77,6 +78,33 @@ enum hawser_status hawser__tree_number_of(struct hawser__reader *reader, double 
 enum hawser_status hawser__tree_vector(struct hawser__reader *reader, double *value, int count,
                                        const struct hawser__tree *tree, const char *what,
                                        const char *unit) HAWSER_MUST_CHECK;
+/* --- tree_fill.c: values by the table of keys --- */
+
+/* Read all values of a mapping whose rows have a place (tree_rows.h) into a structure, those of its
+ * sections too, and check its keys; what is not given gets its default. `section` begins the names of
+ * its values in messages ("cables.c1"), "" at the top; `of` is its path in the table, "net.cables[]".
+ * A tree NULL: the defaults. */
+enum hawser_status hawser__tree_fill(struct hawser__reader *reader, void *to,
+                                     const struct hawser__tree *tree, const char *section,
+                                     const char *of) HAWSER_MUST_CHECK;
+/* One value, by its path in the table; `what` names it in messages. What has no place there goes to
+ * *to itself. */
+enum hawser_status hawser__tree_value(struct hawser__reader *reader, void *to,
+                                      const struct hawser__tree *tree, const char *what,
+                                      const char *path) HAWSER_MUST_CHECK;
+/* A list of mappings, of at most so many (0: any number; it may be empty if `least` is 0): zeroed room
+ * for its items of this size, NULL with *status after a failure. `such` is an example of an item. */
+void *hawser__tree_items(struct hawser__reader *reader, enum hawser_status *status,
+                         const struct hawser__tree *tree, const char *what, size_t size, int least,
+                         int most, const char *such);
+/* The name of item `number` of a list, whose items have `size` and have their names at `name`: that
+ * given, else a letter and the number. It must differ from those before. `what` is the list. */
+enum hawser_status hawser__tree_name_item(struct hawser__reader *reader, char *name, size_t size,
+                                          int number, const struct hawser__tree *tree,
+                                          const char *what, char letter) HAWSER_MUST_CHECK;
+
+/* --- tree_value.c, too --- */
+
 /* Letters, digits, _ and -, not only digits. */
 enum hawser_status hawser__tree_name(struct hawser__reader *reader, char name[HAWSER__TREE_NAME],
                                      const struct hawser__tree *tree, const char *text,

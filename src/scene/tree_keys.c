@@ -1,4 +1,4 @@
-/* scene/tree_keys.c - which keys a mapping may have, by the table of tree_rows.c.
+/* scene/tree_keys.c - the tables of keys of all kinds; which keys a mapping may have.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -7,6 +7,30 @@
 
 #include "core/spelling.h"
 #include "scene/tree_keys.h"
+
+static const struct hawser__tree_table *const tables[] = {
+	&hawser__tree_of_net, &hawser__tree_of_ropeway, &hawser__tree_of_obstacles, &hawser__tree_of_rod,
+	&hawser__tree_of_tow};
+enum { TABLES = sizeof tables/sizeof *tables };
+
+const struct hawser__tree_table *hawser__tree_table(const char *of)
+{
+	size_t length = strcspn(of, ".");
+
+	for (int i = 0; i < TABLES; i++)
+		if (!strncmp(tables[i]->kind, of, length) && !tables[i]->kind[length])
+			return tables[i];
+	return NULL;
+}
+
+const struct hawser__tree_key *hawser__tree_row(int index)
+{
+	int i = 0;
+
+	while (i < TABLES && index >= tables[i]->rows)
+		index -= tables[i++]->rows;
+	return i < TABLES && index >= 0 ? &tables[i]->row[index] : NULL;
+}
 
 const char *hawser__tree_key_of(const char *path, const char *of)
 {
@@ -19,12 +43,14 @@ const char *hawser__tree_key_of(const char *path, const char *of)
 
 void hawser__tree_key_list(char *text, size_t size, const char *of)
 {
-	const struct hawser__tree_key *row;
+	const struct hawser__tree_table *table = hawser__tree_table(of);
 	const char *before = "", *key;
 	size_t used = 0;
 
 	*text = '\0';
-	for (int i = 0; (row = hawser__tree_row(i)); i++) {
+	for (int i = 0; table && i < table->rows; i++) {
+		const struct hawser__tree_key *row = &table->row[i];
+
 		key = hawser__tree_key_of(row->path, of);
 		/* another form of the same value */
 		if (!key || row->need == HAWSER__TREE_MESH || !strcmp(row->path, before))

@@ -1,4 +1,5 @@
-/* scene/tree_keys.h - the table of keys of scenes whose names are the user's. See tree_rows.c.
+/* scene/tree_keys.h - the tables of keys of scenes whose names are the user's (nets, ropeways, spans
+ * over obstacles, rods, towed bodies). See tree_rows.h for how they are written.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_SCENE_TREE_KEYS_H
 #define HAWSER_SCENE_TREE_KEYS_H
@@ -20,10 +21,13 @@ enum hawser__tree_need {
 	HAWSER__TREE_OPTIONAL,
 	HAWSER__TREE_REQUIRED, /* where its mapping is given */
 	HAWSER__TREE_ONE_OF,   /* exactly one of those of its mapping */
-	HAWSER__TREE_LATER,    /* known, and refused with the reason */
 	HAWSER__TREE_MESH      /* of spans over obstacles that are meshes, whose reader lists its keys; a
 	                        * mapping is one of those that exclude each other */
 };
+
+/* Places of values that have none: code of the kind reads them; they are read and not kept. */
+#define HAWSER__TREE_NOWHERE ((size_t)-1)
+#define HAWSER__TREE_CHECKED ((size_t)-2)
 
 struct hawser__tree_key {
 	const char *path;             /* "net.cables[].EA" */
@@ -31,11 +35,27 @@ struct hawser__tree_key {
 	int count;                    /* length of a list of numbers; 0: one number */
 	const char *unit;             /* of numbers, NULL: it depends on other keys; of words "a|b" */
 	enum hawser__tree_range range;
+	double least, most;           /* of integers; of numbers most alone; 0: without a limit */
 	enum hawser__tree_need need;
-	const char *doc;              /* with the default, in parentheses */
+	size_t at;                    /* of the value in its structure, see tree_rows.h */
+	int copies;                   /* one number for so many places */
+	size_t pick;                  /* of the int that says which of those with ONE_OF is given */
+	const char *given;            /* default, or words about it; NULL: none */
+	const char *doc;
 };
 
-/* Row `index`, from 0; NULL beyond the last. */
+/* The rows of a kind, and its tables. */
+struct hawser__tree_table {
+	const char *kind;
+	const struct hawser__tree_key *row; /* [rows] */
+	int rows;
+};
+extern const struct hawser__tree_table hawser__tree_of_net, hawser__tree_of_ropeway,
+	hawser__tree_of_obstacles, hawser__tree_of_rod, hawser__tree_of_tow;
+/* That with the path or mapping `of`; NULL: there is none. */
+const struct hawser__tree_table *hawser__tree_table(const char *of);
+
+/* Row `index` of all tables, from 0; NULL beyond the last. */
 const struct hawser__tree_key *hawser__tree_row(int index);
 
 /* The key at the end of a path below the mapping `of` ("EA" of "net.cables[].EA" below

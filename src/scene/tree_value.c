@@ -25,7 +25,7 @@ enum hawser_status hawser__tree_number(struct hawser__reader *reader, double *va
                                       const struct hawser__tree *tree, const char *what,
                                       const char *unit, enum hawser__tree_range range)
 {
-	const char *text, *rule = range == HAWSER__TREE_POSITIVE ? "> 0" : range ? ">= 0" : "finite";
+	const char *text, *rule = range == HAWSER__TREE_NOT_NEGATIVE ? ">= 0" : range ? "> 0" : "finite";
 	char sentence[320], shown[HAWSER__SHOWN];
 	enum hawser__number answer;
 	enum hawser_status status = hawser__tree_text(reader, &text, tree, what);
@@ -39,6 +39,11 @@ enum hawser_status hawser__tree_number(struct hawser__reader *reader, double *va
 		if (answer == HAWSER__NUMBER_DATABASE)
 			return hawser__fail(reader->report, HAWSER_ERR_IO, "scene", "%s %s", what, sentence);
 		return hawser__reader_fail(reader, &tree->at, "%s: \"%s\" %s", what, shown, sentence);
+	}
+	if (range == HAWSER__TREE_POSITIVE_OR_INF) {
+		if (isinf(*value) && *value > 0.0)
+			return HAWSER_OK;
+		range = HAWSER__TREE_POSITIVE;
 	}
 	if (isfinite(*value) && fabs(*value) <= 1e100 &&
 	    !(range == HAWSER__TREE_POSITIVE && *value < 1e-100) &&

@@ -51,21 +51,13 @@ static enum hawser_status interpret(struct hawser__reader *reader, void *scene,
                                     const struct hawser__tree *root)
 {
 	struct hawser_tow *tow = scene;
-	const struct hawser__tree *kind = hawser__tree_find(root, "kind");
 	const struct hawser__tree *section = hawser__tree_find(root, "tow");
-	const struct hawser__tree *g = hawser__tree_find(root, "g");
 	const struct hawser__tree *winch = hawser__tree_find(root, "winch");
-	enum hawser_status status = hawser__tree_keys(reader, root, "the scene of a towed body", "tow");
+	enum hawser_status status = hawser__tree_fill(reader, tow, root, "", "tow");
 
-	if (!status && kind && (!kind->text || strcmp(kind->text, "tow") != 0))
-		status = hawser__reader_fail(reader, &kind->at, "kind must be tow in a scene with the "
-		                             "section tow");
 	if (!status && !section)
 		status = hawser__reader_fail(reader, &root->at, "the section tow is missing: give, for "
 		                             "example, tow: {orbit: {radius: 100 m, speed: 20 m/s}}");
-	tow->g = 9.81;
-	if (!status && g)
-		status = hawser__tree_number(reader, &tow->g, g, "g", "m/s^2", HAWSER__TREE_POSITIVE);
 	if (!status)
 		status = hawser__tow_path(reader, tow, section);
 	if (!status)

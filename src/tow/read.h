@@ -8,6 +8,14 @@
 
 enum { HAWSER__TOW_WHAT = 96 }; /* size of "tow.waypoints[999999].velocity" */
 
+/* The section `tow` but for waypoints: what the path is made of. */
+struct hawser__tow_flight {
+	double velocity[3], start[3];   /* of straight flight */
+	double radius, speed, centre[3]; /* of an orbit */
+	double ramp;
+	int law, minimise, clamped;     /* enum hawser_path_ramp, enum hawser_minimise */
+};
+
 /* read_cable.c: the other sections; NULL: the scene does not have it. */
 enum hawser_status hawser__tow_cable(struct hawser__reader *reader, struct hawser_tow *tow,
                                      const struct hawser__tree *tree) HAWSER_MUST_CHECK;

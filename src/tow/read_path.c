@@ -23,21 +23,11 @@ static const struct {
 	{"law", "straight flight (speed) and orbits", 1u << SPEED | 1u << ORBIT},
 };
 
-/* How a cable with EI is held at the towing point. */
-static enum hawser_status hinge(struct hawser__reader *reader, struct hawser_tow *tow,
-                                const struct hawser__tree *tree)
-{
-	static const char *const words[] = {"free", "clamped"};
-	const struct hawser__tree *one = hawser__tree_find(tree, "hinge");
-
-	return one ? hawser__tree_word(reader, &tow->clamped, one, "tow.hinge", words, 2) : HAWSER_OK;
-}
-
 /* The one way in which the path is given. */
 static enum hawser_status choose(struct hawser__reader *reader, int *way,
                                  const struct hawser__tree *tree)
 {
-	enum hawser_status status = hawser__tree_keys(reader, tree, "tow", "tow.tow");
+	enum hawser_status status = HAWSER_OK;
 	int found = -1;
 
 	for (int k = 0; k < WAYS && !status; k++) {
@@ -66,67 +56,6 @@ static enum hawser_status choose(struct hawser__reader *reader, int *way,
 	return status;
 }
 
-static enum hawser_status ramp_of(struct hawser__reader *reader, double *time,
-                                  enum hawser_path_ramp *ramp, const struct hawser__tree *tree)
-{
-	static const char *const words[] = {"smooth", "erf"};
-	const struct hawser__tree *law = hawser__tree_find(tree, "law");
-	int index = 0;
-	enum hawser_status status = hawser__tree_number_of(reader, time, tree, "tow", "ramp", "s",
-	                                                   HAWSER__TREE_NOT_NEGATIVE, 0);
-
-	if (!status && law)
-		status = hawser__tree_word(reader, &index, law, "tow.law", words, 2);
-	if (!status && law && *time == 0.0)
-		status = hawser__reader_fail(reader, &law->at, "tow.law is how the speed grows in a ramp: "
-		                             "give tow.ramp, the time in which it does, such as ramp: 32 s");
-	*ramp = (enum hawser_path_ramp)index;
-	return status;
-}
-
-/* A speed along x, or a velocity. */
-static enum hawser_status straight(struct hawser__reader *reader, struct hawser_tow *tow,
-                                   const struct hawser__tree *tree)
-{
-	const struct hawser__tree *speed = hawser__tree_find(tree, "speed");
-	const struct hawser__tree *from = hawser__tree_find(tree, "start");
-	double velocity[3] = {0.0}, start[3] = {0.0}, time = 0.0;
-	enum hawser_path_ramp ramp;
-	enum hawser_status status = ramp_of(reader, &time, &ramp, tree);
-
-	if (!status && speed->kind == HAWSER__SEQUENCE)
-		status = hawser__tree_vector(reader, velocity, 3, speed, "tow.speed", "m/s");
-	else if (!status)
-		status = hawser__tree_number(reader, velocity, speed, "tow.speed", "m/s", HAWSER__TREE_ANY);
-	if (!status && from)
-		status = hawser__tree_vector(reader, start, 3, from, "tow.start", "m");
-	return status ? status : hawser_path_straight(&tow->path, start, velocity, time, ramp,
-	                                                    reader->report);
-}
-
-static enum hawser_status orbit(struct hawser__reader *reader, struct hawser_tow *tow,
-                                const struct hawser__tree *tree)
-{
-	const struct hawser__tree *section = hawser__tree_find(tree, "orbit"), *middle;
-	double radius = 0.0, speed = 0.0, centre[3] = {0.0}, time = 0.0;
-	enum hawser_path_ramp ramp;
-	enum hawser_status status = ramp_of(reader, &time, &ramp, tree);
-
-	if (!status)
-		status = hawser__tree_keys(reader, section, "tow.orbit", "tow.tow.orbit");
-	if (!status)
-		status = hawser__tree_number_of(reader, &radius, section, "tow.orbit", "radius", "m",
-		                                HAWSER__TREE_POSITIVE, 1);
-	if (!status)
-		status = hawser__tree_number_of(reader, &speed, section, "tow.orbit", "speed", "m/s",
-		                                HAWSER__TREE_ANY, 1);
-	middle = hawser__tree_find(section, "centre");
-	if (!status && middle)
-		status = hawser__tree_vector(reader, centre, 3, middle, "tow.orbit.centre", "m");
-	return status ? status : hawser_path_orbit(&tow->path, centre, radius, speed, time, ramp,
-	                                                 reader->report);
-}
-
 /* The places of waypoints, for what the path says of one of them. */
 static const struct hawser__mark *place_of(const struct hawser__tree *tree, int index)
 {
@@ -139,25 +68,16 @@ static const struct hawser__mark *place_of(const struct hawser__tree *tree, int 
 }
 
 static enum hawser_status through(struct hawser__reader *reader, struct hawser_tow *tow,
-                                  const struct hawser__tree *tree)
+                                  const struct hawser__tree *tree, enum hawser_minimise minimise)
 {
-	const char *words[4];
-	const struct hawser__tree *minimise = hawser__tree_find(tree, "minimise");
 	const struct hawser__tree *ends = hawser__tree_find(tree, "ends");
 	struct hawser_report report = {.iteration = -1};
-	int index = 0;
-	enum hawser_status status = HAWSER_OK;
+	enum hawser_status status = ends ? hawser__tow_ends(reader, tow, ends) : HAWSER_OK;
 
-	for (int k = 0; k < 4; k++)
-		words[k] = hawser_minimise_name((enum hawser_minimise)k);
-	if (minimise)
-		status = hawser__tree_word(reader, &index, minimise, "tow.minimise", words, 4);
-	if (!status && ends)
-		status = hawser__tow_ends(reader, tow, ends);
 	if (status)
 		return status;
 	status = hawser_path_waypoints(&tow->path, tow->waypoint, tow->waypoints,
-	                                     (enum hawser_minimise)index, &report);
+	                                     minimise, &report);
 	if (status == HAWSER_ERR_ARGUMENT || status == HAWSER_ERR_CONVERGENCE) {
 		(void)hawser__reader_fail(reader, place_of(tree, report.iteration), "tow: %s", report.message);
 		return status == HAWSER_ERR_ARGUMENT ? HAWSER_ERR_SCENE : status;
@@ -184,18 +104,30 @@ enum hawser_status hawser__tow_file(struct hawser__reader *reader, struct hawser
 enum hawser_status hawser__tow_path(struct hawser__reader *reader, struct hawser_tow *tow,
                                     const struct hawser__tree *tree)
 {
+	const struct hawser__tree *law = hawser__tree_find(tree, "law");
+	struct hawser__tow_flight flight = {.ramp = 0.0};
+	enum hawser_path_ramp ramp;
 	int way = 0;
-	enum hawser_status status = choose(reader, &way, tree);
+	enum hawser_status status = hawser__tree_fill(reader, &flight, tree, "tow", "tow.tow");
 
 	if (!status)
-		status = hinge(reader, tow, tree);
+		status = choose(reader, &way, tree);
+	if (!status && law && flight.ramp == 0.0)
+		status = hawser__reader_fail(reader, &law->at, "tow.law is how the speed grows in a ramp: "
+		                             "give tow.ramp, the time in which it does, such as ramp: 32 s");
 	if (status)
 		return status;
-	if (way == SPEED || way == ORBIT)
-		return way == SPEED ? straight(reader, tow, tree) : orbit(reader, tow, tree);
+	tow->clamped = flight.clamped;
+	ramp = (enum hawser_path_ramp)flight.law;
+	if (way == SPEED)
+		return hawser_path_straight(&tow->path, flight.start, flight.velocity, flight.ramp, ramp,
+		                            reader->report);
+	if (way == ORBIT)
+		return hawser_path_orbit(&tow->path, flight.centre, flight.radius, flight.speed, flight.ramp,
+		                         ramp, reader->report);
 	status = way == WAYPOINTS
 	         ? hawser__tow_waypoints(reader, tow, hawser__tree_find(tree, "waypoints"))
 	         : hawser__tow_file(reader, &tow->waypoint, &tow->waypoints,
 	                            hawser__tree_find(tree, "file"), "tow.file");
-	return status ? status : through(reader, tow, tree);
+	return status ? status : through(reader, tow, tree, (enum hawser_minimise)flight.minimise);
 }

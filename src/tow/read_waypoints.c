@@ -17,70 +17,35 @@
 enum { MOST = 100000, /* waypoints of a scene: more belong into a file */
        NAMED = 4      /* velocity to snap; flat reaches higher */ };
 
-/* A derivative that has a name in scenes; [0] is the position. */
-static const struct {
-	const char *name, *unit;
-} order[NAMED + 1] = {
-	{"at", "m"}, {"velocity", "m/s"}, {"acceleration", "m/s^2"}, {"jerk", "m/s^3"}, {"snap", "m/s^4"}};
+/* The derivatives that have a name in scenes. */
+static const char *const order[NAMED + 1] = {"at", "velocity", "acceleration", "jerk", "snap"};
 
-/* The vectors of a mapping that have the name of a derivative. */
+/* The derivatives of a mapping, which belongs to the keys `of`, are given. */
 static enum hawser_status vectors(struct hawser__reader *reader, struct hawser_waypoint *point,
-                                  const struct hawser__tree *tree, const char *section)
+                                  const struct hawser__tree *tree, const char *section, const char *of)
 {
-	enum hawser_status status = HAWSER_OK;
+	enum hawser_status status = hawser__tree_fill(reader, point, tree, section, of);
 
-	for (int k = 1; k <= NAMED && !status; k++) {
-		const struct hawser__tree *one = hawser__tree_find(tree, order[k].name);
-		char what[HAWSER__TOW_WHAT];
-
-		snprintf(what, sizeof what, "%.60s.%s", section, order[k].name);
-		if (!one)
-			continue;
-		status = hawser__tree_vector(reader, point->at[k], 3, one, what, order[k].unit);
-		point->given[k] = 1;
-	}
+	for (int k = 1; k <= NAMED && !status; k++)
+		point->given[k] |= hawser__tree_find(tree, order[k]) != NULL;
 	return status;
 }
 
 /* All derivatives up to this order that are not given are 0. */
-static enum hawser_status flat(struct hawser__reader *reader, struct hawser_waypoint *point,
-                               const struct hawser__tree *tree, const char *section)
-{
-	const struct hawser__tree *one = hawser__tree_find(tree, "flat");
-	double number = 0.0;
-	enum hawser_status status = hawser__tree_number_of(reader, &number, tree, section, "flat", "1",
-	                                                   HAWSER__TREE_NOT_NEGATIVE, 0);
-
-	if (status)
-		return status;
-	if (number > HAWSER_PATH_GIVEN - 1 || number != (int)number)
-		return hawser__reader_fail(reader, &one->at, "%s.flat must be a whole number from 0 to %d: "
-		                           "the order up to which derivatives that are not given are 0",
-		                           section,		                           HAWSER_PATH_GIVEN - 1);
-	for (int k = 1; k <= (int)number; k++)
-		point->given[k] = 1;
-	return HAWSER_OK;
-}
-
 static enum hawser_status mapping(struct hawser__reader *reader, struct hawser_waypoint *point,
                                   const struct hawser__tree *tree, const char *section)
 {
-	const struct hawser__tree *at = hawser__tree_find(tree, "at");
+	enum hawser_status status = vectors(reader, point, tree, section, "tow.tow.waypoints[]");
+	const struct hawser__tree *flat = hawser__tree_find(tree, "flat");
 	char what[HAWSER__TOW_WHAT];
-	enum hawser_status status = hawser__tree_keys(reader, tree, section, "tow.tow.waypoints[]");
+	int most = 0;
 
-	if (!status)
-		status = hawser__tree_number_of(reader, &point->t, tree, section, "t", "s", HAWSER__TREE_ANY,
-		                                1);
-	if (!status && !at)
-		status = hawser__reader_fail(reader, &tree->at, "%s.at is missing: give [x, y, z] in m",
-		                             section);
-	snprintf(what, sizeof what, "%.60s.at", section);
-	if (!status)
-		status = hawser__tree_vector(reader, point->at[0], 3, at, what, "m");
-	if (!status)
-		status = vectors(reader, point, tree, section);
-	return status ? status : flat(reader, point, tree, section);
+	snprintf(what, sizeof what, "%.60s.flat", section);
+	if (!status && flat)
+		status = hawser__tree_value(reader, &most, flat, what, "tow.tow.waypoints[].flat");
+	for (int k = 1; k <= most && !status; k++)
+		point->given[k] = 1;
+	return status;
 }
 
 static enum hawser_status waypoint(struct hawser__reader *reader, struct hawser_waypoint *point,
@@ -136,7 +101,7 @@ static enum hawser_status zeros(struct hawser__reader *reader, struct hawser_way
 	enum hawser_status status = HAWSER_OK;
 
 	for (int k = 0; k < NAMED; k++)
-		words[k] = order[k + 1].name;
+		words[k] = order[k + 1];
 	for (const struct hawser__tree *one = list->child; one && !status; one = one->next) {
 		int index = 0;
 
@@ -153,21 +118,20 @@ static enum hawser_status zeros(struct hawser__reader *reader, struct hawser_way
 static enum hawser_status one_end(struct hawser__reader *reader, struct hawser_waypoint *point,
                                   const struct hawser__tree *tree, const char *what)
 {
-	enum hawser_status status;
+	enum hawser_status status = HAWSER_OK;
 
 	if (!tree)
 		return HAWSER_OK;
 	if (tree->kind == HAWSER__SEQUENCE)
 		return zeros(reader, point, tree, what);
-	status = hawser__tree_keys(reader, tree, what, "tow.tow.ends.start");
 	for (int k = 1; k <= NAMED && !status; k++) {
-		const struct hawser__tree *one = hawser__tree_find(tree, order[k].name);
+		const struct hawser__tree *one = hawser__tree_find(tree, order[k]);
 
 		if (one && point->given[k])
 			status = hawser__reader_fail(reader, &one->at, "%s: the %s of this waypoint is already "
-			                             "given: remove one of them", what, order[k].name);
+			                             "given: remove one of them", what, order[k]);
 	}
-	return status ? status : vectors(reader, point, tree, what);
+	return status ? status : vectors(reader, point, tree, what, "tow.tow.ends.start");
 }
 
 enum hawser_status hawser__tow_ends(struct hawser__reader *reader, struct hawser_tow *tow,

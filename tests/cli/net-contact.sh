@@ -70,7 +70,7 @@ refused 'obstacles=[{plane: {point: [0, 0], normal: [0, 0]}}]' 'no direction'
 refused 'obstacles=[{segment: {from: [1, 0], to: [1, 0]}}]' 'one point'
 refused 'obstacles=[{circle: {centre: [200 kg, -9], radius: 1}}]' 'circle.centre'
 refused 'contact={sliding: history}' 'needs contact.path'
-refused 'contact={restitution: 1.1}' 'above 1'
+refused 'contact={restitution: 1.1}' 'contact.restitution: "1.1" is out of range: it must be from 0 to 1'
 refused 'contact={sliding: history, path: {B: [[300, -2, 0]]}}' 'place 1 of contact.path.B is 2 m inside'
 refused 'cables.line={name: line, from: A, to: B, EA: 1 MN, rho: 1, sag: 9}' 'form finding does not know obstacles'
 run statics "$sea" --method cone -q
@@ -98,7 +98,7 @@ refused 'obstacles.seabed={plane: {point: [0, 0], normal: [0, 1]}, side: around}
 refused 'obstacles={name: s, segment: {from: [0, -1], to: [9, -1]}, side: around}' 'list of mappings'
 
 run plan "$scenes/net-belt-driven.yaml" --set dynamics.surfaces=now
-try "surfaces that move or start" grep -q "not now" "$scratch/err"
+try "surfaces that move or start" grep -q 'dynamics.surfaces: "now" must be moving or start' "$scratch/err"
 works "the picture of a belt, which has no support" statics "$scenes/net-belt.yaml" --plot belt.svg -q
 run integrate "$scenes/net-belt.yaml" --until "1 ms" --set obstacles.s0.rotation=free --set obstacles.s0.friction=0.1 -q
 try "a circle that turns, in time" grep -q 'rotation: free is not yet' "$scratch/err"

@@ -141,7 +141,7 @@ try "the table has the lanes" sh -c 'tail -n 1 plan.tsv | grep -q "^down	2	8$"'
 denies "a plan as JSON" 1 "the plan of a ropeway is a text" plan "$small" --json plan.json
 denies "a battery that the rope does not press" 2 "case full, phase 18.3 m, lane up: .*p1" statics "$small" \
 	--set ropeway.towers.p1.battery=compression
-denies "a coefficient in per cent" 1 "towers.p0.friction = 30 is out of range" statics "$small" \
+denies "a coefficient in per cent" 1 "towers.p0.friction: \"30\" is out of range: it must be from 0 to 10" statics "$small" \
 	--set ropeway.towers.p0.friction=30
 denies "too little tension" 2 "small.yaml: .*lane up: .*tension.counterweight = 2000 N sets" \
 	statics "$small" --set "ropeway.bottom.tension={counterweight: 2 kN}"
@@ -169,7 +169,7 @@ sed 's/battery: support, radius: 12 m}$/battery: support, radius: 12 m, frictoin
 denies "an unknown key" 1 "wrong.yaml:7:.*unknown key frictoin: did you mean friction?" statics wrong.yaml
 denies "a wrong unit" 1 'rope.EA: "40 m"' statics "$small" --set 'ropeway.rope.EA=40 m'
 denies "towers out of order" 1 "give the towers by x" statics "$small" --set 'ropeway.towers.p1.at=[50 m, 40 m]'
-denies "no place" 1 "towers.p1.at must be a list of 2 numbers in m, along x and y" statics "$small" \
+denies "no place" 1 "towers.p1.at must be a list of 2 numbers in m, \[x, y\] of the summit of its battery" statics "$small" \
 	--set 'ropeway.towers.p1.at=[50 m]'
 denies "two tensions" 1 "tension has counterweight and T0" statics "$small" --set 'ropeway.bottom.tension.T0=84 kN'
 denies "a word" 1 '"sometimes" must be running, rest or reverse' statics "$small" --set ropeway.sliding=sometimes

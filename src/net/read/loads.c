@@ -24,30 +24,11 @@ static enum hawser_status more(struct hawser_net_load **list, int count, struct 
 	return HAWSER_OK;
 }
 
-static enum hawser_status harmonic(struct hawser__reader *reader, struct hawser_net_load *load,
-                                   const struct hawser__tree *tree, const char *what)
-{
-	const struct hawser__tree *Omega = hawser__tree_find(tree, "Omega");
-	const struct hawser__tree *phase = hawser__tree_find(tree, "phase");
-	enum hawser_status status = HAWSER_OK;
-
-	if (!Omega)
-		return hawser__reader_fail(reader, &tree->at, "%s has no Omega: give the frequency in rad/s",
-		                           what);
-	load->harmonic = 1;
-	status = hawser__tree_number(reader, &load->Omega, Omega, what, "rad/s", HAWSER__TREE_POSITIVE);
-	if (!status && phase)
-		status = hawser__tree_number(reader, &load->phase, phase, what, "rad", HAWSER__TREE_ANY);
-	return status;
-}
-
 /* One load of a node or cable: a vector, or a mapping. */
 static enum hawser_status load_of(struct hawser__reader *reader, struct hawser_net *net,
                                   const struct hawser__tree *tree, int node, int cable,
                                   const char *what)
 {
-	const char *key = cable < 0 ? "force" : "per_length", *unit = cable < 0 ? "N" : "N/m";
-	const struct hawser__tree *vector = tree, *wave = NULL;
 	struct hawser_net_load *load;
 	enum hawser_status status = more(&net->load, net->loads, reader->report);
 
@@ -57,22 +38,12 @@ static enum hawser_status load_of(struct hawser__reader *reader, struct hawser_n
 	memset(load, 0, sizeof *load);
 	load->node = node;
 	load->cable = cable;
-	if (tree->kind == HAWSER__MAPPING || cable >= 0) {
-		status = hawser__tree_keys(reader, tree, what,
-		                          cable < 0 ? "net.loads.*" : "net.loads.**");
-		vector = status ? NULL : hawser__tree_find(tree, key);
-		if (!status && !vector)
-			status = hawser__reader_fail(reader, &tree->at, "%s has no %s: give a list of 3 numbers "
-			                             "in %s", what, key, unit);
-		wave = status ? NULL : hawser__tree_find(tree, "harmonic");
-	}
-	if (!status)
-		status = hawser__tree_vector(reader, load->value, 3, vector, what, unit);
-	if (!status && wave) {
-		status = hawser__tree_keys(reader, wave, "harmonic", "net.loads.*.harmonic");
-		if (!status)
-			status = harmonic(reader, load, wave, what);
-	}
+	load->harmonic = hawser__tree_find(tree, "harmonic") != NULL;
+	if (tree->kind == HAWSER__MAPPING || cable >= 0)
+		status = hawser__tree_fill(reader, load, tree, what, cable < 0 ? "net.loads.*"
+		                                                               : "net.loads.**");
+	else
+		status = hawser__tree_vector(reader, load->value, 3, tree, what, "N");
 	net->loads += !status;
 	return status;
 }
@@ -132,13 +103,10 @@ static enum hawser_status motion_of(struct hawser__reader *reader, struct hawser
 
 	for (const struct hawser__tree *one = status ? NULL : tree->child; one &&
 	     !status; one = one->next) {
-		const struct hawser__tree *amplitude = hawser__tree_find(one, "amplitude");
+		char axis[CALLED], path[] = "net.supports.*.motion.x";
 		int k = *one->name - 'x';
 		struct hawser_net_load *motion;
 
-		status = hawser__tree_keys(reader, one, "motion", "net.supports.*.motion.x");
-		if (!status && !amplitude)
-			status = hawser__reader_fail(reader, &one->at, "%s has no amplitude: give it in m", what);
 		if (!status)
 			status = more(&net->motion, net->motions, reader->report);
 		if (status)
@@ -148,9 +116,10 @@ static enum hawser_status motion_of(struct hawser__reader *reader, struct hawser
 		motion->node = node;
 		motion->cable = -1;
 		net->node[node].held[k] = 1; /* by what moves it */
-		status = hawser__tree_number(reader, &motion->value[k], amplitude, what, "m", HAWSER__TREE_ANY);
-		if (!status)
-			status = harmonic(reader, motion, one, what);
+		motion->harmonic = 1;
+		path[sizeof path - 2] = *one->name;
+		snprintf(axis, sizeof axis, "%.200s.motion.%c", what, *one->name);
+		status = hawser__tree_fill(reader, motion, one, axis, path);
 		net->motions += !status;
 	}
 	return status;
@@ -161,7 +130,6 @@ static enum hawser_status support(struct hawser__reader *reader, struct hawser_n
 {
 	struct hawser_net_node *to = &net->node[node];
 	const struct hawser__tree *fixed, *motion, *table;
-	const char *text;
 	enum hawser_status status;
 
 	to->support = 1;
@@ -171,7 +139,7 @@ static enum hawser_status support(struct hawser__reader *reader, struct hawser_n
 	if (entry->kind != HAWSER__MAPPING)
 		return hawser__reader_fail(reader, &entry->at, "%s must be the word fixed, or a mapping such "
 		                           "as {fixed: [y, z]}", what);
-	status = hawser__tree_keys(reader, entry, what, "net.supports.*");
+	status = hawser__tree_fill(reader, to, entry, what, "net.supports.*");
 	if (status)
 		return status;
 	fixed = hawser__tree_find(entry, "fixed");
@@ -184,11 +152,6 @@ static enum hawser_status support(struct hawser__reader *reader, struct hawser_n
 		                             what);
 	if (!status && motion)
 		status = motion_of(reader, net, node, motion, what);
-	if (status || !table)
-		return status;
-	status = hawser__tree_text(reader, &text, table, what);
-	if (!status && !(to->table = strdup(text)))
-		status = hawser__no_memory(reader->report, "scene");
 	return status;
 }
 

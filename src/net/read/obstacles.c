@@ -12,7 +12,7 @@
 #include "net/net.h"
 #include "net/read/read.h"
 
-enum { CALLED = HAWSER__TEXT_ROOM + 64, STEPS = 20, STEPS_MOST = 100000 };
+enum { CALLED = HAWSER__TEXT_ROOM + 64 };
 
 /* Of the distance of a place from the origin: a support may touch an obstacle, whose gap is then
  * round-off of units and of normals. */
@@ -27,21 +27,6 @@ enum hawser_status hawser__net_obstacles(struct hawser__reader *reader, struct h
 			                           "form finding does not know obstacles: give its length0",
 			                           net->cable[c].name);
 	return hawser__surfaces_read(reader, &net->surface, &net->surfaces, tree);
-}
-
-static enum hawser_status whole(struct hawser__reader *reader, int *value,
-                                const struct hawser__tree *tree)
-{
-	double number = *value;
-	enum hawser_status status =
-		tree ? hawser__tree_number(reader, &number, tree, "contact.steps", "1", HAWSER__TREE_POSITIVE)
-		     : HAWSER_OK;
-
-	if (!status && (number != floor(number) || number > STEPS_MOST))
-		return hawser__reader_fail(reader, &tree->at, "contact.steps: %.9g is not a whole number from "
-		                           "1 to %d", number, STEPS_MOST);
-	*value = status ? STEPS : (int)number;
-	return status;
 }
 
 static enum hawser_status way(struct hawser__reader *reader, struct hawser_net *net,
@@ -98,34 +83,12 @@ static enum hawser_status ways(struct hawser__reader *reader, struct hawser_net 
 enum hawser_status hawser__net_contact(struct hawser__reader *reader, struct hawser_net *net,
                                        const struct hawser__tree *tree)
 {
-	static const char *const words[] = {"none", "history"}, *const states[] = {"statics", "slip",
-	                                                                           "stick"};
-	const struct hawser__tree *one;
-	int how = 0;
-	enum hawser_status status =
-		hawser__tree_keys(reader, tree, "contact", "net.contact");
+	const struct hawser__tree *one = hawser__tree_find(tree, "path");
+	enum hawser_status status = HAWSER_OK;
 
-	if (!status && !net->surfaces)
+	if (!net->surfaces)
 		return hawser__reader_fail(reader, &tree->at, "contact is of obstacles, and the scene has "
 		                           "none: add the section obstacles");
-	one = hawser__tree_find(tree, "restitution");
-	if (!status && one)
-		status = hawser__tree_number(reader, &net->contact.restitution, one, "contact.restitution", "1",
-		                             HAWSER__TREE_NOT_NEGATIVE);
-	if (!status && net->contact.restitution > 1.0)
-		return hawser__reader_fail(reader, &one->at, "contact.restitution: %.9g is above 1: an impact "
-		                           "does not add energy", net->contact.restitution);
-	one = hawser__tree_find(tree, "sliding");
-	if (!status && one)
-		status = hawser__tree_word(reader, &net->contact.history, one, "contact.sliding", words, 2);
-	one = hawser__tree_find(tree, "modes");
-	if (!status && one)
-		status = hawser__tree_word(reader, &how, one, "contact.modes", states, 3);
-	net->contact.modes = (enum hawser_net_contact_modes)how;
-	net->contact.steps = STEPS;
-	if (!status)
-		status = whole(reader, &net->contact.steps, hawser__tree_find(tree, "steps"));
-	one = hawser__tree_find(tree, "path");
 	if (!status && !one && net->contact.history)
 		status = hawser__reader_fail(reader, &tree->at, "contact.sliding: history needs contact.path, "
 		                             "the way of one or more supports to their places, such as path: "

@@ -12,7 +12,7 @@
 #include "core/report.h"
 #include "net/read/read.h"
 
-enum { CALLED = HAWSER__TEXT_ROOM + 64, ELEMENTS = 20 };
+enum { CALLED = HAWSER__TEXT_ROOM + 64 };
 
 static enum hawser_status nodes(struct hawser__reader *reader, struct hawser_net *net,
                                 const struct hawser__tree *tree)
@@ -43,36 +43,6 @@ static enum hawser_status nodes(struct hawser__reader *reader, struct hawser_net
 	return status;
 }
 
-/* What fixes the length of the cable: exactly one of the keys. */
-static enum hawser_status given(struct hawser__reader *reader, struct hawser_net_cable *cable,
-                                const struct hawser__tree *tree)
-{
-	static const struct {
-		const char *key, *unit;
-	} way[] = {{"length0", "m"}, {"tension", "N"}, {"force_density", "N/m"}, {"sag", "m"}};
-	const struct hawser__tree *found = NULL;
-	char what[CALLED];
-
-	for (size_t i = 0; i < sizeof way/sizeof *way; i++) {
-		const struct hawser__tree *one = hawser__tree_find(tree, way[i].key);
-
-		if (one && found)
-			return hawser__reader_fail(reader, &one->at, "cable %s has %s and %s: give one of length0, "
-			                           "tension, force_density and sag", cable->name,
-			                           way[cable->given].key, way[i].key);
-		if (one) {
-			found = one;
-			cable->given = (enum hawser_net_given)i;
-		}
-	}
-	if (!found)
-		return hawser__reader_fail(reader, &tree->at, "cable %s has no length: give one of length0, "
-		                           "tension, force_density and sag", cable->name);
-	snprintf(what, sizeof what, "cables.%s.%s", cable->name, way[cable->given].key);
-	return hawser__tree_number(reader, &cable->value, found, what, way[cable->given].unit,
-	                          HAWSER__TREE_POSITIVE);
-}
-
 static enum hawser_status end_of(struct hawser__reader *reader, int *node, const struct hawser_net *net,
                                  const struct hawser__tree *tree, const char *key, const char *name)
 {
@@ -88,39 +58,24 @@ static enum hawser_status end_of(struct hawser__reader *reader, int *node, const
 	return status ? status : hawser__net_find_node(reader, node, net, end, text, what);
 }
 
-static enum hawser_status count_of(struct hawser__reader *reader, int *value,
-                                   const struct hawser__tree *tree, const char *what)
-{
-	double number = ELEMENTS;
-	enum hawser_status status =
-		tree ? hawser__tree_number(reader, &number, tree, what, "1", HAWSER__TREE_POSITIVE) : HAWSER_OK;
-
-	if (!status && (number != floor(number) || number > 1e9))
-		return hawser__reader_fail(reader, &tree->at,
-		                           "%s: %.9g is not a whole number from 1 to 10^9", what,
-		                           number);
-	*value = status ? 1 : (int)number;
-	return status;
-}
-
 static enum hawser_status cable_of(struct hawser__reader *reader, struct hawser_net *net,
                                    const struct hawser__tree *tree)
 {
 	struct hawser_net_cable *cable = &net->cable[net->cables];
-	const struct hawser__tree *name, *EA, *rho;
+	const struct hawser__tree *name = hawser__tree_find(tree, "name");
 	const char *text = "";
 	char what[CALLED];
-	enum hawser_status status =
-		hawser__tree_keys(reader, tree, "a cable", "net.cables[]");
+	enum hawser_status status = HAWSER_OK;
 
-	if (status)
-		return status;
-	name = hawser__tree_find(tree, "name");
 	snprintf(cable->name, sizeof cable->name, "c%d", net->cables);
 	if (name)
 		status = hawser__tree_text(reader, &text, name, "name");
 	if (!status && name)
 		status = hawser__tree_name(reader, cable->name, name, text, "name");
+	snprintf(what, sizeof what, "cables.%s", cable->name);
+	if (!status)
+		status = hawser__tree_fill(reader, cable, tree, what, "net.cables[]");
+	cable->elements_given = hawser__tree_find(tree, "elements") != NULL;
 	if (!status)
 		status = end_of(reader, &cable->from, net, tree, "from", cable->name);
 	if (!status)
@@ -128,23 +83,7 @@ static enum hawser_status cable_of(struct hawser__reader *reader, struct hawser_
 	if (!status && cable->from == cable->to)
 		status = hawser__reader_fail(reader, &tree->at, "cable %s begins and ends at node %s: give two "
 		                             "nodes", cable->name, net->node[cable->to].name);
-	if (status)
-		return status;
-	EA = hawser__tree_find(tree, "EA");
-	rho = hawser__tree_find(tree, "rho");
-	if (!EA || !rho)
-		return hawser__reader_fail(reader, &tree->at, "cable %s has no %s", cable->name,
-		                           EA ? "rho, in kg/m" : "EA, in N");
-	snprintf(what, sizeof what, "cables.%s.EA", cable->name);
-	status = hawser__tree_number(reader, &cable->EA, EA, what, "N", HAWSER__TREE_POSITIVE);
-	snprintf(what, sizeof what, "cables.%s.rho", cable->name);
-	if (!status)
-		status = hawser__tree_number(reader, &cable->rho, rho, what, "kg/m", HAWSER__TREE_NOT_NEGATIVE);
-	snprintf(what, sizeof what, "cables.%s.elements", cable->name);
-	if (!status)
-		status = count_of(reader, &cable->elements, hawser__tree_find(tree, "elements"), what);
-	cable->elements_given = hawser__tree_find(tree, "elements") != NULL;
-	return status ? status : given(reader, cable, tree);
+	return status;
 }
 
 /* A cable between two supports must not be shorter than two thirds of its chord. */
@@ -176,16 +115,13 @@ static enum hawser_status plausible(struct hawser__reader *reader, const struct 
 static enum hawser_status cables(struct hawser__reader *reader, struct hawser_net *net,
                                  const struct hawser__tree *tree)
 {
-	enum hawser_status status = HAWSER_OK;
+	enum hawser_status status;
 
-	if (tree->kind != HAWSER__SEQUENCE || !tree->children)
-		return hawser__reader_fail(reader, &tree->at, "cables must be a list of mappings, such as "
-		                           "[{name: c1, from: A, to: B, EA: 100 MN, rho: 5 kg/m, "
-		                           "length0: 101 m}]");
-	net->cable = calloc((size_t)tree->children, sizeof *net->cable);
-	if (!net->cable)
-		return hawser__no_memory(reader->report, "scene");
-	for (const struct hawser__tree *one = tree->child; one && !status; one = one->next) {
+	net->cable = hawser__tree_items(reader, &status, tree, "cables", sizeof *net->cable, 1, 0,
+	                                "{name: c1, from: A, to: B, EA: 100 MN, rho: 5 kg/m, length0: "
+	                                "101 m}");
+	for (const struct hawser__tree *one = status ? NULL : tree->child; one && !status;
+	     one = one->next) {
 		status = cable_of(reader, net, one);
 		net->cables += !status;
 	}
@@ -205,19 +141,9 @@ static enum hawser_status masses(struct hawser__reader *reader, struct hawser_ne
 
 		status = hawser__net_find_node(reader, &node, net, one, one->name, "masses");
 		if (!status)
-			status = hawser__tree_number(reader, &net->node[node].mass, one, "masses", "kg",
-			                            HAWSER__TREE_NOT_NEGATIVE);
+			status = hawser__tree_value(reader, &net->node[node], one, "masses", "net.masses.*");
 	}
 	return status;
-}
-
-static enum hawser_status optional(struct hawser__reader *reader, double *value,
-                                   const struct hawser__tree *tree, const char *key, const char *unit,
-                                   enum hawser__tree_range range)
-{
-	const struct hawser__tree *one = hawser__tree_find(tree, key);
-
-	return one ? hawser__tree_number(reader, value, one, key, unit, range) : HAWSER_OK;
 }
 
 static enum hawser_status release(struct hawser__reader *reader, struct hawser_net *net,
@@ -262,56 +188,24 @@ static enum hawser_status known(struct hawser__reader *reader, const struct haws
 	                             scheme, names);
 }
 
-/* Do the surfaces of obstacles move before the motion begins, or do they start with it? */
-static enum hawser_status started(struct hawser__reader *reader, struct hawser_net *net,
-                                  const struct hawser__tree *tree)
-{
-	const char *text;
-	enum hawser_status status = hawser__tree_text(reader, &text, tree, "surfaces");
-
-	if (status)
-		return status;
-	net->dynamics.surfaces_start = strcmp(text, "start") == 0;
-	return net->dynamics.surfaces_start || strcmp(text, "moving") == 0 ? HAWSER_OK
-	       : hawser__reader_fail(reader, &tree->at, "surfaces of obstacles are moving (before the "
-	                             "motion begins, too) or start (with it), not %.40s", text);
-}
-
 static enum hawser_status dynamics(struct hawser__reader *reader, struct hawser_net *net,
                                    const struct hawser__tree *tree)
 {
-	const struct hawser__tree *from, *list, *scheme, *step, *surfaces;
+	const struct hawser__tree *list = hawser__tree_find(tree, "release");
+	const struct hawser__tree *scheme = hawser__tree_find(tree, "scheme");
 	const char *text;
-	enum hawser_status status =
-		hawser__tree_keys(reader, tree, "dynamics", "net.dynamics");
+	enum hawser_status status = list ? release(reader, net, list) : HAWSER_OK;
 
-	if (status)
-		return status;
-	from = hawser__tree_find(tree, "from");
-	list = hawser__tree_find(tree, "release");
-	scheme = hawser__tree_find(tree, "scheme");
-	step = hawser__tree_find(tree, "step");
-	surfaces = hawser__tree_find(tree, "surfaces");
-	if (from)
-		status = hawser__tree_text(reader, &text, from, "from");
-	if (!status && from && strcmp(text, "statics") != 0 && !(net->dynamics.from = strdup(text)))
-		status = hawser__no_memory(reader->report, "scene");
-	if (!status && list)
-		status = release(reader, net, list);
+	if (net->dynamics.from && !strcmp(net->dynamics.from, "statics")) {
+		free(net->dynamics.from);
+		net->dynamics.from = NULL;
+	}
 	if (!status && scheme)
 		status = hawser__tree_text(reader, &text, scheme, "scheme");
 	if (!status && scheme)
 		status = hawser__tree_name(reader, net->dynamics.scheme, scheme, text, "scheme");
 	if (!status && scheme)
 		status = known(reader, scheme, net->dynamics.scheme);
-	if (!status)
-		status = surfaces ? started(reader, net, surfaces) : HAWSER_OK;
-	if (!status)
-		status = optional(reader, &net->dynamics.rho_inf, tree, "rho_inf", "1",
-		                  HAWSER__TREE_NOT_NEGATIVE);
-	if (!status && step && !(step->text && !strcmp(step->text, "auto")))
-		status = hawser__tree_number(reader, &net->dynamics.step, step, "step", "s",
-		                            HAWSER__TREE_POSITIVE);
 	return status;
 }
 
@@ -352,13 +246,21 @@ static enum hawser_status common(struct hawser__reader *reader, struct hawser_ne
 	} part[] = {{"nodes", nodes, 1}, {"cables", cables, 1}, {"supports", hawser__net_supports, 1},
 	            {"masses", masses, 0}, {"loads", hawser__net_loads, 0}, {"dynamics", dynamics, 0},
 	            {"obstacles", hawser__net_obstacles, 0}, {"contact", hawser__net_contact, 0}};
-	const struct hawser__tree *damping = hawser__tree_find(root, "damping");
-	enum hawser_status status;
+	static const char *const plain[] = {"g", "damping", "dynamics", "contact"};
+	enum hawser_status status = HAWSER_OK;
 
 	net->g = 9.81;
 	net->dynamics.rho_inf = -1.0;
 	net->g_given = hawser__tree_find(root, "g") != NULL;
-	status = optional(reader, &net->g, root, "g", "m/s^2", HAWSER__TREE_NOT_NEGATIVE);
+	net->axial_given = hawser__tree_find(hawser__tree_find(root, "damping"), "axial") != NULL;
+	for (size_t i = 0; i < sizeof plain/sizeof *plain && !status; i++) {
+		const struct hawser__tree *tree = hawser__tree_find(root, plain[i]);
+		char path[32];
+
+		snprintf(path, sizeof path, "net.%s", plain[i]);
+		if (tree)
+			status = hawser__tree_value(reader, net, tree, plain[i], path);
+	}
 	for (size_t i = (size_t)from; i < sizeof part/sizeof *part && !status; i++) {
 		const struct hawser__tree *tree = hawser__tree_find(root, part[i].name);
 
@@ -369,15 +271,6 @@ static enum hawser_status common(struct hawser__reader *reader, struct hawser_ne
 			                             "a net needs %s (see hawser-scene(5))", part[i].name);
 		if (!status && i < 2)
 			status = hawser__net_index(reader, net);
-	}
-	if (!status && damping) {
-		status = hawser__tree_keys(reader, damping, "damping", "net.damping");
-		if (!status)
-			status = optional(reader, &net->alpha, damping, "alpha", "kg/m/s",
-			                  HAWSER__TREE_NOT_NEGATIVE);
-		if (!status)
-			status = optional(reader, &net->axial, damping, "axial", "s", HAWSER__TREE_NOT_NEGATIVE);
-		net->axial_given = hawser__tree_find(damping, "axial") != NULL;
 	}
 	return status ? status : hawser__net_room(reader, net, root);
 }
@@ -393,14 +286,13 @@ static enum hawser_status interpret(struct hawser__reader *reader, void *scene,
 		status = hawser__net_of_span(reader, net, root);
 		return status ? status : common(reader, net, root, DYNAMICS);
 	}
-	status = hawser__tree_keys(reader, root, "a scene of kind net", "net");
+	status = hawser__tree_keys(reader, root, "the scene", "net");
 	if (status)
 		return status;
-	if (kind && (!kind->text || strcmp(kind->text, "net") != 0))
-		return hawser__reader_fail(reader, &kind->at,
-		                           "kind must be net here, and span, ropeway, rod or tow "
-		                           "in scenes of other kinds");
-	status = common(reader, net, root, 0);
+	if (kind)
+		status = hawser__tree_value(reader, net, kind, "kind", "net.kind");
+	if (!status)
+		status = common(reader, net, root, 0);
 	return status ? status : rules(reader, net, hawser__tree_find(root, "cables"));
 }
 

@@ -1,4 +1,4 @@
-/* scene/page/schema.c - the JSON Schema of scenes: those of the table of rows (tree_rows.c), and
+/* scene/page/schema.c - the JSON Schema of scenes: those of the tables of keys (tree_keys.h), and
  * which kind a scene is of.
  *
  * Draft-07 is what the language servers of editors take. The kinds are told apart by if and else, as
@@ -21,13 +21,14 @@
 static json_t *mapping_of(struct hawser__schema *schema, const char *path);
 static json_t *value_of(struct hawser__schema *schema, const char *path);
 
-/* "axial stiffness (N)" */
+/* "sag (0) [m]" */
 static json_t *described(const struct hawser__tree_key *row)
 {
 	int number = row->type == HAWSER__TREE_NUMBER && row->unit && strcmp(row->unit, "1") != 0;
 
-	return json_sprintf("%s%s%s%s", row->doc, number ? " [" : "", number ? row->unit : "",
-	                    number ? "]" : "");
+	return json_sprintf("%s%s%s%s%s%s%s", row->doc, row->given ? " (" : "",
+	                    row->given ? row->given : "", row->given ? ")" : "", number ? " [" : "",
+	                    number ? row->unit : "", number ? "]" : "");
 }
 
 static json_t *list_of(struct hawser__schema *schema, const char *path)
@@ -43,8 +44,9 @@ static json_t *list_of(struct hawser__schema *schema, const char *path)
 static json_t *form_of(struct hawser__schema *schema, const struct hawser__tree_key *row)
 {
 	const struct hawser__schema_range range = {
-		row->range == HAWSER__TREE_ANY ? -INFINITY : 0.0, INFINITY,
-		row->range == HAWSER__TREE_POSITIVE, row->type == HAWSER__TREE_INTEGER};
+		row->range == HAWSER__TREE_ANY ? -INFINITY : row->least, row->most > 0.0 ? row->most : INFINITY,
+		row->range > HAWSER__TREE_ANY && row->range != HAWSER__TREE_NOT_NEGATIVE && row->least == 0.0,
+		row->type == HAWSER__TREE_INTEGER};
 	json_t *form = NULL;
 
 	switch (row->type) {
@@ -93,7 +95,7 @@ static json_t *mapping_of(struct hawser__schema *schema, const char *path)
 	for (int i = 0; (row = hawser__tree_row(i)); i++) {
 		const char *key = hawser__tree_key_of(row->path, path);
 
-		if (!key || again(i) || row->need == HAWSER__TREE_LATER)
+		if (!key || again(i))
 			continue;
 		if (*key == '*') { /* names of the user */
 			hawser__schema_add(schema, names, value_of(schema, row->path));

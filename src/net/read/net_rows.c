@@ -1,0 +1,149 @@
+/* net/read/net_rows.c - the keys of scenes of kind `net`. See scene/tree_rows.h.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <hawser/net.h>
+#include "scene/tree_rows.h"
+
+#define NET_AT(member) offsetof(struct hawser_net, member)
+#define NODE_AT(member) offsetof(struct hawser_net_node, member)
+#define CABLE_AT(member) offsetof(struct hawser_net_cable, member)
+#define LOAD_AT(member) offsetof(struct hawser_net_load, member)
+#define SURFACE_AT(member) offsetof(struct hawser_surface, member)
+
+#define WAVE(path) \
+	NUMBER(path ".Omega", REQUIRED, "rad/s", POSITIVE, LOAD_AT(Omega), NULL, "angular frequency") \
+	NUMBER(path ".phase", OPTIONAL, "rad", ANY, LOAD_AT(phase), "0", "phase")
+#define LOAD_OF(path, key, unit, doc) \
+	VECTOR(path key, 3, REQUIRED, unit, ANY, LOAD_AT(value), NULL, doc) \
+	SECTION(path ".harmonic", OPTIONAL, "its time function, cos(Omega t + phase)") \
+	WAVE(path ".harmonic")
+#define LOAD_OF_NODE(path) LOAD_OF(path, ".force", "N", "force along x, y, z")
+#define LOAD_OF_CABLE(path) \
+	LOAD_OF(path, ".per_length", "N/m", "force per unstretched length along x, y, z")
+#define MOTION(path, k) \
+	MAPPING(path, OPTIONAL, "harmonic motion in this direction") \
+	NUMBER(path ".amplitude", REQUIRED, "m", ANY, LOAD_AT(value[k]), NULL, \
+	       "amplitude of the motion") \
+	WAVE(path)
+/* A third number, along z, may be left out: 0. */
+#define PLACE_OR(path, most, need, unit, at, doc) \
+	VECTOR(path, 2, need, unit, ANY, at, NULL, doc ", z = 0") \
+	VECTOR(path, most, need, unit, ANY, at, NULL, doc)
+
+static const struct hawser__tree_key net_rows[] = {
+	HEAD("net", "net", NOT_NEGATIVE, NET_AT(g))
+	MAPPING("net.nodes", REQUIRED, "names of nodes and their places")
+	VECTOR("net.nodes.*", 3, OPTIONAL, "m", ANY, NODE_AT(x), NULL, "[x, y, z]; y is upwards")
+	MAPPING("net.nodes.*", OPTIONAL, "{}: a node whose position is to be found")
+	LIST("net.cables", REQUIRED, "cables between two nodes")
+	MAPPING("net.cables[]", OPTIONAL, "a cable")
+	TEXT("net.cables[].name", OPTIONAL, NOWHERE, "c0, c1 and so on", "name")
+	TEXT("net.cables[].from", REQUIRED, NOWHERE, NULL, "node at its begin")
+	TEXT("net.cables[].to", REQUIRED, NOWHERE, NULL, "node at its end")
+	NUMBER("net.cables[].EA", REQUIRED, "N", POSITIVE, CABLE_AT(EA), NULL, "axial stiffness")
+	NUMBER("net.cables[].rho", REQUIRED, "kg/m", NOT_NEGATIVE, CABLE_AT(rho), NULL,
+	       "mass per unstretched length; 0: without weight")
+	CHOICE("net.cables[].length0", "m", CABLE_AT(value), CABLE_AT(given), "unstretched length")
+	CHOICE("net.cables[].tension", "N", CABLE_AT(value), CABLE_AT(given),
+	       "mean tension, from which the length follows")
+	CHOICE("net.cables[].force_density", "N/m", CABLE_AT(value), CABLE_AT(given),
+	       "tension over length")
+	CHOICE("net.cables[].sag", "m", CABLE_AT(value), CABLE_AT(given),
+	       "sag, from which the length follows")
+	INTEGER("net.cables[].elements", OPTIONAL, 1, 1e9, CABLE_AT(elements), "20",
+	        "number of elements; without it up to 400, by the error of the tensions (1e-3)")
+	MAPPING("net.supports", OPTIONAL, "nodes that are held")
+	WORD("net.supports.*", OPTIONAL, "fixed", NOWHERE, NULL, "held in all directions")
+	MAPPING("net.supports.*", OPTIONAL, "held in some directions, or moved")
+	LIST("net.supports.*.fixed", OPTIONAL, "directions that are held")
+	WORD("net.supports.*.fixed[]", OPTIONAL, "x|y|z", NOWHERE, NULL, "a direction")
+	MAPPING("net.supports.*.motion", OPTIONAL, "harmonic motion")
+	MOTION("net.supports.*.motion.x", 0)
+	MOTION("net.supports.*.motion.y", 1)
+	MOTION("net.supports.*.motion.z", 2)
+	TEXT("net.supports.*.table", OPTIONAL, NODE_AT(table), NULL,
+	     "file with lines of t, x, y, z (s, m): motion by a table")
+	MAPPING("net.masses", OPTIONAL, "masses of nodes")
+	NUMBER("net.masses.*", OPTIONAL, "kg", NOT_NEGATIVE, NODE_AT(mass), NULL, "mass of this node")
+	MAPPING("net.loads", OPTIONAL, "loads of nodes and cables")
+	VECTOR("net.loads.*", 3, OPTIONAL, "N", ANY, LOAD_AT(value), NULL, "force on a node")
+	MAPPING("net.loads.*", OPTIONAL, "load of a node")
+	LOAD_OF_NODE("net.loads.*")
+	LIST("net.loads.*", OPTIONAL, "several loads of a node")
+	MAPPING("net.loads.*[]", OPTIONAL, "load of a node")
+	LOAD_OF_NODE("net.loads.*[]")
+	MAPPING("net.loads.**", OPTIONAL, "load of a cable")
+	LOAD_OF_CABLE("net.loads.**")
+	LIST("net.loads.**", OPTIONAL, "several loads of a cable")
+	MAPPING("net.loads.**[]", OPTIONAL, "load of a cable")
+	LOAD_OF_CABLE("net.loads.**[]")
+	SECTION("net.damping", OPTIONAL, "damping, of motions")
+	NUMBER("net.damping.alpha", OPTIONAL, "kg/m/s", NOT_NEGATIVE, NET_AT(alpha), NULL,
+	       "viscous force per length and velocity")
+	NUMBER("net.damping.axial", OPTIONAL, "s", NOT_NEGATIVE, NET_AT(axial), NULL,
+	       "T = EA (strain + axial d strain/dt)")
+	SECTION("net.dynamics", OPTIONAL, "time integration")
+	TEXT("net.dynamics.from", OPTIONAL, NET_AT(dynamics.from), "statics",
+	     "first state: the equilibrium (statics), or a file of a state")
+	LIST("net.dynamics.release", OPTIONAL, "supports that let go at t = 0")
+	TEXT("net.dynamics.release[]", OPTIONAL, NOWHERE, NULL, "a support")
+	TEXT("net.dynamics.scheme", OPTIONAL, NOWHERE, NULL, "method: hawser integrate has the list")
+	NUMBER("net.dynamics.rho_inf", OPTIONAL, "1", NOT_NEGATIVE, NET_AT(dynamics.rho_inf),
+	       "by the scheme", "spectral radius at infinite frequency, from 0 to 1")
+	WORD("net.dynamics.surfaces", OPTIONAL, "moving|start", NET_AT(dynamics.surfaces_start), "moving",
+	     "surfaces of obstacles move before t = 0 too, or start then, as of a belt, which has no "
+	     "equilibrium on wheels that turn")
+	WORD("net.dynamics.step", OPTIONAL, "auto", CHECKED, NULL, "step chosen by the program")
+	NUMBER("net.dynamics.step", OPTIONAL, "s", POSITIVE, NET_AT(dynamics.step), NULL, "step in time")
+	LIST("net.obstacles", OPTIONAL, "surfaces that the nodes of the mesh do not pass")
+	MAPPING("net.obstacles[]", OPTIONAL, "a surface")
+	TEXT("net.obstacles[].name", OPTIONAL, NOWHERE, "s0, s1 and so on", "name")
+	SHAPE("net.obstacles[].plane", ONE_OF, SURFACE_AT(kind), "a plane")
+	PLACE_OR("net.obstacles[].plane.point", 3, REQUIRED, "m", SURFACE_AT(at), "a point of it")
+	PLACE_OR("net.obstacles[].plane.normal", 3, REQUIRED, "1", SURFACE_AT(normal),
+	         "normal towards the net")
+	SHAPE("net.obstacles[].segment", ONE_OF, SURFACE_AT(kind), "a segment, which extends along z")
+	VECTOR("net.obstacles[].segment.from", 2, REQUIRED, "m", ANY, SURFACE_AT(at), NULL,
+	       "[x, y] of its first end")
+	VECTOR("net.obstacles[].segment.to", 2, REQUIRED, "m", ANY, SURFACE_AT(to), NULL,
+	       "[x, y] of its last end")
+	CIRCLE("net.obstacles[].circle", ONE_OF, SURFACE_AT(kind), SURFACE_AT(at), SURFACE_AT(radius))
+	VECTOR("net.obstacles[].circle.centre", 3, REQUIRED, "m", ANY, SURFACE_AT(at), NULL,
+	       "[x, y, z] of its centre, with that of its groove")
+	WORD("net.obstacles[].side", OPTIONAL, "above|below|left|right|inside|around", SURFACE_AT(side),
+	     "above", "side where the net is: left or right of a vertical segment, inside a circle, or "
+	     "around one, as a belt: then all nodes must have places, cables begin straight between "
+	     "them, and supports need not hold the net")
+	NUMBER("net.obstacles[].friction", OPTIONAL, "1", NOT_NEGATIVE, SURFACE_AT(friction), "0",
+	       "coefficient of friction")
+	NUMBER("net.obstacles[].velocity", OPTIONAL, "m/s", ANY, SURFACE_AT(speed), NULL,
+	       "speed of the surface along a segment or counterclockwise around a circle")
+	PLACE_OR("net.obstacles[].velocity", 3, OPTIONAL, "m/s", SURFACE_AT(velocity),
+	         "velocity of a plane, along it")
+	WORD("net.obstacles[].groove", OPTIONAL, "no|yes", SURFACE_AT(groove), "no",
+	     "whether a groove of a circle holds along z what touches")
+	WORD("net.obstacles[].rotation", OPTIONAL, "locked|free|drive", SURFACE_AT(rotation), "locked",
+	     "of a circle: free turns without resistance, so that friction does not change tensions; "
+	     "drive: a motor holds it, or turns it with the velocity")
+	NUMBER("net.obstacles[].inertia", OPTIONAL, "kg.m^2", NOT_NEGATIVE, SURFACE_AT(inertia), NULL,
+	       "moment of inertia of a circle that turns freely, in modes")
+	SECTION("net.contact", OPTIONAL, "contact with the obstacles")
+	LIMITED("net.contact.restitution", OPTIONAL, "1", NOT_NEGATIVE, 1.0, NET_AT(contact.restitution),
+	        "0", "of impacts in motions: the normal velocity after over the one before, which does "
+	        "not grow")
+	WORD("net.contact.sliding", OPTIONAL, "none|history", NET_AT(contact.history), "none",
+	     "friction of surfaces that move alone, or along the way of the supports to their places")
+	MAPPING("net.contact.path", OPTIONAL, "ways of supports to their places, of sliding: history: "
+	        "from an equilibrium without friction to the places in nodes")
+	LIST("net.contact.path.*", OPTIONAL, "places, from the first on")
+	VECTOR("net.contact.path.*[]", 3, OPTIONAL, "m", ANY, NOWHERE, NULL, "a place")
+	INTEGER("net.contact.steps", OPTIONAL, 1, 100000, NET_AT(contact.steps), "20",
+	        "steps between two places")
+	WORD("net.contact.modes", OPTIONAL, "statics|slip|stick", NET_AT(contact.modes), "statics",
+	     "what the contacts do in vibrations: as in the equilibrium; all slide without resistance; "
+	     "or what touches with friction does not move")
+};
+
+const struct hawser__tree_table hawser__tree_of_net = {"net", net_rows,
+                                                       sizeof net_rows/sizeof *net_rows};

@@ -1,0 +1,86 @@
+/* scene/tree_rows.h - how the tables of keys of the kinds are written: KIND_rows.c in the folder of
+ * each kind, which is data alone and belongs to the library of the scene.
+ *
+ * A path is the kind of the scene and the keys down to the value; [] is an item of a list, * a name
+ * of the user, ** one of another sort in the same mapping. Rows of one path are other forms of its
+ * value. `at` is where its value goes in the structure of the nearest list item or mapping of names
+ * above it, else that of the scene: a double (of a list several), an int of an integer or a word, a
+ * char * of a text; or NOWHERE: code of the kind reads it. `given` is a default as a scene has it, or
+ * words about it.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_SCENE_TREE_ROWS_H
+#define HAWSER_SCENE_TREE_ROWS_H
+
+#include "scene/tree_keys.h"
+
+#define ANY HAWSER__TREE_ANY
+#define POSITIVE HAWSER__TREE_POSITIVE
+#define POSITIVE_OR_INF HAWSER__TREE_POSITIVE_OR_INF
+#define NOT_NEGATIVE HAWSER__TREE_NOT_NEGATIVE
+#define OPTIONAL HAWSER__TREE_OPTIONAL
+#define REQUIRED HAWSER__TREE_REQUIRED
+#define ONE_OF HAWSER__TREE_ONE_OF
+#define MESH HAWSER__TREE_MESH
+#define NOWHERE HAWSER__TREE_NOWHERE
+#define CHECKED HAWSER__TREE_CHECKED
+
+#define ROW(path, type, count, unit, range, least, most, need, at, copies, pick, given, doc) \
+	{path, HAWSER__TREE_##type, count, unit, range, least, most, need, at, copies, pick, given, doc},
+#define NUMBER(path, need, unit, range, at, given, doc) \
+	ROW(path, NUMBER, 0, unit, range, 0, 0, need, at, 1, NOWHERE, given, doc)
+/* At most this; the line says why. */
+#define LIMITED(path, need, unit, range, most, at, given, doc) \
+	ROW(path, NUMBER, 0, unit, range, 0, most, need, at, 1, NOWHERE, given, doc)
+/* One number for two places. */
+#define BOTH(path, need, unit, range, at, given, doc) \
+	ROW(path, NUMBER, 0, unit, range, 0, 0, need, at, 2, NOWHERE, given, doc)
+/* Exactly one of those of the mapping: its number goes to `pick`. */
+#define CHOICE(path, unit, at, pick, doc) \
+	ROW(path, NUMBER, 0, unit, POSITIVE, 0, 0, ONE_OF, at, 1, pick, NULL, doc)
+#define VECTOR(path, count, need, unit, range, at, given, doc) \
+	ROW(path, NUMBER, count, unit, range, 0, 0, need, at, 1, NOWHERE, given, doc)
+#define INTEGER(path, need, least, most, at, given, doc) \
+	ROW(path, INTEGER, 0, "1", least ? POSITIVE : NOT_NEGATIVE, least, most, need, at, 1, NOWHERE, \
+	    given, doc)
+#define WORD(path, need, words, at, given, doc) \
+	ROW(path, WORD, 0, words, ANY, 0, 0, need, at, 1, NOWHERE, given, doc)
+#define TEXT(path, need, at, given, doc) \
+	ROW(path, TEXT, 0, "", ANY, 0, 0, need, at, 1, NOWHERE, given, doc)
+/* A mapping whose keys are of the same structure, and one of another. */
+#define SECTION(path, need, doc) ROW(path, MAPPING, 0, "", ANY, 0, 0, need, 0, 1, NOWHERE, NULL, doc)
+#define MAPPING(path, need, doc) \
+	ROW(path, MAPPING, 0, "", ANY, 0, 0, need, NOWHERE, 1, NOWHERE, NULL, doc)
+#define SHAPE(path, need, pick, doc) ROW(path, MAPPING, 0, "", ANY, 0, 0, need, 0, 1, pick, NULL, doc)
+#define LIST(path, need, doc) ROW(path, LIST, 0, "", ANY, 0, 0, need, NOWHERE, 1, NOWHERE, NULL, doc)
+
+/* What several kinds have. */
+#define HEAD(kind, word, range, at) \
+	WORD(kind ".kind", OPTIONAL, word, CHECKED, NULL, "kind of the scene") \
+	NUMBER(kind ".g", OPTIONAL, "m/s^2", range, at, "9.81", "acceleration of gravity, downwards")
+#define DRAG(path, need, across, along) \
+	SECTION(path, OPTIONAL, "coefficients of the drag of air") \
+	NUMBER(path ".normal", REQUIRED, "1", NOT_NEGATIVE, across, NULL, \
+	       "across the axis, referred to the diameter") \
+	NUMBER(path ".tangential", OPTIONAL, "1", NOT_NEGATIVE, along, "0", \
+	       "along it, referred to the surface")
+#define CIRCLE(path, need, pick, centre, radius) \
+	SHAPE(path, need, pick, "a circle, which extends along z") \
+	VECTOR(path ".centre", 2, REQUIRED, "m", ANY, centre, NULL, "[x, y] of its centre") \
+	NUMBER(path ".radius", REQUIRED, "m", NOT_NEGATIVE, radius, NULL, "its radius; 0: a point")
+#define WINCH(path, WINCH_AT) \
+	MAPPING(path, OPTIONAL, "the first segment is paid out or hauled in, in motions") \
+	NUMBER(path ".speed", ONE_OF, "m/s", ANY, WINCH_AT(speed), NULL, \
+	       "paid out in this time; negative: hauled in") \
+	NUMBER(path ".rise", OPTIONAL, "s", NOT_NEGATIVE, WINCH_AT(rise), "0", \
+	       "time in which the speed grows from 0") \
+	LIST(path ".times", OPTIONAL, "times of speeds or lengths, in place of speed") \
+	NUMBER(path ".times[]", OPTIONAL, "s", ANY, 0, NULL, "a time") \
+	LIST(path ".speeds", ONE_OF, "speeds at these times") \
+	NUMBER(path ".speeds[]", OPTIONAL, "m/s", ANY, 0, NULL, "a speed") \
+	LIST(path ".lengths", ONE_OF, "unstretched lengths of the segment at these times") \
+	NUMBER(path ".lengths[]", OPTIONAL, "m", POSITIVE, 0, NULL, "a length") \
+	NUMBER(path ".least", OPTIONAL, "m", POSITIVE, WINCH_AT(least), "5 % of its length", \
+	       "the segment must not become shorter")
+
+#endif
