@@ -16,6 +16,9 @@ struct hawser_cover {
 	int gaps;
 	double *gap;               /* [gaps][2] scaled Omega, ascending: parts of the range in which no
 	                            * branch was found */
+	double work;               /* of all of it, s (hawser_orbit_work) */
+	int costly;                /* 1: it ended at options->most_work, which limits all branches
+	                            * together */
 };
 
 /* Whether `first`, traced with these options, leaves a part of the range uncovered that

@@ -38,8 +38,9 @@ enum hawser_frf_end {
 	HAWSER_END_UNSTABLE,    /* the last point has more unstable multipliers than `most_unstable` */
 	HAWSER_END_LOST,        /* unstable motions, and the next one is not found within the limits of the
 	                         * method; `lost` says why */
-	HAWSER_END_MEETS        /* a branch of branches.h meets another one, in the last event: what follows
+	HAWSER_END_MEETS,       /* a branch of branches.h meets another one, in the last event: what follows
 	                         * is its own image, shifted in time or reflected */
+	HAWSER_END_WORK         /* it took `most_work` */
 };
 const char *hawser_frf_end_name(enum hawser_frf_end end);
 
@@ -161,6 +162,7 @@ struct hawser_frf_options {
 	                        * compression, so the model's motion beyond is not the cable's */
 	int most_unstable;     /* end the branch at the first point with more unstable multipliers: such
 	                        * motions are not observed, and many cost much; 0: no limit */
+	double most_work;      /* end the branch after this work (hawser_orbit_work), s; 0: no limit */
 	int samples;           /* number of points to compute again by another method; 0: 5; or
 	                        * HAWSER_NONE */
 	const struct hawser_resonance *resonance; /* multiple scales: which modes are resonant; NULL:

@@ -151,6 +151,7 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/curves/frf_beside.c \
 	%D%/curves/frf_beside.h \
 	%D%/curves/frf_cover.c \
+	%D%/curves/frf_notes.c \
 	%D%/curves/frf_cover.h \
 	%D%/curves/frf_switch.c \
 	%D%/curves/frf_draw.c \

@@ -168,6 +168,7 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/time/tableau.h \
 	%D%/branch/trace.h \
 	%D%/branch/vanish.c \
+	%D%/orbit/work.c \
 	%D%/branch/vanish.h \
 	%D%/time/variation.c \
 	%D%/orbit/weights.c \

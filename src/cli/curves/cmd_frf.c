@@ -220,6 +220,26 @@ static int is_special(const struct settings *settings)
 	       settings->period > 1 || settings->over || settings->method || settings->segments;
 }
 
+/* Further branches; unasked, no motions that nobody observes, no search with a model that is far off, and
+ * none without end. */
+static enum hawser_status cover_rest(struct cli_cover *cover, const struct hawser_frf_options *options,
+                                     const struct settings *settings, struct cli_frf_result *result,
+                                     struct cli_progress *progress, struct hawser_report *report)
+{
+	struct hawser_frf_options choice = *options;
+
+	if (!hawser_cover_needed(result->frf, options))
+		return HAWSER_OK;
+	result->unsearched = cli_exact_failed(result->model, &result->error);
+	if (result->unsearched)
+		return HAWSER_OK;
+	if (settings->unstable == 0)
+		choice.most_unstable = result->observed = OBSERVED;
+	if (settings->points == 0)
+		choice.most_work = result->allowed;
+	return cli_cover_trace(cover, result, &choice, progress, locate_peaks, report);
+}
+
 static enum hawser_status trace(struct hawser_frf *frf, struct hawser_landmark **peak,
                                 struct cli_cover *cover, const struct cli_label *label,
                                 struct cli_model *model,
@@ -247,6 +267,8 @@ static enum hawser_status trace(struct hawser_frf *frf, struct hawser_landmark *
 		choice.tolerance = settings->tolerance;
 	if (settings->points > 0)
 		choice.max_points = settings->points;
+	else if (!automatic && !model->rom.exact)
+		choice.most_work = result->allowed;
 	status = choose_start(&choice, &last, settings, model, report);
 	choice.progress = (struct hawser_progress){cli_watch, &watch};
 	if (!status && automatic) {
@@ -265,7 +287,7 @@ static enum hawser_status trace(struct hawser_frf *frf, struct hawser_landmark *
 	}
 	if (!status && cli_label_plain(frf, model) && !result->over && !cli_interrupted() &&
 	    !cli_switch_elsewhere(settings->switched))
-		status = cli_cover_trace(cover, result, &choice, &watch.progress, locate_peaks, report);
+		status = cover_rest(cover, &choice, settings, result, &watch.progress, report);
 	if (!status && !cli_interrupted())
 		status = cli_cover_switch(cover, result, &choice, settings->branches, settings->switched,
 		                          &watch.progress, locate_peaks, report);
@@ -299,6 +321,7 @@ static enum hawser_status write_result(struct cli_frf_result *result, struct cli
 	struct cli_showing showing = cli_frf_showing;
 	enum hawser_status status;
 	char text[CLI_WARNING_SIZE];
+	int note;
 
 	if (energy)
 		showing.draw = cli_backbone_draw;
@@ -315,14 +338,9 @@ static enum hawser_status write_result(struct cli_frf_result *result, struct cli
 		cli_exact_warn(result->model);
 	if (!status)
 		cli_range_warn_frf(model, result);
-	if (!status && cli_frf_slack(text, sizeof text, result))
-		cli_warn(text);
-	if (!status && cli_frf_lift(text, sizeof text, result))
-		cli_warn(text);
-	if (!status && cli_frf_lost(text, sizeof text, result))
-		cli_warn(text);
-	if (!status && cli_frf_gaps(text, sizeof text, result))
-		cli_warn(text);
+	for (int k = 0; !status && (note = cli_frf_note(text, sizeof text, result, k)) >= 0; k++)
+		if (note > 0)
+			cli_warn(text);
 	for (int k = 0; k < result->misses && !status; k++)
 		cli_warn(result->missed[k].text);
 	return status;
@@ -386,7 +404,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	struct cli_frf_result result = {.common = &settings->common, .model = &model, .frf = &frf,
 	                                .sweep = list, .multipliers = settings->multipliers,
 	                                .scale = settings->scale, .overlay = overlay,
-	                                .label_every = settings->label_every};
+	                                .label_every = settings->label_every,
+	                                .allowed = CLI_BEARABLE};
 	enum hawser_status status = check(settings, report), written = HAWSER_OK;
 
 	if (!status)

@@ -22,6 +22,7 @@ enum hawser_status cli_cover_trace(struct cli_cover *cover, struct cli_frf_resul
 	choice.progress = (struct hawser_progress){cli_watch, &watch};
 	status = hawser_cover_trace(&cover->of, result->frf, &result->model->rom, &choice, report);
 	*progress = watch.progress;
+	result->costly = cover->of.costly;
 	if (status || cover->of.branches + cover->of.gaps == 0)
 		return status;
 	cover->other = calloc((size_t)cover->of.branches + 1, sizeof *cover->other);

@@ -242,15 +242,13 @@ static void warnings_json(struct hawser__json *json, json_t *into, const void *r
 {
 	const struct cli_frf_result *result = row;
 	char text[CLI_WARNING_SIZE];
+	int note;
 
 	(void)into;
-	cli_warnings_json(json, cli_frf_slack(text, sizeof text, row) ? text : NULL);
-	if (cli_frf_lift(text, sizeof text, row))
-		hawser__json_text(json, json_object_get(json->root, "warnings"), NULL, text);
-	if (cli_frf_gaps(text, sizeof text, row))
-		hawser__json_text(json, json_object_get(json->root, "warnings"), NULL, text);
-	if (cli_frf_lost(text, sizeof text, row))
-		hawser__json_text(json, json_object_get(json->root, "warnings"), NULL, text);
+	cli_warnings_json(json, NULL);
+	for (int k = 0; (note = cli_frf_note(text, sizeof text, row, k)) >= 0; k++)
+		if (note > 0)
+			hawser__json_text(json, json_object_get(json->root, "warnings"), NULL, text);
 	for (int k = 0; k < result->misses; k++)
 		hawser__json_text(json, json_object_get(json->root, "warnings"), NULL, result->missed[k].text);
 }

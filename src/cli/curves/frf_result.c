@@ -44,6 +44,7 @@ static const char *sentence(enum hawser_frf_end end)
 		                      "cable's (--slack follow shows it)";
 	case HAWSER_END_UNSTABLE: return "more multipliers are unstable than --unstable allows";
 	case HAWSER_END_LOST: return "unstable motions that could not be followed further";
+	case HAWSER_END_WORK: return "it took the most work that is done unasked; --max-points N goes on";
 	case HAWSER_END_MEETS: return "the branch meets another one; beyond, it repeats itself in reverse";
 	case HAWSER_END_FAILED: return "the corrector failed; the curve is incomplete";
 	}
@@ -53,120 +54,6 @@ static const char *sentence(enum hawser_frf_end end)
 int cli_frf_direction(const struct hawser_frf *frf)
 {
 	return frf->points > 0 ? frf->point[frf->points - 1].direction : 0;
-}
-
-/* Number of branches that end where the cable becomes slack. */
-static int ends_slack(const struct cli_frf_result *result)
-{
-	int count = result->frf->end == HAWSER_END_SLACK;
-
-	for (int k = 0; k < result->others; k++)
-		count += result->other[k].frf->end == HAWSER_END_SLACK;
-	return count;
-}
-
-static double place_of(const struct cli_frf_result *result, const struct hawser_frf_point *point)
-{
-	return result->over ? point->parameter : point->omega*cli_per_omega(result->model);
-}
-
-/* Append to text [size], of which `used` are used. */
-static int append(char *text, size_t size, int used, const struct cli_frf_result *result,
-                  const char *before)
-{
-	const struct hawser_frf *frf = result->frf;
-
-	if (frf->end != HAWSER_END_SLACK || used >= (int)size)
-		return used;
-	return used + snprintf(text + used, size - (size_t)used, "%s%.9g", before,
-	                       place_of(result, &frf->point[frf->points - 1]));
-}
-
-static int slack_ends(char *text, size_t size, const struct cli_frf_result *result)
-{
-	char first[120];
-	int used;
-
-	snprintf(first, sizeof first, "slack: the least tension falls to zero at %.60s = ",
-	         result->over ? result->over->axis.key : "Omega");
-	used = append(text, size, 0, result, first);
-	for (int k = 0; k < result->others; k++)
-		used = append(text, size, used, &result->other[k], used ? ", " : first);
-	if (used < (int)size)
-		snprintf(text + used, size - (size_t)used, "%s%s, where the curve ends: a cable bears no "
-		         "compression, and beyond the model's motion is not the cable's (--slack follow "
-		         "shows it)", result->over ? " " : "",
-		         result->over ? result->over->axis.unit : cli_unit(result->model, " rad/s"));
-	return 1;
-}
-
-int cli_frf_gaps(char *text, size_t size, const struct cli_frf_result *result)
-{
-	const char *taut = ends_slack(result) ? "that keeps the cable taut " : "";
-	double per_omega = cli_per_omega(result->model);
-	int used = 0;
-
-	for (int k = 0; k < result->gaps && used < (int)size; k++)
-		used += snprintf(text + used, size - (size_t)used, "%s%s%s %.9g and %.9g",
-		                 k ? "," : "gaps: no periodic motion ", k ? "" : taut,
-		                 k ? "" : "was found between Omega =", result->gap[2*k]*per_omega,
-		                 result->gap[2*k + 1]*per_omega);
-	if (used > 0 && used < (int)size)
-		snprintf(text + used, size - (size_t)used, "%s: begin one there with --at, or look with "
-		         "--sweep both", cli_unit(result->model, " rad/s"));
-	return result->gaps > 0;
-}
-
-int cli_frf_lost(char *text, size_t size, const struct cli_frf_result *result)
-{
-	const struct hawser_frf *frf = result->frf;
-
-	for (int k = 0; frf->end != HAWSER_END_LOST && k < result->others; k++)
-		frf = result->other[k].frf;
-	if (frf->end != HAWSER_END_LOST)
-		return 0;
-	snprintf(text, size, "branch %d ends at Omega = %.9g%s among unstable motions, which can't be "
-	         "observed (%d unstable multipliers); the next could not be computed: %s", frf->branch,
-	         frf->point[frf->points - 1].omega*cli_per_omega(result->model),
-	         cli_unit(result->model, " rad/s"), frf->point[frf->points - 1].unstable, frf->lost);
-	return 1;
-}
-
-int cli_frf_slack(char *text, size_t size, const struct cli_frf_result *result)
-{
-	const struct hawser_frf *frf = result->frf;
-	int at = 0, count = 0, slower = -1;
-
-	if (!frf->tension)
-		return 0;
-	if (ends_slack(result))
-		return slack_ends(text, size, result);
-	for (int i = 0; i < frf->points; i++) {
-		double missing = cli_speeding_tension(result->model, frf->point[i].omega);
-
-		if (slower < 0 && frf->tension[2*i] < missing)
-			slower = i;
-		count += frf->tension[2*i] < 0.0;
-		if (frf->tension[2*i] < frf->tension[2*at])
-			at = i;
-	}
-	if (count == 0 && slower >= 0)
-		snprintf(text, size, "slack: at Omega = %.9g%s the model's least tension is %.4g N, and the "
-		         "change of speed takes about %.4g N more, which it has not: model.condense: static "
-		         "and model.energy: exact have it",
-		         frf->point[slower].omega*cli_per_omega(result->model),
-		         cli_unit(result->model, " rad/s"),
-		         frf->tension[2*slower],
-		         cli_speeding_tension(result->model, frf->point[slower].omega));
-	if (count == 0)
-		return slower >= 0;
-	snprintf(text, size, "slack: the model's tension falls to %.4g N at %s = %.9g%s%s, and below "
-	         "zero at %d of %d points; a cable bears no compression, so the response there is not "
-	         "that of a cable", frf->tension[2*at], result->over ? result->over->axis.key : "Omega",
-	         place_of(result, &frf->point[at]), result->over ? " " : "",
-	         result->over ? result->over->axis.unit : cli_unit(result->model, " rad/s"), count,
-	         frf->points);
-	return 1;
 }
 
 /* --- table --- */
@@ -244,7 +131,7 @@ void cli_frf_comments(struct hawser__table *table, const void *of)
 	const struct cli_model *model = result->model;
 	double per_omega = cli_per_omega(model);
 	const char *rad_s = cli_unit(result->model, " rad/s");
-	int k;
+	int k, note;
 
 	if (result->over)
 		hawser__table_comment(table, "range: %s to %.12g, at Omega = %.12g%s",
@@ -288,17 +175,14 @@ void cli_frf_comments(struct hawser__table *table, const void *of)
 		cli_backbone_comments(table, result);
 	cli_speeding_comment(table, model, fmax(result->from, result->to));
 	cli_frf_lift_comment(table, result);
-	if (cli_frf_slack(text, sizeof text, result))
-		hawser__table_comment(table, "warning: %s", text);
-	if (cli_frf_lift(text, sizeof text, result))
-		hawser__table_comment(table, "warning: %s", text);
 	hawser__table_comment(table, "end: %s - %s%s%s", hawser_frf_end_name(frf->end),
 	                      sentence(frf->end), *frf->lost ? ": " : "", frf->lost);
 	hawser__table_comment(table, "%d points", frf->points);
 	for (k = 0; k < result->others; k++)
 		comment_branch(table, &result->other[k]);
-	if (cli_frf_gaps(text, sizeof text, result))
-		hawser__table_comment(table, "warning: %s", text);
+	for (k = 0; (note = cli_frf_note(text, sizeof text, result, k)) >= 0; k++)
+		if (note > 0)
+			hawser__table_comment(table, "warning: %s", text);
 	for (k = 0; k < result->misses; k++)
 		hawser__table_comment(table, "warning: %s", result->missed[k].text);
 	if (frf->undecided > 0)

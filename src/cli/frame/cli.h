@@ -438,6 +438,10 @@ struct cli_frf_result {
 	const double *gap; /* [gaps][2] scaled Omega: parts of the range in which no branch was found */
 	const struct cli_missed *missed; /* [misses] what was not followed (frf_cover.h) */
 	int others, gaps, misses, label_every; /* label_every: 0: of events alone */
+	int observed;   /* most unstable multipliers of further branches, not asked for; 0: no limit */
+	int unsearched; /* 1: further branches are not searched for, since the model is too far off */
+	int costly;     /* 1: the search for them ended at its limit of work */
+	double allowed; /* that of the curve and that of further branches, s */
 };
 /* "Omega = 1.4 rad/s" of a point at `omega` (scaled), or "damping.alpha = 0.1 kg/m/s" with --over. */
 struct cli_place {
@@ -446,12 +450,9 @@ struct cli_place {
 struct cli_place cli_frf_place(const struct cli_frf_result *result, double omega, double parameter);
 /* The value of the member `direction` of a result. */
 int cli_frf_direction(const struct hawser_frf *frf);
-/* Returns 1 if the tension is negative at a point, or a branch ends where it becomes zero; text
- * [size] is then a message. The same for parts of the range without a branch. */
-int cli_frf_slack(char *text, size_t size, const struct cli_frf_result *result);
-int cli_frf_gaps(char *text, size_t size, const struct cli_frf_result *result);
-/* The same for the first branch that ends among unstable motions that could not be computed. */
-int cli_frf_lost(char *text, size_t size, const struct cli_frf_result *result);
+/* Warning k about a result, from 0: slackness, parts of the range without a branch and the like (frf_notes.c).
+ * 1: text [size] is it; 0: there is nothing to say; -1: no further k. */
+int cli_frf_note(char *text, size_t size, const struct cli_frf_result *result, int k);
 void cli_frf_peak_comments(struct hawser__table *table, const struct cli_frf_result *result);
 void cli_frf_comments(struct hawser__table *table, const void *result);
 extern const struct cli_showing cli_frf_showing;

@@ -30,9 +30,8 @@ static const double much = 0.1;
  * load or a mode of the range may need as many. */
 static const double accuracy = 0.01;
 enum { FUNCTIONS = 24, POINTS = 1500 };
-/* Seconds of processor time, as counted, that nobody has to ask for: where no number of modes is good
- * enough, and where more of them, or model.modes: auto, may be; chosen. */
-static const double bearable = 90.0, bearable_else = 10.0;
+/* CLI_BEARABLE where more modes, or model.modes: auto, may be good enough; chosen. */
+static const double bearable_else = 10.0;
 /* Of a map of amplitudes: work of a row over that of a draft (three rows of a footbridge: 2.7), and the
  * range about one frequency; chosen. */
 static const double row = 3.0, around = 1.05;
@@ -56,6 +55,11 @@ int cli_exact_calls(const struct cli_model *model, const struct cli_model_error 
 	       model->scene.model.condense == HAWSER_CONDENSE_STATIC &&
 	       (!error || (error->stated && (safety*error->fixed.truncation > enough ||
 	                                     error->fixed.estimated > limit_of(model))));
+}
+
+int cli_exact_failed(const struct cli_model *model, const struct cli_model_error *error)
+{
+	return model->exact.failed[0] && !(error->fixed.estimated < 1.0);
 }
 
 /* The model is now what the scene would be with these keys. */
@@ -115,11 +119,12 @@ static enum hawser_status search(struct hawser_accuracy *better, struct cli_mode
 {
 	struct hawser_accuracy_options choice = {.frf = *options, .expected = points, .agreed = 1,
 		.accuracy = hawser_scene_written(&model->scene, "model.accuracy") ? 0.0 : accuracy,
-		.bearable = is_beyond(error) ? bearable : bearable_else,
+		.bearable = is_beyond(error) ? CLI_BEARABLE : bearable_else,
 		.most_functions = FUNCTIONS, .after = after};
 	struct hawser_report why = {.message = ""};
 	enum hawser_status status;
 
+	choice.frf.most_work = 0.0;
 	if (choice.frf.max_points == 0 || choice.frf.max_points > POINTS)
 		choice.frf.max_points = POINTS;
 	status = hawser_accuracy_exact(better, &model->statics, &model->scene, &choice, &why);

@@ -5,9 +5,16 @@
 
 #include "cli/frame/cli.h"
 
+/* Seconds of processor time, as counted (hawser_orbit_work), that nobody has to ask for: of a curve of
+ * modes, of a search for the exact energy, and of a search for further branches; chosen. */
+#define CLI_BEARABLE 30.0
+
 /* Whether model.energy: auto calls for it: a span of condensed modes with this error, or (NULL) one
  * whose modes give no answer. */
 int cli_exact_calls(const struct cli_model *model, const struct cli_model_error *error);
+
+/* Whether it called for it, got none, and the modes may be off by more than 100 %. */
+int cli_exact_failed(const struct cli_model *model, const struct cli_model_error *error);
 
 /* Where the modes of a curve are not good enough or fail (so_far: its status): replace curve, model and
  * error by those of the exact energy, and the options by those with which it was traced; the scene

@@ -97,13 +97,18 @@ static enum hawser_status add(struct hawser_cover *cover, struct hawser_frf **fr
 	struct hawser_frf *larger = realloc(cover->branch, ((size_t)cover->branches + 1)*sizeof *larger);
 	const struct hawser__trace_watch watch = {.direct = 1}; /* many starts */
 	struct hawser_report local = {.status = HAWSER_OK};
+	struct hawser_frf_options left = *options;
 	enum hawser_status status;
 
 	*frf = NULL;
 	if (!larger)
 		return hawser__no_memory(report, "frf");
 	cover->branch = larger;
-	status = hawser__frf_trace(&larger[cover->branches], rom, options, &watch, &local);
+	if (options->most_work > 0.0)
+		left.most_work = options->most_work - cover->work;
+	status = hawser__frf_trace(&larger[cover->branches], rom, &left, &watch, &local);
+	cover->work += hawser_orbit_work(&larger[cover->branches].cost, rom->n);
+	cover->costly = options->most_work > 0.0 && cover->work >= options->most_work;
 	if (status && status != HAWSER_ERR_CONVERGENCE) {
 		hawser_frf_clear(&larger[cover->branches]);
 		if (report)
@@ -143,16 +148,16 @@ static enum hawser_status both_ways(struct hawser_cover *cover, int *found, stru
 		*found = 1;
 		if (cut(gaps, frf))
 			return hawser__no_memory(report, "frf");
-		if (frf->end == HAWSER_END_INTERRUPTED || frf->end == HAWSER_END_CLOSED)
+		if (frf->end == HAWSER_END_INTERRUPTED || frf->end == HAWSER_END_CLOSED || cover->costly)
 			return HAWSER_OK;
 	}
 	return HAWSER_OK;
 }
 
-static int interrupted(const struct hawser_cover *cover)
+static int ended(const struct hawser_cover *cover)
 {
-	return cover->branches > 0 &&
-	       cover->branch[cover->branches - 1].end == HAWSER_END_INTERRUPTED;
+	return cover->costly || (cover->branches > 0 &&
+	                         cover->branch[cover->branches - 1].end == HAWSER_END_INTERRUPTED);
 }
 
 static enum hawser_status fill_gaps(struct hawser_cover *cover, struct gaps *gaps, double range,
@@ -165,7 +170,7 @@ static enum hawser_status fill_gaps(struct hawser_cover *cover, struct gaps *gap
 		enum hawser_status status;
 		int found;
 
-		if ((status = both_ways(cover, &found, gaps, g, rom, options, report)) || interrupted(cover))
+		if ((status = both_ways(cover, &found, gaps, g, rom, options, report)) || ended(cover))
 			return status;
 		if (found)
 			continue;
@@ -235,7 +240,7 @@ enum hawser_status hawser_cover_trace(struct hawser_cover *cover, const struct h
 		status = add(cover, &frf, rom, &back, report);
 	if (!status && frf && cut(&gaps, frf))
 		status = hawser__no_memory(report, "frf");
-	if (!status && !interrupted(cover))
+	if (!status && !ended(cover))
 		status = fill_gaps(cover, &gaps, hi - lo, rom, &back, report);
 	if (!status && list_gaps(cover, &gaps, hi - lo))
 		status = hawser__no_memory(report, "frf");

@@ -204,6 +204,11 @@ static enum hawser_status prepare(void *owner, int *ended)
 		frf->end = HAWSER_END_MAX_POINTS;
 		return HAWSER_OK;
 	}
+	if (trace->options.most_work > 0.0 &&
+	    hawser_orbit_work(&trace->orbit->cost, frf->n) > trace->options.most_work) {
+		frf->end = HAWSER_END_WORK;
+		return HAWSER_OK;
+	}
 	if ((status = hawser__trace_climbs(trace)))
 		return status;
 	trace->orbit->ops->metric(trace->orbit, trace->here.y);
@@ -399,6 +404,8 @@ static enum hawser_status trace_once(int *jumped, struct hawser_frf *frf,
 		.length = rom->length, .time = rom->time};
 	if (!(status = open_trace(&trace, report)) && !(status = hawser__trace_begin(&trace)))
 		status = follow(&trace);
+	if (trace.orbit)
+		frf->cost = trace.orbit->cost;
 	hawser__record_order(frf);
 	*jumped = trace.jumped;
 	close_trace(&trace);

@@ -250,7 +250,7 @@ const char *hawser_frf_end_name(enum hawser_frf_end end)
 {
 	static const char *const name[] = {"end of the range", "returned", "curve closed",
 		"max-points", "interrupted", "failed", "at rest", "slack", "unstable",
-		"lost", "meets a branch"};
+		"lost", "meets a branch", "most work"};
 
 	return (unsigned)end < sizeof name/sizeof *name ? name[end] : "unknown";
 }

@@ -227,6 +227,7 @@ enum hawser_status hawser__station_judge(struct hawser__station *station,
 
 	if (status)
 		return status;
+	orbit->cost.judged += !orbit->unjudged;
 	memcpy(station->log_modulus, orbit->log_modulus, (size_t)m*sizeof(double));
 	memcpy(station->argument, orbit->argument, (size_t)m*sizeof(double));
 	memcpy(station->condensed, orbit->condensed, (size_t)m);

@@ -1,0 +1,189 @@
+/* cli/frf_notes.c - what a frequency response says about itself on standard error, in JSON and in its
+ * table.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "cli/model/exact.h"
+#include "cli/curves/frf_cover.h"
+#include "cli/curves/frf_lift.h"
+#include "cli/curves/frf_over.h"
+
+/* Number of branches that end where the cable becomes slack. */
+static int ends_slack(const struct cli_frf_result *result)
+{
+	int count = result->frf->end == HAWSER_END_SLACK;
+
+	for (int k = 0; k < result->others; k++)
+		count += result->other[k].frf->end == HAWSER_END_SLACK;
+	return count;
+}
+
+static double place_of(const struct cli_frf_result *result, const struct hawser_frf_point *point)
+{
+	return result->over ? point->parameter : point->omega*cli_per_omega(result->model);
+}
+
+/* Append to text [size], of which `used` are used. */
+static int append(char *text, size_t size, int used, const struct cli_frf_result *result,
+                  const char *before)
+{
+	const struct hawser_frf *frf = result->frf;
+
+	if (frf->end != HAWSER_END_SLACK || used >= (int)size)
+		return used;
+	return used + snprintf(text + used, size - (size_t)used, "%s%.9g", before,
+	                       place_of(result, &frf->point[frf->points - 1]));
+}
+
+static int slack_ends(char *text, size_t size, const struct cli_frf_result *result)
+{
+	char first[120];
+	int used;
+
+	snprintf(first, sizeof first, "slack: the least tension falls to zero at %.60s = ",
+	         result->over ? result->over->axis.key : "Omega");
+	used = append(text, size, 0, result, first);
+	for (int k = 0; k < result->others; k++)
+		used = append(text, size, used, &result->other[k], used ? ", " : first);
+	if (used < (int)size)
+		snprintf(text + used, size - (size_t)used, "%s%s, where the curve ends: a cable bears no "
+		         "compression, and beyond the model's motion is not the cable's (--slack follow "
+		         "shows it)", result->over ? " " : "",
+		         result->over ? result->over->axis.unit : cli_unit(result->model, " rad/s"));
+	return 1;
+}
+
+static int gaps(char *text, size_t size, const struct cli_frf_result *result)
+{
+	const char *taut = ends_slack(result) ? "that keeps the cable taut " : "";
+	double per_omega = cli_per_omega(result->model);
+	int used = 0;
+
+	for (int k = 0; k < result->gaps && used < (int)size; k++)
+		used += snprintf(text + used, size - (size_t)used, "%s%s%s %.9g and %.9g",
+		                 k ? "," : "gaps: no periodic motion ", k ? "" : taut,
+		                 k ? "" : "was found between Omega =", result->gap[2*k]*per_omega,
+		                 result->gap[2*k + 1]*per_omega);
+	if (used > 0 && used < (int)size)
+		snprintf(text + used, size - (size_t)used, "%s: begin one there with --at, or look with "
+		         "--sweep both", cli_unit(result->model, " rad/s"));
+	return result->gaps > 0;
+}
+
+static int lost(char *text, size_t size, const struct cli_frf_result *result)
+{
+	const struct hawser_frf *frf = result->frf;
+
+	for (int k = 0; frf->end != HAWSER_END_LOST && k < result->others; k++)
+		frf = result->other[k].frf;
+	if (frf->end != HAWSER_END_LOST)
+		return 0;
+	snprintf(text, size, "branch %d ends at Omega = %.9g%s among unstable motions, which can't be "
+	         "observed (%d unstable multipliers); the next could not be computed: %s", frf->branch,
+	         frf->point[frf->points - 1].omega*cli_per_omega(result->model),
+	         cli_unit(result->model, " rad/s"), frf->point[frf->points - 1].unstable, frf->lost);
+	return 1;
+}
+
+static int slack(char *text, size_t size, const struct cli_frf_result *result)
+{
+	const struct hawser_frf *frf = result->frf;
+	int at = 0, count = 0, slower = -1;
+
+	if (!frf->tension)
+		return 0;
+	if (ends_slack(result))
+		return slack_ends(text, size, result);
+	for (int i = 0; i < frf->points; i++) {
+		double missing = cli_speeding_tension(result->model, frf->point[i].omega);
+
+		if (slower < 0 && frf->tension[2*i] < missing)
+			slower = i;
+		count += frf->tension[2*i] < 0.0;
+		if (frf->tension[2*i] < frf->tension[2*at])
+			at = i;
+	}
+	if (count == 0 && slower >= 0)
+		snprintf(text, size, "slack: at Omega = %.9g%s the model's least tension is %.4g N, and the "
+		         "change of speed takes about %.4g N more, which it has not: model.condense: static "
+		         "and model.energy: exact have it",
+		         frf->point[slower].omega*cli_per_omega(result->model),
+		         cli_unit(result->model, " rad/s"),
+		         frf->tension[2*slower],
+		         cli_speeding_tension(result->model, frf->point[slower].omega));
+	if (count == 0)
+		return slower >= 0;
+	snprintf(text, size, "slack: the model's tension falls to %.4g N at %s = %.9g%s%s, and below "
+	         "zero at %d of %d points; a cable bears no compression, so the response there is not "
+	         "that of a cable", frf->tension[2*at], result->over ? result->over->axis.key : "Omega",
+	         place_of(result, &frf->point[at]), result->over ? " " : "",
+	         result->over ? result->over->axis.unit : cli_unit(result->model, " rad/s"), count,
+	         frf->points);
+	return 1;
+}
+
+/* Where the branches with this end do so, after `before`; returns their number. */
+static int list_ends(char *text, size_t size, const struct cli_frf_result *result,
+                     enum hawser_frf_end end, const char *before)
+{
+	int used = snprintf(text, size, "%s", before), count = 0;
+
+	for (int k = 0; k <= result->others; k++) {
+		const struct hawser_frf *frf = k ? result->other[k - 1].frf : result->frf;
+
+		if (frf->end != end || frf->points < 1 || used >= (int)size)
+			continue;
+		used += snprintf(text + used, size - (size_t)used, "%s branch %d at %.9g%s", count++ ? "," : "",
+		                 frf->branch, place_of(result, &frf->point[frf->points - 1]),
+		                 result->over ? "" : cli_unit(result->model, " rad/s"));
+	}
+	return count;
+}
+
+/* Add to the text. */
+static void add(char *text, size_t size, const char *more, double number)
+{
+	size_t used = strlen(text);
+
+	snprintf(text + used, size - used, more, number);
+}
+
+static int unstable(char *text, size_t size, const struct cli_frf_result *result)
+{
+	if (result->observed == 0 ||
+	    list_ends(text, size, result, HAWSER_END_UNSTABLE, "unstable: the curve ends on") == 0)
+		return 0;
+	add(text, size, ", where more than %.0f multipliers are unstable, so that nobody observes the "
+	    "motion (--unstable N follows it on)", result->observed);
+	return 1;
+}
+
+static int work(char *text, size_t size, const struct cli_frf_result *result)
+{
+	if (list_ends(text, size, result, HAWSER_END_WORK, "time: the curve ends on") == 0) {
+		snprintf(text, size, "time: the search for further branches ends");
+		if (!result->costly)
+			return 0;
+	}
+	add(text, size, ", since it takes more than some %.0f s, as counted: fewer modes (-n) or a "
+	    "narrower range take less, --max-points N goes on", result->allowed);
+	return 1;
+}
+
+static int unsearched(char *text, size_t size, const struct cli_frf_result *result)
+{
+	snprintf(text, size, "gaps: further branches are not searched for, as the model may be off by more "
+	         "than 100 %% (--set model.energy=quartic searches all the same)");
+	return result->unsearched;
+}
+
+int cli_frf_note(char *text, size_t size, const struct cli_frf_result *result, int k)
+{
+	static int (*const note[])(char *, size_t, const struct cli_frf_result *) = {
+		slack, cli_frf_lift, lost, unstable, work, gaps, unsearched};
+
+	return k < (int)(sizeof note/sizeof *note) ? note[k](text, size, result) : -1;
+}
