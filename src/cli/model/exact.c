@@ -30,8 +30,9 @@ static const double much = 0.1;
  * load or a mode of the range may need as many. */
 static const double accuracy = 0.01;
 enum { FUNCTIONS = 24, POINTS = 1500 };
-/* CLI_BEARABLE where more modes, or model.modes: auto, may be good enough; chosen. */
-static const double bearable_else = 10.0;
+/* Seconds of processor time, as counted (hawser_orbit_work), that nobody has to ask for: where no number
+ * of modes is good enough, and where more of them, or model.modes: auto, may be; chosen. */
+static const double bearable = 60.0, bearable_else = 10.0;
 /* Of a map of amplitudes: work of a row over that of a draft (three rows of a footbridge: 2.7), and the
  * range about one frequency; chosen. */
 static const double row = 3.0, around = 1.05;
@@ -119,7 +120,7 @@ static enum hawser_status search(struct hawser_accuracy *better, struct cli_mode
 {
 	struct hawser_accuracy_options choice = {.frf = *options, .expected = points, .agreed = 1,
 		.accuracy = hawser_scene_written(&model->scene, "model.accuracy") ? 0.0 : accuracy,
-		.bearable = is_beyond(error) ? CLI_BEARABLE : bearable_else,
+		.bearable = is_beyond(error) ? bearable : bearable_else,
 		.most_functions = FUNCTIONS, .after = after};
 	struct hawser_report why = {.message = ""};
 	enum hawser_status status;

@@ -6,7 +6,7 @@
 #include "cli/frame/cli.h"
 
 /* Seconds of processor time, as counted (hawser_orbit_work), that nobody has to ask for: of a curve of
- * modes, of a search for the exact energy, and of a search for further branches; chosen. */
+ * modes, and of a search for further branches; chosen. */
 #define CLI_BEARABLE 30.0
 
 /* Whether model.energy: auto calls for it: a span of condensed modes with this error, or (NULL) one

@@ -107,7 +107,7 @@ static enum hawser_status add(struct hawser_cover *cover, struct hawser_frf **fr
 	if (options->most_work > 0.0)
 		left.most_work = options->most_work - cover->work;
 	status = hawser__frf_trace(&larger[cover->branches], rom, &left, &watch, &local);
-	cover->work += hawser_orbit_work(&larger[cover->branches].cost, rom->n);
+	cover->work += hawser_orbit_work(&larger[cover->branches].cost, rom);
 	cover->costly = options->most_work > 0.0 && cover->work >= options->most_work;
 	if (status && status != HAWSER_ERR_CONVERGENCE) {
 		hawser_frf_clear(&larger[cover->branches]);

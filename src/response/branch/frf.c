@@ -205,7 +205,7 @@ static enum hawser_status prepare(void *owner, int *ended)
 		return HAWSER_OK;
 	}
 	if (trace->options.most_work > 0.0 &&
-	    hawser_orbit_work(&trace->orbit->cost, frf->n) > trace->options.most_work) {
+	    hawser_orbit_work(&trace->orbit->cost, trace->rom) > trace->options.most_work) {
 		frf->end = HAWSER_END_WORK;
 		return HAWSER_OK;
 	}
@@ -391,7 +391,8 @@ static enum hawser_status trace_once(int *jumped, struct hawser_frf *frf,
                                      struct hawser_report *report)
 {
 	struct hawser__trace trace = {.rom = rom, .options = *options, .frf = frf, .report = report,
-		.watch = watch, .curve = {.ops = &branch_ops, .settings = &hawser__frf_steps},
+		.watch = watch, .curve = {.ops = &branch_ops, .settings = options->unjudged && rom->exact
+		                                                   ? &hawser__draft_steps : &hawser__frf_steps},
 		.lo = fmin(options->from, options->to),
 		.hi = fmax(options->from, options->to)};
 	enum hawser_status status;

@@ -218,6 +218,11 @@ static enum hawser_status count_as_stable(struct hawser__orbit *orbit)
 	return HAWSER_OK;
 }
 
+int hawser__station_draft(const struct hawser__orbit *orbit)
+{
+	return orbit->unjudged && orbit->rom->exact;
+}
+
 enum hawser_status hawser__station_judge(struct hawser__station *station,
                                          struct hawser__orbit *orbit, struct hawser_report *report)
 {
@@ -243,7 +248,8 @@ enum hawser_status hawser__station_judge(struct hawser__station *station,
 	station->multiplier_error = orbit->multiplier_error;
 	station->mesh = orbit->mesh/orbit->X;
 	/* infinite at a branch point; then the size of the orbit is used */
-	station->error = fmin(1.0, orbit->ops->error(orbit, station->correction.residual));
+	station->error = fmin(1.0, hawser__station_draft(orbit) ? station->mesh + station->correction.residual
+	                           : orbit->ops->error(orbit, station->correction.residual));
 	station->round_off = orbit->round_off;
 	set_tests(station, orbit);
 	return HAWSER_OK;

@@ -169,6 +169,8 @@ enum hawser_status hawser__trace_refine(void *owner, double ds, double *factor)
 /* Whether a step is refused whatever its multipliers are. */
 static int refused(const struct hawser__trace *trace, double angle, double ds)
 {
+	if (hawser__station_draft(trace->orbit))
+		angle *= hawser__frf_steps.goal_angle/hawser__draft_steps.goal_angle;
 	return ds > TRUSTED_STEP && !hawser__trace_trusted(&trace->next.correction, angle);
 }
 

@@ -19,9 +19,8 @@
  * last: attachments divide the cable into elements, which share the functions out, so that 6 and 8
  * of them may give the same model.
  *
- *    work     seconds of a trace: RATE times the square of the number of coordinates, for each
- *             sample of a period that was evaluated. It is counted, not measured, so that what is
- *             chosen does not depend on the machine and what else it does
+ *    work     seconds of a trace, as hawser_orbit_work counts them: what is chosen does not depend
+ *             on the machine and what else it does
  *    foreseen work of the whole search and its response; above options->bearable it ends
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
@@ -36,6 +35,7 @@
 
 #define SAFETY_BASIS 3.0 /* factor on the difference, calibrated by bench/accuracy.c */
 #define FINEST 1e-9      /* smallest tolerance of the orbits; chosen, far below any accuracy */
+#define COARSEST 1e-6    /* largest one; chosen */
 #define MIDDLING 12      /* functions per component from which on a failure is attributed to the
                           * tolerance, not to the basis; chosen */
 #define RESOLVED 0.1     /* largest error of the frequencies in the range, relative to the accuracy;
@@ -44,9 +44,6 @@
 #define LACKS 0.02       /* largest part of the static response to the load that a basis lacks;
                           * chosen */
 #define LONG 0.2         /* largest step of a curve for comparison, relative to the range; chosen */
-#define RATE 1e-7       /* s; within a factor 2 of 24 to 42 coordinates on a core of 2 GHz */
-#define MULTIPLIERS 1.2e-6 /* s of those of a point, over the cube of the number of coordinates: 1.0e-6
-                        * to 1.4e-6 with 30 to 60 of them; strongly damped ones take more */
 #define MORE_POINTS 1.2 /* of a response, over those of its draft or of the modes; chosen */
 #define LARGER 1.5      /* work of the next draft over that of the last; chosen */
 #define DOUBT 2.0       /* factor of what is foreseen of a draft that has not ended; chosen */
@@ -108,7 +105,7 @@ static struct hawser_frf_options settle(const struct hawser_accuracy_options *op
 	struct hawser_frf_options frf = hawser__accuracy_settle(options, accuracy);
 
 	if (options->frf.tolerance == 0.0)
-		frf.tolerance = fmin(fmax(1e-3*accuracy, FINEST), 1e-6);
+		frf.tolerance = fmin(fmax(1e-3*accuracy, FINEST), COARSEST);
 	return frf;
 }
 
@@ -157,8 +154,9 @@ struct watch {
 	struct hawser_accuracy *a;
 	double before; /* work of the traces that have ended */
 	double next;   /* work of another draft, over that of this one */
+	int expected;  /* points of the trace; 0: not known */
+	const struct hawser_rom *rom; /* of the trace */
 	int n;         /* coordinates of the model whose response follows */
-	double rate;   /* work of a sample */
 	int drafts;    /* 1: it is a draft, which may be given up */
 };
 
@@ -169,17 +167,16 @@ static void clear(struct draft *draft)
 	*draft = (struct draft){.functions = 0};
 }
 
-static double rate(const struct hawser_rom *rom)
+/* Work of what follows the drafts, by one of them with the same kind of model. */
+static double follows(const struct hawser_accuracy_options *options, int n, int points, double work,
+                      const struct hawser_rom *rom)
 {
-	return RATE*(double)rom->n*rom->n;
-}
+	struct hawser_rom as = *rom;
+	struct hawser_orbit_cost judging = {
+		.judged = (long)(MORE_POINTS*fmax(points, options->expected))};
 
-/* Work of what follows the drafts, by one of them. */
-static double follows(const struct hawser_accuracy_options *options, int n, int points, double work)
-{
-	double all = MORE_POINTS*fmax(points, options->expected);
-
-	return options->after > 0.0 ? options->after*work : work + MULTIPLIERS*all*n*n*n;
+	as.n = n;
+	return options->after > 0.0 ? options->after*work : work + hawser_orbit_work(&judging, &as);
 }
 
 /* Ends a draft when the work that is foreseen is more than can be borne, or where the cable is slack
@@ -189,15 +186,15 @@ static int watch_trace(void *data, const struct hawser_progress_state *state)
 	struct watch *watch = data;
 	struct hawser_progress_state shown = *state;
 	const struct hawser_frf *frf = state->frf;
-	int points = frf ? frf->points : 0, most = watch->options->expected;
-	double work = points > 0 ? watch->rate*(double)frf->cost.stages : 0.0;
+	int points = frf ? frf->points : 0, most = watch->expected;
+	double work = points > 0 ? hawser_orbit_work(&frf->cost, watch->rom) : 0.0;
 
 	if (most > 0 && points >= FIRST_POINTS) {
 		double whole = work*fmax((double)most/points, 1.0);
 
 		if (watch->drafts)
 			watch->a->foreseen = watch->before + whole*(1.0 + watch->next) +
-			                     follows(watch->options, watch->n, points, whole);
+			                     follows(watch->options, watch->n, points, whole, watch->rom);
 		shown.fraction = fmin((double)points/most, 1.0);
 		shown.left = state->seconds*fmax((double)most/points - 1.0, 0.0);
 	}
@@ -214,12 +211,13 @@ static int watch_trace(void *data, const struct hawser_progress_state *state)
 /* Trace the draft of the model in *draft; a->frf becomes its curve. */
 static enum hawser_status draw(struct draft *draft, struct hawser_accuracy *a,
                                const struct hawser_accuracy_options *options,
-                               const struct hawser_frf_options *settled, double before, int smaller,
-                               struct hawser_report *report)
+                               const struct hawser_frf_options *settled, double before,
+                               const struct draft *last, struct hawser_report *report)
 {
-	/* the second may confirm the first, whose response then follows */
-	struct watch watch = {options, a, before, smaller > 0 ? 0.0 : LARGER,
-	                      smaller > 0 ? smaller : draft->rom.n, rate(&draft->rom), 1};
+	int second = last->functions > 0; /* it may confirm the first, whose response then follows */
+	struct watch watch = {options, a, before, second ? 0.0 : LARGER,
+	                      second ? (int)(MORE_POINTS*last->points) : options->expected, &draft->rom,
+	                      second ? last->rom.n : draft->rom.n, 1};
 	struct hawser_frf_options frf = *settled;
 	enum hawser_status status;
 
@@ -232,7 +230,7 @@ static enum hawser_status draw(struct draft *draft, struct hawser_accuracy *a,
 	status = hawser_frf_trace(&a->frf, &draft->rom, &frf, report);
 	draft->end = a->frf.end;
 	draft->points = a->frf.points;
-	draft->work = watch.rate*(double)a->frf.cost.stages;
+	draft->work = hawser_orbit_work(&a->frf.cost, &draft->rom);
 	a->slack = !status && !a->costly && hawser__mostly_slack(&a->frf);
 	return status ? status : hawser__curve_copy(&draft->curve, &a->frf, report);
 }
@@ -257,7 +255,7 @@ static enum hawser_status choose(struct draft *chosen, double *moved, int *check
 		if (status || next.rom.n == 0)
 			break;
 		a->functions = next.functions = functions;
-		status = draw(&next, a, options, frf, *work, chosen->rom.n, report);
+		status = draw(&next, a, options, frf, *work, chosen, report);
 		*work += next.work;
 		if (retry(status, &functions, frf, options)) {
 			status = HAWSER_OK;
@@ -284,7 +282,7 @@ static enum hawser_status follow(struct hawser_accuracy *a, struct hawser__marks
                                  const struct hawser_frf_options *settled, int functions,
                                  double work, struct hawser_report *report)
 {
-	struct watch watch = {options, a, work, 0.0, a->rom.n, rate(&a->rom), 0};
+	struct watch watch = {options, a, work, 0.0, options->expected, &a->rom, a->rom.n, 0};
 	struct hawser_frf_options frf = *settled;
 	enum hawser_status status;
 
@@ -312,7 +310,8 @@ enum hawser_status hawser__accuracy_full(struct hawser_accuracy *a, struct hawse
 	int ended = status || hawser__accuracy_cut(a) || !chosen.functions;
 
 	if (!ended) {
-		a->foreseen = work + follows(options, chosen.rom.n, chosen.points, chosen.work);
+		a->foreseen = work + follows(options, chosen.rom.n, chosen.points, chosen.work,
+		                             &chosen.rom);
 		a->costly = options->bearable > 0.0 && a->foreseen > options->bearable;
 	}
 	if (ended || a->costly || (options->agreed && !(SAFETY_BASIS*moved <= a->asked))) {
