@@ -33,6 +33,8 @@ enum { FUNCTIONS = 24, POINTS = 1500 };
 /* Seconds of processor time, as counted (hawser_orbit_work), that nobody has to ask for: where no number
  * of modes is good enough, and where more of them, or model.modes: auto, may be; chosen. */
 static const double bearable = 60.0, bearable_else = 10.0;
+/* The longest step of its curves, relative to the range (hawser__accuracy_settle). */
+static const double longest = 0.02;
 /* Of a map of amplitudes: work of a row over that of a draft (three rows of a footbridge: 2.7), and the
  * range about one frequency; chosen. */
 static const double row = 3.0, around = 1.05;
@@ -143,6 +145,20 @@ static enum hawser_status search(struct hawser_accuracy *better, struct cli_mode
 	return HAWSER_OK;
 }
 
+/* Points that the curve would have with the longest steps of the exact energy: most of the steps of a
+ * response of modes are those that the picture needs. */
+static int points_wanted(const struct hawser_frf *frf, const struct hawser_frf_options *options)
+{
+	double range = fabs(options->to - options->from), points = 1.0;
+
+	for (int i = 1; i < frf->points && options->step_max > 0.0; i++) {
+		double turn = fabs(frf->point[i].omega - frf->point[i - 1].omega)/range;
+
+		points += turn > 0.9*options->step_max ? fmin(turn/longest, 1.0) : 1.0;
+	}
+	return points > 1.0 ? (int)points : frf->points;
+}
+
 static enum hawser_status trace(struct hawser_frf *frf, struct hawser_frf_options *options,
                                 struct cli_model *model, struct cli_model_error *error, int step,
                                 struct hawser_report *report)
@@ -153,7 +169,7 @@ static enum hawser_status trace(struct hawser_frf *frf, struct hawser_frf_option
 
 	if (!step)
 		choice.step_max = 0.0; /* that of the search: longer, as each point costs more */
-	status = search(&better, model, error, &choice, frf->points, 0.0, report);
+	status = search(&better, model, error, &choice, points_wanted(frf, options), 0.0, report);
 	if (!status && model->exact.functions) {
 		*options = better.traced;
 		hawser_frf_clear(frf);
