@@ -23,7 +23,7 @@ struct hawser_orbit_cost {
 
 /* What that costs with this model: seconds of processor time on a core of 2 GHz, counted, not
  * measured, so that what depends on it depends on neither the machine nor what else that does; within
- * a factor of about 2 (response/work.c). */
+ * a factor of about 2 (response/orbit/work.c). */
 double hawser_orbit_work(const struct hawser_orbit_cost *cost, const struct hawser_rom *rom);
 
 /* Floquet multipliers, that is eigenvalues of the product M = A[segments-1] ... A[1] A[0] of `segments`

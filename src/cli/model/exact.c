@@ -169,7 +169,8 @@ static enum hawser_status trace(struct hawser_frf *frf, struct hawser_frf_option
 
 	if (!step)
 		choice.step_max = 0.0; /* that of the search: longer, as each point costs more */
-	status = search(&better, model, error, &choice, points_wanted(frf, options), 0.0, report);
+	status = search(&better, model, error, &choice, step ? frf->points : points_wanted(frf, options), 0.0,
+	                report);
 	if (!status && model->exact.functions) {
 		*options = better.traced;
 		hawser_frf_clear(frf);

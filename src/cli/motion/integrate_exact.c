@@ -18,6 +18,13 @@
 enum { COMPARED = 512, /* most rows, chosen */
        FUNCTIONS = 24  /* as for responses */ };
 static const double accuracy = 0.01, safety = 3.0; /* as for responses */
+/* Seconds of processor time that nobody has to ask for, as for responses; they are counted, so that what
+ * is chosen does not depend on the machine: the first part of a run tells how many evaluations the
+ * whole takes. */
+static const double bearable = 60.0, part = 0.05;
+static const double evaluation = 1e-7; /* s, over the square of the number of coordinates */
+static const double jacobian = 4e-8;   /* s, over its cube */
+static const double larger = 2.0;      /* work of the next basis over that of the last; chosen */
 
 /* One basis, its run, and what the run began with. */
 struct attempt {
@@ -28,6 +35,7 @@ struct attempt {
 	double *sample; /* [count] signals of compared rows */
 	int count, functions;
 	int smaller;    /* coordinates of the attempt before */
+	double work;    /* foreseen, s */
 	double moved;   /* from the attempt before, relative to the largest signal; NAN: there is none */
 };
 
@@ -88,27 +96,55 @@ static enum hawser_status run_it(struct attempt *attempt, const struct cli_integ
 	return status || attempt->run.interrupted ? status : sample(attempt, result, report);
 }
 
-/* The attempts in turn, until two agree; *last is the last that came to its end. */
-static enum hawser_status attempts(struct attempt *last, const struct cli_integrate_result *result,
+/* What the run will take, s, as counted; one that can't begin takes nothing. */
+static double foresee(const struct attempt *attempt)
+{
+	const struct hawser_rom *rom = &attempt->rom;
+	struct hawser_integrate_options first = attempt->choice;
+	struct hawser_trajectory run = {.rows = 0};
+	double square = (double)rom->n*rom->n, work = 0.0;
+
+	first.until = first.begin + part*(first.until - first.begin);
+	first.every = fmin(first.every, first.until - first.begin);
+	if (!hawser_integrate(&run, rom, &first, NULL))
+		work = (evaluation*square*(double)run.evaluations +
+		        jacobian*square*rom->n*(double)run.jacobians)/part;
+	hawser_trajectory_clear(&run);
+	return work;
+}
+
+/* The attempts in turn, until two agree; *last is the last that came to its end. *costly becomes the work
+ * of all if it is too much, and *functions is the basis then. */
+static enum hawser_status attempts(struct attempt *last, double *costly, int *functions,
+                                   const struct cli_integrate_result *result,
                                    const struct hawser_integrate_options *choice, double after,
                                    struct hawser_report *report)
 {
+	double spent = 0.0;
 	struct hawser_modes modes;
 	struct hawser_accuracy_bases of = {&modes, &result->model->scene, choice->omega, accuracy,
 	                                   FUNCTIONS};
 	enum hawser_status status = cli_modes_up_to(&modes, &result->model->statics, 2.0*choice->omega,
 	                                            report);
-	int functions = 0, ended = 0;
+	int ended = 0;
 
 	while (!status && !ended && !(safety*last->moved <= accuracy)) {
 		struct attempt next = {.choice = *choice, .moved = NAN};
 
-		status = hawser_accuracy_basis(&next.rom, &functions, &of, last->rom.n, report);
+		status = hawser_accuracy_basis(&next.rom, functions, &of, last->rom.n, report);
 		if (status || next.rom.n == 0)
 			break;
-		next.functions = functions;
-		status = run_it(&next, result, after, report);
-		ended = status || next.run.interrupted;
+		next.functions = *functions;
+		next.work = foresee(&next);
+		/* the second may confirm the first */
+		*costly = spent + next.work*(last->functions ? 1.0 : 1.0 + larger);
+		ended = *costly > bearable;
+		if (!ended) {
+			spent += next.work;
+			*costly = 0.0;
+			status = run_it(&next, result, after, report);
+			ended = status || next.run.interrupted;
+		}
 		if (ended) {
 			clear(&next);
 			continue;
@@ -152,7 +188,9 @@ enum hawser_status cli_integrate_exact(struct cli_integrate_result *result, stru
 {
 	struct attempt last = {.moved = NAN};
 	struct hawser_report why = {.message = ""};
-	enum hawser_status status = attempts(&last, result, choice, after, &why);
+	double costly = 0.0;
+	int functions = 0;
+	enum hawser_status status = attempts(&last, &costly, &functions, result, choice, after, &why);
 
 	if (status == HAWSER_ERR_MEMORY) {
 		if (report)
@@ -168,6 +206,10 @@ enum hawser_status cli_integrate_exact(struct cli_integrate_result *result, stru
 			*state = last.state;
 			last.state = NULL;
 		}
+	} else if (!status && costly > 0.0) {
+		snprintf(model->exact.failed, sizeof model->exact.failed, "it would take some %.0f s: shorten "
+		         "the run, or ask for it (--set model.energy=exact --set model.basis=%d)", costly,
+		         functions);
 	} else {
 		snprintf(model->exact.failed, sizeof model->exact.failed, "%s",
 		         status ? why.message : "no two bases hold the modes of the range");
