@@ -181,8 +181,9 @@ static void show(const struct job *job, const struct hawser_plan_row *row, const
                  int over, int scene)
 {
 	printf("  %4d %-14s %s%8.3g s planned %8.3g %5d points planned %6.0f, %3d coordinates  "
-	       "%s: %s%s%s\n", scene, row->choice.name, over ? ">" : " ", at->seconds, row->seconds, at->points,
-	       row->points, row->n, at->method, job->text, *row->foreseen ? "; " : "", row->foreseen);
+	       "%s: %s%s%s\n", scene, row->choice.name, over ? ">" : " ", at->seconds, row->seconds,
+	       at->points, row->points, row->n, at->method, job->text, *row->foreseen ? "; " : "",
+	       row->foreseen);
 }
 
 /* 1: the conditions above are not met. */

@@ -62,7 +62,8 @@ static void forms_of(char *text, size_t size, const char *path)
 {
 	size_t used = 0;
 
-	for (const struct hawser__tree_key *row = next(NULL, path), *after; row && used < size; row = after) {
+	for (const struct hawser__tree_key *row = next(NULL, path), *after; row && used < size;
+	     row = after) {
 		after = next(row, path);
 		if (used)
 			used += (size_t)snprintf(text + used, size - used, after ? ", " : ", or ");

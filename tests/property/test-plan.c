@@ -78,7 +78,8 @@ static int make(struct hawser_plan *plan, const char *list, double from, double 
 	int count;
 
 	return ok(!hawser_fidelities_read(choice, &count, list, 4, &report) &&
-	          !hawser_plan_make(plan, &statics, &scene, choice, count, from*w1, to*w1, &report), "a plan %s", report.message);
+	          !hawser_plan_make(plan, &statics, &scene, choice, count, from*w1, to*w1,
+	                            &report), "a plan %s", report.message);
 }
 
 /* Sizes that differ by a factor of ten: the order of the estimates is right on a busy machine too. */

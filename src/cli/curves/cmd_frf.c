@@ -220,8 +220,8 @@ static int is_special(const struct settings *settings)
 	       settings->period > 1 || settings->over || settings->method || settings->segments;
 }
 
-/* Further branches; unasked, no motions that nobody observes, no search with a model that is far off, and
- * none without end. */
+/* Further branches; unasked, no motions that nobody observes, no search with a model that is far
+ * off, and none without end. */
 static enum hawser_status cover_rest(struct cli_cover *cover, const struct hawser_frf_options *options,
                                      const struct settings *settings, struct cli_frf_result *result,
                                      struct cli_progress *progress, struct hawser_report *report)

@@ -450,8 +450,8 @@ struct cli_place {
 struct cli_place cli_frf_place(const struct cli_frf_result *result, double omega, double parameter);
 /* The value of the member `direction` of a result. */
 int cli_frf_direction(const struct hawser_frf *frf);
-/* Warning k about a result, from 0: slackness, parts of the range without a branch and the like (frf_notes.c).
- * 1: text [size] is it; 0: there is nothing to say; -1: no further k. */
+/* Warning k about a result, from 0: slackness, parts of the range without a branch and the like
+ * (frf_notes.c). 1: text [size] is it; 0: there is nothing to say; -1: no further k. */
 int cli_frf_note(char *text, size_t size, const struct cli_frf_result *result, int k);
 void cli_frf_peak_comments(struct hawser__table *table, const struct cli_frf_result *result);
 void cli_frf_comments(struct hawser__table *table, const void *result);

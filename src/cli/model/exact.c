@@ -30,8 +30,9 @@ static const double much = 0.1;
  * load or a mode of the range may need as many. */
 static const double accuracy = 0.01;
 enum { FUNCTIONS = 24, POINTS = 1500 };
-/* Seconds of processor time, as counted (hawser_orbit_work), that nobody has to ask for: where no number
- * of modes is good enough, and where more of them, or model.modes: auto, may be; chosen. */
+/* Seconds of processor time, as counted (hawser_orbit_work), that nobody has to ask for: where
+ * no number of modes is good enough, and where more of them, or model.modes: auto, may be;
+ * chosen. */
 static const double bearable = 60.0, bearable_else = 10.0;
 /* The longest step of its curves, relative to the range (hawser__accuracy_settle). */
 static const double longest = 0.02;
@@ -169,7 +170,8 @@ static enum hawser_status trace(struct hawser_frf *frf, struct hawser_frf_option
 
 	if (!step)
 		choice.step_max = 0.0; /* that of the search: longer, as each point costs more */
-	status = search(&better, model, error, &choice, step ? frf->points : points_wanted(frf, options), 0.0,
+	status = search(&better, model, error, &choice,
+	                step ? frf->points : points_wanted(frf, options), 0.0,
 	                report);
 	if (!status && model->exact.functions) {
 		*options = better.traced;

@@ -18,9 +18,9 @@
 enum { COMPARED = 512, /* most rows, chosen */
        FUNCTIONS = 24  /* as for responses */ };
 static const double accuracy = 0.01, safety = 3.0; /* as for responses */
-/* Seconds of processor time that nobody has to ask for, as for responses; they are counted, so that what
- * is chosen does not depend on the machine: the first part of a run tells how many evaluations the
- * whole takes. */
+/* Seconds of processor time that nobody has to ask for, as for responses; they are counted, so
+ * that what is chosen does not depend on the machine: the first part of a run tells how many
+ * evaluations the whole takes. */
 static const double bearable = 60.0, part = 0.05;
 static const double evaluation = 1e-7; /* s, over the square of the number of coordinates */
 static const double jacobian = 4e-8;   /* s, over its cube */
@@ -113,8 +113,8 @@ static double foresee(const struct attempt *attempt)
 	return work;
 }
 
-/* The attempts in turn, until two agree; *last is the last that came to its end. *costly becomes the work
- * of all if it is too much, and *functions is the basis then. */
+/* The attempts in turn, until two agree; *last is the last that came to its end. *costly becomes
+ * the work of all if it is too much, and *functions is the basis then. */
 static enum hawser_status attempts(struct attempt *last, double *costly, int *functions,
                                    const struct cli_integrate_result *result,
                                    const struct hawser_integrate_options *choice, double after,

@@ -248,7 +248,8 @@ enum hawser_status hawser__station_judge(struct hawser__station *station,
 	station->multiplier_error = orbit->multiplier_error;
 	station->mesh = orbit->mesh/orbit->X;
 	/* infinite at a branch point; then the size of the orbit is used */
-	station->error = fmin(1.0, hawser__station_draft(orbit) ? station->mesh + station->correction.residual
+	station->error = fmin(1.0, hawser__station_draft(orbit)
+	                           ? station->mesh + station->correction.residual
 	                           : orbit->ops->error(orbit, station->correction.residual));
 	station->round_off = orbit->round_off;
 	set_tests(station, orbit);

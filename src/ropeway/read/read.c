@@ -47,8 +47,8 @@ static enum hawser_status brake(struct hawser__reader *reader, const struct haws
 
 	if (force && rw->brake > 0.0)
 		return hawser__reader_fail(reader, &force->at, "drive.brake has deceleration and force: give "
-		                           "the deceleration that a controlled brake keeps, or the force of one "
-		                           "that is applied");
+		                           "the deceleration that a controlled brake keeps, or the force of "
+		                           "one that is applied");
 	return !tree || force || rw->brake > 0.0 ? HAWSER_OK
 		: hawser__reader_fail(reader, &tree->at, "drive.brake needs deceleration (m/s^2) or force "
 		                      "(N at the bullwheel's circumference)");
@@ -169,8 +169,8 @@ static enum hawser_status interpret(struct hawser__reader *reader, void *scene,
 	rw->lanes++; /* off: 0, on: 1 */
 	if (!status && rw->lanes == 1 && rw->tension == HAWSER_ROPEWAY_LENGTH0)
 		status = hawser__reader_fail(reader, &down->at, "down is off, and tension.length0 is the "
-		                             "length of the loop of both lanes: leave down out, or give T_empty "
-		                             "instead");
+		                             "length of the loop of both lanes: leave down out, or give "
+		                             "T_empty instead");
 	return status ? status : cases(reader, rw, hawser__tree_find(tree, "cases"));
 }
 

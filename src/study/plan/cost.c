@@ -28,8 +28,8 @@ static const double step = 0.005;
 /* Points around the peak of a resonance, and further ones for each factor e of bend over width: fits to
  * the scenes of bench/plan-times. */
 static const double each = 22.0, each_fold = 12.0;
-/* Seconds of a point over n^2, of a full-order one (by balance) over n^2, and of closed forms for a mode:
- * likewise. */
+/* Seconds of a point over n^2, of a full-order one (by balance) over n^2, and of closed forms
+ * for a mode: likewise. */
 #define POINT 3.5e-5
 #define POINT_FULL 1.0e-5
 #define CLOSED 5e-3
