@@ -222,6 +222,8 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/frame/option.h \
 	%D%/frame/options.c \
 	%D%/plan/plan_fields.c \
+	%D%/plan/plan_model.c \
+	%D%/plan/plan_model.h \
 	%D%/plan/plan_net.c \
 	%D%/plan/plan_net.h \
 	%D%/plan/plan_net_text.c \

@@ -52,7 +52,7 @@ refuses 1 '"raw 9-5": write raw with a number of modes from 1 on, or a range suc
 	compare "$chairlift" --fidelities "raw 9-5"
 refuses 1 "more than 63 fidelities: leave some out" compare "$chairlift" --fidelities "raw 1-100"
 refuses 1 "--from 1w1 and --to w1 are the same frequency" compare "$chairlift" --from 1w1 --to w1
-refuses_like 1 "is a reduced model, which hawser compare does not take; these commands do: modes, rom" \
+refuses_like 1 "is a reduced model, which hawser compare does not take; these commands do: plan, modes, rom" \
 	compare "$duffing"
 refuses 1 "there is nothing to compare raw 5 with: name another fidelity" \
 	compare "$chairlift" --fidelities "raw 5, raw:5"

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "cli/beam/beam_result.h"
+#include "cli/plan/plan_model.h"
 #include "cli/plan/plan_net.h"
 #include "cli/plan/plan_result.h"
 #include "cli/plan/plan_ropeway.h"
@@ -26,8 +27,8 @@ static const struct settings defaults = {
 
 static const struct cli_option options[] = {
 	{"from", 0, "FREQUENCY", "one end of the range of the response (0.6w1)",
-	 CLI_TEXT_FOR(from, CLI_SPAN)},
-	{"to", 0, "FREQUENCY", "the other end (3.3w1)", CLI_TEXT_FOR(to, CLI_SPAN)},
+	 CLI_TEXT_FOR(from, CLI_SPAN | CLI_MODEL)},
+	{"to", 0, "FREQUENCY", "the other end (3.3w1)", CLI_TEXT_FOR(to, CLI_SPAN | CLI_MODEL)},
 	{"fidelities", 0, "LIST", "what to estimate, separated by commas",
 	 CLI_TEXT_FOR(fidelities, CLI_SPAN)},
 	CLI_HEADING("Nets"),
@@ -157,6 +158,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		return run_net(settings, report);
 	if (!status && kind == HAWSER_KIND_ROPEWAY)
 		return cli_plan_ropeway(&settings->common, report);
+	if (!status && kind == HAWSER_KIND_MODEL)
+		return cli_plan_model(&settings->common, settings->from, settings->to, report);
 	if (!status)
 		status = plan_beam(&done, &settings->common, report);
 	if (status || done)
@@ -177,5 +180,6 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 const struct cli_command cli_plan = {
 	"plan", "SCENE", "What will be modelled, what not and why; cost and error, estimated", notes,
 	options, &defaults, sizeof(struct settings), 1, run, cli_plan_listing,
-	.takes = CLI_TAKES_SPANS | CLI_TAKES_BEAM | CLI_TAKES_NET | CLI_TAKES_ROPEWAY,
+	.takes = CLI_TAKES_SPANS | CLI_TAKES_BEAM | CLI_TAKES_NET | CLI_TAKES_ROPEWAY |
+	         CLI_TAKES_MODEL,
 };

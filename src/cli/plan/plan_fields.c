@@ -4,6 +4,7 @@
 
 #include <math.h>
 
+#include "cli/plan/plan_model.h"
 #include "cli/plan/plan_net.h"
 #include "cli/plan/plan_ropeway.h"
 #include "cli/plan/plan_result.h"
@@ -214,6 +215,8 @@ const struct cli_listing cli_plan_listing[] = {
 	{"Columns of the table of a net:", cli_plan_net_row, 0},
 	{"Keys of JSON of a net:", cli_plan_net_fields, 1},
 	{"Columns of the table of a ropeway:", cli_plan_ropeway_row, 0},
+	{"Columns of the table of a reduced model:", cli_plan_model_field, 0},
+	{"Keys of JSON of a reduced model:", cli_plan_model_member, 1},
 	{NULL, NULL, 0},
 };
 

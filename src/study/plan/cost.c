@@ -78,11 +78,17 @@ void hawser__count_entries(struct hawser_plan_row *row, const struct hawser_surv
 	foresee(row, survey, index);
 }
 
+/* Without resonances. */
+static double least_points(double from, double to)
+{
+	return fmax(1.0/step, fabs(log(to/from))/0.01);
+}
+
 static double points_of(const struct hawser_survey *survey)
 {
 	const struct hawser_plan *plan = survey->plan;
 	double low = fmin(plan->from, plan->to), high = fmax(plan->from, plan->to);
-	double points = fmax(1.0/step, log(high/low)/0.01);
+	double points = least_points(low, high);
 
 	for (int i = 0; i < plan->resonances; i++) {
 		const struct hawser_plan_resonance *at = &plan->resonance[i];
@@ -115,14 +121,21 @@ double hawser__plan_slowness(void)
 	return least/REFERENCE;
 }
 
+static void take(struct hawser_plan_row *row, double points, double seconds)
+{
+	row->points = points;
+	row->seconds = seconds;
+	row->least = seconds/DOUBT;
+	row->most = seconds*DOUBT;
+	row->estimated = 1;
+}
+
 static void state(struct hawser_plan_row *row, const struct hawser_survey *survey, double curves,
                   double point)
 {
-	row->points = points_of(survey);
-	row->seconds = survey->slowness*curves*row->points*point;
-	row->least = row->seconds/DOUBT;
-	row->most = row->seconds*DOUBT;
-	row->estimated = 1;
+	double points = points_of(survey);
+
+	take(row, points, survey->slowness*curves*points*point);
 }
 
 void hawser__estimate_cost(struct hawser_plan_row *row, const struct hawser_survey *survey)
@@ -147,9 +160,17 @@ void hawser__estimate_auto_cost(struct hawser_plan_row *row, const struct hawser
 
 void hawser__estimate_closed_cost(struct hawser_plan_row *row, const struct hawser_survey *survey)
 {
-	state(row, survey, 1.0, 0.0);
-	row->points = NAN;
-	row->seconds = survey->slowness*CLOSED*row->n;
-	row->least = row->seconds/DOUBT;
-	row->most = row->seconds*DOUBT;
+	take(row, NAN, survey->slowness*CLOSED*row->n);
+}
+
+void hawser_plan_model(struct hawser_plan_row *row, const struct hawser_rom *rom, double from, double to,
+                       const double *natural, int naturals)
+{
+	double points = least_points(from, to);
+
+	*row = (struct hawser_plan_row){.n = rom->n, .quads = rom->quads, .cubics = rom->cubics,
+	                                .omega_error = NAN, .worst = -1};
+	for (int k = 0; k < naturals; k++)
+		points += natural[k] > fmin(from, to) && natural[k] < fmax(from, to) ? each + each_fold : 0.0;
+	take(row, points, hawser__plan_slowness()*points*POINT*rom->n*rom->n);
 }
