@@ -52,9 +52,8 @@ static struct cli_head head(const void *of)
 {
 	const struct cli_compare_statics *result = of;
 
-	return (struct cli_head){result->common, "compare statics",
-		result->of.ways == 1 ? result->of.score[0].way->name : "all", NULL,
-		{.scale = hawser__si, .context = result, .options = 0}, NULL, NULL};
+	return cli_si_head(result->common, "compare statics",
+	                   result->of.ways == 1 ? result->of.score[0].way->name : "all", result, 0);
 }
 
 static struct cli_head head_each(const void *of)

@@ -31,6 +31,12 @@ struct cli_head cli_model_head(const struct cli_common *common, const char *comm
 	                         cli_view(model, options), NULL, NULL};
 }
 
+struct cli_head cli_si_head(const struct cli_common *common, const char *command, const char *method,
+                            const void *context, unsigned options)
+{
+	return (struct cli_head){common, command, method, NULL, {hawser__si, context, options}, NULL, NULL};
+}
+
 const char *cli_unit(const struct cli_model *model, const char *name)
 {
 	return model && model->rom.scaled ? name : "";

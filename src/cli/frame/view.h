@@ -27,6 +27,9 @@ struct cli_head {
 	const void *rows; /* parent of the list of rows; NULL: the result */
 	const char *also; /* text after the method; or NULL */
 };
+/* For a command whose results are in SI and without a struct hawser_scene; `context`: of the view. */
+struct cli_head cli_si_head(const struct cli_common *common, const char *command, const char *method,
+                            const void *context, unsigned options);
 /* For a command on models. */
 struct cli_head cli_model_head(const struct cli_common *common, const char *command,
                                const char *method, const struct cli_model *model, unsigned options);

@@ -140,9 +140,8 @@ static struct cli_head head(const void *of)
 	const struct result *result = of;
 	int half = result->settings->half_power;
 
-	return (struct cli_head){&result->settings->common, "damping",
-	                         half ? "half-power points" : "least squares of a free decay", NULL,
-	                         cli_si_view(half ? HALF_POWER : DECAY), NULL, NULL};
+	return cli_si_head(&result->settings->common, "damping", half ? "half-power points"
+	                   : "least squares of a free decay", NULL, half ? HALF_POWER : DECAY);
 }
 
 static void rows(struct hawser__table *table, const void *of)

@@ -327,12 +327,10 @@ static struct cli_head head(const void *of)
 	const struct hawser_net_symmetry *symmetry = &result->modes.symmetry;
 	int waves = symmetry->turns > 2 || (symmetry->turns == 2 && symmetry->mirrors == 0);
 
-	return (struct cli_head){
-		.common = result->common, .command = "modes", .method = result->method,
-		.view = {.scale = hawser__si, .context = &result->mesh.net,
-		         .options = (waves ? TURNS : 0u) | (symmetry->mirrors == 2 ? TWO : 0u) |
-		                    (result->modes.state ? CONTACTS : 0u) | (result->shapes ? SHAPES : 0u) |
-		                    (symmetry->mirrors > 2 ? THREE : 0u)}};
+	return cli_si_head(result->common, "modes", result->method, &result->mesh.net,
+	                   (waves ? TURNS : 0u) | (symmetry->mirrors == 2 ? TWO : 0u) |
+	                   (symmetry->mirrors > 2 ? THREE : 0u) | (result->modes.state ? CONTACTS : 0u) |
+	                   (result->shapes ? SHAPES : 0u));
 }
 
 static enum hawser_status draw(const char *path, const void *of, struct hawser_report *report)

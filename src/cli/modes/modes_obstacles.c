@@ -21,10 +21,8 @@ static struct cli_head head(const void *of)
 {
 	const struct cli_ropeway_modes *line = of;
 
-	return (struct cli_head){
-		.common = line->common, .command = "modes", .method = "spectral elements, piece by piece",
-		.view = {.scale = hawser__si, .context = line,
-		         .options = CLI_MODES_REST | (line->points > 0 ? CLI_MODES_SHAPES : 0u)}};
+	return cli_si_head(line->common, "modes", "spectral elements, piece by piece", line,
+	                   CLI_MODES_REST | (line->points > 0 ? CLI_MODES_SHAPES : 0u));
 }
 
 static void comments(struct hawser__table *table, const void *of)

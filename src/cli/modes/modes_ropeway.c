@@ -103,13 +103,10 @@ static struct cli_head head(const void *of)
 	const struct cli_ropeway_modes *result = of;
 	int runs = result->modes.gyroscopic;
 
-	return (struct cli_head){
-		.common = result->common, .command = "modes",
-		.method = "spectral elements, piece by piece",
-		.view = {.scale = hawser__si, .context = result,
-		         .options = CLI_MODES_ROPEWAY | (runs ? CLI_MODES_RUNS : CLI_MODES_REST) |
-		                    (result->lanes > 1 ? CLI_MODES_LOOP : 0u) |
-		                    (result->points > 0 ? CLI_MODES_SHAPES : 0u)}};
+	return cli_si_head(result->common, "modes", "spectral elements, piece by piece", result,
+	                   CLI_MODES_ROPEWAY | (runs ? CLI_MODES_RUNS : CLI_MODES_REST) |
+	                   (result->lanes > 1 ? CLI_MODES_LOOP : 0u) |
+	                   (result->points > 0 ? CLI_MODES_SHAPES : 0u));
 }
 
 static void rows(struct hawser__table *table, const void *of)

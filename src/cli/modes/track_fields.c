@@ -204,11 +204,10 @@ const struct hawser__field cli_track_member[] = {
 };
 #undef OF
 
-struct hawser__view cli_track_view(const struct cli_track *t)
+unsigned cli_track_view(const struct cli_track *t)
 {
 	int speeds = t->swept == CLI_SWEPT_SPEED;
 
-	return (struct hawser__view){
-		hawser__si, t, (speeds ? SPEEDS : STATIONS) | (t->obstacles ? OBSTACLES : LANES) |
-		(speeds && t->distance > 0.0 ? SPACED : 0u) | (t->track.ended ? ENDED : 0u)};
+	return (speeds ? SPEEDS : STATIONS) | (t->obstacles ? OBSTACLES : LANES) |
+	       (speeds && t->distance > 0.0 ? SPACED : 0u) | (t->track.ended ? ENDED : 0u);
 }

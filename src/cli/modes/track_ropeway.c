@@ -119,9 +119,8 @@ static struct cli_head head(const void *of)
 {
 	const struct cli_track *t = of;
 
-	return (struct cli_head){.common = t->common, .command = t->command,
-	                         .method = "spectral elements, piece by piece",
-	                         .view = cli_track_view(t)};
+	return cli_si_head(t->common, t->command, "spectral elements, piece by piece", t,
+	                   cli_track_view(t));
 }
 
 /* Where the rope leaves an obstacle, or comes to touch one. */

@@ -44,7 +44,7 @@ enum hawser_status cli_track_run(struct cli_track *track,
                                  struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* track_fields.c */
-struct hawser__view cli_track_view(const struct cli_track *track);
+unsigned cli_track_view(const struct cli_track *track);
 extern const struct hawser__field cli_track_field[], cli_track_member[];
 extern const struct hawser__list cli_track_rows;
 enum hawser_status cli_track_name_spans(struct cli_track *track,

@@ -188,9 +188,8 @@ static struct cli_head head(const void *of)
 {
 	const struct result *result = of;
 
-	return (struct cli_head){.common = &result->settings->common, .command = "tow",
-	                         .method = "geometrically exact rod, generalised-alpha",
-	                         .view = cli_si_view(0)};
+	return cli_si_head(&result->settings->common, "tow", "geometrically exact rod, generalised-alpha",
+	                   NULL, 0);
 }
 
 static void comments(struct hawser__table *table, const void *of)
@@ -245,18 +244,12 @@ static enum hawser_status write_vtk(const struct result *result, struct hawser_r
 {
 	const struct hawser_tow_motion *m = &result->motion;
 	const char *stem = result->settings->vtk;
-	int (*end)[2] = calloc((size_t)m->elements, sizeof *end);
 	double *time = calloc((size_t)m->samples, sizeof *time);
-	enum hawser_status status = end && time ? HAWSER_OK : hawser__no_memory(report, "tow");
+	enum hawser_status status = time ? HAWSER_OK : hawser__no_memory(report, "tow");
 
-	for (int e = 0; e < m->elements && !status; e++) {
-		end[e][0] = e;
-		end[e][1] = e + 1;
-	}
 	for (int i = 0; i < m->samples && !status; i++) {
 		char path[PATH], title[64];
-		struct hawser__vtk vtk = {.title = title, .points = m->elements + 1, .lines = m->elements,
-		                          .end = (const int (*)[2])end};
+		struct hawser__vtk vtk = {.title = title, .points = m->elements + 1, .lines = m->elements};
 
 		time[i] = m->sample[i].t;
 		vtk.x = (const double (*)[3])(m->shape + (size_t)i*((size_t)m->elements + 1));
@@ -266,7 +259,6 @@ static enum hawser_status write_vtk(const struct result *result, struct hawser_r
 	}
 	if (!status)
 		status = hawser__vtk_series(stem, time, m->samples, report);
-	free(end);
 	free(time);
 	return status;
 }

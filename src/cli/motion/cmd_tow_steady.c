@@ -150,11 +150,9 @@ static struct cli_head head(const void *of)
 {
 	const struct result *result = of;
 
-	return (struct cli_head){.common = result->common, .command = "tow steady",
-	                         .method = ((const struct result *)of)->steady.bent
-	                                   ? "geometrically exact rod, elements of order 2, from the string"
-	                                   : "string from its free end, Runge-Kutta of order 4",
-	                         .view = cli_si_view(0)};
+	return cli_si_head(result->common, "tow steady", result->steady.bent
+	                   ? "geometrically exact rod, elements of order 2, from the string"
+	                   : "string from its free end, Runge-Kutta of order 4", NULL, 0);
 }
 
 static void comments(struct hawser__table *table, const void *of)

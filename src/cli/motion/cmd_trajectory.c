@@ -126,13 +126,10 @@ static struct cli_head head(const void *of)
 	const struct result *result = of;
 	const struct hawser_path *path = &result->tow.path;
 
-	return (struct cli_head){
-		.common = result->common, .command = "trajectory",
-		.method = path->kind == HAWSER_PATH_ORBIT ? "circle"
-		          : path->kind == HAWSER_PATH_STRAIGHT ? "straight line"
-		          : path->minimise == HAWSER_MINIMISE_NOTHING ? "polynomials of least degree"
-		          : "polynomials by one banded system",
-		.view = cli_si_view(0)};
+	return cli_si_head(result->common, "trajectory", path->kind == HAWSER_PATH_ORBIT ? "circle"
+	                   : path->kind == HAWSER_PATH_STRAIGHT ? "straight line"
+	                   : path->minimise == HAWSER_MINIMISE_NOTHING ? "polynomials of least degree"
+	                   : "polynomials by one banded system", NULL, 0);
 }
 
 static void comments(struct hawser__table *table, const void *of)

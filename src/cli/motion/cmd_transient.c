@@ -61,11 +61,10 @@ static struct cli_head head(const void *of)
 {
 	const struct cli_transient *result = of;
 
-	return (struct cli_head){
-		.common = result->common, .command = "transient",
-		.method = result->passes ? "catenaries and arcs, phase by phase"
-		          : "chain of masses and springs on the statics of each phase, midpoint rule",
-		.view = cli_si_view((unsigned)result->table)};
+	return cli_si_head(result->common, "transient", result->passes
+	                   ? "catenaries and arcs, phase by phase"
+	                   : "chain of masses and springs on the statics of each phase, midpoint rule",
+	                   NULL, (unsigned)result->table);
 }
 
 static void comments(struct hawser__table *table, const void *of)

@@ -264,10 +264,8 @@ static struct cli_head head(const void *of)
 {
 	const struct result *result = of;
 
-	return (struct cli_head){
-		.common = result->common, .command = "integrate", .method = result->motion.scheme,
-		.view = {.scale = hawser__si, .context = &result->probed,
-		         .options = result->mesh.net.surfaces ? SURFACES : 0u}};
+	return cli_si_head(result->common, "integrate", result->motion.scheme, &result->probed,
+	                   result->mesh.net.surfaces ? SURFACES : 0u);
 }
 
 /* Heights of the first probes over time; below, the energies. */

@@ -79,25 +79,14 @@ static int frame(void *data, const struct hawser_rod_frame *frame)
 	struct result *result = data;
 	const struct hawser__vtk_scalar scalar[] = {{"tension_N", frame->T}, {"moment_Nm", frame->M}};
 	char path[PATH], title[64];
-	int (*end)[2];
 
 	if (!result->settings->vtk)
 		return 0;
-	end = malloc((size_t)frame->nodes*sizeof *end);
-	if (!end) {
-		result->failed = hawser__no_memory(&result->of_frame, "integrate");
-		return 1;
-	}
-	for (int i = 0; i < frame->nodes - 1; i++) {
-		end[i][0] = i;
-		end[i][1] = i + 1;
-	}
 	snprintf(path, sizeof path, "%s-%05d.vtk", result->settings->vtk, frame->row);
 	snprintf(title, sizeof title, "hawser integrate: a rod at %.9g s", frame->t);
 	result->failed = hawser__vtk_write(path, &(struct hawser__vtk){
 		.title = title, .points = frame->nodes, .lines = frame->nodes - 1, .x = frame->x,
-		.end = (const int (*)[2])end, .scalars = 2, .scalar = scalar}, &result->of_frame);
-	free(end);
+		.scalars = 2, .scalar = scalar}, &result->of_frame);
 	return result->failed != HAWSER_OK;
 }
 
@@ -198,9 +187,7 @@ static struct cli_head head(const void *of)
 {
 	const struct result *result = of;
 
-	return (struct cli_head){
-		.common = result->common, .command = "integrate", .method = result->motion.scheme,
-		.view = {.scale = hawser__si, .context = &result->probed}};
+	return cli_si_head(result->common, "integrate", result->motion.scheme, &result->probed, 0);
 }
 
 static enum hawser_status draw(const char *path, const void *of, struct hawser_report *report)

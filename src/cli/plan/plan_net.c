@@ -246,9 +246,8 @@ static void comments(struct hawser__table *table, const void *of)
 
 static struct cli_head head(const void *of)
 {
-	return (struct cli_head){
-		.common = ((const struct cli_plan_net_result *)of)->common, .command = "plan",
-		.method = "time_s is measured where time_by is run", .view = cli_si_view(0)};
+	return cli_si_head(((const struct cli_plan_net_result *)of)->common, "plan",
+	                   "time_s is measured where time_by is run", NULL, 0);
 }
 
 static const struct cli_showing showing = {.head = head, .comments = comments, .rows = &jobs_list,

@@ -170,8 +170,7 @@ static const struct hawser__list lane_list = HAWSER__MADE_ROWS(
 
 static struct cli_head head(const void *of)
 {
-	return (struct cli_head){.common = ((const struct result *)of)->common, .command = "plan",
-	                         .method = "statics of a ropeway", .view = cli_si_view(0)};
+	return cli_si_head(((const struct result *)of)->common, "plan", "statics of a ropeway", NULL, 0);
 }
 
 static const struct cli_showing showing = {.head = head, .comments = comments, .rows = &lane_list};

@@ -107,8 +107,7 @@ static struct cli_head head(const void *of)
 {
 	const struct result *result = of;
 
-	return (struct cli_head){.common = result->common, .command = "statics", .method = "equilibria",
-	                         .view = {.scale = hawser__si, .context = &result->net}};
+	return cli_si_head(result->common, "statics", "equilibria", &result->net, 0);
 }
 
 static enum hawser_status draw(const char *path, const void *of, struct hawser_report *report)

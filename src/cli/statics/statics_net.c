@@ -253,11 +253,8 @@ static struct cli_head head(const void *of)
 {
 	const struct result *result = of;
 
-	return (struct cli_head){
-		.common = result->common, .command = "statics", .method = result->st.method,
-		.view = {.scale = hawser__si, .context = &result->mesh.net,
-		         .options = (result->mesh.net.surfaces ? SURFACES : 0u) |
-		                    (result->profile ? PROFILE : 0u)}};
+	return cli_si_head(result->common, "statics", result->st.method, &result->mesh.net,
+	                   (result->mesh.net.surfaces ? SURFACES : 0u) | (result->profile ? PROFILE : 0u));
 }
 
 static void rows(struct hawser__table *table, const void *of)

@@ -15,9 +15,8 @@ static struct cli_head head(const void *of)
 {
 	const struct cli_obstacles *result = of;
 
-	return (struct cli_head){result->common, "statics",
-	                         "catenaries and arcs, laid from end A", NULL,
-	                         cli_si_view(cli_obstacles_view(result)), NULL, NULL};
+	return cli_si_head(result->common, "statics", "catenaries and arcs, laid from end A", NULL,
+	                   cli_obstacles_view(result));
 }
 
 static void obstacle_comments(struct hawser__table *table, const struct cli_obstacle *of,

@@ -21,10 +21,8 @@ static struct cli_head head(const void *of)
 {
 	const struct cli_rod *result = of;
 
-	return (struct cli_head){result->common, "statics",
-	                         result->st.flow ? "damped motion under the full load"
-	                                         : "Newton's method, load steps",
-	                         NULL, cli_si_view(0), NULL, NULL};
+	return cli_si_head(result->common, "statics", result->st.flow ? "damped motion under the full load"
+	                   : "Newton's method, load steps", NULL, 0);
 }
 
 static void support_comment(struct hawser__table *table, const struct hawser_rod_statics *st, int end)
@@ -132,16 +130,13 @@ static enum hawser_status write_vtk(const char *path, const struct hawser_rod_st
 	size_t points = (size_t)st->points;
 	double (*x)[3] = malloc(points*sizeof *x), *T = malloc(points*sizeof *T);
 	double *M = malloc(points*sizeof *M);
-	int (*end)[2] = malloc(points*sizeof *end);
 	const struct hawser__vtk_scalar scalar[] = {{"tension_N", T}, {"moment_Nm", M}};
-	enum hawser_status status = x && T && M && end ? HAWSER_OK : hawser__no_memory(report, "statics");
+	enum hawser_status status = x && T && M ? HAWSER_OK : hawser__no_memory(report, "statics");
 
 	for (int i = 0; i < st->points && !status; i++) {
 		const struct hawser_rod_point *p = &st->point[i], *next = p + (i + 1 < st->points);
 
 		memcpy(x[i], p->x, sizeof x[i]);
-		end[i][0] = i;
-		end[i][1] = i + 1;
 		T[i] = 0.5*(p->N[0] + next->N[0]);
 		M[i] = 0.5*(sqrt(p->M[0]*p->M[0] + p->M[1]*p->M[1] + p->M[2]*p->M[2]) +
 		            sqrt(next->M[0]*next->M[0] + next->M[1]*next->M[1] + next->M[2]*next->M[2]));
@@ -149,12 +144,10 @@ static enum hawser_status write_vtk(const char *path, const struct hawser_rod_st
 	if (!status)
 		status = hawser__vtk_write(path, &(struct hawser__vtk){
 			.title = "hawser statics: a rod", .points = st->points, .lines = st->points - 1,
-			.x = (const double (*)[3])x, .end = (const int (*)[2])end, .scalars = 2, .scalar = scalar},
-			report);
+			.x = (const double (*)[3])x, .scalars = 2, .scalar = scalar}, report);
 	free(x);
 	free(T);
 	free(M);
-	free(end);
 	return status;
 }
 

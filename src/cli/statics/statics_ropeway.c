@@ -14,15 +14,10 @@ static struct cli_head head(const void *of)
 {
 	const struct cli_ropeway *result = of;
 
-	return (struct cli_head){result->common,
-	                         "statics",
-	                         "catenaries and arcs, laid from the tension end",
-	                         NULL,
-	                         cli_si_view((result->swept ? CLI_ROPEWAY_SWEPT : 0u) |
-	                                     (result->kinds->profile ? CLI_ROPEWAY_PROFILE : 0u) |
-	                                     (result->show_cases ? CLI_ROPEWAY_CASES : 0u)),
-	                         NULL,
-	                         NULL};
+	return cli_si_head(result->common, "statics", "catenaries and arcs, laid from the tension end",
+	                   NULL, (result->swept ? CLI_ROPEWAY_SWEPT : 0u) |
+	                   (result->kinds->profile ? CLI_ROPEWAY_PROFILE : 0u) |
+	                   (result->show_cases ? CLI_ROPEWAY_CASES : 0u));
 }
 
 static void state_comments(struct hawser__table *table, const struct cli_ropeway *of)

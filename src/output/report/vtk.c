@@ -36,7 +36,7 @@ static int write_all(FILE *stream, const struct hawser__vtk *vtk)
 	finite = numbers(stream, vtk->x[0], points, 3);
 	fprintf(stream, "LINES %d %d\n", vtk->lines, 3*vtk->lines);
 	for (int i = 0; i < vtk->lines; i++)
-		fprintf(stream, "2 %d %d\n", vtk->end[i][0], vtk->end[i][1]);
+		fprintf(stream, "2 %d %d\n", vtk->end ? vtk->end[i][0] : i, vtk->end ? vtk->end[i][1] : i + 1);
 	for (int i = 0; i < vtk->scalars; i++) {
 		if (i == 0)
 			fprintf(stream, "CELL_DATA %d\n", vtk->lines);

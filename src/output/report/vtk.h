@@ -9,7 +9,7 @@ struct hawser__vtk {
 	const char *title;    /* one line; cut to 255 characters */
 	int points, lines;
 	const double (*x)[3]; /* [points] */
-	const int (*end)[2];  /* [lines] points */
+	const int (*end)[2];  /* [lines] points; NULL: from each point to the next */
 	int scalars;          /* of lines: */
 	const struct hawser__vtk_scalar {
 		const char *name;     /* without white space */
