@@ -22,6 +22,23 @@ works "statics in kN and ft" statics "$scene" --units "kN, ft" --tsv us.tsv --js
 try "JSON stays SI" cmp si.json us.json
 try "lengths" same x_m x_ft 0.3048 si.tsv us.tsv
 try "tensions" same T_N T_kN 1000 si.tsv us.tsv
+# compounds: a foot is 0.3048 m
+"$HAWSER" init rod >rod.yaml
+"$HAWSER" init tow >tow.yaml
+works "a rod in SI" statics rod.yaml --tsv rod.tsv
+works "in kN and ft" statics rod.yaml --units "kN, ft" --tsv rod-us.tsv
+try "moments follow from both" same M2_Nm M2_kNft 304.8 rod.tsv rod-us.tsv
+try "curvatures from one" same k2_1_m k2_1_ft 3.280839895013123 rod.tsv rod-us.tsv
+try "a list of a comment" grep -q '^# support at the start: force (.*, 0.2162, -0.005) kN, moment (.*) kN.ft$' rod-us.tsv
+try "an energy too" grep -q '^# energy = 0.2166[0-9]* kN.ft$' rod-us.tsv
+works "in ft" statics rod.yaml --units ft --tsv rod-ft.tsv
+try "not without a force" grep -q '^# energy = 66.02[0-9]* J$' rod-ft.tsv
+try "but moments" same M2_Nm M2_Nft 0.3048 rod.tsv rod-ft.tsv
+works "in kJ" statics rod.yaml --units "kN, ft, kJ" --tsv rod-kj.tsv
+try "a compound of the user's comes first" same M2_Nm M2_kJ 1000 rod.tsv rod-kj.tsv
+works "a trajectory in SI" trajectory tow.yaml --set tow.speed=9 --tsv path.tsv
+works "in ft" trajectory tow.yaml --set tow.speed=9 --units ft --tsv path-us.tsv
+try "jerks" same jerk_x_m_s3 jerk_x_ft_s3 0.3048 path.tsv path-us.tsv
 works "modes in SI" modes "$scene" --tsv modes.tsv
 works "modes in Hz" modes "$scene" --units Hz --tsv hz.tsv
 try "frequencies" same omega_rad_s omega_Hz 6.283185307179586 modes.tsv hz.tsv

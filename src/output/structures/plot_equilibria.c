@@ -33,6 +33,8 @@ enum hawser_status hawser__plot_equilibria(const char *path, const struct hawser
 	} kind[] = {{"without compression, as cables", "lw 3 lc rgb '#4575B4'"},
 	            {"compressed, stable", "lw 1.5 lc rgb '#D73027'"},
 	            {"compressed, unstable", "lw 0.8 lc rgb '#FC8D59' " HAWSER__UNSTABLE_DASH}};
+	const struct hawser__axis x = hawser__axis_of("{/:Italic x}", "m", 0.0);
+	const struct hawser__axis y = hawser__axis_of("{/:Italic y}", "m", 0.0);
 	struct hawser__legend legend = {0};
 	struct hawser__picture picture;
 	enum hawser_status status = hawser__picture_begin(&picture, path, 16.0, 9.5, report);
@@ -54,12 +56,14 @@ enum hawser_status hawser__plot_equilibria(const char *path, const struct hawser
 			fprintf(script, "%.7g %.7g\n", net->node[i].x[0], net->node[i].x[1]);
 	fputs("END\n", script);
 	hawser__picture_panel(&picture, 0.13, 0.96, hawser__legend_cm(&legend, 16.0)/9.5, 0.96);
-	hawser__picture_ylabel(&picture, "{/:Italic y} (m)");
-	fputs("set size ratio -1\nunset key\nset xlabel '{/:Italic x} (m)'\n"
-	      "set offsets graph 0.05, graph 0.05, graph 0.05, graph 0.05\nplot ", script);
+	hawser__picture_ylabel(&picture, "%s", y.title);
+	fprintf(script, "set size ratio -1\nunset key\nset xlabel '%s'\n"
+	        "set offsets graph 0.05, graph 0.05, graph 0.05, graph 0.05\nplot ", x.title);
 	for (int i = 2; i >= 0; i--)
-		fprintf(script, "$kind%d using 1:2 with linespoints pt 7 ps 0.4 %s, ", i, kind[i].style);
-	fputs("$supports using 1:2 with points pt 9 ps 1.2 lc rgb 'black'\n", script);
+		fprintf(script, "$kind%d using ($1/%.9g):($2/%.9g) with linespoints pt 7 ps 0.4 %s, ", i, x.per,
+		        y.per, kind[i].style);
+	fprintf(script, "$supports using ($1/%.9g):($2/%.9g) with points pt 9 ps 1.2 lc rgb 'black'\n",
+	        x.per, y.per);
 	hawser__legend_draw(&picture, &legend);
 	return hawser__picture_finish(&picture, report);
 }

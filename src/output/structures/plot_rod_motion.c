@@ -21,7 +21,7 @@ static int row_of(const struct hawser_rod_motion *motion, int index, int shapes)
 }
 
 static void shapes_data(FILE *script, struct hawser__eye *eye, struct hawser__box *seen,
-                        const struct hawser_rod_motion *motion, int shapes)
+                        const struct hawser_rod_motion *motion, int shapes, double per)
 {
 	struct hawser__box box = {.any = 0};
 	double to[2];
@@ -37,7 +37,7 @@ static void shapes_data(FILE *script, struct hawser__eye *eye, struct hawser__bo
 		for (int i = 0; i < motion->nodes; i++) {
 			hawser__eye_see(to, eye, motion->shape[(long)row*motion->nodes + i]);
 			hawser__box_add(seen, to, 2);
-			fprintf(script, "%.7g %.7g %.9g\n", to[0], to[1], motion->time[row]);
+			fprintf(script, "%.7g %.7g %.9g\n", to[0], to[1], motion->time[row]/per);
 		}
 		fputs("\n", script);
 	}
@@ -50,23 +50,25 @@ static void shapes_data(FILE *script, struct hawser__eye *eye, struct hawser__bo
 	fputs("END\n", script);
 }
 
-static void draw_shapes(FILE *script, const struct hawser_rod_motion *motion)
+static void draw_shapes(FILE *script, const struct hawser_rod_motion *motion,
+                        const struct hawser__axis *time)
 {
+	double from = motion->time[0]/time->per, to = motion->time[motion->rows - 1]/time->per;
 	struct hawser__eye eye;
 	struct hawser__box seen = {.any = 0};
 
-	shapes_data(script, &eye, &seen, motion, motion->rows < SHAPES ? motion->rows : SHAPES);
+	shapes_data(script, &eye, &seen, motion, motion->rows < SHAPES ? motion->rows : SHAPES,
+	            time->per);
 	fputs("unset border\nunset xtics\nunset ytics\nunset grid\n", script);
 	hawser__eye_fit(script, &seen, 0.72*WIDTH, 0.40*HEIGHT);
 	hawser__eye_axes(script, &eye, &(struct hawser__corner){1.0, 0.57*HEIGHT, WIDTH, HEIGHT});
 	fprintf(script, "set palette defined (0 '#c6d8ea', 1 '#0b3c6f')\nset cbrange [%.9g:%.9g]\n"
 	        "set colorbox vertical user origin screen 0.82, screen 0.60 size screen 0.02, screen 0.33\n"
-	        "set cblabel 'Time {/:Italic t} (s)' offset 2.5,0\n"
+	        "set cblabel '%s' offset 2.5,0\n"
 	        "plot $path using 1:2 with lines lc rgb '#b0b0b0' lw 0.6, "
 	        "$shapes using 1:2:3 with lines palette lw 1.8\n"
 	        "unset colorbox\nunset arrow\nunset label\nset border\nset xtics\nset ytics\nset grid\n"
-	        "set yrange [*:*]\n", motion->time[0], motion->time[motion->rows - 1] > motion->time[0]
-	        ? motion->time[motion->rows - 1] : motion->time[0] + 1.0);
+	        "set yrange [*:*]\n", from, to > from ? to : from + 1.0, time->title);
 }
 
 /* The axes along which the probe moves, as a mask. */
@@ -91,7 +93,8 @@ static int moving(const struct hawser_rod_motion *motion, int probe)
 enum hawser_status hawser__plot_rod_motion(const char *path, const struct hawser_rod_motion *motion,
                                            const char *probe, struct hawser_report *report)
 {
-	struct hawser__axis energy;
+	const struct hawser__axis time = hawser__axis_of("Time {/:Italic t}", "s", 0.0);
+	struct hawser__axis energy, place = hawser__axis_of("length", "m", 0.0);
 	struct hawser__picture picture;
 	enum hawser_status status = hawser__picture_begin(&picture, path, WIDTH, HEIGHT, report);
 	FILE *script = picture.script;
@@ -101,7 +104,7 @@ enum hawser_status hawser__plot_rod_motion(const char *path, const struct hawser
 	if (status)
 		return status;
 	hawser__picture_panel(&picture, 0.05, 0.80, 0.55, 0.98);
-	draw_shapes(script, motion);
+	draw_shapes(script, motion, &time);
 	for (int i = 0; i < motion->rows; i++)
 		most = fmax(most, fmax(motion->kinetic[i], motion->strain[i]));
 	for (int i = 0; i < motion->rows; i++) {
@@ -113,15 +116,18 @@ enum hawser_status hawser__plot_rod_motion(const char *path, const struct hawser
 	for (int i = 0; i < motion->rows; i++) {
 		const double *x = motion->x[(long)i*motion->probes];
 
-		fprintf(script, "%.9g %.7g %.7g %.7g %.7g %.7g %.7g %.7g\n", motion->time[i], x[0], x[1], x[2],
+		fprintf(script, "%.9g %.7g %.7g %.7g %.7g %.7g %.7g %.7g\n", motion->time[i]/time.per,
+		        x[0]/place.per, x[1]/place.per, x[2]/place.per,
 		        motion->kinetic[i]/energy.per, motion->strain[i]/energy.per,
-		        (motion->height[i] - motion->height[0])/energy.per, motion->length[i]);
+		        (motion->height[i] - motion->height[0])/energy.per, motion->length[i]/place.per);
 	}
 	fprintf(script, "END\nset key at graph 1, graph 1.11 right center horizontal\n"
-	        "set xrange [%.9g:%.9g]\n", motion->time[0], motion->time[motion->rows - 1]);
+	        "set xrange [%.9g:%.9g]\n", motion->time[0]/time.per,
+	        motion->time[motion->rows - 1]/time.per);
 	mask = moving(motion, 0);
 	hawser__picture_panel(&picture, 0.13, 0.95, 0.33, 0.49);
-	hawser__picture_ylabel(&picture, "Place at %s%s (m)", probe, longer ? ", length" : "");
+	hawser__picture_ylabel(&picture, "Place at %s%s (%s)", probe, longer ? ", length" : "",
+	                       place.unit);
 	fputs("set format x ''\nplot ", script);
 	for (int k = 0; k < 3; k++)
 		if (mask & 1 << k) {
@@ -134,8 +140,8 @@ enum hawser_status hawser__plot_rod_motion(const char *path, const struct hawser
 	fputs("\n", script);
 	hawser__picture_panel(&picture, 0.13, 0.95, 0.08, 0.27);
 	hawser__picture_ylabel(&picture, "%s", energy.title);
-	fprintf(script, "set format x '%%g'\nset xlabel 'Time {/:Italic t} (s)'\nplot $motion using 1:5 "
+	fprintf(script, "set format x '%%g'\nset xlabel '%s'\nplot $motion using 1:5 "
 	        "with lines lt 1 title 'kinetic', $motion using 1:6 with lines lt 2 title 'of strain'%s\n",
-	        high ? ", $motion using 1:7 with lines lt 3 title 'of height'" : "");
+	        time.title, high ? ", $motion using 1:7 with lines lt 3 title 'of height'" : "");
 	return hawser__picture_finish(&picture, report);
 }

@@ -36,6 +36,7 @@ static double height_of(int panels)
 static void draw_panel(struct hawser__picture *picture, const struct panel *panel, int k, int panels,
                        double from, double to)
 {
+	const struct hawser__axis time = hawser__axis_of("Time {/:Italic t}", "s", 0.0);
 	FILE *script = picture->script;
 	double height = height_of(panels), top = height - TOP - k*(TALL + GAP);
 
@@ -44,17 +45,17 @@ static void draw_panel(struct hawser__picture *picture, const struct panel *pane
 	      script);
 	fprintf(script, "set xrange [%.12g:%.12g]\nset yrange [*:*]\nset offsets 0,0,graph "
 	                "0.04,graph 0.04\n"
-	        "set ytics autofreq\nset format x '%s'\n", from, to, k == panels - 1 ? "%g" : "");
-	hawser__picture_tics(picture, 'x', from, to, 10);
+	        "set ytics autofreq\nset format x '%s'\n", from/time.per, to/time.per, k == panels - 1 ? "%g" : "");
+	hawser__picture_tics(picture, 'x', from/time.per, to/time.per, 10);
 	if (k == panels - 1)
-		fputs("set xlabel 'Time {/:Italic t} (s)' offset 0,0.3\n", script);
+		fprintf(script, "set xlabel '%s' offset 0,0.3\n", time.title);
 	else
 		fputs("unset xlabel\n", script);
 	hawser__picture_ylabel(picture, "%s", panel->axis.title);
 	fputs("plot ", script);
 	for (int i = 0; i < panel->curves; i++)
-		fprintf(script, "%s$run using 1:(column(%d)/%.9g) with lines %s title '%s'", i ? ", " : "",
-		        panel->column[i], panel->axis.per, style[i], panel->title[i]);
+		fprintf(script, "%s$run using ($1/%.9g):(column(%d)/%.9g) with lines %s title '%s'",
+		        i ? ", " : "", time.per, panel->column[i], panel->axis.per, style[i], panel->title[i]);
 	if (isfinite(panel->level))
 		fprintf(script, ", %.9g with lines lc rgb 'black' lw 0.8 dt (2,4) title '%s'",
 		        panel->level/panel->axis.per, panel->level_title);
