@@ -45,7 +45,8 @@ static void draw_panel(struct hawser__picture *picture, const struct panel *pane
 	      script);
 	fprintf(script, "set xrange [%.12g:%.12g]\nset yrange [*:*]\nset offsets 0,0,graph "
 	                "0.04,graph 0.04\n"
-	        "set ytics autofreq\nset format x '%s'\n", from/time.per, to/time.per, k == panels - 1 ? "%g" : "");
+	        "set ytics autofreq\nset format x '%s'\n", from/time.per, to/time.per,
+	        k == panels - 1 ? "%g" : "");
 	hawser__picture_tics(picture, 'x', from/time.per, to/time.per, 10);
 	if (k == panels - 1)
 		fprintf(script, "set xlabel '%s' offset 0,0.3\n", time.title);
