@@ -143,8 +143,9 @@ static enum hawser_status numbers(struct hawser__reader *reader, double *value,
 		return status;
 	}
 	if (tree->kind != HAWSER__SEQUENCE || tree->children != row->count)
-		return hawser__reader_fail(reader, &tree->at, "%s must be a list of %d numbers in %s, %s%.*s",
-		                           what, row->count, row->unit,
+		return hawser__reader_fail(reader, &tree->at, "%s must be a list of %d numbers%s%s, %s%.*s",
+		                           what, row->count, strcmp(row->unit, "1") ? " in " : "",
+		                           strcmp(row->unit, "1") ? row->unit : "",
 		                           strpbrk(row->doc, "[2") ? "" : row->count == 2 ? "along x and y: "
 		                           : "along x, y and z: ", (int)strcspn(row->doc, ":;"), row->doc);
 	for (int k = 0; k < row->count && !status; k++, child = child->next)

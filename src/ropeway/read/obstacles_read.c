@@ -39,7 +39,7 @@ static enum hawser_status not_yet(struct hawser__reader *reader, const struct ha
 #define NOT_YET(reader, tree, section, later) \
 	not_yet(reader, tree, section, later, sizeof (later)/sizeof *(later))
 
-static enum hawser_status rotation(struct hawser__reader *reader, struct hawser__pulley *circle,
+static enum hawser_status rotation(struct hawser__reader *reader, struct hawser__round *circle,
                                    const struct hawser__tree *tree, const char *section)
 {
 	const struct hawser__tree *inertia = hawser__tree_find(tree, "inertia");
@@ -62,7 +62,7 @@ static enum hawser_status obstacle(struct hawser__reader *reader, struct hawser_
 		{"plane", "circles are the only obstacles"}, {"segment", "circles are the only obstacles"},
 		{"velocity", "surfaces are at rest"}};
 	struct hawser_line_sheave *sheave = &of->line.sheave[of->line.sheaves];
-	struct hawser__pulley circle = {.side = 0};
+	struct hawser__round circle = {.side = 0};
 	struct hawser_report report = {0};
 	char section[HAWSER__CALLED];
 	enum hawser_status status = NOT_YET(reader, tree, "obstacles", later);

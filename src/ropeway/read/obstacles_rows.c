@@ -7,7 +7,7 @@
 #include "scene/tree_rows.h"
 
 #define SPAN_AT(member) offsetof(struct hawser_obstacles, member)
-#define CIRCLE_AT(member) offsetof(struct hawser__pulley, member)
+#define CIRCLE_AT(member) offsetof(struct hawser__round, member)
 
 static const struct hawser__tree_key obstacles_rows[] = {
 	HEAD("obstacles", "span", POSITIVE, SPAN_AT(line.g))

@@ -10,7 +10,7 @@
 enum { HAWSER__CALLED = 96 }; /* size of "towers.NAME.sheaves.KEY" */
 
 /* A circle of a span over obstacles, as the table of keys has it. */
-struct hawser__pulley {
+struct hawser__round {
 	struct hawser_line_sheave sheave;
 	struct hawser_obstacle of;
 	int side; /* 0: above, 1: below */
