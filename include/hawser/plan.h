@@ -90,8 +90,8 @@ enum hawser_status hawser_plan_make(struct hawser_plan *plan, const struct hawse
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
 /* Size, points and time of the response of a model over a range; natural [naturals] are its natural
  * frequencies, each of which is taken to bend by e times its width. */
-void hawser_plan_model(struct hawser_plan_row *row, const struct hawser_rom *rom, double from, double to,
-                       const double *natural, int naturals);
+void hawser_plan_model(struct hawser_plan_row *row, const struct hawser_rom *rom, double from,
+                       double to, const double *natural, int naturals);
 void hawser_plan_clear(struct hawser_plan *plan);
 
 #ifdef __cplusplus

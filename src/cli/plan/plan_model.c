@@ -65,10 +65,10 @@ static void comments(struct hawser__table *table, const void *of)
 	const struct hawser_rom *rom = &model->rom;
 	const char *unit = cli_unit(model, " rad/s");
 
-	hawser__table_comment(table, "range: Omega from %.12g to %.12g%s", result->from*cli_per_omega(model),
-	                      result->to*cli_per_omega(model), unit);
-	hawser__table_comment(table, "modelled: %s, %d harmonics with %d forces, %d terms that are no tensor "
-	                      "entries", rom->first ? "equations of first order" : "oscillators",
+	hawser__table_comment(table, "range: Omega from %.12g to %.12g%s",
+	                      result->from*cli_per_omega(model), result->to*cli_per_omega(model), unit);
+	hawser__table_comment(table, "modelled: %s, %d harmonics with %d forces, %d terms that are no "
+	                      "tensor entries", rom->first ? "equations of first order" : "oscillators",
 	                      rom->harmonics, forces_of(rom), rom->terms);
 	for (int k = 0; k < model->naturals; k++)
 		hawser__table_comment(table, "natural frequency %d: %.9g%s", k + 1,

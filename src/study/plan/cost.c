@@ -163,8 +163,8 @@ void hawser__estimate_closed_cost(struct hawser_plan_row *row, const struct haws
 	take(row, NAN, survey->slowness*CLOSED*row->n);
 }
 
-void hawser_plan_model(struct hawser_plan_row *row, const struct hawser_rom *rom, double from, double to,
-                       const double *natural, int naturals)
+void hawser_plan_model(struct hawser_plan_row *row, const struct hawser_rom *rom, double from,
+                       double to, const double *natural, int naturals)
 {
 	double points = least_points(from, to);
 
