@@ -67,7 +67,7 @@ static double number(const void *context, const void *parent, size_t row, int k)
 }
 
 const struct hawser__vector cli_probed_vector = {
-	.shown = "PROBE_...", .count = numbers, .name = name, .number = number, .unit = unit};
+	.shown = "PROBE_x", .count = numbers, .name = name, .number = number, .unit = unit};
 
 /* The array `key` of probe p: `width` numbers a row, or, with width 0, one that is no array. */
 static void array(struct hawser__json *json, json_t *into, const char *key,
