@@ -20,14 +20,14 @@ no_si() {
 }
 
 # options KIND COMMAND: so that it is fast; "-": left out, as it
-# - needs another file: damping, identify (units.sh has them), compare mms (its table has numbers without a unit alone);
-# - computes what frf does, for longer: folds, locus (a fold is to be found first), mms, orbit, hill, map, compare of models, and all
+# - needs another file: damping, identify (units.sh has them), compare mms (its table has numbers without a unit alone), or has times for results: compare modes;
+# - computes what frf does, for longer: folds, locus (a fold is to be found first), mms, orbit, hill, map, compare of models and motions, and all
 #   but rom and nnm of the model of a ropeway (5 to 40 s), whose fields are those of a span's;
 # - has the fields of another kind, for longer: irvine of a travelling cable, plan of one at rest;
 # - does not take the scene of init as it is (frf of a travelling cable: no load; tow: no EA), or has no JSON (plan of a ropeway).
 options() {
 	case $2-$1 in
-		damping-* | identify-* | compare_mms-* | folds-* | locus-* | mms-* | orbit-* | hill-* | map-* | compare-*) echo - ;;
+		damping-* | identify-* | compare_mms-* | compare_motion-* | compare_modes-* | folds-* | locus-* | mms-* | orbit-* | hill-* | map-* | compare-*) echo - ;;
 		integrate-ropeway | frf-ropeway | irvine-travelling | plan-cable | frf-travelling | tow-tow | plan-ropeway | plan-beam) echo - ;;
 		integrate-net) echo '--until 0.2 --every 0.1' ;;
 		integrate-rod) echo '--until 0.02 --every 0.01 --no-error --set "rod.inertia=[8e-5,4e-5,4e-5]"' ;;
