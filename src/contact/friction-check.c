@@ -12,6 +12,7 @@
 
 #include "contact/friction.h"
 #include "core/report.h"
+#include "core/vec3.h"
 
 /* Of the products of vectors of a frame that should be 0 or 1: far above round-off, and an error of
  * this size turns a force by no more than round-off of positions does. */
@@ -66,18 +67,13 @@ static enum hawser_status matrix(const struct hawser_friction *solver,
 	return HAWSER_OK;
 }
 
-static double dot(const double *a, const double *b)
-{
-	return a[0]*b[0] + a[1]*b[1] + a[2]*b[2];
-}
-
 static int framed(const struct hawser_contact *contact)
 {
 	const double *axis[3] = {contact->normal, contact->tangent[0], contact->tangent[1]};
 
 	for (int i = 0; i < 3; i++)
 		for (int j = 0; j <= i; j++)
-			if (!(fabs(dot(axis[i], axis[j]) - (i == j ? 1.0 : 0.0)) <= orthonormal))
+			if (!(fabs(hawser__dot(axis[i], axis[j]) - (i == j ? 1.0 : 0.0)) <= orthonormal))
 				return 0;
 	return 1;
 }
@@ -165,7 +161,7 @@ static int balanced(double x[4], const double *const n[4], int count)
 
 	for (int i = 0; i < count; i++)
 		for (int j = 0; j < count; j++)
-			A[i][j] = dot(n[i], n[j]);
+			A[i][j] = hawser__dot(n[i], n[j]);
 	/* x[0] = 1, and the others by elimination in the Gram matrix. */
 	for (int i = 1; i < count; i++)
 		x[i] = -A[i][0];
@@ -192,7 +188,7 @@ static int balanced(double x[4], const double *const n[4], int count)
 		for (int k = 0; k < 3; k++)
 			rest[k] += x[i]*n[i][k];
 	}
-	return sqrt(dot(rest, rest)) <= parallel*size;
+	return sqrt(hawser__dot(rest, rest)) <= parallel*size;
 }
 
 /* Contacts of a node, at most HAWSER_CONTACTS_AT_NODE, that the bits of `chosen` name. */

@@ -17,14 +17,10 @@
 #include <hawser/surface.h>
 
 #include "core/report.h"
+#include "core/vec3.h"
 
 static const char *const kinds[] = {"plane", "segment", "circle"};
 static const char *const sides[] = {"above", "below", "left", "right", "inside", "around"};
-
-static double dot(const double a[3], const double b[3])
-{
-	return a[0]*b[0] + a[1]*b[1] + a[2]*b[2];
-}
 
 /* Distance from a line along z through c; outwards is the direction there, curved 1/distance. */
 static double round_gap(double n[3], double *curved, const double c[3], const double x[3])
@@ -41,7 +37,8 @@ static double round_gap(double n[3], double *curved, const double c[3], const do
 static double flat_gap(double n[3], const struct hawser_surface *surface, const double x[3])
 {
 	memcpy(n, surface->normal, 3*sizeof *n);
-	return dot(n, (double[3]){x[0] - surface->at[0], x[1] - surface->at[1], x[2] - surface->at[2]});
+	return hawser__dot(n, (double[3]){x[0] - surface->at[0], x[1] - surface->at[1],
+	                                  x[2] - surface->at[2]});
 }
 
 /* The part of the way from the first to the other end of a segment nearest to x: 0 to 1 between. */
@@ -152,14 +149,14 @@ static enum hawser_status fail(struct hawser_report *report, const char *message
 
 static enum hawser_status plane(struct hawser_surface *surface, struct hawser_report *report)
 {
-	double l = sqrt(dot(surface->normal, surface->normal)), across;
+	double l = sqrt(hawser__dot(surface->normal, surface->normal)), across;
 
 	if (!(l > 0.0) || !isfinite(l))
 		return fail(report, "plane.normal has no direction: give, for example, [0, 1, 0] for a floor");
 	for (int k = 0; k < 3; k++)
 		surface->normal[k] /= l;
-	across = dot(surface->normal, surface->velocity);
-	if (fabs(across) > 1e-9*sqrt(dot(surface->velocity, surface->velocity)))
+	across = hawser__dot(surface->normal, surface->velocity);
+	if (fabs(across) > 1e-9*sqrt(hawser__dot(surface->velocity, surface->velocity)))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "contact", "velocity has %.6g m/s along the "
 		                    "normal of the plane: a surface moves along itself, give a vector in the "
 		                    "plane", across);

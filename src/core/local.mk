@@ -24,6 +24,7 @@ noinst_LTLIBRARIES += %D%/libcore.la
 	%D%/share.c \
 	%D%/share.h \
 	%D%/solve3.h \
+	%D%/vec3.h \
 	%D%/spelling.c \
 	%D%/spelling.h \
 	%D%/status.c \

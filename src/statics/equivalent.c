@@ -22,6 +22,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "core/vec3.h"
 #include "statics/catenary.h"
 #include "statics/loaded.h"
 #include "statics/travel.h"
@@ -38,16 +39,6 @@ static const struct hawser_span *bare(struct hawser_span *span, const struct haw
 	return span;
 }
 
-static double norm(const double v[3])
-{
-	return hypot(hypot(v[0], v[1]), v[2]);
-}
-
-static double dot(const double a[3], const double b[3])
-{
-	return a[0]*b[0] + a[1]*b[1] + a[2]*b[2];
-}
-
 static void cross(double v[3], const double a[3], const double b[3])
 {
 	for (int i = 0; i < 3; i++)
@@ -61,7 +52,7 @@ static double swing_of(const double normal[3], const double chord[3])
 	const double vertical[3] = {-chord[2]/level, 0.0, chord[0]/level};
 
 	cross(along, normal, vertical);
-	return atan2((along[0]*chord[0] + along[1]*chord[1] + along[2]*chord[2])/norm(chord),
+	return atan2((along[0]*chord[0] + along[1]*chord[1] + along[2]*chord[2])/hawser__norm(chord),
 	             normal[0]*vertical[0] + normal[2]*vertical[2]);
 }
 
@@ -70,13 +61,13 @@ static enum hawser_status turn(struct hawser_equivalent *equal, const double w[3
                                const double chord[3], struct hawser_report *report)
 {
 	double *across = equal->axes[0], *up = equal->axes[1], *normal = equal->axes[2];
-	double force = norm(w), d;
+	double force = hawser__norm(w), d;
 
 	for (int i = 0; i < 3; i++)
 		up[i] = -w[i]/force;
 	cross(normal, chord, up);
-	d = norm(normal);
-	if (!(d > parallel*norm(chord)))
+	d = hawser__norm(normal);
+	if (!(d > parallel*hawser__norm(chord)))
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
 		                    "weight and load.static together, (%g, %g, %g) N/m, act along the chord "
 		                    "of the span: such a cable hangs like a vertical one, which H does not "
@@ -108,7 +99,7 @@ static enum hawser_status refuse_attached(const struct hawser_scene *scene,
 	for (int i = 0; i < scene->attachments && (wind || aside); i++) {
 		const struct hawser_attachment *a = &scene->attach[i];
 
-		if (norm(a->spring) > 0.0 || norm(a->damper) > 0.0 || a->absorber_mass > 0.0)
+		if (hawser__norm(a->spring) > 0.0 || hawser__norm(a->damper) > 0.0 || a->absorber_mass > 0.0)
 			return hawser__fail(report, HAWSER_ERR_ARGUMENT, where,
 			                    "attach[%d] contradicts %s: springs, dampers and absorbers couple "
 			                    "the planes of a turned cable, which is not available; remove one "
@@ -126,7 +117,7 @@ static int balanced(const struct hawser_scene *scene)
 	double weight = (scene->cable.rho + scene->static_load.mass)*scene->g;
 	double force = hypot(hypot(p[0], p[1] - weight), p[2]);
 
-	return scene->static_load.present && !(force > nothing*(weight + norm(p)));
+	return scene->static_load.present && !(force > nothing*(weight + hawser__norm(p)));
 }
 
 /* Without any force, a cable that is not taut by itself has no shape. */
@@ -159,7 +150,7 @@ static enum hawser_status apply(struct hawser_equivalent *equal, const struct ha
 	int loaded = scene->static_load.present;
 	const double *p = loaded ? scene->static_load.per_length : none;
 	double rho = scene->cable.rho + (loaded ? scene->static_load.mass : 0.0), weight = rho*scene->g;
-	double w[3] = {p[0], p[1] - weight, p[2]}, force = norm(w);
+	double w[3] = {p[0], p[1] - weight, p[2]}, force = hawser__norm(w);
 	enum hawser_status status = refuse_attached(scene, report);
 
 	bare(&equal->span, scene);
@@ -212,7 +203,7 @@ void hawser__attached_along(struct hawser_attachment attach[HAWSER_ATTACH_MAX],
 	memcpy(attach, scene->attach, (size_t)scene->attachments*sizeof *attach);
 	for (int i = 0; i < scene->attachments && equal->turned; i++)
 		for (int c = 0; c < 3; c++)
-			attach[i].force[c] = dot(equal->axes[c], scene->attach[i].force);
+			attach[i].force[c] = hawser__dot(equal->axes[c], scene->attach[i].force);
 }
 
 enum hawser_status hawser__statics_attached(struct hawser_statics *st,

@@ -32,6 +32,7 @@
 
 #include "core/report.h"
 #include "core/solve3.h"
+#include "core/vec3.h"
 #include "statics/catenary.h"
 #include "statics/loaded.h"
 #include "statics/search.h"
@@ -49,16 +50,6 @@ struct solved {
 	struct reach at;
 	double F_L[3]; /* derivative of F by L along the equilibria */
 };
-
-static double dot(const double a[3], const double b[3])
-{
-	return a[0]*b[0] + a[1]*b[1] + a[2]*b[2];
-}
-
-static double norm(const double v[3])
-{
-	return sqrt(dot(v, v));
-}
 
 /* Add the piece of length D that begins with the force f; D_L and V_L are derivatives by L. */
 static void piece(struct reach *to, const struct hawser__loaded *cable, const double f[3], double D,
@@ -139,14 +130,14 @@ static enum hawser_status spread(struct hawser_span *level, double axis[2][3],
 	for (int i = 0; i < cable->count; i++)
 		for (int c = 0; c < 3; c++)
 			q[c] += cable->load[i].force[c]/cable->L;
-	force = norm(q);
+	force = hawser__norm(q);
 	for (int c = 0; c < 3; c++)
 		up[c] = -q[c]/force;
 	normal[0] = span->h*up[2];
 	normal[1] = -span->d*up[2];
 	normal[2] = span->d*up[1] - span->h*up[0];
 	*level = *span;
-	level->d = norm(normal);
+	level->d = hawser__norm(normal);
 	level->h = span->d*up[0] + span->h*up[1];
 	level->g = force/span->rho;
 	for (int c = 0; c < 3; c++)
@@ -195,9 +186,9 @@ static int improve(struct solved *at, const struct hawser__loaded *cable, const 
 	for (int c = 0; c < 3; c++)
 		gap[c] = chord[c] - at->at.r[c];
 	solve(step, at->at.K, gap, cable->soft);
-	slope = dot(gap, step);
-	before = norm(gap);
-	moved = norm(step)/fmax(norm(at->F), DBL_MIN);
+	slope = hawser__dot(gap, step);
+	before = hawser__norm(gap);
+	moved = hawser__norm(step)/fmax(hawser__norm(at->F), DBL_MIN);
 	for (int tries = 0; tries < 60; tries++) {
 		double left;
 
@@ -206,8 +197,8 @@ static int improve(struct solved *at, const struct hawser__loaded *cable, const 
 		reach_of(&next, cable, to);
 		for (int c = 0; c < 3; c++)
 			gap[c] = chord[c] - next.r[c];
-		left = dot(gap, step);
-		if (norm(gap) < before || (fabs(left) < 0.5*slope && moved > 1e-10)) {
+		left = hawser__dot(gap, step);
+		if (hawser__norm(gap) < before || (fabs(left) < 0.5*slope && moved > 1e-10)) {
 			for (int c = 0; c < 3; c++)
 				at->F[c] = to[c];
 			at->at = next;
@@ -247,7 +238,7 @@ static enum hawser_status at_length(struct solved *at, struct hawser__loaded *ca
 	solve(at->F_L, at->at.K, at->at.r_L, soft);
 	for (int c = 0; c < 3; c++)
 		at->F_L[c] = -at->F_L[c];
-	if (norm(gap) <= 1e-9*(norm(rigid) + at->at.length))
+	if (hawser__norm(gap) <= 1e-9*(hawser__norm(rigid) + at->at.length))
 		return HAWSER_OK;
 	return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, where,
 	                    "no equilibrium of this span with its attachments and its static load was "
@@ -283,8 +274,8 @@ static double tension(double *slope, const struct solved *at, const struct hawse
 			for (int c = 0; c < 3; c++)
 				f[c] -= cable->load[i].force[c];
 	}
-	T = norm(f);
-	*slope = dot(f, f_L)*cable->L/(T*T);
+	T = hawser__norm(f);
+	*slope = hawser__dot(f, f_L)*cable->L/(T*T);
 	return T;
 }
 
@@ -354,7 +345,7 @@ static enum hawser_status irvine(struct hawser_statics *st, const struct hawser_
 static void fill(struct hawser_statics *st, const struct hawser__loaded *cable,
                  const struct solved *at)
 {
-	double d = cable->d, end[3], size = norm(at->F);
+	double d = cable->d, end[3], size = hawser__norm(at->F);
 
 	st->space = 1;
 	st->H = hypot(at->F[0], at->F[2]);
@@ -369,7 +360,7 @@ static void fill(struct hawser_statics *st, const struct hawser__loaded *cable,
 	st->V0 = at->F[1];
 	st->V1 = end[1];
 	st->T0 = size;
-	st->T1 = norm(end);
+	st->T1 = hawser__norm(end);
 	st->eta = st->V0/st->H;
 	st->epsilon = st->H/cable->EA;
 	st->delta = cable->w*d/st->H;
@@ -381,7 +372,7 @@ static void fill(struct hawser_statics *st, const struct hawser__loaded *cable,
 	st->motion.tension1 = st->T1;
 	st->iterations = cable->iterations;
 	/* of x a few units relative to the length, which act like a change of L */
-	st->error = 4.0*DBL_EPSILON*(1 + cable->count)*(1.0 + norm(at->F_L)*cable->L/size);
+	st->error = 4.0*DBL_EPSILON*(1 + cable->count)*(1.0 + hawser__norm(at->F_L)*cable->L/size);
 }
 
 enum hawser_status hawser__space_solve(struct hawser_statics *st, struct hawser__loaded *cable,

@@ -26,6 +26,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "core/vec3.h"
 #include "statics/loaded.h"
 #include "statics/yield.h"
 
@@ -96,11 +97,6 @@ static void inward(double v[3], const struct hawser_equivalent *equal, const dou
 		       equal->axes[i][2]*global[2];
 }
 
-static double norm(const double v[3])
-{
-	return hypot(hypot(v[0], v[1]), v[2]);
-}
-
 static enum hawser_status check(const struct hawser_equivalent *equal, const double chord[3],
                                 const struct hawser_scene *scene, struct hawser_report *report)
 {
@@ -109,7 +105,7 @@ static enum hawser_status check(const struct hawser_equivalent *equal, const dou
 	for (int end = 0; end < 2; end++) {
 		const double *u = equal->moved[end];
 
-		if (!(norm(u) <= most*distance))
+		if (!(hawser__norm(u) <= most*distance))
 			return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, where,
 			                    "on its springs end %c moves by (%g, %g, %g) m between the state "
 			                    "whose tension is given and the other one, more than a tenth of "

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "cli/statics/statics_loaded.h"
+#include "core/vec3.h"
 
 static const char *state_word(const void *of)
 {
@@ -114,11 +115,6 @@ static void directions(double down[3], double aside[3], const struct hawser_stat
 	}
 }
 
-static double dot(const double a[3], const double b[3])
-{
-	return a[0]*b[0] + a[1]*b[1] + a[2]*b[2];
-}
-
 /* The same quantities of a cable in space, which is at rest. */
 static void fill_space(struct cli_loaded *loaded, const struct hawser_statics *st)
 {
@@ -153,8 +149,8 @@ enum hawser_status cli_loaded_fill(struct cli_loaded *loaded, const struct hawse
 	hawser_statics_to_global(st, up, along);
 	directions(down, aside, st);
 	/* each point of the cable is at most `sag` from its point of the chord, against `up` */
-	loaded->sag_vertical = st->sag*fabs(dot(up, down));
-	loaded->blowout = st->sag*fabs(dot(up, aside));
+	loaded->sag_vertical = st->sag*fabs(hawser__dot(up, down));
+	loaded->blowout = st->sag*fabs(hawser__dot(up, aside));
 	loaded->swing = st->turned || st->space ? st->swing : 0.0;
 	for (int i = 0; i < 3; i++)
 		loaded->force[i] = 0.0 - actual.span.rho*actual.span.g*up[i];

@@ -11,11 +11,7 @@
 #include <stddef.h>
 
 #include <hawser/modes.h>
-
-static double dot(const double *a, const double *b)
-{
-	return a[0]*b[0] + a[1]*b[1] + a[2]*b[2];
-}
+#include "core/vec3.h"
 
 /* Integral of left . right over the grid, fields of [points][3]. */
 static double integral(const struct hawser_grid *grid, const double *left, const double *right)
@@ -23,7 +19,7 @@ static double integral(const struct hawser_grid *grid, const double *left, const
 	double sum = 0.0;
 
 	for (int i = 0; i < grid->points; i++)
-		sum += grid->weight[i]*dot(left + 3*i, right + 3*i);
+		sum += grid->weight[i]*hawser__dot(left + 3*i, right + 3*i);
 	return sum;
 }
 

@@ -25,6 +25,7 @@
 #include <lapacke.h>
 
 #include "core/report.h"
+#include "core/vec3.h"
 #include "net/modes/symmetry.h"
 #include "net/modes/symmetry-map.h"
 
@@ -47,22 +48,10 @@ struct search {
 	int planes;
 };
 
-static double dot(const double a[3], const double b[3])
-{
-	return a[0]*b[0] + a[1]*b[1] + a[2]*b[2];
-}
-
-static void cross(double c[3], const double a[3], const double b[3])
-{
-	c[0] = a[1]*b[2] - a[2]*b[1];
-	c[1] = a[2]*b[0] - a[0]*b[2];
-	c[2] = a[0]*b[1] - a[1]*b[0];
-}
-
 /* Make the length 1; 0 if it is 0. */
 static int normalize(double a[3])
 {
-	double l = sqrt(dot(a, a));
+	double l = sqrt(hawser__dot(a, a));
 
 	for (int k = 0; k < 3; k++)
 		a[k] /= l > 0.0 ? l : 1.0;
@@ -114,7 +103,7 @@ static double off_plane(const struct search *search, const double normal[3])
 		for (int k = 0; k < 3; k++)
 			d[k] = mesh->q[i][k] - search->try.centre[k];
 		if (search->try.used[i])
-			most = fmax(most, fabs(dot(d, normal)));
+			most = fmax(most, fabs(hawser__dot(d, normal)));
 	}
 	return most;
 }
@@ -129,8 +118,8 @@ static void lie(struct hawser__net_maps *maps, struct search *search)
 	memcpy(normal, search->principal[0], sizeof found->plane.normal);
 	found->straight = search->spread[1] <= HAWSER__MAP_PLACES*search->try.size;
 	if (found->straight) {
-		cross(normal, line, up);
-		if (sqrt(dot(normal, normal)) < upright)
+		hawser__cross(normal, line, up);
+		if (sqrt(hawser__dot(normal, normal)) < upright)
 			memcpy(normal, (double[3]){0.0, 0.0, 1.0}, sizeof found->plane.normal);
 		normalize(normal);
 	}
@@ -168,7 +157,7 @@ static void try_plane(struct search *search, double normal[3])
 	if (search->planes == PLANES || !normalize(normal))
 		return;
 	for (int i = 0; i < search->planes; i++)
-		if (fabs(dot(normal, search->plane[i].normal)) > 1.0 - 1e-6)
+		if (fabs(hawser__dot(normal, search->plane[i].normal)) > 1.0 - 1e-6)
 			return;
 	mirror_map(map, normal);
 	if (!hawser__map_holds(&search->try, map, &plane.places, &plane.elements))
@@ -179,7 +168,7 @@ static void try_plane(struct search *search, double normal[3])
 
 		for (int k = 0; k < 3; k++)
 			d[k] = search->try.mesh->q[i][k] - search->try.centre[k];
-		off = dot(d, normal);
+		off = hawser__dot(d, normal);
 		plane.extent += search->try.used[i] ? off*off : 0.0;
 		plane.nodes += search->try.used[i] && fabs(off) <= HAWSER__MAP_PLACES*search->try.size;
 	}
@@ -215,10 +204,10 @@ static int polar(struct polar *list, const struct search *search, int nodes)
 
 		for (int k = 0; k < 3; k++)
 			p->across[k] = search->try.mesh->q[i][k] - search->try.centre[k];
-		p->height = dot(p->across, search->axis);
+		p->height = hawser__dot(p->across, search->axis);
 		for (int k = 0; k < 3; k++)
 			p->across[k] -= p->height*search->axis[k];
-		p->radius = sqrt(dot(p->across, p->across));
+		p->radius = sqrt(hawser__dot(p->across, p->across));
 		p->node = i;
 		count += search->try.used[i] && p->radius > 10.0*HAWSER__MAP_PLACES*search->try.size;
 	}
@@ -284,11 +273,11 @@ static void candidates(struct hawser__net_maps *maps, struct search *search, str
 			continue;
 		for (int k = 0; k < 3; k++)
 			normal[k] = p->across[k] - q->across[k];
-		cross(side, p->across, q->across);
+		hawser__cross(side, p->across, q->across);
 		if (p == q)
-			cross(normal, search->axis, p->across);
+			hawser__cross(normal, search->axis, p->across);
 		else {
-			angle[angles] = atan2(dot(side, search->axis), dot(p->across, q->across));
+			angle[angles] = atan2(hawser__dot(side, search->axis), hawser__dot(p->across, q->across));
 			angle[angles] += angle[angles] < 0.0 ? 2.0*M_PI : 0.0;
 			angles++;
 		}
@@ -342,7 +331,7 @@ static enum hawser_status choose(struct hawser__net_maps *maps, struct search *s
 			int free = 1;
 
 			for (int k = 0; k < found->mirrors; k++)
-				free &= fabs(dot(plane->normal, found->mirror[k].normal)) < upright;
+				free &= fabs(hawser__dot(plane->normal, found->mirror[k].normal)) < upright;
 			if (free && (!best || better(plane, best)))
 				best = plane;
 		}

@@ -15,6 +15,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "core/vec3.h"
 #include "net/motion/motion-contact.h"
 
 /* Iterations; and how often nodes that came into an obstacle are added to the list. */
@@ -26,11 +27,6 @@ static const double LAWS = 1e-12;
 /* Cosine of the angle by which a normal may turn in a step: more, and a node may have passed through
  * the obstacle. */
 static const double TURN = 0.5;
-
-static double dot(const double a[3], const double b[3])
-{
-	return a[0]*b[0] + a[1]*b[1] + a[2]*b[2];
-}
 
 void hawser__contact_clear(struct hawser__motion_contact *contact)
 {
@@ -109,7 +105,7 @@ double hawser__contact_gap(double n[3], const struct hawser_surface *surface, co
 	if (surface->kind != HAWSER_SURFACE_SEGMENT)
 		return hawser_surface_gap(n, NULL, surface, at);
 	memcpy(n, surface->normal, 3*sizeof *n);
-	return dot(n, d);
+	return hawser__dot(n, d);
 }
 
 /* 1 if a node that goes from a place to another may touch the surface: a segment if it is at its free
@@ -163,7 +159,8 @@ void hawser__contact_begin(struct hawser__motion *motion)
 		touch->g0 = touch->g1 = hawser__contact_gap(n, of->surface, at);
 		round = round_off(contact, of->surface, at);
 		touch->closed = reaches(of->surface, at, at, touch->g0, touch->g0, round) &&
-		                (of->r > 0.0 || (touch->g0 <= round && dot(n, motion->v[of->node]) <= 0.0));
+		                (of->r > 0.0 ||
+		                 (touch->g0 <= round && hawser__dot(n, motion->v[of->node]) <= 0.0));
 		memcpy(touch->T, of->friction, sizeof touch->T);
 		touch->reply.impulse[0] = of->r;
 		touch->state = of->r <= 0.0 ? HAWSER_CONTACT_OPEN
@@ -217,7 +214,7 @@ static int frame(struct hawser__motion *motion, int number, double h)
 	}
 	touch->g1 = hawser__contact_gap(n1, of->surface, to);
 	gradient(n, of->surface, from, to);
-	scale = sqrt(dot(n, n));
+	scale = sqrt(hawser__dot(n, n));
 	if (!(scale > 0.0) || !hawser_contact_frame(contact, n))
 		return 0;
 	hawser_surface_velocity(v, of->surface, middle);
@@ -228,7 +225,7 @@ static int frame(struct hawser__motion *motion, int number, double h)
 	for (int k = 0; k < 3; k++)
 		contact->surface[k] = h*v[k] - x[k];
 	return hawser_surface_convex(of->surface) || scale > sqrt(0.5*(1.0 + TURN)) ||
-	       touch->g0 > sqrt(dot(x, x));
+	       touch->g0 > sqrt(hawser__dot(x, x));
 }
 
 static void add(struct hawser__motion_contact *all, int which)

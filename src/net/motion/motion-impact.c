@@ -18,6 +18,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/vec3.h"
 #include "net/motion/motion-contact.h"
 
 enum { RECENT = 3 }; /* steps whose differences see a jump */
@@ -26,15 +27,10 @@ static const double REST = 1e-9, ROUND = 1e-9;
 /* At a node with several obstacles: times that normal velocities into them are taken away. */
 enum { AGAIN = 30 };
 
-static double dot(const double a[3], const double b[3])
-{
-	return a[0]*b[0] + a[1]*b[1] + a[2]*b[2];
-}
-
 /* The part of a along the surface with normal n; 0 in held directions. */
 static void along(double to[3], const double a[3], const double n[3], unsigned held)
 {
-	double part = dot(a, n);
+	double part = hawser__dot(a, n);
 
 	for (int k = 0; k < 3; k++)
 		to[k] = held & 1U << k ? 0.0 : a[k] - part*n[k];
@@ -70,7 +66,7 @@ static void rub(struct hawser__motion_contact *all, struct node *node,
 	bound = mu*(touch->closed ? fmax(touch->given, f[0]) : touch->given);
 	for (int k = 0; k < 3; k++)
 		T[k] = mean[k] - m/h*w[k];
-	size = sqrt(dot(T, T));
+	size = sqrt(hawser__dot(T, T));
 	touch->becomes = size <= bound && bound > 0.0 ? HAWSER_CONTACT_STICK : HAWSER_CONTACT_SLIP;
 	for (int k = 0; k < 3; k++) {
 		T[k] = size <= bound ? T[k] : T[k]*(bound/size);
@@ -97,8 +93,8 @@ static void end(struct hawser__motion *motion, struct node *node, int number)
 		at[k] = motion->reference[of->node][k] + motion->u0[of->node][k] + motion->x[of->node][k];
 	(void)hawser__contact_gap(n, of->surface, at);
 	hawser_surface_velocity(surface, of->surface, at);
-	v = dot(n, node->v);
-	loss = -f*dot(contact->normal, motion->x[of->node]);
+	v = hawser__dot(n, node->v);
+	loss = -f*hawser__dot(contact->normal, motion->x[of->node]);
 	free = v - h*f/m;
 	/* a gap that is round-off brings no velocity */
 	came = touch->g0 > ROUND*h*(fabs(v) + h*f/m) ? fmax(loss, 0.0) : 0.0;
@@ -124,7 +120,7 @@ static void corner(struct hawser__motion *motion, struct node *node, int first, 
 		again = 0;
 		for (int c = first; c < first + count; c++) {
 			const double *n = all->contact[c].normal;
-			double v = dot(n, node->v);
+			double v = hawser__dot(n, node->v);
 
 			if (all->reply[c].impulse[0] <= 0.0 || v >= 0.0)
 				continue;
@@ -154,7 +150,7 @@ static void mean(struct hawser__motion *motion, int number)
 		const double *t = all->contact[number].tangent[i];
 
 		all->rubs -= reply->impulse[1 + i]*reply->velocity[1 + i];
-		all->drives += reply->impulse[1 + i]*(dot(t, x) - reply->velocity[1 + i]);
+		all->drives += reply->impulse[1 + i]*(hawser__dot(t, x) - reply->velocity[1 + i]);
 	}
 	all->apart_now = fmax(all->apart_now, reply->impulse[0] > 0.0 ? fabs(gap) : fmax(0.0, -gap));
 }

@@ -13,15 +13,11 @@
 #include <string.h>
 
 #include "core/hot.h"
+#include "core/vec3.h"
 #include "net/motion/motion.h"
 
 /* Of a force, what its round-off is as a part of the residual's scale, whose tolerance is 5000 ulps. */
 static const double ROUND = 1e-3;
-
-static inline double dot(const double a[3], const double b[3])
-{
-	return a[0]*b[0] + a[1]*b[1] + a[2]*b[2];
-}
 
 /* fmax is a call of the C library, which a loop over elements feels. */
 static inline double larger(double a, double b)
@@ -37,14 +33,15 @@ static inline double smaller(double a, double b)
 /* What the mass of an element makes of the vectors at its ends. */
 static inline double square(const struct hawser__motion *motion, const double a[3], const double b[3])
 {
-	return (0.5 - motion->far)*(dot(a, a) + dot(b, b)) + 2.0*motion->far*dot(a, b);
+	return (0.5 - motion->far)*(hawser__dot(a, a) + hawser__dot(b, b)) +
+	       2.0*motion->far*hawser__dot(a, b);
 }
 
 /* Length and signed stretch of an element whose vector is D + delta. */
 static inline double stretch(double *p, const struct hawser__motion_element *el,
                              const double delta[3], const double d[3])
 {
-	double l = sqrt(dot(d, d)), sum = l + el->l_ref, more = 0.0;
+	double l = sqrt(hawser__dot(d, d)), sum = l + el->l_ref, more = 0.0;
 
 	HAWSER_UNROLL
 	for (int k = 0; k < 3; k++)
@@ -258,9 +255,9 @@ static double strain_of(const struct hawser__motion_element *el, double p, const
 	double rest = larger(el->p_ref, 0.0), s = p - el->p_ref;
 
 	if (p > 0.0 && rest > 0.0)
-		return 0.5*el->k*(s*s + rest*(dot(delta, delta) - s*s)/el->l_ref);
+		return 0.5*el->k*(s*s + rest*(hawser__dot(delta, delta) - s*s)/el->l_ref);
 	p = larger(p, 0.0);
-	return 0.5*el->k*(p - rest)*(p + rest) - dot(el->F_ref, delta);
+	return 0.5*el->k*(p - rest)*(p + rest) - hawser__dot(el->F_ref, delta);
 }
 
 void hawser__motion_energies(struct hawser__motion *motion)
@@ -281,8 +278,8 @@ void hawser__motion_energies(struct hawser__motion *motion)
 		strain += strain_of(el, p, delta);
 	}
 	for (int i = 0; i < motion->nodes; i++) {
-		kinetic += 0.5*motion->mesh->mass[i]*dot(motion->v[i], motion->v[i]);
-		loads += dot(motion->base[i], motion->u[i]);
+		kinetic += 0.5*motion->mesh->mass[i]*hawser__dot(motion->v[i], motion->v[i]);
+		loads += hawser__dot(motion->base[i], motion->u[i]);
 	}
 	motion->energy.kinetic = kinetic;
 	motion->energy.potential = strain - loads;
@@ -389,7 +386,7 @@ static double longer(double d[3], const struct hawser__motion_element *el, const
 
 	for (int k = 0; k < 3; k++)
 		before[k] = d[k] - (x[el->b][k] - x[el->a][k]);
-	sum = sqrt(dot(d, d)) + sqrt(dot(before, before));
+	sum = sqrt(hawser__dot(d, d)) + sqrt(hawser__dot(before, before));
 	for (int k = 0; k < 3; k++) {
 		more += (d[k] + before[k])*(d[k] - before[k]);
 		d[k] = before[k];
@@ -403,7 +400,7 @@ static double rate_of(const struct hawser__motion *motion, const struct hawser__
                       const double d[3])
 {
 	const double *va = motion->v[el->a], *vb = motion->v[el->b];
-	double at[3] = {d[0], d[1], d[2]}, l = sqrt(dot(d, d)), rate = 0.0, before;
+	double at[3] = {d[0], d[1], d[2]}, l = sqrt(hawser__dot(d, d)), rate = 0.0, before;
 
 	for (int k = 0; k < 3 && motion->past_h <= 0.0; k++)
 		rate += l > 0.0 ? d[k]/l*(vb[k] - va[k]) : 0.0;

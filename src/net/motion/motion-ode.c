@@ -19,12 +19,8 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "core/vec3.h"
 #include "net/motion/motion-ode.h"
-
-static double dot(const double a[3], const double b[3])
-{
-	return a[0]*b[0] + a[1]*b[1] + a[2]*b[2];
-}
 
 void hawser__ode_clear(struct hawser__ode *ode)
 {
@@ -141,11 +137,11 @@ static void look(struct state *s, const struct hawser__ode *ode, int number)
 		s->w[k] = ode->v[el->b][k] - ode->v[el->a][k];
 		more += (el->D[k] + s->d[k])*delta;
 	}
-	s->l = sqrt(dot(s->d, s->d));
+	s->l = sqrt(hawser__dot(s->d, s->d));
 	s->p = el->p_ref + (s->l + el->l_ref > 0.0 ? more/(s->l + el->l_ref) : 0.0);
 	for (int k = 0; k < 3; k++)
 		s->e[k] = s->l > 0.0 ? s->d[k]/s->l : 0.0;
-	s->rate = dot(s->e, s->w);
+	s->rate = hawser__dot(s->e, s->w);
 	s->T = s->p > 0.0 ? el->k*s->p + el->c*s->rate : 0.0;
 	s->pulls = s->T > 0.0;
 	s->T = s->pulls ? s->T : 0.0;
@@ -311,7 +307,7 @@ enum hawser_status hawser__ode_power(double *work, double *lost, struct hawser__
 	for (int i = 0; i < mesh->waves; i++) {
 		const struct hawser__mesh_wave *wave = &mesh->wave[i];
 
-		*work += cos(wave->Omega*t + wave->phase)*dot(wave->value, ode->v[wave->node]);
+		*work += cos(wave->Omega*t + wave->phase)*hawser__dot(wave->value, ode->v[wave->node]);
 	}
 	for (int i = 0; i < mesh->nodes; i++)
 		for (int k = 0; k < 3; k++)
@@ -325,7 +321,8 @@ enum hawser_status hawser__ode_power(double *work, double *lost, struct hawser__
 		struct state s;
 
 		look(&s, ode, e);
-		*lost += el->drag*(near*(dot(va, va) + dot(vb, vb)) + 2.0*far*dot(va, vb));
+		*lost += el->drag*(near*(hawser__dot(va, va) + hawser__dot(vb, vb)) +
+		                   2.0*far*hawser__dot(va, vb));
 		*lost += s.p > 0.0 ? (s.T - el->k*s.p)*s.rate : 0.0;
 	}
 	return status;

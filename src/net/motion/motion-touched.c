@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "core/vec3.h"
 #include "net/motion/motion-contact.h"
 #include "net/touch/touch.h"
 
@@ -19,11 +20,6 @@ enum hawser_status hawser__contact_room(struct hawser__net_touched *touched, int
 		return hawser__no_memory(report, "net");
 	touched->r_T = touched->r_N + nodes;
 	return HAWSER_OK;
-}
-
-static double length(const double a[3])
-{
-	return sqrt(a[0]*a[0] + a[1]*a[1] + a[2]*a[2]);
 }
 
 void hawser__contact_row(struct hawser_net_motion *to, int row, struct hawser__net_touched *touched,
@@ -45,7 +41,7 @@ void hawser__contact_row(struct hawser_net_motion *to, int row, struct hawser__n
 			continue;
 		touched->state[node] = (unsigned char)touch->state;
 		touched->r_N[node] = touch->N;
-		touched->r_T[node] = length(touch->T);
+		touched->r_T[node] = hawser__norm(touch->T);
 	}
 	to->friction[row] = all->friction;
 	to->impacts[row] = all->impacts;

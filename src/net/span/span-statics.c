@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "core/vec3.h"
 #include "net/span/span.h"
 
 void hawser_net_span_statics_clear(struct hawser_net_span_statics *mesh)
@@ -30,19 +31,14 @@ static void pull(double f[3], const struct hawser_net_statics *from, int end,
 	hawser_statics_from_global(st, f, f);
 }
 
-static double norm(const double v[3])
-{
-	return sqrt(v[0]*v[0] + v[1]*v[1] + v[2]*v[2]);
-}
-
 static void forces(struct hawser_statics *to, const struct hawser_net_statics *from)
 {
 	double a[3], b[3];
 
 	pull(a, from, 0, to);
 	pull(b, from, 1, to);
-	to->T0 = norm(a);
-	to->T1 = norm(b);
+	to->T0 = hawser__norm(a);
+	to->T1 = hawser__norm(b);
 	to->V0 = a[1];
 	to->V1 = b[1];
 	to->H = hypot(a[0], a[2]);
@@ -98,9 +94,9 @@ static void measure(struct hawser_net_span_statics *mesh, const struct hawser_st
 		struct hawser_profile_point at = hawser_statics_at(exact, fmin(p->S, exact->length0));
 
 		sag = fmax(sag, h/d*p->x - p->y);
-		far = fmax(far, norm((double[3]){p->x - at.x, p->y - at.y, p->z - at.z}));
+		far = fmax(far, hawser__norm((double[3]){p->x - at.x, p->y - at.y, p->z - at.z}));
 		if (i > 0)
-			length += norm((double[3]){p->x - p[-1].x, p->y - p[-1].y, p->z - p[-1].z});
+			length += hawser__norm((double[3]){p->x - p[-1].x, p->y - p[-1].y, p->z - p[-1].z});
 	}
 	mesh->statics.length = length;
 	mesh->statics.sag = sag;

@@ -15,6 +15,7 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "core/vec3.h"
 #include "net/statics/catenary.h"
 
 /* The integrals, and the directions they belong to. */
@@ -24,24 +25,19 @@ struct parts {
 	double A, B, C; /* second derivatives: along along, along across, across across */
 };
 
-static double dot(const double a[3], const double b[3])
-{
-	return a[0]*b[0] + a[1]*b[1] + a[2]*b[2];
-}
-
 /* Unit vectors along p and across it. Without p, along F; without either, any. */
 static void directions(struct parts *s, const double p[3], const double F[3])
 {
-	double w = sqrt(dot(p, p)), f = sqrt(dot(F, F)), least;
+	double w = sqrt(hawser__dot(p, p)), f = sqrt(hawser__dot(F, F)), least;
 	int axis = 0;
 
 	for (int k = 0; k < 3; k++)
 		s->along[k] = w > 0.0 ? p[k]/w : f > 0.0 ? F[k]/f : k == 1;
-	s->u = dot(F, s->along);
+	s->u = hawser__dot(F, s->along);
 	for (int k = 0; k < 3; k++)
 		s->across[k] = F[k] - s->u*s->along[k];
-	s->u += dot(s->across, s->along); /* what round-off left */
-	s->h = sqrt(dot(s->across, s->across));
+	s->u += hawser__dot(s->across, s->along); /* what round-off left */
+	s->h = sqrt(hawser__dot(s->across, s->across));
 	if (s->h > 1e-14*f) {
 		for (int k = 0; k < 3; k++)
 			s->across[k] /= s->h;
@@ -60,7 +56,7 @@ static void integrals(struct parts *s, const struct hawser__net_catenary *cable,
 	double L = cable->length0, e, u, v, x, z, X, sum, product;
 
 	directions(s, cable->p, F);
-	e = sqrt(dot(cable->p, cable->p))*L/2.0;
+	e = sqrt(hawser__dot(cable->p, cable->p))*L/2.0;
 	s->k2 = s->h*s->h + cable->soft*cable->soft;
 	s->k2 = fmax(s->k2, 1e-200*fmax(1.0, e*e));
 	s->T1 = sqrt(s->k2 + (s->u + e)*(s->u + e));
@@ -87,13 +83,13 @@ static double spring(double chord[3], double (*flexibility)[3], double density, 
 	for (int i = 0; flexibility && i < 3; i++)
 		for (int j = 0; j < 3; j++)
 			flexibility[i][j] = i == j ? 1.0/density : 0.0;
-	return dot(F, F)/(2.0*density);
+	return hawser__dot(F, F)/(2.0*density);
 }
 
 double hawser__catenary(double chord[3], double (*flexibility)[3],
                         const struct hawser__net_catenary *cable, const double F[3])
 {
-	double L = cable->length0, e = sqrt(dot(cable->p, cable->p))*L/2.0, sum;
+	double L = cable->length0, e = sqrt(hawser__dot(cable->p, cable->p))*L/2.0, sum;
 	struct parts s;
 
 	if (cable->density > 0.0)
@@ -107,7 +103,7 @@ double hawser__catenary(double chord[3], double (*flexibility)[3],
 			flexibility[i][j] = (i == j ? s.a + L/cable->EA : 0.0) +
 				(s.A - s.a)*s.along[i]*s.along[j] + (s.C - s.a)*s.across[i]*s.across[j] +
 				s.B*(s.along[i]*s.across[j] + s.across[i]*s.along[j]);
-	return L*(s.u*(s.u/sum) + sum/4.0) + s.k2*s.a/2.0 + L/(2.0*cable->EA)*(dot(F, F) + e*e/3.0);
+	return L*(s.u*(s.u/sum) + sum/4.0) + s.k2*s.a/2.0 + L/(2.0*cable->EA)*(hawser__dot(F, F) + e*e/3.0);
 }
 
 double hawser__catenary_stretch(const struct hawser__net_catenary *cable, const double F[3])

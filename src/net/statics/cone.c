@@ -29,6 +29,7 @@
 #include <stdlib.h>
 
 #include "core/report.h"
+#include "core/vec3.h"
 #include "net/statics/solve.h"
 
 enum { MOST = 100 };
@@ -44,14 +45,9 @@ struct cone {
 	double c;
 };
 
-static double dot3(const double a[3], const double b[3])
-{
-	return a[0]*b[0] + a[1]*b[1] + a[2]*b[2];
-}
-
 static double det(const double x[4])
 {
-	double v = sqrt(dot3(x + 1, x + 1));
+	double v = sqrt(hawser__dot(x + 1, x + 1));
 
 	return (x[0] - v)*(x[0] + v);
 }
@@ -65,14 +61,14 @@ static void scale(struct cone *k)
 	gamma = 2.0*sqrt((1.0 + gamma)/2.0);
 	for (int i = 0; i < 4; i++)
 		k->y[i] = (k->z[i]/zz + (i ? -1.0 : 1.0)*k->s[i]/ss)/gamma;
-	k->y[0] = sqrt(1.0 + dot3(k->y + 1, k->y + 1));
+	k->y[0] = sqrt(1.0 + hawser__dot(k->y + 1, k->y + 1));
 	k->delta = zz/ss;
 }
 
 /* out = P(u)^-1 x. */
 static void inverse(double out[4], const struct cone *k, const double x[4])
 {
-	double sum = 2.0*(k->y[0]*x[0] + dot3(k->y + 1, x + 1));
+	double sum = 2.0*(k->y[0]*x[0] + hawser__dot(k->y + 1, x + 1));
 
 	for (int i = 0; i < 4; i++)
 		out[i] = k->delta*(k->y[i]*sum + (i ? x[i] : -x[0]));
@@ -85,7 +81,7 @@ static void root(double out[4], const struct cone *k, const double x[4])
 
 	for (int i = 0; i < 4; i++)
 		v[i] = (k->y[i] + (i == 0))*n;
-	sum = 2.0*(v[0]*x[0] + dot3(v + 1, x + 1));
+	sum = 2.0*(v[0]*x[0] + hawser__dot(v + 1, x + 1));
 	for (int i = 0; i < 4; i++)
 		out[i] = size*(v[i]*sum + (i ? x[i] : -x[0]));
 }
@@ -97,7 +93,7 @@ static void forth(double out[4], const struct cone *k, const double x[4])
 
 	for (int i = 0; i < 4; i++)
 		v[i] = (i ? -1.0 : 1.0)*(k->y[i] + (i == 0))*n;
-	sum = 2.0*(v[0]*x[0] + dot3(v + 1, x + 1));
+	sum = 2.0*(v[0]*x[0] + hawser__dot(v + 1, x + 1));
 	for (int i = 0; i < 4; i++)
 		out[i] = size*(v[i]*sum + (i ? x[i] : -x[0]));
 }
@@ -190,7 +186,7 @@ static void follow(struct cone *k, const struct hawser__net_work *work, int i)
 
 	mismatch(r, k, work->mesh, i);
 	hawser__net_stretch(k->ds + 1, work, i);
-	k->ds[0] = (k->g[0] - 2.0*k->delta*k->y[0]*dot3(k->y + 1, k->ds + 1))/soft(k)*k->c;
+	k->ds[0] = (k->g[0] - 2.0*k->delta*k->y[0]*hawser__dot(k->y + 1, k->ds + 1))/soft(k)*k->c;
 	inverse(Hs, k, k->ds);
 	for (int j = 0; j < 4; j++) {
 		k->dz[j] = k->g[j] - Hs[j];
@@ -201,7 +197,8 @@ static void follow(struct cone *k, const struct hawser__net_work *work, int i)
 /* Longest step from x along dx within the cone, at most 1/FAR. */
 static double reach(const double x[4], const double dx[4])
 {
-	double a = det(dx), b = x[0]*dx[0] - dot3(x + 1, dx + 1), c = det(x), root = b*b - a*c, below;
+	double a = det(dx), b = x[0]*dx[0] - hawser__dot(x + 1, dx + 1), c = det(x), root = b*b - a*c;
+	double below;
 
 	if (dx[0] < 0.0 && x[0] + dx[0]/FAR < 0.0 && root < 0.0)
 		return -x[0]/dx[0];
@@ -236,7 +233,7 @@ static void correct(double v[4], const struct cone *k, double mu)
 	r[0] = mu - own - sum;
 	for (int i = 1; i < 4; i++)
 		r[i] = -2.0*lambda[0]*lambda[i] - s[0]*z[i] - z[0]*s[i];
-	x[0] = (lambda[0]*r[0] - dot3(lambda + 1, r + 1))/det(lambda);
+	x[0] = (lambda[0]*r[0] - hawser__dot(lambda + 1, r + 1))/det(lambda);
 	for (int i = 1; i < 4; i++)
 		x[i] = (r[i] - x[0]*lambda[i])/lambda[0];
 	root(v, k, x);
@@ -278,7 +275,7 @@ static double mean(const struct cone *cones, const struct hawser__mesh *mesh)
 
 	for (int i = 0; i < mesh->elements; i++)
 		if (cones[i].in) {
-			sum += cones[i].s[0]*cones[i].z[0] + dot3(cones[i].s + 1, cones[i].z + 1);
+			sum += cones[i].s[0]*cones[i].z[0] + hawser__dot(cones[i].s + 1, cones[i].z + 1);
 			count++;
 		}
 	return count ? sum/count : 0.0;
@@ -349,8 +346,8 @@ static int sort_out(struct hawser__net_work *work, struct cone *cones)
 		mismatch(r, k, mesh, i);
 		for (int j = 0; j < 4; j++)
 			off = fmax(off, fabs(r[j]));
-		k->in = k->s[0] - sqrt(dot3(k->s + 1, k->s + 1)) > TAUT*k->s[0] || off > TAUT*k->s[0];
-		work->N[i] = k->in ? 0.0 : sqrt(dot3(k->z + 1, k->z + 1));
+		k->in = k->s[0] - sqrt(hawser__dot(k->s + 1, k->s + 1)) > TAUT*k->s[0] || off > TAUT*k->s[0];
+		work->N[i] = k->in ? 0.0 : sqrt(hawser__dot(k->z + 1, k->z + 1));
 		left += k->in && k->z[0] > 0.1*work->wanted;
 	}
 	return !left;

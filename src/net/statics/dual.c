@@ -18,6 +18,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "core/vec3.h"
 #include "net/statics/dual.h"
 #include "net/statics/solve.h"
 
@@ -57,11 +58,6 @@ static void chord_of(double d[3], const struct hawser__mesh *mesh, int c)
 {
 	for (int k = 0; k < 3; k++)
 		d[k] = mesh->q[mesh->end[c][1]][k] - mesh->q[mesh->end[c][0]][k];
-}
-
-static double dot(const double a[3], const double b[3])
-{
-	return a[0]*b[0] + a[1]*b[1] + a[2]*b[2];
 }
 
 /* The stiffness of a cable and what its chord has beyond that of its force; at the start the stiffness
@@ -114,9 +110,9 @@ static double assemble(struct hawser__dual *dual)
 
 		hawser__dual_linear(K, gap, dual, c);
 		if (dual->cable[c].density == 0.0)
-			dual->open = fmax(dual->open, sqrt(dot(gap, gap))/dual->cable[c].length0);
+			dual->open = fmax(dual->open, sqrt(hawser__dot(gap, gap))/dual->cable[c].length0);
 		for (int k = 0; k < 3; k++) {
-			force[k] = dot(K[k], gap);
+			force[k] = hawser__dot(K[k], gap);
 			if (!(fabs(force[k]) <= most))
 				most = fabs(force[k]);
 			force[k] += dual->F[c][k];
@@ -146,9 +142,9 @@ static double lowered(double *slope, double *size, const struct hawser__dual *du
 			G[k] = F[k] + factor*step[k];
 		after = hawser__catenary(chord, NULL, &dual->cable[c], G);
 		chord_of(d, dual->mesh, c);
-		sum += after - before - factor*dot(step, d);
-		*slope += dot(step, chord) - dot(step, d);
-		*size += fabs(after) + fabs(before) + fabs(factor*dot(step, d));
+		sum += after - before - factor*hawser__dot(step, d);
+		*slope += hawser__dot(step, chord) - hawser__dot(step, d);
+		*size += fabs(after) + fabs(before) + fabs(factor*hawser__dot(step, d));
 	}
 	return sum;
 }
@@ -181,7 +177,7 @@ static enum hawser_status advance(struct hawser__dual *dual, struct hawser_repor
 			gap[k] += (b < 0 ? 0.0 : dual->x[b]) - (a < 0 ? 0.0 : dual->x[a]);
 		}
 		for (int k = 0; k < 3; k++)
-			force[k] = dot(K[k], gap);
+			force[k] = hawser__dot(K[k], gap);
 		memcpy(dual->step[c], force, sizeof force);
 	}
 	for (int i = 0; i < mesh->nodes; i++)
@@ -226,7 +222,7 @@ static void begin(struct hawser__dual *dual)
 			free_ends += mesh->unknown[mesh->end[c][0]][k] >= 0 ||
 			             mesh->unknown[mesh->end[c][1]][k] >= 0;
 		if (!free_ends)
-			N = fmax(N, mesh->EA[c]*(sqrt(dot(d, d))/mesh->length0[c] - 1.0));
+			N = fmax(N, mesh->EA[c]*(sqrt(hawser__dot(d, d))/mesh->length0[c] - 1.0));
 		dual->step[c][0] = N;
 	}
 	for (int i = 0; i < mesh->nodes; i++)
@@ -241,7 +237,7 @@ static void soften(struct hawser__dual *dual, double part)
 {
 	for (int c = 0; c < dual->mesh->elements; c++) {
 		struct hawser__net_catenary *cable = &dual->cable[c];
-		double own = sqrt(dot(cable->p, cable->p))*cable->length0;
+		double own = sqrt(hawser__dot(cable->p, cable->p))*cable->length0;
 
 		cable->soft = part > LEAST || own < 1e-12*dual->weight ? part*dual->weight : 0.0;
 	}
@@ -251,7 +247,7 @@ static void soften(struct hawser__dual *dual, double part)
 static int light(const struct hawser__dual *dual)
 {
 	for (int c = 0; c < dual->mesh->elements; c++)
-		if (sqrt(dot(dual->cable[c].p, dual->cable[c].p))*dual->cable[c].length0 < 1e-6*dual->weight)
+		if (hawser__norm(dual->cable[c].p)*dual->cable[c].length0 < 1e-6*dual->weight)
 			return 1;
 	return 0;
 }
@@ -305,7 +301,7 @@ enum hawser_status hawser__net_dual(struct hawser__net_work *work, int *done,
 	work->iterations += dual.iterations;
 	work->factored = 0;
 	for (int i = 0; i < mesh->elements && !status; i++)
-		work->N[i] = sqrt(dot(dual.F[i], dual.F[i]));
+		work->N[i] = sqrt(hawser__dot(dual.F[i], dual.F[i]));
 	if (!status && *done)
 		status = hawser__net_finish(work, done, report);
 	hawser__dual_clear(&dual);

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "core/vec3.h"
 #include "net/statics/exact.h"
 
 /* Exact catenaries start a mesh if they are found in so many iterations: another start costs less
@@ -60,11 +61,6 @@ void hawser__exact_clear(struct hawser__exact *exact)
 	hawser__mesh_clear(&exact->mesh);
 }
 
-static double dot(const double a[3], const double b[3])
-{
-	return a[0]*b[0] + a[1]*b[1] + a[2]*b[2];
-}
-
 /* Energy, and how far it may be above the least one; step = force that belongs to the chord minus
  * F. */
 static double energy_of(double *gap, struct hawser__dual *dual)
@@ -79,14 +75,14 @@ static double energy_of(double *gap, struct hawser__dual *dual)
 		hawser__dual_linear(K, r, dual, c);
 		for (int k = 0; k < 3; k++) {
 			d[k] = mesh->q[mesh->end[c][1]][k] - mesh->q[mesh->end[c][0]][k];
-			Kr[k] = dot(K[k], r);
+			Kr[k] = hawser__dot(K[k], r);
 		}
-		sum += dot(dual->F[c], d) - hawser__catenary(NULL, NULL, &dual->cable[c], dual->F[c]);
-		*gap += dot(r, Kr) + dual->cable[c].soft*dual->cable[c].length0;
+		sum += hawser__dot(dual->F[c], d) - hawser__catenary(NULL, NULL, &dual->cable[c], dual->F[c]);
+		*gap += hawser__dot(r, Kr) + dual->cable[c].soft*dual->cable[c].length0;
 		memcpy(dual->step[c], Kr, sizeof Kr);
 	}
 	for (int i = 0; i < mesh->nodes; i++)
-		sum -= dot(mesh->force[i], mesh->q[i]);
+		sum -= hawser__dot(mesh->force[i], mesh->q[i]);
 	return sum + *gap/2.0;
 }
 
@@ -150,7 +146,7 @@ int hawser__exact_start(struct hawser__mesh *mesh, double *N, const struct hawse
 			double x[3], t[3], step = exact.dual.cable[c].length0/n;
 
 			hawser__catenary_point(x, t, &exact.dual.cable[c], exact.dual.F[c], step*(i + 0.5));
-			N[first + i] = sqrt(dot(t, t));
+			N[first + i] = sqrt(hawser__dot(t, t));
 			hawser__catenary_point(x, t, &exact.dual.cable[c], exact.dual.F[c], step*(i + 1));
 			for (int k = 0; i < n - 1 && k < 3; k++)
 				mesh->q[mesh->end[first + i][1]][k] = from[k] + x[k];

@@ -20,15 +20,11 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/vec3.h"
 #include "net/statics/tension.h"
 
 /* Of an element: a support this near to an obstacle is on it. */
 static const double ON = 1e-6;
-
-static double dot(const double a[3], const double b[3])
-{
-	return a[0]*b[0] + a[1]*b[1] + a[2]*b[2];
-}
 
 /* Unit vector along an element. */
 static void direction(double e[3], const struct hawser__tensions *of, int element)
@@ -38,7 +34,7 @@ static void direction(double e[3], const struct hawser__tensions *of, int elemen
 
 	for (int k = 0; k < 3; k++)
 		e[k] = of->x[end[1]][k] - of->x[end[0]][k];
-	l = sqrt(dot(e, e));
+	l = sqrt(hawser__dot(e, e));
 	for (int k = 0; k < 3; k++)
 		e[k] = l > 0.0 ? e[k]/l : 0.0;
 }
@@ -73,14 +69,14 @@ static void turned(double friction[3], double *N, const double n[3], const struc
 	double H[3][3], other[3], size, along, left;
 
 	(void)hawser_surface_gap(other, H, &of->net->surface[surface], of->x[from]);
-	*N = dot(of->obstacle[from], other);
+	*N = hawser__dot(of->obstacle[from], other);
 	for (int k = 0; k < 3; k++)
 		friction[k] = of->obstacle[from][k] - *N*other[k];
-	size = sqrt(dot(friction, friction));
-	along = dot(friction, n);
+	size = sqrt(hawser__dot(friction, friction));
+	along = hawser__dot(friction, n);
 	for (int k = 0; k < 3; k++)
 		friction[k] -= along*n[k];
-	left = sqrt(dot(friction, friction));
+	left = sqrt(hawser__dot(friction, friction));
 	for (int k = 0; k < 3; k++)
 		friction[k] *= left > 0.0 ? size/left : 0.0;
 }
@@ -96,12 +92,12 @@ static int carried(double f[3], const struct hawser__tensions *of, int element, 
 	int surface = obstacle_at(n, of, node, element);
 
 	memset(f, 0, 3*sizeof *f);
-	if (surface < 0 || dot(of->obstacle[from], of->obstacle[from]) == 0.0)
+	if (surface < 0 || hawser__dot(of->obstacle[from], of->obstacle[from]) == 0.0)
 		return -1;
 	part = inner ? 0.5 : 0.5*mesh->length0[element]/halves(mesh, node);
 	turned(f, &N, n, of, surface, from);
 	direction(e, of, element);
-	against = part*(side ? dot(f, e) : -dot(f, e));
+	against = part*(side ? hawser__dot(f, e) : -hawser__dot(f, e));
 	scale = against > of->T[element] ? fmax(of->T[element], 0.0)/against : 1.0;
 	for (int k = 0; k < 3; k++)
 		f[k] = part*(scale*f[k] + N*n[k]);
@@ -144,19 +140,19 @@ double hawser__tension_at(const struct hawser__tensions *of, int cable, int i)
 		direction(e, of, element);
 		for (int k = 0; k < 3; k++)
 			t[k] = (before < 0 ? t[k] : -t[k]) + of->T[element]*e[k];
-		T = sqrt(dot(t, t));
+		T = sqrt(hawser__dot(t, t));
 		return of->T[element] < 0.0 ? -T : T;
 	}
 	T = 0.5*(of->T[before] + of->T[behind]);
 	node = of->mesh->end[behind][0];
-	if (T < 0.0 || (of->obstacle && dot(of->obstacle[node], of->obstacle[node]) > 0.0))
+	if (T < 0.0 || (of->obstacle && hawser__dot(of->obstacle[node], of->obstacle[node]) > 0.0))
 		return T;
 	for (int side = 0; side < 2; side++) {
 		direction(e, of, side ? behind : before);
 		for (int k = 0; k < 3; k++)
 			t[k] += 0.5*of->T[side ? behind : before]*e[k];
 	}
-	return sqrt(dot(t, t));
+	return sqrt(hawser__dot(t, t));
 }
 
 void hawser__tension_obstacles(double (*force)[3], const struct hawser__mesh *mesh)

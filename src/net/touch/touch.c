@@ -21,6 +21,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "core/vec3.h"
 #include "net/touch/touch.h"
 
 static const double STIFFER = 1e3; /* k over the stiffness of the elements at the node: each iteration
@@ -30,16 +31,6 @@ static const double SLIDES = 1e-9;
 /* Of an element: least gap of a node from a circle or segment when the interior point begins. */
 static const double TINY = 1e-14;
 static const double ROUND = 16.0;  /* operations whose errors of one ulp add up in a gap */
-
-static double dot(const double a[3], const double b[3])
-{
-	return a[0]*b[0] + a[1]*b[1] + a[2]*b[2];
-}
-
-static double norm(const double a[3])
-{
-	return sqrt(dot(a, a));
-}
 
 void hawser__touch_measure(struct hawser__mesh *mesh)
 {
@@ -132,7 +123,7 @@ static void guide(const struct hawser__mesh *mesh, struct hawser__touch *touch)
 static double moving(double v[3], const struct hawser__mesh *mesh, const struct hawser__touch *touch)
 {
 	hawser_surface_velocity(v, touch->surface, mesh->q[touch->node]);
-	return mesh->surfaces_rest ? 0.0 : norm(v);
+	return mesh->surfaces_rest ? 0.0 : hawser__norm(v);
 }
 
 /* The derivative of the direction of a circle's velocity, which is n turned by a right angle. */
@@ -211,7 +202,7 @@ static void change(double *r, double *t, const struct hawser__net_work *work,
 	double d[3];
 
 	step_of(d, work, touch);
-	*t = touch->g - touch->t + dot(touch->n, d);
+	*t = touch->g - touch->t + hawser__dot(touch->n, d);
 	*r = (mu - touch->r*touch->t - touch->r**t)/touch->t;
 }
 
@@ -270,7 +261,7 @@ static void slip_of(double d[3], const struct hawser__mesh *mesh, const struct h
 
 	for (int k = 0; k < 3; k++)
 		d[k] = mesh->q[touch->node][k] - touch->from[k];
-	along = dot(d, touch->n);
+	along = hawser__dot(d, touch->n);
 	for (int k = 0; k < 3; k++)
 		d[k] -= along*touch->n[k];
 	if (touch->surface->groove)
@@ -284,10 +275,10 @@ static double trial_of(double trial[3], const struct hawser__touch *touch, const
 
 	for (int k = 0; k < 3; k++)
 		trial[k] = touch->friction[k] - touch->stiff*d[k];
-	along = dot(trial, touch->n);
+	along = hawser__dot(trial, touch->n);
 	for (int k = 0; k < 3; k++)
 		trial[k] -= along*touch->n[k];
-	return norm(trial);
+	return hawser__norm(trial);
 }
 
 /* Friction of the next step: block, push and drag. force: r if the node stays where it is. */
@@ -380,7 +371,7 @@ static void rubbed(const struct hawser__net_work *work, struct hawser__touch *to
 	part = touch->slides || size > bound*(1.0 + SLIDES) ? bound/size : 1.0;
 	for (int k = 0; k < 3; k++)
 		touch->friction[k] = size > 0.0 ? part*trial[k] : 0.0;
-	touch->slides = touch->slides ? dot(d, touch->friction) <= least_of(work->mesh, touch)*bound
+	touch->slides = touch->slides ? hawser__dot(d, touch->friction) <= least_of(work->mesh, touch)*bound
 	                              : part < 1.0;
 }
 
@@ -393,7 +384,7 @@ void hawser__touch_after(struct hawser__net_work *work)
 
 		if (touch->stiff > 0.0) {
 			step_of(d, work, touch);
-			touch->r -= touch->stiff*(touch->g + dot(touch->n, d));
+			touch->r -= touch->stiff*(touch->g + hawser__dot(touch->n, d));
 			if (touch->surface->groove)
 				touch->aside -= touch->stiff*(aside_of(work->mesh, touch) + d[2]);
 			bound = hawser__touch_friction(touch)*fmax(touch->r, 0.0);
@@ -411,7 +402,7 @@ void hawser__touch_after(struct hawser__net_work *work)
 /* Whether friction and slip of a node agree. */
 static int agrees(const struct hawser__net_work *work, const struct hawser__touch *touch)
 {
-	double bound = hawser__touch_friction(touch)*touch->r, size = norm(touch->friction), d[3];
+	double bound = hawser__touch_friction(touch)*touch->r, size = hawser__norm(touch->friction), d[3];
 
 	if (!(bound > 0.0))
 		return size == 0.0;
@@ -422,8 +413,9 @@ static int agrees(const struct hawser__net_work *work, const struct hawser__touc
 	slip_of(d, work->mesh, touch);
 	if (touch->slides)
 		return fabs(size - bound) <= work->wanted &&
-		       dot(d, touch->friction) <= least_of(work->mesh, touch)*bound;
-	return size <= bound*(1.0 + SLIDES) + work->wanted && norm(d) <= least_of(work->mesh, touch);
+		       hawser__dot(d, touch->friction) <= least_of(work->mesh, touch)*bound;
+	return size <= bound*(1.0 + SLIDES) + work->wanted &&
+	       hawser__norm(d) <= least_of(work->mesh, touch);
 }
 
 int hawser__touch_settled(double *gap, const struct hawser__net_work *work)

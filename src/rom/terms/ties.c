@@ -27,6 +27,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "core/vec3.h"
 #include "modes/label.h"
 #include "rom/terms/dampers.h"
 #include "rom/terms/ties.h"
@@ -100,11 +101,6 @@ static void phi(double f[3], const struct hawser__springs *springs, int a, doubl
 	spring = &springs->spring[a - ENDS];
 	if (s < spring->s)
 		memcpy(f, spring->h, sizeof spring->h);
-}
-
-static double dot(const double a[3], const double b[3])
-{
-	return a[0]*b[0] + a[1]*b[1] + a[2]*b[2];
 }
 
 /* Components along e, n, z at the place, in space along its three axes. */
@@ -195,7 +191,7 @@ void hawser__springs_solve(struct hawser__springs *springs)
 		const struct hawser__tie_spring *joint = &springs->spring[springs->size - ENDS + j];
 
 		for (int a = 0; a < springs->size && joint->attachment > springs->ends; a++)
-			springs->z[a] -= at_joint(springs, a, j)*dot(springs->beyond, joint->way)/joint->k;
+			springs->z[a] -= at_joint(springs, a, j)*hawser__dot(springs->beyond, joint->way)/joint->k;
 	}
 	if (springs->failed || LAPACKE_dpotrs(LAPACK_COL_MAJOR, 'U', springs->size, 1, springs->A,
 	                                      HAWSER__TIES, springs->z, springs->size) != 0)
@@ -234,8 +230,8 @@ double hawser__springs_stretch(const struct hawser__springs *springs, int m)
 		return springs->z[ENDS + m]/joint->k;
 	for (int a = 0; a < springs->size; a++)
 		pull += springs->z[a]*at_joint(springs, a, m - (springs->size - ENDS));
-	return joint->attachment > springs->ends ? (dot(springs->beyond, joint->way) + pull)/joint->k
-	                                         : -pull/joint->k;
+	return joint->attachment > springs->ends
+		? (hawser__dot(springs->beyond, joint->way) + pull)/joint->k : -pull/joint->k;
 }
 
 void hawser__springs_start(double u[3], const struct hawser__springs *springs, const double *stretch)
