@@ -209,7 +209,7 @@ static void clear(void *scene)
 }
 
 static const struct hawser__tree_form form = {
-	{"a scene of kind rod is a mapping with at least rod (see hawser-scene(5))",
+	{"rod", "a scene of kind rod is a mapping with at least rod (see hawser-scene(5))",
 	"loads.i0.force=[0 N, -5 N, 0 N]", 'i'},
 	sizeof(struct hawser_rod), offsetof(struct hawser_rod, name), interpret, clear};
 

@@ -13,6 +13,7 @@
 #include <string.h>
 
 #include "scene/reader.h"
+#include "scene/tree_keys.h"
 
 /* Read the value of `path` in an item of a list or, if it is NULL, all keys of the item. */
 static enum hawser_status within(struct hawser__reader *reader, const struct hawser__items *list,
@@ -106,13 +107,16 @@ enum hawser_status hawser__items_read(struct hawser__reader *reader, int index,
 int hawser__item_key(int *number, const struct hawser_scene *scene, const char *path)
 {
 	const struct hawser__items *list = hawser__list_row(hawser__list_find(path));
-	const char *name = path + strcspn(path, "."), *dot = *name ? strchr(++name, '.') : NULL;
-	size_t length = dot ? (size_t)(dot - name) : 0;
+	const char *name = path + strcspn(path, "."), *dot;
+	size_t length;
 	int count = list ? *hawser__list_count(list, scene) : 0;
 	char key[2*HAWSER_NAME_SIZE];
 
 	*number = -1;
-	if (!length || !list->keys)
+	name += *name == '.';
+	length = strcspn(name, ".");
+	dot = name + length;
+	if (!length || !list)
 		return -1;
 	if (isdigit((unsigned char)*name)) {
 		char *end;
@@ -127,6 +131,8 @@ int hawser__item_key(int *number, const struct hawser_scene *scene, const char *
 		if (strlen(own) == length && strncmp(own, name, length) == 0)
 			*number = i;
 	}
+	if (!*dot || !list->keys)
+		return -1;
 	snprintf(key, sizeof key, "%s.%s", list->name, dot + 1);
 	return strchr(dot + 1, '.') ? -1 : hawser__key_find(key);
 }
@@ -137,12 +143,18 @@ enum hawser_status hawser__items_set(struct hawser__reader *reader, int index, c
 	const struct hawser__items *list = hawser__list_row(index);
 	int number, key = hawser__item_key(&number, reader->scene, path);
 	int count = *hawser__list_count(list, reader->scene);
-	char shown[HAWSER__SHOWN];
+	char shown[HAWSER__SHOWN], best[HAWSER__TEXT_ROOM], keys[HAWSER__TREE_LIST_SIZE] = "";
 
+	for (int i = 0; hawser_scene_key(i) && key < 0; i++)
+		if (hawser__list_of(i) == list)
+			snprintf(keys + strlen(keys), sizeof keys - strlen(keys), "%s%s", *keys ? ", " : "",
+			         hawser__leaf(hawser_scene_key(i)->path));
+	hawser__tree_nearest(best, hawser__leaf(path), keys);
 	if (key < 0)
-		return hawser__reader_fail(reader, place, "unknown key %s: write %s.NUMBER.KEY, from 0, "
+		return hawser__reader_fail(reader, place, "unknown key %s: %s%s%swrite %s.NUMBER.KEY, from 0, "
 		                           "or %s.NAME.KEY, with %s", hawser__shown(shown, path),
-		                           list->name, list->name, list->keys);
+		                           *best ? "did you mean " : "", best, *best ? "? " : "", list->name,
+		                           list->name, list->keys);
 	if (number < 0)
 		return hawser__reader_fail(reader, place, "%s: the scene has %d %s%s, and none has "
 		                           "this number or name", hawser__shown(shown, path), count,

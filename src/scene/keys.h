@@ -141,6 +141,11 @@ void hawser__word(char *word, size_t size, const char *words, int choice);
 const char *hawser__leaf(const char *path);
 size_t hawser__parent_length(const char *path);
 
+/* "segments[0].EA" as "segments.0.EA". Returns 0 if a bracket has no other one, or nothing in it. */
+int hawser__path_plain(char *path);
+/* The number at the end of "load.extent.1", which is taken off; -1: there is none. */
+int hawser__path_element(char *path);
+
 /* 1 if `path` is directly in `section` ("" is the top level). */
 int hawser__child_of(const char *path, const char *section);
 

@@ -28,6 +28,7 @@ noinst_LTLIBRARIES += %D%/libscene.la
 	%D%/tree_keys.h \
 	%D%/tree_fill.c \
 	%D%/tree_rows.h \
+	%D%/tree_set.c \
 	%D%/tree_value.c \
 	%D%/units.c \
 	%D%/units_common.c \

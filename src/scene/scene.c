@@ -2,7 +2,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -80,29 +79,31 @@ enum hawser_status hawser_scene_open(struct hawser_scene *scene, const char *pat
 	return once(scene, hawser_document_open(&from, path, report), &from, set, nset, report);
 }
 
-/* Split "load.extent[1]" into the index of its key and the element 1; without brackets *element is
- * -1. *item is the number of the item of a list, -1 if it does not exist; 0 for other keys. */
+static int index_of(const struct hawser_scene *scene, int *item, const char *path)
+{
+	*item = 0;
+	return hawser__list_find(path) >= 0 ? hawser__item_key(item, scene, path) : hawser__key_find(path);
+}
+
+/* Split "load.extent[1]" into the index of its key and the element 1; without an element it is -1.
+ * *item is the number of the item of a list, -1 if it does not exist; 0 for other keys. */
 static int locate(const struct hawser_scene *scene, const char *path, int *element, int *item)
 {
 	char name[HAWSER__TEXT_ROOM];
-	size_t length = strcspn(path, "[");
+	int index;
 
 	*element = -1;
 	*item = 0;
-	if (length >= sizeof name)
+	if (strlen(path) >= sizeof name)
 		return -1;
-	memcpy(name, path, length);
-	name[length] = '\0';
-	if (path[length] == '[') {
-		char *end;
-		long value = strtol(path + length + 1, &end, 10);
-
-		if (!isdigit((unsigned char)path[length + 1]) || strcmp(end, "]") != 0 || value > 99)
-			return -1;
-		*element = (int)value;
-	}
-	return hawser__list_find(name) >= 0 ? hawser__item_key(item, scene, name)
-	                                    : hawser__key_find(name);
+	strcpy(name, path);
+	if (!hawser__path_plain(name))
+		return -1;
+	index = index_of(scene, item, name);
+	if (index >= 0)
+		return index;
+	*element = hawser__path_element(name);
+	return *element < 0 ? -1 : index_of(scene, item, name);
 }
 
 static enum hawser_status absent(const char *path, struct hawser_report *report)

@@ -34,7 +34,7 @@ struct hawser__tree *hawser__tree_find(const struct hawser__tree *tree, const ch
 	return child;
 }
 
-static void append(struct hawser__tree *parent, struct hawser__tree *child)
+void hawser__tree_append(struct hawser__tree *parent, struct hawser__tree *child)
 {
 	if (parent->last)
 		parent->last->next = child;
@@ -117,7 +117,7 @@ static enum hawser_status entries(struct hawser__tree *tree, struct hawser__read
 		yaml_event_delete(&event);
 		if (!child)
 			break;
-		append(tree, child);
+		hawser__tree_append(tree, child);
 		child->at = place;
 		child->name = strdup(name);
 		if (!child->name)
@@ -142,7 +142,7 @@ static enum hawser_status items(struct hawser__tree *tree, struct hawser__reader
 			status = value(&child, reader, &event, depth);
 		yaml_event_delete(&event);
 		if (child)
-			append(tree, child);
+			hawser__tree_append(tree, child);
 	}
 	return status;
 }
@@ -175,9 +175,8 @@ static enum hawser_status value(struct hawser__tree **made, struct hawser__reade
 	return tree->text ? HAWSER_OK : hawser__no_memory(reader->report, "scene");
 }
 
-/* Read one document. */
-static enum hawser_status document(struct hawser__tree **tree, struct hawser__reader *reader,
-                                   const char *text, size_t length)
+enum hawser_status hawser__tree_document(struct hawser__tree **tree, struct hawser__reader *reader,
+                                         const char *text, size_t length)
 {
 	yaml_parser_t yaml;
 	enum hawser_status status = HAWSER_OK;
@@ -210,124 +209,6 @@ static enum hawser_status document(struct hawser__tree **tree, struct hawser__re
 	return status;
 }
 
-/* Item of a list by its number or its `name`, entry of a mapping by its name. */
-static struct hawser__tree *step_into(const struct hawser__tree *tree, const char *name,
-                                      const struct hawser__tree_words *words)
-{
-	int number = 0;
-
-	if (tree->kind != HAWSER__SEQUENCE)
-		return hawser__tree_find(tree, name);
-	for (struct hawser__tree *child = tree->child; child; child = child->next, number++) {
-		const struct hawser__tree *called = hawser__tree_find(child, "name");
-		char own[16];
-
-		snprintf(own, sizeof own, "%c%d", words->item, number);
-		if (!strcmp(own + 1, name) || !strcmp(called && called->text ? called->text : own, name))
-			return child;
-	}
-	return NULL;
-}
-
-/* Put the tree `fresh` in the place of `path`. It is used up. */
-static enum hawser_status put(struct hawser__tree *root, struct hawser__reader *reader,
-                              struct hawser__tree *fresh, char *path,
-                              const struct hawser__tree_words *words)
-{
-	const struct hawser__mark here = fresh->at;
-	struct hawser__tree *tree = root, *old;
-	char *dot, shown[HAWSER__SHOWN];
-
-	while ((dot = strchr(path, '.'))) {
-		*dot = '\0';
-		tree = step_into(tree, path, words);
-		path = dot + 1;
-		if (!tree)
-			break;
-	}
-	old = tree ? step_into(tree, path, words) : NULL;
-	if (!old && (!tree || tree->kind != HAWSER__MAPPING || !*path)) {
-		hawser__tree_clear(fresh);
-		return hawser__reader_fail(reader, &here, "the scene has no such place as that before %s: "
-		                           "write names joined by dots, such as %s",
-		                           hawser__shown(shown, path), words->set);
-	}
-	if (!old) {
-		old = calloc(1, sizeof *old);
-		if (old)
-			old->name = strdup(path);
-		if (!old || !old->name) {
-			free(old);
-			hawser__tree_clear(fresh);
-			return hawser__no_memory(reader->report, "scene");
-		}
-		append(tree, old);
-	}
-	hawser__tree_clear(old->child);
-	free(old->text);
-	old->kind = fresh->kind;
-	old->text = fresh->text;
-	old->child = fresh->child;
-	old->last = fresh->last;
-	old->children = fresh->children;
-	old->at = here;
-	free(fresh);
-	return HAWSER_OK;
-}
-
-/* "segments[0].EA" as "segments.0.EA". Returns 0 if a bracket has no other one, or nothing in it. */
-static int without_brackets(char *path)
-{
-	char *to = path;
-	int open = 0;
-
-	for (const char *at = path; *at; at++) {
-		if ((*at == '[') == open && (*at == '[' || *at == ']'))
-			return 0;
-		if ((*at == ']' && to[-1] == '.') || (open && *at == '.'))
-			return 0;
-		if (*at == ']' && at[1] && at[1] != '.' && at[1] != '[')
-			return 0;
-		open = *at == '[' || (open && *at != ']');
-		if (*at != ']')
-			*to++ = *at == '[' ? '.' : *at;
-	}
-	*to = '\0';
-	return !open;
-}
-
-static enum hawser_status override(struct hawser__tree *root, struct hawser__reader *reader,
-                                   const char *set, const struct hawser__tree_words *words)
-{
-	const char *equals = strchr(set, '=');
-	struct hawser__tree *fresh = NULL;
-	char path[HAWSER__TEXT_ROOM];
-	size_t length = equals ? (size_t)(equals - set) : 0;
-	enum hawser_status status;
-
-	reader->set = set;
-	reader->pass++;
-	if (!equals || length >= sizeof path)
-		return hawser__reader_fail(reader, &(struct hawser__mark){.set = set},
-		                           "write KEY=VALUE, such as %s", words->set);
-	memcpy(path, set, length);
-	path[length] = '\0';
-	if (!without_brackets(path))
-		return hawser__reader_fail(reader, &(struct hawser__mark){.set = set},
-		                           "a bracket of the key is open or empty: write names and "
-		                           "numbers joined by dots, such as %s", words->set);
-	status = document(&fresh, reader, equals + 1, strlen(equals + 1));
-	if (!status && !fresh)
-		status = hawser__reader_fail(reader, &(struct hawser__mark){.set = set},
-		                             "there is no value after =");
-	if (status) {
-		hawser__tree_clear(fresh);
-		return status;
-	}
-	fresh->at.set = set;
-	return put(root, reader, fresh, path, words);
-}
-
 int hawser__tree_parse(struct hawser__tree **tree, const char *text, size_t length)
 {
 	struct hawser__reader reader = {.name = "", .pass = 1};
@@ -335,7 +216,7 @@ int hawser__tree_parse(struct hawser__tree **tree, const char *text, size_t leng
 
 	*tree = NULL;
 	if (length <= LARGEST)
-		status = document(tree, &reader, text, length);
+		status = hawser__tree_document(tree, &reader, text, length);
 	hawser__units_clear(&reader.units);
 	return !status;
 }
@@ -357,7 +238,7 @@ static enum hawser_status copy(struct hawser__tree **made, const struct hawser__
 		enum hawser_status status = copy(&twin, child); /* at most DEEPEST levels */
 
 		if (twin)
-			append(tree, twin);
+			hawser__tree_append(tree, twin);
 		if (status)
 			return status;
 	}
@@ -376,11 +257,12 @@ static enum hawser_status tree_of(struct hawser__tree **tree, struct hawser__rea
 	reader->pass = 1;
 	if (from->tree && copy(tree, from->tree))
 		return hawser__no_memory(reader->report, "scene");
-	status = from->tree ? HAWSER_OK : document(tree, reader, from->text, from->length);
+	status = from->tree ? HAWSER_OK
+	                    : hawser__tree_document(tree, reader, from->text, from->length);
 	if (!status && (!*tree || (*tree)->kind != HAWSER__MAPPING))
 		status = hawser__reader_fail(reader, &(struct hawser__mark){.pass = 1}, "%s", words->scene);
 	for (size_t i = 0; i < nset && !status; i++)
-		status = override(*tree, reader, set[i], words);
+		status = hawser__tree_set(*tree, reader, set[i], words);
 	return status;
 }
 

@@ -19,6 +19,7 @@ struct hawser__tree {
 
 /* For messages: what such a scene is, and an example of an override. */
 struct hawser__tree_words {
+	const char *table; /* of its keys: "net" */
 	const char *scene; /* "a scene of kind net is a mapping with ..." */
 	const char *set;   /* "cables.c1.EA=100 MN" */
 	char item;         /* of a list, without a name: this letter and their number, c1 */
@@ -44,6 +45,14 @@ enum hawser_status hawser__tree_scene_open(void *scene, const struct hawser__tre
  * The caller clears it. */
 int hawser__tree_parse(struct hawser__tree **tree, const char *text, size_t length);
 void hawser__tree_clear(struct hawser__tree *tree);
+/* Read one document. */
+enum hawser_status hawser__tree_document(struct hawser__tree **tree, struct hawser__reader *reader,
+                                         const char *text, size_t length) HAWSER_MUST_CHECK;
+void hawser__tree_append(struct hawser__tree *parent, struct hawser__tree *child);
+/* tree_set.c: apply an override "path=value", or "path=", which removes what is there. */
+enum hawser_status hawser__tree_set(struct hawser__tree *root, struct hawser__reader *reader,
+                                    const char *set, const struct hawser__tree_words *words)
+	HAWSER_MUST_CHECK;
 /* Entry of a mapping, or NULL. */
 struct hawser__tree *hawser__tree_find(const struct hawser__tree *tree, const char *name);
 /* A name of the outermost mapping, or this value of it, that tells the kind, in the order in which they

@@ -61,8 +61,7 @@ void hawser__tree_key_list(char *text, size_t size, const char *of)
 	}
 }
 
-/* The key of the list nearest to `name`, "" if none is near. */
-static void nearest(char best[HAWSER__TEXT_ROOM], const char *name, const char *keys)
+void hawser__tree_nearest(char best[HAWSER__TEXT_ROOM], const char *name, const char *keys)
 {
 	int least = hawser__edit_limit(strlen(name)) + 1;
 
@@ -113,7 +112,7 @@ enum hawser_status hawser__tree_keys(struct hawser__reader *reader, const struct
 	for (const struct hawser__tree *child = tree->child; child; child = child->next) {
 		if (among(child->name, keys))
 			continue;
-		nearest(best, child->name, keys);
+		hawser__tree_nearest(best, child->name, keys);
 		return hawser__reader_fail(reader, &child->at, "unknown key %s: %s%s%s%s takes %s",
 		                           hawser__shown(shown, child->name), *best ? "did you mean " : "",
 		                           best, *best ? "? " : "", what, keys);

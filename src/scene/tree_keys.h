@@ -62,6 +62,9 @@ const struct hawser__tree_key *hawser__tree_row(int index);
  * "net.cables[]"); NULL if the path is not that of a key directly below it. */
 const char *hawser__tree_key_of(const char *path, const char *of);
 
+/* The word of the list "a, b" that is nearest to `name`, "" if none is near. */
+void hawser__tree_nearest(char best[HAWSER__TEXT_ROOM], const char *name, const char *keys);
+
 /* The keys of a mapping as text "name, from, to", into text [size]. */
 enum { HAWSER__TREE_LIST_SIZE = 256 };
 void hawser__tree_key_list(char *text, size_t size, const char *of);

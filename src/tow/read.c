@@ -80,7 +80,7 @@ static void clear(void *scene)
 }
 
 static const struct hawser__tree_form form = {
-	{"the scene of a towed body is a mapping with the section tow (see hawser-scene(5), TOW)",
+	{"tow", "the scene of a towed body is a mapping with the section tow (see hawser-scene(5), TOW)",
 	"tow.orbit.radius=80 m", 'p'},
 	sizeof(struct hawser_tow), offsetof(struct hawser_tow, name), interpret, clear};
 

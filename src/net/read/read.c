@@ -302,7 +302,7 @@ static void clear(void *scene)
 }
 
 static const struct hawser__tree_form form = {
-	{"a scene of kind net is a mapping with at least nodes, cables and supports (see "
+	{"net", "a scene of kind net is a mapping with at least nodes, cables and supports (see "
 	"hawser-scene(5))", "cables.c1.EA=100 MN", 'c'},
 	sizeof(struct hawser_net), offsetof(struct hawser_net, name), interpret, clear};
 

@@ -197,7 +197,7 @@ static void clear(void *scene)
 }
 
 static const struct hawser__tree_form form = {
-	{"the scene of a span with obstacles is a mapping with the sections cable, span, "
+	{"obstacles", "the scene of a span with obstacles is a mapping with the sections cable, span, "
 	"tension and obstacles (see hawser-scene(5), OBSTACLES)", "obstacles.s0.friction=0.2", 's'},
 	sizeof(struct hawser_obstacles), offsetof(struct hawser_obstacles, name), interpret, clear};
 
