@@ -25,7 +25,7 @@ refuses_like 1 "attach\\[0\\] and attach\\[1\\] have the same name a" \
 refuses_like 1 "attach\\[0\\] and attach\\[1\\] are at the same point" \
 	statics s.yaml --set 'attach=[{at: 0.4, mass: 1}, {at: 0.4, mass: 1}]'
 refuses_like 1 "attach contradicts travel" statics s.yaml --set 'travel={speed: 1, hold: length}'
-refuses_like 1 "unknown key attach.carrier-1.mas: write attach.NUMBER.KEY" \
+refuses_like 1 "unknown key attach.carrier-1.mas: did you mean mass. write attach.NUMBER.KEY" \
 	statics s.yaml --set attach.carrier-1.mas=2
 refuses_like 1 "attach.7.mass: the scene has 4 attachments, and none has this number" \
 	statics s.yaml --set attach.7.mass=3

@@ -384,8 +384,8 @@ static const struct {
 	{WHOLE, "temperature.change=-20 degC",
 	 "--set temperature.change=-20 degC: temperature.change: \"-20 degC\" has a wrong unit \"degC\", "
 	 "not convertible to K: give a number in K, or with a unit that converts to K"},
-	{WHOLE, "cable.EA=",
-	 "--set cable.EA=: cable.EA has no value: write cable.EA=VALUE"},
+	{WHOLE, "cable.EA=# none",
+	 "--set cable.EA=# none: cable.EA has no value: write cable.EA=VALUE"},
 	{WHOLE, "cable.EA=-1",
 	 "--set cable.EA=-1: cable.EA: \"-1\" is out of range: it must be > 0 or .inf, in N"},
 	{WHOLE, "cable.EA=3 kg",
