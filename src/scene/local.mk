@@ -48,9 +48,6 @@ CLEANFILES += %D%/manpage$(EXEEXT)
 	%D%/page/example.c \
 	%D%/page/example.h \
 	%D%/page/manpage.c \
-	%D%/page/manpage_net_obstacles.c \
-	%D%/page/manpage_obstacles.c \
-	%D%/page/manpage_rod.c \
-	%D%/page/manpage_ropeway.c \
-	%D%/page/manpage_tow.c
+	%D%/page/manpage.h \
+	%D%/page/manpage_kinds.c
 %C%_manpage_LDADD = %D%/libscene.la src/core/libcore.la $(YAML_LIBS) $(JANSSON_LIBS) $(UDUNITS_LIBS)

@@ -9,11 +9,11 @@
 #include <hawser/plausible.h>
 
 #include "scene/page/example.h"
+#include "scene/page/manpage.h"
 #include "scene/keys.h"
 
-/* Write text with the characters escaped that are special in roff: backslashes, and hyphens as
- * minus. */
-static void text(const char *from)
+/* Backslashes, and hyphens as minus. */
+void manpage_text(const char *from)
 {
 	if (*from == '.' || *from == '\'')
 		fputs("\\&", stdout);
@@ -28,8 +28,7 @@ static void text(const char *from)
 			putchar(*from);
 }
 
-/* Write a sentence of the table in lines of at most 72 columns. */
-static void sentence(const char *from)
+void manpage_sentence(const char *from)
 {
 	int column = 0;
 
@@ -42,8 +41,11 @@ static void sentence(const char *from)
 		}
 		if (column)
 			column += printf(" ");
-		column += printf("%.*s", length, from);
-		from += length;
+		for (column += length; length > 0; length--, from++)
+			if (*from == '^')
+				fputs("\\(ha", stdout);
+			else
+				putchar(*from);
 		from += *from == ' ';
 	}
 }
@@ -56,7 +58,7 @@ static void example(void)
 		size_t length = strcspn(line, "\n");
 
 		snprintf(copy, sizeof copy, "%.*s", (int)length, line);
-		text(copy);
+		manpage_text(copy);
 		putchar('\n');
 		line += length + (line[length] == '\n');
 	}
@@ -74,27 +76,27 @@ static void key(const struct hawser_scene_key *row)
 	             {"name", "Name"}};
 
 	fputs(".TP\n.B ", stdout);
-	text(row->path);
+	manpage_text(row->path);
 	putchar('\n');
-	sentence(row->doc);
+	manpage_sentence(row->doc);
 	fputs(".\n", stdout);
 	for (size_t i = 0; i < sizeof kinds/sizeof *kinds; i++)
 		if (!strcmp(kinds[i].type, row->type))
 			fputs(kinds[i].reads, stdout);
 	if (row->words) {
 		fputs(strcmp(row->type, "word") != 0 ? " or " : ", one of ", stdout);
-		text(row->words);
+		manpage_text(row->words);
 	} else if (strcmp(row->unit, "1") != 0 && *row->unit) {
 		fputs(" in ", stdout);
-		text(row->unit);
+		manpage_text(row->unit);
 	}
 	if (*row->range) {
 		fputs(", ", stdout);
-		text(row->range);
+		manpage_text(row->range);
 	}
 	if (row->fallback && *row->fallback) {
 		fputs("; default ", stdout);
-		text(row->fallback);
+		manpage_text(row->fallback);
 	}
 	fputs(".\n", stdout);
 }
@@ -117,9 +119,9 @@ static void table(void)
 			key(hawser_scene_key(i));
 	for (size_t s = 0; s < sections; s++) {
 		fputs(".SS ", stdout);
-		text(section[s].path);
+		manpage_text(section[s].path);
 		printf(" (%s)\n", section[s].required ? "required" : "optional");
-		sentence(section[s].doc);
+		manpage_sentence(section[s].doc);
 		putchar('\n');
 		for (int i = 0; hawser_scene_key(i); i++)
 			if (hawser__child_of(hawser_scene_key(i)->path, section[s].path))
@@ -234,6 +236,12 @@ static const char before[] =
 	"For a scene that gives tension.T0,\n"
 	".B \"\\-\\-set tension.H=90kN\"\n"
 	"therefore gives the horizontal tension instead.\n"
+	".PP\n"
+	"Items of lists and elements of vectors have numbers from 0 on, attach.0.mass or attach[0].mass,\n"
+	"and load.per_length[1]; items may be called by their names, attach.carrier.mass.\n"
+	"Nothing after = takes out what is there, so that it has its default:\n"
+	".BR \"\\-\\-set load=\" ,\n"
+	".BR \"\\-\\-set attach.0=\" .\n"
 	".SS Axes\n"
 	"x runs along the span from end A to end B, y upwards, z out of their plane.\n"
 	"Arclength is unstretched and measured from A; tension is positive.\n";
@@ -346,13 +354,13 @@ static void plausible(void)
 		snprintf(line, sizeof line, "%s%s%s", rule->name, *rule->formula ? ", " : "",
 		         rule->formula);
 		fputs(".TP\n", stdout);
-		sentence(line);
+		manpage_sentence(line);
 		fputs("\n", stdout);
 		snprintf(line, sizeof line, "%s to %g%s%s (%s).", low, rule->high,
 		         *rule->unit ? " " : "", rule->unit, rule->keys);
-		sentence(line);
+		manpage_sentence(line);
 		fputs("\n", stdout);
-		sentence(rule->why);
+		manpage_sentence(rule->why);
 		if (*rule->why)
 			fputs("\n", stdout);
 	}
@@ -379,64 +387,6 @@ static const char bending[] =
 	".fi\n"
 	".RE\n";
 
-static const char nets[] =
-	".SH NETS\n"
-	"A scene with kind: net describes cables between nodes. No initial shape is asked for.\n"
-	"x and z are horizontal, y is upwards; cables carry tension only, and may be slack.\n"
-	".BR hawser\\-statics (1),\n"
-	".BR hawser\\-modes (1)\n"
-	"and\n"
-	".BR hawser\\-integrate (1)\n"
-	"take such scenes; --set takes names, as in cables.c1.EA=90 MN.\n"
-	".PP\n"
-	".RS\n"
-	".nf\n"
-	"kind: net\n"
-	"nodes: {A: [0 m, 0 m, 0 m], J: {}, B: [300 m, 15 m, 0 m]}\n"
-	"cables:\n"
-	"  \\- {name: c1, from: A, to: J, EA: 100 MN, rho: 5.56 kg/m, length0: 150.2 m, elements: 60}\n"
-	"  \\- {name: c2, from: J, to: B, EA: 100 MN, rho: 5.56 kg/m, length0: 150.9 m}\n"
-	"supports: {A: fixed, B: {fixed: [x, y], motion: {x: {amplitude: 0.1 m, Omega: 2 rad/s}}}}\n"
-	"masses: {J: 12 kg}\n"
-	"loads: {J: [0 N, \\-8 kN, 0 N]}\n"
-	".fi\n"
-	".RE\n";
-
-static const char net_keys[] =
-	".PP\n"
-	".B nodes\n"
-	"has the positions of supports; {} is a node whose position is to be found.\n"
-	"Each cable has\n"
-	".BR name \", \" from \", \" to \", \" EA \", \" rho\n"
-	"(0: without weight) and one of\n"
-	".B length0\n"
-	"(unstretched),\n"
-	".B tension\n"
-	"(its mean),\n"
-	".B force_density\n"
-	"(tension over the length of the cable) and\n"
-	".BR sag ,\n"
-	"from which its unstretched length is found, and the number of its\n"
-	".B elements\n"
-	"(at least 20, and as many, up to 400, as an error of the tensions of 1e\\-3 needs).\n"
-	".B supports\n"
-	"hold a node (fixed), or some of its directions (fixed: [y, z]), and may have a motion:\n"
-	"harmonic (amplitude, Omega, phase) in directions that it holds, or a\n"
-	".B table\n"
-	"with lines of t, x, y, z in s and m.\n"
-	".B loads\n"
-	"are forces of nodes, [x, y, z] in N or {force: [...], harmonic: {Omega: ..., phase: ...}},\n"
-	"and forces per unstretched length of cables, {per_length: [...]}.\n"
-	".B damping\n"
-	"has alpha (viscous force per length and velocity) and axial\n"
-	"(T = EA (strain + axial d strain/dt), in s).\n"
-	".B dynamics\n"
-	"has scheme, rho_inf, step, from (a file of a state), release: supports that let go at t = 0,\n"
-	"and surfaces: moving (those of obstacles move before t = 0 too; the default) or start (they\n"
-	"start then, as of a belt, which has no equilibrium on wheels that turn).\n"
-	".B g\n"
-	"is 9.81 m/s^2.\n";
-
 int main(void)
 {
 	printf(".\\\" Written by src/scene/page/manpage.c from the table of keys: change that.\n"
@@ -447,13 +397,7 @@ int main(void)
 	fputs(elastic, stdout);
 	fputs(loaded, stdout);
 	fputs(bending, stdout);
-	fputs(nets, stdout);
-	fputs(net_keys, stdout);
-	fputs(hawser__manpage_net_obstacles, stdout);
-	fputs(hawser__manpage_obstacles, stdout);
-	fputs(hawser__manpage_ropeways, stdout);
-	fputs(hawser__manpage_rods, stdout);
-	fputs(hawser__manpage_tow, stdout);
+	manpage_kinds();
 	example();
 	plausible();
 	fputs(after, stdout);
