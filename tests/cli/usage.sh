@@ -59,7 +59,7 @@ refuses 1 "there is nothing to compare raw 5 with: name another fidelity" \
 refuses 1 "plan has no picture; hawser compare --plot draws errors against time" \
 	plan "$chairlift" --plot x.svg
 refuses 1 "plan needs a SCENE (hawser plan --help)" plan
-refuses_like 1 "is a reduced model, which hawser plan does not take" plan "$duffing"
+refuses_like 1 "is a reduced model, which hawser statics does not take" statics "$duffing"
 refuses 1 "--from 1w1 and --to w1 are the same frequency" plan "$chairlift" --from 1w1 --to w1
 refuses_like 1 'there is no fidelity "row 5"' plan "$chairlift" --fidelities "row 5"
 refuses 1 "--step 1.5: it is a part of the range, at most 1" compare "$chairlift" --step 1.5

@@ -123,7 +123,7 @@ double hawser__plan_slowness(void)
 
 static void take(struct hawser_plan_row *row, double points, double seconds)
 {
-	row->points = points;
+	row->points = round(points);
 	row->seconds = seconds;
 	row->least = seconds/DOUBT;
 	row->most = seconds*DOUBT;
