@@ -8,6 +8,7 @@ noinst_LTLIBRARIES += %D%/libscene.la
 	%D%/keys.c \
 	%D%/keys.h \
 	%D%/lists.c \
+	%D%/override.c \
 	%D%/parse.c \
 	%D%/paths.c \
 	%D%/plausible.c \

@@ -16,8 +16,7 @@ static const char *path_of(int index)
 	return hawser_scene_key(index)->path;
 }
 
-/* Size in bytes of the value of a row in the scene. */
-static size_t size_of(const struct hawser__row *row)
+size_t hawser__parse_size(const struct hawser__row *row)
 {
 	int count = hawser__type_count(row->type);
 
@@ -28,11 +27,11 @@ static size_t size_of(const struct hawser__row *row)
 	return (size_t)(count ? count : 1)*sizeof(double);
 }
 
-static void forget(struct hawser__reader *reader, int index)
+void hawser__parse_forget(struct hawser__reader *reader, int index)
 {
 	const struct hawser__row *row = &hawser__rows()[index];
 
-	memset((char *)reader->scene + row->offset, 0, size_of(row)); /* never of an item */
+	memset((char *)reader->scene + row->offset, 0, hawser__parse_size(row)); /* never of an item */
 	reader->key[index] = (struct hawser__mark){0};
 	reader->scene->written[index] = 0;
 }
@@ -45,10 +44,10 @@ static void displace(struct hawser__reader *reader, enum hawser__group group, in
 
 	for (int i = 0; hawser_scene_key(i); i++)
 		if (hawser__rows()[i].group == group && hawser__rows()[i].member != member)
-			forget(reader, i);
+			hawser__parse_forget(reader, i);
 	if (group == HAWSER__TENSION && member != HAWSER_GIVEN_T0 && member != HAWSER_GIVEN_T1 &&
 	    reader->key[branch].pass < reader->pass)
-		forget(reader, branch);
+		hawser__parse_forget(reader, branch);
 }
 
 /* The key of this group that was already given in this pass, or -1. */
@@ -330,91 +329,6 @@ enum hawser_status hawser__parse_file(struct hawser__reader *reader, const char 
 	return status;
 }
 
-static void forget_item(struct hawser__reader *reader, const struct hawser__items *list, int number)
-{
-	int *count = hawser__list_count(list, reader->scene);
-	char *at = (char *)reader->scene + list->first + (size_t)number*list->size;
-
-	--*count;
-	memmove(at, at + list->size, (size_t)(*count - number)*list->size);
-}
-
-/* A key of an item gets its default again. */
-static void forget_of_item(struct hawser__reader *reader, const struct hawser__items *list, int number,
-                           int index)
-{
-	size_t offset = hawser__rows()[index].offset - list->first, size = size_of(&hawser__rows()[index]);
-	char *at = (char *)hawser__field(reader->scene, index, number);
-
-	if (hawser__rows()[index].type == HAWSER__NAME)
-		*at = '\0';
-	else if (list->fresh)
-		memcpy(at, (const char *)list->fresh + offset, size);
-	else
-		memset(at, 0, size);
-}
-
-/* Take out a key, a section, a list, an item of one or a key of it: an override without a value. */
-static enum hawser_status take_out(struct hawser__reader *reader, const char *path,
-                                   const struct hawser__mark *place)
-{
-	const struct hawser__items *list = hawser__list_row(hawser__list_find(path));
-	size_t sections, length = strlen(path);
-	const struct hawser__section *section = hawser__sections(&sections);
-	int item, key = list ? hawser__item_key(&item, reader->scene, path) : hawser__key_find(path);
-
-	if (list && !strchr(path, '.')) {
-		*hawser__list_count(list, reader->scene) = 0;
-		reader->list[hawser__list_find(path)] = (struct hawser__mark){0};
-		return HAWSER_OK;
-	}
-	if (list && key >= 0 && item >= 0 && list->required &&
-	    !strcmp(hawser_scene_key(key)->path, list->required))
-		return hawser__reader_fail(reader, place, "%s: each %s needs it", path, list->one);
-	if (list && item >= 0 && key >= 0)
-		forget_of_item(reader, list, item, key);
-	else if (list && item >= 0)
-		forget_item(reader, list, item);
-	else if (list || (key < 0 && hawser__section_find(path) < 0))
-		return list ? hawser__items_set(reader, hawser__list_find(path), path, place)
-		            : hawser__parse_unknown(reader, place, path);
-	for (size_t s = 0; s < sections && !list; s++)
-		if (!strncmp(section[s].path, path, length) && strchr(".", section[s].path[length]))
-			reader->section[s] = (struct hawser__mark){0};
-	for (int i = 0; hawser_scene_key(i) && !list; i++) {
-		const struct hawser__row *row = &hawser__rows()[i];
-		const char *own = hawser_scene_key(i)->path;
-
-		if (strncmp(own, path, length) != 0 || !strchr(".", own[length]) || !reader->key[i].pass)
-			continue;
-		if (row->group && hawser__chosen(reader->scene, row->group) == row->member)
-			hawser__choose(reader->scene, row->group, 0);
-		forget(reader, i);
-	}
-	return HAWSER_OK;
-}
-
-/* "[0, 0.8 N/m, 0]" of the list `path` of the scene with another element; 0: it has no such list. */
-static int with_element(char *text, size_t size, const struct hawser_scene *scene, const char *path,
-                        int element, const char *value)
-{
-	int item = 0, count;
-	int key = hawser__list_find(path) >= 0 ? hawser__item_key(&item, scene, path)
-	                                       : hawser__key_find(path);
-	size_t used = 0;
-
-	if (key < 0 || item < 0 || (!hawser__list_of(key) && !scene->written[key]))
-		return 0;
-	count = hawser__count(scene, key);
-	for (int k = 0; k < count && used < size; k++)
-		used += k == element ? (size_t)snprintf(text + used, size - used, "%s%s", k ? ", " : "[", value)
-		                     : (size_t)snprintf(text + used, size - used, "%s%.17g", k ? ", " : "[",
-		                                        hawser__stored(scene, key, k, item));
-	if (used < size)
-		snprintf(text + used, size - used, "]");
-	return element < count && used + 1 < size;
-}
-
 /* Read the text after "path=" as the value of path. An empty text takes out what is there. */
 static enum hawser_status assign(struct hawser__reader *reader, char *path, const char *text)
 {
@@ -427,14 +341,14 @@ static enum hawser_status assign(struct hawser__reader *reader, char *path, cons
 	snprintf(parent, sizeof parent, "%s", path);
 	element = hawser__path_element(parent);
 	if (text[strspn(text, " ")] && element >= 0 &&
-	    with_element(whole, sizeof whole, reader->scene, parent, element, text)) {
+	    hawser__parse_element(whole, sizeof whole, reader->scene, parent, element, text)) {
 		path = parent;
 		text = whole;
 	}
 	list = hawser__list_find(path);
 	item = list >= 0 && hawser__list_row(list)->keys && strchr(path, '.');
 	if (!text[strspn(text, " ")])
-		return take_out(reader, path, &place);
+		return hawser__parse_take_out(reader, path, &place);
 	if (list >= 0 && !item && strchr(path, '.'))
 		return hawser__reader_fail(reader, &place, "%s: give the whole list, %s=[%s]", path,
 		                           hawser__list_row(list)->name, hawser__list_row(list)->example);

@@ -73,6 +73,17 @@ enum hawser_status hawser__parse_mapping(struct hawser__reader *reader, const ch
 enum hawser_status hawser__parse_unknown(struct hawser__reader *reader,
                                          const struct hawser__mark *place, const char *path);
 
+/* Size in bytes of the value of a row in the scene; make a key that is none of a list's not given. */
+size_t hawser__parse_size(const struct hawser__row *row);
+void hawser__parse_forget(struct hawser__reader *reader, int index);
+
+/* override.c: take out a key, a section, a list, an item of one or a key of it: an override without a
+ * value. "[0, 0.8 N/m, 0]" of the list `path` with another element; 0: the scene has no such list. */
+enum hawser_status hawser__parse_take_out(struct hawser__reader *reader, const char *path,
+                                          const struct hawser__mark *place) HAWSER_MUST_CHECK;
+int hawser__parse_element(char *text, size_t size, const struct hawser_scene *scene, const char *path,
+                          int element, const char *value);
+
 /* items.c: read a list, whose name is at `place`; an override "attach.0.mass", whose text is the
  * current document; check the items of all lists. */
 enum hawser_status hawser__items_read(struct hawser__reader *reader, int list,

@@ -143,7 +143,8 @@ static enum hawser_status unknown(struct hawser__reader *reader, const struct ha
 	                           *best ? "did you mean " : "", best, *best ? "? " : "", words->set);
 }
 
-/* Put the tree `fresh` in the place of `name` in a tree; it is used up. NULL: take out what is there. */
+/* Put the tree `fresh`, which is used up, in the place of `name` in a tree. NULL: take out what is
+ * there. */
 static enum hawser_status put(struct hawser__tree *tree, struct hawser__reader *reader,
                               struct hawser__tree *fresh, const char *name,
                               const struct hawser__tree_key *row,

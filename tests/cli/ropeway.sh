@@ -171,7 +171,9 @@ denies "a wrong unit" 1 'rope.EA: "40 m"' statics "$small" --set 'ropeway.rope.E
 denies "towers out of order" 1 "give the towers by x" statics "$small" --set 'ropeway.towers.p1.at=[50 m, 40 m]'
 denies "no place" 1 "towers.p1.at must be a list of 2 numbers in m, \[x, y\] of the summit of its battery" statics "$small" \
 	--set 'ropeway.towers.p1.at=[50 m]'
-denies "two tensions" 1 "tension has counterweight and T0" statics "$small" --set 'ropeway.bottom.tension.T0=84 kN'
+denies "two tensions" 1 "tension has counterweight and T0" statics "$small" \
+	--set 'ropeway.bottom.tension={counterweight: 168 kN, T0: 84 kN}'
+works "  one in the place of the other" check "$small" --set 'ropeway.bottom.tension.T0=84 kN'
 denies "a word" 1 '"sometimes" must be running, rest or reverse' statics "$small" --set ropeway.sliding=sometimes
 denies "carriers without end" 1 "puts more than" statics "$small" --set 'ropeway.carriers.spacing=1 mm'
 done_testing

@@ -180,7 +180,8 @@ static void clear(void *scene)
 }
 
 static const struct hawser__tree_form form = {
-	{"ropeway", "a scene of kind ropeway is a mapping with the section ropeway (see hawser-scene(5), ROPEWAYS)",
+	{"ropeway", "a scene of kind ropeway is a mapping with the section ropeway (see hawser-scene(5), "
+	"ROPEWAYS)",
 	"ropeway.towers.p3.friction=0.02", 'p'},
 	sizeof(struct hawser_ropeway), offsetof(struct hawser_ropeway, name), interpret, clear};
 
