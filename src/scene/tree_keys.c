@@ -10,7 +10,7 @@
 
 static const struct hawser__tree_table *const tables[] = {
 	&hawser__tree_of_net, &hawser__tree_of_ropeway, &hawser__tree_of_obstacles, &hawser__tree_of_rod,
-	&hawser__tree_of_tow};
+	&hawser__tree_of_tow, &hawser__tree_of_mesh};
 enum { TABLES = sizeof tables/sizeof *tables };
 
 const struct hawser__tree_table *hawser__tree_table(const char *of)

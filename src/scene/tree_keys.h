@@ -51,7 +51,7 @@ struct hawser__tree_table {
 	int rows;
 };
 extern const struct hawser__tree_table hawser__tree_of_net, hawser__tree_of_ropeway,
-	hawser__tree_of_obstacles, hawser__tree_of_rod, hawser__tree_of_tow;
+	hawser__tree_of_obstacles, hawser__tree_of_rod, hawser__tree_of_tow, hawser__tree_of_mesh;
 /* That with the path or mapping `of`; NULL: there is none. */
 const struct hawser__tree_table *hawser__tree_table(const char *of);
 

@@ -1,6 +1,6 @@
-/* Overrides (--set) of scenes of every kind, those of hawser init and lists besides: each value set to
- * what it is, by each form of its key, gives the same scene; a key that is taken out has its default; an
- * unknown one is refused with a suggestion. SPDX-License-Identifier: GPL-3.0-or-later */
+/* Overrides (--set) of scenes of every kind, those of hawser init and lists besides: each value set
+ * to what it is, by each form of its key, gives the same scene; a key that is taken out has its
+ * default; an unknown one is refused with a suggestion. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <stdio.h>
@@ -61,8 +61,8 @@ static const struct kind {
 	char item; /* names of items of lists, without a name; 0: they have none */
 	struct array array[ARRAYS];
 } kinds[] = {
-	{"cable", cli_init_cable, "attach: [{at: 25 %, mass: 20 kg, name: one}, {at: 50 %, mass: 2, spring: "
-	 "[0, 3 N/m, 0]}]\nloads: [{per_length: [0, 1 N/m, 0], from: 20 %, to: 40 %, phase: 0.1}]\n", NULL,
+	{"cable", cli_init_cable, "attach: [{at: 25 %, mass: 20 kg, name: one}, {at: 50 %, mass: 2, "
+	 "spring: [0, 3 N/m, 0]}]\nloads: [{per_length: [0, 1 N/m, 0], from: 20 %, to: 40 %, phase: 0.1}]\n", NULL,
 	 read_span, clear_span, 0, {{0, 0, 0}}},
 	{"travelling", cli_init_travelling, "", NULL, read_span, clear_span, 0,
 	 {{0, 0, 0}}},

@@ -1,5 +1,5 @@
-/* net/read/net_rows.c - the keys of scenes of kind `net`. See scene/tree_rows.h.
- * SPDX-License-Identifier: GPL-3.0-or-later */
+/* net/read/net_rows.c - the keys of scenes of kind `net`, and of spans that are meshes. See
+ * scene/tree_rows.h. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <hawser/net.h>
@@ -147,3 +147,27 @@ static const struct hawser__tree_key net_rows[] = {
 
 const struct hawser__tree_table hawser__tree_of_net = {"net", net_rows,
                                                        sizeof net_rows/sizeof *net_rows};
+
+/* Spans over planes and segments. */
+static const struct hawser__tree_key mesh_rows[] = {
+	HEAD("mesh", "span", NOT_NEGATIVE, NET_AT(g))
+	MAPPING("mesh.cable", REQUIRED, "the cable")
+	NUMBER("mesh.cable.EA", REQUIRED, "N", POSITIVE, CABLE_AT(EA), NULL, "axial stiffness")
+	NUMBER("mesh.cable.rho", REQUIRED, "kg/m", NOT_NEGATIVE, CABLE_AT(rho), NULL,
+	       "mass per unstretched length")
+	INTEGER("mesh.cable.elements", OPTIONAL, 1, 1e6, CABLE_AT(elements), "200", "number of elements")
+	MAPPING("mesh.span", REQUIRED, "the positions of the ends")
+	NUMBER("mesh.span.d", REQUIRED, "m", POSITIVE, NODE_AT(x[0]), NULL,
+	       "horizontal distance of the ends")
+	NUMBER("mesh.span.h", OPTIONAL, "m", ANY, NODE_AT(x[1]), "0", "height of end B above end A")
+	MAPPING("mesh.tension", REQUIRED, "what fixes the tension")
+	NUMBER("mesh.tension.length0", REQUIRED, "m", POSITIVE, CABLE_AT(value), NULL,
+	       "unstretched length")
+	LIST("mesh.obstacles", REQUIRED, "as those of nets")
+	MAPPING("mesh.contact", OPTIONAL, "as that of nets")
+	MAPPING("mesh.damping", OPTIONAL, "as that of nets")
+	MAPPING("mesh.dynamics", OPTIONAL, "as that of nets")
+};
+
+const struct hawser__tree_table hawser__tree_of_mesh = {"mesh", mesh_rows,
+                                                        sizeof mesh_rows/sizeof *mesh_rows};
