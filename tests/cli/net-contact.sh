@@ -151,7 +151,7 @@ try "  a misspelt key" grep -q 'did you mean elements' "$scratch/err"
 run statics "$scenes/span-seabed.yaml" --set cable.elements=9.5 -q
 try "  half an element" grep -q 'is not a whole number' "$scratch/err"
 run statics "$scenes/span-seabed.yaml" --set kind=net -q
-try "  another kind" grep -q 'kind must be span' "$scratch/err"
+try "  another kind" grep -q 'must be span' "$scratch/err"
 
 # --- plan
 works "plan" plan "$sea" --set cables.line.elements=50 --json plan.json -q
