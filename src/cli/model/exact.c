@@ -170,6 +170,11 @@ static enum hawser_status trace(struct hawser_frf *frf, struct hawser_frf_option
 
 	if (!step)
 		choice.step_max = 0.0; /* that of the search: longer, as each point costs more */
+	if (step && frf->points > POINTS) { /* it has no fewer */
+		better.frf.end = HAWSER_END_MAX_POINTS;
+		explain(model, &better, HAWSER_OK, "");
+		return HAWSER_OK;
+	}
 	status = search(&better, model, error, &choice,
 	                step ? frf->points : points_wanted(frf, options), 0.0,
 	                report);
