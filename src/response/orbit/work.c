@@ -1,11 +1,11 @@
 /* response/orbit/work.c - what computing orbits costs, counted.
  *
- * Processor time of whole curves on a core of 2 GHz, of which a busy neighbour took up to half,
- * over the count: 0.6 to 1.0 for drafts with exact energy of 30 to 72 coordinates and 0.7 to 1.0
- * with multipliers of 30 to 36 of them (footbridge, conductor, bridge-stay, tongue, wave); 0.9 to
- * 1.1 with 6 and 32 coordinates of tensors (condensed-worse); 0.5 to 1.7 by shooting with 5 to 16
- * (chairlift, B Table 5.4, bridge-stay, span-start). Multipliers where hardly any coordinate can be
- * condensed take 5 to 8 times as long (wave, 60 coordinates, 0.6 s).
+ * Processor time of whole curves on a core of 2 GHz, of which a busy neighbour took up to half, over
+ * the count: 0.5 to 1.0 for drafts with exact energy of 30 to 72 coordinates and 0.7 to 1.0 with
+ * multipliers of 30 to 36 of them (footbridge, conductor, bridge-stay, tongue, wave); 0.9 to 1.1 with
+ * 6 and 32 coordinates of tensors (condensed-worse); 0.5 to 1.7 by shooting with 5 to 16 (chairlift,
+ * B Table 5.4, bridge-stay, span-start). Multipliers where hardly any coordinate can be condensed
+ * take 5 to 8 times as long (wave, 60 coordinates, 0.6 s).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
