@@ -22,8 +22,9 @@ static const double accuracy = 0.01, safety = 3.0; /* as for responses */
  * that what is chosen does not depend on the machine: the first part of a run tells how many
  * evaluations the whole takes. */
 static const double bearable = 60.0, part = 0.05;
-static const double evaluation = 1e-7; /* s, over the square of the number of coordinates */
-static const double jacobian = 4e-8;   /* s, over its cube */
+/* s; evaluations: 1.7e-6 with 18 coordinates and 2.7e-6 with 36 of the footbridge of
+ * tests/cli/exact.sh; Jacobians with their factorisations, over the cube of that number, are few */
+static const double evaluation = 1e-6, over_square = 1.5e-9, jacobian = 5e-9;
 static const double larger = 2.0;      /* work of the next basis over that of the last; chosen */
 
 /* One basis, its run, and what the run began with. */
@@ -107,7 +108,7 @@ static double foresee(const struct attempt *attempt)
 	first.until = first.begin + part*(first.until - first.begin);
 	first.every = fmin(first.every, first.until - first.begin);
 	if (!hawser_integrate(&run, rom, &first, NULL))
-		work = (evaluation*square*(double)run.evaluations +
+		work = ((evaluation + over_square*square)*(double)run.evaluations +
 		        jacobian*square*rom->n*(double)run.jacobians)/part;
 	hawser_trajectory_clear(&run);
 	return work;
