@@ -82,6 +82,30 @@ static double from_sweep(const struct hawser_sweep *sweep, const struct hawser_f
 	return worst;
 }
 
+/* With half the work of a curve, and of the further branches, the first points are the same. */
+static void test_limited(const struct hawser_frf *first, const struct hawser_cover *cover,
+                         const struct hawser_rom *rom, const struct hawser_frf_options *all)
+{
+	struct hawser_frf_options options = *all;
+	struct hawser_frf half;
+	struct hawser_cover part;
+	int same = 1;
+
+	options.most_work = 0.5*hawser_orbit_work(&first->cost, rom);
+	ok(options.most_work > 0.0 && !hawser_frf_trace(&half, rom, &options, NULL), "half the work");
+	for (int p = 0; p < half.points; p++)
+		same &= p < first->points && half.point[p].omega == first->point[p].omega;
+	ok(half.end == HAWSER_END_WORK && half.points > 2 && half.points < first->points && same,
+	   "%d of %d points, the same: %s", half.points, first->points, hawser_frf_end_name(half.end));
+	ok(!hawser_cover_needed(&half, &options), "nothing more is searched for");
+	hawser_frf_clear(&half);
+	options.most_work = 0.5*cover->work;
+	ok(!hawser_cover_trace(&part, first, rom, &options, NULL) && !cover->costly && part.costly &&
+	   part.branches == 1 && part.branch[0].end == HAWSER_END_WORK && part.gaps == 1 &&
+	   part.work < 0.9*cover->work, "half of the other branch, and a gap");
+	hawser_cover_clear(&part);
+}
+
 /* From the upper end, on the lower branch, the curve returns; the upper branch begins at the other
  * end. */
 static void test_returned(void)
@@ -103,6 +127,7 @@ static void test_returned(void)
 	gap = from_sweep(&sweep, &cover.branch[0], 1, 0);
 	ok(gap < 2e-3, "which has the amplitudes of that branch: off by %.1e", gap);
 	hawser_sweep_clear(&sweep);
+	test_limited(&first, &cover, &rom, &options);
 	hawser_cover_clear(&cover);
 	hawser_frf_clear(&first);
 	options.from = 0.8;

@@ -80,8 +80,8 @@ static const struct cli_option options[] = {
 	CLI_TEXT_WITH(slack, "WHAT",
 	              "where the cable goes slack: end the curve or follow the model's on (end)",
 	              .words = "end|follow"),
-	{"unstable", 0, "N", "end a branch where more than N multipliers are unstable (no limit; "
-	 "with modes: auto 2)", CLI_INTEGER(unstable)},
+	{"unstable", 0, "N", "end a branch where more than N multipliers are unstable (no limit; 2 "
+	 "on further branches and with modes: auto)", CLI_INTEGER(unstable)},
 	{"partial", 0, "", "write what was computed also if the run fails", CLI_FLAG(partial)},
 	CLI_HEADING("Contents of results"),
 	{"multipliers", 0, "", "write the Floquet multipliers to JSON too", CLI_FLAG(multipliers)},
