@@ -21,7 +21,7 @@ static const double accuracy = 0.01, safety = 3.0; /* as for responses */
 /* Seconds of processor time that nobody has to ask for, as for responses; they are counted, so
  * that what is chosen does not depend on the machine: the first part of a run tells how many
  * evaluations the whole takes. */
-static const double bearable = 60.0, part = 0.05;
+static const double bearable = 60.0, part = 0.02;
 /* s; evaluations: 1.7e-6 with 18 coordinates and 2.7e-6 with 36 of the footbridge of
  * tests/cli/exact.sh; Jacobians with their factorisations, over the cube of that number, are few */
 static const double evaluation = 1e-6, over_square = 1.5e-9, jacobian = 5e-9;
