@@ -28,6 +28,8 @@
 
 #include "response/orbit/balance.h"
 
+#define ASSEMBLED 10.0 /* operations for an element of the matrix, */
+#define APPLIED 8.0    /* and for each in an iteration, in the time of those of a factorisation; chosen */
 #define KRYLOV HAWSER__KRYLOV
 #define NEWTON_RESIDUAL 1e-5 /* relative: far below the contraction required of the corrector */
 #define TANGENT_RESIDUAL 1e-11 /* relative; at a fold the Omega component of the tangent is 0 */
@@ -86,6 +88,15 @@ static int factorise(struct hawser__balance *balance, int exact)
 	return !balance->factored;
 }
 
+/* What the last Jacobian took to assemble and to solve with, and what its factorisation takes now. */
+static double dense_cost(const struct hawser__balance *balance)
+{
+	double P = balance->unknowns;
+
+	return balance->blockwise ? 0.0
+	       : P*P*(ASSEMBLED + APPLIED*balance->spent + (balance->factored ? 0.0 : P*2.0/3.0));
+}
+
 /* Cost of a factorisation, in iterations. */
 static double factor_cost(const struct hawser__balance *balance)
 {
@@ -136,6 +147,7 @@ int hawser__balance_factor(struct hawser__orbit *orbit, const double *row)
 	/* compare the cost of the last Jacobian with the mean */
 	if (balance->spent*balance->jacobians > factor_cost(balance) + balance->iterations)
 		balance->factored = 0;
+	orbit->cost.dense += dense_cost(balance);
 	/* old factors remain a preconditioner only if the scales are the same */
 	if (!balance->factored)
 		hawser__balance_scale(balance);

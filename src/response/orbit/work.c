@@ -16,7 +16,7 @@
 #define TENSORS 3e-7  /* the same over the square of the number of coordinates; includes solving */
 #define EXACT 1e-7    /* the same of a model with exact energy, solved in blocks */
 #define JUDGING 4e-7  /* s of a set of multipliers, over the cube of that number */
-#define FLOP 2e-10    /* s, of shooting */
+#define FLOP 2e-10    /* s, of shooting and of matrices */
 
 double hawser_orbit_work(const struct hawser_orbit_cost *cost, const struct hawser_rom *rom)
 {
@@ -25,5 +25,5 @@ double hawser_orbit_work(const struct hawser_orbit_cost *cost, const struct haws
 	if (cost->flops > 0.0)
 		return FLOP*cost->flops;
 	return (SAMPLE + (rom->exact ? EXACT : TENSORS)*square)*(double)cost->stages +
-	       JUDGING*square*rom->n*(double)cost->judged;
+	       JUDGING*square*rom->n*(double)cost->judged + FLOP*cost->dense;
 }
