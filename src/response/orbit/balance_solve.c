@@ -29,7 +29,7 @@
 #include "response/orbit/balance.h"
 
 #define ASSEMBLED 10.0 /* operations for an element of the matrix, */
-#define APPLIED 8.0    /* and for each in an iteration, in the time of those of a factorisation; chosen */
+#define APPLIED 8.0    /* and for each in an iteration, at the speed of a factorisation; chosen */
 #define KRYLOV HAWSER__KRYLOV
 #define NEWTON_RESIDUAL 1e-5 /* relative: far below the contraction required of the corrector */
 #define TANGENT_RESIDUAL 1e-11 /* relative; at a fold the Omega component of the tangent is 0 */
