@@ -13,6 +13,10 @@ extern "C" {
 
 /* Name of a kind of scenes, from 0: "cable", "beam", "net", ...; NULL beyond the last. */
 const char *hawser_schema_kind(int index);
+/* Keys of scenes of all kinds as --set takes them, such as "cables.0.EA", those below names of the user
+ * left out; into key [HAWSER_SCHEMA_KEY]. 0: there is none of this index. A key may come twice. */
+enum { HAWSER_SCHEMA_KEY = 128 };
+int hawser_schema_key(char *key /* [HAWSER_SCHEMA_KEY] */, int index);
 
 /* Write the JSON Schema (draft-07) of scenes of one kind, or of all (kind NULL), to `stream`. It has
  * every key with its unit, range and meaning. It cannot compare values with each other, and takes a

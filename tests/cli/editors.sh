@@ -106,7 +106,8 @@ try hawser tow steady --ti
 try hawser init ro
 try hawser frf net.y
 try hawser statics --json cab
-try hawser statics --set cab
+try hawser statics --set cable.E
+try hawser statics --set ropeway.towers.0.fr
 END
 	bash complete.bash >got
 	cat >want <<'END'
@@ -116,7 +117,8 @@ hawser tow steady --ti: --title
 hawser init ro: ropeway rod
 hawser frf net.y: net.yaml
 hawser statics --json cab: cable.yaml
-hawser statics --set cab: 
+hawser statics --set cable.E: cable.EA= cable.EI= cable.EA= cable.EA=
+hawser statics --set ropeway.towers.0.fr: ropeway.towers.0.friction=
 END
 	try "bash completes commands, options and files" diff want got
 fi

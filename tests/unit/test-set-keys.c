@@ -1,6 +1,7 @@
-/* Overrides (--set) of scenes of every kind, those of hawser init and lists besides: each value set
- * to what it is, by each form of its key, gives the same scene; a key that is taken out has its
- * default; an unknown one is refused with a suggestion. SPDX-License-Identifier: GPL-3.0-or-later */
+/* Overrides (--set) of scenes of every kind, those of hawser init and lists besides: each value
+ * set to what it is, by each form of its key, gives the same scene; a key that is taken out has its
+ * default; an unknown one is refused with a suggestion.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <stdio.h>
@@ -62,12 +63,14 @@ static const struct kind {
 	struct array array[ARRAYS];
 } kinds[] = {
 	{"cable", cli_init_cable, "attach: [{at: 25 %, mass: 20 kg, name: one}, {at: 50 %, mass: 2, "
-	 "spring: [0, 3 N/m, 0]}]\nloads: [{per_length: [0, 1 N/m, 0], from: 20 %, to: 40 %, phase: 0.1}]\n", NULL,
+	 "spring: [0, 3 N/m, 0]}]\n"
+	 "loads: [{per_length: [0, 1 N/m, 0], from: 20 %, to: 40 %, phase: 0.1}]\n", NULL,
 	 read_span, clear_span, 0, {{0, 0, 0}}},
 	{"travelling", cli_init_travelling, "", NULL, read_span, clear_span, 0,
 	 {{0, 0, 0}}},
 	{"beam", cli_init_beam, "", NULL, read_span, clear_span, 0, {{0, 0, 0}}},
-	{"net", cli_init_net, "obstacles:\n  - {circle: {centre: [30, -200, 0], radius: 1}, friction: 0.1}\n"
+	{"net", cli_init_net, "obstacles:\n"
+	 "  - {circle: {centre: [30, -200, 0], radius: 1}, friction: 0.1}\n"
 	 "contact: {restitution: 0.2, steps: 7}\ndynamics: {step: 0.1, rho_inf: 0.7}\n", "net", read_net,
 	 clear_net, 'c',
 	 {LIST_OF(hawser_net, node, nodes), LIST_OF(hawser_net, cable, cables),
@@ -102,7 +105,8 @@ static int same(union scene *a, union scene *b, const struct kind *kind)
 
 	for (int k = 0; k < ARRAYS && kind->array[k].size && good; k++) {
 		const struct array *of = &kind->array[k];
-		void **x = (void **)(void *)((char *)a + of->at), **y = (void **)(void *)((char *)b + of->at);
+		void **x = (void **)(void *)((char *)a + of->at);
+		void **y = (void **)(void *)((char *)b + of->at);
 		int n = *(int *)(void *)((char *)a + of->count);
 
 		good = n == *(int *)(void *)((char *)b + of->count) &&
@@ -266,7 +270,8 @@ static void visit(struct work *work, const struct hawser__tree *tree, const char
 	collect(work, named, tree->text);
 	if (tree->name && strcmp(dotted, "kind") != 0 && strcmp(row, "net.supports.*") != 0 &&
 	    !strstr(row, ".nodes.") && !strstr(row, ".masses.") && !strstr(row, ".supports.") &&
-	    !strstr(row, ".loads.") && strcmp(tree->name, "name") != 0 && strlen(tree->name) > 1 && work->sets%2)
+	    !strstr(row, ".loads.") && strcmp(tree->name, "name") != 0 && strlen(tree->name) > 1 &&
+	    work->sets%2)
 		mistyped(work, dotted);
 }
 

@@ -9,6 +9,8 @@
 
 #include <string.h>
 
+#include <hawser/schema.h>
+
 #include "cli/frame/input.h"
 
 struct settings {
@@ -148,6 +150,19 @@ static void bash_values(FILE *stream)
 	fputs("\tesac\n", stream);
 }
 
+/* Keys of scenes behind --set and --over. */
+static void bash_keys(FILE *stream)
+{
+	char key[HAWSER_SCHEMA_KEY];
+
+	fputs("\tcase $prev in --set | --over)\n\t\tcompopt -o nospace 2>/dev/null\n"
+	      "\t\tmapfile -t COMPREPLY < <(compgen -S = -W '", stream);
+	for (int i = 0; hawser_schema_key(key, i); i++)
+		if (*key)
+			fprintf(stream, " %s", key);
+	fputs("' -- \"$cur\")\n\t\treturn ;;\n\tesac\n", stream);
+}
+
 static void bash(FILE *stream)
 {
 	const struct cli_command *command;
@@ -179,6 +194,7 @@ static void bash(FILE *stream)
 		}
 	fputs("\tesac\n", stream);
 	bash_values(stream);
+	bash_keys(stream);
 	fputs("\tcase $with_other in *\" $prev \"*) return ;; esac\n"
 	      "\tcase $cur in\n\t-*) mapfile -t COMPREPLY < <(compgen -W \"$options\" -- \"$cur\")\n"
 	      "\t\treturn ;;\n\tesac\n"

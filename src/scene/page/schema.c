@@ -13,6 +13,7 @@
 #include <hawser/schema.h>
 
 #include "core/report.h"
+#include "scene/keys.h"
 #include "scene/page/schema.h"
 #include "scene/tree_keys.h"
 
@@ -147,6 +148,33 @@ enum { KINDS = sizeof kinds/sizeof *kinds };
 const char *hawser_schema_kind(int index)
 {
 	return index >= 0 && index < KINDS ? kinds[index].name : NULL;
+}
+
+int hawser_schema_key(char *key, int index)
+{
+	const struct hawser_scene_key *span = hawser_scene_key(index);
+	const struct hawser__tree_key *row;
+	size_t used = 0;
+	int spans = 0;
+
+	if (span) {
+		int list = hawser__list_of(index) != NULL, length = (int)strcspn(span->path, ".");
+
+		snprintf(key, HAWSER_SCHEMA_KEY, list ? "%.*s.0%s" : "%.*s%s", length, span->path,
+		         span->path + length);
+		return 1;
+	}
+	while (hawser_scene_key(spans))
+		spans++;
+	row = hawser__tree_row(index - spans);
+	*key = '\0';
+	if (!row || row->type == HAWSER__TREE_MAPPING || row->type == HAWSER__TREE_LIST ||
+	    strchr(row->path, '*'))
+		return row != NULL;
+	for (const char *at = strchr(row->path, '.') + 1; *at && used + 3 < HAWSER_SCHEMA_KEY; at++)
+		if (*at != ']')
+			used += (size_t)sprintf(key + used, *at == '[' ? ".0" : "%c", *at);
+	return 1;
 }
 
 static json_t *kind_of(struct hawser__schema *schema, int index)
