@@ -30,15 +30,17 @@ static const double step = 0.005;
 static const double each = 22.0, each_fold = 12.0;
 /* Seconds of a point over n^2, of a full-order one (by balance) over n^2, and of closed forms
  * for a mode: likewise. */
-#define POINT 3.5e-5
+#define POINT 1.9e-5
 #define POINT_FULL 1.0e-5
 #define CLOSED 5e-3
 #define REFERENCE 5e-5  /* s: the reference matrix, where these were measured */
 #define DOUBT 3.0        /* factor of the times that are stated; bench/plan-times */
 /* Curves of a search for an accuracy, with the weighing of modes and the peaks that are traced again,
- * and of `chosen`: in the mean of those scenes. */
-#define SEARCHED 3.6
-#define CHOSEN 2.0
+ * and of `chosen`, for the modes that are kept in the end; and the seconds of a choice of modes: in the
+ * mean of those scenes. */
+#define SEARCHED 6.6
+#define CHOSEN 2.6
+#define CHOICE 0.1
 
 /* 1: the i-th of the modes at `index` is out of the plane. */
 static int out(const struct hawser_survey *survey, const int *index, int i)
@@ -130,32 +132,32 @@ static void take(struct hawser_plan_row *row, double points, double seconds)
 	row->estimated = 1;
 }
 
-static void state(struct hawser_plan_row *row, const struct hawser_survey *survey, double curves,
-                  double point)
+static void state(struct hawser_plan_row *row, const struct hawser_survey *survey, double before,
+                  double curves, double point)
 {
 	double points = points_of(survey);
 
-	take(row, points, survey->slowness*curves*points*point);
+	take(row, points, survey->slowness*(before + curves*points*point*row->n*row->n));
 }
 
 void hawser__estimate_cost(struct hawser_plan_row *row, const struct hawser_survey *survey)
 {
-	state(row, survey, 1.0, POINT*row->n*row->n);
+	state(row, survey, 0.0, 1.0, POINT);
 }
 
 void hawser__estimate_full_cost(struct hawser_plan_row *row, const struct hawser_survey *survey)
 {
-	state(row, survey, 1.0, POINT_FULL*row->n*row->n);
+	state(row, survey, 0.0, 1.0, POINT_FULL);
 }
 
 void hawser__estimate_chosen_cost(struct hawser_plan_row *row, const struct hawser_survey *survey)
 {
-	state(row, survey, CHOSEN, POINT*row->n*row->n);
+	state(row, survey, CHOICE, CHOSEN, POINT);
 }
 
 void hawser__estimate_auto_cost(struct hawser_plan_row *row, const struct hawser_survey *survey)
 {
-	state(row, survey, SEARCHED, POINT*row->n*row->n);
+	state(row, survey, CHOICE, SEARCHED, POINT);
 }
 
 void hawser__estimate_closed_cost(struct hawser_plan_row *row, const struct hawser_survey *survey)
