@@ -45,7 +45,7 @@ function constants(file, origin, list,    part, n, i) {
 
 # The last words before ( [ = or ; in a line, and those before its commas.
 function variables(file, origin, line,    part, n, i) {
-	if (line ~ /\(/) {
+	if (line ~ /^[^=]*\(/) {
 		sub(/\(.*/, "", line)
 	} else {
 		gsub(/\[[^]]*\]/, "", line)
