@@ -191,6 +191,9 @@ static enum hawser_status write_some(const struct cli_common *common, int to_std
 {
 	enum hawser_status status = HAWSER_OK, drawn = HAWSER_OK;
 
+	if ((common->plot || common->gp) && !drawing->draw)
+		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "main", "this result has no picture: leave "
+		                    "out --%s", common->plot ? "plot" : "gp");
 	cli_writing(!to_stdout && !may_block(common->plot) && !may_block(common->json) &&
 	            !may_block(common->tsv));
 	if (common->plot && is_stdout(common->plot) == to_stdout)

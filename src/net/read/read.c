@@ -286,11 +286,10 @@ static enum hawser_status interpret(struct hawser__reader *reader, void *scene,
 		status = hawser__net_of_span(reader, net, root);
 		return status ? status : common(reader, net, root, DYNAMICS);
 	}
-	status = hawser__tree_keys(reader, root, "the scene", "net");
-	if (status)
-		return status;
-	if (kind)
-		status = hawser__tree_value(reader, net, kind, "kind", "net.kind");
+	status = !kind || (kind->text && strcmp(kind->text, "net") == 0) ? HAWSER_OK
+		: hawser__reader_fail(reader, &kind->at, "kind must be span, net, ropeway, rod or tow");
+	if (!status)
+		status = hawser__tree_keys(reader, root, "the scene", "net");
 	if (!status)
 		status = common(reader, net, root, 0);
 	return status ? status : rules(reader, net, hawser__tree_find(root, "cables"));

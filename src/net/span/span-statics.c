@@ -77,7 +77,12 @@ static void points(struct hawser_net_span_statics *mesh, const struct hawser_net
 		const struct hawser_profile_point *a = &mesh->point[i > 0 ? i - 1 : 0];
 		const struct hawser_profile_point *b = &mesh->point[i < mesh->points - 1 ? i + 1 : i];
 
-		mesh->point[i].slope = (b->y - a->y)/hypot(b->x - a->x, b->z - a->z);
+		const double chord[3] = {b->x - a->x, b->y - a->y, b->z - a->z};
+		double length = hawser__norm(chord);
+
+		mesh->point[i].slope = chord[1]/hypot(chord[0], chord[2]);
+		for (int c = 0; c < 3; c++)
+			mesh->point[i].tangent[c] = chord[c]/length;
 	}
 	mesh->point[0].slope = st->V0/st->H;
 	if (!st->space)
