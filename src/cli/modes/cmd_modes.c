@@ -129,7 +129,7 @@ static enum hawser_status run_span(const struct settings *settings, struct hawse
 	static const char *const views[] = {"components", "profile", "waves"};
 	struct cli_modes_result result = {.common = &settings->common,
 	                                  .points = settings->shapes ? settings->points : 0};
-	enum hawser_status status;
+	enum hawser_status status = HAWSER_OK;
 	int view = 0;
 
 	if (settings->damped || settings->over)
