@@ -1,5 +1,5 @@
 /* The table of keys of nets, ropeways, spans over obstacles, rods and towed bodies
- * (scene/tree_rows.c) against the readers: each number is given as "1 kg" (or "1 m"), and the reader
+ * (scene/tree_rows.h) against the readers: each number is given as "1 kg" (or "1 m"), and the reader
  * must refuse it in the unit that the table has for it. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 

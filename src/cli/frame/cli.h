@@ -212,7 +212,10 @@ void cli_choice_comments(struct hawser__table *table, const struct cli_model *mo
 
 /* A comment about the scene's quadratic drag, if it has any, and `how` it is computed. choice.c. */
 void cli_drag_comment(struct hawser__table *table, const struct cli_model *model, const char *how);
-/* natural.c: sets `natural`: undamped, with gyroscopic forces, as hawser modes prints them. */
+/* natural.c: K, D [n][n] of small motions about u = 0, with terms of one factor and constant ones. 1:
+ * some terms depend on Omega, and are left out. */
+int cli_linear(double *K, double *D, const struct hawser_rom *rom);
+/* Sets `natural`: undamped, with gyroscopic forces, as hawser modes prints them. */
 enum hawser_status cli_natural(struct cli_model *model,
                                struct hawser_report *report) HAWSER_MUST_CHECK;
 

@@ -28,6 +28,37 @@
 #include "cli/frame/cli.h"
 #include "core/report.h"
 
+/* Terms of one factor. */
+static void add_terms(double *K, double *D, const struct hawser_term *term, int terms, size_t n)
+{
+	for (int t = 0; t < terms; t++)
+		if (term[t].factors == 1)
+			(term[t].rates ? D : K)[(size_t)term[t].j*n + (size_t)term[t].factor[0]] += term[t].value;
+}
+
+int cli_linear(double *K, double *D, const struct hawser_rom *rom)
+{
+	size_t n = (size_t)rom->n;
+	int turns = 0;
+
+	memcpy(K, rom->K, n*n*sizeof *K);
+	memcpy(D, rom->D, n*n*sizeof *D);
+	add_terms(K, D, rom->term, rom->terms, n);
+	for (int h = 0; h < rom->harmonics; h++) {
+		const struct hawser_harmonic *at = &rom->harmonic[h];
+
+		if (at->k != 0)
+			continue;
+		turns |= at->omega_power > 0 && (at->K || at->D || at->terms);
+		if (at->omega_power > 0)
+			continue;
+		for (size_t i = 0; at->K && i < n*n; i++)
+			K[i] += at->K[i];
+		add_terms(K, D, at->term, at->terms, n);
+	}
+	return turns;
+}
+
 /* Static shapes of dampers (labels of rom/build/build.c) are coordinates without mode. K and the
  * mass do not couple them with modes. */
 static int is_shape(const struct hawser_rom *rom, size_t j)
@@ -77,15 +108,16 @@ static int keep_skew(double *A, size_t n, int mass_known)
 }
 
 /* G [n][n] as above; M [n][n] and pivot [n] are scratch. Returns 1 if it is not zero, or 0. */
-static int gyroscopic(double *G, double *M, lapack_int *pivot, const struct hawser_rom *rom, int *info)
+static int gyroscopic(double *G, double *M, lapack_int *pivot, const struct hawser_rom *rom,
+                      const double *D, int *info)
 {
-	size_t n = of_modes(G, rom->D, rom);
+	size_t n = of_modes(G, D, rom);
 	int m = (int)n, any;
 
 	if (!rom->mass)
 		return keep_skew(G, n, rom->scaled);
 	of_modes(G, rom->mass, rom);
-	of_modes(M, rom->D, rom);
+	of_modes(M, D, rom);
 	cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, m, m, m, 1.0, G, m, M, m, 0.0, M + n*n, m);
 	memcpy(M, G, n*n*sizeof *M);
 	memcpy(G, M + n*n, n*n*sizeof *G);
@@ -123,7 +155,8 @@ static enum hawser_status of_rom(double *omega, int *count, const struct hawser_
                                  struct hawser_report *report)
 {
 	size_t n = (size_t)rom->n, size;
-	double *K = malloc((6*n*n + 4*n)*sizeof *K), *G = K + n*n, *A = G + n*n, *re = A + 4*n*n;
+	double *K = malloc((8*n*n + 4*n)*sizeof *K), *G = K + n*n, *A = G + n*n, *re = A + 4*n*n;
+	double *linear = re + 4*n;
 	lapack_int *pivot = malloc(n*sizeof *pivot);
 	int info = 0, turning;
 	enum hawser_status status = HAWSER_OK;
@@ -133,8 +166,9 @@ static enum hawser_status of_rom(double *omega, int *count, const struct hawser_
 		status = hawser__no_memory(report, "natural");
 		goto out;
 	}
-	n = of_modes(K, rom->K, rom);
-	turning = gyroscopic(G, A, pivot, rom, &info);
+	(void)cli_linear(linear, linear + n*n, rom);
+	turning = gyroscopic(G, A, pivot, rom, linear + n*n, &info);
+	n = of_modes(K, linear, rom);
 	size = turning ? 2*n : n;
 	if (turning)
 		first_order(A, K, G, n);

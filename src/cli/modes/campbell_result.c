@@ -9,7 +9,6 @@
 #include "cli/modes/track_ropeway.h"
 #include "cli/frame/view.h"
 
-const char *const cli_campbell_units[2] = {"rad/s", "Hz"};
 
 double cli_campbell_in_unit(const struct cli_campbell_result *result, double omega)
 {

@@ -5,7 +5,6 @@
 
 #include "cli/frame/view.h"
 
-extern const char *const cli_campbell_units[2]; /* "rad/s", "Hz" */
 
 struct cli_campbell_result {
 	const struct cli_common *common;

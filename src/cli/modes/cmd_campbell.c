@@ -3,7 +3,7 @@
 #include "config.h"
 
 
-#include <stddef.h>
+#include <string.h>
 
 #include "cli/modes/campbell_result.h"
 #include "cli/modes/track_ropeway.h"
@@ -45,13 +45,9 @@ static enum hawser_status read_settings(struct hawser_campbell_options *choice,
                                         struct hawser_report *report)
 {
 	const char *method = settings->method ? settings->method : "spectral";
-	enum hawser_status status = HAWSER_OK;
+	enum hawser_status status = cli_choose_method("campbell", method, 1, report);
 
-	if (settings->unit)
-		status = cli_choose(&result->hertz, "campbell", "unit", settings->unit, cli_campbell_units, 2,
-		                    report);
-	if (!status)
-		status = cli_choose_method("campbell", method, 1, report);
+	result->hertz = settings->unit && strcmp(settings->unit, "Hz") == 0;
 	if (!status)
 		status = cli_quantity(&choice->from, settings->from, "m/s", CLI_NOT_NEGATIVE, "campbell",
 		                      "from", report);

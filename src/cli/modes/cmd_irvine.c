@@ -61,14 +61,11 @@ static enum hawser_status read_settings(struct hawser_irvine_options *choice,
                                         const struct settings *settings,
                                         struct hawser_report *report)
 {
-	static const char *const axes[] = {"lambda", "value"};
 	int unit = 0;
 	enum hawser_status status = choose_sweep(&choice->sweep, settings->sweep ? settings->sweep : "H",
 	                                         report);
 
-	if (!status && settings->over)
-		status = cli_choose(&result->over_value, "irvine", "over", settings->over, axes, 2,
-		                    report);
+	result->over_value = settings->over && strcmp(settings->over, "value") == 0;
 	if (!status && settings->unit)
 		status = cli_choose(&unit, "irvine", "unit", settings->unit, cli_irvine_units,
 		                    CLI_IRVINE_UNITS, report);

@@ -126,19 +126,14 @@ static enum hawser_status run_damped(const struct settings *settings, struct haw
 
 static enum hawser_status run_span(const struct settings *settings, struct hawser_report *report)
 {
-	static const char *const views[] = {"components", "profile", "waves"};
 	struct cli_modes_result result = {.common = &settings->common,
 	                                  .points = settings->shapes ? settings->points : 0};
-	enum hawser_status status = HAWSER_OK;
-	int view = 0;
+	enum hawser_status status;
 
 	if (settings->damped || settings->over)
 		return run_damped(settings, report);
-	if (!status && settings->view)
-		status = cli_choose(&view, "modes", "view", settings->view, views, 3, report);
-	result.view = views[status ? 0 : view];
-	if (!status)
-		status = cli_outputs_check(&settings->common, report);
+	result.view = settings->view ? settings->view : "components";
+	status = cli_outputs_check(&settings->common, report);
 	if (!status)
 		status = solve(&result, settings, report);
 	if (!status)

@@ -1,5 +1,6 @@
 /* cli/modes/modes_model.c - hawser modes of a reduced model: its linear motions about u = 0.
  *
+ *   K, D   with terms of one factor and constant ones
  *   A      first-order matrix. u'' + D u' + K u = 0: [0 I; -K -D], of order 2n. Equations
  *          u' = g(u): -K of u'' = g (struct hawser_rom, first), of order n
  *   l      its eigenvalues; of a conjugate pair the one above the real axis
@@ -24,7 +25,7 @@ struct motion {
 struct result {
 	const struct cli_common *common;
 	struct cli_model model;
-	int motions;
+	int motions, turns;    /* turns: some terms depend on Omega */
 	struct motion *motion; /* [motions] by omega, then by re */
 	double *part;          /* what they point to */
 };
@@ -91,11 +92,12 @@ static void comments(struct hawser__table *table, const void *of)
 {
 	const struct result *result = of;
 
-	hawser__table_comment(table, "linear motions about u = 0 of %d coordinates%s%s",
+	hawser__table_comment(table, "linear motions about u = 0 of %d coordinates%s%s%s",
 	                      result->model.rom.n,
 	                      result->model.rom.first ? ", equations of first order" : "",
 	                      is_pushed(&result->model.rom)
-	                      ? "; u = 0 is no equilibrium, since a constant force acts" : "");
+	                      ? "; u = 0 is no equilibrium, since a constant force acts" : "",
+	                      result->turns ? "; without constant terms that depend on Omega" : "");
 }
 
 static enum hawser_status draw(const char *path, const void *of, struct hawser_report *report)
@@ -111,11 +113,14 @@ static const struct cli_showing showing = {.head = head, .comments = comments, .
 
 /* --- eigenvalues --- */
 
-/* A [m][m]; returns m. */
-static size_t first_order(double *A, const struct hawser_rom *rom)
+/* A [m][m]; returns m. matrix [2][n][n] is scratch. */
+static size_t first_order(double *A, struct result *result, double *matrix)
 {
+	const struct hawser_rom *rom = &result->model.rom;
 	size_t n = (size_t)rom->n, m = rom->first ? n : 2*n;
+	double *K = matrix, *D = matrix + n*n;
 
+	result->turns = cli_linear(K, D, rom->first ? rom->first : rom);
 	memset(A, 0, m*m*sizeof *A);
 	for (size_t j = 0; j < n; j++) {
 		double *row = A + m*(rom->first ? j : n + j);
@@ -123,9 +128,9 @@ static size_t first_order(double *A, const struct hawser_rom *rom)
 		if (!rom->first)
 			A[m*j + n + j] = 1.0;
 		for (size_t k = 0; k < n; k++) {
-			row[k] = rom->first ? -rom->first->K[j*n + k] : -rom->K[j*n + k];
+			row[k] = -K[j*n + k];
 			if (!rom->first)
-				row[n + k] = -rom->D[j*n + k];
+				row[n + k] = -D[j*n + k];
 		}
 	}
 	return m;
@@ -176,7 +181,7 @@ static enum hawser_status solve(struct result *result, struct hawser_report *rep
 		free(A);
 		return hawser__no_memory(report, "modes");
 	}
-	m = first_order(A, rom);
+	m = first_order(A, result, vector);
 	info = LAPACKE_dgeev(LAPACK_ROW_MAJOR, 'N', 'V', (lapack_int)m, A, (lapack_int)m, re, im, NULL, 1,
 	                     vector, (lapack_int)m);
 	for (size_t j = 0; info == 0 && j < m; j++) {
