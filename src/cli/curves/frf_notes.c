@@ -1,5 +1,5 @@
-/* cli/frf_notes.c - what a frequency response says about itself on standard error, in JSON and in its
- * table.
+/* cli/curves/frf_notes.c - what a frequency response says about itself on standard error, in JSON
+ * and in its table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
