@@ -57,7 +57,7 @@ class FrfOptions(c.Structure):
                 ("direction", c.c_int), ("tolerance", c.c_double), ("event_tolerance", c.c_double),
                 ("segments", c.c_int), ("max_points", c.c_int), ("step_max", c.c_double),
                 ("skip_events", c.c_int), ("unjudged", c.c_int), ("end_at_slack", c.c_int),
-                ("most_unstable", c.c_int), ("samples", c.c_int),
+                ("most_unstable", c.c_int), ("most_work", c.c_double), ("samples", c.c_int),
                 ("resonance", c.c_void_p), ("start", c.c_void_p), ("along", c.c_void_p),
                 ("progress", Progress)]
 
