@@ -17,6 +17,7 @@
 static struct hawser__station station[4];
 static double logs[4][2*PAIRS], arguments[4][2*PAIRS], bounds[4][2*PAIRS];
 static unsigned char condensed[4][2*PAIRS];
+static int followed;
 
 static void set_pair(int k, int i, double log_modulus, double argument)
 {
@@ -41,7 +42,7 @@ static int collide(int step)
 		station[k].arc = 0.385*k;
 		all[k] = &station[k];
 	}
-	return hawser__collide(all, step, 2*PAIRS, work);
+	return hawser__collide(&followed, all, step, 2*PAIRS, work);
 }
 
 /* One pair at rest and two that run past it, listed in the order of their arguments, as a station
@@ -59,7 +60,8 @@ static void check_passing(void)
 			set_pair(k, place, DECAY, at[i]);
 		}
 	}
-	ok(!collide(2) && !collide(1), "pairs that pass each other do not collide");
+	ok(!collide(2) && !collide(1) && followed,
+	   "pairs that pass each other do not collide, and are followed");
 }
 
 /* Moduli and arguments of two pairs with the difference sqrt(D). */
@@ -95,6 +97,28 @@ static void check_condensed(int marked)
 	   marked ? "left out where it is condensed" : "looked at");
 }
 
+/* A damped pair passes -1 with other rates of growth within `width` of it: log mu = DECAY +- width there.
+ * The others are at rest. */
+static void check_alone(double width, int expected, const char *what)
+{
+	for (int k = 0; k < 4; k++) {
+		double off = 0.0731*(k - 2.5);
+
+		set_pair(k, 0, DECAY, 0.8);
+		set_pair(k, 1, DECAY, 1.9);
+		set_pair(k, 2, DECAY, M_PI - sqrt(off*off - width*width));
+	}
+	ok(!collide(2) && followed == expected, "%s", what);
+}
+
+/* A pair that meets the real axis is not followed. */
+static void check_real(void)
+{
+	set_pair(3, 2, DECAY, M_PI);
+	(void)collide(2);
+	ok(!followed, "a pair that has met the real axis at one station is not followed");
+}
+
 CASE(unit_collide)
 {
 	check_passing();
@@ -104,5 +128,9 @@ CASE(unit_collide)
 	check_collision(0.0009, 1, 0, "and with stations on both sides");
 	check_condensed(0);
 	check_condensed(1);
+	check_alone(0.0, 1, "a damped pair that passes -1 is followed");
+	check_alone(0.015, 1, "also if it meets the real axis less far than the damping reaches");
+	check_alone(0.03, 0, "if it may leave the circle there within the step, it is not");
+	check_real();
 	return done_testing();
 }

@@ -276,9 +276,9 @@ static enum hawser_status sharpen(struct hawser__orbit *orbit, int on, struct ha
 	return HAWSER_OK;
 }
 
-static enum hawser_status enrich(struct hawser__orbit *orbit, struct hawser_report *report)
+static enum hawser_status enrich(struct hawser__orbit *orbit, int most, struct hawser_report *report)
 {
-	(void)orbit;
+	(void)orbit, (void)most;
 	return hawser__fail(report, HAWSER_ERR_CONVERGENCE, "multiple scales",
 	                    "no equilibrium of the modulation equations was found: start elsewhere");
 }

@@ -13,9 +13,9 @@
  * error of the interpolation, may exceed the error of the multipliers within it.
  *
  * The two multipliers of one pair collide at 1 or -1 and then separate along the real axis: two folds,
- * branch points or period doublings. With damping they do so inside the unit circle. Without it they
- * are on the circle until they collide, and the same D, of lambda and its conjugate plus 0 or 2 pi i,
- * shows whether a step passes over it. This is looked at where multipliers are undecided (circle.h).
+ * branch points or period doublings, if one of them reaches the unit circle. The same D, of lambda and
+ * its conjugate plus 0 or 2 pi i, shows whether that may happen within a step. Where multipliers are
+ * undecided (circle.h) nothing else shows it; elsewhere judge.c looks at it unless D excludes it.
  *
  * Reference: Seyranian and Mailybaev, Multiparameter Stability Theory with Mechanical Applications
  * (2003), ch. 2: perturbation of double eigenvalues.
@@ -179,20 +179,20 @@ static int near_by(const double complex *lambda, int count, int i, int j)
 static int grows_alone(const double complex *lambda, int count, int i, const double *s,
                        const struct hawser__station *const station[4], int step, int m)
 {
-	double argument = cimag(lambda[(step + 1)*count + i]);
-	struct couple couple = {i, i, argument > M_PI_2 ? M_PI : 0.0};
+	double from = cimag(lambda[step*count + i]), to = cimag(lambda[(step + 1)*count + i]);
+	struct couple couple = {i, i, from + to > M_PI ? M_PI : 0.0};
 
-	return station[step]->circle.undecided > 0 && station[step + 1]->circle.undecided > 0 &&
-	       fabs(argument - couple.centre) < 0.5*CLOSE &&
+	return fmin(fabs(from - couple.centre), fabs(to - couple.centre)) < 0.5*CLOSE &&
 	       grows(lambda, count, couple, s, station, step, m);
 }
 
-int hawser__collide(const struct hawser__station *const station[4], int step, int m,
+int hawser__collide(int *followed, const struct hawser__station *const station[4], int step, int m,
                     double complex *lambda)
 {
 	double complex *expected = lambda + 4*(m/2);
 	double s[4];
 	int count = 0, found = 0;
+	int undecided = station[step]->circle.undecided > 0 && station[step + 1]->circle.undecided > 0;
 
 	for (int k = 0; k < 4 && (k == 0 || count > 0); k++) {
 		double complex *here = lambda + k*count, *before = here - count;
@@ -209,8 +209,12 @@ int hawser__collide(const struct hawser__station *const station[4], int step, in
 		if (k > 0 && count > 0 && match(here, expected, expected + count, count) > TURN)
 			count = 0;
 	}
+	*followed = count > 0;
 	for (int i = 0; i < count && !found; i++) {
-		found = grows_alone(lambda, count, i, s, station, step, m);
+		int alone = grows_alone(lambda, count, i, s, station, step, m);
+
+		found = alone && undecided;
+		*followed &= !alone;
 		for (int j = 0; j < i && !found; j++)
 			found = near_by(lambda + step*count, count, i, j) &&
 			        grows(lambda, count, (struct couple){i, j, 0.0}, s, station, step, m);

@@ -38,7 +38,7 @@ static enum hawser_status start(struct hawser__trace *trace, const double *x,
 			trace->here.y[orbit->size - 1] = trace->options.begin;
 		if (status != HAWSER_ERR_CONVERGENCE || refined == FIRST_REFINEMENTS)
 			return status;
-		if ((status = orbit->ops->enrich(orbit, trace->report)))
+		if ((status = orbit->ops->enrich(orbit, 1, trace->report)))
 			return status;
 	}
 }
@@ -121,12 +121,12 @@ static enum hawser_status aim(struct hawser__trace *trace, int refined)
 
 	for (int i = 0; i < orbit->m; i++)
 		x[i] = options->start[i] + options->along[i];
-	if ((status = orbit->ops->enrich(orbit, trace->report)) ||
+	if ((status = orbit->ops->enrich(orbit, 1, trace->report)) ||
 	    (status = orbit->ops->from_state(orbit, base, options->start, options->begin, trace->report)) ||
 	    (status = orbit->ops->from_state(orbit, y, x, options->begin, trace->report)))
 		return status;
 	for (int i = 0; i < refined && !status; i++)
-		status = orbit->ops->enrich(orbit, trace->report);
+		status = orbit->ops->enrich(orbit, 1, trace->report);
 	if (status)
 		return status;
 	y[orbit->size - 1] = base[orbit->size - 1] = options->begin;

@@ -28,6 +28,8 @@
                                  * a step hides no crossing; chosen */
 #define UNSURE 0.5              /* the same for a modulus, which bends sharply where two pairs pass each
                                  * other; chosen */
+#define FEW 4                   /* multipliers of which the product may foresee an excursion although
+                                 * each pair has been followed; chosen */
 #define NEAR 0.3                /* distance from 1 or -1 below which multipliers are included;
                                  * chosen */
 
@@ -122,46 +124,64 @@ static int product_couples(double *product, const struct hawser__station *statio
 /* A pair may meet on the real axis, leave the unit circle through `centre` and return within one
  * step; before that, its product approaches zero. A step towards a minimum is halved until its
  * parabola is reliable. Multipliers of high modes rotate past `centre` from station to station;
- * they are different ones each time and are not considered. */
+ * they are different ones each time and are not considered.
+ * followed: collide.c has followed each complex pair, and excludes this. It is believed where many
+ * pass the centre together, as those of a string at its frequency: their product has a minimum that no
+ * parabola foresees. */
 static int hides_excursion(const struct hawser__station *a, const struct hawser__station *b,
-                           const struct hawser__station *c, int m, double centre,
+                           const struct hawser__station *c, int m, double centre, int followed,
                            int product(double *, const struct hawser__station *, int, double))
 {
 	double g[3];
 	int count = product(&g[0], a, m, centre);
 
-	return count > 1 && product(&g[1], b, m, centre) == count &&
+	return count > 1 && !(followed && count > FEW) && product(&g[1], b, m, centre) == count &&
 	       product(&g[2], c, m, centre) == count && approaches_zero(a, b, c, g, SHALLOW);
 }
 
+/* Whether collide.c sees all that may happen near 1 or -1 at this station: no multiplier is undecided, and
+ * none near them is real. */
+static int is_clear(const struct hawser__station *station, int m)
+{
+	for (int i = 0; i < m; i++)
+		if ((station->argument[i] == 0.0 || fabs(station->argument[i]) >= M_PI) &&
+		    (is_near(station, i, 1.0) || is_near(station, i, -1.0)))
+			return 0;
+	return station->circle.undecided == 0;
+}
+
 /* Two crossings of the unit circle, or two folds, between b and c change neither the signs nor the
- * count; a is the station beyond b. */
+ * count; a is the station beyond b. followed: collide.c has followed each complex pair through them. */
 static int hides(const struct hawser__trace *trace, const struct hawser__station *a,
-                 const struct hawser__station *b, const struct hawser__station *c)
+                 const struct hawser__station *b, const struct hawser__station *c, int followed)
 {
 	int m = trace->orbit->m, last = trace->orbit->size - 1;
 
 	for (int i = 0; i < m; i++)
 		if (hides_modulus(a, b, c, i))
 			return 1;
+	followed = followed && is_clear(a, m) && is_clear(b, m) && is_clear(c, m);
 	for (int centre = -1; centre <= 1; centre += 2)
-		if (hides_excursion(a, b, c, m, centre, product_near) ||
-		    hides_excursion(a, b, c, m, centre, product_couples))
+		if (hides_excursion(a, b, c, m, centre, followed, product_near) ||
+		    hides_excursion(a, b, c, m, centre, followed, product_couples))
 			return 1;
 	return hides_crossings(a->arc, a->t[last], b->arc, b->t[last], c->arc, c->t[last]);
 }
 
-static int collided(const struct hawser__trace *trace, int step)
+static int collided(int *followed, const struct hawser__trace *trace, int step)
 {
 	const struct hawser__station *all[4] = {&trace->before, &trace->prev, &trace->here, &trace->next};
 
-	return trace->known > 2 && hawser__collide(all, step, trace->orbit->m, trace->pairs);
+	*followed = 0;
+	return trace->known > 2 && hawser__collide(followed, all, step, trace->orbit->m, trace->pairs);
 }
 
 int hawser__trace_hides(const struct hawser__trace *trace)
 {
-	return trace->known > 1 &&
-	       (collided(trace, 2) || hides(trace, &trace->prev, &trace->here, &trace->next));
+	int followed;
+
+	return trace->known > 1 && (collided(&followed, trace, 2) ||
+	                            hides(trace, &trace->prev, &trace->here, &trace->next, followed));
 }
 
 /* What lies between two stations looks different from either side: an interval in which the motion is
@@ -169,8 +189,11 @@ int hawser__trace_hides(const struct hawser__trace *trace)
  * therefore judged again when `next` is known. */
 int hawser__trace_hid(const struct hawser__trace *trace)
 {
+	int followed;
+
 	return trace->known > 1 && trace->here.arc - trace->prev.arc > HAWSER__SORTING_STEP &&
-	       (collided(trace, 1) || hides(trace, &trace->next, &trace->here, &trace->prev));
+	       (collided(&followed, trace, 1) ||
+	        hides(trace, &trace->next, &trace->here, &trace->prev, followed));
 }
 
 /* Whether the corrector had so little work that the point must be on the same branch. */

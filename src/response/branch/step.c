@@ -15,6 +15,7 @@
 #define LARGEST_STEP 0.4       /* largest relative change of the orbit in one step; chosen */
 #define LARGEST_TURN 0.01      /* largest relative change of Omega in a step: resonances are this
                                 * narrow; chosen */
+#define EXACT_TURN 0.03        /* the same of a model with exact energy; chosen */
 #define COARSE_TURN 0.1        /* the same on a detour, whose points are of no interest, and for a
                                 * curve of which only the shape matters; chosen */
 #define TRUSTED_STEP 1e-6      /* a step as short as this is accepted in any case; chosen */
@@ -90,8 +91,8 @@ double hawser__trace_longest(void *owner)
 	const struct hawser__orbit *orbit = trace->orbit;
 	double extent = hawser__orbit_extent(orbit, trace->here.y);
 	int coarse = (trace->watch && trace->watch->coarse) || trace->options.unjudged;
-	double turn = fmin((coarse ? COARSE_TURN : LARGEST_TURN)*extent,
-	                   trace->options.step_max*(trace->hi - trace->lo));
+	double part = coarse ? COARSE_TURN : trace->rom->exact ? EXACT_TURN : LARGEST_TURN;
+	double turn = fmin(part*extent, trace->options.step_max*(trace->hi - trace->lo));
 	/* Omega changes by |t_Omega| ds; if the branch is steep, only the change of the orbit limits
 	 * the step */
 	double share = fabs(trace->here.t[orbit->size - 1]);
@@ -126,7 +127,7 @@ int hawser__trace_enrich(struct hawser__trace *trace, const struct hawser__stati
 {
 	if (trace->enriched >= MOST_ENRICHED ||
 	    (trace->enriched > 0 && !(station->error < ENRICHED_ERROR*trace->undetermined)) ||
-	    trace->orbit->ops->enrich(trace->orbit, NULL))
+	    trace->orbit->ops->enrich(trace->orbit, 0, NULL))
 		return 0;
 	trace->enriched++;
 	trace->undetermined = station->error;
@@ -163,14 +164,14 @@ enum hawser_status hawser__trace_refine(void *owner, double ds, double *factor)
 	if (ds >= COARSE_STEP || trace->enriched++)
 		return HAWSER_OK;
 	*factor = REFINED_STEP;
-	return trace->orbit->ops->enrich(trace->orbit, trace->report);
+	return trace->orbit->ops->enrich(trace->orbit, 1, trace->report);
 }
 
 /* Whether a step is refused whatever its multipliers are. */
 static int refused(const struct hawser__trace *trace, double angle, double ds)
 {
-	if (hawser__station_draft(trace->orbit))
-		angle *= hawser__frf_steps.goal_angle/hawser__draft_steps.goal_angle;
+	if (trace->rom->exact)
+		angle *= hawser__frf_steps.goal_angle/hawser__exact_steps.goal_angle;
 	return ds > TRUSTED_STEP && !hawser__trace_trusted(&trace->next.correction, angle);
 }
 

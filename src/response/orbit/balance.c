@@ -47,6 +47,7 @@ enum hawser_status hawser__balance_init(struct hawser__balance *balance,
 	enum hawser_status status = HAWSER_OK;
 
 	memset(balance, 0, sizeof *balance);
+	balance->strict = 1.0;
 	balance->base.ops = &ops;
 	hawser__blocks_init(&balance->blocks);
 	/* NOLINTNEXTLINE(bugprone-integer-division): integer division is meant */

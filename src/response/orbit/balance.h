@@ -60,6 +60,8 @@ struct hawser__balance {
 	double *resist;          /* [2 spread + 1][n][n] Fourier coefficients of slope, as T; else NULL */
 	double resist_floor;     /* round-off of them */
 	double open;             /* the part of mesh that more active pairs could reduce */
+	double strict;           /* factor on the tolerance that open must meet, at most 1 */
+	double doubt;            /* estimated error of the last orbit, relative */
 	double *stiffness;       /* [n] mean of the tangent's diagonal */
 	double *damping;         /* [n] diagonal of D */
 	double *size_u, *size_v; /* [n] metric: sizes of the components */
@@ -173,7 +175,7 @@ enum hawser_status hawser__balance_refine(struct hawser__orbit *orbit, int *agai
                                           double omega, struct hawser_report *report);
 enum hawser_status hawser__balance_relax(struct hawser__orbit *orbit, double tolerance,
                                          struct hawser_report *report);
-enum hawser_status hawser__balance_enrich(struct hawser__orbit *orbit,
+enum hawser_status hawser__balance_enrich(struct hawser__orbit *orbit, int most,
                                           struct hawser_report *report);
 enum hawser_status hawser__balance_sharpen(struct hawser__orbit *orbit, int on,
                                            struct hawser_report *report);

@@ -30,6 +30,8 @@
 #define CUT_BACK 0.1   /* the same after pairs are dropped */
 #define AHEAD 0.1      /* arclength over which a part that grows is kept; chosen */
 #define SHARPER 0.03   /* error of the finer discretisation relative to that of the coarser one */
+#define STRICTEST 1e-3 /* factor on the tolerance below which all pairs are active; chosen */
+#define EASY 5e-3      /* estimated error below which this factor may return to 1; chosen */
 #define FINEST 1e-14   /* smallest amplitude of a pair above round-off, relative to the orbit */
 #define UNRESOLVED 0.01 /* largest part in harmonics that the basis does not resolve, relative to
                          * the orbit */
@@ -334,24 +336,30 @@ static void fill_up(struct hawser__balance *balance, double omega)
 			balance->active[e] = 1;
 }
 
-enum hawser_status hawser__balance_refine(struct hawser__orbit *orbit, int *again, double tolerance,
-                                          double omega, struct hawser_report *report)
+/* Activates the missing pairs but for those whose amplitudes add up to at most `part`. */
+static void activate(struct hawser__balance *balance, double omega, double part)
 {
-	struct hawser__balance *balance = (struct hawser__balance *)orbit;
-	int n = orbit->n;
-	double level;
+	int n = balance->base.n;
+	double level = adding_level(balance, omega, part);
 
-	*again = balance->open > tolerance*orbit->X;
-	if (orbit->mesh > (balance->limited ? UNRESOLVED : tolerance)*orbit->X && !*again)
-		return too_many(balance, tolerance, omega, report);
-	if (!*again)
-		return HAWSER_OK;
-	level = adding_level(balance, omega, LEFT_OUT*tolerance*orbit->X);
 	for (int h = 0; h <= balance->reach && h <= balance->top; h++)
 		for (int j = 0; j < n; j++)
 			if (!balance->active[h*n + j] &&
 			    hawser__balance_missing(balance, NULL, h, j, omega) >= level)
 				balance->active[h*n + j] = 1;
+}
+
+enum hawser_status hawser__balance_refine(struct hawser__orbit *orbit, int *again, double tolerance,
+                                          double omega, struct hawser_report *report)
+{
+	struct hawser__balance *balance = (struct hawser__balance *)orbit;
+
+	*again = balance->open > balance->strict*tolerance*orbit->X;
+	if (orbit->mesh > (balance->limited ? UNRESOLVED : tolerance)*orbit->X && !*again)
+		return too_many(balance, tolerance, omega, report);
+	if (!*again)
+		return HAWSER_OK;
+	activate(balance, omega, LEFT_OUT*balance->strict*tolerance*orbit->X);
 	fill_up(balance, omega);
 	return hawser__balance_arrange(balance, report);
 }
@@ -361,8 +369,11 @@ enum hawser_status hawser__balance_relax(struct hawser__orbit *orbit, double tol
 {
 	struct hawser__balance *balance = (struct hawser__balance *)orbit;
 	int n = orbit->n, dropped = 0, from = 0, pairs = (balance->order + 1)*n;
-	double level = dropping_level(balance, CUT_BACK*tolerance*orbit->X);
+	double level;
 
+	if (balance->doubt < EASY)
+		balance->strict = fmin(1.0, 2.0*balance->strict);
+	level = dropping_level(balance, CUT_BACK*balance->strict*tolerance*orbit->X);
 	/* in blocks only complete harmonics change the cost */
 	for (int e = 0; balance->blockwise && e < pairs; e++)
 		if (balance->active[e] && importance(balance, e/n, e%n) >= level)
@@ -377,12 +388,17 @@ enum hawser_status hawser__balance_relax(struct hawser__orbit *orbit, double tol
 	return hawser__balance_arrange(balance, report);
 }
 
-enum hawser_status hawser__balance_enrich(struct hawser__orbit *orbit,
+enum hawser_status hawser__balance_enrich(struct hawser__orbit *orbit, int most,
                                           struct hawser_report *report)
 {
 	struct hawser__balance *balance = (struct hawser__balance *)orbit;
 	int n = orbit->n, order = balance->order < balance->top ? balance->order + 1 : balance->top;
 
+	if (!most && balance->open > 0.0 && balance->strict > STRICTEST) {
+		balance->strict *= SHARPER;
+		activate(balance, hawser__orbit_omega(orbit, balance->at), SHARPER*balance->open);
+		return hawser__balance_arrange(balance, report);
+	}
 	memset(balance->active, 1, (size_t)(order + 1)*n);
 	return hawser__balance_arrange(balance, report);
 }
@@ -393,8 +409,7 @@ enum hawser_status hawser__balance_sharpen(struct hawser__orbit *orbit, int on,
                                            struct hawser_report *report)
 {
 	struct hawser__balance *balance = (struct hawser__balance *)orbit;
-	int n = orbit->n;
-	size_t pairs = ((size_t)balance->top + 1)*(size_t)n;
+	size_t pairs = ((size_t)balance->top + 1)*(size_t)orbit->n;
 	double omega = hawser__orbit_omega(orbit, balance->at), level;
 
 	if (!on) {
@@ -407,11 +422,7 @@ enum hawser_status hawser__balance_sharpen(struct hawser__orbit *orbit, int on,
 		return HAWSER_ERR_CONVERGENCE;
 	memcpy(balance->coarse, balance->active, pairs);
 	balance->monodromy.sharper = 1;
-	level = adding_level(balance, omega, fmax(SHARPER*balance->open, FINEST*orbit->X));
-	for (int h = 0; h <= balance->reach && h <= balance->top; h++)
-		for (int j = 0; j < n; j++)
-			if (hawser__balance_missing(balance, NULL, h, j, omega) >= level)
-				balance->active[h*n + j] = 1;
+	activate(balance, omega, fmax(SHARPER*balance->open, FINEST*orbit->X));
 	return hawser__balance_arrange(balance, report);
 }
 

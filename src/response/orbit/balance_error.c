@@ -132,5 +132,6 @@ double hawser__balance_error(struct hawser__orbit *orbit, double residual)
 
 	(void)residual; /* the defects contain it */
 	orbit->round_off = ROUND_OFF*hawser__balance_norm_inverse(balance);
-	return SAFETY*sweep(balance) + orbit->round_off;
+	balance->doubt = SAFETY*sweep(balance) + orbit->round_off;
+	return balance->doubt;
 }

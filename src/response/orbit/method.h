@@ -105,8 +105,11 @@ struct hawser__orbit_ops {
 	/* A coarser discretisation for the next point if the present one is finer than necessary. */
 	enum hawser_status (*relax)(struct hawser__orbit *orbit, double tolerance,
 	                            struct hawser_report *report);
-	/* A finer discretisation whatever the error is, since no orbit was found. */
-	enum hawser_status (*enrich)(struct hawser__orbit *orbit, struct hawser_report *report);
+	/* A finer discretisation whatever the error is, since no orbit was found; or, unless `most`, since
+	 * the last one is badly determined: then as much finer as `sharpen` makes it, and so are those that
+	 * follow, until they are well determined. */
+	enum hawser_status (*enrich)(struct hawser__orbit *orbit, int most,
+	                             struct hawser_report *report);
 
 	/* With `on`: a discretisation whose error is at least ten times smaller than that of the last
 	 * defects, for comparison; HAWSER_ERR_CONVERGENCE if there is none. Otherwise: return to the

@@ -61,7 +61,7 @@ enum hawser_status hawser__shooting_refine(struct hawser__orbit *orbit, int *aga
                                            struct hawser_report *report);
 enum hawser_status hawser__shooting_relax(struct hawser__orbit *orbit, double tolerance,
                                           struct hawser_report *report);
-enum hawser_status hawser__shooting_enrich(struct hawser__orbit *orbit,
+enum hawser_status hawser__shooting_enrich(struct hawser__orbit *orbit, int most,
                                            struct hawser_report *report);
 enum hawser_status hawser__shooting_sharpen(struct hawser__orbit *orbit, int on,
                                             struct hawser_report *report);

@@ -93,11 +93,12 @@ enum hawser_status hawser__shooting_relax(struct hawser__orbit *orbit, double to
 	return hawser__shooting_remesh(shooting, steps, report);
 }
 
-enum hawser_status hawser__shooting_enrich(struct hawser__orbit *orbit,
+enum hawser_status hawser__shooting_enrich(struct hawser__orbit *orbit, int most,
                                            struct hawser_report *report)
 {
 	struct hawser__shooting *shooting = (struct hawser__shooting *)orbit;
 
+	(void)most;
 	return hawser__shooting_remesh(shooting, 2*shooting->steps, report);
 }
 
