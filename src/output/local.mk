@@ -10,6 +10,8 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/fields/fields_read.c \
 	%D%/fields/fields_table.c \
 	%D%/fields/fields_units.h %D%/fields/fields_value.h %D%/fields/visit.h \
+	%D%/drawing/figure.c \
+	%D%/drawing/figure.h \
 	%D%/drawing/frames.c \
 	%D%/drawing/frames.h \
 	%D%/drawing/gnuplot.c \
@@ -30,18 +32,9 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/drawing/outline.h \
 	%D%/drawing/perspective.c \
 	%D%/drawing/perspective.h \
-	%D%/cable/plot_beam.c \
-	%D%/cable/plot_beam_lines.c \
-	%D%/cable/plot_beam_motion.c \
 	%D%/cable/plot_campbell.c \
-	%D%/cable/plot_cases.c \
-	%D%/cable/plot_cases.h \
 	%D%/cable/plot_compare.c \
 	%D%/cable/plot_complex_modes.c \
-	%D%/cable/plot_curves.c \
-	%D%/cable/plot_damped.c \
-	%D%/cable/plot_damped.h \
-	%D%/curves/plot_energy.c \
 	%D%/curves/plot_folds.c \
 	%D%/structures/plot_equilibria.c \
 	%D%/structures/plot_equilibria.h \
@@ -60,15 +53,12 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/structures/plot_ropeway_modes.h \
 	%D%/structures/plot_track.c \
 	%D%/structures/plot_track.h \
-	%D%/curves/plot_nnm.c %D%/curves/plot_nnm.h \
 	%D%/curves/plot_locus.c \
 	%D%/curves/plot_locus.h \
 	%D%/curves/plot_frf.c \
 	%D%/curves/plot_frf.h \
 	%D%/curves/plot_frf_detail.c \
 	%D%/curves/plot_frf_tori.c \
-	%D%/curves/plot_hill.c \
-	%D%/cable/plot_identify.c \
 	%D%/curves/plot_integrate.c \
 	%D%/cable/plot_irvine.c \
 	%D%/curves/plot_map.c \
@@ -78,7 +68,6 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/cable/plot_precision.c \
 	%D%/cable/plot_profile.c \
 	%D%/cable/plot_profile.h \
-	%D%/cable/plot_speeds.c \
 	%D%/cable/plot_statics.c \
 	%D%/curves/plot_sweep.c %D%/curves/plot_sweep.h \
 	%D%/structures/plot_tow.c \

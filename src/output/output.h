@@ -183,39 +183,6 @@ enum hawser_status hawser__plot_statics(const char *path, const struct hawser__s
                                         const struct hawser__axis *axis,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* Compatibility curves of one cable as its tension varies: epsilon against delta and against
- * eta. axis[3]: delta, eta, epsilon. */
-enum hawser_status hawser__plot_compatibility(const char *path, const struct hawser_statics *here,
-                                              const struct hawser_statics *curve, int points,
-                                              const struct hawser__axis *axis,
-                                              struct hawser_report *report) HAWSER_MUST_CHECK;
-
-/* Steady states over the speed: tension held and taut, tension held and slack, length held. */
-enum { HAWSER__SPEEDS_CURVES = 3 };
-struct hawser__speeds {
-	struct {
-		int points;         /* 0: no curve */
-		const double *rows; /* [points][3] speed (m/s), sag (m), T0 (N) */
-	} curve[HAWSER__SPEEDS_CURVES];
-	double limit; /* m/s; NAN if there is none */
-	struct hawser__axis axis[3]; /* of the columns */
-};
-enum hawser_status hawser__plot_speeds(const char *path, const struct hawser__speeds *speeds,
-                                       struct hawser_report *report) HAWSER_MUST_CHECK;
-
-/* Deflections of static models over delta; curve [models][points], the first model is the exact
- * one. */
-struct hawser__deflections {
-	int models, points;
-	const char *const *name; /* [models] */
-	const struct hawser_statics *curve; /* [models][points] at the same horizontal tensions */
-	const struct hawser_statics *here;  /* of the first model */
-	struct hawser__axis x;              /* delta */
-};
-enum hawser_status hawser__plot_deflections(const char *path,
-                                            const struct hawser__deflections *deflections,
-                                            struct hawser_report *report) HAWSER_MUST_CHECK;
-
 /* The first modes' components against unstretched arclength, up to twelve panels. */
 enum hawser_status hawser__plot_modes(const char *path, const struct hawser_modes *modes,
                                       const struct hawser__axis *S,
@@ -399,51 +366,6 @@ struct hawser__folds_picture {
 enum hawser_status hawser__plot_folds(const char *path, const struct hawser__folds_picture *folds,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* Eigenvalues of travelling beams over their speed, a colour for each beam, or each branch of
- * one. */
-struct hawser__beam_curve {
-	const struct hawser_beam_sweep *sweep;
-	double v_crit, v_bif;       /* scaled, NAN for none */
-	double per_speed, per_re, per_im; /* shown units per scaled one */
-	char label[64];
-};
-struct hawser__beam_picture {
-	int variants;
-	struct hawser__axis speed, re, im;
-	const struct hawser__beam_curve *curve; /* [variants] */
-};
-enum hawser_status hawser__plot_beam_sweep(const char *path, const struct hawser__beam_picture *picture,
-                                           struct hawser_report *report) HAWSER_MUST_CHECK;
-
-/* Boundaries over a parameter. */
-struct hawser__beam_line {
-	int points, colour, dashed;
-	const double *x, *y; /* [points] y NAN: a gap; both in SI, or scaled */
-	char label[120];
-};
-struct hawser__beam_lines {
-	int lines;
-	struct hawser__axis x, speed;
-	const struct hawser__beam_line *line; /* [lines] */
-};
-enum hawser_status hawser__plot_beam_lines(const char *path, const struct hawser__beam_lines *picture,
-                                           struct hawser_report *report) HAWSER_MUST_CHECK;
-
-/* Motions: a deflection, its logarithm, and a rate of energy, each over time. */
-struct hawser__beam_history {
-	int rows;
-	const double *time, *y, *rate; /* [rows] shown units */
-	char label[120];
-};
-struct hawser__beam_histories {
-	int count;
-	struct hawser__axis time, y, rate;
-	const struct hawser__beam_history *history; /* [count] */
-};
-enum hawser_status hawser__plot_beam_motion(const char *path,
-                                            const struct hawser__beam_histories *histories,
-                                            struct hawser_report *report) HAWSER_MUST_CHECK;
-
 /* A map over two parameters. */
 struct hawser__map_picture {
 	int nx, ny, segments;
@@ -461,38 +383,5 @@ struct hawser__map_picture {
 };
 enum hawser_status hawser__plot_map(const char *path, const struct hawser__map_picture *map,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
-
-/* Boundaries of stability in a plane of two parameters. */
-struct hawser__hill_boundary {
-	int kind;            /* enum hawser_hill_kind; -1: a characteristic value, -2: an expansion */
-	int points;
-	const double *at;    /* [points][2] */
-};
-struct hawser__hill_picture {
-	int lines;
-	const struct hawser__hill_boundary *line; /* [lines] */
-	struct hawser__axis axis[2];
-	int boxes;           /* where it is unstable: */
-	const double *box;   /* [boxes][4] x and y of the lower left and the upper right corner */
-	double from[2], to[2];
-};
-enum hawser_status hawser__plot_hill(const char *path, const struct hawser__hill_picture *hill,
-                                     struct hawser_report *report) HAWSER_MUST_CHECK;
-
-/* A measured frequency, in the unit of the axis, with relative differences of the computed one, in the
- * scene as given (NAN: not known) and in the fitted one, and the standard deviation (relative; NAN: not
- * known). */
-struct hawser__identified {
-	double frequency, before, after, deviation;
-	int plane; /* 1: out of plane */
-};
-enum hawser_status hawser__plot_identify(const char *path, const struct hawser__identified *row,
-                                         int rows, const char *x_title,
-                                         struct hawser_report *report) HAWSER_MUST_CHECK;
-
-/* Energy and frequency at [points][2], in the units of the titles of their axes. */
-enum hawser_status hawser__plot_energy(const char *path, const double *at, int points,
-                                       const char *x_title, const char *y_title,
-                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 
 #endif

@@ -9,6 +9,7 @@
 #include "cli/model/axis.h"
 #include "cli/beam/beam_result.h"
 #include "core/report.h"
+#include "output/drawing/figure.h"
 
 static const char *const what[] = {"v_crit", "v_bif"};
 /* The same for a picture, in gnuplot's markup. */
@@ -38,59 +39,37 @@ void cli_beam_boundary_comments(struct hawser__table *table, const struct cli_be
 		comments(table, result, &result->variant[i]);
 }
 
-/* Room for both boundaries of every variant; piece ends are gaps (NAN). */
-static int fill(double *x, double *y, const struct hawser_beam_boundary *boundary)
-{
-	int count = 0;
-
-	for (int i = 0; i < boundary->points; i++) {
-		const struct hawser_beam_boundary_point *point = &boundary->point[i];
-
-		if (i > 0 && point->piece != point[-1].piece) {
-			x[count] = point->parameter;
-			y[count++] = NAN;
-		}
-		x[count] = point->parameter;
-		y[count++] = point->speed*point->per_speed;
-	}
-	return count;
-}
-
 enum hawser_status cli_beam_boundary_draw(const char *path, const struct cli_beam_result *result,
                                           struct hawser_report *report)
 {
-	struct hawser__beam_line line[2*CLI_BEAM_VARIANTS];
-	struct hawser__beam_lines picture = {.line = line};
-	struct hawser__beam_picture sweep;
-	enum hawser_status status = HAWSER_OK;
+	struct hawser__axis x, axis[CLI_BEAM_AXES];
+	struct hawser__figure figure = {0};
+	enum hawser_status status = hawser__figure_begin(&figure, path, 15.0, 11.0, report);
 	double largest = 0.0;
+	char label[120];
 
-	for (int i = 0; !status && i < result->variants; i++)
-		for (int turn = 0; !status && turn < 2; turn++) {
-			const struct hawser_beam_boundary *boundary = &result->variant[i].boundary[turn];
-			size_t room = 2*(size_t)boundary->points;
-			double *x = malloc((2*room + 1)*sizeof *x);
-			struct hawser__beam_line *to = &line[picture.lines];
+	if (status)
+		return status;
+	for (int i = 0; i < 2*result->variants; i++)
+		for (int k = 0; k < result->variant[i/2].boundary[i % 2].points; k++)
+			largest = fmax(largest, fabs(result->variant[i/2].boundary[i % 2].point[k].parameter));
+	x = cli_axis(result->boundary, cli_key_unit(result->boundary), largest);
+	cli_beam_sweep_axes(axis, result);
+	hawser__figure_panel(&figure, &(struct hawser__frame){0.13, 0.95, 0.28, 0.97,
+		.x = {&x, .tics = 8}, .y = {&axis[CLI_BEAM_SPEED], .zero = 1, .tics = 8, .room = 0.05}});
+	for (int i = 0; i < 2*result->variants; i++) {
+		const struct hawser_beam_boundary *boundary = &result->variant[i/2].boundary[i % 2];
 
-			if (!x) {
-				status = hawser__no_memory(report, "beam");
-				break;
-			}
-			*to = (struct hawser__beam_line){.x = x, .y = x + room, .colour = i + 1, .dashed = turn};
-			to->points = fill(x, x + room, boundary);
-			for (int k = 0; k < boundary->points; k++)
-				largest = fmax(largest, fabs(boundary->point[k].parameter));
-			cli_beam_label(to->label, sizeof to->label, result, &result->variant[i], shown[turn]);
-			picture.lines += to->points > 0;
-			if (to->points == 0)
-				free(x);
+		for (int k = 0; k < boundary->points; k++) {
+			const struct hawser_beam_boundary_point *point = &boundary->point[k];
+
+			if (k > 0 && point->piece != point[-1].piece)
+				hawser__figure_gap(&figure);
+			hawser__figure_put(&figure, point->parameter, point->speed*point->per_speed);
 		}
-	picture.x = cli_axis(result->boundary, cli_key_unit(result->boundary), largest);
-	cli_beam_sweep_axes(&sweep, result);
-	picture.speed = sweep.speed;
-	if (!status)
-		status = hawser__plot_beam_lines(path, &picture, report);
-	for (int i = 0; i < picture.lines; i++)
-		free((double *)line[i].x);
-	return status;
+		cli_beam_label(label, sizeof label, result, &result->variant[i/2], shown[i % 2]);
+		hawser__figure_draw(&figure, label, "with lines lt %d lw 1.6 dt %s", i/2 + 1,
+		                    i % 2 ? "(10,6)" : "solid");
+	}
+	return hawser__figure_finish(&figure, report);
 }

@@ -313,19 +313,18 @@ static struct hawser__axis axis_of(const struct cli_beam_result *result,
 	return hawser__fields_axis(field, name, &view, 0.0);
 }
 
-void cli_beam_sweep_axes(struct hawser__beam_picture *picture, const struct cli_beam_result *result)
+void cli_beam_sweep_axes(struct hawser__axis axis[CLI_BEAM_AXES], const struct cli_beam_result *result)
 {
-	picture->speed = axis_of(result, station_field, "speed");
-	picture->re = axis_of(result, branch_field, "re");
-	picture->im = axis_of(result, branch_field, "im");
+	axis[CLI_BEAM_SPEED] = axis_of(result, station_field, "speed");
+	axis[CLI_BEAM_RE] = axis_of(result, branch_field, "re");
+	axis[CLI_BEAM_IM] = axis_of(result, branch_field, "im");
 }
 
-void cli_beam_motion_axes(struct hawser__beam_histories *picture,
-                          const struct cli_beam_result *result)
+void cli_beam_motion_axes(struct hawser__axis axis[CLI_BEAM_AXES], const struct cli_beam_result *result)
 {
-	picture->time = axis_of(result, motion_field, "times");
-	picture->y = axis_of(result, motion_field, "y");
-	picture->rate = axis_of(result, motion_field, "material_rate");
+	axis[CLI_BEAM_TIME] = axis_of(result, motion_field, "times");
+	axis[CLI_BEAM_Y] = axis_of(result, motion_field, "y");
+	axis[CLI_BEAM_RATE] = axis_of(result, motion_field, "material_rate");
 }
 
 const struct cli_listing cli_beam_listing[] = {

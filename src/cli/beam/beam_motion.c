@@ -9,6 +9,7 @@
 
 #include "cli/beam/beam_result.h"
 #include "core/report.h"
+#include "output/drawing/figure.h"
 
 enum { SAMPLES = 401, LINES = 10000 };
 
@@ -145,35 +146,47 @@ void cli_beam_motion_comments(struct hawser__table *table, const struct cli_beam
 		                             "unit of time");
 }
 
+/* Panel k, from the top: the deflection, its logarithm, the rate of the energy of the material. */
+static void draw_panel(struct hawser__figure *figure, const struct cli_beam_result *result,
+                       const struct hawser__axis axis[CLI_BEAM_AXES], int k)
+{
+	const double high = 4.0, gap = 0.6, above = 0.3; /* cm */
+	double height = figure->out.height, upper = height - above - k*(high + gap);
+	struct hawser__axis size = axis[CLI_BEAM_Y];
+	const struct hawser__axis *y[] = {&axis[CLI_BEAM_Y], &size, &axis[CLI_BEAM_RATE]};
+	char label[120];
+
+	snprintf(size.title, sizeof size.title, "|{/:Italic y}| (%s)", size.unit);
+	hawser__figure_panel(figure, &(struct hawser__frame){0.15, 0.97, (upper - high)/height, upper/height,
+		.x = {&axis[CLI_BEAM_TIME], .tics = 8, .bare = k < 2},
+		.y = {y[k], .logarithmic = k == 1, .tics = k == 1 ? 0 : 5, .room = 0.06}});
+	for (int i = 0; i < result->variants; i++) {
+		const struct cli_beam_variant *v = &result->variant[i];
+		double per = time_of(&v->beam), length = length_of(&v->beam);
+
+		for (int n = 0; n < v->motion.rows; n++) {
+			double deflection = v->motion.y[n]*length;
+
+			hawser__figure_put(figure, v->motion.time[n]*per, k == 0 ? deflection
+			                   : k == 1 ? fabs(deflection) : v->motion.material[n]);
+		}
+		cli_beam_label(label, sizeof label, result, v, "");
+		hawser__figure_draw(figure, result->variants > 1 ? label : NULL, "with lines lt %d lw 1.3", i + 1);
+	}
+}
+
 enum hawser_status cli_beam_motion_draw(const char *path, const struct cli_beam_result *result,
                                         struct hawser_report *report)
 {
-	struct hawser__beam_history history[CLI_BEAM_VARIANTS];
-	struct hawser__beam_histories picture = {.count = result->variants, .history = history};
-	double *room[CLI_BEAM_VARIANTS] = {NULL};
-	enum hawser_status status = HAWSER_OK;
+	struct hawser__axis axis[CLI_BEAM_AXES];
+	struct hawser__figure figure = {0};
+	enum hawser_status status = hawser__figure_begin(
+		&figure, path, 15.0, result->variants > 1 ? 16.5 : 15.5, report);
 
-	cli_beam_motion_axes(&picture, result);
-	for (int i = 0; !status && i < result->variants; i++) {
-		const struct cli_beam_variant *v = &result->variant[i];
-		size_t rows = (size_t)v->motion.rows;
-
-		room[i] = malloc(2*rows*sizeof **room);
-		if (!room[i]) {
-			status = hawser__no_memory(report, "beam");
-			break;
-		}
-		for (size_t k = 0; k < rows; k++) {
-			room[i][k] = v->motion.time[k]*time_of(&v->beam)/picture.time.per;
-			room[i][rows + k] = v->motion.y[k]*length_of(&v->beam)/picture.y.per;
-		}
-		history[i] = (struct hawser__beam_history){.rows = (int)rows, .time = room[i],
-			.y = room[i] + rows, .rate = v->motion.material};
-		cli_beam_label(history[i].label, sizeof history[i].label, result, v, "");
-	}
-	if (!status)
-		status = hawser__plot_beam_motion(path, &picture, report);
-	for (int i = 0; i < result->variants; i++)
-		free(room[i]);
-	return status;
+	if (status)
+		return status;
+	cli_beam_motion_axes(axis, result);
+	for (int k = 0; k < 3; k++)
+		draw_panel(&figure, result, axis, k);
+	return hawser__figure_finish(&figure, report);
 }

@@ -8,6 +8,7 @@
 #include "cli/curves/backbone.h"
 #include "cli/frame/progress.h"
 #include "core/report.h"
+#include "output/drawing/figure.h"
 
 enum { PARABOLA = 201 };
 
@@ -105,18 +106,18 @@ enum hawser_status cli_backbone_draw(const char *path, const void *context,
 	struct hawser__scale scale = cli_scale(result->model);
 	struct hawser__axis energy = cli_backbone_axis("energy", result->model);
 	struct hawser__axis frequency = cli_backbone_axis("Omega", result->model);
-	double *at = malloc((2*(size_t)run->points + 1)*sizeof *at);
-	enum hawser_status status;
+	struct hawser__figure figure = {0};
+	enum hawser_status status = hawser__figure_begin(&figure, path, 14.0, 9.0, report);
 
-	if (!at)
-		return hawser__no_memory(report, "frf");
-	for (int i = 0; i < run->points; i++) {
-		at[2*i] = hawser__in_unit(run->point[i].energy, HAWSER__J, &scale)/energy.per;
-		at[2*i + 1] = hawser__in_unit(run->point[i].omega, HAWSER__RAD_S, &scale)/
-		              frequency.per;
-	}
-	status = hawser__plot_energy(path, at, run->points, energy.title, frequency.title,
-	                             report);
-	free(at);
-	return status;
+	if (status)
+		return status;
+	/* tics of frequencies that hardly differ are long */
+	hawser__figure_panel(&figure, &(struct hawser__frame){0.175, 0.95, 0.18, 0.95, .aside = 0.137,
+		.x = {&energy, .logarithmic = 1}, .y = {&frequency, .tics = 7, .open = 1}});
+	for (int i = 0; i < run->points; i++)
+		if (run->point[i].energy > 0.0)
+			hawser__figure_put(&figure, hawser__in_unit(run->point[i].energy, HAWSER__J, &scale),
+			                   hawser__in_unit(run->point[i].omega, HAWSER__RAD_S, &scale));
+	hawser__figure_draw(&figure, NULL, "with lines lt 1");
+	return hawser__figure_finish(&figure, report);
 }

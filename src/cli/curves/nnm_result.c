@@ -9,7 +9,7 @@
 #include "cli/curves/backbone.h"
 #include "cli/curves/nnm_result.h"
 #include "core/report.h"
-#include "output/curves/plot_nnm.h"
+#include "output/drawing/figure.h"
 
 /* --- fields --- */
 
@@ -217,17 +217,63 @@ static void rows(struct hawser__table *table, const void *of)
 	}
 }
 
+/* The parts of a curve that are stable, or not; each goes up to the first point of the other kind. */
+static void put_part(struct hawser__figure *figure, const struct hawser_backbone *motion, int unstable,
+                     const struct hawser__scale *scale)
+{
+	for (int i = 0; i < motion->points; i++) {
+		const struct hawser_backbone_point *p = &motion->point[i];
+		int here = (p->unstable > 0) == unstable;
+
+		if (!(p->energy > 0.0))
+			continue;
+		if (here || (i > 0 && (p[-1].unstable > 0) == unstable))
+			hawser__figure_put(figure, hawser__in_unit(p->energy, HAWSER__J, scale),
+			                   hawser__in_unit(p->omega, HAWSER__RAD_S, scale));
+		if (!here)
+			hawser__figure_gap(figure);
+	}
+}
+
+static void draw_curves(struct hawser__figure *figure, const struct hawser_nnm *nnm,
+                        const struct hawser__scale *scale)
+{
+	static const char *const style[] = {"with lines lc rgb '#0072B2' lw 1.8",
+		"with lines lc rgb '#D55E00' lw 1.3", "with lines lc rgb '#009E73' lw 1.3"};
+	static const char dashed[] = "with lines lc rgb '#404040' lw 1.3 dt (6,4)";
+
+	for (int c = 0; c < nnm->curves; c++) {
+		int depth = nnm->curve[c].depth < 2 ? nnm->curve[c].depth : 2;
+
+		put_part(figure, &nnm->curve[c].motion, 0, scale);
+		hawser__figure_draw(figure, depth ? "branches" : "the mode", "%s", style[depth]);
+		put_part(figure, &nnm->curve[c].motion, 1, scale);
+		hawser__figure_draw(figure, NULL, "%s dt (6,4)", style[depth]);
+	}
+	hawser__legend_once(&figure->legend, "unstable", dashed);
+	for (int c = 0; c < nnm->curves; c++)
+		for (int b = 0; b < nnm->curve[c].motion.branches; b++)
+			hawser__figure_put(
+				figure, hawser__in_unit(nnm->curve[c].motion.branch[b].energy, HAWSER__J, scale),
+				hawser__in_unit(nnm->curve[c].motion.branch[b].omega, HAWSER__RAD_S, scale));
+	hawser__figure_draw(figure, "branch points", "with points pt 7 ps 0.5 lc rgb 'black'");
+}
+
 static enum hawser_status draw(const char *path, const void *of, struct hawser_report *report)
 {
 	const struct cli_nnm_result *result = of;
 	struct hawser__scale scale = cli_scale(result->model);
-	struct hawser__nnm_picture picture = {.nnm = result->nnm};
+	struct hawser__axis energy = cli_backbone_axis("energy", result->model);
+	struct hawser__axis frequency = cli_backbone_axis("Omega", result->model);
+	struct hawser__figure figure = {0};
+	enum hawser_status status = hawser__figure_begin(&figure, path, 16.0, 11.5, report);
 
-	picture.axis[0] = cli_backbone_axis("energy", result->model);
-	picture.axis[1] = cli_backbone_axis("Omega", result->model);
-	picture.per[0] = hawser__in_unit(1.0, HAWSER__J, &scale)/picture.axis[0].per;
-	picture.per[1] = hawser__in_unit(1.0, HAWSER__RAD_S, &scale)/picture.axis[1].per;
-	return hawser__plot_nnm(path, &picture, report);
+	if (status)
+		return status;
+	hawser__figure_panel(&figure, &(struct hawser__frame){0.14, 0.965, 0.25, 0.97,
+		.x = {&energy, .logarithmic = 1}, .y = {&frequency, .tics = 7, .room = 0.04}});
+	draw_curves(&figure, result->nnm, &scale);
+	return hawser__figure_finish(&figure, report);
 }
 
 const struct cli_showing cli_nnm_showing = {

@@ -8,8 +8,9 @@
 #include "cli/model/axis.h"
 #include "cli/map/hill_result.h"
 #include "core/report.h"
+#include "output/drawing/figure.h"
 
-enum { SAMPLES = 200, OVER = 4*CLI_HILL_ORDERS };
+enum { SAMPLES = 200 };
 
 /* The smallest order of a boundary. */
 static int first_order(const struct hawser_hill_chart *chart)
@@ -21,32 +22,50 @@ static int first_order(const struct hawser_hill_chart *chart)
 	return first;
 }
 
-/* Characteristic values (kind -1) and expansions (-2), [SAMPLES][2] each. */
-static int compared(struct hawser__hill_boundary *line, double *at,
-                    const struct cli_hill_result *result)
+/* Characteristic values of Mathieu's equation, or their expansions. */
+static void compared(struct hawser__figure *figure, const struct cli_hill_result *result, int expansion)
 {
-	int count = 0, first = first_order(&result->chart);
+	double low = result->axis[1].from, step = (result->axis[1].to - low)/(SAMPLES - 1), value;
+	int first = first_order(&result->chart);
 
 	for (int r = first; r < first + CLI_HILL_ORDERS; r++)
-		for (int which = 0; which < 4; which++) {
-			double *own = at + (size_t)count*SAMPLES*2, low = result->axis[1].from;
-			int odd = which%2, expansion = which/2, k = 0;
-
+		for (int odd = 0; odd < 2; odd++) {
 			if ((odd && !r) || (expansion && r > 4))
 				continue;
-			for (int i = 0; i < SAMPLES; i++) {
-				double e = low + (result->axis[1].to - low)*i/(SAMPLES - 1), value;
-
+			for (int i = 0; i < SAMPLES; i++)
 				if (expansion)
-					value = hawser_mathieu_expansion(r, odd, e, 0);
-				else if (hawser_mathieu_value(&value, r, odd, e, NULL))
-					continue;
-				own[2*k] = value;
-				own[2*k++ + 1] = e;
-			}
-			line[count++] = (struct hawser__hill_boundary){expansion ? -2 : -1, k, own};
+					hawser__figure_put(figure, hawser_mathieu_expansion(r, odd, low + step*i, 0),
+					                   low + step*i);
+				else if (!hawser_mathieu_value(&value, r, odd, low + step*i, NULL))
+					hawser__figure_put(figure, value, low + step*i);
+			hawser__figure_gap(figure);
 		}
-	return count;
+	if (expansion)
+		hawser__figure_draw(figure, "expansion to second order",
+		                    "with lines lc rgb '#707070' lw 0.8 dt (10,6)");
+	else
+		hawser__figure_draw(figure, "characteristic values",
+		                    "with lines lc rgb 'black' lw 0.8 dt (3,7)");
+}
+
+static void boundaries(struct hawser__figure *figure, const struct hawser_hill_chart *chart)
+{
+	static const struct {
+		enum hawser_hill_kind kind;
+		const char *title;
+	} shown[] = {{HAWSER_HILL_PLUS, "multiplier +1"}, {HAWSER_HILL_MINUS, "multiplier −1"},
+	             {HAWSER_HILL_TORUS, "complex pair"}};
+
+	for (int k = 0; k < 3; k++) {
+		for (int b = 0; b < chart->boundaries; b++) {
+			const struct hawser_hill_boundary *line = &chart->boundary[b];
+
+			for (int i = 0; line->kind == shown[k].kind && i < line->points; i++)
+				hawser__figure_put(figure, line->at[2*i], line->at[2*i + 1]);
+			hawser__figure_gap(figure);
+		}
+		hawser__figure_draw(figure, shown[k].title, "with lines lt %d", k + 1);
+	}
 }
 
 /* Of Mathieu's equation. */
@@ -55,39 +74,35 @@ static const struct hawser__axis mathieu[2] = {{"{/:Italic δ}", "", 1.0}, {"{/:
 enum hawser_status cli_hill_draw(const char *path, const void *context,
                                  struct hawser_report *report)
 {
+	static const char sample[] = "with boxes fs solid border lc rgb '#808080' fc rgb '%s'";
 	const struct cli_hill_result *result = context;
-	const struct hawser_hill_chart *chart = &result->chart;
-	struct hawser__hill_boundary *line = calloc((size_t)chart->boundaries + OVER, sizeof *line);
-	double *at = malloc((size_t)OVER*SAMPLES*2*sizeof *at);
+	struct hawser__figure figure = {0};
+	struct hawser__axis axis[2];
 	double *box = NULL;
-	struct hawser__hill_picture picture = {.line = line};
-	enum hawser_status status;
+	int boxes;
+	enum hawser_status status = cli_hill_unstable(&box, &boxes, result, report);
 
-	if (!line || !at) {
-		free(line);
-		free(at);
-		return hawser__no_memory(report, "hill");
-	}
-	for (int b = 0; b < chart->boundaries; b++)
-		line[picture.lines++] = (struct hawser__hill_boundary){(int)chart->boundary[b].kind,
-			chart->boundary[b].points, chart->boundary[b].at};
-	if (!result->model)
-		picture.lines += compared(line + picture.lines, at, result);
-	for (int k = 0; k < 2; k++) {
-		const char *key = result->axis[k].key;
-
-		picture.axis[k] = result->model
-		                  ? cli_axis(key, result->axis[k].unit, result->axis[k].to)
-		                  : mathieu[k];
-		picture.from[k] = result->axis[k].from;
-		picture.to[k] = result->axis[k].to;
-	}
-	status = cli_hill_unstable(&box, &picture.boxes, result, report);
-	picture.box = box;
 	if (!status)
-		status = hawser__plot_hill(path, &picture, report);
+		status = hawser__figure_begin(&figure, path, 17.0, 12.8, report);
+	if (status)
+		goto done;
+	for (int k = 0; k < 2; k++)
+		axis[k] = result->model ? cli_axis(result->axis[k].key, result->axis[k].unit, result->axis[k].to)
+		                        : mathieu[k];
+	hawser__figure_panel(&figure, &(struct hawser__frame){0.13, 0.965, 0.28, 0.97,
+		.x = {&axis[0], result->axis[0].from, result->axis[0].to, .tics = 10},
+		.y = {&axis[1], result->axis[1].from, result->axis[1].to, .tics = 8}});
+	hawser__legend_add(&figure.legend, boxes ? "unstable" : "no instability found", sample,
+	                   boxes ? HAWSER__UNSTABLE_FILL : "#ffffff");
+	for (int k = 0; k < boxes; k++)
+		hawser__figure_row(&figure, "xyxy", box + 4*k);
+	hawser__figure_draw(&figure, NULL, "using 1:2:1:3:2:4 with boxxyerror fs solid noborder lc rgb '%s'",
+	                    HAWSER__UNSTABLE_FILL);
+	boundaries(&figure, &result->chart);
+	for (int expansion = 0; expansion < 2 && !result->model; expansion++)
+		compared(&figure, result, expansion);
+	status = hawser__figure_finish(&figure, report);
+done:
 	free(box);
-	free(line);
-	free(at);
 	return status;
 }

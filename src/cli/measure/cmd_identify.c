@@ -13,6 +13,7 @@
 #include "cli/measure/measured.h"
 #include "cli/frame/view.h"
 #include "core/report.h"
+#include "output/drawing/figure.h"
 
 #define WIDE 0.3       /* half width of an interval, relative: the parameter can hardly be seen */
 #define UNLIKELY 0.01  /* probability of a larger chi2 */
@@ -185,25 +186,70 @@ static void comments(struct hawser__table *table, const void *of)
 		hawser__table_comment(table, "%s", result->warning);
 }
 
-static enum hawser_status draw(const char *path, const void *of, struct hawser_report *report)
+/* Differences in per cent, of the scene as given, or of the fitted one with the deviations of the
+ * measurements; the range is even about 0. */
+static void draw_differences(struct hawser__figure *figure, struct hawser__frame *at,
+                             const struct hawser_identified *found, int fitted)
 {
-	const struct hawser_identified *found = &((const struct result *)of)->found;
-	struct hawser__identified *row = malloc((size_t)found->count*sizeof *row);
-	const struct hawser__axis axis = hawser__axis_of("Measured frequency", "Hz", 0.0);
-	enum hawser_status status;
+	static const char *const style[] = {"lt 1 pt 7 ps 0.7", "lt 2 pt 6 ps 0.8"};
+	static const char *const title[] = {"in-plane", "out-of-plane"};
+	double most = 0.0;
 
-	if (!row)
-		return hawser__no_memory(report, "identify");
 	for (int i = 0; i < found->count; i++) {
 		const struct hawser_identified_mode *mode = &found->mode[i];
+		double value = fabs(fitted ? mode->difference : mode->before/mode->measured - 1.0);
 
-		row[i] = (struct hawser__identified){mode->measured/(2.0*M_PI)/axis.per,
-			mode->before/mode->measured - 1.0, mode->difference, mode->deviation,
-			mode->plane == HAWSER_OUT_OF_PLANE};
+		most = fmax(most, isfinite(value) ? value : 0.0);
+		if (fitted && isfinite(mode->deviation))
+			most = fmax(most, value + mode->deviation);
 	}
-	status = hawser__plot_identify(path, row, found->count, axis.title, report);
-	free(row);
-	return status;
+	at->y.to = most > 0.0 ? 1.15*100.0*most : 1.0;
+	at->y.from = -at->y.to;
+	hawser__figure_panel(figure, at);
+	hawser__figure_function(figure, NULL, "0 with lines lc rgb '#909090' lw 1");
+	for (int plane = 0; plane < 2; plane++) {
+		for (int i = 0; i < found->count; i++) {
+			const struct hawser_identified_mode *mode = &found->mode[i];
+			double value = fitted ? mode->difference : mode->before/mode->measured - 1.0;
+			const double row[] = {mode->measured/(2.0*M_PI), 100.0*value,
+			                      isnan(mode->deviation) ? 0.0 : 100.0*mode->deviation};
+
+			if ((mode->plane == HAWSER_OUT_OF_PLANE) == plane && isfinite(value))
+				hawser__figure_row(figure, "xyY", row);
+		}
+		hawser__figure_draw(figure, NULL, "using %s %s", fitted ? "1:2:3 with yerrorbars"
+		                    : "1:2 with points", style[plane]);
+		hawser__figure_again(figure, title[plane], "using 1:(NaN) with points %s", style[plane]);
+	}
+}
+
+static enum hawser_status draw(const char *path, const void *of, struct hawser_report *report)
+{
+	static const struct hawser__axis given = {"As given (%)", "", 1.0}, fitted = {"Fitted (%)", "", 1.0};
+	const struct hawser_identified *found = &((const struct result *)of)->found;
+	const struct hawser__axis axis = hawser__axis_of("Measured frequency", "Hz", 0.0);
+	struct hawser__frame at = {0.14, 0.97, 0.63, 0.97, .x = {&axis, .bare = 1}, .y = {&given, .tics = 6}};
+	struct hawser__figure figure = {0};
+	enum hawser_status status = hawser__figure_begin(&figure, path, 16.0, 12.8, report);
+	double low = INFINITY, high = 0.0;
+
+	if (status)
+		return status;
+	for (int i = 0; i < found->count; i++) {
+		low = fmin(low, found->mode[i].measured/(2.0*M_PI));
+		high = fmax(high, found->mode[i].measured/(2.0*M_PI));
+	}
+	at.x.from = 0.9*low;
+	at.x.to = high + 0.1*low;
+	at.x.tics = 8;
+	draw_differences(&figure, &at, found, 0);
+	at.bottom = 0.235;
+	at.top = 0.575;
+	at.x.bare = 0;
+	at.y.axis = &fitted;
+	draw_differences(&figure, &at, found, 1);
+	hawser__legend_once(&figure.legend, "bars: standard deviation", "with lines lt 7 lw 1");
+	return hawser__figure_finish(&figure, report);
 }
 static const struct cli_showing showing = {
 	.head = head, .comments = comments, .rows = &mode_list, .fields = result_field, .draw = draw};

@@ -9,7 +9,7 @@
 #include "cli/model/axis.h"
 #include "cli/modes/modes_damped.h"
 #include "core/report.h"
-#include "output/cable/plot_damped.h"
+#include "output/drawing/figure.h"
 
 enum { MOST = 2000 }; /* points of a sweep */
 
@@ -226,41 +226,54 @@ static double ratio_of(const struct hawser_damped *state, int plane, int number)
 	return NAN;
 }
 
+/* Modes of the plane: solid; those out of it: dashed, in the same colours. */
+static void draw_ratios(struct hawser__figure *figure, const struct hawser_damped_sweep *sweep)
+{
+	enum { MOST = 8 };
+	char title[40];
+
+	for (int number = 1, curves = 0; number <= sweep->state->n; number++)
+		for (int plane = 0; plane < 2 && curves < MOST; plane++) {
+			double most = 0.0;
+
+			for (int i = 0; i < sweep->points; i++)
+				most = fmax(most, ratio_of(&sweep->state[i], plane, number));
+			if (most < 1e-9) /* not damped */
+				continue;
+			for (int i = 0; i < sweep->points; i++)
+				hawser__figure_put(figure, sweep->value[i],
+				                   100.0*ratio_of(&sweep->state[i], plane, number));
+			snprintf(title, sizeof title, "%s %d", hawser_plane_name((enum hawser_plane)plane), number);
+			hawser__figure_draw(figure, title, "with lines lt %d%s", ++curves,
+			                    plane ? " dt (9,5)" : "");
+		}
+}
+
 static enum hawser_status draw(const char *path, const void *of, struct hawser_report *report)
 {
+	static const struct hawser__axis ratio = {"Damping ratio {/:Italic ζ} (%)", "", 1.0};
 	const struct cli_damped_result *result = of;
 	const struct hawser_damped_sweep *sweep = &result->sweep;
-	size_t points = (size_t)sweep->points;
-	struct hawser__damped picture = {.points = sweep->points, .x = sweep->value,
-	                                 .logarithmic = result->logarithmic};
-	double largest = fmax(fabs(sweep->value[0]), fabs(sweep->value[points - 1]));
+	struct hawser__figure figure = {0};
+	struct hawser__axis axis;
 	enum hawser_status status;
+	double ends[2];
 
 	if (!result->key)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
 		                    "--plot with --damped shows the damping over a key: give "
 		                    "--over KEY=FROM:TO:POINTS");
-	picture.y = malloc(points*HAWSER__DAMPED_CURVES*sizeof *picture.y);
-	if (!picture.y)
-		return hawser__no_memory(report, "modes");
-	for (int number = 1; picture.curves < HAWSER__DAMPED_CURVES && number <= sweep->state->n; number++)
-		for (int plane = 0; plane < 2 && picture.curves < HAWSER__DAMPED_CURVES; plane++) {
-			double *y = picture.y + points*(size_t)picture.curves, most = 0.0;
-
-			for (size_t i = 0; i < points; i++) {
-				y[i] = ratio_of(&sweep->state[i], plane, number);
-				most = isnan(y[i]) ? most : fmax(most, y[i]);
-			}
-			if (most < 1e-9) /* not damped */
-				continue;
-			snprintf(picture.title[picture.curves], sizeof *picture.title, "%s %d",
-			         hawser_plane_name((enum hawser_plane)plane), number);
-			picture.plane[picture.curves++] = plane;
-		}
-	picture.axis = cli_axis(result->key, unit_of(result), largest);
-	status = hawser__plot_damped(path, &picture, report);
-	free(picture.y);
-	return status;
+	status = hawser__figure_begin(&figure, path, 16.0, 11.0, report);
+	if (status)
+		return status;
+	ends[0] = fmin(sweep->value[0], sweep->value[sweep->points - 1]);
+	ends[1] = fmax(sweep->value[0], sweep->value[sweep->points - 1]);
+	axis = cli_axis(result->key, unit_of(result), fmax(fabs(ends[0]), fabs(ends[1])));
+	hawser__figure_panel(&figure, &(struct hawser__frame){0.13, 0.97, HAWSER__LEGEND_CM/11.0, 0.97,
+		.x = {&axis, ends[0], ends[1], .tics = 8, .logarithmic = result->logarithmic},
+		.y = {&ratio, .zero = 1, .tics = 7, .room = 0.06}});
+	draw_ratios(&figure, sweep);
+	return hawser__figure_finish(&figure, report);
 }
 
 static void rows(struct hawser__table *table, const void *of)

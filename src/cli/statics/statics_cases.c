@@ -7,7 +7,7 @@
 
 #include "cli/statics/statics_loaded.h"
 #include "core/report.h"
-#include "output/cable/plot_cases.h"
+#include "output/drawing/figure.h"
 
 #define OF(member) HAWSER__AT(struct cli_case, member)
 #define ON(member) HAWSER__AT(struct cli_case, loaded.member)
@@ -139,27 +139,58 @@ const struct hawser__field cli_cases_member[] = {
 	HAWSER__END,
 };
 
+/* The names along x, or only tics. */
+static void tics(FILE *script, const struct cli_cases *cases, int named)
+{
+	fputs("set xtics rotate by 30 right (", script);
+	for (int i = 0; i < cases->rows; i++) {
+		fputs(i ? ", '" : "'", script);
+		hawser__picture_literal(script, named ? cases->row[i].name : "", 0);
+		fprintf(script, "' %d", i);
+	}
+	fprintf(script, ")\nset xrange [-0.6:%.9g]\n", cases->rows - 0.4);
+}
+
+/* Two quantities, each beside the case: tensions, or sag and blowout. */
+static void draw_pair(struct hawser__figure *figure, const struct cli_cases *cases, int sags)
+{
+	static const struct {
+		const char *title, *style;
+		int colour;
+		double shift;
+	} shown[] = {{"largest tension", "pt 7 ps 0.7", 1, -0.08},
+	             {"H, across the static force", "pt 6 ps 0.7", 2, 0.08},
+	             {"sag", "pt 5 ps 0.7", 3, -0.08}, {"blowout", "pt 4 ps 0.7", 4, 0.08}};
+
+	tics(figure->out.script, cases, sags);
+	for (int k = 2*sags; k < 2*sags + 2; k++) {
+		for (int i = 0; i < cases->rows; i++) {
+			const struct cli_case *row = &cases->row[i];
+			const double of[] = {fmax(row->T0, row->T1), row->H, row->sag, row->loaded.blowout};
+
+			if (!row->status)
+				hawser__figure_put(figure, i + shown[k].shift, of[k]);
+		}
+		hawser__figure_draw(figure, NULL, "with impulses lt %d lw 1.2", shown[k].colour);
+		hawser__figure_again(figure, shown[k].title, "with points %s lt %d", shown[k].style,
+		                     shown[k].colour);
+	}
+}
+
 enum hawser_status cli_cases_draw(const char *path, const struct cli_cases *cases,
                                   const struct hawser__axis *axis, struct hawser_report *report)
 {
-	double *value = malloc((size_t)cases->rows*HAWSER__CASE_VALUES*sizeof *value);
-	const char **name = malloc((size_t)cases->rows*sizeof *name);
-	const struct hawser__cases_picture picture = {.cases = cases->rows, .name = name,
-		.value = value, .tension = *axis,
-		.length = hawser__axis_of("Sag, blowout", "m", 0.0)};
-	enum hawser_status status = value && name ? HAWSER_OK : hawser__no_memory(report, "statics");
+	const struct hawser__axis length = hawser__axis_of("Sag, blowout", "m", 0.0);
+	struct hawser__figure figure = {0};
+	enum hawser_status status = hawser__figure_begin(&figure, path, 16.0, 13.4, report);
 
-	for (int i = 0; !status && i < cases->rows; i++) {
-		const struct cli_case *row = &cases->row[i];
-		const double of[] = {fmax(row->T0, row->T1), row->H, row->sag, row->loaded.blowout};
-
-		name[i] = row->name;
-		for (int k = 0; k < HAWSER__CASE_VALUES; k++)
-			value[HAWSER__CASE_VALUES*i + k] = row->status ? NAN : of[k];
-	}
-	if (!status)
-		status = hawser__plot_cases(path, &picture, report);
-	free(value);
-	free(name);
-	return status;
+	if (status)
+		return status;
+	hawser__figure_panel(&figure, &(struct hawser__frame){0.13, 0.97, 0.68, 0.97, .x = {.as_set = 1},
+		.y = {axis, .zero = 1}});
+	draw_pair(&figure, cases, 0);
+	hawser__figure_panel(&figure, &(struct hawser__frame){0.13, 0.97, 0.34, 0.63, .x = {.as_set = 1},
+		.y = {&length, .zero = 1}});
+	draw_pair(&figure, cases, 1);
+	return hawser__figure_finish(&figure, report);
 }

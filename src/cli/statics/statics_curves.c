@@ -9,8 +9,7 @@
 
 #include "cli/frame/view.h"
 #include "core/report.h"
-
-enum { most_models = 16 };
+#include "output/drawing/figure.h"
 
 /* Default range: from delta = 4, very slack, to epsilon = 0.02, or delta = 1e-3 of an inextensible
  * cable. */
@@ -112,12 +111,18 @@ const struct hawser__field cli_compatibility_member[] = {
 	HAWSER__END,
 };
 
+#define BIND(figure, statics, count, x, y) \
+	hawser__figure_bind(figure, count, &(statics)->x, sizeof *(statics), &(statics)->y, sizeof *(statics))
+
 enum hawser_status cli_compatibility_draw(const char *path, const struct cli_curves *curves,
                                           struct hawser_report *report)
 {
 	static const char *const shown[] = {"delta", "eta", "epsilon"};
 	struct hawser__view view = cli_si_view(0);
+	struct hawser__figure figure = {0};
 	struct hawser__axis axis[3];
+	enum hawser_status status;
+	char name[80];
 
 	for (int k = 0; k < 3; k++)
 		axis[k] = hawser__fields_axis(cli_compatibility_field, shown[k], &view, 0.0);
@@ -125,8 +130,23 @@ enum hawser_status cli_compatibility_draw(const char *path, const struct cli_cur
 		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "statics",
 		                    "the curves of an inextensible cable have epsilon = 0 everywhere, which "
 		                    "has no place on a logarithmic axis: give a finite EA");
-	return hawser__plot_compatibility(path, curves->here, curves->curve, curves->points, axis,
-	                                  report);
+	status = hawser__figure_begin(&figure, path, 17.0, 9.4, report);
+	if (status)
+		return status;
+	snprintf(name, sizeof name, "this cable, {/:Italic h/d} = %.4g", curves->here->hs);
+	hawser__figure_panel(&figure, &(struct hawser__frame){0.13, 0.53, 0.29, 0.96,
+		.x = {&axis[0], .logarithmic = 1}, .y = {&axis[2], .logarithmic = 1}});
+	BIND(&figure, curves->curve, curves->points, delta, epsilon);
+	hawser__figure_draw(&figure, name, "with lines lt 1");
+	BIND(&figure, curves->here, 1, delta, epsilon);
+	hawser__figure_draw(&figure, "scene", "with points pt 7 ps 1 lt 2");
+	hawser__figure_panel(&figure, &(struct hawser__frame){0.60, 0.96, 0.29, 0.96,
+		.x = {&axis[1], .tics = 5, .open = 1}, .y = {&axis[2], .logarithmic = 1, .bare = 1}});
+	BIND(&figure, curves->curve, curves->points, eta, epsilon);
+	hawser__figure_draw(&figure, NULL, "with lines lt 1");
+	BIND(&figure, curves->here, 1, eta, epsilon);
+	hawser__figure_draw(&figure, NULL, "with points pt 7 ps 1 lt 2");
+	return hawser__figure_finish(&figure, report);
 }
 
 /* --- --models --- */
@@ -227,18 +247,42 @@ const struct hawser__field cli_models_member[] = {
 	HAWSER__END,
 };
 
+/* Sag over span of each model; relative to that of the first one. */
+static void draw_sags(struct hawser__figure *figure, const struct cli_curves *curves, int errors)
+{
+	static const char *const dash[] = {"solid", "(14,5)", "(5,4)", "(14,4,3,4)"};
+
+	for (int k = errors; k < curves->models; k++) {
+		const struct hawser_statics *of = curves->curve + k*curves->points;
+
+		for (int i = 0; i < curves->points; i++)
+			hawser__figure_put(figure, curves->curve[i].delta, errors
+			                   ? fabs(of[i].sag/curves->curve[i].sag - 1.0)
+			                   : of[i].sag/curves->here->span.d);
+		hawser__figure_draw(figure, hawser_statics_model(k)->name, "with lines lt %d dt %s", k + 1,
+		                    dash[k < 4 ? k : 3]);
+	}
+	hawser__figure_upright(figure, "scene", curves->here->delta, "lt 7 lw 0.8 dt (4,4)");
+}
+
 enum hawser_status cli_models_draw(const char *path, const struct cli_curves *curves,
                                    struct hawser_report *report)
 {
-	const char *name[most_models];
+	static const struct hawser__axis sag = {"Sag over span (–)", "", 1.0};
+	static const struct hawser__axis error = {"Relative error of sag (–)", "", 1.0};
 	struct hawser__view view = cli_si_view(0);
-	struct hawser__deflections deflections = {
-		curves->models, curves->points, name, curves->curve, curves->here,
-		hawser__fields_axis(cli_compatibility_field, "delta", &view, 0.0)};
-	int k;
+	struct hawser__axis delta = hawser__fields_axis(cli_compatibility_field, "delta", &view, 0.0);
+	double from = curves->curve[curves->points - 1].delta, to = curves->curve[0].delta;
+	struct hawser__figure figure = {0};
+	enum hawser_status status = hawser__figure_begin(&figure, path, 16.0, 13.0, report);
 
-	for (k = 0; k < curves->models && k < most_models; k++)
-		name[k] = hawser_statics_model(k)->name;
-	deflections.models = k;
-	return hawser__plot_deflections(path, &deflections, report);
+	if (status)
+		return status;
+	hawser__figure_panel(&figure, &(struct hawser__frame){0.13, 0.97, 0.60, 0.97,
+		.x = {&delta, from, to, .logarithmic = 1, .bare = 1}, .y = {&sag, .logarithmic = 1}});
+	draw_sags(&figure, curves, 0);
+	hawser__figure_panel(&figure, &(struct hawser__frame){0.13, 0.97, 0.22, 0.55,
+		.x = {&delta, from, to, .logarithmic = 1}, .y = {&error, .logarithmic = 1}});
+	draw_sags(&figure, curves, 1);
+	return hawser__figure_finish(&figure, report);
 }

@@ -9,6 +9,7 @@
 
 #include "cli/frame/view.h"
 #include "core/report.h"
+#include "output/drawing/figure.h"
 
 /* Last speed of a curve that ends in a fold, relative to the limit. */
 static const double nearly = 1.0 - 1e-12;
@@ -201,36 +202,48 @@ void cli_speeds_rows(struct hawser__table *table, const struct cli_speeds *speed
 	hawser__fields_table(table, &state_list, speeds, &view);
 }
 
+/* A quantity of the states over the speed, 0: sag, 1: tension. */
+static void draw_states(struct hawser__figure *figure, const struct cli_speeds *speeds, int quantity)
+{
+	static const char *const style[CLI_SPEEDS_KINDS] = {"with lines lt 1", "with lines lt 1 dt (9,5)",
+	                                                    "with lines lt 2"};
+	static const char *const title[CLI_SPEEDS_KINDS] = {"tension held: taut", "tension held: slack",
+	                                                    "length held"};
+
+	for (int k = 0; k < CLI_SPEEDS_KINDS; k++) {
+		const struct hawser_statics *state = speeds->curve[k].state;
+
+		for (int i = 0; i < speeds->curve[k].points; i++)
+			hawser__figure_put(figure, state[i].motion.speed,
+			                   quantity ? hawser_statics_actual(&state[i]).T0 : state[i].sag);
+		hawser__figure_draw(figure, title[k], "%s", style[k]);
+	}
+	if (speeds->folds)
+		hawser__figure_upright(figure, "limit speed", speeds->limit, "lc rgb '#909090' lw 1.2 dt (3,3)");
+}
+
 enum hawser_status cli_speeds_draw(const char *path, const struct cli_speeds *speeds,
                                    struct hawser_report *report)
 {
-	struct hawser__speeds picture = {.limit = speeds->folds ? speeds->limit : NAN};
 	static const char *const shown[] = {"speed", "sag", "T0"};
 	struct hawser__view view = cli_si_view(0);
-	double *all[CLI_SPEEDS_KINDS] = {NULL}, largest = 0.0;
-	enum hawser_status status = HAWSER_OK;
-	int k, i;
+	struct hawser__figure figure = {0};
+	struct hawser__axis axis[3];
+	double largest = 0.0;
+	enum hawser_status status = hawser__figure_begin(&figure, path, 16.0, 12.8, report);
 
-	for (k = 0; k < CLI_SPEEDS_KINDS && !status; k++) {
-		const struct cli_speeds_curve *curve = &speeds->curve[k];
-		double *rows = calloc((size_t)curve->points*3 + 1, sizeof *rows);
-
-		if (!rows)
-			status = hawser__no_memory(report, "statics");
-		for (i = 0; i < curve->points && rows; i++) {
-			rows[3*i] = curve->state[i].motion.speed;
-			rows[3*i + 1] = curve->state[i].sag;
-			rows[3*i + 2] = hawser_statics_actual(&curve->state[i]).T0;
-			largest = fmax(largest, rows[3*i + 2]);
-		}
-		picture.curve[k].points = curve->points;
-		picture.curve[k].rows = all[k] = rows;
-	}
-	for (k = 0; k < 3; k++)
-		picture.axis[k] = hawser__fields_axis(cli_speed_field, shown[k], &view, largest);
-	if (!status)
-		status = hawser__plot_speeds(path, &picture, report);
-	for (k = 0; k < CLI_SPEEDS_KINDS; k++)
-		free(all[k]);
-	return status;
+	if (status)
+		return status;
+	for (int k = 0; k < CLI_SPEEDS_KINDS; k++)
+		for (int i = 0; i < speeds->curve[k].points; i++)
+			largest = fmax(largest, hawser_statics_actual(&speeds->curve[k].state[i]).T0);
+	for (int k = 0; k < 3; k++)
+		axis[k] = hawser__fields_axis(cli_speed_field, shown[k], &view, largest);
+	hawser__figure_panel(&figure, &(struct hawser__frame){0.13, 0.97, 0.63, 0.97,
+		.x = {&axis[0], .tics = 8, .bare = 1}, .y = {&axis[1], .logarithmic = 1, .tics = 6, .room = 0.1}});
+	draw_states(&figure, speeds, 0);
+	hawser__figure_panel(&figure, &(struct hawser__frame){0.13, 0.97, 0.235, 0.575,
+		.x = {&axis[0], .tics = 8}, .y = {&axis[2], .zero = 1, .tics = 6, .room = 0.08}});
+	draw_states(&figure, speeds, 1);
+	return hawser__figure_finish(&figure, report);
 }

@@ -57,6 +57,14 @@ void hawser__legend_add(struct hawser__legend *legend, const char *title, const 
 	legend->count++;
 }
 
+void hawser__legend_once(struct hawser__legend *legend, const char *title, const char *style)
+{
+	for (int k = 0; k < legend->count; k++)
+		if (strcmp(legend->entry[k].title, title) == 0)
+			return;
+	hawser__legend_add(legend, title, "%s", style);
+}
+
 /* Width of an entry in cm, with its sample and the gap to the next entry. Markup and continuation
  * bytes of UTF-8 have no width; a letter has 0.6 of the font size of 12 px. */
 static double entry_width(const struct hawser__legend_entry *entry)

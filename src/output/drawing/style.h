@@ -29,6 +29,8 @@ struct hawser__legend {
  * HAWSER__LEGEND_MOST are omitted. */
 void hawser__legend_add(struct hawser__legend *legend, const char *title, const char *style, ...)
 	__attribute__((format(printf, 3, 4)));
+/* The same, unless an entry has that title. */
+void hawser__legend_once(struct hawser__legend *legend, const char *title, const char *style);
 void hawser__legend_draw(struct hawser__picture *picture, const struct hawser__legend *legend);
 /* Room below the lowest panel in a picture of that width (cm): HAWSER__LEGEND_CM, and more for more
  * than two rows. */

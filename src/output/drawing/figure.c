@@ -1,0 +1,288 @@
+/* output/drawing/figure.c - see figure.h.
+ *
+ * Blocks of data go into the script as they are put. What the plot draws is kept until the panel ends,
+ * since the ranges of its axes stand before it.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "config.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "output/drawing/figure.h"
+
+static const char axis_name[] = "xy";
+
+enum hawser_status hawser__figure_begin(struct hawser__figure *figure, const char *path, double width,
+                                        double height, struct hawser_report *report)
+{
+	return hawser__picture_begin(&figure->out, path, width, height, report);
+}
+
+static const struct hawser__panel_axis *panel_axis(const struct hawser__figure *figure, int axis)
+{
+	return axis ? &figure->at.y : &figure->at.x;
+}
+
+static double per_of(const struct hawser__figure *figure, int axis)
+{
+	const struct hawser__axis *of = panel_axis(figure, axis)->axis;
+
+	return of ? of->per : 1.0;
+}
+
+/* Ends of an axis with tics, as they are shown, from those of the points. */
+static void widen(double ends[2], const struct hawser__panel_axis *scale)
+{
+	double size, part;
+
+	if (!(ends[0] <= ends[1]))
+		ends[0] = ends[1] = 0.0;
+	if (scale->zero) {
+		ends[0] = 0.0;
+		ends[1] = ends[1] > 0.0 ? (1.0 + scale->room)*ends[1] : 1.0;
+		return;
+	}
+	if (scale->logarithmic && ends[0] > 0.0) {
+		part = ends[1] > ends[0] ? pow(ends[1]/ends[0], scale->room) : 3.0;
+		ends[0] /= part;
+		ends[1] *= part;
+		return;
+	}
+	/* what varies by round-off alone is drawn as a straight line */
+	size = fmax(fabs(ends[0]), fabs(ends[1]));
+	part = ends[1] - ends[0] > 1e-9*size ? scale->room*(ends[1] - ends[0]) : size > 0.0 ? 0.05*size : 1.0;
+	ends[0] -= part;
+	ends[1] += part;
+}
+
+static void set_range(struct hawser__figure *figure, int axis)
+{
+	const struct hawser__panel_axis *scale = panel_axis(figure, axis);
+	const char name[] = {axis_name[axis], '\0'};
+	const int given = scale->from != scale->to;
+	double per = per_of(figure, axis), low = given ? scale->from/per : figure->low[axis];
+	double high = given ? scale->to/per : figure->high[axis], ends[] = {low, high};
+	FILE *script = figure->out.script;
+
+	if (!given)
+		widen(ends, scale);
+	if (given || (scale->tics && !scale->open))
+		fprintf(script, "set %srange [%.12g:%.12g]\n", name, ends[0], ends[1]);
+	else
+		fprintf(script, scale->zero && high > 0.0 ? "set %srange [0:*]\n" : "set %srange [*:*]\n", name);
+	if (scale->logarithmic && scale->tics && ends[0] > 0.0 && ends[1] > ends[0])
+		hawser__picture_log_tics(&figure->out, name, ends[0], ends[1]);
+	else if (scale->logarithmic)
+		fprintf(script, "set logscale %s\nset format %s '10^{%%T}'\n", name, name);
+	else if (scale->tics)
+		hawser__picture_tics(&figure->out, *name, scale->zero ? 0.0 : fmin(low, high), fmax(low, high),
+		                     scale->tics);
+}
+
+static void set_scale(struct hawser__figure *figure, int axis)
+{
+	const struct hawser__panel_axis *scale = panel_axis(figure, axis);
+	const char *title = axis && figure->at.title ? figure->at.title : scale->axis ? scale->axis->title : "";
+	FILE *script = figure->out.script;
+	char name = axis_name[axis];
+
+	if (!scale->as_set) {
+		fprintf(script, "unset logscale %c\nset format %c '%%g'\nset %ctics autofreq\n", name, name, name);
+		set_range(figure, axis);
+	}
+	if (scale->bare)
+		fprintf(script, "set format %c ''\n", name);
+	if (scale->bare || scale->untitled)
+		title = "";
+	if (axis && *title)
+		hawser__picture_ylabel(&figure->out, "%s", title);
+	else if (*title)
+		fprintf(script, "set xlabel '%s' offset 0,0.3\n", title);
+	else if (!axis)
+		fputs("unset xlabel\n", script);
+}
+
+static void end_block(struct hawser__figure *figure)
+{
+	if (figure->rows)
+		fputs("END\n", figure->out.script);
+	figure->rows = 0;
+}
+
+static void end_panel(struct hawser__figure *figure)
+{
+	if (!figure->plot)
+		return;
+	end_block(figure);
+	set_scale(figure, 0);
+	set_scale(figure, 1);
+	if (fclose(figure->plot) == 0 && figure->size > 0)
+		fprintf(figure->out.script, "plot %s\n", figure->text);
+	else
+		fputs("plot NaN notitle\n", figure->out.script);
+	free(figure->text);
+	figure->text = NULL;
+	figure->plot = NULL;
+}
+
+void hawser__figure_panel(struct hawser__figure *figure, const struct hawser__frame *at)
+{
+	end_panel(figure);
+	figure->at = *at;
+	for (int axis = 0; axis < 2; axis++) {
+		figure->low[axis] = INFINITY;
+		figure->high[axis] = -INFINITY;
+	}
+	hawser__picture_panel(&figure->out, at->left, at->right, at->bottom, at->top);
+	if (at->aside > 0.0)
+		figure->out.left += 0.107 - at->aside;
+	fputs("unset label\nunset arrow\n", figure->out.script);
+	figure->plot = open_memstream(&figure->text, &figure->size);
+}
+
+static void see(struct hawser__figure *figure, int axis, double value)
+{
+	if (!isfinite(value) || (panel_axis(figure, axis)->logarithmic && !(value > 0.0)))
+		return;
+	figure->low[axis] = fmin(figure->low[axis], value);
+	figure->high[axis] = fmax(figure->high[axis], value);
+}
+
+void hawser__figure_gap(struct hawser__figure *figure)
+{
+	if (figure->rows && !figure->gap)
+		fputc('\n', figure->out.script);
+	figure->gap = 1;
+}
+
+void hawser__figure_row(struct hawser__figure *figure, const char *columns, const double *value)
+{
+	static const char letters[] = "xyXY";
+
+	if (!figure->rows++)
+		fprintf(figure->out.script, "$d%d << END\n", figure->blocks++);
+	for (int k = 0; columns[k]; k++) {
+		const char *letter = strchr(letters, columns[k]);
+		int axis = letter ? (int)(letter - letters) % 2 : 0;
+		double shown = letter ? value[k]/per_of(figure, axis) : value[k];
+
+		if (letter && letter - letters < 2)
+			see(figure, axis, shown);
+		fprintf(figure->out.script, k ? " %.12g" : "%.12g", shown);
+	}
+	fputc('\n', figure->out.script);
+	figure->gap = 0;
+}
+
+void hawser__figure_put(struct hawser__figure *figure, double x, double y)
+{
+	if (isfinite(x) && isfinite(y))
+		hawser__figure_row(figure, "xy", (double[]){x, y});
+	else
+		hawser__figure_gap(figure);
+}
+
+void hawser__figure_bind(struct hawser__figure *figure, int count, const double *x, size_t x_step,
+                         const double *y, size_t y_step)
+{
+	for (int i = 0; i < count; i++)
+		hawser__figure_put(figure, *(const double *)((const char *)x + (size_t)i*x_step),
+		                   *(const double *)((const char *)y + (size_t)i*y_step));
+}
+
+/* Add to the plot, and to the legend unless it has that name. */
+static void add(struct hawser__figure *figure, const char *data, const char *title, const char *style)
+{
+	const char *look = strstr(style, "with ");
+
+	fflush(figure->plot);
+	fprintf(figure->plot, "%s%s%s%s", figure->size ? ", " : "", data, *data ? " " : "", style);
+	if (title && *title)
+		hawser__legend_once(&figure->legend, title, look ? look : style);
+}
+
+enum { STYLE = 200 }; /* letters of a style */
+
+static void draw_block(struct hawser__figure *figure, const char *title, const char *style, va_list args)
+{
+	char look[STYLE], name[24];
+
+	vsnprintf(look, sizeof look, style, args);
+	snprintf(name, sizeof name, "$d%d", figure->blocks - 1);
+	if (figure->plot)
+		add(figure, name, title, look);
+}
+
+void hawser__figure_draw(struct hawser__figure *figure, const char *title, const char *style, ...)
+{
+	va_list args;
+
+	figure->drawn = figure->rows > 0;
+	end_block(figure);
+	va_start(args, style);
+	if (figure->drawn)
+		draw_block(figure, title, style, args);
+	va_end(args);
+}
+
+void hawser__figure_again(struct hawser__figure *figure, const char *title, const char *style, ...)
+{
+	va_list args;
+
+	va_start(args, style);
+	if (figure->drawn)
+		draw_block(figure, title, style, args);
+	va_end(args);
+}
+
+void hawser__figure_function(struct hawser__figure *figure, const char *title, const char *formula, ...)
+{
+	char look[STYLE];
+	va_list args;
+
+	va_start(args, formula);
+	vsnprintf(look, sizeof look, formula, args);
+	va_end(args);
+	if (figure->plot)
+		add(figure, "", title, look);
+}
+
+void hawser__figure_upright(struct hawser__figure *figure, const char *title, double x, const char *style,
+                            ...)
+{
+	char look[STYLE];
+	double at = x/per_of(figure, 0);
+	va_list args;
+
+	va_start(args, style);
+	vsnprintf(look, sizeof look, style, args);
+	va_end(args);
+	fprintf(figure->out.script,
+	        "set arrow from first %.12g, graph 0 to first %.12g, graph 1 nohead %s\n", at, at, look);
+	if (title && *title) {
+		char entry[STYLE];
+
+		snprintf(entry, sizeof entry, "with lines %.180s", look);
+		hawser__legend_once(&figure->legend, title, entry);
+	}
+}
+
+enum hawser_status hawser__figure_finish(struct hawser__figure *figure, struct hawser_report *report)
+{
+	end_panel(figure);
+	if (figure->legend.count)
+		hawser__legend_draw(&figure->out, &figure->legend);
+	return hawser__picture_finish(&figure->out, report);
+}
+
+void hawser__figure_abort(struct hawser__figure *figure)
+{
+	if (figure->plot)
+		fclose(figure->plot);
+	free(figure->text);
+	figure->plot = NULL;
+	hawser__picture_abort(&figure->out);
+}

@@ -1,0 +1,82 @@
+/* output/drawing/figure.h - the one writer of pictures: panels with two axes, and what is drawn in them.
+ *
+ * Points are put in the units of the results. The panel divides them by `per` of its axes and takes the
+ * ranges and tics of its axes from them, unless it gives ranges itself. What has been put since the last
+ * call is drawn by hawser__figure_draw; the style and the name that it gets there are those of the legend
+ * below all panels, too. Where no point was put, nothing is drawn, and the legend has no entry.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HAWSER_OUTPUT_FIGURE_H
+#define HAWSER_OUTPUT_FIGURE_H
+
+#include "output/drawing/style.h"
+#include "output/output.h"
+
+/* How an axis of a panel is divided. */
+struct hawser__panel_axis {
+	const struct hawser__axis *axis; /* title and factor; NULL: no title, numbers as they are put */
+	double from, to; /* ends, as points are put; equal: those of the points */
+	double room;     /* beyond the ends of the points, parts of their range */
+	int zero;        /* 1: begins at 0 */
+	int logarithmic;
+	int tics;        /* at most; 0: ends and tics are chosen by gnuplot */
+	int open;        /* 1: with `tics`, the ends (but for a zero) are chosen by gnuplot all the same */
+	int bare;        /* 1: neither numbers nor title, which another panel has */
+	int as_set;      /* 1: range, tics and numbers are those that the caller writes into the script */
+	int untitled;    /* 1: numbers without a title */
+};
+struct hawser__frame {
+	double left, right, bottom, top; /* fractions of the picture */
+	struct hawser__panel_axis x, y;
+	const char *title; /* of the vertical axis, if it is not that of `y`; or NULL */
+	double aside;      /* from there to the panel, fraction of the width; 0: 0.107 */
+};
+
+struct hawser__figure {
+	struct hawser__picture out; /* `out.script` takes settings of gnuplot for the open panel */
+	struct hawser__legend legend;
+	struct hawser__frame at;    /* the open panel */
+	double low[2], high[2];     /* of its points, as they are shown */
+	int blocks, rows, gap;      /* blocks of data; rows of the open block; 1: its last line is empty */
+	int drawn;                  /* 1: the last block is in the plot */
+	FILE *plot;                 /* what the open panel draws; NULL: none is open */
+	char *text;
+	size_t size;
+};
+
+/* *figure is all zero, but for entries of the legend that precede those of what is drawn. */
+enum hawser_status hawser__figure_begin(struct hawser__figure *figure, const char *path, double width,
+                                        double height, struct hawser_report *report) HAWSER_MUST_CHECK;
+/* The next panel; labels and arrows of the one before end. */
+void hawser__figure_panel(struct hawser__figure *figure, const struct hawser__frame *at);
+
+/* A point. Where one of the two is no finite number, the line has a gap. */
+void hawser__figure_put(struct hawser__figure *figure, double x, double y);
+void hawser__figure_gap(struct hawser__figure *figure);
+/* A row of several columns. `columns` has a letter for each: x, y: a place on that axis; X, Y: a distance
+ * along it; any other: as it is. */
+void hawser__figure_row(struct hawser__figure *figure, const char *columns, const double *value);
+/* Points [count] at x[i] and y[i], each so many bytes after the one before. */
+void hawser__figure_bind(struct hawser__figure *figure, int count, const double *x, size_t x_step,
+                         const double *y, size_t y_step);
+
+/* Draw what was put. The style is that of gnuplot's plot, "with lines lt 1", perhaps after "using 1:3";
+ * title: in the legend, or NULL. */
+void hawser__figure_draw(struct hawser__figure *figure, const char *title, const char *style, ...)
+	HAWSER_PRINTF(3, 4);
+/* Draw it once more in another style. */
+void hawser__figure_again(struct hawser__figure *figure, const char *title, const char *style, ...)
+	HAWSER_PRINTF(3, 4);
+/* A function of x in shown units: "2*x with lines". */
+void hawser__figure_function(struct hawser__figure *figure, const char *title, const char *formula, ...)
+	HAWSER_PRINTF(3, 4);
+/* A line from the foot to the top of the panel. The style is one of lines, "lt 7 dt (4,4)". */
+void hawser__figure_upright(struct hawser__figure *figure, const char *title, double x, const char *style,
+                            ...) HAWSER_PRINTF(4, 5);
+
+enum hawser_status hawser__figure_finish(struct hawser__figure *figure,
+                                         struct hawser_report *report) HAWSER_MUST_CHECK;
+/* In place of _finish, after a failure of the caller. */
+void hawser__figure_abort(struct hawser__figure *figure);
+
+#endif
