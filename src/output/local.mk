@@ -32,10 +32,8 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/drawing/outline.h \
 	%D%/drawing/perspective.c \
 	%D%/drawing/perspective.h \
-	%D%/cable/plot_campbell.c \
 	%D%/cable/plot_compare.c \
 	%D%/cable/plot_complex_modes.c \
-	%D%/curves/plot_folds.c \
 	%D%/structures/plot_equilibria.c \
 	%D%/structures/plot_equilibria.h \
 	%D%/structures/plot_net.c \
@@ -51,8 +49,6 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/structures/plot_ropeway.h \
 	%D%/structures/plot_ropeway_modes.c \
 	%D%/structures/plot_ropeway_modes.h \
-	%D%/structures/plot_track.c \
-	%D%/structures/plot_track.h \
 	%D%/curves/plot_locus.c \
 	%D%/curves/plot_locus.h \
 	%D%/curves/plot_frf.c \
@@ -60,7 +56,6 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/curves/plot_frf_detail.c \
 	%D%/curves/plot_frf_tori.c \
 	%D%/curves/plot_integrate.c \
-	%D%/cable/plot_irvine.c \
 	%D%/curves/plot_map.c \
 	%D%/cable/plot_modes.c \
 	%D%/curves/plot_motions.c \

@@ -159,10 +159,10 @@ void hawser__picture_tics(struct hawser__picture *picture, char axis, double low
                           int most);
 /* A user's text, which has no markup, within single quotes (data 0) or as a word of a block of data. */
 void hawser__picture_literal(FILE *script, const char *text, int data);
-/* A logarithmic axis ("x", "y" or "cb"): tics at powers of ten, over a short range at 1, 2 and 5 times
- * them. */
+/* A logarithmic axis ("x", "y" or "cb"): tics at powers of ten, up to a ratio `fine` of the ends (30
+ * has room anywhere) at 1, 2 and 5 times them. */
 void hawser__picture_log_tics(struct hawser__picture *picture, const char *axis, double low,
-                              double high);
+                              double high, double fine);
 
 /* --- plot_*.c: one picture per command; arrays in SI, to be divided by `per` of their axis, but where
  * the comment says in the units of the titles --- */
@@ -187,39 +187,6 @@ enum hawser_status hawser__plot_statics(const char *path, const struct hawser__s
 enum hawser_status hawser__plot_modes(const char *path, const struct hawser_modes *modes,
                                       const struct hawser__axis *S,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
-
-/* Branches of frequencies along a sweep, in the units of the titles. */
-struct hawser__diagram {
-	int stations, branches, in_plane, overlays, marks;
-	int logarithmic;             /* 1: logarithmic abscissa */
-	const char *note;            /* in the panel, such as its speed; or "" */
-	const char *x_title, *y_title;
-	const double *x;             /* [stations] */
-	const double *y;             /* [stations][branches] those in the plane first */
-	const double *overlay;       /* [stations][overlays] dashed, NAN for nothing */
-	const double *mark_x;        /* [marks] where two branches are closest */
-	const double *mark_y;        /* [marks][2] on both of them; NAN on one that is not shown */
-	const int *veers;            /* [marks] 1: a veering, 0: a crossing */
-};
-enum { HAWSER__DIAGRAMS = 12 };
-/* diagram[count], each a panel with the axes of the first. */
-enum hawser_status hawser__plot_irvine(const char *path, const struct hawser__diagram *diagram,
-                                       int count, struct hawser_report *report) HAWSER_MUST_CHECK;
-
-/* Eigenvalues over the speed, in the units of the titles, one column per plane. */
-struct hawser__campbell {
-	int stations, branches, in_plane, marks, harmonics;
-	const char *speed_title, *re_title, *im_title;
-	const double *speed;     /* [stations] */
-	const double *re, *im;   /* [stations][branches] those in the plane first */
-	const double *mark_x;    /* [marks] where two branches in the plane are closest */
-	const double *mark_y;    /* [marks][2] on both of them; NAN on one that is not shown */
-	const int *veers;        /* [marks] 1: a veering, 0: a crossing */
-	double slope;            /* slope of the line of the first harmonic, per m/s */
-	double limit;            /* end of the steady state; NAN if it is not shown */
-};
-enum hawser_status hawser__plot_campbell(const char *path, const struct hawser__campbell *diagram,
-                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* The first modes as magnified displacements of the span, up to twelve panels: in-plane modes about
  * the static profile, out-of-plane modes seen from above. */
@@ -342,29 +309,6 @@ struct hawser__response {
 };
 enum hawser_status hawser__plot_frf(const char *path, const struct hawser__response *response,
                                     struct hawser_report *report) HAWSER_MUST_CHECK;
-
-/* Fold curves (Omega, load factor), and responses at the model's own load (Omega, amplitude), in the
- * units of the titles. */
-struct hawser__folds_line {
-	int points;
-	const double *x, *y; /* [points] */
-	const int *unstable; /* [points] 0 or 1; of a response */
-};
-struct hawser__folds_mark {
-	enum hawser_folds_kind kind;
-	double omega, load;
-};
-struct hawser__folds_picture {
-	int curves, responses, marks;
-	const char *x_title;
-	const struct hawser__folds_line *curve;    /* [curves] */
-	const struct hawser__folds_line *response; /* [responses] the main one, then the detached */
-	const struct hawser__folds_mark *mark;     /* [marks] */
-	const char *label;       /* of the amplitude */
-	double from, to, load_to;
-};
-enum hawser_status hawser__plot_folds(const char *path, const struct hawser__folds_picture *folds,
-                                      struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* A map over two parameters. */
 struct hawser__map_picture {

@@ -1,30 +1,21 @@
-/* cli/curves/folds_draw.c - the curves in the picture of `folds`: in the upper panel all fold curves in
- * the plane of frequency and load; in the lower one the response at the nominal load and the
- * detached curves, for the displacement (for a model without probes, the coordinate) that is
- * largest.
+/* cli/curves/folds_draw.c - the picture of `folds`: in the upper panel all fold curves in the plane of
+ * frequency and load, with their special points and a line at the load of the model; in the lower one
+ * the response at that load and the curves detached from it, by the probe, or coordinate, that moves most.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "cli/curves/folds_result.h"
 #include "cli/frame/view.h"
 #include "core/report.h"
+#include "output/drawing/figure.h"
 
-enum { label_size = 160 };
-
-struct picture {
-	struct hawser__folds_picture folds;
-	struct hawser__axis x, y;
-	double per_omega, per_length; /* shown units per unit of the model */
-	struct hawser__folds_line *line;   /* fold curves, then responses */
-	struct hawser__folds_mark *mark;
-	double *store;
-	int *unstable;
-	char label[label_size];
-	int stride, source; /* the drawn column of a row of probes or of coordinates */
+/* The drawn column of a row of probes or of coordinates. */
+struct column {
+	int stride, source;
+	struct hawser__axis axis;
+	double per_omega, per_length; /* in the unit of the axes' values, per unit of the model */
 };
 
 static const double *rows(const struct hawser_frf *frf)
@@ -32,130 +23,112 @@ static const double *rows(const struct hawser_frf *frf)
 	return frf->probes > 0 ? frf->probe : frf->coordinate;
 }
 
-static void choose(struct picture *picture, const struct cli_folds_result *result)
+static void choose(struct column *column, const struct cli_folds_result *result)
 {
 	const struct hawser_frf *frf = &result->folds->response;
-	char m[HAWSER__MARKUP_SIZE + 4];
-	int k, i;
+	char unit[HAWSER__MARKUP_SIZE + 4];
 	double most = -1.0;
 
-	snprintf(m, sizeof m, "%s%s%s", *picture->y.unit ? " (" : "", picture->y.unit,
-	         *picture->y.unit ? ")" : "");
-	picture->stride = frf->probes > 0 ? 3*frf->probes : frf->n;
-	for (k = 0; k < picture->stride; k++)
-		for (i = 0; i < frf->points; i++)
-			if (rows(frf)[(size_t)i*(size_t)picture->stride + (size_t)k] > most) {
-				most = rows(frf)[(size_t)i*(size_t)picture->stride + (size_t)k];
-				picture->source = k;
+	column->axis = cli_model_axis(result->model, "", "m");
+	snprintf(unit, sizeof unit, "%s%s%s", *column->axis.unit ? " (" : "", column->axis.unit,
+	         *column->axis.unit ? ")" : "");
+	column->stride = frf->probes > 0 ? 3*frf->probes : frf->n;
+	for (int k = 0; k < column->stride; k++)
+		for (int i = 0; i < frf->points; i++)
+			if (rows(frf)[(size_t)i*(size_t)column->stride + (size_t)k] > most) {
+				most = rows(frf)[(size_t)i*(size_t)column->stride + (size_t)k];
+				column->source = k;
 			}
 	if (frf->probes > 0)
-		cli_probe_label(picture->label, sizeof picture->label, "xyz"[picture->source%3],
-		                result->model->rom.shapes.name[picture->source/3], m);
+		cli_probe_label(column->axis.title, sizeof column->axis.title, "xyz"[column->source%3],
+		                result->model->rom.shapes.name[column->source/3], unit);
 	else
-		snprintf(picture->label, sizeof picture->label, "Amplitude of {/:Italic u}_{%d}%s",
-		         picture->source + 1, m);
+		snprintf(column->axis.title, sizeof column->axis.title, "Amplitude of {/:Italic u}_{%d}%.*s",
+		         column->source + 1, (int)sizeof unit, unit);
 }
 
-static size_t response_points(const struct hawser_folds *folds)
+static void draw_plane(struct hawser__figure *figure, const struct hawser_folds *folds, double per_omega)
 {
-	size_t count = (size_t)folds->response.points;
-	int i;
+	/* the legend's names of the special points */
+	static const struct {
+		const char *style, *title;
+	} mark[] = {
+		[HAWSER_FOLDS_NOMINAL] = {"pt 7 ps 0.5 lc rgb '#404040'", "folds at that load"},
+		[HAWSER_FOLDS_CUSP] = {"pt 9 ps 0.9 lc rgb '#D55E00'", "cusp"},
+		[HAWSER_FOLDS_ISOLA] = {"pt 7 ps 0.8 lc rgb '#009E73'", "isola centre"},
+		[HAWSER_FOLDS_BIFURCATION] = {"pt 13 ps 1 lc rgb '#CC79A7'", "curves join or part"},
+	};
 
-	for (i = 0; i < folds->isolas; i++)
-		count += (size_t)folds->isola[i].points;
-	return count;
-}
-
-static int allocate(struct picture *picture, const struct hawser_folds *folds)
-{
-	size_t points = response_points(folds), lines = (size_t)folds->curves + 1 +
-	                                                (size_t)folds->isolas;
-
-	picture->line = calloc(lines, sizeof *picture->line);
-	picture->mark = calloc((size_t)folds->events + 1, sizeof *picture->mark);
-	picture->store = calloc(2*(points + (size_t)folds->points) + 1, sizeof *picture->store);
-	picture->unstable = calloc(points + 1, sizeof *picture->unstable);
-	return picture->line && picture->mark && picture->store && picture->unstable;
-}
-
-static double *copy_curves(struct picture *picture, const struct cli_folds_result *result)
-{
-	const struct hawser_folds *folds = result->folds;
-	double per_omega = picture->per_omega, *out = picture->store;
-	int c, i, e;
-
-	for (c = 0; c < folds->curves; c++) {
-		const struct hawser_folds_curve *curve = &folds->curve[c];
-
-		picture->line[c] = (struct hawser__folds_line){.points = curve->points, .x = out,
-		                                               .y = out + curve->points};
-		for (i = 0; i < curve->points; i++) {
-			out[i] = folds->point[curve->first + i].omega*per_omega;
-			out[curve->points + i] = folds->point[curve->first + i].load;
-		}
-		out += 2*curve->points;
+	hawser__legend_once(&figure->legend, "folds", "with lines lt 1");
+	hawser__figure_function(figure, "given load", "1 with lines lc rgb '#404040' lw 0.8 dt (4,4)");
+	for (int c = 0; c < folds->curves; c++) {
+		for (int i = folds->curve[c].first; i < folds->curve[c].first + folds->curve[c].points; i++)
+			hawser__figure_put(figure, folds->point[i].omega*per_omega, folds->point[i].load);
+		hawser__figure_draw(figure, NULL, "with lines lt 1");
 	}
-	for (e = 0; e < folds->events; e++)
-		picture->mark[e] = (struct hawser__folds_mark){folds->event[e].kind,
-			folds->event[e].omega*per_omega, folds->event[e].load};
-	return out;
+	for (int kind = 0; kind < (int)(sizeof mark/sizeof *mark); kind++) {
+		for (int e = 0; e < folds->events; e++)
+			if ((int)folds->event[e].kind == kind)
+				hawser__figure_put(figure, folds->event[e].omega*per_omega, folds->event[e].load);
+		hawser__figure_draw(figure, mark[kind].title, "with points %s", mark[kind].style);
+	}
 }
 
-static void copy_responses(struct picture *picture, const struct cli_folds_result *result,
-                           double *out)
+/* The stable or the unstable parts of a response; each part begins at the end of the previous one. */
+static void put_part(struct hawser__figure *figure, const struct hawser_frf *frf,
+                     const struct column *column, int unstable)
 {
-	const struct hawser_folds *folds = result->folds;
-	int k, i, *unstable = picture->unstable;
+	for (int i = 0; i < frf->points; i++) {
+		int mine = (frf->point[i].unstable > 0) == unstable;
 
-	for (k = -1; k < folds->isolas; k++) {
+		if (mine || (i > 0 && (frf->point[i - 1].unstable > 0) == unstable))
+			hawser__figure_put(figure, frf->point[i].omega*column->per_omega, column->per_length*
+			                   rows(frf)[(size_t)i*(size_t)column->stride + (size_t)column->source]);
+		if (!mine)
+			hawser__figure_gap(figure);
+	}
+}
+
+static void draw_responses(struct hawser__figure *figure, const struct hawser_folds *folds,
+                           const struct column *column)
+{
+	hawser__legend_once(&figure->legend, "stable", "with lines lt 7");
+	hawser__legend_once(&figure->legend, "unstable", "with lines lt 7 lw 1 " HAWSER__UNSTABLE_DASH);
+	for (int k = -1; k < folds->isolas; k++) {
 		const struct hawser_frf *frf = k < 0 ? &folds->response : &folds->isola[k];
 
-		picture->line[folds->curves + 1 + k] = (struct hawser__folds_line){
-			.points = frf->points, .x = out, .y = out + frf->points, .unstable = unstable};
-		for (i = 0; i < frf->points; i++) {
-			out[i] = frf->point[i].omega*picture->per_omega;
-			out[frf->points + i] =
-				rows(frf)[(size_t)i*(size_t)picture->stride + (size_t)picture->source]*
-				picture->per_length;
-			unstable[i] = frf->point[i].unstable > 0;
-		}
-		out += 2*frf->points;
-		unstable += frf->points;
+		put_part(figure, frf, column, 1);
+		hawser__figure_draw(figure, NULL, "with lines lt %d lw 1 " HAWSER__UNSTABLE_DASH, k < 0 ? 7 : 2);
+		put_part(figure, frf, column, 0);
+		hawser__figure_draw(figure, NULL, "with lines lt %d", k < 0 ? 7 : 2);
 	}
+	if (folds->isolas > 0)
+		hawser__legend_once(&figure->legend, "detached", "with lines lt 2");
 }
 
 enum hawser_status cli_folds_draw(const char *path, const void *context,
                                   struct hawser_report *report)
 {
+	static const struct hawser__axis load = {"Load, as a factor of the given one", "", 1.0};
 	const struct cli_folds_result *result = context;
-	const struct hawser_folds *folds = result->folds;
-	struct picture picture = {.line = NULL};
-	enum hawser_status status;
+	const struct hawser__axis x = cli_frf_axis(result->model);
+	const double height = 16.5, bottom = 3.5/height, top = 1.0 - 0.4/height;
+	const double middle = 0.5*(bottom + top), per = cli_per_omega(result->model);
+	struct hawser__panel_axis across = {&x, fmin(result->from, result->to)*per,
+	                                    fmax(result->from, result->to)*per, .tics = 10, .bare = 1};
+	struct column column = {.per_omega = per, .per_length = cli_per_length(result->model)};
+	struct hawser__figure figure = {0};
+	enum hawser_status status = hawser__figure_begin(&figure, path, 17.0, height, report);
 
-	picture.x = cli_frf_axis(result->model);
-	picture.y = cli_model_axis(result->model, "", "m");
-	picture.per_omega = cli_per_omega(result->model)/picture.x.per;
-	picture.per_length = cli_per_length(result->model)/picture.y.per;
-	choose(&picture, result);
-	if (!allocate(&picture, folds)) {
-		status = hawser__no_memory(report, "picture");
-		goto done;
-	}
-	copy_responses(&picture, result, copy_curves(&picture, result));
-	picture.folds = (struct hawser__folds_picture){
-		.curves = folds->curves, .responses = folds->isolas + 1, .marks = folds->events,
-		.x_title = picture.x.title, .curve = picture.line,
-		.response = picture.line + folds->curves, .mark = picture.mark,
-		.label = picture.label,
-		.from = fmin(result->from, result->to)*picture.per_omega,
-		.to = fmax(result->from, result->to)*picture.per_omega,
-		.load_to = result->load_to,
-	};
-	status = hawser__plot_folds(path, &picture.folds, report);
-done:
-	free(picture.line);
-	free(picture.mark);
-	free(picture.store);
-	free(picture.unstable);
-	return status;
+	if (status)
+		return status;
+	choose(&column, result);
+	hawser__figure_panel(&figure, &(struct hawser__frame){0.13, 0.965, middle + 0.25/height, top,
+		.x = across, .y = {&load, 0.0, result->load_to, .tics = 8}});
+	draw_plane(&figure, result->folds, per);
+	across.bare = 0;
+	hawser__figure_panel(&figure, &(struct hawser__frame){0.13, 0.965, bottom, middle - 0.25/height,
+		.x = across, .y = {&column.axis, .zero = 1, .tics = 6, .open = 1}});
+	draw_responses(&figure, result->folds, &column);
+	return hawser__figure_finish(&figure, report);
 }

@@ -10,6 +10,7 @@
 #include "cli/model/axis.h"
 #include "cli/modes/irvine_result.h"
 #include "core/report.h"
+#include "output/drawing/figure.h"
 
 static const char analytic[] = "analytic";
 
@@ -144,115 +145,118 @@ static struct hawser__axis ordinate(const struct cli_irvine_result *result)
 	return hawser__axis_of(of[result->unit].quantity, of[result->unit].si, 0.0);
 }
 
-/* Frequency at which a crossover is marked on the branch with that number: offset from the middle
- * of the gap by `part` of the gap. */
-static double mark_on(const struct cli_irvine_result *result, const struct hawser_irvine *irvine,
-                      const struct hawser_irvine_crossover *at, int number, double part)
+/* Abscissa of a station. */
+static double place_of(const struct cli_irvine_result *result, const struct hawser_irvine *irvine, int i)
 {
-	return number > irvine->in_plane
-		? NAN : cli_irvine_in_unit(result, at->omega + part*at->gap, at->H);
+	return result->over_value ? irvine->station[i].value : irvine->station[i].statics.irvine_source;
 }
 
-/* What the picture shows, in its units; [] as in struct hawser__diagram. */
-struct arrays {
-	double *x, *y, *overlay, *mark_x, *mark_y;
-	int *veers;
-	char note[HAWSER__MARKUP_SIZE + 40];
-};
-
-static void fill(struct arrays *to, const struct cli_irvine_result *result,
-                 const struct cli_irvine_sweep *sweep, double per, double per_y)
+/* The largest of the frequencies shown, and the range of the abscissa, of all panels. */
+static void measure(double *low, double *high, double *top, const struct cli_irvine_result *result)
 {
-	const struct hawser_irvine *irvine = &sweep->irvine;
-	int i, b;
+	*low = INFINITY;
+	*high = *top = 0.0;
+	for (int k = 0; k < result->sweeps; k++) {
+		const struct hawser_irvine *irvine = &result->sweep[k].irvine;
 
-	for (i = 0; i < irvine->stations; i++) {
-		double H = cli_irvine_tension(&irvine->station[i]);
+		for (int i = 0; i < irvine->stations; i++) {
+			double H = cli_irvine_tension(&irvine->station[i]), x = place_of(result, irvine, i);
 
-		to->x[i] = (result->over_value ? irvine->station[i].value
-		                               : irvine->station[i].statics.irvine_source)/per;
-		for (b = 0; b < irvine->branches; b++)
-			to->y[i*irvine->branches + b] =
-				cli_irvine_in_unit(result, irvine->omega[i*irvine->branches + b], H)/per_y;
-		for (b = 0; b < sweep->overlays; b++)
-			to->overlay[i*sweep->overlays + b] =
-				cli_irvine_in_unit(result, sweep->analytic[i*sweep->overlays + b], H)/
-				per_y;
-	}
-	for (i = 0; i < irvine->crossovers; i++) {
-		const struct hawser_irvine_crossover *at = &irvine->crossover[i];
-
-		to->mark_x[i] = (result->over_value ? at->value : at->irvine_source)/per;
-		to->mark_y[2*i] = mark_on(result, irvine, at, at->below, -0.5)/per_y;
-		to->mark_y[2*i + 1] = mark_on(result, irvine, at, at->above, 0.5)/per_y;
-		to->veers[i] = at->kind == HAWSER_VEERING;
+			*low = fmin(*low, x);
+			*high = fmax(*high, x);
+			for (int b = 0; b < irvine->branches; b++)
+				*top = fmax(*top, cli_irvine_in_unit(
+					result, irvine->omega[i*irvine->branches + b], H));
+		}
 	}
 }
 
-static void release(struct arrays *from)
+static void put_branch(struct hawser__figure *figure, const struct cli_irvine_result *result,
+                       const struct hawser_irvine *irvine, const double *omega, int stride)
 {
-	free(from->x);
-	free(from->veers);
+	for (int i = 0; i < irvine->stations; i++)
+		hawser__figure_put(figure, place_of(result, irvine, i), cli_irvine_in_unit(
+			result, omega[i*stride], cli_irvine_tension(&irvine->station[i])));
 }
 
-static enum hawser_status allocate(struct arrays *to, const struct cli_irvine_sweep *sweep,
-                                   struct hawser_report *report)
+/* A point on each of the two branches where they are closest. */
+static void put_crossovers(struct hawser__figure *figure, const struct cli_irvine_result *result,
+                           const struct hawser_irvine *irvine, int veers)
 {
-	size_t stations = (size_t)sweep->irvine.stations, marks = (size_t)sweep->irvine.crossovers;
-	size_t branches = (size_t)sweep->irvine.branches, overlays = (size_t)sweep->overlays;
+	for (int k = 0; k < irvine->crossovers; k++) {
+		const struct hawser_irvine_crossover *at = &irvine->crossover[k];
+		double x = result->over_value ? at->value : at->irvine_source;
 
-	to->x = calloc(stations*(1 + branches + overlays) + 3*marks, sizeof *to->x);
-	to->veers = calloc(marks + 1, sizeof *to->veers);
-	if (!to->x || !to->veers)
-		return hawser__no_memory(report, "irvine");
-	to->y = to->x + stations;
-	to->overlay = to->y + stations*branches;
-	to->mark_x = to->overlay + stations*overlays;
-	to->mark_y = to->mark_x + marks;
-	return HAWSER_OK;
+		if ((at->kind == HAWSER_VEERING) != veers)
+			continue;
+		hawser__figure_gap(figure);
+		if (at->below <= irvine->in_plane)
+			hawser__figure_put(figure, x, cli_irvine_in_unit(result, at->omega - 0.5*at->gap, at->H));
+		if (at->above <= irvine->in_plane)
+			hawser__figure_put(figure, x, cli_irvine_in_unit(result, at->omega + 0.5*at->gap, at->H));
+	}
 }
 
-static struct hawser__diagram diagram_of(const struct arrays *from,
-                                         const struct cli_irvine_result *result,
-                                         const struct cli_irvine_sweep *sweep,
-                                         const struct hawser__axis *x, const struct hawser__axis *y)
+/* Branches of the two planes often coincide: a thin line is drawn on a thick one. */
+static void draw_panel(struct hawser__figure *figure, const struct cli_irvine_result *result,
+                       const struct cli_irvine_sweep *sweep)
 {
 	const struct hawser_irvine *irvine = &sweep->irvine;
 
-	return (struct hawser__diagram){
-		.stations = irvine->stations, .branches = irvine->branches,
-		.in_plane = irvine->in_plane, .overlays = sweep->overlays, .marks = irvine->crossovers,
-		.x_title = x->title, .y_title = y->title,
-		.logarithmic = !result->over_value || irvine->sweep != HAWSER_GIVEN_LENGTH0,
-		.note = from->note, .x = from->x, .y = from->y,
-		.overlay = from->overlay, .mark_x = from->mark_x, .mark_y = from->mark_y,
-		.veers = from->veers};
+	put_crossovers(figure, result, irvine, 1);
+	hawser__figure_draw(figure, NULL, "with lines lt 7 lw 0.8 dt (2,3)");
+	hawser__legend_once(&figure->legend, "in plane", "with lines lt 1 lw 2.2");
+	hawser__legend_once(&figure->legend, "out of plane", "with lines lt 2 lw 1.1");
+	for (int b = 0; b < irvine->branches; b++) {
+		put_branch(figure, result, irvine, irvine->omega + b, irvine->branches);
+		hawser__figure_draw(figure, NULL, b < irvine->in_plane ? "with lines lt 1 lw 2.2"
+		                                                       : "with lines lt 2 lw 1.1");
+	}
+	for (int b = 0; b < sweep->overlays; b++) {
+		put_branch(figure, result, irvine, sweep->analytic + b, sweep->overlays);
+		hawser__figure_draw(figure, "analytic", "with lines lt 7 lw 1.0 dt (14,12)");
+	}
+	put_crossovers(figure, result, irvine, 0);
+	hawser__figure_draw(figure, NULL, "with points pt 7 ps 1.0 lc rgb 'white'");
+	hawser__figure_again(figure, "crossing", HAWSER__CROSSING);
+	put_crossovers(figure, result, irvine, 1);
+	hawser__figure_draw(figure, "veering", HAWSER__VEERING);
 }
 
+/* A panel for each speed, in a grid filled row by row; axes have titles in the left column and in the
+ * bottom row only. */
 enum hawser_status cli_irvine_draw(const char *path, const void *context,
                                    struct hawser_report *report)
 {
+	static const int columns_of[CLI_IRVINE_SPEEDS + 1] = {1, 1, 2, 2, 2, 3, 3, 3, 3, 3, 4, 4, 4};
+	const double logarithmic_from = 5.0; /* ratio of the ends: in a smaller range may be no tic */
 	const struct cli_irvine_result *result = context;
-	struct hawser__diagram diagram[CLI_IRVINE_SPEEDS];
-	struct arrays arrays[CLI_IRVINE_SPEEDS] = {{0}};
-	enum hawser_status status = HAWSER_OK;
 	const struct hawser__axis x = abscissa(result), y = ordinate(result);
 	const struct hawser__axis speed = hawser__axis_of("", "m/s", 0.0);
-	int k;
+	int count = result->sweeps, columns = columns_of[count], rows = (count + columns - 1)/columns;
+	double width = columns == 1 ? 16.0 : 8.5*columns, low, high, top;
+	double height = columns == 1 ? 12.5 : 6.5*rows + 2.3, foot = HAWSER__LEGEND_CM/height;
+	double margin = 0.13*16.0/width, wide = (0.985 - margin)/columns, tall = (0.985 - foot)/rows;
+	struct hawser__figure figure = {0};
+	enum hawser_status status = hawser__figure_begin(&figure, path, width, height, report);
 
-	for (k = 0; k < result->sweeps && !status; k++) {
-		status = allocate(&arrays[k], &result->sweep[k], report);
-		if (status)
-			break;
-		fill(&arrays[k], result, &result->sweep[k], x.per, y.per);
+	if (status)
+		return status;
+	measure(&low, &high, &top, result);
+	for (int k = 0; k < count; k++) {
+		double left = margin + k % columns*wide, bottom = foot + (rows - 1 - k/columns)*tall;
+		int logarithmic = (!result->over_value || result->sweep->irvine.sweep != HAWSER_GIVEN_LENGTH0) &&
+		                  high > logarithmic_from*low;
+
+		hawser__figure_panel(&figure, &(struct hawser__frame){left, count == 1 ? 0.97 : left + 0.9*wide,
+			bottom, count == 1 ? 0.97 : bottom + 0.86*tall, .aside = 0.107*16.0/width,
+			.x = {&x, low, high, .logarithmic = 2*logarithmic, .tics = count == 1 ? 8 : 5,
+			      .untitled = k + columns < count},
+			.y = {&y, 0.0, 1.04*top, .tics = 9, .untitled = k % columns > 0}});
 		if (result->moving)
-			snprintf(arrays[k].note, sizeof arrays[k].note, "{/:Italic v} = %.6g %s",
-			         result->sweep[k].irvine.speed/speed.per, speed.unit);
-		diagram[k] = diagram_of(&arrays[k], result, &result->sweep[k], &x, &y);
+			fprintf(figure.out.script, "set label '{/:Italic v} = %.6g %s' at graph 0.97,0.06 right front\n",
+			        result->sweep[k].irvine.speed/speed.per, speed.unit);
+		draw_panel(&figure, result, &result->sweep[k]);
 	}
-	if (!status)
-		status = hawser__plot_irvine(path, diagram, result->sweeps, report);
-	for (k = 0; k < result->sweeps; k++)
-		release(&arrays[k]);
-	return status;
+	return hawser__figure_finish(&figure, report);
 }

@@ -6,7 +6,7 @@
 #include "cli/frame/cli.h"
 
 enum cli_irvine_unit { CLI_NORMALISED = 0, CLI_RAD_S, CLI_HZ, CLI_PERIOD, CLI_IRVINE_UNITS };
-enum { CLI_IRVINE_SPEEDS = HAWSER__DIAGRAMS };
+enum { CLI_IRVINE_SPEEDS = 12 };
 extern const char *const cli_irvine_units[]; /* "rad/s" */
 
 /* A sweep, and the analytic frequencies that the picture shows with it. */

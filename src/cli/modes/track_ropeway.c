@@ -10,7 +10,9 @@
 #include "cli/frame/progress.h"
 #include "cli/modes/track_ropeway.h"
 #include "core/report.h"
-#include "output/structures/plot_track.h"
+#include "output/drawing/figure.h"
+
+#define PASSING "with lines lc rgb '#909090' lw 0.8 dt (3,3)" /* of carriers */
 
 /* Values of a sweep of campbell and irvine: by default, and at most. */
 enum { POINTS = 41, MOST = CLI_KEY_SWEEP_MOST };
@@ -201,27 +203,119 @@ static void rows(struct hawser__table *table, const void *of)
 	hawser__fields_table(table, &cli_track_rows, of, &view);
 }
 
+/* Lines of the passing of carriers, each with its number where it leaves the panel. */
+static void draw_harmonics(struct hawser__figure *figure, const struct cli_track *t, double last,
+                           double high)
+{
+	for (int k = 1; t->distance > 0.0 && k <= t->harmonics; k++) {
+		double slope = k*2.0*M_PI/t->distance/(t->hertz ? 2.0*M_PI : 1.0), x = fmin(last, high/slope);
+
+		hawser__figure_label(figure, x, slope*x, "right offset -0.6,-0.5 tc rgb '#606060' font ',8'", "%d",
+		                     k);
+		hawser__figure_function(figure, NULL, "%.9g*x " PASSING,
+		                        slope*figure->at.x.axis->per/figure->at.y.axis->per);
+	}
+}
+
+static double shown_frequency(const struct cli_track *t, double omega)
+{
+	return t->hertz ? omega/(2.0*M_PI) : omega;
+}
+
+/* Branches have the colour of their plane. */
+static void draw_branches(struct hawser__figure *figure, const struct cli_track *t)
+{
+	const struct hawser_ropeway_track *track = &t->track;
+
+	for (int k = 0; k < 2*track->branches; k++) { /* those of the plane first */
+		int b = k % track->branches, out = k/track->branches;
+
+		for (int i = 0; i < track->samples && (track->plane[b] == HAWSER_OUT_OF_PLANE) == out; i++)
+			hawser__figure_put(figure, track->sample[i].value,
+			                   shown_frequency(t, track->point[i*track->branches + b].omega));
+		hawser__figure_draw(figure, out ? "out-of-plane" : "in-plane", out
+		                    ? "with lines lt 3 lw 1.1 dt (9,5)" : "with lines lt 1 lw 1.4");
+	}
+	for (int i = 0; i < t->resonances; i++)
+		hawser__figure_put(figure, t->resonance[i].speed, shown_frequency(t, t->resonance[i].omega));
+	hawser__figure_draw(figure, "resonance", "with points pt 12 ps 0.8 lw 1.2 lc rgb '#d55e00'");
+	for (int veers = 0; veers < 2; veers++) {
+		for (int i = 0; i < track->crossovers; i++)
+			if (track->crossover[i].veers == veers)
+				hawser__figure_put(figure, track->crossover[i].value,
+				                   shown_frequency(t, track->crossover[i].omega));
+		if (veers)
+			hawser__figure_draw(figure, "veering", "with points pt 7 ps 0.6 lc rgb 'black'");
+		else
+			hawser__figure_draw(figure, "crossing", "with points pt 6 ps 0.7 lc rgb 'black'");
+	}
+}
+
+/* Numbers of the branches at the last sample, moved apart where they would meet. */
+static void draw_numbers(struct hawser__figure *figure, const struct cli_track *t, double tall)
+{
+	const double apart = 0.028; /* of the height of the axis: between two numbers */
+	const struct hawser_ropeway_track *track = &t->track;
+	const struct hawser_ropeway_track_sample *last = &track->sample[track->samples - 1];
+	const struct hawser_ropeway_track_point *point = track->point + (track->samples - 1)*track->branches;
+	double before = -INFINITY, from = -INFINITY;
+
+	for (int k = 0; k < track->branches; k++) {
+		int next = -1;
+
+		for (int b = 0; b < track->branches; b++)
+			if (point[b].omega > from && (next < 0 || point[b].omega < point[next].omega))
+				next = b;
+		if (next < 0)
+			break;
+		from = point[next].omega;
+		before = fmax(shown_frequency(t, from), before + apart*tall);
+		hawser__figure_label(figure, last->value, before, last->value > track->sample[0].value
+		                     ? "left offset 0.6,0 font ',8'" : "left offset -1.4,0 font ',8'", "%d",
+		                     next + 1);
+	}
+}
+
 static enum hawser_status draw(const char *path, const void *of, struct hawser_report *report)
 {
-	const struct cli_track *t = of;
 	static const char *const title[] = {"Counterweight", "Tension {/:Italic T}_0",
 	                                    "Length of the loop", "Tension of the empty rope"};
+	const double height = 12.0; /* cm */
+	const struct cli_track *t = of;
+	const struct hawser_ropeway_track *track = &t->track;
+	double first = track->sample[0].value, last = track->sample[track->samples - 1].value;
+	double low = INFINITY, high = 0.0, margin;
 	char label[160];
 	const char *what = t->swept == CLI_SWEPT_SPEED ? "Speed {/:Italic v}" : title[t->ropeway.tension];
 	struct hawser__axis x, y = hawser__axis_of("Frequency", t->hertz ? "Hz" : "rad/s", 0.0);
-	double largest = fmax(fabs(t->sweep.value[0]), fabs(t->sweep.value[t->sweep.points - 1]));
+	struct hawser__figure figure = {0};
+	enum hawser_status status = hawser__figure_begin(&figure, path, 17.0, height, report);
 
+	if (status)
+		return status;
 	if (t->swept == CLI_SWEPT_KEY) {
 		cli_key_title(label, sizeof label, t->sweep.key);
 		what = label;
 	}
-	x = hawser__axis_of(what, t->sweep.si, largest);
-	return hawser__plot_track(path, &(struct hawser__track_picture){
-		.track = &t->track, .x_title = x.title, .y_title = y.title, .x_per = x.per,
-		.y_per = y.per*(t->hertz ? 2.0*M_PI : 1.0), .logarithmic = t->logarithmic,
-		.resonance = t->resonance, .resonances = t->resonances,
-		.harmonics = t->distance > 0.0 ? t->harmonics : 0,
-		.slope = t->distance > 0.0 ? 2.0*M_PI/t->distance : 0.0}, report);
+	x = hawser__axis_of(what, t->sweep.si, fmax(fabs(t->sweep.value[0]),
+	                                            fabs(t->sweep.value[t->sweep.points - 1])));
+	for (int i = 0; i < track->samples*track->branches; i++) {
+		low = fmin(low, shown_frequency(t, track->point[i].omega));
+		high = fmax(high, shown_frequency(t, track->point[i].omega));
+	}
+	low = t->distance > 0.0 && t->harmonics > 0 ? 0.0 : low; /* the lines begin at 0 */
+	margin = fmax(0.06*(high - low), 1e-3*high);
+	low = fmax(low - margin, 0.0);
+	high += margin;
+	hawser__figure_panel(&figure, &(struct hawser__frame){0.125, 0.955, HAWSER__LEGEND_CM/height, 0.97,
+		.x = {&x, fmin(first, last), fmax(first, last), .tics = 8, .logarithmic = t->logarithmic},
+		.y = {&y, low, high, .tics = 8}});
+	draw_harmonics(&figure, t, fmax(first, last), high);
+	draw_branches(&figure, t);
+	draw_numbers(&figure, t, high - low);
+	if (t->distance > 0.0 && t->harmonics > 0)
+		hawser__legend_once(&figure.legend, "passing of carriers, and its multiples", PASSING);
+	return hawser__figure_finish(&figure, report);
 }
 
 static const struct cli_showing showing = {

@@ -98,7 +98,7 @@ enum hawser_status hawser__plot_profile(const char *path, const struct hawser__p
 		if (by == !of->timed)
 			hawser__picture_ylabel(&picture, "%s (%%)", of->unit);
 		fprintf(picture.script, "set logscale x\nset xrange [1:%g]\nset xlabel '%s'\n", end, title[by]);
-		hawser__picture_log_tics(&picture, "x", 1.0, end);
+		hawser__picture_log_tics(&picture, "x", 1.0, end, 30.0);
 		plot(picture.script, of, by);
 	}
 	hawser__legend_draw(&picture, &legend);

@@ -292,7 +292,7 @@ static void range(struct hawser__picture *picture, const struct hawser__response
 	if (response->logarithmic && least < most) {
 		least = fmax(0.8*least, 1e-12*most);
 		fprintf(script, "set yrange [%.4g:%.4g]\n", least, 1.5*most);
-		hawser__picture_log_tics(picture, "y", least, 1.5*most);
+		hawser__picture_log_tics(picture, "y", least, 1.5*most, 30.0);
 		return;
 	}
 	fprintf(script, "unset logscale y\nset format y '%%g'\nset yrange [0:%s]\n",

@@ -94,7 +94,7 @@ static void range(struct hawser__picture *picture, const struct hawser__response
 			}
 	if (response->logarithmic && least > 0.0 && most > 10.0*least) {
 		fprintf(script, "set yrange [%.4g:%.4g]\n", 0.7*least, 1.5*most);
-		hawser__picture_log_tics(picture, "y", 0.7*least, 1.5*most);
+		hawser__picture_log_tics(picture, "y", 0.7*least, 1.5*most, 30.0);
 		return;
 	}
 	margin = most > least ? 0.08*(most - least) : fmax(most, 1.0);

@@ -177,7 +177,7 @@ static void spectrum(struct hawser__picture *picture, const struct hawser__histo
 	fprintf(script, "set xrange [0:%.6g]\n", end);
 	if (largest > 0.0) {
 		fprintf(script, "set yrange [%.3g:%.3g]\n", largest*pow(10.0, -decades), 5.0*largest);
-		hawser__picture_log_tics(picture, "y", largest*pow(10.0, -decades), 5.0*largest);
+		hawser__picture_log_tics(picture, "y", largest*pow(10.0, -decades), 5.0*largest, 30.0);
 	}
 	hawser__picture_tics(picture, 'x', 0.0, end, 10);
 	if (forcing > 0.0)

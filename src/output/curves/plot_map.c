@@ -184,7 +184,7 @@ static void colour_bar(struct hawser__picture *picture, const struct hawser__map
 	low -= room;
 	high += room;
 	if (logarithmic)
-		hawser__picture_log_tics(picture, "cb", low, high);
+		hawser__picture_log_tics(picture, "cb", low, high, 30.0);
 	fprintf(script, "set cbrange [%.9g:%.9g]\n", low, high);
 	if (map->basins > 0) {
 		basin_colours(script, map);

@@ -37,7 +37,7 @@ static void abscissa(FILE *script, const struct hawser__sweep_picture *of,
 	}
 	fprintf(script, "set xrange [%.12g:%.12g]\nset format x '%%g'\n", low, high);
 	if (of->logarithmic && low > 0.0)
-		hawser__picture_log_tics(picture, "x", low, high);
+		hawser__picture_log_tics(picture, "x", low, high, 30.0);
 	else
 		hawser__picture_tics(picture, 'x', low, high, 8);
 }

@@ -74,7 +74,8 @@ static void set_range(struct hawser__figure *figure, int axis)
 	else
 		fprintf(script, scale->zero && high > 0.0 ? "set %srange [0:*]\n" : "set %srange [*:*]\n", name);
 	if (scale->logarithmic && scale->tics && ends[0] > 0.0 && ends[1] > ends[0])
-		hawser__picture_log_tics(&figure->out, name, ends[0], ends[1]);
+		hawser__picture_log_tics(&figure->out, name, ends[0], ends[1],
+		                         scale->logarithmic > 1 ? 1e4 : 30.0);
 	else if (scale->logarithmic)
 		fprintf(script, "set logscale %s\nset format %s '10^{%%T}'\n", name, name);
 	else if (scale->tics)
@@ -268,6 +269,18 @@ void hawser__figure_upright(struct hawser__figure *figure, const char *title, do
 		snprintf(entry, sizeof entry, "with lines %.180s", look);
 		hawser__legend_once(&figure->legend, title, entry);
 	}
+}
+
+void hawser__figure_label(struct hawser__figure *figure, double x, double y, const char *settings,
+                          const char *text, ...)
+{
+	va_list args;
+
+	fputs("set label '", figure->out.script);
+	va_start(args, text);
+	vfprintf(figure->out.script, text, args);
+	va_end(args);
+	fprintf(figure->out.script, "' at %.9g,%.9g %s\n", x/per_of(figure, 0), y/per_of(figure, 1), settings);
 }
 
 enum hawser_status hawser__figure_finish(struct hawser__figure *figure, struct hawser_report *report)

@@ -18,7 +18,7 @@ struct hawser__panel_axis {
 	double from, to; /* ends, as points are put; equal: those of the points */
 	double room;     /* beyond the ends of the points, parts of their range */
 	int zero;        /* 1: begins at 0 */
-	int logarithmic;
+	int logarithmic; /* 2: with tics at 1, 2 and 5 in up to four decades */
 	int tics;        /* at most; 0: ends and tics are chosen by gnuplot */
 	int open;        /* 1: with `tics`, the ends (but for a zero) are chosen by gnuplot all the same */
 	int bare;        /* 1: neither numbers nor title, which another panel has */
@@ -31,6 +31,10 @@ struct hawser__frame {
 	const char *title; /* of the vertical axis, if it is not that of `y`; or NULL */
 	double aside;      /* from there to the panel, fraction of the width; 0: 0.107 */
 };
+
+/* Of branches of frequencies along a sweep, where two are closest. */
+#define HAWSER__CROSSING "with points pt 6 ps 1.0 lw 1.2 lc rgb 'black'"
+#define HAWSER__VEERING "with points pt 7 ps 0.5 lc rgb 'black'"
 
 struct hawser__figure {
 	struct hawser__picture out; /* `out.script` takes settings of gnuplot for the open panel */
@@ -73,6 +77,10 @@ void hawser__figure_function(struct hawser__figure *figure, const char *title, c
 /* A line from the foot to the top of the panel. The style is one of lines, "lt 7 dt (4,4)". */
 void hawser__figure_upright(struct hawser__figure *figure, const char *title, double x, const char *style,
                             ...) HAWSER_PRINTF(4, 5);
+
+/* A text at a place, "at X,Y ...", with the settings of gnuplot's labels. */
+void hawser__figure_label(struct hawser__figure *figure, double x, double y, const char *settings,
+                          const char *text, ...) HAWSER_PRINTF(5, 6);
 
 enum hawser_status hawser__figure_finish(struct hawser__figure *figure,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;

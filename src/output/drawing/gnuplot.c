@@ -200,26 +200,27 @@ void hawser__picture_tics(struct hawser__picture *picture, char axis, double low
 	fprintf(picture->script, "set %ctics %.9g\n", axis, step);
 }
 
-/* Labels at powers of ten, MOST_DECADES of them at most; in less than one and a half decades at 1, 2
- * and 5 as well. gnuplot itself may label no power of ten there (5.4), or steps between them (6.0). */
+/* Labels at powers of ten, MOST_DECADES of them at most; up to a ratio of the ends at 1, 2 and 5
+ * as well. gnuplot itself may label no power of ten there (5.4), or steps between them (6.0). */
 void hawser__picture_log_tics(struct hawser__picture *picture, const char *axis, double low,
-                              double high)
+                              double high, double fine)
 {
 	enum { MOST_DECADES = 6 };
 	static const int step[] = {1, 2, 5};
+	const double same = 1e-9; /* round-off of ends */
 	const char *comma = "";
 	double decades = ceil(log10(high/low)/MOST_DECADES);
 
 	fprintf(picture->script, "set logscale %s\n", axis);
-	if (high > 30.0*low) {
+	if (high > fine*low) {
 		fprintf(picture->script, "set %stics %.9g\nset format %s '10^{%%L}'\n", axis,
 		        pow(10.0, decades), axis);
 		return;
 	}
 	fprintf(picture->script, "set format %s '%%g'\nset %stics (", axis, axis);
-	for (double power = pow(10.0, floor(log10(low))); power <= high; power *= 10.0)
+	for (double power = pow(10.0, floor(log10(low))); power <= high*(1.0 + same); power *= 10.0)
 		for (int k = 0; k < 3; k++)
-			if (step[k]*power >= low && step[k]*power <= high) {
+			if (step[k]*power >= low*(1.0 - same) && step[k]*power <= high*(1.0 + same)) {
 				fprintf(picture->script, "%s%.9g", comma, step[k]*power);
 				comma = ", ";
 			}

@@ -51,7 +51,7 @@ void hawser__labels_panel(struct hawser__labels *labels, struct hawser__picture 
 	fputs("unset label\n", picture->script);
 	for (int axis = 0; axis < 2; axis++) {
 		if (labels->logarithmic[axis])
-			hawser__picture_log_tics(picture, name[axis], labels->low[axis], labels->high[axis]);
+			hawser__picture_log_tics(picture, name[axis], labels->low[axis], labels->high[axis], 30.0);
 		else
 			fprintf(picture->script, "unset logscale %s\nset format %s '%%g'\n", name[axis],
 			        name[axis]);

@@ -179,7 +179,7 @@ static void put_range(struct state *s, int axis)
 	if (s->logarithmic[axis] && isfinite(range->low) && isfinite(range->high)) {
 		struct hawser__picture picture = {.script = s->to};
 
-		hawser__picture_log_tics(&picture, (const char[]){name, '\0'}, range->low, range->high);
+		hawser__picture_log_tics(&picture, (const char[]){name, '\0'}, range->low, range->high, 30.0);
 		if (!strcmp(s->format[axis], "''")) /* the panel below has the numbers */
 			fprintf(s->to, "set format %c ''\n", name);
 	}
