@@ -55,16 +55,12 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/curves/plot_frf.h \
 	%D%/curves/plot_frf_detail.c \
 	%D%/curves/plot_frf_tori.c \
-	%D%/curves/plot_integrate.c \
 	%D%/curves/plot_map.c \
 	%D%/cable/plot_modes.c \
 	%D%/curves/plot_motions.c \
 	%D%/curves/plot_motions.h \
 	%D%/cable/plot_precision.c \
-	%D%/cable/plot_profile.c \
-	%D%/cable/plot_profile.h \
 	%D%/cable/plot_statics.c \
-	%D%/curves/plot_sweep.c %D%/curves/plot_sweep.h \
 	%D%/structures/plot_tow.c \
 	%D%/structures/plot_tow.h \
 	%D%/structures/plot_tow_motion.c \

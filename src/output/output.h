@@ -127,6 +127,7 @@ struct hawser__picture {
 	FILE *script;
 	const char *path;
 	double width, height; /* cm */
+	double more;          /* cm: for more than two rows of the legend, below */
 	double left, middle; /* of the panel, for its label */
 };
 /* Check, before a long computation, that gnuplot is available and that the extension of `path` is
@@ -147,7 +148,8 @@ enum hawser_status hawser__picture_finish(struct hawser__picture *picture,
  * the picture then fails. */
 int hawser__picture_stop(void);
 void hawser__picture_abort(struct hawser__picture *picture);
-/* Inner frame of the next panel, as fractions of the picture from its lower left corner. */
+/* Inner frame of the next panel, as fractions of the picture from its lower left corner. Vertical places
+ * stand in the script as "screen up(0.25)", since the title and the legend may make the picture higher. */
 void hawser__picture_panel(struct hawser__picture *picture, double left, double right,
                            double bottom, double top);
 /* Title of the vertical axis of the panel, at a fixed position. gnuplot would place it beside the
@@ -231,28 +233,6 @@ struct hawser__precision {
 /* Error of the frequencies against time, and against the number of modes. */
 enum hawser_status hawser__plot_precision(const char *path, const struct hawser__precision *run,
                                           int runs, const char *reference,
-                                          struct hawser_report *report) HAWSER_MUST_CHECK;
-
-/* One curve of a history: a probe's displacement component, or a coordinate. */
-struct hawser__plot_signal {
-	const char *label;   /* "y, mid" */
-	const double *value; /* [rows] */
-	const double *rate;  /* [rows] its time derivative */
-	const double *amplitude; /* [bins] spectrum */
-};
-struct hawser__history {
-	int rows, bins, signals;
-	int section;         /* 1: rows are whole periods apart, and drawn as points */
-	int settled_from;    /* first row of the settled part, which the phase plane shows */
-	const double *time;  /* [rows] in the unit of the title */
-	const double *frequency; /* [bins] */
-	double forcing;      /* frequency of the forcing in the unit of `frequency`, 0 for none */
-	const char *time_title;
-	struct hawser__axis y, rate, amplitude, spectrum; /* displacement, velocity, and of the spectra */
-	int scaled;          /* 1: displacements may be in mm or µm; in SI */
-	const struct hawser__plot_signal *signal; /* [signals], at most three */
-};
-enum hawser_status hawser__plot_integrate(const char *path, const struct hawser__history *history,
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* A frequency response, in the units of the titles. */

@@ -291,7 +291,6 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 	const struct hawser_motions *motions = &result->motions;
 	size_t all = (size_t)motions->rows*(size_t)motions->runs;
 	double *gap = calloc(2*all + 1, sizeof *gap);
-	struct hawser__axis axis[4];
 	struct hawser__motions shown = {.rows = motions->rows, .time = motions->motion.time,
 		.axis = hawser__axis_of("Time {/:Italic t}", "s", 0.0)};
 	enum hawser_status status;
@@ -303,14 +302,10 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 
 		if (!(motions->run[0].largest[1][k] > 1e-6*motions->run[0].largest[1][3 - k]))
 			continue;
-		axis[shown.panels] = hawser__axis_of(k == 1 ? "{/:Italic y}, mid-span"
-		                                            : "{/:Italic z}, mid-span", "m", 0.0);
-		axis[shown.panels + 1] = hawser__axis_of(k == 1 ? "{/:Italic y} – mesh"
-		                                                : "{/:Italic z} – mesh", "m", 0.0);
-		*of_x = (struct hawser__motion_panel){.title = axis[shown.panels].title,
-			.per = axis[shown.panels].per, .stride = 3*PROBES};
-		*of_gap = (struct hawser__motion_panel){.title = axis[shown.panels + 1].title,
-			.per = axis[shown.panels + 1].per, .stride = 1};
+		*of_x = (struct hawser__motion_panel){.stride = 3*PROBES,
+			.axis = hawser__axis_of(k == 1 ? "{/:Italic y}, mid-span" : "{/:Italic z}, mid-span", "m", 0.0)};
+		*of_gap = (struct hawser__motion_panel){.stride = 1,
+			.axis = hawser__axis_of(k == 1 ? "{/:Italic y} – mesh" : "{/:Italic z} – mesh", "m", 0.0)};
 		for (int r = 0; r < motions->runs && r < HAWSER__MOTION_CURVES; r++) {
 			const struct hawser_motions_run *run = &motions->run[r];
 			double *to = gap + (size_t)(k - 1)*all + (size_t)r*(size_t)motions->rows;

@@ -10,7 +10,7 @@
 #include "cli/model/label.h"
 #include "cli/frame/progress.h"
 #include "core/report.h"
-#include "output/cable/plot_profile.h"
+#include "output/drawing/figure.h"
 
 struct settings {
 	struct cli_common common;
@@ -130,21 +130,86 @@ static int colour_of(const char *method)
 	return colour;
 }
 
+/* How many nets method w solves: those with a finite number. */
+static int solved(const struct cli_compare_statics *result, int w, int by)
+{
+	const double *value = result->sorted[by] + (size_t)w*(size_t)result->of.nets;
+	int count = 0;
+
+	while (count < result->of.nets && isfinite(value[count]))
+		count++;
+	return count;
+}
+
+/* Corners of a stair, from 1 to the end of the axis; so many that files stay small, and dashes visible. */
+static void put_stair(struct hawser__figure *figure, const struct cli_compare_statics *result, int w,
+                      int by, double end)
+{
+	const double *value = result->sorted[by] + (size_t)w*(size_t)result->of.nets;
+	int count = solved(result, w, by), step = 1 + count/150;
+
+	if (count == 0 || value[0] > 1.0)
+		hawser__figure_put(figure, 1.0, 0.0);
+	for (int i = 0; i < count; i++)
+		if (i == count - 1 || (value[i + 1] > value[i] && (i % step == 0 || value[i] <= 1.0)))
+			hawser__figure_put(figure, value[i], 100.0*(i + 1)/result->of.nets);
+	hawser__figure_put(figure, end, 100.0*count/result->of.nets);
+}
+
+/* The end of the axis: the next power of ten above all values. */
+static double end_of(const struct cli_compare_statics *result, int by)
+{
+	double most = 1.0;
+
+	for (int w = 0; w < result->of.ways; w++) {
+		int count = solved(result, w, by);
+
+		if (count > 0)
+			most = fmax(most, result->sorted[by][(size_t)w*(size_t)result->of.nets + (size_t)count - 1]);
+	}
+	return pow(10.0, fmax(ceil(log10(most) + 0.01), 1.0));
+}
+
+/* Performance profiles: the part of nets that each method solves within a multiple of the least time, and
+ * within a number of iterations. */
 static enum hawser_status draw(const char *path, const void *of, struct hawser_report *report)
 {
+	static const char *const colours[] = {"black", "#0072B2", "#8C564B", "#009E73", "#56B4E9", "#D55E00",
+	                                      "#E69F00", "#CC79A7", "#7F7F7F"};
+	static const struct hawser__axis y = {"Nets solved (%)", "", 1.0};
+	static const struct hawser__axis x[] = {{"Processor time, over that of the fastest", "", 1.0},
+	                                        {"Number of iterations", "", 1.0}};
 	const struct cli_compare_statics *result = of;
-	struct hawser__profile shown = {.problems = result->of.nets, .unit = "Nets solved",
-	                                .timed = !result->common->reproducible};
+	int timed = !result->common->reproducible;
+	double height = HAWSER__LEGEND_CM + 7.6 + 0.4;
+	struct hawser__figure figure = {0};
+	enum hawser_status status = hawser__figure_begin(&figure, path, 17.0, height, report);
 
-	for (int w = 0; w < result->of.ways && w < HAWSER__PROFILE_CURVES; w++) {
-		const struct hawser_net_way *way = result->of.score[w].way;
-		size_t first = (size_t)w*(size_t)result->of.nets;
+	if (status)
+		return status;
+	for (int by = timed ? 0 : 1; by < 2; by++) {
+		double end = end_of(result, by);
 
-		shown.curve[shown.curves++] = (struct hawser__profile_curve){
-			way->name, colour_of(way->method), way->start != HAWSER_NET_START_OWN,
-			{result->sorted[0] + first, result->sorted[1] + first}};
+		hawser__figure_panel(&figure, &(struct hawser__frame){by && timed ? 0.6 : 0.14, by ? 0.97 : 0.53,
+			HAWSER__LEGEND_CM/height, 1.0 - 0.4/height,
+			.x = {&x[by], 1.0, end, .logarithmic = 1, .tics = 6},
+			.y = {&y, 0.0, 103.0, .tics = 6, .untitled = by && timed}});
+		for (int w = 0; w < result->of.ways; w++) {
+			const struct hawser_net_way *way = result->of.score[w].way;
+			int colour = colour_of(way->method);
+			char label[80];
+
+			put_stair(&figure, result, w, by, end);
+			snprintf(label, sizeof label, "%s: %.1f %%", way->name,
+			         result->of.nets > 0 ? 100.0*solved(result, w, 1)/result->of.nets : 0.0);
+			hawser__figure_draw(&figure, NULL, "with steps lw %g lc rgb '%s'%s", colour ? 1.6 : 3.0,
+			                    colours[colour % 9], way->start != HAWSER_NET_START_OWN ? " dt (6,4)" : "");
+			hawser__figure_again(&figure, label, "using (NaN):1 with lines lw %g lc rgb '%s'%s",
+			                     colour ? 1.6 : 3.0, colours[colour % 9],
+			                     way->start != HAWSER_NET_START_OWN ? " dt (6,4)" : "");
+		}
 	}
-	return hawser__plot_profile(path, &shown, report);
+	return hawser__figure_finish(&figure, report);
 }
 
 static const struct cli_showing

@@ -112,7 +112,7 @@ enum hawser_status cli_folds_draw(const char *path, const void *context,
 	static const struct hawser__axis load = {"Load, as a factor of the given one", "", 1.0};
 	const struct cli_folds_result *result = context;
 	const struct hawser__axis x = cli_frf_axis(result->model);
-	const double height = 16.5, bottom = 3.5/height, top = 1.0 - 0.4/height;
+	const double height = 16.0, bottom = HAWSER__LEGEND_CM/height, top = 1.0 - 0.4/height;
 	const double middle = 0.5*(bottom + top), per = cli_per_omega(result->model);
 	struct hawser__panel_axis across = {&x, fmin(result->from, result->to)*per,
 	                                    fmax(result->from, result->to)*per, .tics = 10, .bare = 1};

@@ -277,9 +277,9 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 	const struct hawser__axis energy = hawser__axis_of("Energy", "J", 0.0);
 	struct hawser__motions shown = {
 		motion->rows, 2, motion->time, hawser__axis_of("Time {/:Italic t}", "s", 0.0), {
-		{y.title, y.per, 3*motion->probes, 0, {{0}}},
-		{energy.title, energy.per, 1, 3, {{"kinetic", 4, motion->kinetic},
-		                                  {"potential", 5, motion->potential}, {"sum", 6, NULL}}}}};
+		{y, 3*motion->probes, 0, {{0}}},
+		{energy, 1, 3, {{"kinetic", 4, motion->kinetic}, {"potential", 5, motion->potential},
+		                {"sum", 6, NULL}}}}};
 	char label[DRAWN][3*CLI_PROBE_NAME] = {""};
 	double *sum = malloc(((size_t)motion->rows + 1)*sizeof *sum);
 	enum hawser_status status;

@@ -258,14 +258,12 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 		return hawser__no_memory(report, "picture");
 	for (int i = 0; i < result->run.rows; i++)
 		net[i] = motion->work[i] - motion->dissipated[i];
-	shown.panel[0] = (struct hawser__motion_panel){.title = place.title, .per = place.per,
-	                                               .stride = 3*PROBES};
+	shown.panel[0] = (struct hawser__motion_panel){place, .stride = 3*PROBES};
 	for (int k = 1; k < 3; k++)
 		if (k == 1 || result->size[1][2] > 1e-6*result->size[1][1])
 			shown.panel[0].curve[shown.panel[0].curves++] = (struct hawser__motion_curve){
 				label[k], k, &result->run.x[1][k]};
-	shown.panel[1] = (struct hawser__motion_panel){.title = energy.title, .per = energy.per,
-	                                               .stride = 1, .curves = 3};
+	shown.panel[1] = (struct hawser__motion_panel){energy, .stride = 1, .curves = 3};
 	for (int c = 0; c < 3; c++)
 		shown.panel[1].curve[c] = (struct hawser__motion_curve){word[c], c + 3, value[c]};
 	status = hawser__plot_motions(path, &shown, report);

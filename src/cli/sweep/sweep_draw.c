@@ -15,9 +15,9 @@
 #include "cli/sweep/sweep.h"
 #include "core/report.h"
 #include "output/fields/fields.h"
-#include "output/curves/plot_sweep.h"
+#include "output/drawing/figure.h"
 
-enum { PANELS = HAWSER__SWEEP_PANELS, CURVES = HAWSER__SWEEP_CURVES, LABEL = HAWSER__SWEEP_LABEL };
+enum { PANELS = 6, CURVES = 12, LABEL = 120 };
 
 struct drawing {
 	const struct cli_sweep_result *result;
@@ -244,18 +244,14 @@ static long point_of(const struct drawing *of, long line)
 	return found ? (long)(found - of->x) : 0;
 }
 
-static void fill(struct hawser__sweep_picture *picture, double *y, const struct drawing *of)
+/* Values [panels][curves][points], NAN where there is none, and names of the curves. */
+static void fill(double *y, char (*label)[LABEL], const struct drawing *of, size_t curves)
 {
-	struct hawser__axis axis[PANELS];
 	const struct cli_sweep_result *result = of->result;
-	size_t points = (size_t)of->points, curves = (size_t)picture->curves;
+	size_t points = (size_t)of->points;
 
 	for (size_t i = 0; i < points*curves*(size_t)of->panels; i++)
 		y[i] = NAN;
-	for (int p = 0; p < of->panels; p++) {
-		axis[p] = cli_sweep_column_axis(result->column[of->column[p]], of->largest[p]);
-		snprintf(picture->y_title[p], LABEL, "%.119s", axis[p].title);
-	}
 	for (long i = 0; i < result->lines; i++) {
 		size_t curve = (size_t)curve_of(of, i), point = (size_t)point_of(of, i);
 
@@ -263,10 +259,10 @@ static void fill(struct hawser__sweep_picture *picture, double *y, const struct 
 			continue;
 		for (int p = 0; p < of->panels; p++)
 			y[((size_t)p*curves + curve)*points + point] =
-				cli_sweep_number(&result->line[i], of->column[p])/axis[p].per;
+				cli_sweep_number(&result->line[i], of->column[p]);
 		/* a row without result has no words: a later one may name the curve */
-		if (of->curves > 1 && result->line[i].cell && !*picture->label[curve])
-			curve_label(picture->label[curve], of, i);
+		if (of->curves > 1 && result->line[i].cell && !*label[curve])
+			curve_label(label[curve], of, i);
 	}
 }
 
@@ -282,28 +278,59 @@ struct hawser__axis cli_sweep_key_axis(const struct cli_sweep_key *key, double l
 	return hawser__axis_of(title, strcmp(unit, "1") == 0 ? "" : unit, largest);
 }
 
+/* The ends of the abscissa; a range of its own for one value. */
+static struct hawser__panel_axis across(const struct drawing *of, const struct hawser__axis *axis)
+{
+	double low = of->x[0], high = of->x[of->points - 1], part = fmax(0.05*fabs(low), 1e-9);
+	int wide = high > low;
+
+	return (struct hawser__panel_axis){axis, wide ? low : low - part, wide ? high : high + part,
+		.tics = 8, .logarithmic = is_logarithmic(of)};
+}
+
+/* A panel for each quantity, one below the other, a colour for each curve. */
+static enum hawser_status draw_panels(const char *path, const struct drawing *of, const double *y,
+                                      char (*label)[LABEL], int curves, struct hawser_report *report)
+{
+	const struct hawser__axis axis = cli_sweep_key_axis(&of->plan->key[of->key], of->x[of->points - 1]);
+	struct hawser__panel_axis x = across(of, &axis);
+	double tall = of->panels == 1 ? 7.0 : 4.6, foot = *label[0] ? HAWSER__LEGEND_CM : 1.7; /* cm */
+	double height = foot + of->panels*tall + 0.3;
+	struct hawser__figure figure = {0};
+	enum hawser_status status = hawser__figure_begin(&figure, path, 16.0, height, report);
+
+	for (int p = 0; p < of->panels && !status; p++) {
+		const struct hawser__axis quantity =
+			cli_sweep_column_axis(of->result->column[of->column[p]], of->largest[p]);
+		double bottom = foot + (of->panels - 1 - p)*tall;
+
+		x.bare = p + 1 < of->panels;
+		hawser__figure_panel(&figure, &(struct hawser__frame){0.135, 0.965, bottom/height,
+			(bottom + tall - (of->panels == 1 ? 0.0 : 0.35))/height, .x = x,
+			.y = {&quantity, .tics = of->panels == 1 ? 7 : 4, .room = 0.06}});
+		for (int c = 0; c < curves; c++) {
+			for (long i = 0; i < of->points; i++)
+				if (isfinite(y[(p*(long)curves + c)*of->points + i]))
+					hawser__figure_put(&figure, of->x[i], y[(p*(long)curves + c)*of->points + i]);
+			hawser__figure_draw(&figure, label[c], "with linespoints lt %d lw 1.3%s pt 7 ps %s", c % 6 + 1,
+			                    c < 6 ? "" : " dt (8,5)", of->points > 40 ? "0.25" : "0.5");
+		}
+	}
+	return status ? status : hawser__figure_finish(&figure, report);
+}
+
 static enum hawser_status draw(const char *path, struct drawing *of, struct hawser_report *report)
 {
-	struct hawser__sweep_picture *picture = calloc(1, sizeof *picture);
 	int curves = of->curves < CURVES ? (int)of->curves : CURVES;
-	size_t count = (size_t)of->points*(size_t)curves*(size_t)of->panels;
-	double *y = malloc(count*sizeof *y);
-	struct hawser__axis axis;
-	enum hawser_status status = picture && y ? HAWSER_OK : hawser__no_memory(report, "sweep");
+	char (*label)[LABEL] = calloc(CURVES, sizeof *label);
+	double *y = malloc((size_t)of->points*(size_t)curves*(size_t)of->panels*sizeof *y);
+	enum hawser_status status = label && y ? HAWSER_OK : hawser__no_memory(report, "sweep");
 
 	if (!status) {
-		*picture = (struct hawser__sweep_picture){.panels = of->panels, .curves = curves,
-			.points = (int)of->points, .logarithmic = is_logarithmic(of), .x = of->x, .y = y};
-		fill(picture, y, of);
-		axis = cli_sweep_key_axis(&of->plan->key[of->key], of->x[of->points - 1]);
-		for (long i = 0; i < of->points; i++)
-			of->x[i] /= axis.per;
-		picture->x_title = axis.title;
-		status = hawser__plot_sweep(path, picture, report);
-		for (long i = 0; i < of->points; i++)
-			of->x[i] *= axis.per;
+		fill(y, label, of, (size_t)curves);
+		status = draw_panels(path, of, y, label, curves, report);
 	}
-	free(picture);
+	free(label);
 	free(y);
 	return status;
 }

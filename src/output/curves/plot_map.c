@@ -197,9 +197,9 @@ static void colour_bar(struct hawser__picture *picture, const struct hawser__map
 		even_colours(script);
 	else
 		sided_colours(script, border_part(map, low, high, logarithmic));
-	fprintf(script, "set colorbox user origin screen 0.82, screen 0.26 size screen 0.025, "
+	fprintf(script, "set colorbox user origin screen 0.82, screen up(0.26) size screen 0.025, "
 	                "screen 0.70\nset cbtics out scale 0.5\n");
-	fprintf(script, "set label 1001 '%s' at screen 0.97, screen 0.61 center rotate by 90\n",
+	fprintf(script, "set label 1001 '%s' at screen 0.97, screen up(0.61) center rotate by 90\n",
 	        map->title);
 }
 

@@ -7,8 +7,7 @@
 
 enum { HAWSER__MOTION_CURVES = 8, HAWSER__MOTION_PANELS = 4 };
 struct hawser__motion_panel {
-	const char *title; /* of the axis, with its unit, in gnuplot's markup */
-	double per;        /* by which values are divided */
+	struct hawser__axis axis; /* of the values */
 	int stride;        /* of the values of successive rows */
 	int curves;
 	struct hawser__motion_curve {

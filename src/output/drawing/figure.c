@@ -12,6 +12,7 @@
 
 #include "core/report.h"
 #include "output/drawing/figure.h"
+#include "output/drawing/picture_choice.h"
 
 static const char axis_name[] = "xy";
 
@@ -58,10 +59,62 @@ static void widen(double ends[2], const struct hawser__panel_axis *scale)
 	ends[1] += part;
 }
 
-static void set_range(struct hawser__figure *figure, int axis)
+/* The title of an axis, whether the panel shows it or not. */
+static const char *title_of(const struct hawser__figure *figure, int axis)
+{
+	const struct hawser__axis *of = panel_axis(figure, axis)->axis;
+
+	return axis && figure->at.title ? figure->at.title : of ? of->title : "";
+}
+
+/* The range that the user has chosen, which is for the first panel and those with its axis, or NULL. */
+static const struct hawser__picture_range *chosen_range(const struct hawser__figure *figure, int axis)
+{
+	return strcmp(title_of(figure, axis), figure->first[axis]) ? NULL : hawser__picture_range_of(axis);
+}
+
+/* 1 if a place is beyond the chosen range of its axis: gnuplot would draw marks outside of the panel. */
+static int beyond(const struct hawser__figure *figure, int axis, double value)
+{
+	const struct hawser__picture_range *range = chosen_range(figure, axis);
+
+	return range && (value < range->low || value > range->high);
+}
+
+static void put_limit(FILE *to, double limit, const char *after)
+{
+	if (isfinite(limit))
+		fprintf(to, "%.12g%s", limit, after);
+	else
+		fprintf(to, "*%s", after);
+}
+
+static void set_tics(struct hawser__figure *figure, int axis, double low, double high)
 {
 	const struct hawser__panel_axis *scale = panel_axis(figure, axis);
 	const char name[] = {axis_name[axis], '\0'};
+
+	if (scale->logarithmic && scale->tics && low > 0.0 && high > low && isfinite(high))
+		hawser__picture_log_tics(&figure->out, name, low, high, scale->logarithmic > 1 ? 1e4 : 30.0);
+	else if (scale->logarithmic)
+		fprintf(figure->out.script, "set logscale %s\nset format %s '10^{%%T}'\n", name, name);
+	else if (scale->tics && isfinite(low) && isfinite(high))
+		hawser__picture_tics(&figure->out, *name, low, high, scale->tics);
+}
+
+static void set_chosen(struct hawser__figure *figure, int axis, const struct hawser__picture_range *range)
+{
+	FILE *script = figure->out.script;
+
+	fprintf(script, "set %crange [", axis_name[axis]);
+	put_limit(script, range->low, ":");
+	put_limit(script, range->high, "]\n");
+	set_tics(figure, axis, range->low, range->high);
+}
+
+static void set_range(struct hawser__figure *figure, int axis)
+{
+	const struct hawser__panel_axis *scale = panel_axis(figure, axis);
 	const int given = scale->from != scale->to;
 	double per = per_of(figure, axis), low = given ? scale->from/per : figure->low[axis];
 	double high = given ? scale->to/per : figure->high[axis], ends[] = {low, high};
@@ -70,34 +123,33 @@ static void set_range(struct hawser__figure *figure, int axis)
 	if (!given)
 		widen(ends, scale);
 	if (given || (scale->tics && !scale->open))
-		fprintf(script, "set %srange [%.12g:%.12g]\n", name, ends[0], ends[1]);
+		fprintf(script, "set %crange [%.12g:%.12g]\n", axis_name[axis], ends[0], ends[1]);
 	else
-		fprintf(script, scale->zero && high > 0.0 ? "set %srange [0:*]\n" : "set %srange [*:*]\n", name);
-	if (scale->logarithmic && scale->tics && ends[0] > 0.0 && ends[1] > ends[0])
-		hawser__picture_log_tics(&figure->out, name, ends[0], ends[1],
-		                         scale->logarithmic > 1 ? 1e4 : 30.0);
-	else if (scale->logarithmic)
-		fprintf(script, "set logscale %s\nset format %s '10^{%%T}'\n", name, name);
-	else if (scale->tics)
-		hawser__picture_tics(&figure->out, *name, scale->zero ? 0.0 : fmin(low, high), fmax(low, high),
-		                     scale->tics);
+		fprintf(script, scale->zero && high > 0.0 ? "set %crange [0:*]\n" : "set %crange [*:*]\n",
+		        axis_name[axis]);
+	if (scale->logarithmic)
+		set_tics(figure, axis, ends[0], ends[1]);
+	else
+		set_tics(figure, axis, scale->zero ? 0.0 : fmin(low, high), fmax(low, high));
 }
 
 static void set_scale(struct hawser__figure *figure, int axis)
 {
 	const struct hawser__panel_axis *scale = panel_axis(figure, axis);
-	const char *title = axis && figure->at.title ? figure->at.title : scale->axis ? scale->axis->title : "";
+	const struct hawser__picture_range *chosen = chosen_range(figure, axis);
+	const char *title = scale->bare || scale->untitled ? "" : title_of(figure, axis);
 	FILE *script = figure->out.script;
 	char name = axis_name[axis];
 
-	if (!scale->as_set) {
+	if (!scale->as_set)
 		fprintf(script, "unset logscale %c\nset format %c '%%g'\nset %ctics autofreq\n", name, name, name);
+	figure->logarithmic[axis] |= chosen && scale->logarithmic;
+	if (chosen)
+		set_chosen(figure, axis, chosen);
+	else if (!scale->as_set)
 		set_range(figure, axis);
-	}
 	if (scale->bare)
 		fprintf(script, "set format %c ''\n", name);
-	if (scale->bare || scale->untitled)
-		title = "";
 	if (axis && *title)
 		hawser__picture_ylabel(&figure->out, "%s", title);
 	else if (*title)
@@ -133,6 +185,10 @@ void hawser__figure_panel(struct hawser__figure *figure, const struct hawser__fr
 {
 	end_panel(figure);
 	figure->at = *at;
+	if (at->x.axis)
+		figure->at.x.axis = memcpy(&figure->axis[0], at->x.axis, sizeof *figure->axis);
+	if (at->y.axis)
+		figure->at.y.axis = memcpy(&figure->axis[1], at->y.axis, sizeof *figure->axis);
 	for (int axis = 0; axis < 2; axis++) {
 		figure->low[axis] = INFINITY;
 		figure->high[axis] = -INFINITY;
@@ -141,6 +197,11 @@ void hawser__figure_panel(struct hawser__figure *figure, const struct hawser__fr
 	if (at->aside > 0.0)
 		figure->out.left += 0.107 - at->aside;
 	fputs("unset label\nunset arrow\n", figure->out.script);
+	if (!figure->panels++) {
+		hawser__picture_title(figure->out.script);
+		for (int axis = 0; axis < 2; axis++)
+			snprintf(figure->first[axis], sizeof figure->first[axis], "%s", title_of(figure, axis));
+	}
 	figure->plot = open_memstream(&figure->text, &figure->size);
 }
 
@@ -261,8 +322,9 @@ void hawser__figure_upright(struct hawser__figure *figure, const char *title, do
 	va_start(args, style);
 	vsnprintf(look, sizeof look, style, args);
 	va_end(args);
-	fprintf(figure->out.script,
-	        "set arrow from first %.12g, graph 0 to first %.12g, graph 1 nohead %s\n", at, at, look);
+	if (!beyond(figure, 0, at))
+		fprintf(figure->out.script,
+		        "set arrow from first %.12g, graph 0 to first %.12g, graph 1 nohead %s\n", at, at, look);
 	if (title && *title) {
 		char entry[STYLE];
 
@@ -274,18 +336,30 @@ void hawser__figure_upright(struct hawser__figure *figure, const char *title, do
 void hawser__figure_label(struct hawser__figure *figure, double x, double y, const char *settings,
                           const char *text, ...)
 {
+	double at[] = {x/per_of(figure, 0), y/per_of(figure, 1)};
 	va_list args;
 
+	if (beyond(figure, 0, at[0]) || beyond(figure, 1, at[1]))
+		return;
 	fputs("set label '", figure->out.script);
 	va_start(args, text);
 	vfprintf(figure->out.script, text, args);
 	va_end(args);
-	fprintf(figure->out.script, "' at %.9g,%.9g %s\n", x/per_of(figure, 0), y/per_of(figure, 1), settings);
+	fprintf(figure->out.script, "' at %.9g,%.9g %s\n", at[0], at[1], settings);
 }
 
 enum hawser_status hawser__figure_finish(struct hawser__figure *figure, struct hawser_report *report)
 {
+	enum hawser_status status = HAWSER_OK;
+
 	end_panel(figure);
+	for (int axis = 0; axis < 2 && !status; axis++)
+		if (figure->logarithmic[axis])
+			status = hawser__picture_logarithmic(axis_name[axis], report);
+	if (status) {
+		hawser__figure_abort(figure);
+		return status;
+	}
 	if (figure->legend.count)
 		hawser__legend_draw(&figure->out, &figure->legend);
 	return hawser__picture_finish(&figure->out, report);

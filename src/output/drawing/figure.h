@@ -39,10 +39,14 @@ struct hawser__frame {
 struct hawser__figure {
 	struct hawser__picture out; /* `out.script` takes settings of gnuplot for the open panel */
 	struct hawser__legend legend;
-	struct hawser__frame at;    /* the open panel */
+	struct hawser__frame at;    /* the open panel, whose axes are */
+	struct hawser__axis axis[2];
 	double low[2], high[2];     /* of its points, as they are shown */
 	int blocks, rows, gap;      /* blocks of data; rows of the open block; 1: its last line is empty */
 	int drawn;                  /* 1: the last block is in the plot */
+	int panels;                 /* so far */
+	char first[2][HAWSER__AXIS_SIZE]; /* titles of the axes of the first one */
+	int logarithmic[2];         /* 1: the user has chosen a range of an axis that is logarithmic */
 	FILE *plot;                 /* what the open panel draws; NULL: none is open */
 	char *text;
 	size_t size;

@@ -135,26 +135,45 @@ enum hawser_status hawser__picture_begin(struct hawser__picture *picture, const 
                                          double width_cm, double height_cm,
                                          struct hawser_report *report)
 {
-	const struct terminal *terminal = terminal_for(path);
-	double size[2], smaller = hawser__picture_size(size, width_cm, height_cm);
-	enum hawser_status status;
-
 	memset(picture, 0, sizeof *picture);
 	picture->path = path;
 	picture->width = width_cm;
 	picture->height = height_cm;
-	if (!terminal) {
-		status = hawser__picture_check(path, report);
+	if (!terminal_for(path)) {
+		enum hawser_status status = hawser__picture_check(path, report);
+
 		return status ? status : HAWSER_ERR_ARGUMENT;
 	}
 	picture->script = tmpfile();
-	if (!picture->script)
+	return picture->script ? HAWSER_OK : no_file(report);
+}
+
+/* Put before the script what needs the height with all rows of the legend: the terminal, and the place
+ * up(y) of what stands at the part y of the height that the picture was begun with. */
+static enum hawser_status complete(struct hawser__picture *picture, struct hawser_report *report)
+{
+	const struct terminal *terminal = terminal_for(picture->path);
+	double height = picture->height + picture->more, size[2];
+	double smaller = hawser__picture_size(size, picture->width, height);
+	FILE *whole = tmpfile(), *body = picture->script;
+	char text[4096]; /* a page at a time */
+	size_t length;
+
+	if (!whole)
 		return no_file(report);
-	fputs("set terminal ", picture->script);
-	fprintf(picture->script, terminal->setting, size[0]*terminal->per_cm, size[1]*terminal->per_cm,
+	picture->script = whole;
+	fputs("set terminal ", whole);
+	fprintf(whole, terminal->setting, size[0]*terminal->per_cm, size[1]*terminal->per_cm,
 	        smaller*terminal->letters);
-	fprintf(picture->script, "\n%s", hawser__picture_look);
-	return HAWSER_OK;
+	fprintf(whole, "\nup(y) = %.9g*(%.9g*y + %.9g)/%.9g\n%s", hawser__picture_below_title(height),
+	        picture->height, picture->more, height, hawser__picture_look);
+	rewind(body);
+	while ((length = fread(text, 1, sizeof text, body)) > 0)
+		(void)!fwrite(text, 1, length, whole);
+	length = (size_t)ferror(body);
+	fclose(body);
+	picture->height = height;
+	return length || fflush(whole) != 0 || ferror(whole) ? no_file(report) : HAWSER_OK;
 }
 
 void hawser__picture_panel(struct hawser__picture *picture, double left, double right,
@@ -165,7 +184,7 @@ void hawser__picture_panel(struct hawser__picture *picture, double left, double 
 	hawser__frames_ask(picture->script);
 	fprintf(picture->script,
 	        "set lmargin at screen %.4f\nset rmargin at screen %.4f\n"
-	        "set bmargin at screen %.4f\nset tmargin at screen %.4f\n", left, right, bottom, top);
+	        "set bmargin at screen up(%.4f)\nset tmargin at screen up(%.4f)\n", left, right, bottom, top);
 }
 
 void hawser__picture_ylabel(struct hawser__picture *picture, const char *format, ...)
@@ -176,7 +195,7 @@ void hawser__picture_ylabel(struct hawser__picture *picture, const char *format,
 	va_start(args, format);
 	vfprintf(picture->script, format, args);
 	va_end(args);
-	fprintf(picture->script, "' at screen %.4f, screen %.4f center rotate by 90\n",
+	fprintf(picture->script, "' at screen %.4f, screen up(%.4f) center rotate by 90\n",
 	        picture->left - 0.107, picture->middle);
 }
 
@@ -417,16 +436,13 @@ enum hawser_status hawser__picture_finish(struct hawser__picture *picture,
 
 	hawser__frames_ask(picture->script);
 	fputs("unset multiplot\n", picture->script);
-	if (fflush(picture->script) != 0 || ferror(picture->script)) {
-		hawser__picture_abort(picture);
-		return no_file(report);
-	}
-	rewind(picture->script);
-	status = hawser__picture_adjust(&picture->script, picture->height, report);
+	status = fflush(picture->script) != 0 || ferror(picture->script) ? no_file(report)
+	                                                                 : complete(picture, report);
 	if (status) {
 		hawser__picture_abort(picture);
 		return status;
 	}
+	rewind(picture->script);
 	status = hawser__file_begin(&file, picture->path, report);
 	if (!status) {
 		fflush(file.stream);

@@ -127,7 +127,7 @@ void hawser__labels_put(struct hawser__labels *labels, struct hawser__picture *p
 		if (!free_at(labels, at, up, wide, half_height))
 			continue;
 		take(labels, at, up, wide, half_height);
-		fprintf(picture->script, "set label %d '%d' at screen %.4f, screen %.4f center tc lt %d "
+		fprintf(picture->script, "set label %d '%d' at screen %.4f, screen up(%.4f) center tc lt %d "
 		                         "font ',9'\n", ++labels->labels, number, at/picture->width,
 		        up/picture->height, colour);
 		return;

@@ -86,9 +86,9 @@ void hawser__eye_axes(FILE *script, const struct hawser__eye *eye, const struct 
 		if (hypot(cm[0], cm[1]) < 0.1) /* towards the eye */
 			continue;
 		name = 1.0 + NAME_CM/hypot(cm[0], cm[1]);
-		fprintf(script, "set arrow from screen %.4f, screen %.4f to screen %.4f, screen %.4f "
+		fprintf(script, "set arrow from screen %.4f, screen up(%.4f) to screen %.4f, screen up(%.4f) "
 		        "size screen 0.006,20,60 filled lw 0.8 lc rgb '#606060'\n"
-		        "set label '{/:Italic %c}' at screen %.4f, screen %.4f center tc rgb '#606060'\n",
+		        "set label '{/:Italic %c}' at screen %.4f, screen up(%.4f) center tc rgb '#606060'\n",
 		        at->x/at->width, at->y/at->height, (at->x + cm[0])/at->width,
 		        (at->y + cm[1])/at->height, "xyz"[k], (at->x + name*cm[0])/at->width,
 		        (at->y + name*cm[1])/at->height);

@@ -29,10 +29,11 @@ double hawser__picture_size(double size[2], double width, double height);
 enum hawser_status hawser__picture_logarithmic(char axis,
                                                struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* Replace the script, which is at its begin, by one with the chosen title and ranges. `height`: of the
- * picture itself, cm. Returns HAWSER_ERR_ARGUMENT if a logarithmic axis has no such range, and
- * HAWSER_ERR_IO. */
-enum hawser_status hawser__picture_adjust(FILE **script, double height,
-                                          struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Part of a picture of that height (cm) that is below its title; 1 without one. */
+double hawser__picture_below_title(double height);
+/* Write the title into the script, for the panel that is open. */
+void hawser__picture_title(FILE *script);
+/* What is chosen for the axis 0 (x) or 1 (y), or NULL. */
+const struct hawser__picture_range *hawser__picture_range_of(int axis);
 
 #endif

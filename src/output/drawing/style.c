@@ -123,6 +123,7 @@ void hawser__legend_draw(struct hawser__picture *picture, const struct hawser__l
 	double width[HAWSER__LEGEND_MOST], sum, x;
 	int rows = rows_for(width, &sum, legend, picture->width);
 
+	picture->more = pitch*fmax(rows - 2.0, 0.0);
 	hawser__picture_panel(picture, 0.05, 0.95, 0.001, 0.004);
 	fprintf(picture->script,
 	        "unset arrow\nunset label\nunset object\nunset title\nunset border\nunset tics\n"
@@ -133,8 +134,8 @@ void hawser__legend_draw(struct hawser__picture *picture, const struct hawser__l
 		double y = foot + pitch*(rows - 1 - k % rows);
 
 		fprintf(picture->script,
-		        "set key at screen %.4f, screen %.4f left bottom Left reverse samplen 2.5\n"
-		        "plot NaN %s title '%s'\n", x/picture->width, y/picture->height,
+		        "set key at screen %.4f, screen up(%.5f) left bottom Left reverse samplen 2.5\n"
+		        "plot NaN %s title '%s'\n", x/picture->width, (y - picture->more)/picture->height,
 		        legend->entry[k].style, legend->entry[k].title);
 		if (k % rows == rows - 1)
 			/* NOLINTNEXTLINE(clang-analyzer-core.uninitialized.Assign): rows_for() fills all columns */
