@@ -34,6 +34,15 @@ static double per_of(const struct hawser__figure *figure, int axis)
 	return of ? of->per : 1.0;
 }
 
+/* 1 if the values vary by round-off alone, or by less than numbers at gnuplot's own tics show: they are
+ * drawn as a straight line. */
+static int is_even(const double ends[2], const struct hawser__panel_axis *scale)
+{
+	double size = fmax(fabs(ends[0]), fabs(ends[1]));
+
+	return !(ends[1] - ends[0] > (scale->tics ? 1e-9 : 1e-7)*size);
+}
+
 /* Ends of an axis with tics, as they are shown, from those of the points. */
 static void widen(double ends[2], const struct hawser__panel_axis *scale)
 {
@@ -52,9 +61,8 @@ static void widen(double ends[2], const struct hawser__panel_axis *scale)
 		ends[1] *= part;
 		return;
 	}
-	/* what varies by round-off alone is drawn as a straight line */
 	size = fmax(fabs(ends[0]), fabs(ends[1]));
-	part = ends[1] - ends[0] > 1e-9*size ? scale->room*(ends[1] - ends[0]) : size > 0.0 ? 0.05*size : 1.0;
+	part = !is_even(ends, scale) ? scale->room*(ends[1] - ends[0]) : size > 0.0 ? 0.05*size : 1.0;
 	ends[0] -= part;
 	ends[1] += part;
 }
@@ -122,7 +130,7 @@ static void set_range(struct hawser__figure *figure, int axis)
 
 	if (!given)
 		widen(ends, scale);
-	if (given || (scale->tics && !scale->open))
+	if (given || (scale->tics && !scale->open) || (!scale->zero && is_even((double[]){low, high}, scale)))
 		fprintf(script, "set %crange [%.12g:%.12g]\n", axis_name[axis], ends[0], ends[1]);
 	else
 		fprintf(script, scale->zero && high > 0.0 ? "set %crange [0:*]\n" : "set %crange [*:*]\n",
@@ -233,7 +241,7 @@ void hawser__figure_row(struct hawser__figure *figure, const char *columns, cons
 
 		if (letter && letter - letters < 2)
 			see(figure, axis, shown);
-		fprintf(figure->out.script, k ? " %.12g" : "%.12g", shown);
+		fprintf(figure->out.script, k ? " %.9g" : "%.12g", shown);
 	}
 	fputc('\n', figure->out.script);
 	figure->gap = 0;
