@@ -154,6 +154,9 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/curves/frf_notes.c \
 	%D%/curves/frf_cover.h \
 	%D%/curves/frf_switch.c \
+	%D%/curves/frf_crowds.c \
+	%D%/curves/frf_curves.c \
+	%D%/curves/frf_picture.h \
 	%D%/curves/frf_draw.c \
 	%D%/curves/frf_fields.c \
 	%D%/curves/frf_lift.c \

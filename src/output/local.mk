@@ -51,10 +51,6 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/structures/plot_ropeway_modes.h \
 	%D%/curves/plot_locus.c \
 	%D%/curves/plot_locus.h \
-	%D%/curves/plot_frf.c \
-	%D%/curves/plot_frf.h \
-	%D%/curves/plot_frf_detail.c \
-	%D%/curves/plot_frf_tori.c \
 	%D%/curves/plot_map.c \
 	%D%/cable/plot_modes.c \
 	%D%/curves/plot_motions.c \

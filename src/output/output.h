@@ -235,61 +235,6 @@ enum hawser_status hawser__plot_precision(const char *path, const struct hawser_
                                           int runs, const char *reference,
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* A frequency response, in the units of the titles. */
-/* A located peak of a curve. */
-struct hawser__response_peak {
-	int curve;
-	double omega, amplitude;
-};
-struct hawser__response_event {
-	enum hawser_event_kind kind;
-	double omega;
-	int after;       /* index of the last point before it */
-	double fraction; /* of the way from there to the next point */
-};
-struct hawser__response_curve {
-	const char *label; /* "mid-span"; "" if the title of the panel suffices */
-	int panel;         /* index into panel_label */
-	const double *amplitude; /* [points] */
-};
-struct hawser__response_sweep {
-	const char *label; /* "up-sweep" */
-	int points;
-	const double *omega;     /* [points] */
-	const double *amplitude; /* [curves][points] */
-};
-/* Another curve: an approximation or a backbone, dotted and over the curves; or the stable or the
- * unstable parts of another response, pale and behind them. Where an amplitude is NAN the line has a
- * gap. */
-struct hawser__response_overlay {
-	const char *label; /* "": it is not in the legend */
-	int points;
-	const double *omega;     /* [points] */
-	const double *amplitude; /* [curves][points] */
-	int beside; /* 0: over the curves; 1: stable parts of another response; 2: unstable ones */
-};
-struct hawser__response {
-	int points, curves, panels, events, peaks, naturals, sweeps, logarithmic, overlays;
-	const char *x_title;
-	const double *omega; /* [points] */
-	const int *unstable; /* [points] count of multipliers outside the unit circle */
-	const int *branch; /* [points] number of the branch, or NULL: no line joins two of them */
-	const char *const *panel_label; /* [panels] axis titles */
-	const struct hawser__response_curve *curve; /* [curves] */
-	const struct hawser__response_event *event; /* [events] */
-	const struct hawser__response_peak *peak; /* [peaks] */
-	const double *natural; /* [naturals] natural frequencies, ascending */
-	const struct hawser__response_sweep *sweep; /* [sweeps], at most two */
-	const struct hawser__response_overlay *overlay; /* [overlays], at most four */
-	double from, to;
-	int gaps;
-	const double *gap; /* [gaps][2] from and to, where no branch was found */
-	int tori;
-	const struct hawser__response_torus *torus; /* [tori], plot_frf.h */
-};
-enum hawser_status hawser__plot_frf(const char *path, const struct hawser__response *response,
-                                    struct hawser_report *report) HAWSER_MUST_CHECK;
-
 /* A map over two parameters. */
 struct hawser__map_picture {
 	int nx, ny, segments;

@@ -11,35 +11,16 @@
 
 #include "cli/curves/frf_cover.h"
 #include "cli/curves/frf_over.h"
-#include "cli/curves/frf_tori.h"
+#include "cli/curves/frf_picture.h"
 #include "cli/frame/view.h"
 #include "core/report.h"
 
-enum { most_panels = 3, most_curves = 6, label_size = 192 };
+enum { label_size = CLI_FRF_LABEL };
 
 /* A panel whose amplitudes are below this fraction of the largest amplitude shows round-off. */
 static const double visible = 1e-9;
 /* If the ratio of large to small amplitudes exceeds this, a linear axis hides the small ones. */
 static const double log_ratio = 100.0;
-
-struct picture {
-	struct hawser__response response;
-	struct hawser__axis x, y;
-	double per_omega, per_length; /* shown units per unit of the model */
-	struct hawser__response_curve curve[most_curves];
-	struct hawser__response_sweep sweep[2];
-	struct hawser__response_overlay overlay[CLI_OVERLAYS];
-	const char *panel_label[most_panels];
-	char label[most_curves][label_size], panel[most_panels][label_size];
-	int source[most_curves]; /* index into a row of probes (3*p + c), or of coordinates */
-	double *store;           /* all arrays with the length of the curve */
-	int *unstable;
-	int probed; /* 1: the curves are of probes */
-	struct hawser__response_event *event;
-	struct hawser__response_peak *peak; /* with room for the curves of all branches */
-	double *natural, *gap;
-	struct hawser__response_torus *torus; /* [response.tori] */
-};
 
 /* Names come from files: only letters, digits and blanks are written to the script. */
 static void plain(char *label, const char *name)
@@ -78,15 +59,13 @@ static int probe_named(const struct hawser_rom_shapes *shapes, const char *name,
 	return otherwise < shapes->points ? otherwise : shapes->points - 1;
 }
 
-static void add_curve(struct picture *picture, const char *name, int panel, int source)
+static void add_curve(struct cli_frf_picture *of, const char *name, int panel, int source)
 {
-	struct hawser__response *response = &picture->response;
-	int k = response->curves++;
+	struct cli_frf_curve *curve = &of->curve[of->curves++];
 
-	name_probe(picture->label[k], name);
-	picture->curve[k].label = picture->label[k];
-	picture->curve[k].panel = panel;
-	picture->source[k] = source;
+	name_probe(curve->label, name);
+	curve->panel = panel;
+	curve->source = source;
 }
 
 static double largest(const double *rows, int count, int stride, int source)
@@ -99,20 +78,20 @@ static double largest(const double *rows, int count, int stride, int source)
 	return most;
 }
 
-static void name_panel(struct picture *picture, int panel, const char *what)
+static void name_panel(struct cli_frf_picture *of, int panel, const char *what)
 {
-	const char *unit = picture->y.unit;
+	const char *unit = of->y.unit;
 
-	snprintf(picture->panel[panel], label_size, "Amplitude of %s%s%s%s", what,
+	snprintf(of->panel[panel], label_size, "Amplitude of %s%s%s%s", what,
 	         *unit ? " (" : "", unit, *unit ? ")" : "");
 }
 
 /* The absorber with the largest stroke in a panel of its own, by the component that is largest. */
-static void choose_stroke(struct picture *picture, const struct cli_frf_result *result)
+static void choose_stroke(struct cli_frf_picture *of)
 {
-	const struct hawser_rom_shapes *shapes = &result->model->rom.shapes;
-	const struct hawser_frf *frf = result->frf;
-	int panel = picture->response.panels, stride = 3*frf->probes, source = -1;
+	const struct hawser_rom_shapes *shapes = &of->result->model->rom.shapes;
+	const struct hawser_frf *frf = of->result->frf;
+	int panel = of->panels, stride = 3*frf->probes, source = -1;
 	double most = 0.0;
 	char name[label_size], what[64];
 
@@ -124,19 +103,19 @@ static void choose_stroke(struct picture *picture, const struct cli_frf_result *
 		}
 	if (source < 0)
 		return;
-	add_curve(picture, shapes->name[source/3], panel, source);
+	add_curve(of, shapes->name[source/3], panel, source);
 	plain(name, shapes->name[source/3]);
 	snprintf(what, sizeof what, "{/:Italic %c}, %.30s", "xyz"[source % 3], name);
-	name_panel(picture, panel, what);
-	picture->response.panels++;
+	name_panel(of, panel, what);
+	of->panels++;
 }
 
 static const char *const axis_name[] = {"{/:Italic x}", "{/:Italic y}", "{/:Italic z}"};
 
-static void choose_probes(struct picture *picture, const struct cli_frf_result *result)
+static void choose_probes(struct cli_frf_picture *of)
 {
-	const struct hawser_rom_shapes *shapes = &result->model->rom.shapes;
-	const struct hawser_frf *frf = result->frf;
+	const struct hawser_rom_shapes *shapes = &of->result->model->rom.shapes;
+	const struct hawser_frf *frf = of->result->frf;
 	int point[2] = {probe_named(shapes, "quarter", 0), probe_named(shapes, "mid", 1)};
 	int probes = point[0] == point[1] ? 1 : 2, stride = 3*frf->probes, c, p;
 	double most[3] = {0.0, 0.0, 0.0};
@@ -145,29 +124,29 @@ static void choose_probes(struct picture *picture, const struct cli_frf_result *
 		for (p = 0; p < probes; p++)
 			most[c] = fmax(most[c], largest(frf->probe, frf->points, stride, 3*point[p] + c));
 	for (c = 2; c > 0; c--) {
-		int panel = picture->response.panels;
+		int panel = of->panels;
 
 		if (most[c] <= visible*most[3 - c])
 			continue;
-		name_panel(picture, panel, axis_name[c]);
+		name_panel(of, panel, axis_name[c]);
 		for (p = 0; p < probes; p++)
-			add_curve(picture, shapes->name[point[p]], panel, 3*point[p] + c);
-		picture->response.panels++;
+			add_curve(of, shapes->name[point[p]], panel, 3*point[p] + c);
+		of->panels++;
 	}
-	choose_stroke(picture, result);
+	choose_stroke(of);
 }
 
-static void choose_coordinates(struct picture *picture, const struct cli_frf_result *result)
+static void choose_coordinates(struct cli_frf_picture *of)
 {
-	int n = result->model->rom.n, k;
+	int n = of->result->model->rom.n, k;
 	char name[32];
 
-	for (k = 0; k < n && k < most_panels; k++) {
+	for (k = 0; k < n && k < CLI_FRF_PANELS; k++) {
 		snprintf(name, sizeof name, "{/:Italic u}_{%d}", k + 1);
-		name_panel(picture, k, name);
-		add_curve(picture, "", k, k);
+		name_panel(of, k, name);
+		add_curve(of, "", k, k);
 	}
-	picture->response.panels = k;
+	of->panels = k;
 }
 
 static int compare(const void *a, const void *b)
@@ -194,213 +173,166 @@ static int wants_log(const char *scale, double *work, size_t count)
 	return count > 0 && work[count - 1 - count/20] > log_ratio*work[count/20];
 }
 
-static void copy_curves(struct picture *picture, const struct cli_frf_result *result)
+static int is_logarithmic(const struct cli_frf_picture *of)
 {
-	const struct hawser_frf *frf = result->frf;
-	const double *rows = frf->probes > 0 ? frf->probe : frf->coordinate;
-	int stride = frf->probes > 0 ? 3*frf->probes : frf->n, k, i;
-	double length = picture->per_length, *out = picture->store;
-
-	for (i = 0; i < frf->points; i++) {
-		out[i] = result->over ? frf->point[i].parameter/picture->x.per
-		                      : frf->point[i].omega*picture->per_omega;
-		picture->unstable[i] = frf->point[i].unstable;
-	}
-	picture->response.omega = out;
-	for (k = 0; k < picture->response.curves; k++) {
-		out += frf->points;
-		picture->curve[k].amplitude = out;
-		for (i = 0; i < frf->points; i++)
-			out[i] = length*rows[(size_t)i*(size_t)stride + (size_t)picture->source[k]];
-	}
-}
-
-static void copy_events(struct picture *picture, const struct cli_frf_result *result)
-{
-	const struct hawser_frf *frf = result->frf;
-	int k;
-
-	for (k = 0; k < frf->events; k++) {
-		const struct hawser_frf_event *event = &frf->event[k];
-		int next = event->after + 1 < frf->points ? event->after + 1 : event->after;
-		double whole = frf->point[next].arc - frf->point[event->after].arc;
-		double part = event->arc - frf->point[event->after].arc;
-
-		picture->event[k].kind = event->kind;
-		picture->event[k].omega = result->over ? event->parameter/picture->x.per
-		                                       : event->omega*picture->per_omega;
-		picture->event[k].after = event->after;
-		picture->event[k].fraction = whole > 0.0 ? fmin(fmax(part/whole, 0.0), 1.0) : 0.0;
-	}
-	for (k = 0; k < result->model->naturals; k++)
-		picture->natural[k] = result->model->natural[k]*picture->per_omega;
-	for (k = 0; k < 2*result->gaps; k++)
-		picture->gap[k] = result->gap[k]*picture->per_omega;
-}
-
-/* The located peaks of the curves shown. */
-static void copy_peaks(struct picture *picture, const struct cli_frf_result *result)
-{
-	struct hawser__response *response = &picture->response;
-	double length = picture->per_length;
-
-	for (int i = 0; i < result->peaks; i++) {
-		const struct hawser_landmark *peak = &result->peak[i];
-		int source = peak->probe < 0 ? peak->axis : 3*peak->probe + peak->axis;
-
-		for (int k = 0; k < response->curves && peak->kind == HAWSER_LANDMARK_PEAK; k++)
-			if (picture->source[k] == source && (peak->probe >= 0) == picture->probed)
-				picture->peak[response->peaks++] = (struct hawser__response_peak){
-					k, peak->omega*picture->per_omega, length*peak->size};
-	}
-	response->peak = picture->peak;
-}
-
-/* Needs room for (curves + 1) rows of each sweep after the curves in `store`. */
-static void copy_sweeps(struct picture *picture, const struct cli_frf_result *result, double *out)
-{
-	double length = picture->per_length;
-	int s, k, i;
-
-	for (s = 0; s < result->sweeps; s++) {
-		const struct hawser_sweep *run = &result->sweep[s].run;
-		const double *rows = run->probes > 0 ? run->probe : run->coordinate;
-		int stride = run->probes > 0 ? 3*run->probes : run->n;
-
-		picture->sweep[s].label = result->sweep[s].direction > 0 ? "up-sweep" : "down-sweep";
-		picture->sweep[s].points = run->points;
-		picture->sweep[s].omega = out;
-		for (i = 0; i < run->points; i++)
-			*out++ = run->omega[i]*picture->per_omega;
-		picture->sweep[s].amplitude = out;
-		for (k = 0; k < picture->response.curves; k++)
-			for (i = 0; i < run->points; i++)
-				*out++ = length*rows[(size_t)i*(size_t)stride + (size_t)picture->source[k]];
-	}
-}
-
-/* The same of the overlays. */
-static void copy_overlays(struct picture *picture, const struct cli_frf_result *result, double *out)
-{
-	double length = picture->per_length;
-
-	for (int s = 0; s < result->overlays; s++) {
-		const struct cli_overlay *from = &result->overlay[s];
-		int probed = result->frf->probes > 0 && picture->probed;
-		const double *rows = probed ? from->probe : from->coordinate;
-		int stride = probed ? 3*result->frf->probes : result->frf->n;
-
-		picture->overlay[s] = (struct hawser__response_overlay){from->label, from->points, out,
-		                                                        out + from->points,
-		                                                        from->beside};
-		for (int i = 0; i < from->points; i++)
-			*out++ = from->omega[i]*picture->per_omega;
-		for (int k = 0; k < picture->response.curves; k++)
-			for (int i = 0; i < from->points; i++)
-				*out++ = length*rows[(size_t)i*(size_t)stride + (size_t)picture->source[k]];
-	}
-}
-
-static int allocate(struct picture *picture, const struct cli_frf_result *result)
-{
-	size_t points = (size_t)result->frf->points, rows = (size_t)picture->response.curves + 1;
-	size_t total = points;
-	int s;
-
-	for (s = 0; s < result->sweeps; s++)
-		total += (size_t)result->sweep[s].run.points;
-	for (s = 0; s < result->overlays; s++)
-		total += (size_t)result->overlay[s].points;
-	picture->store = calloc(rows*total + 1, sizeof *picture->store);
-	picture->unstable = calloc(points + 1, sizeof *picture->unstable);
-	picture->event = calloc((size_t)result->frf->events + 1, sizeof *picture->event);
-	picture->peak = calloc((size_t)(result->peaks + 1)*most_curves, sizeof *picture->peak);
-	picture->natural = calloc((size_t)result->model->naturals + 1, sizeof *picture->natural);
-	picture->gap = calloc(2*(size_t)result->gaps + 1, sizeof *picture->gap);
-	return picture->store && picture->unstable && picture->event && picture->peak &&
-	       picture->natural && picture->gap;
-}
-
-static enum hawser_status fill(struct picture *picture, const struct cli_frf_result *result)
-{
-	struct hawser__response *response = &picture->response;
-	size_t drawn = (size_t)response->curves*(size_t)result->frf->points;
-	double *work = malloc((drawn + 1)*sizeof *work);
-	size_t sweep_points = 0;
+	int points = of->result->frf->points, logarithmic;
+	double *work = malloc((size_t)(of->curves*points + 1)*sizeof *work);
 
 	if (!work)
-		return HAWSER_ERR_MEMORY;
-	copy_curves(picture, result);
-	copy_events(picture, result);
-	copy_peaks(picture, result);
-	copy_sweeps(picture, result, picture->store + drawn + result->frf->points);
-	for (int s = 0; s < result->sweeps; s++)
-		sweep_points += (size_t)result->sweep[s].run.points;
-	copy_overlays(picture, result, picture->store + drawn + result->frf->points
-	                               + sweep_points*((size_t)response->curves + 1));
-	memcpy(work, picture->store + result->frf->points, drawn*sizeof *work);
-	response->logarithmic = wants_log(result->scale, work, drawn);
+		return 0;
+	for (int c = 0; c < of->curves; c++)
+		for (int i = 0; i < points; i++)
+			work[c*points + i] = cli_frf_amplitude(of, c, i);
+	logarithmic = wants_log(of->result->scale, work, (size_t)(of->curves*points));
 	free(work);
-	response->points = result->frf->points;
-	response->events = result->frf->events;
-	response->naturals = result->over ? 0 : result->model->naturals;
-	response->sweeps = result->sweeps;
-	response->x_title = picture->x.title;
-	response->unstable = picture->unstable;
-	response->curve = picture->curve;
-	response->event = picture->event;
-	response->natural = picture->natural;
-	response->gap = picture->gap;
-	response->gaps = result->gaps;
-	response->sweep = picture->sweep;
-	response->overlays = result->overlays;
-	response->overlay = picture->overlay;
-	response->panel_label = picture->panel_label;
-	response->from = result->over ? result->over->from/picture->x.per
-	                              : result->from*picture->per_omega;
-	response->to = result->over ? result->over->to/picture->x.per : result->to*picture->per_omega;
-	return HAWSER_OK;
+	return logarithmic;
 }
 
-/* branch [points]: see struct hawser__response. */
+void cli_frf_range(double *least, double *most, const struct cli_frf_picture *of, int panel, double low,
+                   double high)
+{
+	*least = INFINITY;
+	*most = 0.0;
+	for (int c = 0; c < of->curves; c++)
+		for (int i = 0; of->curve[c].panel == panel && i < of->result->frf->points; i++) {
+			double x = cli_frf_x(of, i), a = cli_frf_amplitude(of, c, i);
+
+			if (x < low || x > high)
+				continue;
+			*most = fmax(*most, a);
+			*least = fmin(*least, a);
+		}
+}
+
+/* The vertical axis of a panel; a linear one begins at zero. */
+static struct hawser__panel_axis amplitudes(const struct cli_frf_picture *of, int panel)
+{
+	struct hawser__panel_axis axis = {&of->y, .tics = 6, .zero = 1, .open = 1};
+	double least = INFINITY, most = 0.0;
+
+	for (int c = 0; c < of->curves; c++)
+		for (int i = 0; of->curve[c].panel == panel && i < of->result->frf->points; i++) {
+			double a = cli_frf_amplitude(of, c, i);
+
+			most = fmax(most, a);
+			least = a > 0.0 ? fmin(least, a) : least;
+		}
+	if (of->logarithmic && least < most)
+		axis = (struct hawser__panel_axis){&of->y, fmax(0.8*least, 1e-12*most), 1.5*most, .tics = 6,
+		                                   .logarithmic = 1};
+	return axis;
+}
+
+/* Labels of the natural frequencies above the panel. Labels that would overlap are joined: "ω_1,
+ * ω_2". A label that would extend beyond the picture is aligned with the end of the panel. */
+static void label_naturals(struct cli_frf_picture *of)
+{
+	double width = 0.045*(of->high - of->low), end, omega;
+	int count = of->result->over ? 0 : of->result->model->naturals;
+
+	for (int k = 0, next; k < count; k = next) {
+		char text[160] = "";
+		size_t used = 0;
+
+		omega = of->result->model->natural[k]*of->per_omega;
+		next = k + 1;
+		if (omega < of->low || omega > of->high)
+			continue;
+		for (end = omega + width; next < count && end < INFINITY; next++, end += width) {
+			double at = of->result->model->natural[next]*of->per_omega;
+
+			if (at > of->high || at >= end)
+				break;
+		}
+		for (int j = k; j < next && used < sizeof text; j++)
+			used += (size_t)snprintf(text + used, sizeof text - used, "%sω_{%d}", j > k ? ", " : "",
+			                         j + 1);
+		hawser__figure_above(&of->figure, end > of->high + 0.5*width ? of->high : omega,
+		                     end > of->high + 0.5*width ? "right offset 1.5,0.6 tc rgb '#505050'"
+		                     : "left offset -0.5,0.6 tc rgb '#505050'", text);
+	}
+}
+
+/* A part of the abscissa on coloured ground. */
+static void draw_ground(struct cli_frf_picture *of, double from, double to, const char *colour)
+{
+	fprintf(of->figure.out.script, "set object rectangle from first %.12g, graph 0 to first %.12g, "
+	        "graph 1 behind fc rgb '%s' fs solid noborder\n", from/of->x.per, to/of->x.per, colour);
+}
+
+/* From the top of the picture down to `bottom`, both as parts of its height. */
+static void draw_panels(struct cli_frf_picture *of, double bottom)
+{
+	static const char gap_colour[] = "#f3dede";
+	const struct cli_frf_result *result = of->result;
+	double top = 1.0 - 0.8/of->figure.out.height, tall = (top - bottom)/of->panels;
+
+	for (int k = 0; k < of->panels; k++) {
+		double base = top - tall*(k + 1);
+
+		hawser__figure_panel(&of->figure, &(struct hawser__frame){0.13, 0.965, base,
+			base + tall - (k ? 0.45/of->figure.out.height : 0.0), .title = of->panel[k],
+			.x = {&of->x, of->low, of->high, .tics = 10, .bare = k + 1 < of->panels},
+			.y = amplitudes(of, k)});
+		for (int i = 0; i < result->gaps; i++)
+			draw_ground(of, result->gap[2*i]*of->per_omega, result->gap[2*i + 1]*of->per_omega, gap_colour);
+		for (int i = 0; i < of->details; i++)
+			draw_ground(of, of->detail[i].from, of->detail[i].to, "#ececec");
+		if (k == 0)
+			label_naturals(of);
+		cli_frf_curves(of, k);
+	}
+	if (result->gaps > 0)
+		hawser__legend_add(&of->figure.legend, "no branch found", "with lines lw 8 lc rgb '%s'", gap_colour);
+}
+
+/* Entries of the legend that are of all curves. */
+static void add_entries(struct cli_frf_picture *of)
+{
+	const struct hawser_frf *frf = of->result->frf;
+	int unstable = 0;
+
+	for (int c = 0; c < of->curves && of->curve[c].panel == 0; c++)
+		if (*of->curve[c].label)
+			hawser__legend_add(&of->figure.legend, of->curve[c].label, "with lines lt %d", c % 2 + 1);
+	hawser__legend_once(&of->figure.legend, "stable", "with lines lt 7");
+	for (int i = 0; i < frf->points; i++)
+		unstable |= frf->point[i].unstable > 0;
+	if (unstable)
+		hawser__legend_once(&of->figure.legend, "unstable", "with lines lt 7 lw 1 " HAWSER__UNSTABLE_DASH);
+}
+
+/* branch [points]: see struct cli_frf_picture. */
 static enum hawser_status draw(const char *path, const struct cli_frf_result *result,
                                const int *branch, struct hawser_report *report)
 {
-	struct picture picture = {.store = NULL, .response = {.branch = branch}};
+	struct cli_frf_picture of = {.result = result, .branch = branch};
+	double from = result->from, to = result->to, room = HAWSER__LEGEND_CM, height;
 	enum hawser_status status;
-	int k;
 
-	picture.x = cli_frf_axis(result->model);
-	picture.y = cli_model_axis(result->model, "", "m");
-	picture.per_omega = cli_per_omega(result->model)/picture.x.per;
+	of.x = cli_frf_axis(result->model);
+	of.y = cli_model_axis(result->model, "", "m");
+	of.per_omega = cli_per_omega(result->model);
 	if (result->over)
-		picture.x = cli_axis(result->over->axis.key, result->over->axis.unit,
-		                     result->over->axis.to);
-	picture.per_length = cli_per_length(result->model)/picture.y.per;
-	for (k = 0; k < most_panels; k++)
-		picture.panel_label[k] = picture.panel[k];
+		of.x = cli_axis(result->over->axis.key, result->over->axis.unit, result->over->axis.to);
+	of.per_length = cli_per_length(result->model);
 	if (result->frf->probes > 0)
-		choose_probes(&picture, result);
-	picture.probed = picture.response.panels > 0;
-	if (picture.response.panels == 0)
-		choose_coordinates(&picture, result);
-	picture.response.tori = result->curves;
-	if (!allocate(&picture, result) || fill(&picture, result) ||
-	    cli_tori_draw(&picture.torus, result, picture.source, picture.response.curves, picture.probed,
-	                  picture.per_omega, picture.per_length))
-		status = hawser__no_memory(report, "picture");
-	else {
-		picture.response.torus = picture.torus;
-		status = hawser__plot_frf(path, &picture.response, report);
-	}
-	cli_tori_undraw(picture.torus, result->curves);
-	free(picture.store);
-	free(picture.unstable);
-	free(picture.event);
-	free(picture.peak);
-	free(picture.natural);
-	free(picture.gap);
-	return status;
+		choose_probes(&of);
+	of.probed = of.panels > 0;
+	if (of.panels == 0)
+		choose_coordinates(&of);
+	of.low = result->over ? fmin(result->over->from, result->over->to) : fmin(from, to)*of.per_omega;
+	of.high = result->over ? fmax(result->over->from, result->over->to) : fmax(from, to)*of.per_omega;
+	of.logarithmic = is_logarithmic(&of);
+	cli_frf_crowds(&of);
+	height = room + 0.65 + 5.6*of.panels + cli_frf_details_cm(&of);
+	status = hawser__figure_begin(&of.figure, path, 17.0, height, report);
+	if (status)
+		return status;
+	add_entries(&of);
+	draw_panels(&of, (room + cli_frf_details_cm(&of))/height);
+	cli_frf_draw_details(&of, room);
+	return hawser__figure_finish(&of.figure, report);
 }
 
 enum hawser_status cli_frf_draw(const char *path, const void *context, struct hawser_report *report)

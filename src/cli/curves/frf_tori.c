@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "cli/curves/frf_tori.h"
+#include "cli/curves/frf_picture.h"
 #include "cli/frame/view.h"
 #include "core/report.h"
 
@@ -252,65 +253,97 @@ const struct hawser__field cli_tori_field[] = {
 };
 #undef OF
 
-/* --- picture --- */
+/* --- picture: a band between the least and the greatest amplitude, over the curve's range of Omega --- */
 
-void cli_tori_undraw(struct hawser__response_torus *torus, int count)
+/* A curve of quasi-periodic motions, of one displacement or coordinate, with the torus points at its ends:
+ * there the amplitude is that between the two of the torus beside it. */
+struct band {
+	const struct hawser_tori *tori;
+	const double *least, *most; /* [tori->points] at a stride */
+	size_t stride;
+	int points; /* with those at the ends */
+};
+
+static struct band band_of(const struct cli_frf_picture *of, int c, const struct hawser_tori *tori)
 {
-	for (int k = 0; torus && k < count; k++)
-		free(torus[k].omega);
-	free(torus);
+	size_t source = (size_t)of->curve[c].source;
+	const double *least = of->probed ? tori->probe_least : tori->coordinate_least;
+	const double *most = of->probed ? tori->probe_most : tori->coordinate_most;
+
+	if (tori->points == 0)
+		return (struct band){.points = 0};
+	return (struct band){tori, least + source, most + source,
+		of->probed ? 3*(size_t)tori->probes : (size_t)tori->n,
+		tori->points + 1 + isfinite(tori->to_omega)};
 }
 
-/* A torus point at an end: the amplitude is that between the two of the torus beside it. */
-static void close_at(struct hawser__response_torus *torus, int to, int from, double omega, int curves)
+/* Its torus at point i, counted from the torus point where it begins. */
+static int torus_at(const struct band *band, int i)
 {
-	int P = torus->points;
-
-	torus->omega[to] = omega;
-	torus->unstable[to] = torus->unstable[from];
-	for (int c = 0; c < curves; c++)
-		torus->least[c*P + to] = torus->most[c*P + to] =
-			0.5*(torus->least[c*P + from] + torus->most[c*P + from]);
+	return i < 1 ? 0 : i > band->tori->points ? band->tori->points - 1 : i - 1;
 }
 
-static int draw_one(struct hawser__response_torus *torus, const struct hawser_tori *tori,
-                    const int *source, int curves, int probed, double per_omega, double per_length)
+static int unstable_at(const struct band *band, int i)
 {
-	int shut = isfinite(tori->to_omega), P = tori->points + 1 + shut;
-	size_t wide = probed ? 3*(size_t)tori->probes : (size_t)tori->n;
-	const double *least = probed ? tori->probe_least : tori->coordinate_least;
-	const double *most = probed ? tori->probe_most : tori->coordinate_most;
-	double *memory = calloc((size_t)P*(2 + 2*(size_t)curves), sizeof *memory);
+	return !(is_stable(&band->tori->point[torus_at(band, i)]) > 0.0);
+}
 
-	if (!memory)
-		return 1;
-	*torus = (struct hawser__response_torus){.points = P, .omega = memory, .unstable = memory + P,
-		.least = memory + 2*P, .most = memory + (2 + curves)*P};
-	for (int i = 0; i < tori->points; i++) {
-		torus->omega[i + 1] = tori->point[i].omega*per_omega;
-		torus->unstable[i + 1] = !(is_stable(&tori->point[i]) > 0.0);
-		for (int c = 0; c < curves; c++) {
-			size_t at = (size_t)i*wide + (size_t)source[c];
+static void put_edge(struct cli_frf_picture *of, const struct band *band, int i, int greatest)
+{
+	size_t row = (size_t)torus_at(band, i)*band->stride;
+	double omega = i < 1 ? band->tori->from_omega : i > band->tori->points ? band->tori->to_omega
+	               : band->tori->point[i - 1].omega;
+	double value = i < 1 || i > band->tori->points ? 0.5*(band->least[row] + band->most[row])
+	               : greatest ? band->most[row] : band->least[row];
 
-			torus->least[c*P + i + 1] = least[at]*per_length;
-			torus->most[c*P + i + 1] = most[at]*per_length;
-		}
+	hawser__figure_put(&of->figure, omega*of->per_omega, value*of->per_length);
+}
+
+/* Edges of all parts with this stability, one after the other; a part includes the first point of the
+ * next one. Filled: there along the greatest amplitudes and back along the least. */
+static void put_parts(struct cli_frf_picture *of, const struct band *band, int unstable, int filled)
+{
+	for (int i = 0, last; i < band->points; i = last + 1) {
+		int to;
+
+		for (last = i; last + 1 < band->points && unstable_at(band, last + 1) == unstable_at(band, i);)
+			last++;
+		to = last + 1 < band->points ? last + 1 : last;
+		if (unstable != unstable_at(band, i))
+			continue;
+		for (int p = i; p <= to; p++)
+			put_edge(of, band, p, 1);
+		if (!filled)
+			hawser__figure_gap(&of->figure);
+		for (int p = i; p <= to; p++)
+			put_edge(of, band, filled ? to - (p - i) : p, 0);
+		hawser__figure_gap(&of->figure);
 	}
-	close_at(torus, 0, 1, tori->from_omega*per_omega, curves);
-	if (shut)
-		close_at(torus, P - 1, P - 2, tori->to_omega*per_omega, curves);
-	return 0;
 }
 
-int cli_tori_draw(struct hawser__response_torus **torus, const struct cli_frf_result *result,
-                  const int *source, int curves, int probed, double per_omega, double per_length)
+/* The bands lie behind the curves; their edges are solid where the tori are stable, else dashed. */
+void cli_tori_bands(struct cli_frf_picture *of, int panel)
 {
-	int failed = 0;
+	static const char *const fill[2][2] = {{"#9CC9E6", "#DCEBF5"}, {"#F2C097", "#FAE6D6"}};
+	static const char *const edge[] = {"#4A93C0", "#D08A4E"};
 
-	*torus = calloc((size_t)result->curves + 1, sizeof **torus);
-	for (int k = 0; *torus && k < result->curves && !failed; k++)
-		if (result->tori[k].points > 0)
-			failed = draw_one(*torus + k, &result->tori[k], source, curves, probed, per_omega,
-			                  per_length);
-	return failed || !*torus;
+	for (int filled = 1; filled >= 0; filled--)
+		for (int n = 0; n < 2*of->curves; n++) {
+			int c = n/2, unstable = 1 - n % 2;
+
+			for (int k = 0; k < of->result->curves && of->curve[c].panel == panel; k++) {
+				struct band band = band_of(of, c, &of->result->tori[k]);
+
+				put_parts(of, &band, unstable, filled);
+			}
+			if (!filled) {
+				hawser__figure_draw(&of->figure, NULL, "with lines lc rgb '%s' lw 0.7 %s", edge[c % 2],
+				                    unstable ? HAWSER__UNSTABLE_DASH : "dt solid");
+				continue;
+			}
+			hawser__figure_draw(&of->figure, NULL,
+			                    "with filledcurves closed fc rgb '%s' fs solid noborder", fill[c % 2][unstable]);
+			hawser__figure_again(&of->figure, unstable ? "unstable tori" : "tori",
+			                     "using (NaN):1 with lines lw 8 lc rgb '%s'", fill[0][unstable]);
+		}
 }

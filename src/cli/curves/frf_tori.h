@@ -8,7 +8,6 @@
 #include "cli/frame/cli.h"
 #include "cli/frame/progress.h"
 #include "output/fields/fields.h"
-#include "output/curves/plot_frf.h"
 
 enum { CLI_TORI_TENSION = 1 }; /* option of a view: the model has tensions, as in frf_fields.c */
 
@@ -22,12 +21,6 @@ enum hawser_status cli_tori_trace(struct hawser_tori **tori, struct cli_frf_resu
                                   int end_at_slack, struct hawser_report *report) HAWSER_MUST_CHECK;
 void cli_tori_clear(struct hawser_tori *tori, int curves);
 void cli_tori_comments(struct hawser__table *table, const struct cli_frf_result *result);
-
-/* What is drawn: amplitudes of `curves` displacements or coordinates, whose places in a row are source
- * [curves]. Released with cli_tori_undraw. 1: no memory. */
-int cli_tori_draw(struct hawser__response_torus **torus, const struct cli_frf_result *result,
-                  const int *source, int curves, int probed, double per_omega, double per_length);
-void cli_tori_undraw(struct hawser__response_torus *torus, int count);
 
 /* Fields of a struct hawser_tori; lists of its rows in the table, with their greatest and their least
  * amplitudes. */

@@ -415,7 +415,8 @@ struct cli_overlay {
 	const char *label;
 	int points;
 	const double *omega, *probe, *coordinate;
-	int beside; /* see struct hawser__response_overlay */
+	int beside; /* 0: over the curves, such as a backbone; another response behind them: 1: its stable
+	             * parts, 2: the unstable ones. A line has a gap where an amplitude is NAN */
 };
 enum { CLI_OVERLAYS = 4 };
 struct cli_frf_result {

@@ -164,8 +164,7 @@ static void draw_spectra(struct drawing *of, const int *chosen, int count)
 	fputs("unset xzeroaxis\n", of->figure.out.script);
 	if (forcing > 0.0) {
 		hawser__figure_upright(&of->figure, NULL, forcing, "lt 7 lw 0.5 dt (4,4)");
-		fprintf(of->figure.out.script, "set label 'forcing' at first %.9g, graph 1 offset 0.3,-0.3 font ',8'\n",
-		        forcing/of->spectrum.per);
+		hawser__figure_above(&of->figure, forcing, "offset 0.3,-0.3 font ',8'", "forcing");
 	}
 	for (int k = 0; k < count; k++) {
 		const double *amplitude = result->amplitude + (size_t)chosen[k]*(size_t)result->bins;

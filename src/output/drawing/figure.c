@@ -78,7 +78,8 @@ static const char *title_of(const struct hawser__figure *figure, int axis)
 /* The range that the user has chosen, which is for the first panel and those with its axis, or NULL. */
 static const struct hawser__picture_range *chosen_range(const struct hawser__figure *figure, int axis)
 {
-	return strcmp(title_of(figure, axis), figure->first[axis]) ? NULL : hawser__picture_range_of(axis);
+	return panel_axis(figure, axis)->other || strcmp(title_of(figure, axis), figure->first[axis])
+		? NULL : hawser__picture_range_of(axis);
 }
 
 /* 1 if a place is beyond the chosen range of its axis: gnuplot would draw marks outside of the panel. */
@@ -123,17 +124,18 @@ static void set_chosen(struct hawser__figure *figure, int axis, const struct haw
 static void set_range(struct hawser__figure *figure, int axis)
 {
 	const struct hawser__panel_axis *scale = panel_axis(figure, axis);
-	const int given = scale->from != scale->to;
+	int given = scale->from != scale->to, even;
 	double per = per_of(figure, axis), low = given ? scale->from/per : figure->low[axis];
 	double high = given ? scale->to/per : figure->high[axis], ends[] = {low, high};
 	FILE *script = figure->out.script;
 
 	if (!given)
 		widen(ends, scale);
-	if (given || (scale->tics && !scale->open) || (!scale->zero && is_even((double[]){low, high}, scale)))
+	even = scale->zero ? !(high > 0.0) : is_even((double[]){low, high}, scale);
+	if (given || even || (scale->tics && !scale->open))
 		fprintf(script, "set %crange [%.12g:%.12g]\n", axis_name[axis], ends[0], ends[1]);
 	else
-		fprintf(script, scale->zero && high > 0.0 ? "set %crange [0:*]\n" : "set %crange [*:*]\n",
+		fprintf(script, scale->zero ? "set %crange [0:*]\n" : "set %crange [*:*]\n",
 		        axis_name[axis]);
 	if (scale->logarithmic)
 		set_tics(figure, axis, ends[0], ends[1]);
@@ -204,13 +206,20 @@ void hawser__figure_panel(struct hawser__figure *figure, const struct hawser__fr
 	hawser__picture_panel(&figure->out, at->left, at->right, at->bottom, at->top);
 	if (at->aside > 0.0)
 		figure->out.left += 0.107 - at->aside;
-	fputs("unset label\nunset arrow\n", figure->out.script);
+	fputs("unset label\nunset arrow\nunset object\n", figure->out.script);
 	if (!figure->panels++) {
 		hawser__picture_title(figure->out.script);
 		for (int axis = 0; axis < 2; axis++)
 			snprintf(figure->first[axis], sizeof figure->first[axis], "%s", title_of(figure, axis));
 	}
 	figure->plot = open_memstream(&figure->text, &figure->size);
+}
+
+/* 1 if a place is beyond the ends that the panel gives. */
+static int is_outside(const struct hawser__panel_axis *scale, double value)
+{
+	return scale->from != scale->to &&
+	       !(value >= fmin(scale->from, scale->to) && value <= fmax(scale->from, scale->to));
 }
 
 static void see(struct hawser__figure *figure, int axis, double value)
@@ -239,7 +248,7 @@ void hawser__figure_row(struct hawser__figure *figure, const char *columns, cons
 		int axis = letter ? (int)(letter - letters) % 2 : 0;
 		double shown = letter ? value[k]/per_of(figure, axis) : value[k];
 
-		if (letter && letter - letters < 2)
+		if (letter && letter - letters < 2 && (axis == 0 || !is_outside(&figure->at.x, value[0])))
 			see(figure, axis, shown);
 		fprintf(figure->out.script, k ? " %.9g" : "%.12g", shown);
 	}
@@ -354,6 +363,14 @@ void hawser__figure_label(struct hawser__figure *figure, double x, double y, con
 	vfprintf(figure->out.script, text, args);
 	va_end(args);
 	fprintf(figure->out.script, "' at %.9g,%.9g %s\n", at[0], at[1], settings);
+}
+
+void hawser__figure_above(struct hawser__figure *figure, double x, const char *settings, const char *text)
+{
+	double at = x/per_of(figure, 0);
+
+	if (!beyond(figure, 0, at))
+		fprintf(figure->out.script, "set label '%s' at first %.12g, graph 1 %s\n", text, at, settings);
 }
 
 enum hawser_status hawser__figure_finish(struct hawser__figure *figure, struct hawser_report *report)

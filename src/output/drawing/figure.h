@@ -22,6 +22,7 @@ struct hawser__panel_axis {
 	int tics;        /* at most; 0: ends and tics are chosen by gnuplot */
 	int open;        /* 1: with `tics`, the ends (but for a zero) are chosen by gnuplot all the same */
 	int bare;        /* 1: neither numbers nor title, which another panel has */
+	int other;       /* 1: the range that the user chooses is not for it */
 	int as_set;      /* 1: range, tics and numbers are those that the caller writes into the script */
 	int untitled;    /* 1: numbers without a title */
 };
@@ -55,7 +56,7 @@ struct hawser__figure {
 /* *figure is all zero, but for entries of the legend that precede those of what is drawn. */
 enum hawser_status hawser__figure_begin(struct hawser__figure *figure, const char *path, double width,
                                         double height, struct hawser_report *report) HAWSER_MUST_CHECK;
-/* The next panel; labels and arrows of the one before end. */
+/* The next panel; labels, arrows and objects of the one before end. */
 void hawser__figure_panel(struct hawser__figure *figure, const struct hawser__frame *at);
 
 /* A point. Where one of the two is no finite number, the line has a gap. */
@@ -85,6 +86,8 @@ void hawser__figure_upright(struct hawser__figure *figure, const char *title, do
 /* A text at a place, "at X,Y ...", with the settings of gnuplot's labels. */
 void hawser__figure_label(struct hawser__figure *figure, double x, double y, const char *settings,
                           const char *text, ...) HAWSER_PRINTF(5, 6);
+/* The same above the panel, or at its upper end. */
+void hawser__figure_above(struct hawser__figure *figure, double x, const char *settings, const char *text);
 
 enum hawser_status hawser__figure_finish(struct hawser__figure *figure,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
