@@ -185,28 +185,22 @@ enum hawser_status hawser__plot_statics(const char *path, const struct hawser__s
                                         const struct hawser__axis *axis,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* The first modes' components against unstretched arclength, up to twelve panels. */
+/* The first modes' components against unstretched arclength, up to twelve panels; of a travelling cable
+ * real and imaginary parts. */
 enum hawser_status hawser__plot_modes(const char *path, const struct hawser_modes *modes,
                                       const struct hawser__axis *S,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* The first modes as magnified displacements of the span, up to twelve panels: in-plane modes about
- * the static profile, out-of-plane modes seen from above. */
+ * the static profile, out-of-plane modes seen from above; of a travelling cable at instants of a period. */
 enum hawser_status hawser__plot_displaced(const char *path, const struct hawser_modes *modes,
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
 
-/* Modes of a travelling cable, up to twelve panels: real and imaginary parts of the components; the
- * leading component at instants of a period with its downstream and upstream waves; the span at
- * these instants. */
-enum hawser_status hawser__plot_complex_modes(const char *path,
-                                              const struct hawser_modes *modes,
-                                              const struct hawser__axis *S,
-                                              struct hawser_report *report) HAWSER_MUST_CHECK;
+/* The leading component of modes of a travelling cable at instants of a period, with its downstream and
+ * upstream waves. */
 enum hawser_status hawser__plot_waves(const char *path, const struct hawser_modes *modes,
                                       const struct hawser__axis *S,
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
-enum hawser_status hawser__plot_passing(const char *path, const struct hawser_modes *modes,
-                                        struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* Errors and cost of one run of a method. */
 struct hawser__cost {

@@ -55,7 +55,7 @@ enum hawser_status cli_beam_boundary_draw(const char *path, const struct cli_bea
 			largest = fmax(largest, fabs(result->variant[i/2].boundary[i % 2].point[k].parameter));
 	x = cli_axis(result->boundary, cli_key_unit(result->boundary), largest);
 	cli_beam_sweep_axes(axis, result);
-	hawser__figure_panel(&figure, &(struct hawser__frame){0.13, 0.95, 0.28, 0.97,
+	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.13, 0.95, 0.28, 0.97,
 		.x = {&x, .tics = 8}, .y = {&axis[CLI_BEAM_SPEED], .zero = 1, .tics = 8, .room = 0.05}});
 	for (int i = 0; i < 2*result->variants; i++) {
 		const struct hawser_beam_boundary *boundary = &result->variant[i/2].boundary[i % 2];

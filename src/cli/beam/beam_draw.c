@@ -81,7 +81,7 @@ static enum hawser_status draw_sweep(const char *path, const struct cli_beam_res
 		return status;
 	cli_beam_sweep_axes(axis, result);
 	for (int real = 0; real < 2; real++) {
-		hawser__figure_panel(&figure, &(struct hawser__frame){
+		hawser__figure_panel(&figure, &(struct hawser__panel_frame){
 			0.14, 0.97, real ? 0.255 : 0.635, real ? 0.59 : 0.97,
 			.x = {&axis[CLI_BEAM_SPEED], .tics = 8, .bare = !real},
 			.y = {&axis[real ? CLI_BEAM_RE : CLI_BEAM_IM], .zero = !real, .tics = 6, .room = 0.04}});

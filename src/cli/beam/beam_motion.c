@@ -157,7 +157,7 @@ static void draw_panel(struct hawser__figure *figure, const struct cli_beam_resu
 	char label[120];
 
 	snprintf(size.title, sizeof size.title, "|{/:Italic y}| (%s)", size.unit);
-	hawser__figure_panel(figure, &(struct hawser__frame){0.15, 0.97, (upper - high)/height, upper/height,
+	hawser__figure_panel(figure, &(struct hawser__panel_frame){0.15, 0.97, (upper - high)/height, upper/height,
 		.x = {&axis[CLI_BEAM_TIME], .tics = 8, .bare = k < 2},
 		.y = {y[k], .logarithmic = k == 1, .tics = k == 1 ? 0 : 5, .room = 0.06}});
 	for (int i = 0; i < result->variants; i++) {

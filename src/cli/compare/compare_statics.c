@@ -190,7 +190,7 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 	for (int by = timed ? 0 : 1; by < 2; by++) {
 		double end = end_of(result, by);
 
-		hawser__figure_panel(&figure, &(struct hawser__frame){by && timed ? 0.6 : 0.14, by ? 0.97 : 0.53,
+		hawser__figure_panel(&figure, &(struct hawser__panel_frame){by && timed ? 0.6 : 0.14, by ? 0.97 : 0.53,
 			HAWSER__LEGEND_CM/height, 1.0 - 0.4/height,
 			.x = {&x[by], 1.0, end, .logarithmic = 1, .tics = 6},
 			.y = {&y, 0.0, 103.0, .tics = 6, .untitled = by && timed}});

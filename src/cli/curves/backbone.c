@@ -112,7 +112,7 @@ enum hawser_status cli_backbone_draw(const char *path, const void *context,
 	if (status)
 		return status;
 	/* tics of frequencies that hardly differ are long */
-	hawser__figure_panel(&figure, &(struct hawser__frame){0.175, 0.95, 0.18, 0.95, .aside = 0.137,
+	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.175, 0.95, 0.18, 0.95, .aside = 0.137,
 		.x = {&energy, .logarithmic = 1}, .y = {&frequency, .tics = 7, .open = 1}});
 	for (int i = 0; i < run->points; i++)
 		if (run->point[i].energy > 0.0)

@@ -123,11 +123,11 @@ enum hawser_status cli_folds_draw(const char *path, const void *context,
 	if (status)
 		return status;
 	choose(&column, result);
-	hawser__figure_panel(&figure, &(struct hawser__frame){0.13, 0.965, middle + 0.25/height, top,
+	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.13, 0.965, middle + 0.25/height, top,
 		.x = across, .y = {&load, 0.0, result->load_to, .tics = 8}});
 	draw_plane(&figure, result->folds, per);
 	across.bare = 0;
-	hawser__figure_panel(&figure, &(struct hawser__frame){0.13, 0.965, bottom, middle - 0.25/height,
+	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.13, 0.965, bottom, middle - 0.25/height,
 		.x = across, .y = {&column.axis, .zero = 1, .tics = 6, .open = 1}});
 	draw_responses(&figure, result->folds, &column);
 	return hawser__figure_finish(&figure, report);

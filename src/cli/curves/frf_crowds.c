@@ -108,7 +108,7 @@ void cli_frf_draw_details(struct cli_frf_picture *of, double room)
 			struct hawser__panel_axis y = amplitudes(of, detail, panel);
 
 			y.untitled = k > 0;
-			hawser__figure_panel(&of->figure, &(struct hawser__frame){x, x + wide, base,
+			hawser__figure_panel(&of->figure, &(struct hawser__panel_frame){x, x + wide, base,
 				base + (row_cm - 0.45)/height, .title = of->panel[panel], .y = y,
 				.x = {&of->x, detail->from, detail->to, .tics = of->details > 1 ? 4 : 8,
 				      .bare = panel + 1 < of->panels, .other = 1}});

@@ -270,7 +270,7 @@ static void draw_panels(struct cli_frf_picture *of, double bottom)
 	for (int k = 0; k < of->panels; k++) {
 		double base = top - tall*(k + 1);
 
-		hawser__figure_panel(&of->figure, &(struct hawser__frame){0.13, 0.965, base,
+		hawser__figure_panel(&of->figure, &(struct hawser__panel_frame){0.13, 0.965, base,
 			base + tall - (k ? 0.45/of->figure.out.height : 0.0), .title = of->panel[k],
 			.x = {&of->x, of->low, of->high, .tics = 10, .bare = k + 1 < of->panels},
 			.y = amplitudes(of, k)});

@@ -270,7 +270,7 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 
 	if (status)
 		return status;
-	hawser__figure_panel(&figure, &(struct hawser__frame){0.14, 0.965, 0.25, 0.97,
+	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.14, 0.965, 0.25, 0.97,
 		.x = {&energy, .logarithmic = 1}, .y = {&frequency, .tics = 7, .room = 0.04}});
 	draw_curves(&figure, result->nnm, &scale);
 	return hawser__figure_finish(&figure, report);

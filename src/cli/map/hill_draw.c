@@ -89,7 +89,7 @@ enum hawser_status cli_hill_draw(const char *path, const void *context,
 	for (int k = 0; k < 2; k++)
 		axis[k] = result->model ? cli_axis(result->axis[k].key, result->axis[k].unit, result->axis[k].to)
 		                        : mathieu[k];
-	hawser__figure_panel(&figure, &(struct hawser__frame){0.13, 0.965, 0.28, 0.97,
+	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.13, 0.965, 0.28, 0.97,
 		.x = {&axis[0], result->axis[0].from, result->axis[0].to, .tics = 10},
 		.y = {&axis[1], result->axis[1].from, result->axis[1].to, .tics = 8}});
 	hawser__legend_add(&figure.legend, boxes ? "unstable" : "no instability found", sample,

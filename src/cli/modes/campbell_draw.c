@@ -112,7 +112,7 @@ static void draw_column(struct drawing *of, const struct column *column)
 	struct hawser__panel_axis speed = {&of->speed, of->from, last, .tics = of->tics, .bare = of->real};
 	int beside = column->first > 0;
 
-	hawser__figure_panel(&of->figure, &(struct hawser__frame){column->left, column->right,
+	hawser__figure_panel(&of->figure, &(struct hawser__panel_frame){column->left, column->right,
 		of->real ? 0.44 : 0.31, 0.94, .x = speed,
 		.y = {&of->im, 0.0, 1.04*of->top, .tics = 9, .untitled = beside}});
 	fprintf(of->figure.out.script, "set label '%s%s' at graph 0.5,1.04 center\n", column->title,
@@ -124,7 +124,7 @@ static void draw_column(struct drawing *of, const struct column *column)
 	if (!of->real)
 		return;
 	speed.bare = 0;
-	hawser__figure_panel(&of->figure, &(struct hawser__frame){column->left, column->right, 0.25, 0.40,
+	hawser__figure_panel(&of->figure, &(struct hawser__panel_frame){column->left, column->right, 0.25, 0.40,
 		.x = speed, .y = {&of->re, of->low - room, of->high + room, .tics = 3, .untitled = beside}});
 	draw_branches(of, column, of->result->campbell.re);
 }

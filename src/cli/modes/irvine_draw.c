@@ -248,7 +248,7 @@ enum hawser_status cli_irvine_draw(const char *path, const void *context,
 		int logarithmic = (!result->over_value || result->sweep->irvine.sweep != HAWSER_GIVEN_LENGTH0) &&
 		                  high > logarithmic_from*low;
 
-		hawser__figure_panel(&figure, &(struct hawser__frame){left, count == 1 ? 0.97 : left + 0.9*wide,
+		hawser__figure_panel(&figure, &(struct hawser__panel_frame){left, count == 1 ? 0.97 : left + 0.9*wide,
 			bottom, count == 1 ? 0.97 : bottom + 0.86*tall, .aside = 0.107*16.0/width,
 			.x = {&x, low, high, .logarithmic = 2*logarithmic, .tics = count == 1 ? 8 : 5,
 			      .untitled = k + columns < count},

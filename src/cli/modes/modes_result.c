@@ -414,15 +414,12 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 	const struct hawser_modes *modes = &result->modes;
 	struct hawser__view view = head(of).view;
 	struct hawser__axis S = hawser__fields_axis(point_field, "S", &view, 0.0);
-	int profile = strcmp(result->view, "profile") == 0;
 
-	if (profile)
-		return modes->gyroscopic ? hawser__plot_passing(path, modes, report)
-		                         : hawser__plot_displaced(path, modes, report);
-	if (!modes->gyroscopic)
-		return hawser__plot_modes(path, modes, &S, report);
-	return strcmp(result->view, "waves") == 0 ? hawser__plot_waves(path, modes, &S, report)
-	                                          : hawser__plot_complex_modes(path, modes, &S, report);
+	if (strcmp(result->view, "profile") == 0)
+		return hawser__plot_displaced(path, modes, report);
+	if (strcmp(result->view, "waves") == 0 && modes->gyroscopic)
+		return hawser__plot_waves(path, modes, &S, report);
+	return hawser__plot_modes(path, modes, &S, report);
 }
 
 const struct cli_showing cli_modes_showing = {

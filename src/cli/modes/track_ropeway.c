@@ -307,7 +307,7 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 	margin = fmax(0.06*(high - low), 1e-3*high);
 	low = fmax(low - margin, 0.0);
 	high += margin;
-	hawser__figure_panel(&figure, &(struct hawser__frame){0.125, 0.955, HAWSER__LEGEND_CM/height, 0.97,
+	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.125, 0.955, HAWSER__LEGEND_CM/height, 0.97,
 		.x = {&x, fmin(first, last), fmax(first, last), .tics = 8, .logarithmic = t->logarithmic},
 		.y = {&y, low, high, .tics = 8}});
 	draw_harmonics(&figure, t, fmax(first, last), high);

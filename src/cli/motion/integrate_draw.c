@@ -128,12 +128,12 @@ static void draw_row(struct drawing *of, int row, int k, int last)
 
 	label_of(label, result, k);
 	y = axis_with_prefix(of, k, label, "m");
-	hawser__figure_panel(&of->figure, &(struct hawser__frame){0.13, 0.60, base, roof, .y = {&y},
+	hawser__figure_panel(&of->figure, &(struct hawser__panel_frame){0.13, 0.60, base, roof, .y = {&y},
 		.x = {&of->time, result->run.time[0]/unit, result->run.time[rows - 1]/unit, .bare = !last}});
 	for (int i = 0; i < rows; i++)
 		hawser__figure_put(&of->figure, result->run.time[i]/unit, value[i]);
 	draw_signal(&of->figure, result, row);
-	hawser__figure_panel(&of->figure, &(struct hawser__frame){0.775, 0.975, base, roof,
+	hawser__figure_panel(&of->figure, &(struct hawser__panel_frame){0.775, 0.975, base, roof,
 		.x = {&y, .tics = 3, .open = 1}, .y = {&velocity, .tics = 5, .open = 1}});
 	hawser__figure_bind(&of->figure, rows - from, value + from, sizeof *value, rate + from, sizeof *rate);
 	draw_signal(&of->figure, result, row);
@@ -158,7 +158,7 @@ static void draw_spectra(struct drawing *of, const int *chosen, int count)
 			if (result->amplitude[(size_t)chosen[k]*(size_t)result->bins + (size_t)i] > part_of_peak*peak)
 				last = i;
 	end = fmin(fmax(1.1*result->frequency[last], 3.0*forcing), result->frequency[result->bins - 1]);
-	hawser__figure_panel(&of->figure, &(struct hawser__frame){0.13, 0.975, 2.3/of->figure.out.height,
+	hawser__figure_panel(&of->figure, &(struct hawser__panel_frame){0.13, 0.975, 2.3/of->figure.out.height,
 		of->top - of->tall*count, .x = {&of->spectrum, 0.0, end, .tics = 10},
 		.y = {&of->amplitude, peak*pow(10.0, -decades), 5.0*peak, .logarithmic = peak > 0.0, .tics = 6}});
 	fputs("unset xzeroaxis\n", of->figure.out.script);

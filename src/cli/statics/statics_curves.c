@@ -134,13 +134,13 @@ enum hawser_status cli_compatibility_draw(const char *path, const struct cli_cur
 	if (status)
 		return status;
 	snprintf(name, sizeof name, "this cable, {/:Italic h/d} = %.4g", curves->here->hs);
-	hawser__figure_panel(&figure, &(struct hawser__frame){0.13, 0.53, 0.29, 0.96,
+	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.13, 0.53, 0.29, 0.96,
 		.x = {&axis[0], .logarithmic = 1}, .y = {&axis[2], .logarithmic = 1}});
 	BIND(&figure, curves->curve, curves->points, delta, epsilon);
 	hawser__figure_draw(&figure, name, "with lines lt 1");
 	BIND(&figure, curves->here, 1, delta, epsilon);
 	hawser__figure_draw(&figure, "scene", "with points pt 7 ps 1 lt 2");
-	hawser__figure_panel(&figure, &(struct hawser__frame){0.60, 0.96, 0.29, 0.96,
+	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.60, 0.96, 0.29, 0.96,
 		.x = {&axis[1], .tics = 5, .open = 1}, .y = {&axis[2], .logarithmic = 1, .bare = 1}});
 	BIND(&figure, curves->curve, curves->points, eta, epsilon);
 	hawser__figure_draw(&figure, NULL, "with lines lt 1");
@@ -278,10 +278,10 @@ enum hawser_status cli_models_draw(const char *path, const struct cli_curves *cu
 
 	if (status)
 		return status;
-	hawser__figure_panel(&figure, &(struct hawser__frame){0.13, 0.97, 0.60, 0.97,
+	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.13, 0.97, 0.60, 0.97,
 		.x = {&delta, from, to, .logarithmic = 1, .bare = 1}, .y = {&sag, .logarithmic = 1}});
 	draw_sags(&figure, curves, 0);
-	hawser__figure_panel(&figure, &(struct hawser__frame){0.13, 0.97, 0.22, 0.55,
+	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.13, 0.97, 0.22, 0.55,
 		.x = {&delta, from, to, .logarithmic = 1}, .y = {&error, .logarithmic = 1}});
 	draw_sags(&figure, curves, 1);
 	return hawser__figure_finish(&figure, report);

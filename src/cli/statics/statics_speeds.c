@@ -239,10 +239,10 @@ enum hawser_status cli_speeds_draw(const char *path, const struct cli_speeds *sp
 			largest = fmax(largest, hawser_statics_actual(&speeds->curve[k].state[i]).T0);
 	for (int k = 0; k < 3; k++)
 		axis[k] = hawser__fields_axis(cli_speed_field, shown[k], &view, largest);
-	hawser__figure_panel(&figure, &(struct hawser__frame){0.13, 0.97, 0.63, 0.97,
+	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.13, 0.97, 0.63, 0.97,
 		.x = {&axis[0], .tics = 8, .bare = 1}, .y = {&axis[1], .logarithmic = 1, .tics = 6, .room = 0.1}});
 	draw_states(&figure, speeds, 0);
-	hawser__figure_panel(&figure, &(struct hawser__frame){0.13, 0.97, 0.235, 0.575,
+	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.13, 0.97, 0.235, 0.575,
 		.x = {&axis[0], .tics = 8}, .y = {&axis[2], .zero = 1, .tics = 6, .room = 0.08}});
 	draw_states(&figure, speeds, 1);
 	return hawser__figure_finish(&figure, report);

@@ -305,7 +305,7 @@ static enum hawser_status draw_panels(const char *path, const struct drawing *of
 		double bottom = foot + (of->panels - 1 - p)*tall;
 
 		x.bare = p + 1 < of->panels;
-		hawser__figure_panel(&figure, &(struct hawser__frame){0.135, 0.965, bottom/height,
+		hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.135, 0.965, bottom/height,
 			(bottom + tall - (of->panels == 1 ? 0.0 : 0.35))/height, .x = x,
 			.y = {&quantity, .tics = of->panels == 1 ? 7 : 4, .room = 0.06}});
 		for (int c = 0; c < curves; c++) {

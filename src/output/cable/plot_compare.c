@@ -6,8 +6,6 @@
 #include <string.h>
 
 #include "output/drawing/labels.h"
-#include "output/output.h"
-#include "output/drawing/style.h"
 
 /* Smaller errors are drawn at this value, since a logarithmic axis has no zero. */
 static const double least = 1e-17;
@@ -23,21 +21,15 @@ static int labelled(const struct hawser__cost *run, int place, int count)
 	                         > 0.01*run[place].frequency;
 }
 
-/* One data block a method: time (ms), two errors, the method's own choice. */
-static int blocks(FILE *script, const struct hawser__cost *run, int runs, int *first)
+/* The first run of each method; returns their number. */
+static int methods_of(int *first, const struct hawser__cost *run, int runs)
 {
-	int methods = 0, begin, end, i;
+	int methods = 0;
 
-	for (begin = 0; begin < runs; begin = end) {
-		for (end = begin + 1; end < runs && !strcmp(run[end].method, run[begin].method); end++)
-			;
-		first[methods] = begin;
-		fprintf(script, "$method%d << END\n", methods++);
-		for (i = begin; i < end; i++)
-			fprintf(script, "%.9g %.9g %.9g %d\n", 1e3*run[i].seconds,
-			        fmax(run[i].frequency, least), fmax(run[i].shape, least), run[i].automatic);
-		fputs("END\n", script);
-	}
+	for (int i = 0; i < runs; i++)
+		if (i == 0 || strcmp(run[i].method, run[i - 1].method))
+			first[methods++] = i;
+	first[methods] = runs;
 	return methods;
 }
 
@@ -83,53 +75,41 @@ static void numbers(struct hawser__labels *labels, struct hawser__picture *pictu
 				                   run[i].basis, m + 1);
 }
 
-static void panel(FILE *script, int methods, int column)
+/* Runs of a method on a line; its own choice apart from it. */
+static void draw_method(struct hawser__figure *figure, const struct hawser__cost *run, int count, int shape,
+                        int colour)
 {
-	fputs("plot ", script);
-	for (int m = 0; m < methods; m++)
-		fprintf(script, "%s$method%d using 1:($4 == 0 ? $%d : NaN) with linespoints lt %d pt 7 "
-		                "ps 0.45, $method%d using 1:($4 == 1 ? $%d : NaN) with points lt %d pt 6 "
-		                "ps 1.3", m ? ", " : "", m, column, m + 1, m, column, m + 1);
-	fputs("\n", script);
-}
-
-static void legend(struct hawser__picture *picture, const struct hawser__cost *run,
-                   const int *first, int methods)
-{
-	struct hawser__legend entries = {0};
-
-	for (int m = 0; m < methods; m++)
-		hawser__legend_add(&entries, run[first[m]].method, "with linespoints lt %d pt 7 ps 0.45",
-		                   m + 1);
-	hawser__legend_add(&entries, "its own choice", "with points lt 7 pt 6 ps 1.3");
-	hawser__legend_draw(picture, &entries);
+	for (int i = 0; i < count; i++)
+		hawser__figure_put(figure, run[i].automatic ? NAN : 1e3*run[i].seconds, error_of(&run[i], shape));
+	hawser__figure_draw(figure, run->method, "with linespoints lt %d pt 7 ps 0.45", colour);
+	for (int i = 0; i < count; i++)
+		if (run[i].automatic)
+			hawser__figure_put(figure, 1e3*run[i].seconds, error_of(&run[i], shape));
+	hawser__figure_draw(figure, NULL, "with points lt %d pt 6 ps 1.3", colour);
 }
 
 enum hawser_status hawser__plot_compare(const char *path, const struct hawser__cost *run, int runs,
                                         struct hawser_report *report)
 {
 	enum { most_methods = 32 };
-	static const char *const y_title[] = {"Largest relative error of a frequency (–)",
-	                                      "Largest error of a shape (–)"};
-	static const double left[] = {0.13, 0.64}, right[] = {0.52, 0.97};
-	int first[most_methods + 1], methods;
+	static const struct hawser__axis time = {"Time (ms); numbers: resolution", "", 1.0};
+	static const struct hawser__axis error[] = {{"Largest relative error of a frequency (–)", "", 1.0},
+	                                            {"Largest error of a shape (–)", "", 1.0}};
+	int first[most_methods + 1], methods = methods_of(first, run, runs);
 	struct hawser__labels labels;
-	struct hawser__picture picture;
-	enum hawser_status status = hawser__picture_begin(&picture, path, 17.0, 10.2, report);
-	FILE *script = picture.script;
+	struct hawser__figure figure = {0};
+	enum hawser_status status = hawser__figure_begin(&figure, path, 17.0, 10.2, report);
 
 	if (status)
 		return status;
-	methods = blocks(script, run, runs, first);
-	first[methods] = runs;
-	fputs("set xlabel 'Time (ms); numbers: resolution'\n", script);
 	for (int shape = 0; shape < 2; shape++) {
 		ranges(&labels, run, runs, shape);
-		hawser__labels_panel(&labels, &picture, left[shape], right[shape], 0.30, 0.96);
-		numbers(&labels, &picture, run, runs, first, methods, shape);
-		hawser__picture_ylabel(&picture, "%s", y_title[shape]);
-		panel(script, methods, 2 + shape);
+		hawser__labels_panel(&labels, &figure, &(struct hawser__panel_frame){shape ? 0.64 : 0.13,
+			shape ? 0.97 : 0.52, 0.30, 0.96, .x = {&time, .tics = 6}, .y = {&error[shape], .tics = 6}});
+		numbers(&labels, &figure.out, run, runs, first, methods, shape);
+		for (int m = 0; m < methods; m++)
+			draw_method(&figure, run + first[m], first[m + 1] - first[m], shape, m + 1);
 	}
-	legend(&picture, run, first, methods);
-	return hawser__picture_finish(&picture, report);
+	hawser__legend_once(&figure.legend, "its own choice", "with points lt 7 pt 6 ps 1.3");
+	return hawser__figure_finish(&figure, report);
 }

@@ -7,8 +7,6 @@
 #include <string.h>
 
 #include "output/drawing/labels.h"
-#include "output/output.h"
-#include "output/drawing/style.h"
 
 enum { most_families = 16 };
 
@@ -31,39 +29,19 @@ static int anything(const struct hawser__precision *run, int runs)
 	return 0;
 }
 
-/* One data block per family: time (s), number, error of frequencies, whether incomplete. */
-static int blocks(FILE *script, const struct hawser__precision *run, int runs, const char **family)
+static int families_of(const char **family, const struct hawser__precision *run, int runs)
 {
 	int families = 0;
 
 	for (int i = 0; i < runs; i++) {
-		int known = 0;
+		int known = families == most_families;
 
 		for (int f = 0; f < families; f++)
 			known |= strcmp(family[f], run[i].family) == 0;
-		if (known || families == most_families)
-			continue;
-		fprintf(script, "$family%d << END\n", families);
-		for (int k = i; k < runs; k++)
-			if (!strcmp(run[k].family, run[i].family) && isfinite(frequency_error(&run[k])))
-				fprintf(script, "%.9g %d %.9g %d\n", run[k].seconds, run[k].number,
-				        frequency_error(&run[k]), run[k].incomplete);
-		fputs("END\n", script);
-		family[families++] = run[i].family;
+		if (!known)
+			family[families++] = run[i].family;
 	}
 	return families;
-}
-
-/* Against column x. */
-static void panel(FILE *script, int families, int x)
-{
-	fputs("plot ", script);
-	for (int f = 0; f < families; f++)
-		fprintf(script, "%s$family%d using %d:3 with lines lt %d, "
-		                "$family%d using %d:($4 == 0 ? $3 : NaN) with points lt %d pt 7 ps 0.6, "
-		                "$family%d using %d:($4 == 1 ? $3 : NaN) with points lt %d pt 6 ps 0.8",
-		        f ? ", " : "", f, x, f + 1, f, x, f + 1, f, x, f + 1);
-	fputs("\n", script);
 }
 
 static double across(const struct hawser__precision *run, int numbers)
@@ -113,14 +91,6 @@ static void numbers(struct hawser__labels *labels, struct hawser__picture *pictu
 				                   run[i].number, f + 1);
 }
 
-/* Numbers of modes are whole. */
-static void whole_tics(struct hawser__picture *picture, const struct hawser__labels *labels)
-{
-	enum { most = 8 };
-
-	hawser__picture_tics(picture, 'x', 0.0, fmax(labels->high[0] - labels->low[0], most), most);
-}
-
 /* A family of which no fold and no peak is on the reference's curve has no point in the picture. */
 static int drawn(const struct hawser__precision *run, int runs, const char *family)
 {
@@ -130,64 +100,65 @@ static int drawn(const struct hawser__precision *run, int runs, const char *fami
 	return 0;
 }
 
-static void legend(struct hawser__picture *picture, const struct hawser__precision *run, int runs,
-                   const char *const *family, int families)
+/* Runs of a family; hollow where folds or peaks are missing or spurious. */
+static void draw_family(struct hawser__figure *figure, const struct hawser__precision *run, int runs,
+                        const char *family, int by_number, int colour)
 {
-	struct hawser__legend entries = {0};
+	for (int incomplete = -1; incomplete < 2; incomplete++) {
+		for (int i = 0; i < runs; i++)
+			if (!strcmp(run[i].family, family) && isfinite(frequency_error(&run[i])) &&
+			    (incomplete < 0 || incomplete == run[i].incomplete))
+				hawser__figure_put(figure, across(&run[i], by_number), frequency_error(&run[i]));
+		hawser__figure_draw(figure, NULL, incomplete < 0 ? "with lines lt %d" : incomplete
+		                    ? "with points lt %d pt 6 ps 0.8" : "with points lt %d pt 7 ps 0.6", colour);
+	}
+}
+
+static void add_entries(struct hawser__legend *legend, const struct hawser__precision *run, int runs,
+                        const char *const *family, int families)
+{
 	char title[80];
 
 	for (int f = 0; f < families; f++) {
 		snprintf(title, sizeof title, "%s%s", family[f],
 		         drawn(run, runs, family[f]) ? "" : " (none found)");
-		hawser__legend_add(&entries, title, "with linespoints lt %d pt 7 ps 0.6", f + 1);
+		hawser__legend_add(legend, title, "with linespoints lt %d pt 7 ps 0.6", f + 1);
 	}
-	hawser__legend_add(&entries, "folds or peaks missing or extra", "with points lt 7 pt 6 ps 0.8");
-	hawser__legend_draw(picture, &entries);
-}
-
-/* Both panels have the same errors. */
-static void panels(struct hawser__picture *picture, const struct hawser__precision *run, int runs,
-                   const char *const *family, int families, const char *reference)
-{
-	static const char *const x_title[] = {"Processor time (s); numbers: modes", "Number of modes"};
-	static const double left[] = {0.13, 0.64}, right[] = {0.50, 0.985};
-	struct hawser__labels labels;
-
-	for (int k = 0; k < 2; k++) {
-		ranges(&labels, run, runs, k);
-		hawser__labels_panel(&labels, picture, left[k], right[k], 0.30, 0.92);
-		fprintf(picture->script, "set xlabel '%s'\n", x_title[k]);
-		if (k == 0)
-			numbers(&labels, picture, run, runs, family, families);
-		else
-			whole_tics(picture, &labels);
-		fprintf(picture->script, "set label 999 'reference: %s' at graph 0.5, graph 1.06 center\n",
-		        reference);
-		hawser__picture_ylabel(picture, "Frequency error of folds, peaks (–)");
-		panel(picture->script, families, 1 + k);
-	}
+	hawser__legend_once(legend, "folds or peaks missing or extra", "with points lt 7 pt 6 ps 0.8");
 }
 
 enum hawser_status hawser__plot_precision(const char *path, const struct hawser__precision *run,
                                           int runs, const char *reference,
                                           struct hawser_report *report)
 {
+	static const struct hawser__axis x[] = {{"Processor time (s); numbers: modes", "", 1.0},
+	                                        {"Number of modes", "", 1.0}};
+	static const struct hawser__axis y = {"Frequency error of folds, peaks (–)", "", 1.0};
 	const char *family[most_families];
-	struct hawser__picture picture;
-	enum hawser_status status = hawser__picture_begin(&picture, path, 17.0, 9.8, report);
-	FILE *script = picture.script;
-	int families;
+	int families = families_of(family, run, runs), any = anything(run, runs);
+	struct hawser__labels labels;
+	struct hawser__figure figure = {0};
+	enum hawser_status status = hawser__figure_begin(&figure, path, 17.0, 9.8, report);
 
 	if (status)
 		return status;
-	families = blocks(script, run, runs, family);
-	if (!anything(run, runs)) {
-		fprintf(script, "unset border\nunset tics\nunset grid\nset xrange [0:1]\nset yrange [0:1]\n"
-		        "set label 1 'Nothing that a fidelity found in the range is on the curve of %s too' "
-		        "at screen 0.5, screen 0.5 center\nplot NaN\n", reference);
-		return hawser__picture_finish(&picture, report);
+	if (!any) {
+		hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.1, 0.9, 0.3, 0.9, .view = 1,
+			.x = {.to = 1.0}, .y = {.to = 1.0}});
+		fprintf(figure.out.script, "set label 'Nothing that a fidelity found in the range is on the curve "
+		        "of %s too' at graph 0.5, graph 0.5 center\n", reference);
 	}
-	panels(&picture, run, runs, family, families, reference);
-	legend(&picture, run, runs, family, families);
-	return hawser__picture_finish(&picture, report);
+	for (int k = 0; k < 2 && any; k++) { /* both panels have the same errors */
+		ranges(&labels, run, runs, k);
+		hawser__labels_panel(&labels, &figure, &(struct hawser__panel_frame){k ? 0.64 : 0.13,
+			k ? 0.985 : 0.50, 0.30, 0.92, .x = {&x[k], .tics = 7}, .y = {&y, .tics = 6}});
+		fprintf(figure.out.script, "set label 'reference: %s' at graph 0.5, graph 1.06 center\n", reference);
+		if (k == 0)
+			numbers(&labels, &figure.out, run, runs, family, families);
+		for (int f = 0; f < families; f++)
+			draw_family(&figure, run, runs, family[f], k, f + 1);
+	}
+	if (any)
+		add_entries(&figure.legend, run, runs, family, families);
+	return hawser__figure_finish(&figure, report);
 }

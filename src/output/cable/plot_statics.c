@@ -3,97 +3,73 @@
  * one. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include "output/output.h"
-#include "output/drawing/style.h"
+#include <math.h>
 
-#define MARK "pt 7 ps 0.7 lc rgb 'black'"
+#include "output/drawing/figure.h"
 
-static void line(FILE *script, const struct hawser__spot *at, const struct hawser__axis *axis)
+enum { X, Y, TENSION, Z };
+
+/* A member of a spot, by axis. */
+static double of_spot(const struct hawser__spot *at, int axis)
 {
-	fprintf(script, "%.9g %.9g %.12g %.9g\n", at->x/axis[0].per, at->y/axis[1].per, at->T/axis[2].per,
-	        at->z/axis[3].per);
+	return axis == Y ? at->y : axis == Z ? at->z : at->T;
 }
 
-/* The profile with both sides of each mass, at which the tension jumps, and the attachments. */
-static void data(FILE *script, const struct hawser__span_picture *of, const struct hawser__axis *axis)
+/* The profile with both sides of each mass, at which the tension jumps. */
+static void put_profile(struct hawser__figure *figure, const struct hawser__span_picture *of, int axis)
 {
-	int i, next = 0;
-
-	fputs("$profile << END\n", script);
-	for (i = 0; i < of->points; i++) {
+	for (int i = 0, next = 0; i < of->points; i++) {
 		for (; next < 2*of->kinks && of->kink[next].S <= of->profile[i].S; next++)
-			line(script, &of->kink[next], axis);
-		line(script, &of->profile[i], axis);
+			hawser__figure_put(figure, of->kink[next].x, of_spot(&of->kink[next], axis));
+		hawser__figure_put(figure, of->profile[i].x, of_spot(&of->profile[i], axis));
 	}
-	fputs("END\n$attached << END\n", script);
-	for (i = 0; i < of->kinks; i++)
-		line(script, &of->kink[2*i], axis);
-	fputs("END\n$chord << END\n", script); /* from where one end is to where the other is */
-	line(script, &of->profile[0], axis);
-	line(script, &of->profile[of->points - 1], axis);
-	fputs("END\n", script);
 }
 
-/* A cable that hangs in another plane may be beside its ends in x too. */
-static void range(FILE *script, const struct hawser__span_picture *of, double per)
+/* Chord, cable and attachments. */
+static void draw_view(struct hawser__figure *figure, const struct hawser__span_picture *of, int axis)
 {
-	double low = 0.0, high = of->scene->span.d;
+	const struct hawser__spot *first = &of->profile[0], *last = &of->profile[of->points - 1];
 
-	for (int i = 0; i < of->points; i++) {
-		low = of->profile[i].x < low ? of->profile[i].x : low;
-		high = of->profile[i].x > high ? of->profile[i].x : high;
-	}
-	fprintf(script, "set xrange [%.9g:%.9g]\nset format x ''\n", low/per, high/per);
-}
-
-/* Panel `index` from the top, of `count`. */
-static void panel(struct hawser__picture *picture, int index, int count, const char *title)
-{
-	const double high = 0.97, low = count == 2 ? 0.21 : 0.16, gap = count == 2 ? 0.06 : 0.04;
-	double step = (high - low + gap)/count, top = high - index*step;
-
-	hawser__picture_panel(picture, 0.13, 0.97, top - step + gap, top);
-	hawser__picture_ylabel(picture, "%s", title);
-}
-
-/* Chord, cable and attachments in this column of the data. */
-static void view(FILE *script, const struct hawser__span_picture *of, int column)
-{
-	fprintf(script, "plot $chord using 1:%d with lines lt 7 lw 0.8 dt (8,6), "
-	        "$profile using 1:%d with lines lt 1", column, column);
-	if (of->kinks > 0)
-		fprintf(script, ", $attached using 1:%d with points " MARK, column);
-	fputs("\n", script);
+	hawser__figure_put(figure, first->x, of_spot(first, axis));
+	hawser__figure_put(figure, last->x, of_spot(last, axis));
+	hawser__figure_draw(figure, "chord", "with lines lt 7 lw 0.8 dt (8,6)");
+	put_profile(figure, of, axis);
+	hawser__figure_draw(figure, "cable", "with lines lt 1");
+	for (int i = 0; i < of->kinks; i++)
+		hawser__figure_put(figure, of->kink[2*i].x, of_spot(&of->kink[2*i], axis));
+	hawser__figure_draw(figure, "attachments", "with points pt 7 ps 0.7 lc rgb 'black'");
 }
 
 enum hawser_status hawser__plot_statics(const char *path, const struct hawser__span_picture *of,
                                         const struct hawser__axis *axis,
                                         struct hawser_report *report)
 {
-	struct hawser__legend entries = {0};
-	struct hawser__picture picture;
-	int panels = of->turned ? 3 : 2;
-	enum hawser_status status = hawser__picture_begin(&picture, path, 16.0,
-	                                                  of->turned ? 16.4 : 12.4, report);
-	FILE *script = picture.script;
+	static const int shown[2][3] = {{Y, TENSION}, {Y, Z, TENSION}};
+	int count = of->turned ? 3 : 2;
+	const double high = 0.97, foot = count == 2 ? 0.21 : 0.16, gap = count == 2 ? 0.06 : 0.04;
+	double step = (high - foot + gap)/count, from = 0.0, to = of->scene->span.d;
+	struct hawser__figure figure = {0};
+	enum hawser_status status = hawser__figure_begin(&figure, path, 16.0, of->turned ? 16.4 : 12.4, report);
 
 	if (status)
 		return status;
-	data(script, of, axis);
-	range(script, of, axis[0].per);
-	panel(&picture, 0, panels, axis[1].title);
-	view(script, of, 2);
-	if (of->turned) {
-		panel(&picture, 1, panels, axis[3].title);
-		view(script, of, 4);
+	/* a cable that hangs in another plane may be beside its ends in x too */
+	for (int i = 0; i < of->points; i++) {
+		from = fmin(from, of->profile[i].x);
+		to = fmax(to, of->profile[i].x);
 	}
-	fprintf(script, "set format x '%%g'\nset xlabel '%s'\n", axis[0].title);
-	panel(&picture, panels - 1, panels, axis[2].title);
-	fputs("plot $profile using 1:3 with lines lt 2\n", script);
-	hawser__legend_add(&entries, "chord", "with lines lt 7 lw 0.8 dt (8,6)");
-	hawser__legend_add(&entries, "cable", "with lines lt 1");
-	if (of->kinks > 0)
-		hawser__legend_add(&entries, "attachments", "with points " MARK);
-	hawser__legend_draw(&picture, &entries);
-	return hawser__picture_finish(&picture, report);
+	for (int k = 0; k < count; k++) {
+		int y = shown[of->turned][k];
+
+		hawser__figure_panel(&figure, &(struct hawser__panel_frame){
+			0.13, 0.97, high - (k + 1)*step + gap, high - k*step,
+			.x = {&axis[X], from, to, .bare = k + 1 < count}, .y = {&axis[y]}});
+		if (y != TENSION) {
+			draw_view(&figure, of, y);
+			continue;
+		}
+		put_profile(&figure, of, y);
+		hawser__figure_draw(&figure, NULL, "with lines lt 2");
+	}
+	return hawser__figure_finish(&figure, report);
 }

@@ -12,7 +12,7 @@
 #include <stdlib.h>
 
 #include "output/output.h"
-#include "output/drawing/style.h"
+#include "output/drawing/figure.h"
 
 static int ascending(const void *a, const void *b)
 {
@@ -46,13 +46,12 @@ static int stable(const struct hawser__map_picture *map, const double *row, doub
 	return k >= 0 && k < map->nx && row[k] < map->border;
 }
 
-void hawser__map_tongues(FILE *script, const struct hawser__map_picture *map)
+void hawser__map_tongues(struct hawser__figure *figure, const struct hawser__map_picture *map)
 {
 	double *at = malloc(((size_t)map->segments + 1)*sizeof *at);
 	double wide = (map->x[map->nx - 1] - map->x[0])/map->nx;
 	double tall = (map->y[map->ny - 1] - map->y[0])/map->ny;
 
-	fputs("$tongue << END\n", script);
 	for (int j = 0; at && j < map->ny; j++) {
 		const double *row = map->value + (long)j*map->nx;
 		double y = map->y[0] + tall*(j + 0.5);
@@ -62,12 +61,9 @@ void hawser__map_tongues(FILE *script, const struct hawser__map_picture *map)
 			if (at[k + 1] - at[k] > 2.0*wide || !stable(map, row, at[k] - wide) ||
 			    !stable(map, row, at[k + 1] + wide))
 				continue;
-			fprintf(script, "%.9g %.9g %.9g %.9g\n", at[k]/map->x_axis.per,
-			        (y - 0.55*tall)/map->y_axis.per, at[k + 1]/map->x_axis.per,
-			        (y + 0.55*tall)/map->y_axis.per);
+			hawser__figure_row(figure, "xyxy", (double[]){at[k], y - 0.55*tall, at[k + 1], y + 0.55*tall});
 			k++;
 		}
 	}
-	fputs("NaN NaN NaN NaN\nEND\n", script);
 	free(at);
 }

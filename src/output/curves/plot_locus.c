@@ -10,21 +10,7 @@
 
 #include "core/report.h"
 #include "output/curves/plot_locus.h"
-#include "output/drawing/style.h"
-
-static const char start_style[] = "lc rgb '#404040' lw 0.8 dt (4,4)";
-
-static void curve_data(FILE *script, const struct hawser__locus_picture *picture, int c)
-{
-	const struct hawser_locus *locus = picture->locus;
-	const struct hawser_locus_curve *curve = &locus->curve[c];
-
-	fprintf(script, "$curve%d << END\n", c);
-	for (int i = curve->first; i < curve->first + curve->points; i++)
-		fprintf(script, "%.12g %.12g\n", locus->point[i].omega*picture->per_omega,
-		        locus->point[i].parameter/picture->axis[1].per);
-	fputs("NaN NaN\nEND\n", script);
-}
+#include "output/drawing/figure.h"
 
 /* A name, in parts of the panel. */
 struct name {
@@ -167,59 +153,45 @@ static enum hawser_status names(FILE *script, const struct hawser__locus_picture
 	return HAWSER_OK;
 }
 
-static int mark_data(FILE *script, const struct hawser__locus_picture *picture)
+/* The line of the value where the search began, the curves, and the special points. */
+static void draw_curves(struct hawser__figure *figure, const struct hawser__locus_picture *of)
 {
-	const struct hawser_locus *locus = picture->locus;
-	int count = 0;
+	const struct hawser_locus *locus = of->locus;
+	double per = of->per_omega*of->axis[0].per;
 
-	fputs("$marks << END\n", script);
-	for (int e = 0; e < locus->events; e++) {
-		const struct hawser_locus_event *event = &locus->event[e];
+	hawser__legend_once(&figure->legend, hawser_event_name(locus->kind), "with lines lt 1");
+	hawser__figure_function(figure, "begun here", "%.12g with lines lc rgb '#404040' lw 0.8 dt (4,4)",
+	                        locus->at/of->axis[1].per);
+	for (int c = 0; c < locus->curves; c++) {
+		const struct hawser_locus_point *point = locus->point + locus->curve[c].first;
 
-		if (event->kind == HAWSER_LOCUS_START)
-			continue;
-		fprintf(script, "%.12g %.12g\n", event->omega*picture->per_omega,
-		        event->parameter/picture->axis[1].per);
-		count++;
+		for (int i = 0; i < locus->curve[c].points; i++)
+			hawser__figure_put(figure, point[i].omega*per, point[i].parameter);
+		hawser__figure_draw(figure, NULL, "with lines lt 1");
 	}
-	fputs("NaN NaN\nEND\n", script);
-	return count;
+	for (int e = 0; e < locus->events; e++)
+		if (locus->event[e].kind != HAWSER_LOCUS_START)
+			hawser__figure_put(figure, locus->event[e].omega*per, locus->event[e].parameter);
+	hawser__figure_draw(figure, "special points", "with points pt 7 ps 0.6 lc rgb '#D55E00'");
 }
 
 enum hawser_status hawser__plot_locus(const char *path, const struct hawser__locus_picture *of,
                                       struct hawser_report *report)
 {
-	struct hawser__picture picture;
-	struct hawser__legend entries = {0};
-	enum hawser_status status = hawser__picture_begin(&picture, path, 17.0, 12.8, report);
-	FILE *script = picture.script;
-	int marks;
+	const struct hawser__axis *x = &of->axis[0], *y = &of->axis[1];
+	struct hawser__figure figure = {0};
+	enum hawser_status status = hawser__figure_begin(&figure, path, 17.0, 12.8, report);
 
 	if (status)
 		return status;
-	for (int c = 0; c < of->locus->curves; c++)
-		curve_data(script, of, c);
-	marks = mark_data(script, of);
-	hawser__picture_panel(&picture, 0.13, 0.965, 0.25, 0.97);
-	fprintf(script, "set xrange [%.12g:%.12g]\nset yrange [%.12g:%.12g]\n", of->from[0], of->to[0],
-	        of->from[1], of->to[1]);
-	hawser__picture_tics(&picture, 'x', of->from[0], of->to[0], 10);
-	hawser__picture_tics(&picture, 'y', of->from[1], of->to[1], 8);
-	fprintf(script, "set xlabel '%s'\n", of->axis[0].title);
-	hawser__picture_ylabel(&picture, "%s", of->axis[1].title);
-	status = names(script, of, report);
-	fprintf(script, "plot %.12g with lines %s", of->locus->at/of->axis[1].per, start_style);
-	for (int c = 0; c < of->locus->curves; c++)
-		fprintf(script, ", $curve%d with lines lt 1", c);
-	fputs(", $marks with points pt 7 ps 0.6 lc rgb '#D55E00'\n", script);
+	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.13, 0.965, 0.25, 0.97,
+		.x = {x, of->from[0]*x->per, of->to[0]*x->per, .tics = 10},
+		.y = {y, of->from[1]*y->per, of->to[1]*y->per, .tics = 8}});
+	status = names(figure.out.script, of, report);
+	draw_curves(&figure, of);
 	if (status) {
-		hawser__picture_abort(&picture);
+		hawser__figure_abort(&figure);
 		return status;
 	}
-	hawser__legend_add(&entries, hawser_event_name(of->locus->kind), "with lines lt 1");
-	hawser__legend_add(&entries, "begun here", "with lines %s", start_style);
-	if (marks)
-		hawser__legend_add(&entries, "special points", "with points pt 7 ps 0.6 lc rgb '#D55E00'");
-	hawser__legend_draw(&picture, &entries);
-	return hawser__picture_finish(&picture, report);
+	return hawser__figure_finish(&figure, report);
 }

@@ -10,7 +10,7 @@
 #include <math.h>
 
 #include "output/output.h"
-#include "output/drawing/style.h"
+#include "output/drawing/figure.h"
 
 static const char *const colour[] = {"#440154", "#46327e", "#365c8d", "#277f8e", "#1fa187", "#4ac16d",
                                      "#a0da39", "#fde725"};
@@ -37,28 +37,30 @@ static double middle(const double *at, int count, int k)
 	return at[0] + (at[count - 1] - at[0])*(k + 0.5)/count;
 }
 
-static void data(FILE *script, const struct hawser__map_picture *map)
-{
-	fputs("$map << END\n", script);
-	for (int j = 0; j < map->ny; j++) {
-		for (int i = 0; i < map->nx; i++) {
-			double value = map->value[(long)j*map->nx + i];
-			double x = middle(map->x, map->nx, i)/map->x_axis.per;
-			double y = middle(map->y, map->ny, j)/map->y_axis.per;
+/* Colours of stable values, from far to close to the boundary; colours of unstable values from it
+ * on. */
+static const char *const stable[] = {"#08306b", "#2a7ab9", "#7fb9dc", "#deebf7"};
+static const char *const unstable[] = {"#fdae6b", "#f16913", "#a63603", "#4d1600"};
+enum { SIDE = 4 };
 
-			if (isfinite(value))
-				fprintf(script, "%.9g %.9g %.6g\n", x, y, value);
-			else
-				fprintf(script, "%.9g %.9g NaN\n", x, y);
-		}
-		fputc('\n', script);
+static void draw_pixels(struct hawser__figure *figure, const struct hawser__map_picture *map)
+{
+	for (int j = 0; j < map->ny; j++) {
+		for (int i = 0; i < map->nx; i++)
+			hawser__figure_row(figure, "xy.", (double[]){middle(map->x, map->nx, i),
+			                   middle(map->y, map->ny, j), map->value[(long)j*map->nx + i]});
+		hawser__figure_gap(figure);
 	}
-	fputs("END\n$line << END\n", script);
-	for (int k = 0; k < map->segments; k++)
-		fprintf(script, "%.12g %.12g\n%.12g %.12g\n\n", map->segment[4*k]/map->x_axis.per,
-		        map->segment[4*k + 1]/map->y_axis.per, map->segment[4*k + 2]/map->x_axis.per,
-		        map->segment[4*k + 3]/map->y_axis.per);
-	fputs("NaN NaN\nEND\n", script);
+	hawser__figure_draw(figure, NULL, "using 1:2:3 with image");
+	hawser__map_tongues(figure, map);
+	hawser__figure_draw(figure, NULL, "using 1:2:1:3:2:4 with boxxyerror fillstyle solid noborder lc rgb '%s'",
+	                    unstable[1]);
+	for (int k = 0; k < map->segments; k++) {
+		hawser__figure_put(figure, map->segment[4*k], map->segment[4*k + 1]);
+		hawser__figure_put(figure, map->segment[4*k + 2], map->segment[4*k + 3]);
+		hawser__figure_gap(figure);
+	}
+	hawser__figure_draw(figure, NULL, "with lines lc rgb 'black' lw 0.8");
 }
 
 static void even_colours(FILE *script)
@@ -68,12 +70,6 @@ static void even_colours(FILE *script)
 		fprintf(script, "%s%d '%s'", k ? ", " : "", k, colour[k]);
 	fputs(")\n", script);
 }
-
-/* Colours of stable values, from far to close to the boundary; colours of unstable values from it
- * on. */
-static const char *const stable[] = {"#08306b", "#2a7ab9", "#7fb9dc", "#deebf7"};
-static const char *const unstable[] = {"#fdae6b", "#f16913", "#a63603", "#4d1600"};
-enum { SIDE = 4 };
 
 /* Position of the boundary in [low, high], as a fraction of the colour bar. */
 static double border_part(const struct hawser__map_picture *map, double low, double high,
@@ -205,54 +201,40 @@ static void colour_bar(struct hawser__picture *picture, const struct hawser__map
 
 /* Legend: the stable and unstable colours that occur, the boundaries, and grey for missing
  * values. */
-static void legend(struct hawser__picture *picture, const struct hawser__map_picture *map)
+static void add_entries(struct hawser__legend *entries, const struct hawser__map_picture *map)
 {
 	static const char box[] = "with boxes fillstyle solid noborder";
-	struct hawser__legend entries = {0};
 	double low, high, border = map->border;
 
 	range_of(&low, &high, map);
 	if (map->basins > 0)
-		basin_legend(&entries, map);
+		basin_legend(entries, map);
 	if (low < border)
-		hawser__legend_add(&entries, "stable", "%s lc rgb '%s'", box, stable[2]);
+		hawser__legend_add(entries, "stable", "%s lc rgb '%s'", box, stable[2]);
 	if (high > border)
-		hawser__legend_add(&entries, "unstable", "%s lc rgb '%s'", box, unstable[1]);
+		hawser__legend_add(entries, "unstable", "%s lc rgb '%s'", box, unstable[1]);
 	if (map->segments > 0)
-		hawser__legend_add(&entries, map->line_title, "with lines lc rgb 'black' lw 0.8");
+		hawser__legend_add(entries, map->line_title, "with lines lc rgb 'black' lw 0.8");
 	if (map->holes)
-		hawser__legend_add(&entries, "no value", "%s lc rgb '%s'", box, ground);
-	hawser__legend_draw(picture, &entries);
+		hawser__legend_add(entries, "no value", "%s lc rgb '%s'", box, ground);
 }
 
 enum hawser_status hawser__plot_map(const char *path, const struct hawser__map_picture *map,
                                     struct hawser_report *report)
 {
-	const double height = 12.5;
-	struct hawser__picture picture;
-	enum hawser_status status = hawser__picture_begin(&picture, path, 17.0, height, report);
-	FILE *script = picture.script;
-	double x0 = map->x[0]/map->x_axis.per, x1 = map->x[map->nx - 1]/map->x_axis.per;
-	double y0 = map->y[0]/map->y_axis.per, y1 = map->y[map->ny - 1]/map->y_axis.per;
+	struct hawser__figure figure = {0};
+	enum hawser_status status = hawser__figure_begin(&figure, path, 17.0, 12.5, report);
 
 	if (status)
 		return status;
-	data(script, map);
-	hawser__map_tongues(script, map);
-	hawser__picture_panel(&picture, 0.13, 0.80, 0.26, 0.96);
-	fprintf(script, "set xrange [%.12g:%.12g]\nset yrange [%.12g:%.12g]\n", x0, x1, y0, y1);
-	hawser__picture_tics(&picture, 'x', fmin(x0, x1), fmax(x0, x1), 8);
-	hawser__picture_tics(&picture, 'y', fmin(y0, y1), fmax(y0, y1), 8);
-	colour_bar(&picture, map);
-	fprintf(script, "unset grid\nset border 15 front\n"
+	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.13, 0.80, 0.26, 0.96,
+		.x = {&map->x_axis, map->x[0], map->x[map->nx - 1], .tics = 8},
+		.y = {&map->y_axis, map->y[0], map->y[map->ny - 1], .tics = 8}});
+	colour_bar(&figure.out, map);
+	fprintf(figure.out.script, "unset grid\nset border 15 front\n"
 	        "set object 1 rectangle from graph 0,0 to graph 1,1 behind fillcolor rgb '%s' "
 	        "fillstyle solid noborder\n", ground);
-	fprintf(script, "set xlabel '%s'\n", map->x_axis.title);
-	hawser__picture_ylabel(&picture, "%s", map->y_axis.title);
-	fprintf(script, "plot $map using 1:2:3 with image, $tongue using 1:2:1:3:2:4 with boxxyerror "
-	                "fillstyle solid noborder lc rgb '%s', "
-	                "$line using 1:2 with lines lc rgb 'black' lw 0.8\n", unstable[1]);
-	fputs("unset colorbox\n", script);
-	legend(&picture, map);
-	return hawser__picture_finish(&picture, report);
+	draw_pixels(&figure, map);
+	add_entries(&figure.legend, map);
+	return hawser__figure_finish(&figure, report);
 }

@@ -50,7 +50,7 @@ enum hawser_status hawser__plot_motions(const char *path, const struct hawser__m
 	for (int p = 0; p < of->panels; p++) {
 		double low = (bottom + tall*(of->panels - 1 - p))/height;
 
-		hawser__figure_panel(&figure, &(struct hawser__frame){0.13, 0.97, low, low + (tall - gap)/height,
+		hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.13, 0.97, low, low + (tall - gap)/height,
 			.x = {&of->axis, of->time[0], of->time[of->rows - 1], .bare = p < of->panels - 1},
 			.y = {&of->panel[p].axis}});
 		for (int c = 0; c < of->panel[p].curves; c++)

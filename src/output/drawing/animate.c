@@ -67,7 +67,7 @@ static const double *mark(const struct hawser__animation *of, int row)
 /* Lines of the obstacles: into the script or, if it is NULL, into the box of what is seen. */
 static void obstacles(FILE *script, struct view *view)
 {
-	struct hawser__pen pen = {script, &view->seen, &view->eye, {0.0, 0.0}};
+	struct hawser__pen pen = {NULL, script, &view->seen, &view->eye, {0.0, 0.0}};
 
 	for (int k = 0; k < 2 && view->flat; k++)
 		pen.shift[k] = view->eye.middle[k];

@@ -168,6 +168,23 @@ static void set_scale(struct hawser__figure *figure, int axis)
 		fputs("unset xlabel\n", script);
 }
 
+/* The ranges of a view, and no axes. */
+static void set_view(struct hawser__figure *figure)
+{
+	struct hawser__box seen;
+
+	for (int axis = 0; axis < 2; axis++) {
+		const struct hawser__panel_axis *scale = panel_axis(figure, axis);
+		int given = scale->from != scale->to;
+
+		seen.low[axis] = given ? scale->from : figure->low[axis];
+		seen.high[axis] = given ? scale->to : figure->high[axis];
+	}
+	fputs("unset border\nunset xtics\nunset ytics\nunset grid\nunset xlabel\n", figure->out.script);
+	hawser__eye_fit(figure->out.script, &seen, (figure->at.right - figure->at.left)*figure->out.width,
+	                (figure->at.top - figure->at.bottom)*figure->out.height);
+}
+
 static void end_block(struct hawser__figure *figure)
 {
 	if (figure->rows)
@@ -180,8 +197,10 @@ static void end_panel(struct hawser__figure *figure)
 	if (!figure->plot)
 		return;
 	end_block(figure);
-	set_scale(figure, 0);
-	set_scale(figure, 1);
+	if (figure->at.view)
+		set_view(figure);
+	for (int axis = 0; axis < 2 && !figure->at.view; axis++)
+		set_scale(figure, axis);
 	if (fclose(figure->plot) == 0 && figure->size > 0)
 		fprintf(figure->out.script, "plot %s\n", figure->text);
 	else
@@ -191,9 +210,28 @@ static void end_panel(struct hawser__figure *figure)
 	figure->plot = NULL;
 }
 
-void hawser__figure_panel(struct hawser__figure *figure, const struct hawser__frame *at)
+void hawser__panel_even(struct hawser__panel_frame *at, const double low[2], const double high[2],
+                        double width, double height, int downwards)
+{
+	double x = 0.5*(low[0] + high[0]), y = 0.5*(low[1] + high[1]);
+	/* a margin of 8 % on each side */
+	double per_cm = 1.16*fmax((high[0] - low[0])/width, (high[1] - low[1])/height), half;
+
+	if (!(per_cm > 0.0))
+		per_cm = 0.1; /* a point: 1 m in 10 cm */
+	half = downwards ? -0.5*per_cm*height : 0.5*per_cm*height;
+	at->x.from = x - 0.5*per_cm*width;
+	at->x.to = x + 0.5*per_cm*width;
+	at->y.from = y - half;
+	at->y.to = y + half;
+}
+
+void hawser__figure_panel(struct hawser__figure *figure, const struct hawser__panel_frame *at)
 {
 	end_panel(figure);
+	if (figure->at.view)
+		fputs("set border\nset xtics\nset ytics\nset tics nomirror out scale 0.6\nset grid\n",
+		      figure->out.script);
 	figure->at = *at;
 	if (at->x.axis)
 		figure->at.x.axis = memcpy(&figure->axis[0], at->x.axis, sizeof *figure->axis);
@@ -212,6 +250,9 @@ void hawser__figure_panel(struct hawser__figure *figure, const struct hawser__fr
 		for (int axis = 0; axis < 2; axis++)
 			snprintf(figure->first[axis], sizeof figure->first[axis], "%s", title_of(figure, axis));
 	}
+	if (at->keys)
+		fputs("set key at graph 1, graph 1.03 bottom right horizontal maxrows 1 samplen 2 font ',9'\n",
+		      figure->out.script);
 	figure->plot = open_memstream(&figure->text, &figure->size);
 }
 
@@ -250,7 +291,10 @@ void hawser__figure_row(struct hawser__figure *figure, const char *columns, cons
 
 		if (letter && letter - letters < 2 && (axis == 0 || !is_outside(&figure->at.x, value[0])))
 			see(figure, axis, shown);
-		fprintf(figure->out.script, k ? " %.9g" : "%.12g", shown);
+		if (isnan(shown))
+			fputs(" NaN", figure->out.script);
+		else
+			fprintf(figure->out.script, k ? " %.9g" : "%.12g", shown);
 	}
 	fputc('\n', figure->out.script);
 	figure->gap = 0;
@@ -262,6 +306,14 @@ void hawser__figure_put(struct hawser__figure *figure, double x, double y)
 		hawser__figure_row(figure, "xy", (double[]){x, y});
 	else
 		hawser__figure_gap(figure);
+}
+
+void hawser__figure_see(struct hawser__figure *figure, const struct hawser__eye *eye, const double x[3])
+{
+	double to[2];
+
+	hawser__eye_see(to, eye, x);
+	hawser__figure_put(figure, to[0], to[1]);
 }
 
 void hawser__figure_bind(struct hawser__figure *figure, int count, const double *x, size_t x_step,
@@ -279,7 +331,11 @@ static void add(struct hawser__figure *figure, const char *data, const char *tit
 
 	fflush(figure->plot);
 	fprintf(figure->plot, "%s%s%s%s", figure->size ? ", " : "", data, *data ? " " : "", style);
-	if (title && *title)
+	if (figure->at.keys && title && *title)
+		fprintf(figure->plot, " title '%s'", title);
+	else if (figure->at.keys)
+		fputs(" notitle", figure->plot);
+	else if (title && *title)
 		hawser__legend_once(&figure->legend, title, look ? look : style);
 }
 

@@ -9,6 +9,7 @@
 #ifndef HAWSER_OUTPUT_FIGURE_H
 #define HAWSER_OUTPUT_FIGURE_H
 
+#include "output/drawing/perspective.h"
 #include "output/drawing/style.h"
 #include "output/output.h"
 
@@ -26,9 +27,11 @@ struct hawser__panel_axis {
 	int as_set;      /* 1: range, tics and numbers are those that the caller writes into the script */
 	int untitled;    /* 1: numbers without a title */
 };
-struct hawser__frame {
+struct hawser__panel_frame {
 	double left, right, bottom, top; /* fractions of the picture */
 	struct hawser__panel_axis x, y;
+	int keys;          /* 1: names stand above the panel instead of in the legend */
+	int view;          /* 1: seen in perspective: no axes, the same scale along both */
 	const char *title; /* of the vertical axis, if it is not that of `y`; or NULL */
 	double aside;      /* from there to the panel, fraction of the width; 0: 0.107 */
 };
@@ -40,7 +43,7 @@ struct hawser__frame {
 struct hawser__figure {
 	struct hawser__picture out; /* `out.script` takes settings of gnuplot for the open panel */
 	struct hawser__legend legend;
-	struct hawser__frame at;    /* the open panel, whose axes are */
+	struct hawser__panel_frame at;    /* the open panel, whose axes are */
 	struct hawser__axis axis[2];
 	double low[2], high[2];     /* of its points, as they are shown */
 	int blocks, rows, gap;      /* blocks of data; rows of the open block; 1: its last line is empty */
@@ -56,8 +59,11 @@ struct hawser__figure {
 /* *figure is all zero, but for entries of the legend that precede those of what is drawn. */
 enum hawser_status hawser__figure_begin(struct hawser__figure *figure, const char *path, double width,
                                         double height, struct hawser_report *report) HAWSER_MUST_CHECK;
+/* Ends of both axes with one scale, so that [low, high] (x, y) fits a panel of that size, cm. */
+void hawser__panel_even(struct hawser__panel_frame *at, const double low[2], const double high[2],
+                        double width, double height, int downwards /* 1: y points down */);
 /* The next panel; labels, arrows and objects of the one before end. */
-void hawser__figure_panel(struct hawser__figure *figure, const struct hawser__frame *at);
+void hawser__figure_panel(struct hawser__figure *figure, const struct hawser__panel_frame *at);
 
 /* A point. Where one of the two is no finite number, the line has a gap. */
 void hawser__figure_put(struct hawser__figure *figure, double x, double y);
@@ -65,6 +71,8 @@ void hawser__figure_gap(struct hawser__figure *figure);
 /* A row of several columns. `columns` has a letter for each: x, y: a place on that axis; X, Y: a distance
  * along it; any other: as it is. */
 void hawser__figure_row(struct hawser__figure *figure, const char *columns, const double *value);
+/* A place in space, as the eye of a view sees it. */
+void hawser__figure_see(struct hawser__figure *figure, const struct hawser__eye *eye, const double x[3]);
 /* Points [count] at x[i] and y[i], each so many bytes after the one before. */
 void hawser__figure_bind(struct hawser__figure *figure, int count, const double *x, size_t x_step,
                          const double *y, size_t y_step);
@@ -93,5 +101,8 @@ enum hawser_status hawser__figure_finish(struct hawser__figure *figure,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;
 /* In place of _finish, after a failure of the caller. */
 void hawser__figure_abort(struct hawser__figure *figure);
+
+/* map_tongues.c: put x and y of both corners of boxes that fill tongues narrower than a pixel. */
+void hawser__map_tongues(struct hawser__figure *figure, const struct hawser__map_picture *map);
 
 #endif

@@ -37,27 +37,24 @@ void hawser__labels_range(struct hawser__labels *labels, int axis, double low, d
 	labels->logarithmic[axis] = logarithmic;
 }
 
-void hawser__labels_panel(struct hawser__labels *labels, struct hawser__picture *picture,
-                          double left, double right, double bottom, double top)
+void hawser__labels_panel(struct hawser__labels *labels, struct hawser__figure *figure,
+                          const struct hawser__panel_frame *at)
 {
-	static const char *const name[] = {"x", "y"};
+	struct hawser__panel_frame own = *at;
 
-	hawser__picture_panel(picture, left, right, bottom, top);
-	labels->panel[0] = left*picture->width;
-	labels->panel[1] = bottom*picture->height;
-	labels->panel[2] = right*picture->width;
-	labels->panel[3] = top*picture->height;
+	labels->panel[0] = at->left*figure->out.width;
+	labels->panel[1] = at->bottom*figure->out.height;
+	labels->panel[2] = at->right*figure->out.width;
+	labels->panel[3] = at->top*figure->out.height;
 	labels->boxes = labels->labels = 0;
-	fputs("unset label\n", picture->script);
 	for (int axis = 0; axis < 2; axis++) {
-		if (labels->logarithmic[axis])
-			hawser__picture_log_tics(picture, name[axis], labels->low[axis], labels->high[axis], 30.0);
-		else
-			fprintf(picture->script, "unset logscale %s\nset format %s '%%g'\n", name[axis],
-			        name[axis]);
-		fprintf(picture->script, "set %srange [%.9g:%.9g]\n", name[axis], labels->low[axis],
-		        labels->high[axis]);
+		struct hawser__panel_axis *scale = axis ? &own.y : &own.x;
+
+		scale->from = labels->low[axis];
+		scale->to = labels->high[axis];
+		scale->logarithmic = labels->logarithmic[axis];
 	}
+	hawser__figure_panel(figure, &own);
 }
 
 /* cm in the picture, of a value on an axis. */

@@ -4,7 +4,7 @@
 #ifndef HAWSER_OUTPUT_LABELS_H
 #define HAWSER_OUTPUT_LABELS_H
 
-struct hawser__picture;
+#include "output/drawing/figure.h"
 
 /* The axes of a panel, and the rectangles in it that are occupied. */
 struct hawser__labels {
@@ -18,10 +18,9 @@ struct hawser__labels {
 /* Range of an axis that shows low to high with a margin; low and high may be equal. */
 void hawser__labels_range(struct hawser__labels *labels, int axis, double low, double high,
                           int logarithmic);
-/* The panel at this position of the picture; to be called after both ranges are set. No labels
- * yet. */
-void hawser__labels_panel(struct hawser__labels *labels, struct hawser__picture *picture,
-                          double left, double right, double bottom, double top);
+/* Open the panel with these ranges; to be called after both are set. No labels yet. */
+void hawser__labels_panel(struct hawser__labels *labels, struct hawser__figure *figure,
+                          const struct hawser__panel_frame *at);
 /* Mark the symbol of a point, or the line from `from` to `to` (x, y), as occupied. */
 void hawser__labels_symbol(struct hawser__labels *labels, double x, double y);
 void hawser__labels_line(struct hawser__labels *labels, const double from[2], const double to[2]);

@@ -15,7 +15,9 @@ void hawser__pen_put(const struct hawser__pen *pen, const double x[3])
 	hawser__eye_see(to, pen->eye, x);
 	to[0] += pen->shift[0];
 	to[1] += pen->shift[1];
-	if (pen->script)
+	if (pen->figure)
+		hawser__figure_put(pen->figure, to[0], to[1]);
+	else if (pen->script)
 		fprintf(pen->script, "%.7g %.7g\n", to[0], to[1]);
 	else
 		hawser__box_add(pen->seen, to, 2);
@@ -28,7 +30,9 @@ static void corner(const struct hawser__pen *pen, double x, double y, double z)
 
 static void up(const struct hawser__pen *pen)
 {
-	if (pen->script)
+	if (pen->figure)
+		hawser__figure_gap(pen->figure);
+	else if (pen->script)
 		fputs("\n", pen->script);
 }
 

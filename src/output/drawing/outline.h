@@ -7,10 +7,11 @@
 
 #include <hawser/surface.h>
 
-#include "output/drawing/perspective.h"
+#include "output/drawing/figure.h"
 
-/* Writes places as data of gnuplot, or (script is NULL) adds to `seen` what it would draw. */
+/* Puts places into a figure, or into the data of a script, or (both are NULL) adds them to `seen`. */
 struct hawser__pen {
+	struct hawser__figure *figure;
 	FILE *script;
 	struct hawser__box *seen;
 	const struct hawser__eye *eye;

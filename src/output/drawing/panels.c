@@ -31,33 +31,23 @@ struct hawser__panels hawser__panels_arrange(int modes)
 	return at;
 }
 
-void hawser__panels_place(struct hawser__picture *picture, const struct hawser__panels *at, int k)
+void hawser__panels_open(struct hawser__figure *figure, const struct hawser__panels *at, int k,
+                         const struct hawser__panel_frame *frame)
 {
-	int column = k % at->columns;
-	/* NOLINTNEXTLINE(bugprone-integer-division): the integer quotient is intended */
-	double x = at->left + at->width*column, y = at->top - at->tall*(k/at->columns + 1);
+	int column = k % at->columns, row = k/at->columns;
+	double x = at->left + at->width*column, y = at->top - at->tall*(row + 1);
+	struct hawser__panel_frame own = *frame;
 
-	hawser__picture_panel(picture, x, x + at->width - 0.032, y, y + at->tall - 0.95/at->height);
-}
-
-void hawser__panels_open(struct hawser__picture *picture, const struct hawser__panels *at, int k,
-                         const char *xlabel, const char *ylabel)
-{
-	int column = k % at->columns, last = k + at->columns >= at->panels;
-
-	fprintf(picture->script, "set format x '%s'\nset format y '%s'\n", last ? "%g" : "",
-	        column == 0 ? "%g" : "");
-	if (last)
-		fprintf(picture->script, "set xlabel '%s' offset 0,0.4\n", xlabel);
-	else
-		fputs("unset xlabel\n", picture->script);
-	hawser__panels_place(picture, at, k);
-	fputs("unset label\n", picture->script);
-	if (k == 0) {
-		/* once for all rows: the title of a row may be longer than the row is high */
-		picture->middle = 0.5*(at->bottom + at->top - 0.95/at->height);
-		hawser__picture_ylabel(picture, "%s", ylabel);
-	}
+	own.left = x;
+	own.right = x + at->width - 0.032;
+	own.bottom = y;
+	own.top = y + at->tall - 0.95/at->height;
+	own.x.bare |= k + at->columns < at->panels;
+	own.y.bare |= column > 0;
+	own.y.untitled |= k > 0;
+	hawser__figure_panel(figure, &own);
+	/* once for all rows: the title of a row may be longer than the row is high */
+	figure->out.middle = 0.5*(at->bottom + at->top - 0.95/at->height);
 }
 
 void hawser__panels_frequency(FILE *script, int k, double omega, const char *what)

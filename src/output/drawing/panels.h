@@ -4,9 +4,7 @@
 #ifndef HAWSER_OUTPUT_PANELS_H
 #define HAWSER_OUTPUT_PANELS_H
 
-#include <stdio.h>
-
-struct hawser__picture;
+#include "output/drawing/figure.h"
 
 enum { HAWSER__PANELS = 12 }; /* at most */
 
@@ -16,11 +14,10 @@ struct hawser__panels {
 	double height, bottom, top, left, width, tall;
 };
 struct hawser__panels hawser__panels_arrange(int modes);
-/* Its place alone. */
-void hawser__panels_place(struct hawser__picture *picture, const struct hawser__panels *at, int k);
-/* Its place, labels and tics; once for all the title of y. */
-void hawser__panels_open(struct hawser__picture *picture, const struct hawser__panels *at, int k,
-                         const char *xlabel, const char *ylabel);
+/* Open panel k. Numbers stand below the lowest panels and left of the first column; the title of y once
+ * for all. Places of *frame are not read. */
+void hawser__panels_open(struct hawser__figure *figure, const struct hawser__panels *at, int k,
+                         const struct hawser__panel_frame *frame);
 
 /* Title of the panel of mode k with this frequency (rad/s). */
 void hawser__panels_frequency(FILE *script, int k, double omega, const char *what);

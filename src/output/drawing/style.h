@@ -6,7 +6,6 @@
 #include <stdio.h>
 
 struct hawser__picture;
-struct hawser__map_picture;
 
 #define HAWSER__UNSTABLE_DASH "dt (9,6)"    /* of unstable motions */
 #define HAWSER__UNSTABLE_FILL "#f6c9a8"     /* of unstable parts of a plane: light vermilion */
@@ -35,9 +34,6 @@ void hawser__legend_draw(struct hawser__picture *picture, const struct hawser__l
 /* Room below the lowest panel in a picture of that width (cm): HAWSER__LEGEND_CM, and more for more
  * than two rows. */
 double hawser__legend_cm(const struct hawser__legend *legend, double width);
-
-/* Write data $tongue: x and y of both corners of boxes that fill tongues narrower than a pixel. */
-void hawser__map_tongues(FILE *script, const struct hawser__map_picture *map);
 
 /* Copy an SVG picture up to the attributes of its outermost element. */
 void hawser__picture_head(FILE *to, FILE *from);

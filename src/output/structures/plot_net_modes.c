@@ -9,11 +9,9 @@
 #include "output/drawing/panels.h"
 #include "output/drawing/perspective.h"
 #include "output/structures/plot_net_modes.h"
-#include "output/drawing/style.h"
 
 #define LARGEST 0.12 /* of the size of the net: largest displacement drawn */
 #define WIDTH 17.0   /* cm */
-#define TITLE 0.95   /* cm, above a panel */
 #define FOOT 1.5     /* cm, of the legend */
 /* Most points drawn with thick lines; points drawn, about, but for the ends of cables. */
 enum { FEW = 400, DRAWN = 400 };
@@ -33,28 +31,29 @@ static void place(double x[3], const struct hawser_net_modes *modes, int k, int 
 	}
 }
 
-static void data(FILE *script, struct hawser__box *seen, const struct hawser_net_modes *modes,
-                 const struct hawser__eye *eye, int k, double scale)
+/* Puts a mode, or the equilibrium, or (figure is NULL) adds it to what is seen. */
+static void put_shape(struct hawser__figure *figure, struct hawser__box *seen,
+                      const struct hawser_net_modes *modes, const struct hawser__eye *eye, int k)
 {
 	int apart = 1 + modes->points/DRAWN;
 
-	fprintf(script, "$mode%d << END\n", k + 1);
 	for (int p = 0, along = 0; p < modes->points; p++, along++) {
 		int last = p + 1 == modes->points || modes->cable[p + 1] != modes->cable[p];
 		double x[3], to[2];
 
-		place(x, modes, k, p, scale);
+		place(x, modes, k, p, k < 0 ? 0.0 : LARGEST*eye->size);
 		hawser__eye_see(to, eye, x);
-		hawser__box_add(seen, to, 2);
+		if (!figure) {
+			hawser__box_add(seen, to, 2);
+			continue;
+		}
 		if (p > 0 && modes->cable[p] != modes->cable[p - 1]) {
-			fputs("\n", script);
+			hawser__figure_gap(figure);
 			along = 0;
 		}
-		if (along % apart && !last)
-			continue;
-		fprintf(script, "%.6g %.6g\n", to[0], to[1]);
+		if (along % apart == 0 || last)
+			hawser__figure_put(figure, to[0], to[1]);
 	}
-	fputs("END\n", script);
 }
 
 /* What the mode is, in a few words: the title has room for some 12 letters after the frequency. */
@@ -80,7 +79,7 @@ static void subtitle(FILE *script, const struct hawser_net_modes *modes, int k)
 	const char *comma = "";
 	int mirrors = modes->symmetry.mirrors;
 
-	fputs("set label 1 '", script);
+	fputs("set label '", script);
 	for (int i = 0; i < mirrors; i++, comma = i < mirrors ? "/" : ", ") {
 		const char *side = hawser_net_side(modes->parity[k][1 + i]);
 
@@ -95,18 +94,6 @@ static void subtitle(FILE *script, const struct hawser_net_modes *modes, int k)
 	if (modes->pair[k] >= 0)
 		fprintf(script, "%spair %d", comma, modes->pair[k] + 1);
 	fputs("' at graph 0.5, graph 1.0 center tc rgb '#606060'\n", script);
-}
-
-static void legend(struct hawser__picture *picture, int panels)
-{
-	struct hawser__legend entries = {0};
-	char text[80];
-
-	snprintf(text, sizeof text, "%s, displaced by %.0f %% of the size of the net",
-	         panels > 1 ? "modes" : "mode", 100.0*LARGEST);
-	hawser__legend_add(&entries, "equilibrium", "with lines lw 1.6 lc rgb '#a8a8a8'");
-	hawser__legend_add(&entries, text, "with lines lt 1");
-	hawser__legend_draw(picture, &entries);
 }
 
 /* Without room for the titles of axes. */
@@ -138,35 +125,34 @@ enum hawser_status hawser__plot_net_modes(const char *path, const struct hawser_
                                           struct hawser_report *report)
 {
 	const struct hawser__panels at = arrange(modes->n);
-	struct hawser__picture picture;
-	enum hawser_status status = hawser__picture_begin(&picture, path, WIDTH, at.height, report);
-	FILE *script = picture.script;
+	const struct hawser__corner corner = {WIDTH - 1.0, 0.75, WIDTH, at.height};
+	const double line = modes->points <= FEW ? 1.6 : modes->points <= 10*FEW ? 0.9 : 0.5;
 	struct hawser__eye eye = eye_of(modes);
 	struct hawser__box seen = {.any = 0};
-	double width = WIDTH*(at.width - 0.032), height = at.tall*at.height - TITLE;
-	const struct hawser__corner corner = {WIDTH - 1.0, 0.75, WIDTH, at.height};
-	double line = modes->points <= FEW ? 1.6 : modes->points <= 10*FEW ? 0.9 : 0.5;
+	struct hawser__figure figure = {0};
+	char text[80];
+	enum hawser_status status = hawser__figure_begin(&figure, path, WIDTH, at.height, report);
 
 	if (status)
 		return status;
-	data(script, &seen, modes, &eye, -1, 0.0);
-	for (int k = 0; k < at.panels; k++)
-		data(script, &seen, modes, &eye, k, LARGEST*eye.size);
-	fputs("unset border\nunset xtics\nunset ytics\nunset grid\n", script);
-	hawser__eye_fit(script, &seen, width, height);
+	for (int k = -1; k < at.panels; k++)
+		put_shape(NULL, &seen, modes, &eye, k);
 	for (int k = 0; k < at.panels; k++) {
-		char text[80];
-
-		hawser__panels_place(&picture, &at, k);
+		hawser__panels_open(&figure, &at, k, &(struct hawser__panel_frame){.view = 1,
+			.x = {.from = seen.low[0], .to = seen.high[0]}, .y = {.from = seen.low[1], .to = seen.high[1]}});
 		describe(text, sizeof text, modes, k);
-		hawser__panels_frequency(script, k, modes->omega[k], text);
-		fputs("unset label\nunset arrow\n", script);
-		subtitle(script, modes, k);
+		hawser__panels_frequency(figure.out.script, k, modes->omega[k], text);
+		subtitle(figure.out.script, modes, k);
 		if (k == 0)
-			hawser__eye_axes(script, &eye, &corner);
-		fprintf(script, "plot $mode0 using 1:2 with lines lw %g lc rgb '#a8a8a8', "
-		        "$mode%d using 1:2 with lines lt 1 lw %g\n", line, k + 1, line);
+			hawser__eye_axes(figure.out.script, &eye, &corner);
+		put_shape(&figure, NULL, modes, &eye, -1);
+		hawser__figure_draw(&figure, NULL, "with lines lw %g lc rgb '#a8a8a8'", line);
+		put_shape(&figure, NULL, modes, &eye, k);
+		hawser__figure_draw(&figure, NULL, "with lines lt 1 lw %g", line);
 	}
-	legend(&picture, at.panels);
-	return hawser__picture_finish(&picture, report);
+	snprintf(text, sizeof text, "%s, displaced by %.0f %% of the size of the net",
+	         at.panels > 1 ? "modes" : "mode", 100.0*LARGEST);
+	hawser__legend_once(&figure.legend, "equilibrium", "with lines lw 1.6 lc rgb '#a8a8a8'");
+	hawser__legend_once(&figure.legend, text, "with lines lt 1");
+	return hawser__figure_finish(&figure, report);
 }

@@ -7,11 +7,10 @@
 #include <math.h>
 
 #include "output/structures/plot_obstacles.h"
-#include "output/drawing/style.h"
+#include "output/drawing/figure.h"
 
 #define WIDTH 16.0   /* cm */
 #define HEIGHT 13.2  /* cm */
-#define CIRCLE "lc rgb '#b5b5b5'"
 enum { PER_PIECE = 60, AROUND = 72 }; /* points of a piece of rope and of a circle */
 
 static const char *const limit_colour[] = {"#009E73", "#D55E00"};
@@ -71,10 +70,9 @@ static void measure(struct frame *frame)
 	frame->T = hawser__axis_of("Tension {/:Italic T}", "N", most);
 }
 
-static void rope_data(FILE *script, const struct frame *frame, const char *name,
-                      const struct hawser_line_statics *st)
+/* Heights (0) or tensions (1) of a rope. */
+static void put_rope(struct hawser__figure *figure, const struct hawser_line_statics *st, int tension)
 {
-	fprintf(script, "$%s << END\n", name);
 	for (int i = 0; i < st->pieces; i++) {
 		const struct hawser_line_piece *piece = &st->piece[i];
 
@@ -83,109 +81,75 @@ static void rope_data(FILE *script, const struct frame *frame, const char *name,
 
 			hawser_line_at(st, x, NULL, &T, NULL, NULL,
 			               piece->S0 + (piece->S1 - piece->S0)*k/PER_PIECE);
-			fprintf(script, "%.9g %.9g %.9g\n", x[0]/frame->x.per, x[1]/frame->y.per, T/frame->T.per);
+			hawser__figure_put(figure, x[0], tension ? T : x[1]);
 		}
-		fprintf(script, "%.9g %.9g %.9g\n", piece->x1[0]/frame->x.per, piece->x1[1]/frame->y.per,
-		        piece->T1/frame->T.per);
+		hawser__figure_put(figure, piece->x1[0], tension ? piece->T1 : piece->x1[1]);
 	}
-	fputs("END\n", script);
 }
 
-static void circle_data(FILE *script, const struct frame *frame)
+static void draw_circles(struct hawser__figure *figure, const struct hawser_line *line)
 {
-	const struct hawser_line *line = &frame->scene->line;
-
-	fputs("$circles << END\n", script);
 	for (int i = 0; i < line->sheaves; i++) {
 		const struct hawser_line_sheave *s = &line->sheave[i];
 
 		for (int k = 0; k <= AROUND; k++) {
 			double turn = 2.0*acos(-1.0)*k/AROUND;
 
-			fprintf(script, "%.9g %.9g\n", (s->centre[0] + s->radius*sin(turn))/frame->x.per,
-			        (s->centre[1] + s->radius*cos(turn))/frame->y.per);
+			hawser__figure_put(figure, s->centre[0] + s->radius*sin(turn),
+			                   s->centre[1] + s->radius*cos(turn));
 		}
-		fputs("\n", script);
+		hawser__figure_gap(figure);
 	}
-	fputs("END\n$points << END\nNaN NaN\n", script);
+	hawser__figure_draw(figure, NULL, "with filledcurves closed fs solid 1 noborder lc rgb '#dcdcdc'");
+	hawser__figure_again(figure, NULL, "with lines lc rgb '#b5b5b5' lw 1");
 	for (int i = 0; i < line->sheaves; i++)
 		if (line->sheave[i].radius == 0.0)
-			fprintf(script, "%.9g %.9g\n", line->sheave[i].centre[0]/frame->x.per,
-			        line->sheave[i].centre[1]/frame->y.per);
-	fprintf(script, "END\n$ends << END\n%.9g %.9g\n%.9g %.9g\nEND\n", line->A[0]/frame->x.per,
-	        line->A[1]/frame->y.per, line->B[0]/frame->x.per, line->B[1]/frame->y.per);
+			hawser__figure_put(figure, line->sheave[i].centre[0], line->sheave[i].centre[1]);
+	hawser__figure_draw(figure, NULL, "with points pt 7 ps 0.6 lc rgb '#b5b5b5'");
 }
 
-static void draw_shape(FILE *script, const struct frame *frame)
-{
-	fprintf(script, "set yrange [%.9g:%.9g]\nplot $circles using 1:2 with filledcurves closed "
-	        "fs solid 1 noborder lc rgb '#dcdcdc', $circles using 1:2 with lines " CIRCLE " lw 1, "
-	        "$points using 1:2 with points pt 7 ps 0.6 " CIRCLE, frame->from/frame->y.per,
-	        frame->to/frame->y.per);
-	if (frame->clear)
-		fputs(", $clear using 1:2 with lines lt 7 lw 1 dt (8,6)", script);
-	fputs(", $rope using 1:2 with lines lt 1, $ends using 1:2 with points pt 5 ps 0.7 lc rgb 'black'\n"
-	      "set yrange [*:*]\n", script);
-}
-
-static void draw_tension(FILE *script, const struct frame *frame)
-{
-	fputs("plot ", script);
-	if (frame->clear)
-		fputs("$clear using 1:3 with lines lt 7 lw 1 dt (8,6), ", script);
-	for (int k = 0; k < 2; k++)
-		if (frame->slide[k])
-			fprintf(script, "$slide%d using 1:3 with lines lc rgb '%s' lw 1, ", k, limit_colour[k]);
-	fputs("$rope using 1:3 with lines lt 1\n", script);
-}
-
-static struct hawser__legend legend(const struct frame *frame)
+/* The ropes that are there, as heights or tensions; those that slide with their tensions alone. */
+static void draw_ropes(struct hawser__figure *figure, const struct frame *frame, int tension)
 {
 	static const char *const title[] = {"about to slide toward A", "about to slide toward B"};
-	struct hawser__legend entries = {0};
 
-	hawser__legend_add(&entries, "rope", "with lines lt 1");
-	hawser__legend_add(&entries, "obstacles", "with lines lc rgb '#c8c8c8' lw 6");
 	if (frame->clear)
-		hawser__legend_add(&entries, "without obstacles", "with lines lt 7 lw 1 dt (8,6)");
-	for (int k = 0; k < 2; k++)
-		if (frame->slide[k])
-			hawser__legend_add(&entries, title[k], "with lines lc rgb '%s' lw 1", limit_colour[k]);
-	return entries;
+		put_rope(figure, &frame->st->clear.st, tension);
+	hawser__figure_draw(figure, "without obstacles", "with lines lt 7 lw 1 dt (8,6)");
+	for (int k = 0; k < 2; k++) {
+		if (frame->slide[k] && tension)
+			put_rope(figure, &frame->st->slide[k].st, 1);
+		hawser__figure_draw(figure, title[k], "with lines lc rgb '%s' lw 1", limit_colour[k]);
+	}
+	put_rope(figure, &frame->st->st, tension);
+	hawser__figure_draw(figure, "rope", "with lines lt 1");
 }
 
 enum hawser_status hawser__plot_obstacles(const char *path, const struct hawser_obstacles *scene,
                                           const struct hawser_obstacles_statics *st,
                                           struct hawser_report *report)
 {
+	const struct hawser_line *line = &scene->line;
 	struct frame frame = {.scene = scene, .st = st, .clear = st->clear.status == HAWSER_OK};
-	struct hawser__legend entries;
-	struct hawser__picture picture;
-	enum hawser_status status = hawser__picture_begin(&picture, path, WIDTH, HEIGHT, report);
-	FILE *script = picture.script;
+	struct hawser__figure figure = {0};
+	enum hawser_status status = hawser__figure_begin(&figure, path, WIDTH, HEIGHT, report);
 
 	if (status)
 		return status;
 	for (int k = 0; k < 2; k++)
 		frame.slide[k] = st->friction && st->slide[k].status == HAWSER_OK;
 	measure(&frame);
-	entries = legend(&frame);
-	rope_data(script, &frame, "rope", &st->st);
-	if (frame.clear)
-		rope_data(script, &frame, "clear", &st->clear.st);
-	for (int k = 0; k < 2; k++)
-		if (frame.slide[k])
-			rope_data(script, &frame, k ? "slide1" : "slide0", &st->slide[k].st);
-	circle_data(script, &frame);
-	fprintf(script, "set xrange [%.9g:%.9g]\nset format x ''\n", scene->line.A[0]/frame.x.per,
-	        scene->line.B[0]/frame.x.per);
-	hawser__picture_panel(&picture, 0.13, 0.97, 0.55, 0.97);
-	hawser__picture_ylabel(&picture, "%s", frame.y.title);
-	draw_shape(script, &frame);
-	fprintf(script, "set format x '%%g'\nset xlabel '%s'\n", frame.x.title);
-	hawser__picture_panel(&picture, 0.13, 0.97, 0.22, 0.50);
-	hawser__picture_ylabel(&picture, "%s", frame.T.title);
-	draw_tension(script, &frame);
-	hawser__legend_draw(&picture, &entries);
-	return hawser__picture_finish(&picture, report);
+	hawser__legend_once(&figure.legend, "rope", "with lines lt 1");
+	hawser__legend_once(&figure.legend, "obstacles", "with lines lc rgb '#c8c8c8' lw 6");
+	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.13, 0.97, 0.55, 0.97,
+		.x = {&frame.x, line->A[0], line->B[0], .bare = 1}, .y = {&frame.y, frame.from, frame.to}});
+	draw_circles(&figure, line);
+	draw_ropes(&figure, &frame, 0);
+	hawser__figure_put(&figure, line->A[0], line->A[1]);
+	hawser__figure_put(&figure, line->B[0], line->B[1]);
+	hawser__figure_draw(&figure, NULL, "with points pt 5 ps 0.7 lc rgb 'black'");
+	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.13, 0.97, 0.22, 0.50,
+		.x = {&frame.x, line->A[0], line->B[0]}, .y = {&frame.T}});
+	draw_ropes(&figure, &frame, 1);
+	return hawser__figure_finish(&figure, report);
 }

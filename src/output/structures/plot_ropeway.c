@@ -6,7 +6,7 @@
 #include <math.h>
 
 #include "output/structures/plot_ropeway.h"
-#include "output/drawing/style.h"
+#include "output/drawing/figure.h"
 
 #define WIDTH 22.0        /* cm */
 #define LEFT 0.118        /* of the panels, as a part of the width */
@@ -26,7 +26,6 @@ struct frame {
 	const struct hawser_ropeway_worst *worst;
 	struct hawser__axis x, y, T, R;
 	double from[2], to[2], largest; /* of the panel of the line, m; N */
-	double height;                  /* of the picture, cm */
 };
 
 static void widen(struct frame *frame, const double x[2])
@@ -90,11 +89,11 @@ static void measure(struct frame *frame)
 	frame->R = hawser__axis_of("Force on battery", "N", frame->largest);
 }
 
-static void rope_data(FILE *script, const struct frame *frame, int lane)
+/* Heights (0) or tensions (1) of a rope. */
+static void put_rope(struct hawser__figure *figure, const struct frame *frame, int lane, int tension)
 {
 	const struct hawser_line_statics *line = &frame->st->lane[lane].st;
 
-	fprintf(script, "$rope%d << END\n", lane);
 	for (int i = 0; i < line->pieces; i++) {
 		const struct hawser_line_piece *piece = &line->piece[i];
 
@@ -103,17 +102,25 @@ static void rope_data(FILE *script, const struct frame *frame, int lane)
 
 			hawser_line_at(line, x, NULL, &T, NULL, NULL,
 			               piece->S0 + (piece->S1 - piece->S0)*k/PER_PIECE);
-			fprintf(script, "%.8g %.8g %.9g\n", x[0]/frame->x.per, x[1]/frame->y.per, T/frame->T.per);
+			hawser__figure_put(figure, x[0], tension ? T : x[1]);
 		}
-		fprintf(script, "%.8g %.8g %.9g\n", piece->x1[0]/frame->x.per, piece->x1[1]/frame->y.per,
-		        piece->T1/frame->T.per);
+		hawser__figure_put(figure, piece->x1[0], tension ? piece->T1 : piece->x1[1]);
 	}
-	fprintf(script, "END\n$carriers%d << END\nNaN NaN NaN\n", lane);
-	for (int i = 0; i < frame->st->lane[lane].carriers; i++)
-		fprintf(script, "%.8g %.8g %.8g\n", line->carrier[i].x[0]/frame->x.per,
-		        line->carrier[i].x[1]/frame->y.per,
-		        (line->carrier[i].x[1] - frame->rw->hanger)/frame->y.per);
-	fputs("END\n", script);
+}
+
+static void draw_lane(struct hawser__figure *figure, const struct frame *frame, int lane)
+{
+	const struct hawser_ropeway_lane *of = &frame->st->lane[lane];
+
+	put_rope(figure, frame, lane, 0);
+	hawser__figure_draw(figure, NULL, "with lines lc rgb '%s' lw 1.4", colour[lane]);
+	for (int i = 0; i < of->carriers; i++)
+		hawser__figure_row(figure, "xyXY", (double[]){of->st.carrier[i].x[0], of->st.carrier[i].x[1], 0.0,
+		                                              -frame->rw->hanger});
+	hawser__figure_draw(figure, NULL, "using 1:2:3:4 with vectors nohead lc rgb '%s' lw 0.8", colour[lane]);
+	hawser__figure_again(figure, lane ? "carriers down" : "carriers up",
+	                     "using 1:($2 + $4) with points pt %d ps 0.55 lc rgb '%s'", lane ? 6 : 7,
+	                     colour[lane]);
 }
 
 /* The vertical reaction of a tower on the lane where it is larger. */
@@ -131,149 +138,118 @@ static double farther(const struct frame *frame, int tower)
 
 /* Reactions: the foot of the arrow, its vector, the number. Those of lane down are beside those of
  * lane up. */
-static void reaction_data(FILE *script, const struct frame *frame, int lane)
+static void draw_reactions(struct hawser__figure *figure, const struct frame *frame, int lane)
 {
-	double wide = (RIGHT - LEFT)*WIDTH, per[2];
+	const double per[2] = {(frame->to[0] - frame->from[0])/((RIGHT - LEFT)*WIDTH),
+	                       (frame->to[1] - frame->from[1])/LINE_CM};
+	char settings[60];
 
-	per[0] = (frame->to[0] - frame->from[0])/wide;
-	per[1] = (frame->to[1] - frame->from[1])/LINE_CM;
-	fprintf(script, "$reaction%d << END\nNaN NaN NaN NaN NaN none\n", lane);
+	snprintf(settings, sizeof settings, "center font ',7.5' tc rgb '%s'", colour[lane]);
 	for (int i = 0; i < frame->rw->towers && frame->largest > 0.0; i++) {
 		const struct hawser_ropeway_contact *c = &frame->st->lane[lane].contact[i];
-		double tip = frame->rw->tower[i].at[1] + farther(frame, i)/frame->largest*ARROW_CM*per[1];
-		double foot = frame->rw->tower[i].at[0] + lane*0.12*per[0],
-			   up = c->reaction[1] < 0.0 ? -1.0 : 1.0;
-		double d[2];
+		double y = frame->rw->tower[i].at[1], foot = frame->rw->tower[i].at[0] + lane*0.12*per[0];
+		double tip = y + farther(frame, i)/frame->largest*ARROW_CM*per[1], d[2];
+		double up = c->reaction[1] < 0.0 ? -1.0 : 1.0;
 
 		for (int k = 0; k < 2; k++)
 			d[k] = c->reaction[k]/frame->largest*ARROW_CM*per[k];
-		if (c->touches)
-			fprintf(script, "%.8g %.8g %.8g %.8g %.8g %.3g\n", foot/frame->x.per,
-			        frame->rw->tower[i].at[1]/frame->y.per, d[0]/frame->x.per, d[1]/frame->y.per,
-			        (tip + up*(0.28 + lane*0.36)*per[1])/frame->y.per,
-			        c->reaction[1]/frame->R.per);
+		if (!c->touches)
+			continue;
+		hawser__figure_row(figure, "xyXY", (double[]){foot, y, d[0], d[1]});
+		if (frame->rw->towers <= NAMED)
+			hawser__figure_label(figure, foot + d[0], tip + up*(0.28 + lane*0.36)*per[1], settings, "%.3g",
+			                     c->reaction[1]/frame->R.per);
 	}
-	fputs("END\n", script);
+	hawser__figure_draw(figure, NULL, "using 1:2:3:4 with vectors head filled size screen 0.007,18 "
+	                    "lc rgb '%s' lw 1.2", colour[lane]);
 }
 
-static void tower_data(FILE *script, const struct frame *frame)
+static void draw_towers(struct hawser__figure *figure, const struct frame *frame)
 {
 	const struct hawser_ropeway *rw = frame->rw;
+	double low = frame->from[1] + 0.035*(frame->to[1] - frame->from[1]);
 
-	fputs("$towers << END\nNaN NaN NaN none NaN\n", script);
 	for (int i = 0; i < rw->towers; i++) {
-		fprintf(script, "%.8g %.8g %.8g ", rw->tower[i].at[0]/frame->x.per,
-		        rw->tower[i].at[1]/frame->y.per,
-		        (frame->from[1] - rw->tower[i].at[1])/frame->y.per);
-		hawser__picture_literal(script, rw->tower[i].name, 1);
-		fprintf(script, " %.8g\n",
-		        (frame->from[1] + 0.035*(frame->to[1] - frame->from[1]))/frame->y.per);
+		const double *at = rw->tower[i].at;
+
+		hawser__figure_row(figure, "xyXY", (double[]){at[0], at[1], 0.0, frame->from[1] - at[1]});
+		if (rw->towers > NAMED)
+			continue;
+		fputs("set label '", figure->out.script);
+		hawser__picture_literal(figure->out.script, rw->tower[i].name, 0);
+		fprintf(figure->out.script, "' at %.8g,%.8g left offset 0.4, 0 font ',8'\n",
+		        at[0]/frame->x.per, low/frame->y.per);
 	}
-	fprintf(script, "END\n$stations << END\n%.8g %.8g\n%.8g %.8g\nEND\n", rw->bottom[0]/frame->x.per,
-	        rw->bottom[1]/frame->y.per, rw->top[0]/frame->x.per, rw->top[1]/frame->y.per);
+	hawser__figure_draw(figure, NULL, "using 1:2:3:4 with vectors nohead lc rgb '#8a8a8a' lw 1.6");
 }
 
-static void envelope_data(FILE *script, const struct frame *frame, int lane)
+static void draw_line(struct hawser__figure *figure, const struct frame *frame)
+{
+	draw_towers(figure, frame);
+	for (int i = frame->st->lanes - 1; i >= 0; i--)
+		draw_lane(figure, frame, i);
+	hawser__figure_put(figure, frame->rw->bottom[0], frame->rw->bottom[1]);
+	hawser__figure_put(figure, frame->rw->top[0], frame->rw->top[1]);
+	hawser__figure_draw(figure, NULL, "with points pt 5 ps 1 lc rgb 'black'");
+	for (int i = frame->st->lanes - 1; i >= 0; i--)
+		draw_reactions(figure, frame, i);
+}
+
+static void draw_envelope(struct hawser__figure *figure, const struct frame *frame, int lane)
 {
 	const struct hawser_ropeway_lane_range *of = &frame->worst->lane[lane];
 
-	fprintf(script, "$envelope%d << END\n", lane);
 	for (int i = 0; i < (frame->rw->towers + 1)*HAWSER_ROPEWAY_ENVELOPE; i++)
-		fprintf(script, "%.8g %.9g %.9g\n", of->place[i][0]/frame->x.per,
-		        of->envelope[i].min/frame->T.per, of->envelope[i].max/frame->T.per);
-	fprintf(script, "END\n$pressing%d << END\nNaN NaN NaN\n", lane);
-	for (int i = 0; i < frame->rw->towers; i++)
-		fprintf(script, "%.8g %.9g %.9g\n",
-		        (frame->rw->tower[i].at[0] + lane*0.006*(frame->to[0] - frame->from[0]))/frame->x.per,
-		        of->tower[i].pressing.min/frame->R.per, of->tower[i].pressing.max/frame->R.per);
-	fputs("END\n", script);
+		hawser__figure_row(figure, "xyy", (double[]){of->place[i][0], of->envelope[i].min,
+		                                             of->envelope[i].max});
+	hawser__figure_draw(figure, NULL, "using 1:2:3 with filledcurves fs transparent solid 0.25 noborder "
+	                    "lc rgb '%s'", colour[lane]);
+	for (int column = 2; column < 4; column++)
+		hawser__figure_again(figure, NULL, "using 1:%d with lines lc rgb '%s' lw 0.8", column, colour[lane]);
 }
 
-/* The next panel from the top, of this height (cm); *top is its upper edge, cm from the lower end. */
-static void panel(struct hawser__picture *picture, const struct frame *frame, double *top, double tall,
-                  const char *title)
+static void draw_tension(struct hawser__figure *figure, const struct frame *frame)
 {
-	hawser__picture_panel(picture, LEFT, RIGHT, (*top - tall)/frame->height, *top/frame->height);
-	hawser__picture_ylabel(picture, "%s", title);
-	*top -= tall + GAP_CM;
-}
-
-static void draw_line(FILE *script, const struct frame *frame)
-{
-	fprintf(script, "set yrange [%.8g:%.8g]\nplot "
-	        "$towers using 1:2:(0):3 with vectors nohead lc rgb '#8a8a8a' lw 1.6",
-	        frame->from[1]/frame->y.per, frame->to[1]/frame->y.per);
-	for (int i = frame->st->lanes - 1; i >= 0; i--)
-		fprintf(script,
-		        ", $rope%d using 1:2 with lines lc rgb '%s' lw 1.4, "
-		        "$carriers%d using 1:2:(0):($3 - $2) with vectors nohead lc rgb '%s' lw 0.8, "
-		        "$carriers%d using 1:3 with points pt %d ps 0.55 lc rgb '%s'",
-		        i, colour[i], i, colour[i], i, i ? 6 : 7, colour[i]);
-	fputs(", $stations using 1:2 with points pt 5 ps 1 lc rgb 'black'", script);
-	for (int i = frame->st->lanes - 1; i >= 0; i--)
-		fprintf(script, ", $reaction%d using 1:2:3:4 with vectors head filled size screen 0.007,18 "
-		        "lc rgb '%s' lw 1.2", i, colour[i]);
-	for (int i = 0; i < frame->st->lanes && frame->rw->towers <= NAMED; i++)
-		fprintf(script, ", $reaction%d using ($1 + $3):5:6 with labels font ',7.5' tc rgb '%s'", i,
-		        colour[i]);
-	if (frame->rw->towers <= NAMED)
-		fputs(", $towers using 1:5:4 with labels offset 0.4, 0 left font ',8'",
-		      script);
-	fputs("\nset yrange [*:*]\n", script);
-}
-
-static void draw_tension(FILE *script, const struct frame *frame)
-{
-	const char *separator = "plot ";
-
-	for (int i = 0; i < frame->st->lanes && frame->worst; i++) {
-		fprintf(script,
-		        "%s$envelope%d using 1:2:3 with filledcurves fs transparent solid 0.25 noborder "
-		        "lc rgb '%s', $envelope%d using 1:2 with lines lc rgb '%s' lw 0.8, "
-		        "$envelope%d using 1:3 with lines lc rgb '%s' lw 0.8",
-		        separator, i, colour[i], i, colour[i], i, colour[i]);
-		separator = ", ";
-	}
+	for (int i = 0; i < frame->st->lanes && frame->worst; i++)
+		draw_envelope(figure, frame, i);
 	for (int i = 0; i < frame->st->lanes; i++) {
-		fprintf(script, "%s$rope%d using 1:3 with lines lc rgb '%s' lw %g", separator, i, colour[i],
-		        frame->worst ? 0.6 : 1.4);
-		separator = ", ";
+		put_rope(figure, frame, i, 1);
+		hawser__figure_draw(figure, NULL, "with lines lc rgb '%s' lw %g", colour[i],
+		                    frame->worst ? 0.6 : 1.4);
 	}
-	fputs("\n", script);
 }
 
-static void draw_pressing(FILE *script, const struct frame *frame)
+static void draw_pressing(struct hawser__figure *figure, const struct frame *frame)
 {
-	fputs("set yrange [*:*]\nplot 0 with lines lc rgb '#404040' lw 0.8", script);
-	for (int i = 0; i < frame->st->lanes; i++)
-		fprintf(script,
-		        ", $pressing%d using 1:2:(0):($3 - $2) with vectors nohead lc rgb '%s' lw 4, "
-		        "$pressing%d using 1:2 with points pt 7 ps 0.5 lc rgb '%s'",
-		        i, colour[i], i, colour[i]);
-	fputs("\n", script);
+	hawser__figure_function(figure, NULL, "0 with lines lc rgb '#404040' lw 0.8");
+	for (int i = 0; i < frame->st->lanes; i++) {
+		for (int k = 0; k < frame->rw->towers; k++) {
+			const struct hawser_ropeway_range *range = &frame->worst->lane[i].tower[k].pressing;
+
+			hawser__figure_row(figure, "xyXY", (double[]){
+				frame->rw->tower[k].at[0] + i*0.006*(frame->to[0] - frame->from[0]), range->min, 0.0,
+				range->max - range->min});
+		}
+		hawser__figure_draw(figure, NULL, "using 1:2:3:4 with vectors nohead lc rgb '%s' lw 4", colour[i]);
+		hawser__figure_again(figure, NULL, "using 1:2 with points pt 7 ps 0.5 lc rgb '%s'", colour[i]);
+	}
 }
 
-static struct hawser__legend legend(const struct frame *frame)
+/* Entries that precede those of what is drawn, or follow them. */
+static void add_entries(struct hawser__legend *legend, const struct frame *frame, int after)
 {
-	struct hawser__legend entries = {0};
+	char title[64 + HAWSER__MARKUP_SIZE];
 
-	for (int i = 0; i < frame->st->lanes; i++)
-		hawser__legend_add(&entries, lane_title[i], "with lines lc rgb '%s' lw 1.4", colour[i]);
-	for (int i = 0; i < frame->st->lanes; i++)
-		if (frame->st->lane[i].carriers > 0)
-			hawser__legend_add(&entries, i ? "carriers down" : "carriers up",
-			                   "with points pt %d ps 0.55 lc rgb '%s'", i ? 6 : 7, colour[i]);
-	hawser__legend_add(&entries, "towers", "with lines lc rgb '#8a8a8a' lw 1.6");
-	if (frame->rw->towers > 0) {
-		char title[64 + HAWSER__MARKUP_SIZE];
-
-		snprintf(title, sizeof title, "force of battery on rope, vertical part in %s", frame->R.unit);
-		hawser__legend_add(&entries, title, "with vectors head filled lc rgb '#404040' lw 1.2");
-	}
+	for (int i = 0; i < frame->st->lanes && !after; i++)
+		hawser__legend_add(legend, lane_title[i], "with lines lc rgb '%s' lw 1.4", colour[i]);
+	if (!after)
+		return;
+	hawser__legend_once(legend, "towers", "with lines lc rgb '#8a8a8a' lw 1.6");
+	snprintf(title, sizeof title, "force of battery on rope, vertical part in %s", frame->R.unit);
+	if (frame->rw->towers > 0)
+		hawser__legend_once(legend, title, "with vectors head filled lc rgb '#404040' lw 1.2");
 	if (frame->worst)
-		hawser__legend_add(&entries, "least to largest over the phases",
-		                   "with lines lc rgb '#8a8a8a' lw 6");
-	return entries;
+		hawser__legend_once(legend, "least to largest over the phases", "with lines lc rgb '#8a8a8a' lw 6");
 }
 
 enum hawser_status hawser__plot_ropeway(const char *path, const struct hawser_ropeway *rw,
@@ -282,41 +258,30 @@ enum hawser_status hawser__plot_ropeway(const char *path, const struct hawser_ro
                                         struct hawser_report *report)
 {
 	struct frame frame = {.rw = rw, .st = st, .worst = worst};
-	struct hawser__legend entries;
-	struct hawser__picture picture;
-	enum hawser_status status;
-	FILE *script;
-	double top;
+	struct hawser__figure figure = {0};
+	int panels = worst ? 3 : 2;
+	double top = LINE_CM + (panels - 1)*(OTHER_CM + GAP_CM) + HAWSER__LEGEND_CM, height = top + 0.3;
+	enum hawser_status status = hawser__figure_begin(&figure, path, WIDTH, height, report);
 
-	measure(&frame);
-	entries = legend(&frame);
-	frame.height =
-		LINE_CM + (worst ? 2 : 1)*(OTHER_CM + GAP_CM) + hawser__legend_cm(&entries, WIDTH) + 0.3;
-	status = hawser__picture_begin(&picture, path, WIDTH, frame.height, report);
 	if (status)
 		return status;
-	script = picture.script;
-	for (int i = 0; i < st->lanes; i++) {
-		rope_data(script, &frame, i);
-		reaction_data(script, &frame, i);
-		if (worst)
-			envelope_data(script, &frame, i);
+	measure(&frame);
+	add_entries(&figure.legend, &frame, 0);
+	for (int k = 0; k < panels; k++) {
+		const struct hawser__axis *y[] = {&frame.y, &frame.T, &frame.R};
+		double tall = k ? OTHER_CM : LINE_CM;
+
+		hawser__figure_panel(&figure, &(struct hawser__panel_frame){LEFT, RIGHT, (top - tall)/height,
+			top/height, .x = {&frame.x, frame.from[0], frame.to[0], .bare = k + 1 < panels},
+			.y = {y[k], k ? 0.0 : frame.from[1], k ? 0.0 : frame.to[1]}});
+		top -= tall + GAP_CM;
+		if (k == 0)
+			draw_line(&figure, &frame);
+		else if (k == 1)
+			draw_tension(&figure, &frame);
+		else
+			draw_pressing(&figure, &frame);
 	}
-	tower_data(script, &frame);
-	fprintf(script, "set xrange [%.8g:%.8g]\nset format x ''\n", frame.from[0]/frame.x.per,
-	        frame.to[0]/frame.x.per);
-	top = frame.height - 0.3;
-	panel(&picture, &frame, &top, LINE_CM, frame.y.title);
-	draw_line(script, &frame);
-	if (!worst)
-		fprintf(script, "set format x '%%g'\nset xlabel '%s'\n", frame.x.title);
-	panel(&picture, &frame, &top, OTHER_CM, frame.T.title);
-	draw_tension(script, &frame);
-	if (worst) {
-		fprintf(script, "set format x '%%g'\nset xlabel '%s'\n", frame.x.title);
-		panel(&picture, &frame, &top, OTHER_CM, frame.R.title);
-		draw_pressing(script, &frame);
-	}
-	hawser__legend_draw(&picture, &entries);
-	return hawser__picture_finish(&picture, report);
+	add_entries(&figure.legend, &frame, 1);
+	return hawser__figure_finish(&figure, report);
 }

@@ -11,7 +11,6 @@
 
 #include "output/drawing/panels.h"
 #include "output/structures/plot_ropeway_modes.h"
-#include "output/drawing/style.h"
 
 #define WIDTH 22.0       /* cm: as the pictures of the statics of ropeways */
 #define LEFT_CM 2.8      /* of the first panel: tic labels and the title of the axis */
@@ -19,7 +18,6 @@
 #define GAP_CM 0.6       /* between two columns */
 #define PANEL_CM 3.5     /* height of a panel: with half of the width, a line of a common slope */
 #define TITLE_CM 0.95    /* above a panel */
-#define FOOT_CM 2.7      /* tics, axis title, legend */
 #define LARGEST_CM 0.75  /* largest displacement on the page */
 enum { PER_PIECE = 48, ALONE = 3 }; /* points of a piece; up to so many modes have the whole width */
 
@@ -35,7 +33,7 @@ struct frame {
 	double from[2], to[2]; /* m */
 	double per[2];         /* m of distance and of height per cm */
 	int panels, columns, rows;
-	double height, wide;   /* cm: of the picture, of a panel */
+	double wide;           /* cm, of a panel */
 };
 
 static double complex component(const double *shape, int parts, int c)
@@ -85,57 +83,26 @@ static double complex largest_of(const struct frame *frame, int k)
 	return most;
 }
 
-/* Columns: the place at rest, at t = 0 and a quarter of a period later. */
-static void place(FILE *script, const struct frame *frame, int k, int lane, double S,
-                  double complex scale)
+/* The place of a point, displaced by the real part of scale times the shape. */
+static void put_place(struct hawser__figure *figure, const struct frame *frame, int k, int lane, double S,
+                      double complex scale)
 {
-	double x[2];
 	double complex u[2];
+	double x[2];
 
 	hawser_line_at(frame->of->modes->lane[lane], x, NULL, NULL, NULL, NULL, S);
 	displacement(u, frame, k, lane, S);
-	for (int c = 0; c < 2; c++)
-		u[c] *= scale;
-	u[0] *= frame->per[0];
-	u[1] *= frame->per[1];
-	fprintf(script, "%.8g %.8g %.8g %.8g %.8g %.8g\n", x[0]/frame->x.per, x[1]/frame->y.per,
-	        (x[0] + creal(u[0]))/frame->x.per, (x[1] + creal(u[1]))/frame->y.per,
-	        (x[0] - cimag(u[0]))/frame->x.per, (x[1] - cimag(u[1]))/frame->y.per);
+	hawser__figure_put(figure, x[0] + creal(u[0]*scale)*frame->per[0], x[1] + creal(u[1]*scale)*frame->per[1]);
 }
 
-static void data(FILE *script, const struct frame *frame, int k)
+static void put_rope(struct hawser__figure *figure, const struct frame *frame, int k, int lane,
+                     double complex scale)
 {
-	const struct hawser_line_modes *modes = frame->of->modes;
-	double complex most = largest_of(frame, k), scale = LARGEST_CM/most;
+	const struct hawser_line_statics *line = frame->of->modes->lane[lane];
 
-	if (!modes->gyroscopic)
-		scale = LARGEST_CM/cabs(most);
-	for (int lane = 0; lane < modes->lanes; lane++) {
-		const struct hawser_line_statics *line = modes->lane[lane];
-
-		fprintf(script, "$rope%d_%d << END\n", k, lane);
-		for (int p = 0; p < line->pieces; p++)
-			for (int i = 0; i < PER_PIECE + (p + 1 == line->pieces); i++)
-				place(script, frame, k, lane, S_of(&line->piece[p], i), scale);
-		fprintf(script, "END\n$carriers%d_%d << END\nNaN NaN NaN NaN NaN NaN\n", k, lane);
-		for (int i = 0; i < frame->of->carriers[lane]; i++)
-			place(script, frame, k, lane, line->line->mass[i].S, scale);
-		fputs("END\n", script);
-	}
-}
-
-static void tower_data(FILE *script, const struct frame *frame)
-{
-	const struct hawser__ropeway_modes_picture *of = frame->of;
-
-	fputs("$towers << END\nNaN NaN NaN\n", script);
-	for (int i = 0; i < of->towers; i++)
-		fprintf(script, "%.8g %.8g %.8g\n", of->tower[i][0]/frame->x.per,
-		        of->tower[i][1]/frame->y.per,
-		        of->posts ? (frame->from[1] - of->tower[i][1])/frame->y.per : 0.0);
-	fprintf(script, "END\n$stations << END\n%.8g %.8g\n%.8g %.8g\nEND\n",
-	        of->end[0][0]/frame->x.per, of->end[0][1]/frame->y.per, of->end[1][0]/frame->x.per,
-	        of->end[1][1]/frame->y.per);
+	for (int p = 0; p < line->pieces; p++)
+		for (int i = 0; i < PER_PIECE + (p + 1 == line->pieces); i++)
+			put_place(figure, frame, k, lane, S_of(&line->piece[p], i), scale);
 }
 
 static void title(FILE *script, const struct frame *frame, int k)
@@ -155,46 +122,66 @@ static void title(FILE *script, const struct frame *frame, int k)
 	hawser__panels_frequency(script, k, mode->omega/of->modes->time_unit, text);
 }
 
-static void draw(FILE *script, const struct frame *frame, int k)
+static void draw_towers(struct hawser__figure *figure, const struct frame *frame)
 {
-	const struct hawser_line_modes *modes = frame->of->modes;
+	const struct hawser__ropeway_modes_picture *of = frame->of;
 
-	fputs("plot $towers using 1:2:(0):3 with vectors nohead lc rgb '#b0b0b0' lw 1.2", script);
-	for (int i = modes->lanes - 1; i >= 0; i--)
-		fprintf(script, ", $rope%d_%d using 1:2 with lines lc rgb '#808080' lw 0.7", k, i);
-	for (int i = modes->lanes - 1; i >= 0 && modes->gyroscopic; i--)
-		fprintf(script, ", $rope%d_%d using 5:6 with lines lc rgb '%s' lw 1.0", k, i, faint[i]);
-	for (int i = modes->lanes - 1; i >= 0; i--)
-		fprintf(script, ", $rope%d_%d using 3:4 with lines lc rgb '%s' lw 1.5, "
-		        "$carriers%d_%d using 3:4 with points pt %d ps 0.4 lc rgb '%s'", k, i, colour[i], k, i,
-		        i ? 6 : 7, colour[i]);
-	fprintf(script, ", $towers using 1:2 with points %s lc rgb 'black'"
-	        ", $stations using 1:2 with points pt 5 ps 0.7 lc rgb 'black'\n", mark[modes->contact]);
+	for (int i = 0; i < of->towers; i++)
+		hawser__figure_row(figure, "xyXY", (double[]){of->tower[i][0], of->tower[i][1], 0.0,
+		                   of->posts ? frame->from[1] - of->tower[i][1] : 0.0});
+	hawser__figure_draw(figure, NULL, "using 1:2:3:4 with vectors nohead lc rgb '#b0b0b0' lw 1.2");
 }
 
-static struct hawser__legend legend(const struct frame *frame)
+static void draw_places(struct hawser__figure *figure, const struct frame *frame)
 {
-	const struct hawser_line_modes *modes = frame->of->modes;
-	struct hawser__legend entries = {0};
+	const struct hawser__ropeway_modes_picture *of = frame->of;
 	char text[64];
 
+	snprintf(text, sizeof text, "%s: %s", of->what, said[of->modes->contact]);
+	for (int i = 0; i < of->towers; i++)
+		hawser__figure_put(figure, of->tower[i][0], of->tower[i][1]);
+	hawser__figure_draw(figure, text, "with points %s lc rgb 'black'", mark[of->modes->contact]);
+	for (int i = 0; i < 2; i++)
+		hawser__figure_put(figure, of->end[i][0], of->end[i][1]);
+	hawser__figure_draw(figure, NULL, "with points pt 5 ps 0.7 lc rgb 'black'");
+}
+
+static void draw_mode(struct hawser__figure *figure, const struct frame *frame, int k)
+{
+	const struct hawser_line_modes *modes = frame->of->modes;
+	double complex most = largest_of(frame, k), scale = LARGEST_CM/(modes->gyroscopic ? most : cabs(most));
+
+	draw_towers(figure, frame);
+	for (int i = modes->lanes - 1; i >= 0; i--) {
+		put_rope(figure, frame, k, i, 0.0);
+		hawser__figure_draw(figure, NULL, "with lines lc rgb '#808080' lw 0.7");
+	}
+	for (int i = modes->lanes - 1; i >= 0 && modes->gyroscopic; i--) {
+		put_rope(figure, frame, k, i, I*scale); /* a quarter of a period later */
+		hawser__figure_draw(figure, NULL, "with lines lc rgb '%s' lw 1.0", faint[i]);
+	}
+	for (int i = modes->lanes - 1; i >= 0; i--) {
+		put_rope(figure, frame, k, i, scale);
+		hawser__figure_draw(figure, NULL, "with lines lc rgb '%s' lw 1.5", colour[i]);
+		for (int c = 0; c < frame->of->carriers[i]; c++)
+			put_place(figure, frame, k, i, modes->lane[i]->line->mass[c].S, scale);
+		hawser__figure_draw(figure, i ? "carriers down" : "carriers up",
+		                    "with points pt %d ps 0.4 lc rgb '%s'", i ? 6 : 7, colour[i]);
+	}
+	draw_places(figure, frame);
+}
+
+/* Entries that precede those of what is drawn. */
+static void add_entries(struct hawser__legend *legend, const struct hawser_line_modes *modes)
+{
 	for (int i = 0; i < modes->lanes; i++)
-		hawser__legend_add(&entries, modes->lanes == 1 ? "mode" : i ? "lane down" : "lane up",
+		hawser__legend_add(legend, modes->lanes == 1 ? "mode" : i ? "lane down" : "lane up",
 		                   "with lines lc rgb '%s' lw 1.5", colour[i]);
 	for (int i = 0; i < modes->lanes && modes->gyroscopic; i++)
-		hawser__legend_add(&entries, modes->lanes == 1 ? "a quarter period later"
+		hawser__legend_add(legend, modes->lanes == 1 ? "a quarter period later"
 		                   : i ? "down, a quarter period later" : "up, a quarter period later",
 		                   "with lines lc rgb '%s' lw 1.0", faint[i]);
-	hawser__legend_add(&entries, "equilibrium", "with lines lc rgb '#808080' lw 0.7");
-	for (int i = 0; i < modes->lanes; i++)
-		if (frame->of->carriers[i] > 0)
-			hawser__legend_add(&entries, i ? "carriers down" : "carriers up",
-			                   "with points pt %d ps 0.4 lc rgb '%s'", i ? 6 : 7, colour[i]);
-	if (frame->of->towers > 0) {
-		snprintf(text, sizeof text, "%s: %s", frame->of->what, said[modes->contact]);
-		hawser__legend_add(&entries, text, "with points %s lc rgb 'black'", mark[modes->contact]);
-	}
-	return entries;
+	hawser__legend_once(legend, "equilibrium", "with lines lc rgb '#808080' lw 0.7");
 }
 
 static void measure(struct frame *frame)
@@ -234,59 +221,34 @@ static void measure(struct frame *frame)
 	frame->y = hawser__axis_of("Height {/:Italic y}, displacement enlarged", "m", 0.0);
 }
 
-static void panel(struct hawser__picture *picture, const struct frame *frame, int k)
-{
-	int column = k % frame->columns, last = k + frame->columns >= frame->panels;
-	int row = k/frame->columns;
-	double left = LEFT_CM + column*(frame->wide + GAP_CM);
-	double top = frame->height - TITLE_CM - row*(PANEL_CM + TITLE_CM);
-
-	fprintf(picture->script, "set format x '%s'\nset format y '%s'\n", last ? "%g" : "",
-	        column == 0 ? "%g" : "");
-	if (last)
-		fprintf(picture->script, "set xlabel '%s' offset 0,0.4\n", frame->x.title);
-	else
-		fputs("unset xlabel\n", picture->script);
-	hawser__picture_panel(picture, left/WIDTH, (left + frame->wide)/WIDTH,
-	                      (top - PANEL_CM)/frame->height, top/frame->height);
-	fputs("unset label\n", picture->script);
-	if (k == 0) {
-		picture->middle = 0.5*(frame->height - TITLE_CM + FOOT_CM)/frame->height;
-		hawser__picture_ylabel(picture, "%s", frame->y.title);
-	}
-}
-
 enum hawser_status hawser__plot_ropeway_modes(const char *path,
                                               const struct hawser__ropeway_modes_picture *of,
                                               struct hawser_report *report)
 {
 	struct frame frame = {.of = of};
-	struct hawser__legend entries;
-	struct hawser__picture picture;
+	struct hawser__figure figure = {0};
+	double foot = HAWSER__LEGEND_CM, height;
 	enum hawser_status status;
-	double foot;
 
 	measure(&frame);
-	entries = legend(&frame);
-	foot = fmax(FOOT_CM, hawser__legend_cm(&entries, WIDTH));
-	frame.height = foot + frame.rows*(PANEL_CM + TITLE_CM);
-	status = hawser__picture_begin(&picture, path, WIDTH, frame.height, report);
+	height = foot + frame.rows*(PANEL_CM + TITLE_CM);
+	status = hawser__figure_begin(&figure, path, WIDTH, height, report);
 	if (status)
 		return status;
-	for (int k = 0; k < frame.panels; k++)
-		data(picture.script, &frame, k);
-	tower_data(picture.script, &frame);
-	fprintf(picture.script, "set xrange [%.8g:%.8g]\nset yrange [%.8g:%.8g]\n",
-	        frame.from[0]/frame.x.per, frame.to[0]/frame.x.per, frame.from[1]/frame.y.per,
-	        frame.to[1]/frame.y.per);
-	hawser__picture_tics(&picture, 'x', frame.from[0]/frame.x.per, frame.to[0]/frame.x.per,
-	                     frame.columns > 1 ? 6 : 10);
-	hawser__picture_tics(&picture, 'y', frame.from[1]/frame.y.per, frame.to[1]/frame.y.per, 5);
+	add_entries(&figure.legend, of->modes);
 	for (int k = 0; k < frame.panels; k++) {
-		panel(&picture, &frame, k);
-		title(picture.script, &frame, k);
-		draw(picture.script, &frame, k);
+		int column = k % frame.columns, row = k/frame.columns;
+		double left = LEFT_CM + column*(frame.wide + GAP_CM);
+		double top = height - TITLE_CM - row*(PANEL_CM + TITLE_CM);
+
+		hawser__figure_panel(&figure, &(struct hawser__panel_frame){left/WIDTH, (left + frame.wide)/WIDTH,
+			(top - PANEL_CM)/height, top/height,
+			.x = {&frame.x, frame.from[0], frame.to[0], .tics = frame.columns > 1 ? 6 : 10,
+			      .bare = k + frame.columns < frame.panels},
+			.y = {&frame.y, frame.from[1], frame.to[1], .tics = 5, .bare = column > 0, .untitled = k > 0}});
+		figure.out.middle = 0.5*(height - TITLE_CM + foot)/height;
+		title(figure.out.script, &frame, k);
+		draw_mode(&figure, &frame, k);
 	}
-	hawser__legend_draw(&picture, &entries);
-	return hawser__picture_finish(&picture, report);
+	return hawser__figure_finish(&figure, report);
 }

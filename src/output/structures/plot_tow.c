@@ -10,7 +10,7 @@
 #include <math.h>
 
 #include "output/structures/plot_tow.h"
-#include "output/drawing/style.h"
+#include "output/drawing/figure.h"
 
 #define WIDTH 17.0   /* cm */
 #define SIDE 8.5     /* cm, height of the view along z */
@@ -83,106 +83,65 @@ static void measure(struct frame *frame)
 	frame->height = TOP + SIDE + ABOVE + TENSION + 2.0*TITLE + HAWSER__LEGEND_CM;
 }
 
-static void line(FILE *script, const struct frame *frame, const double *x)
+/* A place as a view along z (k 1: y over x) or from above (2: z over x) shows it. */
+static void put(struct hawser__figure *figure, const double *x, int k)
 {
-	fprintf(script, "%.9g %.9g %.9g\n", x[0]/frame->x.per, x[1]/frame->y.per, x[2]/frame->z.per);
+	hawser__figure_put(figure, x[0], x[k]);
 }
 
-static void data(FILE *script, const struct frame *frame)
+static void draw_ring(struct hawser__figure *figure, const struct frame *frame, int k)
 {
-	const struct hawser_tow_steady *steady = frame->steady;
 	double x[3];
 
-	fputs("$cable << END\n", script);
-	for (int i = 0; i < steady->points; i++) {
-		const struct hawser_tow_point *p = &steady->point[i];
-
-		fprintf(script, "%.9g %.9g %.9g %.9g %.9g\n", p->x[0]/frame->x.per, p->x[1]/frame->y.per,
-		        p->x[2]/frame->z.per, p->s/frame->s.per, p->tension/frame->T.per);
+	for (int i = 0; has_ring(frame) && i < LINKS; i++) {
+		put(figure, frame->steady->end, k);
+		ring_point(x, frame, 2.0*acos(-1.0)*i/LINKS);
+		put(figure, x, k);
+		hawser__figure_gap(figure);
 	}
-	fputs("END\n$body << END\n", script);
-	line(script, frame, steady->centre);
-	fputs("END\n$ring << END\nNaN NaN NaN\n", script);
+	hawser__figure_draw(figure, NULL, "with lines " BODY " lw 0.6");
 	for (int i = 0; has_ring(frame) && i <= AROUND; i++) {
 		ring_point(x, frame, 2.0*acos(-1.0)*i/AROUND);
-		line(script, frame, x);
+		put(figure, x, k);
 	}
-	fputs("END\n$links << END\nNaN NaN NaN\n", script);
-	for (int i = 0; has_ring(frame) && i < LINKS; i++) {
-		line(script, frame, steady->end);
-		ring_point(x, frame, 2.0*acos(-1.0)*i/LINKS);
-		line(script, frame, x);
-		fputs("\n", script);
-	}
-	fputs("END\n$orbit << END\nNaN NaN NaN\n", script);
-	for (int i = 0; steady->spin != 0.0 && i <= AROUND; i++) {
-		const struct hawser_path *path = &frame->tow->path;
+	hawser__figure_draw(figure, "ring and links", "with lines " BODY " lw 2");
+}
+
+static void draw_orbit(struct hawser__figure *figure, const struct frame *frame, int k)
+{
+	const struct hawser_path *path = &frame->tow->path;
+
+	for (int i = 0; frame->steady->spin != 0.0 && i <= AROUND; i++) {
 		double angle = 2.0*acos(-1.0)*i/AROUND;
+		const double x[] = {path->origin[0] + path->radius*cos(angle), path->origin[1],
+		                    path->origin[2] + path->radius*sin(angle)};
 
-		x[0] = path->origin[0] + path->radius*cos(angle);
-		x[1] = path->origin[1];
-		x[2] = path->origin[2] + path->radius*sin(angle);
-		line(script, frame, x);
+		put(figure, x, k);
 	}
-	fputs("END\n", script);
+	hawser__figure_draw(figure, "orbit of the towing point", "with lines lc rgb '#a0a0a0' lw 1 dt (6,5)");
 }
 
-/* Ranges with equal scales for coordinates 0 and k in a panel of this height (cm). */
-static void ranges(double x[2], double y[2], const struct frame *frame, int k, double height)
+static void draw_view(struct hawser__figure *figure, const struct frame *frame, int k)
 {
-	double width = (RIGHT - LEFT)*WIDTH, per_y = k == 1 ? frame->y.per : frame->z.per;
-	double wide = (frame->high[0] - frame->low[0])/frame->x.per,
-	       tall = (frame->high[k] - frame->low[k])/per_y;
-	double per_cm = 1.16*fmax(wide/width, tall/height); /* a margin of 8 % on each side */
-	double x_middle = 0.5*(frame->high[0] + frame->low[0])/frame->x.per,
-	       y_middle = 0.5*(frame->high[k] + frame->low[k])/per_y;
+	double tall = k == 1 ? SIDE : ABOVE, top = k == 1 ? TOP : TOP + SIDE + TITLE;
+	struct hawser__panel_frame at = {LEFT, RIGHT, 1.0 - (top + tall)/frame->height, 1.0 - top/frame->height,
+		.x = {&frame->x, .tics = 10}, .y = {k == 1 ? &frame->y : &frame->z, .tics = 6}};
 
-	if (!(per_cm > 0.0))
-		per_cm = 0.1; /* a cable that hangs down, from above: 1 m in 10 cm */
-	x[0] = x_middle - 0.5*per_cm*width;
-	x[1] = x_middle + 0.5*per_cm*width;
-	y[0] = y_middle - 0.5*per_cm*height;
-	y[1] = y_middle + 0.5*per_cm*height;
-}
-
-static void view(struct hawser__picture *picture, const struct frame *frame, int k)
-{
-	FILE *script = picture->script;
-	double tall = k == 1 ? SIDE : ABOVE, top = k == 1 ? TOP : TOP + SIDE + TITLE, x[2], y[2];
-
-	ranges(x, y, frame, k, tall);
-	hawser__picture_panel(picture, LEFT, RIGHT, 1.0 - (top + tall)/frame->height,
-	                      1.0 - top/frame->height);
-	fprintf(script, "set xrange [%.9g:%.9g]\nset yrange [%.9g:%.9g]\nset xlabel '%s' offset 0,0.3\n",
-	        x[0], x[1], y[k == 1 ? 0 : 1], y[k == 1 ? 1 : 0], frame->x.title);
-	hawser__picture_tics(picture, 'x', x[0], x[1], 10);
-	hawser__picture_tics(picture, 'y', y[0], y[1], 6);
-	hawser__picture_ylabel(picture, "%s", k == 1 ? frame->y.title : frame->z.title);
-	fprintf(script, "set label 2 '%s' at graph 0.985,%s right font ',9'\n",
+	hawser__panel_even(&at, (double[]){frame->low[0], frame->low[k]},
+	                   (double[]){frame->high[0], frame->high[k]}, (RIGHT - LEFT)*WIDTH, tall, k == 2);
+	hawser__figure_panel(figure, &at);
+	fprintf(figure->out.script, "set label '%s' at graph 0.985,%s right font ',9'\n",
 	        k == 1 ? "seen along {/:Italic z}" : "seen from above", k == 1 ? "0.95" : "0.07");
-	fprintf(script, "plot $orbit using 1:%d with lines lc rgb '#a0a0a0' lw 1 dt (6,5), $links using "
-	        "1:%d with lines " BODY " lw 0.6, $ring using 1:%d with lines " BODY " lw 2, $cable using "
-	        "1:%d with lines lt 7 lw 1.8, $cable using 1:%d every ::::0 with points pt 7 ps 0.9 lc rgb "
-	        "'black'", k + 1, k + 1, k + 1, k + 1, k + 1);
+	draw_orbit(figure, frame, k);
+	draw_ring(figure, frame, k);
+	for (int i = 0; i < frame->steady->points; i++)
+		put(figure, frame->steady->point[i].x, k);
+	hawser__figure_draw(figure, "cable", "with lines lt 7 lw 1.8");
+	put(figure, frame->steady->point[0].x, k);
+	hawser__figure_draw(figure, "towing point", "with points pt 7 ps 0.9 lc rgb 'black'");
 	if (frame->tow->body.kind == HAWSER_TOW_MASS)
-		fprintf(script, ", $body using 1:%d with points pt 7 ps 1.2 " BODY, k + 1);
-	fputs("\nunset label 2\n", script);
-}
-
-static void legend(struct hawser__picture *picture, const struct frame *frame)
-{
-	struct hawser__legend entries = {0};
-
-	hawser__legend_add(&entries, "cable", "with lines lt 7 lw 1.8");
-	hawser__legend_add(&entries, "towing point", "with points pt 7 ps 0.9 lc rgb 'black'");
-	if (has_ring(frame))
-		hawser__legend_add(&entries, "ring and links", "with lines " BODY " lw 2");
-	else if (frame->tow->body.kind == HAWSER_TOW_MASS)
-		hawser__legend_add(&entries, "body", "with points pt 7 ps 1.2 " BODY);
-	if (frame->steady->spin != 0.0)
-		hawser__legend_add(&entries, "orbit of the towing point",
-		                   "with lines lc rgb '#a0a0a0' lw 1 dt (6,5)");
-	hawser__legend_draw(picture, &entries);
+		put(figure, frame->steady->centre, k);
+	hawser__figure_draw(figure, "body", "with points pt 7 ps 1.2 " BODY);
 }
 
 enum hawser_status hawser__plot_tow(const char *path, const struct hawser_tow *tow,
@@ -190,27 +149,22 @@ enum hawser_status hawser__plot_tow(const char *path, const struct hawser_tow *t
                                     struct hawser_report *report)
 {
 	struct frame frame = {.tow = tow, .steady = steady};
-	struct hawser__picture picture;
+	struct hawser__figure figure = {0};
+	double bottom, end = steady->point[steady->points - 1].s;
 	enum hawser_status status;
-	double bottom;
 
 	measure(&frame);
-	status = hawser__picture_begin(&picture, path, WIDTH, frame.height, report);
+	status = hawser__figure_begin(&figure, path, WIDTH, frame.height, report);
 	if (status)
 		return status;
-	data(picture.script, &frame);
-	fputs("unset key\n", picture.script);
-	view(&picture, &frame, 1);
-	view(&picture, &frame, 2);
+	draw_view(&figure, &frame, 1);
+	draw_view(&figure, &frame, 2);
 	bottom = HAWSER__LEGEND_CM/frame.height;
-	hawser__picture_panel(&picture, LEFT, RIGHT, bottom, bottom + TENSION/frame.height);
-	fprintf(picture.script, "set xrange [0:%.9g]\nset yrange [0:*]\n"
-	        "set xlabel '%s' offset 0,0.3\n", steady->point[steady->points - 1].s/frame.s.per,
-	        frame.s.title);
-	hawser__picture_tics(&picture, 'x', 0.0, steady->point[steady->points - 1].s/frame.s.per, 10);
-	hawser__picture_tics(&picture, 'y', 0.0, steady->tension_top/frame.T.per, 5);
-	hawser__picture_ylabel(&picture, "%s", frame.T.title);
-	fputs("plot $cable using 4:5 with lines lt 7 lw 1.8\n", picture.script);
-	legend(&picture, &frame);
-	return hawser__picture_finish(&picture, report);
+	hawser__figure_panel(&figure, &(struct hawser__panel_frame){LEFT, RIGHT, bottom,
+		bottom + TENSION/frame.height, .x = {&frame.s, 0.0, end, .tics = 10},
+		.y = {&frame.T, .zero = 1, .tics = 5, .open = 1}});
+	hawser__figure_bind(&figure, steady->points, &steady->point[0].s, sizeof *steady->point,
+	                    &steady->point[0].tension, sizeof *steady->point);
+	hawser__figure_draw(&figure, NULL, "with lines lt 7 lw 1.8");
+	return hawser__figure_finish(&figure, report);
 }

@@ -9,7 +9,7 @@
 #include <math.h>
 
 #include "output/structures/plot_tow_motion.h"
-#include "output/drawing/style.h"
+#include "output/drawing/figure.h"
 
 #define WIDTH 17.0 /* cm */
 #define ABOVE 6.0  /* cm, height of the view from above */
@@ -44,6 +44,12 @@ static void measure(struct frame *frame)
 			frame->high[k % 2] = fmax(frame->high[k % 2], value);
 			top = fmax(top, at->tension_top);
 		}
+	for (int k = 0; k < 2; k++) { /* a way that is too narrow is drawn in a range so wide */
+		double narrow = FLAT*(frame->high[1 - k] - frame->low[1 - k]) - (frame->high[k] - frame->low[k]);
+
+		frame->low[k] -= 0.5*fmax(narrow, 0.0);
+		frame->high[k] += 0.5*fmax(narrow, 0.0);
+	}
 	for (int e = 0; e < motion->elements; e++)
 		most = fmax(most, motion->range[e].most);
 	frame->x = hawser__axis_of("{/:Italic x}", "m", 0.0);
@@ -57,113 +63,80 @@ static void measure(struct frame *frame)
 	frame->below = frame->height - TOP;
 }
 
-static void data(FILE *script, const struct frame *frame)
-{
-	const struct hawser_tow_motion *motion = frame->motion;
-
-	fputs("$time << END\n", script);
-	for (int i = 0; i < motion->samples; i++) {
-		const struct hawser_tow_sample *at = &motion->sample[i];
-
-		fprintf(script, "%.9g %.9g %.9g %.9g %.9g %.9g %.9g\n", at->t/frame->t.per,
-		        at->top[0]/frame->x.per, at->top[2]/frame->z.per, at->body[0]/frame->x.per,
-		        at->body[2]/frame->z.per, at->tilt/frame->tilt.per, at->tension_top/frame->T.per);
-	}
-	fputs("END\n$range << END\n", script);
-	for (int e = 0; e < motion->elements; e++) {
-		const struct hawser_tow_range *at = &motion->range[e];
-
-		fprintf(script, "%.9g %.9g %.9g %.9g\n", at->s/frame->s.per, at->least/frame->range.per,
-		        at->mean/frame->range.per, at->most/frame->range.per);
-	}
-	fputs("END\n", script);
-}
-
 /* The next panel downwards. */
-static void panel(struct hawser__picture *picture, struct frame *frame, double tall)
+static void panel(struct hawser__figure *figure, struct frame *frame, double tall,
+                  struct hawser__panel_frame *at)
 {
-	hawser__picture_panel(picture, LEFT, RIGHT, (frame->below - tall)/frame->height,
-	                      frame->below/frame->height);
+	at->left = LEFT;
+	at->right = RIGHT;
+	at->bottom = (frame->below - tall)/frame->height;
+	at->top = frame->below/frame->height;
+	hawser__figure_panel(figure, at);
 	frame->below -= tall + TITLE;
 }
 
-static void above(struct hawser__picture *picture, struct frame *frame)
-{
-	double wide = frame->high[0] - frame->low[0], deep = frame->high[1] - frame->low[1];
-	double width = (RIGHT - LEFT)*WIDTH, x, z, per_cm;
-
-	wide = fmax(wide, FLAT*deep);
-	deep = fmax(deep, FLAT*wide);
-	per_cm = 1.16*fmax(wide/width, deep/ABOVE); /* a margin of 8 % on each side */
-	per_cm = per_cm > 0.0 ? per_cm : 0.1; /* at rest: 1 m in 10 cm */
-	x = 0.5*(frame->low[0] + frame->high[0]);
-	z = 0.5*(frame->low[1] + frame->high[1]);
-	panel(picture, frame, ABOVE);
-	fprintf(picture->script, "set xrange [%.9g:%.9g]\nset yrange [%.9g:%.9g]\n"
-	        "set xlabel '%s' offset 0,0.3\n", (x - 0.5*per_cm*width)/frame->x.per,
-	        (x + 0.5*per_cm*width)/frame->x.per, (z + 0.5*per_cm*ABOVE)/frame->z.per,
-	        (z - 0.5*per_cm*ABOVE)/frame->z.per, frame->x.title);
-	hawser__picture_tics(picture, 'x', (x - 0.5*per_cm*width)/frame->x.per,
-	                     (x + 0.5*per_cm*width)/frame->x.per, 10);
-	hawser__picture_tics(picture, 'y', (z - 0.5*per_cm*ABOVE)/frame->z.per,
-	                     (z + 0.5*per_cm*ABOVE)/frame->z.per, 6);
-	hawser__picture_ylabel(picture, "%s", frame->z.title);
-	fputs("set label 2 'seen from above' at graph 0.985,0.07 right font ',9'\n"
-	      "plot $time using 2:3 with lines lt 7 lw 1.2 dt (6,5), "
-	      "$time using 4:5 with lines lt 1 lw 1.8\n"
-	      "unset label 2\n", picture->script);
-}
-
-static void over_time(struct hawser__picture *picture, struct frame *frame, const char *title,
-                      int column)
+static void draw_above(struct hawser__figure *figure, struct frame *frame)
 {
 	const struct hawser_tow_sample *sample = frame->motion->sample;
-	double from = sample[0].t/frame->t.per, to = sample[frame->motion->samples - 1].t/frame->t.per;
+	struct hawser__panel_frame at = {.x = {&frame->x, .tics = 10}, .y = {&frame->z, .tics = 6}};
+	int count = frame->motion->samples;
 
-	panel(picture, frame, PANEL);
-	fprintf(picture->script, "set xrange [%.9g:%.9g]\nset yrange [*:*]\n"
-	        "set xlabel '%s' offset 0,0.3\n", from, to, frame->t.title);
-	hawser__picture_tics(picture, 'x', from, to, 10);
-	fputs("set ytics autofreq\n", picture->script);
-	hawser__picture_ylabel(picture, "%s", title);
-	fprintf(picture->script, "plot $time using 1:%d with lines lt 1 lw 1.4\n", column);
+	hawser__panel_even(&at, frame->low, frame->high, (RIGHT - LEFT)*WIDTH, ABOVE, 1);
+	panel(figure, frame, ABOVE, &at);
+	fputs("set label 'seen from above' at graph 0.985,0.07 right font ',9'\n", figure->out.script);
+	hawser__figure_bind(figure, count, &sample->top[0], sizeof *sample, &sample->top[2], sizeof *sample);
+	hawser__figure_draw(figure, "towing point", "with lines lt 7 lw 1.2 dt (6,5)");
+	hawser__figure_bind(figure, count, &sample->body[0], sizeof *sample, &sample->body[2], sizeof *sample);
+	hawser__figure_draw(figure, "body", "with lines lt 1 lw 1.8");
 }
 
-static void along(struct hawser__picture *picture, struct frame *frame)
+static void draw_over_time(struct hawser__figure *figure, struct frame *frame,
+                           const struct hawser__axis *axis, const double *value)
 {
-	panel(picture, frame, PANEL);
-	fprintf(picture->script, "set xrange [0:*]\nset yrange [*:*]\nset xlabel '%s' offset 0,0.3\n",
-	        frame->s.title);
-	fputs("set xtics autofreq\nset ytics autofreq\n", picture->script);
-	hawser__picture_ylabel(picture, "%s", frame->range.title);
-	fputs("plot $range using 1:2:4 with filledcurves lc rgb '#d8e4f0', "
-	      "$range using 1:2 with lines lt 3 lw 1.2, $range using 1:4 with lines lt 2 lw 1.2, "
-	      "$range using 1:3 with lines lt 7 lw 1.8\n", picture->script);
+	const struct hawser_tow_sample *sample = frame->motion->sample;
+	int count = frame->motion->samples;
+
+	panel(figure, frame, PANEL, &(struct hawser__panel_frame){
+		.x = {&frame->t, sample[0].t, sample[count - 1].t, .tics = 10}, .y = {axis}});
+	hawser__figure_bind(figure, count, &sample->t, sizeof *sample, value, sizeof *sample);
+	hawser__figure_draw(figure, NULL, "with lines lt 1 lw 1.4");
+}
+
+static void draw_along(struct hawser__figure *figure, struct frame *frame)
+{
+	const struct hawser_tow_range *range = frame->motion->range;
+	const struct {
+		const char *title, *style;
+		const double *value;
+	} curve[] = {{"least", "lt 3 lw 1.2", &range->least}, {"most", "lt 2 lw 1.2", &range->most},
+	             {"mean", "lt 7 lw 1.8", &range->mean}};
+
+	panel(figure, frame, PANEL, &(struct hawser__panel_frame){.x = {&frame->s, .zero = 1},
+		.y = {&frame->range}});
+	for (int e = 0; e < frame->motion->elements; e++)
+		hawser__figure_row(figure, "xyy", (double[]){range[e].s, range[e].least, range[e].most});
+	hawser__figure_draw(figure, NULL, "using 1:2:3 with filledcurves lc rgb '#d8e4f0'");
+	for (int k = 0; k < 3; k++) {
+		hawser__figure_bind(figure, frame->motion->elements, &range->s, sizeof *range, curve[k].value,
+		                    sizeof *range);
+		hawser__figure_draw(figure, curve[k].title, "with lines %s", curve[k].style);
+	}
 }
 
 enum hawser_status hawser__plot_tow_motion(const char *path, const struct hawser_tow_motion *motion,
                                            struct hawser_report *report)
 {
 	struct frame frame = {.motion = motion};
-	struct hawser__picture picture;
-	struct hawser__legend entries = {0};
+	struct hawser__figure figure = {0};
 	enum hawser_status status;
 
 	measure(&frame);
-	status = hawser__picture_begin(&picture, path, WIDTH, frame.height, report);
+	status = hawser__figure_begin(&figure, path, WIDTH, frame.height, report);
 	if (status)
 		return status;
-	data(picture.script, &frame);
-	fputs("unset key\n", picture.script);
-	above(&picture, &frame);
-	over_time(&picture, &frame, frame.tilt.title, 6);
-	over_time(&picture, &frame, frame.T.title, 7);
-	along(&picture, &frame);
-	hawser__legend_add(&entries, "towing point", "with lines lt 7 lw 1.2 dt (6,5)");
-	hawser__legend_add(&entries, "body", "with lines lt 1 lw 1.8");
-	hawser__legend_add(&entries, "least", "with lines lt 3 lw 1.2");
-	hawser__legend_add(&entries, "mean", "with lines lt 7 lw 1.8");
-	hawser__legend_add(&entries, "most", "with lines lt 2 lw 1.2");
-	hawser__legend_draw(&picture, &entries);
-	return hawser__picture_finish(&picture, report);
+	draw_above(&figure, &frame);
+	draw_over_time(&figure, &frame, &frame.tilt, &motion->sample->tilt);
+	draw_over_time(&figure, &frame, &frame.T, &motion->sample->tension_top);
+	draw_along(&figure, &frame);
+	return hawser__figure_finish(&figure, report);
 }

@@ -5,6 +5,7 @@
 
 #include <math.h>
 
+#include "output/drawing/figure.h"
 #include "output/structures/plot_transient.h"
 
 #define WIDTH 17.0 /* cm */
@@ -14,72 +15,47 @@
 #define BELOW 1.5  /* cm below the last: tics and title of time */
 #define LEFT 0.13  /* where panels begin, part of the width */
 #define RIGHT 0.97 /* and its end */
-enum { CURVES = 3, PANELS = 6 }; /* at most: of a panel, of a picture */
 
-static const char *const style[CURVES] = {"lc rgb '#0072b2' lw 1.2", "lc rgb '#d55e00' lw 1.2 dt (8,4)",
-                                          "lc rgb '#009e73' lw 1.2 dt (3,3)"};
-
-/* Curves of one quantity; `column` are those of $run, counted from 1. */
-struct panel {
-	struct hawser__axis axis;
-	int column[CURVES], curves;
-	const char *title[CURVES];
-	double level;              /* a line at this value; NAN: none */
-	const char *level_title;
+/* Rows of a run over time, each `step` bytes after the one before. */
+struct drawing {
+	struct hawser__figure figure;
+	struct hawser__axis time;
+	const double *t;
+	size_t step;
+	int rows, panels, drawn; /* panels: of the picture */
 };
 
-static double height_of(int panels)
+static enum hawser_status begin(struct drawing *of, const char *path, struct hawser_report *report)
 {
-	return TOP + panels*(TALL + GAP) - GAP + BELOW;
+	of->time = hawser__axis_of("Time {/:Italic t}", "s", 0.0);
+	return hawser__figure_begin(&of->figure, path, WIDTH, TOP + of->panels*(TALL + GAP) - GAP + BELOW, report);
 }
 
-static void draw_panel(struct hawser__picture *picture, const struct panel *panel, int k, int panels,
-                       double from, double to)
+/* The next panel: a quantity, whose curves have up to three names. */
+static void draw_panel(struct drawing *of, const char *quantity, const char *unit, double largest,
+                       const char *const *title, const double *const *value)
 {
-	const struct hawser__axis time = hawser__axis_of("Time {/:Italic t}", "s", 0.0);
-	FILE *script = picture->script;
-	double height = height_of(panels), top = height - TOP - k*(TALL + GAP);
+	static const char *const style[] = {"lc rgb '#0072b2' lw 1.2", "lc rgb '#d55e00' lw 1.2 dt (8,4)",
+	                                    "lc rgb '#009e73' lw 1.2 dt (3,3)"};
+	const struct hawser__axis axis = hawser__axis_of(quantity, unit, largest);
+	double height = of->figure.out.height, top = height - TOP - of->drawn++*(TALL + GAP);
+	double last = *(const double *)((const char *)of->t + (size_t)(of->rows - 1)*of->step);
 
-	hawser__picture_panel(picture, LEFT, RIGHT, (top - TALL)/height, top/height);
-	fputs("set key at graph 1, graph 1.03 bottom right horizontal maxrows 1 samplen 2 font ',9'\n",
-	      script);
-	fprintf(script, "set xrange [%.12g:%.12g]\nset yrange [*:*]\nset offsets 0,0,graph "
-	                "0.04,graph 0.04\n"
-	        "set ytics autofreq\nset format x '%s'\n", from/time.per, to/time.per,
-	        k == panels - 1 ? "%g" : "");
-	hawser__picture_tics(picture, 'x', from/time.per, to/time.per, 10);
-	if (k == panels - 1)
-		fprintf(script, "set xlabel '%s' offset 0,0.3\n", time.title);
-	else
-		fputs("unset xlabel\n", script);
-	hawser__picture_ylabel(picture, "%s", panel->axis.title);
-	fputs("plot ", script);
-	for (int i = 0; i < panel->curves; i++)
-		fprintf(script, "%s$run using ($1/%.9g):(column(%d)/%.9g) with lines %s title '%s'",
-		        i ? ", " : "", time.per, panel->column[i], panel->axis.per, style[i], panel->title[i]);
-	if (isfinite(panel->level))
-		fprintf(script, ", %.9g with lines lc rgb 'black' lw 0.8 dt (2,4) title '%s'",
-		        panel->level/panel->axis.per, panel->level_title);
-	fputc('\n', script);
+	hawser__figure_panel(&of->figure, &(struct hawser__panel_frame){LEFT, RIGHT, (top - TALL)/height,
+		top/height, .keys = 1, .x = {&of->time, of->t[0], last, .tics = 10, .bare = of->drawn < of->panels},
+		.y = {&axis, .room = 0.06, .tics = 5}});
+	for (int i = 0; i < 3 && title[i]; i++) {
+		hawser__figure_bind(&of->figure, of->rows, of->t, of->step, value[i], of->step);
+		hawser__figure_draw(&of->figure, title[i], "with lines %s", style[i]);
+	}
 }
 
-static enum hawser_status finish(struct hawser__picture *picture, const struct panel *panel, int panels,
-                                 double from, double to, struct hawser_report *report)
+/* A line at this value in the panel. */
+static void draw_level(struct drawing *of, double level, const char *title)
 {
-	for (int k = 0; k < panels; k++)
-		draw_panel(picture, &panel[k], k, panels, from, to);
-	return hawser__picture_finish(picture, report);
-}
-
-static struct panel panel_of(const char *quantity, const char *unit, double largest)
-{
-	return (struct panel){.axis = hawser__axis_of(quantity, unit, largest), .level = NAN};
-}
-
-static void curve(struct panel *panel, int column, const char *title)
-{
-	panel->column[panel->curves] = column;
-	panel->title[panel->curves++] = title;
+	for (int i = 0; i < of->rows; i += of->rows > 1 ? of->rows - 1 : 1)
+		hawser__figure_put(&of->figure, *(const double *)((const char *)of->t + (size_t)i*of->step), level);
+	hawser__figure_draw(&of->figure, title, "with lines lc rgb 'black' lw 0.8 dt (2,4)");
 }
 
 static double most(const struct hawser_transient_range *range)
@@ -87,90 +63,60 @@ static double most(const struct hawser_transient_range *range)
 	return fmax(fabs(range->min), fabs(range->max));
 }
 
+#define NAMES(...) (const char *const[4]){__VA_ARGS__}
+#define VALUES(...) (const double *const[3]){__VA_ARGS__}
+
 enum hawser_status hawser__plot_transient(const char *path, const struct hawser_ropeway *rw,
                                           const struct hawser_transient *run,
                                           struct hawser_report *report)
 {
-	struct panel panel[PANELS];
-	struct hawser__picture picture;
-	int panels = 0;
-	enum hawser_status status;
+	const struct hawser_transient_row *row = run->row;
+	struct drawing of = {.t = &row->t, .step = sizeof *row, .rows = run->rows,
+	                     .panels = 4 + (rw->drive != 0) + (run->towers > 0)};
+	enum hawser_status status = begin(&of, path, report);
 
-	panel[panels] = panel_of("Speed", "m/s", rw->speed);
-	curve(&panel[panels], 2, "rope at the drive");
-	curve(&panel[panels++], 3, "drive bullwheel");
-	panel[panels] = panel_of("Force", "N", most(&run->force));
-	curve(&panel[panels], 4, "bullwheel on rope");
-	curve(&panel[panels++], 5, "drive or brake");
-	if (rw->drive) {
-		panel[panels] = panel_of("Slip arc", "rad", rw->wrap);
-		curve(&panel[panels], 6, "slip arc");
-		panel[panels].level = rw->wrap;
-		panel[panels++].level_title = "wrap";
-	}
-	panel[panels] = panel_of("Tension", "N", run->T.max);
-	curve(&panel[panels], 7, "up, at the drive");
-	curve(&panel[panels], 8, "down, at the drive");
-	curve(&panel[panels++], 9, "up, at the bottom");
-	panel[panels] = panel_of("Carriage", "m", most(&run->travel));
-	curve(&panel[panels++], 10, "travel towards the line");
-	if (run->towers) {
-		panel[panels] = panel_of("Battery", "N", run->tower[0].other.max);
-		curve(&panel[panels++], 11, "least pressing force");
-	}
-	status = hawser__picture_begin(&picture, path, WIDTH, height_of(panels), report);
 	if (status)
 		return status;
-	fputs("$run << END\n", picture.script);
-	for (int i = 0; i < run->rows; i++) {
-		const struct hawser_transient_row *row = &run->row[i];
-
-		fprintf(picture.script, "%.9g %.9g %.9g %.9g %.9g %.9g %.9g %.9g %.9g %.9g %.9g\n", row->t,
-		        row->speed, row->wheel, row->force, row->motor, row->slip_arc, row->T_up, row->T_down,
-		        row->T_bottom_up, row->travel, row->pressing);
+	draw_panel(&of, "Speed", "m/s", rw->speed, NAMES("rope at the drive", "drive bullwheel"),
+	           VALUES(&row->speed, &row->wheel));
+	draw_panel(&of, "Force", "N", most(&run->force), NAMES("bullwheel on rope", "drive or brake"),
+	           VALUES(&row->force, &row->motor));
+	if (rw->drive) {
+		draw_panel(&of, "Slip arc", "rad", rw->wrap, NAMES("slip arc"), VALUES(&row->slip_arc));
+		draw_level(&of, rw->wrap, "wrap");
 	}
-	fputs("END\n", picture.script);
-	return finish(&picture, panel, panels, run->row[0].t, run->row[run->rows - 1].t, report);
+	draw_panel(&of, "Tension", "N", run->T.max,
+	           NAMES("up, at the drive", "down, at the drive", "up, at the bottom"),
+	           VALUES(&row->T_up, &row->T_down, &row->T_bottom_up));
+	draw_panel(&of, "Carriage", "m", most(&run->travel), NAMES("travel towards the line"),
+	           VALUES(&row->travel));
+	if (run->towers)
+		draw_panel(&of, "Battery", "N", run->tower[0].other.max, NAMES("least pressing force"),
+		           VALUES(&row->pressing));
+	return hawser__figure_finish(&of.figure, report);
 }
 
 enum hawser_status hawser__plot_carrier_passing(const char *path, const struct hawser_passing *passing,
                                         struct hawser_report *report)
 {
-	struct panel panel[PANELS];
-	struct hawser__picture picture;
+	const struct hawser_passing_row *row = passing->row;
+	const struct hawser_ropeway_contact *c = &row->contact;
+	struct drawing of = {.t = &row->t, .step = sizeof *row, .rows = passing->rows, .panels = 4};
 	double T = 0.0, pressing = 0.0;
-	int panels = 0;
-	enum hawser_status status;
+	enum hawser_status status = begin(&of, path, report);
 
-	for (int i = 0; i < passing->rows; i++) {
-		const struct hawser_ropeway_contact *c = &passing->row[i].contact;
-
-		T = fmax(T, fmax(c->T_in, c->T_out));
-		pressing = fmax(pressing, fabs(c->pressing));
-	}
-	panel[panels] = panel_of("Slope", "rad", 0.0);
-	curve(&panel[panels], 2, "before the battery");
-	curve(&panel[panels++], 3, "behind it");
-	panel[panels] = panel_of("Wrap", "rad", 0.0);
-	curve(&panel[panels++], 4, "angle of contact");
-	panel[panels] = panel_of("Tension", "N", T);
-	curve(&panel[panels], 5, "before the battery");
-	curve(&panel[panels++], 6, "behind it");
-	panel[panels] = panel_of("Battery", "N", pressing);
-	curve(&panel[panels], 7, "pressing force");
-	curve(&panel[panels++], 8, "carried weight of the carrier");
-	status = hawser__picture_begin(&picture, path, WIDTH, height_of(panels), report);
 	if (status)
 		return status;
-	fputs("$run << END\n", picture.script);
 	for (int i = 0; i < passing->rows; i++) {
-		const struct hawser_passing_row *row = &passing->row[i];
-		const struct hawser_ropeway_contact *c = &row->contact;
-
-		fprintf(picture.script, "%.9g %.9g %.9g %.9g %.9g %.9g %.9g %.9g\n", row->t, c->angle_in,
-		        c->angle_out, c->wrap, c->T_in, c->T_out, c->pressing, row->carried);
+		T = fmax(T, fmax(row[i].contact.T_in, row[i].contact.T_out));
+		pressing = fmax(pressing, fabs(row[i].contact.pressing));
 	}
-	fputs("END\n", picture.script);
-	return finish(&picture, panel, panels, passing->row[0].t, passing->row[passing->rows - 1].t,
-	              report);
+	draw_panel(&of, "Slope", "rad", 0.0, NAMES("before the battery", "behind it"),
+	           VALUES(&c->angle_in, &c->angle_out));
+	draw_panel(&of, "Wrap", "rad", 0.0, NAMES("angle of contact"), VALUES(&c->wrap));
+	draw_panel(&of, "Tension", "N", T, NAMES("before the battery", "behind it"),
+	           VALUES(&c->T_in, &c->T_out));
+	draw_panel(&of, "Battery", "N", pressing, NAMES("pressing force", "carried weight of the carrier"),
+	           VALUES(&c->pressing, &row->carried));
+	return hawser__figure_finish(&of.figure, report);
 }
