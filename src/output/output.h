@@ -122,12 +122,14 @@ void hawser__json_clear(struct hawser__json *json);
 
 /* --- gnuplot.c: pictures through the gnuplot program --- */
 
+enum { HAWSER__NO_SCALE = -1 }; /* its axes are no quantities, or nothing is plotted */
 /* A picture being built: `script` receives gnuplot commands and inline data. */
 struct hawser__picture {
 	FILE *script;
 	const char *path;
 	double width, height; /* cm */
 	double more;          /* cm: for more than two rows of the legend, below */
+	int scale;            /* of the panel that was plotted last: bit 1: x is logarithmic, bit 2: y is; or */
 	double left, middle; /* of the panel, for its label */
 };
 /* Check, before a long computation, that gnuplot is available and that the extension of `path` is

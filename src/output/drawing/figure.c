@@ -192,22 +192,32 @@ static void end_block(struct hawser__figure *figure)
 	figure->rows = 0;
 }
 
+static void release(struct hawser__figure *figure)
+{
+	free(figure->text);
+	free(figure->mark_text);
+	figure->plot = figure->marks = NULL;
+	figure->text = figure->mark_text = NULL;
+}
+
 static void end_panel(struct hawser__figure *figure)
 {
-	if (!figure->plot)
+	if (!figure->plot || !figure->marks)
 		return;
 	end_block(figure);
+	figure->out.scale = figure->at.view ? HAWSER__NO_SCALE
+	                    : (figure->at.x.logarithmic > 0) + 2*(figure->at.y.logarithmic > 0);
 	if (figure->at.view)
 		set_view(figure);
 	for (int axis = 0; axis < 2 && !figure->at.view; axis++)
 		set_scale(figure, axis);
+	if (fclose(figure->marks) == 0)
+		fputs(figure->mark_text, figure->out.script);
 	if (fclose(figure->plot) == 0 && figure->size > 0)
 		fprintf(figure->out.script, "plot %s\n", figure->text);
 	else
 		fputs("plot NaN notitle\n", figure->out.script);
-	free(figure->text);
-	figure->text = NULL;
-	figure->plot = NULL;
+	release(figure);
 }
 
 void hawser__panel_even(struct hawser__panel_frame *at, const double low[2], const double high[2],
@@ -230,8 +240,7 @@ void hawser__figure_panel(struct hawser__figure *figure, const struct hawser__pa
 {
 	end_panel(figure);
 	if (figure->at.view)
-		fputs("set border\nset xtics\nset ytics\nset tics nomirror out scale 0.6\nset grid\n",
-		      figure->out.script);
+		fputs(hawser__picture_axes, figure->out.script);
 	figure->at = *at;
 	if (at->x.axis)
 		figure->at.x.axis = memcpy(&figure->axis[0], at->x.axis, sizeof *figure->axis);
@@ -254,6 +263,8 @@ void hawser__figure_panel(struct hawser__figure *figure, const struct hawser__pa
 		fputs("set key at graph 1, graph 1.03 bottom right horizontal maxrows 1 samplen 2 font ',9'\n",
 		      figure->out.script);
 	figure->plot = open_memstream(&figure->text, &figure->size);
+	figure->marks = open_memstream(&figure->mark_text, &figure->mark_size);
+	figure->lacks_memory |= !figure->plot || !figure->marks;
 }
 
 /* 1 if a place is beyond the ends that the panel gives. */
@@ -396,7 +407,7 @@ void hawser__figure_upright(struct hawser__figure *figure, const char *title, do
 	vsnprintf(look, sizeof look, style, args);
 	va_end(args);
 	if (!beyond(figure, 0, at))
-		fprintf(figure->out.script,
+		fprintf(figure->marks,
 		        "set arrow from first %.12g, graph 0 to first %.12g, graph 1 nohead %s\n", at, at, look);
 	if (title && *title) {
 		char entry[STYLE];
@@ -414,11 +425,11 @@ void hawser__figure_label(struct hawser__figure *figure, double x, double y, con
 
 	if (beyond(figure, 0, at[0]) || beyond(figure, 1, at[1]))
 		return;
-	fputs("set label '", figure->out.script);
+	fputs("set label '", figure->marks);
 	va_start(args, text);
-	vfprintf(figure->out.script, text, args);
+	vfprintf(figure->marks, text, args);
 	va_end(args);
-	fprintf(figure->out.script, "' at %.9g,%.9g %s\n", at[0], at[1], settings);
+	fprintf(figure->marks, "' at %.9g,%.9g %s front\n", at[0], at[1], settings);
 }
 
 void hawser__figure_above(struct hawser__figure *figure, double x, const char *settings, const char *text)
@@ -426,7 +437,7 @@ void hawser__figure_above(struct hawser__figure *figure, double x, const char *s
 	double at = x/per_of(figure, 0);
 
 	if (!beyond(figure, 0, at))
-		fprintf(figure->out.script, "set label '%s' at first %.12g, graph 1 %s\n", text, at, settings);
+		fprintf(figure->marks, "set label '%s' at first %.12g, graph 1 %s\n", text, at, settings);
 }
 
 enum hawser_status hawser__figure_finish(struct hawser__figure *figure, struct hawser_report *report)
@@ -434,6 +445,8 @@ enum hawser_status hawser__figure_finish(struct hawser__figure *figure, struct h
 	enum hawser_status status = HAWSER_OK;
 
 	end_panel(figure);
+	if (figure->lacks_memory)
+		status = hawser__no_memory(report, "picture");
 	for (int axis = 0; axis < 2 && !status; axis++)
 		if (figure->logarithmic[axis])
 			status = hawser__picture_logarithmic(axis_name[axis], report);
@@ -450,7 +463,8 @@ void hawser__figure_abort(struct hawser__figure *figure)
 {
 	if (figure->plot)
 		fclose(figure->plot);
-	free(figure->text);
-	figure->plot = NULL;
+	if (figure->marks)
+		fclose(figure->marks);
+	release(figure);
 	hawser__picture_abort(&figure->out);
 }

@@ -41,7 +41,7 @@ struct hawser__panel_frame {
 #define HAWSER__VEERING "with points pt 7 ps 0.5 lc rgb 'black'"
 
 struct hawser__figure {
-	struct hawser__picture out; /* `out.script` takes settings of gnuplot for the open panel */
+	struct hawser__picture out; /* `out.script` takes settings of gnuplot for the open panel, before points */
 	struct hawser__legend legend;
 	struct hawser__panel_frame at;    /* the open panel, whose axes are */
 	struct hawser__axis axis[2];
@@ -54,6 +54,10 @@ struct hawser__figure {
 	FILE *plot;                 /* what the open panel draws; NULL: none is open */
 	char *text;
 	size_t size;
+	int lacks_memory;
+	FILE *marks;                /* labels and arrows of the open panel */
+	char *mark_text;
+	size_t mark_size;
 };
 
 /* *figure is all zero, but for entries of the legend that precede those of what is drawn. */

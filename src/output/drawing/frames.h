@@ -9,17 +9,16 @@
 
 #include <stdio.h>
 
+struct hawser__picture;
+
 /* Ask for the panel that was plotted last, if any. */
-void hawser__frames_ask(FILE *script);
+void hawser__frames_ask(struct hawser__picture *picture);
 /* 1 if a line of gnuplot's messages is its answer. */
 int hawser__frames_answer(const char *line);
-/* For a panel whose axes are no quantities, such as a view in perspective: it is left out. */
-void hawser__frames_none(FILE *script);
-
 /* Write the attribute data-panels of an SVG element of that height (px): for each panel "left right
  * top bottom x0 x1 y0 y1 log", px and units of the axes; log: bit 1: x is logarithmic, bit 2: y is;
- * panels are separated by ";". `script` is what gnuplot read, `messages` what it wrote to standard
- * error; both are read from their beginning. */
-void hawser__frames_write(FILE *to, FILE *script, FILE *messages, double height);
+ * panels are separated by ";". `messages` is what gnuplot wrote to standard error, read from its
+ * beginning. */
+void hawser__frames_write(FILE *to, FILE *messages, double height);
 
 #endif

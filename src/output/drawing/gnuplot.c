@@ -137,6 +137,7 @@ enum hawser_status hawser__picture_begin(struct hawser__picture *picture, const 
 {
 	memset(picture, 0, sizeof *picture);
 	picture->path = path;
+	picture->scale = HAWSER__NO_SCALE;
 	picture->width = width_cm;
 	picture->height = height_cm;
 	if (!terminal_for(path)) {
@@ -181,7 +182,7 @@ void hawser__picture_panel(struct hawser__picture *picture, double left, double 
 {
 	picture->left = left;
 	picture->middle = 0.5*(bottom + top);
-	hawser__frames_ask(picture->script);
+	hawser__frames_ask(picture);
 	fprintf(picture->script,
 	        "set lmargin at screen %.4f\nset rmargin at screen %.4f\n"
 	        "set bmargin at screen up(%.4f)\nset tmargin at screen up(%.4f)\n", left, right, bottom, top);
@@ -366,8 +367,7 @@ static enum hawser_status draw_svg(const struct hawser__picture *picture, FILE *
 	if (!status) {
 		rewind(raw);
 		hawser__picture_head(to, raw);
-		hawser__frames_write(to, picture->script, complaints,
-		                     floor(size[1]*terminals[0].per_cm + 0.5));
+		hawser__frames_write(to, complaints, floor(size[1]*terminals[0].per_cm + 0.5));
 		hawser__picture_spaces(to, raw);
 	}
 	if (!status && ferror(raw))
@@ -434,7 +434,7 @@ enum hawser_status hawser__picture_finish(struct hawser__picture *picture,
 	enum hawser_status status;
 	sigset_t now;
 
-	hawser__frames_ask(picture->script);
+	hawser__frames_ask(picture);
 	fputs("unset multiplot\n", picture->script);
 	status = fflush(picture->script) != 0 || ferror(picture->script) ? no_file(report)
 	                                                                 : complete(picture, report);

@@ -3,7 +3,6 @@
 
 #include <math.h>
 
-#include "output/drawing/frames.h"
 #include "output/drawing/perspective.h"
 
 #define AZIMUTH 0.35   /* rad */
@@ -66,7 +65,6 @@ void hawser__eye_fit(FILE *script, const struct hawser__box *seen, double width_
 	double x = (seen->low[0] + seen->high[0])/2.0, y = (seen->low[1] + seen->high[1])/2.0;
 
 	scale = scale > 0.0 ? scale : 1.0;
-	hawser__frames_none(script);
 	fprintf(script, "set xrange [%.9g:%.9g]\nset yrange [%.9g:%.9g]\n", x - 0.5*scale*width_cm,
 	        x + 0.5*scale*width_cm, y - 0.5*scale*height_cm, y + 0.5*scale*height_cm);
 }

@@ -13,6 +13,10 @@
 #include "output/output.h"
 #include "output/drawing/style.h"
 
+#define HAWSER__AXES \
+	"set border 3 lw 0.8 lc rgb '#404040'\nset xtics\nset ytics\n" \
+	"set tics nomirror out scale 0.6\nset grid lw 0.5 lc rgb '#d8d8d8' dt solid\n"
+const char hawser__picture_axes[] = HAWSER__AXES;
 const char hawser__picture_look[] =
 	"set encoding utf8\n"
 	"set linetype 1 lc rgb '#0072B2' lw 1.6\n"
@@ -23,10 +27,7 @@ const char hawser__picture_look[] =
 	"set linetype 6 lc rgb '#56B4E9' lw 1.6\n"
 	"set linetype 7 lc rgb '#000000' lw 1.6\n"
 	"set linetype 8 lc rgb '#8a8a8a' lw 1.6\n"
-	"set border 3 lw 0.8 lc rgb '#404040'\n"
-	"set tics nomirror out scale 0.6\n"
-	"set format '%g'\n"
-	"set grid lw 0.5 lc rgb '#d8d8d8' dt solid\n"
+	"set format '%g'\n" HAWSER__AXES
 	"set key reverse Left\nset key off\n"
 	"set multiplot\n";
 
@@ -108,14 +109,6 @@ static int rows_for(double *width, double *sum, const struct hawser__legend *leg
 		*sum = columns(width, legend, ++rows);
 	while (rows < legend->count && *sum > room - 0.3);
 	return rows;
-}
-
-double hawser__legend_cm(const struct hawser__legend *legend, double width)
-{
-	double column[HAWSER__LEGEND_MOST], sum;
-	int rows = rows_for(column, &sum, legend, width);
-
-	return HAWSER__LEGEND_CM + pitch*fmax(rows - 2.0, 0.0);
 }
 
 void hawser__legend_draw(struct hawser__picture *picture, const struct hawser__legend *legend)

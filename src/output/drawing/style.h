@@ -14,6 +14,8 @@ enum { HAWSER__LEGEND_MOST = 24 };
 
 /* gnuplot's linetypes, border, tics, grid. */
 extern const char hawser__picture_look[];
+/* Border, tics and grid alone, after a panel without them. */
+extern const char hawser__picture_axes[];
 
 /* A legend below all panels, with as few rows as the width of the picture permits. Each entry has
  * an explicit position, since gnuplot overestimates the width of text in SVG and would use too many
@@ -31,10 +33,6 @@ void hawser__legend_add(struct hawser__legend *legend, const char *title, const 
 /* The same, unless an entry has that title. */
 void hawser__legend_once(struct hawser__legend *legend, const char *title, const char *style);
 void hawser__legend_draw(struct hawser__picture *picture, const struct hawser__legend *legend);
-/* Room below the lowest panel in a picture of that width (cm): HAWSER__LEGEND_CM, and more for more
- * than two rows. */
-double hawser__legend_cm(const struct hawser__legend *legend, double width);
-
 /* Copy an SVG picture up to the attributes of its outermost element. */
 void hawser__picture_head(FILE *to, FILE *from);
 /* Copy the rest of an SVG picture of gnuplot with two changes. Text elements preserve white space:

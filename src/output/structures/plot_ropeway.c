@@ -19,6 +19,7 @@ enum { NAMED = 30, PER_PIECE = 12 };
 
 static const char *const colour[] = {"#0072B2", "#D55E00"};
 static const char *const lane_title[] = {"lane up", "lane down"};
+static const char *const carriers_title[] = {"carriers up", "carriers down"};
 
 struct frame {
 	const struct hawser_ropeway *rw;
@@ -118,7 +119,7 @@ static void draw_lane(struct hawser__figure *figure, const struct frame *frame, 
 		hawser__figure_row(figure, "xyXY", (double[]){of->st.carrier[i].x[0], of->st.carrier[i].x[1], 0.0,
 		                                              -frame->rw->hanger});
 	hawser__figure_draw(figure, NULL, "using 1:2:3:4 with vectors nohead lc rgb '%s' lw 0.8", colour[lane]);
-	hawser__figure_again(figure, lane ? "carriers down" : "carriers up",
+	hawser__figure_again(figure, carriers_title[lane],
 	                     "using 1:($2 + $4) with points pt %d ps 0.55 lc rgb '%s'", lane ? 6 : 7,
 	                     colour[lane]);
 }
@@ -175,9 +176,9 @@ static void draw_towers(struct hawser__figure *figure, const struct frame *frame
 		hawser__figure_row(figure, "xyXY", (double[]){at[0], at[1], 0.0, frame->from[1] - at[1]});
 		if (rw->towers > NAMED)
 			continue;
-		fputs("set label '", figure->out.script);
-		hawser__picture_literal(figure->out.script, rw->tower[i].name, 0);
-		fprintf(figure->out.script, "' at %.8g,%.8g left offset 0.4, 0 font ',8'\n",
+		fputs("set label '", figure->marks);
+		hawser__picture_literal(figure->marks, rw->tower[i].name, 0);
+		fprintf(figure->marks, "' at %.8g,%.8g left offset 0.4, 0 font ',8' front\n",
 		        at[0]/frame->x.per, low/frame->y.per);
 	}
 	hawser__figure_draw(figure, NULL, "using 1:2:3:4 with vectors nohead lc rgb '#8a8a8a' lw 1.6");
@@ -242,6 +243,10 @@ static void add_entries(struct hawser__legend *legend, const struct frame *frame
 
 	for (int i = 0; i < frame->st->lanes && !after; i++)
 		hawser__legend_add(legend, lane_title[i], "with lines lc rgb '%s' lw 1.4", colour[i]);
+	for (int i = 0; i < frame->st->lanes && !after; i++)
+		if (frame->st->lane[i].carriers > 0)
+			hawser__legend_add(legend, carriers_title[i], "with points pt %d ps 0.55 lc rgb '%s'", i ? 6 : 7,
+			                   colour[i]);
 	if (!after)
 		return;
 	hawser__legend_once(legend, "towers", "with lines lc rgb '#8a8a8a' lw 1.6");

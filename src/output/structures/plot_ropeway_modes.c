@@ -165,14 +165,15 @@ static void draw_mode(struct hawser__figure *figure, const struct frame *frame, 
 		hawser__figure_draw(figure, NULL, "with lines lc rgb '%s' lw 1.5", colour[i]);
 		for (int c = 0; c < frame->of->carriers[i]; c++)
 			put_place(figure, frame, k, i, modes->lane[i]->line->mass[c].S, scale);
-		hawser__figure_draw(figure, i ? "carriers down" : "carriers up",
+		hawser__figure_draw(figure, NULL,
 		                    "with points pt %d ps 0.4 lc rgb '%s'", i ? 6 : 7, colour[i]);
 	}
 	draw_places(figure, frame);
 }
 
 /* Entries that precede those of what is drawn. */
-static void add_entries(struct hawser__legend *legend, const struct hawser_line_modes *modes)
+static void add_entries(struct hawser__legend *legend, const struct hawser_line_modes *modes,
+                        const int *carriers /* [modes->lanes] */)
 {
 	for (int i = 0; i < modes->lanes; i++)
 		hawser__legend_add(legend, modes->lanes == 1 ? "mode" : i ? "lane down" : "lane up",
@@ -181,6 +182,10 @@ static void add_entries(struct hawser__legend *legend, const struct hawser_line_
 		hawser__legend_add(legend, modes->lanes == 1 ? "a quarter period later"
 		                   : i ? "down, a quarter period later" : "up, a quarter period later",
 		                   "with lines lc rgb '%s' lw 1.0", faint[i]);
+	for (int i = 0; i < modes->lanes; i++)
+		if (carriers[i] > 0)
+			hawser__legend_add(legend, i ? "carriers down" : "carriers up",
+			                   "with points pt %d ps 0.4 lc rgb '%s'", i ? 6 : 7, colour[i]);
 	hawser__legend_once(legend, "equilibrium", "with lines lc rgb '#808080' lw 0.7");
 }
 
@@ -235,7 +240,7 @@ enum hawser_status hawser__plot_ropeway_modes(const char *path,
 	status = hawser__figure_begin(&figure, path, WIDTH, height, report);
 	if (status)
 		return status;
-	add_entries(&figure.legend, of->modes);
+	add_entries(&figure.legend, of->modes, of->carriers);
 	for (int k = 0; k < frame.panels; k++) {
 		int column = k % frame.columns, row = k/frame.columns;
 		double left = LEFT_CM + column*(frame.wide + GAP_CM);

@@ -43,7 +43,7 @@ static void draw_panel(struct drawing *of, const char *quantity, const char *uni
 
 	hawser__figure_panel(&of->figure, &(struct hawser__panel_frame){LEFT, RIGHT, (top - TALL)/height,
 		top/height, .keys = 1, .x = {&of->time, of->t[0], last, .tics = 10, .bare = of->drawn < of->panels},
-		.y = {&axis, .room = 0.06, .tics = 5}});
+		.y = {&axis, .room = 0.06, .tics = 7}});
 	for (int i = 0; i < 3 && title[i]; i++) {
 		hawser__figure_bind(&of->figure, of->rows, of->t, of->step, value[i], of->step);
 		hawser__figure_draw(&of->figure, title[i], "with lines %s", style[i]);
