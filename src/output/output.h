@@ -129,7 +129,8 @@ struct hawser__picture {
 	const char *path;
 	double width, height; /* cm */
 	double more;          /* cm: for more than two rows of the legend, below */
-	int scale;            /* of the panel that was plotted last: bit 1: x is logarithmic, bit 2: y is; or */
+	int scale;            /* of the panel that was plotted last: bit 1: x is logarithmic,
+		bit 2: y is; or */
 	double left, middle; /* of the panel, for its label */
 };
 /* Check, before a long computation, that gnuplot is available and that the extension of `path` is
@@ -150,8 +151,9 @@ enum hawser_status hawser__picture_finish(struct hawser__picture *picture,
  * the picture then fails. */
 int hawser__picture_stop(void);
 void hawser__picture_abort(struct hawser__picture *picture);
-/* Inner frame of the next panel, as fractions of the picture from its lower left corner. Vertical places
- * stand in the script as "screen up(0.25)", since the title and the legend may make the picture higher. */
+/* Inner frame of the next panel, as fractions of the picture from its lower left corner. Vertical
+ * places stand in the script as "screen up(0.25)", since the title and the legend may make the
+ * picture higher. */
 void hawser__picture_panel(struct hawser__picture *picture, double left, double right,
                            double bottom, double top);
 /* Title of the vertical axis of the panel, at a fixed position. gnuplot would place it beside the
@@ -194,7 +196,8 @@ enum hawser_status hawser__plot_modes(const char *path, const struct hawser_mode
                                       struct hawser_report *report) HAWSER_MUST_CHECK;
 
 /* The first modes as magnified displacements of the span, up to twelve panels: in-plane modes about
- * the static profile, out-of-plane modes seen from above; of a travelling cable at instants of a period. */
+ * the static profile, out-of-plane modes seen from above; of a travelling cable at instants of a
+ * period. */
 enum hawser_status hawser__plot_displaced(const char *path, const struct hawser_modes *modes,
                                           struct hawser_report *report) HAWSER_MUST_CHECK;
 

@@ -23,12 +23,13 @@ static void draw_events(struct hawser__figure *figure, const struct cli_beam_res
 	for (int ends = 0; ends < 2; ends++)
 		for (int i = 0; i < result->variants; i++) {
 			const struct hawser_beam_sweep *sweep = &result->variant[i].sweep;
+			double per = cli_beam_per_speed(&result->variant[i].beam);
 
 			for (int k = 0; k < sweep->events; k++)
 				if ((sweep->event[k].kind == HAWSER_BEAM_CALM) == ends)
-					hawser__figure_upright(
-						figure, NULL, sweep->event[k].speed*cli_beam_per_speed(&result->variant[i].beam),
-						"lt %d lw 0.8 dt %s", result->variants > 1 ? i + 1 : 7, ends ? "(2,4)" : "(8,5)");
+					hawser__figure_upright(figure, NULL, sweep->event[k].speed*per,
+					                       "lt %d lw 0.8 dt %s", result->variants > 1 ? i + 1 : 7,
+					                       ends ? "(2,4)" : "(8,5)");
 		}
 }
 

@@ -157,7 +157,8 @@ static void draw_panel(struct hawser__figure *figure, const struct cli_beam_resu
 	char label[120];
 
 	snprintf(size.title, sizeof size.title, "|{/:Italic y}| (%s)", size.unit);
-	hawser__figure_panel(figure, &(struct hawser__panel_frame){0.15, 0.97, (upper - high)/height, upper/height,
+	hawser__figure_panel(figure, &(struct hawser__panel_frame){
+		0.15, 0.97, (upper - high)/height, upper/height,
 		.x = {&axis[CLI_BEAM_TIME], .tics = 8, .bare = k < 2},
 		.y = {y[k], .logarithmic = k == 1, .tics = k == 1 ? 0 : 5, .room = 0.06}});
 	for (int i = 0; i < result->variants; i++) {
@@ -171,7 +172,8 @@ static void draw_panel(struct hawser__figure *figure, const struct cli_beam_resu
 			                   : k == 1 ? fabs(deflection) : v->motion.material[n]);
 		}
 		cli_beam_label(label, sizeof label, result, v, "");
-		hawser__figure_draw(figure, result->variants > 1 ? label : NULL, "with lines lt %d lw 1.3", i + 1);
+		hawser__figure_draw(figure, result->variants > 1 ? label : NULL, "with lines lt %d lw 1.3",
+		                    i + 1);
 	}
 }
 

@@ -72,7 +72,8 @@ double cli_beam_growth(const struct hawser_beam_motion *motion);
 enum { CLI_BEAM_SPEED, CLI_BEAM_RE, CLI_BEAM_IM, CLI_BEAM_AXES };
 void cli_beam_sweep_axes(struct hawser__axis axis[CLI_BEAM_AXES], const struct cli_beam_result *result);
 enum { CLI_BEAM_TIME, CLI_BEAM_Y, CLI_BEAM_RATE };
-void cli_beam_motion_axes(struct hawser__axis axis[CLI_BEAM_AXES], const struct cli_beam_result *result);
+void cli_beam_motion_axes(struct hawser__axis axis[CLI_BEAM_AXES],
+                          const struct cli_beam_result *result);
 
 /* "ρ = 10, v_crit", in gnuplot's markup; `what` may be "". */
 void cli_beam_label(char *label, size_t size, const struct cli_beam_result *result,

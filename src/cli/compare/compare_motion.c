@@ -303,9 +303,11 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 		if (!(motions->run[0].largest[1][k] > 1e-6*motions->run[0].largest[1][3 - k]))
 			continue;
 		*of_x = (struct hawser__motion_panel){.stride = 3*PROBES,
-			.axis = hawser__axis_of(k == 1 ? "{/:Italic y}, mid-span" : "{/:Italic z}, mid-span", "m", 0.0)};
+			.axis = hawser__axis_of(k == 1 ? "{/:Italic y}, mid-span"
+			                               : "{/:Italic z}, mid-span", "m", 0.0)};
 		*of_gap = (struct hawser__motion_panel){.stride = 1,
-			.axis = hawser__axis_of(k == 1 ? "{/:Italic y} – mesh" : "{/:Italic z} – mesh", "m", 0.0)};
+			.axis = hawser__axis_of(k == 1 ? "{/:Italic y} – mesh"
+			                               : "{/:Italic z} – mesh", "m", 0.0)};
 		for (int r = 0; r < motions->runs && r < HAWSER__MOTION_CURVES; r++) {
 			const struct hawser_motions_run *run = &motions->run[r];
 			double *to = gap + (size_t)(k - 1)*all + (size_t)r*(size_t)motions->rows;

@@ -141,7 +141,8 @@ static int solved(const struct cli_compare_statics *result, int w, int by)
 	return count;
 }
 
-/* Corners of a stair, from 1 to the end of the axis; so many that files stay small, and dashes visible. */
+/* Corners of a stair, from 1 to the end of the axis; so many that files stay small, and dashes
+ * visible. */
 static void put_stair(struct hawser__figure *figure, const struct cli_compare_statics *result, int w,
                       int by, double end)
 {
@@ -165,17 +166,18 @@ static double end_of(const struct cli_compare_statics *result, int by)
 		int count = solved(result, w, by);
 
 		if (count > 0)
-			most = fmax(most, result->sorted[by][(size_t)w*(size_t)result->of.nets + (size_t)count - 1]);
+			most = fmax(most,
+			            result->sorted[by][(size_t)w*(size_t)result->of.nets + (size_t)count - 1]);
 	}
 	return pow(10.0, fmax(ceil(log10(most) + 0.01), 1.0));
 }
 
-/* Performance profiles: the part of nets that each method solves within a multiple of the least time, and
- * within a number of iterations. */
+/* Performance profiles: the part of nets that each method solves within a multiple of the least
+ * time, and within a number of iterations. */
 static enum hawser_status draw(const char *path, const void *of, struct hawser_report *report)
 {
-	static const char *const colours[] = {"black", "#0072B2", "#8C564B", "#009E73", "#56B4E9", "#D55E00",
-	                                      "#E69F00", "#CC79A7", "#7F7F7F"};
+	static const char *const colours[] = {"black", "#0072B2", "#8C564B", "#009E73", "#56B4E9",
+	                                      "#D55E00", "#E69F00", "#CC79A7", "#7F7F7F"};
 	static const struct hawser__axis y = {"Nets solved (%)", "", 1.0};
 	static const struct hawser__axis x[] = {{"Processor time, over that of the fastest", "", 1.0},
 	                                        {"Number of iterations", "", 1.0}};
@@ -190,8 +192,8 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 	for (int by = timed ? 0 : 1; by < 2; by++) {
 		double end = end_of(result, by);
 
-		hawser__figure_panel(&figure, &(struct hawser__panel_frame){by && timed ? 0.6 : 0.14, by ? 0.97 : 0.53,
-			HAWSER__LEGEND_CM/height, 1.0 - 0.4/height,
+		hawser__figure_panel(&figure, &(struct hawser__panel_frame){
+			by && timed ? 0.6 : 0.14, by ? 0.97 : 0.53, HAWSER__LEGEND_CM/height, 1.0 - 0.4/height,
 			.x = {&x[by], 1.0, end, .logarithmic = 1, .tics = 6},
 			.y = {&y, 0.0, 103.0, .tics = 6, .untitled = by && timed}});
 		for (int w = 0; w < result->of.ways; w++) {
@@ -203,7 +205,8 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 			snprintf(label, sizeof label, "%s: %.1f %%", way->name,
 			         result->of.nets > 0 ? 100.0*solved(result, w, 1)/result->of.nets : 0.0);
 			hawser__figure_draw(&figure, NULL, "with steps lw %g lc rgb '%s'%s", colour ? 1.6 : 3.0,
-			                    colours[colour % 9], way->start != HAWSER_NET_START_OWN ? " dt (6,4)" : "");
+			                    colours[colour % 9], way->start != HAWSER_NET_START_OWN
+			                    ? " dt (6,4)" : "");
 			hawser__figure_again(&figure, label, "using (NaN):1 with lines lw %g lc rgb '%s'%s",
 			                     colour ? 1.6 : 3.0, colours[colour % 9],
 			                     way->start != HAWSER_NET_START_OWN ? " dt (6,4)" : "");

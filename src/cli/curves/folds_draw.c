@@ -1,7 +1,7 @@
 /* cli/curves/folds_draw.c - the picture of `folds`: in the upper panel all fold curves in the plane of
  * frequency and load, with their special points and a line at the load of the model; in the lower one
- * the response at that load and the curves detached from it, by the probe, or coordinate, that moves most.
- * SPDX-License-Identifier: GPL-3.0-or-later */
+ * the response at that load and the curves detached from it, by the probe, or coordinate, that
+ * moves most. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <math.h>
@@ -47,7 +47,8 @@ static void choose(struct column *column, const struct cli_folds_result *result)
 		         column->source + 1, (int)sizeof unit, unit);
 }
 
-static void draw_plane(struct hawser__figure *figure, const struct hawser_folds *folds, double per_omega)
+static void draw_plane(struct hawser__figure *figure, const struct hawser_folds *folds,
+                       double per_omega)
 {
 	/* the legend's names of the special points */
 	static const struct {
@@ -98,7 +99,8 @@ static void draw_responses(struct hawser__figure *figure, const struct hawser_fo
 		const struct hawser_frf *frf = k < 0 ? &folds->response : &folds->isola[k];
 
 		put_part(figure, frf, column, 1);
-		hawser__figure_draw(figure, NULL, "with lines lt %d lw 1 " HAWSER__UNSTABLE_DASH, k < 0 ? 7 : 2);
+		hawser__figure_draw(figure, NULL, "with lines lt %d lw 1 " HAWSER__UNSTABLE_DASH, k < 0
+		                    ? 7 : 2);
 		put_part(figure, frf, column, 0);
 		hawser__figure_draw(figure, NULL, "with lines lt %d", k < 0 ? 7 : 2);
 	}
@@ -127,7 +129,8 @@ enum hawser_status cli_folds_draw(const char *path, const void *context,
 		.x = across, .y = {&load, 0.0, result->load_to, .tics = 8}});
 	draw_plane(&figure, result->folds, per);
 	across.bare = 0;
-	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.13, 0.965, bottom, middle - 0.25/height,
+	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.13, 0.965, bottom,
+		middle - 0.25/height,
 		.x = across, .y = {&column.axis, .zero = 1, .tics = 6, .open = 1}});
 	draw_responses(&figure, result->folds, &column);
 	return hawser__figure_finish(&figure, report);

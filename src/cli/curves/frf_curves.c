@@ -34,13 +34,14 @@ double cli_frf_event_x(const struct cli_frf_picture *of, const struct hawser_frf
 }
 
 /* An entry of a list of rows, of probes or of coordinates. */
-static double entry(const struct cli_frf_picture *of, const double *probe, const double *coordinate, int c,
-                    int i)
+static double entry(const struct cli_frf_picture *of, const double *probe, const double *coordinate,
+                    int c, int i)
 {
 	const struct hawser_frf *frf = of->result->frf;
 	size_t stride = of->probed ? 3*(size_t)frf->probes : (size_t)frf->n;
+	size_t at = (size_t)i*stride + (size_t)of->curve[c].source;
 
-	return of->per_length*(of->probed ? probe : coordinate)[(size_t)i*stride + (size_t)of->curve[c].source];
+	return of->per_length*(of->probed ? probe[at] : coordinate[at]);
 }
 
 double cli_frf_amplitude(const struct cli_frf_picture *of, int c, int i)
@@ -187,7 +188,8 @@ void cli_frf_curves(struct cli_frf_picture *of, int panel)
 		if (of->curve[c].panel != panel)
 			continue;
 		put_parts(of, c, 1);
-		hawser__figure_draw(&of->figure, NULL, "with lines lt %d lw 1 " HAWSER__UNSTABLE_DASH, c % 2 + 1);
+		hawser__figure_draw(&of->figure, NULL, "with lines lt %d lw 1 " HAWSER__UNSTABLE_DASH,
+		                    c % 2 + 1);
 		put_parts(of, c, 0);
 		hawser__figure_draw(&of->figure, NULL, "with lines lt %d", c % 2 + 1);
 		for (int s = 0; s < result->overlays; s++)

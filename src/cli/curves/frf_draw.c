@@ -275,7 +275,8 @@ static void draw_panels(struct cli_frf_picture *of, double bottom)
 			.x = {&of->x, of->low, of->high, .tics = 10, .bare = k + 1 < of->panels},
 			.y = amplitudes(of, k)});
 		for (int i = 0; i < result->gaps; i++)
-			draw_ground(of, result->gap[2*i]*of->per_omega, result->gap[2*i + 1]*of->per_omega, gap_colour);
+			draw_ground(of, result->gap[2*i]*of->per_omega, result->gap[2*i + 1]*of->per_omega,
+			            gap_colour);
 		for (int i = 0; i < of->details; i++)
 			draw_ground(of, of->detail[i].from, of->detail[i].to, "#ececec");
 		if (k == 0)
@@ -283,7 +284,8 @@ static void draw_panels(struct cli_frf_picture *of, double bottom)
 		cli_frf_curves(of, k);
 	}
 	if (result->gaps > 0)
-		hawser__legend_add(&of->figure.legend, "no branch found", "with lines lw 8 lc rgb '%s'", gap_colour);
+		hawser__legend_add(&of->figure.legend, "no branch found", "with lines lw 8 lc rgb '%s'",
+		                   gap_colour);
 }
 
 /* Entries of the legend that are of all curves. */
@@ -299,7 +301,8 @@ static void add_entries(struct cli_frf_picture *of)
 	for (int i = 0; i < frf->points; i++)
 		unstable |= frf->point[i].unstable > 0;
 	if (unstable)
-		hawser__legend_once(&of->figure.legend, "unstable", "with lines lt 7 lw 1 " HAWSER__UNSTABLE_DASH);
+		hawser__legend_once(&of->figure.legend, "unstable",
+		                    "with lines lt 7 lw 1 " HAWSER__UNSTABLE_DASH);
 }
 
 /* branch [points]: see struct cli_frf_picture. */

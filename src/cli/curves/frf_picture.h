@@ -1,6 +1,5 @@
-/* cli/curves/frf_picture.h - the picture of a frequency response: what its panels and its enlarged parts
- * share.
- * SPDX-License-Identifier: GPL-3.0-or-later */
+/* cli/curves/frf_picture.h - the picture of a frequency response: what its panels and its enlarged
+ * parts share. SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_CLI_FRF_PICTURE_H
 #define HAWSER_CLI_FRF_PICTURE_H
 

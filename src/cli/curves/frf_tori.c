@@ -253,10 +253,11 @@ const struct hawser__field cli_tori_field[] = {
 };
 #undef OF
 
-/* --- picture: a band between the least and the greatest amplitude, over the curve's range of Omega --- */
+/* --- picture: a band between the least and the greatest amplitude, over the curve's range of Omega
+ * --- */
 
-/* A curve of quasi-periodic motions, of one displacement or coordinate, with the torus points at its ends:
- * there the amplitude is that between the two of the torus beside it. */
+/* A curve of quasi-periodic motions, of one displacement or coordinate, with the torus points at
+ * its ends: there the amplitude is that between the two of the torus beside it. */
 struct band {
 	const struct hawser_tori *tori;
 	const double *least, *most; /* [tori->points] at a stride */
@@ -342,7 +343,8 @@ void cli_tori_bands(struct cli_frf_picture *of, int panel)
 				continue;
 			}
 			hawser__figure_draw(&of->figure, NULL,
-			                    "with filledcurves closed fc rgb '%s' fs solid noborder", fill[c % 2][unstable]);
+			                    "with filledcurves closed fc rgb '%s' fs solid noborder",
+			                    fill[c % 2][unstable]);
 			hawser__figure_again(&of->figure, unstable ? "unstable tori" : "tori",
 			                     "using (NaN):1 with lines lw 8 lc rgb '%s'", fill[0][unstable]);
 		}

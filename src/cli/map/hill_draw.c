@@ -87,7 +87,8 @@ enum hawser_status cli_hill_draw(const char *path, const void *context,
 	if (status)
 		goto done;
 	for (int k = 0; k < 2; k++)
-		axis[k] = result->model ? cli_axis(result->axis[k].key, result->axis[k].unit, result->axis[k].to)
+		axis[k] = result->model ? cli_axis(result->axis[k].key, result->axis[k].unit,
+		                                   result->axis[k].to)
 		                        : mathieu[k];
 	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.13, 0.965, 0.28, 0.97,
 		.x = {&axis[0], result->axis[0].from, result->axis[0].to, .tics = 10},
@@ -96,7 +97,8 @@ enum hawser_status cli_hill_draw(const char *path, const void *context,
 	                   boxes ? HAWSER__UNSTABLE_FILL : "#ffffff");
 	for (int k = 0; k < boxes; k++)
 		hawser__figure_row(&figure, "xyxy", box + 4*k);
-	hawser__figure_draw(&figure, NULL, "using 1:2:1:3:2:4 with boxxyerror fs solid noborder lc rgb '%s'",
+	hawser__figure_draw(&figure, NULL,
+	                    "using 1:2:1:3:2:4 with boxxyerror fs solid noborder lc rgb '%s'",
 	                    HAWSER__UNSTABLE_FILL);
 	boundaries(&figure, &result->chart);
 	for (int expansion = 0; expansion < 2 && !result->model; expansion++)

@@ -225,10 +225,12 @@ static void draw_differences(struct hawser__figure *figure, struct hawser__panel
 
 static enum hawser_status draw(const char *path, const void *of, struct hawser_report *report)
 {
-	static const struct hawser__axis given = {"As given (%)", "", 1.0}, fitted = {"Fitted (%)", "", 1.0};
+	static const struct hawser__axis given = {"As given (%)", "", 1.0};
+	static const struct hawser__axis fitted = {"Fitted (%)", "", 1.0};
 	const struct hawser_identified *found = &((const struct result *)of)->found;
 	const struct hawser__axis axis = hawser__axis_of("Measured frequency", "Hz", 0.0);
-	struct hawser__panel_frame at = {0.14, 0.97, 0.63, 0.97, .x = {&axis, .bare = 1}, .y = {&given, .tics = 6}};
+	struct hawser__panel_frame at = {0.14, 0.97, 0.63, 0.97, .x = {&axis, .bare = 1},
+	                                 .y = {&given, .tics = 6}};
 	struct hawser__figure figure = {0};
 	enum hawser_status status = hawser__figure_begin(&figure, path, 16.0, 12.8, report);
 	double low = INFINITY, high = 0.0;

@@ -26,8 +26,9 @@ struct drawing {
 	struct hawser__axis speed, re, im;
 	double from, to; /* of the speed */
 	double top, low, high; /* of the imaginary parts, and of the real ones */
-	int tics, real;        /* real: 1: an eigenvalue has a real part; without damping and below the first
-	                        * instability none has */
+	int tics;
+	int real; /* 1: an eigenvalue has a real part; without damping and below the first instability none
+	           * has */
 };
 
 static void measure(struct drawing *of)
@@ -80,7 +81,8 @@ static void draw_excitation(struct drawing *of)
 		double slope = cli_campbell_in_unit(of->result, n*2.0*M_PI/of->result->spacing);
 		double speed = fmin(0.97*last, 0.94*1.04*of->top/slope);
 
-		hawser__figure_label(&of->figure, speed, slope*speed, "right offset -0.5,0.3 font ',9'", "%d", n);
+		hawser__figure_label(&of->figure, speed, slope*speed, "right offset -0.5,0.3 font ',9'",
+		                     "%d", n);
 		hawser__figure_function(&of->figure, NULL, "%.9g*x " EXCITATION,
 		                        slope*of->speed.per/of->im.per);
 	}
@@ -124,7 +126,8 @@ static void draw_column(struct drawing *of, const struct column *column)
 	if (!of->real)
 		return;
 	speed.bare = 0;
-	hawser__figure_panel(&of->figure, &(struct hawser__panel_frame){column->left, column->right, 0.25, 0.40,
+	hawser__figure_panel(&of->figure, &(struct hawser__panel_frame){column->left, column->right,
+		0.25, 0.40,
 		.x = speed, .y = {&of->re, of->low - room, of->high + room, .tics = 3, .untitled = beside}});
 	draw_branches(of, column, of->result->campbell.re);
 }

@@ -146,7 +146,8 @@ static struct hawser__axis ordinate(const struct cli_irvine_result *result)
 }
 
 /* Abscissa of a station. */
-static double place_of(const struct cli_irvine_result *result, const struct hawser_irvine *irvine, int i)
+static double place_of(const struct cli_irvine_result *result, const struct hawser_irvine *irvine,
+                       int i)
 {
 	return result->over_value ? irvine->station[i].value : irvine->station[i].statics.irvine_source;
 }
@@ -245,16 +246,19 @@ enum hawser_status cli_irvine_draw(const char *path, const void *context,
 	measure(&low, &high, &top, result);
 	for (int k = 0; k < count; k++) {
 		double left = margin + k % columns*wide, bottom = foot + (rows - 1 - k/columns)*tall;
-		int logarithmic = (!result->over_value || result->sweep->irvine.sweep != HAWSER_GIVEN_LENGTH0) &&
+		int logarithmic = (!result->over_value ||
+		                   result->sweep->irvine.sweep != HAWSER_GIVEN_LENGTH0) &&
 		                  high > logarithmic_from*low;
 
-		hawser__figure_panel(&figure, &(struct hawser__panel_frame){left, count == 1 ? 0.97 : left + 0.9*wide,
+		hawser__figure_panel(&figure, &(struct hawser__panel_frame){
+			left, count == 1 ? 0.97 : left + 0.9*wide,
 			bottom, count == 1 ? 0.97 : bottom + 0.86*tall, .aside = 0.107*16.0/width,
 			.x = {&x, low, high, .logarithmic = 2*logarithmic, .tics = count == 1 ? 8 : 5,
 			      .untitled = k + columns < count},
 			.y = {&y, 0.0, 1.04*top, .tics = 9, .untitled = k % columns > 0}});
 		if (result->moving)
-			fprintf(figure.out.script, "set label '{/:Italic v} = %.6g %s' at graph 0.97,0.06 right front\n",
+			fprintf(figure.out.script,
+			        "set label '{/:Italic v} = %.6g %s' at graph 0.97,0.06 right front\n",
 			        result->sweep[k].irvine.speed/speed.per, speed.unit);
 		draw_panel(&figure, result, &result->sweep[k]);
 	}

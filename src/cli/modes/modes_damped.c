@@ -269,7 +269,8 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 	ends[0] = fmin(sweep->value[0], sweep->value[sweep->points - 1]);
 	ends[1] = fmax(sweep->value[0], sweep->value[sweep->points - 1]);
 	axis = cli_axis(result->key, unit_of(result), fmax(fabs(ends[0]), fabs(ends[1])));
-	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.13, 0.97, HAWSER__LEGEND_CM/11.0, 0.97,
+	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.13, 0.97, HAWSER__LEGEND_CM/11.0,
+		0.97,
 		.x = {&axis, ends[0], ends[1], .tics = 8, .logarithmic = result->logarithmic},
 		.y = {&ratio, .zero = 1, .tics = 7, .room = 0.06}});
 	draw_ratios(&figure, sweep);

@@ -210,7 +210,8 @@ static void draw_harmonics(struct hawser__figure *figure, const struct cli_track
 	for (int k = 1; t->distance > 0.0 && k <= t->harmonics; k++) {
 		double slope = k*2.0*M_PI/t->distance/(t->hertz ? 2.0*M_PI : 1.0), x = fmin(last, high/slope);
 
-		hawser__figure_label(figure, x, slope*x, "right offset -0.6,-0.5 tc rgb '#606060' font ',8'", "%d",
+		hawser__figure_label(figure, x, slope*x,
+		                     "right offset -0.6,-0.5 tc rgb '#606060' font ',8'", "%d",
 		                     k);
 		hawser__figure_function(figure, NULL, "%.9g*x " PASSING,
 		                        slope*figure->at.x.axis->per/figure->at.y.axis->per);
@@ -257,7 +258,8 @@ static void draw_numbers(struct hawser__figure *figure, const struct cli_track *
 	const double apart = 0.028; /* of the height of the axis: between two numbers */
 	const struct hawser_ropeway_track *track = &t->track;
 	const struct hawser_ropeway_track_sample *last = &track->sample[track->samples - 1];
-	const struct hawser_ropeway_track_point *point = track->point + (track->samples - 1)*track->branches;
+	const struct hawser_ropeway_track_point *point =
+		track->point + (track->samples - 1)*track->branches;
 	double before = -INFINITY, from = -INFINITY;
 
 	for (int k = 0; k < track->branches; k++) {
@@ -307,7 +309,8 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 	margin = fmax(0.06*(high - low), 1e-3*high);
 	low = fmax(low - margin, 0.0);
 	high += margin;
-	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.125, 0.955, HAWSER__LEGEND_CM/height, 0.97,
+	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.125, 0.955,
+		HAWSER__LEGEND_CM/height, 0.97,
 		.x = {&x, fmin(first, last), fmax(first, last), .tics = 8, .logarithmic = t->logarithmic},
 		.y = {&y, low, high, .tics = 8}});
 	draw_harmonics(&figure, t, fmax(first, last), high);

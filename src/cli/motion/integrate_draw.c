@@ -103,12 +103,14 @@ static struct hawser__axis axis_with_prefix(const struct drawing *of, int k, con
 		p++;
 	axis.per *= prefix[p].per;
 	snprintf(axis.title, sizeof axis.title, "%.80s%s%s%.*s%s", what, *axis.unit ? " (" : "",
-	         *axis.unit ? prefix[p].prefix : "", HAWSER__MARKUP_SIZE - 1, axis.unit, *axis.unit ? ")" : "");
+	         *axis.unit ? prefix[p].prefix : "", HAWSER__MARKUP_SIZE - 1, axis.unit, *axis.unit
+	         ? ")" : "");
 	return axis;
 }
 
 /* Lines, or points of a section. */
-static void draw_signal(struct hawser__figure *figure, const struct cli_integrate_result *result, int row)
+static void draw_signal(struct hawser__figure *figure, const struct cli_integrate_result *result,
+                        int row)
 {
 	if (cli_integrate_section(result))
 		hawser__figure_draw(figure, NULL, "with points lt %d pt 7 ps 0.15", row + 1);
@@ -119,9 +121,10 @@ static void draw_signal(struct hawser__figure *figure, const struct cli_integrat
 static void draw_row(struct drawing *of, int row, int k, int last)
 {
 	const struct cli_integrate_result *result = of->result;
-	const double *value = result->value + (size_t)k*rows_of(result), unit = cli_per_omega(result->model);
+	const double *value = result->value + (size_t)k*rows_of(result);
 	const double *rate = result->rate + (size_t)k*rows_of(result);
-	double base = of->top - of->tall*(row + 1) + 1.95/of->figure.out.height, roof = of->top - of->tall*row;
+	double base = of->top - of->tall*(row + 1) + 1.95/of->figure.out.height;
+	double roof = of->top - of->tall*row, unit = cli_per_omega(result->model);
 	int from = settled_from(result), rows = result->run.rows;
 	struct hawser__axis y, velocity = axis_with_prefix(of, k, "Velocity", "m/s");
 	char label[label_size];
@@ -135,7 +138,8 @@ static void draw_row(struct drawing *of, int row, int k, int last)
 	draw_signal(&of->figure, result, row);
 	hawser__figure_panel(&of->figure, &(struct hawser__panel_frame){0.775, 0.975, base, roof,
 		.x = {&y, .tics = 3, .open = 1}, .y = {&velocity, .tics = 5, .open = 1}});
-	hawser__figure_bind(&of->figure, rows - from, value + from, sizeof *value, rate + from, sizeof *rate);
+	hawser__figure_bind(&of->figure, rows - from, value + from, sizeof *value, rate + from,
+	                    sizeof *rate);
 	draw_signal(&of->figure, result, row);
 }
 
@@ -155,12 +159,15 @@ static void draw_spectra(struct drawing *of, const int *chosen, int count)
 			peak = fmax(peak, result->amplitude[(size_t)chosen[k]*(size_t)result->bins + (size_t)i]);
 	for (int k = 0; k < count; k++)
 		for (int i = last + 1; i < result->bins; i++)
-			if (result->amplitude[(size_t)chosen[k]*(size_t)result->bins + (size_t)i] > part_of_peak*peak)
+			if (result->amplitude[(size_t)chosen[k]*(size_t)result->bins + (size_t)i] >
+			    part_of_peak*peak)
 				last = i;
 	end = fmin(fmax(1.1*result->frequency[last], 3.0*forcing), result->frequency[result->bins - 1]);
-	hawser__figure_panel(&of->figure, &(struct hawser__panel_frame){0.13, 0.975, 2.3/of->figure.out.height,
+	hawser__figure_panel(&of->figure, &(struct hawser__panel_frame){0.13, 0.975,
+		2.3/of->figure.out.height,
 		of->top - of->tall*count, .x = {&of->spectrum, 0.0, end, .tics = 10},
-		.y = {&of->amplitude, peak*pow(10.0, -decades), 5.0*peak, .logarithmic = peak > 0.0, .tics = 6}});
+		.y = {&of->amplitude, peak*pow(10.0, -decades), 5.0*peak, .logarithmic = peak > 0.0,
+		      .tics = 6}});
 	fputs("unset xzeroaxis\n", of->figure.out.script);
 	if (forcing > 0.0) {
 		hawser__figure_upright(&of->figure, NULL, forcing, "lt 7 lw 0.5 dt (4,4)");

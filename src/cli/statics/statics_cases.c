@@ -186,10 +186,12 @@ enum hawser_status cli_cases_draw(const char *path, const struct cli_cases *case
 
 	if (status)
 		return status;
-	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.13, 0.97, 0.68, 0.97, .x = {.as_set = 1},
+	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.13, 0.97, 0.68, 0.97,
+		.x = {.as_set = 1},
 		.y = {axis, .zero = 1}});
 	draw_pair(&figure, cases, 0);
-	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.13, 0.97, 0.34, 0.63, .x = {.as_set = 1},
+	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.13, 0.97, 0.34, 0.63,
+		.x = {.as_set = 1},
 		.y = {&length, .zero = 1}});
 	draw_pair(&figure, cases, 1);
 	return hawser__figure_finish(&figure, report);

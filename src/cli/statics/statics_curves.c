@@ -112,7 +112,8 @@ const struct hawser__field cli_compatibility_member[] = {
 };
 
 #define BIND(figure, statics, count, x, y) \
-	hawser__figure_bind(figure, count, &(statics)->x, sizeof *(statics), &(statics)->y, sizeof *(statics))
+	hawser__figure_bind(figure, count, &(statics)->x, sizeof *(statics), &(statics)->y, \
+	                    sizeof *(statics))
 
 enum hawser_status cli_compatibility_draw(const char *path, const struct cli_curves *curves,
                                           struct hawser_report *report)

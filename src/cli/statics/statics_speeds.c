@@ -219,7 +219,8 @@ static void draw_states(struct hawser__figure *figure, const struct cli_speeds *
 		hawser__figure_draw(figure, title[k], "%s", style[k]);
 	}
 	if (speeds->folds)
-		hawser__figure_upright(figure, "limit speed", speeds->limit, "lc rgb '#909090' lw 1.2 dt (3,3)");
+		hawser__figure_upright(figure, "limit speed", speeds->limit,
+		                       "lc rgb '#909090' lw 1.2 dt (3,3)");
 }
 
 enum hawser_status cli_speeds_draw(const char *path, const struct cli_speeds *speeds,
@@ -240,7 +241,8 @@ enum hawser_status cli_speeds_draw(const char *path, const struct cli_speeds *sp
 	for (int k = 0; k < 3; k++)
 		axis[k] = hawser__fields_axis(cli_speed_field, shown[k], &view, largest);
 	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.13, 0.97, 0.63, 0.97,
-		.x = {&axis[0], .tics = 8, .bare = 1}, .y = {&axis[1], .logarithmic = 1, .tics = 6, .room = 0.1}});
+		.x = {&axis[0], .tics = 8, .bare = 1}, .y = {&axis[1], .logarithmic = 1, .tics = 6,
+		                                             .room = 0.1}});
 	draw_states(&figure, speeds, 0);
 	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.13, 0.97, 0.235, 0.575,
 		.x = {&axis[0], .tics = 8}, .y = {&axis[2], .zero = 1, .tics = 6, .room = 0.08}});

@@ -312,7 +312,8 @@ static enum hawser_status draw_panels(const char *path, const struct drawing *of
 			for (long i = 0; i < of->points; i++)
 				if (isfinite(y[(p*(long)curves + c)*of->points + i]))
 					hawser__figure_put(&figure, of->x[i], y[(p*(long)curves + c)*of->points + i]);
-			hawser__figure_draw(&figure, label[c], "with linespoints lt %d lw 1.3%s pt 7 ps %s", c % 6 + 1,
+			hawser__figure_draw(&figure, label[c], "with linespoints lt %d lw 1.3%s pt 7 ps %s",
+			                    c % 6 + 1,
 			                    c < 6 ? "" : " dt (8,5)", of->points > 40 ? "0.25" : "0.5");
 		}
 	}

@@ -76,11 +76,13 @@ static void numbers(struct hawser__labels *labels, struct hawser__picture *pictu
 }
 
 /* Runs of a method on a line; its own choice apart from it. */
-static void draw_method(struct hawser__figure *figure, const struct hawser__cost *run, int count, int shape,
+static void draw_method(struct hawser__figure *figure, const struct hawser__cost *run, int count,
+                        int shape,
                         int colour)
 {
 	for (int i = 0; i < count; i++)
-		hawser__figure_put(figure, run[i].automatic ? NAN : 1e3*run[i].seconds, error_of(&run[i], shape));
+		hawser__figure_put(figure, run[i].automatic ? NAN : 1e3*run[i].seconds,
+		                   error_of(&run[i], shape));
 	hawser__figure_draw(figure, run->method, "with linespoints lt %d pt 7 ps 0.45", colour);
 	for (int i = 0; i < count; i++)
 		if (run[i].automatic)
@@ -93,8 +95,9 @@ enum hawser_status hawser__plot_compare(const char *path, const struct hawser__c
 {
 	enum { most_methods = 32 };
 	static const struct hawser__axis time = {"Time (ms); numbers: resolution", "", 1.0};
-	static const struct hawser__axis error[] = {{"Largest relative error of a frequency (–)", "", 1.0},
-	                                            {"Largest error of a shape (–)", "", 1.0}};
+	static const struct hawser__axis error[] = {
+		{"Largest relative error of a frequency (–)", "", 1.0},
+		{"Largest error of a shape (–)", "", 1.0}};
 	int first[most_methods + 1], methods = methods_of(first, run, runs);
 	struct hawser__labels labels;
 	struct hawser__figure figure = {0};

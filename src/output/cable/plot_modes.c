@@ -80,7 +80,8 @@ static enum hawser_status begin(struct drawing *of, const char *path, struct haw
 /* --- components over the arclength --- */
 
 /* Normalised shapes are of order 1. */
-static void set_ranges(struct drawing *of, const struct hawser__axis *S, const struct hawser__axis *shape)
+static void set_ranges(struct drawing *of, const struct hawser__axis *S,
+                       const struct hawser__axis *shape)
 {
 	double largest = 0.0;
 
@@ -153,7 +154,8 @@ enum hawser_status hawser__plot_modes(const char *path, const struct hawser_mode
 
 /* --- waves: the leading component at instants of half a period, with its two waves --- */
 
-/* What: from 0, the instants; then the envelope above and below, the downstream and the upstream wave. */
+/* What: from 0, the instants; then the envelope above and below, the downstream and the upstream
+ * wave. */
 enum { ABOVE = moments, BELOW, DOWNSTREAM, UPSTREAM };
 
 static void put_wave(struct drawing *of, int k, int what)
@@ -314,7 +316,8 @@ enum hawser_status hawser__plot_displaced(const char *path, const struct hawser_
 		.y = {&y, low, high, .tics = 5}};
 	add_entries(&of.figure.legend, modes->gyroscopic);
 	for (int k = 0; k < of.at.panels; k++) {
-		double most = fmax(largest_of(modes, k, 0), fmax(largest_of(modes, k, 1), largest_of(modes, k, 2)));
+		double most = fmax(largest_of(modes, k, 0),
+		                   fmax(largest_of(modes, k, 1), largest_of(modes, k, 2)));
 		double scale = enlarged*hypot(span->d, span->h)/most;
 
 		hawser__panels_open(&of.figure, &of.at, k, &of.frame);

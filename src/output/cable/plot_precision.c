@@ -110,7 +110,8 @@ static void draw_family(struct hawser__figure *figure, const struct hawser__prec
 			    (incomplete < 0 || incomplete == run[i].incomplete))
 				hawser__figure_put(figure, across(&run[i], by_number), frequency_error(&run[i]));
 		hawser__figure_draw(figure, NULL, incomplete < 0 ? "with lines lt %d" : incomplete
-		                    ? "with points lt %d pt 6 ps 0.8" : "with points lt %d pt 7 ps 0.6", colour);
+		                    ? "with points lt %d pt 6 ps 0.8" : "with points lt %d pt 7 ps 0.6",
+		                    colour);
 	}
 }
 
@@ -145,14 +146,16 @@ enum hawser_status hawser__plot_precision(const char *path, const struct hawser_
 	if (!any) {
 		hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.1, 0.9, 0.3, 0.9, .view = 1,
 			.x = {.to = 1.0}, .y = {.to = 1.0}});
-		fprintf(figure.out.script, "set label 'Nothing that a fidelity found in the range is on the curve "
+		fprintf(figure.out.script,
+		        "set label 'Nothing that a fidelity found in the range is on the curve "
 		        "of %s too' at graph 0.5, graph 0.5 center\n", reference);
 	}
 	for (int k = 0; k < 2 && any; k++) { /* both panels have the same errors */
 		ranges(&labels, run, runs, k);
 		hawser__labels_panel(&labels, &figure, &(struct hawser__panel_frame){k ? 0.64 : 0.13,
 			k ? 0.985 : 0.50, 0.30, 0.92, .x = {&x[k], .tics = 7}, .y = {&y, .tics = 6}});
-		fprintf(figure.out.script, "set label 'reference: %s' at graph 0.5, graph 1.06 center\n", reference);
+		fprintf(figure.out.script, "set label 'reference: %s' at graph 0.5, graph 1.06 center\n",
+		        reference);
 		if (k == 0)
 			numbers(&labels, &figure.out, run, runs, family, families);
 		for (int f = 0; f < families; f++)

@@ -49,7 +49,8 @@ enum hawser_status hawser__plot_statics(const char *path, const struct hawser__s
 	const double high = 0.97, foot = count == 2 ? 0.21 : 0.16, gap = count == 2 ? 0.06 : 0.04;
 	double step = (high - foot + gap)/count, from = 0.0, to = of->scene->span.d;
 	struct hawser__figure figure = {0};
-	enum hawser_status status = hawser__figure_begin(&figure, path, 16.0, of->turned ? 16.4 : 12.4, report);
+	enum hawser_status status = hawser__figure_begin(&figure, path, 16.0, of->turned ? 16.4 : 12.4,
+	                                                 report);
 
 	if (status)
 		return status;

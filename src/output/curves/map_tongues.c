@@ -61,7 +61,8 @@ void hawser__map_tongues(struct hawser__figure *figure, const struct hawser__map
 			if (at[k + 1] - at[k] > 2.0*wide || !stable(map, row, at[k] - wide) ||
 			    !stable(map, row, at[k + 1] + wide))
 				continue;
-			hawser__figure_row(figure, "xyxy", (double[]){at[k], y - 0.55*tall, at[k + 1], y + 0.55*tall});
+			hawser__figure_row(figure, "xyxy", (double[]){at[k], y - 0.55*tall, at[k + 1],
+			                                              y + 0.55*tall});
 			k++;
 		}
 	}

@@ -53,7 +53,8 @@ static void draw_pixels(struct hawser__figure *figure, const struct hawser__map_
 	}
 	hawser__figure_draw(figure, NULL, "using 1:2:3 with image");
 	hawser__map_tongues(figure, map);
-	hawser__figure_draw(figure, NULL, "using 1:2:1:3:2:4 with boxxyerror fillstyle solid noborder lc rgb '%s'",
+	hawser__figure_draw(figure, NULL,
+	                    "using 1:2:1:3:2:4 with boxxyerror fillstyle solid noborder lc rgb '%s'",
 	                    unstable[1]);
 	for (int k = 0; k < map->segments; k++) {
 		hawser__figure_put(figure, map->segment[4*k], map->segment[4*k + 1]);

@@ -14,7 +14,8 @@ enum { COLOURS = sizeof colours/sizeof *colours };
 
 /* Every so many rows; of a band the largest value between. */
 static void put_curve(struct hawser__figure *figure, const struct hawser__motions *of,
-                      const struct hawser__motion_panel *panel, const struct hawser__motion_curve *curve)
+                      const struct hawser__motion_panel *panel,
+                      const struct hawser__motion_curve *curve)
 {
 	int step = 1 + of->rows/MOST;
 
@@ -50,7 +51,8 @@ enum hawser_status hawser__plot_motions(const char *path, const struct hawser__m
 	for (int p = 0; p < of->panels; p++) {
 		double low = (bottom + tall*(of->panels - 1 - p))/height;
 
-		hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.13, 0.97, low, low + (tall - gap)/height,
+		hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.13, 0.97, low,
+			low + (tall - gap)/height,
 			.x = {&of->axis, of->time[0], of->time[of->rows - 1], .bare = p < of->panels - 1},
 			.y = {&of->panel[p].axis}});
 		for (int c = 0; c < of->panel[p].curves; c++)

@@ -82,7 +82,8 @@ static const struct hawser__picture_range *chosen_range(const struct hawser__fig
 		? NULL : hawser__picture_range_of(axis);
 }
 
-/* 1 if a place is beyond the chosen range of its axis: gnuplot would draw marks outside of the panel. */
+/* 1 if a place is beyond the chosen range of its axis: gnuplot would draw marks outside of the
+ * panel. */
 static int beyond(const struct hawser__figure *figure, int axis, double value)
 {
 	const struct hawser__picture_range *range = chosen_range(figure, axis);
@@ -111,7 +112,8 @@ static void set_tics(struct hawser__figure *figure, int axis, double low, double
 		hawser__picture_tics(&figure->out, *name, low, high, scale->tics);
 }
 
-static void set_chosen(struct hawser__figure *figure, int axis, const struct hawser__picture_range *range)
+static void set_chosen(struct hawser__figure *figure, int axis,
+                       const struct hawser__picture_range *range)
 {
 	FILE *script = figure->out.script;
 
@@ -152,7 +154,8 @@ static void set_scale(struct hawser__figure *figure, int axis)
 	char name = axis_name[axis];
 
 	if (!scale->as_set)
-		fprintf(script, "unset logscale %c\nset format %c '%%g'\nset %ctics autofreq\n", name, name, name);
+		fprintf(script, "unset logscale %c\nset format %c '%%g'\nset %ctics autofreq\n", name,
+		        name, name);
 	figure->logarithmic[axis] |= chosen && scale->logarithmic;
 	if (chosen)
 		set_chosen(figure, axis, chosen);
@@ -352,7 +355,8 @@ static void add(struct hawser__figure *figure, const char *data, const char *tit
 
 enum { STYLE = 200 }; /* letters of a style */
 
-static void draw_block(struct hawser__figure *figure, const char *title, const char *style, va_list args)
+static void draw_block(struct hawser__figure *figure, const char *title, const char *style,
+                       va_list args)
 {
 	char look[STYLE], name[24];
 
@@ -396,7 +400,8 @@ void hawser__figure_function(struct hawser__figure *figure, const char *title, c
 		add(figure, "", title, look);
 }
 
-void hawser__figure_upright(struct hawser__figure *figure, const char *title, double x, const char *style,
+void hawser__figure_upright(struct hawser__figure *figure, const char *title, double x,
+                            const char *style,
                             ...)
 {
 	char look[STYLE];
@@ -408,7 +413,8 @@ void hawser__figure_upright(struct hawser__figure *figure, const char *title, do
 	va_end(args);
 	if (!beyond(figure, 0, at))
 		fprintf(figure->marks,
-		        "set arrow from first %.12g, graph 0 to first %.12g, graph 1 nohead %s\n", at, at, look);
+		        "set arrow from first %.12g, graph 0 to first %.12g, graph 1 nohead %s\n", at, at,
+		        look);
 	if (title && *title) {
 		char entry[STYLE];
 
@@ -432,7 +438,8 @@ void hawser__figure_label(struct hawser__figure *figure, double x, double y, con
 	fprintf(figure->marks, "' at %.9g,%.9g %s front\n", at[0], at[1], settings);
 }
 
-void hawser__figure_above(struct hawser__figure *figure, double x, const char *settings, const char *text)
+void hawser__figure_above(struct hawser__figure *figure, double x, const char *settings,
+                          const char *text)
 {
 	double at = x/per_of(figure, 0);
 

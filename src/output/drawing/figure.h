@@ -1,9 +1,11 @@
-/* output/drawing/figure.h - the one writer of pictures: panels with two axes, and what is drawn in them.
+/* output/drawing/figure.h - the one writer of pictures: panels with two axes, and what is drawn in
+ * them.
  *
  * Points are put in the units of the results. The panel divides them by `per` of its axes and takes the
- * ranges and tics of its axes from them, unless it gives ranges itself. What has been put since the last
- * call is drawn by hawser__figure_draw; the style and the name that it gets there are those of the legend
- * below all panels, too. Where no point was put, nothing is drawn, and the legend has no entry.
+ * ranges and tics of its axes from them, unless it gives ranges itself. What has been put since the
+ * last call is drawn by hawser__figure_draw; the style and the name that it gets there are those of
+ * the legend below all panels, too. Where no point was put, nothing is drawn, and the legend has no
+ * entry.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_OUTPUT_FIGURE_H
@@ -41,7 +43,8 @@ struct hawser__panel_frame {
 #define HAWSER__VEERING "with points pt 7 ps 0.5 lc rgb 'black'"
 
 struct hawser__figure {
-	struct hawser__picture out; /* `out.script` takes settings of gnuplot for the open panel, before points */
+	struct hawser__picture out; /* `out.script` takes settings of gnuplot for the open panel,
+		before points */
 	struct hawser__legend legend;
 	struct hawser__panel_frame at;    /* the open panel, whose axes are */
 	struct hawser__axis axis[2];
@@ -72,11 +75,12 @@ void hawser__figure_panel(struct hawser__figure *figure, const struct hawser__pa
 /* A point. Where one of the two is no finite number, the line has a gap. */
 void hawser__figure_put(struct hawser__figure *figure, double x, double y);
 void hawser__figure_gap(struct hawser__figure *figure);
-/* A row of several columns. `columns` has a letter for each: x, y: a place on that axis; X, Y: a distance
- * along it; any other: as it is. */
+/* A row of several columns. `columns` has a letter for each: x, y: a place on that axis; X, Y: a
+ * distance along it; any other: as it is. */
 void hawser__figure_row(struct hawser__figure *figure, const char *columns, const double *value);
 /* A place in space, as the eye of a view sees it. */
-void hawser__figure_see(struct hawser__figure *figure, const struct hawser__eye *eye, const double x[3]);
+void hawser__figure_see(struct hawser__figure *figure, const struct hawser__eye *eye,
+                        const double x[3]);
 /* Points [count] at x[i] and y[i], each so many bytes after the one before. */
 void hawser__figure_bind(struct hawser__figure *figure, int count, const double *x, size_t x_step,
                          const double *y, size_t y_step);
@@ -92,14 +96,16 @@ void hawser__figure_again(struct hawser__figure *figure, const char *title, cons
 void hawser__figure_function(struct hawser__figure *figure, const char *title, const char *formula, ...)
 	HAWSER_PRINTF(3, 4);
 /* A line from the foot to the top of the panel. The style is one of lines, "lt 7 dt (4,4)". */
-void hawser__figure_upright(struct hawser__figure *figure, const char *title, double x, const char *style,
+void hawser__figure_upright(struct hawser__figure *figure, const char *title, double x,
+                            const char *style,
                             ...) HAWSER_PRINTF(4, 5);
 
 /* A text at a place, "at X,Y ...", with the settings of gnuplot's labels. */
 void hawser__figure_label(struct hawser__figure *figure, double x, double y, const char *settings,
                           const char *text, ...) HAWSER_PRINTF(5, 6);
 /* The same above the panel, or at its upper end. */
-void hawser__figure_above(struct hawser__figure *figure, double x, const char *settings, const char *text);
+void hawser__figure_above(struct hawser__figure *figure, double x, const char *settings,
+                          const char *text);
 
 enum hawser_status hawser__figure_finish(struct hawser__figure *figure,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;

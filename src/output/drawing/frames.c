@@ -35,7 +35,8 @@ void hawser__frames_write(FILE *to, FILE *messages, double height)
 		double v[9];
 
 		if (!hawser__frames_answer(line) ||
-		    sscanf(line + sizeof mark - 1, "%lf %lf %lf %lf %lf %lf %lf %lf %lf", &v[0], &v[1], &v[2], &v[3],
+		    sscanf(line + sizeof mark - 1, "%lf %lf %lf %lf %lf %lf %lf %lf %lf", &v[0], &v[1],
+		           &v[2], &v[3],
 		           &v[4], &v[5], &v[6], &v[7], &v[8]) != 9 || !(v[3] - v[2] > lowest))
 			continue;
 		fprintf(to, "%s%.2f %.2f %.2f %.2f %.10g %.10g %.10g %.10g %.0f", between, v[0], v[1],

@@ -185,7 +185,8 @@ void hawser__picture_panel(struct hawser__picture *picture, double left, double 
 	hawser__frames_ask(picture);
 	fprintf(picture->script,
 	        "set lmargin at screen %.4f\nset rmargin at screen %.4f\n"
-	        "set bmargin at screen up(%.4f)\nset tmargin at screen up(%.4f)\n", left, right, bottom, top);
+	        "set bmargin at screen up(%.4f)\nset tmargin at screen up(%.4f)\n", left, right,
+	        bottom, top);
 }
 
 void hawser__picture_ylabel(struct hawser__picture *picture, const char *format, ...)

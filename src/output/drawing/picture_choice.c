@@ -1,8 +1,8 @@
 /* output/drawing/picture_choice.c - what the user has chosen of pictures: size, title, ranges of
  * the axes.
  *
- * A title needs room above: the function up() of the script (gnuplot.c) makes all vertical places smaller.
- * figure.c asks for the ranges.
+ * A title needs room above: the function up() of the script (gnuplot.c) makes all vertical places
+ * smaller. figure.c asks for the ranges.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"

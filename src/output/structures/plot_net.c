@@ -45,7 +45,8 @@ static void draw_cables(struct hawser__figure *figure, const struct hawser_net_s
 		row[2] = point->T/per;
 		hawser__figure_row(figure, "xy.", row);
 	}
-	hawser__figure_draw(figure, NULL, "using 1:2:3 with lines lw %g lc palette", st->nodes <= FEW ? 2.0 : 0.8);
+	hawser__figure_draw(figure, NULL, "using 1:2:3 with lines lw %g lc palette", st->nodes <= FEW
+	                    ? 2.0 : 0.8);
 }
 
 /* Supports or joints, with their names if there are not many. */

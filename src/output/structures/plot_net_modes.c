@@ -139,7 +139,8 @@ enum hawser_status hawser__plot_net_modes(const char *path, const struct hawser_
 		put_shape(NULL, &seen, modes, &eye, k);
 	for (int k = 0; k < at.panels; k++) {
 		hawser__panels_open(&figure, &at, k, &(struct hawser__panel_frame){.view = 1,
-			.x = {.from = seen.low[0], .to = seen.high[0]}, .y = {.from = seen.low[1], .to = seen.high[1]}});
+			.x = {.from = seen.low[0], .to = seen.high[0]}, .y = {.from = seen.low[1],
+			                                                      .to = seen.high[1]}});
 		describe(text, sizeof text, modes, k);
 		hawser__panels_frequency(figure.out.script, k, modes->omega[k], text);
 		subtitle(figure.out.script, modes, k);

@@ -48,7 +48,8 @@ static void measure(struct frame *frame)
 	frame->M = hawser__axis_of("Moment", "N.m", M);
 }
 
-static void draw_shape(struct hawser__figure *figure, const struct frame *frame, const struct hawser_rod *rod)
+static void draw_shape(struct hawser__figure *figure, const struct frame *frame,
+                       const struct hawser_rod *rod)
 {
 	const struct hawser_rod_statics *st = frame->st;
 
@@ -63,7 +64,8 @@ static void draw_shape(struct hawser__figure *figure, const struct frame *frame,
 			if (rod->hold[end] == (hinged ? HAWSER_ROD_HINGED : HAWSER_ROD_CLAMPED))
 				hawser__figure_see(figure, &frame->eye, st->point[end ? st->points - 1 : 0].x);
 		hawser__figure_draw(figure, hinged ? "hinged" : "clamped", hinged
-		                    ? "with points pt 6 ps 1.2 lc rgb 'black'" : "with points pt 5 ps 1 lc rgb 'black'");
+		                    ? "with points pt 6 ps 1.2 lc rgb 'black'"
+		                    : "with points pt 5 ps 1 lc rgb 'black'");
 	}
 }
 
@@ -75,7 +77,8 @@ static void draw_forces(struct hawser__figure *figure, const struct frame *frame
 	hawser__figure_function(figure, NULL, "0 with lines lc rgb '#909090' lw 0.6");
 	for (int k = first; k < first + 3; k++) {
 		for (int i = 0; i < st->points && frame->drawn[k]; i++)
-			hawser__figure_put(figure, st->point[i].s, first ? st->point[i].M[k - 3] : st->point[i].N[k]);
+			hawser__figure_put(figure, st->point[i].s, first ? st->point[i].M[k - 3]
+			                   : st->point[i].N[k]);
 		hawser__figure_draw(figure, NULL, "with lines lt %d", k - first + 1);
 	}
 }

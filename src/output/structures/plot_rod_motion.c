@@ -32,10 +32,14 @@ static void draw_shapes(struct hawser__figure *figure, const struct hawser_rod_m
 		for (int i = 0; i < motion->nodes; i++)
 			hawser__box_add(&box, motion->shape[(long)row_of(motion, s, shapes)*motion->nodes + i], 3);
 	hawser__eye_look(&eye, &box, HAWSER__IN_SPACE, NULL);
-	hawser__eye_axes(figure->out.script, &eye, &(struct hawser__corner){1.0, UP(0.57)*HEIGHT, WIDTH, HEIGHT});
-	fprintf(figure->out.script, "set palette defined (0 '#c6d8ea', 1 '#0b3c6f')\nset cbrange [%.9g:%.9g]\n"
-	        "set colorbox vertical user origin screen 0.82, screen up(%.4f) size screen 0.02, screen 0.31\n"
-	        "set cblabel '%s' offset 2.5,0\n", from, to > from ? to : from + 1.0, UP(0.60), time->title);
+	hawser__eye_axes(figure->out.script, &eye, &(struct hawser__corner){1.0, UP(0.57)*HEIGHT,
+	                                                                    WIDTH, HEIGHT});
+	fprintf(figure->out.script,
+	        "set palette defined (0 '#c6d8ea', 1 '#0b3c6f')\nset cbrange [%.9g:%.9g]\n"
+	        "set colorbox vertical user origin screen 0.82, screen up(%.4f) size screen 0.02, "
+	        "screen 0.31\n"
+	        "set cblabel '%s' offset 2.5,0\n", from, to > from ? to : from + 1.0, UP(0.60),
+	        time->title);
 	for (int row = 0; row < motion->rows; row++)
 		hawser__figure_see(figure, &eye, motion->shape[(long)(row + 1)*motion->nodes - 1]);
 	hawser__figure_draw(figure, NULL, "with lines lc rgb '#b0b0b0' lw 0.6");
@@ -73,7 +77,8 @@ static int moving(const struct hawser_rod_motion *motion, int probe)
 }
 
 /* Coordinates of the probe, those along which it moves, and the length if it changes. */
-static void draw_place(struct hawser__figure *figure, const struct hawser_rod_motion *motion, int longer)
+static void draw_place(struct hawser__figure *figure, const struct hawser_rod_motion *motion,
+                       int longer)
 {
 	static const char *const name[] = {"{/:Italic x}", "{/:Italic y}", "{/:Italic z}"};
 	int mask = moving(motion, 0);
@@ -81,7 +86,8 @@ static void draw_place(struct hawser__figure *figure, const struct hawser_rod_mo
 
 	for (int k = 0; k < 3; k++) {
 		if (mask & 1 << k)
-			hawser__figure_bind(figure, motion->rows, motion->time, sizeof *motion->time, &motion->x[0][k],
+			hawser__figure_bind(figure, motion->rows, motion->time, sizeof *motion->time,
+			                    &motion->x[0][k],
 			                    step);
 		hawser__figure_draw(figure, name[k], "with lines lt %d", k + 1);
 	}
@@ -91,7 +97,8 @@ static void draw_place(struct hawser__figure *figure, const struct hawser_rod_mo
 	hawser__figure_draw(figure, "length", "with lines lt 4 dt (8,5)");
 }
 
-static void draw_energies(struct hawser__figure *figure, const struct hawser_rod_motion *motion, double most)
+static void draw_energies(struct hawser__figure *figure, const struct hawser_rod_motion *motion,
+                          double most)
 {
 	const double *value[] = {motion->kinetic, motion->strain, motion->height};
 	static const char *const name[] = {"kinetic energy", "of strain", "of height"};
@@ -101,7 +108,8 @@ static void draw_energies(struct hawser__figure *figure, const struct hawser_rod
 		high |= fabs(motion->height[i] - motion->height[0]) > STILL*most;
 	for (int k = 0; k < 2 + high; k++) {
 		for (int i = 0; i < motion->rows; i++)
-			hawser__figure_put(figure, motion->time[i], value[k][i] - (k == 2 ? motion->height[0] : 0.0));
+			hawser__figure_put(figure, motion->time[i], value[k][i] - (k == 2 ? motion->height[0]
+			                                                           : 0.0));
 		hawser__figure_draw(figure, name[k], "with lines lt %d", k + 5);
 	}
 }
@@ -111,7 +119,8 @@ enum hawser_status hawser__plot_rod_motion(const char *path, const struct hawser
 {
 	const struct hawser__axis time = hawser__axis_of("Time {/:Italic t}", "s", 0.0);
 	struct hawser__axis energy, place = hawser__axis_of("length", "m", 0.0);
-	struct hawser__panel_axis across = {&time, motion->time[0], motion->time[motion->rows - 1], .bare = 1};
+	struct hawser__panel_axis across = {&time, motion->time[0], motion->time[motion->rows - 1],
+	                                    .bare = 1};
 	struct hawser__figure figure = {0};
 	enum hawser_status status = hawser__figure_begin(&figure, path, WIDTH, HEIGHT, report);
 	double most = 0.0;
@@ -126,14 +135,17 @@ enum hawser_status hawser__plot_rod_motion(const char *path, const struct hawser
 	energy = hawser__axis_of("Energy", "J", most);
 	snprintf(place.title, sizeof place.title, "Place at %.60s%s (%s)", probe, longer ? ", length" : "",
 	         place.unit);
-	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.05, 0.80, UP(0.55), UP(0.98), .view = 1});
+	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.05, 0.80, UP(0.55), UP(0.98),
+	                                                            .view = 1});
 	draw_shapes(&figure, motion, &time);
-	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.13, 0.95, UP(0.33), UP(0.49), .x = across,
+	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.13, 0.95, UP(0.33), UP(0.49),
+	                                                            .x = across,
 		.y = {&place}});
 	fputs("unset colorbox\n", figure.out.script);
 	draw_place(&figure, motion, longer);
 	across.bare = 0;
-	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.13, 0.95, UP(0.10), UP(0.29), .x = across,
+	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.13, 0.95, UP(0.10), UP(0.29),
+	                                                            .x = across,
 		.y = {&energy}});
 	draw_energies(&figure, motion, most);
 	return hawser__figure_finish(&figure, report);

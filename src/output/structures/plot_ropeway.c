@@ -116,9 +116,11 @@ static void draw_lane(struct hawser__figure *figure, const struct frame *frame, 
 	put_rope(figure, frame, lane, 0);
 	hawser__figure_draw(figure, NULL, "with lines lc rgb '%s' lw 1.4", colour[lane]);
 	for (int i = 0; i < of->carriers; i++)
-		hawser__figure_row(figure, "xyXY", (double[]){of->st.carrier[i].x[0], of->st.carrier[i].x[1], 0.0,
+		hawser__figure_row(figure, "xyXY", (double[]){of->st.carrier[i].x[0],
+		                                              of->st.carrier[i].x[1], 0.0,
 		                                              -frame->rw->hanger});
-	hawser__figure_draw(figure, NULL, "using 1:2:3:4 with vectors nohead lc rgb '%s' lw 0.8", colour[lane]);
+	hawser__figure_draw(figure, NULL, "using 1:2:3:4 with vectors nohead lc rgb '%s' lw 0.8",
+	                    colour[lane]);
 	hawser__figure_again(figure, carriers_title[lane],
 	                     "using 1:($2 + $4) with points pt %d ps 0.55 lc rgb '%s'", lane ? 6 : 7,
 	                     colour[lane]);
@@ -158,7 +160,8 @@ static void draw_reactions(struct hawser__figure *figure, const struct frame *fr
 			continue;
 		hawser__figure_row(figure, "xyXY", (double[]){foot, y, d[0], d[1]});
 		if (frame->rw->towers <= NAMED)
-			hawser__figure_label(figure, foot + d[0], tip + up*(0.28 + lane*0.36)*per[1], settings, "%.3g",
+			hawser__figure_label(figure, foot + d[0], tip + up*(0.28 + lane*0.36)*per[1], settings,
+			                     "%.3g",
 			                     c->reaction[1]/frame->R.per);
 	}
 	hawser__figure_draw(figure, NULL, "using 1:2:3:4 with vectors head filled size screen 0.007,18 "
@@ -203,10 +206,12 @@ static void draw_envelope(struct hawser__figure *figure, const struct frame *fra
 	for (int i = 0; i < (frame->rw->towers + 1)*HAWSER_ROPEWAY_ENVELOPE; i++)
 		hawser__figure_row(figure, "xyy", (double[]){of->place[i][0], of->envelope[i].min,
 		                                             of->envelope[i].max});
-	hawser__figure_draw(figure, NULL, "using 1:2:3 with filledcurves fs transparent solid 0.25 noborder "
+	hawser__figure_draw(figure, NULL,
+	                    "using 1:2:3 with filledcurves fs transparent solid 0.25 noborder "
 	                    "lc rgb '%s'", colour[lane]);
 	for (int column = 2; column < 4; column++)
-		hawser__figure_again(figure, NULL, "using 1:%d with lines lc rgb '%s' lw 0.8", column, colour[lane]);
+		hawser__figure_again(figure, NULL, "using 1:%d with lines lc rgb '%s' lw 0.8", column,
+		                     colour[lane]);
 }
 
 static void draw_tension(struct hawser__figure *figure, const struct frame *frame)
@@ -231,7 +236,8 @@ static void draw_pressing(struct hawser__figure *figure, const struct frame *fra
 				frame->rw->tower[k].at[0] + i*0.006*(frame->to[0] - frame->from[0]), range->min, 0.0,
 				range->max - range->min});
 		}
-		hawser__figure_draw(figure, NULL, "using 1:2:3:4 with vectors nohead lc rgb '%s' lw 4", colour[i]);
+		hawser__figure_draw(figure, NULL, "using 1:2:3:4 with vectors nohead lc rgb '%s' lw 4",
+		                    colour[i]);
 		hawser__figure_again(figure, NULL, "using 1:2 with points pt 7 ps 0.5 lc rgb '%s'", colour[i]);
 	}
 }
@@ -245,7 +251,8 @@ static void add_entries(struct hawser__legend *legend, const struct frame *frame
 		hawser__legend_add(legend, lane_title[i], "with lines lc rgb '%s' lw 1.4", colour[i]);
 	for (int i = 0; i < frame->st->lanes && !after; i++)
 		if (frame->st->lane[i].carriers > 0)
-			hawser__legend_add(legend, carriers_title[i], "with points pt %d ps 0.55 lc rgb '%s'", i ? 6 : 7,
+			hawser__legend_add(legend, carriers_title[i], "with points pt %d ps 0.55 lc rgb '%s'",
+			                   i ? 6 : 7,
 			                   colour[i]);
 	if (!after)
 		return;
@@ -254,7 +261,8 @@ static void add_entries(struct hawser__legend *legend, const struct frame *frame
 	if (frame->rw->towers > 0)
 		hawser__legend_once(legend, title, "with vectors head filled lc rgb '#404040' lw 1.2");
 	if (frame->worst)
-		hawser__legend_once(legend, "least to largest over the phases", "with lines lc rgb '#8a8a8a' lw 6");
+		hawser__legend_once(legend, "least to largest over the phases",
+		                    "with lines lc rgb '#8a8a8a' lw 6");
 }
 
 enum hawser_status hawser__plot_ropeway(const char *path, const struct hawser_ropeway *rw,

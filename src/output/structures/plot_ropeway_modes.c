@@ -84,7 +84,8 @@ static double complex largest_of(const struct frame *frame, int k)
 }
 
 /* The place of a point, displaced by the real part of scale times the shape. */
-static void put_place(struct hawser__figure *figure, const struct frame *frame, int k, int lane, double S,
+static void put_place(struct hawser__figure *figure, const struct frame *frame, int k, int lane,
+                      double S,
                       double complex scale)
 {
 	double complex u[2];
@@ -92,7 +93,8 @@ static void put_place(struct hawser__figure *figure, const struct frame *frame, 
 
 	hawser_line_at(frame->of->modes->lane[lane], x, NULL, NULL, NULL, NULL, S);
 	displacement(u, frame, k, lane, S);
-	hawser__figure_put(figure, x[0] + creal(u[0]*scale)*frame->per[0], x[1] + creal(u[1]*scale)*frame->per[1]);
+	hawser__figure_put(figure, x[0] + creal(u[0]*scale)*frame->per[0],
+	                   x[1] + creal(u[1]*scale)*frame->per[1]);
 }
 
 static void put_rope(struct hawser__figure *figure, const struct frame *frame, int k, int lane,
@@ -149,7 +151,8 @@ static void draw_places(struct hawser__figure *figure, const struct frame *frame
 static void draw_mode(struct hawser__figure *figure, const struct frame *frame, int k)
 {
 	const struct hawser_line_modes *modes = frame->of->modes;
-	double complex most = largest_of(frame, k), scale = LARGEST_CM/(modes->gyroscopic ? most : cabs(most));
+	double complex most = largest_of(frame, k), scale = LARGEST_CM/(modes->gyroscopic ? most
+	                                                                : cabs(most));
 
 	draw_towers(figure, frame);
 	for (int i = modes->lanes - 1; i >= 0; i--) {
@@ -246,11 +249,13 @@ enum hawser_status hawser__plot_ropeway_modes(const char *path,
 		double left = LEFT_CM + column*(frame.wide + GAP_CM);
 		double top = height - TITLE_CM - row*(PANEL_CM + TITLE_CM);
 
-		hawser__figure_panel(&figure, &(struct hawser__panel_frame){left/WIDTH, (left + frame.wide)/WIDTH,
+		hawser__figure_panel(&figure, &(struct hawser__panel_frame){left/WIDTH,
+			(left + frame.wide)/WIDTH,
 			(top - PANEL_CM)/height, top/height,
 			.x = {&frame.x, frame.from[0], frame.to[0], .tics = frame.columns > 1 ? 6 : 10,
 			      .bare = k + frame.columns < frame.panels},
-			.y = {&frame.y, frame.from[1], frame.to[1], .tics = 5, .bare = column > 0, .untitled = k > 0}});
+			.y = {&frame.y, frame.from[1], frame.to[1], .tics = 5, .bare = column > 0,
+			      .untitled = k > 0}});
 		figure.out.middle = 0.5*(height - TITLE_CM + foot)/height;
 		title(figure.out.script, &frame, k);
 		draw_mode(&figure, &frame, k);

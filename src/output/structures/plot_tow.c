@@ -118,13 +118,15 @@ static void draw_orbit(struct hawser__figure *figure, const struct frame *frame,
 
 		put(figure, x, k);
 	}
-	hawser__figure_draw(figure, "orbit of the towing point", "with lines lc rgb '#a0a0a0' lw 1 dt (6,5)");
+	hawser__figure_draw(figure, "orbit of the towing point",
+	                    "with lines lc rgb '#a0a0a0' lw 1 dt (6,5)");
 }
 
 static void draw_view(struct hawser__figure *figure, const struct frame *frame, int k)
 {
 	double tall = k == 1 ? SIDE : ABOVE, top = k == 1 ? TOP : TOP + SIDE + TITLE;
-	struct hawser__panel_frame at = {LEFT, RIGHT, 1.0 - (top + tall)/frame->height, 1.0 - top/frame->height,
+	struct hawser__panel_frame at = {LEFT, RIGHT, 1.0 - (top + tall)/frame->height,
+	                                 1.0 - top/frame->height,
 		.x = {&frame->x, .tics = 10}, .y = {k == 1 ? &frame->y : &frame->z, .tics = 6}};
 
 	hawser__panel_even(&at, (double[]){frame->low[0], frame->low[k]},

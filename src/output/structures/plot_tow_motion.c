@@ -45,7 +45,8 @@ static void measure(struct frame *frame)
 			top = fmax(top, at->tension_top);
 		}
 	for (int k = 0; k < 2; k++) { /* a way that is too narrow is drawn in a range so wide */
-		double narrow = FLAT*(frame->high[1 - k] - frame->low[1 - k]) - (frame->high[k] - frame->low[k]);
+		double narrow =
+			FLAT*(frame->high[1 - k] - frame->low[1 - k]) - (frame->high[k] - frame->low[k]);
 
 		frame->low[k] -= 0.5*fmax(narrow, 0.0);
 		frame->high[k] += 0.5*fmax(narrow, 0.0);
@@ -84,9 +85,11 @@ static void draw_above(struct hawser__figure *figure, struct frame *frame)
 	hawser__panel_even(&at, frame->low, frame->high, (RIGHT - LEFT)*WIDTH, ABOVE, 1);
 	panel(figure, frame, ABOVE, &at);
 	fputs("set label 'seen from above' at graph 0.985,0.07 right font ',9'\n", figure->out.script);
-	hawser__figure_bind(figure, count, &sample->top[0], sizeof *sample, &sample->top[2], sizeof *sample);
+	hawser__figure_bind(figure, count, &sample->top[0], sizeof *sample, &sample->top[2],
+	                    sizeof *sample);
 	hawser__figure_draw(figure, "towing point", "with lines lt 7 lw 1.2 dt (6,5)");
-	hawser__figure_bind(figure, count, &sample->body[0], sizeof *sample, &sample->body[2], sizeof *sample);
+	hawser__figure_bind(figure, count, &sample->body[0], sizeof *sample, &sample->body[2],
+	                    sizeof *sample);
 	hawser__figure_draw(figure, "body", "with lines lt 1 lw 1.8");
 }
 

@@ -62,7 +62,8 @@ static void measure(struct frame *frame)
 static void draw_plan(struct hawser__figure *figure, const struct frame *frame)
 {
 	const struct hawser__trajectory_picture *of = frame->of;
-	struct hawser__panel_frame at = {LEFT, RIGHT, 1.0 - (TOP + PLAN)/frame->height, 1.0 - TOP/frame->height,
+	struct hawser__panel_frame at = {LEFT, RIGHT, 1.0 - (TOP + PLAN)/frame->height,
+	                                 1.0 - TOP/frame->height,
 		.x = {&frame->x, .tics = 10}, .y = {&frame->z, .tics = 6}};
 	size_t step = sizeof *of->point;
 
@@ -70,7 +71,8 @@ static void draw_plan(struct hawser__figure *figure, const struct frame *frame)
 	                   (double[]){frame->high[0], frame->high[2]}, (RIGHT - LEFT)*WIDTH, PLAN, 1);
 	hawser__figure_panel(figure, &at);
 	fputs("set label 'seen from above' at graph 0.985,0.05 right font ',9'\n", figure->out.script);
-	hawser__figure_bind(figure, of->points, &of->point->state[0][0], step, &of->point->state[0][2], step);
+	hawser__figure_bind(figure, of->points, &of->point->state[0][0], step, &of->point->state[0][2],
+	                    step);
 	hawser__figure_draw(figure, NULL, "with lines lt 7 lw 1.6");
 	hawser__figure_put(figure, of->point->state[0][0], of->point->state[0][2]);
 	hawser__figure_draw(figure, NULL, BEGIN);
@@ -79,13 +81,14 @@ static void draw_plan(struct hawser__figure *figure, const struct frame *frame)
 
 		hawser__figure_put(figure, x[0], x[2]);
 		if (of->waypoints <= NUMBERED)
-			hawser__figure_label(figure, x[0], x[2], "left offset 0.7,0.6 font ',9'", "%d", of->first + i);
+			hawser__figure_label(figure, x[0], x[2], "left offset 0.7,0.6 font ',9'", "%d",
+			                     of->first + i);
 	}
 	hawser__figure_draw(figure, NULL, WAYPOINTS);
 }
 
-/* Panel k over time, counted from above: the height, or (order > 0) components and magnitude of velocity or
- * acceleration. */
+/* Panel k over time, counted from above: the height, or (order > 0) components and magnitude of
+ * velocity or acceleration. */
 static void draw_over_time(struct hawser__figure *figure, const struct frame *frame, int k, int order)
 {
 	static const char *const title[3] = {"along {/:Italic x}", "along {/:Italic y}",

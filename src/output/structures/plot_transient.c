@@ -28,7 +28,8 @@ struct drawing {
 static enum hawser_status begin(struct drawing *of, const char *path, struct hawser_report *report)
 {
 	of->time = hawser__axis_of("Time {/:Italic t}", "s", 0.0);
-	return hawser__figure_begin(&of->figure, path, WIDTH, TOP + of->panels*(TALL + GAP) - GAP + BELOW, report);
+	return hawser__figure_begin(&of->figure, path, WIDTH,
+	                            TOP + of->panels*(TALL + GAP) - GAP + BELOW, report);
 }
 
 /* The next panel: a quantity, whose curves have up to three names. */
@@ -42,7 +43,8 @@ static void draw_panel(struct drawing *of, const char *quantity, const char *uni
 	double last = *(const double *)((const char *)of->t + (size_t)(of->rows - 1)*of->step);
 
 	hawser__figure_panel(&of->figure, &(struct hawser__panel_frame){LEFT, RIGHT, (top - TALL)/height,
-		top/height, .keys = 1, .x = {&of->time, of->t[0], last, .tics = 10, .bare = of->drawn < of->panels},
+		top/height, .keys = 1, .x = {&of->time, of->t[0], last, .tics = 10,
+		                             .bare = of->drawn < of->panels},
 		.y = {&axis, .room = 0.06, .tics = 7}});
 	for (int i = 0; i < 3 && title[i]; i++) {
 		hawser__figure_bind(&of->figure, of->rows, of->t, of->step, value[i], of->step);
@@ -54,7 +56,8 @@ static void draw_panel(struct drawing *of, const char *quantity, const char *uni
 static void draw_level(struct drawing *of, double level, const char *title)
 {
 	for (int i = 0; i < of->rows; i += of->rows > 1 ? of->rows - 1 : 1)
-		hawser__figure_put(&of->figure, *(const double *)((const char *)of->t + (size_t)i*of->step), level);
+		hawser__figure_put(&of->figure,
+		                   *(const double *)((const char *)of->t + (size_t)i*of->step), level);
 	hawser__figure_draw(&of->figure, title, "with lines lc rgb 'black' lw 0.8 dt (2,4)");
 }
 
