@@ -265,30 +265,81 @@ static void test_picture(void)
 /* Labels of points that nearly coincide: no label overlaps another; those without room are omitted. */
 static void test_labels(void)
 {
-	struct hawser__picture picture = {.width = 17.0, .height = 9.8};
+	struct hawser__figure figure = {0};
 	struct hawser__labels labels;
 	int symbols, overlap = 0;
 
-	picture.script = tmpfile();
-	if (!ok(picture.script != NULL, "a temporary file"))
+	if (!ok(hawser__figure_begin(&figure, "a.gp", 17.0, 9.8, NULL) == HAWSER_OK, "a figure"))
 		return;
 	hawser__labels_range(&labels, 0, 0.01, 3.0, 1);
 	hawser__labels_range(&labels, 1, 2.385e-5, 0.7, 1);
-	hawser__labels_panel(&labels, &picture, 0.13, 0.5, 0.3, 0.92);
+	hawser__labels_panel(&labels, &figure, &(struct hawser__panel_frame){0.13, 0.5, 0.3, 0.92,
+		.x = {.tics = 6}});
 	for (int k = 0; k < 12; k++)
 		hawser__labels_symbol(&labels, 0.1*(1.0 + 0.002*k), 1e-3);
 	hawser__labels_line(&labels, (double[]){0.1, 1e-3}, (double[]){1.0, 1e-1});
 	symbols = labels.boxes;
 	for (int k = 0; k < 12; k++)
-		hawser__labels_put(&labels, &picture, 0.1*(1.0 + 0.002*k), 1e-3, 3 + k, 1);
-	hawser__labels_put(&labels, &picture, NAN, 1e-3, 99, 1);
+		hawser__labels_put(&labels, &figure.out, 0.1*(1.0 + 0.002*k), 1e-3, 3 + k, 1);
+	hawser__labels_put(&labels, &figure.out, NAN, 1e-3, 99, 1);
 	for (int k = symbols; k < labels.boxes; k++)
 		for (int j = 0; j < k; j++)
 			overlap += labels.box[k][0] < labels.box[j][2] && labels.box[j][0] < labels.box[k][2] &&
 			           labels.box[k][1] < labels.box[j][3] && labels.box[j][1] < labels.box[k][3];
 	ok(overlap == 0 && labels.labels >= 4 && labels.labels <= 8,
 	   "%d of 12 numbers about one point, %d overlaps", labels.labels, overlap);
-	hawser__picture_abort(&picture);
+	hawser__figure_abort(&figure);
+}
+
+/* How often a text is in a file. */
+static int count_in(const char *path, const char *text)
+{
+	FILE *file = fopen(path, "r");
+	char line[400];
+	int count = 0;
+
+	while (file && fgets(line, sizeof line, file))
+		count += strstr(line, text) != NULL;
+	if (file)
+		fclose(file);
+	return count;
+}
+
+/* Ranges of points in the unit of the axis, gaps, one entry for a name, none for nothing. */
+static void test_figure(void)
+{
+	struct hawser__axis x = {"X", "", 2.0}, y = {"Y", "", 10.0};
+	struct hawser__figure figure = {0};
+	struct hawser_report report = {0};
+	const char *path = in_folder("figure.gp");
+
+	if (!ok(hawser__figure_begin(&figure, path, 9.0, 9.0, &report) == HAWSER_OK, "a figure"))
+		return;
+	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.1, 0.9, 0.6, 0.9, .x = {&x, .bare = 1},
+		.y = {&y, .tics = 4, .room = 0.1}});
+	x.per = y.per = NAN; /* it has copies */
+	hawser__figure_gap(&figure);
+	hawser__figure_draw(&figure, "nothing", "with points");
+	hawser__figure_put(&figure, 2.0, 10.0);
+	hawser__figure_put(&figure, 4.0, NAN);
+	hawser__figure_put(&figure, 5.0, INFINITY);
+	hawser__figure_put(&figure, 6.0, 30.0);
+	hawser__figure_draw(&figure, "a curve", "with lines lt %d", 3);
+	hawser__figure_again(&figure, NULL, "using 1:2 with points");
+	x.per = y.per = 1.0;
+	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.1, 0.9, 0.2, 0.5, .x = {&x},
+		.y = {&y, .tics = 4, .room = 0.1}});
+	hawser__figure_put(&figure, 1.0, 2.385);
+	hawser__figure_put(&figure, 2.0, 2.385*(1.0 + 1e-12));
+	hawser__figure_draw(&figure, "a curve", "with lines lt 3");
+	ok(hawser__figure_finish(&figure, &report) == HAWSER_OK, "is written: %s", report.message);
+	ok(count_in(path, "set yrange [0.8:3.2]") == 1, "a range with room");
+	ok(count_in(path, "set yrange [2.26575:2.50425]") == 1, "what is round-off is a line in the middle");
+	ok(count_in(path, "plot $d0 with lines lt 3, $d0 using 1:2 with points") == 1 &&
+	   count_in(path, "plot $d1 with lines lt 3") == 1, "what is put is drawn");
+	ok(count_in(path, "title 'a curve'") == 1 && count_in(path, "nothing") == 0, "a name once, or none");
+	ok(count_in(path, "set xlabel 'X'") == 1, "numbers of an axis below the lower panel alone");
+	remove(path);
 }
 
 CASE(unit_output)
@@ -301,6 +352,7 @@ CASE(unit_output)
 	test_lists();
 	test_file();
 	test_picture();
+	test_figure();
 	ok(rmdir(folder) == 0, "no file is left");
 	test_labels();
 	return done_testing();

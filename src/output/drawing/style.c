@@ -120,7 +120,7 @@ void hawser__legend_draw(struct hawser__picture *picture, const struct hawser__l
 	hawser__picture_panel(picture, 0.05, 0.95, 0.001, 0.004);
 	fprintf(picture->script,
 	        "unset arrow\nunset label\nunset object\nunset title\nunset border\nunset tics\n"
-	        "unset colorbox\nunset grid\nunset xlabel\nunset xzeroaxis\nunset logscale\nset offsets 0, 0, 0, 0\n"
+	        "unset colorbox\nunset grid\nunset xlabel\nunset xzeroaxis\nunset logscale\n"
 	        "set xrange [0:1]\nset yrange [0:1]\n");
 	x = fmax(0.5*(picture->width - sum), 0.05);
 	for (int k = 0; k < legend->count; k++) {
