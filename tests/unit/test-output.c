@@ -315,7 +315,8 @@ static void test_figure(void)
 
 	if (!ok(hawser__figure_begin(&figure, path, 9.0, 9.0, &report) == HAWSER_OK, "a figure"))
 		return;
-	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.1, 0.9, 0.6, 0.9, .x = {&x, .bare = 1},
+	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.1, 0.9, 0.6, 0.9, .x = {&x,
+		.bare = 1},
 		.y = {&y, .tics = 4, .room = 0.1}});
 	x.per = y.per = NAN; /* it has copies */
 	hawser__figure_gap(&figure);
@@ -334,10 +335,12 @@ static void test_figure(void)
 	hawser__figure_draw(&figure, "a curve", "with lines lt 3");
 	ok(hawser__figure_finish(&figure, &report) == HAWSER_OK, "is written: %s", report.message);
 	ok(count_in(path, "set yrange [0.8:3.2]") == 1, "a range with room");
-	ok(count_in(path, "set yrange [2.26575:2.50425]") == 1, "what is round-off is a line in the middle");
+	ok(count_in(path, "set yrange [2.26575:2.50425]") == 1,
+	   "what is round-off is a line in the middle");
 	ok(count_in(path, "plot $d0 with lines lt 3, $d0 using 1:2 with points") == 1 &&
 	   count_in(path, "plot $d1 with lines lt 3") == 1, "what is put is drawn");
-	ok(count_in(path, "title 'a curve'") == 1 && count_in(path, "nothing") == 0, "a name once, or none");
+	ok(count_in(path, "title 'a curve'") == 1 && count_in(path, "nothing") == 0,
+	   "a name once, or none");
 	ok(count_in(path, "set xlabel 'X'") == 1, "numbers of an axis below the lower panel alone");
 	remove(path);
 }
