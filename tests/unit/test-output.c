@@ -328,7 +328,7 @@ static void test_figure(void)
 	hawser__figure_draw(&figure, "a curve", "with lines lt %d", 3);
 	hawser__figure_again(&figure, NULL, "using 1:2 with points");
 	x.per = y.per = 1.0;
-	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.1, 0.9, 0.2, 0.5, .x = {&x},
+	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.1, 0.9, 0.2, 0.5, .x = {.axis = &x},
 		.y = {&y, .tics = 4, .room = 0.1}});
 	hawser__figure_put(&figure, 1.0, 2.385);
 	hawser__figure_put(&figure, 2.0, 2.385*(1.0 + 1e-12));

@@ -131,7 +131,8 @@ static void draw_row(struct drawing *of, int row, int k, int last)
 
 	label_of(label, result, k);
 	y = axis_with_prefix(of, k, label, "m");
-	hawser__figure_panel(&of->figure, &(struct hawser__panel_frame){0.13, 0.60, base, roof, .y = {&y},
+	hawser__figure_panel(&of->figure, &(struct hawser__panel_frame){0.13, 0.60, base, roof,
+		.y = {.axis = &y},
 		.x = {&of->time, result->run.time[0]/unit, result->run.time[rows - 1]/unit, .bare = !last}});
 	for (int i = 0; i < rows; i++)
 		hawser__figure_put(&of->figure, result->run.time[i]/unit, value[i]);

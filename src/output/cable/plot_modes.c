@@ -90,7 +90,7 @@ static void set_ranges(struct drawing *of, const struct hawser__axis *S,
 			largest = fmax(largest, largest_of(of->modes, k, c));
 	of->frame = (struct hawser__panel_frame){
 		.x = {S, 0.0, arclength(of->modes, of->modes->statics.l), .tics = of->at.columns > 2 ? 4 : 6},
-		.y = {shape, -1.12*largest, 1.12*largest}};
+		.y = {.axis = shape, .from = -1.12*largest, .to = 1.12*largest}};
 	fputs("set xzeroaxis lt 7 lw 0.4\n", of->figure.out.script);
 }
 

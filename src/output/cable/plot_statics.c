@@ -64,7 +64,7 @@ enum hawser_status hawser__plot_statics(const char *path, const struct hawser__s
 
 		hawser__figure_panel(&figure, &(struct hawser__panel_frame){
 			0.13, 0.97, high - (k + 1)*step + gap, high - k*step,
-			.x = {&axis[X], from, to, .bare = k + 1 < count}, .y = {&axis[y]}});
+			.x = {&axis[X], from, to, .bare = k + 1 < count}, .y = {.axis = &axis[y]}});
 		if (y != TENSION) {
 			draw_view(&figure, of, y);
 			continue;

@@ -142,14 +142,15 @@ enum hawser_status hawser__plot_obstacles(const char *path, const struct hawser_
 	hawser__legend_once(&figure.legend, "rope", "with lines lt 1");
 	hawser__legend_once(&figure.legend, "obstacles", "with lines lc rgb '#c8c8c8' lw 6");
 	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.13, 0.97, 0.55, 0.97,
-		.x = {&frame.x, line->A[0], line->B[0], .bare = 1}, .y = {&frame.y, frame.from, frame.to}});
+		.x = {&frame.x, line->A[0], line->B[0], .bare = 1}, .y = {.axis = &frame.y,
+		.from = frame.from, .to = frame.to}});
 	draw_circles(&figure, line);
 	draw_ropes(&figure, &frame, 0);
 	hawser__figure_put(&figure, line->A[0], line->A[1]);
 	hawser__figure_put(&figure, line->B[0], line->B[1]);
 	hawser__figure_draw(&figure, NULL, "with points pt 5 ps 0.7 lc rgb 'black'");
 	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.13, 0.97, 0.22, 0.50,
-		.x = {&frame.x, line->A[0], line->B[0]}, .y = {&frame.T}});
+		.x = {.axis = &frame.x, .from = line->A[0], .to = line->B[0]}, .y = {.axis = &frame.T}});
 	draw_ropes(&figure, &frame, 1);
 	return hawser__figure_finish(&figure, report);
 }

@@ -140,13 +140,13 @@ enum hawser_status hawser__plot_rod_motion(const char *path, const struct hawser
 	draw_shapes(&figure, motion, &time);
 	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.13, 0.95, UP(0.33), UP(0.49),
 	                                                            .x = across,
-		.y = {&place}});
+		.y = {.axis = &place}});
 	fputs("unset colorbox\n", figure.out.script);
 	draw_place(&figure, motion, longer);
 	across.bare = 0;
 	hawser__figure_panel(&figure, &(struct hawser__panel_frame){0.13, 0.95, UP(0.10), UP(0.29),
 	                                                            .x = across,
-		.y = {&energy}});
+		.y = {.axis = &energy}});
 	draw_energies(&figure, motion, most);
 	return hawser__figure_finish(&figure, report);
 }

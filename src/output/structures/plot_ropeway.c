@@ -286,7 +286,7 @@ enum hawser_status hawser__plot_ropeway(const char *path, const struct hawser_ro
 
 		hawser__figure_panel(&figure, &(struct hawser__panel_frame){LEFT, RIGHT, (top - tall)/height,
 			top/height, .x = {&frame.x, frame.from[0], frame.to[0], .bare = k + 1 < panels},
-			.y = {y[k], k ? 0.0 : frame.from[1], k ? 0.0 : frame.to[1]}});
+			.y = {.axis = y[k], .from = k ? 0.0 : frame.from[1], .to = k ? 0.0 : frame.to[1]}});
 		top -= tall + GAP_CM;
 		if (k == 0)
 			draw_line(&figure, &frame);

@@ -100,7 +100,7 @@ static void draw_over_time(struct hawser__figure *figure, struct frame *frame,
 	int count = frame->motion->samples;
 
 	panel(figure, frame, PANEL, &(struct hawser__panel_frame){
-		.x = {&frame->t, sample[0].t, sample[count - 1].t, .tics = 10}, .y = {axis}});
+		.x = {&frame->t, sample[0].t, sample[count - 1].t, .tics = 10}, .y = {.axis = axis}});
 	hawser__figure_bind(figure, count, &sample->t, sizeof *sample, value, sizeof *sample);
 	hawser__figure_draw(figure, NULL, "with lines lt 1 lw 1.4");
 }
@@ -115,7 +115,7 @@ static void draw_along(struct hawser__figure *figure, struct frame *frame)
 	             {"mean", "lt 7 lw 1.8", &range->mean}};
 
 	panel(figure, frame, PANEL, &(struct hawser__panel_frame){.x = {&frame->s, .zero = 1},
-		.y = {&frame->range}});
+		.y = {.axis = &frame->range}});
 	for (int e = 0; e < frame->motion->elements; e++)
 		hawser__figure_row(figure, "xyy", (double[]){range[e].s, range[e].least, range[e].most});
 	hawser__figure_draw(figure, NULL, "using 1:2:3 with filledcurves lc rgb '#d8e4f0'");

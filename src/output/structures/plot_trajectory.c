@@ -97,7 +97,7 @@ static void draw_over_time(struct hawser__figure *figure, const struct frame *fr
 	double top = frame->height - TOP - PLAN - TITLE - k*(TALL + GAP);
 
 	hawser__figure_panel(figure, &(struct hawser__panel_frame){LEFT, RIGHT, (top - TALL)/frame->height,
-		top/frame->height, .y = {order ? &frame->rate[order - 1] : &frame->y},
+		top/frame->height, .y = {.axis = order ? &frame->rate[order - 1] : &frame->y},
 		.x = {&frame->t, of->point[0].t, of->point[of->points - 1].t, .tics = 10, .bare = order < 2}});
 	fputs("set xzeroaxis lt 7 lw 0.4\n", figure->out.script);
 	for (int i = 0; i < of->waypoints && of->waypoints <= NUMBERED; i++)
