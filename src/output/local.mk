@@ -48,8 +48,6 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/structures/plot_ropeway.h \
 	%D%/structures/plot_ropeway_modes.c \
 	%D%/structures/plot_ropeway_modes.h \
-	%D%/curves/plot_locus.c \
-	%D%/curves/plot_locus.h \
 	%D%/curves/plot_map.c \
 	%D%/cable/plot_modes.c \
 	%D%/curves/plot_motions.c \

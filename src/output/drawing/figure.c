@@ -265,8 +265,10 @@ void hawser__figure_panel(struct hawser__figure *figure, const struct hawser__pa
 	if (at->keys)
 		fputs("set key at graph 1, graph 1.03 bottom right horizontal maxrows 1 samplen 2 font ',9'\n",
 		      figure->out.script);
-	figure->plot = open_memstream(&figure->text, &figure->size);
-	figure->marks = open_memstream(&figure->mark_text, &figure->mark_size);
+	if (!figure->lacks_memory) {
+		figure->plot = open_memstream(&figure->text, &figure->size);
+		figure->marks = open_memstream(&figure->mark_text, &figure->mark_size);
+	}
 	figure->lacks_memory |= !figure->plot || !figure->marks;
 }
 
@@ -411,7 +413,7 @@ void hawser__figure_upright(struct hawser__figure *figure, const char *title, do
 	va_start(args, style);
 	vsnprintf(look, sizeof look, style, args);
 	va_end(args);
-	if (!beyond(figure, 0, at))
+	if (figure->marks && !beyond(figure, 0, at))
 		fprintf(figure->marks,
 		        "set arrow from first %.12g, graph 0 to first %.12g, graph 1 nohead %s\n", at, at,
 		        look);
@@ -423,19 +425,45 @@ void hawser__figure_upright(struct hawser__figure *figure, const char *title, do
 	}
 }
 
+/* Begin a label there; returns 0 if it has none. */
+static int begin_label(double at[2], struct hawser__figure *figure, double x, double y)
+{
+	at[0] = x/per_of(figure, 0);
+	at[1] = y/per_of(figure, 1);
+	if (!figure->marks || beyond(figure, 0, at[0]) || beyond(figure, 1, at[1]))
+		return 0;
+	fputs("set label '", figure->marks);
+	return 1;
+}
+
+static void end_label(struct hawser__figure *figure, const double at[2], const char *settings)
+{
+	fprintf(figure->marks, "' at %.9g,%.9g %s front\n", at[0], at[1], settings);
+}
+
 void hawser__figure_label(struct hawser__figure *figure, double x, double y, const char *settings,
                           const char *text, ...)
 {
-	double at[] = {x/per_of(figure, 0), y/per_of(figure, 1)};
+	double at[2];
 	va_list args;
 
-	if (beyond(figure, 0, at[0]) || beyond(figure, 1, at[1]))
+	if (!begin_label(at, figure, x, y))
 		return;
-	fputs("set label '", figure->marks);
 	va_start(args, text);
 	vfprintf(figure->marks, text, args);
 	va_end(args);
-	fprintf(figure->marks, "' at %.9g,%.9g %s front\n", at[0], at[1], settings);
+	end_label(figure, at, settings);
+}
+
+void hawser__figure_name(struct hawser__figure *figure, double x, double y, const char *settings,
+                         const char *name)
+{
+	double at[2];
+
+	if (!begin_label(at, figure, x, y))
+		return;
+	hawser__picture_literal(figure->marks, name, 0);
+	end_label(figure, at, settings);
 }
 
 void hawser__figure_above(struct hawser__figure *figure, double x, const char *settings,
@@ -443,7 +471,7 @@ void hawser__figure_above(struct hawser__figure *figure, double x, const char *s
 {
 	double at = x/per_of(figure, 0);
 
-	if (!beyond(figure, 0, at))
+	if (figure->marks && !beyond(figure, 0, at))
 		fprintf(figure->marks, "set label '%s' at first %.12g, graph 1 %s\n", text, at, settings);
 }
 

@@ -103,7 +103,10 @@ void hawser__figure_upright(struct hawser__figure *figure, const char *title, do
 /* A text at a place, "at X,Y ...", with the settings of gnuplot's labels. */
 void hawser__figure_label(struct hawser__figure *figure, double x, double y, const char *settings,
                           const char *text, ...) HAWSER_PRINTF(5, 6);
-/* The same above the panel, or at its upper end. */
+/* The same of a user's name, which has no markup. */
+void hawser__figure_name(struct hawser__figure *figure, double x, double y, const char *settings,
+                         const char *name);
+/* A text above the panel, or at its upper end. */
 void hawser__figure_above(struct hawser__figure *figure, double x, const char *settings,
                           const char *text);
 

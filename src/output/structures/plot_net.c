@@ -67,9 +67,7 @@ static void draw_nodes(struct hawser__figure *figure, const struct hawser_net *n
 		if (net->node[i].support != support)
 			continue;
 		hawser__eye_see(to, eye, st->x[i]);
-		fputs("set label '", figure->marks);
-		hawser__picture_literal(figure->marks, net->node[i].name, 0);
-		fprintf(figure->marks, "' at %.9g,%.9g center offset 0.9, 0.6 font ',9' front\n", to[0], to[1]);
+		hawser__figure_name(figure, to[0], to[1], "center offset 0.9, 0.6 font ',9'", net->node[i].name);
 	}
 }
 

@@ -177,12 +177,8 @@ static void draw_towers(struct hawser__figure *figure, const struct frame *frame
 		const double *at = rw->tower[i].at;
 
 		hawser__figure_row(figure, "xyXY", (double[]){at[0], at[1], 0.0, frame->from[1] - at[1]});
-		if (rw->towers > NAMED)
-			continue;
-		fputs("set label '", figure->marks);
-		hawser__picture_literal(figure->marks, rw->tower[i].name, 0);
-		fprintf(figure->marks, "' at %.8g,%.8g left offset 0.4, 0 font ',8' front\n",
-		        at[0]/frame->x.per, low/frame->y.per);
+		if (rw->towers <= NAMED)
+			hawser__figure_name(figure, at[0], low, "left offset 0.4, 0 font ',8'", rw->tower[i].name);
 	}
 	hawser__figure_draw(figure, NULL, "using 1:2:3:4 with vectors nohead lc rgb '#8a8a8a' lw 1.6");
 }
