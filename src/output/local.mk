@@ -12,6 +12,7 @@ noinst_LTLIBRARIES += %D%/liboutput.la
 	%D%/fields/fields_units.h %D%/fields/fields_value.h %D%/fields/visit.h \
 	%D%/drawing/figure.c \
 	%D%/drawing/figure.h \
+	%D%/drawing/figure_marks.c \
 	%D%/drawing/frames.c \
 	%D%/drawing/frames.h \
 	%D%/drawing/gnuplot.c \

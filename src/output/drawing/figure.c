@@ -82,13 +82,12 @@ static const struct hawser__picture_range *chosen_range(const struct hawser__fig
 		? NULL : hawser__picture_range_of(axis);
 }
 
-/* 1 if a place is beyond the chosen range of its axis: gnuplot would draw marks outside of the
- * panel. */
-static int beyond(const struct hawser__figure *figure, int axis, double value)
+int hawser__figure_marked(const struct hawser__figure *figure, int axis, double *place)
 {
 	const struct hawser__picture_range *range = chosen_range(figure, axis);
 
-	return range && (value < range->low || value > range->high);
+	*place /= per_of(figure, axis);
+	return figure->marks && !(range && (*place < range->low || *place > range->high));
 }
 
 static void put_limit(FILE *to, double limit, const char *after)
@@ -355,12 +354,10 @@ static void add(struct hawser__figure *figure, const char *data, const char *tit
 		hawser__legend_once(&figure->legend, title, look ? look : style);
 }
 
-enum { STYLE = 200 }; /* letters of a style */
-
 static void draw_block(struct hawser__figure *figure, const char *title, const char *style,
                        va_list args)
 {
-	char look[STYLE], name[24];
+	char look[HAWSER__STYLE], name[24];
 
 	vsnprintf(look, sizeof look, style, args);
 	snprintf(name, sizeof name, "$d%d", figure->blocks - 1);
@@ -392,7 +389,7 @@ void hawser__figure_again(struct hawser__figure *figure, const char *title, cons
 
 void hawser__figure_function(struct hawser__figure *figure, const char *title, const char *formula, ...)
 {
-	char look[STYLE];
+	char look[HAWSER__STYLE];
 	va_list args;
 
 	va_start(args, formula);
@@ -400,79 +397,6 @@ void hawser__figure_function(struct hawser__figure *figure, const char *title, c
 	va_end(args);
 	if (figure->plot)
 		add(figure, "", title, look);
-}
-
-void hawser__figure_upright(struct hawser__figure *figure, const char *title, double x,
-                            const char *style,
-                            ...)
-{
-	char look[STYLE];
-	double at = x/per_of(figure, 0);
-	va_list args;
-
-	va_start(args, style);
-	vsnprintf(look, sizeof look, style, args);
-	va_end(args);
-	if (figure->marks && !beyond(figure, 0, at))
-		fprintf(figure->marks,
-		        "set arrow from first %.12g, graph 0 to first %.12g, graph 1 nohead %s\n", at, at,
-		        look);
-	if (title && *title) {
-		char entry[STYLE];
-
-		snprintf(entry, sizeof entry, "with lines %.180s", look);
-		hawser__legend_once(&figure->legend, title, entry);
-	}
-}
-
-/* Begin a label there; returns 0 if it has none. */
-static int begin_label(double at[2], struct hawser__figure *figure, double x, double y)
-{
-	at[0] = x/per_of(figure, 0);
-	at[1] = y/per_of(figure, 1);
-	if (!figure->marks || beyond(figure, 0, at[0]) || beyond(figure, 1, at[1]))
-		return 0;
-	fputs("set label '", figure->marks);
-	return 1;
-}
-
-static void end_label(struct hawser__figure *figure, const double at[2], const char *settings)
-{
-	fprintf(figure->marks, "' at %.9g,%.9g %s front\n", at[0], at[1], settings);
-}
-
-void hawser__figure_label(struct hawser__figure *figure, double x, double y, const char *settings,
-                          const char *text, ...)
-{
-	double at[2];
-	va_list args;
-
-	if (!begin_label(at, figure, x, y))
-		return;
-	va_start(args, text);
-	vfprintf(figure->marks, text, args);
-	va_end(args);
-	end_label(figure, at, settings);
-}
-
-void hawser__figure_name(struct hawser__figure *figure, double x, double y, const char *settings,
-                         const char *name)
-{
-	double at[2];
-
-	if (!begin_label(at, figure, x, y))
-		return;
-	hawser__picture_literal(figure->marks, name, 0);
-	end_label(figure, at, settings);
-}
-
-void hawser__figure_above(struct hawser__figure *figure, double x, const char *settings,
-                          const char *text)
-{
-	double at = x/per_of(figure, 0);
-
-	if (figure->marks && !beyond(figure, 0, at))
-		fprintf(figure->marks, "set label '%s' at first %.12g, graph 1 %s\n", text, at, settings);
 }
 
 enum hawser_status hawser__figure_finish(struct hawser__figure *figure, struct hawser_report *report)

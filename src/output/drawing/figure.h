@@ -42,6 +42,7 @@ struct hawser__panel_frame {
 #define HAWSER__CROSSING "with points pt 6 ps 1.0 lw 1.2 lc rgb 'black'"
 #define HAWSER__VEERING "with points pt 7 ps 0.5 lc rgb 'black'"
 
+enum { HAWSER__STYLE = 200 }; /* letters of a style */
 struct hawser__figure {
 	struct hawser__picture out; /* `out.script` takes settings of gnuplot for the open panel,
 		before points */
@@ -109,6 +110,10 @@ void hawser__figure_name(struct hawser__figure *figure, double x, double y, cons
 /* A text above the panel, or at its upper end. */
 void hawser__figure_above(struct hawser__figure *figure, double x, const char *settings,
                           const char *text);
+
+/* Divide a place on an axis (0: x) by its unit; 1: there is a mark: the range that the user chose,
+ * if any, has the place, beyond which gnuplot would draw it outside of the panel. */
+int hawser__figure_marked(const struct hawser__figure *figure, int axis, double *place);
 
 enum hawser_status hawser__figure_finish(struct hawser__figure *figure,
                                          struct hawser_report *report) HAWSER_MUST_CHECK;

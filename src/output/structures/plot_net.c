@@ -67,7 +67,8 @@ static void draw_nodes(struct hawser__figure *figure, const struct hawser_net *n
 		if (net->node[i].support != support)
 			continue;
 		hawser__eye_see(to, eye, st->x[i]);
-		hawser__figure_name(figure, to[0], to[1], "center offset 0.9, 0.6 font ',9'", net->node[i].name);
+		hawser__figure_name(figure, to[0], to[1], "center offset 0.9, 0.6 font ',9'",
+		                    net->node[i].name);
 	}
 }
 
