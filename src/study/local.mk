@@ -32,6 +32,7 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/accuracy/respond.h \
 	%D%/map/ridge.c \
 	%D%/map/ridge.h \
+	%D%/map/ridge_find.c \
 	%D%/accuracy/run.c \
 	%D%/accuracy/scales.c \
 	%D%/accuracy/scales.h \

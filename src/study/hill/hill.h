@@ -134,9 +134,10 @@ struct hawser__hill_line {
 	double *g; /* [samples + 1][HAWSER_HILL_KINDS] */
 };
 
-/* Prepare what all points of a line have in common. */
+/* Prepare the models of the samples of a line, or of `places` other places on it. */
 enum hawser_status hawser__hill_prepare(struct hawser__hill *hill,
-                                        const struct hawser__hill_line *line);
+                                        const struct hawser__hill_line *line,
+                                        const double *place, int places);
 /* Allocate the workers of hill->field; a field without models has one. */
 enum hawser_status hawser__hill_open(struct hawser__hill *hill);
 void hawser__hill_close(struct hawser__hill *hill);

@@ -41,10 +41,11 @@ static void sample(void *context, long i, int number)
 }
 
 enum hawser_status hawser__hill_prepare(struct hawser__hill *hill,
-                                        const struct hawser__hill_line *line)
+                                        const struct hawser__hill_line *line,
+                                        const double *place, int places)
 {
 	const struct hawser_hill_options *options = hill->options;
-	size_t count = (size_t)line->samples + 1;
+	size_t count = (size_t)(place ? places : line->samples + 1);
 	double *x, *y;
 	enum hawser_status status;
 
@@ -54,7 +55,7 @@ enum hawser_status hawser__hill_prepare(struct hawser__hill *hill,
 		return hawser__no_memory(hill->report, "hill");
 	y = x + count;
 	for (size_t i = 0; i < count; i++) {
-		double s = (double)i/line->samples;
+		double s = place ? place[i] : (double)i/line->samples;
 
 		x[i] = options->from[0] + (options->to[0] - options->from[0])*
 		                          (line->from[0] + s*line->along[0]);
@@ -72,7 +73,7 @@ static void search(struct hawser__hill *hill, const struct hawser__hill_line *li
 	double ds = 1.0/line->samples;
 	struct scan scan = {hill, line, hill->field->m > 2 ? HAWSER_HILL_KINDS : HAWSER_HILL_TORUS};
 
-	if ((hill->status = hawser__hill_prepare(hill, line)))
+	if ((hill->status = hawser__hill_prepare(hill, line, NULL, 0)))
 		return;
 	hawser__share((long)line->samples + 1, hill->threads, sample, &scan);
 	for (int t = 0; t < hill->threads && !hill->status; t++)

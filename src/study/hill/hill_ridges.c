@@ -25,14 +25,16 @@
 #define CLEAR 0.3     /* decay at the least stable point, relative to the mean one, with which a
                        * tongue is clearly closed; chosen */
 #define ROUGH 1e-3    /* the same relative to Omega: above the error of rough multipliers */
+#define NODE_NEAR 0.015625  /* second point at a node, by which multipliers have rates, in intervals; chosen */
 enum { EVERY = 8, TRIES = 4 };
 
 struct walk {
 	struct hawser__hill *hill;
 	const struct hawser__hill_line *line;
 	int nodes, n;
-	double *exponents; /* [nodes + 1][HAWSER__EXPONENTS(n)] */
+	double *exponents; /* [nodes + 1][2][HAWSER__EXPONENTS(n)] of the node and of a point near it */
 	double *own;       /* [HAWSER__EXPONENTS(n)] */
+	double *place;     /* [nodes + 1][2] s of both */
 	int *unstable;     /* [nodes + 1] */
 	int at;            /* the interval from this node */
 };
@@ -43,7 +45,6 @@ static void place(double at[2], const struct hawser__hill_line *line, double s)
 	at[1] = line->from[1] + s*line->along[1];
 }
 
-/* Each node is a sample of the line, whose model is prepared. */
 static double node_at(const struct walk *walk, long i)
 {
 	int samples = walk->line->samples;
@@ -51,14 +52,23 @@ static double node_at(const struct walk *walk, long i)
 	return (double)(i*EVERY < samples ? i*EVERY : samples)/samples;
 }
 
+/* From a node to the point near it. */
+static double near(const struct walk *walk, long i)
+{
+	return i < walk->nodes ? NODE_NEAR*(node_at(walk, i + 1) - node_at(walk, i))
+	                       : NODE_NEAR*(node_at(walk, i - 1) - node_at(walk, i));
+}
+
 static void node(void *context, long i, int number)
 {
 	const struct walk *walk = context;
 	double at[2];
 
-	place(at, walk->line, node_at(walk, i));
-	hawser__hill_exponents(walk->hill, &walk->hill->worker[number], &walk->unstable[i],
-	                       walk->exponents + i*HAWSER__EXPONENTS(walk->n), at, 1);
+	for (int k = 0; k < 2; k++) {
+		place(at, walk->line, walk->place[2*i + k]);
+		hawser__hill_exponents(walk->hill, &walk->hill->worker[number], &walk->unstable[i],
+		                       walk->exponents + (2*i + k)*HAWSER__EXPONENTS(walk->n), at, 1);
+	}
 }
 
 /* The boundary on each side of the tongue, whose least stable point is s. */
@@ -125,7 +135,8 @@ static enum hawser_status look(void *context, const struct hawser__combination *
 	struct walk *walk = context;
 	struct hawser__hill *hill = walk->hill;
 	double from = node_at(walk, walk->at), length = node_at(walk, walk->at + 1) - from;
-	const struct hawser__ridge begin = {.of = *of, .slope = slope/length,
+	const struct hawser__ridge begin = {.of = hawser__combination_on(of, length),
+		.slope = slope/length,
 		.low = fmax(0.0, from - REACH*length), .high = fmin(1.0, from + (1.0 + REACH)*length),
 		.at = from + t*length};
 	struct hawser__ridge ridge = begin;
@@ -153,8 +164,10 @@ static void all_intervals(struct walk *walk)
 	const struct hawser__ridge_taker taker = {look, walk};
 	size_t size = HAWSER__EXPONENTS((size_t)walk->n);
 
-	/* boundaries that were followed since the samples may have displaced their models */
-	if ((hill->status = hawser__hill_prepare(hill, walk->line)))
+	for (int i = 0; i <= walk->nodes; i++)
+		for (int k = 0; k < 2; k++)
+			walk->place[2*i + k] = node_at(walk, i) + k*near(walk, i);
+	if ((hill->status = hawser__hill_prepare(hill, walk->line, walk->place, 2*(walk->nodes + 1))))
 		return;
 	hawser__share((long)walk->nodes + 1, hill->threads, node, walk);
 	for (int t = 0; t < hill->threads && !hill->status; t++)
@@ -162,12 +175,15 @@ static void all_intervals(struct walk *walk)
 			*hill->report = hill->worker[t].report;
 	for (walk->at = 0; walk->at < walk->nodes && !hill->status && !hill->chart->interrupted;
 	     walk->at++) {
-		const double *a = walk->exponents + walk->at*size;
+		const double *a = walk->exponents + 2*walk->at*size, *b = a + 2*size;
+		double length = node_at(walk, walk->at + 1) - node_at(walk, walk->at);
+		const struct hawser__ridge_edge edge = {{a, b},
+			{a[size] > 0.0 ? a + size : NULL, b[size] > 0.0 ? b + size : NULL},
+			{near(walk, walk->at)/length, near(walk, walk->at + 1)/length}, walk->n};
 
-		if (!(a[0] > 0.0 && a[size] > 0.0)) /* no response there */
+		if (!(a[0] > 0.0 && b[0] > 0.0)) /* no response there */
 			continue;
-		hill->status = hawser__ridge_find(a, a + size, walk->n, &hill->tongues.above, &taker,
-		                                  hill->report);
+		hill->status = hawser__ridge_find(&edge, &hill->tongues.above, &taker, hill->report);
 	}
 }
 
@@ -179,10 +195,12 @@ void hawser__hill_ridges(struct hawser__hill *hill, const struct hawser__hill_li
 
 	if (!hill->worker->linear || hill->status)
 		return;
-	walk.exponents = calloc(((size_t)walk.nodes + 2)*size, sizeof(double));
+	walk.exponents = calloc((2*(size_t)walk.nodes + 3)*size + 2*((size_t)walk.nodes + 1),
+	                        sizeof(double));
 	walk.unstable = calloc((size_t)walk.nodes + 1, sizeof *walk.unstable);
 	if (walk.exponents && walk.unstable) {
-		walk.own = walk.exponents + ((size_t)walk.nodes + 1)*size;
+		walk.own = walk.exponents + 2*((size_t)walk.nodes + 1)*size;
+		walk.place = walk.own + size;
 		all_intervals(&walk);
 	} else {
 		hill->status = hawser__no_memory(hill->report, "hill");

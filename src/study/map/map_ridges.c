@@ -27,6 +27,7 @@
 #define WINDOW 0.04 /* distance from its resonance at rest at which a tongue is looked for, relative
                      * to the range: a fluctuation displaces it, however fine the grid is; that of
                      * the first cells at the default resolution; chosen */
+#define CORNER_NEAR 0.1   /* second point at a node, by which multipliers have rates, in cells; chosen */
 enum { MOST_SEEN = 12 };
 
 struct search {
@@ -35,7 +36,7 @@ struct search {
 	int done;
 	double last;              /* turn: t on the line before */
 	int seen, best;           /* best: the least stable of its unstable points, or -1 */
-	double growth;            /* there */
+	double growth, angle;     /* there */
 	double t[MOST_SEEN];      /* its points, and their records */
 	long index[MOST_SEEN];
 };
@@ -46,6 +47,7 @@ struct searches {
 	struct hawser__mapper *mapper;
 	struct search next;         /* what hawser__ridge_find completes */
 	int from, length;           /* of the edge */
+	int nears;                  /* 1: the points near nodes are computed */
 };
 
 static enum hawser_status push(struct searches *list, const struct search *item,
@@ -141,6 +143,7 @@ static enum hawser_status follow(struct searches *list, const struct search *fro
 		return HAWSER_OK;
 	reach = fmax(BESIDE, 2.0*fabs(step));
 	item.ridge.of = from->ridge.of;
+	item.ridge.of.angle = from->angle;
 	item.ridge.slope = from->ridge.slope;
 	item.ridge.low = fmax(0.0, here - reach);
 	item.ridge.high = fmin(nodes(mapper, item.along) - 1, here + reach);
@@ -163,6 +166,7 @@ static enum hawser_status judge(struct searches *list, size_t c, struct hawser_r
 	    (item.best < 0 || item.ridge.growth > item.growth)) {
 		item.best = item.seen;
 		item.growth = item.ridge.growth;
+		item.angle = item.ridge.angle;
 	}
 	item.seen++;
 	if (state != HAWSER__RIDGE_GOES_ON || item.seen == MOST_SEEN)
@@ -197,7 +201,8 @@ static enum hawser_status begin(void *context, const struct hawser__combination 
 	double reach = list->length;
 	enum hawser_status status;
 
-	item.ridge = (struct hawser__ridge){.of = *of, .slope = slope/list->length,
+	item.ridge = (struct hawser__ridge){.of = hawser__combination_on(of, list->length),
+		.slope = slope/list->length,
 		.at = list->from + t*list->length, .low = fmax(0.0, list->from - reach),
 		.high = fmin(last, list->from + list->length + reach)};
 	status = push(list, &item, report);
@@ -210,24 +215,59 @@ static enum hawser_status begin(void *context, const struct hawser__combination 
 	return push(list, &item, report);
 }
 
+/* The point near a node, on the edge from it or, at the end of the line, to it. */
+static enum hawser_status want_near(long *index, double *step, struct hawser__mapper *mapper, int i,
+                                    int j, int along, struct hawser_report *report)
+{
+	int back = (along == 0 ? i : j) == nodes(mapper, along) - 1;
+
+	*step = back ? -CORNER_NEAR : CORNER_NEAR;
+	return hawser__map_want_on(mapper, index, along == 0 ? i - back : i, along == 0 ? j : j - back,
+	                           along, 1, back ? 1.0 - CORNER_NEAR : CORNER_NEAR, report);
+}
+
+/* What is known at the two ends of an edge; *complete: 0 if an end has no result. */
+static enum hawser_status ends(struct hawser__ridge_edge *ends, int *complete, struct searches *list,
+                               const int at[2][2], struct hawser_report *report)
+{
+	struct hawser__mapper *mapper = list->mapper;
+	int along = list->next.along;
+	enum hawser_status status = HAWSER_OK;
+
+	*ends = (struct hawser__ridge_edge){.n = mapper->field->exponents};
+	*complete = 1;
+	for (int k = 0; k < 2 && !status; k++) {
+		long node = mapper->node[(long)at[k][1]*mapper->nx + at[k][0]], near;
+
+		status = want_near(&near, &ends->step[k], mapper, at[k][0], at[k][1], along, report);
+		ends->step[k] /= list->length;
+		*complete &= hawser__map_sample(mapper, node)->code == HAWSER_MAP_OK;
+		if (status || !list->nears)
+			continue;
+		ends->end[k] = hawser__map_marks(mapper, node) + HAWSER__MARGINS;
+		if (hawser__map_sample(mapper, near)->code == HAWSER_MAP_OK)
+			ends->near[k] = hawser__map_marks(mapper, near) + HAWSER__MARGINS;
+	}
+	return status;
+}
+
 static enum hawser_status edge(struct searches *list, int i, int j, int along, int length,
                                struct hawser_report *report)
 {
-	struct hawser__mapper *mapper = list->mapper;
-	long nx = mapper->nx, a = mapper->node[j*nx + i];
-	long b = mapper->node[along == 0 ? j*nx + i + length : (j + length)*nx + i];
 	const struct hawser__ridge_taker taker = {begin, list};
+	const int at[2][2] = {{i, j}, {along == 0 ? i + length : i, along == 0 ? j : j + length}};
+	struct hawser__ridge_edge of;
+	enum hawser_status status;
+	int complete;
 
-	if (hawser__map_sample(mapper, a)->code != HAWSER_MAP_OK ||
-	    hawser__map_sample(mapper, b)->code != HAWSER_MAP_OK)
-		return HAWSER_OK;
 	list->next = (struct search){.along = along, .line = along == 0 ? j : i,
 		.best = -1};
 	list->from = along == 0 ? i : j;
 	list->length = length;
-	return hawser__ridge_find(hawser__map_marks(mapper, a) + HAWSER__MARGINS,
-	                          hawser__map_marks(mapper, b) + HAWSER__MARGINS,
-	                          mapper->field->exponents, &mapper->tongues.above, &taker, report);
+	status = ends(&of, &complete, list, at, report);
+	if (status || !complete || !list->nears)
+		return status;
+	return hawser__ridge_find(&of, &list->mapper->tongues.above, &taker, report);
 }
 
 static enum hawser_status edges(struct searches *list, const struct hawser__map_cells *cells,
@@ -272,7 +312,11 @@ enum hawser_status hawser__map_ridges(struct hawser__mapper *mapper,
 
 	if (mapper->field->exponents == 0 || mapper->options->coarse == 1)
 		return HAWSER_OK;
-	status = edges(&list, cells, report);
+	if (!(status = edges(&list, cells, report)))
+		status = hawser__map_run(&mapper->memo, "map: tongues", 0, report);
+	list.nears = 1;
+	if (!status && !mapper->memo.interrupted)
+		status = edges(&list, cells, report);
 	while (list.active < list.count && !status && !mapper->memo.interrupted) {
 		size_t count = list.count;
 

@@ -16,15 +16,12 @@
                        * chosen */
 #define UNLIKE 10.0   /* largest ratio of the measured to the expected curvature that is used */
 #define CLEAR 0.3     /* decay at the vertex, relative to the mean decay, above which a prediction
-                       * closes a tongue; chosen */
+                       * that is off by its last change closes a tongue; chosen */
 #define ROUND_OFF 1e-9 /* of the exponents, relative to Omega */
 #define TOUCHING 2e-8 /* smallest growth, relative to Omega, that is told: beneath it round-off of two
                        * multipliers that meet is as large */
 #define SPREAD 1e-3   /* weight of the moduli against arguments where several multipliers are
                        * candidates: of equal arguments the pair that differs the most */
-#define UNEQUAL 5.0   /* weight of the difference of two displacements against their sizes: at
-                       * neighbouring points they are alike; chosen */
-#define ALIKE 0.1     /* distance of two places that are one, relative to the points'; chosen */
 enum { MOST = 12 };   /* points; chosen: six are usual, and more mean another shape */
 
 static double wrapped(double angle)
@@ -32,15 +29,27 @@ static double wrapped(double angle)
 	return remainder(angle, 2.0*M_PI);
 }
 
-/* The two multipliers of the resonance: those of its component with the arguments that the
- * frequencies at rest suggest. Returns 0 if the coordinates are not coupled. */
-static int pick(int pair[2], const struct hawser__combination *of, const double *exponents, int n)
+/* The arguments that the multipliers of the resonance are expected to have. */
+static void expect(double to[2], const struct hawser__ridge *ridge, const double *exponents)
 {
-	const double *frequency = exponents + 1, *part = frequency + n, *modulus = part + n;
+	const struct hawser__combination *of = &ridge->of;
+	int by_courses = of->turn[0] != of->turn[1];
+	double turn = 2.0*M_PI/exponents[0], off = ridge->at - ridge->origin;
+
+	to[0] = by_courses ? ridge->anchor[0] + of->turn[0]*off : turn*exponents[1 + of->j];
+	to[1] = by_courses ? ridge->anchor[1] + of->turn[1]*off : -of->sign*turn*exponents[1 + of->k];
+}
+
+/* The two multipliers of the resonance: those of its component with the arguments expected. Returns
+ * 0 if the coordinates are not coupled. */
+static int pick(int pair[2], const struct hawser__ridge *ridge, const double *exponents, int n)
+{
+	const struct hawser__combination *of = &ridge->of;
+	const double *part = exponents + 1 + n, *modulus = part + n;
 	const double *argument = modulus + 2*n;
-	double first = 2.0*M_PI*(frequency[of->j] + of->moved[0])/exponents[0];
-	double second = -of->sign*2.0*M_PI*(frequency[of->k] + of->moved[1])/exponents[0];
-	double best = INFINITY;
+	double best = INFINITY, expected[2];
+
+	expect(expected, ridge, exponents);
 
 	if (part[of->j] != part[of->k])
 		return 0;
@@ -50,7 +59,8 @@ static int pick(int pair[2], const struct hawser__combination *of, const double 
 
 			if (a == b || part[a/2] != part[of->j] || part[b/2] != part[of->j])
 				continue;
-			off = fabs(wrapped(argument[a] - first)) + fabs(wrapped(argument[b] - second)) -
+			off = fabs(wrapped(argument[a] - expected[0])) +
+			      fabs(wrapped(argument[b] - expected[1])) -
 			      SPREAD*fmin(fabs(modulus[a] - modulus[b]), 1.0);
 			if (off < best) {
 				best = off;
@@ -74,6 +84,7 @@ static void fit(struct hawser__ridge *ridge)
 		if (own > bend/UNLIKE && own < bend*UNLIKE)
 			bend = own;
 	}
+	ridge->before = ridge->top;
 	ridge->centre = 0.5*(t[0] + t[1]) + 0.5*tilt/bend;
 	ridge->top = Q[0] + bend*(t[0] - ridge->centre)*(t[0] - ridge->centre);
 }
@@ -87,6 +98,17 @@ static void begin(struct hawser__ridge *ridge, double real, double imaginary)
 	                : ridge->place[0] + ASIDE*fabs(real/ridge->slope);
 }
 
+/* The next arguments are expected from those of the latest point, in the order that the vertex tells. */
+static void anchor(struct hawser__ridge *ridge, double first, double second)
+{
+	double side = ridge->slope*(ridge->place[0] - ridge->centre);
+	int turned = wrapped(first - second)*side < 0.0;
+
+	ridge->origin = ridge->place[0];
+	ridge->anchor[turned] = first;
+	ridge->anchor[!turned] = second;
+}
+
 double hawser__ridge_half(const struct hawser__ridge *ridge)
 {
 	double above = ridge->top - 4.0*ridge->mean*ridge->mean*(ridge->mean < 0.0);
@@ -98,12 +120,13 @@ static enum hawser__ridge_state judge(struct hawser__ridge *ridge, double omega)
 {
 	double locked = sqrt(fmax(ridge->top, 0.0))/fabs(ridge->slope);
 	double growth = ridge->mean + 0.5*sqrt(fmax(ridge->top, 0.0));
+	double most = ridge->mean + 0.5*sqrt(fmax(ridge->top + fabs(ridge->top - ridge->before), 0.0));
 	double off = fabs(ridge->place[0] - ridge->centre), half = hawser__ridge_half(ridge);
 	double closest = ROUND_OFF*omega/fabs(ridge->slope);
 
 	if (off <= closest || (off <= PART*locked && (growth <= 0.0 || off <= WITHIN*half)))
 		return growth > TOUCHING*omega ? HAWSER__RIDGE_UNRESOLVED : HAWSER__RIDGE_CLOSED;
-	if (ridge->points > 2 && growth < CLEAR*ridge->mean && ridge->clamped == 0)
+	if (ridge->points > 2 && most < CLEAR*ridge->mean && ridge->clamped == 0)
 		return HAWSER__RIDGE_CLOSED;
 	return ridge->points >= MOST || ridge->clamped > 1 ? HAWSER__RIDGE_LOST
 	                                                  : HAWSER__RIDGE_GOES_ON;
@@ -117,7 +140,11 @@ enum hawser__ridge_state hawser__ridge_take(struct hawser__ridge *ridge, const d
 	enum hawser__ridge_state state = HAWSER__RIDGE_GOES_ON;
 	int pair[2] = {0, 0}, worse;
 
-	if (!pick(pair, &ridge->of, exponents, n))
+	if (ridge->points == 0) {
+		ridge->origin = ridge->at;
+		ridge->anchor[0] = ridge->anchor[1] = ridge->of.angle;
+	}
+	if (!pick(pair, ridge, exponents, n))
 		return HAWSER__RIDGE_CLOSED;
 	real = rate*(modulus[pair[0]] - modulus[pair[1]]);
 	imaginary = rate*wrapped(argument[pair[0]] - argument[pair[1]]);
@@ -137,6 +164,7 @@ enum hawser__ridge_state hawser__ridge_take(struct hawser__ridge *ridge, const d
 		fit(ridge);
 	if (!isfinite(ridge->centre))
 		return HAWSER__RIDGE_LOST;
+	anchor(ridge, argument[pair[0]], argument[pair[1]]);
 	ridge->clamped += ridge->centre < ridge->low || ridge->centre > ridge->high;
 	if (ridge->points > 1)
 		state = judge(ridge, exponents[0]);
@@ -144,191 +172,6 @@ enum hawser__ridge_state hawser__ridge_take(struct hawser__ridge *ridge, const d
 	if (state == HAWSER__RIDGE_GOES_ON && ridge->at == ridge->place[0])
 		return ridge->points > 1 ? HAWSER__RIDGE_LOST : HAWSER__RIDGE_CLOSED;
 	return state;
-}
-
-/* --- resonances between two points --- */
-
-/* Two points, and the frequencies of the motion at both. */
-struct between {
-	const double *exponents[2];
-	double *w[2];    /* [n] */
-	double *used[2]; /* [2n] multipliers that belong to one of them */
-};
-
-static double argument(const struct between *of, int n, int point, int c)
-{
-	return of->exponents[point][1 + 4*n + c];
-}
-
-/* The pair of multipliers to which c belongs is taken. */
-static void use(const struct between *of, int n, int point, int c)
-{
-	const double *part = of->exponents[point] + 1 + n;
-	double closest = INFINITY;
-	int other = c;
-
-	of->used[point][c] = 1.0;
-	for (int k = 0; k < 2*n; k++) {
-		double off = fabs(wrapped(argument(of, n, point, k) + argument(of, n, point, c)));
-
-		if (of->used[point][k] > 0.0 || part[k/2] != part[c/2] || !(off < closest))
-			continue;
-		closest = off;
-		other = k;
-	}
-	of->used[point][other] = 1.0;
-}
-
-/* The multipliers c of mode j: of those not used, those whose displacements from its frequency at
- * rest are the most alike at both points, and the smallest. Returns their measure, of angles off. */
-static double choose(int c[2], double off[2], const struct between *of, int n, int j)
-{
-	double least = INFINITY;
-
-	for (int a = 0; a < 2*n; a++) {
-		const double *e = of->exponents[0], *f = of->exponents[1];
-		double first = wrapped(argument(of, n, 0, a) - 2.0*M_PI*e[1 + j]/e[0]);
-
-		if (of->used[0][a] > 0.0 || e[1 + n + a/2] != e[1 + n + j])
-			continue;
-		for (int b = 0; b < 2*n; b++) {
-			double second, measure;
-
-			if (of->used[1][b] > 0.0 || f[1 + n + b/2] != f[1 + n + j])
-				continue;
-			second = wrapped(argument(of, n, 1, b) - 2.0*M_PI*f[1 + j]/f[0]);
-			measure = UNEQUAL*fabs(first - second) + fabs(first) + fabs(second);
-			if (!(measure < least))
-				continue;
-			least = measure;
-			memcpy(c, (int[2]){a, b}, 2*sizeof *c);
-			memcpy(off, (double[2]){first, second}, 2*sizeof *off);
-		}
-	}
-	return least;
-}
-
-/* Frequencies of the motion: those at rest, displaced to arguments of multipliers of their
- * component, the surest first; a pair of multipliers belongs to one of them. */
-static void displace(struct between *of, int n)
-{
-	for (int k = 0; k < 2; k++)
-		for (int j = 0; j < n; j++)
-			of->w[k][j] = NAN;
-	for (int round = 0; round < n; round++) {
-		double least = INFINITY, off[2] = {0.0, 0.0}, best_off[2] = {0.0, 0.0};
-		int mode = -1, c[2] = {0, 0}, best[2] = {0, 0};
-
-		for (int j = 0; j < n; j++) {
-			double measure = isnan(of->w[0][j]) ? choose(c, off, of, n, j) : INFINITY;
-
-			if (!(measure < least))
-				continue;
-			least = measure;
-			mode = j;
-			memcpy(best, c, sizeof best);
-			memcpy(best_off, off, sizeof best_off);
-		}
-		if (mode < 0)
-			break;
-		for (int k = 0; k < 2; k++) {
-			const double *e = of->exponents[k];
-
-			of->w[k][mode] = e[1 + mode] + best_off[k]*e[0]/(2.0*M_PI);
-			use(of, n, k, best[k]);
-		}
-	}
-	for (int j = 0; j < n; j++)
-		for (int k = 0; k < 2 && isnan(of->w[k][j]); k++)
-			of->w[k][j] = of->exponents[k][1 + j];
-}
-
-/* Resonances between the points, by the frequencies u at the one and v at the other. Returns their
- * number, with m from *first on, and the sums at both. */
-static int orders(int *first, double sum[2], const struct hawser__combination *pair,
-                  const double *a, const double *b, const double *u, const double *v)
-{
-	double low, high;
-
-	sum[0] = u[pair->j] + pair->sign*u[pair->k];
-	sum[1] = v[pair->j] + pair->sign*v[pair->k];
-	low = fmin(fabs(sum[0])/a[0], fabs(sum[1])/b[0]);
-	high = fmax(fabs(sum[0])/a[0], fabs(sum[1])/b[0]);
-	*first = (int)fmax(ceil(low), 1.0);
-	return sum[0]*sum[1] > 0.0 ? (int)fmax(floor(high) - *first + 1.0, 0.0) : 0;
-}
-
-/* What the motion adds to the frequency of mode j between the points. */
-static double moved_at(const struct between *of, int j)
-{
-	return 0.5*(of->w[0][j] - of->exponents[0][1 + j] + of->w[1][j] - of->exponents[1][1 + j]);
-}
-
-/* Where a detuning that changes linearly is 0. */
-static double zero(const double r[2])
-{
-	return r[0]/(r[0] - r[1]);
-}
-
-/* By the frequencies at rest, and by those of the motion where these tell another place. */
-static enum hawser_status pair_of(const struct hawser__combination *pair,
-                                  const struct between *of_it, int *above,
-                                  const struct hawser__ridge_taker *taker,
-                                  struct hawser_report *report)
-{
-	const double *a = of_it->exponents[0], *b = of_it->exponents[1];
-	enum hawser_status status = HAWSER_OK;
-	int first[2], count[2];
-	double sum[2][2];
-
-	count[0] = orders(&first[0], sum[0], pair, a, b, a + 1, b + 1);
-	count[1] = orders(&first[1], sum[1], pair, a, b, of_it->w[0], of_it->w[1]);
-	for (int way = 0; way < 2; way++)
-		for (int m = first[way]; m < first[way] + count[way] && !status; m++) {
-			struct hawser__combination of = *pair;
-			double r[2], other[2] = {fabs(sum[0][0]) - m*a[0], fabs(sum[0][1]) - m*b[0]};
-
-			*above |= m > HAWSER__RIDGE_HIGHEST;
-			if (m > HAWSER__RIDGE_HIGHEST)
-				break;
-			r[0] = fabs(sum[way][0]) - m*a[0];
-			r[1] = fabs(sum[way][1]) - m*b[0];
-			if (r[0] == r[1] || (way > 0 && m >= first[0] && m < first[0] + count[0] &&
-			                     fabs(zero(r) - zero(other)) < ALIKE))
-				continue;
-			if (sum[way][0] < 0.0) {
-				of.j = pair->k;
-				of.k = pair->j;
-			}
-			of.m = m;
-			for (int k = 0; k < 2 && way > 0; k++)
-				of.moved[k] = moved_at(of_it, k ? of.k : of.j);
-			status = taker->found(taker->context, &of, zero(r), r[1] - r[0], report);
-		}
-	return status;
-}
-
-enum hawser_status hawser__ridge_find(const double *a, const double *b, int n, int *above,
-                                      const struct hawser__ridge_taker *taker,
-                                      struct hawser_report *report)
-{
-	const double *part[2] = {a + 1 + n, b + 1 + n};
-	double *room = calloc(6*(size_t)n, sizeof *room);
-	struct between of = {{a, b}, {room, room + n}, {room + 2*n, room + 4*n}};
-	enum hawser_status status = room ? HAWSER_OK : hawser__no_memory(report, "hill");
-
-	if (room)
-		displace(&of, n);
-	for (int j = 0; j < n; j++)
-		for (int k = j; k < n; k++) {
-			if (part[0][j] != part[0][k] && part[1][j] != part[1][k])
-				continue;
-			for (int sign = 1; sign >= (j == k ? 1 : -1) && !status; sign -= 2)
-				status = pair_of(&(struct hawser__combination){j, k, sign, 0, {0.0, 0.0}}, &of,
-				                 above, taker, report);
-		}
-	free(room);
-	return status;
 }
 
 /* --- what became of them --- */

@@ -18,9 +18,9 @@
  * damping the unstable part is narrower than the locked part, or empty: it is found or excluded by
  * a few points wherever these lie, and however narrow it is.
  *
- * Where the motion is large it displaces the frequencies: a resonance is also looked for by the
- * arguments of the multipliers at two points, each pair of which is given to the frequency at rest from
- * which it is displaced alike at both, and the least.
+ * Where the motion is large it displaces the frequencies, by more than their distances: a resonance is
+ * then looked for where two multipliers meet by their arguments and rates at two points
+ * (ridge_find.c), whatever the frequencies at rest.
  *
  * Reference: Yakubovich and Starzhinskii, Linear Differential Equations with Periodic Coefficients.
  *
@@ -35,7 +35,9 @@
 /* w_j + sign w_k = m Omega, coordinates j <= k. */
 struct hawser__combination {
 	int j, k, sign, m;
-	double moved[2]; /* what the motion adds to w_j and w_k near the line; 0: not known */
+	/* by courses: the argument at which two multipliers meet, and their rates by t; 0: by the
+	 * frequencies at rest */
+	double angle, turn[2];
 };
 
 struct hawser__ridge {
@@ -43,13 +45,18 @@ struct hawser__ridge {
 	double slope;           /* of the detuning r by t */
 	double low, high;       /* range of t */
 	double at;              /* the next point */
+	double origin, anchor[2]; /* the arguments of both multipliers at the latest one */
 	double place[3], Q[3];  /* the last points, the latest first */
 	int points;
 	double mean;            /* (log |a b|)/(2 T) at the latest */
 	double growth, angle;   /* of the less stable of a and b there: (log |a|)/T and its argument */
 	double centre, top;     /* vertex of the parabola, and Q there */
+	double before;          /* the former Q of the vertex */
 	int clamped;
 };
+
+/* The same with t in units of which the edge has `length`. */
+struct hawser__combination hawser__combination_on(const struct hawser__combination *of, double length);
 
 enum hawser__ridge_state {
 	HAWSER__RIDGE_GOES_ON,
@@ -60,15 +67,22 @@ enum hawser__ridge_state {
 
 enum { HAWSER__RIDGE_HIGHEST = 12 }; /* largest m that is searched; chosen */
 
-/* Call `found` for each resonance on the line between two points at distance 1 with exponents a and b
- * [HAWSER__EXPONENTS(n)], with its t and the slope of its detuning. Returns the first status other
- * than HAWSER_OK. *above: set to 1 if there are others with m > HAWSER__RIDGE_HIGHEST. */
+/* Two points at distance 1 with exponents [HAWSER__EXPONENTS(n)], and one near each. */
+struct hawser__ridge_edge {
+	const double *end[2], *near[2]; /* near: at t = step[0], 1 + step[1]; NULL: none */
+	double step[2];
+	int n;
+};
+
+/* Call `found` for each resonance between the points, with its t and the slope of its detuning. Returns
+ * the first status other than HAWSER_OK. *above: set to 1 if there are others with
+ * m > HAWSER__RIDGE_HIGHEST. */
 struct hawser__ridge_taker {
 	enum hawser_status (*found)(void *context, const struct hawser__combination *of, double t,
 	                            double slope, struct hawser_report *report);
 	void *context;
 };
-enum hawser_status hawser__ridge_find(const double *a, const double *b, int n, int *above,
+enum hawser_status hawser__ridge_find(const struct hawser__ridge_edge *edge, int *above,
                                       const struct hawser__ridge_taker *taker,
                                       struct hawser_report *report);
 
