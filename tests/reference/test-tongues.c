@@ -228,8 +228,8 @@ static void fine(void)
 
 /* A fluctuation of 12.65 m/s displaces resonances by up to 0.1 rad/s, ten cells: the tongues are found
  * by multipliers of rows that are far from rest. Multipliers at steps of 2e-4 rad/s and below: 4.8944
- * to 4.8954, 5.0118 to 5.0126, and 2e-5 wide at 5.02973. From 5.0541 to 5.0548 (an outside program) 2 w3 =
- * 4 Omega is displaced by more than the distance of other frequencies from it. */
+ * to 4.8954, 5.0118 to 5.0126, and 2e-5 wide at 5.02973. From 5.0541 to 5.0548 (an outside program)
+ * 2 w3 = 4 Omega is displaced by more than the distance of other frequencies from it. */
 static void displaced(void)
 {
 	struct plane plane = {.from = {4.8, 12.0}, .to = {5.1, 12.65}, .points = {121, 3}};

@@ -25,7 +25,8 @@
 #define CLEAR 0.3     /* decay at the least stable point, relative to the mean one, with which a
                        * tongue is clearly closed; chosen */
 #define ROUGH 1e-3    /* the same relative to Omega: above the error of rough multipliers */
-#define NODE_NEAR 0.015625  /* second point at a node, by which multipliers have rates, in intervals; chosen */
+#define NODE_NEAR 0.015625 /* second point at a node, by which multipliers have rates, in intervals;
+                            * chosen */
 enum { EVERY = 8, TRIES = 4 };
 
 struct walk {

@@ -27,7 +27,8 @@
 #define WINDOW 0.04 /* distance from its resonance at rest at which a tongue is looked for, relative
                      * to the range: a fluctuation displaces it, however fine the grid is; that of
                      * the first cells at the default resolution; chosen */
-#define CORNER_NEAR 0.1   /* second point at a node, by which multipliers have rates, in cells; chosen */
+#define CORNER_NEAR 0.1 /* second point at a node, by which multipliers have rates, in cells; chosen */
+#define GAP 2.0    /* widest gap between two tongues, in cells, in which no node may be; chosen */
 enum { MOST_SEEN = 12 };
 
 struct search {
@@ -303,6 +304,59 @@ static void sort_out(struct searches *list)
 		}
 }
 
+/* --- stable gaps between them --- */
+
+static double start_of(const struct search *item)
+{
+	return item->ridge.centre - hawser__ridge_half(&item->ridge);
+}
+
+/* Those that are found by line and from left to right, then the others. */
+static int by_start(const void *a, const void *b)
+{
+	const struct search *x = a, *y = b;
+	double from = start_of(x), to = start_of(y);
+
+	if ((x->done > 1) != (y->done > 1))
+		return x->done > 1 ? -1 : 1;
+	if (x->along != y->along)
+		return x->along - y->along;
+	return x->line != y->line ? x->line - y->line : (from > to) - (from < to);
+}
+
+/* The points between two tongues in which no node may be: two of one kind would be one. */
+static enum hawser_status gaps(struct searches *list, struct hawser_report *report)
+{
+	struct hawser__mapper *mapper = list->mapper;
+	size_t count = list->count;
+	enum hawser_status status = HAWSER_OK;
+	double end = 0.0;
+
+	if (count > 0)
+		qsort(list->item, count, sizeof *list->item, by_start);
+	for (size_t c = 0; c < count && !status && list->item[c].done > 1; c++) {
+		const struct search *item = &list->item[c], *last = &list->item[c > 0 ? c - 1 : 0];
+		struct search gap = {.along = item->along, .line = item->line};
+		double start = start_of(item);
+
+		if (c == 0 || item->along != last->along || item->line != last->line)
+			end = INFINITY;
+		gap.ridge.at = 0.5*(start + end);
+		end = fmax(isfinite(end) ? end : start, 2.0*item->ridge.centre - start);
+		if (!(gap.ridge.at < start && start - gap.ridge.at < 0.5*GAP))
+			continue;
+		if (!(status = push(list, &gap, report)))
+			status = want(mapper, &list->item[list->count - 1], report);
+	}
+	if (!status)
+		status = hawser__map_run(&mapper->memo, "map: tongues", 0, report);
+	for (size_t c = count; c < list->count && !status && !mapper->memo.interrupted; c++) {
+		list->item[c].seen = 1;
+		status = keep(mapper, &list->item[c], report);
+	}
+	return status;
+}
+
 enum hawser_status hawser__map_ridges(struct hawser__mapper *mapper,
                                       const struct hawser__map_cells *cells,
                                       struct hawser_report *report)
@@ -328,6 +382,8 @@ enum hawser_status hawser__map_ridges(struct hawser__mapper *mapper,
 			status = judge(&list, c, report);
 		sort_out(&list);
 	}
+	if (!status && !mapper->memo.interrupted)
+		status = gaps(&list, report);
 	free(list.item);
 	return status;
 }

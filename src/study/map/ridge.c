@@ -98,7 +98,8 @@ static void begin(struct hawser__ridge *ridge, double real, double imaginary)
 	                : ridge->place[0] + ASIDE*fabs(real/ridge->slope);
 }
 
-/* The next arguments are expected from those of the latest point, in the order that the vertex tells. */
+/* The next arguments are expected from those of the latest point, in the order that the vertex
+ * tells. */
 static void anchor(struct hawser__ridge *ridge, double first, double second)
 {
 	double side = ridge->slope*(ridge->place[0] - ridge->centre);

@@ -211,7 +211,8 @@ static enum hawser_status meet(struct finding *of, const struct course *a, doubl
                                struct hawser_report *report)
 {
 	const double step = 1e-3;
-	double t = place_of(of, u), du = (period_place(of, t + step) - period_place(of, t - step))/(2.0*step);
+	double t = place_of(of, u);
+	double du = (period_place(of, t + step) - period_place(of, t - step))/(2.0*step);
 	double omega = of->end[0][0] + t*(of->end[1][0] - of->end[0][0]);
 	double angle = wrapped(at(a, u)), change = of->end[1][0] - of->end[0][0];
 	struct meeting item = {.of = {.m = 0}, .t = t, .slope = rate*du*omega/(2.0*M_PI), .angle = angle};
