@@ -1,6 +1,6 @@
 /* bench/estimates-accuracy.c - responses with a required accuracy (model.modes: auto) and with a
- * given number of modes: the estimated error (estimates.h) against full-order models
- * (estimates-reference.c).
+ * given number of modes, in whose place the exact energy answers by default where their error is
+ * large: the estimated error (estimates.h) against full-order models (estimates-reference.c).
  *
  * Spans are taut to deeply sagging. The ranges contain one of the lowest modes, whose peak may lie
  * near an end of the range; amplitudes at resonance are up to a tenth of the sag.
@@ -152,6 +152,36 @@ static void vary_load(struct hawser_scene *scene, struct chance *chance,
 	}
 }
 
+/* What hawser frf answers by default where the error of the modes is large: the exact energy. Returns
+ * 1 if that is not called for or not found; the modes' response then stays with its own error. */
+static int estimate_exact(struct tally *tally, const struct hawser_accuracy_fixed *fixed, int points,
+                          const struct estimate_response *modes, const char *what)
+{
+	struct hawser_frf_options range = {.from = modes->from, .to = modes->to, .samples = HAWSER_NONE};
+	struct hawser_accuracy_options options = hawser_accuracy_instead(fixed, 0, &range);
+	struct hawser_accuracy exact = {.tries = 0};
+	struct estimate_response response = *modes;
+	struct estimate_truth truth;
+	int refused;
+
+	options.expected = points;
+	response.frf = &exact.frf;
+	response.rom = &exact.rom;
+	refused = !hawser_accuracy_poor(fixed, 0.0) ||
+	          hawser_accuracy_exact(&exact, modes->statics, modes->scene, &options, NULL) ||
+	          !exact.reached ||
+	          estimate_truth(&truth, &response, exact.functions, exact.estimated);
+	if (!refused)
+		tally_note(tally, truth.distance, exact.estimated,
+		           "exact energy on %d functions in place of %.2g%s, sag %.3g, slope %.2g, epsilon "
+		           "%.2g, Omega %.4g to %.4g; the reference has %d functions and moved by %.1e",
+		           exact.functions, fixed->estimated, what, modes->statics->sag/modes->statics->span.d,
+		           modes->statics->hs, modes->statics->epsilon, modes->from, modes->to,
+		           truth.functions, truth.move);
+	hawser_accuracy_clear(&exact);
+	return refused;
+}
+
 int estimate_kept(struct tally *tally, const struct hawser_statics *st,
                   const struct hawser_scene *scene, int n, double from, double to, const char *what)
 {
@@ -165,7 +195,7 @@ int estimate_kept(struct tally *tally, const struct hawser_statics *st,
 	struct estimate_truth truth;
 	double traced, told;
 	struct hawser_report why = {.message = "the reference has no response"};
-	int refused;
+	int refused, exact;
 
 	traced = cpu_secs();
 	refused = trace_lowest(&frf, &rom, &kept, st, scene, n, &range, &why);
@@ -173,8 +203,9 @@ int estimate_kept(struct tally *tally, const struct hawser_statics *st,
 	told = cpu_secs();
 	refused = refused || hawser_accuracy_fixed(&fixed, &rom, &frf, n, st, scene, from, to, &why);
 	told = cpu_secs() - told;
-	refused = refused || estimate_truth(&truth, &response, 0, fixed.estimated);
-	if (!refused)
+	exact = !refused && !estimate_exact(tally, &fixed, frf.points, &response, what);
+	refused = refused || (!exact && estimate_truth(&truth, &response, 0, fixed.estimated));
+	if (!refused && !exact)
 		tally_note(tally, truth.distance, fixed.estimated,
 		           "%d modes%s, sag %.3g, slope %.2g, epsilon %.2g, Omega %.4g to %.4g, left out "
 		           "%.2g, beyond them %.2g, beyond modes %.2g, followed %.2g, located %.2g; %.0f %% "
@@ -182,7 +213,7 @@ int estimate_kept(struct tally *tally, const struct hawser_statics *st,
 		           st->sag/st->span.d, st->hs, st->epsilon, from, to, fixed.rest, fixed.beyond,
 		           fixed.truncation, fixed.followed, fixed.located, 100.0*told/traced,
 		           truth.functions, truth.move);
-	else if (tally->show > 0.0)
+	else if (refused && tally->show > 0.0)
 		printf("  scene %d: refused: %s%s\n", tally->scene, why.message, what);
 	hawser_modes_clear(&kept);
 	hawser_frf_clear(&frf);

@@ -163,6 +163,18 @@ enum hawser_status hawser_accuracy_once(struct hawser_accuracy_fixed *fixed,
                                         const struct hawser_scene *scene,
                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 
+/* What answers in place of a response of a reduced model that is not good enough, as model.energy: auto
+ * does in hawser frf: hawser_accuracy_exact, with these options. */
+enum { HAWSER_INSTEAD_POINTS = 1500 }; /* of its response, at most */
+/* Whether such an error is reason enough; limit: of the whole error, 0: 0.1. */
+int hawser_accuracy_poor(const struct hawser_accuracy_fixed *fixed, double limit);
+/* Whether that part of it is, that no number of modes makes up for. */
+int hawser_accuracy_truncated(double truncation);
+/* fixed: NULL: not known. own: the accuracy asked for is the scene's; 0: 0.01. */
+struct hawser_accuracy_options hawser_accuracy_instead(const struct hawser_accuracy_fixed *fixed,
+                                                       int own,
+                                                       const struct hawser_frf_options *frf);
+
 /* The distance of two responses of one scene over one range, *distance. It is the largest of:
  *    the relative differences of Omega at folds that both have, and of Omega and of the amplitude at
  *      peaks that both have, for components of the probes that reach half of the largest component;

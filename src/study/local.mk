@@ -51,6 +51,7 @@ noinst_LTLIBRARIES += %D%/libstudy.la
 	%D%/compare/curve.h \
 	%D%/compare/distance.c \
 	%D%/accuracy/fixed.c \
+	%D%/accuracy/instead.c \
 	%D%/compare/distance.h
 # maps over two parameters
 %C%_libstudy_la_SOURCES += \

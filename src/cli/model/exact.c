@@ -20,36 +20,15 @@
 #include "cli/frame/view.h"
 #include "core/report.h"
 
-/* The part of the estimated error that no number of modes makes up for, and its factor of safety:
- * from which on the reduced model is not good enough. */
-static const double enough = 0.01, safety = 1.5;
-/* The whole error, modes left out included, from which on it is not, if the scene does not say
- * model.accuracy: that of which cli_fixed_warn warns. */
-static const double much = 0.1;
-/* What is asked of the full-order models if the scene does not say it, and their largest basis: the
- * load or a mode of the range may need as many. */
-static const double accuracy = 0.01;
-enum { FUNCTIONS = 24, POINTS = 1500 };
-/* Seconds of processor time, as counted (hawser_orbit_work), that nobody has to ask for: where
- * no number of modes is good enough, and where more of them, or model.modes: auto, may be;
- * chosen. */
-static const double bearable = 60.0, bearable_else = 10.0;
 /* The longest step of its curves, relative to the range (hawser__accuracy_settle). */
 static const double longest = 0.02;
 /* Of a map of amplitudes: work of a row over that of a draft (three rows of a footbridge: 2.7), and the
  * range about one frequency; chosen. */
 static const double row = 3.0, around = 1.05;
 
-/* Whether the error is one that no number of modes makes up for, or not known. */
-static int is_beyond(const struct cli_model_error *error)
+static int has_accuracy(const struct cli_model *model)
 {
-	return !error->stated || !isfinite(error->fixed.estimated) ||
-	       safety*error->fixed.truncation > enough;
-}
-
-static double limit_of(const struct cli_model *model)
-{
-	return hawser_scene_written(&model->scene, "model.accuracy") ? model->scene.model.accuracy : much;
+	return hawser_scene_written(&model->scene, "model.accuracy");
 }
 
 int cli_exact_calls(const struct cli_model *model, const struct cli_model_error *error)
@@ -57,8 +36,8 @@ int cli_exact_calls(const struct cli_model *model, const struct cli_model_error 
 	return model->has_scene && !model->ropeway && !model->automatic &&
 	       model->scene.model.energy == HAWSER_ENERGY_AUTO &&
 	       model->scene.model.condense == HAWSER_CONDENSE_STATIC &&
-	       (!error || (error->stated && (safety*error->fixed.truncation > enough ||
-	                                     error->fixed.estimated > limit_of(model))));
+	       (!error || (error->stated && hawser_accuracy_poor(&error->fixed, has_accuracy(model)
+	                                                          ? model->scene.model.accuracy : 0.0)));
 }
 
 int cli_exact_failed(const struct cli_model *model, const struct cli_model_error *error)
@@ -121,16 +100,13 @@ static enum hawser_status search(struct hawser_accuracy *better, struct cli_mode
                                  const struct hawser_frf_options *options, int points, double after,
                                  struct hawser_report *report)
 {
-	struct hawser_accuracy_options choice = {.frf = *options, .expected = points, .agreed = 1,
-		.accuracy = hawser_scene_written(&model->scene, "model.accuracy") ? 0.0 : accuracy,
-		.bearable = is_beyond(error) ? bearable : bearable_else,
-		.most_functions = FUNCTIONS, .after = after};
+	struct hawser_accuracy_options choice =
+		hawser_accuracy_instead(error->stated ? &error->fixed : NULL, has_accuracy(model), options);
 	struct hawser_report why = {.message = ""};
 	enum hawser_status status;
 
-	choice.frf.most_work = 0.0;
-	if (choice.frf.max_points == 0 || choice.frf.max_points > POINTS)
-		choice.frf.max_points = POINTS;
+	choice.expected = points;
+	choice.after = after;
 	status = hawser_accuracy_exact(better, &model->statics, &model->scene, &choice, &why);
 	if (status == HAWSER_ERR_MEMORY) {
 		if (report)
@@ -170,7 +146,7 @@ static enum hawser_status trace(struct hawser_frf *frf, struct hawser_frf_option
 
 	if (!step)
 		choice.step_max = 0.0; /* that of the search: longer, as each point costs more */
-	if (step && frf->points > POINTS) { /* it has no fewer */
+	if (step && frf->points > HAWSER_INSTEAD_POINTS) { /* it has no fewer */
 		better.frf.end = HAWSER_END_MAX_POINTS;
 		explain(model, &better, HAWSER_OK, "");
 		return HAWSER_OK;
@@ -239,7 +215,7 @@ enum hawser_status cli_exact_range(struct cli_model *model, double from, double 
 	struct cli_watch watch = {{.quiet = common->quiet}, "the model's error"};
 	struct hawser_frf_options options = {.method = "balance", .from = from, .to = to,
 		.step_max = 0.02, .skip_events = 1, .unjudged = 1, .end_at_slack = 1,
-		.max_points = POINTS, .samples = HAWSER_NONE, .progress = {cli_watch, &watch}};
+		.max_points = HAWSER_INSTEAD_POINTS, .samples = HAWSER_NONE, .progress = {cli_watch, &watch}};
 	struct hawser_accuracy better = {.tries = 0};
 	int points = 0;
 	enum hawser_status status;
@@ -362,7 +338,7 @@ void cli_exact_comment(struct hawser__table *table, const struct cli_model *mode
 	                      exact->modes);
 	if (isnan(exact->before))
 		hawser__table_comment(table, "with an energy of degree 4 and these modes there is no answer");
-	else if (!(safety*exact->beyond > enough))
+	else if (!hawser_accuracy_truncated(exact->beyond))
 		hawser__table_comment(table, "the modes that are left out make the motion of the others off by "
 		                      "%s%.2g (model.energy: quartic takes it all the same)",
 		                      exact->before < 1.0 ? "about " : "more than ", exact->before);
