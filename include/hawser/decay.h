@@ -41,6 +41,9 @@ struct hawser_half_power {
 	double noise;       /* standard deviation of the points, relative to the peak, where they scatter
 	                     * at random; else 0. With modes 1, ratio_error leaves out pairs of two
 	                     * ratios that this noise hides */
+	double pair_error;  /* the error that contains both ratios of two modes of which none is seen,
+	                     * but which what one mode leaves of the points may hide: the weaker part at
+	                     * least a tenth of the other; NAN: not known. With modes 2: ratio_error */
 };
 /* Find the points from the amplitudes a [count] at ascending frequencies omega [count];
  * `confidence` such as 0.95. HAWSER_ERR_ARGUMENT (too few points, frequencies not ascending),

@@ -109,6 +109,8 @@ static const struct hawser__field half_field[] = {
 	 "frequencies are those of their sum", OF(modes)},
 	{BOTH("noise"), "random scatter of the points relative to the peak, or 0. With modes 1 the "
 	 "interval leaves out two modes of different ratios that it hides", OF(noise)},
+	{BOTH("pair_error"), "the error of ratio that contains the ratios of two modes that the points may "
+	 "hide, the weaker part a tenth of the other or more", OF(pair_error)},
 	HAWSER__END,
 };
 #undef OF

@@ -51,6 +51,11 @@ int hawser__half_shapes(struct hawser__half_fit *fit, const struct hawser__half_
                         struct hawser__half_span span, enum hawser__half_others others, double zc,
                         double h);
 
+/* How far the ratios of two modes may be from that of the one that is fitted, whose scatter hides
+ * them. */
+double hawser__half_hidden(const struct hawser__half_fit *fit, const struct hawser__half_table *table,
+                           struct hawser__half_span span);
+
 /* Sums of the residuals r, and of products of neighbours. */
 struct hawser__half_residuals {
 	double sum, lag, before;

@@ -9,6 +9,8 @@
 
 #include "study/identify/half_power.h"
 
+#define LEAST_PART 0.1 /* smallest part of the weaker of two modes, relative to the other; chosen */
+
 /* P: unknowns of the parabola. */
 enum { P = HAWSER__HALF_PARABOLA, SHAPES = HAWSER__HALF_SHAPES, MOST = HAWSER__HALF_MOST };
 
@@ -99,4 +101,45 @@ int hawser__half_shapes(struct hawser__half_fit *fit, const struct hawser__half_
 	fit->zp_error = deviation*hawser__half_spread((const double (*)[MOST + 1])R, by_zp, shapes);
 	fit->ratio_error = deviation*hawser__half_spread((const double (*)[MOST + 1])R, by_ratio, shapes);
 	return isfinite(fit->ratio_error);
+}
+
+/* Two modes with the parts g and 1 - g about the pole of one, apart by D w in frequency and by D xi in
+ * ratio, are
+ *
+ *      H (1 + c (2 w0^2 H)^2 + ...),    c = g (1 - g) (D w/w0 + i D xi)^2
+ *
+ * to the second order, with H of the one: the first order is a shift of it. c follows from the
+ * amplitudes beside gain, frequency and ratio. A ratio is then off by |D xi| (1 - g) at most, which for
+ * parts of which the weaker one is LEAST_PART of the other is sqrt(|c|/LEAST_PART). */
+double hawser__half_hidden(const struct hawser__half_fit *fit, const struct hawser__half_table *table,
+                           struct hawser__half_span span)
+{
+	enum { COLUMNS = 5 };
+	double R[MOST][MOST + 1] = {{0.0}}, p[SHAPES], most = table->a[table->best], spread = 0.0;
+	double xi = fit->ratio, w0 = sqrt(fit->zp/(1.0 - 2.0*xi*xi)), deviation;
+	int free_points = span.last - span.first + 1 - COLUMNS;
+
+	if (free_points < 1)
+		return NAN;
+	for (int i = span.first; i <= span.last; i++) {
+		double w = table->omega[i]/w0, a = table->a[i]/most, row[MOST + 1];
+		double complex H = 2.0/(1.0 - w*w + 2.0*I*xi*w), square = H*H;
+
+		/* the amplitude of the one mode, of the same size as that of the peak */
+		row[0] = cabs(H)*xi*sqrt(1.0 - xi*xi);
+		row[1] = -row[0]*creal(H*(1.0 + I*xi*w));
+		row[2] = row[0]*cimag(H*w);
+		row[3] = row[0]*creal(square);
+		row[4] = -row[0]*cimag(square);
+		row[5] = a;
+		hawser__half_join(R, row, COLUMNS);
+	}
+	hawser__half_solve(p, (const double (*)[MOST + 1])R, COLUMNS);
+	for (int k = 3; k < COLUMNS; k++) {
+		const double unit[COLUMNS] = {[3] = k == 3, [4] = k == 4};
+
+		spread = hypot(spread, hawser__half_spread((const double (*)[MOST + 1])R, unit, COLUMNS));
+	}
+	deviation = fit->scatter*gsl_cdf_tdist_Pinv(0.5 + 0.5*table->confidence, free_points);
+	return sqrt((hypot(p[3], p[4])/fabs(p[0]) + deviation*spread)/LEAST_PART);
 }
