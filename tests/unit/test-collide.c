@@ -97,8 +97,8 @@ static void check_condensed(int marked)
 	   marked ? "left out where it is condensed" : "looked at");
 }
 
-/* A damped pair passes -1 with other rates of growth within `width` of it: log mu = DECAY +- width there.
- * The others are at rest. */
+/* A damped pair passes -1 with other rates of growth within `width` of it: log mu = DECAY +- width
+ * there. The others are at rest. */
 static void check_alone(double width, int expected, const char *what)
 {
 	for (int k = 0; k < 4; k++) {

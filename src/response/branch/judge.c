@@ -139,8 +139,8 @@ static int hides_excursion(const struct hawser__station *a, const struct hawser_
 	       product(&g[2], c, m, centre) == count && approaches_zero(a, b, c, g, SHALLOW);
 }
 
-/* Whether collide.c sees all that may happen near 1 or -1 at this station: no multiplier is undecided, and
- * none near them is real. */
+/* Whether collide.c sees all that may happen near 1 or -1 at this station: no multiplier is undecided,
+ * and none near them is real. */
 static int is_clear(const struct hawser__station *station, int m)
 {
 	for (int i = 0; i < m; i++)
