@@ -29,13 +29,13 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/tools/cmd_init.c \
 	%D%/tools/cmd_schema.c \
 	%D%/tools/init_scenes.c \
+	%D%/tools/init_scenes.h \
+	%D%/tools/records.c \
 	%D%/frame/input.h \
 	%D%/frame/part.c \
 	%D%/frame/part.h \
 	%D%/frame/picture.c \
 	%D%/frame/picture.h \
-	%D%/frame/scene_kinds.c \
-	%D%/frame/scene_kinds.h \
 	%D%/measure/cmd_damping.c \
 	%D%/curves/cmd_folds.c \
 	%D%/curves/cmd_frf.c \
@@ -87,7 +87,6 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/statics/cmd_statics.c \
 	%D%/statics/statics_loaded.h \
 	%D%/statics/equilibria_net.c \
-	%D%/statics/statics_kinds.c \
 	%D%/statics/statics_kinds.h \
 	%D%/statics/ropeway_fields.c \
 	%D%/statics/ropeway_fill.c \
@@ -237,7 +236,6 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/frame/ranks.h \
 	%D%/model/rom_ropeway.c \
 	%D%/model/rom_ropeway.h \
-	%D%/plan/plan_ropeway.h \
 	%D%/frame/progress.c \
 	%D%/frame/progress.h \
 	%D%/frame/quantity.c \

@@ -92,5 +92,5 @@ static const struct hawser__tree_key rod_rows[] = {
 	     "first state: the equilibrium of a held rod, or the unloaded shape")
 };
 
-const struct hawser__tree_table hawser__tree_of_rod = {"rod", rod_rows,
-                                                       sizeof rod_rows/sizeof *rod_rows};
+const struct hawser__tree_table hawser__tree_of_rod = {
+	"rod", "A geometrically exact rod", rod_rows, sizeof rod_rows/sizeof *rod_rows};

@@ -8,9 +8,8 @@
 #include "core/spelling.h"
 #include "scene/tree_keys.h"
 
-static const struct hawser__tree_table *const tables[] = {
-	&hawser__tree_of_net, &hawser__tree_of_ropeway, &hawser__tree_of_obstacles, &hawser__tree_of_rod,
-	&hawser__tree_of_tow, &hawser__tree_of_mesh};
+#define TABLE(name) &hawser__tree_of_##name,
+static const struct hawser__tree_table *const tables[] = {HAWSER__TREE_KINDS(TABLE) TABLE(mesh)};
 enum { TABLES = sizeof tables/sizeof *tables };
 
 const struct hawser__tree_table *hawser__tree_table(const char *of)

@@ -46,12 +46,16 @@ struct hawser__tree_key {
 
 /* The rows of a kind, and its tables. */
 struct hawser__tree_table {
-	const char *kind;
+	const char *kind, *title; /* "net", "A net of cables" */
 	const struct hawser__tree_key *row; /* [rows] */
 	int rows;
 };
-extern const struct hawser__tree_table hawser__tree_of_net, hawser__tree_of_ropeway,
-	hawser__tree_of_obstacles, hawser__tree_of_rod, hawser__tree_of_tow, hawser__tree_of_mesh;
+/* The kinds of scenes with such a table, in the order of `hawser schema`: a new one is a word here. */
+#define HAWSER__TREE_KINDS(X) X(net) X(ropeway) X(obstacles) X(rod) X(tow)
+#define HAWSER__TREE_DECLARE(name) extern const struct hawser__tree_table hawser__tree_of_##name;
+HAWSER__TREE_KINDS(HAWSER__TREE_DECLARE)
+HAWSER__TREE_DECLARE(mesh)
+#undef HAWSER__TREE_DECLARE
 /* That with the path or mapping `of`; NULL: there is none. */
 const struct hawser__tree_table *hawser__tree_table(const char *of);
 

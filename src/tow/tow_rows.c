@@ -123,5 +123,5 @@ static const struct hawser__tree_key tow_rows[] = {
 	       "moment over angle")
 };
 
-const struct hawser__tree_table hawser__tree_of_tow = {"tow", tow_rows,
-                                                       sizeof tow_rows/sizeof *tow_rows};
+const struct hawser__tree_table hawser__tree_of_tow = {
+	"tow", "A towed body", tow_rows, sizeof tow_rows/sizeof *tow_rows};

@@ -311,5 +311,5 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 const struct cli_command cli_beam = {
 	"beam", "SCENE", "Travelling beam or string: eigenvalues, safe speeds, stability, motion", notes,
 	options, &defaults, sizeof(struct settings), 1, run, cli_beam_listing,
-	.takes = CLI_TAKES_BEAM,
+	.takes = CLI_BEAM,
 };

@@ -394,5 +394,5 @@ done:
 const struct cli_command cli_compare = {
 	"compare", "SCENE", "Fidelities of a scene: errors of folds and peaks against time", notes,
 	options, &defaults, sizeof(struct settings), 1, run, cli_compare_listing,
-	.takes = CLI_TAKES_FORCED | CLI_TAKES_SPANS,
+	.takes = CLI_FORCED | CLI_CABLE | CLI_TRAVELLING,
 };

@@ -458,5 +458,5 @@ const struct cli_command cli_compare_mms = {
 	"compare mms", "SCENE|MODEL", "Multiple scales against the model's response, at falling load",
 	        notes,
 	options, &defaults, sizeof(struct settings), 1, run, cli_compare_mms_listing,
-	.takes = CLI_TAKES_ROPEWAY | CLI_TAKES_MODEL,
+	.takes = CLI_ROPEWAY | CLI_MODEL,
 };

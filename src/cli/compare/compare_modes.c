@@ -476,5 +476,5 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 const struct cli_command cli_compare_modes = {
 	"compare modes", "SCENE", "Methods for modes: error against time and memory", NULL, options,
 	&defaults, sizeof(struct settings), 1, run, cli_compare_modes_listing,
-	.takes = CLI_TAKES_SPANS,
+	.takes = CLI_CABLE | CLI_TRAVELLING,
 };

@@ -400,5 +400,5 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 const struct cli_command cli_compare_motion = {
 	"compare motion", "SCENE", "A mesh of cable elements against reduced models, in time", notes,
 	options, &defaults, sizeof(struct settings), 1, run, cli_compare_motion_listing,
-	.takes = CLI_TAKES_SPANS,
+	.takes = CLI_CABLE | CLI_TRAVELLING,
 };

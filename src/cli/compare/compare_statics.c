@@ -354,5 +354,5 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 const struct cli_command cli_compare_statics = {
 	"compare statics", "[SCENE...]", "Methods for the statics of nets: success, iterations, times",
 	notes, options, &defaults, sizeof(struct settings), 0, run, cli_compare_statics_listing,
-	.takes = CLI_TAKES_NET,
+	.takes = CLI_NET,
 };

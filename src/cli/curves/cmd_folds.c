@@ -126,5 +126,5 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 const struct cli_command cli_folds = {
 	"folds", "SCENE|MODEL", "Folds in frequency and load: where jumps begin, isolas", notes, options,
 	&defaults, sizeof(struct settings), 1, run, cli_folds_listing,
-	.takes = CLI_TAKES_FORCED | CLI_TAKES_MODELLED,
+	.takes = CLI_FORCED | CLI_MODELS,
 };

@@ -481,5 +481,5 @@ done:
 const struct cli_command cli_frf = {
 	"frf", "SCENE|MODEL", "Certified frequency response: stable, unstable, events", notes, options,
 	&defaults, sizeof(struct settings), 1, run, cli_frf_listing,
-	.takes = CLI_TAKES_FORCED | CLI_TAKES_MODELLED,
+	.takes = CLI_FORCED | CLI_MODELS,
 };

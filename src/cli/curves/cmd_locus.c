@@ -220,5 +220,5 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 const struct cli_command cli_locus = {
 	"locus", "SCENE|MODEL", "Bifurcations in frequency and another parameter", notes, options,
 	&defaults, sizeof(struct settings), 1, run, cli_locus_listing,
-	.takes = CLI_TAKES_FORCED | CLI_TAKES_MODELLED,
+	.takes = CLI_FORCED | CLI_MODELS,
 };

@@ -278,5 +278,5 @@ const struct cli_command cli_mms = {
 	"mms", "SCENE|MODEL", "Resonances by multiple scales: closed forms, modulation equations",
 	        notes,
 	options, &defaults, sizeof(struct settings), 1, run, cli_mms_listing,
-	.takes = CLI_TAKES_MODELLED,
+	.takes = CLI_MODELS,
 };

@@ -120,5 +120,5 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 const struct cli_command cli_nnm = {
 	"nnm", "SCENE|MODEL", "Nonlinear normal modes over energy", notes, options,
 	&defaults, sizeof(struct settings), 1, run, cli_nnm_listing,
-	.takes = CLI_TAKES_MODELLED,
+	.takes = CLI_MODELS,
 };

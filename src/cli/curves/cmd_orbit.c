@@ -269,5 +269,5 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 const struct cli_command cli_orbit = {
 	"orbit", "SCENE|MODEL|FILE#LABEL", "The periodic motion at a label of a frequency response", notes,
 	options, &defaults, sizeof(struct settings), 1, run, cli_integrate_listing,
-	.takes = CLI_TAKES_FORCED | CLI_TAKES_MODELLED,
+	.takes = CLI_FORCED | CLI_MODELS,
 };

@@ -53,23 +53,8 @@ struct cli_command {
 	int needs_input;
 	enum hawser_status (*run)(void *settings, struct hawser_report *report);
 	const struct cli_listing *listing; /* for hawser help columns */
-	unsigned takes; /* bits of enum cli_takes: inputs of which kinds; 0: none is a scene */
-};
-/* In the order of the table of kinds (scene_kinds.c), whose rows hawser init and check name. */
-enum cli_takes {
-	CLI_TAKES_CABLE = 1,
-	CLI_TAKES_TRAVELLING = 2,
-	CLI_TAKES_BEAM = 4,
-	CLI_TAKES_NET = 8,
-	CLI_TAKES_OBSTACLES = 16,
-	CLI_TAKES_ROPEWAY = 32,
-	CLI_TAKES_ROD = 64,
-	CLI_TAKES_TOW = 128,
-	CLI_TAKES_MODEL = 256,
-	CLI_TAKES_FORCED = 512, /* besides: of these, those that something forces */
-	CLI_TAKES_SPANS = CLI_TAKES_CABLE | CLI_TAKES_TRAVELLING,
-	CLI_TAKES_MODELLED = CLI_TAKES_SPANS | CLI_TAKES_ROPEWAY | CLI_TAKES_MODEL,
-	CLI_TAKES_ANY = CLI_TAKES_FORCED - 1
+	unsigned takes; /* bits of enum cli_kind: inputs of which kinds; besides those with this part */
+	size_t part;    /* CLI_PART(statics): of the records of kinds (kinds.h); 0: none */
 };
 /* All commands, in the groups and the order of hawser --help: X is the row that a new command adds. */
 #define CLI_COMMANDS(GROUP, X) \

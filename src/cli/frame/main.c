@@ -14,7 +14,6 @@
 #include "cli/frame/picture.h"
 #include "cli/frame/progress.h"
 #include "cli/frame/ranks.h"
-#include "cli/frame/scene_kinds.h"
 #include "cli/frame/unpacked.h"
 #include "cli/frame/within.h"
 #include "core/report.h"
@@ -137,10 +136,8 @@ static enum hawser_status execute(const struct cli_command *command, int argc, c
 		status = hawser__units_choose(common->units, report);
 	if (!status && !common->help)
 		status = cli_picture_choose(common, report);
-	if (!status && !common->help && common->input && strncmp(command->input, "SCENE", 5) == 0)
-		status = cli_scene_kind_check(command, common, report);
-	if (!status && !common->help && common->input && common->givens > 0)
-		status = cli_kind_check(command->name, common, report);
+	if (!status && !common->help && common->input)
+		status = cli_kind_check(command, common, report);
 	if (!status && !common->help)
 		status = cli_rules_check(command, common, report);
 	if (!status && !common->help)

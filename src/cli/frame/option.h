@@ -28,17 +28,27 @@ struct cli_option {
 	 * `excludes`; NULL: none. */
 	const char *needs, *excludes;
 };
-/* The kinds of inputs, as bits. */
+/* All kinds of inputs, in the order of hawser init and check: X is the row that a new kind adds, with
+ * its record cli_kind_NAME (kinds.h). FIRST is X for the first of those that hawser init writes. */
+#define CLI_KINDS_WRITTEN(FIRST, X) \
+	FIRST(cable, CABLE) X(travelling, TRAVELLING) X(beam, BEAM) X(net, NET) X(obstacles, OBSTACLES) \
+	X(ropeway, ROPEWAY) X(rod, ROD) X(tow, TOW)
+#define CLI_KINDS(X) CLI_KINDS_WRITTEN(X, X) X(model, MODEL)
+#define CLI_NUMBER_OF(name, BIT) CLI_NUMBER_##BIT,
+enum { CLI_KINDS(CLI_NUMBER_OF) CLI_KINDS_ALL };
+#undef CLI_NUMBER_OF
+/* The same as bits, and what several commands and options are for. */
+#define CLI_BIT_OF(name, BIT) CLI_##BIT = 1 << CLI_NUMBER_##BIT,
 enum cli_kind {
-	CLI_SPAN = 1 << HAWSER_KIND_SPAN,
-	CLI_NET = 1 << HAWSER_KIND_NET,
-	CLI_OBSTACLES = 1 << HAWSER_KIND_OBSTACLES,
-	CLI_ROPEWAY = 1 << HAWSER_KIND_ROPEWAY,
-	CLI_ROD = 1 << HAWSER_KIND_ROD,
-	CLI_MODEL = 1 << HAWSER_KIND_MODEL,
+	CLI_KINDS(CLI_BIT_OF)
+	CLI_MODELS = 1 << CLI_KINDS_ALL, /* of commands: kinds of which models are made */
+	CLI_FORCED = 2*CLI_MODELS,       /* besides: of these, inputs that something forces */
+	CLI_EVERY = CLI_MODELS - 1,
+	CLI_SPAN = CLI_CABLE | CLI_TRAVELLING | CLI_BEAM,
 	CLI_MESHES = CLI_NET | CLI_ROD,
 	CLI_MODELLED = CLI_SPAN | CLI_ROPEWAY | CLI_MODEL
 };
+#undef CLI_BIT_OF
 
 enum hawser_status cli_store_flag(void *field, const struct cli_option *option,
                                   const char *const *values, struct hawser_report *report);

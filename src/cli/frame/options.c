@@ -12,6 +12,7 @@
 #include <string.h>
 
 #include "cli/model/label.h"
+#include "cli/frame/kinds.h"
 #include "cli/frame/picture.h"
 #include "cli/frame/view.h"
 #include "core/report.h"
@@ -489,6 +490,7 @@ void cli_print_columns(const struct cli_command *command, FILE *stream)
 	        (int)strcspn(command->name, " "), command->name);
 	if (!row)
 		fputs("It prints no table.\n", stream);
-	for (; row && row->title; row++)
-		hawser__fields_print(stream, row->title, row->field, row->json);
+	for (int i = -1; i < (command->part ? CLI_KINDS_ALL : 0); i++)
+		for (row = i < 0 ? row : cli_part_of(command, i)->listing; row && row->title; row++)
+			hawser__fields_print(stream, row->title, row->field, row->json);
 }

@@ -418,5 +418,5 @@ const struct cli_command cli_hill = {
 	"Stability under parametric excitation: multipliers, boundaries", notes,
 	        options,
 	&defaults, sizeof(struct settings), 0, run, cli_hill_listing,
-	.takes = CLI_TAKES_MODELLED,
+	.takes = CLI_MODELS,
 };

@@ -485,5 +485,5 @@ enum hawser_status cli_map_frequency(double *omega, const char *text, const char
 const struct cli_command cli_map = {
 	"map", "SCENE|MODEL", "Stability and amplitude over two parameters", notes, options, &defaults,
 	sizeof(struct settings), 1, run, cli_map_listing,
-	.takes = CLI_TAKES_MODELLED | CLI_TAKES_BEAM,
+	.takes = CLI_MODELS | CLI_BEAM,
 };

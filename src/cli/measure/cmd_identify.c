@@ -381,5 +381,5 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 const struct cli_command cli_identify = {
 	"identify", "SCENE FREQUENCIES", "Parameters from measured natural frequencies", notes, options,
 	&defaults, sizeof(struct settings), 1, run, cli_identify_listing,
-	.takes = CLI_TAKES_SPANS,
+	.takes = CLI_CABLE | CLI_TRAVELLING,
 };

@@ -344,5 +344,5 @@ const struct cli_command cli_rom = {
 	"rom", "SCENE|MODEL", "Reduced-order model: a file, or equations for other programs", notes,
 	options,
 	&defaults, sizeof(struct settings), 1, run, cli_rom_listing,
-	.takes = CLI_TAKES_MODELLED,
+	.takes = CLI_MODELS,
 };

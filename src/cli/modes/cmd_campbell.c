@@ -114,5 +114,5 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 const struct cli_command cli_campbell = {
 	"campbell", "SCENE", "Natural frequencies along a sweep of the travel speed", NULL, options,
 	&defaults, sizeof(struct settings), 1, run, cli_campbell_listing,
-	.takes = CLI_TAKES_TRAVELLING | CLI_TAKES_ROPEWAY,
+	.takes = CLI_TRAVELLING | CLI_ROPEWAY,
 };

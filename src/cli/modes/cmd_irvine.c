@@ -232,5 +232,5 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 const struct cli_command cli_irvine = {
 	"irvine", "SCENE", "Natural frequencies along a sweep of the tension", NULL, options, &defaults,
 	sizeof(struct settings), 1, run, cli_irvine_listing,
-	.takes = CLI_TAKES_SPANS | CLI_TAKES_ROPEWAY,
+	.takes = CLI_CABLE | CLI_TRAVELLING | CLI_ROPEWAY,
 };

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/frame/kinds.h"
 #include "cli/modes/modes_damped.h"
 #include "cli/modes/modes_model.h"
 #include "cli/modes/modes_net.h"
@@ -124,8 +125,9 @@ static enum hawser_status run_damped(const struct settings *settings, struct haw
 	return status;
 }
 
-static enum hawser_status run_span(const struct settings *settings, struct hawser_report *report)
+enum hawser_status cli_modes_of_span(const void *context, struct hawser_report *report)
 {
+	const struct settings *settings = context;
 	struct cli_modes_result result = {.common = &settings->common,
 	                                  .points = settings->shapes ? settings->points : 0};
 	enum hawser_status status;
@@ -145,8 +147,9 @@ static enum hawser_status run_span(const struct settings *settings, struct hawse
 	return status;
 }
 
-static enum hawser_status run_net(const struct settings *settings, struct hawser_report *report)
+enum hawser_status cli_modes_of_net(const void *context, struct hawser_report *report)
 {
+	const struct settings *settings = context;
 	enum hawser_status status = cli_outputs_check(&settings->common, report);
 
 	return status ? status : cli_modes_net(&settings->common, settings->n, settings->shapes,
@@ -166,8 +169,9 @@ static enum hawser_status run_track(int *done, const struct settings *settings, 
 	                      : cli_outputs_check(&settings->common, report);
 }
 
-static enum hawser_status run_ropeway(const struct settings *settings, struct hawser_report *report)
+enum hawser_status cli_modes_of_ropeway(const void *context, struct hawser_report *report)
 {
+	const struct settings *settings = context;
 	int done;
 	enum hawser_status status = run_track(&done, settings, 0, report);
 
@@ -176,8 +180,9 @@ static enum hawser_status run_ropeway(const struct settings *settings, struct ha
 		                    settings->shapes ? settings->points : 0, report);
 }
 
-static enum hawser_status run_obstacles(const struct settings *settings, struct hawser_report *report)
+enum hawser_status cli_modes_of_obstacles(const void *context, struct hawser_report *report)
 {
+	const struct settings *settings = context;
 	int done;
 	enum hawser_status status = run_track(&done, settings, 1, report);
 
@@ -186,8 +191,9 @@ static enum hawser_status run_obstacles(const struct settings *settings, struct 
 		                      settings->shapes ? settings->points : 0, report);
 }
 
-static enum hawser_status run_model(const struct settings *settings, struct hawser_report *report)
+enum hawser_status cli_modes_of_model(const void *context, struct hawser_report *report)
 {
+	const struct settings *settings = context;
 	enum hawser_status status = cli_outputs_check(&settings->common, report);
 
 	return status ? status : cli_modes_model(&settings->common, settings->n, report);
@@ -195,11 +201,6 @@ static enum hawser_status run_model(const struct settings *settings, struct haws
 
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
-	static enum hawser_status (*const by_kind[HAWSER_KINDS])(const struct settings *settings,
-	                                                         struct hawser_report *report) = {
-		[HAWSER_KIND_SPAN] = run_span, [HAWSER_KIND_NET] = run_net,
-		[HAWSER_KIND_ROPEWAY] = run_ropeway, [HAWSER_KIND_OBSTACLES] = run_obstacles,
-		[HAWSER_KIND_MODEL] = run_model};
 	const struct settings *s = context;
 
 	if (s->list) {
@@ -209,11 +210,11 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	if (!s->common.input)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "modes",
 		                    "modes needs a SCENE (hawser modes --help)");
-	return by_kind[cli_kind(&s->common)](s, report); /* other kinds are refused before */
+	return cli_part(&cli_modes, &s->common)->run(s, report);
 }
 
 const struct cli_command cli_modes = {
 	"modes", "SCENE", "Natural frequencies and mode shapes", NULL, options, &defaults,
 	sizeof(struct settings), 0, run, cli_modes_listing,
-	.takes = CLI_TAKES_MODELLED | CLI_TAKES_NET | CLI_TAKES_OBSTACLES,
+	.part = CLI_PART(modes),
 };

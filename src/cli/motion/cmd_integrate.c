@@ -317,20 +317,20 @@ static enum hawser_status write_result(struct cli_integrate_result *result, stru
 	return status;
 }
 
-/* A scene of kind net, or rod. */
-static enum hawser_status run_kind(const struct settings *settings, int rod,
+/* A kind whose motion is not that of a model. */
+static enum hawser_status run_kind(const struct settings *settings, const struct cli_part *part,
                                    struct hawser_report *report)
 {
 	struct cli_integrate_net net = settings->net;
 
+	net.common = &settings->common;
 	net.until = settings->until != defaults.until ? settings->until : NULL;
 	net.every = settings->every != defaults.every ? settings->every : NULL;
 	net.scheme = settings->method;
 	net.initial = settings->initial;
 	net.error = settings->error;
 	net.tolerance = settings->rtol != defaults.rtol ? settings->rtol : 0.0;
-	return rod ? cli_integrate_rod(&settings->common, &net, report)
-	           : cli_integrate_net(&settings->common, &net, report);
+	return part->run(&net, report);
 }
 
 /* --model fe; what is of reduced models does not go with it. */
@@ -366,13 +366,13 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	struct cli_integrate_result result = {.common = &settings->common, .model = &model,
 	                                      .spectrum = settings->spectrum};
 	const struct cli_output state = {"state", net->state};
-	enum hawser_kind kind = cli_kind(&settings->common);
+	const struct cli_part *part = cli_part(&cli_integrate, &settings->common);
 	enum hawser_status status = cli_outputs_check_with(&settings->common, &state, 1, report);
 
 	if (!status)
 		status = hawser__file_check(net->state, report);
-	if (!status && (kind == HAWSER_KIND_NET || kind == HAWSER_KIND_ROD))
-		return run_kind(settings, kind == HAWSER_KIND_ROD, report);
+	if (!status && part->run)
+		return run_kind(settings, part, report);
 	if (!status && settings->model && strcmp(settings->model, "fe") == 0)
 		return run_span(settings, report);
 	if (!status && net->step)
@@ -413,5 +413,5 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 const struct cli_command cli_integrate = {
 	"integrate", "SCENE|MODEL", "Response in time, from rest or from a given state", notes, options,
 	&defaults, sizeof(struct settings), 1, run, cli_integrate_listing,
-	.takes = CLI_TAKES_MODELLED | CLI_TAKES_NET | CLI_TAKES_ROD,
+	.takes = CLI_MODELS, .part = CLI_PART(integrate),
 };

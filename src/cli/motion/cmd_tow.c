@@ -382,5 +382,5 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 const struct cli_command cli_tow = {
 	"tow", "SCENE", "Towed body in time: places, tension, tilt, energy", notes, options, &defaults,
 	sizeof(struct settings), 1, run, cli_tow_listing,
-	.takes = CLI_TAKES_TOW,
+	.takes = CLI_TOW,
 };

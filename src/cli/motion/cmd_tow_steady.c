@@ -220,5 +220,5 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 const struct cli_command cli_tow_steady = {
 	"tow steady", "SCENE", "Towed body in steady flight: shape, tension, tilt", notes, options,
 	&defaults, sizeof(struct settings), 1, run, cli_tow_steady_listing,
-	.takes = CLI_TAKES_TOW,
+	.takes = CLI_TOW,
 };

@@ -276,5 +276,5 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 const struct cli_command cli_trajectory = {
 	"trajectory", "SCENE", "Path of a towing point: waypoints, minimum snap, orbits", notes, options,
 	&defaults, sizeof(struct settings), 1, run, cli_trajectory_listing,
-	.takes = CLI_TAKES_TOW,
+	.takes = CLI_TOW,
 };

@@ -275,5 +275,5 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 const struct cli_command cli_transient = {
 	"transient", "SCENE", "Start, stop and run of a ropeway over time", notes, options,
 	&defaults, sizeof(struct settings), 1, run, cli_transient_listing,
-	.takes = CLI_TAKES_ROPEWAY,
+	.takes = CLI_ROPEWAY,
 };

@@ -404,16 +404,15 @@ static int shock_warning(char *text, const struct hawser_net_motion *motion)
 	return 1;
 }
 
-enum hawser_status cli_integrate_net(const struct cli_common *common,
-                                     const struct cli_integrate_net *settings,
-                                     struct hawser_report *report)
+enum hawser_status cli_integrate_net(const void *context, struct hawser_report *report)
 {
+	const struct cli_integrate_net *settings = context;
 	struct result *result = calloc(1, sizeof *result);
 	enum hawser_status status;
 
 	if (!result)
 		return hawser__no_memory(report, "integrate");
-	result->common = common;
+	result->common = settings->common;
 	result->settings = settings;
 	status = solve(result, report);
 	if (!status) {
@@ -429,7 +428,7 @@ enum hawser_status cli_integrate_net(const struct cli_common *common,
 	if (!status && settings->state)
 		status = hawser_net_state_write(&result->motion, settings->state, report);
 	if (!status)
-		status = cli_show(common, &showing, result, report);
+		status = cli_show(settings->common, &showing, result, report);
 	hawser_net_motion_clear(&result->motion);
 	hawser_net_clear(&result->mesh.net);
 	cli_film_clear(&result->film);

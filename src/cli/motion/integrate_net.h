@@ -5,10 +5,12 @@
 
 #include <hawser/net.h>
 
+#include "cli/frame/kinds.h"
 #include "cli/frame/view.h"
 
-/* Texts of options; NULL if not given. */
+/* The settings of the entries `integrate` of kinds: texts of options; NULL if not given. */
 struct cli_integrate_net {
+	const struct cli_common *common;
 	const char *until, *every, *step, *scheme, *probe, *vtk, *state, *initial, *animate;
 	double tolerance; /* 0: the library's */
 	int frames;       /* of the animation */
@@ -47,11 +49,4 @@ extern const struct hawser__field cli_net_motion_field[], cli_rod_motion_field[]
 enum hawser_status cli_integrate_times(double *until, double *every, double *step,
                                        const struct cli_integrate_net *settings, const char *kind,
                                        struct hawser_report *report);
-enum hawser_status cli_integrate_rod(const struct cli_common *common,
-                                     const struct cli_integrate_net *settings,
-                                     struct hawser_report *report) HAWSER_MUST_CHECK;
-enum hawser_status cli_integrate_net(const struct cli_common *common,
-                                     const struct cli_integrate_net *settings,
-                                     struct hawser_report *report) HAWSER_MUST_CHECK;
-
 #endif

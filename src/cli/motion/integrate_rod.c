@@ -285,16 +285,15 @@ static enum hawser_status solve(struct result *result, struct hawser_report *rep
 	return status;
 }
 
-enum hawser_status cli_integrate_rod(const struct cli_common *common,
-                                     const struct cli_integrate_net *settings,
-                                     struct hawser_report *report)
+enum hawser_status cli_integrate_rod(const void *context, struct hawser_report *report)
 {
+	const struct cli_integrate_net *settings = context;
 	struct result *result = calloc(1, sizeof *result);
 	enum hawser_status status;
 
 	if (!result)
 		return hawser__no_memory(report, "integrate");
-	result->common = common;
+	result->common = settings->common;
 	result->settings = settings;
 	status = solve(result, report);
 	if (!status && settings->state)
@@ -302,7 +301,7 @@ enum hawser_status cli_integrate_rod(const struct cli_common *common,
 	if (!status) {
 		judge(result);
 		gather(&result->probed, result);
-		status = cli_show(common, &showing, result, report);
+		status = cli_show(settings->common, &showing, result, report);
 	}
 	if (!status && *result->warning)
 		cli_warn(result->warning);

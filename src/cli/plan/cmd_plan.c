@@ -6,10 +6,10 @@
 #include <string.h>
 
 #include "cli/beam/beam_result.h"
+#include "cli/frame/kinds.h"
 #include "cli/plan/plan_model.h"
 #include "cli/plan/plan_net.h"
 #include "cli/plan/plan_result.h"
-#include "cli/plan/plan_ropeway.h"
 #include "cli/frame/view.h"
 #include "core/report.h"
 
@@ -136,8 +136,9 @@ static enum hawser_status plan_beam(int *done, const struct cli_common *common,
 	return status;
 }
 
-static enum hawser_status run_net(const struct settings *settings, struct hawser_report *report)
+enum hawser_status cli_plan_of_net(const void *context, struct hawser_report *report)
 {
+	const struct settings *settings = context;
 	struct cli_plan_net net = settings->net;
 	enum hawser_status status = cli_outputs_check(&settings->common, report);
 
@@ -145,27 +146,26 @@ static enum hawser_status run_net(const struct settings *settings, struct hawser
 	return status ? status : cli_plan_net(&settings->common, &net, report);
 }
 
-static enum hawser_status run(void *context, struct hawser_report *report)
+enum hawser_status cli_plan_of_model(const void *context, struct hawser_report *report)
+{
+	const struct settings *settings = context;
+
+	return cli_plan_model(&settings->common, settings->from, settings->to, report);
+}
+
+enum hawser_status cli_plan_of_span(const void *context, struct hawser_report *report)
 {
 	const struct settings *settings = context;
 	struct cli_model model = {0};
 	struct cli_plan_result result = {.common = &settings->common, .model = &model};
-	enum hawser_status status = choose(&result, settings, report);
-	enum hawser_kind kind = cli_kind(&settings->common);
 	int done = 0;
+	enum hawser_status status = choose(&result, settings, report);
 
-	if (!status && kind == HAWSER_KIND_NET)
-		return run_net(settings, report);
-	if (!status && kind == HAWSER_KIND_ROPEWAY)
-		return cli_plan_ropeway(&settings->common, report);
-	if (!status && kind == HAWSER_KIND_MODEL)
-		return cli_plan_model(&settings->common, settings->from, settings->to, report);
 	if (!status)
 		status = plan_beam(&done, &settings->common, report);
 	if (status || done)
 		return status;
-	if (!status)
-		status = cli_outputs_check(&settings->common, report);
+	status = cli_outputs_check(&settings->common, report);
 	if (!status)
 		status = cli_model_load(&model, &settings->common, 0, report);
 	if (!status)
@@ -177,9 +177,15 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	return status;
 }
 
+static enum hawser_status run(void *context, struct hawser_report *report)
+{
+	const struct settings *settings = context;
+
+	return cli_part(&cli_plan, &settings->common)->run(settings, report);
+}
+
 const struct cli_command cli_plan = {
 	"plan", "SCENE", "What will be modelled, what not and why; cost and error, estimated", notes,
 	options, &defaults, sizeof(struct settings), 1, run, cli_plan_listing,
-	.takes = CLI_TAKES_SPANS | CLI_TAKES_BEAM | CLI_TAKES_NET | CLI_TAKES_ROPEWAY |
-	         CLI_TAKES_MODEL,
+	.part = CLI_PART(plan),
 };

@@ -9,5 +9,7 @@
 enum hawser_status cli_plan_model(const struct cli_common *common, const char *from, const char *to,
                                   struct hawser_report *report) HAWSER_MUST_CHECK;
 extern const struct hawser__field cli_plan_model_field[], cli_plan_model_member[];
+/* plan_ropeway.c */
+extern const struct hawser__field cli_plan_ropeway_row[];
 
 #endif

@@ -7,7 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/plan/plan_ropeway.h"
+#include "cli/frame/kinds.h"
+#include "cli/plan/plan_model.h"
 #include "cli/frame/view.h"
 #include "core/report.h"
 
@@ -189,8 +190,9 @@ static enum hawser_status show(struct result *result, struct hawser_report *repo
 	return status;
 }
 
-enum hawser_status cli_plan_ropeway(const struct cli_common *common, struct hawser_report *report)
+enum hawser_status cli_plan_ropeway(const void *settings, struct hawser_report *report)
 {
+	const struct cli_common *common = settings;
 	const struct hawser_ropeway_options options = {.tolerate = 1};
 	struct result result = {.common = common};
 	enum hawser_status status;

@@ -160,5 +160,5 @@ static const struct cli_listing listing[] = {{"Parts:", part_field, 1}, {NULL, N
 const struct cli_command cli_report = {
 	"report", "SCENE", "Pictures, tables and settings of all that a scene calls for, in one page",
 	notes, options, &defaults, sizeof(struct settings), 1, run, listing,
-	.takes = CLI_TAKES_ANY,
+	.takes = CLI_EVERY,
 };

@@ -4,67 +4,64 @@
 
 #include <string.h>
 
-#include "cli/frame/scene_kinds.h"
+#include "cli/frame/kinds.h"
 #include "cli/report/report_parts.h"
 #include "core/report.h"
 
-/* Kinds of scenes, bits; a span is one of the first two. */
-enum {
-	AT_REST = 1, TRAVELS = 2, OBSTACLES = 4, NET = 8, ROPEWAY = 16, ROD = 32, TOWED = 64,
-	WAYPOINTS = 128, BEAM = 256, MODEL = 512,
-	LOADED = 1024, CASES = 2048 /* besides, of spans */
-};
+/* Besides the kinds (enum cli_kind): of spans, and of paths of a towing point alone. */
+enum { LOADED = 2*CLI_FORCED, CASES = 2*LOADED, WAYPOINTS = 2*CASES };
 
 static const struct cli_report_part table[] = {
 	{"plan", "What is modelled",
 	 "What a model of this scene contains, what it leaves out and why, and which settings are "
 	 "defaults.",
-	 {"plan", "--limit", "0.2", "--fidelities", "condensed 5, condensed 9"}, AT_REST | TRAVELS,
-	 0, 1, 0, 1},
+	 {"plan", "--limit", "0.2", "--fidelities", "condensed 5, condensed 9"},
+	 CLI_CABLE | CLI_TRAVELLING, 0, 1, 0, 1},
 	{"plan", "What is modelled",
 	 "What the model of this net contains, what it leaves out and why, and which settings are "
 	 "defaults.",
-	 {"plan", "--limit", "0.2"}, NET, 0, 1, 0, 0},
+	 {"plan", "--limit", "0.2"}, CLI_NET, 0, 1, 0, 0},
 	{"plan", "What is modelled",
 	 "What the model of this line contains, what it leaves out and why, and which settings are "
 	 "defaults.",
-	 {"plan"}, ROPEWAY, 0, 1, 0, 0},
+	 {"plan"}, CLI_ROPEWAY, 0, 1, 0, 0},
 	{"statics", "Static shape", "The static equilibrium, about which modes and motions are computed.",
-	 {"statics"}, AT_REST | TRAVELS | OBSTACLES | NET | ROPEWAY | ROD, 1, 0, 0, 0},
+	 {"statics"}, 0, 1, 0, 0, 0},
 	{"worst", "Worst values", "The largest and smallest values over all places of the carriers.",
-	 {"statics", "--worst"}, ROPEWAY, 0, 0, 0, 0},
+	 {"statics", "--worst"}, CLI_ROPEWAY, 0, 0, 0, 0},
 	{"cases", "Load cases", "The static shape in each load case.",
 	 {"statics", "--cases"}, CASES, 0, 0, 0, 0},
 	{"modes", "Natural modes",
 	 "Small free vibrations about the static shape, each frequency with its estimated relative error.",
-	 {"modes"}, AT_REST | TRAVELS | OBSTACLES | NET | ROPEWAY, 0, 0, 1, 0},
+	 {"modes"}, CLI_CABLE | CLI_TRAVELLING | CLI_OBSTACLES | CLI_NET | CLI_ROPEWAY, 0, 0, 1, 0},
 	{"modes", "Natural modes", "Small motions of the model about u = 0, and how they decay.",
-	 {"modes"}, MODEL, 0, 1, 0, 0},
+	 {"modes"}, CLI_MODEL, 0, 1, 0, 0},
 	{"irvine", "Frequencies over the tension",
 	 "Where frequencies cross or veer as the horizontal tension changes.",
-	 {"irvine"}, AT_REST, 0, 0, 1, 0},
+	 {"irvine"}, CLI_CABLE, 0, 0, 1, 0},
 	{"campbell", "Frequencies over the speed",
-	 "The natural frequencies as the travel speed increases.", {"campbell"}, TRAVELS, 0, 0, 0, 0},
+	 "The natural frequencies as the travel speed increases.",
+	 {"campbell"}, CLI_TRAVELLING, 0, 0, 0, 0},
 	{"frf", "Frequency response",
 	 "Steady motions under the load of the scene: stable ones, and unstable ones, which are not "
 	 "observed; each point with its certificate.",
-	 {"frf"}, LOADED | MODEL, 0, 0, 1, 1},
+	 {"frf"}, LOADED | CLI_MODEL, 0, 0, 1, 1},
 	{"tow", "Steady tow", "The state that does not change in the frame of the towing point.",
-	 {"tow", "steady"}, TOWED, 1, 0, 0, 0},
+	 {"tow", "steady"}, CLI_TOW, 1, 0, 0, 0},
 	{"trajectory", "Path of the towing point", "Place, speed and acceleration of the towing point.",
 	 {"trajectory"}, WAYPOINTS, 1, 0, 0, 0},
 	{"beam", "Eigenvalues and limit speed",
 	 "Growth and frequency of small motions, and the speed up to which they decay.",
-	 {"beam"}, BEAM, 1, 1, 0, 0},
+	 {"beam"}, CLI_BEAM, 1, 1, 0, 0},
 };
 enum { ROWS = sizeof table/sizeof *table };
 
 static unsigned kind_of_span(const struct hawser_scene *scene)
 {
-	unsigned kind = scene->travel.present ? TRAVELS : AT_REST;
+	unsigned kind = scene->travel.present ? CLI_TRAVELLING : CLI_CABLE;
 
 	if (scene->beam.form)
-		return BEAM;
+		return CLI_BEAM;
 	if (cli_is_forced(scene))
 		kind |= LOADED;
 	return kind | (scene->cases > 0 ? CASES : 0);
@@ -78,7 +75,7 @@ static enum hawser_status kind_of_tow(unsigned *kind, const struct cli_common *c
 
 	if (status)
 		return status;
-	*kind = tow.segments > 0 && tow.path.kind != HAWSER_PATH_WAYPOINTS ? TOWED : WAYPOINTS;
+	*kind = tow.segments > 0 && tow.path.kind != HAWSER_PATH_WAYPOINTS ? CLI_TOW : WAYPOINTS;
 	hawser_tow_clear(&tow);
 	return HAWSER_OK;
 }
@@ -86,15 +83,12 @@ static enum hawser_status kind_of_tow(unsigned *kind, const struct cli_common *c
 static enum hawser_status find_kind(unsigned *kind, struct hawser_scene *span, int *scene,
                                     const struct cli_common *common, struct hawser_report *report)
 {
-	static const unsigned by_kind[HAWSER_KINDS] = {
-		[HAWSER_KIND_ROPEWAY] = ROPEWAY, [HAWSER_KIND_NET] = NET, [HAWSER_KIND_OBSTACLES] = OBSTACLES,
-		[HAWSER_KIND_ROD] = ROD, [HAWSER_KIND_MODEL] = MODEL};
 	enum hawser_kind of = cli_kind(common);
 	enum hawser_status status;
 
 	*scene = 0;
-	*kind = by_kind[of];
-	if (*kind)
+	*kind = 1u << cli_kind_number(of, CLI_EVERY);
+	if (of != HAWSER_KIND_TOW && of != HAWSER_KIND_SPAN)
 		return HAWSER_OK;
 	if (of == HAWSER_KIND_TOW)
 		return kind_of_tow(kind, common, report);
@@ -103,6 +97,16 @@ static enum hawser_status find_kind(unsigned *kind, struct hawser_scene *span, i
 	if (!status)
 		*kind = kind_of_span(span);
 	return status;
+}
+
+/* A row without kinds is for those that have statics. */
+static int is_for(const struct cli_report_part *part, unsigned kind)
+{
+	int has = 0;
+
+	for (int i = 0; i < CLI_KINDS_ALL; i++)
+		has = has || (kind & 1u << i && cli_part_of(&cli_statics, i)->run);
+	return part->kinds ? (part->kinds & kind) != 0 : has;
 }
 
 /* 1 if the name is in the list, or there is no list. */
@@ -157,7 +161,7 @@ enum hawser_status cli_report_choose(const struct cli_report_part *part[], int *
 	if (status)
 		return status;
 	for (int i = 0; i < ROWS; i++)
-		if (table[i].kinds & kind)
+		if (is_for(&table[i], kind))
 			part[all++] = &table[i];
 	status = check_list(list, part, all, report);
 	*count = 0;

@@ -9,7 +9,7 @@ enum { CLI_REPORT_WORDS = 6, CLI_REPORT_PARTS = 16 };
 struct cli_report_part {
 	const char *name, *title, *about; /* name: for --parts; about: a sentence below the title */
 	const char *word[CLI_REPORT_WORDS]; /* the command and its options, ended by NULL */
-	unsigned kinds;   /* of scenes (report_parts.c) */
+	unsigned kinds;   /* of scenes (report_parts.c); 0: all that have statics */
 	int essential;    /* 1: there is no report without it */
 	int no_picture;   /* 1: the command draws none */
 	int modes, range; /* 1: it takes -n; --from and --to of a response */

@@ -7,24 +7,29 @@
 
 #include "cli/statics/statics_loaded.h"
 #include "cli/statics/statics_mesh.h"
-#include "cli/statics/statics_obstacles.h"
+#include "cli/statics/statics_kinds.h"
 #include "core/report.h"
 
 struct settings {
-	struct cli_common common;
-	const char *model, *from, *to;
-	int points, models, compatibility, speeds, cases, elements;
 	struct cli_statics_kinds kinds;
+	const char *model, *from, *to;
+	int models, compatibility, speeds, elements;
 };
-static const struct settings defaults = {.points = 201};
+static const struct settings defaults = {.kinds.points = 201};
+
+static const char *const notes[] = {
+	"Methods for nets: automatic, interior-point, mixed, forces, catenary; for comparison two-sided,",
+	"regularised, descent and relaxation, which may end with compressed elements or not at all.",
+	NULL,
+};
 
 static const struct cli_option options[] = {
 	{"model", 0, "NAME", "static model: catenary, inextensible, parabola or fe (catenary)",
 	 CLI_TEXT_FOR(model, CLI_SPAN)},
 	{"points", 0, "N", "number of points of the profile or of the curves (201)",
-	 CLI_COUNT_FOR(points, CLI_SPAN | CLI_OBSTACLES)},
+	 CLI_COUNT_FOR(kinds.points, CLI_SPAN | CLI_OBSTACLES)},
 	{"cases", 0, "", "table of the load cases of the scene",
-	 CLI_FLAG_FOR(cases, CLI_SPAN | CLI_ROPEWAY), .excludes = "model"},
+	 CLI_FLAG_FOR(kinds.cases, CLI_SPAN | CLI_ROPEWAY), .excludes = "model"},
 	CLI_HEADING("Tables of a span"),
 	{"models", 0, "", "table of all models and their errors against the catenary",
 	 CLI_FLAG_FOR(models, CLI_SPAN), .excludes = "compatibility, speeds, cases, model"},
@@ -158,21 +163,6 @@ const struct cli_listing cli_statics_listing[] = {
 	{"Columns with --speeds:", cli_speed_field, 0},
 	{"Columns with --cases:", cli_case_field, 0},
 	{"Keys of JSON:", result_field, 1},
-	{"Columns of a span over obstacles:", cli_obstacle_point_field, 0},
-	{"Columns of a span over obstacles with --spans:", cli_obstacle_span_field, 0},
-	{"Keys of JSON of a span over obstacles:", cli_obstacles_field, 1},
-	{"Columns of a ropeway:", cli_ropeway_tower_field, 0},
-	{"Columns of a ropeway with --spans:", cli_ropeway_span_field, 0},
-	{"Columns of a ropeway with --worst:", cli_ropeway_worst_field, 0},
-	{"Columns of a ropeway with --cases:", cli_ropeway_case_field, 0},
-	{"Columns of a ropeway with --profile:", cli_ropeway_point_field, 0},
-	{"Keys of JSON of a ropeway:", cli_ropeway_field, 1},
-	{"Columns of a net:", cli_net_member_field, 0},
-	{"Columns of a net with --profile:", cli_net_point_field, 0},
-	{"Columns of a net with --equilibria:", cli_equilibria_net_field, 0},
-	{"Keys of JSON of a net:", cli_statics_net_field, 1},
-	{"Keys of JSON of a net with --equilibria:", cli_equilibria_net_member, 1},
-	{"Columns of a rod:", cli_rod_point_field, 0}, {"Keys of JSON of a rod:", cli_rod_field, 1},
 	{NULL, NULL, 0},
 };
 
@@ -200,12 +190,12 @@ static struct cli_head head(const void *of)
 	const struct settings *settings = result->settings;
 
 	return (struct cli_head){
-		&settings->common, "statics", method_of(result), &result->scene,
+		&settings->kinds.common, "statics", method_of(result), &result->scene,
 		cli_si_view((result->scene.travel.present ? TRAVELS : 0u) |
 		            (result->marks ? ATTACHED : 0u) |
 		            (result->loaded.present ? LOADED : 0u) |
 		            (aside(&result->statics) ? TURNED : 0u) |
-		            (settings->models ? MODELS : 0u) | (settings->cases ? CASES : 0u) |
+		            (settings->models ? MODELS : 0u) | (settings->kinds.cases ? CASES : 0u) |
 		            (settings->speeds ? SPEEDS : 0u) | (result->fe ? MESH : 0u) |
 		            (settings->compatibility ? COMPATIBILITY : 0u)), NULL, NULL};
 }
@@ -231,7 +221,7 @@ static void rows(struct hawser__table *table, const void *of)
 	const struct settings *settings = result->settings;
 	struct hawser__view view = cli_si_view(aside(&result->statics) ? TURNED : 0u);
 
-	if (settings->cases)
+	if (settings->kinds.cases)
 		cli_cases_rows(table, &result->cases);
 	else if (settings->speeds)
 		cli_speeds_rows(table, &result->speeds);
@@ -262,7 +252,7 @@ static enum hawser_status draw(const char *path, const void *context, struct haw
 		&result->scene, result->profile, kink, result->points, result->marks,
 		aside(&result->statics)};
 
-	if (result->settings->cases)
+	if (result->settings->kinds.cases)
 		return cli_cases_draw(path, &result->cases, &highest, report);
 	if (result->settings->models)
 		return cli_models_draw(path, &result->curves, report);
@@ -310,7 +300,7 @@ static enum hawser_status fill_speeds(struct result *result, struct hawser_repor
 		status = cli_quantity(&result->speeds.to, settings->to, "m/s", CLI_NOT_NEGATIVE, "statics",
 		                      "to", report);
 	return status ? status
-	              : cli_speeds_fill(&result->speeds, &result->scene, settings->points, report);
+	              : cli_speeds_fill(&result->speeds, &result->scene, settings->kinds.points, report);
 }
 
 static enum hawser_status fill_curves(struct result *result, struct hawser_report *report)
@@ -319,7 +309,7 @@ static enum hawser_status fill_curves(struct result *result, struct hawser_repor
 	double from = 0.0, to = 0.0;
 	enum hawser_status status;
 
-	if (settings->cases)
+	if (settings->kinds.cases)
 		return cli_cases_fill(&result->cases, &result->scene, report);
 	if (settings->speeds)
 		return fill_speeds(result, report);
@@ -330,7 +320,7 @@ static enum hawser_status fill_curves(struct result *result, struct hawser_repor
 		status = cli_quantity(&to, settings->to, "N", CLI_ABOVE_ZERO, "statics", "to", report);
 	return status ? status
 	              : cli_curves_fill(&result->curves, &result->scene, settings->models ? 16 : 1,
-	                                settings->points, from, to, report);
+	                                settings->kinds.points, from, to, report);
 }
 
 static enum hawser_status limit_of(struct result *result, const struct hawser_equivalent *equal,
@@ -385,11 +375,11 @@ static enum hawser_status solve(struct result *result, struct hawser_report *rep
 {
 	const struct hawser_scene *scene = &result->scene;
 	const struct settings *settings = result->settings;
-	int points = settings->points, i;
+	int points = settings->kinds.points, i;
 	enum hawser_status status = choose_model(result, report);
 
 	if (!status)
-		status = cli_scene_load(&result->scene, &result->settings->common, 0, report);
+		status = cli_scene_load(&result->scene, &result->settings->kinds.common, 0, report);
 	if (status)
 		return status;
 	if (scene->travel.present && result->model != hawser_statics_model(0))
@@ -435,32 +425,26 @@ static enum hawser_status check(const struct settings *settings, struct hawser_r
 	int most = curves ? most_curve_points : most_profile_points;
 	enum hawser_status status;
 
-	if (settings->points > most)
+	if (settings->kinds.points > most)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
-		                    "--points %d: at most %d points%s are possible", settings->points,
+		                    "--points %d: at most %d points%s are possible", settings->kinds.points,
 		                    most, curves ? " of curves" : "");
-	status = cli_statics_mesh_check(settings->model, settings->points, defaults.points, report);
-	return status ? status : cli_outputs_check_scales(&settings->common, scales, report);
+	status = cli_statics_mesh_check(settings->model, settings->kinds.points, defaults.kinds.points,
+	                                report);
+	return status ? status : cli_outputs_check_scales(&settings->kinds.common, scales, report);
 }
 
 static const struct cli_showing showing = {
 	.head = head, .comments = comments, .more = rows, .fields = result_field, .draw = draw};
 
-static enum hawser_status run(void *context, struct hawser_report *report)
+enum hawser_status cli_statics_span(const void *context, struct hawser_report *report)
 {
 	const struct settings *settings = context;
-	struct result result = {.settings = settings, .points = settings->points};
-	int done = 0;
-	enum hawser_status status = check(settings, report);
+	struct result result = {.settings = settings, .points = settings->kinds.points};
+	enum hawser_status status = solve(&result, report);
 
 	if (!status)
-		status = cli_statics_kinds(&done, &settings->common, &settings->kinds, settings->points,
-		                           settings->cases, report);
-	if (status || done)
-		return status;
-	status = solve(&result, report);
-	if (!status)
-		status = cli_show(&settings->common, &showing, &result, report);
+		status = cli_show(&settings->kinds.common, &showing, &result, report);
 	free(result.profile);
 	hawser_net_span_statics_clear(&result.mesh);
 	cli_curves_clear(&result.curves);
@@ -470,8 +454,16 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	return status;
 }
 
+static enum hawser_status run(void *context, struct hawser_report *report)
+{
+	const struct settings *settings = context;
+	enum hawser_status status = check(settings, report);
+
+	return status ? status : cli_part(&cli_statics, &settings->kinds.common)->run(settings, report);
+}
+
 const struct cli_command cli_statics = {
 	"statics", "SCENE", "Static shape and tensions of a span, a net, a ropeway or a rod",
-	cli_statics_notes, options, &defaults, sizeof(struct settings), 1, run, cli_statics_listing,
-	.takes = CLI_TAKES_SPANS | CLI_TAKES_NET | CLI_TAKES_OBSTACLES | CLI_TAKES_ROPEWAY | CLI_TAKES_ROD,
+	notes, options, &defaults, sizeof(struct settings), 1, run, cli_statics_listing,
+	.part = CLI_PART(statics),
 };

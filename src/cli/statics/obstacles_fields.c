@@ -54,7 +54,7 @@ const struct hawser__field cli_obstacle_field[] = {
 
 #define OF(member) HAWSER__AT(struct cli_obstacle_span, member)
 #define LIMIT .flags = HAWSER__NULL, .when = CLI_OBSTACLES_FRICTION /* the end of a field's row */
-const struct hawser__field cli_obstacle_span_field[] = {
+static const struct hawser__field span_field[] = {
 	{"name", "span", "free part of the rope, from end or obstacle to end or obstacle", OF(label)},
 	{"H", "H", "horizontal tension", OF(H), NEWTON},
 	{"T_from", "T_from", "tension at its beginning, the side of end A", OF(T_from), NEWTON},
@@ -73,10 +73,10 @@ const struct hawser__field cli_obstacle_span_field[] = {
 #undef LIMIT
 #undef OF
 const struct hawser__list cli_obstacle_span_list =
-	HAWSER__STORED_ROWS(struct cli_obstacles, span, spans, cli_obstacle_span_field);
+	HAWSER__STORED_ROWS(struct cli_obstacles, span, spans, span_field);
 
 #define OF(member) HAWSER__AT(struct cli_obstacle_point, member)
-const struct hawser__field cli_obstacle_point_field[] = {
+static const struct hawser__field point_field[] = {
 	{"S", "S", "unstretched arclength from end A", OF(S), METRE},
 	{"x", "x", "distance from end A", OF(x), METRE},
 	{"y", "y", "height above end A", OF(y), METRE},
@@ -88,7 +88,7 @@ const struct hawser__field cli_obstacle_point_field[] = {
 };
 #undef OF
 const struct hawser__list cli_obstacle_point_list =
-	HAWSER__STORED_ROWS(struct cli_obstacles, point, points, cli_obstacle_point_field);
+	HAWSER__STORED_ROWS(struct cli_obstacles, point, points, point_field);
 
 static const char *sliding_word(const void *row)
 {
@@ -171,7 +171,7 @@ const struct hawser__field cli_obstacles_field[] = {
 	{"obstacles", NULL, "in the order of x",
 	 HAWSER__STORED(struct cli_obstacles, obstacle, obstacles, cli_obstacle_field)},
 	{"spans", NULL, "free parts of the rope",
-	 HAWSER__STORED(struct cli_obstacles, span, spans, cli_obstacle_span_field)},
+	 HAWSER__STORED(struct cli_obstacles, span, spans, span_field)},
 	{"path", NULL, "with sliding: history, states from the first to the last: value (N or m), T0, T1 "
 	 "(N), grip (friction that acts at each obstacle, > 0: T grows toward B), slid (m of rope that has "
 	 "passed it toward B)", HAWSER__CALLS(path_json)},
@@ -189,6 +189,13 @@ const struct hawser__field cli_obstacles_field[] = {
 	HAWSER__END,
 };
 #undef PART
+
+const struct cli_listing cli_obstacles_listing[] = {
+	{"Columns of a span over obstacles:", point_field, 0},
+	{"Columns of a span over obstacles with --spans:", span_field, 0},
+	{"Keys of JSON of a span over obstacles:", cli_obstacles_field, 1},
+	{NULL, NULL, 0},
+};
 
 unsigned cli_obstacles_view(const struct cli_obstacles *of)
 {

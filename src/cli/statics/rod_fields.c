@@ -10,7 +10,7 @@
 #define METRE .unit = HAWSER__METRE         /* a length */
 
 #define OF(member) HAWSER__AT(struct hawser_rod_point, member)
-const struct hawser__field cli_rod_point_field[] = {
+static const struct hawser__field point_field[] = {
 	{"s", "s", "unstretched length from the start", OF(s), METRE},
 	{"x", "x", "place", OF(x[0]), METRE},
 	{"y", "y", "height", OF(x[1]), METRE},
@@ -33,7 +33,7 @@ const struct hawser__field cli_rod_point_field[] = {
 #undef OF
 
 const struct hawser__list cli_rod_point_list = HAWSER__STORED_ROWS(
-	struct cli_rod, st.point, st.points, cli_rod_point_field);
+	struct cli_rod, st.point, st.points, point_field);
 
 #define OF(member) HAWSER__AT(struct hawser_rod_statics, member)
 static const struct hawser__field start_field[] = {
@@ -98,3 +98,9 @@ const struct hawser__field cli_rod_field[] = {
 	HAWSER__END,
 };
 #undef PART
+
+const struct cli_listing cli_rod_listing[] = {
+	{"Columns of a rod:", point_field, 0},
+	{"Keys of JSON of a rod:", cli_rod_field, 1},
+	{NULL, NULL, 0},
+};

@@ -17,12 +17,7 @@ struct cli_rod {
 };
 
 /* rod_fields.c */
-extern const struct hawser__field cli_rod_number_field[];
+extern const struct hawser__field cli_rod_number_field[], cli_rod_field[];
 extern const struct hawser__list cli_rod_point_list;
-
-/* statics_rod.c */
-enum hawser_status cli_statics_rod(const struct cli_common *common,
-                                   const struct cli_statics_kinds *kinds,
-                                   struct hawser_report *report) HAWSER_MUST_CHECK;
 
 #endif

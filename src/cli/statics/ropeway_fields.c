@@ -27,7 +27,7 @@ static const struct hawser__field range_field[] = {
 /* --- towers --- */
 
 #define OF(member) HAWSER__AT(struct cli_ropeway_tower, member)
-const struct hawser__field cli_ropeway_tower_field[] = {
+static const struct hawser__field tower_field[] = {
 	{NULL, "lane", "up or down", OF(lane)},
 	{"name", "tower", "name of the tower", OF(name)},
 	{"battery", "battery", "support or compression", OF(battery)},
@@ -57,7 +57,7 @@ const struct hawser__field cli_ropeway_tower_field[] = {
 };
 #undef OF
 const struct hawser__list cli_ropeway_tower_list =
-	HAWSER__STORED_ROWS(struct cli_ropeway, tower, towers, cli_ropeway_tower_field);
+	HAWSER__STORED_ROWS(struct cli_ropeway, tower, towers, tower_field);
 
 /* --- spans --- */
 
@@ -69,7 +69,7 @@ static double eta(const void *of)
 }
 
 #define OF(member) HAWSER__AT(struct cli_ropeway_span, member)
-const struct hawser__field cli_ropeway_span_field[] = {
+static const struct hawser__field span_field[] = {
 	{NULL, "lane", "up or down", OF(lane)},
 	{"name", "span", "from the one tower to the next", OF(label)},
 	{"T_from", "T_from", "tension at its lower end, the side of the bottom station", OF(s.T_from),
@@ -89,12 +89,12 @@ const struct hawser__field cli_ropeway_span_field[] = {
 };
 #undef OF
 const struct hawser__list cli_ropeway_span_list =
-	HAWSER__STORED_ROWS(struct cli_ropeway, span, spans, cli_ropeway_span_field);
+	HAWSER__STORED_ROWS(struct cli_ropeway, span, spans, span_field);
 
 /* --- profile --- */
 
 #define OF(member) HAWSER__AT(struct cli_ropeway_point, member)
-const struct hawser__field cli_ropeway_point_field[] = {
+static const struct hawser__field point_field[] = {
 	{"lane", "lane", "up or down", OF(lane)},
 	{"S", "S", "unstretched length from the bottom station", OF(S), METRE},
 	{"x", "x", "horizontal position", OF(x), METRE},
@@ -105,12 +105,12 @@ const struct hawser__field cli_ropeway_point_field[] = {
 };
 #undef OF
 const struct hawser__list cli_ropeway_point_list =
-	HAWSER__STORED_ROWS(struct cli_ropeway, point, points, cli_ropeway_point_field);
+	HAWSER__STORED_ROWS(struct cli_ropeway, point, points, point_field);
 
 /* --- worst values --- */
 
 #define OF(member) HAWSER__AT(struct cli_ropeway_worst, r.member)
-const struct hawser__field cli_ropeway_worst_field[] = {
+static const struct hawser__field tower_worst_field[] = {
 	{NULL, "lane", "up or down", HAWSER__AT(struct cli_ropeway_worst, lane)},
 	{NULL, "tower", "name of the tower", HAWSER__AT(struct cli_ropeway_worst, name)},
 	{NULL, "T_max", "largest tension at the tower", OF(T.max), NEWTON},
@@ -141,7 +141,7 @@ const struct hawser__field cli_ropeway_worst_field[] = {
 };
 #undef OF
 const struct hawser__list cli_ropeway_worst_list =
-	HAWSER__STORED_ROWS(struct cli_ropeway, range, towers, cli_ropeway_worst_field);
+	HAWSER__STORED_ROWS(struct cli_ropeway, range, towers, tower_worst_field);
 
 #define OF(member) HAWSER__AT(struct cli_ropeway_tower, member)
 #define OVER(member) HAWSER__THROUGH(struct cli_ropeway_tower, range, member)
@@ -252,9 +252,9 @@ static const struct hawser__field line_field[] = {
 #undef ON
 static const struct hawser__field lane_field[] = {
 	{"towers", NULL, "from the bottom station on",
-	 HAWSER__STORED(struct cli_ropeway_lane, tower, towers, cli_ropeway_tower_field)},
+	 HAWSER__STORED(struct cli_ropeway_lane, tower, towers, tower_field)},
 	{"spans", NULL, "between them",
-	 HAWSER__STORED(struct cli_ropeway_lane, span, spans, cli_ropeway_span_field)},
+	 HAWSER__STORED(struct cli_ropeway_lane, span, spans, span_field)},
 	{"carriers", NULL, "places of the carriers on the rope, [x, y]", HAWSER__CALLS(carriers_json)},
 	{"", NULL, "", HAWSER__THROUGH(struct cli_ropeway_lane, lane, line_field)},
 	HAWSER__END,
@@ -401,8 +401,18 @@ const struct hawser__field cli_ropeway_field[] = {
 	{"cases", NULL, "with --cases", HAWSER__CALLS(cases_json), .inner = cli_ropeway_case_field,
 	 .when = CLI_ROPEWAY_CASES},
 	{"profile", NULL, "with --profile",
-	 HAWSER__STORED(struct cli_ropeway, point, points, cli_ropeway_point_field),
+	 HAWSER__STORED(struct cli_ropeway, point, points, point_field),
 	 .when = CLI_ROPEWAY_PROFILE},
 	HAWSER__END,
 };
 #undef OF
+
+const struct cli_listing cli_ropeway_listing[] = {
+	{"Columns of a ropeway:", tower_field, 0},
+	{"Columns of a ropeway with --spans:", span_field, 0},
+	{"Columns of a ropeway with --worst:", tower_worst_field, 0},
+	{"Columns of a ropeway with --cases:", cli_ropeway_case_field, 0},
+	{"Columns of a ropeway with --profile:", point_field, 0},
+	{"Keys of JSON of a ropeway:", cli_ropeway_field, 1},
+	{NULL, NULL, 0},
+};

@@ -1,13 +1,17 @@
-/* cli/statics/statics_kinds.h - hawser statics of scenes of other kinds than spans.
+/* cli/statics/statics_kinds.h - what hawser statics does with each kind of scenes.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_CLI_STATICS_KINDS_H
 #define HAWSER_CLI_STATICS_KINDS_H
 
+#include "cli/frame/kinds.h"
 #include "cli/frame/view.h"
 
-/* Options that spans do not have. */
+/* The first member of the command's settings: what other kinds than spans have of them. */
 struct cli_statics_kinds {
+	struct cli_common common;
+	int points;                       /* of a profile: spans and obstacles */
+	int cases;                        /* spans and ropeways */
 	const char *method;               /* nets */
 	int equilibria;                   /* nets */
 	int profile;                      /* nets and ropeways */
@@ -16,8 +20,6 @@ struct cli_statics_kinds {
 	const char *vtk;                  /* rods and nets */
 	int load_steps;                   /* rods */
 };
-/* Lines of the command's --help. */
-extern const char *const cli_statics_notes[];
 /* Their rows in the command's table; its `struct settings` has them as the member `kinds`. */
 #define CLI_STATICS_KINDS_OPTIONS \
 	{"method", 0, "NAME", "nets: how to find the equilibrium (automatic)", \
@@ -42,22 +44,8 @@ extern const char *const cli_statics_notes[];
 	{"vtk", 0, "FILE", "rods and nets: write the shape to FILE.vtk, for programs such as ParaView", \
 	 CLI_TEXT_FOR(kinds.vtk, CLI_MESHES)}
 
-/* *done is 0 if the scene is a span without obstacles. points: of a profile; cases: whether --cases is
- * given. */
-enum hawser_status cli_statics_kinds(int *done, const struct cli_common *common,
-                                     const struct cli_statics_kinds *kinds, int points, int cases,
-                                     struct hawser_report *report) HAWSER_MUST_CHECK;
-
-/* statics_ropeway.c */
-enum hawser_status cli_statics_ropeway(const struct cli_common *common,
-                                       const struct cli_statics_kinds *kinds, int cases,
-                                       struct hawser_report *report) HAWSER_MUST_CHECK;
-extern const struct hawser__field cli_ropeway_tower_field[], cli_ropeway_span_field[],
-                                  cli_ropeway_worst_field[], cli_ropeway_case_field[],
-                                  cli_ropeway_point_field[], cli_ropeway_field[];
-/* rod_fields.c */
-extern const struct hawser__field cli_rod_point_field[], cli_rod_field[], cli_net_member_field[],
-                                  cli_net_point_field[], cli_statics_net_field[],
-                                  cli_equilibria_net_field[], cli_equilibria_net_member[];
+/* Tables of the kinds, for their records (cli/frame/kinds.h). */
+extern const struct cli_listing cli_statics_net_listing[], cli_obstacles_listing[],
+                                cli_ropeway_listing[], cli_rod_listing[];
 
 #endif

@@ -161,7 +161,7 @@ enum { SURFACES = 1, PROFILE = 2 };
 #define METRE .unit = HAWSER__METRE   /* a length */
 
 #define OF(member) HAWSER__AT(struct hawser_net_member, member)
-const struct hawser__field cli_net_member_field[] = {
+static const struct hawser__field member_field[] = {
 	{"name", "cable", "name of the cable",
 	 HAWSER__OUTER(struct result, mesh.net.cable, struct hawser_net_cable, name)},
 	{"T_min", "T_min", "least tension", OF(T_min), NEWTON},
@@ -175,7 +175,7 @@ const struct hawser__field cli_net_member_field[] = {
 };
 #undef OF
 static const struct hawser__list member_list =
-	HAWSER__STORED_ROWS(struct result, st.member, st.cables, cli_net_member_field);
+	HAWSER__STORED_ROWS(struct result, st.member, st.cables, member_field);
 
 struct row {
 	const char *cable;
@@ -183,7 +183,7 @@ struct row {
 	struct cli_touch touch;
 };
 #define OF(member) HAWSER__AT(struct row, member)
-const struct hawser__field cli_net_point_field[] = {
+static const struct hawser__field point_field[] = {
 	{NULL, "cable", "name of the cable", OF(cable)},
 	{NULL, "S", "unstretched length from its end `from`", OF(of.S), METRE},
 	{NULL, "", "place", OF(of.x), .vector = &cli_axes, METRE},
@@ -207,7 +207,7 @@ static const void *point_row(void *to, const void *of, size_t i)
 	return row;
 }
 static const struct hawser__list point_list = HAWSER__MADE_ROWS(
-	struct row, cli_net_point_field, struct result, st.points, point_row);
+	struct row, point_field, struct result, st.points, point_row);
 
 static void profile_json(struct hawser__json *json, json_t *to, const void *of)
 {
@@ -226,7 +226,7 @@ static void profile_json(struct hawser__json *json, json_t *to, const void *of)
 }
 
 #define OF(member) HAWSER__AT(struct result, member)
-const struct hawser__field cli_statics_net_field[] = {
+static const struct hawser__field net_field[] = {
 	{"method", NULL, "by which they are computed", OF(st.method)},
 	{"nodes", NULL, "place of each node, by name", CLI_NODES_AT(struct result, st.x, cli_nodes), METRE},
 	{"cables", NULL, "in the order of the scene", HAWSER__OBJECTS_OF(member_list)},
@@ -248,6 +248,15 @@ const struct hawser__field cli_statics_net_field[] = {
 	HAWSER__END,
 };
 #undef OF
+
+const struct cli_listing cli_statics_net_listing[] = {
+	{"Columns of a net:", member_field, 0},
+	{"Columns of a net with --profile:", point_field, 0},
+	{"Columns of a net with --equilibria:", cli_equilibria_net_field, 0},
+	{"Keys of JSON of a net:", net_field, 1},
+	{"Keys of JSON of a net with --equilibria:", cli_equilibria_net_member, 1},
+	{NULL, NULL, 0},
+};
 
 static struct cli_head head(const void *of)
 {
@@ -272,7 +281,7 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 }
 
 static const struct cli_showing showing = {.head = head, .comments = comments, .more = rows,
-                                           .fields = cli_statics_net_field, .draw = draw};
+                                           .fields = net_field, .draw = draw};
 
 static enum hawser_status method_of(const char *name, struct hawser_report *report)
 {
@@ -286,17 +295,20 @@ static enum hawser_status method_of(const char *name, struct hawser_report *repo
 	return name ? cli_choose(&chosen, "statics", "method", name, names, count, report) : HAWSER_OK;
 }
 
-enum hawser_status cli_statics_net(const struct cli_common *common, const char *method, int profile,
-                                   const char *vtk, struct hawser_report *report)
+enum hawser_status cli_statics_net(const void *settings, struct hawser_report *report)
 {
-	struct result result = {.common = common, .profile = profile};
-	struct hawser_net_options options = {.method = method};
-	enum hawser_status status = method_of(method, report);
+	const struct cli_statics_kinds *kinds = settings;
+	struct result result = {.common = &kinds->common, .profile = kinds->profile};
+	struct hawser_net_options options = {.method = kinds->method};
+	enum hawser_status status;
 
+	if (kinds->equilibria)
+		return cli_equilibria_net(&kinds->common, kinds->equilibria, report);
+	status = method_of(kinds->method, report);
 	if (!status)
-		status = cli_vtk_check(vtk, "statics", report);
+		status = cli_vtk_check(kinds->vtk, "statics", report);
 	if (!status)
-		status = cli_mesh_open(&result.mesh.net, common, report);
+		status = cli_mesh_open(&result.mesh.net, &kinds->common, report);
 	if (!status)
 		status = hawser_net_solve(&result.st, &result.mesh.net, &options, report);
 	if (!status)
@@ -305,10 +317,10 @@ enum hawser_status cli_statics_net(const struct cli_common *common, const char *
 	                                        result.st.apart};
 	if (!status)
 		warn(&result);
-	if (!status && vtk)
-		status = cli_contacts_vtk(vtk, &result.mesh.net, &result.st, report);
+	if (!status && kinds->vtk)
+		status = cli_contacts_vtk(kinds->vtk, &result.mesh.net, &result.st, report);
 	if (!status)
-		status = cli_show(common, &showing, &result, report);
+		status = cli_show(&kinds->common, &showing, &result, report);
 	if (!status && *result.warning)
 		cli_warn(result.warning);
 	hawser_net_statics_clear(&result.st);

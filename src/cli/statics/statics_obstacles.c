@@ -112,16 +112,15 @@ static enum hawser_status draw(const char *path, const void *of, struct hawser_r
 static const struct cli_showing showing = {
 	.head = head, .comments = comments, .more = rows, .fields = cli_obstacles_field, .draw = draw};
 
-enum hawser_status cli_statics_obstacles(const struct cli_common *common,
-                                         const struct cli_statics_kinds *kinds, int points,
-                                         struct hawser_report *report)
+enum hawser_status cli_statics_obstacles(const void *settings, struct hawser_report *report)
 {
-	struct cli_obstacles result = {.common = common, .spans_wanted = kinds->spans};
-	enum hawser_status status = cli_obstacles_fill(&result, points, report);
+	const struct cli_statics_kinds *kinds = settings;
+	struct cli_obstacles result = {.common = &kinds->common, .spans_wanted = kinds->spans};
+	enum hawser_status status = cli_obstacles_fill(&result, kinds->points, report);
 
 	if (!status) {
 		cli_obstacles_warn(&result);
-		status = cli_show(common, &showing, &result, report);
+		status = cli_show(&kinds->common, &showing, &result, report);
 	}
 	cli_obstacles_clear(&result);
 	return status;

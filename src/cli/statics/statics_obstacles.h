@@ -54,13 +54,7 @@ void cli_obstacles_clear(struct cli_obstacles *of);
 
 /* obstacles_fields.c */
 extern const struct hawser__list cli_obstacle_span_list, cli_obstacle_point_list;
-extern const struct hawser__field cli_obstacle_field[], cli_obstacle_span_field[],
-                                  cli_obstacle_point_field[], cli_obstacles_field[];
+extern const struct hawser__field cli_obstacle_field[], cli_obstacles_field[];
 unsigned cli_obstacles_view(const struct cli_obstacles *of);
-
-/* statics_obstacles.c: points: of the profile. */
-enum hawser_status cli_statics_obstacles(const struct cli_common *common,
-                                         const struct cli_statics_kinds *kinds, int points,
-                                         struct hawser_report *report) HAWSER_MUST_CHECK;
 
 #endif

@@ -151,15 +151,15 @@ static enum hawser_status write_vtk(const char *path, const struct hawser_rod_st
 	return status;
 }
 
-enum hawser_status cli_statics_rod(const struct cli_common *common,
-                                   const struct cli_statics_kinds *kinds, struct hawser_report *report)
+enum hawser_status cli_statics_rod(const void *settings, struct hawser_report *report)
 {
-	struct cli_rod result = {.common = common};
+	const struct cli_statics_kinds *kinds = settings;
+	struct cli_rod result = {.common = &kinds->common};
 	struct hawser_rod_options options = {.steps = kinds->load_steps};
 	enum hawser_status status = cli_vtk_check(kinds->vtk, "statics", report);
 
 	if (!status)
-		status = cli_read_rod(&result.scene, common, report);
+		status = cli_read_rod(&result.scene, &kinds->common, report);
 	if (!status)
 		status = hawser_rod_solve(&result.st, &result.scene, &options, report);
 	if (!status) {
@@ -168,7 +168,7 @@ enum hawser_status cli_statics_rod(const struct cli_common *common,
 			status = write_vtk(kinds->vtk, &result.st, report);
 	}
 	if (!status)
-		status = cli_show(common, &showing, &result, report);
+		status = cli_show(&kinds->common, &showing, &result, report);
 	if (!status && *result.warning)
 		cli_warn(result.warning);
 	hawser_rod_statics_clear(&result.st);

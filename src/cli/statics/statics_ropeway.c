@@ -17,7 +17,7 @@ static struct cli_head head(const void *of)
 	return cli_si_head(result->common, "statics", "catenaries and arcs, laid from the tension end",
 	                   NULL, (result->swept ? CLI_ROPEWAY_SWEPT : 0u) |
 	                   (result->kinds->profile ? CLI_ROPEWAY_PROFILE : 0u) |
-	                   (result->show_cases ? CLI_ROPEWAY_CASES : 0u));
+	                   (result->kinds->cases ? CLI_ROPEWAY_CASES : 0u));
 }
 
 static void state_comments(struct hawser__table *table, const struct cli_ropeway *of)
@@ -102,7 +102,7 @@ static void rows(struct hawser__table *table, const void *of)
 	const struct cli_ropeway *result = of;
 	const struct hawser__view view = cli_si_view(0);
 
-	if (result->show_cases)
+	if (result->kinds->cases)
 		case_rows(table, result);
 	else
 		hawser__fields_table(table, result->kinds->worst ? &cli_ropeway_worst_list
@@ -202,19 +202,18 @@ static enum hawser_status solve(struct cli_ropeway *of, struct hawser_report *re
 		status = cli_ropeway_fill(of, report);
 	if (!status && of->kinds->profile)
 		status = cli_ropeway_points(of, report);
-	if (!status && of->show_cases)
+	if (!status && of->kinds->cases)
 		status = cli_ropeway_cases(of, report);
 	return status;
 }
 
-enum hawser_status cli_statics_ropeway(const struct cli_common *common,
-                                       const struct cli_statics_kinds *kinds, int cases,
-                                       struct hawser_report *report)
+enum hawser_status cli_statics_ropeway(const void *settings, struct hawser_report *report)
 {
-	struct cli_ropeway result = {.common = common, .kinds = kinds, .show_cases = cases};
-	enum hawser_status status = cli_read_ropeway(&result.ropeway, common, report);
+	const struct cli_statics_kinds *kinds = settings;
+	struct cli_ropeway result = {.common = &kinds->common, .kinds = kinds};
+	enum hawser_status status = cli_read_ropeway(&result.ropeway, &kinds->common, report);
 
-	if (!status && kinds->spans + kinds->worst + kinds->profile + cases > 1)
+	if (!status && kinds->spans + kinds->worst + kinds->profile + kinds->cases > 1)
 		status = hawser__fail(report, HAWSER_ERR_ARGUMENT, "statics",
 		                      "--spans, --worst, --profile and --cases "
 		                      "are tables of their own: choose one");
@@ -222,7 +221,7 @@ enum hawser_status cli_statics_ropeway(const struct cli_common *common,
 		status = solve(&result, report);
 	if (!status) {
 		warn(&result);
-		status = cli_show(common, &showing, &result, report);
+		status = cli_show(&kinds->common, &showing, &result, report);
 	}
 	cli_ropeway_clear(&result);
 	return status;

@@ -53,7 +53,6 @@ struct cli_ropeway_lane {
 struct cli_ropeway {
 	const struct cli_common *common;
 	const struct cli_statics_kinds *kinds;
-	int show_cases;
 	struct hawser_ropeway ropeway;
 	struct hawser_ropeway_options options;
 	struct hawser_ropeway_statics st;
@@ -77,6 +76,7 @@ enum hawser_status cli_ropeway_cases(struct cli_ropeway *of,
                                      struct hawser_report *report) HAWSER_MUST_CHECK;
 void cli_ropeway_clear(struct cli_ropeway *of);
 /* ropeway_fields.c */
+extern const struct hawser__field cli_ropeway_field[], cli_ropeway_case_field[];
 extern const struct hawser__list cli_ropeway_tower_list, cli_ropeway_span_list, cli_ropeway_worst_list,
                                  cli_ropeway_case_list, cli_ropeway_point_list;
 enum { CLI_ROPEWAY_SWEPT = 1, CLI_ROPEWAY_PROFILE = 2, CLI_ROPEWAY_CASES = 4 }; /* bits of the view */

@@ -469,5 +469,5 @@ const struct cli_command cli_sweep = {
 	"sweep", "SCENE --over KEY=VALUES -- COMMAND ...",
 	"Any command over variations of a scene, results in one table", notes, options,
 	&defaults, sizeof(struct settings), 1, run, listing,
-	.takes = CLI_TAKES_ANY,
+	.takes = CLI_EVERY,
 };

@@ -2,12 +2,10 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include <string.h>
-
 #include "cli/beam/beam_result.h"
 #include "cli/frame/colour.h"
 #include "cli/plan/plan_result.h"
-#include "cli/frame/scene_kinds.h"
+#include "cli/frame/kinds.h"
 
 struct settings {
 	struct cli_common common;
@@ -26,19 +24,10 @@ static const char *const notes[] = {
 	NULL,
 };
 
-static const struct cli_scene_kind *kind_named(const char *name)
-{
-	int i = 0;
-
-	while (strcmp(cli_scene_kind(i)->name, name) != 0)
-		i++;
-	return cli_scene_kind(i);
-}
-
-static void print_good(const struct cli_common *common, const struct cli_scene_kind *kind)
+static void print_good(const struct cli_common *common, int index)
 {
 	printf("%s%s:%s %s, %swithout errors%s\n", cli_colour(stdout, CLI_PLACE), cli_input_name(common),
-	       cli_colour(stdout, CLI_PLAIN), kind->one, cli_colour(stdout, CLI_GOOD),
+	       cli_colour(stdout, CLI_PLAIN), cli_kind_record(index)->one, cli_colour(stdout, CLI_GOOD),
 	       cli_colour(stdout, CLI_PLAIN));
 }
 
@@ -68,7 +57,7 @@ static void print_models(const struct cli_common *common)
 static enum hawser_status check_cable(const struct cli_common *common,
                                       const struct hawser_scene *scene, struct hawser_report *report)
 {
-	const struct cli_scene_kind *kind = kind_named(scene->travel.present ? "travelling" : "cable");
+	const int kind = scene->travel.present ? CLI_NUMBER_TRAVELLING : CLI_NUMBER_CABLE;
 	struct hawser_statics statics;
 	enum hawser_status status = hawser_statics_scene(&statics, scene, report);
 
@@ -78,23 +67,22 @@ static enum hawser_status check_cable(const struct cli_common *common,
 	printf("  H: %.6g N, sag: %.6g m, unstretched length: %.6g m\n", statics.H, statics.sag,
 	       statics.length0);
 	print_models(common);
-	cli_scene_kind_print(stdout, kind, cli_is_forced(scene));
+	cli_kind_print(stdout, kind, cli_is_forced(scene));
 	return HAWSER_OK;
 }
 
 static enum hawser_status check_beam(const struct cli_common *common, const struct hawser_scene *scene,
                                      struct hawser_report *report)
 {
-	const struct cli_scene_kind *kind = kind_named("beam");
 	struct hawser_beam beam;
 	enum hawser_status status = hawser_beam_scene(&beam, scene, report);
 
 	if (status)
 		return status;
 	cli_warn_doubts(scene);
-	print_good(common, kind);
+	print_good(common, CLI_NUMBER_BEAM);
 	cli_beam_print_scales(stdout, scene, &beam);
-	cli_scene_kind_print(stdout, kind, 1);
+	cli_kind_print(stdout, CLI_NUMBER_BEAM, 1);
 	return HAWSER_OK;
 }
 
@@ -114,20 +102,20 @@ static enum hawser_status check_span(const struct cli_common *common, struct haw
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	const struct settings *s = context;
-	const struct cli_scene_kind *kind;
+	const struct cli_kind_record *kind;
 	enum hawser_status status;
 	char text[CLI_SCENE_FACTS];
 	int forced = 1;
 
-	for (int i = 0; (kind = cli_scene_kind(i)); i++) {
+	for (int i = 0; (kind = cli_kind_record(i)); i++) {
 		if (!kind->look || kind->kind != cli_kind(&s->common))
 			continue;
 		status = kind->look(text, &forced, &s->common, report);
 		if (status)
 			return status;
-		print_good(&s->common, kind);
+		print_good(&s->common, i);
 		fputs(text, stdout);
-		cli_scene_kind_print(stdout, kind, forced);
+		cli_kind_print(stdout, i, forced);
 		return HAWSER_OK;
 	}
 	return check_span(&s->common, report);
@@ -136,5 +124,5 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 const struct cli_command cli_check = {
 	"check", "SCENE", "What is wrong with a scene, or what it is", notes, options, &defaults,
 	sizeof(struct settings), 1, run, NULL,
-	.takes = CLI_TAKES_ANY,
+	.takes = CLI_EVERY,
 };

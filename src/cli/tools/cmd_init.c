@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "cli/frame/input.h"
-#include "cli/frame/scene_kinds.h"
+#include "cli/frame/kinds.h"
 #include "core/file.h"
 
 struct settings {
@@ -29,12 +29,14 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	int index = 0;
 	enum hawser_status status = cli_choose_input(&index, &cli_init, s->common.input, report);
 
-	return status ? status : hawser__file_put("-", cli_scene_kind(index)->text,
-	                                          strlen(cli_scene_kind(index)->text), report);
+	return status ? status : hawser__file_put("-", cli_kind_record(index)->text,
+	                                          strlen(cli_kind_record(index)->text), report);
 }
 
+#define FIRST(name, BIT) #name
+#define NEXT(name, BIT) "|" #name
 const struct cli_command cli_init = {
-	"init", "[cable|travelling|beam|net|obstacles|ropeway|rod|tow]",
+	"init", "[" CLI_KINDS_WRITTEN(FIRST, NEXT) "]",
 	"A scene with comments, to begin with", notes, options, &defaults, sizeof(struct settings), 0, run,
 	NULL,
 	.takes = 0,

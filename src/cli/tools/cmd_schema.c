@@ -3,6 +3,7 @@
 #include "config.h"
 
 #include "cli/frame/input.h"
+#include "scene/tree_keys.h"
 
 struct settings {
 	struct cli_common common;
@@ -27,8 +28,9 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 	return status ? status : hawser_schema_write(stdout, s->common.input, report);
 }
 
+#define WORD(name) "|" #name
 const struct cli_command cli_schema = {
-	"schema", "[cable|beam|net|ropeway|obstacles|rod|tow]", "JSON Schema of scenes, for editors",
+	"schema", "[cable|beam" HAWSER__TREE_KINDS(WORD) "]", "JSON Schema of scenes, for editors",
 	notes, options, &defaults, sizeof(struct settings), 0, run, NULL,
 	.takes = 0,
 };

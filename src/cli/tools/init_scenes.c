@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
-#include "cli/frame/scene_kinds.h"
+#include "cli/tools/init_scenes.h"
 
 const char cli_init_cable[] =
 	"# A span of cable. Try: hawser statics SCENE, hawser modes SCENE, hawser frf SCENE\n"

@@ -145,8 +145,8 @@ static const struct hawser__tree_key net_rows[] = {
 	     "or what touches with friction does not move")
 };
 
-const struct hawser__tree_table hawser__tree_of_net = {"net", net_rows,
-                                                       sizeof net_rows/sizeof *net_rows};
+const struct hawser__tree_table hawser__tree_of_net = {
+	"net", "A net of cables", net_rows, sizeof net_rows/sizeof *net_rows};
 
 /* Spans over planes and segments. */
 static const struct hawser__tree_key mesh_rows[] = {
@@ -169,5 +169,5 @@ static const struct hawser__tree_key mesh_rows[] = {
 	MAPPING("mesh.dynamics", OPTIONAL, "as that of nets")
 };
 
-const struct hawser__tree_table hawser__tree_of_mesh = {"mesh", mesh_rows,
-                                                        sizeof mesh_rows/sizeof *mesh_rows};
+const struct hawser__tree_table hawser__tree_of_mesh = {
+	"mesh", "A span that is a mesh", mesh_rows, sizeof mesh_rows/sizeof *mesh_rows};

@@ -119,35 +119,13 @@ static json_t *mapping_of(struct hawser__schema *schema, const char *path)
 	return mapping;
 }
 
-static json_t *cable(struct hawser__schema *schema, const char *kind)
-{
-	(void)kind;
-	return hawser__schema_cable(schema);
-}
-
-static json_t *beam(struct hawser__schema *schema, const char *kind)
-{
-	(void)kind;
-	return hawser__schema_beam(schema);
-}
-
-static const struct {
-	const char *name, *title;
-	json_t *(*make)(struct hawser__schema *schema, const char *kind);
-} kinds[] = {
-	{"cable", "A span of cable", cable},
-	{"beam", "A travelling beam or string", beam},
-	{"net", "A net of cables", mapping_of},
-	{"ropeway", "A ropeway", mapping_of},
-	{"obstacles", "A span over obstacles", mapping_of},
-	{"rod", "A geometrically exact rod", mapping_of},
-	{"tow", "A towed body", mapping_of},
-};
+#define NAME(name) #name,
+static const char *const kinds[] = {"cable", "beam", HAWSER__TREE_KINDS(NAME)};
 enum { KINDS = sizeof kinds/sizeof *kinds };
 
 const char *hawser_schema_kind(int index)
 {
-	return index >= 0 && index < KINDS ? kinds[index].name : NULL;
+	return index >= 0 && index < KINDS ? kinds[index] : NULL;
 }
 
 int hawser_schema_key(char *key, int index)
@@ -179,9 +157,12 @@ int hawser_schema_key(char *key, int index)
 
 static json_t *kind_of(struct hawser__schema *schema, int index)
 {
-	json_t *root = kinds[index].make(schema, kinds[index].name);
+	const struct hawser__tree_table *table = hawser__tree_table(kinds[index]);
+	json_t *root = table ? mapping_of(schema, table->kind)
+	               : index ? hawser__schema_beam(schema) : hawser__schema_cable(schema);
 
-	hawser__schema_put(schema, root, "title", json_string(kinds[index].title));
+	hawser__schema_put(schema, root, "title", json_string(
+		table ? table->title : index ? "A travelling beam or string" : "A span of cable"));
 	return root;
 }
 
@@ -231,7 +212,7 @@ static json_t *all(struct hawser__schema *schema)
 	json_t *root = choice(schema, 0), *definitions = json_object();
 
 	for (int i = 0; i < KINDS; i++)
-		hawser__schema_put(schema, definitions, kinds[i].name, kind_of(schema, i));
+		hawser__schema_put(schema, definitions, kinds[i], kind_of(schema, i));
 	hawser__schema_put(schema, root, "title", json_string("A scene of hawser"));
 	hawser__schema_put(schema, root, "type", json_string("object"));
 	hawser__schema_put(schema, root, "definitions", definitions);
@@ -245,11 +226,11 @@ enum hawser_status hawser_schema_write(FILE *stream, const char *kind, struct ha
 	json_t *root;
 	int index = 0;
 
-	while (kind && index < KINDS && strcmp(kinds[index].name, kind) != 0)
+	while (kind && index < KINDS && strcmp(kinds[index], kind) != 0)
 		index++;
 	if (index == KINDS)
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "schema", "there is no kind %s of scenes: "
-		                    "give cable, beam, net, ropeway, obstacles, rod or tow", kind);
+		                    "hawser schema --help names them", kind);
 	root = kind ? kind_of(&schema, index) : all(&schema);
 	hawser__schema_put(&schema, root, "$schema", json_string(DRAFT));
 	if (schema.failed || !root)
