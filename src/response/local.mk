@@ -92,6 +92,8 @@ noinst_LTLIBRARIES += %D%/libresponse.la
 	%D%/branch/frf.c \
 	%D%/branch/frf_begin.c \
 	%D%/branch/frf_check.c \
+	%D%/time/collocated.c \
+	%D%/time/collocated.h \
 	%D%/time/gauss.c \
 	%D%/floquet/hill_matrix.c \
 	%D%/floquet/hill_matrix.h \
