@@ -14,6 +14,7 @@
 #include <suitesparse/klu.h>
 
 #include "contact/friction.h"
+#include "core/hold.h"
 #include "core/report.h"
 
 /* Matrices: M alone, symmetric or not, and the one with the laws of contacts. */
@@ -32,6 +33,7 @@ struct hawser__contact_net {
 	int (*link)[2][9];  /* [links] rows of link[0], columns of link[1]; and the other way */
 	double *right;      /* [unknowns] */
 	struct hawser__touch_rows *rows; /* [nodes] of the contact of a node, in a step */
+	struct hawser__hold hold;
 };
 
 void hawser__contact_net_clear(struct hawser__contact_net *net)
@@ -41,13 +43,7 @@ void hawser__contact_net_clear(struct hawser__contact_net *net)
 	for (int kind = 0; kind < MATRICES; kind++)
 		klu_free_numeric(&net->factors[kind], &net->common);
 	klu_free_symbolic(&net->symbolic, &net->common);
-	free(net->p);
-	free(net->i);
-	free(net->x);
-	free(net->node);
-	free(net->link);
-	free(net->right);
-	free(net->rows);
+	hawser__hold_clear(&net->hold);
 	free(net);
 }
 
@@ -127,16 +123,15 @@ enum hawser_status hawser__contact_net_open(struct hawser__contact_net **made, i
 		net->common.scale = 0;
 		net->common.btf = 0;
 		net->unknowns = 3*nodes;
-		net->p = calloc(3*(size_t)nodes + 1, sizeof *net->p);
-		net->i = malloc((9*blocks + 1)*sizeof *net->i);
-		net->x = malloc((9*blocks + 1)*sizeof *net->x);
-		net->node = malloc(((size_t)nodes + 1)*sizeof *net->node);
-		net->link = malloc(((size_t)links + 1)*sizeof *net->link);
-		net->right = malloc((3*(size_t)nodes + 1)*sizeof *net->right);
-		net->rows = malloc(((size_t)nodes + 1)*sizeof *net->rows);
+		net->p = hawser__hold(&net->hold, 3*(size_t)nodes + 1, sizeof *net->p);
+		net->i = hawser__hold(&net->hold, 9*blocks + 1, sizeof *net->i);
+		net->x = hawser__hold(&net->hold, 9*blocks + 1, sizeof *net->x);
+		net->node = hawser__hold(&net->hold, (size_t)nodes + 1, sizeof *net->node);
+		net->link = hawser__hold(&net->hold, (size_t)links + 1, sizeof *net->link);
+		net->right = hawser__hold(&net->hold, 3*(size_t)nodes + 1, sizeof *net->right);
+		net->rows = hawser__hold(&net->hold, (size_t)nodes + 1, sizeof *net->rows);
 	}
-	if (!net || !list || !net->p || !net->i || !net->x || !net->node || !net->link || !net->right ||
-	    !net->rows) {
+	if (!net || !list || net->hold.short_of_memory) {
 		status = hawser__no_memory(report, "friction");
 	} else {
 		pattern(net, list, nodes, link, links);

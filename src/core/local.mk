@@ -6,6 +6,8 @@ noinst_LTLIBRARIES += %D%/libcore.la
 	%D%/digits.h \
 	%D%/file.c \
 	%D%/file.h \
+	%D%/hold.c \
+	%D%/hold.h \
 	%D%/hot.h \
 	%D%/loaded.h \
 	%D%/locale.h \

@@ -22,9 +22,9 @@
 
 #include <lapacke.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
+#include "core/hold.h"
 #include "core/report.h"
 #include "modes/grid.h"
 #include "modes/label.h"
@@ -40,6 +40,7 @@ struct work {
 	double *turned;    /* [points][3] */
 	double *G, *U, *Vt, *S, *superb; /* decomposition of a group */
 	int starved;       /* 1: LAPACKE could not allocate work space */
+	struct hawser__hold hold;
 };
 
 static int gather(int *index, const struct hawser_modes *modes, enum hawser_plane plane)
@@ -240,15 +241,7 @@ static enum hawser_status compare_plane(struct hawser_modes_error *error, struct
 
 static void release(struct work *w)
 {
-	free(w->shape);
-	free(w->turned);
-	free(w->G);
-	free(w->U);
-	free(w->Vt);
-	free(w->S);
-	free(w->superb);
-	free(w->own);
-	free(w->other);
+	hawser__hold_clear(&w->hold);
 }
 
 static int allocate(struct work *w)
@@ -256,16 +249,17 @@ static int allocate(struct work *w)
 	size_t most = (size_t)(w->reference->n > w->modes->n ? w->reference->n : w->modes->n);
 	size_t size = 3*(size_t)w->grid->points;
 
-	w->shape = calloc((size_t)w->modes->n*hawser__modes_row(w->reference), sizeof *w->shape);
-	w->turned = calloc(size, sizeof *w->turned);
-	w->G = calloc(most*most, sizeof *w->G);
-	w->U = calloc(most*most, sizeof *w->U);
-	w->Vt = calloc(most*most, sizeof *w->Vt);
-	w->S = calloc(most, sizeof *w->S);
-	w->superb = calloc(most, sizeof *w->superb);
-	w->own = calloc(most, sizeof *w->own);
-	w->other = calloc(most, sizeof *w->other);
-	return w->shape && w->turned && w->G && w->U && w->Vt && w->S && w->superb && w->own && w->other;
+	w->shape = hawser__hold(&w->hold, (size_t)w->modes->n*hawser__modes_row(w->reference),
+	                        sizeof *w->shape);
+	w->turned = hawser__hold(&w->hold, size, sizeof *w->turned);
+	w->G = hawser__hold(&w->hold, most*most, sizeof *w->G);
+	w->U = hawser__hold(&w->hold, most*most, sizeof *w->U);
+	w->Vt = hawser__hold(&w->hold, most*most, sizeof *w->Vt);
+	w->S = hawser__hold(&w->hold, most, sizeof *w->S);
+	w->superb = hawser__hold(&w->hold, most, sizeof *w->superb);
+	w->own = hawser__hold(&w->hold, most, sizeof *w->own);
+	w->other = hawser__hold(&w->hold, most, sizeof *w->other);
+	return !w->hold.short_of_memory;
 }
 
 /* The shapes on the reference's grid. */

@@ -18,6 +18,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/hold.h"
 #include "core/report.h"
 #include "modes/krylov.h"
 
@@ -33,18 +34,12 @@ struct space {
 	double *re, *im;
 	int *order;
 	unsigned seed;
+	struct hawser__hold hold;
 };
 
 static void space_free(struct space *t)
 {
-	free(t->V);
-	free(t->W);
-	free(t->H);
-	free(t->small);
-	free(t->y);
-	free(t->re);
-	free(t->im);
-	free(t->order);
+	hawser__hold_clear(&t->hold);
 }
 
 static int space_init(struct space *t, int size, int count)
@@ -53,15 +48,15 @@ static int space_init(struct space *t, int size, int count)
 	size_t n = (size_t)size, m = (size_t)most;
 
 	*t = (struct space){.size = size, .most = most, .seed = 2385u};
-	t->V = malloc(m*n*sizeof *t->V);
-	t->W = malloc(m*n*sizeof *t->W);
-	t->H = malloc(m*m*sizeof *t->H);
-	t->small = malloc(m*m*sizeof *t->small);
-	t->y = malloc(m*m*sizeof *t->y);
-	t->re = malloc(m*sizeof *t->re);
-	t->im = malloc(m*sizeof *t->im);
-	t->order = malloc(m*sizeof *t->order);
-	return t->V && t->W && t->H && t->small && t->y && t->re && t->im && t->order;
+	t->V = hawser__hold(&t->hold, m*n, sizeof *t->V);
+	t->W = hawser__hold(&t->hold, m*n, sizeof *t->W);
+	t->H = hawser__hold(&t->hold, m*m, sizeof *t->H);
+	t->small = hawser__hold(&t->hold, m*m, sizeof *t->small);
+	t->y = hawser__hold(&t->hold, m*m, sizeof *t->y);
+	t->re = hawser__hold(&t->hold, m, sizeof *t->re);
+	t->im = hawser__hold(&t->hold, m, sizeof *t->im);
+	t->order = hawser__hold(&t->hold, m, sizeof *t->order);
+	return !t->hold.short_of_memory;
 }
 
 /* Numerical Recipes' quick generator: the same on every machine. */

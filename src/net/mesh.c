@@ -25,21 +25,8 @@ void hawser__mesh_clear(struct hawser__mesh *mesh)
 {
 	if (!mesh)
 		return;
-	free(mesh->first);
-	free(mesh->inner);
-	free(mesh->end);
-	free(mesh->cable);
-	free(mesh->length0);
-	free(mesh->EA);
-	free(mesh->density);
-	free(mesh->rho);
-	free(mesh->q);
-	free(mesh->unknown);
+	hawser__hold_clear(&mesh->hold);
 	free(mesh->frame);
-	free(mesh->mass);
-	free(mesh->force);
-	free(mesh->wave);
-	free(mesh->motion);
 	free(mesh->touch);
 	free(mesh->edge);
 	free(mesh->rotor);
@@ -79,23 +66,21 @@ static enum hawser_status allocate(struct hawser__mesh *mesh, const struct hawse
 
 	for (int i = 0; i < net->loads; i++)
 		waves += waves_of(net, &net->load[i]);
-	mesh->first = calloc((size_t)mesh->cables + 1, sizeof *mesh->first);
-	mesh->inner = calloc((size_t)mesh->cables + 1, sizeof *mesh->inner);
-	mesh->end = calloc(elements, sizeof *mesh->end);
-	mesh->cable = calloc(elements, sizeof *mesh->cable);
-	mesh->length0 = calloc(elements, sizeof *mesh->length0);
-	mesh->EA = calloc(elements, sizeof *mesh->EA);
-	mesh->density = calloc(elements, sizeof *mesh->density);
-	mesh->rho = calloc(elements, sizeof *mesh->rho);
-	mesh->q = calloc(nodes, sizeof *mesh->q);
-	mesh->unknown = calloc(nodes, sizeof *mesh->unknown);
-	mesh->mass = calloc(nodes, sizeof *mesh->mass);
-	mesh->force = calloc(nodes, sizeof *mesh->force);
-	mesh->wave = calloc(waves, sizeof *mesh->wave);
-	mesh->motion = calloc((size_t)net->motions + 1, sizeof *mesh->motion);
-	return mesh->first && mesh->inner && mesh->end && mesh->cable && mesh->length0 && mesh->EA &&
-	       mesh->density && mesh->rho && mesh->q && mesh->unknown && mesh->mass && mesh->force &&
-	       mesh->wave && mesh->motion ? HAWSER_OK : hawser__no_memory(report, "net");
+	mesh->first = hawser__hold(&mesh->hold, (size_t)mesh->cables + 1, sizeof *mesh->first);
+	mesh->inner = hawser__hold(&mesh->hold, (size_t)mesh->cables + 1, sizeof *mesh->inner);
+	mesh->end = hawser__hold(&mesh->hold, elements, sizeof *mesh->end);
+	mesh->cable = hawser__hold(&mesh->hold, elements, sizeof *mesh->cable);
+	mesh->length0 = hawser__hold(&mesh->hold, elements, sizeof *mesh->length0);
+	mesh->EA = hawser__hold(&mesh->hold, elements, sizeof *mesh->EA);
+	mesh->density = hawser__hold(&mesh->hold, elements, sizeof *mesh->density);
+	mesh->rho = hawser__hold(&mesh->hold, elements, sizeof *mesh->rho);
+	mesh->q = hawser__hold(&mesh->hold, nodes, sizeof *mesh->q);
+	mesh->unknown = hawser__hold(&mesh->hold, nodes, sizeof *mesh->unknown);
+	mesh->mass = hawser__hold(&mesh->hold, nodes, sizeof *mesh->mass);
+	mesh->force = hawser__hold(&mesh->hold, nodes, sizeof *mesh->force);
+	mesh->wave = hawser__hold(&mesh->hold, waves, sizeof *mesh->wave);
+	mesh->motion = hawser__hold(&mesh->hold, (size_t)net->motions + 1, sizeof *mesh->motion);
+	return mesh->hold.short_of_memory ? hawser__no_memory(report, "net") : HAWSER_OK;
 }
 
 /* Elements of one cable, and its inner nodes from number `node`. */

@@ -14,6 +14,8 @@
 
 #include <hawser/net_modes.h>
 
+#include "core/hold.h"
+
 struct hawser__mesh {
 	int nodes, elements, cables, unknowns;
 	int *first;            /* [cables + 1] first element of each cable; the last entry is `elements` */
@@ -52,6 +54,7 @@ struct hawser__mesh {
 	int edges;
 	int around;            /* 1: an obstacle has cables around it: they begin straight between the
 	                        * places of nodes, and supports need not hold them */
+	struct hawser__hold hold;
 };
 
 /* A node that may touch an obstacle. Its force on the node is r*n + friction, and `aside` along z; r

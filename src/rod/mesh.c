@@ -148,24 +148,22 @@ static enum hawser_status allocate(struct hawser__rod_mesh *mesh, struct hawser_
 {
 	size_t nodes = (size_t)mesh->nodes, elements = (size_t)mesh->elements, n = (size_t)mesh->n;
 
-	mesh->s = calloc(nodes, sizeof *mesh->s);
-	mesh->segment = calloc(elements, sizeof *mesh->segment);
-	mesh->place = calloc(2*(size_t)mesh->rod->loads + 1, sizeof *mesh->place);
-	mesh->element = calloc(elements, sizeof *mesh->element);
-	mesh->strain = calloc(elements, sizeof *mesh->strain);
-	mesh->rest = calloc(nodes, sizeof *mesh->rest);
-	mesh->node = calloc(nodes, sizeof *mesh->node);
-	mesh->kept = calloc(nodes, sizeof *mesh->kept);
-	mesh->found = calloc(nodes, sizeof *mesh->found);
-	mesh->line = calloc(elements, sizeof *mesh->line);
-	mesh->point = calloc(nodes, sizeof *mesh->point);
-	mesh->sum = calloc(nodes, sizeof *mesh->sum);
-	mesh->held = calloc(n, sizeof *mesh->held);
-	mesh->r = calloc(n, sizeof *mesh->r);
-	mesh->work = calloc(n*(HAWSER__BAND_SIDE + 1), sizeof *mesh->work);
-	if (!mesh->s || !mesh->segment || !mesh->place || !mesh->element || !mesh->strain || !mesh->rest ||
-	    !mesh->node || !mesh->kept || !mesh->found || !mesh->line || !mesh->point || !mesh->sum ||
-	    !mesh->held || !mesh->r || !mesh->work)
+	mesh->s = hawser__hold(&mesh->hold, nodes, sizeof *mesh->s);
+	mesh->segment = hawser__hold(&mesh->hold, elements, sizeof *mesh->segment);
+	mesh->place = hawser__hold(&mesh->hold, 2*(size_t)mesh->rod->loads + 1, sizeof *mesh->place);
+	mesh->element = hawser__hold(&mesh->hold, elements, sizeof *mesh->element);
+	mesh->strain = hawser__hold(&mesh->hold, elements, sizeof *mesh->strain);
+	mesh->rest = hawser__hold(&mesh->hold, nodes, sizeof *mesh->rest);
+	mesh->node = hawser__hold(&mesh->hold, nodes, sizeof *mesh->node);
+	mesh->kept = hawser__hold(&mesh->hold, nodes, sizeof *mesh->kept);
+	mesh->found = hawser__hold(&mesh->hold, nodes, sizeof *mesh->found);
+	mesh->line = hawser__hold(&mesh->hold, elements, sizeof *mesh->line);
+	mesh->point = hawser__hold(&mesh->hold, nodes, sizeof *mesh->point);
+	mesh->sum = hawser__hold(&mesh->hold, nodes, sizeof *mesh->sum);
+	mesh->held = hawser__hold(&mesh->hold, n, sizeof *mesh->held);
+	mesh->r = hawser__hold(&mesh->hold, n, sizeof *mesh->r);
+	mesh->work = hawser__hold(&mesh->hold, n*(HAWSER__BAND_SIDE + 1), sizeof *mesh->work);
+	if (mesh->hold.short_of_memory)
 		return hawser__no_memory(report, "rod");
 	return hawser__band_open(&mesh->band, mesh->n, report);
 }
@@ -233,21 +231,7 @@ enum hawser_status hawser__rod_mesh_open(struct hawser__rod_mesh *mesh, const st
 
 void hawser__rod_mesh_clear(struct hawser__rod_mesh *mesh)
 {
-	free(mesh->s);
-	free(mesh->segment);
-	free(mesh->place);
-	free(mesh->element);
-	free(mesh->strain);
-	free(mesh->rest);
-	free(mesh->node);
-	free(mesh->kept);
-	free(mesh->found);
-	free(mesh->line);
-	free(mesh->point);
-	free(mesh->sum);
-	free(mesh->held);
-	free(mesh->r);
-	free(mesh->work);
+	hawser__hold_clear(&mesh->hold);
 	hawser__band_clear(&mesh->band);
 	memset(mesh, 0, sizeof *mesh);
 }

@@ -5,6 +5,7 @@
 
 #include <hawser/rod.h>
 
+#include "core/hold.h"
 #include "rod/band.h"
 #include "rod/element.h"
 
@@ -32,6 +33,7 @@ struct hawser__rod_mesh {
 	double *work;                      /* [n][HAWSER__BAND_SIDE + 1] */
 	struct hawser__band band;
 	double spin[2];                    /* N m: held lightly, of the ends, see hawser__rod_tangent */
+	struct hawser__hold hold;
 };
 
 enum hawser_status hawser__rod_mesh_open(struct hawser__rod_mesh *mesh, const struct hawser_rod *rod,

@@ -37,14 +37,13 @@ enum hawser_status hawser__rod_motion_open(struct hawser__rod_motion *motion,
 	motion->alpha = mesh->rod->alpha;
 	for (size_t i = 0; i < sizeof six/sizeof *six; i++)
 		good = (*six[i] = calloc(nodes, sizeof **six[i])) != NULL && good;
-	motion->mass = calloc(nodes, sizeof *motion->mass);
-	motion->mass0 = calloc(nodes, sizeof *motion->mass0);
-	motion->factor = calloc((size_t)mesh->rod->loads + 1, sizeof *motion->factor);
-	motion->node0 = calloc(nodes, sizeof *motion->node0);
-	motion->Ji = calloc(nodes, sizeof *motion->Ji);
-	motion->factor_q = calloc(nodes, sizeof *motion->factor_q);
-	if (!good || !motion->mass || !motion->mass0 || !motion->factor || !motion->node0 || !motion->Ji ||
-	    !motion->factor_q) {
+	motion->mass = hawser__hold(&motion->hold, nodes, sizeof *motion->mass);
+	motion->mass0 = hawser__hold(&motion->hold, nodes, sizeof *motion->mass0);
+	motion->factor = hawser__hold(&motion->hold, (size_t)mesh->rod->loads + 1, sizeof *motion->factor);
+	motion->node0 = hawser__hold(&motion->hold, nodes, sizeof *motion->node0);
+	motion->Ji = hawser__hold(&motion->hold, nodes, sizeof *motion->Ji);
+	motion->factor_q = hawser__hold(&motion->hold, nodes, sizeof *motion->factor_q);
+	if (!good || motion->hold.short_of_memory) {
 		hawser__rod_motion_clear(motion);
 		return hawser__no_memory(report, "rod");
 	}
@@ -61,13 +60,8 @@ void hawser__rod_motion_clear(struct hawser__rod_motion *motion)
 
 	for (size_t i = 0; i < sizeof six/sizeof *six; i++)
 		free(six[i]);
-	free(motion->mass);
-	free(motion->mass0);
+	hawser__hold_clear(&motion->hold);
 	hawser__rod_winch_clear(&motion->winch);
-	free(motion->factor);
-	free(motion->node0);
-	free(motion->Ji);
-	free(motion->factor_q);
 	memset(motion, 0, sizeof *motion);
 }
 

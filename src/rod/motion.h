@@ -11,6 +11,7 @@
 #ifndef HAWSER_ROD_STEPS_H
 #define HAWSER_ROD_STEPS_H
 
+#include "core/hold.h"
 #include "rod/mesh.h"
 #include "rod/winch.h"
 
@@ -103,6 +104,7 @@ struct hawser__rod_motion {
 	int undefined;                   /* 1: something was not a number */
 	int refused;                     /* of the function */
 	long steps, iterations, factored, rejected, splits;
+	struct hawser__hold hold;
 };
 
 /* Memory for the motion of the mesh, whose state is kept; then the caller sets what is above. */

@@ -115,8 +115,8 @@ static enum hawser_status rows(struct hawser__rod_winch *winch, struct hawser_re
 	const struct hawser_rod_winch *as = winch->as;
 	double *work = calloc((size_t)as->rows + 1, sizeof *work), at[3];
 
-	winch->curve = calloc((size_t)as->rows + 1, sizeof *winch->curve);
-	if (!work || !winch->curve) {
+	winch->curve = hawser__hold(&winch->hold, (size_t)as->rows + 1, sizeof *winch->curve);
+	if (!work || winch->hold.short_of_memory) {
 		free(work);
 		return hawser__no_memory(report, "rod");
 	}
@@ -169,12 +169,12 @@ enum hawser_status hawser__rod_winch_open(struct hawser__rod_winch *winch,
 		winch->elements++;
 	winch->from = from;
 	winch->first = rod->segment[0].length;
-	winch->part = calloc((size_t)winch->elements, sizeof *winch->part);
-	winch->left = calloc((size_t)winch->elements + 1, sizeof *winch->left);
-	winch->slip = calloc((size_t)mesh->nodes, sizeof *winch->slip);
-	winch->slip0 = calloc((size_t)mesh->nodes, sizeof *winch->slip0);
+	winch->part = hawser__hold(&winch->hold, (size_t)winch->elements, sizeof *winch->part);
+	winch->left = hawser__hold(&winch->hold, (size_t)winch->elements + 1, sizeof *winch->left);
+	winch->slip = hawser__hold(&winch->hold, (size_t)mesh->nodes, sizeof *winch->slip);
+	winch->slip0 = hawser__hold(&winch->hold, (size_t)mesh->nodes, sizeof *winch->slip0);
 	winch->as = &rod->winch;
-	if (!winch->part || !winch->left || !winch->slip || !winch->slip0)
+	if (winch->hold.short_of_memory)
 		return hawser__no_memory(report, "rod");
 	for (int e = 0; e < winch->elements; e++) {
 		winch->left[e] = 1.0 - s;
@@ -204,11 +204,7 @@ enum hawser_status hawser__rod_winch_same(const struct hawser__rod_motion *motio
 
 void hawser__rod_winch_clear(struct hawser__rod_winch *winch)
 {
-	free(winch->part);
-	free(winch->left);
-	free(winch->curve);
-	free(winch->slip);
-	free(winch->slip0);
+	hawser__hold_clear(&winch->hold);
 	memset(winch, 0, sizeof *winch);
 }
 

@@ -7,6 +7,7 @@
 #ifndef HAWSER_ROD_WINCH_H
 #define HAWSER_ROD_WINCH_H
 
+#include "core/hold.h"
 #include "rod/mesh.h"
 
 struct hawser__rod_motion;
@@ -23,6 +24,7 @@ struct hawser__rod_winch {
 	                            * N m: the spin that comes in, d(J)/dt w; 0: before the step */
 	double power, store;       /* W, J: of the ledger, see motion_winch.c */
 	double over;               /* m, paid out or in faster than waves run, so far without a break */
+	struct hawser__hold hold;
 };
 
 /* Memory, and the length at the time `from`, that of the mesh; fails if the length is too short before

@@ -21,11 +21,11 @@
 
 #include <float.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include <lapacke.h>
 
+#include "core/hold.h"
 #include "core/report.h"
 #include "tow/trajectory.h"
 
@@ -40,6 +40,7 @@ struct system {
 	const double *time;
 	const double *origin;
 	double longest;             /* H */
+	struct hawser__hold hold;
 };
 
 static double half(const struct system *s, int piece)
@@ -186,23 +187,18 @@ static int system_open(struct system *s)
 {
 	size_t size = (size_t)s->size;
 
-	s->ab = calloc(size*(size_t)s->ld, sizeof *s->ab);
-	s->lu = calloc(size*(size_t)s->lu_ld, sizeof *s->lu);
-	s->b = calloc(AXES*size, sizeof *s->b);
-	s->x = calloc(AXES*size, sizeof *s->x);
-	s->r = calloc(AXES*size, sizeof *s->r);
-	s->pivot = calloc(size, sizeof *s->pivot);
-	return s->ab && s->lu && s->b && s->x && s->r && s->pivot;
+	s->ab = hawser__hold(&s->hold, size*(size_t)s->ld, sizeof *s->ab);
+	s->lu = hawser__hold(&s->hold, size*(size_t)s->lu_ld, sizeof *s->lu);
+	s->b = hawser__hold(&s->hold, AXES*size, sizeof *s->b);
+	s->x = hawser__hold(&s->hold, AXES*size, sizeof *s->x);
+	s->r = hawser__hold(&s->hold, AXES*size, sizeof *s->r);
+	s->pivot = hawser__hold(&s->hold, size, sizeof *s->pivot);
+	return !s->hold.short_of_memory;
 }
 
 static void system_clear(struct system *s)
 {
-	free(s->ab);
-	free(s->lu);
-	free(s->b);
-	free(s->x);
-	free(s->r);
-	free(s->pivot);
+	hawser__hold_clear(&s->hold);
 }
 
 enum hawser_status hawser__trajectory_solve(struct hawser_path *of,

@@ -282,17 +282,7 @@ static void fill_fields(struct hawser__flexure *t, const struct hawser_statics *
 
 void hawser__flexure_clear(struct hawser__flexure *t)
 {
-	free(t->K);
-	free(t->C);
-	free(t->tau);
-	free(t->end);
-	free(t->table);
-	free(t->x);
-	free(t->a);
-	free(t->b);
-	free(t->k);
-	free(t->half);
-	free(t->first);
+	hawser__hold_clear(&t->hold);
 	*t = (struct hawser__flexure){0};
 }
 
@@ -300,22 +290,22 @@ static int allocate(struct hawser__flexure *t, const struct hawser_statics *st)
 {
 	size_t n, points = (size_t)t->points, order = (size_t)t->grid->order;
 
-	t->first = malloc(((size_t)t->elements + 1)*sizeof *t->first);
-	if (!t->first)
+	t->first = hawser__hold(&t->hold, (size_t)t->elements + 1, sizeof *t->first);
+	if (t->hold.short_of_memory)
 		return 0;
 	number_edges(t, st);
 	n = (size_t)t->functions;
-	t->K = calloc(n*n, sizeof *t->K);
-	t->C = calloc(n*(size_t)t->D, sizeof *t->C);
-	t->end = calloc(n*(size_t)t->D, sizeof *t->end);
-	t->tau = calloc((size_t)t->D, sizeof *t->tau);
-	t->table = calloc(3*((size_t)t->degree + 2)*order, sizeof *t->table);
-	t->x = calloc(n*(size_t)t->rows, sizeof *t->x);
-	t->a = malloc(points*sizeof *t->a);
-	t->b = malloc(points*sizeof *t->b);
-	t->k = malloc(points*sizeof *t->k);
-	t->half = malloc((size_t)t->elements*sizeof *t->half);
-	return t->K && t->C && t->end && t->tau && t->table && t->x && t->a && t->b && t->k && t->half;
+	t->K = hawser__hold(&t->hold, n*n, sizeof *t->K);
+	t->C = hawser__hold(&t->hold, n*(size_t)t->D, sizeof *t->C);
+	t->end = hawser__hold(&t->hold, n*(size_t)t->D, sizeof *t->end);
+	t->tau = hawser__hold(&t->hold, (size_t)t->D, sizeof *t->tau);
+	t->table = hawser__hold(&t->hold, 3*((size_t)t->degree + 2)*order, sizeof *t->table);
+	t->x = hawser__hold(&t->hold, n*(size_t)t->rows, sizeof *t->x);
+	t->a = hawser__hold(&t->hold, points, sizeof *t->a);
+	t->b = hawser__hold(&t->hold, points, sizeof *t->b);
+	t->k = hawser__hold(&t->hold, points, sizeof *t->k);
+	t->half = hawser__hold(&t->hold, (size_t)t->elements, sizeof *t->half);
+	return !t->hold.short_of_memory;
 }
 
 /* K = R'R; with the displacement of end B, R^-T C = Q [r; 0], the coordinates are the last ones of

@@ -4,6 +4,7 @@
 #ifndef HAWSER_MODES_FLEXURE_H
 #define HAWSER_MODES_FLEXURE_H
 
+#include "core/hold.h"
 #include "modes/grid.h"
 
 enum { HAWSER__FLEX_D = 2 };
@@ -29,6 +30,7 @@ struct hawser__flexure {
 	int *first;     /* [elements + 1] index of the rotation of edge e, -1 if it is clamped */
 	const struct hawser_grid *grid;
 	double beta;
+	struct hawser__hold hold;
 };
 
 /* Functions of `degree` in each element of `grid`, and their stiffness, factored. `grid` is kept, not

@@ -25,6 +25,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/hold.h"
 #include "core/report.h"
 #include "modes/cable.h"
 #include "modes/complex/damped.h"
@@ -62,17 +63,13 @@ struct block {
 	double *A;      /* [2n][2n] column-major */
 	double *re, *im; /* [2n] */
 	double *V;      /* [2n][2n] column-major, eigenvectors */
+	struct hawser__hold hold;
 };
 
 static void block_clear(struct block *t)
 {
 	free(t->mode);
-	free(t->b);
-	free(t->weight);
-	free(t->A);
-	free(t->re);
-	free(t->im);
-	free(t->V);
+	hawser__hold_clear(&t->hold);
 }
 
 /* The damping ratio of undamped mode `place`: the last one of a list is that of all further modes. */
@@ -170,13 +167,13 @@ static int block_make(struct block *t, const struct hawser_modes *modes,
 			t->mode[t->n++] = k;
 	take_absorbers(t, st, plane);
 	N = 2*(size_t)(t->n + t->absorbers);
-	t->b = malloc((3*points*N + 1)*sizeof *t->b);
-	t->weight = malloc((6*points + 1)*sizeof *t->weight);
-	t->A = calloc(N*N + 1, sizeof *t->A);
-	t->V = calloc(N*N + 1, sizeof *t->V);
-	t->re = calloc(N + 1, sizeof *t->re);
-	t->im = calloc(N + 1, sizeof *t->im);
-	return t->mode && t->b && t->weight && t->A && t->V && t->re && t->im;
+	t->b = hawser__hold(&t->hold, 3*points*N + 1, sizeof *t->b);
+	t->weight = hawser__hold(&t->hold, 6*points + 1, sizeof *t->weight);
+	t->A = hawser__hold(&t->hold, N*N + 1, sizeof *t->A);
+	t->V = hawser__hold(&t->hold, N*N + 1, sizeof *t->V);
+	t->re = hawser__hold(&t->hold, N + 1, sizeof *t->re);
+	t->im = hawser__hold(&t->hold, N + 1, sizeof *t->im);
+	return !t->hold.short_of_memory && t->mode;
 }
 
 /* The vectors of dampers, and those of masses, on which `alpha` does not act; Rayleigh's factor `mass`

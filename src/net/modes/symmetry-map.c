@@ -27,12 +27,7 @@ struct hawser__map_key {
 
 void hawser__map_clear(struct hawser__map_try *try)
 {
-	free(try->used);
-	free(try->partner);
-	free(try->key);
-	free(try->first);
-	free(try->incident);
-	free(try->taken);
+	hawser__hold_clear(&try->hold);
 	memset(try, 0, sizeof *try);
 }
 
@@ -46,13 +41,13 @@ enum hawser_status hawser__map_open(struct hawser__map_try *try, const struct ha
                                     const double *T, int nodes, struct hawser_report *report)
 {
 	*try = (struct hawser__map_try){.mesh = mesh, .T = T, .nodes = nodes};
-	try->used = calloc((size_t)mesh->nodes + 1, sizeof *try->used);
-	try->partner = calloc((size_t)mesh->nodes + 1, sizeof *try->partner);
-	try->key = calloc((size_t)nodes + 1, sizeof *try->key);
-	try->first = calloc((size_t)nodes + 2, sizeof *try->first);
-	try->incident = calloc(2*(size_t)mesh->cables + 1, sizeof *try->incident);
-	try->taken = calloc((size_t)mesh->cables + 1, sizeof *try->taken);
-	if (!try->used || !try->partner || !try->key || !try->first || !try->incident || !try->taken)
+	try->used = hawser__hold(&try->hold, (size_t)mesh->nodes + 1, sizeof *try->used);
+	try->partner = hawser__hold(&try->hold, (size_t)mesh->nodes + 1, sizeof *try->partner);
+	try->key = hawser__hold(&try->hold, (size_t)nodes + 1, sizeof *try->key);
+	try->first = hawser__hold(&try->hold, (size_t)nodes + 2, sizeof *try->first);
+	try->incident = hawser__hold(&try->hold, 2*(size_t)mesh->cables + 1, sizeof *try->incident);
+	try->taken = hawser__hold(&try->hold, (size_t)mesh->cables + 1, sizeof *try->taken);
+	if (try->hold.short_of_memory)
 		return hawser__no_memory(report, "net");
 	try->noise = 10.0*hawser__mesh_floor(mesh);
 	for (int e = 0; e < 2*mesh->elements; e++)

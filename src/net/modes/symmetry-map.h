@@ -3,6 +3,7 @@
 #ifndef HAWSER_NET_SYMMETRY_MAP_H
 #define HAWSER_NET_SYMMETRY_MAP_H
 
+#include "core/hold.h"
 #include "net/net.h"
 
 /* Most that a node's image may be off its partner, over the size of the net. */
@@ -20,6 +21,7 @@ struct hawser__map_try {
 	int *first, *incident; /* [nodes + 1], [2*cables] the cables at each node of the scene */
 	unsigned char *taken;  /* [cables] */
 	double noise;          /* N, round-off of a tension */
+	struct hawser__hold hold;
 };
 enum hawser_status hawser__map_open(struct hawser__map_try *try, const struct hawser__mesh *mesh,
                                     const double *T, int nodes, struct hawser_report *report)

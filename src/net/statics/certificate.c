@@ -19,11 +19,11 @@
 #include "config.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include <hawser/net_comparison.h>
 
+#include "core/hold.h"
 #include "core/report.h"
 #include "net/net.h"
 
@@ -40,19 +40,12 @@ struct judged {
 	int *first, *next;            /* [nodes], [2*parts] the parts at a node, as lists; -1: the end */
 	int *order, *by;              /* [nodes] nodes from the supports outwards, the part behind each */
 	unsigned char *seen;          /* [nodes] */
+	struct hawser__hold hold;
 };
 
 static void clear(struct judged *of)
 {
-	free(of->q);
-	free(of->r);
-	free(of->held);
-	free(of->part);
-	free(of->first);
-	free(of->next);
-	free(of->order);
-	free(of->by);
-	free(of->seen);
+	hawser__hold_clear(&of->hold);
 }
 
 static enum hawser_status open(struct judged *of, const struct hawser_net *net,
@@ -72,17 +65,16 @@ static enum hawser_status open(struct judged *of, const struct hawser_net *net,
 	}
 	nodes = (size_t)of->nodes;
 	parts = (size_t)of->parts;
-	of->q = calloc(nodes, sizeof *of->q);
-	of->r = calloc(nodes, sizeof *of->r);
-	of->held = calloc(nodes, sizeof *of->held);
-	of->part = calloc(parts, sizeof *of->part);
-	of->first = malloc(nodes*sizeof *of->first);
-	of->next = malloc(2*parts*sizeof *of->next);
-	of->order = malloc(nodes*sizeof *of->order);
-	of->by = malloc(nodes*sizeof *of->by);
-	of->seen = malloc(nodes);
-	return of->q && of->r && of->held && of->part && of->first && of->next && of->order && of->by &&
-	       of->seen ? HAWSER_OK : hawser__no_memory(report, "net");
+	of->q = hawser__hold(&of->hold, nodes, sizeof *of->q);
+	of->r = hawser__hold(&of->hold, nodes, sizeof *of->r);
+	of->held = hawser__hold(&of->hold, nodes, sizeof *of->held);
+	of->part = hawser__hold(&of->hold, parts, sizeof *of->part);
+	of->first = hawser__hold(&of->hold, nodes, sizeof *of->first);
+	of->next = hawser__hold(&of->hold, 2*parts, sizeof *of->next);
+	of->order = hawser__hold(&of->hold, nodes, sizeof *of->order);
+	of->by = hawser__hold(&of->hold, nodes, sizeof *of->by);
+	of->seen = hawser__hold(&of->hold, nodes, 1);
+	return of->hold.short_of_memory ? hawser__no_memory(report, "net") : HAWSER_OK;
 }
 
 /* --- the scene --- */

@@ -3,6 +3,7 @@
 #ifndef HAWSER_NET_SOLVE_H
 #define HAWSER_NET_SOLVE_H
 
+#include "core/hold.h"
 #include "net/net.h"
 
 /* Largest ratio of the stiffness along an element to that across it in the matrix of Newton's
@@ -40,6 +41,7 @@ struct hawser__net_work {
 	int rubs;                /* 1: friction of obstacles at rest, from touch->from; with `first` */
 	int slides;              /* number of nodes that slide along an obstacle */
 	int factored;            /* 1 if the factors are of a, b and e */
+	struct hawser__hold hold;
 };
 
 /* A method: iterates from mesh->q; *done is 1 if the residual is within the tolerance. NULL: the

@@ -370,13 +370,7 @@ static enum hawser_status certify(struct hawser__net_work *work, struct hawser__
 
 static void clear(struct hawser__net_work *work)
 {
-	free(work->N);
-	free(work->e);
-	free(work->x);
-	free(work->residual);
-	free(work->start);
-	free(work->near);
-	free(work->bound);
+	hawser__hold_clear(&work->hold);
 	hawser__sparse_clear(work->sparse);
 	hawser__klu_clear(work->klu);
 }
@@ -387,16 +381,15 @@ static enum hawser_status open(struct hawser__net_work *work, struct hawser__mes
 	size_t elements = (size_t)mesh->elements;
 
 	*work = (struct hawser__net_work){.mesh = mesh};
-	work->N = calloc(5*elements, sizeof *work->N);
-	work->e = calloc(elements, sizeof *work->e);
-	work->x = calloc((size_t)mesh->unknowns + 1, sizeof *work->x);
-	work->residual = calloc((size_t)mesh->nodes, sizeof *work->residual);
-	work->start = calloc((size_t)mesh->nodes, sizeof *work->start);
-	work->near = calloc((size_t)mesh->nodes, sizeof *work->near);
-	work->bound = calloc((size_t)mesh->nodes, sizeof *work->bound);
+	work->N = hawser__hold(&work->hold, 5*elements, sizeof *work->N);
+	work->e = hawser__hold(&work->hold, elements, sizeof *work->e);
+	work->x = hawser__hold(&work->hold, (size_t)mesh->unknowns + 1, sizeof *work->x);
+	work->residual = hawser__hold(&work->hold, (size_t)mesh->nodes, sizeof *work->residual);
+	work->start = hawser__hold(&work->hold, (size_t)mesh->nodes, sizeof *work->start);
+	work->near = hawser__hold(&work->hold, (size_t)mesh->nodes, sizeof *work->near);
+	work->bound = hawser__hold(&work->hold, (size_t)mesh->nodes, sizeof *work->bound);
 	work->rest = INFINITY;
-	if (!work->N || !work->e || !work->x || !work->residual || !work->start || !work->near ||
-	    !work->bound)
+	if (work->hold.short_of_memory)
 		return hawser__no_memory(report, "net");
 	work->s = work->N + elements;
 	work->a = work->s + elements;

@@ -3,7 +3,6 @@
 #include "config.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "core/progress.h"
@@ -351,15 +350,14 @@ static enum hawser_status open_trace(struct hawser__trace *trace, struct hawser_
 		trace->account.watch = trace->watch->event;
 		trace->account.context = trace->watch->context;
 	}
-	trace->direction = calloc((size_t)orbit->size, sizeof(double));
-	trace->side = calloc((size_t)orbit->size, sizeof(double));
-	trace->start_y = calloc((size_t)orbit->size, sizeof(double));
-	trace->mark_y = calloc((size_t)orbit->size, sizeof(double));
-	trace->mark_t = calloc((size_t)orbit->size, sizeof(double));
-	trace->pairs = calloc(6*(size_t)orbit->n, sizeof *trace->pairs);
+	trace->direction = hawser__hold(&trace->hold, (size_t)orbit->size, sizeof(double));
+	trace->side = hawser__hold(&trace->hold, (size_t)orbit->size, sizeof(double));
+	trace->start_y = hawser__hold(&trace->hold, (size_t)orbit->size, sizeof(double));
+	trace->mark_y = hawser__hold(&trace->hold, (size_t)orbit->size, sizeof(double));
+	trace->mark_t = hawser__hold(&trace->hold, (size_t)orbit->size, sizeof(double));
+	trace->pairs = hawser__hold(&trace->hold, 6*(size_t)orbit->n, sizeof *trace->pairs);
 	trace->amplitude = hawser__amplitude_new(rom);
-	if (!trace->pairs || !trace->direction || !trace->side || !trace->start_y || !trace->mark_y ||
-	    !trace->mark_t || !trace->amplitude)
+	if (trace->hold.short_of_memory || !trace->amplitude)
 		return hawser__no_memory(report, "frf");
 	return HAWSER_OK;
 }
@@ -375,12 +373,7 @@ static void close_trace(struct hawser__trace *trace)
 	hawser__station_clear(&trace->scratch);
 	hawser__account_clear(&trace->account);
 	hawser__amplitude_free(trace->amplitude);
-	free(trace->direction);
-	free(trace->side);
-	free(trace->pairs);
-	free(trace->start_y);
-	free(trace->mark_y);
-	free(trace->mark_t);
+	hawser__hold_clear(&trace->hold);
 }
 
 /* From the first orbit to the end of the curve. *jumped: 1: a step jumped to another curve. */

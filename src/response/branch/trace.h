@@ -12,6 +12,7 @@
 #include <complex.h>
 
 #include "continuation/curve.h"
+#include "core/hold.h"
 #include "response/branch/account.h"
 #include "response/time/flow.h"
 #include "response/branch/record.h"
@@ -63,6 +64,7 @@ struct hawser__trace {
 	int slack;              /* 1: the curve ends at next, where the cable goes slack */
 	int known; /* number of stations before `here`, and `here` itself */
 	struct hawser_report *report;
+	struct hawser__hold hold;
 };
 
 /* Omega, or the parameter of the family. */

@@ -310,18 +310,17 @@ enum hawser_status hawser__half_init(struct hawser__half *half, const struct haw
 	memset(half, 0, sizeof *half);
 	half->base.ops = &ops;
 	half->periods = 1;
-	half->G = calloc(n*n, sizeof(double));
-	half->sign = calloc(n, sizeof(int));
-	half->class_of = calloc(n, sizeof(int));
-	half->y = calloc(size, sizeof(double));
-	half->x = calloc(m, sizeof(double));
-	half->A = calloc(m*m, sizeof(double));
-	half->b = calloc(m, sizeof(double));
-	half->scale = calloc(n, sizeof(double));
-	half->matrix = calloc(size*size, sizeof(double));
-	half->pivot = calloc(size, sizeof(int));
-	if (!half->G || !half->sign || !half->class_of || !half->y || !half->x || !half->A ||
-	    !half->b || !half->scale || !half->matrix || !half->pivot)
+	half->G = hawser__hold(&half->hold, n*n, sizeof(double));
+	half->sign = hawser__hold(&half->hold, n, sizeof(int));
+	half->class_of = hawser__hold(&half->hold, n, sizeof(int));
+	half->y = hawser__hold(&half->hold, size, sizeof(double));
+	half->x = hawser__hold(&half->hold, m, sizeof(double));
+	half->A = hawser__hold(&half->hold, m*m, sizeof(double));
+	half->b = hawser__hold(&half->hold, m, sizeof(double));
+	half->scale = hawser__hold(&half->hold, n, sizeof(double));
+	half->matrix = hawser__hold(&half->hold, size*size, sizeof(double));
+	half->pivot = hawser__hold(&half->hold, size, sizeof(int));
+	if (half->hold.short_of_memory)
 		return hawser__no_memory(report, where);
 	skew_part(half->G, rom);
 	half->classes = 1;
@@ -343,16 +342,7 @@ void hawser__half_release(struct hawser__half *half)
 	hawser__flow_clear(&half->flow);
 	hawser__orbit_free(&half->base);
 	free(half->base.samples);
-	free(half->G);
-	free(half->sign);
-	free(half->class_of);
-	free(half->y);
-	free(half->x);
-	free(half->A);
-	free(half->b);
-	free(half->scale);
-	free(half->matrix);
-	free(half->pivot);
+	hawser__hold_clear(&half->hold);
 	memset(half, 0, sizeof *half);
 }
 

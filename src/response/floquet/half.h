@@ -5,6 +5,7 @@
 #ifndef HAWSER_RESPONSE_HALF_H
 #define HAWSER_RESPONSE_HALF_H
 
+#include "core/hold.h"
 #include "response/time/flow.h"
 #include "response/orbit/method.h"
 
@@ -24,6 +25,7 @@ struct hawser__half {
 	double *scale;             /* [n] metric: sizes of the coordinates */
 	double *matrix;            /* [n + 1][n + 1] factors, column-major */
 	int *pivot;                /* [n + 1] */
+	struct hawser__hold hold;
 };
 
 enum hawser_status hawser__half_init(struct hawser__half *half, const struct hawser_rom *rom,

@@ -56,28 +56,25 @@ enum hawser_status hawser__balance_init(struct hawser__balance *balance,
 	if (balance->top < 2*highest(rom))
 		balance->top = 2*highest(rom);
 	size = n*(2*(size_t)balance->top + 1) + 1;
-	balance->active = calloc((size_t)balance->top + 1, n);
-	balance->coarse = calloc((size_t)balance->top + 1, n);
-	balance->first = calloc((size_t)balance->top + 2, sizeof(int));
-	balance->list = calloc(((size_t)balance->top + 1)*n, sizeof(int));
-	balance->place = calloc(size, sizeof(int));
-	balance->slot = calloc(size, sizeof(int));
-	balance->given = calloc(size, sizeof(double));
-	balance->at = calloc(size, sizeof(double));
-	balance->wave = calloc(size, sizeof(double));
-	balance->direction = calloc(size, sizeof(double));
-	balance->row = calloc(size, sizeof(double));
-	balance->kept = calloc(size, sizeof(double));
-	balance->orbit = calloc(size, sizeof(double));
-	balance->before = calloc(size, sizeof(double));
-	balance->stiffness = calloc(n, sizeof(double));
-	balance->damping = calloc(n, sizeof(double));
-	balance->size_u = calloc(n, sizeof(double));
-	balance->size_v = calloc(n, sizeof(double));
-	if (!balance->active || !balance->coarse || !balance->first || !balance->list || !balance->place ||
-	    !balance->slot || !balance->given || !balance->at || !balance->wave || !balance->kept ||
-	    !balance->orbit || !balance->before || !balance->direction || !balance->row ||
-	    !balance->stiffness || !balance->damping || !balance->size_u || !balance->size_v)
+	balance->active = hawser__hold(&balance->hold, (size_t)balance->top + 1, n);
+	balance->coarse = hawser__hold(&balance->hold, (size_t)balance->top + 1, n);
+	balance->first = hawser__hold(&balance->hold, (size_t)balance->top + 2, sizeof(int));
+	balance->list = hawser__hold(&balance->hold, ((size_t)balance->top + 1)*n, sizeof(int));
+	balance->place = hawser__hold(&balance->hold, size, sizeof(int));
+	balance->slot = hawser__hold(&balance->hold, size, sizeof(int));
+	balance->given = hawser__hold(&balance->hold, size, sizeof(double));
+	balance->at = hawser__hold(&balance->hold, size, sizeof(double));
+	balance->wave = hawser__hold(&balance->hold, size, sizeof(double));
+	balance->direction = hawser__hold(&balance->hold, size, sizeof(double));
+	balance->row = hawser__hold(&balance->hold, size, sizeof(double));
+	balance->kept = hawser__hold(&balance->hold, size, sizeof(double));
+	balance->orbit = hawser__hold(&balance->hold, size, sizeof(double));
+	balance->before = hawser__hold(&balance->hold, size, sizeof(double));
+	balance->stiffness = hawser__hold(&balance->hold, n, sizeof(double));
+	balance->damping = hawser__hold(&balance->hold, n, sizeof(double));
+	balance->size_u = hawser__hold(&balance->hold, n, sizeof(double));
+	balance->size_v = hawser__hold(&balance->hold, n, sizeof(double));
+	if (balance->hold.short_of_memory)
 		status = hawser__no_memory(report, "orbit");
 	if (!status)
 		status = hawser__orbit_init(&balance->base, rom, (int)size, report);
@@ -116,24 +113,9 @@ void hawser__balance_limit(struct hawser__balance *balance, double lowest)
 
 void hawser__balance_release(struct hawser__balance *balance)
 {
-	free(balance->active);
-	free(balance->coarse);
-	free(balance->first);
-	free(balance->list);
-	free(balance->place);
-	free(balance->slot);
-	free(balance->given);
-	free(balance->at);
-	free(balance->wave);
-	free(balance->kept);
-	free(balance->orbit);
-	free(balance->before);
+	hawser__hold_clear(&balance->hold);
 	free(balance->other_samples);
 	free(balance->other_defect);
-	free(balance->stiffness);
-	free(balance->damping);
-	free(balance->size_u);
-	free(balance->size_v);
 	free(balance->basis);
 	free(balance->base.samples);
 	free(balance->force);
@@ -154,8 +136,6 @@ void hawser__balance_release(struct hawser__balance *balance)
 	free(balance->lu);
 	free(balance->krylov);
 	free(balance->flexible);
-	free(balance->direction);
-	free(balance->row);
 	free(balance->image);
 	free(balance->moved);
 	free(balance->border);

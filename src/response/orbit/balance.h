@@ -25,6 +25,7 @@
 #ifndef HAWSER_RESPONSE_BALANCE_H
 #define HAWSER_RESPONSE_BALANCE_H
 
+#include "core/hold.h"
 #include "response/orbit/balance_blocks.h"
 #include "response/orbit/method.h"
 #include "response/floquet/monodromy.h"
@@ -95,6 +96,7 @@ struct hawser__balance {
 	double norm_inverse;     /* estimate for lu; 0: not computed yet */
 	double turn;             /* Omega component over W of the last unit tangent */
 	struct hawser__monodromy monodromy;
+	struct hawser__hold hold;
 };
 
 /* Index in y of the cosine (or constant) and of the sine of coordinate j at harmonic h. */

@@ -61,20 +61,19 @@ enum hawser_status hawser__shooting_init(struct hawser__shooting *shooting,
 	memset(shooting, 0, sizeof *shooting);
 	shooting->base.ops = &ops;
 	shooting->segments = segments;
-	shooting->scale = calloc(m, sizeof(double));
-	shooting->defect = calloc(S*m, sizeof(double));
-	shooting->finer = calloc(S*m, sizeof(double));
-	shooting->A = calloc(S*m*m, sizeof(double));
-	shooting->b = calloc(S*m, sizeof(double));
-	shooting->matrix = calloc(size*size, sizeof(double));
-	shooting->pivot = calloc(size, sizeof(int));
-	shooting->estimate = calloc(4*size, sizeof(double));
-	shooting->estimate_int = calloc(size, sizeof(int));
-	shooting->schur = calloc(S*m*m, sizeof(double));
-	shooting->floquet_work = calloc(hawser__floquet_work(segments, (int)m), sizeof(double));
-	if (!shooting->scale || !shooting->defect || !shooting->finer || !shooting->A ||
-	    !shooting->b || !shooting->matrix || !shooting->pivot || !shooting->schur ||
-	    !shooting->estimate || !shooting->estimate_int || !shooting->floquet_work)
+	shooting->scale = hawser__hold(&shooting->hold, m, sizeof(double));
+	shooting->defect = hawser__hold(&shooting->hold, S*m, sizeof(double));
+	shooting->finer = hawser__hold(&shooting->hold, S*m, sizeof(double));
+	shooting->A = hawser__hold(&shooting->hold, S*m*m, sizeof(double));
+	shooting->b = hawser__hold(&shooting->hold, S*m, sizeof(double));
+	shooting->matrix = hawser__hold(&shooting->hold, size*size, sizeof(double));
+	shooting->pivot = hawser__hold(&shooting->hold, size, sizeof(int));
+	shooting->estimate = hawser__hold(&shooting->hold, 4*size, sizeof(double));
+	shooting->estimate_int = hawser__hold(&shooting->hold, size, sizeof(int));
+	shooting->schur = hawser__hold(&shooting->hold, S*m*m, sizeof(double));
+	shooting->floquet_work = hawser__hold(&shooting->hold, hawser__floquet_work(segments, (int)m),
+	                                      sizeof(double));
+	if (shooting->hold.short_of_memory)
 		status = hawser__no_memory(report, "orbit");
 	else
 		status = hawser__flow_init(&shooting->flow, rom, report);
@@ -92,19 +91,9 @@ enum hawser_status hawser__shooting_init(struct hawser__shooting *shooting,
 void hawser__shooting_release(struct hawser__shooting *shooting)
 {
 	hawser__flow_clear(&shooting->flow);
-	free(shooting->scale);
-	free(shooting->defect);
-	free(shooting->finer);
-	free(shooting->A);
-	free(shooting->b);
+	hawser__hold_clear(&shooting->hold);
 	free(shooting->base.samples);
-	free(shooting->matrix);
-	free(shooting->pivot);
-	free(shooting->estimate);
-	free(shooting->estimate_int);
 	free(shooting->memory);
-	free(shooting->schur);
-	free(shooting->floquet_work);
 	hawser__orbit_free(&shooting->base);
 	memset(shooting, 0, sizeof *shooting);
 }

@@ -14,6 +14,7 @@
 #ifndef HAWSER_RESPONSE_SHOOTING_H
 #define HAWSER_RESPONSE_SHOOTING_H
 
+#include "core/hold.h"
 #include "response/time/flow.h"
 #include "response/orbit/method.h"
 
@@ -41,6 +42,7 @@ struct hawser__shooting {
 	int *estimate_int;
 	double *memory;            /* [HAWSER_REMEMBERED] y, A and b of orbits */
 	int kept;                  /* number of stored orbits */
+	struct hawser__hold hold;
 };
 
 enum hawser_status hawser__shooting_init(struct hawser__shooting *shooting,

@@ -23,7 +23,7 @@
 
 struct hawser__collocated;
 struct hawser__collocated_rule {
-	/* Solve the equations of a step of length h: slope, stage. Returns -1 if it is too long for that. */
+	/* Solve the equations of a step of length h: slope and stage. Returns -1 if h is too long. */
 	int (*solve)(struct hawser__collocated *of, double h);
 	/* The allowed error [2n] in this step. */
 	const double *(*weight)(const struct hawser__collocated *of);

@@ -40,6 +40,7 @@
 
 #include <hawser/integrate.h>
 
+#include "core/hold.h"
 #include "core/report.h"
 #include "modes/grid.h"
 #include "response/time/surge_parts.h"
@@ -88,6 +89,7 @@ struct surge {
 	double *tension, *rest, *minus; /* [places] at present, of the steady state, of `planar` */
 	double change;                  /* N, largest change of the tension so far */
 	double *u;                      /* [n] */
+	struct hawser__hold hold;
 };
 
 static void surge_clear(struct surge *surge)
@@ -101,11 +103,7 @@ static void surge_clear(struct surge *surge)
 	hawser_rom_clear(&surge->finer);
 	hawser_rom_clear(&surge->all);
 	hawser_modes_clear(&surge->modes);
-	free(surge->extra);
-	free(surge->tension);
-	free(surge->minus);
-	free(surge->rest);
-	free(surge->u);
+	hawser__hold_clear(&surge->hold);
 }
 
 /* --- the plane --- */
@@ -305,12 +303,12 @@ static enum hawser_status surge_make(struct surge *surge, const struct hawser_tr
 	}
 	if (status)
 		return status;
-	surge->extra = malloc(HAWSER__EXTRA(places)*sizeof *surge->extra);
-	surge->tension = malloc(places*sizeof *surge->tension);
-	surge->minus = malloc(places*sizeof *surge->minus);
-	surge->rest = malloc(places*sizeof *surge->rest);
-	surge->u = calloc((size_t)rom->n, sizeof *surge->u);
-	if (!surge->extra || !surge->tension || !surge->minus || !surge->rest || !surge->u ||
+	surge->extra = hawser__hold(&surge->hold, HAWSER__EXTRA(places), sizeof *surge->extra);
+	surge->tension = hawser__hold(&surge->hold, places, sizeof *surge->tension);
+	surge->minus = hawser__hold(&surge->hold, places, sizeof *surge->minus);
+	surge->rest = hawser__hold(&surge->hold, places, sizeof *surge->rest);
+	surge->u = hawser__hold(&surge->hold, (size_t)rom->n, sizeof *surge->u);
+	if (surge->hold.short_of_memory ||
 	    !hawser__lone_modes_make(&surge->lone, &surge->all, surge->finer.n, surge->omega))
 		return hawser__no_memory(report, "surge");
 	hawser__rom_tensions_all(rom, surge->rest, surge->u, NULL);

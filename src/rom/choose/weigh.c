@@ -39,9 +39,9 @@
 
 #include <complex.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
+#include "core/hold.h"
 #include "core/report.h"
 #include "rom/choose/drive.h"
 #include "rom/choose/weigh.h"
@@ -67,38 +67,30 @@ struct work {
 	                                   * plane */
 	unsigned counted;   /* displacements that are weighed (weigh.h) */
 	double most[HAWSER__COUNTED]; /* largest amplitudes of those */
+	struct hawser__hold hold;
 };
 
 static void work_clear(struct work *work)
 {
-	free(work->u);
-	free(work->v);
-	free(work->R);
-	free(work->J);
-	free(work->rate);
-	free(work->delta);
-	free(work->c);
-	free(work->Delta);
-	free(work->turn);
+	hawser__hold_clear(&work->hold);
 }
 
 static int work_make(struct work *work)
 {
 	size_t n = (size_t)work->n, rows = (size_t)work->rows;
 
-	work->u = malloc(rows*n*sizeof *work->u);
-	work->v = calloc(rows*n, sizeof *work->v);
-	work->R = malloc(rows*n*sizeof *work->R);
-	work->J = malloc(rows*n*n*sizeof *work->J);
-	work->rate = calloc(rows*n, sizeof *work->rate);
-	work->delta = malloc(rows*sizeof *work->delta);
-	work->c = malloc((HARMONICS + 1)*sizeof *work->c);
-	work->Delta = malloc((HARMONICS + 1)*sizeof *work->Delta);
-	work->turn = malloc(rows*sizeof *work->turn);
+	work->u = hawser__hold(&work->hold, rows*n, sizeof *work->u);
+	work->v = hawser__hold(&work->hold, rows*n, sizeof *work->v);
+	work->R = hawser__hold(&work->hold, rows*n, sizeof *work->R);
+	work->J = hawser__hold(&work->hold, rows*n*n, sizeof *work->J);
+	work->rate = hawser__hold(&work->hold, rows*n, sizeof *work->rate);
+	work->delta = hawser__hold(&work->hold, rows, sizeof *work->delta);
+	work->c = hawser__hold(&work->hold, HARMONICS + 1, sizeof *work->c);
+	work->Delta = hawser__hold(&work->hold, HARMONICS + 1, sizeof *work->Delta);
+	work->turn = hawser__hold(&work->hold, rows, sizeof *work->turn);
 	for (size_t t = 0; work->turn && t < rows; t++)
 		work->turn[t] = cexp(I*2.0*M_PI*(double)t/(double)rows);
-	return work->u && work->v && work->R && work->J && work->rate && work->delta && work->c &&
-	       work->Delta && work->turn;
+	return !work->hold.short_of_memory;
 }
 
 /* exp(i h tau) at row t. */

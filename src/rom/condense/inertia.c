@@ -32,6 +32,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/hold.h"
 #include "core/report.h"
 #include "modes/grid.h"
 #include "modes/label.h"
@@ -64,22 +65,12 @@ struct work {
 	struct hawser__bend *bend; /* or NULL */
 	double *bent;        /* [PAIRS] rows of bend.h */
 	double omega[MOST];
+	struct hawser__hold hold;
 };
 
 static void work_clear(struct work *work)
 {
-	free(work->pair);
-	free(work->factor);
-	free(work->strain);
-	free(work->root);
-	free(work->stiff);
-	free(work->rest);
-	free(work->scratch);
-	free(work->square);
-	free(work->scaled);
-	free(work->gram);
-	free(work->value);
-	free(work->combination);
+	hawser__hold_clear(&work->hold);
 	hawser__bend_free(work->bend);
 	free(work->bent);
 }
@@ -89,21 +80,19 @@ static int work_make(struct work *work)
 	size_t count = (size_t)work->condensed->pairs, width = (size_t)work->width;
 
 	work->rows = (int)count;
-	work->pair = malloc(count*sizeof *work->pair);
-	work->factor = malloc(count*sizeof *work->factor);
-	work->rest = malloc((count + MOST)*width*sizeof *work->rest);
-	work->strain = malloc((count + MOST)*width*sizeof *work->strain);
-	work->root = malloc(width*sizeof *work->root);
-	work->stiff = malloc(width*sizeof *work->stiff);
-	work->scratch = malloc(2*width*sizeof *work->scratch);
-	work->square = malloc(count*sizeof *work->square);
-	work->scaled = malloc(PAIRS*width*sizeof *work->scaled);
-	work->gram = malloc(4*PAIRS*PAIRS*sizeof *work->gram);
-	work->value = malloc(PAIRS*sizeof *work->value);
-	work->combination = malloc(PAIRS*PAIRS*sizeof *work->combination);
-	return work->pair && work->factor && work->rest && work->strain && work->root &&
-	       work->stiff && work->scratch && work->square && work->scaled && work->gram &&
-	       work->value && work->combination;
+	work->pair = hawser__hold(&work->hold, count, sizeof *work->pair);
+	work->factor = hawser__hold(&work->hold, count, sizeof *work->factor);
+	work->rest = hawser__hold(&work->hold, (count + MOST)*width, sizeof *work->rest);
+	work->strain = hawser__hold(&work->hold, (count + MOST)*width, sizeof *work->strain);
+	work->root = hawser__hold(&work->hold, width, sizeof *work->root);
+	work->stiff = hawser__hold(&work->hold, width, sizeof *work->stiff);
+	work->scratch = hawser__hold(&work->hold, 2*width, sizeof *work->scratch);
+	work->square = hawser__hold(&work->hold, count, sizeof *work->square);
+	work->scaled = hawser__hold(&work->hold, PAIRS*width, sizeof *work->scaled);
+	work->gram = hawser__hold(&work->hold, 4*PAIRS*PAIRS, sizeof *work->gram);
+	work->value = hawser__hold(&work->hold, PAIRS, sizeof *work->value);
+	work->combination = hawser__hold(&work->hold, PAIRS*PAIRS, sizeof *work->combination);
+	return !work->hold.short_of_memory;
 }
 
 /* --- amplitudes --- */

@@ -47,7 +47,6 @@
 
 #include <cblas.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "core/report.h"
@@ -61,58 +60,38 @@
 static void clear(struct hawser__omitted *w)
 {
 	hawser__relax_clear(&w->relax);
-	free(w->mode);
-	free(w->place);
-	free(w->beyond);
-	free(w->u);
-	free(w->plus);
-	free(w->minus);
-	free(w->J);
-	free(w->J_minus);
-	free(w->led);
-	free(w->motion);
-	free(w->force);
-	free(w->pull);
-	free(w->rate);
-	free(w->G);
-	free(w->kept);
-	free(w->off);
-	free(w->spin);
-	free(w->wave);
-	free(w->turn);
+	hawser__hold_clear(&w->hold);
 }
 
-static double *array(size_t a, size_t b)
+static double *array(struct hawser__omitted *w, size_t a, size_t b)
 {
-	return calloc(a*b + 1, sizeof(double));
+	return hawser__hold(&w->hold, a*b + 1, sizeof(double));
 }
 
 static int make(struct hawser__omitted *w)
 {
 	size_t n = (size_t)w->n, N = (size_t)w->N, rows = (size_t)w->rows;
 
-	w->mode = calloc(n, sizeof *w->mode);
-	w->place = calloc(n, sizeof *w->place);
-	w->beyond = calloc(N, 1);
-	w->u = array(n, 1);
-	w->plus = array(n, 1);
-	w->minus = array(n, 1);
-	w->J = array(n, n);
-	w->J_minus = array(n, n);
-	w->led = array(rows, N*n);
-	w->motion = array(rows, N);
-	w->force = array(rows, N);
-	w->pull = array(rows, N);
-	w->rate = array(rows, 1);
-	w->G = array(rows, n);
-	w->kept = array(rows, n);
-	w->off = array(rows, (size_t)w->places);
-	w->spin = array(rows, 2);
-	w->wave = array(rows, 2*HAWSER__OMITTED_WAVES + 1);
-	w->turn = array(rows, 2);
-	return !hawser__relax_new(&w->relax, w->exact) && w->mode && w->place && w->beyond && w->u &&
-	       w->plus && w->minus && w->J && w->J_minus && w->led && w->motion && w->force && w->pull &&
-	       w->rate && w->G && w->kept && w->off && w->spin && w->wave && w->turn;
+	w->mode = hawser__hold(&w->hold, n, sizeof *w->mode);
+	w->place = hawser__hold(&w->hold, n, sizeof *w->place);
+	w->beyond = hawser__hold(&w->hold, N, 1);
+	w->u = array(w, n, 1);
+	w->plus = array(w, n, 1);
+	w->minus = array(w, n, 1);
+	w->J = array(w, n, n);
+	w->J_minus = array(w, n, n);
+	w->led = array(w, rows, N*n);
+	w->motion = array(w, rows, N);
+	w->force = array(w, rows, N);
+	w->pull = array(w, rows, N);
+	w->rate = array(w, rows, 1);
+	w->G = array(w, rows, n);
+	w->kept = array(w, rows, n);
+	w->off = array(w, rows, (size_t)w->places);
+	w->spin = array(w, rows, 2);
+	w->wave = array(w, rows, 2*HAWSER__OMITTED_WAVES + 1);
+	w->turn = array(w, rows, 2);
+	return !hawser__relax_new(&w->relax, w->exact) && !w->hold.short_of_memory;
 }
 
 /* --- the same mode in both models --- */

@@ -5,6 +5,7 @@
 
 #include <hawser/choose.h>
 
+#include "core/hold.h"
 #include "rom/energy/relax.h"
 #include "rom/choose/weigh.h"
 
@@ -32,6 +33,7 @@ struct hawser__omitted {
 	double *spin;           /* [2][rows] the kernels of y' and y'' */
 	double *wave;           /* [functions][rows] orthonormal over the period */
 	double *turn;           /* [rows][2] cos(tau), sin(tau) */
+	struct hawser__hold hold;
 };
 
 /* w->plus: restoring force of the condensed model at w->u; w->u: the condensed modes too. */

@@ -26,6 +26,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "core/hold.h"
 #include "core/report.h"
 #include "rom/terms/absorbers.h"
 #include "rom/energy/kernel.h"
@@ -45,6 +46,7 @@ struct table {
 	                * exists */
 	const struct hawser_modes *modes;
 	const double *gram; /* [pairs][pairs] of the condensed modes (condense.h), or NULL */
+	struct hawser__hold hold;
 };
 
 /* Index of the pair (j, k), j <= k, and its row in sigma and aa. */
@@ -60,13 +62,7 @@ static size_t pair(const struct table *t, int j, int k)
 
 static void table_clear(struct table *t)
 {
-	free(t->a);
-	free(t->sigma);
-	free(t->aa);
-	free(t->w3);
-	free(t->w4);
-	free(t->out);
-	free(t->anti);
+	hawser__hold_clear(&t->hold);
 }
 
 int hawser__rom_mirror(int *parity, const struct hawser_modes *modes)
@@ -121,14 +117,14 @@ static int table_make(struct table *t, const struct hawser_modes *modes)
 	size_t n = (size_t)modes->n, points = (size_t)modes->grid.points;
 
 	*t = (struct table){.n = modes->n, .points = modes->grid.points, .modes = modes};
-	t->a = malloc(n*points*sizeof *t->a);
-	t->sigma = malloc(n*(n + 1)/2*points*sizeof *t->sigma);
-	t->aa = malloc(n*(n + 1)/2*points*sizeof *t->aa);
-	t->w3 = malloc(points*sizeof *t->w3);
-	t->w4 = malloc(points*sizeof *t->w4);
-	t->out = malloc(n*sizeof *t->out);
-	t->anti = malloc(n*sizeof *t->anti);
-	if (!t->a || !t->sigma || !t->aa || !t->w3 || !t->w4 || !t->out || !t->anti)
+	t->a = hawser__hold(&t->hold, n*points, sizeof *t->a);
+	t->sigma = hawser__hold(&t->hold, n*(n + 1)/2*points, sizeof *t->sigma);
+	t->aa = hawser__hold(&t->hold, n*(n + 1)/2*points, sizeof *t->aa);
+	t->w3 = hawser__hold(&t->hold, points, sizeof *t->w3);
+	t->w4 = hawser__hold(&t->hold, points, sizeof *t->w4);
+	t->out = hawser__hold(&t->hold, n, sizeof *t->out);
+	t->anti = hawser__hold(&t->hold, n, sizeof *t->anti);
+	if (t->hold.short_of_memory)
 		return 0;
 	table_fill(t, modes);
 	return 1;
