@@ -3,7 +3,6 @@
 
 #include <float.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "response/time/collocated.h"
@@ -15,21 +14,19 @@
 int hawser__collocated_open(struct hawser__collocated *of, const struct hawser__stepper *problem,
                             const struct hawser__collocated_rule *rule, const double *y0)
 {
-	size_t n = (size_t)problem->rom->n;
-	double *at = calloc((3*2 + 3*S + 2*S)*n, sizeof *at);
+	size_t n = (size_t)problem->rom->n, size = sizeof(double);
 
 	of->base = *problem;
 	of->rule = rule;
-	of->memory = at;
-	if (!at)
+	of->from = hawser__hold(&of->hold, 2*n, size);
+	of->to = hawser__hold(&of->hold, 2*n, size);
+	of->low = hawser__hold(&of->hold, 2*n, size);
+	of->alpha = hawser__hold(&of->hold, S*n, size);
+	of->trial = hawser__hold(&of->hold, S*n, size);
+	of->slope = hawser__hold(&of->hold, S*n, size);
+	of->stage = hawser__hold(&of->hold, S*2*n, size);
+	if (of->hold.short_of_memory)
 		return -1;
-	of->from = at;
-	of->to = at += 2*n;
-	of->low = at += 2*n;
-	of->alpha = at += 2*n;
-	of->trial = at += S*n;
-	of->slope = at += S*n;
-	of->stage = at += S*n;
 	memcpy(of->to, y0, 2*n*sizeof *y0);
 	of->begin = of->end = of->base.reached = problem->begin;
 	of->next = hawser__stepper_first(problem);

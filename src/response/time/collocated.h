@@ -18,6 +18,7 @@
 #ifndef HAWSER_RESPONSE_COLLOCATED_H
 #define HAWSER_RESPONSE_COLLOCATED_H
 
+#include "core/hold.h"
 #include "response/orbit/collocation.h"
 #include "response/time/stepper.h"
 
@@ -49,10 +50,11 @@ struct hawser__collocated {
 	double *alpha, *trial;    /* [S][n] coefficients of the last step and of the present one */
 	double *slope;            /* [S][n] accelerations at the nodes */
 	double *stage;            /* [S][2n] states at the nodes */
-	double *memory;           /* what holds all of these */
+	struct hawser__hold hold; /* of all arrays, those of the method too */
 };
 
-/* Begins at y0 [2n]; the caller makes the table. Returns -1 if memory is short. */
+/* Begins at y0 [2n]; the caller makes the table. Returns -1 if memory is short, of what the method holds
+ * too. */
 int hawser__collocated_open(struct hawser__collocated *of, const struct hawser__stepper *problem,
                             const struct hawser__collocated_rule *rule, const double *y0);
 

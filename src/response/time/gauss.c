@@ -221,16 +221,15 @@ static const double *weight_of(const struct hawser__collocated *of)
 
 /* --- the method's record --- */
 
-static const struct hawser__collocated_rule rule = {substitute, weight_of, accept, factor, interpolate};
+static const struct hawser__collocated_rule rule = {
+	substitute, weight_of, accept, factor, interpolate};
 
 static void close_gauss(struct hawser__stepper *stepper)
 {
 	struct gauss *gauss = (struct gauss *)stepper;
 
 	hawser__weights_clear(&gauss->followers);
-	free(gauss->of.memory);
-	free(gauss->before);
-	free(gauss->weight);
+	hawser__hold_clear(&gauss->of.hold);
 	free(gauss);
 }
 
@@ -241,9 +240,9 @@ static struct hawser__stepper *open_gauss(const struct hawser__stepper *problem,
 
 	if (!gauss)
 		return NULL;
-	gauss->before = calloc(S*2*n, size);
-	gauss->weight = calloc(2*n, size);
-	if (hawser__collocated_open(&gauss->of, problem, &rule, y0) || !gauss->before || !gauss->weight ||
+	gauss->before = hawser__hold(&gauss->of.hold, S*2*n, size);
+	gauss->weight = hawser__hold(&gauss->of.hold, 2*n, size);
+	if (hawser__collocated_open(&gauss->of, problem, &rule, y0) ||
 	    (problem->watched && hawser__weights_init(&gauss->followers, problem))) {
 		close_gauss(&gauss->of.base);
 		return NULL;

@@ -52,7 +52,6 @@ struct radau {
 	double *by_u, *by_v;      /* [n][n] */
 	double *by_omega;         /* [n] */
 	double *M;                /* [S n][S n] by columns */
-	double *memory;           /* what holds all of these */
 	lapack_int *pivot;        /* [S n] */
 };
 
@@ -262,33 +261,31 @@ static void close_radau(struct hawser__stepper *stepper)
 	struct radau *radau = (struct radau *)stepper;
 
 	hawser__weights_clear(&radau->weights);
-	free(radau->of.memory);
-	free(radau->memory);
-	free(radau->pivot);
+	hawser__hold_clear(&radau->of.hold);
 	free(radau);
 }
 
 static struct hawser__stepper *open_radau(const struct hawser__stepper *problem, const double *y0)
 {
-	size_t n = (size_t)problem->rom->n;
+	size_t n = (size_t)problem->rom->n, size = sizeof(double);
 	struct radau *radau = calloc(1, sizeof *radau);
-	double *at;
+	struct hawser__hold *hold;
 
 	if (!radau)
 		return NULL;
-	at = radau->memory = calloc(2*S*n + n + 2*n*n + 2*n + S*n*S*n, sizeof(double));
-	radau->pivot = calloc(S*n, sizeof *radau->pivot);
-	if (hawser__collocated_open(&radau->of, problem, &rule, y0) || !at || !radau->pivot ||
+	hold = &radau->of.hold;
+	radau->beta = hawser__hold(hold, S*n, size);
+	radau->right = hawser__hold(hold, S*n, size);
+	radau->by_omega = hawser__hold(hold, n, size);
+	radau->by_u = hawser__hold(hold, n*n + 2*n, size); /* scratch of [2n] too */
+	radau->by_v = hawser__hold(hold, n*n, size);
+	radau->M = hawser__hold(hold, S*n*S*n, size);
+	radau->pivot = hawser__hold(hold, S*n, sizeof *radau->pivot);
+	if (hawser__collocated_open(&radau->of, problem, &rule, y0) ||
 	    hawser__weights_init(&radau->weights, problem)) {
 		close_radau(&radau->of.base);
 		return NULL;
 	}
-	radau->beta = at;
-	radau->right = at += S*n;
-	radau->by_omega = at += S*n;
-	radau->by_u = at += n;
-	radau->by_v = at += n*n + 2*n; /* by_u is scratch of [2n] too */
-	radau->M = at + n*n;
 	hawser__collocation_make_radau(&radau->of.table);
 	hawser__collocation_indirect(&radau->of.table);
 	return &radau->of.base;
