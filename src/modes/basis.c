@@ -26,6 +26,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/hold.h"
 #include "core/report.h"
 #include "modes/bending/bending.h"
 #include "modes/cable.h"
@@ -56,6 +57,7 @@ struct work {
 	double *S;      /* [n] */
 	double *scratch; /* [points] and [n] */
 	double tau[HAWSER__MAX_FORCES];
+	struct hawser__hold hold;
 };
 
 static double *array(size_t a, size_t b)
@@ -72,12 +74,7 @@ static void part_clear(struct part *part)
 
 static void work_clear(struct work *w)
 {
-	free(w->G);
-	free(w->C);
-	free(w->ends);
-	free(w->x);
-	free(w->S);
-	free(w->scratch);
+	hawser__hold_clear(&w->hold);
 }
 
 static int work_init(struct work *w, struct part *part, const struct hawser__cable *cable,
@@ -90,17 +87,16 @@ static int work_init(struct work *w, struct part *part, const struct hawser__cab
 
 	*w = (struct work){.n = (int)n, .rows = (int)rows, .held = (int)held};
 	part->count = (int)(n - held);
-	w->G = array(n, rows);
-	w->C = array(n, held);
-	w->ends = array(n, held);
-	w->x = array(n, n);
-	w->S = array(n, 1);
-	w->scratch = array((size_t)cable->grid.points + n, 1);
+	w->G = hawser__hold(&w->hold, n*rows + 1, sizeof *w->G);
+	w->C = hawser__hold(&w->hold, n*held + 1, sizeof *w->C);
+	w->ends = hawser__hold(&w->hold, n*held + 1, sizeof *w->ends);
+	w->x = hawser__hold(&w->hold, n*n + 1, sizeof *w->x);
+	w->S = hawser__hold(&w->hold, n + 1, sizeof *w->S);
+	w->scratch = hawser__hold(&w->hold, (size_t)cable->grid.points + n + 1, sizeof *w->scratch);
 	part->omega = array(n, 1);
 	part->strain = array(n, hawser__strains(plane, &cable->grid));
 	part->displacement = array(n, rows);
-	return w->G && w->C && w->ends && w->x && w->S && w->scratch && part->omega && part->strain &&
-	       part->displacement;
+	return !w->hold.short_of_memory && part->omega && part->strain && part->displacement;
 }
 
 /* Assemble G and C, one function at a time. */

@@ -29,6 +29,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/hold.h"
 #include "core/report.h"
 #include "modes/compliance.h"
 
@@ -45,20 +46,12 @@ struct work {
 	double *mu;     /* [n] */
 	double *x;      /* [count] columns of n */
 	lapack_int *support;
+	struct hawser__hold hold;
 };
 
 static void work_free(struct work *w)
 {
-	free(w->M);
-	free(w->C);
-	free(w->tau);
-	free(w->moment);
-	free(w->F);
-	free(w->G);
-	free(w->J);
-	free(w->mu);
-	free(w->x);
-	free(w->support);
+	hawser__hold_clear(&w->hold);
 }
 
 static double *array(size_t a, size_t b)
@@ -75,18 +68,17 @@ static int work_init(struct work *w, const struct hawser__plane *plane, int degr
 	size_t n = first + (size_t)plane->joints + (size_t)plane->absorbers;
 
 	*w = (struct work){.n = (int)n, .block = (int)block, .joint = (int)first};
-	w->M = array(n, n);
-	w->C = array(n, HAWSER__MAX_D + springs);
-	w->tau = array(HAWSER__MAX_D + springs, 1);
-	w->moment = array(n, HAWSER__MAX_D);
-	w->F = array(m*HAWSER__MAX_D, block);
-	w->G = array(m*HAWSER__MAX_D, block);
-	w->J = array(m, m);
-	w->mu = array(n, 1);
-	w->x = array(n, (size_t)count);
-	w->support = calloc(2*n, sizeof *w->support);
-	return w->M && w->C && w->tau && w->moment && w->F && w->G && w->J && w->mu && w->x &&
-	       w->support;
+	w->M = hawser__hold(&w->hold, n*n + 1, sizeof *w->M);
+	w->C = hawser__hold(&w->hold, n*(HAWSER__MAX_D + springs) + 1, sizeof *w->C);
+	w->tau = hawser__hold(&w->hold, HAWSER__MAX_D + springs + 1, sizeof *w->tau);
+	w->moment = hawser__hold(&w->hold, n*HAWSER__MAX_D + 1, sizeof *w->moment);
+	w->F = hawser__hold(&w->hold, m*HAWSER__MAX_D*block + 1, sizeof *w->F);
+	w->G = hawser__hold(&w->hold, m*HAWSER__MAX_D*block + 1, sizeof *w->G);
+	w->J = hawser__hold(&w->hold, m*m + 1, sizeof *w->J);
+	w->mu = hawser__hold(&w->hold, n + 1, sizeof *w->mu);
+	w->x = hawser__hold(&w->hold, n*(size_t)count + 1, sizeof *w->x);
+	w->support = hawser__hold(&w->hold, 2*n, sizeof *w->support);
+	return !w->hold.short_of_memory;
 }
 
 /* Compute F, the gradients of the functions of element e at its nodes. */

@@ -59,30 +59,29 @@ struct result {
 
 #define OF(member) HAWSER__AT(struct hawser_tow_sample, member)
 static const struct hawser__field sample_field[] = {
-	{NULL, "t", "time", OF(t), .unit = HAWSER__SECOND},
-	{NULL, "top_", "the towing point", OF(top), .unit = HAWSER__METRE, .vector = &cli_axes},
+	{"times", "t", "time", OF(t), .unit = HAWSER__SECOND},
+	{"top", "top_", "the towing point", OF(top), .unit = HAWSER__METRE, .vector = &cli_axes},
 	{NULL, "end_", "the free end of the cable", OF(end), .unit = HAWSER__METRE, .vector = &cli_axes},
-	{NULL, "body_", "the body's centre", OF(body), .unit = HAWSER__METRE, .vector = &cli_axes},
-	{NULL, "tilt", "angle of the body's axis to the vertical", OF(tilt), .unit = HAWSER__RADIAN},
-	{NULL, "tension_top", "at the towing point", OF(tension_top), .unit = HAWSER__NEWTON},
-	{NULL, "tension_end", "in the last element", OF(tension_end), .unit = HAWSER__NEWTON},
-	{NULL, "length", "unstretched, of the cable", OF(length), .unit = HAWSER__METRE},
-	HAWSER__END,
-};
-static const struct hawser__field energy_field[] = {
-	{"kinetic", NULL, "of the motion (J)", OF(kinetic)},
-	{"strain", NULL, "of stretch, bending and twist (J)", OF(strain)},
-	{"height", NULL, "of the weight, counted from y = 0 (J)", OF(height)},
-	{"towed", NULL, "done by the towing point since the beginning (J)", OF(towed)},
-	{"air", NULL, "done by the air, and the spring of a joint (J)", OF(air)},
-	{"winch", NULL, "done by the winch, with the energy of what it pays out (J)", OF(winch)},
+	{"body.position", "body_", "the body's centre", OF(body), .unit = HAWSER__METRE,
+	 .vector = &cli_axes},
+	{"body.attitude", NULL, "[w, x, y, z], quaternions that turn -y into the axis of the ring (of "
+	 "others: the cable's direction at its end)", OF(attitude)},
+	{"tension_top", "tension_top", "at the towing point", OF(tension_top), .unit = HAWSER__NEWTON,
+	 .place = 1},
+	{"tilt", "tilt", "angle of the body's axis to the vertical", OF(tilt), .unit = HAWSER__RADIAN},
+	{NULL, "tension_end", "in the last element", OF(tension_end), .unit = HAWSER__NEWTON, .place = 1},
+	{"length", "length", "unstretched, of the cable", OF(length), .unit = HAWSER__METRE, .place = 1},
+	{"energy.kinetic", NULL, "of the motion (J)", OF(kinetic)},
+	{"energy.strain", NULL, "of stretch, bending and twist (J)", OF(strain)},
+	{"energy.height", NULL, "of the weight, counted from y = 0 (J)", OF(height)},
+	{"energy.towed", NULL, "done by the towing point since the beginning (J)", OF(towed)},
+	{"energy.air", NULL, "done by the air, and the spring of a joint (J)", OF(air)},
+	{"energy.winch", NULL, "done by the winch, with the energy of what it pays out (J)", OF(winch)},
 	HAWSER__END,
 };
 #undef OF
 static const struct hawser__list sample_list =
 	HAWSER__STORED_ROWS(struct result, motion.sample, motion.samples, sample_field);
-static const struct hawser__list energy_list =
-	HAWSER__STORED_ROWS(struct result, motion.sample, motion.samples, energy_field);
 
 #define OF(member) HAWSER__AT(struct hawser_tow_range, member)
 static const struct hawser__field range_field[] = {
@@ -95,42 +94,6 @@ static const struct hawser__field range_field[] = {
 	HAWSER__END,
 };
 #undef OF
-
-/* The numbers [size] at `offset` of each sample. */
-static void column(struct hawser__json *json, json_t *into, const void *of, const char *key,
-                   size_t offset, size_t size)
-{
-	const struct hawser_tow_motion *motion = &((const struct result *)of)->motion;
-	json_t *list = hawser__json_array(json, into, key);
-
-	for (int i = 0; i < motion->samples; i++) {
-		const double *at = (const double *)(const void *)((const char *)&motion->sample[i] + offset);
-
-		if (size == 1)
-			hawser__json_number(json, list, NULL, *at);
-		else
-			hawser__json_numbers(json, list, NULL, at, size, 1.0);
-	}
-}
-#define COLUMN(name, key, member, size) \
-	static void name(struct hawser__json *json, json_t *into, const void *of) \
-	{ \
-		column(json, into, of, key, offsetof(struct hawser_tow_sample, member), size); \
-	}
-COLUMN(times, "times", t, 1)
-COLUMN(tilts, "tilt", tilt, 1)
-COLUMN(tensions, "tension_top", tension_top, 1)
-COLUMN(lengths, "length", length, 1)
-COLUMN(positions, "position", body, 3)
-COLUMN(attitudes, "attitude", attitude, 4)
-COLUMN(tops, "top", top, 3)
-
-static const struct hawser__field body_field[] = {
-	{"position", NULL, "[[x, y, z], ...] of its centre (m)", HAWSER__CALLS(positions)},
-	{"attitude", NULL, "[[w, x, y, z], ...], quaternions that turn -y into the axis of the ring (of "
-	 "others: the cable's direction at its end)", HAWSER__CALLS(attitudes)},
-	HAWSER__END,
-};
 
 static int was_checked(const void *row, const void *parent)
 {
@@ -146,13 +109,7 @@ static int sheds(const void *row, const void *parent)
 
 #define OF(member) HAWSER__AT(struct result, member)
 static const struct hawser__field field[] = {
-	{"times", NULL, "of the rows (s)", HAWSER__CALLS(times)},
-	{"top", NULL, "[[x, y, z], ...] of the towing point (m)", HAWSER__CALLS(tops)},
-	{"body", NULL, "at these times", HAWSER__OBJECT_OF(body_field)},
-	{"tension_top", NULL, "at the towing point (N)", HAWSER__CALLS(tensions)},
-	{"tilt", NULL, "angle of the body's axis to the vertical (rad)", HAWSER__CALLS(tilts)},
-	{"length", NULL, "unstretched, of the cable (m)", HAWSER__CALLS(lengths)},
-	{"energy", NULL, "an array of each kind", HAWSER__ARRAYS_OF(energy_list)},
+	{"", NULL, "", HAWSER__ARRAYS_OF(sample_list)},
 	{"range", NULL, "of each element over the time",
 	 HAWSER__STORED(struct result, motion.range, motion.elements, range_field)},
 	{"closure", NULL, "energy that the steps have lost or made, over the largest energy",

@@ -43,28 +43,23 @@ static const struct hawser__field point_field[] = {
 static const struct hawser__list point_list =
 	HAWSER__STORED_ROWS(struct result, steady.point, steady.points, point_field);
 
-/* [[s, x, y, z], ...] */
-static void shape_json(struct hawser__json *json, json_t *into, const void *of)
-{
-	const struct hawser_tow_steady *steady = &((const struct result *)of)->steady;
-	json_t *list = hawser__json_array(json, into, "shape");
-
-	for (int i = 0; i < steady->points; i++) {
-		const struct hawser_tow_point *p = &steady->point[i];
-		double row[4] = {p->s, p->x[0], p->x[1], p->x[2]};
-
-		hawser__json_numbers(json, list, NULL, row, 4, 1.0);
-	}
-}
-
-static void tension_json(struct hawser__json *json, json_t *into, const void *of)
-{
-	const struct hawser_tow_steady *steady = &((const struct result *)of)->steady;
-	json_t *list = hawser__json_array(json, into, "tension");
-
-	for (int i = 0; i < steady->points; i++)
-		hawser__json_number(json, list, NULL, steady->point[i].tension);
-}
+#define OF(member) HAWSER__AT(struct hawser_tow_point, member)
+static const struct hawser__field place_field[] = {
+	{"s", NULL, "unstretched length from the towing point", OF(s)},
+	{"x", NULL, "its place", OF(x[0])},
+	{"y", NULL, "", OF(x[1])},
+	{"z", NULL, "", OF(x[2])},
+	HAWSER__END,
+};
+static const struct hawser__field tension_field[] = {
+	{"tension", NULL, "at the points of the shape", OF(tension), .unit = HAWSER__NEWTON},
+	HAWSER__END,
+};
+#undef OF
+static const struct hawser__list place_list =
+	HAWSER__STORED_ROWS(struct result, steady.point, steady.points, place_field);
+static const struct hawser__list tension_list =
+	HAWSER__STORED_ROWS(struct result, steady.point, steady.points, tension_field);
 
 static int has_ring(const void *row, const void *parent)
 {
@@ -132,8 +127,8 @@ static const struct hawser__field field[] = {
 	{"others", NULL, "further steady states of an orbit",
 	 HAWSER__STORED_WITHIN(struct result, steady.other, steady.others, state_field),
 	 .given = in_orbit},
-	{"shape", NULL, "[[s, x, y, z], ...] (m)", HAWSER__CALLS(shape_json)},
-	{"tension", NULL, "at the points of the shape (N)", HAWSER__CALLS(tension_json)},
+	{"shape", NULL, "[[s, x, y, z], ...] (m)", HAWSER__ROWS_OF(place_list), .flags = HAWSER__BRIEF},
+	{"", NULL, "", HAWSER__ARRAYS_OF(tension_list)},
 	HAWSER__END,
 };
 #undef OF

@@ -28,6 +28,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/hold.h"
 #include "core/report.h"
 #include "ropeway/modes/running.h"
 
@@ -49,6 +50,7 @@ struct basis {
 	double *A, *B, *C;          /* [n][n] of K, M and 2 nu G */
 	double *at_rest;            /* [kept] frequencies of modes at rest in the basis */
 	double *combination;        /* [kept] columns of n */
+	struct hawser__hold hold;
 };
 
 static double *array(size_t n, size_t m)
@@ -68,31 +70,23 @@ void hawser__lmode_running_clear(struct hawser__lmode_running *pairs)
 
 static void basis_clear(struct basis *t)
 {
-	free(t->y);
-	free(t->strain);
-	free(t->load);
-	free(t->work);
-	free(t->A);
-	free(t->B);
-	free(t->C);
-	free(t->at_rest);
-	free(t->combination);
+	hawser__hold_clear(&t->hold);
 }
 
 static enum hawser_status basis_open(struct basis *t, struct hawser_report *report)
 {
 	size_t n = (size_t)t->n, size = (size_t)t->system->size;
 
-	t->y = array(n, size);
-	t->strain = array(n, (size_t)t->system->strains);
-	t->load = array(n, size);
-	t->work = array(n, size);
-	t->A = array(n, n);
-	t->B = array(n, n);
-	t->C = array(n, n);
-	t->at_rest = array(n, 1);
-	t->combination = array(n, n);
-	if (t->y && t->strain && t->load && t->work && t->A && t->B && t->C && t->at_rest && t->combination)
+	t->y = hawser__hold(&t->hold, n*size + 1, sizeof *t->y);
+	t->strain = hawser__hold(&t->hold, n*(size_t)t->system->strains + 1, sizeof *t->strain);
+	t->load = hawser__hold(&t->hold, n*size + 1, sizeof *t->load);
+	t->work = hawser__hold(&t->hold, n*size + 1, sizeof *t->work);
+	t->A = hawser__hold(&t->hold, n*n + 1, sizeof *t->A);
+	t->B = hawser__hold(&t->hold, n*n + 1, sizeof *t->B);
+	t->C = hawser__hold(&t->hold, n*n + 1, sizeof *t->C);
+	t->at_rest = hawser__hold(&t->hold, n + 1, sizeof *t->at_rest);
+	t->combination = hawser__hold(&t->hold, n*n + 1, sizeof *t->combination);
+	if (!t->hold.short_of_memory)
 		return HAWSER_OK;
 	return hawser__no_memory(report, "line modes");
 }
