@@ -12,6 +12,7 @@
 #include "cli/frame/option.h"
 #include "output/output.h"
 #include "output/drawing/picture_choice.h"
+#include "scene/tree_keys.h"
 
 #define CLI_STEP 0.005 /* longest step of a response, as a part of its range, by default */
 /* --set options, further inputs, and different options of some kinds of inputs, in one call */
@@ -103,7 +104,7 @@ enum hawser_status cli_document(const struct hawser_document **document,
 enum hawser_kind cli_kind(const struct cli_common *common);
 /* cli_read_scene, cli_read_net ... a scene of the kind, with the overrides of the command line. After
  * a failure it is all zero. */
-#define CLI_KINDS_OF_SCENES(X) X(scene) X(net) X(obstacles) X(ropeway) X(rod) X(tow)
+#define CLI_KINDS_OF_SCENES(X) X(scene) HAWSER__TREE_KINDS(X)
 #define CLI_OPEN(name) \
 	enum hawser_status cli_read_##name(struct hawser_##name *name, \
 	                                   const struct cli_common *common, \

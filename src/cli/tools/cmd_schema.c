@@ -3,7 +3,6 @@
 #include "config.h"
 
 #include "cli/frame/input.h"
-#include "scene/tree_keys.h"
 
 struct settings {
 	struct cli_common common;
