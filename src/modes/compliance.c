@@ -52,6 +52,7 @@ struct work {
 static void work_free(struct work *w)
 {
 	hawser__hold_clear(&w->hold);
+	free(w->x);
 }
 
 static double *array(size_t a, size_t b)
@@ -76,9 +77,9 @@ static int work_init(struct work *w, const struct hawser__plane *plane, int degr
 	w->G = hawser__hold(&w->hold, m*HAWSER__MAX_D*block + 1, sizeof *w->G);
 	w->J = hawser__hold(&w->hold, m*m + 1, sizeof *w->J);
 	w->mu = hawser__hold(&w->hold, n + 1, sizeof *w->mu);
-	w->x = hawser__hold(&w->hold, n*(size_t)count + 1, sizeof *w->x);
+	w->x = array(n, (size_t)count); /* which the result takes over */
 	w->support = hawser__hold(&w->hold, 2*n, sizeof *w->support);
-	return !w->hold.short_of_memory;
+	return !w->hold.short_of_memory && w->x;
 }
 
 /* Compute F, the gradients of the functions of element e at its nodes. */

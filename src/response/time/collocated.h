@@ -53,8 +53,8 @@ struct hawser__collocated {
 	struct hawser__hold hold; /* of all arrays, those of the method too */
 };
 
-/* Begins at y0 [2n]; the caller makes the table. Returns -1 if memory is short, of what the method holds
- * too. */
+/* Begins at y0 [2n]; the caller makes the table. Returns -1 if memory is short, also of what the method
+ * holds. */
 int hawser__collocated_open(struct hawser__collocated *of, const struct hawser__stepper *problem,
                             const struct hawser__collocated_rule *rule, const double *y0);
 
