@@ -191,15 +191,6 @@ static const struct hawser__list
 	time_list = {.field = time_field, .count_at = offsetof(struct result, motions.rows)},
 	signal_list = {.field = signal_field, .count_at = offsetof(struct result, motions.rows)};
 
-static void warnings_json(struct hawser__json *json, json_t *into, const void *of)
-{
-	char text[CLI_WARNING_SIZE];
-
-	(void)into;
-	cli_warnings_json(json, cli_span_jerk(text, sizeof text, &((const struct result *)of)->of)
-	                        ? text : NULL);
-}
-
 #define OF(member) HAWSER__AT(struct result, member)
 static const struct hawser__field result_field[] = {
 	{"Omega", NULL, "forcing frequency", OF(of.Omega), .unit = HAWSER__RADIAN_S},
@@ -214,7 +205,7 @@ static const struct hawser__field result_field[] = {
 	{"", NULL, "", HAWSER__ARRAYS_OF(time_list), .flags = HAWSER__STREAM},
 	{"displacements", NULL, "of the mesh and the models", HAWSER__ARRAYS_OF(signal_list),
 	 .flags = HAWSER__STREAM},
-	{"warnings", NULL, "a sentence about ends that move at the start", HAWSER__CALLS(warnings_json)},
+	{"", NULL, "", HAWSER__PART_OF(struct result, of.warning, cli_warnings_field)},
 	HAWSER__END,
 };
 #undef OF
@@ -264,7 +255,7 @@ static void comments(struct hawser__table *table, const void *of)
 {
 	const struct result *result = of;
 	const struct hawser_motions *motions = &result->motions;
-	char text[CLI_WARNING_SIZE], step[64] = "by the local error";
+	char step[64] = "by the local error";
 
 	if (motions->step > 0.0)
 		snprintf(step, sizeof step, "%.4g s", motions->step);
@@ -278,8 +269,8 @@ static void comments(struct hawser__table *table, const void *of)
 		                      "root mean squares over those of the mesh's displacements",
 		                      motions->other);
 	slack_comment(table, result);
-	if (cli_span_jerk(text, sizeof text, &result->of))
-		hawser__table_comment(table, "warning: %s", text);
+	if (*result->of.warning)
+		hawser__table_comment(table, "warning: %s", result->of.warning);
 	if (motions->interrupted)
 		hawser__table_comment(table, "interrupted");
 }
@@ -378,7 +369,6 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	const struct settings *settings = context;
 	struct result *result = calloc(1, sizeof *result);
-	char text[CLI_WARNING_SIZE];
 	enum hawser_status status;
 
 	if (!result)
@@ -389,8 +379,8 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 		status = solve(result, report);
 	if (!status)
 		status = cli_show(&settings->common, &showing, result, report);
-	if (!status && cli_span_jerk(text, sizeof text, &result->of))
-		cli_warn(text);
+	if (!status && *result->of.warning)
+		cli_warn(result->of.warning);
 	hawser_motions_clear(&result->motions);
 	cli_model_clear(&result->of.model);
 	free(result);

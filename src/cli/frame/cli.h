@@ -49,7 +49,7 @@ struct cli_command {
 	const char *name, *input, *summary;
 	const char *const *notes; /* lines for --help, ended by NULL; may be NULL */
 	const struct cli_option *options; /* ended by CLI_NO_OPTION */
-	const void *defaults; /* defaults of the settings */
+	const void *defaults; /* of the settings; NULL: all zero */
 	size_t size;          /* of the settings */
 	int needs_input;
 	enum hawser_status (*run)(void *settings, struct hawser_report *report);

@@ -113,13 +113,14 @@ static enum hawser_status unknown_command(const char *name, struct hawser_report
 static enum hawser_status execute(const struct cli_command *command, int argc, char **argv,
                                   struct hawser_report *report)
 {
-	struct cli_common *common = malloc(command->size);
+	struct cli_common *common = calloc(1, command->size);
 	struct hawser_document document = {.name = NULL};
 	enum hawser_status status;
 
 	if (!common)
 		return hawser__no_memory(report, "main");
-	memcpy(common, command->defaults, command->size);
+	if (command->defaults)
+		memcpy(common, command->defaults, command->size);
 	cli_ranks_silence(command->name);
 	common->document = &document;
 	common->started = cli_seconds();

@@ -8,10 +8,6 @@
 #include "core/report.h"
 #include "output/structures/plot_tow.h"
 
-struct settings {
-	struct cli_common common;
-};
-static const struct settings defaults = {.common = {.input = NULL}};
 static const struct cli_option options[] = {
 	CLI_NO_OPTION,
 };
@@ -197,16 +193,16 @@ static const struct cli_showing showing = {
 
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
-	const struct settings *s = context;
-	struct result result = {.common = &s->common};
-	enum hawser_status status = cli_outputs_check(&s->common, report);
+	const struct cli_common *common = context;
+	struct result result = {.common = common};
+	enum hawser_status status = cli_outputs_check(common, report);
 
 	if (!status)
-		status = cli_read_tow(&result.tow, &s->common, report);
+		status = cli_read_tow(&result.tow, common, report);
 	if (!status)
 		status = hawser_tow_steady_solve(&result.steady, &result.tow, report);
 	if (!status)
-		status = cli_show(&s->common, &showing, &result, report);
+		status = cli_show(common, &showing, &result, report);
 	hawser_tow_steady_clear(&result.steady);
 	hawser_tow_clear(&result.tow);
 	return status;
@@ -214,6 +210,6 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 
 const struct cli_command cli_tow_steady = {
 	"tow steady", "SCENE", "Towed body in steady flight: shape, tension, tilt", notes, options,
-	&defaults, sizeof(struct settings), 1, run, cli_tow_steady_listing,
+	NULL, sizeof(struct cli_common), 1, run, cli_tow_steady_listing,
 	.takes = CLI_TOW,
 };

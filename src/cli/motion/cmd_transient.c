@@ -17,7 +17,6 @@ struct settings {
 	double damping;
 	int elements, tolerate, spans, towers;
 };
-static const struct settings defaults = {.common = {.input = NULL}};
 
 static const struct cli_option options[] = {
 	CLI_TEXT_WITH(event, "NAME", "start, stop (drive.brake) or run (start)",
@@ -274,6 +273,6 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 
 const struct cli_command cli_transient = {
 	"transient", "SCENE", "Start, stop and run of a ropeway over time", notes, options,
-	&defaults, sizeof(struct settings), 1, run, cli_transient_listing,
+	NULL, sizeof(struct settings), 1, run, cli_transient_listing,
 	.takes = CLI_ROPEWAY,
 };

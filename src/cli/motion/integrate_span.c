@@ -125,15 +125,6 @@ static const struct hawser__list history_list = ROWS(cli_span_history_field),
                                  times_list = ROWS(times_field), probes_list = ROWS(probes_field),
                                  energy_list = ROWS(energy_field);
 
-static void warnings_json(struct hawser__json *json, json_t *into, const void *of)
-{
-	char text[CLI_WARNING_SIZE];
-
-	(void)into;
-	cli_warnings_json(json, cli_span_jerk(text, sizeof text, &((const struct result *)of)->of)
-	                        ? text : NULL);
-}
-
 static const char *fe_word(int value)
 {
 	(void)value;
@@ -169,7 +160,7 @@ const struct hawser__field cli_span_field[] = {
 	 .unit = HAWSER__SECOND, .flags = HAWSER__NULL},
 	{"slack_S", NULL, "where, from end A", OF(run.slack_S), .unit = HAWSER__METRE,
 	 .flags = HAWSER__NULL},
-	{"warnings", NULL, "a sentence about ends that move at the start", HAWSER__CALLS(warnings_json)},
+	{"", NULL, "", HAWSER__PART_OF(struct result, of.warning, cli_warnings_field)},
 	HAWSER__END,
 };
 static const struct hawser__field cost_field[] = {
@@ -216,7 +207,7 @@ static void comments(struct hawser__table *table, const void *of)
 {
 	const struct result *result = of;
 	const struct hawser_net_span_motion *run = &result->run;
-	char text[CLI_WARNING_SIZE], step[64] = "by the local error";
+	char step[64] = "by the local error";
 
 	if (run->step > 0.0)
 		snprintf(step, sizeof step, "%.4g s", run->step);
@@ -234,8 +225,8 @@ static void comments(struct hawser__table *table, const void *of)
 		hawser__table_comment(table, "slack: an element first has no tension at t = %.6g s, at S = "
 		                      "%.6g m; %ld changes of elements between slack and taut",
 		                      run->motion.slack_at, run->slack_S, run->motion.switches);
-	if (cli_span_jerk(text, sizeof text, &result->of))
-		hawser__table_comment(table, "warning: %s", text);
+	if (*result->of.warning)
+		hawser__table_comment(table, "warning: %s", result->of.warning);
 	hawser__table_comment(table, "end: %s", end_of(result));
 }
 
@@ -336,7 +327,6 @@ enum hawser_status cli_integrate_span(const struct cli_common *common,
                                       struct hawser_report *report)
 {
 	struct result *result = calloc(1, sizeof *result);
-	char text[CLI_WARNING_SIZE];
 	enum hawser_status status;
 
 	if (!result)
@@ -346,8 +336,8 @@ enum hawser_status cli_integrate_span(const struct cli_common *common,
 	status = solve(result, report);
 	if (!status)
 		status = cli_show(common, &showing, result, report);
-	if (!status && cli_span_jerk(text, sizeof text, &result->of))
-		cli_warn(text);
+	if (!status && *result->of.warning)
+		cli_warn(result->of.warning);
 	hawser_net_span_motion_clear(&result->run);
 	cli_model_clear(&result->of.model);
 	free(result);

@@ -49,6 +49,25 @@ static enum hawser_status times(struct cli_span_run *run, const struct cli_span_
 	return status;
 }
 
+/* Whether the ends already move when the run begins, which jerks the cable. */
+static void look(struct cli_span_run *run)
+{
+	double most = 0.0;
+
+	for (int end = 0; end < 2; end++) {
+		const double *x = run->model.scene.support[end].motion;
+		double size2 = x[0]*x[0] + x[1]*x[1] + x[2]*x[2];
+
+		if (run->model.scene.support[end].present)
+			most = fmax(most, sqrt(size2)*run->model.scene.support[end].harmonic*run->Omega*
+			                  fabs(sin(run->model.scene.support[end].phase)));
+	}
+	if (most > 0.0)
+		snprintf(run->warning, sizeof run->warning, "motion: at t = 0 the ends already move, with "
+		         "%.4g m/s, and the cable hangs still: they jerk it, which sends waves along it; a "
+		         "phase of 0 or 180 degrees does not", most);
+}
+
 enum hawser_status cli_span_run(struct cli_span_run *run, const struct cli_common *common,
                                 const struct cli_span_texts *texts, const char *command,
                                 struct hawser_report *report)
@@ -84,25 +103,6 @@ enum hawser_status cli_span_run(struct cli_span_run *run, const struct cli_commo
 		status = cli_frequency(&run->Omega, texts->omega, "Omega", model, report);
 	run->Omega /= model->rom.time;
 	run->period = 2.0*M_PI/(forced ? run->Omega : model->natural[0]/model->rom.time);
+	look(run);
 	return status ? status : times(run, texts, command, report);
-}
-
-int cli_span_jerk(char *text, size_t size, const struct cli_span_run *run)
-{
-	double most = 0.0;
-
-	for (int end = 0; end < 2; end++) {
-		const double *x = run->model.scene.support[end].motion;
-		double size2 = x[0]*x[0] + x[1]*x[1] + x[2]*x[2];
-
-		if (run->model.scene.support[end].present)
-			most = fmax(most, sqrt(size2)*run->model.scene.support[end].harmonic*run->Omega*
-			                  fabs(sin(run->model.scene.support[end].phase)));
-	}
-	if (!(most > 0.0))
-		return 0;
-	snprintf(text, size, "motion: at t = 0 the ends already move, with %.4g m/s, and the cable hangs "
-	         "still: they jerk it, which sends waves along it; a phase of 0 or 180 degrees does not",
-	         most);
-	return 1;
 }

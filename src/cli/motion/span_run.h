@@ -13,12 +13,10 @@ struct cli_span_texts {
 struct cli_span_run {
 	struct cli_model model; /* scene, statics and natural frequencies */
 	double Omega, period, until, every, after, step;
+	char warning[CLI_WARNING_SIZE]; /* the ends already move when it begins; "": they do not */
 };
 /* Reads the scene; `command` is for messages. Release by cli_model_clear(&run->model). */
 enum hawser_status cli_span_run(struct cli_span_run *run, const struct cli_common *common,
                                 const struct cli_span_texts *texts, const char *command,
                                 struct hawser_report *report) HAWSER_MUST_CHECK;
-/* 1, and a sentence, if the ends already move when the run begins, which jerks the cable. */
-int cli_span_jerk(char *text, size_t size, const struct cli_span_run *run);
-
 #endif

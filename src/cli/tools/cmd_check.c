@@ -7,11 +7,6 @@
 #include "cli/plan/plan_result.h"
 #include "cli/frame/kinds.h"
 
-struct settings {
-	struct cli_common common;
-};
-static const struct settings defaults = {.common = {.input = NULL}};
-
 static const struct cli_option options[] = {
 	CLI_SET_OPTION,
 	CLI_HELP_OPTION,
@@ -101,28 +96,28 @@ static enum hawser_status check_span(const struct cli_common *common, struct haw
 
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
-	const struct settings *s = context;
+	const struct cli_common *common = context;
 	const struct cli_kind_record *kind;
 	enum hawser_status status;
 	char text[CLI_SCENE_FACTS];
 	int forced = 1;
 
 	for (int i = 0; (kind = cli_kind_record(i)); i++) {
-		if (!kind->look || kind->kind != cli_kind(&s->common))
+		if (!kind->look || kind->kind != cli_kind(common))
 			continue;
-		status = kind->look(text, &forced, &s->common, report);
+		status = kind->look(text, &forced, common, report);
 		if (status)
 			return status;
-		print_good(&s->common, i);
+		print_good(common, i);
 		fputs(text, stdout);
 		cli_kind_print(stdout, i, forced);
 		return HAWSER_OK;
 	}
-	return check_span(&s->common, report);
+	return check_span(common, report);
 }
 
 const struct cli_command cli_check = {
-	"check", "SCENE", "What is wrong with a scene, or what it is", notes, options, &defaults,
-	sizeof(struct settings), 1, run, NULL,
+	"check", "SCENE", "What is wrong with a scene, or what it is", notes, options, NULL,
+	sizeof(struct cli_common), 1, run, NULL,
 	.takes = CLI_EVERY,
 };

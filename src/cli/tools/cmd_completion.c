@@ -13,11 +13,6 @@
 
 #include "cli/frame/input.h"
 
-struct settings {
-	struct cli_common common;
-};
-static const struct settings defaults = {.common = {.input = NULL}};
-
 static const struct cli_option options[] = {
 	CLI_HELP_OPTION,
 	CLI_NO_OPTION,
@@ -354,9 +349,9 @@ static void fish(FILE *stream)
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
 	static void (*const write[])(FILE *stream) = {bash, zsh, fish}; /* in the order of the input */
-	const struct settings *s = context;
+	const struct cli_common *common = context;
 	int index = 0;
-	enum hawser_status status = cli_choose_input(&index, &cli_completion, s->common.input, report);
+	enum hawser_status status = cli_choose_input(&index, &cli_completion, common->input, report);
 
 	if (!status)
 		write[index](stdout);
@@ -365,6 +360,6 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 
 const struct cli_command cli_completion = {
 	"completion", "bash|zsh|fish", "Completion of commands and options in bash, zsh and fish", notes,
-	options, &defaults, sizeof(struct settings), 1, run, NULL,
+	options, NULL, sizeof(struct cli_common), 1, run, NULL,
 	.takes = 0,
 };

@@ -8,11 +8,6 @@
 #include "cli/frame/kinds.h"
 #include "core/file.h"
 
-struct settings {
-	struct cli_common common;
-};
-static const struct settings defaults = {.common = {.input = NULL}};
-
 static const struct cli_option options[] = {
 	CLI_HELP_OPTION,
 	CLI_NO_OPTION,
@@ -25,9 +20,9 @@ static const char *const notes[] = {
 
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
-	const struct settings *s = context;
+	const struct cli_common *common = context;
 	int index = 0;
-	enum hawser_status status = cli_choose_input(&index, &cli_init, s->common.input, report);
+	enum hawser_status status = cli_choose_input(&index, &cli_init, common->input, report);
 
 	return status ? status : hawser__file_put("-", cli_kind_record(index)->text,
 	                                          strlen(cli_kind_record(index)->text), report);
@@ -37,7 +32,7 @@ static enum hawser_status run(void *context, struct hawser_report *report)
 #define NEXT(name, BIT) "|" #name
 const struct cli_command cli_init = {
 	"init", "[" CLI_KINDS_WRITTEN(FIRST, NEXT) "]",
-	"A scene with comments, to begin with", notes, options, &defaults, sizeof(struct settings), 0, run,
+	"A scene with comments, to begin with", notes, options, NULL, sizeof(struct cli_common), 0, run,
 	NULL,
 	.takes = 0,
 };

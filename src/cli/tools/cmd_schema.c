@@ -4,11 +4,6 @@
 
 #include "cli/frame/input.h"
 
-struct settings {
-	struct cli_common common;
-};
-static const struct settings defaults = {.common = {.input = NULL}};
-
 static const struct cli_option options[] = {
 	CLI_HELP_OPTION,
 	CLI_NO_OPTION,
@@ -20,16 +15,16 @@ static const char *const notes[] = {
 
 static enum hawser_status run(void *context, struct hawser_report *report)
 {
-	const struct settings *s = context;
+	const struct cli_common *common = context;
 	int index = 0;
-	enum hawser_status status = cli_choose_input(&index, &cli_schema, s->common.input, report);
+	enum hawser_status status = cli_choose_input(&index, &cli_schema, common->input, report);
 
-	return status ? status : hawser_schema_write(stdout, s->common.input, report);
+	return status ? status : hawser_schema_write(stdout, common->input, report);
 }
 
 #define WORD(name) "|" #name
 const struct cli_command cli_schema = {
 	"schema", "[cable|beam" HAWSER__TREE_KINDS(WORD) "]", "JSON Schema of scenes, for editors",
-	notes, options, &defaults, sizeof(struct settings), 0, run, NULL,
+	notes, options, NULL, sizeof(struct cli_common), 0, run, NULL,
 	.takes = 0,
 };
