@@ -9,6 +9,7 @@
 #define HAWSER_CORE_HOLD_H
 
 #include <stddef.h>
+#include <stdlib.h>
 
 /* All zero: nothing is held. */
 struct hawser__hold {
@@ -20,5 +21,12 @@ struct hawser__hold {
 void *hawser__hold(struct hawser__hold *hold, size_t count, size_t size);
 /* Release all; nothing is held then. */
 void hawser__hold_clear(struct hawser__hold *hold);
+
+/* A matrix [a][b] of zeros that is released by itself; also one without elements is an array. */
+static inline double *hawser__numbers(size_t a, size_t b)
+{
+	/* NOLINTNEXTLINE(clang-analyzer-optin.portability.UnixAPI): sizes are limited */
+	return calloc(a*b + 1, sizeof(double));
+}
 
 #endif

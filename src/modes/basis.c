@@ -60,11 +60,6 @@ struct work {
 	struct hawser__hold hold;
 };
 
-static double *array(size_t a, size_t b)
-{
-	return calloc(a ? a : 1, (b ? b : 1)*sizeof(double));
-}
-
 static void part_clear(struct part *part)
 {
 	free(part->omega);
@@ -93,9 +88,9 @@ static int work_init(struct work *w, struct part *part, const struct hawser__cab
 	w->x = hawser__hold(&w->hold, n*n + 1, sizeof *w->x);
 	w->S = hawser__hold(&w->hold, n + 1, sizeof *w->S);
 	w->scratch = hawser__hold(&w->hold, (size_t)cable->grid.points + n + 1, sizeof *w->scratch);
-	part->omega = array(n, 1);
-	part->strain = array(n, hawser__strains(plane, &cable->grid));
-	part->displacement = array(n, rows);
+	part->omega = hawser__numbers(n, 1);
+	part->strain = hawser__numbers(n, hawser__strains(plane, &cable->grid));
+	part->displacement = hawser__numbers(n, rows);
 	return !w->hold.short_of_memory && part->omega && part->strain && part->displacement;
 }
 
@@ -257,7 +252,7 @@ static enum hawser_status finish(struct hawser_modes *modes, struct hawser__cabl
 	size_t copies = 2*HAWSER__MAX_D*points + HAWSER__MAX_D*HAWSER__MAX_LUMPS +
 	                HAWSER__MAX_SPRINGS + HAWSER__MAX_JOINTS +
 	                (HAWSER__MAX_D + 1)*HAWSER__MAX_ABSORBERS;
-	double *work = array(copies + (HAWSER__MAX_D + 1)*points, 1);
+	double *work = hawser__numbers(copies + (HAWSER__MAX_D + 1)*points, 1);
 	enum hawser_status status = work ? hawser__modes_allocate(modes, n, (int)points, report)
 	                                 : hawser__no_memory(report, "modes");
 

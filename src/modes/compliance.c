@@ -55,12 +55,6 @@ static void work_free(struct work *w)
 	free(w->x);
 }
 
-static double *array(size_t a, size_t b)
-{
-	/* NOLINTNEXTLINE(clang-analyzer-optin.portability.UnixAPI): sizes are limited */
-	return calloc(a ? a : 1, (b ? b : 1)*sizeof(double));
-}
-
 static int work_init(struct work *w, const struct hawser__plane *plane, int degree, int order,
                      int elements, int count)
 {
@@ -77,7 +71,7 @@ static int work_init(struct work *w, const struct hawser__plane *plane, int degr
 	w->G = hawser__hold(&w->hold, m*HAWSER__MAX_D*block + 1, sizeof *w->G);
 	w->J = hawser__hold(&w->hold, m*m + 1, sizeof *w->J);
 	w->mu = hawser__hold(&w->hold, n + 1, sizeof *w->mu);
-	w->x = array(n, (size_t)count); /* which the result takes over */
+	w->x = hawser__numbers(n, (size_t)count); /* which the result takes over */
 	w->support = hawser__hold(&w->hold, 2*n, sizeof *w->support);
 	return !w->hold.short_of_memory && w->x;
 }
@@ -387,8 +381,8 @@ enum hawser_status hawser__compliance_solve(struct hawser__pairs *pairs,
 
 	count = count < carried ? count : carried;
 	*pairs = (struct hawser__pairs){.count = count, .degree = degree};
-	pairs->omega = array((size_t)count, 1);
-	pairs->moved = array((size_t)count, 1);
+	pairs->omega = hawser__numbers((size_t)count, 1);
+	pairs->moved = hawser__numbers((size_t)count, 1);
 	if (!work_init(&w, plane, degree, grid->order, grid->elements, count) ||
 	    !pairs->omega || !pairs->moved) {
 		status = hawser__no_memory(report, "modes");

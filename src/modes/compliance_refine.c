@@ -14,15 +14,10 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "core/hold.h"
 #include "core/report.h"
 #include "core/solve3.h"
 #include "modes/compliance_springs.h"
-
-static double *array(size_t a, size_t b)
-{
-	/* NOLINTNEXTLINE(clang-analyzer-optin.portability.UnixAPI): sizes are limited */
-	return calloc(a ? a : 1, (b ? b : 1)*sizeof(double));
-}
 
 /* Solve [integral of d d'] F0 = b: F0 is the constant force whose strains displace end B by b. */
 static void constant_force(double *F0, const double *b, const struct hawser__plane *plane,
@@ -330,10 +325,10 @@ enum hawser_status hawser__compliance_refine(struct hawser__pairs *pairs,
                                              const struct hawser__reference *reference, int count,
                                              struct hawser_report *report)
 {
-	double *work = array(HAWSER__MAX_D + 1, (size_t)grid->points);
+	double *work = hawser__numbers(HAWSER__MAX_D + 1, (size_t)grid->points);
 
-	pairs->strain = array((size_t)count, hawser__strains(plane, grid));
-	pairs->displacement = array((size_t)count, hawser__displacements(plane, grid));
+	pairs->strain = hawser__numbers((size_t)count, hawser__strains(plane, grid));
+	pairs->displacement = hawser__numbers((size_t)count, hawser__displacements(plane, grid));
 	if (!work || !pairs->strain || !pairs->displacement) {
 		free(work);
 		return hawser__no_memory(report, "modes");

@@ -27,6 +27,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/hold.h"
 #include "core/report.h"
 #include "modes/cable.h"
 #include "modes/complex/gyroscopic.h"
@@ -52,11 +53,6 @@ struct attempt {
 	struct side side[HAWSER__PLANES];
 	double nu;
 };
-
-static double *array(size_t a, size_t b)
-{
-	return calloc(a ? a : 1, (b ? b : 1)*sizeof(double));
-}
 
 static void side_clear(struct side *side)
 {
@@ -133,13 +129,13 @@ static enum hawser_status side_init(struct side *side, const struct hawser_modes
 	side->n = (int)n;
 	side->count = wanted < side->n ? wanted : side->n;
 	rows *= (size_t)side->D;
-	side->omega = array(n, 1);
-	side->field = array(n, rows);
-	side->gradient = array(n, rows);
-	side->G = array(n, n);
-	side->gyroscopic = array((size_t)side->count, 1);
+	side->omega = hawser__numbers(n, 1);
+	side->field = hawser__numbers(n, rows);
+	side->gradient = hawser__numbers(n, rows);
+	side->G = hawser__numbers(n, n);
+	side->gyroscopic = hawser__numbers((size_t)side->count, 1);
 	side->q = calloc((size_t)side->count*n + 1, sizeof *side->q);
-	work = array(n, rows);
+	work = hawser__numbers(n, rows);
 	if (!side->omega || !side->field || !side->gradient || !side->G || !side->gyroscopic || !side->q ||
 	    !work) {
 		free(work);
@@ -168,7 +164,7 @@ static enum hawser_status eigen(struct side *side, struct hawser_report *report)
 {
 	size_t n = (size_t)side->n, order = 2*n, count = (size_t)side->count;
 	double complex *H = calloc(order*order, sizeof *H), *z = calloc(order*count, sizeof *z);
-	double *mu = array(order, 1), largest;
+	double *mu = hawser__numbers(order, 1), largest;
 	lapack_int *support = calloc(2*count, sizeof *support), found = 0, info;
 	enum hawser_status status = HAWSER_OK;
 
@@ -274,7 +270,7 @@ static enum hawser_status collect(double *worst, struct hawser_modes *modes,
                                   struct attempt *t, int n, struct hawser_report *report)
 {
 	int points = t->cable.grid.points, next[HAWSER__PLANES] = {0};
-	double *work = array((size_t)points, HAWSER__COMPLEX_WORK);
+	double *work = hawser__numbers((size_t)points, HAWSER__COMPLEX_WORK);
 	enum hawser_status status;
 
 	hawser_modes_clear(modes);

@@ -15,6 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/hold.h"
 #include "rom/energy/relax.h"
 
 enum { STEPS = 40, HALVINGS = 12 }; /* most Newton steps; halvings of a step that does not reduce
@@ -24,24 +25,19 @@ enum { STEPS = 40, HALVINGS = 12 }; /* most Newton steps; halvings of a step tha
                     * then round-off */
 #define PART 0.02  /* fraction of a motion at which the quadratic terms are measured; chosen small */
 
-static double *array(size_t a, size_t b)
-{
-	return calloc(a*b + 1, sizeof(double));
-}
-
 int hawser__relax_new(struct hawser__relax *w, const struct hawser_rom *rom)
 {
 	size_t N = (size_t)rom->n;
 
 	*w = (struct hawser__relax){.rom = rom, .N = rom->n};
 	w->freed = calloc(N, sizeof *w->freed);
-	w->y = array(N, 1);
-	w->trial = array(N, 1);
-	w->rest = array(N, 1);
-	w->R = array(N, 1);
-	w->T = array(N, N);
-	w->step = array(N, 1);
-	w->matrix = array(N, N);
+	w->y = hawser__numbers(N, 1);
+	w->trial = hawser__numbers(N, 1);
+	w->rest = hawser__numbers(N, 1);
+	w->R = hawser__numbers(N, 1);
+	w->T = hawser__numbers(N, N);
+	w->step = hawser__numbers(N, 1);
+	w->matrix = hawser__numbers(N, N);
 	return !w->freed || !w->y || !w->trial || !w->rest || !w->R || !w->T || !w->step || !w->matrix;
 }
 

@@ -24,6 +24,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/hold.h"
 #include "core/report.h"
 #include "ropeway/expand/expand.h"
 
@@ -37,11 +38,6 @@ struct work {
 	double *source, *load; /* of a system */
 	double (*lift)[HAWSER__ENDS][2];
 };
-
-static double *array(size_t n)
-{
-	return calloc(n + 1, sizeof(double));
-}
 
 /* Entries of a system in a row: a strain each, and two of each value of the state. */
 static size_t width_of(const struct hawser__lmode_system *system)
@@ -244,15 +240,15 @@ static enum hawser_status allocate(struct work *w, struct hawser_report *report)
 		w->width += width_of(system);
 		most = most > width_of(system) ? most : width_of(system);
 		segments = segments > (size_t)system->segments ? segments : (size_t)system->segments;
-		t->second[i] = array(pairs*(size_t)system->size);
-		t->second_strain[i] = array(pairs*(size_t)system->strains);
+		t->second[i] = hawser__numbers(pairs*(size_t)system->size, 1);
+		t->second_strain[i] = hawser__numbers(pairs*(size_t)system->strains, 1);
 		starved = !t->second[i] || !t->second_strain[i];
 	}
 	if (!starved) {
-		w->left = array(pairs*w->width);
-		w->right = array(pairs*w->width);
-		w->source = array(most);
-		w->load = array(most);
+		w->left = hawser__numbers(pairs*w->width, 1);
+		w->right = hawser__numbers(pairs*w->width, 1);
+		w->source = hawser__numbers(most, 1);
+		w->load = hawser__numbers(most, 1);
 		w->lift = calloc(segments + 1, sizeof *w->lift);
 		starved = !w->left || !w->right || !w->source || !w->load || !w->lift;
 	}

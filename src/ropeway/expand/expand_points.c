@@ -5,13 +5,9 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "core/hold.h"
 #include "core/report.h"
 #include "ropeway/expand/expand.h"
-
-static double *array(size_t n)
-{
-	return calloc(n + 1, sizeof(double));
-}
 
 static const struct hawser_line_sheave *sheave_of(const struct hawser__lexpand *t, int lane, int sheave)
 {
@@ -65,10 +61,10 @@ static enum hawser_status place_points(struct hawser__lexpand *t, struct hawser_
 		t->first[i] = s && !s->arc ? t->points : -1;
 		t->points += s && !s->arc ? s->grid.points : 0;
 	}
-	t->weight = array((size_t)t->points);
-	t->stretch = array((size_t)t->points);
-	t->tau = array((size_t)t->points);
-	t->slope = array(3*(size_t)t->points*(size_t)t->n);
+	t->weight = hawser__numbers((size_t)t->points, 1);
+	t->stretch = hawser__numbers((size_t)t->points, 1);
+	t->tau = hawser__numbers((size_t)t->points, 1);
+	t->slope = hawser__numbers(3*(size_t)t->points*(size_t)t->n, 1);
 	if (!t->weight || !t->stretch || !t->tau || !t->slope)
 		return hawser__no_memory(report, "line rom");
 	for (int i = 0; i < rope->pieces; i++) {
@@ -170,7 +166,7 @@ static enum hawser_status place_end(struct hawser__lexpand_end *to, const struct
 		return hawser__fail(report, HAWSER_ERR_NO_SOLUTION, "line rom", "at sheave %s the free rope is "
 		                    "curved more than the circle: it does not press on it", sheave->name);
 	for (int f = 0; f < HAWSER__FORMS; f++)
-		if (!(to->form[f] = array((size_t)t->n)))
+		if (!(to->form[f] = hawser__numbers((size_t)t->n, 1)))
 			return hawser__no_memory(report, "line rom");
 	return HAWSER_OK;
 }
@@ -186,7 +182,7 @@ static enum hawser_status place_weight(struct hawser__lexpand *t, int lane,
 
 	*to = (struct hawser__lexpand_weight){.system = system, .node = node,
 		.third = -W*sin(angle)*kappa*kappa, .fourth = -W*cos(angle)*kappa*kappa*kappa};
-	to->u = array((size_t)t->n);
+	to->u = hawser__numbers((size_t)t->n, 1);
 	return to->u ? HAWSER_OK : hawser__no_memory(report, "line rom");
 }
 

@@ -24,17 +24,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/hold.h"
 #include "core/report.h"
 #include "ropeway/modes/segment.h"
 
 /* A motion of borders whose stiffness is less than this part of what the rope pulls at them has none:
  * the round-off of the statics leaves some 1e-13, and the softest carriage has some 1e-6. */
 static const double loose = 1e-10;
-
-static double *array(size_t n)
-{
-	return calloc(n + 1, sizeof(double));
-}
 
 /* --- the equations --- */
 
@@ -173,14 +169,14 @@ static enum hawser_status arrange(struct hawser__lmode_system *t, struct hawser_
 	t->null = t->null_strain = t->null_load = NULL;
 	t->circulates = 0;
 	t->work_size = HAWSER__SEGMENT_FIELDS*2*largest;
-	t->weight = array((size_t)t->size);
-	t->band = array((size_t)t->rows*HAWSER__FACTOR_ROWS);
+	t->weight = hawser__numbers((size_t)t->size, 1);
+	t->band = hawser__numbers((size_t)t->rows*HAWSER__FACTOR_ROWS, 1);
 	t->pivot = calloc((size_t)t->rows + 1, sizeof *t->pivot);
-	t->response = array(borders*(size_t)t->rows);
-	t->schur = array(borders*borders);
+	t->response = hawser__numbers(borders*(size_t)t->rows, 1);
+	t->schur = hawser__numbers(borders*borders, 1);
 	t->schur_pivot = calloc(borders + 1, sizeof *t->schur_pivot);
-	t->work = array((size_t)t->work_size + (size_t)t->strains + 2*((size_t)t->rows + borders) +
-	                4*(size_t)t->segments + 2*(size_t)t->size);
+	t->work = hawser__numbers((size_t)t->work_size + (size_t)t->strains + 2*((size_t)t->rows + borders) +
+	                4*(size_t)t->segments + 2*(size_t)t->size, 1);
 	if (!t->weight || !t->band || !t->pivot || !t->response || !t->schur || !t->schur_pivot || !t->work)
 		return hawser__no_memory(report, "line modes");
 	for (int i = 0; i < t->segments; i++)
@@ -206,7 +202,7 @@ static enum hawser_status singular(const struct hawser__lmode_system *t, struct 
 static int hold_circulation(double *v, struct hawser__lmode_system *t, double scale)
 {
 	int n = t->borders, found = -1;
-	double *S = array((size_t)n*(size_t)n), *value = array((size_t)n);
+	double *S = hawser__numbers((size_t)n*(size_t)n, 1), *value = hawser__numbers((size_t)n, 1);
 
 	for (int i = 0; S && value && i < n; i++)
 		for (int j = 0; j < n; j++)
@@ -228,7 +224,7 @@ static int hold_circulation(double *v, struct hawser__lmode_system *t, double sc
 static enum hawser_status factor_borders(struct hawser__lmode_system *t, struct hawser_report *report)
 {
 	int n = t->borders, info = 0;
-	double scale = 0.0, *w = array((size_t)n), *v = array((size_t)n);
+	double scale = 0.0, *w = hawser__numbers((size_t)n, 1), *v = hawser__numbers((size_t)n, 1);
 
 	if (!w || !v) {
 		free(w);

@@ -22,6 +22,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/hold.h"
 #include "core/report.h"
 #include "ropeway/modes/modes.h"
 
@@ -50,11 +51,6 @@ void hawser__lmode_pairs_clear(struct hawser__lmode_pairs *pairs)
 	*pairs = (struct hawser__lmode_pairs){0};
 }
 
-static double *array(size_t n, size_t m)
-{
-	return calloc(n*m + 1, sizeof(double));
-}
-
 static void work_clear(struct work *t)
 {
 	free(t->x);
@@ -72,14 +68,14 @@ static enum hawser_status work_open(struct work *t, struct hawser_report *report
 {
 	size_t q = (size_t)t->vectors, size = (size_t)t->system->size;
 
-	t->x = array(q, size);
-	t->y = array(q, size);
-	t->mx = array(q, size);
-	t->my = array(q, size);
-	t->a = array(q, q);
-	t->b = array(q, q);
-	t->mu = array(q, 1);
-	t->last = array(q, 1);
+	t->x = hawser__numbers(q, size);
+	t->y = hawser__numbers(q, size);
+	t->mx = hawser__numbers(q, size);
+	t->my = hawser__numbers(q, size);
+	t->a = hawser__numbers(q, q);
+	t->b = hawser__numbers(q, q);
+	t->mu = hawser__numbers(q, 1);
+	t->last = hawser__numbers(q, 1);
 	if (t->x && t->y && t->mx && t->my && t->a && t->b && t->mu && t->last)
 		return HAWSER_OK;
 	return hawser__no_memory(report, "line modes");
@@ -255,8 +251,8 @@ enum hawser_status hawser__lmode_regrid(double **x, double **strain, int vectors
 	if (!status)
 		status = hawser__lmode_factor(system, report);
 	if (!status) {
-		to = array((size_t)vectors, (size_t)system->size);
-		to_strain = strain ? array((size_t)vectors, (size_t)system->strains) : NULL;
+		to = hawser__numbers((size_t)vectors, (size_t)system->size);
+		to_strain = strain ? hawser__numbers((size_t)vectors, (size_t)system->strains) : NULL;
 		if (!to || (strain && !to_strain))
 			status = hawser__no_memory(report, "line modes");
 	}
@@ -339,8 +335,8 @@ enum hawser_status hawser__lmode_refine(struct hawser__lmode_pairs *pairs,
 		return status;
 	for (int i = 0; i < system->segments; i++)
 		elements += system->segment[i].grid.elements;
-	pairs->strain = array((size_t)pairs->n, (size_t)system->strains);
-	load = array((size_t)system->size, 1);
+	pairs->strain = hawser__numbers((size_t)pairs->n, (size_t)system->strains);
+	load = hawser__numbers((size_t)system->size, 1);
 	if (!pairs->strain || !load) {
 		free(load);
 		return hawser__no_memory(report, "line modes");
@@ -448,9 +444,9 @@ enum hawser_status hawser__lmode_pairs(struct hawser__lmode_pairs *pairs,
 		                      "of the rope whose grid has %d: ask for fewer", n, t.vectors);
 	if (!status && t.n > 0)
 		status = converge(&t, pairs, &pairs->grid_for, rope, report);
-	pairs->omega = array((size_t)n, 1);
-	pairs->error = array((size_t)n, 1);
-	pairs->x = array((size_t)n, (size_t)system->size);
+	pairs->omega = hawser__numbers((size_t)n, 1);
+	pairs->error = hawser__numbers((size_t)n, 1);
+	pairs->x = hawser__numbers((size_t)n, (size_t)system->size);
 	if (!status && (!pairs->omega || !pairs->error || !pairs->x))
 		status = hawser__no_memory(report, "line modes");
 	for (int k = 0; k < t.n && !status; k++) {

@@ -53,11 +53,6 @@ struct basis {
 	struct hawser__hold hold;
 };
 
-static double *array(size_t n, size_t m)
-{
-	return calloc(n*m + 1, sizeof(double));
-}
-
 void hawser__lmode_running_clear(struct hawser__lmode_running *pairs)
 {
 	free(pairs->omega);
@@ -175,7 +170,7 @@ static void symmetrise(double *A, int n, double sign)
 static enum hawser_status matrices(struct basis *t)
 {
 	size_t size = (size_t)t->system->size, strains = (size_t)t->system->strains;
-	double *load = array((size_t)t->n, size);
+	double *load = hawser__numbers((size_t)t->n, size);
 
 	if (!load)
 		return HAWSER_ERR_MEMORY;
@@ -220,8 +215,9 @@ static void transform(double *out, const struct basis *t, const double *S, doubl
 static enum hawser_status rest(struct basis *t, struct hawser_report *report)
 {
 	int n = t->n, first = 0, info;
-	double *value = array((size_t)n, 1), *work = array((size_t)n, (size_t)n);
-	double *reduced = array((size_t)n, (size_t)n), *V = array((size_t)n, (size_t)n);
+	double *value = hawser__numbers((size_t)n, 1), *work = hawser__numbers((size_t)n, (size_t)n);
+	double *reduced = hawser__numbers((size_t)n, (size_t)n);
+	double *V = hawser__numbers((size_t)n, (size_t)n);
 	enum hawser_status status = HAWSER_OK;
 
 	if (!value || !work || !reduced || !V) {
@@ -338,7 +334,7 @@ static enum hawser_status solve(double *change, struct hawser__lmode_running *pa
 {
 	size_t order = 2*(size_t)t->kept, n = (size_t)pairs->n;
 	double complex *H = calloc(order*order + 1, sizeof *H), *z = calloc(order*n + 1, sizeof *z);
-	double *mu = array(order, 1);
+	double *mu = hawser__numbers(order, 1);
 	lapack_int *support = calloc(2*n + 1, sizeof *support), have = 0, info = 0;
 	enum hawser_status status = HAWSER_OK;
 
@@ -432,12 +428,12 @@ enum hawser_status hawser__lmode_running(struct hawser__lmode_running *pairs,
 		return hawser__fail(report, HAWSER_ERR_ARGUMENT, "line modes", "the rope is a loop that "
 		                    "nothing drives: a rope that runs has a drive, which holds its "
 		                    "circulation, so fix one of the wheels");
-	pairs->omega = array(n, 1);
-	pairs->error = array(n, 1);
-	pairs->condition = array(n, 1);
-	pairs->x = array(2*n, size);
-	pairs->strain = array(2*n, strains);
-	load = array(size, 1);
+	pairs->omega = hawser__numbers(n, 1);
+	pairs->error = hawser__numbers(n, 1);
+	pairs->condition = hawser__numbers(n, 1);
+	pairs->x = hawser__numbers(2*n, size);
+	pairs->strain = hawser__numbers(2*n, strains);
+	load = hawser__numbers(size, 1);
 	if (!pairs->omega || !pairs->error || !pairs->condition || !pairs->x || !pairs->strain || !load)
 		status = hawser__no_memory(report, "line modes");
 	for (size_t k = 0; k < n && !status; k++) {
@@ -458,7 +454,7 @@ enum hawser_status hawser__lmode_running_refine(struct hawser__lmode_running *pa
                                                 struct hawser_report *report)
 {
 	int elements = 1;
-	double *before = array((size_t)pairs->n, 1), *load = NULL;
+	double *before = hawser__numbers((size_t)pairs->n, 1), *load = NULL;
 	enum hawser_status status = HAWSER_OK;
 
 	if (!before)
@@ -472,7 +468,7 @@ enum hawser_status hawser__lmode_running_refine(struct hawser__lmode_running *pa
 	}
 	for (int i = 0; i < system->segments; i++)
 		elements += system->segment[i].grid.elements;
-	load = array((size_t)system->size, 1);
+	load = hawser__numbers((size_t)system->size, 1);
 	if (!status && !load)
 		status = hawser__no_memory(report, "line modes");
 	if (!status)

@@ -8,13 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/hold.h"
 #include "core/report.h"
 #include "ropeway/modes/segment.h"
-
-static double *array(size_t n)
-{
-	return calloc(n + 1, sizeof(double));
-}
 
 /* out [D][points] = C F. */
 void hawser__segment_gradient(double *out, const double *F, const struct hawser__lmode_segment *s)
@@ -135,9 +131,9 @@ enum hawser_status hawser__segment_on_ground(struct hawser__lmode_segment *s, do
 	double c = s->sa*s->sa, *one = work + 4*m, *A;
 	lapack_int *pivot = calloc((size_t)m, sizeof *pivot);
 
-	s->inverse = array((size_t)m*(size_t)m);
-	s->unit[0] = array((size_t)m);
-	s->unit[1] = array((size_t)m);
+	s->inverse = hawser__numbers((size_t)m*(size_t)m, 1);
+	s->unit[0] = hawser__numbers((size_t)m, 1);
+	s->unit[1] = hawser__numbers((size_t)m, 1);
 	if (!pivot || !s->inverse || !s->unit[0] || !s->unit[1]) {
 		free(pivot);
 		return hawser__no_memory(report, "line modes");

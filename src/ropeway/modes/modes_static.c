@@ -5,15 +5,10 @@
 #include <cblas.h>
 #include <lapacke.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
+#include "core/hold.h"
 #include "ropeway/modes/segment.h"
-
-static double *array(size_t n)
-{
-	return calloc(n + 1, sizeof(double));
-}
 
 /* Work space of a solution, within t->work. */
 struct spaces {
@@ -226,9 +221,9 @@ int hawser__lmode_circulation(struct hawser__lmode_system *t, const double *v)
 {
 	double norm;
 
-	t->null = array((size_t)t->size);
-	t->null_strain = array((size_t)t->strains);
-	t->null_load = array((size_t)t->size);
+	t->null = hawser__numbers((size_t)t->size, 1);
+	t->null_strain = hawser__numbers((size_t)t->strains, 1);
+	t->null_load = hawser__numbers((size_t)t->size, 1);
 	if (!t->null || !t->null_strain || !t->null_load)
 		return -1;
 	for (int b = 0; b < t->borders; b++)
