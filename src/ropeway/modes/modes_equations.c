@@ -175,8 +175,9 @@ static enum hawser_status arrange(struct hawser__lmode_system *t, struct hawser_
 	t->response = hawser__numbers(borders*(size_t)t->rows, 1);
 	t->schur = hawser__numbers(borders*borders, 1);
 	t->schur_pivot = calloc(borders + 1, sizeof *t->schur_pivot);
-	t->work = hawser__numbers((size_t)t->work_size + (size_t)t->strains + 2*((size_t)t->rows + borders) +
-	                4*(size_t)t->segments + 2*(size_t)t->size, 1);
+	t->work = hawser__numbers((size_t)t->work_size + (size_t)t->strains +
+	                          2*((size_t)t->rows + borders) + 4*(size_t)t->segments +
+	                          2*(size_t)t->size, 1);
 	if (!t->weight || !t->band || !t->pivot || !t->response || !t->schur || !t->schur_pivot || !t->work)
 		return hawser__no_memory(report, "line modes");
 	for (int i = 0; i < t->segments; i++)
