@@ -25,7 +25,7 @@ const struct hawser__step_settings hawser__frf_steps = {
  * the points the quintic through them is as good as they are. */
 const struct hawser__step_settings hawser__exact_steps = {
 	.smallest = 1e-9, .after_failure = 0.4, .after_refusal = 0.5, .slowest = 0.4, .fastest = 1.8,
-	.goal_contraction = 0.05, .goal_angle = 0.4, .goal_distance = 1e-2, .distance_order = 6
+	.goal_contraction = 0.05, .goal_angle = 0.3, .goal_distance = 1e-2, .distance_order = 6
 };
 
 /* A point costs five times that of a response, and its predictor is of lower order. */

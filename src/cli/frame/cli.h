@@ -82,6 +82,8 @@ CLI_COMMANDS(CLI_NO_GROUP, CLI_DECLARE)
 /* What options say of each other (struct cli_option), of those that are given. */
 enum hawser_status cli_rules_check(const struct cli_command *command, const struct cli_common *common,
                                    struct hawser_report *report) HAWSER_MUST_CHECK;
+/* The settings of a command with their defaults, for free(); NULL when out of memory. */
+void *cli_settings(const struct cli_command *command);
 enum hawser_status cli_parse(void *settings, const struct cli_command *command, int argc,
                              char **argv, struct hawser_report *report) HAWSER_MUST_CHECK;
 void cli_print_help(const struct cli_command *command, FILE *stream);

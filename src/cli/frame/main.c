@@ -110,17 +110,24 @@ static enum hawser_status unknown_command(const char *name, struct hawser_report
 	                    best ? "; did you mean " : "", best ? best : "", best ? "?" : "");
 }
 
+void *cli_settings(const struct cli_command *command)
+{
+	void *settings = calloc(1, command->size);
+
+	if (settings && command->defaults)
+		memcpy(settings, command->defaults, command->size);
+	return settings;
+}
+
 static enum hawser_status execute(const struct cli_command *command, int argc, char **argv,
                                   struct hawser_report *report)
 {
-	struct cli_common *common = calloc(1, command->size);
+	struct cli_common *common = cli_settings(command);
 	struct hawser_document document = {.name = NULL};
 	enum hawser_status status;
 
 	if (!common)
 		return hawser__no_memory(report, "main");
-	if (command->defaults)
-		memcpy(common, command->defaults, command->size);
 	cli_ranks_silence(command->name);
 	common->document = &document;
 	common->started = cli_seconds();

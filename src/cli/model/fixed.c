@@ -233,9 +233,9 @@ void cli_fixed_comments(struct hawser__table *table, const struct cli_model_erro
 
 		if (error->second > 0)
 			snprintf(second, sizeof second, " and %d", error->second);
-		hawser__table_comment(table, "error of the model: about %.2g of %s, by comparison with models "
-		                      "of %d%s coordinates", fixed->estimated, error->about,
-		                      fixed->looked_at, second);
+		hawser__table_comment(table, "error of the model: %s%.2g of %s, by comparison with models "
+		                      "of %d%s coordinates", fixed->estimated < 1.0 ? "about " : "more than ",
+		                      fixed->estimated, error->about, fixed->looked_at, second);
 		return;
 	}
 	hawser__table_comment(table, "%serror of the model: %s%.2g of %s, to first order "

@@ -116,13 +116,12 @@ static enum hawser_status check_command(const struct cli_study *sweep, int words
                                         struct hawser_report *report)
 {
 	const struct cli_command *command = sweep->choice.command;
-	struct cli_common *common = malloc(command->size);
+	struct cli_common *common = cli_settings(command);
 	enum hawser_status status;
 	const char *file;
 
 	if (!common)
 		return hawser__no_memory(report, "sweep");
-	memcpy(common, command->defaults, command->size);
 	status = cli_parse(common, command, sweep->words - words, sweep->word + words, report);
 	file = common->json ? "json" : common->tsv ? "tsv" : common->plot ? "plot"
 	       : common->gp ? "gp" : NULL;
