@@ -11,8 +11,8 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/beam/beam_motion.c \
 	%D%/beam/beam_result.c \
 	%D%/beam/beam_result.h \
-	%D%/curves/backbone.c \
-	%D%/curves/backbone.h \
+	%D%/backbone/backbone.c \
+	%D%/backbone/backbone.h \
 	%D%/model/basis.c \
 	%D%/model/choice.c \
 	%D%/modes/campbell_draw.c \
@@ -47,14 +47,14 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/motion/span_run.c \
 	%D%/motion/span_run.h \
 	%D%/curves/cmd_locus.c \
-	%D%/curves/cmd_nnm.c %D%/curves/nnm_result.c %D%/curves/nnm_result.h \
+	%D%/backbone/cmd_nnm.c %D%/backbone/nnm_result.c %D%/backbone/nnm_result.h \
 	%D%/modes/cmd_irvine.c \
 	%D%/map/cmd_map.c \
 	%D%/sweep/cmd_merge.c \
 	%D%/map/map_part.c \
 	%D%/map/map_part.h \
 	%D%/curves/cmd_orbit.c \
-	%D%/curves/cmd_mms.c \
+	%D%/backbone/cmd_mms.c \
 	%D%/modes/cmd_modes.c \
 	%D%/plan/cmd_plan.c \
 	%D%/sweep/cmd_sweep.c \
@@ -206,10 +206,10 @@ noinst_LIBRARIES += %D%/libcli.a
 	%D%/map/map_hdf5.c \
 	%D%/map/map_result.c \
 	%D%/map/map_result.h \
-	%D%/curves/mms_marks.c \
-	%D%/curves/mms_options.c \
-	%D%/curves/mms_result.c \
-	%D%/curves/mms_result.h \
+	%D%/backbone/mms_marks.c \
+	%D%/backbone/mms_options.c \
+	%D%/backbone/mms_result.c \
+	%D%/backbone/mms_result.h \
 	%D%/model/model.c \
 	%D%/modes/modes_damped.c \
 	%D%/modes/modes_damped.h \

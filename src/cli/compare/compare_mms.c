@@ -15,7 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/curves/mms_result.h"
+#include "cli/backbone/mms_result.h"
 #include "cli/frame/progress.h"
 #include "cli/frame/view.h"
 #include "core/report.h"

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/curves/backbone.h"
+#include "cli/backbone/backbone.h"
 #include "cli/model/exact.h"
 #include "cli/curves/frf_beside.h"
 #include "cli/curves/frf_cover.h"

@@ -5,13 +5,13 @@
 #include <math.h>
 #include <string.h>
 
-#include "cli/curves/backbone.h"
+#include "cli/backbone/backbone.h"
 #include "cli/curves/frf_cover.h"
 #include "cli/curves/frf_lift.h"
 #include "cli/curves/frf_over.h"
 #include "cli/curves/frf_tori.h"
 #include "cli/frame/view.h"
-#include "cli/curves/mms_result.h"
+#include "cli/backbone/mms_result.h"
 
 /* Options of a result. */
 enum { TENSION = 1, MULTIPLIERS = 2, SWEEPS = 4, BACKBONE = 8, SAMPLE = 16, PEAKS = 32,

@@ -6,14 +6,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/curves/backbone.h"
+#include "cli/backbone/backbone.h"
 #include "cli/model/exact.h"
 #include "cli/curves/frf_cover.h"
 #include "cli/curves/frf_lift.h"
 #include "cli/curves/frf_over.h"
 #include "cli/curves/frf_tori.h"
 #include "cli/frame/view.h"
-#include "cli/curves/mms_result.h"
+#include "cli/backbone/mms_result.h"
 #include "core/report.h"
 
 struct cli_place cli_frf_place(const struct cli_frf_result *result, double omega, double parameter)

@@ -1,11 +1,11 @@
-/* cli/curves/backbone.c - see backbone.h.
+/* cli/backbone/backbone.c - see backbone.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-#include "cli/curves/backbone.h"
+#include "cli/backbone/backbone.h"
 #include "cli/frame/progress.h"
 #include "core/report.h"
 #include "output/drawing/figure.h"

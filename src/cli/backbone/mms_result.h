@@ -1,4 +1,4 @@
-/* cli/curves/mms_result.h - results of multiple scales as table, JSON and picture.
+/* cli/backbone/mms_result.h - results of multiple scales as table, JSON and picture.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_CLI_MMS_RESULT_H
 #define HAWSER_CLI_MMS_RESULT_H

@@ -1,4 +1,4 @@
-/* cli/curves/cmd_mms.c - hawser mms: resonances by the method of multiple scales.
+/* cli/backbone/cmd_mms.c - hawser mms: resonances by the method of multiple scales.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "cli/model/label.h"
-#include "cli/curves/mms_result.h"
+#include "cli/backbone/mms_result.h"
 #include "cli/frame/progress.h"
 #include "core/report.h"
 

@@ -1,4 +1,4 @@
-/* cli/curves/cmd_nnm.c - hawser nnm: nonlinear normal modes over energy and frequency.
+/* cli/backbone/cmd_nnm.c - hawser nnm: nonlinear normal modes over energy and frequency.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -6,7 +6,7 @@
 #include <stdlib.h>
 
 #include "cli/model/axis.h"
-#include "cli/curves/nnm_result.h"
+#include "cli/backbone/nnm_result.h"
 #include "cli/frame/progress.h"
 #include "core/report.h"
 

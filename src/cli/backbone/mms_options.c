@@ -1,4 +1,4 @@
-/* cli/curves/mms_options.c - parse resonant modes and a range about them.
+/* cli/backbone/mms_options.c - parse resonant modes and a range about them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/curves/mms_result.h"
+#include "cli/backbone/mms_result.h"
 #include "core/report.h"
 
 enum hawser_status cli_mms_read(struct hawser_resonance *resonance, const char *text,

@@ -1,4 +1,4 @@
-/* cli/curves/mms_result.c - comments and fields of multiple scales, see mms_result.h.
+/* cli/backbone/mms_result.c - comments and fields of multiple scales, see mms_result.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "cli/curves/mms_result.h"
+#include "cli/backbone/mms_result.h"
 
 static const char axis[] = "xyz";
 static const char *const part_name[] = {"mean", "first", "second"};

@@ -1,10 +1,10 @@
-/* cli/curves/mms_marks.c - folds and peak of a response, for hawser compare mms.
+/* cli/backbone/mms_marks.c - folds and peak of a response, for hawser compare mms.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
 #include <math.h>
 
-#include "cli/curves/mms_result.h"
+#include "cli/backbone/mms_result.h"
 
 /* Amplitude of the coordinate at an event, from the neighbouring points. */
 static double at_event(const struct hawser_frf *frf, const struct hawser_frf_event *event, int mode)

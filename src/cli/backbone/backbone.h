@@ -1,4 +1,4 @@
-/* cli/curves/backbone.h - backbones beside a frequency response (hawser frf --backbone).
+/* cli/backbone/backbone.h - backbones beside a frequency response (hawser frf --backbone).
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_CLI_BACKBONE_H
 #define HAWSER_CLI_BACKBONE_H

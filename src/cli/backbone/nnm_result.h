@@ -1,4 +1,4 @@
-/* cli/curves/nnm_result.h - nonlinear normal modes as a table, JSON and a picture.
+/* cli/backbone/nnm_result.h - nonlinear normal modes as a table, JSON and a picture.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HAWSER_CLI_NNM_RESULT_H
 #define HAWSER_CLI_NNM_RESULT_H

@@ -1,4 +1,4 @@
-/* cli/curves/nnm_result.c - see nnm_result.h. In SI if the model has units.
+/* cli/backbone/nnm_result.c - see nnm_result.h. In SI if the model has units.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
@@ -6,8 +6,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "cli/curves/backbone.h"
-#include "cli/curves/nnm_result.h"
+#include "cli/backbone/backbone.h"
+#include "cli/backbone/nnm_result.h"
 #include "core/report.h"
 #include "output/drawing/figure.h"
 
