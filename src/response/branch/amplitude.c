@@ -80,13 +80,13 @@ static void drop_plans(struct hawser__amplitude *amplitude)
 static void drop(struct hawser__amplitude *amplitude)
 {
 	drop_plans(amplitude);
-	fftw_free(amplitude->signal);
-	fftw_free(amplitude->fine);
+	free(amplitude->signal);
+	free(amplitude->fine);
 	free(amplitude->xyz);
 	free(amplitude->tension);
 	free(amplitude->contact);
-	fftw_free(amplitude->coarse_c);
-	fftw_free(amplitude->fine_c);
+	free(amplitude->coarse_c);
+	free(amplitude->fine_c);
 	*amplitude = (struct hawser__amplitude){.rom = amplitude->rom, .frozen = amplitude->frozen};
 }
 
@@ -117,11 +117,12 @@ static int make_room(struct hawser__amplitude *amplitude, int rows)
 	if (rows <= amplitude->capacity)
 		return 0;
 	drop(amplitude);
-	amplitude->signal = fftw_alloc_real((size_t)capacity);
-	amplitude->fine = fftw_alloc_real((size_t)many);
+	amplitude->signal = hawser__planner_array((size_t)capacity, sizeof *amplitude->signal);
+	amplitude->fine = hawser__planner_array((size_t)many, sizeof *amplitude->fine);
 	amplitude->xyz = malloc(3*(size_t)capacity*sizeof *amplitude->xyz);
-	amplitude->coarse_c = fftw_alloc_complex((size_t)capacity/2 + 1);
-	amplitude->fine_c = fftw_alloc_complex((size_t)many/2 + 1);
+	amplitude->coarse_c = hawser__planner_array((size_t)capacity/2 + 1,
+	                                             sizeof *amplitude->coarse_c);
+	amplitude->fine_c = hawser__planner_array((size_t)many/2 + 1, sizeof *amplitude->fine_c);
 	if (!amplitude->signal || !amplitude->fine || !amplitude->xyz ||
 	    !amplitude->coarse_c || !amplitude->fine_c)
 		return 1;
@@ -143,10 +144,11 @@ static int prepare(struct hawser__amplitude *amplitude, int rows)
 		}
 	if (amplitude->kept == PLANS)
 		drop_plans(amplitude);
+	if (hawser__planner_begin())
+		return 1;
 	plans = amplitude->now = &amplitude->plans[amplitude->kept++];
 	plans->rows = rows;
 	plans->many = 1 << e;
-	hawser__planner_lock();
 	plans->analyse = fftw_plan_dft_r2c_1d(rows, amplitude->signal, amplitude->coarse_c,
 	                                      FFTW_ESTIMATE);
 	if (!amplitude->refine[e])

@@ -4,6 +4,7 @@
 
 #include <complex.h>
 #include <stddef.h>
+#include <stdlib.h>
 
 #include <fftw3.h>
 
@@ -18,7 +19,7 @@ void hawser__differentiate_release(struct hawser__differentiate *rates)
 	if (rates->sum)
 		fftw_destroy_plan(rates->sum);
 	hawser__planner_unlock();
-	fftw_free(rates->coefficient);
+	free(rates->coefficient);
 	*rates = (struct hawser__differentiate){0};
 }
 
@@ -30,11 +31,11 @@ int hawser__differentiate_prepare(struct hawser__differentiate *rates, int rows,
 	if (rates->rows == rows && rates->width == width)
 		return 0;
 	hawser__differentiate_release(rates);
-	sample = fftw_malloc((size_t)rows*width*sizeof *sample);
-	rates->coefficient = coefficient = fftw_malloc((size_t)(rows/2 + 1)*width*sizeof *coefficient);
-	if (sample && coefficient) {
+	sample = hawser__planner_array((size_t)rows*width, sizeof *sample);
+	rates->coefficient = coefficient = hawser__planner_array((size_t)(rows/2 + 1)*width,
+	                                                         sizeof *coefficient);
+	if (sample && coefficient && !hawser__planner_begin()) {
 		/* estimated plans do not depend on measured times, and thus results do not */
-		hawser__planner_lock();
 		rates->analyse = fftw_plan_many_dft_r2c(1, &rows, width, sample, NULL, width, 1,
 		                                           coefficient, NULL, width, 1,
 		                                           FFTW_ESTIMATE | FFTW_UNALIGNED);
@@ -43,7 +44,7 @@ int hawser__differentiate_prepare(struct hawser__differentiate *rates, int rows,
 		                                       FFTW_ESTIMATE | FFTW_UNALIGNED);
 		hawser__planner_unlock();
 	}
-	fftw_free(sample);
+	free(sample);
 	if (!rates->analyse || !rates->sum) {
 		hawser__differentiate_release(rates);
 		return 1;

@@ -21,6 +21,7 @@
 
 #include <complex.h>
 #include <math.h>
+#include <stdlib.h>
 
 #include <fftw3.h>
 
@@ -112,10 +113,9 @@ enum hawser_status hawser_spectrum(double *frequency, double *amplitude, int *bi
 	if (status)
 		return status;
 	*bins = rows/2 + 1;
-	windowed = fftw_alloc_real((size_t)rows);
-	line = fftw_alloc_complex((size_t)*bins);
-	if (windowed && line) {
-		hawser__planner_lock();
+	windowed = hawser__planner_array((size_t)rows, sizeof *windowed);
+	line = hawser__planner_array((size_t)*bins, sizeof *line);
+	if (windowed && line && !hawser__planner_begin()) {
 		plan = fftw_plan_dft_r2c_1d(rows, windowed, line, FFTW_ESTIMATE);
 		hawser__planner_unlock();
 	}
@@ -138,7 +138,7 @@ done:
 		fftw_destroy_plan(plan);
 		hawser__planner_unlock();
 	}
-	fftw_free(line);
-	fftw_free(windowed);
+	free(line);
+	free(windowed);
 	return status;
 }
