@@ -7,8 +7,8 @@
 #include <stddef.h>
 
 void hawser__planner_lock(void);
-/* The lock, for a new plan. FFTW ends the program where memory is short: 1, and no lock, if there is not
- * as much as a plan takes. */
+/* The lock, for a new plan. FFTW ends the program where memory is short: 1, and no lock, if there is
+ * not as much as a plan takes. */
 int hawser__planner_begin(void);
 /* An aligned array for a transform, for free(); NULL if memory is short, where FFTW's own functions end
  * the program. */
