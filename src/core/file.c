@@ -133,15 +133,25 @@ enum hawser_status hawser__file_begin(struct hawser__file *file, const char *pat
 	return status;
 }
 
+/* Why an earlier write failed. The stream keeps that one did, not why, and where it went past the
+ * buffer nothing is left that fflush(3) would try again: so a line end is tried, which a file that
+ * is incomplete already can bear. */
+static int reason_of_failure(FILE *stream)
+{
+	return write(fileno(stream), "\n", 1) < 0 ? errno : EIO;
+}
+
 enum hawser_status hawser__file_commit(struct hawser__file *file, struct hawser_report *report)
 {
 	enum hawser_status status = HAWSER_OK;
-	int bad = ferror(file->stream), error;
+	int bad = ferror(file->stream), error = 0;
 
-	errno = bad ? EIO : 0;
-	if (fflush(file->stream) != 0)
+	if (fflush(file->stream) != 0) {
 		bad = 1;
-	error = errno;
+		error = errno;
+	} else if (bad) {
+		error = reason_of_failure(file->stream);
+	}
 	if (file->stream != stdout && fclose(file->stream) != 0 && !bad) {
 		bad = 1;
 		error = errno;
@@ -151,7 +161,7 @@ enum hawser_status hawser__file_commit(struct hawser__file *file, struct hawser_
 		error = errno;
 	}
 	if (bad) {
-		status = refuse(report, file->name, error ? error : EIO);
+		status = refuse(report, file->name, error);
 		if (file->temporary)
 			unlink(file->temporary);
 	}

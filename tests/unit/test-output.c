@@ -238,6 +238,12 @@ static void test_file(void)
 		fputs("too much", file.stream);
 		ok(hawser__file_commit(&file, &report) == HAWSER_ERR_IO &&
 		   strstr(report.message, "No space left"), "and is full: %s", report.message);
+		ok(hawser__file_begin(&file, "/dev/full", &report) == HAWSER_OK, "opened again");
+		setvbuf(file.stream, NULL, _IONBF, 0);
+		fputs("too much", file.stream);
+		ok(hawser__file_commit(&file, &report) == HAWSER_ERR_IO &&
+		   strstr(report.message, "No space left"),
+		   "the reason, though nothing is left in the buffer: %s", report.message);
 	}
 }
 
