@@ -17,6 +17,7 @@
 static struct hawser__station station[4];
 static double logs[4][2*PAIRS], arguments[4][2*PAIRS], bounds[4][2*PAIRS];
 static unsigned char condensed[4][2*PAIRS];
+static double arc[4] = {0.0, 0.385, 0.77, 1.155};
 static int followed;
 
 static void set_pair(int k, int i, double log_modulus, double argument)
@@ -39,7 +40,7 @@ static int collide(int step)
 		station[k].argument = arguments[k];
 		station[k].bound = bounds[k];
 		station[k].condensed = condensed[k];
-		station[k].arc = 0.385*k;
+		station[k].arc = arc[k];
 		all[k] = &station[k];
 	}
 	return hawser__collide(&followed, all, step, 2*PAIRS, work);
@@ -82,10 +83,28 @@ static void check_collision(double top, int step, int expected, const char *what
 	ok(collide(step) == expected, "%s", what);
 }
 
+/* Two pairs of the first random model of property/undamped, which collide in the second step. In the
+ * third, one of them leaves the circle at -1 and returns: its argument has a kink there. */
+static void check_beside_one(void)
+{
+	static const double at[4] = {5.29903, 5.35975, 5.46904, 5.66578};
+	static const double argument[4][2] = {{3.136242, 3.093852}, {3.126726, 3.103207},
+	                                      {3.109657, 3.119987}, {3.078350, 3.132426}};
+
+	memcpy(arc, at, sizeof arc);
+	for (int k = 0; k < 4; k++) {
+		set_pair(k, 0, 0.0, argument[k][0]);
+		set_pair(k, 1, 0.0, argument[k][1]);
+		set_pair(k, 2, 0.0, 1.9);
+	}
+	ok(collide(1), "two pairs that collide, of which one meets the real axis in the next step");
+	memcpy(arc, (double[4]){0.0, 0.385, 0.77, 1.155}, sizeof arc);
+}
+
 /* A pair runs through another at a rate that changes so much that the interpolation is not sure. */
 static void check_condensed(int marked)
 {
-	static const double off[4] = {-0.5, -0.42, -0.17, 0.17};
+	static const double off[4] = {-0.5, -0.45, -0.17, 0.17};
 
 	for (int k = 0; k < 4; k++) {
 		set_pair(k, 0, DECAY, 1.2385);
@@ -126,6 +145,7 @@ CASE(unit_collide)
 	check_collision(0.0101, 1, 1, "from the stations on both sides too");
 	check_collision(0.0009, 2, 0, "so slightly that they stay inside the circle, they are not");
 	check_collision(0.0009, 1, 0, "and with stations on both sides");
+	check_beside_one();
 	check_condensed(0);
 	check_condensed(1);
 	check_alone(0.0, 1, "a damped pair that passes -1 is followed");

@@ -1,20 +1,23 @@
 /* response/branch/collide.c - see collide.h.
  *
  *    lambda   log |mu| + i arg mu, arg mu in (0, pi): a complex pair of multipliers
- *    D        (lambda_i - lambda_j)^2
  *    S        Re(lambda_i + lambda_j)
+ *    z        cosh(lambda - S/2)
+ *    D        (z_i - z_j)^2
+ *    M        (z_i + z_j)/2
  *
  * If the damping is proportional to the mass, all pairs have the same modulus until two of them
  * collide. They then separate in radial direction; one may leave the unit circle, return and
  * collide with the other again. This makes two torus points, between which no station need lie, and
- * the moduli at the stations do not show them. D and S, however, are smooth along the branch even
- * at the collision, and the larger growth of the two pairs is S/2 + Re sqrt(D)/2. D and S are
- * therefore interpolated through the last stations. The step is too long if the growth, with the
- * error of the interpolation, may exceed the error of the multipliers within it.
+ * the moduli at the stations do not show them. D, M and S, however, are smooth along the branch even
+ * at the collision, and the larger growth of the two pairs is S/2 + |Re arcosh(M + sqrt(D)/2)|.
+ * They are therefore interpolated through the last stations. The step is too long if the growth,
+ * with the error of the interpolation, may exceed the error of the multipliers within it.
+ * Differences of lambda itself would have a kink where a pair meets on the real axis; z has none.
  *
  * The two multipliers of one pair collide at 1 or -1 and then separate along the real axis: two folds,
- * branch points or period doublings, if one of them reaches the unit circle. The same D, of lambda and
- * its conjugate plus 0 or 2 pi i, shows whether that may happen within a step. Where multipliers are
+ * branch points or period doublings, if one of them reaches the unit circle. The square of lambda less
+ * its conjugate plus 0 or 2 pi i shows whether that may happen within a step. Where multipliers are
  * undecided (circle.h) nothing else shows it; elsewhere judge.c looks at it unless D excludes it.
  *
  * Reference: Seyranian and Mailybaev, Multiparameter Stability Theory with Mechanical Applications
@@ -127,43 +130,69 @@ static double bound_of(const struct hawser__station *station, int m, double comp
 	return 0.0;
 }
 
-/* Two multipliers that may collide: of pairs i and j, or, for i = j, both of one pair, at the argument
- * `centre` (0 or pi). */
-struct couple {
-	int i, j;
-	double centre;
-};
-
-/* Whether two multipliers, which are inside the unit circle at both ends of the step, may be outside
- * between them; lambda [4][count]. */
-static int grows(const double complex *lambda, int count, struct couple couple, const double *s,
-                 const struct hawser__station *const station[4], int step, int m)
+/* Error of the multipliers of pair i at both ends of the step, lambda [4][count]; -1 if it is outside
+ * the unit circle at one of them. */
+static double bound_within(const double complex *lambda, int count, int i,
+                           const struct hawser__station *const station[4], int step, int m)
 {
-	double complex D[4], S[4];
 	double bound = 0.0;
 
+	for (int k = step; k < step + 2; k++) {
+		double here = bound_of(station[k], m, lambda[k*count + i]);
+
+		if (creal(lambda[k*count + i]) > here)
+			return -1.0;
+		bound = fmax(bound, here);
+	}
+	return bound;
+}
+
+/* Position of sample e within the step; the first is where D has its extreme. */
+static double place_of(const double complex D[4], const double *s, int step, int e)
+{
+	return e > 0 ? s[step] + (s[step + 1] - s[step])*e/SAMPLES
+	             : turning_point(D, s, step - 1, step, step + 1);
+}
+
+/* sinh^2 of |Re arcosh z|. What is real and beyond 1 or -1 does not count: that is one pair's
+ * matter. */
+static double square_growth(double complex z)
+{
+	double x = fmax(-1.0, fmin(creal(z), 1.0)), y = cimag(z);
+	double q = x*x + y*y - 1.0, root = sqrt(q*q + 4.0*y*y);
+
+	return y == 0.0 ? 0.0 : q > 0.0 ? 0.5*(root + q) : 2.0*y*y/(root - q);
+}
+
+/* Whether pairs i and j, which are inside the unit circle at both ends of the step, may be outside
+ * between them; lambda [4][count]. */
+static int grows_together(const double complex *lambda, int count, int i, int j, const double *s,
+                          const struct hawser__station *const station[4], int step, int m)
+{
+	double complex D[4], M[4], S[4];
+	double bound = bound_within(lambda, count, i, station, step, m);
+	double other = bound_within(lambda, count, j, station, step, m);
+
+	if (bound < 0.0 || other < 0.0)
+		return 0;
+	bound = fmax(bound, other);
 	for (int k = 0; k < 4; k++) {
-		double complex a = lambda[k*count + couple.i], own = lambda[k*count + couple.j];
-		double complex b = couple.i == couple.j ? conj(own) + 2.0*I*couple.centre : own;
+		double complex a = lambda[k*count + i], b = lambda[k*count + j];
+		double half = 0.5*creal(a + b);
+		double complex z = ccosh(a - half), of_b = ccosh(b - half);
 
-		D[k] = (a - b)*(a - b);
-		S[k] = creal(a + b);
-		if (k == step || k == step + 1) {
-			double of_a = bound_of(station[k], m, a), of_b = bound_of(station[k], m, own);
-
-			if (creal(a) > of_a || creal(b) > of_b)
-				return 0;
-			bound = fmax(bound, fmax(of_a, of_b));
-		}
+		S[k] = 2.0*half;
+		D[k] = (z - of_b)*(z - of_b);
+		M[k] = 0.5*(z + of_b);
 	}
 	for (int e = 0; e < SAMPLES; e++) {
-		double at = e > 0 ? s[step] + (s[step + 1] - s[step])*e/SAMPLES
-		            : turning_point(D, s, step - 1, step, step + 1), off_D, off_S;
-		double complex sum = interpolate(&off_S, S, s, at);
+		double at = place_of(D, s, step, e), off_D, off_M, off_S, least;
+		double complex sum = interpolate(&off_S, S, s, at), middle = interpolate(&off_M, M, s, at);
 		double complex difference = interpolate(&off_D, D, s, at);
 
-		off_D *= couple.i == couple.j ? SAFETY : 1.0;
-		if (0.5*(creal(sum) + off_S + creal(csqrt(difference + off_D))) > bound)
+		least = sinh(bound - 0.5*(creal(sum) + off_S));
+		if (least < 0.0 ||
+		    square_growth(middle + 0.5*csqrt(difference - off_D)) > least*least)
 			return 1;
 	}
 	return 0;
@@ -175,15 +204,33 @@ static int near_by(const double complex *lambda, int count, int i, int j)
 	return cabs(lambda[i] - lambda[j]) < CLOSE || cabs(lambda[count + i] - lambda[count + j]) < CLOSE;
 }
 
-/* Whether the multipliers of pair i may have collided with each other and separated. */
+/* Whether the multipliers of pair i, which are inside the unit circle at both ends of the step, may
+ * have met at 1 or -1, separated and left it. */
 static int grows_alone(const double complex *lambda, int count, int i, const double *s,
                        const struct hawser__station *const station[4], int step, int m)
 {
 	double from = cimag(lambda[step*count + i]), to = cimag(lambda[(step + 1)*count + i]);
-	struct couple couple = {i, i, from + to > M_PI ? M_PI : 0.0};
+	double centre = from + to > M_PI ? M_PI : 0.0;
+	double bound = bound_within(lambda, count, i, station, step, m);
+	double complex D[4], S[4];
 
-	return fmin(fabs(from - couple.centre), fabs(to - couple.centre)) < 0.5*CLOSE &&
-	       grows(lambda, count, couple, s, station, step, m);
+	if (bound < 0.0 || fmin(fabs(from - centre), fabs(to - centre)) >= 0.5*CLOSE)
+		return 0;
+	for (int k = 0; k < 4; k++) {
+		double complex own = lambda[k*count + i], between = own - conj(own) - 2.0*I*centre;
+
+		D[k] = between*between;
+		S[k] = 2.0*creal(own);
+	}
+	for (int e = 0; e < SAMPLES; e++) {
+		double at = place_of(D, s, step, e), off_D, off_S;
+		double complex sum = interpolate(&off_S, S, s, at);
+		double complex difference = interpolate(&off_D, D, s, at);
+
+		if (0.5*(creal(sum) + off_S + creal(csqrt(difference + SAFETY*off_D))) > bound)
+			return 1;
+	}
+	return 0;
 }
 
 int hawser__collide(int *followed, const struct hawser__station *const station[4], int step, int m,
@@ -217,7 +264,7 @@ int hawser__collide(int *followed, const struct hawser__station *const station[4
 		*followed &= !alone;
 		for (int j = 0; j < i && !found; j++)
 			found = near_by(lambda + step*count, count, i, j) &&
-			        grows(lambda, count, (struct couple){i, j, 0.0}, s, station, step, m);
+			        grows_together(lambda, count, i, j, s, station, step, m);
 	}
 	return found;
 }
