@@ -57,6 +57,8 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/energy/exact.h \
 	%D%/energy/exact_block.c \
 	%D%/energy/exact_make.c \
+	%D%/condense/fields.c \
+	%D%/condense/fields.h \
 	%D%/condense/follow.c \
 	%D%/condense/follow.h \
 	%D%/terms/forced.c \
@@ -82,8 +84,10 @@ noinst_LTLIBRARIES += %D%/librom.la
 	%D%/build/line.c \
 	%D%/build/line.h \
 	%D%/build/line_answer.c \
+	%D%/build/line_fields.c \
 	%D%/build/line_lift.c \
 	%D%/build/line_load.c \
+	%D%/build/line_tensors.c \
 	%D%/build/linear.c \
 	%D%/terms/load.c \
 	%D%/terms/load.h \

@@ -34,11 +34,11 @@ for j, m in enumerate(modes): # carriers where the phase has them
 # weights smeared, mass where it is: but for the sag of the carriers' weights the same modes
 first = lambda m: math.sqrt(m["K"][0][0])/m["scale"]["time"]/modes[0]["omega"] - 1
 assert abs(first(passing)) < 2e-3 < 0.02 < first(smeared) < 0.03, (first(passing), first(smeared))
-assert [(h["k"], h["phase"]) for h in passing["harmonics"]] == \
+assert [(h["k"], h["phase"]) for h in passing["harmonics"][:7]] == \
     [(k, p) for k in (1, 2, 3) for p in ("cos", "sin")] + [(0, "cos")]
 D = passing["harmonics"][6]["D"]
 assert all(D[j][k] == -D[k][j] for j in range(6) for k in range(6)) and any(D[0])
-assert len(drive["harmonics"]) == 1 and any(drive["harmonics"][0]["f"])
+assert any(drive["harmonics"][0]["f"])
 assert [len(m["Q"]) > 10 and len(m["C"]) > 20 for m in (passing, drive)] == [True, True]
 assert passing["shapes"]["names"] == ["span_1", "span_2", "span_3"]
 assert stick["n"] == 4

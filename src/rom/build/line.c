@@ -61,77 +61,6 @@ static enum hawser_status check(const struct hawser_line_rom_options *o, int lan
 	return HAWSER_OK;
 }
 
-/* --- tensors --- */
-
-static enum hawser_status set_quads(struct hawser_rom *rom, const struct hawser__lexpand *t,
-                                    struct hawser_report *report)
-{
-	int n = rom->n;
-
-	rom->Q = malloc(((size_t)n*(size_t)n*(size_t)(n + 1)/2 + 1)*sizeof *rom->Q);
-	if (!rom->Q)
-		return hawser__no_memory(report, "line rom");
-	for (int j = 0; j < n; j++)
-		for (int k = 0; k < n; k++)
-			for (int l = k; l < n; l++) {
-				double value = t->third[(j*t->n + k)*t->n + l];
-
-				if (value != 0.0)
-					rom->Q[rom->quads++] = (struct hawser_quad){j, k, l, k == l ? 0.5*value : value};
-			}
-	return HAWSER_OK;
-}
-
-/* 6 over the number of orders of three indices. */
-static double share(int k, int l, int m)
-{
-	return k == m ? 6.0 : k == l || l == m ? 2.0 : 1.0;
-}
-
-/* Numbers of planes that occur an odd number of times have no energy. */
-static int even(const struct hawser_line_modes *modes, const int index[4])
-{
-	int out = 0;
-
-	for (int i = 0; i < 4; i++)
-		out += modes->mode[index[i]].plane == HAWSER_OUT_OF_PLANE;
-	return out%2 == 0;
-}
-
-static enum hawser_status set_cubics(struct hawser_rom *rom, const struct hawser__lexpand *t,
-                                     const struct hawser_line_modes *modes,
-                                     struct hawser_report *report)
-{
-	int n = rom->n;
-
-	rom->C = malloc(((size_t)n*(size_t)n*(size_t)(n + 1)*(size_t)(n + 2)/6 + 1)*sizeof *rom->C);
-	if (!rom->C)
-		return hawser__no_memory(report, "line rom");
-	for (int j = 0; j < n; j++)
-		for (int k = 0; k < n; k++)
-			for (int l = k; l < n; l++)
-				for (int m = l; m < n; m++) {
-					int index[4] = {j, k, l, m};
-					double value;
-
-					if (!even(modes, index))
-						continue;
-					/* the same bits for the same derivative */
-					for (int a = 0; a < 3 && index[a] > index[a + 1]; a++) {
-						index[a] = index[a + 1];
-						index[a + 1] = j;
-					}
-					value = hawser__lexpand_fourth(t, index);
-					if (!isfinite(value))
-						return hawser__fail(report, HAWSER_ERR_NAN, "line rom", "the tensor C is %g "
-						                    "for modes %d, %d, %d, %d: their shapes are not finite",
-						                    value, j + 1, k + 1, l + 1, m + 1);
-					value /= share(k, l, m);
-					rom->C[rom->cubics++] = (struct hawser_cubic){j, k, l, m, value};
-				}
-	return HAWSER_OK;
-}
-
 /* --- labels and shape points --- */
 
 /* "in-plane 2 (span 1)": the span with more than half of the energy, if there is one. */
@@ -268,37 +197,44 @@ int hawser__line_next_place(struct hawser__line_place *place, int *next,
 	return 1;
 }
 
-static enum hawser_status set_second(struct hawser_rom *rom, const struct hawser__lexpand *t,
-                                     struct hawser_report *report)
+void hawser__line_second(double *shape, double *slope, double *line, const struct hawser_rom *rom,
+                         const struct hawser__lexpand *t, int first, int pairs)
 {
-	struct hawser_rom_shapes *shapes = &rom->shapes;
-	size_t points = (size_t)shapes->points, along = (size_t)rom->line.points;
-	enum hawser_status status = hawser__rom_init_second(rom, report);
+	size_t points = (size_t)rom->shapes.points, along = (size_t)rom->line.points;
 
-	for (int pair = 0; pair < rom->n*(rom->n + 1)/2 && !status; pair++) {
+	for (int pair = 0; pair < pairs; pair++) {
 		struct hawser__line_place at;
-		double shape[3];
+		double displacement[3];
 		size_t q = (size_t)pair*along;
 		int next = 0;
 
-		for (int p = 0; p < shapes->points; p++) {
+		for (int p = 0; p < rom->shapes.points; p++) {
 			size_t to = 3*((size_t)pair*points + (size_t)p);
 
 			at = hawser__line_shape_place(rom, t->rope, p);
-			hawser__lexpand_second_at(shapes->second_shape + to, shapes->second_slope + to, t, pair,
-			                          at.piece, at.s, at.angle);
+			hawser__lexpand_second_at(shape + to, slope + to, t, first + pair, at.piece, at.s,
+			                          at.angle);
 		}
 		for (; hawser__line_next_place(&at, &next, t); q++)
-			hawser__lexpand_second_at(shape, rom->line.second_slope + 3*q, t, pair, at.piece, at.s,
-			                          0.0);
+			hawser__lexpand_second_at(displacement, line + 3*q, t, first + pair, at.piece, at.s, 0.0);
 	}
+}
+
+static enum hawser_status set_second(struct hawser_rom *rom, const struct hawser__lexpand *t,
+                                     struct hawser_report *report)
+{
+	enum hawser_status status = hawser__rom_init_second(rom, report);
+
+	if (!status)
+		hawser__line_second(rom->shapes.second_shape, rom->shapes.second_slope,
+		                    rom->line.second_slope, rom, t, 0, rom->n*(rom->n + 1)/2);
 	return status;
 }
 
 /* --- build --- */
 
 static enum hawser_status fill(struct hawser_rom *rom, const struct hawser__lexpand *t,
-                               const struct hawser__lexpand_modes *own,
+                               const struct hawser__line_answers *answers,
                                const struct hawser_line_modes *modes,
                                const struct hawser_line_rom_options *o, const double *pull,
                                struct hawser_report *report)
@@ -315,9 +251,7 @@ static enum hawser_status fill(struct hawser_rom *rom, const struct hawser__lexp
 		rom->K[j*(rom->n + 1)] = modes->mode[j].omega*modes->mode[j].omega;
 		rom->D[j*(rom->n + 1)] = 2.0*o->ratio*modes->mode[j].omega;
 	}
-	status = set_quads(rom, t, report);
-	if (!status)
-		status = set_cubics(rom, t, modes, report);
+	status = hawser__line_tensors(rom, t, rom->n, 0, report);
 	if (!status)
 		status = set_labels(rom, modes, report);
 	if (!status)
@@ -331,7 +265,9 @@ static enum hawser_status fill(struct hawser_rom *rom, const struct hawser__lexp
 	if (!status)
 		status = hawser__line_load(rom, t, modes, o, pull, report);
 	if (!status)
-		status = hawser__line_answers(rom, t, own, modes, o, report);
+		status = hawser__line_answers_set(rom, t, answers, o, report);
+	if (!status)
+		status = hawser__line_fields(rom, t, answers, report);
 	return status ? status : hawser_rom_compile(rom, report);
 }
 
@@ -343,6 +279,7 @@ enum hawser_status hawser_line_rom_build(struct hawser_rom *rom, struct hawser_l
 	struct hawser_line_rom_options o = *options;
 	struct hawser__lexpand_modes own = {.shape = NULL};
 	struct hawser__lexpand t = {.rope = NULL};
+	struct hawser__line_answers answers = {.count = 0};
 	double pull[HAWSER_LINE_ROM_MODES], wave;
 	int drive = o.load == HAWSER_LINE_LOAD_DRIVE;
 	enum hawser_status status;
@@ -358,10 +295,14 @@ enum hawser_status hawser_line_rom_build(struct hawser_rom *rom, struct hawser_l
 	if (!status && drive)
 		status = hawser__lexpand_drive(&own, pull, o.lane, o.end, report);
 	if (!status)
-		status = hawser__lexpand_open(&t, &own.rope, own.shape, modes->n + drive, o.held, report);
+		status = hawser__line_answers_make(&answers, &own, modes, &o, report);
 	if (!status)
-		status = fill(rom, &t, &own, modes, &o, pull, report);
+		status = hawser__lexpand_open(&t, &own.rope, own.shape, modes->n + answers.fields, o.held,
+		                              report);
+	if (!status)
+		status = fill(rom, &t, &answers, modes, &o, pull, report);
 	hawser__lexpand_clear(&t);
+	hawser__line_answers_clear(&answers);
 	hawser__lexpand_modes_clear(&own);
 	if (status) {
 		hawser_rom_clear(rom);

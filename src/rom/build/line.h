@@ -5,6 +5,7 @@
 
 #include <hawser/line_rom.h>
 
+#include "rom/condense/fields.h"
 #include "ropeway/expand/expand_modes.h"
 
 /* Add the harmonics of options->load. pull: as of hawser__lexpand_drive, whose shape is the last
@@ -38,12 +39,43 @@ struct hawser__line_place hawser__line_shape_place(const struct hawser_rom *rom,
 int hawser__line_next_place(struct hawser__line_place *place, int *next,
                             const struct hawser__lexpand *t);
 
-/* `answer` of the harmonics of a load and the known motions. line_answer.c. */
-enum hawser_status hawser__line_answers(struct hawser_rom *rom, const struct hawser__lexpand *t,
-                                        const struct hawser__lexpand_modes *own,
-                                        const struct hawser_line_modes *modes,
-                                        const struct hawser_line_rom_options *options,
-                                        struct hawser_report *report);
+/* Displacement and strains of `pairs` pairs of the expansion, from number `first` on, at the shape points,
+ * [pairs][points][3], and strains along the line. line.c. */
+void hawser__line_second(double *shape, double *slope, double *line, const struct hawser_rom *rom,
+                         const struct hawser__lexpand *t, int first, int pairs);
+/* What the modes that are not kept do under each wave of the load, or under the drive. */
+struct hawser__line_field {
+	int k, sine;   /* the shape has the factor factor*cos(k tau), or sine */
+	double factor;
+};
+struct hawser__line_answers {
+	int count;                                /* of waves; 1: the drive */
+	struct hawser__lexpand_answer *answer;    /* [count] */
+	double factor;                            /* of each */
+	int fields;                               /* shapes of `own` behind the modes: the static parts */
+	struct hawser__line_field field[HAWSER__LOAD_FIELDS];
+};
+/* line_answer.c. _make adds the static parts to the shapes of `own`, which are those of the answers.
+ * Clear, on failure too. */
+enum hawser_status hawser__line_answers_make(struct hawser__line_answers *answers,
+                                             struct hawser__lexpand_modes *own,
+                                             const struct hawser_line_modes *modes,
+                                             const struct hawser_line_rom_options *options,
+                                             struct hawser_report *report);
+void hawser__line_answers_clear(struct hawser__line_answers *answers);
+/* `answer` of the harmonics and the known motions. */
+enum hawser_status hawser__line_answers_set(struct hawser_rom *rom, const struct hawser__lexpand *t,
+                                            const struct hawser__line_answers *answers,
+                                            const struct hawser_line_rom_options *options,
+                                            struct hawser_report *report);
+/* Terms of the energy with these shapes. line_fields.c. */
+enum hawser_status hawser__line_fields(struct hawser_rom *rom, const struct hawser__lexpand *t,
+                                       const struct hawser__line_answers *answers,
+                                       struct hawser_report *report);
+/* Entries of Q and C of the rom->n equations, in the first n shapes of which the last of an entry is at
+ * least number `least`. line_tensors.c. */
+enum hawser_status hawser__line_tensors(struct hawser_rom *rom, const struct hawser__lexpand *t, int n,
+                                        int least, struct hawser_report *report);
 /* rom->contacts: the arcs on which the rope lies. line_lift.c. */
 enum hawser_status hawser__line_contacts(struct hawser_rom *rom, const struct hawser_line_modes *modes,
                                          struct hawser_report *report);

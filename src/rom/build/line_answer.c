@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "config.h"
 
+#include <cblas.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -78,42 +79,91 @@ static enum hawser_status set_known(const struct target *to, struct hawser_harmo
 	return HAWSER_OK;
 }
 
-enum hawser_status hawser__line_answers(struct hawser_rom *rom, const struct hawser__lexpand *t,
-                                        const struct hawser__lexpand_modes *own,
-                                        const struct hawser_line_modes *modes,
-                                        const struct hawser_line_rom_options *o,
-                                        struct hawser_report *report)
+/* --- the answers --- */
+
+/* The static part in the systems of the rope that it moves, as shapes, while there is room. */
+static void add_fields(struct hawser__line_answers *answers, struct hawser__lexpand_modes *own, int i)
 {
-	const struct target to = {rom, t};
-	int passing = o->load == HAWSER_LINE_LOAD_PASSING, count = passing ? 2*o->harmonics : 1, all = 0;
-	double factor = passing ? 1.0 : o->amplitude/modes->length_unit, reach = INFINITY;
-	struct hawser__lexpand_answer *answer = calloc((size_t)count, sizeof *answer);
-	enum hawser_status status = answer ? HAWSER_OK : hawser__no_memory(report, "line rom");
+	const struct hawser__lexpand_field *z = &answers->answer[i].field[0];
+	const double *x = z->x, *strain = z->strain;
+
+	for (int k = 0; k < own->rope.systems; k++) {
+		const struct hawser__lmode_system *system = &own->rope.system[k];
+		double most = system->strains > 0 ? fabs(strain[cblas_idamax(system->strains, strain, 1)]) : 0.0;
+
+		if (most > 0.0 && answers->fields < HAWSER__LOAD_FIELDS) {
+			own->shape[own->search.n + answers->fields] =
+				(struct hawser__lexpand_shape){.system = k, .x = x, .strain = strain};
+			answers->field[answers->fields++] =
+				(struct hawser__line_field){i/2 + 1, i%2, answers->factor};
+		}
+		x += system->size;
+		strain += system->strains;
+	}
+}
+
+enum hawser_status hawser__line_answers_make(struct hawser__line_answers *answers,
+                                             struct hawser__lexpand_modes *own,
+                                             const struct hawser_line_modes *modes,
+                                             const struct hawser_line_rom_options *o,
+                                             struct hawser_report *report)
+{
+	int passing = o->load == HAWSER_LINE_LOAD_PASSING, count = passing ? 2*o->harmonics : 1;
+	enum hawser_status status = HAWSER_OK;
 
 	if (o->load == HAWSER_LINE_LOAD_NONE)
-		count = 0;
-	for (int i = 0; i < count && !status; i++) {
+		return HAWSER_OK;
+	answers->factor = passing ? 1.0 : o->amplitude/modes->length_unit;
+	answers->answer = calloc((size_t)count, sizeof *answers->answer);
+	if (!answers->answer)
+		return hawser__no_memory(report, "line rom");
+	while (answers->count < count && !status) {
+		int i = answers->count++;
 		struct hawser__line_wave wave = passing ? hawser__line_wave(modes, o, i)
 		                                        : (struct hawser__line_wave){.sine = 0};
 
-		status = hawser__lexpand_answer(&answer[i], own, passing ? hawser__line_pull : NULL, &wave,
-		                                o->lane, report);
-		all += answer[i].known;
-		reach = fmin(reach, answer[i].reach);
+		status = hawser__lexpand_answer(&answers->answer[i], own, passing ? hawser__line_pull : NULL,
+		                                &wave, o->lane, report);
 	}
-	if (!status && count > 0)
+	for (int i = 0; i < count && !status; i++)
+		add_fields(answers, own, i);
+	return status;
+}
+
+void hawser__line_answers_clear(struct hawser__line_answers *answers)
+{
+	for (int i = 0; i < answers->count; i++)
+		hawser__lexpand_answer_clear(&answers->answer[i]);
+	free(answers->answer);
+	*answers = (struct hawser__line_answers){.count = 0};
+}
+
+enum hawser_status hawser__line_answers_set(struct hawser_rom *rom, const struct hawser__lexpand *t,
+                                            const struct hawser__line_answers *answers,
+                                            const struct hawser_line_rom_options *o,
+                                            struct hawser_report *report)
+{
+	const struct target to = {rom, t};
+	double factor = answers->factor, reach = INFINITY;
+	enum hawser_status status = HAWSER_OK;
+	int all = 0;
+
+	for (int i = 0; i < answers->count; i++) {
+		all += answers->answer[i].known;
+		reach = fmin(reach, answers->answer[i].reach);
+	}
+	if (answers->count > 0)
 		status = hawser__rom_known_make(rom, all, report);
 	all = 0;
-	for (int i = 0; i < count && !status; i++) {
-		status = set_harmonic(&to, &rom->harmonic[i], &answer[i], factor, report);
+	for (int i = 0; i < answers->count && !status; i++) {
+		const struct hawser__lexpand_answer *answer = &answers->answer[i];
+
+		status = set_harmonic(&to, &rom->harmonic[i], answer, factor, report);
 		if (!status)
-			status = set_known(&to, &rom->harmonic[i], all, &answer[i], factor, o->ratio, report);
-		all += answer[i].known;
+			status = set_known(&to, &rom->harmonic[i], all, answer, factor, o->ratio, report);
+		all += answer->known;
 	}
-	if (!status && count > 0)
+	if (!status && answers->count > 0)
 		rom->known.reach = reach;
-	for (int i = 0; answer && i < count; i++)
-		hawser__lexpand_answer_clear(&answer[i]);
-	free(answer);
 	return status;
 }

@@ -5,8 +5,7 @@
 
 #include <hawser/rom.h>
 
-/* Most fields; further ones are left out. */
-enum { HAWSER__LOAD_FIELDS = 6 };
+#include "rom/condense/fields.h"
 
 /* Field i has the factor cos(k tau), or sin(k tau) if sine[i]. */
 struct hawser__load_fields {

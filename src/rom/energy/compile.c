@@ -390,6 +390,27 @@ static struct hawser_rom_kernel *make_bare(const struct hawser_rom *rom)
 	return kernel;
 }
 
+static int same_indices(const struct hawser_harmonic *a, const struct hawser_harmonic *b)
+{
+	int i = 0;
+
+	while (a->quads == b->quads && i < a->quads && a->Q[i].j == b->Q[i].j && a->Q[i].k == b->Q[i].k &&
+	       a->Q[i].l == b->Q[i].l)
+		i++;
+	return a->quads == b->quads && i == a->quads;
+}
+
+/* Returns 0 when out of memory. */
+static int find_alike(struct hawser_rom_kernel *kernel, const struct hawser_rom *rom)
+{
+	kernel->harmonics = rom->harmonics;
+	kernel->alike = calloc((size_t)rom->harmonics + 1, sizeof *kernel->alike);
+	for (int h = 0; kernel->alike && h < rom->harmonics; h++)
+		while (!same_indices(&rom->harmonic[h], &rom->harmonic[kernel->alike[h]]))
+			kernel->alike[h]++;
+	return kernel->alike != NULL;
+}
+
 static int builder_make(struct builder *builder, const struct hawser_rom *rom)
 {
 	size_t n = (size_t)rom->n, entries = (size_t)rom->quads*2 + (size_t)rom->cubics*3 + 1;
@@ -426,8 +447,10 @@ enum hawser_status hawser__rom_compile(struct hawser_rom *rom, int bare,
 	else if (builder_make(&builder, rom))
 		kernel = make_kernel(rom, &builder);
 	builder_clear(&builder);
-	if (!kernel)
+	if (!kernel || !find_alike(kernel, rom)) {
+		hawser__kernel_free(kernel);
 		return hawser__no_memory(report, "rom");
+	}
 	hawser__kernel_free(rom->kernel);
 	rom->kernel = kernel;
 	return HAWSER_OK;

@@ -181,6 +181,7 @@ void hawser__kernel_free(struct hawser_rom_kernel *kernel)
 	free(kernel->d_j);
 	free(kernel->d_k);
 	free(kernel->d_val);
+	free(kernel->alike);
 	hawser__panels_free(kernel->panels);
 	hawser__panels_free(kernel->gradient);
 	hawser__quartic_free(kernel->quartic);

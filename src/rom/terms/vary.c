@@ -20,21 +20,44 @@ int hawser__rom_varies(const struct hawser_rom *rom)
 	return 0;
 }
 
-/* Add the terms of one harmonic times `wave` to restoring [n] and, unless NULL, to tangent [n][n],
- * at u [n]. */
-static void vary_by(const struct hawser_harmonic *harmonic, double wave, double *restoring,
-                    double *tangent, const double *u, int n)
-{
-	for (int i = 0; i < harmonic->quads; i++) {
-		const struct hawser_quad *q = &harmonic->Q[i];
-		double value = wave*q->value, x = u[q->k], y = u[q->l];
+enum { TOGETHER = 16 }; /* harmonics of the same indices at once */
 
+/* Harmonics of the same indices: each entry is the sum of theirs, and is applied once. */
+struct group {
+	int count;
+	const struct hawser_quad *Q[TOGETHER];
+	double wave[TOGETHER];
+};
+
+static void add_to(struct group *group, const struct hawser_harmonic *harmonic, double tau)
+{
+	group->wave[group->count] = harmonic->phase == HAWSER_COS ? cos(harmonic->k*tau)
+	                            : sin(harmonic->k*tau);
+	group->Q[group->count++] = harmonic->Q;
+}
+
+/* Add the terms to restoring [n] and, unless NULL, to tangent [n][n], at u [n]. */
+static void vary_by(const struct group *group, int quads, double *restoring, double *tangent,
+                    const double *u, int n)
+{
+	for (int i = 0; i < quads; i++) {
+		const struct hawser_quad *q = &group->Q[0][i];
+		double value = 0.0, x = u[q->k], y = u[q->l];
+
+		for (int g = 0; g < group->count; g++)
+			value += group->wave[g]*group->Q[g][i].value;
 		restoring[q->j] += value*x*y;
 		if (!tangent)
 			continue;
 		tangent[q->j*n + q->k] += value*y;
 		tangent[q->j*n + q->l] += value*x;
 	}
+}
+
+/* The first harmonic with the same indices as h. A model that is not compiled does not know it. */
+static int first_like(const struct hawser_rom *rom, int h)
+{
+	return rom->kernel && h < rom->kernel->harmonics ? rom->kernel->alike[h] : h;
 }
 
 void hawser__rom_vary_at(const struct hawser_rom *rom, double *restoring, double *tangent,
@@ -48,11 +71,19 @@ void hawser__rom_vary_at(const struct hawser_rom *rom, double *restoring, double
 		hawser__exact_vary(rom->exact, restoring, tangent, u, s);
 	}
 	for (int h = 0; h < rom->harmonics; h++) {
-		const struct hawser_harmonic *harmonic = &rom->harmonic[h];
+		struct group group = {.count = 0};
+		int quads = rom->harmonic[h].quads;
 
-		if (harmonic->quads > 0)
-			vary_by(harmonic, harmonic->phase == HAWSER_COS ? cos(harmonic->k*tau)
-			        : sin(harmonic->k*tau), restoring, tangent, u, rom->n);
+		if (quads == 0 || first_like(rom, h) != h)
+			continue;
+		for (int g = h; g < rom->harmonics; g++) {
+			if (first_like(rom, g) == h)
+				add_to(&group, &rom->harmonic[g], tau);
+			if (group.count == TOGETHER || (g + 1 == rom->harmonics && group.count > 0)) {
+				vary_by(&group, quads, restoring, tangent, u, rom->n);
+				group.count = 0;
+			}
+		}
 	}
 }
 

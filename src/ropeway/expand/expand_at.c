@@ -71,6 +71,15 @@ void hawser__lexpand_second_at(double shape[3], double slope[3], const struct ha
 	}
 }
 
+void hawser__lexpand_shape_at(double shape[3], double slope[3], const struct hawser__lexpand *t, int i,
+                              int piece, double s, double angle)
+{
+	const struct hawser__lexpand_shape *own = &t->shape[i];
+
+	none(shape, slope);
+	add_system(shape, slope, &t->rope->system[own->system], own->x, own->strain, piece, s, angle);
+}
+
 void hawser__lexpand_field_at(double shape[3], double slope[3], const struct hawser__lmode *rope,
                               const struct hawser__lexpand_field *field, int piece, double s,
                               double angle)

@@ -74,7 +74,7 @@ enum hawser_status hawser__lexpand_modes_open(struct hawser__lexpand_modes *t,
 		return status;
 	t->search.pairs = calloc((size_t)t->rope.systems + 1, sizeof *t->search.pairs);
 	t->search.choice = calloc((size_t)o.n, sizeof *t->search.choice);
-	t->shape = calloc((size_t)o.n + 1, sizeof *t->shape);
+	t->shape = calloc((size_t)o.n + HAWSER__LEXPAND_MORE, sizeof *t->shape);
 	if (!t->search.pairs || !t->search.choice || !t->shape)
 		return hawser__no_memory(report, "line rom");
 	status = hawser__lmode_find(&t->search, report);

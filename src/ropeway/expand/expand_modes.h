@@ -5,11 +5,14 @@
 
 #include "ropeway/expand/expand.h"
 
+enum { HAWSER__LEXPAND_MORE = 6 };
+
 struct hawser__lexpand_modes {
 	struct hawser__lmode rope;
 	struct hawser__lmode_search search;    /* which refers to rope: the structure must not be moved */
-	struct hawser__lexpand_shape *shape;   /* [search.n + 1]: the modes; one more may be added */
-	double *end_x, *end_strain;            /* of that one, or NULL */
+	struct hawser__lexpand_shape *shape;   /* [search.n + HAWSER__LEXPAND_MORE]: the modes, and room for
+	                                        * more, the first of which is that of a drive */
+	double *end_x, *end_strain;            /* of the drive, or NULL */
 };
 
 /* The lowest modes, and the same in the public structure, on grids that also resolve a wave of the
@@ -31,6 +34,9 @@ enum hawser_status hawser__lexpand_drive(struct hawser__lexpand_modes *t, double
  * at s from the beginning of a piece where the rope has the slope `angle`; slope may be NULL. */
 void hawser__lexpand_second_at(double shape[3], double slope[3], const struct hawser__lexpand *t,
                                int pair, int piece, double s, double angle);
+/* The same of shape i. */
+void hawser__lexpand_shape_at(double shape[3], double slope[3], const struct hawser__lexpand *t, int i,
+                              int piece, double s, double angle);
 
 /* A displacement of the whole rope: states and strains of all systems, one after the other. */
 struct hawser__lexpand_field {
