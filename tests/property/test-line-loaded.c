@@ -89,8 +89,8 @@ static int exactly(double y[SPANS], const struct hawser_line *line, const struct
 
 /* Largest difference of y over a period, relative to the largest y, of a model without fields (terms 0)
  * and with them. */
-static int compare(double worst[2], const struct hawser_line *line, const struct hawser_line_statics *st,
-                   int kept, double weight)
+static int compare(double worst[2], const struct hawser_line *line,
+                   const struct hawser_line_statics *st, int kept, double weight)
 {
 	const struct hawser_line_statics *lane[1] = {st};
 	const struct hawser_line_rom_options o = {.load = HAWSER_LINE_LOAD_PASSING, .weight = weight,

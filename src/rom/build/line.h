@@ -39,8 +39,8 @@ struct hawser__line_place hawser__line_shape_place(const struct hawser_rom *rom,
 int hawser__line_next_place(struct hawser__line_place *place, int *next,
                             const struct hawser__lexpand *t);
 
-/* Displacement and strains of `pairs` pairs of the expansion, from number `first` on, at the shape points,
- * [pairs][points][3], and strains along the line. line.c. */
+/* Displacement and strains of `pairs` pairs of the expansion, from number `first` on, at the shape
+ * points, [pairs][points][3], and strains along the line. line.c. */
 void hawser__line_second(double *shape, double *slope, double *line, const struct hawser_rom *rom,
                          const struct hawser__lexpand *t, int first, int pairs);
 /* What the modes that are not kept do under each wave of the load, or under the drive. */

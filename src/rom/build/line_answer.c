@@ -89,9 +89,10 @@ static void add_fields(struct hawser__line_answers *answers, struct hawser__lexp
 
 	for (int k = 0; k < own->rope.systems; k++) {
 		const struct hawser__lmode_system *system = &own->rope.system[k];
-		double most = system->strains > 0 ? fabs(strain[cblas_idamax(system->strains, strain, 1)]) : 0.0;
+		int moved = system->strains > 0 &&
+		            strain[cblas_idamax(system->strains, strain, 1)] != 0.0;
 
-		if (most > 0.0 && answers->fields < HAWSER__LOAD_FIELDS) {
+		if (moved && answers->fields < HAWSER__LOAD_FIELDS) {
 			own->shape[own->search.n + answers->fields] =
 				(struct hawser__lexpand_shape){.system = k, .x = x, .strain = strain};
 			answers->field[answers->fields++] =

@@ -155,7 +155,8 @@ static struct hawser_harmonic *find(struct hawser_rom *rom, int first, int k, en
 }
 
 /* Add factor * share to a harmonic. Returns 0 when out of memory. */
-static int put(struct hawser_harmonic *h, const struct hawser__fields_share *share, double factor, size_t n)
+static int put(struct hawser_harmonic *h, const struct hawser__fields_share *share, double factor,
+               size_t n)
 {
 	if (!h)
 		return 0;

@@ -79,7 +79,7 @@ struct hawser_rom_kernel {
 	int *d_j, *d_k;
 	double *d_val;
 	int harmonics;
-	int *alike;           /* [harmonics] the first harmonic whose Q has the same indices in the same order */
+	int *alike;           /* [harmonics] the first one whose Q has the same indices in the same order */
 	struct hawser__quartic *quartic; /* the same energy as a function (quartic.h); NULL if the model is
 	                       * not of a cable's modes */
 	struct hawser__size size;       /* of the model, if quartic is not NULL */
