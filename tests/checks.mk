@@ -153,8 +153,8 @@ check-kernels: all-am $(check_PROGRAMS)
 KERNEL_SAMPLE = Prescott Sandybridge Haswell SkylakeX reference
 KERNEL_SAMPLE_TESTS = 'unit/*' 'reference/*' property/choose property/folds property/frf property/gyroscopic property/modes-basis \
 	property/modes-chain property/modes-compare property/primary property/quadratic property/rom-auto property/rom-condense \
-	property/rom-inertia property/scales property/travel property/undamped extremes/alloc extremes/folds-extremes extremes/modes-extremes \
-	extremes/sweep-folds extremes/sweep-hill extremes/sweep-load extremes/sweep-rom cli/refusals
+	property/branches property/rom-inertia property/scales property/travel property/undamped \
+	extremes/alloc extremes/folds-extremes extremes/modes-extremes extremes/sweep-folds extremes/sweep-hill extremes/sweep-load extremes/sweep-rom cli/refusals
 KERNEL_SAMPLE_OUT = unit/map reference/map-mathieu reference/rom-auto reference/rom-export
 check-kernel-sample:
 	@$(MAKE) --no-print-directory check-kernels KERNELS='$(KERNEL_SAMPLE)' \

@@ -88,6 +88,8 @@ struct hawser_frf_event {
 	                    * curve */
 	int unstable[2]; /* multipliers outside the unit circle at these two orbits */
 	int label;       /* hawser_frf_label; 0: none */
+	int turns;       /* 1: a branch point at which the parameter turns, as on a branch that meets
+	                  * another one */
 };
 
 struct hawser_frf {

@@ -254,6 +254,7 @@ static enum hawser_status meet(struct hawser__account *account, int *done, struc
 		*done = !status && left && right && may_meet(account, left, right) &&
 		        explained(a, left, 0, account->sure) && explained(right, b, 0, account->sure);
 		account->event[events].kind = HAWSER_BRANCH_POINT;
+		account->event[events].turns = 1;
 		if (*done && watch)
 			watch(account->context, &account->event[events], orbit, account->scratch.y);
 	}
@@ -261,7 +262,8 @@ static enum hawser_status meet(struct hawser__account *account, int *done, struc
 	account->gaps = gaps;
 	if (!status && !*done && flat(account, a, b, orbit->size - 1)) {
 		double from = a->y[orbit->size - 1], to = b->y[orbit->size - 1];
-		struct hawser_frf_event event = {.kind = HAWSER_BRANCH_POINT, .arc = 0.5*(a->arc + b->arc),
+		struct hawser_frf_event event = {.kind = HAWSER_BRANCH_POINT, .turns = 1,
+			.arc = 0.5*(a->arc + b->arc),
 			.omega = 0.5*(from + to), .bracket = {from, to},
 			.error = account->event_tolerance + a->mesh, .unstable = {a->circle.unstable,
 			b->circle.unstable}};

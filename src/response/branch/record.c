@@ -116,7 +116,8 @@ enum hawser_status hawser__record_point(struct hawser_frf *frf, struct hawser__a
 }
 
 /* Whether these are at one place. On a pitchfork's own branch Omega turns where that branch crosses the
- * other: a fold and a branch point in one. Beside it the tests are round-off, which may change more. */
+ * other: a fold and a branch point in one. Beside it the tests are round-off, which may change more: a
+ * branch point where nothing turns belongs to it. */
 static int are_one(const struct hawser_frf_event *a, const struct hawser_frf_event *b)
 {
 	int fold = a->kind == HAWSER_FOLD || b->kind == HAWSER_FOLD;
@@ -134,10 +135,13 @@ enum hawser_status hawser__record_event(struct hawser_frf *frf,
 	double *row;
 
 	if (frf->events > 0 && are_one(&frf->event[frf->events - 1], event)) {
-		int twice = frf->event[frf->events - 1].kind == event->kind;
+		const struct hawser_frf_event *last = &frf->event[frf->events - 1];
+		int twice = last->kind == event->kind;
 
-		frf->events -= event->kind == HAWSER_BRANCH_POINT;
-		if (twice || event->kind == HAWSER_FOLD)
+		if (event->kind == HAWSER_FOLD || (twice && last->turns))
+			return HAWSER_OK;
+		frf->events--;
+		if (twice && !event->turns)
 			return HAWSER_OK;
 	}
 	if (frf->events == frf->event_capacity) {
