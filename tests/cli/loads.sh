@@ -42,7 +42,7 @@ if python3 -S -c '' 2>/dev/null; then
 	cat >check.py <<'EOF'
 import json
 r = json.load(open("rom.json"))
-assert sorted((h["k"], h["phase"]) for h in r["harmonics"]) == [(1, "cos"), (1, "sin"), (2, "sin")]
+assert sorted((h["k"], h["phase"]) for h in r["harmonics"][:3]) == [(1, "cos"), (1, "sin"), (2, "sin")]
 echo = r["scene"]["loads"]
 assert echo[1] == {"force": [0, 0, 20], "at_m": 30, "frame": "global", "harmonic": 1, "phase": 0, "name": "hand"}
 assert echo[2]["wave"] == 40 and echo[0]["from"] == 0.2

@@ -44,13 +44,16 @@ static void sum_modes(double xyz[3], const struct hawser_rom *all, int p, double
 	xyz[2] = local[2];
 }
 
-/* Largest distance at frequency W, relative to the largest component of the response. */
-static double distance(const struct hawser_rom *rom, const struct hawser_rom *all, double W)
+/* Largest distance at frequency W, relative to the largest component of the response, to first order. */
+static double distance(const struct hawser_rom *full, const struct hawser_rom *all, double W)
 {
 	const double rest[KEPT] = {0.0};
+	struct hawser_rom first_order = *full;
+	const struct hawser_rom *rom = &first_order;
 	struct hawser_rom_moment moment = {.tau = 0.4, .omega = W};
 	double most = 0.0, off = 0.0;
 
+	first_order.ends = NULL;
 	for (int p = 0; p < rom->shapes.points; p++) {
 		double got[3], want[3];
 

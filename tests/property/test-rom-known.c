@@ -249,15 +249,18 @@ static void check_file(const struct hawser_rom *rom, double omega)
 	remove(name);
 }
 
-/* Displacement and tension with the kept modes at rest, against sums over all other modes of a
+/* Displacement and tension with the kept modes at rest, to first order, against sums over all other modes of a
  * basis: for modes above the known ones the relative error of the response is (W/omega_s)^4. */
-static void check_sums(const struct hawser_rom *rom, const struct hawser_rom *all, double omega)
+static void check_sums(const struct hawser_rom *full, const struct hawser_rom *all, double omega)
 {
+	struct hawser_rom first_order = *full;
+	const struct hawser_rom *rom = &first_order;
 	const double rest[KEPT] = {0.0};
 	struct hawser_rom_moment moment = {.tau = 0.4, .omega = omega};
 	int left_out[100] = {0};
 	double most = 0.0, off = 0.0, pull[2] = {0.0}, limit;
 
+	first_order.ends = NULL;
 	for (int j = 0; j < KEPT; j++)
 		left_out[kept[j]] = 1;
 	for (int p = 0; p < 3; p++) {

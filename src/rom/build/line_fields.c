@@ -62,29 +62,6 @@ static void note_slopes(struct hawser_rom *rom, const struct hawser__lexpand *t,
 	}
 }
 
-/* What displacements and tensions have of the fields. */
-static enum hawser_status show(struct hawser_rom *rom, const struct hawser__lexpand *t,
-                               const struct hawser__line_answers *answers, struct hawser_report *report)
-{
-	int count = answers->fields, terms = answers->field[count - 1].k;
-	enum hawser_status status = hawser__ends_make(rom, count, terms, 1, report);
-	struct hawser_rom_ends *ends = rom->ends;
-
-	if (status)
-		return status;
-	for (int k = 0; k < terms; k++)
-		ends->k[k] = k + 1;
-	for (int i = 0; i < count; i++) {
-		const struct hawser__line_field *field = &answers->field[i];
-
-		(field->sine ? ends->sine : ends->cosine)[(field->k - 1)*count + i] = field->factor;
-		note_slopes(rom, t, i);
-	}
-	hawser__line_second(ends->second_shape, ends->second_slope, ends->second_line, rom, t,
-	                    rom->n*(rom->n + 1)/2, (int)hawser__ends_pairs(ends));
-	return HAWSER_OK;
-}
-
 enum hawser_status hawser__line_fields(struct hawser_rom *rom, const struct hawser__lexpand *t,
                                        const struct hawser__line_answers *answers,
                                        struct hawser_report *report)
@@ -108,7 +85,13 @@ enum hawser_status hawser__line_fields(struct hawser_rom *rom, const struct haws
 	if (!status)
 		status = hawser__fields_spread(rom, &fields, report);
 	if (!status)
-		status = show(rom, t, answers, report);
+		status = hawser__ends_move(rom, fields.signal, fields.count, 1, report);
+	for (int i = 0; i < fields.count && !status; i++)
+		note_slopes(rom, t, i);
+	if (!status)
+		hawser__line_second(rom->ends->second_shape, rom->ends->second_slope,
+		                    rom->ends->second_line, rom, t, rom->n*(rom->n + 1)/2,
+		                    (int)hawser__ends_pairs(rom->ends));
 	free(tensors.Q);
 	free(tensors.C);
 	hawser__fields_clear(&fields);

@@ -28,6 +28,7 @@
 
 #include "core/report.h"
 #include "rom/condense/condense.h"
+#include "modes/grid.h"
 #include "rom/terms/ends.h"
 #include "rom/energy/kernel.h"
 #include "rom/condense/load_fields.h"
@@ -181,6 +182,29 @@ static enum hawser_status condensed_ends(struct hawser_rom *rom, const struct wo
 	return hawser__ends_condensed(rom, &work->wide, &own, report);
 }
 
+/* The second-order response to the load alone, where no support moves. The strain of the fields along the
+ * cable is in `answer` of the harmonics. */
+static enum hawser_status condensed_answers(struct hawser_rom *rom, const struct work *work,
+                                            struct hawser_report *report)
+{
+	int points = rom->shapes.points, line = rom->line.points, count = work->fields.count;
+	size_t each = 3*(size_t)work->wide.grid.points;
+	enum hawser_status status = hawser__ends_move(rom, work->fields.signal, count, 1, report);
+
+	if (status)
+		return status;
+	for (int i = 0; i < count; i++)
+		for (int p = 0; p < points + line; p++) {
+			double *slope = p < points ? rom->ends->slope + 3*((size_t)i*(size_t)points + (size_t)p)
+			                : rom->ends->line + 3*((size_t)i*(size_t)line + (size_t)(p - points));
+
+			hawser__grid_at(slope, &work->wide.grid, work->loads.strain + (size_t)i*each, 3, 3,
+			                p < points ? rom->shapes.s[p] : rom->line.s[p - points]);
+			slope[0] = 0.0;
+		}
+	return hawser__ends_condensed(rom, &work->wide, &work->condensed, report);
+}
+
 /* Terms of some of the fields, of the first `moving` modes. */
 static enum hawser_status add_fields(struct hawser_rom *rom, const struct hawser_modes *modes,
                                      int moving, int condensed, int fields,
@@ -208,6 +232,8 @@ static enum hawser_status add_fields(struct hawser_rom *rom, const struct hawser
 		                             report);
 	if (!status && condensed && rom->shapes.second_slope && work.fields.ends > 0)
 		status = condensed_ends(rom, &work, report);
+	if (!status && condensed && rom->shapes.second_slope && !rom->ends)
+		status = condensed_answers(rom, &work, report);
 	if (!status)
 		status = hawser__fields_sort(&work.fields, &work.big, report);
 	if (!status && hawser__support_given(scene))

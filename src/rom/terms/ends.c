@@ -78,23 +78,13 @@ enum hawser_status hawser__ends_make(struct hawser_rom *rom, int count, int term
 	return HAWSER_OK;
 }
 
-/* --- of a scene --- */
-
-enum hawser_status hawser__ends_set(struct hawser_rom *rom, const struct hawser_modes *modes,
-                                    const struct hawser__support_shapes *shapes,
-                                    const struct hawser_scene *scene, struct hawser_report *report)
+enum hawser_status hawser__ends_move(struct hawser_rom *rom, const struct hawser__signal *signal,
+                                     int count, int second, struct hawser_report *report)
 {
-	struct hawser__signal signal[HAWSER__SUPPORT_MOST];
-	int number[HAWSER__SUPPORT_MOST] = {0}, k[HAWSER__SUPPORT_TOP + 1], count = 0, terms = 0;
-	int given = hawser__support_given(scene);
-	int points = rom->shapes.points, line = rom->line.points;
-	size_t each = 3*(size_t)modes->grid.points;
+	int k[HAWSER__SUPPORT_TOP + 1], terms = 0;
 	enum hawser_status status;
 
-	for (int i = 0; i < shapes->count; i++)
-		if (hawser__support_factor(&signal[count], scene, i, &modes->statics))
-			number[count++] = i;
-	for (int h = 0; h <= HAWSER__SUPPORT_TOP && !given; h++) {
+	for (int h = 0; h <= HAWSER__SUPPORT_TOP; h++) {
 		int any = 0;
 
 		for (int i = 0; i < count; i++)
@@ -102,20 +92,40 @@ enum hawser_status hawser__ends_set(struct hawser_rom *rom, const struct hawser_
 		if (any)
 			k[terms++] = h;
 	}
-	if (count == 0)
-		return HAWSER_OK;
-	status = hawser__ends_make(rom, count, terms, 0, report);
-	if (status)
-		return status;
-	rom->ends->given = given;
-	memcpy(rom->ends->number, number, sizeof number);
-	for (int t = 0; t < terms; t++) {
+	status = hawser__ends_make(rom, count, terms, second, report);
+	for (int t = 0; !status && t < terms; t++) {
 		rom->ends->k[t] = k[t];
 		for (int i = 0; i < count; i++) {
 			rom->ends->cosine[t*count + i] = signal[i].c[k[t]];
 			rom->ends->sine[t*count + i] = signal[i].s[k[t]];
 		}
 	}
+	return status;
+}
+
+/* --- of a scene --- */
+
+enum hawser_status hawser__ends_set(struct hawser_rom *rom, const struct hawser_modes *modes,
+                                    const struct hawser__support_shapes *shapes,
+                                    const struct hawser_scene *scene, struct hawser_report *report)
+{
+	struct hawser__signal signal[HAWSER__SUPPORT_MOST];
+	int number[HAWSER__SUPPORT_MOST] = {0}, count = 0, given = hawser__support_given(scene);
+	int points = rom->shapes.points, line = rom->line.points;
+	size_t each = 3*(size_t)modes->grid.points;
+	enum hawser_status status;
+
+	for (int i = 0; i < shapes->count; i++)
+		if (hawser__support_factor(&signal[count], scene, i, &modes->statics))
+			number[count++] = i;
+	if (count == 0)
+		return HAWSER_OK;
+	status = given ? hawser__ends_make(rom, count, 0, 0, report)
+	         : hawser__ends_move(rom, signal, count, 0, report);
+	if (status)
+		return status;
+	rom->ends->given = given;
+	memcpy(rom->ends->number, number, sizeof number);
 	for (int i = 0; i < count; i++)
 		for (int p = 0; p < points + line; p++)
 			hawser__grid_at(p < points ? rom->ends->slope + 3*((size_t)i*(size_t)points + (size_t)p)
@@ -136,7 +146,7 @@ enum hawser_status hawser__ends_condensed(struct hawser_rom *rom, const struct h
 	const struct hawser__condensed with_ends = {.n = condensed->n, .points = condensed->points,
 		.pairs = condensed->pairs - first, .strain = condensed->strain + (size_t)first*each,
 		.start = condensed->start + 3*(size_t)first};
-	enum hawser_status status = make_second(ends, (size_t)points, (size_t)line)
+	enum hawser_status status = ends->second_shape || make_second(ends, (size_t)points, (size_t)line)
 	                            ? HAWSER_OK : hawser__no_memory(report, "rom");
 
 	for (int p = 0; !status && p < points; p++)

@@ -34,6 +34,9 @@ size_t hawser__ends_pairs(const struct hawser_rom_ends *ends);
 /* rom->ends, with zeros, for its shape points and line; second: with the arrays second_*. */
 enum hawser_status hawser__ends_make(struct hawser_rom *rom, int count, int terms, int second,
                                      struct hawser_report *report);
+/* The same, with these signals [count] as factors. */
+enum hawser_status hawser__ends_move(struct hawser_rom *rom, const struct hawser__signal *signal,
+                                     int count, int second, struct hawser_report *report);
 void hawser__ends_free(struct hawser_rom_ends *ends);
 
 /* Give the model the shapes and motions of a scene, without condensed modes. */
